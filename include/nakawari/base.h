@@ -1,0 +1,108 @@
+/* SPDX-License-Identifier: MIT */
+/**
+ * @file
+ * Floor 0: what everything else stands on: the version, the linkage words, the list of results.
+ *
+ * The library reads and writes only what it is given. It allocates nothing, keeps no state, touches
+ * no errno, no locale and no file, so every function may be called from any thread.
+ */
+#ifndef NAKAWARI_BASE_H
+#define NAKAWARI_BASE_H
+
+#include <float.h>
+#include <stddef.h>
+
+/** The version of these headers, as three numbers. nkw_version() gives that of the linked library. */
+#define NKW_VERSION_MAJOR 0
+#define NKW_VERSION_MINOR 1
+#define NKW_VERSION_PATCH 0
+
+/**
+ * NKW_API marks what the library exports. Windows users of the shared library need nothing: an import
+ * without the attribute goes through the import library.
+ */
+#if defined(NKW_BUILD) && defined(_WIN32) && defined(NKW_SHARED)
+#define NKW_API __declspec(dllexport)
+#elif defined(__GNUC__) && !defined(_WIN32)
+#define NKW_API __attribute__((visibility("default")))
+#else
+#define NKW_API
+#endif
+
+/**
+ * Small algebra (sums, products, rotations, transforms) is inlined into the caller from the headers in
+ * `inline/`, but only where the caller's compiler cannot change its bits. It could where it may fuse
+ * a * b + c into one rounding (GCC on a target with fast fma, for no macro tells whether
+ * -ffp-contract=off is on), where it evaluates float wider than float (x87, s390x in ISO mode), or under
+ * -ffast-math. There the same functions are called in the library instead: same bits, one call slower.
+ *
+ * A program that is compiled with -ffp-contract=off may define NKW_CONTRACTION_OFF to say so.
+ * NKW_NO_INLINE turns inlining off altogether. Neither changes any result.
+ *
+ * NKW_INLINE is 1 where the definitions are inlined, else 0.
+ */
+#if defined(NKW_NO_INLINE) || defined(__FAST_MATH__) || defined(_M_FP_FAST)
+#define NKW_INLINE 0
+#elif defined(FLT_EVAL_METHOD) && FLT_EVAL_METHOD != 0 && FLT_EVAL_METHOD != 16
+#define NKW_INLINE 0
+#elif defined(__GNUC__) && !defined(__clang__) &&                                                  \
+    (defined(__FP_FAST_FMAF) || defined(__FP_FAST_FMA)) && !defined(NKW_CONTRACTION_OFF)
+#define NKW_INLINE 0
+#else
+#define NKW_INLINE 1
+#endif
+
+/**
+ * NKW_ALGEBRA stands before each prototype of the small algebra: `inline` in a user's file, a plain
+ * exported declaration in the one library file that holds the symbols and where NKW_INLINE is 0.
+ */
+#if NKW_INLINE && !defined(NKW_DEFINE_ALGEBRA)
+#define NKW_ALGEBRA inline
+#else
+#define NKW_ALGEBRA NKW_API
+#endif
+
+/** First line of an inlined body: Clang and MSVC then fuse nothing in it, whatever the file's mode. */
+#if defined(__clang__)
+#define NKW_EXACT _Pragma("STDC FP_CONTRACT OFF")
+#elif defined(_MSC_VER)
+#define NKW_EXACT __pragma(fp_contract(off))
+#else
+#define NKW_EXACT
+#endif
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/**
+ * Every code that a function of the data floors can give, with its text.
+ * Functions on single values are total and give no code: each states its degenerate cases instead.
+ */
+#define NKW_RESULTS(X)                                                                             \
+    X(NKW_OK, "no error")                                                                          \
+    X(NKW_EMPTY, "there are no keys")                                                              \
+    X(NKW_NOT_FINITE, "a number is infinite or not a number")                                      \
+    X(NKW_NOT_ASCENDING, "a key time is less than the one before it")                              \
+    X(NKW_NOT_UNIT, "an orientation is not a unit quaternion")                                     \
+    X(NKW_BAD_METHOD, "no such method")
+
+/** What a function of the data floors gives: NKW_OK is 0, all else names what is wrong. */
+typedef enum nkw_result {
+#define NKW_RESULT_NAME(name, text) name,
+    NKW_RESULTS(NKW_RESULT_NAME)
+#undef NKW_RESULT_NAME
+        NKW_RESULT_COUNT
+} nkw_result;
+
+/** The text of a result in English, without a full stop; "unknown result" for any other number. */
+NKW_API const char *nkw_result_text(nkw_result result);
+
+/** The version of the linked library: major * 10000 + minor * 100 + patch. */
+NKW_API unsigned nkw_version(void);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif

@@ -1,0 +1,220 @@
+/* SPDX-License-Identifier: MIT */
+/**
+ * @file
+ * Floor 3: cubic curves on numbers and on vectors.
+ *
+ * One idea carries them all. A cubic segment is four basis weights of t and a weighted sum of four control
+ * values:
+ *
+ *     p(t) = w0(t) c0 + w1(t) c1 + w2(t) c2 + w3(t) c3,      0 <= t <= 1
+ *
+ * The kinds of curve differ only in their weights and in what the control values mean:
+ *
+ *     Hermite       c = p0, v0, p1, v1   ends and tangents; passes through p0 and p1
+ *     Bezier        c = p0, p1, p2, p3   passes through p0 and p3, drawn towards p1 and p2
+ *     B-spline      c = p0, p1, p2, p3   from (p0 + 4 p1 + p2)/6 to (p1 + 4 p2 + p3)/6; twice differentiable
+ *     Catmull-Rom   c = p0, p1, p2, p3   passes through p1 and p2, tangents (p2 - p0)/2 and (p3 - p1)/2
+ *
+ * The weights, and their first and second derivatives by t, are functions of their own: value, velocity and
+ * acceleration come from the same place, and a reader can compare coefficient by coefficient. Over one t they
+ * serve any number of components: nkw_weigh.
+ *
+ * The curve functions evaluate the same polynomial relative to the end nearer to t, which is the most exact form
+ * known in binary32: end points come back bit for bit, a constant curve is constant, and large coordinates with
+ * small differences lose nothing. t outside 0..1 continues the cubic.
+ *
+ * Tangents are per segment: the change of p over 0 <= t <= 1. Multiply a tangent per second (glTF) by the
+ * segment's duration: nkw_per_segment_from_per_second.
+ */
+#ifndef NAKAWARI_CURVE_H
+#define NAKAWARI_CURVE_H
+
+#include "types.h"
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/** Four basis weights, in the order of the control values. */
+typedef struct nkw_weights {
+    float w[4];
+} nkw_weights;
+
+/** The four control values of one cubic segment, in the order of its kind. */
+typedef struct nkw_cubic {
+    float c[4];
+} nkw_cubic;
+
+/** The four control points of one cubic segment, in the order of its kind. */
+typedef struct nkw_vec3_cubic {
+    nkw_vec3 c[4];
+} nkw_vec3_cubic;
+
+/**
+ * Hermite weights of p0, v0, p1, v1, with s = 1 - t; each is a product, so none cancels:
+ *
+ *     (1 + 2t) s^2,   t s^2,   t^2 (3 - 2t),   -t^2 s
+ *
+ * that is 2t^3 - 3t^2 + 1, t^3 - 2t^2 + t, -2t^3 + 3t^2, t^3 - t^2.
+ *
+ * Error  1e-7 absolute each, for t in 0..1.
+ */
+NKW_API nkw_weights nkw_hermite_weights(float t);
+/** Their first derivative: -6ts, (1 - 3t)s, 6ts, t(3t - 2). */
+NKW_API nkw_weights nkw_hermite_velocity_weights(float t);
+/** Their second derivative: 12t - 6, 6t - 4, 6 - 12t, 6t - 2. */
+NKW_API nkw_weights nkw_hermite_acceleration_weights(float t);
+
+/** Bernstein weights s^3, 3s^2 t, 3s t^2, t^3 with s = 1 - t. Error 1e-7 absolute each, for t in 0..1. */
+NKW_API nkw_weights nkw_bezier_weights(float t);
+/** Their first derivative: -3s^2, 3s(1 - 3t), 3t(2 - 3t), 3t^2. */
+NKW_API nkw_weights nkw_bezier_velocity_weights(float t);
+/** Their second derivative: 6s, 18t - 12, 6 - 18t, 6t. */
+NKW_API nkw_weights nkw_bezier_acceleration_weights(float t);
+
+/**
+ * Uniform cubic B-spline weights with s = 1 - t:
+ *
+ *     s^3/6,   (4 + 3t^2 (t - 2))/6,   (4 + 3s^2 (s - 2))/6,   t^3/6
+ *
+ * Error  1e-7 absolute each, for t in 0..1.
+ */
+NKW_API nkw_weights nkw_bspline_weights(float t);
+/** Their first derivative: -s^2/2, t(3t - 4)/2, s(4 - 3s)/2, t^2/2. */
+NKW_API nkw_weights nkw_bspline_velocity_weights(float t);
+/** Their second derivative: s, 3t - 2, 1 - 3t, t. */
+NKW_API nkw_weights nkw_bspline_acceleration_weights(float t);
+
+/**
+ * Uniform Catmull-Rom weights with s = 1 - t:
+ *
+ *     -t s^2/2,   s (1 + t - 3t^2/2),   t (1 + s - 3s^2/2),   -t^2 s/2
+ *
+ * Error  1e-7 absolute each, for t in 0..1.
+ */
+NKW_API nkw_weights nkw_catmull_rom_weights(float t);
+/** Their first derivative: s(3t - 1)/2, t(9t - 10)/2, s(10 - 9s)/2, t(3t - 2)/2. */
+NKW_API nkw_weights nkw_catmull_rom_velocity_weights(float t);
+/** Their second derivative: 2 - 3t, 9t - 5, 4 - 9t, 3t - 1. */
+NKW_API nkw_weights nkw_catmull_rom_acceleration_weights(float t);
+
+/** The weighted sum (w0 c0 + w1 c1) + (w2 c2 + w3 c3). */
+NKW_API float nkw_weigh(nkw_weights weights, float c0, float c1, float c2, float c3);
+/** The weighted sum of vectors, each component as nkw_weigh. */
+NKW_API nkw_vec3 nkw_vec3_weigh(nkw_weights weights, nkw_vec3 c0, nkw_vec3 c1, nkw_vec3 c2, nkw_vec3 c3);
+
+/**
+ * The Hermite curve from p0 to p1 with tangents v0, v1 per segment. Exactly p0 at t = 0 and p1 at t = 1.
+ *
+ *     p = p0 + t (f + s (s (v0 - f) - t (v1 - f))),    f = p1 - p0,  s = 1 - t
+ *
+ * Error  4.0 u of the largest control value, for t in 0..1.
+ * Source Ferguson, Multivariable Curve Interpolation, J. ACM 11, 1964.
+ */
+NKW_API float nkw_hermite(float p0, float v0, float p1, float v1, float t);
+/** The Hermite curve of vectors, each component as nkw_hermite. */
+NKW_API nkw_vec3 nkw_vec3_hermite(nkw_vec3 p0, nkw_vec3 v0, nkw_vec3 p1, nkw_vec3 v1, float t);
+
+/**
+ * The cubic Bezier curve. Exactly p0 at t = 0 and p3 at t = 1.
+ *
+ * Error  4.0 u of the largest control value, for t in 0..1.
+ * Source Farin, Curves and Surfaces for CAGD, 5th edition, 2002.
+ */
+NKW_API float nkw_bezier(float p0, float p1, float p2, float p3, float t);
+/** The cubic Bezier curve of vectors, each component as nkw_bezier. */
+NKW_API nkw_vec3 nkw_vec3_bezier(nkw_vec3 p0, nkw_vec3 p1, nkw_vec3 p2, nkw_vec3 p3, float t);
+
+/**
+ * The segment of the uniform cubic B-spline between the second and third control value.
+ *
+ * Error  4.0 u of the largest control value, for t in 0..1.
+ * Source de Boor, A Practical Guide to Splines, 1978.
+ */
+NKW_API float nkw_bspline(float p0, float p1, float p2, float p3, float t);
+/** The uniform cubic B-spline of vectors, each component as nkw_bspline. */
+NKW_API nkw_vec3 nkw_vec3_bspline(nkw_vec3 p0, nkw_vec3 p1, nkw_vec3 p2, nkw_vec3 p3, float t);
+
+/**
+ * The uniform Catmull-Rom segment from p1 to p2. Exactly p1 at t = 0 and p2 at t = 1.
+ *
+ * Error  4.0 u of the largest control value, for t in 0..1.
+ * Source Catmull, Rom, A Class of Local Interpolating Splines, 1974.
+ */
+NKW_API float nkw_catmull_rom(float p0, float p1, float p2, float p3, float t);
+/** The uniform Catmull-Rom segment of vectors, each component as nkw_catmull_rom. */
+NKW_API nkw_vec3 nkw_vec3_catmull_rom(nkw_vec3 p0, nkw_vec3 p1, nkw_vec3 p2, nkw_vec3 p3, float t);
+
+/**
+ * The Catmull-Rom tangent per second at the middle one of three keys at uneven times: the slope there of the
+ * parabola through the three.
+ *
+ *     v = (d0 h1 + d1 h0) / (h0 + h1),     d0 = (p1 - p0)/h0,  d1 = (p2 - p1)/h1
+ *
+ * h0, h1   the durations from p0 to p1 and from p1 to p2, in seconds
+ * Gives    the slope of the other side where one duration is not positive; 0 where neither is. Worked out in
+ *          binary64.
+ *
+ * Source Barry, Goldman, A Recursive Evaluation Algorithm for a Class of Catmull-Rom Splines, SIGGRAPH 1988,
+ *        whose curve over uneven knots has these tangents.
+ */
+NKW_API float nkw_catmull_rom_tangent(float p0, float p1, float p2, float h0, float h1);
+/** The tangent of vectors, each component as nkw_catmull_rom_tangent. */
+NKW_API nkw_vec3 nkw_vec3_catmull_rom_tangent(nkw_vec3 p0, nkw_vec3 p1, nkw_vec3 p2, float h0, float h1);
+
+/**
+ * The Catmull-Rom segment from p1 to p2 where the keys stand at the uneven times times[0..3]: the Hermite curve
+ * with the tangents of nkw_catmull_rom_tangent. t in 0..1 runs from times[1] to times[2]. At the ends of a series
+ * repeat the end key, with its time: the tangent there is that of the chord.
+ *
+ * Error  8.0 u of the largest of the control values and tangents per segment, for t in 0..1.
+ */
+NKW_API float nkw_catmull_rom_timed(const float times[4], float p0, float p1, float p2, float p3, float t);
+/** The timed Catmull-Rom segment of vectors, each component as nkw_catmull_rom_timed. */
+NKW_API nkw_vec3 nkw_vec3_catmull_rom_timed(const float times[4], nkw_vec3 p0, nkw_vec3 p1, nkw_vec3 p2,
+                                            nkw_vec3 p3, float t);
+
+/**
+ * The same segment in the terms of another kind. With p, v Hermite, b Bezier, d B-spline control values:
+ *
+ *     b = p0, p0 + v0/3, p1 - v1/3, p1
+ *     p = b0, b3,    v = 3 (b1 - b0), 3 (b3 - b2)
+ *     b = (d0 + 4 d1 + d2)/6, (2 d1 + d2)/3, (d1 + 2 d2)/3, (d1 + 4 d2 + d3)/6
+ *     d = 6 b0 - 7 b1 + 2 b2, 2 b1 - b2, 2 b2 - b1, 2 b1 - 7 b2 + 6 b3
+ *
+ * Exact in the mathematical sense; worked out in binary64, each value rounded once.
+ */
+NKW_API nkw_cubic nkw_bezier_from_hermite(const nkw_cubic *hermite);
+NKW_API nkw_cubic nkw_hermite_from_bezier(const nkw_cubic *bezier);
+NKW_API nkw_cubic nkw_bezier_from_bspline(const nkw_cubic *bspline);
+NKW_API nkw_cubic nkw_bspline_from_bezier(const nkw_cubic *bezier);
+NKW_API nkw_cubic nkw_hermite_from_bspline(const nkw_cubic *bspline);
+NKW_API nkw_cubic nkw_bspline_from_hermite(const nkw_cubic *hermite);
+NKW_API nkw_vec3_cubic nkw_vec3_bezier_from_hermite(const nkw_vec3_cubic *hermite);
+NKW_API nkw_vec3_cubic nkw_vec3_hermite_from_bezier(const nkw_vec3_cubic *bezier);
+NKW_API nkw_vec3_cubic nkw_vec3_bezier_from_bspline(const nkw_vec3_cubic *bspline);
+NKW_API nkw_vec3_cubic nkw_vec3_bspline_from_bezier(const nkw_vec3_cubic *bezier);
+NKW_API nkw_vec3_cubic nkw_vec3_hermite_from_bspline(const nkw_vec3_cubic *bspline);
+NKW_API nkw_vec3_cubic nkw_vec3_bspline_from_hermite(const nkw_vec3_cubic *hermite);
+
+/**
+ * The two halves of a Bezier segment cut at t: the curve over 0..t and the curve over t..1, each a Bezier
+ * segment over 0..1. Both share the cut point bit for bit; the outer ends are those of the whole. t outside
+ * 0..1 extends. left and right may be the input itself.
+ *
+ * Source de Casteljau, Courbes et surfaces a poles, 1963.
+ */
+NKW_API void nkw_bezier_split(const nkw_cubic *bezier, float t, nkw_cubic *left, nkw_cubic *right);
+NKW_API void nkw_vec3_bezier_split(const nkw_vec3_cubic *bezier, float t, nkw_vec3_cubic *left,
+                                   nkw_vec3_cubic *right);
+
+/** A tangent per second times the segment's duration in seconds: a tangent per segment. */
+NKW_API nkw_vec3 nkw_per_segment_from_per_second(nkw_vec3 tangent, float duration);
+/** A tangent per segment divided by the duration: per second. A duration of 0 gives the zero vector. */
+NKW_API nkw_vec3 nkw_per_second_from_per_segment(nkw_vec3 tangent, float duration);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif

@@ -1,0 +1,90 @@
+/* SPDX-License-Identifier: MIT */
+/* The small algebra of quat.h, once: inlined into the caller, and compiled into the library as symbols. */
+#ifndef NAKAWARI_INLINE_QUAT_H
+#define NAKAWARI_INLINE_QUAT_H
+
+#include "../quat.h"
+#include "../vec.h"
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+inline nkw_quat nkw_quat_identity(void)
+{
+    nkw_quat r = {0.0f, 0.0f, 0.0f, 1.0f};
+    return r;
+}
+
+inline nkw_quat nkw_quat_add(nkw_quat a, nkw_quat b)
+{
+    nkw_quat r = {a.x + b.x, a.y + b.y, a.z + b.z, a.w + b.w};
+    return r;
+}
+
+inline nkw_quat nkw_quat_sub(nkw_quat a, nkw_quat b)
+{
+    nkw_quat r = {a.x - b.x, a.y - b.y, a.z - b.z, a.w - b.w};
+    return r;
+}
+
+inline nkw_quat nkw_quat_scale(nkw_quat a, float s)
+{
+    nkw_quat r = {a.x * s, a.y * s, a.z * s, a.w * s};
+    return r;
+}
+
+inline nkw_quat nkw_quat_negate(nkw_quat q)
+{
+    nkw_quat r = {-q.x, -q.y, -q.z, -q.w};
+    return r;
+}
+
+inline nkw_quat nkw_quat_conjugate(nkw_quat q)
+{
+    nkw_quat r = {-q.x, -q.y, -q.z, q.w};
+    return r;
+}
+
+inline float nkw_quat_dot(nkw_quat a, nkw_quat b)
+{
+    NKW_EXACT
+    return (a.x * b.x + a.y * b.y) + (a.z * b.z + a.w * b.w);
+}
+
+inline int nkw_quat_is_finite(nkw_quat q)
+{
+    /* x - x is 0 for a finite x, else NaN. */
+    return q.x - q.x == 0.0f && q.y - q.y == 0.0f && q.z - q.z == 0.0f && q.w - q.w == 0.0f;
+}
+
+inline nkw_quat nkw_quat_mul(nkw_quat a, nkw_quat b)
+{
+    NKW_EXACT
+    nkw_quat r = {
+        (a.x * b.w - a.z * b.y) + (a.y * b.z + a.w * b.x),
+        (a.y * b.w - a.x * b.z) + (a.z * b.x + a.w * b.y),
+        (a.z * b.w - a.y * b.x) + (a.x * b.y + a.w * b.z),
+        (a.w * b.w - a.x * b.x) - (a.z * b.z + a.y * b.y),
+    };
+    return r;
+}
+
+inline nkw_vec3 nkw_quat_rotate(nkw_quat q, nkw_vec3 v)
+{
+    nkw_vec3 u = {q.x, q.y, q.z};
+    nkw_vec3 c = nkw_vec3_cross(u, v);
+    nkw_vec3 d = nkw_vec3_add(c, c);
+    return nkw_vec3_add(v, nkw_vec3_add(nkw_vec3_scale(d, q.w), nkw_vec3_cross(u, d)));
+}
+
+inline nkw_vec3 nkw_quat_rotate_inverse(nkw_quat q, nkw_vec3 v)
+{
+    return nkw_quat_rotate(nkw_quat_conjugate(q), v);
+}
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif

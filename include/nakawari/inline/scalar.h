@@ -1,0 +1,88 @@
+/* SPDX-License-Identifier: MIT */
+/* The small algebra of scalar.h, once: inlined into the caller, and compiled into the library as symbols. */
+#ifndef NAKAWARI_INLINE_SCALAR_H
+#define NAKAWARI_INLINE_SCALAR_H
+
+#include "../scalar.h"
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+inline float nkw_abs(float x)
+{
+    NKW_EXACT
+    return x <= 0.0f ? 0.0f - x : x;
+}
+
+inline float nkw_min(float a, float b)
+{
+    NKW_EXACT
+    return a < b ? a : b;
+}
+
+inline float nkw_max(float a, float b)
+{
+    NKW_EXACT
+    return a > b ? a : b;
+}
+
+inline float nkw_clamp(float x, float low, float high)
+{
+    NKW_EXACT
+    return nkw_min(nkw_max(x, low), high);
+}
+
+inline float nkw_saturate(float x)
+{
+    NKW_EXACT
+    return nkw_clamp(x, 0.0f, 1.0f);
+}
+
+inline float nkw_lerp(float a, float b, float t)
+{
+    NKW_EXACT
+    int first = t < 0.5f;
+    float s = 1.0f - t, d = b - a;
+    float inside = first ? a + t * d : b - s * d;
+    return t == 0.0f ? a : s == 0.0f ? b : inside;
+}
+
+inline float nkw_inverse_lerp(float a, float b, float x)
+{
+    NKW_EXACT
+    float d = b - a;
+    return a == b ? 0.0f : (x - a) / d;
+}
+
+inline float nkw_remap(float x, float a, float b, float c, float d)
+{
+    NKW_EXACT
+    return nkw_lerp(c, d, nkw_inverse_lerp(a, b, x));
+}
+
+inline float nkw_smoothstep(float t)
+{
+    NKW_EXACT
+    float s = nkw_saturate(t);
+    float u = 1.0f - s;
+    return s < 0.5f ? s * s * (3.0f - 2.0f * s) : 1.0f - u * u * (3.0f - 2.0f * u);
+}
+
+inline float nkw_degrees_from_radians(float radians)
+{
+    NKW_EXACT
+    return (float)((double)radians * 57.295779513082320877);
+}
+
+inline float nkw_radians_from_degrees(float degrees)
+{
+    NKW_EXACT
+    return (float)((double)degrees * 0.017453292519943295769);
+}
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif

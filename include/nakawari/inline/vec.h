@@ -1,0 +1,107 @@
+/* SPDX-License-Identifier: MIT */
+/* The small algebra of vec.h, once: inlined into the caller, and compiled into the library as symbols. */
+#ifndef NAKAWARI_INLINE_VEC_H
+#define NAKAWARI_INLINE_VEC_H
+
+#include "../scalar.h"
+#include "../vec.h"
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+inline nkw_vec3 nkw_vec3_zero(void)
+{
+    nkw_vec3 r = {0.0f, 0.0f, 0.0f};
+    return r;
+}
+
+inline nkw_vec3 nkw_vec3_add(nkw_vec3 a, nkw_vec3 b)
+{
+    nkw_vec3 r = {a.x + b.x, a.y + b.y, a.z + b.z};
+    return r;
+}
+
+inline nkw_vec3 nkw_vec3_sub(nkw_vec3 a, nkw_vec3 b)
+{
+    nkw_vec3 r = {a.x - b.x, a.y - b.y, a.z - b.z};
+    return r;
+}
+
+inline nkw_vec3 nkw_vec3_negate(nkw_vec3 a)
+{
+    nkw_vec3 r = {-a.x, -a.y, -a.z};
+    return r;
+}
+
+inline nkw_vec3 nkw_vec3_scale(nkw_vec3 a, float s)
+{
+    nkw_vec3 r = {a.x * s, a.y * s, a.z * s};
+    return r;
+}
+
+inline nkw_vec3 nkw_vec3_mul(nkw_vec3 a, nkw_vec3 b)
+{
+    nkw_vec3 r = {a.x * b.x, a.y * b.y, a.z * b.z};
+    return r;
+}
+
+inline nkw_vec3 nkw_vec3_add_scaled(nkw_vec3 a, nkw_vec3 b, float s)
+{
+    NKW_EXACT
+    nkw_vec3 r = {a.x + b.x * s, a.y + b.y * s, a.z + b.z * s};
+    return r;
+}
+
+inline nkw_vec3 nkw_vec3_min(nkw_vec3 a, nkw_vec3 b)
+{
+    nkw_vec3 r = {nkw_min(a.x, b.x), nkw_min(a.y, b.y), nkw_min(a.z, b.z)};
+    return r;
+}
+
+inline nkw_vec3 nkw_vec3_max(nkw_vec3 a, nkw_vec3 b)
+{
+    nkw_vec3 r = {nkw_max(a.x, b.x), nkw_max(a.y, b.y), nkw_max(a.z, b.z)};
+    return r;
+}
+
+inline float nkw_vec3_dot(nkw_vec3 a, nkw_vec3 b)
+{
+    NKW_EXACT
+    return (a.x * b.x + a.y * b.y) + a.z * b.z;
+}
+
+inline nkw_vec3 nkw_vec3_cross(nkw_vec3 a, nkw_vec3 b)
+{
+    NKW_EXACT
+    nkw_vec3 r = {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
+    return r;
+}
+
+inline float nkw_vec3_length_squared(nkw_vec3 a)
+{
+    return nkw_vec3_dot(a, a);
+}
+
+inline nkw_vec3 nkw_vec3_lerp(nkw_vec3 a, nkw_vec3 b, float t)
+{
+    nkw_vec3 r = {nkw_lerp(a.x, b.x, t), nkw_lerp(a.y, b.y, t), nkw_lerp(a.z, b.z, t)};
+    return r;
+}
+
+inline nkw_vec3 nkw_vec3_reflect(nkw_vec3 a, nkw_vec3 n)
+{
+    return nkw_vec3_add_scaled(a, n, -2.0f * nkw_vec3_dot(a, n));
+}
+
+inline int nkw_vec3_is_finite(nkw_vec3 a)
+{
+    /* x - x is 0 for a finite x, else NaN. */
+    return a.x - a.x == 0.0f && a.y - a.y == 0.0f && a.z - a.z == 0.0f;
+}
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif

@@ -1,0 +1,178 @@
+/* SPDX-License-Identifier: MIT */
+/**
+ * @file
+ * Floor 2: 3x3 and 4x4 matrices on column vectors, column-major (see types.h).
+ *
+ * Products read right to left: (A B) v applies B, then A. What runs per joint per frame (products,
+ * transforms, the matrix of a quaternion) works in binary32; determinants, inverses and
+ * orthonormalisation work in binary64 inside and round once.
+ */
+#ifndef NAKAWARI_MAT_H
+#define NAKAWARI_MAT_H
+
+#include "types.h"
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/** The identity matrix. */
+NKW_ALGEBRA nkw_mat3 nkw_mat3_identity(void);
+/** The matrix with columns x, y, z: it takes the axes to these vectors. */
+NKW_ALGEBRA nkw_mat3 nkw_mat3_from_columns(nkw_vec3 x, nkw_vec3 y, nkw_vec3 z);
+/** Column c of m, c in 0..2; any other c gives column 0. */
+NKW_ALGEBRA nkw_vec3 nkw_mat3_column(const nkw_mat3 *m, size_t c);
+/** The upper left 3x3 block of m. */
+NKW_ALGEBRA nkw_mat3 nkw_mat3_from_mat4(const nkw_mat4 *m);
+/** Rows become columns. */
+NKW_ALGEBRA nkw_mat3 nkw_mat3_transpose(const nkw_mat3 *m);
+
+/**
+ * a b: first b, then a. Each element is a sum of three products, (0 + 1) + 2.
+ *
+ * Error  2.9 u of the Frobenius norm, for rotations.
+ */
+NKW_ALGEBRA nkw_mat3 nkw_mat3_mul(const nkw_mat3 *a, const nkw_mat3 *b);
+
+/** m v. */
+NKW_ALGEBRA nkw_vec3 nkw_mat3_transform(const nkw_mat3 *m, nkw_vec3 v);
+
+/**
+ * The rotation matrix of the unit quaternion q. q and -q give the same bits.
+ *
+ *     ww + xx - yy - zz    2(xy - wz)           2(xz + wy)
+ *     2(xy + wz)           ww - xx + yy - zz    2(yz - wx)
+ *     2(xz - wy)           2(yz + wx)           ww - xx - yy + zz
+ *
+ * A q that is not unit gives |q|^2 times the rotation.
+ *
+ * Error  2.5 u (Frobenius norm / sqrt 3), 3.2 u of the worst element, for q unit to rounding.
+ */
+NKW_ALGEBRA nkw_mat3 nkw_mat3_from_quat(nkw_quat q);
+
+/**
+ * The determinant: the volume of the image of the unit cube, negative for a mirror.
+ * Every product is exact in binary64, so cancellation costs nothing until the last rounding.
+ *
+ * Error  0.6 ULP, up to condition 1e7.
+ */
+NKW_API float nkw_mat3_determinant(const nkw_mat3 *m);
+
+/**
+ * The inverse, by the adjugate in binary64. A singular matrix (determinant exactly 0 in binary64, or not
+ * finite) gives the zero matrix.
+ *
+ * Error  1.0 u of the Frobenius norm, up to condition 1e7.
+ */
+NKW_API nkw_mat3 nkw_mat3_inverse(const nkw_mat3 *m);
+
+/**
+ * The matrix that turns normals when m turns positions: the inverse transpose of m.
+ *
+ * Where m is singular (a scale of zero along one axis) the inverse does not exist but the direction of the
+ * normals still does: then the cofactor matrix is given, its largest element 1. A matrix of rank below two
+ * has no normals and gives the zero matrix. Normalise the normals afterwards.
+ *
+ * Error  1.0 u of the Frobenius norm, up to condition 1e7.
+ */
+NKW_API nkw_mat3 nkw_mat3_normal(const nkw_mat3 *m);
+
+/**
+ * The nearest matrix, by Gram and Schmidt, with orthonormal columns: x keeps its direction, y its half-plane,
+ * z its side, so a mirror stays a mirror. Columns of zero length and columns without a direction of their
+ * own are replaced by unit vectors at right angles to the others. NaN gives NaN.
+ *
+ * Error  0.91 u per column.
+ */
+NKW_API nkw_mat3 nkw_mat3_orthonormalize(const nkw_mat3 *m);
+
+/** Nine floats stored row by row (row r, column c at r * 3 + c), and back. */
+NKW_API nkw_mat3 nkw_mat3_from_row_major(const float rows[9]);
+NKW_API void nkw_mat3_to_row_major(const nkw_mat3 *m, float rows[9]);
+
+/** The identity matrix. */
+NKW_ALGEBRA nkw_mat4 nkw_mat4_identity(void);
+/** The affine matrix with the 3x3 block m and a translation. */
+NKW_ALGEBRA nkw_mat4 nkw_mat4_from_mat3(const nkw_mat3 *m, nkw_vec3 translation);
+/** The rotation q as a 4x4 matrix; elements as in nkw_mat3_from_quat. */
+NKW_ALGEBRA nkw_mat4 nkw_mat4_from_quat(nkw_quat q);
+/** The translation column (m[12], m[13], m[14]). */
+NKW_ALGEBRA nkw_vec3 nkw_mat4_translation(const nkw_mat4 *m);
+/** Rows become columns. */
+NKW_ALGEBRA nkw_mat4 nkw_mat4_transpose(const nkw_mat4 *m);
+
+/**
+ * a b: first b, then a. Each element is a sum of four products, (0 + 1) + (2 + 3).
+ *
+ * Error  2.9 u of the Frobenius norm, for elements in -1..1.
+ */
+NKW_ALGEBRA nkw_mat4 nkw_mat4_mul(const nkw_mat4 *a, const nkw_mat4 *b);
+
+/**
+ * a b of two affine matrices: the last rows are not read, and the result's is exactly 0 0 0 1. Same bits as
+ * nkw_mat4_mul where both are affine and finite, but for the sign of a zero.
+ *
+ * Error  2.9 u of the Frobenius norm, for elements in -1..1.
+ */
+NKW_ALGEBRA nkw_mat4 nkw_mat4_mul_affine(const nkw_mat4 *a, const nkw_mat4 *b);
+
+/** The affine m on a point: m (p, 1). The last row is not read. */
+NKW_ALGEBRA nkw_vec3 nkw_mat4_transform_point(const nkw_mat4 *m, nkw_vec3 p);
+/** The affine m on a direction: m (d, 0), without the translation. */
+NKW_ALGEBRA nkw_vec3 nkw_mat4_transform_direction(const nkw_mat4 *m, nkw_vec3 d);
+
+/**
+ * Any m on a point with the division by w: q = m (p, 1), q.xyz / q.w. A point in the plane w = 0 gives
+ * infinities or NaN, as the division does.
+ */
+NKW_API nkw_vec3 nkw_mat4_project_point(const nkw_mat4 *m, nkw_vec3 p);
+
+/** The determinant, in binary64 from exact 2x2 minors. Error 0.6 ULP, up to condition 1e4. */
+NKW_API float nkw_mat4_determinant(const nkw_mat4 *m);
+
+/**
+ * The inverse of any matrix, in binary64: by cofactors where they lose nothing, by elimination with
+ * pivoting where they would. A singular matrix gives the zero matrix.
+ *
+ * Error  0.99 u of the Frobenius norm, up to condition 1e7.
+ */
+NKW_API nkw_mat4 nkw_mat4_inverse(const nkw_mat4 *m);
+
+/**
+ * The inverse of an affine matrix: A^-1 and -A^-1 t, in binary64. The last row is not read; the result's is
+ * exactly 0 0 0 1. Where the 3x3 block is singular, the zero matrix.
+ *
+ * Error  1.0 u of the Frobenius norm, for scales up to 1000 : 1.
+ */
+NKW_API nkw_mat4 nkw_mat4_inverse_affine(const nkw_mat4 *m);
+
+/**
+ * The inverse of a rotation and translation: R^T and -R^T t. Wrong where m scales or shears; exact in the
+ * rotation.
+ */
+NKW_API nkw_mat4 nkw_mat4_inverse_rigid(const nkw_mat4 *m);
+
+/**
+ * The world is written down in four ways. Two layouts, 16 floats each:
+ *
+ *     columns of column vectors   this library, OpenGL, glTF, GLM     as it lies
+ *     rows of row vectors         D3DX, DirectXMath, XNA              the same bytes: copy
+ *     rows of column vectors      vecmath, HLSL row_major, NumPy      transposed: _row_major
+ *     columns of row vectors      (rare)                              transposed: _row_major
+ *
+ * from_row_vectors copies v' = v M stored row by row; from_row_major transposes the storage.
+ */
+NKW_API nkw_mat4 nkw_mat4_from_row_major(const float rows[16]);
+NKW_API void nkw_mat4_to_row_major(const nkw_mat4 *m, float rows[16]);
+NKW_API nkw_mat4 nkw_mat4_from_row_vectors(const float rows[16]);
+NKW_API void nkw_mat4_to_row_vectors(const nkw_mat4 *m, float rows[16]);
+
+#ifdef __cplusplus
+}
+#endif
+
+#if NKW_INLINE || defined(NKW_DEFINE_ALGEBRA)
+#include "inline/mat.h"
+#endif
+
+#endif

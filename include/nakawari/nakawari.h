@@ -1,0 +1,31 @@
+/* SPDX-License-Identifier: MIT */
+/**
+ * @file
+ * nakawari: key frames into values. The table of contents, floor by floor.
+ */
+#ifndef NAKAWARI_NAKAWARI_H
+#define NAKAWARI_NAKAWARI_H
+
+/* Floor 0, base: names, results. */
+#include "base.h"
+
+/* Floor 1, scalar: arithmetic and elementary functions of one float. */
+#include "scalar.h"
+
+/* Floor 2, value: vectors, quaternions, matrices, Euler angles, transforms. */
+#include "types.h"
+#include "vec.h"
+#include "quat.h"
+#include "mat.h"
+#include "euler.h"
+#include "transform.h"
+
+/* Floor 3, curve and orient: curves on numbers, curves on rotations. */
+#include "curve.h"
+#include "orient.h"
+
+/* Floor 4, track: from a time to the keys around it, from keys to a matrix. */
+#include "segment.h"
+#include "keyframe.h"
+
+#endif

@@ -1,0 +1,72 @@
+/* SPDX-License-Identifier: MIT */
+/**
+ * @file
+ * Floor 2: translation, rotation and scale, and their matrix M = T R S.
+ *
+ * Composition runs per joint per frame and works in binary32; decomposition runs per asset and works in
+ * binary64 inside.
+ */
+#ifndef NAKAWARI_TRANSFORM_H
+#define NAKAWARI_TRANSFORM_H
+
+#include "types.h"
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/** No translation, no rotation, scale (1, 1, 1). */
+NKW_ALGEBRA nkw_trs nkw_trs_identity(void);
+
+/**
+ * T R S: the columns of the rotation matrix of trs->rotation (unit), scaled, and the translation.
+ *
+ * A rotation that is unit to 1e-3 or so is as good as unit: its length is corrected to first order.
+ *
+ * Error  3.5 u of each column.
+ */
+NKW_ALGEBRA nkw_mat4 nkw_mat4_from_trs(const nkw_trs *trs);
+
+/** The transform of a point: translation + rotate(rotation, scale * p). */
+NKW_ALGEBRA nkw_vec3 nkw_trs_transform_point(const nkw_trs *trs, nkw_vec3 p);
+
+/**
+ * The translation, rotation and scale of an affine matrix. The last row is not read.
+ *
+ *     scale      the lengths of the columns; for a mirror (negative determinant) scale.x is negative
+ *     rotation   of the columns divided by the scale: the nearest one, where they are not at right angles
+ *
+ * No threshold: any scale from the smallest to the largest float works. A column of zero length gives scale 0
+ * there and takes its direction at right angles to the others; a matrix of zeros gives the identity rotation.
+ * Shear cannot be held by a TRS: nkw_trs_residual says how much was lost.
+ *
+ * Error  2.1 u of each column of the matrix built again (0.91 u of the rotation, 1.0 u of the scale along it).
+ */
+NKW_API nkw_trs nkw_trs_from_mat4(const nkw_mat4 *m);
+
+/**
+ * What trs fails to say of m: the largest difference of an element of the 3x3 block of T R S from that of m, as a
+ * part of the longest column of m. About 1e-7 where m is a TRS; a shear of angle a leaves about a/2.
+ * A block of zeros gives 0.
+ */
+NKW_API float nkw_trs_residual(const nkw_trs *trs, const nkw_mat4 *m);
+
+/**
+ * The product a b, b first, as far as a TRS can hold it:
+ *
+ *     translation = a(b.translation),   rotation = a.rotation b.rotation,   scale = a.scale * b.scale
+ *
+ * Exact in the mathematical sense where a's scale is uniform, or b does not rotate. Elsewhere the true
+ * product has shear: multiply the matrices instead.
+ */
+NKW_ALGEBRA nkw_trs nkw_trs_mul(const nkw_trs *a, const nkw_trs *b);
+
+#ifdef __cplusplus
+}
+#endif
+
+#if NKW_INLINE || defined(NKW_DEFINE_ALGEBRA)
+#include "inline/transform.h"
+#endif
+
+#endif

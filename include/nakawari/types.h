@@ -1,0 +1,65 @@
+/* SPDX-License-Identifier: MIT */
+/**
+ * @file
+ * Floor 2: the plain values that the rest of the library works on.
+ *
+ * All are structs of floats without padding, passed by value up to 16 bytes and by `const *` above,
+ * and safe to copy, compare byte by byte, write to a file or hand to a GPU as they lie.
+ */
+#ifndef NAKAWARI_TYPES_H
+#define NAKAWARI_TYPES_H
+
+#include "base.h"
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/** Three floats: a position, a direction, a scale, or the angles about x, y and z. A column vector. */
+typedef struct nkw_vec3 {
+    float x, y, z;
+} nkw_vec3;
+
+/** The quaternion w + x i + y j + z k. As a rotation it is unit; q and -q are the same rotation. */
+typedef struct nkw_quat {
+    float x, y, z, w;
+} nkw_quat;
+
+/**
+ * A 3x3 matrix, column by column: element (row r, column c) is m[c * 3 + r].
+ *
+ *     m[0] m[3] m[6]
+ *     m[1] m[4] m[7]        v' = M v,  v a column
+ *     m[2] m[5] m[8]
+ */
+typedef struct nkw_mat3 {
+    float m[9];
+} nkw_mat3;
+
+/**
+ * A 4x4 matrix, column by column: element (row r, column c) is m[c * 4 + r]; translation in m[12..14].
+ *
+ *     m[0] m[4] m[ 8] m[12]
+ *     m[1] m[5] m[ 9] m[13]        v' = M v,  v a column
+ *     m[2] m[6] m[10] m[14]
+ *     m[3] m[7] m[11] m[15]
+ *
+ * OpenGL, Vulkan, std430 and WebGPU take it as it lies. A matrix of row vectors stored row by row (D3DX)
+ * has the very same bytes. "Affine" says that the last row is 0 0 0 1.
+ */
+typedef struct nkw_mat4 {
+    float m[16];
+} nkw_mat4;
+
+/** Scale along the axes, then rotate, then translate: M = T R S. The local transform of glTF and FBX. */
+typedef struct nkw_trs {
+    nkw_vec3 translation;
+    nkw_quat rotation;
+    nkw_vec3 scale;
+} nkw_trs;
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif

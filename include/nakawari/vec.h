@@ -1,0 +1,122 @@
+/* SPDX-License-Identifier: MIT */
+/**
+ * @file
+ * Floor 2: vectors of three floats.
+ *
+ * A vector is a column. Positions, directions, scales and Euler angles share the type; what a value
+ * means stands in the name of the argument. Sums of three products are taken as (x + y) + z.
+ *
+ * Every function is total: infinities and NaN pass through by the rules of IEEE 754, and what is said
+ * below of zero and subnormal vectors holds for every finite one.
+ */
+#ifndef NAKAWARI_VEC_H
+#define NAKAWARI_VEC_H
+
+#include "types.h"
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/** (0, 0, 0). */
+NKW_ALGEBRA nkw_vec3 nkw_vec3_zero(void);
+/** a + b. */
+NKW_ALGEBRA nkw_vec3 nkw_vec3_add(nkw_vec3 a, nkw_vec3 b);
+/** a - b. */
+NKW_ALGEBRA nkw_vec3 nkw_vec3_sub(nkw_vec3 a, nkw_vec3 b);
+/** -a. Turns the sign of zeros too. */
+NKW_ALGEBRA nkw_vec3 nkw_vec3_negate(nkw_vec3 a);
+/** s a. */
+NKW_ALGEBRA nkw_vec3 nkw_vec3_scale(nkw_vec3 a, float s);
+/** The component-wise product (a.x b.x, a.y b.y, a.z b.z), as in scaling along the axes. */
+NKW_ALGEBRA nkw_vec3 nkw_vec3_mul(nkw_vec3 a, nkw_vec3 b);
+/** a + s b: one product and one sum, each rounded. */
+NKW_ALGEBRA nkw_vec3 nkw_vec3_add_scaled(nkw_vec3 a, nkw_vec3 b, float s);
+/** The smaller of each pair of components, by nkw_min. */
+NKW_ALGEBRA nkw_vec3 nkw_vec3_min(nkw_vec3 a, nkw_vec3 b);
+/** The larger of each pair of components, by nkw_max. */
+NKW_ALGEBRA nkw_vec3 nkw_vec3_max(nkw_vec3 a, nkw_vec3 b);
+
+/** The scalar product a.b = (a.x b.x + a.y b.y) + a.z b.z. */
+NKW_ALGEBRA float nkw_vec3_dot(nkw_vec3 a, nkw_vec3 b);
+
+/** The vector product a x b, right-handed: x cross y is z. */
+NKW_ALGEBRA nkw_vec3 nkw_vec3_cross(nkw_vec3 a, nkw_vec3 b);
+
+/** a.a, rounded in binary32: it overflows for lengths beyond 1.8e19; nkw_vec3_length does not. */
+NKW_ALGEBRA float nkw_vec3_length_squared(nkw_vec3 a);
+
+/**
+ * Linear interpolation of each component by nkw_lerp: exactly a at t = 0, exactly b at t = 1, and
+ * exactly a when a = b. t outside 0..1 continues the line.
+ *
+ * Error  2.0 u of the larger of |a|, |b|, each component for itself, for t in 0..1.
+ */
+NKW_ALGEBRA nkw_vec3 nkw_vec3_lerp(nkw_vec3 a, nkw_vec3 b, float t);
+
+/**
+ * The length |a|. Finite whenever the true length is: no overflow, no underflow on the way.
+ *
+ * Error  0.501 ULP.
+ */
+NKW_API float nkw_vec3_length(nkw_vec3 a);
+
+/** The distance |a - b| of two points, the difference taken exactly. Error 0.501 ULP. */
+NKW_API float nkw_vec3_distance(nkw_vec3 a, nkw_vec3 b);
+
+/**
+ * a / |a|: the unit vector along a, for every finite a, subnormal and huge ones too.
+ * The zero vector gives the zero vector.
+ *
+ * Error  1.7 u.
+ */
+NKW_API nkw_vec3 nkw_vec3_normalize(nkw_vec3 a);
+
+/**
+ * The angle between two directions, 0..pi radians; 0 if one of them is zero.
+ *
+ *     angle = atan2(|a x b|, a.b)        exact near 0 and near pi, where acos(a.b) loses half the digits
+ *
+ * Error  0.501 ULP.
+ */
+NKW_API float nkw_vec3_angle(nkw_vec3 a, nkw_vec3 b);
+
+/**
+ * The part of a along b: b (a.b) / (b.b). b need not be unit; b zero gives zero.
+ *
+ * Error  0.9 u of |a|.
+ */
+NKW_API nkw_vec3 nkw_vec3_project(nkw_vec3 a, nkw_vec3 b);
+
+/**
+ * The part of a at right angles to b: a - project(a, b). b zero gives a.
+ *
+ * Error  0.9 u of |a|.
+ */
+NKW_API nkw_vec3 nkw_vec3_reject(nkw_vec3 a, nkw_vec3 b);
+
+/** a mirrored at the plane through the origin with unit normal n: a - 2 (a.n) n. */
+NKW_ALGEBRA nkw_vec3 nkw_vec3_reflect(nkw_vec3 a, nkw_vec3 n);
+
+/**
+ * Some unit vector at right angles to a. The zero vector gives the x axis.
+ *
+ * The axis on which a is shortest is crossed with a, so the result jumps where two components are equal
+ * in size; no continuous choice exists on the sphere.
+ *
+ * Error  0.9 u.
+ */
+NKW_API nkw_vec3 nkw_vec3_perpendicular(nkw_vec3 a);
+
+/** 1 if all three components are finite, else 0. */
+NKW_ALGEBRA int nkw_vec3_is_finite(nkw_vec3 a);
+
+#ifdef __cplusplus
+}
+#endif
+
+#if NKW_INLINE || defined(NKW_DEFINE_ALGEBRA)
+#include "inline/vec.h"
+#endif
+
+#endif

@@ -1,0 +1,320 @@
+/* SPDX-License-Identifier: MIT */
+#include "lane/strict.h"
+
+#include <nakawari/keyframe.h>
+#include <nakawari/mat.h>
+#include <nakawari/orient.h>
+#include <nakawari/quat.h>
+#include <nakawari/vec.h>
+
+#include "lane/curve.h"
+#include "lane/segment.h"
+
+/* The keys around a time, and where the methods write down what they do, unless it is NULL. */
+typedef struct sampler {
+    const nkw_keyframe *keys;
+    size_t count;
+    float time;
+    nkw_segment segment;
+    size_t from, to; /* the segment's keys; equal where there is only one key */
+    nkw_keyframe_trace *trace;
+} sampler;
+
+static size_t key_before(const sampler *s)
+{
+    return s->from > 0 ? s->from - 1 : s->from;
+}
+
+static size_t key_after(const sampler *s)
+{
+    return s->to + 1 < s->count ? s->to + 1 : s->to;
+}
+
+/* The key whose state a step holds: the one that begins the segment, from the end on the last. */
+static size_t key_held(const sampler *s)
+{
+    return s->time >= s->keys[s->to].time ? s->to : s->from;
+}
+
+/* Writes down control value i: `value`, taken from `key`, of the given weight. */
+static void control(const sampler *s, size_t i, size_t key, nkw_vec3 value, float weight)
+{
+    nkw_keyframe_trace *trace = s->trace;
+    if (!trace)
+        return;
+    trace->control_count = i + 1;
+    trace->key[i] = key;
+    trace->control[i] = value;
+    trace->weight[i] = weight;
+}
+
+static void control_point(const sampler *s, size_t i, size_t key, float weight)
+{
+    control(s, i, key, s->keys[key].position, weight);
+}
+
+static nkw_vec3 hold(const sampler *s, size_t key)
+{
+    control_point(s, 0, key, 1.0f);
+    return s->keys[key].position;
+}
+
+static nkw_vec3 linear(const sampler *s, float t)
+{
+    control_point(s, 0, s->from, 1.0f - t);
+    control_point(s, 1, s->to, t);
+    return nkw_vec3_lerp(s->keys[s->from].position, s->keys[s->to].position, t);
+}
+
+/* Minus the third column of the key's rotation matrix: where the object looks. */
+static nkw_vec3 heading(const nkw_keyframe *key)
+{
+    nkw_mat3 m = nkw_mat3_from_quat(key->orientation);
+    return nkw_vec3_negate(nkw_mat3_column(&m, 2));
+}
+
+static nkw_vec3 hermite(const sampler *s, float t)
+{
+    const nkw_keyframe *a = &s->keys[s->from], *b = &s->keys[s->to];
+    nkw_vec3 v0 = heading(a), v1 = heading(b);
+    nkw_weights k = nkw_hermite_weights(t);
+    control_point(s, 0, s->from, k.w[0]);
+    control(s, 1, s->from, v0, k.w[1]);
+    control_point(s, 2, s->to, k.w[2]);
+    control(s, 3, s->to, v1, k.w[3]);
+    return nkw_vec3_hermite(a->position, v0, b->position, v1, t);
+}
+
+/* Groups of four keys: the last whole group's end where the keys run out, the first key where none is whole. */
+static nkw_vec3 bezier(const sampler *s)
+{
+    size_t first = s->from / 3 * 3;
+    if (s->count < 4)
+        return hold(s, 0);
+    if (first + 3 >= s->count)
+        return hold(s, first);
+    const nkw_keyframe *key = &s->keys[first];
+    float u = lane_segment_t(key[0].time, key[3].time, s->time);
+    nkw_weights k = nkw_bezier_weights(u);
+    for (size_t i = 0; i < 4; i++)
+        control_point(s, i, first + i, k.w[i]);
+    if (s->trace)
+        s->trace->parameter = u;
+    return nkw_vec3_bezier(key[0].position, key[1].position, key[2].position, key[3].position, u);
+}
+
+/* The four keys around the segment, the end keys doubled. */
+static void neighbours(const sampler *s, const nkw_keyframe *key[4])
+{
+    key[0] = &s->keys[key_before(s)];
+    key[1] = &s->keys[s->from];
+    key[2] = &s->keys[s->to];
+    key[3] = &s->keys[key_after(s)];
+}
+
+static void control_neighbours(const sampler *s, nkw_weights k)
+{
+    control_point(s, 0, key_before(s), k.w[0]);
+    control_point(s, 1, s->from, k.w[1]);
+    control_point(s, 2, s->to, k.w[2]);
+    control_point(s, 3, key_after(s), k.w[3]);
+}
+
+static nkw_vec3 bspline(const sampler *s, float t)
+{
+    const nkw_keyframe *k[4];
+    neighbours(s, k);
+    control_neighbours(s, nkw_bspline_weights(t));
+    return nkw_vec3_bspline(k[0]->position, k[1]->position, k[2]->position, k[3]->position, t);
+}
+
+/* The curve is linear in its control values: each weight is the curve of a single 1. */
+static nkw_weights catmull_rom_weights(const float times[4], float t)
+{
+    nkw_weights k = {{
+        nkw_catmull_rom_timed(times, 1.0f, 0.0f, 0.0f, 0.0f, t),
+        nkw_catmull_rom_timed(times, 0.0f, 1.0f, 0.0f, 0.0f, t),
+        nkw_catmull_rom_timed(times, 0.0f, 0.0f, 1.0f, 0.0f, t),
+        nkw_catmull_rom_timed(times, 0.0f, 0.0f, 0.0f, 1.0f, t),
+    }};
+    return k;
+}
+
+static nkw_vec3 catmull_rom(const sampler *s, float t)
+{
+    const nkw_keyframe *key[4];
+    neighbours(s, key);
+    const float times[4] = {key[0]->time, key[1]->time, key[2]->time, key[3]->time};
+    if (s->trace)
+        control_neighbours(s, catmull_rom_weights(times, t));
+    return nkw_vec3_catmull_rom_timed(times, key[0]->position, key[1]->position, key[2]->position,
+                                      key[3]->position, t);
+}
+
+static nkw_vec3 position_at(const sampler *s, nkw_position_method method)
+{
+    float t = s->segment.t;
+    switch (method) {
+    case NKW_POSITION_LINEAR:
+        return linear(s, t);
+    case NKW_POSITION_HERMITE:
+        return hermite(s, t);
+    case NKW_POSITION_BEZIER:
+        return bezier(s);
+    case NKW_POSITION_BSPLINE:
+        return bspline(s, t);
+    case NKW_POSITION_CATMULL_ROM:
+        return catmull_rom(s, t);
+    case NKW_POSITION_STEP:
+        break;
+    }
+    return hold(s, key_held(s));
+}
+
+/* Writes down the two orientations blended and their weights. */
+static void orientations(const sampler *s, nkw_quat a, nkw_quat b, float wa, float wb)
+{
+    if (!s->trace)
+        return;
+    s->trace->orientation[0] = a;
+    s->trace->orientation[1] = b;
+    s->trace->orientation_weight[0] = wa;
+    s->trace->orientation_weight[1] = wb;
+}
+
+static nkw_mat3 step(const sampler *s)
+{
+    nkw_quat q = s->keys[key_held(s)].orientation;
+    orientations(s, q, q, 1.0f, 0.0f);
+    return nkw_mat3_from_quat(q);
+}
+
+static nkw_mat3 euler(const sampler *s, float t, nkw_unwrap unwrap)
+{
+    nkw_quat a = s->keys[s->from].orientation, b = s->keys[s->to].orientation;
+    nkw_vec3 to = nkw_euler_from_quat(b, NKW_EULER_YXZ);
+    nkw_vec3 from = nkw_euler_lerp(nkw_euler_from_quat(a, NKW_EULER_YXZ), to, 0.0f, unwrap);
+    orientations(s, a, b, 1.0f - t, t);
+    if (s->trace) {
+        s->trace->angles[0] = from;
+        s->trace->angles[1] = to;
+    }
+    return nkw_mat3_from_euler(nkw_euler_lerp(from, to, t, NKW_UNWRAP_NONE), NKW_EULER_YXZ);
+}
+
+/* The weights of slerp as the textbook has them; the blend itself is nkw_quat_slerp. */
+static void arc(const sampler *s, nkw_quat a, nkw_quat b, float t)
+{
+    if (!s->trace)
+        return;
+    float sign = nkw_quat_dot(a, b) < 0.0f ? -1.0f : 1.0f;
+    float h = 0.5f * nkw_quat_angle(a, b);
+    float whole = nkw_sin(h);
+    s->trace->half_angle = h;
+    orientations(s, a, nkw_quat_scale(b, sign), h > 0.0f ? nkw_sin((1.0f - t) * h) / whole : 1.0f - t,
+                 h > 0.0f ? nkw_sin(t * h) / whole : t);
+}
+
+static nkw_mat3 slerp(const sampler *s, float t)
+{
+    nkw_quat a = s->keys[s->from].orientation, b = s->keys[s->to].orientation;
+    arc(s, a, b, t);
+    return nkw_mat3_from_quat(nkw_quat_slerp(a, b, t));
+}
+
+static nkw_mat3 nlerp(const sampler *s, float t)
+{
+    nkw_quat a = s->keys[s->from].orientation, b = s->keys[s->to].orientation;
+    arc(s, a, b, t);
+    if (s->trace)
+        orientations(s, a, s->trace->orientation[1], 1.0f - t, t);
+    return nkw_mat3_from_quat(nkw_quat_nlerp(a, b, t));
+}
+
+static nkw_mat3 rotation_at(const sampler *s, nkw_orientation_method method)
+{
+    float t = s->segment.t;
+    switch (method) {
+    case NKW_ORIENTATION_EULER:
+        return euler(s, t, NKW_UNWRAP_YAW);
+    case NKW_ORIENTATION_EULER_UNWRAPPED:
+        return euler(s, t, NKW_UNWRAP_ALL);
+    case NKW_ORIENTATION_SLERP:
+        return slerp(s, t);
+    case NKW_ORIENTATION_NLERP:
+        return nlerp(s, t);
+    case NKW_ORIENTATION_STEP:
+        break;
+    }
+    return step(s);
+}
+
+static nkw_result check_key(const nkw_keyframe *keys, size_t k)
+{
+    const nkw_keyframe *key = &keys[k];
+    float length = nkw_quat_length(key->orientation);
+    if (key->time - key->time != 0.0f || !nkw_vec3_is_finite(key->position) ||
+        !nkw_quat_is_finite(key->orientation))
+        return NKW_NOT_FINITE;
+    if (k > 0 && key->time < keys[k - 1].time)
+        return NKW_NOT_ASCENDING;
+    return length >= 0.999f && length <= 1.001f ? NKW_OK : NKW_NOT_UNIT;
+}
+
+nkw_result nkw_keyframes_validate(const nkw_keyframe *keys, size_t count, size_t *bad_key)
+{
+    nkw_result result = count > 0 ? NKW_OK : NKW_EMPTY;
+    size_t bad = 0;
+    for (size_t k = 0; k < count && result == NKW_OK; k++) {
+        result = check_key(keys, k);
+        bad = result == NKW_OK ? 0 : k;
+    }
+    if (bad_key)
+        *bad_key = bad;
+    return result;
+}
+
+/* The sampler at `time`, or why there is none. */
+static nkw_result sampler_at(const nkw_keyframe *keys, size_t count, float time, nkw_position_method position,
+                             nkw_orientation_method orientation, sampler *s)
+{
+    if (count == 0)
+        return NKW_EMPTY;
+    if ((unsigned)position > NKW_POSITION_STEP || (unsigned)orientation > NKW_ORIENTATION_NLERP)
+        return NKW_BAD_METHOD;
+    lane_times times = {(const char *)&keys[0].time, sizeof keys[0], count};
+    nkw_segment segment = lane_segment_find(times, time);
+    sampler found = {keys, count, time, segment, segment.index, segment.index, NULL};
+    found.to += segment.index + 1 < count;
+    *s = found;
+    return NKW_OK;
+}
+
+nkw_result nkw_keyframes_sample(const nkw_keyframe *keys, size_t count, float time, nkw_position_method position,
+                                nkw_orientation_method orientation, nkw_mat4 *out)
+{
+    sampler s;
+    nkw_result result = sampler_at(keys, count, time, position, orientation, &s);
+    if (result != NKW_OK)
+        return result;
+    nkw_mat3 rotation = rotation_at(&s, orientation);
+    *out = nkw_mat4_from_mat3(&rotation, position_at(&s, position));
+    return NKW_OK;
+}
+
+nkw_result nkw_keyframes_trace(const nkw_keyframe *keys, size_t count, float time, nkw_position_method position,
+                               nkw_orientation_method orientation, nkw_keyframe_trace *trace)
+{
+    const nkw_keyframe_trace nothing = {0};
+    sampler s;
+    nkw_result result = sampler_at(keys, count, time, position, orientation, &s);
+    if (result != NKW_OK)
+        return result;
+    *trace = nothing;
+    trace->segment = s.segment;
+    trace->parameter = s.segment.t;
+    s.trace = trace;
+    trace->position = position_at(&s, position);
+    trace->rotation = rotation_at(&s, orientation);
+    return NKW_OK;
+}

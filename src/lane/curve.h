@@ -1,0 +1,254 @@
+/* SPDX-License-Identifier: MIT */
+/* Floor 3: cubic curves on one component. */
+#ifndef NAKAWARI_LANE_CURVE_H
+#define NAKAWARI_LANE_CURVE_H
+
+#include "strict.h"
+
+#include <nakawari/curve.h>
+
+static inline nkw_weights lane_hermite_weights(float t)
+{
+    float s = 1.0f - t;
+    nkw_weights r = {{(1.0f + 2.0f * t) * (s * s), t * (s * s), (1.0f + 2.0f * s) * (t * t), -s * (t * t)}};
+    return r;
+}
+
+static inline nkw_weights lane_hermite_velocity_weights(float t)
+{
+    float s = 1.0f - t;
+    nkw_weights r = {{-6.0f * (t * s), (1.0f - 3.0f * t) * s, 6.0f * (t * s), (3.0f * t - 2.0f) * t}};
+    return r;
+}
+
+static inline nkw_weights lane_hermite_acceleration_weights(float t)
+{
+    nkw_weights r = {{12.0f * t - 6.0f, 6.0f * t - 4.0f, 6.0f - 12.0f * t, 6.0f * t - 2.0f}};
+    return r;
+}
+
+static inline nkw_weights lane_bezier_weights(float t)
+{
+    float s = 1.0f - t;
+    nkw_weights r = {{s * (s * s), 3.0f * (s * s) * t, 3.0f * (t * t) * s, t * (t * t)}};
+    return r;
+}
+
+static inline nkw_weights lane_bezier_velocity_weights(float t)
+{
+    float s = 1.0f - t;
+    nkw_weights r = {{-3.0f * (s * s), 3.0f * s * (1.0f - 3.0f * t), 3.0f * t * (2.0f - 3.0f * t), 3.0f * (t * t)}};
+    return r;
+}
+
+static inline nkw_weights lane_bezier_acceleration_weights(float t)
+{
+    nkw_weights r = {{6.0f * (1.0f - t), 18.0f * t - 12.0f, 6.0f - 18.0f * t, 6.0f * t}};
+    return r;
+}
+
+static inline nkw_weights lane_bspline_weights(float t)
+{
+    float s = 1.0f - t, ss = s * s, tt = t * t;
+    nkw_weights r = {{
+        (s * ss) / 6.0f,
+        (4.0f + 3.0f * tt * (t - 2.0f)) / 6.0f,
+        (4.0f + 3.0f * ss * (s - 2.0f)) / 6.0f,
+        (t * tt) / 6.0f,
+    }};
+    return r;
+}
+
+static inline nkw_weights lane_bspline_velocity_weights(float t)
+{
+    float s = 1.0f - t;
+    nkw_weights r = {{-0.5f * (s * s), 0.5f * t * (3.0f * t - 4.0f), 0.5f * s * (4.0f - 3.0f * s), 0.5f * (t * t)}};
+    return r;
+}
+
+static inline nkw_weights lane_bspline_acceleration_weights(float t)
+{
+    nkw_weights r = {{1.0f - t, 3.0f * t - 2.0f, 1.0f - 3.0f * t, t}};
+    return r;
+}
+
+static inline nkw_weights lane_catmull_rom_weights(float t)
+{
+    float s = 1.0f - t, ss = s * s, tt = t * t;
+    nkw_weights r = {{
+        -0.5f * (t * ss),
+        s * ((1.0f + t) - 1.5f * tt),
+        t * ((1.0f + s) - 1.5f * ss),
+        -0.5f * (tt * s),
+    }};
+    return r;
+}
+
+static inline nkw_weights lane_catmull_rom_velocity_weights(float t)
+{
+    float s = 1.0f - t;
+    nkw_weights r = {{
+        0.5f * s * (3.0f * t - 1.0f),
+        0.5f * t * (9.0f * t - 10.0f),
+        0.5f * s * (10.0f - 9.0f * s),
+        0.5f * t * (3.0f * t - 2.0f),
+    }};
+    return r;
+}
+
+static inline nkw_weights lane_catmull_rom_acceleration_weights(float t)
+{
+    nkw_weights r = {{2.0f - 3.0f * t, 9.0f * t - 5.0f, 4.0f - 9.0f * t, 3.0f * t - 1.0f}};
+    return r;
+}
+
+static inline float lane_weigh(nkw_weights k, float c0, float c1, float c2, float c3)
+{
+    return (k.w[0] * c0 + k.w[1] * c1) + (k.w[2] * c2 + k.w[3] * c3);
+}
+
+/*
+ * The curves look from the end nearer to t: x is the way from there, y = 1 - x, a and b the near and the far end.
+ * From t = 1/2 on the controls are mirrored; 1 - t is then exact. At x = 0 the end comes back as it is, the sign of
+ * a zero too.
+ */
+
+/* With the chord f = b - a and the tangents u, v: p = a + (x f + x y (y (u - f) - x (v - f))). */
+static inline float lane_hermite(float p0, float v0, float p1, float v1, float t)
+{
+    int first = t < 0.5f;
+    float s = 1.0f - t;
+    float x = first ? t : s, y = first ? s : t;
+    float a = first ? p0 : p1, b = first ? p1 : p0;
+    float u = first ? v0 : -v1, v = first ? v1 : -v0;
+    float f = b - a;
+    return x == 0.0f ? a : a + x * (f + y * (y * (u - f) - x * (v - f)));
+}
+
+/* De Casteljau's triangle on the distances from the control point of largest weight. */
+static inline float lane_bezier(float p0, float p1, float p2, float p3, float t)
+{
+    int first = t < 0.5f;
+    float x = first ? t : 1.0f - t;
+    float a = first ? p0 : p3, b = first ? p1 : p2, c = first ? p2 : p1, d = first ? p3 : p0;
+    float o = x < 0.25f ? a : b;
+    float d0 = a - o, d1 = b - o, d2 = c - o, d3 = d - o;
+    float q0 = d0 + x * (d1 - d0), q1 = d1 + x * (d2 - d1), q2 = d2 + x * (d3 - d2);
+    float r0 = q0 + x * (q1 - q0), r1 = q1 + x * (q2 - q1);
+    return x == 0.0f ? a : o + (r0 + x * (r1 - r0));
+}
+
+/* With f = b - a and the second differences h and m at the ends: p = a + (x f + (y^3 h + x^3 m)/6). */
+static inline float lane_bspline(float p0, float p1, float p2, float p3, float t)
+{
+    int first = t < 0.5f;
+    float x = first ? t : 1.0f - t, y = first ? 1.0f - t : t;
+    float a = first ? p1 : p2, b = first ? p2 : p1, c = first ? p0 : p3, d = first ? p3 : p0;
+    float f = b - a;
+    float h = f + (c - a), m = (d - b) - f;
+    float xx = x * x, yy = (1.0f - 2.0f * x) + xx;
+    return a + (x * f + (yy * y * h + xx * x * m) / 6.0f);
+}
+
+/* The same letters: Hermite with the tangents (b - c)/2 and (d - a)/2 is p = a + x (f - y (y h + x m)/2). */
+static inline float lane_catmull_rom(float p0, float p1, float p2, float p3, float t)
+{
+    int first = t < 0.5f;
+    float x = first ? t : 1.0f - t, y = first ? 1.0f - t : t;
+    float a = first ? p1 : p2, b = first ? p2 : p1, c = first ? p0 : p3, d = first ? p3 : p0;
+    float f = b - a;
+    float h = f + (c - a), m = (d - b) - f;
+    return x == 0.0f ? a : a + x * (f - 0.5f * y * (y * h + x * m));
+}
+
+/* The slope at p1 of the parabola through three points; see nkw_catmull_rom_tangent. */
+static inline float lane_catmull_rom_tangent(float p0, float p1, float p2, float h0, float h1)
+{
+    double a = h0 > 0.0f ? h0 : 0.0, b = h1 > 0.0f ? h1 : 0.0;
+    double d0 = ((double)p1 - (double)p0) / (a > 0.0 ? a : 1.0);
+    double d1 = ((double)p2 - (double)p1) / (b > 0.0 ? b : 1.0);
+    /* Without a duration on one side all weight goes to the other; without any there is no slope. */
+    double w0 = a > 0.0 ? (b > 0.0 ? b : 1.0) : 0.0;
+    double w1 = b > 0.0 ? (a > 0.0 ? a : 1.0) : 0.0;
+    return (float)((d0 * w0 + d1 * w1) / (w0 + w1 > 0.0 ? w0 + w1 : 1.0));
+}
+
+/* Conversions between the kinds, see nkw_bezier_from_hermite: in binary64, each value rounded once. */
+typedef struct lane_wcubic {
+    double c[4];
+} lane_wcubic;
+
+static inline lane_wcubic lane_wcubic_from(nkw_cubic a)
+{
+    lane_wcubic r = {{a.c[0], a.c[1], a.c[2], a.c[3]}};
+    return r;
+}
+
+static inline nkw_cubic lane_cubic_from_wide(lane_wcubic a)
+{
+    nkw_cubic r = {{(float)a.c[0], (float)a.c[1], (float)a.c[2], (float)a.c[3]}};
+    return r;
+}
+
+static inline lane_wcubic lane_bezier_from_hermite(lane_wcubic h)
+{
+    const double *c = h.c;
+    lane_wcubic r = {{c[0], c[0] + c[1] / 3.0, c[2] - c[3] / 3.0, c[2]}};
+    return r;
+}
+
+static inline lane_wcubic lane_hermite_from_bezier(lane_wcubic b)
+{
+    const double *c = b.c;
+    lane_wcubic r = {{c[0], 3.0 * (c[1] - c[0]), c[3], 3.0 * (c[3] - c[2])}};
+    return r;
+}
+
+static inline lane_wcubic lane_bezier_from_bspline(lane_wcubic d)
+{
+    const double *c = d.c;
+    lane_wcubic r = {{
+        ((c[0] + 4.0 * c[1]) + c[2]) / 6.0,
+        (2.0 * c[1] + c[2]) / 3.0,
+        (c[1] + 2.0 * c[2]) / 3.0,
+        ((c[1] + 4.0 * c[2]) + c[3]) / 6.0,
+    }};
+    return r;
+}
+
+static inline lane_wcubic lane_bspline_from_bezier(lane_wcubic b)
+{
+    const double *c = b.c;
+    lane_wcubic r = {{
+        (6.0 * c[0] - 7.0 * c[1]) + 2.0 * c[2],
+        2.0 * c[1] - c[2],
+        2.0 * c[2] - c[1],
+        (2.0 * c[1] - 7.0 * c[2]) + 6.0 * c[3],
+    }};
+    return r;
+}
+
+static inline lane_wcubic lane_hermite_from_bspline(lane_wcubic d)
+{
+    return lane_hermite_from_bezier(lane_bezier_from_bspline(d));
+}
+
+static inline lane_wcubic lane_bspline_from_hermite(lane_wcubic h)
+{
+    return lane_bspline_from_bezier(lane_bezier_from_hermite(h));
+}
+
+/* De Casteljau's triangle; its two sides are the halves. */
+static inline void lane_bezier_split(lane_wcubic b, double t, lane_wcubic *left, lane_wcubic *right)
+{
+    const double *c = b.c;
+    double s = 1.0 - t;
+    double ab = s * c[0] + t * c[1], bc = s * c[1] + t * c[2], cd = s * c[2] + t * c[3];
+    double abc = s * ab + t * bc, bcd = s * bc + t * cd;
+    double point = s * abc + t * bcd;
+    lane_wcubic before = {{c[0], ab, abc, point}}, after = {{point, bcd, cd, c[3]}};
+    *left = before;
+    *right = after;
+}
+
+#endif

@@ -1,0 +1,227 @@
+/* SPDX-License-Identifier: MIT */
+/* Floor 2: the formulas of quat.h beyond the small algebra. */
+#ifndef NAKAWARI_LANE_QUAT_H
+#define NAKAWARI_LANE_QUAT_H
+
+#include "strict.h"
+
+#include <nakawari/quat.h>
+
+#include "vec.h"
+#include "wide.h"
+
+/* A quaternion in binary64. */
+typedef struct lane_wquat {
+    double x, y, z, w;
+} lane_wquat;
+
+/* A 3x3 matrix in binary64, column-major. */
+typedef struct lane_wmat3 {
+    double m[9];
+} lane_wmat3;
+
+static inline lane_wquat lane_wquat_from(nkw_quat q)
+{
+    lane_wquat r = {q.x, q.y, q.z, q.w};
+    return r;
+}
+
+static inline nkw_quat lane_quat_from_wide(lane_wquat q)
+{
+    nkw_quat r = {(float)q.x, (float)q.y, (float)q.z, (float)q.w};
+    return r;
+}
+
+static inline lane_wquat lane_wquat_scale(lane_wquat q, double s)
+{
+    lane_wquat r = {q.x * s, q.y * s, q.z * s, q.w * s};
+    return r;
+}
+
+static inline lane_wquat lane_wquat_add(lane_wquat a, lane_wquat b)
+{
+    lane_wquat r = {a.x + b.x, a.y + b.y, a.z + b.z, a.w + b.w};
+    return r;
+}
+
+static inline lane_wquat lane_wquat_sub(lane_wquat a, lane_wquat b)
+{
+    lane_wquat r = {a.x - b.x, a.y - b.y, a.z - b.z, a.w - b.w};
+    return r;
+}
+
+static inline double lane_wquat_dot(lane_wquat a, lane_wquat b)
+{
+    return (a.x * b.x + a.y * b.y) + (a.z * b.z + a.w * b.w);
+}
+
+static inline lane_wquat lane_wquat_select(int first, lane_wquat a, lane_wquat b)
+{
+    lane_wquat r = {first ? a.x : b.x, first ? a.y : b.y, first ? a.z : b.z, first ? a.w : b.w};
+    return r;
+}
+
+static inline nkw_quat lane_quat_select(int first, nkw_quat a, nkw_quat b)
+{
+    nkw_quat r = {first ? a.x : b.x, first ? a.y : b.y, first ? a.z : b.z, first ? a.w : b.w};
+    return r;
+}
+
+static inline lane_wquat lane_wquat_mul(lane_wquat a, lane_wquat b)
+{
+    lane_wquat r = {
+        (a.w * b.x + a.x * b.w) + (a.y * b.z - a.z * b.y),
+        (a.w * b.y + a.y * b.w) + (a.z * b.x - a.x * b.z),
+        (a.w * b.z + a.z * b.w) + (a.x * b.y - a.y * b.x),
+        (a.w * b.w - a.x * b.x) - (a.y * b.y + a.z * b.z),
+    };
+    return r;
+}
+
+static inline lane_wquat lane_wquat_conjugate(lane_wquat q)
+{
+    lane_wquat r = {-q.x, -q.y, -q.z, q.w};
+    return r;
+}
+
+/* q / |q|; zero gives the identity. */
+static inline lane_wquat lane_wquat_normalize(lane_wquat q)
+{
+    lane_wquat identity = {0.0, 0.0, 0.0, 1.0};
+    double n2 = lane_wquat_dot(q, q);
+    return lane_wquat_select(n2 == 0.0, identity, lane_wquat_scale(q, lane_rsqrt64(n2)));
+}
+
+/* The turn by 2 half about a unit axis. */
+static inline lane_wquat lane_wquat_from_axis_half_angle(lane_wvec3 axis, double half)
+{
+    lane_sincos h = lane_sincos64_any(half);
+    lane_wquat r = {axis.x * h.s, axis.y * h.s, axis.z * h.s, h.c};
+    return r;
+}
+
+/* log q: axis times half angle; see nkw_quat_log. */
+static inline lane_wvec3 lane_wquat_log(lane_wquat q)
+{
+    lane_wvec3 v = {q.x, q.y, q.z};
+    double n = lane_wvec3_length(v);
+    double half = lane_atan2_64(n, q.w);
+    lane_wvec3 turned = lane_wvec3_scale(v, half / n);
+    lane_wvec3 none = {n == 0.0 ? half : 0.0, 0.0, 0.0};
+    return lane_wvec3_select(n == 0.0, none, turned);
+}
+
+static inline lane_wquat lane_wquat_exp(lane_wvec3 v)
+{
+    return lane_wquat_from_axis_half_angle(lane_wvec3_normalize(v), lane_wvec3_length(v));
+}
+
+/* The rotation matrix, elements exact to binary64 for a unit q. */
+static inline lane_wmat3 lane_wmat3_from_wquat(lane_wquat q)
+{
+    double x2 = q.x + q.x, y2 = q.y + q.y, z2 = q.z + q.z;
+    double xx = q.x * x2, yy = q.y * y2, zz = q.z * z2;
+    double xy = q.x * y2, xz = q.x * z2, yz = q.y * z2;
+    double wx = q.w * x2, wy = q.w * y2, wz = q.w * z2;
+    lane_wmat3 r = {{
+        1.0 - (yy + zz), xy + wz, xz - wy,
+        xy - wz, 1.0 - (xx + zz), yz + wx,
+        xz + wy, yz - wx, 1.0 - (xx + yy),
+    }};
+    return r;
+}
+
+/*
+ * The symmetric matrix K with q^T K q = 1 + trace(R(q)^T M): 4 q q^T where M is a rotation, and its dominant
+ * eigenvector is the rotation nearest to any M. Rows x, y, z, w.
+ */
+typedef struct lane_wform {
+    lane_wquat x, y, z, w;
+} lane_wform;
+
+static inline lane_wform lane_wform_from_wmat3(const lane_wmat3 *a)
+{
+    const double *m = a->m;
+    double xy = m[1] + m[3], xz = m[2] + m[6], yz = m[5] + m[7];
+    double xw = m[5] - m[7], yw = m[6] - m[2], zw = m[1] - m[3];
+    lane_wform k = {
+        {((1.0 + m[0]) - m[4]) - m[8], xy, xz, xw},
+        {xy, ((1.0 - m[0]) + m[4]) - m[8], yz, yw},
+        {xz, yz, ((1.0 - m[0]) - m[4]) + m[8], zw},
+        {xw, yw, zw, ((1.0 + m[0]) + m[4]) + m[8]},
+    };
+    return k;
+}
+
+static inline lane_wquat lane_wform_apply(const lane_wform *k, lane_wquat q)
+{
+    lane_wquat r = {
+        lane_wquat_dot(k->x, q),
+        lane_wquat_dot(k->y, q),
+        lane_wquat_dot(k->z, q),
+        lane_wquat_dot(k->w, q),
+    };
+    return r;
+}
+
+/* The row of largest diagonal: the quaternion itself, times 4 and its own largest component. */
+static inline lane_wquat lane_wform_row(const lane_wform *k)
+{
+    int x_over_y = k->x.x > k->y.y;
+    int z_over_w = k->z.z > k->w.w;
+    double xy = x_over_y ? k->x.x : k->y.y;
+    double zw = z_over_w ? k->z.z : k->w.w;
+    return lane_wquat_select(xy > zw, lane_wquat_select(x_over_y, k->x, k->y),
+                             lane_wquat_select(z_over_w, k->z, k->w));
+}
+
+/*
+ * The rotation nearest to m: the best row after `steps` multiplications by K, each of which shrinks the distance
+ * from the eigenvector by the ratio of the eigenvalues: to a quarter of the noise where m is nearly a rotation.
+ */
+static inline lane_wquat lane_wquat_from_wmat3(const lane_wmat3 *m, int steps)
+{
+    lane_wform k = lane_wform_from_wmat3(m);
+    lane_wquat q = lane_wform_row(&k);
+    for (int i = 0; i < steps; i++)
+        q = lane_wform_apply(&k, q);
+    return lane_wquat_normalize(q);
+}
+
+/* 1 - |k|^2 of a nearly unit k. Each difference is small, so nothing large is rounded. */
+static inline float lane_quat_defect(nkw_quat k)
+{
+    return ((0.25f - k.x * k.x) + (0.25f - k.y * k.y)) + ((0.25f - k.z * k.z) + (0.25f - k.w * k.w));
+}
+
+/* k = q / |q| rounded, then one step of Newton: k + k (1 - |k|^2)/2. */
+static inline nkw_quat lane_quat_normalize(nkw_quat q)
+{
+    nkw_quat v = nkw_quat_scale(q, lane_rescue(nkw_quat_dot(q, q)));
+    float n2 = nkw_quat_dot(v, v);
+    v.w = n2 == 0.0f ? 1.0f : v.w;
+    nkw_quat k = nkw_quat_scale(v, n2 == 0.0f ? 1.0f : 1.0f / sqrtf(n2));
+    return nkw_quat_add(k, nkw_quat_scale(k, 0.5f * lane_quat_defect(k)));
+}
+
+static inline lane_wquat lane_wquat_from_vectors(lane_wvec3 from, lane_wvec3 to)
+{
+    double n2 = lane_wvec3_dot(from, from) * lane_wvec3_dot(to, to);
+    lane_wvec3 c = lane_wvec3_cross(from, to);
+    lane_wquat q = {c.x, c.y, c.z, lane_sqrt64(n2) + lane_wvec3_dot(from, to)};
+    lane_wvec3 p = lane_wvec3_perpendicular(from);
+    lane_wquat half_turn = {p.x, p.y, p.z, 0.0};
+    /* |q|^2 / n2 is the square of twice the cosine of half the angle. */
+    int opposite = n2 > 0.0 && lane_wquat_dot(q, q) < 0x1p-100 * n2;
+    return lane_wquat_select(opposite, half_turn, lane_wquat_normalize(q));
+}
+
+/* The turn between two unit quaternions, 0..pi, of the nearer signs. */
+static inline double lane_wquat_angle(lane_wquat a, lane_wquat b)
+{
+    lane_wquat d = lane_wquat_sub(a, b), s = lane_wquat_add(a, b);
+    double far = lane_sqrt64(lane_wquat_dot(d, d)), near = lane_sqrt64(lane_wquat_dot(s, s));
+    return 4.0 * (far < near ? lane_atan2_64(far, near) : lane_atan2_64(near, far));
+}
+
+#endif

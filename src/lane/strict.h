@@ -1,0 +1,42 @@
+/* SPDX-License-Identifier: MIT */
+/*
+ * Strict arithmetic: the first include of every source file.
+ *
+ * The same bits everywhere need each float and double operation to be rounded once, to its own type,
+ * to nearest. The build says so with -std=c99 -ffp-contract=off; the lines below say it again for
+ * whoever compiles the files by other means, and refuse what cannot be put right.
+ */
+#ifndef NAKAWARI_LANE_STRICT_H
+#define NAKAWARI_LANE_STRICT_H
+
+#include <float.h>
+
+#if defined(__FAST_MATH__) || (defined(__FINITE_MATH_ONLY__) && __FINITE_MATH_ONLY__) ||           \
+    defined(__ASSOCIATIVE_MATH__) || defined(_M_FP_FAST)
+#error "nakawari: build without -ffast-math and its parts, they change results"
+#endif
+
+#if defined(__clang__)
+#pragma STDC FP_CONTRACT OFF
+#elif defined(_MSC_VER)
+#pragma fp_contract(off)
+#elif defined(__GNUC__) && !defined(__STRICT_ANSI__)
+/* GNU mode contracts a * b + c by default and ignores the ISO pragma. */
+#pragma GCC optimize("fp-contract=off")
+#endif
+
+/* So the headers may inline their small algebra here. */
+#ifndef NKW_CONTRACTION_OFF
+#define NKW_CONTRACTION_OFF
+#endif
+
+/* 16 means that only _Float16 is widened. */
+#if defined(FLT_EVAL_METHOD) && FLT_EVAL_METHOD != 0 && FLT_EVAL_METHOD != 16
+#error "nakawari: float must be evaluated as float (i386: -msse2 -mfpmath=sse, s390x: -fexcess-precision=fast)"
+#endif
+
+#if FLT_RADIX != 2 || FLT_MANT_DIG != 24 || DBL_MANT_DIG != 53
+#error "nakawari: float and double must be IEEE 754 binary32 and binary64"
+#endif
+
+#endif

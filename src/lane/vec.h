@@ -1,0 +1,129 @@
+/* SPDX-License-Identifier: MIT */
+/* Floor 2: the formulas of vec.h beyond the small algebra. */
+#ifndef NAKAWARI_LANE_VEC_H
+#define NAKAWARI_LANE_VEC_H
+
+#include "strict.h"
+
+#include <nakawari/vec.h>
+
+#include "wide.h"
+
+/* A vector in binary64. */
+typedef struct lane_wvec3 {
+    double x, y, z;
+} lane_wvec3;
+
+static inline lane_wvec3 lane_wvec3_from(nkw_vec3 a)
+{
+    lane_wvec3 r = {a.x, a.y, a.z};
+    return r;
+}
+
+static inline nkw_vec3 lane_vec3_from_wide(lane_wvec3 a)
+{
+    nkw_vec3 r = {(float)a.x, (float)a.y, (float)a.z};
+    return r;
+}
+
+static inline lane_wvec3 lane_wvec3_scale(lane_wvec3 a, double s)
+{
+    lane_wvec3 r = {a.x * s, a.y * s, a.z * s};
+    return r;
+}
+
+static inline lane_wvec3 lane_wvec3_sub(lane_wvec3 a, lane_wvec3 b)
+{
+    lane_wvec3 r = {a.x - b.x, a.y - b.y, a.z - b.z};
+    return r;
+}
+
+static inline double lane_wvec3_dot(lane_wvec3 a, lane_wvec3 b)
+{
+    return (a.x * b.x + a.y * b.y) + a.z * b.z;
+}
+
+static inline lane_wvec3 lane_wvec3_cross(lane_wvec3 a, lane_wvec3 b)
+{
+    lane_wvec3 r = {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
+    return r;
+}
+
+static inline double lane_wvec3_length(lane_wvec3 a)
+{
+    return lane_sqrt64(lane_wvec3_dot(a, a));
+}
+
+static inline lane_wvec3 lane_wvec3_select(int first, lane_wvec3 a, lane_wvec3 b)
+{
+    lane_wvec3 r = {first ? a.x : b.x, first ? a.y : b.y, first ? a.z : b.z};
+    return r;
+}
+
+/* a / |a|; the zero vector stays zero. The squares of floats are normal in binary64. */
+static inline lane_wvec3 lane_wvec3_normalize(lane_wvec3 a)
+{
+    double n2 = lane_wvec3_dot(a, a);
+    return lane_wvec3_scale(a, n2 == 0.0 ? 0.0 : lane_rsqrt64(n2));
+}
+
+/* The axis on which a is shortest, crossed with a: not zero unless a is. */
+static inline lane_wvec3 lane_wvec3_perpendicular(lane_wvec3 a)
+{
+    double x = a.x * a.x, y = a.y * a.y, z = a.z * a.z;
+    int least_x = x <= y && x <= z;
+    int least_y = y <= z;
+    lane_wvec3 about_x = {0.0, -a.z, a.y};
+    lane_wvec3 about_y = {a.z, 0.0, -a.x};
+    lane_wvec3 about_z = {-a.y, a.x, 0.0};
+    lane_wvec3 axis_x = {1.0, 0.0, 0.0};
+    lane_wvec3 r = lane_wvec3_select(least_x, about_x, lane_wvec3_select(least_y, about_y, about_z));
+    return lane_wvec3_normalize(lane_wvec3_select((x + y) + z == 0.0, axis_x, r));
+}
+
+/* A power of two that brings a vector of squared length n2 to where its square neither over- nor underflows. */
+static inline float lane_rescue(float n2)
+{
+    return n2 < 0x1p-96f ? 0x1p100f : n2 > 0x1p96f ? 0x1p-100f : 1.0f;
+}
+
+static inline float lane_vec3_length(nkw_vec3 a)
+{
+    return (float)lane_wvec3_length(lane_wvec3_from(a));
+}
+
+static inline float lane_vec3_distance(nkw_vec3 a, nkw_vec3 b)
+{
+    return (float)lane_wvec3_length(lane_wvec3_sub(lane_wvec3_from(a), lane_wvec3_from(b)));
+}
+
+/* 1 - |k|^2 of a nearly unit k. Each difference is small, so nothing large is rounded. */
+static inline float lane_vec3_defect(nkw_vec3 k)
+{
+    return (0.5f - k.x * k.x) + ((0.25f - k.y * k.y) + (0.25f - k.z * k.z));
+}
+
+/* k = a / |a| rounded, then one step of Newton: k + k (1 - |k|^2)/2. */
+static inline nkw_vec3 lane_vec3_normalize(nkw_vec3 a)
+{
+    nkw_vec3 v = nkw_vec3_scale(a, lane_rescue(nkw_vec3_dot(a, a)));
+    float n2 = nkw_vec3_dot(v, v);
+    nkw_vec3 k = nkw_vec3_scale(v, n2 == 0.0f ? 0.0f : 1.0f / sqrtf(n2));
+    return nkw_vec3_add_scaled(k, k, n2 == 0.0f ? 0.0f : 0.5f * lane_vec3_defect(k));
+}
+
+static inline float lane_vec3_angle(nkw_vec3 a, nkw_vec3 b)
+{
+    lane_wvec3 u = lane_wvec3_from(a), v = lane_wvec3_from(b);
+    double sine = lane_wvec3_length(lane_wvec3_cross(u, v));
+    double cosine = lane_wvec3_dot(u, v);
+    return (float)lane_atan2_64(sine, sine == 0.0 && cosine == 0.0 ? 1.0 : cosine);
+}
+
+static inline lane_wvec3 lane_wvec3_project(lane_wvec3 a, lane_wvec3 b)
+{
+    double n2 = lane_wvec3_dot(b, b);
+    return lane_wvec3_scale(b, n2 == 0.0 ? 0.0 : lane_wvec3_dot(a, b) / n2);
+}
+
+#endif

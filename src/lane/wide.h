@@ -1,0 +1,234 @@
+/* SPDX-License-Identifier: MIT */
+/*
+ * Binary64 inside, binary32 outside: square root, sine, cosine and arc tangent before their last rounding.
+ *
+ * Only + - * / and the bits of a number: no libm, so nothing is imported and every target gives the same
+ * result. Relative errors stand with each function; 2^-43 adds 2^-20 ULP to a later rounding to float.
+ */
+#ifndef NAKAWARI_LANE_WIDE_H
+#define NAKAWARI_LANE_WIDE_H
+
+#include <math.h>
+#include <stdint.h>
+#include <string.h>
+
+#include "data/scalar.h"
+
+/* x + LANE_ROUND holds rint(x) in its low bits for |x| < 2^51; minus LANE_ROUND it is rint(x). */
+#define LANE_ROUND 0x1.8p52
+#define LANE_SIGN  UINT64_C(0x8000000000000000)
+/* Below this many radians lane_half_turns holds, from here on only lane_half_turns_far. */
+#define LANE_NEAR 0x1p20
+
+static inline uint64_t lane_bits64(double x)
+{
+    uint64_t bits;
+    memcpy(&bits, &x, sizeof bits);
+    return bits;
+}
+
+static inline double lane_double(uint64_t bits)
+{
+    double x;
+    memcpy(&x, &bits, sizeof x);
+    return x;
+}
+
+static inline double lane_abs64(double x)
+{
+    return lane_double(lane_bits64(x) & ~LANE_SIGN);
+}
+
+/* magnitude with the sign bit of sign; magnitude must not be negative. */
+static inline double lane_copysign64(double magnitude, double sign)
+{
+    return lane_double(lane_bits64(magnitude) | (lane_bits64(sign) & LANE_SIGN));
+}
+
+/*
+ * Polynomials c[0] + c[1] z + ..., zz = z^2: pairs are summed first, then Horner in zz.
+ * Half the latency of Horner for one product more.
+ */
+static inline double lane_poly2(const double *c, double z)
+{
+    return c[0] + c[1] * z;
+}
+
+static inline double lane_poly6(const double *c, double z, double zz)
+{
+    return lane_poly2(c, z) + zz * (lane_poly2(c + 2, z) + zz * lane_poly2(c + 4, z));
+}
+
+static inline double lane_poly8(const double *c, double z, double zz)
+{
+    return lane_poly2(c, z) + zz * lane_poly6(c + 2, z, zz);
+}
+
+static inline double lane_poly10(const double *c, double z, double zz)
+{
+    return lane_poly2(c, z) + zz * lane_poly8(c + 2, z, zz);
+}
+
+/*
+ * 1/sqrt(x) for x >= 2^-1000; finite for zeros, NaN for NaN.
+ *
+ *     y0 = 2^(-e/2) by halving the bits            within 3.5e-2
+ *     y' = y (3/2 - x y^2 / 2)                     error d -> 3/2 d^2: 1.8e-3, 4.7e-6, 3.3e-11, 2^-52
+ *
+ * The last step adds to y, so only its small correction carries a rounding error.
+ * Seed: M. Robertson, A Brief History of InvSqrt, University of New Brunswick, 2012.
+ */
+static inline double lane_rsqrt64_seeded(double x)
+{
+    double half = 0.5 * x;
+    double y = lane_double(UINT64_C(0x5FE6EB50C7B537A9) - (lane_bits64(x) >> 1));
+    y = y * (1.5 - half * y * y);
+    y = y * (1.5 - half * y * y);
+    y = y * (1.5 - half * y * y);
+    return y + y * (0.5 - half * y * y);
+}
+
+/* The same for every x >= 0: subnormals are taken 2^200 times as large. */
+static inline double lane_rsqrt64_scaled(double x)
+{
+    double scaled = x < 0x1p-900 ? x * 0x1p200 : x;
+    return lane_rsqrt64_seeded(scaled) * (x < 0x1p-900 ? 0x1p100 : 1.0);
+}
+
+/*
+ * 1/sqrt(x), relative error 2^-51, for every positive finite x, subnormals included.
+ * Zeros give +inf, +inf gives 0, negative numbers and NaN give NaN.
+ */
+static inline double lane_rsqrt64(double x)
+{
+    double y = x < (double)INFINITY ? lane_rsqrt64_scaled(x) : 0.0;
+    y = x > 0.0 ? y : (double)INFINITY;
+    return x >= 0.0 ? y : (double)NAN;
+}
+
+/*
+ * sqrt(x), relative error 2^-51: the root of a square of 24 bits is exact once rounded to float.
+ * Zeros and +inf give themselves, negative numbers and NaN give NaN.
+ */
+static inline double lane_sqrt64(double x)
+{
+    double root = x < (double)INFINITY ? x * lane_rsqrt64_scaled(x) : x;
+    return x < 0.0 ? (double)NAN : root;
+}
+
+/* An angle as n half turns, some given fraction of one, and a rest r: |r| <= pi/2 but for rounding. */
+typedef struct lane_turns {
+    double r;
+    uint64_t n; /* only bit 0, n odd, is meant */
+} lane_turns;
+
+/*
+ * x = (n + shift) pi + r, shift 0 or 1/2, for |x| < LANE_NEAR and x of at most 24 bits.
+ *
+ *     r = (x - (n + shift) pi_high) - (n + shift) pi_low
+ *
+ * n + shift has at most 20 bits and pi_high 33: product and first difference are exact (Cody, Waite,
+ * Software Manual for the Elementary Functions, 1980). |error of r| < 2^-65 + 2^-53 |r|.
+ * Larger finite x give some number, inf and NaN give NaN.
+ */
+static inline lane_turns lane_half_turns(double x, double shift)
+{
+    double rounded = (x * LANE_INVERSE_PI - shift) + LANE_ROUND;
+    double turns = (rounded - LANE_ROUND) + shift;
+    lane_turns a;
+    a.r = (x - turns * LANE_PI_HIGH) - turns * LANE_PI_LOW;
+    a.n = lane_bits64(rounded);
+    return a;
+}
+
+/*
+ * The same for every x of at most 24 bits with |x| < 2^128.
+ *
+ *     x/pi = x c0 + x c1 + x c2 (modulo 4),     r = pi ((x c0 - (n + shift)) + x c1 + x c2)
+ *
+ * x c0 and x c1 are exact, the row of c leaves out what makes multiples of 4 (Payne, Hanek, Radian
+ * Reduction for Trigonometric Functions, SIGNUM Newsletter, 1983). |error of r| < 2^-76 + 2^-51 |r|.
+ */
+static inline lane_turns lane_half_turns_far(double x, double shift)
+{
+    uint64_t exponent = (lane_bits64(x) & ~LANE_SIGN) >> 52;
+    uint64_t row = exponent < 1023 ? 0 : (exponent - 1023) >> 3;
+    const double *c = LANE_INVERSE_PI_ROWS[row < 16 ? row : 15];
+    double high = x * c[0];
+    double middle = x * c[1];
+    double rounded = ((high + middle) - shift) + LANE_ROUND;
+    double turns = (rounded - LANE_ROUND) + shift;
+    lane_turns a;
+    a.r = (((high - turns) + middle) + x * c[2]) * LANE_PI;
+    a.n = lane_bits64(rounded);
+    return a;
+}
+
+/* (-1)^n sin r, relative error 2^-43.6. Zero keeps its sign. */
+static inline double lane_sine64(lane_turns a)
+{
+    double z = a.r * a.r;
+    double sine = a.r * (1.0 + z * lane_poly6(LANE_SIN, z, z * z));
+    return lane_double(lane_bits64(sine) ^ (a.n << 63));
+}
+
+typedef struct lane_sincos {
+    double s, c;
+} lane_sincos;
+
+/*
+ * sin x and cos x, relative error 2^-43.5 each, for |x| < LANE_NEAR and x of at most 24 bits: a float or half
+ * a float. cos x = -(-1)^n sin r with |x| = (n + 1/2) pi + r: exactly even. inf and NaN give NaN.
+ */
+static inline lane_sincos lane_sincos64(double x)
+{
+    lane_sincos a;
+    a.s = lane_sine64(lane_half_turns(x, 0.0));
+    a.c = -lane_sine64(lane_half_turns(lane_abs64(x), 0.5));
+    return a;
+}
+
+/* The same for every |x| < 2^128. */
+static inline lane_sincos lane_sincos64_far(double x)
+{
+    lane_sincos a;
+    a.s = lane_sine64(lane_half_turns_far(x, 0.0));
+    a.c = -lane_sine64(lane_half_turns_far(lane_abs64(x), 0.5));
+    return a;
+}
+
+/* For single calls: in a loop run lane_sincos64 and do the far angles again. */
+static inline lane_sincos lane_sincos64_any(double x)
+{
+    return lane_abs64(x) < LANE_NEAR ? lane_sincos64(x) : lane_sincos64_far(x);
+}
+
+/*
+ * The angle of (x, y) in [-pi, pi], relative error 2^-44.8, for |x|, |y| <= 2^1022 or infinite.
+ *
+ *     q = low/high,  q <= tan(pi/8);  (low - high)/(low + high) + a turn of pi/4 above
+ *     low, high = the smaller and the larger of |x|, |y|
+ *
+ * then pi/2 - q, pi - q and the sign of y select the octant. Zeros and infinities follow C99 F.9.1.4:
+ * two infinities count as 1 and 1, two zeros as 0 and 1. A NaN in either gives NaN.
+ */
+static inline double lane_atan2_64(double y, double x)
+{
+    double ax = lane_abs64(x);
+    double ay = lane_abs64(y);
+    double smaller = ay < ax ? ay : ax;
+    double larger = ay < ax ? ax : ay;
+    double low = smaller < (double)INFINITY ? smaller : 1.0;
+    double high = smaller < (double)INFINITY ? (larger > 0.0 ? larger : 1.0) : 1.0;
+    double turn = low > LANE_TAN_EIGHTH_PI * high ? LANE_QUARTER_PI : 0.0;
+    double q = (turn > 0.0 ? low - high : low) / (turn > 0.0 ? low + high : high);
+    double z = q * q;
+    double angle = turn + q * (1.0 + z * lane_poly8(LANE_ATAN, z, z * z));
+    angle = ay > ax ? LANE_HALF_PI - angle : angle;
+    angle = lane_copysign64(1.0, x) < 0.0 ? LANE_PI - angle : angle;
+    angle = lane_copysign64(angle, y);
+    angle = x == x ? angle : x;
+    return y == y ? angle : y;
+}
+
+#endif

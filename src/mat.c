@@ -1,0 +1,220 @@
+/* SPDX-License-Identifier: MIT */
+#include "lane/strict.h"
+
+#include <nakawari/mat.h>
+
+#include "lane/mat.h"
+
+float nkw_mat3_determinant(const nkw_mat3 *m)
+{
+    lane_wmat3 w = lane_wmat3_from(m);
+    lane_wmat3 c = lane_wmat3_cofactors(&w);
+    return (float)lane_wmat3_determinant(&w, &c);
+}
+
+nkw_mat3 nkw_mat3_inverse(const nkw_mat3 *m)
+{
+    lane_wmat3 w = lane_wmat3_from(m);
+    lane_wmat3 c = lane_wmat3_cofactors(&w);
+    double r = lane_reciprocal_or_zero(lane_wmat3_determinant(&w, &c));
+    lane_wmat3 adjugate = lane_wmat3_transpose(&c);
+    return lane_mat3_from_wide(&adjugate, r);
+}
+
+nkw_mat3 nkw_mat3_normal(const nkw_mat3 *m)
+{
+    lane_wmat3 w = lane_wmat3_from(m);
+    lane_wmat3 c = lane_wmat3_cofactors(&w);
+    double r = lane_reciprocal_or_zero(lane_wmat3_determinant(&w, &c));
+    if (r == 0.0)
+        r = lane_reciprocal_or_zero(lane_wmat3_largest(&c));
+    return lane_mat3_from_wide(&c, r);
+}
+
+/* Columns shorter than this part of the longest direction left are rounding, not direction. */
+static lane_wvec3 direction_or(lane_wvec3 rest, lane_wvec3 whole, lane_wvec3 otherwise)
+{
+    int lost = lane_wvec3_dot(rest, rest) <= 0x1p-60 * lane_wvec3_dot(whole, whole);
+    return lane_wvec3_normalize(lane_wvec3_select(lost, otherwise, rest));
+}
+
+nkw_mat3 nkw_mat3_orthonormalize(const nkw_mat3 *m)
+{
+    lane_wmat3 w = lane_wmat3_from(m);
+    lane_wvec3 a = lane_wmat3_column(&w, 0), b = lane_wmat3_column(&w, 1), c = lane_wmat3_column(&w, 2);
+    lane_wvec3 across = lane_wvec3_cross(b, c);
+    lane_wvec3 x = direction_or(a, a, direction_or(across, across, lane_wvec3_perpendicular(b)));
+    lane_wvec3 rest = lane_wvec3_sub(b, lane_wvec3_scale(x, lane_wvec3_dot(b, x)));
+    lane_wvec3 y = direction_or(rest, b, direction_or(lane_wvec3_cross(c, x), c, lane_wvec3_perpendicular(x)));
+    lane_wvec3 z = lane_wvec3_cross(x, y);
+    double side = lane_wvec3_dot(z, c) < 0.0 ? -1.0 : 1.0;
+    lane_wmat3 r = lane_wmat3_from_columns(x, y, lane_wvec3_scale(z, side));
+    return lane_mat3_from_wide(&r, 1.0);
+}
+
+nkw_mat3 nkw_mat3_from_row_major(const float rows[9])
+{
+    nkw_mat3 r;
+    for (size_t c = 0; c < 3; c++)
+        for (size_t i = 0; i < 3; i++)
+            r.m[c * 3 + i] = rows[i * 3 + c];
+    return r;
+}
+
+void nkw_mat3_to_row_major(const nkw_mat3 *m, float rows[9])
+{
+    nkw_mat3 t = nkw_mat3_transpose(m);
+    for (size_t i = 0; i < 9; i++)
+        rows[i] = t.m[i];
+}
+
+nkw_vec3 nkw_mat4_project_point(const nkw_mat4 *m, nkw_vec3 p)
+{
+    const float *a = m->m;
+    float w = (a[3] * p.x + a[7] * p.y) + (a[11] * p.z + a[15]);
+    nkw_vec3 q = nkw_mat4_transform_point(m, p);
+    nkw_vec3 r = {q.x / w, q.y / w, q.z / w};
+    return r;
+}
+
+static void widen(const nkw_mat4 *m, double a[16])
+{
+    for (size_t i = 0; i < 16; i++)
+        a[i] = m->m[i];
+}
+
+float nkw_mat4_determinant(const nkw_mat4 *m)
+{
+    double a[16];
+    widen(m, a);
+    lane_minors s = lane_minors_of(a, a + 4), c = lane_minors_of(a + 8, a + 12);
+    return (float)lane_minors_determinant(&s, &c);
+}
+
+/* Swaps line k of a | b with the line below it whose element k is largest. */
+static void pivot(double a[4][8], size_t k)
+{
+    size_t best = k;
+    for (size_t i = k + 1; i < 4; i++) {
+        double x = a[i][k] < 0.0 ? -a[i][k] : a[i][k];
+        double y = a[best][k] < 0.0 ? -a[best][k] : a[best][k];
+        best = x > y ? i : best;
+    }
+    for (size_t j = 0; j < 8; j++) {
+        double t = a[k][j];
+        a[k][j] = a[best][j];
+        a[best][j] = t;
+    }
+}
+
+/*
+ * Gauss-Jordan elimination with partial pivoting, where cofactors would cancel too much. Lines are the
+ * matrix's columns, which inverts the transpose into the transposed inverse. Gives 0 for a singular matrix.
+ */
+static int eliminate(const double m[16], double out[16])
+{
+    double a[4][8] = {{0}};
+    for (size_t i = 0; i < 4; i++) {
+        for (size_t j = 0; j < 4; j++)
+            a[i][j] = m[i * 4 + j];
+        a[i][4 + i] = 1.0;
+    }
+    for (size_t k = 0; k < 4; k++) {
+        pivot(a, k);
+        double r = lane_reciprocal_or_zero(a[k][k]);
+        if (r == 0.0)
+            return 0;
+        for (size_t j = 0; j < 8; j++)
+            a[k][j] *= r;
+        for (size_t i = 0; i < 4; i++) {
+            double f = i == k ? 0.0 : a[i][k];
+            for (size_t j = 0; j < 8; j++)
+                a[i][j] -= f * a[k][j];
+        }
+    }
+    for (size_t i = 0; i < 16; i++)
+        out[i] = a[i / 4][4 + i % 4];
+    return 1;
+}
+
+/* The adjugate and the determinant. Lines are the matrix's columns, as above. */
+static double adjugate(const double a[16], double out[16], double *magnitude)
+{
+    lane_minors s = lane_minors_of(a, a + 4), c = lane_minors_of(a + 8, a + 12);
+    double t[16];
+    lane_adjugate_line(a + 4, &c, 1.0, t);
+    lane_adjugate_line(a, &c, -1.0, t + 4);
+    lane_adjugate_line(a + 12, &s, 1.0, t + 8);
+    lane_adjugate_line(a + 8, &s, -1.0, t + 12);
+    for (size_t i = 0; i < 16; i++)
+        out[i] = t[i % 4 * 4 + i / 4];
+    *magnitude = lane_minors_magnitude(&s, &c);
+    return lane_minors_determinant(&s, &c);
+}
+
+nkw_mat4 nkw_mat4_inverse(const nkw_mat4 *m)
+{
+    double a[16], inverse[16], magnitude;
+    widen(m, a);
+    double det = adjugate(a, inverse, &magnitude);
+    double r = lane_reciprocal_or_zero(det);
+    /* Cofactors lose log2(magnitude / |det|) bits, of 29 to spare. */
+    if (!((det < 0.0 ? -det : det) > magnitude * 0x1p-12))
+        r = eliminate(a, inverse) ? 1.0 : 0.0;
+    nkw_mat4 result;
+    for (size_t i = 0; i < 16; i++)
+        result.m[i] = r == 0.0 ? 0.0f : (float)(inverse[i] * r);
+    return result;
+}
+
+nkw_mat4 nkw_mat4_inverse_affine(const nkw_mat4 *m)
+{
+    lane_wmat3 w = lane_wmat3_from_mat4(m);
+    lane_wmat3 c = lane_wmat3_cofactors(&w);
+    double r = lane_reciprocal_or_zero(lane_wmat3_determinant(&w, &c));
+    lane_wmat3 adjugate = lane_wmat3_transpose(&c);
+    lane_wvec3 t = {m->m[12], m->m[13], m->m[14]};
+    nkw_vec3 translation = {
+        (float)(-r * lane_wvec3_dot(lane_wmat3_column(&c, 0), t)),
+        (float)(-r * lane_wvec3_dot(lane_wmat3_column(&c, 1), t)),
+        (float)(-r * lane_wvec3_dot(lane_wmat3_column(&c, 2), t)),
+    };
+    nkw_mat3 linear = lane_mat3_from_wide(&adjugate, r);
+    nkw_mat4 inverse = nkw_mat4_from_mat3(&linear, translation);
+    inverse.m[15] = r == 0.0 ? 0.0f : 1.0f;
+    return inverse;
+}
+
+nkw_mat4 nkw_mat4_inverse_rigid(const nkw_mat4 *m)
+{
+    nkw_mat3 r = nkw_mat3_from_mat4(m);
+    nkw_mat3 t = nkw_mat3_transpose(&r);
+    nkw_vec3 back = nkw_mat3_transform(&t, nkw_mat4_translation(m));
+    return nkw_mat4_from_mat3(&t, nkw_vec3_negate(back));
+}
+
+nkw_mat4 nkw_mat4_from_row_major(const float rows[16])
+{
+    nkw_mat4 r = nkw_mat4_from_row_vectors(rows);
+    return nkw_mat4_transpose(&r);
+}
+
+void nkw_mat4_to_row_major(const nkw_mat4 *m, float rows[16])
+{
+    nkw_mat4 t = nkw_mat4_transpose(m);
+    nkw_mat4_to_row_vectors(&t, rows);
+}
+
+nkw_mat4 nkw_mat4_from_row_vectors(const float rows[16])
+{
+    nkw_mat4 r;
+    for (size_t i = 0; i < 16; i++)
+        r.m[i] = rows[i];
+    return r;
+}
+
+void nkw_mat4_to_row_vectors(const nkw_mat4 *m, float rows[16])
+{
+    for (size_t i = 0; i < 16; i++)
+        rows[i] = m->m[i];
+}

@@ -1,0 +1,83 @@
+/* SPDX-License-Identifier: MIT */
+#include "lane/strict.h"
+
+#include <nakawari/scalar.h>
+
+#include "lane/scalar.h"
+
+float nkw_sqrt(float x)
+{
+    return sqrtf(x);
+}
+
+float nkw_sin(float angle)
+{
+    return lane_angle_is_far(angle) ? lane_sin_far(angle) : lane_sin(angle);
+}
+
+float nkw_cos(float angle)
+{
+    return lane_angle_is_far(angle) ? lane_cos_far(angle) : lane_cos(angle);
+}
+
+void nkw_sincos(float angle, float *sine, float *cosine)
+{
+    *sine = nkw_sin(angle);
+    *cosine = nkw_cos(angle);
+}
+
+float nkw_tan(float angle)
+{
+    return lane_angle_is_far(angle) ? lane_tan_far(angle) : lane_tan(angle);
+}
+
+float nkw_asin(float x)
+{
+    return lane_asin(x);
+}
+
+float nkw_acos(float x)
+{
+    return lane_acos(x);
+}
+
+float nkw_atan(float x)
+{
+    return lane_atan(x);
+}
+
+float nkw_atan2(float y, float x)
+{
+    return lane_atan2(y, x);
+}
+
+float nkw_exp(float x)
+{
+    return lane_exp(x);
+}
+
+float nkw_log(float x)
+{
+    return lane_log(x);
+}
+
+float nkw_pow(float x, float y)
+{
+    return lane_pow(x, y);
+}
+
+float nkw_wrap(float x, float period)
+{
+    return lane_wrap_is_far(x, period) ? lane_wrap_far(x, period) : lane_wrap(x, period);
+}
+
+float nkw_wrap_angle(float angle)
+{
+    return lane_angle_is_far(angle) ? lane_wrap_angle_far(angle) : lane_wrap_angle(angle);
+}
+
+float nkw_angle_difference(float from, float to)
+{
+    int far = lane_angle_is_far(from) | lane_angle_is_far(to);
+    return far ? lane_angle_difference_far(from, to) : lane_angle_difference(from, to);
+}

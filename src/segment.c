@@ -1,0 +1,52 @@
+/* SPDX-License-Identifier: MIT */
+#include "lane/strict.h"
+
+#include <nakawari/segment.h>
+
+#include "lane/segment.h"
+
+static lane_times times_of(const float *times, size_t count)
+{
+    lane_times r = {(const char *)times, sizeof *times, count};
+    return r;
+}
+
+nkw_segment nkw_segment_find(const float *times, size_t count, float time)
+{
+    return lane_segment_find(times_of(times, count), time);
+}
+
+nkw_segment nkw_segment_find_from(const float *times, size_t count, float time, size_t from)
+{
+    return lane_segment_find_from(times_of(times, count), time, from);
+}
+
+float nkw_segment_uniform_time(float start, float rate, size_t k)
+{
+    return (float)((double)start + (double)k / (double)rate);
+}
+
+/* floor(x) held within 0..last, for any x. */
+static size_t index_within(double x, size_t last)
+{
+    size_t k = x > 0.0 && x < (double)last ? (size_t)x : 0;
+    return x < (double)last && k < last ? k : x > 0.0 ? last : 0;
+}
+
+nkw_segment nkw_segment_find_uniform(float start, float rate, size_t count, float time)
+{
+    nkw_segment none = {0, 0.0f};
+    if (count < 2 || !(rate > 0.0f) || rate - rate != 0.0f)
+        return none;
+    size_t last = count - 2;
+    size_t k = index_within(((double)time - (double)start) * (double)rate, last);
+    /* The key times are rounded, so a time within half an ULP of a key can be one segment off. */
+    if (k > 0 && time < nkw_segment_uniform_time(start, rate, k))
+        k--;
+    else if (k < last && time >= nkw_segment_uniform_time(start, rate, k + 1))
+        k++;
+    float a = nkw_segment_uniform_time(start, rate, k);
+    float b = nkw_segment_uniform_time(start, rate, k + 1);
+    nkw_segment r = {k, lane_segment_t(a, b, time)};
+    return r;
+}

@@ -1,0 +1,42 @@
+/* SPDX-License-Identifier: MIT */
+#include "lane/strict.h"
+
+#include <nakawari/vec.h>
+
+#include "lane/vec.h"
+
+float nkw_vec3_length(nkw_vec3 a)
+{
+    return lane_vec3_length(a);
+}
+
+float nkw_vec3_distance(nkw_vec3 a, nkw_vec3 b)
+{
+    return lane_vec3_distance(a, b);
+}
+
+nkw_vec3 nkw_vec3_normalize(nkw_vec3 a)
+{
+    return lane_vec3_normalize(a);
+}
+
+float nkw_vec3_angle(nkw_vec3 a, nkw_vec3 b)
+{
+    return lane_vec3_angle(a, b);
+}
+
+nkw_vec3 nkw_vec3_project(nkw_vec3 a, nkw_vec3 b)
+{
+    return lane_vec3_from_wide(lane_wvec3_project(lane_wvec3_from(a), lane_wvec3_from(b)));
+}
+
+nkw_vec3 nkw_vec3_reject(nkw_vec3 a, nkw_vec3 b)
+{
+    lane_wvec3 u = lane_wvec3_from(a);
+    return lane_vec3_from_wide(lane_wvec3_sub(u, lane_wvec3_project(u, lane_wvec3_from(b))));
+}
+
+nkw_vec3 nkw_vec3_perpendicular(nkw_vec3 a)
+{
+    return lane_vec3_from_wide(lane_wvec3_perpendicular(lane_wvec3_from(a)));
+}
