@@ -1,0 +1,319 @@
+/* SPDX-License-Identifier: MIT */
+#include <math.h>
+
+#include "random.h"
+#include "support/expect.h"
+
+typedef float curve(float, float, float, float, float);
+typedef nkw_weights basis(float);
+
+/* A kind of curve, its basis and its derivatives. Interpolating kinds pass through control values first and last. */
+static const struct kind {
+    const char *name;
+    curve *at;
+    basis *weights, *velocity, *acceleration;
+    int first, last; /* -1: passes through none */
+    int affine;      /* all four weights sum to 1; Hermite: those of the points */
+} kinds[] = {
+    {"hermite", nkw_hermite, nkw_hermite_weights, nkw_hermite_velocity_weights, nkw_hermite_acceleration_weights, 0, 2, 0},
+    {"bezier", nkw_bezier, nkw_bezier_weights, nkw_bezier_velocity_weights, nkw_bezier_acceleration_weights, 0, 3, 1},
+    {"bspline", nkw_bspline, nkw_bspline_weights, nkw_bspline_velocity_weights, nkw_bspline_acceleration_weights, -1, -1, 1},
+    {"catmull_rom", nkw_catmull_rom, nkw_catmull_rom_weights, nkw_catmull_rom_velocity_weights,
+     nkw_catmull_rom_acceleration_weights, 1, 2, 1},
+};
+
+#define KINDS (sizeof kinds / sizeof kinds[0])
+
+static void draw(random_source *r, float c[4])
+{
+    for (int i = 0; i < 4; i++)
+        c[i] = random_between(r, -1, 1);
+}
+
+static void end_points_come_back_bit_for_bit(void **state)
+{
+    (void)state;
+    random_source r = random_from(1);
+    for (size_t k = 0; k < KINDS; k++) {
+        for (int i = 0; i < 5000 && kinds[k].first >= 0; i++) {
+            float c[4];
+            for (int j = 0; j < 4; j++)
+                c[j] = i == 0 ? -0.0f : random_scaled(&r, -60, 60);
+            expect_bits(kinds[k].at(c[0], c[1], c[2], c[3], 0.0f), c[kinds[k].first]);
+            expect_bits(kinds[k].at(c[0], c[1], c[2], c[3], 1.0f), c[kinds[k].last]);
+        }
+    }
+}
+
+static void constant_curves_are_constant(void **state)
+{
+    (void)state;
+    random_source r = random_from(2);
+    for (int i = 0; i < 20000; i++) {
+        float p = random_scaled(&r, -60, 60), t = random_unit(&r);
+        expect_bits(nkw_hermite(p, 0, p, 0, t), p);
+        expect_bits(nkw_bezier(p, p, p, p, t), p);
+        expect_bits(nkw_bspline(p, p, p, p, t), p);
+        expect_bits(nkw_catmull_rom(p, p, p, p, t), p);
+    }
+}
+
+static void curve_is_the_weighted_sum(void **state)
+{
+    (void)state;
+    random_source r = random_from(3);
+    for (size_t k = 0; k < KINDS; k++) {
+        for (int i = 0; i < 5000; i++) {
+            float c[4], t = random_unit(&r);
+            draw(&r, c);
+            expect_near(kinds[k].at(c[0], c[1], c[2], c[3], t),
+                        nkw_weigh(kinds[k].weights(t), c[0], c[1], c[2], c[3]), 1e-6);
+        }
+    }
+}
+
+static void weights_of_points_sum_to_one(void **state)
+{
+    (void)state;
+    for (size_t k = 0; k < KINDS; k++) {
+        for (int i = 0; i <= 1000; i++) {
+            float t = (float)i / 1000;
+            nkw_weights w = kinds[k].weights(t), v = kinds[k].velocity(t), a = kinds[k].acceleration(t);
+            double other = kinds[k].affine;
+            expect_near(w.w[0] + other * w.w[1] + w.w[2] + other * w.w[3], 1.0, 2e-7);
+            expect_near(v.w[0] + other * v.w[1] + v.w[2] + other * v.w[3], 0.0, 1e-6);
+            expect_near(a.w[0] + other * a.w[1] + a.w[2] + other * a.w[3], 0.0, 2e-6);
+        }
+    }
+}
+
+static void derivatives_are_the_slopes_of_the_weights(void **state)
+{
+    (void)state;
+    const float h = 0x1p-8f;
+    for (size_t k = 0; k < KINDS; k++) {
+        for (int i = 1; i < 100; i++) {
+            float t = (float)i / 100;
+            nkw_weights before = kinds[k].weights(t - h), at = kinds[k].weights(t), after = kinds[k].weights(t + h);
+            nkw_weights v = kinds[k].velocity(t), a = kinds[k].acceleration(t);
+            for (int j = 0; j < 4; j++) {
+                /* Central differences: off by h^2/6 times the third derivative, at most 18; and by rounding. */
+                expect_near(v.w[j], ((double)after.w[j] - (double)before.w[j]) / (2 * (double)h), 2e-4);
+                expect_near(a.w[j], ((double)after.w[j] - 2 * (double)at.w[j] + (double)before.w[j]) / ((double)h * (double)h), 3e-2);
+            }
+        }
+    }
+}
+
+static void weights_at_one_half_are_those_of_the_textbook(void **state)
+{
+    (void)state;
+    const float hermite[4] = {0.5f, 0.125f, 0.5f, -0.125f}, bezier[4] = {0.125f, 0.375f, 0.375f, 0.125f};
+    const float bspline[4] = {1 / 48.0f, 23 / 48.0f, 23 / 48.0f, 1 / 48.0f};
+    const float catmull_rom[4] = {-0.0625f, 0.5625f, 0.5625f, -0.0625f};
+    nkw_weights h = nkw_hermite_weights(0.5f), b = nkw_bezier_weights(0.5f);
+    nkw_weights s = nkw_bspline_weights(0.5f), c = nkw_catmull_rom_weights(0.5f);
+    expect_floats_bits(h.w, hermite, 4);
+    expect_floats_bits(b.w, bezier, 4);
+    expect_floats_near(s.w, bspline, 4, 3e-8);
+    expect_floats_bits(c.w, catmull_rom, 4);
+}
+
+static void ends_leave_along_the_tangents(void **state)
+{
+    (void)state;
+    nkw_weights v0 = nkw_hermite_velocity_weights(0), v1 = nkw_hermite_velocity_weights(1);
+    const float first[4] = {0, 1, 0, 0}, last[4] = {0, 0, 0, 1};
+    expect_floats_near(v0.w, first, 4, 0);
+    expect_floats_near(v1.w, last, 4, 0);
+    nkw_weights c0 = nkw_catmull_rom_velocity_weights(0), c1 = nkw_catmull_rom_velocity_weights(1);
+    const float from[4] = {-0.5f, 0, 0.5f, 0}, to[4] = {0, -0.5f, 0, 0.5f};
+    expect_floats_near(c0.w, from, 4, 0);
+    expect_floats_near(c1.w, to, 4, 0);
+}
+
+static void bspline_segments_join_bit_for_bit(void **state)
+{
+    (void)state;
+    random_source r = random_from(4);
+    for (int i = 0; i < 20000; i++) {
+        float p[5];
+        for (int j = 0; j < 5; j++)
+            p[j] = random_between(&r, -1, 1);
+        expect_bits(nkw_bspline(p[0], p[1], p[2], p[3], 1.0f), nkw_bspline(p[1], p[2], p[3], p[4], 0.0f));
+        expect_near(nkw_bspline(p[0], p[1], p[2], p[3], 0.0f), ((double)p[0] + 4 * (double)p[1] + (double)p[2]) / 6, 1e-7);
+    }
+}
+
+static void curves_mirror(void **state)
+{
+    (void)state;
+    random_source r = random_from(5);
+    for (int i = 0; i < 20000; i++) {
+        float c[4], t = random_unit(&r);
+        draw(&r, c);
+        expect_bits(nkw_bezier(c[0], c[1], c[2], c[3], t), nkw_bezier(c[3], c[2], c[1], c[0], 1.0f - t));
+        expect_bits(nkw_bspline(c[0], c[1], c[2], c[3], t), nkw_bspline(c[3], c[2], c[1], c[0], 1.0f - t));
+        expect_bits(nkw_catmull_rom(c[0], c[1], c[2], c[3], t), nkw_catmull_rom(c[3], c[2], c[1], c[0], 1.0f - t));
+        expect_bits(nkw_hermite(c[0], c[1], c[2], c[3], t), nkw_hermite(c[2], -c[3], c[0], -c[1], 1.0f - t));
+    }
+}
+
+static void vectors_go_by_component(void **state)
+{
+    (void)state;
+    random_source r = random_from(6);
+    for (int i = 0; i < 2000; i++) {
+        nkw_vec3 a = random_vec3(&r, -1, 1), b = random_vec3(&r, -1, 1), c = random_vec3(&r, -1, 1), d = random_vec3(&r, -1, 1);
+        float t = random_unit(&r);
+        expect_bits(nkw_vec3_hermite(a, b, c, d, t).x, nkw_hermite(a.x, b.x, c.x, d.x, t));
+        expect_bits(nkw_vec3_bezier(a, b, c, d, t).y, nkw_bezier(a.y, b.y, c.y, d.y, t));
+        expect_bits(nkw_vec3_bspline(a, b, c, d, t).z, nkw_bspline(a.z, b.z, c.z, d.z, t));
+        expect_bits(nkw_vec3_catmull_rom(a, b, c, d, t).x, nkw_catmull_rom(a.x, b.x, c.x, d.x, t));
+        nkw_weights w = nkw_bezier_weights(t);
+        expect_bits(nkw_vec3_weigh(w, a, b, c, d).z, nkw_weigh(w, a.z, b.z, c.z, d.z));
+    }
+}
+
+static void timed_catmull_rom_over_even_times_is_the_uniform_one(void **state)
+{
+    (void)state;
+    random_source r = random_from(7);
+    const float times[4] = {2, 2.5f, 3, 3.5f};
+    for (int i = 0; i < 5000; i++) {
+        float c[4], t = random_unit(&r);
+        draw(&r, c);
+        expect_near(nkw_catmull_rom_timed(times, c[0], c[1], c[2], c[3], t), nkw_catmull_rom(c[0], c[1], c[2], c[3], t), 1e-6);
+    }
+}
+
+/* Barry and Goldman's pyramid of linear interpolations, in double. */
+static double pyramid(const float times[4], const float p[4], double time)
+{
+    double q[4] = {p[0], p[1], p[2], p[3]};
+    for (int i = 0; i < 3; i++)
+        q[i] += (q[i + 1] - q[i]) * (time - (double)times[i]) / ((double)times[i + 1] - (double)times[i]);
+    for (int i = 0; i < 2; i++)
+        q[i] += (q[i + 1] - q[i]) * (time - (double)times[i]) / ((double)times[i + 2] - (double)times[i]);
+    return q[0] + (q[1] - q[0]) * (time - (double)times[1]) / ((double)times[2] - (double)times[1]);
+}
+
+static void timed_catmull_rom_is_the_pyramid_of_barry_and_goldman(void **state)
+{
+    (void)state;
+    random_source r = random_from(8);
+    for (int i = 0; i < 5000; i++) {
+        float c[4], t = random_unit(&r), times[4] = {0};
+        draw(&r, c);
+        for (int k = 1; k < 4; k++)
+            times[k] = times[k - 1] + random_between(&r, 0.25f, 1.0f);
+        double time = (double)times[1] + (double)t * ((double)times[2] - (double)times[1]);
+        expect_near(nkw_catmull_rom_timed(times, c[0], c[1], c[2], c[3], t), pyramid(times, c, time), 4e-6);
+    }
+}
+
+static void tangent_without_a_duration_takes_the_other_side(void **state)
+{
+    (void)state;
+    expect_bits(nkw_catmull_rom_tangent(1, 2, 4, 1, 1), 1.5f);
+    expect_bits(nkw_catmull_rom_tangent(1, 2, 4, 0, 0.5f), 4.0f);
+    expect_bits(nkw_catmull_rom_tangent(1, 2, 4, 0.5f, 0), 2.0f);
+    expect_bits(nkw_catmull_rom_tangent(1, 2, 4, 0, 0), 0.0f);
+    expect_bits(nkw_catmull_rom_tangent(1, 2, 4, -1, NAN), 0.0f);
+}
+
+static void conversions_keep_the_curve(void **state)
+{
+    (void)state;
+    random_source r = random_from(9);
+    for (int i = 0; i < 5000; i++) {
+        nkw_cubic h;
+        float t = random_unit(&r);
+        draw(&r, h.c);
+        nkw_cubic b = nkw_bezier_from_hermite(&h), s = nkw_bspline_from_hermite(&h);
+        float p = nkw_hermite(h.c[0], h.c[1], h.c[2], h.c[3], t);
+        expect_near(nkw_bezier(b.c[0], b.c[1], b.c[2], b.c[3], t), p, 1e-6);
+        expect_near(nkw_bspline(s.c[0], s.c[1], s.c[2], s.c[3], t), p, 5e-6);
+        nkw_cubic h1 = nkw_hermite_from_bezier(&b), h2 = nkw_hermite_from_bspline(&s);
+        nkw_cubic b1 = nkw_bezier_from_bspline(&s), s1 = nkw_bspline_from_bezier(&b);
+        expect_floats_near(h1.c, h.c, 4, 1e-6);
+        expect_floats_near(h2.c, h.c, 4, 1e-5);
+        expect_floats_near(b1.c, b.c, 4, 5e-6);
+        expect_floats_near(s1.c, s.c, 4, 5e-6);
+    }
+}
+
+static void vector_conversions_go_by_component(void **state)
+{
+    (void)state;
+    random_source r = random_from(10);
+    nkw_vec3_cubic v;
+    nkw_cubic y;
+    for (int i = 0; i < 4; i++) {
+        v.c[i] = random_vec3(&r, -1, 1);
+        y.c[i] = v.c[i].y;
+    }
+    nkw_vec3_cubic a = nkw_vec3_bezier_from_hermite(&v), b = nkw_vec3_bspline_from_bezier(&v), c = nkw_vec3_hermite_from_bspline(&v);
+    nkw_cubic p = nkw_bezier_from_hermite(&y), q = nkw_bspline_from_bezier(&y), s = nkw_hermite_from_bspline(&y);
+    for (int i = 0; i < 4; i++) {
+        expect_bits(a.c[i].y, p.c[i]);
+        expect_bits(b.c[i].y, q.c[i]);
+        expect_bits(c.c[i].y, s.c[i]);
+    }
+}
+
+static void split_halves_meet_and_follow_the_whole(void **state)
+{
+    (void)state;
+    random_source r = random_from(11);
+    for (int i = 0; i < 5000; i++) {
+        nkw_cubic whole, left, right;
+        float cut = random_unit(&r), t = random_unit(&r);
+        draw(&r, whole.c);
+        nkw_bezier_split(&whole, cut, &left, &right);
+        expect_bits(left.c[0], whole.c[0]);
+        expect_bits(left.c[3], right.c[0]);
+        expect_bits(right.c[3], whole.c[3]);
+        expect_near(nkw_bezier(left.c[0], left.c[1], left.c[2], left.c[3], t),
+                    nkw_bezier(whole.c[0], whole.c[1], whole.c[2], whole.c[3], cut * t), 1e-6);
+        expect_near(nkw_bezier(right.c[0], right.c[1], right.c[2], right.c[3], t),
+                    nkw_bezier(whole.c[0], whole.c[1], whole.c[2], whole.c[3], cut + (1 - cut) * t), 1e-6);
+        nkw_cubic in_place = whole, other;
+        nkw_bezier_split(&in_place, cut, &in_place, &other);
+        expect_floats_bits(in_place.c, left.c, 4);
+        expect_floats_bits(other.c, right.c, 4);
+    }
+}
+
+static void tangents_change_their_unit_with_the_duration(void **state)
+{
+    (void)state;
+    nkw_vec3 v = {2, -4, 6}, half = {1, -2, 3}, zero = {0, 0, 0};
+    expect_vec3_bits(nkw_per_segment_from_per_second(v, 0.5f), half);
+    expect_vec3_bits(nkw_per_second_from_per_segment(half, 0.5f), v);
+    expect_vec3_bits(nkw_per_second_from_per_segment(half, 0.0f), zero);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(end_points_come_back_bit_for_bit),
+        cmocka_unit_test(constant_curves_are_constant),
+        cmocka_unit_test(curve_is_the_weighted_sum),
+        cmocka_unit_test(weights_of_points_sum_to_one),
+        cmocka_unit_test(derivatives_are_the_slopes_of_the_weights),
+        cmocka_unit_test(weights_at_one_half_are_those_of_the_textbook),
+        cmocka_unit_test(ends_leave_along_the_tangents),
+        cmocka_unit_test(bspline_segments_join_bit_for_bit),
+        cmocka_unit_test(curves_mirror),
+        cmocka_unit_test(vectors_go_by_component),
+        cmocka_unit_test(timed_catmull_rom_over_even_times_is_the_uniform_one),
+        cmocka_unit_test(timed_catmull_rom_is_the_pyramid_of_barry_and_goldman),
+        cmocka_unit_test(tangent_without_a_duration_takes_the_other_side),
+        cmocka_unit_test(conversions_keep_the_curve),
+        cmocka_unit_test(vector_conversions_go_by_component),
+        cmocka_unit_test(split_halves_meet_and_follow_the_whole),
+        cmocka_unit_test(tangents_change_their_unit_with_the_duration),
+    };
+    return cmocka_run_group_tests_name("curve", tests, NULL, NULL);
+}

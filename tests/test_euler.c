@@ -1,0 +1,170 @@
+/* SPDX-License-Identifier: MIT */
+#include <math.h>
+
+#include "random.h"
+#include "support/expect.h"
+
+#define PI      3.14159274f
+#define HALF_PI 1.57079637f
+
+static const nkw_euler_order orders[6] = {NKW_EULER_XYZ, NKW_EULER_XZY, NKW_EULER_YXZ,
+                                          NKW_EULER_YZX, NKW_EULER_ZXY, NKW_EULER_ZYX};
+static const char axes[6][4] = {"xyz", "xzy", "yxz", "yzx", "zxy", "zyx"};
+
+static nkw_vec3 vec(float x, float y, float z)
+{
+    nkw_vec3 r = {x, y, z};
+    return r;
+}
+
+static nkw_quat about(char axis, nkw_vec3 angles)
+{
+    return axis == 'x'   ? nkw_quat_from_axis_angle(vec(1, 0, 0), angles.x)
+           : axis == 'y' ? nkw_quat_from_axis_angle(vec(0, 1, 0), angles.y)
+                         : nkw_quat_from_axis_angle(vec(0, 0, 1), angles.z);
+}
+
+static float angle_about(char axis, nkw_vec3 angles)
+{
+    return axis == 'x' ? angles.x : axis == 'y' ? angles.y : angles.z;
+}
+
+static void no_angles_are_no_rotation(void **state)
+{
+    (void)state;
+    for (int o = 0; o < 6; o++) {
+        expect_quat_bits(nkw_quat_from_euler(vec(0, 0, 0), orders[o]), nkw_quat_identity());
+        expect_vec3_near(nkw_euler_from_quat(nkw_quat_identity(), orders[o]), vec(0, 0, 0), 0);
+        nkw_quat other = nkw_quat_negate(nkw_quat_identity());
+        expect_vec3_near(nkw_euler_from_quat(other, orders[o]), vec(0, 0, 0), 0);
+    }
+}
+
+static void order_names_the_product_from_left_to_right(void **state)
+{
+    (void)state;
+    random_source r = random_from(1);
+    for (int i = 0; i < 3000; i++) {
+        nkw_vec3 a = random_vec3(&r, -4, 4);
+        for (int o = 0; o < 6; o++) {
+            nkw_quat product = nkw_quat_mul(nkw_quat_mul(about(axes[o][0], a), about(axes[o][1], a)), about(axes[o][2], a));
+            expect_quat_near(nkw_quat_from_euler(a, orders[o]), product, 5e-7);
+            nkw_mat3 m = nkw_mat3_from_euler(a, orders[o]), n = nkw_mat3_from_quat(product);
+            expect_floats_near(m.m, n.m, 9, 1e-6);
+        }
+    }
+}
+
+static void yxz_is_the_matrix_of_the_exercise(void **state)
+{
+    (void)state;
+    /* Ry(216 deg) Rx(60 deg) Rz(45 deg): key 1 of the exercise's scene 1, by rows in coursework/keys.json. */
+    nkw_mat3 m = nkw_mat3_from_euler(vec(1.04719755f, 3.76991118f, 0.785398163f), NKW_EULER_YXZ);
+    const float want[9] = {-0.93200489f, 0.35355339f, -0.07979277f, 0.21211792f, 0.35355339f,
+                           -0.91104665f, -0.29389263f, -0.86602540f, -0.40450850f};
+    expect_floats_near(m.m, want, 9, 3e-7);
+}
+
+static void angles_within_range_come_back(void **state)
+{
+    (void)state;
+    random_source r = random_from(2);
+    for (int i = 0; i < 3000; i++) {
+        for (int o = 0; o < 6; o++) {
+            nkw_vec3 a = random_vec3(&r, -3.1f, 3.1f);
+            float *middle = axes[o][1] == 'x' ? &a.x : axes[o][1] == 'y' ? &a.y : &a.z;
+            *middle *= 0.49f;
+            expect_vec3_near(nkw_euler_from_quat(nkw_quat_from_euler(a, orders[o]), orders[o]), a, 1e-5);
+            nkw_mat3 m = nkw_mat3_from_euler(a, orders[o]);
+            expect_vec3_near(nkw_euler_from_mat3(&m, orders[o]), a, 1e-5);
+        }
+    }
+}
+
+static void rotation_comes_back_at_and_near_the_poles(void **state)
+{
+    (void)state;
+    random_source r = random_from(3);
+    static const float off[] = {0, 1e-8f, 5e-8f, 1e-7f, 1e-6f, 1e-5f, 1e-4f, 1e-3f, 1e-2f};
+    for (int i = 0; i < 9000; i++) {
+        for (int o = 0; o < 6; o++) {
+            nkw_vec3 a = random_vec3(&r, -PI, PI);
+            float *middle = axes[o][1] == 'x' ? &a.x : axes[o][1] == 'y' ? &a.y : &a.z;
+            *middle = (i % 2 ? -1.0f : 1.0f) * (HALF_PI - off[i % 9]);
+            nkw_quat q = nkw_quat_from_euler(a, orders[o]);
+            nkw_mat3 m = nkw_mat3_from_quat(q);
+            expect_rotation_near(nkw_quat_from_euler(nkw_euler_from_quat(q, orders[o]), orders[o]), q, 4e-7);
+            expect_rotation_near(nkw_quat_from_euler(nkw_euler_from_mat3(&m, orders[o]), orders[o]), q, 5e-7);
+        }
+    }
+}
+
+static void at_the_pole_the_last_angle_is_zero(void **state)
+{
+    (void)state;
+    for (int o = 0; o < 6; o++) {
+        for (int side = -1; side <= 1; side += 2) {
+            nkw_vec3 a = vec(0.5f, 0.5f, 0.5f);
+            float *middle = axes[o][1] == 'x' ? &a.x : axes[o][1] == 'y' ? &a.y : &a.z;
+            *middle = (float)side * HALF_PI;
+            nkw_vec3 got = nkw_euler_from_quat(nkw_quat_from_euler(a, orders[o]), orders[o]);
+            expect_bits(angle_about(axes[o][2], got), 0.0f);
+            expect_bits(angle_about(axes[o][1], got), (float)side * HALF_PI);
+        }
+    }
+}
+
+static void outer_angles_reach_half_a_turn(void **state)
+{
+    (void)state;
+    nkw_mat3 m = {{-1, 0, 0, 0, 1, 0, 0, 0, -1}};
+    expect_near(nkw_abs(nkw_euler_from_mat3(&m, NKW_EULER_YXZ).y), PI, 0);
+    expect_near(nkw_euler_from_mat3(&m, NKW_EULER_YXZ).x, 0.0, 0);
+}
+
+static void zero_quaternion_and_unknown_order_are_defined(void **state)
+{
+    (void)state;
+    nkw_quat zero = {0, 0, 0, 0};
+    nkw_vec3 a = vec(0.1f, 0.2f, 0.3f);
+    expect_vec3_near(nkw_euler_from_quat(zero, NKW_EULER_ZXY), vec(0, 0, 0), 0);
+    expect_quat_bits(nkw_quat_from_euler(a, (nkw_euler_order)77), nkw_quat_from_euler(a, NKW_EULER_XYZ));
+    expect_quat_bits(nkw_quat_from_euler(a, (nkw_euler_order)-1), nkw_quat_from_euler(a, NKW_EULER_XYZ));
+}
+
+static void opposite_quaternions_have_the_same_angles(void **state)
+{
+    (void)state;
+    random_source r = random_from(4);
+    for (int i = 0; i < 3000; i++) {
+        nkw_quat q = random_rotation(&r);
+        nkw_vec3 a = nkw_euler_from_quat(q, NKW_EULER_ZYX);
+        expect_vec3_near(nkw_euler_from_quat(nkw_quat_negate(q), NKW_EULER_ZYX), a, 1e-6);
+    }
+}
+
+static void unwrap_moves_by_whole_turns_to_the_reference(void **state)
+{
+    (void)state;
+    nkw_vec3 got = nkw_euler_unwrap(vec(-3.0f, 3.0f, 0.5f), vec(3.0f, -3.0f, 12.0f));
+    expect_vec3_near(got, vec(3.28318531f, -3.28318531f, 13.0663706f), 1e-6);
+    expect_vec3_bits(nkw_euler_unwrap(vec(1, -2, 3), vec(1, 1, 1)), vec(1, -2, 3));
+    expect_nan(nkw_euler_unwrap(vec(NAN, 0, 0), vec(0, 0, 0)).x);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(no_angles_are_no_rotation),
+        cmocka_unit_test(order_names_the_product_from_left_to_right),
+        cmocka_unit_test(yxz_is_the_matrix_of_the_exercise),
+        cmocka_unit_test(angles_within_range_come_back),
+        cmocka_unit_test(rotation_comes_back_at_and_near_the_poles),
+        cmocka_unit_test(at_the_pole_the_last_angle_is_zero),
+        cmocka_unit_test(outer_angles_reach_half_a_turn),
+        cmocka_unit_test(zero_quaternion_and_unknown_order_are_defined),
+        cmocka_unit_test(opposite_quaternions_have_the_same_angles),
+        cmocka_unit_test(unwrap_moves_by_whole_turns_to_the_reference),
+    };
+    return cmocka_run_group_tests_name("euler", tests, NULL, NULL);
+}

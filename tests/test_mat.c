@@ -1,0 +1,310 @@
+/* SPDX-License-Identifier: MIT */
+#include <math.h>
+
+#include "random.h"
+#include "support/expect.h"
+
+static nkw_vec3 vec(float x, float y, float z)
+{
+    nkw_vec3 r = {x, y, z};
+    return r;
+}
+
+static nkw_mat4 random_affine(random_source *r, float scale)
+{
+    nkw_trs t = {random_vec3(r, -10, 10), random_rotation(r), random_vec3(r, 0.5f * scale, scale)};
+    return nkw_mat4_from_trs(&t);
+}
+
+static void elements_stand_column_by_column(void **state)
+{
+    (void)state;
+    nkw_mat3 m = nkw_mat3_from_columns(vec(1, 2, 3), vec(4, 5, 6), vec(7, 8, 9));
+    const float want[9] = {1, 2, 3, 4, 5, 6, 7, 8, 9};
+    expect_floats_bits(m.m, want, 9);
+    expect_vec3_bits(nkw_mat3_column(&m, 1), vec(4, 5, 6));
+    expect_vec3_bits(nkw_mat3_column(&m, 99), vec(1, 2, 3));
+    expect_vec3_bits(nkw_mat3_transform(&m, vec(1, 0, 0)), vec(1, 2, 3));
+    nkw_mat4 a = nkw_mat4_from_mat3(&m, vec(10, 11, 12));
+    expect_bits(a.m[12], 10.0f);
+    expect_bits(a.m[15], 1.0f);
+    expect_bits(a.m[3], 0.0f);
+    expect_vec3_bits(nkw_mat4_translation(&a), vec(10, 11, 12));
+    nkw_mat3 back = nkw_mat3_from_mat4(&a);
+    expect_floats_bits(back.m, want, 9);
+}
+
+static void product_applies_the_right_factor_first(void **state)
+{
+    (void)state;
+    random_source r = random_from(1);
+    for (int i = 0; i < 5000; i++) {
+        nkw_mat4 a = random_affine(&r, 2), b = random_affine(&r, 2), ab = nkw_mat4_mul(&a, &b);
+        nkw_vec3 p = random_vec3(&r, -1, 1);
+        expect_vec3_near(nkw_mat4_transform_point(&ab, p),
+                         nkw_mat4_transform_point(&a, nkw_mat4_transform_point(&b, p)), 3e-5);
+        nkw_mat3 c = nkw_mat3_from_mat4(&a), d = nkw_mat3_from_mat4(&b), cd = nkw_mat3_mul(&c, &d);
+        expect_vec3_near(nkw_mat3_transform(&cd, p), nkw_mat3_transform(&c, nkw_mat3_transform(&d, p)), 1e-5);
+    }
+}
+
+static void a_product_by_hand(void **state)
+{
+    (void)state;
+    nkw_mat3 a = {{1, 4, 7, 2, 5, 8, 3, 6, 9}}, b = {{9, 6, 3, 8, 5, 2, 7, 4, 1}};
+    const float want[9] = {30, 84, 138, 24, 69, 114, 18, 54, 90};
+    nkw_mat3 ab = nkw_mat3_mul(&a, &b);
+    expect_floats_bits(ab.m, want, 9);
+}
+
+static void affine_product_equals_the_general_one(void **state)
+{
+    (void)state;
+    random_source r = random_from(2);
+    for (int i = 0; i < 5000; i++) {
+        nkw_mat4 a = random_affine(&r, 2), b = random_affine(&r, 2);
+        nkw_mat4 general = nkw_mat4_mul(&a, &b), affine = nkw_mat4_mul_affine(&a, &b);
+        expect_floats_near(affine.m, general.m, 16, 0.0);
+    }
+}
+
+static void an_output_may_be_an_input(void **state)
+{
+    (void)state;
+    random_source r = random_from(3);
+    nkw_mat4 a = random_affine(&r, 2), b = random_affine(&r, 2), ab = nkw_mat4_mul(&a, &b);
+    a = nkw_mat4_mul(&a, &b);
+    expect_floats_bits(a.m, ab.m, 16);
+    nkw_mat4 i = nkw_mat4_inverse(&a);
+    a = nkw_mat4_inverse(&a);
+    expect_floats_bits(a.m, i.m, 16);
+}
+
+static void transpose_turns_rows_into_columns(void **state)
+{
+    (void)state;
+    nkw_mat4 m;
+    for (int i = 0; i < 16; i++)
+        m.m[i] = (float)i;
+    nkw_mat4 t = nkw_mat4_transpose(&m);
+    for (int c = 0; c < 4; c++)
+        for (int k = 0; k < 4; k++)
+            expect_bits(t.m[c * 4 + k], m.m[k * 4 + c]);
+    nkw_mat3 s = {{1, 2, 3, 4, 5, 6, 7, 8, 9}}, u = nkw_mat3_transpose(&s);
+    const float want[9] = {1, 4, 7, 2, 5, 8, 3, 6, 9};
+    expect_floats_bits(u.m, want, 9);
+}
+
+static void directions_do_not_see_the_translation(void **state)
+{
+    (void)state;
+    nkw_mat3 one = nkw_mat3_identity();
+    nkw_mat4 m = nkw_mat4_from_mat3(&one, vec(5, 6, 7));
+    expect_vec3_bits(nkw_mat4_transform_point(&m, vec(1, 2, 3)), vec(6, 8, 10));
+    expect_vec3_bits(nkw_mat4_transform_direction(&m, vec(1, 2, 3)), vec(1, 2, 3));
+}
+
+static void projection_divides_by_w(void **state)
+{
+    (void)state;
+    nkw_mat4 m = nkw_mat4_identity();
+    m.m[11] = -1.0f;
+    m.m[15] = 0.0f;
+    expect_vec3_bits(nkw_mat4_project_point(&m, vec(4, 6, -2)), vec(2, 3, -1));
+}
+
+static void determinants_by_hand(void **state)
+{
+    (void)state;
+    nkw_mat3 a = {{2, 0, 0, 0, 3, 0, 0, 0, -4}}, singular = {{1, 4, 7, 2, 5, 8, 3, 6, 9}};
+    expect_bits(nkw_mat3_determinant(&a), -24.0f);
+    expect_bits(nkw_mat3_determinant(&singular), 0.0f);
+    nkw_mat4 b = {{1, 5, 2, 6, 0, 2, 7, 5, 2, 6, 3, 1, 9, 4, 3, 8}};
+    expect_bits(nkw_mat4_determinant(&b), 1726.0f);
+}
+
+static void inverse_times_matrix_is_identity(void **state)
+{
+    (void)state;
+    random_source r = random_from(4);
+    nkw_mat4 one = nkw_mat4_identity();
+    for (int i = 0; i < 5000; i++) {
+        nkw_mat4 a = random_affine(&r, 2), general = nkw_mat4_inverse(&a), affine = nkw_mat4_inverse_affine(&a);
+        nkw_mat4 p = nkw_mat4_mul(&a, &general);
+        expect_floats_near(p.m, one.m, 16, 1e-5);
+        expect_floats_near(affine.m, general.m, 16, 1e-5);
+        nkw_mat3 b = nkw_mat3_from_mat4(&a), ib = nkw_mat3_inverse(&b), q = nkw_mat3_mul(&ib, &b);
+        nkw_mat3 unit = nkw_mat3_identity();
+        expect_floats_near(q.m, unit.m, 9, 2e-6);
+    }
+}
+
+static void inverse_by_hand(void **state)
+{
+    (void)state;
+    /* Rows 4 7 2 3 / 3 6 1 2 / 2 5 3 1 / 1 2 1 4 has determinant 33. */
+    nkw_mat4 m = {{4, 3, 2, 1, 7, 6, 5, 2, 2, 1, 3, 1, 3, 2, 1, 4}};
+    nkw_mat4 i = nkw_mat4_inverse(&m), p = nkw_mat4_mul(&m, &i), one = nkw_mat4_identity();
+    expect_floats_near(p.m, one.m, 16, 1e-6);
+}
+
+static void inverse_survives_extreme_scales(void **state)
+{
+    (void)state;
+    static const float scales[] = {1e-30f, 1e-18f, 1e-9f, 1e9f, 1e18f, 1e30f};
+    for (size_t i = 0; i < sizeof scales / sizeof scales[0]; i++) {
+        nkw_mat4 m = nkw_mat4_identity();
+        m.m[0] = m.m[5] = m.m[10] = scales[i];
+        nkw_mat4 a = nkw_mat4_inverse(&m), b = nkw_mat4_inverse_affine(&m);
+        expect_ulps(a.m[0], 1.0f / scales[i], 1);
+        expect_ulps(b.m[5], 1.0f / scales[i], 1);
+        nkw_mat3 n = nkw_mat3_from_mat4(&m), c = nkw_mat3_inverse(&n);
+        expect_ulps(c.m[8], 1.0f / scales[i], 1);
+    }
+}
+
+static void singular_matrices_give_the_zero_matrix(void **state)
+{
+    (void)state;
+    nkw_mat4 zero = {{0}}, flat = nkw_mat4_identity();
+    nkw_mat3 zero3 = {{0}}, flat3 = {{1, 4, 7, 2, 5, 8, 3, 6, 9}}, got3 = nkw_mat3_inverse(&flat3);
+    flat.m[5] = 0;
+    nkw_mat4 a = nkw_mat4_inverse(&zero), b = nkw_mat4_inverse(&flat), c = nkw_mat4_inverse_affine(&flat);
+    expect_floats_near(a.m, zero.m, 16, 0);
+    expect_floats_near(b.m, zero.m, 16, 0);
+    expect_floats_near(c.m, zero.m, 16, 0);
+    expect_floats_near(got3.m, zero3.m, 9, 0);
+}
+
+static void rigid_inverse_is_the_transpose(void **state)
+{
+    (void)state;
+    random_source r = random_from(5);
+    for (int i = 0; i < 5000; i++) {
+        nkw_mat3 rotation = nkw_mat3_from_quat(random_rotation(&r));
+        nkw_mat4 m = nkw_mat4_from_mat3(&rotation, random_vec3(&r, -10, 10));
+        nkw_mat4 a = nkw_mat4_inverse_rigid(&m), b = nkw_mat4_inverse(&m);
+        expect_floats_near(a.m, b.m, 16, 1e-5);
+        expect_bits(a.m[1], m.m[4]);
+    }
+}
+
+static void normal_matrix_is_the_inverse_transpose(void **state)
+{
+    (void)state;
+    nkw_mat3 m = {{2, 0, 0, 0, 4, 0, 1, 0, 8}}, n = nkw_mat3_normal(&m);
+    nkw_mat3 i = nkw_mat3_inverse(&m), t = nkw_mat3_transpose(&i);
+    expect_floats_bits(n.m, t.m, 9);
+}
+
+static void normal_matrix_survives_a_zero_scale(void **state)
+{
+    (void)state;
+    nkw_mat3 flat = {{3, 0, 0, 0, 0, 0, 0, 0, 5}}, n = nkw_mat3_normal(&flat), line = {{3, 0, 0, 0, 0, 0, 0, 0, 0}};
+    expect_vec3_bits(nkw_mat3_transform(&n, vec(0.6f, 0.8f, 0)), vec(0, 0.8f, 0));
+    nkw_mat3 none = nkw_mat3_normal(&line), zero = {{0}};
+    expect_floats_near(none.m, zero.m, 9, 0);
+}
+
+static void normal_matrix_turns_with_a_mirror(void **state)
+{
+    (void)state;
+    nkw_mat3 mirror = {{-1, 0, 0, 0, 1, 0, 0, 0, 1}}, n = nkw_mat3_normal(&mirror);
+    expect_vec3_near(nkw_mat3_transform(&n, vec(1, 0, 0)), vec(-1, 0, 0), 0);
+    expect_vec3_near(nkw_mat3_transform(&n, vec(0, 1, 0)), vec(0, 1, 0), 0);
+}
+
+static void expect_orthonormal(const nkw_mat3 *m)
+{
+    nkw_mat3 t = nkw_mat3_transpose(m), p = nkw_mat3_mul(&t, m), one = nkw_mat3_identity();
+    expect_floats_near(p.m, one.m, 9, 4e-7);
+}
+
+static void orthonormalize_keeps_x_and_the_side_of_z(void **state)
+{
+    (void)state;
+    random_source r = random_from(6);
+    for (int i = 0; i < 5000; i++) {
+        nkw_mat3 m;
+        for (int k = 0; k < 9; k++)
+            m.m[k] = random_between(&r, -2, 2);
+        nkw_mat3 o = nkw_mat3_orthonormalize(&m);
+        expect_orthonormal(&o);
+        expect_vec3_near(nkw_mat3_column(&o, 0), nkw_vec3_normalize(nkw_mat3_column(&m, 0)), 3e-7);
+        assert_true(nkw_vec3_dot(nkw_mat3_column(&o, 1), nkw_mat3_column(&m, 1)) >= -1e-6f);
+        assert_true(nkw_mat3_determinant(&o) * nkw_mat3_determinant(&m) >= 0.0f);
+    }
+}
+
+static void orthonormalize_replaces_what_has_no_direction(void **state)
+{
+    (void)state;
+    static const nkw_mat3 cases[] = {
+        {{0, 0, 0, 0, 0, 0, 0, 0, 0}}, {{1, 2, 3, 0, 0, 0, 0, 0, 0}}, {{0, 0, 0, 1, 2, 3, 0, 0, 0}},
+        {{0, 0, 0, 0, 0, 0, 1, 2, 3}}, {{1, 2, 3, 2, 4, 6, 3, 6, 9}}, {{1, 2, 3, 2, 4, 6, 0, 1, 0}},
+        {{0, 0, 0, 1, 0, 0, 0, 1, 0}}, {{1e-40f, 0, 0, 0, 1e-40f, 0, 0, 0, 1e-40f}},
+        {{1e38f, 0, 0, 1e38f, 1e38f, 0, 0, 0, 1e38f}},
+    };
+    for (size_t i = 0; i < sizeof cases / sizeof cases[0]; i++) {
+        nkw_mat3 o = nkw_mat3_orthonormalize(&cases[i]);
+        expect_orthonormal(&o);
+    }
+}
+
+static void row_major_storage_is_transposed(void **state)
+{
+    (void)state;
+    float rows[16];
+    for (int i = 0; i < 16; i++)
+        rows[i] = (float)(i + 1);
+    nkw_mat4 m = nkw_mat4_from_row_major(rows);
+    expect_bits(m.m[4], 2.0f);
+    expect_bits(m.m[12], 4.0f);
+    float back[16];
+    nkw_mat4_to_row_major(&m, back);
+    expect_floats_bits(back, rows, 16);
+    nkw_mat3 s = nkw_mat3_from_row_major(rows);
+    expect_bits(s.m[3], 2.0f);
+    nkw_mat3_to_row_major(&s, back);
+    expect_floats_bits(back, rows, 9);
+}
+
+static void row_vectors_stored_by_rows_have_the_same_bytes(void **state)
+{
+    (void)state;
+    /* A D3DX translation by (5, 6, 7): the last row. */
+    const float d3dx[16] = {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 5, 6, 7, 1};
+    nkw_mat4 m = nkw_mat4_from_row_vectors(d3dx);
+    expect_vec3_bits(nkw_mat4_transform_point(&m, vec(1, 1, 1)), vec(6, 7, 8));
+    float back[16];
+    nkw_mat4_to_row_vectors(&m, back);
+    expect_floats_bits(back, d3dx, 16);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(elements_stand_column_by_column),
+        cmocka_unit_test(product_applies_the_right_factor_first),
+        cmocka_unit_test(a_product_by_hand),
+        cmocka_unit_test(affine_product_equals_the_general_one),
+        cmocka_unit_test(an_output_may_be_an_input),
+        cmocka_unit_test(transpose_turns_rows_into_columns),
+        cmocka_unit_test(directions_do_not_see_the_translation),
+        cmocka_unit_test(projection_divides_by_w),
+        cmocka_unit_test(determinants_by_hand),
+        cmocka_unit_test(inverse_times_matrix_is_identity),
+        cmocka_unit_test(inverse_by_hand),
+        cmocka_unit_test(inverse_survives_extreme_scales),
+        cmocka_unit_test(singular_matrices_give_the_zero_matrix),
+        cmocka_unit_test(rigid_inverse_is_the_transpose),
+        cmocka_unit_test(normal_matrix_is_the_inverse_transpose),
+        cmocka_unit_test(normal_matrix_survives_a_zero_scale),
+        cmocka_unit_test(normal_matrix_turns_with_a_mirror),
+        cmocka_unit_test(orthonormalize_keeps_x_and_the_side_of_z),
+        cmocka_unit_test(orthonormalize_replaces_what_has_no_direction),
+        cmocka_unit_test(row_major_storage_is_transposed),
+        cmocka_unit_test(row_vectors_stored_by_rows_have_the_same_bytes),
+    };
+    return cmocka_run_group_tests_name("mat", tests, NULL, NULL);
+}

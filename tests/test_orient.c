@@ -1,0 +1,324 @@
+/* SPDX-License-Identifier: MIT */
+#include <math.h>
+
+#include "random.h"
+#include "support/expect.h"
+
+#define PI 3.14159274f
+
+static const nkw_quat identity = {0, 0, 0, 1};
+
+static nkw_vec3 vec(float x, float y, float z)
+{
+    nkw_vec3 r = {x, y, z};
+    return r;
+}
+
+static nkw_quat about_z(float angle)
+{
+    return nkw_quat_from_axis_angle(vec(0, 0, 1), angle);
+}
+
+/* Two rotations: anything from equal over close and sign-flipped to unrelated. */
+static void draw_pair(random_source *r, nkw_quat *a, nkw_quat *b)
+{
+    static const float angles[] = {1e-7f, 1e-5f, 1e-3f, 0.03f, 0.3f, 1.0f, 1.5f};
+    uint64_t bits = random_bits(r);
+    *a = random_rotation(r);
+    *b = bits % 9 == 7 ? *a : bits % 9 == 8 ? random_rotation(r) : random_near(r, *a, angles[bits % 9]);
+    if (bits & 256)
+        *b = nkw_quat_negate(*b);
+}
+
+static nkw_quat nearer(nkw_quat a, nkw_quat b)
+{
+    return nkw_quat_dot(a, b) < 0 ? nkw_quat_negate(b) : b;
+}
+
+static void slerp_gives_its_ends_bit_for_bit(void **state)
+{
+    (void)state;
+    random_source r = random_from(1);
+    for (int i = 0; i < 50000; i++) {
+        nkw_quat a, b;
+        draw_pair(&r, &a, &b);
+        expect_quat_bits(nkw_quat_slerp(a, b, 0.0f), a);
+        expect_quat_bits(nkw_quat_slerp(a, b, 1.0f), nearer(a, b));
+        expect_quat_bits(nkw_quat_nlerp(a, b, 0.0f), a);
+        expect_quat_bits(nkw_quat_nlerp(a, b, 1.0f), nearer(a, b));
+    }
+}
+
+static void slerp_between_equal_or_opposite_inputs_is_that_input(void **state)
+{
+    (void)state;
+    random_source r = random_from(2);
+    for (int i = 0; i < 50000; i++) {
+        nkw_quat q = random_rotation(&r);
+        float t = random_between(&r, -1, 2);
+        expect_quat_bits(nkw_quat_slerp(q, q, t), q);
+        expect_quat_bits(nkw_quat_slerp(q, nkw_quat_negate(q), t), q);
+        expect_quat_near(nkw_quat_nlerp(q, q, t), q, 1.5e-7);
+        expect_quat_near(nkw_quat_nlerp(q, nkw_quat_negate(q), t), q, 1.5e-7);
+    }
+}
+
+static void slerp_swaps_bit_for_bit(void **state)
+{
+    (void)state;
+    random_source r = random_from(3);
+    for (int i = 0; i < 50000; i++) {
+        nkw_quat a, b;
+        draw_pair(&r, &a, &b);
+        float t = i % 100 ? random_unit(&r) : 0.5f;
+        nkw_quat forth = nkw_quat_slerp(a, b, t), back = nkw_quat_slerp(b, a, 1.0f - t);
+        expect_quat_near(nkw_quat_dot(a, b) < 0 ? nkw_quat_negate(back) : back, forth, 0);
+    }
+}
+
+static void slerp_turns_at_constant_speed(void **state)
+{
+    (void)state;
+    for (int i = 0; i <= 100; i++) {
+        float t = (float)i / 100;
+        expect_quat_near(nkw_quat_slerp(about_z(0.5f), about_z(3.0f), t), about_z(0.5f + 2.5f * t), 3e-7);
+    }
+}
+
+static void slerp_takes_the_shorter_arc(void **state)
+{
+    (void)state;
+    /* From -170 to 170 degrees through 180, not through 0. */
+    nkw_quat middle = nkw_quat_slerp(about_z(-2.96705973f), about_z(2.96705973f), 0.5f);
+    expect_rotation_near(middle, about_z(PI), 3e-7);
+    random_source r = random_from(4);
+    for (int i = 0; i < 20000; i++) {
+        nkw_quat a, b;
+        draw_pair(&r, &a, &b);
+        nkw_quat half = nkw_quat_slerp(a, b, 0.5f);
+        expect_near(nkw_quat_angle(a, half), 0.5 * (double)nkw_quat_angle(a, b), 2e-6);
+        expect_rotation_near(half, nkw_quat_slerp(a, nkw_quat_negate(b), 0.5f), 0);
+    }
+}
+
+static void slerp_stays_unit_and_smooth_through_the_smallest_angles(void **state)
+{
+    (void)state;
+    random_source r = random_from(5);
+    for (int i = 0; i < 20000; i++) {
+        nkw_quat a = random_rotation(&r);
+        float angle = (float)(i % 200) * 1e-8f;
+        nkw_quat b = random_near(&r, a, angle), q = nkw_quat_slerp(a, i % 2 ? b : nkw_quat_negate(b), random_unit(&r));
+        expect_near(nkw_quat_length(q), 1.0, 2e-7);
+        assert_true(nkw_quat_angle(a, q) <= nkw_quat_angle(a, b) + 4e-7f);
+    }
+}
+
+static void slerp_never_steps_back(void **state)
+{
+    (void)state;
+    random_source r = random_from(6);
+    for (int i = 0; i < 300; i++) {
+        nkw_quat a, b;
+        draw_pair(&r, &a, &b);
+        double before = -1;
+        for (int k = 0; k <= 1024; k++) {
+            nkw_quat q = nkw_quat_slerp(a, b, (float)k / 1024);
+            double angle = nkw_quat_angle(a, q);
+            assert_true(angle >= before - 2.5e-7);
+            before = angle;
+        }
+    }
+}
+
+static void zero_and_subnormal_quaternions_give_finite_results(void **state)
+{
+    (void)state;
+    static const nkw_quat odd[] = {{0, 0, 0, 0}, {0x1p-149f, 0, 0, 0}, {0, 0, 0, 1}, {1e-40f, -1e-40f, 0, 1e-40f},
+                                   {0, 0, 0, 1.0001f}, {0.5f, 0.5f, 0.5f, 0.50001f}, {0, 0, 0, -1}};
+    for (size_t i = 0; i < 7; i++)
+        for (size_t k = 0; k < 7; k++)
+            for (int t = -4; t <= 8; t++) {
+                assert_true(nkw_quat_is_finite(nkw_quat_slerp(odd[i], odd[k], (float)t / 4)));
+                assert_true(nkw_quat_is_finite(nkw_quat_nlerp(odd[i], odd[k], (float)t / 4)));
+                for (int path = 0; path < 4; path++)
+                    assert_true(nkw_quat_is_finite(nkw_quat_slerp_path(odd[i], odd[k], (float)t / 4, (nkw_path)path)));
+            }
+    expect_quat_bits(nkw_quat_nlerp(odd[0], odd[0], 0.5f), identity);
+}
+
+static void nlerp_follows_the_path_of_slerp(void **state)
+{
+    (void)state;
+    random_source r = random_from(7);
+    for (int i = 0; i < 20000; i++) {
+        nkw_quat a, b;
+        draw_pair(&r, &a, &b);
+        float t = random_unit(&r);
+        nkw_quat n = nkw_quat_nlerp(a, b, t);
+        expect_near(nkw_quat_length(n), 1.0, 2.5e-7);
+        /* On the arc: the angles to both ends add up. */
+        expect_near((double)nkw_quat_angle(a, n) + (double)nkw_quat_angle(n, b), nkw_quat_angle(a, b), 3e-6);
+    }
+    expect_quat_near(nkw_quat_nlerp(about_z(0), about_z(1.5f), 0.5f), about_z(0.75f), 1.5e-7);
+}
+
+static void short_path_is_slerp(void **state)
+{
+    (void)state;
+    random_source r = random_from(8);
+    for (int i = 0; i < 20000; i++) {
+        nkw_quat a, b;
+        draw_pair(&r, &a, &b);
+        float t = random_unit(&r);
+        expect_quat_near(nkw_quat_slerp_path(a, b, t, NKW_PATH_SHORT), nkw_quat_slerp(a, b, t), 4e-7);
+        expect_quat_bits(nkw_quat_slerp_path(a, b, t, (nkw_path)9), nkw_quat_slerp_path(a, b, t, NKW_PATH_SHORT));
+    }
+}
+
+static void long_path_goes_the_other_way_round(void **state)
+{
+    (void)state;
+    nkw_quat a = about_z(0), b = about_z(1);
+    for (int i = 0; i <= 20; i++) {
+        float t = (float)i / 20;
+        expect_rotation_near(nkw_quat_slerp_path(a, b, t, NKW_PATH_LONG), about_z(t * (1 - 2 * PI)), 5e-7);
+        expect_rotation_near(nkw_quat_slerp_path(a, nkw_quat_negate(b), t, NKW_PATH_LONG), about_z(t * (1 - 2 * PI)), 5e-7);
+    }
+}
+
+static void path_as_given_follows_the_signs(void **state)
+{
+    (void)state;
+    nkw_quat a = about_z(0), b = about_z(1);
+    for (int i = 0; i <= 20; i++) {
+        float t = (float)i / 20;
+        expect_quat_near(nkw_quat_slerp_path(a, b, t, NKW_PATH_AS_GIVEN), about_z(t), 3e-7);
+        expect_rotation_near(nkw_quat_slerp_path(a, nkw_quat_negate(b), t, NKW_PATH_AS_GIVEN), about_z(t * (1 - 2 * PI)), 5e-7);
+    }
+}
+
+static void paths_between_opposites_are_a_turn_about_local_z(void **state)
+{
+    (void)state;
+    random_source r = random_from(9);
+    for (int i = 0; i < 5000; i++) {
+        nkw_quat q = random_rotation(&r);
+        float t = random_unit(&r);
+        nkw_quat want = nkw_quat_mul(q, about_z(2 * PI * t));
+        expect_quat_near(nkw_quat_slerp_path(q, nkw_quat_negate(q), t, NKW_PATH_AS_GIVEN), want, 1e-6);
+        expect_rotation_near(nkw_quat_slerp_path(q, q, t, NKW_PATH_LONG), want, 1e-6);
+        expect_quat_near(nkw_quat_slerp_path(q, q, t, NKW_PATH_AS_GIVEN), q, 0);
+        expect_quat_bits(nkw_quat_slerp_path(q, nkw_quat_negate(q), 0, NKW_PATH_AS_GIVEN), q);
+        expect_quat_bits(nkw_quat_slerp_path(q, nkw_quat_negate(q), 1, NKW_PATH_AS_GIVEN), nkw_quat_negate(q));
+    }
+}
+
+static void exp_undoes_log(void **state)
+{
+    (void)state;
+    random_source r = random_from(10);
+    for (int i = 0; i < 20000; i++) {
+        nkw_quat q = i % 3 ? random_rotation(&r) : random_near(&r, i % 2 ? identity : nkw_quat_negate(identity), 1e-6f);
+        expect_quat_near(nkw_quat_exp(nkw_quat_log(q)), q, 5e-7);
+    }
+}
+
+static void log_is_half_the_rotation_vector(void **state)
+{
+    (void)state;
+    expect_vec3_near(nkw_quat_log(about_z(1.5f)), vec(0, 0, 0.75f), 1e-7);
+    expect_vec3_near(nkw_quat_log(identity), vec(0, 0, 0), 0);
+    expect_vec3_bits(nkw_quat_log(nkw_quat_negate(identity)), vec(PI, 0, 0));
+    nkw_quat tiny = {0, 1e-40f, 0, 1};
+    expect_vec3_bits(nkw_quat_log(tiny), vec(0, 1e-40f, 0));
+    expect_quat_near(nkw_quat_exp(vec(0, 0, 0)), identity, 0);
+    expect_quat_near(nkw_quat_exp(vec(0, 1e-40f, 0)), tiny, 0);
+}
+
+static void powers_add_up(void **state)
+{
+    (void)state;
+    random_source r = random_from(11);
+    for (int i = 0; i < 20000; i++) {
+        nkw_quat q = random_rotation(&r);
+        float s = random_between(&r, -3, 3), t = random_between(&r, -3, 3);
+        expect_quat_near(nkw_quat_pow(q, 1), q, 1.5e-7);
+        expect_quat_near(nkw_quat_pow(q, 0), identity, 0);
+        expect_quat_near(nkw_quat_pow(q, -1), nkw_quat_conjugate(q), 1.5e-7);
+        expect_quat_near(nkw_quat_mul(nkw_quat_pow(q, s), nkw_quat_pow(q, t)), nkw_quat_pow(q, s + t), 3e-6);
+    }
+    expect_quat_near(nkw_quat_pow(about_z(1), 0.5f), about_z(0.5f), 1e-7);
+}
+
+static void angular_velocity_and_integrate_undo_each_other(void **state)
+{
+    (void)state;
+    random_source r = random_from(12);
+    for (int i = 0; i < 20000; i++) {
+        nkw_quat a, b;
+        draw_pair(&r, &a, &b);
+        float duration = random_between(&r, 0.01f, 2.0f);
+        nkw_vec3 w = nkw_quat_angular_velocity(a, b, duration);
+        expect_rotation_near(nkw_quat_integrate(a, w, duration), b, 6e-7);
+        expect_near(nkw_vec3_length(w) * duration, nkw_quat_angle(a, b), 2e-6);
+    }
+}
+
+static void angular_velocity_stands_in_the_outer_frame(void **state)
+{
+    (void)state;
+    /* An object that lies on its side and turns about the world's z. */
+    nkw_quat side = nkw_quat_from_axis_angle(vec(1, 0, 0), 0.5f * PI);
+    nkw_quat after = nkw_quat_mul(about_z(0.2f), side);
+    expect_vec3_near(nkw_quat_angular_velocity(side, after, 0.1f), vec(0, 0, 2), 4e-6);
+    expect_vec3_bits(nkw_quat_angular_velocity(side, after, 0.0f), vec(0, 0, 0));
+    expect_vec3_near(nkw_quat_angular_velocity(side, nkw_quat_negate(side), 1.0f), vec(0, 0, 0), 0);
+}
+
+static void euler_lerp_unwraps_what_it_is_told_to(void **state)
+{
+    (void)state;
+    nkw_vec3 a = vec(3, 3, 3), b = vec(-3, -3, -3);
+    expect_vec3_near(nkw_euler_lerp(a, b, 0.5f, NKW_UNWRAP_NONE), vec(0, 0, 0), 0);
+    expect_vec3_near(nkw_euler_lerp(a, b, 0.5f, NKW_UNWRAP_YAW), vec(0, -PI, 0), 3e-7);
+    expect_vec3_near(nkw_euler_lerp(a, b, 0.5f, NKW_UNWRAP_ALL), vec(-PI, -PI, -PI), 3e-7);
+    expect_vec3_bits(nkw_euler_lerp(a, b, 0.0f, NKW_UNWRAP_NONE), a);
+    expect_vec3_bits(nkw_euler_lerp(a, b, 1.0f, NKW_UNWRAP_ALL), b);
+    expect_vec3_bits(nkw_euler_lerp(a, b, 0.25f, (nkw_unwrap)7), nkw_euler_lerp(a, b, 0.25f, NKW_UNWRAP_NONE));
+}
+
+static void euler_lerp_unwraps_only_beyond_half_a_turn(void **state)
+{
+    (void)state;
+    nkw_vec3 a = vec(0, 0, 0), less = vec(0, 3.1415925f, 0), more = vec(0, 3.1415930f, 0);
+    expect_near(nkw_euler_lerp(a, less, 0.5f, NKW_UNWRAP_YAW).y, 0.5 * 3.1415925, 1e-6);
+    expect_near(nkw_euler_lerp(a, more, 0.5f, NKW_UNWRAP_YAW).y, 1.5 * 3.14159265, 1e-6);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(slerp_gives_its_ends_bit_for_bit),
+        cmocka_unit_test(slerp_between_equal_or_opposite_inputs_is_that_input),
+        cmocka_unit_test(slerp_swaps_bit_for_bit),
+        cmocka_unit_test(slerp_turns_at_constant_speed),
+        cmocka_unit_test(slerp_takes_the_shorter_arc),
+        cmocka_unit_test(slerp_stays_unit_and_smooth_through_the_smallest_angles),
+        cmocka_unit_test(slerp_never_steps_back),
+        cmocka_unit_test(zero_and_subnormal_quaternions_give_finite_results),
+        cmocka_unit_test(nlerp_follows_the_path_of_slerp),
+        cmocka_unit_test(short_path_is_slerp),
+        cmocka_unit_test(long_path_goes_the_other_way_round),
+        cmocka_unit_test(path_as_given_follows_the_signs),
+        cmocka_unit_test(paths_between_opposites_are_a_turn_about_local_z),
+        cmocka_unit_test(exp_undoes_log),
+        cmocka_unit_test(log_is_half_the_rotation_vector),
+        cmocka_unit_test(powers_add_up),
+        cmocka_unit_test(angular_velocity_and_integrate_undo_each_other),
+        cmocka_unit_test(angular_velocity_stands_in_the_outer_frame),
+        cmocka_unit_test(euler_lerp_unwraps_what_it_is_told_to),
+        cmocka_unit_test(euler_lerp_unwraps_only_beyond_half_a_turn),
+    };
+    return cmocka_run_group_tests_name("orient", tests, NULL, NULL);
+}

@@ -1,0 +1,280 @@
+/* SPDX-License-Identifier: MIT */
+#include <math.h>
+
+#include "random.h"
+#include "support/expect.h"
+
+static const nkw_quat identity = {0, 0, 0, 1};
+static const nkw_quat quarter_x = {0x1.6a09e6p-1f, 0, 0, 0x1.6a09e6p-1f};
+
+static nkw_vec3 vec(float x, float y, float z)
+{
+    nkw_vec3 r = {x, y, z};
+    return r;
+}
+
+static nkw_quat quat(float x, float y, float z, float w)
+{
+    nkw_quat r = {x, y, z, w};
+    return r;
+}
+
+static void identity_changes_nothing(void **state)
+{
+    (void)state;
+    random_source r = random_from(1);
+    for (int i = 0; i < 10000; i++) {
+        nkw_quat q = random_rotation(&r);
+        nkw_vec3 v = random_vec3(&r, -10, 10);
+        expect_quat_bits(nkw_quat_mul(identity, q), q);
+        expect_quat_bits(nkw_quat_mul(q, identity), q);
+        expect_vec3_bits(nkw_quat_rotate(identity, v), v);
+    }
+}
+
+static void i_times_j_is_k(void **state)
+{
+    (void)state;
+    nkw_quat i = {1, 0, 0, 0}, j = {0, 1, 0, 0}, k = {0, 0, 1, 0};
+    expect_quat_near(nkw_quat_mul(i, j), k, 0);
+    expect_quat_near(nkw_quat_mul(j, k), i, 0);
+    expect_quat_near(nkw_quat_mul(k, i), j, 0);
+    expect_quat_near(nkw_quat_mul(j, i), nkw_quat_negate(k), 0);
+    expect_quat_near(nkw_quat_mul(i, i), nkw_quat_negate(identity), 0);
+}
+
+static void a_quarter_turn_about_x_takes_y_to_z(void **state)
+{
+    (void)state;
+    expect_vec3_near(nkw_quat_rotate(quarter_x, vec(0, 1, 0)), vec(0, 0, 1), 1e-7);
+    expect_vec3_near(nkw_quat_rotate_inverse(quarter_x, vec(0, 0, 1)), vec(0, 1, 0), 1e-7);
+}
+
+static void product_rotates_by_the_right_factor_first(void **state)
+{
+    (void)state;
+    random_source r = random_from(2);
+    for (int i = 0; i < 10000; i++) {
+        nkw_quat a = random_rotation(&r), b = random_rotation(&r);
+        nkw_vec3 v = random_vec3(&r, -1, 1);
+        expect_vec3_near(nkw_quat_rotate(nkw_quat_mul(a, b), v), nkw_quat_rotate(a, nkw_quat_rotate(b, v)), 3e-6);
+    }
+}
+
+static void rotation_agrees_with_its_matrix(void **state)
+{
+    (void)state;
+    random_source r = random_from(3);
+    for (int i = 0; i < 10000; i++) {
+        nkw_quat q = random_rotation(&r);
+        nkw_vec3 v = random_vec3(&r, -1, 1);
+        nkw_mat3 m = nkw_mat3_from_quat(q);
+        expect_vec3_near(nkw_quat_rotate(q, v), nkw_mat3_transform(&m, v), 2e-6);
+    }
+}
+
+static void normalize_works_from_the_smallest_to_the_largest(void **state)
+{
+    (void)state;
+    expect_quat_bits(nkw_quat_normalize(quat(0, 0, 0, 0)), identity);
+    expect_quat_bits(nkw_quat_normalize(quat(0x1p-149f, 0, 0, 0)), quat(1, 0, 0, 0));
+    expect_quat_bits(nkw_quat_normalize(quat(0, -3e38f, 0, 0)), quat(0, -1, 0, 0));
+    expect_quat_near(nkw_quat_normalize(quat(1e-42f, 1e-42f, -1e-42f, 1e-42f)), quat(0.5f, 0.5f, -0.5f, 0.5f), 1e-7);
+    expect_quat_near(nkw_quat_normalize(quat(3e38f, 3e38f, 3e38f, 3e38f)), quat(0.5f, 0.5f, 0.5f, 0.5f), 1e-7);
+    expect_nan(nkw_quat_normalize(quat(NAN, 0, 0, 1)).w);
+}
+
+static void inverse_undoes_any_quaternion(void **state)
+{
+    (void)state;
+    random_source r = random_from(4);
+    for (int i = 0; i < 10000; i++) {
+        nkw_quat q = nkw_quat_scale(random_rotation(&r), random_scaled(&r, -20, 20));
+        expect_quat_near(nkw_quat_mul(q, nkw_quat_inverse(q)), identity, 5e-7);
+    }
+    expect_quat_bits(nkw_quat_inverse(quat(0, 0, 0, 0)), identity);
+    expect_quat_bits(nkw_quat_conjugate(quat(1, 2, 3, 4)), quat(-1, -2, -3, 4));
+}
+
+static void axis_and_angle_go_there_and_back(void **state)
+{
+    (void)state;
+    random_source r = random_from(5);
+    for (int i = 0; i < 10000; i++) {
+        nkw_vec3 axis = random_direction(&r);
+        float angle = random_between(&r, 1e-3f, 3.14f);
+        nkw_axis_angle back = nkw_axis_angle_from_quat(nkw_quat_from_axis_angle(axis, angle));
+        expect_near(back.angle, angle, 1e-6);
+        expect_vec3_near(back.axis, axis, 1e-4);
+    }
+}
+
+static void axis_angle_of_no_turn_has_no_axis(void **state)
+{
+    (void)state;
+    nkw_axis_angle none = nkw_axis_angle_from_quat(quat(0, 0, 0, -1));
+    expect_vec3_near(none.axis, vec(0, 0, 0), 0);
+    expect_bits(none.angle, 0.0f);
+    expect_quat_bits(nkw_quat_from_axis_angle(vec(0, 0, 0), 1.0f), identity);
+    nkw_axis_angle tiny = nkw_axis_angle_from_quat(quat(1e-30f, 0, 0, 1));
+    expect_ulps(tiny.angle, 2e-30f, 1);
+    expect_vec3_bits(tiny.axis, vec(1, 0, 0));
+}
+
+static void axis_need_not_be_unit_and_angle_need_not_be_small(void **state)
+{
+    (void)state;
+    expect_quat_near(nkw_quat_from_axis_angle(vec(1e-42f, 0, 0), 1.57079637f), quarter_x, 1e-7);
+    expect_quat_near(nkw_quat_from_axis_angle(vec(1e38f, 0, 0), 1.57079637f), quarter_x, 1e-7);
+    expect_near(nkw_quat_length(nkw_quat_from_axis_angle(vec(0, 1, 0), 1e30f)), 1.0, 1e-7);
+}
+
+static void from_vectors_takes_one_direction_to_the_other(void **state)
+{
+    (void)state;
+    random_source r = random_from(6);
+    for (int i = 0; i < 10000; i++) {
+        nkw_vec3 a = random_direction(&r), b = random_direction(&r);
+        nkw_quat q = nkw_quat_from_vectors(a, nkw_vec3_scale(b, 3.0f));
+        expect_vec3_near(nkw_quat_rotate(q, a), b, 2e-6);
+    }
+}
+
+static void from_vectors_turns_opposites_by_pi_and_equals_by_nothing(void **state)
+{
+    (void)state;
+    random_source r = random_from(7);
+    for (int i = 0; i < 10000; i++) {
+        nkw_vec3 a = random_direction(&r);
+        nkw_vec3 nearly = nkw_vec3_negate(nkw_vec3_add_scaled(a, random_direction(&r), 1e-6f));
+        expect_quat_bits(nkw_quat_from_vectors(a, a), identity);
+        expect_vec3_near(nkw_quat_rotate(nkw_quat_from_vectors(a, nkw_vec3_negate(a)), a), nkw_vec3_negate(a), 2e-6);
+        expect_vec3_near(nkw_quat_rotate(nkw_quat_from_vectors(a, nearly), a), nkw_vec3_normalize(nearly), 2e-6);
+    }
+    expect_quat_bits(nkw_quat_from_vectors(vec(0, 0, 0), vec(1, 0, 0)), identity);
+}
+
+static void look_rotation_points_minus_z_forward_and_y_up(void **state)
+{
+    (void)state;
+    expect_rotation_near(nkw_quat_look_rotation(vec(0, 0, -1), vec(0, 1, 0)), identity, 0);
+    random_source r = random_from(8);
+    for (int i = 0; i < 10000; i++) {
+        nkw_vec3 f = random_direction(&r), u = random_direction(&r);
+        nkw_quat q = nkw_quat_look_rotation(nkw_vec3_scale(f, 7), u);
+        expect_vec3_near(nkw_quat_rotate(q, vec(0, 0, -1)), f, 2e-6);
+        expect_near(nkw_vec3_dot(nkw_quat_rotate(q, vec(1, 0, 0)), u), 0.0, 2e-6);
+        assert_true(nkw_vec3_dot(nkw_quat_rotate(q, vec(0, 1, 0)), u) > -1e-6f);
+    }
+}
+
+static void look_rotation_without_direction_or_up_is_defined(void **state)
+{
+    (void)state;
+    expect_quat_bits(nkw_quat_look_rotation(vec(0, 0, 0), vec(0, 1, 0)), identity);
+    nkw_quat along = nkw_quat_look_rotation(vec(0, 2, 0), vec(0, 1, 0));
+    nkw_quat none = nkw_quat_look_rotation(vec(0, 2, 0), vec(0, 0, 0));
+    expect_vec3_near(nkw_quat_rotate(along, vec(0, 0, -1)), vec(0, 1, 0), 1e-6);
+    expect_vec3_near(nkw_quat_rotate(none, vec(0, 0, -1)), vec(0, 1, 0), 1e-6);
+}
+
+static void from_mat3_is_right_at_every_angle_and_at_half_turns(void **state)
+{
+    (void)state;
+    random_source r = random_from(9);
+    for (int i = 0; i < 20000; i++) {
+        nkw_vec3 axis = random_direction(&r);
+        nkw_quat half = {axis.x, axis.y, axis.z, 0};
+        nkw_quat q = i % 2 ? random_rotation(&r) : i % 4 ? half : random_near(&r, half, 1e-4f);
+        nkw_mat3 m = nkw_mat3_from_quat(q);
+        expect_rotation_near(nkw_quat_from_mat3(&m), q, 5e-7);
+    }
+}
+
+static void from_mat3_knows_the_half_turns_about_the_axes(void **state)
+{
+    (void)state;
+    nkw_mat3 x = {{1, 0, 0, 0, -1, 0, 0, 0, -1}}, y = {{-1, 0, 0, 0, 1, 0, 0, 0, -1}}, z = {{-1, 0, 0, 0, -1, 0, 0, 0, 1}};
+    nkw_mat3 one = nkw_mat3_identity();
+    expect_quat_near(nkw_quat_from_mat3(&x), quat(1, 0, 0, 0), 0);
+    expect_quat_near(nkw_quat_from_mat3(&y), quat(0, 1, 0, 0), 0);
+    expect_quat_near(nkw_quat_from_mat3(&z), quat(0, 0, 1, 0), 0);
+    expect_quat_near(nkw_quat_from_mat3(&one), identity, 0);
+}
+
+static void from_mat3_finds_the_nearest_rotation_of_a_noisy_one(void **state)
+{
+    (void)state;
+    random_source r = random_from(10);
+    for (int i = 0; i < 10000; i++) {
+        nkw_quat q = random_rotation(&r);
+        nkw_mat3 m = nkw_mat3_from_quat(q);
+        for (int k = 0; k < 9; k++)
+            m.m[k] += random_between(&r, -1e-3f, 1e-3f);
+        nkw_quat got = nkw_quat_from_mat3(&m);
+        expect_near(nkw_quat_length(got), 1.0, 2e-7);
+        expect_rotation_near(got, q, 2e-3);
+    }
+}
+
+static void from_mat3_of_anything_finite_is_unit(void **state)
+{
+    (void)state;
+    nkw_mat3 zero = {{0}};
+    expect_near(nkw_quat_length(nkw_quat_from_mat3(&zero)), 1.0, 2e-7);
+    random_source r = random_from(11);
+    for (int i = 0; i < 20000; i++) {
+        nkw_mat3 m;
+        for (int k = 0; k < 9; k++)
+            m.m[k] = random_finite(&r);
+        expect_near(nkw_quat_length(nkw_quat_from_mat3(&m)), 1.0, 3e-7);
+    }
+}
+
+static void angle_between_is_that_of_the_turn_for_either_sign(void **state)
+{
+    (void)state;
+    expect_bits(nkw_quat_angle(identity, identity), 0.0f);
+    expect_bits(nkw_quat_angle(identity, nkw_quat_negate(identity)), 0.0f);
+    expect_ulps(nkw_quat_angle(identity, quarter_x), 1.57079637f, 1);
+    expect_bits(nkw_quat_angle(identity, quat(0, 1, 0, 0)), 3.14159274f);
+    expect_bits(nkw_quat_angle(identity, quat(0, 0, 0, 0)), 0.0f);
+    expect_ulps(nkw_quat_angle(identity, quat(1e-7f, 0, 0, 1)), 2e-7f, 1);
+}
+
+static void wxyz_is_only_another_order(void **state)
+{
+    (void)state;
+    float wxyz[4];
+    nkw_quat_to_wxyz(quat(1, 2, 3, 4), wxyz);
+    const float want[4] = {4, 1, 2, 3};
+    expect_floats_bits(wxyz, want, 4);
+    expect_quat_bits(nkw_quat_from_wxyz(wxyz), quat(1, 2, 3, 4));
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(identity_changes_nothing),
+        cmocka_unit_test(i_times_j_is_k),
+        cmocka_unit_test(a_quarter_turn_about_x_takes_y_to_z),
+        cmocka_unit_test(product_rotates_by_the_right_factor_first),
+        cmocka_unit_test(rotation_agrees_with_its_matrix),
+        cmocka_unit_test(normalize_works_from_the_smallest_to_the_largest),
+        cmocka_unit_test(inverse_undoes_any_quaternion),
+        cmocka_unit_test(axis_and_angle_go_there_and_back),
+        cmocka_unit_test(axis_angle_of_no_turn_has_no_axis),
+        cmocka_unit_test(axis_need_not_be_unit_and_angle_need_not_be_small),
+        cmocka_unit_test(from_vectors_takes_one_direction_to_the_other),
+        cmocka_unit_test(from_vectors_turns_opposites_by_pi_and_equals_by_nothing),
+        cmocka_unit_test(look_rotation_points_minus_z_forward_and_y_up),
+        cmocka_unit_test(look_rotation_without_direction_or_up_is_defined),
+        cmocka_unit_test(from_mat3_is_right_at_every_angle_and_at_half_turns),
+        cmocka_unit_test(from_mat3_knows_the_half_turns_about_the_axes),
+        cmocka_unit_test(from_mat3_finds_the_nearest_rotation_of_a_noisy_one),
+        cmocka_unit_test(from_mat3_of_anything_finite_is_unit),
+        cmocka_unit_test(angle_between_is_that_of_the_turn_for_either_sign),
+        cmocka_unit_test(wxyz_is_only_another_order),
+    };
+    return cmocka_run_group_tests_name("quat", tests, NULL, NULL);
+}

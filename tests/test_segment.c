@@ -1,0 +1,179 @@
+/* SPDX-License-Identifier: MIT */
+#include <math.h>
+#include <stdint.h>
+
+#include "random.h"
+#include "support/expect.h"
+
+static void expect_segment_at(nkw_segment got, size_t index, float t, int line)
+{
+    if (got.index != index || bits_of(got.t) != bits_of(t)) {
+        print_error("got {%zu, %a}, want {%zu, %a}\n", got.index, (double)got.t, index, (double)t);
+        _fail(__FILE__, line);
+    }
+}
+
+#define expect_segment(got, index, t) expect_segment_at((got), (index), (t), __LINE__)
+
+/* What the header says, word for word. */
+static nkw_segment by_definition(const float *times, size_t count, float time)
+{
+    nkw_segment r = {0, 0.0f};
+    if (count < 2 || time != time || time < times[0])
+        return r;
+    for (size_t k = 0; k + 1 < count; k++)
+        if (times[k] <= time && (time < times[k + 1] || k + 2 == count))
+            r.index = k;
+    float a = times[r.index], b = times[r.index + 1];
+    r.t = time >= b ? 1.0f : (float)(((double)time - (double)a) / ((double)b - (double)a));
+    return r;
+}
+
+static void segments_are_half_open_and_the_last_is_closed(void **state)
+{
+    (void)state;
+    const float times[4] = {0, 1, 3, 4};
+    expect_segment(nkw_segment_find(times, 4, 0.0f), 0, 0.0f);
+    expect_segment(nkw_segment_find(times, 4, 0.25f), 0, 0.25f);
+    expect_segment(nkw_segment_find(times, 4, 1.0f), 1, 0.0f);
+    expect_segment(nkw_segment_find(times, 4, 2.0f), 1, 0.5f);
+    expect_segment(nkw_segment_find(times, 4, 3.0f), 2, 0.0f);
+    expect_segment(nkw_segment_find(times, 4, 4.0f), 2, 1.0f);
+}
+
+static void outside_the_keys_it_clamps(void **state)
+{
+    (void)state;
+    const float times[3] = {1, 2, 4};
+    expect_segment(nkw_segment_find(times, 3, 0.5f), 0, 0.0f);
+    expect_segment(nkw_segment_find(times, 3, -INFINITY), 0, 0.0f);
+    expect_segment(nkw_segment_find(times, 3, 5.0f), 1, 1.0f);
+    expect_segment(nkw_segment_find(times, 3, INFINITY), 1, 1.0f);
+}
+
+static void fewer_than_two_keys_and_nan_give_the_first_segment(void **state)
+{
+    (void)state;
+    const float times[3] = {1, 2, 4};
+    expect_segment(nkw_segment_find(NULL, 0, 1.0f), 0, 0.0f);
+    expect_segment(nkw_segment_find(times, 1, 3.0f), 0, 0.0f);
+    expect_segment(nkw_segment_find(times, 3, NAN), 0, 0.0f);
+    expect_segment(nkw_segment_find_from(NULL, 0, 1.0f, 7), 0, 0.0f);
+    expect_segment(nkw_segment_find_from(times, 1, 3.0f, 7), 0, 0.0f);
+    expect_segment(nkw_segment_find_from(times, 3, NAN, 2), 0, 0.0f);
+    expect_segment(nkw_segment_find_uniform(0, 30, 0, 1), 0, 0.0f);
+    expect_segment(nkw_segment_find_uniform(0, 30, 1, 1), 0, 0.0f);
+    expect_segment(nkw_segment_find_uniform(0, 30, 9, NAN), 0, 0.0f);
+}
+
+static void equal_times_make_empty_segments_that_are_passed_over(void **state)
+{
+    (void)state;
+    const float inner[5] = {0, 1, 1, 1, 2}, last[3] = {0, 1, 1}, all[3] = {1, 1, 1};
+    expect_segment(nkw_segment_find(inner, 5, 1.0f), 3, 0.0f);
+    expect_segment(nkw_segment_find(inner, 5, 0.5f), 0, 0.5f);
+    expect_segment(nkw_segment_find(last, 3, 1.0f), 1, 1.0f);
+    expect_segment(nkw_segment_find(last, 3, 0.5f), 0, 0.5f);
+    expect_segment(nkw_segment_find(all, 3, 1.0f), 1, 1.0f);
+    expect_segment(nkw_segment_find(all, 3, 0.0f), 0, 0.0f);
+}
+
+static void t_does_not_overflow(void **state)
+{
+    (void)state;
+    const float times[2] = {-3e38f, 3e38f};
+    expect_segment(nkw_segment_find(times, 2, 0.0f), 0, 0.5f);
+}
+
+static void search_and_cursor_agree_with_the_definition(void **state)
+{
+    (void)state;
+    random_source r = random_from(1);
+    for (int round = 0; round < 3000; round++) {
+        float times[40];
+        size_t count = 1 + (size_t)(random_bits(&r) % 40);
+        float now = -5.0f;
+        for (size_t k = 0; k < count; k++)
+            times[k] = now += random_bits(&r) % 4 ? random_unit(&r) : 0.0f;
+        for (int i = 0; i < 20; i++) {
+            int on_key = (int)(random_bits(&r) % 3) == 0;
+            float time = on_key ? times[random_bits(&r) % count] : random_between(&r, -6, now + 1);
+            nkw_segment want = by_definition(times, count, time);
+            expect_segment(nkw_segment_find(times, count, time), want.index, want.t);
+            size_t from = (size_t)(random_bits(&r) % (count + 3));
+            expect_segment(nkw_segment_find_from(times, count, time, from), want.index, want.t);
+        }
+        expect_segment(nkw_segment_find_from(times, count, now, SIZE_MAX), nkw_segment_find(times, count, now).index,
+                       nkw_segment_find(times, count, now).t);
+    }
+}
+
+static void anything_at_all_stays_within_the_array(void **state)
+{
+    (void)state;
+    random_source r = random_from(2);
+    for (int round = 0; round < 20000; round++) {
+        float times[17];
+        size_t count = (size_t)(random_bits(&r) % 18);
+        for (size_t k = 0; k < count; k++)
+            times[k] = float_of((uint32_t)random_bits(&r));
+        float time = float_of((uint32_t)random_bits(&r));
+        nkw_segment found[2] = {nkw_segment_find(times, count, time),
+                                nkw_segment_find_from(times, count, time, (size_t)random_bits(&r))};
+        for (int i = 0; i < 2; i++) {
+            assert_true(found[i].index == 0 || found[i].index + 1 < count);
+            assert_true(found[i].t >= 0.0f && found[i].t <= 1.0f);
+        }
+    }
+}
+
+static void uniform_times_agree_with_a_search_over_them(void **state)
+{
+    (void)state;
+    random_source r = random_from(3);
+    static const float rates[] = {24, 25, 29.97f, 30, 60, 120, 0.1f, 1000, 44100};
+    for (int round = 0; round < 400; round++) {
+        float start = random_between(&r, -10, 10), rate = rates[random_bits(&r) % 9], times[300];
+        size_t count = 2 + (size_t)(random_bits(&r) % 299);
+        for (size_t k = 0; k < count; k++)
+            times[k] = nkw_segment_uniform_time(start, rate, k);
+        for (int i = 0; i < 200; i++) {
+            float key = times[random_bits(&r) % count];
+            float time = i % 4 == 0   ? key
+                         : i % 4 == 1 ? float_of(bits_of(key) + 1)
+                         : i % 4 == 2 ? float_of(bits_of(key) - 1)
+                                      : random_between(&r, start - 1, times[count - 1] + 1);
+            nkw_segment want = nkw_segment_find(times, count, time);
+            expect_segment(nkw_segment_find_uniform(start, rate, count, time), want.index, want.t);
+        }
+    }
+}
+
+static void uniform_rate_of_nonsense_is_defined(void **state)
+{
+    (void)state;
+    expect_segment(nkw_segment_find_uniform(0, 0, 10, 5), 0, 0.0f);
+    expect_segment(nkw_segment_find_uniform(0, -30, 10, 5), 0, 0.0f);
+    expect_segment(nkw_segment_find_uniform(0, INFINITY, 10, 5), 0, 0.0f);
+    expect_segment(nkw_segment_find_uniform(0, NAN, 10, 5), 0, 0.0f);
+    nkw_segment far = nkw_segment_find_uniform(0, 3e38f, SIZE_MAX, 3e38f);
+    assert_true(far.index <= SIZE_MAX - 2 && far.t >= 0.0f && far.t <= 1.0f);
+    far = nkw_segment_find_uniform(-INFINITY, 30, 10, 0);
+    assert_true(far.index <= 8 && far.t >= 0.0f && far.t <= 1.0f);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(segments_are_half_open_and_the_last_is_closed),
+        cmocka_unit_test(outside_the_keys_it_clamps),
+        cmocka_unit_test(fewer_than_two_keys_and_nan_give_the_first_segment),
+        cmocka_unit_test(equal_times_make_empty_segments_that_are_passed_over),
+        cmocka_unit_test(t_does_not_overflow),
+        cmocka_unit_test(search_and_cursor_agree_with_the_definition),
+        cmocka_unit_test(anything_at_all_stays_within_the_array),
+        cmocka_unit_test(uniform_times_agree_with_a_search_over_them),
+        cmocka_unit_test(uniform_rate_of_nonsense_is_defined),
+    };
+    return cmocka_run_group_tests_name("segment", tests, NULL, NULL);
+}

@@ -1,0 +1,150 @@
+/* SPDX-License-Identifier: MIT */
+#include <math.h>
+
+#include "random.h"
+#include "support/expect.h"
+
+static nkw_vec3 vec(float x, float y, float z)
+{
+    nkw_vec3 r = {x, y, z};
+    return r;
+}
+
+static nkw_trs trs(nkw_vec3 t, nkw_quat r, nkw_vec3 s)
+{
+    nkw_trs a = {t, r, s};
+    return a;
+}
+
+static void expect_columns_near(const nkw_mat4 *got, const nkw_mat4 *want, double part)
+{
+    for (int c = 0; c < 3; c++) {
+        nkw_vec3 a = {got->m[c * 4], got->m[c * 4 + 1], got->m[c * 4 + 2]};
+        nkw_vec3 b = {want->m[c * 4], want->m[c * 4 + 1], want->m[c * 4 + 2]};
+        expect_vec3_near(a, b, part * (double)nkw_vec3_length(b));
+    }
+}
+
+static void identity_composes_to_the_identity_matrix(void **state)
+{
+    (void)state;
+    nkw_trs t = nkw_trs_identity();
+    nkw_mat4 m = nkw_mat4_from_trs(&t), one = nkw_mat4_identity();
+    expect_floats_bits(m.m, one.m, 16);
+}
+
+static void scale_comes_first_then_rotation_then_translation(void **state)
+{
+    (void)state;
+    nkw_quat quarter_z = nkw_quat_from_axis_angle(vec(0, 0, 1), 1.57079637f);
+    nkw_trs t = trs(vec(10, 20, 30), quarter_z, vec(2, 3, 4));
+    nkw_mat4 m = nkw_mat4_from_trs(&t);
+    expect_vec3_near(nkw_mat4_transform_point(&m, vec(1, 1, 1)), vec(7, 22, 34), 2e-6);
+    expect_vec3_near(nkw_trs_transform_point(&t, vec(1, 1, 1)), vec(7, 22, 34), 2e-6);
+}
+
+static void decomposition_gives_back_what_was_composed(void **state)
+{
+    (void)state;
+    random_source r = random_from(1);
+    for (int i = 0; i < 5000; i++) {
+        float size = nkw_abs(random_scaled(&r, -40, 40));
+        nkw_vec3 s = nkw_vec3_scale(random_vec3(&r, 0.01f, 1.0f), size);
+        nkw_trs t = trs(random_vec3(&r, -10, 10), random_rotation(&r), s);
+        nkw_mat4 m = nkw_mat4_from_trs(&t);
+        nkw_trs got = nkw_trs_from_mat4(&m);
+        expect_vec3_bits(got.translation, t.translation);
+        expect_rotation_near(got.rotation, t.rotation, 1e-6);
+        expect_ulps(got.scale.x, s.x, 8);
+        expect_ulps(got.scale.y, s.y, 8);
+        expect_ulps(got.scale.z, s.z, 8);
+        assert_true(nkw_trs_residual(&got, &m) < 4e-7f);
+    }
+}
+
+static void mirrors_show_as_a_negative_x_scale(void **state)
+{
+    (void)state;
+    random_source r = random_from(2);
+    for (int i = 0; i < 5000; i++) {
+        nkw_vec3 s = random_vec3(&r, 0.1f, 2.0f);
+        nkw_vec3 signs = {i & 1 ? -1.0f : 1.0f, i & 2 ? -1.0f : 1.0f, i & 4 ? -1.0f : 1.0f};
+        nkw_trs t = trs(vec(1, 2, 3), random_rotation(&r), nkw_vec3_mul(s, signs));
+        nkw_mat4 m = nkw_mat4_from_trs(&t);
+        nkw_trs got = nkw_trs_from_mat4(&m);
+        nkw_mat4 again = nkw_mat4_from_trs(&got);
+        assert_true((signs.x * signs.y * signs.z < 0) == (got.scale.x < 0));
+        assert_true(got.scale.y > 0 && got.scale.z > 0);
+        expect_columns_near(&again, &m, 1e-6);
+    }
+}
+
+static void shear_is_left_out_and_reported(void **state)
+{
+    (void)state;
+    nkw_mat4 m = nkw_mat4_identity();
+    m.m[4] = 0.2f;
+    nkw_trs got = nkw_trs_from_mat4(&m);
+    float residual = nkw_trs_residual(&got, &m);
+    assert_true(residual > 0.05f && residual < 0.15f);
+    expect_near(nkw_quat_length(got.rotation), 1.0, 2e-7);
+    /* The nearest rotation of the unit columns shares the shear between them: half the angle each. */
+    nkw_axis_angle turn = nkw_axis_angle_from_quat(got.rotation);
+    expect_near(turn.angle, 0.5 * (double)nkw_atan(0.2f), 1e-6);
+}
+
+static void zero_scales_are_kept_and_the_rotation_stays_unit(void **state)
+{
+    (void)state;
+    random_source r = random_from(3);
+    for (int i = 0; i < 800; i++) {
+        nkw_vec3 s = {i & 1 ? 0.0f : 1.0f, i & 2 ? 0.0f : 2.0f, i & 4 ? 0.0f : 0.5f};
+        nkw_trs t = trs(vec(1, 2, 3), random_rotation(&r), s);
+        nkw_mat4 m = nkw_mat4_from_trs(&t);
+        nkw_trs got = nkw_trs_from_mat4(&m);
+        nkw_mat4 again = nkw_mat4_from_trs(&got);
+        expect_near(nkw_quat_length(got.rotation), 1.0, 2e-7);
+        expect_columns_near(&again, &m, 1e-6);
+        assert_true((got.scale.x == 0) == (s.x == 0) && (got.scale.y == 0) == (s.y == 0));
+    }
+}
+
+static void matrix_of_zeros_has_no_rotation(void **state)
+{
+    (void)state;
+    nkw_mat4 zero = {{0}};
+    nkw_trs got = nkw_trs_from_mat4(&zero);
+    expect_quat_bits(got.rotation, nkw_quat_identity());
+    expect_vec3_near(got.scale, vec(0, 0, 0), 0);
+    expect_bits(nkw_trs_residual(&got, &zero), 0.0f);
+}
+
+static void product_is_the_matrix_product_where_scales_are_uniform(void **state)
+{
+    (void)state;
+    random_source r = random_from(4);
+    for (int i = 0; i < 5000; i++) {
+        float s = random_between(&r, 0.5f, 2.0f);
+        nkw_trs a = trs(random_vec3(&r, -5, 5), random_rotation(&r), vec(s, s, s));
+        nkw_trs b = trs(random_vec3(&r, -5, 5), random_rotation(&r), random_vec3(&r, 0.5f, 2));
+        nkw_trs ab = nkw_trs_mul(&a, &b);
+        nkw_mat4 ma = nkw_mat4_from_trs(&a), mb = nkw_mat4_from_trs(&b), product = nkw_mat4_mul(&ma, &mb);
+        nkw_mat4 got = nkw_mat4_from_trs(&ab);
+        expect_floats_near(got.m, product.m, 16, 1e-5);
+    }
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(identity_composes_to_the_identity_matrix),
+        cmocka_unit_test(scale_comes_first_then_rotation_then_translation),
+        cmocka_unit_test(decomposition_gives_back_what_was_composed),
+        cmocka_unit_test(mirrors_show_as_a_negative_x_scale),
+        cmocka_unit_test(shear_is_left_out_and_reported),
+        cmocka_unit_test(zero_scales_are_kept_and_the_rotation_stays_unit),
+        cmocka_unit_test(matrix_of_zeros_has_no_rotation),
+        cmocka_unit_test(product_is_the_matrix_product_where_scales_are_uniform),
+    };
+    return cmocka_run_group_tests_name("transform", tests, NULL, NULL);
+}
