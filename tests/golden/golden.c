@@ -1,0 +1,249 @@
+/* SPDX-License-Identifier: MIT */
+/*
+ * One hash per function over a fixed stream of inputs, compared with golden.txt: the same file must hold for every
+ * compiler, flag level, processor and language (this file is C and C++).
+ *
+ *     golden golden.txt          compares; names each function that differs; exit status 1 if any does
+ *     golden --write             prints the table
+ */
+#include <stdint.h>
+#include <stdio.h>
+#include <string.h>
+
+#include <nakawari/nakawari.h>
+
+#include "../support/random.h"
+
+#define ROUNDS 4000
+
+typedef struct input {
+    float x[8], s[8], t;
+    nkw_vec3 v[4];
+    nkw_quat q[4];
+    nkw_mat4 m, n;
+    nkw_mat3 r;
+    nkw_trs trs;
+    nkw_cubic cubic;
+    float times[4];
+    nkw_keyframe keys[5];
+    nkw_euler_order order;
+    nkw_path path;
+    nkw_unwrap unwrap;
+} input;
+
+/* Without elementary functions of the library: a fault there must not hide behind other inputs. */
+static nkw_quat some_rotation(random_source *r, nkw_quat near, unsigned kind)
+{
+    if (kind == 0)
+        return near;
+    if (kind == 1)
+        return nkw_quat_negate(near);
+    if (kind < 5) {
+        float angle = kind == 2 ? 1e-5f : kind == 3 ? 1e-2f : 0.3f;
+        return random_near(r, near, angle);
+    }
+    return random_rotation(r);
+}
+
+static void draw_keys(random_source *r, input *i)
+{
+    float time = -2.0f;
+    for (unsigned k = 0; k < 5; k++) {
+        time += k % 2 ? random_unit(r) : 1.0f;
+        i->keys[k].time = time;
+        i->keys[k].position = random_vec3(r, -4.0f, 4.0f);
+        i->keys[k].orientation = random_rotation(r);
+    }
+    for (unsigned k = 0; k < 4; k++)
+        i->times[k] = i->keys[k].time;
+}
+
+static void draw_matrices(random_source *r, input *i)
+{
+    i->trs.translation = random_vec3(r, -100.0f, 100.0f);
+    i->trs.rotation = i->q[3];
+    i->trs.scale = random_vec3(r, -2.0f, 2.0f);
+    i->r = nkw_mat3_from_quat(i->q[2]);
+    nkw_mat3 linear = i->r;
+    for (unsigned k = 0; k < 9; k++)
+        linear.m[k] *= random_between(r, 0.9f, 1.1f);
+    i->m = nkw_mat4_from_mat3(&linear, i->trs.translation);
+    for (unsigned k = 0; k < 16; k++)
+        i->n.m[k] = random_between(r, -3.0f, 3.0f);
+}
+
+static void draw(random_source *r, input *i)
+{
+    for (unsigned k = 0; k < 8; k++) {
+        i->x[k] = random_finite(r);
+        i->s[k] = random_scaled(r, -6, 3);
+        i->cubic.c[k % 4] = i->s[k];
+    }
+    uint64_t bits = random_bits(r);
+    i->t = bits % 16 == 0 ? 0.0f : bits % 16 == 1 ? 1.0f : random_unit(r);
+    i->order = (nkw_euler_order)((bits >> 8) % 6);
+    i->path = (nkw_path)((bits >> 16) % 3);
+    i->unwrap = (nkw_unwrap)((bits >> 24) % 3);
+    for (unsigned k = 0; k < 4; k++)
+        i->v[k] = random_vec3(r, -4.0f, 4.0f);
+    i->q[0] = random_rotation(r);
+    for (unsigned k = 1; k < 4; k++)
+        i->q[k] = some_rotation(r, i->q[0], (unsigned)(bits >> (32 + 4 * k)) % 8);
+    draw_matrices(r, i);
+    draw_keys(r, i);
+}
+
+static void put_vec3(float *o, nkw_vec3 v)
+{
+    memcpy(o, &v, sizeof v);
+}
+
+static void put_quat(float *o, nkw_quat q)
+{
+    memcpy(o, &q, sizeof q);
+}
+
+static void put_mat3(float *o, nkw_mat3 m)
+{
+    memcpy(o, &m, sizeof m);
+}
+
+static void put_mat4(float *o, nkw_mat4 m)
+{
+    memcpy(o, &m, sizeof m);
+}
+
+static void put_weights(float *o, nkw_weights w)
+{
+    memcpy(o, &w, sizeof w);
+}
+
+static void put_cubic(float *o, nkw_cubic c)
+{
+    memcpy(o, &c, sizeof c);
+}
+
+static void put_trs(float *o, nkw_trs t)
+{
+    memcpy(o, &t, sizeof t);
+}
+
+static void put_axis_angle(float *o, nkw_axis_angle a)
+{
+    memcpy(o, &a, sizeof a);
+}
+
+static void put_segment(float *o, nkw_segment s)
+{
+    o[0] = (float)s.index;
+    o[1] = s.t;
+}
+
+static void split(float *o, const nkw_cubic *c, float t)
+{
+    nkw_cubic left, right;
+    nkw_bezier_split(c, t, &left, &right);
+    put_cubic(o, left);
+    put_cubic(o + 4, right);
+}
+
+static void sample(float *o, const input *i, nkw_position_method position, nkw_orientation_method orientation)
+{
+    nkw_mat4 m;
+    if (nkw_keyframes_sample(i->keys, 5, i->s[0], position, orientation, &m) == NKW_OK)
+        put_mat4(o, m);
+}
+
+#define K(name, count, results)                                                                    \
+    static void run_##name(const input *i, float *o)                                               \
+    {                                                                                              \
+        results;                                                                                   \
+    }
+#include "kernels.h"
+#undef K
+
+typedef struct kernel {
+    const char *name;
+    unsigned count;
+    void (*run)(const input *i, float *o);
+} kernel;
+
+static const kernel kernels[] = {
+#define K(name, count, results) {#name, count, run_##name},
+#include "kernels.h"
+#undef K
+};
+
+#define KERNELS (sizeof kernels / sizeof kernels[0])
+
+/* FNV-1a over the bits, lowest byte first; every NaN counts as one. */
+static uint64_t hash_floats(uint64_t hash, const float *o, unsigned count)
+{
+    for (unsigned k = 0; k < count; k++) {
+        uint32_t bits = 0x7fc00000u;
+        if (o[k] == o[k])
+            memcpy(&bits, &o[k], sizeof bits);
+        for (unsigned b = 0; b < 32; b += 8) {
+            hash ^= (bits >> b) & 0xff;
+            hash *= UINT64_C(0x100000001b3);
+        }
+    }
+    return hash;
+}
+
+static uint64_t hash_kernel(const kernel *k)
+{
+    random_source r = random_from(0x6e616b61);
+    uint64_t hash = UINT64_C(0xcbf29ce484222325);
+    for (unsigned round = 0; round < ROUNDS; round++) {
+        input i;
+        float o[16] = {0};
+        draw(&r, &i);
+        k->run(&i, o);
+        hash = hash_floats(hash, o, k->count);
+    }
+    return hash;
+}
+
+static int write_table(void)
+{
+    for (size_t k = 0; k < KERNELS; k++)
+        printf("%-36s %016llx\n", kernels[k].name, (unsigned long long)hash_kernel(&kernels[k]));
+    return 0;
+}
+
+static int compare_table(const char *path)
+{
+    FILE *file = fopen(path, "r");
+    unsigned failed = 0;
+    if (!file) {
+        fprintf(stderr, "golden: cannot read %s\n", path);
+        return 1;
+    }
+    for (size_t k = 0; k < KERNELS; k++) {
+        char name[64] = "";
+        unsigned long long want = 0, got = (unsigned long long)hash_kernel(&kernels[k]);
+        int read = fscanf(file, "%63s %llx", name, &want);
+        if (read != 2 || strcmp(name, kernels[k].name) != 0) {
+            fprintf(stderr, "golden: %s has '%s' where '%s' should be\n", path, name, kernels[k].name);
+            fclose(file);
+            return 1;
+        }
+        if (got != want) {
+            fprintf(stderr, "golden: %s: %016llx, not %016llx\n", name, got, want);
+            failed++;
+        }
+    }
+    fclose(file);
+    printf("golden: %zu functions, %u differ\n", KERNELS, failed);
+    return failed > 0;
+}
+
+int main(int argc, char **argv)
+{
+    if (argc != 2) {
+        fprintf(stderr, "usage: golden golden.txt | --write\n");
+        return 2;
+    }
+    return strcmp(argv[1], "--write") == 0 ? write_table() : compare_table(argv[1]);
+}

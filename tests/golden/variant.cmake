@@ -1,0 +1,25 @@
+cmake_minimum_required(VERSION 3.25)
+# Compiles the library's sources by CC and golden.c by DRIVER, both with FLAGS, and compares the hashes with TABLE.
+# The inputs must not depend on the flags: random.c is compiled without contraction.
+file(MAKE_DIRECTORY "${WORK}")
+separate_arguments(flags UNIX_COMMAND "${FLAGS}")
+file(GLOB sources "${SOURCE}/src/*.c")
+set(objects "")
+foreach(source IN LISTS sources ITEMS "${SOURCE}/tests/support/random.c")
+  get_filename_component(name "${source}" NAME_WE)
+  set(object "${WORK}/${name}.o")
+  list(APPEND objects "${object}")
+  set(steady "")
+  if(name STREQUAL "random")
+    set(steady -ffp-contract=off)
+  endif()
+  execute_process(COMMAND "${CC}" ${flags} ${steady} -DNKW_BUILD "-I${SOURCE}/include" "-I${SOURCE}/src" -c "${source}" -o "${object}"
+    COMMAND_ERROR_IS_FATAL ANY)
+endforeach()
+set(language "")
+if(NOT CC STREQUAL DRIVER)
+  set(language -x c++)
+endif()
+execute_process(COMMAND "${DRIVER}" ${flags} "-I${SOURCE}/include" ${language} "${SOURCE}/tests/golden/golden.c" -x none
+  ${objects} -lm -o "${WORK}/golden" COMMAND_ERROR_IS_FATAL ANY)
+execute_process(COMMAND "${WORK}/golden" "${TABLE}" COMMAND_ERROR_IS_FATAL ANY)
