@@ -1,0 +1,333 @@
+/* SPDX-License-Identifier: MIT */
+/**
+ * @file
+ * nakawari-coursework: the university exercise on key-frame animation, finished: a table of the object's matrix
+ * by every method, pictures of its way, and the whole calculation of any one time. See docs/coursework.md.
+ */
+#include <errno.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include <nakawari/keyframe.h>
+
+#include "picture.h"
+#include "scene.h"
+#include "trace.h"
+
+/* Exit codes. */
+enum { DONE, NOT_WRITTEN, MISUSED };
+enum { PATH_SIZE = 4096, ROWS_MAX = 1000000 };
+
+typedef struct named {
+    const char *name;
+    int method;
+} named;
+
+static const named positions[] = {
+    {"linear", NKW_POSITION_LINEAR},
+    {"hermite", NKW_POSITION_HERMITE},
+    {"bezier", NKW_POSITION_BEZIER},
+    {"bspline", NKW_POSITION_BSPLINE},
+    {"catmull-rom", NKW_POSITION_CATMULL_ROM},
+    {"step", NKW_POSITION_STEP},
+    {NULL, 0},
+};
+static const named orientations[] = {
+    {"none", NKW_ORIENTATION_STEP},
+    {"euler", NKW_ORIENTATION_EULER},
+    {"quat", NKW_ORIENTATION_SLERP},
+    {"euler-unwrapped", NKW_ORIENTATION_EULER_UNWRAPPED},
+    {"nlerp", NKW_ORIENTATION_NLERP},
+    {NULL, 0},
+};
+enum { NONE, EULER, QUAT };                /* the exercise's, in `orientations` */
+enum { LINEAR, HERMITE, BEZIER, BSPLINE }; /* in `positions` */
+
+static const char usage[] =
+    "usage: nakawari-coursework [options]\n"
+    "Writes a table and pictures of the exercise's key-frame animation.\n"
+    "\n"
+    "  --scene 1|2        which of the exercise's scenes (default 1)\n"
+    "  --keys N           only its first N keys, 2 or more (default all)\n"
+    "  --step SECONDS     distance of the table's rows (default 0.1)\n"
+    "  --out DIR          an existing folder for the files (default .)\n"
+    "  --trace TIME       write no file; print the calculation at TIME step by step, with\n"
+    "  --position P       linear, hermite (default), bezier, bspline, catmull-rom or step, and\n"
+    "  --orientation O    none, euler, quat (default), euler-unwrapped or nlerp\n"
+    "  -h, --help         print this\n";
+
+typedef struct options {
+    int scene;
+    size_t keys;
+    double step;
+    const char *out;
+    int trace, help;
+    float time;
+    const named *position, *orientation;
+} options;
+
+/* ---- the command line ---- */
+
+static int complain(const char *what, const char *which)
+{
+    fprintf(stderr, "nakawari-coursework: %s: %s\nTry nakawari-coursework --help.\n", what, which);
+    return 0;
+}
+
+static int read_number(const char *text, double low, double high, double *out)
+{
+    char *end;
+    double x = strtod(text, &end);
+    if (end == text || *end || !(x >= low && x <= high))
+        return complain("not a number in range", text);
+    *out = x;
+    return 1;
+}
+
+static int read_whole(const char *text, int low, int high, int *out)
+{
+    double x;
+    if (!read_number(text, low, high, &x))
+        return 0;
+    *out = (int)x;
+    return (double)*out == x || complain("not a whole number", text);
+}
+
+static int read_name(const char *text, const named *list, const named **out)
+{
+    for (; list->name; list++) {
+        if (strcmp(list->name, text) == 0) {
+            *out = list;
+            return 1;
+        }
+    }
+    return complain("no such method", text);
+}
+
+static int read_option(const char *name, const char *value, options *o)
+{
+    int keys;
+    double time;
+    if (strcmp(name, "--scene") == 0)
+        return read_whole(value, 1, 2, &o->scene);
+    if (strcmp(name, "--step") == 0)
+        return read_number(value, 1e-4, 1e3, &o->step);
+    if (strcmp(name, "--position") == 0)
+        return read_name(value, positions, &o->position);
+    if (strcmp(name, "--orientation") == 0)
+        return read_name(value, orientations, &o->orientation);
+    if (strcmp(name, "--out") == 0) {
+        o->out = value;
+        return strlen(value) + 64 < PATH_SIZE || complain("path too long", value);
+    }
+    if (strcmp(name, "--keys") == 0) {
+        if (!read_whole(value, 2, SCENE_KEYS_MAX, &keys))
+            return 0;
+        o->keys = (size_t)keys;
+        return 1;
+    }
+    o->trace = 1; /* the only one left */
+    if (!read_number(value, -1e6, 1e6, &time))
+        return 0;
+    o->time = (float)time;
+    return 1;
+}
+
+static int takes_value(const char *name)
+{
+    static const char *const names[] = {"--scene", "--keys",     "--step",       "--out",
+                                        "--trace", "--position", "--orientation"};
+    for (size_t i = 0; i < sizeof names / sizeof *names; i++) {
+        if (strcmp(name, names[i]) == 0)
+            return 1;
+    }
+    return 0;
+}
+
+static int read_options(int argc, char **argv, options *o)
+{
+    for (int i = 1; i < argc; i++) {
+        if (strcmp(argv[i], "--help") == 0 || strcmp(argv[i], "-h") == 0)
+            o->help = 1;
+        else if (!takes_value(argv[i]))
+            return complain("unknown option", argv[i]);
+        else if (i + 1 == argc)
+            return complain("value missing after", argv[i]);
+        else if (!read_option(argv[i], argv[i + 1], o))
+            return 0;
+        else
+            i++;
+    }
+    return 1;
+}
+
+/* ---- files ---- */
+
+static const char *path_in(const options *o, const char *name, const char *extension, char path[PATH_SIZE])
+{
+    sprintf(path, "%s/%s%s", o->out, name, extension);
+    return path;
+}
+
+/* Says how the writing of a file went. */
+static int report(int ok, const char *path)
+{
+    if (ok)
+        printf("wrote %s\n", path);
+    else
+        fprintf(stderr, "nakawari-coursework: cannot write %s: %s\n", path, strerror(errno));
+    return ok;
+}
+
+/* ---- the table ---- */
+
+/* Row k of the table: from half a second before the first key. Rounded once from the decimal step. */
+static float row_time(const scene *s, const options *o, long k)
+{
+    return (float)((double)s->keys[0].time - 0.5 + (double)k * o->step);
+}
+
+static long row_count(const scene *s, const options *o)
+{
+    double span = (double)scene_end(s) - (double)s->keys[0].time + 1.0;
+    return (long)(span / o->step + 1e-9) + 1;
+}
+
+/* Nine digits tell every float apart. Adding 0 turns -0 into 0. */
+static void write_row(FILE *f, const scene *s, float time, const named *position, const named *orientation)
+{
+    nkw_keyframe_trace trace;
+    nkw_position_method p = (nkw_position_method)position->method;
+    nkw_orientation_method o = (nkw_orientation_method)orientation->method;
+    nkw_mat4 m = scene_sample(s, time, p, o);
+    (void)nkw_keyframes_trace(s->keys, s->count, time, p, o, &trace);
+    fprintf(f, "%s,%u,%s,%s,%.9g,%u,%.9g", s->name, (unsigned)s->count, position->name, orientation->name,
+            (double)time, (unsigned)trace.segment.index, (double)trace.segment.t);
+    for (int i = 0; i < 16; i++)
+        fprintf(f, ",%.9g", (double)(m.m[i] + 0.0f));
+    fputc('\n', f);
+}
+
+static void write_rows(FILE *f, const scene *s, const options *o, int position, int orientation)
+{
+    long count = row_count(s, o);
+    for (long k = 0; k < count; k++)
+        write_row(f, s, row_time(s, o, k), &positions[position], &orientations[orientation]);
+}
+
+static int write_table(const scene *s, const options *o, const char *path)
+{
+    FILE *f = fopen(path, "wb");
+    if (!f)
+        return 0;
+    fputs("scene,n_keys,pos_method,ori_method,time,seg,t", f);
+    for (int i = 0; i < 16; i++)
+        fprintf(f, ",m%d", i);
+    fputc('\n', f);
+    for (int position = LINEAR; position <= BSPLINE; position++) {
+        write_rows(f, s, o, position, EULER);
+        write_rows(f, s, o, position, QUAT);
+    }
+    write_rows(f, s, o, LINEAR, NONE);
+    int failed = ferror(f);
+    return fclose(f) == 0 && !failed;
+}
+
+/* ---- the pictures ---- */
+
+static int write_frames_euler(const scene *s, const char *path)
+{
+    return picture_frames(s, NKW_ORIENTATION_EULER, path);
+}
+
+static int write_frames_slerp(const scene *s, const char *path)
+{
+    return picture_frames(s, NKW_ORIENTATION_SLERP, path);
+}
+
+typedef struct picture {
+    int (*write)(const scene *s, const char *path);
+    const char *name, *caption;
+} picture;
+
+static const picture pictures[] = {
+    {picture_trajectory_top, "trajectory-top",
+     "The four position curves from above. Hermite passes through every key and leaves it along the object's nose; "
+     "B&eacute;zier passes through every third key; B-spline passes near the keys."},
+    {picture_trajectory_perspective, "trajectory-perspective",
+     "The same curves in space through the exercise's camera, each with the curtain down to its shadow on the floor."},
+    {write_frames_euler, "frames-euler", "All frames, every 0.2 s, orientation by Euler angles."},
+    {write_frames_slerp, "frames-slerp", "The same frames, orientation by quaternions and slerp."},
+    {picture_orientation_compare, "orientation-compare",
+     "Where the two orientation methods differ most: the object side by side, the path of its nose, and how fast "
+     "it turns."},
+};
+enum { PICTURE_COUNT = sizeof pictures / sizeof *pictures };
+
+static int write_index(const scene *s, const char *path)
+{
+    FILE *f = fopen(path, "wb");
+    if (!f)
+        return 0;
+    fputs("<!doctype html>\n<html lang=\"en\"><meta charset=\"utf-8\"><title>nakawari: the exercise</title>\n"
+          "<style>body{font:16px/1.5 sans-serif;max-width:1040px;margin:2em auto;padding:0 1em;color:#222}"
+          "figure{margin:0 0 2.5em}img{width:100%;border:1px solid #ddd}</style>\n"
+          "<h1>Key-frame animation, drawn by nakawari</h1>\n", f);
+    fprintf(f, "<p>%u keys, one per second. The numbers: <a href=\"%s.csv\">%s.csv</a>.</p>\n", (unsigned)s->count,
+            s->name, s->name);
+    for (int i = 0; i < PICTURE_COUNT; i++)
+        fprintf(f, "<figure><img src=\"%s.svg\" alt=\"\"><figcaption>%s</figcaption></figure>\n", pictures[i].name,
+                pictures[i].caption);
+    fputs("</html>\n", f);
+    int failed = ferror(f);
+    return fclose(f) == 0 && !failed;
+}
+
+static int write_files(const scene *s, const options *o)
+{
+    char path[PATH_SIZE];
+    path_in(o, s->name, ".csv", path);
+    if (!report(write_table(s, o, path), path))
+        return 0;
+    for (int i = 0; i < PICTURE_COUNT; i++) {
+        path_in(o, pictures[i].name, ".svg", path);
+        if (!report(pictures[i].write(s, path), path))
+            return 0;
+    }
+    path_in(o, "index", ".html", path);
+    return report(write_index(s, path), path);
+}
+
+static int run(const options *o)
+{
+    scene s;
+    if (!scene_build(o->scene, o->keys, &s)) {
+        complain("the scene has fewer keys", "--keys");
+        return MISUSED;
+    }
+    if (row_count(&s, o) > ROWS_MAX) {
+        complain("too many rows", "--step");
+        return MISUSED;
+    }
+    if (!o->trace)
+        return write_files(&s, o) ? DONE : NOT_WRITTEN;
+    trace_print(stdout, &s, o->time, (nkw_position_method)o->position->method,
+                (nkw_orientation_method)o->orientation->method);
+    return DONE;
+}
+
+int main(int argc, char **argv)
+{
+    options o = {1, 0, 0.1, ".", 0, 0, 0.0f, &positions[HERMITE], &orientations[QUAT]};
+    int code = DONE;
+    if (!read_options(argc, argv, &o))
+        return MISUSED;
+    if (o.help)
+        fputs(usage, stdout);
+    else
+        code = run(&o);
+    if (code == DONE && fflush(stdout) != 0)
+        code = NOT_WRITTEN;
+    return code;
+}

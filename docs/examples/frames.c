@@ -1,0 +1,368 @@
+/* SPDX-License-Identifier: MIT */
+/* The two pictures about orientation: all frames of the animation, and Euler angles against slerp. */
+#include "picture.h"
+
+#include <stdio.h>
+
+#include <nakawari/mat.h>
+#include <nakawari/quat.h>
+#include <nakawari/scalar.h>
+#include <nakawari/vec.h>
+
+enum { FRAMES_PER_SECOND = 5, SAMPLES = 96 };
+static const svg_colour euler_colour = 0xc2185b, slerp_colour = 0x00796b;
+
+static const char *method_name(nkw_orientation_method method)
+{
+    return method == NKW_ORIENTATION_EULER ? "Euler angles" : "quaternions and slerp";
+}
+
+/* ---- all frames ---- */
+
+static size_t frame_count(const scene *s)
+{
+    return (s->count - 1) * FRAMES_PER_SECOND + 1;
+}
+
+static nkw_mat4 frame(const scene *s, size_t i, nkw_orientation_method method)
+{
+    return scene_sample(s, (float)i / (float)FRAMES_PER_SECOND, NKW_POSITION_HERMITE, method);
+}
+
+static void frame_shadows(svg *out, const scene *s, const svg_camera *camera, nkw_orientation_method method,
+                          float length)
+{
+    svg_begin(out, 0.22f);
+    for (size_t i = 0; i < frame_count(s); i++) {
+        nkw_mat4 m = frame(s, i, method);
+        space_dart_shadow(out, camera, &m, length);
+    }
+    svg_end(out);
+}
+
+/* The way of the object, a little behind the darts on it. */
+static void frame_way(space_list *list, const scene *s, const svg_camera *camera)
+{
+    svg_paint paint = svg_stroke(0x85858f, 1.3f, 1.0f);
+    nkw_vec3 ends[2];
+    for (size_t i = 0; i <= 8 * (frame_count(s) - 1); i++) {
+        nkw_mat4 m = scene_sample(s, (float)i / (8.0f * (float)FRAMES_PER_SECOND), NKW_POSITION_HERMITE,
+                                  NKW_ORIENTATION_STEP);
+        ends[i % 2] = nkw_mat4_translation(&m);
+        if (i > 0)
+            space_add(list, camera, ends, 2, space_distance(camera, ends[0]) + 0.2f, &paint);
+    }
+}
+
+/* The keys in full colours, the frames between in pale ones. */
+static int frame_darts(svg *out, const scene *s, const svg_camera *camera, nkw_orientation_method method,
+                       float length)
+{
+    space_list list = {NULL, 0, 0, 0};
+    frame_way(&list, s, camera);
+    for (size_t i = 0; i < frame_count(s); i++) {
+        nkw_mat4 m = frame(s, i, method);
+        space_dart(&list, camera, &m, length, i % FRAMES_PER_SECOND ? &space_pale : &space_vivid);
+    }
+    return space_paint(&list, out);
+}
+
+static void frame_numbers(svg *out, const scene *s, const svg_camera *camera)
+{
+    svg_font font = {15.0f, 0x1d1d22, 'm', 1, 0xffffff};
+    char text[SVG_DIGITS];
+    for (size_t k = 0; k < s->count; k++)
+        svg_text(out, picture_outward(s, camera, k, 62.0f), &font, picture_key_name(s, k, text));
+}
+
+void picture_dart_legend(svg *s, svg_point at)
+{
+    static const struct {
+        svg_colour colour;
+        const char *text;
+    } parts[] = {{0xe8304f, "nose (-z)"}, {0xf08a24, "left"}, {0x2f7fd1, "right"},
+                 {0xf4d35e, "fin, on top"}, {0x6a6a78, "underside"}};
+    static const float widths[] = {96.0f, 60.0f, 68.0f, 106.0f, 0.0f};
+    for (int i = 0; i < 5; i++) {
+        svg_paint paint = {parts[i].colour, 0x33333a, 0.6f, 1.0f, NULL};
+        svg_circle(s, svg_at(at.x, at.y), 6.0f, &paint);
+        svg_text(s, svg_at(at.x + 12.0f, at.y + 4.5f), &picture_text, parts[i].text);
+        at.x += widths[i];
+    }
+}
+
+int picture_frames(const scene *s, nkw_orientation_method method, const char *path)
+{
+    svg out;
+    char title[96];
+    const svg_box box = {24.0f, 84.0f, 1052.0f, 560.0f};
+    const svg_point centre = {550.0f, 380.0f};
+    const float length = 0.42f;
+    svg_paint border = svg_stroke(0x9a9aa2, 1.0f, 1.0f);
+    svg_camera camera = svg_perspective(&s->view, PICTURE_FOV, centre, 448.0f);
+    sprintf(title, "Every frame, 0.2 s apart: orientation by %s", method_name(method));
+    if (!picture_open(&out, path, 1100.0f, 684.0f, title,
+                      method == NKW_ORIENTATION_EULER
+                          ? "Three angles run evenly, each by itself: between keys that differ in all three the dart "
+                            "sways. Position: Hermite."
+                          : "One even turn about one axis leads from key to key, by the shorter way. "
+                            "Position: Hermite, the same places."))
+        return 0;
+    svg_begin_clip(&out, box);
+    space_floor(&out, &camera, box);
+    frame_shadows(&out, s, &camera, method, length);
+    int ok = frame_darts(&out, s, &camera, method, length);
+    frame_numbers(&out, s, &camera);
+    svg_end(&out);
+    svg_rect(&out, box, 0.0f, &border);
+    picture_dart_legend(&out, svg_at(36.0f, 664.0f));
+    return svg_close(&out) && ok;
+}
+
+/* ---- Euler angles against slerp ---- */
+
+static nkw_mat4 turned(const scene *s, float time, nkw_orientation_method method)
+{
+    return scene_sample(s, time, NKW_POSITION_LINEAR, method);
+}
+
+/* The angle between the two methods at a time, radians. */
+static float difference(const scene *s, float time)
+{
+    nkw_mat4 e = turned(s, time, NKW_ORIENTATION_EULER), q = turned(s, time, NKW_ORIENTATION_SLERP);
+    return nkw_quat_angle(nkw_quat_from_mat4(&e), nkw_quat_from_mat4(&q));
+}
+
+/* The segment in which the methods come to differ most; keys stand at whole seconds. */
+static size_t worst_segment(const scene *s)
+{
+    size_t worst = 0;
+    float most = -1.0f;
+    for (size_t i = 0; i < (s->count - 1) * SAMPLES; i++) {
+        float d = difference(s, (float)i / (float)SAMPLES);
+        if (d > most) {
+            most = d;
+            worst = i / SAMPLES;
+        }
+    }
+    return worst;
+}
+
+/* An eye that looks 25 degrees down, turned about the vertical; yaw 0 looks along -z of the world. */
+static nkw_mat4 upright_view(float yaw)
+{
+    nkw_vec3 x = {1.0f, 0.0f, 0.0f}, y = {0.0f, 1.0f, 0.0f};
+    return nkw_mat4_from_quat(nkw_quat_mul(nkw_quat_from_axis_angle(x, 0.436332313f),
+                                           nkw_quat_from_axis_angle(y, -yaw)));
+}
+
+static nkw_vec3 nose(const scene *s, float time, nkw_orientation_method method)
+{
+    nkw_mat4 m = turned(s, time, method);
+    nkw_vec3 z = {-m.m[8], -m.m[9], -m.m[10]};
+    return z;
+}
+
+static nkw_vec3 top(const scene *s, float time, nkw_orientation_method method)
+{
+    nkw_mat4 m = turned(s, time, method);
+    nkw_vec3 y = {m.m[4], m.m[5], m.m[6]};
+    return y;
+}
+
+/* The yaw of the eye that an axis of the object, on the mean over a segment, points to. */
+static float facing_yaw(const scene *s, size_t segment, nkw_vec3 (*axis)(const scene *, float, nkw_orientation_method))
+{
+    nkw_vec3 sum = nkw_vec3_zero();
+    for (int i = 0; i <= 8; i++) {
+        sum = nkw_vec3_add(sum, axis(s, (float)segment + 0.125f * (float)i, NKW_ORIENTATION_EULER));
+        sum = nkw_vec3_add(sum, axis(s, (float)segment + 0.125f * (float)i, NKW_ORIENTATION_SLERP));
+    }
+    return nkw_atan2(sum.x, sum.z);
+}
+
+enum { STRIP = 7 };
+
+static int strip_dart(svg *out, const nkw_mat4 *turn, svg_point at, float yaw)
+{
+    space_list list = {NULL, 0, 0, 0};
+    nkw_mat4 view = upright_view(yaw), m = *turn;
+    m.m[12] = m.m[13] = m.m[14] = 0.0f;
+    svg_camera camera = svg_orthographic(&view, at, 112.0f);
+    space_dart(&list, &camera, &m, 1.0f, &space_vivid);
+    return space_paint(&list, out);
+}
+
+static int strip(svg *out, const scene *s, size_t segment, float yaw)
+{
+    svg_font euler = {14.0f, euler_colour, 's', 1, SVG_NONE}, slerp = {14.0f, slerp_colour, 's', 1, SVG_NONE};
+    svg_font time = {12.0f, 0x2b2b30, 'm', 0, SVG_NONE};
+    char text[SVG_DIGITS], digits[SVG_DIGITS];
+    int ok = 1;
+    svg_text(out, svg_at(28.0f, 180.0f), &euler, "Euler angles");
+    svg_text(out, svg_at(28.0f, 310.0f), &slerp, "slerp");
+    svg_text(out, svg_at(28.0f, 392.0f), &picture_text, "apart by");
+    for (int i = 0; i < STRIP; i++) {
+        float t = (float)segment + (float)i / (float)(STRIP - 1), x = 196.0f + 136.0f * (float)i;
+        nkw_mat4 e = turned(s, t, NKW_ORIENTATION_EULER), q = turned(s, t, NKW_ORIENTATION_SLERP);
+        ok &= strip_dart(out, &e, svg_at(x, 178.0f), yaw) && strip_dart(out, &q, svg_at(x, 308.0f), yaw);
+        sprintf(text, "%.16s s", svg_number(digits, t, 2));
+        svg_text(out, svg_at(x, 108.0f), &time, text);
+        sprintf(text, "%.16s\302\260", svg_number(digits, nkw_degrees_from_radians(difference(s, t)), 0));
+        svg_text(out, svg_at(x, 392.0f), &time, text);
+    }
+    return ok;
+}
+
+/* ---- the path of the nose on the unit sphere ---- */
+
+/* The part of a line on the sphere that faces the eye in full, the rest faint. */
+static void sphere_line(svg *out, const svg_camera *camera, const nkw_vec3 *points, size_t count, svg_paint paint)
+{
+    svg_point run[SAMPLES + 1];
+    float whole = paint.opacity;
+    for (size_t i = 0; i + 1 < count;) {
+        int back = svg_depth(camera, points[i]) > 0.0f;
+        size_t n = 0;
+        run[n++] = svg_project(camera, points[i]);
+        while (i + 1 < count && (svg_depth(camera, points[i]) > 0.0f) == back)
+            run[n++] = svg_project(camera, points[++i]);
+        paint.opacity = back ? 0.25f * whole : whole;
+        svg_polyline(out, run, n, &paint);
+    }
+}
+
+/* A circle of the sphere at right angles to the unit vectors a and b, through both, moved by c. */
+static void sphere_circle(svg *out, const svg_camera *camera, nkw_vec3 a, nkw_vec3 b, nkw_vec3 c)
+{
+    nkw_vec3 points[SAMPLES + 1];
+    for (size_t i = 0; i <= SAMPLES; i++) {
+        float angle = 6.28318531f * (float)i / (float)SAMPLES;
+        nkw_vec3 p = nkw_vec3_add_scaled(nkw_vec3_scale(a, nkw_cos(angle)), b, nkw_sin(angle));
+        points[i] = nkw_vec3_add(p, c);
+    }
+    sphere_line(out, camera, points, SAMPLES + 1, svg_stroke(0xa9adba, 1.0f, 0.8f));
+}
+
+/* Meridians and parallels, 30 degrees apart. */
+static void sphere_grid(svg *out, const svg_camera *camera)
+{
+    const nkw_vec3 up = {0.0f, 1.0f, 0.0f};
+    for (int i = 0; i < 6; i++) {
+        float angle = 0.523598776f * (float)i;
+        nkw_vec3 side = {nkw_sin(angle), 0.0f, nkw_cos(angle)};
+        sphere_circle(out, camera, side, up, nkw_vec3_zero());
+    }
+    for (int i = -2; i <= 2; i++) {
+        float angle = 0.523598776f * (float)i, r = nkw_cos(angle);
+        nkw_vec3 x = {r, 0.0f, 0.0f}, z = {0.0f, 0.0f, r}, c = {0.0f, nkw_sin(angle), 0.0f};
+        sphere_circle(out, camera, x, z, c);
+    }
+}
+
+static void nose_path(svg *out, const svg_camera *camera, const scene *s, size_t segment,
+                      nkw_orientation_method method, svg_colour colour)
+{
+    nkw_vec3 points[SAMPLES + 1];
+    svg_paint dot = {colour, 0xffffff, 1.0f, 1.0f, NULL};
+    for (size_t i = 0; i <= SAMPLES; i++)
+        points[i] = nose(s, (float)segment + (float)i / (float)SAMPLES, method);
+    sphere_line(out, camera, points, SAMPLES + 1, svg_stroke(colour, 3.2f, 1.0f));
+    for (size_t i = 0; i <= SAMPLES; i += SAMPLES / 12)
+        svg_circle(out, svg_project(camera, points[i]), 4.2f, &dot);
+}
+
+static void sphere_key(svg *out, const svg_camera *camera, const scene *s, size_t key)
+{
+    svg_font font = {13.0f, 0x1d1d22, 'm', 1, 0xffffff};
+    svg_paint core = {0xffffff, 0x1d1d22, 2.0f, 1.0f, NULL};
+    char text[SVG_DIGITS];
+    svg_point p = svg_project(camera, nose(s, (float)key, NKW_ORIENTATION_STEP));
+    svg_circle(out, p, 5.5f, &core);
+    svg_text(out, svg_at(p.x, p.y + (p.y < camera->centre.y ? -14.0f : 24.0f)), &font, picture_key_name(s, key, text));
+}
+
+static void sphere(svg *out, const scene *s, size_t segment)
+{
+    svg_font heading = {14.0f, 0x1d1d22, 's', 1, SVG_NONE};
+    svg_paint ball = {0xf4f5f9, 0x9a9aa2, 1.2f, 1.0f, NULL};
+    nkw_mat4 view = upright_view(facing_yaw(s, segment, nose));
+    svg_camera camera = svg_orthographic(&view, svg_at(260.0f, 672.0f), 190.0f);
+    svg_text(out, svg_at(28.0f, 452.0f), &heading, "Where the nose points, on the unit sphere");
+    svg_circle(out, camera.centre, camera.scale, &ball);
+    sphere_grid(out, &camera);
+    nose_path(out, &camera, s, segment, NKW_ORIENTATION_EULER, euler_colour);
+    nose_path(out, &camera, s, segment, NKW_ORIENTATION_SLERP, slerp_colour);
+    sphere_key(out, &camera, s, segment);
+    sphere_key(out, &camera, s, segment + 1);
+}
+
+/* ---- the speed of turning ---- */
+
+/* Radians per second over the sample from i to i + 1; the end of a segment belongs to it. */
+static float turning_speed(const scene *s, size_t i, nkw_orientation_method method)
+{
+    float step = 1.0f / (float)SAMPLES;
+    nkw_mat4 a = turned(s, (float)i * step, method), b = turned(s, (float)(i + 1) * step, method);
+    return nkw_quat_angle(nkw_quat_from_mat4(&a), nkw_quat_from_mat4(&b)) * (float)SAMPLES;
+}
+
+static float fastest(const scene *s)
+{
+    float most = 0.0f;
+    for (size_t i = 0; i < (s->count - 1) * SAMPLES; i++)
+        most = nkw_max(most, nkw_max(turning_speed(s, i, NKW_ORIENTATION_EULER),
+                                     turning_speed(s, i, NKW_ORIENTATION_SLERP)));
+    return nkw_degrees_from_radians(most);
+}
+
+static void speed_line(svg *out, const scene *s, const svg_plot *plot, nkw_orientation_method method,
+                       svg_colour colour)
+{
+    svg_point line[SCENE_KEYS_MAX * SAMPLES];
+    svg_paint paint = svg_stroke(colour, 2.4f, 1.0f);
+    size_t count = (s->count - 1) * SAMPLES;
+    for (size_t i = 0; i < count; i++)
+        line[i] = svg_plot_at(plot, ((float)i + 0.5f) / (float)SAMPLES,
+                              nkw_degrees_from_radians(turning_speed(s, i, method)));
+    svg_polyline(out, line, count, &paint);
+}
+
+static void speeds(svg *out, const scene *s)
+{
+    svg_font heading = {14.0f, 0x1d1d22, 's', 1, SVG_NONE};
+    svg_plot plot = {{556.0f, 500.0f, 520.0f, 330.0f}, {0.0f, scene_end(s), 1.0f, "time, s"},
+                     {0.0f, 0.0f, 30.0f, "degrees per second"}};
+    plot.y.to = 1.12f * fastest(s);
+    svg_text(out, svg_at(526.0f, 452.0f), &heading, "How fast the object turns");
+    svg_plot_frame(out, &plot);
+    speed_line(out, s, &plot, NKW_ORIENTATION_EULER, euler_colour);
+    speed_line(out, s, &plot, NKW_ORIENTATION_SLERP, slerp_colour);
+}
+
+static void method_legend(svg *out, svg_point at)
+{
+    svg_paint euler = svg_stroke(euler_colour, 3.2f, 1.0f), slerp = svg_stroke(slerp_colour, 3.2f, 1.0f);
+    svg_line(out, at, svg_at(at.x + 30.0f, at.y), &euler);
+    svg_text(out, svg_at(at.x + 38.0f, at.y + 4.5f), &picture_text, "Euler angles");
+    svg_line(out, svg_at(at.x + 140.0f, at.y), svg_at(at.x + 170.0f, at.y), &slerp);
+    svg_text(out, svg_at(at.x + 178.0f, at.y + 4.5f), &picture_text, "slerp");
+}
+
+int picture_orientation_compare(const scene *s, const char *path)
+{
+    svg out;
+    size_t segment = worst_segment(s);
+    char title[96];
+    sprintf(title, "Euler angles and slerp between key %u and key %u", (unsigned)segment, (unsigned)segment + 1);
+    if (!picture_open(&out, path, 1100.0f, 924.0f, title,
+                      "Same keys, same times. Slerp turns about one axis at one speed; Euler angles make a detour and "
+                      "change their speed."))
+        return 0;
+    int ok = strip(&out, s, segment, facing_yaw(s, segment, top));
+    sphere(&out, s, segment);
+    speeds(&out, s);
+    method_legend(&out, svg_at(100.0f, 900.0f));
+    picture_dart_legend(&out, svg_at(560.0f, 900.0f));
+    return svg_close(&out) && ok;
+}
