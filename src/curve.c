@@ -88,12 +88,7 @@ float nkw_hermite(float p0, float v0, float p1, float v1, float t)
 
 nkw_vec3 nkw_vec3_hermite(nkw_vec3 p0, nkw_vec3 v0, nkw_vec3 p1, nkw_vec3 v1, float t)
 {
-    nkw_vec3 r = {
-        lane_hermite(p0.x, v0.x, p1.x, v1.x, t),
-        lane_hermite(p0.y, v0.y, p1.y, v1.y, t),
-        lane_hermite(p0.z, v0.z, p1.z, v1.z, t),
-    };
-    return r;
+    return lane_vec3_hermite(p0, v0, p1, v1, t);
 }
 
 float nkw_bezier(float p0, float p1, float p2, float p3, float t)
@@ -103,12 +98,7 @@ float nkw_bezier(float p0, float p1, float p2, float p3, float t)
 
 nkw_vec3 nkw_vec3_bezier(nkw_vec3 p0, nkw_vec3 p1, nkw_vec3 p2, nkw_vec3 p3, float t)
 {
-    nkw_vec3 r = {
-        lane_bezier(p0.x, p1.x, p2.x, p3.x, t),
-        lane_bezier(p0.y, p1.y, p2.y, p3.y, t),
-        lane_bezier(p0.z, p1.z, p2.z, p3.z, t),
-    };
-    return r;
+    return lane_vec3_bezier(p0, p1, p2, p3, t);
 }
 
 float nkw_bspline(float p0, float p1, float p2, float p3, float t)
@@ -118,12 +108,7 @@ float nkw_bspline(float p0, float p1, float p2, float p3, float t)
 
 nkw_vec3 nkw_vec3_bspline(nkw_vec3 p0, nkw_vec3 p1, nkw_vec3 p2, nkw_vec3 p3, float t)
 {
-    nkw_vec3 r = {
-        lane_bspline(p0.x, p1.x, p2.x, p3.x, t),
-        lane_bspline(p0.y, p1.y, p2.y, p3.y, t),
-        lane_bspline(p0.z, p1.z, p2.z, p3.z, t),
-    };
-    return r;
+    return lane_vec3_bspline(p0, p1, p2, p3, t);
 }
 
 float nkw_catmull_rom(float p0, float p1, float p2, float p3, float t)
@@ -133,12 +118,7 @@ float nkw_catmull_rom(float p0, float p1, float p2, float p3, float t)
 
 nkw_vec3 nkw_vec3_catmull_rom(nkw_vec3 p0, nkw_vec3 p1, nkw_vec3 p2, nkw_vec3 p3, float t)
 {
-    nkw_vec3 r = {
-        lane_catmull_rom(p0.x, p1.x, p2.x, p3.x, t),
-        lane_catmull_rom(p0.y, p1.y, p2.y, p3.y, t),
-        lane_catmull_rom(p0.z, p1.z, p2.z, p3.z, t),
-    };
-    return r;
+    return lane_vec3_catmull_rom(p0, p1, p2, p3, t);
 }
 
 float nkw_catmull_rom_tangent(float p0, float p1, float p2, float h0, float h1)

@@ -41,7 +41,7 @@ nkw_vec3 nkw_euler_from_mat3(const nkw_mat3 *m, nkw_euler_order order)
 {
     double angles[3];
     lane_wmat3 w = lane_wmat3_from(m);
-    lane_euler_from_wquat(lane_wquat_from_wmat3(&w, 2), lane_euler_axes_of(order), angles);
+    lane_euler_from_wquat(lane_wquat_from_wmat3(&w, LANE_NEAREST_STEPS), lane_euler_axes_of(order), angles);
     return narrow(angles);
 }
 

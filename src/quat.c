@@ -69,7 +69,7 @@ nkw_quat nkw_quat_from_mat3(const nkw_mat3 *m)
     lane_wmat3 w;
     for (size_t i = 0; i < 9; i++)
         w.m[i] = m->m[i];
-    return lane_quat_from_wide(lane_wquat_from_wmat3(&w, 2));
+    return lane_quat_from_wide(lane_wquat_from_wmat3(&w, LANE_NEAREST_STEPS));
 }
 
 nkw_quat nkw_quat_from_mat4(const nkw_mat4 *m)

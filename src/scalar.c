@@ -12,12 +12,12 @@ float nkw_sqrt(float x)
 
 float nkw_sin(float angle)
 {
-    return lane_angle_is_far(angle) ? lane_sin_far(angle) : lane_sin(angle);
+    return lane_sin_any(angle);
 }
 
 float nkw_cos(float angle)
 {
-    return lane_angle_is_far(angle) ? lane_cos_far(angle) : lane_cos(angle);
+    return lane_cos_any(angle);
 }
 
 void nkw_sincos(float angle, float *sine, float *cosine)
@@ -28,7 +28,7 @@ void nkw_sincos(float angle, float *sine, float *cosine)
 
 float nkw_tan(float angle)
 {
-    return lane_angle_is_far(angle) ? lane_tan_far(angle) : lane_tan(angle);
+    return lane_tan_any(angle);
 }
 
 float nkw_asin(float x)
@@ -73,7 +73,7 @@ float nkw_wrap(float x, float period)
 
 float nkw_wrap_angle(float angle)
 {
-    return lane_angle_is_far(angle) ? lane_wrap_angle_far(angle) : lane_wrap_angle(angle);
+    return lane_wrap_angle_any(angle);
 }
 
 float nkw_angle_difference(float from, float to)

@@ -21,6 +21,16 @@ nkw_segment nkw_segment_find_from(const float *times, size_t count, float time, 
     return lane_segment_find_from(times_of(times, count), time, from);
 }
 
+void nkw_segment_find_n(const float *times, size_t count, const float *time, nkw_segment *out, size_t n)
+{
+    lane_times all = times_of(times, count);
+    size_t from = 0;
+    for (size_t i = 0; i < n; i++) {
+        out[i] = lane_segment_find_from(all, time[i], from);
+        from = out[i].index;
+    }
+}
+
 float nkw_segment_uniform_time(float start, float rate, size_t k)
 {
     return (float)((double)start + (double)k / (double)rate);

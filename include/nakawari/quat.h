@@ -45,7 +45,7 @@ NKW_ALGEBRA int nkw_quat_is_finite(nkw_quat q);
 /**
  * The product a b: rotate by b, then by a, so rotate(mul(a, b), v) = rotate(a, rotate(b, v)).
  *
- * Error  2.3 u for unit inputs.
+ * Error  2.2 u for unit inputs.
  * Source Hamilton, On Quaternions, 1844.
  */
 NKW_ALGEBRA nkw_quat nkw_quat_mul(nkw_quat a, nkw_quat b);
@@ -55,14 +55,18 @@ NKW_ALGEBRA nkw_quat nkw_quat_mul(nkw_quat a, nkw_quat b);
  *
  *     c = 2 (q.xyz x v),        v' = v + w c + q.xyz x c
  *
- * Error  10 u of |v| for q unit to rounding; the identity gives v itself.
+ * Error  10.5 u of |v| for q unit to rounding (10.2 near half turns, 8.1 elsewhere); the identity gives v itself.
  */
 NKW_ALGEBRA nkw_vec3 nkw_quat_rotate(nkw_quat q, nkw_vec3 v);
 
 /** v turned back: rotate(conjugate(q), v). */
 NKW_ALGEBRA nkw_vec3 nkw_quat_rotate_inverse(nkw_quat q, nkw_vec3 v);
 
-/** |q|, without overflow or underflow on the way. Error 0.501 ULP. */
+/**
+ * |q|, without overflow or underflow on the way.
+ *
+ * Error  0.501 ULP.
+ */
 NKW_API float nkw_quat_length(nkw_quat q);
 
 /**
@@ -76,7 +80,7 @@ NKW_API nkw_quat nkw_quat_normalize(nkw_quat q);
  * The multiplicative inverse conjugate(q) / |q|^2, for any q; the zero quaternion gives the identity.
  * For unit quaternions the conjugate is the same rotation and costs nothing.
  *
- * Error  0.9 u.
+ * Error  1.0 u.
  */
 NKW_API nkw_quat nkw_quat_inverse(nkw_quat q);
 
@@ -101,7 +105,7 @@ NKW_API nkw_axis_angle nkw_axis_angle_from_quat(nkw_quat q);
  *
  *     q = normalize(from x to, |from| |to| + from.to)
  *
- * Error  0.91 u, up to exactly opposite inputs.
+ * Error  0.91 u, up to 1e-5 rad of opposite; nearer, at an angle d, up to 1e-8 u / d.
  */
 NKW_API nkw_quat nkw_quat_from_vectors(nkw_vec3 from, nkw_vec3 to);
 
@@ -112,7 +116,7 @@ NKW_API nkw_quat nkw_quat_from_vectors(nkw_vec3 from, nkw_vec3 to);
  *
  * forward zero gives the identity; up zero or along forward is replaced by nkw_vec3_perpendicular.
  *
- * Error  2 u.
+ * Error  0.91 u.
  */
 NKW_API nkw_quat nkw_quat_look_rotation(nkw_vec3 forward, nkw_vec3 up);
 
@@ -138,13 +142,27 @@ NKW_API nkw_quat nkw_quat_from_mat4(const nkw_mat4 *m);
  * The angle in radians, 0..pi, of the turn from a to b: 4 atan2(|a - b|, |a + b|) of the nearer sign.
  * Neither need be unit; a zero quaternion counts as no turn.
  *
- * Error  0.501 ULP.
+ * Error  0.52 ULP from 1e-7 rad; below, 1e-15 rad.
  */
 NKW_API float nkw_quat_angle(nkw_quat a, nkw_quat b);
 
 /** The quaternion whose components stand in memory as w, x, y, z, and back. */
 NKW_API nkw_quat nkw_quat_from_wxyz(const float wxyz[4]);
 NKW_API void nkw_quat_to_wxyz(nkw_quat q, float wxyz[4]);
+
+/**
+ * The same functions over component arrays: element i of the result is f of the elements i, with the very bits of
+ * the single call. See types.h for what holds of all batch functions.
+ */
+NKW_API void nkw_quat_mul_n(nkw_quat_view a, nkw_quat_view b, nkw_quat_span out, size_t n);
+NKW_API void nkw_quat_conjugate_n(nkw_quat_view q, nkw_quat_span out, size_t n);
+NKW_API void nkw_quat_dot_n(nkw_quat_view a, nkw_quat_view b, float *out, size_t n);
+NKW_API void nkw_quat_normalize_n(nkw_quat_view q, nkw_quat_span out, size_t n);
+NKW_API void nkw_quat_rotate_n(nkw_quat_view q, nkw_vec3_view v, nkw_vec3_span out, size_t n);
+NKW_API void nkw_quat_from_mat3_n(nkw_mat3_view m, nkw_quat_span out, size_t n);
+/** From an array of quaternions to component arrays, and back. The arrays must not overlap. */
+NKW_API void nkw_quat_unpack_n(const nkw_quat *in, nkw_quat_span out, size_t n);
+NKW_API void nkw_quat_pack_n(nkw_quat_view in, nkw_quat *out, size_t n);
 
 #ifdef __cplusplus
 }

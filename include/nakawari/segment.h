@@ -53,6 +53,12 @@ NKW_API float nkw_segment_uniform_time(float start, float rate, size_t k);
  */
 NKW_API nkw_segment nkw_segment_find_uniform(float start, float rate, size_t count, float time);
 
+/**
+ * The segments of n times, each searched from the one before it: fast where the times of one call ascend or stay
+ * near each other. The same as nkw_segment_find for each.
+ */
+NKW_API void nkw_segment_find_n(const float *times, size_t count, const float *time, nkw_segment *out, size_t n);
+
 #ifdef __cplusplus
 }
 #endif

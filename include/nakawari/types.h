@@ -58,6 +58,49 @@ typedef struct nkw_trs {
     nkw_vec3 scale;
 } nkw_trs;
 
+/**
+ * Component arrays: element i of a vector array is (x[i], y[i], z[i]). A view is read, a span is written.
+ *
+ * The batch functions, those that end in _n, take n elements of each. Any alignment and any n will do, n = 0
+ * too. An output array may be the very input array of the same function (in place); arrays that overlap in any
+ * other way may not be mixed. Element by element the results are those of the single call, bit for bit.
+ */
+typedef struct nkw_vec3_view {
+    const float *x, *y, *z;
+} nkw_vec3_view;
+typedef struct nkw_vec3_span {
+    float *x, *y, *z;
+} nkw_vec3_span;
+
+typedef struct nkw_quat_view {
+    const float *x, *y, *z, *w;
+} nkw_quat_view;
+typedef struct nkw_quat_span {
+    float *x, *y, *z, *w;
+} nkw_quat_span;
+
+/** One array for each of the nine elements, in the order of nkw_mat3. */
+typedef struct nkw_mat3_view {
+    const float *m[9];
+} nkw_mat3_view;
+typedef struct nkw_mat3_span {
+    float *m[9];
+} nkw_mat3_span;
+
+/** One array for each of the sixteen elements, in the order of nkw_mat4. */
+typedef struct nkw_mat4_view {
+    const float *m[16];
+} nkw_mat4_view;
+typedef struct nkw_mat4_span {
+    float *m[16];
+} nkw_mat4_span;
+
+typedef struct nkw_trs_view {
+    nkw_vec3_view translation;
+    nkw_quat_view rotation;
+    nkw_vec3_view scale;
+} nkw_trs_view;
+
 #ifdef __cplusplus
 }
 #endif

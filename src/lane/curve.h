@@ -120,9 +120,11 @@ static inline float lane_hermite(float p0, float v0, float p1, float v1, float t
     float s = 1.0f - t;
     float x = first ? t : s, y = first ? s : t;
     float a = first ? p0 : p1, b = first ? p1 : p0;
-    float u = first ? v0 : -v1, v = first ? v1 : -v0;
+    float n0 = -v0, n1 = -v1;
+    float u = first ? v0 : n1, v = first ? v1 : n0;
     float f = b - a;
-    return x == 0.0f ? a : a + x * (f + y * (y * (u - f) - x * (v - f)));
+    float p = a + x * (f + y * (y * (u - f) - x * (v - f)));
+    return x == 0.0f ? a : p;
 }
 
 /* De Casteljau's triangle on the distances from the control point of largest weight. */
@@ -135,7 +137,8 @@ static inline float lane_bezier(float p0, float p1, float p2, float p3, float t)
     float d0 = a - o, d1 = b - o, d2 = c - o, d3 = d - o;
     float q0 = d0 + x * (d1 - d0), q1 = d1 + x * (d2 - d1), q2 = d2 + x * (d3 - d2);
     float r0 = q0 + x * (q1 - q0), r1 = q1 + x * (q2 - q1);
-    return x == 0.0f ? a : o + (r0 + x * (r1 - r0));
+    float p = o + (r0 + x * (r1 - r0));
+    return x == 0.0f ? a : p;
 }
 
 /* With f = b - a and the second differences h and m at the ends: p = a + (x f + (y^3 h + x^3 m)/6). */
@@ -158,7 +161,48 @@ static inline float lane_catmull_rom(float p0, float p1, float p2, float p3, flo
     float a = first ? p1 : p2, b = first ? p2 : p1, c = first ? p0 : p3, d = first ? p3 : p0;
     float f = b - a;
     float h = f + (c - a), m = (d - b) - f;
-    return x == 0.0f ? a : a + x * (f - 0.5f * y * (y * h + x * m));
+    float p = a + x * (f - 0.5f * y * (y * h + x * m));
+    return x == 0.0f ? a : p;
+}
+
+static inline nkw_vec3 lane_vec3_hermite(nkw_vec3 p0, nkw_vec3 v0, nkw_vec3 p1, nkw_vec3 v1, float t)
+{
+    nkw_vec3 r = {
+        lane_hermite(p0.x, v0.x, p1.x, v1.x, t),
+        lane_hermite(p0.y, v0.y, p1.y, v1.y, t),
+        lane_hermite(p0.z, v0.z, p1.z, v1.z, t),
+    };
+    return r;
+}
+
+static inline nkw_vec3 lane_vec3_bezier(nkw_vec3 p0, nkw_vec3 p1, nkw_vec3 p2, nkw_vec3 p3, float t)
+{
+    nkw_vec3 r = {
+        lane_bezier(p0.x, p1.x, p2.x, p3.x, t),
+        lane_bezier(p0.y, p1.y, p2.y, p3.y, t),
+        lane_bezier(p0.z, p1.z, p2.z, p3.z, t),
+    };
+    return r;
+}
+
+static inline nkw_vec3 lane_vec3_bspline(nkw_vec3 p0, nkw_vec3 p1, nkw_vec3 p2, nkw_vec3 p3, float t)
+{
+    nkw_vec3 r = {
+        lane_bspline(p0.x, p1.x, p2.x, p3.x, t),
+        lane_bspline(p0.y, p1.y, p2.y, p3.y, t),
+        lane_bspline(p0.z, p1.z, p2.z, p3.z, t),
+    };
+    return r;
+}
+
+static inline nkw_vec3 lane_vec3_catmull_rom(nkw_vec3 p0, nkw_vec3 p1, nkw_vec3 p2, nkw_vec3 p3, float t)
+{
+    nkw_vec3 r = {
+        lane_catmull_rom(p0.x, p1.x, p2.x, p3.x, t),
+        lane_catmull_rom(p0.y, p1.y, p2.y, p3.y, t),
+        lane_catmull_rom(p0.z, p1.z, p2.z, p3.z, t),
+    };
+    return r;
 }
 
 /* The slope at p1 of the parabola through three points; see nkw_catmull_rom_tangent. */

@@ -25,17 +25,30 @@ static inline lane_euler_axes lane_euler_axes_of(nkw_euler_order order)
     return axes[known < 6 ? known : 0];
 }
 
-/* angles[i], angles[j], angles[k] in the order of the product. */
+/* The product of the turns i, j, k, given by sine and cosine of half of each: its parts along i, j, k and w. */
+static inline lane_wquat lane_wquat_from_halves(lane_sincos i, lane_sincos j, lane_sincos k, double e)
+{
+    lane_wquat q = {
+        (i.s * j.c) * k.c + e * ((i.c * j.s) * k.s),
+        (i.c * j.s) * k.c - e * ((i.s * j.c) * k.s),
+        (i.c * j.c) * k.s + e * ((i.s * j.s) * k.c),
+        (i.c * j.c) * k.c - e * ((i.s * j.s) * k.s),
+    };
+    return q;
+}
+
+/* Angles about x, y, z; the order says which of them is i, j, k. */
 static inline lane_wquat lane_wquat_from_euler(const double angles[3], lane_euler_axes o)
 {
     lane_sincos i = lane_sincos64_any(0.5 * angles[o.i]);
     lane_sincos j = lane_sincos64_any(0.5 * angles[o.j]);
     lane_sincos k = lane_sincos64_any(0.5 * angles[o.k]);
-    double e = o.e, v[3];
-    v[o.i] = (i.s * j.c) * k.c + e * ((i.c * j.s) * k.s);
-    v[o.j] = (i.c * j.s) * k.c - e * ((i.s * j.c) * k.s);
-    v[o.k] = (i.c * j.c) * k.s + e * ((i.s * j.s) * k.c);
-    lane_wquat q = {v[0], v[1], v[2], (i.c * j.c) * k.c - e * ((i.s * j.s) * k.s)};
+    lane_wquat p = lane_wquat_from_halves(i, j, k, o.e);
+    double v[3];
+    v[o.i] = p.x;
+    v[o.j] = p.y;
+    v[o.k] = p.z;
+    lane_wquat q = {v[0], v[1], v[2], p.w};
     return q;
 }
 

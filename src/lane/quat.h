@@ -92,12 +92,16 @@ static inline lane_wquat lane_wquat_normalize(lane_wquat q)
     return lane_wquat_select(n2 == 0.0, identity, lane_wquat_scale(q, lane_rsqrt64(n2)));
 }
 
-/* The turn by 2 half about a unit axis. */
+/* The turn about a unit axis, given by sine and cosine of half its angle. */
+static inline lane_wquat lane_wquat_from_axis_half(lane_wvec3 axis, lane_sincos half)
+{
+    lane_wquat r = {axis.x * half.s, axis.y * half.s, axis.z * half.s, half.c};
+    return r;
+}
+
 static inline lane_wquat lane_wquat_from_axis_half_angle(lane_wvec3 axis, double half)
 {
-    lane_sincos h = lane_sincos64_any(half);
-    lane_wquat r = {axis.x * h.s, axis.y * h.s, axis.z * h.s, h.c};
-    return r;
+    return lane_wquat_from_axis_half(axis, lane_sincos64_any(half));
 }
 
 /* log q: axis times half angle; see nkw_quat_log. */
@@ -109,6 +113,12 @@ static inline lane_wvec3 lane_wquat_log(lane_wquat q)
     lane_wvec3 turned = lane_wvec3_scale(v, half / n);
     lane_wvec3 none = {n == 0.0 ? half : 0.0, 0.0, 0.0};
     return lane_wvec3_select(n == 0.0, none, turned);
+}
+
+/* exp v for |v| < LANE_NEAR, without a branch. */
+static inline lane_wquat lane_wquat_exp_near(lane_wvec3 v)
+{
+    return lane_wquat_from_axis_half(lane_wvec3_normalize(v), lane_sincos64(lane_wvec3_length(v)));
 }
 
 static inline lane_wquat lane_wquat_exp(lane_wvec3 v)
@@ -179,6 +189,8 @@ static inline lane_wquat lane_wform_row(const lane_wform *k)
  * The rotation nearest to m: the best row after `steps` multiplications by K, each of which shrinks the distance
  * from the eigenvector by the ratio of the eigenvalues: to a quarter of the noise where m is nearly a rotation.
  */
+#define LANE_NEAREST_STEPS 2 /* enough where m is nearly a rotation */
+
 static inline lane_wquat lane_wquat_from_wmat3(const lane_wmat3 *m, int steps)
 {
     lane_wform k = lane_wform_from_wmat3(m);

@@ -53,6 +53,11 @@ static inline float lane_sin_far(float x)
     return (float)lane_sine64(lane_half_turns_far((double)x, 0.0));
 }
 
+static inline float lane_sin_any(float x)
+{
+    return lane_angle_is_far(x) ? lane_sin_far(x) : lane_sin(x);
+}
+
 static inline float lane_cos(float x)
 {
     return (float)-lane_sine64(lane_half_turns(lane_abs64((double)x), 0.5));
@@ -61,6 +66,11 @@ static inline float lane_cos(float x)
 static inline float lane_cos_far(float x)
 {
     return (float)-lane_sine64(lane_half_turns_far(lane_abs64((double)x), 0.5));
+}
+
+static inline float lane_cos_any(float x)
+{
+    return lane_angle_is_far(x) ? lane_cos_far(x) : lane_cos(x);
 }
 
 static inline float lane_tan(float x)
@@ -73,6 +83,11 @@ static inline float lane_tan_far(float x)
 {
     lane_sincos a = lane_sincos64_far((double)x);
     return (float)(a.s / a.c);
+}
+
+static inline float lane_tan_any(float x)
+{
+    return lane_angle_is_far(x) ? lane_tan_far(x) : lane_tan(x);
 }
 
 /* arcs */
@@ -254,6 +269,11 @@ static inline float lane_wrap_angle(float x)
 static inline float lane_wrap_angle_far(float x)
 {
     return (float)lane_wrap_turn64(lane_turn_rest64_far((double)x));
+}
+
+static inline float lane_wrap_angle_any(float x)
+{
+    return lane_angle_is_far(x) ? lane_wrap_angle_far(x) : lane_wrap_angle(x);
 }
 
 static inline float lane_angle_difference(float from, float to)

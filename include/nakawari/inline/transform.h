@@ -18,17 +18,23 @@ inline nkw_trs nkw_trs_identity(void)
     return r;
 }
 
-inline nkw_mat4 nkw_mat4_from_trs(const nkw_trs *trs)
+inline nkw_mat3 nkw_mat3_from_quat_scale(nkw_quat q, nkw_vec3 s)
 {
     NKW_EXACT
-    nkw_quat q = trs->rotation;
     nkw_mat3 r = nkw_mat3_from_quat(q);
-    const float s[3] = {trs->scale.x, trs->scale.y, trs->scale.z};
     /* The rounding of |q| shows in the matrix twice over; 1 - |q|^2 takes it out. */
     float m = ((0.25f - q.x * q.x) + (0.25f - q.y * q.y)) + ((0.25f - q.z * q.z) + (0.25f - q.w * q.w));
-    for (size_t c = 0; c < 3; c++)
-        for (size_t i = 0; i < 3; i++)
-            r.m[c * 3 + i] = (r.m[c * 3 + i] + r.m[c * 3 + i] * m) * s[c];
+    for (size_t i = 0; i < 3; i++) {
+        r.m[i] = (r.m[i] + r.m[i] * m) * s.x;
+        r.m[3 + i] = (r.m[3 + i] + r.m[3 + i] * m) * s.y;
+        r.m[6 + i] = (r.m[6 + i] + r.m[6 + i] * m) * s.z;
+    }
+    return r;
+}
+
+inline nkw_mat4 nkw_mat4_from_trs(const nkw_trs *trs)
+{
+    nkw_mat3 r = nkw_mat3_from_quat_scale(trs->rotation, trs->scale);
     return nkw_mat4_from_mat3(&r, trs->translation);
 }
 
