@@ -1,6 +1,7 @@
 cmake_minimum_required(VERSION 3.25)
-# The library imports nothing but sqrtf and the memory functions that a compiler may call on its own; it defines the
-# functions of its headers and no other global name; it holds no writable data.
+# The library imports nothing but sqrtf, the memory functions that a compiler may call on its own, and the compiler's
+# record of what the processor can do; it defines the functions of its headers and, hidden, the loops behind them, and
+# no other global name; it holds no writable data.
 function(run_tool out)
   execute_process(COMMAND ${ARGN} OUTPUT_VARIABLE text COMMAND_ERROR_IS_FATAL ANY)
   string(REPLACE ";" "," text "${text}")
@@ -25,7 +26,7 @@ foreach(line IN LISTS undefined)
   if(line MATCHES "^([A-Za-z_][A-Za-z0-9_]*)(@[^ ]*)? [Uw]")
     set(name "${CMAKE_MATCH_1}")
     if(NOT name IN_LIST own AND NOT name MATCHES
-        "^(sqrtf|memcpy|memset|memmove|_GLOBAL_OFFSET_TABLE_|__stack_chk_fail|__gmon_start__|__cxa_finalize|_ITM_.*)$")
+        "^(sqrtf|__cpu_model|__cpu_features2|memcpy|memset|memmove|_GLOBAL_OFFSET_TABLE_|__stack_chk_fail|__gmon_start__|__cxa_finalize|_ITM_.*)$")
       message(SEND_ERROR "symbols: the library imports ${name}")
     endif()
   endif()
@@ -47,7 +48,7 @@ foreach(name IN LISTS declared)
   endif()
 endforeach()
 foreach(name IN LISTS own)
-  if(NOT name IN_LIST declared AND NOT name MATCHES "^(_init|_fini|_edata|_end|__bss_start)$")
+  if(NOT name IN_LIST declared AND NOT name MATCHES "^(nkw_batch_.*|_init|_fini|_edata|_end|__bss_start)$")
     message(SEND_ERROR "symbols: ${name} is a global name without a prototype")
   endif()
 endforeach()
@@ -55,9 +56,13 @@ endforeach()
 run_tool(sections "${OBJDUMP}" -h "${LIBRARY}")
 if(NOT dynamic)
   foreach(line IN LISTS sections)
-    if(line MATCHES " (\\.(data|bss|tdata|tbss)[^ ]*) +([0-9a-f]+) " AND NOT CMAKE_MATCH_3 MATCHES "^0+$"
-        AND NOT CMAKE_MATCH_1 MATCHES "^\\.data\\.rel\\.ro")
-      message(SEND_ERROR "symbols: writable data: ${line}")
+    if(line MATCHES " \\.(data|bss|tdata|tbss)(\\.[^ ]*)? +([0-9a-f]+) ")
+      set(section "${CMAKE_MATCH_1}${CMAKE_MATCH_2}")
+      set(size "${CMAKE_MATCH_3}")
+      # Tables of function pointers are read-only once they are relocated.
+      if(NOT size MATCHES "^0+$" AND NOT section MATCHES "^data\\.rel\\.ro")
+        message(SEND_ERROR "symbols: writable data: ${line}")
+      endif()
     endif()
   endforeach()
 endif()

@@ -139,6 +139,16 @@ static void put_segment(float *o, nkw_segment s)
     o[1] = s.t;
 }
 
+static void find_many(float *o, const input *i)
+{
+    nkw_segment found[8];
+    nkw_segment_find_n(i->times, 4, i->s, found, 8);
+    for (unsigned k = 0; k < 8; k++) {
+        o[0] += (float)found[k].index;
+        o[1] += found[k].t;
+    }
+}
+
 static void split(float *o, const nkw_cubic *c, float t)
 {
     nkw_cubic left, right;

@@ -1,0 +1,84 @@
+/* SPDX-License-Identifier: MIT */
+/*
+ * Every batch function: KERNEL_LIST(X) calls X(name, parameters, arguments) for each nkw_<name>_n of the headers.
+ *
+ * From one line here come the declaration of the loop, its place in the table of each instruction set, and the
+ * public function that goes through the table. To add one, see docs/simd.md.
+ */
+#ifndef NAKAWARI_BATCH_KERNELS_H
+#define NAKAWARI_BATCH_KERNELS_H
+
+#include <nakawari/curve.h>
+#include <nakawari/orient.h>
+#include <nakawari/types.h>
+
+/* clang-format off */
+#define KERNEL_LIST(X) \
+    X(sqrt, (const float *x, float *out, size_t n), (x, out, n)) \
+    X(sin, (const float *angle, float *out, size_t n), (angle, out, n)) \
+    X(cos, (const float *angle, float *out, size_t n), (angle, out, n)) \
+    X(sincos, (const float *angle, float *sine, float *cosine, size_t n), (angle, sine, cosine, n)) \
+    X(tan, (const float *angle, float *out, size_t n), (angle, out, n)) \
+    X(asin, (const float *x, float *out, size_t n), (x, out, n)) \
+    X(acos, (const float *x, float *out, size_t n), (x, out, n)) \
+    X(atan, (const float *x, float *out, size_t n), (x, out, n)) \
+    X(atan2, (const float *y, const float *x, float *out, size_t n), (y, x, out, n)) \
+    X(exp, (const float *x, float *out, size_t n), (x, out, n)) \
+    X(log, (const float *x, float *out, size_t n), (x, out, n)) \
+    X(pow, (const float *x, const float *y, float *out, size_t n), (x, y, out, n)) \
+    X(wrap_angle, (const float *angle, float *out, size_t n), (angle, out, n)) \
+    X(lerp, (const float *a, const float *b, const float *t, float *out, size_t n), (a, b, t, out, n)) \
+    X(lerp_at, (const float *a, const float *b, float t, float *out, size_t n), (a, b, t, out, n)) \
+    X(vec3_add, (nkw_vec3_view a, nkw_vec3_view b, nkw_vec3_span out, size_t n), (a, b, out, n)) \
+    X(vec3_sub, (nkw_vec3_view a, nkw_vec3_view b, nkw_vec3_span out, size_t n), (a, b, out, n)) \
+    X(vec3_mul, (nkw_vec3_view a, nkw_vec3_view b, nkw_vec3_span out, size_t n), (a, b, out, n)) \
+    X(vec3_scale, (nkw_vec3_view a, const float *s, nkw_vec3_span out, size_t n), (a, s, out, n)) \
+    X(vec3_add_scaled, (nkw_vec3_view a, nkw_vec3_view b, const float *s, nkw_vec3_span out, size_t n), (a, b, s, out, n)) \
+    X(vec3_dot, (nkw_vec3_view a, nkw_vec3_view b, float *out, size_t n), (a, b, out, n)) \
+    X(vec3_cross, (nkw_vec3_view a, nkw_vec3_view b, nkw_vec3_span out, size_t n), (a, b, out, n)) \
+    X(vec3_length, (nkw_vec3_view a, float *out, size_t n), (a, out, n)) \
+    X(vec3_normalize, (nkw_vec3_view a, nkw_vec3_span out, size_t n), (a, out, n)) \
+    X(vec3_lerp, (nkw_vec3_view a, nkw_vec3_view b, const float *t, nkw_vec3_span out, size_t n), (a, b, t, out, n)) \
+    X(vec3_lerp_at, (nkw_vec3_view a, nkw_vec3_view b, float t, nkw_vec3_span out, size_t n), (a, b, t, out, n)) \
+    X(vec3_unpack, (const nkw_vec3 *in, nkw_vec3_span out, size_t n), (in, out, n)) \
+    X(vec3_pack, (nkw_vec3_view in, nkw_vec3 *out, size_t n), (in, out, n)) \
+    X(quat_mul, (nkw_quat_view a, nkw_quat_view b, nkw_quat_span out, size_t n), (a, b, out, n)) \
+    X(quat_conjugate, (nkw_quat_view q, nkw_quat_span out, size_t n), (q, out, n)) \
+    X(quat_dot, (nkw_quat_view a, nkw_quat_view b, float *out, size_t n), (a, b, out, n)) \
+    X(quat_normalize, (nkw_quat_view q, nkw_quat_span out, size_t n), (q, out, n)) \
+    X(quat_rotate, (nkw_quat_view q, nkw_vec3_view v, nkw_vec3_span out, size_t n), (q, v, out, n)) \
+    X(quat_from_mat3, (nkw_mat3_view m, nkw_quat_span out, size_t n), (m, out, n)) \
+    X(quat_unpack, (const nkw_quat *in, nkw_quat_span out, size_t n), (in, out, n)) \
+    X(quat_pack, (nkw_quat_view in, nkw_quat *out, size_t n), (in, out, n)) \
+    X(mat3_from_quat, (nkw_quat_view q, nkw_mat3_span out, size_t n), (q, out, n)) \
+    X(mat4_transform_point, (const nkw_mat4 *m, nkw_vec3_view p, nkw_vec3_span out, size_t n), (m, p, out, n)) \
+    X(mat4_transform_direction, (const nkw_mat4 *m, nkw_vec3_view d, nkw_vec3_span out, size_t n), (m, d, out, n)) \
+    X(mat4_unpack, (const nkw_mat4 *in, nkw_mat4_span out, size_t n), (in, out, n)) \
+    X(mat4_pack, (nkw_mat4_view in, nkw_mat4 *out, size_t n), (in, out, n)) \
+    X(quat_from_euler, (nkw_vec3_view angles, nkw_euler_order order, nkw_quat_span out, size_t n), (angles, order, out, n)) \
+    X(mat4_from_trs, (nkw_trs_view trs, nkw_mat4_span out, size_t n), (trs, out, n)) \
+    X(hermite, (const float *p0, const float *v0, const float *p1, const float *v1, const float *t, float *out, size_t n), (p0, v0, p1, v1, t, out, n)) \
+    X(hermite_at, (const float *p0, const float *v0, const float *p1, const float *v1, float t, float *out, size_t n), (p0, v0, p1, v1, t, out, n)) \
+    X(vec3_hermite, (nkw_vec3_view p0, nkw_vec3_view v0, nkw_vec3_view p1, nkw_vec3_view v1, const float *t, nkw_vec3_span out, size_t n), (p0, v0, p1, v1, t, out, n)) \
+    X(vec3_hermite_at, (nkw_vec3_view p0, nkw_vec3_view v0, nkw_vec3_view p1, nkw_vec3_view v1, float t, nkw_vec3_span out, size_t n), (p0, v0, p1, v1, t, out, n)) \
+    X(bezier, (const float *p0, const float *p1, const float *p2, const float *p3, const float *t, float *out, size_t n), (p0, p1, p2, p3, t, out, n)) \
+    X(bezier_at, (const float *p0, const float *p1, const float *p2, const float *p3, float t, float *out, size_t n), (p0, p1, p2, p3, t, out, n)) \
+    X(vec3_bezier, (nkw_vec3_view p0, nkw_vec3_view p1, nkw_vec3_view p2, nkw_vec3_view p3, const float *t, nkw_vec3_span out, size_t n), (p0, p1, p2, p3, t, out, n)) \
+    X(vec3_bezier_at, (nkw_vec3_view p0, nkw_vec3_view p1, nkw_vec3_view p2, nkw_vec3_view p3, float t, nkw_vec3_span out, size_t n), (p0, p1, p2, p3, t, out, n)) \
+    X(bspline, (const float *p0, const float *p1, const float *p2, const float *p3, const float *t, float *out, size_t n), (p0, p1, p2, p3, t, out, n)) \
+    X(bspline_at, (const float *p0, const float *p1, const float *p2, const float *p3, float t, float *out, size_t n), (p0, p1, p2, p3, t, out, n)) \
+    X(vec3_bspline, (nkw_vec3_view p0, nkw_vec3_view p1, nkw_vec3_view p2, nkw_vec3_view p3, const float *t, nkw_vec3_span out, size_t n), (p0, p1, p2, p3, t, out, n)) \
+    X(vec3_bspline_at, (nkw_vec3_view p0, nkw_vec3_view p1, nkw_vec3_view p2, nkw_vec3_view p3, float t, nkw_vec3_span out, size_t n), (p0, p1, p2, p3, t, out, n)) \
+    X(catmull_rom, (const float *p0, const float *p1, const float *p2, const float *p3, const float *t, float *out, size_t n), (p0, p1, p2, p3, t, out, n)) \
+    X(catmull_rom_at, (const float *p0, const float *p1, const float *p2, const float *p3, float t, float *out, size_t n), (p0, p1, p2, p3, t, out, n)) \
+    X(vec3_catmull_rom, (nkw_vec3_view p0, nkw_vec3_view p1, nkw_vec3_view p2, nkw_vec3_view p3, const float *t, nkw_vec3_span out, size_t n), (p0, p1, p2, p3, t, out, n)) \
+    X(vec3_catmull_rom_at, (nkw_vec3_view p0, nkw_vec3_view p1, nkw_vec3_view p2, nkw_vec3_view p3, float t, nkw_vec3_span out, size_t n), (p0, p1, p2, p3, t, out, n)) \
+    X(quat_nlerp, (nkw_quat_view a, nkw_quat_view b, const float *t, nkw_quat_span out, size_t n), (a, b, t, out, n)) \
+    X(quat_nlerp_at, (nkw_quat_view a, nkw_quat_view b, float t, nkw_quat_span out, size_t n), (a, b, t, out, n)) \
+    X(quat_slerp, (nkw_quat_view a, nkw_quat_view b, const float *t, nkw_quat_span out, size_t n), (a, b, t, out, n)) \
+    X(quat_slerp_at, (nkw_quat_view a, nkw_quat_view b, float t, nkw_quat_span out, size_t n), (a, b, t, out, n)) \
+    X(quat_log, (nkw_quat_view q, nkw_vec3_span out, size_t n), (q, out, n)) \
+    X(quat_exp, (nkw_vec3_view v, nkw_quat_span out, size_t n), (v, out, n))
+/* clang-format on */
+
+#endif

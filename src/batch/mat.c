@@ -1,0 +1,47 @@
+/* SPDX-License-Identifier: MIT */
+#include "lane/strict.h"
+
+#include <nakawari/mat.h>
+
+#include "batch/element.h"
+#include "batch/table.h"
+
+KERNEL(mat3_from_quat)(nkw_quat_view q, nkw_mat3_span out, size_t n)
+{
+#pragma omp simd
+    for (size_t i = 0; i < n; i++) {
+        nkw_mat3 m = nkw_mat3_from_quat(at_quat(q, i));
+        for (size_t k = 0; k < 9; k++)
+            out.m[k][i] = m.m[k];
+    }
+}
+
+KERNEL(mat4_transform_point)(const nkw_mat4 *m, nkw_vec3_view p, nkw_vec3_span out, size_t n)
+{
+    const nkw_mat4 a = *m;
+#pragma omp simd
+    for (size_t i = 0; i < n; i++)
+        put_vec3(out, i, nkw_mat4_transform_point(&a, at_vec3(p, i)));
+}
+
+KERNEL(mat4_transform_direction)(const nkw_mat4 *m, nkw_vec3_view d, nkw_vec3_span out, size_t n)
+{
+    const nkw_mat4 a = *m;
+#pragma omp simd
+    for (size_t i = 0; i < n; i++)
+        put_vec3(out, i, nkw_mat4_transform_direction(&a, at_vec3(d, i)));
+}
+
+KERNEL(mat4_unpack)(const nkw_mat4 *in, nkw_mat4_span out, size_t n)
+{
+#pragma omp simd
+    for (size_t i = 0; i < n; i++)
+        put_mat4(&out, i, &in[i]);
+}
+
+KERNEL(mat4_pack)(nkw_mat4_view in, nkw_mat4 *out, size_t n)
+{
+#pragma omp simd
+    for (size_t i = 0; i < n; i++)
+        out[i] = at_mat4(&in, i);
+}

@@ -1,0 +1,76 @@
+/* SPDX-License-Identifier: MIT */
+#include "lane/strict.h"
+
+#include <nakawari/orient.h>
+
+#include "batch/element.h"
+#include "batch/table.h"
+#include "lane/orient.h"
+
+KERNEL(quat_nlerp)(nkw_quat_view a, nkw_quat_view b, const float *t, nkw_quat_span out, size_t n)
+{
+#pragma omp simd
+    for (size_t i = 0; i < n; i++)
+        put_quat(out, i, lane_quat_nlerp(at_quat(a, i), at_quat(b, i), t[i]));
+}
+
+KERNEL(quat_nlerp_at)(nkw_quat_view a, nkw_quat_view b, float t, nkw_quat_span out, size_t n)
+{
+#pragma omp simd
+    for (size_t i = 0; i < n; i++)
+        put_quat(out, i, lane_quat_nlerp(at_quat(a, i), at_quat(b, i), t));
+}
+
+KERNEL(quat_slerp)(nkw_quat_view a, nkw_quat_view b, const float *t, nkw_quat_span out, size_t n)
+{
+#pragma omp simd
+    for (size_t i = 0; i < n; i++)
+        put_quat(out, i, lane_quat_slerp(at_quat(a, i), at_quat(b, i), t[i]));
+}
+
+KERNEL(quat_slerp_at)(nkw_quat_view a, nkw_quat_view b, float t, nkw_quat_span out, size_t n)
+{
+#pragma omp simd
+    for (size_t i = 0; i < n; i++)
+        put_quat(out, i, lane_quat_slerp(at_quat(a, i), at_quat(b, i), t));
+}
+
+KERNEL(quat_log)(nkw_quat_view q, nkw_vec3_span out, size_t n)
+{
+#pragma omp simd
+    for (size_t i = 0; i < n; i++)
+        put_vec3(out, i, lane_vec3_from_wide(lane_wquat_log(lane_wquat_from(at_quat(q, i)))));
+}
+
+/* As for single angles (see batch/scalar.c): blocks with a far vector take the single function. */
+#define BLOCK 256
+
+static inline int any_far(nkw_vec3_view v, size_t from, size_t to)
+{
+    int far = 0;
+#pragma omp simd reduction(| : far)
+    for (size_t i = from; i < to; i++) {
+        lane_wvec3 w = lane_wvec3_from(at_vec3(v, i));
+        far |= !(lane_wvec3_dot(w, w) < 0.25 * LANE_NEAR * LANE_NEAR);
+    }
+    return far;
+}
+
+static void exp_near(nkw_vec3_view v, nkw_quat_span out, size_t from, size_t to)
+{
+#pragma omp simd
+    for (size_t i = from; i < to; i++)
+        put_quat(out, i, lane_quat_from_wide(lane_wquat_exp_near(lane_wvec3_from(at_vec3(v, i)))));
+}
+
+KERNEL(quat_exp)(nkw_vec3_view v, nkw_quat_span out, size_t n)
+{
+    for (size_t from = 0; from < n; from += BLOCK) {
+        size_t end = n - from < BLOCK ? n : from + BLOCK;
+        if (any_far(v, from, end))
+            for (size_t i = from; i < end; i++)
+                put_quat(out, i, lane_quat_from_wide(lane_wquat_exp(lane_wvec3_from(at_vec3(v, i)))));
+        else
+            exp_near(v, out, from, end);
+    }
+}

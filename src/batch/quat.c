@@ -1,0 +1,67 @@
+/* SPDX-License-Identifier: MIT */
+#include "lane/strict.h"
+
+#include <nakawari/quat.h>
+
+#include "batch/element.h"
+#include "batch/table.h"
+#include "lane/quat.h"
+
+KERNEL(quat_mul)(nkw_quat_view a, nkw_quat_view b, nkw_quat_span out, size_t n)
+{
+#pragma omp simd
+    for (size_t i = 0; i < n; i++)
+        put_quat(out, i, nkw_quat_mul(at_quat(a, i), at_quat(b, i)));
+}
+
+KERNEL(quat_conjugate)(nkw_quat_view q, nkw_quat_span out, size_t n)
+{
+#pragma omp simd
+    for (size_t i = 0; i < n; i++)
+        put_quat(out, i, nkw_quat_conjugate(at_quat(q, i)));
+}
+
+KERNEL(quat_dot)(nkw_quat_view a, nkw_quat_view b, float *out, size_t n)
+{
+#pragma omp simd
+    for (size_t i = 0; i < n; i++)
+        out[i] = nkw_quat_dot(at_quat(a, i), at_quat(b, i));
+}
+
+KERNEL(quat_normalize)(nkw_quat_view q, nkw_quat_span out, size_t n)
+{
+#pragma omp simd
+    for (size_t i = 0; i < n; i++)
+        put_quat(out, i, lane_quat_normalize(at_quat(q, i)));
+}
+
+KERNEL(quat_rotate)(nkw_quat_view q, nkw_vec3_view v, nkw_vec3_span out, size_t n)
+{
+#pragma omp simd
+    for (size_t i = 0; i < n; i++)
+        put_vec3(out, i, nkw_quat_rotate(at_quat(q, i), at_vec3(v, i)));
+}
+
+KERNEL(quat_from_mat3)(nkw_mat3_view m, nkw_quat_span out, size_t n)
+{
+#pragma omp simd
+    for (size_t i = 0; i < n; i++) {
+        lane_wmat3 w = {{m.m[0][i], m.m[1][i], m.m[2][i], m.m[3][i], m.m[4][i], m.m[5][i], m.m[6][i], m.m[7][i],
+                         m.m[8][i]}};
+        put_quat(out, i, lane_quat_from_wide(lane_wquat_from_wmat3(&w, LANE_NEAREST_STEPS)));
+    }
+}
+
+KERNEL(quat_unpack)(const nkw_quat *in, nkw_quat_span out, size_t n)
+{
+#pragma omp simd
+    for (size_t i = 0; i < n; i++)
+        out.x[i] = in[i].x, out.y[i] = in[i].y, out.z[i] = in[i].z, out.w[i] = in[i].w;
+}
+
+KERNEL(quat_pack)(nkw_quat_view in, nkw_quat *out, size_t n)
+{
+#pragma omp simd
+    for (size_t i = 0; i < n; i++)
+        out[i].x = in.x[i], out[i].y = in.y[i], out[i].z = in.z[i], out[i].w = in.w[i];
+}

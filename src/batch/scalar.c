@@ -1,0 +1,134 @@
+/* SPDX-License-Identifier: MIT */
+#include "lane/strict.h"
+
+#include <nakawari/scalar.h>
+
+#include "batch/element.h"
+#include "batch/table.h"
+#include "lane/scalar.h"
+
+/*
+ * Angles come in blocks. The lanes for near angles vectorise; a block that holds a far one, which is rare, takes the
+ * single functions throughout.
+ */
+#define BLOCK 256
+
+typedef float function(float);
+
+static inline int any_far(const float *angle, size_t n)
+{
+    int far = 0;
+#pragma omp simd reduction(| : far)
+    for (size_t i = 0; i < n; i++)
+        far |= lane_angle_is_far(angle[i]);
+    return far;
+}
+
+static inline void each(function *f, const float *x, float *out, size_t n)
+{
+#pragma omp simd
+    for (size_t i = 0; i < n; i++)
+        out[i] = f(x[i]);
+}
+
+static inline void each_angle(function *near, function *any, const float *angle, float *out, size_t n)
+{
+    for (size_t i = 0; i < n; i += BLOCK) {
+        size_t count = n - i < BLOCK ? n - i : BLOCK;
+        if (any_far(angle + i, count))
+            for (size_t k = i; k < i + count; k++)
+                out[k] = any(angle[k]);
+        else
+            each(near, angle + i, out + i, count);
+    }
+}
+
+KERNEL(sqrt)(const float *x, float *out, size_t n)
+{
+    each(sqrtf, x, out, n);
+}
+
+KERNEL(sin)(const float *angle, float *out, size_t n)
+{
+    each_angle(lane_sin, lane_sin_any, angle, out, n);
+}
+
+KERNEL(cos)(const float *angle, float *out, size_t n)
+{
+    each_angle(lane_cos, lane_cos_any, angle, out, n);
+}
+
+KERNEL(sincos)(const float *angle, float *sine, float *cosine, size_t n)
+{
+    for (size_t i = 0; i < n; i += BLOCK) {
+        /* One of the outputs may be the input. */
+        float copy[BLOCK];
+        size_t count = n - i < BLOCK ? n - i : BLOCK;
+        memcpy(copy, angle + i, count * sizeof *copy);
+        each_angle(lane_sin, lane_sin_any, copy, sine + i, count);
+        each_angle(lane_cos, lane_cos_any, copy, cosine + i, count);
+    }
+}
+
+KERNEL(tan)(const float *angle, float *out, size_t n)
+{
+    each_angle(lane_tan, lane_tan_any, angle, out, n);
+}
+
+KERNEL(asin)(const float *x, float *out, size_t n)
+{
+    each(lane_asin, x, out, n);
+}
+
+KERNEL(acos)(const float *x, float *out, size_t n)
+{
+    each(lane_acos, x, out, n);
+}
+
+KERNEL(atan)(const float *x, float *out, size_t n)
+{
+    each(lane_atan, x, out, n);
+}
+
+KERNEL(atan2)(const float *y, const float *x, float *out, size_t n)
+{
+#pragma omp simd
+    for (size_t i = 0; i < n; i++)
+        out[i] = lane_atan2(y[i], x[i]);
+}
+
+KERNEL(exp)(const float *x, float *out, size_t n)
+{
+    each(lane_exp, x, out, n);
+}
+
+KERNEL(log)(const float *x, float *out, size_t n)
+{
+    each(lane_log, x, out, n);
+}
+
+KERNEL(pow)(const float *x, const float *y, float *out, size_t n)
+{
+#pragma omp simd
+    for (size_t i = 0; i < n; i++)
+        out[i] = lane_pow(x[i], y[i]);
+}
+
+KERNEL(wrap_angle)(const float *angle, float *out, size_t n)
+{
+    each_angle(lane_wrap_angle, lane_wrap_angle_any, angle, out, n);
+}
+
+KERNEL(lerp)(const float *a, const float *b, const float *t, float *out, size_t n)
+{
+#pragma omp simd
+    for (size_t i = 0; i < n; i++)
+        out[i] = nkw_lerp(a[i], b[i], t[i]);
+}
+
+KERNEL(lerp_at)(const float *a, const float *b, float t, float *out, size_t n)
+{
+#pragma omp simd
+    for (size_t i = 0; i < n; i++)
+        out[i] = nkw_lerp(a[i], b[i], t);
+}

@@ -1,0 +1,40 @@
+/* SPDX-License-Identifier: MIT */
+/*
+ * The loops of one instruction set. The build compiles src/batch once for each, with NKW_ISA its name; without
+ * NKW_ISA it is `generic`, for the flags as they are.
+ */
+#ifndef NAKAWARI_BATCH_TABLE_H
+#define NAKAWARI_BATCH_TABLE_H
+
+#include "batch/kernels.h"
+
+#ifndef NKW_ISA
+#define NKW_ISA generic
+#endif
+
+#define NKW_JOIN(name, isa)     name##_##isa
+#define NKW_JOIN_ISA(name, isa) NKW_JOIN(name, isa)
+/* name_avx2 and its like: the only token pasting of the library. */
+#define NKW_PER_ISA(name) NKW_JOIN_ISA(name, NKW_ISA)
+/* All calls of a loop are inlined, whatever the optimiser thinks of it: one that is left keeps it from vectorising. */
+#if defined(__GNUC__)
+#define NKW_FLATTEN __attribute__((flatten))
+#else
+#define NKW_FLATTEN
+#endif
+
+/* Opens the definition of a loop: KERNEL(quat_slerp)(nkw_quat_view a, ...). */
+#define KERNEL(name) NKW_FLATTEN void NKW_PER_ISA(nkw_batch_##name)
+
+/* One function pointer for each batch function. */
+typedef struct nkw_batch {
+#define KERNEL_MEMBER(name, parameters, arguments) void(*name) parameters;
+    KERNEL_LIST(KERNEL_MEMBER)
+#undef KERNEL_MEMBER
+} nkw_batch;
+
+#define KERNEL_DECLARE(name, parameters, arguments) void NKW_PER_ISA(nkw_batch_##name) parameters;
+KERNEL_LIST(KERNEL_DECLARE)
+#undef KERNEL_DECLARE
+
+#endif

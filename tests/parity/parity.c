@@ -1,0 +1,297 @@
+/* SPDX-License-Identifier: MIT */
+/*
+ * Each batch function, by the loops of each instruction set that this processor has, against the single function: bit for
+ * bit, for the lengths 0..67 and some longer, at every alignment, in place and not, with guard words around the outputs.
+ *
+ * A plain program, so that it also runs where there is no test library: on emulators, under Wine, in WebAssembly.
+ */
+#include <stdio.h>
+#include <string.h>
+
+#include <nakawari/nakawari.h>
+
+#include "../support/random.h"
+#include "simd/select.h"
+
+#define ARRAYS  32
+#define LONGEST 600
+#define GUARD   16
+#define STRIDE  (LONGEST + 2 * GUARD)
+#define WORD    0xfb5a5a5au /* a number that no function gives, about -1.1e36 */
+
+/* Inputs and outputs of one run: element i of array k is at [k][GUARD + shift + i]. */
+static float inputs[ARRAYS][STRIDE], outputs[ARRAYS][STRIDE], pristine[ARRAYS][STRIDE], packed[16 * LONGEST];
+
+static const nkw_mat4 some_matrix = {{0.5f, 1, -2, 0, 3, 0.25f, 1, 0, -1, 1, 4, 0, 10, -20, 30, 1}};
+
+static void put_vec3(float *o, nkw_vec3 v)
+{
+    memcpy(o, &v, sizeof v);
+}
+
+static void put_quat(float *o, nkw_quat q)
+{
+    memcpy(o, &q, sizeof q);
+}
+
+static void put_mat3(float *o, nkw_mat3 m)
+{
+    memcpy(o, &m, sizeof m);
+}
+
+static void put_mat4(float *o, nkw_mat4 m)
+{
+    memcpy(o, &m, sizeof m);
+}
+
+/* The first `width` input arrays as one array of structs. */
+static const void *aos(const float *const *in, size_t width, size_t n)
+{
+    for (size_t i = 0; i < n; i++)
+        for (size_t k = 0; k < width; k++)
+            packed[i * width + k] = in[k][i];
+    return packed;
+}
+
+#define V(k)   ((nkw_vec3_view){in[k], in[(k) + 1], in[(k) + 2]})
+#define Q(k)   ((nkw_quat_view){in[k], in[(k) + 1], in[(k) + 2], in[(k) + 3]})
+#define VS(k)  ((nkw_vec3_span){out[k], out[(k) + 1], out[(k) + 2]})
+#define QS(k)  ((nkw_quat_span){out[k], out[(k) + 1], out[(k) + 2], out[(k) + 3]})
+#define TRS(k) ((nkw_trs_view){V(k), Q((k) + 3), V((k) + 7)})
+#define v(k)   ((nkw_vec3){x[k], x[(k) + 1], x[(k) + 2]})
+#define q(k)   ((nkw_quat){x[k], x[(k) + 1], x[(k) + 2], x[(k) + 3]})
+#define trs(k) ((nkw_trs){v(k), q((k) + 3), v((k) + 7)})
+#define M3(k)  view9(in + (k))
+#define M4(k)  view16(in + (k))
+#define MS3(k) span9(out + (k))
+#define MS4(k) span16(out + (k))
+#define m3(k)  (*(const nkw_mat3 *)(const void *)(x + (k)))
+#define m4(k)  (*(const nkw_mat4 *)(const void *)(x + (k)))
+
+static nkw_mat3_view view9(const float *const *in)
+{
+    nkw_mat3_view r;
+    memcpy(r.m, in, sizeof r.m);
+    return r;
+}
+
+static nkw_mat4_view view16(const float *const *in)
+{
+    nkw_mat4_view r;
+    memcpy(r.m, in, sizeof r.m);
+    return r;
+}
+
+static nkw_mat3_span span9(float *const *out)
+{
+    nkw_mat3_span r;
+    memcpy(r.m, out, sizeof r.m);
+    return r;
+}
+
+static nkw_mat4_span span16(float *const *out)
+{
+    nkw_mat4_span r;
+    memcpy(r.m, out, sizeof r.m);
+    return r;
+}
+
+#define P(name, letters, count, arguments, result)                                                                     \
+    static void batch_##name(const nkw_batch *b, const float *const *in, float *const *out, size_t n)                  \
+    {                                                                                                                  \
+        (void)in;                                                                                                      \
+        b->name arguments;                                                                                             \
+    }                                                                                                                  \
+    static void single_##name(const float *x, float *o)                                                                \
+    {                                                                                                                  \
+        result;                                                                                                        \
+    }
+#define PX P
+#include "rows.h"
+#undef P
+#undef PX
+
+typedef struct row {
+    const char *name, *inputs;
+    size_t outputs;
+    int in_place;
+    void (*batch)(const nkw_batch *b, const float *const *in, float *const *out, size_t n);
+    void (*single)(const float *x, float *o);
+} row;
+
+static const row rows[] = {
+#define P(name, letters, count, arguments, result)  {#name, letters, count, 1, batch_##name, single_##name},
+#define PX(name, letters, count, arguments, result) {#name, letters, count, 0, batch_##name, single_##name},
+#include "rows.h"
+#undef P
+#undef PX
+};
+
+#define ROWS (sizeof rows / sizeof rows[0])
+
+/* Mostly of moderate size, now and then anything finite. */
+static float number(random_source *r)
+{
+    return random_bits(r) % 16 == 0 ? random_finite(r) : random_scaled(r, -8, 3);
+}
+
+static float parameter(random_source *r)
+{
+    uint64_t kind = random_bits(r) % 16;
+    return kind == 0 ? 0.0f : kind == 1 ? 1.0f : kind == 2 ? random_scaled(r, -3, 1) : random_unit(r);
+}
+
+/* Writes the arrays of one letter for element i; gives how many there are. */
+static size_t draw_letter(random_source *r, char letter, size_t k, size_t i)
+{
+    size_t count = letter == 'q' ? 4 : letter == 'v' ? 3 : letter == 'm' ? 9 : letter == 'M' ? 16 : 1;
+    float values[16];
+    for (size_t j = 0; j < count; j++)
+        values[j] = letter == 't' ? parameter(r) : number(r);
+    if (letter == 'q' && random_bits(r) % 16)
+        put_quat(values, random_rotation(r));
+    if (letter == 'm' && random_bits(r) % 16)
+        put_mat3(values, nkw_mat3_from_quat(random_rotation(r)));
+    for (size_t j = 0; j < count; j++)
+        inputs[k + j][i] = values[j];
+    return count;
+}
+
+/* Fills all inputs; gives how many arrays the row has. Every other pair of quaternions is close or opposite. */
+static size_t draw(random_source *r, const row *w)
+{
+    size_t count = 0;
+    for (size_t i = 0; i < STRIDE; i++) {
+        count = 0;
+        for (const char *l = w->inputs; *l; l++)
+            count += draw_letter(r, *l, count, i);
+        if (strncmp(w->inputs, "qq", 2) == 0 && i % 2)
+            for (size_t j = 0; j < 4; j++)
+                inputs[4 + j][i] = (i % 4 == 1 ? -1.0f : 1.0f) * inputs[j][i] * (i % 8 < 4 ? 1.0f : 1.00001f);
+    }
+    return count;
+}
+
+static uint32_t bits(float f)
+{
+    uint32_t b;
+    memcpy(&b, &f, sizeof b);
+    return f != f ? 0x7fc00000u : b;
+}
+
+static void fill_guards(void)
+{
+    const uint32_t word = WORD;
+    for (size_t k = 0; k < ARRAYS; k++)
+        for (size_t i = 0; i < STRIDE; i++)
+            memcpy(&outputs[k][i], &word, sizeof word);
+}
+
+static int complain(const row *w, const char *isa, size_t n, size_t k, size_t i, float got, float want)
+{
+    fprintf(stderr, "parity: %s, %s, length %zu, output %zu, element %zu: %08lx (%a), not %08lx (%a)\n", w->name, isa, n, k,
+            i, (unsigned long)bits(got), (double)got, (unsigned long)bits(want), (double)want);
+    return 1;
+}
+
+/* Compares the outputs from `start` on, and the words before and after them with what they held. */
+static int compare(const row *w, const char *isa, size_t n, size_t start, size_t arrays, int in_place)
+{
+    for (size_t i = 0; i < STRIDE; i++) {
+        float x[ARRAYS], o[16] = {0};
+        int inside = i >= start && i < start + n;
+        for (size_t k = 0; k < arrays; k++)
+            x[k] = pristine[k][i];
+        if (inside)
+            w->single(x, o);
+        for (size_t k = 0; k < w->outputs; k++) {
+            int reused = in_place && k < arrays;
+            float got = reused ? inputs[k][i] : outputs[k][i];
+            float guard;
+            const uint32_t word = WORD;
+            memcpy(&guard, &word, sizeof guard);
+            float want = inside ? o[k] : reused ? pristine[k][i] : guard;
+            if (bits(got) != bits(want))
+                return complain(w, isa, n, k, i - start, got, want);
+        }
+    }
+    return 0;
+}
+
+static int run(const row *w, const nkw_batch *b, const char *isa, size_t n, size_t shift, int in_place, random_source *r)
+{
+    const float *in[ARRAYS];
+    float *out[ARRAYS];
+    size_t arrays = draw(r, w), start = GUARD + shift;
+    memcpy(pristine, inputs, sizeof inputs);
+    fill_guards();
+    for (size_t k = 0; k < ARRAYS; k++) {
+        in[k] = inputs[k] + start;
+        out[k] = (in_place && k < arrays ? inputs[k] : outputs[k]) + start;
+    }
+    w->batch(b, in, out, n);
+    return compare(w, isa, n, start, arrays, in_place);
+}
+
+static int run_row(const row *w, const nkw_batch *b, const char *isa)
+{
+    random_source r = random_from(7);
+    int failed = 0;
+    for (size_t n = 0; n <= 67 && !failed; n++)
+        failed = run(w, b, isa, n, n % 16, 0, &r) || (w->in_place && run(w, b, isa, n, (n + 5) % 16, 1, &r));
+    static const size_t lengths[] = {255, 256, 257, 583};
+    for (size_t i = 0; i < 4 && !failed; i++)
+        failed = run(w, b, isa, lengths[i], 3, 0, &r) || (w->in_place && run(w, b, isa, lengths[i], 1, 1, &r));
+    return failed;
+}
+
+/* Back to structs what was unpacked from them. */
+static int run_packs(const nkw_batch *b, const char *isa)
+{
+    random_source r = random_from(8);
+    static float back[16 * LONGEST];
+    for (size_t n = 0; n <= 67; n++) {
+        static const row any = {"pack", "M", 16, 0, NULL, NULL};
+        const float *in[16];
+        draw(&r, &any);
+        for (size_t k = 0; k < 16; k++)
+            in[k] = inputs[k] + 1;
+        b->vec3_pack(V(0), (nkw_vec3 *)(void *)back, n);
+        if (n && memcmp(back, aos(in, 3, n), n * sizeof(nkw_vec3)) != 0)
+            return fprintf(stderr, "parity: vec3_pack, %s, length %zu\n", isa, n) > 0;
+        b->quat_pack(Q(0), (nkw_quat *)(void *)back, n);
+        if (n && memcmp(back, aos(in, 4, n), n * sizeof(nkw_quat)) != 0)
+            return fprintf(stderr, "parity: quat_pack, %s, length %zu\n", isa, n) > 0;
+        b->mat4_pack(M4(0), (nkw_mat4 *)(void *)back, n);
+        if (n && memcmp(back, aos(in, 16, n), n * sizeof(nkw_mat4)) != 0)
+            return fprintf(stderr, "parity: mat4_pack, %s, length %zu\n", isa, n) > 0;
+    }
+    return 0;
+}
+
+static int run_table(const nkw_batch *b, const char *isa)
+{
+    int failed = run_packs(b, isa);
+    for (size_t i = 0; i < ROWS; i++)
+        failed += run_row(&rows[i], b, isa);
+    printf("parity: %s: %zu functions, %d differ\n", isa, ROWS + 3, failed);
+    return failed;
+}
+
+int main(void)
+{
+    int failed = run_table(&nkw_batch_generic, "generic");
+#if defined(NKW_HAVE_AVX2)
+    if (__builtin_cpu_supports("avx2"))
+        failed += run_table(&nkw_batch_avx2, "avx2");
+    else
+        printf("parity: avx2 skipped, this processor has none\n");
+#endif
+#if defined(NKW_HAVE_AVX512)
+    if (nkw_batch_selected() == &nkw_batch_avx512)
+        failed += run_table(&nkw_batch_avx512, "avx512");
+    else
+        printf("parity: avx512 skipped, this processor has none\n");
+#endif
+    return failed > 0;
+}

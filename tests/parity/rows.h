@@ -1,0 +1,78 @@
+/* SPDX-License-Identifier: MIT */
+/*
+ * One line per batch function: P(name, inputs, outputs, arguments of the loop, the same by the single function).
+ *
+ * `inputs` says what the arrays hold, letter by letter:
+ *     q  unit quaternions, 4 arrays     v  vectors, 3 arrays      m  rotation matrices, 9 arrays
+ *     M  matrices, 16 arrays            f  numbers of any size    t  parameters, most in 0..1
+ * In the arguments in[k] and out[k] are arrays and n their length; V Q M3 M4 make views of those from k on, VS QS MS3 MS4
+ * spans. In the single call x[k] are the inputs of one element and v q make values of those from k on; o is written.
+ * PX is P for functions that may not work in place.
+ */
+P(sqrt, "f", 1, (in[0], out[0], n), o[0] = nkw_sqrt(x[0]))
+P(sin, "f", 1, (in[0], out[0], n), o[0] = nkw_sin(x[0]))
+P(cos, "f", 1, (in[0], out[0], n), o[0] = nkw_cos(x[0]))
+P(sincos, "f", 2, (in[0], out[0], out[1], n), nkw_sincos(x[0], &o[0], &o[1]))
+P(tan, "f", 1, (in[0], out[0], n), o[0] = nkw_tan(x[0]))
+P(asin, "f", 1, (in[0], out[0], n), o[0] = nkw_asin(x[0]))
+P(acos, "f", 1, (in[0], out[0], n), o[0] = nkw_acos(x[0]))
+P(atan, "f", 1, (in[0], out[0], n), o[0] = nkw_atan(x[0]))
+P(atan2, "ff", 1, (in[0], in[1], out[0], n), o[0] = nkw_atan2(x[0], x[1]))
+P(exp, "f", 1, (in[0], out[0], n), o[0] = nkw_exp(x[0]))
+P(log, "f", 1, (in[0], out[0], n), o[0] = nkw_log(x[0]))
+P(pow, "ff", 1, (in[0], in[1], out[0], n), o[0] = nkw_pow(x[0], x[1]))
+P(wrap_angle, "f", 1, (in[0], out[0], n), o[0] = nkw_wrap_angle(x[0]))
+P(lerp, "fft", 1, (in[0], in[1], in[2], out[0], n), o[0] = nkw_lerp(x[0], x[1], x[2]))
+P(lerp_at, "ff", 1, (in[0], in[1], 0.3f, out[0], n), o[0] = nkw_lerp(x[0], x[1], 0.3f))
+
+P(vec3_add, "vv", 3, (V(0), V(3), VS(0), n), put_vec3(o, nkw_vec3_add(v(0), v(3))))
+P(vec3_sub, "vv", 3, (V(0), V(3), VS(0), n), put_vec3(o, nkw_vec3_sub(v(0), v(3))))
+P(vec3_mul, "vv", 3, (V(0), V(3), VS(0), n), put_vec3(o, nkw_vec3_mul(v(0), v(3))))
+P(vec3_scale, "vf", 3, (V(0), in[3], VS(0), n), put_vec3(o, nkw_vec3_scale(v(0), x[3])))
+P(vec3_add_scaled, "vvf", 3, (V(0), V(3), in[6], VS(0), n), put_vec3(o, nkw_vec3_add_scaled(v(0), v(3), x[6])))
+P(vec3_dot, "vv", 1, (V(0), V(3), out[0], n), o[0] = nkw_vec3_dot(v(0), v(3)))
+P(vec3_cross, "vv", 3, (V(0), V(3), VS(0), n), put_vec3(o, nkw_vec3_cross(v(0), v(3))))
+P(vec3_length, "v", 1, (V(0), out[0], n), o[0] = nkw_vec3_length(v(0)))
+P(vec3_normalize, "v", 3, (V(0), VS(0), n), put_vec3(o, nkw_vec3_normalize(v(0))))
+P(vec3_lerp, "vvt", 3, (V(0), V(3), in[6], VS(0), n), put_vec3(o, nkw_vec3_lerp(v(0), v(3), x[6])))
+P(vec3_lerp_at, "vv", 3, (V(0), V(3), 0.7f, VS(0), n), put_vec3(o, nkw_vec3_lerp(v(0), v(3), 0.7f)))
+
+P(quat_mul, "qq", 4, (Q(0), Q(4), QS(0), n), put_quat(o, nkw_quat_mul(q(0), q(4))))
+P(quat_conjugate, "q", 4, (Q(0), QS(0), n), put_quat(o, nkw_quat_conjugate(q(0))))
+P(quat_dot, "qq", 1, (Q(0), Q(4), out[0], n), o[0] = nkw_quat_dot(q(0), q(4)))
+P(quat_normalize, "vf", 4, (Q(0), QS(0), n), put_quat(o, nkw_quat_normalize(q(0))))
+P(quat_rotate, "qv", 3, (Q(0), V(4), VS(0), n), put_vec3(o, nkw_quat_rotate(q(0), v(4))))
+P(quat_from_mat3, "m", 4, (M3(0), QS(0), n), put_quat(o, nkw_quat_from_mat3(&m3(0))))
+P(quat_from_euler, "v", 4, (V(0), NKW_EULER_YXZ, QS(0), n), put_quat(o, nkw_quat_from_euler(v(0), NKW_EULER_YXZ)))
+P(quat_log, "q", 3, (Q(0), VS(0), n), put_vec3(o, nkw_quat_log(q(0))))
+P(quat_exp, "v", 4, (V(0), QS(0), n), put_quat(o, nkw_quat_exp(v(0))))
+P(quat_nlerp, "qqt", 4, (Q(0), Q(4), in[8], QS(0), n), put_quat(o, nkw_quat_nlerp(q(0), q(4), x[8])))
+P(quat_nlerp_at, "qq", 4, (Q(0), Q(4), 0.3f, QS(0), n), put_quat(o, nkw_quat_nlerp(q(0), q(4), 0.3f)))
+P(quat_slerp, "qqt", 4, (Q(0), Q(4), in[8], QS(0), n), put_quat(o, nkw_quat_slerp(q(0), q(4), x[8])))
+P(quat_slerp_at, "qq", 4, (Q(0), Q(4), 0.3f, QS(0), n), put_quat(o, nkw_quat_slerp(q(0), q(4), 0.3f)))
+
+P(mat3_from_quat, "q", 9, (Q(0), MS3(0), n), put_mat3(o, nkw_mat3_from_quat(q(0))))
+P(mat4_transform_point, "v", 3, (&some_matrix, V(0), VS(0), n), put_vec3(o, nkw_mat4_transform_point(&some_matrix, v(0))))
+P(mat4_transform_direction, "v", 3, (&some_matrix, V(0), VS(0), n), put_vec3(o, nkw_mat4_transform_direction(&some_matrix, v(0))))
+PX(mat4_from_trs, "vqv", 16, (TRS(0), MS4(0), n), put_mat4(o, nkw_mat4_from_trs(&trs(0))))
+
+P(hermite, "fffft", 1, (in[0], in[1], in[2], in[3], in[4], out[0], n), o[0] = nkw_hermite(x[0], x[1], x[2], x[3], x[4]))
+P(hermite_at, "ffff", 1, (in[0], in[1], in[2], in[3], 0.4f, out[0], n), o[0] = nkw_hermite(x[0], x[1], x[2], x[3], 0.4f))
+P(bezier, "fffft", 1, (in[0], in[1], in[2], in[3], in[4], out[0], n), o[0] = nkw_bezier(x[0], x[1], x[2], x[3], x[4]))
+P(bezier_at, "ffff", 1, (in[0], in[1], in[2], in[3], 0.4f, out[0], n), o[0] = nkw_bezier(x[0], x[1], x[2], x[3], 0.4f))
+P(bspline, "fffft", 1, (in[0], in[1], in[2], in[3], in[4], out[0], n), o[0] = nkw_bspline(x[0], x[1], x[2], x[3], x[4]))
+P(bspline_at, "ffff", 1, (in[0], in[1], in[2], in[3], 0.4f, out[0], n), o[0] = nkw_bspline(x[0], x[1], x[2], x[3], 0.4f))
+P(catmull_rom, "fffft", 1, (in[0], in[1], in[2], in[3], in[4], out[0], n), o[0] = nkw_catmull_rom(x[0], x[1], x[2], x[3], x[4]))
+P(catmull_rom_at, "ffff", 1, (in[0], in[1], in[2], in[3], 0.4f, out[0], n), o[0] = nkw_catmull_rom(x[0], x[1], x[2], x[3], 0.4f))
+P(vec3_hermite, "vvvvt", 3, (V(0), V(3), V(6), V(9), in[12], VS(0), n), put_vec3(o, nkw_vec3_hermite(v(0), v(3), v(6), v(9), x[12])))
+P(vec3_hermite_at, "vvvv", 3, (V(0), V(3), V(6), V(9), 0.6f, VS(0), n), put_vec3(o, nkw_vec3_hermite(v(0), v(3), v(6), v(9), 0.6f)))
+P(vec3_bezier, "vvvvt", 3, (V(0), V(3), V(6), V(9), in[12], VS(0), n), put_vec3(o, nkw_vec3_bezier(v(0), v(3), v(6), v(9), x[12])))
+P(vec3_bezier_at, "vvvv", 3, (V(0), V(3), V(6), V(9), 0.6f, VS(0), n), put_vec3(o, nkw_vec3_bezier(v(0), v(3), v(6), v(9), 0.6f)))
+P(vec3_bspline, "vvvvt", 3, (V(0), V(3), V(6), V(9), in[12], VS(0), n), put_vec3(o, nkw_vec3_bspline(v(0), v(3), v(6), v(9), x[12])))
+P(vec3_bspline_at, "vvvv", 3, (V(0), V(3), V(6), V(9), 0.6f, VS(0), n), put_vec3(o, nkw_vec3_bspline(v(0), v(3), v(6), v(9), 0.6f)))
+P(vec3_catmull_rom, "vvvvt", 3, (V(0), V(3), V(6), V(9), in[12], VS(0), n), put_vec3(o, nkw_vec3_catmull_rom(v(0), v(3), v(6), v(9), x[12])))
+P(vec3_catmull_rom_at, "vvvv", 3, (V(0), V(3), V(6), V(9), 0.6f, VS(0), n), put_vec3(o, nkw_vec3_catmull_rom(v(0), v(3), v(6), v(9), 0.6f)))
+
+PX(vec3_unpack, "v", 3, ((const nkw_vec3 *)aos(in, 3, n), VS(0), n), put_vec3(o, v(0)))
+PX(quat_unpack, "q", 4, ((const nkw_quat *)aos(in, 4, n), QS(0), n), put_quat(o, q(0)))
+PX(mat4_unpack, "M", 16, ((const nkw_mat4 *)aos(in, 16, n), MS4(0), n), put_mat4(o, m4(0)))
