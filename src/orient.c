@@ -12,14 +12,12 @@ nkw_quat nkw_quat_nlerp(nkw_quat a, nkw_quat b, float t)
 
 nkw_quat nkw_quat_slerp(nkw_quat a, nkw_quat b, float t)
 {
-    return lane_quat_slerp(a, b, t);
+    return lane_quat_slerp_any(a, b, t);
 }
 
 nkw_quat nkw_quat_slerp_path(nkw_quat a, nkw_quat b, float t, nkw_path path)
 {
-    lane_wquat from = lane_wquat_from(a);
-    lane_wquat to = lane_wquat_aligned(from, lane_wquat_from(b), path);
-    return lane_quat_from_wide(lane_wquat_slerp(from, to, t));
+    return lane_quat_slerp_path(a, b, t, path);
 }
 
 nkw_vec3 nkw_quat_log(nkw_quat q)

@@ -80,10 +80,7 @@ nkw_quat nkw_quat_from_mat4(const nkw_mat4 *m)
 
 float nkw_quat_angle(nkw_quat a, nkw_quat b)
 {
-    lane_wquat u = lane_wquat_from(a), v = lane_wquat_from(b);
-    if (lane_wquat_dot(u, u) == 0.0 || lane_wquat_dot(v, v) == 0.0)
-        return 0.0f;
-    return (float)lane_wquat_angle(lane_wquat_normalize(u), lane_wquat_normalize(v));
+    return (float)lane_wquat_angle(lane_wquat_from(a), lane_wquat_from(b));
 }
 
 nkw_quat nkw_quat_from_wxyz(const float wxyz[4])

@@ -85,6 +85,16 @@ static void slerp_turns_at_constant_speed(void **state)
     }
 }
 
+static void slerp_goes_on_along_its_arc_beyond_the_ends(void **state)
+{
+    (void)state;
+    static const float far[] = {-0x1p-24f, 1.0000001f, -1, 2, 3.5f, -10, 100, 1000};
+    for (int i = 0; i < 8; i++)
+        expect_quat_near(nkw_quat_slerp(about_z(0), about_z(1), far[i]), about_z(far[i]), 2e-7 + 1e-7 * (double)nkw_abs(far[i]));
+    expect_near(nkw_quat_length(nkw_quat_slerp(about_z(0), about_z(1), 1e30f)), 1.0, 2e-7);
+    expect_near(nkw_quat_length(nkw_quat_slerp(about_z(0), about_z(1), -3e38f)), 1.0, 2e-7);
+}
+
 static void slerp_takes_the_shorter_arc(void **state)
 {
     (void)state;
@@ -214,6 +224,20 @@ static void paths_between_opposites_are_a_turn_about_local_z(void **state)
     }
 }
 
+static void paths_near_opposite_stay_unit(void **state)
+{
+    (void)state;
+    /* Of lengths that differ by one ULP, so that a + b is along a - b. */
+    nkw_quat a = {1, 0, 0, 0}, b = {-0x1.fffffep-1f, 0, 0, 0};
+    random_source r = random_from(13);
+    for (int i = 0; i < 20000; i++) {
+        float t = random_unit(&r);
+        nkw_quat p = random_rotation(&r), q = random_near(&r, p, 1e-7f * (float)(i % 30));
+        expect_near(nkw_quat_length(nkw_quat_slerp_path(a, b, t, NKW_PATH_AS_GIVEN)), 1.0, 2e-7);
+        expect_near(nkw_quat_length(nkw_quat_slerp_path(p, q, t, NKW_PATH_LONG)), 1.0, 3e-7);
+    }
+}
+
 static void exp_undoes_log(void **state)
 {
     (void)state;
@@ -303,6 +327,7 @@ int main(void)
         cmocka_unit_test(slerp_between_equal_or_opposite_inputs_is_that_input),
         cmocka_unit_test(slerp_swaps_bit_for_bit),
         cmocka_unit_test(slerp_turns_at_constant_speed),
+        cmocka_unit_test(slerp_goes_on_along_its_arc_beyond_the_ends),
         cmocka_unit_test(slerp_takes_the_shorter_arc),
         cmocka_unit_test(slerp_stays_unit_and_smooth_through_the_smallest_angles),
         cmocka_unit_test(slerp_never_steps_back),
@@ -312,6 +337,7 @@ int main(void)
         cmocka_unit_test(long_path_goes_the_other_way_round),
         cmocka_unit_test(path_as_given_follows_the_signs),
         cmocka_unit_test(paths_between_opposites_are_a_turn_about_local_z),
+        cmocka_unit_test(paths_near_opposite_stay_unit),
         cmocka_unit_test(exp_undoes_log),
         cmocka_unit_test(log_is_half_the_rotation_vector),
         cmocka_unit_test(powers_add_up),

@@ -240,6 +240,8 @@ static void angle_between_is_that_of_the_turn_for_either_sign(void **state)
     expect_bits(nkw_quat_angle(identity, quat(0, 1, 0, 0)), 3.14159274f);
     expect_bits(nkw_quat_angle(identity, quat(0, 0, 0, 0)), 0.0f);
     expect_ulps(nkw_quat_angle(identity, quat(1e-7f, 0, 0, 1)), 2e-7f, 1);
+    expect_ulps(nkw_quat_angle(identity, quat(1e-30f, 0, 0, -1)), 2e-30f, 1);
+    expect_ulps(nkw_quat_angle(quat(0, 0, 0, 1e-30f), quat(0, 1e30f, 0, 1e30f)), 1.57079637f, 1);
 }
 
 static void wxyz_is_only_another_order(void **state)

@@ -46,17 +46,17 @@ NKW_API nkw_quat nkw_quat_nlerp(nkw_quat a, nkw_quat b, float t);
  *
  *     q(t) = a sin((1-t)h)/sin h +- b sin(t h)/sin h,      cos h = |a.b|
  *
- * One expression without a branch on the angle, smooth through h = 0: no acos, no sine, no threshold.
+ * One expression without a branch on the angle, smooth through h = 0: no acos, no sine, no threshold. For t outside
+ * 0..1 the arc continues, by nkw_quat_slerp_path.
  *
- * a, b   unit to within 1e-5
- * t      any; outside 0..1 the arc continues
+ * a, b   unit to rounding; each 1e-6 that their lengths are off costs about 6 u
+ * t      any
  * Gives  a unit quaternion, as long as the inputs are: exactly a at t = 0, exactly b or -b at t = 1, exactly q
  *        between q and +-q. slerp(a, b, t) and slerp(b, a, 1 - t) have the same bits, up to the sign, where
  *        1 - t is exact. At a.b = 0, half a turn apart, both arcs are as short and b is taken as it stands.
  *        Zero quaternions give a finite result, no rotation.
  *
- * Error  2.6 u for t in 0..1 (1.1 for arcs up to 0.5 rad between the quaternions, 0.5 root mean square);
- *        5 u for t in -1/4..5/4, 250 u in -1..2.
+ * Error  2.6 u (for arcs up to 0.5 rad between the quaternions 1.1; root mean square 0.5); 1.0 for t outside 0..1.
  * Source Shoemake, Animating Rotation with Quaternion Curves, SIGGRAPH 1985.
  */
 NKW_API nkw_quat nkw_quat_slerp(nkw_quat a, nkw_quat b, float t);
@@ -64,13 +64,13 @@ NKW_API nkw_quat nkw_quat_slerp(nkw_quat a, nkw_quat b, float t);
 /**
  * Spherical interpolation along the arc that `path` names, in binary64 inside.
  *
- * a, b   unit to within 1e-5
- * t      any; outside 0..1 the arc continues
+ * a, b   any lengths; the directions are blended, and the length goes from |a| to |b|
+ * t      any; outside 0..1 the arc continues with the length of the nearer end
  * Gives  as nkw_quat_slerp. Between exactly opposite quaternions (a = -b as given, a = b the long way) every arc
- *        through a is as long: the one taken turns about the local z axis, by way of a * (0, 0, 1, 0).
+ *        through a is as long: the one taken turns about the local z axis, by way of a * (0, 0, 1, 0). Near to
+ *        opposite the rounding of the inputs decides the arc.
  *
- * Error  0.91 u for t in 0..1 and arcs below 3.1 rad between the quaternions; nearer to opposite, the rounding
- *        of the inputs decides the arc.
+ * Error  1.0 u for t in -2..2.
  */
 NKW_API nkw_quat nkw_quat_slerp_path(nkw_quat a, nkw_quat b, float t, nkw_path path);
 

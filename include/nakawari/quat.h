@@ -105,7 +105,7 @@ NKW_API nkw_axis_angle nkw_axis_angle_from_quat(nkw_quat q);
  *
  *     q = normalize(from x to, |from| |to| + from.to)
  *
- * Error  0.91 u, up to 1e-5 rad of opposite; nearer, at an angle d, up to 1e-8 u / d.
+ * Error  0.91 u, up to exactly opposite inputs.
  */
 NKW_API nkw_quat nkw_quat_from_vectors(nkw_vec3 from, nkw_vec3 to);
 
@@ -139,10 +139,10 @@ NKW_API nkw_quat nkw_quat_from_mat3(const nkw_mat3 *m);
 NKW_API nkw_quat nkw_quat_from_mat4(const nkw_mat4 *m);
 
 /**
- * The angle in radians, 0..pi, of the turn from a to b: 4 atan2(|a - b|, |a + b|) of the nearer sign.
+ * The angle in radians, 0..pi, of the turn from a to b: 2 atan2(|v|, |w|) of (v, w) = a* b.
  * Neither need be unit; a zero quaternion counts as no turn.
  *
- * Error  0.52 ULP from 1e-7 rad; below, 1e-15 rad.
+ * Error  0.52 ULP.
  */
 NKW_API float nkw_quat_angle(nkw_quat a, nkw_quat b);
 

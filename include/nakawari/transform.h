@@ -19,7 +19,7 @@ extern "C" {
 NKW_ALGEBRA nkw_trs nkw_trs_identity(void);
 
 /**
- * R S: the columns of the rotation matrix of q, scaled. A q that is unit to 1e-3 or so is as good as unit: its length
+ * R S: the columns of the rotation matrix of q, scaled. A q that is unit to 1e-4 or so is as good as unit: its length
  * is corrected to first order.
  *
  * Error  3.3 u of each column.

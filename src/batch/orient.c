@@ -21,15 +21,44 @@ KERNEL(quat_nlerp_at)(nkw_quat_view a, nkw_quat_view b, float t, nkw_quat_span o
         put_quat(out, i, lane_quat_nlerp(at_quat(a, i), at_quat(b, i), t));
 }
 
-KERNEL(quat_slerp)(nkw_quat_view a, nkw_quat_view b, const float *t, nkw_quat_span out, size_t n)
+/* Blocks with a t outside 0..1 take the single function, as angles do that are far (see batch/scalar.c). */
+#define BLOCK 256
+
+static inline int any_outside(const float *t, size_t from, size_t to)
+{
+    int outside = 0;
+#pragma omp simd reduction(| : outside)
+    for (size_t i = from; i < to; i++)
+        outside |= !lane_t_is_inside(t[i]);
+    return outside;
+}
+
+static inline void slerp_inside(nkw_quat_view a, nkw_quat_view b, const float *t, nkw_quat_span out, size_t from, size_t to)
 {
 #pragma omp simd
-    for (size_t i = 0; i < n; i++)
+    for (size_t i = from; i < to; i++)
         put_quat(out, i, lane_quat_slerp(at_quat(a, i), at_quat(b, i), t[i]));
+}
+
+KERNEL(quat_slerp)(nkw_quat_view a, nkw_quat_view b, const float *t, nkw_quat_span out, size_t n)
+{
+    for (size_t from = 0; from < n; from += BLOCK) {
+        size_t end = n - from < BLOCK ? n : from + BLOCK;
+        if (any_outside(t, from, end))
+            for (size_t i = from; i < end; i++)
+                put_quat(out, i, lane_quat_slerp_any(at_quat(a, i), at_quat(b, i), t[i]));
+        else
+            slerp_inside(a, b, t, out, from, end);
+    }
 }
 
 KERNEL(quat_slerp_at)(nkw_quat_view a, nkw_quat_view b, float t, nkw_quat_span out, size_t n)
 {
+    if (!lane_t_is_inside(t)) {
+        for (size_t i = 0; i < n; i++)
+            put_quat(out, i, lane_quat_slerp_any(at_quat(a, i), at_quat(b, i), t));
+        return;
+    }
 #pragma omp simd
     for (size_t i = 0; i < n; i++)
         put_quat(out, i, lane_quat_slerp(at_quat(a, i), at_quat(b, i), t));
@@ -42,9 +71,7 @@ KERNEL(quat_log)(nkw_quat_view q, nkw_vec3_span out, size_t n)
         put_vec3(out, i, lane_vec3_from_wide(lane_wquat_log(lane_wquat_from(at_quat(q, i)))));
 }
 
-/* As for single angles (see batch/scalar.c): blocks with a far vector take the single function. */
-#define BLOCK 256
-
+/* Blocks with a far vector take the single function. */
 static inline int any_far(nkw_vec3_view v, size_t from, size_t to)
 {
     int far = 0;

@@ -136,32 +136,52 @@ static inline lane_wquat lane_wquat_aligned(lane_wquat a, lane_wquat b, nkw_path
     return lane_wquat_scale(b, turned ? -1.0 : 1.0);
 }
 
-/* sin(k h) / sin h for 0 <= h <= pi/2, and its limit k for small h. */
-static inline double lane_sine_ratio(double k, double h)
+/* sin x, cos x for any x; from 2^20 on x is first rounded to a float, which is all that a turn of that size can say. */
+static inline lane_sincos lane_turn64(double x)
 {
-    double ratio = lane_sincos64_any(k * h).s / lane_sincos64_any(h).s;
-    return h < 0x1p-30 ? k : ratio;
+    return lane_sincos64_any(lane_abs64(x) < LANE_NEAR ? x : (double)(float)x);
 }
 
 /*
- * Slerp over any arc up to a whole turn of the rotation, by way of the middle m of the arc:
+ * Slerp over any arc and for any t, from a's direction u and the direction e at right angles to it towards b:
  *
- *     h = angle(a, m) = atan2(|b - a|, |b + a|) <= pi/2,      m = (a + b) / (2 cos h)
- *     q = e sin((1 - k) h)/sin h + m sin(k h)/sin h,          e the end nearer to t, k = 2t or 2(1 - t)
+ *     q = l (u cos(t h) + e sin(t h)),      h = atan2(|b - (u.b) u|, u.b),      l from |a| to |b|
+ *
+ * Where b has no part at right angles to a, the turn is about the local z axis: e = u * (0, 0, 1, 0).
  */
 static inline lane_wquat lane_wquat_slerp(lane_wquat a, lane_wquat b, double t)
 {
-    lane_wquat sum = lane_wquat_add(a, b), difference = lane_wquat_sub(b, a);
-    double ss = lane_wquat_dot(sum, sum), dd = lane_wquat_dot(difference, difference);
-    double h = lane_atan2_64(lane_sqrt64(dd), lane_sqrt64(ss));
-    lane_wquat about_z = {a.y, -a.x, a.w, -a.z};
-    lane_wquat middle = lane_wquat_scale(sum, 0.5 * lane_sqrt64((ss + dd) / ss));
-    middle = lane_wquat_select(ss == 0.0, about_z, middle);
-    int first = t < 0.5;
-    double k = 2.0 * (first ? t : 1.0 - t);
-    lane_wquat end = lane_wquat_scale(lane_wquat_select(first, a, b), lane_sine_ratio(1.0 - k, h));
-    lane_wquat q = lane_wquat_add(end, lane_wquat_scale(middle, lane_sine_ratio(k, h)));
-    return lane_wquat_select(ss + dd == 0.0, a, q);
+    lane_wquat u = lane_wquat_normalize(a), v = lane_wquat_normalize(b);
+    double cosine = lane_wquat_dot(u, v);
+    lane_wquat across = lane_wquat_sub(v, lane_wquat_scale(u, cosine));
+    lane_wquat about_z = {u.y, -u.x, u.w, -u.z};
+    double s2 = lane_wquat_dot(across, across);
+    int along = s2 < 0x1p-96;
+    double h = along ? (cosine < 0.0 ? LANE_PI : 0.0) : lane_atan2_64(lane_sqrt64(s2), cosine);
+    lane_wquat e = lane_wquat_select(along, about_z, lane_wquat_normalize(across));
+    lane_sincos turn = lane_turn64(t * h);
+    double la = lane_sqrt64(lane_wquat_dot(a, a)), lb = lane_sqrt64(lane_wquat_dot(b, b));
+    lane_wquat q = lane_wquat_add(lane_wquat_scale(u, turn.c), lane_wquat_scale(e, h == 0.0 ? 0.0 : turn.s));
+    q = lane_wquat_scale(q, t > 0.0 && t < 1.0 ? la + t * (lb - la) : t > 0.0 ? lb : la);
+    return lane_wquat_select(t == 0.0, a, lane_wquat_select(t == 1.0, b, q));
+}
+
+static inline nkw_quat lane_quat_slerp_path(nkw_quat a, nkw_quat b, float t, nkw_path path)
+{
+    lane_wquat from = lane_wquat_from(a);
+    lane_wquat to = lane_wquat_aligned(from, lane_wquat_from(b), path);
+    return lane_quat_from_wide(lane_wquat_slerp(from, to, (double)t));
+}
+
+/* lane_quat_slerp holds for t in 0..1; the arc goes on beyond. */
+static inline int lane_t_is_inside(float t)
+{
+    return t >= 0.0f && t <= 1.0f;
+}
+
+static inline nkw_quat lane_quat_slerp_any(nkw_quat a, nkw_quat b, float t)
+{
+    return lane_t_is_inside(t) ? lane_quat_slerp(a, b, t) : lane_quat_slerp_path(a, b, t, NKW_PATH_SHORT);
 }
 
 /* An angle of a within one turn of b's, as NKW_UNWRAP_YAW and _ALL ask. */

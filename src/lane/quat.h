@@ -216,24 +216,31 @@ static inline nkw_quat lane_quat_normalize(nkw_quat q)
     return nkw_quat_add(k, nkw_quat_scale(k, 0.5f * lane_quat_defect(k)));
 }
 
+/*
+ * (from x to, |from| |to| + from.to), normalised. Past a quarter turn the last sum cancels, and
+ *
+ *     |from| |to| + from.to = |from x to|^2 / (|from| |to| - from.to)
+ */
 static inline lane_wquat lane_wquat_from_vectors(lane_wvec3 from, lane_wvec3 to)
 {
     double n2 = lane_wvec3_dot(from, from) * lane_wvec3_dot(to, to);
+    double lengths = lane_sqrt64(n2), cosine = lane_wvec3_dot(from, to);
     lane_wvec3 c = lane_wvec3_cross(from, to);
-    lane_wquat q = {c.x, c.y, c.z, lane_sqrt64(n2) + lane_wvec3_dot(from, to)};
+    double c2 = lane_wvec3_dot(c, c);
+    double w = cosine < 0.0 ? c2 / (lengths - cosine) : lengths + cosine;
+    lane_wquat q = {c.x, c.y, c.z, w};
     lane_wvec3 p = lane_wvec3_perpendicular(from);
     lane_wquat half_turn = {p.x, p.y, p.z, 0.0};
-    /* |q|^2 / n2 is the square of twice the cosine of half the angle. */
-    int opposite = n2 > 0.0 && lane_wquat_dot(q, q) < 0x1p-100 * n2;
+    int opposite = cosine < 0.0 && c2 == 0.0;
     return lane_wquat_select(opposite, half_turn, lane_wquat_normalize(q));
 }
 
-/* The turn between two unit quaternions, 0..pi, of the nearer signs. */
+/* The turn between two quaternions, 0..pi, of the nearer signs; their lengths cancel. */
 static inline double lane_wquat_angle(lane_wquat a, lane_wquat b)
 {
-    lane_wquat d = lane_wquat_sub(a, b), s = lane_wquat_add(a, b);
-    double far = lane_sqrt64(lane_wquat_dot(d, d)), near = lane_sqrt64(lane_wquat_dot(s, s));
-    return 4.0 * (far < near ? lane_atan2_64(far, near) : lane_atan2_64(near, far));
+    lane_wquat turn = lane_wquat_mul(lane_wquat_conjugate(a), b);
+    lane_wvec3 v = {turn.x, turn.y, turn.z};
+    return 2.0 * lane_atan2_64(lane_wvec3_length(v), lane_abs64(turn.w));
 }
 
 #endif

@@ -1,0 +1,305 @@
+/* SPDX-License-Identifier: MIT */
+/* Errors of <nakawari/transform.h> against binary128. */
+#include "wide.h"
+
+#if WIDE_AVAILABLE
+
+#include <math.h>
+
+#define SAMPLES 160000u
+
+/* ---- Samples: translation, rotation, scale, as ten floats ---- */
+
+static void with_scale(random_source *r, float *x, nkw_quat q, float low, float high)
+{
+    put_vec3(x, random_vec3(r, -100.0f, 100.0f));
+    put_quat(x + 3, q);
+    for (int i = 7; i < 10; i++)
+        x[i] = random_log(r, low, high);
+}
+
+static void non_uniform(random_source *r, float *x)
+{
+    with_scale(r, x, random_unit_quat(r), 1e-2f, 1e2f);
+}
+
+static void uniform(random_source *r, float *x)
+{
+    non_uniform(r, x);
+    x[8] = x[9] = x[7];
+}
+
+static void pure_rotation(random_source *r, float *x)
+{
+    non_uniform(r, x);
+    x[7] = x[8] = x[9] = 1.0f;
+}
+
+static void one_negative(random_source *r, float *x)
+{
+    non_uniform(r, x);
+    x[7 + random_bits(r) % 3] *= -1.0f;
+}
+
+static void two_negative(random_source *r, float *x)
+{
+    non_uniform(r, x);
+    unsigned kept = (unsigned)(random_bits(r) % 3);
+    for (unsigned i = 0; i < 3; i++)
+        x[7 + i] = i == kept ? x[7 + i] : -x[7 + i];
+}
+
+static void three_negative(random_source *r, float *x)
+{
+    non_uniform(r, x);
+    for (int i = 7; i < 10; i++)
+        x[i] = -x[i];
+}
+
+static void tiny(random_source *r, float *x)
+{
+    with_scale(r, x, random_unit_quat(r), 1e-6f, 1e-3f);
+}
+
+/* Elements down to 1e-33: still normal numbers, their squares not. */
+static void vanishing(random_source *r, float *x)
+{
+    with_scale(r, x, random_unit_quat(r), 1e-30f, 1e-20f);
+}
+
+static void huge(random_source *r, float *x)
+{
+    with_scale(r, x, random_unit_quat(r), 1e20f, 1e38f);
+}
+
+static void near_half_turn(random_source *r, float *x)
+{
+    nkw_vec3 axis = random_direction(r);
+    nkw_quat half = {axis.x, axis.y, axis.z, 0.0f};
+    float off = random_log(r, 1e-7f, 1e-2f);
+    with_scale(r, x, random_unit_near(r, half, off), 1e-2f, 1e2f);
+}
+
+/* Rotations as they come out of an interpolation: unit to 1e-5. */
+static void not_quite_unit(random_source *r, float *x)
+{
+    non_uniform(r, x);
+    float off = 1.0f + random_between(r, -1e-5f, 1e-5f);
+    put_quat(x + 3, nkw_quat_scale(quat_at(x + 3), off));
+}
+
+static void unit_to_1e3(random_source *r, float *x)
+{
+    non_uniform(r, x);
+    float off = 1.0f + random_between(r, -1e-3f, 1e-3f);
+    put_quat(x + 3, nkw_quat_scale(quat_at(x + 3), off));
+}
+
+static nkw_trs trs_at(const float *x)
+{
+    nkw_trs t = {vec3_at(x), quat_at(x + 3), vec3_at(x + 7)};
+    return t;
+}
+
+/* The columns of R S in binary128. */
+static void columns(const nkw_trs *t, wide m[9])
+{
+    float q[4], s[3];
+    wide w[4];
+    put_quat(q, t->rotation);
+    put_vec3(s, t->scale);
+    wide_from(q, w, 4);
+    wide_mat3_from_quat(w, m);
+    for (int c = 0; c < 3; c++)
+        wide_scale(m + c * 3, s[c], 3);
+}
+
+static double worst_column(const float *m, int stride, const wide *exact)
+{
+    double worst = 0.0;
+    for (int c = 0; c < 3; c++)
+        worst = fmax(worst, wide_error(m + c * stride, exact + c * 3, 3));
+    return worst;
+}
+
+static double compose_error(const float *x)
+{
+    wide exact[9];
+    nkw_trs t = trs_at(x);
+    nkw_mat4 m = nkw_mat4_from_trs(&t);
+    columns(&t, exact);
+    int rest = m.m[12] == x[0] && m.m[13] == x[1] && m.m[14] == x[2] && m.m[15] == 1.0f;
+    return rest ? worst_column(m.m, 4, exact) : HUGE_VAL;
+}
+
+static double from_quat_scale_error(const float *x)
+{
+    wide exact[9];
+    nkw_trs t = trs_at(x);
+    nkw_mat3 m = nkw_mat3_from_quat_scale(t.rotation, t.scale);
+    columns(&t, exact);
+    return worst_column(m.m, 3, exact);
+}
+
+/* The matrix of a sample, each element rounded once. */
+static nkw_mat4 rounded(const float *x)
+{
+    wide exact[9];
+    nkw_trs t = trs_at(x);
+    nkw_mat4 m = nkw_mat4_identity();
+    columns(&t, exact);
+    for (int c = 0; c < 3; c++)
+        wide_round(exact + c * 3, m.m + c * 4, 3);
+    put_vec3(m.m + 12, t.translation);
+    return m;
+}
+
+/* |rebuilt column - column| / |column|, the rotation taken as unit. */
+static double rebuilt_error(const float *x)
+{
+    wide exact[9], column[3];
+    double worst = 0.0;
+    nkw_mat4 m = rounded(x);
+    nkw_trs t = nkw_trs_from_mat4(&m);
+    columns(&t, exact);
+    for (int c = 0; c < 3; c++) {
+        wide_from(m.m + c * 4, column, 3);
+        worst = fmax(worst, wide_error_of(m.m + c * 4, exact + c * 3, 3, wide_length(column, 3)));
+    }
+    int translation = t.translation.x == x[0] && t.translation.y == x[1] && t.translation.z == x[2];
+    return translation ? worst : HUGE_VAL;
+}
+
+/* Against the scale that made the matrix: its rounding counts. */
+static double scale_error(const float *x)
+{
+    nkw_mat4 m = rounded(x);
+    nkw_trs t = nkw_trs_from_mat4(&m);
+    double worst = 0.0;
+    float got[3];
+    put_vec3(got, t.scale);
+    for (int i = 0; i < 3; i++)
+        worst = fmax(worst, fabs(fabs((double)got[i]) / fabs((double)x[7 + i]) - 1.0) * 0x1p24);
+    return worst;
+}
+
+static double rotation_error(const float *x)
+{
+    wide q[4];
+    float got[4];
+    nkw_mat4 m = rounded(x);
+    put_quat(got, nkw_trs_from_mat4(&m).rotation);
+    wide_from(x + 3, q, 4);
+    wide_normalize(q, 4);
+    return wide_error_either(got, q, 4);
+}
+
+#define COMPOSE   "nkw_mat4_from_trs"
+#define DECOMPOSE "nkw_trs_from_mat4"
+
+static const wide_case cases[] = {
+    {COMPOSE, "scales 1e-2 .. 1e2", non_uniform, compose_error, 10, WIDE_CHECKED},
+    {COMPOSE, "scale 1", pure_rotation, compose_error, 10, WIDE_CHECKED},
+    {COMPOSE, "rotation near half turns", near_half_turn, compose_error, 10, WIDE_CHECKED},
+    {COMPOSE, "rotation unit to 1e-5", not_quite_unit, compose_error, 10, WIDE_CHECKED},
+    {COMPOSE, "rotation unit to 1e-3", unit_to_1e3, compose_error, 10, WIDE_NOTED},
+    {"nkw_mat3_from_quat_scale", "scales 1e-2 .. 1e2", non_uniform, from_quat_scale_error, 10, WIDE_CHECKED},
+    {COMPOSE, "scales 1e-6 .. 1e-3", tiny, compose_error, 10, WIDE_CHECKED},
+    {DECOMPOSE, "uniform scale 1e-2 .. 1e2", uniform, rebuilt_error, 10, WIDE_CHECKED},
+    {DECOMPOSE, "scales 1e-2 .. 1e2", non_uniform, rebuilt_error, 10, WIDE_CHECKED},
+    {DECOMPOSE, "one negative scale", one_negative, rebuilt_error, 10, WIDE_CHECKED},
+    {DECOMPOSE, "two negative scales", two_negative, rebuilt_error, 10, WIDE_CHECKED},
+    {DECOMPOSE, "three negative scales", three_negative, rebuilt_error, 10, WIDE_CHECKED},
+    {DECOMPOSE, "scale 1", pure_rotation, rebuilt_error, 10, WIDE_CHECKED},
+    {DECOMPOSE, "scales 1e-6 .. 1e-3", tiny, rebuilt_error, 10, WIDE_CHECKED},
+    {DECOMPOSE, "scales 1e-30 .. 1e-20", vanishing, rebuilt_error, 10, WIDE_CHECKED},
+    {DECOMPOSE, "scales 1e20 .. 1e38", huge, rebuilt_error, 10, WIDE_CHECKED},
+    {DECOMPOSE, "rotation near half turns", near_half_turn, rebuilt_error, 10, WIDE_CHECKED},
+    {DECOMPOSE, "scale, uniform 1e-2 .. 1e2", uniform, scale_error, 10, WIDE_NOTED},
+    {DECOMPOSE, "scale, 1e-2 .. 1e2", non_uniform, scale_error, 10, WIDE_NOTED},
+    {DECOMPOSE, "scale, 1", pure_rotation, scale_error, 10, WIDE_NOTED},
+    {DECOMPOSE, "scale, 1e-6 .. 1e-3", tiny, scale_error, 10, WIDE_NOTED},
+    {DECOMPOSE, "rotation, uniform 1e-2 .. 1e2", uniform, rotation_error, 10, WIDE_NOTED},
+    {DECOMPOSE, "rotation, 1e-2 .. 1e2", non_uniform, rotation_error, 10, WIDE_NOTED},
+    {DECOMPOSE, "rotation, 1", pure_rotation, rotation_error, 10, WIDE_NOTED},
+    {DECOMPOSE, "rotation, 1e-6 .. 1e-3", tiny, rotation_error, 10, WIDE_NOTED},
+    {DECOMPOSE, "rotation, near half turns", near_half_turn, rotation_error, 10, WIDE_NOTED},
+};
+
+/* ---- A chain of joints: rotation and reach of the product of many T R ---- */
+
+#define DEEPEST 64
+
+/* A chain is drawn from its seed, in two floats. */
+static void chain_seed(random_source *r, float *x)
+{
+    x[0] = (float)(random_bits(r) >> 44);
+    x[1] = (float)(random_bits(r) >> 44);
+}
+
+static double chain_error(const float *x, int depth, int position)
+{
+    random_source r = random_from((uint64_t)x[0] << 20 | (uint64_t)x[1]);
+    nkw_mat4 world = nkw_mat4_identity();
+    wide exact[16], local[16];
+    wide_from(world.m, exact, 16);
+    for (int i = 0; i < depth; i++) {
+        nkw_trs t = {random_vec3(&r, -1.0f, 1.0f), random_unit_quat(&r), {1.0f, 1.0f, 1.0f}};
+        nkw_mat4 m = nkw_mat4_from_trs(&t);
+        wide columns3[9];
+        world = nkw_mat4_mul_affine(&world, &m);
+        columns(&t, columns3);
+        wide_from(m.m, local, 16);
+        for (int k = 0; k < 9; k++)
+            local[k / 3 * 4 + k % 3] = columns3[k];
+        wide_mat_mul(exact, local, exact, 4);
+    }
+    if (position)
+        return wide_error_of(world.m + 12, exact + 12, 3, depth);
+    return wide_error(world.m, exact, 12);
+}
+
+static double chain_1(const float *x)
+{
+    return chain_error(x, 1, 0);
+}
+
+static double chain_4(const float *x)
+{
+    return chain_error(x, 4, 0);
+}
+
+static double chain_16(const float *x)
+{
+    return chain_error(x, 16, 0);
+}
+
+static double chain_64(const float *x)
+{
+    return chain_error(x, DEEPEST, 0);
+}
+
+static double reach_64(const float *x)
+{
+    return chain_error(x, DEEPEST, 1);
+}
+
+static const wide_case chains[] = {
+    {COMPOSE, "chain of 1 joint, rotation", chain_seed, chain_1, 2, WIDE_NOTED},
+    {COMPOSE, "chain of 4 joints, rotation", chain_seed, chain_4, 2, WIDE_NOTED},
+    {COMPOSE, "chain of 16 joints, rotation", chain_seed, chain_16, 2, WIDE_NOTED},
+    {COMPOSE, "chain of 64 joints, rotation", chain_seed, chain_64, 2, WIDE_NOTED},
+    {COMPOSE, "chain of 64 joints, position / depth", chain_seed, reach_64, 2, WIDE_NOTED},
+};
+
+int main(int argc, char **argv)
+{
+    accuracy a = accuracy_begin("transform.h", argc, argv);
+    wide_run(&a, cases, sizeof cases / sizeof cases[0], SAMPLES);
+    wide_run(&a, chains, sizeof chains / sizeof chains[0], SAMPLES / 100);
+    return accuracy_end(&a);
+}
+
+#else
+WIDE_SKIPPED
+#endif

@@ -1,0 +1,21 @@
+cmake_minimum_required(VERSION 3.25)
+# Joins the Markdown parts that the accuracy programs wrote into one page.
+set(page "# Accuracy
+
+The worst error of every function, as `cmake --workflow --preset accuracy` measured it. The same programs run in the tests on
+smaller samples and fail where a measurement exceeds the `Error` line of the function's header.
+
+Units: a ULP is the distance of neighbouring floats at the exact result, so 0.5 ULP is correct rounding. 1 u is 2^-24 of the
+magnitude that the header names: the norm of a vector, quaternion or matrix, the largest control value of a curve. The oracle
+of floor 1 is the C library's binary64 functions, that of floors 2 and 3 binary128. Rows marked *noted* are measured by
+another yardstick than the header's line, or outside the range it speaks of. The witness is the input of the worst case.
+")
+foreach(stem IN ITEMS scalar vec quat mat euler transform curve orient)
+  if(NOT EXISTS "${PARTS}/${stem}.md")
+    message(FATAL_ERROR "no ${PARTS}/${stem}.md: run the accuracy tests first")
+  endif()
+  file(READ "${PARTS}/${stem}.md" rows)
+  string(APPEND page "\n## ${stem}.h\n\n| function | region | worst | rms | unit | witness | samples |\n|---|---|--:|--:|---|---|--:|\n${rows}")
+endforeach()
+file(WRITE "${PAGE}" "${page}")
+message(STATUS "written: ${PAGE}")
