@@ -12,6 +12,7 @@
 
 #include <nakawari/nakawari.h>
 
+#include "../support/put.h"
 #include "../support/random.h"
 
 #define ROUNDS 4000
@@ -91,26 +92,6 @@ static void draw(random_source *r, input *i)
         i->q[k] = some_rotation(r, i->q[0], (unsigned)(bits >> (32 + 4 * k)) % 8);
     draw_matrices(r, i);
     draw_keys(r, i);
-}
-
-static void put_vec3(float *o, nkw_vec3 v)
-{
-    memcpy(o, &v, sizeof v);
-}
-
-static void put_quat(float *o, nkw_quat q)
-{
-    memcpy(o, &q, sizeof q);
-}
-
-static void put_mat3(float *o, nkw_mat3 m)
-{
-    memcpy(o, &m, sizeof m);
-}
-
-static void put_mat4(float *o, nkw_mat4 m)
-{
-    memcpy(o, &m, sizeof m);
 }
 
 static void put_weights(float *o, nkw_weights w)

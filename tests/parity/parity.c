@@ -10,6 +10,7 @@
 
 #include <nakawari/nakawari.h>
 
+#include "../support/put.h"
 #include "../support/random.h"
 #include "simd/select.h"
 
@@ -23,26 +24,6 @@
 static float inputs[ARRAYS][STRIDE], outputs[ARRAYS][STRIDE], pristine[ARRAYS][STRIDE], packed[16 * LONGEST];
 
 static const nkw_mat4 some_matrix = {{0.5f, 1, -2, 0, 3, 0.25f, 1, 0, -1, 1, 4, 0, 10, -20, 30, 1}};
-
-static void put_vec3(float *o, nkw_vec3 v)
-{
-    memcpy(o, &v, sizeof v);
-}
-
-static void put_quat(float *o, nkw_quat q)
-{
-    memcpy(o, &q, sizeof q);
-}
-
-static void put_mat3(float *o, nkw_mat3 m)
-{
-    memcpy(o, &m, sizeof m);
-}
-
-static void put_mat4(float *o, nkw_mat4 m)
-{
-    memcpy(o, &m, sizeof m);
-}
 
 /* The first `width` input arrays as one array of structs. */
 static const void *aos(const float *const *in, size_t width, size_t n)
