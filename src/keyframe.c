@@ -33,7 +33,7 @@ static size_t key_after(const sampler *s)
 /* The key whose state a step holds: the one that begins the segment, from the end on the last. */
 static size_t key_held(const sampler *s)
 {
-    return s->time >= s->keys[s->to].time ? s->to : s->from;
+    return s->segment.t < 1.0f ? s->from : s->to;
 }
 
 /* Writes down control value i: `value`, taken from `key`, of the given weight. */

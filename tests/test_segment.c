@@ -25,7 +25,8 @@ static nkw_segment by_definition(const float *times, size_t count, float time)
         if (times[k] <= time && (time < times[k + 1] || k + 2 == count))
             r.index = k;
     float a = times[r.index], b = times[r.index + 1];
-    r.t = time >= b ? 1.0f : (float)(((double)time - (double)a) / ((double)b - (double)a));
+    r.t = (float)(((double)time - (double)a) / ((double)b - (double)a));
+    r.t = time >= b ? 1.0f : r.t < 1.0f ? r.t : 0x1.fffffep-1f;
     return r;
 }
 
@@ -83,6 +84,15 @@ static void t_does_not_overflow(void **state)
     (void)state;
     const float times[2] = {-3e38f, 3e38f};
     expect_segment(nkw_segment_find(times, 2, 0.0f), 0, 0.5f);
+}
+
+static void t_is_one_only_at_the_end(void **state)
+{
+    (void)state;
+    const float times[3] = {-1e9f, 1.0f, 2.0f};
+    expect_segment(nkw_segment_find(times, 3, 0x1.fffffep-1f), 0, 0x1.fffffep-1f);
+    expect_segment(nkw_segment_find(times, 3, 1.0f), 1, 0.0f);
+    expect_segment(nkw_segment_find(times, 3, 2.0f), 1, 1.0f);
 }
 
 static void search_and_cursor_agree_with_the_definition(void **state)
@@ -170,6 +180,7 @@ int main(void)
         cmocka_unit_test(fewer_than_two_keys_and_nan_give_the_first_segment),
         cmocka_unit_test(equal_times_make_empty_segments_that_are_passed_over),
         cmocka_unit_test(t_does_not_overflow),
+        cmocka_unit_test(t_is_one_only_at_the_end),
         cmocka_unit_test(search_and_cursor_agree_with_the_definition),
         cmocka_unit_test(anything_at_all_stays_within_the_array),
         cmocka_unit_test(uniform_times_agree_with_a_search_over_them),

@@ -24,8 +24,10 @@
 #include "curve.h"
 #include "orient.h"
 
-/* Floor 4, track: from a time to the keys around it, from keys to a matrix. */
+/* Floor 4, track: from a time to the keys around it, from keys to a value or a matrix. */
 #include "segment.h"
 #include "keyframe.h"
+#include "track.h"
+#include "playback.h"
 
 #endif

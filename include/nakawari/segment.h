@@ -14,7 +14,8 @@
  * Whatever the input: index + 1 < count or index = 0, and 0 <= t <= 1. Fewer than two keys have no segment and
  * give {0, 0}; so does a NaN time. Times that do not ascend, or are NaN, give some segment within the array.
  *
- * t is worked out in binary64 and rounded once, so it cannot overflow, and is 0 and 1 exactly at the keys.
+ * t is worked out in binary64 and rounded once, so it cannot overflow. It is 0 at the key that begins the segment, and 1 from
+ * the last key on and only there.
  */
 #ifndef NAKAWARI_SEGMENT_H
 #define NAKAWARI_SEGMENT_H

@@ -19,12 +19,16 @@ static inline float lane_time(lane_times times, size_t k)
     return *(const float *)(const void *)(times.first + k * times.stride);
 }
 
-/* (time - a) / (b - a) clamped to 0..1; a >= b gives 1 from b on, else 0; NaN gives 0. */
+/*
+ * (time - a) / (b - a) clamped to 0..1; 1 from b on and only there: before b a quotient that rounds to 1 is the float below.
+ * a >= b gives 1 from b on, else 0; NaN gives 0.
+ */
 static inline float lane_segment_t(float a, float b, float time)
 {
     double t = ((double)time - (double)a) / ((double)b - (double)a);
     float inside = t > 0.0 ? (float)t : 0.0f;
-    return time >= b ? 1.0f : inside < 1.0f ? inside : 1.0f;
+    float below = inside < 1.0f ? inside : 0x1.fffffep-1f;
+    return time >= b ? 1.0f : below;
 }
 
 /*

@@ -120,6 +120,22 @@ static void put_segment(float *o, nkw_segment s)
     o[1] = s.t;
 }
 
+/* Three keys of four floats, with tangents where the mode has them, from the quaternions at hand. */
+static void sample_track(float *o, const input *i, nkw_track_kind kind, nkw_interpolation mode)
+{
+    float values[36];
+    for (unsigned k = 0; k < 9; k++)
+        memcpy(values + 4 * k, &i->q[k % 4], 4 * sizeof(float));
+    nkw_track track = {i->times, values, 3, 4, kind, mode, NULL};
+    nkw_track_sample(&track, i->s[0], o);
+}
+
+static void put_head(float *o, nkw_play_head head)
+{
+    o[0] = head.time;
+    o[1] = head.cycle;
+}
+
 static void find_many(float *o, const input *i)
 {
     nkw_segment found[8];

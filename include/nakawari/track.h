@@ -1,0 +1,98 @@
+/* SPDX-License-Identifier: MIT */
+/**
+ * @file
+ * Floor 4: a track: the keys of one property, as animation files give them.
+ *
+ * A track is a view over the caller's arrays, in the very layout of glTF 2.0 accessors: `count` ascending key times in
+ * seconds, and the keys' values one after the other, `width` floats each.
+ *
+ *     NKW_INTERPOLATION_STEP, _LINEAR    count values
+ *     NKW_INTERPOLATION_CUBICSPLINE      count triples: in-tangent, value, out-tangent, each `width` floats;
+ *                                        tangents per second
+ *
+ * Before the first key its value holds, after the last one the last's. At a key's own time its value comes back bit for
+ * bit. Segments are half open, as in segment.h. Between keys k and k + 1, d seconds apart and t of the way:
+ *
+ *     STEP          value[k]
+ *     LINEAR        nkw_lerp of each component; rotations by nkw_quat_slerp
+ *     CUBICSPLINE   the Hermite curve of value[k], d out[k], value[k+1], d in[k+1]; rotations normalised afterwards
+ *
+ * Rotations are x, y, z, w and should be unit; what is stored is used as it is, and between keys a slerp of keys that are
+ * not quite unit is not quite unit either. NKW_TRACK_ROTATION_NORMALIZED normalises LINEAR and STEP keys as they are read:
+ * then a key's own value is unit to rounding, instead of the stored bits.
+ *
+ * Source Khronos Group, glTF 2.0 Specification, section 3.11 and appendix C, 2021.
+ */
+#ifndef NAKAWARI_TRACK_H
+#define NAKAWARI_TRACK_H
+
+#include "segment.h"
+#include "types.h"
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/** How the values go from key to key. */
+typedef enum nkw_interpolation {
+    NKW_INTERPOLATION_LINEAR,
+    NKW_INTERPOLATION_STEP,
+    NKW_INTERPOLATION_CUBICSPLINE
+} nkw_interpolation;
+
+/** What the floats of a value mean. */
+typedef enum nkw_track_kind {
+    NKW_TRACK_FLOATS,             /**< `width` numbers of their own: a scalar, morph weights, a vector, a scale */
+    NKW_TRACK_ROTATION,           /**< a quaternion: width 4 */
+    NKW_TRACK_ROTATION_NORMALIZED /**< a quaternion whose keys are normalised as they are read */
+} nkw_track_kind;
+
+/** One property over time. Nothing is owned; the arrays may lie in a mapped file. */
+typedef struct nkw_track {
+    const float *times;  /**< count key times, seconds, ascending; equal times allowed */
+    const float *values; /**< count * width floats, three times as many for CUBICSPLINE */
+    size_t count;        /**< at least 1 */
+    size_t width;        /**< floats in a value, at least 1 */
+    nkw_track_kind kind;
+    nkw_interpolation interpolation;
+    /**
+     * NULL, or count bytes: the interpolation of the segment that begins at each key, in place of the one above; for files
+     * that choose it key by key. Not with CUBICSPLINE, whose values are stored otherwise.
+     */
+    const unsigned char *key_interpolation;
+} nkw_track;
+
+/** How many floats stand in `values`. */
+NKW_API size_t nkw_track_value_count(const nkw_track *track);
+
+/**
+ * Checks a track: NKW_EMPTY without keys or width; NKW_BAD_METHOD for an unknown kind or interpolation, a rotation whose
+ * width is not 4, or a key's interpolation that is not LINEAR or STEP; NKW_NOT_FINITE where a time or value is not finite;
+ * NKW_NOT_ASCENDING where a time is less than the one before; NKW_NOT_UNIT where a rotation's value is off unit length by more
+ * than 1e-2. *bad_key becomes the index of the first offending key, 0 if there is none; it may be NULL.
+ */
+NKW_API nkw_result nkw_track_validate(const nkw_track *track, size_t *bad_key);
+
+/**
+ * The value at `time`: writes `width` floats. A NaN time counts as before the first key. An empty track writes nothing. A
+ * track that would not validate gives values of no meaning, but nothing is read or written outside its arrays.
+ */
+NKW_API void nkw_track_sample(const nkw_track *track, float time, float *out);
+
+/**
+ * The same from a cursor: *cursor is the segment found last, any number at first, and becomes the one found now. Fast while
+ * time moves slowly, forward or backward; the same bits.
+ */
+NKW_API void nkw_track_sample_from(const nkw_track *track, float time, size_t *cursor, float *out);
+
+/**
+ * Reads the same value where the segment is already known, for tracks that share their key times: `segment` as
+ * nkw_segment_find gives it for track->times.
+ */
+NKW_API void nkw_track_sample_at(const nkw_track *track, nkw_segment segment, float *out);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif

@@ -1,0 +1,119 @@
+/* SPDX-License-Identifier: MIT */
+#include "lane/strict.h"
+
+#include <nakawari/playback.h>
+
+/* floor(x) for |x| < 2^51; larger x have no fraction worth the name. */
+static double floor64(double x)
+{
+    double rounded = (x + 0x1.8p52) - 0x1.8p52;
+    double whole = x < 0x1p51 && x > -0x1p51 ? rounded : x;
+    return whole > x ? whole - 1.0 : whole;
+}
+
+/* x = cycle period + rest, 0 <= rest < period: exact while cycle has at most 29 bits. */
+static double rest_of(double x, double period, double *cycle)
+{
+    double n = floor64(x / period);
+    double rest = x - n * period;
+    /* The quotient may have been rounded across a whole number. */
+    if (rest < 0.0) {
+        n -= 1.0;
+        rest += period;
+    } else if (rest >= period) {
+        n += 1.0;
+        rest -= period;
+    }
+    *cycle = n;
+    return rest > 0.0 && rest < period ? rest : 0.0;
+}
+
+static int is_positive(float x)
+{
+    return x > 0.0f && x - x == 0.0f;
+}
+
+/* start + rest, but never the end that rest stays below. */
+static float before_end(float start, double rest, float duration)
+{
+    float time = (float)((double)start + rest);
+    float end = (float)((double)start + (double)duration);
+    return time < end ? time : start;
+}
+
+static float clamped(float start, float duration, float time)
+{
+    float end = (float)((double)start + (double)duration);
+    return time < start ? start : time > end ? end : time;
+}
+
+nkw_play_head nkw_playback_at(nkw_playback mode, float start, float duration, float time)
+{
+    nkw_play_head head = {start, 0.0f};
+    double cycle, x = (double)time - (double)start;
+    if (!is_positive(duration) || x != x)
+        return head;
+    if (mode != NKW_PLAYBACK_LOOP && mode != NKW_PLAYBACK_PING_PONG) {
+        head.time = clamped(start, duration, time);
+        return head;
+    }
+    if (x - x != 0.0)
+        return head;
+    double rest = rest_of(x, duration, &cycle);
+    head.cycle = (float)cycle;
+    double half = 0.5 * cycle;
+    int odd = floor64(half) != half;
+    if (mode == NKW_PLAYBACK_LOOP)
+        head.time = before_end(start, rest, duration);
+    else
+        head.time = (float)((double)start + (odd ? (double)duration - rest : rest));
+    return head;
+}
+
+typedef struct passed {
+    size_t *out;
+    size_t capacity, count;
+} passed;
+
+/* The keys of one pass in (from, to], both counted from the start of the pass. */
+static void pass(const float *times, size_t count, double from, double to, passed *p)
+{
+    for (size_t k = 0; k < count; k++) {
+        if (!((double)times[k] > from && (double)times[k] <= to))
+            continue;
+        if (p->count < p->capacity)
+            p->out[p->count] = k;
+        p->count++;
+    }
+}
+
+/* The keys of the passes first..last; those further in from both ends than one hold every key. */
+static void passes(const float *times, size_t count, double duration, double first, double last, const double span[2], passed *p)
+{
+    for (double n = first; n <= last; n += 1.0) {
+        if (n >= first + 2.0 && n <= last - 2.0 && p->count >= p->capacity) {
+            p->count += (size_t)(last - 1.0 - n) * count;
+            n = last - 1.0;
+        }
+        pass(times, count, span[0] - n * duration, span[1] - n * duration, p);
+    }
+}
+
+size_t nkw_playback_passed(const float *times, size_t count, float duration, float from, float to, size_t *out,
+                           size_t capacity)
+{
+    passed p = {out, capacity, 0};
+    const double span[2] = {from, to};
+    if (!(from < to) || from - from != 0.0f || to - to != 0.0f || count == 0)
+        return 0;
+    if (duration == 0.0f) {
+        pass(times, count, span[0], span[1], &p);
+        return p.count;
+    }
+    /* Pass n holds the running times n duration + times[k]; the first and last that can matter. */
+    double first = floor64((span[0] - (double)times[count - 1]) / (double)duration);
+    double last = floor64((span[1] - (double)times[0]) / (double)duration);
+    if (is_positive(duration) && last - first < 0x1p31)
+        passes(times, count, duration, first, last, span, &p);
+    return p.count;
+}

@@ -1,0 +1,173 @@
+/* SPDX-License-Identifier: MIT */
+#include "lane/strict.h"
+
+#include <nakawari/curve.h>
+#include <nakawari/orient.h>
+#include <nakawari/quat.h>
+#include <nakawari/scalar.h>
+#include <nakawari/track.h>
+
+static int is_rotation(const nkw_track *track)
+{
+    return track->kind == NKW_TRACK_ROTATION || track->kind == NKW_TRACK_ROTATION_NORMALIZED;
+}
+
+static int is_cubic(const nkw_track *track)
+{
+    return track->interpolation == NKW_INTERPOLATION_CUBICSPLINE;
+}
+
+size_t nkw_track_value_count(const nkw_track *track)
+{
+    return track->count * track->width * (is_cubic(track) ? 3 : 1);
+}
+
+/* Key k's in-tangent, value and out-tangent, in that order; without tangents the value alone. */
+static const float *key_at(const nkw_track *track, size_t k)
+{
+    return track->values + k * track->width * (is_cubic(track) ? 3 : 1);
+}
+
+static const float *value_at(const nkw_track *track, size_t k)
+{
+    return key_at(track, k) + (is_cubic(track) ? track->width : 0);
+}
+
+static nkw_quat read_quat(const float *v)
+{
+    nkw_quat q = {v[0], v[1], v[2], v[3]};
+    return q;
+}
+
+static void write_quat(nkw_quat q, float *out)
+{
+    out[0] = q.x;
+    out[1] = q.y;
+    out[2] = q.z;
+    out[3] = q.w;
+}
+
+static nkw_quat rotation_at(const nkw_track *track, size_t k)
+{
+    nkw_quat q = read_quat(value_at(track, k));
+    return track->kind == NKW_TRACK_ROTATION_NORMALIZED ? nkw_quat_normalize(q) : q;
+}
+
+static void hold(const nkw_track *track, size_t k, float *out)
+{
+    const float *v = value_at(track, k);
+    if (is_rotation(track))
+        write_quat(rotation_at(track, k), out);
+    else
+        for (size_t i = 0; i < track->width; i++)
+            out[i] = v[i];
+}
+
+static void linear(const nkw_track *track, size_t k, float t, float *out)
+{
+    const float *a = value_at(track, k), *b = value_at(track, k + 1);
+    if (is_rotation(track))
+        write_quat(nkw_quat_slerp(rotation_at(track, k), rotation_at(track, k + 1), t), out);
+    else
+        for (size_t i = 0; i < track->width; i++)
+            out[i] = nkw_lerp(a[i], b[i], t);
+}
+
+/* Tangents per second times the segment's duration are tangents per segment. */
+static void cubic(const nkw_track *track, size_t k, float t, float *out)
+{
+    const float *a = value_at(track, k), *b = value_at(track, k + 1);
+    const float *leaving = a + track->width, *arriving = b - track->width;
+    float duration = track->times[k + 1] - track->times[k];
+    for (size_t i = 0; i < track->width; i++)
+        out[i] = nkw_hermite(a[i], duration * leaving[i], b[i], duration * arriving[i], t);
+    if (is_rotation(track))
+        write_quat(nkw_quat_normalize(read_quat(out)), out);
+}
+
+static nkw_interpolation interpolation_at(const nkw_track *track, size_t k)
+{
+    if (is_cubic(track) || !track->key_interpolation)
+        return track->interpolation;
+    return (nkw_interpolation)track->key_interpolation[k];
+}
+
+/* A rotation of another width than 4 cannot be read; it does not validate. */
+static int is_readable(const nkw_track *track)
+{
+    return track->count > 0 && track->width > 0 && (!is_rotation(track) || track->width == 4);
+}
+
+void nkw_track_sample_at(const nkw_track *track, nkw_segment segment, float *out)
+{
+    if (!is_readable(track))
+        return;
+    size_t last = track->count - 1;
+    size_t k = segment.index < last ? segment.index : last;
+    if (k == last || segment.t == 0.0f)
+        hold(track, k, out);
+    else if (segment.t == 1.0f)
+        hold(track, k + 1, out);
+    else if (is_cubic(track))
+        cubic(track, k, segment.t, out);
+    else if (interpolation_at(track, k) == NKW_INTERPOLATION_LINEAR)
+        linear(track, k, segment.t, out);
+    else
+        hold(track, k, out);
+}
+
+void nkw_track_sample(const nkw_track *track, float time, float *out)
+{
+    nkw_track_sample_at(track, nkw_segment_find(track->times, track->count, time), out);
+}
+
+void nkw_track_sample_from(const nkw_track *track, float time, size_t *cursor, float *out)
+{
+    nkw_segment segment = nkw_segment_find_from(track->times, track->count, time, *cursor);
+    *cursor = segment.index;
+    nkw_track_sample_at(track, segment, out);
+}
+
+static nkw_result check_shape(const nkw_track *track)
+{
+    if (track->count == 0 || track->width == 0)
+        return NKW_EMPTY;
+    if ((unsigned)track->kind > NKW_TRACK_ROTATION_NORMALIZED ||
+        (unsigned)track->interpolation > NKW_INTERPOLATION_CUBICSPLINE || !is_readable(track))
+        return NKW_BAD_METHOD;
+    return is_cubic(track) && track->key_interpolation ? NKW_BAD_METHOD : NKW_OK;
+}
+
+static int is_finite(const float *v, size_t n)
+{
+    /* x - x is 0 for a finite x, else NaN. */
+    for (size_t i = 0; i < n; i++)
+        if (v[i] - v[i] != 0.0f)
+            return 0;
+    return 1;
+}
+
+static nkw_result check_key(const nkw_track *track, size_t k)
+{
+    if (track->key_interpolation && track->key_interpolation[k] > NKW_INTERPOLATION_STEP)
+        return NKW_BAD_METHOD;
+    if (!is_finite(&track->times[k], 1) || !is_finite(key_at(track, k), track->width * (is_cubic(track) ? 3 : 1)))
+        return NKW_NOT_FINITE;
+    if (k > 0 && track->times[k] < track->times[k - 1])
+        return NKW_NOT_ASCENDING;
+    float length = is_rotation(track) ? nkw_quat_length(read_quat(value_at(track, k))) : 1.0f;
+    return length >= 0.99f && length <= 1.01f ? NKW_OK : NKW_NOT_UNIT;
+}
+
+nkw_result nkw_track_validate(const nkw_track *track, size_t *bad_key)
+{
+    nkw_result result = check_shape(track);
+    size_t bad = 0;
+    for (size_t k = 0; result == NKW_OK && k < track->count; k++) {
+        result = check_key(track, k);
+        bad = result == NKW_OK ? 0 : k;
+    }
+    if (bad_key)
+        *bad_key = bad;
+    return result;
+}

@@ -1,0 +1,166 @@
+/* SPDX-License-Identifier: MIT */
+#include <float.h>
+#include <math.h>
+
+#include "random.h"
+#include "support/expect.h"
+
+static void expect_head(nkw_play_head got, float time, float cycle, int line)
+{
+    if (bits_of(got.time) != bits_of(time) || bits_of(got.cycle) != bits_of(cycle)) {
+        print_error("got {%a, %g}, want {%a, %g}\n", (double)got.time, (double)got.cycle, (double)time, (double)cycle);
+        _fail(__FILE__, line);
+    }
+}
+
+static void clamp_holds_both_ends(void **state)
+{
+    (void)state;
+    expect_head(nkw_playback_at(NKW_PLAYBACK_CLAMP, 1, 2, 0.5f), 1, 0, __LINE__);
+    expect_head(nkw_playback_at(NKW_PLAYBACK_CLAMP, 1, 2, 2.5f), 2.5f, 0, __LINE__);
+    expect_head(nkw_playback_at(NKW_PLAYBACK_CLAMP, 1, 2, 9), 3, 0, __LINE__);
+    expect_head(nkw_playback_at(NKW_PLAYBACK_CLAMP, 1, 2, -INFINITY), 1, 0, __LINE__);
+    expect_head(nkw_playback_at(NKW_PLAYBACK_CLAMP, 1, 2, INFINITY), 3, 0, __LINE__);
+}
+
+static void loop_begins_again_at_its_end(void **state)
+{
+    (void)state;
+    expect_head(nkw_playback_at(NKW_PLAYBACK_LOOP, 1, 2, 1), 1, 0, __LINE__);
+    expect_head(nkw_playback_at(NKW_PLAYBACK_LOOP, 1, 2, 2.5f), 2.5f, 0, __LINE__);
+    expect_head(nkw_playback_at(NKW_PLAYBACK_LOOP, 1, 2, 3), 1, 1, __LINE__);
+    expect_head(nkw_playback_at(NKW_PLAYBACK_LOOP, 1, 2, 8.5f), 2.5f, 3, __LINE__);
+    expect_head(nkw_playback_at(NKW_PLAYBACK_LOOP, 1, 2, 0.5f), 2.5f, -1, __LINE__);
+    expect_head(nkw_playback_at(NKW_PLAYBACK_LOOP, 1, 2, -1), 1, -1, __LINE__);
+}
+
+static void ping_pong_turns_at_both_ends(void **state)
+{
+    (void)state;
+    expect_head(nkw_playback_at(NKW_PLAYBACK_PING_PONG, 1, 2, 1.5f), 1.5f, 0, __LINE__);
+    expect_head(nkw_playback_at(NKW_PLAYBACK_PING_PONG, 1, 2, 3), 3, 1, __LINE__);
+    expect_head(nkw_playback_at(NKW_PLAYBACK_PING_PONG, 1, 2, 3.5f), 2.5f, 1, __LINE__);
+    expect_head(nkw_playback_at(NKW_PLAYBACK_PING_PONG, 1, 2, 5), 1, 2, __LINE__);
+    expect_head(nkw_playback_at(NKW_PLAYBACK_PING_PONG, 1, 2, 0.5f), 1.5f, -1, __LINE__);
+}
+
+static void loop_never_gives_its_end_and_does_not_drift(void **state)
+{
+    (void)state;
+    random_source r = random_from(1);
+    for (int i = 0; i < 50000; i++) {
+        float duration = nkw_abs(random_scaled(&r, -10, 10)), start = random_scaled(&r, -3, 3);
+        float time = random_scaled(&r, -10, 20);
+        nkw_play_head head = nkw_playback_at(NKW_PLAYBACK_LOOP, start, duration, time);
+        assert_true(head.time >= start && (head.time < start + duration || head.time == start));
+        double rest = fmod((double)time - (double)start, duration);
+        rest = rest < 0 ? rest + (double)duration : rest;
+        double off = fabs((double)head.time - ((double)start + rest));
+        /* One rounding to float; at the seam the end counts as the start. */
+        double rounding = 0x1p-24 * (fabs((double)start) + (double)duration);
+        assert_true(off <= rounding || fabs(off - (double)duration) <= rounding);
+    }
+}
+
+static void nonsense_is_the_start(void **state)
+{
+    (void)state;
+    static const float durations[] = {0, -1, NAN, INFINITY};
+    for (int mode = 0; mode < 4; mode++) {
+        for (int i = 0; i < 4; i++)
+            expect_head(nkw_playback_at((nkw_playback)mode, 1, durations[i], 5), 1, 0, __LINE__);
+        expect_head(nkw_playback_at((nkw_playback)mode, 1, 2, NAN), 1, 0, __LINE__);
+    }
+    expect_head(nkw_playback_at(NKW_PLAYBACK_LOOP, 1, 2, INFINITY), 1, 0, __LINE__);
+    nkw_play_head far = nkw_playback_at(NKW_PLAYBACK_LOOP, 0, FLT_MIN, FLT_MAX);
+    assert_true(far.time >= 0 && far.time < FLT_MIN);
+}
+
+static void keys_are_passed_in_half_open_steps(void **state)
+{
+    (void)state;
+    const float times[3] = {0, 0.5f, 0.75f};
+    size_t out[8];
+    assert_int_equal(nkw_playback_passed(times, 3, 1, 0.25f, 0.5f, out, 8), 1);
+    assert_int_equal(out[0], 1);
+    assert_int_equal(nkw_playback_passed(times, 3, 1, 0.5f, 0.75f, out, 8), 1);
+    assert_int_equal(out[0], 2);
+    assert_int_equal(nkw_playback_passed(times, 3, 1, 0.75f, 1.5f, out, 8), 2);
+    assert_int_equal(out[0], 0);
+    assert_int_equal(out[1], 1);
+    assert_int_equal(nkw_playback_passed(times, 3, 1, -0.25f, 0, out, 8), 1);
+    assert_int_equal(out[0], 0);
+}
+
+static void a_clip_played_once_passes_each_key_once(void **state)
+{
+    (void)state;
+    const float times[3] = {0, 0.5f, 1};
+    size_t out[8];
+    assert_int_equal(nkw_playback_passed(times, 3, 0, -1, 100, out, 8), 3);
+    assert_int_equal(nkw_playback_passed(times, 3, 0, 1, 100, out, 8), 0);
+}
+
+static void steps_that_follow_each_other_lose_and_repeat_nothing(void **state)
+{
+    (void)state;
+    random_source r = random_from(2);
+    for (int round = 0; round < 300; round++) {
+        float times[5], duration = random_between(&r, 0.3f, 2.0f);
+        for (int k = 0; k < 5; k++)
+            times[k] = duration * (float)k / 5.0f;
+        float from = random_between(&r, -20, 0), now = from;
+        size_t stepped[4096], whole[4096], count = 0;
+        for (int i = 0; i < 60; i++) {
+            float next = now + (i % 5 ? random_between(&r, 0, 0.3f) : random_between(&r, 0, 3));
+            count += nkw_playback_passed(times, 5, duration, now, next, stepped + count, 4096 - count);
+            now = next;
+        }
+        assert_int_equal(nkw_playback_passed(times, 5, duration, from, now, whole, 4096), count);
+        assert_memory_equal(whole, stepped, count * sizeof whole[0]);
+    }
+}
+
+static void what_does_not_fit_is_counted(void **state)
+{
+    (void)state;
+    const float times[2] = {0, 0.5f};
+    size_t out[3] = {9, 9, 9};
+    assert_int_equal(nkw_playback_passed(times, 2, 1, -0.25f, 1000.25f, out, 2), 2001);
+    assert_int_equal(out[0], 0);
+    assert_int_equal(out[1], 1);
+    assert_int_equal(out[2], 9);
+    assert_int_equal(nkw_playback_passed(times, 2, 1, -0.25f, 1000.25f, NULL, 0), 2001);
+}
+
+static void passing_nothing(void **state)
+{
+    (void)state;
+    const float times[2] = {0, 0.5f};
+    size_t out[2];
+    assert_int_equal(nkw_playback_passed(times, 2, 1, 2, 2, out, 2), 0);
+    assert_int_equal(nkw_playback_passed(times, 2, 1, 3, 2, out, 2), 0);
+    assert_int_equal(nkw_playback_passed(times, 2, 1, NAN, 2, out, 2), 0);
+    assert_int_equal(nkw_playback_passed(times, 2, 1, 0, INFINITY, out, 2), 0);
+    assert_int_equal(nkw_playback_passed(times, 2, -1, 0, 2, out, 2), 0);
+    assert_int_equal(nkw_playback_passed(times, 2, NAN, 0, 2, out, 2), 0);
+    assert_int_equal(nkw_playback_passed(NULL, 0, 1, 0, 2, out, 2), 0);
+    assert_int_equal(nkw_playback_passed(times, 2, 1e-30f, 0, 3e38f, out, 2), 0);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(clamp_holds_both_ends),
+        cmocka_unit_test(loop_begins_again_at_its_end),
+        cmocka_unit_test(ping_pong_turns_at_both_ends),
+        cmocka_unit_test(loop_never_gives_its_end_and_does_not_drift),
+        cmocka_unit_test(nonsense_is_the_start),
+        cmocka_unit_test(keys_are_passed_in_half_open_steps),
+        cmocka_unit_test(a_clip_played_once_passes_each_key_once),
+        cmocka_unit_test(steps_that_follow_each_other_lose_and_repeat_nothing),
+        cmocka_unit_test(what_does_not_fit_is_counted),
+        cmocka_unit_test(passing_nothing),
+    };
+    return cmocka_run_group_tests_name("playback", tests, NULL, NULL);
+}
