@@ -1,8 +1,9 @@
 cmake_minimum_required(VERSION 3.25)
 # Compiles the library's sources by CC and golden.c by DRIVER, both with FLAGS, and compares the hashes with TABLE.
-# The inputs must not depend on the flags: random.c is compiled without contraction.
+# The inputs must not depend on the flags: random.c is compiled without contraction. LINK and EMULATOR: another system's.
 file(MAKE_DIRECTORY "${WORK}")
 separate_arguments(flags UNIX_COMMAND "${FLAGS}")
+separate_arguments(link UNIX_COMMAND "${LINK}")
 file(GLOB sources "${SOURCE}/src/*.c")
 set(objects "")
 foreach(source IN LISTS sources ITEMS "${SOURCE}/tests/support/random.c")
@@ -21,5 +22,5 @@ if(NOT CC STREQUAL DRIVER)
   set(language -x c++)
 endif()
 execute_process(COMMAND "${DRIVER}" ${flags} "-I${SOURCE}/include" ${language} "${SOURCE}/tests/golden/golden.c" -x none
-  ${objects} -lm -o "${WORK}/golden" COMMAND_ERROR_IS_FATAL ANY)
-execute_process(COMMAND "${WORK}/golden" "${TABLE}" COMMAND_ERROR_IS_FATAL ANY)
+  ${objects} ${link} -lm -o "${WORK}/golden.exe" COMMAND_ERROR_IS_FATAL ANY)
+execute_process(COMMAND ${EMULATOR} "${WORK}/golden.exe" "${TABLE}" COMMAND_ERROR_IS_FATAL ANY)
