@@ -33,7 +33,8 @@ nkw_mat3 nkw_mat3_from_euler(nkw_vec3 angles, nkw_euler_order order)
 nkw_vec3 nkw_euler_from_quat(nkw_quat q, nkw_euler_order order)
 {
     double angles[3];
-    lane_euler_from_wquat(lane_wquat_normalize(lane_wquat_from(q)), lane_euler_axes_of(order), angles);
+    lane_wquat unit = lane_wquat_positive(lane_wquat_normalize(lane_wquat_from(q)));
+    lane_euler_from_wquat(unit, lane_euler_axes_of(order), angles);
     return narrow(angles);
 }
 

@@ -158,8 +158,11 @@ nkw_mat4 nkw_mat4_inverse(const nkw_mat4 *m)
     widen(m, a);
     double det = adjugate(a, inverse, &magnitude);
     double r = lane_reciprocal_or_zero(det);
-    /* Cofactors lose log2(magnitude / |det|) bits, of 29 to spare. */
-    if (!((det < 0.0 ? -det : det) > magnitude * 0x1p-12))
+    double size = det < 0.0 ? -det : det;
+    /* Cofactors lose log2(magnitude / |det|) bits, of 29 to spare; when 50 are lost the determinant is rounding. */
+    if (size <= magnitude * 0x1p-50)
+        r = 0.0;
+    else if (!(size > magnitude * 0x1p-12))
         r = eliminate(a, inverse) ? 1.0 : 0.0;
     nkw_mat4 result;
     for (size_t i = 0; i < 16; i++)
@@ -175,9 +178,9 @@ nkw_mat4 nkw_mat4_inverse_affine(const nkw_mat4 *m)
     lane_wmat3 adjugate = lane_wmat3_transpose(&c);
     lane_wvec3 t = {m->m[12], m->m[13], m->m[14]};
     nkw_vec3 translation = {
-        (float)(-r * lane_wvec3_dot(lane_wmat3_column(&c, 0), t)),
-        (float)(-r * lane_wvec3_dot(lane_wmat3_column(&c, 1), t)),
-        (float)(-r * lane_wvec3_dot(lane_wmat3_column(&c, 2), t)),
+        r == 0.0 ? 0.0f : (float)(-r * lane_wvec3_dot(lane_wmat3_column(&c, 0), t)),
+        r == 0.0 ? 0.0f : (float)(-r * lane_wvec3_dot(lane_wmat3_column(&c, 1), t)),
+        r == 0.0 ? 0.0f : (float)(-r * lane_wvec3_dot(lane_wmat3_column(&c, 2), t)),
     };
     nkw_mat3 linear = lane_mat3_from_wide(&adjugate, r);
     nkw_mat4 inverse = nkw_mat4_from_mat3(&linear, translation);

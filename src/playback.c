@@ -110,6 +110,9 @@ size_t nkw_playback_passed(const float *times, size_t count, float duration, flo
         pass(times, count, span[0], span[1], &p);
         return p.count;
     }
+    /* Keys that reach beyond one pass would be counted once for each pass they reach over. */
+    if (!((double)times[count - 1] - (double)times[0] <= (double)duration))
+        return 0;
     /* Pass n holds the running times n duration + times[k]; the first and last that can matter. */
     double first = floor64((span[0] - (double)times[count - 1]) / (double)duration);
     double last = floor64((span[1] - (double)times[0]) / (double)duration);

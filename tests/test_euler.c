@@ -152,9 +152,24 @@ static void unwrap_moves_by_whole_turns_to_the_reference(void **state)
     expect_nan(nkw_euler_unwrap(vec(NAN, 0, 0), vec(0, 0, 0)).x);
 }
 
+static void opposite_signs_give_the_same_angles_at_half_turns(void **state)
+{
+    (void)state;
+    nkw_quat x = {1.0f, 0.0f, 0.0f, 0.0f}, z = {0.0f, 0.0f, 1.0f, 0.0f};
+    for (int order = NKW_EULER_XYZ; order <= NKW_EULER_ZYX; order++) {
+        nkw_vec3 a = nkw_euler_from_quat(x, (nkw_euler_order)order);
+        nkw_vec3 b = nkw_euler_from_quat(nkw_quat_negate(x), (nkw_euler_order)order);
+        assert_true(a.x == b.x && a.y == b.y && a.z == b.z);
+        a = nkw_euler_from_quat(z, (nkw_euler_order)order);
+        b = nkw_euler_from_quat(nkw_quat_negate(z), (nkw_euler_order)order);
+        assert_true(a.x == b.x && a.y == b.y && a.z == b.z);
+    }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
+        cmocka_unit_test(opposite_signs_give_the_same_angles_at_half_turns),
         cmocka_unit_test(no_angles_are_no_rotation),
         cmocka_unit_test(order_names_the_product_from_left_to_right),
         cmocka_unit_test(yxz_is_the_matrix_of_the_exercise),

@@ -281,9 +281,31 @@ static void row_vectors_stored_by_rows_have_the_same_bytes(void **state)
     expect_floats_bits(back, d3dx, 16);
 }
 
+static void mat4_inverse_of_singular_integers_is_zero(void **state)
+{
+    (void)state;
+    nkw_mat4 m;
+    for (int i = 0; i < 16; i++)
+        m.m[i] = (float)(i + 1);
+    nkw_mat4 inverse = nkw_mat4_inverse(&m);
+    for (int i = 0; i < 16; i++)
+        assert_true(inverse.m[i] == 0.0f);
+}
+
+static void mat3_inverse_of_an_infinite_scale_is_zero(void **state)
+{
+    (void)state;
+    nkw_mat3 m = {{INFINITY, 0.0f, 0.0f, 0.0f, 1.0f, 0.0f, 0.0f, 0.0f, 1.0f}};
+    nkw_mat3 inverse = nkw_mat3_inverse(&m);
+    for (int i = 0; i < 9; i++)
+        assert_true(inverse.m[i] == 0.0f);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
+        cmocka_unit_test(mat4_inverse_of_singular_integers_is_zero),
+        cmocka_unit_test(mat3_inverse_of_an_infinite_scale_is_zero),
         cmocka_unit_test(elements_stand_column_by_column),
         cmocka_unit_test(product_applies_the_right_factor_first),
         cmocka_unit_test(a_product_by_hand),

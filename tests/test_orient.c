@@ -320,9 +320,22 @@ static void euler_lerp_unwraps_only_beyond_half_a_turn(void **state)
     expect_near(nkw_euler_lerp(a, more, 0.5f, NKW_UNWRAP_YAW).y, 1.5 * 3.14159265, 1e-6);
 }
 
+static void far_t_gives_unit_quaternions(void **state)
+{
+    (void)state;
+    nkw_quat a = nkw_quat_identity(), b = {0.6f, 0.0f, 0.0f, 0.8f}, half = {1.0f, 0.0f, 0.0f, 0.0f};
+    const float far[] = {1e3f, -1e5f, 1e10f, 1e18f};
+    for (int i = 0; i < 4; i++)
+        assert_float_equal(nkw_quat_length(nkw_quat_nlerp(a, b, far[i])), 1.0f, 2e-7f);
+    assert_float_equal(nkw_quat_length(nkw_quat_slerp(a, half, 3e38f)), 1.0f, 2e-7f);
+    nkw_vec3 fast = {1e5f, 1e30f, 3.0f};
+    assert_float_equal(nkw_quat_length(nkw_quat_integrate(a, fast, 1e30f)), 1.0f, 2e-7f);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
+        cmocka_unit_test(far_t_gives_unit_quaternions),
         cmocka_unit_test(slerp_gives_its_ends_bit_for_bit),
         cmocka_unit_test(slerp_between_equal_or_opposite_inputs_is_that_input),
         cmocka_unit_test(slerp_swaps_bit_for_bit),

@@ -6,19 +6,15 @@
  *
  * Needs a long double of 64 or more bits, such as x86's 80-bit one. Takes a second. u = 2^-24.
  *
- * The formula (src/lane/orient.h), h = theta/2, rho = 1 - 2t:
+ * The formula (src/lane/orient.h), u = 1 - t:
  *
- *     slerp = C s/2 - S d/2         s = near + far, |s/2| = cos h      C = cos(rho h) / cos h = 1 + z F(v, P)
- *                                   d = far - near, |d/2| = sin h      S = sin(rho h) / sin h = rho + 2 rho z G(v, P)
+ *     sin(t theta)/sin theta = t - E(t)      E(t) = t (1 - t) (1 + t) v H(v, t^2 v)
  *
- *     x = 1 - cos theta    p = t (1 - t)    z = p x    v = x / (2.625 - x)    P = p v
+ *     x = 1 - cos theta    v = 2x / (1 - 21x/64)
  *
- * F and G minimise the largest error they make in slerp, in units of |near| = |far| = 1:
- *
- *     |s/2| |dC| = z cos h |dF|          |d/2| |dS| = 2 rho z sin h |dG|
- *
- * over theta in 0..pi/2 and t in 0..1; t in -1..0, and by symmetry in 1..2, joins with the weight 2e-4.
- * Their coefficients are rounded to binary32 one after the other, the rest fitted again each time.
+ * H minimises the largest error that E makes, over theta in 0..pi/2 and t in 0..1; E is odd, so that covers -1..0,
+ * and t in 1..2 joins with the weight 4e-4. slerp takes E(t) and E(u), times vectors of length 1.
+ * The coefficients are rounded to binary32 one after the other, the rest fitted again each time.
  *
  * Source Lawson, Contributions to the Theory of Linear Least Maximum Approximation, 1961.
  */
@@ -28,27 +24,19 @@
 
 typedef long double real;
 
-enum { SIDE = 60, POINTS = SIDE * SIDE, FINE_SIDE = 240, ROWS = 5, TERMS = 16 };
+enum { SIDE = 48, POINTS = SIDE * SIDE, FINE_SIDE = 240, ROWS = 5, TERMS = 19 };
 
 static const real PI = 3.14159265358979323846264338L;
-static const real POLE = 2.625L, OUTSIDE = 2e-4L, U = 0x1p-24L;
+static const real POLE = 64.0L / 21, OUTSIDE = 4e-4L, U = 0x1p-24L;
 
 typedef struct place {
-    real rho, h, z, v;
-    real pv; /* P */
+    real t, theta, v;
 } place;
 
-/* F or G: the sum of the terms v^i P^j, i <= degree[j], j < rows. */
-typedef struct series {
-    char name;
-    int rows, degree[ROWS];
-    int one; /* whether the term of v^0 P^0 is 1 */
-    real (*target)(const place *at);
-    real (*scale)(const place *at); /* what slerp changes by when the series changes by 1 */
-    const char *form, *meaning;
-} series;
+/* H: the sum of the terms v^i (t^2 v)^j, i <= degree[j], j < ROWS. */
+static const int degree[ROWS] = {6, 4, 2, 2, 0};
 
-/* A place seen by the fit; basis[k] = (2v)^i (8P)^j. */
+/* A place seen by the fit; basis[k] = (v/2)^i (t^2 v/2)^j. */
 typedef struct point {
     real basis[TERMS], target, scale;
     real share; /* in the least squares */
@@ -61,27 +49,15 @@ typedef struct fit {
     point points[POINTS];
 } fit;
 
-/* (cos(rho h) - cos h) / (z cos h). */
-static real f_target(const place *at)
+/* What E changes by when H changes by 1. */
+static real scale(const place *at)
 {
-    real h = at->h / 2;
-    return 2 * sinl((1 + at->rho) * h) * sinl((1 - at->rho) * h) / cosl(at->h) / at->z;
+    return at->t * (1 - at->t) * (1 + at->t) * at->v;
 }
 
-static real f_scale(const place *at)
+static real target(const place *at)
 {
-    return fabsl(at->z) * cosl(at->h);
-}
-
-/* (sin(rho h) / sin h - rho) / (2 rho z). */
-static real g_target(const place *at)
-{
-    return (sinl(at->rho * at->h) / sinl(at->h) - at->rho) / (2 * at->rho * at->z);
-}
-
-static real g_scale(const place *at)
-{
-    return 2 * at->rho * fabsl(at->z) * sinl(at->h);
+    return (at->t - sinl(at->t * at->theta) / sinl(at->theta)) / scale(at);
 }
 
 /* Chebyshev's points of 0..1: k in 0..side - 1. */
@@ -90,48 +66,43 @@ static real node(int k, int side)
     return 0.5L * (1 - cosl((k + 0.5L) * PI / side));
 }
 
-static place place_at(real x, real p)
+static place place_at(real x, real t)
 {
     place at;
-    at.rho = sqrtl(1 - 4 * p);
-    at.h = asinl(sqrtl(x / 2));
-    at.z = p * x;
-    at.v = x / (POLE - x);
-    at.pv = p * at.v;
+    at.t = t;
+    at.theta = 2 * asinl(sqrtl(x / 2));
+    at.v = 2 * x / (1 - x / POLE);
     return at;
 }
 
-/* t in 0..1 has p in 0..1/4, t in -1..0 has p in -2..0. */
-static void sample(const series *s, const fit *f, point *at, real x, real p)
+static void sample(const fit *f, point *at, real x, real t)
 {
-    place here = place_at(x, p);
-    at->target = s->target(&here);
-    at->scale = (p > 0 ? 1 : OUTSIDE) * s->scale(&here);
+    place here = place_at(x, t);
+    at->target = target(&here);
+    at->scale = (t < 1 ? 1 : OUTSIDE) * fabsl(scale(&here));
     for (int k = 0; k < f->count; k++)
-        at->basis[k] = powl(2 * here.v, f->i[k]) * powl(8 * here.pv, f->j[k]);
+        at->basis[k] = powl(here.v / 2, f->i[k]) * powl(t * t * here.v / 2, f->j[k]);
 }
 
-static void list_terms(const series *s, fit *f)
+static void list_terms(fit *f)
 {
     f->count = 0;
-    for (int j = 0; j < s->rows; j++) {
-        for (int i = 0; i <= s->degree[j]; i++, f->count++) {
+    for (int j = 0; j < ROWS; j++) {
+        for (int i = 0; i <= degree[j]; i++, f->count++) {
             f->i[f->count] = i;
             f->j[f->count] = j;
             f->fixed[f->count] = 0;
         }
     }
-    f->c[0] = 1;
-    f->fixed[0] = s->one;
 }
 
-/* Every other column is outside. */
-static void sample_all(const series *s, fit *f)
+/* Every third column is outside. */
+static void sample_all(fit *f)
 {
     for (int a = 0; a < SIDE; a++) {
         for (int b = 0; b < SIDE; b++) {
             real y = node(b, SIDE);
-            sample(s, f, &f->points[a * SIDE + b], node(a, SIDE), b % 2 ? -2 * y : y / 4);
+            sample(f, &f->points[a * SIDE + b], node(a, SIDE), b % 3 == 2 ? 1 + y : y);
         }
     }
 }
@@ -274,73 +245,72 @@ static void minimax(fit *f, int steps)
     copy(f->c, best_c, f->count);
 }
 
-/* c (2v)^i (8P)^j = c 2^(i + 3j) v^i P^j. */
+/* c (v/2)^i (t^2 v/2)^j = c 2^(-i - j) v^i (t^2 v)^j. */
 static float coefficient(const fit *f, int k)
 {
-    return (float)ldexpl(f->c[k], f->i[k] + 3 * f->j[k]);
+    return (float)ldexpl(f->c[k], -f->i[k] - f->j[k]);
 }
 
 /* Rounds term k to binary32 and fits the free ones again. */
 static void settle(fit *f, int k)
 {
     int free_terms[TERMS];
-    f->c[k] = ldexpl((real)coefficient(f, k), -f->i[k] - 3 * f->j[k]);
+    f->c[k] = ldexpl((real)coefficient(f, k), f->i[k] + f->j[k]);
     f->fixed[k] = 1;
     if (find_free(f, free_terms) > 0)
-        minimax(f, 25);
+        minimax(f, 20);
 }
 
-/* One after the other, lowest order first: v counts 1, P counts 2. */
+/* One after the other, lowest order first. */
 static void settle_all(fit *f)
 {
     for (int order = 0; order <= 2 * TERMS; order++)
         for (int k = 0; k < f->count; k++)
-            if (!f->fixed[k] && f->i[k] + 2 * f->j[k] == order)
+            if (!f->fixed[k] && f->i[k] + f->j[k] == order)
                 settle(f, k);
 }
 
 /* The largest error for t in 0..1, on a finer grid. */
-static real largest_error(const series *s, const fit *f)
+static real largest_error(const fit *f)
 {
     real largest = 0;
     for (int a = 0; a < FINE_SIDE; a++) {
         for (int b = 0; b < FINE_SIDE; b++) {
             point at;
-            sample(s, f, &at, node(a, FINE_SIDE), node(b, FINE_SIDE) / 4);
+            sample(f, &at, node(a, FINE_SIDE), node(b, FINE_SIDE));
             largest = fmaxl(largest, error_at(f, &at));
         }
     }
     return largest;
 }
 
-static void print_row(const series *s, const fit *f, int j)
+static void print_row(const fit *f, int j)
 {
-    int skipped = j == 0 && s->one;
-    printf("static const float LANE_SLERP_%c%d[%d] = {\n", s->name, j, s->degree[j] + 1 - skipped);
-    for (int k = skipped; k < f->count; k++)
+    printf("static const float LANE_SLERP_H%d[%d] = {\n", j, degree[j] + 1);
+    for (int k = 0; k < f->count; k++)
         if (f->j[k] == j)
             printf("    %af,\n", (double)coefficient(f, k));
     printf("};\n");
 }
 
 /* The error in thousandths of u, rounded up. */
-static void print_series(const series *s, const fit *f)
+static void print_series(const fit *f)
 {
-    real error = ceill(1000 * largest_error(s, f) / U) / 1000;
-    printf("\n/*\n * %s\n", s->form);
-    printf(" * %s. Its error moves slerp by at most %.3Lf u for t in 0..1.\n */\n", s->meaning, error);
-    for (int j = 0; j < s->rows; j++)
-        print_row(s, f, j);
+    real error = ceill(1000 * largest_error(f) / U) / 1000;
+    printf("\n/*\n * H = H0(v) + T (H1(v) + T (H2(v) + T (H3(v) + T H4))), T = t^2 v, lowest power of v first.\n");
+    printf(" * sin(t theta) / sin theta = t - t (1 - t) (1 + t) v H. Off by at most %.3Lf u for t in -1..1.\n */\n", error);
+    for (int j = 0; j < ROWS; j++)
+        print_row(f, j);
 }
 
-static void make_series(const series *s)
+static void make_series(void)
 {
     static fit f;
-    list_terms(s, &f);
-    sample_all(s, &f);
+    list_terms(&f);
+    sample_all(&f);
     minimax(&f, 40);
     settle_all(&f);
-    print_series(s, &f);
+    print_series(&f);
 }
 
 static void print_head(void)
@@ -352,32 +322,10 @@ static void print_head(void)
            "\n"
            "/* clang-format off */\n"
            "\n"
-           "/* v = x / (LANE_SLERP_POLE - x), x = 1 - cos theta: maps the branch point at theta = pi away. */\n"
-           "#define LANE_SLERP_POLE %.3Lff\n",
-           POLE);
+           "/* v = |b - a|^2 / (a.b + LANE_SLERP_BEND |b - a|^2): moves the branch point at theta = pi away. */\n"
+           "#define LANE_SLERP_BEND %.7Lff\n",
+           (1 - 1 / POLE) / 2);
 }
-
-static const series F = {
-    .name = 'F',
-    .rows = 5,
-    .degree = {5, 3, 2, 1, 0},
-    .one = 1,
-    .target = f_target,
-    .scale = f_scale,
-    .form = "F = 1 + v F0(v) + P (F1(v) + P (F2(v) + P (F3(v) + P F4))), lowest power of v first.",
-    .meaning = "cos(rho theta/2) / cos(theta/2) = 1 + z F",
-};
-
-static const series G = {
-    .name = 'G',
-    .rows = 4,
-    .degree = {5, 2, 2, 0},
-    .one = 0,
-    .target = g_target,
-    .scale = g_scale,
-    .form = "G = G0(v) + P (G1(v) + P (G2(v) + P G3)).",
-    .meaning = "sin(rho theta/2) / sin(theta/2) = rho + 2 rho z G",
-};
 
 int main(void)
 {
@@ -386,8 +334,7 @@ int main(void)
         return 1;
     }
     print_head();
-    make_series(&F);
-    make_series(&G);
+    make_series();
     printf("\n#endif\n");
     return fflush(stdout) != 0 || ferror(stdout);
 }

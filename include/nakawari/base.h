@@ -36,12 +36,18 @@
  * -ffp-contract=off is on), where it evaluates float wider than float (x87, s390x in ISO mode), or under
  * -ffast-math. There the same functions are called in the library instead: same bits, one call slower.
  *
+ * Two things no macro tells: Clang's -ffp-contract=fast and its parts of -ffast-math other than
+ * -ffinite-math-only, and a function with GCC's attribute target("fma"). Define NKW_NO_INLINE there.
+ *
  * A program that is compiled with -ffp-contract=off may define NKW_CONTRACTION_OFF to say so.
  * NKW_NO_INLINE turns inlining off altogether. Neither changes any result.
  *
  * NKW_INLINE is 1 where the definitions are inlined, else 0.
  */
-#if defined(NKW_NO_INLINE) || defined(__FAST_MATH__) || defined(_M_FP_FAST)
+#if defined(NKW_NO_INLINE) || defined(__FAST_MATH__) || defined(_M_FP_FAST) || defined(__GNUC_GNU_INLINE__)
+#define NKW_INLINE 0
+#elif defined(__ASSOCIATIVE_MATH__) || defined(__RECIPROCAL_MATH__) || defined(__NO_SIGNED_ZEROS__) ||            \
+    (defined(__FINITE_MATH_ONLY__) && __FINITE_MATH_ONLY__)
 #define NKW_INLINE 0
 #elif defined(FLT_EVAL_METHOD) && FLT_EVAL_METHOD != 0 && FLT_EVAL_METHOD != 16
 #define NKW_INLINE 0

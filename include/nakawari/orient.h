@@ -33,7 +33,8 @@ typedef enum nkw_path {
  * sixth of a turn 0.3. It takes about a third of slerp's operations.
  *
  * a, b   unit to within 1e-5
- * Gives  a unit quaternion; exactly a at t = 0, exactly b or -b at t = 1. t outside 0..1 continues the chord.
+ * Gives  a unit quaternion; exactly a at t = 0, exactly b or -b at t = 1. t outside 0..1 continues the chord,
+ *        up to |t| = 2^60.
  *        Two zero quaternions give the identity inside.
  *
  * Error  2.6 u for t in 0..1.
@@ -49,14 +50,14 @@ NKW_API nkw_quat nkw_quat_nlerp(nkw_quat a, nkw_quat b, float t);
  * One expression without a branch on the angle, smooth through h = 0: no acos, no sine, no threshold. For t outside
  * 0..1 the arc continues, by nkw_quat_slerp_path.
  *
- * a, b   unit to rounding; each 1e-6 that their lengths are off costs about 6 u
+ * a, b   unit to rounding; where they are not, the result's length is off as theirs are
  * t      any
  * Gives  a unit quaternion, as long as the inputs are: exactly a at t = 0, exactly b or -b at t = 1, exactly q
  *        between q and +-q. slerp(a, b, t) and slerp(b, a, 1 - t) have the same bits, up to the sign, where
  *        1 - t is exact. At a.b = 0, half a turn apart, both arcs are as short and b is taken as it stands.
- *        Zero quaternions give a finite result, no rotation.
+ *        Two zero quaternions give zero.
  *
- * Error  2.6 u (for arcs up to 0.5 rad between the quaternions 1.1; root mean square 0.5); 1.0 for t outside 0..1.
+ * Error  3.4 u (for arcs up to 0.5 rad between the quaternions 1.2; root mean square 0.52); 1.0 for t outside 0..1.
  * Source Shoemake, Animating Rotation with Quaternion Curves, SIGGRAPH 1985.
  */
 NKW_API nkw_quat nkw_quat_slerp(nkw_quat a, nkw_quat b, float t);

@@ -114,9 +114,9 @@ NKW_API nkw_quat nkw_quat_from_vectors(nkw_vec3 from, nkw_vec3 to);
  * direction nearest `up` at right angles to it. That is the convention of OpenGL and glTF cameras, and of
  * the key frames in keyframe.h. For an object that faces +z pass the opposite of forward.
  *
- * forward zero gives the identity; up zero or along forward is replaced by nkw_vec3_perpendicular.
+ * forward zero gives the identity; up zero or along forward is replaced by nkw_vec3_perpendicular of -forward.
  *
- * Error  0.91 u.
+ * Error  0.91 u. Within 2^-30 rad up counts as along forward.
  */
 NKW_API nkw_quat nkw_quat_look_rotation(nkw_vec3 forward, nkw_vec3 up);
 

@@ -76,7 +76,7 @@ NKW_ALGEBRA float nkw_saturate(float x);
  *     b - (1 - t)(b - a)       otherwise
  *
  * Starting at the nearer end keeps both ends exact: lerp(a, b, 0) is a and lerp(a, b, 1) is b, bit for bit,
- * and lerp(a, a, t) is a for finite t.
+ * and lerp(a, a, t) is a for finite t, but for the sign of zero.
  *
  * a, b   b - a must not overflow; then finite t in [0, 1] gives a finite number
  * t      any; outside [0, 1] the line continues; 1 - t is exact in [1/2, 2]

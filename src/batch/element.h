@@ -7,18 +7,26 @@
 
 #include <nakawari/types.h>
 
-static inline nkw_vec3 at_vec3(nkw_vec3_view v, size_t i)
+/*
+ * The pointers of a vec3 view or span go one by one: Clang takes a struct of up to three pointers apart itself, and in
+ * doing so loses what "omp simd" says of the accesses. Every loop would then compare all arrays for overlap at run time,
+ * and in place, where they do overlap, would not use vectors.
+ */
+static inline nkw_vec3 load_vec3(const float *x, const float *y, const float *z, size_t i)
 {
-    nkw_vec3 r = {v.x[i], v.y[i], v.z[i]};
+    nkw_vec3 r = {x[i], y[i], z[i]};
     return r;
 }
 
-static inline void put_vec3(nkw_vec3_span s, size_t i, nkw_vec3 v)
+static inline void store_vec3(float *x, float *y, float *z, size_t i, nkw_vec3 v)
 {
-    s.x[i] = v.x;
-    s.y[i] = v.y;
-    s.z[i] = v.z;
+    x[i] = v.x;
+    y[i] = v.y;
+    z[i] = v.z;
 }
+
+#define at_vec3(v, i)     load_vec3((v).x, (v).y, (v).z, i)
+#define put_vec3(s, i, v) store_vec3((s).x, (s).y, (s).z, i, v)
 
 static inline nkw_quat at_quat(nkw_quat_view v, size_t i)
 {

@@ -17,11 +17,11 @@ typedef float function(float);
 
 static inline int any_far(const float *angle, size_t n)
 {
-    int far = 0;
+    uint32_t far = 0;
 #pragma omp simd reduction(| : far)
     for (size_t i = 0; i < n; i++)
-        far |= lane_angle_is_far(angle[i]);
-    return far;
+        far |= ((lane_bits(angle[i]) & 0x7FFFFFFFu) + (0x80000000u - 0x49800000u)); /* 2^20, NaN and inf included */
+    return far >> 31 != 0;
 }
 
 static inline void each(function *f, const float *x, float *out, size_t n)

@@ -5,63 +5,41 @@
 
 /* clang-format off */
 
-/* v = x / (LANE_SLERP_POLE - x), x = 1 - cos theta: maps the branch point at theta = pi away. */
-#define LANE_SLERP_POLE 2.625f
+/* v = |b - a|^2 / (a.b + LANE_SLERP_BEND |b - a|^2): moves the branch point at theta = pi away. */
+#define LANE_SLERP_BEND 0.3359375f
 
 /*
- * F = 1 + v F0(v) + P (F1(v) + P (F2(v) + P (F3(v) + P F4))), lowest power of v first.
- * cos(rho theta/2) / cos(theta/2) = 1 + z F. Its error moves slerp by at most 0.039 u for t in 0..1.
+ * H = H0(v) + T (H1(v) + T (H2(v) + T (H3(v) + T H4))), T = t^2 v, lowest power of v first.
+ * sin(t theta) / sin theta = t - t (1 - t) (1 + t) v H. Off by at most 0.047 u for t in -1..1.
  */
-static const float LANE_SLERP_F0[5] = {
-    0x1.bffe1p-1f,
-    0x1.68534ap-5f,
-    0x1.1d3e8p-4f,
-    -0x1.2974bp-7f,
-    0x1.19f51p-7f,
+static const float LANE_SLERP_H0[7] = {
+    -0x1.55555ap-3f,
+    -0x1.8881cep-8f,
+    -0x1.6afd38p-11f,
+    -0x1.ba311p-16f,
+    -0x1.5bd3eep-18f,
+    0x1.d74ae6p-24f,
+    -0x1.190482p-24f,
 };
-static const float LANE_SLERP_F1[4] = {
-    0x1.c010fcp-2f,
-    0x1.648afap-3f,
-    -0x1.d87956p-8f,
-    0x1.98b03ap-6f,
+static const float LANE_SLERP_H1[5] = {
+    0x1.110b6p-7f,
+    -0x1.430058p-13f,
+    0x1.3ac7acp-14f,
+    -0x1.1315a6p-18f,
+    0x1.630942p-21f,
 };
-static const float LANE_SLERP_F2[3] = {
-    0x1.389a7ap-4f,
-    -0x1.082b12p-7f,
-    0x1.12d34cp-7f,
+static const float LANE_SLERP_H2[3] = {
+    -0x1.9cfbc6p-13f,
+    0x1.fe309ap-17f,
+    -0x1.2d245p-19f,
 };
-static const float LANE_SLERP_F3[2] = {
-    0x1.aa793ap-8f,
-    -0x1.dd3096p-10f,
+static const float LANE_SLERP_H3[3] = {
+    0x1.6511d8p-19f,
+    -0x1.866c12p-22f,
+    0x1.9325ep-25f,
 };
-static const float LANE_SLERP_F4[1] = {
-    0x1.f2066p-13f,
-};
-
-/*
- * G = G0(v) + P (G1(v) + P (G2(v) + P G3)).
- * sin(rho theta/2) / sin(theta/2) = rho + 2 rho z G. Its error moves slerp by at most 0.040 u for t in 0..1.
- */
-static const float LANE_SLERP_G0[6] = {
-    0x1.5555fp-3f,
-    0x1.6642ap-4f,
-    -0x1.61886ep-6f,
-    0x1.9748eap-7f,
-    -0x1.5113ap-8f,
-    0x1.68c882p-10f,
-};
-static const float LANE_SLERP_G1[3] = {
-    0x1.66d6dp-5f,
-    -0x1.c93678p-12f,
-    0x1.70debep-11f,
-};
-static const float LANE_SLERP_G2[3] = {
-    0x1.602496p-8f,
-    -0x1.4ed78ep-9f,
-    0x1.252728p-10f,
-};
-static const float LANE_SLERP_G3[1] = {
-    0x1.df39eap-13f,
+static const float LANE_SLERP_H4[1] = {
+    -0x1.dd5ca2p-27f,
 };
 
 #endif

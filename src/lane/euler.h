@@ -69,6 +69,13 @@ static inline float lane_unwrap(float angle, float reference)
     return within ? angle : (float)moved;
 }
 
+/* Of q and -q the one whose first component of w, x, y, z that is not 0 is positive. */
+static inline lane_wquat lane_wquat_positive(lane_wquat q)
+{
+    double first = q.w != 0.0 ? q.w : q.x != 0.0 ? q.x : q.y != 0.0 ? q.y : q.z;
+    return lane_wquat_scale(q, first < 0.0 ? -1.0 : 1.0);
+}
+
 /*
  * Sum and difference of the outer angles from the two halves of the quaternion; see nkw_euler_from_quat.
  * A half that is shorter than the rounding of a unit quaternion of floats, 2^-24, is the pole.

@@ -25,11 +25,12 @@ static inline lane_wmat3 lane_wmat3_from_mat4(const nkw_mat4 *m)
     return r;
 }
 
+/* The scale 0, of a matrix without an inverse, gives 0 whatever the elements are. */
 static inline nkw_mat3 lane_mat3_from_wide(const lane_wmat3 *m, double scale)
 {
     nkw_mat3 r;
     for (size_t i = 0; i < 9; i++)
-        r.m[i] = (float)(m->m[i] * scale);
+        r.m[i] = scale == 0.0 ? 0.0f : (float)(m->m[i] * scale);
     return r;
 }
 

@@ -10,10 +10,12 @@
 #include "data/slerp.h"
 #include "euler.h"
 #include "quat.h"
+#include "scalar.h"
 
 /*
  * The blend v from the end nearer to t, then v / |v| = v + v g,  g = 1/|v| - 1 = m / (|v| + |v|^2),  m = 1 - |v|^2.
- * At x = 0 the end comes back as it is.
+ * A chord that t outside 0..1 made longer than sqrt 2 is divided by its length outright. At x = 0 the end comes back
+ * as it is.
  */
 static inline nkw_quat lane_quat_nlerp(nkw_quat a, nkw_quat b, float t)
 {
@@ -24,11 +26,14 @@ static inline nkw_quat lane_quat_nlerp(nkw_quat a, nkw_quat b, float t)
     nkw_quat near = lane_quat_select(first, a, c), far = lane_quat_select(first, c, a);
     nkw_quat v = nkw_quat_add(near, nkw_quat_scale(nkw_quat_sub(far, near), x));
     float m = lane_quat_defect(v), n2 = 1.0f - m;
-    nkw_quat unit = nkw_quat_add(v, nkw_quat_scale(v, m / (sqrtf(n2) + n2)));
+    float n = sqrtf(n2);
+    int outright = n2 > 2.0f;
+    nkw_quat unit = nkw_quat_add(nkw_quat_scale(v, outright ? 0.0f : 1.0f),
+                                 nkw_quat_scale(v, outright ? 1.0f / n : m / (n + n2)));
     return lane_quat_select(x == 0.0f, near, lane_quat_select(n2 > 0.0f, unit, nkw_quat_identity()));
 }
 
-/* Polynomials of 2..6 coefficients, lowest power first, by Horner's rule. */
+/* Polynomials of 2..7 coefficients, lowest power first, by Horner's rule. */
 static inline float lane_horner2(const float *c, float v)
 {
     return c[0] + v * c[1];
@@ -54,76 +59,83 @@ static inline float lane_horner6(const float *c, float v)
     return c[0] + v * lane_horner5(c + 1, v);
 }
 
-/*
- * Slerp about the middle of the arc, so that only half angles up to pi/4 appear. near, far: the end nearer to t and
- * the other one; theta their angle; tau = min(t, 1 - t):
- *
- *     slerp = C s/2 - S d/2      s = near + far   C = cos(rho theta/2) / cos(theta/2)
- *                                d = far - near   S = sin(rho theta/2) / sin(theta/2)
- *                                rho = 1 - 2 tau
- *
- * With x = 1 - cos theta, p = t (1 - t), z = p x, v = x / (2.625 - x), P = p v:
- *
- *     C = 1 + z F(v, P)          S = rho + 2 rho z G(v, P)
- *
- * so that s/2, in the middle half of the arc, or near = s/2 - d/2, in the outer quarters, can be taken out as the
- * base, and what is left is small:
- *
- *     tau >= 1/4:  slerp = s/2  + (z F s/2 + (tau - 1/2 - rho z G) d)
- *     tau <  1/4:  slerp = near + (z F s/2 + (tau       - rho z G) d)
- */
-
-/* z F; F(0, 0) = 1. */
-static inline float lane_slerp_bulge(float v, float p, float z)
+static inline float lane_horner7(const float *c, float v)
 {
-    float f3 = lane_horner2(LANE_SLERP_F3, v) + p * LANE_SLERP_F4[0];
-    float f2 = lane_horner3(LANE_SLERP_F2, v) + p * f3;
-    float f1 = lane_horner4(LANE_SLERP_F1, v) + p * f2;
-    return z + z * (v * lane_horner5(LANE_SLERP_F0, v) + p * f1);
-}
-
-/* G. */
-static inline float lane_slerp_skew(float v, float p)
-{
-    float g2 = lane_horner3(LANE_SLERP_G2, v) + p * LANE_SLERP_G3[0];
-    float g1 = lane_horner3(LANE_SLERP_G1, v) + p * g2;
-    return lane_horner6(LANE_SLERP_G0, v) + p * g1;
+    return c[0] + v * lane_horner6(c + 1, v);
 }
 
 /*
- * base + (bulge s/2 + skew d) of one component, base s/2 or the near end. In the middle the rounding error of s,
- * by Knuth's two-sum, joins the small terms. Where nothing is added it is +0, and "base - 0" keeps a -0.
+ * Slerp as the end nearer to t and small corrections to it. b is turned to a's side; theta is their angle, u = 1 - t:
+ *
+ *     slerp = sin(u theta)/sin theta a + sin(t theta)/sin theta b        sin(k theta)/sin theta = k - E(k)
+ *
+ *     t < 1/2:  slerp = a         - (-t d + (E(u) a + E(t) b))           d = b - a
+ *     t = 1/2:  slerp = (a + b)/2 - (       (E(u) a + E(t) b))
+ *     t > 1/2:  slerp = b         - ( u d + (E(u) a + E(t) b))
+ *
+ * Exchanging a and b and t and u gives the same bits, also at t = 1/2.
+ *
+ *     E(k) = k (1 - k^2) v H(v, k^2 v) = (p + p k) H,  p = t u v,        v = q / (|a.b| + q LANE_SLERP_BEND),  q = |d|^2
+ *
+ * v stands for the angle: small ones are told by the chord d, large ones by the dot product, and the lengths of a and b
+ * cancel. p is never -0, so E(0) = -0 E(1) = -0: the bracket is +0 where nothing is to be added, and "near - 0" keeps a -0.
  */
-static inline float lane_slerp_blend(float a, float b, float near, int middle, float bulge, float skew)
+
+/* E(k). */
+static inline float lane_slerp_excess(float k, float p, float v, float h0, float h1, float h2, float h3)
 {
-    float s = a + b, half = 0.5f * s, q = s - a;
-    float lost = ((s - q) - a) + (q - b);
-    float base = middle ? half : near;
-    return base - ((middle ? 0.5f : 0.0f) * lost - (bulge * half + skew * (b - a)));
+    float kv = k * k * v;
+    return (p + p * k) * (h0 + kv * (h1 + kv * (h2 + kv * (h3 + kv * LANE_SLERP_H4[0]))));
+}
+
+static inline uint32_t lane_sign_bit(float x)
+{
+    return lane_bits(x) & 0x80000000u;
+}
+
+static inline float lane_flip(float x, uint32_t sign_bit)
+{
+    return lane_float(lane_bits(x) ^ sign_bit);
+}
+
+/* x where mask is all ones, y where it is 0. Either form gives the same bits: masks are faster in loops, ?: on its own. */
+static inline float lane_blend(uint32_t mask, float x, float y)
+{
+#ifdef NKW_ISA
+    return lane_float(lane_bits(y) ^ ((lane_bits(x) ^ lane_bits(y)) & mask));
+#else
+    return mask ? x : y;
+#endif
+}
+
+/* One component: base - (shift d + (E(u) a + E(t) b)). */
+static inline float lane_slerp_component(float a, float b, uint32_t first, uint32_t half, float shift, float eu, float et)
+{
+    float base = lane_blend(half, 0.5f * (a + b), lane_blend(first, a, b));
+    return base - (shift * (b - a) + (eu * a + et * b));
 }
 
 static inline nkw_quat lane_quat_slerp(nkw_quat a, nkw_quat b, float t)
 {
-    float cosine = nkw_quat_dot(a, b);
-    float sign = cosine < 0.0f ? -1.0f : 1.0f;
-    b = nkw_quat_scale(b, sign);
-    /* 1 - cos theta = |b - a|^2 / 2: the chord for small angles, the dot product for large ones. */
-    nkw_quat d = nkw_quat_sub(b, a);
-    float chord = 0.5f * nkw_quat_dot(d, d);
-    float x = chord < 0.5f ? chord : 1.0f - cosine * sign;
-    float u = 1.0f - t;
-    int first = t <= 0.5f;
-    float tau = first ? t : u;
-    int middle = tau >= 0.25f;
-    float p = t * u, z = p * x, v = x / (LANE_SLERP_POLE - x);
-    float bulge = lane_slerp_bulge(v, p * v, z);
-    float skew = (middle ? tau - 0.5f : tau) - ((1.0f - 2.0f * tau) * z) * lane_slerp_skew(v, p * v);
-    skew = first ? skew : -skew;
+    /* The smallest normal number makes -0 positive and keeps 0 / 0 away. */
+    float cosine = nkw_quat_dot(a, b) + 0x1p-126f;
+    uint32_t turned = lane_sign_bit(cosine);
+    nkw_quat c = {lane_flip(b.x, turned), lane_flip(b.y, turned), lane_flip(b.z, turned), lane_flip(b.w, turned)};
+    nkw_quat d = nkw_quat_sub(c, a);
+    float q = nkw_quat_dot(d, d);
+    float v = q / (lane_flip(cosine, turned) + q * LANE_SLERP_BEND);
+    float u = 1.0f - t, late = t - 0.5f;
+    uint32_t first = 0u - (lane_bits(late) >> 31), half = 0u - (uint32_t)(late == 0.0f);
+    float shift = lane_blend(half, 0.0f, lane_flip(t < u ? t : u, lane_sign_bit(late)));
+    float p = (t * u) * v + 0.0f;
+    float h0 = lane_horner7(LANE_SLERP_H0, v), h1 = lane_horner5(LANE_SLERP_H1, v);
+    float h2 = lane_horner3(LANE_SLERP_H2, v), h3 = lane_horner3(LANE_SLERP_H3, v);
+    float et = lane_slerp_excess(t, p, v, h0, h1, h2, h3), eu = lane_slerp_excess(u, p, v, h0, h1, h2, h3);
     nkw_quat r = {
-        lane_slerp_blend(a.x, b.x, first ? a.x : b.x, middle, bulge, skew),
-        lane_slerp_blend(a.y, b.y, first ? a.y : b.y, middle, bulge, skew),
-        lane_slerp_blend(a.z, b.z, first ? a.z : b.z, middle, bulge, skew),
-        lane_slerp_blend(a.w, b.w, first ? a.w : b.w, middle, bulge, skew),
+        lane_slerp_component(a.x, c.x, first, half, shift, eu, et),
+        lane_slerp_component(a.y, c.y, first, half, shift, eu, et),
+        lane_slerp_component(a.z, c.z, first, half, shift, eu, et),
+        lane_slerp_component(a.w, c.w, first, half, shift, eu, et),
     };
     return r;
 }
@@ -134,12 +146,6 @@ static inline lane_wquat lane_wquat_aligned(lane_wquat a, lane_wquat b, nkw_path
     int obtuse = lane_wquat_dot(a, b) < 0.0;
     int turned = path == NKW_PATH_AS_GIVEN ? 0 : path == NKW_PATH_LONG ? !obtuse : obtuse;
     return lane_wquat_scale(b, turned ? -1.0 : 1.0);
-}
-
-/* sin x, cos x for any x; from 2^20 on x is first rounded to a float, which is all that a turn of that size can say. */
-static inline lane_sincos lane_turn64(double x)
-{
-    return lane_sincos64_any(lane_abs64(x) < LANE_NEAR ? x : (double)(float)x);
 }
 
 /*

@@ -104,6 +104,17 @@ static inline lane_wquat lane_wquat_from_axis_half_angle(lane_wvec3 axis, double
     return lane_wquat_from_axis_half(axis, lane_sincos64_any(half));
 }
 
+/*
+ * sin x, cos x for any x; from 2^20 on x is first rounded to the nearest finite float, which is all that a turn of
+ * that size can say.
+ */
+static inline lane_sincos lane_turn64(double x)
+{
+    double most = (double)FLT_MAX;
+    double held = x > most ? most : x < -most ? -most : x;
+    return lane_sincos64_any(lane_abs64(x) < LANE_NEAR ? x : (double)(float)held);
+}
+
 /* log q: axis times half angle; see nkw_quat_log. */
 static inline lane_wvec3 lane_wquat_log(lane_wquat q)
 {
@@ -123,7 +134,7 @@ static inline lane_wquat lane_wquat_exp_near(lane_wvec3 v)
 
 static inline lane_wquat lane_wquat_exp(lane_wvec3 v)
 {
-    return lane_wquat_from_axis_half_angle(lane_wvec3_normalize(v), lane_wvec3_length(v));
+    return lane_wquat_from_axis_half(lane_wvec3_normalize(v), lane_turn64(lane_wvec3_length(v)));
 }
 
 /* The rotation matrix, elements exact to binary64 for a unit q. */

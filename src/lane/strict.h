@@ -12,7 +12,8 @@
 #include <float.h>
 
 #if defined(__FAST_MATH__) || (defined(__FINITE_MATH_ONLY__) && __FINITE_MATH_ONLY__) ||           \
-    defined(__ASSOCIATIVE_MATH__) || defined(_M_FP_FAST)
+    defined(__ASSOCIATIVE_MATH__) || defined(__RECIPROCAL_MATH__) || defined(__NO_SIGNED_ZEROS__) ||           \
+    defined(_M_FP_FAST)
 #error "nakawari: build without -ffast-math and its parts, they change results"
 #endif
 

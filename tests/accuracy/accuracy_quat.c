@@ -311,7 +311,11 @@ static double look_error(const float *x)
     wide_from(x + 3, up, 3);
     wide_scale(z, -1, 3);
     wide_normalize(z, 3);
+    wide_normalize(up, 3);
     wide_cross(up, z, m);
+    /* Nearer than the header's 2^-30 rad to forward, up may be replaced. */
+    if (m[0] * m[0] + m[1] * m[1] + m[2] * m[2] < 0x1p-58)
+        return 0.0;
     wide_normalize(m, 3);
     wide_cross(z, m, m + 3);
     for (int i = 0; i < 3; i++)

@@ -131,7 +131,7 @@ K(bezier_split, 8, split(o, &i->cubic, i->t))
 
 K(quat_nlerp, 4, put_quat(o, nkw_quat_nlerp(i->q[0], i->q[1], i->t)))
 K(quat_slerp, 4, put_quat(o, nkw_quat_slerp(i->q[0], i->q[1], i->t)))
-K(quat_slerp_beyond, 4, put_quat(o, nkw_quat_slerp(i->q[0], i->q[1], 3.0f * i->t - 1.0f)))
+K(quat_slerp_beyond, 4, put_quat(o, nkw_quat_slerp(i->q[0], i->q[1], 4.0f * i->t - 1.5f)))
 K(quat_slerp_path, 4, put_quat(o, nkw_quat_slerp_path(i->q[0], i->q[1], i->t, i->path)))
 K(quat_log, 3, put_vec3(o, nkw_quat_log(i->q[0])))
 K(quat_exp, 4, put_quat(o, nkw_quat_exp(i->v[0])))
