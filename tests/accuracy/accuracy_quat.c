@@ -497,7 +497,7 @@ static const wide_case cases[] = {
     {"nkw_quat_from_mat3", "noise 1e-3", drifted_matrix, nearest_error, 13, WIDE_CHECKED},
     {"nkw_quat_from_mat3", "half turns about axes", axis_half_turn_matrix, nearest_error, 13, WIDE_CHECKED},
     {"nkw_quat_from_mat3", "uniform, generating quaternion", uniform_matrix, generating_error, 13, WIDE_NOTED},
-    {"nkw_quat_from_mat3", "uniform, | |q| - 1 |", uniform_matrix, unit_error, 13, WIDE_NOTED},
+    {"nkw_quat_from_mat3", "uniform, length - 1", uniform_matrix, unit_error, 13, WIDE_NOTED},
     {"nkw_quat_from_mat3", "there and back", unit_quat, round_trip_error, 4, WIDE_NOTED},
     {"nkw_quat_angle", "unit", unit_pair, angle_error, 8, WIDE_CHECKED},
     {"nkw_quat_angle", "1e-7 .. 0.1 apart", near_quats, angle_error, 8, WIDE_CHECKED},
