@@ -506,7 +506,7 @@ static const wide_case cases[] = {
     {"nkw_quat_exp", "1e-30 .. 1e-2", small_turns, exp_error, 3, WIDE_CHECKED},
     {"nkw_quat_exp", "10 .. 1e5", many_turns, exp_error, 3, WIDE_CHECKED},
     {"nkw_quat_pow", "t in [-4, 4]", small_power, pow_error, 5, WIDE_CHECKED},
-    {"nkw_quat_pow", "|t| in 1 .. 1e4", large_power, pow_error, 5, WIDE_CHECKED},
+    {"nkw_quat_pow", "abs(t) in 1 .. 1e4", large_power, pow_error, 5, WIDE_CHECKED},
     {OMEGA, "uniform", uniform_turn, velocity_error, 9, WIDE_CHECKED},
     {OMEGA, "1e-6 .. 0.1", small_turn, velocity_error, 9, WIDE_CHECKED},
     {"nkw_quat_integrate", "up to 10 rad/s, 1 s", spin, integrate_error, 8, WIDE_CHECKED},

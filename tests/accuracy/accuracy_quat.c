@@ -491,7 +491,7 @@ static const wide_case cases[] = {
     {"nkw_quat_from_mat3", "1e-7 .. 1e-2 from half turns", near_half_turn_matrix, nearest_error, 13, WIDE_CHECKED},
     {"nkw_quat_from_mat3", "half turns", half_turn_matrix, nearest_error, 13, WIDE_CHECKED},
     {"nkw_quat_from_mat3", "angles 1e-7 .. 1e-2", small_angle_matrix, nearest_error, 13, WIDE_CHECKED},
-    {"nkw_quat_from_mat3", "ties |x| = |y| = |z| = |w|", tied_matrix, nearest_error, 13, WIDE_CHECKED},
+    {"nkw_quat_from_mat3", "ties of all four components", tied_matrix, nearest_error, 13, WIDE_CHECKED},
     {"nkw_quat_from_mat3", "trace 0", traceless_matrix, nearest_error, 13, WIDE_CHECKED},
     {"nkw_quat_from_mat3", "noise 1e-6", noisy_matrix, nearest_error, 13, WIDE_CHECKED},
     {"nkw_quat_from_mat3", "noise 1e-3", drifted_matrix, nearest_error, 13, WIDE_CHECKED},
