@@ -120,8 +120,8 @@ double accuracy_ulps(float got, double exact)
 {
     int exponent;
     double g = (double)got;
-    if ((g != g) | (exact != exact))
-        return (g != g) & (exact != exact) ? 0.0 : INFINITY;
+    if (g != g || exact != exact)
+        return g != g && exact != exact ? 0.0 : INFINITY;
     if (isinf(g) || fabs(exact) >= 0x1.ffffffp127)
         return g == (double)(float)exact ? 0.0 : INFINITY;
     if (exact == 0.0)
