@@ -8,6 +8,7 @@
 #include <nakawari/vec.h>
 
 #include "lane/curve.h"
+#include "lane/scalar.h"
 #include "lane/segment.h"
 
 /* The keys around a time, and where the methods write down what they do, unless it is NULL. */
@@ -253,7 +254,7 @@ static nkw_result check_key(const nkw_keyframe *keys, size_t k)
 {
     const nkw_keyframe *key = &keys[k];
     float length = nkw_quat_length(key->orientation);
-    if (key->time - key->time != 0.0f || !nkw_vec3_is_finite(key->position) ||
+    if (!lane_is_finite(key->time) || !nkw_vec3_is_finite(key->position) ||
         !nkw_quat_is_finite(key->orientation))
         return NKW_NOT_FINITE;
     if (k > 0 && key->time < keys[k - 1].time)

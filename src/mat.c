@@ -164,9 +164,11 @@ nkw_mat4 nkw_mat4_inverse(const nkw_mat4 *m)
         r = 0.0;
     else if (!(size > magnitude * 0x1p-12))
         r = eliminate(a, inverse) ? 1.0 : 0.0;
-    nkw_mat4 result;
+    nkw_mat4 result = {{0.0f}};
+    if (r == 0.0)
+        return result;
     for (size_t i = 0; i < 16; i++)
-        result.m[i] = r == 0.0 ? 0.0f : (float)(inverse[i] * r);
+        result.m[i] = (float)(inverse[i] * r);
     return result;
 }
 
@@ -175,17 +177,19 @@ nkw_mat4 nkw_mat4_inverse_affine(const nkw_mat4 *m)
     lane_wmat3 w = lane_wmat3_from_mat4(m);
     lane_wmat3 c = lane_wmat3_cofactors(&w);
     double r = lane_reciprocal_or_zero(lane_wmat3_determinant(&w, &c));
+    if (r == 0.0) {
+        nkw_mat4 none = {{0.0f}};
+        return none;
+    }
     lane_wmat3 adjugate = lane_wmat3_transpose(&c);
     lane_wvec3 t = {m->m[12], m->m[13], m->m[14]};
     nkw_vec3 translation = {
-        r == 0.0 ? 0.0f : (float)(-r * lane_wvec3_dot(lane_wmat3_column(&c, 0), t)),
-        r == 0.0 ? 0.0f : (float)(-r * lane_wvec3_dot(lane_wmat3_column(&c, 1), t)),
-        r == 0.0 ? 0.0f : (float)(-r * lane_wvec3_dot(lane_wmat3_column(&c, 2), t)),
+        (float)(-r * lane_wvec3_dot(lane_wmat3_column(&c, 0), t)),
+        (float)(-r * lane_wvec3_dot(lane_wmat3_column(&c, 1), t)),
+        (float)(-r * lane_wvec3_dot(lane_wmat3_column(&c, 2), t)),
     };
     nkw_mat3 linear = lane_mat3_from_wide(&adjugate, r);
-    nkw_mat4 inverse = nkw_mat4_from_mat3(&linear, translation);
-    inverse.m[15] = r == 0.0 ? 0.0f : 1.0f;
-    return inverse;
+    return nkw_mat4_from_mat3(&linear, translation);
 }
 
 nkw_mat4 nkw_mat4_inverse_rigid(const nkw_mat4 *m)

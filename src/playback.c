@@ -3,10 +3,12 @@
 
 #include <nakawari/playback.h>
 
+#include "lane/scalar.h"
+
 /* floor(x) for |x| < 2^51; larger x have no fraction worth the name. */
 static double floor64(double x)
 {
-    double rounded = (x + 0x1.8p52) - 0x1.8p52;
+    double rounded = (x + LANE_ROUND) - LANE_ROUND;
     double whole = x < 0x1p51 && x > -0x1p51 ? rounded : x;
     return whole > x ? whole - 1.0 : whole;
 }
@@ -30,7 +32,7 @@ static double rest_of(double x, double period, double *cycle)
 
 static int is_positive(float x)
 {
-    return x > 0.0f && x - x == 0.0f;
+    return x > 0.0f && lane_is_finite(x);
 }
 
 /* start + rest, but never the end that rest stays below. */
@@ -104,7 +106,7 @@ size_t nkw_playback_passed(const float *times, size_t count, float duration, flo
 {
     passed p = {out, capacity, 0};
     const double span[2] = {from, to};
-    if (!(from < to) || from - from != 0.0f || to - to != 0.0f || count == 0)
+    if (!(from < to) || !lane_is_finite(from) || !lane_is_finite(to) || count == 0)
         return 0;
     if (duration == 0.0f) {
         pass(times, count, span[0], span[1], &p);

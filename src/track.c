@@ -7,6 +7,8 @@
 #include <nakawari/scalar.h>
 #include <nakawari/track.h>
 
+#include "lane/scalar.h"
+
 static int is_rotation(const nkw_track *track)
 {
     return track->kind == NKW_TRACK_ROTATION || track->kind == NKW_TRACK_ROTATION_NORMALIZED;
@@ -17,15 +19,21 @@ static int is_cubic(const nkw_track *track)
     return track->interpolation == NKW_INTERPOLATION_CUBICSPLINE;
 }
 
+/* The floats of one key. */
+static size_t key_size(const nkw_track *track)
+{
+    return track->width * (is_cubic(track) ? 3 : 1);
+}
+
 size_t nkw_track_value_count(const nkw_track *track)
 {
-    return track->count * track->width * (is_cubic(track) ? 3 : 1);
+    return track->count * key_size(track);
 }
 
 /* Key k's in-tangent, value and out-tangent, in that order; without tangents the value alone. */
 static const float *key_at(const nkw_track *track, size_t k)
 {
-    return track->values + k * track->width * (is_cubic(track) ? 3 : 1);
+    return track->values + k * key_size(track);
 }
 
 static const float *value_at(const nkw_track *track, size_t k)
@@ -138,11 +146,10 @@ static nkw_result check_shape(const nkw_track *track)
     return is_cubic(track) && track->key_interpolation ? NKW_BAD_METHOD : NKW_OK;
 }
 
-static int is_finite(const float *v, size_t n)
+static int are_finite(const float *v, size_t n)
 {
-    /* x - x is 0 for a finite x, else NaN. */
     for (size_t i = 0; i < n; i++)
-        if (v[i] - v[i] != 0.0f)
+        if (!lane_is_finite(v[i]))
             return 0;
     return 1;
 }
@@ -151,7 +158,7 @@ static nkw_result check_key(const nkw_track *track, size_t k)
 {
     if (track->key_interpolation && track->key_interpolation[k] > NKW_INTERPOLATION_STEP)
         return NKW_BAD_METHOD;
-    if (!is_finite(&track->times[k], 1) || !is_finite(key_at(track, k), track->width * (is_cubic(track) ? 3 : 1)))
+    if (!lane_is_finite(track->times[k]) || !are_finite(key_at(track, k), key_size(track)))
         return NKW_NOT_FINITE;
     if (k > 0 && track->times[k] < track->times[k - 1])
         return NKW_NOT_ASCENDING;

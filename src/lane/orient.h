@@ -88,11 +88,6 @@ static inline float lane_slerp_excess(float k, float p, float v, float h0, float
     return (p + p * k) * (h0 + kv * (h1 + kv * (h2 + kv * (h3 + kv * LANE_SLERP_H4[0]))));
 }
 
-static inline uint32_t lane_sign_bit(float x)
-{
-    return lane_bits(x) & 0x80000000u;
-}
-
 static inline float lane_flip(float x, uint32_t sign_bit)
 {
     return lane_float(lane_bits(x) ^ sign_bit);

@@ -30,10 +30,21 @@ static inline float lane_abs(float x)
     return lane_float(lane_bits(x) & 0x7FFFFFFFu);
 }
 
+/* x - x is 0 for a finite x, else NaN. */
+static inline int lane_is_finite(float x)
+{
+    return x - x == 0.0f;
+}
+
+static inline uint32_t lane_sign_bit(float x)
+{
+    return lane_bits(x) & 0x80000000u;
+}
+
 /* magnitude, not negative, with the sign bit of sign. */
 static inline float lane_copysign(float magnitude, float sign)
 {
-    return lane_float(lane_bits(magnitude) | (lane_bits(sign) & 0x80000000u));
+    return lane_float(lane_bits(magnitude) | lane_sign_bit(sign));
 }
 
 /* sine and cosine */
