@@ -24,10 +24,11 @@
 #include "curve.h"
 #include "orient.h"
 
-/* Floor 4, track: from a time to the keys around it, from keys to a value or a matrix. */
+/* Floor 4, track: from a time to the keys around it, from keys to values, poses and matrices. */
 #include "segment.h"
 #include "keyframe.h"
 #include "track.h"
 #include "playback.h"
+#include "pose.h"
 
 #endif

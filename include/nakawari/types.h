@@ -100,6 +100,11 @@ typedef struct nkw_trs_view {
     nkw_quat_view rotation;
     nkw_vec3_view scale;
 } nkw_trs_view;
+typedef struct nkw_trs_span {
+    nkw_vec3_span translation;
+    nkw_quat_span rotation;
+    nkw_vec3_span scale;
+} nkw_trs_span;
 
 #ifdef __cplusplus
 }

@@ -4,6 +4,9 @@
  *
  * From one line here come the declaration of the loop, its place in the table of each instruction set, and the
  * public function that goes through the table. To add one, see docs/simd.md.
+ *
+ * KERNEL_INNER_LIST(X) has the loops that no header offers by themselves: parts of larger functions, which take them from
+ * nkw_batch_selected(). No public function is made of these.
  */
 #ifndef NAKAWARI_BATCH_KERNELS_H
 #define NAKAWARI_BATCH_KERNELS_H
@@ -79,6 +82,8 @@
     X(quat_slerp_at, (nkw_quat_view a, nkw_quat_view b, float t, nkw_quat_span out, size_t n), (a, b, t, out, n)) \
     X(quat_log, (nkw_quat_view q, nkw_vec3_span out, size_t n), (q, out, n)) \
     X(quat_exp, (nkw_vec3_view v, nkw_quat_span out, size_t n), (v, out, n))
+
+#define KERNEL_INNER_LIST(X)
 /* clang-format on */
 
 #endif

@@ -9,5 +9,6 @@ extern const nkw_batch NKW_PER_ISA(nkw_batch);
 const nkw_batch NKW_PER_ISA(nkw_batch) = {
 #define KERNEL_ENTRY(name, parameters, arguments) NKW_PER_ISA(nkw_batch_##name),
     KERNEL_LIST(KERNEL_ENTRY)
+    KERNEL_INNER_LIST(KERNEL_ENTRY)
 #undef KERNEL_ENTRY
 };

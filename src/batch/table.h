@@ -26,15 +26,17 @@
 /* Opens the definition of a loop: KERNEL(quat_slerp)(nkw_quat_view a, ...). */
 #define KERNEL(name) NKW_FLATTEN void NKW_PER_ISA(nkw_batch_##name)
 
-/* One function pointer for each batch function. */
+/* One function pointer for each loop. */
 typedef struct nkw_batch {
 #define KERNEL_MEMBER(name, parameters, arguments) void(*name) parameters;
     KERNEL_LIST(KERNEL_MEMBER)
+    KERNEL_INNER_LIST(KERNEL_MEMBER)
 #undef KERNEL_MEMBER
 } nkw_batch;
 
 #define KERNEL_DECLARE(name, parameters, arguments) void NKW_PER_ISA(nkw_batch_##name) parameters;
 KERNEL_LIST(KERNEL_DECLARE)
+KERNEL_INNER_LIST(KERNEL_DECLARE)
 #undef KERNEL_DECLARE
 
 #endif

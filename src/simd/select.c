@@ -1,8 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 #include "lane/strict.h"
 
-#include <nakawari/nakawari.h>
-
 #include "simd/select.h"
 
 /*
@@ -22,11 +20,3 @@ const nkw_batch *nkw_batch_selected(void)
 #endif
     return &nkw_batch_generic;
 }
-
-/* nkw_<name>_n of the headers. */
-#define KERNEL_PUBLIC(name, parameters, arguments)                                                                     \
-    void nkw_##name##_n parameters                                                                                     \
-    {                                                                                                                  \
-        nkw_batch_selected()->name arguments;                                                                          \
-    }
-KERNEL_LIST(KERNEL_PUBLIC)

@@ -12,6 +12,8 @@
 
 #include <nakawari/nakawari.h>
 
+#include "../support/data.h"
+#include "../support/hash.h"
 #include "../support/put.h"
 #include "../support/random.h"
 
@@ -183,25 +185,10 @@ static const kernel kernels[] = {
 
 #define KERNELS (sizeof kernels / sizeof kernels[0])
 
-/* FNV-1a over the bits, lowest byte first; every NaN counts as one. */
-static uint64_t hash_floats(uint64_t hash, const float *o, unsigned count)
-{
-    for (unsigned k = 0; k < count; k++) {
-        uint32_t bits = 0x7fc00000u;
-        if (o[k] == o[k])
-            memcpy(&bits, &o[k], sizeof bits);
-        for (unsigned b = 0; b < 32; b += 8) {
-            hash ^= (bits >> b) & 0xff;
-            hash *= UINT64_C(0x100000001b3);
-        }
-    }
-    return hash;
-}
-
 static uint64_t hash_kernel(const kernel *k)
 {
     random_source r = random_from(0x6e616b61);
-    uint64_t hash = UINT64_C(0xcbf29ce484222325);
+    uint64_t hash = HASH_START;
     for (unsigned round = 0; round < ROUNDS; round++) {
         input i;
         float o[16] = {0};
@@ -212,10 +199,41 @@ static uint64_t hash_kernel(const kernel *k)
     return hash;
 }
 
+/* One line of the table. */
+typedef struct line {
+    const char *name;
+    uint64_t hash;
+} line;
+
+#define DATA_NAME(stem) {"data_" #stem, data_##stem},
+
+static const struct {
+    const char *name;
+    uint64_t (*hash)(void);
+} data[] = {DATA_LIST(DATA_NAME)};
+
+#define LINES (KERNELS + sizeof data / sizeof data[0])
+
+/* The values' functions first, then the data's. */
+static line line_at(size_t i)
+{
+    line l = {NULL, 0};
+    if (i < KERNELS) {
+        l.name = kernels[i].name;
+        l.hash = hash_kernel(&kernels[i]);
+    } else {
+        l.name = data[i - KERNELS].name;
+        l.hash = data[i - KERNELS].hash();
+    }
+    return l;
+}
+
 static int write_table(void)
 {
-    for (size_t k = 0; k < KERNELS; k++)
-        printf("%-36s %016llx\n", kernels[k].name, (unsigned long long)hash_kernel(&kernels[k]));
+    for (size_t i = 0; i < LINES; i++) {
+        line l = line_at(i);
+        printf("%-36s %016llx\n", l.name, (unsigned long long)l.hash);
+    }
     return 0;
 }
 
@@ -227,12 +245,13 @@ static int compare_table(const char *path)
         fprintf(stderr, "golden: cannot read %s\n", path);
         return 1;
     }
-    for (size_t k = 0; k < KERNELS; k++) {
+    for (size_t i = 0; i < LINES; i++) {
+        line l = line_at(i);
         char name[64] = "";
-        unsigned long long want = 0, got = (unsigned long long)hash_kernel(&kernels[k]);
+        unsigned long long want = 0, got = (unsigned long long)l.hash;
         int read = fscanf(file, "%63s %llx", name, &want);
-        if (read != 2 || strcmp(name, kernels[k].name) != 0) {
-            fprintf(stderr, "golden: %s has '%s' where '%s' should be\n", path, name, kernels[k].name);
+        if (read != 2 || strcmp(name, l.name) != 0) {
+            fprintf(stderr, "golden: %s has '%s' where '%s' should be\n", path, name, l.name);
             fclose(file);
             return 1;
         }
@@ -242,7 +261,7 @@ static int compare_table(const char *path)
         }
     }
     fclose(file);
-    printf("golden: %zu functions, %u differ\n", KERNELS, failed);
+    printf("golden: %zu functions, %u differ\n", LINES, failed);
     return failed > 0;
 }
 

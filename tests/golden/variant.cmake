@@ -1,20 +1,21 @@
 cmake_minimum_required(VERSION 3.25)
 # Compiles the library's sources by CC and golden.c by DRIVER, both with FLAGS, and compares the hashes with TABLE.
-# The inputs must not depend on the flags: random.c is compiled without contraction. LINK and EMULATOR: another system's.
+# The inputs must not depend on the flags: those files are compiled without contraction. LINK and EMULATOR: another system's.
 file(MAKE_DIRECTORY "${WORK}")
 separate_arguments(flags UNIX_COMMAND "${FLAGS}")
 separate_arguments(link UNIX_COMMAND "${LINK}")
-file(GLOB sources "${SOURCE}/src/*.c")
+file(GLOB sources RELATIVE "${SOURCE}" "${SOURCE}/src/*.c" "${SOURCE}/src/batch/*.c" "${SOURCE}/src/simd/*.c")
+file(GLOB inputs RELATIVE "${SOURCE}" "${SOURCE}/tests/support/data_*.c" "${SOURCE}/tests/support/random.c")
 set(objects "")
-foreach(source IN LISTS sources ITEMS "${SOURCE}/tests/support/random.c")
-  get_filename_component(name "${source}" NAME_WE)
+foreach(source IN LISTS sources inputs)
+  string(REPLACE "/" "_" name "${source}")
   set(object "${WORK}/${name}.o")
   list(APPEND objects "${object}")
   set(steady "")
-  if(name STREQUAL "random")
+  if(source IN_LIST inputs)
     set(steady -ffp-contract=off)
   endif()
-  execute_process(COMMAND "${CC}" ${flags} ${steady} -DNKW_BUILD "-I${SOURCE}/include" "-I${SOURCE}/src" -c "${source}" -o "${object}"
+  execute_process(COMMAND "${CC}" ${flags} ${steady} -DNKW_BUILD "-I${SOURCE}/include" "-I${SOURCE}/src" -c "${SOURCE}/${source}" -o "${object}"
     COMMAND_ERROR_IS_FATAL ANY)
 endforeach()
 set(language "")

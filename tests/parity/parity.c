@@ -10,6 +10,7 @@
 
 #include <nakawari/nakawari.h>
 
+#include "../support/data.h"
 #include "../support/put.h"
 #include "../support/random.h"
 #include "simd/select.h"
@@ -250,6 +251,32 @@ static int run_packs(const nkw_batch *b, const char *isa)
     return 0;
 }
 
+/* The library's own functions take the loops of this table: what follows stands in for src/simd/select.c. */
+static const nkw_batch *chosen = &nkw_batch_generic;
+
+const nkw_batch *nkw_batch_selected(void)
+{
+    return chosen;
+}
+
+/* The data floors by the loops of an instruction set, against the same by the baseline's. */
+static int run_data(const nkw_batch *b, const char *isa)
+{
+    int failed = 0;
+#define DATA_COMPARE(stem)                                                                                             \
+    {                                                                                                                  \
+        chosen = &nkw_batch_generic;                                                                                   \
+        uint64_t want = data_##stem();                                                                                 \
+        chosen = b;                                                                                                    \
+        if (data_##stem() != want)                                                                                     \
+            failed += fprintf(stderr, "parity: data_" #stem ", %s: differs from generic\n", isa) > 0;                  \
+    }
+    DATA_LIST(DATA_COMPARE)
+#undef DATA_COMPARE
+    chosen = &nkw_batch_generic;
+    return failed;
+}
+
 static int run_table(const nkw_batch *b, const char *isa)
 {
     int failed = run_packs(b, isa);
@@ -259,25 +286,34 @@ static int run_table(const nkw_batch *b, const char *isa)
     return failed;
 }
 
-/* What users call: the loops that were selected for this processor. */
+static int run_isa(const nkw_batch *b, const char *isa)
+{
+    return run_table(b, isa) + run_data(b, isa);
+}
+
+/* What users call. */
 static const nkw_batch public_functions = {
 #define KERNEL_FUNCTION(name, parameters, arguments) nkw_##name##_n,
+#define KERNEL_INNER(name, parameters, arguments)    nkw_batch_##name##_generic,
     KERNEL_LIST(KERNEL_FUNCTION)
+    KERNEL_INNER_LIST(KERNEL_INNER)
 #undef KERNEL_FUNCTION
+#undef KERNEL_INNER
 };
 
 int main(void)
 {
-    int failed = run_table(&public_functions, "public") + run_table(&nkw_batch_generic, "generic");
+    int failed = run_isa(&nkw_batch_generic, "generic") + run_table(&public_functions, "public");
 #if defined(NKW_HAVE_AVX2)
     if (__builtin_cpu_supports("avx2"))
-        failed += run_table(&nkw_batch_avx2, "avx2");
+        failed += run_isa(&nkw_batch_avx2, "avx2");
     else
         printf("parity: avx2 skipped, this processor has none\n");
 #endif
 #if defined(NKW_HAVE_AVX512)
-    if (nkw_batch_selected() == &nkw_batch_avx512)
-        failed += run_table(&nkw_batch_avx512, "avx512");
+    if (__builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512dq") && __builtin_cpu_supports("avx512vl") &&
+        __builtin_cpu_supports("avx512bw"))
+        failed += run_isa(&nkw_batch_avx512, "avx512");
     else
         printf("parity: avx512 skipped, this processor has none\n");
 #endif

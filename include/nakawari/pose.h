@@ -1,0 +1,61 @@
+/* SPDX-License-Identifier: MIT */
+/**
+ * @file
+ * Floor 4: a pose: the local transforms of all joints at one moment, in component arrays.
+ *
+ * A pose of `joints` joints is one block of NKW_POSE_FLOATS(joints) floats: ten arrays, each of NKW_POSE_STRIDE(joints)
+ * floats, of which the first `joints` are the joints' and the rest padding.
+ *
+ *     array   0 1 2              3 4 5 6           7 8 9
+ *             translation x y z  rotation x y z w  scale x y z
+ *
+ *     component c of joint j:  pose[c * NKW_POSE_STRIDE(joints) + j]
+ *
+ * The stride is a multiple of 16, so loops of every vector width run without a remainder. Padding may hold anything: what is
+ * read there has no effect on joints. Functions that write a whole pose may write padding too. Any alignment will do; 64
+ * bytes is fastest.
+ */
+#ifndef NAKAWARI_POSE_H
+#define NAKAWARI_POSE_H
+
+#include "types.h"
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/** Floats from one component array of a pose to the next: `joints` rounded up to a multiple of 16. */
+#define NKW_POSE_STRIDE(joints) (((joints) + 15) / 16 * 16)
+
+/** Floats in the block of a pose; for arrays on the stack. */
+#define NKW_POSE_FLOATS(joints) (10 * NKW_POSE_STRIDE(joints))
+
+/** NKW_POSE_FLOATS as a function, for languages without the macro. */
+NKW_API size_t nkw_pose_floats(size_t joints);
+
+/** The pose's arrays, for the batch functions: nkw_mat4_from_trs_n(nkw_pose_view(pose, joints), out, joints). */
+NKW_API nkw_trs_view nkw_pose_view(const float *pose, size_t joints);
+NKW_API nkw_trs_span nkw_pose_span(float *pose, size_t joints);
+
+/** Every joint at the identity: no translation, no rotation, scale 1. Padding too. */
+NKW_API void nkw_pose_identity(float *pose, size_t joints);
+
+/** The transform of one joint. A joint that the pose has not gives the identity and is not written. */
+NKW_API nkw_trs nkw_pose_get(const float *pose, size_t joints, size_t joint);
+NKW_API void nkw_pose_set(float *pose, size_t joints, size_t joint, const nkw_trs *trs);
+
+/** From `joints` transforms to a pose, its padding at the identity, and back. Every bit is kept. */
+NKW_API void nkw_pose_from_trs(const nkw_trs *trs, size_t joints, float *pose);
+NKW_API void nkw_trs_from_pose(const float *pose, size_t joints, nkw_trs *out);
+
+/**
+ * Checks a pose: NKW_EMPTY without joints; NKW_NOT_FINITE where a number is not finite; NKW_NOT_UNIT where a rotation is off
+ * unit length by more than 1e-2. *bad_joint becomes the first offending joint, 0 if there is none; it may be NULL.
+ */
+NKW_API nkw_result nkw_pose_validate(const float *pose, size_t joints, size_t *bad_joint);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif

@@ -1,0 +1,26 @@
+/* SPDX-License-Identifier: MIT */
+/*
+ * The data floors on fixed inputs: data_<stem>() in data_<stem>.c works through the stem's functions and gives one hash of
+ * all results. `golden` compares the hashes with its table, `parity` those of each instruction set with the baseline's.
+ */
+#ifndef NAKAWARI_TESTS_DATA_H
+#define NAKAWARI_TESTS_DATA_H
+
+#include <stdint.h>
+
+#define DATA_LIST(X) \
+    X(pose)
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+#define DATA_DECLARE(stem) uint64_t data_##stem(void);
+DATA_LIST(DATA_DECLARE)
+#undef DATA_DECLARE
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif
