@@ -51,6 +51,19 @@ typedef struct nkw_mat4 {
     float m[16];
 } nkw_mat4;
 
+/**
+ * The first three rows of an affine 4x4 matrix, row by row: element (row r, column c) is m[r * 4 + c]. What shaders take
+ * for skinning palettes as three vec4 (std430, a cbuffer's rows): 48 bytes.
+ */
+typedef struct nkw_mat3x4 {
+    float m[12];
+} nkw_mat3x4;
+
+/** A rotation and a translation in one: real + e dual, e e = 0; real is the rotation, dual = (t / 2) real. */
+typedef struct nkw_dual_quat {
+    nkw_quat real, dual;
+} nkw_dual_quat;
+
 /** Scale along the axes, then rotate, then translate: M = T R S. The local transform of glTF and FBX. */
 typedef struct nkw_trs {
     nkw_vec3 translation;
