@@ -52,6 +52,15 @@ KERNEL(quat_slerp)(nkw_quat_view a, nkw_quat_view b, const float *t, nkw_quat_sp
     }
 }
 
+static inline void slerp_at_pace(nkw_quat_view a, nkw_quat_view b, lane_slerp_pace pace, nkw_quat_span out, size_t n)
+{
+#pragma omp simd
+    for (size_t i = 0; i < n; i++) {
+        nkw_quat from = at_quat(a, i), to = at_quat(b, i);
+        put_quat(out, i, lane_quat_slerp_on(from, to, lane_slerp_arc_between(from, to), pace));
+    }
+}
+
 KERNEL(quat_slerp_at)(nkw_quat_view a, nkw_quat_view b, float t, nkw_quat_span out, size_t n)
 {
     if (!lane_t_is_inside(t)) {
@@ -59,9 +68,13 @@ KERNEL(quat_slerp_at)(nkw_quat_view a, nkw_quat_view b, float t, nkw_quat_span o
             put_quat(out, i, lane_quat_slerp_any(at_quat(a, i), at_quat(b, i), t));
         return;
     }
-#pragma omp simd
-    for (size_t i = 0; i < n; i++)
-        put_quat(out, i, lane_quat_slerp(at_quat(a, i), at_quat(b, i), t));
+    lane_slerp_pace pace = lane_slerp_pace_at(t);
+    if (pace.first)
+        slerp_at_pace(a, b, lane_slerp_near(pace, 1), out, n);
+    else if (pace.half)
+        slerp_at_pace(a, b, pace, out, n);
+    else
+        slerp_at_pace(a, b, lane_slerp_near(pace, 0), out, n);
 }
 
 KERNEL(quat_log)(nkw_quat_view q, nkw_vec3_span out, size_t n)

@@ -103,14 +103,13 @@ static inline float lane_blend(uint32_t mask, float x, float y)
 #endif
 }
 
-/* One component: base - (shift d + (E(u) a + E(t) b)). */
-static inline float lane_slerp_component(float a, float b, uint32_t first, uint32_t half, float shift, float eu, float et)
-{
-    float base = lane_blend(half, 0.5f * (a + b), lane_blend(first, a, b));
-    return base - (shift * (b - a) + (eu * a + et * b));
-}
+/* What slerp needs to know of a and b: whether b is turned, their angle as v, and H's polynomials in it. */
+typedef struct lane_slerp_arc {
+    uint32_t turned;
+    float v, h0, h1, h2, h3;
+} lane_slerp_arc;
 
-static inline nkw_quat lane_quat_slerp(nkw_quat a, nkw_quat b, float t)
+static inline lane_slerp_arc lane_slerp_arc_between(nkw_quat a, nkw_quat b)
 {
     /* The smallest normal number makes -0 positive and keeps 0 / 0 away. */
     float cosine = nkw_quat_dot(a, b) + 0x1p-126f;
@@ -119,20 +118,63 @@ static inline nkw_quat lane_quat_slerp(nkw_quat a, nkw_quat b, float t)
     nkw_quat d = nkw_quat_sub(c, a);
     float q = nkw_quat_dot(d, d);
     float v = q / (lane_flip(cosine, turned) + q * LANE_SLERP_BEND);
+    lane_slerp_arc arc = {
+        turned,
+        v,
+        lane_horner7(LANE_SLERP_H0, v),
+        lane_horner5(LANE_SLERP_H1, v),
+        lane_horner3(LANE_SLERP_H2, v),
+        lane_horner3(LANE_SLERP_H3, v),
+    };
+    return arc;
+}
+
+/* What it needs to know of t: the masks say whether a is the nearer end, and whether t is 1/2. */
+typedef struct lane_slerp_pace {
+    float t, u, shift;
+    uint32_t first, half;
+} lane_slerp_pace;
+
+static inline lane_slerp_pace lane_slerp_pace_at(float t)
+{
     float u = 1.0f - t, late = t - 0.5f;
     uint32_t first = 0u - (lane_bits(late) >> 31), half = 0u - (uint32_t)(late == 0.0f);
-    float shift = lane_blend(half, 0.0f, lane_flip(t < u ? t : u, lane_sign_bit(late)));
-    float p = (t * u) * v + 0.0f;
-    float h0 = lane_horner7(LANE_SLERP_H0, v), h1 = lane_horner5(LANE_SLERP_H1, v);
-    float h2 = lane_horner3(LANE_SLERP_H2, v), h3 = lane_horner3(LANE_SLERP_H3, v);
-    float et = lane_slerp_excess(t, p, v, h0, h1, h2, h3), eu = lane_slerp_excess(u, p, v, h0, h1, h2, h3);
+    lane_slerp_pace pace = {t, u, lane_blend(half, 0.0f, lane_flip(t < u ? t : u, lane_sign_bit(late))), first, half};
+    return pace;
+}
+
+/* The same pace where it is known at compile time which end is nearer, so that nothing is left to be selected. */
+static inline lane_slerp_pace lane_slerp_near(lane_slerp_pace pace, int first)
+{
+    pace.first = first ? ~0u : 0u;
+    pace.half = 0u;
+    return pace;
+}
+
+/* One component: base - (shift d + (E(u) a + E(t) b)). */
+static inline float lane_slerp_component(float a, float b, lane_slerp_pace pace, float eu, float et)
+{
+    float base = lane_blend(pace.half, 0.5f * (a + b), lane_blend(pace.first, a, b));
+    return base - (pace.shift * (b - a) + (eu * a + et * b));
+}
+
+static inline nkw_quat lane_quat_slerp_on(nkw_quat a, nkw_quat b, lane_slerp_arc arc, lane_slerp_pace pace)
+{
+    float p = (pace.t * pace.u) * arc.v + 0.0f;
+    float et = lane_slerp_excess(pace.t, p, arc.v, arc.h0, arc.h1, arc.h2, arc.h3);
+    float eu = lane_slerp_excess(pace.u, p, arc.v, arc.h0, arc.h1, arc.h2, arc.h3);
     nkw_quat r = {
-        lane_slerp_component(a.x, c.x, first, half, shift, eu, et),
-        lane_slerp_component(a.y, c.y, first, half, shift, eu, et),
-        lane_slerp_component(a.z, c.z, first, half, shift, eu, et),
-        lane_slerp_component(a.w, c.w, first, half, shift, eu, et),
+        lane_slerp_component(a.x, lane_flip(b.x, arc.turned), pace, eu, et),
+        lane_slerp_component(a.y, lane_flip(b.y, arc.turned), pace, eu, et),
+        lane_slerp_component(a.z, lane_flip(b.z, arc.turned), pace, eu, et),
+        lane_slerp_component(a.w, lane_flip(b.w, arc.turned), pace, eu, et),
     };
     return r;
+}
+
+static inline nkw_quat lane_quat_slerp(nkw_quat a, nkw_quat b, float t)
+{
+    return lane_quat_slerp_on(a, b, lane_slerp_arc_between(a, b), lane_slerp_pace_at(t));
 }
 
 /* b or -b: the sign that `path` asks for. Where a.b = 0 the short path keeps b. */
