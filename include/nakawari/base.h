@@ -98,7 +98,8 @@ extern "C" {
     X(NKW_NOT_A_TREE, "a node is reached twice or not at all")                                     \
     X(NKW_BAD_WEIGHTS, "weights are negative or do not sum to 1")                                  \
     X(NKW_TOO_MANY, "more bones are needed than a part may have")                                  \
-    X(NKW_NOT_A_CLIP, "the block does not begin as a clip of this version and byte order does")
+    X(NKW_NOT_A_CLIP, "the block does not begin as a clip of this version and byte order does")    \
+    X(NKW_REPEATED, "two tracks move the same")
 
 /** What a function of the data floors gives: NKW_OK is 0, all else names what is wrong. */
 typedef enum nkw_result {

@@ -30,5 +30,6 @@
 #include "track.h"
 #include "playback.h"
 #include "pose.h"
+#include "clip.h"
 
 #endif

@@ -18,8 +18,9 @@
  *     CUBICSPLINE   the Hermite curve of value[k], d out[k], value[k+1], d in[k+1]; rotations normalised afterwards
  *
  * Rotations are x, y, z, w and should be unit; what is stored is used as it is, and between keys a slerp of keys that are
- * not quite unit is not quite unit either. NKW_TRACK_ROTATION_NORMALIZED normalises LINEAR and STEP keys as they are read:
- * then a key's own value is unit to rounding, instead of the stored bits.
+ * not quite unit is not quite unit either. NKW_TRACK_ROTATION_NORMALIZED normalises LINEAR and STEP keys as they are read, and
+ * gives those of CUBICSPLINE normalised at their own times: a key's own value is then unit to rounding, instead of the
+ * stored bits.
  *
  * Source Khronos Group, glTF 2.0 Specification, section 3.11 and appendix C, 2021.
  */

@@ -15,6 +15,8 @@
 #include <nakawari/orient.h>
 #include <nakawari/types.h>
 
+#include "batch/run.h"
+
 /* clang-format off */
 #define KERNEL_LIST(X) \
     X(sqrt, (const float *x, float *out, size_t n), (x, out, n)) \
@@ -83,7 +85,12 @@
     X(quat_log, (nkw_quat_view q, nkw_vec3_span out, size_t n), (q, out, n)) \
     X(quat_exp, (nkw_vec3_view v, nkw_quat_span out, size_t n), (v, out, n))
 
-#define KERNEL_INNER_LIST(X)
+#define KERNEL_INNER_LIST(X) \
+    X(clip_arcs, (const float *a, const float *b, size_t lanes, float *arcs), (a, b, lanes, arcs)) \
+    X(clip_lerp, (const float *a, const float *b, float t, const nkw_run *runs, size_t run_count, float *out), (a, b, t, runs, run_count, out)) \
+    X(clip_slerp, (const float *a, const float *b, size_t lanes, float t, const nkw_run *runs, size_t run_count, float *out, size_t stride), (a, b, lanes, t, runs, run_count, out, stride)) \
+    X(clip_hermite, (const float *a, const float *b, size_t words, float duration, float t, const nkw_run *runs, size_t run_count, float *out), (a, b, words, duration, t, runs, run_count, out)) \
+    X(clip_normalize, (const nkw_run *runs, size_t run_count, float *out, size_t stride), (runs, run_count, out, stride))
 /* clang-format on */
 
 #endif

@@ -1,0 +1,114 @@
+/* SPDX-License-Identifier: MIT */
+/**
+ * @file
+ * Floor 4: a clip: many tracks, one time, one call, one pose.
+ *
+ * A clip is built from tracks into one block of the caller's. It holds no pointer, so it may be copied, written to a file and
+ * mapped back; nkw_clip_open checks a block before its first use. Sampling gives the same bits as nkw_track_sample of
+ * every track, in a fraction of its time:
+ *
+ *     - tracks with the same key times share one timeline, and it is searched once;
+ *     - their keys stand side by side in component arrays, [key][component][lane], so a sample reads two blocks as streams;
+ *     - what slerp needs to know of two neighbouring keys is worked out when the clip is built;
+ *     - key times that are evenly spaced need no search: any time costs the same;
+ *     - tracks that never change are found, stored once and copied.
+ *
+ * A block is in the byte order of the machine that built it. It is the same on every machine of that order, byte for byte.
+ */
+#ifndef NAKAWARI_CLIP_H
+#define NAKAWARI_CLIP_H
+
+#include <stdint.h>
+
+#include "pose.h"
+#include "track.h"
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/** What a track of a clip moves. */
+typedef enum nkw_clip_target {
+    NKW_CLIP_TRANSLATION, /**< of a joint: width 3 */
+    NKW_CLIP_ROTATION, /**< of a joint: a rotation, width 4 */
+    NKW_CLIP_SCALE, /**< of a joint: width 3 */
+    NKW_CLIP_FLOATS /**< floats of their own, from `index` on: morph weights, any width */
+} nkw_clip_target;
+
+/** A track and its place: `index` is the joint, or the first of the floats. */
+typedef struct nkw_clip_track {
+    nkw_clip_target target;
+    uint32_t index;
+    nkw_track track;
+} nkw_clip_track;
+
+/** What a clip is built from. Joints and floats without a track hold what `rest` says. */
+typedef struct nkw_clip_source {
+    const nkw_clip_track *tracks; /**< in any order */
+    size_t track_count;
+    size_t joint_count; /**< of the poses that the clip gives */
+    size_t float_count; /**< floats besides the pose, 0 if there are none */
+    const float *rest; /**< a pose of joint_count joints; NULL: every joint at the identity */
+    const float *rest_floats; /**< float_count floats; NULL: zeros */
+} nkw_clip_source;
+
+/** The head of a clip's block. */
+typedef struct nkw_clip nkw_clip;
+
+/** How many uint32_t nkw_clip_measure and nkw_clip_build take as working memory. */
+#define NKW_CLIP_WORK(track_count) (3 * (track_count))
+
+/**
+ * Checks the tracks and says how many bytes their clip takes. `work` holds NKW_CLIP_WORK(source->track_count) numbers.
+ *
+ * NKW_EMPTY without joints and floats; what nkw_track_validate gives for a track; NKW_BAD_METHOD for a target that is none, or a
+ * track whose width or kind is not its target's; NKW_OUT_OF_RANGE for a joint or float beyond the last, and for a clip of more
+ * than 2^32 floats; NKW_REPEATED for two tracks that move the same. *bad_track becomes the index of the first offender, 0 if
+ * there is none; it may be NULL.
+ */
+NKW_API nkw_result nkw_clip_measure(const nkw_clip_source *source, uint32_t *work, size_t *bytes, size_t *bad_track);
+
+/**
+ * Builds a clip of `bytes` bytes, as nkw_clip_measure told, into `block`, which must be aligned for float; 64 bytes is fastest.
+ * Gives what nkw_clip_measure gives, and NKW_TOO_SMALL if bytes are less than told. The block may then be sampled as
+ * (const nkw_clip *)block.
+ */
+NKW_API nkw_result nkw_clip_build(const nkw_clip_source *source, uint32_t *work, void *block, size_t bytes,
+                                  size_t *bad_track);
+
+/**
+ * The clip in a block that was read or mapped: *clip becomes the block itself, or NULL where it is not a sound clip.
+ *
+ * NKW_NOT_A_CLIP for another beginning, version or byte order; NKW_TOO_SMALL for a block that is cut off; NKW_OUT_OF_RANGE where
+ * something in it would be read or written outside the block or the pose; NKW_NOT_ASCENDING and NKW_NOT_FINITE for key times that
+ * are so. The values of keys are not looked at. A clip that opens is safe to sample; one that does not must not be.
+ */
+NKW_API nkw_result nkw_clip_open(const void *block, size_t bytes, const nkw_clip **clip);
+
+/** What a clip is made for: the joints of its poses, the floats besides, the bytes of its block. */
+NKW_API size_t nkw_clip_joints(const nkw_clip *clip);
+NKW_API size_t nkw_clip_floats(const nkw_clip *clip);
+NKW_API size_t nkw_clip_bytes(const nkw_clip *clip);
+
+/** The earliest and the latest key time, seconds; 0 and 0 for a clip in which nothing moves. */
+NKW_API float nkw_clip_start(const nkw_clip *clip);
+NKW_API float nkw_clip_end(const nkw_clip *clip);
+
+/** How many cursors sampling takes: one for each timeline. */
+NKW_API size_t nkw_clip_cursors(const nkw_clip *clip);
+
+/**
+ * The pose at `time`.
+ *
+ * cursors  nkw_clip_cursors(clip) numbers, any at first, that each playing instance keeps for itself: the search begins where the
+ *          last one ended. NULL: each search begins anew. The result is the same bits.
+ * pose     receives all joints, and its padding; may be NULL
+ * floats   receives nkw_clip_floats(clip) floats; may be NULL
+ */
+NKW_API void nkw_clip_sample(const nkw_clip *clip, float time, uint32_t *cursors, float *pose, float *floats);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif

@@ -1,0 +1,36 @@
+/* SPDX-License-Identifier: MIT */
+#include "data.h"
+#include "hash.h"
+#include "random_clip.h"
+
+static random_clip drawn;
+static uint32_t block[1 << 16];
+
+/* The joints of the pose without its padding. */
+static uint64_t hash_pose(uint64_t hash, const float *pose, size_t joints)
+{
+    for (size_t c = 0; c < 10; c++)
+        hash = hash_floats(hash, pose + c * NKW_POSE_STRIDE(joints), joints);
+    return hash;
+}
+
+uint64_t data_clip(void)
+{
+    random_source r = random_from(2);
+    uint64_t hash = HASH_START;
+    for (size_t round = 0; round < 24; round++) {
+        uint32_t work[NKW_CLIP_WORK(RANDOM_CLIP_TRACKS)];
+        float pose[NKW_POSE_FLOATS(RANDOM_CLIP_JOINTS)], floats[RANDOM_CLIP_FLOATS];
+        size_t joints = 1 + round * 39 / 23;
+        random_clip_draw(&r, joints, (int)(round % 3), &drawn);
+        if (nkw_clip_build(&drawn.source, work, block, sizeof block, NULL) != NKW_OK)
+            return 0;
+        const nkw_clip *clip = (const nkw_clip *)(const void *)block;
+        for (int i = 0; i < 20; i++) {
+            nkw_clip_sample(clip, random_between(&r, -0.1f, 1.0f), NULL, pose, floats);
+            hash = hash_pose(hash, pose, joints);
+            hash = hash_floats(hash, floats, nkw_clip_floats(clip));
+        }
+    }
+    return hash;
+}

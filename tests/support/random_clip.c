@@ -1,0 +1,116 @@
+/* SPDX-License-Identifier: MIT */
+#include "random_clip.h"
+
+#include <string.h>
+
+static void draw_times(random_source *r, random_clip *c)
+{
+    for (int k = 0; k < RANDOM_CLIP_KEYS; k++) {
+        c->times[0][k] = nkw_segment_uniform_time(0.0f, 30.0f, (size_t)k);
+        for (int line = 1; line < RANDOM_CLIP_LINES; line++)
+            c->times[line][k] =
+                k == 0 ? 0.125f * (float)(line - 1) : c->times[line][k - 1] + 0.01f + 0.05f * random_unit(r);
+        c->modes[k] = (unsigned char)(random_bits(r) % 2);
+    }
+}
+
+/* Rotations that go on from key to key by up to a right angle or so, now and then anywhere, some with the sign turned. */
+static void draw_rotations(random_source *r, float *v, size_t count)
+{
+    nkw_quat q = random_rotation(r);
+    for (size_t k = 0; k < count; k++) {
+        uint64_t kind = random_bits(r) % 8;
+        q = kind == 0 ? random_rotation(r) : kind == 1 ? nkw_quat_negate(q) : random_near(r, q, 0.3f * random_unit(r));
+        memcpy(v + 4 * k, &q, sizeof q);
+    }
+}
+
+static void draw_values(random_source *r, nkw_track *t, float *v, int constant)
+{
+    size_t count = nkw_track_value_count(t);
+    if (t->kind == NKW_TRACK_FLOATS)
+        for (size_t i = 0; i < count; i++)
+            v[i] = random_bits(r) % 32 == 0 ? -0.0f : random_between(r, -3, 3);
+    else
+        draw_rotations(r, v, count / 4);
+    if (!constant)
+        return;
+    size_t key = count / t->count, width = t->width;
+    for (size_t i = 0; i < count; i++)
+        v[i] = t->interpolation != NKW_INTERPOLATION_CUBICSPLINE ? v[i % key]
+               : i % key >= width && i % key < 2 * width         ? v[width + i % width]
+                                                                 : 0.0f;
+}
+
+static void add_track(random_source *r, random_clip *c, nkw_clip_target target, size_t index, size_t width, int variety)
+{
+    size_t i = c->source.track_count++;
+    nkw_clip_track *track = &c->tracks[i];
+    uint64_t bits = random_bits(r);
+    size_t line = variety == 0 ? 0 : variety == 1 ? 1 : bits % RANDOM_CLIP_LINES;
+    track->target = target;
+    track->index = (uint32_t)index;
+    track->track.times = c->times[line];
+    track->track.values = c->values[i];
+    track->track.count = variety == 2 && (bits >> 8) % 16 == 0 ? 1 : RANDOM_CLIP_KEYS;
+    track->track.width = width;
+    track->track.kind = target != NKW_CLIP_ROTATION             ? NKW_TRACK_FLOATS
+                        : variety == 2 && (bits >> 16) % 4 == 0 ? NKW_TRACK_ROTATION_NORMALIZED
+                                                                : NKW_TRACK_ROTATION;
+    track->track.interpolation = variety == 2 ? (nkw_interpolation)((bits >> 24) % 3) : NKW_INTERPOLATION_LINEAR;
+    track->track.key_interpolation = NULL;
+    if (variety == 2 && track->track.interpolation == NKW_INTERPOLATION_STEP && (bits >> 32) % 2 == 0)
+        track->track.key_interpolation = c->modes;
+    draw_values(r, &track->track, c->values[i], variety > 0 && (bits >> 40) % 4 == 0);
+}
+
+void random_clip_draw(random_source *r, size_t joints, int variety, random_clip *c)
+{
+    nkw_clip_source source = {c->tracks, 0, joints, variety == 2 ? RANDOM_CLIP_FLOATS : 0, c->rest, c->rest_floats};
+    c->source = source;
+    draw_times(r, c);
+    for (size_t j = 0; j < joints; j++) {
+        nkw_trs trs = {random_vec3(r, -1, 1), random_rotation(r), random_vec3(r, 0.5f, 2)};
+        nkw_pose_set(c->rest, joints, j, &trs);
+    }
+    for (size_t i = 0; i < RANDOM_CLIP_FLOATS; i++)
+        c->rest_floats[i] = random_unit(r);
+    /* Backwards, for tracks may stand in any order. */
+    for (size_t j = joints; j-- > 0;) {
+        uint64_t bits = variety == 0 ? 0 : random_bits(r);
+        if (bits % 4 != 1)
+            add_track(r, c, NKW_CLIP_ROTATION, j, 4, variety);
+        if ((bits >> 4) % 4 != 1)
+            add_track(r, c, NKW_CLIP_SCALE, j, 3, variety);
+        if ((bits >> 8) % 4 != 1)
+            add_track(r, c, NKW_CLIP_TRANSLATION, j, 3, variety);
+    }
+    if (variety == 2) {
+        add_track(r, c, NKW_CLIP_FLOATS, 7, 3, variety);
+        add_track(r, c, NKW_CLIP_FLOATS, 1, 4, variety);
+        add_track(r, c, NKW_CLIP_FLOATS, 0, 1, variety);
+    }
+}
+
+void random_clip_sample(const random_clip *c, float time, float *pose, float *floats)
+{
+    size_t joints = c->source.joint_count;
+    for (size_t j = 0; j < joints; j++) {
+        nkw_trs trs = nkw_pose_get(c->rest, joints, j);
+        nkw_pose_set(pose, joints, j, &trs);
+    }
+    memcpy(floats, c->rest_floats, c->source.float_count * sizeof *floats);
+    for (size_t i = 0; i < c->source.track_count; i++) {
+        const nkw_clip_track *t = &c->tracks[i];
+        if (t->target == NKW_CLIP_FLOATS) {
+            nkw_track_sample(&t->track, time, floats + t->index);
+            continue;
+        }
+        nkw_trs trs = nkw_pose_get(pose, joints, t->index);
+        nkw_track_sample(&t->track, time,
+                         t->target == NKW_CLIP_TRANSLATION ? &trs.translation.x
+                         : t->target == NKW_CLIP_ROTATION  ? &trs.rotation.x
+                                                           : &trs.scale.x);
+        nkw_pose_set(pose, joints, t->index, &trs);
+    }
+}

@@ -1,0 +1,40 @@
+/* SPDX-License-Identifier: MIT */
+/* Tracks of every sort for clips: shared and own key times, even and uneven, constant ones, all interpolations. */
+#ifndef NAKAWARI_TESTS_RANDOM_CLIP_H
+#define NAKAWARI_TESTS_RANDOM_CLIP_H
+
+#include "random.h"
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+#define RANDOM_CLIP_JOINTS 40
+#define RANDOM_CLIP_FLOATS 12
+#define RANDOM_CLIP_KEYS   24
+#define RANDOM_CLIP_TRACKS (3 * RANDOM_CLIP_JOINTS + 4)
+#define RANDOM_CLIP_LINES  5
+
+typedef struct random_clip {
+    nkw_clip_source source;
+    nkw_clip_track tracks[RANDOM_CLIP_TRACKS];
+    float times[RANDOM_CLIP_LINES][RANDOM_CLIP_KEYS];
+    unsigned char modes[RANDOM_CLIP_KEYS];
+    float values[RANDOM_CLIP_TRACKS][3 * 4 * RANDOM_CLIP_KEYS];
+    float rest[NKW_POSE_FLOATS(RANDOM_CLIP_JOINTS)], rest_floats[RANDOM_CLIP_FLOATS];
+} random_clip;
+
+/*
+ * joints up to RANDOM_CLIP_JOINTS. variety 0: every property of every joint moves by LINEAR on one evenly spaced timeline; 1: the
+ * same on an uneven one, some constant; 2: everything mixed.
+ */
+void random_clip_draw(random_source *r, size_t joints, int variety, random_clip *clip);
+
+/* What the tracks give one by one, over the rest. */
+void random_clip_sample(const random_clip *clip, float time, float *pose, float *floats);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif

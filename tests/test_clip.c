@@ -1,0 +1,296 @@
+/* SPDX-License-Identifier: MIT */
+#include <math.h>
+#include <stdlib.h>
+
+#include "random_clip.h"
+#include "support/expect.h"
+
+static random_clip drawn;
+static uint32_t work[NKW_CLIP_WORK(RANDOM_CLIP_TRACKS)];
+
+/* A clip of the source, in memory of exactly its size; to be freed. */
+static nkw_clip *build(const nkw_clip_source *source, size_t *bytes)
+{
+    size_t bad = 99;
+    assert_int_equal(nkw_clip_measure(source, work, bytes, &bad), NKW_OK);
+    assert_int_equal(bad, 0);
+    void *block = malloc(*bytes);
+    assert_non_null(block);
+    assert_int_equal(nkw_clip_build(source, work, block, *bytes, &bad), NKW_OK);
+    const nkw_clip *clip;
+    assert_int_equal(nkw_clip_open(block, *bytes, &clip), NKW_OK);
+    assert_ptr_equal(clip, block);
+    assert_int_equal(nkw_clip_bytes(clip), *bytes);
+    return (nkw_clip *)block;
+}
+
+static void expect_same_pose(const float *got, const float *want, size_t joints)
+{
+    for (size_t c = 0; c < 10; c++)
+        expect_floats_bits(got + c * NKW_POSE_STRIDE(joints), want + c * NKW_POSE_STRIDE(joints), joints);
+}
+
+/* At key times, between them, outside, and a NaN. */
+static float some_time(random_source *r, int i)
+{
+    float keys[4] = {NAN, INFINITY, -1.0f, drawn.times[2][5]};
+    return i < 4        ? keys[i]
+           : i % 3 == 0 ? drawn.times[i % RANDOM_CLIP_LINES][i % RANDOM_CLIP_KEYS]
+                        : random_between(r, -0.2f, 1.4f);
+}
+
+static void expect_tracks_bits(random_source *r, size_t joints, int variety)
+{
+    size_t bytes;
+    random_clip_draw(r, joints, variety, &drawn);
+    nkw_clip *clip = build(&drawn.source, &bytes);
+    uint32_t cursors[RANDOM_CLIP_TRACKS];
+    memset(cursors, 0xff, sizeof cursors);
+    assert_true(nkw_clip_cursors(clip) <= RANDOM_CLIP_TRACKS);
+    for (int i = 0; i < 60; i++) {
+        float time = some_time(r, i);
+        float got[NKW_POSE_FLOATS(RANDOM_CLIP_JOINTS)], want[NKW_POSE_FLOATS(RANDOM_CLIP_JOINTS)];
+        float floats[RANDOM_CLIP_FLOATS] = {0}, want_floats[RANDOM_CLIP_FLOATS] = {0};
+        random_clip_sample(&drawn, time, want, want_floats);
+        nkw_clip_sample(clip, time, i % 2 ? cursors : NULL, got, floats);
+        expect_same_pose(got, want, joints);
+        expect_floats_bits(floats, want_floats, drawn.source.float_count);
+    }
+    free(clip);
+}
+
+static void sampling_gives_the_bits_of_track_by_track(void **state)
+{
+    (void)state;
+    random_source r = random_from(1);
+    for (int variety = 0; variety < 3; variety++)
+        for (size_t joints = 1; joints <= RANDOM_CLIP_JOINTS; joints += joints < 20 ? 1 : 5)
+            for (int round = 0; round < (variety == 2 ? 6 : 1); round++)
+                expect_tracks_bits(&r, joints, variety);
+}
+
+static void tracks_of_one_time_array_share_a_lookup(void **state)
+{
+    (void)state;
+    random_source r = random_from(2);
+    size_t bytes;
+    for (int variety = 0; variety < 2; variety++) {
+        random_clip_draw(&r, 20, variety, &drawn);
+        nkw_clip *clip = build(&drawn.source, &bytes);
+        assert_int_equal(nkw_clip_cursors(clip), 1);
+        free(clip);
+    }
+    /* The same times in another place. */
+    float copy[RANDOM_CLIP_KEYS];
+    random_clip_draw(&r, 20, 1, &drawn);
+    memcpy(copy, drawn.times[1], sizeof copy);
+    drawn.tracks[3].track.times = copy;
+    nkw_clip *clip = build(&drawn.source, &bytes);
+    assert_int_equal(nkw_clip_cursors(clip), 1);
+    free(clip);
+}
+
+static void constant_tracks_are_stored_once(void **state)
+{
+    (void)state;
+    random_source r = random_from(3);
+    size_t bytes, pose_bytes = sizeof(float) * NKW_POSE_FLOATS(20);
+    random_clip_draw(&r, 20, 0, &drawn);
+    for (size_t i = 0; i < drawn.source.track_count; i++)
+        for (size_t k = 1; k < RANDOM_CLIP_KEYS; k++)
+            for (size_t c = 0; c < drawn.tracks[i].track.width; c++)
+                drawn.values[i][k * drawn.tracks[i].track.width + c] = drawn.values[i][c] = nkw_abs(drawn.values[i][c]);
+    nkw_clip *clip = build(&drawn.source, &bytes);
+    assert_int_equal(nkw_clip_cursors(clip), 0);
+    assert_true(bytes < pose_bytes + 512);
+    expect_bits(nkw_clip_start(clip), 0.0f);
+    expect_bits(nkw_clip_end(clip), drawn.times[0][RANDOM_CLIP_KEYS - 1]);
+    free(clip);
+}
+
+static void a_clip_without_tracks_is_the_rest_pose(void **state)
+{
+    (void)state;
+    nkw_clip_source source = {NULL, 0, 17, 2, NULL, NULL};
+    size_t bytes;
+    float pose[NKW_POSE_FLOATS(17)], identity[NKW_POSE_FLOATS(17)], floats[2] = {7, 7};
+    nkw_clip *clip = build(&source, &bytes);
+    nkw_pose_identity(identity, 17);
+    nkw_clip_sample(clip, 0.3f, NULL, pose, floats);
+    expect_same_pose(pose, identity, 17);
+    expect_bits(floats[0], 0.0f);
+    expect_bits(floats[1], 0.0f);
+    assert_int_equal(nkw_clip_joints(clip), 17);
+    assert_int_equal(nkw_clip_floats(clip), 2);
+    expect_bits(nkw_clip_start(clip), 0.0f);
+    expect_bits(nkw_clip_end(clip), 0.0f);
+    free(clip);
+}
+
+static void pose_or_floats_may_be_left_out(void **state)
+{
+    (void)state;
+    random_source r = random_from(4);
+    size_t bytes;
+    random_clip_draw(&r, 9, 2, &drawn);
+    nkw_clip *clip = build(&drawn.source, &bytes);
+    float pose[NKW_POSE_FLOATS(9)], floats[RANDOM_CLIP_FLOATS], both[NKW_POSE_FLOATS(9)], with[RANDOM_CLIP_FLOATS];
+    nkw_clip_sample(clip, 0.4f, NULL, both, with);
+    nkw_clip_sample(clip, 0.4f, NULL, pose, NULL);
+    nkw_clip_sample(clip, 0.4f, NULL, NULL, floats);
+    nkw_clip_sample(clip, 0.4f, NULL, NULL, NULL);
+    expect_same_pose(pose, both, 9);
+    expect_floats_bits(floats, with, RANDOM_CLIP_FLOATS);
+    free(clip);
+}
+
+static void the_order_of_tracks_does_not_matter(void **state)
+{
+    (void)state;
+    random_source r = random_from(5);
+    size_t bytes, again;
+    random_clip_draw(&r, 23, 1, &drawn);
+    nkw_clip *clip = build(&drawn.source, &bytes);
+    for (size_t i = 0; i < drawn.source.track_count / 2; i++) {
+        nkw_clip_track swap = drawn.tracks[i];
+        drawn.tracks[i] = drawn.tracks[drawn.source.track_count - 1 - i];
+        drawn.tracks[drawn.source.track_count - 1 - i] = swap;
+    }
+    nkw_clip *turned = build(&drawn.source, &again);
+    assert_int_equal(again, bytes);
+    assert_memory_equal(clip, turned, bytes);
+    free(clip);
+    free(turned);
+}
+
+static void expect_refused(nkw_result result, size_t track, int line)
+{
+    size_t bytes = 0, bad = 99;
+    nkw_result got = nkw_clip_measure(&drawn.source, work, &bytes, &bad);
+    if (got != result || bad != track) {
+        print_error("got %s at %zu, want %s at %zu\n", nkw_result_text(got), bad, nkw_result_text(result), track);
+        _fail(__FILE__, line);
+    }
+    assert_int_equal(nkw_clip_build(&drawn.source, work, NULL, 0, NULL), result);
+}
+
+static void measure_refuses_what_is_no_clip(void **state)
+{
+    (void)state;
+    random_source r = random_from(6);
+    random_clip_draw(&r, 5, 0, &drawn);
+    nkw_clip_track *t = &drawn.tracks[7], kept = *t;
+    t->index = 5;
+    expect_refused(NKW_OUT_OF_RANGE, 7, __LINE__);
+    *t = kept;
+    t->target = (nkw_clip_target)4;
+    expect_refused(NKW_BAD_METHOD, 7, __LINE__);
+    *t = kept;
+    t->target = NKW_CLIP_FLOATS;
+    expect_refused(NKW_OUT_OF_RANGE, 7, __LINE__);
+    *t = kept;
+    t->track.width = 2;
+    expect_refused(NKW_BAD_METHOD, 7, __LINE__);
+    *t = kept;
+    t->track.count = 0;
+    expect_refused(NKW_EMPTY, 7, __LINE__);
+    *t = kept;
+    t->index = drawn.tracks[10].index;
+    t->target = drawn.tracks[10].target;
+    t->track = drawn.tracks[10].track;
+    expect_refused(NKW_REPEATED, 10, __LINE__);
+    *t = kept;
+    drawn.source.track_count = drawn.source.joint_count = 0;
+    expect_refused(NKW_EMPTY, 0, __LINE__);
+}
+
+static void floats_that_overlap_are_refused(void **state)
+{
+    (void)state;
+    random_source r = random_from(7);
+    random_clip_draw(&r, 3, 2, &drawn);
+    size_t last = drawn.source.track_count - 2;
+    assert_int_equal(drawn.tracks[last].track.width, 4);
+    drawn.tracks[last].index = 4;
+    expect_refused(NKW_REPEATED, last, __LINE__);
+}
+
+static void build_refuses_a_block_that_is_too_small(void **state)
+{
+    (void)state;
+    random_source r = random_from(8);
+    size_t bytes;
+    random_clip_draw(&r, 5, 2, &drawn);
+    assert_int_equal(nkw_clip_measure(&drawn.source, work, &bytes, NULL), NKW_OK);
+    assert_int_equal(nkw_clip_build(&drawn.source, work, NULL, bytes - 1, NULL), NKW_TOO_SMALL);
+}
+
+static void open_refuses_other_files(void **state)
+{
+    (void)state;
+    random_source r = random_from(9);
+    size_t bytes;
+    const nkw_clip *clip;
+    random_clip_draw(&r, 5, 2, &drawn);
+    nkw_clip *block = build(&drawn.source, &bytes);
+    uint32_t *words = (uint32_t *)(void *)block;
+    assert_int_equal(nkw_clip_open(block, 3, &clip), NKW_TOO_SMALL);
+    assert_int_equal(nkw_clip_open(block, bytes - 1, &clip), NKW_TOO_SMALL);
+    assert_null(clip);
+    words[0] = 0x636c6970u; /* the other byte order */
+    assert_int_equal(nkw_clip_open(block, bytes, &clip), NKW_NOT_A_CLIP);
+    words[0] = 0x70696c63u;
+    words[1] = 99;
+    assert_int_equal(nkw_clip_open(block, bytes, &clip), NKW_NOT_A_CLIP);
+    free(block);
+}
+
+/* One word changed anywhere but in the values: either it is refused, or sampling stays within its arrays (the sanitizers watch). */
+static void a_damaged_block_is_refused_or_safe(void **state)
+{
+    (void)state;
+    random_source r = random_from(10);
+    size_t bytes, refused = 0;
+    random_clip_draw(&r, 12, 2, &drawn);
+    nkw_clip *block = build(&drawn.source, &bytes);
+    uint32_t *damaged = (uint32_t *)malloc(bytes);
+    assert_non_null(damaged);
+    for (size_t i = 0; i < bytes / 4 && i < 900; i++) {
+        const uint32_t others[4] = {0xffffffffu, 0x7fc00000u, (uint32_t)random_bits(&r), (uint32_t)(bytes / 4)};
+        for (int o = 0; o < 5; o++) {
+            const nkw_clip *clip;
+            memcpy(damaged, block, bytes);
+            damaged[i] = o < 4 ? others[o] : damaged[i] + 1;
+            if (nkw_clip_open(damaged, bytes, &clip) != NKW_OK && ++refused)
+                continue;
+            if (nkw_clip_joints(clip) > 4096 || nkw_clip_floats(clip) > 4096)
+                continue;
+            float *pose = (float *)malloc(sizeof(float) * (1 + nkw_pose_floats(nkw_clip_joints(clip))));
+            float *floats = (float *)malloc(sizeof(float) * (1 + nkw_clip_floats(clip)));
+            nkw_clip_sample(clip, 0.3f, NULL, pose, floats);
+            free(pose);
+            free(floats);
+        }
+    }
+    assert_true(refused > 300);
+    free(damaged);
+    free(block);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(sampling_gives_the_bits_of_track_by_track),
+        cmocka_unit_test(tracks_of_one_time_array_share_a_lookup),
+        cmocka_unit_test(constant_tracks_are_stored_once),
+        cmocka_unit_test(a_clip_without_tracks_is_the_rest_pose),
+        cmocka_unit_test(pose_or_floats_may_be_left_out),
+        cmocka_unit_test(the_order_of_tracks_does_not_matter),
+        cmocka_unit_test(measure_refuses_what_is_no_clip),
+        cmocka_unit_test(floats_that_overlap_are_refused),
+        cmocka_unit_test(build_refuses_a_block_that_is_too_small),
+        cmocka_unit_test(open_refuses_other_files),
+        cmocka_unit_test(a_damaged_block_is_refused_or_safe),
+    };
+    return cmocka_run_group_tests_name("clip", tests, NULL, NULL);
+}
