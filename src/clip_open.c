@@ -60,6 +60,8 @@ static nkw_result check_group(const nkw_clip *clip, const clip_group *g)
     if (g->timeline >= clip->timeline_count || g->kind >= GROUP_KINDS ||
         g->interpolation > NKW_INTERPOLATION_CUBICSPLINE || g->lanes > clip->words)
         return NKW_OUT_OF_RANGE;
+    if (g->normalized && g->kind != GROUP_ROTATIONS)
+        return NKW_OUT_OF_RANGE;
     const clip_timeline *line = clip_timelines(clip) + g->timeline;
     if (line->modes && g->interpolation != NKW_INTERPOLATION_LINEAR)
         return NKW_OUT_OF_RANGE;
