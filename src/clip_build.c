@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* Builds a clip's block. Laid out twice by the same code: first to measure, without a block, then to write. */
+/* Builds a clip's block. It is laid out twice by the same code: first to measure, without a block, then to write. */
 #include "lane/strict.h"
 
 #include <string.h>
@@ -8,208 +8,16 @@
 #include <nakawari/segment.h>
 
 #include "clip_layout.h"
-#include "lane/scalar.h"
+#include "clip_tracks.h"
 #include "simd/select.h"
 
-#define CONSTANT UINT32_MAX /* in place of a timeline */
-
-typedef enum section { TIMELINES, GROUPS, RUNS, TIMES, VALUES, SECTIONS } section;
+typedef enum section { TIMELINES, GROUPS, BLOCKS, RUNS, TIMES, VALUES, SECTIONS } section;
 
 typedef struct builder {
-    const nkw_clip_source *source;
-    uint32_t *by_group; /* tracks by timeline, then by group, then by target and index; constant ones last */
-    uint32_t *by_place; /* tracks by target and index */
-    uint32_t *timeline; /* of each track: the first track with the same one, or CONSTANT */
+    clip_tracks tracks;
     uint32_t *words; /* the block; NULL while measuring */
     size_t start[SECTIONS], used[SECTIONS];
 } builder;
-
-/* Tracks: what they are. */
-
-static int is_cubic(const nkw_track *t)
-{
-    return t->interpolation == NKW_INTERPOLATION_CUBICSPLINE;
-}
-
-static const float *track_value(const nkw_track *t, size_t k)
-{
-    return t->values + (is_cubic(t) ? (3 * k + 1) * t->width : k * t->width);
-}
-
-static int same_bits(const float *a, const float *b, size_t n)
-{
-    return memcmp(a, b, n * sizeof *a) == 0;
-}
-
-static int any(const float *v, size_t n, int (*is)(float))
-{
-    for (size_t i = 0; i < n; i++)
-        if (is(v[i]))
-            return 1;
-    return 0;
-}
-
-static int is_not_zero(float x)
-{
-    return x != 0.0f;
-}
-
-static int is_minus_zero(float x)
-{
-    return lane_bits(x) == 0x80000000u;
-}
-
-/* The same bits at every time. Numbers that are -0 may come out of a lerp as 0; rotations of a cubic are normalised. */
-static int is_constant(const nkw_clip_track *c)
-{
-    const nkw_track *t = &c->track;
-    const float *first = track_value(t, 0);
-    if (t->count > 1 && c->target == NKW_CLIP_ROTATION ? is_cubic(t) : any(first, t->width, is_minus_zero))
-        return t->count == 1;
-    for (size_t k = 1; k < t->count; k++) {
-        const float *v = track_value(t, k), *before = track_value(t, k - 1);
-        if (!same_bits(v, first, t->width))
-            return 0;
-        if (is_cubic(t) && (any(before + t->width, t->width, is_not_zero) || any(v - t->width, t->width, is_not_zero)))
-            return 0;
-    }
-    return 1;
-}
-
-static int same_timeline(const nkw_track *a, const nkw_track *b)
-{
-    if (a->count != b->count || !a->key_interpolation != !b->key_interpolation)
-        return 0;
-    if (a->times != b->times && !same_bits(a->times, b->times, a->count))
-        return 0;
-    return !a->key_interpolation || memcmp(a->key_interpolation, b->key_interpolation, a->count) == 0;
-}
-
-static clip_kind kind_of(const nkw_clip_track *c)
-{
-    return c->target == NKW_CLIP_ROTATION ? GROUP_ROTATIONS
-           : c->target == NKW_CLIP_FLOATS ? GROUP_FLOATS
-                                          : GROUP_NUMBERS;
-}
-
-/* Tracks that choose key by key are laid out as LINEAR, which serves STEP too. */
-static nkw_interpolation interpolation_of(const nkw_track *t)
-{
-    return t->key_interpolation ? NKW_INTERPOLATION_LINEAR : t->interpolation;
-}
-
-static int is_normalized(const nkw_track *t)
-{
-    return t->kind == NKW_TRACK_ROTATION_NORMALIZED;
-}
-
-/* What tracks of one timeline must have in common to be a group. */
-static uint32_t group_of(const nkw_clip_track *c)
-{
-    uint32_t cubic_unit = is_cubic(&c->track) && is_normalized(&c->track);
-    return (uint32_t)kind_of(c) * 16u + (uint32_t)interpolation_of(&c->track) * 2u + cubic_unit;
-}
-
-/* Orders: heap sort over indices of tracks. */
-
-typedef int comes_before(const builder *b, uint32_t i, uint32_t j);
-
-static int before_by_place(const builder *b, uint32_t i, uint32_t j)
-{
-    const nkw_clip_track *p = &b->source->tracks[i], *q = &b->source->tracks[j];
-    return p->target != q->target ? p->target < q->target : p->index != q->index ? p->index < q->index : i < j;
-}
-
-static int before_by_group(const builder *b, uint32_t i, uint32_t j)
-{
-    uint32_t p = group_of(&b->source->tracks[i]), q = group_of(&b->source->tracks[j]);
-    if (b->timeline[i] != b->timeline[j])
-        return b->timeline[i] < b->timeline[j];
-    return p != q ? p < q : before_by_place(b, i, j);
-}
-
-static void sift(const builder *b, uint32_t *order, size_t root, size_t count, comes_before *before)
-{
-    for (size_t child = 2 * root + 1; child < count; child = 2 * root + 1) {
-        if (child + 1 < count && before(b, order[child], order[child + 1]))
-            child++;
-        if (!before(b, order[root], order[child]))
-            return;
-        uint32_t swap = order[root];
-        order[root] = order[child];
-        order[child] = swap;
-        root = child;
-    }
-}
-
-static void sort(const builder *b, uint32_t *order, comes_before *before)
-{
-    size_t n = b->source->track_count;
-    for (size_t i = 0; i < n; i++)
-        order[i] = (uint32_t)i;
-    for (size_t i = n / 2; i-- > 0;)
-        sift(b, order, i, n, before);
-    for (size_t end = n; end-- > 1;) {
-        uint32_t swap = order[0];
-        order[0] = order[end];
-        order[end] = swap;
-        sift(b, order, 0, end, before);
-    }
-}
-
-static void find_timelines(builder *b)
-{
-    const nkw_clip_track *tracks = b->source->tracks;
-    for (uint32_t i = 0; i < b->source->track_count; i++) {
-        b->timeline[i] = is_constant(&tracks[i]) ? CONSTANT : i;
-        for (uint32_t j = 0; j < i && b->timeline[i] == i; j++)
-            if (b->timeline[j] == j && same_timeline(&tracks[i].track, &tracks[j].track))
-                b->timeline[i] = j;
-    }
-}
-
-/* Validation. */
-
-static nkw_result check_place(const nkw_clip_source *s, const nkw_clip_track *c)
-{
-    int turns = c->target == NKW_CLIP_ROTATION;
-    if ((unsigned)c->target > NKW_CLIP_FLOATS || (c->track.kind != NKW_TRACK_FLOATS) != turns)
-        return NKW_BAD_METHOD;
-    if (c->target == NKW_CLIP_FLOATS)
-        return c->index <= s->float_count && c->track.width <= s->float_count - c->index ? NKW_OK : NKW_OUT_OF_RANGE;
-    if (c->track.width != (turns ? 4u : 3u))
-        return NKW_BAD_METHOD;
-    return c->index < s->joint_count ? NKW_OK : NKW_OUT_OF_RANGE;
-}
-
-static nkw_result check_tracks(const nkw_clip_source *s, size_t *bad)
-{
-    nkw_result result = s->joint_count + s->float_count == 0 ? NKW_EMPTY : NKW_OK;
-    if (s->track_count >= CONSTANT || s->joint_count >= CONSTANT / 16 || s->float_count >= CONSTANT)
-        result = NKW_OUT_OF_RANGE;
-    for (size_t i = 0; result == NKW_OK && i < s->track_count; i++) {
-        *bad = i;
-        result = nkw_track_validate(&s->tracks[i].track, NULL);
-        result = result == NKW_OK ? check_place(s, &s->tracks[i]) : result;
-    }
-    *bad = result == NKW_OK ? 0 : *bad;
-    return result;
-}
-
-/* In the order of places, what two tracks move lies next to each other. */
-static nkw_result check_repeated(const builder *b, size_t *bad)
-{
-    const nkw_clip_track *tracks = b->source->tracks;
-    for (size_t i = 1; i < b->source->track_count; i++) {
-        const nkw_clip_track *p = &tracks[b->by_place[i - 1]], *q = &tracks[b->by_place[i]];
-        size_t taken = p->target == NKW_CLIP_FLOATS ? p->track.width : 1;
-        if (p->target == q->target && q->index - p->index < taken) {
-            *bad = b->by_place[i] > b->by_place[i - 1] ? b->by_place[i] : b->by_place[i - 1];
-            return NKW_REPEATED;
-        }
-    }
-    return NKW_OK;
-}
 
 /* Room in a section: where it begins, in words from the beginning of the block. */
 static size_t take(builder *b, section s, size_t words)
@@ -229,46 +37,55 @@ static float *floats_at(const builder *b, size_t at)
     return (float *)(void *)(b->words + at);
 }
 
-/* Lanes: where they go, in runs. */
+/* Lanes: where they go, in blocks. */
 
 typedef struct lanes {
     builder *b;
-    size_t count, runs, run_count;
-    size_t next, length; /* where the last run would go on, and how long it is */
+    size_t expected; /* of all blocks together; unknown while measuring */
+    size_t count, blocks;
+    size_t next, length; /* where the last lane went, plus one, and how long it has been going on so */
 } lanes;
 
-static lanes lanes_begin(builder *b)
+static nkw_block *block_of(const lanes *l, size_t lane)
 {
-    lanes l = {b, 0, b->start[RUNS] + b->used[RUNS], 0, 0, 0};
+    return (nkw_block *)(void *)(l->b->words + l->blocks) + lane / NKW_BLOCK;
+}
+
+static lanes lanes_begin(builder *b, size_t expected)
+{
+    lanes l = {b, expected, 0, b->start[BLOCKS] + b->used[BLOCKS], 0, 0};
     return l;
 }
 
 /* One more lane, that goes to the float `to`; gives its number. */
 static size_t add_lane(lanes *l, size_t to)
 {
-    int goes_on = l->run_count > 0 && to == l->next;
-    if (!goes_on) {
-        take(l->b, RUNS, sizeof(nkw_run) / 4);
-        l->run_count++;
-        l->length = 0;
-    }
+    size_t i = l->count % NKW_BLOCK;
+    l->length = l->count > 0 && to == l->next ? l->length + 1 : 1;
     l->next = to + 1;
-    l->length++;
+    if (i == 0)
+        take(l->b, BLOCKS, sizeof(nkw_block) / 4);
     if (l->b->words) {
-        nkw_run *run = (nkw_run *)(void *)(l->b->words + l->runs) + l->run_count - 1;
-        run->lane = (uint32_t)(l->count + 1 - l->length);
-        run->to = (uint32_t)(l->next - l->length);
-        run->count = (uint32_t)l->length;
+        nkw_block *block = block_of(l, l->count);
+        size_t left = l->expected - (l->count - i);
+        block->width = (uint32_t)(left < NKW_BLOCK ? left : NKW_BLOCK);
+        block->places[i] = (uint32_t)to;
+        block->count = (uint32_t)i + 1;
+        block->direct = block->count == block->width && l->length >= block->count ? block->width : 0;
     }
     return l->count++;
 }
 
-/* A long run that ends with the last joint of a component array goes on over the padding, into the next array. */
-static void add_padding(lanes *l)
+/*
+ * Lanes that end with the last joint of a component array go on over the padding: numbers into the next array, rotations until
+ * their block is full.
+ */
+static void add_padding(lanes *l, int turns)
 {
-    size_t joints = l->b->source->joint_count, stride = NKW_POSE_STRIDE(joints);
+    size_t joints = l->b->tracks.source->joint_count, stride = NKW_POSE_STRIDE(joints);
+    size_t end = turns ? clip_lanes(l->count) : l->count + stride - joints;
     if (l->length >= 8 && l->next % stride == joints % stride)
-        while (l->next % stride != 0)
+        while (l->count < end)
             add_lane(l, l->next);
 }
 
@@ -280,7 +97,7 @@ static float held_component(const nkw_clip_track *c, size_t k, size_t component)
     nkw_segment at = {k, 0.0f};
     float rotation[4];
     if (c->target != NKW_CLIP_ROTATION)
-        return track_value(&c->track, k)[component];
+        return clip_track_value(&c->track, k)[component];
     nkw_track_sample_at(&c->track, at, rotation);
     return rotation[component];
 }
@@ -289,32 +106,43 @@ static float held_component(const nkw_clip_track *c, size_t k, size_t component)
 static float key_component(const nkw_clip_track *c, size_t k, size_t part, size_t component)
 {
     const nkw_track *t = &c->track;
-    if (is_cubic(t))
+    if (clip_is_cubic(t))
         return t->values[(3 * k + part) * t->width + component];
     return held_component(c, k, component);
 }
 
-/* Writes a component of a track into every key, `at` floats into the value. */
-static void fill_component(const builder *b, const clip_group *g, const nkw_clip_track *c, size_t component, size_t at)
+/* Where row `row` of a lane stands in a value, of a key with `rows` rows to a lane. */
+static size_t lane_at(const clip_group *g, size_t rows, size_t row, size_t lane)
 {
+    size_t i = lane % NKW_BLOCK, before = lane - i, left = g->lanes - before;
+    return before * rows + row * (left < NKW_BLOCK ? left : NKW_BLOCK) + i;
+}
+
+/* Writes a component of a track into every key of its lane. */
+static void fill_component(const builder *b, const clip_group *g, const nkw_clip_track *c, size_t component, size_t row,
+                           size_t lane)
+{
+    int cubic = clip_is_cubic(&c->track);
+    size_t at = lane_at(g, cubic ? clip_rows(g) : clip_key_rows(g), row, lane);
     for (size_t k = 0; k < c->track.count; k++)
-        for (size_t part = 0; part < (is_cubic(&c->track) ? 3u : 1u); part++)
-            floats_at(b, g->keys + k * g->key_words)[part * clip_value_words(g) + at] =
+        for (size_t part = 0; part < (cubic ? 3u : 1u); part++)
+            floats_at(b, g->keys + k * g->key_words)[part * clip_rows(g) * g->lanes + at] =
                 key_component(c, k, part, component);
 }
 
 static void fill_arcs(const builder *b, const clip_group *g, size_t key_count)
 {
+    const nkw_block *blocks = (const nkw_block *)(const void *)(b->words + g->blocks);
     for (size_t k = 0; k + 1 < key_count; k++) {
         float *key = floats_at(b, g->keys + k * g->key_words);
-        nkw_batch_selected()->clip_arcs(key, key + g->key_words, g->lanes, key + 4 * (size_t)g->lanes);
+        nkw_batch_selected()->clip_arcs(key, key + g->key_words, blocks, g->block_count);
     }
 }
 
 /* Where component c of a track goes: in the pose, in its rotations, or in the floats. */
 static size_t place_of(const builder *b, const nkw_clip_track *c, size_t component)
 {
-    size_t stride = NKW_POSE_STRIDE(b->source->joint_count);
+    size_t stride = NKW_POSE_STRIDE(b->tracks.source->joint_count);
     if (c->target == NKW_CLIP_FLOATS)
         return c->index + component;
     if (c->target == NKW_CLIP_ROTATION)
@@ -330,22 +158,22 @@ static void lay_track(lanes *l, const clip_group *g, const nkw_clip_track *c, si
     for (size_t component = first; component < end; component++) {
         size_t lane = add_lane(l, place_of(l->b, c, component));
         for (size_t row = 0; l->b->words && row < (turns ? 4u : 1u); row++)
-            fill_component(l->b, g, c, component + row, row * g->lanes + lane);
+            fill_component(l->b, g, c, component + row, row, lane);
     }
 }
 
 /* The lanes of a group's tracks: translations x, y, z, rotations, scales x, y, z, each in the order of joints; floats. */
 static lanes lay_lanes(builder *b, const clip_group *g, const uint32_t *members, size_t count)
 {
-    lanes l = lanes_begin(b);
+    lanes l = lanes_begin(b, g->lanes);
     for (int target = NKW_CLIP_TRANSLATION; target <= NKW_CLIP_FLOATS; target++) {
         int in_passes = target == NKW_CLIP_TRANSLATION || target == NKW_CLIP_SCALE;
         for (size_t pass = 0; pass < (in_passes ? 3u : 1u); pass++) {
             for (size_t i = 0; i < count; i++)
-                if ((int)b->source->tracks[members[i]].target == target)
-                    lay_track(&l, g, &b->source->tracks[members[i]], pass);
+                if ((int)b->tracks.source->tracks[members[i]].target == target)
+                    lay_track(&l, g, &b->tracks.source->tracks[members[i]], pass);
             if (target != NKW_CLIP_FLOATS)
-                add_padding(&l);
+                add_padding(&l, target == NKW_CLIP_ROTATION);
         }
     }
     return l;
@@ -384,136 +212,161 @@ static void lay_timeline(builder *b, const nkw_track *t)
         b->words[modes + k] = t->key_interpolation[k];
 }
 
-static size_t lane_stride(size_t count)
+/* Blocks that go on from each other become one stretch. */
+static void join_blocks(nkw_block *blocks, size_t count)
 {
-    return round_up(count, count > CLIP_ALIGN ? CLIP_ALIGN : 4);
+    for (size_t i = count; i-- > 1;)
+        if (blocks[i - 1].direct && blocks[i].direct && blocks[i].places[0] == blocks[i - 1].places[0] + NKW_BLOCK)
+            blocks[i - 1].direct += blocks[i].direct;
 }
 
+/* The tracks of a group have the key times of its first one. */
 static void lay_group(builder *b, uint32_t timeline, const uint32_t *members, size_t count)
 {
-    const nkw_clip_track *first = &b->source->tracks[members[0]];
-    clip_group g = {timeline,
-                    kind_of(first),
-                    interpolation_of(&first->track),
-                    is_cubic(&first->track) && is_normalized(&first->track),
-                    0,
-                    0,
-                    0,
-                    0,
-                    0};
+    const nkw_track *first = &b->tracks.source->tracks[members[0]].track;
+    clip_group g;
     builder probe = *b;
     probe.words = NULL;
-    lanes counted = lay_lanes(&probe, &g, members, count);
-    g.lanes = (uint32_t)lane_stride(counted.count);
-    g.key_words = clip_key_words(&g);
+    memset(&g, 0, sizeof g);
+    g.timeline = timeline;
+    g.kind = clip_kind_of(&b->tracks.source->tracks[members[0]]);
+    g.interpolation = clip_interpolation_of(first);
+    g.normalized = clip_is_cubic(first) && clip_is_normalized(first);
+    g.lanes = (uint32_t)clip_lanes(lay_lanes(&probe, &g, members, count).count);
+    g.key_words = (uint32_t)clip_key_rows(&g) * g.lanes;
     take(b, VALUES, round_up(b->used[VALUES], CLIP_ALIGN) - b->used[VALUES]);
-    g.keys = (uint32_t)take(b, VALUES, g.key_words * first->track.count);
+    g.keys = (uint32_t)take(b, VALUES, g.key_words * first->count);
     lanes l = lay_lanes(b, &g, members, count);
     size_t at = take(b, GROUPS, sizeof g / 4);
+    g.blocks = (uint32_t)l.blocks;
+    g.block_count = (uint32_t)round_up(l.count, NKW_BLOCK) / NKW_BLOCK;
     if (!b->words)
         return;
-    g.runs = (uint32_t)l.runs;
-    g.run_count = (uint32_t)l.run_count;
+    join_blocks((nkw_block *)(void *)(b->words + g.blocks), g.block_count);
     if (g.kind == GROUP_ROTATIONS && g.interpolation == NKW_INTERPOLATION_LINEAR)
-        fill_arcs(b, &g, first->track.count);
+        fill_arcs(b, &g, first->count);
     memcpy(b->words + at, &g, sizeof g);
 }
 
 static void lay_groups(builder *b)
 {
-    const nkw_clip_track *tracks = b->source->tracks;
-    uint32_t lines = 0;
-    for (size_t from = 0, to; from < b->source->track_count && b->timeline[b->by_group[from]] != CONSTANT; from = to) {
-        uint32_t first = b->by_group[from], line = b->timeline[first];
-        to = from + 1;
-        while (to < b->source->track_count && b->timeline[b->by_group[to]] == line &&
-               group_of(&tracks[b->by_group[to]]) == group_of(&tracks[first]))
+    const clip_tracks *t = &b->tracks;
+    const nkw_clip_track *tracks = t->source->tracks;
+    size_t from = 0, to = 0, count = t->source->track_count;
+    for (uint32_t lines = 0; from < count && t->timeline[t->by_group[from]] != CLIP_CONSTANT; from = to) {
+        uint32_t first = t->by_group[from], line = t->timeline[first];
+        while (to < count && t->timeline[t->by_group[to]] == line &&
+               nkw_clip_tracks_group(&tracks[t->by_group[to]]) == nkw_clip_tracks_group(&tracks[first]))
             to++;
-        if (from == 0 || b->timeline[b->by_group[from - 1]] != line) {
+        if (from == 0 || t->timeline[t->by_group[from - 1]] != line) {
             lay_timeline(b, &tracks[first].track);
             lines++;
         }
-        lay_group(b, lines - 1, b->by_group + from, to - from);
+        lay_group(b, lines - 1, t->by_group + from, to - from);
     }
 }
 
 /* What never changes: constant tracks, and the rest where there is no track. */
 
-static void add_constant(lanes *l, size_t to, float value)
+#define BRIDGE 32 /* floats: a shorter gap between runs is filled; what is animated there is written afterwards */
+
+typedef struct constants {
+    builder *b;
+    size_t at, count; /* the runs */
+    size_t next; /* where the last one would go on */
+} constants;
+
+static void add_value(constants *c, float value)
 {
-    add_lane(l, to);
-    size_t at = take(l->b, VALUES, 1);
-    if (l->b->words)
-        floats_at(l->b, at)[0] = value;
+    size_t at = take(c->b, VALUES, 1);
+    c->next++;
+    if (c->b->words) {
+        ((clip_run *)(void *)(c->b->words + c->at))[c->count - 1].count++;
+        floats_at(c->b, at)[0] = value;
+    }
 }
 
-/* One component array of the pose. `target` and `row` say which tracks move it; *p goes through the tracks by place. */
-static void lay_constant_array(lanes *l, nkw_clip_target target, size_t row, size_t array, size_t p)
+static void add_constant(constants *c, size_t to, float value)
 {
-    const builder *b = l->b;
-    const nkw_clip_source *s = b->source;
+    if (c->count == 0 || to - c->next > BRIDGE) {
+        clip_run run = {(uint32_t)(c->b->start[VALUES] + c->b->used[VALUES]), (uint32_t)to, 0};
+        size_t at = take(c->b, RUNS, sizeof run / 4);
+        if (c->b->words)
+            memcpy(c->b->words + at, &run, sizeof run);
+        c->count++;
+        c->next = to;
+    }
+    while (c->next < to)
+        add_value(c, 0.0f);
+    add_value(c, value);
+}
+
+/* The track that moves joint or float `index`, or NULL. */
+static const nkw_clip_track *track_of(const clip_tracks *t, nkw_clip_target target, size_t index)
+{
+    const nkw_clip_track *tracks = t->source->tracks;
+    size_t low = 0, high = t->source->track_count;
+    while (low < high) {
+        size_t middle = low + (high - low) / 2;
+        const nkw_clip_track *c = &tracks[t->by_place[middle]];
+        if (c->target < target || (c->target == target && c->index <= index))
+            low = middle + 1;
+        else
+            high = middle;
+    }
+    const nkw_clip_track *last = low > 0 ? &tracks[t->by_place[low - 1]] : NULL;
+    size_t width = target == NKW_CLIP_FLOATS && last ? last->track.width : 1;
+    return last && last->target == target && index - last->index < width ? last : NULL;
+}
+
+/* Float `to` of the output, unless a track animates it: component `component` of joint or float `index`. */
+static int lay_constant(constants *c, nkw_clip_target target, size_t index, size_t component, size_t to, float rest)
+{
+    const clip_tracks *t = &c->b->tracks;
+    const nkw_clip_track *track = track_of(t, target, index);
+    if (track && t->timeline[track - t->source->tracks] != CLIP_CONSTANT)
+        return 0;
+    size_t of_track = target == NKW_CLIP_FLOATS && track ? index - track->index : component;
+    add_constant(c, to, track ? held_component(track, 0, of_track) : rest);
+    return 1;
+}
+
+static size_t lay_pose_constants(builder *b)
+{
+    static const nkw_clip_target targets[10] = {
+        NKW_CLIP_TRANSLATION, NKW_CLIP_TRANSLATION, NKW_CLIP_TRANSLATION, NKW_CLIP_ROTATION, NKW_CLIP_ROTATION,
+        NKW_CLIP_ROTATION,    NKW_CLIP_ROTATION,    NKW_CLIP_SCALE,       NKW_CLIP_SCALE,    NKW_CLIP_SCALE};
+    static const size_t components[10] = {0, 1, 2, 0, 1, 2, 3, 0, 1, 2};
+    const nkw_clip_source *s = b->tracks.source;
     size_t stride = NKW_POSE_STRIDE(s->joint_count);
-    float identity = array >= 6 ? 1.0f : 0.0f;
-    int held = 0;
-    for (size_t j = 0; j < s->joint_count; j++) {
-        while (p < s->track_count && s->tracks[b->by_place[p]].target == target && s->tracks[b->by_place[p]].index < j)
-            p++;
-        uint32_t i = p < s->track_count ? b->by_place[p] : 0;
-        int has_track = p < s->track_count && s->tracks[i].target == target && s->tracks[i].index == j;
-        float rest = s->rest ? s->rest[array * stride + j] : identity;
-        held = !has_track || b->timeline[i] == CONSTANT;
-        if (held)
-            add_constant(l, array * stride + j, has_track ? held_component(&s->tracks[i], 0, row) : rest);
-    }
-    for (size_t j = s->joint_count; held && j < stride; j++)
-        add_constant(l, array * stride + j, identity);
-}
-
-/* The first track by place that moves the target. */
-static size_t first_of(const builder *b, nkw_clip_target target)
-{
-    size_t p = 0;
-    while (p < b->source->track_count && b->source->tracks[b->by_place[p]].target < target)
-        p++;
-    return p;
-}
-
-static lanes lay_constants(builder *b)
-{
-    lanes l = lanes_begin(b);
+    constants c = {b, b->start[RUNS] + b->used[RUNS], 0, 0};
     for (size_t array = 0; array < 10; array++) {
-        nkw_clip_target target = array < 3 ? NKW_CLIP_TRANSLATION : array < 7 ? NKW_CLIP_ROTATION : NKW_CLIP_SCALE;
-        size_t row = array < 3 ? array : array < 7 ? array - 3 : array - 7;
-        lay_constant_array(&l, target, row, array, first_of(b, target));
+        float identity = array >= 6 ? 1.0f : 0.0f;
+        int held = 0;
+        for (size_t j = 0; j < s->joint_count; j++)
+            held = lay_constant(&c, targets[array], j, components[array], array * stride + j,
+                                s->rest ? s->rest[array * stride + j] : identity);
+        for (size_t j = s->joint_count; held && j < stride; j++)
+            add_constant(&c, array * stride + j, identity);
     }
-    return l;
+    return c.count;
 }
 
-static lanes lay_float_constants(builder *b)
+static size_t lay_float_constants(builder *b)
 {
-    const nkw_clip_source *s = b->source;
-    lanes l = lanes_begin(b);
-    size_t p = first_of(b, NKW_CLIP_FLOATS);
-    for (size_t f = 0; f < s->float_count; f++) {
-        const nkw_clip_track *c = NULL;
-        while (p < s->track_count && s->tracks[b->by_place[p]].index + s->tracks[b->by_place[p]].track.width <= f)
-            p++;
-        if (p < s->track_count && s->tracks[b->by_place[p]].index <= f)
-            c = &s->tracks[b->by_place[p]];
-        if (!c)
-            add_constant(&l, f, s->rest_floats ? s->rest_floats[f] : 0.0f);
-        else if (b->timeline[b->by_place[p]] == CONSTANT)
-            add_constant(&l, f, held_component(c, 0, f - c->index));
-    }
-    return l;
+    const nkw_clip_source *s = b->tracks.source;
+    constants c = {b, b->start[RUNS] + b->used[RUNS], 0, 0};
+    for (size_t f = 0; f < s->float_count; f++)
+        lay_constant(&c, NKW_CLIP_FLOATS, f, 0, f, s->rest_floats ? s->rest_floats[f] : 0.0f);
+    return c.count;
 }
 
 /* The whole block. */
 
-static void lay_head(builder *b, const lanes *pose, size_t pose_values, const lanes *floats, size_t float_values)
+static void lay_head(builder *b, size_t pose_runs, size_t float_runs)
 {
     nkw_clip head;
-    const nkw_clip_source *s = b->source;
+    const nkw_clip_source *s = b->tracks.source;
     memset(&head, 0, sizeof head);
     head.magic = CLIP_MAGIC;
     head.version = CLIP_VERSION;
@@ -530,44 +383,28 @@ static void lay_head(builder *b, const lanes *pose, size_t pose_values, const la
     head.timeline_count = (uint32_t)(b->used[TIMELINES] / (sizeof(clip_timeline) / 4));
     head.groups = (uint32_t)b->start[GROUPS];
     head.group_count = (uint32_t)(b->used[GROUPS] / (sizeof(clip_group) / 4));
-    head.constants = (uint32_t)pose_values;
-    head.constant_runs = (uint32_t)pose->runs;
-    head.constant_run_count = (uint32_t)pose->run_count;
-    head.float_constants = (uint32_t)float_values;
-    head.float_runs = (uint32_t)floats->runs;
-    head.float_run_count = (uint32_t)floats->run_count;
+    head.constants = (uint32_t)b->start[RUNS];
+    head.constant_count = (uint32_t)pose_runs;
+    head.float_constants = (uint32_t)(b->start[RUNS] + pose_runs * (sizeof(clip_run) / 4));
+    head.float_constant_count = (uint32_t)float_runs;
     memcpy(b->words, &head, sizeof head);
 }
 
 static void lay_clip(builder *b)
 {
-    size_t pose_values = b->start[VALUES];
-    lanes pose = lay_constants(b);
-    size_t float_values = b->start[VALUES] + b->used[VALUES];
-    lanes floats = lay_float_constants(b);
+    size_t pose_runs = lay_pose_constants(b), float_runs = lay_float_constants(b);
     lay_groups(b);
     if (b->words)
-        lay_head(b, &pose, pose_values, &floats, float_values);
+        lay_head(b, pose_runs, float_runs);
 }
 
 /* Measures, so that each section's beginning is known. */
 static nkw_result plan(builder *b, const nkw_clip_source *source, uint32_t *work, size_t *bytes, size_t *bad)
 {
     memset(b, 0, sizeof *b);
-    b->source = source;
-    b->by_group = work;
-    b->by_place = work + source->track_count;
-    b->timeline = work + 2 * source->track_count;
-    *bad = 0;
-    nkw_result result = check_tracks(source, bad);
+    nkw_result result = nkw_clip_tracks_order(source, work, &b->tracks, bad);
     if (result != NKW_OK)
         return result;
-    sort(b, b->by_place, before_by_place);
-    result = check_repeated(b, bad);
-    if (result != NKW_OK)
-        return result;
-    find_timelines(b);
-    sort(b, b->by_group, before_by_group);
     lay_clip(b);
     size_t at = sizeof(nkw_clip) / 4;
     for (int s = 0; s < SECTIONS; s++) {
@@ -576,7 +413,7 @@ static nkw_result plan(builder *b, const nkw_clip_source *source, uint32_t *work
         b->used[s] = 0;
     }
     *bytes = at * 4;
-    return at < CONSTANT ? NKW_OK : NKW_OUT_OF_RANGE;
+    return at < UINT32_MAX ? NKW_OK : NKW_OUT_OF_RANGE;
 }
 
 nkw_result nkw_clip_measure(const nkw_clip_source *source, uint32_t *work, size_t *bytes, size_t *bad_track)

@@ -2,14 +2,16 @@
 /*
  * A clip's block: 32-bit words throughout. Offsets are in words from the beginning of the block.
  *
- *     head | timelines | groups | runs | times | constants | key blocks
+ *     head | timelines | groups | blocks | runs | times | constants | key blocks
  *
- * A group holds the tracks of one timeline that are sampled alike. Its lanes are single numbers, or joints where it turns:
+ * A group holds the tracks of one timeline that are sampled alike. Its lanes are single numbers, or joints where it turns; they
+ * stand in blocks of 16, the last one of 4, 8 or 16. A key holds block after block; in a block of `width` lanes stand
  *
- *     GROUP_NUMBERS, GROUP_FLOATS   key = numbers[lanes]                         (into the pose; into the floats)
- *     GROUP_ROTATIONS               key = x[lanes] y[lanes] z[lanes] w[lanes]
- *                                   and for LINEAR the arc to the next key:  v[lanes] h0[lanes] h1[lanes] h2[lanes] h3[lanes]
- *     CUBICSPLINE                   in-tangents, values and out-tangents, each as above
+ *     GROUP_NUMBERS, GROUP_FLOATS   numbers[width]                               (into the pose; into the floats)
+ *     GROUP_ROTATIONS               x[width] y[width] z[width] w[width]
+ *                                   and for LINEAR the arc to the next key:  v[width] h0[width] h1[width] h2[width] h3[width]
+ *
+ * A CUBICSPLINE key is its in-tangents, its values and its out-tangents, each laid out so.
  */
 #ifndef NAKAWARI_CLIP_LAYOUT_H
 #define NAKAWARI_CLIP_LAYOUT_H
@@ -18,11 +20,16 @@
 
 #include <nakawari/clip.h>
 
-#include "batch/run.h"
+#include "batch/block.h"
 
 #define CLIP_MAGIC   0x70696c63u /* "clip", lowest byte first */
 #define CLIP_VERSION 1u
 #define CLIP_ALIGN   16u /* words: key blocks and constants begin on 64 bytes of the block */
+
+/* Words from `values` on go to floats to..to + count - 1 of the output. */
+typedef struct clip_run {
+    uint32_t values, to, count;
+} clip_run;
 
 struct nkw_clip {
     uint32_t magic, version, words;
@@ -30,8 +37,8 @@ struct nkw_clip {
     float start, end;
     uint32_t timelines, timeline_count;
     uint32_t groups, group_count;
-    uint32_t constants, constant_runs, constant_run_count; /* pose values that never change */
-    uint32_t float_constants, float_runs, float_run_count; /* and floats */
+    uint32_t constants, constant_count; /* runs of what never changes: in the pose, */
+    uint32_t float_constants, float_constant_count; /* and in the floats */
 };
 
 typedef struct clip_timeline {
@@ -45,8 +52,8 @@ typedef enum clip_kind { GROUP_NUMBERS, GROUP_ROTATIONS, GROUP_FLOATS, GROUP_KIN
 typedef struct clip_group {
     uint32_t timeline, kind, interpolation;
     uint32_t normalized; /* CUBICSPLINE rotations are unit at keys too */
-    uint32_t lanes; /* from one component of a key to the next */
-    uint32_t runs, run_count;
+    uint32_t lanes; /* of all blocks together */
+    uint32_t blocks, block_count;
     uint32_t keys, key_words;
 } clip_group;
 
@@ -65,9 +72,9 @@ static inline const clip_group *clip_groups(const nkw_clip *clip)
     return (const clip_group *)(const void *)(clip_words(clip) + clip->groups);
 }
 
-static inline const nkw_run *clip_runs(const nkw_clip *clip, uint32_t offset)
+static inline const nkw_block *clip_blocks(const nkw_clip *clip, const clip_group *g)
 {
-    return (const nkw_run *)(const void *)(clip_words(clip) + offset);
+    return (const nkw_block *)(const void *)(clip_words(clip) + g->blocks);
 }
 
 static inline const float *clip_floats(const nkw_clip *clip, uint32_t offset)
@@ -75,16 +82,24 @@ static inline const float *clip_floats(const nkw_clip *clip, uint32_t offset)
     return (const float *)(const void *)(clip_words(clip) + offset);
 }
 
-/* The words of a value (all lanes, all components) of a group, and of a key of it. */
-static inline uint32_t clip_value_words(const clip_group *g)
+/* Lanes of all blocks together that hold `count`: full blocks and a narrower last one. */
+static inline size_t clip_lanes(size_t count)
 {
-    return g->lanes * (g->kind == GROUP_ROTATIONS ? 4u : 1u);
+    size_t rest = count % NKW_BLOCK;
+    return count - rest + (rest == 0 ? 0 : rest <= 4 ? 4 : rest <= 8 ? 8 : NKW_BLOCK);
 }
 
-static inline uint32_t clip_key_words(const clip_group *g)
+/* Floats of a lane in a value, and in a key. */
+static inline size_t clip_rows(const clip_group *g)
 {
-    uint32_t arc = g->kind == GROUP_ROTATIONS && g->interpolation == NKW_INTERPOLATION_LINEAR ? 5u * g->lanes : 0u;
-    return clip_value_words(g) * (g->interpolation == NKW_INTERPOLATION_CUBICSPLINE ? 3u : 1u) + arc;
+    return g->kind == GROUP_ROTATIONS ? 4 : 1;
+}
+
+static inline size_t clip_key_rows(const clip_group *g)
+{
+    if (g->interpolation == NKW_INTERPOLATION_CUBICSPLINE)
+        return 3 * clip_rows(g);
+    return g->kind == GROUP_ROTATIONS && g->interpolation == NKW_INTERPOLATION_LINEAR ? NKW_BLOCK_ROWS : clip_rows(g);
 }
 
 #endif

@@ -21,15 +21,27 @@ static uint64_t room_of(const nkw_clip *clip, uint32_t kind)
     return kind == GROUP_FLOATS ? clip->floats : kind == GROUP_ROTATIONS ? stride : 10 * stride;
 }
 
-static nkw_result check_runs(const nkw_clip *clip, uint32_t at, uint32_t count, uint64_t lanes, uint64_t room)
+/* One width but for the last block; all places in the room. */
+static nkw_result check_blocks(const nkw_clip *clip, const clip_group *g)
 {
-    if (!fits(clip, at, count, sizeof(nkw_run) / 4))
+    if (!fits(clip, g->blocks, g->block_count, sizeof(nkw_block) / 4))
         return NKW_OUT_OF_RANGE;
-    const nkw_run *runs = clip_runs(clip, at);
-    for (uint32_t r = 0; r < count; r++)
-        if ((uint64_t)runs[r].lane + runs[r].count > lanes || (uint64_t)runs[r].to + runs[r].count > room)
+    const nkw_block *blocks = clip_blocks(clip, g);
+    uint64_t room = room_of(clip, g->kind), lanes = 0;
+    for (uint32_t i = 0; i < g->block_count; i++) {
+        const nkw_block *b = &blocks[i];
+        int is_last = i + 1 == g->block_count;
+        if (b->width != NKW_BLOCK && (!is_last || (b->width != 4 && b->width != 8)))
             return NKW_OUT_OF_RANGE;
-    return NKW_OK;
+        int is_stretch = b->direct <= g->lanes - lanes && (b->direct % NKW_BLOCK == 0 || lanes + b->direct == g->lanes);
+        if (b->count > b->width || !is_stretch || (b->direct && (uint64_t)b->places[0] + b->direct > room))
+            return NKW_OUT_OF_RANGE;
+        for (uint32_t k = 0; k < b->count; k++)
+            if (b->places[k] >= room)
+                return NKW_OUT_OF_RANGE;
+        lanes += b->width;
+    }
+    return lanes == g->lanes ? NKW_OK : NKW_OUT_OF_RANGE;
 }
 
 static nkw_result check_times(const clip_timeline *line, const float *times)
@@ -65,20 +77,20 @@ static nkw_result check_group(const nkw_clip *clip, const clip_group *g)
     const clip_timeline *line = clip_timelines(clip) + g->timeline;
     if (line->modes && g->interpolation != NKW_INTERPOLATION_LINEAR)
         return NKW_OUT_OF_RANGE;
-    uint64_t rows =
-        (g->kind == GROUP_ROTATIONS ? 4u : 1u) * (g->interpolation == NKW_INTERPOLATION_CUBICSPLINE ? 3u : 1u);
-    uint64_t arcs = g->kind == GROUP_ROTATIONS && g->interpolation == NKW_INTERPOLATION_LINEAR ? 5u : 0u;
-    if (g->key_words != (rows + arcs) * g->lanes || !fits(clip, g->keys, line->count, g->key_words))
+    if (g->key_words != clip_key_rows(g) * (uint64_t)g->lanes || !fits(clip, g->keys, line->count, g->key_words))
         return NKW_OUT_OF_RANGE;
-    return check_runs(clip, g->runs, g->run_count, g->lanes, room_of(clip, g->kind));
+    return check_blocks(clip, g);
 }
 
-/* The values of constants stand one after the other. */
-static nkw_result check_constants(const nkw_clip *clip, uint32_t values, uint32_t runs, uint32_t run_count,
-                                  uint32_t kind)
+static nkw_result check_constants(const nkw_clip *clip, uint32_t at, uint32_t count, uint32_t kind)
 {
-    uint64_t lanes = values <= clip->words ? clip->words - values : 0;
-    return check_runs(clip, runs, run_count, lanes, room_of(clip, kind));
+    if (!fits(clip, at, count, sizeof(clip_run) / 4))
+        return NKW_OUT_OF_RANGE;
+    const clip_run *runs = (const clip_run *)(const void *)(clip_words(clip) + at);
+    for (uint32_t r = 0; r < count; r++)
+        if (!fits(clip, runs[r].values, runs[r].count, 1) || (uint64_t)runs[r].to + runs[r].count > room_of(clip, kind))
+            return NKW_OUT_OF_RANGE;
+    return NKW_OK;
 }
 
 static nkw_result check_parts(const nkw_clip *clip)
@@ -92,9 +104,9 @@ static nkw_result check_parts(const nkw_clip *clip)
     for (uint32_t i = 0; result == NKW_OK && i < clip->group_count; i++)
         result = check_group(clip, clip_groups(clip) + i);
     if (result == NKW_OK)
-        result = check_constants(clip, clip->constants, clip->constant_runs, clip->constant_run_count, GROUP_NUMBERS);
+        result = check_constants(clip, clip->constants, clip->constant_count, GROUP_NUMBERS);
     if (result == NKW_OK)
-        result = check_constants(clip, clip->float_constants, clip->float_runs, clip->float_run_count, GROUP_FLOATS);
+        result = check_constants(clip, clip->float_constants, clip->float_constant_count, GROUP_FLOATS);
     return result;
 }
 

@@ -1,113 +1,204 @@
 /* SPDX-License-Identifier: MIT */
-/* Between two keys of a clip's group, run by run. src/clip_layout.h has the layout of keys. */
+/* Between two keys of a clip's group, block by block. src/clip_layout.h has the layout of keys. */
 #include "lane/strict.h"
 
+#include "batch/block.h"
 #include "batch/element.h"
-#include "batch/run.h"
 #include "batch/table.h"
 #include "lane/curve.h"
 #include "lane/orient.h"
 
-/* Components that stand `lanes` floats apart, from a lane on. */
-static inline nkw_quat_view quats_from(const float *key, size_t lanes, size_t lane)
+/* Rows of a block that stand `width` floats apart. */
+static inline nkw_quat_view rows_of(const float *x, size_t width)
 {
-    const float *x = key + lane;
-    nkw_quat_view view = {x, x + lanes, x + 2 * lanes, x + 3 * lanes};
+    nkw_quat_view view = {x, x + width, x + 2 * width, x + 3 * width};
     return view;
 }
 
-static inline nkw_quat_span quats_to(float *out, size_t stride, size_t to)
+static inline nkw_quat_span rows_to(float *x, size_t stride)
 {
-    float *x = out + to;
     nkw_quat_span span = {x, x + stride, x + 2 * stride, x + 3 * stride};
     return span;
 }
 
+/* The lanes of `rows` rows, `apart` floats apart, to their places in components `stride` apart. */
+static inline void scatter(const nkw_block *block, const float *from, size_t apart, size_t rows, float *out,
+                           size_t stride)
+{
+    for (size_t row = 0; row < rows; row++)
+        for (size_t i = 0; i < block->count; i++)
+            out[row * stride + block->places[i]] = from[row * apart + i];
+}
+
+static inline size_t blocks_in(size_t lanes)
+{
+    return (lanes + NKW_BLOCK - 1) / NKW_BLOCK;
+}
+
 /* The arcs from a key to the next: v, with the sign bit of "turned", and H's polynomials. */
-static inline lane_slerp_arc arc_at(const float *arcs, size_t lanes, size_t i)
+static inline lane_slerp_arc arc_at(const float *arcs, size_t width, size_t i)
 {
     float v = arcs[i];
-    lane_slerp_arc arc = {lane_sign_bit(v),    lane_abs(v),         arcs[lanes + i],
-                          arcs[2 * lanes + i], arcs[3 * lanes + i], arcs[4 * lanes + i]};
+    lane_slerp_arc arc = {lane_sign_bit(v),    lane_abs(v),         arcs[width + i],
+                          arcs[2 * width + i], arcs[3 * width + i], arcs[4 * width + i]};
     return arc;
 }
 
-KERNEL(clip_arcs)(const float *a, const float *b, size_t lanes, float *arcs)
+static inline void arcs_of_block(float *a, const float *b, size_t width)
 {
-    nkw_quat_view from = quats_from(a, lanes, 0), to = quats_from(b, lanes, 0);
+    nkw_quat_view from = rows_of(a, width), to = rows_of(b, width);
+    float *arcs = a + 4 * width;
 #pragma omp simd
-    for (size_t i = 0; i < lanes; i++) {
+    for (size_t i = 0; i < width; i++) {
         lane_slerp_arc arc = lane_slerp_arc_between(at_quat(from, i), at_quat(to, i));
         arcs[i] = lane_flip(arc.v, arc.turned);
-        arcs[lanes + i] = arc.h0;
-        arcs[2 * lanes + i] = arc.h1;
-        arcs[3 * lanes + i] = arc.h2;
-        arcs[4 * lanes + i] = arc.h3;
+        arcs[width + i] = arc.h0;
+        arcs[2 * width + i] = arc.h1;
+        arcs[3 * width + i] = arc.h2;
+        arcs[4 * width + i] = arc.h3;
     }
 }
 
-KERNEL(clip_lerp)(const float *a, const float *b, float t, const nkw_run *runs, size_t run_count, float *out)
+/* Writes the arcs of key a to key b into a. */
+KERNEL(clip_arcs)(float *a, const float *b, const nkw_block *blocks, size_t block_count)
 {
-    for (size_t r = 0; r < run_count; r++) {
-        const float *from = a + runs[r].lane, *to = b + runs[r].lane;
-        float *o = out + runs[r].to;
-        size_t n = runs[r].count;
-#pragma omp simd
-        for (size_t i = 0; i < n; i++)
-            o[i] = nkw_lerp(from[i], to[i], t);
+    for (size_t k = 0; k < block_count; k++) {
+        size_t at = k * NKW_BLOCK * NKW_BLOCK_ROWS;
+        arcs_of_block(a + at, b + at, blocks[k].width);
     }
 }
 
-static inline void slerp_runs(const float *a, const float *b, size_t lanes, lane_slerp_pace pace, const nkw_run *runs,
-                              size_t run_count, float *out, size_t stride)
+static inline void lerp_lanes(const float *a, const float *b, float t, float *out, size_t n)
 {
-    for (size_t r = 0; r < run_count; r++) {
-        nkw_quat_view from = quats_from(a, lanes, runs[r].lane), to = quats_from(b, lanes, runs[r].lane);
-        nkw_quat_span o = quats_to(out, stride, runs[r].to);
-        const float *arcs = a + 4 * lanes + runs[r].lane;
-        size_t n = runs[r].count;
 #pragma omp simd
-        for (size_t i = 0; i < n; i++)
-            put_quat(o, i, lane_quat_slerp_on(at_quat(from, i), at_quat(to, i), arc_at(arcs, lanes, i), pace));
+    for (size_t i = 0; i < n; i++)
+        out[i] = nkw_lerp(a[i], b[i], t);
+}
+
+KERNEL(clip_lerp)(const float *a, const float *b, float t, const nkw_block *blocks, size_t block_count, float *out)
+{
+    for (size_t k = 0, lanes; k < block_count; k += blocks_in(lanes)) {
+        const float *from = a + k * NKW_BLOCK, *to = b + k * NKW_BLOCK;
+        float mixed[NKW_BLOCK];
+        lanes = blocks[k].direct ? blocks[k].direct : blocks[k].width;
+        if (blocks[k].direct) {
+            lerp_lanes(from, to, t, out + blocks[k].places[0], lanes);
+            continue;
+        }
+        lerp_lanes(from, to, t, mixed, lanes);
+        scatter(&blocks[k], mixed, 0, 1, out, 0);
+    }
+}
+
+static inline void slerp_block(const float *a, const float *b, lane_slerp_pace pace, float *out, size_t stride,
+                               size_t width)
+{
+    nkw_quat_view from = rows_of(a, width), to = rows_of(b, width);
+    nkw_quat_span o = rows_to(out, stride);
+#pragma omp simd
+    for (size_t i = 0; i < width; i++) {
+        lane_slerp_arc arc = arc_at(a + 4 * width, width, i);
+        put_quat(o, i, lane_quat_slerp_on(at_quat(from, i), at_quat(to, i), &arc, &pace));
+    }
+}
+
+/* `lanes` lanes, whole blocks, from one after the other to one after the other. */
+static inline void slerp_stretch(const float *a, const float *b, lane_slerp_pace pace, float *out, size_t stride,
+                                 size_t lanes)
+{
+    const size_t block = NKW_BLOCK * NKW_BLOCK_ROWS;
+    for (; lanes >= NKW_BLOCK; lanes -= NKW_BLOCK, a += block, b += block, out += NKW_BLOCK)
+        slerp_block(a, b, pace, out, stride, NKW_BLOCK);
+    if (lanes == 8)
+        slerp_block(a, b, pace, out, stride, 8);
+    else if (lanes == 4)
+        slerp_block(a, b, pace, out, stride, 4);
+}
+
+static inline void slerp_blocks(const float *a, const float *b, lane_slerp_pace pace, const nkw_block *blocks,
+                                size_t block_count, float *out, size_t stride)
+{
+    for (size_t k = 0, lanes; k < block_count; k += blocks_in(lanes)) {
+        const size_t at = k * NKW_BLOCK * NKW_BLOCK_ROWS;
+        float mixed[4 * NKW_BLOCK];
+        int direct = blocks[k].direct > 0;
+        lanes = direct ? blocks[k].direct : blocks[k].width;
+        slerp_stretch(a + at, b + at, pace, direct ? out + blocks[k].places[0] : mixed, direct ? stride : NKW_BLOCK,
+                      lanes);
+        if (!direct)
+            scatter(&blocks[k], mixed, NKW_BLOCK, 4, out, stride);
     }
 }
 
 KERNEL(clip_slerp)
-(const float *a, const float *b, size_t lanes, float t, const nkw_run *runs, size_t run_count, float *out,
- size_t stride)
+(const float *a, const float *b, float t, const nkw_block *blocks, size_t block_count, float *out, size_t stride)
 {
     lane_slerp_pace pace = lane_slerp_pace_at(t);
     if (pace.first)
-        slerp_runs(a, b, lanes, lane_slerp_near(pace, 1), runs, run_count, out, stride);
+        slerp_blocks(a, b, lane_slerp_near(pace, 1), blocks, block_count, out, stride);
     else if (pace.half)
-        slerp_runs(a, b, lanes, pace, runs, run_count, out, stride);
+        slerp_blocks(a, b, pace, blocks, block_count, out, stride);
     else
-        slerp_runs(a, b, lanes, lane_slerp_near(pace, 0), runs, run_count, out, stride);
+        slerp_blocks(a, b, lane_slerp_near(pace, 0), blocks, block_count, out, stride);
 }
 
-/* Keys of `words` floats to a value. Tangents are per second; times the duration they are per segment. */
+/* `words` floats to a value. Tangents are per second; times the duration they are per segment. */
+static inline void hermite_block(const float *a, const float *b, size_t words, float duration, float t, float *out,
+                                 size_t n)
+{
+    const float *p0 = a + words, *v0 = p0 + words, *v1 = b, *p1 = b + words;
+#pragma omp simd
+    for (size_t i = 0; i < n; i++)
+        out[i] = lane_hermite(p0[i], duration * v0[i], p1[i], duration * v1[i], t);
+}
+
 KERNEL(clip_hermite)
-(const float *a, const float *b, size_t words, float duration, float t, const nkw_run *runs, size_t run_count,
+(const float *a, const float *b, size_t words, float duration, float t, const nkw_block *blocks, size_t block_count,
  float *out)
 {
-    for (size_t r = 0; r < run_count; r++) {
-        const float *p0 = a + words + runs[r].lane, *v0 = p0 + words, *v1 = b + runs[r].lane, *p1 = v1 + words;
-        float *o = out + runs[r].to;
-        size_t n = runs[r].count;
-#pragma omp simd
-        for (size_t i = 0; i < n; i++)
-            o[i] = lane_hermite(p0[i], duration * v0[i], p1[i], duration * v1[i], t);
+    for (size_t k = 0; k < block_count; k++, a += NKW_BLOCK, b += NKW_BLOCK) {
+        float lanes[NKW_BLOCK];
+        hermite_block(a, b, words, duration, t, lanes, blocks[k].width);
+        scatter(&blocks[k], lanes, 0, 1, out, 0);
     }
 }
 
-KERNEL(clip_normalize)(const nkw_run *runs, size_t run_count, float *out, size_t stride)
+static inline void normalize_block(float *x, size_t width)
 {
-    for (size_t r = 0; r < run_count; r++) {
-        nkw_quat_span o = quats_to(out, stride, runs[r].to);
-        nkw_quat_view q = {o.x, o.y, o.z, o.w};
-        size_t n = runs[r].count;
+    nkw_quat_span o = rows_to(x, width);
+    nkw_quat_view q = rows_of(x, width);
 #pragma omp simd
-        for (size_t i = 0; i < n; i++)
-            put_quat(o, i, lane_quat_normalize(at_quat(q, i)));
+    for (size_t i = 0; i < width; i++)
+        put_quat(o, i, lane_quat_normalize(at_quat(q, i)));
+}
+
+KERNEL(clip_quat_hermite)
+(const float *a, const float *b, size_t words, float duration, float t, const nkw_block *blocks, size_t block_count,
+ float *out, size_t stride)
+{
+    for (size_t k = 0; k < block_count; k++, a += 4 * NKW_BLOCK, b += 4 * NKW_BLOCK) {
+        float lanes[4 * NKW_BLOCK];
+        hermite_block(a, b, words, duration, t, lanes, 4 * (size_t)blocks[k].width);
+        normalize_block(lanes, blocks[k].width);
+        scatter(&blocks[k], lanes, blocks[k].width, 4, out, stride);
+    }
+}
+
+/* A key's values as they are, `rows` rows of a lane among `key_rows` in a block; rotations normalised if asked. */
+KERNEL(clip_hold)
+(const float *key, size_t rows, size_t key_rows, int normalized, const nkw_block *blocks, size_t block_count,
+ float *out, size_t stride)
+{
+    for (size_t k = 0; k < block_count; k++, key += key_rows * NKW_BLOCK) {
+        size_t width = blocks[k].width;
+        float lanes[4 * NKW_BLOCK];
+        if (!normalized) {
+            scatter(&blocks[k], key, width, rows, out, stride);
+            continue;
+        }
+        for (size_t i = 0; i < 4 * width; i++)
+            lanes[i] = key[i];
+        normalize_block(lanes, width);
+        scatter(&blocks[k], lanes, blocks[k].width, 4, out, stride);
     }
 }

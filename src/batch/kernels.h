@@ -15,7 +15,7 @@
 #include <nakawari/orient.h>
 #include <nakawari/types.h>
 
-#include "batch/run.h"
+#include "batch/block.h"
 
 /* clang-format off */
 #define KERNEL_LIST(X) \
@@ -86,11 +86,12 @@
     X(quat_exp, (nkw_vec3_view v, nkw_quat_span out, size_t n), (v, out, n))
 
 #define KERNEL_INNER_LIST(X) \
-    X(clip_arcs, (const float *a, const float *b, size_t lanes, float *arcs), (a, b, lanes, arcs)) \
-    X(clip_lerp, (const float *a, const float *b, float t, const nkw_run *runs, size_t run_count, float *out), (a, b, t, runs, run_count, out)) \
-    X(clip_slerp, (const float *a, const float *b, size_t lanes, float t, const nkw_run *runs, size_t run_count, float *out, size_t stride), (a, b, lanes, t, runs, run_count, out, stride)) \
-    X(clip_hermite, (const float *a, const float *b, size_t words, float duration, float t, const nkw_run *runs, size_t run_count, float *out), (a, b, words, duration, t, runs, run_count, out)) \
-    X(clip_normalize, (const nkw_run *runs, size_t run_count, float *out, size_t stride), (runs, run_count, out, stride))
+    X(clip_arcs, (float *a, const float *b, const nkw_block *blocks, size_t block_count), (a, b, blocks, block_count)) \
+    X(clip_lerp, (const float *a, const float *b, float t, const nkw_block *blocks, size_t block_count, float *out), (a, b, t, blocks, block_count, out)) \
+    X(clip_slerp, (const float *a, const float *b, float t, const nkw_block *blocks, size_t block_count, float *out, size_t stride), (a, b, t, blocks, block_count, out, stride)) \
+    X(clip_hermite, (const float *a, const float *b, size_t words, float duration, float t, const nkw_block *blocks, size_t block_count, float *out), (a, b, words, duration, t, blocks, block_count, out)) \
+    X(clip_quat_hermite, (const float *a, const float *b, size_t words, float duration, float t, const nkw_block *blocks, size_t block_count, float *out, size_t stride), (a, b, words, duration, t, blocks, block_count, out, stride)) \
+    X(clip_hold, (const float *key, size_t rows, size_t key_rows, int normalized, const nkw_block *blocks, size_t block_count, float *out, size_t stride), (key, rows, key_rows, normalized, blocks, block_count, out, stride))
 /* clang-format on */
 
 #endif

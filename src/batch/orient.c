@@ -35,9 +35,14 @@ static inline int any_outside(const float *t, size_t from, size_t to)
 
 static inline void slerp_inside(nkw_quat_view a, nkw_quat_view b, const float *t, nkw_quat_span out, size_t from, size_t to)
 {
+    /* Not lane_quat_slerp itself: Clang 14 would keep its arguments in pairs of floats. */
 #pragma omp simd
-    for (size_t i = from; i < to; i++)
-        put_quat(out, i, lane_quat_slerp(at_quat(a, i), at_quat(b, i), t[i]));
+    for (size_t i = from; i < to; i++) {
+        nkw_quat p = at_quat(a, i), q = at_quat(b, i);
+        lane_slerp_arc arc = lane_slerp_arc_between(p, q);
+        lane_slerp_pace pace = lane_slerp_pace_at(t[i]);
+        put_quat(out, i, lane_quat_slerp_on(p, q, &arc, &pace));
+    }
 }
 
 KERNEL(quat_slerp)(nkw_quat_view a, nkw_quat_view b, const float *t, nkw_quat_span out, size_t n)
@@ -57,7 +62,8 @@ static inline void slerp_at_pace(nkw_quat_view a, nkw_quat_view b, lane_slerp_pa
 #pragma omp simd
     for (size_t i = 0; i < n; i++) {
         nkw_quat from = at_quat(a, i), to = at_quat(b, i);
-        put_quat(out, i, lane_quat_slerp_on(from, to, lane_slerp_arc_between(from, to), pace));
+        lane_slerp_arc arc = lane_slerp_arc_between(from, to);
+        put_quat(out, i, lane_quat_slerp_on(from, to, &arc, &pace));
     }
 }
 

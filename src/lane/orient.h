@@ -152,29 +152,31 @@ static inline lane_slerp_pace lane_slerp_near(lane_slerp_pace pace, int first)
 }
 
 /* One component: base - (shift d + (E(u) a + E(t) b)). */
-static inline float lane_slerp_component(float a, float b, lane_slerp_pace pace, float eu, float et)
+static inline float lane_slerp_component(float a, float b, const lane_slerp_pace *pace, float eu, float et)
 {
-    float base = lane_blend(pace.half, 0.5f * (a + b), lane_blend(pace.first, a, b));
-    return base - (pace.shift * (b - a) + (eu * a + et * b));
+    float base = lane_blend(pace->half, 0.5f * (a + b), lane_blend(pace->first, a, b));
+    return base - (pace->shift * (b - a) + (eu * a + et * b));
 }
 
-static inline nkw_quat lane_quat_slerp_on(nkw_quat a, nkw_quat b, lane_slerp_arc arc, lane_slerp_pace pace)
+static inline nkw_quat lane_quat_slerp_on(nkw_quat a, nkw_quat b, const lane_slerp_arc *arc, const lane_slerp_pace *pace)
 {
-    float p = (pace.t * pace.u) * arc.v + 0.0f;
-    float et = lane_slerp_excess(pace.t, p, arc.v, arc.h0, arc.h1, arc.h2, arc.h3);
-    float eu = lane_slerp_excess(pace.u, p, arc.v, arc.h0, arc.h1, arc.h2, arc.h3);
+    float p = (pace->t * pace->u) * arc->v + 0.0f;
+    float et = lane_slerp_excess(pace->t, p, arc->v, arc->h0, arc->h1, arc->h2, arc->h3);
+    float eu = lane_slerp_excess(pace->u, p, arc->v, arc->h0, arc->h1, arc->h2, arc->h3);
     nkw_quat r = {
-        lane_slerp_component(a.x, lane_flip(b.x, arc.turned), pace, eu, et),
-        lane_slerp_component(a.y, lane_flip(b.y, arc.turned), pace, eu, et),
-        lane_slerp_component(a.z, lane_flip(b.z, arc.turned), pace, eu, et),
-        lane_slerp_component(a.w, lane_flip(b.w, arc.turned), pace, eu, et),
+        lane_slerp_component(a.x, lane_flip(b.x, arc->turned), pace, eu, et),
+        lane_slerp_component(a.y, lane_flip(b.y, arc->turned), pace, eu, et),
+        lane_slerp_component(a.z, lane_flip(b.z, arc->turned), pace, eu, et),
+        lane_slerp_component(a.w, lane_flip(b.w, arc->turned), pace, eu, et),
     };
     return r;
 }
 
 static inline nkw_quat lane_quat_slerp(nkw_quat a, nkw_quat b, float t)
 {
-    return lane_quat_slerp_on(a, b, lane_slerp_arc_between(a, b), lane_slerp_pace_at(t));
+    lane_slerp_arc arc = lane_slerp_arc_between(a, b);
+    lane_slerp_pace pace = lane_slerp_pace_at(t);
+    return lane_quat_slerp_on(a, b, &arc, &pace);
 }
 
 /* b or -b: the sign that `path` asks for. Where a.b = 0 the short path keeps b. */

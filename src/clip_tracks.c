@@ -1,0 +1,181 @@
+/* SPDX-License-Identifier: MIT */
+#include "lane/strict.h"
+
+#include <string.h>
+
+#include "clip_tracks.h"
+#include "lane/scalar.h"
+
+static int same_bits(const float *a, const float *b, size_t n)
+{
+    return memcmp(a, b, n * sizeof *a) == 0;
+}
+
+static int any(const float *v, size_t n, int (*is)(float))
+{
+    for (size_t i = 0; i < n; i++)
+        if (is(v[i]))
+            return 1;
+    return 0;
+}
+
+static int is_not_zero(float x)
+{
+    return x != 0.0f;
+}
+
+static int is_minus_zero(float x)
+{
+    return lane_bits(x) == 0x80000000u;
+}
+
+/* The same bits at every time. Numbers that are -0 may come out of a lerp as 0; rotations of a cubic are normalised. */
+static int is_constant(const nkw_clip_track *c)
+{
+    const nkw_track *t = &c->track;
+    const float *first = clip_track_value(t, 0);
+    if (t->count > 1 && c->target == NKW_CLIP_ROTATION ? clip_is_cubic(t) : any(first, t->width, is_minus_zero))
+        return t->count == 1;
+    for (size_t k = 1; k < t->count; k++) {
+        const float *v = clip_track_value(t, k), *before = clip_track_value(t, k - 1);
+        if (!same_bits(v, first, t->width))
+            return 0;
+        if (clip_is_cubic(t) &&
+            (any(before + t->width, t->width, is_not_zero) || any(v - t->width, t->width, is_not_zero)))
+            return 0;
+    }
+    return 1;
+}
+
+static int same_timeline(const nkw_track *a, const nkw_track *b)
+{
+    if (a->count != b->count || !a->key_interpolation != !b->key_interpolation)
+        return 0;
+    if (a->times != b->times && !same_bits(a->times, b->times, a->count))
+        return 0;
+    return !a->key_interpolation || memcmp(a->key_interpolation, b->key_interpolation, a->count) == 0;
+}
+
+uint32_t nkw_clip_tracks_group(const nkw_clip_track *c)
+{
+    uint32_t cubic_unit = clip_is_cubic(&c->track) && clip_is_normalized(&c->track);
+    return (uint32_t)clip_kind_of(c) * 16u + (uint32_t)clip_interpolation_of(&c->track) * 2u + cubic_unit;
+}
+
+/* Orders: heap sort over indices of tracks. */
+
+typedef int comes_before(const clip_tracks *b, uint32_t i, uint32_t j);
+
+static int before_by_place(const clip_tracks *b, uint32_t i, uint32_t j)
+{
+    const nkw_clip_track *p = &b->source->tracks[i], *q = &b->source->tracks[j];
+    return p->target != q->target ? p->target < q->target : p->index != q->index ? p->index < q->index : i < j;
+}
+
+static int before_by_group(const clip_tracks *b, uint32_t i, uint32_t j)
+{
+    uint32_t p = nkw_clip_tracks_group(&b->source->tracks[i]), q = nkw_clip_tracks_group(&b->source->tracks[j]);
+    if (b->timeline[i] != b->timeline[j])
+        return b->timeline[i] < b->timeline[j];
+    return p != q ? p < q : before_by_place(b, i, j);
+}
+
+static void sift(const clip_tracks *b, uint32_t *order, size_t root, size_t count, comes_before *before)
+{
+    for (size_t child = 2 * root + 1; child < count; child = 2 * root + 1) {
+        if (child + 1 < count && before(b, order[child], order[child + 1]))
+            child++;
+        if (!before(b, order[root], order[child]))
+            return;
+        uint32_t swap = order[root];
+        order[root] = order[child];
+        order[child] = swap;
+        root = child;
+    }
+}
+
+static void sort(const clip_tracks *b, uint32_t *order, comes_before *before)
+{
+    size_t n = b->source->track_count;
+    for (size_t i = 0; i < n; i++)
+        order[i] = (uint32_t)i;
+    for (size_t i = n / 2; i-- > 0;)
+        sift(b, order, i, n, before);
+    for (size_t end = n; end-- > 1;) {
+        uint32_t swap = order[0];
+        order[0] = order[end];
+        order[end] = swap;
+        sift(b, order, 0, end, before);
+    }
+}
+
+static void find_timelines(clip_tracks *b)
+{
+    const nkw_clip_track *tracks = b->source->tracks;
+    for (uint32_t i = 0; i < b->source->track_count; i++) {
+        b->timeline[i] = is_constant(&tracks[i]) ? CLIP_CONSTANT : i;
+        for (uint32_t j = 0; j < i && b->timeline[i] == i; j++)
+            if (b->timeline[j] == j && same_timeline(&tracks[i].track, &tracks[j].track))
+                b->timeline[i] = j;
+    }
+}
+
+/* Validation. */
+
+static nkw_result check_place(const nkw_clip_source *s, const nkw_clip_track *c)
+{
+    int turns = c->target == NKW_CLIP_ROTATION;
+    if ((unsigned)c->target > NKW_CLIP_FLOATS || (c->track.kind != NKW_TRACK_FLOATS) != turns)
+        return NKW_BAD_METHOD;
+    if (c->target == NKW_CLIP_FLOATS)
+        return c->index <= s->float_count && c->track.width <= s->float_count - c->index ? NKW_OK : NKW_OUT_OF_RANGE;
+    if (c->track.width != (turns ? 4u : 3u))
+        return NKW_BAD_METHOD;
+    return c->index < s->joint_count ? NKW_OK : NKW_OUT_OF_RANGE;
+}
+
+static nkw_result check_tracks(const nkw_clip_source *s, size_t *bad)
+{
+    nkw_result result = s->joint_count + s->float_count == 0 ? NKW_EMPTY : NKW_OK;
+    if (s->track_count >= CLIP_CONSTANT || s->joint_count >= CLIP_CONSTANT / 16 || s->float_count >= CLIP_CONSTANT)
+        result = NKW_OUT_OF_RANGE;
+    for (size_t i = 0; result == NKW_OK && i < s->track_count; i++) {
+        *bad = i;
+        result = nkw_track_validate(&s->tracks[i].track, NULL);
+        result = result == NKW_OK ? check_place(s, &s->tracks[i]) : result;
+    }
+    *bad = result == NKW_OK ? 0 : *bad;
+    return result;
+}
+
+/* In the order of places, what two tracks move lies next to each other. */
+static nkw_result check_repeated(const clip_tracks *b, size_t *bad)
+{
+    const nkw_clip_track *tracks = b->source->tracks;
+    for (size_t i = 1; i < b->source->track_count; i++) {
+        const nkw_clip_track *p = &tracks[b->by_place[i - 1]], *q = &tracks[b->by_place[i]];
+        size_t taken = p->target == NKW_CLIP_FLOATS ? p->track.width : 1;
+        if (p->target == q->target && q->index - p->index < taken) {
+            *bad = b->by_place[i] > b->by_place[i - 1] ? b->by_place[i] : b->by_place[i - 1];
+            return NKW_REPEATED;
+        }
+    }
+    return NKW_OK;
+}
+
+nkw_result nkw_clip_tracks_order(const nkw_clip_source *source, uint32_t *work, clip_tracks *out, size_t *bad_track)
+{
+    clip_tracks tracks = {source, work, work + source->track_count, work + 2 * source->track_count};
+    *out = tracks;
+    *bad_track = 0;
+    nkw_result result = check_tracks(source, bad_track);
+    if (result != NKW_OK)
+        return result;
+    sort(out, out->by_place, before_by_place);
+    result = check_repeated(out, bad_track);
+    if (result != NKW_OK)
+        return result;
+    find_timelines(out);
+    sort(out, out->by_group, before_by_group);
+    return NKW_OK;
+}

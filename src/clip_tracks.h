@@ -1,0 +1,53 @@
+/* SPDX-License-Identifier: MIT */
+/* The tracks of a clip to be built: checked, told apart, and put in order. */
+#ifndef NAKAWARI_CLIP_TRACKS_H
+#define NAKAWARI_CLIP_TRACKS_H
+
+#include <nakawari/clip.h>
+
+#include "clip_layout.h"
+
+#define CLIP_CONSTANT UINT32_MAX /* in place of a timeline */
+
+typedef struct clip_tracks {
+    const nkw_clip_source *source;
+    uint32_t *by_group; /* tracks by timeline, then by group, then by target and index; constant ones last */
+    uint32_t *by_place; /* tracks by target and index */
+    uint32_t *timeline; /* of each track: the first track with the same one, or CLIP_CONSTANT */
+} clip_tracks;
+
+/* Checks the source, and fills the three arrays in `work`, NKW_CLIP_WORK numbers. */
+nkw_result nkw_clip_tracks_order(const nkw_clip_source *source, uint32_t *work, clip_tracks *out, size_t *bad_track);
+
+/* What tracks of one timeline must have in common to be a group: equal numbers. */
+uint32_t nkw_clip_tracks_group(const nkw_clip_track *c);
+
+static inline int clip_is_cubic(const nkw_track *t)
+{
+    return t->interpolation == NKW_INTERPOLATION_CUBICSPLINE;
+}
+
+static inline int clip_is_normalized(const nkw_track *t)
+{
+    return t->kind == NKW_TRACK_ROTATION_NORMALIZED;
+}
+
+static inline const float *clip_track_value(const nkw_track *t, size_t k)
+{
+    return t->values + (clip_is_cubic(t) ? (3 * k + 1) * t->width : k * t->width);
+}
+
+static inline clip_kind clip_kind_of(const nkw_clip_track *c)
+{
+    return c->target == NKW_CLIP_ROTATION ? GROUP_ROTATIONS
+           : c->target == NKW_CLIP_FLOATS ? GROUP_FLOATS
+                                          : GROUP_NUMBERS;
+}
+
+/* Tracks that choose key by key are laid out as LINEAR, which serves STEP too. */
+static inline nkw_interpolation clip_interpolation_of(const nkw_track *t)
+{
+    return t->key_interpolation ? NKW_INTERPOLATION_LINEAR : t->interpolation;
+}
+
+#endif
