@@ -88,25 +88,38 @@ static void linear(const nkw_clip *clip, const clip_group *g, const float *a, co
         nkw_batch_selected()->clip_lerp(a, b, t, blocks, g->block_count, out);
 }
 
+static void compact(const nkw_clip *clip, const clip_group *g, const uint16_t *a, const uint16_t *b, float t,
+                    float *out, size_t stride)
+{
+    const nkw_block *blocks = clip_blocks(clip, g);
+    const float *ranges = clip_floats(clip, g->ranges);
+    if (g->kind == GROUP_ROTATIONS)
+        nkw_batch_selected()->clip_slerp16(a, b, ranges, t, blocks, g->block_count, out, stride);
+    else
+        nkw_batch_selected()->clip_lerp16(a, b, ranges, t, blocks, g->block_count, out);
+}
+
 /* The same cases, in the same order, as nkw_track_sample_at. Components of rotations are `stride` floats apart. */
 static void sample_group(const nkw_clip *clip, const clip_group *g, const clip_timeline *line, nkw_segment at,
                          float *out, size_t stride)
 {
-    size_t last = line->count - 1;
-    size_t k = at.index < last ? at.index : last;
+    size_t last = line->count - 1, k = at.index < last ? at.index : last;
     const float *times = clip_floats(clip, line->times);
-    const float *a = clip_floats(clip, g->keys) + k * g->key_words, *b = a + g->key_words;
+    const uint32_t *a = clip_words(clip) + g->keys + k * g->key_words;
     uint32_t mode = line->modes ? clip_words(clip)[line->modes + k] : g->interpolation;
-    if (k == last || at.t == 0.0f)
-        hold(clip, g, a, out, stride);
-    else if (at.t == 1.0f)
-        hold(clip, g, b, out, stride);
+    int at_end = k < last && at.t == 1.0f,
+        at_key = k == last || at.t == 0.0f || at_end || mode == NKW_INTERPOLATION_STEP;
+    const uint32_t *b = at_key && !at_end ? a : a + g->key_words;
+    const float *p = (const float *)(const void *)a, *q = (const float *)(const void *)b;
+    if (g->ranges)
+        compact(clip, g, (const uint16_t *)(const void *)(at_end ? b : a), (const uint16_t *)(const void *)b,
+                at_key ? 0.0f : at.t, out, stride);
+    else if (at_key)
+        hold(clip, g, q, out, stride);
     else if (mode == NKW_INTERPOLATION_CUBICSPLINE)
-        cubic(clip, g, a, b, times[k + 1] - times[k], at.t, out, stride);
-    else if (mode == NKW_INTERPOLATION_LINEAR)
-        linear(clip, g, a, b, at.t, out, stride);
+        cubic(clip, g, p, q, times[k + 1] - times[k], at.t, out, stride);
     else
-        hold(clip, g, a, out, stride);
+        linear(clip, g, p, q, at.t, out, stride);
 }
 
 void nkw_clip_sample(const nkw_clip *clip, float time, uint32_t *cursors, float *pose, float *floats)

@@ -5,6 +5,7 @@
 #include <string.h>
 
 #include <nakawari/clip.h>
+#include <nakawari/quat.h>
 #include <nakawari/segment.h>
 
 #include "clip_layout.h"
@@ -130,6 +131,64 @@ static void fill_component(const builder *b, const clip_group *g, const nkw_clip
                 key_component(c, k, part, component);
 }
 
+/* Compact keys: the range of a lane's row, and its numbers as parts of it. */
+
+/* q or -q, whichever is on the side of `before`. */
+static nkw_quat aligned(nkw_quat q, nkw_quat before)
+{
+    return nkw_quat_dot(q, before) < 0.0f ? nkw_quat_negate(q) : q;
+}
+
+/* The numbers of key k, after those of the key before it: rotations on one side. */
+static void next_numbers(const nkw_clip_track *c, size_t k, size_t component, float numbers[4])
+{
+    if (c->target != NKW_CLIP_ROTATION) {
+        numbers[0] = held_component(c, k, component);
+        return;
+    }
+    nkw_quat before = {numbers[0], numbers[1], numbers[2], numbers[3]};
+    nkw_quat q = {held_component(c, k, 0), held_component(c, k, 1), held_component(c, k, 2), held_component(c, k, 3)};
+    q = aligned(q, before);
+    numbers[0] = q.x;
+    numbers[1] = q.y;
+    numbers[2] = q.z;
+    numbers[3] = q.w;
+}
+
+/* (x - base) / step, to the nearest of 0..65535. */
+static uint16_t encode(float base, float step, float x)
+{
+    double part = step > 0.0f ? ((double)x - (double)base) / (double)step : 0.0;
+    return (uint16_t)(part < 0.0 ? 0.0 : part > 65535.0 ? 65535.0 : part + 0.5);
+}
+
+/* All rows of a lane: one number, or a rotation's four. */
+static void fill_compact(const builder *b, const clip_group *g, const nkw_clip_track *c, size_t component, size_t lane)
+{
+    size_t rows = clip_rows(g), count = c->track.count;
+    float numbers[4] = {0.0f, 0.0f, 0.0f, 1.0f}, low[4] = {0.0f}, high[4] = {0.0f};
+    for (size_t k = 0; k < count; k++) {
+        next_numbers(c, k, component, numbers);
+        for (size_t r = 0; r < rows; r++) {
+            low[r] = k == 0 || numbers[r] < low[r] ? numbers[r] : low[r];
+            high[r] = k == 0 || numbers[r] > high[r] ? numbers[r] : high[r];
+        }
+    }
+    for (size_t r = 0; r < rows; r++) {
+        high[r] = (float)(((double)high[r] - (double)low[r]) / (double)CLIP_STEPS);
+        floats_at(b, g->ranges)[lane_at(g, 2 * rows, r, lane)] = low[r];
+        floats_at(b, g->ranges)[lane_at(g, 2 * rows, rows + r, lane)] = high[r];
+    }
+    numbers[0] = numbers[1] = numbers[2] = 0.0f;
+    numbers[3] = 1.0f;
+    for (size_t k = 0; k < count; k++) {
+        uint16_t *key = (uint16_t *)(void *)(b->words + g->keys + k * g->key_words);
+        next_numbers(c, k, component, numbers);
+        for (size_t r = 0; r < rows; r++)
+            key[lane_at(g, rows, r, lane)] = encode(low[r], high[r], numbers[r]);
+    }
+}
+
 static void fill_arcs(const builder *b, const clip_group *g, size_t key_count)
 {
     const nkw_block *blocks = (const nkw_block *)(const void *)(b->words + g->blocks);
@@ -157,7 +216,9 @@ static void lay_track(lanes *l, const clip_group *g, const nkw_clip_track *c, si
     size_t first = turns || floats ? 0 : pass, end = floats ? c->track.width : first + 1;
     for (size_t component = first; component < end; component++) {
         size_t lane = add_lane(l, place_of(l->b, c, component));
-        for (size_t row = 0; l->b->words && row < (turns ? 4u : 1u); row++)
+        if (l->b->words && g->ranges)
+            fill_compact(l->b, g, c, component, lane);
+        for (size_t row = 0; l->b->words && !g->ranges && row < (turns ? 4u : 1u); row++)
             fill_component(l->b, g, c, component + row, row, lane);
     }
 }
@@ -233,8 +294,10 @@ static void lay_group(builder *b, uint32_t timeline, const uint32_t *members, si
     g.interpolation = clip_interpolation_of(first);
     g.normalized = clip_is_cubic(first) && clip_is_normalized(first);
     g.lanes = (uint32_t)clip_lanes(lay_lanes(&probe, &g, members, count).count);
-    g.key_words = (uint32_t)clip_key_rows(&g) * g.lanes;
     take(b, VALUES, round_up(b->used[VALUES], CLIP_ALIGN) - b->used[VALUES]);
+    if (b->tracks.source->format == NKW_CLIP_UNORM16 && !clip_is_cubic(first))
+        g.ranges = (uint32_t)take(b, VALUES, round_up(2 * clip_rows(&g) * g.lanes, CLIP_ALIGN));
+    g.key_words = (uint32_t)clip_key_words(&g);
     g.keys = (uint32_t)take(b, VALUES, g.key_words * first->count);
     lanes l = lay_lanes(b, &g, members, count);
     size_t at = take(b, GROUPS, sizeof g / 4);
@@ -243,7 +306,7 @@ static void lay_group(builder *b, uint32_t timeline, const uint32_t *members, si
     if (!b->words)
         return;
     join_blocks((nkw_block *)(void *)(b->words + g.blocks), g.block_count);
-    if (g.kind == GROUP_ROTATIONS && g.interpolation == NKW_INTERPOLATION_LINEAR)
+    if (g.kind == GROUP_ROTATIONS && g.interpolation == NKW_INTERPOLATION_LINEAR && !g.ranges)
         fill_arcs(b, &g, first->count);
     memcpy(b->words + at, &g, sizeof g);
 }
@@ -402,6 +465,7 @@ static void lay_clip(builder *b)
 static nkw_result plan(builder *b, const nkw_clip_source *source, uint32_t *work, size_t *bytes, size_t *bad)
 {
     memset(b, 0, sizeof *b);
+    b->start[VALUES] = CLIP_ALIGN; /* not 0, which says that there are no ranges */
     nkw_result result = nkw_clip_tracks_order(source, work, &b->tracks, bad);
     if (result != NKW_OK)
         return result;

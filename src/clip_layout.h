@@ -12,6 +12,10 @@
  *                                   and for LINEAR the arc to the next key:  v[width] h0[width] h1[width] h2[width] h3[width]
  *
  * A CUBICSPLINE key is its in-tangents, its values and its out-tangents, each laid out so.
+ *
+ * A compact group has 16-bit numbers in its keys, in the same order and without arcs, and the range of each once:
+ *
+ *     ranges of a block             base[width] of each row, then step[width] of each row:   number = base + step key
  */
 #ifndef NAKAWARI_CLIP_LAYOUT_H
 #define NAKAWARI_CLIP_LAYOUT_H
@@ -24,6 +28,7 @@
 
 #define CLIP_MAGIC   0x70696c63u /* "clip", lowest byte first */
 #define CLIP_VERSION 1u
+#define CLIP_STEPS   65535.0f /* of a range */
 #define CLIP_ALIGN   16u /* words: key blocks and constants begin on 64 bytes of the block */
 
 /* Words from `values` on go to floats to..to + count - 1 of the output. */
@@ -55,6 +60,7 @@ typedef struct clip_group {
     uint32_t lanes; /* of all blocks together */
     uint32_t blocks, block_count;
     uint32_t keys, key_words;
+    uint32_t ranges; /* of a compact group; else 0 */
 } clip_group;
 
 static inline const uint32_t *clip_words(const nkw_clip *clip)
@@ -99,7 +105,16 @@ static inline size_t clip_key_rows(const clip_group *g)
 {
     if (g->interpolation == NKW_INTERPOLATION_CUBICSPLINE)
         return 3 * clip_rows(g);
+    if (g->ranges)
+        return clip_rows(g);
     return g->kind == GROUP_ROTATIONS && g->interpolation == NKW_INTERPOLATION_LINEAR ? NKW_BLOCK_ROWS : clip_rows(g);
+}
+
+/* Words of a key. Lanes are a multiple of 4, so those of a compact one are whole. */
+static inline uint64_t clip_key_words(const clip_group *g)
+{
+    uint64_t numbers = (uint64_t)clip_key_rows(g) * g->lanes;
+    return g->ranges ? numbers / 2 : numbers;
 }
 
 #endif

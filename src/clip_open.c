@@ -74,10 +74,13 @@ static nkw_result check_group(const nkw_clip *clip, const clip_group *g)
         return NKW_OUT_OF_RANGE;
     if (g->normalized && g->kind != GROUP_ROTATIONS)
         return NKW_OUT_OF_RANGE;
+    if (g->ranges && (g->interpolation == NKW_INTERPOLATION_CUBICSPLINE || g->lanes % 4 != 0 ||
+                      !fits(clip, g->ranges, g->lanes, 2 * clip_rows(g))))
+        return NKW_OUT_OF_RANGE;
     const clip_timeline *line = clip_timelines(clip) + g->timeline;
     if (line->modes && g->interpolation != NKW_INTERPOLATION_LINEAR)
         return NKW_OUT_OF_RANGE;
-    if (g->key_words != clip_key_rows(g) * (uint64_t)g->lanes || !fits(clip, g->keys, line->count, g->key_words))
+    if (g->key_words != clip_key_words(g) || !fits(clip, g->keys, line->count, g->key_words))
         return NKW_OUT_OF_RANGE;
     return check_blocks(clip, g);
 }

@@ -136,7 +136,9 @@ static nkw_result check_place(const nkw_clip_source *s, const nkw_clip_track *c)
 
 static nkw_result check_tracks(const nkw_clip_source *s, size_t *bad)
 {
-    nkw_result result = s->joint_count + s->float_count == 0 ? NKW_EMPTY : NKW_OK;
+    nkw_result result = s->joint_count + s->float_count == 0               ? NKW_EMPTY
+                        : (unsigned)s->format > (unsigned)NKW_CLIP_UNORM16 ? NKW_BAD_METHOD
+                                                                           : NKW_OK;
     if (s->track_count >= CLIP_CONSTANT || s->joint_count >= CLIP_CONSTANT / 16 || s->float_count >= CLIP_CONSTANT)
         result = NKW_OUT_OF_RANGE;
     for (size_t i = 0; result == NKW_OK && i < s->track_count; i++) {

@@ -111,7 +111,7 @@ static void constant_tracks_are_stored_once(void **state)
 static void a_clip_without_tracks_is_the_rest_pose(void **state)
 {
     (void)state;
-    nkw_clip_source source = {NULL, 0, 17, 2, NULL, NULL};
+    nkw_clip_source source = {NULL, 0, 17, 2, NULL, NULL, NKW_CLIP_FLOAT32};
     size_t bytes;
     float pose[NKW_POSE_FLOATS(17)], identity[NKW_POSE_FLOATS(17)], floats[2] = {7, 7};
     nkw_clip *clip = build(&source, &bytes);
@@ -163,6 +163,70 @@ static void the_order_of_tracks_does_not_matter(void **state)
     free(turned);
 }
 
+static nkw_clip_error difference(const nkw_clip *clip)
+{
+    float pose[NKW_POSE_FLOATS(RANDOM_CLIP_JOINTS)], floats[2 * RANDOM_CLIP_FLOATS];
+    return nkw_clip_difference(clip, &drawn.source, pose, floats);
+}
+
+static void a_clip_of_floats_does_not_differ_from_its_tracks(void **state)
+{
+    (void)state;
+    random_source r = random_from(11);
+    size_t bytes;
+    random_clip_draw(&r, 19, 2, &drawn);
+    nkw_clip *clip = build(&drawn.source, &bytes);
+    nkw_clip_error error = difference(clip);
+    expect_bits(error.translation, 0.0f);
+    expect_bits(error.scale, 0.0f);
+    expect_bits(error.floats, 0.0f);
+    assert_true(error.rotation < 1e-7f);
+    for (size_t i = 0; i < nkw_track_value_count(&drawn.tracks[0].track); i += 3)
+        drawn.values[0][i] += 1.0f;
+    error = difference(clip);
+    assert_true(error.rotation > 0.1f || error.floats > 0.1f || error.scale > 0.1f || error.translation > 0.1f);
+    free(clip);
+}
+
+/* Numbers are drawn from -3..3, so half a step is 4.6e-5. */
+static void a_compact_clip_is_within_its_bound(void **state)
+{
+    (void)state;
+    random_source r = random_from(12);
+    for (int variety = 0; variety < 3; variety++) {
+        size_t bytes, compact_bytes;
+        random_clip_draw(&r, 37, variety, &drawn);
+        nkw_clip *clip = build(&drawn.source, &bytes);
+        drawn.source.format = NKW_CLIP_UNORM16;
+        nkw_clip *compact = build(&drawn.source, &compact_bytes);
+        nkw_clip_error error = difference(compact);
+        assert_true(compact_bytes < bytes);
+        assert_true(error.translation > 0.0f && error.translation < 4.8e-5f);
+        assert_true(error.scale > 0.0f && error.scale < 4.8e-5f);
+        assert_true(error.floats < 4.8e-5f);
+        assert_true(error.rotation > 0.0f && error.rotation < 6.3e-5f);
+        free(clip);
+        free(compact);
+    }
+}
+
+static void compact_rotations_are_unit(void **state)
+{
+    (void)state;
+    random_source r = random_from(13);
+    size_t bytes;
+    random_clip_draw(&r, 20, 0, &drawn);
+    drawn.source.format = NKW_CLIP_UNORM16;
+    nkw_clip *clip = build(&drawn.source, &bytes);
+    for (int i = 0; i < 200; i++) {
+        float pose[NKW_POSE_FLOATS(20)];
+        nkw_clip_sample(clip, i % 5 ? random_unit(&r) : drawn.times[0][i % RANDOM_CLIP_KEYS], NULL, pose, NULL);
+        for (size_t j = 0; j < 20; j++)
+            expect_near(nkw_quat_length(nkw_pose_get(pose, 20, j).rotation), 1.0, 2e-7);
+    }
+    free(clip);
+}
+
 static void expect_refused(nkw_result result, size_t track, int line)
 {
     size_t bytes = 0, bad = 99;
@@ -200,6 +264,9 @@ static void measure_refuses_what_is_no_clip(void **state)
     t->track = drawn.tracks[10].track;
     expect_refused(NKW_REPEATED, 10, __LINE__);
     *t = kept;
+    drawn.source.format = (nkw_clip_format)2;
+    expect_refused(NKW_BAD_METHOD, 0, __LINE__);
+    drawn.source.format = NKW_CLIP_FLOAT32;
     drawn.source.track_count = drawn.source.joint_count = 0;
     expect_refused(NKW_EMPTY, 0, __LINE__);
 }
@@ -248,10 +315,10 @@ static void open_refuses_other_files(void **state)
 /* One word changed anywhere but in the values: either it is refused, or sampling stays within its arrays (the sanitizers watch). */
 static void a_damaged_block_is_refused_or_safe(void **state)
 {
-    (void)state;
     random_source r = random_from(10);
     size_t bytes, refused = 0;
     random_clip_draw(&r, 12, 2, &drawn);
+    drawn.source.format = *state ? NKW_CLIP_UNORM16 : NKW_CLIP_FLOAT32;
     nkw_clip *block = build(&drawn.source, &bytes);
     uint32_t *damaged = (uint32_t *)malloc(bytes);
     assert_non_null(damaged);
@@ -286,11 +353,15 @@ int main(void)
         cmocka_unit_test(a_clip_without_tracks_is_the_rest_pose),
         cmocka_unit_test(pose_or_floats_may_be_left_out),
         cmocka_unit_test(the_order_of_tracks_does_not_matter),
+        cmocka_unit_test(a_clip_of_floats_does_not_differ_from_its_tracks),
+        cmocka_unit_test(a_compact_clip_is_within_its_bound),
+        cmocka_unit_test(compact_rotations_are_unit),
         cmocka_unit_test(measure_refuses_what_is_no_clip),
         cmocka_unit_test(floats_that_overlap_are_refused),
         cmocka_unit_test(build_refuses_a_block_that_is_too_small),
         cmocka_unit_test(open_refuses_other_files),
         cmocka_unit_test(a_damaged_block_is_refused_or_safe),
+        cmocka_unit_test_prestate(a_damaged_block_is_refused_or_safe, (void *)"compact"),
     };
     return cmocka_run_group_tests_name("clip", tests, NULL, NULL);
 }

@@ -142,6 +142,99 @@ KERNEL(clip_slerp)
         slerp_blocks(a, b, lane_slerp_near(pace, 0), blocks, block_count, out, stride);
 }
 
+/* Compact keys. A number is base + step key; between two keys the key itself is interpolated. */
+
+static inline float decode(float base, float step, float key)
+{
+    return base + step * key;
+}
+
+static inline void lerp16_block(const uint16_t *a, const uint16_t *b, const float *ranges, float t, float *out,
+                                size_t width)
+{
+#pragma omp simd
+    for (size_t i = 0; i < width; i++)
+        out[i] = decode(ranges[i], ranges[width + i], nkw_lerp((float)a[i], (float)b[i], t));
+}
+
+KERNEL(clip_lerp16)
+(const uint16_t *a, const uint16_t *b, const float *ranges, float t, const nkw_block *blocks, size_t block_count,
+ float *out)
+{
+    for (size_t k = 0; k < block_count; k++, a += NKW_BLOCK, b += NKW_BLOCK, ranges += 2 * NKW_BLOCK) {
+        float mixed[NKW_BLOCK];
+        float *to = blocks[k].direct ? out + blocks[k].places[0] : mixed;
+        if (blocks[k].width == NKW_BLOCK)
+            lerp16_block(a, b, ranges, t, to, NKW_BLOCK);
+        else
+            lerp16_block(a, b, ranges, t, to, blocks[k].width);
+        if (!blocks[k].direct)
+            scatter(&blocks[k], mixed, 0, 1, out, 0);
+    }
+}
+
+/* Lane i of a block's rotations. */
+static inline nkw_quat decode_quat(const uint16_t *key, const float *base, const float *step, size_t width, size_t i)
+{
+    nkw_quat q = {
+        decode(base[i], step[i], (float)key[i]),
+        decode(base[width + i], step[width + i], (float)key[width + i]),
+        decode(base[2 * width + i], step[2 * width + i], (float)key[2 * width + i]),
+        decode(base[3 * width + i], step[3 * width + i], (float)key[3 * width + i]),
+    };
+    return q;
+}
+
+/* q / |q| for a length that is near 1: 1/sqrt(1 - m) = 1 + m/2 + 3 m^2/8 ... */
+static inline nkw_quat near_unit(nkw_quat q)
+{
+    float m = lane_quat_defect(q);
+    return nkw_quat_add(q, nkw_quat_scale(q, m * (0.5f + 0.375f * m)));
+}
+
+static inline void slerp16_block(const uint16_t *a, const uint16_t *b, const float *ranges, lane_slerp_pace pace,
+                                 float *out, size_t stride, size_t width)
+{
+    const float *step = ranges + 4 * width;
+    nkw_quat_span o = rows_to(out, stride);
+#pragma omp simd
+    for (size_t i = 0; i < width; i++) {
+        nkw_quat p = decode_quat(a, ranges, step, width, i), q = decode_quat(b, ranges, step, width, i);
+        lane_slerp_arc arc = lane_slerp_arc_between(p, q);
+        put_quat(o, i, near_unit(lane_quat_slerp_on(p, q, &arc, &pace)));
+    }
+}
+
+static inline void slerp16_blocks(const uint16_t *a, const uint16_t *b, const float *ranges, lane_slerp_pace pace,
+                                  const nkw_block *blocks, size_t block_count, float *out, size_t stride)
+{
+    for (size_t k = 0; k < block_count; k++, a += 4 * NKW_BLOCK, b += 4 * NKW_BLOCK, ranges += 8 * NKW_BLOCK) {
+        float mixed[4 * NKW_BLOCK];
+        int direct = blocks[k].direct > 0;
+        float *to = direct ? out + blocks[k].places[0] : mixed;
+        size_t apart = direct ? stride : NKW_BLOCK;
+        if (blocks[k].width == NKW_BLOCK)
+            slerp16_block(a, b, ranges, pace, to, apart, NKW_BLOCK);
+        else
+            slerp16_block(a, b, ranges, pace, to, apart, blocks[k].width);
+        if (!direct)
+            scatter(&blocks[k], mixed, NKW_BLOCK, 4, out, stride);
+    }
+}
+
+KERNEL(clip_slerp16)
+(const uint16_t *a, const uint16_t *b, const float *ranges, float t, const nkw_block *blocks, size_t block_count,
+ float *out, size_t stride)
+{
+    lane_slerp_pace pace = lane_slerp_pace_at(t);
+    if (pace.first)
+        slerp16_blocks(a, b, ranges, lane_slerp_near(pace, 1), blocks, block_count, out, stride);
+    else if (pace.half)
+        slerp16_blocks(a, b, ranges, pace, blocks, block_count, out, stride);
+    else
+        slerp16_blocks(a, b, ranges, lane_slerp_near(pace, 0), blocks, block_count, out, stride);
+}
+
 /* `words` floats to a value. Tangents are per second; times the duration they are per segment. */
 static inline void hermite_block(const float *a, const float *b, size_t words, float duration, float t, float *out,
                                  size_t n)

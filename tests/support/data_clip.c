@@ -18,11 +18,12 @@ uint64_t data_clip(void)
 {
     random_source r = random_from(2);
     uint64_t hash = HASH_START;
-    for (size_t round = 0; round < 24; round++) {
+    for (size_t round = 0; round < 36; round++) {
         uint32_t work[NKW_CLIP_WORK(RANDOM_CLIP_TRACKS)];
         float pose[NKW_POSE_FLOATS(RANDOM_CLIP_JOINTS)], floats[RANDOM_CLIP_FLOATS];
-        size_t joints = 1 + round * 39 / 23;
+        size_t joints = 1 + round * 39 / 35;
         random_clip_draw(&r, joints, (int)(round % 3), &drawn);
+        drawn.source.format = round % 4 == 3 ? NKW_CLIP_UNORM16 : NKW_CLIP_FLOAT32;
         if (nkw_clip_build(&drawn.source, work, block, sizeof block, NULL) != NKW_OK)
             return 0;
         const nkw_clip *clip = (const nkw_clip *)(const void *)block;
