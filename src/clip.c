@@ -92,11 +92,11 @@ static void compact(const nkw_clip *clip, const clip_group *g, const uint16_t *a
                     float *out, size_t stride)
 {
     const nkw_block *blocks = clip_blocks(clip, g);
-    const float *ranges = clip_floats(clip, g->ranges);
+    const float *base = clip_floats(clip, g->ranges), *step = base + clip_rows(g) * g->lanes;
     if (g->kind == GROUP_ROTATIONS)
-        nkw_batch_selected()->clip_slerp16(a, b, ranges, t, blocks, g->block_count, out, stride);
+        nkw_batch_selected()->clip_slerp16(a, b, base, step, t, blocks, g->block_count, out, stride);
     else
-        nkw_batch_selected()->clip_lerp16(a, b, ranges, t, blocks, g->block_count, out);
+        nkw_batch_selected()->clip_lerp16(a, b, base, step, t, blocks, g->block_count, out);
 }
 
 /* The same cases, in the same order, as nkw_track_sample_at. Components of rotations are `stride` floats apart. */

@@ -176,8 +176,8 @@ static void fill_compact(const builder *b, const clip_group *g, const nkw_clip_t
     }
     for (size_t r = 0; r < rows; r++) {
         high[r] = (float)(((double)high[r] - (double)low[r]) / (double)CLIP_STEPS);
-        floats_at(b, g->ranges)[lane_at(g, 2 * rows, r, lane)] = low[r];
-        floats_at(b, g->ranges)[lane_at(g, 2 * rows, rows + r, lane)] = high[r];
+        floats_at(b, g->ranges)[lane_at(g, rows, r, lane)] = low[r];
+        floats_at(b, g->ranges)[rows * g->lanes + lane_at(g, rows, r, lane)] = high[r];
     }
     numbers[0] = numbers[1] = numbers[2] = 0.0f;
     numbers[3] = 1.0f;

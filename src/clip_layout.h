@@ -13,9 +13,8 @@
  *
  * A CUBICSPLINE key is its in-tangents, its values and its out-tangents, each laid out so.
  *
- * A compact group has 16-bit numbers in its keys, in the same order and without arcs, and the range of each once:
- *
- *     ranges of a block             base[width] of each row, then step[width] of each row:   number = base + step key
+ * A compact group has 16-bit numbers in its keys, in the same order and without arcs, and the range of each, once: the bases of
+ * all numbers of a key, then the steps of all, number = base + step key.
  */
 #ifndef NAKAWARI_CLIP_LAYOUT_H
 #define NAKAWARI_CLIP_LAYOUT_H

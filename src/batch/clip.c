@@ -25,9 +25,11 @@ static inline nkw_quat_span rows_to(float *x, size_t stride)
 static inline void scatter(const nkw_block *block, const float *from, size_t apart, size_t rows, float *out,
                            size_t stride)
 {
-    for (size_t row = 0; row < rows; row++)
-        for (size_t i = 0; i < block->count; i++)
-            out[row * stride + block->places[i]] = from[row * apart + i];
+    for (size_t i = 0; i < block->count; i++) {
+        float *to = out + block->places[i];
+        for (size_t row = 0; row < rows; row++)
+            to[row * stride] = from[row * apart + i];
+    }
 }
 
 static inline size_t blocks_in(size_t lanes)
@@ -142,47 +144,37 @@ KERNEL(clip_slerp)
         slerp_blocks(a, b, lane_slerp_near(pace, 0), blocks, block_count, out, stride);
 }
 
-/* Compact keys. A number is base + step key; between two keys the key itself is interpolated. */
+/* Compact keys. A number is base + step key; between two keys of a number the key itself is interpolated. */
 
-static inline float decode(float base, float step, float key)
-{
-    return base + step * key;
-}
-
-static inline void lerp16_block(const uint16_t *a, const uint16_t *b, const float *ranges, float t, float *out,
-                                size_t width)
+static inline void lerp16_lanes(const uint16_t *a, const uint16_t *b, const float *base, const float *step, float t,
+                                float *out, size_t n)
 {
 #pragma omp simd
-    for (size_t i = 0; i < width; i++)
-        out[i] = decode(ranges[i], ranges[width + i], nkw_lerp((float)a[i], (float)b[i], t));
+    for (size_t i = 0; i < n; i++)
+        out[i] = base[i] + step[i] * nkw_lerp((float)a[i], (float)b[i], t);
 }
 
 KERNEL(clip_lerp16)
-(const uint16_t *a, const uint16_t *b, const float *ranges, float t, const nkw_block *blocks, size_t block_count,
- float *out)
+(const uint16_t *a, const uint16_t *b, const float *base, const float *step, float t, const nkw_block *blocks,
+ size_t block_count, float *out)
 {
-    for (size_t k = 0; k < block_count; k++, a += NKW_BLOCK, b += NKW_BLOCK, ranges += 2 * NKW_BLOCK) {
+    for (size_t k = 0, lanes; k < block_count; k += blocks_in(lanes)) {
+        size_t at = k * NKW_BLOCK;
+        int direct = blocks[k].direct > 0;
         float mixed[NKW_BLOCK];
-        float *to = blocks[k].direct ? out + blocks[k].places[0] : mixed;
-        if (blocks[k].width == NKW_BLOCK)
-            lerp16_block(a, b, ranges, t, to, NKW_BLOCK);
-        else
-            lerp16_block(a, b, ranges, t, to, blocks[k].width);
-        if (!blocks[k].direct)
+        lanes = direct ? blocks[k].direct : blocks[k].width;
+        lerp16_lanes(a + at, b + at, base + at, step + at, t, direct ? out + blocks[k].places[0] : mixed, lanes);
+        if (!direct)
             scatter(&blocks[k], mixed, 0, 1, out, 0);
     }
 }
 
-/* Lane i of a block's rotations. */
-static inline nkw_quat decode_quat(const uint16_t *key, const float *base, const float *step, size_t width, size_t i)
+/* A pass of its own: with 16-bit numbers in it, the loop over rotations would work on twice as many as registers hold. */
+static inline void decode(const uint16_t *key, const float *base, const float *step, float *out, size_t n)
 {
-    nkw_quat q = {
-        decode(base[i], step[i], (float)key[i]),
-        decode(base[width + i], step[width + i], (float)key[width + i]),
-        decode(base[2 * width + i], step[2 * width + i], (float)key[2 * width + i]),
-        decode(base[3 * width + i], step[3 * width + i], (float)key[3 * width + i]),
-    };
-    return q;
+#pragma omp simd
+    for (size_t i = 0; i < n; i++)
+        out[i] = base[i] + step[i] * (float)key[i];
 }
 
 /* q / |q| for a length that is near 1: 1/sqrt(1 - m) = 1 + m/2 + 3 m^2/8 ... */
@@ -192,47 +184,51 @@ static inline nkw_quat near_unit(nkw_quat q)
     return nkw_quat_add(q, nkw_quat_scale(q, m * (0.5f + 0.375f * m)));
 }
 
-static inline void slerp16_block(const uint16_t *a, const uint16_t *b, const float *ranges, lane_slerp_pace pace,
-                                 float *out, size_t stride, size_t width)
+static inline void slerp16_block(const float *a, const float *b, lane_slerp_pace pace, float *out, size_t stride,
+                                 size_t width)
 {
-    const float *step = ranges + 4 * width;
+    nkw_quat_view from = rows_of(a, width), to = rows_of(b, width);
     nkw_quat_span o = rows_to(out, stride);
 #pragma omp simd
     for (size_t i = 0; i < width; i++) {
-        nkw_quat p = decode_quat(a, ranges, step, width, i), q = decode_quat(b, ranges, step, width, i);
+        nkw_quat p = at_quat(from, i), q = at_quat(to, i);
         lane_slerp_arc arc = lane_slerp_arc_between(p, q);
         put_quat(o, i, near_unit(lane_quat_slerp_on(p, q, &arc, &pace)));
     }
 }
 
-static inline void slerp16_blocks(const uint16_t *a, const uint16_t *b, const float *ranges, lane_slerp_pace pace,
-                                  const nkw_block *blocks, size_t block_count, float *out, size_t stride)
+static inline void slerp16_blocks(const uint16_t *a, const uint16_t *b, const float *base, const float *step,
+                                  lane_slerp_pace pace, const nkw_block *blocks, size_t block_count, float *out,
+                                  size_t stride)
 {
-    for (size_t k = 0; k < block_count; k++, a += 4 * NKW_BLOCK, b += 4 * NKW_BLOCK, ranges += 8 * NKW_BLOCK) {
-        float mixed[4 * NKW_BLOCK];
+    for (size_t k = 0; k < block_count; k++) {
+        size_t at = k * 4 * NKW_BLOCK, width = blocks[k].width;
+        float from[4 * NKW_BLOCK], to[4 * NKW_BLOCK], mixed[4 * NKW_BLOCK];
         int direct = blocks[k].direct > 0;
-        float *to = direct ? out + blocks[k].places[0] : mixed;
-        size_t apart = direct ? stride : NKW_BLOCK;
-        if (blocks[k].width == NKW_BLOCK)
-            slerp16_block(a, b, ranges, pace, to, apart, NKW_BLOCK);
+        decode(a + at, base + at, step + at, from, 4 * width);
+        decode(b + at, base + at, step + at, to, 4 * width);
+        if (width == NKW_BLOCK)
+            slerp16_block(from, to, pace, direct ? out + blocks[k].places[0] : mixed, direct ? stride : NKW_BLOCK,
+                          NKW_BLOCK);
         else
-            slerp16_block(a, b, ranges, pace, to, apart, blocks[k].width);
+            slerp16_block(from, to, pace, direct ? out + blocks[k].places[0] : mixed, direct ? stride : NKW_BLOCK,
+                          width);
         if (!direct)
             scatter(&blocks[k], mixed, NKW_BLOCK, 4, out, stride);
     }
 }
 
 KERNEL(clip_slerp16)
-(const uint16_t *a, const uint16_t *b, const float *ranges, float t, const nkw_block *blocks, size_t block_count,
- float *out, size_t stride)
+(const uint16_t *a, const uint16_t *b, const float *base, const float *step, float t, const nkw_block *blocks,
+ size_t block_count, float *out, size_t stride)
 {
     lane_slerp_pace pace = lane_slerp_pace_at(t);
     if (pace.first)
-        slerp16_blocks(a, b, ranges, lane_slerp_near(pace, 1), blocks, block_count, out, stride);
+        slerp16_blocks(a, b, base, step, lane_slerp_near(pace, 1), blocks, block_count, out, stride);
     else if (pace.half)
-        slerp16_blocks(a, b, ranges, pace, blocks, block_count, out, stride);
+        slerp16_blocks(a, b, base, step, pace, blocks, block_count, out, stride);
     else
-        slerp16_blocks(a, b, ranges, lane_slerp_near(pace, 0), blocks, block_count, out, stride);
+        slerp16_blocks(a, b, base, step, lane_slerp_near(pace, 0), blocks, block_count, out, stride);
 }
 
 /* `words` floats to a value. Tangents are per second; times the duration they are per segment. */

@@ -91,8 +91,8 @@
     X(clip_slerp, (const float *a, const float *b, float t, const nkw_block *blocks, size_t block_count, float *out, size_t stride), (a, b, t, blocks, block_count, out, stride)) \
     X(clip_hermite, (const float *a, const float *b, size_t words, float duration, float t, const nkw_block *blocks, size_t block_count, float *out), (a, b, words, duration, t, blocks, block_count, out)) \
     X(clip_quat_hermite, (const float *a, const float *b, size_t words, float duration, float t, const nkw_block *blocks, size_t block_count, float *out, size_t stride), (a, b, words, duration, t, blocks, block_count, out, stride)) \
-    X(clip_lerp16, (const uint16_t *a, const uint16_t *b, const float *ranges, float t, const nkw_block *blocks, size_t block_count, float *out), (a, b, ranges, t, blocks, block_count, out)) \
-    X(clip_slerp16, (const uint16_t *a, const uint16_t *b, const float *ranges, float t, const nkw_block *blocks, size_t block_count, float *out, size_t stride), (a, b, ranges, t, blocks, block_count, out, stride)) \
+    X(clip_lerp16, (const uint16_t *a, const uint16_t *b, const float *base, const float *step, float t, const nkw_block *blocks, size_t block_count, float *out), (a, b, base, step, t, blocks, block_count, out)) \
+    X(clip_slerp16, (const uint16_t *a, const uint16_t *b, const float *base, const float *step, float t, const nkw_block *blocks, size_t block_count, float *out, size_t stride), (a, b, base, step, t, blocks, block_count, out, stride)) \
     X(clip_hold, (const float *key, size_t rows, size_t key_rows, int normalized, const nkw_block *blocks, size_t block_count, float *out, size_t stride), (key, rows, key_rows, normalized, blocks, block_count, out, stride))
 /* clang-format on */
 
