@@ -46,11 +46,18 @@ static void copy_runs(const nkw_clip *clip, uint32_t at, uint32_t count, float *
         memcpy(out + runs[r].to, clip_floats(clip, runs[r].values), runs[r].count * sizeof(float));
 }
 
+/* The key at or before a time of an evenly spaced timeline, or its neighbour: where to begin the search. Any number for a NaN. */
+static size_t guess(const clip_timeline *line, float start, float time)
+{
+    float k = (time - start) * line->rate;
+    return k > 0.0f && k < (float)line->count ? (size_t)k : k > 0.0f ? line->count - 1 : 0;
+}
+
 static nkw_segment find(const nkw_clip *clip, const clip_timeline *line, float time, uint32_t *cursor)
 {
     const float *times = clip_floats(clip, line->times);
     if (line->rate > 0.0f)
-        return nkw_segment_find_uniform(times[0], line->rate, line->count, time);
+        return nkw_segment_find_from(times, line->count, time, guess(line, times[0], time));
     if (!cursor)
         return nkw_segment_find(times, line->count, time);
     nkw_segment segment = nkw_segment_find_from(times, line->count, time, *cursor);
