@@ -31,4 +31,7 @@
 #include "playback.h"
 #include "pose.h"
 
+/* Floor 5, skeleton: poses blended. */
+#include "blend.h"
+
 #endif

@@ -12,25 +12,54 @@
 #include "quat.h"
 #include "scalar.h"
 
-/*
- * The blend v from the end nearer to t, then v / |v| = v + v g,  g = 1/|v| - 1 = m / (|v| + |v|^2),  m = 1 - |v|^2.
- * A chord that t outside 0..1 made longer than sqrt 2 is divided by its length outright. At x = 0 the end comes back
- * as it is.
- */
-static inline nkw_quat lane_quat_nlerp(nkw_quat a, nkw_quat b, float t)
+/* b or -b, whichever lies on a's side. */
+static inline nkw_quat lane_quat_turned(nkw_quat a, nkw_quat b)
 {
-    float sign = nkw_quat_dot(a, b) < 0.0f ? -1.0f : 1.0f;
-    nkw_quat c = nkw_quat_scale(b, sign);
+    return nkw_quat_scale(b, nkw_quat_dot(a, b) < 0.0f ? -1.0f : 1.0f);
+}
+
+/* The point v of the chord from a to b, turned to a's side, from the end nearer to t and the part x of the way from it. */
+typedef struct lane_chord {
+    nkw_quat near, v;
+    float x;
+} lane_chord;
+
+static inline lane_chord lane_quat_chord(nkw_quat a, nkw_quat b, float t)
+{
+    nkw_quat c = lane_quat_turned(a, b);
     int first = t < 0.5f;
-    float x = first ? t : 1.0f - t;
-    nkw_quat near = lane_quat_select(first, a, c), far = lane_quat_select(first, c, a);
-    nkw_quat v = nkw_quat_add(near, nkw_quat_scale(nkw_quat_sub(far, near), x));
+    lane_chord r;
+    r.x = first ? t : 1.0f - t;
+    r.near = lane_quat_select(first, a, c);
+    r.v = nkw_quat_add(r.near, nkw_quat_scale(nkw_quat_sub(lane_quat_select(first, c, a), r.near), r.x));
+    return r;
+}
+
+/*
+ * v / |v| = v + v g,  g = 1/|v| - 1 = m / (|v| + |v|^2),  m = 1 - |v|^2, for chords of |v|^2 in 0..2 without 0.
+ */
+static inline nkw_quat lane_quat_settle_inside(nkw_quat v, float m)
+{
+    float n2 = 1.0f - m;
+    return nkw_quat_add(v, nkw_quat_scale(v, m / (sqrtf(n2) + n2)));
+}
+
+/* The same for any: a chord that t outside 0..1 made longer than sqrt 2 is divided by its length outright. */
+static inline nkw_quat lane_quat_settle(nkw_quat v)
+{
     float m = lane_quat_defect(v), n2 = 1.0f - m;
     float n = sqrtf(n2);
     int outright = n2 > 2.0f;
     nkw_quat unit = nkw_quat_add(nkw_quat_scale(v, outright ? 0.0f : 1.0f),
                                  nkw_quat_scale(v, outright ? 1.0f / n : m / (n + n2)));
-    return lane_quat_select(x == 0.0f, near, lane_quat_select(n2 > 0.0f, unit, nkw_quat_identity()));
+    return lane_quat_select(n2 > 0.0f, unit, nkw_quat_identity());
+}
+
+/* At x = 0 the end comes back as it is. */
+static inline nkw_quat lane_quat_nlerp(nkw_quat a, nkw_quat b, float t)
+{
+    lane_chord c = lane_quat_chord(a, b, t);
+    return lane_quat_select(c.x == 0.0f, c.near, lane_quat_settle(c.v));
 }
 
 /* Polynomials of 2..7 coefficients, lowest power first, by Horner's rule. */

@@ -1,0 +1,93 @@
+/* SPDX-License-Identifier: MIT */
+#include "lane/strict.h"
+
+#include "batch/element.h"
+#include "batch/table.h"
+#include "lane/blend.h"
+
+KERNEL(quat_mix)(nkw_quat_view a, nkw_quat_view b, const float *t, nkw_quat_span out, size_t n)
+{
+#pragma omp simd
+    for (size_t i = 0; i < n; i++)
+        put_quat(out, i, lane_quat_mix(at_quat(a, i), at_quat(b, i), t[i]));
+}
+
+KERNEL(quat_mix_at)(nkw_quat_view a, nkw_quat_view b, float t, nkw_quat_span out, size_t n)
+{
+#pragma omp simd
+    for (size_t i = 0; i < n; i++)
+        put_quat(out, i, lane_quat_mix(at_quat(a, i), at_quat(b, i), t));
+}
+
+/* out is not v: if a chord was not inside after all, all are done again. */
+KERNEL(quat_settle)(nkw_quat_view v, nkw_quat_span out, size_t n)
+{
+    int outside = 0;
+#pragma omp simd reduction(| : outside)
+    for (size_t i = 0; i < n; i++) {
+        nkw_quat q = at_quat(v, i);
+        float m = lane_quat_defect(q);
+        outside |= !(lane_abs(m) < 1.0f);
+        put_quat(out, i, lane_quat_settle_inside(q, m));
+    }
+    if (outside) {
+#pragma omp simd
+        for (size_t i = 0; i < n; i++)
+            put_quat(out, i, lane_quat_settle(at_quat(v, i)));
+    }
+}
+
+KERNEL(blend_weigh)(float weight, const float *mask, float *out, size_t n)
+{
+#pragma omp simd
+    for (size_t i = 0; i < n; i++)
+        out[i] = weight * lane_mask(mask[i]);
+}
+
+/* mixed becomes 1 where more than one pose has a part, 0 where one alone has all. */
+KERNEL(blend_share)(const float *weight, float *total, float *mixed, float *t, size_t n)
+{
+#pragma omp simd
+    for (size_t i = 0; i < n; i++) {
+        float share = lane_share(weight[i], total[i]);
+        mixed[i] = share == 0.0f ? mixed[i] : share == 1.0f ? 0.0f : 1.0f;
+        total[i] = total[i] + weight[i];
+        t[i] = share;
+    }
+}
+
+KERNEL(additive_build)(nkw_trs_view a, nkw_trs_view ref, int parent, nkw_trs_span out, size_t n)
+{
+#pragma omp simd
+    for (size_t i = 0; i < n; i++)
+        put_vec3(out.translation, i, nkw_vec3_sub(at_vec3(a.translation, i), at_vec3(ref.translation, i)));
+#pragma omp simd
+    for (size_t i = 0; i < n; i++)
+        put_quat(out.rotation, i, lane_quat_delta(at_quat(a.rotation, i), at_quat(ref.rotation, i), parent));
+#pragma omp simd
+    for (size_t i = 0; i < n; i++) {
+        nkw_vec3 s = at_vec3(a.scale, i), r = at_vec3(ref.scale, i);
+        nkw_vec3 ratio = {lane_ratio(s.x, r.x), lane_ratio(s.y, r.y), lane_ratio(s.z, r.z)};
+        put_vec3(out.scale, i, ratio);
+    }
+}
+
+KERNEL(additive_apply)
+(nkw_trs_view base, nkw_trs_view delta, const float *weight, int parent, nkw_trs_span out, size_t n)
+{
+#pragma omp simd
+    for (size_t i = 0; i < n; i++)
+        put_vec3(out.translation, i,
+                 lane_vec3_add_delta(at_vec3(base.translation, i), at_vec3(delta.translation, i), weight[i]));
+#pragma omp simd
+    for (size_t i = 0; i < n; i++)
+        put_quat(out.rotation, i,
+                 lane_quat_add_delta(at_quat(base.rotation, i), at_quat(delta.rotation, i), weight[i], parent));
+#pragma omp simd
+    for (size_t i = 0; i < n; i++) {
+        nkw_vec3 d = at_vec3(delta.scale, i);
+        float w = weight[i];
+        nkw_vec3 part = {nkw_lerp(1.0f, d.x, w), nkw_lerp(1.0f, d.y, w), nkw_lerp(1.0f, d.z, w)};
+        put_vec3(out.scale, i, nkw_vec3_mul(at_vec3(base.scale, i), part));
+    }
+}
