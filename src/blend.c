@@ -14,15 +14,20 @@
 /* The most that a weight counts. */
 #define HEAVIEST 0x1p60f
 
-/* `n` lanes of poses from joint `from` on, padding included; `stride` of the whole pose. */
+/* `n` lanes of poses from joint `from` on, the first `used` of them joints; `stride` of the whole pose. */
 typedef struct part {
-    size_t joints, stride, from, n;
+    size_t joints, stride, from, used, n;
 } part;
+
+static size_t at_most(size_t n, size_t most)
+{
+    return n < most ? n : most;
+}
 
 static part part_at(size_t joints, size_t from)
 {
-    part p = {joints, NKW_POSE_STRIDE(joints), from, NKW_POSE_STRIDE(joints) - from};
-    p.n = p.n < BLOCK ? p.n : BLOCK;
+    size_t stride = NKW_POSE_STRIDE(joints);
+    part p = {joints, stride, from, at_most(joints - from, BLOCK), at_most(stride - from, BLOCK)};
     return p;
 }
 
@@ -60,31 +65,38 @@ static void weigh(float weight, const float *mask, const part *p, float *out)
 
 /* two poses */
 
-typedef void rotations_at(nkw_quat_view a, nkw_quat_view b, float t, nkw_quat_span out, size_t n);
-typedef void rotations(nkw_quat_view a, nkw_quat_view b, const float *t, nkw_quat_span out, size_t n);
-
-/* nkw_quat_nlerp in two loops, between which no lane waits for the other's root. */
-static void nlerp_inside(nkw_quat_view a, nkw_quat_view b, float t, nkw_quat_span out, size_t n)
+/* nkw_quat_nlerp for t inside 0..1 in two loops, between which no lane waits for the other's root. */
+static void nlerp_inside(nkw_quat_view a, nkw_quat_view b, float t, nkw_quat_span out, const part *p)
 {
     float v[4][BLOCK];
     nkw_quat_span chord = {v[0], v[1], v[2], v[3]};
-    nkw_batch_selected()->quat_mix_at(a, b, t, chord, n);
-    nkw_batch_selected()->quat_settle(as_view(chord), out, n);
+    nkw_batch_selected()->quat_chord_at(a, b, t, chord, p->n);
+    nkw_batch_selected()->quat_settle(as_view(chord), (int)p->used, out, (int)p->n);
 }
 
-static void blend_at(const float *a, const float *b, size_t joints, float t, rotations_at *turn, float *out)
+static void turn_at(nkw_quat_view a, nkw_quat_view b, float t, int slerp, nkw_quat_span out, const part *p)
+{
+    if (slerp)
+        nkw_batch_selected()->quat_slerp_at(a, b, t, out, p->n);
+    else if (t > 0.0f && t < 1.0f)
+        nlerp_inside(a, b, t, out, p);
+    else
+        nkw_batch_selected()->quat_nlerp_at(a, b, t, out, p->n);
+}
+
+static void blend_at(const float *a, const float *b, size_t joints, float t, int slerp, float *out)
 {
     const nkw_batch *batch = nkw_batch_selected();
     size_t stride = NKW_POSE_STRIDE(joints), scales = 7 * stride;
     batch->lerp_at(a, b, t, out, 3 * stride);
     for (size_t from = 0; from < stride; from += BLOCK) {
         part p = part_at(joints, from);
-        turn(view_of(a, &p).rotation, view_of(b, &p).rotation, t, span_of(out, &p).rotation, p.n);
+        turn_at(view_of(a, &p).rotation, view_of(b, &p).rotation, t, slerp, span_of(out, &p).rotation, &p);
     }
     batch->lerp_at(a + scales, b + scales, t, out + scales, 3 * stride);
 }
 
-static void blend_masked(const float *a, const float *b, size_t joints, float t, const float *mask, rotations *turn,
+static void blend_masked(const float *a, const float *b, size_t joints, float t, const float *mask, int slerp,
                          float *out)
 {
     const nkw_batch *batch = nkw_batch_selected();
@@ -95,42 +107,38 @@ static void blend_masked(const float *a, const float *b, size_t joints, float t,
         nkw_trs_view va = view_of(a, &p), vb = view_of(b, &p);
         nkw_trs_span vo = span_of(out, &p);
         batch->vec3_lerp(va.translation, vb.translation, ts, vo.translation, p.n);
-        turn(va.rotation, vb.rotation, ts, vo.rotation, p.n);
+        (slerp ? batch->quat_slerp : batch->quat_nlerp)(va.rotation, vb.rotation, ts, vo.rotation, p.n);
         batch->vec3_lerp(va.scale, vb.scale, ts, vo.scale, p.n);
     }
 }
 
+static void blend(const float *a, const float *b, size_t joints, float t, const float *mask, int slerp, float *out)
+{
+    float known = t == t ? t : 0.0f;
+    if (mask)
+        blend_masked(a, b, joints, known, mask, slerp, out);
+    else
+        blend_at(a, b, joints, known, slerp, out);
+}
+
 void nkw_pose_blend(const float *a, const float *b, size_t joints, float t, const float *mask, float *out)
 {
-    const nkw_batch *batch = nkw_batch_selected();
-    float known = t == t ? t : 0.0f;
-    int inside = known > 0.0f && known < 1.0f;
-    if (mask)
-        blend_masked(a, b, joints, known, mask, batch->quat_nlerp, out);
-    else
-        blend_at(a, b, joints, known, inside ? nlerp_inside : batch->quat_nlerp_at, out);
+    blend(a, b, joints, t, mask, 0, out);
 }
 
 void nkw_pose_blend_slerp(const float *a, const float *b, size_t joints, float t, const float *mask, float *out)
 {
-    const nkw_batch *batch = nkw_batch_selected();
-    float known = t == t ? t : 0.0f;
-    if (mask)
-        blend_masked(a, b, joints, known, mask, batch->quat_slerp, out);
-    else
-        blend_at(a, b, joints, known, batch->quat_slerp_at, out);
+    blend(a, b, joints, t, mask, 1, out);
 }
 
 /* many poses */
 
-/* The lerps of the layers so far. Without any mask all lanes share the first one's total, mixed and t. */
+/* The lerps of the layers so far. Without any mask all lanes share the first one's total, mixed, weight and t. */
 typedef struct sum {
     float v[10][BLOCK];
     float total[BLOCK], mixed[BLOCK], weight[BLOCK], t[BLOCK];
-    int masked, begun;
+    int masked;
 } sum;
-
-static const float ZEROS[BLOCK];
 
 /* Orders numbers by their bits. */
 static int compare_floats(float a, float b)
@@ -142,7 +150,7 @@ static int compare_floats(float a, float b)
 static int compare_masks(const float *a, const float *b, const part *p)
 {
     int order = 0;
-    for (size_t j = p->from; order == 0 && (a || b) && j < p->from + p->n && j < p->joints; j++)
+    for (size_t j = p->from; order == 0 && (a || b) && j < p->from + p->used; j++)
         order = compare_floats(a ? lane_mask(a[j]) : 1.0f, b ? lane_mask(b[j]) : 1.0f);
     return order;
 }
@@ -153,7 +161,7 @@ static int compare_poses(const float *a, const float *b, const part *p)
     static const unsigned char arrays[10] = {3, 4, 5, 6, 0, 1, 2, 7, 8, 9};
     int order = 0;
     for (size_t c = 0; order == 0 && a != b && c < 10; c++)
-        for (size_t j = p->from; order == 0 && j < p->from + p->n && j < p->joints; j++)
+        for (size_t j = p->from; order == 0 && j < p->from + p->used; j++)
             order = compare_floats(a[arrays[c] * p->stride + j], b[arrays[c] * p->stride + j]);
     return order;
 }
@@ -179,30 +187,45 @@ static size_t next_layer(const nkw_pose_layer *layers, size_t count, size_t last
     return next;
 }
 
-/* sum = lerp(sum, pose, weight / (total + weight)) */
-static void add_pose(sum *s, const float *pose, const part *p)
+/* Array c of the pose, 0 to 9: rotations are 3 to 6. */
+static int is_rotation(size_t c)
 {
-    const nkw_batch *batch = nkw_batch_selected();
-    batch->blend_share(s->weight, s->total, s->mixed, s->t, s->masked ? p->n : 1);
-    const float *from[10];
+    return c >= 3 && c < 7;
+}
+
+/* sum = lerp(sum, pose, t) for each joint's own t. */
+static void mix(sum *s, const float *pose, const part *p)
+{
+    nkw_quat_span q = {s->v[3], s->v[4], s->v[5], s->v[6]};
+    nkw_batch_selected()->quat_mix(as_view(q), view_of(pose, p).rotation, s->t, q, p->n);
     for (size_t c = 0; c < 10; c++)
-        from[c] = s->begun ? s->v[c] : ZEROS;
+        if (!is_rotation(c))
+            nkw_batch_selected()->lerp(s->v[c], pose + c * p->stride + p->from, s->t, s->v[c], p->n);
+}
+
+/* The same for one t of all. */
+static void mix_at(sum *s, const float *pose, float t, const part *p)
+{
+    nkw_quat_span q = {s->v[3], s->v[4], s->v[5], s->v[6]};
+    if (t < 1.0f)
+        nkw_batch_selected()->quat_chord_at(as_view(q), view_of(pose, p).rotation, t, q, p->n);
     for (size_t c = 0; c < 10; c++) {
         const float *to = pose + c * p->stride + p->from;
-        if (c >= 3 && c < 7)
-            continue;
-        if (s->masked)
-            batch->lerp(from[c], to, s->t, s->v[c], p->n);
-        else
-            batch->lerp_at(from[c], to, s->t[0], s->v[c], p->n);
+        if (t == 1.0f)
+            memcpy(s->v[c], to, p->n * sizeof(float));
+        else if (!is_rotation(c))
+            nkw_batch_selected()->lerp_at(s->v[c], to, t, s->v[c], p->n);
     }
-    nkw_quat_view a = {from[3], from[4], from[5], from[6]}, b = view_of(pose, p).rotation;
-    nkw_quat_span out = {s->v[3], s->v[4], s->v[5], s->v[6]};
+}
+
+/* Adds a pose by the weights in s->weight, which are negative nowhere. */
+static void add_pose(sum *s, const float *pose, const part *p)
+{
+    nkw_batch_selected()->blend_share(s->weight, s->total, s->mixed, s->t, s->masked ? p->n : 1);
     if (s->masked)
-        batch->quat_mix(a, b, s->t, out, p->n);
-    else
-        batch->quat_mix_at(a, b, s->t[0], out, p->n);
-    s->begun = 1;
+        mix(s, pose, p);
+    else if (s->t[0] > 0.0f)
+        mix_at(s, pose, s->t[0], p);
 }
 
 /* What the rest pose has to make up for. */
@@ -215,18 +238,19 @@ static void weigh_rest(sum *s, float threshold, const part *p)
     }
 }
 
-/* Rotations that more than one pose has a part in are brought to unit length. */
-static void settle(sum *s, const part *p)
+/* Writes the sums; rotations that more than one pose has a part in are brought to unit length. */
+static void settle(const sum *s, const part *p, float *out)
 {
-    float unit[4][BLOCK];
-    nkw_quat_span v = {s->v[3], s->v[4], s->v[5], s->v[6]}, out = {unit[0], unit[1], unit[2], unit[3]};
     const nkw_batch *batch = nkw_batch_selected();
-    batch->quat_settle(as_view(v), out, p->n);
-    for (size_t c = 0; c < 4; c++)
-        if (s->masked)
-            batch->lerp(s->v[3 + c], unit[c], s->mixed, s->v[3 + c], p->n);
-        else
-            batch->lerp_at(s->v[3 + c], unit[c], s->mixed[0], s->v[3 + c], p->n);
+    nkw_quat_view v = {s->v[3], s->v[4], s->v[5], s->v[6]};
+    float *to = out + p->from;
+    if (s->masked || s->mixed[0] > 0.0f)
+        batch->quat_settle(v, (int)p->used, span_of(out, p).rotation, (int)p->n);
+    for (size_t c = 0; c < 10; c++)
+        if (!is_rotation(c) || (!s->masked && s->mixed[0] == 0.0f))
+            memcpy(to + c * p->stride, s->v[c], p->n * sizeof(float));
+        else if (s->masked)
+            batch->lerp(s->v[c], to + c * p->stride, s->mixed, to + c * p->stride, p->n);
 }
 
 static void blend_part(const nkw_pose_layer *layers, size_t count, const float *rest, float threshold, int masked,
@@ -234,18 +258,17 @@ static void blend_part(const nkw_pose_layer *layers, size_t count, const float *
 {
     sum s;
     s.masked = masked;
-    s.begun = 0;
     memset(s.total, 0, sizeof s.total);
     memset(s.mixed, 0, sizeof s.mixed);
+    if (masked)
+        memset(s.v, 0, sizeof s.v);
     for (size_t i = next_layer(layers, count, count, p); i < count; i = next_layer(layers, count, i, p)) {
         weigh(weight_of(layers[i].weight), layers[i].mask, p, s.weight);
         add_pose(&s, layers[i].pose, p);
     }
     weigh_rest(&s, threshold, p);
     add_pose(&s, rest, p);
-    settle(&s, p);
-    for (size_t c = 0; c < 10; c++)
-        memcpy(out + c * p->stride + p->from, s.v[c], p->n * sizeof(float));
+    settle(&s, p, out);
 }
 
 void nkw_pose_blend_layers(const nkw_pose_layer *layers, size_t count, const float *rest, size_t joints,

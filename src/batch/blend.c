@@ -12,28 +12,29 @@ KERNEL(quat_mix)(nkw_quat_view a, nkw_quat_view b, const float *t, nkw_quat_span
         put_quat(out, i, lane_quat_mix(at_quat(a, i), at_quat(b, i), t[i]));
 }
 
-KERNEL(quat_mix_at)(nkw_quat_view a, nkw_quat_view b, float t, nkw_quat_span out, size_t n)
+/* For t inside 0..1: the ends are others' to copy. */
+KERNEL(quat_chord_at)(nkw_quat_view a, nkw_quat_view b, float t, nkw_quat_span out, size_t n)
 {
 #pragma omp simd
     for (size_t i = 0; i < n; i++)
-        put_quat(out, i, lane_quat_mix(at_quat(a, i), at_quat(b, i), t));
+        put_quat(out, i, lane_quat_chord(at_quat(a, i), at_quat(b, i), t).v);
 }
 
-/* out is not v: if a chord was not inside after all, all are done again. */
-KERNEL(quat_settle)(nkw_quat_view v, nkw_quat_span out, size_t n)
+/* out is not v: if one of the first `used` chords was not inside after all, all are done again. */
+KERNEL(quat_settle)(nkw_quat_view v, int used, nkw_quat_span out, int n)
 {
     int outside = 0;
 #pragma omp simd reduction(| : outside)
-    for (size_t i = 0; i < n; i++) {
-        nkw_quat q = at_quat(v, i);
+    for (int i = 0; i < n; i++) {
+        nkw_quat q = at_quat(v, (size_t)i);
         float m = lane_quat_defect(q);
-        outside |= !(lane_abs(m) < 1.0f);
-        put_quat(out, i, lane_quat_settle_inside(q, m));
+        outside |= !(lane_abs(m) < 1.0f) & (i < used);
+        put_quat(out, (size_t)i, lane_quat_settle_inside(q, m));
     }
     if (outside) {
 #pragma omp simd
-        for (size_t i = 0; i < n; i++)
-            put_quat(out, i, lane_quat_settle(at_quat(v, i)));
+        for (int i = 0; i < n; i++)
+            put_quat(out, (size_t)i, lane_quat_settle(at_quat(v, (size_t)i)));
     }
 }
 

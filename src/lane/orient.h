@@ -12,10 +12,17 @@
 #include "quat.h"
 #include "scalar.h"
 
+static inline float lane_flip(float x, uint32_t sign_bit)
+{
+    return lane_float(lane_bits(x) ^ sign_bit);
+}
+
 /* b or -b, whichever lies on a's side. */
 static inline nkw_quat lane_quat_turned(nkw_quat a, nkw_quat b)
 {
-    return nkw_quat_scale(b, nkw_quat_dot(a, b) < 0.0f ? -1.0f : 1.0f);
+    uint32_t turned = nkw_quat_dot(a, b) < 0.0f ? 0x80000000u : 0u;
+    nkw_quat r = {lane_flip(b.x, turned), lane_flip(b.y, turned), lane_flip(b.z, turned), lane_flip(b.w, turned)};
+    return r;
 }
 
 /* The point v of the chord from a to b, turned to a's side, from the end nearer to t and the part x of the way from it. */
@@ -115,11 +122,6 @@ static inline float lane_slerp_excess(float k, float p, float v, float h0, float
 {
     float kv = k * k * v;
     return (p + p * k) * (h0 + kv * (h1 + kv * (h2 + kv * (h3 + kv * LANE_SLERP_H4[0]))));
-}
-
-static inline float lane_flip(float x, uint32_t sign_bit)
-{
-    return lane_float(lane_bits(x) ^ sign_bit);
 }
 
 /* x where mask is all ones, y where it is 0. Either form gives the same bits: masks are faster in loops, ?: on its own. */
