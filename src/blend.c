@@ -8,9 +8,6 @@
 #include "lane/blend.h"
 #include "simd/select.h"
 
-/* Joints that are worked on at once, with what they need on the stack; all of a pose's inputs before any output. */
-#define BLOCK 128
-
 /* The most that a weight counts. */
 #define HEAVIEST 0x1p60f
 
@@ -27,7 +24,7 @@ static size_t at_most(size_t n, size_t most)
 static part part_at(size_t joints, size_t from)
 {
     size_t stride = NKW_POSE_STRIDE(joints);
-    part p = {joints, stride, from, at_most(joints - from, BLOCK), at_most(stride - from, BLOCK)};
+    part p = {joints, stride, from, at_most(joints - from, BLEND_BLOCK), at_most(stride - from, BLEND_BLOCK)};
     return p;
 }
 
@@ -65,34 +62,21 @@ static void weigh(float weight, const float *mask, const part *p, float *out)
 
 /* two poses */
 
-/* nkw_quat_nlerp for t inside 0..1 in two loops, between which no lane waits for the other's root. */
-static void nlerp_inside(nkw_quat_view a, nkw_quat_view b, float t, nkw_quat_span out, const part *p)
+static void nlerp_inside(const float *a, const float *b, size_t joints, float t, float *out)
 {
-    float v[4][BLOCK];
-    nkw_quat_span chord = {v[0], v[1], v[2], v[3]};
-    nkw_batch_selected()->quat_chord_at(a, b, t, chord, p->n);
-    nkw_batch_selected()->quat_settle(as_view(chord), (int)p->used, out, (int)p->n);
-}
-
-static void turn_at(nkw_quat_view a, nkw_quat_view b, float t, int slerp, nkw_quat_span out, const part *p)
-{
-    if (slerp)
-        nkw_batch_selected()->quat_slerp_at(a, b, t, out, p->n);
-    else if (t > 0.0f && t < 1.0f)
-        nlerp_inside(a, b, t, out, p);
-    else
-        nkw_batch_selected()->quat_nlerp_at(a, b, t, out, p->n);
+    for (size_t from = 0; from < NKW_POSE_STRIDE(joints); from += BLEND_BLOCK) {
+        part p = part_at(joints, from);
+        nkw_batch_selected()->pose_nlerp_at(a + from, b + from, p.stride, t, (int)p.used, out + from, (int)p.n);
+    }
 }
 
 static void blend_at(const float *a, const float *b, size_t joints, float t, int slerp, float *out)
 {
     const nkw_batch *batch = nkw_batch_selected();
     size_t stride = NKW_POSE_STRIDE(joints), scales = 7 * stride;
+    nkw_quat_view qa = nkw_pose_view(a, joints).rotation, qb = nkw_pose_view(b, joints).rotation;
     batch->lerp_at(a, b, t, out, 3 * stride);
-    for (size_t from = 0; from < stride; from += BLOCK) {
-        part p = part_at(joints, from);
-        turn_at(view_of(a, &p).rotation, view_of(b, &p).rotation, t, slerp, span_of(out, &p).rotation, &p);
-    }
+    (slerp ? batch->quat_slerp_at : batch->quat_nlerp_at)(qa, qb, t, nkw_pose_span(out, joints).rotation, stride);
     batch->lerp_at(a + scales, b + scales, t, out + scales, 3 * stride);
 }
 
@@ -100,9 +84,9 @@ static void blend_masked(const float *a, const float *b, size_t joints, float t,
                          float *out)
 {
     const nkw_batch *batch = nkw_batch_selected();
-    for (size_t from = 0; from < NKW_POSE_STRIDE(joints); from += BLOCK) {
+    for (size_t from = 0; from < NKW_POSE_STRIDE(joints); from += BLEND_BLOCK) {
         part p = part_at(joints, from);
-        float ts[BLOCK];
+        float ts[BLEND_BLOCK];
         weigh(t, mask, &p, ts);
         nkw_trs_view va = view_of(a, &p), vb = view_of(b, &p);
         nkw_trs_span vo = span_of(out, &p);
@@ -117,6 +101,8 @@ static void blend(const float *a, const float *b, size_t joints, float t, const 
     float known = t == t ? t : 0.0f;
     if (mask)
         blend_masked(a, b, joints, known, mask, slerp, out);
+    else if (!slerp && known > 0.0f && known < 1.0f)
+        nlerp_inside(a, b, joints, known, out);
     else
         blend_at(a, b, joints, known, slerp, out);
 }
@@ -135,8 +121,8 @@ void nkw_pose_blend_slerp(const float *a, const float *b, size_t joints, float t
 
 /* The lerps of the layers so far. Without any mask all lanes share the first one's total, mixed, weight and t. */
 typedef struct sum {
-    float v[10][BLOCK];
-    float total[BLOCK], mixed[BLOCK], weight[BLOCK], t[BLOCK];
+    float v[10][BLEND_BLOCK];
+    float total[BLEND_BLOCK], mixed[BLEND_BLOCK], weight[BLEND_BLOCK], t[BLEND_BLOCK];
     int masked;
 } sum;
 
@@ -277,7 +263,7 @@ void nkw_pose_blend_layers(const nkw_pose_layer *layers, size_t count, const flo
     int masked = 0;
     for (size_t i = 0; i < count; i++)
         masked = masked || layers[i].mask;
-    for (size_t from = 0; from < NKW_POSE_STRIDE(joints); from += BLOCK) {
+    for (size_t from = 0; from < NKW_POSE_STRIDE(joints); from += BLEND_BLOCK) {
         part p = part_at(joints, from);
         blend_part(layers, count, rest, threshold, masked, &p, out);
     }
@@ -295,9 +281,9 @@ void nkw_pose_additive_build(const float *a, const float *ref, size_t joints, nk
 void nkw_pose_additive_apply(const float *base, const float *delta, size_t joints, nkw_additive side, float weight,
                              const float *mask, float *out)
 {
-    for (size_t from = 0; from < NKW_POSE_STRIDE(joints); from += BLOCK) {
+    for (size_t from = 0; from < NKW_POSE_STRIDE(joints); from += BLEND_BLOCK) {
         part p = part_at(joints, from);
-        float w[BLOCK];
+        float w[BLEND_BLOCK];
         weigh(weight_of(weight), mask, &p, w);
         nkw_batch_selected()->additive_apply(view_of(base, &p), view_of(delta, &p), w, side == NKW_ADDITIVE_PARENT,
                                              span_of(out, &p), p.n);

@@ -13,7 +13,7 @@ KERNEL(quat_mix)(nkw_quat_view a, nkw_quat_view b, const float *t, nkw_quat_span
 }
 
 /* For t inside 0..1: the ends are others' to copy. */
-KERNEL(quat_chord_at)(nkw_quat_view a, nkw_quat_view b, float t, nkw_quat_span out, size_t n)
+static inline void chords(nkw_quat_view a, nkw_quat_view b, float t, nkw_quat_span out, size_t n)
 {
 #pragma omp simd
     for (size_t i = 0; i < n; i++)
@@ -21,7 +21,7 @@ KERNEL(quat_chord_at)(nkw_quat_view a, nkw_quat_view b, float t, nkw_quat_span o
 }
 
 /* out is not v: if one of the first `used` chords was not inside after all, all are done again. */
-KERNEL(quat_settle)(nkw_quat_view v, int used, nkw_quat_span out, int n)
+static inline void settle(nkw_quat_view v, int used, nkw_quat_span out, int n)
 {
     int outside = 0;
 #pragma omp simd reduction(| : outside)
@@ -36,6 +36,46 @@ KERNEL(quat_settle)(nkw_quat_view v, int used, nkw_quat_span out, int n)
         for (int i = 0; i < n; i++)
             put_quat(out, (size_t)i, lane_quat_settle(at_quat(v, (size_t)i)));
     }
+}
+
+KERNEL(quat_chord_at)(nkw_quat_view a, nkw_quat_view b, float t, nkw_quat_span out, size_t n)
+{
+    chords(a, b, t, out, n);
+}
+
+KERNEL(quat_settle)(nkw_quat_view v, int used, nkw_quat_span out, int n)
+{
+    settle(v, used, out, n);
+}
+
+/* Three arrays of n, `stride` apart; end to end, as one. */
+static inline void lerp_arrays(const float *a, const float *b, size_t stride, float t, float *out, size_t n)
+{
+    size_t length = n == stride ? 3 * n : n;
+    for (size_t start = 0; start < 3 * stride; start += length == n ? stride : length) {
+#pragma omp simd
+        for (size_t i = start; i < start + length; i++)
+            out[i] = nkw_lerp(a[i], b[i], t);
+    }
+}
+
+static inline nkw_quat_view rotations_of(const float *pose, size_t stride)
+{
+    nkw_quat_view v = {pose + 3 * stride, pose + 4 * stride, pose + 5 * stride, pose + 6 * stride};
+    return v;
+}
+
+/* nkw_pose_blend for t inside 0..1. All chords come before all roots, so that no lane waits for the one before. */
+KERNEL(pose_nlerp_at)(const float *a, const float *b, size_t stride, float t, int used, float *out, int n)
+{
+    float x[BLEND_BLOCK], y[BLEND_BLOCK], z[BLEND_BLOCK], w[BLEND_BLOCK];
+    nkw_quat_span v = {x, y, z, w};
+    nkw_quat_view chord = {x, y, z, w};
+    nkw_quat_span unit = {out + 3 * stride, out + 4 * stride, out + 5 * stride, out + 6 * stride};
+    chords(rotations_of(a, stride), rotations_of(b, stride), t, v, (size_t)n);
+    lerp_arrays(a, b, stride, t, out, (size_t)n);
+    settle(chord, used, unit, n);
+    lerp_arrays(a + 7 * stride, b + 7 * stride, stride, t, out + 7 * stride, (size_t)n);
 }
 
 KERNEL(blend_weigh)(float weight, const float *mask, float *out, size_t n)

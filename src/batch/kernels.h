@@ -86,6 +86,7 @@
 #define KERNEL_INNER_LIST(X) \
     X(quat_mix, (nkw_quat_view a, nkw_quat_view b, const float *t, nkw_quat_span out, size_t n), (a, b, t, out, n)) \
     X(quat_chord_at, (nkw_quat_view a, nkw_quat_view b, float t, nkw_quat_span out, size_t n), (a, b, t, out, n)) \
+    X(pose_nlerp_at, (const float *a, const float *b, size_t stride, float t, int used, float *out, int n), (a, b, stride, t, used, out, n)) \
     X(quat_settle, (nkw_quat_view v, int used, nkw_quat_span out, int n), (v, used, out, n)) \
     X(blend_weigh, (float weight, const float *mask, float *out, size_t n), (weight, mask, out, n)) \
     X(blend_share, (const float *weight, float *total, float *mixed, float *t, size_t n), (weight, total, mixed, t, n)) \
