@@ -38,10 +38,16 @@ static nkw_trs_span span_of(float *pose, const part *p)
     return nkw_pose_span(pose + p->from, p->joints);
 }
 
-static nkw_quat_view as_view(nkw_quat_span s)
+static blend_rows rows_of(const float *pose, const part *p)
 {
-    nkw_quat_view v = {s.x, s.y, s.z, s.w};
-    return v;
+    blend_rows r = {pose + p->from, p->stride};
+    return r;
+}
+
+static blend_span rows_span(float *pose, const part *p)
+{
+    blend_span r = {pose + p->from, p->stride};
+    return r;
 }
 
 static float weight_of(float weight)
@@ -66,7 +72,7 @@ static void nlerp_inside(const float *a, const float *b, size_t joints, float t,
 {
     for (size_t from = 0; from < NKW_POSE_STRIDE(joints); from += BLEND_BLOCK) {
         part p = part_at(joints, from);
-        nkw_batch_selected()->pose_nlerp_at(a + from, b + from, p.stride, t, (int)p.used, out + from, (int)p.n);
+        nkw_batch_selected()->blend_nlerp(rows_of(a, &p), rows_of(b, &p), t, (int)p.used, rows_span(out, &p), (int)p.n);
     }
 }
 
@@ -119,13 +125,6 @@ void nkw_pose_blend_slerp(const float *a, const float *b, size_t joints, float t
 
 /* many poses */
 
-/* The lerps of the layers so far. Without any mask all lanes share the first one's total, mixed, weight and t. */
-typedef struct sum {
-    float v[10][BLEND_BLOCK];
-    float total[BLEND_BLOCK], mixed[BLEND_BLOCK], weight[BLEND_BLOCK], t[BLEND_BLOCK];
-    int masked;
-} sum;
-
 /* Orders numbers by their bits. */
 static int compare_floats(float a, float b)
 {
@@ -173,88 +172,109 @@ static size_t next_layer(const nkw_pose_layer *layers, size_t count, size_t last
     return next;
 }
 
-/* Array c of the pose, 0 to 9: rotations are 3 to 6. */
-static int is_rotation(size_t c)
-{
-    return c >= 3 && c < 7;
-}
-
-/* sum = lerp(sum, pose, t) for each joint's own t. */
-static void mix(sum *s, const float *pose, const part *p)
-{
-    nkw_quat_span q = {s->v[3], s->v[4], s->v[5], s->v[6]};
-    nkw_batch_selected()->quat_mix(as_view(q), view_of(pose, p).rotation, s->t, q, p->n);
-    for (size_t c = 0; c < 10; c++)
-        if (!is_rotation(c))
-            nkw_batch_selected()->lerp(s->v[c], pose + c * p->stride + p->from, s->t, s->v[c], p->n);
-}
-
-/* The same for one t of all. */
-static void mix_at(sum *s, const float *pose, float t, const part *p)
-{
-    nkw_quat_span q = {s->v[3], s->v[4], s->v[5], s->v[6]};
-    if (t < 1.0f)
-        nkw_batch_selected()->quat_chord_at(as_view(q), view_of(pose, p).rotation, t, q, p->n);
-    for (size_t c = 0; c < 10; c++) {
-        const float *to = pose + c * p->stride + p->from;
-        if (t == 1.0f)
-            memcpy(s->v[c], to, p->n * sizeof(float));
-        else if (!is_rotation(c))
-            nkw_batch_selected()->lerp_at(s->v[c], to, t, s->v[c], p->n);
-    }
-}
-
-/* Adds a pose by the weights in s->weight, which are negative nowhere. */
-static void add_pose(sum *s, const float *pose, const part *p)
-{
-    nkw_batch_selected()->blend_share(s->weight, s->total, s->mixed, s->t, s->masked ? p->n : 1);
-    if (s->masked)
-        mix(s, pose, p);
-    else if (s->t[0] > 0.0f)
-        mix_at(s, pose, s->t[0], p);
-}
-
-/* What the rest pose has to make up for. */
-static void weigh_rest(sum *s, float threshold, const part *p)
+/* What the rest pose has to make up for; all, where there is nothing else. */
+static float missing(float total, float threshold)
 {
     float limit = weight_of(threshold);
-    for (size_t i = 0; i < (s->masked ? p->n : 1); i++) {
-        float missing = s->total[i] < limit ? limit - s->total[i] : 0.0f;
-        s->weight[i] = s->total[i] == 0.0f ? 1.0f : missing;
-    }
+    float short_of = total < limit ? limit - total : 0.0f;
+    return total == 0.0f ? 1.0f : short_of;
 }
 
-/* Writes the sums; rotations that more than one pose has a part in are brought to unit length. */
-static void settle(const sum *s, const part *p, float *out)
+static void copy_rows(blend_rows from, blend_span to, size_t n)
+{
+    for (size_t c = 0; c < 10; c++)
+        memmove(to.at + c * to.stride, from.at + c * from.stride, n * sizeof(float));
+}
+
+/*
+ * Layers without masks: sum = lerp(sum, pose, weight / (total + weight)), one pose behind, for with the last one the
+ * rotations are normalised in the same loop. The sum begins as the first pose where it lies.
+ */
+typedef struct plain_sum {
+    float v[10 * BLEND_BLOCK];
+    blend_rows sum, last;
+    float total, t;
+} plain_sum;
+
+static void add_plain(plain_sum *s, const float *pose, float weight, const part *p)
+{
+    blend_rows rows = rows_of(pose, p);
+    blend_span v = {s->v, p->n};
+    float t = lane_share(weight, s->total);
+    s->total = s->total + weight;
+    if (t == 0.0f)
+        return;
+    if (t < 1.0f && s->t > 0.0f) {
+        nkw_batch_selected()->blend_chord(s->sum, s->last, s->t, v, (int)p->n);
+        s->sum.at = s->v;
+        s->sum.stride = p->n;
+    }
+    s->sum = t < 1.0f ? s->sum : rows;
+    s->t = t < 1.0f ? t : 0.0f;
+    s->last = rows;
+}
+
+static void blend_plain(const nkw_pose_layer *layers, size_t count, const float *rest, float threshold, const part *p,
+                        float *out)
+{
+    plain_sum s;
+    s.total = s.t = 0.0f;
+    for (size_t i = next_layer(layers, count, count, p); i < count; i = next_layer(layers, count, i, p))
+        add_plain(&s, layers[i].pose, weight_of(layers[i].weight), p);
+    add_plain(&s, rest, missing(s.total, threshold), p);
+    if (s.t > 0.0f)
+        nkw_batch_selected()->blend_nlerp(s.sum, s.last, s.t, (int)p->used, rows_span(out, p), (int)p->n);
+    else
+        copy_rows(s.sum, rows_span(out, p), p->n);
+}
+
+/* The same with totals and parts for each joint of its own. mixed is 1 where more than one pose has a part. */
+typedef struct masked_sum {
+    float v[10 * BLEND_BLOCK];
+    float total[BLEND_BLOCK], mixed[BLEND_BLOCK], weight[BLEND_BLOCK], t[BLEND_BLOCK];
+} masked_sum;
+
+/* Adds a pose by the weights in s->weight. */
+static void add_masked(masked_sum *s, const float *pose, const part *p)
 {
     const nkw_batch *batch = nkw_batch_selected();
-    nkw_quat_view v = {s->v[3], s->v[4], s->v[5], s->v[6]};
-    float *to = out + p->from;
-    if (s->masked || s->mixed[0] > 0.0f)
-        batch->quat_settle(v, (int)p->used, span_of(out, p).rotation, (int)p->n);
-    for (size_t c = 0; c < 10; c++)
-        if (!is_rotation(c) || (!s->masked && s->mixed[0] == 0.0f))
-            memcpy(to + c * p->stride, s->v[c], p->n * sizeof(float));
-        else if (s->masked)
-            batch->lerp(s->v[c], to + c * p->stride, s->mixed, to + c * p->stride, p->n);
+    nkw_trs_view sum = nkw_pose_view(s->v, p->n), to = view_of(pose, p);
+    nkw_trs_span out = nkw_pose_span(s->v, p->n);
+    batch->blend_share(s->weight, s->total, s->mixed, s->t, p->n);
+    batch->vec3_lerp(sum.translation, to.translation, s->t, out.translation, p->n);
+    batch->quat_mix(sum.rotation, to.rotation, s->t, out.rotation, p->n);
+    batch->vec3_lerp(sum.scale, to.scale, s->t, out.scale, p->n);
 }
 
-static void blend_part(const nkw_pose_layer *layers, size_t count, const float *rest, float threshold, int masked,
-                       const part *p, float *out)
+static void add_rest(masked_sum *s, const float *rest, float threshold, const part *p)
 {
-    sum s;
-    s.masked = masked;
-    memset(s.total, 0, sizeof s.total);
-    memset(s.mixed, 0, sizeof s.mixed);
-    if (masked)
-        memset(s.v, 0, sizeof s.v);
+    int any = 0;
+    for (size_t i = 0; i < p->n; i++) {
+        s->weight[i] = missing(s->total[i], threshold);
+        any |= i < p->used && s->weight[i] > 0.0f;
+    }
+    if (any)
+        add_masked(s, rest, p);
+}
+
+static void blend_with_masks(const nkw_pose_layer *layers, size_t count, const float *rest, float threshold,
+                             const part *p, float *out)
+{
+    masked_sum s = {{0}, {0}, {0}, {0}, {0}};
+    float unit[4][BLEND_BLOCK];
+    nkw_quat_span units = {unit[0], unit[1], unit[2], unit[3]};
+    blend_rows sum = {s.v, p->n};
     for (size_t i = next_layer(layers, count, count, p); i < count; i = next_layer(layers, count, i, p)) {
         weigh(weight_of(layers[i].weight), layers[i].mask, p, s.weight);
-        add_pose(&s, layers[i].pose, p);
+        add_masked(&s, layers[i].pose, p);
     }
-    weigh_rest(&s, threshold, p);
-    add_pose(&s, rest, p);
-    settle(&s, p, out);
+    add_rest(&s, rest, threshold, p);
+    nkw_batch_selected()->quat_settle(nkw_pose_view(s.v, p->n).rotation, (int)p->used, units, (int)p->n);
+    for (size_t c = 0; c < 4; c++) {
+        float *q = s.v + (3 + c) * p->n;
+        nkw_batch_selected()->lerp(q, unit[c], s.mixed, q, p->n);
+    }
+    copy_rows(sum, rows_span(out, p), p->n);
 }
 
 void nkw_pose_blend_layers(const nkw_pose_layer *layers, size_t count, const float *rest, size_t joints,
@@ -265,7 +285,7 @@ void nkw_pose_blend_layers(const nkw_pose_layer *layers, size_t count, const flo
         masked = masked || layers[i].mask;
     for (size_t from = 0; from < NKW_POSE_STRIDE(joints); from += BLEND_BLOCK) {
         part p = part_at(joints, from);
-        blend_part(layers, count, rest, threshold, masked, &p, out);
+        (masked ? blend_with_masks : blend_plain)(layers, count, rest, threshold, &p, out);
     }
 }
 

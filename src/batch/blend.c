@@ -38,44 +38,57 @@ static inline void settle(nkw_quat_view v, int used, nkw_quat_span out, int n)
     }
 }
 
-KERNEL(quat_chord_at)(nkw_quat_view a, nkw_quat_view b, float t, nkw_quat_span out, size_t n)
-{
-    chords(a, b, t, out, n);
-}
-
 KERNEL(quat_settle)(nkw_quat_view v, int used, nkw_quat_span out, int n)
 {
     settle(v, used, out, n);
 }
 
-/* Three arrays of n, `stride` apart; end to end, as one. */
-static inline void lerp_arrays(const float *a, const float *b, size_t stride, float t, float *out, size_t n)
+/* Three arrays of n; end to end in all three blocks, as one. */
+static inline void lerp_arrays(blend_rows a, blend_rows b, size_t first, float t, blend_span out, size_t n)
 {
-    size_t length = n == stride ? 3 * n : n;
-    for (size_t start = 0; start < 3 * stride; start += length == n ? stride : length) {
+    int whole = n == a.stride && n == b.stride && n == out.stride;
+    size_t length = whole ? 3 * n : n;
+    for (size_t c = first; c < first + (whole ? 1 : 3); c++) {
+        const float *x = a.at + c * a.stride, *y = b.at + c * b.stride;
+        float *z = out.at + c * out.stride;
 #pragma omp simd
-        for (size_t i = start; i < start + length; i++)
-            out[i] = nkw_lerp(a[i], b[i], t);
+        for (size_t i = 0; i < length; i++)
+            z[i] = nkw_lerp(x[i], y[i], t);
     }
 }
 
-static inline nkw_quat_view rotations_of(const float *pose, size_t stride)
+static inline nkw_quat_view rotations_of(blend_rows rows)
 {
-    nkw_quat_view v = {pose + 3 * stride, pose + 4 * stride, pose + 5 * stride, pose + 6 * stride};
+    const float *x = rows.at + 3 * rows.stride;
+    nkw_quat_view v = {x, x + rows.stride, x + 2 * rows.stride, x + 3 * rows.stride};
     return v;
 }
 
-/* nkw_pose_blend for t inside 0..1. All chords come before all roots, so that no lane waits for the one before. */
-KERNEL(pose_nlerp_at)(const float *a, const float *b, size_t stride, float t, int used, float *out, int n)
+static inline nkw_quat_span rotation_span(blend_span rows)
 {
-    float x[BLEND_BLOCK], y[BLEND_BLOCK], z[BLEND_BLOCK], w[BLEND_BLOCK];
-    nkw_quat_span v = {x, y, z, w};
-    nkw_quat_view chord = {x, y, z, w};
-    nkw_quat_span unit = {out + 3 * stride, out + 4 * stride, out + 5 * stride, out + 6 * stride};
-    chords(rotations_of(a, stride), rotations_of(b, stride), t, v, (size_t)n);
-    lerp_arrays(a, b, stride, t, out, (size_t)n);
-    settle(chord, used, unit, n);
-    lerp_arrays(a + 7 * stride, b + 7 * stride, stride, t, out + 7 * stride, (size_t)n);
+    float *x = rows.at + 3 * rows.stride;
+    nkw_quat_span s = {x, x + rows.stride, x + 2 * rows.stride, x + 3 * rows.stride};
+    return s;
+}
+
+/* The lerp, rotations as chords, for t inside 0..1. out may be a. */
+KERNEL(blend_chord)(blend_rows a, blend_rows b, float t, blend_span out, int n)
+{
+    lerp_arrays(a, b, 0, t, out, (size_t)n);
+    chords(rotations_of(a), rotations_of(b), t, rotation_span(out), (size_t)n);
+    lerp_arrays(a, b, 7, t, out, (size_t)n);
+}
+
+/* nkw_pose_blend for t inside 0..1. All chords come before all roots, so that no lane waits for the one before. */
+KERNEL(blend_nlerp)(blend_rows a, blend_rows b, float t, int used, blend_span out, int n)
+{
+    float v[4][BLEND_BLOCK];
+    nkw_quat_span chord = {v[0], v[1], v[2], v[3]};
+    nkw_quat_view chord_view = {v[0], v[1], v[2], v[3]};
+    chords(rotations_of(a), rotations_of(b), t, chord, (size_t)n);
+    lerp_arrays(a, b, 0, t, out, (size_t)n);
+    settle(chord_view, used, rotation_span(out), n);
+    lerp_arrays(a, b, 7, t, out, (size_t)n);
 }
 
 KERNEL(blend_weigh)(float weight, const float *mask, float *out, size_t n)

@@ -15,6 +15,16 @@
 #include <nakawari/orient.h>
 #include <nakawari/types.h>
 
+/* The ten arrays of a pose, or of a part of one: array c begins at `at + c * stride`. */
+typedef struct blend_rows {
+    const float *at;
+    size_t stride;
+} blend_rows;
+typedef struct blend_span {
+    float *at;
+    size_t stride;
+} blend_span;
+
 /* clang-format off */
 #define KERNEL_LIST(X) \
     X(sqrt, (const float *x, float *out, size_t n), (x, out, n)) \
@@ -85,8 +95,8 @@
 
 #define KERNEL_INNER_LIST(X) \
     X(quat_mix, (nkw_quat_view a, nkw_quat_view b, const float *t, nkw_quat_span out, size_t n), (a, b, t, out, n)) \
-    X(quat_chord_at, (nkw_quat_view a, nkw_quat_view b, float t, nkw_quat_span out, size_t n), (a, b, t, out, n)) \
-    X(pose_nlerp_at, (const float *a, const float *b, size_t stride, float t, int used, float *out, int n), (a, b, stride, t, used, out, n)) \
+    X(blend_chord, (blend_rows a, blend_rows b, float t, blend_span out, int n), (a, b, t, out, n)) \
+    X(blend_nlerp, (blend_rows a, blend_rows b, float t, int used, blend_span out, int n), (a, b, t, used, out, n)) \
     X(quat_settle, (nkw_quat_view v, int used, nkw_quat_span out, int n), (v, used, out, n)) \
     X(blend_weigh, (float weight, const float *mask, float *out, size_t n), (weight, mask, out, n)) \
     X(blend_share, (const float *weight, float *total, float *mixed, float *t, size_t n), (weight, total, mixed, t, n)) \
