@@ -135,7 +135,7 @@ static int compare_floats(float a, float b)
 static int compare_masks(const float *a, const float *b, const part *p)
 {
     int order = 0;
-    for (size_t j = p->from; order == 0 && (a || b) && j < p->from + p->used; j++)
+    for (size_t j = p->from; order == 0 && a != b && j < p->from + p->used; j++)
         order = compare_floats(a ? lane_mask(a[j]) : 1.0f, b ? lane_mask(b[j]) : 1.0f);
     return order;
 }
@@ -228,10 +228,14 @@ static void blend_plain(const nkw_pose_layer *layers, size_t count, const float 
         copy_rows(s.sum, rows_span(out, p), p->n);
 }
 
-/* The same with totals and parts for each joint of its own. mixed is 1 where more than one pose has a part. */
+/*
+ * The same with totals and parts for each joint of its own. mixed is 1 where more than one pose has a part. The first
+ * pose is taken whole: where it has no weight, the next one's part is 1.
+ */
 typedef struct masked_sum {
     float v[10 * BLEND_BLOCK];
     float total[BLEND_BLOCK], mixed[BLEND_BLOCK], weight[BLEND_BLOCK], t[BLEND_BLOCK];
+    int begun;
 } masked_sum;
 
 /* Adds a pose by the weights in s->weight. */
@@ -240,10 +244,16 @@ static void add_masked(masked_sum *s, const float *pose, const part *p)
     const nkw_batch *batch = nkw_batch_selected();
     nkw_trs_view sum = nkw_pose_view(s->v, p->n), to = view_of(pose, p);
     nkw_trs_span out = nkw_pose_span(s->v, p->n);
+    blend_span rows = {s->v, p->n};
     batch->blend_share(s->weight, s->total, s->mixed, s->t, p->n);
-    batch->vec3_lerp(sum.translation, to.translation, s->t, out.translation, p->n);
-    batch->quat_mix(sum.rotation, to.rotation, s->t, out.rotation, p->n);
-    batch->vec3_lerp(sum.scale, to.scale, s->t, out.scale, p->n);
+    if (s->begun) {
+        batch->vec3_lerp(sum.translation, to.translation, s->t, out.translation, p->n);
+        batch->quat_mix(sum.rotation, to.rotation, s->t, out.rotation, p->n);
+        batch->vec3_lerp(sum.scale, to.scale, s->t, out.scale, p->n);
+    } else {
+        copy_rows(rows_of(pose, p), rows, p->n);
+    }
+    s->begun = 1;
 }
 
 static void add_rest(masked_sum *s, const float *rest, float threshold, const part *p)
@@ -260,10 +270,13 @@ static void add_rest(masked_sum *s, const float *rest, float threshold, const pa
 static void blend_with_masks(const nkw_pose_layer *layers, size_t count, const float *rest, float threshold,
                              const part *p, float *out)
 {
-    masked_sum s = {{0}, {0}, {0}, {0}, {0}};
+    masked_sum s;
     float unit[4][BLEND_BLOCK];
     nkw_quat_span units = {unit[0], unit[1], unit[2], unit[3]};
     blend_rows sum = {s.v, p->n};
+    memset(s.total, 0, sizeof s.total);
+    memset(s.mixed, 0, sizeof s.mixed);
+    s.begun = 0;
     for (size_t i = next_layer(layers, count, count, p); i < count; i = next_layer(layers, count, i, p)) {
         weigh(weight_of(layers[i].weight), layers[i].mask, p, s.weight);
         add_masked(&s, layers[i].pose, p);

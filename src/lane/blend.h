@@ -36,11 +36,11 @@ static inline float lane_ratio(float a, float b)
     return b == 0.0f ? 1.0f : r;
 }
 
-/* The lerp of a and b or -b, whichever lies on a's side; at its ends exactly the ends. */
+/* The lerp of a and b or -b, whichever lies on a's side; exactly a at t = 0, exactly b, whatever a is, at t = 1. */
 static inline nkw_quat lane_quat_mix(nkw_quat a, nkw_quat b, float t)
 {
-    lane_chord c = lane_quat_chord(a, b, t);
-    return lane_quat_select(c.x == 0.0f, c.near, c.v);
+    nkw_quat v = lane_quat_chord(a, b, t).v;
+    return lane_quat_select(t == 0.0f, a, lane_quat_select(t == 1.0f, b, v));
 }
 
 /* ref^-1 a, or a ref^-1 on the parent's side; in binary64, rounded once. A zero ref counts as the identity. */

@@ -25,7 +25,7 @@ static inline nkw_quat lane_quat_turned(nkw_quat a, nkw_quat b)
     return r;
 }
 
-/* The point v of the chord from a to b, turned to a's side, from the end nearer to t and the part x of the way from it. */
+/* The point v of the chord from a to b, turned to a's side: the part x of the way from the end nearer to t. */
 typedef struct lane_chord {
     nkw_quat near, v;
     float x;
