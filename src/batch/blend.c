@@ -79,15 +79,31 @@ KERNEL(blend_chord)(blend_rows a, blend_rows b, float t, blend_span out, int n)
     lerp_arrays(a, b, 7, t, out, (size_t)n);
 }
 
+/* The rotations of `used` joints are worked out in whole vectors, at least 8; eight more of padding get the identity. */
+#if defined(__AVX512F__)
+#define VECTOR 16
+#else
+#define VECTOR 8
+#endif
+
+static inline void fill_padding(nkw_quat_span out, int used, int n)
+{
+    size_t from = (size_t)((used + 7) / 8 * 8);
+    for (size_t i = from; (int)from < n && i < from + 8; i++)
+        put_quat(out, i, nkw_quat_identity());
+}
+
 /* nkw_pose_blend for t inside 0..1. All chords come before all roots, so that no lane waits for the one before. */
 KERNEL(blend_nlerp)(blend_rows a, blend_rows b, float t, int used, blend_span out, int n)
 {
     float v[4][BLEND_BLOCK];
     nkw_quat_span chord = {v[0], v[1], v[2], v[3]};
     nkw_quat_view chord_view = {v[0], v[1], v[2], v[3]};
-    chords(rotations_of(a), rotations_of(b), t, chord, (size_t)n);
+    int turned = (used + VECTOR - 1) / VECTOR * VECTOR;
+    chords(rotations_of(a), rotations_of(b), t, chord, (size_t)turned);
     lerp_arrays(a, b, 0, t, out, (size_t)n);
-    settle(chord_view, used, rotation_span(out), n);
+    settle(chord_view, used, rotation_span(out), turned);
+    fill_padding(rotation_span(out), used, n);
     lerp_arrays(a, b, 7, t, out, (size_t)n);
 }
 
