@@ -79,7 +79,7 @@ KERNEL(blend_chord)(blend_rows a, blend_rows b, float t, blend_span out, int n)
     lerp_arrays(a, b, 7, t, out, (size_t)n);
 }
 
-/* nkw_pose_blend for t inside 0..1. All chords come before all roots: no lane waits for the one before. */
+/* Rotations are worked out in whole vectors, of 8 lanes at least; eight more lanes of padding get the identity. */
 #if defined(__AVX512F__)
 #define VECTOR 16
 #else
