@@ -96,6 +96,7 @@ extern "C" {
     X(NKW_OUT_OF_RANGE, "an index is out of range")                                                \
     X(NKW_NOT_ORDERED, "a joint stands before its parent")                                         \
     X(NKW_NOT_A_TREE, "a node is reached twice or not at all")                                     \
+    X(NKW_NOT_PAIRED, "a joint is not its partner's partner")                                      \
     X(NKW_BAD_WEIGHTS, "weights are negative or do not sum to 1")                                  \
     X(NKW_TOO_MANY, "more bones are needed than a part may have")                                  \
     X(NKW_NOT_A_CLIP, "the block does not begin as a clip of this version and byte order does")    \

@@ -32,4 +32,7 @@
 #include "pose.h"
 #include "clip.h"
 
+/* Floor 5, skeleton: poses blended. */
+#include "blend.h"
+
 #endif

@@ -16,6 +16,15 @@
 #include <nakawari/types.h>
 
 #include "batch/block.h"
+/* The ten arrays of a pose, or of a part of one: array c begins at `at + c * stride`. */
+typedef struct blend_rows {
+    const float *at;
+    size_t stride;
+} blend_rows;
+typedef struct blend_span {
+    float *at;
+    size_t stride;
+} blend_span;
 
 /* clang-format off */
 #define KERNEL_LIST(X) \
@@ -93,7 +102,15 @@
     X(clip_quat_hermite, (const float *a, const float *b, size_t words, float duration, float t, const nkw_block *blocks, size_t block_count, float *out, size_t stride), (a, b, words, duration, t, blocks, block_count, out, stride)) \
     X(clip_lerp16, (const uint16_t *a, const uint16_t *b, const float *base, const float *step, float t, const nkw_block *blocks, size_t block_count, float *out), (a, b, base, step, t, blocks, block_count, out)) \
     X(clip_slerp16, (const uint16_t *a, const uint16_t *b, const float *base, const float *step, float t, const nkw_block *blocks, size_t block_count, float *out, size_t stride), (a, b, base, step, t, blocks, block_count, out, stride)) \
-    X(clip_hold, (const float *key, size_t rows, size_t key_rows, int normalized, const nkw_block *blocks, size_t block_count, float *out, size_t stride), (key, rows, key_rows, normalized, blocks, block_count, out, stride))
+    X(clip_hold, (const float *key, size_t rows, size_t key_rows, int normalized, const nkw_block *blocks, size_t block_count, float *out, size_t stride), (key, rows, key_rows, normalized, blocks, block_count, out, stride)) \
+    X(quat_mix, (nkw_quat_view a, nkw_quat_view b, const float *t, nkw_quat_span out, size_t n), (a, b, t, out, n)) \
+    X(blend_chord, (blend_rows a, blend_rows b, float t, blend_span out, int n), (a, b, t, out, n)) \
+    X(blend_nlerp, (blend_rows a, blend_rows b, float t, int used, blend_span out, int n), (a, b, t, used, out, n)) \
+    X(quat_settle, (nkw_quat_view v, int used, nkw_quat_span out, int n), (v, used, out, n)) \
+    X(blend_weigh, (float weight, const float *mask, float *out, size_t n), (weight, mask, out, n)) \
+    X(blend_share, (const float *weight, float *total, float *mixed, float *t, size_t n), (weight, total, mixed, t, n)) \
+    X(additive_build, (nkw_trs_view a, nkw_trs_view ref, int parent, nkw_trs_span out, size_t n), (a, ref, parent, out, n)) \
+    X(additive_apply, (nkw_trs_view base, nkw_trs_view delta, const float *weight, int parent, nkw_trs_span out, size_t n), (base, delta, weight, parent, out, n))
 /* clang-format on */
 
 #endif

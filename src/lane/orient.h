@@ -12,25 +12,61 @@
 #include "quat.h"
 #include "scalar.h"
 
-/*
- * The blend v from the end nearer to t, then v / |v| = v + v g,  g = 1/|v| - 1 = m / (|v| + |v|^2),  m = 1 - |v|^2.
- * A chord that t outside 0..1 made longer than sqrt 2 is divided by its length outright. At x = 0 the end comes back
- * as it is.
- */
-static inline nkw_quat lane_quat_nlerp(nkw_quat a, nkw_quat b, float t)
+static inline float lane_flip(float x, uint32_t sign_bit)
 {
-    float sign = nkw_quat_dot(a, b) < 0.0f ? -1.0f : 1.0f;
-    nkw_quat c = nkw_quat_scale(b, sign);
+    return lane_float(lane_bits(x) ^ sign_bit);
+}
+
+/* b or -b, whichever lies on a's side. */
+static inline nkw_quat lane_quat_turned(nkw_quat a, nkw_quat b)
+{
+    uint32_t turned = nkw_quat_dot(a, b) < 0.0f ? 0x80000000u : 0u;
+    nkw_quat r = {lane_flip(b.x, turned), lane_flip(b.y, turned), lane_flip(b.z, turned), lane_flip(b.w, turned)};
+    return r;
+}
+
+/* The point v of the chord from a to b, turned to a's side: the part x of the way from the end nearer to t. */
+typedef struct lane_chord {
+    nkw_quat near, v;
+    float x;
+} lane_chord;
+
+static inline lane_chord lane_quat_chord(nkw_quat a, nkw_quat b, float t)
+{
+    nkw_quat c = lane_quat_turned(a, b);
     int first = t < 0.5f;
-    float x = first ? t : 1.0f - t;
-    nkw_quat near = lane_quat_select(first, a, c), far = lane_quat_select(first, c, a);
-    nkw_quat v = nkw_quat_add(near, nkw_quat_scale(nkw_quat_sub(far, near), x));
+    lane_chord r;
+    r.x = first ? t : 1.0f - t;
+    r.near = lane_quat_select(first, a, c);
+    r.v = nkw_quat_add(r.near, nkw_quat_scale(nkw_quat_sub(lane_quat_select(first, c, a), r.near), r.x));
+    return r;
+}
+
+/*
+ * v / |v| = v + v g,  g = 1/|v| - 1 = m / (|v| + |v|^2),  m = 1 - |v|^2, for chords of |v|^2 in 0..2 without 0.
+ */
+static inline nkw_quat lane_quat_settle_inside(nkw_quat v, float m)
+{
+    float n2 = 1.0f - m;
+    return nkw_quat_add(v, nkw_quat_scale(v, m / (sqrtf(n2) + n2)));
+}
+
+/* The same for any: a chord that t outside 0..1 made longer than sqrt 2 is divided by its length outright. */
+static inline nkw_quat lane_quat_settle(nkw_quat v)
+{
     float m = lane_quat_defect(v), n2 = 1.0f - m;
     float n = sqrtf(n2);
     int outright = n2 > 2.0f;
     nkw_quat unit = nkw_quat_add(nkw_quat_scale(v, outright ? 0.0f : 1.0f),
                                  nkw_quat_scale(v, outright ? 1.0f / n : m / (n + n2)));
-    return lane_quat_select(x == 0.0f, near, lane_quat_select(n2 > 0.0f, unit, nkw_quat_identity()));
+    return lane_quat_select(n2 > 0.0f, unit, nkw_quat_identity());
+}
+
+/* At x = 0 the end comes back as it is. */
+static inline nkw_quat lane_quat_nlerp(nkw_quat a, nkw_quat b, float t)
+{
+    lane_chord c = lane_quat_chord(a, b, t);
+    return lane_quat_select(c.x == 0.0f, c.near, lane_quat_settle(c.v));
 }
 
 /* Polynomials of 2..7 coefficients, lowest power first, by Horner's rule. */
@@ -86,11 +122,6 @@ static inline float lane_slerp_excess(float k, float p, float v, float h0, float
 {
     float kv = k * k * v;
     return (p + p * k) * (h0 + kv * (h1 + kv * (h2 + kv * (h3 + kv * LANE_SLERP_H4[0]))));
-}
-
-static inline float lane_flip(float x, uint32_t sign_bit)
-{
-    return lane_float(lane_bits(x) ^ sign_bit);
 }
 
 /* x where mask is all ones, y where it is 0. Either form gives the same bits: masks are faster in loops, ?: on its own. */

@@ -10,7 +10,8 @@
 
 #define DATA_LIST(X) \
     X(pose) \
-    X(clip)
+    X(clip) \
+    X(blend)
 
 #ifdef __cplusplus
 extern "C" {

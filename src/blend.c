@@ -1,0 +1,378 @@
+/* SPDX-License-Identifier: MIT */
+#include "lane/strict.h"
+
+#include <string.h>
+
+#include <nakawari/blend.h>
+
+#include "lane/blend.h"
+#include "simd/select.h"
+
+/* The most that a weight counts. */
+#define HEAVIEST 0x1p60f
+
+/* `n` lanes of poses from joint `from` on, the first `used` of them joints; `stride` of the whole pose. */
+typedef struct part {
+    size_t joints, stride, from, used, n;
+} part;
+
+static size_t at_most(size_t n, size_t most)
+{
+    return n < most ? n : most;
+}
+
+static part part_at(size_t joints, size_t from)
+{
+    size_t stride = NKW_POSE_STRIDE(joints);
+    part p = {joints, stride, from, at_most(joints - from, BLEND_BLOCK), at_most(stride - from, BLEND_BLOCK)};
+    return p;
+}
+
+static nkw_trs_view view_of(const float *pose, const part *p)
+{
+    return nkw_pose_view(pose + p->from, p->joints);
+}
+
+static nkw_trs_span span_of(float *pose, const part *p)
+{
+    return nkw_pose_span(pose + p->from, p->joints);
+}
+
+static blend_rows rows_of(const float *pose, const part *p)
+{
+    blend_rows r = {pose + p->from, p->stride};
+    return r;
+}
+
+static blend_span rows_span(float *pose, const part *p)
+{
+    blend_span r = {pose + p->from, p->stride};
+    return r;
+}
+
+static float weight_of(float weight)
+{
+    float w = weight > 0.0f ? weight : 0.0f;
+    return w < HEAVIEST ? w : HEAVIEST;
+}
+
+/* The joints' own weights: weight * mask. */
+static void weigh(float weight, const float *mask, const part *p, float *out)
+{
+    if (mask)
+        nkw_batch_selected()->blend_weigh(weight, mask + p->from, out, p->n);
+    else
+        for (size_t i = 0; i < p->n; i++)
+            out[i] = weight;
+}
+
+/* two poses */
+
+static void nlerp_inside(const float *a, const float *b, size_t joints, float t, float *out)
+{
+    for (size_t from = 0; from < NKW_POSE_STRIDE(joints); from += BLEND_BLOCK) {
+        part p = part_at(joints, from);
+        nkw_batch_selected()->blend_nlerp(rows_of(a, &p), rows_of(b, &p), t, (int)p.used, rows_span(out, &p), (int)p.n);
+    }
+}
+
+static void blend_at(const float *a, const float *b, size_t joints, float t, int slerp, float *out)
+{
+    const nkw_batch *batch = nkw_batch_selected();
+    size_t stride = NKW_POSE_STRIDE(joints), scales = 7 * stride;
+    nkw_quat_view qa = nkw_pose_view(a, joints).rotation, qb = nkw_pose_view(b, joints).rotation;
+    batch->lerp_at(a, b, t, out, 3 * stride);
+    (slerp ? batch->quat_slerp_at : batch->quat_nlerp_at)(qa, qb, t, nkw_pose_span(out, joints).rotation, stride);
+    batch->lerp_at(a + scales, b + scales, t, out + scales, 3 * stride);
+}
+
+static void blend_masked(const float *a, const float *b, size_t joints, float t, const float *mask, int slerp,
+                         float *out)
+{
+    const nkw_batch *batch = nkw_batch_selected();
+    for (size_t from = 0; from < NKW_POSE_STRIDE(joints); from += BLEND_BLOCK) {
+        part p = part_at(joints, from);
+        float ts[BLEND_BLOCK];
+        weigh(t, mask, &p, ts);
+        nkw_trs_view va = view_of(a, &p), vb = view_of(b, &p);
+        nkw_trs_span vo = span_of(out, &p);
+        batch->vec3_lerp(va.translation, vb.translation, ts, vo.translation, p.n);
+        (slerp ? batch->quat_slerp : batch->quat_nlerp)(va.rotation, vb.rotation, ts, vo.rotation, p.n);
+        batch->vec3_lerp(va.scale, vb.scale, ts, vo.scale, p.n);
+    }
+}
+
+static void blend(const float *a, const float *b, size_t joints, float t, const float *mask, int slerp, float *out)
+{
+    float known = t == t ? t : 0.0f;
+    if (mask)
+        blend_masked(a, b, joints, known, mask, slerp, out);
+    else if (!slerp && known > 0.0f && known < 1.0f)
+        nlerp_inside(a, b, joints, known, out);
+    else
+        blend_at(a, b, joints, known, slerp, out);
+}
+
+void nkw_pose_blend(const float *a, const float *b, size_t joints, float t, const float *mask, float *out)
+{
+    blend(a, b, joints, t, mask, 0, out);
+}
+
+void nkw_pose_blend_slerp(const float *a, const float *b, size_t joints, float t, const float *mask, float *out)
+{
+    blend(a, b, joints, t, mask, 1, out);
+}
+
+/* many poses */
+
+/* Orders numbers by their bits. */
+static int compare_floats(float a, float b)
+{
+    uint32_t x = lane_bits(a), y = lane_bits(b);
+    return x < y ? -1 : x > y;
+}
+
+static int compare_masks(const float *a, const float *b, const part *p)
+{
+    int order = 0;
+    for (size_t j = p->from; order == 0 && a != b && j < p->from + p->used; j++)
+        order = compare_floats(a ? lane_mask(a[j]) : 1.0f, b ? lane_mask(b[j]) : 1.0f);
+    return order;
+}
+
+/* Rotations first: they are the least likely to be equal. */
+static int compare_poses(const float *a, const float *b, const part *p)
+{
+    static const unsigned char arrays[10] = {3, 4, 5, 6, 0, 1, 2, 7, 8, 9};
+    int order = 0;
+    for (size_t c = 0; order == 0 && a != b && c < 10; c++)
+        for (size_t j = p->from; order == 0 && j < p->from + p->used; j++)
+            order = compare_floats(a[arrays[c] * p->stride + j], b[arrays[c] * p->stride + j]);
+    return order;
+}
+
+/* Whether layer i is added before layer k. Layers that are the same in all are as good in either order. */
+static int is_before(const nkw_pose_layer *layers, size_t i, size_t k, const part *p)
+{
+    const nkw_pose_layer *a = &layers[i], *b = &layers[k];
+    int order = -compare_floats(weight_of(a->weight), weight_of(b->weight));
+    order = order ? order : compare_masks(a->mask, b->mask, p);
+    order = order ? order : compare_poses(a->pose, b->pose, p);
+    return order < 0 || (order == 0 && i < k);
+}
+
+/* The layer to be added after `last`, and the first one after `count`; `count` after the last one. */
+static size_t next_layer(const nkw_pose_layer *layers, size_t count, size_t last, const part *p)
+{
+    size_t next = count;
+    for (size_t i = 0; i < count; i++)
+        if (layers[i].weight > 0.0f && (last == count || is_before(layers, last, i, p)) &&
+            (next == count || is_before(layers, i, next, p)))
+            next = i;
+    return next;
+}
+
+/* What the rest pose has to make up for; all, where there is nothing else. */
+static float missing(float total, float threshold)
+{
+    float limit = weight_of(threshold);
+    float short_of = total < limit ? limit - total : 0.0f;
+    return total == 0.0f ? 1.0f : short_of;
+}
+
+static void copy_rows(blend_rows from, blend_span to, size_t n)
+{
+    for (size_t c = 0; c < 10; c++)
+        memmove(to.at + c * to.stride, from.at + c * from.stride, n * sizeof(float));
+}
+
+/*
+ * Layers without masks: sum = lerp(sum, pose, weight / (total + weight)), one pose behind, for with the last one the
+ * rotations are normalised in the same loop. The sum begins as the first pose where it lies.
+ */
+typedef struct plain_sum {
+    float v[10 * BLEND_BLOCK];
+    blend_rows sum, last;
+    float total, t;
+} plain_sum;
+
+static void add_plain(plain_sum *s, const float *pose, float weight, const part *p)
+{
+    blend_rows rows = rows_of(pose, p);
+    blend_span v = {s->v, p->n};
+    float t = lane_share(weight, s->total);
+    s->total = s->total + weight;
+    if (t == 0.0f)
+        return;
+    if (t < 1.0f && s->t > 0.0f) {
+        nkw_batch_selected()->blend_chord(s->sum, s->last, s->t, v, (int)p->n);
+        s->sum.at = s->v;
+        s->sum.stride = p->n;
+    }
+    s->sum = t < 1.0f ? s->sum : rows;
+    s->t = t < 1.0f ? t : 0.0f;
+    s->last = rows;
+}
+
+static void blend_plain(const nkw_pose_layer *layers, size_t count, const float *rest, float threshold, const part *p,
+                        float *out)
+{
+    plain_sum s;
+    s.total = s.t = 0.0f;
+    for (size_t i = next_layer(layers, count, count, p); i < count; i = next_layer(layers, count, i, p))
+        add_plain(&s, layers[i].pose, weight_of(layers[i].weight), p);
+    add_plain(&s, rest, missing(s.total, threshold), p);
+    if (s.t > 0.0f)
+        nkw_batch_selected()->blend_nlerp(s.sum, s.last, s.t, (int)p->used, rows_span(out, p), (int)p->n);
+    else
+        copy_rows(s.sum, rows_span(out, p), p->n);
+}
+
+/*
+ * The same with totals and parts for each joint of its own. mixed is 1 where more than one pose has a part. The first
+ * pose is taken whole: where it has no weight, the next one's part is 1.
+ */
+typedef struct masked_sum {
+    float v[10 * BLEND_BLOCK];
+    float total[BLEND_BLOCK], mixed[BLEND_BLOCK], weight[BLEND_BLOCK], t[BLEND_BLOCK];
+    int begun;
+} masked_sum;
+
+/* Adds a pose by the weights in s->weight. */
+static void add_masked(masked_sum *s, const float *pose, const part *p)
+{
+    const nkw_batch *batch = nkw_batch_selected();
+    nkw_trs_view sum = nkw_pose_view(s->v, p->n), to = view_of(pose, p);
+    nkw_trs_span out = nkw_pose_span(s->v, p->n);
+    blend_span rows = {s->v, p->n};
+    batch->blend_share(s->weight, s->total, s->mixed, s->t, p->n);
+    if (s->begun) {
+        batch->vec3_lerp(sum.translation, to.translation, s->t, out.translation, p->n);
+        batch->quat_mix(sum.rotation, to.rotation, s->t, out.rotation, p->n);
+        batch->vec3_lerp(sum.scale, to.scale, s->t, out.scale, p->n);
+    } else {
+        copy_rows(rows_of(pose, p), rows, p->n);
+    }
+    s->begun = 1;
+}
+
+static void add_rest(masked_sum *s, const float *rest, float threshold, const part *p)
+{
+    int any = 0;
+    for (size_t i = 0; i < p->n; i++) {
+        s->weight[i] = missing(s->total[i], threshold);
+        any |= i < p->used && s->weight[i] > 0.0f;
+    }
+    if (any)
+        add_masked(s, rest, p);
+}
+
+static void blend_with_masks(const nkw_pose_layer *layers, size_t count, const float *rest, float threshold,
+                             const part *p, float *out)
+{
+    masked_sum s;
+    float unit[4][BLEND_BLOCK];
+    nkw_quat_span units = {unit[0], unit[1], unit[2], unit[3]};
+    blend_rows sum = {s.v, p->n};
+    memset(s.total, 0, sizeof s.total);
+    memset(s.mixed, 0, sizeof s.mixed);
+    s.begun = 0;
+    for (size_t i = next_layer(layers, count, count, p); i < count; i = next_layer(layers, count, i, p)) {
+        weigh(weight_of(layers[i].weight), layers[i].mask, p, s.weight);
+        add_masked(&s, layers[i].pose, p);
+    }
+    add_rest(&s, rest, threshold, p);
+    nkw_batch_selected()->quat_settle(nkw_pose_view(s.v, p->n).rotation, (int)p->used, units, (int)p->n);
+    for (size_t c = 0; c < 4; c++) {
+        float *q = s.v + (3 + c) * p->n;
+        nkw_batch_selected()->lerp(q, unit[c], s.mixed, q, p->n);
+    }
+    copy_rows(sum, rows_span(out, p), p->n);
+}
+
+void nkw_pose_blend_layers(const nkw_pose_layer *layers, size_t count, const float *rest, size_t joints,
+                           float threshold, float *out)
+{
+    int masked = 0;
+    for (size_t i = 0; i < count; i++)
+        masked = masked || layers[i].mask;
+    for (size_t from = 0; from < NKW_POSE_STRIDE(joints); from += BLEND_BLOCK) {
+        part p = part_at(joints, from);
+        (masked ? blend_with_masks : blend_plain)(layers, count, rest, threshold, &p, out);
+    }
+}
+
+/* differences */
+
+void nkw_pose_additive_build(const float *a, const float *ref, size_t joints, nkw_additive side, float *out)
+{
+    nkw_batch_selected()->additive_build(nkw_pose_view(a, joints), nkw_pose_view(ref, joints),
+                                         side == NKW_ADDITIVE_PARENT, nkw_pose_span(out, joints),
+                                         NKW_POSE_STRIDE(joints));
+}
+
+void nkw_pose_additive_apply(const float *base, const float *delta, size_t joints, nkw_additive side, float weight,
+                             const float *mask, float *out)
+{
+    for (size_t from = 0; from < NKW_POSE_STRIDE(joints); from += BLEND_BLOCK) {
+        part p = part_at(joints, from);
+        float w[BLEND_BLOCK];
+        weigh(weight_of(weight), mask, &p, w);
+        nkw_batch_selected()->additive_apply(view_of(base, &p), view_of(delta, &p), w, side == NKW_ADDITIVE_PARENT,
+                                             span_of(out, &p), p.n);
+    }
+}
+
+/* left and right */
+
+/* Whether joint j's partner is in range and has j for its own. */
+static int is_paired(const int32_t *pair, size_t joints, size_t j)
+{
+    return pair[j] >= 0 && (size_t)pair[j] < joints && pair[pair[j]] >= 0 && (size_t)pair[pair[j]] == j;
+}
+
+static void mirror_pair(const float *pose, size_t stride, size_t j, size_t k, const float sign[10], float *out)
+{
+    for (size_t c = 0; c < 10; c++) {
+        float at_j = sign[c] * pose[c * stride + j], at_k = sign[c] * pose[c * stride + k];
+        out[c * stride + j] = at_k;
+        out[c * stride + k] = at_j;
+    }
+}
+
+void nkw_pose_mirror(const float *pose, const int32_t *pair, size_t joints, nkw_mirror plane, float *out)
+{
+    size_t normal = plane == NKW_MIRROR_Y ? 1 : plane == NKW_MIRROR_Z ? 2 : 0;
+    float sign[10] = {1, 1, 1, -1, -1, -1, 1, 1, 1, 1};
+    sign[normal] = -1.0f;
+    sign[3 + normal] = 1.0f;
+    for (size_t j = 0; j < joints; j++) {
+        size_t k = is_paired(pair, joints, j) ? (size_t)pair[j] : j;
+        if (j <= k)
+            mirror_pair(pose, NKW_POSE_STRIDE(joints), j, k, sign, out);
+    }
+}
+
+nkw_result nkw_mirror_validate(const int32_t *pair, size_t joints, size_t *bad_joint)
+{
+    nkw_result result = joints == 0 ? NKW_EMPTY : NKW_OK;
+    size_t bad = 0;
+    for (size_t j = 0; result == NKW_OK && j < joints; j++) {
+        if (pair[j] < 0 || (size_t)pair[j] >= joints)
+            result = NKW_OUT_OF_RANGE;
+        else if (!is_paired(pair, joints, j))
+            result = NKW_NOT_PAIRED;
+        bad = result == NKW_OK ? 0 : j;
+    }
+    if (bad_joint)
+        *bad_joint = bad;
+    return result;
+}
+
+void nkw_mask_from_subtree(const int32_t *parents, size_t joints, size_t root, float *mask)
+{
+    for (size_t j = 0; j < NKW_POSE_STRIDE(joints); j++) {
+        int below = j < joints && parents[j] >= 0 && (size_t)parents[j] < j && mask[parents[j]] == 1.0f;
+        mask[j] = j < joints && (j == root || below) ? 1.0f : 0.0f;
+    }
+}

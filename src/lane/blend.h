@@ -1,0 +1,74 @@
+/* SPDX-License-Identifier: MIT */
+/* Floor 5: the formulas of blend.h beyond those of rotations. */
+#ifndef NAKAWARI_LANE_BLEND_H
+#define NAKAWARI_LANE_BLEND_H
+
+#include "strict.h"
+
+#include <nakawari/blend.h>
+#include <nakawari/scalar.h>
+#include <nakawari/transform.h>
+
+#include "orient.h"
+#include "quat.h"
+
+/* The most joints that the loops take at once: what these need on the stack. */
+#define BLEND_BLOCK 128
+
+/* A mask brought into 0..1, NaN to 0. */
+static inline float lane_mask(float mask)
+{
+    float m = mask > 0.0f ? mask : 0.0f;
+    return m < 1.0f ? m : 1.0f;
+}
+
+/* The part that a weight has in the sum of itself and the weights before; none of nothing. */
+static inline float lane_share(float weight, float total)
+{
+    float sum = total + weight;
+    return weight > 0.0f ? weight / sum : 0.0f;
+}
+
+/* a / b, and 1 where b is 0. */
+static inline float lane_ratio(float a, float b)
+{
+    float r = a / b;
+    return b == 0.0f ? 1.0f : r;
+}
+
+/* The lerp of a and b or -b, whichever lies on a's side; exactly a at t = 0, exactly b, whatever a is, at t = 1. */
+static inline nkw_quat lane_quat_mix(nkw_quat a, nkw_quat b, float t)
+{
+    nkw_quat v = lane_quat_chord(a, b, t).v;
+    return lane_quat_select(t == 0.0f, a, lane_quat_select(t == 1.0f, b, v));
+}
+
+/* ref^-1 a, or a ref^-1 on the parent's side; in binary64, rounded once. A zero ref counts as the identity. */
+static inline nkw_quat lane_quat_delta(nkw_quat a, nkw_quat ref, int parent)
+{
+    lane_wquat identity = {0.0, 0.0, 0.0, 1.0};
+    lane_wquat from = lane_wquat_from(ref), to = lane_wquat_from(a);
+    double n2 = lane_wquat_dot(from, from);
+    lane_wquat inverse = lane_wquat_scale(lane_wquat_conjugate(from), 1.0 / n2);
+    inverse = lane_wquat_select(n2 == 0.0, identity, inverse);
+    lane_wquat left = lane_wquat_select(parent, to, inverse), right = lane_wquat_select(parent, inverse, to);
+    return lane_quat_from_wide(lane_wquat_mul(left, right));
+}
+
+/* base turned by the part w of delta: from 1 or -1, whichever is nearer, so that w = 1 is delta with its sign. */
+static inline nkw_quat lane_quat_add_delta(nkw_quat base, nkw_quat delta, float w, int parent)
+{
+    nkw_quat none = {0.0f, 0.0f, 0.0f, delta.w < 0.0f ? -1.0f : 1.0f};
+    nkw_quat part = lane_quat_nlerp(none, delta, w);
+    nkw_quat left = lane_quat_select(parent, part, base), right = lane_quat_select(parent, base, part);
+    return lane_quat_select(w == 0.0f, base, nkw_quat_mul(left, right));
+}
+
+static inline nkw_vec3 lane_vec3_add_delta(nkw_vec3 base, nkw_vec3 delta, float w)
+{
+    nkw_vec3 moved = nkw_vec3_add_scaled(base, delta, w);
+    nkw_vec3 r = {w == 0.0f ? base.x : moved.x, w == 0.0f ? base.y : moved.y, w == 0.0f ? base.z : moved.z};
+    return r;
+}
+
+#endif

@@ -1,0 +1,95 @@
+/* SPDX-License-Identifier: MIT */
+#include "data.h"
+#include "hash.h"
+#include "random.h"
+
+#define JOINTS 151 /* more than one block, and not a multiple of anything */
+#define FLOATS NKW_POSE_FLOATS(JOINTS)
+#define POSES  4
+
+typedef struct scene {
+    float poses[POSES][FLOATS], masks[POSES][NKW_POSE_STRIDE(JOINTS)], out[FLOATS];
+    int32_t pair[JOINTS], parents[JOINTS];
+} scene;
+
+static void draw(random_source *r, scene *s)
+{
+    for (size_t k = 0; k < POSES; k++)
+        for (size_t j = 0; j < JOINTS; j++) {
+            nkw_trs trs = {random_vec3(r, -5, 5), random_rotation(r), random_vec3(r, -2, 2)};
+            if (j % 5 == 0)
+                trs.scale.y = 0.0f;
+            if (k > 0 && j % 3 == 0)
+                trs.rotation = random_near(r, nkw_pose_get(s->poses[0], JOINTS, j).rotation, 0.125f);
+            nkw_pose_set(s->poses[k], JOINTS, j, &trs);
+            s->masks[k][j] = random_bits(r) % 4 == 0 ? 0.0f : random_between(r, -0.25f, 1.25f);
+        }
+    for (size_t j = 0; j < JOINTS; j++) {
+        s->pair[j] = (int32_t)(j + 1 == JOINTS ? j : j ^ 1);
+        s->parents[j] = (int32_t)j - 1 - (int32_t)(random_bits(r) % 4);
+    }
+}
+
+/* The joints alone: padding is not promised. */
+static uint64_t hash_pose(uint64_t hash, const float *pose)
+{
+    for (size_t c = 0; c < 10; c++)
+        hash = hash_floats(hash, pose + c * NKW_POSE_STRIDE(JOINTS), JOINTS);
+    return hash;
+}
+
+static uint64_t two_poses(uint64_t hash, scene *s)
+{
+    static const float ts[] = {0.0f, 0.25f, 0.5f, 0.875f, 1.0f, 1.5f, -2.0f};
+    for (size_t i = 0; i < sizeof ts / sizeof ts[0]; i++)
+        for (int k = 0; k < 4; k++) {
+            const float *mask = k & 1 ? s->masks[0] : NULL;
+            if (k & 2)
+                nkw_pose_blend_slerp(s->poses[0], s->poses[1], JOINTS, ts[i], mask, s->out);
+            else
+                nkw_pose_blend(s->poses[0], s->poses[1], JOINTS, ts[i], mask, s->out);
+            hash = hash_pose(hash, s->out);
+        }
+    return hash;
+}
+
+static uint64_t many_poses(uint64_t hash, scene *s)
+{
+    for (unsigned k = 0; k < 16; k++) {
+        nkw_pose_layer layers[POSES];
+        for (unsigned i = 0; i < POSES; i++) {
+            layers[i].pose = s->poses[i];
+            layers[i].weight = k & 1 ? 0.25f : 0.5f - 0.125f * (float)i;
+            layers[i].mask = k >> 1 & 1 ? s->masks[i] : NULL;
+        }
+        nkw_pose_blend_layers(layers, (k >> 2) + 1, s->poses[3], JOINTS, 0.75f, s->out);
+        hash = hash_pose(hash, s->out);
+    }
+    return hash;
+}
+
+static uint64_t differences(uint64_t hash, scene *s)
+{
+    static float delta[FLOATS];
+    for (int k = 0; k < 4; k++) {
+        nkw_additive side = k & 1 ? NKW_ADDITIVE_PARENT : NKW_ADDITIVE_LOCAL;
+        nkw_pose_additive_build(s->poses[0], s->poses[1], JOINTS, side, delta);
+        hash = hash_pose(hash, delta);
+        nkw_pose_additive_apply(s->poses[2], delta, JOINTS, side, k & 2 ? 1.0f : 0.75f, k & 2 ? s->masks[1] : NULL,
+                                s->out);
+        hash = hash_pose(hash, s->out);
+    }
+    return hash;
+}
+
+uint64_t data_blend(void)
+{
+    static scene s;
+    random_source r = random_from(5);
+    draw(&r, &s);
+    uint64_t hash = differences(many_poses(two_poses(HASH_START, &s), &s), &s);
+    nkw_pose_mirror(s.poses[0], s.pair, JOINTS, NKW_MIRROR_Z, s.out);
+    hash = hash_pose(hash, s.out);
+    nkw_mask_from_subtree(s.parents, JOINTS, 2, s.masks[0]);
+    return hash_floats(hash, s.masks[0], NKW_POSE_STRIDE(JOINTS));
+}

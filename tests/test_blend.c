@@ -1,0 +1,410 @@
+/* SPDX-License-Identifier: MIT */
+#include "support/poses.h"
+
+static nkw_trs expected_blend(const float *a, const float *b, size_t j, float t, int slerp)
+{
+    nkw_trs p = nkw_pose_get(a, JOINTS, j), q = nkw_pose_get(b, JOINTS, j), r;
+    r.translation = nkw_vec3_lerp(p.translation, q.translation, t);
+    r.scale = nkw_vec3_lerp(p.scale, q.scale, t);
+    r.rotation = slerp ? nkw_quat_slerp(p.rotation, q.rotation, t) : nkw_quat_nlerp(p.rotation, q.rotation, t);
+    return r;
+}
+
+static void expect_blend(const float *a, const float *b, float t, const float *mask)
+{
+    static float got[2][FLOATS];
+    nkw_pose_blend(a, b, JOINTS, t, mask, got[0]);
+    nkw_pose_blend_slerp(a, b, JOINTS, t, mask, got[1]);
+    for (int slerp = 0; slerp < 2; slerp++)
+        for (size_t j = 0; j < JOINTS; j++) {
+            float m = mask ? nkw_saturate(mask[j] == mask[j] ? mask[j] : 0.0f) : 1.0f;
+            nkw_trs want = expected_blend(a, b, j, t == t ? t * m : 0.0f, slerp),
+                    is = nkw_pose_get(got[slerp], JOINTS, j);
+            expect_floats_bits(&is.translation.x, &want.translation.x, 10);
+        }
+}
+
+static void two_poses_blend_as_lerp_nlerp_and_slerp_bit_for_bit(void **state)
+{
+    (void)state;
+    random_source r = random_from(1);
+    static float a[FLOATS], b[FLOATS];
+    draw(&r, a);
+    draw(&r, b);
+    static const float ts[] = {0.0f, 1.0f, 0.5f, 0.3f, 0.8f, -1.0f, 2.5f, 1e-30f, NAN};
+    for (size_t i = 0; i < sizeof ts / sizeof ts[0]; i++)
+        expect_blend(a, b, ts[i], NULL);
+}
+
+static void rotations_of_any_length_blend_as_nlerp_too(void **state)
+{
+    (void)state;
+    random_source r = random_from(2);
+    static float a[FLOATS], b[FLOATS];
+    draw(&r, a);
+    draw(&r, b);
+    for (size_t i = 3 * STRIDE; i < 7 * STRIDE; i++)
+        a[i] *= i % STRIDE == 7 ? 0.0f : i % STRIDE == 8 ? 3.0f : i % STRIDE == 90 ? 1e30f : 1.0f;
+    b[3 * STRIDE + 60] = INFINITY;
+    b[4 * STRIDE + 7] = b[5 * STRIDE + 7] = b[6 * STRIDE + 7] = b[3 * STRIDE + 7] = 0.0f;
+    for (float t = 0.0f; t <= 1.0f; t += 0.25f) {
+        static float got[FLOATS];
+        nkw_pose_blend(a, b, JOINTS, t, NULL, got);
+        for (size_t j = 0; j < JOINTS; j++)
+            expect_quat_bits(nkw_pose_get(got, JOINTS, j).rotation, expected_blend(a, b, j, t, 0).rotation);
+    }
+}
+
+static void masks_weigh_joint_by_joint(void **state)
+{
+    (void)state;
+    random_source r = random_from(3);
+    static float a[FLOATS], b[FLOATS], mask[STRIDE];
+    draw(&r, a);
+    draw(&r, b);
+    draw_mask(&r, mask);
+    mask[5] = -2.0f;
+    mask[6] = 3.0f;
+    mask[7] = NAN;
+    mask[8] = INFINITY;
+    expect_blend(a, b, 0.75f, mask);
+    expect_blend(a, b, 1.0f, mask);
+    expect_blend(a, b, NAN, mask);
+}
+
+static void the_ends_are_the_poses_bit_for_bit(void **state)
+{
+    (void)state;
+    random_source r = random_from(4);
+    static float a[FLOATS], b[FLOATS], out[FLOATS];
+    draw(&r, a);
+    draw(&r, b);
+    a[2] = -0.0f;
+    for (int slerp = 0; slerp < 2; slerp++) {
+        (slerp ? nkw_pose_blend_slerp : nkw_pose_blend)(a, b, JOINTS, 0.0f, NULL, out);
+        expect_poses_bits(out, a);
+        (slerp ? nkw_pose_blend_slerp : nkw_pose_blend)(a, b, JOINTS, 1.0f, NULL, out);
+        for (size_t j = 0; j < JOINTS; j++) {
+            nkw_trs got = nkw_pose_get(out, JOINTS, j), want = nkw_pose_get(b, JOINTS, j);
+            float side = nkw_quat_dot(nkw_pose_get(a, JOINTS, j).rotation, want.rotation);
+            want.rotation = side < 0.0f ? nkw_quat_negate(want.rotation) : want.rotation;
+            expect_floats_bits(&got.translation.x, &want.translation.x, 10);
+        }
+    }
+}
+
+static void nothing_is_touched_without_joints(void **state)
+{
+    (void)state;
+    float pose[1] = {7}, out[1] = {9};
+    nkw_pose_layer layer = {pose, 1.0f, NULL};
+    const int32_t pair[1] = {0};
+    nkw_pose_blend(pose, pose, 0, 0.5f, NULL, out);
+    nkw_pose_blend_slerp(pose, pose, 0, 0.5f, pose, out);
+    nkw_pose_blend_layers(&layer, 1, pose, 0, 0.1f, out);
+    nkw_pose_additive_build(pose, pose, 0, NKW_ADDITIVE_LOCAL, out);
+    nkw_pose_additive_apply(pose, pose, 0, NKW_ADDITIVE_LOCAL, 1.0f, NULL, out);
+    nkw_pose_mirror(pose, pair, 0, NKW_MIRROR_X, out);
+    nkw_mask_from_subtree(pair, 0, 0, out);
+    expect_bits(out[0], 9.0f);
+}
+
+static void writing_stays_within_the_block(void **state)
+{
+    (void)state;
+    for (size_t joints = 1; joints < 40; joints++) {
+        float a[NKW_POSE_FLOATS(39)], out[NKW_POSE_FLOATS(39) + 1], mask[NKW_POSE_STRIDE(39)];
+        int32_t pair[39];
+        nkw_pose_identity(a, joints);
+        for (size_t j = 0; j < NKW_POSE_STRIDE(39); j++)
+            mask[j] = 0.5f;
+        for (size_t j = 0; j < joints; j++)
+            pair[j] = (int32_t)(joints - 1 - j);
+        size_t end = NKW_POSE_FLOATS(joints);
+        out[end] = 9.0f;
+        nkw_pose_layer layers[2] = {{a, 1.0f, NULL}, {a, 1.0f, mask}};
+        nkw_pose_blend(a, a, joints, 0.5f, NULL, out);
+        nkw_pose_blend_slerp(a, a, joints, 0.5f, mask, out);
+        nkw_pose_blend_layers(layers, 2, a, joints, 0.5f, out);
+        nkw_pose_additive_build(a, a, joints, NKW_ADDITIVE_PARENT, out);
+        nkw_pose_additive_apply(a, a, joints, NKW_ADDITIVE_PARENT, 0.5f, mask, out);
+        nkw_pose_mirror(a, pair, joints, NKW_MIRROR_Y, out);
+        expect_bits(out[end], 9.0f);
+    }
+}
+
+static void every_function_works_in_place(void **state)
+{
+    (void)state;
+    random_source r = random_from(14);
+    static float first[FLOATS], second[FLOATS], want[FLOATS], mask[STRIDE];
+    draw(&r, first);
+    draw(&r, second);
+    draw_mask(&r, mask);
+    nkw_pose_blend(first, second, JOINTS, 0.3f, NULL, want);
+    nkw_pose_blend(first, second, JOINTS, 0.3f, NULL, second);
+    expect_poses_bits(second, want);
+    nkw_pose_blend_slerp(second, first, JOINTS, 0.3f, mask, want);
+    nkw_pose_blend_slerp(second, first, JOINTS, 0.3f, mask, second);
+    expect_poses_bits(second, want);
+    nkw_pose_additive_build(second, first, JOINTS, NKW_ADDITIVE_PARENT, want);
+    nkw_pose_additive_build(second, first, JOINTS, NKW_ADDITIVE_PARENT, second);
+    expect_poses_bits(second, want);
+    nkw_pose_additive_apply(first, second, JOINTS, NKW_ADDITIVE_PARENT, 0.7f, mask, want);
+    nkw_pose_additive_apply(first, second, JOINTS, NKW_ADDITIVE_PARENT, 0.7f, mask, second);
+    expect_poses_bits(second, want);
+}
+
+/* differences */
+
+static void expect_round_trip(const float *a, const float *ref, nkw_additive side)
+{
+    static float delta[FLOATS], back[FLOATS];
+    nkw_pose_additive_build(a, ref, JOINTS, side, delta);
+    nkw_pose_additive_apply(ref, delta, JOINTS, side, 1.0f, NULL, back);
+    for (size_t j = 0; j < JOINTS; j++)
+        for (size_t c = 0; c < 10; c++) {
+            double want = (double)a[c * STRIDE + j], from = (double)ref[c * STRIDE + j];
+            double bound = c < 3 ? fabs(want - from) + fabs(want) : c < 7 ? 2.6 : 2 * fabs(want);
+            expect_near(back[c * STRIDE + j], want, bound * U);
+        }
+}
+
+static void applying_a_difference_to_its_reference_gives_the_pose(void **state)
+{
+    (void)state;
+    random_source r = random_from(15);
+    static float a[FLOATS], ref[FLOATS];
+    for (int round = 0; round < 200; round++) {
+        draw(&r, a);
+        draw(&r, ref);
+        expect_round_trip(a, ref, NKW_ADDITIVE_LOCAL);
+        expect_round_trip(a, ref, NKW_ADDITIVE_PARENT);
+    }
+}
+
+static void near_poses_with_unit_scale_come_back_exactly_but_for_rotations(void **state)
+{
+    (void)state;
+    random_source r = random_from(16);
+    static float a[FLOATS], ref[FLOATS], delta[FLOATS];
+    draw(&r, a);
+    draw(&r, ref);
+    for (size_t i = 0; i < 3 * STRIDE; i++) {
+        a[i] = ref[i] * random_between(&r, 0.5f, 2.0f);
+        ref[7 * STRIDE + i] = i % 2 ? 1.0f : 0.25f;
+    }
+    nkw_pose_additive_build(a, ref, JOINTS, NKW_ADDITIVE_LOCAL, delta);
+    nkw_pose_additive_apply(ref, delta, JOINTS, NKW_ADDITIVE_LOCAL, 1.0f, NULL, delta);
+    for (size_t c = 0; c < 10; c = c == 2 ? 7 : c + 1)
+        expect_floats_bits(delta + c * STRIDE, a + c * STRIDE, JOINTS);
+}
+
+static void a_difference_of_weight_zero_leaves_the_base_bit_for_bit(void **state)
+{
+    (void)state;
+    random_source r = random_from(17);
+    static float base[FLOATS], delta[FLOATS], out[FLOATS], mask[STRIDE];
+    draw(&r, base);
+    draw(&r, delta);
+    base[4] = -0.0f;
+    static const float none[] = {0.0f, -1.0f, NAN};
+    for (size_t i = 0; i < 3; i++) {
+        nkw_pose_additive_apply(base, delta, JOINTS, NKW_ADDITIVE_LOCAL, none[i], NULL, out);
+        expect_poses_bits(out, base);
+    }
+    delta[6] = INFINITY;
+    nkw_pose_additive_apply(base, delta, JOINTS, NKW_ADDITIVE_PARENT, 1.0f, mask, out);
+    expect_poses_bits(out, base);
+}
+
+static void sides_are_the_joints_own_axes_and_its_parents(void **state)
+{
+    (void)state;
+    random_source r = random_from(18);
+    static float a[FLOATS], ref[FLOATS], base[FLOATS], delta[FLOATS], out[FLOATS];
+    draw(&r, a);
+    draw(&r, ref);
+    draw(&r, base);
+    for (int parent = 0; parent < 2; parent++) {
+        nkw_additive side = parent ? NKW_ADDITIVE_PARENT : NKW_ADDITIVE_LOCAL;
+        nkw_pose_additive_build(a, ref, JOINTS, side, delta);
+        nkw_pose_additive_apply(base, delta, JOINTS, side, 1.0f, NULL, out);
+        for (size_t j = 0; j < JOINTS; j++) {
+            nkw_trs p = nkw_pose_get(a, JOINTS, j), q = nkw_pose_get(ref, JOINTS, j), b = nkw_pose_get(base, JOINTS, j);
+            nkw_quat back = nkw_quat_conjugate(q.rotation);
+            nkw_quat want = parent ? nkw_quat_mul(nkw_quat_mul(p.rotation, back), b.rotation)
+                                   : nkw_quat_mul(b.rotation, nkw_quat_mul(back, p.rotation));
+            nkw_trs got = nkw_pose_get(out, JOINTS, j);
+            expect_quat_near(got.rotation, want, 8 * U);
+            expect_near(got.translation.x, b.translation.x + (p.translation.x - q.translation.x), 20 * U);
+            expect_near(got.scale.z, b.scale.z * (p.scale.z / q.scale.z), 20 * U);
+        }
+    }
+}
+
+static void a_part_of_a_difference_is_a_part_of_each(void **state)
+{
+    (void)state;
+    float base[NKW_POSE_FLOATS(1)], delta[NKW_POSE_FLOATS(1)];
+    nkw_quat half = {0.6f, 0.0f, 0.0f, 0.8f}, none = {0.0f, 0.0f, 0.0f, 1.0f};
+    nkw_trs b = {{1, 2, 3}, {0, 0, 0, 1}, {1, 2, 4}}, d = {{4, 8, -4}, half, {3, 1, 0.5f}};
+    for (int negated = 0; negated < 2; negated++) {
+        d.rotation = negated ? nkw_quat_negate(half) : half;
+        nkw_pose_from_trs(&b, 1, base);
+        nkw_pose_from_trs(&d, 1, delta);
+        nkw_pose_additive_apply(base, delta, 1, NKW_ADDITIVE_LOCAL, 0.25f, NULL, base);
+        nkw_trs got = nkw_pose_get(base, 1, 0);
+        expect_vec3_bits(got.translation, ((nkw_vec3){2, 4, 2}));
+        expect_vec3_bits(got.scale, ((nkw_vec3){1.5f, 2, 3.5f}));
+        nkw_quat want = nkw_quat_nlerp(none, half, 0.25f);
+        expect_quat_bits(got.rotation, nkw_quat_mul(b.rotation, negated ? nkw_quat_negate(want) : want));
+    }
+}
+
+static void zeros_in_the_reference_are_defined(void **state)
+{
+    (void)state;
+    float a[NKW_POSE_FLOATS(1)], ref[NKW_POSE_FLOATS(1)];
+    nkw_trs p = {{1, 2, 3}, {0.6f, 0, 0, 0.8f}, {0, 2, 3}}, q = {{0, 0, 0}, {0, 0, 0, 0}, {0, 0, -0.0f}};
+    for (int parent = 0; parent < 2; parent++) {
+        nkw_pose_from_trs(&p, 1, a);
+        nkw_pose_from_trs(&q, 1, ref);
+        nkw_pose_additive_build(a, ref, 1, parent ? NKW_ADDITIVE_PARENT : NKW_ADDITIVE_LOCAL, a);
+        nkw_trs got = nkw_pose_get(a, 1, 0);
+        expect_vec3_bits(got.scale, ((nkw_vec3){1, 1, 1}));
+        expect_quat_bits(got.rotation, p.rotation);
+    }
+}
+
+/* mirror */
+
+static void a_mirror_reflects_points_through_its_plane(void **state)
+{
+    (void)state;
+    random_source r = random_from(19);
+    static const nkw_mirror planes[] = {NKW_MIRROR_X, NKW_MIRROR_Y, NKW_MIRROR_Z};
+    for (int k = 0; k < 3; k++)
+        for (int round = 0; round < 100; round++) {
+            float pose[NKW_POSE_FLOATS(1)];
+            const int32_t self = 0;
+            nkw_trs trs = {random_vec3(&r, -2, 2), random_rotation(&r), random_vec3(&r, 0.5f, 2)};
+            nkw_vec3 point = random_vec3(&r, -1, 1),
+                     sign = {k == 0 ? -1.0f : 1, k == 1 ? -1.0f : 1, k == 2 ? -1.0f : 1};
+            nkw_pose_from_trs(&trs, 1, pose);
+            nkw_pose_mirror(pose, &self, 1, planes[k], pose);
+            nkw_trs seen = nkw_pose_get(pose, 1, 0);
+            nkw_vec3 got = nkw_trs_transform_point(&seen, nkw_vec3_mul(sign, point));
+            expect_vec3_near(got, nkw_vec3_mul(sign, nkw_trs_transform_point(&trs, point)), 30 * U);
+        }
+}
+
+/* Of each five joints two pairs, and one on its own. */
+static void make_pairs(int32_t pair[JOINTS])
+{
+    for (size_t j = 0; j < JOINTS; j++)
+        pair[j] = (int32_t)(j % 5 == 4 ? j : j - j % 5 + (j % 5 ^ 1));
+}
+
+static void a_mirror_twice_gives_the_original_bits(void **state)
+{
+    (void)state;
+    random_source r = random_from(20);
+    static float pose[FLOATS], once[FLOATS], twice[FLOATS];
+    int32_t pair[JOINTS];
+    draw(&r, pose);
+    pose[0] = -0.0f;
+    make_pairs(pair);
+    assert_int_equal(nkw_mirror_validate(pair, JOINTS, NULL), NKW_OK);
+    nkw_pose_mirror(pose, pair, JOINTS, NKW_MIRROR_X, once);
+    expect_bits(once[2 * STRIDE], pose[2 * STRIDE + 1]);
+    expect_bits(once[1], -pose[0]);
+    nkw_pose_mirror(once, pair, JOINTS, NKW_MIRROR_X, twice);
+    expect_poses_bits(twice, pose);
+    nkw_pose_mirror(pose, pair, JOINTS, NKW_MIRROR_X, pose);
+    expect_poses_bits(pose, once);
+}
+
+static void partners_that_are_none_are_mirrored_in_their_place(void **state)
+{
+    (void)state;
+    random_source r = random_from(21);
+    static float pose[FLOATS], want[FLOATS], out[FLOATS];
+    int32_t pair[JOINTS], own[JOINTS];
+    draw(&r, pose);
+    for (size_t j = 0; j < JOINTS; j++)
+        own[j] = pair[j] = (int32_t)j;
+    pair[1] = 2;
+    pair[3] = -1;
+    pair[4] = INT32_MIN;
+    pair[5] = JOINTS;
+    pair[6] = INT32_MAX;
+    pair[7] = 6;
+    nkw_pose_mirror(pose, own, JOINTS, NKW_MIRROR_Z, want);
+    nkw_pose_mirror(pose, pair, JOINTS, NKW_MIRROR_Z, out);
+    expect_poses_bits(out, want);
+}
+
+static void expect_invalid(const int32_t *pair, size_t joints, nkw_result result, size_t joint)
+{
+    size_t bad = 99;
+    assert_int_equal(nkw_mirror_validate(pair, joints, &bad), result);
+    assert_int_equal(bad, joint);
+    assert_int_equal(nkw_mirror_validate(pair, joints, NULL), result);
+}
+
+static void validate_names_the_first_joint_without_a_partner(void **state)
+{
+    (void)state;
+    int32_t pair[4] = {0, 2, 1, 3};
+    expect_invalid(pair, 4, NKW_OK, 0);
+    expect_invalid(pair, 0, NKW_EMPTY, 0);
+    pair[3] = 4;
+    expect_invalid(pair, 4, NKW_OUT_OF_RANGE, 3);
+    pair[3] = -1;
+    expect_invalid(pair, 4, NKW_OUT_OF_RANGE, 3);
+    pair[3] = 0;
+    expect_invalid(pair, 4, NKW_NOT_PAIRED, 3);
+    pair[1] = 3;
+    expect_invalid(pair, 4, NKW_NOT_PAIRED, 1);
+}
+
+static void a_subtree_masks_a_joint_and_all_below_it(void **state)
+{
+    (void)state;
+    static const int32_t parents[8] = {-1, 0, 1, 1, 0, 4, 7, INT32_MAX};
+    static const float arm[8] = {0, 1, 1, 1, 0, 0, 0, 0}, all[8] = {1, 1, 1, 1, 1, 1, 0, 0}, none[8] = {0};
+    float mask[NKW_POSE_STRIDE(8)];
+    nkw_mask_from_subtree(parents, 8, 1, mask);
+    expect_floats_bits(mask, arm, 8);
+    expect_floats_bits(mask + 8, none, 8);
+    nkw_mask_from_subtree(parents, 8, 0, mask);
+    expect_floats_bits(mask, all, 8);
+    nkw_mask_from_subtree(parents, 8, 8, mask);
+    expect_floats_bits(mask, none, 8);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(two_poses_blend_as_lerp_nlerp_and_slerp_bit_for_bit),
+        cmocka_unit_test(rotations_of_any_length_blend_as_nlerp_too),
+        cmocka_unit_test(masks_weigh_joint_by_joint),
+        cmocka_unit_test(the_ends_are_the_poses_bit_for_bit),
+        cmocka_unit_test(nothing_is_touched_without_joints),
+        cmocka_unit_test(writing_stays_within_the_block),
+        cmocka_unit_test(every_function_works_in_place),
+        cmocka_unit_test(applying_a_difference_to_its_reference_gives_the_pose),
+        cmocka_unit_test(near_poses_with_unit_scale_come_back_exactly_but_for_rotations),
+        cmocka_unit_test(a_difference_of_weight_zero_leaves_the_base_bit_for_bit),
+        cmocka_unit_test(sides_are_the_joints_own_axes_and_its_parents),
+        cmocka_unit_test(a_part_of_a_difference_is_a_part_of_each),
+        cmocka_unit_test(zeros_in_the_reference_are_defined),
+        cmocka_unit_test(a_mirror_reflects_points_through_its_plane),
+        cmocka_unit_test(a_mirror_twice_gives_the_original_bits),
+        cmocka_unit_test(partners_that_are_none_are_mirrored_in_their_place),
+        cmocka_unit_test(validate_names_the_first_joint_without_a_partner),
+        cmocka_unit_test(a_subtree_masks_a_joint_and_all_below_it),
+    };
+    return cmocka_run_group_tests_name("blend", tests, NULL, NULL);
+}

@@ -1,0 +1,254 @@
+/* SPDX-License-Identifier: MIT */
+#include "support/poses.h"
+
+#define LAYERS 5
+
+typedef struct bed {
+    float poses[LAYERS][FLOATS], masks[LAYERS][STRIDE], rest[FLOATS], out[FLOATS], want[FLOATS];
+    nkw_pose_layer layers[LAYERS];
+} bed;
+
+static bed *make_bed(uint64_t seed)
+{
+    static bed b;
+    random_source r = random_from(seed);
+    draw(&r, b.rest);
+    for (size_t i = 0; i < LAYERS; i++) {
+        draw(&r, b.poses[i]);
+        draw_mask(&r, b.masks[i]);
+        nkw_pose_layer layer = {b.poses[i], random_between(&r, 0.1f, 1), NULL};
+        b.layers[i] = layer;
+    }
+    return &b;
+}
+
+static void permute_and_compare(bed *b, nkw_pose_layer *layers, size_t fixed)
+{
+    if (fixed == LAYERS) {
+        nkw_pose_blend_layers(layers, LAYERS, b->rest, JOINTS, 3.5f, b->out);
+        expect_poses_bits(b->out, b->want);
+    }
+    for (size_t i = fixed; i < LAYERS; i++) {
+        nkw_pose_layer other[LAYERS];
+        memcpy(other, layers, sizeof other);
+        other[fixed] = layers[i];
+        other[i] = layers[fixed];
+        permute_and_compare(b, other, fixed + 1);
+    }
+}
+
+static void expect_any_order(bed *b)
+{
+    nkw_pose_blend_layers(b->layers, LAYERS, b->rest, JOINTS, 3.5f, b->want);
+    permute_and_compare(b, b->layers, 0);
+}
+
+static void the_order_of_layers_changes_no_bit(void **state)
+{
+    (void)state;
+    bed *b = make_bed(5);
+    expect_any_order(b);
+    for (size_t i = 0; i < LAYERS; i++)
+        b->layers[i].mask = b->masks[i];
+    expect_any_order(b);
+    for (size_t i = 0; i < LAYERS; i++)
+        b->layers[i].weight = 0.25f;
+    expect_any_order(b);
+    for (size_t i = 0; i < LAYERS; i++)
+        b->layers[i].mask = i % 2 ? b->masks[1] : NULL;
+    expect_any_order(b);
+    for (size_t i = 0; i < 4 * STRIDE; i++)
+        b->poses[1][3 * STRIDE + i] = b->poses[2][3 * STRIDE + i] = b->poses[3][3 * STRIDE + i];
+    b->layers[4] = b->layers[2];
+    expect_any_order(b);
+}
+
+/* The weighted mean in binary64, rotations put on the side of the sum so far, heaviest first. */
+static void mean_of_joint(const bed *b, const float *w, size_t j, double out[10])
+{
+    double total = 0;
+    memset(out, 0, 10 * sizeof *out);
+    for (size_t i = 0; i <= LAYERS; i++) {
+        const float *pose = i < LAYERS ? b->poses[i] : b->rest;
+        double dot = 0;
+        for (size_t c = 3; c < 7; c++)
+            dot += out[c] * (double)pose[c * STRIDE + j];
+        for (size_t c = 0; c < 10; c++)
+            out[c] += (double)w[i] * (double)pose[c * STRIDE + j] * (c >= 3 && c < 7 && dot < 0 ? -1 : 1);
+        total += (double)w[i];
+    }
+    double length = sqrt(out[3] * out[3] + out[4] * out[4] + out[5] * out[5] + out[6] * out[6]);
+    for (size_t c = 0; c < 10; c++)
+        out[c] /= c >= 3 && c < 7 ? length : total;
+}
+
+static void expect_mean(bed *b, float threshold)
+{
+    nkw_pose_blend_layers(b->layers, LAYERS, b->rest, JOINTS, threshold, b->out);
+    for (size_t j = 0; j < JOINTS; j++) {
+        float w[LAYERS + 1], sum = 0;
+        double want[10];
+        for (size_t i = 0; i < LAYERS; i++)
+            sum += w[i] = b->layers[i].weight * (b->layers[i].mask ? b->layers[i].mask[j] : 1.0f);
+        w[LAYERS] = sum < threshold ? threshold - sum : 0.0f;
+        mean_of_joint(b, w, j, want);
+        for (size_t c = 0; c < 10; c++)
+            expect_near(b->out[c * STRIDE + j], want[c], (c >= 3 && c < 7 ? 8 : 20) * U);
+    }
+}
+
+static void layers_give_the_weighted_mean_and_the_rest_pose_what_is_missing(void **state)
+{
+    (void)state;
+    bed *b = make_bed(6);
+    static const float weights[LAYERS] = {0.9f, 0.5f, 0.4f, 0.3f, 0.2f};
+    for (size_t i = 0; i < LAYERS; i++)
+        b->layers[i].weight = weights[i];
+    expect_mean(b, 0.1f);
+    expect_mean(b, 4.0f);
+    for (size_t i = 0; i < LAYERS; i++)
+        b->layers[i].mask = b->masks[i];
+    expect_mean(b, 0.1f);
+    expect_mean(b, 2.0f);
+}
+
+static void two_layers_are_the_blend_of_two_from_the_heavier(void **state)
+{
+    (void)state;
+    bed *b = make_bed(7);
+    b->layers[0].weight = 0.3f;
+    b->layers[1].weight = 0.6f;
+    nkw_pose_blend_layers(b->layers, 2, b->rest, JOINTS, 0.5f, b->out);
+    nkw_pose_blend(b->poses[1], b->poses[0], JOINTS, 0.3f / (0.3f + 0.6f), NULL, b->want);
+    expect_poses_bits(b->out, b->want);
+}
+
+static void one_layer_alone_is_its_pose_bit_for_bit(void **state)
+{
+    (void)state;
+    bed *b = make_bed(8);
+    b->poses[0][3] = -0.0f;
+    b->poses[0][3 * STRIDE + 3] = -0.0f;
+    b->layers[0].weight = 0.37f;
+    nkw_pose_blend_layers(b->layers, 1, b->rest, JOINTS, 0.1f, b->out);
+    expect_poses_bits(b->out, b->poses[0]);
+    for (size_t j = 0; j < STRIDE; j++) {
+        b->masks[0][j] = j % 2 ? 0.25f : 0.0f;
+        b->masks[1][j] = j % 2 ? -1.0f : 0.5f;
+    }
+    b->layers[0].mask = b->masks[0];
+    b->layers[1].mask = b->masks[1];
+    b->poses[1][1] = NAN;
+    nkw_pose_blend_layers(b->layers, 2, b->rest, JOINTS, 0.0f, b->out);
+    for (size_t i = 0; i < FLOATS; i++)
+        if (i % STRIDE < JOINTS)
+            expect_bits(b->out[i], b->poses[i % 2 ? 0 : 1][i]);
+}
+
+static void what_all_layers_share_comes_out_bit_for_bit(void **state)
+{
+    (void)state;
+    bed *b = make_bed(9);
+    for (size_t i = 0; i < LAYERS; i++) {
+        memcpy(b->poses[i], b->poses[0], 3 * STRIDE * sizeof(float));
+        memcpy(b->poses[i] + 7 * STRIDE, b->poses[0] + 7 * STRIDE, 3 * STRIDE * sizeof(float));
+        b->layers[i].mask = i % 2 ? b->masks[i] : NULL;
+    }
+    nkw_pose_blend_layers(b->layers, LAYERS, b->rest, JOINTS, 0.1f, b->out);
+    for (size_t c = 0; c < 10; c = c == 2 ? 7 : c + 1)
+        expect_floats_bits(b->out + c * STRIDE, b->poses[0] + c * STRIDE, JOINTS);
+}
+
+static void the_rest_pose_stands_where_nothing_has_a_weight(void **state)
+{
+    (void)state;
+    bed *b = make_bed(10);
+    static const float none[LAYERS] = {0.0f, -0.0f, -1.0f, NAN, -INFINITY};
+    static const float thresholds[] = {0.1f, 0.0f, -1.0f, NAN, INFINITY};
+    for (size_t i = 0; i < LAYERS; i++)
+        b->layers[i].weight = none[i];
+    for (size_t i = 0; i < 5; i++) {
+        nkw_pose_blend_layers(b->layers, LAYERS, b->rest, JOINTS, thresholds[i], b->out);
+        expect_poses_bits(b->out, b->rest);
+        nkw_pose_blend_layers(NULL, 0, b->rest, JOINTS, thresholds[i], b->out);
+        expect_poses_bits(b->out, b->rest);
+    }
+    b->layers[0].weight = 1.0f;
+    b->layers[0].mask = b->masks[0];
+    memset(b->masks[0], 0, sizeof b->masks[0]);
+    nkw_pose_blend_layers(b->layers, LAYERS, b->rest, JOINTS, 0.0f, b->out);
+    expect_poses_bits(b->out, b->rest);
+}
+
+static void negative_and_nan_weights_are_no_layers(void **state)
+{
+    (void)state;
+    bed *b = make_bed(11);
+    nkw_pose_blend_layers(b->layers + 2, 3, b->rest, JOINTS, 0.1f, b->want);
+    b->layers[0].weight = -3.0f;
+    b->layers[1].weight = NAN;
+    nkw_pose_blend_layers(b->layers, LAYERS, b->rest, JOINTS, 0.1f, b->out);
+    expect_poses_bits(b->out, b->want);
+}
+
+static void enormous_weights_count_as_two_to_the_sixty(void **state)
+{
+    (void)state;
+    bed *b = make_bed(12);
+    b->layers[0].weight = 0x1p60f;
+    b->layers[1].weight = 0x1p60f;
+    nkw_pose_blend_layers(b->layers, 2, b->rest, JOINTS, 0.1f, b->want);
+    b->layers[0].weight = INFINITY;
+    b->layers[1].weight = 3e38f;
+    nkw_pose_blend_layers(b->layers, 2, b->rest, JOINTS, 0.1f, b->out);
+    expect_poses_bits(b->out, b->want);
+    for (size_t j = 0; j < JOINTS; j++)
+        expect_near(nkw_quat_length(nkw_pose_get(b->out, JOINTS, j).rotation), 1, 4 * U);
+}
+
+/* Rotations that agree, given with both signs and far from the rest pose, stay what they are. */
+static void signs_of_layers_do_not_matter(void **state)
+{
+    (void)state;
+    bed *b = make_bed(13);
+    nkw_pose_identity(b->rest, JOINTS);
+    for (size_t j = 0; j < JOINTS; j++)
+        for (size_t i = 0; i < LAYERS; i++) {
+            nkw_trs trs = nkw_trs_identity();
+            trs.rotation = nkw_quat_from_axis_angle((nkw_vec3){0, 1, 0}, 3.1f + 0.02f * (float)i);
+            trs.rotation = (i + j) % 2 ? nkw_quat_negate(trs.rotation) : trs.rotation;
+            nkw_pose_set(b->poses[i], JOINTS, j, &trs);
+        }
+    for (size_t i = 0; i < LAYERS; i++)
+        b->layers[i].weight = 0.2f;
+    nkw_pose_blend_layers(b->layers, LAYERS, b->rest, JOINTS, 0.1f, b->out);
+    nkw_quat want = nkw_quat_from_axis_angle((nkw_vec3){0, 1, 0}, 3.14f);
+    for (size_t j = 0; j < JOINTS; j++)
+        expect_rotation_near(nkw_pose_get(b->out, JOINTS, j).rotation, want, 1e-6);
+}
+
+static void the_result_may_replace_a_layers_pose(void **state)
+{
+    (void)state;
+    bed *b = make_bed(14);
+    nkw_pose_blend_layers(b->layers, LAYERS, b->rest, JOINTS, 0.1f, b->want);
+    nkw_pose_blend_layers(b->layers, LAYERS, b->rest, JOINTS, 0.1f, b->poses[1]);
+    expect_poses_bits(b->poses[1], b->want);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(the_order_of_layers_changes_no_bit),
+        cmocka_unit_test(layers_give_the_weighted_mean_and_the_rest_pose_what_is_missing),
+        cmocka_unit_test(two_layers_are_the_blend_of_two_from_the_heavier),
+        cmocka_unit_test(one_layer_alone_is_its_pose_bit_for_bit),
+        cmocka_unit_test(what_all_layers_share_comes_out_bit_for_bit),
+        cmocka_unit_test(the_rest_pose_stands_where_nothing_has_a_weight),
+        cmocka_unit_test(negative_and_nan_weights_are_no_layers),
+        cmocka_unit_test(enormous_weights_count_as_two_to_the_sixty),
+        cmocka_unit_test(signs_of_layers_do_not_matter),
+        cmocka_unit_test(the_result_may_replace_a_layers_pose),
+    };
+    return cmocka_run_group_tests_name("blend_layers", tests, NULL, NULL);
+}
