@@ -31,4 +31,7 @@
 #include "playback.h"
 #include "pose.h"
 
+/* Floor 6, skin: from joint matrices to vertices. */
+#include "partition.h"
+
 #endif
