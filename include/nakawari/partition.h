@@ -20,9 +20,9 @@
  * need more than N bones. The bone lists do not depend on the order of the triangles.
  * Parts ascend by material, then by their bones.
  *
- * Source  the parts, their order and the bone-local vertex: the skin model converter of スキンモデルデータの作成, with
- *         parts of two or four bones. The packing is greedy bin packing of items that share space: Grange, Kacem,
- *         Martin, Algorithms for the bin packing problem with overlapping items, 2018.
+ * Source  the parts, their order and the bone-local vertex: the skin model converter of
+ *         スキンモデルデータの作成, with parts of two or four bones. The packing is greedy bin packing of items that
+ *         share space: Grange, Kacem, Martin, Algorithms for the bin packing problem with overlapping items, 2018.
  */
 #ifndef NAKAWARI_PARTITION_H
 #define NAKAWARI_PARTITION_H
@@ -42,7 +42,7 @@ typedef struct nkw_partition_mesh {
     size_t triangles; /**< at most 2^32 / 24 */
     const uint16_t *joints; /**< `influences` bones for each vertex; where the weight is 0, any number */
     const float *weights; /**< `influences` for each vertex, not negative; their sum is not looked at */
-    size_t vertices; /**< less than 2^32 */
+    size_t vertices; /**< less than 2^32 - 1 */
     size_t influences; /**< 1..8 */
     size_t bones; /**< at most 65536 */
     /**
@@ -99,8 +99,8 @@ NKW_API nkw_result nkw_partition_validate(const nkw_partition_mesh *mesh, size_t
  * all counts then 0; and NKW_TOO_MANY where triangles are rejected, *bad_triangle the first of them: all others are in
  * parts even so, and whether that is an error is the caller's to say. No triangles, no parts.
  *
- * The same parts on every target. Time: about proportional to the triangles, and to the parts times the bones times
- * the sets of bones that share one. Sets that share no part of their bones with others cost no search.
+ * The same parts on every target. The time grows with the triangles and, beyond a few thousand of them, with the
+ * different sets of bones: with parts * max_bones * sets that have one and the same bone.
  */
 NKW_API nkw_result nkw_partition_build(const nkw_partition_mesh *mesh, size_t max_bones, uint32_t *work,
                                        size_t work_count, nkw_partition *out, size_t *bad_triangle);
