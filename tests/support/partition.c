@@ -175,6 +175,12 @@ static void expect_vertices(const nkw_partition_mesh *m, const nkw_partition *p,
     }
 }
 
+static int bone_before(const nkw_partition_mesh *m, uint16_t a, uint16_t b)
+{
+    uint16_t x = m->depths ? m->depths[a] : 0, y = m->depths ? m->depths[b] : 0;
+    return x != y ? x < y : a < b;
+}
+
 /* A part has at most max_bones bones, all of them needed, ascending. */
 static void expect_bones(const nkw_partition_mesh *m, size_t max_bones, const nkw_partition *p, const nkw_part *part)
 {
@@ -192,10 +198,7 @@ static void expect_bones(const nkw_partition_mesh *m, size_t max_bones, const nk
     const uint16_t *list = p->bones + part->first_bone;
     for (size_t i = 0; i < n; i++) {
         assert_true(all[list[i]]);
-        if (i > 0 && m->depths && m->depths[list[i - 1]] != m->depths[list[i]])
-            assert_true(m->depths[list[i - 1]] < m->depths[list[i]]);
-        else if (i > 0)
-            assert_true(list[i - 1] < list[i]);
+        assert_true(i == 0 || bone_before(m, list[i - 1], list[i]));
     }
 }
 
@@ -207,13 +210,12 @@ static int has(const uint16_t *list, size_t n, uint16_t bone)
     return 0;
 }
 
-/* Parts ascend by material; no two of one material fit into one part. */
+/* No two parts of one material fit into one. */
 static void expect_no_two_to_join(size_t max_bones, const nkw_partition *p)
 {
     for (size_t a = 0; a < p->part_count; a++)
         for (size_t b = a + 1; b < p->part_count; b++) {
             const nkw_part *x = &p->parts[a], *y = &p->parts[b];
-            assert_true(x->material <= y->material);
             size_t together = x->bone_count;
             for (size_t i = 0; i < y->bone_count; i++)
                 together += !has(p->bones + x->first_bone, x->bone_count, p->bones[y->first_bone + i]);
@@ -221,11 +223,26 @@ static void expect_no_two_to_join(size_t max_bones, const nkw_partition *p)
         }
 }
 
+/* Parts of one material ascend by their first bone that differs; a list that another begins with comes before it. */
+static void expect_parts_to_ascend(const nkw_partition_mesh *m, const nkw_partition *p)
+{
+    for (size_t k = 1; k < p->part_count; k++) {
+        const nkw_part *x = &p->parts[k - 1], *y = &p->parts[k];
+        const uint16_t *a = p->bones + x->first_bone, *b = p->bones + y->first_bone;
+        size_t i = 0;
+        while (i < x->bone_count && i < y->bone_count && a[i] == b[i])
+            i++;
+        int ascend = i == x->bone_count || (i < y->bone_count && bone_before(m, a[i], b[i]));
+        assert_true(x->material < y->material || (x->material == y->material && ascend));
+    }
+}
+
 void expect_partition(const nkw_partition_mesh *m, size_t max_bones, const nkw_partition *p)
 {
     expect_exact_cover(m, max_bones, p);
     expect_runs(p);
     expect_no_two_to_join(max_bones, p);
+    expect_parts_to_ascend(m, p);
     for (size_t k = 0; k < p->part_count; k++) {
         expect_triangles(m, p, &p->parts[k]);
         expect_vertices(m, p, &p->parts[k]);
