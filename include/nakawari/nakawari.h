@@ -35,4 +35,7 @@
 /* Floor 5, skeleton: poses blended. */
 #include "blend.h"
 
+/* Floor 6, skin: from joint matrices to vertices. */
+#include "partition.h"
+
 #endif

@@ -11,7 +11,8 @@
 #define DATA_LIST(X) \
     X(pose) \
     X(clip) \
-    X(blend)
+    X(blend) \
+    X(partition)
 
 #ifdef __cplusplus
 extern "C" {

@@ -1,0 +1,596 @@
+/* SPDX-License-Identifier: MIT */
+#include "lane/strict.h"
+
+#include <nakawari/mat.h>
+#include <nakawari/partition.h>
+
+#include "lane/partition.h"
+#include "lane/scalar.h"
+
+#define NONE           UINT32_MAX
+#define INFLUENCES     8
+#define SET            (3 * INFLUENCES) /* bones of a triangle, at most */
+#define MOST_BONES     65536u
+#define MOST_TRIANGLES (UINT32_MAX / SET)
+
+/* ---- Validation ---- */
+
+static int counts_are_in_range(const nkw_partition_mesh *mesh)
+{
+    return mesh->influences >= 1 && mesh->influences <= INFLUENCES && mesh->bones <= MOST_BONES &&
+           mesh->triangles <= MOST_TRIANGLES && mesh->vertices < UINT32_MAX;
+}
+
+static nkw_result check_influence(const nkw_partition_mesh *mesh, size_t i)
+{
+    float w = mesh->weights[i];
+    if (!lane_is_finite(w))
+        return NKW_NOT_FINITE;
+    if (w < 0.0f)
+        return NKW_BAD_WEIGHTS;
+    return w == 0.0f || mesh->joints[i] < mesh->bones ? NKW_OK : NKW_OUT_OF_RANGE;
+}
+
+static nkw_result check_triangle(const nkw_partition_mesh *mesh, size_t t)
+{
+    nkw_result result = NKW_OK;
+    for (size_t c = 0; result == NKW_OK && c < 3; c++) {
+        size_t v = mesh->indices[3 * t + c];
+        if (v >= mesh->vertices)
+            return NKW_OUT_OF_RANGE;
+        for (size_t i = 0; result == NKW_OK && i < mesh->influences; i++)
+            result = check_influence(mesh, v * mesh->influences + i);
+    }
+    return result;
+}
+
+static void put_index(size_t *out, size_t value)
+{
+    if (out)
+        *out = value;
+}
+
+nkw_result nkw_partition_validate(const nkw_partition_mesh *mesh, size_t *bad_triangle)
+{
+    nkw_result result = counts_are_in_range(mesh) ? NKW_OK : NKW_OUT_OF_RANGE;
+    size_t bad = 0;
+    for (size_t t = 0; result == NKW_OK && t < mesh->triangles; t++) {
+        result = check_triangle(mesh, t);
+        bad = result == NKW_OK ? 0 : t;
+    }
+    put_index(bad_triangle, bad);
+    return result;
+}
+
+/* ---- Working memory ---- */
+
+/*
+ * A group is all triangles of one material and one bone set. Groups are numbered as they are met; `ranked` puts them
+ * in the order of packing: by material, then the larger set first, then by bones. A bin is a part
+ * before the parts are ordered.
+ */
+typedef struct plan {
+    const nkw_partition_mesh *mesh;
+    size_t max_bones;
+    uint32_t *group_of; /* for each triangle; NONE for a rejected one */
+    uint32_t *table; /* hash table of groups, 2 * triangles */
+    uint32_t *set_start; /* for each group and the end: its set in set_keys */
+    uint32_t *set_keys;
+    uint32_t *first; /* for each group: a triangle of it */
+    uint32_t *bin_of; /* for each group; NONE until it is packed */
+    uint32_t *ranked; /* for each rank: the group */
+    uint32_t *missing; /* for each rank: bones that the open bin has not */
+    uint32_t *touched; /* the ranks that share a bone with the open bin */
+    uint32_t *users; /* for each bone, from user_start: the ranks that have it */
+    uint32_t *user_start, *user_count, *in_bin;
+    uint32_t *bin_start; /* for each bin and the end: its bones in bin_keys */
+    uint32_t *bin_keys;
+    uint32_t *bin_material, *bin_order, *part_of;
+    uint32_t *seen_in, *local; /* for each vertex: the part that used it last, and its place there */
+    size_t groups, bins, touched_count;
+} plan;
+
+static size_t set_limit(const nkw_partition_mesh *mesh, size_t max_bones)
+{
+    size_t most = 3 * (mesh->influences < INFLUENCES ? mesh->influences : INFLUENCES);
+    return max_bones < most ? max_bones : most;
+}
+
+static size_t saturated(uint64_t n)
+{
+    return n > SIZE_MAX ? SIZE_MAX : (size_t)n;
+}
+
+/* The next n words of a block, and none of no block. */
+static uint32_t *carve(uint32_t *block, uint64_t *used, uint64_t n)
+{
+    uint32_t *words = block ? block + *used : NULL;
+    *used += n;
+    return words;
+}
+
+/* Divides the block among the arrays; gives the words that they take. Without a block only that. */
+static uint64_t lay_out(plan *p, const nkw_partition_mesh *mesh, size_t max_bones, uint32_t *block)
+{
+    uint64_t t = mesh->triangles, sets = t * set_limit(mesh, max_bones), used = 0;
+    p->mesh = mesh;
+    p->max_bones = max_bones;
+    p->group_of = carve(block, &used, t);
+    p->table = carve(block, &used, 2 * t);
+    p->set_start = carve(block, &used, t + 1);
+    p->set_keys = carve(block, &used, sets);
+    p->first = carve(block, &used, t);
+    p->bin_of = carve(block, &used, t);
+    p->ranked = carve(block, &used, t);
+    p->missing = carve(block, &used, t);
+    p->touched = carve(block, &used, t);
+    p->users = carve(block, &used, sets);
+    p->user_start = carve(block, &used, mesh->bones);
+    p->user_count = carve(block, &used, mesh->bones);
+    p->in_bin = carve(block, &used, mesh->bones);
+    p->bin_start = carve(block, &used, t + 1);
+    p->bin_keys = carve(block, &used, sets);
+    p->bin_material = carve(block, &used, t);
+    p->bin_order = carve(block, &used, t);
+    p->part_of = carve(block, &used, t);
+    p->seen_in = carve(block, &used, mesh->vertices);
+    p->local = carve(block, &used, mesh->vertices);
+    return used;
+}
+
+nkw_partition_sizes nkw_partition_bounds(const nkw_partition_mesh *mesh, size_t max_bones)
+{
+    nkw_partition_sizes sizes = {0, 0, 0, 0};
+    if (!counts_are_in_range(mesh))
+        return sizes;
+    plan p;
+    uint64_t t = mesh->triangles;
+    sizes.parts = saturated(t);
+    sizes.bones = saturated(t * set_limit(mesh, max_bones));
+    sizes.vertices = saturated(3 * t);
+    sizes.work = saturated(lay_out(&p, mesh, max_bones, NULL));
+    return sizes;
+}
+
+static void fill(uint32_t *a, size_t n, uint32_t value)
+{
+    for (size_t i = 0; i < n; i++)
+        a[i] = value;
+}
+
+/* ---- Groups ---- */
+
+static uint32_t key_of(const nkw_partition_mesh *mesh, uint16_t bone)
+{
+    return mesh->depths ? (uint32_t)mesh->depths[bone] << 16 | bone : bone;
+}
+
+static uint32_t material_of(const nkw_partition_mesh *mesh, size_t triangle)
+{
+    return mesh->materials ? mesh->materials[triangle] : 0;
+}
+
+static lane_set group_set(const plan *p, uint32_t group)
+{
+    lane_set set = {p->set_keys + p->set_start[group], p->set_start[group + 1] - p->set_start[group]};
+    return set;
+}
+
+static size_t triangle_set(const nkw_partition_mesh *mesh, size_t t, uint32_t keys[SET])
+{
+    size_t n = 0;
+    for (size_t c = 0; c < 3; c++) {
+        size_t v = mesh->indices[3 * t + c] * mesh->influences;
+        for (size_t i = 0; i < mesh->influences; i++)
+            if (mesh->weights[v + i] != 0.0f)
+                n = lane_set_insert(keys, n, key_of(mesh, mesh->joints[v + i]));
+    }
+    return n;
+}
+
+static uint32_t add_group(plan *p, size_t triangle, lane_set set)
+{
+    uint32_t group = (uint32_t)p->groups++, start = p->set_start[group];
+    for (size_t i = 0; i < set.n; i++)
+        p->set_keys[start + i] = set.keys[i];
+    p->set_start[group + 1] = start + (uint32_t)set.n;
+    p->first[group] = (uint32_t)triangle;
+    return group;
+}
+
+static int is_group(const plan *p, uint32_t group, uint32_t material, lane_set set)
+{
+    return material_of(p->mesh, p->first[group]) == material && lane_set_compare(group_set(p, group), set) == 0;
+}
+
+static uint32_t find_group(plan *p, size_t triangle, lane_set set)
+{
+    size_t size = 2 * p->mesh->triangles;
+    uint32_t material = material_of(p->mesh, triangle);
+    size_t at = (size_t)((uint64_t)lane_set_hash(material, set) * size >> 32);
+    while (p->table[at] != NONE && !is_group(p, p->table[at], material, set))
+        at = at + 1 < size ? at + 1 : 0;
+    if (p->table[at] == NONE)
+        p->table[at] = add_group(p, triangle, set);
+    return p->table[at];
+}
+
+static void find_groups(plan *p)
+{
+    const nkw_partition_mesh *mesh = p->mesh;
+    fill(p->table, 2 * mesh->triangles, NONE);
+    p->set_start[0] = 0;
+    for (size_t t = 0; t < mesh->triangles; t++) {
+        uint32_t keys[SET];
+        lane_set set = {keys, triangle_set(mesh, t, keys)};
+        p->group_of[t] = set.n <= p->max_bones ? find_group(p, t, set) : NONE;
+    }
+}
+
+static int before_group(const void *context, uint32_t a, uint32_t b)
+{
+    const plan *p = context;
+    uint32_t x = material_of(p->mesh, p->first[a]), y = material_of(p->mesh, p->first[b]);
+    if (x != y)
+        return x < y;
+    lane_set s = group_set(p, a), t = group_set(p, b);
+    return s.n != t.n ? s.n > t.n : lane_set_compare(s, t) < 0;
+}
+
+/* ---- Packing ---- */
+
+static lane_set ranked_set(const plan *p, size_t rank)
+{
+    return group_set(p, p->ranked[rank]);
+}
+
+static int is_packed(const plan *p, size_t rank)
+{
+    return p->bin_of[p->ranked[rank]] != NONE;
+}
+
+/* Lists for each bone of the ranks from..to - 1 those that have it. */
+static void list_users(plan *p, size_t from, size_t to)
+{
+    uint32_t start = 0;
+    for (size_t r = from; r < to; r++)
+        for (size_t i = 0; i < ranked_set(p, r).n; i++)
+            p->user_count[lane_bone_of(ranked_set(p, r).keys[i])] = 0;
+    for (size_t r = from; r < to; r++)
+        for (size_t i = 0; i < ranked_set(p, r).n; i++)
+            p->user_count[lane_bone_of(ranked_set(p, r).keys[i])]++;
+    for (size_t r = from; r < to; r++)
+        for (size_t i = 0; i < ranked_set(p, r).n; i++)
+            p->user_start[lane_bone_of(ranked_set(p, r).keys[i])] = NONE;
+    for (size_t r = from; r < to; r++)
+        for (size_t i = 0; i < ranked_set(p, r).n; i++) {
+            uint32_t bone = lane_bone_of(ranked_set(p, r).keys[i]);
+            if (p->user_start[bone] == NONE) {
+                p->user_start[bone] = start;
+                start += p->user_count[bone];
+                p->user_count[bone] = 0;
+            }
+            p->users[p->user_start[bone] + p->user_count[bone]++] = (uint32_t)r;
+        }
+}
+
+/* The open bin gets a bone: whoever has it misses one less. Users that are packed already leave the list. */
+static void enter_bone(plan *p, uint32_t key)
+{
+    uint32_t bone = lane_bone_of(key), *users = p->users + p->user_start[bone];
+    p->in_bin[bone] = 1;
+    p->bin_keys[p->bin_start[p->bins + 1]++] = key;
+    for (size_t i = 0; i < p->user_count[bone];) {
+        uint32_t r = users[i];
+        if (is_packed(p, r)) {
+            users[i] = users[--p->user_count[bone]];
+            continue;
+        }
+        if (p->missing[r] == ranked_set(p, r).n)
+            p->touched[p->touched_count++] = r;
+        p->missing[r]--;
+        i++;
+    }
+}
+
+static void pack_group(plan *p, size_t rank)
+{
+    lane_set set = ranked_set(p, rank);
+    p->bin_of[p->ranked[rank]] = (uint32_t)p->bins;
+    for (size_t i = 0; i < set.n; i++)
+        if (!p->in_bin[lane_bone_of(set.keys[i])])
+            enter_bone(p, set.keys[i]);
+}
+
+static size_t room(const plan *p)
+{
+    return p->max_bones - (p->bin_start[p->bins + 1] - p->bin_start[p->bins]);
+}
+
+/*
+ * Packs the touched groups that miss nothing, and gives of the others that fit the one that misses fewest bones, of
+ * these the first by rank, so the largest; NONE if none fits.
+ */
+static uint32_t best_touched(plan *p)
+{
+    uint32_t best = NONE;
+    size_t kept = 0;
+    for (size_t i = 0; i < p->touched_count; i++) {
+        uint32_t r = p->touched[i];
+        if (p->missing[r] == 0)
+            p->bin_of[p->ranked[r]] = (uint32_t)p->bins;
+        if (is_packed(p, r))
+            continue;
+        p->touched[kept++] = r;
+        if (p->missing[r] > room(p))
+            continue;
+        if (best == NONE || p->missing[r] < p->missing[best] || (p->missing[r] == p->missing[best] && r < best))
+            best = r;
+    }
+    p->touched_count = kept;
+    return best;
+}
+
+/* next[s] is the first rank that has at most s bones and may not be packed yet. */
+static uint32_t largest_left(const plan *p, size_t next[SET + 1], size_t most, size_t to)
+{
+    size_t s = most < SET ? most : SET;
+    while (next[s] < to && is_packed(p, next[s]))
+        next[s]++;
+    return next[s] < to ? (uint32_t)next[s] : NONE;
+}
+
+static void close_bin(plan *p, uint32_t material)
+{
+    uint32_t *keys = p->bin_keys + p->bin_start[p->bins];
+    size_t n = p->bin_start[p->bins + 1] - p->bin_start[p->bins];
+    for (size_t i = 0; i < n; i++)
+        p->in_bin[lane_bone_of(keys[i])] = 0;
+    for (size_t i = 0; i < p->touched_count; i++)
+        p->missing[p->touched[i]] = (uint32_t)ranked_set(p, p->touched[i]).n;
+    p->touched_count = 0;
+    lane_sort(keys, n, lane_before_number, NULL);
+    p->bin_material[p->bins++] = material;
+}
+
+/* The groups of one material: ranks from..to - 1. */
+static void pack_material(plan *p, size_t from, size_t to, uint32_t material)
+{
+    size_t next[SET + 1];
+    for (size_t s = SET + 1, r = from; s-- > 0; next[s] = r)
+        while (r < to && ranked_set(p, r).n > s)
+            r++;
+    list_users(p, from, to);
+    for (uint32_t r = largest_left(p, next, SET, to); r != NONE; r = largest_left(p, next, SET, to)) {
+        p->bin_start[p->bins + 1] = p->bin_start[p->bins];
+        while (r != NONE) {
+            pack_group(p, r);
+            r = best_touched(p);
+            if (r == NONE)
+                r = largest_left(p, next, room(p), to);
+        }
+        close_bin(p, material);
+    }
+}
+
+static void pack_groups(plan *p)
+{
+    for (size_t g = 0; g < p->groups; g++)
+        p->ranked[g] = (uint32_t)g;
+    lane_sort(p->ranked, p->groups, before_group, p);
+    for (size_t r = 0; r < p->groups; r++)
+        p->missing[r] = (uint32_t)ranked_set(p, r).n;
+    fill(p->bin_of, p->groups, NONE);
+    fill(p->in_bin, p->mesh->bones, 0);
+    p->bin_start[0] = 0;
+    for (size_t from = 0, to; from < p->groups; from = to) {
+        uint32_t material = material_of(p->mesh, p->first[p->ranked[from]]);
+        for (to = from; to < p->groups && material_of(p->mesh, p->first[p->ranked[to]]) == material;)
+            to++;
+        pack_material(p, from, to, material);
+    }
+}
+
+/* ---- Writing the parts ---- */
+
+static lane_set bin_set(const plan *p, uint32_t bin)
+{
+    lane_set set = {p->bin_keys + p->bin_start[bin], p->bin_start[bin + 1] - p->bin_start[bin]};
+    return set;
+}
+
+static int before_bin(const void *context, uint32_t a, uint32_t b)
+{
+    const plan *p = context;
+    if (p->bin_material[a] != p->bin_material[b])
+        return p->bin_material[a] < p->bin_material[b];
+    return lane_set_compare(bin_set(p, a), bin_set(p, b)) < 0;
+}
+
+static void write_bones(plan *p, nkw_partition *out)
+{
+    for (size_t b = 0; b < p->bins; b++)
+        p->bin_order[b] = (uint32_t)b;
+    lane_sort(p->bin_order, p->bins, before_bin, p);
+    for (size_t k = 0; k < p->bins; k++) {
+        lane_set set = bin_set(p, p->bin_order[k]);
+        nkw_part part = {p->bin_material[p->bin_order[k]], 0, 0, (uint32_t)out->bone_count, (uint32_t)set.n, 0, 0};
+        out->parts[k] = part;
+        for (size_t i = 0; i < set.n; i++)
+            out->bones[out->bone_count++] = (uint16_t)lane_bone_of(set.keys[i]);
+        p->part_of[p->bin_order[k]] = (uint32_t)k;
+    }
+    out->part_count = p->bins;
+}
+
+/* Counting sort of the triangles by part, stable; the rejected after all. */
+static void write_triangles(plan *p, nkw_partition *out)
+{
+    size_t n = p->mesh->triangles;
+    for (size_t t = 0; t < n; t++)
+        if (p->group_of[t] != NONE)
+            out->parts[p->part_of[p->bin_of[p->group_of[t]]]].triangle_count++;
+    for (size_t k = 0; k < out->part_count; k++) {
+        out->parts[k].first_triangle = (uint32_t)out->triangle_count;
+        out->triangle_count += out->parts[k].triangle_count;
+        out->parts[k].triangle_count = 0;
+    }
+    for (size_t t = 0; t < n; t++) {
+        nkw_part *part = p->group_of[t] != NONE ? &out->parts[p->part_of[p->bin_of[p->group_of[t]]]] : NULL;
+        size_t at = part ? part->first_triangle + part->triangle_count++ : out->triangle_count + out->rejected_count++;
+        out->triangles[at] = (uint32_t)t;
+    }
+}
+
+/* Appends vertex v of the mesh to the partition; in_bin has become the slot of each bone. */
+static void write_vertex(const plan *p, nkw_partition *out, size_t v)
+{
+    size_t n = p->mesh->influences, at = out->vertex_count++;
+    out->vertices[at] = (uint32_t)v;
+    for (size_t i = 0; i < n; i++) {
+        float w = p->mesh->weights[v * n + i];
+        out->weights[at * n + i] = w;
+        out->slots[at * n + i] = w != 0.0f ? (uint16_t)p->in_bin[p->mesh->joints[v * n + i]] : 0;
+    }
+}
+
+static void write_part(plan *p, nkw_partition *out, uint32_t k)
+{
+    nkw_part *part = &out->parts[k];
+    part->first_vertex = (uint32_t)out->vertex_count;
+    for (uint32_t i = 0; i < part->bone_count; i++)
+        p->in_bin[out->bones[part->first_bone + i]] = i;
+    for (size_t i = 0; i < 3 * (size_t)part->triangle_count; i++) {
+        size_t at = 3 * (size_t)part->first_triangle + i;
+        uint32_t v = p->mesh->indices[3 * (size_t)out->triangles[at / 3] + at % 3];
+        if (p->seen_in[v] != k) {
+            p->seen_in[v] = k;
+            p->local[v] = part->vertex_count++;
+            write_vertex(p, out, v);
+        }
+        out->indices[at] = p->local[v];
+    }
+}
+
+nkw_result nkw_partition_build(const nkw_partition_mesh *mesh, size_t max_bones, uint32_t *work, size_t work_count,
+                               nkw_partition *out, size_t *bad_triangle)
+{
+    out->part_count = out->bone_count = out->triangle_count = out->vertex_count = out->rejected_count = 0;
+    nkw_result result = nkw_partition_validate(mesh, bad_triangle);
+    if (result == NKW_OK && work_count < nkw_partition_bounds(mesh, max_bones).work)
+        result = NKW_TOO_SMALL;
+    if (result != NKW_OK || mesh->triangles == 0)
+        return result;
+    plan p = {0};
+    lay_out(&p, mesh, max_bones, work);
+    find_groups(&p);
+    pack_groups(&p);
+    write_bones(&p, out);
+    write_triangles(&p, out);
+    fill(p.seen_in, mesh->vertices, NONE);
+    for (size_t k = 0; k < out->part_count; k++)
+        write_part(&p, out, (uint32_t)k);
+    if (out->rejected_count == 0)
+        return NKW_OK;
+    put_index(bad_triangle, out->triangles[out->triangle_count]);
+    return NKW_TOO_MANY;
+}
+
+/* ---- Bone-local vertices ---- */
+
+static void put_vec3(float *out, nkw_vec3 v)
+{
+    out[0] = v.x;
+    out[1] = v.y;
+    out[2] = v.z;
+}
+
+static void put_weights(const nkw_partition *partition, size_t vertex, size_t influences, size_t count, float *out,
+                        size_t step)
+{
+    const float *weights = partition->weights + vertex * influences;
+    const uint16_t *slots = partition->slots + vertex * influences;
+    for (size_t i = 0; i < influences; i++)
+        if (weights[i] != 0.0f && slots[i] < count)
+            out[slots[i] * step] += weights[i];
+}
+
+void nkw_partition_bone_local(const nkw_partition_mesh *mesh, const nkw_partition *partition, size_t part, size_t slots,
+                              const nkw_mat4 *inverse_bind, const nkw_vec3 *positions, const nkw_vec3 *normals,
+                              float *out, size_t stride)
+{
+    size_t floats = NKW_BONE_LOCAL_FLOATS(slots, normals), step = NKW_BONE_LOCAL_FLOATS(1, normals);
+    if (part >= partition->part_count || stride < floats)
+        return;
+    const nkw_part *it = &partition->parts[part];
+    const uint16_t *bones = partition->bones + it->first_bone;
+    size_t count = it->bone_count < slots ? it->bone_count : slots;
+    for (size_t i = 0; i < it->vertex_count; i++, out += stride) {
+        size_t v = partition->vertices[it->first_vertex + i];
+        for (size_t c = 0; c < floats; c++)
+            out[c] = 0.0f;
+        put_weights(partition, it->first_vertex + i, mesh->influences, count, out, step);
+        for (size_t s = 0; s < count; s++) {
+            const nkw_mat4 *m = &inverse_bind[bones[s]];
+            put_vec3(out + s * step + 1, nkw_mat4_transform_point(m, positions[v]));
+            if (normals)
+                put_vec3(out + s * step + 4, nkw_mat4_transform_direction(m, normals[v]));
+        }
+    }
+}
+
+/* ---- The order of bones ---- */
+
+/*
+ * The depths of a bone and of all above it, up to a root or to a bone whose depth is known already (UINT16_MAX is not;
+ * a bone that deep is nobody's parent). Gives 0 where there is no end.
+ */
+static int find_depth(const int32_t *parents, size_t bones, size_t bone, uint16_t *depths)
+{
+    size_t steps = 0, top = bone;
+    for (; parents[top] >= 0 && depths[top] == UINT16_MAX && steps <= bones; steps++)
+        top = (size_t)parents[top];
+    if (steps > bones)
+        return 0;
+    size_t depth = steps + (parents[top] < 0 ? 0 : depths[top]);
+    for (; bone != top; bone = (size_t)parents[bone])
+        depths[bone] = (uint16_t)depth--;
+    depths[top] = (uint16_t)depth;
+    return 1;
+}
+
+static nkw_result find_depths(const int32_t *parents, size_t bones, uint16_t *depths, size_t *bad)
+{
+    *bad = MOST_BONES;
+    if (bones > MOST_BONES)
+        return NKW_OUT_OF_RANGE;
+    for (*bad = 0; *bad < bones; ++*bad) {
+        if (parents[*bad] < -1 || parents[*bad] >= (int32_t)bones)
+            return NKW_OUT_OF_RANGE;
+        depths[*bad] = UINT16_MAX;
+    }
+    for (*bad = 0; *bad < bones; ++*bad)
+        if (!find_depth(parents, bones, *bad, depths))
+            return NKW_NOT_A_TREE;
+    *bad = 0;
+    return NKW_OK;
+}
+
+static int before_bone(const void *context, uint32_t a, uint32_t b)
+{
+    const uint16_t *depths = context;
+    return depths[a] != depths[b] ? depths[a] < depths[b] : a < b;
+}
+
+nkw_result nkw_bones_order(const int32_t *parents, size_t bones, uint16_t *depths, uint32_t *order, size_t *bad_bone)
+{
+    size_t bad;
+    nkw_result result = find_depths(parents, bones, depths, &bad);
+    put_index(bad_bone, bad);
+    if (result != NKW_OK || !order)
+        return result;
+    for (size_t b = 0; b < bones; b++)
+        order[b] = (uint32_t)b;
+    lane_sort(order, bones, before_bone, depths);
+    return NKW_OK;
+}

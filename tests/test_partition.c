@@ -1,0 +1,600 @@
+/* SPDX-License-Identifier: MIT */
+#include <math.h>
+#include <stdlib.h>
+
+#include "random.h"
+#include "support/expect.h"
+#include "support/partition.h"
+
+static mesh_data data, shuffled;
+static const nkw_partition unused = {NULL, NULL, NULL, NULL, NULL, NULL, NULL, 9, 9, 9, 9, 9};
+
+static void random_meshes_are_covered_exactly(void **state)
+{
+    (void)state;
+    random_source r = random_from(1);
+    size_t rejecting = 0;
+    for (size_t round = 0; round < 400; round++) {
+        size_t triangles = random_bits(&r) % (round < 100 ? 12 : MOST_TRIANGLES);
+        mesh_shape(&data, triangles, 1 + random_bits(&r) % MOST_VERTICES, 1 + random_bits(&r) % 8,
+                   1 + random_bits(&r) % 200);
+        mesh_draw(&data, &r);
+        if (round % 5 == 0)
+            data.mesh.materials = NULL;
+        size_t max_bones = random_bits(&r) % 30;
+        size_t more = mesh_needing_more(&data.mesh, max_bones);
+        rejecting += more != 0;
+        nkw_partition p = partition_build(&data.mesh, max_bones, more ? NKW_TOO_MANY : NKW_OK);
+        assert_int_equal(p.rejected_count, more);
+        expect_partition(&data.mesh, max_bones, &p);
+        partition_free(&p);
+    }
+    assert_true(rejecting > 50 && rejecting < 350);
+}
+
+static void a_mesh_without_triangles_has_no_parts(void **state)
+{
+    (void)state;
+    nkw_partition_mesh mesh = {NULL, NULL, 0, NULL, NULL, 0, 4, 0, NULL};
+    nkw_partition p = unused;
+    uint32_t work[8];
+    size_t bad = 99;
+    assert_true(nkw_partition_bounds(&mesh, 4).work <= 8);
+    assert_int_equal(nkw_partition_build(&mesh, 4, work, 8, &p, &bad), NKW_OK);
+    expect_nothing(&p);
+    assert_int_equal(bad, 0);
+}
+
+static void a_mesh_of_one_bone_is_one_part(void **state)
+{
+    (void)state;
+    random_source r = random_from(2);
+    mesh_shape(&data, 100, 60, 1, 1);
+    mesh_draw(&data, &r);
+    data.mesh.materials = NULL;
+    for (size_t v = 0; v < 60; v++) {
+        data.weights[v] = 1;
+        data.joints[v] = 0;
+    }
+    nkw_partition p = partition_build(&data.mesh, 1, NKW_OK);
+    expect_partition(&data.mesh, 1, &p);
+    assert_int_equal(p.part_count, 1);
+    assert_int_equal(p.bone_count, 1);
+    partition_free(&p);
+}
+
+static void vertices_without_weights_need_no_bones(void **state)
+{
+    (void)state;
+    mesh_shape(&data, 5, 15, 2, 3);
+    nkw_partition p = partition_build(&data.mesh, 0, NKW_OK);
+    expect_partition(&data.mesh, 0, &p);
+    assert_int_equal(p.part_count, 1);
+    assert_int_equal(p.bone_count, 0);
+    assert_int_equal(p.triangle_count, 5);
+    partition_free(&p);
+}
+
+static void room_for_all_bones_gives_one_part_per_material(void **state)
+{
+    (void)state;
+    random_source r = random_from(3);
+    mesh_shape(&data, 500, 300, 4, 70);
+    mesh_draw(&data, &r);
+    static const size_t most[] = {70, 71, 65536, SIZE_MAX};
+    for (size_t i = 0; i < 4; i++) {
+        nkw_partition p = partition_build(&data.mesh, most[i], NKW_OK);
+        expect_partition(&data.mesh, most[i], &p);
+        assert_int_equal(p.part_count, 3);
+        assert_int_equal(p.parts[1].material, 1);
+        partition_free(&p);
+    }
+}
+
+static void all_bones_that_joints_can_name_will_do(void **state)
+{
+    (void)state;
+    mesh_shape(&data, 1, 3, 1, 65536);
+    for (uint16_t v = 0; v < 3; v++) {
+        data.indices[v] = v;
+        data.weights[v] = 1;
+        data.joints[v] = (uint16_t)(65535 - v);
+    }
+    nkw_partition p = partition_build(&data.mesh, 3, NKW_OK);
+    const uint16_t want[] = {65533, 65534, 65535};
+    assert_int_equal(p.bone_count, 3);
+    assert_memory_equal(p.bones, want, sizeof want);
+    partition_free(&p);
+}
+
+/*
+ * The triangles need {0 1} {0 1 2} {1 2} {1 2 3} {2 3} and, of the other material, {3 4}. With three bones in a part:
+ * {0 1 2} takes {0 1} and {1 2}, {1 2 3} takes {2 3}.
+ */
+static void a_strip_of_six_triangles_comes_out_as_by_hand(void **state)
+{
+    (void)state;
+    mesh_strip(&data);
+    nkw_partition p = partition_build(&data.mesh, 3, NKW_OK);
+    expect_partition(&data.mesh, 3, &p);
+    static const nkw_part parts[] = {{0, 0, 3, 0, 3, 0, 5}, {0, 3, 2, 3, 3, 5, 4}, {7, 5, 1, 6, 2, 9, 3}};
+    static const uint16_t bones[] = {0, 1, 2, 1, 2, 3, 3, 4};
+    static const uint32_t triangles[] = {0, 1, 2, 3, 4, 5};
+    static const uint32_t indices[] = {0, 1, 2, 1, 2, 3, 2, 3, 4, 0, 1, 2, 1, 2, 3, 0, 1, 2};
+    static const uint32_t vertices[] = {0, 1, 2, 3, 4, 3, 4, 5, 6, 5, 6, 7};
+    static const uint16_t slots[] = {0, 0, 0, 0, 1, 0, 1, 2, 2, 0, 0, 1, 1, 0, 2, 0, 2, 0, 0, 0, 0, 0, 1, 0};
+    assert_int_equal(p.part_count, 3);
+    assert_memory_equal(p.parts, parts, sizeof parts);
+    assert_memory_equal(p.bones, bones, sizeof bones);
+    assert_memory_equal(p.triangles, triangles, sizeof triangles);
+    assert_memory_equal(p.indices, indices, sizeof indices);
+    assert_memory_equal(p.vertices, vertices, sizeof vertices);
+    assert_memory_equal(p.slots, slots, sizeof slots);
+    partition_free(&p);
+}
+
+static void triangles_that_need_more_bones_are_listed_after_the_parts(void **state)
+{
+    (void)state;
+    mesh_strip(&data);
+    nkw_partition p = partition_build(&data.mesh, 2, NKW_TOO_MANY);
+    expect_partition(&data.mesh, 2, &p);
+    static const uint32_t triangles[] = {0, 2, 4, 5, 1, 3};
+    assert_int_equal(p.triangle_count, 4);
+    assert_int_equal(p.rejected_count, 2);
+    assert_int_equal(p.part_count, 4);
+    assert_memory_equal(p.triangles, triangles, sizeof triangles);
+    partition_free(&p);
+    p = partition_build(&data.mesh, 0, NKW_TOO_MANY);
+    assert_int_equal(p.part_count, 0);
+    assert_int_equal(p.rejected_count, 6);
+    partition_free(&p);
+}
+
+/* Two rings of four bones each, their triangles in turn: first fit in the order of the mesh would need four parts. */
+static void sets_that_share_bones_are_packed_together(void **state)
+{
+    (void)state;
+    static const uint16_t pairs[][2] = {{0, 1}, {4, 5}, {1, 2}, {5, 6}, {2, 3}, {6, 7}, {3, 0}, {7, 4}};
+    mesh_shape(&data, 8, 24, 2, 8);
+    data.mesh.materials = NULL;
+    for (size_t t = 0; t < 8; t++)
+        for (size_t c = 0; c < 3; c++) {
+            data.indices[3 * t + c] = (uint32_t)(3 * t + c);
+            for (size_t i = 0; i < 2; i++) {
+                data.joints[2 * (3 * t + c) + i] = pairs[t][i];
+                data.weights[2 * (3 * t + c) + i] = 0.5f;
+            }
+        }
+    nkw_partition p = partition_build(&data.mesh, 4, NKW_OK);
+    static const uint16_t bones[] = {0, 1, 2, 3, 4, 5, 6, 7};
+    static const uint32_t triangles[] = {0, 2, 4, 6, 1, 3, 5, 7};
+    assert_int_equal(p.part_count, 2);
+    assert_memory_equal(p.bones, bones, sizeof bones);
+    assert_memory_equal(p.triangles, triangles, sizeof triangles);
+    partition_free(&p);
+}
+
+static void the_same_mesh_gives_the_same_partition(void **state)
+{
+    (void)state;
+    random_source r = random_from(4);
+    mesh_shape(&data, 500, 300, 4, 60);
+    mesh_draw(&data, &r);
+    nkw_partition a = partition_build(&data.mesh, 12, NKW_OK), b = partition_build(&data.mesh, 12, NKW_OK);
+    assert_int_equal(a.part_count, b.part_count);
+    assert_memory_equal(a.parts, b.parts, a.part_count * sizeof(nkw_part));
+    assert_memory_equal(a.bones, b.bones, a.bone_count * sizeof(uint16_t));
+    assert_memory_equal(a.triangles, b.triangles, 500 * sizeof(uint32_t));
+    assert_memory_equal(a.slots, b.slots, 4 * a.vertex_count * sizeof(uint16_t));
+    partition_free(&a);
+    partition_free(&b);
+}
+
+static void the_order_of_triangles_does_not_change_the_bones_of_parts(void **state)
+{
+    (void)state;
+    random_source r = random_from(5);
+    mesh_shape(&data, 500, 300, 4, 60);
+    mesh_draw(&data, &r);
+    mesh_shape(&shuffled, 500, 300, 4, 60);
+    memcpy(shuffled.joints, data.joints, sizeof data.joints);
+    memcpy(shuffled.weights, data.weights, sizeof data.weights);
+    for (size_t t = 0; t < 500; t++) {
+        size_t from = (t * 77 + 13) % 500;
+        shuffled.materials[t] = data.materials[from];
+        memcpy(shuffled.indices + 3 * t, data.indices + 3 * from, 3 * sizeof(uint32_t));
+    }
+    nkw_partition a = partition_build(&data.mesh, 12, NKW_OK), b = partition_build(&shuffled.mesh, 12, NKW_OK);
+    expect_partition(&shuffled.mesh, 12, &b);
+    assert_int_equal(a.part_count, b.part_count);
+    assert_memory_equal(a.bones, b.bones, a.bone_count * sizeof(uint16_t));
+    for (size_t k = 0; k < a.part_count; k++)
+        assert_int_equal(a.parts[k].triangle_count, b.parts[k].triangle_count);
+    partition_free(&a);
+    partition_free(&b);
+}
+
+static void bones_of_a_part_ascend_by_depth_where_depths_are_given(void **state)
+{
+    (void)state;
+    random_source r = random_from(6);
+    uint16_t depths[60];
+    mesh_shape(&data, 500, 300, 4, 60);
+    mesh_draw(&data, &r);
+    for (size_t b = 0; b < 60; b++)
+        depths[b] = (uint16_t)(random_bits(&r) % 5 * 16383);
+    data.mesh.depths = depths;
+    nkw_partition p = partition_build(&data.mesh, 14, NKW_OK);
+    expect_partition(&data.mesh, 14, &p);
+    partition_free(&p);
+}
+
+#define BONES 12
+
+static nkw_mat4 bind[BONES], model[BONES];
+static nkw_vec3 positions[MOST_VERTICES], normals[MOST_VERTICES];
+
+/* Rigid bones and vertices within 2.6 of the origin. */
+static void draw_pose(random_source *r)
+{
+    for (size_t b = 0; b < BONES; b++) {
+        nkw_trs at = {random_vec3(r, -1.5f, 1.5f), random_rotation(r), {1, 1, 1}}, to = at;
+        to.rotation = random_rotation(r);
+        to.translation = random_vec3(r, -1.5f, 1.5f);
+        nkw_mat4 rest = nkw_mat4_from_trs(&at);
+        bind[b] = nkw_mat4_inverse_affine(&rest);
+        model[b] = nkw_mat4_from_trs(&to);
+    }
+    for (size_t v = 0; v < MOST_VERTICES; v++) {
+        positions[v] = random_vec3(r, -1.5f, 1.5f);
+        normals[v] = random_direction(r);
+    }
+}
+
+/* out += weight m (v, w) */
+static void add_transformed(const nkw_mat4 *m, const double v[3], double w, double weight, double out[3])
+{
+    for (size_t c = 0; c < 3; c++)
+        out[c] += weight * (m->m[c] * v[0] + m->m[4 + c] * v[1] + m->m[8 + c] * v[2] + m->m[12 + c] * w);
+}
+
+/* Linear blend skinning of a vector of the mesh's vertex v, in double. */
+static void blend(size_t v, nkw_vec3 vector, double w, double out[3])
+{
+    const double from[3] = {vector.x, vector.y, vector.z};
+    for (size_t i = v * data.mesh.influences; i < (v + 1) * data.mesh.influences; i++) {
+        double local[3] = {0};
+        if (data.weights[i] == 0.0f)
+            continue;
+        add_transformed(&bind[data.joints[i]], from, w, 1, local);
+        add_transformed(&model[data.joints[i]], local, w, data.weights[i], out);
+    }
+}
+
+static double weight_of(size_t v)
+{
+    const float *w = data.weights + 4 * v;
+    return ((double)w[0] + w[1]) + ((double)w[2] + w[3]);
+}
+
+/* What a shader makes of a bone-local vertex of eight slots, in double: position and normal. */
+static void blend_local(const float *vertex, const uint16_t *bones, size_t count, double out[6])
+{
+    for (size_t s = 0; s < count; s++) {
+        const float *at = vertex + 7 * s;
+        const double position[3] = {at[1], at[2], at[3]}, normal[3] = {at[4], at[5], at[6]};
+        add_transformed(&model[bones[s]], position, 1, at[0], out);
+        add_transformed(&model[bones[s]], normal, 0, at[0], out + 3);
+    }
+}
+
+static void bone_local_vertices_blend_as_linear_blend_skinning_does(void **state)
+{
+    (void)state;
+    random_source r = random_from(7);
+    static float out[MOST_VERTICES * 60];
+    mesh_shape(&data, 400, 300, 4, BONES);
+    mesh_draw(&data, &r);
+    draw_pose(&r);
+    nkw_partition p = partition_build(&data.mesh, 8, NKW_OK);
+    double worst = 0;
+    for (size_t k = 0; k < p.part_count; k++) {
+        const nkw_part *part = &p.parts[k];
+        nkw_partition_bone_local(&data.mesh, &p, k, 8, bind, positions, normals, out, 60);
+        for (size_t i = 0; i < part->vertex_count; i++) {
+            double got[6] = {0}, want[6] = {0};
+            size_t v = p.vertices[part->first_vertex + i];
+            blend_local(out + i * 60, p.bones + part->first_bone, part->bone_count, got);
+            blend(v, positions[v], 1, want);
+            blend(v, normals[v], 0, want + 3);
+            for (size_t c = 0; c < 6; c++)
+                worst = fmax(worst, fabs(got[c] - want[c]) / (weight_of(v) + 1e-9));
+        }
+    }
+    expect_near(worst, 0, 2e-7 * 2.6);
+    partition_free(&p);
+}
+
+static void bone_local_vertices_have_every_bone_of_the_part(void **state)
+{
+    (void)state;
+    random_source r = random_from(8);
+    float out[5 * 32];
+    mesh_strip(&data);
+    draw_pose(&r);
+    nkw_partition p = partition_build(&data.mesh, 3, NKW_OK);
+    for (size_t i = 0; i < sizeof out / sizeof out[0]; i++)
+        out[i] = -77;
+    nkw_partition_bone_local(&data.mesh, &p, 0, 4, bind, positions, normals, out, 32);
+    static const float weights[5][3] = {{1, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0.5f, 0.5f}, {0, 0, 1}};
+    for (size_t v = 0; v < 5; v++) {
+        for (size_t s = 0; s < 3; s++) {
+            const float *at = out + 32 * v + 7 * s;
+            nkw_vec3 position = {at[1], at[2], at[3]}, normal = {at[4], at[5], at[6]};
+            expect_bits(at[0], weights[v][s]);
+            expect_vec3_bits(position, nkw_mat4_transform_point(&bind[s], positions[v]));
+            expect_vec3_bits(normal, nkw_mat4_transform_direction(&bind[s], normals[v]));
+        }
+        for (size_t i = 21; i < 32; i++)
+            expect_bits(out[32 * v + i], i < 28 ? 0.0f : -77.0f);
+    }
+    partition_free(&p);
+}
+
+static void bone_local_vertices_without_normals_have_four_floats_to_a_slot(void **state)
+{
+    (void)state;
+    random_source r = random_from(9);
+    float out[5 * 8];
+    mesh_strip(&data);
+    draw_pose(&r);
+    nkw_partition p = partition_build(&data.mesh, 3, NKW_OK);
+    assert_int_equal(NKW_BONE_LOCAL_FLOATS(2, 0), 8);
+    assert_int_equal(NKW_BONE_LOCAL_FLOATS(4, 1), 28);
+    nkw_partition_bone_local(&data.mesh, &p, 0, 2, bind, positions, NULL, out, 8);
+    nkw_vec3 position = {out[8 * 3 + 5], out[8 * 3 + 6], out[8 * 3 + 7]};
+    expect_bits(out[8 * 3 + 0], 0.0f);
+    expect_bits(out[8 * 3 + 4], 0.5f);
+    expect_vec3_bits(position, nkw_mat4_transform_point(&bind[1], positions[3]));
+    partition_free(&p);
+}
+
+static void a_bone_that_is_named_twice_has_both_weights(void **state)
+{
+    (void)state;
+    float out[3 * 4];
+    mesh_shape(&data, 1, 3, 2, 1);
+    data.indices[1] = 1;
+    data.indices[2] = 2;
+    for (size_t i = 0; i < 6; i++)
+        data.weights[i] = 0.25f;
+    bind[0] = nkw_mat4_identity();
+    nkw_partition p = partition_build(&data.mesh, 1, NKW_OK);
+    nkw_partition_bone_local(&data.mesh, &p, 0, 1, bind, positions, NULL, out, 4);
+    expect_bits(out[0], 0.5f);
+    partition_free(&p);
+}
+
+static void bone_local_writes_nothing_for_no_part_and_for_a_short_stride(void **state)
+{
+    (void)state;
+    float out[4] = {5, 5, 5, 5};
+    mesh_strip(&data);
+    nkw_partition p = partition_build(&data.mesh, 3, NKW_OK);
+    nkw_partition_bone_local(&data.mesh, &p, 3, 1, bind, positions, NULL, out, 4);
+    nkw_partition_bone_local(&data.mesh, &p, 0, 1, bind, positions, NULL, out, 3);
+    nkw_partition_bone_local(&data.mesh, &p, 0, 1, bind, positions, normals, out, 6);
+    for (size_t i = 0; i < 4; i++)
+        expect_bits(out[i], 5.0f);
+    partition_free(&p);
+}
+
+static void bones_come_roots_first_and_level_by_level(void **state)
+{
+    (void)state;
+    static const int32_t parents[] = {3, 0, 0, -1, 1, -1, 3};
+    static const uint16_t want_depths[] = {1, 2, 2, 0, 3, 0, 1};
+    static const uint32_t want[] = {3, 5, 0, 6, 1, 2, 4};
+    uint16_t depths[7];
+    uint32_t order[7];
+    size_t bad = 99;
+    assert_int_equal(nkw_bones_order(parents, 7, depths, order, &bad), NKW_OK);
+    assert_int_equal(bad, 0);
+    assert_memory_equal(depths, want_depths, sizeof depths);
+    assert_memory_equal(order, want, sizeof order);
+    assert_int_equal(nkw_bones_order(parents, 7, depths, NULL, NULL), NKW_OK);
+    assert_int_equal(nkw_bones_order(NULL, 0, NULL, NULL, &bad), NKW_OK);
+}
+
+static void a_chain_of_all_bones_is_ordered_either_way(void **state)
+{
+    (void)state;
+    static int32_t parents[65536];
+    static uint16_t depths[65536];
+    static uint32_t order[65536];
+    for (int up = 0; up < 2; up++) {
+        for (int32_t b = 0; b < 65536; b++)
+            parents[b] = up ? b - 1 : b == 65535 ? -1 : b + 1;
+        assert_int_equal(nkw_bones_order(parents, 65536, depths, order, NULL), NKW_OK);
+        for (uint32_t b = 0; b < 65536; b++) {
+            assert_int_equal(order[b], up ? b : 65535 - b);
+            assert_int_equal(depths[b], up ? b : 65535 - b);
+        }
+    }
+}
+
+static void random_trees_are_ordered_parents_first(void **state)
+{
+    (void)state;
+    random_source r = random_from(10);
+    for (size_t round = 0; round < 100; round++) {
+        size_t n = 1 + random_bits(&r) % 200, place[200];
+        int32_t parents[200];
+        uint16_t depths[200];
+        uint32_t order[200];
+        /* Tree over i, under the names (i * 7 + 3) mod n where that is one to one. */
+        size_t step = n % 7 ? 7 : 1;
+        for (size_t i = 0; i < n; i++)
+            parents[(i * step + 3) % n] =
+                i == 0 || random_bits(&r) % 20 == 0 ? -1 : (int32_t)((random_bits(&r) % i * step + 3) % n);
+        assert_int_equal(nkw_bones_order(parents, n, depths, order, NULL), NKW_OK);
+        for (size_t i = 0; i < n; i++)
+            place[order[i]] = i;
+        for (size_t b = 0; b < n; b++) {
+            assert_int_equal(order[place[b]], b);
+            assert_int_equal(depths[b], parents[b] < 0 ? 0 : depths[parents[b]] + 1);
+            assert_true(parents[b] < 0 || place[parents[b]] < place[b]);
+        }
+    }
+}
+
+static void expect_no_order(const int32_t *parents, size_t bones, nkw_result result, size_t bone)
+{
+    uint16_t depths[8];
+    uint32_t order[8] = {77};
+    size_t bad = 99;
+    assert_int_equal(nkw_bones_order(parents, bones, depths, order, &bad), result);
+    assert_int_equal(bad, bone);
+    assert_int_equal(order[0], 77);
+}
+
+static void parents_that_make_no_tree_are_named(void **state)
+{
+    (void)state;
+    static const int32_t below[] = {-1, -2}, beyond[] = {-1, 0, 3}, own[] = {-1, 1}, cycle[] = {-1, 0, 4, 2, 3, 1};
+    expect_no_order(below, 2, NKW_OUT_OF_RANGE, 1);
+    expect_no_order(beyond, 3, NKW_OUT_OF_RANGE, 2);
+    expect_no_order(own, 2, NKW_NOT_A_TREE, 1);
+    expect_no_order(cycle, 6, NKW_NOT_A_TREE, 2);
+    expect_no_order(NULL, 65537, NKW_OUT_OF_RANGE, 65536);
+}
+
+static void expect_invalid(nkw_result result, size_t triangle)
+{
+    size_t bad = 99;
+    assert_int_equal(nkw_partition_validate(&data.mesh, &bad), result);
+    assert_int_equal(bad, triangle);
+    assert_int_equal(nkw_partition_validate(&data.mesh, NULL), result);
+    if (result == NKW_OK)
+        return;
+    uint32_t work[1];
+    nkw_partition p = unused;
+    bad = 99;
+    assert_int_equal(nkw_partition_build(&data.mesh, 4, work, 1, &p, &bad), result);
+    assert_int_equal(bad, triangle);
+    expect_nothing(&p);
+}
+
+static void validate_names_a_vertex_index_out_of_range(void **state)
+{
+    (void)state;
+    mesh_strip(&data);
+    expect_invalid(NKW_OK, 0);
+    data.indices[3 * 4 + 2] = 8;
+    expect_invalid(NKW_OUT_OF_RANGE, 4);
+    data.indices[3 * 2 + 1] = UINT32_MAX;
+    expect_invalid(NKW_OUT_OF_RANGE, 2);
+}
+
+static void validate_names_a_bone_out_of_range(void **state)
+{
+    (void)state;
+    mesh_strip(&data);
+    data.joints[2 * 3 + 1] = 5;
+    expect_invalid(NKW_OUT_OF_RANGE, 1);
+    data.weights[2 * 3 + 1] = -0.0f;
+    expect_invalid(NKW_OK, 0);
+}
+
+static void validate_names_weights_that_are_not_finite_or_negative(void **state)
+{
+    (void)state;
+    static const float bad[] = {NAN, INFINITY, -INFINITY};
+    for (size_t i = 0; i < 3; i++) {
+        mesh_strip(&data);
+        data.weights[2 * 5 + 1] = bad[i];
+        expect_invalid(NKW_NOT_FINITE, 3);
+    }
+    mesh_strip(&data);
+    data.weights[2 * 6] = -1e-30f;
+    expect_invalid(NKW_BAD_WEIGHTS, 4);
+}
+
+static void validate_does_not_look_at_vertices_that_no_triangle_uses(void **state)
+{
+    (void)state;
+    mesh_strip(&data);
+    data.mesh.vertices = 9;
+    data.weights[2 * 8] = NAN;
+    expect_invalid(NKW_OK, 0);
+}
+
+static void validate_names_counts_out_of_range(void **state)
+{
+    (void)state;
+    mesh_strip(&data);
+    data.mesh.influences = 0;
+    expect_invalid(NKW_OUT_OF_RANGE, 0);
+    data.mesh.influences = 9;
+    expect_invalid(NKW_OUT_OF_RANGE, 0);
+    mesh_strip(&data);
+    data.mesh.bones = 65537;
+    expect_invalid(NKW_OUT_OF_RANGE, 0);
+    mesh_strip(&data);
+    data.mesh.vertices = UINT32_MAX;
+    expect_invalid(NKW_OUT_OF_RANGE, 0);
+    mesh_strip(&data);
+    data.mesh.triangles = UINT32_MAX / 24 + 1;
+    expect_invalid(NKW_OUT_OF_RANGE, 0);
+    assert_int_equal(nkw_partition_bounds(&data.mesh, 4).work, 0);
+}
+
+static void too_little_working_memory_is_refused(void **state)
+{
+    (void)state;
+    mesh_strip(&data);
+    nkw_partition_sizes sizes = nkw_partition_bounds(&data.mesh, 3);
+    assert_int_equal(sizes.parts, 6);
+    assert_int_equal(sizes.bones, 18);
+    assert_int_equal(sizes.vertices, 18);
+    nkw_partition p = unused;
+    uint32_t *work = malloc(sizes.work * sizeof(uint32_t));
+    assert_int_equal(nkw_partition_build(&data.mesh, 3, work, sizes.work - 1, &p, NULL), NKW_TOO_SMALL);
+    expect_nothing(&p);
+    free(work);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(random_meshes_are_covered_exactly),
+        cmocka_unit_test(a_mesh_without_triangles_has_no_parts),
+        cmocka_unit_test(a_mesh_of_one_bone_is_one_part),
+        cmocka_unit_test(vertices_without_weights_need_no_bones),
+        cmocka_unit_test(room_for_all_bones_gives_one_part_per_material),
+        cmocka_unit_test(all_bones_that_joints_can_name_will_do),
+        cmocka_unit_test(a_strip_of_six_triangles_comes_out_as_by_hand),
+        cmocka_unit_test(triangles_that_need_more_bones_are_listed_after_the_parts),
+        cmocka_unit_test(sets_that_share_bones_are_packed_together),
+        cmocka_unit_test(the_same_mesh_gives_the_same_partition),
+        cmocka_unit_test(the_order_of_triangles_does_not_change_the_bones_of_parts),
+        cmocka_unit_test(bones_of_a_part_ascend_by_depth_where_depths_are_given),
+        cmocka_unit_test(bone_local_vertices_blend_as_linear_blend_skinning_does),
+        cmocka_unit_test(bone_local_vertices_have_every_bone_of_the_part),
+        cmocka_unit_test(bone_local_vertices_without_normals_have_four_floats_to_a_slot),
+        cmocka_unit_test(a_bone_that_is_named_twice_has_both_weights),
+        cmocka_unit_test(bone_local_writes_nothing_for_no_part_and_for_a_short_stride),
+        cmocka_unit_test(bones_come_roots_first_and_level_by_level),
+        cmocka_unit_test(a_chain_of_all_bones_is_ordered_either_way),
+        cmocka_unit_test(random_trees_are_ordered_parents_first),
+        cmocka_unit_test(parents_that_make_no_tree_are_named),
+        cmocka_unit_test(validate_names_a_vertex_index_out_of_range),
+        cmocka_unit_test(validate_names_a_bone_out_of_range),
+        cmocka_unit_test(validate_names_weights_that_are_not_finite_or_negative),
+        cmocka_unit_test(validate_does_not_look_at_vertices_that_no_triangle_uses),
+        cmocka_unit_test(validate_names_counts_out_of_range),
+        cmocka_unit_test(too_little_working_memory_is_refused),
+    };
+    return cmocka_run_group_tests_name("partition", tests, NULL, NULL);
+}
