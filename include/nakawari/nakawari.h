@@ -19,6 +19,7 @@
 #include "mat.h"
 #include "euler.h"
 #include "transform.h"
+#include "dual.h"
 
 /* Floor 3, curve and orient: curves on numbers, curves on rotations. */
 #include "curve.h"
@@ -30,5 +31,8 @@
 #include "track.h"
 #include "playback.h"
 #include "pose.h"
+
+/* Floor 6, skin: joint matrices and palettes. */
+#include "palette.h"
 
 #endif

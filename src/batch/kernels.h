@@ -11,6 +11,8 @@
 #ifndef NAKAWARI_BATCH_KERNELS_H
 #define NAKAWARI_BATCH_KERNELS_H
 
+#include <stdint.h>
+
 #include <nakawari/curve.h>
 #include <nakawari/orient.h>
 #include <nakawari/types.h>
@@ -54,6 +56,7 @@
     X(quat_unpack, (const nkw_quat *in, nkw_quat_span out, size_t n), (in, out, n)) \
     X(quat_pack, (nkw_quat_view in, nkw_quat *out, size_t n), (in, out, n)) \
     X(mat3_from_quat, (nkw_quat_view q, nkw_mat3_span out, size_t n), (q, out, n)) \
+    X(mat4_mul_affine, (nkw_mat4_view a, nkw_mat4_view b, nkw_mat4_span out, size_t n), (a, b, out, n)) \
     X(mat4_transform_point, (const nkw_mat4 *m, nkw_vec3_view p, nkw_vec3_span out, size_t n), (m, p, out, n)) \
     X(mat4_transform_direction, (const nkw_mat4 *m, nkw_vec3_view d, nkw_vec3_span out, size_t n), (m, d, out, n)) \
     X(mat4_unpack, (const nkw_mat4 *in, nkw_mat4_span out, size_t n), (in, out, n)) \
@@ -83,7 +86,11 @@
     X(quat_log, (nkw_quat_view q, nkw_vec3_span out, size_t n), (q, out, n)) \
     X(quat_exp, (nkw_vec3_view v, nkw_quat_span out, size_t n), (v, out, n))
 
-#define KERNEL_INNER_LIST(X)
+#define KERNEL_INNER_LIST(X) \
+    X(palette_4x4, (const nkw_mat4 *models, size_t model_count, const int32_t *joints, const nkw_mat4 *inverse_bind, const nkw_mat4 *global_inverse, nkw_mat4 *out, size_t n), (models, model_count, joints, inverse_bind, global_inverse, out, n)) \
+    X(palette_3x4, (const nkw_mat4 *models, size_t model_count, const int32_t *joints, const nkw_mat4 *inverse_bind, const nkw_mat4 *global_inverse, nkw_mat3x4 *out, size_t n), (models, model_count, joints, inverse_bind, global_inverse, out, n)) \
+    X(palette_dual, (const nkw_mat4 *models, size_t model_count, const int32_t *joints, const nkw_mat4 *inverse_bind, const nkw_mat4 *global_inverse, nkw_dual_quat *out, size_t n), (models, model_count, joints, inverse_bind, global_inverse, out, n)) \
+    X(palette_normals, (const nkw_mat4 *palette, size_t size, size_t row, size_t column, float *out, size_t n), (palette, size, row, column, out, n))
 /* clang-format on */
 
 #endif

@@ -9,7 +9,9 @@
 #include <stdint.h>
 
 #define DATA_LIST(X) \
-    X(pose)
+    X(pose) \
+    X(dual) \
+    X(palette)
 
 #ifdef __cplusplus
 extern "C" {
