@@ -56,15 +56,34 @@ KERNEL(palette_3x4)
     }
 }
 
-/* Matrices that are worked on together, in component arrays. */
+/*
+ * Matrices that are worked on together, in component arrays [element][matrix]. The elements that a short block lacks are those
+ * of an earlier one, or 0.
+ */
 #define BLOCK 16
 
-/* Elements k of the matrices, k = 0..15; those that a short block lacks stay as they are. */
-static inline void unpack_block(const nkw_mat4 *m, float a[16][BLOCK], size_t n)
+static inline void unpack_one(const nkw_mat4 *m, float a[16][BLOCK], size_t i)
 {
-    for (size_t i = 0; i < n; i++)
-        for (size_t k = 0; k < 16; k++)
-            a[k][i] = m[i].m[k];
+    for (size_t k = 0; k < 16; k++)
+        a[k][i] = m->m[k];
+}
+
+/* Functions of their own, so that the loops around them see no address of a local matrix. */
+static inline void normal_one(float a[16][BLOCK], float r[9][BLOCK], size_t i)
+{
+    nkw_mat3 m = {{a[0][i], a[1][i], a[2][i], a[4][i], a[5][i], a[6][i], a[8][i], a[9][i], a[10][i]}};
+    nkw_mat3 normal = lane_mat3_normal(&m);
+    for (size_t k = 0; k < 9; k++)
+        r[k][i] = normal.m[k];
+}
+
+static inline void dual_one(float a[16][BLOCK], float r[8][BLOCK], size_t i)
+{
+    lane_wmat3 linear = {{a[0][i], a[1][i], a[2][i], a[4][i], a[5][i], a[6][i], a[8][i], a[9][i], a[10][i]}};
+    lane_wvec3 translation = {a[12][i], a[13][i], a[14][i]};
+    nkw_dual_quat d = lane_dual_quat_from_affine(&linear, translation);
+    r[0][i] = d.real.x, r[1][i] = d.real.y, r[2][i] = d.real.z, r[3][i] = d.real.w;
+    r[4][i] = d.dual.x, r[5][i] = d.dual.y, r[6][i] = d.dual.z, r[7][i] = d.dual.w;
 }
 
 KERNEL(palette_dual)
@@ -80,17 +99,11 @@ KERNEL(palette_dual)
             lane_columns c =
                 columns_of(models, model_count, joints, inverse_bind, global_inverse ? &g : NULL, from + i);
             lane_mat4_from_columns(&c, &m);
-            for (size_t k = 0; k < 16; k++)
-                a[k][i] = m.m[k];
+            unpack_one(&m, a, i);
         }
 #pragma omp simd
-        for (size_t i = 0; i < BLOCK; i++) {
-            lane_wmat3 linear = {{a[0][i], a[1][i], a[2][i], a[4][i], a[5][i], a[6][i], a[8][i], a[9][i], a[10][i]}};
-            lane_wvec3 translation = {a[12][i], a[13][i], a[14][i]};
-            nkw_dual_quat d = lane_dual_quat_from_affine(&linear, translation);
-            r[0][i] = d.real.x, r[1][i] = d.real.y, r[2][i] = d.real.z, r[3][i] = d.real.w;
-            r[4][i] = d.dual.x, r[5][i] = d.dual.y, r[6][i] = d.dual.z, r[7][i] = d.dual.w;
-        }
+        for (size_t i = 0; i < BLOCK; i++)
+            dual_one(a, r, i);
         for (size_t i = 0; i < size; i++) {
             nkw_dual_quat d = {{r[0][i], r[1][i], r[2][i], r[3][i]}, {r[4][i], r[5][i], r[6][i], r[7][i]}};
             out[from + i] = d;
@@ -104,14 +117,11 @@ KERNEL(palette_normals)(const nkw_mat4 *palette, size_t size, size_t row, size_t
     float a[16][BLOCK] = {{0}}, r[9][BLOCK];
     for (size_t from = 0; from < n; from += BLOCK) {
         size_t block = n - from < BLOCK ? n - from : BLOCK;
-        unpack_block(palette + from, a, block);
+        for (size_t i = 0; i < block; i++)
+            unpack_one(&palette[from + i], a, i);
 #pragma omp simd
-        for (size_t i = 0; i < BLOCK; i++) {
-            nkw_mat3 m = {{a[0][i], a[1][i], a[2][i], a[4][i], a[5][i], a[6][i], a[8][i], a[9][i], a[10][i]}};
-            nkw_mat3 normal = lane_mat3_normal(&m);
-            for (size_t k = 0; k < 9; k++)
-                r[k][i] = normal.m[k];
-        }
+        for (size_t i = 0; i < BLOCK; i++)
+            normal_one(a, r, i);
         for (size_t i = 0; i < block; i++) {
             float *o = out + (from + i) * size;
             for (size_t k = 3; k < size; k += 4)
