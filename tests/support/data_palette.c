@@ -29,7 +29,8 @@ static void draw(random_source *r, palettes *p, size_t count)
     }
 }
 
-static uint64_t hash_all(uint64_t hash, palettes *p, size_t n, const int32_t *joints, const nkw_mat4 *ib, const nkw_mat4 *g)
+static uint64_t hash_all(uint64_t hash, palettes *p, size_t n, const int32_t *joints, const nkw_mat4 *ib,
+                         const nkw_mat4 *g)
 {
     nkw_palette_from_models(p->models, n, joints, ib, g, n, p->palette);
     nkw_palette_3x4_from_models(p->models, n, joints, ib, g, n, p->rows);
