@@ -38,7 +38,7 @@ NKW_API nkw_dual_quat nkw_dual_quat_from_rigid(nkw_quat rotation, nkw_vec3 trans
  * nearest. real.w >= 0; where it is 0, the largest component of real is positive. A block of zeros gives no
  * rotation, NaN gives NaN.
  *
- * Error  0.91 u of the rotation, for rigid matrices.
+ * Error  of the rotation as nkw_quat_from_mat3.
  */
 NKW_API nkw_dual_quat nkw_dual_quat_from_mat4(const nkw_mat4 *m);
 
