@@ -16,6 +16,7 @@ set(packed_avx512 "v(mul|add|sub|div|sqrt)p[sd] .*%zmm")
 
 file(READ "${KERNELS}" text)
 string(REGEX MATCHALL "\n    X\\([a-z0-9_]+" rows "${text}")
+string(REPLACE "," ";" ISAS "${ISAS}")
 set(checked 0)
 foreach(isa IN LISTS ISAS)
   foreach(row IN LISTS rows)
