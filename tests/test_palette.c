@@ -429,6 +429,8 @@ static void every_place_in_a_chunk_is_its_own(void **state)
     size_t last = c[0].first + 14;
     assert_int_equal(nkw_palette_chunk_at(&c[0], 3, 4), last);
     assert_int_equal(nkw_palette_chunk_at(&c[0], SIZE_MAX, SIZE_MAX), last);
+    const nkw_palette_chunk empty = {0, 0, 7};
+    assert_int_equal(nkw_palette_chunk_at(&empty, 2, 2), 7);
 }
 
 int main(void)

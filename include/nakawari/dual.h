@@ -5,9 +5,9 @@
  *
  *     d = real + e dual,   e e = 0;   real = rotation,   dual = (t / 2) real      t = (x, y, z, 0), the translation
  *
- * Unit says |real| = 1 and real . dual = 0; only unit ones are rigid motions, and what transforms takes them so. d and -d are
- * the same motion. Sums of unit dual quaternions, normalised, are the blends of dual-quaternion skinning; they need
- * all of one side (nkw_dual_quat_align).
+ * Unit says |real| = 1 and real . dual = 0; only unit ones are rigid motions, and what transforms takes them so. d and
+ * -d are the same motion. Sums of unit dual quaternions, normalised, are the blends of dual-quaternion skinning; they
+ * need all of one side (nkw_dual_quat_align).
  *
  * Source Kavan, Collins, Zara, O'Sullivan, Geometric Skinning with Approximate Dual Quaternion Blending, ACM TOG, 2008.
  */
@@ -24,18 +24,18 @@ extern "C" {
 NKW_API nkw_dual_quat nkw_dual_quat_identity(void);
 
 /**
- * Rotate by the unit quaternion `rotation`, then move by `translation`. real is the rotation as given, bit for bit; dual is
- * worked out in binary64 and rounded once.
+ * Rotate by the unit quaternion `rotation`, then move by `translation`. real is the rotation as given, bit for bit;
+ * dual is worked out in binary64 and rounded once.
  */
 NKW_API nkw_dual_quat nkw_dual_quat_from_rigid(nkw_quat rotation, nkw_vec3 translation);
 
 /**
- * The rigid motion of an affine matrix: its translation, and the rotation nearest to its columns divided by their lengths.
- * The last row is not read. In binary64 inside.
+ * The rigid motion of an affine matrix: its translation, and the rotation nearest to its columns divided by their
+ * lengths. The last row is not read. In binary64 inside.
  *
- * Scale and mirroring are dropped: the scale by dividing it out, a mirror (negative determinant) by negating all columns, as
- * nkw_trs_from_mat4 does. Columns off right angles by 1e-3 cost nothing; with more shear the rotation is near the
- * nearest. real.w >= 0; where it is 0, the largest component of real is positive. A block of zeros gives no
+ * Scale and mirroring are dropped: the scale by dividing it out, a mirror (negative determinant) by negating all
+ * columns, as nkw_trs_from_mat4 does. Columns off right angles by 1e-3 cost nothing; with more shear the rotation is
+ * near the nearest. real.w >= 0; where it is 0, the largest component of real is positive. A block of zeros gives no
  * rotation, NaN gives NaN.
  *
  * Error  of the rotation as nkw_quat_from_mat3.

@@ -57,8 +57,8 @@ KERNEL(palette_3x4)
 }
 
 /*
- * Matrices that are worked on together, in component arrays [element][matrix]. The elements that a short block lacks are those
- * of an earlier one, or 0.
+ * Matrices that are worked on together, in component arrays [element][matrix]. The elements that a short block lacks
+ * are those of an earlier one, or 0.
  */
 #define BLOCK 16
 

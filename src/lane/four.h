@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /*
- * Four floats side by side, for matrices in arrays of structs: one column of a 4x4 matrix. Each of the four is what the same
- * line says of one float.
+ * Four floats side by side, for matrices in arrays of structs: one column of a 4x4 matrix. Each of the four is what
+ * the same line says of one float.
  *
  * Compilers do not find these in loops over matrices by themselves: they turn sixteen floats of several matrices around
  * instead, which costs more than it saves. ARMv7's vectors flush subnormals, so floats go one by one there, and with
