@@ -127,7 +127,8 @@ NKW_API nkw_result nkw_palette_chunks_place(nkw_palette_chunk *chunks, size_t co
 
 /**
  * The place of a joint in a frame: first + frame * joints + joint. A frame or a joint beyond the last counts as the
- * last, so the place is always inside the chunk; a chunk without frames or joints gives `first`. Writing frame f of a chunk is
+ * last, so the place is always inside the chunk; a chunk without frames or joints gives `first`. Writing frame f of a
+ * chunk is
  *
  *     nkw_palette_from_models(models, ..., chunk.joints, buffer + nkw_palette_chunk_at(&chunk, f, 0))
  *
