@@ -23,12 +23,7 @@ nkw_mat3 nkw_mat3_inverse(const nkw_mat3 *m)
 
 nkw_mat3 nkw_mat3_normal(const nkw_mat3 *m)
 {
-    lane_wmat3 w = lane_wmat3_from(m);
-    lane_wmat3 c = lane_wmat3_cofactors(&w);
-    double r = lane_reciprocal_or_zero(lane_wmat3_determinant(&w, &c));
-    if (r == 0.0)
-        r = lane_reciprocal_or_zero(lane_wmat3_largest(&c));
-    return lane_mat3_from_wide(&c, r);
+    return lane_mat3_normal(m);
 }
 
 /* Columns shorter than this part of the longest direction left are rounding, not direction. */
@@ -224,4 +219,20 @@ void nkw_mat4_to_row_vectors(const nkw_mat4 *m, float rows[16])
 {
     for (size_t i = 0; i < 16; i++)
         rows[i] = m->m[i];
+}
+
+nkw_mat3x4 nkw_mat3x4_from_mat4(const nkw_mat4 *m)
+{
+    nkw_mat3x4 r;
+    for (size_t k = 0; k < 12; k++)
+        r.m[k] = m->m[k % 4 * 4 + k / 4];
+    return r;
+}
+
+nkw_mat4 nkw_mat4_from_mat3x4(const nkw_mat3x4 *m)
+{
+    nkw_mat4 r = nkw_mat4_identity();
+    for (size_t k = 0; k < 12; k++)
+        r.m[k % 4 * 4 + k / 4] = m->m[k];
+    return r;
 }

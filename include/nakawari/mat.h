@@ -172,11 +172,17 @@ NKW_API void nkw_mat4_to_row_major(const nkw_mat4 *m, float rows[16]);
 NKW_API nkw_mat4 nkw_mat4_from_row_vectors(const float rows[16]);
 NKW_API void nkw_mat4_to_row_vectors(const nkw_mat4 *m, float rows[16]);
 
+/** The first three rows of the affine m, and back with the last row 0 0 0 1. Every bit is kept. */
+NKW_API nkw_mat3x4 nkw_mat3x4_from_mat4(const nkw_mat4 *m);
+NKW_API nkw_mat4 nkw_mat4_from_mat3x4(const nkw_mat3x4 *m);
+
 /**
  * The same functions over component arrays: element i of the result is f of the elements i, with the very bits of
  * the single call. See types.h for what holds of all batch functions.
  */
 NKW_API void nkw_mat3_from_quat_n(nkw_quat_view q, nkw_mat3_span out, size_t n);
+/** In place out may be a or b, or both. */
+NKW_API void nkw_mat4_mul_affine_n(nkw_mat4_view a, nkw_mat4_view b, nkw_mat4_span out, size_t n);
 /** One affine matrix on many points, and on many directions. */
 NKW_API void nkw_mat4_transform_point_n(const nkw_mat4 *m, nkw_vec3_view p, nkw_vec3_span out, size_t n);
 NKW_API void nkw_mat4_transform_direction_n(const nkw_mat4 *m, nkw_vec3_view d, nkw_vec3_span out, size_t n);

@@ -19,6 +19,7 @@
 #include "mat.h"
 #include "euler.h"
 #include "transform.h"
+#include "dual.h"
 
 /* Floor 3, curve and orient: curves on numbers, curves on rotations. */
 #include "curve.h"
@@ -35,7 +36,8 @@
 /* Floor 5, skeleton: poses blended. */
 #include "blend.h"
 
-/* Floor 6, skin: from joint matrices to vertices. */
+/* Floor 6, skin: from model matrices to palettes, vertices and parts of meshes. */
+#include "palette.h"
 #include "partition.h"
 
 #endif

@@ -11,6 +11,8 @@
 #ifndef NAKAWARI_BATCH_KERNELS_H
 #define NAKAWARI_BATCH_KERNELS_H
 
+#include <stdint.h>
+
 #include <nakawari/curve.h>
 #include <nakawari/orient.h>
 #include <nakawari/types.h>
@@ -65,6 +67,7 @@ typedef struct blend_span {
     X(quat_unpack, (const nkw_quat *in, nkw_quat_span out, size_t n), (in, out, n)) \
     X(quat_pack, (nkw_quat_view in, nkw_quat *out, size_t n), (in, out, n)) \
     X(mat3_from_quat, (nkw_quat_view q, nkw_mat3_span out, size_t n), (q, out, n)) \
+    X(mat4_mul_affine, (nkw_mat4_view a, nkw_mat4_view b, nkw_mat4_span out, size_t n), (a, b, out, n)) \
     X(mat4_transform_point, (const nkw_mat4 *m, nkw_vec3_view p, nkw_vec3_span out, size_t n), (m, p, out, n)) \
     X(mat4_transform_direction, (const nkw_mat4 *m, nkw_vec3_view d, nkw_vec3_span out, size_t n), (m, d, out, n)) \
     X(mat4_unpack, (const nkw_mat4 *in, nkw_mat4_span out, size_t n), (in, out, n)) \
@@ -110,7 +113,11 @@ typedef struct blend_span {
     X(blend_weigh, (float weight, const float *mask, float *out, size_t n), (weight, mask, out, n)) \
     X(blend_share, (const float *weight, float *total, float *mixed, float *t, size_t n), (weight, total, mixed, t, n)) \
     X(additive_build, (nkw_trs_view a, nkw_trs_view ref, int parent, nkw_trs_span out, size_t n), (a, ref, parent, out, n)) \
-    X(additive_apply, (nkw_trs_view base, nkw_trs_view delta, const float *weight, int parent, nkw_trs_span out, size_t n), (base, delta, weight, parent, out, n))
+    X(additive_apply, (nkw_trs_view base, nkw_trs_view delta, const float *weight, int parent, nkw_trs_span out, size_t n), (base, delta, weight, parent, out, n)) \
+    X(palette_4x4, (const nkw_mat4 *models, size_t model_count, const int32_t *joints, const nkw_mat4 *inverse_bind, const nkw_mat4 *global_inverse, nkw_mat4 *out, size_t n), (models, model_count, joints, inverse_bind, global_inverse, out, n)) \
+    X(palette_3x4, (const nkw_mat4 *models, size_t model_count, const int32_t *joints, const nkw_mat4 *inverse_bind, const nkw_mat4 *global_inverse, nkw_mat3x4 *out, size_t n), (models, model_count, joints, inverse_bind, global_inverse, out, n)) \
+    X(palette_dual, (const nkw_mat4 *models, size_t model_count, const int32_t *joints, const nkw_mat4 *inverse_bind, const nkw_mat4 *global_inverse, nkw_dual_quat *out, size_t n), (models, model_count, joints, inverse_bind, global_inverse, out, n)) \
+    X(palette_normals, (const nkw_mat4 *palette, size_t size, size_t row, size_t column, float *out, size_t n), (palette, size, row, column, out, n))
 /* clang-format on */
 
 #endif

@@ -16,6 +16,20 @@ KERNEL(mat3_from_quat)(nkw_quat_view q, nkw_mat3_span out, size_t n)
     }
 }
 
+/* A function of its own: GCC gives matrices whose address is taken in the loop a memory that it cannot see through. */
+static inline void mul_affine(const nkw_mat4_view *a, const nkw_mat4_view *b, const nkw_mat4_span *out, size_t i)
+{
+    nkw_mat4 p = at_mat4(a, i), q = at_mat4(b, i), r = nkw_mat4_mul_affine(&p, &q);
+    put_mat4(out, i, &r);
+}
+
+KERNEL(mat4_mul_affine)(nkw_mat4_view a, nkw_mat4_view b, nkw_mat4_span out, size_t n)
+{
+#pragma omp simd
+    for (size_t i = 0; i < n; i++)
+        mul_affine(&a, &b, &out, i);
+}
+
 KERNEL(mat4_transform_point)(const nkw_mat4 *m, nkw_vec3_view p, nkw_vec3_span out, size_t n)
 {
     const nkw_mat4 a = *m;

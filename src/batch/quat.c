@@ -42,14 +42,20 @@ KERNEL(quat_rotate)(nkw_quat_view q, nkw_vec3_view v, nkw_vec3_span out, size_t 
         put_vec3(out, i, nkw_quat_rotate(at_quat(q, i), at_vec3(v, i)));
 }
 
+/* A function of its own: GCC does not vectorise a loop that takes the address of a local matrix. */
+static inline nkw_quat from_mat3(const nkw_mat3_view *m, size_t i)
+{
+    lane_wmat3 w;
+    for (size_t k = 0; k < 9; k++)
+        w.m[k] = m->m[k][i];
+    return lane_quat_from_wide(lane_wquat_from_wmat3(&w, LANE_NEAREST_STEPS));
+}
+
 KERNEL(quat_from_mat3)(nkw_mat3_view m, nkw_quat_span out, size_t n)
 {
 #pragma omp simd
-    for (size_t i = 0; i < n; i++) {
-        lane_wmat3 w = {{m.m[0][i], m.m[1][i], m.m[2][i], m.m[3][i], m.m[4][i], m.m[5][i], m.m[6][i], m.m[7][i],
-                         m.m[8][i]}};
-        put_quat(out, i, lane_quat_from_wide(lane_wquat_from_wmat3(&w, LANE_NEAREST_STEPS)));
-    }
+    for (size_t i = 0; i < n; i++)
+        put_quat(out, i, from_mat3(&m, i));
 }
 
 KERNEL(quat_unpack)(const nkw_quat *in, nkw_quat_span out, size_t n)

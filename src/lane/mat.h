@@ -82,6 +82,16 @@ static inline double lane_wmat3_largest(const lane_wmat3 *m)
     return largest;
 }
 
+/* The inverse transpose; the cofactors over the largest of them where m is singular. */
+static inline nkw_mat3 lane_mat3_normal(const nkw_mat3 *m)
+{
+    lane_wmat3 w = lane_wmat3_from(m);
+    lane_wmat3 c = lane_wmat3_cofactors(&w);
+    double inverse = lane_reciprocal_or_zero(lane_wmat3_determinant(&w, &c));
+    double singular = lane_reciprocal_or_zero(lane_wmat3_largest(&c));
+    return lane_mat3_from_wide(&c, inverse == 0.0 ? singular : inverse);
+}
+
 /* Six 2x2 minors of two lines of four, each with one rounding: the products of floats are exact. */
 typedef struct lane_minors {
     double m01, m02, m03, m12, m13, m23;

@@ -52,6 +52,7 @@ P(quat_slerp, "qqt", 4, (Q(0), Q(4), in[8], QS(0), n), put_quat(o, nkw_quat_sler
 P(quat_slerp_at, "qq", 4, (Q(0), Q(4), 0.3f, QS(0), n), put_quat(o, nkw_quat_slerp(q(0), q(4), 0.3f)))
 
 P(mat3_from_quat, "q", 9, (Q(0), MS3(0), n), put_mat3(o, nkw_mat3_from_quat(q(0))))
+P(mat4_mul_affine, "MM", 16, (M4(0), M4(16), MS4(0), n), put_mat4(o, nkw_mat4_mul_affine(&m4(0), &m4(16))))
 P(mat4_transform_point, "v", 3, (&some_matrix, V(0), VS(0), n), put_vec3(o, nkw_mat4_transform_point(&some_matrix, v(0))))
 P(mat4_transform_direction, "v", 3, (&some_matrix, V(0), VS(0), n), put_vec3(o, nkw_mat4_transform_direction(&some_matrix, v(0))))
 PX(mat4_from_trs, "vqv", 16, (TRS(0), MS4(0), n), put_mat4(o, nkw_mat4_from_trs(&trs(0))))

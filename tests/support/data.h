@@ -12,7 +12,9 @@
     X(pose) \
     X(clip) \
     X(blend) \
-    X(partition)
+    X(partition) \
+    X(dual) \
+    X(palette)
 
 #ifdef __cplusplus
 extern "C" {

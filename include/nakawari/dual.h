@@ -1,0 +1,78 @@
+/* SPDX-License-Identifier: MIT */
+/**
+ * @file
+ * Floor 2: dual quaternions: a rotation and a translation in eight floats that can be blended.
+ *
+ *     d = real + e dual,   e e = 0;   real = rotation,   dual = (t / 2) real      t = (x, y, z, 0), the translation
+ *
+ * Unit says |real| = 1 and real . dual = 0; only unit ones are rigid motions, and what transforms takes them so. d and
+ * -d are the same motion. Sums of unit dual quaternions, normalised, are the blends of dual-quaternion skinning; they
+ * need all of one side (nkw_dual_quat_align).
+ *
+ * Source Kavan, Collins, Zara, O'Sullivan, Geometric Skinning with Approximate Dual Quaternion Blending, ACM TOG, 2008.
+ */
+#ifndef NAKAWARI_DUAL_H
+#define NAKAWARI_DUAL_H
+
+#include "types.h"
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/** No rotation, no translation. */
+NKW_API nkw_dual_quat nkw_dual_quat_identity(void);
+
+/**
+ * Rotate by the unit quaternion `rotation`, then move by `translation`. real is the rotation as given, bit for bit;
+ * dual is worked out in binary64 and rounded once.
+ */
+NKW_API nkw_dual_quat nkw_dual_quat_from_rigid(nkw_quat rotation, nkw_vec3 translation);
+
+/**
+ * The rigid motion of an affine matrix: its translation, and the rotation nearest to its columns divided by their
+ * lengths. The last row is not read. In binary64 inside.
+ *
+ * Scale and mirroring are dropped: the scale by dividing it out, a mirror (negative determinant) by negating all
+ * columns, as nkw_trs_from_mat4 does. Columns off right angles by 1e-3 cost nothing; with more shear the rotation is
+ * near the nearest. real.w >= 0; where it is 0, the largest component of real is positive. A block of zeros gives no
+ * rotation, NaN gives NaN.
+ *
+ * Error  of the rotation as nkw_quat_from_mat3.
+ */
+NKW_API nkw_dual_quat nkw_dual_quat_from_mat4(const nkw_mat4 *m);
+
+/** The matrix of a unit d: nkw_mat3_from_quat of real and the translation; last row exactly 0 0 0 1. */
+NKW_API nkw_mat4 nkw_mat4_from_dual_quat(const nkw_dual_quat *d);
+
+/** The translation of a unit d: 2 dual real*, that is 2 (rw dv - dw rv + rv x dv). In binary32. */
+NKW_API nkw_vec3 nkw_dual_quat_translation(const nkw_dual_quat *d);
+
+/** a b: first b, then a. real = ar br, dual = ar bd + ad br. In binary32. */
+NKW_API nkw_dual_quat nkw_dual_quat_mul(const nkw_dual_quat *a, const nkw_dual_quat *b);
+
+/** The inverse of a unit d: both parts conjugated. */
+NKW_API nkw_dual_quat nkw_dual_quat_conjugate(const nkw_dual_quat *d);
+
+/**
+ * The unit dual quaternion of d's motion: d divided by |real|, and of dual only what is at right angles to real:
+ *
+ *     real' = real / |real|,     dual' = dual / |real| - real' (real' . dual / |real|)
+ *
+ * In binary64, rounded once. real = 0 gives the identity; NaN gives NaN.
+ */
+NKW_API nkw_dual_quat nkw_dual_quat_normalize(const nkw_dual_quat *d);
+
+/** d, or -d where real and that of `side` are more than a quarter turn of the 3-sphere apart (negative dot product). */
+NKW_API nkw_dual_quat nkw_dual_quat_align(const nkw_dual_quat *d, const nkw_dual_quat *side);
+
+/** The unit d on a point: rotate, then move. In binary32. */
+NKW_API nkw_vec3 nkw_dual_quat_transform_point(const nkw_dual_quat *d, nkw_vec3 p);
+/** The unit d on a direction: rotate. In binary32. */
+NKW_API nkw_vec3 nkw_dual_quat_transform_direction(const nkw_dual_quat *d, nkw_vec3 v);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif
