@@ -31,4 +31,7 @@
 #include "playback.h"
 #include "pose.h"
 
+/* Floor 6, skin: joints into vertices. */
+#include "skin.h"
+
 #endif

@@ -15,6 +15,8 @@
 #include <nakawari/orient.h>
 #include <nakawari/types.h>
 
+#include "lane/skin.h"
+
 /* clang-format off */
 #define KERNEL_LIST(X) \
     X(sqrt, (const float *x, float *out, size_t n), (x, out, n)) \
@@ -83,7 +85,15 @@
     X(quat_log, (nkw_quat_view q, nkw_vec3_span out, size_t n), (q, out, n)) \
     X(quat_exp, (nkw_vec3_view v, nkw_quat_span out, size_t n), (v, out, n))
 
-#define KERNEL_INNER_LIST(X)
+#define KERNEL_INNER_LIST(X) \
+    X(skin_decode, (skin_block *b, const nkw_skin_view *joints, uint32_t limit, const nkw_skin_view *weights, size_t k, size_t n), (b, joints, limit, weights, k, n)) \
+    X(skin_blend, (skin_block *b, const nkw_mat4 *palette, size_t k, size_t n), (b, palette, k, n)) \
+    X(skin_blend_normals, (skin_block *b, const nkw_mat3 *palette, size_t k, size_t n), (b, palette, k, n)) \
+    X(skin_blend_dual_quats, (skin_block *b, const nkw_dual_quat *palette, size_t k, size_t n), (b, palette, k, n)) \
+    X(skin_points, (const skin_block *b, nkw_vec3_view in, nkw_vec3_span out, size_t n), (b, in, out, n)) \
+    X(skin_directions, (const skin_block *b, const float *m, nkw_vec3_view in, nkw_vec3_span out, size_t n), (b, m, in, out, n)) \
+    X(skin_read, (const unsigned char *data, size_t stride, float *out, size_t n), (data, stride, out, n)) \
+    X(skin_write, (const float *in, unsigned char *data, size_t stride, size_t n), (in, data, stride, n))
 /* clang-format on */
 
 #endif

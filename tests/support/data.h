@@ -9,7 +9,8 @@
 #include <stdint.h>
 
 #define DATA_LIST(X) \
-    X(pose)
+    X(pose) \
+    X(skin)
 
 #ifdef __cplusplus
 extern "C" {
