@@ -78,8 +78,11 @@ KERNEL(skin_decode)
 }
 
 /*
- * The blend of matrices is shaped by hand: columns of four floats fill a vector, their blends are turned into component arrays
- * four vertices at a time. ARMv7 is left out, its vectors flush subnormals.
+ * A joint has `width` floats, of which `groups` groups of four are blended, `rows` floats of each: element (group g, row r) of
+ * vertex i goes to out[(g * rows + r) * SKIN_BLOCK + i].
+ *
+ * Compilers find no vectors here, so these are shaped by hand: groups fill a vector, and the sums of four vertices are turned
+ * into component arrays together. ARMv7 is left out, its vectors flush subnormals.
  */
 #if defined(__has_builtin) && (defined(__SSE2__) || defined(__aarch64__) || defined(__wasm_simd128__))
 #if __has_builtin(__builtin_shufflevector)
@@ -89,133 +92,125 @@ KERNEL(skin_decode)
 
 #if defined(SKIN_VECTORS)
 
-/* In each group of four floats: the low, the high halves of a and b taken in turn; the low, the high halves together. */
+/* In each group: the low, the high halves of a and b taken in turn; the low, the high halves one after the other. */
 #if defined(__AVX__)
-#define COLUMNS            2
+#define PAIR               2
 #define LOW_IN_TURN(a, b)  __builtin_shufflevector(a, b, 0, 8, 1, 9, 4, 12, 5, 13)
 #define HIGH_IN_TURN(a, b) __builtin_shufflevector(a, b, 2, 10, 3, 11, 6, 14, 7, 15)
 #define LOW_HALVES(a, b)   __builtin_shufflevector(a, b, 0, 1, 8, 9, 4, 5, 12, 13)
 #define HIGH_HALVES(a, b)  __builtin_shufflevector(a, b, 2, 3, 10, 11, 6, 7, 14, 15)
 #else
-#define COLUMNS            1
+#define PAIR               1
 #define LOW_IN_TURN(a, b)  __builtin_shufflevector(a, b, 0, 4, 1, 5)
 #define HIGH_IN_TURN(a, b) __builtin_shufflevector(a, b, 2, 6, 3, 7)
 #define LOW_HALVES(a, b)   __builtin_shufflevector(a, b, 0, 1, 4, 5)
 #define HIGH_HALVES(a, b)  __builtin_shufflevector(a, b, 2, 3, 6, 7)
 #endif
 
-/* One or two columns of a matrix. */
-typedef float columns __attribute__((vector_size(16 * COLUMNS)));
-/* All four, of one vertex. */
-typedef struct blended {
-    columns c[4 / COLUMNS];
-} blended;
+/* One group, or a pair. */
+typedef float vector __attribute__((vector_size(16 * PAIR)));
+/* All groups of one vertex. */
+typedef struct sums {
+    vector v[4 / PAIR];
+} sums;
 
-static inline columns load_columns(const float *m)
+static inline vector load_vector(const float *m)
 {
-    columns r;
+    vector r;
     memcpy(&r, m, sizeof r);
     return r;
 }
 
-static inline blended blend_one(const skin_block *b, const nkw_mat4 *palette, size_t k, size_t i)
+static inline sums sum_one(const skin_block *b, const float *palette, size_t width, size_t groups, size_t k, size_t i)
 {
-    blended r;
-    const float *m = palette[b->joint[i * k]].m;
-    for (size_t c = 0; c < 4 / COLUMNS; c++)
-        r.c[c] = b->weight[i * k] * load_columns(m + 4 * COLUMNS * c);
+    sums r;
+    const float *w = b->weight + i * k, *m = palette + width * b->joint[i * k];
+    for (size_t g = 0; g < groups / PAIR; g++)
+        r.v[g] = w[0] * load_vector(m + 4 * PAIR * g);
     for (size_t e = 1; e < k; e++) {
-        m = palette[b->joint[i * k + e]].m;
-        for (size_t c = 0; c < 4 / COLUMNS; c++)
-            r.c[c] += b->weight[i * k + e] * load_columns(m + 4 * COLUMNS * c);
+        m = palette + width * b->joint[i * k + e];
+        for (size_t g = 0; g < groups / PAIR; g++)
+            r.v[g] += w[e] * load_vector(m + 4 * PAIR * g);
     }
     return r;
 }
 
-/* Row r of the columns from c on, of four vertices. */
-static inline void store_row(skin_block *b, size_t c, size_t r, size_t i, columns v)
+/* Row r, of four vertices, of the group g or the pair g. */
+static inline void store_row(float *out, size_t rows, size_t g, size_t r, vector v)
 {
-    for (size_t h = 0; h < COLUMNS; h++)
-        memcpy(&b->matrix[((c * COLUMNS + h) * 3 + r) * SKIN_BLOCK + i], (const char *)&v + 16 * h, 16);
+    for (size_t h = 0; h < PAIR; h++)
+        memcpy(&out[((g * PAIR + h) * rows + r) * SKIN_BLOCK], (const char *)&v + 16 * h, 16);
 }
 
-static inline void blend(skin_block *b, const nkw_mat4 *palette, size_t k, size_t n)
+static inline void blend(const skin_block *b, const float *palette, size_t width, size_t groups, size_t rows, size_t k,
+                         float *out, size_t n)
 {
     for (size_t i = 0; i < n; i += 4) {
-        blended v0 = blend_one(b, palette, k, i), v1 = blend_one(b, palette, k, i + 1);
-        blended v2 = blend_one(b, palette, k, i + 2), v3 = blend_one(b, palette, k, i + 3);
-        for (size_t c = 0; c < 4 / COLUMNS; c++) {
-            columns xy01 = LOW_IN_TURN(v0.c[c], v1.c[c]), zw01 = HIGH_IN_TURN(v0.c[c], v1.c[c]);
-            columns xy23 = LOW_IN_TURN(v2.c[c], v3.c[c]), zw23 = HIGH_IN_TURN(v2.c[c], v3.c[c]);
-            store_row(b, c, 0, i, LOW_HALVES(xy01, xy23));
-            store_row(b, c, 1, i, HIGH_HALVES(xy01, xy23));
-            store_row(b, c, 2, i, LOW_HALVES(zw01, zw23));
+        sums s0 = sum_one(b, palette, width, groups, k, i), s1 = sum_one(b, palette, width, groups, k, i + 1);
+        sums s2 = sum_one(b, palette, width, groups, k, i + 2), s3 = sum_one(b, palette, width, groups, k, i + 3);
+        for (size_t g = 0; g < groups / PAIR; g++) {
+            vector low01 = LOW_IN_TURN(s0.v[g], s1.v[g]), high01 = HIGH_IN_TURN(s0.v[g], s1.v[g]);
+            vector low23 = LOW_IN_TURN(s2.v[g], s3.v[g]), high23 = HIGH_IN_TURN(s2.v[g], s3.v[g]);
+            store_row(out + i, rows, g, 0, LOW_HALVES(low01, low23));
+            store_row(out + i, rows, g, 1, HIGH_HALVES(low01, low23));
+            store_row(out + i, rows, g, 2, LOW_HALVES(high01, high23));
+            if (rows == 4)
+                store_row(out + i, rows, g, 3, HIGH_HALVES(high01, high23));
         }
     }
-}
-
-#else
-
-static inline void blend(skin_block *b, const nkw_mat4 *palette, size_t k, size_t n)
-{
-    for (size_t i = 0; i < n; i++)
-        for (size_t a = 0; a < 12; a++) {
-            size_t element = a / 3 * 4 + a % 3;
-            float sum = b->weight[i * k] * palette[b->joint[i * k]].m[element];
-            for (size_t e = 1; e < k; e++)
-                sum += b->weight[i * k + e] * palette[b->joint[i * k + e]].m[element];
-            b->matrix[a * SKIN_BLOCK + i] = sum;
-        }
 }
 
 #endif
 
-/* n is a multiple of 4. */
-KERNEL(skin_blend)(skin_block *b, const nkw_mat4 *palette, size_t k, size_t n)
+/* The sum of one element: what the vectors above do with many. */
+static inline void blend_element(const skin_block *b, const float *palette, size_t width, size_t k, float *out,
+                                 size_t n)
 {
-    switch (k) {
-    case 1:
-        blend(b, palette, 1, n);
-        break;
-    case 2:
-        blend(b, palette, 2, n);
-        break;
-    case 3:
-        blend(b, palette, 3, n);
-        break;
-    case 4:
-        blend(b, palette, 4, n);
-        break;
-    default:
-        blend(b, palette, k, n);
-        break;
+    for (size_t i = 0; i < n; i++) {
+        const float *w = b->weight + i * k;
+        const uint32_t *joint = b->joint + i * k;
+        float sum = w[0] * palette[width * joint[0]];
+        for (size_t e = 1; e < k; e++)
+            sum += w[e] * palette[width * joint[e]];
+        out[i] = sum;
     }
 }
 
-/* Sums of `width` floats a joint: element e of vertex i to out[e * SKIN_BLOCK + i]. */
-static inline void blend_floats(const skin_block *b, const float *palette, size_t width, size_t k, float *out, size_t n)
+#if !defined(SKIN_VECTORS)
+
+static inline void blend(const skin_block *b, const float *palette, size_t width, size_t groups, size_t rows, size_t k,
+                         float *out, size_t n)
 {
-    for (size_t i = 0; i < n; i++) {
-        const float *w = b->weight + i * k, *first = palette + width * b->joint[i * k];
-        float sum[12];
-        for (size_t a = 0; a < width; a++)
-            sum[a] = w[0] * first[a];
-        for (size_t e = 1; e < k; e++) {
-            const float *m = palette + width * b->joint[i * k + e];
-            for (size_t a = 0; a < width; a++)
-                sum[a] += w[e] * m[a];
-        }
-        for (size_t a = 0; a < width; a++)
-            out[a * SKIN_BLOCK + i] = sum[a];
-    }
+    for (size_t a = 0; a < groups * rows; a++)
+        blend_element(b, palette + a / rows * 4 + a % rows, width, k, out + a * SKIN_BLOCK, n);
+}
+
+#endif
+
+/* The usual counts as constants. */
+static inline void blend_by_count(const skin_block *b, const float *palette, size_t width, size_t groups, size_t rows,
+                                  size_t k, float *out, size_t n)
+{
+    if (k == 4)
+        blend(b, palette, width, groups, rows, 4, out, n);
+    else if (k == 1)
+        blend(b, palette, width, groups, rows, 1, out, n);
+    else if (k == 2)
+        blend(b, palette, width, groups, rows, 2, out, n);
+    else
+        blend(b, palette, width, groups, rows, k, out, n);
+}
+
+/* n is a multiple of 4 in all three. */
+KERNEL(skin_blend)(skin_block *b, const nkw_mat4 *palette, size_t k, size_t n)
+{
+    blend_by_count(b, palette->m, 16, 4, 3, k, b->matrix, n);
 }
 
 KERNEL(skin_blend_normals)(skin_block *b, const nkw_mat3 *palette, size_t k, size_t n)
 {
-    if (k == 4)
-        blend_floats(b, palette->m, 9, 4, b->normal, n);
-    else
-        blend_floats(b, palette->m, 9, k, b->normal, n);
+    blend_by_count(b, palette->m, 9, 2, 4, k, b->normal, n);
+    blend_element(b, palette->m + 8, 9, k, b->normal + 8 * SKIN_BLOCK, n);
 }
 
 /* Weights of joints on the other half sphere than that of the largest weight change their sign. */
@@ -236,10 +231,7 @@ static inline void align_weights(skin_block *b, const nkw_dual_quat *palette, si
 KERNEL(skin_blend_dual_quats)(skin_block *b, const nkw_dual_quat *palette, size_t k, size_t n)
 {
     align_weights(b, palette, k, n);
-    if (k == 4)
-        blend_floats(b, &palette->real.x, 8, 4, b->matrix, n);
-    else
-        blend_floats(b, &palette->real.x, 8, k, b->matrix, n);
+    blend_by_count(b, &palette->real.x, 8, 2, 4, k, b->matrix, n);
 #pragma omp simd
     for (size_t i = 0; i < n; i++) {
         float *q = b->matrix + i;
