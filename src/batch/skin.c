@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /*
- * Skinning, a block of vertices at a time: decode the influences, blend the joints' transforms into one matrix for each vertex,
- * in component arrays, then take the vectors of the vertices by it.
+ * Skinning, a block of vertices at a time: decode the influences, blend the joints' transforms into one matrix for
+ * each vertex, in component arrays, then take the vectors of the vertices by it.
  */
 #include "lane/strict.h"
 
@@ -78,11 +78,11 @@ KERNEL(skin_decode)
 }
 
 /*
- * A joint has `width` floats, of which `groups` groups of four are blended, `rows` floats of each: element (group g, row r) of
- * vertex i goes to out[(g * rows + r) * SKIN_BLOCK + i].
+ * A joint has `width` floats, of which `groups` groups of four are blended, `rows` floats of each: element (group g,
+ * row r) of vertex i goes to out[(g * rows + r) * SKIN_BLOCK + i].
  *
- * Compilers find no vectors here, so these are shaped by hand: groups fill a vector, and the sums of four vertices are turned
- * into component arrays together. ARMv7 is left out, its vectors flush subnormals.
+ * Compilers find no vectors here, so these are shaped by hand: groups fill a vector, and the sums of four vertices
+ * are turned into component arrays together. ARMv7 is left out, its vectors flush subnormals.
  */
 #if defined(__has_builtin) && (defined(__SSE2__) || defined(__aarch64__) || defined(__wasm_simd128__))
 #if __has_builtin(__builtin_shufflevector)
@@ -262,7 +262,10 @@ KERNEL(skin_directions)(const skin_block *b, const float *m, nkw_vec3_view in, n
     }
 }
 
-/* Three floats of each vertex into component arrays, and back. Those that lie one behind the other go by a copy in whole. */
+/*
+ * Three floats of each vertex into component arrays, and back. Those that lie one behind the other go by a copy in
+ * whole.
+ */
 
 KERNEL(skin_read)(const unsigned char *data, size_t stride, float *out, size_t n)
 {
