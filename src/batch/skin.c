@@ -230,17 +230,25 @@ static inline void align_weights(skin_block *b, const nkw_dual_quat *palette, si
 
 KERNEL(skin_blend_dual_quats)(skin_block *b, const nkw_dual_quat *palette, size_t k, size_t n)
 {
-    align_weights(b, palette, k, n);
+    if (k == 4)
+        align_weights(b, palette, 4, n);
+    else
+        align_weights(b, palette, k, n);
     blend_by_count(b, &palette->real.x, 8, 2, 4, k, b->matrix, n);
+    float *m = b->matrix;
 #pragma omp simd
     for (size_t i = 0; i < n; i++) {
-        float *q = b->matrix + i;
-        nkw_quat real = {q[0], q[SKIN_BLOCK], q[2 * SKIN_BLOCK], q[3 * SKIN_BLOCK]};
-        nkw_quat dual = {q[4 * SKIN_BLOCK], q[5 * SKIN_BLOCK], q[6 * SKIN_BLOCK], q[7 * SKIN_BLOCK]};
-        float m[12];
-        lane_mat3x4_from_dual_quat(real, dual, m);
-        for (size_t e = 0; e < 12; e++)
-            q[e * SKIN_BLOCK] = m[e];
+        nkw_quat real = {m[i], m[SKIN_BLOCK + i], m[2 * SKIN_BLOCK + i], m[3 * SKIN_BLOCK + i]};
+        nkw_quat dual = {m[4 * SKIN_BLOCK + i], m[5 * SKIN_BLOCK + i], m[6 * SKIN_BLOCK + i], m[7 * SKIN_BLOCK + i]};
+        float n2 = nkw_quat_dot(real, real);
+        nkw_quat r = lane_skin_rotation(real, n2);
+        nkw_mat3 rotation = nkw_mat3_from_quat(r);
+        nkw_vec3 translation = lane_skin_translation(r, dual, n2);
+        for (size_t e = 0; e < 9; e++)
+            m[e * SKIN_BLOCK + i] = rotation.m[e];
+        m[9 * SKIN_BLOCK + i] = translation.x;
+        m[10 * SKIN_BLOCK + i] = translation.y;
+        m[11 * SKIN_BLOCK + i] = translation.z;
     }
 }
 

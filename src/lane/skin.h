@@ -109,22 +109,26 @@ static inline nkw_vec3 lane_skin_direction(const float *m, nkw_vec3 d)
 }
 
 /*
- * The matrix, column by column, of a dual quaternion of any length but 0; of length 0 the identity.
- *
- *     r = real / |real|,  d = dual / |real|:   rotation by r, translation 2 d conj(r)
+ * A dual quaternion of any length but 0 made unit, r = real / |real|, d = dual / |real|; of length 0 the one that moves
+ * nothing. NaN stays NaN.
  */
-static inline void lane_mat3x4_from_dual_quat(nkw_quat real, nkw_quat dual, float m[12])
+static inline nkw_quat lane_skin_rotation(nkw_quat real, float n2)
 {
-    float n2 = (real.x * real.x + real.y * real.y) + (real.z * real.z + real.w * real.w);
     float k = n2 > 0.0f ? 1.0f / sqrtf(n2) : 0.0f;
-    nkw_quat r = {real.x * k, real.y * k, real.z * k, n2 > 0.0f ? real.w * k : n2 == 0.0f ? 1.0f : n2};
-    nkw_quat d = {dual.x * k, dual.y * k, dual.z * k, dual.w * k};
-    nkw_mat3 rotation = nkw_mat3_from_quat(r);
-    for (size_t e = 0; e < 9; e++)
-        m[e] = rotation.m[e];
-    m[9] = 2.0f * ((d.x * r.w - d.w * r.x) + (r.y * d.z - r.z * d.y));
-    m[10] = 2.0f * ((d.y * r.w - d.w * r.y) + (r.z * d.x - r.x * d.z));
-    m[11] = 2.0f * ((d.z * r.w - d.w * r.z) + (r.x * d.y - r.y * d.x));
+    nkw_quat r = {real.x * k, real.y * k, real.z * k, real.w * k + (n2 == 0.0f ? 1.0f : 0.0f)};
+    return r;
+}
+
+/* 2 d conj(r) */
+static inline nkw_vec3 lane_skin_translation(nkw_quat r, nkw_quat dual, float n2)
+{
+    float k = n2 > 0.0f ? 2.0f / sqrtf(n2) : 0.0f;
+    nkw_vec3 t = {
+        k * ((dual.x * r.w - dual.w * r.x) + (r.y * dual.z - r.z * dual.y)),
+        k * ((dual.y * r.w - dual.w * r.y) + (r.z * dual.x - r.x * dual.z)),
+        k * ((dual.z * r.w - dual.w * r.z) + (r.x * dual.y - r.y * dual.x)),
+    };
+    return t;
 }
 
 #endif
