@@ -27,6 +27,7 @@ typedef struct blend_span {
     float *at;
     size_t stride;
 } blend_span;
+#include "lane/skin.h"
 
 /* clang-format off */
 #define KERNEL_LIST(X) \
@@ -117,7 +118,15 @@ typedef struct blend_span {
     X(palette_4x4, (const nkw_mat4 *models, size_t model_count, const int32_t *joints, const nkw_mat4 *inverse_bind, const nkw_mat4 *global_inverse, nkw_mat4 *out, size_t n), (models, model_count, joints, inverse_bind, global_inverse, out, n)) \
     X(palette_3x4, (const nkw_mat4 *models, size_t model_count, const int32_t *joints, const nkw_mat4 *inverse_bind, const nkw_mat4 *global_inverse, nkw_mat3x4 *out, size_t n), (models, model_count, joints, inverse_bind, global_inverse, out, n)) \
     X(palette_dual, (const nkw_mat4 *models, size_t model_count, const int32_t *joints, const nkw_mat4 *inverse_bind, const nkw_mat4 *global_inverse, nkw_dual_quat *out, size_t n), (models, model_count, joints, inverse_bind, global_inverse, out, n)) \
-    X(palette_normals, (const nkw_mat4 *palette, size_t size, size_t row, size_t column, float *out, size_t n), (palette, size, row, column, out, n))
+    X(palette_normals, (const nkw_mat4 *palette, size_t size, size_t row, size_t column, float *out, size_t n), (palette, size, row, column, out, n)) \
+    X(skin_decode, (skin_block *b, const nkw_skin_view *joints, uint32_t limit, const nkw_skin_view *weights, size_t k, size_t n), (b, joints, limit, weights, k, n)) \
+    X(skin_blend, (skin_block *b, const nkw_mat4 *palette, size_t k, size_t n), (b, palette, k, n)) \
+    X(skin_blend_normals, (skin_block *b, const nkw_mat3 *palette, size_t k, size_t n), (b, palette, k, n)) \
+    X(skin_blend_dual_quats, (skin_block *b, const nkw_dual_quat *palette, size_t k, size_t n), (b, palette, k, n)) \
+    X(skin_points, (const skin_block *b, nkw_vec3_view in, nkw_vec3_span out, size_t n), (b, in, out, n)) \
+    X(skin_directions, (const skin_block *b, const float *m, nkw_vec3_view in, nkw_vec3_span out, size_t n), (b, m, in, out, n)) \
+    X(skin_read, (const unsigned char *data, size_t stride, float *out, size_t n), (data, stride, out, n)) \
+    X(skin_write, (const float *in, unsigned char *data, size_t stride, size_t n), (in, data, stride, n))
 /* clang-format on */
 
 #endif

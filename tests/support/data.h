@@ -14,7 +14,8 @@
     X(blend) \
     X(partition) \
     X(dual) \
-    X(palette)
+    X(palette) \
+    X(skin)
 
 #ifdef __cplusplus
 extern "C" {

@@ -1,0 +1,384 @@
+/* SPDX-License-Identifier: MIT */
+#include "lane/strict.h"
+
+#include <nakawari/skin.h>
+
+#include "lane/skin.h"
+#include "simd/select.h"
+
+/* What of a skin can be used: no influences where a format is not for it. */
+typedef struct plan {
+    const nkw_batch *batch;
+    nkw_skin_view joints, weights;
+    size_t vertices, influences;
+    uint32_t limit; /* joints in the palette */
+} plan;
+
+static int is_for_joints(nkw_skin_format format)
+{
+    return format == NKW_SKIN_U8 || format == NKW_SKIN_U16 || format == NKW_SKIN_U32;
+}
+
+static int is_for_weights(nkw_skin_format format)
+{
+    return format == NKW_SKIN_U8 || format == NKW_SKIN_U16 || format == NKW_SKIN_F32;
+}
+
+static size_t stride_of(size_t stride, nkw_skin_format format, size_t influences)
+{
+    return stride ? stride : influences * lane_skin_format_size(format);
+}
+
+static plan plan_of(const nkw_skin *skin, size_t joints)
+{
+    plan r = {nkw_batch_selected(), skin->joints, skin->weights, skin->vertices, skin->influences, UINT32_MAX};
+    r.joints.stride = stride_of(r.joints.stride, r.joints.format, r.influences);
+    r.weights.stride = stride_of(r.weights.stride, r.weights.format, r.influences);
+    r.influences = r.influences < NKW_SKIN_INFLUENCES ? r.influences : NKW_SKIN_INFLUENCES;
+    if (joints < UINT32_MAX)
+        r.limit = (uint32_t)joints;
+    if (joints == 0 || !is_for_joints(r.joints.format) || !is_for_weights(r.weights.format))
+        r.influences = 0;
+    return r;
+}
+
+/* The palette of either way: one of the two is NULL. */
+typedef struct transforms {
+    const nkw_skin_palette *linear;
+    const nkw_dual_quat *dual;
+} transforms;
+
+static const void *influences_at(const nkw_skin_view *v, size_t from)
+{
+    return (const unsigned char *)v->data + from * v->stride;
+}
+
+/* The block's matrices, and those of the normals if they are asked for: gives where the latter stand. */
+static const float *blend_block(const plan *p, const transforms *t, int normals, size_t from, size_t n, skin_block *b)
+{
+    nkw_skin_view joints = p->joints, weights = p->weights;
+    size_t padded = (n + 3) / 4 * 4;
+    if (p->influences == 0) {
+        memset(b, 0, sizeof *b);
+        return b->matrix;
+    }
+    joints.data = influences_at(&p->joints, from);
+    weights.data = influences_at(&p->weights, from);
+    p->batch->skin_decode(b, &joints, p->limit, &weights, p->influences, n);
+    if (t->dual) {
+        p->batch->skin_blend_dual_quats(b, t->dual, p->influences, padded);
+        return b->matrix;
+    }
+    p->batch->skin_blend(b, t->linear->matrices, p->influences, padded);
+    if (!normals || !t->linear->normals)
+        return b->matrix;
+    p->batch->skin_blend_normals(b, t->linear->normals, p->influences, padded);
+    return b->normal;
+}
+
+static void move(const plan *p, const skin_block *b, const float *m, nkw_vec3_view in, nkw_vec3_span out, size_t n)
+{
+    if (m)
+        p->batch->skin_directions(b, m, in, out, n);
+    else
+        p->batch->skin_points(b, in, out, n);
+}
+
+/* m NULL: positions. */
+static void move_stream(const plan *p, skin_block *b, const float *m, nkw_vec3_stream in, nkw_vec3_stream_span out,
+                        size_t from, size_t n)
+{
+    size_t in_stride = in.stride ? in.stride : sizeof(nkw_vec3),
+           out_stride = out.stride ? out.stride : sizeof(nkw_vec3);
+    float *v = b->vector;
+    nkw_vec3_view view = {v, v + SKIN_BLOCK, v + 2 * SKIN_BLOCK};
+    nkw_vec3_span span = {v, v + SKIN_BLOCK, v + 2 * SKIN_BLOCK};
+    if (!in.data || !out.data)
+        return;
+    p->batch->skin_read((const unsigned char *)in.data + from * in_stride, in_stride, v, n);
+    move(p, b, m, view, span, n);
+    p->batch->skin_write(v, (unsigned char *)out.data + from * out_stride, out_stride, n);
+}
+
+static void move_array(const plan *p, const skin_block *b, const float *m, nkw_vec3_view in, nkw_vec3_span out,
+                       size_t from, size_t n)
+{
+    if (!in.x || !out.x)
+        return;
+    nkw_vec3_view view = {in.x + from, in.y + from, in.z + from};
+    nkw_vec3_span span = {out.x + from, out.y + from, out.z + from};
+    move(p, b, m, view, span, n);
+}
+
+static size_t block_at(const plan *p, size_t from)
+{
+    return p->vertices - from < SKIN_BLOCK ? p->vertices - from : SKIN_BLOCK;
+}
+
+static void run_streams(const plan *p, const transforms *t, const nkw_vertices *in, const nkw_vertices_span *out)
+{
+    skin_block b;
+    for (size_t from = 0; from < p->vertices; from += SKIN_BLOCK) {
+        size_t n = block_at(p, from);
+        const float *normal = blend_block(p, t, in->normals.data && out->normals.data, from, n, &b);
+        move_stream(p, &b, NULL, in->positions, out->positions, from, n);
+        move_stream(p, &b, normal, in->normals, out->normals, from, n);
+        move_stream(p, &b, b.matrix, in->tangents, out->tangents, from, n);
+        move_stream(p, &b, b.matrix, in->bitangents, out->bitangents, from, n);
+    }
+}
+
+static void run_arrays(const plan *p, const transforms *t, const nkw_vertices_arrays *in,
+                       const nkw_vertices_arrays_span *out)
+{
+    skin_block b;
+    for (size_t from = 0; from < p->vertices; from += SKIN_BLOCK) {
+        size_t n = block_at(p, from);
+        const float *normal = blend_block(p, t, in->normals.x && out->normals.x, from, n, &b);
+        move_array(p, &b, NULL, in->positions, out->positions, from, n);
+        move_array(p, &b, normal, in->normals, out->normals, from, n);
+        move_array(p, &b, b.matrix, in->tangents, out->tangents, from, n);
+        move_array(p, &b, b.matrix, in->bitangents, out->bitangents, from, n);
+    }
+}
+
+void nkw_skin_linear(const nkw_skin *skin, const nkw_skin_palette *palette, const nkw_vertices *in,
+                     const nkw_vertices_span *out)
+{
+    plan p = plan_of(skin, palette->joints);
+    transforms t = {palette, NULL};
+    run_streams(&p, &t, in, out);
+}
+
+void nkw_skin_linear_arrays(const nkw_skin *skin, const nkw_skin_palette *palette, const nkw_vertices_arrays *in,
+                            const nkw_vertices_arrays_span *out)
+{
+    plan p = plan_of(skin, palette->joints);
+    transforms t = {palette, NULL};
+    run_arrays(&p, &t, in, out);
+}
+
+void nkw_skin_dual_quat(const nkw_skin *skin, const nkw_dual_quat *palette, size_t joints, const nkw_vertices *in,
+                        const nkw_vertices_span *out)
+{
+    plan p = plan_of(skin, joints);
+    transforms t = {NULL, palette};
+    run_streams(&p, &t, in, out);
+}
+
+void nkw_skin_dual_quat_arrays(const nkw_skin *skin, const nkw_dual_quat *palette, size_t joints,
+                               const nkw_vertices_arrays *in, const nkw_vertices_arrays_span *out)
+{
+    plan p = plan_of(skin, joints);
+    transforms t = {NULL, palette};
+    run_arrays(&p, &t, in, out);
+}
+
+/* What is done to a skin once, after loading: normalising, pruning, checking. */
+
+/* The influences of one vertex. */
+typedef struct held {
+    float weight[NKW_SKIN_INFLUENCES];
+    uint32_t joint[NKW_SKIN_INFLUENCES];
+} held;
+
+static const unsigned char *vertex_at(const nkw_skin_view *v, size_t influences, size_t i)
+{
+    return (const unsigned char *)v->data + i * stride_of(v->stride, v->format, influences);
+}
+
+static unsigned char *vertex_of(const nkw_skin_span *v, size_t influences, size_t i)
+{
+    return (unsigned char *)v->data + i * stride_of(v->stride, v->format, influences);
+}
+
+static void read_weights(const nkw_skin_view *v, size_t k, size_t i, float *out)
+{
+    const unsigned char *p = vertex_at(v, k, i);
+    for (size_t e = 0; e < k; e++)
+        out[e] = lane_skin_weight(p + e * lane_skin_format_size(v->format), v->format);
+}
+
+static void read_joints(const nkw_skin_view *v, size_t k, size_t i, uint32_t *out)
+{
+    const unsigned char *p = vertex_at(v, k, i);
+    for (size_t e = 0; e < k; e++)
+        out[e] = lane_skin_joint(p + e * lane_skin_format_size(v->format), v->format);
+}
+
+/* The whole of a format: what weights of 1 sum to. */
+static uint32_t total_of(nkw_skin_format format)
+{
+    return format == NKW_SKIN_U8 ? 255 : format == NKW_SKIN_U16 ? 65535 : 1u << 24;
+}
+
+static float usable(float weight)
+{
+    return weight > 0.0f && lane_is_finite(weight) ? weight : 0.0f;
+}
+
+static void give_rest(const double *rest, size_t k, uint32_t missing, uint32_t *n)
+{
+    unsigned given = 0;
+    for (; missing > 0; missing--) {
+        size_t most = k;
+        for (size_t e = 0; e < k; e++)
+            if (!(given >> e & 1) && (most == k || rest[e] > rest[most]))
+                most = e;
+        given |= 1u << most;
+        n[most]++;
+    }
+}
+
+/* Largest remainder. The floors miss less than k, for the quotas sum to the total but for 1e-8. */
+static void apportion(const float *weight, size_t k, uint32_t total, uint32_t *n)
+{
+    double sum = 0.0, rest[NKW_SKIN_INFLUENCES];
+    uint32_t missing = total;
+    for (size_t e = 0; e < k; e++)
+        sum += (double)usable(weight[e]);
+    for (size_t e = 0; e < k; e++) {
+        double quota = sum > 0.0 ? (double)usable(weight[e]) / sum * (double)total : 0.0;
+        n[e] = (uint32_t)quota;
+        rest[e] = quota - (double)n[e];
+        missing -= n[e];
+    }
+    if (sum > 0.0)
+        give_rest(rest, k, missing, n);
+}
+
+static void write_number(unsigned char *p, nkw_skin_format format, uint32_t n)
+{
+    uint16_t wide = (uint16_t)n;
+    if (format == NKW_SKIN_U8)
+        *p = (unsigned char)n;
+    else if (format == NKW_SKIN_U16)
+        memcpy(p, &wide, sizeof wide);
+    else
+        memcpy(p, &n, sizeof n);
+}
+
+/* `k` weights normalised, then zeros up to `width`. */
+static void write_weights(const float *weight, size_t k, size_t width, unsigned char *p, nkw_skin_format format)
+{
+    uint32_t n[NKW_SKIN_INFLUENCES];
+    apportion(weight, k, total_of(format), n);
+    for (size_t e = 0; e < width; e++) {
+        uint32_t value = e < k ? n[e] : 0;
+        unsigned char *at = p + e * lane_skin_format_size(format);
+        write_number(at, format, format == NKW_SKIN_F32 ? lane_bits((float)value * 0x1p-24f) : value);
+    }
+}
+
+static int is_count(size_t influences)
+{
+    return influences > 0 && influences <= NKW_SKIN_INFLUENCES;
+}
+
+void nkw_skin_normalize_weights(nkw_skin_view in, size_t influences, nkw_skin_span out, size_t vertices)
+{
+    float weight[NKW_SKIN_INFLUENCES];
+    if (!is_count(influences) || !is_for_weights(in.format) || !is_for_weights(out.format))
+        return;
+    for (size_t i = 0; i < vertices; i++) {
+        read_weights(&in, influences, i, weight);
+        write_weights(weight, influences, influences, vertex_of(&out, influences, i), out.format);
+    }
+}
+
+static int is_before(const float *weight, size_t a, size_t b)
+{
+    float wa = usable(weight[a]), wb = usable(weight[b]);
+    return wa > wb || (wa == wb && a < b);
+}
+
+/* The `keep` largest, in their order; gives how many. */
+static size_t keep_largest(const held *v, size_t k, size_t keep, held *out)
+{
+    size_t kept = 0;
+    for (size_t e = 0; e < k; e++) {
+        size_t larger = 0;
+        for (size_t o = 0; o < k; o++)
+            larger += is_before(v->weight, o, e) ? 1u : 0u;
+        if (larger >= keep)
+            continue;
+        out->weight[kept] = v->weight[e];
+        out->joint[kept] = v->joint[e];
+        kept++;
+    }
+    return kept;
+}
+
+static void write_joints(const uint32_t *joint, size_t k, size_t width, unsigned char *p, nkw_skin_format format)
+{
+    uint32_t most = format == NKW_SKIN_U8 ? 255 : format == NKW_SKIN_U16 ? 65535 : UINT32_MAX;
+    for (size_t e = 0; e < width; e++)
+        write_number(p + e * lane_skin_format_size(format), format, e < k && joint[e] <= most ? joint[e] : 0);
+}
+
+void nkw_skin_prune(const nkw_skin *skin, size_t keep, nkw_skin_span joints, nkw_skin_span weights)
+{
+    if (!is_count(keep) || !is_count(skin->influences) || !is_for_joints(skin->joints.format) ||
+        !is_for_weights(skin->weights.format) || !is_for_joints(joints.format) || !is_for_weights(weights.format))
+        return;
+    for (size_t i = 0; i < skin->vertices; i++) {
+        held all, v;
+        read_joints(&skin->joints, skin->influences, i, all.joint);
+        read_weights(&skin->weights, skin->influences, i, all.weight);
+        size_t kept = keep_largest(&all, skin->influences, keep, &v);
+        write_joints(v.joint, kept, keep, vertex_of(&joints, keep, i), joints.format);
+        write_weights(v.weight, kept, keep, vertex_of(&weights, keep, i), weights.format);
+    }
+}
+
+static nkw_result check_shape(const nkw_skin *skin)
+{
+    if (skin->influences == 0)
+        return NKW_EMPTY;
+    if (skin->influences > NKW_SKIN_INFLUENCES)
+        return NKW_TOO_MANY;
+    return is_for_joints(skin->joints.format) && is_for_weights(skin->weights.format) ? NKW_OK : NKW_BAD_METHOD;
+}
+
+/* Whole numbers sum to the whole exactly; w / 65535 times 65535 is within 1e-2 of w. */
+static int is_sum(double sum, nkw_skin_format format)
+{
+    double total = (double)total_of(format);
+    double off = format == NKW_SKIN_F32 ? (sum - 1.0) * 1e3 : (sum - 1.0) * total * 2.0;
+    return sum == 0.0 || (off >= -1.0 && off <= 1.0);
+}
+
+static nkw_result check_vertex(const nkw_skin *skin, size_t joints, size_t i)
+{
+    held v;
+    double sum = 0.0;
+    nkw_result result = NKW_OK;
+    read_joints(&skin->joints, skin->influences, i, v.joint);
+    read_weights(&skin->weights, skin->influences, i, v.weight);
+    for (size_t e = 0; e < skin->influences; e++) {
+        if (!lane_is_finite(v.weight[e]))
+            return NKW_NOT_FINITE;
+        if (v.weight[e] < 0.0f)
+            result = NKW_BAD_WEIGHTS;
+        sum += (double)v.weight[e];
+    }
+    if (result != NKW_OK || !is_sum(sum, skin->weights.format))
+        return NKW_BAD_WEIGHTS;
+    for (size_t e = 0; e < skin->influences; e++)
+        if (v.joint[e] >= joints)
+            return NKW_OUT_OF_RANGE;
+    return NKW_OK;
+}
+
+nkw_result nkw_skin_validate(const nkw_skin *skin, size_t joints, size_t *bad_vertex)
+{
+    nkw_result result = check_shape(skin);
+    size_t bad = 0;
+    for (size_t i = 0; result == NKW_OK && i < skin->vertices; i++) {
+        result = check_vertex(skin, joints, i);
+        bad = result == NKW_OK ? 0 : i;
+    }
+    if (bad_vertex)
+        *bad_vertex = bad;
+    return result;
+}

@@ -1,0 +1,582 @@
+/* SPDX-License-Identifier: MIT */
+#include <math.h>
+
+#include "random.h"
+#include "support/expect.h"
+
+#define VERTICES 131 /* two whole blocks and an odd rest */
+#define JOINTS   23
+#define FLOATS   14
+
+/* A mesh of the book's vertex: position 3, normal 3, texture 2, tangent 3, bitangent 3. */
+typedef struct mesh {
+    nkw_mat4 matrices[JOINTS];
+    nkw_mat3 normals[JOINTS];
+    nkw_dual_quat duals[JOINTS];
+    float weights[VERTICES * 8];
+    uint16_t joints[VERTICES * 8];
+    float v[VERTICES * FLOATS];
+} mesh;
+
+static nkw_dual_quat dual_quat(nkw_quat r, nkw_vec3 t)
+{
+    nkw_quat half = {0.5f * t.x, 0.5f * t.y, 0.5f * t.z, 0};
+    nkw_dual_quat d = {r, nkw_quat_mul(half, r)};
+    return d;
+}
+
+static void draw_joints(random_source *r, mesh *m, int rigid)
+{
+    nkw_vec3 one = {1, 1, 1};
+    for (size_t j = 0; j < JOINTS; j++) {
+        nkw_trs trs = {random_vec3(r, -2, 2), random_rotation(r), rigid ? one : random_vec3(r, 0.5f, 2)};
+        m->matrices[j] = nkw_mat4_from_trs(&trs);
+        nkw_mat3 block = nkw_mat3_from_mat4(&m->matrices[j]);
+        m->normals[j] = nkw_mat3_normal(&block);
+        m->duals[j] = dual_quat(trs.rotation, trs.translation);
+    }
+}
+
+static mesh draw(uint64_t seed, size_t influences, int rigid)
+{
+    random_source r = random_from(seed);
+    mesh m = {0};
+    draw_joints(&r, &m, rigid);
+    for (size_t i = 0; i < VERTICES * influences; i++) {
+        m.joints[i] = (uint16_t)(random_bits(&r) % JOINTS);
+        m.weights[i] = random_unit(&r);
+    }
+    nkw_skin_view in = {m.weights, 0, NKW_SKIN_F32};
+    nkw_skin_span out = {m.weights, 0, NKW_SKIN_F32};
+    nkw_skin_normalize_weights(in, influences, out, VERTICES);
+    for (size_t i = 0; i < VERTICES * FLOATS; i++)
+        m.v[i] = random_between(&r, -1, 1);
+    return m;
+}
+
+static nkw_skin skin_of(const mesh *m, size_t influences)
+{
+    nkw_skin s = {VERTICES, influences, {m->joints, 0, NKW_SKIN_U16}, {m->weights, 0, NKW_SKIN_F32}};
+    return s;
+}
+
+static nkw_vertices streams(const float *v, size_t floats)
+{
+    size_t s = floats * sizeof *v;
+    nkw_vertices r = {{v, s}, {v + 3, s}, {v + 8, s}, {v + 11, s}};
+    return r;
+}
+
+static nkw_vertices_span spans(float *v, size_t floats)
+{
+    size_t s = floats * sizeof *v;
+    nkw_vertices_span r = {{v, s}, {v + 3, s}, {v + 8, s}, {v + 11, s}};
+    return r;
+}
+
+static nkw_vec3 vec3_at(const float *v)
+{
+    nkw_vec3 r = {v[0], v[1], v[2]};
+    return r;
+}
+
+/* The sum in the order of the influences, of `width` floats a joint. */
+static void blend(const mesh *m, const float *palette, size_t width, size_t influences, size_t vertex, float *out)
+{
+    for (size_t a = 0; a < width; a++)
+        for (size_t e = 0; e < influences; e++) {
+            size_t at = vertex * influences + e;
+            float term = m->weights[at] * palette[width * m->joints[at] + a];
+            out[a] = e ? out[a] + term : term;
+        }
+}
+
+static nkw_vec3 unit(nkw_vec3 n)
+{
+    float n2 = (n.x * n.x + n.y * n.y) + n.z * n.z;
+    return nkw_vec3_scale(n, n2 == 0 ? 0 : 1 / sqrtf(n2));
+}
+
+static void linear_blend_is_the_weighted_sum_of_matrices_for_every_count(void **state)
+{
+    (void)state;
+    for (size_t k = 1; k <= 8; k++) {
+        mesh m = draw(k, k, 0);
+        nkw_skin skin = skin_of(&m, k);
+        nkw_skin_palette palette = {m.matrices, NULL, JOINTS};
+        float out[VERTICES * FLOATS] = {0};
+        nkw_vertices from = streams(m.v, FLOATS);
+        nkw_vertices_span to = spans(out, FLOATS);
+        nkw_skin_linear(&skin, &palette, &from, &to);
+        for (size_t i = 0; i < VERTICES; i++) {
+            nkw_mat4 sum;
+            const float *v = m.v + i * FLOATS, *got = out + i * FLOATS;
+            blend(&m, m.matrices->m, 16, k, i, sum.m);
+            expect_vec3_bits(vec3_at(got), nkw_mat4_transform_point(&sum, vec3_at(v)));
+            for (size_t a = 3; a < FLOATS; a += a == 3 ? 5 : 3)
+                expect_vec3_bits(vec3_at(got + a), unit(nkw_mat4_transform_direction(&sum, vec3_at(v + a))));
+            expect_bits(got[6], 0);
+            expect_bits(got[7], 0);
+        }
+    }
+}
+
+static void normals_go_by_their_own_palette_where_there_is_one(void **state)
+{
+    (void)state;
+    for (size_t k = 1; k <= 8; k++) {
+        mesh m = draw(k, k, 0);
+        nkw_skin skin = skin_of(&m, k);
+        nkw_skin_palette palette = {m.matrices, m.normals, JOINTS}, plain = {m.matrices, NULL, JOINTS};
+        float out[VERTICES * FLOATS] = {0}, other[VERTICES * FLOATS] = {0};
+        nkw_vertices from = streams(m.v, FLOATS);
+        nkw_vertices_span to = spans(out, FLOATS), to_other = spans(other, FLOATS);
+        nkw_skin_linear(&skin, &palette, &from, &to);
+        nkw_skin_linear(&skin, &plain, &from, &to_other);
+        for (size_t i = 0; i < VERTICES; i++) {
+            nkw_mat3 sum;
+            const float *got = out + i * FLOATS;
+            blend(&m, m.normals->m, 9, k, i, sum.m);
+            expect_vec3_bits(vec3_at(got + 3), unit(nkw_mat3_transform(&sum, vec3_at(m.v + i * FLOATS + 3))));
+            expect_vec3_bits(vec3_at(got), vec3_at(other + i * FLOATS));
+            expect_vec3_bits(vec3_at(got + 8), vec3_at(other + i * FLOATS + 8));
+        }
+    }
+}
+
+static void a_normal_stays_at_right_angles_under_uneven_scale_by_its_palette(void **state)
+{
+    (void)state;
+    random_source r = random_from(3);
+    const uint8_t joint = 0, weight = 255;
+    nkw_skin skin = {1, 1, {&joint, 0, NKW_SKIN_U8}, {&weight, 0, NKW_SKIN_U8}};
+    for (int n = 0; n < 100; n++) {
+        nkw_trs trs = {random_vec3(&r, -2, 2), random_rotation(&r), random_vec3(&r, 0.25f, 4)};
+        nkw_mat4 m = nkw_mat4_from_trs(&trs);
+        nkw_mat3 block = nkw_mat3_from_mat4(&m), normal = nkw_mat3_normal(&block);
+        nkw_skin_palette palette = {&m, &normal, 1};
+        nkw_vec3 v[3] = {{0, 0, 0}, random_direction(&r), {0, 0, 0}};
+        v[2] = nkw_vec3_normalize(nkw_vec3_perpendicular(v[1]));
+        nkw_vertices in = {{&v[0], 0}, {&v[1], 0}, {&v[2], 0}, {NULL, 0}};
+        nkw_vertices_span out = {{&v[0], 0}, {&v[1], 0}, {&v[2], 0}, {NULL, 0}};
+        nkw_skin_linear(&skin, &palette, &in, &out);
+        expect_near(nkw_vec3_dot(v[1], v[2]), 0, 2e-6);
+        expect_near(nkw_vec3_length(v[1]), 1, 2e-7);
+        expect_vec3_near(v[0], trs.translation, 0);
+    }
+}
+
+/* The same vertices tight, interleaved, in component arrays, in place: same bits. */
+static void every_layout_gives_the_same_bits(void **state)
+{
+    (void)state;
+    mesh m = draw(9, 4, 0);
+    nkw_skin skin = skin_of(&m, 4);
+    nkw_skin_palette palette = {m.matrices, NULL, JOINTS};
+    float mixed[VERTICES * FLOATS], p[3][VERTICES], n[3][VERTICES];
+    nkw_vec3 tight[2][VERTICES];
+    memcpy(mixed, m.v, sizeof mixed);
+    for (size_t i = 0; i < VERTICES; i++) {
+        for (size_t c = 0; c < 3; c++) {
+            p[c][i] = m.v[i * FLOATS + c];
+            n[c][i] = m.v[i * FLOATS + 3 + c];
+        }
+        tight[0][i] = vec3_at(m.v + i * FLOATS);
+        tight[1][i] = vec3_at(m.v + i * FLOATS + 3);
+    }
+    nkw_vertices in_mixed = streams(mixed, FLOATS), in_tight = {{tight[0], 0}, {tight[1], 12}, {NULL, 0}, {NULL, 0}};
+    nkw_vertices_span out_mixed = spans(mixed, FLOATS),
+                      out_tight = {{tight[0], 0}, {tight[1], 12}, {NULL, 0}, {NULL, 0}};
+    nkw_vertices_arrays in_arrays = {{p[0], p[1], p[2]}, {n[0], n[1], n[2]}, {0}, {0}};
+    nkw_vertices_arrays_span out_arrays = {{p[0], p[1], p[2]}, {n[0], n[1], n[2]}, {0}, {0}};
+    nkw_skin_linear(&skin, &palette, &in_mixed, &out_mixed);
+    nkw_skin_linear(&skin, &palette, &in_tight, &out_tight);
+    nkw_skin_linear_arrays(&skin, &palette, &in_arrays, &out_arrays);
+    for (size_t i = 0; i < VERTICES; i++) {
+        nkw_vec3 position = {p[0][i], p[1][i], p[2][i]}, normal = {n[0][i], n[1][i], n[2][i]};
+        expect_vec3_bits(tight[0][i], vec3_at(mixed + i * FLOATS));
+        expect_vec3_bits(tight[1][i], vec3_at(mixed + i * FLOATS + 3));
+        expect_vec3_bits(position, tight[0][i]);
+        expect_vec3_bits(normal, tight[1][i]);
+        expect_bits(mixed[i * FLOATS + 6], m.v[i * FLOATS + 6]);
+        expect_bits(mixed[i * FLOATS + 7], m.v[i * FLOATS + 7]);
+    }
+}
+
+static void a_vertex_does_not_depend_on_its_neighbours_or_the_count(void **state)
+{
+    (void)state;
+    mesh m = draw(10, 3, 0);
+    nkw_skin_palette palette = {m.matrices, NULL, JOINTS};
+    float whole[VERTICES * FLOATS] = {0}, alone[FLOATS] = {0};
+    nkw_skin skin = skin_of(&m, 3);
+    nkw_vertices in = streams(m.v, FLOATS);
+    nkw_vertices_span out = spans(whole, FLOATS), out_alone = spans(alone, FLOATS);
+    nkw_skin_linear(&skin, &palette, &in, &out);
+    for (size_t i = 0; i < VERTICES; i++) {
+        nkw_skin one = {1, 3, {m.joints + 3 * i, 0, NKW_SKIN_U16}, {m.weights + 3 * i, 0, NKW_SKIN_F32}};
+        nkw_vertices at = streams(m.v + i * FLOATS, FLOATS);
+        nkw_skin_linear(&one, &palette, &at, &out_alone);
+        expect_floats_bits(alone, whole + i * FLOATS, FLOATS);
+    }
+}
+
+/* position 3, texture 2, normal 3, four 16-bit joints, four 16-bit weights: 48 bytes. */
+typedef struct skeletal_vertex {
+    float position[3], texture[2], normal[3];
+    uint16_t joints[4], weights[4];
+} skeletal_vertex;
+
+static void whole_number_weights_are_their_quotients(void **state)
+{
+    (void)state;
+    random_source r = random_from(11);
+    mesh m = draw(11, 4, 0);
+    nkw_skin_palette palette = {m.matrices, NULL, JOINTS};
+    skeletal_vertex v[VERTICES];
+    uint8_t joints8[VERTICES][4], weights8[VERTICES][4];
+    uint32_t joints32[VERTICES][4];
+    float w8[VERTICES][4], w16[VERTICES][4];
+    nkw_vec3 want[VERTICES], got[VERTICES];
+    for (size_t i = 0; i < VERTICES; i++)
+        for (size_t e = 0; e < 4; e++) {
+            v[i].position[e % 3] = random_between(&r, -1, 1);
+            v[i].joints[e] = joints8[i][e] = (uint8_t)(random_bits(&r) % JOINTS);
+            joints32[i][e] = joints8[i][e];
+            v[i].weights[e] = (uint16_t)random_bits(&r);
+            weights8[i][e] = (uint8_t)random_bits(&r);
+            w16[i][e] = (float)v[i].weights[e] / 65535.0f;
+            w8[i][e] = (float)weights8[i][e] / 255.0f;
+        }
+    nkw_vertices in = {{v->position, sizeof *v}, {NULL, 0}, {NULL, 0}, {NULL, 0}};
+    nkw_vertices_span out_want = {{want, 0}, {NULL, 0}, {NULL, 0}, {NULL, 0}},
+                      out_got = {{got, 0}, {NULL, 0}, {NULL, 0}, {NULL, 0}};
+    nkw_skin skins[4] = {
+        {VERTICES, 4, {v->joints, sizeof *v, NKW_SKIN_U16}, {v->weights, sizeof *v, NKW_SKIN_U16}},
+        {VERTICES, 4, {joints32, 0, NKW_SKIN_U32}, {w16, 0, NKW_SKIN_F32}},
+        {VERTICES, 4, {joints8, 0, NKW_SKIN_U8}, {weights8, 4, NKW_SKIN_U8}},
+        {VERTICES, 4, {joints32, 16, NKW_SKIN_U32}, {w8, 16, NKW_SKIN_F32}},
+    };
+    for (size_t s = 0; s < 4; s += 2) {
+        nkw_skin_linear(&skins[s], &palette, &in, &out_got);
+        nkw_skin_linear(&skins[s + 1], &palette, &in, &out_want);
+        for (size_t i = 0; i < VERTICES; i++)
+            expect_vec3_bits(got[i], want[i]);
+    }
+}
+
+static void a_vertex_without_weight_is_not_moved(void **state)
+{
+    (void)state;
+    for (int dual = 0; dual < 2; dual++) {
+        mesh m = draw(12, 4, 1);
+        float out[VERTICES * FLOATS];
+        for (size_t i = 0; i < VERTICES; i += 5)
+            for (size_t e = 0; e < 4; e++)
+                m.weights[i * 4 + e] = e % 2 ? -0.0f : 0.0f;
+        m.v[5 * FLOATS] = -0.0f;
+        memcpy(out, m.v, sizeof out);
+        nkw_skin skin = skin_of(&m, 4);
+        nkw_skin_palette palette = {m.matrices, m.normals, JOINTS};
+        nkw_vertices in = streams(m.v, FLOATS);
+        nkw_vertices_span to = spans(out, FLOATS);
+        if (dual)
+            nkw_skin_dual_quat(&skin, m.duals, JOINTS, &in, &to);
+        else
+            nkw_skin_linear(&skin, &palette, &in, &to);
+        for (size_t i = 0; i < VERTICES; i += 5)
+            expect_floats_bits(out + i * FLOATS, m.v + i * FLOATS, FLOATS);
+        assert_memory_not_equal(out + FLOATS, m.v + FLOATS, 12);
+    }
+}
+
+/* The palette lies in a heap block of its own size, which the sanitizers watch. */
+static void a_joint_beyond_the_palette_counts_as_weight_zero(void **state)
+{
+    (void)state;
+    mesh m = draw(13, 4, 0);
+    nkw_mat4 *matrices = (nkw_mat4 *)test_malloc(5 * sizeof *matrices);
+    memcpy(matrices, m.matrices, 5 * sizeof *matrices);
+    nkw_skin_palette palette = {matrices, NULL, 5};
+    float got[VERTICES * FLOATS] = {0}, want[VERTICES * FLOATS] = {0};
+    nkw_vertices in = streams(m.v, FLOATS);
+    nkw_vertices_span out = spans(got, FLOATS), out_want = spans(want, FLOATS);
+    nkw_skin skin = skin_of(&m, 4);
+    nkw_skin_linear(&skin, &palette, &in, &out);
+    for (size_t i = 0; i < VERTICES * 4; i++)
+        if (m.joints[i] >= 5)
+            m.joints[i] = 0, m.weights[i] = 0;
+    nkw_skin_linear(&skin, &palette, &in, &out_want);
+    expect_floats_bits(got, want, VERTICES * FLOATS);
+    test_free(matrices);
+}
+
+static void expect_not_moved(const nkw_skin *skin, const nkw_skin_palette *palette, const mesh *m)
+{
+    float out[VERTICES * FLOATS];
+    memset(out, 0, sizeof out);
+    nkw_vertices in = streams(m->v, FLOATS);
+    nkw_vertices_span to = spans(out, FLOATS);
+    nkw_skin_linear(skin, palette, &in, &to);
+    for (size_t i = 0; i < VERTICES; i++) {
+        expect_floats_bits(out + i * FLOATS, m->v + i * FLOATS, 6);
+        expect_floats_bits(out + i * FLOATS + 8, m->v + i * FLOATS + 8, 6);
+    }
+}
+
+static void no_palette_no_influence_and_unknown_formats_move_nothing(void **state)
+{
+    (void)state;
+    mesh m = draw(14, 4, 0);
+    nkw_skin_palette palette = {m.matrices, NULL, JOINTS}, none = {NULL, NULL, 0};
+    nkw_skin skin = skin_of(&m, 4);
+    expect_not_moved(&skin, &none, &m);
+    skin.influences = 0;
+    expect_not_moved(&skin, &palette, &m);
+    skin = skin_of(&m, 4);
+    skin.joints.format = NKW_SKIN_F32;
+    expect_not_moved(&skin, &palette, &m);
+    skin = skin_of(&m, 4);
+    skin.weights.format = NKW_SKIN_U32;
+    expect_not_moved(&skin, &palette, &m);
+    skin.vertices = 0;
+    nkw_vertices in = {{NULL, 0}, {NULL, 0}, {NULL, 0}, {NULL, 0}};
+    nkw_vertices_span out = {{NULL, 0}, {NULL, 0}, {NULL, 0}, {NULL, 0}};
+    nkw_skin_linear(&skin, &palette, &in, &out);
+}
+
+static void influences_beyond_the_eighth_are_not_read(void **state)
+{
+    (void)state;
+    mesh m = draw(15, 8, 0);
+    nkw_skin_palette palette = {m.matrices, NULL, JOINTS};
+    float got[VERTICES * FLOATS] = {0}, want[VERTICES * FLOATS] = {0};
+    nkw_vertices in = streams(m.v, FLOATS);
+    nkw_vertices_span out = spans(got, FLOATS), out_want = spans(want, FLOATS);
+    nkw_skin skin = {VERTICES / 2, 8, {m.joints, 32, NKW_SKIN_U16}, {m.weights, 64, NKW_SKIN_F32}};
+    nkw_skin_linear(&skin, &palette, &in, &out_want);
+    skin.influences = 16;
+    nkw_skin_linear(&skin, &palette, &in, &out);
+    expect_floats_bits(got, want, VERTICES * FLOATS);
+}
+
+static void zero_normals_stay_zero_and_nan_stays_in_its_vertex(void **state)
+{
+    (void)state;
+    mesh m = draw(16, 4, 0);
+    nkw_skin_palette palette = {m.matrices, NULL, JOINTS};
+    float out[VERTICES * FLOATS] = {0}, clean[VERTICES * FLOATS] = {0};
+    m.v[3] = m.v[4] = m.v[5] = 0;
+    nkw_skin skin = skin_of(&m, 4);
+    nkw_vertices in = streams(m.v, FLOATS);
+    nkw_vertices_span to = spans(out, FLOATS), to_clean = spans(clean, FLOATS);
+    nkw_skin_linear(&skin, &palette, &in, &to_clean);
+    for (size_t c = 3; c < 6; c++)
+        expect_near(clean[c], 0, 0);
+    m.weights[4 * 70] = NAN;
+    nkw_skin_linear(&skin, &palette, &in, &to);
+    expect_nan(out[70 * FLOATS]);
+    expect_floats_bits(out, clean, 70 * FLOATS);
+    expect_floats_bits(out + 71 * FLOATS, clean + 71 * FLOATS, (VERTICES - 71) * FLOATS);
+}
+
+static void one_rigid_joint_is_the_same_either_way(void **state)
+{
+    (void)state;
+    mesh m = draw(17, 1, 1);
+    nkw_skin skin = skin_of(&m, 1);
+    nkw_skin_palette palette = {m.matrices, NULL, JOINTS};
+    float linear[VERTICES * FLOATS] = {0}, dual[VERTICES * FLOATS] = {0};
+    nkw_vertices in = streams(m.v, FLOATS);
+    nkw_vertices_span out = spans(linear, FLOATS), out_dual = spans(dual, FLOATS);
+    nkw_skin_linear(&skin, &palette, &in, &out);
+    nkw_skin_dual_quat(&skin, m.duals, JOINTS, &in, &out_dual);
+    expect_floats_near(dual, linear, VERTICES * FLOATS, 2e-6);
+}
+
+/* Half of nothing and half of a turn by 90 degrees about x through the point (0, 1, 0) is a turn by 45 about it. */
+static void half_of_a_turn_is_a_turn_by_half_the_angle(void **state)
+{
+    (void)state;
+    nkw_vec3 x = {1, 0, 0}, pivot = {0, 1, 0}, p = {0.5f, 3, 0};
+    nkw_quat turn = nkw_quat_from_axis_angle(x, 1.57079633f), half = nkw_quat_from_axis_angle(x, 0.785398163f);
+    nkw_dual_quat palette[2] = {dual_quat(nkw_quat_identity(), nkw_vec3_sub(pivot, pivot)),
+                                dual_quat(turn, nkw_vec3_sub(pivot, nkw_quat_rotate(turn, pivot)))};
+    const uint8_t joints[2] = {0, 1};
+    const float weights[2] = {0.5f, 0.5f};
+    nkw_skin skin = {1, 2, {joints, 0, NKW_SKIN_U8}, {weights, 0, NKW_SKIN_F32}};
+    nkw_vec3 want = nkw_vec3_add(pivot, nkw_quat_rotate(half, nkw_vec3_sub(p, pivot))), got;
+    nkw_vertices in = {{&p, 0}, {NULL, 0}, {NULL, 0}, {NULL, 0}};
+    nkw_vertices_span out = {{&got, 0}, {NULL, 0}, {NULL, 0}, {NULL, 0}};
+    nkw_skin_dual_quat(&skin, palette, 2, &in, &out);
+    expect_vec3_near(got, want, 5e-7);
+}
+
+static void the_sign_of_a_dual_quaternion_does_not_matter(void **state)
+{
+    (void)state;
+    random_source r = random_from(18);
+    for (size_t k = 1; k <= 8; k++) {
+        mesh m = draw(18 + k, k, 1);
+        float want[VERTICES * FLOATS] = {0}, got[VERTICES * FLOATS] = {0};
+        nkw_skin skin = skin_of(&m, k);
+        nkw_vertices in = streams(m.v, FLOATS);
+        nkw_vertices_span out = spans(want, FLOATS), out_got = spans(got, FLOATS);
+        nkw_skin_dual_quat(&skin, m.duals, JOINTS, &in, &out);
+        for (size_t j = 0; j < JOINTS; j++)
+            if (random_bits(&r) & 1) {
+                nkw_quat q = m.duals[j].real, d = m.duals[j].dual;
+                nkw_dual_quat negated = {{-q.x, -q.y, -q.z, -q.w}, {-d.x, -d.y, -d.z, -d.w}};
+                m.duals[j] = negated;
+            }
+        nkw_skin_dual_quat(&skin, m.duals, JOINTS, &in, &out_got);
+        expect_floats_bits(got, want, VERTICES * FLOATS);
+    }
+}
+
+static void dual_quaternions_keep_lengths(void **state)
+{
+    (void)state;
+    mesh m = draw(19, 4, 1);
+    nkw_skin skin = skin_of(&m, 4);
+    float out[VERTICES * FLOATS] = {0}, other[VERTICES * FLOATS] = {0};
+    nkw_vertices in = streams(m.v, FLOATS), in_normals = in;
+    in_normals.positions = in.normals;
+    nkw_vertices_span to = spans(out, FLOATS), to_other = spans(other, FLOATS);
+    nkw_skin_dual_quat(&skin, m.duals, JOINTS, &in, &to);
+    nkw_skin_dual_quat(&skin, m.duals, JOINTS, &in_normals, &to_other);
+    for (size_t i = 0; i < VERTICES; i++) {
+        float before = nkw_vec3_distance(vec3_at(m.v + i * FLOATS), vec3_at(m.v + i * FLOATS + 3));
+        float after = nkw_vec3_distance(vec3_at(out + i * FLOATS), vec3_at(other + i * FLOATS));
+        expect_near(after, before, 5e-6);
+    }
+}
+
+static void dual_quaternions_that_cancel_move_nothing(void **state)
+{
+    (void)state;
+    const nkw_dual_quat palette[1] = {{{0, 0, 0, 0}, {0, 1, 0, 0}}};
+    const uint8_t joint = 0, weight = 255;
+    nkw_skin skin = {1, 1, {&joint, 0, NKW_SKIN_U8}, {&weight, 0, NKW_SKIN_U8}};
+    nkw_vec3 p = {1, 2, 3}, want = p;
+    nkw_vertices in = {{&p, 0}, {NULL, 0}, {NULL, 0}, {NULL, 0}};
+    nkw_vertices_span out = {{&p, 0}, {NULL, 0}, {NULL, 0}, {NULL, 0}};
+    nkw_skin_dual_quat(&skin, palette, 1, &in, &out);
+    expect_vec3_bits(p, want);
+}
+
+static void both_ways_by_component_arrays_are_as_by_streams(void **state)
+{
+    (void)state;
+    mesh m = draw(20, 4, 1);
+    nkw_skin skin = skin_of(&m, 4);
+    float c[12][VERTICES], want[VERTICES * FLOATS] = {0};
+    static const size_t offset[4] = {0, 3, 8, 11};
+    for (size_t i = 0; i < VERTICES; i++)
+        for (size_t a = 0; a < 12; a++)
+            c[a][i] = m.v[i * FLOATS + offset[a / 3] + a % 3];
+    nkw_vertices in = streams(m.v, FLOATS);
+    nkw_vertices_span out = spans(want, FLOATS);
+    nkw_vertices_arrays from = {{c[0], c[1], c[2]}, {c[3], c[4], c[5]}, {c[6], c[7], c[8]}, {c[9], c[10], c[11]}};
+    nkw_vertices_arrays_span to = {{c[0], c[1], c[2]}, {c[3], c[4], c[5]}, {c[6], c[7], c[8]}, {c[9], c[10], c[11]}};
+    nkw_skin_dual_quat(&skin, m.duals, JOINTS, &in, &out);
+    nkw_skin_dual_quat_arrays(&skin, m.duals, JOINTS, &from, &to);
+    for (size_t i = 0; i < VERTICES; i++)
+        for (size_t a = 0; a < 12; a++)
+            expect_bits(c[a][i], want[i * FLOATS + offset[a / 3] + a % 3]);
+}
+
+static void expect_invalid(const nkw_skin *skin, nkw_result result, size_t vertex)
+{
+    size_t bad = 99;
+    assert_int_equal(nkw_skin_validate(skin, JOINTS, &bad), result);
+    assert_int_equal(bad, vertex);
+    assert_int_equal(nkw_skin_validate(skin, JOINTS, NULL), result);
+}
+
+static void validate_names_the_first_offender_among_floats(void **state)
+{
+    (void)state;
+    mesh m = draw(22, 4, 0);
+    nkw_skin skin = skin_of(&m, 4);
+    expect_invalid(&skin, NKW_OK, 0);
+    memset(m.weights + 40, 0, 16);
+    expect_invalid(&skin, NKW_OK, 0);
+    m.weights[4 * 90 + 2] += 0.0011f;
+    expect_invalid(&skin, NKW_BAD_WEIGHTS, 90);
+    m.weights[4 * 80 + 1] = -m.weights[4 * 80 + 1];
+    expect_invalid(&skin, NKW_BAD_WEIGHTS, 80);
+    m.weights[4 * 70 + 3] = INFINITY;
+    expect_invalid(&skin, NKW_NOT_FINITE, 70);
+    m.weights[4 * 60] = NAN;
+    expect_invalid(&skin, NKW_NOT_FINITE, 60);
+    m.joints[4 * 50 + 3] = JOINTS;
+    expect_invalid(&skin, NKW_OUT_OF_RANGE, 50);
+    m.weights[4 * 30] += 0.0009f;
+    expect_invalid(&skin, NKW_OUT_OF_RANGE, 50);
+}
+
+static void validate_wants_whole_numbers_to_sum_exactly(void **state)
+{
+    (void)state;
+    mesh m = draw(23, 8, 0);
+    uint8_t bytes[VERTICES * 8];
+    uint16_t shorts[VERTICES * 8];
+    nkw_skin_view from = {m.weights, 0, NKW_SKIN_F32};
+    nkw_skin_span to_bytes = {bytes, 0, NKW_SKIN_U8}, to_shorts = {shorts, 0, NKW_SKIN_U16};
+    nkw_skin_normalize_weights(from, 8, to_bytes, VERTICES);
+    nkw_skin_normalize_weights(from, 8, to_shorts, VERTICES);
+    nkw_skin skin = {VERTICES, 8, {m.joints, 0, NKW_SKIN_U16}, {bytes, 0, NKW_SKIN_U8}};
+    expect_invalid(&skin, NKW_OK, 0);
+    bytes[8 * 77] ^= 1;
+    expect_invalid(&skin, NKW_BAD_WEIGHTS, 77);
+    skin.weights.data = shorts;
+    skin.weights.format = NKW_SKIN_U16;
+    expect_invalid(&skin, NKW_OK, 0);
+    shorts[8 * 66 + 5] ^= 1;
+    expect_invalid(&skin, NKW_BAD_WEIGHTS, 66);
+}
+
+static void validate_checks_the_shape(void **state)
+{
+    (void)state;
+    mesh m = draw(24, 4, 0);
+    nkw_skin skin = skin_of(&m, 4);
+    skin.influences = 0;
+    expect_invalid(&skin, NKW_EMPTY, 0);
+    skin.influences = 9;
+    expect_invalid(&skin, NKW_TOO_MANY, 0);
+    skin = skin_of(&m, 4);
+    skin.joints.format = NKW_SKIN_F32;
+    expect_invalid(&skin, NKW_BAD_METHOD, 0);
+    skin = skin_of(&m, 4);
+    skin.weights.format = NKW_SKIN_U32;
+    expect_invalid(&skin, NKW_BAD_METHOD, 0);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(linear_blend_is_the_weighted_sum_of_matrices_for_every_count),
+        cmocka_unit_test(normals_go_by_their_own_palette_where_there_is_one),
+        cmocka_unit_test(a_normal_stays_at_right_angles_under_uneven_scale_by_its_palette),
+        cmocka_unit_test(every_layout_gives_the_same_bits),
+        cmocka_unit_test(a_vertex_does_not_depend_on_its_neighbours_or_the_count),
+        cmocka_unit_test(whole_number_weights_are_their_quotients),
+        cmocka_unit_test(a_vertex_without_weight_is_not_moved),
+        cmocka_unit_test(a_joint_beyond_the_palette_counts_as_weight_zero),
+        cmocka_unit_test(no_palette_no_influence_and_unknown_formats_move_nothing),
+        cmocka_unit_test(influences_beyond_the_eighth_are_not_read),
+        cmocka_unit_test(zero_normals_stay_zero_and_nan_stays_in_its_vertex),
+        cmocka_unit_test(one_rigid_joint_is_the_same_either_way),
+        cmocka_unit_test(half_of_a_turn_is_a_turn_by_half_the_angle),
+        cmocka_unit_test(the_sign_of_a_dual_quaternion_does_not_matter),
+        cmocka_unit_test(dual_quaternions_keep_lengths),
+        cmocka_unit_test(dual_quaternions_that_cancel_move_nothing),
+        cmocka_unit_test(both_ways_by_component_arrays_are_as_by_streams),
+        cmocka_unit_test(validate_names_the_first_offender_among_floats),
+        cmocka_unit_test(validate_wants_whole_numbers_to_sum_exactly),
+        cmocka_unit_test(validate_checks_the_shape),
+    };
+    return cmocka_run_group_tests_name("skin", tests, NULL, NULL);
+}

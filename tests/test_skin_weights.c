@@ -1,0 +1,102 @@
+/* SPDX-License-Identifier: MIT */
+/* The part of skin.h that prepares weights. */
+#include <math.h>
+
+#include "random.h"
+#include "support/expect.h"
+
+static void normalised_weights_sum_exactly(void **state)
+{
+    (void)state;
+    random_source r = random_from(21);
+    for (size_t n = 0; n < 4000; n++) {
+        size_t k = 1 + n % 8;
+        float in[8], f[8], sum = 0, back = 0;
+        uint8_t b[8];
+        uint16_t s[8];
+        unsigned bytes = 0, shorts = 0;
+        for (size_t e = 0; e < k; e++)
+            in[e] = n % 3 ? random_unit(&r) + 1e-3f : random_scaled(&r, -60, 60);
+        in[0] = in[0] < 0 ? -in[0] : in[0];
+        nkw_skin_view view = {in, 0, NKW_SKIN_F32};
+        nkw_skin_span to_f = {f, 0, NKW_SKIN_F32}, to_b = {b, 0, NKW_SKIN_U8}, to_s = {s, 0, NKW_SKIN_U16};
+        nkw_skin_normalize_weights(view, k, to_f, 1);
+        nkw_skin_normalize_weights(view, k, to_b, 1);
+        nkw_skin_normalize_weights(view, k, to_s, 1);
+        for (size_t e = 0; e < k; e++) {
+            sum += f[e];
+            back += f[k - 1 - e];
+            bytes += b[e];
+            shorts += s[e];
+            expect_near((double)b[e] / 255, f[e], 1.0 / 255 + 1e-6);
+            expect_near((double)s[e] / 65535, f[e], 1.0 / 65535 + 1e-6);
+        }
+        expect_bits(sum, 1);
+        expect_bits(back, 1);
+        assert_int_equal(bytes, 255);
+        assert_int_equal(shorts, 65535);
+    }
+}
+
+static void the_largest_remainder_gets_what_is_missing_and_the_first_of_equals(void **state)
+{
+    (void)state;
+    const float in[3][4] = {{1, 1, 1, 1}, {1, 1, 1, 0}, {0.5f, 0.25f, 0.125f, 0.125f}};
+    const uint8_t want[3][4] = {{64, 64, 64, 63}, {85, 85, 85, 0}, {127, 64, 32, 32}};
+    uint8_t got[3][4];
+    nkw_skin_view view = {in, 0, NKW_SKIN_F32};
+    nkw_skin_span span = {got, 0, NKW_SKIN_U8};
+    nkw_skin_normalize_weights(view, 4, span, 3);
+    assert_memory_equal(got, want, sizeof want);
+}
+
+static void weights_that_cannot_be_used_count_as_zero(void **state)
+{
+    (void)state;
+    float w[3][4] = {{-1, NAN, INFINITY, 2}, {0, -3, NAN, 0}, {0.25f, 0.25f, 0.25f, 0.25f}};
+    const float want[3][4] = {{0, 0, 0, 1}, {0, 0, 0, 0}, {0.25f, 0.25f, 0.25f, 0.25f}};
+    nkw_skin_view view = {w, 0, NKW_SKIN_F32};
+    nkw_skin_span span = {w, 0, NKW_SKIN_F32};
+    nkw_skin_normalize_weights(view, 4, span, 3);
+    expect_floats_bits(w[0], want[0], 12);
+}
+
+static void pruning_keeps_the_largest_in_their_order(void **state)
+{
+    (void)state;
+    const uint16_t joints[2][6] = {{10, 11, 12, 13, 14, 15}, {300, 21, 22, 23, 24, 25}};
+    const float weights[2][6] = {{0.125f, 0.25f, 0.0625f, 0.25f, 0.0625f, 0.25f}, {0.25f, 0, 0, 0, 0, 0.75f}};
+    nkw_skin skin = {2, 6, {joints, 0, NKW_SKIN_U16}, {weights, 0, NKW_SKIN_F32}};
+    uint8_t j[2][3], w[2][3];
+    const uint8_t want_j[2][3] = {{11, 13, 15}, {0, 21, 25}}, want_w[2][3] = {{85, 85, 85}, {64, 0, 191}};
+    nkw_skin_span to_j = {j, 0, NKW_SKIN_U8}, to_w = {w, 0, NKW_SKIN_U8};
+    nkw_skin_prune(&skin, 3, to_j, to_w);
+    assert_memory_equal(j, want_j, sizeof j);
+    assert_memory_equal(w, want_w, sizeof w);
+}
+
+static void pruning_to_more_fills_up_with_weight_zero(void **state)
+{
+    (void)state;
+    const uint8_t joints[2] = {7, 9};
+    const float weights[2] = {1, 3};
+    uint16_t j[4] = {1, 1, 1, 1}, w[4] = {1, 1, 1, 1};
+    const uint16_t want_j[4] = {7, 9, 0, 0}, want_w[4] = {16384, 49151, 0, 0};
+    nkw_skin skin = {1, 2, {joints, 0, NKW_SKIN_U8}, {weights, 0, NKW_SKIN_F32}};
+    nkw_skin_span to_j = {j, 0, NKW_SKIN_U16}, to_w = {w, 0, NKW_SKIN_U16};
+    nkw_skin_prune(&skin, 4, to_j, to_w);
+    assert_memory_equal(j, want_j, sizeof j);
+    assert_memory_equal(w, want_w, sizeof w);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(normalised_weights_sum_exactly),
+        cmocka_unit_test(the_largest_remainder_gets_what_is_missing_and_the_first_of_equals),
+        cmocka_unit_test(weights_that_cannot_be_used_count_as_zero),
+        cmocka_unit_test(pruning_keeps_the_largest_in_their_order),
+        cmocka_unit_test(pruning_to_more_fills_up_with_weight_zero),
+    };
+    return cmocka_run_group_tests_name("skin_weights", tests, NULL, NULL);
+}
