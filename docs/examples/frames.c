@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* The two pictures about orientation: all frames of the animation, and Euler angles against slerp. */
 #include "picture.h"
+#include "sphere.h"
 
 #include <stdio.h>
 
@@ -216,50 +217,6 @@ static int strip(svg *out, const scene *s, size_t segment, float yaw)
 
 /* ---- the path of the nose on the unit sphere ---- */
 
-/* The part of a line on the sphere that faces the eye in full, the rest faint. */
-static void sphere_line(svg *out, const svg_camera *camera, const nkw_vec3 *points, size_t count, svg_paint paint)
-{
-    svg_point run[SAMPLES + 1];
-    float whole = paint.opacity;
-    for (size_t i = 0; i + 1 < count;) {
-        int back = svg_depth(camera, points[i]) > 0.0f;
-        size_t n = 0;
-        run[n++] = svg_project(camera, points[i]);
-        while (i + 1 < count && (svg_depth(camera, points[i]) > 0.0f) == back)
-            run[n++] = svg_project(camera, points[++i]);
-        paint.opacity = back ? 0.25f * whole : whole;
-        svg_polyline(out, run, n, &paint);
-    }
-}
-
-/* A circle of the sphere at right angles to the unit vectors a and b, through both, moved by c. */
-static void sphere_circle(svg *out, const svg_camera *camera, nkw_vec3 a, nkw_vec3 b, nkw_vec3 c)
-{
-    nkw_vec3 points[SAMPLES + 1];
-    for (size_t i = 0; i <= SAMPLES; i++) {
-        float angle = 6.28318531f * (float)i / (float)SAMPLES;
-        nkw_vec3 p = nkw_vec3_add_scaled(nkw_vec3_scale(a, nkw_cos(angle)), b, nkw_sin(angle));
-        points[i] = nkw_vec3_add(p, c);
-    }
-    sphere_line(out, camera, points, SAMPLES + 1, svg_stroke(0xa9adba, 1.0f, 0.8f));
-}
-
-/* Meridians and parallels, 30 degrees apart. */
-static void sphere_grid(svg *out, const svg_camera *camera)
-{
-    const nkw_vec3 up = {0.0f, 1.0f, 0.0f};
-    for (int i = 0; i < 6; i++) {
-        float angle = 0.523598776f * (float)i;
-        nkw_vec3 side = {nkw_sin(angle), 0.0f, nkw_cos(angle)};
-        sphere_circle(out, camera, side, up, nkw_vec3_zero());
-    }
-    for (int i = -2; i <= 2; i++) {
-        float angle = 0.523598776f * (float)i, r = nkw_cos(angle);
-        nkw_vec3 x = {r, 0.0f, 0.0f}, z = {0.0f, 0.0f, r}, c = {0.0f, nkw_sin(angle), 0.0f};
-        sphere_circle(out, camera, x, z, c);
-    }
-}
-
 static void nose_path(svg *out, const svg_camera *camera, const scene *s, size_t segment,
                       nkw_orientation_method method, svg_colour colour)
 {
@@ -285,12 +242,10 @@ static void sphere_key(svg *out, const svg_camera *camera, const scene *s, size_
 static void sphere(svg *out, const scene *s, size_t segment)
 {
     svg_font heading = {14.0f, 0x1d1d22, 's', 1, SVG_NONE};
-    svg_paint ball = {0xf4f5f9, 0x9a9aa2, 1.2f, 1.0f, NULL};
     nkw_mat4 view = upright_view(facing_yaw(s, segment, nose));
     svg_camera camera = svg_orthographic(&view, svg_at(260.0f, 672.0f), 190.0f);
     svg_text(out, svg_at(28.0f, 452.0f), &heading, "Where the nose points, on the unit sphere");
-    svg_circle(out, camera.centre, camera.scale, &ball);
-    sphere_grid(out, &camera);
+    sphere_ball(out, &camera);
     nose_path(out, &camera, s, segment, NKW_ORIENTATION_EULER, euler_colour);
     nose_path(out, &camera, s, segment, NKW_ORIENTATION_SLERP, slerp_colour);
     sphere_key(out, &camera, s, segment);

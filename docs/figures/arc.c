@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* Arcs between two rotations: how fast, which way, and whose sign. */
 #include "figure.h"
+#include "sphere.h"
 
 #include <stdio.h>
 
@@ -122,7 +123,7 @@ static void sphere_arc(svg *s, const svg_camera *camera, arc_function *arc, floa
     nkw_quat a = tilted(-0.5f * turn), b = tilted(0.5f * turn);
     for (int i = 0; i <= FIGURE_STEPS; i++)
         points[i] = tip(arc(a, b, (float)i / (float)FIGURE_STEPS));
-    figure_sphere_line(s, camera, points, FIGURE_STEPS + 1, svg_stroke(colour, 3.2f, 1.0f));
+    sphere_line(s, camera, points, FIGURE_STEPS + 1, svg_stroke(colour, 3.2f, 1.0f));
     for (int i = FIGURE_STEPS / 8; i < FIGURE_STEPS; i += FIGURE_STEPS / 8) {
         int back = svg_depth(camera, points[i]) > 0.0f;
         svg_paint dot = {back ? svg_mix(0xf4f5f9, colour, 0.45f) : colour, 0xffffff, 1.0f, 1.0f, NULL};
@@ -144,7 +145,7 @@ static void sphere_panel(svg *s, svg_point centre, float turn, arc_function *fir
 {
     nkw_mat4 view = figure_view(0.0f, 0.35f);
     svg_camera camera = svg_orthographic(&view, centre, 190.0f);
-    figure_sphere(s, &camera);
+    sphere_ball(s, &camera);
     sphere_arc(s, &camera, second, turn, colour);
     sphere_arc(s, &camera, first, turn, FIGURE_SLERP);
     sphere_ends(s, &camera, turn);

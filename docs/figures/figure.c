@@ -88,55 +88,9 @@ void figure_arc_arrow(svg *s, svg_point centre, float radius, float from, float 
     svg_arrow(s, on_circle(centre, radius, to - 1.7f * head), on_circle(centre, radius, to), &tip);
 }
 
-/* ---- the sphere ---- */
-
 nkw_mat4 figure_view(float yaw, float pitch)
 {
     nkw_vec3 x = {1.0f, 0.0f, 0.0f}, y = {0.0f, 1.0f, 0.0f};
     return nkw_mat4_from_quat(
         nkw_quat_mul(nkw_quat_from_axis_angle(x, pitch), nkw_quat_from_axis_angle(y, -yaw)));
-}
-
-void figure_sphere_line(svg *s, const svg_camera *camera, const nkw_vec3 *points, size_t count, svg_paint paint)
-{
-    svg_point run[4 * FIGURE_STEPS + 1];
-    float whole = paint.opacity;
-    for (size_t i = 0; i + 1 < count;) {
-        int back = svg_depth(camera, points[i]) > 0.0f;
-        size_t n = 0;
-        run[n++] = svg_project(camera, points[i]);
-        while (i + 1 < count && (svg_depth(camera, points[i]) > 0.0f) == back)
-            run[n++] = svg_project(camera, points[++i]);
-        paint.opacity = back ? 0.3f * whole : whole;
-        svg_polyline(s, run, n, &paint);
-    }
-}
-
-/* The circle a cos + b sin + c. */
-static void circle(svg *s, const svg_camera *camera, nkw_vec3 a, nkw_vec3 b, nkw_vec3 c)
-{
-    nkw_vec3 points[FIGURE_STEPS + 1];
-    for (int i = 0; i <= FIGURE_STEPS; i++) {
-        float angle = 6.28318531f * (float)i / (float)FIGURE_STEPS;
-        nkw_vec3 p = nkw_vec3_add_scaled(nkw_vec3_scale(a, nkw_cos(angle)), b, nkw_sin(angle));
-        points[i] = nkw_vec3_add(p, c);
-    }
-    figure_sphere_line(s, camera, points, FIGURE_STEPS + 1, svg_stroke(0xa9adba, 1.0f, 0.8f));
-}
-
-void figure_sphere(svg *s, const svg_camera *camera)
-{
-    const nkw_vec3 up = {0.0f, 1.0f, 0.0f};
-    svg_paint ball = {0xf4f5f9, FIGURE_PALE, 1.2f, 1.0f, NULL};
-    svg_circle(s, camera->centre, camera->scale, &ball);
-    for (int i = 0; i < 6; i++) {
-        float angle = 0.523598776f * (float)i;
-        nkw_vec3 side = {nkw_sin(angle), 0.0f, nkw_cos(angle)};
-        circle(s, camera, side, up, nkw_vec3_zero());
-    }
-    for (int i = -2; i <= 2; i++) {
-        float angle = 0.523598776f * (float)i, r = nkw_cos(angle);
-        nkw_vec3 x = {r, 0.0f, 0.0f}, z = {0.0f, 0.0f, r}, c = {0.0f, nkw_sin(angle), 0.0f};
-        circle(s, camera, x, z, c);
-    }
 }

@@ -68,9 +68,5 @@ void figure_arc_arrow(svg *s, svg_point centre, float radius, float from, float 
 
 /** An eye that looks `pitch` radians down, turned about the vertical by yaw. */
 nkw_mat4 figure_view(float yaw, float pitch);
-/** A ball of radius 1 with meridians and parallels. */
-void figure_sphere(svg *s, const svg_camera *camera);
-/** A line in space about the origin: in full where it is on the eye's side, faint behind. */
-void figure_sphere_line(svg *s, const svg_camera *camera, const nkw_vec3 *points, size_t count, svg_paint paint);
 
 #endif

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* Euler angles: the detour of their interpolation, and the pole. */
 #include "figure.h"
+#include "sphere.h"
 
 #include <stdio.h>
 
@@ -54,7 +55,7 @@ static void nose_path(svg *s, const svg_camera *camera, int euler, svg_colour co
     nkw_vec3 points[FIGURE_STEPS + 1];
     for (int i = 0; i <= FIGURE_STEPS; i++)
         points[i] = nose(between((float)i / (float)FIGURE_STEPS, euler));
-    figure_sphere_line(s, camera, points, FIGURE_STEPS + 1, svg_stroke(colour, 3.2f, 1.0f));
+    sphere_line(s, camera, points, FIGURE_STEPS + 1, svg_stroke(colour, 3.2f, 1.0f));
     for (int i = FIGURE_STEPS / 12; i < FIGURE_STEPS; i += FIGURE_STEPS / 12)
         figure_dot(s, svg_project(camera, points[i]), colour);
 }
@@ -102,7 +103,7 @@ int figure_orient_euler(const char *path)
                      "Left: where the nose (-z) points, a dot every 1/12 of t. Right: how fast the object turns, roll "
                      "included."))
         return 0;
-    figure_sphere(&s, &camera);
+    sphere_ball(&s, &camera);
     nose_path(&s, &camera, 1, FIGURE_EULER);
     nose_path(&s, &camera, 0, FIGURE_SLERP);
     nose_key(&s, &camera, 0.0f, 18.0f, "a");
@@ -131,7 +132,7 @@ static void ring(svg *s, const svg_camera *camera, nkw_vec3 axis, nkw_vec3 side,
         nkw_vec3 p = nkw_vec3_add_scaled(nkw_vec3_scale(side, nkw_cos(angle)), other, nkw_sin(angle));
         points[i] = nkw_vec3_scale(p, radius);
     }
-    figure_sphere_line(s, camera, points, FIGURE_STEPS + 1, svg_stroke(colour, 4.0f, 1.0f));
+    sphere_line(s, camera, points, FIGURE_STEPS + 1, svg_stroke(colour, 4.0f, 1.0f));
     svg_paint paint = svg_stroke(colour, 2.0f, 0.9f);
     paint.dash = "5 4";
     svg_arrow(s, svg_project(camera, pin[0]), svg_project(camera, pin[1]), &paint);
