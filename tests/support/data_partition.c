@@ -28,7 +28,7 @@ static void draw(random_source *r)
     for (size_t v = 0; v < VERTICES; v++) {
         positions[v] = random_vec3(r, -5, 5);
         normals[v] = random_direction(r);
-        size_t used = random_bits(r) % (INFLUENCES + 1);
+        size_t used = (size_t)(random_bits(r) % (INFLUENCES + 1));
         for (size_t i = 0; i < INFLUENCES; i++) {
             joints[v * INFLUENCES + i] = (uint16_t)((v / 5 + random_bits(r) % 4) % BONES);
             weights[v * INFLUENCES + i] = i < used ? random_unit(r) : 0.0f;

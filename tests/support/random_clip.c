@@ -47,7 +47,7 @@ static void add_track(random_source *r, random_clip *c, nkw_clip_target target, 
     size_t i = c->source.track_count++;
     nkw_clip_track *track = &c->tracks[i];
     uint64_t bits = random_bits(r);
-    size_t line = variety == 0 ? 0 : variety == 1 ? 1 : bits % RANDOM_CLIP_LINES;
+    size_t line = variety == 0 ? 0 : variety == 1 ? 1 : (size_t)(bits % RANDOM_CLIP_LINES);
     track->target = target;
     track->index = (uint32_t)index;
     track->track.times = c->times[line];
