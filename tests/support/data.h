@@ -15,7 +15,8 @@
     X(partition) \
     X(dual) \
     X(palette) \
-    X(skin)
+    X(skin) \
+    X(skeleton)
 
 #ifdef __cplusplus
 extern "C" {
