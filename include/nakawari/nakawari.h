@@ -38,6 +38,7 @@
 
 /* Floor 6, skin: from model matrices to palettes, vertices and parts of meshes. */
 #include "palette.h"
+#include "crowd.h"
 #include "partition.h"
 
 #endif

@@ -117,7 +117,11 @@ typedef struct blend_span {
     X(palette_4x4, (const nkw_mat4 *models, size_t model_count, const int32_t *joints, const nkw_mat4 *inverse_bind, const nkw_mat4 *global_inverse, nkw_mat4 *out, size_t n), (models, model_count, joints, inverse_bind, global_inverse, out, n)) \
     X(palette_3x4, (const nkw_mat4 *models, size_t model_count, const int32_t *joints, const nkw_mat4 *inverse_bind, const nkw_mat4 *global_inverse, nkw_mat3x4 *out, size_t n), (models, model_count, joints, inverse_bind, global_inverse, out, n)) \
     X(palette_dual, (const nkw_mat4 *models, size_t model_count, const int32_t *joints, const nkw_mat4 *inverse_bind, const nkw_mat4 *global_inverse, nkw_dual_quat *out, size_t n), (models, model_count, joints, inverse_bind, global_inverse, out, n)) \
-    X(palette_normals, (const nkw_mat4 *palette, size_t size, size_t row, size_t column, float *out, size_t n), (palette, size, row, column, out, n))
+    X(palette_normals, (const nkw_mat4 *palette, size_t size, size_t row, size_t column, float *out, size_t n), (palette, size, row, column, out, n)) \
+    X(crowd_models, (const int32_t *parents, size_t joints, const float *crowd, const float *roots, float *models), (parents, joints, crowd, roots, models)) \
+    X(crowd_bind, (const float *model, const nkw_mat4 *inverse_bind, float *out), (model, inverse_bind, out)) \
+    X(crowd_from_poses, (const float *const *poses, size_t joints, size_t stride, float *crowd), (poses, joints, stride, crowd)) \
+    X(crowd_to_matrices, (const float *crowd, size_t joints, nkw_mat4 *const *matrices), (crowd, joints, matrices))
 /* clang-format on */
 
 #endif

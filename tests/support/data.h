@@ -14,7 +14,8 @@
     X(blend) \
     X(partition) \
     X(dual) \
-    X(palette)
+    X(palette) \
+    X(crowd)
 
 #ifdef __cplusplus
 extern "C" {
