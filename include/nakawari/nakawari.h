@@ -40,6 +40,7 @@
 /* Floor 6, skin: from model matrices to palettes, vertices and parts of meshes. */
 #include "palette.h"
 #include "skin.h"
+#include "crowd.h"
 #include "partition.h"
 
 #endif

@@ -16,7 +16,8 @@
     X(dual) \
     X(palette) \
     X(skin) \
-    X(skeleton)
+    X(skeleton) \
+    X(crowd)
 
 #ifdef __cplusplus
 extern "C" {
