@@ -13,7 +13,8 @@
  *
  * The stride is a multiple of 16, so loops of every vector width run without a remainder. Padding may hold anything: what is
  * read there has no effect on joints. Functions that write a whole pose may write padding too. Any alignment will do; 64
- * bytes is fastest.
+ * bytes is fastest. Memory that was never written may hold subnormal numbers, with which processors are slow: call
+ * nkw_pose_identity once on a new block.
  */
 #ifndef NAKAWARI_POSE_H
 #define NAKAWARI_POSE_H
