@@ -127,6 +127,31 @@ static void shear_survives(void **state)
     expect_near(m[1].m[4], -3 * sin(0.5), 1e-6);
 }
 
+/* docs/floors/5-skeleton.md prints these. */
+static void the_arm_of_the_page_bends_as_printed(void **state)
+{
+    (void)state;
+    const int32_t line[3] = {NKW_NO_JOINT, 0, 1};
+    const nkw_skeleton arm = {line, 3};
+    const nkw_quat quarter = {0, 0, 0.70710678f, 0.70710678f}, none = {0, 0, 0, 1};
+    const nkw_trs joints[3] = {
+        {{1, 2, 0}, quarter, {2, 1, 1}},
+        {{3, 0, 0}, quarter, {1, 1, 1}},
+        {{1, 0, 0}, none, {1, 1, 1}},
+    };
+    const float printed[3][16] = {
+        {0, 2, 0, 0, -1, 0, 0, 0, 0, 0, 1, 0, 1, 2, 0, 1},
+        {-1, 0, 0, 0, 0, -2, 0, 0, 0, 0, 1, 0, 1, 8, 0, 1},
+        {-1, 0, 0, 0, 0, -2, 0, 0, 0, 0, 1, 0, 0, 8, 0, 1},
+    };
+    float p[NKW_POSE_FLOATS(3)];
+    nkw_mat4 m[3];
+    nkw_pose_from_trs(joints, 3, p);
+    nkw_models_from_pose(&arm, p, NULL, m);
+    for (int j = 0; j < 3; j++)
+        expect_floats_near(m[j].m, printed[j], 16, 1e-6);
+}
+
 static void an_update_changes_its_range_alone(void **state)
 {
     (void)state;
@@ -431,6 +456,7 @@ int main(void)
         cmocka_unit_test(any_number_of_joints_gives_the_same),
         cmocka_unit_test(locals_may_be_replaced_by_models),
         cmocka_unit_test(shear_survives),
+        cmocka_unit_test(the_arm_of_the_page_bends_as_printed),
         cmocka_unit_test(an_update_changes_its_range_alone),
         cmocka_unit_test(subtrees_end_where_their_joints_do),
         cmocka_unit_test(bad_parents_are_roots),
