@@ -79,15 +79,16 @@ static size_t add_lane(lanes *l, size_t to)
 
 /*
  * Lanes that end with the last joint of a component array go on over the padding: numbers into the next array, rotations until
- * their block is full.
+ * their block is full, where the padding is long enough for that.
  */
 static void add_padding(lanes *l, int turns)
 {
     size_t joints = l->b->tracks.source->joint_count, stride = NKW_POSE_STRIDE(joints);
-    size_t end = turns ? clip_lanes(l->count) : l->count + stride - joints;
-    if (l->length >= 8 && l->next % stride == joints % stride)
-        while (l->count < end)
-            add_lane(l, l->next);
+    size_t room = stride - joints, wanted = turns ? clip_lanes(l->count) - l->count : room;
+    if (l->length < 8 || l->next % stride != joints % stride || wanted > room)
+        return;
+    for (; wanted > 0; wanted--)
+        add_lane(l, l->next);
 }
 
 /* Keys. */

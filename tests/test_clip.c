@@ -69,6 +69,29 @@ static void sampling_gives_the_bits_of_track_by_track(void **state)
                 expect_tracks_bits(&r, joints, variety);
 }
 
+/* Lanes that end with the last joint may go on over the padding of the pose, never beyond it. */
+static void tracks_of_the_last_joints_alone_stay_within_their_component(void **state)
+{
+    (void)state;
+    random_source r = random_from(14);
+    for (size_t joints = 1; joints <= RANDOM_CLIP_JOINTS; joints++) {
+        for (size_t first = 0; first < joints; first++) {
+            size_t bytes, kept = 0;
+            float got[NKW_POSE_FLOATS(RANDOM_CLIP_JOINTS)], want[NKW_POSE_FLOATS(RANDOM_CLIP_JOINTS)], none[1];
+            random_clip_draw(&r, joints, 0, &drawn);
+            for (size_t i = 0; i < drawn.source.track_count; i++)
+                if (drawn.tracks[i].index >= first)
+                    drawn.tracks[kept++] = drawn.tracks[i];
+            drawn.source.track_count = kept;
+            nkw_clip *clip = build(&drawn.source, &bytes);
+            random_clip_sample(&drawn, 0.35f, want, none);
+            nkw_clip_sample(clip, 0.35f, NULL, got, NULL);
+            expect_same_pose(got, want, joints);
+            free(clip);
+        }
+    }
+}
+
 static void tracks_of_one_time_array_share_a_lookup(void **state)
 {
     (void)state;
@@ -348,6 +371,7 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(sampling_gives_the_bits_of_track_by_track),
+        cmocka_unit_test(tracks_of_the_last_joints_alone_stay_within_their_component),
         cmocka_unit_test(tracks_of_one_time_array_share_a_lookup),
         cmocka_unit_test(constant_tracks_are_stored_once),
         cmocka_unit_test(a_clip_without_tracks_is_the_rest_pose),
