@@ -243,31 +243,14 @@ static lanes lay_lanes(builder *b, const clip_group *g, const uint32_t *members,
 
 /* Groups and timelines. */
 
-/* Keys per second, if nkw_segment_uniform_time gives the very times; else 0. */
-static float rate_of(const nkw_track *t)
-{
-    double mean = t->count > 1 ? (double)(t->count - 1) / ((double)t->times[t->count - 1] - (double)t->times[0]) : 0.0;
-    const float candidates[2] = {mean > 0.0 && mean < 1e9 ? (float)(uint32_t)(mean + 0.5) : 0.0f,
-                                 mean < 1e9 ? (float)mean : 0.0f};
-    for (int i = 0; i < 2; i++) {
-        size_t k = 0;
-        while (candidates[i] > 0.0f && k < t->count &&
-               nkw_segment_uniform_time(t->times[0], candidates[i], k) == t->times[k] &&
-               (k == 0 || t->times[k - 1] < t->times[k]))
-            k++;
-        if (k == t->count)
-            return candidates[i];
-    }
-    return 0.0f;
-}
-
 static void lay_timeline(builder *b, const nkw_track *t)
 {
     size_t at = take(b, TIMELINES, sizeof(clip_timeline) / 4), times = take(b, TIMES, t->count);
     size_t modes = t->key_interpolation ? take(b, TIMES, t->count) : 0;
     if (!b->words)
         return;
-    clip_timeline line = {(uint32_t)times, (uint32_t)t->count, (uint32_t)modes, rate_of(t)};
+    clip_timeline line = {(uint32_t)times, (uint32_t)t->count, (uint32_t)modes,
+                          nkw_segment_uniform_rate(t->times, t->count)};
     memcpy(b->words + at, &line, sizeof line);
     memcpy(b->words + times, t->times, t->count * sizeof(float));
     for (size_t k = 0; modes && k < t->count; k++)
