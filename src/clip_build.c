@@ -78,8 +78,8 @@ static size_t add_lane(lanes *l, size_t to)
 }
 
 /*
- * Lanes that end with the last joint of a component array go on over the padding: numbers into the next array, rotations until
- * their block is full, where the padding is long enough for that.
+ * Lanes that end with the last joint of a component array go on over the padding: numbers into the next array,
+ * rotations until their block is full, where the padding is long enough for that.
  */
 static void add_padding(lanes *l, int turns)
 {
@@ -210,7 +210,7 @@ static size_t place_of(const builder *b, const nkw_clip_track *c, size_t compone
     return (component + (c->target == NKW_CLIP_SCALE ? 7u : 0u)) * stride + c->index;
 }
 
-/* The lanes of a track in pass 0, 1 or 2: one component, or all four of a rotation, or all the floats, one after the other. */
+/* The lanes of a track in pass 0, 1 or 2: one component, or all four of a rotation, or all the floats in a row. */
 static void lay_track(lanes *l, const clip_group *g, const nkw_clip_track *c, size_t pass)
 {
     int turns = c->target == NKW_CLIP_ROTATION, floats = c->target == NKW_CLIP_FLOATS;
@@ -224,7 +224,7 @@ static void lay_track(lanes *l, const clip_group *g, const nkw_clip_track *c, si
     }
 }
 
-/* The lanes of a group's tracks: translations x, y, z, rotations, scales x, y, z, each in the order of joints; floats. */
+/* The lanes of a group's tracks: translations x, y, z, rotations, scales x, y, z, each in joint order; floats. */
 static lanes lay_lanes(builder *b, const clip_group *g, const uint32_t *members, size_t count)
 {
     lanes l = lanes_begin(b, g->lanes);

@@ -21,7 +21,8 @@ static void compare_at(const nkw_clip *clip, const nkw_clip_track *c, float time
     else if (c->target == NKW_CLIP_ROTATION)
         error->rotation = difference_worse(error->rotation, nkw_quat_angle(got.rotation, rotation));
     else
-        error->floats = difference_worse(error->floats, difference_farthest(floats + c->index, of_floats, c->track.width));
+        error->floats =
+            difference_worse(error->floats, difference_farthest(floats + c->index, of_floats, c->track.width));
 }
 
 nkw_clip_error nkw_clip_difference(const nkw_clip *clip, const nkw_clip_source *source, float *pose, float *floats)

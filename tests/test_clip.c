@@ -335,7 +335,7 @@ static void open_refuses_other_files(void **state)
     free(block);
 }
 
-/* One word changed anywhere but in the values: either it is refused, or sampling stays within its arrays (the sanitizers watch). */
+/* One word changed: either it is refused, or sampling stays within its arrays (the sanitizers watch). */
 static void a_damaged_block_is_refused_or_safe(void **state)
 {
     random_source r = random_from(10);

@@ -169,7 +169,7 @@ KERNEL(clip_lerp16)
     }
 }
 
-/* A pass of its own: with 16-bit numbers in it, the loop over rotations would work on twice as many as registers hold. */
+/* A pass of its own: with 16-bit numbers in it, the loop over rotations would take twice as many as registers hold. */
 static inline void decode(const uint16_t *key, const float *base, const float *step, float *out, size_t n)
 {
 #pragma omp simd
