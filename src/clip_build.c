@@ -17,18 +17,21 @@ typedef enum section { TIMELINES, GROUPS, BLOCKS, RUNS, TIMES, VALUES, SECTIONS 
 typedef struct builder {
     clip_tracks tracks;
     uint32_t *words; /* the block; NULL while measuring */
-    size_t start[SECTIONS], used[SECTIONS];
+    uint64_t start[SECTIONS], used[SECTIONS]; /* words; far more than a block may have while measuring */
 } builder;
 
-/* Room in a section: where it begins, in words from the beginning of the block. */
-static size_t take(builder *b, section s, size_t words)
+/*
+ * Room in a section: where it begins, in words from the beginning of the block. What is too large for a block is cut to
+ * 2^32 words, so that sums stay below 2^64 and the clip is still found too large.
+ */
+static size_t take(builder *b, section s, uint64_t words)
 {
-    size_t at = b->start[s] + b->used[s];
-    b->used[s] += words;
-    return at;
+    uint64_t at = b->start[s] + b->used[s];
+    b->used[s] += words <= UINT32_MAX ? words : (uint64_t)UINT32_MAX + 1;
+    return (size_t)at;
 }
 
-static size_t round_up(size_t n, size_t to)
+static uint64_t round_up(uint64_t n, uint64_t to)
 {
     return (n + to - 1) / to * to;
 }
@@ -54,7 +57,7 @@ static nkw_block *block_of(const lanes *l, size_t lane)
 
 static lanes lanes_begin(builder *b, size_t expected)
 {
-    lanes l = {b, expected, 0, b->start[BLOCKS] + b->used[BLOCKS], 0, 0};
+    lanes l = {b, expected, 0, (size_t)(b->start[BLOCKS] + b->used[BLOCKS]), 0, 0};
     return l;
 }
 
@@ -282,7 +285,7 @@ static void lay_group(builder *b, uint32_t timeline, const uint32_t *members, si
     if (b->tracks.source->format == NKW_CLIP_UNORM16 && !clip_is_cubic(first))
         g.ranges = (uint32_t)take(b, VALUES, round_up(2 * clip_rows(&g) * g.lanes, CLIP_ALIGN));
     g.key_words = (uint32_t)clip_key_words(&g);
-    g.keys = (uint32_t)take(b, VALUES, g.key_words * first->count);
+    g.keys = (uint32_t)take(b, VALUES, (uint64_t)g.key_words * first->count);
     lanes l = lay_lanes(b, &g, members, count);
     size_t at = take(b, GROUPS, sizeof g / 4);
     g.blocks = (uint32_t)l.blocks;
@@ -386,7 +389,7 @@ static size_t lay_pose_constants(builder *b)
     static const size_t components[10] = {0, 1, 2, 0, 1, 2, 3, 0, 1, 2};
     const nkw_clip_source *s = b->tracks.source;
     size_t stride = NKW_POSE_STRIDE(s->joint_count);
-    constants c = {b, b->start[RUNS] + b->used[RUNS], 0, 0};
+    constants c = {b, (size_t)(b->start[RUNS] + b->used[RUNS]), 0, 0};
     for (size_t array = 0; array < 10; array++) {
         float identity = array >= 6 ? 1.0f : 0.0f;
         int held = 0;
@@ -402,7 +405,7 @@ static size_t lay_pose_constants(builder *b)
 static size_t lay_float_constants(builder *b)
 {
     const nkw_clip_source *s = b->tracks.source;
-    constants c = {b, b->start[RUNS] + b->used[RUNS], 0, 0};
+    constants c = {b, (size_t)(b->start[RUNS] + b->used[RUNS]), 0, 0};
     for (size_t f = 0; f < s->float_count; f++)
         lay_constant(&c, NKW_CLIP_FLOATS, f, 0, f, s->rest_floats ? s->rest_floats[f] : 0.0f);
     return c.count;
@@ -454,14 +457,16 @@ static nkw_result plan(builder *b, const nkw_clip_source *source, uint32_t *work
     if (result != NKW_OK)
         return result;
     lay_clip(b);
-    size_t at = sizeof(nkw_clip) / 4;
+    uint64_t at = sizeof(nkw_clip) / 4;
     for (int s = 0; s < SECTIONS; s++) {
         b->start[s] = at = s == VALUES ? round_up(at, CLIP_ALIGN) : at;
         at += b->used[s];
         b->used[s] = 0;
     }
-    *bytes = at * 4;
-    return at < UINT32_MAX ? NKW_OK : NKW_OUT_OF_RANGE;
+    if (at >= UINT32_MAX || at > SIZE_MAX / 4)
+        return NKW_OUT_OF_RANGE;
+    *bytes = (size_t)at * 4;
+    return NKW_OK;
 }
 
 nkw_result nkw_clip_measure(const nkw_clip_source *source, uint32_t *work, size_t *bytes, size_t *bad_track)

@@ -32,6 +32,10 @@
 #define CLIP_STEPS   65535.0f /* of a range */
 #define CLIP_ALIGN   16u /* words: key blocks and constants begin on 64 bytes of the block */
 
+/* So that offsets in a pose, lanes and the words of a key fit 32 bits, and a pose's bytes any size_t. */
+#define CLIP_MOST_JOINTS (1u << 26)
+#define CLIP_MOST_FLOATS (1u << 29)
+
 /* Words from `values` on go to floats to..to + count - 1 of the output. */
 typedef struct clip_run {
     uint32_t values, to, count;

@@ -290,7 +290,13 @@ static void measure_refuses_what_is_no_clip(void **state)
     drawn.source.format = (nkw_clip_format)2;
     expect_refused(NKW_BAD_METHOD, 0, __LINE__);
     drawn.source.format = NKW_CLIP_FLOAT32;
-    drawn.source.track_count = drawn.source.joint_count = 0;
+    drawn.source.track_count = 0;
+    drawn.source.joint_count = (1u << 26) + 1;
+    expect_refused(NKW_OUT_OF_RANGE, 0, __LINE__);
+    drawn.source.joint_count = 5;
+    drawn.source.float_count = (1u << 29) + 1;
+    expect_refused(NKW_OUT_OF_RANGE, 0, __LINE__);
+    drawn.source.joint_count = drawn.source.float_count = 0;
     expect_refused(NKW_EMPTY, 0, __LINE__);
 }
 
@@ -332,6 +338,62 @@ static void open_refuses_other_files(void **state)
     words[0] = 0x70696c63u;
     words[1] = 99;
     assert_int_equal(nkw_clip_open(block, bytes, &clip), NKW_NOT_A_CLIP);
+    free(block);
+}
+
+static void expect_word_refused(nkw_clip *block, size_t bytes, size_t word, uint32_t value, nkw_result result)
+{
+    const nkw_clip *clip;
+    uint32_t *words = (uint32_t *)(void *)block, kept = words[word];
+    words[word] = value;
+    assert_int_equal(nkw_clip_open(block, bytes, &clip), result);
+    assert_null(clip);
+    words[word] = kept;
+}
+
+/* Words 3..6: joints, floats, start, end. */
+static void open_refuses_a_head_that_is_not_sound(void **state)
+{
+    (void)state;
+    random_source r = random_from(15);
+    size_t bytes;
+    const nkw_clip *clip;
+    random_clip_draw(&r, 5, 2, &drawn);
+    nkw_clip *block = build(&drawn.source, &bytes);
+    expect_word_refused(block, bytes, 2, 3, NKW_TOO_SMALL);
+    expect_word_refused(block, bytes, 3, UINT32_MAX, NKW_OUT_OF_RANGE);
+    expect_word_refused(block, bytes, 3, (1u << 26) + 1, NKW_OUT_OF_RANGE);
+    expect_word_refused(block, bytes, 4, (1u << 29) + 1, NKW_OUT_OF_RANGE);
+    expect_word_refused(block, bytes, 5, bits_of(NAN), NKW_NOT_FINITE);
+    expect_word_refused(block, bytes, 6, bits_of(INFINITY), NKW_NOT_FINITE);
+    expect_word_refused(block, bytes, 6, bits_of(-1e9f), NKW_NOT_ASCENDING);
+    assert_int_equal(nkw_clip_open((const char *)block + 1, bytes - 1, &clip), NKW_NOT_A_CLIP);
+    assert_null(clip);
+    assert_int_equal(nkw_clip_open(block, bytes, &clip), NKW_OK);
+    free(block);
+}
+
+static void a_block_may_be_copied_and_larger_than_the_clip(void **state)
+{
+    (void)state;
+    random_source r = random_from(16);
+    size_t bytes;
+    const nkw_clip *clip;
+    random_clip_draw(&r, 17, 2, &drawn);
+    nkw_clip *block = build(&drawn.source, &bytes);
+    /* At every alignment of a float. */
+    for (size_t shift = 0; shift < 64; shift += 4) {
+        char *copy = (char *)malloc(bytes + 64 + 100);
+        float got[NKW_POSE_FLOATS(17)], want[NKW_POSE_FLOATS(17)];
+        assert_non_null(copy);
+        memcpy(copy + shift, block, bytes);
+        assert_int_equal(nkw_clip_open(copy + shift, bytes + 100, &clip), NKW_OK);
+        assert_int_equal(nkw_clip_bytes(clip), bytes);
+        nkw_clip_sample(clip, 0.3f, NULL, got, NULL);
+        nkw_clip_sample(block, 0.3f, NULL, want, NULL);
+        expect_same_pose(got, want, 17);
+        free(copy);
+    }
     free(block);
 }
 
@@ -384,6 +446,8 @@ int main(void)
         cmocka_unit_test(floats_that_overlap_are_refused),
         cmocka_unit_test(build_refuses_a_block_that_is_too_small),
         cmocka_unit_test(open_refuses_other_files),
+        cmocka_unit_test(open_refuses_a_head_that_is_not_sound),
+        cmocka_unit_test(a_block_may_be_copied_and_larger_than_the_clip),
         cmocka_unit_test(a_damaged_block_is_refused_or_safe),
         cmocka_unit_test_prestate(a_damaged_block_is_refused_or_safe, (void *)"compact"),
     };

@@ -77,7 +77,7 @@ typedef struct nkw_clip nkw_clip;
  *
  * NKW_EMPTY without joints and floats; what nkw_track_validate gives for a track; NKW_BAD_METHOD for a target that is
  * none, a track whose width or kind is not its target's, or an unknown format; NKW_OUT_OF_RANGE for a joint or float
- * beyond the last, and for a clip of more than 2^32 floats; NKW_REPEATED for two tracks that move the same.
+ * beyond the last, and for more than 2^26 joints, 2^29 floats or 2^32 words in the block; NKW_REPEATED for two tracks that move the same.
  * *bad_track becomes the index of the first offender, 0 if there is none; it may be NULL.
  */
 NKW_API nkw_result nkw_clip_measure(const nkw_clip_source *source, uint32_t *work, size_t *bytes, size_t *bad_track);
@@ -93,7 +93,8 @@ NKW_API nkw_result nkw_clip_build(const nkw_clip_source *source, uint32_t *work,
 /**
  * The clip in a block that was read or mapped: *clip becomes the block itself, or NULL where it is not a sound clip.
  *
- * NKW_NOT_A_CLIP for another beginning, version or byte order; NKW_TOO_SMALL for a block that is cut off;
+ * NKW_NOT_A_CLIP for another beginning, version or byte order, and for a block that is not aligned for float;
+ * NKW_TOO_SMALL for a block that is cut off;
  * NKW_OUT_OF_RANGE where something in it would be read or written outside the block or the pose; NKW_NOT_ASCENDING
  * and NKW_NOT_FINITE for key times that are so. The values of keys are not looked at. A clip that opens is safe to
  * sample; one that does not must not be.
