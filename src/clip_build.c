@@ -10,6 +10,7 @@
 
 #include "clip_layout.h"
 #include "clip_tracks.h"
+#include "lane/orient.h"
 #include "simd/select.h"
 
 typedef enum section { TIMELINES, GROUPS, BLOCKS, RUNS, TIMES, VALUES, SECTIONS } section;
@@ -137,26 +138,29 @@ static void fill_component(const builder *b, const clip_group *g, const nkw_clip
 
 /* Compact keys: the range of a lane's row, and its numbers as parts of it. */
 
-/* q or -q, whichever is on the side of `before`. */
-static nkw_quat aligned(nkw_quat q, nkw_quat before)
+static nkw_quat held_rotation(const nkw_clip_track *c, size_t k)
 {
-    return nkw_quat_dot(q, before) < 0.0f ? nkw_quat_negate(q) : q;
+    nkw_quat q = {held_component(c, k, 0), held_component(c, k, 1), held_component(c, k, 2), held_component(c, k, 3)};
+    return q;
 }
 
-/* The numbers of key k, after those of the key before it: rotations on one side. */
-static void next_numbers(const nkw_clip_track *c, size_t k, size_t component, float numbers[4])
+/*
+ * The numbers of key k, those of a rotation times *sign, which is 1 before the first key and changes wherever slerp
+ * turns the next key: all stand on the side of the one before, and the way is that of the source, also where it is
+ * half a turn.
+ */
+static void next_numbers(const nkw_clip_track *c, size_t k, size_t component, float *sign, float numbers[4])
 {
     if (c->target != NKW_CLIP_ROTATION) {
         numbers[0] = held_component(c, k, component);
         return;
     }
-    nkw_quat before = {numbers[0], numbers[1], numbers[2], numbers[3]};
-    nkw_quat q = {held_component(c, k, 0), held_component(c, k, 1), held_component(c, k, 2), held_component(c, k, 3)};
-    q = aligned(q, before);
-    numbers[0] = q.x;
-    numbers[1] = q.y;
-    numbers[2] = q.z;
-    numbers[3] = q.w;
+    nkw_quat q = held_rotation(c, k);
+    *sign = k > 0 && lane_slerp_cosine(held_rotation(c, k - 1), q) < 0.0f ? -*sign : *sign;
+    numbers[0] = *sign * q.x;
+    numbers[1] = *sign * q.y;
+    numbers[2] = *sign * q.z;
+    numbers[3] = *sign * q.w;
 }
 
 /* (x - base) / step, to the nearest of 0..65535. */
@@ -170,9 +174,9 @@ static uint16_t encode(float base, float step, float x)
 static void fill_compact(const builder *b, const clip_group *g, const nkw_clip_track *c, size_t component, size_t lane)
 {
     size_t rows = clip_rows(g), count = c->track.count;
-    float numbers[4] = {0.0f, 0.0f, 0.0f, 1.0f}, low[4] = {0.0f}, high[4] = {0.0f};
+    float numbers[4], low[4] = {0.0f}, high[4] = {0.0f}, sign = 1.0f;
     for (size_t k = 0; k < count; k++) {
-        next_numbers(c, k, component, numbers);
+        next_numbers(c, k, component, &sign, numbers);
         for (size_t r = 0; r < rows; r++) {
             low[r] = k == 0 || numbers[r] < low[r] ? numbers[r] : low[r];
             high[r] = k == 0 || numbers[r] > high[r] ? numbers[r] : high[r];
@@ -183,11 +187,10 @@ static void fill_compact(const builder *b, const clip_group *g, const nkw_clip_t
         floats_at(b, g->ranges)[lane_at(g, rows, r, lane)] = low[r];
         floats_at(b, g->ranges)[rows * g->lanes + lane_at(g, rows, r, lane)] = high[r];
     }
-    numbers[0] = numbers[1] = numbers[2] = 0.0f;
-    numbers[3] = 1.0f;
+    sign = 1.0f;
     for (size_t k = 0; k < count; k++) {
         uint16_t *key = (uint16_t *)(void *)(b->words + g->keys + k * g->key_words);
-        next_numbers(c, k, component, numbers);
+        next_numbers(c, k, component, &sign, numbers);
         for (size_t r = 0; r < rows; r++)
             key[lane_at(g, rows, r, lane)] = encode(low[r], high[r], numbers[r]);
     }

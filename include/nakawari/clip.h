@@ -48,9 +48,10 @@ typedef enum nkw_clip_format {
     NKW_CLIP_FLOAT32, /**< as they are: sampling gives the bits of track by track */
     /**
      * 16 bits a number, over the range of that number in all keys of its track; CUBICSPLINE tracks stay as they are.
-     * A number is off by at most 0.51/65535 of its range and 3 u of its size. Rotations are normalised after
-     * decoding; their components are off as numbers are, after keys were turned to the side of the one before, so the
-     * rotation by at most 6.3e-5 radians. nkw_clip_difference measures a clip's own error.
+     * A number is off by at most 0.51/65535 of its range and 3 u of its size. The components of a rotation are off as
+     * numbers are, after keys were turned to the side of the one before, and the result is normalised: a rotation is
+     * off by at most 6.3e-5 radians at a key, and between keys that are half a turn apart by 8.9e-5.
+     * nkw_clip_difference measures a clip's own error.
      */
     NKW_CLIP_UNORM16
 } nkw_clip_format;
@@ -77,8 +78,8 @@ typedef struct nkw_clip nkw_clip;
  *
  * NKW_EMPTY without joints and floats; what nkw_track_validate gives for a track; NKW_BAD_METHOD for a target that is
  * none, a track whose width or kind is not its target's, or an unknown format; NKW_OUT_OF_RANGE for a joint or float
- * beyond the last, and for more than 2^26 joints, 2^29 floats or 2^32 words in the block; NKW_REPEATED for two tracks that move the same.
- * *bad_track becomes the index of the first offender, 0 if there is none; it may be NULL.
+ * beyond the last, and for more than 2^26 joints, 2^29 floats or 2^32 words in the block; NKW_REPEATED for two tracks
+ * that move the same. *bad_track becomes the index of the first offender, 0 if there is none; it may be NULL.
  */
 NKW_API nkw_result nkw_clip_measure(const nkw_clip_source *source, uint32_t *work, size_t *bytes, size_t *bad_track);
 
