@@ -191,6 +191,23 @@ static void the_rate_of_even_times_is_found(void **state)
     }
 }
 
+static void any_rate_of_even_times_is_found(void **state)
+{
+    (void)state;
+    random_source r = random_from(21);
+    for (int i = 0; i < 20000; i++) {
+        float times[128], rate = random_between(&r, 1.0f, 120.0f), start = i % 2 ? random_between(&r, -10, 10) : 0.0f;
+        size_t count = 2 + (size_t)(random_bits(&r) % 126);
+        rate = i % 4 < 2 ? (float)(1 + random_bits(&r) % 240) : rate;
+        for (size_t k = 0; k < count; k++)
+            times[k] = nkw_segment_uniform_time(start, rate, k);
+        float found = nkw_segment_uniform_rate(times, count);
+        assert_true(found > 0.0f && (i % 4 >= 2 || found == (float)(uint32_t)found));
+        for (size_t k = 0; k < count; k++)
+            expect_bits(nkw_segment_uniform_time(start, found, k), times[k]);
+    }
+}
+
 static void times_without_a_rate_have_none(void **state)
 {
     (void)state;
@@ -219,6 +236,7 @@ int main(void)
         cmocka_unit_test(uniform_times_agree_with_a_search_over_them),
         cmocka_unit_test(uniform_rate_of_nonsense_is_defined),
         cmocka_unit_test(the_rate_of_even_times_is_found),
+        cmocka_unit_test(any_rate_of_even_times_is_found),
         cmocka_unit_test(times_without_a_rate_have_none),
     };
     return cmocka_run_group_tests_name("segment", tests, NULL, NULL);

@@ -370,6 +370,10 @@ static void the_error_of_resampling_is_what_was_lost(void **state)
     t.values = steps;
     t.interpolation = NKW_INTERPOLATION_STEP;
     expect_bits(nkw_track_resample(&t, 0.5f, times, made, work, &out), 4.0f);
+    /* An arch of height 1 between two keys: seen at the quarters alone. */
+    const float arch[6] = {0, 0, 4, -4, 0, 0};
+    nkw_track curve = {at, arch, 2, 1, NKW_TRACK_FLOATS, NKW_INTERPOLATION_CUBICSPLINE, NULL};
+    expect_bits(nkw_track_resample(&curve, 1.0f, times, made, work, &out), 1.0f);
     /* A quarter turn and back, held still: the angle of a quarter turn. */
     const float turns[12] = {0, 0, 0, 1, 0, 0, 0.70710678f, 0.70710678f, 0, 0, 0, 1};
     nkw_track turn = {at, turns, 3, 4, NKW_TRACK_ROTATION, NKW_INTERPOLATION_LINEAR, NULL};
