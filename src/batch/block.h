@@ -8,8 +8,8 @@
 #define NKW_BLOCK_ROWS 9 /* x y z w and v h0 h1 h2 h3 of rotations with their arcs */
 
 /*
- * A block of a clip's lanes: width 4, 8 or 16. The first `count` are lanes of tracks, the rest fill it up: lane i goes to
- * the float places[i] of each component of the output.
+ * A block of a clip's lanes: width 4, 8 or 16. The first `count` are lanes of tracks, the rest fill it up: lane i
+ * goes to the float places[i] of each component of the output.
  *
  * direct: how many lanes from the first of this block on go to places[0], places[0] + 1, places[0] + 2 ... and may be
  * written there in one stream: this block and maybe others after it, all of them whole. 0 where this block is scattered
