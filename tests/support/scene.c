@@ -85,6 +85,59 @@ static void read_channel(FILE *file, scene *s, int anim)
     assert_int_equal(nkw_track_validate(t, NULL), NKW_OK);
 }
 
+static void read_skin(FILE *file, scene *s)
+{
+    int index, node;
+    char word[16];
+    scene_skin *skin = &s->skin[s->skins];
+    assert_true(s->skins++ < SCENE_SKINS);
+    assert_int_equal(fscanf(file, "%d %zu", &index, &skin->count), 2);
+    assert_in_range(skin->count, 1, SCENE_NODES);
+    for (size_t k = 0; k < skin->count; k++) {
+        assert_int_equal(fscanf(file, "%15s %d", word, &node), 2);
+        assert_string_equal(word, "joint");
+        assert_in_range(node, 0, s->nodes - 1);
+        skin->joints[k] = node;
+        scene_read_floats(file, skin->inverse_bind[k].m, 16);
+    }
+}
+
+static void read_vertex(FILE *file, scene_mesh *m, size_t v)
+{
+    char word[16];
+    int influences;
+    assert_int_equal(fscanf(file, "%15s %d", word, &m->index[v]), 2);
+    assert_string_equal(word, "vertex");
+    scene_read_floats(file, &m->positions[v].x, 3);
+    assert_int_equal(fscanf(file, "%d", &influences), 1);
+    assert_in_range(influences, 0, 8);
+    for (int i = 0; i < influences; i++)
+        assert_int_equal(fscanf(file, "%hu %f", &m->joints[v][i], &m->weights[v][i]), 2);
+}
+
+static void read_mesh(FILE *file, scene *s)
+{
+    scene_mesh *m = &s->mesh[s->meshes];
+    assert_true(s->meshes++ < SCENE_SKINS);
+    assert_int_equal(fscanf(file, "%d %d %zu", &m->node, &m->skin, &m->count), 3);
+    assert_in_range(m->count, 0, SCENE_VERTICES);
+    for (size_t v = 0; v < m->count; v++)
+        read_vertex(file, m, v);
+}
+
+/* Parents may come after their children: the skeleton has an order of its own. */
+static void make_skeleton(scene *s)
+{
+    int32_t parents[SCENE_NODES];
+    for (int i = 0; i < s->nodes; i++)
+        parents[i] = s->node[i].parent;
+    assert_int_equal(
+        nkw_skeleton_order(parents, (size_t)s->nodes, s->joint_of_node, s->node_of_joint, s->parents, NULL), NKW_OK);
+    for (int k = 0; k < s->skins; k++)
+        for (size_t j = 0; j < s->skin[k].count; j++)
+            s->skin[k].joints[j] = s->joint_of_node[s->skin[k].joints[j]];
+}
+
 void scene_read(const char *path, scene *s)
 {
     char word[256];
@@ -101,11 +154,14 @@ void scene_read(const char *path, scene *s)
             assert_int_equal(fscanf(file, "%d %*d", &anim), 1);
         else if (strcmp(word, "channel") == 0)
             read_channel(file, s, anim);
-        else if (strcmp(word, "skinmeshes") == 0)
-            break;
+        else if (strcmp(word, "skin") == 0)
+            read_skin(file, s);
+        else if (strcmp(word, "skinmesh") == 0)
+            read_mesh(file, s);
     }
     fclose(file);
     assert_true(s->nodes > 0);
+    make_skeleton(s);
 }
 
 void scene_free(scene *s)
@@ -168,15 +224,15 @@ nkw_clip *scene_clip(const scene *s, int anim, nkw_clip_format format, const flo
     return (nkw_clip *)block;
 }
 
-nkw_mat4 scene_world(const scene *s, const float *pose, int node)
+void scene_models(const scene *s, const float *pose, nkw_mat4 *models)
 {
-    const scene_node *n = &s->node[node];
-    nkw_trs t = nkw_pose_get(pose, (size_t)s->nodes, (size_t)node);
-    nkw_mat4 local = n->is_matrix ? n->matrix : nkw_mat4_from_trs(&t);
-    if (n->parent < 0)
-        return local;
-    nkw_mat4 parent = scene_world(s, pose, n->parent);
-    return nkw_mat4_mul_affine(&parent, &local);
+    const nkw_skeleton skeleton = {s->parents, (size_t)s->nodes};
+    for (int j = 0; j < s->nodes; j++) {
+        int32_t node = s->node_of_joint[j];
+        nkw_trs t = nkw_pose_get(pose, (size_t)s->nodes, (size_t)node);
+        models[j] = s->node[node].is_matrix ? s->node[node].matrix : nkw_mat4_from_trs(&t);
+    }
+    nkw_models_from_locals(&skeleton, models, NULL, models);
 }
 
 FILE *table_open(const char *path)

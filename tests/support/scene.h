@@ -17,6 +17,8 @@ extern "C" {
 #define SCENE_NODES    64
 #define SCENE_CHANNELS 80
 #define SCENE_FLOATS   64
+#define SCENE_SKINS    4
+#define SCENE_VERTICES 256
 
 typedef struct scene_node {
     int parent, is_matrix;
@@ -32,8 +34,27 @@ typedef struct scene_channel {
     float *times, *values;
 } scene_channel;
 
+typedef struct scene_skin {
+    size_t count;
+    int32_t joints[SCENE_NODES]; /* numbers in the skeleton */
+    nkw_mat4 inverse_bind[SCENE_NODES];
+} scene_skin;
+
+/* Some vertices of a mesh that is skinned. */
+typedef struct scene_mesh {
+    int node, skin;
+    size_t count;
+    int index[SCENE_VERTICES];
+    nkw_vec3 positions[SCENE_VERTICES];
+    uint16_t joints[SCENE_VERTICES][8];
+    float weights[SCENE_VERTICES][8];
+} scene_mesh;
+
 typedef struct scene {
-    int nodes, channels, anims;
+    int nodes, channels, anims, skins, meshes;
+    int32_t joint_of_node[SCENE_NODES], node_of_joint[SCENE_NODES], parents[SCENE_NODES];
+    scene_skin skin[SCENE_SKINS];
+    scene_mesh mesh[SCENE_SKINS];
     size_t floats; /* morph weights of all nodes */
     scene_node node[SCENE_NODES];
     scene_channel channel[SCENE_CHANNELS];
@@ -54,8 +75,8 @@ void scene_sample(const scene *s, int anim, float time, float *pose, float *floa
 nkw_clip *scene_clip(const scene *s, int anim, nkw_clip_format format, const float *rest, nkw_clip_track *tracks,
                      nkw_clip_source *source);
 
-/* The node's world matrix, from a pose. */
-nkw_mat4 scene_world(const scene *s, const float *pose, int node);
+/* The world matrices of all nodes, in the order of the skeleton that the scene's nodes make. */
+void scene_models(const scene *s, const float *pose, nkw_mat4 *models);
 
 /* A table of expected values, packed or not: `path` without the .gz. To be closed by table_close. */
 FILE *table_open(const char *path);
