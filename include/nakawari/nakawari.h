@@ -33,12 +33,14 @@
 #include "pose.h"
 #include "clip.h"
 
-/* Floor 5, skeleton: poses blended. */
+/* Floor 5, skeleton: hierarchies, poses blended. */
+#include "skeleton.h"
 #include "blend.h"
 
 /* Floor 6, skin: from model matrices to palettes, vertices and parts of meshes. */
 #include "palette.h"
 #include "skin.h"
+#include "crowd.h"
 #include "partition.h"
 
 #endif

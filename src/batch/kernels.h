@@ -126,7 +126,13 @@ typedef struct blend_span {
     X(skin_points, (const skin_block *b, nkw_vec3_view in, nkw_vec3_span out, size_t n), (b, in, out, n)) \
     X(skin_directions, (const skin_block *b, const float *m, nkw_vec3_view in, nkw_vec3_span out, size_t n), (b, m, in, out, n)) \
     X(skin_read, (const unsigned char *data, size_t stride, float *out, size_t n), (data, stride, out, n)) \
-    X(skin_write, (const float *in, unsigned char *data, size_t stride, size_t n), (in, data, stride, n))
+    X(skin_write, (const float *in, unsigned char *data, size_t stride, size_t n), (in, data, stride, n)) \
+    X(models_from_pose, (const int32_t *parents, const float *pose, size_t stride, const nkw_mat4 *root, size_t from, size_t to, nkw_mat4 *models), (parents, pose, stride, root, from, to, models)) \
+    X(models_from_locals, (const int32_t *parents, const nkw_mat4 *locals, const nkw_mat4 *root, size_t from, size_t to, nkw_mat4 *models), (parents, locals, root, from, to, models)) \
+    X(crowd_models, (const int32_t *parents, size_t joints, const float *crowd, const float *roots, float *models), (parents, joints, crowd, roots, models)) \
+    X(crowd_bind, (const float *model, const nkw_mat4 *inverse_bind, float *out), (model, inverse_bind, out)) \
+    X(crowd_from_poses, (const float *const *poses, size_t joints, size_t stride, float *crowd), (poses, joints, stride, crowd)) \
+    X(crowd_to_matrices, (const float *crowd, size_t joints, nkw_mat4 *const *matrices), (crowd, joints, matrices))
 /* clang-format on */
 
 #endif

@@ -15,7 +15,9 @@
     X(partition) \
     X(dual) \
     X(palette) \
-    X(skin)
+    X(skin) \
+    X(skeleton) \
+    X(crowd)
 
 #ifdef __cplusplus
 extern "C" {

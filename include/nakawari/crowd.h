@@ -1,0 +1,70 @@
+/* SPDX-License-Identifier: MIT */
+/**
+ * @file
+ * Floor 6: a crowd: sixteen characters of one skeleton at once, a lane for each, so that the whole width of every
+ * vector works also on what cannot be shared out among the joints of one character: the way down the hierarchy.
+ *
+ *     pose    NKW_CROWD_POSE_FLOATS(joints) floats:    component c of joint j of lane i at (10 j + c) 16 + i,
+ *             components as in pose.h: translation x y z, rotation x y z w, scale x y z
+ *     matrix  NKW_CROWD_MATRIX_FLOATS(joints) floats:  row r, column c of joint j of lane i at (12 j + 3 c + r) 16 + i,
+ *             affine: the row 0 0 0 1 is left out
+ *
+ * All sixteen lanes are always worked on; a lane that no character has may hold anything. Each lane gives the bits
+ * that the functions of skeleton.h and palette.h give for its character alone.
+ *
+ * More characters are more crowds, one after the other; each may be another thread's.
+ */
+#ifndef NAKAWARI_CROWD_H
+#define NAKAWARI_CROWD_H
+
+#include "skeleton.h"
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/** Characters in a crowd. */
+#define NKW_CROWD 16
+
+/** Floats of a crowd's poses and of its matrices, for arrays on the stack. */
+#define NKW_CROWD_POSE_FLOATS(joints)   ((joints)*10 * NKW_CROWD)
+#define NKW_CROWD_MATRIX_FLOATS(joints) ((joints)*12 * NKW_CROWD)
+
+/**
+ * Poses (pose.h) into the lanes of a crowd: poses[i] into lane i, for i below NKW_CROWD. Lanes whose pose is NULL get
+ * the identity for every joint.
+ */
+NKW_API void nkw_crowd_from_poses(const float *const *poses, size_t joints, float *crowd);
+
+/** Matrices into the lanes: joint j of lane i from matrices[i][j]. NULL: the identity. Last rows are not read. */
+NKW_API void nkw_crowd_from_matrices(const nkw_mat4 *const *matrices, size_t joints, float *crowd);
+
+/** Matrices out of the lanes: matrices[i][j] from joint j of lane i. Lanes whose pointer is NULL are left out. */
+NKW_API void nkw_matrices_from_crowd(const float *crowd, size_t joints, nkw_mat4 *const *matrices);
+
+/**
+ * Local to model, as nkw_models_from_pose: for each joint, parent's model times local.
+ *
+ * crowd   the poses of skeleton->joint_count joints
+ * roots   a matrix for each lane, NKW_CROWD_MATRIX_FLOATS(1) floats, applied once, to joints without a parent; NULL:
+ *         none
+ * models  receives the matrices of all joints
+ */
+NKW_API void nkw_crowd_models_from_pose(const nkw_skeleton *skeleton, const float *crowd, const float *roots,
+                                        float *models);
+
+/**
+ * Joint matrices, as nkw_palette_from_models without a global inverse: model of joints[k] times inverse_bind[k].
+ *
+ * joints        count numbers of joints, NULL: 0, 1, 2 ...; a number that is none of model_count gives the identity
+ * inverse_bind  count matrices, NULL: identities, with which nothing is multiplied
+ * palette       receives count matrices for each lane; may be `models` only where joints is NULL
+ */
+NKW_API void nkw_crowd_palette_from_models(const float *models, size_t model_count, const int32_t *joints,
+                                           const nkw_mat4 *inverse_bind, size_t count, float *palette);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif

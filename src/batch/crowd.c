@@ -1,0 +1,111 @@
+/* SPDX-License-Identifier: MIT */
+/* Lanes are characters. include/nakawari/crowd.h has the layout. */
+#include "lane/strict.h"
+
+#include <nakawari/crowd.h>
+#include <nakawari/mat.h>
+#include <nakawari/transform.h>
+
+#include "batch/table.h"
+#include "lane/four.h"
+
+#define LANES NKW_CROWD
+
+/* An affine matrix of lane i. */
+static inline nkw_mat4 matrix_at(const float *m, size_t i)
+{
+    nkw_mat4 r = {{m[i], m[LANES + i], m[2 * LANES + i], 0.0f, m[3 * LANES + i], m[4 * LANES + i], m[5 * LANES + i],
+                   0.0f, m[6 * LANES + i], m[7 * LANES + i], m[8 * LANES + i], 0.0f, m[9 * LANES + i],
+                   m[10 * LANES + i], m[11 * LANES + i], 1.0f}};
+    return r;
+}
+
+static inline void put_matrix(float *m, size_t i, const nkw_mat4 *a)
+{
+    for (size_t k = 0; k < 12; k++)
+        m[k * LANES + i] = a->m[k / 3 * 4 + k % 3];
+}
+
+/* Functions of their own, so that the loops around them see no address of a local matrix. */
+static inline void local_of(const float *p, float *out, size_t i)
+{
+    nkw_trs trs = {{p[i], p[LANES + i], p[2 * LANES + i]},
+                   {p[3 * LANES + i], p[4 * LANES + i], p[5 * LANES + i], p[6 * LANES + i]},
+                   {p[7 * LANES + i], p[8 * LANES + i], p[9 * LANES + i]}};
+    nkw_mat4 m = nkw_mat4_from_trs(&trs);
+    put_matrix(out, i, &m);
+}
+
+static inline void model_of(const float *parent, const float *p, float *out, size_t i)
+{
+    nkw_trs trs = {{p[i], p[LANES + i], p[2 * LANES + i]},
+                   {p[3 * LANES + i], p[4 * LANES + i], p[5 * LANES + i], p[6 * LANES + i]},
+                   {p[7 * LANES + i], p[8 * LANES + i], p[9 * LANES + i]}};
+    nkw_mat4 a = matrix_at(parent, i), b = nkw_mat4_from_trs(&trs), m = nkw_mat4_mul_affine(&a, &b);
+    put_matrix(out, i, &m);
+}
+
+static inline void bound_of(const float *model, const nkw_mat4 *inverse_bind, float *out, size_t i)
+{
+    nkw_mat4 a = matrix_at(model, i), m = nkw_mat4_mul_affine(&a, inverse_bind);
+    put_matrix(out, i, &m);
+}
+
+KERNEL(crowd_models)(const int32_t *parents, size_t joints, const float *crowd, const float *roots, float *models)
+{
+    for (size_t j = 0; j < joints; j++) {
+        const float *pose = crowd + j * 10 * LANES;
+        float *model = models + j * 12 * LANES;
+        size_t p = (size_t)parents[j];
+        const float *parent = p < j ? models + p * 12 * LANES : roots;
+        if (parent) {
+#pragma omp simd
+            for (size_t i = 0; i < LANES; i++)
+                model_of(parent, pose, model, i);
+        } else {
+#pragma omp simd
+            for (size_t i = 0; i < LANES; i++)
+                local_of(pose, model, i);
+        }
+    }
+}
+
+KERNEL(crowd_bind)(const float *model, const nkw_mat4 *inverse_bind, float *out)
+{
+    const nkw_mat4 bind = *inverse_bind;
+#pragma omp simd
+    for (size_t i = 0; i < LANES; i++)
+        bound_of(model, &bind, out, i);
+}
+
+/* Four floats of four arrays, turned around: four lanes of four joints. */
+KERNEL(crowd_from_poses)(const float *const *poses, size_t joints, size_t stride, float *crowd)
+{
+    static const float identity[10][4] = {{0}, {0},          {0},          {0},          {0},
+                                          {0}, {1, 1, 1, 1}, {1, 1, 1, 1}, {1, 1, 1, 1}, {1, 1, 1, 1}};
+    for (size_t j = 0; j < joints; j += 4)
+        for (size_t c = 0; c < 10; c++)
+            for (size_t i = 0; i < LANES; i += 4) {
+                lane_four m[4];
+                for (size_t k = 0; k < 4; k++)
+                    m[k] = lane_four_load(poses[i + k] ? poses[i + k] + c * stride + j : identity[c]);
+                lane_four_transpose(m);
+                for (size_t k = 0; k < 4 && j + k < joints; k++)
+                    lane_four_store(crowd + ((j + k) * 10 + c) * LANES + i, m[k]);
+            }
+}
+
+KERNEL(crowd_to_matrices)(const float *crowd, size_t joints, nkw_mat4 *const *matrices)
+{
+    for (size_t j = 0; j < joints; j++)
+        for (size_t column = 0; column < 4; column++)
+            for (size_t i = 0; i < LANES; i += 4) {
+                const float *from = crowd + (12 * j + 3 * column) * LANES + i;
+                lane_four m[4] = {lane_four_load(from), lane_four_load(from + LANES), lane_four_load(from + 2 * LANES),
+                                  lane_four_all(column == 3 ? 1.0f : 0.0f)};
+                lane_four_transpose(m);
+                for (size_t k = 0; k < 4; k++)
+                    if (matrices[i + k])
+                        lane_four_store(matrices[i + k][j].m + 4 * column, m[k]);
+            }
+}

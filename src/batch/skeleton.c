@@ -1,0 +1,138 @@
+/* SPDX-License-Identifier: MIT */
+#include "lane/strict.h"
+
+#include <nakawari/pose.h>
+#include <nakawari/transform.h>
+
+#include "batch/table.h"
+#include "lane/affine.h"
+
+/* Joints whose local matrices are made together; a multiple of 16, as the padding of a pose is. */
+#define BLOCK 64
+
+/* R S of sixteen joints of a pose whose rotations begin at r: one array for each element. */
+static inline void make_linear(const float *r, size_t stride, float *linear)
+{
+    const float *s = r + 4 * stride;
+#pragma omp simd
+    for (size_t i = 0; i < 16; i++) {
+        nkw_quat rotation = {r[i], r[stride + i], r[2 * stride + i], r[3 * stride + i]};
+        nkw_vec3 scale = {s[i], s[stride + i], s[2 * stride + i]};
+        nkw_mat3 m = nkw_mat3_from_quat_scale(rotation, scale);
+        for (size_t k = 0; k < 9; k++)
+            linear[k * BLOCK + i] = m.m[k];
+    }
+}
+
+/* Where the parent's matrix stands: NULL for none. A negative parent is a large one here. */
+static inline const nkw_mat4 *above(const int32_t *parents, size_t j, const nkw_mat4 *root, const nkw_mat4 *models)
+{
+    size_t p = (uint32_t)parents[j];
+    return p < j ? &models[p] : root;
+}
+
+/* Where the columns of a local matrix begin: element r of x, y, z is `step` floats after element r - 1, that of t `far`. */
+typedef struct local {
+    const float *x, *y, *z, *t;
+    size_t step, far;
+} local;
+
+static inline lane_columns mul_local(const lane_columns *a, const local *b)
+{
+    lane_columns r;
+    r.c[0] = lane_columns_direction(a, b->x, b->step);
+    r.c[1] = lane_columns_direction(a, b->y, b->step);
+    r.c[2] = lane_columns_direction(a, b->z, b->step);
+    r.c[3] = lane_columns_point(a, b->t, b->far);
+    return r;
+}
+
+/*
+ * One joint after the other. The parent is most often the joint before, whose matrix `m` still is: reading it back from
+ * memory would take as long as the sums.
+ */
+typedef struct chain {
+    const nkw_mat4 *held; /* where the matrix m was written, NULL at first */
+    lane_columns m;
+} chain;
+
+static inline chain chain_start(void)
+{
+    static const nkw_mat4 zero = {{0.0f}};
+    chain c;
+    c.held = NULL;
+    c.m = lane_columns_from(&zero);
+    return c;
+}
+
+static inline void chain_store(chain *c, nkw_mat4 *model)
+{
+    lane_mat4_from_columns(&c->m, model);
+    c->held = model;
+}
+
+static inline void chain_child(chain *c, const nkw_mat4 *parent, const local *of, nkw_mat4 *model)
+{
+    if (parent != c->held)
+        c->m = lane_columns_from(parent);
+    c->m = mul_local(&c->m, of);
+    chain_store(c, model);
+}
+
+/* A joint with nothing above it. */
+static inline void chain_root(chain *c, const nkw_mat4 *of, nkw_mat4 *model)
+{
+    c->m = lane_columns_from(of);
+    chain_store(c, model);
+}
+
+/*
+ * The local matrix of the one joint at p, made anew. Taken from the block, it would have the loads of its elements shared
+ * with those of chain_child, ahead of the branch, and the sums lose their registers to them.
+ */
+static inline nkw_mat4 make_local(const float *p, size_t s)
+{
+    nkw_trs trs = {{p[0], p[s], p[2 * s]}, {p[3 * s], p[4 * s], p[5 * s], p[6 * s]}, {p[7 * s], p[8 * s], p[9 * s]}};
+    return nkw_mat4_from_trs(&trs);
+}
+
+/* Joints from .. to - 1; at from > 0 `models` holds those before. */
+KERNEL(models_from_pose)
+(const int32_t *parents, const float *pose, size_t stride, const nkw_mat4 *root, size_t from, size_t to,
+ nkw_mat4 *models)
+{
+    chain c = chain_start();
+    for (size_t start = from / 16 * 16, j = from; j < to; start += BLOCK) {
+        float l[9][BLOCK];
+        const float *t = pose + start;
+        size_t end = to - start < BLOCK ? to : start + BLOCK;
+        for (size_t i = 0; i < end - start; i += 16)
+            make_linear(t + 3 * stride + i, stride, l[0] + i);
+        for (; j < end; j++) {
+            size_t i = j - start;
+            const nkw_mat4 *parent = above(parents, j, root, models);
+            if (parent) {
+                local of = {l[0] + i, l[3] + i, l[6] + i, t + i, BLOCK, stride};
+                chain_child(&c, parent, &of, &models[j]);
+            } else {
+                nkw_mat4 of = make_local(t + i, stride);
+                chain_root(&c, &of, &models[j]);
+            }
+        }
+    }
+}
+
+KERNEL(models_from_locals)
+(const int32_t *parents, const nkw_mat4 *locals, const nkw_mat4 *root, size_t from, size_t to, nkw_mat4 *models)
+{
+    chain c = chain_start();
+    for (size_t j = from; j < to; j++) {
+        const nkw_mat4 *parent = above(parents, j, root, models);
+        const float *m = locals[j].m;
+        const local of = {m, m + 4, m + 8, m + 12, 1, 1};
+        if (parent)
+            chain_child(&c, parent, &of, &models[j]);
+        else
+            chain_root(&c, &locals[j], &models[j]);
+    }
+}

@@ -1,0 +1,103 @@
+/* SPDX-License-Identifier: MIT */
+#include "lane/strict.h"
+
+#include <nakawari/mat.h>
+#include <nakawari/pose.h>
+#include <nakawari/skeleton.h>
+#include <nakawari/transform.h>
+
+#include "simd/select.h"
+
+static nkw_result report(nkw_result result, size_t bad, size_t *out)
+{
+    if (out)
+        *out = result == NKW_OK ? 0 : bad;
+    return result;
+}
+
+/* Whether joint j has no parent, or one that it must not have. */
+static int is_root(const nkw_skeleton *skeleton, size_t j)
+{
+    return (size_t)(uint32_t)skeleton->parents[j] >= j;
+}
+
+nkw_result nkw_skeleton_validate(const nkw_skeleton *skeleton, size_t *bad_joint)
+{
+    nkw_result result = skeleton->joint_count == 0 ? NKW_EMPTY : NKW_OK;
+    size_t j = 0;
+    for (; result == NKW_OK && j < skeleton->joint_count; j++) {
+        int32_t parent = skeleton->parents[j];
+        if (parent < NKW_NO_JOINT || (parent >= 0 && (size_t)parent >= skeleton->joint_count))
+            result = NKW_OUT_OF_RANGE;
+        else if (parent != NKW_NO_JOINT && is_root(skeleton, j))
+            result = NKW_NOT_ORDERED;
+    }
+    return report(result, j ? j - 1 : 0, bad_joint);
+}
+
+size_t nkw_skeleton_subtree_end(const nkw_skeleton *skeleton, size_t joint)
+{
+    size_t end = joint < skeleton->joint_count ? joint + 1 : skeleton->joint_count;
+    while (end < skeleton->joint_count && !is_root(skeleton, end) && (size_t)skeleton->parents[end] >= joint)
+        end++;
+    return end;
+}
+
+void nkw_models_update_from_pose(const nkw_skeleton *skeleton, const float *pose, const nkw_mat4 *root, size_t from,
+                                 size_t to, nkw_mat4 *models)
+{
+    size_t count = skeleton->joint_count;
+    nkw_batch_selected()->models_from_pose(skeleton->parents, pose, NKW_POSE_STRIDE(count), root, from,
+                                           to < count ? to : count, models);
+}
+
+void nkw_models_update_from_locals(const nkw_skeleton *skeleton, const nkw_mat4 *locals, const nkw_mat4 *root,
+                                   size_t from, size_t to, nkw_mat4 *models)
+{
+    size_t count = skeleton->joint_count;
+    nkw_batch_selected()->models_from_locals(skeleton->parents, locals, root, from, to < count ? to : count, models);
+}
+
+void nkw_models_from_pose(const nkw_skeleton *skeleton, const float *pose, const nkw_mat4 *root, nkw_mat4 *models)
+{
+    nkw_models_update_from_pose(skeleton, pose, root, 0, skeleton->joint_count, models);
+}
+
+void nkw_models_from_locals(const nkw_skeleton *skeleton, const nkw_mat4 *locals, const nkw_mat4 *root,
+                            nkw_mat4 *models)
+{
+    nkw_models_update_from_locals(skeleton, locals, root, 0, skeleton->joint_count, models);
+}
+
+static nkw_mat4 local_of(const nkw_skeleton *skeleton, const nkw_mat4 *models, const nkw_mat4 *root, size_t j)
+{
+    const nkw_mat4 *parent = is_root(skeleton, j) ? root : &models[skeleton->parents[j]];
+    if (!parent) {
+        nkw_mat3 block = nkw_mat3_from_mat4(&models[j]);
+        return nkw_mat4_from_mat3(&block, nkw_mat4_translation(&models[j]));
+    }
+    nkw_mat4 inverse = nkw_mat4_inverse_affine(parent);
+    return nkw_mat4_mul_affine(&inverse, &models[j]);
+}
+
+/* The last joint first: in place, parents are then still model matrices when they are asked. */
+void nkw_locals_from_models(const nkw_skeleton *skeleton, const nkw_mat4 *models, const nkw_mat4 *root,
+                            nkw_mat4 *locals)
+{
+    for (size_t j = skeleton->joint_count; j-- > 0;)
+        locals[j] = local_of(skeleton, models, root, j);
+}
+
+float nkw_pose_from_models(const nkw_skeleton *skeleton, const nkw_mat4 *models, const nkw_mat4 *root, float *pose)
+{
+    float worst = 0.0f;
+    nkw_pose_identity(pose, skeleton->joint_count);
+    for (size_t j = 0; j < skeleton->joint_count; j++) {
+        nkw_mat4 local = local_of(skeleton, models, root, j);
+        nkw_trs trs = nkw_trs_from_mat4(&local);
+        float residual = nkw_trs_residual(&trs, &local);
+        worst = residual > worst ? residual : worst;
+        nkw_pose_set(pose, skeleton->joint_count, j, &trs);
+    }
+    return worst;
+}

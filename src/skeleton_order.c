@@ -1,0 +1,198 @@
+/* SPDX-License-Identifier: MIT */
+/* Orders of joints: from parents in any order, from first-child/next-sibling trees; and the matrix stack. */
+#include "lane/strict.h"
+
+#include <nakawari/mat.h>
+#include <nakawari/skeleton.h>
+
+#define MOST_NODES ((size_t)INT32_MAX)
+
+static nkw_result report(nkw_result result, size_t bad, size_t *out)
+{
+    if (out)
+        *out = result == NKW_OK ? 0 : bad;
+    return result;
+}
+
+static int is_link(int32_t to, size_t count)
+{
+    return to == NKW_NO_JOINT || (to >= 0 && (size_t)to < count);
+}
+
+static nkw_result check_count(size_t count)
+{
+    return count == 0 ? NKW_EMPTY : count > MOST_NODES ? NKW_OUT_OF_RANGE : NKW_OK;
+}
+
+static void fill(int32_t *a, size_t count)
+{
+    for (size_t i = 0; i < count; i++)
+        a[i] = NKW_NO_JOINT;
+}
+
+static nkw_result check_parents(const int32_t *parents, size_t count, size_t *bad)
+{
+    nkw_result result = check_count(count);
+    for (size_t i = 0; result == NKW_OK && i < count; i++) {
+        *bad = i;
+        result = is_link(parents[i], count) ? NKW_OK : NKW_OUT_OF_RANGE;
+    }
+    return result;
+}
+
+/* First children and next siblings, in the file's order. Gives the first root. */
+static int32_t link_children(const int32_t *parents, size_t count, int32_t *first_child, int32_t *next_sibling)
+{
+    int32_t roots = NKW_NO_JOINT;
+    fill(first_child, count);
+    for (size_t i = count; i-- > 0;) {
+        int32_t *first = parents[i] == NKW_NO_JOINT ? &roots : &first_child[parents[i]];
+        next_sibling[i] = *first;
+        *first = (int32_t)i;
+    }
+    return roots;
+}
+
+/* The depth-first walk: writes the nodes in the order in which it meets them, and gives their number. */
+static size_t walk_down(int32_t node, const int32_t *parents, const int32_t *first_child, const int32_t *next_sibling,
+                        int32_t *met)
+{
+    size_t count = 0;
+    while (node != NKW_NO_JOINT) {
+        met[count++] = node;
+        int32_t next = first_child[node];
+        while (next == NKW_NO_JOINT && node != NKW_NO_JOINT) {
+            next = next_sibling[node];
+            node = parents[node];
+        }
+        node = next;
+    }
+    return count;
+}
+
+static size_t first_missing(const int32_t *number, size_t count)
+{
+    size_t i = 0;
+    while (i < count && number[i] != NKW_NO_JOINT)
+        i++;
+    return i;
+}
+
+nkw_result nkw_skeleton_order(const int32_t *file_parents, size_t joint_count, int32_t *joint_of_file,
+                              int32_t *file_of_joint, int32_t *parents, size_t *bad_joint)
+{
+    size_t bad = 0;
+    nkw_result result = check_parents(file_parents, joint_count, &bad);
+    if (result != NKW_OK)
+        return report(result, bad, bad_joint);
+    int32_t roots = link_children(file_parents, joint_count, joint_of_file, file_of_joint);
+    size_t met = walk_down(roots, file_parents, joint_of_file, file_of_joint, parents);
+    fill(joint_of_file, joint_count);
+    for (size_t k = 0; k < met; k++) {
+        file_of_joint[k] = parents[k];
+        joint_of_file[parents[k]] = (int32_t)k;
+    }
+    if (met < joint_count)
+        return report(NKW_NOT_A_TREE, first_missing(joint_of_file, joint_count), bad_joint);
+    for (size_t k = 0; k < joint_count; k++) {
+        int32_t parent = file_parents[file_of_joint[k]];
+        parents[k] = parent == NKW_NO_JOINT ? NKW_NO_JOINT : joint_of_file[parent];
+    }
+    return report(NKW_OK, 0, bad_joint);
+}
+
+/* What keeps a walk from going on to `node`, if anything: its links, or that it has a number already. */
+static nkw_result check_node(const nkw_tree *tree, int32_t node, const int32_t *joint_of_node)
+{
+    if (joint_of_node[node] != NKW_NO_JOINT)
+        return NKW_NOT_A_TREE;
+    if (!is_link(tree->first_child[node], tree->node_count) || !is_link(tree->next_sibling[node], tree->node_count))
+        return NKW_OUT_OF_RANGE;
+    return NKW_OK;
+}
+
+nkw_result nkw_skeleton_from_tree(const nkw_tree *tree, int32_t *joint_of_node, int32_t *node_of_joint,
+                                  int32_t *parents, size_t *bad_node)
+{
+    nkw_result result = check_count(tree->node_count);
+    if (result != NKW_OK)
+        return report(result, 0, bad_node);
+    fill(joint_of_node, tree->node_count);
+    int32_t node = 0, parent = NKW_NO_JOINT, joint = 0;
+    for (; node != NKW_NO_JOINT; joint++) {
+        result = check_node(tree, node, joint_of_node);
+        if (result != NKW_OK)
+            return report(result, (size_t)node, bad_node);
+        joint_of_node[node] = joint;
+        node_of_joint[joint] = node;
+        parents[joint] = parent;
+        parent = joint;
+        node = tree->first_child[node];
+        while (node == NKW_NO_JOINT && parent != NKW_NO_JOINT) {
+            node = tree->next_sibling[node_of_joint[parent]];
+            parent = parents[parent];
+        }
+    }
+    size_t missing = first_missing(joint_of_node, tree->node_count);
+    return report(missing < tree->node_count ? NKW_NOT_A_TREE : NKW_OK, missing, bad_node);
+}
+
+nkw_result nkw_tree_validate(const nkw_tree *tree, int32_t *work, size_t *bad_node)
+{
+    size_t n = tree->node_count;
+    return nkw_skeleton_from_tree(tree, work, work + n, work + 2 * n, bad_node);
+}
+
+/* local parent, of row vectors: element (row r, column c) is at r * 4 + c. The sums are those of nkw_mat4_mul_affine. */
+static nkw_mat4 mul_rows(const nkw_mat4 *local, const nkw_mat4 *parent)
+{
+    nkw_mat4 out;
+    const float *p = parent->m;
+    for (size_t r = 0; r < 4; r++) {
+        const float *l = local->m + 4 * r;
+        for (size_t c = 0; c < 3; c++) {
+            float below = r == 3 ? l[2] * p[8 + c] + p[12 + c] : l[2] * p[8 + c];
+            out.m[4 * r + c] = (l[0] * p[c] + l[1] * p[4 + c]) + below;
+        }
+        out.m[4 * r + 3] = r == 3 ? 1.0f : 0.0f;
+    }
+    return out;
+}
+
+static nkw_mat4 compose(const nkw_mat4 *parent, const nkw_mat4 *local, nkw_convention convention)
+{
+    if (!parent) {
+        nkw_mat3 block = nkw_mat3_from_mat4(local);
+        return nkw_mat4_from_mat3(&block, nkw_mat4_translation(local));
+    }
+    return convention == NKW_ROW_VECTORS ? mul_rows(local, parent) : nkw_mat4_mul_affine(parent, local);
+}
+
+nkw_result nkw_tree_walk(const nkw_tree *tree, const nkw_mat4 *locals, const nkw_mat4 *root, nkw_convention convention,
+                         int32_t *stack, size_t stack_count, nkw_mat4 *models, size_t *bad_node)
+{
+    size_t top = 0, met = 0;
+    int32_t node = 0;
+    nkw_result result = check_count(tree->node_count);
+    if (result != NKW_OK)
+        return report(result, 0, bad_node);
+    while (node != NKW_NO_JOINT) {
+        int32_t last = node, child = tree->first_child[node];
+        models[node] = compose(top ? &models[stack[top - 1]] : root, &locals[node], convention);
+        if (child != NKW_NO_JOINT) {
+            if (top == stack_count)
+                return report(NKW_TOO_SMALL, (size_t)node, bad_node);
+            stack[top++] = node;
+            node = child;
+        } else {
+            while (top && tree->next_sibling[last] == NKW_NO_JOINT)
+                last = stack[--top];
+            node = tree->next_sibling[last];
+        }
+        if (!is_link(node, tree->node_count))
+            return report(NKW_OUT_OF_RANGE, (size_t)last, bad_node);
+        if (node != NKW_NO_JOINT && ++met == tree->node_count)
+            return report(NKW_NOT_A_TREE, (size_t)last, bad_node);
+    }
+    return report(NKW_OK, 0, bad_node);
+}

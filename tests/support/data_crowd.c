@@ -1,0 +1,38 @@
+/* SPDX-License-Identifier: MIT */
+#include "data.h"
+#include "hash.h"
+#include "random.h"
+
+#define JOINTS 13
+
+uint64_t data_crowd(void)
+{
+    static float poses[NKW_CROWD][NKW_POSE_FLOATS(JOINTS)], crowd[NKW_CROWD_POSE_FLOATS(JOINTS)];
+    static float models[NKW_CROWD_MATRIX_FLOATS(JOINTS)], palette[NKW_CROWD_MATRIX_FLOATS(JOINTS)];
+    static float roots[NKW_CROWD_MATRIX_FLOATS(1)];
+    static nkw_mat4 bind[JOINTS], out[NKW_CROWD][JOINTS];
+    int32_t parents[JOINTS];
+    const float *in[NKW_CROWD];
+    const nkw_mat4 *matrices[NKW_CROWD];
+    nkw_mat4 *to[NKW_CROWD];
+    random_source r = random_from(9);
+    nkw_skeleton skeleton = {parents, JOINTS};
+    for (size_t j = 0; j < JOINTS; j++)
+        parents[j] = (int32_t)(random_bits(&r) % (j + 1)) - 1;
+    for (size_t i = 0; i < NKW_CROWD; i++) {
+        in[i] = i == 11 ? NULL : poses[i];
+        to[i] = i == 5 ? NULL : out[i];
+        matrices[i] = i == 3 ? NULL : &bind[i % JOINTS];
+        for (size_t j = 0; j < JOINTS; j++) {
+            nkw_trs trs = {random_vec3(&r, -3, 3), random_rotation(&r), random_vec3(&r, 0.5f, 2)};
+            nkw_pose_set(poses[i], JOINTS, j, &trs);
+            bind[j] = nkw_mat4_from_trs(&trs);
+        }
+    }
+    nkw_crowd_from_poses(in, JOINTS, crowd);
+    nkw_crowd_from_matrices(matrices, 1, roots);
+    nkw_crowd_models_from_pose(&skeleton, crowd, roots, models);
+    nkw_crowd_palette_from_models(models, JOINTS, NULL, bind, JOINTS, palette);
+    nkw_matrices_from_crowd(palette, JOINTS, to);
+    return hash_floats(HASH_START, out[0][0].m, sizeof out / sizeof(float));
+}

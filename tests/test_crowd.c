@@ -1,0 +1,172 @@
+/* SPDX-License-Identifier: MIT */
+#include "random.h"
+#include "support/expect.h"
+
+#define JOINTS 22
+
+static float poses[NKW_CROWD][NKW_POSE_FLOATS(JOINTS)], crowd[NKW_CROWD_POSE_FLOATS(JOINTS)];
+static float models[NKW_CROWD_MATRIX_FLOATS(JOINTS)], roots[NKW_CROWD_MATRIX_FLOATS(1)];
+static nkw_mat4 matrices[NKW_CROWD][JOINTS], bind[JOINTS], root[NKW_CROWD];
+static int32_t parents[JOINTS];
+static const nkw_skeleton skeleton = {parents, JOINTS};
+static const float *in[NKW_CROWD];
+static const nkw_mat4 *in_roots[NKW_CROWD];
+static nkw_mat4 *out[NKW_CROWD];
+
+static nkw_trs some_trs(random_source *r)
+{
+    nkw_trs trs = {random_vec3(r, -3, 3), random_rotation(r), random_vec3(r, 0.5f, 2)};
+    return trs;
+}
+
+static void draw(random_source *r)
+{
+    for (size_t j = 0; j < JOINTS; j++) {
+        nkw_trs trs = some_trs(r);
+        parents[j] = (int32_t)(random_bits(r) % (j + 1)) - 1;
+        bind[j] = nkw_mat4_from_trs(&trs);
+    }
+    for (size_t i = 0; i < NKW_CROWD; i++) {
+        nkw_trs placed = some_trs(r);
+        root[i] = nkw_mat4_from_trs(&placed);
+        in[i] = poses[i];
+        in_roots[i] = &root[i];
+        out[i] = matrices[i];
+        for (size_t j = 0; j < JOINTS; j++) {
+            nkw_trs trs = some_trs(r);
+            nkw_pose_set(poses[i], JOINTS, j, &trs);
+        }
+    }
+}
+
+static nkw_mat4 local_of(size_t i, size_t j)
+{
+    nkw_trs trs = nkw_pose_get(poses[i], JOINTS, j);
+    return nkw_mat4_from_trs(&trs);
+}
+
+/* By the single functions. */
+static nkw_mat4 model_of(size_t i, size_t j, int rooted)
+{
+    nkw_mat4 local = local_of(i, j);
+    if (parents[j] < 0)
+        return rooted ? nkw_mat4_mul_affine(&root[i], &local) : local;
+    nkw_mat4 parent = model_of(i, (size_t)parents[j], rooted);
+    return nkw_mat4_mul_affine(&parent, &local);
+}
+
+static void every_lane_gives_the_bits_of_its_character_alone(void **state)
+{
+    (void)state;
+    random_source r = random_from(1);
+    for (int round = 0; round < 20; round++) {
+        draw(&r);
+        nkw_crowd_from_poses(in, JOINTS, crowd);
+        nkw_crowd_from_matrices(in_roots, 1, roots);
+        nkw_crowd_models_from_pose(&skeleton, crowd, round % 2 ? roots : NULL, models);
+        nkw_matrices_from_crowd(models, JOINTS, out);
+        for (size_t i = 0; i < NKW_CROWD; i++)
+            for (size_t j = 0; j < JOINTS; j++) {
+                nkw_mat4 want = model_of(i, j, round % 2);
+                expect_floats_bits(matrices[i][j].m, want.m, 16);
+            }
+    }
+}
+
+static void palettes_are_models_times_inverse_binds(void **state)
+{
+    (void)state;
+    random_source r = random_from(2);
+    float palette[NKW_CROWD_MATRIX_FLOATS(4)];
+    const int32_t joints[4] = {7, 0, -1, 21};
+    const nkw_mat4 identity = nkw_mat4_identity();
+    draw(&r);
+    nkw_crowd_from_poses(in, JOINTS, crowd);
+    nkw_crowd_models_from_pose(&skeleton, crowd, NULL, models);
+    nkw_crowd_palette_from_models(models, JOINTS, joints, bind, 4, palette);
+    nkw_matrices_from_crowd(palette, 4, out);
+    for (size_t i = 0; i < NKW_CROWD; i++)
+        for (size_t k = 0; k < 4; k++) {
+            nkw_mat4 model = k == 2 ? identity : model_of(i, (size_t)joints[k], 0);
+            nkw_mat4 want = k == 2 ? identity : nkw_mat4_mul_affine(&model, &bind[k]);
+            expect_floats_bits(matrices[i][k].m, want.m, 16);
+        }
+}
+
+static void palettes_may_take_the_place_of_models(void **state)
+{
+    (void)state;
+    random_source r = random_from(3);
+    static float palette[NKW_CROWD_MATRIX_FLOATS(JOINTS)], copied[NKW_CROWD_MATRIX_FLOATS(JOINTS)];
+    draw(&r);
+    nkw_crowd_from_poses(in, JOINTS, crowd);
+    nkw_crowd_models_from_pose(&skeleton, crowd, NULL, models);
+    nkw_crowd_palette_from_models(models, JOINTS, NULL, bind, JOINTS, palette);
+    nkw_crowd_palette_from_models(models, JOINTS, NULL, NULL, JOINTS, copied);
+    expect_floats_bits(copied, models, NKW_CROWD_MATRIX_FLOATS(JOINTS));
+    nkw_crowd_palette_from_models(models, JOINTS, NULL, bind, JOINTS, models);
+    expect_floats_bits(models, palette, NKW_CROWD_MATRIX_FLOATS(JOINTS));
+}
+
+static void lanes_without_a_character_are_the_identity_and_left_out(void **state)
+{
+    (void)state;
+    random_source r = random_from(4);
+    const nkw_mat4 identity = nkw_mat4_identity();
+    draw(&r);
+    in[5] = NULL;
+    in_roots[5] = NULL;
+    nkw_crowd_from_poses(in, JOINTS, crowd);
+    nkw_crowd_from_matrices(in_roots, 1, roots);
+    nkw_crowd_models_from_pose(&skeleton, crowd, roots, models);
+    out[6] = NULL;
+    nkw_mat4 kept = matrices[6][3];
+    nkw_matrices_from_crowd(models, JOINTS, out);
+    for (size_t j = 0; j < JOINTS; j++)
+        expect_floats_bits(matrices[5][j].m, identity.m, 16);
+    expect_floats_bits(matrices[6][3].m, kept.m, 16);
+}
+
+static void any_parents_stay_within_the_arrays(void **state)
+{
+    (void)state;
+    random_source r = random_from(5);
+    draw(&r);
+    parents[0] = 5;
+    parents[3] = -7;
+    parents[4] = 4;
+    parents[6] = JOINTS;
+    nkw_crowd_from_poses(in, JOINTS, crowd);
+    nkw_crowd_models_from_pose(&skeleton, crowd, NULL, models);
+    nkw_matrices_from_crowd(models, JOINTS, out);
+    const size_t made_roots[4] = {0, 3, 4, 6};
+    for (size_t k = 0; k < 4; k++) {
+        nkw_mat4 want = local_of(2, made_roots[k]);
+        expect_floats_bits(matrices[2][made_roots[k]].m, want.m, 16);
+    }
+}
+
+static void nothing_is_written_without_joints(void **state)
+{
+    (void)state;
+    float none[1] = {7};
+    const nkw_skeleton empty = {NULL, 0};
+    nkw_crowd_from_poses(in, 0, none);
+    nkw_crowd_models_from_pose(&empty, none, NULL, none);
+    nkw_crowd_palette_from_models(none, 0, NULL, NULL, 0, none);
+    nkw_matrices_from_crowd(none, 0, out);
+    expect_bits(none[0], 7.0f);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(every_lane_gives_the_bits_of_its_character_alone),
+        cmocka_unit_test(palettes_are_models_times_inverse_binds),
+        cmocka_unit_test(palettes_may_take_the_place_of_models),
+        cmocka_unit_test(lanes_without_a_character_are_the_identity_and_left_out),
+        cmocka_unit_test(any_parents_stay_within_the_arrays),
+        cmocka_unit_test(nothing_is_written_without_joints),
+    };
+    return cmocka_run_group_tests_name("crowd", tests, NULL, NULL);
+}
