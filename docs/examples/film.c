@@ -88,15 +88,12 @@ static svg_colour skin_colour(const mesh *m, const mesh_face *face)
 }
 
 /* Stripes along y, an eighth of a turn wide, so that a twist is seen. */
-static int striped(const film *f, const mesh_face *face)
+static int striped(const mesh *m, const mesh_face *face)
 {
-    nkw_vec3 sum = nkw_vec3_zero(), low, high;
-    mesh_box(f->mesh, &low, &high);
+    nkw_vec3 sum = nkw_vec3_zero();
     for (int c = 0; c < face->corners; c++)
-        sum = nkw_vec3_add(sum,
-                           nkw_vec3_sub(f->mesh->vertices[face->corner[c]].position, nkw_vec3_lerp(low, high, 0.5f)));
-    float ax = nkw_abs(sum.x), az = nkw_abs(sum.z);
-    return (sum.x > 0.0f) ^ (sum.z > 0.0f) ^ (ax > az);
+        sum = nkw_vec3_add(sum, m->vertices[face->corner[c]].position);
+    return (sum.x > 0.0f) ^ (sum.z > 0.0f) ^ (nkw_abs(sum.x) > nkw_abs(sum.z));
 }
 
 /* The light comes over the eye's left shoulder. */
@@ -123,7 +120,7 @@ static void add_face(space_list *list, const film *f, const svg_camera *camera, 
     if (!(svg_area(p, (size_t)face->corners) > 0.0f))
         return;
     svg_colour colour = skin_colour(f->mesh, face);
-    colour = lit(f, face, striped(f, face) ? svg_mix(colour, 0xffffff, 0.45f) : colour);
+    colour = lit(f, face, striped(f->mesh, face) ? svg_mix(colour, 0xffffff, 0.45f) : colour);
     svg_paint paint = {colour, colour, 0.7f, 1.0f, NULL};
     space_add(list, camera, corner, face->corners, distance, &paint);
 }
