@@ -10,6 +10,7 @@
 
 #include "clip_layout.h"
 #include "clip_tracks.h"
+#include "lane/orient.h"
 #include "simd/select.h"
 
 typedef enum section { TIMELINES, GROUPS, BLOCKS, RUNS, TIMES, VALUES, SECTIONS } section;
@@ -17,18 +18,21 @@ typedef enum section { TIMELINES, GROUPS, BLOCKS, RUNS, TIMES, VALUES, SECTIONS 
 typedef struct builder {
     clip_tracks tracks;
     uint32_t *words; /* the block; NULL while measuring */
-    size_t start[SECTIONS], used[SECTIONS];
+    uint64_t start[SECTIONS], used[SECTIONS]; /* words; far more than a block may have while measuring */
 } builder;
 
-/* Room in a section: where it begins, in words from the beginning of the block. */
-static size_t take(builder *b, section s, size_t words)
+/*
+ * Room in a section: where it begins, in words from the beginning of the block. What is too large for a block is cut to
+ * 2^32 words, so that sums stay below 2^64 and the clip is still found too large.
+ */
+static size_t take(builder *b, section s, uint64_t words)
 {
-    size_t at = b->start[s] + b->used[s];
-    b->used[s] += words;
-    return at;
+    uint64_t at = b->start[s] + b->used[s];
+    b->used[s] += words <= UINT32_MAX ? words : (uint64_t)UINT32_MAX + 1;
+    return (size_t)at;
 }
 
-static size_t round_up(size_t n, size_t to)
+static uint64_t round_up(uint64_t n, uint64_t to)
 {
     return (n + to - 1) / to * to;
 }
@@ -54,7 +58,7 @@ static nkw_block *block_of(const lanes *l, size_t lane)
 
 static lanes lanes_begin(builder *b, size_t expected)
 {
-    lanes l = {b, expected, 0, b->start[BLOCKS] + b->used[BLOCKS], 0, 0};
+    lanes l = {b, expected, 0, (size_t)(b->start[BLOCKS] + b->used[BLOCKS]), 0, 0};
     return l;
 }
 
@@ -78,16 +82,17 @@ static size_t add_lane(lanes *l, size_t to)
 }
 
 /*
- * Lanes that end with the last joint of a component array go on over the padding: numbers into the next array, rotations until
- * their block is full.
+ * Lanes that end with the last joint of a component array go on over the padding: numbers into the next array,
+ * rotations until their block is full, where the padding is long enough for that.
  */
 static void add_padding(lanes *l, int turns)
 {
     size_t joints = l->b->tracks.source->joint_count, stride = NKW_POSE_STRIDE(joints);
-    size_t end = turns ? clip_lanes(l->count) : l->count + stride - joints;
-    if (l->length >= 8 && l->next % stride == joints % stride)
-        while (l->count < end)
-            add_lane(l, l->next);
+    size_t room = stride - joints, wanted = turns ? clip_lanes(l->count) - l->count : room;
+    if (l->length < 8 || l->next % stride != joints % stride || wanted > room)
+        return;
+    for (; wanted > 0; wanted--)
+        add_lane(l, l->next);
 }
 
 /* Keys. */
@@ -133,26 +138,29 @@ static void fill_component(const builder *b, const clip_group *g, const nkw_clip
 
 /* Compact keys: the range of a lane's row, and its numbers as parts of it. */
 
-/* q or -q, whichever is on the side of `before`. */
-static nkw_quat aligned(nkw_quat q, nkw_quat before)
+static nkw_quat held_rotation(const nkw_clip_track *c, size_t k)
 {
-    return nkw_quat_dot(q, before) < 0.0f ? nkw_quat_negate(q) : q;
+    nkw_quat q = {held_component(c, k, 0), held_component(c, k, 1), held_component(c, k, 2), held_component(c, k, 3)};
+    return q;
 }
 
-/* The numbers of key k, after those of the key before it: rotations on one side. */
-static void next_numbers(const nkw_clip_track *c, size_t k, size_t component, float numbers[4])
+/*
+ * The numbers of key k, those of a rotation times *sign, which is 1 before the first key and changes wherever slerp
+ * turns the next key: all stand on the side of the one before, and the way is that of the source, also where it is
+ * half a turn.
+ */
+static void next_numbers(const nkw_clip_track *c, size_t k, size_t component, float *sign, float numbers[4])
 {
     if (c->target != NKW_CLIP_ROTATION) {
         numbers[0] = held_component(c, k, component);
         return;
     }
-    nkw_quat before = {numbers[0], numbers[1], numbers[2], numbers[3]};
-    nkw_quat q = {held_component(c, k, 0), held_component(c, k, 1), held_component(c, k, 2), held_component(c, k, 3)};
-    q = aligned(q, before);
-    numbers[0] = q.x;
-    numbers[1] = q.y;
-    numbers[2] = q.z;
-    numbers[3] = q.w;
+    nkw_quat q = held_rotation(c, k);
+    *sign = k > 0 && lane_slerp_cosine(held_rotation(c, k - 1), q) < 0.0f ? -*sign : *sign;
+    numbers[0] = *sign * q.x;
+    numbers[1] = *sign * q.y;
+    numbers[2] = *sign * q.z;
+    numbers[3] = *sign * q.w;
 }
 
 /* (x - base) / step, to the nearest of 0..65535. */
@@ -166,9 +174,9 @@ static uint16_t encode(float base, float step, float x)
 static void fill_compact(const builder *b, const clip_group *g, const nkw_clip_track *c, size_t component, size_t lane)
 {
     size_t rows = clip_rows(g), count = c->track.count;
-    float numbers[4] = {0.0f, 0.0f, 0.0f, 1.0f}, low[4] = {0.0f}, high[4] = {0.0f};
+    float numbers[4], low[4] = {0.0f}, high[4] = {0.0f}, sign = 1.0f;
     for (size_t k = 0; k < count; k++) {
-        next_numbers(c, k, component, numbers);
+        next_numbers(c, k, component, &sign, numbers);
         for (size_t r = 0; r < rows; r++) {
             low[r] = k == 0 || numbers[r] < low[r] ? numbers[r] : low[r];
             high[r] = k == 0 || numbers[r] > high[r] ? numbers[r] : high[r];
@@ -179,11 +187,10 @@ static void fill_compact(const builder *b, const clip_group *g, const nkw_clip_t
         floats_at(b, g->ranges)[lane_at(g, rows, r, lane)] = low[r];
         floats_at(b, g->ranges)[rows * g->lanes + lane_at(g, rows, r, lane)] = high[r];
     }
-    numbers[0] = numbers[1] = numbers[2] = 0.0f;
-    numbers[3] = 1.0f;
+    sign = 1.0f;
     for (size_t k = 0; k < count; k++) {
         uint16_t *key = (uint16_t *)(void *)(b->words + g->keys + k * g->key_words);
-        next_numbers(c, k, component, numbers);
+        next_numbers(c, k, component, &sign, numbers);
         for (size_t r = 0; r < rows; r++)
             key[lane_at(g, rows, r, lane)] = encode(low[r], high[r], numbers[r]);
     }
@@ -209,7 +216,7 @@ static size_t place_of(const builder *b, const nkw_clip_track *c, size_t compone
     return (component + (c->target == NKW_CLIP_SCALE ? 7u : 0u)) * stride + c->index;
 }
 
-/* The lanes of a track in pass 0, 1 or 2: one component, or all four of a rotation, or all the floats, one after the other. */
+/* The lanes of a track in pass 0, 1 or 2: one component, or all four of a rotation, or all the floats in a row. */
 static void lay_track(lanes *l, const clip_group *g, const nkw_clip_track *c, size_t pass)
 {
     int turns = c->target == NKW_CLIP_ROTATION, floats = c->target == NKW_CLIP_FLOATS;
@@ -223,7 +230,7 @@ static void lay_track(lanes *l, const clip_group *g, const nkw_clip_track *c, si
     }
 }
 
-/* The lanes of a group's tracks: translations x, y, z, rotations, scales x, y, z, each in the order of joints; floats. */
+/* The lanes of a group's tracks: translations x, y, z, rotations, scales x, y, z, each in joint order; floats. */
 static lanes lay_lanes(builder *b, const clip_group *g, const uint32_t *members, size_t count)
 {
     lanes l = lanes_begin(b, g->lanes);
@@ -242,31 +249,14 @@ static lanes lay_lanes(builder *b, const clip_group *g, const uint32_t *members,
 
 /* Groups and timelines. */
 
-/* Keys per second, if nkw_segment_uniform_time gives the very times; else 0. */
-static float rate_of(const nkw_track *t)
-{
-    double mean = t->count > 1 ? (double)(t->count - 1) / ((double)t->times[t->count - 1] - (double)t->times[0]) : 0.0;
-    const float candidates[2] = {mean > 0.0 && mean < 1e9 ? (float)(uint32_t)(mean + 0.5) : 0.0f,
-                                 mean < 1e9 ? (float)mean : 0.0f};
-    for (int i = 0; i < 2; i++) {
-        size_t k = 0;
-        while (candidates[i] > 0.0f && k < t->count &&
-               nkw_segment_uniform_time(t->times[0], candidates[i], k) == t->times[k] &&
-               (k == 0 || t->times[k - 1] < t->times[k]))
-            k++;
-        if (k == t->count)
-            return candidates[i];
-    }
-    return 0.0f;
-}
-
 static void lay_timeline(builder *b, const nkw_track *t)
 {
     size_t at = take(b, TIMELINES, sizeof(clip_timeline) / 4), times = take(b, TIMES, t->count);
     size_t modes = t->key_interpolation ? take(b, TIMES, t->count) : 0;
     if (!b->words)
         return;
-    clip_timeline line = {(uint32_t)times, (uint32_t)t->count, (uint32_t)modes, rate_of(t)};
+    clip_timeline line = {(uint32_t)times, (uint32_t)t->count, (uint32_t)modes,
+                          nkw_segment_uniform_rate(t->times, t->count)};
     memcpy(b->words + at, &line, sizeof line);
     memcpy(b->words + times, t->times, t->count * sizeof(float));
     for (size_t k = 0; modes && k < t->count; k++)
@@ -298,7 +288,7 @@ static void lay_group(builder *b, uint32_t timeline, const uint32_t *members, si
     if (b->tracks.source->format == NKW_CLIP_UNORM16 && !clip_is_cubic(first))
         g.ranges = (uint32_t)take(b, VALUES, round_up(2 * clip_rows(&g) * g.lanes, CLIP_ALIGN));
     g.key_words = (uint32_t)clip_key_words(&g);
-    g.keys = (uint32_t)take(b, VALUES, g.key_words * first->count);
+    g.keys = (uint32_t)take(b, VALUES, (uint64_t)g.key_words * first->count);
     lanes l = lay_lanes(b, &g, members, count);
     size_t at = take(b, GROUPS, sizeof g / 4);
     g.blocks = (uint32_t)l.blocks;
@@ -402,7 +392,7 @@ static size_t lay_pose_constants(builder *b)
     static const size_t components[10] = {0, 1, 2, 0, 1, 2, 3, 0, 1, 2};
     const nkw_clip_source *s = b->tracks.source;
     size_t stride = NKW_POSE_STRIDE(s->joint_count);
-    constants c = {b, b->start[RUNS] + b->used[RUNS], 0, 0};
+    constants c = {b, (size_t)(b->start[RUNS] + b->used[RUNS]), 0, 0};
     for (size_t array = 0; array < 10; array++) {
         float identity = array >= 6 ? 1.0f : 0.0f;
         int held = 0;
@@ -418,7 +408,7 @@ static size_t lay_pose_constants(builder *b)
 static size_t lay_float_constants(builder *b)
 {
     const nkw_clip_source *s = b->tracks.source;
-    constants c = {b, b->start[RUNS] + b->used[RUNS], 0, 0};
+    constants c = {b, (size_t)(b->start[RUNS] + b->used[RUNS]), 0, 0};
     for (size_t f = 0; f < s->float_count; f++)
         lay_constant(&c, NKW_CLIP_FLOATS, f, 0, f, s->rest_floats ? s->rest_floats[f] : 0.0f);
     return c.count;
@@ -470,14 +460,16 @@ static nkw_result plan(builder *b, const nkw_clip_source *source, uint32_t *work
     if (result != NKW_OK)
         return result;
     lay_clip(b);
-    size_t at = sizeof(nkw_clip) / 4;
+    uint64_t at = sizeof(nkw_clip) / 4;
     for (int s = 0; s < SECTIONS; s++) {
         b->start[s] = at = s == VALUES ? round_up(at, CLIP_ALIGN) : at;
         at += b->used[s];
         b->used[s] = 0;
     }
-    *bytes = at * 4;
-    return at < UINT32_MAX ? NKW_OK : NKW_OUT_OF_RANGE;
+    if (at >= UINT32_MAX || at > SIZE_MAX / 4)
+        return NKW_OUT_OF_RANGE;
+    *bytes = (size_t)at * 4;
+    return NKW_OK;
 }
 
 nkw_result nkw_clip_measure(const nkw_clip_source *source, uint32_t *work, size_t *bytes, size_t *bad_track)

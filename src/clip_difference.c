@@ -1,25 +1,10 @@
 /* SPDX-License-Identifier: MIT */
 #include "lane/strict.h"
 
-#include <string.h>
-
 #include <nakawari/clip.h>
 #include <nakawari/quat.h>
-#include <nakawari/scalar.h>
 
-/* The larger of two, NaN if either is. */
-static float worse(float a, float b)
-{
-    return b > a || b != b ? b : a;
-}
-
-static float farthest(const float *a, const float *b, size_t n)
-{
-    float far = 0.0f;
-    for (size_t i = 0; i < n; i++)
-        far = worse(far, nkw_abs(a[i] - b[i]));
-    return far;
-}
+#include "difference.h"
 
 static void compare_at(const nkw_clip *clip, const nkw_clip_track *c, float time, float *pose, float *floats,
                        nkw_clip_error *error)
@@ -30,13 +15,14 @@ static void compare_at(const nkw_clip *clip, const nkw_clip_track *c, float time
     nkw_trs got = nkw_pose_get(pose, nkw_clip_joints(clip), c->index);
     nkw_quat rotation = {of_joint[0], of_joint[1], of_joint[2], of_joint[3]};
     if (c->target == NKW_CLIP_TRANSLATION)
-        error->translation = worse(error->translation, farthest(&got.translation.x, of_joint, 3));
+        error->translation = difference_worse(error->translation, difference_farthest(&got.translation.x, of_joint, 3));
     else if (c->target == NKW_CLIP_SCALE)
-        error->scale = worse(error->scale, farthest(&got.scale.x, of_joint, 3));
+        error->scale = difference_worse(error->scale, difference_farthest(&got.scale.x, of_joint, 3));
     else if (c->target == NKW_CLIP_ROTATION)
-        error->rotation = worse(error->rotation, nkw_quat_angle(got.rotation, rotation));
+        error->rotation = difference_worse(error->rotation, nkw_quat_angle(got.rotation, rotation));
     else
-        error->floats = worse(error->floats, farthest(floats + c->index, of_floats, c->track.width));
+        error->floats =
+            difference_worse(error->floats, difference_farthest(floats + c->index, of_floats, c->track.width));
 }
 
 nkw_clip_error nkw_clip_difference(const nkw_clip *clip, const nkw_clip_source *source, float *pose, float *floats)
@@ -46,11 +32,9 @@ nkw_clip_error nkw_clip_difference(const nkw_clip *clip, const nkw_clip_source *
         return error;
     for (size_t i = 0; i < source->track_count; i++) {
         const nkw_track *t = &source->tracks[i].track;
-        for (size_t k = 0; k < t->count; k++) {
-            float from = t->times[k], to = t->times[k + 1 < t->count ? k + 1 : k];
-            for (int quarter = 0; quarter < 4; quarter++)
-                compare_at(clip, &source->tracks[i], nkw_lerp(from, to, 0.25f * (float)quarter), pose, floats, &error);
-        }
+        for (size_t k = 0; k < t->count; k++)
+            for (int quarter = 0; quarter < DIFFERENCE_QUARTERS; quarter++)
+                compare_at(clip, &source->tracks[i], difference_moment(t, k, quarter), pose, floats, &error);
     }
     return error;
 }

@@ -4,17 +4,19 @@
  *
  *     head | timelines | groups | blocks | runs | times | constants | key blocks
  *
- * A group holds the tracks of one timeline that are sampled alike. Its lanes are single numbers, or joints where it turns; they
- * stand in blocks of 16, the last one of 4, 8 or 16. A key holds block after block; in a block of `width` lanes stand
+ * A group holds the tracks of one timeline that are sampled alike. Its lanes are single numbers, or joints where it
+ * turns; they stand in blocks of 16, the last one of 4, 8 or 16. A key holds block after block; in a block of `width`
+ * lanes stand
  *
  *     GROUP_NUMBERS, GROUP_FLOATS   numbers[width]                               (into the pose; into the floats)
  *     GROUP_ROTATIONS               x[width] y[width] z[width] w[width]
- *                                   and for LINEAR the arc to the next key:  v[width] h0[width] h1[width] h2[width] h3[width]
+ *                                   and for LINEAR the arc to the next key:
+ *                                   v[width] h0[width] h1[width] h2[width] h3[width]
  *
  * A CUBICSPLINE key is its in-tangents, its values and its out-tangents, each laid out so.
  *
- * A compact group has 16-bit numbers in its keys, in the same order and without arcs, and the range of each, once: the bases of
- * all numbers of a key, then the steps of all, number = base + step key.
+ * A compact group has 16-bit numbers in its keys, in the same order and without arcs, and the range of each, once:
+ * the bases of all numbers of a key, then the steps of all, number = base + step key.
  */
 #ifndef NAKAWARI_CLIP_LAYOUT_H
 #define NAKAWARI_CLIP_LAYOUT_H
@@ -29,6 +31,10 @@
 #define CLIP_VERSION 1u
 #define CLIP_STEPS   65535.0f /* of a range */
 #define CLIP_ALIGN   16u /* words: key blocks and constants begin on 64 bytes of the block */
+
+/* So that offsets in a pose, lanes and the words of a key fit 32 bits, and a pose's bytes any size_t. */
+#define CLIP_MOST_JOINTS (1u << 26)
+#define CLIP_MOST_FLOATS (1u << 29)
 
 /* Words from `values` on go to floats to..to + count - 1 of the output. */
 typedef struct clip_run {

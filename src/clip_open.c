@@ -113,17 +113,30 @@ static nkw_result check_parts(const nkw_clip *clip)
     return result;
 }
 
+static nkw_result check_head(const nkw_clip *clip)
+{
+    if (clip->joints > CLIP_MOST_JOINTS || clip->floats > CLIP_MOST_FLOATS)
+        return NKW_OUT_OF_RANGE;
+    if (!lane_is_finite(clip->start) || !lane_is_finite(clip->end))
+        return NKW_NOT_FINITE;
+    return clip->start <= clip->end ? NKW_OK : NKW_NOT_ASCENDING;
+}
+
 nkw_result nkw_clip_open(const void *block, size_t bytes, const nkw_clip **clip)
 {
     const nkw_clip *head = (const nkw_clip *)block;
     *clip = NULL;
     if (bytes < sizeof *head)
         return NKW_TOO_SMALL;
+    if ((uintptr_t)block % sizeof(float) != 0)
+        return NKW_NOT_A_CLIP;
     if (head->magic != CLIP_MAGIC || head->version != CLIP_VERSION)
         return NKW_NOT_A_CLIP;
     if (bytes / 4 < head->words || head->words < sizeof *head / 4)
         return NKW_TOO_SMALL;
-    nkw_result result = check_parts(head);
+    nkw_result result = check_head(head);
+    if (result == NKW_OK)
+        result = check_parts(head);
     *clip = result == NKW_OK ? head : NULL;
     return result;
 }

@@ -125,6 +125,8 @@ static void find_timelines(clip_tracks *b)
 static nkw_result check_place(const nkw_clip_source *s, const nkw_clip_track *c)
 {
     int turns = c->target == NKW_CLIP_ROTATION;
+    if (c->track.count >= CLIP_CONSTANT)
+        return NKW_OUT_OF_RANGE;
     if ((unsigned)c->target > NKW_CLIP_FLOATS || (c->track.kind != NKW_TRACK_FLOATS) != turns)
         return NKW_BAD_METHOD;
     if (c->target == NKW_CLIP_FLOATS)
@@ -139,7 +141,7 @@ static nkw_result check_tracks(const nkw_clip_source *s, size_t *bad)
     nkw_result result = s->joint_count + s->float_count == 0               ? NKW_EMPTY
                         : (unsigned)s->format > (unsigned)NKW_CLIP_UNORM16 ? NKW_BAD_METHOD
                                                                            : NKW_OK;
-    if (s->track_count >= CLIP_CONSTANT || s->joint_count >= CLIP_CONSTANT / 16 || s->float_count >= CLIP_CONSTANT)
+    if (s->track_count >= CLIP_CONSTANT || s->joint_count > CLIP_MOST_JOINTS || s->float_count > CLIP_MOST_FLOATS)
         result = NKW_OUT_OF_RANGE;
     for (size_t i = 0; result == NKW_OK && i < s->track_count; i++) {
         *bad = i;

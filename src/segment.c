@@ -1,8 +1,11 @@
 /* SPDX-License-Identifier: MIT */
 #include "lane/strict.h"
 
+#include <stdint.h>
+
 #include <nakawari/segment.h>
 
+#include "lane/scalar.h"
 #include "lane/segment.h"
 
 static lane_times times_of(const float *times, size_t count)
@@ -34,6 +37,39 @@ void nkw_segment_find_n(const float *times, size_t count, const float *time, nkw
 float nkw_segment_uniform_time(float start, float rate, size_t k)
 {
     return (float)((double)start + (double)k / (double)rate);
+}
+
+/* Whether the times are those of nkw_segment_uniform_time, each greater than the one before. */
+static int is_uniform(const float *times, size_t count, float rate)
+{
+    for (size_t k = 0; k < count; k++)
+        if (nkw_segment_uniform_time(times[0], rate, k) != times[k] || (k > 0 && !(times[k - 1] < times[k])))
+            return 0;
+    return rate > 0.0f;
+}
+
+/* The middle of the rates with which times[k] is within half an ULP of times[0] + k / rate, for every k. */
+static double middle_rate(const float *times, size_t count)
+{
+    double low = 0.0, high = DBL_MAX; /* of 1 / rate */
+    for (size_t k = 1; k < count; k++) {
+        double half = (double)lane_float(lane_bits(times[k]) & 0x7f800000u) * 0x1p-24;
+        double way = (double)times[k] - (double)times[0], steps = (double)k;
+        low = (way - half) / steps > low ? (way - half) / steps : low;
+        high = (way + half) / steps < high ? (way + half) / steps : high;
+    }
+    return 1.0 / (0.5 * low + 0.5 * high);
+}
+
+float nkw_segment_uniform_rate(const float *times, size_t count)
+{
+    double rate = count > 1 ? middle_rate(times, count) : 0.0;
+    if (!(rate > 0.0 && rate < 1e9))
+        return 0.0f;
+    float whole = (float)(uint32_t)(rate + 0.5);
+    if (is_uniform(times, count, whole))
+        return whole;
+    return is_uniform(times, count, (float)rate) ? (float)rate : 0.0f;
 }
 
 /* floor(x) held within 0..last, for any x. */

@@ -7,6 +7,7 @@
 #include <nakawari/scalar.h>
 #include <nakawari/track.h>
 
+#include "difference.h"
 #include "lane/scalar.h"
 
 static int is_rotation(const nkw_track *track)
@@ -177,4 +178,115 @@ nkw_result nkw_track_validate(const nkw_track *track, size_t *bad_key)
     if (bad_key)
         *bad_key = bad;
     return result;
+}
+
+/* Resampling. */
+
+#define MOST_STEPS 0x7fffffffu
+
+/* The least k with start + k / rate >= end, or MOST_STEPS. */
+static size_t steps_until(float start, float rate, float end)
+{
+    size_t low = 0, high = MOST_STEPS;
+    while (low < high) {
+        size_t middle = low + (high - low) / 2;
+        if (nkw_segment_uniform_time(start, rate, middle) < end)
+            low = middle + 1;
+        else
+            high = middle;
+    }
+    return low;
+}
+
+size_t nkw_track_resample_count(const nkw_track *track, float rate)
+{
+    if (!is_readable(track) || !(rate > 0.0f) || !lane_is_finite(rate))
+        return 0;
+    float first = track->times[0], last = track->times[track->count - 1];
+    size_t steps = steps_until(first, rate, last);
+    int is_sound = lane_is_finite(last) && lane_is_finite(nkw_segment_uniform_time(first, rate, steps));
+    return is_sound && steps < MOST_STEPS ? steps + 1 : 0;
+}
+
+/* Whether no segment is anything but STEP. */
+static int is_step(const nkw_track *track)
+{
+    for (size_t k = 0; track->key_interpolation && k + 1 < track->count; k++)
+        if (track->key_interpolation[k] == NKW_INTERPOLATION_LINEAR)
+            return 0;
+    return track->key_interpolation || track->interpolation == NKW_INTERPOLATION_STEP;
+}
+
+/* Normalised rotations come out of sampling unit, so they need it no more. */
+static nkw_track resampled(const nkw_track *track, const float *times, const float *values, size_t count)
+{
+    nkw_track r = {times, values, count, track->width, NKW_TRACK_FLOATS, NKW_INTERPOLATION_LINEAR, NULL};
+    r.kind = is_rotation(track) ? NKW_TRACK_ROTATION : NKW_TRACK_FLOATS;
+    r.interpolation = is_step(track) ? NKW_INTERPOLATION_STEP : NKW_INTERPOLATION_LINEAR;
+    return r;
+}
+
+float nkw_track_resample(const nkw_track *track, float rate, float *times, float *values, float *work, nkw_track *out)
+{
+    size_t count = nkw_track_resample_count(track, rate), cursor = 0;
+    for (size_t k = 0; k < count; k++) {
+        times[k] = nkw_segment_uniform_time(track->times[0], rate, k);
+        nkw_track_sample_from(track, times[k], &cursor, values + k * track->width);
+    }
+    *out = resampled(track, times, values, count);
+    return nkw_track_difference(track, out, work);
+}
+
+static int are_alike(const nkw_track *a, const nkw_track *b)
+{
+    return is_readable(a) && is_readable(b) && a->width == b->width && is_rotation(a) == is_rotation(b);
+}
+
+float nkw_track_difference(const nkw_track *track, const nkw_track *other, float *work)
+{
+    size_t here = 0, there = 0;
+    float *a = work, *b = work + track->width, far = 0.0f;
+    if (!are_alike(track, other))
+        return lane_float(0x7f800000u);
+    for (size_t k = 0; k < track->count; k++)
+        for (int quarter = 0; quarter < DIFFERENCE_QUARTERS; quarter++) {
+            float time = difference_moment(track, k, quarter);
+            nkw_track_sample_from(track, time, &here, a);
+            nkw_track_sample_from(other, time, &there, b);
+            far = difference_worse(far, is_rotation(track) ? nkw_quat_angle(read_quat(a), read_quat(b))
+                                                           : difference_farthest(a, b, track->width));
+        }
+    return far;
+}
+
+/* The rate that parts the duration into `segments`: a part of the mean rate, never so high that the end is missed. */
+static float rate_over(const nkw_track *track, size_t segments)
+{
+    float first = track->times[0], last = track->times[track->count - 1];
+    if (track->count < 2 || !(first < last))
+        return 1.0f;
+    double all = (double)(track->count - 1), even = (double)nkw_segment_uniform_rate(track->times, track->count);
+    double mean = even > 0.0 ? even : all / ((double)last - (double)first);
+    if (!(mean <= (double)FLT_MAX))
+        return 0.0f;
+    float rate = (float)(mean * ((double)segments / all));
+    while (nkw_segment_uniform_time(first, rate, segments) < last)
+        rate = lane_float(lane_bits(rate) - 1);
+    return rate;
+}
+
+float nkw_track_resample_within(const nkw_track *track, float tolerance, float *times, float *values, float *work,
+                                nkw_track *out)
+{
+    size_t segments = track->count > 1 ? track->count - 1 : 0, parts = 1;
+    *out = resampled(track, times, values, 0);
+    while (parts < segments)
+        parts *= 2;
+    for (; is_readable(track) && parts > 0; parts /= 2) {
+        float rate = rate_over(track, (segments + parts - 1) / parts);
+        if (nkw_track_resample(track, rate, times, values, work, out) <= tolerance)
+            return rate;
+    }
+    out->count = 0;
+    return 0.0f;
 }

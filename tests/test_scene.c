@@ -1,206 +1,106 @@
 /* SPDX-License-Identifier: MIT */
 /*
- * Real animated models, sampled track by track and composed node by node, against tables of independent implementations
- * (three.js, SciPy). The files are not in the repository: without the folder NKW_DATA_DIR every test is skipped.
+ * Real animated models, sampled track by track and as clips, composed node by node, against tables of independent
+ * implementations (three.js, SciPy). The files are not in the repository: without the folder NKW_DATA_DIR every test is
+ * skipped.
  */
 #if !defined(_POSIX_C_SOURCE)
-#define _POSIX_C_SOURCE 200809L /* popen */
+#define _POSIX_C_SOURCE 200809L /* glob */
 #endif
+#include <glob.h>
 #include <math.h>
 #include <stdlib.h>
 
+#include "scene.h"
 #include "support/expect.h"
 
-#define NODES    64
-#define CHANNELS 80
-#define ANIMS    16
+#define ANIMS 16
 
-typedef struct node {
-    int parent, is_matrix;
-    nkw_trs rest;
-    nkw_mat4 matrix;
-} node;
-
-typedef struct channel {
-    int node, anim;
-    char path[16];
-    nkw_track track;
-    float *times, *values;
-} channel;
-
-typedef struct scene {
-    int nodes, channels;
-    node node[NODES];
-    channel channel[CHANNELS];
-} scene;
-
-static void read_floats(FILE *file, float *out, size_t n)
+static const char *data_path(const char *folder, const char *name, const char *end)
 {
-    for (size_t i = 0; i < n; i++)
-        assert_int_equal(fscanf(file, "%f", &out[i]), 1);
-}
-
-static void read_node(FILE *file, scene *s)
-{
-    int index, parent;
-    char kind;
-    float v[16];
-    assert_int_equal(fscanf(file, "%d %d %*d %c", &index, &parent, &kind), 3);
-    assert_true(index >= 0 && index < NODES);
-    node *n = &s->node[index];
-    s->nodes = index >= s->nodes ? index + 1 : s->nodes;
-    n->parent = parent;
-    n->is_matrix = kind == 'M';
-    read_floats(file, v, n->is_matrix ? 16 : 10);
-    if (n->is_matrix)
-        memcpy(&n->matrix, v, sizeof n->matrix);
-    else
-        memcpy(&n->rest, v, sizeof n->rest);
-}
-
-static void read_channel(FILE *file, scene *s, int anim)
-{
-    char mode[16];
-    channel *c = &s->channel[s->channels++];
-    assert_true(s->channels <= CHANNELS);
-    assert_int_equal(fscanf(file, "%d %15s %15s %zu %zu", &c->node, c->path, mode, &c->track.count, &c->track.width), 5);
-    c->anim = anim;
-    c->track.kind = strcmp(c->path, "rotation") == 0 ? NKW_TRACK_ROTATION : NKW_TRACK_FLOATS;
-    c->track.interpolation = strcmp(mode, "LINEAR") == 0 ? NKW_INTERPOLATION_LINEAR
-                             : strcmp(mode, "STEP") == 0 ? NKW_INTERPOLATION_STEP
-                                                         : NKW_INTERPOLATION_CUBICSPLINE;
-    size_t count = nkw_track_value_count(&c->track);
-    c->times = (float *)malloc(c->track.count * sizeof(float));
-    c->values = (float *)malloc(count * sizeof(float));
-    assert_true(c->times && c->values);
-    read_floats(file, c->times, c->track.count);
-    read_floats(file, c->values, count);
-    c->track.times = c->times;
-    c->track.values = c->values;
-    assert_int_equal(nkw_track_validate(&c->track, NULL), NKW_OK);
-}
-
-static void read_scene(const char *name, scene *s)
-{
-    char path[512], word[256];
-    int anim = -1;
-    memset(s, 0, sizeof *s);
-    snprintf(path, sizeof path, "%s/scenes/%s.scene.txt", NKW_DATA_DIR, name);
-    FILE *file = fopen(path, "r");
-    assert_non_null(file);
-    while (fscanf(file, "%255s", word) == 1) {
-        if (strcmp(word, "node") == 0)
-            read_node(file, s);
-        else if (strcmp(word, "anim") == 0)
-            assert_int_equal(fscanf(file, "%d %*d", &anim), 1);
-        else if (strcmp(word, "channel") == 0)
-            read_channel(file, s, anim);
-        else if (strcmp(word, "skinmeshes") == 0)
-            break;
-    }
-    fclose(file);
-}
-
-static void free_scene(scene *s)
-{
-    for (int i = 0; i < s->channels; i++) {
-        free(s->channel[i].times);
-        free(s->channel[i].values);
-    }
-}
-
-/* The node's local transform at a time of a clip; clip -1 is the rest pose. */
-static nkw_trs local_at(const scene *s, int index, int anim, float time)
-{
-    nkw_trs t = s->node[index].rest;
-    for (int i = 0; i < s->channels; i++) {
-        const channel *c = &s->channel[i];
-        if (c->node != index || c->anim != anim)
-            continue;
-        float *to = strcmp(c->path, "translation") == 0 ? &t.translation.x
-                    : strcmp(c->path, "rotation") == 0  ? &t.rotation.x
-                    : strcmp(c->path, "scale") == 0     ? &t.scale.x
-                                                        : NULL;
-        if (to)
-            nkw_track_sample(&c->track, time, to);
-    }
-    return t;
-}
-
-static nkw_mat4 world_at(const scene *s, int index, int anim, float time)
-{
-    const node *n = &s->node[index];
-    nkw_trs t = local_at(s, index, anim, time);
-    nkw_mat4 local = n->is_matrix ? n->matrix : nkw_mat4_from_trs(&t);
-    if (n->parent < 0)
-        return local;
-    nkw_mat4 parent = world_at(s, n->parent, anim, time);
-    return nkw_mat4_mul_affine(&parent, &local);
-}
-
-/* A table of expected values, packed or not. */
-static FILE *open_table(const char *name)
-{
-    char command[1024];
-    snprintf(command, sizeof command, "gzip -dcf '%s/expected/%s.expected.csv'*", NKW_DATA_DIR, name);
-    FILE *file = popen(command, "r");
-    assert_non_null(file);
-    return file;
-}
-
-/* tag, clip, time, a, b and as many values as the row has; 0 at the end. */
-typedef struct table_row {
-    char tag[8];
-    int clip, a, b, count;
-    float time, values[16];
-} table_row;
-
-static int read_row(FILE *file, table_row *r)
-{
-    char line[1024], *at = line;
-    int used = 0;
-    if (!fgets(line, sizeof line, file))
-        return 0;
-    r->count = 0;
-    if (sscanf(line, "%7[^,],%d,%f,%d,%d%n", r->tag, &r->clip, &r->time, &r->a, &r->b, &used) != 5)
-        return r->tag[0] = '#', 1;
-    for (at += used; r->count < 16 && sscanf(at, ",%f%n", &r->values[r->count], &used) == 1; at += used)
-        r->count++;
-    return 1;
-}
-
-static void expect_same(const float *got, const float *want, int count, double bound)
-{
-    expect_floats_near(got, want, (size_t)count, bound);
+    static char path[512];
+    snprintf(path, sizeof path, "%s/%s/%s%s", NKW_DATA_DIR, folder, name, end);
+    return path;
 }
 
 /* Translation and scale as they are, rotation with either sign. */
 static void expect_local(nkw_trs got, const float *want, double bound)
 {
     nkw_quat rotation = {want[3], want[4], want[5], want[6]};
-    expect_same(&got.translation.x, want, 3, bound);
+    expect_floats_near(&got.translation.x, want, 3, bound);
     expect_rotation_near(got.rotation, rotation, bound);
-    expect_same(&got.scale.x, want + 7, 3, bound);
+    expect_floats_near(&got.scale.x, want + 7, 3, bound);
+}
+
+/* A scene with a clip of each of its animations; the last one is of none, the rest. */
+typedef struct played {
+    scene scene;
+    float rest[NKW_POSE_FLOATS(SCENE_NODES)];
+    nkw_clip_track tracks[ANIMS + 1][SCENE_CHANNELS];
+    nkw_clip_source source[ANIMS + 1];
+    nkw_clip *clip[ANIMS + 1];
+} played;
+
+static void play(const char *path, nkw_clip_format format, played *p)
+{
+    scene_read(path, &p->scene);
+    scene_rest(&p->scene, p->rest);
+    assert_in_range(p->scene.anims, 0, ANIMS);
+    for (int i = 0; i <= p->scene.anims; i++)
+        p->clip[i] = scene_clip(&p->scene, i, format, p->rest, p->tracks[i], &p->source[i]);
+}
+
+static void stop(played *p)
+{
+    for (int i = 0; i <= p->scene.anims; i++)
+        free(p->clip[i]);
+    scene_free(&p->scene);
+}
+
+static const nkw_clip *clip_of(const played *p, int anim)
+{
+    return p->clip[anim < 0 ? p->scene.anims : anim];
+}
+
+/* Samples a clip, and holds it to the bits of track by track. */
+static void sample_both_ways(const played *p, int anim, float time, float *pose, float *floats)
+{
+    float want[NKW_POSE_FLOATS(SCENE_NODES)], want_floats[SCENE_FLOATS];
+    size_t joints = (size_t)p->scene.nodes, stride = NKW_POSE_STRIDE(joints);
+    scene_sample(&p->scene, anim, time, want, want_floats);
+    nkw_clip_sample(clip_of(p, anim), time, NULL, pose, floats);
+    for (size_t c = 0; c < 10; c++)
+        expect_floats_bits(pose + c * stride, want + c * stride, joints);
+    expect_floats_bits(floats, want_floats, p->scene.floats);
 }
 
 /* Compares all rows of local values, morph weights and world matrices; gives how many. */
 static int compare_scene(const char *name, double bound)
 {
-    static scene s;
+    static played p;
+    float pose[NKW_POSE_FLOATS(SCENE_NODES)], floats[SCENE_FLOATS];
     table_row r;
     int compared = 0;
-    read_scene(name, &s);
-    FILE *file = open_table(name);
-    while (read_row(file, &r)) {
-        if (strcmp(r.tag, "L") == 0 && r.a < s.nodes && ++compared)
-            expect_local(local_at(&s, r.a, r.clip, r.time), r.values, bound);
-        if (strcmp(r.tag, "W") == 0 && r.a < s.nodes && ++compared) {
-            nkw_mat4 world = world_at(&s, r.a, r.clip, r.time);
-            expect_same(world.m, r.values, 16, bound);
-        }
+    play(data_path("scenes", name, ".scene.txt"), NKW_CLIP_FLOAT32, &p);
+    FILE *file = table_open(data_path("expected", name, ".expected.csv"));
+    while (table_read(file, &r)) {
+        int is_local = strcmp(r.tag, "L") == 0, is_world = strcmp(r.tag, "W") == 0, is_morph = strcmp(r.tag, "M") == 0;
+        if (!is_local && !is_world && !is_morph)
+            continue;
+        assert_in_range(r.a, 0, p.scene.nodes - 1);
+        sample_both_ways(&p, r.anim, r.time, pose, floats);
+        nkw_mat4 world = scene_world(&p.scene, pose, r.a);
+        const scene_node *n = &p.scene.node[r.a];
+        compared++;
+        if (is_local)
+            expect_local(nkw_pose_get(pose, (size_t)p.scene.nodes, (size_t)r.a), r.values, bound);
+        else if (is_world)
+            expect_floats_near(world.m, r.values, 16, bound);
+        else
+            expect_floats_near(floats + n->weights, r.values, n->weight_count, bound);
     }
-    pclose(file);
-    free_scene(&s);
+    table_close(file);
+    stop(&p);
     return compared;
 }
 
@@ -218,6 +118,107 @@ static void scene_with_keys_off_unit_is_met(void **state)
 {
     (void)state;
     assert_true(compare_scene("SimpleSkin", 5e-4) > 200);
+}
+
+/* Calls `check` with every scene of the folder and gives how many. */
+static size_t each_scene(nkw_clip_format format, void (*check)(const played *p))
+{
+    static played p;
+    glob_t found;
+    assert_int_equal(glob(NKW_DATA_DIR "/scenes/*.scene.txt", 0, NULL, &found), 0);
+    size_t count = found.gl_pathc;
+    for (size_t i = 0; i < count; i++) {
+        play(found.gl_pathv[i], format, &p);
+        check(&p);
+        stop(&p);
+    }
+    globfree(&found);
+    return count;
+}
+
+/* At the keys of every channel, and at the quarters between two. */
+static void expect_bits_of_tracks(const played *p)
+{
+    float pose[NKW_POSE_FLOATS(SCENE_NODES)], floats[SCENE_FLOATS];
+    for (int i = 0; i < p->scene.channels; i++) {
+        const nkw_track *t = &p->scene.channel[i].track.track;
+        for (size_t k = 0; k < t->count; k++)
+            for (int quarter = 0; quarter < 4; quarter++) {
+                float next = t->times[k + 1 < t->count ? k + 1 : k];
+                float time = nkw_lerp(t->times[k], next, 0.25f * (float)quarter);
+                sample_both_ways(p, p->scene.channel[i].anim, time, pose, floats);
+            }
+    }
+}
+
+static void clips_of_all_scenes_give_the_bits_of_their_tracks(void **state)
+{
+    (void)state;
+    assert_true(each_scene(NKW_CLIP_FLOAT32, expect_bits_of_tracks) >= 15);
+}
+
+/* Half a step of the largest range that a number of the target has in a clip; u of the largest number besides. */
+static double compact_bound(const nkw_clip_source *s, nkw_clip_target target)
+{
+    double bound = 0.0;
+    for (size_t i = 0; i < s->track_count; i++) {
+        const nkw_track *t = &s->tracks[i].track;
+        size_t n = s->tracks[i].target == target ? t->count * t->width : 0;
+        for (size_t c = 0; c < t->width && n > 0; c++) {
+            float low = t->values[c], high = low;
+            for (size_t v = c; v < n && t->interpolation != NKW_INTERPOLATION_CUBICSPLINE; v += t->width) {
+                low = nkw_min(low, t->values[v]);
+                high = nkw_max(high, t->values[v]);
+            }
+            double largest = (double)nkw_max(nkw_abs(low), nkw_abs(high));
+            double error = 0.51 / 65535.0 * ((double)high - (double)low) + 3.0 * 0x1p-24 * largest;
+            bound = error > bound ? error : bound;
+        }
+    }
+    return bound;
+}
+
+static void expect_compact_bound(const played *p)
+{
+    float pose[NKW_POSE_FLOATS(SCENE_NODES)], floats[2 * SCENE_FLOATS];
+    for (int i = 0; i < p->scene.anims; i++) {
+        const nkw_clip_source *s = &p->source[i];
+        nkw_clip_error error = nkw_clip_difference(p->clip[i], s, pose, floats);
+        assert_true((double)error.translation <= compact_bound(s, NKW_CLIP_TRANSLATION));
+        assert_true((double)error.scale <= compact_bound(s, NKW_CLIP_SCALE));
+        assert_true((double)error.floats <= compact_bound(s, NKW_CLIP_FLOATS));
+        assert_true(error.rotation <= 8.9e-5f);
+    }
+}
+
+static void compact_clips_of_all_scenes_are_within_their_bound(void **state)
+{
+    (void)state;
+    assert_true(each_scene(NKW_CLIP_UNORM16, expect_compact_bound) >= 15);
+}
+
+/* A track baked at its own mean rate or below, within a tolerance, has no more keys and is within it. */
+static void expect_resampled(const played *p)
+{
+    for (int i = 0; i < p->scene.channels; i++) {
+        const nkw_track *t = &p->scene.channel[i].track.track;
+        nkw_track baked;
+        float work[2 * SCENE_FLOATS], *times = (float *)malloc(t->count * sizeof(float));
+        float *values = (float *)malloc(t->count * t->width * sizeof(float));
+        assert_true(times && values);
+        float rate = nkw_track_resample_within(t, 1e-3f, times, values, work, &baked);
+        assert_true(baked.count <= t->count && (rate > 0.0f) == (baked.count > 0));
+        assert_true(rate == 0.0f || nkw_track_difference(t, &baked, work) <= 1e-3f);
+        assert_true(baked.count < 2 || nkw_segment_uniform_rate(times, baked.count) > 0.0f);
+        free(times);
+        free(values);
+    }
+}
+
+static void tracks_of_all_scenes_resample_within_a_tolerance(void **state)
+{
+    (void)state;
+    assert_true(each_scene(NKW_CLIP_FLOAT32, expect_resampled) >= 15);
 }
 
 #define JOINTS 64
@@ -250,10 +251,9 @@ static void read_joint(FILE *file, motion *m)
 
 static void read_motion(const char *name, motion *m)
 {
-    char path[512], word[256];
+    char word[256];
     memset(m, 0, sizeof *m);
-    snprintf(path, sizeof path, "%s/scenes/%s.bvhscene.txt", NKW_DATA_DIR, name);
-    FILE *file = fopen(path, "r");
+    FILE *file = fopen(data_path("scenes", name, ".bvhscene.txt"), "r");
     assert_non_null(file);
     while (fscanf(file, "%255s", word) == 1) {
         if (strcmp(word, "joints") == 0)
@@ -266,7 +266,7 @@ static void read_motion(const char *name, motion *m)
             assert_non_null(m->value);
         } else if (strcmp(word, "frame") == 0 && m->frame_count < 64) {
             assert_int_equal(fscanf(file, "%d", &m->frames[m->frame_count]), 1);
-            read_floats(file, m->value + m->frame_count++ * m->values, (size_t)m->values);
+            scene_read_floats(file, m->value + m->frame_count++ * m->values, (size_t)m->values);
         }
     }
     fclose(file);
@@ -307,7 +307,7 @@ static void captured_motion_is_met(void **state)
     char line[1024];
     int compared = 0;
     read_motion("cmu_12_01_walk", &m);
-    FILE *file = open_table("cmu_12_01_walk.bvh");
+    FILE *file = table_open(data_path("expected", "cmu_12_01_walk", ".bvh.expected.csv"));
     while (fgets(line, sizeof line, file)) {
         float frame;
         int joint;
@@ -322,7 +322,7 @@ static void captured_motion_is_met(void **state)
         expect_rotation_near(between ? nkw_quat_slerp(q, joint_rotation(&m, joint, b), 0.5f) : q, want, 1e-6);
         compared++;
     }
-    pclose(file);
+    table_close(file);
     free(m.value);
     assert_true(compared > 300);
 }
@@ -332,6 +332,9 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(scenes_are_met),
         cmocka_unit_test(scene_with_keys_off_unit_is_met),
+        cmocka_unit_test(clips_of_all_scenes_give_the_bits_of_their_tracks),
+        cmocka_unit_test(compact_clips_of_all_scenes_are_within_their_bound),
+        cmocka_unit_test(tracks_of_all_scenes_resample_within_a_tolerance),
         cmocka_unit_test(captured_motion_is_met),
     };
     FILE *there = fopen(NKW_DATA_DIR "/README.md", "r");

@@ -172,6 +172,56 @@ static void uniform_rate_of_nonsense_is_defined(void **state)
     assert_true(far.index <= 8 && far.t >= 0.0f && far.t <= 1.0f);
 }
 
+static void the_rate_of_even_times_is_found(void **state)
+{
+    (void)state;
+    const float rates[6] = {30.0f, 24.0f, 120.0f, 1.0f, 29.97f, 0.3f}, starts[3] = {0.0f, 2.5f, -7.3f};
+    float times[200];
+    for (int i = 0; i < 18; i++) {
+        for (size_t k = 0; k < 200; k++)
+            times[k] = nkw_segment_uniform_time(starts[i % 3], rates[i / 3], k);
+        expect_bits(nkw_segment_uniform_rate(times, 200), rates[i / 3]);
+        for (size_t count = 2; count < 200; count += 13) {
+            float rate = nkw_segment_uniform_rate(times, count);
+            for (size_t k = 0; rate > 0.0f && k < count; k++)
+                expect_bits(nkw_segment_uniform_time(times[0], rate, k), times[k]);
+        }
+        times[100] += 1e-3f;
+        expect_bits(nkw_segment_uniform_rate(times, 200), 0.0f);
+    }
+}
+
+static void any_rate_of_even_times_is_found(void **state)
+{
+    (void)state;
+    random_source r = random_from(21);
+    for (int i = 0; i < 20000; i++) {
+        float times[128], rate = random_between(&r, 1.0f, 120.0f), start = i % 2 ? random_between(&r, -10, 10) : 0.0f;
+        size_t count = 2 + (size_t)(random_bits(&r) % 126);
+        rate = i % 4 < 2 ? (float)(1 + random_bits(&r) % 240) : rate;
+        for (size_t k = 0; k < count; k++)
+            times[k] = nkw_segment_uniform_time(start, rate, k);
+        float found = nkw_segment_uniform_rate(times, count);
+        assert_true(found > 0.0f && (i % 4 >= 2 || found == (float)(uint32_t)found));
+        for (size_t k = 0; k < count; k++)
+            expect_bits(nkw_segment_uniform_time(start, found, k), times[k]);
+    }
+}
+
+static void times_without_a_rate_have_none(void **state)
+{
+    (void)state;
+    const float uneven[3] = {0, 1, 3}, same[3] = {1, 1, 1}, back[3] = {2, 1, 0}, odd[3] = {0, NAN, 2};
+    const float endless[2] = {0, INFINITY};
+    expect_bits(nkw_segment_uniform_rate(NULL, 0), 0.0f);
+    expect_bits(nkw_segment_uniform_rate(uneven, 1), 0.0f);
+    expect_bits(nkw_segment_uniform_rate(uneven, 3), 0.0f);
+    expect_bits(nkw_segment_uniform_rate(same, 3), 0.0f);
+    expect_bits(nkw_segment_uniform_rate(back, 3), 0.0f);
+    expect_bits(nkw_segment_uniform_rate(odd, 3), 0.0f);
+    expect_bits(nkw_segment_uniform_rate(endless, 2), 0.0f);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -185,6 +235,9 @@ int main(void)
         cmocka_unit_test(anything_at_all_stays_within_the_array),
         cmocka_unit_test(uniform_times_agree_with_a_search_over_them),
         cmocka_unit_test(uniform_rate_of_nonsense_is_defined),
+        cmocka_unit_test(the_rate_of_even_times_is_found),
+        cmocka_unit_test(any_rate_of_even_times_is_found),
+        cmocka_unit_test(times_without_a_rate_have_none),
     };
     return cmocka_run_group_tests_name("segment", tests, NULL, NULL);
 }

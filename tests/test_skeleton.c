@@ -4,448 +4,408 @@
 #include "random.h"
 #include "support/expect.h"
 
-#define JOINTS 77
+#define MOST 150
 
-static float pose[NKW_POSE_FLOATS(JOINTS)];
-static nkw_mat4 locals[JOINTS], models[JOINTS], walked[JOINTS];
-static int32_t parents[JOINTS], child[JOINTS], sibling[JOINTS], work[3 * JOINTS];
-static const nkw_skeleton skeleton = {parents, JOINTS};
-static const nkw_tree tree = {child, sibling, JOINTS};
-static const nkw_mat4 root = {{0.5f, 1, -2, 0, 3, 0.25f, 1, 0, -1, 1, 4, 0, 10, -20, 30, 1}};
+/* root 0; 1 and 4 below it, 2 and 3 below 1; root 5 with 6 */
+static const int32_t small[7] = {NKW_NO_JOINT, 0, 1, 1, 0, NKW_NO_JOINT, 5};
 
-/* Depth-first parents, some of them roots; some local matrices with uneven scale. */
-static void draw(random_source *r)
+static const nkw_mat4 some_root = {{0.5f, 1, -2, 7, 3, 0.25f, 1, 7, -1, 1, 4, 7, 10, -20, 30, 7}};
+
+typedef struct character {
+    int32_t parents[MOST];
+    nkw_skeleton skeleton;
+    nkw_trs trs[MOST];
+    nkw_mat4 locals[MOST], models[MOST];
+    float pose[NKW_POSE_FLOATS(MOST)];
+} character;
+
+/* Parents before children, in no order otherwise; one joint in nine is a root. Padding holds NaN. */
+static void draw(random_source *r, size_t joints, character *c)
 {
-    for (size_t j = 0; j < JOINTS; j++) {
-        nkw_trs trs = {random_vec3(r, -3, 3), random_rotation(r), random_vec3(r, 0.5f, 2)};
-        int32_t parent = (int32_t)j - 1;
-        for (uint64_t up = random_bits(r) % 4; up > 0 && parent >= 0; up--)
-            parent = parents[parent];
-        parents[j] = parent;
-        nkw_pose_set(pose, JOINTS, j, &trs);
-        locals[j] = nkw_mat4_from_trs(&trs);
+    for (size_t j = 0; j < joints; j++) {
+        uint64_t bits = random_bits(r);
+        size_t chosen = bits % 3 ? j - 1 : (size_t)(bits >> 8) % (j ? j : 1);
+        c->parents[j] = j == 0 || bits % 9 == 0 ? NKW_NO_JOINT : (int32_t)chosen;
+        c->trs[j].translation = random_vec3(r, -5, 5);
+        c->trs[j].rotation = random_rotation(r);
+        c->trs[j].scale = random_vec3(r, 0.5f, 2);
+        c->locals[j] = nkw_mat4_from_trs(&c->trs[j]);
+    }
+    nkw_pose_from_trs(c->trs, joints, c->pose);
+    for (size_t k = 0; k < 10; k++)
+        for (size_t j = joints; j < NKW_POSE_STRIDE(joints); j++)
+            c->pose[k * NKW_POSE_STRIDE(joints) + j] = NAN;
+    c->skeleton.parents = c->parents;
+    c->skeleton.joint_count = joints;
+}
+
+/* The definition, joint by joint. */
+static void compose(const character *c, const nkw_mat4 *root, nkw_mat4 *models)
+{
+    for (size_t j = 0; j < c->skeleton.joint_count; j++) {
+        const nkw_mat4 *parent = c->parents[j] < 0 ? root : &models[c->parents[j]];
+        models[j] = parent ? nkw_mat4_mul_affine(parent, &c->locals[j]) : c->locals[j];
     }
 }
 
-/* The same hierarchy as first children and next siblings. */
-static void link_tree(void)
+static void expect_matrices(const nkw_mat4 *got, const nkw_mat4 *want, size_t count)
 {
-    int32_t roots = NKW_NO_JOINT;
-    for (size_t j = 0; j < JOINTS; j++)
-        child[j] = NKW_NO_JOINT;
-    for (size_t j = JOINTS; j-- > 0;) {
-        int32_t *first = parents[j] < 0 ? &roots : &child[parents[j]];
-        sibling[j] = *first;
-        *first = (int32_t)j;
-    }
-    assert_int_equal(roots, 0);
+    for (size_t j = 0; j < count; j++)
+        expect_floats_bits(got[j].m, want[j].m, 16);
 }
 
-/* By the single functions. */
-static nkw_mat4 model_of(size_t j, const nkw_mat4 *above)
+static nkw_mat4 moved(float x, float y, float z)
 {
-    if (parents[j] < 0)
-        return above ? nkw_mat4_mul_affine(above, &locals[j]) : locals[j];
-    nkw_mat4 parent = model_of((size_t)parents[j], above);
-    return nkw_mat4_mul_affine(&parent, &locals[j]);
+    nkw_mat4 m = nkw_mat4_identity();
+    m.m[12] = x;
+    m.m[13] = y;
+    m.m[14] = z;
+    return m;
 }
 
-static void expect_models(const nkw_mat4 *got, const nkw_mat4 *above)
+static void fill(nkw_mat4 *m, size_t count, float value)
 {
-    for (size_t j = 0; j < JOINTS; j++) {
-        nkw_mat4 want = model_of(j, above);
-        expect_floats_bits(got[j].m, want.m, 16);
-    }
+    for (size_t j = 0; j < count; j++)
+        for (size_t i = 0; i < 16; i++)
+            m[j].m[i] = value;
 }
 
-static void models_are_parents_times_locals_bit_for_bit(void **state)
+static void models_are_the_products_along_the_chain_bit_for_bit(void **state)
 {
     (void)state;
     random_source r = random_from(1);
-    for (int round = 0; round < 30; round++) {
-        const nkw_mat4 *above = round % 2 ? &root : NULL;
-        draw(&r);
-        nkw_models_from_pose(&skeleton, pose, above, models);
-        expect_models(models, above);
-        nkw_models_from_locals(&skeleton, locals, above, models);
-        expect_models(models, above);
+    static character c;
+    static nkw_mat4 want[MOST];
+    for (size_t joints = 1; joints <= MOST; joints++) {
+        draw(&r, joints, &c);
+        const nkw_mat4 *root = joints % 2 ? &some_root : NULL;
+        compose(&c, root, want);
+        nkw_models_from_pose(&c.skeleton, c.pose, root, c.models);
+        expect_matrices(c.models, want, joints);
+        fill(c.models, joints, 9);
+        nkw_models_from_locals(&c.skeleton, c.locals, root, c.models);
+        expect_matrices(c.models, want, joints);
+        nkw_models_from_locals(&c.skeleton, c.locals, root, c.locals);
+        expect_matrices(c.locals, want, joints);
     }
 }
 
-static void any_number_of_joints_gives_the_same(void **state)
+static void nothing_is_written_behind_the_last_joint(void **state)
 {
     (void)state;
     random_source r = random_from(2);
-    draw(&r);
-    for (size_t count = 0; count <= JOINTS; count++) {
-        float part[NKW_POSE_FLOATS(JOINTS)];
-        nkw_skeleton first = {parents, count};
-        nkw_mat4 guard = {{7}};
-        for (size_t j = 0; j < count; j++) {
-            nkw_trs trs = nkw_pose_get(pose, JOINTS, j);
-            nkw_pose_set(part, count, j, &trs);
-        }
-        if (count < JOINTS)
-            models[count] = guard;
-        nkw_models_from_pose(&first, part, &root, models);
-        for (size_t j = 0; j < count; j++) {
-            nkw_mat4 want = model_of(j, &root);
-            expect_floats_bits(models[j].m, want.m, 16);
-        }
-        if (count < JOINTS)
-            expect_floats_bits(models[count].m, guard.m, 16);
+    static character c;
+    nkw_mat4 guard;
+    fill(&guard, 1, 9);
+    for (size_t joints = 1; joints < 70; joints++) {
+        draw(&r, joints, &c);
+        fill(c.models, MOST, 9);
+        nkw_models_from_pose(&c.skeleton, c.pose, NULL, c.models);
+        nkw_models_update_from_pose(&c.skeleton, c.pose, NULL, 0, MOST, c.models);
+        nkw_models_update_from_locals(&c.skeleton, c.locals, NULL, 0, MOST, c.models);
+        expect_floats_bits(c.models[joints].m, guard.m, 16);
     }
 }
 
-static void locals_may_be_replaced_by_models(void **state)
+static void root_joints_without_a_root_matrix_are_their_local_matrices(void **state)
+{
+    (void)state;
+    const int32_t parents[1] = {NKW_NO_JOINT};
+    const nkw_skeleton skeleton = {parents, 1};
+    nkw_trs trs = {{-0.0f, 1, -0.0f}, {0, 0, 0, 1}, {-1, 0, 1}};
+    nkw_mat4 want = nkw_mat4_from_trs(&trs), got, open = want;
+    float pose[NKW_POSE_FLOATS(1)];
+    nkw_pose_from_trs(&trs, 1, pose);
+    nkw_models_from_pose(&skeleton, pose, NULL, &got);
+    expect_floats_bits(got.m, want.m, 16);
+    for (size_t i = 3; i < 16; i += 4)
+        open.m[i] = NAN;
+    nkw_models_from_locals(&skeleton, &open, NULL, &got);
+    expect_floats_bits(got.m, want.m, 16);
+}
+
+static void last_rows_are_not_read_and_come_out_exact(void **state)
 {
     (void)state;
     random_source r = random_from(3);
-    draw(&r);
-    memcpy(models, locals, sizeof models);
-    nkw_models_from_locals(&skeleton, models, &root, models);
-    expect_models(models, &root);
+    static character c;
+    static nkw_mat4 want[MOST];
+    draw(&r, 40, &c);
+    compose(&c, &some_root, want);
+    for (size_t j = 0; j < 40; j++)
+        c.locals[j].m[3] = c.locals[j].m[7] = c.locals[j].m[11] = c.locals[j].m[15] = INFINITY;
+    nkw_models_from_locals(&c.skeleton, c.locals, &some_root, c.models);
+    expect_matrices(c.models, want, 40);
+    c.pose[0] = INFINITY;
+    nkw_models_from_pose(&c.skeleton, c.pose, &some_root, c.models);
+    for (size_t j = 0; j < 40; j++)
+        for (size_t i = 3; i < 16; i += 4)
+            expect_bits(c.models[j].m[i], i == 15 ? 1.0f : 0.0f);
+}
+
+static void the_root_matrix_is_applied_once(void **state)
+{
+    (void)state;
+    const nkw_skeleton skeleton = {small, 7};
+    nkw_mat4 locals[7], models[7], root = moved(100, 0, 0);
+    for (int j = 0; j < 7; j++)
+        locals[j] = moved(0, 1, 0);
+    nkw_models_from_locals(&skeleton, locals, &root, models);
+    const float heights[7] = {1, 2, 3, 3, 2, 1, 2};
+    for (int j = 0; j < 7; j++) {
+        expect_bits(models[j].m[12], 100);
+        expect_bits(models[j].m[13], heights[j]);
+    }
+}
+
+/* The frames of the article: 10 along x, and 7 more. */
+static void child_frames_add_to_those_of_their_parents(void **state)
+{
+    (void)state;
+    const int32_t parents[2] = {NKW_NO_JOINT, 0};
+    const nkw_skeleton skeleton = {parents, 2};
+    nkw_mat4 locals[2] = {moved(10, 0, 0), moved(7, 0, 0)}, models[2], world = moved(-10, 0, 0);
+    nkw_models_from_locals(&skeleton, locals, NULL, models);
+    expect_bits(models[1].m[12], 17);
+    nkw_models_from_locals(&skeleton, locals, &world, models);
+    expect_bits(models[0].m[12], 0);
+    expect_bits(models[1].m[12], 7);
+}
+
+/* docs/floors/5-skeleton.md */
+static void the_four_joints_of_the_page_have_its_numbers(void **state)
+{
+    (void)state;
+    const int32_t parents[4] = {NKW_NO_JOINT, 0, 1, 0};
+    const nkw_skeleton skeleton = {parents, 4};
+    const nkw_trs trs[4] = {
+        {{0, 1, 0}, {0, 0, 0, 1}, {1, 1, 1}},
+        {{2, 0, 0}, {0, 0, 0.70710678f, 0.70710678f}, {1, 1, 1}},
+        {{3, 0, 0}, {0, 0, 0, 1}, {1, 1, 1}},
+        {{0, 2, 0}, {0, 0, 0, 1}, {1, 1, 1}},
+    };
+    nkw_mat4 want[4] = {
+        {{1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 1, 0, 1}},
+        {{0, 1, 0, 0, -1, 0, 0, 0, 0, 0, 1, 0, 2, 1, 0, 1}},
+        {{0, 1, 0, 0, -1, 0, 0, 0, 0, 0, 1, 0, 2, 4, 0, 1}},
+        {{1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 3, 0, 1}},
+    };
+    float pose[NKW_POSE_FLOATS(4)];
+    nkw_mat4 models[4], root = moved(100, 0, 0);
+    nkw_pose_from_trs(trs, 4, pose);
+    nkw_models_from_pose(&skeleton, pose, NULL, models);
+    for (int j = 0; j < 4; j++)
+        expect_floats_near(models[j].m, want[j].m, 16, 0);
+    nkw_models_from_pose(&skeleton, pose, &root, models);
+    for (int j = 0; j < 4; j++) {
+        want[j].m[12] += 100;
+        expect_floats_near(models[j].m, want[j].m, 16, 0);
+    }
 }
 
 static void shear_survives(void **state)
 {
     (void)state;
-    const nkw_vec3 z = {0, 0, 1};
-    const int32_t two[2] = {NKW_NO_JOINT, 0};
-    nkw_skeleton s = {two, 2};
-    float p[NKW_POSE_FLOATS(2)];
-    nkw_mat4 m[2];
-    nkw_trs wide = {{0, 0, 0}, {0, 0, 0, 1}, {3, 1, 1}},
-            turned = {{0, 0, 0}, nkw_quat_from_axis_angle(z, 0.5f), {1, 1, 1}};
-    nkw_pose_set(p, 2, 0, &wide);
-    nkw_pose_set(p, 2, 1, &turned);
-    nkw_models_from_pose(&s, p, NULL, m);
-    nkw_trs held = nkw_trs_from_mat4(&m[1]);
-    assert_true(nkw_trs_residual(&held, &m[1]) > 0.1f);
-    expect_near(m[1].m[0], 3 * cos(0.5), 1e-6);
-    expect_near(m[1].m[1], sin(0.5), 1e-6);
-    expect_near(m[1].m[4], -3 * sin(0.5), 1e-6);
+    const int32_t parents[2] = {NKW_NO_JOINT, 0};
+    const nkw_skeleton skeleton = {parents, 2};
+    nkw_trs trs[2] = {nkw_trs_identity(), nkw_trs_identity()};
+    trs[0].scale.x = 2;
+    trs[1].rotation = nkw_quat_from_axis_angle((nkw_vec3){0, 0, 1}, 0.7853982f);
+    float pose[NKW_POSE_FLOATS(2)];
+    nkw_mat4 models[2];
+    nkw_pose_from_trs(trs, 2, pose);
+    nkw_models_from_pose(&skeleton, pose, NULL, models);
+    const float half = 0.70710678f;
+    const float want[8] = {2 * half, half, 0, 0, -2 * half, half, 0, 0};
+    expect_floats_near(models[1].m, want, 8, 3e-7);
+    assert_true(nkw_pose_from_models(&skeleton, models, NULL, pose) < 1e-6f);
+    const int32_t apart[2] = {NKW_NO_JOINT, NKW_NO_JOINT};
+    const nkw_skeleton flat = {apart, 2};
+    assert_true(nkw_pose_from_models(&flat, models, NULL, pose) > 0.1f);
 }
 
-static void an_update_changes_its_range_alone(void **state)
+static void an_update_of_a_subtree_gives_the_whole_again(void **state)
 {
     (void)state;
     random_source r = random_from(4);
-    draw(&r);
-    nkw_models_from_pose(&skeleton, pose, &root, models);
-    for (size_t from = 0; from < JOINTS; from++) {
-        size_t end = nkw_skeleton_subtree_end(&skeleton, from);
-        nkw_trs trs = {random_vec3(&r, -3, 3), random_rotation(&r), random_vec3(&r, 0.5f, 2)};
-        nkw_pose_set(pose, JOINTS, from, &trs);
-        locals[from] = nkw_mat4_from_trs(&trs);
-        if (from % 2)
-            nkw_models_update_from_pose(&skeleton, pose, &root, from, end, models);
-        else
-            nkw_models_update_from_locals(&skeleton, locals, &root, from, end, models);
-        expect_models(models, &root);
+    static character c;
+    static nkw_mat4 want[MOST];
+    for (size_t from = 0; from < 90; from++) {
+        int32_t to[90], back[90], parents[90];
+        draw(&r, 90, &c);
+        assert_int_equal(nkw_skeleton_order(c.parents, 90, to, back, parents, NULL), NKW_OK);
+        memcpy(c.parents, parents, sizeof parents);
+        size_t end = nkw_skeleton_subtree_end(&c.skeleton, from);
+        nkw_models_from_pose(&c.skeleton, c.pose, &some_root, c.models);
+        c.trs[from].translation.x += 1;
+        c.locals[from] = nkw_mat4_from_trs(&c.trs[from]);
+        nkw_pose_set(c.pose, 90, from, &c.trs[from]);
+        compose(&c, &some_root, want);
+        nkw_mat4 before[MOST];
+        memcpy(before, c.models, sizeof before);
+        nkw_models_update_from_pose(&c.skeleton, c.pose, &some_root, from, end, c.models);
+        expect_matrices(c.models, want, 90);
+        nkw_models_update_from_locals(&c.skeleton, c.locals, &some_root, from, end, before);
+        expect_matrices(before, want, 90);
     }
-    nkw_mat4 kept = models[JOINTS - 1];
-    nkw_models_update_from_pose(&skeleton, pose, NULL, JOINTS - 1, JOINTS - 1, models);
-    expect_floats_bits(models[JOINTS - 1].m, kept.m, 16);
-    nkw_models_update_from_pose(&skeleton, pose, &root, 3, 9999, models);
-    expect_models(models, &root);
 }
 
-static void subtrees_end_where_their_joints_do(void **state)
-{
-    (void)state;
-    const int32_t p[6] = {NKW_NO_JOINT, 0, 1, 0, NKW_NO_JOINT, 4};
-    const size_t ends[7] = {4, 3, 3, 4, 6, 6, 6};
-    nkw_skeleton s = {p, 6};
-    for (size_t j = 0; j < 7; j++)
-        assert_int_equal(nkw_skeleton_subtree_end(&s, j), ends[j]);
-}
-
-static void bad_parents_are_roots(void **state)
+static void an_update_touches_its_range_alone(void **state)
 {
     (void)state;
     random_source r = random_from(5);
-    const size_t bad[4] = {0, 3, 4, 6};
-    draw(&r);
-    parents[0] = 5;
-    parents[3] = -7;
-    parents[4] = 4;
-    parents[6] = INT32_MAX;
-    nkw_models_from_pose(&skeleton, pose, NULL, models);
-    for (size_t i = 0; i < 4; i++)
-        expect_floats_bits(models[bad[i]].m, locals[bad[i]].m, 16);
-    nkw_models_from_pose(&skeleton, pose, &root, models);
-    for (size_t i = 0; i < 4; i++) {
-        nkw_mat4 want = nkw_mat4_mul_affine(&root, &locals[bad[i]]);
-        expect_floats_bits(models[bad[i]].m, want.m, 16);
+    static character c;
+    static nkw_mat4 want[MOST];
+    draw(&r, MOST, &c);
+    compose(&c, NULL, want);
+    for (int k = 0; k < 200; k++) {
+        size_t from = (size_t)(random_bits(&r) % MOST), to = (size_t)(random_bits(&r) % MOST);
+        nkw_mat4 guard;
+        fill(&guard, 1, 9);
+        fill(c.models, MOST, 9);
+        memcpy(c.models, want, from * sizeof want[0]);
+        nkw_models_update_from_pose(&c.skeleton, c.pose, NULL, from, to, c.models);
+        expect_matrices(c.models, want, from > to ? from : to);
+        for (size_t j = from > to ? from : to; j < MOST; j++)
+            expect_floats_bits(c.models[j].m, guard.m, 16);
     }
 }
 
-/* The largest element of a - b, as a part of the largest of b. */
-static double distance(const nkw_mat4 *a, const nkw_mat4 *b)
+static void subtree_ends_are_those_of_depth_first_order(void **state)
 {
-    double far = 0, size = 0;
-    for (int i = 0; i < 16; i++) {
-        far = fmax(far, fabs((double)a->m[i] - (double)b->m[i]));
-        size = fmax(size, fabs((double)b->m[i]));
-    }
-    return far / size;
+    (void)state;
+    const nkw_skeleton skeleton = {small, 7};
+    const size_t want[8] = {5, 4, 3, 4, 5, 7, 7, 7};
+    for (size_t j = 0; j < 8; j++)
+        assert_int_equal(nkw_skeleton_subtree_end(&skeleton, j), want[j]);
+    const int32_t broad[5] = {NKW_NO_JOINT, 0, 0, 1, 2};
+    const nkw_skeleton other = {broad, 5};
+    assert_int_equal(nkw_skeleton_subtree_end(&other, 1), 2);
+    assert_int_equal(nkw_skeleton_subtree_end(&other, 2), 3);
+    assert_int_equal(nkw_skeleton_subtree_end(&other, 0), 5);
+}
+
+static void parents_that_are_not_before_their_joint_make_roots(void **state)
+{
+    (void)state;
+    const int32_t wild[6] = {0, 2, INT32_MIN, INT32_MAX, 6, 3}, tame[6] = {-1, -1, -1, -1, -1, 3};
+    const nkw_skeleton skeleton = {wild, 6}, same = {tame, 6};
+    random_source r = random_from(6);
+    static character c;
+    draw(&r, 6, &c);
+    nkw_mat4 got[6], want[6];
+    float a[NKW_POSE_FLOATS(6)], b[NKW_POSE_FLOATS(6)];
+    nkw_models_from_pose(&skeleton, c.pose, &some_root, got);
+    nkw_models_from_pose(&same, c.pose, &some_root, want);
+    expect_matrices(got, want, 6);
+    nkw_models_from_locals(&skeleton, c.locals, NULL, got);
+    expect_matrices(got, c.locals, 5);
+    nkw_locals_from_models(&skeleton, c.locals, &some_root, got);
+    nkw_locals_from_models(&same, c.locals, &some_root, want);
+    expect_matrices(got, want, 6);
+    nkw_pose_from_models(&skeleton, c.locals, NULL, a);
+    nkw_pose_from_models(&same, c.locals, NULL, b);
+    expect_floats_bits(a, b, NKW_POSE_FLOATS(6));
+    for (size_t j = 0; j < 6; j++)
+        assert_int_equal(nkw_skeleton_subtree_end(&skeleton, j), nkw_skeleton_subtree_end(&same, j));
 }
 
 static void locals_come_back_from_models(void **state)
 {
     (void)state;
-    random_source r = random_from(6);
-    nkw_mat4 back[JOINTS];
-    draw(&r);
-    for (size_t j = 0; j < JOINTS; j++)
-        parents[j] = j == 0 ? NKW_NO_JOINT : (int32_t)(j - 1 - random_bits(&r) % (j < 4 ? j : 4));
-    nkw_models_from_locals(&skeleton, locals, &root, models);
-    nkw_locals_from_models(&skeleton, models, &root, back);
-    for (size_t j = 0; j < 20; j++)
-        assert_true(distance(&back[j], &locals[j]) < 1e-3);
-    for (size_t j = 0; j < JOINTS; j++)
-        assert_true(back[j].m[3] == 0.0f && back[j].m[15] == 1.0f);
-    nkw_locals_from_models(&skeleton, models, &root, models);
-    for (size_t j = 0; j < JOINTS; j++)
-        expect_floats_bits(models[j].m, back[j].m, 16);
-}
-
-static void poses_come_back_from_rigid_models(void **state)
-{
-    (void)state;
     random_source r = random_from(7);
-    float back[NKW_POSE_FLOATS(JOINTS)];
-    draw(&r);
-    for (size_t j = 0; j < JOINTS; j++) {
-        nkw_trs trs = nkw_pose_get(pose, JOINTS, j);
-        trs.scale.x = trs.scale.y = trs.scale.z = 1.0f;
-        nkw_pose_set(pose, JOINTS, j, &trs);
-    }
-    nkw_models_from_pose(&skeleton, pose, NULL, models);
-    assert_true(nkw_pose_from_models(&skeleton, models, NULL, back) < 1e-4f);
-    for (size_t j = 0; j < JOINTS; j++) {
-        nkw_trs got = nkw_pose_get(back, JOINTS, j), want = nkw_pose_get(pose, JOINTS, j);
-        expect_rotation_near(got.rotation, want.rotation, 2e-5);
-        expect_near(got.translation.x, want.translation.x, 1e-3);
-        expect_near(got.scale.y, 1.0, 2e-5);
+    static character c;
+    static nkw_mat4 got[MOST];
+    for (int k = 0; k < 40; k++) {
+        draw(&r, 8, &c);
+        const nkw_mat4 *root = k % 2 ? &some_root : NULL;
+        nkw_models_from_pose(&c.skeleton, c.pose, root, c.models);
+        nkw_locals_from_models(&c.skeleton, c.models, root, got);
+        for (size_t j = 0; j < 8; j++)
+            expect_floats_near(got[j].m, c.locals[j].m, 16, 2e-3);
+        nkw_locals_from_models(&c.skeleton, c.models, root, c.models);
+        expect_matrices(c.models, got, 8);
     }
 }
 
-static void a_singular_parent_gives_zero_locals(void **state)
-{
-    (void)state;
-    const int32_t two[2] = {NKW_NO_JOINT, 0};
-    nkw_skeleton s = {two, 2};
-    nkw_mat4 m[2] = {{{0}}, root}, local[2];
-    nkw_locals_from_models(&s, m, NULL, local);
-    for (int i = 0; i < 15; i++)
-        expect_bits(nkw_abs(local[1].m[i]), 0.0f);
-}
-
-static void the_stack_gives_the_bits_of_the_array_in_both_conventions(void **state)
+static void models_come_back_from_the_pose_of_models(void **state)
 {
     (void)state;
     random_source r = random_from(8);
-    for (int round = 0; round < 20; round++) {
-        const nkw_mat4 *above = round % 2 ? &root : NULL;
-        size_t bad = 99;
-        draw(&r);
-        link_tree();
-        nkw_models_from_locals(&skeleton, locals, above, models);
-        for (int convention = NKW_COLUMN_VECTORS; convention <= NKW_ROW_VECTORS; convention++) {
-            assert_int_equal(
-                nkw_tree_walk(&tree, locals, above, (nkw_convention)convention, work, JOINTS, walked, &bad), NKW_OK);
-            assert_int_equal(bad, 0);
-            for (size_t j = 0; j < JOINTS; j++)
-                expect_floats_bits(walked[j].m, models[j].m, 16);
-        }
+    static character c;
+    static nkw_mat4 got[MOST];
+    for (int k = 0; k < 40; k++) {
+        draw(&r, 20, &c);
+        for (size_t j = 0; j < 20; j++)
+            c.trs[j].scale = (nkw_vec3){1, 1, 1};
+        nkw_pose_from_trs(c.trs, 20, c.pose);
+        nkw_models_from_pose(&c.skeleton, c.pose, NULL, c.models);
+        assert_true(nkw_pose_from_models(&c.skeleton, c.models, NULL, c.pose) < 1e-5f);
+        nkw_models_from_pose(&c.skeleton, c.pose, NULL, got);
+        for (size_t j = 0; j < 20; j++)
+            expect_floats_near(got[j].m, c.models[j].m, 16, 1e-4);
     }
 }
 
-static void a_full_stack_is_said(void **state)
+static void below_a_singular_parent_locals_are_zero(void **state)
 {
     (void)state;
-    int32_t down[4] = {1, 2, 3, NKW_NO_JOINT}, none[4] = {NKW_NO_JOINT, NKW_NO_JOINT, NKW_NO_JOINT, NKW_NO_JOINT};
-    nkw_tree line = {down, none, 4};
+    const int32_t parents[2] = {NKW_NO_JOINT, 0};
+    const nkw_skeleton skeleton = {parents, 2};
+    nkw_mat4 models[2] = {moved(1, 2, 3), moved(4, 5, 6)}, locals[2];
+    models[0].m[5] = 0;
+    nkw_locals_from_models(&skeleton, models, NULL, locals);
+    expect_floats_bits(locals[0].m, models[0].m, 16);
+    for (size_t i = 0; i < 16; i++)
+        expect_bits(locals[1].m[i], i == 15 ? 1.0f : 0.0f);
+    float pose[NKW_POSE_FLOATS(2)];
+    nkw_pose_from_models(&skeleton, models, NULL, pose);
+    nkw_trs trs = nkw_pose_get(pose, 2, 1);
+    expect_quat_bits(trs.rotation, ((nkw_quat){0, 0, 0, 1}));
+    expect_vec3_bits(trs.scale, ((nkw_vec3){0, 0, 0}));
+}
+
+static void expect_skeleton(const int32_t *parents, size_t count, nkw_result result, size_t joint)
+{
+    const nkw_skeleton skeleton = {parents, count};
     size_t bad = 99;
-    assert_int_equal(nkw_tree_walk(&line, locals, NULL, NKW_COLUMN_VECTORS, work, 2, walked, &bad), NKW_TOO_SMALL);
-    assert_int_equal(bad, 2);
-    assert_int_equal(nkw_tree_walk(&line, locals, NULL, NKW_COLUMN_VECTORS, work, 3, walked, &bad), NKW_OK);
-}
-
-static void trees_become_skeletons(void **state)
-{
-    (void)state;
-    random_source r = random_from(9);
-    int32_t joint_of_node[JOINTS], node_of_joint[JOINTS], got[JOINTS];
-    draw(&r);
-    link_tree();
-    assert_int_equal(nkw_tree_validate(&tree, work, NULL), NKW_OK);
-    assert_int_equal(nkw_skeleton_from_tree(&tree, joint_of_node, node_of_joint, got, NULL), NKW_OK);
-    for (int32_t j = 0; j < JOINTS; j++) {
-        assert_int_equal(joint_of_node[j], j);
-        assert_int_equal(node_of_joint[j], j);
-        assert_int_equal(got[j], parents[j]);
-    }
-}
-
-static void expect_tree(const int32_t *children, const int32_t *siblings, size_t count, nkw_result result, size_t node)
-{
-    nkw_tree t = {children, siblings, count};
-    size_t bad = 99;
-    assert_int_equal(nkw_tree_validate(&t, work, &bad), result);
-    assert_int_equal(bad, node);
-    assert_int_equal(nkw_tree_validate(&t, work, NULL), result);
-}
-
-static void trees_that_are_none_are_refused(void **state)
-{
-    (void)state;
-    const int32_t up[3] = {1, 0, -1}, shared[3] = {1, 2, -1}, to2[3] = {-1, 2, -1}, none[3] = {-1, -1, -1};
-    const int32_t far[3] = {1, 3, -1}, under[3] = {1, -2, -1}, own[3] = {-1, 1, -1}, line[3] = {1, 2, -1};
-    expect_tree(none, none, 0, NKW_EMPTY, 0);
-    expect_tree(line, none, 3, NKW_OK, 0);
-    expect_tree(up, none, 3, NKW_NOT_A_TREE, 0);
-    expect_tree(shared, to2, 3, NKW_NOT_A_TREE, 2);
-    expect_tree(none, none, 3, NKW_NOT_A_TREE, 1);
-    expect_tree(far, none, 3, NKW_OUT_OF_RANGE, 1);
-    expect_tree(under, none, 3, NKW_OUT_OF_RANGE, 1);
-    expect_tree(line, own, 3, NKW_NOT_A_TREE, 1);
-}
-
-static void walks_over_bad_trees_end_within_their_arrays(void **state)
-{
-    (void)state;
-    random_source r = random_from(10);
-    int refused = 0;
-    for (int round = 0; round < 2000; round++) {
-        int32_t c[6], s[6], stack[3];
-        nkw_tree t = {c, s, 6};
-        for (int i = 0; i < 6; i++) {
-            c[i] = (int32_t)(random_bits(&r) % 9) - 2;
-            s[i] = (int32_t)(random_bits(&r) % 9) - 2;
-        }
-        refused += nkw_tree_walk(&t, locals, NULL, NKW_COLUMN_VECTORS, stack, 3, walked, NULL) != NKW_OK;
-    }
-    assert_true(refused > 1000);
-}
-
-static void files_are_put_in_depth_first_order(void **state)
-{
-    (void)state;
-    /* Node 4 is the root, its children 0 and 3; 0 has 5, 3 has 1 and 2. */
-    const int32_t file[6] = {4, 3, 3, 4, NKW_NO_JOINT, 0};
-    const int32_t order[6] = {4, 0, 5, 3, 1, 2}, numbers[6] = {1, 4, 5, 3, 0, 2}, want[6] = {-1, 0, 1, 0, 3, 3};
-    int32_t joint_of_file[6], file_of_joint[6], got[6];
-    size_t bad = 99;
-    assert_int_equal(nkw_skeleton_order(file, 6, joint_of_file, file_of_joint, got, &bad), NKW_OK);
-    assert_int_equal(bad, 0);
-    assert_memory_equal(file_of_joint, order, sizeof order);
-    assert_memory_equal(joint_of_file, numbers, sizeof numbers);
-    assert_memory_equal(got, want, sizeof want);
-}
-
-static void depth_first_orders_stay(void **state)
-{
-    (void)state;
-    random_source r = random_from(11);
-    int32_t a[JOINTS], b[JOINTS], got[JOINTS];
-    draw(&r);
-    assert_int_equal(nkw_skeleton_order(parents, JOINTS, a, b, got, NULL), NKW_OK);
-    assert_memory_equal(got, parents, sizeof got);
-    for (int32_t j = 0; j < JOINTS; j++)
-        assert_true(a[j] == j && b[j] == j);
-}
-
-static void any_order_becomes_a_valid_skeleton_of_the_same_shape(void **state)
-{
-    (void)state;
-    random_source r = random_from(12);
-    for (int round = 0; round < 50; round++) {
-        int32_t place[JOINTS], file[JOINTS], joint_of_file[JOINTS], file_of_joint[JOINTS], got[JOINTS];
-        nkw_skeleton made = {got, JOINTS};
-        draw(&r);
-        for (int32_t j = 0; j < JOINTS; j++)
-            place[j] = j;
-        for (size_t j = JOINTS; j-- > 1;) {
-            size_t k = (size_t)(random_bits(&r) % (j + 1));
-            int32_t swap = place[j];
-            place[j] = place[k];
-            place[k] = swap;
-        }
-        for (size_t j = 0; j < JOINTS; j++)
-            file[place[j]] = parents[j] < 0 ? NKW_NO_JOINT : place[parents[j]];
-        assert_int_equal(nkw_skeleton_order(file, JOINTS, joint_of_file, file_of_joint, got, NULL), NKW_OK);
-        assert_int_equal(nkw_skeleton_validate(&made, NULL), NKW_OK);
-        for (size_t j = 0; j < JOINTS; j++) {
-            int32_t above = file[file_of_joint[j]];
-            assert_int_equal(joint_of_file[file_of_joint[j]], j);
-            assert_int_equal(got[j], above < 0 ? NKW_NO_JOINT : joint_of_file[above]);
-        }
-    }
-}
-
-static void orders_that_are_none_are_refused(void **state)
-{
-    (void)state;
-    const int32_t cycle[4] = {NKW_NO_JOINT, 2, 3, 1}, far[4] = {-1, 0, 4, 0}, under[4] = {-1, -2, 0, 0};
-    int32_t a[4], b[4], c[4];
-    size_t bad = 99;
-    assert_int_equal(nkw_skeleton_order(cycle, 4, a, b, c, &bad), NKW_NOT_A_TREE);
-    assert_int_equal(bad, 1);
-    assert_int_equal(nkw_skeleton_order(far, 4, a, b, c, &bad), NKW_OUT_OF_RANGE);
-    assert_int_equal(bad, 2);
-    assert_int_equal(nkw_skeleton_order(under, 4, a, b, c, &bad), NKW_OUT_OF_RANGE);
-    assert_int_equal(bad, 1);
-    assert_int_equal(nkw_skeleton_order(under, 0, a, b, c, &bad), NKW_EMPTY);
-    assert_int_equal(bad, 0);
-}
-
-static void expect_invalid(const int32_t *p, size_t count, nkw_result result, size_t joint)
-{
-    nkw_skeleton s = {p, count};
-    size_t bad = 99;
-    assert_int_equal(nkw_skeleton_validate(&s, &bad), result);
+    assert_int_equal(nkw_skeleton_validate(&skeleton, &bad), result);
     assert_int_equal(bad, joint);
-    assert_int_equal(nkw_skeleton_validate(&s, NULL), result);
+    assert_int_equal(nkw_skeleton_validate(&skeleton, NULL), result);
 }
 
 static void validate_names_the_first_offender(void **state)
 {
     (void)state;
-    const int32_t good[4] = {-1, 0, -1, 1}, late[4] = {-1, 2, 0, 1}, own[4] = {-1, 0, 2, 0}, far[4] = {-1, 0, 1, 4};
-    const int32_t under[4] = {-1, 0, -2, 0};
-    expect_invalid(good, 4, NKW_OK, 0);
-    expect_invalid(good, 0, NKW_EMPTY, 0);
-    expect_invalid(late, 4, NKW_NOT_ORDERED, 1);
-    expect_invalid(own, 4, NKW_NOT_ORDERED, 2);
-    expect_invalid(far, 4, NKW_OUT_OF_RANGE, 3);
-    expect_invalid(under, 4, NKW_OUT_OF_RANGE, 2);
+    const int32_t self[3] = {NKW_NO_JOINT, 1, 0}, later[4] = {NKW_NO_JOINT, 0, 3, 7}, far[4] = {NKW_NO_JOINT, 0, 4, 3};
+    const int32_t negative[2] = {-2, 0}, first[1] = {0};
+    expect_skeleton(small, 7, NKW_OK, 0);
+    expect_skeleton(small, 0, NKW_EMPTY, 0);
+    expect_skeleton(self, 3, NKW_NOT_ORDERED, 1);
+    expect_skeleton(later, 4, NKW_NOT_ORDERED, 2);
+    expect_skeleton(far, 4, NKW_OUT_OF_RANGE, 2);
+    expect_skeleton(negative, 2, NKW_OUT_OF_RANGE, 0);
+    expect_skeleton(first, 1, NKW_NOT_ORDERED, 0);
 }
 
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(models_are_parents_times_locals_bit_for_bit),
-        cmocka_unit_test(any_number_of_joints_gives_the_same),
-        cmocka_unit_test(locals_may_be_replaced_by_models),
+        cmocka_unit_test(models_are_the_products_along_the_chain_bit_for_bit),
+        cmocka_unit_test(nothing_is_written_behind_the_last_joint),
+        cmocka_unit_test(root_joints_without_a_root_matrix_are_their_local_matrices),
+        cmocka_unit_test(last_rows_are_not_read_and_come_out_exact),
+        cmocka_unit_test(the_root_matrix_is_applied_once),
+        cmocka_unit_test(child_frames_add_to_those_of_their_parents),
+        cmocka_unit_test(the_four_joints_of_the_page_have_its_numbers),
         cmocka_unit_test(shear_survives),
-        cmocka_unit_test(an_update_changes_its_range_alone),
-        cmocka_unit_test(subtrees_end_where_their_joints_do),
-        cmocka_unit_test(bad_parents_are_roots),
+        cmocka_unit_test(an_update_of_a_subtree_gives_the_whole_again),
+        cmocka_unit_test(an_update_touches_its_range_alone),
+        cmocka_unit_test(subtree_ends_are_those_of_depth_first_order),
+        cmocka_unit_test(parents_that_are_not_before_their_joint_make_roots),
         cmocka_unit_test(locals_come_back_from_models),
-        cmocka_unit_test(poses_come_back_from_rigid_models),
-        cmocka_unit_test(a_singular_parent_gives_zero_locals),
-        cmocka_unit_test(the_stack_gives_the_bits_of_the_array_in_both_conventions),
-        cmocka_unit_test(a_full_stack_is_said),
-        cmocka_unit_test(trees_become_skeletons),
-        cmocka_unit_test(trees_that_are_none_are_refused),
-        cmocka_unit_test(walks_over_bad_trees_end_within_their_arrays),
-        cmocka_unit_test(files_are_put_in_depth_first_order),
-        cmocka_unit_test(depth_first_orders_stay),
-        cmocka_unit_test(any_order_becomes_a_valid_skeleton_of_the_same_shape),
-        cmocka_unit_test(orders_that_are_none_are_refused),
+        cmocka_unit_test(models_come_back_from_the_pose_of_models),
+        cmocka_unit_test(below_a_singular_parent_locals_are_zero),
         cmocka_unit_test(validate_names_the_first_offender),
     };
     return cmocka_run_group_tests_name("skeleton", tests, NULL, NULL);

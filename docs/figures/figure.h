@@ -26,6 +26,8 @@ int figure_euler_pole(const char *path);
 /* memory.c */
 int figure_segment_lookup(const char *path);
 int figure_mat_layout(const char *path);
+/* clip.c */
+int figure_clip_layout(const char *path);
 
 /* ---- shared, in figure.c ---- */
 

@@ -15,6 +15,7 @@ static const struct {
     {"orient-shorter", figure_orient_shorter}, {"orient-euler", figure_orient_euler},
     {"euler-pole", figure_euler_pole},         {"segment-lookup", figure_segment_lookup},
     {"mat-layout", figure_mat_layout},         {"scalar-lerp", figure_scalar_lerp},
+    {"clip-layout", figure_clip_layout},
 };
 
 int main(int argc, char **argv)

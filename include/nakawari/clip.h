@@ -3,17 +3,18 @@
  * @file
  * Floor 4: a clip: many tracks, one time, one call, one pose.
  *
- * A clip is built from tracks into one block of the caller's. It holds no pointer, so it may be copied, written to a file and
- * mapped back; nkw_clip_open checks a block before its first use. Sampling gives the same bits as nkw_track_sample of
- * every track, in a fraction of its time:
+ * A clip is built from tracks into one block of the caller's. It holds no pointer, so it may be copied, written to a
+ * file and mapped back; nkw_clip_open checks a block before its first use. Sampling gives the same bits as
+ * nkw_track_sample of every track, in a fraction of its time:
  *
  *     - tracks with the same key times share one timeline, and it is searched once;
- *     - their keys stand side by side in component arrays, [key][component][lane], so a sample reads two blocks as streams;
+ *     - their keys stand side by side in component arrays, [key][component][lane], so a sample reads two as streams;
  *     - what slerp needs to know of two neighbouring keys is worked out when the clip is built;
  *     - key times that are evenly spaced need no search: any time costs the same;
  *     - tracks that never change are found, stored once and copied.
  *
- * A block is in the byte order of the machine that built it. It is the same on every machine of that order, byte for byte.
+ * A block is in the byte order of the machine that built it. It is the same on every machine of that order, byte for
+ * byte.
  */
 #ifndef NAKAWARI_CLIP_H
 #define NAKAWARI_CLIP_H
@@ -46,9 +47,10 @@ typedef struct nkw_clip_track {
 typedef enum nkw_clip_format {
     NKW_CLIP_FLOAT32, /**< as they are: sampling gives the bits of track by track */
     /**
-     * 16 bits a number, over the range of that number in all keys of its track; CUBICSPLINE tracks stay as they are. A number is
-     * off by at most 0.51/65535 of its range and 3 u of its size. Rotations are normalised after decoding; their components
-     * are off as numbers are, after keys were turned to the side of the one before, so the rotation by at most 6.3e-5 radians.
+     * 16 bits a number, over the range of that number in all keys of its track; CUBICSPLINE tracks stay as they are.
+     * A number is off by at most 0.51/65535 of its range and 3 u of its size. The components of a rotation are off as
+     * numbers are, after keys were turned to the side of the one before, and the result is normalised: a rotation is
+     * off by at most 6.3e-5 radians at a key, and between keys that are half a turn apart by 8.9e-5.
      * nkw_clip_difference measures a clip's own error.
      */
     NKW_CLIP_UNORM16
@@ -74,17 +76,17 @@ typedef struct nkw_clip nkw_clip;
 /**
  * Checks the tracks and says how many bytes their clip takes. `work` holds NKW_CLIP_WORK(source->track_count) numbers.
  *
- * NKW_EMPTY without joints and floats; what nkw_track_validate gives for a track; NKW_BAD_METHOD for a target that is none, a
- * track whose width or kind is not its target's, or an unknown format; NKW_OUT_OF_RANGE for a joint or float beyond the last, and for a clip of more
- * than 2^32 floats; NKW_REPEATED for two tracks that move the same. *bad_track becomes the index of the first offender, 0 if
- * there is none; it may be NULL.
+ * NKW_EMPTY without joints and floats; what nkw_track_validate gives for a track; NKW_BAD_METHOD for a target that is
+ * none, a track whose width or kind is not its target's, or an unknown format; NKW_OUT_OF_RANGE for a joint or float
+ * beyond the last, and for more than 2^26 joints, 2^29 floats or 2^32 words in the block; NKW_REPEATED for two tracks
+ * that move the same. *bad_track becomes the index of the first offender, 0 if there is none; it may be NULL.
  */
 NKW_API nkw_result nkw_clip_measure(const nkw_clip_source *source, uint32_t *work, size_t *bytes, size_t *bad_track);
 
 /**
- * Builds a clip of `bytes` bytes, as nkw_clip_measure told, into `block`, which must be aligned for float; 64 bytes is fastest.
- * Gives what nkw_clip_measure gives, and NKW_TOO_SMALL if bytes are less than told. The block may then be sampled as
- * (const nkw_clip *)block.
+ * Builds a clip of `bytes` bytes, as nkw_clip_measure told, into `block`, which must be aligned for float; 64 bytes
+ * is fastest. Gives what nkw_clip_measure gives, and NKW_TOO_SMALL if bytes are less than told. The block may then be
+ * sampled as (const nkw_clip *)block.
  */
 NKW_API nkw_result nkw_clip_build(const nkw_clip_source *source, uint32_t *work, void *block, size_t bytes,
                                   size_t *bad_track);
@@ -92,9 +94,11 @@ NKW_API nkw_result nkw_clip_build(const nkw_clip_source *source, uint32_t *work,
 /**
  * The clip in a block that was read or mapped: *clip becomes the block itself, or NULL where it is not a sound clip.
  *
- * NKW_NOT_A_CLIP for another beginning, version or byte order; NKW_TOO_SMALL for a block that is cut off; NKW_OUT_OF_RANGE where
- * something in it would be read or written outside the block or the pose; NKW_NOT_ASCENDING and NKW_NOT_FINITE for key times that
- * are so. The values of keys are not looked at. A clip that opens is safe to sample; one that does not must not be.
+ * NKW_NOT_A_CLIP for another beginning, version or byte order, and for a block that is not aligned for float;
+ * NKW_TOO_SMALL for a block that is cut off;
+ * NKW_OUT_OF_RANGE where something in it would be read or written outside the block or the pose; NKW_NOT_ASCENDING
+ * and NKW_NOT_FINITE for key times that are so. The values of keys are not looked at. A clip that opens is safe to
+ * sample; one that does not must not be.
  */
 NKW_API nkw_result nkw_clip_open(const void *block, size_t bytes, const nkw_clip **clip);
 
@@ -113,8 +117,8 @@ NKW_API size_t nkw_clip_cursors(const nkw_clip *clip);
 /**
  * The pose at `time`.
  *
- * cursors  nkw_clip_cursors(clip) numbers, any at first, that each playing instance keeps for itself: the search begins where the
- *          last one ended. NULL: each search begins anew. The result is the same bits.
+ * cursors  nkw_clip_cursors(clip) numbers, any at first, that each playing instance keeps for itself: the search
+ *          begins where the last one ended. NULL: each search begins anew. The result is the same bits.
  * pose     receives all joints, and its padding; may be NULL
  * floats   receives nkw_clip_floats(clip) floats; may be NULL
  */
@@ -135,7 +139,8 @@ typedef struct nkw_clip_error {
  * pose     working memory: nkw_pose_floats(joints) floats
  * floats   working memory: twice nkw_clip_floats(clip) floats; may be NULL if there are none
  */
-NKW_API nkw_clip_error nkw_clip_difference(const nkw_clip *clip, const nkw_clip_source *source, float *pose, float *floats);
+NKW_API nkw_clip_error nkw_clip_difference(const nkw_clip *clip, const nkw_clip_source *source, float *pose,
+                                           float *floats);
 
 #ifdef __cplusplus
 }

@@ -3,8 +3,9 @@
  * @file
  * Floor 4: from the time that runs to the time in a clip, and which keys were passed on the way.
  *
- * A clip runs over [start, start + duration]. Its play head is worked out in binary64 from the running time, not summed up, so
- * it does not drift, and the same time gives the same bits however it was reached. All times in seconds.
+ * A clip runs over [start, start + duration]. Its play head is worked out in binary64 from the running time, not
+ * summed up, so it does not drift, and the same time gives the same bits however it was reached. All times in
+ * seconds.
  */
 #ifndef NAKAWARI_PLAYBACK_H
 #define NAKAWARI_PLAYBACK_H
@@ -23,8 +24,8 @@ typedef enum nkw_playback {
 } nkw_playback;
 
 /**
- * A play head: the time in the clip, and the number of the pass, 0 for the first, negative before it. With passes a motion
- * goes on from where it ended: value + cycle (last - first), the relative cycling of curve editors.
+ * A play head: the time in the clip, and the number of the pass, 0 for the first, negative before it. With passes a
+ * motion goes on from where it ended: value + cycle (last - first), the relative cycling of curve editors.
  */
 typedef struct nkw_play_head {
     float time;
@@ -40,26 +41,27 @@ typedef struct nkw_play_head {
  *     LOOP        start + rest
  *     PING_PONG   start + rest in even cycles, start + duration - rest in odd ones
  *
- * For a loop with a closing segment, in which the last key blends into the first, pass duration + the segment's length and give
- * the track its first key once more at the end.
+ * For a loop with a closing segment, in which the last key blends into the first, pass duration + the segment's
+ * length and give the track its first key once more at the end.
  *
  * A duration that is not positive and finite, or a NaN time, gives {start, 0}. Beyond 2^24 passes `cycle` is rounded.
  */
 NKW_API nkw_play_head nkw_playback_at(nkw_playback mode, float start, float duration, float time);
 
 /**
- * The keys that a looping clip passes while the running time goes from `from` to `to`: those in (from, to], each once for every
- * pass. Steps that follow each other, (a, b] and (b, c], miss none and report none twice, across the ends of the loop too.
+ * The keys that a looping clip passes while the running time goes from `from` to `to`: those in (from, to], each once
+ * for every pass. Steps that follow each other, (a, b] and (b, c], miss none and report none twice, across the ends
+ * of the loop too.
  *
  *     key k is passed at times[k] + n duration, n = 0, 1, 2 ... and -1, -2 ...
  *
- * times     count ascending key times in [start, start + duration); keys at start + duration are those at start in the next pass
- *           and should not be listed
+ * times     count ascending key times in [start, start + duration); keys at start + duration are those at start in the
+ *           next pass and should not be listed
  * duration  of the loop; 0 for a clip that is played once
  * out       receives the first `capacity` indices in the order in which they are passed; may be NULL if capacity is 0
- * Gives     how many keys were passed, which may be more than capacity. to <= from passes none: play backwards by mirroring times.
- *           A duration that is negative or not finite, times that span more than it, and more than 2^31 passes in one
- *           step pass none.
+ * Gives     how many keys were passed, which may be more than capacity. to <= from passes none: play backwards by
+ *           mirroring times. A duration that is negative or not finite, times that span more than it, and more than
+ *           2^31 passes in one step pass none.
  */
 NKW_API size_t nkw_playback_passed(const float *times, size_t count, float duration, float from, float to, size_t *out,
                                    size_t capacity);

@@ -11,9 +11,10 @@
  *
  *     component c of joint j:  pose[c * NKW_POSE_STRIDE(joints) + j]
  *
- * The stride is a multiple of 16, so loops of every vector width run without a remainder. Padding may hold anything: what is
- * read there has no effect on joints. Functions that write a whole pose may write padding too. Any alignment will do; 64
- * bytes is fastest.
+ * The stride is a multiple of 16, so loops of every vector width run without a remainder. Padding may hold anything:
+ * what is read there has no effect on joints. Functions that write a whole pose may write padding too. Any alignment
+ * will do; 64 bytes is fastest. Memory that was never written may hold subnormal numbers, with which processors are
+ * slow: call nkw_pose_identity once on a new block.
  */
 #ifndef NAKAWARI_POSE_H
 #define NAKAWARI_POSE_H
@@ -49,8 +50,9 @@ NKW_API void nkw_pose_from_trs(const nkw_trs *trs, size_t joints, float *pose);
 NKW_API void nkw_trs_from_pose(const float *pose, size_t joints, nkw_trs *out);
 
 /**
- * Checks a pose: NKW_EMPTY without joints; NKW_NOT_FINITE where a number is not finite; NKW_NOT_UNIT where a rotation is off
- * unit length by more than 1e-2. *bad_joint becomes the first offending joint, 0 if there is none; it may be NULL.
+ * Checks a pose: NKW_EMPTY without joints; NKW_NOT_FINITE where a number is not finite; NKW_NOT_UNIT where a rotation
+ * is off unit length by more than 1e-2. *bad_joint becomes the first offending joint, 0 if there is none; it may be
+ * NULL.
  */
 NKW_API nkw_result nkw_pose_validate(const float *pose, size_t joints, size_t *bad_joint);
 

@@ -14,8 +14,8 @@
  * Whatever the input: index + 1 < count or index = 0, and 0 <= t <= 1. Fewer than two keys have no segment and
  * give {0, 0}; so does a NaN time. Times that do not ascend, or are NaN, give some segment within the array.
  *
- * t is worked out in binary64 and rounded once, so it cannot overflow. It is 0 at the key that begins the segment, and 1 from
- * the last key on and only there.
+ * t is worked out in binary64 and rounded once, so it cannot overflow. It is 0 at the key that begins the segment,
+ * and 1 from the last key on and only there.
  */
 #ifndef NAKAWARI_SEGMENT_H
 #define NAKAWARI_SEGMENT_H
@@ -46,6 +46,13 @@ NKW_API nkw_segment nkw_segment_find_from(const float *times, size_t count, floa
  * The time of key k of a uniform series: start + k / rate, rounded once. `rate` in keys per second.
  */
 NKW_API float nkw_segment_uniform_time(float start, float rate, size_t k);
+
+/**
+ * The rate of evenly spaced key times: one, below 1e9, with which nkw_segment_uniform_time(times[0], rate, k) is
+ * times[k], bit for bit, for every k, and each time is greater than the one before. A whole number where one serves.
+ * 0 where there is none, and for fewer than two keys.
+ */
+NKW_API float nkw_segment_uniform_rate(const float *times, size_t count);
 
 /**
  * The segment among `count` keys at start, start + 1/rate, start + 2/rate ..., without a search. The result is

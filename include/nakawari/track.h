@@ -17,10 +17,10 @@
  *     LINEAR        nkw_lerp of each component; rotations by nkw_quat_slerp
  *     CUBICSPLINE   the Hermite curve of value[k], d out[k], value[k+1], d in[k+1]; rotations normalised afterwards
  *
- * Rotations are x, y, z, w and should be unit; what is stored is used as it is, and between keys a slerp of keys that are
- * not quite unit is not quite unit either. NKW_TRACK_ROTATION_NORMALIZED normalises LINEAR and STEP keys as they are read, and
- * gives those of CUBICSPLINE normalised at their own times: a key's own value is then unit to rounding, instead of the
- * stored bits.
+ * Rotations are x, y, z, w and should be unit; what is stored is used as it is, and between keys a slerp of keys that
+ * are not quite unit is not quite unit either. NKW_TRACK_ROTATION_NORMALIZED normalises LINEAR and STEP keys as they
+ * are read, and gives those of CUBICSPLINE normalised at their own times: a key's own value is then unit to rounding,
+ * instead of the stored bits.
  *
  * Source Khronos Group, glTF 2.0 Specification, section 3.11 and appendix C, 2021.
  */
@@ -57,8 +57,8 @@ typedef struct nkw_track {
     nkw_track_kind kind;
     nkw_interpolation interpolation;
     /**
-     * NULL, or count bytes: the interpolation of the segment that begins at each key, in place of the one above; for files
-     * that choose it key by key. Not with CUBICSPLINE, whose values are stored otherwise.
+     * NULL, or count bytes: the interpolation of the segment that begins at each key, in place of the one above; for
+     * files that choose it key by key. Not with CUBICSPLINE, whose values are stored otherwise.
      */
     const unsigned char *key_interpolation;
 } nkw_track;
@@ -67,22 +67,24 @@ typedef struct nkw_track {
 NKW_API size_t nkw_track_value_count(const nkw_track *track);
 
 /**
- * Checks a track: NKW_EMPTY without keys or width; NKW_BAD_METHOD for an unknown kind or interpolation, a rotation whose
- * width is not 4, or a key's interpolation that is not LINEAR or STEP; NKW_NOT_FINITE where a time or value is not finite;
- * NKW_NOT_ASCENDING where a time is less than the one before; NKW_NOT_UNIT where a rotation's value is off unit length by more
- * than 1e-2. *bad_key becomes the index of the first offending key, 0 if there is none; it may be NULL.
+ * Checks a track: NKW_EMPTY without keys or width; NKW_BAD_METHOD for an unknown kind or interpolation, a rotation
+ * whose width is not 4, or a key's interpolation that is not LINEAR or STEP; NKW_NOT_FINITE where a time or value is
+ * not finite; NKW_NOT_ASCENDING where a time is less than the one before; NKW_NOT_UNIT where a rotation's value is
+ * off unit length by more than 1e-2. *bad_key becomes the index of the first offending key, 0 if there is none; it
+ * may be NULL.
  */
 NKW_API nkw_result nkw_track_validate(const nkw_track *track, size_t *bad_key);
 
 /**
- * The value at `time`: writes `width` floats. A NaN time counts as before the first key. An empty track writes nothing. A
- * track that would not validate gives values of no meaning, but nothing is read or written outside its arrays.
+ * The value at `time`: writes `width` floats. A NaN time counts as before the first key. An empty track writes
+ * nothing. A track that would not validate gives values of no meaning, but nothing is read or written outside its
+ * arrays.
  */
 NKW_API void nkw_track_sample(const nkw_track *track, float time, float *out);
 
 /**
- * The same from a cursor: *cursor is the segment found last, any number at first, and becomes the one found now. Fast while
- * time moves slowly, forward or backward; the same bits.
+ * The same from a cursor: *cursor is the segment found last, any number at first, and becomes the one found now. Fast
+ * while time moves slowly, forward or backward; the same bits.
  */
 NKW_API void nkw_track_sample_from(const nkw_track *track, float time, size_t *cursor, float *out);
 
@@ -91,6 +93,55 @@ NKW_API void nkw_track_sample_from(const nkw_track *track, float time, size_t *c
  * nkw_segment_find gives it for track->times.
  */
 NKW_API void nkw_track_sample_at(const nkw_track *track, nkw_segment segment, float *out);
+
+/**
+ * How far another track is from this one: the largest difference met at the keys of this one and at the quarters
+ * between two of them. Of rotations it is the angle between them in radians, of numbers the difference of a
+ * component. What lies between those moments is not seen: a jump, for one, counts where it falls on one of them.
+ *
+ * work   2 * width floats
+ * Gives  NaN where a number is; infinity for tracks without keys, of different width, or of a rotation and numbers.
+ */
+NKW_API float nkw_track_difference(const nkw_track *track, const nkw_track *other, float *work);
+
+/**
+ * How many keys the track has at a uniform rate, in keys per second: at the times nkw_segment_uniform_time(first,
+ * rate, k) for k = 0, 1, 2 ... until the last key's time is reached or passed.
+ *
+ * One for a track of one key or of no duration. 0 where there can be none: without keys, for a rate that is not
+ * positive and finite, for times that are not finite, for 2^31 keys or more.
+ */
+NKW_API size_t nkw_track_resample_count(const nkw_track *track, float rate);
+
+/**
+ * The track at a uniform rate (baked): its keys are samples of the source. Between them STEP stays STEP and all else
+ * becomes LINEAR; a source that chooses key by key stays STEP if all of it is. Normalised rotations are so in their
+ * samples and need it no more: the kind becomes NKW_TRACK_ROTATION. A clip finds keys of such times without a search.
+ *
+ * At a rate at which every key of the source falls on one of its own, a LINEAR or STEP source comes back. Where the
+ * rate does not divide the duration the last key is later than the source's, by less than 1 / rate: loop by the
+ * source's duration.
+ *
+ * times, values  receive nkw_track_resample_count keys, and that times width floats; not the source's own arrays
+ * work           2 * width floats
+ * out            becomes the track over times and values; without keys where the count is 0
+ * Gives          the error: nkw_track_difference from the source; infinity where the count is 0
+ */
+NKW_API float nkw_track_resample(const nkw_track *track, float rate, float *times, float *values, float *work,
+                                 nkw_track *out);
+
+/**
+ * The same at the lowest rate whose error is within `tolerance` (radians for rotations): fewer keys for a smaller
+ * clip. Tried are the source's own number of segments over its duration, half as many, a quarter ... down to one,
+ * rounded up; the last key is then at the source's end, to rounding. Of evenly spaced keys these are rate, rate/2,
+ * rate/4 ...
+ *
+ * times, values  receive up to as many keys as the source has
+ * Gives          the rate; 0 where none is within the tolerance, *out being without keys. A track of one key or of no
+ *                duration gives one key, at the rate 1.
+ */
+NKW_API float nkw_track_resample_within(const nkw_track *track, float tolerance, float *times, float *values,
+                                        float *work, nkw_track *out);
 
 #ifdef __cplusplus
 }

@@ -8,9 +8,12 @@
 #define NKW_BLOCK_ROWS 9 /* x y z w and v h0 h1 h2 h3 of rotations with their arcs */
 
 /*
- * A block of a clip's lanes: width 4, 8 or 16, of which `count` go to the floats places[i] of each component of the output.
- * `direct` is 0, or the number of lanes from the first of this block on, whole blocks, that go to the floats from places[0] on one
- * after the other, padding of the pose among them.
+ * A block of a clip's lanes: width 4, 8 or 16. The first `count` are lanes of tracks, the rest fill it up: lane i
+ * goes to the float places[i] of each component of the output.
+ *
+ * direct: how many lanes from the first of this block on go to places[0], places[0] + 1, places[0] + 2 ... and may be
+ * written there in one stream: this block and maybe others after it, all of them whole. 0 where this block is scattered
+ * lane by lane.
  */
 typedef struct nkw_block {
     uint32_t width, count, direct;

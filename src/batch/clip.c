@@ -169,7 +169,7 @@ KERNEL(clip_lerp16)
     }
 }
 
-/* A pass of its own: with 16-bit numbers in it, the loop over rotations would work on twice as many as registers hold. */
+/* A pass of its own: with 16-bit numbers in it, the loop over rotations would take twice as many as registers hold. */
 static inline void decode(const uint16_t *key, const float *base, const float *step, float *out, size_t n)
 {
 #pragma omp simd
@@ -184,6 +184,10 @@ static inline nkw_quat near_unit(nkw_quat q)
     return nkw_quat_add(q, nkw_quat_scale(q, m * (0.5f + 0.375f * m)));
 }
 
+/*
+ * Keys are on the side of the one before. Those half a turn apart have a dot product about 0, which 16 bits may have
+ * made negative: they are not turned again, for that would be the way round the other side.
+ */
 static inline void slerp16_block(const float *a, const float *b, lane_slerp_pace pace, float *out, size_t stride,
                                  size_t width)
 {
@@ -192,7 +196,7 @@ static inline void slerp16_block(const float *a, const float *b, lane_slerp_pace
 #pragma omp simd
     for (size_t i = 0; i < width; i++) {
         nkw_quat p = at_quat(from, i), q = at_quat(to, i);
-        lane_slerp_arc arc = lane_slerp_arc_between(p, q);
+        lane_slerp_arc arc = lane_slerp_arc_to(p, q, lane_slerp_cosine(p, q), 0);
         put_quat(o, i, near_unit(lane_quat_slerp_on(p, q, &arc, &pace)));
     }
 }

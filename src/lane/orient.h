@@ -140,15 +140,18 @@ typedef struct lane_slerp_arc {
     float v, h0, h1, h2, h3;
 } lane_slerp_arc;
 
-static inline lane_slerp_arc lane_slerp_arc_between(nkw_quat a, nkw_quat b)
+/* a.b. The smallest normal number makes -0 positive and keeps 0 / 0 away. */
+static inline float lane_slerp_cosine(nkw_quat a, nkw_quat b)
 {
-    /* The smallest normal number makes -0 positive and keeps 0 / 0 away. */
-    float cosine = nkw_quat_dot(a, b) + 0x1p-126f;
-    uint32_t turned = lane_sign_bit(cosine);
-    nkw_quat c = {lane_flip(b.x, turned), lane_flip(b.y, turned), lane_flip(b.z, turned), lane_flip(b.w, turned)};
+    return nkw_quat_dot(a, b) + 0x1p-126f;
+}
+
+/* From a to c, which is b turned to a's side if `turned` is the sign bit. */
+static inline lane_slerp_arc lane_slerp_arc_to(nkw_quat a, nkw_quat c, float cosine, uint32_t turned)
+{
     nkw_quat d = nkw_quat_sub(c, a);
     float q = nkw_quat_dot(d, d);
-    float v = q / (lane_flip(cosine, turned) + q * LANE_SLERP_BEND);
+    float v = q / (cosine + q * LANE_SLERP_BEND);
     lane_slerp_arc arc = {
         turned,
         v,
@@ -158,6 +161,14 @@ static inline lane_slerp_arc lane_slerp_arc_between(nkw_quat a, nkw_quat b)
         lane_horner3(LANE_SLERP_H3, v),
     };
     return arc;
+}
+
+static inline lane_slerp_arc lane_slerp_arc_between(nkw_quat a, nkw_quat b)
+{
+    float cosine = lane_slerp_cosine(a, b);
+    uint32_t turned = lane_sign_bit(cosine);
+    nkw_quat c = {lane_flip(b.x, turned), lane_flip(b.y, turned), lane_flip(b.z, turned), lane_flip(b.w, turned)};
+    return lane_slerp_arc_to(a, c, lane_flip(cosine, turned), turned);
 }
 
 /* What it needs to know of t: the masks say whether a is the nearer end, and whether t is 1/2. */

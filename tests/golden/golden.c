@@ -132,6 +132,27 @@ static void sample_track(float *o, const input *i, nkw_track_kind kind, nkw_inte
     nkw_track_sample(&track, i->s[0], o);
 }
 
+static float even_rate(float start, float rate)
+{
+    float times[32];
+    for (size_t k = 0; k < 32; k++)
+        times[k] = nkw_segment_uniform_time(start, rate, k);
+    return nkw_segment_uniform_rate(times, 32);
+}
+
+static void resample_track(float *o, const input *i, nkw_interpolation mode)
+{
+    float values[36], times[3], made[12], work[8];
+    for (unsigned k = 0; k < 9; k++)
+        memcpy(values + 4 * k, &i->q[k % 4], 4 * sizeof(float));
+    nkw_track track = {i->times, values, 3, 4, NKW_TRACK_ROTATION, mode, NULL}, out;
+    float rate = nkw_track_resample_within(&track, 2.0f, times, made, work, &out);
+    o[0] = rate;
+    o[1] = (float)nkw_track_resample_count(&track, 17.0f);
+    o[2] = rate > 0.0f ? nkw_track_difference(&track, &out, work) : 0.0f;
+    memcpy(o + 3, rate > 0.0f ? made + 4 * (out.count / 2) : values, 4 * sizeof(float));
+}
+
 static void put_head(float *o, nkw_play_head head)
 {
     o[0] = head.time;

@@ -14,7 +14,7 @@ static void draw_times(random_source *r, random_clip *c)
     }
 }
 
-/* Rotations that go on from key to key by up to a right angle or so, now and then anywhere, some with the sign turned. */
+/* Rotations that go on from key to key by a right angle at most, now and then anywhere, some with the sign turned. */
 static void draw_rotations(random_source *r, float *v, size_t count)
 {
     nkw_quat q = random_rotation(r);
@@ -66,7 +66,8 @@ static void add_track(random_source *r, random_clip *c, nkw_clip_target target, 
 
 void random_clip_draw(random_source *r, size_t joints, int variety, random_clip *c)
 {
-    nkw_clip_source source = {c->tracks, 0, joints, variety == 2 ? RANDOM_CLIP_FLOATS : 0, c->rest, c->rest_floats, NKW_CLIP_FLOAT32};
+    nkw_clip_source source = {c->tracks,      0,      joints, variety == 2 ? RANDOM_CLIP_FLOATS : 0, c->rest,
+                              c->rest_floats, NKW_CLIP_FLOAT32};
     c->source = source;
     draw_times(r, c);
     for (size_t j = 0; j < joints; j++) {

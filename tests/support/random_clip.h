@@ -25,8 +25,8 @@ typedef struct random_clip {
 } random_clip;
 
 /*
- * joints up to RANDOM_CLIP_JOINTS. variety 0: every property of every joint moves by LINEAR on one evenly spaced timeline; 1: the
- * same on an uneven one, some constant; 2: everything mixed.
+ * joints up to RANDOM_CLIP_JOINTS. variety 0: every property of every joint moves by LINEAR on one evenly spaced
+ * timeline; 1: the same on an uneven one, some constant; 2: everything mixed.
  */
 void random_clip_draw(random_source *r, size_t joints, int variety, random_clip *clip);
 

@@ -1,0 +1,208 @@
+/* SPDX-License-Identifier: MIT */
+#if !defined(_POSIX_C_SOURCE)
+#define _POSIX_C_SOURCE 200809L /* popen */
+#endif
+#include "scene.h"
+
+#include <stdlib.h>
+
+#include "expect.h"
+
+void scene_read_floats(FILE *file, float *out, size_t n)
+{
+    for (size_t i = 0; i < n; i++)
+        assert_int_equal(fscanf(file, "%f", &out[i]), 1);
+}
+
+static void read_node(FILE *file, scene *s)
+{
+    int index, parent;
+    char kind;
+    float v[16];
+    assert_int_equal(fscanf(file, "%d %d %*d %c", &index, &parent, &kind), 3);
+    assert_in_range(index, 0, SCENE_NODES - 1);
+    scene_node *n = &s->node[index];
+    s->nodes = index >= s->nodes ? index + 1 : s->nodes;
+    n->parent = parent;
+    n->is_matrix = kind == 'M';
+    scene_read_floats(file, v, n->is_matrix ? 16 : 10);
+    if (n->is_matrix)
+        memcpy(&n->matrix, v, sizeof n->matrix);
+    else
+        memcpy(&n->rest, v, sizeof n->rest);
+}
+
+static nkw_clip_target target_of(const char *path)
+{
+    static const char *const paths[4] = {"translation", "rotation", "scale", "weights"};
+    int target = 0;
+    while (target < 4 && strcmp(path, paths[target]) != 0)
+        target++;
+    assert_in_range(target, 0, 3);
+    return (nkw_clip_target)target;
+}
+
+static nkw_interpolation interpolation_of(const char *mode)
+{
+    return strcmp(mode, "LINEAR") == 0 ? NKW_INTERPOLATION_LINEAR
+           : strcmp(mode, "STEP") == 0 ? NKW_INTERPOLATION_STEP
+                                       : NKW_INTERPOLATION_CUBICSPLINE;
+}
+
+/* Where the node's morph weights stand among those of the scene; all animations of a node move as many. */
+static uint32_t weights_of(scene *s, scene_node *n, size_t width)
+{
+    if (n->weight_count == 0) {
+        n->weights = s->floats;
+        n->weight_count = width;
+        s->floats += width;
+    }
+    assert_int_equal(n->weight_count, width);
+    assert_true(s->floats <= SCENE_FLOATS);
+    return (uint32_t)n->weights;
+}
+
+static void read_channel(FILE *file, scene *s, int anim)
+{
+    char path[16], mode[16];
+    int node;
+    assert_true(s->channels < SCENE_CHANNELS);
+    scene_channel *c = &s->channel[s->channels++];
+    nkw_track *t = &c->track.track;
+    assert_int_equal(fscanf(file, "%d %15s %15s %zu %zu", &node, path, mode, &t->count, &t->width), 5);
+    assert_in_range(node, 0, s->nodes - 1);
+    c->anim = anim;
+    c->track.target = target_of(path);
+    c->track.index = c->track.target == NKW_CLIP_FLOATS ? weights_of(s, &s->node[node], t->width) : (uint32_t)node;
+    t->kind = c->track.target == NKW_CLIP_ROTATION ? NKW_TRACK_ROTATION : NKW_TRACK_FLOATS;
+    t->interpolation = interpolation_of(mode);
+    size_t count = nkw_track_value_count(t);
+    t->times = c->times = (float *)malloc(t->count * sizeof(float));
+    t->values = c->values = (float *)malloc(count * sizeof(float));
+    assert_true(c->times && c->values);
+    scene_read_floats(file, c->times, t->count);
+    scene_read_floats(file, c->values, count);
+    assert_int_equal(nkw_track_validate(t, NULL), NKW_OK);
+}
+
+void scene_read(const char *path, scene *s)
+{
+    char word[256];
+    int anim = -1;
+    memset(s, 0, sizeof *s);
+    FILE *file = fopen(path, "r");
+    assert_non_null(file);
+    while (fscanf(file, "%255s", word) == 1) {
+        if (strcmp(word, "node") == 0)
+            read_node(file, s);
+        else if (strcmp(word, "anims") == 0)
+            assert_int_equal(fscanf(file, "%d", &s->anims), 1);
+        else if (strcmp(word, "anim") == 0)
+            assert_int_equal(fscanf(file, "%d %*d", &anim), 1);
+        else if (strcmp(word, "channel") == 0)
+            read_channel(file, s, anim);
+        else if (strcmp(word, "skinmeshes") == 0)
+            break;
+    }
+    fclose(file);
+    assert_true(s->nodes > 0);
+}
+
+void scene_free(scene *s)
+{
+    for (int i = 0; i < s->channels; i++) {
+        free(s->channel[i].times);
+        free(s->channel[i].values);
+    }
+}
+
+void scene_rest(const scene *s, float *pose)
+{
+    size_t joints = (size_t)s->nodes;
+    nkw_pose_identity(pose, joints);
+    for (size_t j = 0; j < joints; j++) {
+        const scene_node *n = &s->node[j];
+        nkw_trs trs = n->is_matrix ? nkw_trs_from_mat4(&n->matrix) : n->rest;
+        nkw_pose_set(pose, joints, j, &trs);
+    }
+}
+
+void scene_sample(const scene *s, int anim, float time, float *pose, float *floats)
+{
+    size_t joints = (size_t)s->nodes;
+    scene_rest(s, pose);
+    memset(floats, 0, s->floats * sizeof *floats);
+    for (int i = 0; i < s->channels; i++) {
+        const nkw_clip_track *c = &s->channel[i].track;
+        if (s->channel[i].anim != anim)
+            continue;
+        if (c->target == NKW_CLIP_FLOATS) {
+            nkw_track_sample(&c->track, time, floats + c->index);
+            continue;
+        }
+        nkw_trs trs = nkw_pose_get(pose, joints, c->index);
+        nkw_track_sample(&c->track, time,
+                         c->target == NKW_CLIP_TRANSLATION ? &trs.translation.x
+                         : c->target == NKW_CLIP_ROTATION  ? &trs.rotation.x
+                                                           : &trs.scale.x);
+        nkw_pose_set(pose, joints, c->index, &trs);
+    }
+}
+
+nkw_clip *scene_clip(const scene *s, int anim, nkw_clip_format format, const float *rest, nkw_clip_track *tracks,
+                     nkw_clip_source *source)
+{
+    uint32_t work[NKW_CLIP_WORK(SCENE_CHANNELS)];
+    size_t bytes, count = 0;
+    const nkw_clip *clip;
+    for (int i = 0; i < s->channels; i++)
+        if (s->channel[i].anim == anim)
+            tracks[count++] = s->channel[i].track;
+    nkw_clip_source from = {tracks, count, (size_t)s->nodes, s->floats, rest, NULL, format};
+    *source = from;
+    assert_int_equal(nkw_clip_measure(source, work, &bytes, NULL), NKW_OK);
+    void *block = malloc(bytes);
+    assert_non_null(block);
+    assert_int_equal(nkw_clip_build(source, work, block, bytes, NULL), NKW_OK);
+    assert_int_equal(nkw_clip_open(block, bytes, &clip), NKW_OK);
+    return (nkw_clip *)block;
+}
+
+nkw_mat4 scene_world(const scene *s, const float *pose, int node)
+{
+    const scene_node *n = &s->node[node];
+    nkw_trs t = nkw_pose_get(pose, (size_t)s->nodes, (size_t)node);
+    nkw_mat4 local = n->is_matrix ? n->matrix : nkw_mat4_from_trs(&t);
+    if (n->parent < 0)
+        return local;
+    nkw_mat4 parent = scene_world(s, pose, n->parent);
+    return nkw_mat4_mul_affine(&parent, &local);
+}
+
+FILE *table_open(const char *path)
+{
+    char command[1024];
+    snprintf(command, sizeof command, "gzip -dcf '%s'*", path);
+    FILE *file = popen(command, "r");
+    assert_non_null(file);
+    return file;
+}
+
+void table_close(FILE *file)
+{
+    pclose(file);
+}
+
+int table_read(FILE *file, table_row *r)
+{
+    char line[1024], *at = line;
+    int used = 0;
+    if (!fgets(line, sizeof line, file))
+        return 0;
+    r->count = 0;
+    if (sscanf(line, "%7[^,],%d,%f,%d,%d%n", r->tag, &r->anim, &r->time, &r->a, &r->b, &used) != 5)
+        return r->tag[0] = '#', 1;
+    for (at += used; r->count < 16 && sscanf(at, ",%f%n", &r->values[r->count], &used) == 1; at += used)
+        r->count++;
+    return 1;
+}
