@@ -165,23 +165,28 @@ static void print_hash(uint64_t hash)
     printf("%08lx%08lx", (unsigned long)(hash >> 32), (unsigned long)(hash & 0xffffffffu));
 }
 
-/* Nanoseconds per character of one step of the first piece, which has been through all steps; the least of a hundred runs. */
+static double repeat(share *s, const troupe *t, troupe_step step, long times)
+{
+    double start = thread_clock();
+    for (long i = 0; i < times; i++)
+        troupe_do(t, TROUPE_CHARACTERS, step, 0, (float)i / 60.0f, &s->scratch);
+    return thread_clock() - start;
+}
+
+/* The same for one step of the first piece, which has been through all steps. */
 static double step_cost(share *s, const troupe *t, troupe_step step, double seconds)
 {
-    enum { RUNS = 100 };
+    enum { RUNS = 20 };
     long times = 1;
-    double least = 0.0;
-    for (int i = 0; i < RUNS; i++) {
-        double start = thread_clock();
-        for (long k = 0; k < times; k++)
-            troupe_do(t, TROUPE_CHARACTERS, step, 0, (float)k / 60.0f, &s->scratch);
-        double taken = thread_clock() - start;
-        if (i == 0 && taken < seconds / RUNS && times < 1000000000L)
-            times *= 2, i = -1;
-        else if (i == 0 || taken < least)
-            least = taken;
+    double least = repeat(s, t, step, times);
+    size_t characters = t->characters < NKW_CROWD ? t->characters : NKW_CROWD;
+    while (least < seconds / RUNS && times < 1000000000L)
+        least = repeat(s, t, step, times *= 2);
+    for (int i = 1; i < RUNS; i++) {
+        double taken = repeat(s, t, step, times);
+        least = taken < least ? taken : least;
     }
-    return 1e9 * least / ((double)times * (double)(t->characters < NKW_CROWD ? t->characters : NKW_CROWD));
+    return 1e9 * least / ((double)times * (double)characters);
 }
 
 static void print_buffer(const troupe *t)
