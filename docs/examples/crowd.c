@@ -1,8 +1,9 @@
 /* SPDX-License-Identifier: MIT */
 /**
  * @file
- * nakawari-crowd: many characters on many threads, without a lock: every thread works on characters of its own and writes their joint
- * matrices to their own part of one buffer. Measures how that scales, and checks that the bits do not know of threads or lanes.
+ * nakawari-crowd: many characters on many threads, without a lock: every thread works on characters of its own and writes
+ * their joint matrices to their own part of one buffer. Measures how that scales, and checks that the bits do not know of
+ * threads or lanes. See docs/floors/6-crowd.md.
  */
 #define _POSIX_C_SOURCE 200809L
 #include "thread.h"
@@ -105,8 +106,8 @@ static thread_result work(void *argument)
 }
 
 /*
- * The whole work on so many threads, this one the first of them; what a thread could not be started for is done here. Nothing is
- * shared that is written, so there is nothing to lock. Gives the seconds.
+ * The whole work on so many threads, this one the first of them; what a thread could not be started for is done here.
+ * Nothing is shared that is written, so there is nothing to lock. Gives the seconds.
  */
 static double run(share *shares, int threads, const troupe *t, troupe_task task, int lanes, long moments)
 {
@@ -134,8 +135,8 @@ static double run(share *shares, int threads, const troupe *t, troupe_task task,
 /* ---- measuring ---- */
 
 /*
- * Nanoseconds per character, the least of five runs, for other programs only ever add to it. The number of moments is doubled until
- * a run is long enough.
+ * Nanoseconds per character, the least of five runs, for other programs only ever add to it. The number of moments is
+ * doubled until a run is long enough.
  */
 static double cost(share *shares, int threads, const troupe *t, int lanes, double seconds)
 {

@@ -253,8 +253,8 @@ int film_sheet(film *f, const char *path)
 /* ---- the two ways of skinning ---- */
 
 /*
- * How far the mesh keeps its thickness: the least share of its distance from the middle axis that a vertex has kept. At RIG_TWIST
- * all joints stand on that axis and turn about it.
+ * How far the mesh keeps its thickness: the least share of its distance from the y axis that a vertex has kept. At
+ * RIG_TWIST all joints stand on that axis and turn about it.
  */
 static float least_thickness(const film *f)
 {

@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: MIT */
 /**
  * @file
- * nakawari-joints: the lesson on joint animation, finished: a capsule, or a mesh from a file, is bent by four joints, from key frames
- * to skinned vertices, and drawn; or the matrices of one moment are printed. See docs/joints.md.
+ * nakawari-joints: the lesson on joint animation, finished: a capsule, or a mesh from a file, is bent by four joints,
+ * from key frames to skinned vertices, and drawn; or the matrices of one moment are printed. See docs/joints.md.
  */
 #include <errno.h>
 #include <stdio.h>

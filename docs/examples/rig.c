@@ -109,8 +109,8 @@ static const char *build_clip(rig *r, const float *rest)
 /* ---- the mesh on its joints ---- */
 
 /*
- * The share of each joint in a vertex at a height: uniform cubic B-splines over the joints, joint j strongest half way between j
- * and j + 1, where the lesson gives it all. Joints beyond the ends count as the end ones.
+ * The share of each joint in a vertex at a height: uniform cubic B-splines over the joints, joint j strongest half way
+ * between j and j + 1, where the lesson gives it all. Joints beyond the ends count as the end ones.
  */
 static void set_weights(const rig *r, float height, float out[RIG_JOINTS])
 {

@@ -32,15 +32,15 @@ typedef struct rig_state {
 } rig_state;
 
 /**
- * A rig as high as the mesh, with a joint at its foot, at one and two thirds, and on top; the vertices are hung on it. Gives NULL,
- * or what is wrong. rig_free is due in either case.
+ * A rig as high as the mesh, with a joint at its foot, at one and two thirds, and on top; the vertices are hung on it.
+ * Gives NULL, or what is wrong. rig_free is due in either case.
  */
 const char *rig_build(rig *r, mesh *m);
 void rig_free(rig *r);
 
 rig_state rig_at(const rig *r, float time);
 
-/** Vertices moved by the joint matrices, by blended matrices or by dual quaternions: one of each for each of the mesh. */
+/** The mesh moved by the joint matrices, blended or as dual quaternions: a position and a normal for each vertex. */
 void rig_skin(const rig_state *state, const mesh *m, int dual, nkw_vec3 *positions, nkw_vec3 *normals);
 
 #endif

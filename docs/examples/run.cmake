@@ -1,5 +1,5 @@
 # Runs an example program for a test.
-#   OUT, FILES             draw into the fresh folder OUT, with ARGUMENTS; fail if one of FILES is missing there or empty
+#   OUT, FILES             draw into the fresh folder OUT with ARGUMENTS; fail if one of FILES is missing there or empty
 #   SHOWN                  with OUT; fail unless each of FILES says this
 #   PAGE                   with ARGUMENTS; fail unless this file shows the very output
 #   ARGUMENTS, CODE, TEXT  fail unless it ends with CODE and says TEXT: on stdout if CODE is 0, else on stderr alone

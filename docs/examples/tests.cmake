@@ -1,8 +1,8 @@
 # The example programs as tests; run.cmake says how. Included by docs/CMakeLists.txt.
 set(run -P "${CMAKE_CURRENT_SOURCE_DIR}/examples/run.cmake")
 
-# PROGRAM draws FILES into a folder of its own; those pictures of FILES that are PICTURES have, with PREFIX, the very bytes that are
-# committed.
+# PROGRAM draws FILES and PICTURES into a folder of its own; PICTURES have the very bytes of the committed ones, whose names
+# begin with PREFIX.
 function(example_draws program prefix)
   cmake_parse_arguments(arg "" "" "FILES;PICTURES;ARGUMENTS" ${ARGN})
   set(out "${CMAKE_CURRENT_BINARY_DIR}/${program}")
@@ -57,7 +57,8 @@ example_says(coursework unwritable_folder 1 "cannot write .*/no/such/folder/scen
 
 add_test(NAME example_coursework_with_joints COMMAND "${CMAKE_COMMAND}"
   "-DPROGRAM=$<TARGET_FILE:nakawari-coursework>" -DARGUMENTS=--joints
-  "-DOUT=${CMAKE_CURRENT_BINARY_DIR}/coursework-with-joints" -DFILES=index.html "-DSHOWN=joints-sheet.svg.*joints-compare.svg" ${run})
+  "-DOUT=${CMAKE_CURRENT_BINARY_DIR}/coursework-with-joints" -DFILES=index.html
+  "-DSHOWN=joints-sheet.svg.*joints-compare.svg" ${run})
 set_tests_properties(example_coursework_with_joints PROPERTIES LABELS unit)
 
 # ---- nakawari-joints ----
@@ -74,9 +75,9 @@ example_says(joints part_of_a_frame 2 "not a whole number: 1.5" --frames 1.5)
 example_says(joints unwritable_folder 1 "cannot write .*/no/such/folder/joints-frame-000.svg" --out "${nowhere}")
 example_says(joints no_file 1 "cannot read .*/no/such/folder: " --obj "${nowhere}")
 
-# A box of two triangles, a face of five corners and faces by negative numbers, with and without normals, read without complaint.
+# All forms of corners, by numbers forwards and backwards, with and without normals; faces of four and five corners.
 set(obj "${CMAKE_CURRENT_BINARY_DIR}/obj")
-file(CONFIGURE OUTPUT "${obj}/prism.obj" @ONLY CONTENT [[# all forms of corners
+file(CONFIGURE OUTPUT "${obj}/prism.obj" @ONLY CONTENT [[# a prism
 o prism
 v 1 0 0
 v 0.309 0 0.951
@@ -100,7 +101,8 @@ f -6 -7 -2/1 -1/1
 f	1 5 10	6
 ]])
 example_says(joints obj 0 "a vertex at .*it goes to .*it goes to" --trace 2 --obj "${obj}/prism.obj")
-example_says(joints obj_pictures 0 "wrote .*/obj/joints-compare.svg" --dual --frames 2 --out "${obj}" --obj "${obj}/prism.obj")
+example_says(joints obj_pictures 0 "wrote .*/obj/joints-compare.svg"
+  --dual --frames 2 --out "${obj}" --obj "${obj}/prism.obj")
 
 # A file that says LINE after three vertices and a normal fails there.
 function(joints_refuses name text)

@@ -61,8 +61,8 @@ void troupe_scratch_free(troupe_scratch *s);
 size_t troupe_pieces(const troupe *t, troupe_task task);
 
 /**
- * One step of one piece, for the moment `time`, seconds (of no matter to frames). Writes what belongs to the piece and the scratch,
- * and reads besides only what nobody writes: threads with scratches and pieces of their own need no lock.
+ * One step of one piece, for the moment `time`, seconds (of no matter to frames). Writes what belongs to the piece and
+ * the scratch, and reads besides only what nobody writes: threads with scratches and pieces of their own need no lock.
  */
 void troupe_do(const troupe *t, troupe_task task, troupe_step step, size_t piece, float time, troupe_scratch *s);
 
