@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: MIT */
 /**
  * @file
- * Pictures of a mesh that four joints bend. Each film_ function that takes a path writes one SVG file and gives 0, errno
- * set, if it could not.
+ * Pictures of a mesh that four joints bend. Each film_ function that takes a path writes one SVG file and gives 0,
+ * errno set, if it could not.
  */
 #ifndef FILM_H
 #define FILM_H

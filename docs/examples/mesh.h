@@ -48,8 +48,8 @@ int mesh_capsule(mesh *m);
 
 /**
  * The faces of an .obj file: its lines v, vn and f are read, all others are not. Polygons of more than four corners (up
- * to 256) are cut into a fan; a face without normals gets its own. Gives 0, and in `message` the file, the line and what
- * is wrong there. mesh_free is due in either case.
+ * to 256) are cut into a fan; a face without normals gets its own. Gives 0, and in `message` the file, the line and
+ * what is wrong there. mesh_free is due in either case.
  */
 int mesh_read_obj(mesh *m, const char *path, char message[MESH_MESSAGE]);
 
