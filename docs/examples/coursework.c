@@ -52,6 +52,7 @@ static const char usage[] =
     "  --keys N           only its first N keys, 2 or more (default all)\n"
     "  --step SECONDS     distance of the table's rows (default 0.1)\n"
     "  --out DIR          an existing folder for the files (default .)\n"
+    "  --joints           index.html shows the pictures of nakawari-joints too, from the same folder\n"
     "  --trace TIME       write no file; print the calculation at TIME step by step, with\n"
     "  --position P       linear, hermite (default), bezier, bspline, catmull-rom or step, and\n"
     "  --orientation O    none, euler, quat (default), euler-unwrapped or nlerp\n"
@@ -62,7 +63,7 @@ typedef struct options {
     size_t keys;
     double step;
     const char *out;
-    int trace, help;
+    int joints, trace, help;
     float time;
     const named *position, *orientation;
 } options;
@@ -150,6 +151,8 @@ static int read_options(int argc, char **argv, options *o)
     for (int i = 1; i < argc; i++) {
         if (strcmp(argv[i], "--help") == 0 || strcmp(argv[i], "-h") == 0)
             o->help = 1;
+        else if (strcmp(argv[i], "--joints") == 0)
+            o->joints = 1;
         else if (!takes_value(argv[i]))
             return complain("unknown option", argv[i]);
         else if (i + 1 == argc)
@@ -265,7 +268,19 @@ static const picture pictures[] = {
 };
 enum { PICTURE_COUNT = sizeof pictures / sizeof *pictures };
 
-static int write_index(const scene *s, const char *path)
+/* What nakawari-joints draws. */
+static const picture joints_pictures[] = {
+    {NULL, "joints-sheet", "From key frames to skinned vertices: every half second of the motion, by blended matrices."},
+    {NULL, "joints-compare", "Where a joint is twisted most: blended matrices lose the volume, dual quaternions keep it."},
+};
+enum { JOINTS_PICTURE_COUNT = sizeof joints_pictures / sizeof *joints_pictures };
+
+static void write_figure(FILE *f, const picture *p)
+{
+    fprintf(f, "<figure><img src=\"%s.svg\" alt=\"\"><figcaption>%s</figcaption></figure>\n", p->name, p->caption);
+}
+
+static int write_index(const scene *s, int joints, const char *path)
 {
     FILE *f = fopen(path, "wb");
     if (!f)
@@ -277,8 +292,11 @@ static int write_index(const scene *s, const char *path)
     fprintf(f, "<p>%u keys, one per second. The numbers: <a href=\"%s.csv\">%s.csv</a>.</p>\n", (unsigned)s->count,
             s->name, s->name);
     for (int i = 0; i < PICTURE_COUNT; i++)
-        fprintf(f, "<figure><img src=\"%s.svg\" alt=\"\"><figcaption>%s</figcaption></figure>\n", pictures[i].name,
-                pictures[i].caption);
+        write_figure(f, &pictures[i]);
+    if (joints)
+        fputs("<h1>A capsule on four joints</h1>\n", f);
+    for (int i = 0; joints && i < JOINTS_PICTURE_COUNT; i++)
+        write_figure(f, &joints_pictures[i]);
     fputs("</html>\n", f);
     int failed = ferror(f);
     return fclose(f) == 0 && !failed;
@@ -296,7 +314,7 @@ static int write_files(const scene *s, const options *o)
             return 0;
     }
     path_in(o, "index", ".html", path);
-    return report(write_index(s, path), path);
+    return report(write_index(s, o->joints, path), path);
 }
 
 static int run(const options *o)
@@ -319,7 +337,7 @@ static int run(const options *o)
 
 int main(int argc, char **argv)
 {
-    options o = {1, 0, 0.1, ".", 0, 0, 0.0f, &positions[HERMITE], &orientations[QUAT]};
+    options o = {1, 0, 0.1, ".", 0, 0, 0, 0.0f, &positions[HERMITE], &orientations[QUAT]};
     int code = DONE;
     if (!read_options(argc, argv, &o))
         return MISUSED;

@@ -1,11 +1,12 @@
-# Runs nakawari-coursework for a test.
-#   OUT, FILES             draw into the fresh folder OUT; fail if one of FILES is missing there or empty
+# Runs an example program for a test.
+#   OUT, FILES             draw into the fresh folder OUT with ARGUMENTS; fail if one of FILES is missing there or empty
+#   SHOWN                  with OUT; fail unless each of FILES says this
 #   PAGE                   with ARGUMENTS; fail unless this file shows the very output
 #   ARGUMENTS, CODE, TEXT  fail unless it ends with CODE and says TEXT: on stdout if CODE is 0, else on stderr alone
 if(DEFINED OUT)
   file(REMOVE_RECURSE "${OUT}")
   file(MAKE_DIRECTORY "${OUT}")
-  set(ARGUMENTS --out "${OUT}")
+  list(APPEND ARGUMENTS --out "${OUT}")
   set(CODE 0)
   set(TEXT "wrote ")
 endif()
@@ -40,5 +41,9 @@ foreach(file IN LISTS FILES)
   file(SIZE "${OUT}/${file}" size)
   if(size EQUAL 0)
     message(FATAL_ERROR "${OUT}/${file} is empty")
+  endif()
+  file(READ "${OUT}/${file}" shown)
+  if(DEFINED SHOWN AND NOT shown MATCHES "${SHOWN}")
+    message(FATAL_ERROR "${OUT}/${file} does not say ${SHOWN}")
   endif()
 endforeach()

@@ -1,0 +1,142 @@
+# The example programs as tests; run.cmake says how. Included by docs/CMakeLists.txt.
+set(run -P "${CMAKE_CURRENT_SOURCE_DIR}/examples/run.cmake")
+
+# PROGRAM draws FILES and PICTURES into a folder of its own; PICTURES have the very bytes of the committed ones, whose
+# names begin with PREFIX.
+function(example_draws program prefix)
+  cmake_parse_arguments(arg "" "" "FILES;PICTURES;ARGUMENTS" ${ARGN})
+  set(out "${CMAKE_CURRENT_BINARY_DIR}/${program}")
+  list(TRANSFORM arg_PICTURES APPEND ".svg" OUTPUT_VARIABLE pictures)
+  list(APPEND arg_FILES ${pictures})
+  add_test(NAME example_${program} COMMAND "${CMAKE_COMMAND}" "-DPROGRAM=$<TARGET_FILE:nakawari-${program}>"
+    "-DARGUMENTS=${arg_ARGUMENTS}" "-DOUT=${out}" "-DFILES=${arg_FILES}" ${run})
+  set_tests_properties(example_${program} PROPERTIES LABELS unit FIXTURES_SETUP ${program}_files)
+  foreach(picture IN LISTS arg_PICTURES)
+    add_test(NAME example_${program}_figure_${picture} COMMAND "${CMAKE_COMMAND}" -E compare_files --ignore-eol
+      "${out}/${picture}.svg" "${CMAKE_CURRENT_SOURCE_DIR}/figures/${prefix}${picture}.svg")
+    set_tests_properties(example_${program}_figure_${picture} PROPERTIES
+      LABELS golden FIXTURES_REQUIRED ${program}_files)
+  endforeach()
+endfunction()
+
+# What is asked, the exit code, and what is said about it.
+function(example_says program name code text)
+  add_test(NAME example_${program}_${name} COMMAND "${CMAKE_COMMAND}" "-DPROGRAM=$<TARGET_FILE:nakawari-${program}>"
+    "-DARGUMENTS=${ARGN}" "-DCODE=${code}" "-DTEXT=${text}" ${run})
+  set_tests_properties(example_${program}_${name} PROPERTIES LABELS unit)
+endfunction()
+
+# The page shows the very output.
+function(example_page program page text)
+  add_test(NAME example_${program}_page COMMAND "${CMAKE_COMMAND}" "-DPROGRAM=$<TARGET_FILE:nakawari-${program}>"
+    "-DARGUMENTS=${ARGN}" -DCODE=0 "-DTEXT=${text}" "-DPAGE=${CMAKE_CURRENT_SOURCE_DIR}/${page}.md" ${run})
+  set_tests_properties(example_${program}_page PROPERTIES LABELS golden)
+endfunction()
+
+set(nowhere "${CMAKE_CURRENT_BINARY_DIR}/no/such/folder")
+
+# ---- nakawari-coursework ----
+
+example_draws(coursework coursework- FILES scene1.csv index.html PICTURES ${coursework_pictures})
+example_page(coursework coursework matrix --trace 3.25 --position hermite --orientation quat)
+
+# The page's links to lines of the source. Put right by the command in the script's head.
+add_test(NAME example_coursework_lines COMMAND "${CMAKE_COMMAND}" "-DPAGE=${CMAKE_CURRENT_SOURCE_DIR}/coursework.md"
+  "-DROOT=${PROJECT_SOURCE_DIR}" -P "${CMAKE_CURRENT_SOURCE_DIR}/generate/lines.cmake")
+set_tests_properties(example_coursework_lines PROPERTIES LABELS golden)
+
+example_says(coursework help 0 "^usage: nakawari-coursework" --help)
+example_says(coursework trace 0 "segment 1, from key 1 to key 2" --trace 1.25)
+example_says(coursework unknown_option 2 "unknown option: --nonsense" --nonsense)
+example_says(coursework missing_value 2 "value missing after: --out" --out)
+example_says(coursework bad_number 2 "not a number in range: fast" --step fast)
+example_says(coursework bad_scene 2 "not a number in range: 3" --scene 3)
+example_says(coursework bad_method 2 "no such method: cubic" --trace 1 --position cubic)
+example_says(coursework too_many_keys 2 "fewer keys" --scene 2 --keys 3)
+example_says(coursework unwritable_folder 1 "cannot write .*/no/such/folder/scene1.csv" --out "${nowhere}")
+
+add_test(NAME example_coursework_with_joints COMMAND "${CMAKE_COMMAND}"
+  "-DPROGRAM=$<TARGET_FILE:nakawari-coursework>" -DARGUMENTS=--joints
+  "-DOUT=${CMAKE_CURRENT_BINARY_DIR}/coursework-with-joints" -DFILES=index.html
+  "-DSHOWN=joints-sheet.svg.*joints-compare.svg" ${run})
+set_tests_properties(example_coursework_with_joints PROPERTIES LABELS unit)
+
+# ---- nakawari-joints ----
+
+example_draws(joints "" FILES joints-frame-000.svg joints-frame-007.svg PICTURES ${joints_pictures})
+example_page(joints joints "joint matrix" --trace 1)
+example_says(joints help 0 "^usage: nakawari-joints" --help)
+example_says(joints key_time 0 "joint 1.*0\\.877583 -0\\.479426  1\\.000000" --trace 1)
+example_says(joints unknown_option 2 "unknown option: --nonsense" --nonsense)
+example_says(joints missing_value 2 "value missing after: --obj" --obj)
+example_says(joints bad_number 2 "not a number in range: soon" --trace soon)
+example_says(joints no_frames 2 "not a number in range: 0" --frames 0)
+example_says(joints part_of_a_frame 2 "not a whole number: 1.5" --frames 1.5)
+example_says(joints unwritable_folder 1 "cannot write .*/no/such/folder/joints-frame-000.svg" --out "${nowhere}")
+example_says(joints no_file 1 "cannot read .*/no/such/folder: " --obj "${nowhere}")
+
+# All forms of corners, by numbers forwards and backwards, with and without normals; faces of four and five corners.
+set(obj "${CMAKE_CURRENT_BINARY_DIR}/obj")
+file(CONFIGURE OUTPUT "${obj}/prism.obj" @ONLY CONTENT [[# a prism
+o prism
+v 1 0 0
+v 0.309 0 0.951
+v -0.809 0 0.588
+v -0.809 0 -0.588
+v 0.309 0 -0.951 1.0
+v 1 2 0
+v 0.309 2 0.951
+v -0.809 2 0.588
+v -0.809 2 -0.588
+v 0.309 2 -0.951
+vt 0 0
+vn 0 3 0
+usemtl none
+f 1 2 3 4 5
+f 10//1 9//1 8//1 7//1 6//-1
+f 2/1 1/1 6/1 7/1
+f 3/1 2/1 -4 -3
+f -7 -8 -3 -2
+f -6 -7 -2/1 -1/1
+f	1 5 10	6
+]])
+example_says(joints obj 0 "a vertex at .*it goes to .*it goes to" --trace 2 --obj "${obj}/prism.obj")
+example_says(joints obj_pictures 0 "wrote .*/obj/joints-compare.svg"
+  --dual --frames 2 --out "${obj}" --obj "${obj}/prism.obj")
+
+# A file that says LINE after three vertices and a normal fails there.
+function(joints_refuses name text)
+  list(JOIN ARGN "\n" lines)
+  file(CONFIGURE OUTPUT "${obj}/${name}.obj" CONTENT "v 0 0 0\nv 1 0 0\nv 0 1 0\nvn 0 0 1\n${lines}\n" @ONLY)
+  example_says(joints obj_${name} 1 "/${name}\\.obj:${text}" --trace 0 --obj "${obj}/${name}.obj")
+endfunction()
+joints_refuses(two_corners "5: a face has fewer than three corners" "f 1 2")
+joints_refuses(beyond "5: no such vertex or normal so far" "f 1 2 4")
+joints_refuses(before "5: no such vertex or normal so far" "f 1 2 -4")
+joints_refuses(zero "6: no such vertex or normal so far" "f 1 2 3" "f 1 2 0")
+joints_refuses(bad_normal "5: no such vertex or normal so far" "f 1//1 2//2 3//1")
+joints_refuses(word "5: a corner's number was expected" "f 1 2 three")
+joints_refuses(tail "5: a corner's number was expected" "f 1 2 3x")
+joints_refuses(short_vector "5: three numbers were expected" "v 1 2")
+joints_refuses(infinite "5: a number is too large" "v 1 2 1e99")
+joints_refuses(no_faces " there are no faces" "# nothing")
+
+file(CONFIGURE OUTPUT "${obj}/flat.obj" CONTENT "v 0 1 0\nv 1 1 0\nv 0 1 1\nf 1 2 3\n" @ONLY)
+example_says(joints obj_flat 1 "the mesh has no height" --obj "${obj}/flat.obj")
+if(EXISTS "${NKW_DATA_DIR}/obj/capsule_3m.obj")
+  example_says(joints obj_capsule 0 "joint 3.*-0\\.122417.*it goes to" --trace 1 --obj "${NKW_DATA_DIR}/obj/capsule_3m.obj")
+endif()
+
+# ---- nakawari-crowd ----
+
+if(TARGET nakawari-crowd)
+  example_says(crowd help 0 "^usage: nakawari-crowd" --help)
+  # Sizes that fill neither pieces nor threads. The hash is the same on every machine.
+  example_says(crowd small 0 "37 characters of 11 joints.*3  .*ca013582ce773fe7.*out of the lanes"
+    --characters 37 --joints 11 --threads 3 --seconds 0.001)
+  example_says(crowd least 0 "1 characters of 1 joints" --characters 1 --joints 1 --threads 2 --seconds 0.001)
+  example_says(crowd unknown_option 2 "unknown option: --nonsense" --nonsense)
+  example_says(crowd missing_value 2 "value missing after: --joints" --joints)
+  example_says(crowd no_characters 2 "not a number in range: 0" --characters 0)
+  example_says(crowd half_a_thread 2 "not a whole number: 1.5" --threads 1.5)
+endif()
