@@ -1,11 +1,6 @@
 cmake_minimum_required(VERSION 3.25)
 # Every loop of every instruction set works on whole vectors: its code has packed arithmetic of that set's registers. A
 # loop that silently stops vectorising fails here. Loops that only move or unpack data have none and are named.
-# GCC 12 finds no vector form of two long selections of doubles in SSE2; AVX2 and Clang have one.
-set(scalar_generic "")
-if(COMPILER STREQUAL "GNU")
-  set(scalar_generic quat_from_mat3 quat_log)
-endif()
 set(moves vec3_unpack vec3_pack quat_unpack quat_pack mat4_unpack mat4_pack quat_conjugate)
 set(packed_generic "(mul|add|sub|div|sqrt)p[sd] .*%xmm")
 set(packed_avx2 "v(mul|add|sub|div|sqrt)p[sd] .*%ymm")
@@ -17,7 +12,7 @@ set(checked 0)
 foreach(isa IN LISTS ISAS)
   foreach(row IN LISTS rows)
     string(REGEX REPLACE "^.*\\(" "" name "${row}")
-    if(name IN_LIST moves OR name IN_LIST scalar_${isa})
+    if(name IN_LIST moves)
       continue()
     endif()
     execute_process(COMMAND "${OBJDUMP}" -d --no-show-raw-insn "--disassemble=nkw_batch_${name}_${isa}" "${LIBRARY}"
