@@ -139,7 +139,8 @@ typedef struct lane_turns {
 static inline lane_turns lane_half_turns(double x, double shift)
 {
     double rounded = (x * LANE_INVERSE_PI - shift) + LANE_ROUND;
-    double turns = (rounded - LANE_ROUND) + shift;
+    double whole = rounded - LANE_ROUND;
+    double turns = shift > 0.0 ? whole + shift : whole; /* whole is never -0, but no compiler knows */
     lane_turns a;
     a.r = (x - turns * LANE_PI_HIGH) - turns * LANE_PI_LOW;
     a.n = lane_bits64(rounded);
