@@ -8,15 +8,14 @@
 #include <nakawari/types.h>
 
 /*
- * The pointers of a vec3 view or span go one by one: Clang takes a struct of up to three pointers apart itself, and in
- * doing so loses what "omp simd" says of the accesses. Every loop would then compare all arrays for overlap at run time,
- * and in place, where they do overlap, would not use vectors.
+ * Reading stands in the loop itself and the pointers of a span go one by one: where Clang takes a struct apart, be it an
+ * argument or a result, it loses what "omp simd" says of the accesses. The loop would then compare all arrays for overlap
+ * at run time, and in place, where they do overlap, would not use vectors.
  */
-static inline nkw_vec3 load_vec3(const float *x, const float *y, const float *z, size_t i)
-{
-    nkw_vec3 r = {x[i], y[i], z[i]};
-    return r;
-}
+#define at_vec3(v, i)     ((nkw_vec3){(v).x[i], (v).y[i], (v).z[i]})
+#define at_quat(v, i)     ((nkw_quat){(v).x[i], (v).y[i], (v).z[i], (v).w[i]})
+#define put_vec3(s, i, v) store_vec3((s).x, (s).y, (s).z, i, v)
+#define put_quat(s, i, q) store_quat((s).x, (s).y, (s).z, (s).w, i, q)
 
 static inline void store_vec3(float *x, float *y, float *z, size_t i, nkw_vec3 v)
 {
@@ -25,21 +24,12 @@ static inline void store_vec3(float *x, float *y, float *z, size_t i, nkw_vec3 v
     z[i] = v.z;
 }
 
-#define at_vec3(v, i)     load_vec3((v).x, (v).y, (v).z, i)
-#define put_vec3(s, i, v) store_vec3((s).x, (s).y, (s).z, i, v)
-
-static inline nkw_quat at_quat(nkw_quat_view v, size_t i)
+static inline void store_quat(float *x, float *y, float *z, float *w, size_t i, nkw_quat q)
 {
-    nkw_quat r = {v.x[i], v.y[i], v.z[i], v.w[i]};
-    return r;
-}
-
-static inline void put_quat(nkw_quat_span s, size_t i, nkw_quat q)
-{
-    s.x[i] = q.x;
-    s.y[i] = q.y;
-    s.z[i] = q.z;
-    s.w[i] = q.w;
+    x[i] = q.x;
+    y[i] = q.y;
+    z[i] = q.z;
+    w[i] = q.w;
 }
 
 static inline nkw_mat4 at_mat4(const nkw_mat4_view *v, size_t i)

@@ -42,20 +42,19 @@ KERNEL(quat_rotate)(nkw_quat_view q, nkw_vec3_view v, nkw_vec3_span out, size_t 
         put_vec3(out, i, nkw_quat_rotate(at_quat(q, i), at_vec3(v, i)));
 }
 
-/* A function of its own: GCC does not vectorise a loop that takes the address of a local matrix. */
-static inline nkw_quat from_mat3(const nkw_mat3_view *m, size_t i)
+/* By its columns: GCC keeps in memory what is an array in the loop itself. */
+static inline nkw_quat from_columns(nkw_vec3 x, nkw_vec3 y, nkw_vec3 z)
 {
-    lane_wmat3 w;
-    for (size_t k = 0; k < 9; k++)
-        w.m[k] = m->m[k][i];
-    return lane_quat_from_wide(lane_wquat_from_wmat3(&w, LANE_NEAREST_STEPS));
+    lane_wmat3 m = {{x.x, x.y, x.z, y.x, y.y, y.z, z.x, z.y, z.z}};
+    return lane_quat_from_wide(lane_wquat_from_wmat3(&m, LANE_NEAREST_STEPS));
 }
 
 KERNEL(quat_from_mat3)(nkw_mat3_view m, nkw_quat_span out, size_t n)
 {
+    const nkw_vec3_view x = {m.m[0], m.m[1], m.m[2]}, y = {m.m[3], m.m[4], m.m[5]}, z = {m.m[6], m.m[7], m.m[8]};
 #pragma omp simd
     for (size_t i = 0; i < n; i++)
-        put_quat(out, i, from_mat3(&m, i));
+        put_quat(out, i, from_columns(at_vec3(x, i), at_vec3(y, i), at_vec3(z, i)));
 }
 
 KERNEL(quat_unpack)(const nkw_quat *in, nkw_quat_span out, size_t n)

@@ -9,9 +9,10 @@
 
 /*
  * Angles come in blocks. The lanes for near angles vectorise; a block that holds a far one, which is rare, takes the
- * single functions throughout.
+ * single functions throughout. So does one of fewer elements than any vector has.
  */
 #define BLOCK 256
+#define FEW   4
 
 typedef float function(float);
 
@@ -35,7 +36,7 @@ static inline void each_angle(function *near, function *any, const float *angle,
 {
     for (size_t i = 0; i < n; i += BLOCK) {
         size_t count = n - i < BLOCK ? n - i : BLOCK;
-        if (any_far(angle + i, count))
+        if (count < FEW || any_far(angle + i, count))
             for (size_t k = i; k < i + count; k++)
                 out[k] = any(angle[k]);
         else

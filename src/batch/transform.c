@@ -1,8 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 #include "lane/strict.h"
 
-#include <string.h>
-
 #include <nakawari/transform.h>
 
 #include "batch/element.h"
@@ -12,23 +10,35 @@
  * The elements that are no sums: translation and last row. Copies and constants stand apart from the loop: Clang drops
  * from them the mark that says its arrays do not depend on each other.
  */
+static inline void copy(const float *from, float *to, size_t n)
+{
+#pragma omp simd
+    for (size_t i = 0; i < n; i++)
+        to[i] = from[i];
+}
+
+static inline void fill(float *to, float x, size_t n)
+{
+#pragma omp simd
+    for (size_t i = 0; i < n; i++)
+        to[i] = x;
+}
+
 static inline void put_rest(nkw_vec3_view t, const nkw_mat4_span *out, size_t n)
 {
-    const float *const from[3] = {t.x, t.y, t.z};
-    for (size_t k = 0; k < 3; k++) {
-        memmove(out->m[12 + k], from[k], n * sizeof(float));
-        memset(out->m[4 * k + 3], 0, n * sizeof(float));
-    }
-    for (size_t i = 0; i < n; i++)
-        out->m[15][i] = 1.0f;
+    copy(t.x, out->m[12], n);
+    copy(t.y, out->m[13], n);
+    copy(t.z, out->m[14], n);
+    fill(out->m[3], 0.0f, n);
+    fill(out->m[7], 0.0f, n);
+    fill(out->m[11], 0.0f, n);
+    fill(out->m[15], 1.0f, n);
 }
 
 KERNEL(mat4_from_trs)(nkw_trs_view trs, nkw_mat4_span out, size_t n)
 {
     const nkw_quat_view rotation = trs.rotation;
     const nkw_vec3_view scale = trs.scale;
-    if (n == 0)
-        return;
     put_rest(trs.translation, &out, n);
 #pragma omp simd
     for (size_t i = 0; i < n; i++) {

@@ -51,7 +51,7 @@ static inline lane_wvec3 lane_wvec3_cross(lane_wvec3 a, lane_wvec3 b)
 
 static inline double lane_wvec3_length(lane_wvec3 a)
 {
-    return lane_sqrt64(lane_wvec3_dot(a, a));
+    return lane_root64(lane_wvec3_dot(a, a));
 }
 
 static inline lane_wvec3 lane_wvec3_select(int first, lane_wvec3 a, lane_wvec3 b)

@@ -107,13 +107,18 @@ static inline double lane_rsqrt64(double x)
 }
 
 /*
- * sqrt(x), relative error 2^-51: the root of a square of 24 bits is exact once rounded to float.
- * Zeros and +inf give themselves, negative numbers and NaN give NaN.
+ * sqrt(x) for x >= 0, relative error 2^-51: the root of a square of 24 bits is exact once rounded to float.
+ * Zeros and +inf give themselves, NaN gives NaN.
  */
+static inline double lane_root64(double x)
+{
+    return x < (double)INFINITY ? x * lane_rsqrt64_scaled(x) : x;
+}
+
+/* The same, and NaN for negative numbers. */
 static inline double lane_sqrt64(double x)
 {
-    double root = x < (double)INFINITY ? x * lane_rsqrt64_scaled(x) : x;
-    return x < 0.0 ? (double)NAN : root;
+    return x < 0.0 ? (double)NAN : lane_root64(x);
 }
 
 /* An angle as n half turns, some given fraction of one, and a rest r: |r| <= pi/2 but for rounding. */
@@ -134,7 +139,8 @@ typedef struct lane_turns {
 static inline lane_turns lane_half_turns(double x, double shift)
 {
     double rounded = (x * LANE_INVERSE_PI - shift) + LANE_ROUND;
-    double turns = (rounded - LANE_ROUND) + shift;
+    double whole = rounded - LANE_ROUND;
+    double turns = shift > 0.0 ? whole + shift : whole; /* whole is never -0, but no compiler knows */
     lane_turns a;
     a.r = (x - turns * LANE_PI_HIGH) - turns * LANE_PI_LOW;
     a.n = lane_bits64(rounded);

@@ -9,6 +9,6 @@
 #define KERNEL_PUBLIC(name, parameters, arguments)                                                                     \
     void nkw_##name##_n parameters                                                                                     \
     {                                                                                                                  \
-        nkw_batch_selected()->name arguments;                                                                          \
+        nkw_batch_for(n)->name arguments;                                                                              \
     }
 KERNEL_LIST(KERNEL_PUBLIC)

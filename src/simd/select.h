@@ -14,7 +14,28 @@ extern const nkw_batch nkw_batch_avx2;
 extern const nkw_batch nkw_batch_avx512;
 #endif
 
-/* The table for the processor that runs this. */
+/*
+ * The widest loops that this processor has and that n elements fill: an array shorter than a vector would be a tail all
+ * over. The compiler's run-time keeps what the processor can do, filled in before main. Asking it is a load and a test:
+ * there is nothing to initialise here and nothing to keep. All tables give the same bits, so it never shows which was
+ * taken.
+ */
+static inline const nkw_batch *nkw_batch_for(size_t n)
+{
+#if defined(NKW_HAVE_AVX512)
+    if (n >= 16 && __builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512dq") &&
+        __builtin_cpu_supports("avx512vl") && __builtin_cpu_supports("avx512bw"))
+        return &nkw_batch_avx512;
+#endif
+#if defined(NKW_HAVE_AVX2)
+    if (n >= 8 && __builtin_cpu_supports("avx2"))
+        return &nkw_batch_avx2;
+#endif
+    (void)n;
+    return &nkw_batch_generic;
+}
+
+/* The widest loops of all, for arrays that are long or whole blocks. */
 const nkw_batch *nkw_batch_selected(void);
 
 #endif

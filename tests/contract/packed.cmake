@@ -1,11 +1,6 @@
 cmake_minimum_required(VERSION 3.25)
 # Every loop of every instruction set works on whole vectors: its code has packed arithmetic of that set's registers. A
 # loop that silently stops vectorising fails here. Loops that only move or unpack data have none and are named.
-# GCC 12 finds no vector form of two long selections of doubles in SSE2; AVX2 and Clang have one.
-set(scalar_generic "")
-if(COMPILER STREQUAL "GNU")
-  set(scalar_generic quat_from_mat3 quat_log)
-endif()
 # Columns of 4x4 matrices, one or two at a time on every set.
 set(fours palette_4x4 palette_3x4 skin_blend skin_blend_normals skin_blend_dual_quats models_from_locals)
 set(packed_fours "v?(mul|add)ps .*%[xy]mm")
@@ -22,7 +17,7 @@ set(checked 0)
 foreach(isa IN LISTS ISAS)
   foreach(row IN LISTS rows)
     string(REGEX REPLACE "^.*\\(" "" name "${row}")
-    if(name IN_LIST moves OR name IN_LIST scalar_${isa})
+    if(name IN_LIST moves)
       continue()
     endif()
     execute_process(COMMAND "${OBJDUMP}" -d --no-show-raw-insn "--disassemble=nkw_batch_${name}_${isa}" "${LIBRARY}"
