@@ -53,18 +53,27 @@ static const void *influences_at(const nkw_skin_view *v, size_t from)
     return (const unsigned char *)v->data + from * v->stride;
 }
 
+static void decode_block(const plan *p, size_t from, size_t n, skin_block *b)
+{
+    nkw_skin_view joints = p->joints, weights = p->weights;
+    if (p->influences == 0) {
+        memset(b->moved, 0, sizeof b->moved);
+        return;
+    }
+    joints.data = influences_at(&p->joints, from);
+    weights.data = influences_at(&p->weights, from);
+    p->batch->skin_decode(b, &joints, p->limit, &weights, p->influences, n);
+}
+
 /* The block's matrices, and those of the normals if they are asked for: gives where the latter stand. */
 static const float *blend_block(const plan *p, const transforms *t, int normals, size_t from, size_t n, skin_block *b)
 {
-    nkw_skin_view joints = p->joints, weights = p->weights;
     size_t padded = (n + 3) / 4 * 4;
     if (p->influences == 0) {
         memset(b, 0, sizeof *b);
         return b->matrix;
     }
-    joints.data = influences_at(&p->joints, from);
-    weights.data = influences_at(&p->weights, from);
-    p->batch->skin_decode(b, &joints, p->limit, &weights, p->influences, n);
+    decode_block(p, from, n, b);
     if (t->dual) {
         p->batch->skin_blend_dual_quats(b, t->dual, p->influences, padded);
         return b->matrix;
@@ -115,6 +124,39 @@ static size_t block_at(const plan *p, size_t from)
     return p->vertices - from < SKIN_BLOCK ? p->vertices - from : SKIN_BLOCK;
 }
 
+static skin_stream stream_at(nkw_vec3_stream in, nkw_vec3_stream_span out, size_t from)
+{
+    skin_stream r = {NULL, NULL, in.stride ? in.stride : sizeof(nkw_vec3), out.stride ? out.stride : sizeof(nkw_vec3)};
+    if (in.data && out.data) {
+        r.in = (const unsigned char *)in.data + from * r.in_stride;
+        r.out = (unsigned char *)out.data + from * r.out_stride;
+    }
+    return r;
+}
+
+static void add_direction(skin_streams *s, nkw_vec3_stream in, nkw_vec3_stream_span out, size_t from)
+{
+    skin_stream d = stream_at(in, out, from);
+    if (d.in)
+        s->direction[s->directions++] = d;
+}
+
+/* All vectors by one matrix. */
+static void run_fused(const plan *p, const nkw_skin_palette *palette, const nkw_vertices *in,
+                      const nkw_vertices_span *out)
+{
+    skin_block b;
+    for (size_t from = 0; from < p->vertices; from += SKIN_BLOCK) {
+        size_t n = block_at(p, from);
+        skin_streams s = {stream_at(in->positions, out->positions, from), {{0}}, 0, palette->raw_directions};
+        add_direction(&s, in->normals, out->normals, from);
+        add_direction(&s, in->tangents, out->tangents, from);
+        add_direction(&s, in->bitangents, out->bitangents, from);
+        decode_block(p, from, n, &b);
+        p->batch->skin_streams(&b, palette->matrices, p->influences, &s, n);
+    }
+}
+
 static void run_streams(const plan *p, const transforms *t, const nkw_vertices *in, const nkw_vertices_span *out)
 {
     skin_block b;
@@ -147,7 +189,10 @@ void nkw_skin_linear(const nkw_skin *skin, const nkw_skin_palette *palette, cons
 {
     plan p = plan_of(skin, palette->joints);
     transforms t = {palette, NULL};
-    run_streams(&p, &t, in, out);
+    if (palette->normals && in->normals.data && out->normals.data)
+        run_streams(&p, &t, in, out);
+    else
+        run_fused(&p, palette, in, out);
 }
 
 void nkw_skin_linear_arrays(const nkw_skin *skin, const nkw_skin_palette *palette, const nkw_vertices_arrays *in,

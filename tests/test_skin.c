@@ -103,7 +103,7 @@ static void linear_blend_is_the_weighted_sum_of_matrices_for_every_count(void **
     for (size_t k = 1; k <= 8; k++) {
         mesh m = draw(k, k, 0);
         nkw_skin skin = skin_of(&m, k);
-        nkw_skin_palette palette = {m.matrices, NULL, JOINTS};
+        nkw_skin_palette palette = {m.matrices, NULL, JOINTS, 0};
         float out[VERTICES * FLOATS] = {0};
         nkw_vertices from = streams(m.v, FLOATS);
         nkw_vertices_span to = spans(out, FLOATS);
@@ -127,7 +127,7 @@ static void normals_go_by_their_own_palette_where_there_is_one(void **state)
     for (size_t k = 1; k <= 8; k++) {
         mesh m = draw(k, k, 0);
         nkw_skin skin = skin_of(&m, k);
-        nkw_skin_palette palette = {m.matrices, m.normals, JOINTS}, plain = {m.matrices, NULL, JOINTS};
+        nkw_skin_palette palette = {m.matrices, m.normals, JOINTS, 0}, plain = {m.matrices, NULL, JOINTS, 0};
         float out[VERTICES * FLOATS] = {0}, other[VERTICES * FLOATS] = {0};
         nkw_vertices from = streams(m.v, FLOATS);
         nkw_vertices_span to = spans(out, FLOATS), to_other = spans(other, FLOATS);
@@ -154,7 +154,7 @@ static void a_normal_stays_at_right_angles_under_uneven_scale_by_its_palette(voi
         nkw_trs trs = {random_vec3(&r, -2, 2), random_rotation(&r), random_vec3(&r, 0.25f, 4)};
         nkw_mat4 m = nkw_mat4_from_trs(&trs);
         nkw_mat3 block = nkw_mat3_from_mat4(&m), normal = nkw_mat3_normal(&block);
-        nkw_skin_palette palette = {&m, &normal, 1};
+        nkw_skin_palette palette = {&m, &normal, 1, 0};
         nkw_vec3 v[3] = {{0, 0, 0}, random_direction(&r), {0, 0, 0}};
         v[2] = nkw_vec3_normalize(nkw_vec3_perpendicular(v[1]));
         nkw_vertices in = {{&v[0], 0}, {&v[1], 0}, {&v[2], 0}, {NULL, 0}};
@@ -172,7 +172,7 @@ static void every_layout_gives_the_same_bits(void **state)
     (void)state;
     mesh m = draw(9, 4, 0);
     nkw_skin skin = skin_of(&m, 4);
-    nkw_skin_palette palette = {m.matrices, NULL, JOINTS};
+    nkw_skin_palette palette = {m.matrices, NULL, JOINTS, 0};
     float mixed[VERTICES * FLOATS], p[3][VERTICES], n[3][VERTICES];
     nkw_vec3 tight[2][VERTICES];
     memcpy(mixed, m.v, sizeof mixed);
@@ -207,7 +207,7 @@ static void a_vertex_does_not_depend_on_its_neighbours_or_the_count(void **state
 {
     (void)state;
     mesh m = draw(10, 3, 0);
-    nkw_skin_palette palette = {m.matrices, NULL, JOINTS};
+    nkw_skin_palette palette = {m.matrices, NULL, JOINTS, 0};
     float whole[VERTICES * FLOATS] = {0}, alone[FLOATS] = {0};
     nkw_skin skin = skin_of(&m, 3);
     nkw_vertices in = streams(m.v, FLOATS);
@@ -232,7 +232,7 @@ static void whole_number_weights_are_their_quotients(void **state)
     (void)state;
     random_source r = random_from(11);
     mesh m = draw(11, 4, 0);
-    nkw_skin_palette palette = {m.matrices, NULL, JOINTS};
+    nkw_skin_palette palette = {m.matrices, NULL, JOINTS, 0};
     skeletal_vertex v[VERTICES];
     uint8_t joints8[VERTICES][4], weights8[VERTICES][4];
     uint32_t joints32[VERTICES][4];
@@ -277,7 +277,7 @@ static void a_vertex_without_weight_is_not_moved(void **state)
         m.v[5 * FLOATS] = -0.0f;
         memcpy(out, m.v, sizeof out);
         nkw_skin skin = skin_of(&m, 4);
-        nkw_skin_palette palette = {m.matrices, m.normals, JOINTS};
+        nkw_skin_palette palette = {m.matrices, m.normals, JOINTS, 0};
         nkw_vertices in = streams(m.v, FLOATS);
         nkw_vertices_span to = spans(out, FLOATS);
         if (dual)
@@ -297,7 +297,7 @@ static void a_joint_beyond_the_palette_counts_as_weight_zero(void **state)
     mesh m = draw(13, 4, 0);
     nkw_mat4 *matrices = (nkw_mat4 *)test_malloc(5 * sizeof *matrices);
     memcpy(matrices, m.matrices, 5 * sizeof *matrices);
-    nkw_skin_palette palette = {matrices, NULL, 5};
+    nkw_skin_palette palette = {matrices, NULL, 5, 0};
     float got[VERTICES * FLOATS] = {0}, want[VERTICES * FLOATS] = {0};
     nkw_vertices in = streams(m.v, FLOATS);
     nkw_vertices_span out = spans(got, FLOATS), out_want = spans(want, FLOATS);
@@ -328,7 +328,7 @@ static void no_palette_no_influence_and_unknown_formats_move_nothing(void **stat
 {
     (void)state;
     mesh m = draw(14, 4, 0);
-    nkw_skin_palette palette = {m.matrices, NULL, JOINTS}, none = {NULL, NULL, 0};
+    nkw_skin_palette palette = {m.matrices, NULL, JOINTS, 0}, none = {NULL, NULL, 0, 0};
     nkw_skin skin = skin_of(&m, 4);
     expect_not_moved(&skin, &none, &m);
     skin.influences = 0;
@@ -349,7 +349,7 @@ static void influences_beyond_the_eighth_are_not_read(void **state)
 {
     (void)state;
     mesh m = draw(15, 8, 0);
-    nkw_skin_palette palette = {m.matrices, NULL, JOINTS};
+    nkw_skin_palette palette = {m.matrices, NULL, JOINTS, 0};
     float got[VERTICES * FLOATS] = {0}, want[VERTICES * FLOATS] = {0};
     nkw_vertices in = streams(m.v, FLOATS);
     nkw_vertices_span out = spans(got, FLOATS), out_want = spans(want, FLOATS);
@@ -364,7 +364,7 @@ static void zero_normals_stay_zero_and_nan_stays_in_its_vertex(void **state)
 {
     (void)state;
     mesh m = draw(16, 4, 0);
-    nkw_skin_palette palette = {m.matrices, NULL, JOINTS};
+    nkw_skin_palette palette = {m.matrices, NULL, JOINTS, 0};
     float out[VERTICES * FLOATS] = {0}, clean[VERTICES * FLOATS] = {0};
     m.v[3] = m.v[4] = m.v[5] = 0;
     nkw_skin skin = skin_of(&m, 4);
@@ -385,7 +385,7 @@ static void one_rigid_joint_is_the_same_either_way(void **state)
     (void)state;
     mesh m = draw(17, 1, 1);
     nkw_skin skin = skin_of(&m, 1);
-    nkw_skin_palette palette = {m.matrices, NULL, JOINTS};
+    nkw_skin_palette palette = {m.matrices, NULL, JOINTS, 0};
     float linear[VERTICES * FLOATS] = {0}, dual[VERTICES * FLOATS] = {0};
     nkw_vertices in = streams(m.v, FLOATS);
     nkw_vertices_span out = spans(linear, FLOATS), out_dual = spans(dual, FLOATS);

@@ -58,7 +58,7 @@ static nkw_vertices_span spans(float *v)
 
 static uint64_t skin_all(uint64_t hash, const model *m, const nkw_skin *skin)
 {
-    const nkw_skin_palette plain = {m->matrices, NULL, JOINTS}, exact = {m->matrices, m->normals, JOINTS};
+    const nkw_skin_palette plain = {m->matrices, NULL, JOINTS, 0}, exact = {m->matrices, m->normals, JOINTS, 0};
     float v[VERTICES * FLOATS];
     nkw_vertices in = streams(m->vertices);
     nkw_vertices_span out = spans(v);
@@ -73,7 +73,7 @@ static uint64_t skin_all(uint64_t hash, const model *m, const nkw_skin *skin)
 
 static uint64_t skin_arrays(uint64_t hash, const model *m, const nkw_skin *skin)
 {
-    const nkw_skin_palette plain = {m->matrices, NULL, JOINTS};
+    const nkw_skin_palette plain = {m->matrices, NULL, JOINTS, 0};
     float v[VERTICES * FLOATS];
     nkw_vertices_arrays in = {{v, v + 150, v + 300}, {v + 450, v + 600, v + 750}, {0}, {0}};
     nkw_vertices_arrays_span out = {{v, v + 150, v + 300}, {v + 450, v + 600, v + 750}, {0}, {0}};
