@@ -126,34 +126,46 @@ static size_t block_at(const plan *p, size_t from)
 
 static skin_stream stream_at(nkw_vec3_stream in, nkw_vec3_stream_span out, size_t from)
 {
-    skin_stream r = {NULL, NULL, in.stride ? in.stride : sizeof(nkw_vec3), out.stride ? out.stride : sizeof(nkw_vec3)};
-    if (in.data && out.data) {
-        r.in = (const unsigned char *)in.data + from * r.in_stride;
-        r.out = (unsigned char *)out.data + from * r.out_stride;
-    }
-    return r;
+    size_t in_stride = in.stride ? in.stride : sizeof(nkw_vec3),
+           out_stride = out.stride ? out.stride : sizeof(nkw_vec3);
+    skin_stream none = {NULL, NULL, 0, 0};
+    skin_stream r = {(const unsigned char *)in.data + from * in_stride, (unsigned char *)out.data + from * out_stride,
+                     in_stride, out_stride};
+    return in.data && out.data ? r : none;
 }
 
-static void add_direction(skin_streams *s, nkw_vec3_stream in, nkw_vec3_stream_span out, size_t from)
+/* The vertices from `from` on, all their vectors by one matrix: positions and normals in one pass, others by their own. */
+static void move_fused(const plan *p, const skin_influences *f, const nkw_skin_palette *palette,
+                       const nkw_vertices *in, const nkw_vertices_span *out, size_t from, size_t n)
 {
-    skin_stream d = stream_at(in, out, from);
-    if (d.in)
-        s->direction[s->directions++] = d;
+    const skin_stream none = {NULL, NULL, 0, 0};
+    skin_stream position = stream_at(in->positions, out->positions, from);
+    skin_stream direction[3] = {stream_at(in->normals, out->normals, from),
+                                stream_at(in->tangents, out->tangents, from),
+                                stream_at(in->bitangents, out->bitangents, from)};
+    p->batch->skin_streams(f, palette->matrices, &position, &direction[0], palette->raw_directions, n);
+    for (int a = 1; a < 3; a++)
+        if (direction[a].in)
+            p->batch->skin_streams(f, palette->matrices, &none, &direction[a], palette->raw_directions, n);
 }
 
-/* All vectors by one matrix. */
+/* Weights that are not floats are made so, a block at a time. */
 static void run_fused(const plan *p, const nkw_skin_palette *palette, const nkw_vertices *in,
                       const nkw_vertices_span *out)
 {
+    skin_influences f = {p->joints, p->weights, p->influences, p->limit};
     skin_block b;
+    if (p->influences == 0 || p->weights.format == NKW_SKIN_F32) {
+        move_fused(p, &f, palette, in, out, 0, p->vertices);
+        return;
+    }
+    nkw_skin_view joints = {b.joint, 4 * p->influences, NKW_SKIN_U32};
+    nkw_skin_view weights = {b.weight, 4 * p->influences, NKW_SKIN_F32};
+    f.joints = joints, f.weights = weights;
     for (size_t from = 0; from < p->vertices; from += SKIN_BLOCK) {
         size_t n = block_at(p, from);
-        skin_streams s = {stream_at(in->positions, out->positions, from), {{0}}, 0, palette->raw_directions};
-        add_direction(&s, in->normals, out->normals, from);
-        add_direction(&s, in->tangents, out->tangents, from);
-        add_direction(&s, in->bitangents, out->bitangents, from);
         decode_block(p, from, n, &b);
-        p->batch->skin_streams(&b, palette->matrices, p->influences, &s, n);
+        move_fused(p, &f, palette, in, out, from, n);
     }
 }
 

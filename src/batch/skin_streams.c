@@ -16,16 +16,31 @@ typedef struct columns {
     lane_four x, y, z, t;
 } columns;
 
+static inline float weight_at(const unsigned char *w, size_t e)
+{
+    return lane_skin_weight(w + 4 * e, NKW_SKIN_F32);
+}
+
+static inline const float *matrix_at(const nkw_mat4 *palette, const unsigned char *joint, nkw_skin_format format,
+                                     size_t e)
+{
+    return palette[lane_skin_joint(joint + e * lane_skin_format_size(format), format)].m;
+}
+
 #if defined(LANE_FOUR_SPLIT)
 
-static inline columns blend(const nkw_mat4 *palette, const float *w, const uint32_t *joint, size_t k)
+static inline columns blend(const nkw_mat4 *palette, const unsigned char *w, const unsigned char *joint,
+                            nkw_skin_format format, size_t k)
 {
     lane_wide m[LANE_WIDE_PARTS];
+    const float *from = matrix_at(palette, joint, format, 0);
     for (size_t a = 0; a < LANE_WIDE_PARTS; a++)
-        m[a] = lane_wide_load(palette[joint[0]].m + a * LANE_WIDE) * w[0];
-    for (size_t e = 1; e < k; e++)
+        m[a] = lane_wide_load(from + a * LANE_WIDE) * weight_at(w, 0);
+    for (size_t e = 1; e < k; e++) {
+        from = matrix_at(palette, joint, format, e);
         for (size_t a = 0; a < LANE_WIDE_PARTS; a++)
-            m[a] += lane_wide_load(palette[joint[e]].m + a * LANE_WIDE) * w[e];
+            m[a] += lane_wide_load(from + a * LANE_WIDE) * weight_at(w, e);
+    }
     columns r = LANE_FOUR_SPLIT(m);
     return r;
 }
@@ -37,14 +52,15 @@ static inline lane_four scaled(const float *column, lane_four w)
     return lane_four_mul(lane_four_load(column), w);
 }
 
-static inline columns blend(const nkw_mat4 *palette, const float *w, const uint32_t *joint, size_t k)
+static inline columns blend(const nkw_mat4 *palette, const unsigned char *w, const unsigned char *joint,
+                            nkw_skin_format format, size_t k)
 {
-    const float *m = palette[joint[0]].m;
-    lane_four we = lane_four_all(w[0]);
+    const float *m = matrix_at(palette, joint, format, 0);
+    lane_four we = lane_four_all_of(w);
     columns r = {scaled(m, we), scaled(m + 4, we), scaled(m + 8, we), scaled(m + 12, we)};
     for (size_t e = 1; e < k; e++) {
-        m = palette[joint[e]].m;
-        we = lane_four_all(w[e]);
+        m = matrix_at(palette, joint, format, e);
+        we = lane_four_all_of(w + 4 * e);
         r.x = lane_four_add(r.x, scaled(m, we));
         r.y = lane_four_add(r.y, scaled(m + 4, we));
         r.z = lane_four_add(r.z, scaled(m + 8, we));
@@ -58,20 +74,16 @@ static inline columns blend(const nkw_mat4 *palette, const float *w, const uint3
 /* As nkw_mat4_transform_point. */
 static inline lane_four point(const columns *m, const unsigned char *at)
 {
-    float p[3];
-    memcpy(p, at, sizeof p);
-    lane_four x = lane_four_mul(m->x, lane_four_all(p[0])), y = lane_four_mul(m->y, lane_four_all(p[1]));
-    lane_four z = lane_four_mul(m->z, lane_four_all(p[2]));
+    lane_four x = lane_four_mul(m->x, lane_four_all_of(at)), y = lane_four_mul(m->y, lane_four_all_of(at + 4));
+    lane_four z = lane_four_mul(m->z, lane_four_all_of(at + 8));
     return lane_four_add(lane_four_add(x, y), lane_four_add(z, m->t));
 }
 
 /* As nkw_mat4_transform_direction. */
 static inline lane_four direction(const columns *m, const unsigned char *at)
 {
-    float d[3];
-    memcpy(d, at, sizeof d);
-    lane_four x = lane_four_mul(m->x, lane_four_all(d[0])), y = lane_four_mul(m->y, lane_four_all(d[1]));
-    lane_four z = lane_four_mul(m->z, lane_four_all(d[2]));
+    lane_four x = lane_four_mul(m->x, lane_four_all_of(at)), y = lane_four_mul(m->y, lane_four_all_of(at + 4));
+    lane_four z = lane_four_mul(m->z, lane_four_all_of(at + 8));
     return lane_four_add(lane_four_add(x, y), z);
 }
 
@@ -90,65 +102,157 @@ static inline void make_unit(lane_four n[4])
     n[3] = lane_four_mul(n[3], lane_four_splat(k, 3));
 }
 
-/* `count` vertices, 4 or 1. */
-static inline void move_group(const skin_block *b, const nkw_mat4 *palette, size_t k, const skin_streams *s, size_t i,
-                              size_t count)
+/* A vertex whose joints are all in the palette, and of a weight that is not 0. */
+static inline int is_usual(const unsigned char *w, const unsigned char *joint, nkw_skin_format format, uint32_t limit,
+                           size_t k)
 {
-    lane_four d[3][4];
-    const skin_stream *p = &s->position;
-    for (size_t v = 0; v < count; v++) {
-        columns m = blend(palette, b->weight + (i + v) * k, b->joint + (i + v) * k, k);
-        if (p->in)
-            lane_four_store3(p->out + (i + v) * p->out_stride, point(&m, p->in + (i + v) * p->in_stride));
-        for (size_t a = 0; a < s->directions; a++)
-            d[a][v] = direction(&m, s->direction[a].in + (i + v) * s->direction[a].in_stride);
+    uint32_t any = 0;
+    for (size_t e = 0; e < k; e++) {
+        if (lane_skin_joint(joint + e * lane_skin_format_size(format), format) >= limit)
+            return 0;
+        any |= lane_bits(weight_at(w, e));
     }
-    for (size_t a = 0; a < s->directions; a++) {
-        const skin_stream *to = &s->direction[a];
-        for (size_t v = count; v < 4; v++)
-            d[a][v] = d[a][0];
-        if (!s->raw)
-            make_unit(d[a]);
-        for (size_t v = 0; v < count; v++)
-            lane_four_store3(to->out + (i + v) * to->out_stride, d[a][v]);
-    }
+    return any << 1 != 0;
 }
 
-static inline void copy_vertex(const skin_streams *s, size_t i)
+/* Where the influences and the vectors of a vertex are, and the steps to those of the next. */
+typedef struct place {
+    const unsigned char *weight, *joint, *p_in, *d_in;
+    unsigned char *p_out, *d_out;
+} place;
+
+static inline place place_of(const skin_influences *f, const skin_stream *p, const skin_stream *d, size_t i)
 {
-    const skin_stream *p = &s->position;
-    if (p->in)
-        memmove(p->out + i * p->out_stride, p->in + i * p->in_stride, sizeof(nkw_vec3));
-    for (size_t a = 0; a < s->directions; a++) {
-        p = &s->direction[a];
-        memmove(p->out + i * p->out_stride, p->in + i * p->in_stride, sizeof(nkw_vec3));
+    place r = {(const unsigned char *)f->weights.data + i * f->weights.stride,
+               (const unsigned char *)f->joints.data + i * f->joints.stride,
+               p->in + i * p->in_stride,
+               d->in + i * d->in_stride,
+               p->out + i * p->out_stride,
+               d->out + i * d->out_stride};
+    return r;
+}
+
+static inline int are_usual(const skin_influences *f, const place *at, nkw_skin_format format, size_t k)
+{
+    const unsigned char *w = at->weight, *joint = at->joint;
+    for (int v = 0; v < 4; v++, w += f->weights.stride, joint += f->joints.stride)
+        if (!is_usual(w, joint, format, f->limit, k))
+            return 0;
+    return 1;
+}
+
+/* Writes the position of the next vertex, and gives its direction, as blended. */
+static inline lane_four move_next(const skin_influences *f, const nkw_mat4 *palette, const skin_stream *p,
+                                  const skin_stream *d, place *at, nkw_skin_format format, size_t k)
+{
+    columns m = blend(palette, at->weight, at->joint, format, k);
+    lane_four r = m.x;
+    at->weight += f->weights.stride;
+    at->joint += f->joints.stride;
+    if (p->in_stride) {
+        lane_four_store3(at->p_out, point(&m, at->p_in));
+        at->p_in += p->in_stride;
+        at->p_out += p->out_stride;
     }
+    if (d->in_stride) {
+        r = direction(&m, at->d_in);
+        at->d_in += d->in_stride;
+    }
+    return r;
 }
 
-static inline void move(const skin_block *b, const nkw_mat4 *palette, size_t k, const skin_streams *s, size_t n)
+static inline void put_direction(const skin_stream *d, place *at, lane_four r)
 {
-    const uint32_t *moved = b->moved;
-    for (size_t i = 0; i < n;)
-        if (i + 4 <= n && moved[i] && moved[i + 1] && moved[i + 2] && moved[i + 3]) {
-            move_group(b, palette, k, s, i, 4);
-            i += 4;
-        } else {
-            if (moved[i])
-                move_group(b, palette, k, s, i, 1);
-            else
-                copy_vertex(s, i);
-            i++;
-        }
+    lane_four_store3(at->d_out, r);
+    at->d_out += d->out_stride;
 }
 
-KERNEL(skin_streams)(const skin_block *b, const nkw_mat4 *palette, size_t k, const skin_streams *s, size_t n)
+/* Moves vertices from i on, by fours, up to those that are not usual: gives the number of the next. */
+static inline size_t move_usual(const skin_influences *of, size_t k, nkw_skin_format format, const nkw_mat4 *palette,
+                                const skin_stream *position, const skin_stream *dir, int raw, size_t i, size_t n)
 {
-    if (k == 4)
-        move(b, palette, 4, s, n);
-    else if (k == 1)
-        move(b, palette, 1, s, n);
-    else if (k == 2)
-        move(b, palette, 2, s, n);
-    else
-        move(b, palette, k, s, n);
+    const skin_influences f = *of;
+    const skin_stream p = *position, d = *dir;
+    place at = place_of(&f, &p, &d, i);
+    for (; i + 4 <= n && are_usual(&f, &at, format, k); i += 4) {
+        lane_four four[4];
+        four[0] = move_next(&f, palette, &p, &d, &at, format, k);
+        four[1] = move_next(&f, palette, &p, &d, &at, format, k);
+        four[2] = move_next(&f, palette, &p, &d, &at, format, k);
+        four[3] = move_next(&f, palette, &p, &d, &at, format, k);
+        if (!d.in_stride)
+            continue;
+        if (!raw)
+            make_unit(four);
+        put_direction(&d, &at, four[0]);
+        put_direction(&d, &at, four[1]);
+        put_direction(&d, &at, four[2]);
+        put_direction(&d, &at, four[3]);
+    }
+    return i;
+}
+
+/* Any vertex: gives the number of the next. */
+static inline size_t move_one(const skin_influences *f, const nkw_mat4 *palette, const skin_stream *p,
+                              const skin_stream *d, int raw, size_t i)
+{
+    float w[NKW_SKIN_INFLUENCES];
+    uint32_t joint[NKW_SKIN_INFLUENCES], any = 0;
+    size_t size = lane_skin_format_size(f->joints.format);
+    place at = place_of(f, p, d, i);
+    for (size_t e = 0; e < f->count; e++) {
+        uint32_t j = lane_skin_joint(at.joint + e * size, f->joints.format);
+        w[e] = j < f->limit ? weight_at(at.weight, e) : 0.0f;
+        joint[e] = j < f->limit ? j : 0;
+        any |= lane_bits(w[e]) << 1;
+    }
+    if (any) {
+        at.weight = (const unsigned char *)w;
+        at.joint = (const unsigned char *)joint;
+        lane_four r = move_next(f, palette, p, d, &at, NKW_SKIN_U32, f->count), four[4] = {r, r, r, r};
+        if (!raw)
+            make_unit(four);
+        if (d->in_stride)
+            put_direction(d, &at, four[0]);
+        return i + 1;
+    }
+    if (p->in_stride)
+        memmove(at.p_out, at.p_in, sizeof(nkw_vec3));
+    if (d->in_stride)
+        memmove(at.d_out, at.d_in, sizeof(nkw_vec3));
+    return i + 1;
+}
+
+/* The usual counts and formats as constants. */
+static inline size_t move_by_format(const skin_influences *f, size_t k, const nkw_mat4 *palette, const skin_stream *p,
+                                    const skin_stream *d, int raw, size_t i, size_t n)
+{
+    if (f->joints.format == NKW_SKIN_U8)
+        return move_usual(f, k, NKW_SKIN_U8, palette, p, d, raw, i, n);
+    if (f->joints.format == NKW_SKIN_U16)
+        return move_usual(f, k, NKW_SKIN_U16, palette, p, d, raw, i, n);
+    return move_usual(f, k, NKW_SKIN_U32, palette, p, d, raw, i, n);
+}
+
+static inline size_t move_by_count(const skin_influences *f, const nkw_mat4 *palette, const skin_stream *p,
+                                   const skin_stream *d, int raw, size_t i, size_t n)
+{
+    if (f->count == 4)
+        return move_by_format(f, 4, palette, p, d, raw, i, n);
+    if (f->count == 1)
+        return move_by_format(f, 1, palette, p, d, raw, i, n);
+    if (f->count == 2)
+        return move_by_format(f, 2, palette, p, d, raw, i, n);
+    return move_by_format(f, f->count, palette, p, d, raw, i, n);
+}
+
+KERNEL(skin_streams)
+(const skin_influences *f, const nkw_mat4 *palette, const skin_stream *p, const skin_stream *d, int raw, size_t n)
+{
+    for (size_t i = 0; i < n;) {
+        if (f->count)
+            i = move_by_count(f, palette, p, d, raw, i, n);
+        if (i < n)
+            i = move_one(f, palette, p, d, raw, i);
+    }
 }

@@ -20,6 +20,7 @@
 
 typedef float lane_four __attribute__((vector_size(16)));
 typedef int32_t lane_four_bits __attribute__((vector_size(16)));
+typedef int64_t lane_four_pair __attribute__((vector_size(16)));
 
 static inline lane_four lane_four_all(float x)
 {
@@ -71,6 +72,16 @@ static inline void lane_four_transpose(lane_four m[4])
     m[1] = LANE_FOUR_MIX(a, b, 2, 3, 6, 7);
     m[2] = LANE_FOUR_MIX(c, d, 0, 1, 4, 5);
     m[3] = LANE_FOUR_MIX(c, d, 2, 3, 6, 7);
+}
+
+/* a[0] a[1] a[2] */
+static inline void lane_four_store3(unsigned char *p, lane_four a)
+{
+    const lane_four_pair pairs = (lane_four_pair)a;
+    const int64_t low = pairs[0];
+    const float high = a[2];
+    memcpy(p, &low, sizeof low);
+    memcpy(p + sizeof low, &high, sizeof high);
 }
 
 #define lane_four_splat(a, i) LANE_FOUR_MIX(a, a, i, i, i, i)
@@ -145,6 +156,11 @@ static inline lane_four lane_four_unless_zero(lane_four a, lane_four b)
     return r;
 }
 
+static inline void lane_four_store3(unsigned char *p, lane_four a)
+{
+    memcpy(p, a.v, 3 * sizeof(float));
+}
+
 static inline lane_four lane_four_splat(lane_four a, int i)
 {
     return lane_four_all(a.v[i]);
@@ -173,15 +189,17 @@ static inline lane_four lane_four_load(const float *p)
     return r;
 }
 
+/* Four times the float at p, of any alignment. */
+static inline lane_four lane_four_all_of(const unsigned char *p)
+{
+    float x;
+    memcpy(&x, p, sizeof x);
+    return lane_four_all(x);
+}
+
 static inline void lane_four_store(float *p, lane_four a)
 {
     memcpy(p, &a, sizeof a);
-}
-
-/* a[0] a[1] a[2] */
-static inline void lane_four_store3(void *p, lane_four a)
-{
-    memcpy(p, &a, 3 * sizeof(float));
 }
 
 static inline lane_four lane_four_sqrt(lane_four a)

@@ -29,18 +29,19 @@ typedef struct skin_block {
     float vector[3 * SKIN_BLOCK]; /* x, y, z */
 } skin_block;
 
-/* A stream of vectors from one place to another, strides in bytes. */
+/* The influences of vertices: strides that are not 0, formats that are for them, `count` of each vertex, 0..8. */
+typedef struct skin_influences {
+    nkw_skin_view joints, weights;
+    size_t count;
+    uint32_t limit; /* joints in the palette */
+} skin_influences;
+
+/* Vectors from one place to another, strides in bytes; strides of 0: none. */
 typedef struct skin_stream {
     const unsigned char *in;
     unsigned char *out;
     size_t in_stride, out_stride;
 } skin_stream;
-typedef struct skin_streams {
-    skin_stream position; /* in NULL: none */
-    skin_stream direction[3];
-    size_t directions; /* how many of these there are */
-    int raw; /* not 0: directions are not made unit */
-} skin_streams;
 
 /* The number at p; what the format is not for reads as 0. */
 static inline float lane_skin_weight(const unsigned char *p, nkw_skin_format format)
