@@ -132,13 +132,16 @@ static inline place place_of(const skin_influences *f, const skin_stream *p, con
     return r;
 }
 
-static inline int are_usual(const skin_influences *f, const place *at, nkw_skin_format format, size_t k)
+/* How many vertices of n, at most a block, are usual before one that is not. */
+static inline size_t count_usual(const skin_influences *f, place at, nkw_skin_format format, size_t k, size_t n)
 {
-    const unsigned char *w = at->weight, *joint = at->joint;
-    for (int v = 0; v < 4; v++, w += f->weights.stride, joint += f->joints.stride)
-        if (!is_usual(w, joint, format, f->limit, k))
-            return 0;
-    return 1;
+    const size_t weight_stride = f->weights.stride, joint_stride = f->joints.stride;
+    const uint32_t limit = f->limit;
+    size_t i = 0;
+    n = n < SKIN_BLOCK ? n : SKIN_BLOCK;
+    while (i < n && is_usual(at.weight, at.joint, format, limit, k))
+        i++, at.weight += weight_stride, at.joint += joint_stride;
+    return i;
 }
 
 /* Writes the position of the next vertex, and gives its direction, as blended. */
@@ -167,6 +170,25 @@ static inline void put_direction(const skin_stream *d, place *at, lane_four r)
     at->d_out += d->out_stride;
 }
 
+/* Moves four vertices. */
+static inline void move_four(const skin_influences *f, const nkw_mat4 *palette, const skin_stream *p,
+                             const skin_stream *d, int raw, place *at, nkw_skin_format format, size_t k)
+{
+    lane_four four[4];
+    four[0] = move_next(f, palette, p, d, at, format, k);
+    four[1] = move_next(f, palette, p, d, at, format, k);
+    four[2] = move_next(f, palette, p, d, at, format, k);
+    four[3] = move_next(f, palette, p, d, at, format, k);
+    if (!d->in_stride)
+        return;
+    if (!raw)
+        make_unit(four);
+    put_direction(d, at, four[0]);
+    put_direction(d, at, four[1]);
+    put_direction(d, at, four[2]);
+    put_direction(d, at, four[3]);
+}
+
 /* Moves vertices from i on, by fours, up to those that are not usual: gives the number of the next. */
 static inline size_t move_usual(const skin_influences *of, size_t k, nkw_skin_format format, const nkw_mat4 *palette,
                                 const skin_stream *position, const skin_stream *dir, int raw, size_t i, size_t n)
@@ -174,20 +196,11 @@ static inline size_t move_usual(const skin_influences *of, size_t k, nkw_skin_fo
     const skin_influences f = *of;
     const skin_stream p = *position, d = *dir;
     place at = place_of(&f, &p, &d, i);
-    for (; i + 4 <= n && are_usual(&f, &at, format, k); i += 4) {
-        lane_four four[4];
-        four[0] = move_next(&f, palette, &p, &d, &at, format, k);
-        four[1] = move_next(&f, palette, &p, &d, &at, format, k);
-        four[2] = move_next(&f, palette, &p, &d, &at, format, k);
-        four[3] = move_next(&f, palette, &p, &d, &at, format, k);
-        if (!d.in_stride)
-            continue;
-        if (!raw)
-            make_unit(four);
-        put_direction(&d, &at, four[0]);
-        put_direction(&d, &at, four[1]);
-        put_direction(&d, &at, four[2]);
-        put_direction(&d, &at, four[3]);
+    size_t usual = 4;
+    while (usual >= 4) {
+        usual = count_usual(&f, at, format, k, n - i);
+        for (size_t e = 4; e <= usual; e += 4, i += 4)
+            move_four(&f, palette, &p, &d, raw, &at, format, k);
     }
     return i;
 }
