@@ -110,7 +110,7 @@ static inline nkw_vec3 lane_skin_unit(nkw_vec3 n)
     return nkw_vec3_scale(n, n2 == 0.0f ? 0.0f : 1.0f / sqrtf(n2));
 }
 
-/* As nkw_mat4_transform_direction, made unit. */
+/* As nkw_mat4_transform_direction. */
 static inline nkw_vec3 lane_skin_direction(const float *m, nkw_vec3 d)
 {
     const float *x = m, *y = m + 3 * SKIN_BLOCK, *z = m + 6 * SKIN_BLOCK;
@@ -119,7 +119,7 @@ static inline nkw_vec3 lane_skin_direction(const float *m, nkw_vec3 d)
         (x[SKIN_BLOCK] * d.x + y[SKIN_BLOCK] * d.y) + z[SKIN_BLOCK] * d.z,
         (x[2 * SKIN_BLOCK] * d.x + y[2 * SKIN_BLOCK] * d.y) + z[2 * SKIN_BLOCK] * d.z,
     };
-    return lane_skin_unit(r);
+    return r;
 }
 
 /*

@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: MIT */
 /*
- * Linear blend skinning of vertices as they lie in vertex buffers: the matrix of each vertex is blended in columns of
- * four floats, and takes the vertex's vectors while it is in registers. Vertices go by fours, so that four directions
- * are made unit together.
+ * Linear blend skinning of positions and normals as they lie in vertex buffers, in one pass: the matrix of each vertex is
+ * blended in columns of four floats, and takes both vectors while it is in registers. Vertices go by fours, so that four
+ * normals are made unit together.
  */
 #include "lane/strict.h"
 
@@ -259,7 +259,7 @@ static inline size_t move_by_count(const skin_influences *f, const nkw_mat4 *pal
     return move_by_format(f, f->count, palette, p, d, raw, i, n);
 }
 
-KERNEL(skin_streams)
+KERNEL(skin_pairs)
 (const skin_influences *f, const nkw_mat4 *palette, const skin_stream *p, const skin_stream *d, int raw, size_t n)
 {
     for (size_t i = 0; i < n;) {
