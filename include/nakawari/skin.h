@@ -120,7 +120,7 @@ typedef struct nkw_skin_palette {
      */
     const nkw_mat3 *normals;
     size_t joints;
-    /** 0: normals, tangents, bitangents come out unit, M n / |M n|. Else as blended, M n, for who makes them unit later. */
+    /** 0: directions come out unit, M n / |M n|. Else as blended, M n: for those who make them unit later. */
     int raw_directions;
 } nkw_skin_palette;
 

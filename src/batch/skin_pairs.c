@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: MIT */
 /*
- * Linear blend skinning of positions and normals as they lie in vertex buffers, in one pass: the matrix of each vertex is
- * blended in columns of four floats, and takes both vectors while it is in registers. Vertices go by fours, so that four
- * normals are made unit together.
+ * Linear blend skinning of positions and normals as they lie in vertex buffers, in one pass: the matrix of each vertex
+ * is blended in columns of four floats, and takes both vectors while it is in registers. Vertices go by fours, so that
+ * four normals are made unit together.
  */
 #include "lane/strict.h"
 
