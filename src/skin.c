@@ -12,6 +12,7 @@ typedef struct plan {
     nkw_skin_view joints, weights;
     size_t vertices, influences;
     uint32_t limit; /* joints in the palette */
+    int raw; /* directions as blended */
 } plan;
 
 static int is_for_joints(nkw_skin_format format)
@@ -29,9 +30,9 @@ static size_t stride_of(size_t stride, nkw_skin_format format, size_t influences
     return stride ? stride : influences * lane_skin_format_size(format);
 }
 
-static plan plan_of(const nkw_skin *skin, size_t joints)
+static plan plan_of(const nkw_skin *skin, size_t joints, int raw)
 {
-    plan r = {nkw_batch_selected(), skin->joints, skin->weights, skin->vertices, skin->influences, UINT32_MAX};
+    plan r = {nkw_batch_selected(), skin->joints, skin->weights, skin->vertices, skin->influences, UINT32_MAX, raw};
     r.joints.stride = stride_of(r.joints.stride, r.joints.format, r.influences);
     r.weights.stride = stride_of(r.weights.stride, r.weights.format, r.influences);
     r.influences = r.influences < NKW_SKIN_INFLUENCES ? r.influences : NKW_SKIN_INFLUENCES;
@@ -53,18 +54,27 @@ static const void *influences_at(const nkw_skin_view *v, size_t from)
     return (const unsigned char *)v->data + from * v->stride;
 }
 
+static void decode_block(const plan *p, size_t from, size_t n, skin_block *b)
+{
+    nkw_skin_view joints = p->joints, weights = p->weights;
+    if (p->influences == 0) {
+        memset(b->moved, 0, sizeof b->moved);
+        return;
+    }
+    joints.data = influences_at(&p->joints, from);
+    weights.data = influences_at(&p->weights, from);
+    p->batch->skin_decode(b, &joints, p->limit, &weights, p->influences, n);
+}
+
 /* The block's matrices, and those of the normals if they are asked for: gives where the latter stand. */
 static const float *blend_block(const plan *p, const transforms *t, int normals, size_t from, size_t n, skin_block *b)
 {
-    nkw_skin_view joints = p->joints, weights = p->weights;
     size_t padded = (n + 3) / 4 * 4;
     if (p->influences == 0) {
         memset(b, 0, sizeof *b);
         return b->matrix;
     }
-    joints.data = influences_at(&p->joints, from);
-    weights.data = influences_at(&p->weights, from);
-    p->batch->skin_decode(b, &joints, p->limit, &weights, p->influences, n);
+    decode_block(p, from, n, b);
     if (t->dual) {
         p->batch->skin_blend_dual_quats(b, t->dual, p->influences, padded);
         return b->matrix;
@@ -79,7 +89,7 @@ static const float *blend_block(const plan *p, const transforms *t, int normals,
 static void move(const plan *p, const skin_block *b, const float *m, nkw_vec3_view in, nkw_vec3_span out, size_t n)
 {
     if (m)
-        p->batch->skin_directions(b, m, in, out, n);
+        p->batch->skin_directions(b, m, p->raw, in, out, n);
     else
         p->batch->skin_points(b, in, out, n);
 }
@@ -115,6 +125,45 @@ static size_t block_at(const plan *p, size_t from)
     return p->vertices - from < SKIN_BLOCK ? p->vertices - from : SKIN_BLOCK;
 }
 
+static skin_stream stream_at(nkw_vec3_stream in, nkw_vec3_stream_span out, size_t from)
+{
+    size_t in_stride = in.stride ? in.stride : sizeof(nkw_vec3),
+           out_stride = out.stride ? out.stride : sizeof(nkw_vec3);
+    skin_stream none = {NULL, NULL, 0, 0};
+    skin_stream r = {(const unsigned char *)in.data + from * in_stride, (unsigned char *)out.data + from * out_stride,
+                     in_stride, out_stride};
+    return in.data && out.data ? r : none;
+}
+
+/*
+ * Positions and normals by one matrix, which stays in registers. Weights that are not floats are made so, a block at a
+ * time.
+ */
+static void run_pairs(const plan *p, const nkw_mat4 *palette, const nkw_vertices *in, const nkw_vertices_span *out)
+{
+    skin_influences f = {p->joints, p->weights, p->influences, p->limit};
+    int decoded = p->influences && p->weights.format != NKW_SKIN_F32;
+    size_t n = p->vertices;
+    skin_block b;
+    for (size_t from = 0; from < p->vertices; from += n) {
+        skin_stream positions = stream_at(in->positions, out->positions, from);
+        skin_stream normals = stream_at(in->normals, out->normals, from);
+        if (decoded) {
+            nkw_skin_view joints = {b.joint, 4 * p->influences, NKW_SKIN_U32};
+            nkw_skin_view weights = {b.weight, 4 * p->influences, NKW_SKIN_F32};
+            n = block_at(p, from);
+            decode_block(p, from, n, &b);
+            f.joints = joints, f.weights = weights;
+        }
+        p->batch->skin_pairs(&f, palette, &positions, &normals, p->raw, n);
+    }
+}
+
+static int is_pair(const nkw_vertices *in, const nkw_vertices_span *out)
+{
+    return !(in->tangents.data && out->tangents.data) && !(in->bitangents.data && out->bitangents.data);
+}
+
 static void run_streams(const plan *p, const transforms *t, const nkw_vertices *in, const nkw_vertices_span *out)
 {
     skin_block b;
@@ -145,15 +194,18 @@ static void run_arrays(const plan *p, const transforms *t, const nkw_vertices_ar
 void nkw_skin_linear(const nkw_skin *skin, const nkw_skin_palette *palette, const nkw_vertices *in,
                      const nkw_vertices_span *out)
 {
-    plan p = plan_of(skin, palette->joints);
+    plan p = plan_of(skin, palette->joints, palette->raw_directions);
     transforms t = {palette, NULL};
-    run_streams(&p, &t, in, out);
+    if (!palette->normals && is_pair(in, out))
+        run_pairs(&p, palette->matrices, in, out);
+    else
+        run_streams(&p, &t, in, out);
 }
 
 void nkw_skin_linear_arrays(const nkw_skin *skin, const nkw_skin_palette *palette, const nkw_vertices_arrays *in,
                             const nkw_vertices_arrays_span *out)
 {
-    plan p = plan_of(skin, palette->joints);
+    plan p = plan_of(skin, palette->joints, palette->raw_directions);
     transforms t = {palette, NULL};
     run_arrays(&p, &t, in, out);
 }
@@ -161,7 +213,7 @@ void nkw_skin_linear_arrays(const nkw_skin *skin, const nkw_skin_palette *palett
 void nkw_skin_dual_quat(const nkw_skin *skin, const nkw_dual_quat *palette, size_t joints, const nkw_vertices *in,
                         const nkw_vertices_span *out)
 {
-    plan p = plan_of(skin, joints);
+    plan p = plan_of(skin, joints, 0);
     transforms t = {NULL, palette};
     run_streams(&p, &t, in, out);
 }
@@ -169,7 +221,7 @@ void nkw_skin_dual_quat(const nkw_skin *skin, const nkw_dual_quat *palette, size
 void nkw_skin_dual_quat_arrays(const nkw_skin *skin, const nkw_dual_quat *palette, size_t joints,
                                const nkw_vertices_arrays *in, const nkw_vertices_arrays_span *out)
 {
-    plan p = plan_of(skin, joints);
+    plan p = plan_of(skin, joints, 0);
     transforms t = {NULL, palette};
     run_arrays(&p, &t, in, out);
 }

@@ -3,99 +3,7 @@
 
 #include "random.h"
 #include "support/expect.h"
-
-#define VERTICES 131 /* two whole blocks and an odd rest */
-#define JOINTS   23
-#define FLOATS   14
-
-/* A mesh of the book's vertex: position 3, normal 3, texture 2, tangent 3, bitangent 3. */
-typedef struct mesh {
-    nkw_mat4 matrices[JOINTS];
-    nkw_mat3 normals[JOINTS];
-    nkw_dual_quat duals[JOINTS];
-    float weights[VERTICES * 8];
-    uint16_t joints[VERTICES * 8];
-    float v[VERTICES * FLOATS];
-} mesh;
-
-static nkw_dual_quat dual_quat(nkw_quat r, nkw_vec3 t)
-{
-    nkw_quat half = {0.5f * t.x, 0.5f * t.y, 0.5f * t.z, 0};
-    nkw_dual_quat d = {r, nkw_quat_mul(half, r)};
-    return d;
-}
-
-static void draw_joints(random_source *r, mesh *m, int rigid)
-{
-    nkw_vec3 one = {1, 1, 1};
-    for (size_t j = 0; j < JOINTS; j++) {
-        nkw_trs trs = {random_vec3(r, -2, 2), random_rotation(r), rigid ? one : random_vec3(r, 0.5f, 2)};
-        m->matrices[j] = nkw_mat4_from_trs(&trs);
-        nkw_mat3 block = nkw_mat3_from_mat4(&m->matrices[j]);
-        m->normals[j] = nkw_mat3_normal(&block);
-        m->duals[j] = dual_quat(trs.rotation, trs.translation);
-    }
-}
-
-static mesh draw(uint64_t seed, size_t influences, int rigid)
-{
-    random_source r = random_from(seed);
-    mesh m = {0};
-    draw_joints(&r, &m, rigid);
-    for (size_t i = 0; i < VERTICES * influences; i++) {
-        m.joints[i] = (uint16_t)(random_bits(&r) % JOINTS);
-        m.weights[i] = random_unit(&r);
-    }
-    nkw_skin_view in = {m.weights, 0, NKW_SKIN_F32};
-    nkw_skin_span out = {m.weights, 0, NKW_SKIN_F32};
-    nkw_skin_normalize_weights(in, influences, out, VERTICES);
-    for (size_t i = 0; i < VERTICES * FLOATS; i++)
-        m.v[i] = random_between(&r, -1, 1);
-    return m;
-}
-
-static nkw_skin skin_of(const mesh *m, size_t influences)
-{
-    nkw_skin s = {VERTICES, influences, {m->joints, 0, NKW_SKIN_U16}, {m->weights, 0, NKW_SKIN_F32}};
-    return s;
-}
-
-static nkw_vertices streams(const float *v, size_t floats)
-{
-    size_t s = floats * sizeof *v;
-    nkw_vertices r = {{v, s}, {v + 3, s}, {v + 8, s}, {v + 11, s}};
-    return r;
-}
-
-static nkw_vertices_span spans(float *v, size_t floats)
-{
-    size_t s = floats * sizeof *v;
-    nkw_vertices_span r = {{v, s}, {v + 3, s}, {v + 8, s}, {v + 11, s}};
-    return r;
-}
-
-static nkw_vec3 vec3_at(const float *v)
-{
-    nkw_vec3 r = {v[0], v[1], v[2]};
-    return r;
-}
-
-/* The sum in the order of the influences, of `width` floats a joint. */
-static void blend(const mesh *m, const float *palette, size_t width, size_t influences, size_t vertex, float *out)
-{
-    for (size_t a = 0; a < width; a++)
-        for (size_t e = 0; e < influences; e++) {
-            size_t at = vertex * influences + e;
-            float term = m->weights[at] * palette[width * m->joints[at] + a];
-            out[a] = e ? out[a] + term : term;
-        }
-}
-
-static nkw_vec3 unit(nkw_vec3 n)
-{
-    float n2 = (n.x * n.x + n.y * n.y) + n.z * n.z;
-    return nkw_vec3_scale(n, n2 == 0 ? 0 : 1 / sqrtf(n2));
-}
+#include "support/skin_mesh.h"
 
 static void linear_blend_is_the_weighted_sum_of_matrices_for_every_count(void **state)
 {
@@ -103,7 +11,7 @@ static void linear_blend_is_the_weighted_sum_of_matrices_for_every_count(void **
     for (size_t k = 1; k <= 8; k++) {
         mesh m = draw(k, k, 0);
         nkw_skin skin = skin_of(&m, k);
-        nkw_skin_palette palette = {m.matrices, NULL, JOINTS};
+        nkw_skin_palette palette = {m.matrices, NULL, JOINTS, 0};
         float out[VERTICES * FLOATS] = {0};
         nkw_vertices from = streams(m.v, FLOATS);
         nkw_vertices_span to = spans(out, FLOATS);
@@ -127,7 +35,7 @@ static void normals_go_by_their_own_palette_where_there_is_one(void **state)
     for (size_t k = 1; k <= 8; k++) {
         mesh m = draw(k, k, 0);
         nkw_skin skin = skin_of(&m, k);
-        nkw_skin_palette palette = {m.matrices, m.normals, JOINTS}, plain = {m.matrices, NULL, JOINTS};
+        nkw_skin_palette palette = {m.matrices, m.normals, JOINTS, 0}, plain = {m.matrices, NULL, JOINTS, 0};
         float out[VERTICES * FLOATS] = {0}, other[VERTICES * FLOATS] = {0};
         nkw_vertices from = streams(m.v, FLOATS);
         nkw_vertices_span to = spans(out, FLOATS), to_other = spans(other, FLOATS);
@@ -154,7 +62,7 @@ static void a_normal_stays_at_right_angles_under_uneven_scale_by_its_palette(voi
         nkw_trs trs = {random_vec3(&r, -2, 2), random_rotation(&r), random_vec3(&r, 0.25f, 4)};
         nkw_mat4 m = nkw_mat4_from_trs(&trs);
         nkw_mat3 block = nkw_mat3_from_mat4(&m), normal = nkw_mat3_normal(&block);
-        nkw_skin_palette palette = {&m, &normal, 1};
+        nkw_skin_palette palette = {&m, &normal, 1, 0};
         nkw_vec3 v[3] = {{0, 0, 0}, random_direction(&r), {0, 0, 0}};
         v[2] = nkw_vec3_normalize(nkw_vec3_perpendicular(v[1]));
         nkw_vertices in = {{&v[0], 0}, {&v[1], 0}, {&v[2], 0}, {NULL, 0}};
@@ -172,7 +80,7 @@ static void every_layout_gives_the_same_bits(void **state)
     (void)state;
     mesh m = draw(9, 4, 0);
     nkw_skin skin = skin_of(&m, 4);
-    nkw_skin_palette palette = {m.matrices, NULL, JOINTS};
+    nkw_skin_palette palette = {m.matrices, NULL, JOINTS, 0};
     float mixed[VERTICES * FLOATS], p[3][VERTICES], n[3][VERTICES];
     nkw_vec3 tight[2][VERTICES];
     memcpy(mixed, m.v, sizeof mixed);
@@ -207,7 +115,7 @@ static void a_vertex_does_not_depend_on_its_neighbours_or_the_count(void **state
 {
     (void)state;
     mesh m = draw(10, 3, 0);
-    nkw_skin_palette palette = {m.matrices, NULL, JOINTS};
+    nkw_skin_palette palette = {m.matrices, NULL, JOINTS, 0};
     float whole[VERTICES * FLOATS] = {0}, alone[FLOATS] = {0};
     nkw_skin skin = skin_of(&m, 3);
     nkw_vertices in = streams(m.v, FLOATS);
@@ -232,7 +140,7 @@ static void whole_number_weights_are_their_quotients(void **state)
     (void)state;
     random_source r = random_from(11);
     mesh m = draw(11, 4, 0);
-    nkw_skin_palette palette = {m.matrices, NULL, JOINTS};
+    nkw_skin_palette palette = {m.matrices, NULL, JOINTS, 0};
     skeletal_vertex v[VERTICES];
     uint8_t joints8[VERTICES][4], weights8[VERTICES][4];
     uint32_t joints32[VERTICES][4];
@@ -277,7 +185,7 @@ static void a_vertex_without_weight_is_not_moved(void **state)
         m.v[5 * FLOATS] = -0.0f;
         memcpy(out, m.v, sizeof out);
         nkw_skin skin = skin_of(&m, 4);
-        nkw_skin_palette palette = {m.matrices, m.normals, JOINTS};
+        nkw_skin_palette palette = {m.matrices, m.normals, JOINTS, 0};
         nkw_vertices in = streams(m.v, FLOATS);
         nkw_vertices_span to = spans(out, FLOATS);
         if (dual)
@@ -297,7 +205,7 @@ static void a_joint_beyond_the_palette_counts_as_weight_zero(void **state)
     mesh m = draw(13, 4, 0);
     nkw_mat4 *matrices = (nkw_mat4 *)test_malloc(5 * sizeof *matrices);
     memcpy(matrices, m.matrices, 5 * sizeof *matrices);
-    nkw_skin_palette palette = {matrices, NULL, 5};
+    nkw_skin_palette palette = {matrices, NULL, 5, 0};
     float got[VERTICES * FLOATS] = {0}, want[VERTICES * FLOATS] = {0};
     nkw_vertices in = streams(m.v, FLOATS);
     nkw_vertices_span out = spans(got, FLOATS), out_want = spans(want, FLOATS);
@@ -328,7 +236,7 @@ static void no_palette_no_influence_and_unknown_formats_move_nothing(void **stat
 {
     (void)state;
     mesh m = draw(14, 4, 0);
-    nkw_skin_palette palette = {m.matrices, NULL, JOINTS}, none = {NULL, NULL, 0};
+    nkw_skin_palette palette = {m.matrices, NULL, JOINTS, 0}, none = {NULL, NULL, 0, 0};
     nkw_skin skin = skin_of(&m, 4);
     expect_not_moved(&skin, &none, &m);
     skin.influences = 0;
@@ -349,7 +257,7 @@ static void influences_beyond_the_eighth_are_not_read(void **state)
 {
     (void)state;
     mesh m = draw(15, 8, 0);
-    nkw_skin_palette palette = {m.matrices, NULL, JOINTS};
+    nkw_skin_palette palette = {m.matrices, NULL, JOINTS, 0};
     float got[VERTICES * FLOATS] = {0}, want[VERTICES * FLOATS] = {0};
     nkw_vertices in = streams(m.v, FLOATS);
     nkw_vertices_span out = spans(got, FLOATS), out_want = spans(want, FLOATS);
@@ -364,7 +272,7 @@ static void zero_normals_stay_zero_and_nan_stays_in_its_vertex(void **state)
 {
     (void)state;
     mesh m = draw(16, 4, 0);
-    nkw_skin_palette palette = {m.matrices, NULL, JOINTS};
+    nkw_skin_palette palette = {m.matrices, NULL, JOINTS, 0};
     float out[VERTICES * FLOATS] = {0}, clean[VERTICES * FLOATS] = {0};
     m.v[3] = m.v[4] = m.v[5] = 0;
     nkw_skin skin = skin_of(&m, 4);
@@ -385,7 +293,7 @@ static void one_rigid_joint_is_the_same_either_way(void **state)
     (void)state;
     mesh m = draw(17, 1, 1);
     nkw_skin skin = skin_of(&m, 1);
-    nkw_skin_palette palette = {m.matrices, NULL, JOINTS};
+    nkw_skin_palette palette = {m.matrices, NULL, JOINTS, 0};
     float linear[VERTICES * FLOATS] = {0}, dual[VERTICES * FLOATS] = {0};
     nkw_vertices in = streams(m.v, FLOATS);
     nkw_vertices_span out = spans(linear, FLOATS), out_dual = spans(dual, FLOATS);

@@ -200,7 +200,7 @@ void rig_skin(const rig_state *state, const mesh *m, int dual, nkw_vec3 *positio
     const nkw_skin skin = skin_of(m);
     const nkw_vertices in = {{&m->vertices->position, stride}, {&m->vertices->normal, stride}, {NULL, 0}, {NULL, 0}};
     const nkw_vertices_span out = {{positions, 0}, {normals, 0}, {NULL, 0}, {NULL, 0}};
-    const nkw_skin_palette matrices = {state->palette, NULL, RIG_JOINTS};
+    const nkw_skin_palette matrices = {state->palette, NULL, RIG_JOINTS, 0};
     nkw_dual_quat motions[RIG_JOINTS];
     nkw_palette_dual_from_models(state->palette, RIG_JOINTS, NULL, NULL, NULL, RIG_JOINTS, motions);
     if (dual)

@@ -11,7 +11,7 @@
  *                         s = -1 where q is on the other half sphere than the q of the largest weight, else 1
  *
  *     position  p' = M p          as nkw_mat4_transform_point
- *     normal    n' = M n / |M n|  as nkw_mat4_transform_direction; zero stays zero
+ *     normal    n' = M n / |M n|  as nkw_mat4_transform_direction; zero stays zero; M n where raw_directions is set
  *     tangent, bitangent          as the normal
  *
  * Linear blend shears and scales as the matrices do, and loses volume at joints that twist; dual quaternions keep
@@ -120,6 +120,8 @@ typedef struct nkw_skin_palette {
      */
     const nkw_mat3 *normals;
     size_t joints;
+    /** 0: directions come out unit, M n / |M n|. Else as blended, M n: for those who make them unit later. */
+    int raw_directions;
 } nkw_skin_palette;
 
 /**

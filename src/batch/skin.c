@@ -261,13 +261,24 @@ KERNEL(skin_points)(const skin_block *b, nkw_vec3_view in, nkw_vec3_span out, si
     }
 }
 
-KERNEL(skin_directions)(const skin_block *b, const float *m, nkw_vec3_view in, nkw_vec3_span out, size_t n)
+/* raw is a constant in the loops that this is inlined into. */
+static inline void move_directions(const skin_block *b, const float *m, int raw, nkw_vec3_view in, nkw_vec3_span out,
+                                   size_t n)
 {
 #pragma omp simd
     for (size_t i = 0; i < n; i++) {
-        nkw_vec3 d = at_vec3(in, i);
-        put_vec3(out, i, lane_vec3_choose(b->moved[i], lane_skin_direction(m + i, d), d));
+        nkw_vec3 d = at_vec3(in, i), r = lane_skin_direction(m + i, d);
+        put_vec3(out, i, lane_vec3_choose(b->moved[i], raw ? r : lane_skin_unit(r), d));
     }
+}
+
+KERNEL(skin_directions)
+(const skin_block *b, const float *m, int raw, nkw_vec3_view in, nkw_vec3_span out, size_t n)
+{
+    if (raw)
+        move_directions(b, m, 1, in, out, n);
+    else
+        move_directions(b, m, 0, in, out, n);
 }
 
 /*

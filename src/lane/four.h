@@ -12,6 +12,7 @@
 
 #include "strict.h"
 
+#include <math.h>
 #include <stdint.h>
 #include <string.h>
 
@@ -19,6 +20,7 @@
 
 typedef float lane_four __attribute__((vector_size(16)));
 typedef int32_t lane_four_bits __attribute__((vector_size(16)));
+typedef int64_t lane_four_pair __attribute__((vector_size(16)));
 
 static inline lane_four lane_four_all(float x)
 {
@@ -34,6 +36,18 @@ static inline lane_four lane_four_add(lane_four a, lane_four b)
 static inline lane_four lane_four_mul(lane_four a, lane_four b)
 {
     return a * b;
+}
+
+static inline lane_four lane_four_div(lane_four a, lane_four b)
+{
+    return a / b;
+}
+
+/* b where a is 0. */
+static inline lane_four lane_four_unless_zero(lane_four a, lane_four b)
+{
+    const lane_four zero = {0.0f, 0.0f, 0.0f, 0.0f};
+    return (lane_four)((lane_four_bits)b & (lane_four_bits)(a != zero));
 }
 
 /* a[0] a[1] a[2] and 0 or 1. */
@@ -60,6 +74,50 @@ static inline void lane_four_transpose(lane_four m[4])
     m[3] = LANE_FOUR_MIX(c, d, 2, 3, 6, 7);
 }
 
+/* a[0] a[1] a[2] */
+static inline void lane_four_store3(unsigned char *p, lane_four a)
+{
+    const lane_four_pair pairs = (lane_four_pair)a;
+    const int64_t low = pairs[0];
+    const float high = a[2];
+    memcpy(p, &low, sizeof low);
+    memcpy(p + sizeof low, &high, sizeof high);
+}
+
+#define lane_four_splat(a, i) LANE_FOUR_MIX(a, a, i, i, i, i)
+
+/*
+ * LANE_WIDE floats of a matrix of 16 where registers are wider: two columns or all four, and LANE_FOUR_SPLIT(m), the
+ * four columns that LANE_WIDE_PARTS of these hold.
+ */
+#if defined(__has_builtin) && defined(__AVX__)
+#if __has_builtin(__builtin_shufflevector)
+#define LANE_FOUR_PART(m, i) __builtin_shufflevector(m, m, 4 * (i), 4 * (i) + 1, 4 * (i) + 2, 4 * (i) + 3)
+#if defined(__AVX512F__)
+#define LANE_WIDE 16
+#define LANE_FOUR_SPLIT(m)                                                                                             \
+    {                                                                                                                  \
+        LANE_FOUR_PART((m)[0], 0), LANE_FOUR_PART((m)[0], 1), LANE_FOUR_PART((m)[0], 2), LANE_FOUR_PART((m)[0], 3)     \
+    }
+#else
+#define LANE_WIDE 8
+#define LANE_FOUR_SPLIT(m)                                                                                             \
+    {                                                                                                                  \
+        LANE_FOUR_PART((m)[0], 0), LANE_FOUR_PART((m)[0], 1), LANE_FOUR_PART((m)[1], 0), LANE_FOUR_PART((m)[1], 1)     \
+    }
+#endif
+#define LANE_WIDE_PARTS (16 / LANE_WIDE)
+typedef float lane_wide __attribute__((vector_size(4 * LANE_WIDE)));
+
+static inline lane_wide lane_wide_load(const float *p)
+{
+    lane_wide r;
+    memcpy(&r, p, sizeof r);
+    return r;
+}
+#endif
+#endif
+
 #else
 
 typedef struct lane_four {
@@ -82,6 +140,30 @@ static inline lane_four lane_four_mul(lane_four a, lane_four b)
 {
     lane_four r = {{a.v[0] * b.v[0], a.v[1] * b.v[1], a.v[2] * b.v[2], a.v[3] * b.v[3]}};
     return r;
+}
+
+static inline lane_four lane_four_div(lane_four a, lane_four b)
+{
+    lane_four r = {{a.v[0] / b.v[0], a.v[1] / b.v[1], a.v[2] / b.v[2], a.v[3] / b.v[3]}};
+    return r;
+}
+
+static inline lane_four lane_four_unless_zero(lane_four a, lane_four b)
+{
+    lane_four r;
+    for (int i = 0; i < 4; i++)
+        r.v[i] = a.v[i] == 0.0f ? 0.0f : b.v[i];
+    return r;
+}
+
+static inline void lane_four_store3(unsigned char *p, lane_four a)
+{
+    memcpy(p, a.v, 3 * sizeof(float));
+}
+
+static inline lane_four lane_four_splat(lane_four a, int i)
+{
+    return lane_four_all(a.v[i]);
 }
 
 static inline lane_four lane_four_end(lane_four a, int one)
@@ -107,9 +189,27 @@ static inline lane_four lane_four_load(const float *p)
     return r;
 }
 
+/* Four times the float at p, of any alignment. */
+static inline lane_four lane_four_all_of(const unsigned char *p)
+{
+    float x;
+    memcpy(&x, p, sizeof x);
+    return lane_four_all(x);
+}
+
 static inline void lane_four_store(float *p, lane_four a)
 {
     memcpy(p, &a, sizeof a);
+}
+
+static inline lane_four lane_four_sqrt(lane_four a)
+{
+    float v[4];
+    memcpy(v, &a, sizeof v);
+    for (int i = 0; i < 4; i++)
+        v[i] = sqrtf(v[i]);
+    memcpy(&a, v, sizeof a);
+    return a;
 }
 
 #endif

@@ -29,6 +29,20 @@ typedef struct skin_block {
     float vector[3 * SKIN_BLOCK]; /* x, y, z */
 } skin_block;
 
+/* The influences of vertices: strides that are not 0, formats that are for them, `count` of each vertex, 0..8. */
+typedef struct skin_influences {
+    nkw_skin_view joints, weights;
+    size_t count;
+    uint32_t limit; /* joints in the palette */
+} skin_influences;
+
+/* Vectors from one place to another, strides in bytes; strides of 0: none. */
+typedef struct skin_stream {
+    const unsigned char *in;
+    unsigned char *out;
+    size_t in_stride, out_stride;
+} skin_stream;
+
 /* The number at p; what the format is not for reads as 0. */
 static inline float lane_skin_weight(const unsigned char *p, nkw_skin_format format)
 {
@@ -96,7 +110,7 @@ static inline nkw_vec3 lane_skin_unit(nkw_vec3 n)
     return nkw_vec3_scale(n, n2 == 0.0f ? 0.0f : 1.0f / sqrtf(n2));
 }
 
-/* As nkw_mat4_transform_direction, made unit. */
+/* As nkw_mat4_transform_direction. */
 static inline nkw_vec3 lane_skin_direction(const float *m, nkw_vec3 d)
 {
     const float *x = m, *y = m + 3 * SKIN_BLOCK, *z = m + 6 * SKIN_BLOCK;
@@ -105,7 +119,7 @@ static inline nkw_vec3 lane_skin_direction(const float *m, nkw_vec3 d)
         (x[SKIN_BLOCK] * d.x + y[SKIN_BLOCK] * d.y) + z[SKIN_BLOCK] * d.z,
         (x[2 * SKIN_BLOCK] * d.x + y[2 * SKIN_BLOCK] * d.y) + z[2 * SKIN_BLOCK] * d.z,
     };
-    return lane_skin_unit(r);
+    return r;
 }
 
 /*

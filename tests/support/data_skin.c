@@ -58,7 +58,7 @@ static nkw_vertices_span spans(float *v)
 
 static uint64_t skin_all(uint64_t hash, const model *m, const nkw_skin *skin)
 {
-    const nkw_skin_palette plain = {m->matrices, NULL, JOINTS}, exact = {m->matrices, m->normals, JOINTS};
+    const nkw_skin_palette plain = {m->matrices, NULL, JOINTS, 0}, exact = {m->matrices, m->normals, JOINTS, 0};
     float v[VERTICES * FLOATS];
     nkw_vertices in = streams(m->vertices);
     nkw_vertices_span out = spans(v);
@@ -71,9 +71,24 @@ static uint64_t skin_all(uint64_t hash, const model *m, const nkw_skin *skin)
     return hash_floats(hash, v, VERTICES * FLOATS);
 }
 
+/* Positions and normals alone, in place, made unit and not. */
+static uint64_t skin_pairs(uint64_t hash, const model *m, const nkw_skin *skin)
+{
+    for (int raw = 0; raw < 2; raw++) {
+        const nkw_skin_palette palette = {m->matrices, NULL, JOINTS, raw};
+        float v[VERTICES * FLOATS];
+        nkw_vertices in = {{v, 0}, {v + 3 * VERTICES, 4 * FLOATS / 2}, {NULL, 0}, {NULL, 0}};
+        nkw_vertices_span out = {{v, 0}, {v + 3 * VERTICES, 4 * FLOATS / 2}, {NULL, 0}, {NULL, 0}};
+        memcpy(v, m->vertices, sizeof v);
+        nkw_skin_linear(skin, &palette, &in, &out);
+        hash = hash_floats(hash, v, VERTICES * FLOATS);
+    }
+    return hash;
+}
+
 static uint64_t skin_arrays(uint64_t hash, const model *m, const nkw_skin *skin)
 {
-    const nkw_skin_palette plain = {m->matrices, NULL, JOINTS};
+    const nkw_skin_palette plain = {m->matrices, NULL, JOINTS, 0};
     float v[VERTICES * FLOATS];
     nkw_vertices_arrays in = {{v, v + 150, v + 300}, {v + 450, v + 600, v + 750}, {0}, {0}};
     nkw_vertices_arrays_span out = {{v, v + 150, v + 300}, {v + 450, v + 600, v + 750}, {0}, {0}};
@@ -102,11 +117,11 @@ uint64_t data_skin(void)
     for (size_t k = 1; k <= 8; k++) {
         nkw_skin skin = {VERTICES, k, {m.joints, 16, NKW_SKIN_U16}, {m.weights, 32, NKW_SKIN_F32}};
         hash = skin_arrays(skin_all(hash, &m, &skin), &m, &skin);
-        hash = prune(hash, &skin);
+        hash = prune(skin_pairs(hash, &m, &skin), &skin);
         nkw_skin tight = {VERTICES, k, {m.joints, 0, NKW_SKIN_U16}, {m.weights16, 0, NKW_SKIN_U16}};
         hash = skin_arrays(skin_all(hash, &m, &tight), &m, &tight);
         nkw_skin bytes = {VERTICES - k, k, {m.joints8, 5 < k ? k : 5, NKW_SKIN_U8}, {m.weights8, 0, NKW_SKIN_U8}};
-        hash = skin_all(hash, &m, &bytes);
+        hash = skin_pairs(skin_all(hash, &m, &bytes), &m, &bytes);
     }
     return hash;
 }

@@ -1,0 +1,105 @@
+/* SPDX-License-Identifier: MIT */
+/* Drawn meshes for the tests of skinning, and their matrices by definition. */
+#ifndef NAKAWARI_TESTS_SKIN_MESH_H
+#define NAKAWARI_TESTS_SKIN_MESH_H
+
+#include <math.h>
+
+#include "random.h"
+#include "expect.h"
+
+#define VERTICES 131 /* two whole blocks and an odd rest */
+#define JOINTS   23
+#define FLOATS   14
+
+/* A mesh of the book's vertex: position 3, normal 3, texture 2, tangent 3, bitangent 3. */
+typedef struct mesh {
+    nkw_mat4 matrices[JOINTS];
+    nkw_mat3 normals[JOINTS];
+    nkw_dual_quat duals[JOINTS];
+    float weights[VERTICES * 8];
+    uint16_t joints[VERTICES * 8];
+    float v[VERTICES * FLOATS];
+} mesh;
+
+static inline nkw_dual_quat dual_quat(nkw_quat r, nkw_vec3 t)
+{
+    nkw_quat half = {0.5f * t.x, 0.5f * t.y, 0.5f * t.z, 0};
+    nkw_dual_quat d = {r, nkw_quat_mul(half, r)};
+    return d;
+}
+
+static inline void draw_joints(random_source *r, mesh *m, int rigid)
+{
+    nkw_vec3 one = {1, 1, 1};
+    for (size_t j = 0; j < JOINTS; j++) {
+        nkw_trs trs = {random_vec3(r, -2, 2), random_rotation(r), rigid ? one : random_vec3(r, 0.5f, 2)};
+        m->matrices[j] = nkw_mat4_from_trs(&trs);
+        nkw_mat3 block = nkw_mat3_from_mat4(&m->matrices[j]);
+        m->normals[j] = nkw_mat3_normal(&block);
+        m->duals[j] = dual_quat(trs.rotation, trs.translation);
+    }
+}
+
+static inline mesh draw(uint64_t seed, size_t influences, int rigid)
+{
+    random_source r = random_from(seed);
+    mesh m = {0};
+    draw_joints(&r, &m, rigid);
+    for (size_t i = 0; i < VERTICES * influences; i++) {
+        m.joints[i] = (uint16_t)(random_bits(&r) % JOINTS);
+        m.weights[i] = random_unit(&r);
+    }
+    nkw_skin_view in = {m.weights, 0, NKW_SKIN_F32};
+    nkw_skin_span out = {m.weights, 0, NKW_SKIN_F32};
+    nkw_skin_normalize_weights(in, influences, out, VERTICES);
+    for (size_t i = 0; i < VERTICES * FLOATS; i++)
+        m.v[i] = random_between(&r, -1, 1);
+    return m;
+}
+
+static inline nkw_skin skin_of(const mesh *m, size_t influences)
+{
+    nkw_skin s = {VERTICES, influences, {m->joints, 0, NKW_SKIN_U16}, {m->weights, 0, NKW_SKIN_F32}};
+    return s;
+}
+
+static inline nkw_vertices streams(const float *v, size_t floats)
+{
+    size_t s = floats * sizeof *v;
+    nkw_vertices r = {{v, s}, {v + 3, s}, {v + 8, s}, {v + 11, s}};
+    return r;
+}
+
+static inline nkw_vertices_span spans(float *v, size_t floats)
+{
+    size_t s = floats * sizeof *v;
+    nkw_vertices_span r = {{v, s}, {v + 3, s}, {v + 8, s}, {v + 11, s}};
+    return r;
+}
+
+static inline nkw_vec3 vec3_at(const float *v)
+{
+    nkw_vec3 r = {v[0], v[1], v[2]};
+    return r;
+}
+
+/* The sum in the order of the influences, of `width` floats a joint. */
+static inline void blend(const mesh *m, const float *palette, size_t width, size_t influences, size_t vertex,
+                         float *out)
+{
+    for (size_t a = 0; a < width; a++)
+        for (size_t e = 0; e < influences; e++) {
+            size_t at = vertex * influences + e;
+            float term = m->weights[at] * palette[width * m->joints[at] + a];
+            out[a] = e ? out[a] + term : term;
+        }
+}
+
+static inline nkw_vec3 unit(nkw_vec3 n)
+{
+    float n2 = (n.x * n.x + n.y * n.y) + n.z * n.z;
+    return nkw_vec3_scale(n, n2 == 0 ? 0 : 1 / sqrtf(n2));
+}
+
+#endif

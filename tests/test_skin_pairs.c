@@ -1,0 +1,99 @@
+/* SPDX-License-Identifier: MIT */
+#include "support/skin_mesh.h"
+
+static void raw_directions_are_not_made_unit(void **state)
+{
+    (void)state;
+    for (size_t k = 1; k <= 8; k++) {
+        mesh m = draw(30 + k, k, 0);
+        nkw_skin skin = skin_of(&m, k);
+        nkw_skin_palette palette = {m.matrices, NULL, JOINTS, 1}, exact = {m.matrices, m.normals, JOINTS, 1};
+        float out[VERTICES * FLOATS] = {0}, pair[VERTICES * FLOATS] = {0}, own[VERTICES * FLOATS] = {0};
+        nkw_vertices from = streams(m.v, FLOATS), two = {from.positions, from.normals, {NULL, 0}, {NULL, 0}};
+        nkw_vertices_span to = spans(out, FLOATS), to_pair = spans(pair, FLOATS), to_own = spans(own, FLOATS);
+        nkw_skin_linear(&skin, &palette, &from, &to);
+        nkw_skin_linear(&skin, &palette, &two, &to_pair);
+        nkw_skin_linear(&skin, &exact, &from, &to_own);
+        for (size_t i = 0; i < VERTICES; i++) {
+            nkw_mat4 sum;
+            nkw_mat3 normal;
+            const float *v = m.v + i * FLOATS, *got = out + i * FLOATS;
+            blend(&m, m.matrices->m, 16, k, i, sum.m);
+            blend(&m, m.normals->m, 9, k, i, normal.m);
+            for (size_t a = 3; a < FLOATS; a += a == 3 ? 5 : 3)
+                expect_vec3_bits(vec3_at(got + a), nkw_mat4_transform_direction(&sum, vec3_at(v + a)));
+            expect_floats_bits(pair + i * FLOATS, got, 6);
+            expect_floats_bits(pair + i * FLOATS + 6, out + i * FLOATS + 6, 2);
+            expect_vec3_bits(vec3_at(own + i * FLOATS + 3), nkw_mat3_transform(&normal, vec3_at(v + 3)));
+        }
+    }
+}
+
+/* Of every pair of formats, tight and not, in place, with odd vertices among usual ones; floats around the output. */
+static void expect_pair_as_blocks(const mesh *m, const nkw_skin *skin, size_t floats, int raw)
+{
+    const nkw_skin_palette palette = {m->matrices, NULL, JOINTS, raw};
+    float got[VERTICES * FLOATS + 2], want[VERTICES * FLOATS + 2];
+    const size_t s = floats * sizeof(float), half = VERTICES * 3;
+    float *g = got + 1, *w = want + 1;
+    size_t normals = floats == 3 ? half : 3;
+    memcpy(got, m->v, sizeof m->v);
+    got[VERTICES * FLOATS] = got[VERTICES * FLOATS + 1] = 7;
+    memcpy(want, got, sizeof got);
+    nkw_vertices in = {{g, s}, {g + normals, s}, {NULL, 0}, {NULL, 0}};
+    nkw_vertices_span out = {{g, s}, {g + normals, s}, {NULL, 0}, {NULL, 0}};
+    float other[VERTICES * 3];
+    nkw_vertices in_all = {{w, s}, {w + normals, s}, {m->v, 0}, {NULL, 0}};
+    nkw_vertices_span out_all = {{w, s}, {w + normals, s}, {other, 0}, {NULL, 0}};
+    nkw_skin_linear(skin, &palette, &in, &out);
+    nkw_skin_linear(skin, &palette, &in_all, &out_all);
+    expect_floats_bits(got, want, VERTICES * FLOATS + 2);
+}
+
+static void pairs_are_as_blocks_for_every_format_and_odd_vertices(void **state)
+{
+    (void)state;
+    const nkw_skin_format joint_formats[3] = {NKW_SKIN_U8, NKW_SKIN_U16, NKW_SKIN_U32};
+    const nkw_skin_format weight_formats[3] = {NKW_SKIN_U8, NKW_SKIN_U16, NKW_SKIN_F32};
+    for (size_t k = 1; k <= 8; k++) {
+        mesh m = draw(40 + k, k, 0);
+        uint8_t joints[VERTICES * 8 * 4], weights[VERTICES * 8 * 4];
+        for (size_t i = 0; i < VERTICES; i += 1 + i / 5) {
+            m.joints[i * k + i % k] = i % 2 ? JOINTS : 200;
+            if (i % 3 == 0)
+                memset(m.weights + i * k, 0, k * sizeof *m.weights);
+        }
+        for (size_t f = 0; f < 9; f++) {
+            nkw_skin skin = {VERTICES, k, {joints, 0, joint_formats[f % 3]}, {weights, 0, weight_formats[f / 3]}};
+            nkw_skin_view from = {m.weights, 0, NKW_SKIN_F32};
+            nkw_skin_span to = {weights, 0, weight_formats[f / 3]};
+            nkw_skin_normalize_weights(from, k, to, VERTICES);
+            for (size_t i = 0; i < VERTICES * k; i++) {
+                uint8_t u8 = (uint8_t)m.joints[i];
+                uint32_t u32 = m.joints[i];
+                memcpy(joints + i * (f % 3 == 0   ? 1
+                                     : f % 3 == 1 ? 2
+                                                  : 4),
+                       f % 3 == 0   ? (const void *)&u8
+                       : f % 3 == 1 ? (const void *)&m.joints[i]
+                                    : (const void *)&u32,
+                       f % 3 == 0   ? 1
+                       : f % 3 == 1 ? 2
+                                    : 4);
+            }
+            for (int raw = 0; raw < 2; raw++) {
+                expect_pair_as_blocks(&m, &skin, 3, raw);
+                expect_pair_as_blocks(&m, &skin, FLOATS, raw);
+            }
+        }
+    }
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(raw_directions_are_not_made_unit),
+        cmocka_unit_test(pairs_are_as_blocks_for_every_format_and_odd_vertices),
+    };
+    return cmocka_run_group_tests_name("skin_pairs", tests, NULL, NULL);
+}
