@@ -5,6 +5,8 @@
 #include <chrono>
 #include <memory>
 
+#include <unistd.h>
+
 namespace bench
 {
 
@@ -73,12 +75,22 @@ static const limits &limits_of(const row &r)
                   : *std::find_if(all.begin(), all.end(), [](const limits &l) { return l.isa == BENCH_ISA; });
 }
 
-/* 1024 elements are gone round at the least. The sizes of caches are those of small ones of today. */
+/* Bytes of a level of the caches, or what is usual where the system does not tell. */
+static double level(int name, double usual)
+{
+    long bytes = sysconf(name);
+    return bytes > 0 ? static_cast<double>(bytes) : usual;
+}
+
+/* 1024 elements are gone round at the least. */
 double limit_ns(const row &r)
 {
     const limits &l = limits_of(r);
-    double set = r.bytes * static_cast<double>(std::max<size_t>(r.n, 1024)) / 1024;
-    double rate = set <= 32 ? l.near_copy : set <= 1024 ? l.second_copy : set <= 16384 ? l.third_copy : l.far_copy;
+    double set = r.bytes * static_cast<double>(std::max<size_t>(r.n, 1024));
+    double rate = set <= level(_SC_LEVEL1_DCACHE_SIZE, 32768)     ? l.near_copy
+                  : set <= level(_SC_LEVEL2_CACHE_SIZE, 1048576)  ? l.second_copy
+                  : set <= level(_SC_LEVEL3_CACHE_SIZE, 16777216) ? l.third_copy
+                                                                  : l.far_copy;
     return std::max(r.bytes / rate, r.flops / l.flops);
 }
 

@@ -3,7 +3,7 @@
  * Prints results as one table: a line for each way to do an operation, its sizes side by side.
  *
  *     nakawari-bench-table RESULTS.csv [BUILD]             as text
- *     nakawari-bench-table --markdown RESULTS.csv [BUILD]  as Markdown
+ *     nakawari-bench-table --markdown RESULTS.csv [BUILD]  as Markdown, a line for each operation
  *     nakawari-bench-table --losses RESULTS.csv            rows of the library that a peer beats by more than a tenth
  *
  * vs     the time of the best peer over this one, at 1024 elements: above 1 the library is faster. Structs are held against peers
@@ -78,6 +78,16 @@ static double number(const std::string &text)
 
 static bool read(const char *path, const char *build, results &r)
 {
+    /* An operation's lines stand together, wherever the list had them. */
+    auto together = [](std::vector<line> &lines) {
+        std::map<std::string, size_t> first;
+        for (const line &l : lines)
+            first.emplace(l.build + "/" + l.stem + "/" + l.operation, first.size());
+        std::stable_sort(lines.begin(), lines.end(), [&](const line &a, const line &b) {
+            return first[a.build + "/" + a.stem + "/" + a.operation] <
+                   first[b.build + "/" + b.stem + "/" + b.operation];
+        });
+    };
     std::ifstream in(path);
     std::string text;
     if (!std::getline(in, text))
@@ -94,6 +104,7 @@ static bool read(const char *path, const char *build, results &r)
         if (n == 1024 || l.limit == 0)
             l.limit = number(c[10]);
     }
+    together(r.lines);
     return true;
 }
 
@@ -137,47 +148,93 @@ static std::vector<std::string> cells(const results &r, const line &l)
 static const std::vector<std::string> head = {"row",   "layout",  "n=1", "16",       "67",    "1024",  "65536",
                                               "chain", "error u", "vs",  "vs chain", "bytes", "flops", "limit"};
 
-static void print(const std::vector<std::string> &c, bool markdown)
+static void print(const std::vector<std::string> &c)
 {
-    if (markdown) {
-        for (const std::string &text : c)
-            std::printf("| %s ", text.c_str());
-        std::puts("|");
-        return;
-    }
     std::printf("  %-17s%-11s", c[0].c_str(), c[1].c_str());
     for (size_t k = 2; k < c.size(); k++)
         std::printf("%9s", c[k].c_str());
     std::puts("");
 }
 
-static void print_machine(const results &r, bool markdown)
+static void print_all(const results &r)
 {
-    if (markdown)
-        std::puts("| limit | vectors | |\n|---|---|--:|");
     for (const line &l : r.machine)
-        std::printf(markdown ? "| %s | %s | %s |\n" : "  %-18s %-8s %s\n", l.operation.c_str(), l.who.c_str(),
+        std::printf("  %-10s %-18s %-8s %s\n", l.build.c_str(), l.operation.c_str(), l.who.c_str(),
                     three(l.ns.at(0)).c_str());
-}
-
-static void print_all(const results &r, bool markdown)
-{
     std::string build, operation;
     for (const line &l : r.lines) {
         if (l.build != build) {
-            std::printf(markdown ? "\n### Built for %s\n" : "\nBuilt for %s. Nanoseconds for each element.\n",
-                        l.build.c_str());
+            std::printf("\nBuilt for %s. Nanoseconds for each element.\n", l.build.c_str());
             build = l.build;
             operation.clear();
         }
         if (l.stem + l.operation != operation) {
-            std::printf(markdown ? "\n**%s: %s**\n\n" : "\n%s: %s\n", l.stem.c_str(), l.operation.c_str());
-            print(head, markdown);
-            if (markdown)
-                std::puts("|---|---|--:|--:|--:|--:|--:|--:|--:|--:|--:|--:|--:|--:|");
+            std::printf("\n%s: %s\n", l.stem.c_str(), l.operation.c_str());
+            print(head);
             operation = l.stem + l.operation;
         }
-        print(cells(r, l), markdown);
+        print(cells(r, l));
+    }
+}
+
+/* The fastest of the lines that `wanted` picks, or NULL. */
+template <class F> static const line *fastest(const results &r, const line &of, bool chain, F wanted)
+{
+    const line *best = nullptr;
+    for (const line &l : r.lines) {
+        double time = chain ? l.chain : l.time();
+        bool same = l.build == of.build && l.stem == of.stem && l.operation == of.operation;
+        if (same && time > 0 && wanted(l) && (!best || time < (chain ? best->chain : best->time())))
+            best = &l;
+    }
+    return best;
+}
+
+/* Three cells: the library's row, the best peer, the ratio. */
+static void print_pair(const line *own, const line *peer, bool chain)
+{
+    double a = own ? chain ? own->chain : own->time() : 0, b = peer ? chain ? peer->chain : peer->time() : 0;
+    std::string who = peer && b > 0 ? three(b) + " " + peer->who : "";
+    std::printf("| %s | %s | %s ", three(a).c_str(), a > 0 ? who.c_str() : "",
+                a > 0 && b > 0 ? three(b / a).c_str() : "");
+}
+
+static void print_operation(const results &r, const line &of)
+{
+    auto structs = [](const line &l) { return l.own() && l.layout == "structs"; };
+    auto components = [](const line &l) { return l.own() && l.layout == "components"; };
+    auto peer_structs = [](const line &l) { return !l.own() && l.layout == "structs"; };
+    auto peer = [](const line &l) { return !l.own(); };
+    const line *batch = fastest(r, of, false, components);
+    std::printf("| %s ", of.operation.c_str());
+    print_pair(fastest(r, of, false, structs), fastest(r, of, false, peer_structs), false);
+    print_pair(fastest(r, of, true, structs), fastest(r, of, true, peer), true);
+    print_pair(batch, fastest(r, of, false, peer), false);
+    std::printf("| %s |\n", batch ? (three(100 * batch->limit / batch->time()) + " %").c_str() : "");
+}
+
+static void print_markdown(const results &r)
+{
+    std::string stem, operation;
+    std::puts("| limit | sse2 | avx2 | avx512 |\n|---|--:|--:|--:|");
+    for (size_t k = 0; k < 5 && k < r.machine.size(); k++) {
+        std::printf("| %s ", r.machine[k].operation.c_str());
+        for (const char *isa : {"sse2", "avx2", "avx512"})
+            for (const line &l : r.machine)
+                if (l.operation == r.machine[k].operation && l.who == isa)
+                    std::printf("| %s ", three(l.ns.at(0)).c_str());
+        std::puts("|");
+    }
+    for (const line &l : r.lines) {
+        if (l.stem != stem)
+            std::printf("\n### %s.h\n\n| operation | single | best peer | ratio | chain | best peer | ratio | arrays | "
+                        "best peer | ratio "
+                        "| of the limit |\n|---|--:|--:|--:|--:|--:|--:|--:|--:|--:|--:|\n",
+                        l.stem.c_str());
+        if (l.stem + l.operation != operation)
+            print_operation(r, l);
+        stem = l.stem;
+        operation = l.stem + l.operation;
     }
 }
 
@@ -206,7 +263,6 @@ int main(int argc, char **argv)
         print_losses(r);
         return 0;
     }
-    print_machine(r, markdown);
-    print_all(r, markdown);
+    markdown ? print_markdown(r) : print_all(r);
     return 0;
 }
