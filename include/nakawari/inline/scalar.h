@@ -44,9 +44,9 @@ inline float nkw_lerp(float a, float b, float t)
     NKW_EXACT
     /* The nearer end, and how far from it: selected before they are used, so that compilers need no branch. */
     int first = t < 0.5f;
-    float near = first ? a : b, x = first ? t : t - 1.0f;
-    float inside = near + x * (b - a);
-    return x == 0.0f ? near : inside;
+    float end = first ? a : b, x = first ? t : t - 1.0f;
+    float inside = end + x * (b - a);
+    return x == 0.0f ? end : inside;
 }
 
 inline float nkw_inverse_lerp(float a, float b, float x)
