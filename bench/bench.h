@@ -1,14 +1,17 @@
 /* SPDX-License-Identifier: MIT */
 /*
- * What every bench file stands on: the same inputs for all, a reference for each operation, and three ways to add a row.
+ * What every bench file stands on: the same inputs for all, a reference for each operation, and three ways to add a
+ * row.
  *
  *     operation slerp = {"orient", "slerp rand", 4, 52, 61, reference};     what is computed, and what is right
  *     single(slerp, "glm", f)        f(i) gives the value of element i          array of structs, one by one
- *     chained(slerp, "glm", x, f)    f(x[i], i) likewise                        the same, and x = f(x, i) as a dependent chain
+ *     chained(slerp, "glm", x, f)    f(x[i], i) likewise                        the same, and x = f(x, i) as a
+ *                                    dependent chain
  *     batch(slerp, "loop SoA", f)    f(from, n) fills `answer`                  component arrays, or anything else
  *
- * Each row is checked before it is timed: elements 0 .. n-1 against the reference, the worst error is its counter, and a row that
- * is off by more than the operation allows fails the whole run. Names that begin with "nkw" are the library's own.
+ * Each row is checked before it is timed: elements 0 .. n-1 against the reference, the worst error is its counter,
+ * and a row that is off by more than the operation allows fails the whole run. Names that begin with "nkw" are the
+ * library's own.
  */
 #ifndef NAKAWARI_BENCH_H
 #define NAKAWARI_BENCH_H
@@ -25,8 +28,8 @@ namespace bench
 {
 
 /*
- * Elements of every input array. Calls of fewer elements than `near` go round the first `near`, which stay in a near cache, but whose
- * branches a predictor may learn; those of `pool` elements it cannot.
+ * Elements of every input array. Calls of fewer elements than `near` go round the first `near`, which stay in a near
+ * cache, but whose branches a predictor may learn; those of `pool` elements it cannot.
  */
 constexpr size_t pool = 65536, near = 1024;
 /* Floats from one component array to the next: arrays a power of two apart would fall on the same lines of a cache. */
@@ -161,7 +164,10 @@ template <class F> void single(const operation &op, const char *who, F f)
     });
 }
 
-/* x[i] is the first argument of element i. The chain runs over `near` elements, each from the result of the one before. */
+/*
+ * x[i] is the first argument of element i. The chain runs over `near` elements, each from the result of the one
+ * before.
+ */
 template <class T, class U, class F> void chained(const operation &op, const char *who, const array<U> &first, F f)
 {
     const T *x = as<T>(first);
@@ -193,7 +199,10 @@ template <class T> std::vector<double> wide(const T &value)
     return std::vector<double>(f, f + sizeof(T) / sizeof(float));
 }
 
-/* The library's function of the same element as the reference: for rows whose single function the accuracy tests measure. */
+/*
+ * The library's function of the same element as the reference: for rows whose single function the accuracy tests
+ * measure.
+ */
 template <class F> reference by(F f)
 {
     return [=](size_t i, double *out) {

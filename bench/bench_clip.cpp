@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /*
- * Poses out of clips: every joint has keys for its translation, rotation and scale, 301 of them in ten seconds. An element is a
- * joint, so the time of a pose is n times the number in the table.
+ * Poses out of clips: every joint has keys for its translation, rotation and scale, 301 of them in ten seconds. An
+ * element is a joint, so the time of a pose is n times the number in the table.
  */
 #include <algorithm>
 #include <memory>
@@ -98,6 +98,7 @@ static void spread(const scene &s)
             answer.part[c][j] = s.pose[c * NKW_POSE_STRIDE(s.joints) + j];
 }
 
+#ifdef BENCH_GLM
 /* What stands in many programs: track by track, each with its own search and the C library's slerp. */
 static void by_hand(scene &s, float time)
 {
@@ -113,12 +114,11 @@ static void by_hand(scene &s, float time)
                 to[(i + (c.target == NKW_CLIP_SCALE ? 7 : 0)) * step] = a[i] + u * (b[i] - a[i]);
             continue;
         }
-#ifdef BENCH_GLM
         glm::quat q = glm::slerp(glm::quat(a[3], a[0], a[1], a[2]), glm::quat(b[3], b[0], b[1], b[2]), u);
         to[3 * step] = q.x, to[4 * step] = q.y, to[5 * step] = q.z, to[6 * step] = q.w;
-#endif
     }
 }
+#endif
 
 static void row(const operation &op, const char *who, std::shared_ptr<scene> s, bool random,
                 std::function<void(scene &, float)> sample)
@@ -176,7 +176,7 @@ static void rows(size_t joints, bool random)
 }
 
 static const suite all([] {
-    for (size_t joints : {16, 67, 1024}) {
+    for (size_t joints : {16u, 67u, 1024u}) {
         rows(joints, true);
         rows(joints, false);
     }

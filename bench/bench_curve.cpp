@@ -1,5 +1,8 @@
 /* SPDX-License-Identifier: MIT */
-/* Cubic curves on vectors. The plain loop and cglm take the polynomial as it stands; the library goes from the nearer end. */
+/*
+ * Cubic curves on vectors. The plain loop and cglm take the polynomial as it stands; the library goes from the
+ * nearer end.
+ */
 #include "bench.h"
 #include "peers.h"
 

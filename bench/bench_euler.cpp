@@ -38,7 +38,10 @@ static void to_quat()
                         cx * cy * cz - sx * sy * sz};
     });
 #ifdef BENCH_GLM
-    /* glm makes quaternions of the order ZYX only: three quaternions of one axis each would be slower than its matrix. */
+    /*
+     * glm makes quaternions of the order ZYX only: three quaternions of one axis each would be slower than its
+     * matrix.
+     */
     single(op, "glm by matrix",
            [](size_t i) { return glm::quat_cast(glm::eulerAngleXYZ(angles[i].x, angles[i].y, angles[i].z)); });
 #endif

@@ -38,7 +38,10 @@ static nkw_segment by_upper_bound(const std::vector<float> &keys, float time)
     return {k, (time - keys[k]) / (keys[k + 1] - keys[k])};
 }
 
-/* Counts on the branch predictor less: no branch within the search. Won at random times among few keys; see docs/performance.md. */
+/*
+ * Counts on the branch predictor less: no branch within the search. Won at random times among few keys; see
+ * docs/performance.md.
+ */
 static nkw_segment by_halving(const std::vector<float> &keys, float time)
 {
     const float *base = keys.data();
@@ -92,7 +95,7 @@ static void rows(size_t count, bool random)
 }
 
 static const suite all([] {
-    for (size_t count : {2, 16, 301, 4096, 100000}) {
+    for (size_t count : {2u, 16u, 301u, 4096u, 100000u}) {
         rows(count, true);
         rows(count, false);
     }

@@ -1,7 +1,8 @@
 /* SPDX-License-Identifier: MIT */
 /*
- * How many instructions a fixed set of work takes: times are noisy, counts are not. Runs under callgrind, which writes a file for each
- * name; counts.cmake compares them with counts.txt. callgrind knows no AVX-512, so the loops are those of the baseline and of AVX2.
+ * How many instructions a fixed set of work takes: times are noisy, counts are not. Runs under callgrind, which
+ * writes a file for each name; counts.cmake compares them with counts.txt. callgrind knows no AVX-512, so the loops
+ * are those of the baseline and of AVX2.
  */
 #include <stdlib.h>
 #include <string.h>

@@ -1,9 +1,11 @@
 cmake_minimum_required(VERSION 3.25)
 # Counts the instructions of counts.c under callgrind, and fails where one of them is more than 3 % above counts.txt.
 #
-#     cmake -DPROGRAM=... -DVALGRIND=... -DCOMPILER="GNU 12.2.0 Release" -DTABLE=bench/counts.txt -DWORK=folder [-DWRITE=1] -P counts.cmake
+#     cmake -DPROGRAM=... -DVALGRIND=... -DCOMPILER="GNU 12.2.0 Release" -DTABLE=bench/counts.txt -DWORK=folder
+#           [-DWRITE=1] -P counts.cmake
 #
-# Counts belong to a compiler and the build type, which stand in the first line of counts.txt: with another one nothing is compared.
+# Counts belong to a compiler and the build type, which stand in the first line of counts.txt: with another one
+# nothing is compared.
 # A count that is to change changes counts.txt in the same commit, which says why: the target counts_write writes it.
 file(STRINGS "${TABLE}" table)
 list(POP_FRONT table compiler)

@@ -1,5 +1,6 @@
 cmake_minimum_required(VERSION 3.25)
-# Takes the results of the last run into the repository: bench/results/<processor>.csv, and docs/performance.md drawn from them.
+# Takes the results of the last run into the repository: bench/results/<processor>.csv, and docs/performance.md drawn
+# from them.
 #
 #     cmake -DTABLE=... -DRESULTS=folder -DROOT=repository -P page.cmake
 file(GLOB csv "${RESULTS}/*.csv")

@@ -9,7 +9,10 @@ typedef float wide __attribute__((vector_size(PROBE_BYTES)));
 
 enum { CHAINS = 12, LANES = PROBE_BYTES / sizeof(float) };
 
-/* Twelve chains hide the latency of both, and fit into sixteen registers. Ends at the fixed point 1, so nothing overflows. */
+/*
+ * Twelve chains hide the latency of both, and fit into sixteen registers. Ends at the fixed point 1, so nothing
+ * overflows.
+ */
 static double work(float *x, size_t rounds)
 {
     wide *v = (wide *)x;

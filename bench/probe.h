@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /*
- * What the machine can do at most, measured in the same run: additions and multiplications (no fused ones, which the library does
- * not use) and the copying of arrays, each for the vectors of an instruction set.
+ * What the machine can do at most, measured in the same run: additions and multiplications (no fused ones, which the
+ * library does not use) and the copying of arrays, each for the vectors of an instruction set.
  */
 #ifndef NAKAWARI_BENCH_PROBE_H
 #define NAKAWARI_BENCH_PROBE_H
@@ -13,7 +13,10 @@ extern "C" {
 #endif
 
 typedef struct probe {
-    /* `rounds` times a multiplication and an addition on each of 12 vectors; gives how many operations on floats that were. */
+    /*
+     * `rounds` times a multiplication and an addition on each of 12 vectors; gives how many operations on floats that
+     * were.
+     */
     double (*work)(float *x, size_t rounds);
     /* out[i] = 2 x[i] */
     void (*copy)(const float *x, float *out, size_t n);

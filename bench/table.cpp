@@ -6,7 +6,8 @@
  *     nakawari-bench-table --markdown RESULTS.csv [BUILD]  as Markdown, a line for each operation
  *     nakawari-bench-table --losses RESULTS.csv            rows of the library that a peer beats by more than a tenth
  *
- * vs     the time of the best peer over this one, at 1024 elements: above 1 the library is faster. Structs are held against peers
+ * vs     the time of the best peer over this one, at 1024 elements: above 1 the library is faster. Structs are held
+ *        against peers
  *        on structs, components against all.
  * limit  the least time that the machine could take, as a part of the time taken
  */
