@@ -7,12 +7,12 @@
 
 nkw_quat nkw_quat_nlerp(nkw_quat a, nkw_quat b, float t)
 {
-    return lane_quat_nlerp(a, b, t);
+    return lane_quat_nlerp(lane_quat_argument(a), lane_quat_argument(b), t);
 }
 
 nkw_quat nkw_quat_slerp(nkw_quat a, nkw_quat b, float t)
 {
-    return lane_quat_slerp_any(a, b, t);
+    return lane_quat_slerp_any(lane_quat_argument(a), lane_quat_argument(b), t);
 }
 
 nkw_quat nkw_quat_slerp_path(nkw_quat a, nkw_quat b, float t, nkw_path path)
@@ -22,7 +22,7 @@ nkw_quat nkw_quat_slerp_path(nkw_quat a, nkw_quat b, float t, nkw_path path)
 
 nkw_vec3 nkw_quat_log(nkw_quat q)
 {
-    return lane_vec3_from_wide(lane_wquat_log(lane_wquat_from(q)));
+    return lane_vec3_from_wide(lane_wquat_log(lane_wquat_from(lane_quat_argument(q))));
 }
 
 nkw_quat nkw_quat_exp(nkw_vec3 v)

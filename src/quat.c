@@ -13,7 +13,7 @@ float nkw_quat_length(nkw_quat q)
 
 nkw_quat nkw_quat_normalize(nkw_quat q)
 {
-    return lane_quat_normalize(q);
+    return lane_quat_normalize(lane_quat_argument(q));
 }
 
 nkw_quat nkw_quat_inverse(nkw_quat q)

@@ -42,10 +42,11 @@ inline float nkw_saturate(float x)
 inline float nkw_lerp(float a, float b, float t)
 {
     NKW_EXACT
+    /* The nearer end, and how far from it: selected before they are used, so that compilers need no branch. */
     int first = t < 0.5f;
-    float s = 1.0f - t, d = b - a;
-    float inside = first ? a + t * d : b - s * d;
-    return t == 0.0f ? a : s == 0.0f ? b : inside;
+    float end = first ? a : b, x = first ? t : t - 1.0f;
+    float inside = end + x * (b - a);
+    return x == 0.0f ? end : inside;
 }
 
 inline float nkw_inverse_lerp(float a, float b, float x)

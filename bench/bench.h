@@ -1,0 +1,218 @@
+/* SPDX-License-Identifier: MIT */
+/*
+ * What every bench file stands on: the same inputs for all, a reference for each operation, and three ways to add a
+ * row.
+ *
+ *     operation slerp = {"orient", "slerp rand", 4, 52, 61, reference};     what is computed, and what is right
+ *     single(slerp, "glm", f)        f(i) gives the value of element i          array of structs, one by one
+ *     chained(slerp, "glm", x, f)    f(x[i], i) likewise                        the same, and x = f(x, i) as a
+ *                                    dependent chain
+ *     batch(slerp, "loop SoA", f)    f(from, n) fills `answer`                  component arrays, or anything else
+ *
+ * Each row is checked before it is timed: elements 0 .. n-1 against the reference, the worst error is its counter,
+ * and a row that is off by more than the operation allows fails the whole run. Names that begin with "nkw" are the
+ * library's own.
+ */
+#ifndef NAKAWARI_BENCH_H
+#define NAKAWARI_BENCH_H
+
+#include <cstddef>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include <benchmark/benchmark.h>
+#include <nakawari/nakawari.h>
+
+namespace bench
+{
+
+/*
+ * Elements of every input array. Calls of fewer elements than `near` go round the first `near`, which stay in a near
+ * cache, but whose branches a predictor may learn; those of `pool` elements it cannot.
+ */
+constexpr size_t pool = 65536, near = 1024;
+/* Floats from one component array to the next: arrays a power of two apart would fall on the same lines of a cache. */
+constexpr size_t stride = pool + 80;
+
+/* The same values as an array of structs and as component arrays. */
+template <class T> struct array {
+    static constexpr size_t parts = sizeof(T) / sizeof(float);
+    alignas(64) T at[pool];
+    alignas(64) float part[parts][stride];
+
+    const T &operator[](size_t i) const
+    {
+        return at[i];
+    }
+    void set(size_t i, const T &value)
+    {
+        at[i] = value;
+        for (size_t k = 0; k < parts; k++)
+            part[k][i] = reinterpret_cast<const float *>(&at[i])[k];
+    }
+};
+
+/*
+ * unit_a, unit_b     unrelated unit quaternions: half the pairs need a change of sign
+ * unit_near          0.5 to 15 degrees of rotation from unit_a, as neighbouring keys are
+ * point[0..3]        coordinates in -1..1
+ * angles             three angles: the second within +-1.5, away from the pole, the others within +-3
+ * place              translation in -1..1, any rotation, scale in 0.5..2
+ * rigid, affine      rotation and translation; the matrix of `place`
+ * general            elements in -1..1 and 2 more on the diagonal
+ * turn               rotation matrices
+ * t 0..1, signed_one -1..1, turns -10..10, positive 0.01..100
+ */
+extern array<nkw_quat> unit_a, unit_b, unit_near;
+extern array<nkw_vec3> point[4], angles;
+extern array<nkw_trs> place, place_b;
+extern array<nkw_mat4> rigid, affine, general;
+extern array<nkw_mat3> turn;
+extern array<float> t, signed_one, turns, positive;
+
+/* What rows write: element i at `element(answer)[i]`, or component k in answer.part[k][i]. */
+extern array<nkw_mat4> answer;
+
+/* The bytes of an input as another library's type. */
+template <class T, class U> const T *as(const array<U> &a)
+{
+    static_assert(sizeof(T) == sizeof(U), "the same bytes");
+    return reinterpret_cast<const T *>(a.at);
+}
+
+nkw_vec3_view view(const array<nkw_vec3> &a, size_t from);
+nkw_quat_view view(const array<nkw_quat> &a, size_t from);
+nkw_trs_view view(const array<nkw_trs> &a, size_t from);
+nkw_mat3_view view(const array<nkw_mat3> &a, size_t from);
+nkw_mat4_view view(const array<nkw_mat4> &a, size_t from);
+nkw_vec3_span vec3_out(size_t from);
+nkw_quat_span quat_out(size_t from);
+nkw_mat3_span mat3_out(size_t from);
+nkw_mat4_span mat4_out(size_t from);
+
+/* Which differences count: q and -q are the same as a rotation, and as components 3..6 of a transform. */
+enum class same { number, rotation, transform };
+
+using reference = std::function<void(size_t i, double *out)>;
+
+/*
+ * width    floats of a result
+ * bytes    read and written for one element
+ * flops    additions, multiplications, divisions and roots of one element, as the formula has them
+ * truth    the result of element i in binary64
+ * own      the library's error may be this many u of the result's largest component, u = 2^-24
+ * others   and a peer's
+ */
+struct operation {
+    std::string stem, name;
+    size_t width;
+    double bytes, flops;
+    reference truth;
+    double own = 4, others = 4096;
+    same sort = same::number;
+    double least = 1; /* the error is in u of this at the least; 0: of the result alone */
+    std::vector<size_t> sizes = {1, 16, 67, 1024, 65536};
+};
+
+enum class layout { structs, components, chain };
+
+/* A row of one size: `fill` computes elements from .. from + n - 1, `time` does so for the benchmark. */
+void add(const operation &op, const std::string &who, layout where, size_t n, std::function<void(size_t)> check,
+         std::function<void(benchmark::State &)> time);
+
+/* Where the next call begins. */
+inline size_t next(size_t from, size_t n)
+{
+    from += n == 1 ? 1 : (n + 15) / 16 * 16;
+    return from + n > near ? 0 : from;
+}
+
+template <class F> void over(const operation &op, const char *who, layout where, F fill)
+{
+    for (size_t n : op.sizes)
+        add(
+            op, who, where, n, [=](size_t count) { fill(size_t{0}, count); },
+            [=](benchmark::State &state) {
+                size_t from = 0;
+                for (auto _ : state) {
+                    fill(from, n);
+                    benchmark::ClobberMemory();
+                    from = next(from, n);
+                }
+            });
+}
+
+template <class F> void batch(const operation &op, const char *who, F fill)
+{
+    over(op, who, layout::components, fill);
+}
+
+/* Like batch, but into an array of structs. */
+template <class F> void into_structs(const operation &op, const char *who, F fill)
+{
+    over(op, who, layout::structs, fill);
+}
+
+template <class F> void single(const operation &op, const char *who, F f)
+{
+    using T = decltype(f(size_t{0}));
+    over(op, who, layout::structs, [=](size_t from, size_t n) {
+        T *out = reinterpret_cast<T *>(answer.at);
+        for (size_t i = from; i < from + n; i++)
+            out[i] = f(i);
+    });
+}
+
+/*
+ * x[i] is the first argument of element i. The chain runs over `near` elements, each from the result of the one
+ * before.
+ */
+template <class T, class U, class F> void chained(const operation &op, const char *who, const array<U> &first, F f)
+{
+    const T *x = as<T>(first);
+    auto fill = [=](size_t count) {
+        T *out = reinterpret_cast<T *>(answer.at);
+        for (size_t i = 0; i < count; i++)
+            out[i] = f(x[i], i);
+    };
+    single(op, who, [=](size_t i) { return f(x[i], i); });
+    add(op, who, layout::chain, near, fill, [=](benchmark::State &state) {
+        for (auto _ : state) {
+            T value = x[0];
+            for (size_t i = 0; i < near; i++)
+                value = f(value, i);
+            benchmark::DoNotOptimize(value);
+        }
+    });
+}
+
+/* A file's list: static const bench::suite orient([] { ... }); */
+struct suite {
+    explicit suite(void (*list)());
+};
+
+/* Gives doubles of a struct of floats. */
+template <class T> std::vector<double> wide(const T &value)
+{
+    const float *f = reinterpret_cast<const float *>(&value);
+    return std::vector<double>(f, f + sizeof(T) / sizeof(float));
+}
+
+/*
+ * The library's function of the same element as the reference: for rows whose single function the accuracy tests
+ * measure.
+ */
+template <class F> reference by(F f)
+{
+    return [=](size_t i, double *out) {
+        auto value = f(i);
+        const float *from = reinterpret_cast<const float *>(&value);
+        for (size_t k = 0; k < sizeof value / sizeof(float); k++)
+            out[k] = static_cast<double>(from[k]);
+    };
+}
+
+} // namespace bench
+
+#endif

@@ -1,0 +1,102 @@
+/* SPDX-License-Identifier: MIT */
+/* From a time to its segment: 1024 times at random, and 1024 that go on as a player's do, among 2 to 100,000 keys. */
+#include <algorithm>
+#include <cmath>
+#include <memory>
+
+#include "bench.h"
+
+using namespace bench;
+
+struct timeline {
+    std::vector<float> keys, ask;
+    float rate;
+};
+
+/* Keys 1/32 s apart, so that the uniform search finds the same; `ask` from the first key to the last. */
+static std::shared_ptr<timeline> line(size_t count, bool random)
+{
+    auto l = std::make_shared<timeline>();
+    l->rate = 32;
+    for (size_t k = 0; k < count; k++)
+        l->keys.push_back(nkw_segment_uniform_time(0, l->rate, k));
+    for (size_t i = 0; i < near; i++)
+        l->ask.push_back(l->keys.back() * (random ? t[i] : static_cast<float>(i) / near));
+    return l;
+}
+
+static void put(size_t i, nkw_segment s)
+{
+    answer.part[0][i] = static_cast<float>(s.index);
+    answer.part[1][i] = s.t;
+}
+
+static nkw_segment by_upper_bound(const std::vector<float> &keys, float time)
+{
+    size_t after = static_cast<size_t>(std::upper_bound(keys.begin(), keys.end(), time) - keys.begin());
+    size_t k = std::min(std::max<size_t>(after, 1), keys.size() - 1) - 1;
+    return {k, (time - keys[k]) / (keys[k + 1] - keys[k])};
+}
+
+/*
+ * Counts on the branch predictor less: no branch within the search. Won at random times among few keys; see
+ * docs/performance.md.
+ */
+static nkw_segment by_halving(const std::vector<float> &keys, float time)
+{
+    const float *base = keys.data();
+    for (size_t n = keys.size() - 1; n > 1; n -= n / 2)
+        base += base[n / 2] <= time ? n / 2 : 0;
+    return {static_cast<size_t>(base - keys.data()), (time - base[0]) / (base[1] - base[0])};
+}
+
+static void rows(size_t count, bool random)
+{
+    auto l = line(count, random);
+    operation op = {"segment",
+                    std::to_string(count) + (random ? " keys, random" : " keys, in order"),
+                    2,
+                    20,
+                    3 + std::log2(static_cast<double>(count)),
+                    [=](size_t i, double *out) {
+                        nkw_segment s = nkw_segment_find(l->keys.data(), l->keys.size(), l->ask[i]);
+                        out[0] = static_cast<double>(s.index), out[1] = static_cast<double>(s.t);
+                    },
+                    0,
+                    4};
+    op.sizes = {near};
+    batch(op, "nkw", [=](size_t, size_t n) {
+        for (size_t i = 0; i < n; i++)
+            put(i, nkw_segment_find(l->keys.data(), l->keys.size(), l->ask[i]));
+    });
+    batch(op, "nkw _from", [=](size_t, size_t n) {
+        nkw_segment s = {0, 0};
+        for (size_t i = 0; i < n; i++)
+            put(i, s = nkw_segment_find_from(l->keys.data(), l->keys.size(), l->ask[i], s.index));
+    });
+    batch(op, "nkw _uniform", [=](size_t, size_t n) {
+        for (size_t i = 0; i < n; i++)
+            put(i, nkw_segment_find_uniform(0, l->rate, l->keys.size(), l->ask[i]));
+    });
+    batch(op, "nkw _n", [=](size_t, size_t n) {
+        static nkw_segment out[near];
+        nkw_segment_find_n(l->keys.data(), l->keys.size(), l->ask.data(), out, n);
+        for (size_t i = 0; i < n; i++)
+            put(i, out[i]);
+    });
+    batch(op, "std upper_bound", [=](size_t, size_t n) {
+        for (size_t i = 0; i < n; i++)
+            put(i, by_upper_bound(l->keys, l->ask[i]));
+    });
+    batch(op, "loop halving", [=](size_t, size_t n) {
+        for (size_t i = 0; i < n; i++)
+            put(i, by_halving(l->keys, l->ask[i]));
+    });
+}
+
+static const suite all([] {
+    for (size_t count : {2u, 16u, 301u, 4096u, 100000u}) {
+        rows(count, true);
+        rows(count, false);
+    }
+});

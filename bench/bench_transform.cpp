@@ -1,0 +1,106 @@
+/* SPDX-License-Identifier: MIT */
+/* Translation, rotation and scale. */
+#include <cmath>
+
+#include "bench.h"
+#include "peers.h"
+#include "truth.h"
+
+using namespace bench;
+
+static void to_matrix()
+{
+    operation op = {"transform",
+                    "mat4 from trs",
+                    16,
+                    104,
+                    37,
+                    [](size_t i, double *out) {
+                        const nkw_trs &p = place[i];
+                        const double s[3] = {static_cast<double>(p.scale.x), static_cast<double>(p.scale.y),
+                                             static_cast<double>(p.scale.z)};
+                        for (int k = 0; k < 16; k++)
+                            out[k] = k == 15;
+                        truth::rotation(truth::unit(truth::quat(p.rotation)), s, out, 4);
+                        out[12] = static_cast<double>(p.translation.x);
+                        out[13] = static_cast<double>(p.translation.y);
+                        out[14] = static_cast<double>(p.translation.z);
+                    },
+                    8};
+    single(op, "nkw", [](size_t i) { return nkw_mat4_from_trs(&place.at[i]); });
+    batch(op, "nkw _n", [](size_t from, size_t n) { nkw_mat4_from_trs_n(view(place, from), mat4_out(from), n); });
+#ifdef BENCH_CGLM
+    single(op, "cglm", [](size_t i) {
+        nkw_trs p = place[i];
+        cg::quat q;
+        cg::mat r;
+        memcpy(q.v, &p.rotation, sizeof q.v);
+        glm_quat_mat4(q.v, r.m);
+        glm_scale(r.m, &p.scale.x);
+        memcpy(r.m[3], &p.translation, sizeof p.translation);
+        return r;
+    });
+#endif
+#ifdef BENCH_GLM
+    single(op, "glm", [](size_t i) {
+        const nkw_trs &p = place[i];
+        glm::mat4 m = glm::mat4_cast(glm::quat(p.rotation.w, p.rotation.x, p.rotation.y, p.rotation.z));
+        m = glm::scale(m, glm::vec3(p.scale.x, p.scale.y, p.scale.z));
+        m[3] = glm::vec4(p.translation.x, p.translation.y, p.translation.z, 1);
+        return m;
+    });
+#endif
+#ifdef BENCH_EIGEN
+    single(op, "Eigen", [](size_t i) {
+        const nkw_trs &p = place[i];
+        Eigen::Affine3f m;
+        m.fromPositionOrientationScale(Eigen::Vector3f(p.translation.x, p.translation.y, p.translation.z),
+                                       Eigen::Quaternionf(p.rotation.w, p.rotation.x, p.rotation.y, p.rotation.z),
+                                       Eigen::Vector3f(p.scale.x, p.scale.y, p.scale.z));
+        return Eigen::Matrix4f(m.matrix());
+    });
+#endif
+}
+
+static void from_matrix()
+{
+    operation op = {
+        "transform", "trs from mat4", 10, 104, 110, by([](size_t i) { return nkw_trs_from_mat4(&affine.at[i]); }), 4,
+        64,          same::transform};
+    single(op, "nkw", [](size_t i) { return nkw_trs_from_mat4(&affine.at[i]); });
+#ifdef BENCH_GLM
+    single(op, "glm", [](size_t i) {
+        const float *m = affine[i].m;
+        glm::vec3 x(m[0], m[1], m[2]), y(m[4], m[5], m[6]), z(m[8], m[9], m[10]);
+        glm::vec3 s(glm::length(x), glm::length(y), glm::length(z));
+        glm::quat q = glm::quat_cast(glm::mat3(x / s.x, y / s.y, z / s.z));
+        return nkw_trs{{m[12], m[13], m[14]}, {q.x, q.y, q.z, q.w}, {s.x, s.y, s.z}};
+    });
+#endif
+}
+
+static void mul()
+{
+    operation op = {"transform", "trs mul", 10,
+                    120,         64,        by([](size_t i) { return nkw_trs_mul(&place.at[i], &place_b.at[i]); })};
+    single(op, "nkw", [](size_t i) { return nkw_trs_mul(&place.at[i], &place_b.at[i]); });
+#ifdef BENCH_GLM
+    single(op, "glm", [](size_t i) {
+        const nkw_trs &a = place[i], &b = place_b[i];
+        glm::quat p(a.rotation.w, a.rotation.x, a.rotation.y, a.rotation.z),
+            q(b.rotation.w, b.rotation.x, b.rotation.y, b.rotation.z);
+        glm::vec3 s(a.scale.x, a.scale.y, a.scale.z), u(b.scale.x, b.scale.y, b.scale.z);
+        glm::vec3 v(a.translation.x, a.translation.y, a.translation.z),
+            w(b.translation.x, b.translation.y, b.translation.z);
+        glm::vec3 at = v + p * (s * w), scale = s * u;
+        glm::quat r = p * q;
+        return nkw_trs{{at.x, at.y, at.z}, {r.x, r.y, r.z, r.w}, {scale.x, scale.y, scale.z}};
+    });
+#endif
+}
+
+static const suite all([] {
+    to_matrix();
+    from_matrix();
+    mul();
+});

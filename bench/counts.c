@@ -1,0 +1,194 @@
+/* SPDX-License-Identifier: MIT */
+/*
+ * How many instructions a fixed set of work takes: times are noisy, counts are not. Runs under callgrind, which
+ * writes a file for each name; counts.cmake compares them with counts.txt. callgrind knows no AVX-512, so the loops
+ * are those of the baseline and of AVX2.
+ */
+#include <stdlib.h>
+#include <string.h>
+
+#include <nakawari/nakawari.h>
+#include <valgrind/callgrind.h>
+
+#include "random.h"
+#include "simd/select.h"
+
+enum { N = 1024, JOINTS = 67, KEYS = 301 };
+
+/* What is written has external linkage, so that no compiler drops it. */
+nkw_quat q_out[N];
+nkw_vec3 v_out[N];
+nkw_mat4 m_out[N];
+nkw_trs trs_out[N];
+nkw_segment segments[N];
+float out[16][N];
+
+static nkw_quat qa[N], qb[N];
+static nkw_vec3 p[4][N];
+static nkw_trs trs[N];
+static nkw_mat3 turn[N];
+static nkw_mat4 ma[N], mb[N];
+static float t[N], x[N], parts[24][N], times[KEYS], values[JOINTS * KEYS * 10], pose[NKW_POSE_FLOATS(JOINTS)];
+static nkw_clip_track tracks[3 * JOINTS];
+static uint32_t work[NKW_CLIP_WORK(3 * JOINTS)], cursors[8];
+static float blocks[2][2 * JOINTS * KEYS * 16];
+static const nkw_clip *clips[2];
+
+/* One count: a name, and the code between. */
+#define COUNT(name, code)                                                                                              \
+    do {                                                                                                               \
+        CALLGRIND_ZERO_STATS;                                                                                          \
+        code;                                                                                                          \
+        CALLGRIND_DUMP_STATS_AT(name);                                                                                 \
+    } while (0)
+#define EACH(name, code) COUNT(name, for (size_t i = 0; i < N; i++) code)
+
+static void draw_values(random_source *r)
+{
+    for (size_t i = 0; i < N; i++) {
+        qa[i] = random_rotation(r);
+        qb[i] = random_rotation(r);
+        for (int k = 0; k < 4; k++)
+            p[k][i] = random_vec3(r, -1, 1);
+        nkw_trs place = {random_vec3(r, -1, 1), random_rotation(r), random_vec3(r, 0.5f, 2)};
+        trs[i] = place;
+        turn[i] = nkw_mat3_from_quat(qb[i]);
+        ma[i] = nkw_mat4_from_trs(&place);
+        mb[i] = nkw_mat4_from_mat3(&turn[i], p[0][i]);
+        t[i] = random_unit(r);
+        x[i] = random_between(r, -1, 1);
+        for (int k = 0; k < 24; k++)
+            parts[k][i] = k < 4 ? (&qa[i].x)[k] : k < 8 ? (&qb[i].x)[k - 4] : random_between(r, -1, 1);
+    }
+    for (size_t k = 0; k < KEYS; k++)
+        times[k] = nkw_segment_uniform_time(0, 30, k);
+}
+
+static void draw_clips(random_source *r)
+{
+    static const size_t at[3] = {0, 3, 7}, width[3] = {3, 4, 3};
+    for (size_t j = 0; j < JOINTS; j++)
+        for (size_t k = 0; k < 3; k++) {
+            float *v = values + (j * 10 + at[k]) * KEYS;
+            for (size_t i = 0; i < KEYS; i++) {
+                nkw_quat q = random_rotation(r);
+                memcpy(v + i * width[k], &q, width[k] * sizeof *v);
+            }
+            nkw_clip_track track = {(nkw_clip_target)k,
+                                    (uint32_t)j,
+                                    {times, v, KEYS, width[k], k == 1 ? NKW_TRACK_ROTATION : NKW_TRACK_FLOATS,
+                                     NKW_INTERPOLATION_LINEAR, NULL}};
+            tracks[j * 3 + k] = track;
+        }
+    for (int format = 0; format < 2; format++) {
+        nkw_clip_source source = {
+            tracks, 3 * JOINTS, JOINTS, 0, NULL, NULL, format ? NKW_CLIP_UNORM16 : NKW_CLIP_FLOAT32};
+        size_t bytes = 0;
+        if (nkw_clip_build(&source, work, blocks[format], sizeof blocks[format], NULL) != NKW_OK ||
+            nkw_clip_open(blocks[format], sizeof blocks[format], &clips[format]) != NKW_OK ||
+            nkw_clip_measure(&source, work, &bytes, NULL) != NKW_OK)
+            exit(1);
+    }
+}
+
+static void count_singles(void)
+{
+    EACH("single sin", out[0][i] = nkw_sin(x[i]));
+    EACH("single acos", out[0][i] = nkw_acos(x[i]));
+    EACH("single atan2", out[0][i] = nkw_atan2(x[i], t[i]));
+    EACH("single pow", out[0][i] = nkw_pow(t[i], x[i]));
+    EACH("single vec3_normalize", v_out[i] = nkw_vec3_normalize(p[0][i]));
+    EACH("single quat_normalize", q_out[i] = nkw_quat_normalize(qa[i]));
+    EACH("single quat_from_mat3", q_out[i] = nkw_quat_from_mat3(&turn[i]));
+    EACH("single mat4_inverse", m_out[i] = nkw_mat4_inverse(&ma[i]));
+    EACH("single mat4_inverse_affine", m_out[i] = nkw_mat4_inverse_affine(&ma[i]));
+    EACH("single mat4_inverse_rigid", m_out[i] = nkw_mat4_inverse_rigid(&mb[i]));
+    EACH("single trs_from_mat4", trs_out[i] = nkw_trs_from_mat4(&ma[i]));
+    EACH("single quat_from_euler", q_out[i] = nkw_quat_from_euler(p[0][i], NKW_EULER_YXZ));
+    EACH("single euler_from_quat", v_out[i] = nkw_euler_from_quat(qa[i], NKW_EULER_YXZ));
+    EACH("single vec3_hermite", v_out[i] = nkw_vec3_hermite(p[0][i], p[1][i], p[2][i], p[3][i], t[i]));
+    EACH("single vec3_bezier", v_out[i] = nkw_vec3_bezier(p[0][i], p[1][i], p[2][i], p[3][i], t[i]));
+    EACH("single quat_nlerp", q_out[i] = nkw_quat_nlerp(qa[i], qb[i], t[i]));
+    EACH("single quat_slerp", q_out[i] = nkw_quat_slerp(qa[i], qb[i], t[i]));
+    EACH("single quat_log", v_out[i] = nkw_quat_log(qa[i]));
+    EACH("single quat_exp", q_out[i] = nkw_quat_exp(p[0][i]));
+}
+
+static void count_inlined(void)
+{
+    EACH("inline quat_mul", q_out[i] = nkw_quat_mul(qa[i], qb[i]));
+    EACH("inline quat_rotate", v_out[i] = nkw_quat_rotate(qa[i], p[0][i]));
+    EACH("inline mat4_mul", m_out[i] = nkw_mat4_mul(&ma[i], &mb[i]));
+    EACH("inline mat4_mul_affine", m_out[i] = nkw_mat4_mul_affine(&ma[i], &mb[i]));
+    EACH("inline mat4_from_quat", m_out[i] = nkw_mat4_from_quat(qa[i]));
+    EACH("inline mat4_from_trs", m_out[i] = nkw_mat4_from_trs(&trs[i]));
+    EACH("inline vec3_lerp", v_out[i] = nkw_vec3_lerp(p[0][i], p[1][i], t[i]));
+}
+
+static void count_data(void)
+{
+    EACH("segment_find", segments[i] = nkw_segment_find(times, KEYS, 10 * t[i]));
+    EACH("segment_find_from",
+         segments[i] = nkw_segment_find_from(times, KEYS, 10.0f * (float)i / N, segments[i ? i - 1 : 0].index));
+    EACH("segment_find_uniform", segments[i] = nkw_segment_find_uniform(0, 30, KEYS, 10 * t[i]));
+    EACH("track_sample vec3", nkw_track_sample(&tracks[0].track, 10 * t[i], &v_out[i].x));
+    EACH("track_sample rotation", nkw_track_sample(&tracks[1].track, 10 * t[i], &q_out[i].x));
+    COUNT("clip_sample 67 joints",
+          for (size_t i = 0; i < 16; i++) nkw_clip_sample(clips[0], 10 * t[i], cursors, pose, NULL));
+    COUNT("clip_sample 67 joints, 16 bits",
+          for (size_t i = 0; i < 16; i++) nkw_clip_sample(clips[1], 10 * t[i], cursors, pose, NULL));
+}
+
+static void count_loops(const nkw_batch *b, int avx2)
+{
+    nkw_quat_view a = {parts[0], parts[1], parts[2], parts[3]}, c = {parts[4], parts[5], parts[6], parts[7]};
+    nkw_quat_span q = {out[0], out[1], out[2], out[3]};
+    nkw_vec3_view v[4];
+    nkw_vec3_span s = {out[0], out[1], out[2]};
+    nkw_mat4_span m;
+    for (size_t k = 0; k < 4; k++) {
+        nkw_vec3_view one = {parts[8 + 3 * k], parts[9 + 3 * k], parts[10 + 3 * k]};
+        v[k] = one;
+    }
+    for (size_t k = 0; k < 16; k++)
+        m.m[k] = out[k];
+    nkw_trs_view place = {v[0], a, v[1]};
+#define LOOP(name, arguments)                                                                                          \
+    if (avx2)                                                                                                          \
+        COUNT("avx2 " #name, b->name arguments);                                                                       \
+    else                                                                                                               \
+        COUNT("generic " #name, b->name arguments)
+    LOOP(sin, (x, out[0], N));
+    LOOP(acos, (x, out[0], N));
+    LOOP(atan2, (x, t, out[0], N));
+    LOOP(pow, (t, x, out[0], N));
+    LOOP(vec3_normalize, (v[0], s, N));
+    LOOP(vec3_lerp, (v[0], v[1], t, s, N));
+    LOOP(vec3_hermite, (v[0], v[1], v[2], v[3], t, s, N));
+    LOOP(quat_mul, (a, c, q, N));
+    LOOP(quat_rotate, (a, v[0], s, N));
+    LOOP(quat_normalize, (a, q, N));
+    LOOP(quat_nlerp, (a, c, t, q, N));
+    LOOP(quat_slerp, (a, c, t, q, N));
+    LOOP(quat_from_euler, (v[0], NKW_EULER_YXZ, q, N));
+    LOOP(mat4_from_trs, (place, m, N));
+    LOOP(mat4_transform_point, (&ma[0], v[0], s, N));
+    LOOP(quat_unpack, (qa, q, N));
+    LOOP(quat_pack, (a, q_out, N));
+}
+
+int main(void)
+{
+    random_source r = random_from(5);
+    draw_values(&r);
+    draw_clips(&r);
+    count_inlined();
+    count_singles();
+    count_data();
+    count_loops(&nkw_batch_generic, 0);
+#if defined(NKW_HAVE_AVX2)
+    if (__builtin_cpu_supports("avx2"))
+        count_loops(&nkw_batch_avx2, 1);
+#endif
+    return 0;
+}

@@ -1,0 +1,37 @@
+/* SPDX-License-Identifier: MIT */
+/* From the harness to a file of results. */
+#ifndef NAKAWARI_BENCH_REPORT_H
+#define NAKAWARI_BENCH_REPORT_H
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+namespace bench
+{
+
+struct row {
+    std::string stem, operation, who, layout;
+    size_t n;
+    double error; /* worst, u; -1 before the check */
+    double bytes, flops;
+    std::vector<double> ns; /* of one element, one for each repetition */
+
+    std::string key() const
+    {
+        return stem + "/" + operation + "/" + who + "/" + layout + "/" + std::to_string(n);
+    }
+    bool own() const
+    {
+        return who.compare(0, 3, "nkw") == 0;
+    }
+};
+
+/* A row that stays where it is. */
+row &new_row();
+void draw_inputs();
+void list_all();
+
+} // namespace bench
+
+#endif
