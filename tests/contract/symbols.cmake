@@ -1,6 +1,6 @@
 cmake_minimum_required(VERSION 3.25)
-# The library imports nothing but sqrtf, the memory functions of string.h, and the compiler's
-# record of what the processor can do; it defines the functions of its headers and, hidden, the loops and parts behind them, and
+# The library imports nothing but sqrtf, the memory functions of string.h (bcmp: Clang's form of memcmp
+# where only equality is asked), and the compiler's record of what the processor can do; it defines the functions of its headers and, hidden, the loops and parts behind them, and
 # no other global name; it holds no writable data.
 function(run_tool out)
   execute_process(COMMAND ${ARGN} OUTPUT_VARIABLE text COMMAND_ERROR_IS_FATAL ANY)
@@ -26,7 +26,7 @@ foreach(line IN LISTS undefined)
   if(line MATCHES "^([A-Za-z_][A-Za-z0-9_]*)(@[^ ]*)? [Uw]")
     set(name "${CMAKE_MATCH_1}")
     if(NOT name IN_LIST own AND NOT name MATCHES
-        "^(sqrtf|__cpu_model|__cpu_features2|memcpy|memset|memmove|memcmp|_GLOBAL_OFFSET_TABLE_|__stack_chk_fail|__gmon_start__|__cxa_finalize|_ITM_.*)$")
+        "^(sqrtf|__cpu_model|__cpu_features2|memcpy|memset|memmove|memcmp|bcmp|_GLOBAL_OFFSET_TABLE_|__stack_chk_fail|__gmon_start__|__cxa_finalize|_ITM_.*)$")
       message(SEND_ERROR "symbols: the library imports ${name}")
     endif()
   endif()
