@@ -138,6 +138,14 @@ static void make_skeleton(scene *s)
             s->skin[k].joints[j] = s->joint_of_node[s->skin[k].joints[j]];
 }
 
+void scene_normalize_keys(scene *s)
+{
+    for (int i = 0; i < s->channels; i++) {
+        nkw_track *t = &s->channel[i].track.track;
+        t->kind = t->kind == NKW_TRACK_ROTATION ? NKW_TRACK_ROTATION_NORMALIZED : t->kind;
+    }
+}
+
 void scene_read(const char *path, scene *s)
 {
     char word[256];

@@ -63,6 +63,9 @@ typedef struct scene {
 void scene_read(const char *path, scene *s);
 void scene_free(scene *s);
 
+/* Rotation keys are normalised as they are read from now on. */
+void scene_normalize_keys(scene *s);
+
 void scene_read_floats(FILE *file, float *out, size_t n);
 
 /* The local transforms of all nodes at the rest, as a pose. */
