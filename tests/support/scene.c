@@ -151,8 +151,7 @@ void scene_read(const char *path, scene *s)
     char word[256];
     int anim = -1;
     memset(s, 0, sizeof *s);
-    FILE *file = fopen(path, "r");
-    assert_non_null(file);
+    FILE *file = table_open(path);
     while (fscanf(file, "%255s", word) == 1) {
         if (strcmp(word, "node") == 0)
             read_node(file, s);
@@ -167,7 +166,7 @@ void scene_read(const char *path, scene *s)
         else if (strcmp(word, "skinmesh") == 0)
             read_mesh(file, s);
     }
-    fclose(file);
+    table_close(file);
     assert_true(s->nodes > 0);
     make_skeleton(s);
 }
@@ -216,12 +215,14 @@ void scene_sample(const scene *s, int anim, float time, float *pose, float *floa
 nkw_clip *scene_clip(const scene *s, int anim, nkw_clip_format format, const float *rest, nkw_clip_track *tracks,
                      nkw_clip_source *source)
 {
-    uint32_t work[NKW_CLIP_WORK(SCENE_CHANNELS)];
+    uint32_t work[NKW_CLIP_WORK(SCENE_TRACKS)];
     size_t bytes, count = 0;
     const nkw_clip *clip;
     for (int i = 0; i < s->channels; i++)
-        if (s->channel[i].anim == anim)
+        if (s->channel[i].anim == anim) {
+            assert_true(count < SCENE_TRACKS);
             tracks[count++] = s->channel[i].track;
+        }
     nkw_clip_source from = {tracks, count, (size_t)s->nodes, s->floats, rest, NULL, format};
     *source = from;
     assert_int_equal(nkw_clip_measure(source, work, &bytes, NULL), NKW_OK);
@@ -259,14 +260,14 @@ void table_close(FILE *file)
 
 int table_read(FILE *file, table_row *r)
 {
-    char line[1024], *at = line;
+    char line[4096], *at = line;
     int used = 0;
     if (!fgets(line, sizeof line, file))
         return 0;
     r->count = 0;
     if (sscanf(line, "%7[^,],%d,%f,%d,%d%n", r->tag, &r->anim, &r->time, &r->a, &r->b, &used) != 5)
         return r->tag[0] = '#', 1;
-    for (at += used; r->count < 16 && sscanf(at, ",%f%n", &r->values[r->count], &used) == 1; at += used)
+    for (at += used; r->count < 64 && sscanf(at, ",%f%n", &r->values[r->count], &used) == 1; at += used)
         r->count++;
     return 1;
 }

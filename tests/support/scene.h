@@ -14,10 +14,11 @@
 extern "C" {
 #endif
 
-#define SCENE_NODES    64
-#define SCENE_CHANNELS 80
-#define SCENE_FLOATS   64
-#define SCENE_SKINS    4
+#define SCENE_NODES    512
+#define SCENE_CHANNELS 4096
+#define SCENE_TRACKS   512 /* channels of one animation */
+#define SCENE_FLOATS   256
+#define SCENE_SKINS    8
 #define SCENE_VERTICES 256
 
 typedef struct scene_node {
@@ -74,14 +75,14 @@ void scene_rest(const scene *s, float *pose);
 /* The pose and the morph weights at a time of an animation, track by track over the rest; -1 is the rest. */
 void scene_sample(const scene *s, int anim, float time, float *pose, float *floats);
 
-/* A clip of an animation, to be freed. *source and tracks, SCENE_CHANNELS of them, are what it was built from. */
+/* A clip of an animation, to be freed. *source and tracks, SCENE_TRACKS of them, are what it was built from. */
 nkw_clip *scene_clip(const scene *s, int anim, nkw_clip_format format, const float *rest, nkw_clip_track *tracks,
                      nkw_clip_source *source);
 
 /* The world matrices of all nodes, in the order of the skeleton that the scene's nodes make. */
 void scene_models(const scene *s, const float *pose, nkw_mat4 *models);
 
-/* A table of expected values, packed or not: `path` without the .gz. To be closed by table_close. */
+/* A file, packed or not: `path` with or without the .gz. To be closed by table_close. */
 FILE *table_open(const char *path);
 void table_close(FILE *file);
 
@@ -89,7 +90,7 @@ void table_close(FILE *file);
 typedef struct table_row {
     char tag[8];
     int anim, a, b, count;
-    float time, values[16];
+    float time, values[64];
 } table_row;
 
 /* The next row; gives 0 at the end. */
