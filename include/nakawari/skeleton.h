@@ -3,22 +3,23 @@
  * @file
  * Floor 5: a skeleton: which joint hangs from which; and the way from local transforms to model matrices and back.
  *
- * Every joint has one parent, or none: then it is a root. Joints are numbered so that a parent comes before its children, and
- * one pass over an array is enough:
+ * Every joint has one parent, or none: then it is a root. Joints are numbered so that a parent comes before its
+ * children, and one pass over an array is enough:
  *
  *     model[j] = model[parent j] local[j]        root joints: root local[j]
  *
- * on column vectors: a point goes through its own joint first. A model matrix takes from the joint's space to the model's. It
- * is a matrix and not a TRS because a turned child of an unevenly scaled parent is sheared, which a TRS cannot say.
+ * on column vectors: a point goes through its own joint first. A model matrix takes from the joint's space to the
+ * model's. It is a matrix and not a TRS because a turned child of an unevenly scaled parent is sheared, which a TRS
+ * cannot say.
  *
- * `root` places the whole skeleton: the character in the world, or the nodes above the skeleton in a file. It is applied once,
- * to each joint that has no parent. NULL is for none. What a file says of the first joint itself is that joint's local
- * transform and not `root` as well: given as both, it would be applied twice.
+ * `root` places the whole skeleton: the character in the world, or the nodes above the skeleton in a file. It is
+ * applied once, to each joint that has no parent. NULL is for none. What a file says of the first joint itself is that
+ * joint's local transform and not `root` as well: given as both, it would be applied twice.
  *
  * All matrices are affine: last rows are not read and are written as exactly 0 0 0 1.
  *
- * Any parents are safe: one that is not less than its joint, or is negative, makes the joint a root in all functions but the
- * validating ones. So nothing is read or written outside the arrays.
+ * Any parents are safe: one that is not less than its joint, or is negative, makes the joint a root in all functions
+ * but the validating ones. So nothing is read or written outside the arrays.
  *
  * Source Foley, van Dam, Feiner, Hughes, Computer Graphics: Principles and Practice, chapter 7, 1990.
  */
@@ -44,21 +45,22 @@ typedef struct nkw_skeleton {
 
 /**
  * Checks a skeleton: NKW_EMPTY without joints; NKW_OUT_OF_RANGE where a parent is neither a joint nor NKW_NO_JOINT;
- * NKW_NOT_ORDERED where a parent does not come before its child, which every cycle has somewhere. *bad_joint becomes the first
- * offending joint, 0 if there is none; it may be NULL.
+ * NKW_NOT_ORDERED where a parent does not come before its child, which every cycle has somewhere. *bad_joint becomes
+ * the first offending joint, 0 if there is none; it may be NULL.
  */
 NKW_API nkw_result nkw_skeleton_validate(const nkw_skeleton *skeleton, size_t *bad_joint);
 
 /**
- * The end of a subtree: joints `joint` .. end - 1 are the longest run in which every joint but the first has its parent in the
- * run. In depth-first order that is the joint and all below it. In other orders there may be more below it further on. A joint
- * that the skeleton has not gives joint_count.
+ * The end of a subtree: joints `joint` .. end - 1 are the longest run in which every joint but the first has its
+ * parent in the run. In depth-first order that is the joint and all below it. In other orders there may be more below
+ * it further on. A joint that the skeleton has not gives joint_count.
  */
 NKW_API size_t nkw_skeleton_subtree_end(const nkw_skeleton *skeleton, size_t joint);
 
 /**
- * Puts joints that a file lists in any order (glTF nodes, Assimp) into depth-first order: each joint is followed by all that is
- * below it, its children in the file's order, roots too. So an order that is depth-first already stays as it is.
+ * Puts joints that a file lists in any order (glTF nodes, Assimp) into depth-first order: each joint is followed by
+ * all that is below it, its children in the file's order, roots too. So an order that is depth-first already stays as
+ * it is.
  *
  * file_parents   joint_count parents in the file's numbers, before or after their children
  * joint_of_file  joint_count numbers: the new number of each of the file's joints
@@ -67,16 +69,17 @@ NKW_API size_t nkw_skeleton_subtree_end(const nkw_skeleton *skeleton, size_t joi
  *
  * The three outputs are also the working memory: no two of the four arrays may be the same.
  *
- * NKW_EMPTY without joints; NKW_OUT_OF_RANGE where a parent is neither a joint nor NKW_NO_JOINT (or where there are more than
- * 2^31 - 1); NKW_NOT_A_TREE where no root is above a joint, for it is in a cycle or below one. *bad_joint becomes the first
- * offending joint in the file's numbers, 0 if there is none; it may be NULL. Outputs hold nothing of use after an error.
+ * NKW_EMPTY without joints; NKW_OUT_OF_RANGE where a parent is neither a joint nor NKW_NO_JOINT (or where there are
+ * more than 2^31 - 1); NKW_NOT_A_TREE where no root is above a joint, for it is in a cycle or below one. *bad_joint
+ * becomes the first offending joint in the file's numbers, 0 if there is none; it may be NULL. Outputs hold nothing of
+ * use after an error.
  */
 NKW_API nkw_result nkw_skeleton_order(const int32_t *file_parents, size_t joint_count, int32_t *joint_of_file,
                                       int32_t *file_of_joint, int32_t *parents, size_t *bad_joint);
 
 /**
- * A hierarchy as D3DXFRAME and its like have it: every node knows its first child and its next sibling. Node 0 is the first
- * root, its siblings are the others.
+ * A hierarchy as D3DXFRAME and its like have it: every node knows its first child and its next sibling. Node 0 is the
+ * first root, its siblings are the others.
  */
 typedef struct nkw_tree {
     const int32_t *first_child; /**< node_count nodes or NKW_NO_JOINT */
@@ -85,17 +88,18 @@ typedef struct nkw_tree {
 } nkw_tree;
 
 /**
- * Checks a tree: NKW_EMPTY without nodes; NKW_OUT_OF_RANGE where a child or sibling is neither a node nor NKW_NO_JOINT (or where
- * there are more than 2^31 - 1); NKW_NOT_A_TREE for a node that is reached twice (so every cycle) or not at all. *bad_node
- * becomes the first offender on the walk, then the first node that the walk leaves out; 0 if there is none; it may be NULL.
+ * Checks a tree: NKW_EMPTY without nodes; NKW_OUT_OF_RANGE where a child or sibling is neither a node nor NKW_NO_JOINT
+ * (or where there are more than 2^31 - 1); NKW_NOT_A_TREE for a node that is reached twice (so every cycle) or not at
+ * all. *bad_node becomes the first offender on the walk, then the first node that the walk leaves out; 0 if there is
+ * none; it may be NULL.
  *
  * work  3 * node_count numbers, for the walk's marks
  */
 NKW_API nkw_result nkw_tree_validate(const nkw_tree *tree, int32_t *work, size_t *bad_node);
 
 /**
- * The skeleton of a tree, depth first: a node, its children's subtrees, its siblings. Arrays as for nkw_skeleton_order, with
- * nodes in the place of the file's joints; results as for nkw_tree_validate.
+ * The skeleton of a tree, depth first: a node, its children's subtrees, its siblings. Arrays as for
+ * nkw_skeleton_order, with nodes in the place of the file's joints; results as for nkw_tree_validate.
  */
 NKW_API nkw_result nkw_skeleton_from_tree(const nkw_tree *tree, int32_t *joint_of_node, int32_t *node_of_joint,
                                           int32_t *parents, size_t *bad_node);
@@ -107,19 +111,19 @@ typedef enum nkw_convention {
 } nkw_convention;
 
 /**
- * The model matrices of a tree by the matrix stack, the method of the D3DX days, to be read beside nkw_models_from_locals: the
- * top of the stack is what the node's local matrix is multiplied with; going down to a child pushes the result, coming back
- * pops it, siblings share what is there. Gives the very bits of the array form, in both conventions: see
- * docs/floors/5-skeleton.md for why.
+ * The model matrices of a tree by the matrix stack, the method of the D3DX days, to be read beside
+ * nkw_models_from_locals: the top of the stack is what the node's local matrix is multiplied with; going down to a
+ * child pushes the result, coming back pops it, siblings share what is there. Gives the very bits of the array form,
+ * in both conventions: see docs/floors/5-skeleton.md for why.
  *
  * locals  node_count matrices in the convention's own layout (columns of column vectors, rows of row vectors)
  * root    what the stack begins with, or NULL for none
  * stack   stack_count nodes, whose matrices are the pushed ones; a tree needs as many as it has levels, less one
  * models  node_count matrices, in the nodes' order; may be `locals`
  *
- * NKW_EMPTY without nodes; NKW_TOO_SMALL where the stack is full; NKW_OUT_OF_RANGE and NKW_NOT_A_TREE where the walk meets a
- * child or sibling out of range, or has met more nodes than there are. *bad_node becomes the node that it stopped at, 0 if
- * there is none; it may be NULL. Nothing is ever written outside the arrays.
+ * NKW_EMPTY without nodes; NKW_TOO_SMALL where the stack is full; NKW_OUT_OF_RANGE and NKW_NOT_A_TREE where the walk
+ * meets a child or sibling out of range, or has met more nodes than there are. *bad_node becomes the node that it
+ * stopped at, 0 if there is none; it may be NULL. Nothing is ever written outside the arrays.
  *
  * Source the matrix stack of ID3DXMatrixStack, Microsoft, DirectX 9 SDK.
  */
@@ -132,7 +136,8 @@ NKW_API nkw_result nkw_tree_walk(const nkw_tree *tree, const nkw_mat4 *locals, c
  *
  *     model[j] = nkw_mat4_mul_affine(model[parent j], local[j]),    local[j] = nkw_mat4_from_trs(transform of j)
  *
- * bit for bit; joints without a parent: of `root`, or the local matrix itself where root is NULL. `locals` may be `models`.
+ * bit for bit; joints without a parent: of `root`, or the local matrix itself where root is NULL. `locals` may be
+ * `models`.
  *
  * Error  of each product, 2.1 u of the Frobenius norm, adding up along the chain.
  */
@@ -142,9 +147,9 @@ NKW_API void nkw_models_from_locals(const nkw_skeleton *skeleton, const nkw_mat4
                                     nkw_mat4 *models);
 
 /**
- * The same for joints from .. to - 1 alone, after a change to their local transforms: the matrices of their parents outside the
- * range are taken as they stand in `models`. `to` beyond the last joint is the last one's end; a range that is empty does
- * nothing. nkw_skeleton_subtree_end gives the range of all that hangs from a joint.
+ * The same for joints from .. to - 1 alone, after a change to their local transforms: the matrices of their parents
+ * outside the range are taken as they stand in `models`. `to` beyond the last joint is the last one's end; a range
+ * that is empty does nothing. nkw_skeleton_subtree_end gives the range of all that hangs from a joint.
  */
 NKW_API void nkw_models_update_from_pose(const nkw_skeleton *skeleton, const float *pose, const nkw_mat4 *root,
                                          size_t from, size_t to, nkw_mat4 *models);
@@ -152,9 +157,9 @@ NKW_API void nkw_models_update_from_locals(const nkw_skeleton *skeleton, const n
                                            size_t from, size_t to, nkw_mat4 *models);
 
 /**
- * Model to local: local[j] = inverse(model[parent j]) model[j], with `root` in the place of the parent's matrix where there is
- * none. A parent whose matrix is singular (a scale of zero) has no inverse: then the local's 3x3 block and translation are
- * zero. `locals` may be `models`.
+ * Model to local: local[j] = inverse(model[parent j]) model[j], with `root` in the place of the parent's matrix where
+ * there is none. A parent whose matrix is singular (a scale of zero) has no inverse: then the local's 3x3 block and
+ * translation are zero. `locals` may be `models`.
  *
  * Error  of nkw_mat4_inverse_affine and one product, times the condition of the parent's matrix.
  */
@@ -162,10 +167,11 @@ NKW_API void nkw_locals_from_models(const nkw_skeleton *skeleton, const nkw_mat4
                                     nkw_mat4 *locals);
 
 /**
- * Model to pose: the TRS (nkw_trs_from_mat4) of each of those local matrices; padding at the identity. A local matrix that is
- * zero becomes the identity rotation at scale 0.
+ * Model to pose: the TRS (nkw_trs_from_mat4) of each of those local matrices; padding at the identity. A local matrix
+ * that is zero becomes the identity rotation at scale 0.
  *
- * Gives  the largest nkw_trs_residual: what of the matrices, shear, the pose could not hold; about 1e-6 where there is none
+ * Gives  the largest nkw_trs_residual: what of the matrices, shear, the pose could not hold; about 1e-6 where there is
+ * none
  */
 NKW_API float nkw_pose_from_models(const nkw_skeleton *skeleton, const nkw_mat4 *models, const nkw_mat4 *root,
                                    float *pose);

@@ -52,8 +52,8 @@ typedef struct nkw_mat4 {
 } nkw_mat4;
 
 /**
- * The first three rows of an affine 4x4 matrix, row by row: element (row r, column c) is m[r * 4 + c]. What shaders take
- * for skinning palettes as three vec4 (std430, a cbuffer's rows): 48 bytes.
+ * The first three rows of an affine 4x4 matrix, row by row: element (row r, column c) is m[r * 4 + c]. What shaders
+ * take for skinning palettes as three vec4 (std430, a cbuffer's rows): 48 bytes.
  */
 typedef struct nkw_mat3x4 {
     float m[12];
