@@ -38,7 +38,7 @@ fuzz fuzz_begin(const uint8_t *data, size_t size)
 static int is_guard(const unsigned char *p)
 {
     int whole = 1;
-    for (size_t i = 0; i < GUARD; i++)
+    for (size_t i = GUARD; i-- > 0;)
         whole &= p[i] == GUARD_BYTE;
     return whole;
 }

@@ -23,7 +23,7 @@ static nkw_partition_mesh draw_mesh(fuzz *f, int wild)
     for (size_t i = 0; i < 3 * m.triangles && !(wild && i % 64 == 63); i++)
         indices[i] %= (uint32_t)m.vertices;
     for (size_t i = 0; i < n; i++) {
-        joints[i] = wild && i % 16 == 15 ? joints[i] : (uint16_t)(joints[i] % m.bones);
+        joints[i] = (uint16_t)(wild && i % 16 == 15 ? joints[i] : joints[i] % m.bones);
         weights[i] = wild || weights[i] > 0.0f ? weights[i] : 0.0f;
     }
     m.indices = indices;
