@@ -13,17 +13,15 @@ enum { MOST = 400, FILE_MOST = 1 << 20 };
 
 static int run_file(const char *path)
 {
+    static uint8_t data[FILE_MOST];
     FILE *file = fopen(path, "rb");
-    uint8_t *data = malloc(FILE_MOST);
-    size_t size;
-    if (!file || !data) {
+    if (!file) {
         fprintf(stderr, "cannot read %s\n", path);
         return 1;
     }
-    size = fread(data, 1, FILE_MOST, file);
+    size_t size = fread(data, 1, FILE_MOST, file);
     fclose(file);
     LLVMFuzzerTestOneInput(data, size);
-    free(data);
     return 0;
 }
 
