@@ -111,6 +111,21 @@ static void *build(fuzz *f, const random_clip *c, size_t *bytes)
     return block;
 }
 
+/* Counts alone: those that a clip may have, and none of those beyond. */
+static void counts(fuzz *f)
+{
+    nkw_clip_source source = {NULL, 0, fuzz_huge(f), fuzz_huge(f), NULL, NULL, (nkw_clip_format)(fuzz_byte(f) % 2)};
+    size_t bytes = 0, bad;
+    if (source.joint_count > 4096 && source.joint_count < (size_t)1 << 27)
+        source.joint_count %= 4096;
+    if (source.float_count > 4096 && source.float_count < (size_t)1 << 30)
+        source.float_count %= 4096;
+    nkw_result result = nkw_clip_measure(&source, NULL, &bytes, &bad);
+    FUZZ_CHECK(bad == 0);
+    FUZZ_CHECK((result == NKW_OK) == (source.joint_count + source.float_count > 0 && source.joint_count <= 4096 &&
+                                      source.float_count <= 4096));
+}
+
 static void any_block(fuzz *f)
 {
     size_t bytes = f->size;
@@ -123,6 +138,7 @@ static void any_block(fuzz *f)
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
 {
     fuzz f = fuzz_begin(data, size);
+    counts(&f);
     random_source r = fuzz_source(&f);
     random_clip *c = fuzz_block(&f, sizeof *c);
     size_t bytes, joints = fuzz_upto(&f, MOST_JOINTS);
