@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* Compact clips of <nakawari/clip.h> beside their tracks: what is stated of NKW_CLIP_UNORM16, and how much of it is met. */
+/* Compact clips of <nakawari/clip.h> beside their tracks: how much of the bounds of NKW_CLIP_UNORM16 is met. */
 #include "wide.h"
 
 #if WIDE_AVAILABLE
