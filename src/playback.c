@@ -89,15 +89,27 @@ static void pass(const float *times, size_t count, double from, double to, passe
     }
 }
 
+/* All keys of a pass that is passed from end to end. */
+static void whole_pass(size_t count, passed *p)
+{
+    for (size_t k = 0; k < count && p->count + k < p->capacity; k++)
+        p->out[p->count + k] = k;
+    p->count += count;
+}
+
 /* The keys of the passes first..last; those further in from both ends than one hold every key. */
 static void passes(const float *times, size_t count, double duration, double first, double last, const double span[2], passed *p)
 {
     for (double n = first; n <= last; n += 1.0) {
-        if (n >= first + 2.0 && n <= last - 2.0 && p->count >= p->capacity) {
-            p->count += (size_t)(last - 1.0 - n) * count;
-            n = last - 1.0;
+        int is_whole = n >= first + 2.0 && n <= last - 2.0;
+        if (is_whole && p->count >= p->capacity) {
+            p->count += (size_t)(last - 2.0 - n) * count;
+            n = last - 2.0;
         }
-        pass(times, count, span[0] - n * duration, span[1] - n * duration, p);
+        if (is_whole)
+            whole_pass(count, p);
+        else
+            pass(times, count, span[0] - n * duration, span[1] - n * duration, p);
     }
 }
 
@@ -118,7 +130,9 @@ size_t nkw_playback_passed(const float *times, size_t count, float duration, flo
     /* Pass n holds the running times n duration + times[k]; the first and last that can matter. */
     double first = floor64((span[0] - (double)times[count - 1]) / (double)duration);
     double last = floor64((span[1] - (double)times[0]) / (double)duration);
-    if (is_positive(duration) && last - first < 0x1p31)
+    /* From 2^53 on doubles cannot count passes one by one. */
+    int is_countable = first > -0x1p53 && last < 0x1p53 && last - first < 0x1p31;
+    if (is_positive(duration) && is_countable)
         passes(times, count, duration, first, last, span, &p);
     return p.count;
 }

@@ -129,10 +129,14 @@ static skin_stream stream_at(nkw_vec3_stream in, nkw_vec3_stream_span out, size_
 {
     size_t in_stride = in.stride ? in.stride : sizeof(nkw_vec3),
            out_stride = out.stride ? out.stride : sizeof(nkw_vec3);
-    skin_stream none = {NULL, NULL, 0, 0};
-    skin_stream r = {(const unsigned char *)in.data + from * in_stride, (unsigned char *)out.data + from * out_stride,
-                     in_stride, out_stride};
-    return in.data && out.data ? r : none;
+    skin_stream r = {NULL, NULL, 0, 0};
+    if (!in.data || !out.data)
+        return r;
+    r.in = (const unsigned char *)in.data + from * in_stride;
+    r.out = (unsigned char *)out.data + from * out_stride;
+    r.in_stride = in_stride;
+    r.out_stride = out_stride;
+    return r;
 }
 
 /*

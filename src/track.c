@@ -284,7 +284,7 @@ float nkw_track_resample_within(const nkw_track *track, float tolerance, float *
         parts *= 2;
     for (; is_readable(track) && parts > 0; parts /= 2) {
         float rate = rate_over(track, (segments + parts - 1) / parts);
-        if (nkw_track_resample(track, rate, times, values, work, out) <= tolerance)
+        if (nkw_track_resample(track, rate, times, values, work, out) <= tolerance && out->count > 0)
             return rate;
     }
     out->count = 0;

@@ -148,6 +148,15 @@ static void passing_nothing(void **state)
     assert_int_equal(nkw_playback_passed(times, 2, 1e-30f, 0, 3e38f, out, 2), 0);
 }
 
+static void passes_that_cannot_be_counted_pass_none(void **state)
+{
+    const float times[] = {0.25f, 0.5f};
+    size_t out[4];
+    (void)state;
+    assert_int_equal(nkw_playback_passed(times, 2, 1e14f, 1e30f, nextafterf(1e30f, 2e30f), out, 4), 0);
+    assert_int_equal(nkw_playback_passed(times, 2, 100.0f, -0x1p60f, nextafterf(-0x1p60f, 0.0f), out, 4), 0);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -161,6 +170,7 @@ int main(void)
         cmocka_unit_test(steps_that_follow_each_other_lose_and_repeat_nothing),
         cmocka_unit_test(what_does_not_fit_is_counted),
         cmocka_unit_test(passing_nothing),
+        cmocka_unit_test(passes_that_cannot_be_counted_pass_none),
     };
     return cmocka_run_group_tests_name("playback", tests, NULL, NULL);
 }

@@ -28,6 +28,14 @@ int figure_segment_lookup(const char *path);
 int figure_mat_layout(const char *path);
 /* clip.c */
 int figure_clip_layout(const char *path);
+/* skeleton.c, blend.c, palette.c, skin.c */
+int figure_skeleton_order(const char *path);
+int figure_skeleton_models(const char *path);
+int figure_blend_poses(const char *path);
+int figure_palette_layouts(const char *path);
+int figure_crowd_lanes(const char *path);
+int figure_skin_twist(const char *path);
+int figure_partition_parts(const char *path);
 
 /* ---- shared, in figure.c ---- */
 

@@ -70,7 +70,8 @@ typedef struct nkw_pose_layer {
  * threshold  0 or less, and NaN: the rest pose only where nothing else is; 0.1 is usual
  *
  * The time grows with the number of layers, and for its order with its square, which shows from about 20 on.
- * Error  rotations 2.6 u for up to four layers, 3.6 u for eight; the rest 3.5 u of the largest of its summands.
+ * Error  4.6 u of the largest of the translations or scales, for up to eight layers; of rotations 3.6 u (up to four
+ *        layers 2.6).
  */
 NKW_API void nkw_pose_blend_layers(const nkw_pose_layer *layers, size_t count, const float *rest, size_t joints,
                                    float threshold, float *out);
@@ -105,7 +106,7 @@ NKW_API void nkw_pose_additive_build(const float *a, const float *ref, size_t jo
  *         exactly where ref's is a power of two or a's own. Elsewhere see Error. The product of two unit rotations is
  *         unit to rounding, it is not normalised.
  *
- * Error   of apply(build(a, ref), ref) against a: rotations 2.6 u, scales 2.0 u of themselves, translations 1.0 u of
+ * Error   2.6 u of rotations in apply(build(a, ref), ref) against a; scales 2.0 u of themselves, translations 1.0 u of
  *         |a - ref| + |a|.
  */
 NKW_API void nkw_pose_additive_apply(const float *base, const float *delta, size_t joints, nkw_additive side,

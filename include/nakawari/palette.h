@@ -34,6 +34,9 @@ extern "C" {
  *
  * bit for bit; a factor that is NULL is left out, and its product too.
  *
+ * Error            2.5 u of the product of the factors' Frobenius norms (2.0 u without global_inverse, 1.0 u for rigid
+ *                  ones)
+ *
  * models           model_count matrices of the skeleton's joints
  * joints           count numbers of models; NULL: 0, 1, 2, ...
  * inverse_bind     count matrices; NULL: none
@@ -60,6 +63,8 @@ NKW_API void nkw_palette_3x4_from_models(const nkw_mat4 *models, size_t model_co
  * shear and mirroring are dropped. With NULLs as above it turns a palette of 4x4 matrices into dual quaternions. out
  * overlaps no input.
  *
+ * Error  1.3 u of the rotation, for rigid joints.
+ *
  * The sign: real.w >= 0, the side of the bind pose. Two joints that have turned away from each other by more than half
  * a turn stand on different sides all the same, so skinning takes each influence to the side of the vertex' first
  * (nkw_dual_quat_align) before it sums; no sign of the palette alone can save that.
@@ -79,6 +84,8 @@ NKW_API void nkw_palette_from_dual(const nkw_dual_quat *palette, size_t count, n
  *
  * so that nkw_palette_from_models of the same pose gives the identity to rounding. A singular matrix gives zeros, a
  * number that no model has the identity. Parameters as above; out may be models where joints is NULL.
+ *
+ * Error  1.0 u of the Frobenius norm, without global_inverse.
  */
 NKW_API void nkw_inverse_bind_from_models(const nkw_mat4 *models, size_t model_count, const int32_t *joints,
                                           const nkw_mat4 *global_inverse, size_t count, nkw_mat4 *out);
@@ -90,6 +97,8 @@ NKW_API void nkw_inverse_bind_from_models(const nkw_mat4 *models, size_t model_c
  * Three forms: 3x3 matrices; rows of four floats (row r in m[4 r .. 4 r + 2], m[4 r + 3] = 0), to go with a 3x4
  * palette; columns of four floats (12 floats a joint, column c in out[12 i + 4 c ..], fourth ones 0), which is `mat3
  * normals[]` in std430 and std140. out overlaps no input.
+ *
+ * Error  1.0 u of the Frobenius norm.
  */
 NKW_API void nkw_palette_normals(const nkw_mat4 *palette, size_t count, nkw_mat3 *out);
 NKW_API void nkw_palette_normals_rows(const nkw_mat4 *palette, size_t count, nkw_mat3x4 *out);

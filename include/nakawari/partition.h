@@ -121,7 +121,7 @@ NKW_API nkw_result nkw_partition_build(const nkw_partition_mesh *mesh, size_t ma
  * 0; slots beyond the part's bones are all 0. A bone that a vertex names twice has the sum of both weights.
  *
  * mesh          the mesh that the partition was built from
- * part          which part; one that the partition has not writes nothing
+ * part          which part; one that the partition has not, and one that leads outside it or the mesh, writes nothing
  * slots         how many a vertex has, at least the part's bones to have them all: N, or the converter's 2 or 4
  * inverse_bind  mesh.bones affine matrices
  * positions     mesh.vertices; normals too, or NULL: then there are four floats to a slot

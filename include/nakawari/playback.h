@@ -44,7 +44,7 @@ typedef struct nkw_play_head {
  * For a loop with a closing segment, in which the last key blends into the first, pass duration + the segment's
  * length and give the track its first key once more at the end.
  *
- * A duration that is not positive and finite, or a NaN time, gives {start, 0}. Beyond 2^24 passes `cycle` is rounded.
+ * A duration that is not positive and finite, or a NaN time, gives {start, 0}. Beyond 2^24 passes `cycle` is rounded, beyond 2^128 infinite.
  */
 NKW_API nkw_play_head nkw_playback_at(nkw_playback mode, float start, float duration, float time);
 
@@ -60,8 +60,8 @@ NKW_API nkw_play_head nkw_playback_at(nkw_playback mode, float start, float dura
  * duration  of the loop; 0 for a clip that is played once
  * out       receives the first `capacity` indices in the order in which they are passed; may be NULL if capacity is 0
  * Gives     how many keys were passed, which may be more than capacity. to <= from passes none: play backwards by
- *           mirroring times. A duration that is negative or not finite, times that span more than it, and more than
- *           2^31 passes in one step pass none.
+ *           mirroring times. A duration that is negative or not finite, times that span more than it, more than 2^31
+ *           passes in one step, and passes beyond the 2^53rd pass none.
  */
 NKW_API size_t nkw_playback_passed(const float *times, size_t count, float duration, float from, float to, size_t *out,
                                    size_t capacity);

@@ -32,9 +32,6 @@
  * Directions whose squared length leaves the normal floats, 1e-38 to 1e38, are not made unit; far below they become
  * zero.
  *
- * Error  of p', four influences: 7 u of |w0| |M0| |p| + |w1| |M1| |p| + ...; of the length of n': 5 u. By counting
- *        roundings, not measured.
- *
  * Source Magnenat-Thalmann, Laperriere, Thalmann, Joint-Dependent Local Deformations, 1988 (linear blend);
  *        Kavan, Collins, Zara, O'Sullivan, Skinning with Dual Quaternions, 2007.
  */
@@ -127,6 +124,9 @@ typedef struct nkw_skin_palette {
 /**
  * Linear blend skinning. `out` may be the very streams of `in`, or share no vector with them. A skin of no vertices,
  * and a palette of no joints, are allowed.
+ *
+ * Error  3.7 u of normals and their length, with rigid joints up to 1 rad apart; of positions 2.1 u of |w0| |M0| |p| +
+ *        |w1| |M1| |p| + ..., |M| the Frobenius norm of three rows, |p| that of (p, 1). 1 to 8 influences.
  */
 NKW_API void nkw_skin_linear(const nkw_skin *skin, const nkw_skin_palette *palette, const nkw_vertices *in,
                              const nkw_vertices_span *out);
@@ -136,6 +136,9 @@ NKW_API void nkw_skin_linear_arrays(const nkw_skin *skin, const nkw_skin_palette
 /**
  * Skinning by dual quaternions, which should be unit. A blend whose rotation cancels to zero moves nothing. Where
  * two weights are the largest, the first one's half sphere counts.
+ *
+ * Error  6.7 u of |p| + |w0| |t0| + |w1| |t1| + ..., t the translations (5.4 u with more than one influence); of normals
+ *        and their length 5.2 u; joints up to 1 rad apart, 1 to 8 influences.
  */
 NKW_API void nkw_skin_dual_quat(const nkw_skin *skin, const nkw_dual_quat *palette, size_t joints,
                                 const nkw_vertices *in, const nkw_vertices_span *out);

@@ -121,14 +121,22 @@ typedef struct place {
     unsigned char *p_out, *d_out;
 } place;
 
+/* Nothing is added to the addresses of what is not there. */
 static inline place place_of(const skin_influences *f, const skin_stream *p, const skin_stream *d, size_t i)
 {
-    place r = {(const unsigned char *)f->weights.data + i * f->weights.stride,
-               (const unsigned char *)f->joints.data + i * f->joints.stride,
-               p->in + i * p->in_stride,
-               d->in + i * d->in_stride,
-               p->out + i * p->out_stride,
-               d->out + i * d->out_stride};
+    place r = {NULL, NULL, NULL, NULL, NULL, NULL};
+    if (f->count) {
+        r.weight = (const unsigned char *)f->weights.data + i * f->weights.stride;
+        r.joint = (const unsigned char *)f->joints.data + i * f->joints.stride;
+    }
+    if (p->in_stride) {
+        r.p_in = p->in + i * p->in_stride;
+        r.p_out = p->out + i * p->out_stride;
+    }
+    if (d->in_stride) {
+        r.d_in = d->in + i * d->in_stride;
+        r.d_out = d->out + i * d->out_stride;
+    }
     return r;
 }
 

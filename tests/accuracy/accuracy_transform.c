@@ -230,16 +230,9 @@ static const wide_case cases[] = {
 
 #define DEEPEST 64
 
-/* A chain is drawn from its seed, in two floats. */
-static void chain_seed(random_source *r, float *x)
-{
-    x[0] = (float)(random_bits(r) >> 44);
-    x[1] = (float)(random_bits(r) >> 44);
-}
-
 static double chain_error(const float *x, int depth, int position)
 {
-    random_source r = random_from((uint64_t)x[0] << 20 | (uint64_t)x[1]);
+    random_source r = wide_source(x);
     nkw_mat4 world = nkw_mat4_identity();
     wide exact[16], local[16];
     wide_from(world.m, exact, 16);
@@ -285,11 +278,11 @@ static double reach_64(const float *x)
 }
 
 static const wide_case chains[] = {
-    {COMPOSE, "chain of 1 joint, rotation", chain_seed, chain_1, 2, WIDE_NOTED},
-    {COMPOSE, "chain of 4 joints, rotation", chain_seed, chain_4, 2, WIDE_NOTED},
-    {COMPOSE, "chain of 16 joints, rotation", chain_seed, chain_16, 2, WIDE_NOTED},
-    {COMPOSE, "chain of 64 joints, rotation", chain_seed, chain_64, 2, WIDE_NOTED},
-    {COMPOSE, "chain of 64 joints, position / depth", chain_seed, reach_64, 2, WIDE_NOTED},
+    {COMPOSE, "chain of 1 joint, rotation", wide_seed, chain_1, 2, WIDE_NOTED},
+    {COMPOSE, "chain of 4 joints, rotation", wide_seed, chain_4, 2, WIDE_NOTED},
+    {COMPOSE, "chain of 16 joints, rotation", wide_seed, chain_16, 2, WIDE_NOTED},
+    {COMPOSE, "chain of 64 joints, rotation", wide_seed, chain_64, 2, WIDE_NOTED},
+    {COMPOSE, "chain of 64 joints, position / depth", wide_seed, reach_64, 2, WIDE_NOTED},
 };
 
 int main(int argc, char **argv)

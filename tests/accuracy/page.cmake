@@ -7,10 +7,11 @@ smaller samples and fail where a measurement exceeds the `Error` line of the fun
 
 Units: a ULP is the distance of neighbouring floats at the exact result, so 0.5 ULP is correct rounding. 1 u is 2^-24 of the
 magnitude that the header names: the norm of a vector, quaternion or matrix, the largest control value of a curve. The oracle
-of floor 1 is the C library's binary64 functions, that of floors 2 and 3 binary128. Rows marked *noted* are measured by
-another yardstick than the header's line, or outside the range it speaks of. The witness is the input of the worst case.
+of floor 1 is the C library's binary64 functions, that of floors 2 to 6 binary128. Rows marked *noted* are measured by
+another yardstick than the header's line, or outside the range it speaks of. The witness is the input of the worst case;
+where two whole numbers stand in its place, they are the seed that the case was drawn from.
 ")
-foreach(stem IN ITEMS scalar vec quat mat euler transform curve orient)
+foreach(stem IN ITEMS scalar vec quat mat euler transform curve orient track clip skeleton blend palette skin)
   if(NOT EXISTS "${PARTS}/${stem}.md")
     message(FATAL_ERROR "no ${PARTS}/${stem}.md: run the accuracy tests first")
   endif()

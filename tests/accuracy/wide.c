@@ -175,6 +175,17 @@ void double_mat3_from_quat(nkw_quat q, double m[9])
     memcpy(m, r, sizeof r);
 }
 
+void wide_seed(random_source *r, float *x)
+{
+    x[0] = (float)(random_bits(r) >> 44);
+    x[1] = (float)(random_bits(r) >> 44);
+}
+
+random_source wide_source(const float *x)
+{
+    return random_from((uint64_t)x[0] << 20 | (uint64_t)x[1]);
+}
+
 /* ---- Norms and errors ---- */
 
 wide wide_dot(const wide *a, const wide *b, int n)
@@ -381,6 +392,27 @@ void wide_mat_mul(const wide *a, const wide *b, wide *out, int n)
             r[i] += a[j * n + i % n] * b[i / n * n + j];
     }
     memcpy(out, r, (size_t)(n * n) * sizeof *r);
+}
+
+void wide_mat4_from_trs(const nkw_trs *trs, wide out[16])
+{
+    float q[4], v[3], s[3];
+    wide w[4], block[9];
+    put_quat(q, trs->rotation);
+    put_vec3(v, trs->translation);
+    put_vec3(s, trs->scale);
+    wide_from(q, w, 4);
+    wide_mat3_from_quat(w, block);
+    for (int i = 0; i < 16; i++) {
+        int c = i / 4, r = i % 4;
+        out[i] = r == 3 ? (wide)(c == 3) : c == 3 ? (wide)v[r] : s[c] * block[3 * c + r];
+    }
+}
+
+void wide_block(const wide m[16], wide out[9])
+{
+    for (int i = 0; i < 9; i++)
+        out[i] = m[i / 3 * 4 + i % 3];
 }
 
 /* Lines of m beside those of the identity become the identity beside the inverse. Gives the determinant. */

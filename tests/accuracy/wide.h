@@ -90,6 +90,10 @@ nkw_quat random_unit_near(random_source *r, nkw_quat q, float angle);
 /* The rotation matrix of q, unit, in binary64. */
 void double_mat3_from_quat(nkw_quat q, double m[9]);
 
+/* For samples of more numbers than arguments: the seed of a source, two numbers; and that source. */
+void wide_seed(random_source *r, float *x);
+random_source wide_source(const float *x);
+
 /* ---- Norms and errors ---- */
 
 wide wide_dot(const wide *a, const wide *b, int n);
@@ -124,6 +128,10 @@ void wide_quat_from_euler(const wide angles[3], nkw_euler_order order, wide q[4]
 /* The arc from a to b as given, angle taken of the directions alone. */
 void wide_slerp(const wide a[4], const wide b[4], wide t, wide out[4]);
 void wide_mat_mul(const wide *a, const wide *b, wide *out, int n);
+/* T R S of the rotation's direction. */
+void wide_mat4_from_trs(const nkw_trs *trs, wide out[16]);
+/* The 3x3 block, as nine numbers. */
+void wide_block(const wide m[16], wide out[9]);
 wide wide_determinant(const wide *m, int n);
 /* By elimination with partial pivoting; 0 for a singular matrix. n at most 4. */
 int wide_inverse(const wide *m, wide *out, int n);

@@ -1,0 +1,210 @@
+/* SPDX-License-Identifier: MIT */
+/* Errors of <nakawari/skin.h> against binary128: one vertex and its joints, drawn from its seed. */
+#include "wide.h"
+
+#if WIDE_AVAILABLE
+
+#include <math.h>
+
+#define SAMPLES 40000u
+#define MOST    8
+
+/* Of the position, of the normal's direction, of the normal's length. */
+typedef enum part { POSITION, NORMAL, LENGTH } part;
+
+typedef struct vertex {
+    nkw_mat4 matrix[MOST];
+    nkw_dual_quat dual[MOST];
+    float weight[MOST];
+    unsigned char joint[MOST];
+    nkw_vec3 position, normal, moved, turned;
+} vertex;
+
+/* `spread` radians between the joints' rotations, scales low .. 1 / low. */
+static vertex draw_vertex(const float *x, int influences, float low, float spread)
+{
+    random_source r = wide_source(x);
+    vertex v;
+    nkw_quat middle = random_unit_quat(&r);
+    for (int e = 0; e < MOST; e++) {
+        nkw_vec3 scale = {random_log(&r, low, 1.0f / low), random_log(&r, low, 1.0f / low),
+                          random_log(&r, low, 1.0f / low)};
+        nkw_trs trs = {random_vec3(&r, -2.0f, 2.0f), random_unit_near(&r, middle, 0.5f * spread * random_unit(&r)),
+                       scale};
+        v.matrix[e] = nkw_mat4_from_trs(&trs);
+        v.dual[e] = nkw_dual_quat_from_rigid(nkw_quat_scale(trs.rotation, random_sign(&r)), trs.translation);
+        v.weight[e] = random_unit(&r) + 0.01f;
+        v.joint[e] = (unsigned char)e;
+    }
+    nkw_skin_view in = {v.weight, 0, NKW_SKIN_F32};
+    nkw_skin_span out = {v.weight, 0, NKW_SKIN_F32};
+    nkw_skin_normalize_weights(in, (size_t)influences, out, 1);
+    v.position = random_vec3(&r, -2.0f, 2.0f);
+    v.normal = random_direction(&r);
+    return v;
+}
+
+typedef enum way { STREAMS, ARRAYS } way;
+
+static void skin(vertex *v, int influences, int is_dual, way how)
+{
+    nkw_skin s = {1, (size_t)influences, {v->joint, 0, NKW_SKIN_U8}, {v->weight, 0, NKW_SKIN_F32}};
+    nkw_skin_palette palette = {v->matrix, NULL, MOST, 0};
+    nkw_vec3 *p = &v->position, *n = &v->normal, *q = &v->moved, *o = &v->turned;
+    nkw_vertices in = {{p, 0}, {n, 0}, {NULL, 0}, {NULL, 0}};
+    nkw_vertices_span out = {{q, 0}, {o, 0}, {NULL, 0}, {NULL, 0}};
+    nkw_vertices_arrays from = {{&p->x, &p->y, &p->z}, {&n->x, &n->y, &n->z}, {NULL, NULL, NULL}, {NULL, NULL, NULL}};
+    nkw_vertices_arrays_span to = {
+        {&q->x, &q->y, &q->z}, {&o->x, &o->y, &o->z}, {NULL, NULL, NULL}, {NULL, NULL, NULL}};
+    if (how == STREAMS && is_dual)
+        nkw_skin_dual_quat(&s, v->dual, MOST, &in, &out);
+    else if (how == STREAMS)
+        nkw_skin_linear(&s, &palette, &in, &out);
+    else if (is_dual)
+        nkw_skin_dual_quat_arrays(&s, v->dual, MOST, &from, &to);
+    else
+        nkw_skin_linear_arrays(&s, &palette, &from, &to);
+}
+
+static void transform(const wide m[16], const float p[3], wide w, wide out[3])
+{
+    for (int i = 0; i < 3; i++)
+        out[i] = m[i] * p[0] + m[4 + i] * p[1] + m[8 + i] * p[2] + m[12 + i] * w;
+}
+
+static double judge(const vertex *v, const wide m[16], wide magnitude, part judged)
+{
+    float p[3], n[3], moved[3], turned[3];
+    wide exact[3];
+    put_vec3(p, v->position);
+    put_vec3(n, v->normal);
+    put_vec3(moved, v->moved);
+    put_vec3(turned, v->turned);
+    if (judged == LENGTH)
+        return wide_unit_error(turned, 3);
+    transform(m, judged == POSITION ? p : n, judged == POSITION, exact);
+    if (judged == POSITION)
+        return wide_error_of(moved, exact, 3, magnitude);
+    wide_normalize(exact, 3);
+    return wide_error(turned, exact, 3);
+}
+
+/* Positions: of the sum of weight |matrix| |(p, 1)|, Frobenius norms of the first three rows. */
+static double linear_error(const float *x, int influences, float low, part judged, way how)
+{
+    vertex v = draw_vertex(x, influences, low, 1.0f);
+    float p[4] = {v.position.x, v.position.y, v.position.z, 1.0f};
+    wide sum[16] = {0}, m[16], point[4], magnitude = 0;
+    skin(&v, influences, 0, how);
+    wide_from(p, point, 4);
+    for (int e = 0; e < influences; e++) {
+        wide_from(v.matrix[e].m, m, 16);
+        m[15] = 0;
+        magnitude += v.weight[e] * wide_length(m, 16) * wide_length(point, 4);
+        for (int i = 0; i < 16; i++)
+            sum[i] += v.weight[e] * m[i];
+    }
+    return judge(&v, sum, magnitude, judged);
+}
+
+static void add_dual(const nkw_dual_quat *d, const nkw_quat side, wide weight, wide real[4], wide dual[4])
+{
+    float q[4], e[4];
+    wide w = nkw_quat_dot(d->real, side) < 0.0f ? -weight : weight;
+    put_quat(q, d->real);
+    put_quat(e, d->dual);
+    for (int i = 0; i < 4; i++) {
+        real[i] += w * q[i];
+        dual[i] += w * e[i];
+    }
+}
+
+/* The rotation of the blend, and 2 dual real* / |real|^2. */
+static void motion_of(const wide real[4], const wide dual[4], wide m[16])
+{
+    wide block[9], conjugate[4] = {-real[0], -real[1], -real[2], real[3]}, t[4], n2 = wide_dot(real, real, 4);
+    wide_mat3_from_quat(real, block);
+    wide_quat_mul(dual, conjugate, t);
+    for (int i = 0; i < 16; i++)
+        m[i] = i % 4 == 3 ? 0 : i < 12 ? block[i / 4 * 3 + i % 4] : 2 * t[i - 12] / n2;
+}
+
+/* Positions: of |p| + the sum of weight |translation|. */
+static double dual_error(const float *x, int influences, part judged, way how)
+{
+    vertex v = draw_vertex(x, influences, 1.0f, 1.0f);
+    wide real[4] = {0}, dual[4] = {0}, m[16], point[3], magnitude;
+    float p[3];
+    int most = 0;
+    skin(&v, influences, 1, how);
+    for (int e = 1; e < influences; e++)
+        most = v.weight[e] > v.weight[most] ? e : most;
+    put_vec3(p, v.position);
+    wide_from(p, point, 3);
+    magnitude = wide_length(point, 3);
+    for (int e = 0; e < influences; e++) {
+        wide t[3];
+        wide_from(v.matrix[e].m + 12, t, 3);
+        magnitude += v.weight[e] * wide_length(t, 3);
+        add_dual(&v.dual[e], v.dual[most].real, v.weight[e], real, dual);
+    }
+    motion_of(real, dual, m);
+    return judge(&v, m, magnitude, judged);
+}
+
+#define LINEAR(name, influences, low, judged, how)                                                                     \
+    static double name(const float *x)                                                                                 \
+    {                                                                                                                  \
+        return linear_error(x, influences, low, judged, how);                                                          \
+    }
+#define DUAL(name, influences, judged, how)                                                                            \
+    static double name(const float *x)                                                                                 \
+    {                                                                                                                  \
+        return dual_error(x, influences, judged, how);                                                                 \
+    }
+
+LINEAR(linear_1, 1, 0.5f, POSITION, STREAMS)
+LINEAR(linear_4, 4, 0.5f, POSITION, STREAMS)
+LINEAR(linear_8, 8, 0.5f, POSITION, STREAMS)
+LINEAR(linear_normal, 4, 1.0f, NORMAL, STREAMS)
+LINEAR(linear_length, 4, 0.5f, LENGTH, STREAMS)
+LINEAR(array_linear_4, 4, 0.5f, POSITION, ARRAYS)
+LINEAR(array_linear_normal, 4, 1.0f, NORMAL, ARRAYS)
+DUAL(dual_1, 1, POSITION, STREAMS)
+DUAL(dual_4, 4, POSITION, STREAMS)
+DUAL(dual_8, 8, POSITION, STREAMS)
+DUAL(dual_normal, 4, NORMAL, STREAMS)
+DUAL(dual_length, 4, LENGTH, STREAMS)
+DUAL(array_dual_4, 4, POSITION, ARRAYS)
+DUAL(array_dual_normal, 4, NORMAL, ARRAYS)
+
+#define MATRICES "nkw_skin_linear"
+#define DUALS    "nkw_skin_dual_quat"
+
+static const wide_case cases[] = {
+    {MATRICES, "positions, 1 influence", wide_seed, linear_1, 2, WIDE_CHECKED},
+    {MATRICES, "positions, 4 influences", wide_seed, linear_4, 2, WIDE_CHECKED},
+    {MATRICES, "positions, 8 influences", wide_seed, linear_8, 2, WIDE_CHECKED},
+    {MATRICES, "normals, 4 influences, rigid", wide_seed, linear_normal, 2, WIDE_CHECKED},
+    {MATRICES, "length of normals, 4 influences", wide_seed, linear_length, 2, WIDE_CHECKED},
+    {MATRICES "_arrays", "positions, 4 influences", wide_seed, array_linear_4, 2, WIDE_CHECKED},
+    {MATRICES "_arrays", "normals, 4 influences, rigid", wide_seed, array_linear_normal, 2, WIDE_CHECKED},
+    {DUALS, "positions, 1 influence", wide_seed, dual_1, 2, WIDE_CHECKED},
+    {DUALS, "positions, 4 influences", wide_seed, dual_4, 2, WIDE_CHECKED},
+    {DUALS, "positions, 8 influences", wide_seed, dual_8, 2, WIDE_CHECKED},
+    {DUALS, "normals, 4 influences", wide_seed, dual_normal, 2, WIDE_CHECKED},
+    {DUALS, "length of normals, 4 influences", wide_seed, dual_length, 2, WIDE_CHECKED},
+    {DUALS "_arrays", "positions, 4 influences", wide_seed, array_dual_4, 2, WIDE_CHECKED},
+    {DUALS "_arrays", "normals, 4 influences", wide_seed, array_dual_normal, 2, WIDE_CHECKED},
+};
+
+int main(int argc, char **argv)
+{
+    accuracy a = accuracy_begin("skin.h", argc, argv);
+    wide_run(&a, cases, sizeof cases / sizeof cases[0], SAMPLES);
+    return accuracy_end(&a);
+}
+
+#else
+WIDE_SKIPPED
+#endif

@@ -1,0 +1,130 @@
+/* SPDX-License-Identifier: MIT */
+#include "fuzz.h"
+
+#include <string.h>
+
+enum { JOINTS = 150, LAYERS = 9 };
+
+static int same_pose(const float *a, const float *b, size_t n)
+{
+    size_t stride = NKW_POSE_STRIDE(n);
+    for (size_t c = 0; c < 10; c++)
+        if (!fuzz_same(a + c * stride, b + c * stride, n))
+            return 0;
+    return 1;
+}
+
+static int finite_pose(const float *a, size_t n)
+{
+    for (size_t c = 0; c < 10; c++)
+        if (!fuzz_finite(a + c * NKW_POSE_STRIDE(n), n))
+            return 0;
+    return 1;
+}
+
+static float *draw_mask(fuzz *f, size_t n, int wild)
+{
+    return fuzz_byte(f) % 2 ? NULL : fuzz_floats(f, NKW_POSE_STRIDE(n), wild);
+}
+
+static void two(fuzz *f, size_t n, int wild)
+{
+    const float *a = fuzz_pose(f, n, wild), *b = fuzz_pose(f, n, wild), *mask = draw_mask(f, n, wild);
+    float *out = fuzz_room(f, NKW_POSE_FLOATS(n)), t = wild ? fuzz_float(f) : (float)fuzz_byte(f) / 255.0f;
+    nkw_pose_blend_slerp(a, b, n, t, mask, out);
+    FUZZ_CHECK(wild || finite_pose(out, n));
+    nkw_pose_blend(a, b, n, t, mask, out);
+    FUZZ_CHECK(wild || finite_pose(out, n));
+}
+
+/* In place over either input: the same bits. */
+static void two_in_place(fuzz *f, size_t n)
+{
+    float *a = fuzz_pose(f, n, 1), *b = fuzz_pose(f, n, 1), t = fuzz_float(f);
+    float *out = fuzz_room(f, NKW_POSE_FLOATS(n));
+    nkw_pose_blend(a, b, n, t, NULL, out);
+    int over_b = fuzz_byte(f) % 2;
+    nkw_pose_blend(a, b, n, t, NULL, over_b ? b : a);
+    FUZZ_CHECK(same_pose(out, over_b ? b : a, n));
+}
+
+static void many(fuzz *f, size_t n, int wild)
+{
+    nkw_pose_layer layer[LAYERS], turned[LAYERS];
+    size_t count = fuzz_upto(f, LAYERS), by = fuzz_upto(f, LAYERS);
+    for (size_t i = 0; i < count; i++) {
+        const float *pose = i && fuzz_byte(f) % 4 == 0 ? layer[i - 1].pose : fuzz_pose(f, n, wild);
+        nkw_pose_layer l = {pose, fuzz_byte(f) % 4 ? fuzz_float(f) : 1.0f, draw_mask(f, n, wild)};
+        layer[i] = l;
+    }
+    for (size_t i = 0; i < count; i++)
+        turned[(i + by) % count] = layer[i];
+    const float *rest = fuzz_pose(f, n, wild);
+    float *out = fuzz_room(f, NKW_POSE_FLOATS(n)), *again = fuzz_room(f, NKW_POSE_FLOATS(n));
+    float threshold = fuzz_float(f);
+    nkw_pose_blend_layers(layer, count, rest, n, threshold, out);
+    nkw_pose_blend_layers(turned, count, rest, n, threshold, again);
+    FUZZ_CHECK(same_pose(out, again, n));
+    FUZZ_CHECK(wild || finite_pose(out, n));
+}
+
+static void additive(fuzz *f, size_t n, int wild)
+{
+    const float *a = fuzz_pose(f, n, wild), *ref = fuzz_pose(f, n, wild), *mask = draw_mask(f, n, wild);
+    float *delta = fuzz_room(f, NKW_POSE_FLOATS(n)), *out = fuzz_room(f, NKW_POSE_FLOATS(n));
+    nkw_additive side = (nkw_additive)fuzz_choice(f, 1);
+    nkw_pose_additive_build(a, ref, n, side, delta);
+    FUZZ_CHECK(wild || finite_pose(delta, n));
+    nkw_pose_additive_apply(ref, delta, n, side, wild ? fuzz_float(f) : 1.0f, mask, out);
+    FUZZ_CHECK(wild || finite_pose(out, n));
+    nkw_pose_additive_apply(a, delta, n, side, 0.0f, mask, out);
+    FUZZ_CHECK(same_pose(out, a, n));
+}
+
+/* Any map of partners: the mirror twice is the pose. */
+static void mirror(fuzz *f, size_t n)
+{
+    const float *pose = fuzz_pose(f, n, 1);
+    const int32_t *pair = fuzz_links(f, n, n, 1);
+    float *out = fuzz_room(f, NKW_POSE_FLOATS(n));
+    nkw_mirror plane = (nkw_mirror)fuzz_choice(f, 2);
+    size_t bad;
+    nkw_mirror_validate(pair, n, &bad);
+    FUZZ_CHECK(bad < n || bad == 0);
+    nkw_pose_mirror(pose, pair, n, plane, out);
+    nkw_pose_mirror(out, pair, n, plane, out);
+    FUZZ_CHECK(same_pose(out, pose, n));
+}
+
+static void mask_and_pose(fuzz *f, size_t n)
+{
+    float *mask = fuzz_room(f, NKW_POSE_STRIDE(n)), *pose = fuzz_pose(f, n, 1);
+    size_t bad, root = fuzz_byte(f) % 4 ? fuzz_upto(f, JOINTS) : fuzz_huge(f);
+    nkw_mask_from_subtree(fuzz_parents(f, n, 1), n, root, mask);
+    for (size_t j = 0; j < NKW_POSE_STRIDE(n); j++)
+        FUZZ_CHECK(mask[j] == 1.0f || mask[j] == 0.0f);
+    nkw_result result = nkw_pose_validate(pose, n, &bad);
+    FUZZ_CHECK(bad < n || bad == 0);
+    FUZZ_CHECK(result != NKW_OK || finite_pose(pose, n));
+    nkw_trs trs = nkw_pose_get(pose, n, root);
+    nkw_pose_set(pose, n, root, &trs);
+    nkw_trs *all = fuzz_block(f, n * sizeof *all);
+    float *back = fuzz_room(f, NKW_POSE_FLOATS(n));
+    nkw_trs_from_pose(pose, n, all);
+    nkw_pose_from_trs(all, n, back);
+    FUZZ_CHECK(same_pose(pose, back, n));
+}
+
+int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
+{
+    fuzz f = fuzz_begin(data, size);
+    size_t n = fuzz_upto(&f, JOINTS);
+    int wild = fuzz_byte(&f) % 2;
+    two(&f, n, wild);
+    two_in_place(&f, n);
+    many(&f, n, wild);
+    additive(&f, n, wild);
+    mirror(&f, n);
+    mask_and_pose(&f, n);
+    return fuzz_end(&f);
+}

@@ -1,0 +1,164 @@
+/* SPDX-License-Identifier: MIT */
+/* Clips of drawn tracks; the same with bytes of the block changed; any bytes as a block; tracks that are not sound. */
+#include "fuzz.h"
+
+#include <string.h>
+
+#include "../support/random_clip.h"
+
+enum { MOST_JOINTS = 12, MOST_FLOATS = 1 << 20 };
+
+static void sample(fuzz *f, const nkw_clip *clip)
+{
+    size_t joints = nkw_clip_joints(clip), floats = nkw_clip_floats(clip), cursors = nkw_clip_cursors(clip);
+    float *pose = NKW_POSE_FLOATS(joints) <= MOST_FLOATS ? fuzz_room(f, NKW_POSE_FLOATS(joints)) : NULL;
+    float *pose_again = pose ? fuzz_room(f, NKW_POSE_FLOATS(joints)) : NULL;
+    float *out = floats <= MOST_FLOATS ? fuzz_room(f, floats) : NULL;
+    uint32_t *cursor = fuzz_block(f, cursors * sizeof *cursor);
+    FUZZ_CHECK(nkw_clip_start(clip) <= nkw_clip_end(clip));
+    for (int i = 0; i < 4; i++) {
+        float time = fuzz_float(f);
+        nkw_clip_sample(clip, time, cursor, pose, out);
+        nkw_clip_sample(clip, time, NULL, pose_again, NULL);
+        if (pose)
+            FUZZ_CHECK(fuzz_same(pose, pose_again, NKW_POSE_FLOATS(joints)));
+    }
+}
+
+static void open_and_sample(fuzz *f, const void *block, size_t bytes)
+{
+    const nkw_clip *clip;
+    nkw_result result = nkw_clip_open(block, bytes, &clip);
+    FUZZ_CHECK((result == NKW_OK) == (clip != NULL));
+    if (!clip)
+        return;
+    FUZZ_CHECK((const void *)clip == block && nkw_clip_bytes(clip) <= bytes);
+    sample(f, clip);
+}
+
+/* What is in the block the tracks gave: the same bits, while nothing of them is off. */
+static void compare(fuzz *f, const random_clip *c, const nkw_clip *clip)
+{
+    size_t joints = c->source.joint_count, floats = c->source.float_count;
+    float *got = fuzz_room(f, NKW_POSE_FLOATS(joints)), *want = fuzz_room(f, NKW_POSE_FLOATS(joints));
+    float *got_floats = fuzz_room(f, floats), *want_floats = fuzz_room(f, floats);
+    for (int i = 0; i < 3; i++) {
+        float time = fuzz_float(f);
+        nkw_clip_sample(clip, time, NULL, got, got_floats);
+        random_clip_sample(c, time, want, want_floats);
+        for (size_t k = 0; k < 10; k++)
+            FUZZ_CHECK(fuzz_same(got + k * NKW_POSE_STRIDE(joints), want + k * NKW_POSE_STRIDE(joints), joints));
+        FUZZ_CHECK(fuzz_same(got_floats, want_floats, floats));
+    }
+    nkw_clip_difference(clip, &c->source, got, fuzz_room(f, 2 * floats));
+}
+
+/* Changes words of the block: to anything, by a little, to another of its words. */
+static void damage(fuzz *f, uint32_t *words, size_t count)
+{
+    for (size_t i = fuzz_byte(f) % 6; i > 0; i--) {
+        size_t at = fuzz_byte(f) % 2 ? fuzz_upto(f, 255) % count : fuzz_bits(f) % count;
+        unsigned how = fuzz_byte(f);
+        words[at] = how % 4 == 0   ? fuzz_bits(f)
+                    : how % 4 == 1 ? words[at] + 1u + how / 4u
+                    : how % 4 == 2 ? words[at] - 1u - how / 4u
+                                   : words[fuzz_bits(f) % count];
+    }
+}
+
+/* Tracks with wrong targets, joints, widths, methods, and counts; pointers stay within their arrays. */
+static void spoil(fuzz *f, random_clip *c)
+{
+    for (size_t i = fuzz_byte(f) % 4; i > 0 && c->source.track_count; i--) {
+        nkw_clip_track *t = &c->tracks[fuzz_upto(f, c->source.track_count - 1)];
+        switch (fuzz_byte(f) % 6) {
+        case 0:
+            t->target = (nkw_clip_target)fuzz_choice(f, 3);
+            break;
+        case 1:
+            t->index = fuzz_byte(f) % 2 ? fuzz_byte(f) : fuzz_bits(f);
+            break;
+        case 2:
+            t->track.width = fuzz_upto(f, 4);
+            break;
+        case 3:
+            t->track.kind = (nkw_track_kind)fuzz_choice(f, 2);
+            break;
+        case 4:
+            t->track.count = fuzz_upto(f, RANDOM_CLIP_KEYS);
+            break;
+        default:
+            c->values[t - c->tracks][fuzz_byte(f)] = fuzz_float(f);
+        }
+    }
+    if (fuzz_byte(f) % 8 == 0)
+        c->source.joint_count = fuzz_upto(f, MOST_JOINTS);
+    c->source.rest = fuzz_byte(f) % 4 == 0 ? NULL : c->rest;
+    c->source.format = (nkw_clip_format)fuzz_choice(f, 1);
+}
+
+static void *build(fuzz *f, const random_clip *c, size_t *bytes)
+{
+    size_t bad, built, tracks = c->source.track_count;
+    uint32_t *work = fuzz_block(f, NKW_CLIP_WORK(tracks) * sizeof *work);
+    nkw_result result = nkw_clip_measure(&c->source, work, bytes, &bad);
+    FUZZ_CHECK(bad < tracks || bad == 0);
+    if (result != NKW_OK)
+        return NULL;
+    void *block = fuzz_block(f, *bytes);
+    FUZZ_CHECK(nkw_clip_build(&c->source, work, block, *bytes - 1, &built) == NKW_TOO_SMALL);
+    FUZZ_CHECK(nkw_clip_build(&c->source, work, block, *bytes, &built) == NKW_OK);
+    return block;
+}
+
+/* Counts alone: those that a clip may have, and none of those beyond. */
+static void counts(fuzz *f)
+{
+    nkw_clip_source source = {NULL, 0, fuzz_huge(f), fuzz_huge(f), NULL, NULL, (nkw_clip_format)(fuzz_byte(f) % 2)};
+    size_t bytes = 0, bad;
+    if (source.joint_count > 4096 && source.joint_count < (size_t)1 << 27)
+        source.joint_count %= 4096;
+    if (source.float_count > 4096 && source.float_count < (size_t)1 << 30)
+        source.float_count %= 4096;
+    nkw_result result = nkw_clip_measure(&source, NULL, &bytes, &bad);
+    FUZZ_CHECK(bad == 0);
+    FUZZ_CHECK((result == NKW_OK) == (source.joint_count + source.float_count > 0 && source.joint_count <= 4096 &&
+                                      source.float_count <= 4096));
+}
+
+static void any_block(fuzz *f)
+{
+    size_t bytes = f->size;
+    unsigned char *block = fuzz_block(f, bytes);
+    if (bytes)
+        memcpy(block, f->data, bytes);
+    open_and_sample(f, block, bytes);
+}
+
+int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
+{
+    fuzz f = fuzz_begin(data, size);
+    counts(&f);
+    random_source r = fuzz_source(&f);
+    random_clip *c = fuzz_block(&f, sizeof *c);
+    size_t bytes, joints = fuzz_upto(&f, MOST_JOINTS);
+    memset(c, 0, sizeof *c);
+    random_clip_draw(&r, joints, fuzz_byte(&f) % 3, c);
+    int is_sound = fuzz_byte(&f) % 2;
+    if (!is_sound)
+        spoil(&f, c);
+    void *block = build(&f, c, &bytes);
+    if (!block)
+        return fuzz_end(&f);
+    const nkw_clip *clip;
+    FUZZ_CHECK(nkw_clip_open(block, bytes, &clip) == NKW_OK);
+    if (is_sound)
+        compare(&f, c, clip);
+    damage(&f, block, bytes / 4);
+    size_t cut = fuzz_byte(&f) % 8 ? 0 : fuzz_upto(&f, 4096) % (bytes + 1), odd = fuzz_byte(&f) % 32 ? 0 : 1;
+    unsigned char *copy = fuzz_block(&f, bytes - cut + odd);
+    memcpy(copy + odd, block, bytes - cut);
+    open_and_sample(&f, copy + odd, bytes - cut);
+    any_block(&f);
+    return fuzz_end(&f);
+}

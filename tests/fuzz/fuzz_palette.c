@@ -1,0 +1,104 @@
+/* SPDX-License-Identifier: MIT */
+#include "fuzz.h"
+
+#include <string.h>
+
+enum { MODELS = 60, JOINTS = 40, CHUNKS = 12 };
+
+typedef struct inputs {
+    const nkw_mat4 *models, *inverse_bind, *global_inverse;
+    const int32_t *joints;
+    size_t model_count, count;
+} inputs;
+
+static inputs draw(fuzz *f, int wild)
+{
+    inputs i = {NULL, NULL, NULL, NULL, fuzz_upto(f, MODELS), fuzz_upto(f, JOINTS)};
+    i.models = fuzz_matrices(f, i.model_count, wild);
+    i.joints = fuzz_byte(f) % 4 ? fuzz_links(f, i.count, i.model_count, 1) : NULL;
+    i.inverse_bind = fuzz_byte(f) % 2 ? fuzz_matrices(f, i.count, wild) : NULL;
+    i.global_inverse = fuzz_byte(f) % 2 ? fuzz_matrices(f, 1, wild) : NULL;
+    return i;
+}
+
+static void forms(fuzz *f, const inputs *i, int wild)
+{
+    nkw_mat4 *four = fuzz_block(f, i->count * sizeof *four), *back = fuzz_block(f, i->count * sizeof *back);
+    nkw_mat3x4 *rows = fuzz_block(f, i->count * sizeof *rows);
+    nkw_dual_quat *dual = fuzz_block(f, i->count * sizeof *dual);
+    nkw_palette_from_models(i->models, i->model_count, i->joints, i->inverse_bind, i->global_inverse, i->count, four);
+    nkw_palette_3x4_from_models(i->models, i->model_count, i->joints, i->inverse_bind, i->global_inverse, i->count,
+                                rows);
+    nkw_palette_dual_from_models(i->models, i->model_count, i->joints, i->inverse_bind, i->global_inverse, i->count,
+                                 dual);
+    nkw_palette_from_3x4(rows, i->count, back);
+    FUZZ_CHECK(fuzz_same((float *)four, (float *)back, 16 * i->count) && fuzz_affine(four, i->count));
+    FUZZ_CHECK(wild || (fuzz_finite((float *)four, 16 * i->count) && fuzz_finite((float *)dual, 8 * i->count)));
+    nkw_palette_from_dual(dual, i->count, back);
+    FUZZ_CHECK(fuzz_affine(back, i->count));
+    nkw_mat3 *normals = fuzz_block(f, i->count * sizeof *normals);
+    nkw_palette_normals(four, i->count, normals);
+    nkw_palette_normals_rows(four, i->count, rows);
+    float *columns = fuzz_room(f, 12 * i->count);
+    nkw_palette_normals_columns(four, i->count, columns);
+    for (size_t k = 0; k < 9 * i->count; k++) {
+        size_t m = k / 9, c = k % 9 / 3, r = k % 3;
+        FUZZ_CHECK(fuzz_same(&normals[m].m[k % 9], &rows[m].m[4 * r + c], 1));
+        FUZZ_CHECK(fuzz_same(&normals[m].m[k % 9], columns + 12 * m + 4 * c + r, 1));
+    }
+}
+
+static int is_zero(const nkw_mat4 *m)
+{
+    int zero = 1;
+    for (size_t k = 0; k < 16; k++)
+        zero &= m->m[k] == 0.0f;
+    return zero;
+}
+
+static void in_place(fuzz *f, const inputs *i)
+{
+    size_t n = i->count < i->model_count ? i->count : i->model_count, bad;
+    nkw_mat4 *out = fuzz_block(f, i->count * sizeof *out), *over = fuzz_block(f, i->model_count * sizeof *over);
+    nkw_result result = nkw_palette_validate(i->model_count, i->joints, i->inverse_bind, i->count, &bad);
+    FUZZ_CHECK(bad < i->count || bad == 0);
+    FUZZ_CHECK((result == NKW_EMPTY) == (i->count == 0));
+    memcpy(over, i->models, i->model_count * sizeof *over);
+    nkw_palette_from_models(i->models, i->model_count, NULL, i->inverse_bind, i->global_inverse, n, out);
+    nkw_palette_from_models(over, i->model_count, NULL, i->inverse_bind, i->global_inverse, n, over);
+    FUZZ_CHECK(fuzz_same((float *)out, (float *)over, 16 * n));
+    nkw_inverse_bind_from_models(i->models, i->model_count, i->joints, i->global_inverse, i->count, out);
+    for (size_t k = 0; k < i->count; k++)
+        FUZZ_CHECK(fuzz_affine(&out[k], 1) || is_zero(&out[k]));
+}
+
+/* Chunks do not overlap, in the order given, and the buffer's bytes are a size_t. */
+static void chunks(fuzz *f)
+{
+    size_t count = fuzz_upto(f, CHUNKS), total, bad, end = 0, alignment = fuzz_huge(f);
+    nkw_palette_chunk *c = fuzz_block(f, count * sizeof *c);
+    for (size_t i = 0; i < count; i++) {
+        nkw_palette_chunk drawn = {fuzz_huge(f), fuzz_byte(f) % 2 ? fuzz_byte(f) : fuzz_huge(f), 0};
+        c[i] = drawn;
+    }
+    nkw_result result = nkw_palette_chunks_place(c, count, alignment, &total, &bad);
+    FUZZ_CHECK(bad < count || bad == 0);
+    for (size_t i = 0; i < (result == NKW_OK ? count : bad); i++) {
+        size_t at = nkw_palette_chunk_at(&c[i], fuzz_huge(f), fuzz_huge(f));
+        FUZZ_CHECK(c[i].first >= end && c[i].first % (alignment ? alignment : 1) == 0);
+        end = c[i].first + c[i].frames * c[i].joints;
+        FUZZ_CHECK(at >= c[i].first && at < end && end <= SIZE_MAX / sizeof(nkw_mat4));
+    }
+    FUZZ_CHECK(total == end);
+}
+
+int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
+{
+    fuzz f = fuzz_begin(data, size);
+    int wild = fuzz_byte(&f) % 2;
+    inputs i = draw(&f, wild);
+    forms(&f, &i, wild);
+    in_place(&f, &i);
+    chunks(&f);
+    return fuzz_end(&f);
+}

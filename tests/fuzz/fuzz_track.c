@@ -1,0 +1,99 @@
+/* SPDX-License-Identifier: MIT */
+#include "fuzz.h"
+
+#include <string.h>
+
+enum { KEYS = 40, WIDTH = 9 };
+
+static float *draw_times(fuzz *f, size_t count, int wild)
+{
+    float *times = fuzz_floats(f, count, wild);
+    for (size_t k = 1; k < count && !wild; k++)
+        times[k] = times[k - 1] + (times[k] > 0.0f ? times[k] / 8.0f : 0.0f);
+    return times;
+}
+
+static nkw_track draw_track(fuzz *f)
+{
+    int wild = fuzz_byte(f) % 2;
+    nkw_track t = {NULL,
+                   NULL,
+                   fuzz_upto(f, KEYS),
+                   fuzz_byte(f) % 2 ? 4 : fuzz_upto(f, WIDTH),
+                   (nkw_track_kind)fuzz_choice(f, 2),
+                   (nkw_interpolation)fuzz_choice(f, 2),
+                   NULL};
+    if (fuzz_byte(f) % 4 == 0)
+        t.key_interpolation = fuzz_bytes(f, t.count);
+    t.times = draw_times(f, t.count, wild);
+    float *values = fuzz_floats(f, nkw_track_value_count(&t), wild);
+    int is_cubic = t.interpolation == NKW_INTERPOLATION_CUBICSPLINE;
+    size_t key = t.width * (is_cubic ? 3 : 1), at = is_cubic ? t.width : 0;
+    random_source r = fuzz_source(f);
+    for (size_t k = 0; t.width == 4 && !wild && k < t.count; k++) {
+        nkw_quat q = random_rotation(&r);
+        memcpy(values + k * key + at, &q, sizeof q);
+    }
+    t.values = values;
+    return t;
+}
+
+static void sample(fuzz *f, const nkw_track *t)
+{
+    float *out = fuzz_room(f, t->width), *again = fuzz_room(f, t->width);
+    size_t bad, cursor = fuzz_huge(f);
+    nkw_result result = nkw_track_validate(t, &bad);
+    FUZZ_CHECK(bad < t->count || bad == 0);
+    for (int i = 0; i < 6; i++) {
+        float time = fuzz_float(f);
+        nkw_segment any = {fuzz_huge(f), fuzz_float(f)};
+        nkw_track_sample_at(t, any, out);
+        nkw_track_sample(t, time, out);
+        nkw_track_sample_from(t, time, &cursor, again);
+        FUZZ_CHECK(cursor + 1 < t->count || cursor == 0);
+        if (result == NKW_OK)
+            FUZZ_CHECK(fuzz_same(out, again, t->width));
+    }
+}
+
+/* Values of at most 4 and tangents too, over times of moderate length. */
+static void finite(fuzz *f, const nkw_track *t)
+{
+    float *out = fuzz_room(f, t->width);
+    for (size_t i = 0; i < nkw_track_value_count(t); i++)
+        if (!(t->values[i] <= 4.0f && t->values[i] >= -4.0f))
+            return;
+    if (nkw_track_validate(t, NULL) != NKW_OK || t->times[t->count - 1] - t->times[0] > 1e6f)
+        return;
+    for (int i = 0; i < 6; i++) {
+        nkw_track_sample(t, fuzz_float(f), out);
+        FUZZ_CHECK(fuzz_finite(out, t->width));
+    }
+}
+
+static void resample(fuzz *f, const nkw_track *t, const nkw_track *other)
+{
+    float *work = fuzz_room(f, 2 * t->width), rate = fuzz_float(f);
+    size_t count = nkw_track_resample_count(t, rate);
+    float far = nkw_track_difference(t, other, work);
+    FUZZ_CHECK(!(far < 0.0f));
+    nkw_track out;
+    if (count <= 4096) {
+        float *times = fuzz_room(f, count), *values = fuzz_room(f, count * t->width);
+        nkw_track_resample(t, rate, times, values, work, &out);
+        FUZZ_CHECK(out.count == count);
+    }
+    float *times = fuzz_room(f, t->count), *values = fuzz_room(f, t->count * t->width);
+    float found = nkw_track_resample_within(t, fuzz_float(f), times, values, work, &out);
+    FUZZ_CHECK(out.count <= t->count && (found > 0.0f) == (out.count > 0));
+}
+
+int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
+{
+    fuzz f = fuzz_begin(data, size);
+    nkw_track t = draw_track(&f), other = draw_track(&f);
+    sample(&f, &t);
+    finite(&f, &t);
+    resample(&f, &t, &other);
+    return fuzz_end(&f);
+}

@@ -1,0 +1,194 @@
+/* SPDX-License-Identifier: MIT */
+/* The value floors: total on any floats and enumerators, and what is promised of the results. */
+#include "fuzz.h"
+
+#include <string.h>
+
+/* Any numbers, as all that functions take. */
+typedef struct any {
+    float f[6];
+    nkw_vec3 v[4];
+    nkw_quat q[2];
+    nkw_mat3 m3, n3;
+    nkw_mat4 m4, n4;
+    nkw_trs trs;
+    nkw_dual_quat d, e;
+    nkw_cubic cubic;
+    nkw_vec3_cubic cubics;
+    float rows[16], times[4];
+} any;
+
+/* Neither NaN nor infinite. */
+static int finite(float x)
+{
+    return fuzz_finite(&x, 1);
+}
+
+/* In the range, or NaN where the input is not finite. */
+static void within(float x, float low, float high, int is_finite)
+{
+    FUZZ_CHECK((x >= low && x <= high) || (x != x && !is_finite));
+}
+
+static void scalar(const any *a)
+{
+    const float pi = 3.1415927f, x = a->f[0], y = a->f[1];
+    float s, c;
+    within(nkw_saturate(x), 0.0f, 1.0f, finite(x));
+    within(nkw_sin(x), -1.0f, 1.0f, finite(x));
+    within(nkw_cos(x), -1.0f, 1.0f, finite(x));
+    nkw_sincos(x, &s, &c);
+    float sine = nkw_sin(x), cosine = nkw_cos(x);
+    FUZZ_CHECK(fuzz_same(&s, &sine, 1) && fuzz_same(&c, &cosine, 1));
+    within(nkw_atan2(y, x), -pi, pi, finite(x) && finite(y));
+    within(nkw_atan(x), -0.5f * pi, 0.5f * pi, finite(x));
+    within(nkw_wrap_angle(x), -pi, pi, finite(x));
+    within(nkw_angle_difference(x, y), -pi, pi, finite(x) && finite(y));
+    FUZZ_CHECK(!(nkw_abs(x) < 0.0f) && !(nkw_exp(x) < 0.0f));
+    FUZZ_CHECK(x < 0.0f || x != x || nkw_sqrt(x) >= 0.0f);
+    FUZZ_CHECK(!(nkw_asin(x) > pi) && !(nkw_acos(x) > pi));
+    FUZZ_CHECK(!finite(x) || !finite(y) || nkw_min(x, y) <= nkw_max(x, y));
+    nkw_tan(x), nkw_log(x), nkw_pow(x, y), nkw_wrap(x, y), nkw_smoothstep(x), nkw_clamp(x, y, a->f[2]);
+    nkw_lerp(x, y, a->f[2]), nkw_inverse_lerp(x, y, a->f[2]), nkw_remap(x, y, a->f[2], a->f[3], a->f[4]);
+    nkw_degrees_from_radians(x), nkw_radians_from_degrees(x);
+}
+
+static void vec(const any *a)
+{
+    nkw_vec3 u = a->v[0], v = a->v[1];
+    nkw_vec3 n = nkw_vec3_normalize(u);
+    FUZZ_CHECK(!nkw_vec3_is_finite(u) || (nkw_vec3_is_finite(n) && nkw_vec3_length(n) < 1.000001f));
+    FUZZ_CHECK(nkw_vec3_is_finite(u) == (finite(u.x) && finite(u.y) && finite(u.z)));
+    within(nkw_vec3_angle(u, v), 0.0f, 3.1415930f, nkw_vec3_is_finite(u) && nkw_vec3_is_finite(v));
+    nkw_vec3_add(u, v), nkw_vec3_sub(u, v), nkw_vec3_mul(u, v), nkw_vec3_negate(u), nkw_vec3_scale(u, a->f[0]);
+    nkw_vec3_min(u, v), nkw_vec3_max(u, v), nkw_vec3_dot(u, v), nkw_vec3_cross(u, v), nkw_vec3_length_squared(u);
+    nkw_vec3_add_scaled(u, v, a->f[0]), nkw_vec3_lerp(u, v, a->f[0]), nkw_vec3_distance(u, v);
+    nkw_vec3_project(u, v), nkw_vec3_reject(u, v), nkw_vec3_reflect(u, v), nkw_vec3_perpendicular(u);
+}
+
+/* Unit, or what the page says of zero: no longer than unit in any case. */
+static void at_most_unit(nkw_quat q, int is_finite)
+{
+    FUZZ_CHECK(!is_finite || (nkw_quat_is_finite(q) && nkw_quat_length(q) < 1.000001f));
+}
+
+static void quat(const any *a, nkw_euler_order order)
+{
+    nkw_quat p = a->q[0], q = a->q[1];
+    float wxyz[4];
+    int is_finite = nkw_quat_is_finite(p);
+    at_most_unit(nkw_quat_normalize(p), is_finite);
+    at_most_unit(nkw_quat_from_axis_angle(a->v[0], a->f[0]), nkw_vec3_is_finite(a->v[0]) && finite(a->f[0]));
+    at_most_unit(nkw_quat_from_vectors(a->v[0], a->v[1]), nkw_vec3_is_finite(a->v[0]) && nkw_vec3_is_finite(a->v[1]));
+    at_most_unit(nkw_quat_look_rotation(a->v[0], a->v[1]), nkw_vec3_is_finite(a->v[0]) && nkw_vec3_is_finite(a->v[1]));
+    at_most_unit(nkw_quat_from_mat3(&a->m3), fuzz_finite(a->m3.m, 9));
+    at_most_unit(nkw_quat_from_euler(a->v[0], order), nkw_vec3_is_finite(a->v[0]));
+    nkw_quat_to_wxyz(p, wxyz);
+    nkw_quat back = nkw_quat_from_wxyz(wxyz);
+    FUZZ_CHECK(fuzz_same(&back.x, &p.x, 4));
+    nkw_axis_angle_from_quat(p), nkw_quat_add(p, q), nkw_quat_sub(p, q), nkw_quat_scale(p, a->f[0]);
+    nkw_quat_negate(p), nkw_quat_conjugate(p), nkw_quat_dot(p, q), nkw_quat_mul(p, q), nkw_quat_inverse(p);
+    nkw_quat_rotate(p, a->v[0]), nkw_quat_rotate_inverse(p, a->v[0]), nkw_quat_angle(p, q), nkw_quat_from_mat4(&a->m4);
+    nkw_mat3_from_euler(a->v[0], order), nkw_euler_from_quat(p, order), nkw_euler_from_mat3(&a->m3, order);
+    nkw_euler_unwrap(a->v[0], a->v[1]);
+}
+
+static void orient(const any *a, nkw_path path, nkw_unwrap unwrap)
+{
+    nkw_quat p = a->q[0], q = a->q[1];
+    float t = a->f[0], d = a->f[1];
+    nkw_quat_nlerp(p, q, t), nkw_quat_slerp(p, q, t), nkw_quat_slerp_path(p, q, t, path), nkw_quat_log(p);
+    nkw_quat_exp(a->v[0]), nkw_quat_pow(p, t), nkw_quat_angular_velocity(p, q, d), nkw_quat_integrate(p, a->v[0], d);
+    nkw_euler_lerp(a->v[0], a->v[1], t, unwrap);
+}
+
+static void mat(const any *a, size_t column)
+{
+    float rows[16], nine[9];
+    nkw_mat4_to_row_major(&a->m4, rows);
+    nkw_mat4 back = nkw_mat4_from_row_major(rows);
+    FUZZ_CHECK(fuzz_same(back.m, a->m4.m, 16));
+    nkw_mat4_to_row_vectors(&a->m4, rows);
+    back = nkw_mat4_from_row_vectors(rows);
+    FUZZ_CHECK(fuzz_same(back.m, a->m4.m, 16) && fuzz_same(rows, a->m4.m, 16));
+    nkw_mat3_to_row_major(&a->m3, nine);
+    nkw_mat3 block = nkw_mat3_from_row_major(nine);
+    FUZZ_CHECK(fuzz_same(block.m, a->m3.m, 9));
+    nkw_mat4 product = nkw_mat4_mul_affine(&a->m4, &a->n4);
+    nkw_mat3x4 three = nkw_mat3x4_from_mat4(&product);
+    back = nkw_mat4_from_mat3x4(&three);
+    FUZZ_CHECK(fuzz_affine(&product, 1) && fuzz_same(back.m, product.m, 16));
+    nkw_mat3_column(&a->m3, column), nkw_mat3_from_columns(a->v[0], a->v[1], a->v[2]), nkw_mat3_transpose(&a->m3);
+    nkw_mat3_mul(&a->m3, &a->n3), nkw_mat3_transform(&a->m3, a->v[0]), nkw_mat3_from_quat(a->q[0]);
+    nkw_mat3_determinant(&a->m3), nkw_mat3_inverse(&a->m3), nkw_mat3_normal(&a->m3), nkw_mat3_orthonormalize(&a->m3);
+    nkw_mat4_from_mat3(&a->m3, a->v[0]), nkw_mat4_from_quat(a->q[0]), nkw_mat4_transpose(&a->m4);
+    nkw_mat4_mul(&a->m4, &a->n4), nkw_mat4_project_point(&a->m4, a->v[0]), nkw_mat4_determinant(&a->m4);
+    nkw_mat4_inverse(&a->m4), nkw_mat4_inverse_affine(&a->m4), nkw_mat4_inverse_rigid(&a->m4);
+    nkw_mat4_transform_point(&a->m4, a->v[0]), nkw_mat4_transform_direction(&a->m4, a->v[0]);
+}
+
+static void transform(const any *a)
+{
+    nkw_trs t = nkw_trs_from_mat4(&a->m4);
+    at_most_unit(t.rotation, fuzz_finite(a->m4.m, 16));
+    FUZZ_CHECK(!(nkw_trs_residual(&t, &a->m4) < 0.0f));
+    nkw_mat4 m = nkw_mat4_from_trs(&a->trs), d = nkw_mat4_from_dual_quat(&a->d);
+    FUZZ_CHECK(fuzz_affine(&m, 1) && fuzz_affine(&d, 1));
+    nkw_mat3_from_quat_scale(a->q[0], a->v[0]), nkw_trs_transform_point(&a->trs, a->v[0]), nkw_trs_mul(&t, &a->trs);
+    nkw_dual_quat unit = nkw_dual_quat_normalize(&a->d), of = nkw_dual_quat_from_mat4(&a->m4);
+    at_most_unit(unit.real, nkw_quat_is_finite(a->d.real) && nkw_quat_is_finite(a->d.dual));
+    at_most_unit(of.real, fuzz_finite(a->m4.m, 16));
+    nkw_dual_quat_from_rigid(a->q[0], a->v[0]), nkw_dual_quat_translation(&a->d), nkw_dual_quat_mul(&a->d, &a->e);
+    nkw_dual_quat_conjugate(&a->d), nkw_dual_quat_align(&a->d, &a->e);
+    nkw_dual_quat_transform_point(&a->d, a->v[0]), nkw_dual_quat_transform_direction(&a->d, a->v[0]);
+}
+
+static void weights(float t)
+{
+    nkw_hermite_weights(t), nkw_hermite_velocity_weights(t), nkw_hermite_acceleration_weights(t);
+    nkw_bezier_weights(t), nkw_bezier_velocity_weights(t), nkw_bezier_acceleration_weights(t);
+    nkw_bspline_weights(t), nkw_bspline_velocity_weights(t), nkw_bspline_acceleration_weights(t);
+    nkw_catmull_rom_weights(t), nkw_catmull_rom_velocity_weights(t), nkw_catmull_rom_acceleration_weights(t);
+}
+
+static void curve(const any *a)
+{
+    const float *f = a->f, *w = a->times, t = a->f[5];
+    const nkw_vec3 *v = a->v;
+    nkw_cubic left, right;
+    nkw_vec3_cubic lefts, rights;
+    weights(t);
+    nkw_weigh(nkw_bezier_weights(t), f[0], f[1], f[2], f[3]);
+    nkw_vec3_weigh(nkw_bezier_weights(t), v[0], v[1], v[2], v[3]);
+    nkw_hermite(f[0], f[1], f[2], f[3], t), nkw_vec3_hermite(v[0], v[1], v[2], v[3], t);
+    nkw_bezier(f[0], f[1], f[2], f[3], t), nkw_vec3_bezier(v[0], v[1], v[2], v[3], t);
+    nkw_bspline(f[0], f[1], f[2], f[3], t), nkw_vec3_bspline(v[0], v[1], v[2], v[3], t);
+    nkw_catmull_rom(f[0], f[1], f[2], f[3], t), nkw_vec3_catmull_rom(v[0], v[1], v[2], v[3], t);
+    nkw_catmull_rom_tangent(f[0], f[1], f[2], f[3], f[4]), nkw_vec3_catmull_rom_tangent(v[0], v[1], v[2], f[3], f[4]);
+    nkw_catmull_rom_timed(w, f[0], f[1], f[2], f[3], t), nkw_vec3_catmull_rom_timed(w, v[0], v[1], v[2], v[3], t);
+    nkw_bezier_from_hermite(&a->cubic), nkw_hermite_from_bezier(&a->cubic), nkw_bezier_from_bspline(&a->cubic);
+    nkw_bspline_from_bezier(&a->cubic), nkw_hermite_from_bspline(&a->cubic), nkw_bspline_from_hermite(&a->cubic);
+    nkw_vec3_bezier_from_hermite(&a->cubics), nkw_vec3_hermite_from_bezier(&a->cubics);
+    nkw_vec3_bezier_from_bspline(&a->cubics), nkw_vec3_bspline_from_bezier(&a->cubics);
+    nkw_vec3_hermite_from_bspline(&a->cubics), nkw_vec3_bspline_from_hermite(&a->cubics);
+    nkw_bezier_split(&a->cubic, t, &left, &right), nkw_vec3_bezier_split(&a->cubics, t, &lefts, &rights);
+    nkw_per_segment_from_per_second(v[0], t), nkw_per_second_from_per_segment(v[0], t);
+}
+
+int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
+{
+    fuzz f = fuzz_begin(data, size);
+    any *a = (any *)(void *)fuzz_floats(&f, sizeof(any) / sizeof(float), fuzz_byte(&f) % 4 != 0);
+    float *numbers = (float *)a;
+    for (size_t i = fuzz_byte(&f) % 64; i > 0; i--)
+        numbers[fuzz_upto(&f, sizeof(any) / sizeof(float) - 1)] = fuzz_float(&f);
+    scalar(a);
+    vec(a);
+    quat(a, (nkw_euler_order)fuzz_choice(&f, 5));
+    orient(a, (nkw_path)fuzz_choice(&f, 2), (nkw_unwrap)fuzz_choice(&f, 2));
+    mat(a, fuzz_byte(&f));
+    transform(a);
+    curve(a);
+    FUZZ_CHECK(nkw_result_text((nkw_result)fuzz_choice(&f, NKW_RESULT_COUNT)) != NULL);
+    return fuzz_end(&f);
+}
