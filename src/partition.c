@@ -519,15 +519,15 @@ void nkw_partition_bone_local(const nkw_partition_mesh *mesh, const nkw_partitio
                               const nkw_mat4 *inverse_bind, const nkw_vec3 *positions, const nkw_vec3 *normals,
                               float *out, size_t stride)
 {
-    size_t floats = NKW_BONE_LOCAL_FLOATS(slots, normals), step = NKW_BONE_LOCAL_FLOATS(1, normals);
-    if (part >= partition->part_count || stride < floats)
+    size_t step = NKW_BONE_LOCAL_FLOATS(1, normals);
+    if (part >= partition->part_count || slots > stride / step)
         return;
     const nkw_part *it = &partition->parts[part];
     const uint16_t *bones = partition->bones + it->first_bone;
     size_t count = it->bone_count < slots ? it->bone_count : slots;
     for (size_t i = 0; i < it->vertex_count; i++, out += stride) {
         size_t v = partition->vertices[it->first_vertex + i];
-        for (size_t c = 0; c < floats; c++)
+        for (size_t c = 0; c < slots * step; c++)
             out[c] = 0.0f;
         put_weights(partition, it->first_vertex + i, mesh->influences, count, out, step);
         for (size_t s = 0; s < count; s++) {

@@ -385,6 +385,8 @@ static void bone_local_writes_nothing_for_no_part_and_for_a_short_stride(void **
     nkw_partition_bone_local(&data.mesh, &p, 3, 1, bind, positions, NULL, out, 4);
     nkw_partition_bone_local(&data.mesh, &p, 0, 1, bind, positions, NULL, out, 3);
     nkw_partition_bone_local(&data.mesh, &p, 0, 1, bind, positions, normals, out, 6);
+    /* Slots whose floats are more than size_t can count. */
+    nkw_partition_bone_local(&data.mesh, &p, 0, SIZE_MAX / 4 + 1, bind, positions, NULL, out, 0);
     for (size_t i = 0; i < 4; i++)
         expect_bits(out[i], 5.0f);
     partition_free(&p);
