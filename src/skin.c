@@ -125,14 +125,17 @@ static size_t block_at(const plan *p, size_t from)
     return p->vertices - from < SKIN_BLOCK ? p->vertices - from : SKIN_BLOCK;
 }
 
-static skin_stream stream_at(nkw_vec3_stream in, nkw_vec3_stream_span out, size_t from)
+/* None stands at `nowhere`, with strides of 0: no place is worked out from NULL. */
+static skin_stream stream_at(nkw_vec3_stream in, nkw_vec3_stream_span out, size_t from, void *nowhere)
 {
     size_t in_stride = in.stride ? in.stride : sizeof(nkw_vec3),
            out_stride = out.stride ? out.stride : sizeof(nkw_vec3);
-    skin_stream none = {NULL, NULL, 0, 0};
+    skin_stream none = {(const unsigned char *)nowhere, (unsigned char *)nowhere, 0, 0};
+    if (!in.data || !out.data)
+        return none;
     skin_stream r = {(const unsigned char *)in.data + from * in_stride, (unsigned char *)out.data + from * out_stride,
                      in_stride, out_stride};
-    return in.data && out.data ? r : none;
+    return r;
 }
 
 /*
@@ -145,9 +148,12 @@ static void run_pairs(const plan *p, const nkw_mat4 *palette, const nkw_vertices
     int decoded = p->influences && p->weights.format != NKW_SKIN_F32;
     size_t n = p->vertices;
     skin_block b;
+    nkw_skin_view nowhere = {&b, 0, NKW_SKIN_F32};
+    if (p->influences == 0)
+        f.joints = f.weights = nowhere;
     for (size_t from = 0; from < p->vertices; from += n) {
-        skin_stream positions = stream_at(in->positions, out->positions, from);
-        skin_stream normals = stream_at(in->normals, out->normals, from);
+        skin_stream positions = stream_at(in->positions, out->positions, from, &b);
+        skin_stream normals = stream_at(in->normals, out->normals, from, &b);
         if (decoded) {
             nkw_skin_view joints = {b.joint, 4 * p->influences, NKW_SKIN_U32};
             nkw_skin_view weights = {b.weight, 4 * p->influences, NKW_SKIN_F32};
