@@ -20,10 +20,10 @@ static void raw_directions_are_not_made_unit(void **state)
             const float *v = m.v + i * FLOATS, *got = out + i * FLOATS;
             blend(&m, m.matrices->m, 16, k, i, sum.m);
             blend(&m, m.normals->m, 9, k, i, normal.m);
-            for (size_t a = 3; a < FLOATS; a += a == 3 ? 5 : 3)
+            for (size_t a = 3; a < 12; a += 3)
                 expect_vec3_bits(vec3_at(got + a), nkw_mat4_transform_direction(&sum, vec3_at(v + a)));
             expect_floats_bits(pair + i * FLOATS, got, 6);
-            expect_floats_bits(pair + i * FLOATS + 6, out + i * FLOATS + 6, 2);
+            expect_bits(pair[i * FLOATS + 6], 0);
             expect_vec3_bits(vec3_at(own + i * FLOATS + 3), nkw_mat3_transform(&normal, vec3_at(v + 3)));
         }
     }
