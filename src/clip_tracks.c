@@ -88,14 +88,18 @@ static void sort(const clip_tracks *b, uint32_t *order, lane_before *before)
     lane_sort(order, b->source->track_count, before, b);
 }
 
+/* Timelines are numbered by the places of their first tracks, not by the order in which tracks are given. */
 static void find_timelines(clip_tracks *b)
 {
     const nkw_clip_track *tracks = b->source->tracks;
-    for (uint32_t i = 0; i < b->source->track_count; i++) {
-        b->timeline[i] = is_constant(&tracks[i]) ? CLIP_CONSTANT : i;
-        for (uint32_t j = 0; j < i && b->timeline[i] == i; j++)
-            if (b->timeline[j] == j && same_timeline(&tracks[i].track, &tracks[j].track))
-                b->timeline[i] = j;
+    for (uint32_t k = 0; k < b->source->track_count; k++) {
+        uint32_t i = b->by_place[k];
+        b->timeline[i] = is_constant(&tracks[i]) ? CLIP_CONSTANT : k;
+        for (uint32_t m = 0; m < k && b->timeline[i] == k; m++) {
+            uint32_t j = b->by_place[m];
+            if (b->timeline[j] == m && same_timeline(&tracks[i].track, &tracks[j].track))
+                b->timeline[i] = m;
+        }
     }
 }
 
