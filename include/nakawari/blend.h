@@ -27,7 +27,8 @@ extern "C" {
 /**
  * The pose at t of the way from a to b: translations and scales by nkw_lerp, rotations by nkw_quat_nlerp, bit for bit.
  *
- * t      any; times the joint's mask. Outside 0..1 the way goes on; NaN counts as 0.
+ * t      any; times the joint's mask. Outside 0..1 the way goes on; NaN counts as 0. An infinite one gives infinities
+ *        and NaN, where the mask is 0 too.
  * mask   or NULL
  * Gives  exactly a at t = 0, exactly b at t = 1, but for the sign of a rotation: b or -b, on a's side.
  */
