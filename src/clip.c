@@ -46,7 +46,10 @@ static void copy_runs(const nkw_clip *clip, uint32_t at, uint32_t count, float *
         memcpy(out + runs[r].to, clip_floats(clip, runs[r].values), runs[r].count * sizeof(float));
 }
 
-/* The key at or before a time of an evenly spaced timeline, or its neighbour: where to begin the search. Any number for a NaN. */
+/*
+ * The key at or before a time of an evenly spaced timeline, or its neighbour: where to begin the search. Any number for
+ * a NaN.
+ */
 static size_t guess(const clip_timeline *line, float start, float time)
 {
     float k = (time - start) * line->rate;

@@ -427,7 +427,7 @@ static void lay_head(builder *b, size_t pose_runs, size_t float_runs)
     head.joints = (uint32_t)s->joint_count;
     head.floats = (uint32_t)s->float_count;
     for (size_t i = 0; i < s->track_count; i++) {
-        const nkw_track *t = &s->tracks[i].track;
+        const nkw_track *t = &s->tracks[b->tracks.by_place[i]].track;
         float first = t->times[0], last = t->times[t->count - 1];
         head.start = i == 0 || first < head.start ? first : head.start;
         head.end = i == 0 || last > head.end ? last : head.end;

@@ -5,6 +5,7 @@
 
 #include "clip_tracks.h"
 #include "lane/scalar.h"
+#include "lane/sort.h"
 
 static int same_bits(const float *a, const float *b, size_t n)
 {
@@ -62,61 +63,43 @@ uint32_t nkw_clip_tracks_group(const nkw_clip_track *c)
     return (uint32_t)clip_kind_of(c) * 16u + (uint32_t)clip_interpolation_of(&c->track) * 2u + cubic_unit;
 }
 
-/* Orders: heap sort over indices of tracks. */
+/* Orders of tracks. */
 
-typedef int comes_before(const clip_tracks *b, uint32_t i, uint32_t j);
-
-static int before_by_place(const clip_tracks *b, uint32_t i, uint32_t j)
+static int before_by_place(const void *context, uint32_t i, uint32_t j)
 {
+    const clip_tracks *b = (const clip_tracks *)context;
     const nkw_clip_track *p = &b->source->tracks[i], *q = &b->source->tracks[j];
     return p->target != q->target ? p->target < q->target : p->index != q->index ? p->index < q->index : i < j;
 }
 
-static int before_by_group(const clip_tracks *b, uint32_t i, uint32_t j)
+static int before_by_group(const void *context, uint32_t i, uint32_t j)
 {
+    const clip_tracks *b = (const clip_tracks *)context;
     uint32_t p = nkw_clip_tracks_group(&b->source->tracks[i]), q = nkw_clip_tracks_group(&b->source->tracks[j]);
     if (b->timeline[i] != b->timeline[j])
         return b->timeline[i] < b->timeline[j];
     return p != q ? p < q : before_by_place(b, i, j);
 }
 
-static void sift(const clip_tracks *b, uint32_t *order, size_t root, size_t count, comes_before *before)
+static void sort(const clip_tracks *b, uint32_t *order, lane_before *before)
 {
-    for (size_t child = 2 * root + 1; child < count; child = 2 * root + 1) {
-        if (child + 1 < count && before(b, order[child], order[child + 1]))
-            child++;
-        if (!before(b, order[root], order[child]))
-            return;
-        uint32_t swap = order[root];
-        order[root] = order[child];
-        order[child] = swap;
-        root = child;
-    }
-}
-
-static void sort(const clip_tracks *b, uint32_t *order, comes_before *before)
-{
-    size_t n = b->source->track_count;
-    for (size_t i = 0; i < n; i++)
+    for (size_t i = 0; i < b->source->track_count; i++)
         order[i] = (uint32_t)i;
-    for (size_t i = n / 2; i-- > 0;)
-        sift(b, order, i, n, before);
-    for (size_t end = n; end-- > 1;) {
-        uint32_t swap = order[0];
-        order[0] = order[end];
-        order[end] = swap;
-        sift(b, order, 0, end, before);
-    }
+    lane_sort(order, b->source->track_count, before, b);
 }
 
+/* Timelines are numbered by the places of their first tracks, not by the order in which tracks are given. */
 static void find_timelines(clip_tracks *b)
 {
     const nkw_clip_track *tracks = b->source->tracks;
-    for (uint32_t i = 0; i < b->source->track_count; i++) {
-        b->timeline[i] = is_constant(&tracks[i]) ? CLIP_CONSTANT : i;
-        for (uint32_t j = 0; j < i && b->timeline[i] == i; j++)
-            if (b->timeline[j] == j && same_timeline(&tracks[i].track, &tracks[j].track))
-                b->timeline[i] = j;
+    for (uint32_t k = 0; k < b->source->track_count; k++) {
+        uint32_t i = b->by_place[k];
+        b->timeline[i] = is_constant(&tracks[i]) ? CLIP_CONSTANT : k;
+        for (uint32_t m = 0; m < k && b->timeline[i] == k; m++) {
+            uint32_t j = b->by_place[m];
+            if (b->timeline[j] == m && same_timeline(&tracks[i].track, &tracks[j].track))
+                b->timeline[i] = m;
+        }
     }
 }
 

@@ -13,7 +13,7 @@ typedef struct clip_tracks {
     const nkw_clip_source *source;
     uint32_t *by_group; /* tracks by timeline, then by group, then by target and index; constant ones last */
     uint32_t *by_place; /* tracks by target and index */
-    uint32_t *timeline; /* of each track: the first track with the same one, or CLIP_CONSTANT */
+    uint32_t *timeline; /* of each track: where in by_place the first with the same one is, or CLIP_CONSTANT */
 } clip_tracks;
 
 /* Checks the source, and fills the three arrays in `work`, NKW_CLIP_WORK numbers. */

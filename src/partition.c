@@ -5,6 +5,7 @@
 
 #include "lane/partition.h"
 #include "lane/scalar.h"
+#include "lane/sort.h"
 
 #define NONE           UINT32_MAX
 #define INFLUENCES     8

@@ -6,6 +6,7 @@
 #include <nakawari/partition.h>
 
 #include "lane/partition.h"
+#include "lane/sort.h"
 
 #define MOST_BONES 65536u
 

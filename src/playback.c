@@ -35,12 +35,13 @@ static int is_positive(float x)
     return x > 0.0f && lane_is_finite(x);
 }
 
-/* start + rest, but never the end that rest stays below. */
-static float before_end(float start, double rest, float duration)
+/* start + rest. What is rounded up to the end is the start of the next pass: there time + cycle duration goes on. */
+static nkw_play_head looped(float start, double rest, float duration, double cycle)
 {
     float time = (float)((double)start + rest);
     float end = (float)((double)start + (double)duration);
-    return time < end ? time : start;
+    nkw_play_head here = {time, (float)cycle}, next = {start, (float)(cycle + 1.0)};
+    return time > start && time >= end ? next : here;
 }
 
 static float clamped(float start, float duration, float time)
@@ -62,13 +63,12 @@ nkw_play_head nkw_playback_at(nkw_playback mode, float start, float duration, fl
     if (x - x != 0.0)
         return head;
     double rest = rest_of(x, duration, &cycle);
-    head.cycle = (float)cycle;
+    if (mode == NKW_PLAYBACK_LOOP)
+        return looped(start, rest, duration, cycle);
     double half = 0.5 * cycle;
     int odd = floor64(half) != half;
-    if (mode == NKW_PLAYBACK_LOOP)
-        head.time = before_end(start, rest, duration);
-    else
-        head.time = (float)((double)start + (odd ? (double)duration - rest : rest));
+    head.time = (float)((double)start + (odd ? (double)duration - rest : rest));
+    head.cycle = (float)cycle;
     return head;
 }
 
@@ -98,7 +98,8 @@ static void whole_pass(size_t count, passed *p)
 }
 
 /* The keys of the passes first..last; those further in from both ends than one hold every key. */
-static void passes(const float *times, size_t count, double duration, double first, double last, const double span[2], passed *p)
+static void passes(const float *times, size_t count, double duration, double first, double last, const double span[2],
+                   passed *p)
 {
     for (double n = first; n <= last; n += 1.0) {
         int is_whole = n >= first + 2.0 && n <= last - 2.0;

@@ -96,7 +96,7 @@ float nkw_pose_from_models(const nkw_skeleton *skeleton, const nkw_mat4 *models,
         nkw_mat4 local = local_of(skeleton, models, root, j);
         nkw_trs trs = nkw_trs_from_mat4(&local);
         float residual = nkw_trs_residual(&trs, &local);
-        worst = residual > worst ? residual : worst;
+        worst = residual > worst || residual != residual ? residual : worst;
         nkw_pose_set(pose, skeleton->joint_count, j, &trs);
     }
     return worst;

@@ -143,7 +143,7 @@ nkw_result nkw_tree_validate(const nkw_tree *tree, int32_t *work, size_t *bad_no
     return nkw_skeleton_from_tree(tree, work, work + n, work + 2 * n, bad_node);
 }
 
-/* local parent, of row vectors: element (row r, column c) is at r * 4 + c. The sums are those of nkw_mat4_mul_affine. */
+/* local parent, of row vectors: element (row r, column c) is at r * 4 + c. The sums of nkw_mat4_mul_affine. */
 static nkw_mat4 mul_rows(const nkw_mat4 *local, const nkw_mat4 *parent)
 {
     nkw_mat4 out;

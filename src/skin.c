@@ -125,6 +125,7 @@ static size_t block_at(const plan *p, size_t from)
     return p->vertices - from < SKIN_BLOCK ? p->vertices - from : SKIN_BLOCK;
 }
 
+/* Strides of 0 where there is none: no place is worked out from NULL. */
 static skin_stream stream_at(nkw_vec3_stream in, nkw_vec3_stream_span out, size_t from)
 {
     size_t in_stride = in.stride ? in.stride : sizeof(nkw_vec3),
@@ -149,6 +150,9 @@ static void run_pairs(const plan *p, const nkw_mat4 *palette, const nkw_vertices
     int decoded = p->influences && p->weights.format != NKW_SKIN_F32;
     size_t n = p->vertices;
     skin_block b;
+    nkw_skin_view nowhere = {&b, 0, NKW_SKIN_F32};
+    if (p->influences == 0)
+        f.joints = f.weights = nowhere;
     for (size_t from = 0; from < p->vertices; from += n) {
         skin_stream positions = stream_at(in->positions, out->positions, from);
         skin_stream normals = stream_at(in->normals, out->normals, from);

@@ -58,13 +58,15 @@ float nkw_trs_residual(const nkw_trs *trs, const nkw_mat4 *m)
     lane_wmat3 w = lane_wmat3_from_mat4(m);
     lane_wmat3 r = lane_wmat3_from_wquat(lane_wquat_normalize(lane_wquat_from(trs->rotation)));
     const double s[3] = {trs->scale.x, trs->scale.y, trs->scale.z};
-    double longest = 0.0;
+    double longest = 0.0, nothing = 0.0; /* or NaN */
     lane_wmat3 difference;
     for (size_t c = 0; c < 3; c++) {
         double length = lane_wvec3_length(lane_wmat3_column(&w, c));
         longest = length > longest ? length : longest;
-        for (size_t i = 0; i < 3; i++)
+        for (size_t i = 0; i < 3; i++) {
             difference.m[c * 3 + i] = r.m[c * 3 + i] * s[c] - w.m[c * 3 + i];
+            nothing += 0.0 * difference.m[c * 3 + i];
+        }
     }
-    return longest == 0.0 ? 0.0f : (float)(lane_wmat3_largest(&difference) / longest);
+    return (float)((longest == 0.0 ? 0.0 : lane_wmat3_largest(&difference) / longest) + nothing);
 }

@@ -62,6 +62,23 @@ static void loop_never_gives_its_end_and_does_not_drift(void **state)
     }
 }
 
+/* Of a motion whose value is the time, value + cycle (last - first) is the running time, to two roundings. */
+static void relative_motion_goes_on_across_the_seam(void **state)
+{
+    (void)state;
+    expect_head(nkw_playback_at(NKW_PLAYBACK_LOOP, 0, 1, -0x1p-30f), 0, 0, __LINE__);
+    expect_head(nkw_playback_at(NKW_PLAYBACK_LOOP, 1, 0x1p-30f, 1), 1, 0, __LINE__);
+    random_source r = random_from(3);
+    for (int i = 0; i < 50000; i++) {
+        float duration = nkw_abs(random_scaled(&r, -6, 6)), start = random_scaled(&r, -6, 6);
+        double seam = (double)start + (double)(i % 9 - 4) * (double)duration;
+        float time = (float)(i % 2 ? seam : seam - (double)nkw_abs(random_scaled(&r, -60, -20)));
+        nkw_play_head head = nkw_playback_at(NKW_PLAYBACK_LOOP, start, duration, time);
+        double on = (double)head.time + (double)head.cycle * (double)duration;
+        assert_true(fabs(on - (double)time) <= 0x1p-23 * (fabs((double)start) + (double)duration));
+    }
+}
+
 static void nonsense_is_the_start(void **state)
 {
     (void)state;
@@ -164,6 +181,7 @@ int main(void)
         cmocka_unit_test(loop_begins_again_at_its_end),
         cmocka_unit_test(ping_pong_turns_at_both_ends),
         cmocka_unit_test(loop_never_gives_its_end_and_does_not_drift),
+        cmocka_unit_test(relative_motion_goes_on_across_the_seam),
         cmocka_unit_test(nonsense_is_the_start),
         cmocka_unit_test(keys_are_passed_in_half_open_steps),
         cmocka_unit_test(a_clip_played_once_passes_each_key_once),

@@ -51,8 +51,9 @@ static void views_and_spans_are_the_arrays_in_their_order(void **state)
     float pose[NKW_POSE_FLOATS(JOINTS)] = {0};
     nkw_trs_view view = nkw_pose_view(pose, JOINTS);
     nkw_trs_span span = nkw_pose_span(pose, JOINTS);
-    const float *read[10] = {view.translation.x, view.translation.y, view.translation.z, view.rotation.x, view.rotation.y,
-                             view.rotation.z,    view.rotation.w,    view.scale.x,       view.scale.y,    view.scale.z};
+    const float *read[10] = {view.translation.x, view.translation.y, view.translation.z, view.rotation.x,
+                             view.rotation.y,    view.rotation.z,    view.rotation.w,    view.scale.x,
+                             view.scale.y,       view.scale.z};
     float *written[10] = {span.translation.x, span.translation.y, span.translation.z, span.rotation.x, span.rotation.y,
                           span.rotation.z,    span.rotation.w,    span.scale.x,       span.scale.y,    span.scale.z};
     for (size_t c = 0; c < 10; c++) {

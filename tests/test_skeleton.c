@@ -365,6 +365,17 @@ static void below_a_singular_parent_locals_are_zero(void **state)
     expect_vec3_bits(trs.scale, ((nkw_vec3){0, 0, 0}));
 }
 
+static void a_model_of_nan_shows_in_what_the_pose_could_not_hold(void **state)
+{
+    (void)state;
+    const int32_t parents[3] = {NKW_NO_JOINT, NKW_NO_JOINT, NKW_NO_JOINT};
+    const nkw_skeleton skeleton = {parents, 3};
+    nkw_mat4 models[3] = {moved(1, 2, 3), moved(4, 5, 6), moved(7, 8, 9)};
+    float pose[NKW_POSE_FLOATS(3)];
+    models[1].m[4] = NAN;
+    assert_true(isnan(nkw_pose_from_models(&skeleton, models, NULL, pose)));
+}
+
 static void expect_skeleton(const int32_t *parents, size_t count, nkw_result result, size_t joint)
 {
     const nkw_skeleton skeleton = {parents, count};
@@ -406,6 +417,7 @@ int main(void)
         cmocka_unit_test(locals_come_back_from_models),
         cmocka_unit_test(models_come_back_from_the_pose_of_models),
         cmocka_unit_test(below_a_singular_parent_locals_are_zero),
+        cmocka_unit_test(a_model_of_nan_shows_in_what_the_pose_could_not_hold),
         cmocka_unit_test(validate_names_the_first_offender),
     };
     return cmocka_run_group_tests_name("skeleton", tests, NULL, NULL);

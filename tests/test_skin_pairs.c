@@ -20,10 +20,10 @@ static void raw_directions_are_not_made_unit(void **state)
             const float *v = m.v + i * FLOATS, *got = out + i * FLOATS;
             blend(&m, m.matrices->m, 16, k, i, sum.m);
             blend(&m, m.normals->m, 9, k, i, normal.m);
-            for (size_t a = 3; a < FLOATS; a += a == 3 ? 5 : 3)
+            for (size_t a = 3; a < 12; a += 3)
                 expect_vec3_bits(vec3_at(got + a), nkw_mat4_transform_direction(&sum, vec3_at(v + a)));
             expect_floats_bits(pair + i * FLOATS, got, 6);
-            expect_floats_bits(pair + i * FLOATS + 6, out + i * FLOATS + 6, 2);
+            expect_bits(pair[i * FLOATS + 6], 0);
             expect_vec3_bits(vec3_at(own + i * FLOATS + 3), nkw_mat3_transform(&normal, vec3_at(v + 3)));
         }
     }
@@ -89,11 +89,57 @@ static void pairs_are_as_blocks_for_every_format_and_odd_vertices(void **state)
     }
 }
 
+static void positions_and_normals_alone_are_as_together(void **state)
+{
+    (void)state;
+    for (size_t k = 1; k <= 8; k++) {
+        mesh m = draw(60 + k, k, 0);
+        uint16_t weights[VERTICES * 8];
+        nkw_skin_view floats = {m.weights, 0, NKW_SKIN_F32};
+        nkw_skin_span whole = {weights, 0, NKW_SKIN_U16};
+        nkw_skin_normalize_weights(floats, k, whole, VERTICES);
+        for (int format = 0; format < 2; format++) {
+            float together[VERTICES * FLOATS] = {0}, alone[VERTICES * FLOATS] = {0};
+            nkw_skin skin = skin_of(&m, k);
+            nkw_skin_palette palette = {m.matrices, NULL, JOINTS, 0};
+            nkw_vertices in = streams(m.v, FLOATS);
+            nkw_vertices none = {{NULL, 0}, {NULL, 0}, {NULL, 0}, {NULL, 0}}, positions = none, normals = none;
+            nkw_vertices_span to = spans(together, FLOATS), to_alone = spans(alone, FLOATS);
+            nkw_vertices_span nowhere = {{NULL, 0}, {NULL, 0}, {NULL, 0}, {NULL, 0}};
+            if (format)
+                skin.weights.data = weights, skin.weights.format = NKW_SKIN_U16;
+            positions.positions = in.positions;
+            normals.normals = in.normals;
+            in.tangents = in.bitangents = none.tangents;
+            nkw_skin_linear(&skin, &palette, &in, &to);
+            nkw_skin_linear(&skin, &palette, &positions, &to_alone);
+            nkw_skin_linear(&skin, &palette, &normals, &to_alone);
+            nkw_skin_linear(&skin, &palette, &in, &nowhere);
+            expect_floats_bits(alone, together, VERTICES * FLOATS);
+        }
+    }
+}
+
+static void without_influences_their_arrays_may_be_null(void **state)
+{
+    (void)state;
+    mesh m = draw(70, 4, 0);
+    float out[VERTICES * FLOATS];
+    nkw_skin_palette palette = {m.matrices, NULL, JOINTS, 0};
+    nkw_skin skin = {VERTICES, 0, {NULL, 16, NKW_SKIN_U8}, {NULL, 16, NKW_SKIN_F32}};
+    nkw_vertices in = {{m.v, 24}, {m.v + 3, 24}, {NULL, 0}, {NULL, 0}};
+    nkw_vertices_span to = {{out, 24}, {out + 3, 24}, {NULL, 0}, {NULL, 0}};
+    nkw_skin_linear(&skin, &palette, &in, &to);
+    expect_floats_bits(out, m.v, VERTICES * 6);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(raw_directions_are_not_made_unit),
         cmocka_unit_test(pairs_are_as_blocks_for_every_format_and_odd_vertices),
+        cmocka_unit_test(positions_and_normals_alone_are_as_together),
+        cmocka_unit_test(without_influences_their_arrays_may_be_null),
     };
     return cmocka_run_group_tests_name("skin_pairs", tests, NULL, NULL);
 }

@@ -89,6 +89,62 @@ static void pruning_to_more_fills_up_with_weight_zero(void **state)
     assert_memory_equal(w, want_w, sizeof w);
 }
 
+static void pruning_in_place_is_as_elsewhere(void **state)
+{
+    (void)state;
+    random_source r = random_from(3);
+    uint16_t joints[40 * 8], j[40 * 8];
+    float weights[40 * 8], w[40 * 8];
+    for (size_t i = 0; i < 40 * 8; i++) {
+        joints[i] = (uint16_t)(random_bits(&r) % 100);
+        weights[i] = random_unit(&r);
+    }
+    for (size_t keep = 1; keep <= 8; keep++) {
+        uint16_t own_j[40 * 8];
+        float own_w[40 * 8];
+        memcpy(own_j, joints, sizeof joints);
+        memcpy(own_w, weights, sizeof weights);
+        nkw_skin skin = {40, 8, {joints, 0, NKW_SKIN_U16}, {weights, 0, NKW_SKIN_F32}}, own = skin;
+        own.joints.data = own_j;
+        own.weights.data = own_w;
+        nkw_skin_span to_j = {j, 0, NKW_SKIN_U16}, to_w = {w, 0, NKW_SKIN_F32};
+        nkw_skin_span to_own_j = {own_j, 0, NKW_SKIN_U16}, to_own_w = {own_w, 0, NKW_SKIN_F32};
+        nkw_skin_prune(&skin, keep, to_j, to_w);
+        nkw_skin_prune(&own, keep, to_own_j, to_own_w);
+        assert_memory_equal(own_j, j, 40 * keep * sizeof *j);
+        expect_floats_bits(own_w, w, 40 * keep);
+    }
+}
+
+static void what_cannot_be_pruned_or_normalised_writes_nothing(void **state)
+{
+    (void)state;
+    const uint8_t joints[9] = {1, 2, 3, 4, 5, 6, 7, 8, 9}, weights[9] = {9, 8, 7, 6, 5, 4, 3, 2, 1};
+    uint8_t j[9] = {0}, w[9] = {0};
+    const uint8_t nothing[9] = {0};
+    nkw_skin skin = {1, 4, {joints, 0, NKW_SKIN_U8}, {weights, 0, NKW_SKIN_U8}};
+    nkw_skin nine = skin, none = skin, bad_joints = skin, bad_weights = skin;
+    nine.influences = 9;
+    none.influences = 0;
+    bad_joints.joints.format = NKW_SKIN_F32;
+    bad_weights.weights.format = NKW_SKIN_U32;
+    const nkw_skin *const refused[] = {&nine, &none, &bad_joints, &bad_weights};
+    nkw_skin_span to_j = {j, 0, NKW_SKIN_U8}, to_w = {w, 0, NKW_SKIN_U8};
+    nkw_skin_span floats = {j, 0, NKW_SKIN_F32}, wide = {w, 0, NKW_SKIN_U32};
+    for (size_t i = 0; i < 4; i++)
+        nkw_skin_prune(refused[i], 2, to_j, to_w);
+    nkw_skin_prune(&skin, 0, to_j, to_w);
+    nkw_skin_prune(&skin, 9, to_j, to_w);
+    nkw_skin_prune(&skin, 2, floats, to_w);
+    nkw_skin_prune(&skin, 2, to_j, wide);
+    nkw_skin_normalize_weights(skin.weights, 9, to_w, 1);
+    nkw_skin_normalize_weights(skin.weights, 0, to_w, 1);
+    nkw_skin_normalize_weights(skin.weights, 4, wide, 1);
+    nkw_skin_normalize_weights(bad_weights.weights, 4, to_w, 1);
+    assert_memory_equal(j, nothing, sizeof j);
+    assert_memory_equal(w, nothing, sizeof w);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -97,6 +153,8 @@ int main(void)
         cmocka_unit_test(weights_that_cannot_be_used_count_as_zero),
         cmocka_unit_test(pruning_keeps_the_largest_in_their_order),
         cmocka_unit_test(pruning_to_more_fills_up_with_weight_zero),
+        cmocka_unit_test(pruning_in_place_is_as_elsewhere),
+        cmocka_unit_test(what_cannot_be_pruned_or_normalised_writes_nothing),
     };
     return cmocka_run_group_tests_name("skin_weights", tests, NULL, NULL);
 }

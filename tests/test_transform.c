@@ -119,6 +119,20 @@ static void matrix_of_zeros_has_no_rotation(void **state)
     expect_bits(nkw_trs_residual(&got, &zero), 0.0f);
 }
 
+static void residual_of_what_is_not_finite_is_nan(void **state)
+{
+    (void)state;
+    static const float bad[] = {NAN, INFINITY, -INFINITY};
+    for (size_t i = 0; i < 11; i++)
+        for (size_t k = 0; i % 4 != 3 && k < 3; k++) {
+            nkw_mat4 m = nkw_mat4_identity(), zero = {{0}};
+            m.m[i] = zero.m[i] = bad[k];
+            nkw_trs got = nkw_trs_from_mat4(&m);
+            assert_true(isnan(nkw_trs_residual(&got, &m)));
+            assert_true(isnan(nkw_trs_residual(&got, &zero)));
+        }
+}
+
 static void product_is_the_matrix_product_where_scales_are_uniform(void **state)
 {
     (void)state;
@@ -144,6 +158,7 @@ int main(void)
         cmocka_unit_test(shear_is_left_out_and_reported),
         cmocka_unit_test(zero_scales_are_kept_and_the_rotation_stays_unit),
         cmocka_unit_test(matrix_of_zeros_has_no_rotation),
+        cmocka_unit_test(residual_of_what_is_not_finite_is_nan),
         cmocka_unit_test(product_is_the_matrix_product_where_scales_are_uniform),
     };
     return cmocka_run_group_tests_name("transform", tests, NULL, NULL);

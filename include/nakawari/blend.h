@@ -9,7 +9,8 @@
  * mask may be NULL, that is 1 everywhere. Masks outside 0..1 count as 0 or 1, NaN as 0.
  *
  * Without joints nothing is read or written. `out` may be any of the input poses itself, otherwise it must not overlap
- * them; its padding may be written. A joint's result depends on that joint's inputs alone.
+ * them; its padding may be written. A joint's result depends on that joint's inputs alone, but for the order in which
+ * nkw_pose_blend_layers adds layers of equal weight.
  */
 #ifndef NAKAWARI_BLEND_H
 #define NAKAWARI_BLEND_H
@@ -26,7 +27,8 @@ extern "C" {
 /**
  * The pose at t of the way from a to b: translations and scales by nkw_lerp, rotations by nkw_quat_nlerp, bit for bit.
  *
- * t      any; times the joint's mask. Outside 0..1 the way goes on; NaN counts as 0.
+ * t      any; times the joint's mask. Outside 0..1 the way goes on; NaN counts as 0. An infinite one gives infinities
+ *        and NaN, where the mask is 0 too.
  * mask   or NULL
  * Gives  exactly a at t = 0, exactly b at t = 1, but for the sign of a rotation: b or -b, on a's side.
  */
@@ -55,11 +57,11 @@ typedef struct nkw_pose_layer {
  * weight it is taken bit for bit, whatever the threshold. Weights need not sum to 1.
  *
  * Layers are added in an order of their own: the heaviest first, those of one weight by their masks, then by the
- * numbers in their poses. That makes the order of `layers` of no account for any bit. Each rotation is added with the
- * sign that puts it on the side of the sum so far, so the heaviest layer says which side that is, and two layers take
- * the shorter arc. (A fixed side, such as the rest pose's, would tear apart layers that agree on a half turn away from
- * it.) Three and more rotations of which some are more than half a turn apart have no mean that is continuous in the
- * weights: there the result may jump where two weights change places.
+ * numbers in their poses, whichever joint's are the first to differ. That makes the order of `layers` of no account for
+ * any bit. Each rotation is added with the sign that puts it on the side of the sum so far, so the heaviest layer says
+ * which side that is, and two layers take the shorter arc. (A fixed side, such as the rest pose's, would tear apart
+ * layers that agree on a half turn away from it.) Three and more rotations of which some are more than half a turn
+ * apart have no mean that is continuous in the weights: there the result may jump where two weights change places.
  *
  * The mean is made by lerps: sum = lerp(sum, v, w / (total + w)). So translations and scales that all layers share come
  * out bit for bit, as does a joint on which one layer alone has a weight, its rotation too; and two layers without

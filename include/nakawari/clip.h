@@ -107,7 +107,7 @@ NKW_API size_t nkw_clip_joints(const nkw_clip *clip);
 NKW_API size_t nkw_clip_floats(const nkw_clip *clip);
 NKW_API size_t nkw_clip_bytes(const nkw_clip *clip);
 
-/** The earliest and the latest key time, seconds; 0 and 0 for a clip in which nothing moves. */
+/** The earliest and the latest key time of all tracks, constant ones too, seconds; 0 and 0 without tracks. */
 NKW_API float nkw_clip_start(const nkw_clip *clip);
 NKW_API float nkw_clip_end(const nkw_clip *clip);
 

@@ -38,13 +38,14 @@ typedef struct nkw_play_head {
  *     cycle = floor((time - start) / duration),     rest = time - start - cycle duration
  *
  *     CLAMP       time within [start, start + duration], cycle 0
- *     LOOP        start + rest
+ *     LOOP        start + rest; where that rounds to the end, start, and cycle one more
  *     PING_PONG   start + rest in even cycles, start + duration - rest in odd ones
  *
  * For a loop with a closing segment, in which the last key blends into the first, pass duration + the segment's
  * length and give the track its first key once more at the end.
  *
- * A duration that is not positive and finite, or a NaN time, gives {start, 0}. Beyond 2^24 passes `cycle` is rounded, beyond 2^128 infinite.
+ * A duration that is not positive and finite, or a NaN time, gives {start, 0}; so does an infinite time but for CLAMP,
+ * which gives the end that it lies beyond. Beyond 2^24 passes `cycle` is rounded, beyond 2^128 infinite.
  */
 NKW_API nkw_play_head nkw_playback_at(nkw_playback mode, float start, float duration, float time);
 

@@ -174,7 +174,7 @@ NKW_API void nkw_locals_from_models(const nkw_skeleton *skeleton, const nkw_mat4
  * that is zero becomes the identity rotation at scale 0.
  *
  * Gives  the largest nkw_trs_residual: what of the matrices, shear, the pose could not hold; about 1e-6 where there is
- * none
+ *        none; NaN where one is
  */
 NKW_API float nkw_pose_from_models(const nkw_skeleton *skeleton, const nkw_mat4 *models, const nkw_mat4 *root,
                                    float *pose);

@@ -162,15 +162,16 @@ NKW_API nkw_result nkw_skin_validate(const nkw_skin *skin, size_t joints, size_t
  * and what is missing to the total goes, one each, to those of the largest q - n, the first of equals (largest
  * remainder). A float is n / 2^24. Weights that are negative or not finite count as 0. Where all are 0 they stay so.
  * Between formats too. `vertices` times `influences` (1..8) weights of each; out may be in, with the same stride and
- * format.
+ * format. With more influences, none, or a format that is not for weights, nothing is written.
  */
 NKW_API void nkw_skin_normalize_weights(nkw_skin_view in, size_t influences, nkw_skin_span out, size_t vertices);
 
 /**
  * Keeps the `keep` largest weights of each vertex, the first of equals, in their order, and normalises them as
- * nkw_skin_normalize_weights does. With fewer influences than `keep` the rest is joint 0, weight 0. keep 1..8. A
- * joint's number that the format of `joints` cannot hold becomes 0. The outputs may be the inputs, of the same
- * stride and format.
+ * nkw_skin_normalize_weights does. With fewer influences than `keep` the rest is joint 0, weight 0. A joint's number
+ * that the format of `joints` cannot hold becomes 0. The outputs may be the inputs, of the same stride and format;
+ * with strides of 0 `keep` is then at most the skin's influences. Both are 1..8, formats as in nkw_skin_validate; else
+ * nothing is written.
  */
 NKW_API void nkw_skin_prune(const nkw_skin *skin, size_t keep, nkw_skin_span joints, nkw_skin_span weights);
 

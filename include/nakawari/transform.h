@@ -53,7 +53,7 @@ NKW_API nkw_trs nkw_trs_from_mat4(const nkw_mat4 *m);
 /**
  * What trs fails to say of m: the largest difference of an element of the 3x3 block of T R S from that of m, as a
  * part of the longest column of m. About 1e-7 where m is a TRS; a shear of angle a leaves about a/2.
- * A block of zeros gives 0.
+ * A block of zeros gives 0, numbers that are not finite give NaN.
  */
 NKW_API float nkw_trs_residual(const nkw_trs *trs, const nkw_mat4 *m);
 

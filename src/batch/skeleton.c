@@ -31,7 +31,7 @@ static inline const nkw_mat4 *above(const int32_t *parents, size_t j, const nkw_
     return p < j ? &models[p] : root;
 }
 
-/* Where the columns of a local matrix begin: element r of x, y, z is `step` floats after element r - 1, that of t `far`. */
+/* Where the columns of a local matrix begin: elements of x, y, z are `step` floats apart, those of t `far`. */
 typedef struct local {
     const float *x, *y, *z, *t;
     size_t step, far;
@@ -87,8 +87,8 @@ static inline void chain_root(chain *c, const nkw_mat4 *of, nkw_mat4 *model)
 }
 
 /*
- * The local matrix of the one joint at p, made anew. Taken from the block, it would have the loads of its elements shared
- * with those of chain_child, ahead of the branch, and the sums lose their registers to them.
+ * The local matrix of the one joint at p, made anew. Taken from the block, it would have the loads of its elements
+ * shared with those of chain_child, ahead of the branch, and the sums lose their registers to them.
  */
 static inline nkw_mat4 make_local(const float *p, size_t s)
 {

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* Floor 6: what cutting a mesh works with: a sort that needs no memory, and small sets of bones. */
+/* Floor 6: what cutting a mesh works with: small sets of bones. */
 #ifndef NAKAWARI_LANE_PARTITION_H
 #define NAKAWARI_LANE_PARTITION_H
 
@@ -7,41 +7,6 @@
 
 #include <stddef.h>
 #include <stdint.h>
-
-typedef int lane_before(const void *context, uint32_t a, uint32_t b);
-
-static inline void lane_sift_down(uint32_t *heap, size_t root, size_t n, lane_before *before, const void *context)
-{
-    uint32_t moved = heap[root];
-    for (size_t child = 2 * root + 1; child < n; child = 2 * root + 1) {
-        if (child + 1 < n && before(context, heap[child], heap[child + 1]))
-            child++;
-        if (!before(context, moved, heap[child]))
-            break;
-        heap[root] = heap[child];
-        root = child;
-    }
-    heap[root] = moved;
-}
-
-/* Heap sort: in place, n log n whatever the input. `before` must be a total order for the result to be one. */
-static inline void lane_sort(uint32_t *a, size_t n, lane_before *before, const void *context)
-{
-    for (size_t i = n / 2; i-- > 0;)
-        lane_sift_down(a, i, n, before, context);
-    for (size_t end = n; end-- > 1;) {
-        uint32_t largest = a[0];
-        a[0] = a[end];
-        a[end] = largest;
-        lane_sift_down(a, 0, end, before, context);
-    }
-}
-
-static inline int lane_before_number(const void *context, uint32_t a, uint32_t b)
-{
-    (void)context;
-    return a < b;
-}
 
 /* A set of bones: ascending keys, depth in the upper and bone in the lower half. */
 typedef struct lane_set {

@@ -20,7 +20,8 @@ static inline float lane_time(lane_times times, size_t k)
 }
 
 /*
- * (time - a) / (b - a) clamped to 0..1; 1 from b on and only there: before b a quotient that rounds to 1 is the float below.
+ * (time - a) / (b - a) clamped to 0..1; 1 from b on and only there: before b a quotient that rounds to 1 is the float
+ * below.
  * a >= b gives 1 from b on, else 0; NaN gives 0.
  */
 static inline float lane_segment_t(float a, float b, float time)

@@ -4,7 +4,7 @@
 #include "random_clip.h"
 
 static random_clip drawn;
-static uint32_t block[1 << 16];
+static float block[1 << 16];
 
 /* The joints of the pose without its padding. */
 static uint64_t hash_pose(uint64_t hash, const float *pose, size_t joints)
@@ -27,6 +27,9 @@ uint64_t data_clip(void)
         if (nkw_clip_build(&drawn.source, work, block, sizeof block, NULL) != NKW_OK)
             return 0;
         const nkw_clip *clip = (const nkw_clip *)(const void *)block;
+        /* The block itself, word by word: the same on every machine, but for the order of 16-bit keys in a word. */
+        if (drawn.source.format == NKW_CLIP_FLOAT32)
+            hash = hash_floats(hash, block, nkw_clip_bytes(clip) / sizeof *block);
         for (int i = 0; i < 20; i++) {
             nkw_clip_sample(clip, random_between(&r, -0.1f, 1.0f), NULL, pose, floats);
             hash = hash_pose(hash, pose, joints);

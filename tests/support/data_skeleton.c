@@ -30,7 +30,7 @@ static void draw_pose(random_source *r, float *pose)
     nkw_pose_from_trs(trs, JOINTS, pose);
 }
 
-/* Parents above and below, three roots, in the order of a file that knows none: from a walk with strides of 50 modulo 83. */
+/* Parents above and below, three roots, in the order of a file that knows none: a walk with strides of 50 modulo 83. */
 static uint64_t order(random_source *r, int32_t *parents)
 {
     int32_t file[JOINTS], joint_of_file[JOINTS], file_of_joint[JOINTS];

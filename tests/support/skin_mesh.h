@@ -12,7 +12,7 @@
 #define JOINTS   23
 #define FLOATS   14
 
-/* A mesh of the book's vertex: position 3, normal 3, texture 2, tangent 3, bitangent 3. */
+/* A mesh of the book's vertex: position 3, normal 3, tangent 3, bitangent 3, texture 2. */
 typedef struct mesh {
     nkw_mat4 matrices[JOINTS];
     nkw_mat3 normals[JOINTS];
@@ -67,14 +67,14 @@ static inline nkw_skin skin_of(const mesh *m, size_t influences)
 static inline nkw_vertices streams(const float *v, size_t floats)
 {
     size_t s = floats * sizeof *v;
-    nkw_vertices r = {{v, s}, {v + 3, s}, {v + 8, s}, {v + 11, s}};
+    nkw_vertices r = {{v, s}, {v + 3, s}, {v + 6, s}, {v + 9, s}};
     return r;
 }
 
 static inline nkw_vertices_span spans(float *v, size_t floats)
 {
     size_t s = floats * sizeof *v;
-    nkw_vertices_span r = {{v, s}, {v + 3, s}, {v + 8, s}, {v + 11, s}};
+    nkw_vertices_span r = {{v, s}, {v + 3, s}, {v + 6, s}, {v + 9, s}};
     return r;
 }
 
