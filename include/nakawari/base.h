@@ -66,6 +66,7 @@
  * A program that is compiled with -ffp-contract=off may define NKW_CONTRACTION_OFF to say so, and has plain products.
  */
 #if defined(__GNUC__) && !defined(__clang__) && defined(__FP_FAST_FMAF) && !defined(NKW_CONTRACTION_OFF)
+#define NKW_FUSES
 #define NKW_MUL(a, b) __builtin_fmaf(a, b, -0.0f)
 #else
 #define NKW_MUL(a, b) ((a) * (b))
@@ -75,7 +76,10 @@
  * NKW_ALGEBRA stands before each prototype of the small algebra: `inline` in a user's file, a plain
  * exported declaration in the one library file that holds the symbols and where NKW_INLINE is 0.
  */
-#if NKW_INLINE && !defined(NKW_DEFINE_ALGEBRA)
+#if NKW_INLINE && !defined(NKW_DEFINE_ALGEBRA) && defined(NKW_FUSES)
+/* GCC weighs a body as if each fma in it were a call. */
+#define NKW_ALGEBRA __attribute__((always_inline)) inline
+#elif NKW_INLINE && !defined(NKW_DEFINE_ALGEBRA)
 #define NKW_ALGEBRA inline
 #else
 #define NKW_ALGEBRA NKW_API

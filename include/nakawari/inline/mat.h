@@ -3,7 +3,51 @@
 #ifndef NAKAWARI_INLINE_MAT_H
 #define NAKAWARI_INLINE_MAT_H
 
+#include <string.h>
+
 #include "../mat.h"
+
+/*
+ * A column of a 4x4 matrix, in a register where the compiler has such: at once in one load, or float by float in
+ * loops. NKW_COLUMN(r, f) is r = f, where f is a formula of terms NKW_TERM(a) = a and NKW_TIMES(a, s) = a s for columns
+ * a and floats s. NKW_COLUMN_END sets the last float, to 0 or 1.
+ *
+ * The library's loops go over many matrices instead, so there a column is four floats.
+ */
+#if defined(__GNUC__) && (defined(__SSE2__) || defined(__aarch64__)) && !defined(NKW_ISA)
+typedef float nkw_column __attribute__((vector_size(16)));
+typedef int nkw_column_bits __attribute__((vector_size(16)));
+#define NKW_COLUMN(r, formula) ((void)(r = (formula)))
+#define NKW_COLUMN_END(r, one)                                                                                         \
+    do {                                                                                                               \
+        const nkw_column_bits keep = {-1, -1, -1, 0}, last = {0, 0, 0, (one) ? 0x3f800000 : 0};                        \
+        r = (nkw_column)(((nkw_column_bits)r & keep) | last);                                                          \
+    } while (0)
+#define NKW_COLUMN_LOAD(r, from) memcpy(&r, from, sizeof r)
+#define NKW_COLUMN_STORE(to, r) memcpy(to, &r, sizeof r)
+#define NKW_TERM(a) (a)
+#define NKW_ALL(s) (__extension__(nkw_column){s, s, s, s})
+#if !defined(NKW_FUSES)
+#define NKW_TIMES(a, s) ((a) * (s))
+#elif defined(__aarch64__)
+#define NKW_TIMES(a, s) __builtin_aarch64_fmav4sf(a, NKW_ALL(s), NKW_ALL(-0.0f))
+#else
+#define NKW_TIMES(a, s) __builtin_ia32_vfmaddps(a, NKW_ALL(s), NKW_ALL(-0.0f))
+#endif
+#else
+typedef float nkw_column[4];
+#define NKW_COLUMN_EACH(statement)                                                                                     \
+    do {                                                                                                               \
+        for (size_t row = 0; row < 4; row++)                                                                           \
+            statement;                                                                                                 \
+    } while (0)
+#define NKW_COLUMN(r, formula) NKW_COLUMN_EACH((r)[row] = (formula))
+#define NKW_COLUMN_END(r, one) ((void)((r)[3] = (one) ? 1.0f : 0.0f))
+#define NKW_COLUMN_LOAD(r, from) NKW_COLUMN_EACH((r)[row] = (from)[row])
+#define NKW_COLUMN_STORE(to, r) NKW_COLUMN_EACH((to)[row] = (r)[row])
+#define NKW_TERM(a) ((a)[row])
+#define NKW_TIMES(a, s) NKW_MUL((a)[row], s)
+#endif
 
 #ifdef __cplusplus
 extern "C" {
@@ -90,6 +134,7 @@ inline nkw_mat4 nkw_mat4_identity(void)
 inline nkw_mat4 nkw_mat4_from_mat3(const nkw_mat3 *m, nkw_vec3 translation)
 {
     const float *a = m->m;
+    /* One by one: from braces GCC clears it on the stack first. */
     nkw_mat4 r;
     r.m[0] = a[0], r.m[1] = a[1], r.m[2] = a[2], r.m[3] = 0.0f;
     r.m[4] = a[3], r.m[5] = a[4], r.m[6] = a[5], r.m[7] = 0.0f;
@@ -120,32 +165,70 @@ inline nkw_mat4 nkw_mat4_transpose(const nkw_mat4 *m)
     return r;
 }
 
+/* x b[0] + y b[1] + z b[2] + t b[3] for the columns x, y, z, t; and where b[3] is 0 or 1. */
+#define NKW_WEIGHED(b) ((NKW_TIMES(x, (b)[0]) + NKW_TIMES(y, (b)[1])) + (NKW_TIMES(z, (b)[2]) + NKW_TIMES(t, (b)[3])))
+#define NKW_WEIGHED_0(b) ((NKW_TIMES(x, (b)[0]) + NKW_TIMES(y, (b)[1])) + NKW_TIMES(z, (b)[2]))
+#define NKW_WEIGHED_1(b) ((NKW_TIMES(x, (b)[0]) + NKW_TIMES(y, (b)[1])) + (NKW_TIMES(z, (b)[2]) + NKW_TERM(t)))
+
 inline nkw_mat4 nkw_mat4_mul(const nkw_mat4 *a, const nkw_mat4 *b)
 {
     NKW_EXACT
+    nkw_column x, y, z, t, u, v, w, s;
+    NKW_COLUMN_LOAD(x, a->m);
+    NKW_COLUMN_LOAD(y, a->m + 4);
+    NKW_COLUMN_LOAD(z, a->m + 8);
+    NKW_COLUMN_LOAD(t, a->m + 12);
+    NKW_COLUMN(u, NKW_WEIGHED(b->m));
+    NKW_COLUMN(v, NKW_WEIGHED(b->m + 4));
+    NKW_COLUMN(w, NKW_WEIGHED(b->m + 8));
+    NKW_COLUMN(s, NKW_WEIGHED(b->m + 12));
     nkw_mat4 r;
-    const float *p = a->m;
-    for (size_t c = 0; c < 16; c += 4) {
-        float u = b->m[c], v = b->m[c + 1], w = b->m[c + 2], t = b->m[c + 3];
-        for (size_t i = 0; i < 4; i++)
-            r.m[c + i] = (NKW_MUL(p[i], u) + NKW_MUL(p[4 + i], v)) + (NKW_MUL(p[8 + i], w) + NKW_MUL(p[12 + i], t));
-    }
+    NKW_COLUMN_STORE(r.m, u);
+    NKW_COLUMN_STORE(r.m + 4, v);
+    NKW_COLUMN_STORE(r.m + 8, w);
+    NKW_COLUMN_STORE(r.m + 12, s);
     return r;
 }
 
 inline nkw_mat4 nkw_mat4_mul_affine(const nkw_mat4 *a, const nkw_mat4 *b)
 {
     NKW_EXACT
+    nkw_column x, y, z, t, u, v, w, s;
+    NKW_COLUMN_LOAD(x, a->m);
+    NKW_COLUMN_LOAD(y, a->m + 4);
+    NKW_COLUMN_LOAD(z, a->m + 8);
+    NKW_COLUMN_LOAD(t, a->m + 12);
+    NKW_COLUMN(u, NKW_WEIGHED_0(b->m));
+    NKW_COLUMN(v, NKW_WEIGHED_0(b->m + 4));
+    NKW_COLUMN(w, NKW_WEIGHED_0(b->m + 8));
+    NKW_COLUMN(s, NKW_WEIGHED_1(b->m + 12));
+    NKW_COLUMN_END(u, 0);
+    NKW_COLUMN_END(v, 0);
+    NKW_COLUMN_END(w, 0);
+    NKW_COLUMN_END(s, 1);
     nkw_mat4 r;
-    const float *p = a->m;
-    for (size_t c = 0; c < 16; c += 4) {
-        float u = b->m[c], v = b->m[c + 1], w = b->m[c + 2];
-        for (size_t i = 0; i < 3; i++) {
-            float z = c == 12 ? NKW_MUL(p[8 + i], w) + p[12 + i] : NKW_MUL(p[8 + i], w);
-            r.m[c + i] = (NKW_MUL(p[i], u) + NKW_MUL(p[4 + i], v)) + z;
-        }
-        r.m[c + 3] = c == 12 ? 1.0f : 0.0f;
-    }
+    NKW_COLUMN_STORE(r.m, u);
+    NKW_COLUMN_STORE(r.m + 4, v);
+    NKW_COLUMN_STORE(r.m + 8, w);
+    NKW_COLUMN_STORE(r.m + 12, s);
+    return r;
+}
+
+inline nkw_mat4 nkw_mat4_inverse_rigid(const nkw_mat4 *m)
+{
+    NKW_EXACT
+    const float *a = m->m;
+    nkw_column x = {a[0], a[4], a[8], a[12]}, y = {a[1], a[5], a[9], a[13]}, z = {a[2], a[6], a[10], a[14]}, t;
+    NKW_COLUMN(t, -NKW_WEIGHED_0(a + 12));
+    NKW_COLUMN_END(x, 0);
+    NKW_COLUMN_END(y, 0);
+    NKW_COLUMN_END(z, 0);
+    NKW_COLUMN_END(t, 1);
+    nkw_mat4 r;
+    NKW_COLUMN_STORE(r.m, x);
+    NKW_COLUMN_STORE(r.m + 4, y);
+    NKW_COLUMN_STORE(r.m + 8, z);
+    NKW_COLUMN_STORE(r.m + 12, t);
     return r;
 }
 

@@ -6,6 +6,11 @@
 #include "../quat.h"
 #include "../vec.h"
 
+/* 1 - |q|^2 of a nearly unit q. Each difference is small, so nothing large is rounded. */
+#define NKW_QUAT_DEFECT(q)                                                                                             \
+    (((0.25f - NKW_MUL((q).x, (q).x)) + (0.25f - NKW_MUL((q).y, (q).y))) +                                             \
+     ((0.25f - NKW_MUL((q).z, (q).z)) + (0.25f - NKW_MUL((q).w, (q).w))))
+
 #ifdef __cplusplus
 extern "C" {
 #endif
