@@ -3,6 +3,9 @@
 #ifndef NAKAWARI_INLINE_SCALAR_H
 #define NAKAWARI_INLINE_SCALAR_H
 
+#include <stdint.h>
+#include <string.h>
+
 #include "../scalar.h"
 
 #ifdef __cplusplus
@@ -25,6 +28,17 @@ inline float nkw_max(float a, float b)
 {
     NKW_EXACT
     return a > b ? a : b;
+}
+
+inline float nkw_select(int first, float a, float b)
+{
+    uint32_t x, y, mask = 0u - (uint32_t)(first != 0);
+    float r;
+    memcpy(&x, &a, sizeof x);
+    memcpy(&y, &b, sizeof y);
+    x = y ^ ((x ^ y) & mask);
+    memcpy(&r, &x, sizeof r);
+    return r;
 }
 
 inline float nkw_clamp(float x, float low, float high)
