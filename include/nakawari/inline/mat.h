@@ -14,7 +14,8 @@
  *
  * The library's loops go over many matrices instead, so there a column is four floats.
  */
-#if defined(__GNUC__) && (defined(__SSE2__) || defined(__aarch64__)) && !defined(NKW_ISA)
+#if defined(__GNUC__) && (defined(__SSE2__) || defined(__aarch64__)) && !defined(NKW_ISA) &&                           \
+    (!defined(NKW_FUSES) || defined(__FMA__) || defined(__FMA4__) || defined(__aarch64__))
 typedef float nkw_column __attribute__((vector_size(16)));
 typedef int nkw_column_bits __attribute__((vector_size(16)));
 #define NKW_COLUMN(r, formula) ((void)(r = (formula)))
