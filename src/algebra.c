@@ -6,6 +6,7 @@
 #include "lane/strict.h"
 
 #define NKW_DEFINE_ALGEBRA
+#include <nakawari/curve.h>
 #include <nakawari/mat.h>
 #include <nakawari/quat.h>
 #include <nakawari/scalar.h>

@@ -81,46 +81,6 @@ nkw_vec3 nkw_vec3_weigh(nkw_weights weights, nkw_vec3 c0, nkw_vec3 c1, nkw_vec3 
     return r;
 }
 
-float nkw_hermite(float p0, float v0, float p1, float v1, float t)
-{
-    return lane_hermite(p0, v0, p1, v1, t);
-}
-
-nkw_vec3 nkw_vec3_hermite(nkw_vec3 p0, nkw_vec3 v0, nkw_vec3 p1, nkw_vec3 v1, float t)
-{
-    return lane_vec3_hermite(p0, v0, p1, v1, t);
-}
-
-float nkw_bezier(float p0, float p1, float p2, float p3, float t)
-{
-    return lane_bezier(p0, p1, p2, p3, t);
-}
-
-nkw_vec3 nkw_vec3_bezier(nkw_vec3 p0, nkw_vec3 p1, nkw_vec3 p2, nkw_vec3 p3, float t)
-{
-    return lane_vec3_bezier(p0, p1, p2, p3, t);
-}
-
-float nkw_bspline(float p0, float p1, float p2, float p3, float t)
-{
-    return lane_bspline(p0, p1, p2, p3, t);
-}
-
-nkw_vec3 nkw_vec3_bspline(nkw_vec3 p0, nkw_vec3 p1, nkw_vec3 p2, nkw_vec3 p3, float t)
-{
-    return lane_vec3_bspline(p0, p1, p2, p3, t);
-}
-
-float nkw_catmull_rom(float p0, float p1, float p2, float p3, float t)
-{
-    return lane_catmull_rom(p0, p1, p2, p3, t);
-}
-
-nkw_vec3 nkw_vec3_catmull_rom(nkw_vec3 p0, nkw_vec3 p1, nkw_vec3 p2, nkw_vec3 p3, float t)
-{
-    return lane_vec3_catmull_rom(p0, p1, p2, p3, t);
-}
-
 float nkw_catmull_rom_tangent(float p0, float p1, float p2, float h0, float h1)
 {
     return lane_catmull_rom_tangent(p0, p1, p2, h0, h1);
@@ -141,7 +101,7 @@ float nkw_catmull_rom_timed(const float times[4], float p0, float p1, float p2, 
     float h0 = times[1] - times[0], h1 = times[2] - times[1], h2 = times[3] - times[2];
     float v1 = lane_catmull_rom_tangent(p0, p1, p2, h0, h1) * h1;
     float v2 = lane_catmull_rom_tangent(p1, p2, p3, h1, h2) * h1;
-    return lane_hermite(p1, v1, p2, v2, t);
+    return nkw_hermite(p1, v1, p2, v2, t);
 }
 
 nkw_vec3 nkw_vec3_catmull_rom_timed(const float times[4], nkw_vec3 p0, nkw_vec3 p1, nkw_vec3 p2, nkw_vec3 p3,

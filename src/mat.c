@@ -187,14 +187,6 @@ nkw_mat4 nkw_mat4_inverse_affine(const nkw_mat4 *m)
     return nkw_mat4_from_mat3(&linear, translation);
 }
 
-nkw_mat4 nkw_mat4_inverse_rigid(const nkw_mat4 *m)
-{
-    nkw_mat3 r = nkw_mat3_from_mat4(m);
-    nkw_mat3 t = nkw_mat3_transpose(&r);
-    nkw_vec3 back = nkw_mat3_transform(&t, nkw_mat4_translation(m));
-    return nkw_mat4_from_mat3(&t, nkw_vec3_negate(back));
-}
-
 nkw_mat4 nkw_mat4_from_row_major(const float rows[16])
 {
     nkw_mat4 r = nkw_mat4_from_row_vectors(rows);

@@ -31,16 +31,14 @@
 
 /**
  * Small algebra (sums, products, rotations, transforms) is inlined into the caller from the headers in
- * `inline/`, but only where the caller's compiler cannot change its bits. It could where it may fuse
- * a * b + c into one rounding (GCC on a target with fast fma, for no macro tells whether
- * -ffp-contract=off is on), where it evaluates float wider than float (x87, s390x in ISO mode), or under
- * -ffast-math. There the same functions are called in the library instead: same bits, one call slower.
+ * `inline/`, but only where the caller's compiler cannot change its bits. It could where it evaluates float
+ * wider than float (x87, s390x in ISO mode), or under -ffast-math. There the same functions are called in the
+ * library instead: same bits, one call slower.
  *
  * Two things no macro tells: Clang's -ffp-contract=fast and its parts of -ffast-math other than
  * -ffinite-math-only, and a function with GCC's attribute target("fma"). Define NKW_NO_INLINE there.
  *
- * A program that is compiled with -ffp-contract=off may define NKW_CONTRACTION_OFF to say so.
- * NKW_NO_INLINE turns inlining off altogether. Neither changes any result.
+ * NKW_NO_INLINE turns inlining off altogether. It changes no result.
  *
  * NKW_INLINE is 1 where the definitions are inlined, else 0.
  */
@@ -51,18 +49,37 @@
 #define NKW_INLINE 0
 #elif defined(FLT_EVAL_METHOD) && FLT_EVAL_METHOD != 0 && FLT_EVAL_METHOD != 16
 #define NKW_INLINE 0
-#elif defined(__GNUC__) && !defined(__clang__) &&                                                  \
-    (defined(__FP_FAST_FMAF) || defined(__FP_FAST_FMA)) && !defined(NKW_CONTRACTION_OFF)
-#define NKW_INLINE 0
 #else
 #define NKW_INLINE 1
+#endif
+
+/**
+ * The product of two floats in an inlined body, rounded before anything is done with it. GCC on a target with fast
+ * fma fuses a * b + c into one rounding, in one function or across several, and no macro tells whether
+ * -ffp-contract=off is on; it has no product left to fuse where
+ *
+ *     a b = fma(a, b, -0)        for all a and b, with the sign of a zero
+ *
+ * which takes one instruction as well and goes into vectors as a product does. GCC negates it by another, -a b - (-0),
+ * which is 0 where -0 is due, so inlined bodies negate by NKW_MUL(-1, x).
+ *
+ * A program that is compiled with -ffp-contract=off may define NKW_CONTRACTION_OFF to say so, and has plain products.
+ */
+#if defined(__GNUC__) && !defined(__clang__) && defined(__FP_FAST_FMAF) && !defined(NKW_CONTRACTION_OFF)
+#define NKW_FUSES
+#define NKW_MUL(a, b) __builtin_fmaf(a, b, -0.0f)
+#else
+#define NKW_MUL(a, b) ((a) * (b))
 #endif
 
 /**
  * NKW_ALGEBRA stands before each prototype of the small algebra: `inline` in a user's file, a plain
  * exported declaration in the one library file that holds the symbols and where NKW_INLINE is 0.
  */
-#if NKW_INLINE && !defined(NKW_DEFINE_ALGEBRA)
+#if NKW_INLINE && !defined(NKW_DEFINE_ALGEBRA) && defined(NKW_FUSES)
+/* GCC weighs a body as if each fma in it were a call. */
+#define NKW_ALGEBRA __attribute__((always_inline)) inline
+#elif NKW_INLINE && !defined(NKW_DEFINE_ALGEBRA)
 #define NKW_ALGEBRA inline
 #else
 #define NKW_ALGEBRA NKW_API

@@ -115,9 +115,9 @@ NKW_API nkw_vec3 nkw_vec3_weigh(nkw_weights weights, nkw_vec3 c0, nkw_vec3 c1, n
  * Error  2.4 u of the largest control value, for t in 0..1.
  * Source Ferguson, Multivariable Curve Interpolation, J. ACM 11, 1964.
  */
-NKW_API float nkw_hermite(float p0, float v0, float p1, float v1, float t);
+NKW_ALGEBRA float nkw_hermite(float p0, float v0, float p1, float v1, float t);
 /** The Hermite curve of vectors, each component as nkw_hermite. */
-NKW_API nkw_vec3 nkw_vec3_hermite(nkw_vec3 p0, nkw_vec3 v0, nkw_vec3 p1, nkw_vec3 v1, float t);
+NKW_ALGEBRA nkw_vec3 nkw_vec3_hermite(nkw_vec3 p0, nkw_vec3 v0, nkw_vec3 p1, nkw_vec3 v1, float t);
 
 /**
  * The cubic Bezier curve. Exactly p0 at t = 0 and p3 at t = 1.
@@ -125,9 +125,9 @@ NKW_API nkw_vec3 nkw_vec3_hermite(nkw_vec3 p0, nkw_vec3 v0, nkw_vec3 p1, nkw_vec
  * Error  2.9 u of the largest control value, for t in 0..1.
  * Source Farin, Curves and Surfaces for CAGD, 5th edition, 2002.
  */
-NKW_API float nkw_bezier(float p0, float p1, float p2, float p3, float t);
+NKW_ALGEBRA float nkw_bezier(float p0, float p1, float p2, float p3, float t);
 /** The cubic Bezier curve of vectors, each component as nkw_bezier. */
-NKW_API nkw_vec3 nkw_vec3_bezier(nkw_vec3 p0, nkw_vec3 p1, nkw_vec3 p2, nkw_vec3 p3, float t);
+NKW_ALGEBRA nkw_vec3 nkw_vec3_bezier(nkw_vec3 p0, nkw_vec3 p1, nkw_vec3 p2, nkw_vec3 p3, float t);
 
 /**
  * The segment of the uniform cubic B-spline between the second and third control value.
@@ -135,9 +135,9 @@ NKW_API nkw_vec3 nkw_vec3_bezier(nkw_vec3 p0, nkw_vec3 p1, nkw_vec3 p2, nkw_vec3
  * Error  2.8 u of the largest control value, for t in 0..1.
  * Source de Boor, A Practical Guide to Splines, 1978.
  */
-NKW_API float nkw_bspline(float p0, float p1, float p2, float p3, float t);
+NKW_ALGEBRA float nkw_bspline(float p0, float p1, float p2, float p3, float t);
 /** The uniform cubic B-spline of vectors, each component as nkw_bspline. */
-NKW_API nkw_vec3 nkw_vec3_bspline(nkw_vec3 p0, nkw_vec3 p1, nkw_vec3 p2, nkw_vec3 p3, float t);
+NKW_ALGEBRA nkw_vec3 nkw_vec3_bspline(nkw_vec3 p0, nkw_vec3 p1, nkw_vec3 p2, nkw_vec3 p3, float t);
 
 /**
  * The uniform Catmull-Rom segment from p1 to p2. Exactly p1 at t = 0 and p2 at t = 1.
@@ -145,9 +145,9 @@ NKW_API nkw_vec3 nkw_vec3_bspline(nkw_vec3 p0, nkw_vec3 p1, nkw_vec3 p2, nkw_vec
  * Error  2.5 u of the largest control value, for t in 0..1.
  * Source Catmull, Rom, A Class of Local Interpolating Splines, 1974.
  */
-NKW_API float nkw_catmull_rom(float p0, float p1, float p2, float p3, float t);
+NKW_ALGEBRA float nkw_catmull_rom(float p0, float p1, float p2, float p3, float t);
 /** The uniform Catmull-Rom segment of vectors, each component as nkw_catmull_rom. */
-NKW_API nkw_vec3 nkw_vec3_catmull_rom(nkw_vec3 p0, nkw_vec3 p1, nkw_vec3 p2, nkw_vec3 p3, float t);
+NKW_ALGEBRA nkw_vec3 nkw_vec3_catmull_rom(nkw_vec3 p0, nkw_vec3 p1, nkw_vec3 p2, nkw_vec3 p3, float t);
 
 /**
  * The Catmull-Rom tangent per second at the middle one of three keys at uneven times: the slope there of the
@@ -256,6 +256,10 @@ NKW_API void nkw_vec3_catmull_rom_at_n(nkw_vec3_view p0, nkw_vec3_view p1, nkw_v
 
 #ifdef __cplusplus
 }
+#endif
+
+#if NKW_INLINE || defined(NKW_DEFINE_ALGEBRA)
+#include "inline/curve.h"
 #endif
 
 #endif

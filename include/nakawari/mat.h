@@ -155,7 +155,7 @@ NKW_API nkw_mat4 nkw_mat4_inverse_affine(const nkw_mat4 *m);
  * The inverse of a rotation and translation: R^T and -R^T t. Wrong where m scales or shears; exact in the
  * rotation.
  */
-NKW_API nkw_mat4 nkw_mat4_inverse_rigid(const nkw_mat4 *m);
+NKW_ALGEBRA nkw_mat4 nkw_mat4_inverse_rigid(const nkw_mat4 *m);
 
 /**
  * The world is written down in four ways. Two layouts, 16 floats each:

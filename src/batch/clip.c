@@ -242,7 +242,7 @@ static inline void hermite_block(const float *a, const float *b, size_t words, f
     const float *p0 = a + words, *v0 = p0 + words, *v1 = b, *p1 = b + words;
 #pragma omp simd
     for (size_t i = 0; i < n; i++)
-        out[i] = lane_hermite(p0[i], duration * v0[i], p1[i], duration * v1[i], t);
+        out[i] = nkw_hermite(p0[i], duration * v0[i], p1[i], duration * v1[i], t);
 }
 
 KERNEL(clip_hermite)

@@ -3,7 +3,52 @@
 #ifndef NAKAWARI_INLINE_MAT_H
 #define NAKAWARI_INLINE_MAT_H
 
+#include <string.h>
+
 #include "../mat.h"
+
+/*
+ * A column of a 4x4 matrix, in a register where the compiler has such: at once in one load, or float by float in
+ * loops. NKW_COLUMN(r, f) is r = f, where f is a formula of terms NKW_TERM(a) = a and NKW_TIMES(a, s) = a s for columns
+ * a and floats s. NKW_COLUMN_END sets the last float, to 0 or 1.
+ *
+ * The library's loops go over many matrices instead, so there a column is four floats.
+ */
+#if defined(__GNUC__) && (defined(__SSE2__) || defined(__aarch64__)) && !defined(NKW_ISA) &&                           \
+    (!defined(NKW_FUSES) || defined(__FMA__) || defined(__FMA4__) || defined(__aarch64__))
+typedef float nkw_column __attribute__((vector_size(16)));
+typedef int nkw_column_bits __attribute__((vector_size(16)));
+#define NKW_COLUMN(r, formula) ((void)(r = (formula)))
+#define NKW_COLUMN_END(r, one)                                                                                         \
+    do {                                                                                                               \
+        const nkw_column_bits keep = {-1, -1, -1, 0}, last = {0, 0, 0, (one) ? 0x3f800000 : 0};                        \
+        r = (nkw_column)(((nkw_column_bits)r & keep) | last);                                                          \
+    } while (0)
+#define NKW_COLUMN_LOAD(r, from) memcpy(&r, from, sizeof r)
+#define NKW_COLUMN_STORE(to, r) memcpy(to, &r, sizeof r)
+#define NKW_TERM(a) (a)
+#define NKW_ALL(s) (__extension__(nkw_column){s, s, s, s})
+#if !defined(NKW_FUSES)
+#define NKW_TIMES(a, s) ((a) * (s))
+#elif defined(__aarch64__)
+#define NKW_TIMES(a, s) __builtin_aarch64_fmav4sf(a, NKW_ALL(s), NKW_ALL(-0.0f))
+#else
+#define NKW_TIMES(a, s) __builtin_ia32_vfmaddps(a, NKW_ALL(s), NKW_ALL(-0.0f))
+#endif
+#else
+typedef float nkw_column[4];
+#define NKW_COLUMN_EACH(statement)                                                                                     \
+    do {                                                                                                               \
+        for (size_t row = 0; row < 4; row++)                                                                           \
+            statement;                                                                                                 \
+    } while (0)
+#define NKW_COLUMN(r, formula) NKW_COLUMN_EACH((r)[row] = (formula))
+#define NKW_COLUMN_END(r, one) ((void)((r)[3] = (one) ? 1.0f : 0.0f))
+#define NKW_COLUMN_LOAD(r, from) NKW_COLUMN_EACH((r)[row] = (from)[row])
+#define NKW_COLUMN_STORE(to, r) NKW_COLUMN_EACH((to)[row] = (r)[row])
+#define NKW_TERM(a) ((a)[row])
+#define NKW_TIMES(a, s) NKW_MUL((a)[row], s)
+#endif
 
 #ifdef __cplusplus
 extern "C" {
@@ -50,7 +95,7 @@ inline nkw_mat3 nkw_mat3_mul(const nkw_mat3 *a, const nkw_mat3 *b)
     for (size_t c = 0; c < 9; c += 3) {
         float u = b->m[c], v = b->m[c + 1], w = b->m[c + 2];
         for (size_t i = 0; i < 3; i++)
-            r.m[c + i] = (p[i] * u + p[3 + i] * v) + p[6 + i] * w;
+            r.m[c + i] = (NKW_MUL(p[i], u) + NKW_MUL(p[3 + i], v)) + NKW_MUL(p[6 + i], w);
     }
     return r;
 }
@@ -60,9 +105,9 @@ inline nkw_vec3 nkw_mat3_transform(const nkw_mat3 *m, nkw_vec3 v)
     NKW_EXACT
     const float *a = m->m;
     nkw_vec3 r = {
-        (a[0] * v.x + a[3] * v.y) + a[6] * v.z,
-        (a[1] * v.x + a[4] * v.y) + a[7] * v.z,
-        (a[2] * v.x + a[5] * v.y) + a[8] * v.z,
+        (NKW_MUL(a[0], v.x) + NKW_MUL(a[3], v.y)) + NKW_MUL(a[6], v.z),
+        (NKW_MUL(a[1], v.x) + NKW_MUL(a[4], v.y)) + NKW_MUL(a[7], v.z),
+        (NKW_MUL(a[2], v.x) + NKW_MUL(a[5], v.y)) + NKW_MUL(a[8], v.z),
     };
     return r;
 }
@@ -70,13 +115,13 @@ inline nkw_vec3 nkw_mat3_transform(const nkw_mat3 *m, nkw_vec3 v)
 inline nkw_mat3 nkw_mat3_from_quat(nkw_quat q)
 {
     NKW_EXACT
-    float xx = q.x * q.x, yy = q.y * q.y, zz = q.z * q.z, ww = q.w * q.w;
-    float xy = q.x * q.y, xz = q.x * q.z, yz = q.y * q.z;
-    float wx = q.w * q.x, wy = q.w * q.y, wz = q.w * q.z;
+    float xx = NKW_MUL(q.x, q.x), yy = NKW_MUL(q.y, q.y), zz = NKW_MUL(q.z, q.z), ww = NKW_MUL(q.w, q.w);
+    float xy = NKW_MUL(q.x, q.y), xz = NKW_MUL(q.x, q.z), yz = NKW_MUL(q.y, q.z);
+    float wx = NKW_MUL(q.w, q.x), wy = NKW_MUL(q.w, q.y), wz = NKW_MUL(q.w, q.z);
     nkw_mat3 r = {{
-        (ww - yy) + (xx - zz), 2.0f * (xy + wz), 2.0f * (xz - wy),
-        2.0f * (xy - wz), (ww - zz) + (yy - xx), 2.0f * (yz + wx),
-        2.0f * (xz + wy), 2.0f * (yz - wx), (ww - xx) + (zz - yy),
+        (ww - yy) + (xx - zz), (xy + wz) + (xy + wz), (xz - wy) + (xz - wy),
+        (xy - wz) + (xy - wz), (ww - zz) + (yy - xx), (yz + wx) + (yz + wx),
+        (xz + wy) + (xz + wy), (yz - wx) + (yz - wx), (ww - xx) + (zz - yy),
     }};
     return r;
 }
@@ -90,10 +135,12 @@ inline nkw_mat4 nkw_mat4_identity(void)
 inline nkw_mat4 nkw_mat4_from_mat3(const nkw_mat3 *m, nkw_vec3 translation)
 {
     const float *a = m->m;
-    nkw_mat4 r = {{
-        a[0], a[1], a[2], 0, a[3], a[4], a[5], 0, a[6], a[7], a[8], 0,
-        translation.x, translation.y, translation.z, 1,
-    }};
+    /* One by one: from braces GCC clears it on the stack first. */
+    nkw_mat4 r;
+    r.m[0] = a[0], r.m[1] = a[1], r.m[2] = a[2], r.m[3] = 0.0f;
+    r.m[4] = a[3], r.m[5] = a[4], r.m[6] = a[5], r.m[7] = 0.0f;
+    r.m[8] = a[6], r.m[9] = a[7], r.m[10] = a[8], r.m[11] = 0.0f;
+    r.m[12] = translation.x, r.m[13] = translation.y, r.m[14] = translation.z, r.m[15] = 1.0f;
     return r;
 }
 
@@ -119,32 +166,70 @@ inline nkw_mat4 nkw_mat4_transpose(const nkw_mat4 *m)
     return r;
 }
 
+/* x b[0] + y b[1] + z b[2] + t b[3] for the columns x, y, z, t; and where b[3] is 0 or 1. */
+#define NKW_WEIGHED(b) ((NKW_TIMES(x, (b)[0]) + NKW_TIMES(y, (b)[1])) + (NKW_TIMES(z, (b)[2]) + NKW_TIMES(t, (b)[3])))
+#define NKW_WEIGHED_0(b) ((NKW_TIMES(x, (b)[0]) + NKW_TIMES(y, (b)[1])) + NKW_TIMES(z, (b)[2]))
+#define NKW_WEIGHED_1(b) ((NKW_TIMES(x, (b)[0]) + NKW_TIMES(y, (b)[1])) + (NKW_TIMES(z, (b)[2]) + NKW_TERM(t)))
+
 inline nkw_mat4 nkw_mat4_mul(const nkw_mat4 *a, const nkw_mat4 *b)
 {
     NKW_EXACT
+    nkw_column x, y, z, t, u, v, w, s;
+    NKW_COLUMN_LOAD(x, a->m);
+    NKW_COLUMN_LOAD(y, a->m + 4);
+    NKW_COLUMN_LOAD(z, a->m + 8);
+    NKW_COLUMN_LOAD(t, a->m + 12);
+    NKW_COLUMN(u, NKW_WEIGHED(b->m));
+    NKW_COLUMN(v, NKW_WEIGHED(b->m + 4));
+    NKW_COLUMN(w, NKW_WEIGHED(b->m + 8));
+    NKW_COLUMN(s, NKW_WEIGHED(b->m + 12));
     nkw_mat4 r;
-    const float *p = a->m;
-    for (size_t c = 0; c < 16; c += 4) {
-        float u = b->m[c], v = b->m[c + 1], w = b->m[c + 2], t = b->m[c + 3];
-        for (size_t i = 0; i < 4; i++)
-            r.m[c + i] = (p[i] * u + p[4 + i] * v) + (p[8 + i] * w + p[12 + i] * t);
-    }
+    NKW_COLUMN_STORE(r.m, u);
+    NKW_COLUMN_STORE(r.m + 4, v);
+    NKW_COLUMN_STORE(r.m + 8, w);
+    NKW_COLUMN_STORE(r.m + 12, s);
     return r;
 }
 
 inline nkw_mat4 nkw_mat4_mul_affine(const nkw_mat4 *a, const nkw_mat4 *b)
 {
     NKW_EXACT
+    nkw_column x, y, z, t, u, v, w, s;
+    NKW_COLUMN_LOAD(x, a->m);
+    NKW_COLUMN_LOAD(y, a->m + 4);
+    NKW_COLUMN_LOAD(z, a->m + 8);
+    NKW_COLUMN_LOAD(t, a->m + 12);
+    NKW_COLUMN(u, NKW_WEIGHED_0(b->m));
+    NKW_COLUMN(v, NKW_WEIGHED_0(b->m + 4));
+    NKW_COLUMN(w, NKW_WEIGHED_0(b->m + 8));
+    NKW_COLUMN(s, NKW_WEIGHED_1(b->m + 12));
+    NKW_COLUMN_END(u, 0);
+    NKW_COLUMN_END(v, 0);
+    NKW_COLUMN_END(w, 0);
+    NKW_COLUMN_END(s, 1);
     nkw_mat4 r;
-    const float *p = a->m;
-    for (size_t c = 0; c < 16; c += 4) {
-        float u = b->m[c], v = b->m[c + 1], w = b->m[c + 2];
-        for (size_t i = 0; i < 3; i++) {
-            float z = c == 12 ? p[8 + i] * w + p[12 + i] : p[8 + i] * w;
-            r.m[c + i] = (p[i] * u + p[4 + i] * v) + z;
-        }
-        r.m[c + 3] = c == 12 ? 1.0f : 0.0f;
-    }
+    NKW_COLUMN_STORE(r.m, u);
+    NKW_COLUMN_STORE(r.m + 4, v);
+    NKW_COLUMN_STORE(r.m + 8, w);
+    NKW_COLUMN_STORE(r.m + 12, s);
+    return r;
+}
+
+inline nkw_mat4 nkw_mat4_inverse_rigid(const nkw_mat4 *m)
+{
+    NKW_EXACT
+    const float *a = m->m;
+    nkw_column x = {a[0], a[4], a[8], a[12]}, y = {a[1], a[5], a[9], a[13]}, z = {a[2], a[6], a[10], a[14]}, t;
+    NKW_COLUMN(t, -NKW_WEIGHED_0(a + 12));
+    NKW_COLUMN_END(x, 0);
+    NKW_COLUMN_END(y, 0);
+    NKW_COLUMN_END(z, 0);
+    NKW_COLUMN_END(t, 1);
+    nkw_mat4 r;
+    NKW_COLUMN_STORE(r.m, x);
+    NKW_COLUMN_STORE(r.m + 4, y);
+    NKW_COLUMN_STORE(r.m + 8, z);
+    NKW_COLUMN_STORE(r.m + 12, t);
     return r;
 }
 
@@ -153,9 +238,9 @@ inline nkw_vec3 nkw_mat4_transform_point(const nkw_mat4 *m, nkw_vec3 p)
     NKW_EXACT
     const float *a = m->m;
     nkw_vec3 r = {
-        (a[0] * p.x + a[4] * p.y) + (a[8] * p.z + a[12]),
-        (a[1] * p.x + a[5] * p.y) + (a[9] * p.z + a[13]),
-        (a[2] * p.x + a[6] * p.y) + (a[10] * p.z + a[14]),
+        (NKW_MUL(a[0], p.x) + NKW_MUL(a[4], p.y)) + (NKW_MUL(a[8], p.z) + a[12]),
+        (NKW_MUL(a[1], p.x) + NKW_MUL(a[5], p.y)) + (NKW_MUL(a[9], p.z) + a[13]),
+        (NKW_MUL(a[2], p.x) + NKW_MUL(a[6], p.y)) + (NKW_MUL(a[10], p.z) + a[14]),
     };
     return r;
 }
@@ -165,9 +250,9 @@ inline nkw_vec3 nkw_mat4_transform_direction(const nkw_mat4 *m, nkw_vec3 d)
     NKW_EXACT
     const float *a = m->m;
     nkw_vec3 r = {
-        (a[0] * d.x + a[4] * d.y) + a[8] * d.z,
-        (a[1] * d.x + a[5] * d.y) + a[9] * d.z,
-        (a[2] * d.x + a[6] * d.y) + a[10] * d.z,
+        (NKW_MUL(a[0], d.x) + NKW_MUL(a[4], d.y)) + NKW_MUL(a[8], d.z),
+        (NKW_MUL(a[1], d.x) + NKW_MUL(a[5], d.y)) + NKW_MUL(a[9], d.z),
+        (NKW_MUL(a[2], d.x) + NKW_MUL(a[6], d.y)) + NKW_MUL(a[10], d.z),
     };
     return r;
 }

@@ -6,6 +6,11 @@
 #include "../quat.h"
 #include "../vec.h"
 
+/* 1 - |q|^2 of a nearly unit q. Each difference is small, so nothing large is rounded. */
+#define NKW_QUAT_DEFECT(q)                                                                                             \
+    (((0.25f - NKW_MUL((q).x, (q).x)) + (0.25f - NKW_MUL((q).y, (q).y))) +                                             \
+     ((0.25f - NKW_MUL((q).z, (q).z)) + (0.25f - NKW_MUL((q).w, (q).w))))
+
 #ifdef __cplusplus
 extern "C" {
 #endif
@@ -30,26 +35,26 @@ inline nkw_quat nkw_quat_sub(nkw_quat a, nkw_quat b)
 
 inline nkw_quat nkw_quat_scale(nkw_quat a, float s)
 {
-    nkw_quat r = {a.x * s, a.y * s, a.z * s, a.w * s};
+    nkw_quat r = {NKW_MUL(a.x, s), NKW_MUL(a.y, s), NKW_MUL(a.z, s), NKW_MUL(a.w, s)};
     return r;
 }
 
 inline nkw_quat nkw_quat_negate(nkw_quat q)
 {
-    nkw_quat r = {-q.x, -q.y, -q.z, -q.w};
+    nkw_quat r = {NKW_MUL(-1.0f, q.x), NKW_MUL(-1.0f, q.y), NKW_MUL(-1.0f, q.z), NKW_MUL(-1.0f, q.w)};
     return r;
 }
 
 inline nkw_quat nkw_quat_conjugate(nkw_quat q)
 {
-    nkw_quat r = {-q.x, -q.y, -q.z, q.w};
+    nkw_quat r = {NKW_MUL(-1.0f, q.x), NKW_MUL(-1.0f, q.y), NKW_MUL(-1.0f, q.z), q.w};
     return r;
 }
 
 inline float nkw_quat_dot(nkw_quat a, nkw_quat b)
 {
     NKW_EXACT
-    return (a.x * b.x + a.y * b.y) + (a.z * b.z + a.w * b.w);
+    return (NKW_MUL(a.x, b.x) + NKW_MUL(a.y, b.y)) + (NKW_MUL(a.z, b.z) + NKW_MUL(a.w, b.w));
 }
 
 inline int nkw_quat_is_finite(nkw_quat q)
@@ -62,10 +67,10 @@ inline nkw_quat nkw_quat_mul(nkw_quat a, nkw_quat b)
 {
     NKW_EXACT
     nkw_quat r = {
-        (a.x * b.w - a.z * b.y) + (a.y * b.z + a.w * b.x),
-        (a.y * b.w - a.x * b.z) + (a.z * b.x + a.w * b.y),
-        (a.z * b.w - a.y * b.x) + (a.x * b.y + a.w * b.z),
-        (a.w * b.w - a.x * b.x) - (a.z * b.z + a.y * b.y),
+        (NKW_MUL(a.x, b.w) - NKW_MUL(a.z, b.y)) + (NKW_MUL(a.y, b.z) + NKW_MUL(a.w, b.x)),
+        (NKW_MUL(a.y, b.w) - NKW_MUL(a.x, b.z)) + (NKW_MUL(a.z, b.x) + NKW_MUL(a.w, b.y)),
+        (NKW_MUL(a.z, b.w) - NKW_MUL(a.y, b.x)) + (NKW_MUL(a.x, b.y) + NKW_MUL(a.w, b.z)),
+        (NKW_MUL(a.w, b.w) - NKW_MUL(a.x, b.x)) - (NKW_MUL(a.z, b.z) + NKW_MUL(a.y, b.y)),
     };
     return r;
 }

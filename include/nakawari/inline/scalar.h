@@ -3,6 +3,9 @@
 #ifndef NAKAWARI_INLINE_SCALAR_H
 #define NAKAWARI_INLINE_SCALAR_H
 
+#include <stdint.h>
+#include <string.h>
+
 #include "../scalar.h"
 
 #ifdef __cplusplus
@@ -27,6 +30,17 @@ inline float nkw_max(float a, float b)
     return a > b ? a : b;
 }
 
+inline float nkw_select(int first, float a, float b)
+{
+    uint32_t x, y, mask = 0u - (uint32_t)(first != 0);
+    float r;
+    memcpy(&x, &a, sizeof x);
+    memcpy(&y, &b, sizeof y);
+    x = y ^ ((x ^ y) & mask);
+    memcpy(&r, &x, sizeof r);
+    return r;
+}
+
 inline float nkw_clamp(float x, float low, float high)
 {
     NKW_EXACT
@@ -45,7 +59,7 @@ inline float nkw_lerp(float a, float b, float t)
     /* The nearer end, and how far from it: selected before they are used, so that compilers need no branch. */
     int first = t < 0.5f;
     float end = first ? a : b, x = first ? t : t - 1.0f;
-    float inside = end + x * (b - a);
+    float inside = end + NKW_MUL(x, b - a);
     return x == 0.0f ? end : inside;
 }
 
@@ -67,7 +81,8 @@ inline float nkw_smoothstep(float t)
     NKW_EXACT
     float s = nkw_saturate(t);
     float u = 1.0f - s;
-    return s < 0.5f ? s * s * (3.0f - 2.0f * s) : 1.0f - u * u * (3.0f - 2.0f * u);
+    float ss = NKW_MUL(s, s), uu = NKW_MUL(u, u);
+    return s < 0.5f ? NKW_MUL(ss, 3.0f - (s + s)) : 1.0f - NKW_MUL(uu, 3.0f - (u + u));
 }
 
 inline float nkw_degrees_from_radians(float radians)

@@ -23,11 +23,11 @@ inline nkw_mat3 nkw_mat3_from_quat_scale(nkw_quat q, nkw_vec3 s)
     NKW_EXACT
     nkw_mat3 r = nkw_mat3_from_quat(q);
     /* The rounding of |q| shows in the matrix twice over; 1 - |q|^2 takes it out. */
-    float m = ((0.25f - q.x * q.x) + (0.25f - q.y * q.y)) + ((0.25f - q.z * q.z) + (0.25f - q.w * q.w));
+    float m = NKW_QUAT_DEFECT(q);
     for (size_t i = 0; i < 3; i++) {
-        r.m[i] = (r.m[i] + r.m[i] * m) * s.x;
-        r.m[3 + i] = (r.m[3 + i] + r.m[3 + i] * m) * s.y;
-        r.m[6 + i] = (r.m[6 + i] + r.m[6 + i] * m) * s.z;
+        r.m[i] = NKW_MUL(r.m[i] + NKW_MUL(r.m[i], m), s.x);
+        r.m[3 + i] = NKW_MUL(r.m[3 + i] + NKW_MUL(r.m[3 + i], m), s.y);
+        r.m[6 + i] = NKW_MUL(r.m[6 + i] + NKW_MUL(r.m[6 + i], m), s.z);
     }
     return r;
 }

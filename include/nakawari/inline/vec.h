@@ -30,26 +30,26 @@ inline nkw_vec3 nkw_vec3_sub(nkw_vec3 a, nkw_vec3 b)
 
 inline nkw_vec3 nkw_vec3_negate(nkw_vec3 a)
 {
-    nkw_vec3 r = {-a.x, -a.y, -a.z};
+    nkw_vec3 r = {NKW_MUL(-1.0f, a.x), NKW_MUL(-1.0f, a.y), NKW_MUL(-1.0f, a.z)};
     return r;
 }
 
 inline nkw_vec3 nkw_vec3_scale(nkw_vec3 a, float s)
 {
-    nkw_vec3 r = {a.x * s, a.y * s, a.z * s};
+    nkw_vec3 r = {NKW_MUL(a.x, s), NKW_MUL(a.y, s), NKW_MUL(a.z, s)};
     return r;
 }
 
 inline nkw_vec3 nkw_vec3_mul(nkw_vec3 a, nkw_vec3 b)
 {
-    nkw_vec3 r = {a.x * b.x, a.y * b.y, a.z * b.z};
+    nkw_vec3 r = {NKW_MUL(a.x, b.x), NKW_MUL(a.y, b.y), NKW_MUL(a.z, b.z)};
     return r;
 }
 
 inline nkw_vec3 nkw_vec3_add_scaled(nkw_vec3 a, nkw_vec3 b, float s)
 {
     NKW_EXACT
-    nkw_vec3 r = {a.x + b.x * s, a.y + b.y * s, a.z + b.z * s};
+    nkw_vec3 r = {a.x + NKW_MUL(b.x, s), a.y + NKW_MUL(b.y, s), a.z + NKW_MUL(b.z, s)};
     return r;
 }
 
@@ -68,13 +68,17 @@ inline nkw_vec3 nkw_vec3_max(nkw_vec3 a, nkw_vec3 b)
 inline float nkw_vec3_dot(nkw_vec3 a, nkw_vec3 b)
 {
     NKW_EXACT
-    return (a.x * b.x + a.y * b.y) + a.z * b.z;
+    return (NKW_MUL(a.x, b.x) + NKW_MUL(a.y, b.y)) + NKW_MUL(a.z, b.z);
 }
 
 inline nkw_vec3 nkw_vec3_cross(nkw_vec3 a, nkw_vec3 b)
 {
     NKW_EXACT
-    nkw_vec3 r = {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
+    nkw_vec3 r = {
+        NKW_MUL(a.y, b.z) - NKW_MUL(a.z, b.y),
+        NKW_MUL(a.z, b.x) - NKW_MUL(a.x, b.z),
+        NKW_MUL(a.x, b.y) - NKW_MUL(a.y, b.x),
+    };
     return r;
 }
 
@@ -91,7 +95,7 @@ inline nkw_vec3 nkw_vec3_lerp(nkw_vec3 a, nkw_vec3 b, float t)
 
 inline nkw_vec3 nkw_vec3_reflect(nkw_vec3 a, nkw_vec3 n)
 {
-    return nkw_vec3_add_scaled(a, n, -2.0f * nkw_vec3_dot(a, n));
+    return nkw_vec3_add_scaled(a, n, NKW_MUL(-2.0f, nkw_vec3_dot(a, n)));
 }
 
 inline int nkw_vec3_is_finite(nkw_vec3 a)

@@ -1,0 +1,120 @@
+/* SPDX-License-Identifier: MIT */
+/* The curves of curve.h, once: inlined into the caller, and compiled into the library as symbols. */
+#ifndef NAKAWARI_INLINE_CURVE_H
+#define NAKAWARI_INLINE_CURVE_H
+
+#include "../curve.h"
+#include "../scalar.h"
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/*
+ * The curves look from the end nearer to t: x is the way from there, y = 1 - x, a and b the near and the far end.
+ * From t = 1/2 on the controls are mirrored; 1 - t is then exact. At x = 0 the end comes back as it is, the sign of
+ * a zero too.
+ */
+
+/* With the chord f = b - a and the tangents u, v: p = a + x (f + y (y (u - f) - x (v - f))). */
+inline float nkw_hermite(float p0, float v0, float p1, float v1, float t)
+{
+    NKW_EXACT
+    int first = t < 0.5f;
+    float s = 1.0f - t;
+    float x = first ? t : s, y = first ? s : t;
+    float a = first ? p0 : p1, b = first ? p1 : p0;
+    float n0 = NKW_MUL(-1.0f, v0), n1 = NKW_MUL(-1.0f, v1);
+    float u = first ? v0 : n1, v = first ? v1 : n0;
+    float f = b - a;
+    float w = f + NKW_MUL(y, NKW_MUL(y, u - f) - NKW_MUL(x, v - f));
+    return nkw_select(x == 0.0f, a, a + NKW_MUL(x, w));
+}
+
+/* De Casteljau's triangle on the distances from the control point of largest weight. */
+inline float nkw_bezier(float p0, float p1, float p2, float p3, float t)
+{
+    NKW_EXACT
+    int first = t < 0.5f;
+    float s = 1.0f - t, x = t < s ? t : s;
+    float a = first ? p0 : p3, b = first ? p1 : p2, c = first ? p2 : p1, d = first ? p3 : p0;
+    float o = x < 0.25f ? a : b;
+    float d0 = a - o, d1 = b - o, d2 = c - o, d3 = d - o;
+    float q0 = d0 + NKW_MUL(x, d1 - d0), q1 = d1 + NKW_MUL(x, d2 - d1), q2 = d2 + NKW_MUL(x, d3 - d2);
+    float r0 = q0 + NKW_MUL(x, q1 - q0), r1 = q1 + NKW_MUL(x, q2 - q1);
+    return nkw_select(x == 0.0f, a, o + (r0 + NKW_MUL(x, r1 - r0)));
+}
+
+/* With f = b - a and the second differences h and m at the ends: p = a + (x f + (y^3 h + x^3 m)/6). */
+inline float nkw_bspline(float p0, float p1, float p2, float p3, float t)
+{
+    NKW_EXACT
+    int first = t < 0.5f;
+    float s = 1.0f - t;
+    float x = first ? t : s, y = first ? s : t;
+    float a = first ? p1 : p2, b = first ? p2 : p1, c = first ? p0 : p3, d = first ? p3 : p0;
+    float f = b - a;
+    float h = f + (c - a), m = (d - b) - f;
+    float xx = NKW_MUL(x, x), yy = (1.0f - (x + x)) + xx;
+    return a + (NKW_MUL(x, f) + (NKW_MUL(NKW_MUL(yy, y), h) + NKW_MUL(NKW_MUL(xx, x), m)) / 6.0f);
+}
+
+/* The same letters: Hermite with the tangents (b - c)/2 and (d - a)/2 is p = a + x (f - y (y h + x m)/2). */
+inline float nkw_catmull_rom(float p0, float p1, float p2, float p3, float t)
+{
+    NKW_EXACT
+    int first = t < 0.5f;
+    float s = 1.0f - t;
+    float x = first ? t : s, y = first ? s : t;
+    float a = first ? p1 : p2, b = first ? p2 : p1, c = first ? p0 : p3, d = first ? p3 : p0;
+    float f = b - a;
+    float h = f + (c - a), m = (d - b) - f;
+    float w = f - NKW_MUL(NKW_MUL(0.5f, y), NKW_MUL(y, h) + NKW_MUL(x, m));
+    return nkw_select(x == 0.0f, a, a + NKW_MUL(x, w));
+}
+
+inline nkw_vec3 nkw_vec3_hermite(nkw_vec3 p0, nkw_vec3 v0, nkw_vec3 p1, nkw_vec3 v1, float t)
+{
+    nkw_vec3 r = {
+        nkw_hermite(p0.x, v0.x, p1.x, v1.x, t),
+        nkw_hermite(p0.y, v0.y, p1.y, v1.y, t),
+        nkw_hermite(p0.z, v0.z, p1.z, v1.z, t),
+    };
+    return r;
+}
+
+inline nkw_vec3 nkw_vec3_bezier(nkw_vec3 p0, nkw_vec3 p1, nkw_vec3 p2, nkw_vec3 p3, float t)
+{
+    nkw_vec3 r = {
+        nkw_bezier(p0.x, p1.x, p2.x, p3.x, t),
+        nkw_bezier(p0.y, p1.y, p2.y, p3.y, t),
+        nkw_bezier(p0.z, p1.z, p2.z, p3.z, t),
+    };
+    return r;
+}
+
+inline nkw_vec3 nkw_vec3_bspline(nkw_vec3 p0, nkw_vec3 p1, nkw_vec3 p2, nkw_vec3 p3, float t)
+{
+    nkw_vec3 r = {
+        nkw_bspline(p0.x, p1.x, p2.x, p3.x, t),
+        nkw_bspline(p0.y, p1.y, p2.y, p3.y, t),
+        nkw_bspline(p0.z, p1.z, p2.z, p3.z, t),
+    };
+    return r;
+}
+
+inline nkw_vec3 nkw_vec3_catmull_rom(nkw_vec3 p0, nkw_vec3 p1, nkw_vec3 p2, nkw_vec3 p3, float t)
+{
+    nkw_vec3 r = {
+        nkw_catmull_rom(p0.x, p1.x, p2.x, p3.x, t),
+        nkw_catmull_rom(p0.y, p1.y, p2.y, p3.y, t),
+        nkw_catmull_rom(p0.z, p1.z, p2.z, p3.z, t),
+    };
+    return r;
+}
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif
