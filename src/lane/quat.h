@@ -265,10 +265,10 @@ static inline float lane_quat_defect(nkw_quat k)
     return ((0.25f - k.x * k.x) + (0.25f - k.y * k.y)) + ((0.25f - k.z * k.z) + (0.25f - k.w * k.w));
 }
 
-/* k = v / |v| rounded, |v|^2 = n2 neither small nor large, then one step of Newton: k + k (1 - |k|^2)/2. */
-static inline nkw_quat lane_quat_normalize_near(nkw_quat v, float n2)
+/* k = v / length rounded, then one step of Newton: k + k (1 - |k|^2)/2. */
+static inline nkw_quat lane_quat_normalize_by(nkw_quat v, float length)
 {
-    nkw_quat k = nkw_quat_scale(v, n2 == 0.0f ? 1.0f : 1.0f / sqrtf(n2));
+    nkw_quat k = nkw_quat_scale(v, 1.0f / length);
     return nkw_quat_add(k, nkw_quat_scale(nkw_quat_scale(k, 0.5f), lane_quat_defect(k)));
 }
 
@@ -276,8 +276,9 @@ static inline nkw_quat lane_quat_normalize(nkw_quat q)
 {
     nkw_quat v = nkw_quat_scale(q, lane_rescue(nkw_quat_dot(q, q)));
     float n2 = nkw_quat_dot(v, v);
-    v.w = n2 == 0.0f ? 1.0f : v.w;
-    return lane_quat_normalize_near(v, n2);
+    nkw_quat k = lane_quat_normalize_by(v, sqrtf(n2 + FLT_MIN));
+    k.w = n2 == 0.0f ? 1.0f : k.w;
+    return k;
 }
 
 /*
