@@ -163,18 +163,13 @@ LANE_FLAT nkw_mat4 nkw_mat4_inverse_affine(const nkw_mat4 *m)
 {
     const float *a = m->m;
     lane_wvec3 x = {a[0], a[1], a[2]}, y = {a[4], a[5], a[6]}, z = {a[8], a[9], a[10]}, t = {a[12], a[13], a[14]};
-    lane_wvec3 u = lane_wvec3_cross(y, z), v = lane_wvec3_cross(z, x), w = lane_wvec3_cross(x, y);
-    double r = lane_reciprocal_or_zero(lane_wvec3_dot(x, u));
-    nkw_mat4 none = {{0.0f}};
+    double det = lane_wvec3_dot(x, lane_wvec3_cross(y, z)), r = lane_reciprocal_or_zero(det), columns[16];
+    nkw_mat4 result = {{0.0f}};
     if (r == 0.0)
-        return none;
-    lane_wvec3 back = {-lane_wvec3_dot(u, t), -lane_wvec3_dot(v, t), -lane_wvec3_dot(w, t)};
-    nkw_mat4 result = {{
-        (float)(u.x * r), (float)(v.x * r), (float)(w.x * r), 0.0f,
-        (float)(u.y * r), (float)(v.y * r), (float)(w.y * r), 0.0f,
-        (float)(u.z * r), (float)(v.z * r), (float)(w.z * r), 0.0f,
-        (float)(back.x * r), (float)(back.y * r), (float)(back.z * r), 1.0f,
-    }};
+        return result;
+    lane_adjugate_affine(x, y, z, t, det, columns);
+    for (size_t i = 0; i < 16; i++)
+        result.m[i] = (float)(columns[i] * r);
     return result;
 }
 

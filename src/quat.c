@@ -20,7 +20,9 @@ nkw_quat nkw_quat_normalize(nkw_quat q)
 {
     nkw_quat v = lane_quat_argument(q);
     float n2 = nkw_quat_dot(v, v);
-    return lane_needs_no_rescue(n2) ? lane_quat_normalize_by(v, sqrtf(n2)) : normalize_any(q);
+    if (!lane_needs_no_rescue(n2))
+        return normalize_any(q);
+    return lane_quat_normalize_by(v, sqrtf(n2));
 }
 
 nkw_quat nkw_quat_inverse(nkw_quat q)

@@ -23,7 +23,9 @@ LANE_SELDOM static nkw_vec3 normalize_any(nkw_vec3 a)
 nkw_vec3 nkw_vec3_normalize(nkw_vec3 a)
 {
     float n2 = nkw_vec3_dot(a, a);
-    return lane_needs_no_rescue(n2) ? lane_vec3_normalize_by(a, sqrtf(n2)) : normalize_any(a);
+    if (!lane_needs_no_rescue(n2))
+        return normalize_any(a);
+    return lane_vec3_normalize_by(a, sqrtf(n2));
 }
 
 float nkw_vec3_angle(nkw_vec3 a, nkw_vec3 b)

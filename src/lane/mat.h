@@ -206,4 +206,31 @@ static inline lane_laplace lane_adjugate(const double a[16], double out[16])
 }
 #endif
 
+/*
+ * The columns of the adjugate of x y z, and -adjugate t; the fourth row is 0 0 0 1 after the division by det, which gives
+ * its sign to these zeros as well.
+ */
+static inline void lane_adjugate_affine(lane_wvec3 x, lane_wvec3 y, lane_wvec3 z, lane_wvec3 t, double det,
+                                        double out[16])
+{
+    lane_wvec3 w = lane_wvec3_cross(x, y);
+    double none = 0.0 * det;
+#if defined(LANE_TWO)
+    lane_two ax = lane_two_of(y.x, z.x), ay = lane_two_of(y.y, z.y), az = lane_two_of(y.z, z.z);
+    lane_two bx = lane_two_of(z.x, x.x), by = lane_two_of(z.y, x.y), bz = lane_two_of(z.z, x.z);
+    lane_two ux = ay * bz - az * by, uy = az * bx - ax * bz, uz = ax * by - ay * bx;
+    const lane_two columns[8] = {
+        ux, lane_two_of(w.x, none), uy, lane_two_of(w.y, none), uz, lane_two_of(w.z, none),
+        -((ux * t.x + uy * t.y) + uz * t.z), lane_two_of(-lane_wvec3_dot(w, t), det),
+    };
+#else
+    lane_wvec3 u = lane_wvec3_cross(y, z), v = lane_wvec3_cross(z, x);
+    const double columns[16] = {
+        u.x, v.x, w.x, none, u.y, v.y, w.y, none, u.z, v.z, w.z, none,
+        -lane_wvec3_dot(u, t), -lane_wvec3_dot(v, t), -lane_wvec3_dot(w, t), det,
+    };
+#endif
+    memcpy(out, columns, sizeof columns);
+}
+
 #endif

@@ -114,7 +114,7 @@ static inline float lane_vec3_defect(nkw_vec3 k)
 static inline nkw_vec3 lane_vec3_normalize_by(nkw_vec3 v, float length)
 {
     nkw_vec3 k = nkw_vec3_scale(v, 1.0f / length);
-    return nkw_vec3_add_scaled(k, k, 0.5f * lane_vec3_defect(k));
+    return nkw_vec3_add_scaled(k, nkw_vec3_scale(k, 0.5f), lane_vec3_defect(k));
 }
 
 static inline nkw_vec3 lane_vec3_normalize(nkw_vec3 a)
