@@ -7,43 +7,58 @@
 #include "lane/euler.h"
 #include "lane/mat.h"
 
-static nkw_vec3 narrow(const double angles[3])
+LANE_SELDOM static lane_wquat far_rotation(const double half[3], double e)
 {
-    nkw_vec3 r = {(float)angles[0], (float)angles[1], (float)angles[2]};
-    return r;
+    return lane_wquat_from_half_angles(half[0], half[1], half[2], e);
 }
 
-static lane_wquat rotation_of(nkw_vec3 angles, nkw_euler_order order)
+static inline lane_wquat rotation_of(nkw_vec3 angles, nkw_euler_order order)
 {
-    double wide[3] = {angles.x, angles.y, angles.z};
-    return lane_wquat_from_euler(wide, lane_euler_axes_of(order));
+    const lane_euler_axes *o = lane_euler_axes_of(order);
+    const float a[3] = {angles.x, angles.y, angles.z};
+    const double half[3] = {0.5 * (double)a[o->i], 0.5 * (double)a[o->j], 0.5 * (double)a[o->k]};
+    double n2 = (half[0] * half[0] + half[1] * half[1]) + half[2] * half[2];
+    lane_wquat p = n2 < LANE_NEAR * LANE_NEAR ? lane_wquat_from_near_half_angles(half[0], half[1], half[2], o->e)
+                                              : far_rotation(half, o->e);
+    lane_wvec3 v = lane_euler_in_place(p.x, p.y, p.z, o);
+    lane_wquat q = {v.x, v.y, v.z, p.w};
+    return q;
 }
 
-nkw_quat nkw_quat_from_euler(nkw_vec3 angles, nkw_euler_order order)
+LANE_FLAT nkw_quat nkw_quat_from_euler(nkw_vec3 angles, nkw_euler_order order)
 {
     return lane_quat_from_wide(rotation_of(angles, order));
 }
 
-nkw_mat3 nkw_mat3_from_euler(nkw_vec3 angles, nkw_euler_order order)
+LANE_FLAT nkw_mat3 nkw_mat3_from_euler(nkw_vec3 angles, nkw_euler_order order)
 {
     lane_wmat3 m = lane_wmat3_from_wquat(rotation_of(angles, order));
     return lane_mat3_from_wide(&m, 1.0);
 }
 
-nkw_vec3 nkw_euler_from_quat(nkw_quat q, nkw_euler_order order)
+/* A length that is far from 1. Zero gives the identity. */
+LANE_SELDOM static lane_wquat rescued(lane_wquat q)
 {
-    double angles[3];
-    lane_wquat unit = lane_wquat_positive(lane_wquat_normalize(lane_wquat_from(q)));
-    lane_euler_from_wquat(unit, lane_euler_axes_of(order), angles);
-    return narrow(angles);
+    return lane_wquat_normalize(q);
 }
 
-nkw_vec3 nkw_euler_from_mat3(const nkw_mat3 *m, nkw_euler_order order)
+LANE_FLAT nkw_vec3 nkw_euler_from_quat(nkw_quat q, nkw_euler_order order)
 {
-    double angles[3];
+    lane_wquat w = lane_wquat_from(lane_quat_argument(q));
+    double n2 = lane_wquat_dot(w, w);
+    if (!(n2 > 0x1p-20 && n2 < 0x1p20))
+        w = rescued(w);
+    return lane_vec3_from_wide(lane_euler_from_wquat(lane_wquat_positive(w), lane_euler_axes_of(order)));
+}
+
+LANE_FLAT nkw_vec3 nkw_euler_from_mat3(const nkw_mat3 *m, nkw_euler_order order)
+{
     lane_wmat3 w = lane_wmat3_from(m);
-    lane_euler_from_wquat(lane_wquat_from_wmat3(&w, LANE_NEAREST_STEPS), lane_euler_axes_of(order), angles);
-    return narrow(angles);
+    lane_wform k = lane_wform_from_wmat3(&w);
+    lane_wquat q = lane_wform_dominant_single(&k, LANE_NEAREST_STEPS);
+    if (!(lane_wquat_dot(q, q) < 0x1p20))
+        q = rescued(q);
+    return lane_vec3_from_wide(lane_euler_from_wquat(q, lane_euler_axes_of(order)));
 }
 
 nkw_vec3 nkw_euler_unwrap(nkw_vec3 angles, nkw_vec3 reference)

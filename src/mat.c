@@ -83,7 +83,7 @@ float nkw_mat4_determinant(const nkw_mat4 *m)
     double a[16];
     widen(m, a);
     lane_minors s = lane_minors_of(a, a + 4), c = lane_minors_of(a + 8, a + 12);
-    return (float)lane_minors_determinant(&s, &c);
+    return (float)lane_minors_determinant(&s, &c).determinant;
 }
 
 /* Swaps line k of a | b with the line below it whose element k is largest. */
@@ -132,59 +132,45 @@ static int eliminate(const double m[16], double out[16])
     return 1;
 }
 
-/* The adjugate and the determinant. Lines are the matrix's columns, as above. */
-static double adjugate(const double a[16], double out[16], double *magnitude)
+/* Cofactors lose log2(magnitude / |det|) bits, of 29 to spare; when 50 are lost the determinant is rounding. */
+LANE_SELDOM static nkw_mat4 inverse_of_cancelling(const nkw_mat4 *m, lane_laplace by)
 {
-    lane_minors s = lane_minors_of(a, a + 4), c = lane_minors_of(a + 8, a + 12);
-    double t[16];
-    lane_adjugate_line(a + 4, &c, 1.0, t);
-    lane_adjugate_line(a, &c, -1.0, t + 4);
-    lane_adjugate_line(a + 12, &s, 1.0, t + 8);
-    lane_adjugate_line(a + 8, &s, -1.0, t + 12);
+    nkw_mat4 result = {{0.0f}};
+    double a[16], inverse[16];
+    widen(m, a);
+    if (lane_abs64(by.determinant) <= by.magnitude * 0x1p-50 || !eliminate(a, inverse))
+        return result;
     for (size_t i = 0; i < 16; i++)
-        out[i] = t[i % 4 * 4 + i / 4];
-    *magnitude = lane_minors_magnitude(&s, &c);
-    return lane_minors_determinant(&s, &c);
+        result.m[i] = (float)inverse[i];
+    return result;
 }
 
-nkw_mat4 nkw_mat4_inverse(const nkw_mat4 *m)
+LANE_FLAT nkw_mat4 nkw_mat4_inverse(const nkw_mat4 *m)
 {
-    double a[16], inverse[16], magnitude;
+    double a[16], inverse[16];
     widen(m, a);
-    double det = adjugate(a, inverse, &magnitude);
-    double r = lane_reciprocal_or_zero(det);
-    double size = det < 0.0 ? -det : det;
-    /* Cofactors lose log2(magnitude / |det|) bits, of 29 to spare; when 50 are lost the determinant is rounding. */
-    if (size <= magnitude * 0x1p-50)
-        r = 0.0;
-    else if (!(size > magnitude * 0x1p-12))
-        r = eliminate(a, inverse) ? 1.0 : 0.0;
-    nkw_mat4 result = {{0.0f}};
-    if (r == 0.0)
-        return result;
+    lane_laplace by = lane_adjugate(a, inverse);
+    if (!(lane_abs64(by.determinant) > by.magnitude * 0x1p-12))
+        return inverse_of_cancelling(m, by);
+    double r = 1.0 / by.determinant;
+    nkw_mat4 result;
     for (size_t i = 0; i < 16; i++)
         result.m[i] = (float)(inverse[i] * r);
     return result;
 }
 
-nkw_mat4 nkw_mat4_inverse_affine(const nkw_mat4 *m)
+LANE_FLAT nkw_mat4 nkw_mat4_inverse_affine(const nkw_mat4 *m)
 {
-    lane_wmat3 w = lane_wmat3_from_mat4(m);
-    lane_wmat3 c = lane_wmat3_cofactors(&w);
-    double r = lane_reciprocal_or_zero(lane_wmat3_determinant(&w, &c));
-    if (r == 0.0) {
-        nkw_mat4 none = {{0.0f}};
-        return none;
-    }
-    lane_wmat3 adjugate = lane_wmat3_transpose(&c);
-    lane_wvec3 t = {m->m[12], m->m[13], m->m[14]};
-    nkw_vec3 translation = {
-        (float)(-r * lane_wvec3_dot(lane_wmat3_column(&c, 0), t)),
-        (float)(-r * lane_wvec3_dot(lane_wmat3_column(&c, 1), t)),
-        (float)(-r * lane_wvec3_dot(lane_wmat3_column(&c, 2), t)),
-    };
-    nkw_mat3 linear = lane_mat3_from_wide(&adjugate, r);
-    return nkw_mat4_from_mat3(&linear, translation);
+    const float *a = m->m;
+    lane_wvec3 x = {a[0], a[1], a[2]}, y = {a[4], a[5], a[6]}, z = {a[8], a[9], a[10]}, t = {a[12], a[13], a[14]};
+    double det = lane_wvec3_dot(x, lane_wvec3_cross(y, z)), r = lane_reciprocal_or_zero(det), columns[16];
+    nkw_mat4 result = {{0.0f}};
+    if (r == 0.0)
+        return result;
+    lane_adjugate_affine(x, y, z, t, det, columns);
+    for (size_t i = 0; i < 16; i++)
+        result.m[i] = (float)(columns[i] * r);
+    return result;
 }
 
 nkw_mat4 nkw_mat4_from_row_major(const float rows[16])

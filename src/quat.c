@@ -11,9 +11,18 @@ float nkw_quat_length(nkw_quat q)
     return (float)lane_sqrt64(lane_wquat_dot(w, w));
 }
 
+LANE_SELDOM static nkw_quat normalize_any(nkw_quat q)
+{
+    return lane_quat_normalize(q);
+}
+
 nkw_quat nkw_quat_normalize(nkw_quat q)
 {
-    return lane_quat_normalize(lane_quat_argument(q));
+    nkw_quat v = lane_quat_argument(q);
+    float n2 = nkw_quat_dot(v, v);
+    if (!lane_needs_no_rescue(n2))
+        return normalize_any(q);
+    return lane_quat_normalize_by(v, sqrtf(n2));
 }
 
 nkw_quat nkw_quat_inverse(nkw_quat q)
@@ -64,12 +73,25 @@ nkw_quat nkw_quat_look_rotation(nkw_vec3 forward, nkw_vec3 up)
     return lane_quat_from_wide(lane_wquat_from_wmat3(&m, 0));
 }
 
-nkw_quat nkw_quat_from_mat3(const nkw_mat3 *m)
+LANE_SELDOM static nkw_quat from_any_matrix(const nkw_mat3 *m)
 {
     lane_wmat3 w;
     for (size_t i = 0; i < 9; i++)
         w.m[i] = m->m[i];
     return lane_quat_from_wide(lane_wquat_from_wmat3(&w, LANE_NEAREST_STEPS));
+}
+
+LANE_FLAT nkw_quat nkw_quat_from_mat3(const nkw_mat3 *m)
+{
+    lane_wmat3 w;
+    for (size_t i = 0; i < 9; i++)
+        w.m[i] = m->m[i];
+    lane_wform k = lane_wform_from_wmat3(&w);
+    lane_wquat q = lane_wform_dominant_single(&k, LANE_NEAREST_STEPS);
+    double n2 = lane_wquat_dot(q, q);
+    if (!lane_root_is_near(n2))
+        return from_any_matrix(m);
+    return lane_quat_from_wide(lane_wquat_scale(q, lane_rsqrt64_near(n2)));
 }
 
 nkw_quat nkw_quat_from_mat4(const nkw_mat4 *m)

@@ -4,6 +4,7 @@
 #include <nakawari/scalar.h>
 
 #include "lane/scalar.h"
+#include "lane/two.h"
 
 float nkw_sqrt(float x)
 {
@@ -22,8 +23,9 @@ float nkw_cos(float angle)
 
 void nkw_sincos(float angle, float *sine, float *cosine)
 {
-    *sine = nkw_sin(angle);
-    *cosine = nkw_cos(angle);
+    lane_sincos a = lane_sincos64_single((double)angle);
+    *sine = (float)a.s;
+    *cosine = (float)a.c;
 }
 
 float nkw_tan(float angle)

@@ -34,7 +34,7 @@ static lane_wmat3 directions(const lane_wmat3 *m, const double s[3])
                                    unit_or_cross(z, lz, x, y));
 }
 
-nkw_trs nkw_trs_from_mat4(const nkw_mat4 *m)
+LANE_SELDOM static nkw_trs from_any_affine(const nkw_mat4 *m)
 {
     lane_wmat3 w = lane_wmat3_from_mat4(m);
     double s[3];
@@ -49,6 +49,33 @@ nkw_trs nkw_trs_from_mat4(const nkw_mat4 *m)
         {m->m[12], m->m[13], m->m[14]},
         lane_quat_from_wide(lane_wquat_from_wmat3(&unit, NEAREST_ROTATION_STEPS)),
         {(float)(side * s[0]), (float)s[1], (float)s[2]},
+    };
+    return r;
+}
+
+/* Unit columns are at right angles but for this, all together: LANE_NEAREST_STEPS bring the rotation to 2^-32. */
+#define HARDLY_SHEARED 0x1p-10
+
+LANE_FLAT nkw_trs nkw_trs_from_mat4(const nkw_mat4 *m)
+{
+    const float *a = m->m;
+    lane_wvec3 x = {a[0], a[1], a[2]}, y = {a[4], a[5], a[6]}, z = {a[8], a[9], a[10]};
+    double xx = lane_wvec3_dot(x, x), yy = lane_wvec3_dot(y, y), zz = lane_wvec3_dot(z, z);
+    if (!(lane_root_is_near(xx) && lane_root_is_near(yy) && lane_root_is_near(zz)))
+        return from_any_affine(m);
+    double side = lane_copysign64(1.0, lane_wvec3_dot(lane_wvec3_cross(x, y), z));
+    double rx = lane_rsqrt64_near(xx) * side, ry = lane_rsqrt64_near(yy), rz = lane_rsqrt64_near(zz);
+    lane_wvec3 u = lane_wvec3_scale(x, rx), v = lane_wvec3_scale(y, ry), n = lane_wvec3_scale(z, rz);
+    double uv = lane_wvec3_dot(u, v), vn = lane_wvec3_dot(v, n), nu = lane_wvec3_dot(n, u);
+    if (!((uv * uv + vn * vn) + nu * nu < HARDLY_SHEARED * HARDLY_SHEARED))
+        return from_any_affine(m);
+    lane_wmat3 unit = lane_wmat3_from_columns(u, v, n);
+    lane_wform k = lane_wform_from_wmat3(&unit);
+    lane_wquat q = lane_wform_dominant_single(&k, LANE_NEAREST_STEPS);
+    nkw_trs r = {
+        {a[12], a[13], a[14]},
+        lane_quat_from_wide(lane_wquat_scale(q, lane_rsqrt64_near(lane_wquat_dot(q, q)))),
+        {(float)(xx * rx), (float)(yy * ry), (float)(zz * rz)},
     };
     return r;
 }

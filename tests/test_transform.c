@@ -93,6 +93,28 @@ static void shear_is_left_out_and_reported(void **state)
     expect_near(turn.angle, 0.5 * (double)nkw_atan(0.2f), 1e-6);
 }
 
+/* R is the rotation nearest to U if and only if R^T U is symmetric (and positive). */
+static void rotation_is_the_nearest_at_any_shear(void **state)
+{
+    (void)state;
+    random_source r = random_from(5);
+    for (int i = 0; i < 5000; i++) {
+        float shear = random_scaled(&r, -14, -2);
+        nkw_mat3 q = nkw_mat3_from_quat(random_rotation(&r));
+        nkw_mat3 sheared = {{1, 0, 0, shear, 1, 0, -shear, shear * 0.5f, 1}};
+        nkw_mat3 u = nkw_mat3_mul(&q, &sheared);
+        for (size_t c = 0; c < 3; c++) {
+            nkw_vec3 unit = nkw_vec3_normalize(nkw_mat3_column(&u, c));
+            u.m[c * 3] = unit.x, u.m[c * 3 + 1] = unit.y, u.m[c * 3 + 2] = unit.z;
+        }
+        nkw_mat4 m = nkw_mat4_from_mat3(&u, vec(0, 0, 0));
+        nkw_mat3 rotation = nkw_mat3_from_quat(nkw_trs_from_mat4(&m).rotation);
+        nkw_mat3 back = nkw_mat3_transpose(&rotation), p = nkw_mat3_mul(&back, &u);
+        nkw_mat3 across = nkw_mat3_transpose(&p);
+        expect_floats_near(p.m, across.m, 9, 5e-7);
+    }
+}
+
 static void zero_scales_are_kept_and_the_rotation_stays_unit(void **state)
 {
     (void)state;
@@ -156,6 +178,7 @@ int main(void)
         cmocka_unit_test(decomposition_gives_back_what_was_composed),
         cmocka_unit_test(mirrors_show_as_a_negative_x_scale),
         cmocka_unit_test(shear_is_left_out_and_reported),
+        cmocka_unit_test(rotation_is_the_nearest_at_any_shear),
         cmocka_unit_test(zero_scales_are_kept_and_the_rotation_stays_unit),
         cmocka_unit_test(matrix_of_zeros_has_no_rotation),
         cmocka_unit_test(residual_of_what_is_not_finite_is_nan),

@@ -70,7 +70,7 @@ NKW_API nkw_mat3 nkw_mat3_from_euler(nkw_vec3 angles, nkw_euler_order order);
  *
  *     (i + e k)/2 = atan2(qi + e qk, w + qj)
  *     (i - e k)/2 = atan2(qi - e qk, w - qj)
- *     j = 2 atan2(|(w + qj, qi + e qk)|, |(w - qj, qi - e qk)|) - pi/2
+ *     j = atan2(2 (w qj + e qi qk), |(w + qj, qi + e qk)| |(w - qj, qi - e qk)|)
  *
  * Error  4.2 u rad of the rotation built again from the angles, of which 4.0 are the rounding of two angles
  *        near pi.

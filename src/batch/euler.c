@@ -38,26 +38,30 @@ static void near_block(const float *const angles[3], double e, float *const part
     }
 }
 
-static void far_block(nkw_vec3_view angles, lane_euler_axes o, nkw_quat_span out, size_t from, size_t to)
+static void far_block(const float *const angles[3], double e, float *const parts[4], size_t from, size_t to)
 {
     for (size_t n = from; n < to; n++) {
-        const double a[3] = {angles.x[n], angles.y[n], angles.z[n]};
-        put_quat(out, n, lane_quat_from_wide(lane_wquat_from_euler(a, o)));
+        lane_wquat p = lane_wquat_from_half_angles(0.5 * (double)angles[0][n], 0.5 * (double)angles[1][n],
+                                                   0.5 * (double)angles[2][n], e);
+        parts[0][n] = (float)p.x;
+        parts[1][n] = (float)p.y;
+        parts[2][n] = (float)p.z;
+        parts[3][n] = (float)p.w;
     }
 }
 
 KERNEL(quat_from_euler)(nkw_vec3_view angles, nkw_euler_order order, nkw_quat_span out, size_t n)
 {
-    lane_euler_axes o = lane_euler_axes_of(order);
+    const lane_euler_axes *o = lane_euler_axes_of(order);
     const float *const in[3] = {angles.x, angles.y, angles.z};
     float *const to[3] = {out.x, out.y, out.z};
-    const float *const turns[3] = {in[o.i], in[o.j], in[o.k]};
-    float *const parts[4] = {to[o.i], to[o.j], to[o.k], out.w};
+    const float *const turns[3] = {in[o->i], in[o->j], in[o->k]};
+    float *const parts[4] = {to[o->i], to[o->j], to[o->k], out.w};
     for (size_t from = 0; from < n; from += BLOCK) {
         size_t end = n - from < BLOCK ? n : from + BLOCK;
         if (any_far(angles, from, end))
-            far_block(angles, o, out, from, end);
+            far_block(turns, o->e, parts, from, end);
         else
-            near_block(turns, o.e, parts, from, end);
+            near_block(turns, o->e, parts, from, end);
     }
 }

@@ -8,21 +8,24 @@
 #include <nakawari/euler.h>
 
 #include "quat.h"
+#include "two.h"
 #include "wide.h"
 
-/* The axes i j k of an order, and e = +1 where they follow each other as x y z x y, else -1. */
+/* The axes i j k of an order, the places of x y z in it, and e = +1 where they follow each other as x y z x y, else -1. */
 typedef struct lane_euler_axes {
     unsigned char i, j, k;
-    signed char e;
+    unsigned char of[3];
+    double e;
 } lane_euler_axes;
 
-static inline lane_euler_axes lane_euler_axes_of(nkw_euler_order order)
+static inline const lane_euler_axes *lane_euler_axes_of(nkw_euler_order order)
 {
     static const lane_euler_axes axes[6] = {
-        {0, 1, 2, 1}, {0, 2, 1, -1}, {1, 0, 2, -1}, {1, 2, 0, 1}, {2, 0, 1, 1}, {2, 1, 0, -1},
+        {0, 1, 2, {0, 1, 2}, 1.0}, {0, 2, 1, {0, 2, 1}, -1.0}, {1, 0, 2, {1, 0, 2}, -1.0},
+        {1, 2, 0, {2, 0, 1}, 1.0}, {2, 0, 1, {1, 2, 0}, 1.0},  {2, 1, 0, {2, 1, 0}, -1.0},
     };
     unsigned known = (unsigned)order;
-    return axes[known < 6 ? known : 0];
+    return &axes[known < 6 ? known : 0];
 }
 
 /* The product of the turns i, j, k, given by sine and cosine of half of each: its parts along i, j, k and w. */
@@ -37,25 +40,45 @@ static inline lane_wquat lane_wquat_from_halves(lane_sincos i, lane_sincos j, la
     return q;
 }
 
-/* Angles about x, y, z; the order says which of them is i, j, k. */
-static inline lane_wquat lane_wquat_from_euler(const double angles[3], lane_euler_axes o)
+/* The same product of half angles. */
+static inline lane_wquat lane_wquat_from_half_angles(double i, double j, double k, double e)
 {
-    lane_sincos i = lane_sincos64_any(0.5 * angles[o.i]);
-    lane_sincos j = lane_sincos64_any(0.5 * angles[o.j]);
-    lane_sincos k = lane_sincos64_any(0.5 * angles[o.k]);
-    lane_wquat p = lane_wquat_from_halves(i, j, k, o.e);
-    double v[3];
-    v[o.i] = p.x;
-    v[o.j] = p.y;
-    v[o.k] = p.z;
-    lane_wquat q = {v[0], v[1], v[2], p.w};
+    return lane_wquat_from_halves(lane_sincos64_any(i), lane_sincos64_any(j), lane_sincos64_any(k), e);
+}
+
+/* The same of half angles below LANE_NEAR: six sines, for cos x = sin(pi/2 + |x|). */
+static inline lane_wquat lane_wquat_from_near_half_angles(double i, double j, double k, double e)
+{
+#if defined(LANE_TWO)
+    const lane_two whole = {0.0, 0.0}, quarter = {-0.5, -0.5}, mixed = {0.0, -0.5}, sign = {e, -e};
+    lane_two ij = lane_two_of(i, j), a = lane_two_abs(ij), kk = lane_two_all(k);
+    kk = LANE_TWO_MIX(kk, lane_two_abs(kk), 0, 2);
+    lane_two s = lane_two_sine64(ij, whole), c = lane_two_sine64(a, quarter), sc = lane_two_sine64(kk, mixed);
+    lane_two cs = lane_two_swap(sc);
+    lane_two once = s * lane_two_swap(c), other = lane_two_swap(once);
+    lane_two even = LANE_TWO_MIX(c, s, 0, 2) * LANE_TWO_MIX(c, s, 1, 3);
+    lane_two xy = once * cs[0] + sign * (other * sc[0]);
+    lane_two zw = even[0] * sc + sign * (even[1] * cs);
+    lane_wquat q = {xy[0], xy[1], zw[0], zw[1]};
     return q;
+#else
+    return lane_wquat_from_halves(lane_sincos64(i), lane_sincos64(j), lane_sincos64(k), e);
+#endif
+}
+
+/* What stands in the order i j k, in the order x y z. */
+static inline lane_wvec3 lane_euler_in_place(double i, double j, double k, const lane_euler_axes *o)
+{
+    const double v[3] = {i, j, k};
+    lane_wvec3 r = {v[o->of[0]], v[o->of[1]], v[o->of[2]]};
+    return r;
 }
 
 /* angle - 2 pi, angle or angle + 2 pi, the one in [-pi, pi]. */
 static inline double lane_wrap_once(double angle)
 {
-    return angle > LANE_PI ? angle - LANE_TWO_PI : angle < -LANE_PI ? angle + LANE_TWO_PI : angle;
+    double turn = lane_copysign64(LANE_TWO_PI, angle);
+    return angle - (lane_abs64(angle) > LANE_PI ? turn : 0.0);
 }
 
 /* angle moved by whole turns to within half a turn of reference; half a turn itself stays. */
@@ -73,28 +96,49 @@ static inline float lane_unwrap(float angle, float reference)
 static inline lane_wquat lane_wquat_positive(lane_wquat q)
 {
     double first = q.w != 0.0 ? q.w : q.x != 0.0 ? q.x : q.y != 0.0 ? q.y : q.z;
-    return lane_wquat_scale(q, first < 0.0 ? -1.0 : 1.0);
+    return lane_wquat_scale(q, lane_copysign64(1.0, first));
+}
+
+/* The angles of three finite pairs. */
+static inline void lane_euler_arcs(const double y[3], const double x[3], double angle[3])
+{
+#if defined(LANE_TWO)
+    lane_two a = lane_two_atan2_64(lane_two_of(y[0], y[1]), lane_two_of(x[0], x[1]));
+    lane_two b = lane_two_atan2_64(lane_two_all(y[2]), lane_two_all(x[2]));
+    angle[0] = a[0];
+    angle[1] = a[1];
+    angle[2] = b[0];
+#else
+    for (size_t n = 0; n < 3; n++)
+        angle[n] = lane_atan2_64(y[n], x[n]);
+#endif
 }
 
 /*
- * Sum and difference of the outer angles from the two halves of the quaternion; see nkw_euler_from_quat.
- * A half that is shorter than the rounding of a unit quaternion of floats, 2^-24, is the pole.
+ * Sum and difference of the outer angles from the two halves of the quaternion; see nkw_euler_from_quat. With
+ * P = |(w + qj, qi + e qk)|^2 and M = |(w - qj, qi - e qk)|^2
+ *
+ *     sin j : cos j = (P - M)/2 : sqrt(P M),     (P - M)/2 = 2 (w qj + e qi qk),     (P + M)/2 = |q|^2
+ *
+ * so q need not be unit: |q|^2 in 2^-20 .. 2^20. A half that is shorter than the rounding of a unit quaternion of
+ * floats, 2^-24, is the pole.
  */
-static inline void lane_euler_from_wquat(lane_wquat q, lane_euler_axes o, double angles[3])
+static inline lane_wvec3 lane_euler_from_wquat(lane_wquat q, const lane_euler_axes *o)
 {
-    double v[3] = {q.x, q.y, q.z};
-    double e = o.e, vi = v[o.i], vj = v[o.j], vk = e * v[o.k];
+    const double v[3] = {q.x, q.y, q.z};
+    double vi = v[o->i], vj = v[o->j], vk = o->e * v[o->k];
     double pc = q.w + vj, ps = vi + vk, mc = q.w - vj, ms = vi - vk;
-    double plus = lane_sqrt64(pc * pc + ps * ps), minus = lane_sqrt64(mc * mc + ms * ms);
-    int north = minus < 0x1p-24, south = plus < 0x1p-24;
-    double p = lane_atan2_64(ps, pc), m = lane_atan2_64(ms, mc);
+    double plus = pc * pc + ps * ps, minus = mc * mc + ms * ms;
+    double pole = 0x1p-49 * (plus + minus);
+    const double y[3] = {ps, ms, 2.0 * (q.w * vj + vi * vk)}, x[3] = {pc, mc, lane_sqrt64_near(plus * minus)};
+    double a[3];
+    lane_euler_arcs(y, x, a);
     /* At a pole the missing half is taken so that k is 0. */
-    p = south ? m : p;
-    m = north ? p : m;
-    angles[o.i] = lane_wrap_once(p + m);
-    angles[o.k] = north || south ? 0.0 : lane_wrap_once(e * (p - m));
-    double j = 2.0 * lane_atan2_64(plus, minus) - LANE_HALF_PI;
-    angles[o.j] = north ? LANE_HALF_PI : south ? -LANE_HALF_PI : j;
+    int north = minus < pole, south = plus < pole;
+    double p = south ? a[1] : a[0], m = north ? p : a[1];
+    double j = north ? LANE_HALF_PI : south ? -LANE_HALF_PI : a[2];
+    double k = north || south ? 0.0 : lane_wrap_once(o->e * (p - m));
+    return lane_euler_in_place(lane_wrap_once(p + m), j, k, o);
 }
 
 #endif

@@ -8,6 +8,7 @@
 #include <nakawari/mat.h>
 
 #include "quat.h"
+#include "two.h"
 
 static inline lane_wmat3 lane_wmat3_from(const nkw_mat3 *m)
 {
@@ -106,29 +107,130 @@ static inline lane_minors lane_minors_of(const double *p, const double *q)
     return r;
 }
 
-/* Laplace expansion by two lines and two lines. */
-static inline double lane_minors_determinant(const lane_minors *s, const lane_minors *c)
-{
-    return ((s->m01 * c->m23 + s->m23 * c->m01) - (s->m02 * c->m13 + s->m13 * c->m02)) +
-           (s->m03 * c->m12 + s->m12 * c->m03);
-}
+/* A determinant by two lines and two lines (Laplace), and the magnitudes of its terms: how much there was to cancel. */
+typedef struct lane_laplace {
+    double determinant, magnitude;
+} lane_laplace;
 
-/* The sum of the magnitudes in that expansion: how much there was to cancel. */
-static inline double lane_minors_magnitude(const lane_minors *s, const lane_minors *c)
+static inline lane_laplace lane_minors_determinant(const lane_minors *s, const lane_minors *c)
 {
     double a = s->m01 * c->m23, b = s->m23 * c->m01, d = s->m02 * c->m13;
     double e = s->m13 * c->m02, f = s->m03 * c->m12, g = s->m12 * c->m03;
-    return (((a < 0.0 ? -a : a) + (b < 0.0 ? -b : b)) + ((d < 0.0 ? -d : d) + (e < 0.0 ? -e : e))) +
-           ((f < 0.0 ? -f : f) + (g < 0.0 ? -g : g));
+    lane_laplace r = {
+        ((a + b) - (d + e)) + (f + g),
+        ((lane_abs64(a) + lane_abs64(b)) + (lane_abs64(d) + lane_abs64(e))) + (lane_abs64(f) + lane_abs64(g)),
+    };
+    return r;
 }
 
-/* One line of the adjugate: the line x of four against the minors of two other lines. */
-static inline void lane_adjugate_line(const double *x, const lane_minors *c, double sign, double out[4])
+/*
+ * The adjugate of the matrix with the columns a: two of its rows from each pair of columns against the minors of the
+ * other pair. By its columns, as a is.
+ */
+#if defined(LANE_TWO)
+typedef struct lane_minor_pairs {
+    lane_two near, far, across; /* 01 23, 02 13, 03 12 */
+} lane_minor_pairs;
+
+/* p and q are 0 1 and 2 3 of a column each. */
+static inline lane_minor_pairs lane_minor_pairs_of(const lane_two p[2], const lane_two q[2])
+{
+    lane_minor_pairs r = {
+        LANE_TWO_MIX(p[0], p[1], 0, 2) * LANE_TWO_MIX(q[0], q[1], 1, 3) -
+            LANE_TWO_MIX(p[0], p[1], 1, 3) * LANE_TWO_MIX(q[0], q[1], 0, 2),
+        p[0] * q[1] - p[1] * q[0],
+        p[0] * lane_two_swap(q[1]) - lane_two_swap(p[1]) * q[0],
+    };
+    return r;
+}
+
+/* lane_minors_determinant. */
+static inline lane_laplace lane_minor_pairs_determinant(const lane_minor_pairs *s, const lane_minor_pairs *c)
+{
+    lane_two ab = s->near * lane_two_swap(c->near), de = s->far * lane_two_swap(c->far);
+    lane_two fg = s->across * lane_two_swap(c->across);
+    lane_two sums = LANE_TWO_MIX(ab, de, 0, 2) + LANE_TWO_MIX(ab, de, 1, 3);
+    ab = lane_two_abs(ab);
+    de = lane_two_abs(de);
+    lane_two sizes = LANE_TWO_MIX(ab, de, 0, 2) + LANE_TWO_MIX(ab, de, 1, 3);
+    lane_two size = lane_two_abs(fg);
+    lane_laplace r = {(sums[0] - sums[1]) + (fg[0] + fg[1]), (sizes[0] + sizes[1]) + (size[0] + size[1])};
+    return r;
+}
+
+/* The rows of p and of q, side by side. */
+static inline void lane_adjugate_rows(const lane_two p[2], const lane_two q[2], const lane_minor_pairs *c, double *out)
+{
+    const lane_two_bits even = {0, INT64_MIN}, odd = {INT64_MIN, 0};
+    lane_two x0 = LANE_TWO_MIX(p[0], q[0], 0, 2), x1 = LANE_TWO_MIX(p[0], q[0], 1, 3);
+    lane_two x2 = LANE_TWO_MIX(p[1], q[1], 0, 2), x3 = LANE_TWO_MIX(p[1], q[1], 1, 3);
+    double c01 = c->near[0], c23 = c->near[1], c02 = c->far[0], c13 = c->far[1], c03 = c->across[0], c12 = c->across[1];
+    lane_two r[4] = {
+        (x1 * c23 - x2 * c13) + x3 * c12,
+        (x0 * c23 - x2 * c03) + x3 * c02,
+        (x0 * c13 - x1 * c03) + x3 * c01,
+        (x0 * c12 - x1 * c02) + x2 * c01,
+    };
+    for (size_t i = 0; i < 4; i++) {
+        r[i] = (lane_two)((lane_two_bits)r[i] ^ (i % 2 == 0 ? even : odd));
+        memcpy(out + 4 * i, &r[i], sizeof r[i]);
+    }
+}
+
+static inline lane_laplace lane_adjugate(const double a[16], double out[16])
+{
+    lane_two p[8];
+    memcpy(p, a, sizeof p);
+    lane_minor_pairs s = lane_minor_pairs_of(p, p + 2), c = lane_minor_pairs_of(p + 4, p + 6);
+    lane_adjugate_rows(p + 2, p, &c, out);
+    lane_adjugate_rows(p + 6, p + 4, &s, out + 2);
+    return lane_minor_pairs_determinant(&s, &c);
+}
+#else
+static inline void lane_adjugate_row(const double *x, const lane_minors *c, double sign, double *out)
 {
     out[0] = sign * ((x[1] * c->m23 - x[2] * c->m13) + x[3] * c->m12);
-    out[1] = -sign * ((x[0] * c->m23 - x[2] * c->m03) + x[3] * c->m02);
-    out[2] = sign * ((x[0] * c->m13 - x[1] * c->m03) + x[3] * c->m01);
-    out[3] = -sign * ((x[0] * c->m12 - x[1] * c->m02) + x[2] * c->m01);
+    out[4] = -sign * ((x[0] * c->m23 - x[2] * c->m03) + x[3] * c->m02);
+    out[8] = sign * ((x[0] * c->m13 - x[1] * c->m03) + x[3] * c->m01);
+    out[12] = -sign * ((x[0] * c->m12 - x[1] * c->m02) + x[2] * c->m01);
+}
+
+static inline lane_laplace lane_adjugate(const double a[16], double out[16])
+{
+    lane_minors s = lane_minors_of(a, a + 4), c = lane_minors_of(a + 8, a + 12);
+    lane_adjugate_row(a + 4, &c, 1.0, out);
+    lane_adjugate_row(a, &c, -1.0, out + 1);
+    lane_adjugate_row(a + 12, &s, 1.0, out + 2);
+    lane_adjugate_row(a + 8, &s, -1.0, out + 3);
+    return lane_minors_determinant(&s, &c);
+}
+#endif
+
+/*
+ * The columns of the adjugate of x y z, and -adjugate t; the fourth row is 0 0 0 1 after the division by det, which gives
+ * its sign to these zeros as well.
+ */
+static inline void lane_adjugate_affine(lane_wvec3 x, lane_wvec3 y, lane_wvec3 z, lane_wvec3 t, double det,
+                                        double out[16])
+{
+    lane_wvec3 w = lane_wvec3_cross(x, y);
+    double none = 0.0 * det;
+#if defined(LANE_TWO)
+    lane_two ax = lane_two_of(y.x, z.x), ay = lane_two_of(y.y, z.y), az = lane_two_of(y.z, z.z);
+    lane_two bx = lane_two_of(z.x, x.x), by = lane_two_of(z.y, x.y), bz = lane_two_of(z.z, x.z);
+    lane_two ux = ay * bz - az * by, uy = az * bx - ax * bz, uz = ax * by - ay * bx;
+    const lane_two columns[8] = {
+        ux, lane_two_of(w.x, none), uy, lane_two_of(w.y, none), uz, lane_two_of(w.z, none),
+        -((ux * t.x + uy * t.y) + uz * t.z), lane_two_of(-lane_wvec3_dot(w, t), det),
+    };
+#else
+    lane_wvec3 u = lane_wvec3_cross(y, z), v = lane_wvec3_cross(z, x);
+    const double columns[16] = {
+        u.x, v.x, w.x, none, u.y, v.y, w.y, none, u.z, v.z, w.z, none,
+        -lane_wvec3_dot(u, t), -lane_wvec3_dot(v, t), -lane_wvec3_dot(w, t), det,
+    };
+#endif
+    memcpy(out, columns, sizeof columns);
 }
 
 #endif

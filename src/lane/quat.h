@@ -7,6 +7,8 @@
 
 #include <nakawari/quat.h>
 
+#include "four.h"
+#include "two.h"
 #include "vec.h"
 #include "wide.h"
 
@@ -21,15 +23,22 @@ typedef struct lane_wmat3 {
 } lane_wmat3;
 
 /*
- * The argument of a single function, its numbers in registers of their own. x86-64 passes them as two pairs, which go by way of the
- * stack; GCC then reads all four at once, and such a load waits until both stores have left the processor: 30 cycles.
+ * The argument of a single function, in one register. x86-64 passes it as two pairs, which go by way of the stack; GCC
+ * then reads all four numbers at once, and such a load waits until both stores have left the processor: 30 cycles.
  */
 static inline nkw_quat lane_quat_argument(nkw_quat q)
 {
-#if defined(__GNUC__) && !defined(__clang__) && defined(__SSE2__)
-    __asm__("" : "+x"(q.x), "+x"(q.y), "+x"(q.z), "+x"(q.w));
-#endif
+#if defined(__GNUC__) && !defined(__clang__) && defined(__SSE2__) && defined(LANE_TWO)
+    double xy, zw;
+    memcpy(&xy, &q.x, sizeof xy);
+    memcpy(&zw, &q.z, sizeof zw);
+    __asm__("" : "+x"(xy), "+x"(zw));
+    lane_four v = (lane_four)lane_two_of(xy, zw);
+    nkw_quat r = {v[0], v[1], v[2], v[3]};
+    return r;
+#else
     return q;
+#endif
 }
 
 static inline lane_wquat lane_wquat_from(nkw_quat q)
@@ -209,18 +218,45 @@ static inline lane_wquat lane_wform_row(const lane_wform *k)
 }
 
 /*
- * The rotation nearest to m: the best row after `steps` multiplications by K, each of which shrinks the distance
- * from the eigenvector by the ratio of the eigenvalues: to a quarter of the noise where m is nearly a rotation.
+ * The rotation nearest to m, not unit: the best row after `steps` multiplications by K, each of which shrinks the
+ * distance from the eigenvector by the ratio of the eigenvalues: to a quarter of the noise where m is nearly a rotation.
  */
 #define LANE_NEAREST_STEPS 2 /* enough where m is nearly a rotation */
+
+static inline lane_wquat lane_wform_dominant(const lane_wform *k, int steps)
+{
+    lane_wquat q = lane_wform_row(k);
+    for (int i = 0; i < steps; i++)
+        q = lane_wform_apply(k, q);
+    return q;
+}
+
+/* The same for single calls: the row is looked up, and K, which is symmetric, multiplied by its columns. */
+static inline lane_wquat lane_wform_dominant_single(const lane_wform *k, int steps)
+{
+#if defined(LANE_TWO)
+    const lane_two xy[4] = {{k->x.x, k->x.y}, {k->y.x, k->y.y}, {k->z.x, k->z.y}, {k->w.x, k->w.y}};
+    const lane_two zw[4] = {{k->x.z, k->x.w}, {k->y.z, k->y.w}, {k->z.z, k->z.w}, {k->w.z, k->w.w}};
+    int y = !(k->x.x > k->y.y), w = !(k->z.z > k->w.w);
+    double larger_xy = y ? k->y.y : k->x.x, larger_zw = w ? k->w.w : k->z.z;
+    int row = larger_xy > larger_zw ? y : 2 + w;
+    lane_two a = xy[row], b = zw[row];
+    for (int i = 0; i < steps; i++) {
+        lane_two c = (xy[0] * a[0] + xy[1] * a[1]) + (xy[2] * b[0] + xy[3] * b[1]);
+        b = (zw[0] * a[0] + zw[1] * a[1]) + (zw[2] * b[0] + zw[3] * b[1]);
+        a = c;
+    }
+    lane_wquat q = {a[0], a[1], b[0], b[1]};
+    return q;
+#else
+    return lane_wform_dominant(k, steps);
+#endif
+}
 
 static inline lane_wquat lane_wquat_from_wmat3(const lane_wmat3 *m, int steps)
 {
     lane_wform k = lane_wform_from_wmat3(m);
-    lane_wquat q = lane_wform_row(&k);
-    for (int i = 0; i < steps; i++)
-        q = lane_wform_apply(&k, q);
-    return lane_wquat_normalize(q);
+    return lane_wquat_normalize(lane_wform_dominant(&k, steps));
 }
 
 /* 1 - |k|^2 of a nearly unit k. Each difference is small, so nothing large is rounded. */
@@ -229,14 +265,20 @@ static inline float lane_quat_defect(nkw_quat k)
     return ((0.25f - k.x * k.x) + (0.25f - k.y * k.y)) + ((0.25f - k.z * k.z) + (0.25f - k.w * k.w));
 }
 
-/* k = q / |q| rounded, then one step of Newton: k + k (1 - |k|^2)/2. */
+/* k = v / length rounded, then one step of Newton: k + k (1 - |k|^2)/2. */
+static inline nkw_quat lane_quat_normalize_by(nkw_quat v, float length)
+{
+    nkw_quat k = nkw_quat_scale(v, 1.0f / length);
+    return nkw_quat_add(k, nkw_quat_scale(nkw_quat_scale(k, 0.5f), lane_quat_defect(k)));
+}
+
 static inline nkw_quat lane_quat_normalize(nkw_quat q)
 {
     nkw_quat v = nkw_quat_scale(q, lane_rescue(nkw_quat_dot(q, q)));
     float n2 = nkw_quat_dot(v, v);
-    v.w = n2 == 0.0f ? 1.0f : v.w;
-    nkw_quat k = nkw_quat_scale(v, n2 == 0.0f ? 1.0f : 1.0f / sqrtf(n2));
-    return nkw_quat_add(k, nkw_quat_scale(k, 0.5f * lane_quat_defect(k)));
+    nkw_quat k = lane_quat_normalize_by(v, sqrtf(n2 + FLT_MIN));
+    k.w = n2 == 0.0f ? 1.0f : k.w;
+    return k;
 }
 
 /*

@@ -119,7 +119,7 @@ static inline lane_arc lane_arc_of(double x)
     double magnitude = lane_abs64(x);
     double a = magnitude > 1.0 ? 1.0 : magnitude;
     double square = a > 0.5 ? 0.5 - 0.5 * a : a * a;
-    double s = a > 0.5 ? square * lane_rsqrt64_seeded(square) : a;
+    double s = a > 0.5 ? lane_sqrt64_near(square) : a;
     lane_arc arc;
     arc.angle = s * (1.0 + square * lane_poly10(LANE_ASIN, square, square * square));
     arc.steep = a > 0.5 ? 1.0 : 0.0;

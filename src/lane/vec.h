@@ -51,7 +51,7 @@ static inline lane_wvec3 lane_wvec3_cross(lane_wvec3 a, lane_wvec3 b)
 
 static inline double lane_wvec3_length(lane_wvec3 a)
 {
-    return lane_root64(lane_wvec3_dot(a, a));
+    return lane_sqrt64(lane_wvec3_dot(a, a));
 }
 
 static inline lane_wvec3 lane_wvec3_select(int first, lane_wvec3 a, lane_wvec3 b)
@@ -81,10 +81,17 @@ static inline lane_wvec3 lane_wvec3_perpendicular(lane_wvec3 a)
     return lane_wvec3_normalize(lane_wvec3_select((x + y) + z == 0.0, axis_x, r));
 }
 
-/* A power of two that brings a vector of squared length n2 to where its square neither over- nor underflows. */
+/*
+ * A power of two that brings a vector of squared length n2 to where its square neither over- nor underflows. By its
+ * exponent: of a selection GCC would make three vectors, and of each what follows.
+ */
 static inline float lane_rescue(float n2)
 {
-    return n2 < 0x1p-96f ? 0x1p100f : n2 > 0x1p96f ? 0x1p-100f : 1.0f;
+    uint32_t up = n2 < 0x1p-96f ? UINT32_C(100) << 23 : 0, down = n2 > 0x1p96f ? UINT32_C(100) << 23 : 0;
+    uint32_t bits = (UINT32_C(0x3F800000) + up) - down;
+    float scale;
+    memcpy(&scale, &bits, sizeof scale);
+    return scale;
 }
 
 static inline float lane_vec3_length(nkw_vec3 a)
@@ -103,13 +110,23 @@ static inline float lane_vec3_defect(nkw_vec3 k)
     return (0.5f - k.x * k.x) + ((0.25f - k.y * k.y) + (0.25f - k.z * k.z));
 }
 
-/* k = a / |a| rounded, then one step of Newton: k + k (1 - |k|^2)/2. */
+/* k = v / length rounded, then one step of Newton: k + k (1 - |k|^2)/2. */
+static inline nkw_vec3 lane_vec3_normalize_by(nkw_vec3 v, float length)
+{
+    nkw_vec3 k = nkw_vec3_scale(v, 1.0f / length);
+    return nkw_vec3_add_scaled(k, nkw_vec3_scale(k, 0.5f), lane_vec3_defect(k));
+}
+
 static inline nkw_vec3 lane_vec3_normalize(nkw_vec3 a)
 {
     nkw_vec3 v = nkw_vec3_scale(a, lane_rescue(nkw_vec3_dot(a, a)));
-    float n2 = nkw_vec3_dot(v, v);
-    nkw_vec3 k = nkw_vec3_scale(v, n2 == 0.0f ? 0.0f : 1.0f / sqrtf(n2));
-    return nkw_vec3_add_scaled(k, k, n2 == 0.0f ? 0.0f : 0.5f * lane_vec3_defect(k));
+    return lane_vec3_normalize_by(v, sqrtf(nkw_vec3_dot(v, v) + FLT_MIN)); /* a zero vector stays one */
+}
+
+/* Where lane_rescue is 1, for single calls. */
+static inline int lane_needs_no_rescue(float n2)
+{
+    return n2 >= 0x1p-96f && n2 <= 0x1p96f;
 }
 
 static inline float lane_vec3_angle(nkw_vec3 a, nkw_vec3 b)

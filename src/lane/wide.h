@@ -8,11 +8,24 @@
 #ifndef NAKAWARI_LANE_WIDE_H
 #define NAKAWARI_LANE_WIDE_H
 
+#include <float.h>
 #include <math.h>
 #include <stdint.h>
 #include <string.h>
 
 #include "data/scalar.h"
+
+/*
+ * Before a single function: all its calls are inlined, so that numbers stay in registers. And before what it seldom
+ * calls, which keeps out of the way.
+ */
+#if defined(__GNUC__)
+#define LANE_FLAT   __attribute__((flatten))
+#define LANE_SELDOM __attribute__((noinline, cold))
+#else
+#define LANE_FLAT
+#define LANE_SELDOM
+#endif
 
 /* x + LANE_ROUND holds rint(x) in its low bits for |x| < 2^51; minus LANE_ROUND it is rint(x). */
 #define LANE_ROUND 0x1.8p52
@@ -69,56 +82,76 @@ static inline double lane_poly10(const double *c, double z, double zz)
     return lane_poly2(c, z) + zz * lane_poly8(c + 2, z, zz);
 }
 
-/*
- * 1/sqrt(x) for x >= 2^-1000; finite for zeros, NaN for NaN.
- *
- *     y0 = 2^(-e/2) by halving the bits            within 3.5e-2
- *     y' = y (3/2 - x y^2 / 2)                     error d -> 3/2 d^2: 1.8e-3, 4.7e-6, 3.3e-11, 2^-52
- *
- * The last step adds to y, so only its small correction carries a rounding error.
- * Seed: M. Robertson, A Brief History of InvSqrt, University of New Brunswick, 2012.
- */
-static inline double lane_rsqrt64_seeded(double x)
+/* The roots of m in 2^-100 .. 2^100 as floats have them: s within 2^-23.4 of sqrt(m), y within 2^-22.6 of 1/sqrt(m). */
+typedef struct lane_roots {
+    double s, y; /* for m = 0: 0 and 2^126 */
+} lane_roots;
+
+static inline lane_roots lane_roots_of(double m)
 {
-    double half = 0.5 * x;
-    double y = lane_double(UINT64_C(0x5FE6EB50C7B537A9) - (lane_bits64(x) >> 1));
-    y = y * (1.5 - half * y * y);
-    y = y * (1.5 - half * y * y);
-    y = y * (1.5 - half * y * y);
-    return y + y * (0.5 - half * y * y);
+    float s = sqrtf((float)m);
+    lane_roots r = {(double)s, (double)(1.0f / (s + FLT_MIN))};
+    return r;
 }
 
-/* The same for every x >= 0: subnormals are taken 2^200 times as large. */
-static inline double lane_rsqrt64_scaled(double x)
+/* x = m 4^k, m in [1/2, 2). */
+static inline double lane_root_mantissa(double x)
 {
-    double scaled = x < 0x1p-900 ? x * 0x1p200 : x;
-    return lane_rsqrt64_seeded(scaled) * (x < 0x1p-900 ? 0x1p100 : 1.0);
+    return lane_double((lane_bits64(x) & UINT64_C(0x001FFFFFFFFFFFFF)) | UINT64_C(0x3FE0000000000000));
+}
+
+/* Bits 53 to 61 of x: the exponent field of 2^k, but for a constant. */
+static inline uint64_t lane_root_exponent(double x)
+{
+    return (lane_bits64(x) & UINT64_C(0x7FE0000000000000)) >> 1;
 }
 
 /*
- * 1/sqrt(x), relative error 2^-51, for every positive finite x, subnormals included.
- * Zeros give +inf, +inf gives 0, negative numbers and NaN give NaN.
+ * 1/sqrt(m) for 2^-100 <= m <= 2^100, relative error 2^-52; exact for 4^k, some finite number for 0.
+ *
+ *     1/sqrt(m) = y (1 + h + 3/2 h^2),    h = (1 - m y^2)/2        error d -> 5/2 d^3
+ *
+ * The step adds to y, so only its small correction carries a rounding error; y^2 is exact.
  */
+static inline double lane_rsqrt64_near(double m)
+{
+    double y = lane_roots_of(m).y;
+    double h = 0.5 - (0.5 * m) * (y * y);
+    return y + (y * h) * (1.0 + 1.5 * h);
+}
+
+/* The same for x >= 2^-1000. NaN for infinities and NaN. */
 static inline double lane_rsqrt64(double x)
 {
-    double y = x < (double)INFINITY ? lane_rsqrt64_scaled(x) : 0.0;
-    y = x > 0.0 ? y : (double)INFINITY;
-    return x >= 0.0 ? y : (double)NAN;
+    double scale = lane_double(UINT64_C(0x5FE0000000000000) - lane_root_exponent(x)); /* 2^-k */
+    scale = x < (double)INFINITY ? scale : (double)NAN;
+    return lane_rsqrt64_near(lane_root_mantissa(x)) * scale;
 }
 
 /*
- * sqrt(x) for x >= 0, relative error 2^-51: the root of a square of 24 bits is exact once rounded to float.
- * Zeros and +inf give themselves, NaN gives NaN.
+ * sqrt(m) for m = 0 and 2^-100 <= m <= 2^100, relative error 2^-47; the root of a square of 24 bits is exact.
+ *
+ *     sqrt(m) = s + (m - s^2) y/2            error d -> 5/2 d^2
  */
-static inline double lane_root64(double x)
+static inline double lane_sqrt64_near(double m)
 {
-    return x < (double)INFINITY ? x * lane_rsqrt64_scaled(x) : x;
+    lane_roots r = lane_roots_of(m);
+    return r.s + (m - r.s * r.s) * (0.5 * r.y);
 }
 
-/* The same, and NaN for negative numbers. */
+/* The same for x >= 2^-1000. Zeros and +inf give themselves, NaN gives NaN. Not for negative numbers. */
 static inline double lane_sqrt64(double x)
 {
-    return x < 0.0 ? (double)NAN : lane_root64(x);
+    double scale = lane_double(UINT64_C(0x2000000000000000) + lane_root_exponent(x)); /* 2^k */
+    scale = x > 0.0 ? scale : x;
+    scale = x < (double)INFINITY ? scale : x;
+    return lane_sqrt64_near(lane_root_mantissa(x)) * scale;
+}
+
+/* Where the two of them are the same, bit for bit, for single calls: all their numbers differ by powers of two. */
+static inline int lane_root_is_near(double x)
+{
+    return x > 0x1p-100 && x < 0x1p100;
 }
 
 /* An angle as n half turns, some given fraction of one, and a rest r: |r| <= pi/2 but for rounding. */
@@ -139,8 +172,7 @@ typedef struct lane_turns {
 static inline lane_turns lane_half_turns(double x, double shift)
 {
     double rounded = (x * LANE_INVERSE_PI - shift) + LANE_ROUND;
-    double whole = rounded - LANE_ROUND;
-    double turns = shift > 0.0 ? whole + shift : whole; /* whole is never -0, but no compiler knows */
+    double turns = (rounded - LANE_ROUND) + shift;
     lane_turns a;
     a.r = (x - turns * LANE_PI_HIGH) - turns * LANE_PI_LOW;
     a.n = lane_bits64(rounded);
@@ -210,13 +242,15 @@ static inline lane_sincos lane_sincos64_any(double x)
 }
 
 /*
- * The angle of (x, y) in [-pi, pi], relative error 2^-44.8, for |x|, |y| <= 2^1022 or infinite.
+ * The angle of (x, y) in [-pi, pi], relative error 2^-44.8, for |x|, |y| in 2^-1022 .. 2^1022, zero or infinite.
  *
  *     q = low/high,  q <= tan(pi/8);  (low - high)/(low + high) + a turn of pi/4 above
  *     low, high = the smaller and the larger of |x|, |y|
  *
- * then pi/2 - q, pi - q and the sign of y select the octant. Zeros and infinities follow C99 F.9.1.4:
- * two infinities count as 1 and 1, two zeros as 0 and 1. A NaN in either gives NaN.
+ * then pi/2 - q, pi - q and the sign of y select the octant. Zeros and infinities follow C99 F.9.1.4, but for angles
+ * below 2^-800 instead of 0: infinities count as 2^1022, so two of them as equal, and x or y gets 2^-1022 added,
+ * the larger, for two zeros. A NaN
+ * in either passes through every line.
  */
 static inline double lane_atan2_64(double y, double x)
 {
@@ -224,17 +258,17 @@ static inline double lane_atan2_64(double y, double x)
     double ay = lane_abs64(y);
     double smaller = ay < ax ? ay : ax;
     double larger = ay < ax ? ax : ay;
-    double low = smaller < (double)INFINITY ? smaller : 1.0;
-    double high = smaller < (double)INFINITY ? (larger > 0.0 ? larger : 1.0) : 1.0;
-    double turn = low > LANE_TAN_EIGHTH_PI * high ? LANE_QUARTER_PI : 0.0;
-    double q = (turn > 0.0 ? low - high : low) / (turn > 0.0 ? low + high : high);
+    double low = 0x1p1022 < smaller ? 0x1p1022 : smaller;
+    larger = 0x1p1022 < larger ? 0x1p1022 : larger;
+    double high = larger + 0x1p-1022;
+    int steep = low > LANE_TAN_EIGHTH_PI * high;
+    double turn = steep ? LANE_QUARTER_PI : 0.0;
+    double q = (low - (steep ? high : 0.0)) / (high + (steep ? low : 0.0));
     double z = q * q;
     double angle = turn + q * (1.0 + z * lane_poly8(LANE_ATAN, z, z * z));
     angle = ay > ax ? LANE_HALF_PI - angle : angle;
     angle = lane_copysign64(1.0, x) < 0.0 ? LANE_PI - angle : angle;
-    angle = lane_copysign64(angle, y);
-    angle = x == x ? angle : x;
-    return y == y ? angle : y;
+    return lane_copysign64(angle, y);
 }
 
 #endif
