@@ -169,12 +169,18 @@ KERNEL(clip_lerp16)
     }
 }
 
-/* A pass of its own: with 16-bit numbers in it, the loop over rotations would take twice as many as registers hold. */
-static inline void decode(const uint16_t *key, const float *base, const float *step, float *out, size_t n)
+/*
+ * A pass of its own over both keys: with 16-bit numbers in it, the loop over rotations would take twice as many as
+ * registers hold.
+ */
+static inline void decode(const uint16_t *a, const uint16_t *b, const float *base, const float *step, float *from,
+                          float *to, size_t n)
 {
 #pragma omp simd
-    for (size_t i = 0; i < n; i++)
-        out[i] = base[i] + step[i] * (float)key[i];
+    for (size_t i = 0; i < n; i++) {
+        from[i] = base[i] + step[i] * (float)a[i];
+        to[i] = base[i] + step[i] * (float)b[i];
+    }
 }
 
 /* q / |q| for a length that is near 1: 1/sqrt(1 - m) = 1 + m/2 + 3 m^2/8 ... */
@@ -209,14 +215,15 @@ static inline void slerp16_blocks(const uint16_t *a, const uint16_t *b, const fl
         size_t at = k * 4 * NKW_BLOCK, width = blocks[k].width;
         float from[4 * NKW_BLOCK], to[4 * NKW_BLOCK], mixed[4 * NKW_BLOCK];
         int direct = blocks[k].direct > 0;
-        decode(a + at, base + at, step + at, from, 4 * width);
-        decode(b + at, base + at, step + at, to, 4 * width);
-        if (width == NKW_BLOCK)
-            slerp16_block(from, to, pace, direct ? out + blocks[k].places[0] : mixed, direct ? stride : NKW_BLOCK,
-                          NKW_BLOCK);
-        else
-            slerp16_block(from, to, pace, direct ? out + blocks[k].places[0] : mixed, direct ? stride : NKW_BLOCK,
-                          width);
+        float *o = direct ? out + blocks[k].places[0] : mixed;
+        size_t apart = direct ? stride : NKW_BLOCK;
+        if (width == NKW_BLOCK) {
+            decode(a + at, b + at, base + at, step + at, from, to, 4 * NKW_BLOCK);
+            slerp16_block(from, to, pace, o, apart, NKW_BLOCK);
+        } else {
+            decode(a + at, b + at, base + at, step + at, from, to, 4 * width);
+            slerp16_block(from, to, pace, o, apart, width);
+        }
         if (!direct)
             scatter(&blocks[k], mixed, NKW_BLOCK, 4, out, stride);
     }
