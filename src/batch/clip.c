@@ -46,19 +46,22 @@ static inline lane_slerp_arc arc_at(const float *arcs, size_t width, size_t i)
     return arc;
 }
 
+static inline void put_arc(float *arcs, size_t width, size_t i, lane_slerp_arc arc)
+{
+    arcs[i] = lane_flip(arc.v, arc.turned);
+    arcs[width + i] = arc.h0;
+    arcs[2 * width + i] = arc.h1;
+    arcs[3 * width + i] = arc.h2;
+    arcs[4 * width + i] = arc.h3;
+}
+
 static inline void arcs_of_block(float *a, const float *b, size_t width)
 {
     nkw_quat_view from = rows_of(a, width), to = rows_of(b, width);
     float *arcs = a + 4 * width;
 #pragma omp simd
-    for (size_t i = 0; i < width; i++) {
-        lane_slerp_arc arc = lane_slerp_arc_between(at_quat(from, i), at_quat(to, i));
-        arcs[i] = lane_flip(arc.v, arc.turned);
-        arcs[width + i] = arc.h0;
-        arcs[2 * width + i] = arc.h1;
-        arcs[3 * width + i] = arc.h2;
-        arcs[4 * width + i] = arc.h3;
-    }
+    for (size_t i = 0; i < width; i++)
+        put_arc(arcs, width, i, lane_slerp_arc_between(at_quat(from, i), at_quat(to, i)));
 }
 
 /* Writes the arcs of key a to key b into a. */
@@ -192,18 +195,25 @@ static inline nkw_quat near_unit(nkw_quat q)
 
 /*
  * Keys are on the side of the one before. Those half a turn apart have a dot product about 0, which 16 bits may have
- * made negative: they are not turned again, for that would be the way round the other side.
+ * made negative: they are not turned again, for that would be the way round the other side. Arcs have a pass of their
+ * own, so that no lane waits for the polynomials of the one before.
  */
 static inline void slerp16_block(const float *a, const float *b, lane_slerp_pace pace, float *out, size_t stride,
                                  size_t width)
 {
     nkw_quat_view from = rows_of(a, width), to = rows_of(b, width);
     nkw_quat_span o = rows_to(out, stride);
+    float arcs[5 * NKW_BLOCK];
 #pragma omp simd
     for (size_t i = 0; i < width; i++) {
         nkw_quat p = at_quat(from, i), q = at_quat(to, i);
-        lane_slerp_arc arc = lane_slerp_arc_to(p, q, lane_slerp_cosine(p, q), 0);
-        put_quat(o, i, near_unit(lane_quat_slerp_on(p, q, &arc, &pace)));
+        put_arc(arcs, width, i, lane_slerp_arc_to(p, q, lane_slerp_cosine(p, q), 0));
+    }
+#pragma omp simd
+    for (size_t i = 0; i < width; i++) {
+        lane_slerp_arc arc = {
+            0, arcs[i], arcs[width + i], arcs[2 * width + i], arcs[3 * width + i], arcs[4 * width + i]};
+        put_quat(o, i, near_unit(lane_quat_slerp_on(at_quat(from, i), at_quat(to, i), &arc, &pace)));
     }
 }
 
