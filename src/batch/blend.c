@@ -27,7 +27,7 @@ static inline void chords(nkw_quat_view a, nkw_quat_view b, float t, nkw_quat_sp
 #define VECTOR 8
 #endif
 
-/* The last vector from lane `from` on, with the identity in the padding: subnormal numbers there would take their time. */
+/* The last vector, from lane `from` on, the identity in the padding: subnormal numbers there would take their time. */
 static inline void last_chords(nkw_quat_view a, nkw_quat_view b, float t, int used, int from, nkw_quat_span out)
 {
 #pragma omp simd
