@@ -110,6 +110,42 @@ static void every_layout_gives_the_same_bits(void **state)
     }
 }
 
+/* Positions and normals alone go another way than component arrays do. */
+static void rare_weights_and_joints_give_the_same_bits_either_way(void **state)
+{
+    (void)state;
+    mesh m = draw(12, 4, 0);
+    const float weights[7][4] = {{0, 0.5f, 0.25f, 0.25f},   {0, 0, 0, 1},     {0x1p-140f, 0, 0, 0},
+                                 {0, -0.0f, 0, -0x1p-149f}, {-0.0f, 0, 0, 0}, {-1, 0, 0, 2},
+                                 {0x1p-126f, 0, 0, 0}};
+    nkw_vec3 position[VERTICES], normal[VERTICES];
+    float p[3][VERTICES], n[3][VERTICES];
+    for (size_t i = 0; i < VERTICES; i++) {
+        const float *v = m.v + i * FLOATS;
+        if (i % 3 == 0)
+            memcpy(m.weights + 4 * i, weights[i % 7], sizeof weights[0]);
+        if (i % 5 == 0)
+            m.joints[4 * i + i % 4] = JOINTS;
+        position[i] = vec3_at(v);
+        normal[i] = vec3_at(v + 3);
+        for (size_t c = 0; c < 3; c++)
+            p[c][i] = v[c], n[c][i] = v[3 + c];
+    }
+    nkw_skin skin = skin_of(&m, 4);
+    nkw_skin_palette palette = {m.matrices, NULL, JOINTS, 0};
+    nkw_vertices in = {{position, 0}, {normal, 0}, {NULL, 0}, {NULL, 0}};
+    nkw_vertices_span out = {{position, 0}, {normal, 0}, {NULL, 0}, {NULL, 0}};
+    nkw_vertices_arrays in_arrays = {{p[0], p[1], p[2]}, {n[0], n[1], n[2]}, {0}, {0}};
+    nkw_vertices_arrays_span out_arrays = {{p[0], p[1], p[2]}, {n[0], n[1], n[2]}, {0}, {0}};
+    nkw_skin_linear(&skin, &palette, &in, &out);
+    nkw_skin_linear_arrays(&skin, &palette, &in_arrays, &out_arrays);
+    for (size_t i = 0; i < VERTICES; i++) {
+        nkw_vec3 array_position = {p[0][i], p[1][i], p[2][i]}, array_normal = {n[0][i], n[1][i], n[2][i]};
+        expect_vec3_bits(position[i], array_position);
+        expect_vec3_bits(normal[i], array_normal);
+    }
+}
+
 static void a_vertex_does_not_depend_on_its_neighbours_or_the_count(void **state)
 {
     (void)state;
@@ -465,6 +501,7 @@ int main(void)
         cmocka_unit_test(normals_go_by_their_own_palette_where_there_is_one),
         cmocka_unit_test(a_normal_stays_at_right_angles_under_uneven_scale_by_its_palette),
         cmocka_unit_test(every_layout_gives_the_same_bits),
+        cmocka_unit_test(rare_weights_and_joints_give_the_same_bits_either_way),
         cmocka_unit_test(a_vertex_does_not_depend_on_its_neighbours_or_the_count),
         cmocka_unit_test(whole_number_weights_are_their_quotients),
         cmocka_unit_test(a_vertex_without_weight_is_not_moved),

@@ -20,6 +20,24 @@ static inline void chords(nkw_quat_view a, nkw_quat_view b, float t, nkw_quat_sp
         put_quat(out, i, lane_quat_chord(at_quat(a, i), at_quat(b, i), t).v);
 }
 
+/* Rotations are worked out in whole vectors, of 8 lanes at least. */
+#if defined(__AVX512F__)
+#define VECTOR 16
+#else
+#define VECTOR 8
+#endif
+
+/* The last vector, from lane `from` on, the identity in the padding: subnormal numbers there would take their time. */
+static inline void last_chords(nkw_quat_view a, nkw_quat_view b, float t, int used, int from, nkw_quat_span out)
+{
+#pragma omp simd
+    for (int i = from; i < from + VECTOR; i++) {
+        nkw_quat p = lane_quat_select(i < used, at_quat(a, (size_t)i), nkw_quat_identity());
+        nkw_quat q = lane_quat_select(i < used, at_quat(b, (size_t)i), nkw_quat_identity());
+        put_quat(out, (size_t)i, lane_quat_chord(p, q, t).v);
+    }
+}
+
 /* out is not v: if one of the first `used` chords was not inside after all, all are done again. */
 static inline void settle(nkw_quat_view v, int used, nkw_quat_span out, int n)
 {
@@ -79,13 +97,7 @@ KERNEL(blend_chord)(blend_rows a, blend_rows b, float t, blend_span out, int n)
     lerp_arrays(a, b, 7, t, out, (size_t)n);
 }
 
-/* Rotations are worked out in whole vectors, of 8 lanes at least; eight more lanes of padding get the identity. */
-#if defined(__AVX512F__)
-#define VECTOR 16
-#else
-#define VECTOR 8
-#endif
-
+/* Eight lanes after the whole vectors get the identity. */
 static inline void fill_padding(nkw_quat_span out, int used, int n)
 {
     size_t from = (size_t)((used + 7) / 8 * 8);
@@ -99,8 +111,10 @@ KERNEL(blend_nlerp)(blend_rows a, blend_rows b, float t, int used, blend_span ou
     float v[4][BLEND_BLOCK];
     nkw_quat_span chord = {v[0], v[1], v[2], v[3]};
     nkw_quat_view chord_view = {v[0], v[1], v[2], v[3]};
-    int turned = (used + VECTOR - 1) / VECTOR * VECTOR;
-    chords(rotations_of(a), rotations_of(b), t, chord, (size_t)turned);
+    int whole = used / VECTOR * VECTOR, turned = (used + VECTOR - 1) / VECTOR * VECTOR;
+    chords(rotations_of(a), rotations_of(b), t, chord, (size_t)whole);
+    if (whole < turned)
+        last_chords(rotations_of(a), rotations_of(b), t, used, whole, chord);
     lerp_arrays(a, b, 0, t, out, (size_t)n);
     settle(chord_view, used, rotation_span(out), turned);
     fill_padding(rotation_span(out), used, n);

@@ -46,19 +46,22 @@ static inline lane_slerp_arc arc_at(const float *arcs, size_t width, size_t i)
     return arc;
 }
 
+static inline void put_arc(float *arcs, size_t width, size_t i, lane_slerp_arc arc)
+{
+    arcs[i] = lane_flip(arc.v, arc.turned);
+    arcs[width + i] = arc.h0;
+    arcs[2 * width + i] = arc.h1;
+    arcs[3 * width + i] = arc.h2;
+    arcs[4 * width + i] = arc.h3;
+}
+
 static inline void arcs_of_block(float *a, const float *b, size_t width)
 {
     nkw_quat_view from = rows_of(a, width), to = rows_of(b, width);
     float *arcs = a + 4 * width;
 #pragma omp simd
-    for (size_t i = 0; i < width; i++) {
-        lane_slerp_arc arc = lane_slerp_arc_between(at_quat(from, i), at_quat(to, i));
-        arcs[i] = lane_flip(arc.v, arc.turned);
-        arcs[width + i] = arc.h0;
-        arcs[2 * width + i] = arc.h1;
-        arcs[3 * width + i] = arc.h2;
-        arcs[4 * width + i] = arc.h3;
-    }
+    for (size_t i = 0; i < width; i++)
+        put_arc(arcs, width, i, lane_slerp_arc_between(at_quat(from, i), at_quat(to, i)));
 }
 
 /* Writes the arcs of key a to key b into a. */
@@ -169,12 +172,18 @@ KERNEL(clip_lerp16)
     }
 }
 
-/* A pass of its own: with 16-bit numbers in it, the loop over rotations would take twice as many as registers hold. */
-static inline void decode(const uint16_t *key, const float *base, const float *step, float *out, size_t n)
+/*
+ * A pass of its own over both keys: with 16-bit numbers in it, the loop over rotations would take twice as many as
+ * registers hold.
+ */
+static inline void decode(const uint16_t *a, const uint16_t *b, const float *base, const float *step, float *from,
+                          float *to, size_t n)
 {
 #pragma omp simd
-    for (size_t i = 0; i < n; i++)
-        out[i] = base[i] + step[i] * (float)key[i];
+    for (size_t i = 0; i < n; i++) {
+        from[i] = base[i] + step[i] * (float)a[i];
+        to[i] = base[i] + step[i] * (float)b[i];
+    }
 }
 
 /* q / |q| for a length that is near 1: 1/sqrt(1 - m) = 1 + m/2 + 3 m^2/8 ... */
@@ -186,18 +195,25 @@ static inline nkw_quat near_unit(nkw_quat q)
 
 /*
  * Keys are on the side of the one before. Those half a turn apart have a dot product about 0, which 16 bits may have
- * made negative: they are not turned again, for that would be the way round the other side.
+ * made negative: they are not turned again, for that would be the way round the other side. Arcs have a pass of their
+ * own, so that no lane waits for the polynomials of the one before.
  */
 static inline void slerp16_block(const float *a, const float *b, lane_slerp_pace pace, float *out, size_t stride,
                                  size_t width)
 {
     nkw_quat_view from = rows_of(a, width), to = rows_of(b, width);
     nkw_quat_span o = rows_to(out, stride);
+    float arcs[5 * NKW_BLOCK];
 #pragma omp simd
     for (size_t i = 0; i < width; i++) {
         nkw_quat p = at_quat(from, i), q = at_quat(to, i);
-        lane_slerp_arc arc = lane_slerp_arc_to(p, q, lane_slerp_cosine(p, q), 0);
-        put_quat(o, i, near_unit(lane_quat_slerp_on(p, q, &arc, &pace)));
+        put_arc(arcs, width, i, lane_slerp_arc_to(p, q, lane_slerp_cosine(p, q), 0));
+    }
+#pragma omp simd
+    for (size_t i = 0; i < width; i++) {
+        lane_slerp_arc arc = {
+            0, arcs[i], arcs[width + i], arcs[2 * width + i], arcs[3 * width + i], arcs[4 * width + i]};
+        put_quat(o, i, near_unit(lane_quat_slerp_on(at_quat(from, i), at_quat(to, i), &arc, &pace)));
     }
 }
 
@@ -209,14 +225,15 @@ static inline void slerp16_blocks(const uint16_t *a, const uint16_t *b, const fl
         size_t at = k * 4 * NKW_BLOCK, width = blocks[k].width;
         float from[4 * NKW_BLOCK], to[4 * NKW_BLOCK], mixed[4 * NKW_BLOCK];
         int direct = blocks[k].direct > 0;
-        decode(a + at, base + at, step + at, from, 4 * width);
-        decode(b + at, base + at, step + at, to, 4 * width);
-        if (width == NKW_BLOCK)
-            slerp16_block(from, to, pace, direct ? out + blocks[k].places[0] : mixed, direct ? stride : NKW_BLOCK,
-                          NKW_BLOCK);
-        else
-            slerp16_block(from, to, pace, direct ? out + blocks[k].places[0] : mixed, direct ? stride : NKW_BLOCK,
-                          width);
+        float *o = direct ? out + blocks[k].places[0] : mixed;
+        size_t apart = direct ? stride : NKW_BLOCK;
+        if (width == NKW_BLOCK) {
+            decode(a + at, b + at, base + at, step + at, from, to, 4 * NKW_BLOCK);
+            slerp16_block(from, to, pace, o, apart, NKW_BLOCK);
+        } else {
+            decode(a + at, b + at, base + at, step + at, from, to, 4 * width);
+            slerp16_block(from, to, pace, o, apart, width);
+        }
         if (!direct)
             scatter(&blocks[k], mixed, NKW_BLOCK, 4, out, stride);
     }

@@ -84,30 +84,33 @@ static inline void lane_four_store3(unsigned char *p, lane_four a)
     memcpy(p + sizeof low, &high, sizeof high);
 }
 
+/* a[i] a[i] a[i] a[i] */
+#if defined(__SSE2__) && !defined(__AVX__)
+/* As whole numbers it is one instruction; as floats it would need a copy. */
+#define lane_four_splat(a, i) ((lane_four)LANE_FOUR_MIX((lane_four_bits)(a), (lane_four_bits)(a), i, i, i, i))
+#else
 #define lane_four_splat(a, i) LANE_FOUR_MIX(a, a, i, i, i, i)
+#endif
 
 /*
- * LANE_WIDE floats of a matrix of 16 where registers are wider: two columns or all four, and LANE_FOUR_SPLIT(m), the
- * four columns that LANE_WIDE_PARTS of these hold.
+ * Where registers are wider: LANE_WIDE floats of a matrix of 16, two columns or all four, and eight floats, which hold
+ * two fours. LANE_COLUMN_TWICE(m, c) is column c, twice, of the LANE_WIDE_PARTS that are a matrix.
  */
 #if defined(__has_builtin) && defined(__AVX__)
 #if __has_builtin(__builtin_shufflevector)
-#define LANE_FOUR_PART(m, i) __builtin_shufflevector(m, m, 4 * (i), 4 * (i) + 1, 4 * (i) + 2, 4 * (i) + 3)
 #if defined(__AVX512F__)
 #define LANE_WIDE 16
-#define LANE_FOUR_SPLIT(m)                                                                                             \
-    {                                                                                                                  \
-        LANE_FOUR_PART((m)[0], 0), LANE_FOUR_PART((m)[0], 1), LANE_FOUR_PART((m)[0], 2), LANE_FOUR_PART((m)[0], 3)     \
-    }
 #else
 #define LANE_WIDE 8
-#define LANE_FOUR_SPLIT(m)                                                                                             \
-    {                                                                                                                  \
-        LANE_FOUR_PART((m)[0], 0), LANE_FOUR_PART((m)[0], 1), LANE_FOUR_PART((m)[1], 0), LANE_FOUR_PART((m)[1], 1)     \
-    }
 #endif
-#define LANE_WIDE_PARTS (16 / LANE_WIDE)
+#define LANE_WIDE_PARTS         (16 / LANE_WIDE)
+#define LANE_MIX(a, b, ...)     __builtin_shufflevector(a, b, __VA_ARGS__)
+#define LANE_FOUR_TWICE(a, i)   LANE_MIX(a, a, (i), (i) + 1, (i) + 2, (i) + 3, (i), (i) + 1, (i) + 2, (i) + 3)
+#define LANE_COLUMN_TWICE(m, c) LANE_FOUR_TWICE((m)[4 * (c) / LANE_WIDE], 4 * (c) % LANE_WIDE)
+/* a[i] four times, then a[4 + i]. */
+#define lane_eight_splat(a, i) LANE_MIX(a, a, i, i, i, i, 4 + i, 4 + i, 4 + i, 4 + i)
 typedef float lane_wide __attribute__((vector_size(4 * LANE_WIDE)));
+typedef float lane_eight __attribute__((vector_size(32)));
 
 static inline lane_wide lane_wide_load(const float *p)
 {
@@ -183,6 +186,13 @@ static inline void lane_four_transpose(lane_four m[4])
 #endif
 
 static inline lane_four lane_four_load(const float *p)
+{
+    lane_four r;
+    memcpy(&r, p, sizeof r);
+    return r;
+}
+
+static inline lane_four lane_four_load_bytes(const unsigned char *p)
 {
     lane_four r;
     memcpy(&r, p, sizeof r);
