@@ -113,13 +113,43 @@ struct operation {
     same sort = same::number;
     double least = 1; /* the error is in u of this at the least; 0: of the result alone */
     std::vector<size_t> sizes = {1, 16, 67, 1024, 65536};
+    size_t elements = 0; /* of a call, where the size is of something else: of the keys, say. 0: the size */
 };
 
 enum class layout { structs, components, chain };
 
-/* A row of one size: `fill` computes elements from .. from + n - 1, `time` does so for the benchmark. */
+/* What passes is the time of this thread's processor, or, for rows of several threads, that of the clock on the wall. */
+enum class passing { processor, wall };
+
+/* A row of one size: `check` computes the first elements into `answer`, `time` does all for the benchmark. */
 void add(const operation &op, const std::string &who, layout where, size_t n, std::function<void(size_t)> check,
-         std::function<void(benchmark::State &)> time);
+         std::function<void(benchmark::State &)> time, passing clock = passing::processor);
+
+/*
+ * A row of a data floor at its one size, op.sizes[0]: `run` does the work where its data lie, `show` takes the result
+ * to `answer` for the check.
+ */
+template <class Run, class Show>
+void whole(const operation &op, const std::string &who, layout where, Run run, Show show,
+           passing clock = passing::processor)
+{
+    auto check = [=](size_t) {
+        run();
+        show();
+    };
+    auto time = [=](benchmark::State &state) {
+        for (auto _ : state) {
+            run();
+            benchmark::ClobberMemory();
+        }
+    };
+    add(op, who, where, op.sizes[0], check, time, clock);
+}
+
+template <class Run> void whole(const operation &op, const std::string &who, layout where, Run run)
+{
+    whole(op, who, where, run, [] {});
+}
 
 /* Where the next call begins. */
 inline size_t next(size_t from, size_t n)
@@ -130,9 +160,10 @@ inline size_t next(size_t from, size_t n)
 
 template <class F> void over(const operation &op, const char *who, layout where, F fill)
 {
-    for (size_t n : op.sizes)
+    for (size_t size : op.sizes) {
+        size_t n = op.elements ? op.elements : size;
         add(
-            op, who, where, n, [=](size_t count) { fill(size_t{0}, count); },
+            op, who, where, size, [=](size_t count) { fill(size_t{0}, count); },
             [=](benchmark::State &state) {
                 size_t from = 0;
                 for (auto _ : state) {
@@ -141,6 +172,7 @@ template <class F> void over(const operation &op, const char *who, layout where,
                     from = next(from, n);
                 }
             });
+    }
 }
 
 template <class F> void batch(const operation &op, const char *who, F fill)
@@ -186,6 +218,40 @@ template <class T, class U, class F> void chained(const operation &op, const cha
         }
     });
 }
+
+/*
+ * The same where a result is not the next call's argument: the chain adds 0 times a float of the result to the first
+ * float of x[i], so each call waits for the one before, for a multiplication and an addition longer than it takes.
+ */
+template <class T, class U, class F> void fed(const operation &op, const char *who, const array<U> &first, F f)
+{
+    const T *x = as<T>(first);
+    single(op, who, [=](size_t i) { return f(x[i], i); });
+    auto fill = [=](size_t count) {
+        auto *out = reinterpret_cast<decltype(f(x[0], size_t{0})) *>(answer.at);
+        for (size_t i = 0; i < count; i++)
+            out[i] = f(x[i], i);
+    };
+    add(op, who, layout::chain, near, fill, [=](benchmark::State &state) {
+        for (auto _ : state) {
+            float before = 0;
+            for (size_t i = 0; i < near; i++) {
+                T value = x[i];
+                reinterpret_cast<float *>(&value)[0] += 0 * before;
+                auto result = f(value, i);
+                before = reinterpret_cast<const float *>(&result)[0];
+            }
+            benchmark::DoNotOptimize(before);
+        }
+    });
+}
+
+/* How times follow one another: anywhere, or 1/60 s on or back, as a player asks. */
+enum class asking { random, onward, backward };
+constexpr asking askings[] = {asking::random, asking::onward, asking::backward};
+std::string named(const char *what, asking o); /* "what, random" */
+/* The i-th time in 0 .. end. */
+float time_at(asking o, size_t i, float end);
 
 /* A file's list: static const bench::suite orient([] { ... }); */
 struct suite {

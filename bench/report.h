@@ -12,7 +12,8 @@ namespace bench
 
 struct row {
     std::string stem, operation, who, layout;
-    size_t n;
+    size_t n, elements; /* the size, and the elements of a call, which mostly is the same */
+    bool wall; /* timed by the clock on the wall */
     double error; /* worst, u; -1 before the check */
     double bytes, flops;
     std::vector<double> ns; /* of one element, one for each repetition */
