@@ -4,9 +4,9 @@
  * row.
  *
  *     operation slerp = {"orient", "slerp rand", 4, 52, 61, reference};     what is computed, and what is right
- *     single(slerp, "glm", f)        f(i) gives the value of element i          array of structs, one by one
- *     chained(slerp, "glm", x, f)    f(x[i], i) likewise                        the same, and x = f(x, i) as a
+ *     single(slerp, "glm", f)        f(i) gives the value of element i          array of structs, one by one, and as a
  *                                    dependent chain
+ *     chained(slerp, "glm", x, f)    f(x[i], i) likewise                        the same, the chain by x = f(x, i)
  *     batch(slerp, "loop SoA", f)    f(from, n) fills `answer`                  component arrays, or anything else
  *
  * Each row is checked before it is timed: elements 0 .. n-1 against the reference, the worst error is its counter,
@@ -17,6 +17,8 @@
 #define NAKAWARI_BENCH_H
 
 #include <cstddef>
+#include <cstdint>
+#include <cstring>
 #include <functional>
 #include <string>
 #include <vector>
@@ -186,7 +188,7 @@ template <class F> void into_structs(const operation &op, const char *who, F fil
     over(op, who, layout::structs, fill);
 }
 
-template <class F> void single(const operation &op, const char *who, F f)
+template <class F> void one_by_one(const operation &op, const char *who, F f)
 {
     using T = decltype(f(size_t{0}));
     over(op, who, layout::structs, [=](size_t from, size_t n) {
@@ -197,53 +199,50 @@ template <class F> void single(const operation &op, const char *who, F f)
 }
 
 /*
- * x[i] is the first argument of element i. The chain runs over `near` elements, each from the result of the one
- * before.
+ * A dependent chain over `near` elements: step(result, i) gives the result of element i once it has the one before it.
+ * f(i) gives what is checked.
  */
-template <class T, class U, class F> void chained(const operation &op, const char *who, const array<U> &first, F f)
+template <class T, class F, class Step> void chain(const operation &op, const char *who, T first, F f, Step step)
 {
-    const T *x = as<T>(first);
-    auto fill = [=](size_t count) {
+    auto check = [=](size_t count) {
         T *out = reinterpret_cast<T *>(answer.at);
         for (size_t i = 0; i < count; i++)
-            out[i] = f(x[i], i);
+            out[i] = f(i);
     };
-    single(op, who, [=](size_t i) { return f(x[i], i); });
-    add(op, who, layout::chain, near, fill, [=](benchmark::State &state) {
+    add(op, who, layout::chain, near, check, [=](benchmark::State &state) {
         for (auto _ : state) {
-            T value = x[0];
+            T value = first;
             for (size_t i = 0; i < near; i++)
-                value = f(value, i);
+                value = step(value, i);
             benchmark::DoNotOptimize(value);
         }
     });
 }
 
 /*
- * The same where a result is not the next call's argument: the chain adds 0 times a float of the result to the first
- * float of x[i], so each call waits for the one before, for a multiplication and an addition longer than it takes.
+ * In the chain each call reads the element whose number is i plus a part of the result before it that is always 0,
+ * which nobody but this comment knows: to take the result to an address and to read there is part of each step.
  */
-template <class T, class U, class F> void fed(const operation &op, const char *who, const array<U> &first, F f)
+template <class F> void single(const operation &op, const char *who, F f)
+{
+    using T = decltype(f(size_t{0}));
+    one_by_one(op, who, f);
+    uint32_t none = 0;
+    benchmark::DoNotOptimize(none);
+    chain(op, who, f(0), f, [=](const T &before, size_t i) {
+        uint32_t bits;
+        std::memcpy(&bits, &before, sizeof bits);
+        return f(i + (bits & none));
+    });
+}
+
+/* x[i] is the first argument of element i: in the chain it is the result of the element before. */
+template <class T, class U, class F> void chained(const operation &op, const char *who, const array<U> &first, F f)
 {
     const T *x = as<T>(first);
-    single(op, who, [=](size_t i) { return f(x[i], i); });
-    auto fill = [=](size_t count) {
-        auto *out = reinterpret_cast<decltype(f(x[0], size_t{0})) *>(answer.at);
-        for (size_t i = 0; i < count; i++)
-            out[i] = f(x[i], i);
-    };
-    add(op, who, layout::chain, near, fill, [=](benchmark::State &state) {
-        for (auto _ : state) {
-            float before = 0;
-            for (size_t i = 0; i < near; i++) {
-                T value = x[i];
-                reinterpret_cast<float *>(&value)[0] += 0 * before;
-                auto result = f(value, i);
-                before = reinterpret_cast<const float *>(&result)[0];
-            }
-            benchmark::DoNotOptimize(before);
-        }
-    });
+    auto at = [=](size_t i) { return f(x[i], i); };
+    one_by_one(op, who, at);
+    chain(op, who, x[0], at, f);
 }
 
 /* How times follow one another: anywhere, or 1/60 s on or back, as a player asks. */
