@@ -79,6 +79,7 @@ static void rows(const char *name, std::shared_ptr<scene> s, size_t size, asking
         [](scene &x, float time) { nkw_clip_sample(x.clip(0), time, x.cursors.data(), x.pose.data(), nullptr); });
     row(op, "nkw 16 bits", s, how,
         [](scene &x, float time) { nkw_clip_sample(x.clip(1), time, x.cursors.data(), x.pose.data(), nullptr); });
+    /* Track by track, each with its own search: the reference, not a rival. */
     row(op, "nkw tracks", s, how, [](scene &x, float time) {
         for (size_t j = 0; j < x.joints; j++)
             put(x, j, x.joint_at(j, time));

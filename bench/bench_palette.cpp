@@ -72,6 +72,8 @@ static void full()
     operation op = {"palette", "4x4", 16, 192, 63, joint_matrix};
     op.sizes = joints;
     row(op, "nkw", [](size_t n) { nkw_palette_from_models(models(), n, nullptr, binds(), nullptr, n, answer.at); });
+    /* One product after another: wins where it is inlined and there are few. */
+    peer(op, "nkw singles", [](size_t i) { return nkw_mat4_mul_affine(&models()[i], &binds()[i]); });
 #ifdef BENCH_CGLM
     peer(op, "cglm", cglm_product);
 #endif

@@ -17,7 +17,7 @@ static const size_t joints = 67, most = NKW_SKIN_INFLUENCES;
 static const std::vector<size_t> vertices = {64, 1024, 65536};
 
 /* Rotations within a quarter turn of one another, so that no blend of directions comes near to zero. */
-static nkw_mat4 palette[joints];
+alignas(64) static nkw_mat4 palette[joints];
 static nkw_mat3 normals[joints];
 static nkw_dual_quat duals[joints];
 
@@ -307,12 +307,31 @@ static vertex eigen_moved(const weighted &w, size_t i, bool unit)
 }
 #endif
 
+/* Positions in one pass and normals in another: the blend of the matrices twice. It has won nowhere. */
+static void two_passes(const operation &all, std::shared_ptr<weighted> w)
+{
+    for (size_t n : all.sizes) {
+        operation op = all;
+        op.sizes = {n};
+        nkw_skin skin = skin_of(*w, kind::f32, n);
+        whole(op, "nkw two passes", layout::structs, [=] {
+            nkw_skin_palette p = {palette, nullptr, joints, 0};
+            streams first = interleaved(), second = first;
+            first.in.normals = second.in.positions = {};
+            nkw_skin_linear(&skin, &p, &first.in, &first.out);
+            nkw_skin_linear(&skin, &p, &second.in, &second.out);
+        });
+    }
+}
+
 static void linear(const std::string &name, std::shared_ptr<weighted> w, bool raw)
 {
     double k = static_cast<double>(w->influences);
     operation op = {"skin", name, 6, 48 + 6 * k, 24 * k + 42, blended(w, kind::f32, !raw, 6), 16};
     op.sizes = vertices;
     own(op, w, kind::f32, raw);
+    if (w->influences == 4 && !raw)
+        two_passes(op, w);
     peer(op, "loop", [=](size_t i) { return loop_vertex(*w, i, !raw); });
 #ifdef BENCH_CGLM
     peer(op, "cglm", [=](size_t i) { return cglm_moved(*w, i, !raw); });
