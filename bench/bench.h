@@ -219,16 +219,18 @@ template <class T, class F, class Step> void chain(const operation &op, const ch
     });
 }
 
+/* 0, which no compiler can know. */
+inline volatile uint32_t nothing = 0;
+
 /*
  * In the chain each call reads the element whose number is i plus a part of the result before it that is always 0,
- * which nobody but this comment knows: to take the result to an address and to read there is part of each step.
+ * made of `nothing`: to take the result to an address and to read there is part of each step.
  */
 template <class F> void single(const operation &op, const char *who, F f)
 {
     using T = decltype(f(size_t{0}));
     one_by_one(op, who, f);
-    uint32_t none = 0;
-    benchmark::DoNotOptimize(none);
+    uint32_t none = nothing;
     chain(op, who, f(0), f, [=](const T &before, size_t i) {
         uint32_t bits;
         std::memcpy(&bits, &before, sizeof bits);
