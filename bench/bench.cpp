@@ -188,8 +188,18 @@ void add(const operation &op, const std::string &who, layout where, size_t n, st
     static const char *const layouts[] = {"structs", "components", "chain"};
     row &r = new_row();
     size_t elements = op.elements ? op.elements : n;
-    r = {op.stem,  op.name,  who, layouts[static_cast<int>(where)], n, elements, clock == passing::wall, -1,
-         op.bytes, op.flops, {}};
+    r = {op.stem,
+         op.name,
+         who,
+         layouts[static_cast<int>(where)],
+         n,
+         elements,
+         op.round ? op.round : elements,
+         clock == passing::wall,
+         -1,
+         op.bytes,
+         op.flops,
+         {}};
     double allowed = r.own() ? op.own : op.others;
     auto body = [=, &r](benchmark::State &state) {
         if (r.error < 0)

@@ -116,11 +116,12 @@ struct operation {
     double least = 1; /* the error is in u of this at the least; 0: of the result alone */
     std::vector<size_t> sizes = {1, 16, 67, 1024, 65536};
     size_t elements = 0; /* of a call, where the size is of something else: of the keys, say. 0: the size */
+    size_t round = 0; /* of all calls together, where each goes on from the one before. 0: as of a call */
 };
 
 enum class layout { structs, components, chain };
 
-/* What passes is the time of this thread's processor, or, for rows of several threads, that of the clock on the wall. */
+/* What is measured: the time of this thread on its processor or, for rows of several threads, the clock on the wall. */
 enum class passing { processor, wall };
 
 /* A row of one size: `check` computes the first elements into `answer`, `time` does all for the benchmark. */
@@ -164,8 +165,10 @@ template <class F> void over(const operation &op, const char *who, layout where,
 {
     for (size_t size : op.sizes) {
         size_t n = op.elements ? op.elements : size;
+        operation gone = op;
+        gone.round = n < near ? near : n;
         add(
-            op, who, where, size, [=](size_t count) { fill(size_t{0}, count); },
+            gone, who, where, size, [=](size_t count) { fill(size_t{0}, count); },
             [=](benchmark::State &state) {
                 size_t from = 0;
                 for (auto _ : state) {

@@ -248,7 +248,7 @@ static void many(std::shared_ptr<poses> p, size_t count, const char *name)
 #ifdef BENCH_GLM
     peer(op, "glm", [=](size_t j) {
         glm::vec3 at(0.0f), scale(0.0f);
-        glm::quat first = glm_quaternion(p->trs[0][j].rotation), turn(0.0f, 0.0f, 0.0f, 0.0f);
+        glm::quat first = glm_quaternion(p->trs[0][j].rotation), sum(0.0f, 0.0f, 0.0f, 0.0f);
         float total = 0;
         for (size_t k = 0; k < count; k++) {
             const nkw_trs &trs = p->trs[k][j];
@@ -256,10 +256,10 @@ static void many(std::shared_ptr<poses> p, size_t count, const char *name)
             float w = p->weights[k];
             at += w * glm_vec(trs.translation);
             scale += w * glm_vec(trs.scale);
-            turn = turn + q * (glm::dot(first, q) < 0 ? -w : w);
+            sum = sum + q * (glm::dot(first, q) < 0 ? -w : w);
             total += w;
         }
-        return glm_trs(at / total, glm::normalize(turn), scale / total);
+        return glm_trs(at / total, glm::normalize(sum), scale / total);
     });
 #endif
 }

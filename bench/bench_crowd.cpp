@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: MIT */
 /*
  * Many characters of one skeleton of 67 joints. An element is a character, whose result, for the check, is the matrix
- * of one of its joints. Rows of threads are timed by the clock on the wall, and the fastest
- * repetition counts, for a busy machine lets one of them wait.
+ * of one of its joints. Rows of threads are timed by the clock on the wall, and the fastest repetition counts, for
+ * a busy machine lets one of them wait.
  */
 #include <algorithm>
 #include <memory>
@@ -139,8 +139,8 @@ static void share(work f, size_t n, size_t threads)
     for (size_t k = 1; k < threads; k++)
         others.emplace_back(f, edge(k), edge(k + 1));
     f(0, edge(1));
-    for (std::thread &t : others)
-        t.join();
+    for (std::thread &other : others)
+        other.join();
 }
 
 static void rows_of(const operation &all, const char *who, work f, size_t threads)

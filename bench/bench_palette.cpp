@@ -142,8 +142,8 @@ static void dual()
         Eigen::Quaternionf q(m.linear());
         if (q.w() < 0)
             q.coeffs() = -q.coeffs();
-        Eigen::Vector3f t = 0.5f * m.translation();
-        Eigen::Quaternionf d = Eigen::Quaternionf(0, t.x(), t.y(), t.z()) * q;
+        Eigen::Vector3f half = 0.5f * m.translation();
+        Eigen::Quaternionf d = Eigen::Quaternionf(0, half.x(), half.y(), half.z()) * q;
         return nkw_dual_quat{{q.x(), q.y(), q.z(), q.w()}, {d.x(), d.y(), d.z(), d.w()}};
     });
 #endif

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /*
- * From a time to its segment, among 2 to 100,000 keys: 65536 times at random, which no predictor of branches learns, or 1024 as a
- * player asks, on or back.
+ * From a time to its segment, among 2 to 100,000 keys: 65536 times at random, which no predictor of branches learns,
+ * or 1024 as a player asks, on or back.
  */
 #include <algorithm>
 #include <cmath>

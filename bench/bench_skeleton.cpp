@@ -89,7 +89,7 @@ static void down(const character &c, size_t from, nkw_mat4 *out, Local local, Pr
 /* The rows of the peers, each with its own local matrices. */
 template <class F> static void peers_down(const operation &op, std::shared_ptr<character> c, bool trs, F row)
 {
-    (void)op, (void)trs, (void)row;
+    (void)op, (void)c, (void)trs, (void)row;
 #ifdef BENCH_CGLM
     const cg::mat *cglm = as<cg::mat>(c->locals);
     auto cglm_product = [](const cg::mat &a, const cg::mat &b) {

@@ -396,10 +396,11 @@ static void truth_dual(const weighted &w, size_t i, double *out)
     truth::quat real(sum[0], sum[1], sum[2], sum[3]), dual(sum[4], sum[5], sum[6], sum[7]);
     double length = std::sqrt(truth::dot(real, real));
     real = truth::unit(real);
-    truth::quat t = truth::mul(truth::sum(dual, 2 / length, dual, 0), truth::quat(-real.x, -real.y, -real.z, real.w));
+    truth::quat move =
+        truth::mul(truth::sum(dual, 2 / length, dual, 0), truth::quat(-real.x, -real.y, -real.z, real.w));
     const double one[3] = {1, 1, 1};
     truth::rotation(real, one, m, 3);
-    m[9] = t.x, m[10] = t.y, m[11] = t.z;
+    m[9] = move.x, m[10] = move.y, m[11] = move.z;
     truth_vertex(m, i, true, out);
 }
 
@@ -419,10 +420,10 @@ static glm_vertex glm_dual(const weighted &w, size_t i)
     }
     float scale = 1 / glm::length(real);
     real = real * scale, dual = dual * scale;
-    glm::vec3 r(real.x, real.y, real.z), e(dual.x, dual.y, dual.z), t;
-    t = 2.0f * (real.w * e - dual.w * r + glm::cross(r, e));
+    glm::vec3 r(real.x, real.y, real.z), e(dual.x, dual.y, dual.z);
+    glm::vec3 move = 2.0f * (real.w * e - dual.w * r + glm::cross(r, e));
     const glm_vertex &v = as<glm_vertex>(mesh)[i];
-    return {v.at + 2.0f * glm::cross(r, glm::cross(r, v.at) + real.w * v.at) + t,
+    return {v.at + 2.0f * glm::cross(r, glm::cross(r, v.at) + real.w * v.at) + move,
             v.normal + 2.0f * glm::cross(r, glm::cross(r, v.normal) + real.w * v.normal)};
 }
 #endif

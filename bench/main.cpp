@@ -4,7 +4,8 @@
  *
  *     nakawari-bench-<build> FOLDER [options of Google Benchmark]
  *
- * A row is the median of its repetitions, or the least of those timed by the clock on the wall. Gives 1 where a row's answer was wrong.
+ * A row is the median of its repetitions, or the least of those timed by the clock on the wall. Gives 1 where a row's
+ * answer was wrong.
  */
 #include <algorithm>
 #include <cctype>

@@ -35,7 +35,7 @@ struct results {
 
     /* Of all builds, or of one. Gives false for a file that cannot be read. */
     bool read(const char *path, const char *build);
-    /* The best peer's time over that of l; 0 without a peer. Structs are held against structs, components against all. */
+    /* The best peer's time over that of l; 0 without a peer. Structs are held against structs, the rest against all. */
     double versus(const line &l, bool chain) const;
     /* The sizes that some line of the operation has. */
     std::vector<size_t> sizes(const line &of) const;
