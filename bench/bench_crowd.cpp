@@ -160,11 +160,11 @@ static void rows_of(const operation &all, const char *who, work f, size_t thread
     }
 }
 
-static void time_to_palette()
+static void time_to_palette(size_t threads)
 {
     the().palettes.resize(most * joints);
     operation op = {"crowd",
-                    "time to palette",
+                    threads == 1 ? "time to palette" : "time to palette, 2 threads",
                     16,
                     joints * 144.0,
                     joints * 288.0,
@@ -175,12 +175,10 @@ static void time_to_palette()
                         truth::product(model, bind, 4, out);
                     },
                     128};
-    rows_of(op, "nkw sixteen", sixteen, 1);
-    rows_of(op, "nkw sixteen, 2 threads", sixteen, 2);
-    rows_of(op, "nkw one by one", one_by_one, 1);
-    rows_of(op, "nkw one, 2 threads", one_by_one, 2);
+    rows_of(op, "nkw sixteen", sixteen, threads);
+    rows_of(op, "nkw one by one", one_by_one, threads);
 #ifdef BENCH_GLM
-    rows_of(op, "upper_bound, glm", by_hand, 1);
+    rows_of(op, "upper_bound, glm", by_hand, threads);
 #endif
 }
 
@@ -278,6 +276,7 @@ static void local_to_model()
 }
 
 static const suite all([] {
-    time_to_palette();
+    time_to_palette(1);
+    time_to_palette(2);
     local_to_model();
 });

@@ -33,7 +33,7 @@ struct source {
 };
 
 struct panel {
-    const char *title, *x, *y;
+    const char *title, *size, *element;
     std::vector<source> sources;
 };
 
@@ -118,9 +118,10 @@ static void draw_frame(svg *s, const svg_box &b, const panel &p, const axis &x, 
         figure_text(s, at, b.y + b.height + 16, 11, FIGURE_GREY, 'm', text);
     }
     svg_rect(s, b, 0, &border);
+    std::string unit = std::string("ns for each ") + p.element;
     figure_bold(s, b.x, b.y - 26, 14, FIGURE_INK, 's', p.title);
-    figure_text(s, b.x, b.y - 9, 12, FIGURE_GREY, 's', p.y);
-    figure_text(s, b.x + b.width / 2, b.y + b.height + 34, 12, FIGURE_GREY, 'm', p.x);
+    figure_text(s, b.x, b.y - 9, 12, FIGURE_GREY, 's', unit.c_str());
+    figure_text(s, b.x + b.width / 2, b.y + b.height + 34, 12, FIGURE_GREY, 'm', p.size);
 }
 
 static void draw_panel(svg *s, const results &r, const panel &p, const svg_box &b)
@@ -155,79 +156,71 @@ static void draw_panel(svg *s, const results &r, const panel &p, const svg_box &
     }
 }
 
-static int draw_growth(const results &r, const std::string &path, const char *lesson, const char *reading,
-                       const std::vector<panel> &panels)
+/* A page: its file is performance-<name>.svg. */
+struct page {
+    const char *name, *lesson;
+    std::vector<panel> panels;
+};
+
+static const std::vector<page> pages = {
+    {"joints",
+     "Cost of a joint against the joints of the skeleton",
+     {{"A pose from a clip, at random times", "joints", "joint", {{"clip", "pose by joints, random", "", ""}}},
+      {"Local to model", "joints", "joint", {{"skeleton", "local to model", "", ""}}},
+      {"Two poses blended", "joints", "joint", {{"blend", "two", "", ""}}},
+      {"Joint matrices", "joints", "joint", {{"palette", "4x4", "", ""}}}}},
+    {"keys",
+     "Cost of a time against the keys",
+     {{"Lookup: times at random", "keys", "lookup", {{"segment", "find by keys, random", "", ""}}},
+      {"Lookup: times in order", "keys", "lookup", {{"segment", "find by keys, in order", "", ""}}},
+      {"Rotation from a track",
+       "keys",
+       "sample",
+       {{"track", "rotation linear by keys, random", "nkw _from", "random"},
+        {"track", "rotation linear by keys, in order", "nkw _from", "in order"},
+        {"track", "rotation linear by keys, backwards", "nkw _from", "backwards"},
+        {"track", "rotation linear by keys, random", "upper_bound, glm", "glm: random"},
+        {"track", "rotation linear by keys, in order", "upper_bound, glm", "glm: in order"}}},
+      {"A pose of 16 joints from a clip",
+       "keys",
+       "joint",
+       {{"clip", "pose by keys, random", "nkw", "random"},
+        {"clip", "pose by keys, in order", "nkw", "in order"},
+        {"clip", "pose by keys, backwards", "nkw", "backwards"},
+        {"clip", "pose by keys, random", "upper_bound, glm", "glm: random"},
+        {"clip", "pose by keys, in order", "upper_bound, glm", "glm: in order"}}}}},
+    {"characters",
+     "Cost of a character against the characters",
+     {{"From a time to a palette, 67 joints",
+       "characters",
+       "character",
+       {{"crowd", "time to palette", "", ""},
+        {"crowd", "time to palette, 2 threads", "nkw sixteen", "sixteen, 2 threads"},
+        {"crowd", "time to palette, 2 threads", "nkw one by one", "one by one, 2 threads"},
+        {"crowd", "time to palette, 2 threads", "upper_bound, glm", "glm, 2 threads"}}},
+      {"Local to model, 67 joints", "characters", "character", {{"crowd", "local to model", "", ""}}}}},
+    {"vertices",
+     "Cost of a vertex against the vertices",
+     {{"Positions and normals, 4 influences", "vertices", "vertex", {{"skin", "4 influences", "", ""}}},
+      {"Dual quaternions, 4 influences", "vertices", "vertex", {{"skin", "4, dual quaternions", "", ""}}}}},
+};
+
+static int draw_page(const results &r, const std::string &folder, const page &p)
 {
     const float width = 480, height = 430;
     svg s;
-    float rows = real(static_cast<double>((panels.size() + 1) / 2));
-    if (!figure_open(&s, path.c_str(), 2 * width, 90 + height * rows, lesson, reading))
+    std::string path = folder + "/performance-" + p.name + ".svg";
+    std::string reading =
+        std::string("Both axes are logarithmic. Full lines: this library; dashed: its peers. Built for ") +
+        growth_build + ".";
+    float rows = real(static_cast<double>((p.panels.size() + 1) / 2));
+    if (!figure_open(&s, path.c_str(), 2 * width, 90 + height * rows, p.lesson, reading.c_str()))
         return 0;
-    for (size_t k = 0; k < panels.size(); k++) {
-        svg_box box = {60 + width * real(static_cast<double>(k % 2)), 134 + height * real(static_cast<double>(k / 2)),
-                       390, 230};
-        draw_panel(&s, r, panels[k], box);
+    for (size_t k = 0; k < p.panels.size(); k++) {
+        float column = real(static_cast<double>(k % 2)), row = real(static_cast<double>(k / 2));
+        draw_panel(&s, r, p.panels[k], {60 + width * column, 134 + height * row, 390, 230});
     }
     return svg_close(&s);
-}
-
-static int draw_growths(const results &r, const std::string &folder)
-{
-    const char *reading =
-        "Both axes are logarithmic. Full lines: this library; dashed: its peers. Built for x86-64-v3.";
-    return draw_growth(r, folder + "/performance-joints.svg", "Cost of a joint against the joints of the skeleton",
-                       reading,
-                       {{"A pose from a clip, at random times",
-                         "joints",
-                         "ns for each joint",
-                         {{"clip", "pose by joints, random", "", ""}}},
-                        {"Local to model", "joints", "ns for each joint", {{"skeleton", "local to model", "", ""}}},
-                        {"Two poses blended", "joints", "ns for each joint", {{"blend", "two", "", ""}}},
-                        {"Joint matrices", "joints", "ns for each joint", {{"palette", "4x4", "", ""}}}}) &&
-           draw_growth(
-               r, folder + "/performance-keys.svg", "Cost of a time against the keys", reading,
-               {{"Lookup: times at random",
-                 "keys",
-                 "ns for each lookup",
-                 {{"segment", "find by keys, random", "", ""}}},
-                {"Lookup: times in order",
-                 "keys",
-                 "ns for each lookup",
-                 {{"segment", "find by keys, in order", "", ""}}},
-                {"Rotation from a track",
-                 "keys",
-                 "ns for each sample",
-                 {{"track", "rotation linear by keys, random", "nkw _from", "random"},
-                  {"track", "rotation linear by keys, in order", "nkw _from", "in order"},
-                  {"track", "rotation linear by keys, backwards", "nkw _from", "backwards"},
-                  {"track", "rotation linear by keys, random", "upper_bound, glm", "upper_bound, glm: random"},
-                  {"track", "rotation linear by keys, in order", "upper_bound, glm", "upper_bound, glm: in order"}}},
-                {"A pose of 16 joints from a clip",
-                 "keys",
-                 "ns for each joint",
-                 {{"clip", "pose by keys, random", "nkw", "random"},
-                  {"clip", "pose by keys, in order", "nkw", "in order"},
-                  {"clip", "pose by keys, backwards", "nkw", "backwards"},
-                  {"clip", "pose by keys, random", "upper_bound, glm", "upper_bound, glm: random"},
-                  {"clip", "pose by keys, in order", "upper_bound, glm", "upper_bound, glm: in order"}}}}) &&
-           draw_growth(r, folder + "/performance-characters.svg", "Cost of a character against the characters", reading,
-                       {{"From a time to a palette, 67 joints",
-                         "characters",
-                         "ns for each character",
-                         {{"crowd", "time to palette", "", ""}}},
-                        {"Local to model, 67 joints",
-                         "characters",
-                         "ns for each character",
-                         {{"crowd", "local to model", "", ""}}}}) &&
-           draw_growth(r, folder + "/performance-vertices.svg", "Cost of a vertex against the vertices", reading,
-                       {{"Positions and normals, 4 influences",
-                         "vertices",
-                         "ns for each vertex",
-                         {{"skin", "4 influences", "", ""}}},
-                        {"Dual quaternions, 4 influences",
-                         "vertices",
-                         "ns for each vertex",
-                         {{"skin", "4, dual quaternions", "", ""}}}});
 }
 
 /* ---- ratios ---- */
@@ -293,6 +286,8 @@ static int draw_ratios(const results &r, const std::string &folder, const char *
     const svg_colour single = 0x1f5fd0, arrays = 0x00897b;
     std::vector<ratio> all = ratios_of(r, build);
     size_t half = (all.size() + 1) / 2;
+    while (half < all.size() && !all[half].stem)
+        half++;
     float bottom = top + row * real(static_cast<double>(half));
     axis x = {0.05, 50};
     svg s;
@@ -305,8 +300,8 @@ static int draw_ratios(const results &r, const std::string &folder, const char *
     figure_legend(&s, 24, 90, &one, "structs: single calls, and arrays of structs");
     figure_legend(&s, 24 + column, 90, &many, "component arrays, against the best peer of any layout");
     for (size_t k = 0; k < all.size(); k++) {
-        float left = k < half ? 20 : 20 + column, y = top + row * real(static_cast<double>(k % half));
-        if (k % half == 0)
+        float left = k < half ? 20 : 20 + column, y = top + row * real(static_cast<double>(k < half ? k : k - half));
+        if (k == 0 || k == half)
             draw_scale(&s, x, left + label, bars, top, bottom);
         if (all[k].stem) {
             figure_bold(&s, left, y + 12, 12, FIGURE_INK, 's', all[k].name.c_str());
@@ -326,7 +321,10 @@ int main(int argc, char **argv)
         std::fprintf(stderr, "usage: %s RESULTS.csv FOLDER\n", argv[0]);
         return 2;
     }
-    if (!draw_growths(r, argv[2]) || !draw_ratios(r, argv[2], "x86-64") || !draw_ratios(r, argv[2], "x86-64-v3")) {
+    int drawn = draw_ratios(r, argv[2], "x86-64") && draw_ratios(r, argv[2], "x86-64-v3");
+    for (const page &p : pages)
+        drawn = drawn && draw_page(r, argv[2], p);
+    if (!drawn) {
         std::perror(argv[2]);
         return 1;
     }

@@ -29,6 +29,7 @@ const std::vector<growth> growths = {
     {"skin", "4 influences", "vertex", "vertices"},
     {"crowd", "local to model", "character", "characters"},
     {"crowd", "time to palette", "character", "characters"},
+    {"crowd", "time to palette, 2 threads", "character", "characters"},
 };
 
 double line::time() const
