@@ -195,7 +195,7 @@ void add(const operation &op, const std::string &who, layout where, size_t n, st
          n,
          elements,
          op.round ? op.round : elements,
-         clock == passing::wall,
+         clock == passing::told,
          -1,
          op.bytes,
          op.flops,
@@ -215,8 +215,8 @@ void add(const operation &op, const std::string &who, layout where, size_t n, st
         state.counters["elements"] = static_cast<double>(elements);
     };
     auto *registered = benchmark::RegisterBenchmark(r.key().c_str(), body);
-    if (r.wall)
-        registered->UseRealTime();
+    if (r.told)
+        registered->UseManualTime();
 }
 
 std::string named(const char *what, asking o)

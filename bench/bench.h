@@ -121,8 +121,8 @@ struct operation {
 
 enum class layout { structs, components, chain };
 
-/* What is measured: the time of this thread on its processor or, for rows of several threads, the clock on the wall. */
-enum class passing { processor, wall };
+/* What is measured: the time of this thread on its processor, or what the row itself says, by SetIterationTime. */
+enum class passing { processor, told };
 
 /* A row of one size: `check` computes the first elements into `answer`, `time` does all for the benchmark. */
 void add(const operation &op, const std::string &who, layout where, size_t n, std::function<void(size_t)> check,
@@ -133,8 +133,7 @@ void add(const operation &op, const std::string &who, layout where, size_t n, st
  * to `answer` for the check.
  */
 template <class Run, class Show>
-void whole(const operation &op, const std::string &who, layout where, Run run, Show show,
-           passing clock = passing::processor)
+void whole(const operation &op, const std::string &who, layout where, Run run, Show show)
 {
     auto check = [=](size_t) {
         run();
@@ -146,7 +145,7 @@ void whole(const operation &op, const std::string &who, layout where, Run run, S
             benchmark::ClobberMemory();
         }
     };
-    add(op, who, where, op.sizes[0], check, time, clock);
+    add(op, who, where, op.sizes[0], check, time);
 }
 
 template <class Run> void whole(const operation &op, const std::string &who, layout where, Run run)

@@ -4,8 +4,7 @@
  *
  *     nakawari-bench-<build> FOLDER [options of Google Benchmark]
  *
- * A row is the median of its repetitions, or the least of those timed by the clock on the wall. Gives 1 where a row's
- * answer was wrong.
+ * A row is the median of its repetitions. Gives 1 where a row's answer was wrong.
  */
 #include <algorithm>
 #include <cctype>
@@ -59,11 +58,6 @@ static double median(std::vector<double> v)
     return v[v.size() / 2];
 }
 
-static double least(const std::vector<double> &v)
-{
-    return *std::min_element(v.begin(), v.end());
-}
-
 class collector : public benchmark::BenchmarkReporter
 {
   public:
@@ -86,7 +80,7 @@ class collector : public benchmark::BenchmarkReporter
                 std::cerr << r.key() << ": " << run.error_message << "\n";
                 wrong++;
             } else if (run.run_type == Run::RT_Iteration) {
-                double time = r.wall ? run.GetAdjustedRealTime() : run.GetAdjustedCPUTime();
+                double time = r.told ? run.GetAdjustedRealTime() : run.GetAdjustedCPUTime();
                 r.ns.push_back(time / static_cast<double>(r.elements));
             }
         }
@@ -112,8 +106,8 @@ static void write(const std::string &path)
     for (const row &r : rows())
         if (!r.ns.empty())
             out << BENCH_BUILD << "," << r.stem << ",\"" << r.operation << "\",\"" << r.who << "\"," << r.layout << ","
-                << r.n << "," << (r.wall ? least(r.ns) : median(r.ns)) << "," << r.error << "," << r.bytes << ","
-                << r.flops << "," << limit_ns(r) << "\n";
+                << r.n << "," << median(r.ns) << "," << r.error << "," << r.bytes << "," << r.flops << ","
+                << limit_ns(r) << "\n";
 }
 
 } // namespace bench
