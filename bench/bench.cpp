@@ -158,11 +158,11 @@ static double error_at(const operation &op, layout where, size_t i, const double
     return worst == 0 ? 0 : worst / (scale * 0x1p-24);
 }
 
-/* References are worked out once for each operation, as far as they are asked for. */
-static const double *truth_at(const operation &op, size_t i)
+/* References are worked out once for each operation, as far as they are asked for, or for each of its sizes. */
+static const double *truth_at(const operation &op, size_t size, size_t i)
 {
     static std::map<std::string, std::vector<double>> known;
-    std::vector<double> &truth = known[op.stem + "/" + op.name];
+    std::vector<double> &truth = known[op.stem + "/" + op.name + "/" + std::to_string(op.elements ? size : 0)];
     for (size_t done = truth.size() / op.width; done <= i; done++) {
         truth.resize((done + 1) * op.width);
         op.truth(done, &truth[done * op.width]);
@@ -170,7 +170,7 @@ static const double *truth_at(const operation &op, size_t i)
     return &truth[i * op.width];
 }
 
-static double checked(const operation &op, layout where, size_t n, const std::function<void(size_t)> &fill)
+static double checked(const operation &op, layout where, size_t size, size_t n, const std::function<void(size_t)> &fill)
 {
     double worst = 0;
     for (size_t i = 0; i < pool; i++)
@@ -178,20 +178,32 @@ static double checked(const operation &op, layout where, size_t n, const std::fu
             answer.at[i].m[k] = answer.part[k][i] = std::numeric_limits<float>::quiet_NaN();
     fill(n);
     for (size_t i = 0; i < n; i++)
-        worst = std::fmax(worst, error_at(op, where, i, truth_at(op, i)));
+        worst = std::fmax(worst, error_at(op, where, i, truth_at(op, size, i)));
     return worst;
 }
 
 void add(const operation &op, const std::string &who, layout where, size_t n, std::function<void(size_t)> fill,
-         std::function<void(benchmark::State &)> time)
+         std::function<void(benchmark::State &)> time, passing clock)
 {
     static const char *const layouts[] = {"structs", "components", "chain"};
     row &r = new_row();
-    r = {op.stem, op.name, who, layouts[static_cast<int>(where)], n, -1, op.bytes, op.flops, {}};
+    size_t elements = op.elements ? op.elements : n;
+    r = {op.stem,
+         op.name,
+         who,
+         layouts[static_cast<int>(where)],
+         n,
+         elements,
+         op.round ? op.round : elements,
+         clock == passing::told,
+         -1,
+         op.bytes,
+         op.flops,
+         {}};
     double allowed = r.own() ? op.own : op.others;
     auto body = [=, &r](benchmark::State &state) {
         if (r.error < 0)
-            r.error = checked(op, where, n, fill);
+            r.error = checked(op, where, n, elements, fill);
         if (r.error > allowed) {
             state.SkipWithError(("wrong: off by " + std::to_string(r.error) + " u").c_str());
             return;
@@ -200,9 +212,24 @@ void add(const operation &op, const std::string &who, layout where, size_t n, st
         state.counters["error_u"] = r.error;
         state.counters["bytes"] = r.bytes;
         state.counters["flops"] = r.flops;
-        state.counters["elements"] = static_cast<double>(n);
+        state.counters["elements"] = static_cast<double>(elements);
     };
-    benchmark::RegisterBenchmark(r.key().c_str(), body);
+    auto *registered = benchmark::RegisterBenchmark(r.key().c_str(), body);
+    if (r.told)
+        registered->UseManualTime();
+}
+
+std::string named(const char *what, asking o)
+{
+    return std::string(what) + (o == asking::random ? ", random" : o == asking::onward ? ", in order" : ", backwards");
+}
+
+float time_at(asking o, size_t i, float end)
+{
+    if (o == asking::random)
+        return end * t[i % pool];
+    float on = std::fmod(static_cast<float>(i % pool) / 60, end);
+    return o == asking::onward ? on : end - on;
 }
 
 } // namespace bench

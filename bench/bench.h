@@ -4,9 +4,9 @@
  * row.
  *
  *     operation slerp = {"orient", "slerp rand", 4, 52, 61, reference};     what is computed, and what is right
- *     single(slerp, "glm", f)        f(i) gives the value of element i          array of structs, one by one
- *     chained(slerp, "glm", x, f)    f(x[i], i) likewise                        the same, and x = f(x, i) as a
+ *     single(slerp, "glm", f)        f(i) gives the value of element i          array of structs, one by one, and as a
  *                                    dependent chain
+ *     chained(slerp, "glm", x, f)    f(x[i], i) likewise                        the same, the chain by x = f(x, i)
  *     batch(slerp, "loop SoA", f)    f(from, n) fills `answer`                  component arrays, or anything else
  *
  * Each row is checked before it is timed: elements 0 .. n-1 against the reference, the worst error is its counter,
@@ -17,6 +17,8 @@
 #define NAKAWARI_BENCH_H
 
 #include <cstddef>
+#include <cstdint>
+#include <cstring>
 #include <functional>
 #include <string>
 #include <vector>
@@ -113,13 +115,43 @@ struct operation {
     same sort = same::number;
     double least = 1; /* the error is in u of this at the least; 0: of the result alone */
     std::vector<size_t> sizes = {1, 16, 67, 1024, 65536};
+    size_t elements = 0; /* of a call, where the size is of something else: of the keys, say. 0: the size */
+    size_t round = 0; /* of all calls together, where each goes on from the one before. 0: as of a call */
 };
 
 enum class layout { structs, components, chain };
 
-/* A row of one size: `fill` computes elements from .. from + n - 1, `time` does so for the benchmark. */
+/* What is measured: the time of this thread on its processor, or what the row itself says, by SetIterationTime. */
+enum class passing { processor, told };
+
+/* A row of one size: `check` computes the first elements into `answer`, `time` does all for the benchmark. */
 void add(const operation &op, const std::string &who, layout where, size_t n, std::function<void(size_t)> check,
-         std::function<void(benchmark::State &)> time);
+         std::function<void(benchmark::State &)> time, passing clock = passing::processor);
+
+/*
+ * A row of a data floor at its one size, op.sizes[0]: `run` does the work where its data lie, `show` takes the result
+ * to `answer` for the check.
+ */
+template <class Run, class Show>
+void whole(const operation &op, const std::string &who, layout where, Run run, Show show)
+{
+    auto check = [=](size_t) {
+        run();
+        show();
+    };
+    auto time = [=](benchmark::State &state) {
+        for (auto _ : state) {
+            run();
+            benchmark::ClobberMemory();
+        }
+    };
+    add(op, who, where, op.sizes[0], check, time);
+}
+
+template <class Run> void whole(const operation &op, const std::string &who, layout where, Run run)
+{
+    whole(op, who, where, run, [] {});
+}
 
 /* Where the next call begins. */
 inline size_t next(size_t from, size_t n)
@@ -130,9 +162,12 @@ inline size_t next(size_t from, size_t n)
 
 template <class F> void over(const operation &op, const char *who, layout where, F fill)
 {
-    for (size_t n : op.sizes)
+    for (size_t size : op.sizes) {
+        size_t n = op.elements ? op.elements : size;
+        operation gone = op;
+        gone.round = n < near ? near : n;
         add(
-            op, who, where, n, [=](size_t count) { fill(size_t{0}, count); },
+            gone, who, where, size, [=](size_t count) { fill(size_t{0}, count); },
             [=](benchmark::State &state) {
                 size_t from = 0;
                 for (auto _ : state) {
@@ -141,6 +176,7 @@ template <class F> void over(const operation &op, const char *who, layout where,
                     from = next(from, n);
                 }
             });
+    }
 }
 
 template <class F> void batch(const operation &op, const char *who, F fill)
@@ -154,7 +190,7 @@ template <class F> void into_structs(const operation &op, const char *who, F fil
     over(op, who, layout::structs, fill);
 }
 
-template <class F> void single(const operation &op, const char *who, F f)
+template <class F> void one_by_one(const operation &op, const char *who, F f)
 {
     using T = decltype(f(size_t{0}));
     over(op, who, layout::structs, [=](size_t from, size_t n) {
@@ -165,27 +201,60 @@ template <class F> void single(const operation &op, const char *who, F f)
 }
 
 /*
- * x[i] is the first argument of element i. The chain runs over `near` elements, each from the result of the one
- * before.
+ * A dependent chain over `near` elements: step(result, i) gives the result of element i once it has the one before it.
+ * f(i) gives what is checked.
  */
-template <class T, class U, class F> void chained(const operation &op, const char *who, const array<U> &first, F f)
+template <class T, class F, class Step> void chain(const operation &op, const char *who, T first, F f, Step step)
 {
-    const T *x = as<T>(first);
-    auto fill = [=](size_t count) {
+    auto check = [=](size_t count) {
         T *out = reinterpret_cast<T *>(answer.at);
         for (size_t i = 0; i < count; i++)
-            out[i] = f(x[i], i);
+            out[i] = f(i);
     };
-    single(op, who, [=](size_t i) { return f(x[i], i); });
-    add(op, who, layout::chain, near, fill, [=](benchmark::State &state) {
+    add(op, who, layout::chain, near, check, [=](benchmark::State &state) {
         for (auto _ : state) {
-            T value = x[0];
+            T value = first;
             for (size_t i = 0; i < near; i++)
-                value = f(value, i);
+                value = step(value, i);
             benchmark::DoNotOptimize(value);
         }
     });
 }
+
+/* 0, which no compiler can know. */
+inline volatile uint32_t nothing = 0;
+
+/*
+ * In the chain each call reads the element whose number is i plus a part of the result before it that is always 0,
+ * made of `nothing`: to take the result to an address and to read there is part of each step.
+ */
+template <class F> void single(const operation &op, const char *who, F f)
+{
+    using T = decltype(f(size_t{0}));
+    one_by_one(op, who, f);
+    uint32_t none = nothing;
+    chain(op, who, f(0), f, [=](const T &before, size_t i) {
+        uint32_t bits;
+        std::memcpy(&bits, &before, sizeof bits);
+        return f(i + (bits & none));
+    });
+}
+
+/* x[i] is the first argument of element i: in the chain it is the result of the element before. */
+template <class T, class U, class F> void chained(const operation &op, const char *who, const array<U> &first, F f)
+{
+    const T *x = as<T>(first);
+    auto at = [=](size_t i) { return f(x[i], i); };
+    one_by_one(op, who, at);
+    chain(op, who, x[0], at, f);
+}
+
+/* How times follow one another: anywhere, or 1/60 s on or back, as a player asks. */
+enum class asking { random, onward, backward };
+constexpr asking askings[] = {asking::random, asking::onward, asking::backward};
+std::string named(const char *what, asking o); /* "what, random" */
+/* The i-th time in 0 .. end. */
+float time_at(asking o, size_t i, float end);
 
 /* A file's list: static const bench::suite orient([] { ... }); */
 struct suite {

@@ -1,5 +1,8 @@
 /* SPDX-License-Identifier: MIT */
-/* From a time to its segment: 1024 times at random, and 1024 that go on as a player's do, among 2 to 100,000 keys. */
+/*
+ * From a time to its segment, among 2 to 100,000 keys: 65536 times at random, which no predictor of branches learns,
+ * or 1024 as a player asks, on or back.
+ */
 #include <algorithm>
 #include <cmath>
 #include <memory>
@@ -13,15 +16,15 @@ struct timeline {
     float rate;
 };
 
-/* Keys 1/32 s apart, so that the uniform search finds the same; `ask` from the first key to the last. */
-static std::shared_ptr<timeline> line(size_t count, bool random)
+/* Keys 1/32 s apart, so that the uniform search finds the same. */
+static std::shared_ptr<timeline> line(size_t count, asking how)
 {
     auto l = std::make_shared<timeline>();
     l->rate = 32;
     for (size_t k = 0; k < count; k++)
         l->keys.push_back(nkw_segment_uniform_time(0, l->rate, k));
-    for (size_t i = 0; i < near; i++)
-        l->ask.push_back(l->keys.back() * (random ? t[i] : static_cast<float>(i) / near));
+    for (size_t i = 0; i < (how == asking::random ? pool : near); i++)
+        l->ask.push_back(time_at(how, i, l->keys.back()));
     return l;
 }
 
@@ -38,10 +41,7 @@ static nkw_segment by_upper_bound(const std::vector<float> &keys, float time)
     return {k, (time - keys[k]) / (keys[k + 1] - keys[k])};
 }
 
-/*
- * Counts on the branch predictor less: no branch within the search. Won at random times among few keys; see
- * docs/performance.md.
- */
+/* No branch within the search: wins at random times among hundreds of keys and more, loses where times follow. */
 static nkw_segment by_halving(const std::vector<float> &keys, float time)
 {
     const float *base = keys.data();
@@ -50,11 +50,39 @@ static nkw_segment by_halving(const std::vector<float> &keys, float time)
     return {static_cast<size_t>(base - keys.data()), (time - base[0]) / (base[1] - base[0])};
 }
 
-static void rows(size_t count, bool random)
+/* The cursor that every player has: from where the last time was, key by key. */
+static nkw_segment by_walking(const std::vector<float> &keys, float time, size_t k)
 {
-    auto l = line(count, random);
+    while (k + 2 < keys.size() && keys[k + 1] <= time)
+        k++;
+    while (k > 0 && keys[k] > time)
+        k--;
+    return {k, (time - keys[k]) / (keys[k + 1] - keys[k])};
+}
+
+static void peers(const operation &op, std::shared_ptr<timeline> l, bool follow)
+{
+    batch(op, "std upper_bound", [=](size_t, size_t n) {
+        for (size_t i = 0; i < n; i++)
+            put(i, by_upper_bound(l->keys, l->ask[i]));
+    });
+    batch(op, "loop halving", [=](size_t, size_t n) {
+        for (size_t i = 0; i < n; i++)
+            put(i, by_halving(l->keys, l->ask[i]));
+    });
+    if (follow)
+        batch(op, "loop walking", [=](size_t, size_t n) {
+            nkw_segment s = by_upper_bound(l->keys, l->ask[0]);
+            for (size_t i = 0; i < n; i++)
+                put(i, s = by_walking(l->keys, l->ask[i], s.index));
+        });
+}
+
+static void rows(size_t count, asking how)
+{
+    auto l = line(count, how);
     operation op = {"segment",
-                    std::to_string(count) + (random ? " keys, random" : " keys, in order"),
+                    named("find by keys", how),
                     2,
                     20,
                     3 + std::log2(static_cast<double>(count)),
@@ -64,7 +92,8 @@ static void rows(size_t count, bool random)
                     },
                     0,
                     4};
-    op.sizes = {near};
+    op.sizes = {count};
+    op.elements = l->ask.size();
     batch(op, "nkw", [=](size_t, size_t n) {
         for (size_t i = 0; i < n; i++)
             put(i, nkw_segment_find(l->keys.data(), l->keys.size(), l->ask[i]));
@@ -79,24 +108,16 @@ static void rows(size_t count, bool random)
             put(i, nkw_segment_find_uniform(0, l->rate, l->keys.size(), l->ask[i]));
     });
     batch(op, "nkw _n", [=](size_t, size_t n) {
-        static nkw_segment out[near];
+        static nkw_segment out[pool];
         nkw_segment_find_n(l->keys.data(), l->keys.size(), l->ask.data(), out, n);
         for (size_t i = 0; i < n; i++)
             put(i, out[i]);
     });
-    batch(op, "std upper_bound", [=](size_t, size_t n) {
-        for (size_t i = 0; i < n; i++)
-            put(i, by_upper_bound(l->keys, l->ask[i]));
-    });
-    batch(op, "loop halving", [=](size_t, size_t n) {
-        for (size_t i = 0; i < n; i++)
-            put(i, by_halving(l->keys, l->ask[i]));
-    });
+    peers(op, l, how != asking::random);
 }
 
 static const suite all([] {
-    for (size_t count : {2u, 16u, 301u, 4096u, 100000u}) {
-        rows(count, true);
-        rows(count, false);
-    }
+    for (asking how : askings)
+        for (size_t count : {2u, 16u, 301u, 4096u, 100000u})
+            rows(count, how);
 });

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* One property over time: 301 keys, 1024 times at random and 1024 in order. */
+/* One property over time, with 2 to 100,000 keys: 65536 times at random, or 1024 as a player asks, on or back. */
 #include <algorithm>
 #include <cmath>
 #include <memory>
@@ -9,24 +9,23 @@
 
 using namespace bench;
 
-static const size_t keys = 301;
-
 struct data {
     std::vector<float> times, values, ask;
     nkw_track track;
 };
 
-static std::shared_ptr<data> draw(size_t width, nkw_track_kind kind, nkw_interpolation interpolation, bool random)
+static std::shared_ptr<data> draw(size_t keys, size_t width, nkw_track_kind kind, nkw_interpolation interpolation,
+                                  asking how)
 {
     auto d = std::make_shared<data>();
     size_t values = interpolation == NKW_INTERPOLATION_CUBICSPLINE ? 3 : 1;
     for (size_t k = 0; k < keys; k++) {
         d->times.push_back(static_cast<float>(k) / 30);
         for (size_t i = 0; i < values * width; i++)
-            d->values.push_back(kind == NKW_TRACK_FLOATS ? point[i % 3][k].x : (&unit_a[k].x)[i % 4]);
+            d->values.push_back(kind == NKW_TRACK_FLOATS ? point[i % 3][k % pool].x : (&unit_a[k % pool].x)[i % 4]);
     }
-    for (size_t i = 0; i < near; i++)
-        d->ask.push_back(10 * (random ? t[i] : static_cast<float>(i) / near));
+    for (size_t i = 0; i < (how == asking::random ? pool : near); i++)
+        d->ask.push_back(time_at(how, i, d->times.back()));
     d->track = {d->times.data(), d->values.data(), keys, width, kind, interpolation, nullptr};
     return d;
 }
@@ -40,7 +39,7 @@ static float *out(size_t i, size_t width)
 static void by_hand(const data &d, float time, float *to)
 {
     size_t after = static_cast<size_t>(std::upper_bound(d.times.begin(), d.times.end(), time) - d.times.begin());
-    size_t k = std::min(std::max<size_t>(after, 1), keys - 1) - 1;
+    size_t k = std::min(std::max<size_t>(after, 1), d.times.size() - 1) - 1;
     float s = (time - d.times[k]) / (d.times[k + 1] - d.times[k]);
     s = s < 0 ? 0 : s > 1 ? 1 : s;
     const float *a = &d.values[k * d.track.width], *b = a + d.track.width;
@@ -55,12 +54,12 @@ static void by_hand(const data &d, float time, float *to)
 #endif
 }
 
-static void rows(const char *name, size_t width, nkw_track_kind kind, nkw_interpolation interpolation, bool random,
-                 double flops)
+static void rows(const char *name, size_t keys, size_t width, nkw_track_kind kind, nkw_interpolation interpolation,
+                 asking how, double flops)
 {
-    auto d = draw(width, kind, interpolation, random);
+    auto d = draw(keys, width, kind, interpolation, how);
     operation op = {"track",
-                    std::string(name) + (random ? ", random" : ", in order"),
+                    named(name, how),
                     width,
                     static_cast<double>(12 * width),
                     flops,
@@ -73,7 +72,8 @@ static void rows(const char *name, size_t width, nkw_track_kind kind, nkw_interp
                     0,
                     4096,
                     kind == NKW_TRACK_FLOATS ? same::number : same::rotation};
-    op.sizes = {near};
+    op.sizes = {keys};
+    op.elements = d->ask.size();
     into_structs(op, "nkw", [=](size_t, size_t n) {
         for (size_t i = 0; i < n; i++)
             nkw_track_sample(&d->track, d->ask[i], out(i, width));
@@ -91,11 +91,12 @@ static void rows(const char *name, size_t width, nkw_track_kind kind, nkw_interp
 }
 
 static const suite all([] {
-    for (bool random : {true, false}) {
-        rows("vec3 linear", 3, NKW_TRACK_FLOATS, NKW_INTERPOLATION_LINEAR, random, 20);
-        rows("vec3 cubicspline", 3, NKW_TRACK_FLOATS, NKW_INTERPOLATION_CUBICSPLINE, random, 55);
+    for (asking how : askings)
+        for (size_t keys : {2u, 16u, 301u, 4096u, 100000u}) {
+            rows("vec3 linear by keys", keys, 3, NKW_TRACK_FLOATS, NKW_INTERPOLATION_LINEAR, how, 20);
+            rows("vec3 cubicspline by keys", keys, 3, NKW_TRACK_FLOATS, NKW_INTERPOLATION_CUBICSPLINE, how, 55);
 #ifdef BENCH_GLM
-        rows("rotation linear", 4, NKW_TRACK_ROTATION, NKW_INTERPOLATION_LINEAR, random, 85);
+            rows("rotation linear by keys", keys, 4, NKW_TRACK_ROTATION, NKW_INTERPOLATION_LINEAR, how, 85);
 #endif
-    }
+        }
 });

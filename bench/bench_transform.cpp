@@ -3,62 +3,24 @@
 #include <cmath>
 
 #include "bench.h"
-#include "peers.h"
-#include "truth.h"
+#include "from_trs.h"
 
 using namespace bench;
 
 static void to_matrix()
 {
-    operation op = {"transform",
-                    "mat4 from trs",
-                    16,
-                    104,
-                    37,
-                    [](size_t i, double *out) {
-                        const nkw_trs &p = place[i];
-                        const double s[3] = {static_cast<double>(p.scale.x), static_cast<double>(p.scale.y),
-                                             static_cast<double>(p.scale.z)};
-                        for (int k = 0; k < 16; k++)
-                            out[k] = k == 15;
-                        truth::rotation(truth::unit(truth::quat(p.rotation)), s, out, 4);
-                        out[12] = static_cast<double>(p.translation.x);
-                        out[13] = static_cast<double>(p.translation.y);
-                        out[14] = static_cast<double>(p.translation.z);
-                    },
-                    8};
+    operation op = {
+        "transform", "mat4 from trs", 16, 104, 37, [](size_t i, double *out) { truth::matrix(place[i], out); }, 8};
     single(op, "nkw", [](size_t i) { return nkw_mat4_from_trs(&place.at[i]); });
     batch(op, "nkw _n", [](size_t from, size_t n) { nkw_mat4_from_trs_n(view(place, from), mat4_out(from), n); });
 #ifdef BENCH_CGLM
-    single(op, "cglm", [](size_t i) {
-        nkw_trs p = place[i];
-        cg::quat q;
-        cg::mat r;
-        memcpy(q.v, &p.rotation, sizeof q.v);
-        glm_quat_mat4(q.v, r.m);
-        glm_scale(r.m, &p.scale.x);
-        memcpy(r.m[3], &p.translation, sizeof p.translation);
-        return r;
-    });
+    single(op, "cglm", [](size_t i) { return cglm_matrix(place[i]); });
 #endif
 #ifdef BENCH_GLM
-    single(op, "glm", [](size_t i) {
-        const nkw_trs &p = place[i];
-        glm::mat4 m = glm::mat4_cast(glm::quat(p.rotation.w, p.rotation.x, p.rotation.y, p.rotation.z));
-        m = glm::scale(m, glm::vec3(p.scale.x, p.scale.y, p.scale.z));
-        m[3] = glm::vec4(p.translation.x, p.translation.y, p.translation.z, 1);
-        return m;
-    });
+    single(op, "glm", [](size_t i) { return glm_matrix(place[i]); });
 #endif
 #ifdef BENCH_EIGEN
-    single(op, "Eigen", [](size_t i) {
-        const nkw_trs &p = place[i];
-        Eigen::Affine3f m;
-        m.fromPositionOrientationScale(Eigen::Vector3f(p.translation.x, p.translation.y, p.translation.z),
-                                       Eigen::Quaternionf(p.rotation.w, p.rotation.x, p.rotation.y, p.rotation.z),
-                                       Eigen::Vector3f(p.scale.x, p.scale.y, p.scale.z));
-        return Eigen::Matrix4f(m.matrix());
-    });
+    single(op, "Eigen", [](size_t i) { return Eigen::Matrix4f(eigen_matrix(place[i]).matrix()); });
 #endif
 }
 

@@ -33,6 +33,11 @@ static nkw_clip_track tracks[3 * JOINTS];
 static uint32_t work[NKW_CLIP_WORK(3 * JOINTS)], cursors[8];
 static float blocks[2][2 * JOINTS * KEYS * 16];
 static const nkw_clip *clips[2];
+static int32_t parents[JOINTS];
+static float poses[2][NKW_POSE_FLOATS(JOINTS)], blended[NKW_POSE_FLOATS(JOINTS)];
+static float crowd[NKW_CROWD_POSE_FLOATS(JOINTS)], crowd_models[NKW_CROWD_MATRIX_FLOATS(JOINTS)];
+static uint16_t skin_joints[4 * N];
+static float skin_weights[4 * N], skinned[6 * N], vertices[6 * N];
 
 /* One count: a name, and the code between. */
 #define COUNT(name, code)                                                                                              \
@@ -91,6 +96,27 @@ static void draw_clips(random_source *r)
     }
 }
 
+static void draw_character(random_source *r)
+{
+    const float *lanes[NKW_CROWD];
+    for (size_t j = 0; j < JOINTS; j++)
+        parents[j] = j % 4 == 0 ? (int32_t)(j / 4) - 1 : (int32_t)j - 1;
+    for (int k = 0; k < 2; k++)
+        nkw_pose_from_trs(trs + k * JOINTS, JOINTS, poses[k]);
+    for (size_t i = 0; i < NKW_CROWD; i++)
+        lanes[i] = poses[i % 2];
+    nkw_crowd_from_poses(lanes, JOINTS, crowd);
+    for (size_t i = 0; i < 4 * N; i++) {
+        skin_joints[i] = (uint16_t)(random_bits(r) % JOINTS);
+        skin_weights[i] = random_unit(r);
+    }
+    for (size_t i = 0; i < 6 * N; i++)
+        vertices[i] = random_between(r, -1, 1);
+    nkw_skin_view in = {skin_weights, 0, NKW_SKIN_F32};
+    nkw_skin_span out_weights = {skin_weights, 0, NKW_SKIN_F32};
+    nkw_skin_normalize_weights(in, 4, out_weights, N);
+}
+
 static void count_singles(void)
 {
     EACH("single sin", out[0][i] = nkw_sin(x[i]));
@@ -139,6 +165,24 @@ static void count_data(void)
           for (size_t i = 0; i < 16; i++) nkw_clip_sample(clips[1], 10 * t[i], cursors, pose, NULL));
 }
 
+/* These choose their loops by the processor, which under callgrind is one of AVX2 at the most. */
+static void count_character(void)
+{
+    nkw_skeleton skeleton = {parents, JOINTS};
+    nkw_skin skin = {N, 4, {skin_joints, 0, NKW_SKIN_U16}, {skin_weights, 0, NKW_SKIN_F32}};
+    nkw_skin_palette palette = {ma, NULL, JOINTS, 0};
+    nkw_vertices from = {{vertices, 24}, {vertices + 3, 24}, {NULL, 0}, {NULL, 0}};
+    nkw_vertices_span to = {{skinned, 24}, {skinned + 3, 24}, {NULL, 0}, {NULL, 0}};
+    COUNT("pose_blend 67 joints", nkw_pose_blend(poses[0], poses[1], JOINTS, 0.3f, NULL, blended));
+    COUNT("models_from_pose 67 joints", nkw_models_from_pose(&skeleton, poses[0], NULL, m_out));
+    COUNT("palette_from_models 67 joints", nkw_palette_from_models(ma, JOINTS, NULL, mb, NULL, JOINTS, m_out));
+    COUNT("skin_linear 1024 vertices, 4 influences", nkw_skin_linear(&skin, &palette, &from, &to));
+    COUNT("crowd 16 of 67 joints to palettes", {
+        nkw_crowd_models_from_pose(&skeleton, crowd, NULL, crowd_models);
+        nkw_crowd_palette_from_models(crowd_models, JOINTS, NULL, mb, JOINTS, crowd_models);
+    });
+}
+
 static void count_loops(const nkw_batch *b, int avx2)
 {
     nkw_quat_view a = {parts[0], parts[1], parts[2], parts[3]}, c = {parts[4], parts[5], parts[6], parts[7]};
@@ -182,9 +226,11 @@ int main(void)
     random_source r = random_from(5);
     draw_values(&r);
     draw_clips(&r);
+    draw_character(&r);
     count_inlined();
     count_singles();
     count_data();
+    count_character();
     count_loops(&nkw_batch_generic, 0);
 #if defined(NKW_HAVE_AVX2)
     if (__builtin_cpu_supports("avx2"))

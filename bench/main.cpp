@@ -80,7 +80,8 @@ class collector : public benchmark::BenchmarkReporter
                 std::cerr << r.key() << ": " << run.error_message << "\n";
                 wrong++;
             } else if (run.run_type == Run::RT_Iteration) {
-                r.ns.push_back(run.GetAdjustedCPUTime() / static_cast<double>(r.n));
+                double time = r.told ? run.GetAdjustedRealTime() : run.GetAdjustedCPUTime();
+                r.ns.push_back(time / static_cast<double>(r.elements));
             }
         }
     }

@@ -1,14 +1,31 @@
 cmake_minimum_required(VERSION 3.25)
-# Takes the results of the last run into the repository: bench/results/<processor>.csv, and docs/performance.md drawn
-# from them.
+# Draws docs/performance.md and docs/figures/performance-*.svg from results and from page.md.
 #
-#     cmake -DTABLE=... -DRESULTS=folder -DROOT=repository -P page.cmake
-file(GLOB csv "${RESULTS}/*.csv")
-if(NOT csv)
-  message(FATAL_ERROR "no results: cmake --workflow --preset bench comes first")
+#     cmake -DTABLE=... -DPLOT=... -DROOT=repository [-DRESULTS=folder -DFILTER=...] [-DCHECK=folder] -P page.cmake
+#
+# RESULTS  takes the one file of a run of all benchmarks into bench/results first
+# CHECK    draws into this folder instead, and fails unless the repository has the same
+if(RESULTS)
+  file(GLOB csv "${RESULTS}/*.csv")
+  if(NOT csv)
+    message(FATAL_ERROR "no results in ${RESULTS}")
+  endif()
+  if(NOT FILTER STREQUAL ".")
+    message(FATAL_ERROR "only some benchmarks were run: NKW_BENCH_FILTER is ${FILTER}")
+  endif()
+  file(COPY "${csv}" DESTINATION "${ROOT}/bench/results")
+  cmake_path(GET csv STEM processor)
+else()
+  file(STRINGS "${ROOT}/docs/performance.md" named REGEX "bench/results/[^ ]+\\.csv`" LIMIT_COUNT 1)
+  string(REGEX REPLACE ".*bench/results/([^`]+)\\.csv`.*" "\\1" processor "${named}")
 endif()
-cmake_path(GET csv STEM processor)
-file(COPY "${csv}" DESTINATION "${ROOT}/bench/results")
+set(csv "${ROOT}/bench/results/${processor}.csv")
+set(docs "${ROOT}/docs")
+if(CHECK)
+  set(docs "${CHECK}")
+  file(REMOVE_RECURSE "${CHECK}")
+  file(MAKE_DIRECTORY "${CHECK}/figures")
+endif()
 
 file(READ "${CMAKE_CURRENT_LIST_DIR}/page.md" page)
 string(REPLACE "@PROCESSOR@" "${processor}" page "${page}")
@@ -16,4 +33,19 @@ foreach(build IN ITEMS x86-64 x86-64-v3)
   execute_process(COMMAND "${TABLE}" --markdown "${csv}" ${build} OUTPUT_VARIABLE tables COMMAND_ERROR_IS_FATAL ANY)
   string(REPLACE "@TABLES ${build}@" "${tables}" page "${page}")
 endforeach()
-file(WRITE "${ROOT}/docs/performance.md" "${page}")
+execute_process(COMMAND "${TABLE}" --growth "${csv}" x86-64-v3 OUTPUT_VARIABLE tables COMMAND_ERROR_IS_FATAL ANY)
+string(REPLACE "@GROWTH@" "${tables}" page "${page}")
+file(WRITE "${docs}/performance.md" "${page}")
+execute_process(COMMAND "${PLOT}" "${csv}" "${docs}/figures" COMMAND_ERROR_IS_FATAL ANY)
+if(NOT CHECK)
+  return()
+endif()
+
+file(GLOB drawn RELATIVE "${CHECK}" "${CHECK}/figures/*.svg")
+foreach(name IN LISTS drawn ITEMS performance.md)
+  execute_process(COMMAND "${CMAKE_COMMAND}" -E compare_files --ignore-eol "${CHECK}/${name}" "${ROOT}/docs/${name}"
+    RESULT_VARIABLE differ)
+  if(differ)
+    message(SEND_ERROR "docs/${name} is not what ${csv} and page.md give: build the target bench_page")
+  endif()
+endforeach()

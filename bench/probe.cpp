@@ -82,11 +82,10 @@ static double level(int name, double usual)
     return bytes > 0 ? static_cast<double>(bytes) : usual;
 }
 
-/* 1024 elements are gone round at the least. */
 double limit_ns(const row &r)
 {
     const limits &l = limits_of(r);
-    double set = r.bytes * static_cast<double>(std::max<size_t>(r.n, 1024));
+    double set = r.bytes * static_cast<double>(r.round);
     double rate = set <= level(_SC_LEVEL1_DCACHE_SIZE, 32768)     ? l.near_copy
                   : set <= level(_SC_LEVEL2_CACHE_SIZE, 1048576)  ? l.second_copy
                   : set <= level(_SC_LEVEL3_CACHE_SIZE, 16777216) ? l.third_copy

@@ -12,7 +12,9 @@ namespace bench
 
 struct row {
     std::string stem, operation, who, layout;
-    size_t n;
+    size_t n, elements; /* the size, and the elements of a call, which mostly is the same */
+    size_t round; /* the elements of all calls together: what lies in a cache */
+    bool told; /* timed by itself */
     double error; /* worst, u; -1 before the check */
     double bytes, flops;
     std::vector<double> ns; /* of one element, one for each repetition */

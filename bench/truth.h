@@ -73,7 +73,7 @@ inline void rotation(quat q, const double s[3], double *m, int rows)
 }
 
 /* a b of matrices with n rows and columns, column by column. */
-inline void product(const float *a, const float *b, int n, double *out)
+template <class T> void product(const T *a, const T *b, int n, double *out)
 {
     for (int c = 0; c < n; c++)
         for (int r = 0; r < n; r++) {
