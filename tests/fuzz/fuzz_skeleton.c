@@ -27,7 +27,7 @@ static void compose(fuzz *f, const nkw_skeleton *s, int wild)
     nkw_locals_from_models(s, copy, root, copy);
     FUZZ_CHECK(fuzz_same((float *)copy, (float *)locals, 16 * n) && fuzz_affine(locals, n));
     float residual = nkw_pose_from_models(s, models, root, fuzz_room(f, NKW_POSE_FLOATS(n)));
-    FUZZ_CHECK(residual >= 0.0f);
+    FUZZ_CHECK(residual >= 0.0f || (wild && residual != residual));
 }
 
 static void bounds(fuzz *f, const nkw_skeleton *s)
