@@ -6,6 +6,7 @@
 #include <nakawari/crowd.h>
 #include <nakawari/mat.h>
 #include <nakawari/pose.h>
+#include <nakawari/segment.h>
 
 #include "simd/select.h"
 
@@ -55,4 +56,66 @@ void nkw_crowd_palette_from_models(const float *models, size_t model_count, cons
         else
             memmove(palette + k * size, models + j * size, size * sizeof(float));
     }
+}
+
+void nkw_crowd_sample(const nkw_clip *clip, const float *times, uint32_t *cursors, size_t characters, float *work,
+                      float *crowd)
+{
+    const float *poses[NKW_CROWD] = {NULL};
+    size_t joints = nkw_clip_joints(clip), step = nkw_clip_cursors(clip);
+    for (size_t i = 0; i < characters && i < NKW_CROWD; i++) {
+        float *pose = work + i * NKW_POSE_FLOATS(joints);
+        nkw_clip_sample(clip, times[i], cursors ? cursors + i * step : NULL, pose, NULL);
+        poses[i] = pose;
+    }
+    nkw_crowd_from_poses(poses, joints, crowd);
+}
+
+/* Where the steps of baking leave their results. */
+typedef struct bake_work {
+    float *poses, *crowd, *models, *palette;
+} bake_work;
+
+static bake_work bake_work_in(float *work, size_t joints)
+{
+    bake_work w;
+    w.poses = work;
+    w.crowd = w.poses + NKW_CROWD_SAMPLE_FLOATS(joints);
+    w.models = w.crowd + NKW_CROWD_POSE_FLOATS(joints);
+    w.palette = w.models + NKW_CROWD_MATRIX_FLOATS(joints);
+    return w;
+}
+
+/* Frames from `frame` on, at most a crowd of them. */
+static void bake_lanes(const nkw_crowd_source *source, const nkw_palette_chunk *chunk, const float *roots, size_t frame,
+                       size_t count, const bake_work *w, nkw_mat4 *buffer)
+{
+    float times[NKW_CROWD];
+    nkw_mat4 *out[NKW_CROWD] = {NULL};
+    for (size_t i = 0; i < count && i < NKW_CROWD; i++) {
+        times[i] = nkw_segment_uniform_time(source->start, source->rate, frame + i);
+        out[i] = buffer + nkw_palette_chunk_at(chunk, frame + i, 0);
+    }
+    nkw_crowd_sample(source->clip, times, NULL, count, w->poses, w->crowd);
+    nkw_crowd_models_from_pose(source->skeleton, w->crowd, roots, w->models);
+    nkw_crowd_palette_from_models(w->models, source->skeleton->joint_count, source->joints, source->inverse_bind,
+                                  chunk->joints, w->palette);
+    nkw_matrices_from_crowd(w->palette, chunk->joints, out);
+}
+
+void nkw_crowd_bake(const nkw_crowd_source *source, const nkw_palette_chunk *chunk, size_t from, size_t to, float *work,
+                    nkw_mat4 *buffer)
+{
+    size_t joints = source->skeleton->joint_count;
+    const bake_work w = bake_work_in(work, joints);
+    float roots[NKW_CROWD_MATRIX_FLOATS(1)];
+    const nkw_mat4 *root[NKW_CROWD];
+    if (nkw_clip_joints(source->clip) != joints)
+        return;
+    for (size_t i = 0; i < NKW_CROWD; i++)
+        root[i] = source->root;
+    nkw_crowd_from_matrices(root, 1, roots);
+    to = to < chunk->frames ? to : chunk->frames;
+    for (size_t frame = from; frame < to; frame += to - frame < NKW_CROWD ? to - frame : NKW_CROWD)
+        bake_lanes(source, chunk, source->root ? roots : NULL, frame, to - frame, &w, buffer);
 }

@@ -1,5 +1,8 @@
 /* SPDX-License-Identifier: MIT */
+#include <stdlib.h>
+
 #include "random.h"
+#include "random_clip.h"
 #include "support/expect.h"
 
 #define JOINTS 22
@@ -158,6 +161,88 @@ static void nothing_is_written_without_joints(void **state)
     expect_bits(none[0], 7.0f);
 }
 
+/* A clip of JOINTS joints of every kind of track, to be freed. */
+static nkw_clip *some_clip(random_source *r, random_clip *from)
+{
+    uint32_t work[NKW_CLIP_WORK(RANDOM_CLIP_TRACKS)];
+    size_t bytes;
+    const nkw_clip *clip;
+    random_clip_draw(r, JOINTS, 2, from);
+    assert_int_equal(nkw_clip_measure(&from->source, work, &bytes, NULL), NKW_OK);
+    void *block = malloc(bytes);
+    assert_non_null(block);
+    assert_int_equal(nkw_clip_build(&from->source, work, block, bytes, NULL), NKW_OK);
+    assert_int_equal(nkw_clip_open(block, bytes, &clip), NKW_OK);
+    return (nkw_clip *)block;
+}
+
+static void a_clip_at_many_times_is_the_clip_at_each(void **state)
+{
+    (void)state;
+    static random_clip from;
+    static float work[NKW_CROWD_SAMPLE_FLOATS(JOINTS)], want[NKW_CROWD_POSE_FLOATS(JOINTS)];
+    random_source r = random_from(6);
+    nkw_clip *clip = some_clip(&r, &from);
+    uint32_t cursors[NKW_CROWD * RANDOM_CLIP_TRACKS] = {0};
+    float times[NKW_CROWD];
+    assert_true(nkw_clip_cursors(clip) <= RANDOM_CLIP_TRACKS);
+    for (size_t characters = 0; characters <= NKW_CROWD; characters++) {
+        for (size_t i = 0; i < NKW_CROWD; i++) {
+            times[i] = random_between(&r, -1.0f, 5.0f);
+            nkw_clip_sample(clip, times[i], NULL, poses[i], NULL);
+            in[i] = i < characters ? poses[i] : NULL;
+        }
+        nkw_crowd_from_poses(in, JOINTS, want);
+        nkw_crowd_sample(clip, times, characters % 2 ? cursors : NULL, characters, work, crowd);
+        expect_floats_bits(crowd, want, NKW_CROWD_POSE_FLOATS(JOINTS));
+    }
+    free(clip);
+}
+
+/* Frames 3 .. 22 of 21, of a skin of 5 joints: the first ones and what is beyond the chunk are left alone. */
+static void baked_frames_are_palettes_one_by_one(void **state)
+{
+    (void)state;
+    enum { FRAMES = 21, SKIN = 5, FROM = 3, FIRST = 7, ALL = FIRST + FRAMES * SKIN + 4 };
+    static random_clip drawn;
+    static float work[NKW_CROWD_BAKE_FLOATS(JOINTS, SKIN)];
+    static nkw_mat4 buffer[ALL], want[ALL], alone[JOINTS];
+    const int32_t joints[SKIN] = {21, 0, 3, 3, 11};
+    const nkw_palette_chunk chunk = {FRAMES, SKIN, FIRST};
+    random_source r = random_from(7);
+    draw(&r);
+    nkw_clip *clip = some_clip(&r, &drawn);
+    const nkw_crowd_source source = {clip, &skeleton, &root[0], joints, bind, 0.25f, 7.5f};
+    for (size_t i = 0; i < ALL; i++)
+        buffer[i] = want[i] = nkw_mat4_identity();
+    for (size_t f = FROM; f < FRAMES; f++) {
+        nkw_clip_sample(clip, nkw_segment_uniform_time(0.25f, 7.5f, f), NULL, poses[0], NULL);
+        nkw_models_from_pose(&skeleton, poses[0], &root[0], alone);
+        nkw_palette_from_models(alone, JOINTS, joints, bind, NULL, SKIN, want + FIRST + f * SKIN);
+    }
+    nkw_crowd_bake(&source, &chunk, FROM, FRAMES + 2, work, buffer);
+    expect_floats_bits(buffer[0].m, want[0].m, 16 * ALL);
+    nkw_crowd_bake(&source, &chunk, FRAMES, FRAMES + 9, work, buffer);
+    expect_floats_bits(buffer[0].m, want[0].m, 16 * ALL);
+    free(clip);
+}
+
+static void a_clip_of_other_joints_is_not_baked(void **state)
+{
+    (void)state;
+    static random_clip drawn;
+    static float work[NKW_CROWD_BAKE_FLOATS(JOINTS, JOINTS)];
+    random_source r = random_from(8);
+    nkw_clip *clip = some_clip(&r, &drawn);
+    const nkw_skeleton shorter = {parents, JOINTS - 1};
+    const nkw_crowd_source source = {clip, &shorter, NULL, NULL, NULL, 0.0f, 30.0f};
+    const nkw_palette_chunk chunk = {1, JOINTS - 1, 0};
+    nkw_mat4 before = matrices[0][0] = nkw_mat4_identity();
+    nkw_crowd_bake(&source, &chunk, 0, 1, work, matrices[0]);
+    expect_floats_bits(matrices[0][0].m, before.m, 16);
+    free(clip);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -165,6 +250,9 @@ int main(void)
         cmocka_unit_test(palettes_are_models_times_inverse_binds),
         cmocka_unit_test(palettes_may_take_the_place_of_models),
         cmocka_unit_test(lanes_without_a_character_are_the_identity_and_left_out),
+        cmocka_unit_test(a_clip_at_many_times_is_the_clip_at_each),
+        cmocka_unit_test(baked_frames_are_palettes_one_by_one),
+        cmocka_unit_test(a_clip_of_other_joints_is_not_baked),
         cmocka_unit_test(any_parents_stay_within_the_arrays),
         cmocka_unit_test(nothing_is_written_without_joints),
     };

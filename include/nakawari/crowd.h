@@ -17,6 +17,9 @@
 #ifndef NAKAWARI_CROWD_H
 #define NAKAWARI_CROWD_H
 
+#include "clip.h"
+#include "palette.h"
+#include "pose.h"
 #include "skeleton.h"
 
 #ifdef __cplusplus
@@ -62,6 +65,51 @@ NKW_API void nkw_crowd_models_from_pose(const nkw_skeleton *skeleton, const floa
  */
 NKW_API void nkw_crowd_palette_from_models(const float *models, size_t model_count, const int32_t *joints,
                                            const nkw_mat4 *inverse_bind, size_t count, float *palette);
+
+/** Floats that nkw_crowd_sample works in: a pose for each lane. */
+#define NKW_CROWD_SAMPLE_FLOATS(joints) (NKW_CROWD * NKW_POSE_FLOATS(joints))
+
+/**
+ * One clip at many times: lane i is the clip at times[i], with the bits of nkw_clip_sample.
+ *
+ * times       one for each character, seconds
+ * cursors     nkw_clip_cursors(clip) numbers for each character, those of the first before those of the second; NULL
+ * characters  how many, 0..NKW_CROWD, more count as NKW_CROWD; the lanes beyond them get the identity
+ * work        NKW_CROWD_SAMPLE_FLOATS(nkw_clip_joints(clip)) floats: the poses stand in them afterwards, one after the
+ *             other
+ * crowd       receives the poses of nkw_clip_joints(clip) joints
+ */
+NKW_API void nkw_crowd_sample(const nkw_clip *clip, const float *times, uint32_t *cursors, size_t characters,
+                              float *work, float *crowd);
+
+/** What is baked: a clip on a skeleton, drawn with a skin. */
+typedef struct nkw_crowd_source {
+    const nkw_clip *clip;         /* of as many joints as the skeleton */
+    const nkw_skeleton *skeleton;
+    const nkw_mat4 *root;         /* applied once, to joints without a parent; NULL: none */
+    const int32_t *joints;        /* of the skin, numbers of the skeleton's; NULL: 0, 1, 2 ... */
+    const nkw_mat4 *inverse_bind; /* one for each joint of the skin; NULL: none */
+    float start, rate;            /* frame f is the clip at nkw_segment_uniform_time(start, rate, f) */
+} nkw_crowd_source;
+
+/** Floats that nkw_crowd_bake works in, for a skeleton and a skin of so many joints. */
+#define NKW_CROWD_BAKE_FLOATS(joints, skin_joints)                                                                     \
+    (NKW_CROWD_SAMPLE_FLOATS(joints) + NKW_CROWD_POSE_FLOATS(joints) + NKW_CROWD_MATRIX_FLOATS(joints) +               \
+     NKW_CROWD_MATRIX_FLOATS(skin_joints))
+
+/**
+ * Bakes frames of a clip into a chunk of a buffer of palettes (palette.h), sixteen frames at once. Each frame has the
+ * bits of nkw_clip_sample, nkw_models_from_pose and nkw_palette_from_models one after the other.
+ *
+ * chunk     of as many joints as the skin; its place in the buffer
+ * from, to  the frames from .. to - 1; those that the chunk has not are left out. Threads may share out the frames
+ * work      NKW_CROWD_BAKE_FLOATS(skeleton->joint_count, chunk->joints) floats
+ * buffer    receives the matrices, at nkw_palette_chunk_at(chunk, frame, 0)
+ *
+ * Nothing is written where the clip is of another number of joints than the skeleton.
+ */
+NKW_API void nkw_crowd_bake(const nkw_crowd_source *source, const nkw_palette_chunk *chunk, size_t from, size_t to,
+                            float *work, nkw_mat4 *buffer);
 
 #ifdef __cplusplus
 }

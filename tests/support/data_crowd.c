@@ -2,8 +2,27 @@
 #include "data.h"
 #include "hash.h"
 #include "random.h"
+#include "random_clip.h"
 
 #define JOINTS 13
+
+/* A clip baked into a chunk that is no multiple of a crowd. */
+static uint64_t hash_baked(uint64_t hash, random_source *r, const nkw_skeleton *skeleton, const nkw_mat4 *bind)
+{
+    enum { FRAMES = 21 };
+    static random_clip drawn;
+    static float block[1 << 15], work[NKW_CROWD_BAKE_FLOATS(JOINTS, JOINTS)];
+    static nkw_mat4 buffer[FRAMES * JOINTS];
+    uint32_t tracks[NKW_CLIP_WORK(RANDOM_CLIP_TRACKS)];
+    const nkw_palette_chunk chunk = {FRAMES, JOINTS, 0};
+    random_clip_draw(r, JOINTS, 0, &drawn);
+    if (nkw_clip_build(&drawn.source, tracks, block, sizeof block, NULL) != NKW_OK)
+        return 0;
+    const nkw_clip *clip = (const nkw_clip *)(const void *)block;
+    const nkw_crowd_source source = {clip, skeleton, &bind[0], NULL, bind, 0.0f, 23.0f};
+    nkw_crowd_bake(&source, &chunk, 0, FRAMES, work, buffer);
+    return hash_floats(hash, buffer[0].m, 16 * FRAMES * JOINTS);
+}
 
 uint64_t data_crowd(void)
 {
@@ -34,5 +53,5 @@ uint64_t data_crowd(void)
     nkw_crowd_models_from_pose(&skeleton, crowd, roots, models);
     nkw_crowd_palette_from_models(models, JOINTS, NULL, bind, JOINTS, palette);
     nkw_matrices_from_crowd(palette, JOINTS, to);
-    return hash_floats(HASH_START, out[0][0].m, sizeof out / sizeof(float));
+    return hash_baked(hash_floats(HASH_START, out[0][0].m, sizeof out / sizeof(float)), &r, &skeleton, bind);
 }
