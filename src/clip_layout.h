@@ -10,8 +10,7 @@
  *
  *     GROUP_NUMBERS, GROUP_FLOATS   numbers[width]                               (into the pose; into the floats)
  *     GROUP_ROTATIONS               x[width] y[width] z[width] w[width]
- *                                   and for LINEAR the arc to the next key:
- *                                   v[width] h0[width] h1[width] h2[width] h3[width]
+ *                                   and for LINEAR the arc to the next key: v[width]
  *
  * A CUBICSPLINE key is its in-tangents, its values and its out-tangents, each laid out so.
  *
@@ -28,7 +27,7 @@
 #include "batch/block.h"
 
 #define CLIP_MAGIC   0x70696c63u /* "clip", lowest byte first */
-#define CLIP_VERSION 1u
+#define CLIP_VERSION 2u
 #define CLIP_STEPS   65535.0f /* of a range */
 #define CLIP_ALIGN   16u /* words: key blocks and constants begin on 64 bytes of the block */
 

@@ -4,7 +4,7 @@
 
 #include <stdio.h>
 
-enum { BLOCK = 16, ROWS = 9, VALUES = 4, NARROW = 4, LANES = 19 }; /* lanes in use, of two blocks */
+enum { BLOCK = 16, ROWS = 5, VALUES = 4, NARROW = 4, LANES = 19 }; /* lanes in use, of two blocks */
 
 static const float lane = 17.0f;
 static const svg_colour value_colour = 0x1f5fd0, arc_colour = 0xe07b00, fill_colour = 0x9a9aa2;
@@ -56,7 +56,7 @@ static void lane_block(svg *s, float x, float y, int first, int width)
 
 static void row_names(svg *s, float x, float y)
 {
-    static const char *const names[ROWS] = {"x", "y", "z", "w", "v", "h0", "h1", "h2", "h3"};
+    static const char *const names[ROWS] = {"x", "y", "z", "w", "v"};
     for (int row = 0; row < ROWS; row++)
         figure_text(s, x, y + lane * (float)row + 12.0f, 12.0f, row < VALUES ? value_colour : arc_colour, 'e',
                     names[row]);
@@ -89,7 +89,7 @@ static void reading(svg *s, float x, float y)
 int figure_clip_layout(const char *path)
 {
     svg s;
-    if (!figure_open(&s, path, 984.0f, 486.0f, "A sample reads two neighbouring keys as streams",
+    if (!figure_open(&s, path, 984.0f, 414.0f, "A sample reads two neighbouring keys as streams",
                      "One block, in the order of memory. Below, two keys of a group in which 19 joints turn, block "
                      "after block."))
         return 0;
@@ -99,6 +99,6 @@ int figure_clip_layout(const char *path)
         "A time between them takes key k with its arcs, and x y z w of key k + 1; white cells fill a block up.");
     key_of_rotations(&s, 60.0f, 232.0f, "key k");
     key_of_rotations(&s, 554.0f, 232.0f, "key k + 1");
-    reading(&s, 60.0f, 448.0f);
+    reading(&s, 60.0f, 376.0f);
     return svg_close(&s);
 }

@@ -5,7 +5,7 @@
 #include <stdint.h>
 
 #define NKW_BLOCK      16 /* lanes: the widest vector, so that loops over a block have no remainder */
-#define NKW_BLOCK_ROWS 9 /* x y z w and v h0 h1 h2 h3 of rotations with their arcs */
+#define NKW_BLOCK_ROWS 5 /* x y z w of rotations and v of their arcs */
 
 /*
  * A block of a clip's lanes: width 4, 8 or 16. The first `count` are lanes of tracks, the rest fill it up: lane i

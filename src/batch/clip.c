@@ -37,22 +37,10 @@ static inline size_t blocks_in(size_t lanes)
     return (lanes + NKW_BLOCK - 1) / NKW_BLOCK;
 }
 
-/* The arcs from a key to the next: v, with the sign bit of "turned", and H's polynomials. */
-static inline lane_slerp_arc arc_at(const float *arcs, size_t width, size_t i)
+/* The arc from a key to the next as one number: v, with the sign bit of "turned". */
+static inline lane_slerp_arc arc_of(float number)
 {
-    float v = arcs[i];
-    lane_slerp_arc arc = {lane_sign_bit(v),    lane_abs(v),         arcs[width + i],
-                          arcs[2 * width + i], arcs[3 * width + i], arcs[4 * width + i]};
-    return arc;
-}
-
-static inline void put_arc(float *arcs, size_t width, size_t i, lane_slerp_arc arc)
-{
-    arcs[i] = lane_flip(arc.v, arc.turned);
-    arcs[width + i] = arc.h0;
-    arcs[2 * width + i] = arc.h1;
-    arcs[3 * width + i] = arc.h2;
-    arcs[4 * width + i] = arc.h3;
+    return lane_slerp_arc_of(lane_sign_bit(number), lane_abs(number));
 }
 
 static inline void arcs_of_block(float *a, const float *b, size_t width)
@@ -60,8 +48,10 @@ static inline void arcs_of_block(float *a, const float *b, size_t width)
     nkw_quat_view from = rows_of(a, width), to = rows_of(b, width);
     float *arcs = a + 4 * width;
 #pragma omp simd
-    for (size_t i = 0; i < width; i++)
-        put_arc(arcs, width, i, lane_slerp_arc_between(at_quat(from, i), at_quat(to, i)));
+    for (size_t i = 0; i < width; i++) {
+        lane_slerp_arc arc = lane_slerp_arc_between(at_quat(from, i), at_quat(to, i));
+        arcs[i] = lane_flip(arc.v, arc.turned);
+    }
 }
 
 /* Writes the arcs of key a to key b into a. */
@@ -100,9 +90,10 @@ static inline void slerp_block(const float *a, const float *b, lane_slerp_pace p
 {
     nkw_quat_view from = rows_of(a, width), to = rows_of(b, width);
     nkw_quat_span o = rows_to(out, stride);
+    const float *arcs = a + 4 * width;
 #pragma omp simd
     for (size_t i = 0; i < width; i++) {
-        lane_slerp_arc arc = arc_at(a + 4 * width, width, i);
+        lane_slerp_arc arc = arc_of(arcs[i]);
         put_quat(o, i, lane_quat_slerp_on(at_quat(from, i), at_quat(to, i), &arc, &pace));
     }
 }
@@ -196,23 +187,22 @@ static inline nkw_quat near_unit(nkw_quat q)
 /*
  * Keys are on the side of the one before. Those half a turn apart have a dot product about 0, which 16 bits may have
  * made negative: they are not turned again, for that would be the way round the other side. Arcs have a pass of their
- * own, so that no lane waits for the polynomials of the one before.
+ * own, so that no lane waits for the division of the one before.
  */
 static inline void slerp16_block(const float *a, const float *b, lane_slerp_pace pace, float *out, size_t stride,
                                  size_t width)
 {
     nkw_quat_view from = rows_of(a, width), to = rows_of(b, width);
     nkw_quat_span o = rows_to(out, stride);
-    float arcs[5 * NKW_BLOCK];
+    float arcs[NKW_BLOCK];
 #pragma omp simd
     for (size_t i = 0; i < width; i++) {
         nkw_quat p = at_quat(from, i), q = at_quat(to, i);
-        put_arc(arcs, width, i, lane_slerp_arc_to(p, q, lane_slerp_cosine(p, q), 0));
+        arcs[i] = lane_slerp_arc_to(p, q, lane_slerp_cosine(p, q), 0).v;
     }
 #pragma omp simd
     for (size_t i = 0; i < width; i++) {
-        lane_slerp_arc arc = {
-            0, arcs[i], arcs[width + i], arcs[2 * width + i], arcs[3 * width + i], arcs[4 * width + i]};
+        lane_slerp_arc arc = lane_slerp_arc_of(0, arcs[i]);
         put_quat(o, i, near_unit(lane_quat_slerp_on(at_quat(from, i), at_quat(to, i), &arc, &pace)));
     }
 }

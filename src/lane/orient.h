@@ -146,12 +146,9 @@ static inline float lane_slerp_cosine(nkw_quat a, nkw_quat b)
     return nkw_quat_dot(a, b) + 0x1p-126f;
 }
 
-/* From a to c, which is b turned to a's side if `turned` is the sign bit. */
-static inline lane_slerp_arc lane_slerp_arc_to(nkw_quat a, nkw_quat c, float cosine, uint32_t turned)
+/* The arc of which v is known. */
+static inline lane_slerp_arc lane_slerp_arc_of(uint32_t turned, float v)
 {
-    nkw_quat d = nkw_quat_sub(c, a);
-    float q = nkw_quat_dot(d, d);
-    float v = q / (cosine + q * LANE_SLERP_BEND);
     lane_slerp_arc arc = {
         turned,
         v,
@@ -161,6 +158,14 @@ static inline lane_slerp_arc lane_slerp_arc_to(nkw_quat a, nkw_quat c, float cos
         lane_horner3(LANE_SLERP_H3, v),
     };
     return arc;
+}
+
+/* From a to c, which is b turned to a's side if `turned` is the sign bit. */
+static inline lane_slerp_arc lane_slerp_arc_to(nkw_quat a, nkw_quat c, float cosine, uint32_t turned)
+{
+    nkw_quat d = nkw_quat_sub(c, a);
+    float q = nkw_quat_dot(d, d);
+    return lane_slerp_arc_of(turned, q / (cosine + q * LANE_SLERP_BEND));
 }
 
 static inline lane_slerp_arc lane_slerp_arc_between(nkw_quat a, nkw_quat b)
