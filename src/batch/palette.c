@@ -56,19 +56,30 @@ KERNEL(palette_3x4)
     }
 }
 
-/* Joint matrices from number `from` on, as many as go together. */
+/* `size` matrices side by side. */
+static inline void spread(const nkw_mat4 *m, size_t size, matrices *a)
+{
+    for (size_t i = 0; i < size; i += 4) {
+        const nkw_mat4 *four[4];
+        for (size_t k = 0; k < 4; k++)
+            four[k] = &m[matrices_index(i + k, size)];
+        matrices_put(a, i, four);
+    }
+    matrices_fill(a, size);
+}
+
+/* Joint matrices from number `from` on. */
 static inline void gather(const nkw_mat4 *models, size_t model_count, const int32_t *joints,
-                          const nkw_mat4 *inverse_bind, const lane_columns *global_inverse, size_t from, size_t n,
+                          const nkw_mat4 *inverse_bind, const lane_columns *global_inverse, size_t from, size_t size,
                           matrices *a)
 {
-    for (size_t i = 0; i < MATRICES; i += 4) {
-        lane_columns m[4];
-        for (size_t k = 0; k < 4; k++) {
-            size_t j = matrices_index(from + i + k, n);
-            m[k] = columns_of(models, model_count, joints, inverse_bind, global_inverse, j);
-        }
-        matrices_put(a, i, m);
+    nkw_mat4 m[MATRICES];
+    int plain = !joints && !inverse_bind && !global_inverse && from + size <= model_count;
+    for (size_t i = 0; i < size && !plain; i++) {
+        lane_columns c = columns_of(models, model_count, joints, inverse_bind, global_inverse, from + i);
+        lane_mat4_from_columns(&c, &m[i]);
     }
+    spread(plain ? models + from : m, size, a);
 }
 
 KERNEL(palette_inverse)
@@ -76,19 +87,15 @@ KERNEL(palette_inverse)
  size_t n)
 {
     const lane_columns g = columns_or_none(global_inverse);
+    matrices a, r;
     for (size_t from = 0; from < n; from += MATRICES) {
-        matrices a, r;
-        gather(models, model_count, joints, NULL, global_inverse ? &g : NULL, from, n, &a);
+        size_t size = n - from < MATRICES ? n - from : MATRICES;
+        gather(models, model_count, joints, NULL, global_inverse ? &g : NULL, from, size, &a);
 #pragma omp simd
         for (size_t i = 0; i < MATRICES; i++)
             matrices_invert(&a, i, &r);
-        for (size_t i = 0; i < MATRICES && from + i < n; i += 4) {
-            lane_columns m[4];
-            matrices_take(&r, i, m);
-            for (size_t k = 0; k < 4 && from + i + k < n; k++)
-                for (size_t c = 0; c < 4; c++)
-                    lane_four_store(out[from + i + k].m + 4 * c, m[k].c[c]);
-        }
+        for (size_t i = 0; i < size; i += 4)
+            matrices_write(&r, i, out + from + i, size - i);
     }
 }
 
@@ -116,17 +123,18 @@ KERNEL(palette_dual)
  const nkw_mat4 *global_inverse, nkw_dual_quat *out, size_t n)
 {
     const lane_columns g = columns_or_none(global_inverse);
+    matrices a, r;
     for (size_t from = 0; from < n; from += MATRICES) {
-        matrices a, r;
-        gather(models, model_count, joints, inverse_bind, global_inverse ? &g : NULL, from, n, &a);
+        size_t size = n - from < MATRICES ? n - from : MATRICES;
+        gather(models, model_count, joints, inverse_bind, global_inverse ? &g : NULL, from, size, &a);
 #pragma omp simd
         for (size_t i = 0; i < MATRICES; i++)
             dual_one(&a, &r, i);
-        for (size_t i = 0; i < MATRICES; i += 4) {
+        for (size_t i = 0; i < size; i += 4) {
             lane_four real[4], dual[4];
             matrices_turn(&r, 0, 1, 2, lane_four_load(r.e[3] + i), i, real);
             matrices_turn(&r, 4, 5, 6, lane_four_load(r.e[7] + i), i, dual);
-            for (size_t k = 0; k < 4 && from + i + k < n; k++) {
+            for (size_t k = 0; k < 4 && i + k < size; k++) {
                 lane_four_store(&out[from + i + k].real.x, real[k]);
                 lane_four_store(&out[from + i + k].dual.x, dual[k]);
             }
@@ -134,7 +142,10 @@ KERNEL(palette_dual)
     }
 }
 
-/* Three lines of `line` floats for each matrix: elements `step` apart, lines from element 0, `next`, 2 `next` on. */
+/*
+ * Three lines of `line` floats for each matrix: elements `step` apart, lines from element 0, `next`, 2 `next` on. What a
+ * line of three has beyond itself the next one writes over.
+ */
 static inline void write_normals(const matrices *r, size_t line, size_t step, size_t next, float *out, size_t size)
 {
     for (size_t i = 0; i < size; i += 4)
@@ -143,7 +154,7 @@ static inline void write_normals(const matrices *r, size_t line, size_t step, si
             matrices_turn(r, l * next, l * next + step, l * next + 2 * step, lane_four_all(0.0f), i, lines);
             for (size_t k = 0; k < 4 && i + k < size; k++) {
                 float *o = out + (3 * (i + k) + l) * line;
-                if (line == 4)
+                if (line == 4 || l < 2)
                     lane_four_store(o, lines[k]);
                 else
                     lane_four_store3((unsigned char *)o, lines[k]);
@@ -154,10 +165,10 @@ static inline void write_normals(const matrices *r, size_t line, size_t step, si
 /* Lines of `line` floats, of which those after three are 0: columns, or rows. */
 KERNEL(palette_normals)(const nkw_mat4 *palette, size_t line, int rows, float *out, size_t n)
 {
+    matrices a, r;
     for (size_t from = 0; from < n; from += MATRICES) {
         size_t size = n - from < MATRICES ? n - from : MATRICES;
-        matrices a, r;
-        gather(palette, n, NULL, NULL, NULL, from, n, &a);
+        spread(palette + from, size, &a);
 #pragma omp simd
         for (size_t i = 0; i < MATRICES; i++)
             normal_one(&a, &r, i);

@@ -145,18 +145,19 @@ KERNEL(models_from_locals)
 KERNEL(locals_from_models)
 (const int32_t *parents, const nkw_mat4 *models, const nkw_mat4 *root, size_t from, size_t to, nkw_mat4 *locals)
 {
+    matrices a, inverse;
     for (size_t end = to; end > from;) {
         size_t size = end - from < MATRICES ? end - from : MATRICES, start = end - size;
-        matrices a, inverse;
-        for (size_t i = 0; i < MATRICES; i += 4) {
-            lane_columns m[4];
+        for (size_t i = 0; i < size; i += 4) {
+            const nkw_mat4 *four[4];
             for (size_t k = 0; k < 4; k++) {
                 size_t j = start + matrices_index(i + k, size);
                 const nkw_mat4 *parent = above(parents, j, root, models);
-                m[k] = lane_columns_from(parent ? parent : &models[j]);
+                four[k] = parent ? parent : &models[j];
             }
-            matrices_put(&a, i, m);
+            matrices_put(&a, i, four);
         }
+        matrices_fill(&a, size);
 #pragma omp simd
         for (size_t i = 0; i < MATRICES; i++)
             matrices_invert(&a, i, &inverse);
