@@ -43,24 +43,22 @@ void nkw_palette_from_dual(const nkw_dual_quat *palette, size_t count, nkw_mat4 
 void nkw_inverse_bind_from_models(const nkw_mat4 *models, size_t model_count, const int32_t *joints,
                                   const nkw_mat4 *global_inverse, size_t count, nkw_mat4 *out)
 {
-    nkw_batch_selected()->palette_4x4(models, model_count, joints, NULL, global_inverse, out, count);
-    for (size_t i = 0; i < count; i++)
-        out[i] = nkw_mat4_inverse_affine(&out[i]);
+    nkw_batch_selected()->palette_inverse(models, model_count, joints, global_inverse, out, count);
 }
 
 void nkw_palette_normals(const nkw_mat4 *palette, size_t count, nkw_mat3 *out)
 {
-    nkw_batch_selected()->palette_normals(palette, 9, 1, 3, (float *)out, count);
+    nkw_batch_selected()->palette_normals(palette, 3, 0, (float *)out, count);
 }
 
 void nkw_palette_normals_rows(const nkw_mat4 *palette, size_t count, nkw_mat3x4 *out)
 {
-    nkw_batch_selected()->palette_normals(palette, 12, 4, 1, (float *)out, count);
+    nkw_batch_selected()->palette_normals(palette, 4, 1, (float *)out, count);
 }
 
 void nkw_palette_normals_columns(const nkw_mat4 *palette, size_t count, float *out)
 {
-    nkw_batch_selected()->palette_normals(palette, 12, 1, 4, out, count);
+    nkw_batch_selected()->palette_normals(palette, 4, 0, out, count);
 }
 
 static int is_finite(const nkw_mat4 *m)

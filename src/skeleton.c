@@ -1,7 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 #include "lane/strict.h"
 
-#include <nakawari/mat.h>
 #include <nakawari/pose.h>
 #include <nakawari/skeleton.h>
 #include <nakawari/transform.h>
@@ -69,35 +68,30 @@ void nkw_models_from_locals(const nkw_skeleton *skeleton, const nkw_mat4 *locals
     nkw_models_update_from_locals(skeleton, locals, root, 0, skeleton->joint_count, models);
 }
 
-static nkw_mat4 local_of(const nkw_skeleton *skeleton, const nkw_mat4 *models, const nkw_mat4 *root, size_t j)
-{
-    const nkw_mat4 *parent = is_root(skeleton, j) ? root : &models[skeleton->parents[j]];
-    if (!parent) {
-        nkw_mat3 block = nkw_mat3_from_mat4(&models[j]);
-        return nkw_mat4_from_mat3(&block, nkw_mat4_translation(&models[j]));
-    }
-    nkw_mat4 inverse = nkw_mat4_inverse_affine(parent);
-    return nkw_mat4_mul_affine(&inverse, &models[j]);
-}
-
-/* The last joint first: in place, parents are then still model matrices when they are asked. */
 void nkw_locals_from_models(const nkw_skeleton *skeleton, const nkw_mat4 *models, const nkw_mat4 *root,
                             nkw_mat4 *locals)
 {
-    for (size_t j = skeleton->joint_count; j-- > 0;)
-        locals[j] = local_of(skeleton, models, root, j);
+    nkw_batch_selected()->locals_from_models(skeleton->parents, models, root, 0, skeleton->joint_count, locals);
 }
+
+/* Joints whose local matrices are made together. */
+#define BLOCK 16
 
 float nkw_pose_from_models(const nkw_skeleton *skeleton, const nkw_mat4 *models, const nkw_mat4 *root, float *pose)
 {
+    size_t count = skeleton->joint_count;
     float worst = 0.0f;
-    nkw_pose_identity(pose, skeleton->joint_count);
-    for (size_t j = 0; j < skeleton->joint_count; j++) {
-        nkw_mat4 local = local_of(skeleton, models, root, j);
-        nkw_trs trs = nkw_trs_from_mat4(&local);
-        float residual = nkw_trs_residual(&trs, &local);
-        worst = residual > worst || residual != residual ? residual : worst;
-        nkw_pose_set(pose, skeleton->joint_count, j, &trs);
+    nkw_pose_identity(pose, count);
+    for (size_t from = 0; from < count; from += BLOCK) {
+        nkw_mat4 locals[BLOCK];
+        size_t to = count - from < BLOCK ? count : from + BLOCK;
+        nkw_batch_selected()->locals_from_models(skeleton->parents, models, root, from, to, locals);
+        for (size_t j = from; j < to; j++) {
+            nkw_trs trs = nkw_trs_from_mat4(&locals[j - from]);
+            float residual = nkw_trs_residual(&trs, &locals[j - from]);
+            worst = residual > worst || residual != residual ? residual : worst;
+            nkw_pose_set(pose, count, j, &trs);
+        }
     }
     return worst;
 }

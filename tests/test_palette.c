@@ -183,6 +183,27 @@ static void inverse_binds_are_the_inverses_and_zeros_where_there_is_none(void **
     expect_floats_bits(in_place[MODELS - 1].m, want.m, 16);
 }
 
+static void inverse_binds_are_those_of_the_single_function_at_every_count(void **state)
+{
+    (void)state;
+    random_source r = random_from(16);
+    for (size_t n = 0; n <= COUNT; n++) {
+        nkw_mat4 models[COUNT], out[COUNT + 1], guard;
+        memset(out, 0x5a, sizeof out);
+        guard = out[0];
+        for (size_t i = 0; i < n; i++)
+            models[i] = draw_matrix(&r, i % 3 ? 0.1f : -2.0f, 2.0f);
+        for (size_t k = 4; k < 8; k++)
+            models[n / 2 % COUNT].m[k] = 0.0f;
+        nkw_inverse_bind_from_models(models, n, NULL, NULL, n, out);
+        for (size_t i = 0; i < n; i++) {
+            nkw_mat4 want = nkw_mat4_inverse_affine(&models[i]);
+            expect_floats_bits(out[i].m, want.m, 16);
+        }
+        assert_memory_equal(&out[n], &guard, sizeof guard);
+    }
+}
+
 static void normals_are_those_of_the_single_function_in_three_forms(void **state)
 {
     (void)state;
@@ -442,6 +463,7 @@ int main(void)
         cmocka_unit_test(a_palette_may_be_written_over_its_models_or_inverse_binds),
         cmocka_unit_test(the_bind_pose_has_the_identity_as_its_palette),
         cmocka_unit_test(inverse_binds_are_the_inverses_and_zeros_where_there_is_none),
+        cmocka_unit_test(inverse_binds_are_those_of_the_single_function_at_every_count),
         cmocka_unit_test(normals_are_those_of_the_single_function_in_three_forms),
         cmocka_unit_test(normals_stay_at_right_angles_to_turned_surfaces),
         cmocka_unit_test(palettes_go_to_rows_and_duals_and_come_back),

@@ -328,6 +328,36 @@ static void locals_come_back_from_models(void **state)
     }
 }
 
+static void locals_are_those_of_the_single_functions_at_every_count(void **state)
+{
+    (void)state;
+    random_source r = random_from(17);
+    static character c;
+    static nkw_mat4 got[41], in_place[40];
+    for (size_t n = 1; n <= 40; n++) {
+        draw(&r, n, &c);
+        const nkw_mat4 *root = n % 2 ? &some_root : NULL, guard = moved(7, 7, 7);
+        nkw_models_from_pose(&c.skeleton, c.pose, root, c.models);
+        for (size_t k = 4; k < 8; k++)
+            c.models[n / 3].m[k] *= n % 5 ? 1.0f : 0.0f;
+        memcpy(in_place, c.models, n * sizeof *in_place);
+        got[n] = guard;
+        nkw_locals_from_models(&c.skeleton, c.models, root, got);
+        nkw_locals_from_models(&c.skeleton, in_place, root, in_place);
+        expect_matrices(in_place, got, n);
+        expect_matrices(&got[n], &guard, 1);
+        for (size_t j = 0; j < n; j++) {
+            const nkw_mat4 *parent = c.skeleton.parents[j] < 0 ? root : &c.models[c.skeleton.parents[j]];
+            nkw_mat4 want = c.models[j];
+            if (parent) {
+                nkw_mat4 inverse = nkw_mat4_inverse_affine(parent);
+                want = nkw_mat4_mul_affine(&inverse, &c.models[j]);
+            }
+            expect_matrices(&got[j], &want, 1);
+        }
+    }
+}
+
 static void models_come_back_from_the_pose_of_models(void **state)
 {
     (void)state;
@@ -415,6 +445,7 @@ int main(void)
         cmocka_unit_test(subtree_ends_are_those_of_depth_first_order),
         cmocka_unit_test(parents_that_are_not_before_their_joint_make_roots),
         cmocka_unit_test(locals_come_back_from_models),
+        cmocka_unit_test(locals_are_those_of_the_single_functions_at_every_count),
         cmocka_unit_test(models_come_back_from_the_pose_of_models),
         cmocka_unit_test(below_a_singular_parent_locals_are_zero),
         cmocka_unit_test(a_model_of_nan_shows_in_what_the_pose_could_not_hold),

@@ -118,7 +118,8 @@ typedef struct blend_span {
     X(palette_4x4, (const nkw_mat4 *models, size_t model_count, const int32_t *joints, const nkw_mat4 *inverse_bind, const nkw_mat4 *global_inverse, nkw_mat4 *out, size_t n), (models, model_count, joints, inverse_bind, global_inverse, out, n)) \
     X(palette_3x4, (const nkw_mat4 *models, size_t model_count, const int32_t *joints, const nkw_mat4 *inverse_bind, const nkw_mat4 *global_inverse, nkw_mat3x4 *out, size_t n), (models, model_count, joints, inverse_bind, global_inverse, out, n)) \
     X(palette_dual, (const nkw_mat4 *models, size_t model_count, const int32_t *joints, const nkw_mat4 *inverse_bind, const nkw_mat4 *global_inverse, nkw_dual_quat *out, size_t n), (models, model_count, joints, inverse_bind, global_inverse, out, n)) \
-    X(palette_normals, (const nkw_mat4 *palette, size_t size, size_t row, size_t column, float *out, size_t n), (palette, size, row, column, out, n)) \
+    X(palette_inverse, (const nkw_mat4 *models, size_t model_count, const int32_t *joints, const nkw_mat4 *global_inverse, nkw_mat4 *out, size_t n), (models, model_count, joints, global_inverse, out, n)) \
+    X(palette_normals, (const nkw_mat4 *palette, size_t line, int rows, float *out, size_t n), (palette, line, rows, out, n)) \
     X(skin_decode, (skin_block *b, const nkw_skin_view *joints, uint32_t limit, const nkw_skin_view *weights, size_t k, size_t n), (b, joints, limit, weights, k, n)) \
     X(skin_blend, (skin_block *b, const nkw_mat4 *palette, size_t k, size_t n), (b, palette, k, n)) \
     X(skin_blend_normals, (skin_block *b, const nkw_mat3 *palette, size_t k, size_t n), (b, palette, k, n)) \
@@ -130,6 +131,7 @@ typedef struct blend_span {
     X(skin_write, (const float *in, unsigned char *data, size_t stride, size_t n), (in, data, stride, n)) \
     X(models_from_pose, (const int32_t *parents, const float *pose, size_t stride, const nkw_mat4 *root, size_t from, size_t to, nkw_mat4 *models), (parents, pose, stride, root, from, to, models)) \
     X(models_from_locals, (const int32_t *parents, const nkw_mat4 *locals, const nkw_mat4 *root, size_t from, size_t to, nkw_mat4 *models), (parents, locals, root, from, to, models)) \
+    X(locals_from_models, (const int32_t *parents, const nkw_mat4 *models, const nkw_mat4 *root, size_t from, size_t to, nkw_mat4 *locals), (parents, models, root, from, to, locals)) \
     X(crowd_models, (const int32_t *parents, size_t joints, const float *crowd, const float *roots, float *models), (parents, joints, crowd, roots, models)) \
     X(crowd_bind, (const float *model, const nkw_mat4 *inverse_bind, float *out), (model, inverse_bind, out)) \
     X(crowd_from_poses, (const float *const *poses, size_t joints, size_t stride, float *crowd), (poses, joints, stride, crowd)) \

@@ -3,7 +3,7 @@
 
 #include <nakawari/palette.h>
 
-#include "batch/element.h"
+#include "batch/matrices.h"
 #include "batch/table.h"
 #include "lane/dual.h"
 #include "lane/mat.h"
@@ -56,34 +56,66 @@ KERNEL(palette_3x4)
     }
 }
 
-/*
- * Matrices that are worked on together, in component arrays [element][matrix]. The elements that a short block lacks
- * are those of an earlier one, or 0.
- */
-#define BLOCK 16
-
-static inline void unpack_one(const nkw_mat4 *m, float a[16][BLOCK], size_t i)
+/* `size` matrices side by side. */
+static inline void spread(const nkw_mat4 *m, size_t size, matrices *a)
 {
-    for (size_t k = 0; k < 16; k++)
-        a[k][i] = m->m[k];
+    for (size_t i = 0; i < size; i += 4) {
+        const nkw_mat4 *four[4];
+        for (size_t k = 0; k < 4; k++)
+            four[k] = &m[matrices_index(i + k, size)];
+        matrices_put(a, i, four);
+    }
+    matrices_fill(a, size);
+}
+
+/* Joint matrices from number `from` on. */
+static inline void gather(const nkw_mat4 *models, size_t model_count, const int32_t *joints,
+                          const nkw_mat4 *inverse_bind, const lane_columns *global_inverse, size_t from, size_t size,
+                          matrices *a)
+{
+    nkw_mat4 m[MATRICES];
+    int plain = !joints && !inverse_bind && !global_inverse && from + size <= model_count;
+    for (size_t i = 0; i < size && !plain; i++) {
+        lane_columns c = columns_of(models, model_count, joints, inverse_bind, global_inverse, from + i);
+        lane_mat4_from_columns(&c, &m[i]);
+    }
+    spread(plain ? models + from : m, size, a);
+}
+
+KERNEL(palette_inverse)
+(const nkw_mat4 *models, size_t model_count, const int32_t *joints, const nkw_mat4 *global_inverse, nkw_mat4 *out,
+ size_t n)
+{
+    const lane_columns g = columns_or_none(global_inverse);
+    matrices a, r;
+    for (size_t from = 0; from < n; from += MATRICES) {
+        size_t size = n - from < MATRICES ? n - from : MATRICES;
+        gather(models, model_count, joints, NULL, global_inverse ? &g : NULL, from, size, &a);
+#pragma omp simd
+        for (size_t i = 0; i < MATRICES; i++)
+            matrices_invert(&a, i, &r);
+        for (size_t i = 0; i < size; i += 4)
+            matrices_write(&r, i, out + from + i, size - i);
+    }
 }
 
 /* Functions of their own, so that the loops around them see no address of a local matrix. */
-static inline void normal_one(float a[16][BLOCK], float r[9][BLOCK], size_t i)
+static inline void normal_one(const matrices *a, matrices *r, size_t i)
 {
-    nkw_mat3 m = {{a[0][i], a[1][i], a[2][i], a[4][i], a[5][i], a[6][i], a[8][i], a[9][i], a[10][i]}};
+    nkw_mat3 m = {
+        {a->e[0][i], a->e[1][i], a->e[2][i], a->e[3][i], a->e[4][i], a->e[5][i], a->e[6][i], a->e[7][i], a->e[8][i]}};
     nkw_mat3 normal = lane_mat3_normal(&m);
     for (size_t k = 0; k < 9; k++)
-        r[k][i] = normal.m[k];
+        r->e[k][i] = normal.m[k];
 }
 
-static inline void dual_one(float a[16][BLOCK], float r[8][BLOCK], size_t i)
+/* Eight elements: the real part, then the dual one. */
+static inline void dual_one(const matrices *a, matrices *r, size_t i)
 {
-    lane_wmat3 linear = {{a[0][i], a[1][i], a[2][i], a[4][i], a[5][i], a[6][i], a[8][i], a[9][i], a[10][i]}};
-    lane_wvec3 translation = {a[12][i], a[13][i], a[14][i]};
-    nkw_dual_quat d = lane_dual_quat_from_affine(&linear, translation);
-    r[0][i] = d.real.x, r[1][i] = d.real.y, r[2][i] = d.real.z, r[3][i] = d.real.w;
-    r[4][i] = d.dual.x, r[5][i] = d.dual.y, r[6][i] = d.dual.z, r[7][i] = d.dual.w;
+    lane_wmat3 linear = matrices_linear(a, i);
+    nkw_dual_quat d = lane_dual_quat_from_affine(&linear, matrices_column(a, 3, i));
+    r->e[0][i] = d.real.x, r->e[1][i] = d.real.y, r->e[2][i] = d.real.z, r->e[3][i] = d.real.w;
+    r->e[4][i] = d.dual.x, r->e[5][i] = d.dual.y, r->e[6][i] = d.dual.z, r->e[7][i] = d.dual.w;
 }
 
 KERNEL(palette_dual)
@@ -91,43 +123,55 @@ KERNEL(palette_dual)
  const nkw_mat4 *global_inverse, nkw_dual_quat *out, size_t n)
 {
     const lane_columns g = columns_or_none(global_inverse);
-    float a[16][BLOCK] = {{0}}, r[8][BLOCK];
-    for (size_t from = 0; from < n; from += BLOCK) {
-        size_t size = n - from < BLOCK ? n - from : BLOCK;
-        for (size_t i = 0; i < size; i++) {
-            nkw_mat4 m;
-            lane_columns c =
-                columns_of(models, model_count, joints, inverse_bind, global_inverse ? &g : NULL, from + i);
-            lane_mat4_from_columns(&c, &m);
-            unpack_one(&m, a, i);
-        }
+    matrices a, r;
+    for (size_t from = 0; from < n; from += MATRICES) {
+        size_t size = n - from < MATRICES ? n - from : MATRICES;
+        gather(models, model_count, joints, inverse_bind, global_inverse ? &g : NULL, from, size, &a);
 #pragma omp simd
-        for (size_t i = 0; i < BLOCK; i++)
-            dual_one(a, r, i);
-        for (size_t i = 0; i < size; i++) {
-            nkw_dual_quat d = {{r[0][i], r[1][i], r[2][i], r[3][i]}, {r[4][i], r[5][i], r[6][i], r[7][i]}};
-            out[from + i] = d;
+        for (size_t i = 0; i < MATRICES; i++)
+            dual_one(&a, &r, i);
+        for (size_t i = 0; i < size; i += 4) {
+            lane_four real[4], dual[4];
+            matrices_turn(&r, 0, 1, 2, lane_four_load(r.e[3] + i), i, real);
+            matrices_turn(&r, 4, 5, 6, lane_four_load(r.e[7] + i), i, dual);
+            for (size_t k = 0; k < 4 && i + k < size; k++) {
+                lane_four_store(&out[from + i + k].real.x, real[k]);
+                lane_four_store(&out[from + i + k].dual.x, dual[k]);
+            }
         }
     }
 }
 
-/* Element (r, c) of each goes to out[r * row + c * column]; `size` floats a matrix, those between are 0. */
-KERNEL(palette_normals)(const nkw_mat4 *palette, size_t size, size_t row, size_t column, float *out, size_t n)
+/*
+ * Three lines of `line` floats for each matrix: elements `step` apart, lines from element 0, `next`, 2 `next` on. What a
+ * line of three has beyond itself the next one writes over.
+ */
+static inline void write_normals(const matrices *r, size_t line, size_t step, size_t next, float *out, size_t size)
 {
-    float a[16][BLOCK] = {{0}}, r[9][BLOCK];
-    for (size_t from = 0; from < n; from += BLOCK) {
-        size_t block = n - from < BLOCK ? n - from : BLOCK;
-        for (size_t i = 0; i < block; i++)
-            unpack_one(&palette[from + i], a, i);
-#pragma omp simd
-        for (size_t i = 0; i < BLOCK; i++)
-            normal_one(a, r, i);
-        for (size_t i = 0; i < block; i++) {
-            float *o = out + (from + i) * size;
-            for (size_t k = 3; k < size; k += 4)
-                o[k] = 0.0f;
-            for (size_t k = 0; k < 9; k++)
-                o[k / 3 * column + k % 3 * row] = r[k][i];
+    for (size_t i = 0; i < size; i += 4)
+        for (size_t l = 0; l < 3; l++) {
+            lane_four lines[4];
+            matrices_turn(r, l * next, l * next + step, l * next + 2 * step, lane_four_all(0.0f), i, lines);
+            for (size_t k = 0; k < 4 && i + k < size; k++) {
+                float *o = out + (3 * (i + k) + l) * line;
+                if (line == 4 || l < 2)
+                    lane_four_store(o, lines[k]);
+                else
+                    lane_four_store3((unsigned char *)o, lines[k]);
+            }
         }
+}
+
+/* Lines of `line` floats, of which those after three are 0: columns, or rows. */
+KERNEL(palette_normals)(const nkw_mat4 *palette, size_t line, int rows, float *out, size_t n)
+{
+    matrices a, r;
+    for (size_t from = 0; from < n; from += MATRICES) {
+        size_t size = n - from < MATRICES ? n - from : MATRICES;
+        spread(palette + from, size, &a);
+#pragma omp simd
+        for (size_t i = 0; i < MATRICES; i++)
+            normal_one(&a, &r, i);
+        write_normals(&r, line, rows ? 3 : 1, rows ? 1 : 3, out + from * 3 * line, size);
     }
 }

@@ -4,6 +4,7 @@
 #include <nakawari/pose.h>
 #include <nakawari/transform.h>
 
+#include "batch/matrices.h"
 #include "batch/table.h"
 #include "lane/affine.h"
 
@@ -134,5 +135,42 @@ KERNEL(models_from_locals)
             chain_child(&c, parent, &of, &models[j]);
         else
             chain_root(&c, &locals[j], &models[j]);
+    }
+}
+
+/*
+ * Joints from .. to - 1 to the beginning of `locals`, the last first: in place, parents are then still model matrices
+ * when they are asked. A joint with nothing above is inverted for nothing.
+ */
+KERNEL(locals_from_models)
+(const int32_t *parents, const nkw_mat4 *models, const nkw_mat4 *root, size_t from, size_t to, nkw_mat4 *locals)
+{
+    matrices a, inverse;
+    for (size_t end = to; end > from;) {
+        size_t size = end - from < MATRICES ? end - from : MATRICES, start = end - size;
+        for (size_t i = 0; i < size; i += 4) {
+            const nkw_mat4 *four[4];
+            for (size_t k = 0; k < 4; k++) {
+                size_t j = start + matrices_index(i + k, size);
+                const nkw_mat4 *parent = above(parents, j, root, models);
+                four[k] = parent ? parent : &models[j];
+            }
+            matrices_put(&a, i, four);
+        }
+        matrices_fill(&a, size);
+#pragma omp simd
+        for (size_t i = 0; i < MATRICES; i++)
+            matrices_invert(&a, i, &inverse);
+        for (size_t i = 0; i < size; i += 4) {
+            lane_columns m[4];
+            matrices_take(&inverse, i, m);
+            for (size_t k = 0; k < 4 && i + k < size; k++) {
+                size_t j = start + i + k;
+                lane_columns l = above(parents, j, root, models) ? lane_columns_mul(&m[k], &models[j])
+                                                                 : lane_columns_from(&models[j]);
+                lane_mat4_from_columns(&l, &locals[j - from]);
+            }
+        }
+        end = start;
     }
 }
