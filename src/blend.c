@@ -6,6 +6,7 @@
 #include <nakawari/blend.h>
 
 #include "lane/blend.h"
+#include "report.h"
 #include "simd/select.h"
 
 /* The most that a weight counts. */
@@ -105,6 +106,8 @@ static void blend_masked(const float *a, const float *b, size_t joints, float t,
 static void blend(const float *a, const float *b, size_t joints, float t, const float *mask, int slerp, float *out)
 {
     float known = t == t ? t : 0.0f;
+    if (joints == 0)
+        return;
     if (mask)
         blend_masked(a, b, joints, known, mask, slerp, out);
     else if (!slerp && known > 0.0f && known < 1.0f)
@@ -362,11 +365,9 @@ nkw_result nkw_mirror_validate(const int32_t *pair, size_t joints, size_t *bad_j
             result = NKW_OUT_OF_RANGE;
         else if (!is_paired(pair, joints, j))
             result = NKW_NOT_PAIRED;
-        bad = result == NKW_OK ? 0 : j;
+        bad = j;
     }
-    if (bad_joint)
-        *bad_joint = bad;
-    return result;
+    return report(result, bad, bad_joint);
 }
 
 void nkw_mask_from_subtree(const int32_t *parents, size_t joints, size_t root, float *mask)
