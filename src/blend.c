@@ -62,10 +62,10 @@ static float weight_of(float weight)
 static void weigh(float weight, const float *mask, const part *p, float *out)
 {
     if (mask)
-        nkw_batch_selected()->blend_weigh(weight, mask + p->from, out, p->n);
+        nkw_batch_selected()->blend_weigh(weight, mask + p->from, (int)p->used, out, (int)p->n);
     else
         for (size_t i = 0; i < p->n; i++)
-            out[i] = weight;
+            out[i] = i < p->used ? weight : 0.0f;
 }
 
 /* two poses */
@@ -88,19 +88,30 @@ static void blend_at(const float *a, const float *b, size_t joints, float t, int
     batch->lerp_at(a + scales, b + scales, t, out + scales, 3 * stride);
 }
 
+/* Arcs that go on beyond their ends, by a t for each joint. */
+static void slerp_outside(const float *a, const float *b, const float *t, const part *p, float *out)
+{
+    const nkw_batch *batch = nkw_batch_selected();
+    nkw_trs_view va = view_of(a, p), vb = view_of(b, p);
+    nkw_trs_span vo = span_of(out, p);
+    batch->vec3_lerp(va.translation, vb.translation, t, vo.translation, p->n);
+    batch->quat_slerp(va.rotation, vb.rotation, t, vo.rotation, p->n);
+    batch->vec3_lerp(va.scale, vb.scale, t, vo.scale, p->n);
+}
+
 static void blend_masked(const float *a, const float *b, size_t joints, float t, const float *mask, int slerp,
                          float *out)
 {
-    const nkw_batch *batch = nkw_batch_selected();
+    int outside = !(t >= 0.0f && t <= 1.0f);
     for (size_t from = 0; from < NKW_POSE_STRIDE(joints); from += BLEND_BLOCK) {
         part p = part_at(joints, from);
         float ts[BLEND_BLOCK];
         weigh(t, mask, &p, ts);
-        nkw_trs_view va = view_of(a, &p), vb = view_of(b, &p);
-        nkw_trs_span vo = span_of(out, &p);
-        batch->vec3_lerp(va.translation, vb.translation, ts, vo.translation, p.n);
-        (slerp ? batch->quat_slerp : batch->quat_nlerp)(va.rotation, vb.rotation, ts, vo.rotation, p.n);
-        batch->vec3_lerp(va.scale, vb.scale, ts, vo.scale, p.n);
+        if (slerp && outside)
+            slerp_outside(a, b, ts, &p, out);
+        else
+            nkw_batch_selected()->blend_each(rows_of(a, &p), rows_of(b, &p), ts, slerp, (int)p.used, rows_span(out, &p),
+                                             (int)p.n);
     }
 }
 
@@ -233,18 +244,23 @@ static void add_plain(plain_sum *s, const float *pose, float weight, const part 
     s->last = rows;
 }
 
-static void blend_plain(const nkw_pose_layer *layers, size_t count, const float *rest, float threshold, const part *p,
-                        float *out)
+/* Gives whether it could: without masks, and no two of one weight. */
+static int blend_plain(const nkw_pose_layer *layers, size_t count, const float *rest, float threshold, const part *p,
+                       float *out)
 {
     plain_sum s;
     s.total = s.t = 0.0f;
-    for (peers g = peers_below(layers, count, ABOVE_ALL); g.count; g = peers_below(layers, count, g.weight))
+    for (peers g = peers_below(layers, count, ABOVE_ALL); g.count; g = peers_below(layers, count, g.weight)) {
+        if (g.count > 1 || layers[g.first].mask)
+            return 0;
         add_plain(&s, layers[g.first].pose, g.weight, p);
+    }
     add_plain(&s, rest, missing(s.total, threshold), p);
     if (s.t > 0.0f)
         nkw_batch_selected()->blend_nlerp(s.sum, s.last, s.t, (int)p->used, rows_span(out, p), (int)p->n);
     else
         copy_rows(s.sum, rows_span(out, p), p->n);
+    return 1;
 }
 
 /*
@@ -336,14 +352,10 @@ static void blend_with_masks(const nkw_pose_layer *layers, size_t count, const f
 void nkw_pose_blend_layers(const nkw_pose_layer *layers, size_t count, const float *rest, size_t joints,
                            float threshold, float *out)
 {
-    int masked = 0;
-    for (size_t i = 0; i < count; i++)
-        masked = masked || layers[i].mask;
-    for (peers g = peers_below(layers, count, ABOVE_ALL); g.count; g = peers_below(layers, count, g.weight))
-        masked = masked || g.count > 1;
     for (size_t from = 0; from < NKW_POSE_STRIDE(joints); from += BLEND_BLOCK) {
         part p = part_at(joints, from);
-        (masked ? blend_with_masks : blend_plain)(layers, count, rest, threshold, &p, out);
+        if (!blend_plain(layers, count, rest, threshold, &p, out))
+            blend_with_masks(layers, count, rest, threshold, &p, out);
     }
 }
 
