@@ -88,8 +88,8 @@ static void blend_at(const float *a, const float *b, size_t joints, float t, int
     batch->lerp_at(a + scales, b + scales, t, out + scales, 3 * stride);
 }
 
-/* Arcs that go on beyond their ends, by a t for each joint. */
-static void slerp_outside(const float *a, const float *b, const float *t, const part *p, float *out)
+/* nkw_pose_blend_slerp by a t for each joint. */
+static void slerp_each(const float *a, const float *b, const float *t, const part *p, float *out)
 {
     const nkw_batch *batch = nkw_batch_selected();
     nkw_trs_view va = view_of(a, p), vb = view_of(b, p);
@@ -102,15 +102,14 @@ static void slerp_outside(const float *a, const float *b, const float *t, const 
 static void blend_masked(const float *a, const float *b, size_t joints, float t, const float *mask, int slerp,
                          float *out)
 {
-    int outside = !(t >= 0.0f && t <= 1.0f);
     for (size_t from = 0; from < NKW_POSE_STRIDE(joints); from += BLEND_BLOCK) {
         part p = part_at(joints, from);
         float ts[BLEND_BLOCK];
         weigh(t, mask, &p, ts);
-        if (slerp && outside)
-            slerp_outside(a, b, ts, &p, out);
+        if (slerp)
+            slerp_each(a, b, ts, &p, out);
         else
-            nkw_batch_selected()->blend_each(rows_of(a, &p), rows_of(b, &p), ts, slerp, (int)p.used, rows_span(out, &p),
+            nkw_batch_selected()->blend_each(rows_of(a, &p), rows_of(b, &p), ts, (int)p.used, rows_span(out, &p),
                                              (int)p.n);
     }
 }

@@ -155,21 +155,15 @@ static inline void lerps_each(nkw_vec3_view a, nkw_vec3_view b, const float *t, 
 /* A joint's own rotation, the identity in the padding: subnormal numbers there would take their time. */
 #define at_joint(v, i) lane_quat_select((i) < used, at_quat(v, i), nkw_quat_identity())
 
-/* nkw_pose_blend by a t for each joint, any, or nkw_pose_blend_slerp by a t in 0..1; t is 0 in the padding. */
-KERNEL(blend_each)(blend_rows a, blend_rows b, const float *t, int slerp, int used, blend_span out, int n)
+/* nkw_pose_blend by a t for each joint, any; t is 0 in the padding. */
+KERNEL(blend_each)(blend_rows a, blend_rows b, const float *t, int used, blend_span out, int n)
 {
     nkw_quat_view p = rotations_of(a), q = rotations_of(b);
     nkw_quat_span r = rotation_span(out);
     lerps_each(vectors_of(a, 0), vectors_of(b, 0), t, vector_span(out, 0), n);
-    if (slerp) {
 #pragma omp simd
-        for (int i = 0; i < n; i++)
-            put_quat(r, (size_t)i, lane_quat_slerp(at_joint(p, i), at_joint(q, i), t[i]));
-    } else {
-#pragma omp simd
-        for (int i = 0; i < n; i++)
-            put_quat(r, (size_t)i, lane_quat_nlerp(at_joint(p, i), at_joint(q, i), t[i]));
-    }
+    for (int i = 0; i < n; i++)
+        put_quat(r, (size_t)i, lane_quat_nlerp(at_joint(p, i), at_joint(q, i), t[i]));
     lerps_each(vectors_of(a, 7), vectors_of(b, 7), t, vector_span(out, 7), n);
 }
 
