@@ -6,10 +6,12 @@
 #include <nakawari/blend.h>
 
 #include "lane/blend.h"
+#include "report.h"
 #include "simd/select.h"
 
 /* The most that a weight counts. */
-#define HEAVIEST 0x1p60f
+#define HEAVIEST  0x1p60f
+#define ABOVE_ALL 0x1p61f
 
 /* `n` lanes of poses from joint `from` on, the first `used` of them joints; `stride` of the whole pose. */
 typedef struct part {
@@ -60,10 +62,10 @@ static float weight_of(float weight)
 static void weigh(float weight, const float *mask, const part *p, float *out)
 {
     if (mask)
-        nkw_batch_selected()->blend_weigh(weight, mask + p->from, out, p->n);
+        nkw_batch_selected()->blend_weigh(weight, mask + p->from, (int)p->used, out, (int)p->n);
     else
         for (size_t i = 0; i < p->n; i++)
-            out[i] = weight;
+            out[i] = i < p->used ? weight : 0.0f;
 }
 
 /* two poses */
@@ -86,25 +88,37 @@ static void blend_at(const float *a, const float *b, size_t joints, float t, int
     batch->lerp_at(a + scales, b + scales, t, out + scales, 3 * stride);
 }
 
+/* nkw_pose_blend_slerp by a t for each joint. */
+static void slerp_each(const float *a, const float *b, const float *t, const part *p, float *out)
+{
+    const nkw_batch *batch = nkw_batch_selected();
+    nkw_trs_view va = view_of(a, p), vb = view_of(b, p);
+    nkw_trs_span vo = span_of(out, p);
+    batch->vec3_lerp(va.translation, vb.translation, t, vo.translation, p->n);
+    batch->quat_slerp(va.rotation, vb.rotation, t, vo.rotation, p->n);
+    batch->vec3_lerp(va.scale, vb.scale, t, vo.scale, p->n);
+}
+
 static void blend_masked(const float *a, const float *b, size_t joints, float t, const float *mask, int slerp,
                          float *out)
 {
-    const nkw_batch *batch = nkw_batch_selected();
     for (size_t from = 0; from < NKW_POSE_STRIDE(joints); from += BLEND_BLOCK) {
         part p = part_at(joints, from);
         float ts[BLEND_BLOCK];
         weigh(t, mask, &p, ts);
-        nkw_trs_view va = view_of(a, &p), vb = view_of(b, &p);
-        nkw_trs_span vo = span_of(out, &p);
-        batch->vec3_lerp(va.translation, vb.translation, ts, vo.translation, p.n);
-        (slerp ? batch->quat_slerp : batch->quat_nlerp)(va.rotation, vb.rotation, ts, vo.rotation, p.n);
-        batch->vec3_lerp(va.scale, vb.scale, ts, vo.scale, p.n);
+        if (slerp)
+            slerp_each(a, b, ts, &p, out);
+        else
+            nkw_batch_selected()->blend_each(rows_of(a, &p), rows_of(b, &p), ts, (int)p.used, rows_span(out, &p),
+                                             (int)p.n);
     }
 }
 
 static void blend(const float *a, const float *b, size_t joints, float t, const float *mask, int slerp, float *out)
 {
     float known = t == t ? t : 0.0f;
+    if (joints == 0)
+        return;
     if (mask)
         blend_masked(a, b, joints, known, mask, slerp, out);
     else if (!slerp && known > 0.0f && known < 1.0f)
@@ -132,42 +146,57 @@ static int compare_floats(float a, float b)
     return x < y ? -1 : x > y;
 }
 
-static int compare_masks(const float *a, const float *b, const part *p)
+/* The layers of the largest weight below another one: how many, and the first of them. */
+typedef struct peers {
+    float weight;
+    size_t count, first;
+} peers;
+
+static peers peers_below(const nkw_pose_layer *layers, size_t count, float weight)
 {
-    int order = 0;
-    for (size_t j = p->from; order == 0 && a != b && j < p->from + p->used; j++)
-        order = compare_floats(a ? lane_mask(a[j]) : 1.0f, b ? lane_mask(b[j]) : 1.0f);
-    return order;
+    peers r = {0.0f, 0, count};
+    for (size_t i = count; i-- > 0;) {
+        float w = weight_of(layers[i].weight);
+        if (!(w > 0.0f && w < weight && w >= r.weight))
+            continue;
+        r.count = w > r.weight ? 1 : r.count + 1;
+        r.weight = w;
+        r.first = i;
+    }
+    return r;
 }
 
-/* Rotations first: they are the least likely to be equal. */
-static int compare_poses(const float *a, const float *b, const part *p)
+/* Joint j's own numbers, rotation first: it is the least likely to be equal. */
+static int compare_joints(const float *a, const float *b, size_t stride, size_t j)
 {
     static const unsigned char arrays[10] = {3, 4, 5, 6, 0, 1, 2, 7, 8, 9};
     int order = 0;
     for (size_t c = 0; order == 0 && a != b && c < 10; c++)
-        for (size_t j = p->from; order == 0 && j < p->from + p->used; j++)
-            order = compare_floats(a[arrays[c] * p->stride + j], b[arrays[c] * p->stride + j]);
+        order = compare_floats(a[arrays[c] * stride + j], b[arrays[c] * stride + j]);
     return order;
 }
 
-/* Whether layer i is added before layer k. Layers that are the same in all are as good in either order. */
-static int is_before(const nkw_pose_layer *layers, size_t i, size_t k, const part *p)
+static float mask_at(const nkw_pose_layer *layer, size_t j)
 {
-    const nkw_pose_layer *a = &layers[i], *b = &layers[k];
-    int order = -compare_floats(weight_of(a->weight), weight_of(b->weight));
-    order = order ? order : compare_masks(a->mask, b->mask, p);
-    order = order ? order : compare_poses(a->pose, b->pose, p);
+    return layer->mask ? lane_mask(layer->mask[j]) : 1.0f;
+}
+
+/* Whether layer i is added before k, its peer, at joint j. Where all is the same either order is as good. */
+static int is_before(const nkw_pose_layer *layers, size_t i, size_t k, size_t stride, size_t j)
+{
+    int order = compare_floats(mask_at(&layers[i], j), mask_at(&layers[k], j));
+    order = order ? order : compare_joints(layers[i].pose, layers[k].pose, stride, j);
     return order < 0 || (order == 0 && i < k);
 }
 
-/* The layer to be added after `last`, and the first one after `count`; `count` after the last one. */
-static size_t next_layer(const nkw_pose_layer *layers, size_t count, size_t last, const part *p)
+/* Joint j's next one of the peers: after `last`, or the first of all after `count`. */
+static size_t next_peer(const nkw_pose_layer *layers, size_t count, const peers *g, size_t last, size_t stride,
+                        size_t j)
 {
     size_t next = count;
-    for (size_t i = 0; i < count; i++)
-        if (layers[i].weight > 0.0f && (last == count || is_before(layers, last, i, p)) &&
-            (next == count || is_before(layers, i, next, p)))
+    for (size_t i = g->first; i < count; i++)
+        if (weight_of(layers[i].weight) == g->weight && (last == count || is_before(layers, last, i, stride, j)) &&
+            (next == count || is_before(layers, i, next, stride, j)))
             next = i;
     return next;
 }
@@ -187,8 +216,8 @@ static void copy_rows(blend_rows from, blend_span to, size_t n)
 }
 
 /*
- * Layers without masks: sum = lerp(sum, pose, weight / (total + weight)), one pose behind, for with the last one the
- * rotations are normalised in the same loop. The sum begins as the first pose where it lies.
+ * Layers without masks, no two of one weight: sum = lerp(sum, pose, weight / (total + weight)), one pose behind, for
+ * with the last one the rotations are normalised in the same loop. The sum begins as the first pose where it lies.
  */
 typedef struct plain_sum {
     float v[10 * BLEND_BLOCK];
@@ -214,18 +243,23 @@ static void add_plain(plain_sum *s, const float *pose, float weight, const part 
     s->last = rows;
 }
 
-static void blend_plain(const nkw_pose_layer *layers, size_t count, const float *rest, float threshold, const part *p,
-                        float *out)
+/* Gives whether it could: without masks, and no two of one weight. */
+static int blend_plain(const nkw_pose_layer *layers, size_t count, const float *rest, float threshold, const part *p,
+                       float *out)
 {
     plain_sum s;
     s.total = s.t = 0.0f;
-    for (size_t i = next_layer(layers, count, count, p); i < count; i = next_layer(layers, count, i, p))
-        add_plain(&s, layers[i].pose, weight_of(layers[i].weight), p);
+    for (peers g = peers_below(layers, count, ABOVE_ALL); g.count; g = peers_below(layers, count, g.weight)) {
+        if (g.count > 1 || layers[g.first].mask)
+            return 0;
+        add_plain(&s, layers[g.first].pose, g.weight, p);
+    }
     add_plain(&s, rest, missing(s.total, threshold), p);
     if (s.t > 0.0f)
         nkw_batch_selected()->blend_nlerp(s.sum, s.last, s.t, (int)p->used, rows_span(out, p), (int)p->n);
     else
         copy_rows(s.sum, rows_span(out, p), p->n);
+    return 1;
 }
 
 /*
@@ -256,6 +290,27 @@ static void add_masked(masked_sum *s, const float *pose, const part *p)
     s->begun = 1;
 }
 
+/* Layers of one weight: each joint takes them in an order of its own, which follows from its own numbers. */
+static void add_peers(masked_sum *s, const nkw_pose_layer *layers, size_t count, const peers *g, const part *p)
+{
+    float turn[10 * BLEND_BLOCK];
+    size_t last[BLEND_BLOCK];
+    part here = {p->n, p->n, 0, p->used, p->n};
+    memset(turn, 0, sizeof turn);
+    for (size_t i = 0; i < p->n; i++)
+        last[i] = count;
+    for (size_t k = 0; k < g->count; k++) {
+        for (size_t i = 0; i < p->used; i++) {
+            size_t j = p->from + i, layer = next_peer(layers, count, g, last[i], p->stride, j);
+            last[i] = layer;
+            s->weight[i] = g->weight * mask_at(&layers[layer], j);
+            for (size_t c = 0; c < 10; c++)
+                turn[c * p->n + i] = layers[layer].pose[c * p->stride + j];
+        }
+        add_masked(s, turn, &here);
+    }
+}
+
 static void add_rest(masked_sum *s, const float *rest, float threshold, const part *p)
 {
     int any = 0;
@@ -277,9 +332,12 @@ static void blend_with_masks(const nkw_pose_layer *layers, size_t count, const f
     memset(s.total, 0, sizeof s.total);
     memset(s.mixed, 0, sizeof s.mixed);
     s.begun = 0;
-    for (size_t i = next_layer(layers, count, count, p); i < count; i = next_layer(layers, count, i, p)) {
-        weigh(weight_of(layers[i].weight), layers[i].mask, p, s.weight);
-        add_masked(&s, layers[i].pose, p);
+    for (peers g = peers_below(layers, count, ABOVE_ALL); g.count; g = peers_below(layers, count, g.weight)) {
+        weigh(g.weight, layers[g.first].mask, p, s.weight);
+        if (g.count > 1)
+            add_peers(&s, layers, count, &g, p);
+        else
+            add_masked(&s, layers[g.first].pose, p);
     }
     add_rest(&s, rest, threshold, p);
     nkw_batch_selected()->quat_settle(nkw_pose_view(s.v, p->n).rotation, (int)p->used, units, (int)p->n);
@@ -293,12 +351,10 @@ static void blend_with_masks(const nkw_pose_layer *layers, size_t count, const f
 void nkw_pose_blend_layers(const nkw_pose_layer *layers, size_t count, const float *rest, size_t joints,
                            float threshold, float *out)
 {
-    int masked = 0;
-    for (size_t i = 0; i < count; i++)
-        masked = masked || layers[i].mask;
     for (size_t from = 0; from < NKW_POSE_STRIDE(joints); from += BLEND_BLOCK) {
         part p = part_at(joints, from);
-        (masked ? blend_with_masks : blend_plain)(layers, count, rest, threshold, &p, out);
+        if (!blend_plain(layers, count, rest, threshold, &p, out))
+            blend_with_masks(layers, count, rest, threshold, &p, out);
     }
 }
 
@@ -362,11 +418,9 @@ nkw_result nkw_mirror_validate(const int32_t *pair, size_t joints, size_t *bad_j
             result = NKW_OUT_OF_RANGE;
         else if (!is_paired(pair, joints, j))
             result = NKW_NOT_PAIRED;
-        bad = result == NKW_OK ? 0 : j;
+        bad = j;
     }
-    if (bad_joint)
-        *bad_joint = bad;
-    return result;
+    return report(result, bad, bad_joint);
 }
 
 void nkw_mask_from_subtree(const int32_t *parents, size_t joints, size_t root, float *mask)

@@ -6,6 +6,7 @@
 #include "lane/partition.h"
 #include "lane/scalar.h"
 #include "lane/sort.h"
+#include "report.h"
 
 #define NONE           UINT32_MAX
 #define INFLUENCES     8
@@ -44,22 +45,15 @@ static nkw_result check_triangle(const nkw_partition_mesh *mesh, size_t t)
     return result;
 }
 
-static void put_index(size_t *out, size_t value)
-{
-    if (out)
-        *out = value;
-}
-
 nkw_result nkw_partition_validate(const nkw_partition_mesh *mesh, size_t *bad_triangle)
 {
     nkw_result result = counts_are_in_range(mesh) ? NKW_OK : NKW_OUT_OF_RANGE;
     size_t bad = 0;
     for (size_t t = 0; result == NKW_OK && t < mesh->triangles; t++) {
         result = check_triangle(mesh, t);
-        bad = result == NKW_OK ? 0 : t;
+        bad = t;
     }
-    put_index(bad_triangle, bad);
-    return result;
+    return report(result, bad, bad_triangle);
 }
 
 /* ---- Working memory ---- */
@@ -492,6 +486,5 @@ nkw_result nkw_partition_build(const nkw_partition_mesh *mesh, size_t max_bones,
         write_part(&p, out, (uint32_t)k);
     if (out->rejected_count == 0)
         return NKW_OK;
-    put_index(bad_triangle, out->triangles[out->triangle_count]);
-    return NKW_TOO_MANY;
+    return report(NKW_TOO_MANY, out->triangles[out->triangle_count], bad_triangle);
 }

@@ -6,29 +6,44 @@
 #include <nakawari/transform.h>
 #include <nakawari/vec.h>
 
+#include "report.h"
+
 size_t nkw_pose_floats(size_t joints)
 {
     return NKW_POSE_FLOATS(joints);
 }
 
+/* What lies `floats` behind the start; of no pose at all, which may be NULL, the start. */
+static const float *behind(const float *pose, size_t floats)
+{
+    return floats ? pose + floats : pose;
+}
+
 nkw_trs_view nkw_pose_view(const float *pose, size_t joints)
 {
     size_t s = NKW_POSE_STRIDE(joints);
+    const float *rotation = behind(pose, 3 * s), *scale = behind(pose, 7 * s);
     nkw_trs_view view = {
-        {pose, pose + s, pose + 2 * s},
-        {pose + 3 * s, pose + 4 * s, pose + 5 * s, pose + 6 * s},
-        {pose + 7 * s, pose + 8 * s, pose + 9 * s},
+        {pose, behind(pose, s), behind(pose, 2 * s)},
+        {rotation, behind(rotation, s), behind(rotation, 2 * s), behind(rotation, 3 * s)},
+        {scale, behind(scale, s), behind(scale, 2 * s)},
     };
     return view;
+}
+
+static float *behind_span(float *pose, size_t floats)
+{
+    return floats ? pose + floats : pose;
 }
 
 nkw_trs_span nkw_pose_span(float *pose, size_t joints)
 {
     size_t s = NKW_POSE_STRIDE(joints);
+    float *rotation = behind_span(pose, 3 * s), *scale = behind_span(pose, 7 * s);
     nkw_trs_span span = {
-        {pose, pose + s, pose + 2 * s},
-        {pose + 3 * s, pose + 4 * s, pose + 5 * s, pose + 6 * s},
-        {pose + 7 * s, pose + 8 * s, pose + 9 * s},
+        {pose, behind_span(pose, s), behind_span(pose, 2 * s)},
+        {rotation, behind_span(rotation, s), behind_span(rotation, 2 * s), behind_span(rotation, 3 * s)},
+        {scale, behind_span(scale, s), behind_span(scale, 2 * s)},
     };
     return span;
 }
@@ -105,9 +120,7 @@ nkw_result nkw_pose_validate(const float *pose, size_t joints, size_t *bad_joint
     for (size_t j = 0; result == NKW_OK && j < joints; j++) {
         nkw_trs trs = get(pose, NKW_POSE_STRIDE(joints), j);
         result = check(&trs);
-        bad = result == NKW_OK ? 0 : j;
+        bad = j;
     }
-    if (bad_joint)
-        *bad_joint = bad;
-    return result;
+    return report(result, bad, bad_joint);
 }

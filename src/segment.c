@@ -24,19 +24,33 @@ nkw_segment nkw_segment_find_from(const float *times, size_t count, float time, 
     return lane_segment_find_from(times_of(times, count), time, from);
 }
 
+/* After a jump of so many keys so many times are searched each for itself: that mispredicts no branch. */
+#define JUMP     ((size_t)16)
+#define SEARCHES 8
+
 void nkw_segment_find_n(const float *times, size_t count, const float *time, nkw_segment *out, size_t n)
 {
     lane_times all = times_of(times, count);
     size_t from = 0;
-    for (size_t i = 0; i < n; i++) {
-        out[i] = lane_segment_find_from(all, time[i], from);
-        from = out[i].index;
+    for (size_t i = 0; i < n;) {
+        nkw_segment here = lane_segment_find_from(all, time[i], from);
+        out[i++] = here;
+        if (here.index - from + JUMP > 2 * JUMP)
+            for (size_t end = n - i < SEARCHES ? n : i + SEARCHES; i < end; i++)
+                out[i] = here = lane_segment_find(all, time[i]);
+        from = here.index;
     }
+}
+
+/* k as a whole number in binary64. */
+static float uniform_time(float start, float rate, double k)
+{
+    return (float)((double)start + k / (double)rate);
 }
 
 float nkw_segment_uniform_time(float start, float rate, size_t k)
 {
-    return (float)((double)start + (double)k / (double)rate);
+    return uniform_time(start, rate, (double)k);
 }
 
 /* Whether the times are those of nkw_segment_uniform_time, each greater than the one before. */
@@ -72,27 +86,28 @@ float nkw_segment_uniform_rate(const float *times, size_t count)
     return is_uniform(times, count, (float)rate) ? (float)rate : 0.0f;
 }
 
-/* floor(x) held within 0..last, for any x. */
-static size_t index_within(double x, size_t last)
-{
-    size_t k = x > 0.0 && x < (double)last ? (size_t)x : 0;
-    return x < (double)last && k < last ? k : x > 0.0 ? last : 0;
-}
+/* The most segments that floats have room for, and whole numbers in binary64. */
+#define MOST_SEGMENTS ((size_t)1 << (sizeof(size_t) > 4 ? 52 : 31))
 
 nkw_segment nkw_segment_find_uniform(float start, float rate, size_t count, float time)
 {
     nkw_segment none = {0, 0.0f};
     if (count < 2 || !(rate > 0.0f) || rate - rate != 0.0f)
         return none;
-    size_t last = count - 2;
-    size_t k = index_within(((double)time - (double)start) * (double)rate, last);
+    double last = (double)(int64_t)(count - 2 < MOST_SEGMENTS ? count - 2 : MOST_SEGMENTS);
+    double x = ((double)time - (double)start) * (double)rate;
+    double least = x > 0.0 ? x : 0.0, k = (double)(int64_t)(least < last ? least : last);
+    float a = uniform_time(start, rate, k), b = uniform_time(start, rate, k + 1.0);
     /* The key times are rounded, so a time within half an ULP of a key can be one segment off. */
-    if (k > 0 && time < nkw_segment_uniform_time(start, rate, k))
-        k--;
-    else if (k < last && time >= nkw_segment_uniform_time(start, rate, k + 1))
-        k++;
-    float a = nkw_segment_uniform_time(start, rate, k);
-    float b = nkw_segment_uniform_time(start, rate, k + 1);
-    nkw_segment r = {k, lane_segment_t(a, b, time)};
+    if (k > 0.0 && time < a) {
+        k -= 1.0;
+        b = a;
+        a = uniform_time(start, rate, k);
+    } else if (k < last && time >= b) {
+        k += 1.0;
+        a = b;
+        b = uniform_time(start, rate, k + 1.0);
+    }
+    nkw_segment r = {(size_t)(int64_t)k, lane_segment_t(a, b, time)};
     return r;
 }

@@ -5,14 +5,8 @@
 #include <nakawari/skeleton.h>
 #include <nakawari/transform.h>
 
+#include "report.h"
 #include "simd/select.h"
-
-static nkw_result report(nkw_result result, size_t bad, size_t *out)
-{
-    if (out)
-        *out = result == NKW_OK ? 0 : bad;
-    return result;
-}
 
 /* Whether joint j has no parent, or one that it must not have. */
 static int is_root(const nkw_skeleton *skeleton, size_t j)

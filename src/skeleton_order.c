@@ -5,14 +5,9 @@
 #include <nakawari/mat.h>
 #include <nakawari/skeleton.h>
 
-#define MOST_NODES ((size_t)INT32_MAX)
+#include "report.h"
 
-static nkw_result report(nkw_result result, size_t bad, size_t *out)
-{
-    if (out)
-        *out = result == NKW_OK ? 0 : bad;
-    return result;
-}
+#define MOST_NODES ((size_t)INT32_MAX)
 
 static int is_link(int32_t to, size_t count)
 {

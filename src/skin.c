@@ -4,6 +4,7 @@
 #include <nakawari/skin.h>
 
 #include "lane/skin.h"
+#include "report.h"
 #include "simd/select.h"
 
 /* What of a skin can be used: no influences where a format is not for it. */
@@ -346,46 +347,62 @@ void nkw_skin_normalize_weights(nkw_skin_view in, size_t influences, nkw_skin_sp
     }
 }
 
-static int is_before(const float *weight, size_t a, size_t b)
+static uint32_t largest_joint(nkw_skin_format format)
 {
-    float wa = usable(weight[a]), wb = usable(weight[b]);
-    return wa > wb || (wa == wb && a < b);
+    return format == NKW_SKIN_U8 ? 255 : format == NKW_SKIN_U16 ? 65535 : UINT32_MAX;
 }
 
-/* The `keep` largest, in their order; gives how many. */
-static size_t keep_largest(const held *v, size_t k, size_t keep, held *out)
+/* The smallest weight, the last of equals. */
+static size_t smallest_of(const held *v, size_t k)
 {
+    size_t least = 0;
+    for (size_t e = 1; e < k; e++)
+        least = v->weight[e] <= v->weight[least] ? e : least;
+    return least;
+}
+
+static void drop(held *v, size_t k, size_t e)
+{
+    memmove(v->weight + e, v->weight + e + 1, (k - e - 1) * sizeof *v->weight);
+    memmove(v->joint + e, v->joint + e + 1, (k - e - 1) * sizeof *v->joint);
+}
+
+/* The `keep` largest of vertex i, in their order; gives how many. Joints above `most` have no weight. */
+static size_t keep_largest(const nkw_skin *skin, size_t i, size_t keep, uint32_t most, held *v)
+{
+    const unsigned char *joints = vertex_at(&skin->joints, skin->influences, i);
+    const unsigned char *weights = vertex_at(&skin->weights, skin->influences, i);
     size_t kept = 0;
-    for (size_t e = 0; e < k; e++) {
-        size_t larger = 0;
-        for (size_t o = 0; o < k; o++)
-            larger += is_before(v->weight, o, e) ? 1u : 0u;
-        if (larger >= keep)
+    for (size_t e = 0; e < skin->influences; e++) {
+        nkw_skin_format of_joints = skin->joints.format, of_weights = skin->weights.format;
+        uint32_t joint = lane_skin_joint(joints + e * lane_skin_format_size(of_joints), of_joints);
+        float weight = usable(lane_skin_weight(weights + e * lane_skin_format_size(of_weights), of_weights));
+        weight = joint <= most ? weight : 0.0f;
+        size_t least = kept == keep ? smallest_of(v, kept) : 0;
+        if (kept == keep && !(weight > v->weight[least]))
             continue;
-        out->weight[kept] = v->weight[e];
-        out->joint[kept] = v->joint[e];
-        kept++;
+        if (kept == keep)
+            drop(v, kept--, least);
+        v->weight[kept] = weight;
+        v->joint[kept++] = joint <= most ? joint : 0;
     }
     return kept;
 }
 
 static void write_joints(const uint32_t *joint, size_t k, size_t width, unsigned char *p, nkw_skin_format format)
 {
-    uint32_t most = format == NKW_SKIN_U8 ? 255 : format == NKW_SKIN_U16 ? 65535 : UINT32_MAX;
     for (size_t e = 0; e < width; e++)
-        write_number(p + e * lane_skin_format_size(format), format, e < k && joint[e] <= most ? joint[e] : 0);
+        write_number(p + e * lane_skin_format_size(format), format, e < k ? joint[e] : 0);
 }
 
 void nkw_skin_prune(const nkw_skin *skin, size_t keep, nkw_skin_span joints, nkw_skin_span weights)
 {
-    if (!is_count(keep) || !is_count(skin->influences) || !is_for_joints(skin->joints.format) ||
+    if (!is_count(keep) || skin->influences == 0 || !is_for_joints(skin->joints.format) ||
         !is_for_weights(skin->weights.format) || !is_for_joints(joints.format) || !is_for_weights(weights.format))
         return;
     for (size_t i = 0; i < skin->vertices; i++) {
-        held all, v;
-        read_joints(&skin->joints, skin->influences, i, all.joint);
-        read_weights(&skin->weights, skin->influences, i, all.weight);
-        size_t kept = keep_largest(&all, skin->influences, keep, &v);
+        held v;
+        size_t kept = keep_largest(skin, i, keep, largest_joint(joints.format), &v);
         write_joints(v.joint, kept, keep, vertex_of(&joints, keep, i), joints.format);
         write_weights(v.weight, kept, keep, vertex_of(&weights, keep, i), weights.format);
     }
@@ -436,9 +453,7 @@ nkw_result nkw_skin_validate(const nkw_skin *skin, size_t joints, size_t *bad_ve
     size_t bad = 0;
     for (size_t i = 0; result == NKW_OK && i < skin->vertices; i++) {
         result = check_vertex(skin, joints, i);
-        bad = result == NKW_OK ? 0 : i;
+        bad = i;
     }
-    if (bad_vertex)
-        *bad_vertex = bad;
-    return result;
+    return report(result, bad, bad_vertex);
 }

@@ -9,6 +9,7 @@
 
 #include "difference.h"
 #include "lane/scalar.h"
+#include "report.h"
 
 static int is_rotation(const nkw_track *track)
 {
@@ -173,11 +174,9 @@ nkw_result nkw_track_validate(const nkw_track *track, size_t *bad_key)
     size_t bad = 0;
     for (size_t k = 0; result == NKW_OK && k < track->count; k++) {
         result = check_key(track, k);
-        bad = result == NKW_OK ? 0 : k;
+        bad = k;
     }
-    if (bad_key)
-        *bad_key = bad;
-    return result;
+    return report(result, bad, bad_key);
 }
 
 /* Resampling. */

@@ -28,12 +28,15 @@ static void two_poses_blend_as_lerp_nlerp_and_slerp_bit_for_bit(void **state)
 {
     (void)state;
     random_source r = random_from(1);
-    static float a[FLOATS], b[FLOATS];
+    static float a[FLOATS], b[FLOATS], mask[STRIDE];
     draw(&r, a);
     draw(&r, b);
+    draw_mask(&r, mask);
     static const float ts[] = {0.0f, 1.0f, 0.5f, 0.3f, 0.8f, -1.0f, 2.5f, 1e-30f, NAN};
-    for (size_t i = 0; i < sizeof ts / sizeof ts[0]; i++)
+    for (size_t i = 0; i < sizeof ts / sizeof ts[0]; i++) {
         expect_blend(a, b, ts[i], NULL);
+        expect_blend(a, b, ts[i], mask);
+    }
 }
 
 static void rotations_of_any_length_blend_as_nlerp_too(void **state)

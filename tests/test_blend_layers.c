@@ -63,6 +63,29 @@ static void the_order_of_layers_changes_no_bit(void **state)
     expect_any_order(b);
 }
 
+/* Of equal weights too, with masks and without: all other joints of all layers change, and joint 7 keeps its bits. */
+static void a_joints_result_depends_on_that_joint_alone(void **state)
+{
+    (void)state;
+    random_source r = random_from(12);
+    bed *b = make_bed(11);
+    for (size_t i = 0; i < LAYERS; i++)
+        b->layers[i].weight = 0.25f;
+    for (int masked = 0; masked < 2; masked++) {
+        for (size_t i = 0; i < LAYERS; i++)
+            b->layers[i].mask = masked ? b->masks[i] : NULL;
+        nkw_pose_blend_layers(b->layers, LAYERS, b->rest, JOINTS, 0.1f, b->want);
+        for (int round = 0; round < 20; round++) {
+            for (size_t i = 0; i < LAYERS * 10 * STRIDE; i++)
+                if (i % STRIDE != 7)
+                    b->poses[i / (10 * STRIDE)][i % (10 * STRIDE)] = random_unit(&r);
+            nkw_pose_blend_layers(b->layers, LAYERS, b->rest, JOINTS, 0.1f, b->out);
+            for (size_t c = 0; c < 10; c++)
+                expect_bits(b->out[c * STRIDE + 7], b->want[c * STRIDE + 7]);
+        }
+    }
+}
+
 /* The weighted mean in binary64, rotations put on the side of the sum so far, heaviest first. */
 static void mean_of_joint(const bed *b, const float *w, size_t j, double out[10])
 {
@@ -240,6 +263,7 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(the_order_of_layers_changes_no_bit),
+        cmocka_unit_test(a_joints_result_depends_on_that_joint_alone),
         cmocka_unit_test(layers_give_the_weighted_mean_and_the_rest_pose_what_is_missing),
         cmocka_unit_test(two_layers_are_the_blend_of_two_from_the_heavier),
         cmocka_unit_test(one_layer_alone_is_its_pose_bit_for_bit),

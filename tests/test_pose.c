@@ -45,6 +45,19 @@ static void transforms_go_in_and_come_out_bit_for_bit(void **state)
     assert_memory_equal(&out[5], &in[5], sizeof one);
 }
 
+/* The sanitizer watches: no place is worked out from NULL. */
+static void a_pose_without_joints_may_be_null(void **state)
+{
+    (void)state;
+    nkw_trs_view view = nkw_pose_view(NULL, 0);
+    nkw_trs_span span = nkw_pose_span(NULL, 0);
+    assert_true(!view.translation.z && !view.rotation.w && !view.scale.z);
+    assert_true(!span.translation.z && !span.rotation.w && !span.scale.z);
+    nkw_pose_identity(NULL, 0);
+    nkw_pose_from_trs(NULL, 0, NULL);
+    assert_int_equal(nkw_pose_validate(NULL, 0, NULL), NKW_EMPTY);
+}
+
 static void views_and_spans_are_the_arrays_in_their_order(void **state)
 {
     (void)state;
@@ -114,6 +127,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(strides_are_padded_to_sixteen),
         cmocka_unit_test(transforms_go_in_and_come_out_bit_for_bit),
+        cmocka_unit_test(a_pose_without_joints_may_be_null),
         cmocka_unit_test(views_and_spans_are_the_arrays_in_their_order),
         cmocka_unit_test(identity_fills_the_padding_too),
         cmocka_unit_test(a_joint_beyond_the_last_is_the_identity_and_not_written),

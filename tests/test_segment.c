@@ -118,6 +118,31 @@ static void search_and_cursor_agree_with_the_definition(void **state)
     }
 }
 
+/* Near and far by turns, so that each way of searching is taken and left. */
+static void many_times_agree_with_the_definition(void **state)
+{
+    (void)state;
+    random_source r = random_from(4);
+    for (int round = 0; round < 200; round++) {
+        float keys[400], times[80], now = -5.0f;
+        nkw_segment found[80];
+        size_t count = 1 + (size_t)(random_bits(&r) % 400), n = (size_t)(random_bits(&r) % 81), near = 0;
+        for (size_t k = 0; k < count; k++)
+            keys[k] = now += random_bits(&r) % 4 ? random_unit(&r) : 0.0f;
+        for (size_t i = 0; i < n; i++) {
+            near = random_bits(&r) % 16 ? (near + (size_t)(random_bits(&r) % 3)) : (size_t)(random_bits(&r) % 400);
+            times[i] = random_bits(&r) % 20 ? keys[near % count] + random_unit(&r) : NAN;
+        }
+        nkw_segment_find_n(keys, count, times, found, n);
+        for (size_t i = 0; i < n; i++) {
+            nkw_segment want = by_definition(keys, count, times[i]);
+            expect_segment(found[i], want.index, want.t);
+            expect_segment(nkw_segment_find(keys, count, times[i]), want.index, want.t);
+            expect_segment(nkw_segment_find_from(keys, count, times[i], i * 5), want.index, want.t);
+        }
+    }
+}
+
 static void anything_at_all_stays_within_the_array(void **state)
 {
     (void)state;
@@ -128,9 +153,10 @@ static void anything_at_all_stays_within_the_array(void **state)
         for (size_t k = 0; k < count; k++)
             times[k] = float_of((uint32_t)random_bits(&r));
         float time = float_of((uint32_t)random_bits(&r));
-        nkw_segment found[2] = {nkw_segment_find(times, count, time),
+        nkw_segment found[4] = {nkw_segment_find(times, count, time),
                                 nkw_segment_find_from(times, count, time, (size_t)random_bits(&r))};
-        for (int i = 0; i < 2; i++) {
+        nkw_segment_find_n(times, count, times, found + 2, count < 2 ? count : 2);
+        for (size_t i = 0; i < 2 + (count < 2 ? count : 2); i++) {
             assert_true(found[i].index == 0 || found[i].index + 1 < count);
             assert_true(found[i].t >= 0.0f && found[i].t <= 1.0f);
         }
@@ -232,6 +258,7 @@ int main(void)
         cmocka_unit_test(t_does_not_overflow),
         cmocka_unit_test(t_is_one_only_at_the_end),
         cmocka_unit_test(search_and_cursor_agree_with_the_definition),
+        cmocka_unit_test(many_times_agree_with_the_definition),
         cmocka_unit_test(anything_at_all_stays_within_the_array),
         cmocka_unit_test(uniform_times_agree_with_a_search_over_them),
         cmocka_unit_test(uniform_rate_of_nonsense_is_defined),

@@ -68,11 +68,59 @@ static void pruning_keeps_the_largest_in_their_order(void **state)
     const float weights[2][6] = {{0.125f, 0.25f, 0.0625f, 0.25f, 0.0625f, 0.25f}, {0.25f, 0, 0, 0, 0, 0.75f}};
     nkw_skin skin = {2, 6, {joints, 0, NKW_SKIN_U16}, {weights, 0, NKW_SKIN_F32}};
     uint8_t j[2][3], w[2][3];
-    const uint8_t want_j[2][3] = {{11, 13, 15}, {0, 21, 25}}, want_w[2][3] = {{85, 85, 85}, {64, 0, 191}};
+    const uint8_t want_j[2][3] = {{11, 13, 15}, {0, 21, 25}}, want_w[2][3] = {{85, 85, 85}, {0, 0, 255}};
     nkw_skin_span to_j = {j, 0, NKW_SKIN_U8}, to_w = {w, 0, NKW_SKIN_U8};
     nkw_skin_prune(&skin, 3, to_j, to_w);
     assert_memory_equal(j, want_j, sizeof j);
     assert_memory_equal(w, want_w, sizeof w);
+}
+
+static void a_joint_that_the_format_cannot_hold_has_no_weight(void **state)
+{
+    (void)state;
+    const uint32_t joints[4] = {70000, 65535, 300, 70000};
+    const float weights[4] = {0.5f, 0.125f, 0.125f, 0.25f};
+    uint16_t j[2];
+    float w[2];
+    nkw_skin skin = {1, 4, {joints, 0, NKW_SKIN_U32}, {weights, 0, NKW_SKIN_F32}};
+    nkw_skin_span to_j = {j, 0, NKW_SKIN_U16}, to_w = {w, 0, NKW_SKIN_F32};
+    nkw_skin_prune(&skin, 2, to_j, to_w);
+    assert_int_equal(j[0], 65535);
+    assert_int_equal(j[1], 300);
+    expect_bits(w[0], 0.5f);
+    expect_bits(w[1], 0.5f);
+    uint8_t small[2];
+    nkw_skin_span to_small = {small, 0, NKW_SKIN_U8};
+    nkw_skin_prune(&skin, 2, to_small, to_w);
+    assert_true(small[0] == 0 && small[1] == 0 && w[0] == 0.0f && w[1] == 0.0f);
+}
+
+/* As an importer that sets no limit gives them. */
+static void pruning_takes_any_number_of_influences(void **state)
+{
+    (void)state;
+    random_source r = random_from(4);
+    for (size_t k = 1; k <= 40; k++) {
+        uint16_t joints[40], j[8];
+        float weights[40], w[8];
+        for (size_t e = 0; e < k; e++) {
+            joints[e] = (uint16_t)(e + 1);
+            weights[e] = (float)(random_bits(&r) % 8);
+        }
+        nkw_skin skin = {1, k, {joints, 0, NKW_SKIN_U16}, {weights, 0, NKW_SKIN_F32}};
+        nkw_skin_span to_j = {j, 0, NKW_SKIN_U16}, to_w = {w, 0, NKW_SKIN_F32};
+        nkw_skin_prune(&skin, 8, to_j, to_w);
+        size_t at = 0;
+        for (size_t e = 0; e < k; e++) {
+            size_t before = 0;
+            for (size_t o = 0; o < k; o++)
+                before += weights[o] > weights[e] || (weights[o] == weights[e] && o < e);
+            if (before < 8)
+                assert_int_equal(j[at++], e + 1);
+        }
+        for (; at < 8; at++)
+            assert_true(j[at] == 0 && w[at] == 0.0f);
+    }
 }
 
 static void pruning_to_more_fills_up_with_weight_zero(void **state)
@@ -123,15 +171,14 @@ static void what_cannot_be_pruned_or_normalised_writes_nothing(void **state)
     uint8_t j[9] = {0}, w[9] = {0};
     const uint8_t nothing[9] = {0};
     nkw_skin skin = {1, 4, {joints, 0, NKW_SKIN_U8}, {weights, 0, NKW_SKIN_U8}};
-    nkw_skin nine = skin, none = skin, bad_joints = skin, bad_weights = skin;
-    nine.influences = 9;
+    nkw_skin none = skin, bad_joints = skin, bad_weights = skin;
     none.influences = 0;
     bad_joints.joints.format = NKW_SKIN_F32;
     bad_weights.weights.format = NKW_SKIN_U32;
-    const nkw_skin *const refused[] = {&nine, &none, &bad_joints, &bad_weights};
+    const nkw_skin *const refused[] = {&none, &bad_joints, &bad_weights};
     nkw_skin_span to_j = {j, 0, NKW_SKIN_U8}, to_w = {w, 0, NKW_SKIN_U8};
     nkw_skin_span floats = {j, 0, NKW_SKIN_F32}, wide = {w, 0, NKW_SKIN_U32};
-    for (size_t i = 0; i < 4; i++)
+    for (size_t i = 0; i < 3; i++)
         nkw_skin_prune(refused[i], 2, to_j, to_w);
     nkw_skin_prune(&skin, 0, to_j, to_w);
     nkw_skin_prune(&skin, 9, to_j, to_w);
@@ -152,6 +199,8 @@ int main(void)
         cmocka_unit_test(the_largest_remainder_gets_what_is_missing_and_the_first_of_equals),
         cmocka_unit_test(weights_that_cannot_be_used_count_as_zero),
         cmocka_unit_test(pruning_keeps_the_largest_in_their_order),
+        cmocka_unit_test(a_joint_that_the_format_cannot_hold_has_no_weight),
+        cmocka_unit_test(pruning_takes_any_number_of_influences),
         cmocka_unit_test(pruning_to_more_fills_up_with_weight_zero),
         cmocka_unit_test(pruning_in_place_is_as_elsewhere),
         cmocka_unit_test(what_cannot_be_pruned_or_normalised_writes_nothing),

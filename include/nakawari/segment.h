@@ -32,12 +32,12 @@ typedef struct nkw_segment {
     float t;
 } nkw_segment;
 
-/** The segment of `time`, by binary search: about log2(count) comparisons. */
+/** The segment of `time`: by quartering, about log4(count) turns of three comparisons and no branch on a time. */
 NKW_API nkw_segment nkw_segment_find(const float *times, size_t count, float time);
 
 /**
  * The same segment, searched from the segment `from`, the last one found, outwards: one or two comparisons
- * while time moves slowly, forward or backward, and no more than twice a binary search when it jumps. Any
+ * while time moves slowly, forward or backward, and no more than twice those of nkw_segment_find when it jumps. Any
  * `from` will do. On ascending times the result is that of nkw_segment_find, bit for bit.
  */
 NKW_API nkw_segment nkw_segment_find_from(const float *times, size_t count, float time, size_t from);
@@ -62,8 +62,8 @@ NKW_API float nkw_segment_uniform_rate(const float *times, size_t count);
 NKW_API nkw_segment nkw_segment_find_uniform(float start, float rate, size_t count, float time);
 
 /**
- * The segments of n times, each searched from the one before it: fast where the times of one call ascend or stay
- * near each other. The same as nkw_segment_find for each.
+ * The segments of n times: each searched from the one before it where the times of one call ascend or stay near each
+ * other, for itself where they jump. The same as nkw_segment_find for each, on ascending times.
  */
 NKW_API void nkw_segment_find_n(const float *times, size_t count, const float *time, nkw_segment *out, size_t n);
 

@@ -168,10 +168,10 @@ NKW_API void nkw_skin_normalize_weights(nkw_skin_view in, size_t influences, nkw
 
 /**
  * Keeps the `keep` largest weights of each vertex, the first of equals, in their order, and normalises them as
- * nkw_skin_normalize_weights does. With fewer influences than `keep` the rest is joint 0, weight 0. A joint's number
- * that the format of `joints` cannot hold becomes 0. The outputs may be the inputs, of the same stride and format;
- * with strides of 0 `keep` is then at most the skin's influences. Both are 1..8, formats as in nkw_skin_validate; else
- * nothing is written.
+ * nkw_skin_normalize_weights does. With fewer influences than `keep` the rest is joint 0, weight 0. A joint whose number
+ * the format of `joints` cannot hold has no weight, and becomes joint 0. The outputs may be the inputs, of the same
+ * stride and format; with strides of 0 `keep` is then at most the skin's influences. `keep` is 1..8, the influences any
+ * number from 1 on, formats as in nkw_skin_validate; else nothing is written.
  */
 NKW_API void nkw_skin_prune(const nkw_skin *skin, size_t keep, nkw_skin_span joints, nkw_skin_span weights);
 

@@ -121,11 +121,50 @@ KERNEL(blend_nlerp)(blend_rows a, blend_rows b, float t, int used, blend_span ou
     lerp_arrays(a, b, 7, t, out, (size_t)n);
 }
 
-KERNEL(blend_weigh)(float weight, const float *mask, float *out, size_t n)
+/* The joints' own weights; none in the padding, whatever stands there. */
+KERNEL(blend_weigh)(float weight, const float *mask, int used, float *out, int n)
 {
 #pragma omp simd
-    for (size_t i = 0; i < n; i++)
-        out[i] = weight * lane_mask(mask[i]);
+    for (int i = 0; i < n; i++) {
+        float w = weight * lane_mask(mask[i]);
+        out[i] = i < used ? w : 0.0f;
+    }
+}
+
+static inline nkw_vec3_view vectors_of(blend_rows rows, size_t first)
+{
+    const float *x = rows.at + first * rows.stride;
+    nkw_vec3_view v = {x, x + rows.stride, x + 2 * rows.stride};
+    return v;
+}
+
+static inline nkw_vec3_span vector_span(blend_span rows, size_t first)
+{
+    float *x = rows.at + first * rows.stride;
+    nkw_vec3_span s = {x, x + rows.stride, x + 2 * rows.stride};
+    return s;
+}
+
+static inline void lerps_each(nkw_vec3_view a, nkw_vec3_view b, const float *t, nkw_vec3_span out, int n)
+{
+#pragma omp simd
+    for (int i = 0; i < n; i++)
+        put_vec3(out, (size_t)i, nkw_vec3_lerp(at_vec3(a, i), at_vec3(b, i), t[i]));
+}
+
+/* A joint's own rotation, the identity in the padding: subnormal numbers there would take their time. */
+#define at_joint(v, i) lane_quat_select((i) < used, at_quat(v, i), nkw_quat_identity())
+
+/* nkw_pose_blend by a t for each joint, any; t is 0 in the padding. */
+KERNEL(blend_each)(blend_rows a, blend_rows b, const float *t, int used, blend_span out, int n)
+{
+    nkw_quat_view p = rotations_of(a), q = rotations_of(b);
+    nkw_quat_span r = rotation_span(out);
+    lerps_each(vectors_of(a, 0), vectors_of(b, 0), t, vector_span(out, 0), n);
+#pragma omp simd
+    for (int i = 0; i < n; i++)
+        put_quat(r, (size_t)i, lane_quat_nlerp(at_joint(p, i), at_joint(q, i), t[i]));
+    lerps_each(vectors_of(a, 7), vectors_of(b, 7), t, vector_span(out, 7), n);
 }
 
 /* mixed becomes 1 where more than one pose has a part, 0 where one alone has all. */

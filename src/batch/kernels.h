@@ -111,7 +111,8 @@ typedef struct blend_span {
     X(blend_chord, (blend_rows a, blend_rows b, float t, blend_span out, int n), (a, b, t, out, n)) \
     X(blend_nlerp, (blend_rows a, blend_rows b, float t, int used, blend_span out, int n), (a, b, t, used, out, n)) \
     X(quat_settle, (nkw_quat_view v, int used, nkw_quat_span out, int n), (v, used, out, n)) \
-    X(blend_weigh, (float weight, const float *mask, float *out, size_t n), (weight, mask, out, n)) \
+    X(blend_weigh, (float weight, const float *mask, int used, float *out, int n), (weight, mask, used, out, n)) \
+    X(blend_each, (blend_rows a, blend_rows b, const float *t, int used, blend_span out, int n), (a, b, t, used, out, n)) \
     X(blend_share, (const float *weight, float *total, float *mixed, float *t, size_t n), (weight, total, mixed, t, n)) \
     X(additive_build, (nkw_trs_view a, nkw_trs_view ref, int parent, nkw_trs_span out, size_t n), (a, ref, parent, out, n)) \
     X(additive_apply, (nkw_trs_view base, nkw_trs_view delta, const float *weight, int parent, nkw_trs_span out, size_t n), (base, delta, weight, parent, out, n)) \

@@ -26,26 +26,34 @@ static inline float lane_time(lane_times times, size_t k)
  */
 static inline float lane_segment_t(float a, float b, float time)
 {
-    double t = ((double)time - (double)a) / ((double)b - (double)a);
-    float inside = t > 0.0 ? (float)t : 0.0f;
-    float below = inside < 1.0f ? inside : 0x1.fffffep-1f;
+    float t = (float)(((double)time - (double)a) / ((double)b - (double)a));
+    float inside = t > 0.0f ? t : 0.0f;
+    float below = inside < 0x1.fffffep-1f ? inside : 0x1.fffffep-1f;
     return time >= b ? 1.0f : below;
 }
 
-/*
- * The largest k in low..high-1 with time(k) <= time, or low. Whatever the times are:
- *     low < high;   low is the first, or time(low) <= time;   high is the last key, or not time(high) <= time
- */
-static inline size_t lane_segment_bisect(lane_times times, float time, size_t low, size_t high)
+/* How many of the keys k + step, k + 2 step and k + 3 step are not after the time. */
+static inline size_t lane_segment_passed(lane_times times, float time, size_t k, size_t step)
 {
-    while (high - low > 1) {
-        size_t middle = low + (high - low) / 2;
-        if (lane_time(times, middle) <= time)
-            low = middle;
-        else
-            high = middle;
+    size_t one = lane_time(times, k + step) <= time, two = lane_time(times, k + 2 * step) <= time;
+    size_t three = lane_time(times, k + 3 * step) <= time;
+    return one + two + three;
+}
+
+/*
+ * The largest of the n keys from k on with time(k) <= time, or k. Each turn quarters them, by sums of comparisons: how
+ * many turns there are depends on n alone, so times at random leave no branch to be mispredicted. Whatever the times
+ * are, it stays among the n.
+ */
+static inline size_t lane_segment_search(lane_times times, float time, size_t k, size_t n)
+{
+    while (n > 3) {
+        size_t quarter = n / 4;
+        k += quarter * lane_segment_passed(times, time, k, quarter);
+        n -= 3 * quarter;
     }
-    return low;
+    size_t one = n > 1 && lane_time(times, k + 1) <= time, two = n > 2 && lane_time(times, k + 2) <= time;
+    return k + one + two;
 }
 
 static inline nkw_segment lane_segment_at(lane_times times, float time, size_t k)
@@ -59,31 +67,32 @@ static inline nkw_segment lane_segment_find(lane_times times, float time)
     nkw_segment none = {0, 0.0f};
     if (times.count < 2)
         return none;
-    return lane_segment_at(times, time, lane_segment_bisect(times, time, 0, times.count - 1));
+    return lane_segment_at(times, time, lane_segment_search(times, time, 0, times.count - 1));
 }
 
-/* Doubling steps away from `from` until the time is enclosed, then bisection between. */
+/* Steps of 1, 1, 4, 16 and more keys away from `from` until the time is enclosed, then a search between. */
 static inline nkw_segment lane_segment_find_from(lane_times times, float time, size_t from)
 {
     nkw_segment none = {0, 0.0f};
     if (times.count < 2)
         return none;
     size_t last = times.count - 1;
-    size_t low = from < last ? from : last - 1, high = low + 1, step = 1;
-    if (lane_time(times, low) <= time) {
-        while (high < last && lane_time(times, high) <= time) {
-            low = high;
-            high = last - high > step ? high + step : last;
-            step += step;
+    size_t k = from < last ? from : last - 1, n = 1, step = 1;
+    if (lane_time(times, k) <= time) {
+        for (; n < last - k && lane_time(times, k + n) <= time; step *= 4) {
+            k += n;
+            n = step;
         }
+        n = n < last - k ? n : last - k;
     } else {
-        while (low > 0 && !(lane_time(times, low) <= time)) {
-            high = low;
-            low = low > step ? low - step : 0;
-            step += step;
+        for (; n < k && !(lane_time(times, k - n) <= time); step *= 4) {
+            k -= n;
+            n = step;
         }
+        n = n < k ? n : k;
+        k -= n;
     }
-    return lane_segment_at(times, time, lane_segment_bisect(times, time, low, high));
+    return lane_segment_at(times, time, n > 1 ? lane_segment_search(times, time, k, n) : k);
 }
 
 #endif
