@@ -5,15 +5,43 @@
 
 #include "lane/orient.h"
 
+#if defined(LANE_FOUR)
+LANE_SELDOM static lane_four nlerp_any(lane_four a, lane_four b, float t)
+{
+    nkw_quat r = lane_quat_nlerp(lane_quat_from_four(a), lane_quat_from_four(b), t);
+    return lane_four_from_quat(r);
+}
+
 nkw_quat nkw_quat_nlerp(nkw_quat a, nkw_quat b, float t)
 {
-    return lane_quat_nlerp(lane_quat_argument(a), lane_quat_argument(b), t);
+    lane_four from = lane_four_from_quat(a), to = lane_four_from_quat(b), r;
+    if (!lane_four_nlerp(from, to, t, &r))
+        r = nlerp_any(from, to, t);
+    return lane_quat_from_four(r);
+}
+
+LANE_SELDOM static lane_four slerp_outside(lane_four a, lane_four b, float t)
+{
+    nkw_quat r = lane_quat_slerp_path(lane_quat_from_four(a), lane_quat_from_four(b), t, NKW_PATH_SHORT);
+    return lane_four_from_quat(r);
 }
 
 nkw_quat nkw_quat_slerp(nkw_quat a, nkw_quat b, float t)
 {
-    return lane_quat_slerp_any(lane_quat_argument(a), lane_quat_argument(b), t);
+    lane_four from = lane_four_from_quat(a), to = lane_four_from_quat(b);
+    return lane_quat_from_four(lane_t_is_inside(t) ? lane_four_slerp(from, to, t) : slerp_outside(from, to, t));
 }
+#else
+nkw_quat nkw_quat_nlerp(nkw_quat a, nkw_quat b, float t)
+{
+    return lane_quat_nlerp(a, b, t);
+}
+
+nkw_quat nkw_quat_slerp(nkw_quat a, nkw_quat b, float t)
+{
+    return lane_quat_slerp_any(a, b, t);
+}
+#endif
 
 nkw_quat nkw_quat_slerp_path(nkw_quat a, nkw_quat b, float t, nkw_path path)
 {

@@ -11,19 +11,24 @@ float nkw_quat_length(nkw_quat q)
     return (float)lane_sqrt64(lane_wquat_dot(w, w));
 }
 
-LANE_SELDOM static nkw_quat normalize_any(nkw_quat q)
+#if defined(LANE_FOUR)
+LANE_SELDOM static lane_four normalize_any(lane_four q)
 {
-    return lane_quat_normalize(q);
+    return lane_four_from_quat(lane_quat_normalize(lane_quat_from_four(q)));
 }
 
 nkw_quat nkw_quat_normalize(nkw_quat q)
 {
-    nkw_quat v = lane_quat_argument(q);
-    float n2 = nkw_quat_dot(v, v);
-    if (!lane_needs_no_rescue(n2))
-        return normalize_any(q);
-    return lane_quat_normalize_by(v, sqrtf(n2));
+    lane_four v = lane_four_from_quat(q);
+    float n2 = lane_four_sum(v * v)[0];
+    return lane_quat_from_four(lane_needs_no_rescue(n2) ? lane_four_normalize_by(v, sqrtf(n2)) : normalize_any(v));
 }
+#else
+nkw_quat nkw_quat_normalize(nkw_quat q)
+{
+    return lane_quat_normalize(q);
+}
+#endif
 
 nkw_quat nkw_quat_inverse(nkw_quat q)
 {

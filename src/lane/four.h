@@ -17,6 +17,7 @@
 #include <string.h>
 
 #if defined(__GNUC__) && !defined(__arm__) && !defined(NKW_PLAIN_FOUR)
+#define LANE_FOUR /* lane_four has the operators of numbers */
 
 typedef float lane_four __attribute__((vector_size(16)));
 typedef int32_t lane_four_bits __attribute__((vector_size(16)));
@@ -62,6 +63,24 @@ static inline lane_four lane_four_end(lane_four a, int one)
 #else
 #define LANE_FOUR_MIX(a, b, i, j, k, l) __builtin_shuffle(a, b, (lane_four_bits){i, j, k, l})
 #endif
+
+/* x where mask is all ones, y where it is 0. */
+static inline lane_four lane_four_select(lane_four_bits mask, lane_four x, lane_four y)
+{
+    return (lane_four)((((lane_four_bits)x ^ (lane_four_bits)y) & mask) ^ (lane_four_bits)y);
+}
+
+static inline lane_four lane_four_flip(lane_four a, lane_four_bits sign_bits)
+{
+    return (lane_four)((lane_four_bits)a ^ sign_bits);
+}
+
+/* (a[0] + a[1]) + (a[2] + a[3]), four times. */
+static inline lane_four lane_four_sum(lane_four a)
+{
+    lane_four pairs = a + LANE_FOUR_MIX(a, a, 1, 0, 3, 2);
+    return pairs + LANE_FOUR_MIX(pairs, pairs, 2, 3, 0, 1);
+}
 
 /* Columns become rows. */
 static inline void lane_four_transpose(lane_four m[4])

@@ -124,14 +124,10 @@ static inline float lane_slerp_excess(float k, float p, float v, float h0, float
     return (p + p * k) * (h0 + kv * (h1 + kv * (h2 + kv * (h3 + kv * LANE_SLERP_H4[0]))));
 }
 
-/* x where mask is all ones, y where it is 0. Either form gives the same bits: masks are faster in loops, ?: on its own. */
+/* x where mask is all ones, y where it is 0. */
 static inline float lane_blend(uint32_t mask, float x, float y)
 {
-#ifdef NKW_ISA
     return lane_float(lane_bits(y) ^ ((lane_bits(x) ^ lane_bits(y)) & mask));
-#else
-    return mask ? x : y;
-#endif
 }
 
 /* What slerp needs to know of a and b: whether b is turned, their angle as v, and H's polynomials in it. */
@@ -275,6 +271,69 @@ static inline nkw_quat lane_quat_slerp_any(nkw_quat a, nkw_quat b, float t)
 {
     return lane_t_is_inside(t) ? lane_quat_slerp(a, b, t) : lane_quat_slerp_path(a, b, t, NKW_PATH_SHORT);
 }
+
+#if defined(LANE_FOUR)
+/*
+ * Single calls, the four components side by side: line for line the formulas of lane_quat_nlerp and lane_quat_slerp,
+ * with the same bits.
+ */
+
+/* nlerp in *out; not for chords of 0 or of sqrt 2 and more, as t outside 0..1 makes them. */
+static inline int lane_four_nlerp(lane_four a, lane_four b, float t, lane_four *out)
+{
+    const lane_four quarter = {0.25f, 0.25f, 0.25f, 0.25f}, half = quarter + quarter, zero = {0.0f, 0.0f, 0.0f, 0.0f};
+    float u = 1.0f - t;
+    lane_four c = lane_four_flip(b, (lane_four_sum(a * b) < zero) << 31);
+    lane_four x = lane_four_all(t < u ? t : u);
+    lane_four_bits last = lane_four_all(t) >= half;
+    lane_four_bits exchange = ((lane_four_bits)a ^ (lane_four_bits)c) & last;
+    lane_four near = lane_four_flip(a, exchange), far = lane_four_flip(c, exchange);
+    lane_four v = near + (far - near) * x;
+    float m = lane_four_sum(quarter - v * v)[0], n2 = 1.0f - m;
+    lane_four unit = v + v * lane_four_all(m / (sqrtf(n2) + n2));
+    *out = lane_four_select(x == zero, near, unit);
+    return m * m < 1.0f;
+}
+
+/* lane_slerp_arc's h0..h3, v being finite or NaN: the coefficients that shorter polynomials lack are 0. */
+static inline lane_four lane_four_slerp_polynomials(lane_four v)
+{
+    lane_four h = {LANE_SLERP_H0[6], 0.0f, 0.0f, 0.0f};
+    for (int i = 5; i >= 0; i--) {
+        lane_four c = {LANE_SLERP_H0[i], i < 5 ? LANE_SLERP_H1[i] : 0.0f, i < 3 ? LANE_SLERP_H2[i] : 0.0f,
+                       i < 3 ? LANE_SLERP_H3[i] : 0.0f};
+        h = c + v * h;
+    }
+    return h;
+}
+
+/* For t in 0..1. */
+static inline lane_four lane_four_slerp(lane_four a, lane_four b, float t)
+{
+    const lane_four_bits sign = {INT32_MIN, INT32_MIN, INT32_MIN, INT32_MIN};
+    const lane_four zero = {0.0f, 0.0f, 0.0f, 0.0f}, half = {0.5f, 0.5f, 0.5f, 0.5f};
+    lane_four cosine = lane_four_sum(a * b) + lane_four_all(0x1p-126f);
+    lane_four_bits turned = (lane_four_bits)cosine & sign;
+    lane_four c = lane_four_flip(b, turned), d = c - a;
+    lane_four q = lane_four_sum(d * d);
+    lane_four v = q / (lane_four_flip(cosine, turned) + q * lane_four_all(LANE_SLERP_BEND));
+    lane_four h = lane_four_slerp_polynomials(v);
+
+    float u = 1.0f - t;
+    lane_four late = lane_four_all(t) - half;
+    lane_four_bits first = (lane_four_bits)late >> 31, middle = late == zero;
+    lane_four way = lane_four_select(first, lane_four_all(-t), lane_four_all(u));
+    lane_four shift = (lane_four)((lane_four_bits)way & ~middle);
+    lane_four base = lane_four_select(middle, half * (a + c), lane_four_select(first, a, c));
+
+    /* E(u) and E(t) */
+    lane_four p = lane_four_all(t * u) * v + zero, k = {u, t, 0.0f, 0.0f}, kv = k * k * v;
+    lane_four h3 = lane_four_splat(h, 3) + kv * lane_four_all(LANE_SLERP_H4[0]);
+    lane_four e = (p + p * k) * (lane_four_splat(h, 0) +
+                                 kv * (lane_four_splat(h, 1) + kv * (lane_four_splat(h, 2) + kv * h3)));
+    return base - (shift * d + (lane_four_splat(e, 0) * a + lane_four_splat(e, 1) * c));
+}
+#endif
 
 /* An angle of a within one turn of b's, as NKW_UNWRAP_YAW and _ALL ask. */
 static inline double lane_turned_towards(double a, double b)

@@ -22,19 +22,47 @@ typedef struct lane_wmat3 {
     double m[9];
 } lane_wmat3;
 
+#if defined(LANE_FOUR)
 /*
  * The argument of a single function, in one register. x86-64 passes it as two pairs, which go by way of the stack; GCC
  * then reads all four numbers at once, and such a load waits until both stores have left the processor: 30 cycles.
  */
-static inline nkw_quat lane_quat_argument(nkw_quat q)
+static inline lane_four lane_four_from_quat(nkw_quat q)
 {
-#if defined(__GNUC__) && !defined(__clang__) && defined(__SSE2__) && defined(LANE_TWO)
+#if !defined(__clang__) && defined(__SSE2__)
     double xy, zw;
     memcpy(&xy, &q.x, sizeof xy);
     memcpy(&zw, &q.z, sizeof zw);
     __asm__("" : "+x"(xy), "+x"(zw));
-    lane_four v = (lane_four)lane_two_of(xy, zw);
-    nkw_quat r = {v[0], v[1], v[2], v[3]};
+    return (lane_four)lane_two_of(xy, zw);
+#else
+    lane_four r = {q.x, q.y, q.z, q.w};
+    return r;
+#endif
+}
+
+/* The result, likewise. As whole numbers GCC leaves the two where they are. */
+static inline nkw_quat lane_quat_from_four(lane_four a)
+{
+#if !defined(__clang__) && defined(__SSE2__) && defined(__x86_64__)
+    nkw_quat r;
+    int64_t xy = ((lane_four_pair)a)[0], zw = ((lane_four_pair)a)[1];
+    __asm__("" : "+x"(xy), "+x"(zw));
+    memcpy(&r.x, &xy, sizeof xy);
+    memcpy(&r.z, &zw, sizeof zw);
+#else
+    nkw_quat r = {a[0], a[1], a[2], a[3]};
+#endif
+    return r;
+}
+#endif
+
+/* The argument of a single function that takes it apart. */
+static inline nkw_quat lane_quat_argument(nkw_quat q)
+{
+#if defined(LANE_FOUR)
+    lane_four a = lane_four_from_quat(q);
+    nkw_quat r = {a[0], a[1], a[2], a[3]};
     return r;
 #else
     return q;
@@ -271,6 +299,16 @@ static inline nkw_quat lane_quat_normalize_by(nkw_quat v, float length)
     nkw_quat k = nkw_quat_scale(v, 1.0f / length);
     return nkw_quat_add(k, nkw_quat_scale(nkw_quat_scale(k, 0.5f), lane_quat_defect(k)));
 }
+
+#if defined(LANE_FOUR)
+/* The same with the components side by side, for single calls. */
+static inline lane_four lane_four_normalize_by(lane_four v, float length)
+{
+    const lane_four quarter = {0.25f, 0.25f, 0.25f, 0.25f}, half = quarter + quarter;
+    lane_four k = v * lane_four_all(1.0f / length);
+    return k + (k * half) * lane_four_sum(quarter - k * k);
+}
+#endif
 
 static inline nkw_quat lane_quat_normalize(nkw_quat q)
 {

@@ -56,11 +56,11 @@ inline float nkw_saturate(float x)
 inline float nkw_lerp(float a, float b, float t)
 {
     NKW_EXACT
-    /* The nearer end, and how far from it: selected before they are used, so that compilers need no branch. */
+    /* The nearer end, and how far from it: selected by masks, for a branch on t would be a guess. */
     int first = t < 0.5f;
-    float end = first ? a : b, x = first ? t : t - 1.0f;
+    float end = nkw_select(first, a, b), x = nkw_select(first, t, t - 1.0f);
     float inside = end + NKW_MUL(x, b - a);
-    return x == 0.0f ? end : inside;
+    return nkw_select(x == 0.0f, end, inside);
 }
 
 inline float nkw_inverse_lerp(float a, float b, float x)
