@@ -13,8 +13,7 @@ extern "C" {
 /*
  * The curves look from the end nearer to t: x is the way from there, y = 1 - x, a and b the near and the far end.
  * From t = 1/2 on the controls are mirrored; 1 - t is then exact. At x = 0 the end comes back as it is, the sign of
- * a zero too. One nkw_select is enough for GCC to make a vector of a loop; where all are, as in the triangle, there
- * is no branch at all.
+ * a zero too. One nkw_select is enough for GCC to make vectors of a loop over a curve.
  */
 
 /* With the chord f = b - a and the tangents u, v: p = a + x (f + y (y (u - f) - x (v - f))). */
@@ -38,9 +37,8 @@ inline float nkw_bezier(float p0, float p1, float p2, float p3, float t)
     NKW_EXACT
     int first = t < 0.5f;
     float s = 1.0f - t, x = t < s ? t : s;
-    float a = nkw_select(first, p0, p3), b = nkw_select(first, p1, p2);
-    float c = nkw_select(first, p2, p1), d = nkw_select(first, p3, p0);
-    float o = nkw_select(x < 0.25f, a, b);
+    float a = first ? p0 : p3, b = first ? p1 : p2, c = first ? p2 : p1, d = first ? p3 : p0;
+    float o = x < 0.25f ? a : b;
     float d0 = a - o, d1 = b - o, d2 = c - o, d3 = d - o;
     float q0 = d0 + NKW_MUL(x, d1 - d0), q1 = d1 + NKW_MUL(x, d2 - d1), q2 = d2 + NKW_MUL(x, d3 - d2);
     float r0 = q0 + NKW_MUL(x, q1 - q0), r1 = q1 + NKW_MUL(x, q2 - q1);
