@@ -85,8 +85,7 @@ KERNEL(clip_lerp)(const float *a, const float *b, float t, const nkw_block *bloc
     }
 }
 
-static inline void slerp_block(const float *a, const float *b, lane_slerp_pace pace, float *out, size_t stride,
-                               size_t width)
+INLINE void slerp_block(const float *a, const float *b, lane_slerp_pace pace, float *out, size_t stride, size_t width)
 {
     nkw_quat_view from = rows_of(a, width), to = rows_of(b, width);
     nkw_quat_span o = rows_to(out, stride);
@@ -99,8 +98,7 @@ static inline void slerp_block(const float *a, const float *b, lane_slerp_pace p
 }
 
 /* `lanes` lanes, whole blocks, from one after the other to one after the other. */
-static inline void slerp_stretch(const float *a, const float *b, lane_slerp_pace pace, float *out, size_t stride,
-                                 size_t lanes)
+INLINE void slerp_stretch(const float *a, const float *b, lane_slerp_pace pace, float *out, size_t stride, size_t lanes)
 {
     const size_t block = NKW_BLOCK * NKW_BLOCK_ROWS;
     for (; lanes >= NKW_BLOCK; lanes -= NKW_BLOCK, a += block, b += block, out += NKW_BLOCK)
@@ -111,8 +109,8 @@ static inline void slerp_stretch(const float *a, const float *b, lane_slerp_pace
         slerp_block(a, b, pace, out, stride, 4);
 }
 
-static inline void slerp_blocks(const float *a, const float *b, lane_slerp_pace pace, const nkw_block *blocks,
-                                size_t block_count, float *out, size_t stride)
+INLINE void slerp_blocks(const float *a, const float *b, lane_slerp_pace pace, const nkw_block *blocks,
+                         size_t block_count, float *out, size_t stride)
 {
     for (size_t k = 0, lanes; k < block_count; k += blocks_in(lanes)) {
         const size_t at = k * NKW_BLOCK * NKW_BLOCK_ROWS;
@@ -189,8 +187,7 @@ static inline nkw_quat near_unit(nkw_quat q)
  * made negative: they are not turned again, for that would be the way round the other side. Arcs have a pass of their
  * own, so that no lane waits for the division of the one before.
  */
-static inline void slerp16_block(const float *a, const float *b, lane_slerp_pace pace, float *out, size_t stride,
-                                 size_t width)
+INLINE void slerp16_block(const float *a, const float *b, lane_slerp_pace pace, float *out, size_t stride, size_t width)
 {
     nkw_quat_view from = rows_of(a, width), to = rows_of(b, width);
     nkw_quat_span o = rows_to(out, stride);
@@ -207,9 +204,8 @@ static inline void slerp16_block(const float *a, const float *b, lane_slerp_pace
     }
 }
 
-static inline void slerp16_blocks(const uint16_t *a, const uint16_t *b, const float *base, const float *step,
-                                  lane_slerp_pace pace, const nkw_block *blocks, size_t block_count, float *out,
-                                  size_t stride)
+INLINE void slerp16_blocks(const uint16_t *a, const uint16_t *b, const float *base, const float *step,
+                           lane_slerp_pace pace, const nkw_block *blocks, size_t block_count, float *out, size_t stride)
 {
     for (size_t k = 0; k < block_count; k++) {
         size_t at = k * 4 * NKW_BLOCK, width = blocks[k].width;

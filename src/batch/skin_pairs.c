@@ -11,13 +11,6 @@
 #include "lane/four.h"
 #include "lane/skin.h"
 
-/* Counts and formats are constants in the loops that these are inlined into: compilers do not see that it pays. */
-#if defined(__GNUC__)
-#define INLINE static inline __attribute__((always_inline))
-#else
-#define INLINE static inline
-#endif
-
 /* Both vectors of a vertex. */
 typedef struct pair {
     lane_four position, direction;

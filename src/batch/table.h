@@ -26,6 +26,13 @@
 /* Opens the definition of a loop: KERNEL(quat_slerp)(nkw_quat_view a, ...). */
 #define KERNEL(name) NKW_FLATTEN void NKW_PER_ISA(nkw_batch_##name)
 
+/* A part of a kernel to which counts and formats are constants: compilers do not see by themselves that it pays. */
+#if defined(__GNUC__)
+#define INLINE static inline __attribute__((always_inline))
+#else
+#define INLINE static inline
+#endif
+
 /* One function pointer for each loop. */
 typedef struct nkw_batch {
 #define KERNEL_MEMBER(name, parameters, arguments) void(*name) parameters;
