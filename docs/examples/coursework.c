@@ -11,6 +11,7 @@
 
 #include <nakawari/keyframe.h>
 
+#include "options.h"
 #include "picture.h"
 #include "scene.h"
 #include "trace.h"
@@ -59,110 +60,42 @@ static const char usage[] =
     "  -h, --help         print this\n";
 
 typedef struct options {
-    int scene;
-    size_t keys;
-    double step;
+    long scene, keys;
+    double step, time;
     const char *out;
     int joints, trace, help;
-    float time;
     const named *position, *orientation;
 } options;
 
 /* ---- the command line ---- */
 
-static int complain(const char *what, const char *which)
-{
-    fprintf(stderr, "nakawari-coursework: %s: %s\nTry nakawari-coursework --help.\n", what, which);
-    return 0;
-}
+static const char program[] = "nakawari-coursework";
 
-static int read_number(const char *text, double low, double high, double *out)
+static int find_method(const char *text, const named *list, const named **out)
 {
-    char *end;
-    double x = strtod(text, &end);
-    if (end == text || *end || !(x >= low && x <= high))
-        return complain("not a number in range", text);
-    *out = x;
-    return 1;
-}
-
-static int read_whole(const char *text, int low, int high, int *out)
-{
-    double x;
-    if (!read_number(text, low, high, &x))
-        return 0;
-    *out = (int)x;
-    return (double)*out == x || complain("not a whole number", text);
-}
-
-static int read_name(const char *text, const named *list, const named **out)
-{
-    for (; list->name; list++) {
+    for (; text && list->name; list++)
         if (strcmp(list->name, text) == 0) {
             *out = list;
             return 1;
         }
-    }
-    return complain("no such method", text);
-}
-
-static int read_option(const char *name, const char *value, options *o)
-{
-    int keys;
-    double time;
-    if (strcmp(name, "--scene") == 0)
-        return read_whole(value, 1, 2, &o->scene);
-    if (strcmp(name, "--step") == 0)
-        return read_number(value, 1e-4, 1e3, &o->step);
-    if (strcmp(name, "--position") == 0)
-        return read_name(value, positions, &o->position);
-    if (strcmp(name, "--orientation") == 0)
-        return read_name(value, orientations, &o->orientation);
-    if (strcmp(name, "--out") == 0) {
-        o->out = value;
-        return strlen(value) + 64 < PATH_SIZE || complain("path too long", value);
-    }
-    if (strcmp(name, "--keys") == 0) {
-        if (!read_whole(value, 2, SCENE_KEYS_MAX, &keys))
-            return 0;
-        o->keys = (size_t)keys;
-        return 1;
-    }
-    o->trace = 1; /* the only one left */
-    if (!read_number(value, -1e6, 1e6, &time))
-        return 0;
-    o->time = (float)time;
-    return 1;
-}
-
-static int takes_value(const char *name)
-{
-    static const char *const names[] = {"--scene", "--keys",     "--step",       "--out",
-                                        "--trace", "--position", "--orientation"};
-    for (size_t i = 0; i < sizeof names / sizeof *names; i++) {
-        if (strcmp(name, names[i]) == 0)
-            return 1;
-    }
-    return 0;
+    return !text || options_complain(program, "no such method", text);
 }
 
 static int read_options(int argc, char **argv, options *o)
 {
-    for (int i = 1; i < argc; i++) {
-        if (strcmp(argv[i], "--help") == 0 || strcmp(argv[i], "-h") == 0)
-            o->help = 1;
-        else if (strcmp(argv[i], "--joints") == 0)
-            o->joints = 1;
-        else if (!takes_value(argv[i]))
-            return complain("unknown option", argv[i]);
-        else if (i + 1 == argc)
-            return complain("value missing after", argv[i]);
-        else if (!read_option(argv[i], argv[i + 1], o))
-            return 0;
-        else
-            i++;
-    }
-    return 1;
+    const char *position = NULL, *orientation = NULL;
+    const option known[] = {{"--scene", OPTION_WHOLE, &o->scene, 1, 2, NULL},
+                            {"--keys", OPTION_WHOLE, &o->keys, 2, SCENE_KEYS_MAX, NULL},
+                            {"--step", OPTION_NUMBER, &o->step, 1e-4, 1e3, NULL},
+                            {"--out", OPTION_TEXT, &o->out, 0, 0, NULL},
+                            {"--joints", OPTION_FLAG, &o->joints, 0, 0, NULL},
+                            {"--trace", OPTION_NUMBER, &o->time, -1e6, 1e6, &o->trace},
+                            {"--position", OPTION_TEXT, &position, 0, 0, NULL},
+                            {"--orientation", OPTION_TEXT, &orientation, 0, 0, NULL}};
+    if (!options_read(program, known, sizeof known / sizeof *known, argc, argv, &o->help) ||
+        !find_method(position, positions, &o->position) || !find_method(orientation, orientations, &o->orientation))
+        return 0;
+    return strlen(o->out) + 64 < PATH_SIZE || options_complain(program, "path too long", o->out);
 }
 
 /* ---- files ---- */
@@ -320,24 +253,24 @@ static int write_files(const scene *s, const options *o)
 static int run(const options *o)
 {
     scene s;
-    if (!scene_build(o->scene, o->keys, &s)) {
-        complain("the scene has fewer keys", "--keys");
+    if (!scene_build((int)o->scene, (size_t)o->keys, &s)) {
+        options_complain(program, "the scene has fewer keys", "--keys");
         return MISUSED;
     }
     if (row_count(&s, o) > ROWS_MAX) {
-        complain("too many rows", "--step");
+        options_complain(program, "too many rows", "--step");
         return MISUSED;
     }
     if (!o->trace)
         return write_files(&s, o) ? DONE : NOT_WRITTEN;
-    trace_print(stdout, &s, o->time, (nkw_position_method)o->position->method,
+    trace_print(stdout, &s, (float)o->time, (nkw_position_method)o->position->method,
                 (nkw_orientation_method)o->orientation->method);
     return DONE;
 }
 
 int main(int argc, char **argv)
 {
-    options o = {1, 0, 0.1, ".", 0, 0, 0, 0.0f, &positions[HERMITE], &orientations[QUAT]};
+    options o = {1, 0, 0.1, 0.0, ".", 0, 0, 0, &positions[HERMITE], &orientations[QUAT]};
     int code = DONE;
     if (!read_options(argc, argv, &o))
         return MISUSED;

@@ -12,6 +12,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "options.h"
 #include "troupe.h"
 
 /* Exit codes. */
@@ -29,56 +30,18 @@ static const char usage[] =
     "  -h, --help         print this\n";
 
 typedef struct options {
-    double characters, joints, threads, seconds;
+    long characters, joints, threads;
+    double seconds;
     int help;
 } options;
 
-/* ---- the command line ---- */
-
-static int complain(const char *what, const char *which)
-{
-    fprintf(stderr, "nakawari-crowd: %s: %s\nTry nakawari-crowd --help.\n", what, which);
-    return 0;
-}
-
-static int read_number(const char *text, double low, double high, int whole, double *out)
-{
-    char *end;
-    double x = strtod(text, &end);
-    if (end == text || *end || !(x >= low && x <= high))
-        return complain("not a number in range", text);
-    *out = x;
-    return !whole || (double)(long)x == x || complain("not a whole number", text);
-}
-
 static int read_options(int argc, char **argv, options *o)
 {
-    const struct {
-        const char *name;
-        double low, high;
-        int whole;
-        double *out;
-    } known[] = {{"--characters", 1, 100000, 1, &o->characters},
-                 {"--joints", 1, 1000, 1, &o->joints},
-                 {"--threads", 1, THREADS_MAX, 1, &o->threads},
-                 {"--seconds", 0.001, 60, 0, &o->seconds}};
-    const size_t count = sizeof known / sizeof *known;
-    for (int i = 1; i < argc; i++) {
-        size_t k = 0;
-        if (strcmp(argv[i], "--help") == 0 || strcmp(argv[i], "-h") == 0) {
-            o->help = 1;
-            continue;
-        }
-        while (k < count && strcmp(argv[i], known[k].name) != 0)
-            k++;
-        if (k == count)
-            return complain("unknown option", argv[i]);
-        if (++i == argc)
-            return complain("value missing after", argv[i - 1]);
-        if (!read_number(argv[i], known[k].low, known[k].high, known[k].whole, known[k].out))
-            return 0;
-    }
-    return 1;
+    const option known[] = {{"--characters", OPTION_WHOLE, &o->characters, 1, 100000, NULL},
+                            {"--joints", OPTION_WHOLE, &o->joints, 1, 1000, NULL},
+                            {"--threads", OPTION_WHOLE, &o->threads, 1, THREADS_MAX, NULL},
+                            {"--seconds", OPTION_NUMBER, &o->seconds, 0.001, 60, NULL}};
+    return options_read("nakawari-crowd", known, sizeof known / sizeof *known, argc, argv, &o->help);
 }
 
 /* ---- threads ---- */

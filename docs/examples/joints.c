@@ -12,6 +12,7 @@
 #include <nakawari/mat.h>
 
 #include "film.h"
+#include "options.h"
 
 /* Exit codes. */
 enum { DONE, FAILED, MISUSED };
@@ -29,79 +30,23 @@ static const char usage[] = "usage: nakawari-joints [options]\n"
 
 typedef struct options {
     const char *obj, *out;
-    int frames, dual, trace, help;
-    float time;
+    long frames;
+    int dual, trace, help;
+    double time;
 } options;
 
-/* ---- the command line ---- */
-
-static int complain(const char *what, const char *which)
-{
-    fprintf(stderr, "nakawari-joints: %s: %s\nTry nakawari-joints --help.\n", what, which);
-    return 0;
-}
-
-static int read_number(const char *text, double low, double high, double *out)
-{
-    char *end;
-    double x = strtod(text, &end);
-    if (end == text || *end || !(x >= low && x <= high))
-        return complain("not a number in range", text);
-    *out = x;
-    return 1;
-}
-
-static int read_option(const char *name, const char *value, options *o)
-{
-    double x;
-    if (strcmp(name, "--obj") == 0) {
-        o->obj = value;
-        return 1;
-    }
-    if (strcmp(name, "--out") == 0) {
-        o->out = value;
-        return strlen(value) + 64 < PATH_SIZE || complain("path too long", value);
-    }
-    if (strcmp(name, "--frames") == 0) {
-        if (!read_number(value, 1, FRAMES_MAX, &x))
-            return 0;
-        o->frames = (int)x;
-        return (double)o->frames == x || complain("not a whole number", value);
-    }
-    o->trace = 1; /* the only one left */
-    if (!read_number(value, -1e6, 1e6, &x))
-        return 0;
-    o->time = (float)x;
-    return 1;
-}
-
-static int takes_value(const char *name)
-{
-    static const char *const names[] = {"--obj", "--out", "--frames", "--trace"};
-    for (size_t i = 0; i < sizeof names / sizeof *names; i++) {
-        if (strcmp(name, names[i]) == 0)
-            return 1;
-    }
-    return 0;
-}
+static const char program[] = "nakawari-joints";
 
 static int read_options(int argc, char **argv, options *o)
 {
-    for (int i = 1; i < argc; i++) {
-        if (strcmp(argv[i], "--help") == 0 || strcmp(argv[i], "-h") == 0)
-            o->help = 1;
-        else if (strcmp(argv[i], "--dual") == 0)
-            o->dual = 1;
-        else if (!takes_value(argv[i]))
-            return complain("unknown option", argv[i]);
-        else if (i + 1 == argc)
-            return complain("value missing after", argv[i]);
-        else if (!read_option(argv[i], argv[i + 1], o))
-            return 0;
-        else
-            i++;
-    }
-    return 1;
+    const option known[] = {{"--obj", OPTION_TEXT, &o->obj, 0, 0, NULL},
+                            {"--frames", OPTION_WHOLE, &o->frames, 1, FRAMES_MAX, NULL},
+                            {"--dual", OPTION_FLAG, &o->dual, 0, 0, NULL},
+                            {"--out", OPTION_TEXT, &o->out, 0, 0, NULL},
+                            {"--trace", OPTION_NUMBER, &o->time, -1e6, 1e6, &o->trace}};
+    if (!options_read(program, known, sizeof known / sizeof *known, argc, argv, &o->help))
+        return 0;
+    return strlen(o->out) + 64 < PATH_SIZE || options_complain(program, "path too long", o->out);
 }
 
 /* ---- one moment in numbers ---- */
@@ -216,7 +161,7 @@ static int write_files(film *f, const char *folder)
 static int draw(const rig *r, const mesh *m, const options *o)
 {
     film f;
-    int ok = film_open(&f, r, m, o->dual, o->frames);
+    int ok = film_open(&f, r, m, o->dual, (int)o->frames);
     if (ok)
         ok = write_files(&f, o->out);
     else
@@ -235,7 +180,7 @@ static int bend(mesh *m, const options *o)
     if (wrong)
         fprintf(stderr, "nakawari-joints: %s\n", wrong);
     else if (o->trace)
-        print_trace(&r, m, o->time);
+        print_trace(&r, m, (float)o->time);
     else
         ok = draw(&r, m, o);
     rig_free(&r);
@@ -256,7 +201,7 @@ static int run(const options *o)
 
 int main(int argc, char **argv)
 {
-    options o = {NULL, ".", 8, 0, 0, 0, 0.0f};
+    options o = {NULL, ".", 8, 0, 0, 0, 0.0};
     int code = DONE;
     if (!read_options(argc, argv, &o))
         return MISUSED;
