@@ -10,6 +10,7 @@
 #include "lane/curve.h"
 #include "lane/scalar.h"
 #include "lane/segment.h"
+#include "report.h"
 
 /* The keys around a time, and where the methods write down what they do, unless it is NULL. */
 typedef struct sampler {
@@ -268,11 +269,9 @@ nkw_result nkw_keyframes_validate(const nkw_keyframe *keys, size_t count, size_t
     size_t bad = 0;
     for (size_t k = 0; k < count && result == NKW_OK; k++) {
         result = check_key(keys, k);
-        bad = result == NKW_OK ? 0 : k;
+        bad = k;
     }
-    if (bad_key)
-        *bad_key = bad;
-    return result;
+    return report(result, bad, bad_key);
 }
 
 /* The sampler at `time`, or why there is none. */

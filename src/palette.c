@@ -6,6 +6,7 @@
 #include <nakawari/palette.h>
 #include <nakawari/vec.h>
 
+#include "report.h"
 #include "simd/select.h"
 
 void nkw_palette_from_models(const nkw_mat4 *models, size_t model_count, const int32_t *joints,
@@ -80,11 +81,9 @@ nkw_result nkw_palette_validate(size_t model_count, const int32_t *joints, const
             result = NKW_OUT_OF_RANGE;
         else if (inverse_bind && !is_finite(&inverse_bind[i]))
             result = NKW_NOT_FINITE;
-        bad = result == NKW_OK ? 0 : i;
+        bad = i;
     }
-    if (bad_joint)
-        *bad_joint = bad;
-    return result;
+    return report(result, bad, bad_joint);
 }
 
 /* Matrices in the largest buffer. */
@@ -111,12 +110,10 @@ nkw_result nkw_palette_chunks_place(nkw_palette_chunk *chunks, size_t count, siz
             result = NKW_TOO_SMALL;
         else
             chunks[i].first = first, end = first + frames * joints;
-        bad = result == NKW_OK ? 0 : i;
+        bad = i;
     }
     *total = end;
-    if (bad_chunk)
-        *bad_chunk = bad;
-    return result;
+    return report(result, bad, bad_chunk);
 }
 
 size_t nkw_palette_chunk_at(const nkw_palette_chunk *chunk, size_t frame, size_t joint)

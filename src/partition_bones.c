@@ -7,6 +7,7 @@
 
 #include "lane/partition.h"
 #include "lane/sort.h"
+#include "report.h"
 
 #define MOST_BONES 65536u
 
@@ -119,9 +120,7 @@ nkw_result nkw_bones_order(const int32_t *parents, size_t bones, uint16_t *depth
 {
     size_t bad;
     nkw_result result = find_depths(parents, bones, depths, &bad);
-    if (bad_bone)
-        *bad_bone = bad;
-    if (result != NKW_OK || !order)
+    if (report(result, bad, bad_bone) != NKW_OK || !order)
         return result;
     for (size_t b = 0; b < bones; b++)
         order[b] = (uint32_t)b;

@@ -3,6 +3,7 @@
 
 #include <nakawari/quat.h>
 
+#include "lane/mat.h"
 #include "lane/quat.h"
 
 float nkw_quat_length(nkw_quat q)
@@ -80,17 +81,13 @@ nkw_quat nkw_quat_look_rotation(nkw_vec3 forward, nkw_vec3 up)
 
 LANE_SELDOM static nkw_quat from_any_matrix(const nkw_mat3 *m)
 {
-    lane_wmat3 w;
-    for (size_t i = 0; i < 9; i++)
-        w.m[i] = m->m[i];
+    lane_wmat3 w = lane_wmat3_from(m);
     return lane_quat_from_wide(lane_wquat_from_wmat3(&w, LANE_NEAREST_STEPS));
 }
 
 LANE_FLAT nkw_quat nkw_quat_from_mat3(const nkw_mat3 *m)
 {
-    lane_wmat3 w;
-    for (size_t i = 0; i < 9; i++)
-        w.m[i] = m->m[i];
+    lane_wmat3 w = lane_wmat3_from(m);
     lane_wform k = lane_wform_from_wmat3(&w);
     lane_wquat q = lane_wform_dominant_single(&k, LANE_NEAREST_STEPS);
     double n2 = lane_wquat_dot(q, q);
