@@ -86,13 +86,13 @@ static bake_work bake_work_in(float *work, size_t joints)
     return w;
 }
 
-/* Frames from `frame` on, at most a crowd of them. */
+/* `count` frames from `frame` on, at most a crowd of them. */
 static void bake_lanes(const nkw_crowd_source *source, const nkw_palette_chunk *chunk, const float *roots, size_t frame,
                        size_t count, const bake_work *w, nkw_mat4 *buffer)
 {
     float times[NKW_CROWD];
     nkw_mat4 *out[NKW_CROWD] = {NULL};
-    for (size_t i = 0; i < count && i < NKW_CROWD; i++) {
+    for (size_t i = 0; i < count; i++) {
         times[i] = nkw_segment_uniform_time(source->start, source->rate, frame + i);
         out[i] = buffer + nkw_palette_chunk_at(chunk, frame + i, 0);
     }
@@ -116,6 +116,8 @@ void nkw_crowd_bake(const nkw_crowd_source *source, const nkw_palette_chunk *chu
         root[i] = source->root;
     nkw_crowd_from_matrices(root, 1, roots);
     to = to < chunk->frames ? to : chunk->frames;
-    for (size_t frame = from; frame < to; frame += to - frame < NKW_CROWD ? to - frame : NKW_CROWD)
-        bake_lanes(source, chunk, source->root ? roots : NULL, frame, to - frame, &w, buffer);
+    for (size_t frame = from, count; frame < to; frame += count) {
+        count = to - frame < NKW_CROWD ? to - frame : NKW_CROWD;
+        bake_lanes(source, chunk, source->root ? roots : NULL, frame, count, &w, buffer);
+    }
 }
