@@ -34,9 +34,9 @@ NKW_API nkw_dual_quat nkw_dual_quat_from_rigid(nkw_quat rotation, nkw_vec3 trans
  * lengths. The last row is not read. In binary64 inside.
  *
  * Scale and mirroring are dropped: the scale by dividing it out, a mirror (negative determinant) by negating all
- * columns; nkw_trs_from_mat4 negates the first alone, and so gives another rotation there. Columns off right angles by 1e-3 cost nothing; with more shear the rotation is
- * near the nearest. real.w >= 0; where it is 0, the largest component of real is positive. A block of zeros gives no
- * rotation, NaN gives NaN.
+ * columns; nkw_trs_from_mat4 negates the first alone, and so gives another rotation there. Columns off right angles by
+ * 1e-3 cost nothing; with more shear the rotation is near the nearest. real.w >= 0; where it is 0, the largest
+ * component of real is positive. A block of zeros gives no rotation, NaN gives NaN.
  *
  * Error  of the rotation as nkw_quat_from_mat3.
  */
