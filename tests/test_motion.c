@@ -203,11 +203,7 @@ static void captured_motions_are_met(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {cmocka_unit_test(captured_motions_are_met)};
-    FILE *there = fopen(NKW_DATA_DIR "/README.md", "r");
-    if (!there) {
-        printf("skipped: no models at %s\n", NKW_DATA_DIR);
+    if (!scene_folder_is_there())
         return 77;
-    }
-    fclose(there);
     return cmocka_run_group_tests_name("motion", tests, NULL, NULL);
 }

@@ -306,11 +306,7 @@ int main(void)
         cmocka_unit_test(compact_clips_of_all_scenes_are_within_their_bound),
         cmocka_unit_test(tracks_of_all_scenes_resample_within_a_tolerance),
     };
-    FILE *there = fopen(NKW_DATA_DIR "/README.md", "r");
-    if (!there) {
-        printf("skipped: no models at %s\n", NKW_DATA_DIR);
+    if (!scene_folder_is_there())
         return 77;
-    }
-    fclose(there);
     return cmocka_run_group_tests_name("scene", tests, NULL, NULL);
 }

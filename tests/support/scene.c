@@ -138,6 +138,16 @@ static void make_skeleton(scene *s)
             s->skin[k].joints[j] = s->joint_of_node[s->skin[k].joints[j]];
 }
 
+int scene_folder_is_there(void)
+{
+    FILE *there = fopen(NKW_DATA_DIR "/README.md", "r");
+    if (there)
+        fclose(there);
+    else
+        printf("skipped: no models at %s\n", NKW_DATA_DIR);
+    return there != NULL;
+}
+
 void scene_normalize_keys(scene *s)
 {
     for (int i = 0; i < s->channels; i++) {

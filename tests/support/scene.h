@@ -61,6 +61,9 @@ typedef struct scene {
     scene_channel channel[SCENE_CHANNELS];
 } scene;
 
+/* Whether there is a folder NKW_DATA_DIR; says that tests are skipped where there is none. */
+int scene_folder_is_there(void);
+
 void scene_read(const char *path, scene *s);
 void scene_free(scene *s);
 
