@@ -1,0 +1,265 @@
+/* SPDX-License-Identifier: MIT */
+#include <math.h>
+#include <stdlib.h>
+
+#include "random.h"
+#include "support/expect.h"
+#include "support/partition.h"
+
+static mesh_data data;
+
+#define BONES 12
+
+static nkw_mat4 bind[BONES], model[BONES];
+static nkw_vec3 positions[MOST_VERTICES], normals[MOST_VERTICES];
+
+/* Rigid bones and vertices within 2.6 of the origin. */
+static void draw_pose(random_source *r)
+{
+    for (size_t b = 0; b < BONES; b++) {
+        nkw_trs at = {random_vec3(r, -1.5f, 1.5f), random_rotation(r), {1, 1, 1}}, to = at;
+        to.rotation = random_rotation(r);
+        to.translation = random_vec3(r, -1.5f, 1.5f);
+        nkw_mat4 rest = nkw_mat4_from_trs(&at);
+        bind[b] = nkw_mat4_inverse_affine(&rest);
+        model[b] = nkw_mat4_from_trs(&to);
+    }
+    for (size_t v = 0; v < MOST_VERTICES; v++) {
+        positions[v] = random_vec3(r, -1.5f, 1.5f);
+        normals[v] = random_direction(r);
+    }
+}
+
+/* out += weight m (v, w) */
+static void add_transformed(const nkw_mat4 *m, const double v[3], double w, double weight, double out[3])
+{
+    for (size_t c = 0; c < 3; c++)
+        out[c] += weight * (m->m[c] * v[0] + m->m[4 + c] * v[1] + m->m[8 + c] * v[2] + m->m[12 + c] * w);
+}
+
+/* Linear blend skinning of a vector of the mesh's vertex v, in double. */
+static void blend(size_t v, nkw_vec3 vector, double w, double out[3])
+{
+    const double from[3] = {vector.x, vector.y, vector.z};
+    for (size_t i = v * data.mesh.influences; i < (v + 1) * data.mesh.influences; i++) {
+        double local[3] = {0};
+        if (data.weights[i] == 0.0f)
+            continue;
+        add_transformed(&bind[data.joints[i]], from, w, 1, local);
+        add_transformed(&model[data.joints[i]], local, w, data.weights[i], out);
+    }
+}
+
+static double weight_of(size_t v)
+{
+    const float *w = data.weights + 4 * v;
+    return ((double)w[0] + w[1]) + ((double)w[2] + w[3]);
+}
+
+/* What a shader makes of a bone-local vertex of eight slots, in double: position and normal. */
+static void blend_local(const float *vertex, const uint16_t *bones, size_t count, double out[6])
+{
+    for (size_t s = 0; s < count; s++) {
+        const float *at = vertex + 7 * s;
+        const double position[3] = {at[1], at[2], at[3]}, normal[3] = {at[4], at[5], at[6]};
+        add_transformed(&model[bones[s]], position, 1, at[0], out);
+        add_transformed(&model[bones[s]], normal, 0, at[0], out + 3);
+    }
+}
+
+static void bone_local_vertices_blend_as_linear_blend_skinning_does(void **state)
+{
+    (void)state;
+    random_source r = random_from(7);
+    static float out[MOST_VERTICES * 60];
+    mesh_shape(&data, 400, 300, 4, BONES);
+    mesh_draw(&data, &r);
+    draw_pose(&r);
+    nkw_partition p = partition_build(&data.mesh, 8, NKW_OK);
+    double worst = 0;
+    for (size_t k = 0; k < p.part_count; k++) {
+        const nkw_part *part = &p.parts[k];
+        nkw_partition_bone_local(&data.mesh, &p, k, 8, bind, positions, normals, out, 60);
+        for (size_t i = 0; i < part->vertex_count; i++) {
+            double got[6] = {0}, want[6] = {0};
+            size_t v = p.vertices[part->first_vertex + i];
+            blend_local(out + i * 60, p.bones + part->first_bone, part->bone_count, got);
+            blend(v, positions[v], 1, want);
+            blend(v, normals[v], 0, want + 3);
+            for (size_t c = 0; c < 6; c++)
+                worst = fmax(worst, fabs(got[c] - want[c]) / (weight_of(v) + 1e-9));
+        }
+    }
+    expect_near(worst, 0, 2e-7 * 2.6);
+    partition_free(&p);
+}
+
+static void bone_local_vertices_have_every_bone_of_the_part(void **state)
+{
+    (void)state;
+    random_source r = random_from(8);
+    float out[5 * 32];
+    mesh_strip(&data);
+    draw_pose(&r);
+    nkw_partition p = partition_build(&data.mesh, 3, NKW_OK);
+    for (size_t i = 0; i < sizeof out / sizeof out[0]; i++)
+        out[i] = -77;
+    nkw_partition_bone_local(&data.mesh, &p, 0, 4, bind, positions, normals, out, 32);
+    static const float weights[5][3] = {{1, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0.5f, 0.5f}, {0, 0, 1}};
+    for (size_t v = 0; v < 5; v++) {
+        for (size_t s = 0; s < 3; s++) {
+            const float *at = out + 32 * v + 7 * s;
+            nkw_vec3 position = {at[1], at[2], at[3]}, normal = {at[4], at[5], at[6]};
+            expect_bits(at[0], weights[v][s]);
+            expect_vec3_bits(position, nkw_mat4_transform_point(&bind[s], positions[v]));
+            expect_vec3_bits(normal, nkw_mat4_transform_direction(&bind[s], normals[v]));
+        }
+        for (size_t i = 21; i < 32; i++)
+            expect_bits(out[32 * v + i], i < 28 ? 0.0f : -77.0f);
+    }
+    partition_free(&p);
+}
+
+static void bone_local_vertices_without_normals_have_four_floats_to_a_slot(void **state)
+{
+    (void)state;
+    random_source r = random_from(9);
+    float out[5 * 8];
+    mesh_strip(&data);
+    draw_pose(&r);
+    nkw_partition p = partition_build(&data.mesh, 3, NKW_OK);
+    assert_int_equal(NKW_BONE_LOCAL_FLOATS(2, 0), 8);
+    assert_int_equal(NKW_BONE_LOCAL_FLOATS(4, 1), 28);
+    nkw_partition_bone_local(&data.mesh, &p, 0, 2, bind, positions, NULL, out, 8);
+    nkw_vec3 position = {out[8 * 3 + 5], out[8 * 3 + 6], out[8 * 3 + 7]};
+    expect_bits(out[8 * 3 + 0], 0.0f);
+    expect_bits(out[8 * 3 + 4], 0.5f);
+    expect_vec3_bits(position, nkw_mat4_transform_point(&bind[1], positions[3]));
+    partition_free(&p);
+}
+
+static void a_bone_that_is_named_twice_has_both_weights(void **state)
+{
+    (void)state;
+    float out[3 * 4];
+    mesh_shape(&data, 1, 3, 2, 1);
+    data.indices[1] = 1;
+    data.indices[2] = 2;
+    for (size_t i = 0; i < 6; i++)
+        data.weights[i] = 0.25f;
+    bind[0] = nkw_mat4_identity();
+    nkw_partition p = partition_build(&data.mesh, 1, NKW_OK);
+    nkw_partition_bone_local(&data.mesh, &p, 0, 1, bind, positions, NULL, out, 4);
+    expect_bits(out[0], 0.5f);
+    partition_free(&p);
+}
+
+static void bone_local_writes_nothing_for_no_part_and_for_a_short_stride(void **state)
+{
+    (void)state;
+    float out[4] = {5, 5, 5, 5}, before[4] = {5, 5, 5, 5};
+    mesh_strip(&data);
+    nkw_partition p = partition_build(&data.mesh, 3, NKW_OK);
+    nkw_partition_bone_local(&data.mesh, &p, 3, 1, bind, positions, NULL, out, 4);
+    nkw_partition_bone_local(&data.mesh, &p, 0, 1, bind, positions, NULL, out, 3);
+    nkw_partition_bone_local(&data.mesh, &p, 0, 1, bind, positions, normals, out, 6);
+    nkw_partition_bone_local(&data.mesh, &p, 0, SIZE_MAX / 4 + 1, bind, positions, NULL, out, 0);
+    expect_floats_bits(out, before, 4);
+    partition_free(&p);
+}
+
+static void bones_come_roots_first_and_level_by_level(void **state)
+{
+    (void)state;
+    static const int32_t parents[] = {3, 0, 0, -1, 1, -1, 3};
+    static const uint16_t want_depths[] = {1, 2, 2, 0, 3, 0, 1};
+    static const uint32_t want[] = {3, 5, 0, 6, 1, 2, 4};
+    uint16_t depths[7];
+    uint32_t order[7];
+    size_t bad = 99;
+    assert_int_equal(nkw_bones_order(parents, 7, depths, order, &bad), NKW_OK);
+    assert_int_equal(bad, 0);
+    assert_memory_equal(depths, want_depths, sizeof depths);
+    assert_memory_equal(order, want, sizeof order);
+    assert_int_equal(nkw_bones_order(parents, 7, depths, NULL, NULL), NKW_OK);
+    assert_int_equal(nkw_bones_order(NULL, 0, NULL, NULL, &bad), NKW_OK);
+}
+
+static void a_chain_of_all_bones_is_ordered_either_way(void **state)
+{
+    (void)state;
+    static int32_t parents[65536];
+    static uint16_t depths[65536];
+    static uint32_t order[65536];
+    for (int up = 0; up < 2; up++) {
+        for (int32_t b = 0; b < 65536; b++)
+            parents[b] = up ? b - 1 : b == 65535 ? -1 : b + 1;
+        assert_int_equal(nkw_bones_order(parents, 65536, depths, order, NULL), NKW_OK);
+        for (uint32_t b = 0; b < 65536; b++) {
+            assert_int_equal(order[b], up ? b : 65535 - b);
+            assert_int_equal(depths[b], up ? b : 65535 - b);
+        }
+    }
+}
+
+static void random_trees_are_ordered_parents_first(void **state)
+{
+    (void)state;
+    random_source r = random_from(10);
+    for (size_t round = 0; round < 100; round++) {
+        size_t n = 1 + random_bits(&r) % 200, place[200];
+        int32_t parents[200];
+        uint16_t depths[200];
+        uint32_t order[200];
+        /* Tree over i, under the names (i * 7 + 3) mod n where that is one to one. */
+        size_t step = n % 7 ? 7 : 1;
+        for (size_t i = 0; i < n; i++)
+            parents[(i * step + 3) % n] =
+                i == 0 || random_bits(&r) % 20 == 0 ? -1 : (int32_t)((random_bits(&r) % i * step + 3) % n);
+        assert_int_equal(nkw_bones_order(parents, n, depths, order, NULL), NKW_OK);
+        for (size_t i = 0; i < n; i++)
+            place[order[i]] = i;
+        for (size_t b = 0; b < n; b++) {
+            assert_int_equal(order[place[b]], b);
+            assert_int_equal(depths[b], parents[b] < 0 ? 0 : depths[parents[b]] + 1);
+            assert_true(parents[b] < 0 || place[parents[b]] < place[b]);
+        }
+    }
+}
+
+static void expect_no_order(const int32_t *parents, size_t bones, nkw_result result, size_t bone)
+{
+    uint16_t depths[8];
+    uint32_t order[8] = {77};
+    size_t bad = 99;
+    assert_int_equal(nkw_bones_order(parents, bones, depths, order, &bad), result);
+    assert_int_equal(bad, bone);
+    assert_int_equal(order[0], 77);
+}
+
+static void parents_that_make_no_tree_are_named(void **state)
+{
+    (void)state;
+    static const int32_t below[] = {-1, -2}, beyond[] = {-1, 0, 3}, own[] = {-1, 1}, cycle[] = {-1, 0, 4, 2, 3, 1};
+    expect_no_order(below, 2, NKW_OUT_OF_RANGE, 1);
+    expect_no_order(beyond, 3, NKW_OUT_OF_RANGE, 2);
+    expect_no_order(own, 2, NKW_NOT_A_TREE, 1);
+    expect_no_order(cycle, 6, NKW_NOT_A_TREE, 2);
+    expect_no_order(NULL, 65537, NKW_OUT_OF_RANGE, 65536);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(bone_local_vertices_blend_as_linear_blend_skinning_does),
+        cmocka_unit_test(bone_local_vertices_have_every_bone_of_the_part),
+        cmocka_unit_test(bone_local_vertices_without_normals_have_four_floats_to_a_slot),
+        cmocka_unit_test(a_bone_that_is_named_twice_has_both_weights),
+        cmocka_unit_test(bone_local_writes_nothing_for_no_part_and_for_a_short_stride),
+        cmocka_unit_test(bones_come_roots_first_and_level_by_level),
+        cmocka_unit_test(a_chain_of_all_bones_is_ordered_either_way),
+        cmocka_unit_test(random_trees_are_ordered_parents_first),
+        cmocka_unit_test(parents_that_make_no_tree_are_named),
+    };
+    return cmocka_run_group_tests_name("partition_bones", tests, NULL, NULL);
+}
