@@ -88,7 +88,7 @@ static void lanes(svg *s, float x, float y, int rows, int used, int mark)
 int figure_crowd_lanes(const char *path)
 {
     svg s;
-    if (!figure_open(&s, path, 984.0f, 480.0f, "Lanes are joints, or characters",
+    if (!figure_open(&s, path, 1008.0f, 480.0f, "Lanes are joints, or characters",
                      "One row is one component, 16 floats, one or two or four vectors. Dark: what one joint of one "
                      "character has."))
         return 0;

@@ -176,7 +176,7 @@ int figure_skeleton_models(const char *path)
     nkw_mat4 bind[ARM], now[ARM];
     svg_point left = {48.0f, 400.0f}, right = {510.0f, 400.0f};
     svg s;
-    if (!figure_open(&s, path, 984.0f, 470.0f, "A child goes where its parent takes it",
+    if (!figure_open(&s, path, 1008.0f, 470.0f, "A child goes where its parent takes it",
                      "Each local transform is told in the axes of the parent (x red, y green); models are the products "
                      "along the chain."))
         return 0;
