@@ -63,13 +63,17 @@
  * which takes one instruction as well and goes into vectors as a product does. GCC negates it by another, -a b - (-0),
  * which is 0 where -0 is due, so inlined bodies negate by NKW_MUL(-1, x).
  *
+ * NKW_MUL64 is the same of two doubles.
+ *
  * A program that is compiled with -ffp-contract=off may define NKW_CONTRACTION_OFF to say so, and has plain products.
  */
 #if defined(__GNUC__) && !defined(__clang__) && defined(__FP_FAST_FMAF) && !defined(NKW_CONTRACTION_OFF)
 #define NKW_FUSES
 #define NKW_MUL(a, b) __builtin_fmaf(a, b, -0.0f)
+#define NKW_MUL64(a, b) __builtin_fma(a, b, -0.0)
 #else
 #define NKW_MUL(a, b) ((a) * (b))
+#define NKW_MUL64(a, b) ((a) * (b))
 #endif
 
 /**
