@@ -89,6 +89,22 @@
 #define NKW_ALGEBRA NKW_API
 #endif
 
+/**
+ * NKW_ALGEBRA_ROOT stands before those that take a square root. They are inlined only where a word of the compiler is
+ * the instruction: for sqrtf, which may set errno, a program would have to be linked with libm.
+ */
+#if NKW_INLINE && defined(__has_builtin)
+#if __has_builtin(__builtin_ia32_sqrtss)
+#define NKW_ROOT_INLINE 1
+#endif
+#endif
+#if defined(NKW_ROOT_INLINE)
+#define NKW_ALGEBRA_ROOT NKW_ALGEBRA
+#else
+#define NKW_ROOT_INLINE  0
+#define NKW_ALGEBRA_ROOT NKW_API
+#endif
+
 /** First line of an inlined body: Clang and MSVC then fuse nothing in it, whatever the file's mode. */
 #if defined(__clang__)
 #define NKW_EXACT _Pragma("STDC FP_CONTRACT OFF")
