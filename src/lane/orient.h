@@ -108,8 +108,8 @@ static inline float lane_pairs7(const float *c, float v, float vv)
 /* E(k). */
 static inline float lane_slerp_excess(float k, float p, float v, float h0, float h1, float h2, float h3)
 {
-    float kv = k * k * v, kkvv = kv * kv;
-    return (p + p * k) * ((h0 + kv * h1) + kkvv * ((h2 + kv * h3) + kkvv * LANE_SLERP_H4[0]));
+    float kv = k * k * v;
+    return (p + p * k) * (h0 + kv * (h1 + kv * (h2 + kv * (h3 + kv * LANE_SLERP_H4[0]))));
 }
 
 /* x where mask is all ones, y where it is 0. */
@@ -321,10 +321,10 @@ static inline lane_four lane_four_slerp(lane_four a, lane_four b, float t)
     lane_four base = lane_four_select(middle, half * (a + c), lane_four_select(first, a, c));
 
     /* E(u) and E(t) */
-    lane_four p = lane_four_all(t * u) * v + zero, k = {u, t, 0.0f, 0.0f}, kv = k * k * v, kkvv = kv * kv;
-    lane_four h01 = lane_four_splat(h, 0) + kv * lane_four_splat(h, 1);
-    lane_four h23 = lane_four_splat(h, 2) + kv * lane_four_splat(h, 3);
-    lane_four e = (p + p * k) * (h01 + kkvv * (h23 + kkvv * lane_four_all(LANE_SLERP_H4[0])));
+    lane_four p = lane_four_all(t * u) * v + zero, k = {u, t, 0.0f, 0.0f}, kv = k * k * v;
+    lane_four h3 = lane_four_splat(h, 3) + kv * lane_four_all(LANE_SLERP_H4[0]);
+    lane_four e = (p + p * k) * (lane_four_splat(h, 0) +
+                                 kv * (lane_four_splat(h, 1) + kv * (lane_four_splat(h, 2) + kv * h3)));
     return base - (shift * d + (lane_four_splat(e, 0) * a + lane_four_splat(e, 1) * c));
 }
 #endif
