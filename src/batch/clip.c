@@ -2,6 +2,8 @@
 /* Between two keys of a clip's group, block by block. src/clip_layout.h has the layout of keys. */
 #include "lane/strict.h"
 
+#include <string.h>
+
 #include "batch/block.h"
 #include "batch/element.h"
 #include "batch/table.h"
@@ -21,15 +23,25 @@ static inline nkw_quat_span rows_to(float *x, size_t stride)
     return span;
 }
 
-/* The lanes of `rows` rows, `apart` floats apart, to their places in components `stride` apart. */
+/* The lanes of `rows` rows, `apart` floats apart, to their places in components `stride` apart; two at a time. */
 static inline void scatter(const nkw_block *block, const float *from, size_t apart, size_t rows, float *out,
                            size_t stride)
 {
-    for (size_t i = 0; i < block->count; i++) {
-        float *to = out + block->places[i];
-        for (size_t row = 0; row < rows; row++)
-            to[row * stride] = from[row * apart + i];
+    const uint32_t *places = block->places;
+    size_t i = 0;
+    for (; i + 1 < block->count; i += 2) {
+        float *to = out + places[i];
+        if (places[i + 1] - places[i] == 1)
+            for (size_t row = 0; row < rows; row++)
+                memcpy(to + row * stride, from + row * apart + i, 2 * sizeof *to);
+        else
+            for (size_t row = 0; row < rows; row++) {
+                to[row * stride] = from[row * apart + i];
+                out[places[i + 1] + row * stride] = from[row * apart + i + 1];
+            }
     }
+    for (size_t row = 0; i < block->count && row < rows; row++)
+        out[places[i] + row * stride] = from[row * apart + i];
 }
 
 static inline size_t blocks_in(size_t lanes)
