@@ -56,12 +56,12 @@ static inline int lane_angle_is_far(float x)
 
 static inline float lane_sin(float x)
 {
-    return (float)lane_sine64(lane_half_turns((double)x, 0.0));
+    return (float)lane_sin64((double)x);
 }
 
 static inline float lane_sin_far(float x)
 {
-    return (float)lane_sine64(lane_half_turns_far((double)x, 0.0));
+    return (float)lane_sin64_far((double)x);
 }
 
 static inline float lane_sin_any(float x)
@@ -71,12 +71,12 @@ static inline float lane_sin_any(float x)
 
 static inline float lane_cos(float x)
 {
-    return (float)-lane_sine64(lane_half_turns(lane_abs64((double)x), 0.5));
+    return (float)lane_cos64((double)x);
 }
 
 static inline float lane_cos_far(float x)
 {
-    return (float)-lane_sine64(lane_half_turns_far(lane_abs64((double)x), 0.5));
+    return (float)lane_cos64_far((double)x);
 }
 
 static inline float lane_cos_any(float x)
@@ -259,15 +259,15 @@ static inline double lane_wrap_turn64(double r)
     return lowered <= LANE_WRAP_LOW ? lowered + LANE_TWO_PI : lowered;
 }
 
-/* x reduced by whole turns to [-pi, pi]: half of x by half turns, doubled. */
+/* x reduced by whole turns to [-pi, pi], but for 2^-10: half of x by half turns, doubled. */
 static inline double lane_turn_rest64(double x)
 {
-    return 2.0 * lane_half_turns(0.5 * x, 0.0).r;
+    return LANE_TWO_PI * lane_half_turns(0.5 * x, -0.0).t;
 }
 
 static inline double lane_turn_rest64_far(double x)
 {
-    return 2.0 * lane_half_turns_far(0.5 * x, 0.0).r;
+    return LANE_TWO_PI * lane_half_turns_far(0.5 * x, -0.0).t;
 }
 
 static inline float lane_wrap_angle(float x)
