@@ -259,7 +259,7 @@ static inline double lane_wrap_turn64(double r)
     return lowered <= LANE_WRAP_LOW ? lowered + LANE_TWO_PI : lowered;
 }
 
-/* x reduced by whole turns to [-pi, pi], but for 2^-10: half of x by half turns, doubled. */
+/* x reduced by whole turns to [-pi, pi], but for 2^-8: half of x by half turns, doubled. */
 static inline double lane_turn_rest64(double x)
 {
     return LANE_TWO_PI * lane_half_turns(0.5 * x, -0.0).t;

@@ -154,7 +154,7 @@ static inline int lane_root_is_near(double x)
     return x > 0x1p-100 && x < 0x1p100;
 }
 
-/* An angle as n + t half turns: |t| <= 1/2, but for 2^-12. */
+/* An angle as n + t half turns: |t| <= 1/2, but for 2^-10. */
 typedef struct lane_turns {
     double t;
     uint64_t n; /* only bit 0, n odd, is meant */
@@ -165,9 +165,9 @@ typedef struct lane_turns {
  *
  *     t = ((offset + x high) - n) + x low,     high + low = 1/pi
  *
- * high has 29 bits, so x high is exact; so is offset + x high for x < 0 where it is less than 1/4, and then its
- * difference from n (Cody, Waite, Software Manual for the Elementary Functions, 1980).
- * |error of t| < 2^-65 + 2^-52 |t|. An x of more bits counts as one that is off by at most 2^-53 of itself.
+ * high has 29 bits, so x high is exact, and so is its difference from n; with the offset 1/2 for x <= 0, where t is
+ * less than 1/4 (Cody, Waite, Software Manual for the Elementary Functions, 1980). |error of t| < 2^-63 + 2^-52 |t|.
+ * high and low are positive, so -0 gives -0. An x of more bits counts as one within 2^-53 of itself.
  * Larger finite x give some number, inf and NaN give NaN.
  */
 static inline lane_turns lane_half_turns(double x, double offset)
