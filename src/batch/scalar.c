@@ -59,15 +59,24 @@ KERNEL(cos)(const float *angle, float *out, size_t n)
     each_angle(lane_cos, lane_cos_any, angle, out, n);
 }
 
+static inline void put_sincos(float *sine, float *cosine, size_t i, lane_sincos a)
+{
+    sine[i] = (float)a.s;
+    cosine[i] = (float)a.c;
+}
+
 KERNEL(sincos)(const float *angle, float *sine, float *cosine, size_t n)
 {
     for (size_t i = 0; i < n; i += BLOCK) {
-        /* One of the outputs may be the input. */
-        float copy[BLOCK];
-        size_t count = n - i < BLOCK ? n - i : BLOCK;
-        memcpy(copy, angle + i, count * sizeof *copy);
-        each_angle(lane_sin, lane_sin_any, copy, sine + i, count);
-        each_angle(lane_cos, lane_cos_any, copy, cosine + i, count);
+        size_t end = n - i < BLOCK ? n : i + BLOCK;
+        if (end - i < FEW || any_far(angle + i, end - i)) {
+            for (size_t k = i; k < end; k++)
+                put_sincos(sine, cosine, k, lane_sincos64_any((double)angle[k]));
+        } else {
+#pragma omp simd
+            for (size_t k = i; k < end; k++)
+                put_sincos(sine, cosine, k, lane_sincos64((double)angle[k]));
+        }
     }
 }
 
