@@ -6,13 +6,14 @@
 #include "batch/element.h"
 #include "batch/table.h"
 #include "lane/scalar.h"
+#include "lane/two.h"
 
 /*
  * Angles come in blocks. The lanes for near angles vectorise; a block that holds a far one, which is rare, takes the
- * single functions throughout. So does one of fewer elements than any vector has.
+ * single functions throughout. So does one of so few elements that most of them would be left over by vectors.
  */
 #define BLOCK 256
-#define FEW   4
+#define FEW   8
 
 typedef float function(float);
 
@@ -71,7 +72,7 @@ KERNEL(sincos)(const float *angle, float *sine, float *cosine, size_t n)
         size_t end = n - i < BLOCK ? n : i + BLOCK;
         if (end - i < FEW || any_far(angle + i, end - i)) {
             for (size_t k = i; k < end; k++)
-                put_sincos(sine, cosine, k, lane_sincos64_any((double)angle[k]));
+                put_sincos(sine, cosine, k, lane_sincos64_single((double)angle[k]));
         } else {
 #pragma omp simd
             for (size_t k = i; k < end; k++)
