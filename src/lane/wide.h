@@ -3,7 +3,7 @@
  * Binary64 inside, binary32 outside: square root, sine, cosine and arc tangent before their last rounding.
  *
  * Only + - * / and the bits of a number: no libm, so nothing is imported and every target gives the same
- * result. Relative errors stand with each function; 2^-44 adds 2^-20 ULP to a later rounding to float, 2^-35 adds 2^-11.
+ * result. Relative errors stand with each function; 2^-44 adds 2^-20 ULP to a later rounding to float.
  */
 #ifndef NAKAWARI_LANE_WIDE_H
 #define NAKAWARI_LANE_WIDE_H
@@ -165,10 +165,10 @@ typedef struct lane_turns {
  *
  *     t = ((offset + x high) - n) + x low,     high + low = 1/pi
  *
- * high has 29 bits, so x high is exact, and so is its difference from n; with the offset 1/2 for x <= 0, where t is
- * less than 1/4 (Cody, Waite, Software Manual for the Elementary Functions, 1980). |error of t| < 2^-63 + 2^-52 |t|.
- * high and low are positive, so -0 gives -0. An x of more bits counts as one within 2^-53 of itself.
- * Larger finite x give some number, inf and NaN give NaN.
+ * high has 29 bits, so x high is exact, and so is its difference from n. 1/2 + x high, for x <= 0, is exact below
+ * 1/4 and else rounded within 2^-52 t (Cody, Waite, Software Manual for the Elementary Functions, 1980).
+ * |error of t| < 2^-63 + 2^-51 |t|. high and low are positive, so -0 gives -0. An x of more bits counts as one
+ * within 2^-53 of itself. Larger finite x give some number, inf and NaN give NaN.
  */
 static inline lane_turns lane_half_turns(double x, double offset)
 {
