@@ -258,27 +258,27 @@ static inline double lane_wrap_turn64(double r)
     return lowered <= LANE_WRAP_LOW ? lowered + LANE_TWO_PI : lowered;
 }
 
-/* x reduced by whole turns to [-pi, pi], but for 2^-8: half of x by half turns, doubled. */
+/* x less whole turns, in turns: in [-1/2, 1/2], but for 2^-10. Half of x by half turns. */
 static inline double lane_turn_rest64(double x)
 {
-    return LANE_TWO_PI * lane_half_turns(0.5 * x, -0.0).t;
+    return lane_half_turns(0.5 * x, -0.0).t;
 }
 
 static inline double lane_turn_rest64_far(double x)
 {
-    return LANE_TWO_PI * lane_half_turns_far(0.5 * x, -0.0).t;
+    return lane_half_turns_far(0.5 * x, -0.0).t;
 }
 
 static inline float lane_wrap_angle(float x)
 {
-    float wrapped = (float)lane_wrap_turn64(lane_turn_rest64((double)x));
+    float wrapped = (float)lane_wrap_turn64(LANE_TWO_PI * lane_turn_rest64((double)x));
     float inside = (double)x > -LANE_PI_FLOAT ? x : wrapped;
     return (double)x <= LANE_PI_FLOAT ? inside : wrapped;
 }
 
 static inline float lane_wrap_angle_far(float x)
 {
-    return (float)lane_wrap_turn64(lane_turn_rest64_far((double)x));
+    return (float)lane_wrap_turn64(LANE_TWO_PI * lane_turn_rest64_far((double)x));
 }
 
 static inline float lane_wrap_angle_any(float x)
@@ -289,13 +289,13 @@ static inline float lane_wrap_angle_any(float x)
 static inline float lane_angle_difference(float from, float to)
 {
     double difference = lane_turn_rest64((double)to) - lane_turn_rest64((double)from);
-    return (float)lane_wrap_turn64(difference);
+    return (float)lane_wrap_turn64(LANE_TWO_PI * difference);
 }
 
 static inline float lane_angle_difference_far(float from, float to)
 {
     double difference = lane_turn_rest64_far((double)to) - lane_turn_rest64_far((double)from);
-    return (float)lane_wrap_turn64(difference);
+    return (float)lane_wrap_turn64(LANE_TWO_PI * difference);
 }
 
 /* Where lane_wrap is not exact: quotients from 2^28. False where the result is NaN anyway. */
