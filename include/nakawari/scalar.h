@@ -337,7 +337,7 @@ NKW_API float nkw_wrap_angle(float angle);
  *           turning back is the opposite turn, but for half turns: they are F both ways where they
  *           round to F or -F. NaN where either is infinite.
  *
- * Error  0.5001 ULP for differences above 1e-6 (0.500023 at 0x1.1ad758p3, 0x1.7e1a32p7); 2e-15 rad
+ * Error  0.5001 ULP for differences above 1e-6 (0.500067 at 0x1.1166bp3, 0x1.159728p9); 2e-15 rad
  *        more than rounding below
  */
 NKW_API float nkw_angle_difference(float from, float to);
