@@ -10,6 +10,7 @@
 
 #include "clip_layout.h"
 #include "clip_tracks.h"
+#include "lane/clip.h"
 #include "lane/orient.h"
 #include "simd/select.h"
 
@@ -138,6 +139,14 @@ static void fill_component(const builder *b, const clip_group *g, const nkw_clip
 
 /* Compact keys: the range of a lane's row, and its numbers as parts of it. */
 
+/* A lane's keys, to be taken one after the other from 0 on. */
+typedef struct compact_keys {
+    const nkw_clip_track *c;
+    size_t component;
+    double lowest; /* w of a rotation may become this */
+    float side; /* 1 or -1: what the last rotation was multiplied by */
+} compact_keys;
+
 static nkw_quat held_rotation(const nkw_clip_track *c, size_t k)
 {
     nkw_quat q = {held_component(c, k, 0), held_component(c, k, 1), held_component(c, k, 2), held_component(c, k, 3)};
@@ -145,54 +154,108 @@ static nkw_quat held_rotation(const nkw_clip_track *c, size_t k)
 }
 
 /*
- * The numbers of key k, those of a rotation times *sign, which is 1 before the first key and changes wherever slerp
- * turns the next key: all stand on the side of the one before, and the way is that of the source, also where it is
- * half a turn.
+ * The numbers of key k: one, or a rotation's three. A rotation is kept on the side of the one before as slerp sees it,
+ * so that the way between them is that of the source also where it is half a turn. Where its w would be too low there
+ * it is turned, which is told.
  */
-static void next_numbers(const nkw_clip_track *c, size_t k, size_t component, float *sign, float numbers[4])
+static unsigned next_numbers(compact_keys *keys, size_t k, double numbers[3])
 {
-    if (c->target != NKW_CLIP_ROTATION) {
-        numbers[0] = held_component(c, k, component);
-        return;
+    if (keys->c->target != NKW_CLIP_ROTATION) {
+        numbers[0] = (double)held_component(keys->c, k, keys->component);
+        return 0;
     }
-    nkw_quat q = held_rotation(c, k);
-    *sign = k > 0 && lane_slerp_cosine(held_rotation(c, k - 1), q) < 0.0f ? -*sign : *sign;
-    numbers[0] = *sign * q.x;
-    numbers[1] = *sign * q.y;
-    numbers[2] = *sign * q.z;
-    numbers[3] = *sign * q.w;
+    nkw_quat q = held_rotation(keys->c, k);
+    if (k > 0 && lane_slerp_cosine(held_rotation(keys->c, k - 1), q) < 0.0f)
+        keys->side = -keys->side;
+    double w = (double)keys->side * (double)q.w, lowest = k > 0 ? keys->lowest : 0.0;
+    unsigned turned = w < lowest;
+    keys->side = turned ? -keys->side : keys->side;
+    lane_compact_numbers(lane_wquat_scale(lane_wquat_from(q), (double)keys->side), numbers);
+    return turned;
 }
 
-/* (x - base) / step, to the nearest of 0..65535. */
-static uint16_t encode(float base, float step, float x)
-{
-    double part = step > 0.0f ? ((double)x - (double)base) / (double)step : 0.0;
-    return (uint16_t)(part < 0.0 ? 0.0 : part > 65535.0 ? 65535.0 : part + 0.5);
-}
+/* What the numbers of a lane lie between. */
+typedef struct compact_ranges {
+    double low[3], high[3], widest;
+} compact_ranges;
 
-/* All rows of a lane: one number, or a rotation's four. */
-static void fill_compact(const builder *b, const clip_group *g, const nkw_clip_track *c, size_t component, size_t lane)
+static compact_ranges ranges_of(compact_keys keys, size_t rows)
 {
-    size_t rows = clip_rows(g), count = c->track.count;
-    float numbers[4], low[4] = {0.0f}, high[4] = {0.0f}, sign = 1.0f;
-    for (size_t k = 0; k < count; k++) {
-        next_numbers(c, k, component, &sign, numbers);
-        for (size_t r = 0; r < rows; r++) {
-            low[r] = k == 0 || numbers[r] < low[r] ? numbers[r] : low[r];
-            high[r] = k == 0 || numbers[r] > high[r] ? numbers[r] : high[r];
+    compact_ranges r = {{0.0}, {0.0}, 0.0};
+    for (size_t k = 0; k < keys.c->track.count; k++) {
+        double x[3];
+        next_numbers(&keys, k, x);
+        for (size_t i = 0; i < rows; i++) {
+            r.low[i] = k == 0 || x[i] < r.low[i] ? x[i] : r.low[i];
+            r.high[i] = k == 0 || x[i] > r.high[i] ? x[i] : r.high[i];
+            r.widest = r.high[i] - r.low[i] > r.widest ? r.high[i] - r.low[i] : r.widest;
         }
     }
+    return r;
+}
+
+/* (x - base) / step in 0..65535. */
+static double part_of(float base, float step, double x)
+{
+    double part = step > 0.0f ? (x - (double)base) / (double)step : 0.0;
+    return part < 0.0 ? 0.0 : part > (double)CLIP_STEPS ? (double)CLIP_STEPS : part;
+}
+
+/*
+ * Each number to the nearest; those of a rotation to an odd sum where it is turned, else to an even one: if it is not,
+ * that number is rounded the other way which adds least to the square of the distance, (1 - 2 |off|) step^2. Three with
+ * the same step are then off by a step at most, all together.
+ */
+static void encode(const float base[3], const float step[3], const double x[3], size_t rows, unsigned turned,
+                   uint16_t parts[3])
+{
+    double least = 0.0;
+    size_t other = rows;
+    unsigned sum = 0, away = 0;
     for (size_t r = 0; r < rows; r++) {
-        high[r] = (float)(((double)high[r] - (double)low[r]) / (double)CLIP_STEPS);
-        floats_at(b, g->ranges)[lane_at(g, rows, r, lane)] = low[r];
-        floats_at(b, g->ranges)[rows * g->lanes + lane_at(g, rows, r, lane)] = high[r];
+        double part = part_of(base[r], step[r], x[r]);
+        unsigned nearest = (unsigned)(part + 0.5);
+        double off = part - (double)nearest, size = off < 0.0 ? -off : off;
+        double added = (1.0 - 2.0 * size) * (double)step[r] * (double)step[r];
+        if (other == rows || added < least) {
+            other = r;
+            least = added;
+            away = off < 0.0 || nearest == 65535 ? nearest - 1 : nearest + 1;
+        }
+        parts[r] = (uint16_t)nearest;
+        sum += nearest;
     }
-    sign = 1.0f;
-    for (size_t k = 0; k < count; k++) {
-        uint16_t *key = (uint16_t *)(void *)(b->words + g->keys + k * g->key_words);
-        next_numbers(c, k, component, &sign, numbers);
+    if (rows == 3 && sum % 2 != turned)
+        parts[other] = (uint16_t)away;
+}
+
+/*
+ * All rows of a lane. Rotations are those with w >= 0, so that their numbers are within -1..1; or, where that makes
+ * ranges narrower, those of one side as far as w = -1/2.
+ */
+static void fill_compact(const builder *b, const clip_group *g, const nkw_clip_track *c, size_t component, size_t lane)
+{
+    size_t rows = clip_rows(g), at[3];
+    compact_keys keys = {c, component, 0.0, 1.0f}, far_keys = {c, component, -0.5, 1.0f};
+    compact_ranges ranges = ranges_of(keys, rows), far_ranges = ranges_of(far_keys, rows);
+    float base[3], step[3];
+    if (far_ranges.widest < ranges.widest) {
+        keys = far_keys;
+        ranges = far_ranges;
+    }
+    for (size_t r = 0; r < rows; r++) {
+        at[r] = lane_at(g, rows, r, lane);
+        base[r] = floats_at(b, g->ranges)[at[r]] = (float)ranges.low[r];
+        step[r] = floats_at(b, g->ranges)[rows * g->lanes + at[r]] =
+            (float)((ranges.high[r] - (double)base[r]) / (double)CLIP_STEPS);
+    }
+    for (size_t k = 0; k < c->track.count; k++) {
+        uint16_t *key = (uint16_t *)(void *)(b->words + g->keys + k * g->key_words), parts[3];
+        double x[3];
+        unsigned turned = next_numbers(&keys, k, x);
+        encode(base, step, x, rows, turned, parts);
         for (size_t r = 0; r < rows; r++)
-            key[lane_at(g, rows, r, lane)] = encode(low[r], high[r], numbers[r]);
+            key[at[r]] = parts[r];
     }
 }
 
@@ -285,8 +348,10 @@ static void lay_group(builder *b, uint32_t timeline, const uint32_t *members, si
     g.normalized = clip_is_cubic(first) && clip_is_normalized(first);
     g.lanes = (uint32_t)clip_lanes(lay_lanes(&probe, &g, members, count).count);
     take(b, VALUES, round_up(b->used[VALUES], CLIP_ALIGN) - b->used[VALUES]);
-    if (b->tracks.source->format == NKW_CLIP_UNORM16 && !clip_is_cubic(first))
+    if (b->tracks.source->format == NKW_CLIP_UNORM16 && !clip_is_cubic(first)) {
+        g.ranges = CLIP_ALIGN; /* so that its rows are those of a compact group */
         g.ranges = (uint32_t)take(b, VALUES, round_up(2 * clip_rows(&g) * g.lanes, CLIP_ALIGN));
+    }
     g.key_words = (uint32_t)clip_key_words(&g);
     g.keys = (uint32_t)take(b, VALUES, (uint64_t)g.key_words * first->count);
     lanes l = lay_lanes(b, &g, members, count);

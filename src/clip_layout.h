@@ -14,8 +14,10 @@
  *
  * A CUBICSPLINE key is its in-tangents, its values and its out-tangents, each laid out so.
  *
- * A compact group has 16-bit numbers in its keys, in the same order and without arcs, and the range of each, once:
- * the bases of all numbers of a key, then the steps of all, number = base + step key.
+ * A compact group has 16-bit numbers in its keys, in the same order, and the range of each, once: the bases of all
+ * numbers of a key, then the steps of all, number = base + step key. Those of a rotation are the three that
+ * lane/clip.h makes of it, x[width] y[width] z[width], without arcs; where the sum of the three in the key is odd,
+ * slerp from the key before goes to -q.
  */
 #ifndef NAKAWARI_CLIP_LAYOUT_H
 #define NAKAWARI_CLIP_LAYOUT_H
@@ -27,7 +29,7 @@
 #include "batch/block.h"
 
 #define CLIP_MAGIC   0x70696c63u /* "clip", lowest byte first */
-#define CLIP_VERSION 2u
+#define CLIP_VERSION 3u
 #define CLIP_STEPS   65535.0f /* of a range */
 #define CLIP_ALIGN   16u /* words: key blocks and constants begin on 64 bytes of the block */
 
@@ -102,7 +104,7 @@ static inline size_t clip_lanes(size_t count)
 /* Floats of a lane in a value, and in a key. */
 static inline size_t clip_rows(const clip_group *g)
 {
-    return g->kind == GROUP_ROTATIONS ? 4 : 1;
+    return g->kind != GROUP_ROTATIONS ? 1 : g->ranges ? 3 : 4;
 }
 
 static inline size_t clip_key_rows(const clip_group *g)

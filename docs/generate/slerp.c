@@ -4,7 +4,7 @@
  *
  *     gcc -std=c99 -O2 docs/generate/slerp.c -lm -o slerp && ./slerp > src/data/slerp.h
  *
- * Needs a long double of 64 or more bits, such as x86's 80-bit one. Takes a second. u = 2^-24.
+ * Needs a long double of 64 or more bits, such as x86's 80-bit one. Takes two seconds. u = 2^-24.
  *
  * The formula (src/lane/orient.h), u = 1 - t:
  *
@@ -34,7 +34,13 @@ typedef struct place {
 } place;
 
 /* H: the sum of the terms v^i (t^2 v)^j, i <= degree[j], j < ROWS. */
-static const int degree[ROWS] = {6, 4, 2, 2, 0};
+typedef struct series {
+    const char *name, *said;
+    int degree[ROWS];
+} series;
+
+static const series full = {"LANE_SLERP_H", "", {6, 4, 2, 2, 0}};
+static const series brief = {"LANE_SLERP_BRIEF", " * Shorter, for compact clips.\n *\n", {4, 3, 2, 1, 0}};
 
 /* A place seen by the fit; basis[k] = (v/2)^i (t^2 v/2)^j. */
 typedef struct point {
@@ -44,6 +50,7 @@ typedef struct point {
 } point;
 
 typedef struct fit {
+    const series *of;
     int count, i[TERMS], j[TERMS], fixed[TERMS];
     real c[TERMS];
     point points[POINTS];
@@ -84,11 +91,12 @@ static void sample(const fit *f, point *at, real x, real t)
         at->basis[k] = powl(here.v / 2, f->i[k]) * powl(t * t * here.v / 2, f->j[k]);
 }
 
-static void list_terms(fit *f)
+static void list_terms(fit *f, const series *of)
 {
+    f->of = of;
     f->count = 0;
     for (int j = 0; j < ROWS; j++) {
-        for (int i = 0; i <= degree[j]; i++, f->count++) {
+        for (int i = 0; i <= f->of->degree[j]; i++, f->count++) {
             f->i[f->count] = i;
             f->j[f->count] = j;
             f->fixed[f->count] = 0;
@@ -286,7 +294,7 @@ static real largest_error(const fit *f)
 
 static void print_row(const fit *f, int j)
 {
-    printf("static const float LANE_SLERP_H%d[%d] = {\n", j, degree[j] + 1);
+    printf("static const float %s%d[%d] = {\n", f->of->name, j, f->of->degree[j] + 1);
     for (int k = 0; k < f->count; k++)
         if (f->j[k] == j)
             printf("    %af,\n", (double)coefficient(f, k));
@@ -297,16 +305,17 @@ static void print_row(const fit *f, int j)
 static void print_series(const fit *f)
 {
     real error = ceill(1000 * largest_error(f) / U) / 1000;
-    printf("\n/*\n * H = H0(v) + T (H1(v) + T (H2(v) + T (H3(v) + T H4))), T = t^2 v, lowest power of v first.\n");
+    printf("\n/*\n%s * H = H0(v) + T (H1(v) + T (H2(v) + T (H3(v) + T H4))), T = t^2 v, lowest power of v first.\n",
+           f->of->said);
     printf(" * sin(t theta) / sin theta = t - t (1 - t) (1 + t) v H. Off by at most %.3Lf u for t in -1..1.\n */\n", error);
     for (int j = 0; j < ROWS; j++)
         print_row(f, j);
 }
 
-static void make_series(void)
+static void make_series(const series *of)
 {
     static fit f;
-    list_terms(&f);
+    list_terms(&f, of);
     sample_all(&f);
     minimax(&f, 40);
     settle_all(&f);
@@ -334,7 +343,8 @@ int main(void)
         return 1;
     }
     print_head();
-    make_series();
+    make_series(&full);
+    make_series(&brief);
     printf("\n#endif\n");
     return fflush(stdout) != 0 || ferror(stdout);
 }

@@ -2,9 +2,12 @@
 /* Between two keys of a clip's group, block by block. src/clip_layout.h has the layout of keys. */
 #include "lane/strict.h"
 
+#include <string.h>
+
 #include "batch/block.h"
 #include "batch/element.h"
 #include "batch/table.h"
+#include "lane/clip.h"
 #include "lane/curve.h"
 #include "lane/orient.h"
 
@@ -21,15 +24,25 @@ static inline nkw_quat_span rows_to(float *x, size_t stride)
     return span;
 }
 
-/* The lanes of `rows` rows, `apart` floats apart, to their places in components `stride` apart. */
+/* The lanes of `rows` rows, `apart` floats apart, to their places in components `stride` apart; two at a time. */
 static inline void scatter(const nkw_block *block, const float *from, size_t apart, size_t rows, float *out,
                            size_t stride)
 {
-    for (size_t i = 0; i < block->count; i++) {
-        float *to = out + block->places[i];
-        for (size_t row = 0; row < rows; row++)
-            to[row * stride] = from[row * apart + i];
+    const uint32_t *places = block->places;
+    size_t i = 0;
+    for (; i + 1 < block->count; i += 2) {
+        float *to = out + places[i];
+        if (places[i + 1] - places[i] == 1)
+            for (size_t row = 0; row < rows; row++)
+                memcpy(to + row * stride, from + row * apart + i, 2 * sizeof *to);
+        else
+            for (size_t row = 0; row < rows; row++) {
+                to[row * stride] = from[row * apart + i];
+                out[places[i + 1] + row * stride] = from[row * apart + i + 1];
+            }
     }
+    for (size_t row = 0; i < block->count && row < rows; row++)
+        out[places[i] + row * stride] = from[row * apart + i];
 }
 
 static inline size_t blocks_in(size_t lanes)
@@ -142,8 +155,10 @@ static inline void lerp16_lanes(const uint16_t *a, const uint16_t *b, const floa
                                 float *out, size_t n)
 {
 #pragma omp simd
-    for (size_t i = 0; i < n; i++)
-        out[i] = base[i] + step[i] * nkw_lerp((float)a[i], (float)b[i], t);
+    for (size_t i = 0; i < n; i++) {
+        float from = (float)a[i], to = (float)b[i];
+        out[i] = base[i] + step[i] * (from + t * (to - from));
+    }
 }
 
 KERNEL(clip_lerp16)
@@ -161,81 +176,106 @@ KERNEL(clip_lerp16)
     }
 }
 
-/*
- * A pass of its own over both keys: with 16-bit numbers in it, the loop over rotations would take twice as many as
- * registers hold.
- */
-static inline void decode(const uint16_t *a, const uint16_t *b, const float *base, const float *step, float *from,
-                          float *to, size_t n)
+/* A block of rotations between two keys, row by row, and what slerp needs to know of each. */
+typedef struct pair16 {
+    float from[4 * NKW_BLOCK], to[4 * NKW_BLOCK], v[NKW_BLOCK], of_a[NKW_BLOCK], of_b[NKW_BLOCK];
+    uint32_t turned[NKW_BLOCK];
+} pair16;
+
+static inline void decode(const uint16_t *key, const float *base, const float *step, float *out, size_t n)
 {
 #pragma omp simd
-    for (size_t i = 0; i < n; i++) {
-        from[i] = base[i] + step[i] * (float)a[i];
-        to[i] = base[i] + step[i] * (float)b[i];
+    for (size_t i = 0; i < n; i++)
+        out[i] = base[i] + step[i] * (float)key[i];
+}
+
+/* Where its three numbers have an odd sum, a rotation is turned against the key before. */
+INLINE void decode_pair(const uint16_t *a, const uint16_t *b, const float *base, const float *step, pair16 *pair,
+                        size_t width)
+{
+    uint32_t *turned = pair->turned;
+    decode(a, base, step, pair->from, 3 * width);
+    decode(b, base, step, pair->to, 3 * width);
+#pragma omp simd
+    for (size_t i = 0; i < width; i++)
+        turned[i] = ((uint32_t)b[i] ^ b[width + i] ^ b[2 * width + i]) << 31;
+}
+
+INLINE void arcs_of_pair(pair16 *pair, size_t width)
+{
+    nkw_quat_span from = rows_to(pair->from, width), to = rows_to(pair->to, width);
+    float *v = pair->v, *of_a = pair->of_a, *of_b = pair->of_b;
+    const uint32_t *turned = pair->turned;
+#pragma omp simd
+    for (size_t i = 0; i < width; i++) {
+        nkw_quat a = lane_compact_quat(at_vec3(from, i)), b = lane_compact_quat(at_vec3(to, i));
+        lane_compact_arc arc = lane_compact_arc_between(a, b, turned[i]);
+        from.w[i] = a.w;
+        to.w[i] = b.w;
+        v[i] = arc.v;
+        of_a[i] = arc.of_a;
+        of_b[i] = arc.of_b;
     }
 }
 
-/* q / |q| for a length that is near 1: 1/sqrt(1 - m) = 1 + m/2 + 3 m^2/8 ... */
-static inline nkw_quat near_unit(nkw_quat q)
+INLINE void slerp_pair(const pair16 *pair, const lane_compact_pace *pace, float *out, size_t stride, size_t width)
 {
-    float m = lane_quat_defect(q);
-    return nkw_quat_add(q, nkw_quat_scale(q, m * (0.5f + 0.375f * m)));
-}
-
-/*
- * Keys are on the side of the one before. Those half a turn apart have a dot product about 0, which 16 bits may have
- * made negative: they are not turned again, for that would be the way round the other side. Arcs have a pass of their
- * own, so that no lane waits for the division of the one before.
- */
-INLINE void slerp16_block(const float *a, const float *b, lane_slerp_pace pace, float *out, size_t stride, size_t width)
-{
-    nkw_quat_view from = rows_of(a, width), to = rows_of(b, width);
+    nkw_quat_view from = rows_of(pair->from, width), to = rows_of(pair->to, width);
     nkw_quat_span o = rows_to(out, stride);
-    float arcs[NKW_BLOCK];
+    const float *v = pair->v, *of_a = pair->of_a, *of_b = pair->of_b;
 #pragma omp simd
     for (size_t i = 0; i < width; i++) {
-        nkw_quat p = at_quat(from, i), q = at_quat(to, i);
-        arcs[i] = lane_slerp_arc_to(p, q, lane_slerp_cosine(p, q), 0).v;
-    }
-#pragma omp simd
-    for (size_t i = 0; i < width; i++) {
-        lane_slerp_arc arc = lane_slerp_arc_of(0, arcs[i]);
-        put_quat(o, i, near_unit(lane_quat_slerp_on(at_quat(from, i), at_quat(to, i), &arc, &pace)));
+        lane_compact_arc arc = {v[i], of_a[i], of_b[i]};
+        put_quat(o, i, lane_compact_slerp(at_quat(from, i), at_quat(to, i), arc, pace));
     }
 }
 
-INLINE void slerp16_blocks(const uint16_t *a, const uint16_t *b, const float *base, const float *step,
-                           lane_slerp_pace pace, const nkw_block *blocks, size_t block_count, float *out, size_t stride)
+INLINE void slerp_pair_to(const pair16 *pair, const lane_compact_pace *pace, const nkw_block *block, float *out,
+                          size_t stride)
 {
-    for (size_t k = 0; k < block_count; k++) {
-        size_t at = k * 4 * NKW_BLOCK, width = blocks[k].width;
-        float from[4 * NKW_BLOCK], to[4 * NKW_BLOCK], mixed[4 * NKW_BLOCK];
-        int direct = blocks[k].direct > 0;
-        float *o = direct ? out + blocks[k].places[0] : mixed;
-        size_t apart = direct ? stride : NKW_BLOCK;
-        if (width == NKW_BLOCK) {
-            decode(a + at, b + at, base + at, step + at, from, to, 4 * NKW_BLOCK);
-            slerp16_block(from, to, pace, o, apart, NKW_BLOCK);
-        } else {
-            decode(a + at, b + at, base + at, step + at, from, to, 4 * width);
-            slerp16_block(from, to, pace, o, apart, width);
-        }
-        if (!direct)
-            scatter(&blocks[k], mixed, NKW_BLOCK, 4, out, stride);
-    }
+    float mixed[4 * NKW_BLOCK];
+    int direct = block->direct > 0;
+    float *o = direct ? out + block->places[0] : mixed;
+    size_t apart = direct ? stride : NKW_BLOCK;
+    if (block->width == NKW_BLOCK)
+        slerp_pair(pair, pace, o, apart, NKW_BLOCK);
+    else
+        slerp_pair(pair, pace, o, apart, block->width);
+    if (!direct)
+        scatter(block, mixed, NKW_BLOCK, 4, out, stride);
 }
+
+#define PAIRS 8 /* blocks that take each step together, so that no step waits for the divisions of the one before */
 
 KERNEL(clip_slerp16)
 (const uint16_t *a, const uint16_t *b, const float *base, const float *step, float t, const nkw_block *blocks,
  size_t block_count, float *out, size_t stride)
 {
-    lane_slerp_pace pace = lane_slerp_pace_at(t);
-    if (pace.first)
-        slerp16_blocks(a, b, base, step, lane_slerp_near(pace, 1), blocks, block_count, out, stride);
-    else if (pace.half)
-        slerp16_blocks(a, b, base, step, pace, blocks, block_count, out, stride);
-    else
-        slerp16_blocks(a, b, base, step, lane_slerp_near(pace, 0), blocks, block_count, out, stride);
+    lane_compact_pace pace = lane_compact_pace_at(t);
+    pair16 pairs[PAIRS];
+    while (block_count > 0) {
+        size_t n = block_count < PAIRS ? block_count : PAIRS;
+        for (size_t k = 0; k < n; k++) {
+            size_t width = blocks[k].width;
+            if (width == NKW_BLOCK)
+                decode_pair(a, b, base, step, &pairs[k], NKW_BLOCK);
+            else
+                decode_pair(a, b, base, step, &pairs[k], width);
+            a += 3 * width;
+            b += 3 * width;
+            base += 3 * width;
+            step += 3 * width;
+        }
+        for (size_t k = 0; k < n; k++)
+            if (blocks[k].width == NKW_BLOCK)
+                arcs_of_pair(&pairs[k], NKW_BLOCK);
+            else
+                arcs_of_pair(&pairs[k], blocks[k].width);
+        for (size_t k = 0; k < n; k++)
+            slerp_pair_to(&pairs[k], &pace, &blocks[k], out, stride);
+        blocks += n;
+        block_count -= n;
+    }
 }
 
 /* `words` floats to a value. Tangents are per second; times the duration they are per segment. */

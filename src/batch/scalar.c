@@ -6,13 +6,14 @@
 #include "batch/element.h"
 #include "batch/table.h"
 #include "lane/scalar.h"
+#include "lane/two.h"
 
 /*
  * Angles come in blocks. The lanes for near angles vectorise; a block that holds a far one, which is rare, takes the
- * single functions throughout. So does one of fewer elements than any vector has.
+ * single functions throughout. So does one of so few elements that most of them would be left over by vectors.
  */
 #define BLOCK 256
-#define FEW   4
+#define FEW   8
 
 typedef float function(float);
 
@@ -59,15 +60,24 @@ KERNEL(cos)(const float *angle, float *out, size_t n)
     each_angle(lane_cos, lane_cos_any, angle, out, n);
 }
 
+static inline void put_sincos(float *sine, float *cosine, size_t i, lane_sincos a)
+{
+    sine[i] = (float)a.s;
+    cosine[i] = (float)a.c;
+}
+
 KERNEL(sincos)(const float *angle, float *sine, float *cosine, size_t n)
 {
     for (size_t i = 0; i < n; i += BLOCK) {
-        /* One of the outputs may be the input. */
-        float copy[BLOCK];
-        size_t count = n - i < BLOCK ? n - i : BLOCK;
-        memcpy(copy, angle + i, count * sizeof *copy);
-        each_angle(lane_sin, lane_sin_any, copy, sine + i, count);
-        each_angle(lane_cos, lane_cos_any, copy, cosine + i, count);
+        size_t end = n - i < BLOCK ? n : i + BLOCK;
+        if (end - i < FEW || any_far(angle + i, end - i)) {
+            for (size_t k = i; k < end; k++)
+                put_sincos(sine, cosine, k, lane_sincos64_single((double)angle[k]));
+        } else {
+#pragma omp simd
+            for (size_t k = i; k < end; k++)
+                put_sincos(sine, cosine, k, lane_sincos64((double)angle[k]));
+        }
     }
 }
 

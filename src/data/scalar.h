@@ -11,9 +11,9 @@
 #define LANE_HALF_PI    0x1.921fb54442d18p0
 #define LANE_QUARTER_PI 0x1.921fb54442d18p-1
 #define LANE_INVERSE_PI 0x1.45f306dc9c883p-2
-/* pi = high + low: high has 33 bits, the sum is off by at most 2^-86. */
-#define LANE_PI_HIGH 0x1.921fb544p1
-#define LANE_PI_LOW  0x1.0b4611a626331p-33
+/* 1/pi = high + low: high has 29 bits, the sum is off by at most 2^-84. */
+#define LANE_INVERSE_PI_HIGH 0x1.45f306dp-2
+#define LANE_INVERSE_PI_LOW  0x1.9391054a7f09dp-31
 /* tan(pi/8). */
 #define LANE_TAN_EIGHTH_PI 0x1.a827999fcef32p-2
 /* ln 2, log2 e, 2 log2 e. */
@@ -21,14 +21,14 @@
 #define LANE_LOG2_E     0x1.71547652b82fep0
 #define LANE_TWO_LOG2_E 0x1.71547652b82fep1
 
-/* sin r = r (1 + z P(z)), z = r^2, |r| <= 1.5709. Relative error 2^-43.7. */
+/* sin(pi t) = t P(z), z = t^2, |t| <= 0.5008. Relative error 2^-35.2. */
 static const double LANE_SIN[6] = {
-    -0x1.5555555547112p-3,
-    0x1.1111110a54715p-7,
-    -0x1.a019fd58bdbe9p-13,
-    0x1.71dcf82b8236bp-19,
-    -0x1.ae03f1d4f8455p-26,
-    0x1.52db736d8a58cp-33,
+    0x1.921fb54442d18p1,
+    -0x1.4abbce54a5999p2,
+    0x1.466bc0ae25082p1,
+    -0x1.32d131e49ffefp-1,
+    0x1.5013bdcb7bdf3p-4,
+    -0x1.cc87825947419p-8,
 };
 
 /* atan q = q (1 + z P(z)), z = q^2, |q| <= tan(pi/8). Relative error 2^-45.0. */

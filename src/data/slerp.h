@@ -42,4 +42,36 @@ static const float LANE_SLERP_H4[1] = {
     -0x1.dd5ca2p-27f,
 };
 
+/*
+ * Shorter, for compact clips.
+ *
+ * H = H0(v) + T (H1(v) + T (H2(v) + T (H3(v) + T H4))), T = t^2 v, lowest power of v first.
+ * sin(t theta) / sin theta = t - t (1 - t) (1 + t) v H. Off by at most 1.075 u for t in -1..1.
+ */
+static const float LANE_SLERP_BRIEF0[5] = {
+    -0x1.55566ap-3f,
+    -0x1.87d0a6p-8f,
+    -0x1.7380ccp-11f,
+    -0x1.14367cp-16f,
+    -0x1.e9ea9ep-18f,
+};
+static const float LANE_SLERP_BRIEF1[4] = {
+    0x1.10d672p-7f,
+    -0x1.20f71ap-13f,
+    0x1.fe44d4p-15f,
+    0x1.1a8a9cp-20f,
+};
+static const float LANE_SLERP_BRIEF2[3] = {
+    -0x1.9becfep-13f,
+    0x1.f0691p-17f,
+    -0x1.22b42p-19f,
+};
+static const float LANE_SLERP_BRIEF3[2] = {
+    0x1.3bee4ep-19f,
+    -0x1.f9127ep-24f,
+};
+static const float LANE_SLERP_BRIEF4[1] = {
+    -0x1.fad19cp-27f,
+};
+
 #endif

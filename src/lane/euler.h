@@ -46,14 +46,14 @@ static inline lane_wquat lane_wquat_from_half_angles(double i, double j, double 
     return lane_wquat_from_halves(lane_sincos64_any(i), lane_sincos64_any(j), lane_sincos64_any(k), e);
 }
 
-/* The same of half angles below LANE_NEAR: six sines, for cos x = sin(pi/2 + |x|). */
+/* The same of half angles below LANE_NEAR: six sines, for cos x = sin(pi/2 - |x|). */
 static inline lane_wquat lane_wquat_from_near_half_angles(double i, double j, double k, double e)
 {
 #if defined(LANE_TWO)
-    const lane_two whole = {0.0, 0.0}, quarter = {-0.5, -0.5}, mixed = {0.0, -0.5}, sign = {e, -e};
-    lane_two ij = lane_two_of(i, j), a = lane_two_abs(ij), kk = lane_two_all(k);
-    kk = LANE_TWO_MIX(kk, lane_two_abs(kk), 0, 2);
-    lane_two s = lane_two_sine64(ij, whole), c = lane_two_sine64(a, quarter), sc = lane_two_sine64(kk, mixed);
+    const lane_two none = {-0.0, -0.0}, half = {0.5, 0.5}, mixed = {-0.0, 0.5}, sign = {e, -e};
+    lane_two ij = lane_two_of(i, j), kk = LANE_TWO_MIX(lane_two_all(k), -lane_two_abs(lane_two_all(k)), 0, 2);
+    lane_two s = lane_two_sine64(ij, none), c = lane_two_sine64(-lane_two_abs(ij), half);
+    lane_two sc = lane_two_sine64(kk, mixed);
     lane_two cs = lane_two_swap(sc);
     lane_two once = s * lane_two_swap(c), other = lane_two_swap(once);
     lane_two even = LANE_TWO_MIX(c, s, 0, 2) * LANE_TWO_MIX(c, s, 1, 3);

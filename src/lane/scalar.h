@@ -56,12 +56,12 @@ static inline int lane_angle_is_far(float x)
 
 static inline float lane_sin(float x)
 {
-    return (float)lane_sine64(lane_half_turns((double)x, 0.0));
+    return (float)lane_sin64((double)x);
 }
 
 static inline float lane_sin_far(float x)
 {
-    return (float)lane_sine64(lane_half_turns_far((double)x, 0.0));
+    return (float)lane_sin64_far((double)x);
 }
 
 static inline float lane_sin_any(float x)
@@ -71,12 +71,12 @@ static inline float lane_sin_any(float x)
 
 static inline float lane_cos(float x)
 {
-    return (float)-lane_sine64(lane_half_turns(lane_abs64((double)x), 0.5));
+    return (float)lane_cos64((double)x);
 }
 
 static inline float lane_cos_far(float x)
 {
-    return (float)-lane_sine64(lane_half_turns_far(lane_abs64((double)x), 0.5));
+    return (float)lane_cos64_far((double)x);
 }
 
 static inline float lane_cos_any(float x)
@@ -114,31 +114,31 @@ typedef struct lane_arc {
     double steep; /* 1 above 1/2, else 0 */
 } lane_arc;
 
-static inline lane_arc lane_arc_of(double x)
+static inline lane_arc lane_arc_of(float x)
 {
-    double magnitude = lane_abs64(x);
-    double a = magnitude > 1.0 ? 1.0 : magnitude;
-    double square = a > 0.5 ? 0.5 - 0.5 * a : a * a;
-    double s = a > 0.5 ? lane_sqrt64_near(square) : a;
+    float magnitude = lane_abs(x);
+    float a = magnitude > 1.0f ? 1.0f : magnitude;
+    double half = (double)(0.5f - 0.5f * a); /* exact for a > 1/2 */
+    double square = a > 0.5f ? half : (double)a * (double)a;
+    double s = a > 0.5f ? lane_sqrt64_near(half) : (double)a;
     lane_arc arc;
     arc.angle = s * (1.0 + square * lane_poly10(LANE_ASIN, square, square * square));
-    arc.steep = a > 0.5 ? 1.0 : 0.0;
+    arc.steep = a > 0.5f ? 1.0 : 0.0;
     return arc;
 }
 
 static inline float lane_asin(float x)
 {
-    lane_arc arc = lane_arc_of((double)x);
+    lane_arc arc = lane_arc_of(x);
     double angle = arc.steep > 0.0 ? LANE_HALF_PI - 2.0 * arc.angle : arc.angle;
-    return (float)lane_copysign64(angle, (double)x);
+    return lane_copysign((float)angle, x);
 }
 
 static inline float lane_acos(float x)
 {
-    lane_arc arc = lane_arc_of((double)x);
-    double steep = x < 0.0f ? LANE_PI - 2.0 * arc.angle : 2.0 * arc.angle;
-    double flat = x < 0.0f ? LANE_HALF_PI + arc.angle : LANE_HALF_PI - arc.angle;
-    return (float)(arc.steep > 0.0 ? steep : flat);
+    lane_arc arc = lane_arc_of(x);
+    double angle = arc.steep > 0.0 ? 2.0 * arc.angle : LANE_HALF_PI - arc.angle;
+    return (float)(x < 0.0f ? LANE_PI - angle : angle);
 }
 
 static inline float lane_atan2(float y, float x)
@@ -200,23 +200,22 @@ static inline lane_logarithm lane_logarithm_of(double x)
     return l;
 }
 
-/* A logarithm's value where x is not a positive finite number. */
-static inline double lane_logarithm_ends(double value, double x)
-{
-    double finite = x < (double)INFINITY ? value : x;
-    return x > 0.0 ? finite : (x == 0.0 ? -(double)INFINITY : (double)NAN);
-}
-
+/* Beyond the positive finite numbers: +inf for itself, -inf for zeros, else NaN. */
 static inline float lane_log(float x)
 {
     lane_logarithm l = lane_logarithm_of((double)x);
-    return (float)lane_logarithm_ends(l.exponent * LANE_LN_2 + 2.0 * l.atanh_s, (double)x);
+    float value = (float)(l.exponent * LANE_LN_2 + 2.0 * l.atanh_s);
+    float finite = x < INFINITY ? value : x;
+    return x > 0.0f ? finite : (x == 0.0f ? -INFINITY : NAN);
 }
 
+/* The same beyond them. */
 static inline double lane_log2_64(double x)
 {
     lane_logarithm l = lane_logarithm_of(x);
-    return lane_logarithm_ends(l.exponent + l.atanh_s * LANE_TWO_LOG2_E, x);
+    double value = l.exponent + l.atanh_s * LANE_TWO_LOG2_E;
+    double finite = x < (double)INFINITY ? value : x;
+    return x > 0.0 ? finite : (x == 0.0 ? -(double)INFINITY : (double)NAN);
 }
 
 /* |y| less the nearest whole number: 0 where y is whole or infinite, 1/2 or -1/2 for half an odd number. */
@@ -259,27 +258,27 @@ static inline double lane_wrap_turn64(double r)
     return lowered <= LANE_WRAP_LOW ? lowered + LANE_TWO_PI : lowered;
 }
 
-/* x reduced by whole turns to [-pi, pi]: half of x by half turns, doubled. */
+/* x less whole turns, in turns: in [-1/2, 1/2], but for 2^-10. Half of x by half turns. */
 static inline double lane_turn_rest64(double x)
 {
-    return 2.0 * lane_half_turns(0.5 * x, 0.0).r;
+    return lane_half_turns(0.5 * x, -0.0).t;
 }
 
 static inline double lane_turn_rest64_far(double x)
 {
-    return 2.0 * lane_half_turns_far(0.5 * x, 0.0).r;
+    return lane_half_turns_far(0.5 * x, -0.0).t;
 }
 
 static inline float lane_wrap_angle(float x)
 {
-    float wrapped = (float)lane_wrap_turn64(lane_turn_rest64((double)x));
+    float wrapped = (float)lane_wrap_turn64(LANE_TWO_PI * lane_turn_rest64((double)x));
     float inside = (double)x > -LANE_PI_FLOAT ? x : wrapped;
     return (double)x <= LANE_PI_FLOAT ? inside : wrapped;
 }
 
 static inline float lane_wrap_angle_far(float x)
 {
-    return (float)lane_wrap_turn64(lane_turn_rest64_far((double)x));
+    return (float)lane_wrap_turn64(LANE_TWO_PI * lane_turn_rest64_far((double)x));
 }
 
 static inline float lane_wrap_angle_any(float x)
@@ -290,13 +289,13 @@ static inline float lane_wrap_angle_any(float x)
 static inline float lane_angle_difference(float from, float to)
 {
     double difference = lane_turn_rest64((double)to) - lane_turn_rest64((double)from);
-    return (float)lane_wrap_turn64(difference);
+    return (float)lane_wrap_turn64(LANE_TWO_PI * difference);
 }
 
 static inline float lane_angle_difference_far(float from, float to)
 {
     double difference = lane_turn_rest64_far((double)to) - lane_turn_rest64_far((double)from);
-    return (float)lane_wrap_turn64(difference);
+    return (float)lane_wrap_turn64(LANE_TWO_PI * difference);
 }
 
 /* Where lane_wrap is not exact: quotients from 2^28. False where the result is NaN anyway. */

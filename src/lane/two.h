@@ -77,21 +77,21 @@ static inline lane_two lane_two_poly8(const double *c, lane_two z, lane_two zz)
 }
 
 /* lane_sine64 of lane_half_turns. */
-static inline lane_two lane_two_sine64(lane_two x, lane_two shift)
+static inline lane_two lane_two_sine64(lane_two x, lane_two offset)
 {
-    lane_two rounded = (x * LANE_INVERSE_PI - shift) + LANE_ROUND;
-    lane_two turns = (rounded - LANE_ROUND) + shift;
-    lane_two r = (x - turns * LANE_PI_HIGH) - turns * LANE_PI_LOW;
-    lane_two z = r * r;
-    lane_two sine = r * (1.0 + z * lane_two_poly6(LANE_SIN, z, z * z));
+    lane_two high = offset + x * LANE_INVERSE_PI_HIGH;
+    lane_two rounded = high + LANE_ROUND;
+    lane_two t = (high - (rounded - LANE_ROUND)) + x * LANE_INVERSE_PI_LOW;
+    lane_two z = t * t;
+    lane_two sine = t * lane_two_poly6(LANE_SIN, z, z * z);
     return (lane_two)((lane_two_bits)sine ^ ((lane_two_bits)rounded << 63));
 }
 
 static inline lane_sincos lane_sincos64_near(double x)
 {
-    const lane_two_bits magnitude = {-1, INT64_MAX};
-    const lane_two shift = {0.0, -0.5};
-    lane_two a = lane_two_sine64((lane_two)((lane_two_bits)lane_two_all(x) & magnitude), shift);
+    const lane_two_bits negative = {0, INT64_MIN};
+    const lane_two offset = {-0.0, 0.5};
+    lane_two a = lane_two_sine64((lane_two)((lane_two_bits)lane_two_all(x) | negative), offset);
     lane_sincos r = {a[0], a[1]};
     return r;
 }

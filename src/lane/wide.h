@@ -3,7 +3,7 @@
  * Binary64 inside, binary32 outside: square root, sine, cosine and arc tangent before their last rounding.
  *
  * Only + - * / and the bits of a number: no libm, so nothing is imported and every target gives the same
- * result. Relative errors stand with each function; 2^-43 adds 2^-20 ULP to a later rounding to float.
+ * result. Relative errors stand with each function; 2^-44 adds 2^-20 ULP to a later rounding to float.
  */
 #ifndef NAKAWARI_LANE_WIDE_H
 #define NAKAWARI_LANE_WIDE_H
@@ -154,27 +154,28 @@ static inline int lane_root_is_near(double x)
     return x > 0x1p-100 && x < 0x1p100;
 }
 
-/* An angle as n half turns, some given fraction of one, and a rest r: |r| <= pi/2 but for rounding. */
+/* An angle as n + t half turns: |t| <= 1/2, but for 2^-10. */
 typedef struct lane_turns {
-    double r;
+    double t;
     uint64_t n; /* only bit 0, n odd, is meant */
 } lane_turns;
 
 /*
- * x = (n + shift) pi + r, shift 0 or 1/2, for |x| < LANE_NEAR and x of at most 24 bits.
+ * offset + x/pi = n + t for |x| < LANE_NEAR and x of at most 24 bits, offset 1/2 or none: -0, for x + -0 is x.
  *
- *     r = (x - (n + shift) pi_high) - (n + shift) pi_low
+ *     t = ((offset + x high) - n) + x low,     high + low = 1/pi
  *
- * n + shift has at most 20 bits and pi_high 33: product and first difference are exact (Cody, Waite,
- * Software Manual for the Elementary Functions, 1980). |error of r| < 2^-65 + 2^-53 |r|.
- * Larger finite x give some number, inf and NaN give NaN.
+ * high has 29 bits, so x high is exact, and so is its difference from n. 1/2 + x high, for x <= 0, is exact below
+ * 1/4 and else rounded within 2^-52 t (Cody, Waite, Software Manual for the Elementary Functions, 1980).
+ * |error of t| < 2^-63 + 2^-51 |t|. high and low are positive, so -0 gives -0. An x of more bits counts as one
+ * within 2^-53 of itself. Larger finite x give some number, inf and NaN give NaN.
  */
-static inline lane_turns lane_half_turns(double x, double shift)
+static inline lane_turns lane_half_turns(double x, double offset)
 {
-    double rounded = (x * LANE_INVERSE_PI - shift) + LANE_ROUND;
-    double turns = (rounded - LANE_ROUND) + shift;
+    double high = offset + x * LANE_INVERSE_PI_HIGH;
+    double rounded = high + LANE_ROUND;
     lane_turns a;
-    a.r = (x - turns * LANE_PI_HIGH) - turns * LANE_PI_LOW;
+    a.t = (high - (rounded - LANE_ROUND)) + x * LANE_INVERSE_PI_LOW;
     a.n = lane_bits64(rounded);
     return a;
 }
@@ -182,56 +183,71 @@ static inline lane_turns lane_half_turns(double x, double shift)
 /*
  * The same for every x of at most 24 bits with |x| < 2^128.
  *
- *     x/pi = x c0 + x c1 + x c2 (modulo 4),     r = pi ((x c0 - (n + shift)) + x c1 + x c2)
+ *     x/pi = x c0 + x c1 + x c2 (modulo 4),     t = (((offset + x c0) - n) + x c1) + x c2
  *
  * x c0 and x c1 are exact, the row of c leaves out what makes multiples of 4 (Payne, Hanek, Radian
- * Reduction for Trigonometric Functions, SIGNUM Newsletter, 1983). |error of r| < 2^-76 + 2^-51 |r|.
+ * Reduction for Trigonometric Functions, SIGNUM Newsletter, 1983). |error of t| < 2^-77 + 2^-51 |t|.
  */
-static inline lane_turns lane_half_turns_far(double x, double shift)
+static inline lane_turns lane_half_turns_far(double x, double offset)
 {
     uint64_t exponent = (lane_bits64(x) & ~LANE_SIGN) >> 52;
     uint64_t row = exponent < 1023 ? 0 : (exponent - 1023) >> 3;
     const double *c = LANE_INVERSE_PI_ROWS[row < 16 ? row : 15];
-    double high = x * c[0];
+    double high = offset + x * c[0];
     double middle = x * c[1];
-    double rounded = ((high + middle) - shift) + LANE_ROUND;
-    double turns = (rounded - LANE_ROUND) + shift;
+    double rounded = (high + middle) + LANE_ROUND;
     lane_turns a;
-    a.r = (((high - turns) + middle) + x * c[2]) * LANE_PI;
+    a.t = ((high - (rounded - LANE_ROUND)) + middle) + x * c[2];
     a.n = lane_bits64(rounded);
     return a;
 }
 
-/* (-1)^n sin r, relative error 2^-43.6. Zero keeps its sign. */
+/* (-1)^n sin(pi t), relative error 2^-35.2. Zero keeps its sign. */
 static inline double lane_sine64(lane_turns a)
 {
-    double z = a.r * a.r;
-    double sine = a.r * (1.0 + z * lane_poly6(LANE_SIN, z, z * z));
+    double z = a.t * a.t;
+    double sine = a.t * lane_poly6(LANE_SIN, z, z * z);
     return lane_double(lane_bits64(sine) ^ (a.n << 63));
+}
+
+/*
+ * sin x and cos x, relative error 2^-35.2 each, for |x| < LANE_NEAR and x of at most 24 bits: a float or half
+ * a float. cos x is the sine of pi/2 - |x|: exactly even. inf and NaN give NaN.
+ */
+static inline double lane_sin64(double x)
+{
+    return lane_sine64(lane_half_turns(x, -0.0));
+}
+
+static inline double lane_cos64(double x)
+{
+    return lane_sine64(lane_half_turns(-lane_abs64(x), 0.5));
 }
 
 typedef struct lane_sincos {
     double s, c;
 } lane_sincos;
 
-/*
- * sin x and cos x, relative error 2^-43.5 each, for |x| < LANE_NEAR and x of at most 24 bits: a float or half
- * a float. cos x = -(-1)^n sin r with |x| = (n + 1/2) pi + r: exactly even. inf and NaN give NaN.
- */
 static inline lane_sincos lane_sincos64(double x)
 {
-    lane_sincos a;
-    a.s = lane_sine64(lane_half_turns(x, 0.0));
-    a.c = -lane_sine64(lane_half_turns(lane_abs64(x), 0.5));
+    lane_sincos a = {lane_sin64(x), lane_cos64(x)};
     return a;
 }
 
 /* The same for every |x| < 2^128. */
+static inline double lane_sin64_far(double x)
+{
+    return lane_sine64(lane_half_turns_far(x, -0.0));
+}
+
+static inline double lane_cos64_far(double x)
+{
+    return lane_sine64(lane_half_turns_far(-lane_abs64(x), 0.5));
+}
+
 static inline lane_sincos lane_sincos64_far(double x)
 {
-    lane_sincos a;
-    a.s = lane_sine64(lane_half_turns_far(x, 0.0));
-    a.c = -lane_sine64(lane_half_turns_far(lane_abs64(x), 0.5));
+    lane_sincos a = {lane_sin64_far(x), lane_cos64_far(x)};
     return a;
 }
 

@@ -1,0 +1,101 @@
+/* SPDX-License-Identifier: MIT */
+/* Floor 4: the rotations of compact clips. */
+#ifndef NAKAWARI_LANE_CLIP_H
+#define NAKAWARI_LANE_CLIP_H
+
+#include "strict.h"
+
+#include "orient.h"
+
+/*
+ * A rotation in three numbers: its axis times the tangent of a quarter of its angle,
+ *
+ *     p = (x, y, z)/(1 + w)        q = (p, (1 - p.p)/2) / ((1 + p.p)/2)
+ *
+ * Any three numbers are a rotation, and of q and -q one has |p| <= 1. The map keeps angles: p that is off by e turns
+ * the rotation by 4 e/(1 + p.p), whatever the direction.
+ *
+ * Source Marandi and Modi, A Preferred Coordinate System and the Associated Orientation Representation in Attitude
+ * Dynamics, Acta Astronautica 15, 1987; Terzakis, Lourakis and Ait-Boudaoud, Modified Rodrigues Parameters: An
+ * Efficient Representation of Orientation in 3D Vision and Graphics, Journal of Mathematical Imaging and Vision, 2018.
+ */
+
+/* q times its length (1 + p.p)/2, which is 1 less this w. */
+static inline nkw_quat lane_compact_quat(nkw_vec3 p)
+{
+    float n = (p.x * p.x + p.y * p.y) + p.z * p.z;
+    nkw_quat q = {p.x, p.y, p.z, 0.5f - 0.5f * n};
+    return q;
+}
+
+/* p of a quaternion of any length, in binary64; 0 of 0. */
+static inline void lane_compact_numbers(lane_wquat q, double p[3])
+{
+    double whole = lane_sqrt64(lane_wquat_dot(q, q)) + q.w;
+    double part = whole > 0.0 ? 1.0 / whole : 0.0;
+    p[0] = q.x * part;
+    p[1] = q.y * part;
+    p[2] = q.z * part;
+}
+
+/*
+ * Slerp's weights sin(k theta)/sin theta = k - E(k) (orient.h) of the two keys, k = 1 - t and t. t is the same for all
+ * lanes, so that a weight is a polynomial in v.
+ */
+typedef struct lane_compact_pace {
+    float c[6][2]; /* lowest power first */
+} lane_compact_pace;
+
+static inline lane_compact_pace lane_compact_pace_at(float t)
+{
+    const float *h0 = LANE_SLERP_BRIEF0, *h1 = LANE_SLERP_BRIEF1, *h2 = LANE_SLERP_BRIEF2, *h3 = LANE_SLERP_BRIEF3,
+                *h4 = LANE_SLERP_BRIEF4;
+    const float ks[2] = {1.0f - t, t};
+    lane_compact_pace r;
+    for (int i = 0; i < 2; i++) {
+        float k = ks[i], s = k * k, p = ks[0] * ks[1] * (-1.0f - k);
+        r.c[0][i] = k;
+        r.c[1][i] = p * h0[0];
+        r.c[2][i] = p * (h0[1] + s * h1[0]);
+        r.c[3][i] = p * (h0[2] + s * (h1[1] + s * h2[0]));
+        r.c[4][i] = p * (h0[3] + s * (h1[2] + s * (h2[1] + s * h3[0])));
+        r.c[5][i] = p * (h0[4] + s * (h1[3] + s * (h2[2] + s * (h3[1] + s * h4[0]))));
+    }
+    return r;
+}
+
+static inline float lane_compact_weight(const lane_compact_pace *pace, int i, float v)
+{
+    float v2 = v * v;
+    float low = (pace->c[0][i] + pace->c[1][i] * v) + (pace->c[2][i] + pace->c[3][i] * v) * v2;
+    return low + (pace->c[4][i] + pace->c[5][i] * v) * (v2 * v2);
+}
+
+/* What slerp needs to know of two keys: v, and what the weights are to be multiplied by. */
+typedef struct lane_compact_arc {
+    float v, of_a, of_b;
+} lane_compact_arc;
+
+/*
+ * b is turned first if `turned` is the sign bit. With the lengths la and lb, m = la lb and c = m cos theta:
+ *
+ *     v = q / (c + q LANE_SLERP_BEND),  q = 2 (m - c)
+ *
+ * |c| <= m, so neither divisor is 0.
+ */
+static inline lane_compact_arc lane_compact_arc_between(nkw_quat a, nkw_quat b, uint32_t turned)
+{
+    float la = 1.0f - a.w, lb = 1.0f - b.w, m = la * lb;
+    float c = lane_flip(nkw_quat_dot(a, b), turned), q = 2.0f * (m - c), inverse = 1.0f / m;
+    lane_compact_arc arc = {q / (c + q * LANE_SLERP_BEND), inverse * lb, lane_flip(inverse * la, turned)};
+    return arc;
+}
+
+static inline nkw_quat lane_compact_slerp(nkw_quat a, nkw_quat b, lane_compact_arc arc, const lane_compact_pace *pace)
+{
+    float of_a = arc.of_a * lane_compact_weight(pace, 0, arc.v), of_b = arc.of_b * lane_compact_weight(pace, 1, arc.v);
+    nkw_quat r = {of_a * a.x + of_b * b.x, of_a * a.y + of_b * b.y, of_a * a.z + of_b * b.z, of_a * a.w + of_b * b.w};
+    return r;
+}
+
+#endif
