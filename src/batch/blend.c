@@ -13,11 +13,11 @@ KERNEL(quat_mix)(nkw_quat_view a, nkw_quat_view b, const float *t, nkw_quat_span
 }
 
 /* For t inside 0..1: the ends are others' to copy. */
-static inline void chords(nkw_quat_view a, nkw_quat_view b, float t, nkw_quat_span out, size_t n)
+INLINE void chords(nkw_quat_view a, nkw_quat_view b, float t, int first, nkw_quat_span out, size_t n)
 {
 #pragma omp simd
     for (size_t i = 0; i < n; i++)
-        put_quat(out, i, lane_quat_chord(at_quat(a, i), at_quat(b, i), t).v);
+        put_quat(out, i, lane_quat_chord_near(at_quat(a, i), at_quat(b, i), t, first).v);
 }
 
 /* Rotations are worked out in whole vectors, of 8 lanes at least. */
@@ -28,13 +28,13 @@ static inline void chords(nkw_quat_view a, nkw_quat_view b, float t, nkw_quat_sp
 #endif
 
 /* The last vector, from lane `from` on, the identity in the padding: subnormal numbers there would take their time. */
-static inline void last_chords(nkw_quat_view a, nkw_quat_view b, float t, int used, int from, nkw_quat_span out)
+INLINE void last_chords(nkw_quat_view a, nkw_quat_view b, float t, int first, int used, int from, nkw_quat_span out)
 {
 #pragma omp simd
     for (int i = from; i < from + VECTOR; i++) {
         nkw_quat p = lane_quat_select(i < used, at_quat(a, (size_t)i), nkw_quat_identity());
         nkw_quat q = lane_quat_select(i < used, at_quat(b, (size_t)i), nkw_quat_identity());
-        put_quat(out, (size_t)i, lane_quat_chord(p, q, t).v);
+        put_quat(out, (size_t)i, lane_quat_chord_near(p, q, t, first).v);
     }
 }
 
@@ -62,16 +62,16 @@ KERNEL(quat_settle)(nkw_quat_view v, int used, nkw_quat_span out, int n)
 }
 
 /* Three arrays of n; end to end in all three blocks, as one. */
-static inline void lerp_arrays(blend_rows a, blend_rows b, size_t first, float t, blend_span out, size_t n)
+INLINE void lerp_arrays(blend_rows a, blend_rows b, size_t row, float t, int first, blend_span out, size_t n)
 {
     int whole = n == a.stride && n == b.stride && n == out.stride;
     size_t length = whole ? 3 * n : n;
-    for (size_t c = first; c < first + (whole ? 1 : 3); c++) {
+    for (size_t c = row; c < row + (whole ? 1 : 3); c++) {
         const float *x = a.at + c * a.stride, *y = b.at + c * b.stride;
         float *z = out.at + c * out.stride;
 #pragma omp simd
         for (size_t i = 0; i < length; i++)
-            z[i] = nkw_lerp(x[i], y[i], t);
+            z[i] = lane_lerp_near(x[i], y[i], t, first);
     }
 }
 
@@ -89,12 +89,20 @@ static inline nkw_quat_span rotation_span(blend_span rows)
     return s;
 }
 
+INLINE void chord_along(blend_rows a, blend_rows b, float t, int first, blend_span out, int n)
+{
+    lerp_arrays(a, b, 0, t, first, out, (size_t)n);
+    chords(rotations_of(a), rotations_of(b), t, first, rotation_span(out), (size_t)n);
+    lerp_arrays(a, b, 7, t, first, out, (size_t)n);
+}
+
 /* The lerp, rotations as chords, for t inside 0..1. out may be a. */
 KERNEL(blend_chord)(blend_rows a, blend_rows b, float t, blend_span out, int n)
 {
-    lerp_arrays(a, b, 0, t, out, (size_t)n);
-    chords(rotations_of(a), rotations_of(b), t, rotation_span(out), (size_t)n);
-    lerp_arrays(a, b, 7, t, out, (size_t)n);
+    if (t < 0.5f)
+        chord_along(a, b, t, 1, out, n);
+    else
+        chord_along(a, b, t, 0, out, n);
 }
 
 /* Eight lanes after the whole vectors get the identity. */
@@ -105,20 +113,28 @@ static inline void fill_padding(nkw_quat_span out, int used, int n)
         put_quat(out, i, nkw_quat_identity());
 }
 
-/* nkw_pose_blend for t inside 0..1. All chords come before all roots, so that no lane waits for the one before. */
-KERNEL(blend_nlerp)(blend_rows a, blend_rows b, float t, int used, blend_span out, int n)
+INLINE void nlerp_along(blend_rows a, blend_rows b, float t, int first, int used, blend_span out, int n)
 {
     float v[4][BLEND_BLOCK];
     nkw_quat_span chord = {v[0], v[1], v[2], v[3]};
     nkw_quat_view chord_view = {v[0], v[1], v[2], v[3]};
     int whole = used / VECTOR * VECTOR, turned = (used + VECTOR - 1) / VECTOR * VECTOR;
-    chords(rotations_of(a), rotations_of(b), t, chord, (size_t)whole);
+    chords(rotations_of(a), rotations_of(b), t, first, chord, (size_t)whole);
     if (whole < turned)
-        last_chords(rotations_of(a), rotations_of(b), t, used, whole, chord);
-    lerp_arrays(a, b, 0, t, out, (size_t)n);
+        last_chords(rotations_of(a), rotations_of(b), t, first, used, whole, chord);
+    lerp_arrays(a, b, 0, t, first, out, (size_t)n);
     settle(chord_view, used, rotation_span(out), turned);
     fill_padding(rotation_span(out), used, n);
-    lerp_arrays(a, b, 7, t, out, (size_t)n);
+    lerp_arrays(a, b, 7, t, first, out, (size_t)n);
+}
+
+/* nkw_pose_blend for t inside 0..1. All chords come before all roots, so that no lane waits for the one before. */
+KERNEL(blend_nlerp)(blend_rows a, blend_rows b, float t, int used, blend_span out, int n)
+{
+    if (t < 0.5f)
+        nlerp_along(a, b, t, 1, used, out, n);
+    else
+        nlerp_along(a, b, t, 0, used, out, n);
 }
 
 /* The joints' own weights; none in the padding, whatever stands there. */

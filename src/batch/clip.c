@@ -63,26 +63,36 @@ KERNEL(clip_arcs)(float *a, const float *b, const nkw_block *blocks, size_t bloc
     }
 }
 
-static inline void lerp_lanes(const float *a, const float *b, float t, float *out, size_t n)
+INLINE void lerp_lanes(const float *a, const float *b, float t, int first, float *out, size_t n)
 {
 #pragma omp simd
     for (size_t i = 0; i < n; i++)
-        out[i] = nkw_lerp(a[i], b[i], t);
+        out[i] = lane_lerp_near(a[i], b[i], t, first);
 }
 
-KERNEL(clip_lerp)(const float *a, const float *b, float t, const nkw_block *blocks, size_t block_count, float *out)
+INLINE void lerp_blocks(const float *a, const float *b, float t, int first, const nkw_block *blocks, size_t block_count,
+                        float *out)
 {
     for (size_t k = 0, lanes; k < block_count; k += blocks_in(lanes)) {
         const float *from = a + k * NKW_BLOCK, *to = b + k * NKW_BLOCK;
         float mixed[NKW_BLOCK];
         lanes = blocks[k].direct ? blocks[k].direct : blocks[k].width;
         if (blocks[k].direct) {
-            lerp_lanes(from, to, t, out + blocks[k].places[0], lanes);
+            lerp_lanes(from, to, t, first, out + blocks[k].places[0], lanes);
             continue;
         }
-        lerp_lanes(from, to, t, mixed, lanes);
+        lerp_lanes(from, to, t, first, mixed, lanes);
         scatter(&blocks[k], mixed, 0, 1, out, 0);
     }
+}
+
+/* For t inside 0..1: at the ends there is a key to hold. */
+KERNEL(clip_lerp)(const float *a, const float *b, float t, const nkw_block *blocks, size_t block_count, float *out)
+{
+    if (t < 0.5f)
+        lerp_blocks(a, b, t, 1, blocks, block_count, out);
+    else
+        lerp_blocks(a, b, t, 0, blocks, block_count, out);
 }
 
 INLINE void slerp_block(const float *a, const float *b, lane_slerp_pace pace, float *out, size_t stride, size_t width)

@@ -31,15 +31,20 @@ typedef struct lane_chord {
     float x;
 } lane_chord;
 
-static inline lane_chord lane_quat_chord(nkw_quat a, nkw_quat b, float t)
+/* `first` says that a is the nearer end: where it is known at compile time, nothing is left to be selected. */
+static inline lane_chord lane_quat_chord_near(nkw_quat a, nkw_quat b, float t, int first)
 {
     nkw_quat c = lane_quat_turned(a, b);
-    int first = t < 0.5f;
     lane_chord r;
     r.x = first ? t : 1.0f - t;
     r.near = lane_quat_select(first, a, c);
     r.v = nkw_quat_add(r.near, nkw_quat_scale(nkw_quat_sub(lane_quat_select(first, c, a), r.near), r.x));
     return r;
+}
+
+static inline lane_chord lane_quat_chord(nkw_quat a, nkw_quat b, float t)
+{
+    return lane_quat_chord_near(a, b, t, t < 0.5f);
 }
 
 /*
