@@ -70,19 +70,27 @@ INLINE void lerp_lanes(const float *a, const float *b, float t, int first, float
         out[i] = lane_lerp_near(a[i], b[i], t, first);
 }
 
+/* `lanes` lanes, whole blocks. */
+INLINE void lerp_stretch(const float *a, const float *b, float t, int first, float *out, size_t lanes)
+{
+    for (; lanes >= NKW_BLOCK; lanes -= NKW_BLOCK, a += NKW_BLOCK, b += NKW_BLOCK, out += NKW_BLOCK)
+        lerp_lanes(a, b, t, first, out, NKW_BLOCK);
+    if (lanes == 8)
+        lerp_lanes(a, b, t, first, out, 8);
+    else if (lanes == 4)
+        lerp_lanes(a, b, t, first, out, 4);
+}
+
 INLINE void lerp_blocks(const float *a, const float *b, float t, int first, const nkw_block *blocks, size_t block_count,
                         float *out)
 {
     for (size_t k = 0, lanes; k < block_count; k += blocks_in(lanes)) {
-        const float *from = a + k * NKW_BLOCK, *to = b + k * NKW_BLOCK;
         float mixed[NKW_BLOCK];
-        lanes = blocks[k].direct ? blocks[k].direct : blocks[k].width;
-        if (blocks[k].direct) {
-            lerp_lanes(from, to, t, first, out + blocks[k].places[0], lanes);
-            continue;
-        }
-        lerp_lanes(from, to, t, first, mixed, lanes);
-        scatter(&blocks[k], mixed, 0, 1, out, 0);
+        int direct = blocks[k].direct > 0;
+        lanes = direct ? blocks[k].direct : blocks[k].width;
+        lerp_stretch(a + k * NKW_BLOCK, b + k * NKW_BLOCK, t, first, direct ? out + blocks[k].places[0] : mixed, lanes);
+        if (!direct)
+            scatter(&blocks[k], mixed, 0, 1, out, 0);
     }
 }
 
