@@ -2,6 +2,8 @@
 /* Between two keys of a clip's group, block by block. src/clip_layout.h has the layout of keys. */
 #include "lane/strict.h"
 
+#include <string.h>
+
 #include "batch/block.h"
 #include "batch/element.h"
 #include "batch/table.h"
@@ -298,6 +300,24 @@ KERNEL(clip_quat_hermite)
     }
 }
 
+/* `rows` rows of a block to their places; a constant width is a few loads and stores. */
+INLINE void copy_rows(const float *from, size_t rows, float *out, size_t stride, size_t width)
+{
+    for (size_t row = 0; row < rows; row++)
+        memcpy(out + row * stride, from + row * width, width * sizeof(float));
+}
+
+static inline void place(const nkw_block *block, const float *from, size_t rows, float *out, size_t stride)
+{
+    float *to = out + block->places[0];
+    if (block->direct == 0)
+        scatter(block, from, block->width, rows, out, stride);
+    else if (block->width == NKW_BLOCK)
+        copy_rows(from, rows, to, stride, NKW_BLOCK);
+    else
+        copy_rows(from, rows, to, stride, block->width);
+}
+
 /* A key's values as they are, `rows` rows of a lane among `key_rows` in a block; rotations normalised if asked. */
 KERNEL(clip_hold)
 (const float *key, size_t rows, size_t key_rows, int normalized, const nkw_block *blocks, size_t block_count,
@@ -307,12 +327,12 @@ KERNEL(clip_hold)
         size_t width = blocks[k].width;
         float lanes[4 * NKW_BLOCK];
         if (!normalized) {
-            scatter(&blocks[k], key, width, rows, out, stride);
+            place(&blocks[k], key, rows, out, stride);
             continue;
         }
         for (size_t i = 0; i < 4 * width; i++)
             lanes[i] = key[i];
         normalize_block(lanes, width);
-        scatter(&blocks[k], lanes, blocks[k].width, 4, out, stride);
+        place(&blocks[k], lanes, 4, out, stride);
     }
 }
