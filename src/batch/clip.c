@@ -68,6 +68,7 @@ KERNEL(clip_arcs)(float *a, const float *b, const nkw_block *blocks, size_t bloc
 INLINE void lerp_lanes(const float *a, const float *b, float t, int first, float *out, size_t n)
 {
 #pragma omp simd
+    KEEP_LOOP
     for (size_t i = 0; i < n; i++)
         out[i] = lane_lerp_near(a[i], b[i], t, first);
 }
@@ -105,28 +106,63 @@ KERNEL(clip_lerp)(const float *a, const float *b, float t, const nkw_block *bloc
         lerp_blocks(a, b, t, 0, blocks, block_count, out);
 }
 
-INLINE void slerp_block(const float *a, const float *b, lane_slerp_pace pace, float *out, size_t stride, size_t width)
+/* Blocks of rotations that are worked out together, at most. */
+#define TOGETHER 2
+
+/* E(u) and E(t) of lanes. */
+typedef struct excesses {
+    float u[NKW_BLOCK], t[NKW_BLOCK];
+} excesses;
+
+INLINE void excesses_of_block(const float *arcs, lane_slerp_pace pace, excesses *e, size_t width)
+{
+#pragma omp simd
+    KEEP_LOOP
+    for (size_t i = 0; i < width; i++) {
+        lane_slerp_arc arc = arc_of(arcs[i]);
+        e->u[i] = lane_slerp_excess_on(&arc, &pace, pace.u);
+        e->t[i] = lane_slerp_excess_on(&arc, &pace, pace.t);
+    }
+}
+
+INLINE void slerp_block(const float *a, const float *b, const excesses *e, lane_slerp_pace pace, float *out,
+                        size_t stride, size_t width)
 {
     nkw_quat_view from = rows_of(a, width), to = rows_of(b, width);
     nkw_quat_span o = rows_to(out, stride);
     const float *arcs = a + 4 * width;
 #pragma omp simd
+    KEEP_LOOP
     for (size_t i = 0; i < width; i++) {
-        lane_slerp_arc arc = arc_of(arcs[i]);
-        put_quat(o, i, lane_quat_slerp_on(at_quat(from, i), at_quat(to, i), &arc, &pace));
+        uint32_t turned = lane_sign_bit(arcs[i]);
+        put_quat(o, i, lane_quat_slerp_by(at_quat(from, i), at_quat(to, i), turned, &pace, e->u[i], e->t[i]));
     }
+}
+
+/* n blocks, first all of their polynomials: no lane waits for those of the one before. */
+INLINE void slerp_together(const float *a, const float *b, lane_slerp_pace pace, float *out, size_t stride,
+                           size_t width, size_t n)
+{
+    const size_t block = NKW_BLOCK * NKW_BLOCK_ROWS;
+    excesses e[TOGETHER];
+    for (size_t k = 0; k < n; k++)
+        excesses_of_block(a + k * block + 4 * width, pace, &e[k], width);
+    for (size_t k = 0; k < n; k++)
+        slerp_block(a + k * block, b + k * block, &e[k], pace, out + k * NKW_BLOCK, stride, width);
 }
 
 /* `lanes` lanes, whole blocks, from one after the other to one after the other. */
 INLINE void slerp_stretch(const float *a, const float *b, lane_slerp_pace pace, float *out, size_t stride, size_t lanes)
 {
     const size_t block = NKW_BLOCK * NKW_BLOCK_ROWS;
-    for (; lanes >= NKW_BLOCK; lanes -= NKW_BLOCK, a += block, b += block, out += NKW_BLOCK)
-        slerp_block(a, b, pace, out, stride, NKW_BLOCK);
+    for (size_t n; lanes >= NKW_BLOCK; lanes -= n * NKW_BLOCK, a += n * block, b += n * block, out += n * NKW_BLOCK) {
+        n = lanes < TOGETHER * NKW_BLOCK ? 1 : TOGETHER;
+        slerp_together(a, b, pace, out, stride, NKW_BLOCK, n);
+    }
     if (lanes == 8)
-        slerp_block(a, b, pace, out, stride, 8);
+        slerp_together(a, b, pace, out, stride, 8, 1);
     else if (lanes == 4)
-        slerp_block(a, b, pace, out, stride, 4);
+        slerp_together(a, b, pace, out, stride, 4, 1);
 }
 
 INLINE void slerp_blocks(const float *a, const float *b, lane_slerp_pace pace, const nkw_block *blocks,

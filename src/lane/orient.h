@@ -206,18 +206,30 @@ static inline float lane_slerp_component(float a, float b, const lane_slerp_pace
     return base - (pace->shift * (b - a) + (eu * a + et * b));
 }
 
-static inline nkw_quat lane_quat_slerp_on(nkw_quat a, nkw_quat b, const lane_slerp_arc *arc, const lane_slerp_pace *pace)
+/* E(k) for k = u or t. */
+static inline float lane_slerp_excess_on(const lane_slerp_arc *arc, const lane_slerp_pace *pace, float k)
 {
     float p = (pace->t * pace->u) * arc->v + 0.0f;
-    float et = lane_slerp_excess(pace->t, p, arc->v, arc->h0, arc->h1, arc->h2, arc->h3);
-    float eu = lane_slerp_excess(pace->u, p, arc->v, arc->h0, arc->h1, arc->h2, arc->h3);
+    return lane_slerp_excess(k, p, arc->v, arc->h0, arc->h1, arc->h2, arc->h3);
+}
+
+/* The slerp by its E(u) and E(t). */
+static inline nkw_quat lane_quat_slerp_by(nkw_quat a, nkw_quat b, uint32_t turned, const lane_slerp_pace *pace,
+                                          float eu, float et)
+{
     nkw_quat r = {
-        lane_slerp_component(a.x, lane_flip(b.x, arc->turned), pace, eu, et),
-        lane_slerp_component(a.y, lane_flip(b.y, arc->turned), pace, eu, et),
-        lane_slerp_component(a.z, lane_flip(b.z, arc->turned), pace, eu, et),
-        lane_slerp_component(a.w, lane_flip(b.w, arc->turned), pace, eu, et),
+        lane_slerp_component(a.x, lane_flip(b.x, turned), pace, eu, et),
+        lane_slerp_component(a.y, lane_flip(b.y, turned), pace, eu, et),
+        lane_slerp_component(a.z, lane_flip(b.z, turned), pace, eu, et),
+        lane_slerp_component(a.w, lane_flip(b.w, turned), pace, eu, et),
     };
     return r;
+}
+
+static inline nkw_quat lane_quat_slerp_on(nkw_quat a, nkw_quat b, const lane_slerp_arc *arc, const lane_slerp_pace *pace)
+{
+    float et = lane_slerp_excess_on(arc, pace, pace->t), eu = lane_slerp_excess_on(arc, pace, pace->u);
+    return lane_quat_slerp_by(a, b, arc->turned, pace, eu, et);
 }
 
 static inline nkw_quat lane_quat_slerp(nkw_quat a, nkw_quat b, float t)
