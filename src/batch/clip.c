@@ -345,13 +345,14 @@ INLINE void copy_rows(const float *from, size_t rows, float *out, size_t stride,
 
 static inline void place(const nkw_block *block, const float *from, size_t rows, float *out, size_t stride)
 {
+    const size_t width = block->width;
     float *to = out + block->places[0];
-    if (block->direct == 0)
-        scatter(block, from, block->width, rows, out, stride);
-    else if (block->width == NKW_BLOCK)
+    if (!block->direct)
+        scatter(block, from, width, rows, out, stride);
+    else if (width == NKW_BLOCK)
         copy_rows(from, rows, to, stride, NKW_BLOCK);
     else
-        copy_rows(from, rows, to, stride, block->width);
+        copy_rows(from, rows, to, stride, width);
 }
 
 /* A key's values as they are, `rows` rows of a lane among `key_rows` in a block; rotations normalised if asked. */
