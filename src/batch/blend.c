@@ -12,34 +12,15 @@ KERNEL(quat_mix)(nkw_quat_view a, nkw_quat_view b, const float *t, nkw_quat_span
         put_quat(out, i, lane_quat_mix(at_quat(a, i), at_quat(b, i), t[i]));
 }
 
-/* For t inside 0..1: the ends are others' to copy. */
-static inline void chords(nkw_quat_view a, nkw_quat_view b, float t, nkw_quat_span out, size_t n)
+static inline void settle(nkw_quat_view v, nkw_quat_span out, size_t n)
 {
 #pragma omp simd
     for (size_t i = 0; i < n; i++)
-        put_quat(out, i, lane_quat_chord(at_quat(a, i), at_quat(b, i), t).v);
-}
-
-/* Rotations are worked out in whole vectors, of 8 lanes at least. */
-#if defined(__AVX512F__)
-#define VECTOR 16
-#else
-#define VECTOR 8
-#endif
-
-/* The last vector, from lane `from` on, the identity in the padding: subnormal numbers there would take their time. */
-static inline void last_chords(nkw_quat_view a, nkw_quat_view b, float t, int used, int from, nkw_quat_span out)
-{
-#pragma omp simd
-    for (int i = from; i < from + VECTOR; i++) {
-        nkw_quat p = lane_quat_select(i < used, at_quat(a, (size_t)i), nkw_quat_identity());
-        nkw_quat q = lane_quat_select(i < used, at_quat(b, (size_t)i), nkw_quat_identity());
-        put_quat(out, (size_t)i, lane_quat_chord(p, q, t).v);
-    }
+        put_quat(out, i, lane_quat_settle(at_quat(v, i)));
 }
 
 /* out is not v: if one of the first `used` chords was not inside after all, all are done again. */
-static inline void settle(nkw_quat_view v, int used, nkw_quat_span out, int n)
+KERNEL(quat_settle)(nkw_quat_view v, int used, nkw_quat_span out, int n)
 {
     int outside = 0;
 #pragma omp simd reduction(| : outside)
@@ -49,30 +30,8 @@ static inline void settle(nkw_quat_view v, int used, nkw_quat_span out, int n)
         outside |= !(lane_abs(m) < 1.0f) & (i < used);
         put_quat(out, (size_t)i, lane_quat_settle_inside(q, m));
     }
-    if (outside) {
-#pragma omp simd
-        for (int i = 0; i < n; i++)
-            put_quat(out, (size_t)i, lane_quat_settle(at_quat(v, (size_t)i)));
-    }
-}
-
-KERNEL(quat_settle)(nkw_quat_view v, int used, nkw_quat_span out, int n)
-{
-    settle(v, used, out, n);
-}
-
-/* Three arrays of n; end to end in all three blocks, as one. */
-static inline void lerp_arrays(blend_rows a, blend_rows b, size_t first, float t, blend_span out, size_t n)
-{
-    int whole = n == a.stride && n == b.stride && n == out.stride;
-    size_t length = whole ? 3 * n : n;
-    for (size_t c = first; c < first + (whole ? 1 : 3); c++) {
-        const float *x = a.at + c * a.stride, *y = b.at + c * b.stride;
-        float *z = out.at + c * out.stride;
-#pragma omp simd
-        for (size_t i = 0; i < length; i++)
-            z[i] = nkw_lerp(x[i], y[i], t);
-    }
+    if (outside)
+        settle(v, out, (size_t)n);
 }
 
 static inline nkw_quat_view rotations_of(blend_rows rows)
@@ -89,48 +48,6 @@ static inline nkw_quat_span rotation_span(blend_span rows)
     return s;
 }
 
-/* The lerp, rotations as chords, for t inside 0..1. out may be a. */
-KERNEL(blend_chord)(blend_rows a, blend_rows b, float t, blend_span out, int n)
-{
-    lerp_arrays(a, b, 0, t, out, (size_t)n);
-    chords(rotations_of(a), rotations_of(b), t, rotation_span(out), (size_t)n);
-    lerp_arrays(a, b, 7, t, out, (size_t)n);
-}
-
-/* Eight lanes after the whole vectors get the identity. */
-static inline void fill_padding(nkw_quat_span out, int used, int n)
-{
-    size_t from = (size_t)((used + 7) / 8 * 8);
-    for (size_t i = from; (int)from < n && i < from + 8; i++)
-        put_quat(out, i, nkw_quat_identity());
-}
-
-/* nkw_pose_blend for t inside 0..1. All chords come before all roots, so that no lane waits for the one before. */
-KERNEL(blend_nlerp)(blend_rows a, blend_rows b, float t, int used, blend_span out, int n)
-{
-    float v[4][BLEND_BLOCK];
-    nkw_quat_span chord = {v[0], v[1], v[2], v[3]};
-    nkw_quat_view chord_view = {v[0], v[1], v[2], v[3]};
-    int whole = used / VECTOR * VECTOR, turned = (used + VECTOR - 1) / VECTOR * VECTOR;
-    chords(rotations_of(a), rotations_of(b), t, chord, (size_t)whole);
-    if (whole < turned)
-        last_chords(rotations_of(a), rotations_of(b), t, used, whole, chord);
-    lerp_arrays(a, b, 0, t, out, (size_t)n);
-    settle(chord_view, used, rotation_span(out), turned);
-    fill_padding(rotation_span(out), used, n);
-    lerp_arrays(a, b, 7, t, out, (size_t)n);
-}
-
-/* The joints' own weights; none in the padding, whatever stands there. */
-KERNEL(blend_weigh)(float weight, const float *mask, int used, float *out, int n)
-{
-#pragma omp simd
-    for (int i = 0; i < n; i++) {
-        float w = weight * lane_mask(mask[i]);
-        out[i] = i < used ? w : 0.0f;
-    }
-}
-
 static inline nkw_vec3_view vectors_of(blend_rows rows, size_t first)
 {
     const float *x = rows.at + first * rows.stride;
@@ -145,15 +62,157 @@ static inline nkw_vec3_span vector_span(blend_span rows, size_t first)
     return s;
 }
 
+/* Lanes that are worked out together: the widest vector, and 8 at least. Poses are padded to whole ones. */
+#if defined(__AVX512F__)
+#define LANES 16
+#else
+#define LANES 8
+#endif
+
+/*
+ * Lanes of two poses, and where they are blended to. chord: for x, y, z, w and 1 - |v|^2 of their chords v, BLEND_BLOCK
+ * floats apart.
+ */
+typedef struct lanes {
+    blend_rows a, b;
+    blend_span out;
+    float *chord;
+} lanes;
+
+static inline lanes lanes_after(lanes l)
+{
+    l.a.at += LANES;
+    l.b.at += LANES;
+    l.out.at += LANES;
+    l.chord += LANES;
+    return l;
+}
+
+/* A joint's own rotation, the identity in the padding: subnormal numbers there would take their time. */
+#define at_joint(v, i) lane_quat_or_identity(0u - (uint32_t)((i) < used), at_quat(v, i))
+
+/* LANES chords, for t inside 0..1: the ends are others' to copy. `first` says that it is nearer to a. */
+INLINE void chord_lanes(blend_rows a, blend_rows b, float t, int first, int used, nkw_quat_span out)
+{
+    nkw_quat_view from = rotations_of(a), to = rotations_of(b);
+#pragma omp simd
+    KEEP_LOOP
+    for (int i = 0; i < LANES; i++)
+        put_quat(out, (size_t)i, lane_quat_chord_near(at_joint(from, i), at_joint(to, i), t, first).v);
+}
+
+/* Three arrays from `row` on. */
+INLINE void lerp_lanes(blend_rows a, blend_rows b, size_t row, float t, int first, blend_span out)
+{
+    nkw_vec3_view from = vectors_of(a, row), to = vectors_of(b, row);
+    nkw_vec3_span v = vector_span(out, row);
+#pragma omp simd
+    KEEP_LOOP
+    for (size_t i = 0; i < LANES; i++)
+        put_vec3(v, i, lane_vec3_lerp_near(at_vec3(from, i), at_vec3(to, i), t, first));
+}
+
+INLINE void chord_near(lanes l, float t, int first, int n)
+{
+    for (; n > 0; n -= LANES, l = lanes_after(l)) {
+        lerp_lanes(l.a, l.b, 0, t, first, l.out);
+        chord_lanes(l.a, l.b, t, first, LANES, rotation_span(l.out));
+        lerp_lanes(l.a, l.b, 7, t, first, l.out);
+    }
+}
+
+/* The lerp, rotations as chords, for t inside 0..1. out may be a. */
+KERNEL(blend_chord)(blend_rows a, blend_rows b, float t, blend_span out, int n)
+{
+    const lanes l = {a, b, out, out.at};
+    if (t < 0.5f)
+        chord_near(l, t, 1, n);
+    else
+        chord_near(l, t, 0, n);
+}
+
+/* Translations beside the chords. */
+INLINE void begin_lanes(lanes l, float t, int first, int used)
+{
+    const nkw_quat_span chord = {l.chord, l.chord + BLEND_BLOCK, l.chord + 2 * BLEND_BLOCK, l.chord + 3 * BLEND_BLOCK};
+    chord_lanes(l.a, l.b, t, first, used, chord);
+    lerp_lanes(l.a, l.b, 0, t, first, l.out);
+}
+
+/* Scales beside the roots. */
+INLINE void end_lanes(lanes l, float t, int first)
+{
+    const nkw_quat_view chord = {l.chord, l.chord + BLEND_BLOCK, l.chord + 2 * BLEND_BLOCK, l.chord + 3 * BLEND_BLOCK};
+    nkw_quat_span unit = rotation_span(l.out);
+    float *defect = l.chord + 4 * BLEND_BLOCK;
+#pragma omp simd
+    KEEP_LOOP
+    for (size_t i = 0; i < LANES; i++) {
+        nkw_quat q = at_quat(chord, i);
+        defect[i] = lane_quat_defect(q);
+        put_quat(unit, i, lane_quat_settle_inside(q, defect[i]));
+    }
+    lerp_lanes(l.a, l.b, 7, t, first, l.out);
+}
+
+/* All chords come before all roots, so that no lane waits for the one before. */
+INLINE void nlerp_near(lanes l, float t, int first, int used)
+{
+    lanes from = l;
+    int rest = used;
+    for (; rest >= LANES; rest -= LANES, l = lanes_after(l))
+        begin_lanes(l, t, first, LANES);
+    if (rest > 0)
+        begin_lanes(l, t, first, rest);
+    for (l = from, rest = used; rest > 0; rest -= LANES, l = lanes_after(l))
+        end_lanes(l, t, first);
+}
+
+/* Eight lanes behind those that were worked out get the identity: rows 0 0 0, 0 0 0 1, 1 1 1. */
+static inline void fill_padding(blend_span out, int used, int n)
+{
+    int from = (used + 7) / 8 * 8;
+    for (size_t c = 0; from < n && c < 10; c++)
+        for (size_t i = 0; i < 8; i++)
+            out.at[c * out.stride + (size_t)from + i] = c < 6 ? 0.0f : 1.0f;
+}
+
+/* nkw_pose_blend for t inside 0..1. If a chord was not inside after all, all are brought to length 1 again. */
+KERNEL(blend_nlerp)(blend_rows a, blend_rows b, float t, int used, blend_span out, int n)
+{
+    float c[5][BLEND_BLOCK];
+    const lanes l = {a, b, out, c[0]};
+    size_t whole = ((size_t)used + LANES - 1) / LANES * LANES;
+    int outside = 0;
+    if (t < 0.5f)
+        nlerp_near(l, t, 1, used);
+    else
+        nlerp_near(l, t, 0, used);
+    for (size_t i = 0; i < whole; i++)
+        outside |= !(lane_abs(c[4][i]) < 1.0f);
+    if (outside) {
+        nkw_quat_view v = {c[0], c[1], c[2], c[3]};
+        settle(v, rotation_span(out), whole);
+    }
+    fill_padding(out, used, n);
+}
+
+/* The joints' own weights; none in the padding, whatever stands there. */
+KERNEL(blend_weigh)(float weight, const float *mask, int used, float *out, int n)
+{
+#pragma omp simd
+    for (int i = 0; i < n; i++) {
+        float w = weight * lane_mask(mask[i]);
+        out[i] = i < used ? w : 0.0f;
+    }
+}
+
 static inline void lerps_each(nkw_vec3_view a, nkw_vec3_view b, const float *t, nkw_vec3_span out, int n)
 {
 #pragma omp simd
     for (int i = 0; i < n; i++)
         put_vec3(out, (size_t)i, nkw_vec3_lerp(at_vec3(a, i), at_vec3(b, i), t[i]));
 }
-
-/* A joint's own rotation, the identity in the padding: subnormal numbers there would take their time. */
-#define at_joint(v, i) lane_quat_select((i) < used, at_quat(v, i), nkw_quat_identity())
 
 /* nkw_pose_blend by a t for each joint, any; t is 0 in the padding. */
 KERNEL(blend_each)(blend_rows a, blend_rows b, const float *t, int used, blend_span out, int n)

@@ -76,50 +76,104 @@ KERNEL(clip_arcs)(float *a, const float *b, const nkw_block *blocks, size_t bloc
     }
 }
 
-static inline void lerp_lanes(const float *a, const float *b, float t, float *out, size_t n)
+INLINE void lerp_lanes(const float *a, const float *b, float t, int first, float *out, size_t n)
 {
 #pragma omp simd
+    KEEP_LOOP
     for (size_t i = 0; i < n; i++)
-        out[i] = nkw_lerp(a[i], b[i], t);
+        out[i] = lane_lerp_near(a[i], b[i], t, first);
 }
 
-KERNEL(clip_lerp)(const float *a, const float *b, float t, const nkw_block *blocks, size_t block_count, float *out)
+/* `lanes` lanes, whole blocks. */
+INLINE void lerp_stretch(const float *a, const float *b, float t, int first, float *out, size_t lanes)
+{
+    for (; lanes >= NKW_BLOCK; lanes -= NKW_BLOCK, a += NKW_BLOCK, b += NKW_BLOCK, out += NKW_BLOCK)
+        lerp_lanes(a, b, t, first, out, NKW_BLOCK);
+    if (lanes == 8)
+        lerp_lanes(a, b, t, first, out, 8);
+    else if (lanes == 4)
+        lerp_lanes(a, b, t, first, out, 4);
+}
+
+INLINE void lerp_blocks(const float *a, const float *b, float t, int first, const nkw_block *blocks, size_t block_count,
+                        float *out)
 {
     for (size_t k = 0, lanes; k < block_count; k += blocks_in(lanes)) {
-        const float *from = a + k * NKW_BLOCK, *to = b + k * NKW_BLOCK;
         float mixed[NKW_BLOCK];
-        lanes = blocks[k].direct ? blocks[k].direct : blocks[k].width;
-        if (blocks[k].direct) {
-            lerp_lanes(from, to, t, out + blocks[k].places[0], lanes);
-            continue;
-        }
-        lerp_lanes(from, to, t, mixed, lanes);
-        scatter(&blocks[k], mixed, 0, 1, out, 0);
+        int direct = blocks[k].direct > 0;
+        lanes = direct ? blocks[k].direct : blocks[k].width;
+        lerp_stretch(a + k * NKW_BLOCK, b + k * NKW_BLOCK, t, first, direct ? out + blocks[k].places[0] : mixed, lanes);
+        if (!direct)
+            scatter(&blocks[k], mixed, 0, 1, out, 0);
     }
 }
 
-INLINE void slerp_block(const float *a, const float *b, lane_slerp_pace pace, float *out, size_t stride, size_t width)
+/* For t inside 0..1: at the ends there is a key to hold. */
+KERNEL(clip_lerp)(const float *a, const float *b, float t, const nkw_block *blocks, size_t block_count, float *out)
+{
+    if (t < 0.5f)
+        lerp_blocks(a, b, t, 1, blocks, block_count, out);
+    else
+        lerp_blocks(a, b, t, 0, blocks, block_count, out);
+}
+
+/* Blocks of rotations that are worked out together, at most. */
+#define TOGETHER 2
+
+/* E(u) and E(t) of lanes. */
+typedef struct excesses {
+    float u[NKW_BLOCK], t[NKW_BLOCK];
+} excesses;
+
+INLINE void excesses_of_block(const float *arcs, lane_slerp_pace pace, excesses *e, size_t width)
+{
+#pragma omp simd
+    KEEP_LOOP
+    for (size_t i = 0; i < width; i++) {
+        lane_slerp_arc arc = arc_of(arcs[i]);
+        e->u[i] = lane_slerp_excess_on(&arc, &pace, pace.u);
+        e->t[i] = lane_slerp_excess_on(&arc, &pace, pace.t);
+    }
+}
+
+INLINE void slerp_block(const float *a, const float *b, const excesses *e, lane_slerp_pace pace, float *out,
+                        size_t stride, size_t width)
 {
     nkw_quat_view from = rows_of(a, width), to = rows_of(b, width);
     nkw_quat_span o = rows_to(out, stride);
     const float *arcs = a + 4 * width;
 #pragma omp simd
+    KEEP_LOOP
     for (size_t i = 0; i < width; i++) {
-        lane_slerp_arc arc = arc_of(arcs[i]);
-        put_quat(o, i, lane_quat_slerp_on(at_quat(from, i), at_quat(to, i), &arc, &pace));
+        uint32_t turned = lane_sign_bit(arcs[i]);
+        put_quat(o, i, lane_quat_slerp_by(at_quat(from, i), at_quat(to, i), turned, &pace, e->u[i], e->t[i]));
     }
+}
+
+/* n blocks, first all of their polynomials: no lane waits for those of the one before. */
+INLINE void slerp_together(const float *a, const float *b, lane_slerp_pace pace, float *out, size_t stride,
+                           size_t width, size_t n)
+{
+    const size_t block = NKW_BLOCK * NKW_BLOCK_ROWS;
+    excesses e[TOGETHER];
+    for (size_t k = 0; k < n; k++)
+        excesses_of_block(a + k * block + 4 * width, pace, &e[k], width);
+    for (size_t k = 0; k < n; k++)
+        slerp_block(a + k * block, b + k * block, &e[k], pace, out + k * NKW_BLOCK, stride, width);
 }
 
 /* `lanes` lanes, whole blocks, from one after the other to one after the other. */
 INLINE void slerp_stretch(const float *a, const float *b, lane_slerp_pace pace, float *out, size_t stride, size_t lanes)
 {
     const size_t block = NKW_BLOCK * NKW_BLOCK_ROWS;
-    for (; lanes >= NKW_BLOCK; lanes -= NKW_BLOCK, a += block, b += block, out += NKW_BLOCK)
-        slerp_block(a, b, pace, out, stride, NKW_BLOCK);
+    for (size_t n; lanes >= NKW_BLOCK; lanes -= n * NKW_BLOCK, a += n * block, b += n * block, out += n * NKW_BLOCK) {
+        n = lanes < TOGETHER * NKW_BLOCK ? 1 : TOGETHER;
+        slerp_together(a, b, pace, out, stride, NKW_BLOCK, n);
+    }
     if (lanes == 8)
-        slerp_block(a, b, pace, out, stride, 8);
+        slerp_together(a, b, pace, out, stride, 8, 1);
     else if (lanes == 4)
-        slerp_block(a, b, pace, out, stride, 4);
+        slerp_together(a, b, pace, out, stride, 4, 1);
 }
 
 INLINE void slerp_blocks(const float *a, const float *b, lane_slerp_pace pace, const nkw_block *blocks,
@@ -320,6 +374,25 @@ KERNEL(clip_quat_hermite)
     }
 }
 
+/* `rows` rows of a block to their places; a constant width is a few loads and stores. */
+INLINE void copy_rows(const float *from, size_t rows, float *out, size_t stride, size_t width)
+{
+    for (size_t row = 0; row < rows; row++)
+        memcpy(out + row * stride, from + row * width, width * sizeof(float));
+}
+
+static inline void place(const nkw_block *block, const float *from, size_t rows, float *out, size_t stride)
+{
+    const size_t width = block->width;
+    float *to = out + block->places[0];
+    if (!block->direct)
+        scatter(block, from, width, rows, out, stride);
+    else if (width == NKW_BLOCK)
+        copy_rows(from, rows, to, stride, NKW_BLOCK);
+    else
+        copy_rows(from, rows, to, stride, width);
+}
+
 /* A key's values as they are, `rows` rows of a lane among `key_rows` in a block; rotations normalised if asked. */
 KERNEL(clip_hold)
 (const float *key, size_t rows, size_t key_rows, int normalized, const nkw_block *blocks, size_t block_count,
@@ -329,12 +402,12 @@ KERNEL(clip_hold)
         size_t width = blocks[k].width;
         float lanes[4 * NKW_BLOCK];
         if (!normalized) {
-            scatter(&blocks[k], key, width, rows, out, stride);
+            place(&blocks[k], key, rows, out, stride);
             continue;
         }
         for (size_t i = 0; i < 4 * width; i++)
             lanes[i] = key[i];
         normalize_block(lanes, width);
-        scatter(&blocks[k], lanes, blocks[k].width, 4, out, stride);
+        place(&blocks[k], lanes, 4, out, stride);
     }
 }

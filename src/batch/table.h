@@ -33,6 +33,13 @@
 #define INLINE static inline
 #endif
 
+/* Before a loop over a constant few: Clang would take it apart before it looks for vectors, and then find none. */
+#if defined(__clang__)
+#define KEEP_LOOP _Pragma("clang loop unroll(disable)")
+#else
+#define KEEP_LOOP
+#endif
+
 /* One function pointer for each loop. */
 typedef struct nkw_batch {
 #define KERNEL_MEMBER(name, parameters, arguments) void(*name) parameters;

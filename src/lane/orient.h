@@ -31,15 +31,20 @@ typedef struct lane_chord {
     float x;
 } lane_chord;
 
-static inline lane_chord lane_quat_chord(nkw_quat a, nkw_quat b, float t)
+/* `first` says that a is the nearer end: where it is known at compile time, nothing is left to be selected. */
+static inline lane_chord lane_quat_chord_near(nkw_quat a, nkw_quat b, float t, int first)
 {
     nkw_quat c = lane_quat_turned(a, b);
-    int first = t < 0.5f;
     lane_chord r;
     r.x = first ? t : 1.0f - t;
     r.near = lane_quat_select(first, a, c);
     r.v = nkw_quat_add(r.near, nkw_quat_scale(nkw_quat_sub(lane_quat_select(first, c, a), r.near), r.x));
     return r;
+}
+
+static inline lane_chord lane_quat_chord(nkw_quat a, nkw_quat b, float t)
+{
+    return lane_quat_chord_near(a, b, t, t < 0.5f);
 }
 
 /*
@@ -190,18 +195,30 @@ static inline float lane_slerp_component(float a, float b, const lane_slerp_pace
     return base - (pace->shift * (b - a) + (eu * a + et * b));
 }
 
-static inline nkw_quat lane_quat_slerp_on(nkw_quat a, nkw_quat b, const lane_slerp_arc *arc, const lane_slerp_pace *pace)
+/* E(k) for k = u or t. */
+static inline float lane_slerp_excess_on(const lane_slerp_arc *arc, const lane_slerp_pace *pace, float k)
 {
     float p = (pace->t * pace->u) * arc->v + 0.0f;
-    float et = lane_slerp_excess(pace->t, p, arc->v, arc->h0, arc->h1, arc->h2, arc->h3);
-    float eu = lane_slerp_excess(pace->u, p, arc->v, arc->h0, arc->h1, arc->h2, arc->h3);
+    return lane_slerp_excess(k, p, arc->v, arc->h0, arc->h1, arc->h2, arc->h3);
+}
+
+/* The slerp by its E(u) and E(t). */
+static inline nkw_quat lane_quat_slerp_by(nkw_quat a, nkw_quat b, uint32_t turned, const lane_slerp_pace *pace,
+                                          float eu, float et)
+{
     nkw_quat r = {
-        lane_slerp_component(a.x, lane_flip(b.x, arc->turned), pace, eu, et),
-        lane_slerp_component(a.y, lane_flip(b.y, arc->turned), pace, eu, et),
-        lane_slerp_component(a.z, lane_flip(b.z, arc->turned), pace, eu, et),
-        lane_slerp_component(a.w, lane_flip(b.w, arc->turned), pace, eu, et),
+        lane_slerp_component(a.x, lane_flip(b.x, turned), pace, eu, et),
+        lane_slerp_component(a.y, lane_flip(b.y, turned), pace, eu, et),
+        lane_slerp_component(a.z, lane_flip(b.z, turned), pace, eu, et),
+        lane_slerp_component(a.w, lane_flip(b.w, turned), pace, eu, et),
     };
     return r;
+}
+
+static inline nkw_quat lane_quat_slerp_on(nkw_quat a, nkw_quat b, const lane_slerp_arc *arc, const lane_slerp_pace *pace)
+{
+    float et = lane_slerp_excess_on(arc, pace, pace->t), eu = lane_slerp_excess_on(arc, pace, pace->u);
+    return lane_quat_slerp_by(a, b, arc->turned, pace, eu, et);
 }
 
 static inline nkw_quat lane_quat_slerp(nkw_quat a, nkw_quat b, float t)

@@ -47,6 +47,12 @@ static inline float lane_copysign(float magnitude, float sign)
     return lane_float(lane_bits(magnitude) | lane_sign_bit(sign));
 }
 
+/* nkw_lerp for t other than 0 and 1, of which `first`, known at compile time, says whether it is nearer to a. */
+static inline float lane_lerp_near(float a, float b, float t, int first)
+{
+    return first ? a + t * (b - a) : b + (t - 1.0f) * (b - a);
+}
+
 /* sine and cosine */
 
 static inline int lane_angle_is_far(float x)
