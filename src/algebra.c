@@ -5,6 +5,8 @@
  */
 #include "lane/strict.h"
 
+#include <math.h>
+
 #define NKW_DEFINE_ALGEBRA
 #include <nakawari/curve.h>
 #include <nakawari/mat.h>

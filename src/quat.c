@@ -12,25 +12,6 @@ float nkw_quat_length(nkw_quat q)
     return (float)lane_sqrt64(lane_wquat_dot(w, w));
 }
 
-#if defined(LANE_FOUR)
-LANE_SELDOM static lane_four normalize_any(lane_four q)
-{
-    return lane_four_from_quat(lane_quat_normalize(lane_quat_from_four(q)));
-}
-
-nkw_quat nkw_quat_normalize(nkw_quat q)
-{
-    lane_four v = lane_four_from_quat(q);
-    float n2 = lane_four_sum(v * v)[0];
-    return lane_quat_from_four(lane_needs_no_rescue(n2) ? lane_four_normalize_by(v, sqrtf(n2)) : normalize_any(v));
-}
-#else
-nkw_quat nkw_quat_normalize(nkw_quat q)
-{
-    return lane_quat_normalize(q);
-}
-#endif
-
 nkw_quat nkw_quat_inverse(nkw_quat q)
 {
     lane_wquat w = lane_wquat_from(q);

@@ -6,11 +6,6 @@
 #include "lane/scalar.h"
 #include "lane/two.h"
 
-float nkw_sqrt(float x)
-{
-    return sqrtf(x);
-}
-
 float nkw_sin(float angle)
 {
     return lane_sin_any(angle);

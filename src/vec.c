@@ -15,19 +15,6 @@ float nkw_vec3_distance(nkw_vec3 a, nkw_vec3 b)
     return lane_vec3_distance(a, b);
 }
 
-LANE_SELDOM static nkw_vec3 normalize_any(nkw_vec3 a)
-{
-    return lane_vec3_normalize(a);
-}
-
-nkw_vec3 nkw_vec3_normalize(nkw_vec3 a)
-{
-    float n2 = nkw_vec3_dot(a, a);
-    if (!lane_needs_no_rescue(n2))
-        return normalize_any(a);
-    return lane_vec3_normalize_by(a, sqrtf(n2));
-}
-
 float nkw_vec3_angle(nkw_vec3 a, nkw_vec3 b)
 {
     return lane_vec3_angle(a, b);

@@ -63,13 +63,17 @@
  * which takes one instruction as well and goes into vectors as a product does. GCC negates it by another, -a b - (-0),
  * which is 0 where -0 is due, so inlined bodies negate by NKW_MUL(-1, x).
  *
+ * NKW_MUL64 is the same of two doubles.
+ *
  * A program that is compiled with -ffp-contract=off may define NKW_CONTRACTION_OFF to say so, and has plain products.
  */
 #if defined(__GNUC__) && !defined(__clang__) && defined(__FP_FAST_FMAF) && !defined(NKW_CONTRACTION_OFF)
 #define NKW_FUSES
 #define NKW_MUL(a, b) __builtin_fmaf(a, b, -0.0f)
+#define NKW_MUL64(a, b) __builtin_fma(a, b, -0.0)
 #else
 #define NKW_MUL(a, b) ((a) * (b))
+#define NKW_MUL64(a, b) ((a) * (b))
 #endif
 
 /**
@@ -83,6 +87,22 @@
 #define NKW_ALGEBRA inline
 #else
 #define NKW_ALGEBRA NKW_API
+#endif
+
+/**
+ * NKW_ALGEBRA_ROOT stands before those that take a square root. They are inlined only where a word of the compiler is
+ * the instruction: for sqrtf, which may set errno, a program would have to be linked with libm.
+ */
+#if NKW_INLINE && defined(__has_builtin)
+#if __has_builtin(__builtin_ia32_sqrtss)
+#define NKW_ROOT_INLINE 1
+#endif
+#endif
+#if defined(NKW_ROOT_INLINE)
+#define NKW_ALGEBRA_ROOT NKW_ALGEBRA
+#else
+#define NKW_ROOT_INLINE  0
+#define NKW_ALGEBRA_ROOT NKW_API
 #endif
 
 /** First line of an inlined body: Clang and MSVC then fuse nothing in it, whatever the file's mode. */

@@ -155,7 +155,7 @@ NKW_ALGEBRA float nkw_radians_from_degrees(float degrees);
  *
  * Error  0.5 ULP, correctly rounded (IEEE 754)
  */
-NKW_API float nkw_sqrt(float x);
+NKW_ALGEBRA_ROOT float nkw_sqrt(float x);
 
 /**
  * The sine of an angle in radians.

@@ -293,30 +293,16 @@ static inline float lane_quat_defect(nkw_quat k)
     return ((0.25f - k.x * k.x) + (0.25f - k.y * k.y)) + ((0.25f - k.z * k.z) + (0.25f - k.w * k.w));
 }
 
-/* k = v / length rounded, then one step of Newton: k + k (1 - |k|^2)/2. */
-static inline nkw_quat lane_quat_normalize_by(nkw_quat v, float length)
-{
-    nkw_quat k = nkw_quat_scale(v, 1.0f / length);
-    return nkw_quat_add(k, nkw_quat_scale(nkw_quat_scale(k, 0.5f), lane_quat_defect(k)));
-}
-
-#if defined(LANE_FOUR)
-/* The same with the components side by side, for single calls. */
-static inline lane_four lane_four_normalize_by(lane_four v, float length)
-{
-    const lane_four quarter = {0.25f, 0.25f, 0.25f, 0.25f}, half = quarter + quarter;
-    lane_four k = v * lane_four_all(1.0f / length);
-    return k + (k * half) * lane_four_sum(quarter - k * k);
-}
-#endif
-
+/* q / |q|, the squares summed in binary64; zero gives the identity. */
 static inline nkw_quat lane_quat_normalize(nkw_quat q)
 {
-    nkw_quat v = nkw_quat_scale(q, lane_rescue(nkw_quat_dot(q, q)));
-    float n2 = nkw_quat_dot(v, v);
-    nkw_quat k = lane_quat_normalize_by(v, sqrtf(n2 + FLT_MIN));
-    k.w = n2 == 0.0f ? 1.0f : k.w;
-    return k;
+    lane_wquat w = lane_wquat_from(q);
+    double n2 = lane_wquat_dot(w, w);
+    float rescue = lane_rescue((float)n2);
+    double held = n2 * ((double)rescue * (double)rescue);
+    nkw_quat unit = nkw_quat_divide(nkw_quat_scale(q, rescue), sqrtf((float)held + FLT_MIN));
+    unit.w = n2 == 0.0 ? 1.0f : unit.w;
+    return unit;
 }
 
 /*

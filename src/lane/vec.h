@@ -82,12 +82,12 @@ static inline lane_wvec3 lane_wvec3_perpendicular(lane_wvec3 a)
 }
 
 /*
- * A power of two that brings a vector of squared length n2 to where its square neither over- nor underflows. By its
- * exponent: of a selection GCC would make three vectors, and of each what follows.
+ * 2^100 for a squared length n2 below 2^-96, 2^-70 above 2^96, else 1: of a vector times that, the squared length is a
+ * normal float. By its exponent: of a selection GCC would make three vectors, and of each what follows.
  */
 static inline float lane_rescue(float n2)
 {
-    uint32_t up = n2 < 0x1p-96f ? UINT32_C(100) << 23 : 0, down = n2 > 0x1p96f ? UINT32_C(100) << 23 : 0;
+    uint32_t up = n2 < 0x1p-96f ? UINT32_C(100) << 23 : 0, down = n2 > 0x1p96f ? UINT32_C(70) << 23 : 0;
     uint32_t bits = (UINT32_C(0x3F800000) + up) - down;
     float scale;
     memcpy(&scale, &bits, sizeof scale);
@@ -104,29 +104,14 @@ static inline float lane_vec3_distance(nkw_vec3 a, nkw_vec3 b)
     return (float)lane_wvec3_length(lane_wvec3_sub(lane_wvec3_from(a), lane_wvec3_from(b)));
 }
 
-/* 1 - |k|^2 of a nearly unit k. Each difference is small, so nothing large is rounded. */
-static inline float lane_vec3_defect(nkw_vec3 k)
-{
-    return (0.5f - k.x * k.x) + ((0.25f - k.y * k.y) + (0.25f - k.z * k.z));
-}
-
-/* k = v / length rounded, then one step of Newton: k + k (1 - |k|^2)/2. */
-static inline nkw_vec3 lane_vec3_normalize_by(nkw_vec3 v, float length)
-{
-    nkw_vec3 k = nkw_vec3_scale(v, 1.0f / length);
-    return nkw_vec3_add_scaled(k, nkw_vec3_scale(k, 0.5f), lane_vec3_defect(k));
-}
-
+/* a / |a|, the squares summed in binary64; the zero vector stays zero. */
 static inline nkw_vec3 lane_vec3_normalize(nkw_vec3 a)
 {
-    nkw_vec3 v = nkw_vec3_scale(a, lane_rescue(nkw_vec3_dot(a, a)));
-    return lane_vec3_normalize_by(v, sqrtf(nkw_vec3_dot(v, v) + FLT_MIN)); /* a zero vector stays one */
-}
-
-/* Where lane_rescue is 1, for single calls. */
-static inline int lane_needs_no_rescue(float n2)
-{
-    return n2 >= 0x1p-96f && n2 <= 0x1p96f;
+    lane_wvec3 w = lane_wvec3_from(a);
+    double n2 = lane_wvec3_dot(w, w);
+    float rescue = lane_rescue((float)n2);
+    n2 = n2 * ((double)rescue * (double)rescue);
+    return nkw_vec3_divide(nkw_vec3_scale(a, rescue), sqrtf((float)n2 + FLT_MIN));
 }
 
 static inline float lane_vec3_angle(nkw_vec3 a, nkw_vec3 b)

@@ -37,10 +37,13 @@ static void turned_vector(random_source *r, float *x)
 
 static void half_turned_vector(random_source *r, float *x)
 {
-    nkw_vec3 v = random_direction(r);
-    put_vec3(x, v);
+    wide q[4];
+    put_vec3(x, random_direction(r));
     x[3] = random_scaled(r, -24, -6);
-    put_quat(x, nkw_quat_normalize(quat_at(x)));
+    wide_from(x, q, 4);
+    wide_normalize(q, 4);
+    for (int i = 0; i < 4; i++)
+        x[i] = (float)q[i];
     put_vec3(x + 4, random_vec3(r, -1.0f, 1.0f));
 }
 

@@ -63,6 +63,7 @@ void RESULT(vectors)(const float *in, float *out)
     put_vec3(out + 9, nkw_vec3_reflect(nkw_vec3_lerp(a, b, s), nkw_vec3_negate(nkw_vec3_mul(a, c))));
     out[12] = nkw_smoothstep(s) + nkw_vec3_length_squared(a);
     out[13] = nkw_remap(s, in[0], in[1], in[2], in[3]);
+    put_vec3(out + 14, nkw_vec3_normalize(nkw_vec3_sub(nkw_vec3_mul(a, b), nkw_vec3_scale(c, nkw_sqrt(nkw_abs(s))))));
 }
 
 void RESULT(quats)(const float *in, float *out)
@@ -73,6 +74,7 @@ void RESULT(quats)(const float *in, float *out)
     put_quat(out + 4, nkw_quat_conjugate(nkw_quat_scale(a, s)));
     put_quat(out + 8, nkw_quat_negate(nkw_quat_sub(nkw_quat_scale(b, s), nkw_quat_scale(a, nkw_quat_dot(a, b)))));
     put_vec3(out + 12, nkw_vec3_add(nkw_quat_rotate(a, vec3_at(in + 4)), nkw_vec3_scale(vec3_at(in), s)));
+    put_quat(out + 15, nkw_quat_normalize(nkw_quat_add(nkw_quat_mul(a, b), nkw_quat_scale(b, s))));
 }
 
 void RESULT(matrices)(const float *in, float *out)

@@ -11,8 +11,8 @@ extern "C" {
 #endif
 
 /*
- * The curves look from the end nearer to t: x is the way from there, y = 1 - x, a and b the near and the far end.
- * From t = 1/2 on the controls are mirrored; 1 - t is then exact. At x = 0 the end comes back as it is, the sign of
+ * All curves but Bezier look from the end nearer to t: x is the way from there, y = 1 - x, a and b the near and the far
+ * end. From t = 1/2 on the controls are mirrored; 1 - t is then exact. At x = 0 the end comes back as it is, the sign of
  * a zero too. One nkw_select is enough for GCC to make vectors of a loop over a curve.
  */
 
@@ -31,18 +31,16 @@ inline float nkw_hermite(float p0, float v0, float p1, float v1, float t)
     return nkw_select(x == 0.0f, a, a + NKW_MUL(x, w));
 }
 
-/* De Casteljau's triangle on the distances from the control point of largest weight. */
+/* The weights and their sum in binary64, rounded once. */
 inline float nkw_bezier(float p0, float p1, float p2, float p3, float t)
 {
     NKW_EXACT
-    int first = t < 0.5f;
-    float s = 1.0f - t, x = t < s ? t : s;
-    float a = first ? p0 : p3, b = first ? p1 : p2, c = first ? p2 : p1, d = first ? p3 : p0;
-    float o = x < 0.25f ? a : b;
-    float d0 = a - o, d1 = b - o, d2 = c - o, d3 = d - o;
-    float q0 = d0 + NKW_MUL(x, d1 - d0), q1 = d1 + NKW_MUL(x, d2 - d1), q2 = d2 + NKW_MUL(x, d3 - d2);
-    float r0 = q0 + NKW_MUL(x, q1 - q0), r1 = q1 + NKW_MUL(x, q2 - q1);
-    return nkw_select(x == 0.0f, a, o + (r0 + NKW_MUL(x, r1 - r0)));
+    double s = 1.0 - t, ss = NKW_MUL64(s, s), tt = NKW_MUL64((double)t, (double)t);
+    double w0 = NKW_MUL64(ss, s), w1 = NKW_MUL64(3.0 * ss, (double)t);
+    double w2 = NKW_MUL64(3.0 * tt, s), w3 = NKW_MUL64(tt, (double)t);
+    double p = (NKW_MUL64(w0, (double)p0) + NKW_MUL64(w1, (double)p1)) +
+               (NKW_MUL64(w2, (double)p2) + NKW_MUL64(w3, (double)p3));
+    return nkw_select(t == 0.0f, p0, nkw_select(t == 1.0f, p3, (float)p));
 }
 
 /* With f = b - a and the second differences h and m at the ends: p = a + (x f + (y^3 h + x^3 m)/6). */

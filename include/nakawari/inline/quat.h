@@ -4,6 +4,7 @@
 #define NAKAWARI_INLINE_QUAT_H
 
 #include "../quat.h"
+#include "../scalar.h"
 #include "../vec.h"
 
 /* 1 - |q|^2 of a nearly unit q. Each difference is small, so nothing large is rounded. */
@@ -39,6 +40,12 @@ inline nkw_quat nkw_quat_scale(nkw_quat a, float s)
     return r;
 }
 
+inline nkw_quat nkw_quat_divide(nkw_quat a, float s)
+{
+    nkw_quat r = {a.x / s, a.y / s, a.z / s, a.w / s};
+    return r;
+}
+
 inline nkw_quat nkw_quat_negate(nkw_quat q)
 {
     nkw_quat r = {NKW_MUL(-1.0f, q.x), NKW_MUL(-1.0f, q.y), NKW_MUL(-1.0f, q.z), NKW_MUL(-1.0f, q.w)};
@@ -56,6 +63,22 @@ inline float nkw_quat_dot(nkw_quat a, nkw_quat b)
     NKW_EXACT
     return (NKW_MUL(a.x, b.x) + NKW_MUL(a.y, b.y)) + (NKW_MUL(a.z, b.z) + NKW_MUL(a.w, b.w));
 }
+
+#if NKW_ROOT_INLINE || defined(NKW_DEFINE_ALGEBRA)
+inline nkw_quat nkw_quat_normalize(nkw_quat q)
+{
+    NKW_EXACT
+    double n2 = (NKW_SQUARE64(q.x) + NKW_SQUARE64(q.y)) + (NKW_SQUARE64(q.z) + NKW_SQUARE64(q.w));
+    if (!NKW_IS_NEAR(n2)) {
+        nkw_quat_view from = {&q.x, &q.y, &q.z, &q.w};
+        nkw_quat r;
+        nkw_quat_span to = {&r.x, &r.y, &r.z, &r.w};
+        nkw_quat_normalize_n(from, to, 1);
+        return r;
+    }
+    return nkw_quat_divide(q, nkw_sqrt((float)n2));
+}
+#endif
 
 inline int nkw_quat_is_finite(nkw_quat q)
 {

@@ -8,6 +8,12 @@
 
 #include "../scalar.h"
 
+/* 2^-96..2^96: there a vector of this squared length needs no scaling before it is normalised. */
+#define NKW_IS_NEAR(n2) ((n2) >= 1.26217745e-29 && (n2) <= 7.92281625e28)
+
+/* The square of a float, exact. */
+#define NKW_SQUARE64(x) NKW_MUL64((double)(x), (double)(x))
+
 #ifdef __cplusplus
 extern "C" {
 #endif
@@ -40,6 +46,21 @@ inline float nkw_select(int first, float a, float b)
     memcpy(&r, &x, sizeof r);
     return r;
 }
+
+#if NKW_ROOT_INLINE
+inline float nkw_sqrt(float x)
+{
+    typedef float four __attribute__((vector_size(16)));
+    four v = {x, 0.0f, 0.0f, 0.0f};
+    v = __builtin_ia32_sqrtss(v);
+    return v[0];
+}
+#elif defined(NKW_DEFINE_ALGEBRA)
+float nkw_sqrt(float x)
+{
+    return sqrtf(x);
+}
+#endif
 
 inline float nkw_clamp(float x, float low, float high)
 {

@@ -40,6 +40,12 @@ inline nkw_vec3 nkw_vec3_scale(nkw_vec3 a, float s)
     return r;
 }
 
+inline nkw_vec3 nkw_vec3_divide(nkw_vec3 a, float s)
+{
+    nkw_vec3 r = {a.x / s, a.y / s, a.z / s};
+    return r;
+}
+
 inline nkw_vec3 nkw_vec3_mul(nkw_vec3 a, nkw_vec3 b)
 {
     nkw_vec3 r = {NKW_MUL(a.x, b.x), NKW_MUL(a.y, b.y), NKW_MUL(a.z, b.z)};
@@ -86,6 +92,22 @@ inline float nkw_vec3_length_squared(nkw_vec3 a)
 {
     return nkw_vec3_dot(a, a);
 }
+
+#if NKW_ROOT_INLINE || defined(NKW_DEFINE_ALGEBRA)
+inline nkw_vec3 nkw_vec3_normalize(nkw_vec3 a)
+{
+    NKW_EXACT
+    double n2 = (NKW_SQUARE64(a.x) + NKW_SQUARE64(a.y)) + NKW_SQUARE64(a.z);
+    if (!NKW_IS_NEAR(n2)) {
+        nkw_vec3_view from = {&a.x, &a.y, &a.z};
+        nkw_vec3 r;
+        nkw_vec3_span to = {&r.x, &r.y, &r.z};
+        nkw_vec3_normalize_n(from, to, 1);
+        return r;
+    }
+    return nkw_vec3_divide(a, nkw_sqrt((float)n2));
+}
+#endif
 
 inline nkw_vec3 nkw_vec3_lerp(nkw_vec3 a, nkw_vec3 b, float t)
 {
