@@ -164,7 +164,7 @@ static void run_pairs(const plan *p, const nkw_mat4 *palette, const nkw_vertices
             decode_block(p, from, n, &b);
             f.joints = joints, f.weights = weights;
         }
-        p->batch->skin_pairs(&f, palette, &positions, &normals, p->raw, from + n < p->vertices, n);
+        p->batch->skin_pairs(&f, palette, &positions, &normals, p->raw, p->vertices - from - n, n);
     }
 }
 
