@@ -12,21 +12,6 @@
 #include "lane/fours.h"
 #include "lane/skin.h"
 
-/* The sum of w[e] m[e]. */
-INLINE lane_wide_matrix blend(const float *const *m, const unsigned char *w, size_t k)
-{
-    lane_wide_matrix r;
-    lane_wide first = lane_wide_all_of(w);
-    for (size_t a = 0; a < LANE_PARTS; a++)
-        r.part[a] = lane_wide_mul(lane_wide_load(m[0] + a * LANE_WIDE), first);
-    for (size_t e = 1; e < k; e++) {
-        lane_wide we = lane_wide_all_of(w + 4 * e);
-        for (size_t a = 0; a < LANE_PARTS; a++)
-            r.part[a] = lane_wide_add(r.part[a], lane_wide_mul(lane_wide_load(m[e] + a * LANE_WIDE), we));
-    }
-    return r;
-}
-
 /* As nkw_mat4_transform_point and nkw_mat4_transform_direction. */
 INLINE lane_wide take_point(lane_wide_columns m, lane_wide_vectors v)
 {
@@ -68,15 +53,25 @@ INLINE void write(const skin_stream *s, int tight, lane_wide a)
         lane_wide_write3(s->out, s->out_stride, a);
 }
 
-/* The matrices of a vertex: 0 if a joint is not in the palette. */
-INLINE int find_matrices(const nkw_mat4 *palette, size_t limit, const unsigned char *joint, nkw_skin_format format,
-                         size_t k, const float **m)
+/* The sum of w[e] palette[joint[e]], k at least 1: 0 if a joint is not in the palette. */
+INLINE int blend(const nkw_mat4 *palette, size_t limit, const unsigned char *joint, nkw_skin_format format,
+                 const unsigned char *w, size_t k, lane_wide_matrix *sum)
 {
-    for (size_t e = 0; e < k; e++) {
-        size_t j = lane_skin_joint(joint + e * lane_skin_format_size(format), format);
+    size_t j = lane_skin_joint(joint, format);
+    lane_wide we = lane_wide_all_of(w);
+    if (j >= limit)
+        return 0;
+    for (size_t a = 0; a < LANE_PARTS; a++)
+        sum->part[a] = lane_wide_mul(lane_wide_load(palette[j].m + a * LANE_WIDE), we);
+    for (size_t e = 1; e < k; e++) {
+        j = lane_skin_joint(joint + e * lane_skin_format_size(format), format);
+        we = lane_wide_all_of(w + e * sizeof(float));
         if (j >= limit)
             return 0;
-        m[e] = palette[j].m;
+        for (size_t a = 0; a < LANE_PARTS; a++) {
+            lane_wide part = lane_wide_mul(lane_wide_load(palette[j].m + a * LANE_WIDE), we);
+            sum->part[a] = lane_wide_add(sum->part[a], part);
+        }
     }
     return 1;
 }
@@ -115,12 +110,9 @@ INLINE size_t move_usual(const skin_influences *f, size_t k, nkw_skin_format for
         p.in_stride = p.out_stride = d.in_stride = d.out_stride = sizeof(nkw_vec3);
     for (; i + LANE_FOURS <= n; i += LANE_FOURS) {
         lane_wide_matrix m[LANE_FOURS];
-        for (size_t v = 0; v < LANE_FOURS; v++, joint += joint_stride, w += weight_stride) {
-            const float *from[NKW_SKIN_INFLUENCES];
-            if (!has_weight(w, k) || !find_matrices(palette, limit, joint, format, k, from))
+        for (size_t v = 0; v < LANE_FOURS; v++, joint += joint_stride, w += weight_stride)
+            if (!has_weight(w, k) || !blend(palette, limit, joint, format, w, k, &m[v]))
                 return i;
-            m[v] = blend(from, w, k);
-        }
         lane_wide_columns c = lane_wide_columns_of(m);
         if (USUALLY(has_positions))
             write(&p, tight, take_point(c, read(&p, tight)));
@@ -171,7 +163,7 @@ APART static size_t move_u32(const skin_influences *f, int tight, const nkw_mat4
                  : move_by_count(f, NKW_SKIN_U32, 0, palette, p, d, blended, n);
 }
 
-static inline size_t move_by_format(const skin_influences *f, int tight, const nkw_mat4 *palette, const skin_stream *p,
+INLINE size_t move_by_format(const skin_influences *f, int tight, const nkw_mat4 *palette, const skin_stream *p,
                                     const skin_stream *d, lane_wide *blended, size_t n)
 {
     if (f->joints.format == NKW_SKIN_U8)
@@ -183,7 +175,7 @@ static inline size_t move_by_format(const skin_influences *f, int tight, const n
 
 /* A block at most where directions are made unit. */
 static inline size_t move_block(const skin_influences *f, int tight, const nkw_mat4 *palette, const skin_stream *p,
-                                const skin_stream *d, int raw, size_t n)
+                               const skin_stream *d, int raw, size_t n)
 {
     lane_wide blended[SKIN_BLOCK / LANE_FOURS + 3];
     size_t moved, wides;
@@ -197,7 +189,7 @@ static inline size_t move_block(const skin_influences *f, int tight, const nkw_m
         make_unit(blended + i);
         for (size_t v = i; v < i + 4 && v < wides; v++) {
             unsigned char *out = d->out + v * LANE_FOURS * d->out_stride;
-            if (d->out_stride == sizeof(nkw_vec3))
+            if (LANE_FOURS > 1 && d->out_stride == sizeof(nkw_vec3))
                 lane_wide_write3_tight(out, blended[v]);
             else
                 lane_wide_write3(out, d->out_stride, blended[v]);
@@ -206,56 +198,44 @@ static inline size_t move_block(const skin_influences *f, int tight, const nkw_m
     return moved;
 }
 
-static inline int find_any(const skin_influences *f, const nkw_mat4 *palette, size_t i, const float **m, float *weight)
+/* The matrix of a vertex of any weights and joints; gives 0 if its weights are all 0. */
+static inline uint32_t blend_any(const skin_influences *f, const nkw_mat4 *palette, size_t i, nkw_mat4 *sum)
 {
     const unsigned char *joint = (const unsigned char *)f->joints.data + i * f->joints.stride;
     const unsigned char *w = (const unsigned char *)f->weights.data + i * f->weights.stride;
     uint32_t any = 0;
     for (size_t e = 0; e < f->count; e++) {
         uint32_t j = lane_skin_joint(joint + e * lane_skin_format_size(f->joints.format), f->joints.format);
-        weight[e] = j < f->limit ? lane_skin_weight(w + e * sizeof *weight, NKW_SKIN_F32) : 0.0f;
-        m[e] = palette[j < f->limit ? j : 0].m;
-        any |= lane_bits(weight[e]) << 1;
+        float weight = j < f->limit ? lane_skin_weight(w + e * sizeof weight, NKW_SKIN_F32) : 0.0f;
+        const float *m = palette[j < f->limit ? j : 0].m;
+        any |= lane_bits(weight) << 1;
+        for (size_t a = 0; a < 16; a++)
+            sum->m[a] = e == 0 ? weight * m[a] : sum->m[a] + weight * m[a];
     }
-    return any != 0;
+    return any;
 }
 
-/* Up to LANE_FOURS vertices of any weights and joints, read no further than their vectors go. */
-static inline void move_seldom(const skin_influences *f, const nkw_mat4 *palette, const skin_stream *positions,
-                               const skin_stream *directions, int raw, size_t n)
+/* Such vertices, read no further than their vectors go. */
+static inline void move_any(const skin_influences *f, const nkw_mat4 *palette, const skin_stream *p,
+                            const skin_stream *d, int raw, size_t n)
 {
-    lane_wide_matrix m[LANE_FOURS];
-    lane_wide moved[2][4];
-    float in[2][LANE_WIDE];
-    int any[LANE_FOURS];
-    memset(m, 0, sizeof m);
-    memset(moved, 0, sizeof moved);
-    memset(in, 0, sizeof in);
     for (size_t i = 0; i < n; i++) {
-        const float *from[NKW_SKIN_INFLUENCES];
-        float weight[NKW_SKIN_INFLUENCES];
-        any[i] = find_any(f, palette, i, from, weight);
-        if (any[i])
-            m[i] = blend(from, (const unsigned char *)weight, f->count);
-        if (positions->in_stride)
-            memcpy(in[0] + 4 * i, positions->in + i * positions->in_stride, sizeof(nkw_vec3));
-        if (directions->in_stride)
-            memcpy(in[1] + 4 * i, directions->in + i * directions->in_stride, sizeof(nkw_vec3));
-    }
-    lane_wide_columns c = lane_wide_columns_of(m);
-    *moved[0] = take_point(c, lane_wide_read3((const unsigned char *)in[0], sizeof(lane_four)));
-    *moved[1] = take_direction(c, lane_wide_read3((const unsigned char *)in[1], sizeof(lane_four)));
-    if (!raw)
-        make_unit(moved[1]);
-    for (size_t i = 0; i < n; i++) {
-        if (positions->in_stride)
-            memcpy(positions->out + i * positions->out_stride,
-                   any[i] ? (const unsigned char *)moved[0] + i * sizeof(lane_four) : (const unsigned char *)(in[0] + 4 * i),
-                   sizeof(nkw_vec3));
-        if (directions->in_stride)
-            memcpy(directions->out + i * directions->out_stride,
-                   any[i] ? (const unsigned char *)moved[1] + i * sizeof(lane_four) : (const unsigned char *)(in[1] + 4 * i),
-                   sizeof(nkw_vec3));
+        nkw_mat4 m;
+        nkw_vec3 v;
+        const uint32_t any = blend_any(f, palette, i, &m);
+        if (p->in_stride) {
+            memcpy(&v, p->in + i * p->in_stride, sizeof v);
+            v = any ? nkw_mat4_transform_point(&m, v) : v;
+            memcpy(p->out + i * p->out_stride, &v, sizeof v);
+        }
+        if (d->in_stride) {
+            memcpy(&v, d->in + i * d->in_stride, sizeof v);
+            if (any)
+                v = nkw_mat4_transform_direction(&m, v);
+            if (any && !raw)
+                v = lane_skin_unit(v);
+            memcpy(d->out + i * d->out_stride, &v, sizeof v);
+        }
     }
 }
 
@@ -327,7 +307,7 @@ KERNEL(skin_pairs)
         moved = i < followed ? move_block(&f, tight, palette, &p, &d, raw, followed - i) : 0;
         if (moved == 0) {
             moved = n - i < LANE_FOURS ? n - i : LANE_FOURS;
-            move_seldom(&f, palette, &p, &d, raw, moved);
+            move_any(&f, palette, &p, &d, raw, moved);
         }
     }
 }

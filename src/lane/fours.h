@@ -230,13 +230,17 @@ static inline void lane_wide_write3(unsigned char *p, size_t stride, lane_wide a
 #if LANE_FOURS == 1
     (void)stride;
     lane_four_store3(p, a);
+#elif LANE_FOURS == 2
+    const lane_four v[LANE_FOURS] = {LANE_MIX(a, a, 0, 1, 2, 3), LANE_MIX(a, a, 4, 5, 6, 7)};
 #else
-    lane_four_store3(p, LANE_MIX(a, a, 0, 1, 2, 3));
-    lane_four_store3(p + stride, LANE_MIX(a, a, 4, 5, 6, 7));
+    const lane_four v[LANE_FOURS] = {LANE_MIX(a, a, 0, 1, 2, 3), LANE_MIX(a, a, 4, 5, 6, 7),
+                                     LANE_MIX(a, a, 8, 9, 10, 11), LANE_MIX(a, a, 12, 13, 14, 15)};
 #endif
-#if LANE_FOURS == 4
-    lane_four_store3(p + 2 * stride, LANE_MIX(a, a, 8, 9, 10, 11));
-    lane_four_store3(p + 3 * stride, LANE_MIX(a, a, 12, 13, 14, 15));
+#if LANE_FOURS > 1
+    for (size_t i = 0; i < LANE_FOURS; i++) {
+        memcpy(p + i * stride, &v[i], 8);
+        memcpy(p + i * stride + 8, (const unsigned char *)&v[i] + 8, 4);
+    }
 #endif
 }
 
