@@ -173,28 +173,32 @@ INLINE size_t move_by_format(const skin_influences *f, int tight, const nkw_mat4
     return move_u32(f, tight, palette, p, d, blended, n);
 }
 
-/* A block at most where directions are made unit. */
-static inline size_t move_block(const skin_influences *f, int tight, const nkw_mat4 *palette, const skin_stream *p,
-                               const skin_stream *d, int raw, size_t n)
+/* Directions made unit and written. */
+INLINE void finish(lane_wide *blended, size_t wides, int tight, const skin_stream *d)
 {
-    lane_wide blended[SKIN_BLOCK / LANE_FOURS + 3];
-    size_t moved, wides;
-    if (raw || !d->in_stride)
-        return move_by_format(f, tight, palette, p, d, NULL, n);
-    moved = move_by_format(f, tight, palette, p, d, blended, n < SKIN_BLOCK ? n : SKIN_BLOCK);
-    wides = moved / LANE_FOURS;
+    skin_stream s = *d;
     for (size_t i = wides; i % 4; i++)
         blended[i] = lane_wide_all(0.0f);
     for (size_t i = 0; i < wides; i += 4) {
         make_unit(blended + i);
-        for (size_t v = i; v < i + 4 && v < wides; v++) {
-            unsigned char *out = d->out + v * LANE_FOURS * d->out_stride;
-            if (LANE_FOURS > 1 && d->out_stride == sizeof(nkw_vec3))
-                lane_wide_write3_tight(out, blended[v]);
-            else
-                lane_wide_write3(out, d->out_stride, blended[v]);
-        }
+        for (size_t v = i; v < i + 4 && v < wides; v++, s.out += LANE_FOURS * s.out_stride)
+            write(&s, tight, blended[v]);
     }
+}
+
+/* A block at most where directions are made unit. */
+static inline size_t move_block(const skin_influences *f, int tight, const nkw_mat4 *palette, const skin_stream *p,
+                                const skin_stream *d, int raw, size_t n)
+{
+    lane_wide blended[SKIN_BLOCK / LANE_FOURS + 3];
+    size_t moved;
+    if (raw || !d->in_stride)
+        return move_by_format(f, tight, palette, p, d, NULL, n);
+    moved = move_by_format(f, tight, palette, p, d, blended, n < SKIN_BLOCK ? n : SKIN_BLOCK);
+    if (tight)
+        finish(blended, moved / LANE_FOURS, 1, d);
+    else
+        finish(blended, moved / LANE_FOURS, 0, d);
     return moved;
 }
 
@@ -204,25 +208,32 @@ static inline uint32_t blend_any(const skin_influences *f, const nkw_mat4 *palet
     const unsigned char *joint = (const unsigned char *)f->joints.data + i * f->joints.stride;
     const unsigned char *w = (const unsigned char *)f->weights.data + i * f->weights.stride;
     uint32_t any = 0;
+    memset(sum, 0, sizeof *sum);
     for (size_t e = 0; e < f->count; e++) {
-        uint32_t j = lane_skin_joint(joint + e * lane_skin_format_size(f->joints.format), f->joints.format);
-        float weight = j < f->limit ? lane_skin_weight(w + e * sizeof weight, NKW_SKIN_F32) : 0.0f;
+        const uint32_t j = lane_skin_joint(joint + e * lane_skin_format_size(f->joints.format), f->joints.format);
+        const float weight = j < f->limit ? lane_skin_weight(w + e * sizeof weight, NKW_SKIN_F32) : 0.0f;
         const float *m = palette[j < f->limit ? j : 0].m;
         any |= lane_bits(weight) << 1;
-        for (size_t a = 0; a < 16; a++)
-            sum->m[a] = e == 0 ? weight * m[a] : sum->m[a] + weight * m[a];
+        if (e == 0)
+            for (size_t a = 0; a < 16; a++)
+                sum->m[a] = weight * m[a];
+        else
+            for (size_t a = 0; a < 16; a++)
+                sum->m[a] += weight * m[a];
     }
     return any;
 }
 
-/* Such vertices, read no further than their vectors go. */
-static inline void move_any(const skin_influences *f, const nkw_mat4 *palette, const skin_stream *p,
-                            const skin_stream *d, int raw, size_t n)
+/* Up to n such vertices, the last one that without weight: gives how many. Reads no further than their vectors go. */
+static inline size_t move_any(const skin_influences *f, const nkw_mat4 *palette, const skin_stream *p,
+                              const skin_stream *d, int raw, size_t n)
 {
-    for (size_t i = 0; i < n; i++) {
+    uint32_t any = 1;
+    size_t i = 0;
+    for (; i < n && any; i++) {
         nkw_mat4 m;
         nkw_vec3 v;
-        const uint32_t any = blend_any(f, palette, i, &m);
+        any = blend_any(f, palette, i, &m);
         if (p->in_stride) {
             memcpy(&v, p->in + i * p->in_stride, sizeof v);
             v = any ? nkw_mat4_transform_point(&m, v) : v;
@@ -237,6 +248,7 @@ static inline void move_any(const skin_influences *f, const nkw_mat4 *palette, c
             memcpy(d->out + i * d->out_stride, &v, sizeof v);
         }
     }
+    return i;
 }
 
 static inline skin_influences influences_at(const skin_influences *f, size_t i)
@@ -305,9 +317,7 @@ KERNEL(skin_pairs)
         const skin_influences f = influences_at(influences, i);
         const skin_stream p = stream_at(positions, i), d = stream_at(directions, i);
         moved = i < followed ? move_block(&f, tight, palette, &p, &d, raw, followed - i) : 0;
-        if (moved == 0) {
-            moved = n - i < LANE_FOURS ? n - i : LANE_FOURS;
-            move_any(&f, palette, &p, &d, raw, moved);
-        }
+        if (moved == 0)
+            moved = move_any(&f, palette, &p, &d, raw, n - i < LANE_FOURS ? n - i : LANE_FOURS);
     }
 }
