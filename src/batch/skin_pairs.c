@@ -207,20 +207,20 @@ static inline uint32_t blend_any(const skin_influences *f, const nkw_mat4 *palet
 {
     const unsigned char *joint = (const unsigned char *)f->joints.data + i * f->joints.stride;
     const unsigned char *w = (const unsigned char *)f->weights.data + i * f->weights.stride;
+    lane_wide_matrix r;
     uint32_t any = 0;
-    memset(sum, 0, sizeof *sum);
+    memset(&r, 0, sizeof r);
     for (size_t e = 0; e < f->count; e++) {
         const uint32_t j = lane_skin_joint(joint + e * lane_skin_format_size(f->joints.format), f->joints.format);
         const float weight = j < f->limit ? lane_skin_weight(w + e * sizeof weight, NKW_SKIN_F32) : 0.0f;
         const float *m = palette[j < f->limit ? j : 0].m;
         any |= lane_bits(weight) << 1;
-        if (e == 0)
-            for (size_t a = 0; a < 16; a++)
-                sum->m[a] = weight * m[a];
-        else
-            for (size_t a = 0; a < 16; a++)
-                sum->m[a] += weight * m[a];
+        for (size_t a = 0; a < LANE_PARTS; a++) {
+            const lane_wide part = lane_wide_mul(lane_wide_load(m + a * LANE_WIDE), lane_wide_all(weight));
+            r.part[a] = e == 0 ? part : lane_wide_add(r.part[a], part);
+        }
     }
+    memcpy(sum, &r, sizeof *sum);
     return any;
 }
 
