@@ -164,7 +164,7 @@ APART static size_t move_u32(const skin_influences *f, int tight, const nkw_mat4
 }
 
 INLINE size_t move_by_format(const skin_influences *f, int tight, const nkw_mat4 *palette, const skin_stream *p,
-                                    const skin_stream *d, lane_wide *blended, size_t n)
+                             const skin_stream *d, lane_wide *blended, size_t n)
 {
     if (f->joints.format == NKW_SKIN_U8)
         return move_u8(f, tight, palette, p, d, blended, n);

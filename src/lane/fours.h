@@ -120,9 +120,9 @@ static inline lane_wide lane_wide_unless_zero(lane_wide a, lane_wide b)
 #if LANE_FOURS == 2
 #define LANE_EACH(a, b, i, j, k, l) LANE_MIX(a, b, i, j, k, l, 4 + (i), 4 + (j), 4 + (k), 4 + (l))
 #else
-#define LANE_EACH(a, b, i, j, k, l)                                                                           \
-    LANE_MIX(a, b, i, j, k, l, 4 + (i), 4 + (j), 4 + (k), 4 + (l), 8 + (i), 8 + (j), 8 + (k), 8 + (l), 12 + (i), 12 + (j), \
-             12 + (k), 12 + (l))
+#define LANE_EACH(a, b, i, j, k, l)                                                                                    \
+    LANE_MIX(a, b, i, j, k, l, 4 + (i), 4 + (j), 4 + (k), 4 + (l), 8 + (i), 8 + (j), 8 + (k), 8 + (l), 12 + (i),       \
+             12 + (j), 12 + (k), 12 + (l))
 #endif
 #define lane_wide_splat(a, i) LANE_EACH(a, a, i, i, i, i)
 
@@ -156,7 +156,7 @@ static inline lane_wide_columns lane_wide_columns_of(const lane_wide_matrix *m)
 #else
 
 /* The fours that begin at i, j, k, l. */
-#define LANE_TAKE(a, b, i, j, k, l)                                                                          \
+#define LANE_TAKE(a, b, i, j, k, l)                                                                                    \
     LANE_MIX(a, b, i, i + 1, i + 2, i + 3, j, j + 1, j + 2, j + 3, k, k + 1, k + 2, k + 3, l, l + 1, l + 2, l + 3)
 
 static inline lane_wide_columns lane_wide_columns_of(const lane_wide_matrix *m)
