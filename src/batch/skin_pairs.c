@@ -114,17 +114,18 @@ INLINE size_t move_usual(const skin_influences *f, size_t k, nkw_skin_format for
             if (!has_weight(w, k) || !blend(palette, limit, joint, format, w, k, &m[v]))
                 return i;
         lane_wide_columns c = lane_wide_columns_of(m);
-        if (USUALLY(has_positions))
+        if (USUALLY(has_positions)) {
             write(&p, tight, take_point(c, read(&p, tight)));
+            p.in += LANE_FOURS * p.in_stride, p.out += LANE_FOURS * p.out_stride;
+        }
         if (USUALLY(has_directions)) {
             lane_wide r = take_direction(c, read(&d, tight));
             if (blended)
                 blended[i / LANE_FOURS] = r;
             else
                 write(&d, tight, r);
+            d.in += LANE_FOURS * d.in_stride, d.out += LANE_FOURS * d.out_stride;
         }
-        p.in += LANE_FOURS * p.in_stride, p.out += LANE_FOURS * p.out_stride;
-        d.in += LANE_FOURS * d.in_stride, d.out += LANE_FOURS * d.out_stride;
     }
     return i;
 }
