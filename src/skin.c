@@ -33,7 +33,7 @@ static size_t stride_of(size_t stride, nkw_skin_format format, size_t influences
 
 static plan plan_of(const nkw_skin *skin, size_t joints, int raw)
 {
-    plan r = {nkw_batch_selected(), skin->joints, skin->weights, skin->vertices, skin->influences, UINT32_MAX, raw};
+    plan r = {nkw_batch_for(skin->vertices), skin->joints, skin->weights, skin->vertices, skin->influences, UINT32_MAX, raw};
     r.joints.stride = stride_of(r.joints.stride, r.joints.format, r.influences);
     r.weights.stride = stride_of(r.weights.stride, r.weights.format, r.influences);
     r.influences = r.influences < NKW_SKIN_INFLUENCES ? r.influences : NKW_SKIN_INFLUENCES;
@@ -164,7 +164,7 @@ static void run_pairs(const plan *p, const nkw_mat4 *palette, const nkw_vertices
             decode_block(p, from, n, &b);
             f.joints = joints, f.weights = weights;
         }
-        p->batch->skin_pairs(&f, palette, &positions, &normals, p->raw, from + n < p->vertices, n);
+        p->batch->skin_pairs(&f, palette, &positions, &normals, p->raw, p->vertices - from - n, n);
     }
 }
 

@@ -1,4 +1,6 @@
 /* SPDX-License-Identifier: MIT */
+#include <stdlib.h>
+
 #include "support/skin_mesh.h"
 
 static void raw_directions_are_not_made_unit(void **state)
@@ -120,6 +122,44 @@ static void positions_and_normals_alone_are_as_together(void **state)
     }
 }
 
+/* As many floats as are there and no more: what lies behind is out of bounds. */
+static float *copy_of(const float *v, size_t floats)
+{
+    float *r = malloc(floats * sizeof *r);
+    assert_non_null(r);
+    memcpy(r, v, floats * sizeof *r);
+    return r;
+}
+
+static void any_number_of_vertices_is_as_the_first_of_many(void **state)
+{
+    (void)state;
+    const size_t floats[2] = {3, 6};
+    mesh m = draw(80, 4, 0);
+    for (size_t n = 1; n < 40; n++)
+        for (size_t c = 0; c < 8; c++) {
+            const size_t f = floats[c & 1], s = f * sizeof(float);
+            float want[VERTICES * 6], *all = copy_of(m.v, n * f), *w = copy_of(m.weights, n * 4);
+            nkw_skin_palette palette = {m.matrices, NULL, JOINTS, (int)(c >> 1 & 1)};
+            nkw_skin many = skin_of(&m, 4), few = many;
+            nkw_vertices in = {{m.v, s}, {NULL, 0}, {NULL, 0}, {NULL, 0}},
+                         in_few = {{all, s}, {NULL, 0}, {NULL, 0}, {NULL, 0}};
+            nkw_vertices_span out = {{want, s}, {NULL, 0}, {NULL, 0}, {NULL, 0}};
+            nkw_vertices_span out_few = {{all, s}, {NULL, 0}, {NULL, 0}, {NULL, 0}};
+            if (c >> 2) {
+                in.normals = in.positions, in_few.normals = in_few.positions;
+                out.normals = out.positions, out_few.normals = out_few.positions;
+                in.positions.data = in_few.positions.data = out.positions.data = out_few.positions.data = NULL;
+            }
+            memcpy(want, m.v, sizeof want);
+            few.vertices = n, few.weights.data = w;
+            nkw_skin_linear(&many, &palette, &in, &out);
+            nkw_skin_linear(&few, &palette, &in_few, &out_few);
+            expect_floats_bits(all, want, n * f);
+            free(all), free(w);
+        }
+}
+
 static void without_influences_their_arrays_may_be_null(void **state)
 {
     (void)state;
@@ -139,6 +179,7 @@ int main(void)
         cmocka_unit_test(raw_directions_are_not_made_unit),
         cmocka_unit_test(pairs_are_as_blocks_for_every_format_and_odd_vertices),
         cmocka_unit_test(positions_and_normals_alone_are_as_together),
+        cmocka_unit_test(any_number_of_vertices_is_as_the_first_of_many),
         cmocka_unit_test(without_influences_their_arrays_may_be_null),
     };
     return cmocka_run_group_tests_name("skin_pairs", tests, NULL, NULL);

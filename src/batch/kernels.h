@@ -125,7 +125,7 @@ typedef struct blend_span {
     X(skin_blend, (skin_block *b, const nkw_mat4 *palette, size_t k, size_t n), (b, palette, k, n)) \
     X(skin_blend_normals, (skin_block *b, const nkw_mat3 *palette, size_t k, size_t n), (b, palette, k, n)) \
     X(skin_blend_dual_quats, (skin_block *b, const nkw_dual_quat *palette, size_t k, size_t n), (b, palette, k, n)) \
-    X(skin_pairs, (const skin_influences *f, const nkw_mat4 *palette, const skin_stream *p, const skin_stream *d, int raw, int more, size_t n), (f, palette, p, d, raw, more, n)) \
+    X(skin_pairs, (const skin_influences *f, const nkw_mat4 *palette, const skin_stream *p, const skin_stream *d, int raw, size_t more, size_t n), (f, palette, p, d, raw, more, n)) \
     X(skin_points, (const skin_block *b, nkw_vec3_view in, nkw_vec3_span out, size_t n), (b, in, out, n)) \
     X(skin_directions, (const skin_block *b, const float *m, int raw, nkw_vec3_view in, nkw_vec3_span out, size_t n), (b, m, raw, in, out, n)) \
     X(skin_read, (const unsigned char *data, size_t stride, float *out, size_t n), (data, stride, out, n)) \

@@ -6,6 +6,7 @@
 #include "lane/strict.h"
 
 #include "lane/affine.h"
+#include "lane/fours.h"
 #include "lane/mat.h"
 
 /* Matrices together: one register of the widest, for floats. */
@@ -22,27 +23,14 @@ static inline size_t matrices_index(size_t i, size_t size)
     return i < size ? i : size - 1;
 }
 
-#if defined(LANE_WIDE) && LANE_WIDE == 16
-/* lane_four_transpose of each of the four fours. */
-static inline void matrices_transpose(lane_wide m[4])
-{
-    lane_wide a = LANE_MIX(m[0], m[1], 0, 16, 1, 17, 4, 20, 5, 21, 8, 24, 9, 25, 12, 28, 13, 29);
-    lane_wide b = LANE_MIX(m[2], m[3], 0, 16, 1, 17, 4, 20, 5, 21, 8, 24, 9, 25, 12, 28, 13, 29);
-    lane_wide c = LANE_MIX(m[0], m[1], 2, 18, 3, 19, 6, 22, 7, 23, 10, 26, 11, 27, 14, 30, 15, 31);
-    lane_wide d = LANE_MIX(m[2], m[3], 2, 18, 3, 19, 6, 22, 7, 23, 10, 26, 11, 27, 14, 30, 15, 31);
-    m[0] = LANE_MIX(a, b, 0, 1, 16, 17, 4, 5, 20, 21, 8, 9, 24, 25, 12, 13, 28, 29);
-    m[1] = LANE_MIX(a, b, 2, 3, 18, 19, 6, 7, 22, 23, 10, 11, 26, 27, 14, 15, 30, 31);
-    m[2] = LANE_MIX(c, d, 0, 1, 16, 17, 4, 5, 20, 21, 8, 9, 24, 25, 12, 13, 28, 29);
-    m[3] = LANE_MIX(c, d, 2, 3, 18, 19, 6, 7, 22, 23, 10, 11, 26, 27, 14, 15, 30, 31);
-}
-
+#if LANE_FOURS == 4
 /* Four matrices become number i and those after it. */
 static inline void matrices_put(matrices *a, size_t i, const nkw_mat4 *const m[4])
 {
     lane_wide rows[4];
     for (size_t k = 0; k < 4; k++)
         rows[k] = lane_wide_load(m[k]->m);
-    matrices_transpose(rows);
+    lane_wide_transpose(rows);
     for (size_t k = 0; k < 3; k++) {
         lane_four_store(a->e[k] + i, LANE_MIX(rows[k], rows[k], 0, 1, 2, 3));
         lane_four_store(a->e[3 + k] + i, LANE_MIX(rows[k], rows[k], 4, 5, 6, 7));

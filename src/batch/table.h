@@ -40,6 +40,20 @@
 #define KEEP_LOOP
 #endif
 
+/* A condition that mostly holds: what it guards comes first. */
+#if defined(__GNUC__)
+#define USUALLY(condition) __builtin_expect(!!(condition), 1)
+#else
+#define USUALLY(condition) (condition)
+#endif
+
+/* A part of a kernel that stays a function of its own, lest a large one be compiled in one piece. */
+#if defined(__GNUC__)
+#define APART __attribute__((noinline))
+#else
+#define APART
+#endif
+
 /* One function pointer for each loop. */
 typedef struct nkw_batch {
 #define KERNEL_MEMBER(name, parameters, arguments) void(*name) parameters;

@@ -111,35 +111,6 @@ static inline void lane_four_store3(unsigned char *p, lane_four a)
 #define lane_four_splat(a, i) LANE_FOUR_MIX(a, a, i, i, i, i)
 #endif
 
-/*
- * Where registers are wider: LANE_WIDE floats of a matrix of 16, two columns or all four, and eight floats, which hold
- * two fours. LANE_COLUMN_TWICE(m, c) is column c, twice, of the LANE_WIDE_PARTS that are a matrix.
- */
-#if defined(__has_builtin) && defined(__AVX__)
-#if __has_builtin(__builtin_shufflevector)
-#if defined(__AVX512F__)
-#define LANE_WIDE 16
-#else
-#define LANE_WIDE 8
-#endif
-#define LANE_WIDE_PARTS         (16 / LANE_WIDE)
-#define LANE_MIX(a, b, ...)     __builtin_shufflevector(a, b, __VA_ARGS__)
-#define LANE_FOUR_TWICE(a, i)   LANE_MIX(a, a, (i), (i) + 1, (i) + 2, (i) + 3, (i), (i) + 1, (i) + 2, (i) + 3)
-#define LANE_COLUMN_TWICE(m, c) LANE_FOUR_TWICE((m)[4 * (c) / LANE_WIDE], 4 * (c) % LANE_WIDE)
-/* a[i] four times, then a[4 + i]. */
-#define lane_eight_splat(a, i) LANE_MIX(a, a, i, i, i, i, 4 + i, 4 + i, 4 + i, 4 + i)
-typedef float lane_wide __attribute__((vector_size(4 * LANE_WIDE)));
-typedef float lane_eight __attribute__((vector_size(32)));
-
-static inline lane_wide lane_wide_load(const float *p)
-{
-    lane_wide r;
-    memcpy(&r, p, sizeof r);
-    return r;
-}
-#endif
-#endif
-
 #else
 
 typedef struct lane_four {
@@ -227,6 +198,11 @@ static inline lane_four lane_four_all_of(const unsigned char *p)
 }
 
 static inline void lane_four_store(float *p, lane_four a)
+{
+    memcpy(p, &a, sizeof a);
+}
+
+static inline void lane_four_store_bytes(unsigned char *p, lane_four a)
 {
     memcpy(p, &a, sizeof a);
 }
