@@ -33,15 +33,34 @@ static inline int any_outside(const float *t, size_t from, size_t to)
     return outside;
 }
 
-static inline void slerp_inside(nkw_quat_view a, nkw_quat_view b, const float *t, nkw_quat_span out, size_t from, size_t to)
+/* E(u), E(t) of the elements of a block, and whether b is turned. */
+typedef struct slerp_weights {
+    float u[BLOCK], t[BLOCK];
+    uint32_t turned[BLOCK];
+} slerp_weights;
+
+static inline void weigh(nkw_quat_view a, nkw_quat_view b, const float *t, slerp_weights *w, size_t from, size_t to)
 {
-    /* Not lane_quat_slerp itself: Clang 14 would keep its arguments in pairs of floats. */
 #pragma omp simd
     for (size_t i = from; i < to; i++) {
-        nkw_quat p = at_quat(a, i), q = at_quat(b, i);
-        lane_slerp_arc arc = lane_slerp_arc_between(p, q);
+        lane_slerp_arc arc = lane_slerp_arc_between(at_quat(a, i), at_quat(b, i));
         lane_slerp_pace pace = lane_slerp_pace_at(t[i]);
-        put_quat(out, i, lane_quat_slerp_on(p, q, &arc, &pace));
+        w->u[i - from] = lane_slerp_excess_on(&arc, &pace, pace.u);
+        w->t[i - from] = lane_slerp_excess_on(&arc, &pace, pace.t);
+        w->turned[i - from] = arc.turned;
+    }
+}
+
+/* In two steps: all in one would take more registers than there are. */
+static inline void slerp_inside(nkw_quat_view a, nkw_quat_view b, const float *t, nkw_quat_span out, size_t from, size_t to)
+{
+    slerp_weights w;
+    weigh(a, b, t, &w, from, to);
+#pragma omp simd
+    for (size_t i = from; i < to; i++) {
+        size_t k = i - from;
+        lane_slerp_pace pace = lane_slerp_pace_at(t[i]);
+        put_quat(out, i, lane_quat_slerp_by(at_quat(a, i), at_quat(b, i), w.turned[k], &pace, w.u[k], w.t[k]));
     }
 }
 
