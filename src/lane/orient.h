@@ -38,7 +38,7 @@ static inline lane_chord lane_quat_chord_near(nkw_quat a, nkw_quat b, float t, i
     lane_chord r;
     r.x = first ? t : 1.0f - t;
     r.near = lane_quat_select(first, a, c);
-    r.v = nkw_quat_add(r.near, nkw_quat_scale(nkw_quat_sub(lane_quat_select(first, c, a), r.near), r.x));
+    r.v = nkw_quat_add(r.near, nkw_quat_scale(nkw_quat_sub(c, a), first ? r.x : -r.x));
     return r;
 }
 
