@@ -33,35 +33,47 @@ static inline int any_outside(const float *t, size_t from, size_t to)
     return outside;
 }
 
-/* E(u), E(t) of the elements of a block, and whether b is turned. */
-typedef struct slerp_weights {
-    float u[BLOCK], t[BLOCK];
+/*
+ * Slerp takes three steps over a block: arcs, weights, rotations. All in one would take more registers than there are,
+ * and each element would wait for its division and its polynomials.
+ */
+typedef struct slerp_block {
+    float v[BLOCK], u[BLOCK], t[BLOCK]; /* the arc, E(u), E(t) */
     uint32_t turned[BLOCK];
-} slerp_weights;
+} slerp_block;
 
-static inline void weigh(nkw_quat_view a, nkw_quat_view b, const float *t, slerp_weights *w, size_t from, size_t to)
+static inline void arcs(nkw_quat_view a, nkw_quat_view b, slerp_block *s, size_t from, size_t to)
 {
 #pragma omp simd
     for (size_t i = from; i < to; i++) {
         lane_slerp_arc arc = lane_slerp_arc_between(at_quat(a, i), at_quat(b, i));
-        lane_slerp_pace pace = lane_slerp_pace_at(t[i]);
-        w->u[i - from] = lane_slerp_excess_on(&arc, &pace, pace.u);
-        w->t[i - from] = lane_slerp_excess_on(&arc, &pace, pace.t);
-        w->turned[i - from] = arc.turned;
+        s->v[i - from] = arc.v;
+        s->turned[i - from] = arc.turned;
     }
 }
 
-/* In two steps: all in one would take more registers than there are. */
+static inline void weigh(slerp_block *s, size_t k, lane_slerp_pace pace)
+{
+    lane_slerp_arc arc = lane_slerp_arc_of(0, s->v[k]);
+    s->u[k] = lane_slerp_excess_on(&arc, &pace, pace.u);
+    s->t[k] = lane_slerp_excess_on(&arc, &pace, pace.t);
+}
+
+static inline nkw_quat turn(const slerp_block *s, size_t k, nkw_quat a, nkw_quat b, lane_slerp_pace pace)
+{
+    return lane_quat_slerp_by(a, b, s->turned[k], &pace, s->u[k], s->t[k]);
+}
+
 static inline void slerp_inside(nkw_quat_view a, nkw_quat_view b, const float *t, nkw_quat_span out, size_t from, size_t to)
 {
-    slerp_weights w;
-    weigh(a, b, t, &w, from, to);
+    slerp_block s;
+    arcs(a, b, &s, from, to);
 #pragma omp simd
-    for (size_t i = from; i < to; i++) {
-        size_t k = i - from;
-        lane_slerp_pace pace = lane_slerp_pace_at(t[i]);
-        put_quat(out, i, lane_quat_slerp_by(at_quat(a, i), at_quat(b, i), w.turned[k], &pace, w.u[k], w.t[k]));
-    }
+    for (size_t i = from; i < to; i++)
+        weigh(&s, i - from, lane_slerp_pace_at(t[i]));
+#pragma omp simd
+    for (size_t i = from; i < to; i++)
+        put_quat(out, i, turn(&s, i - from, at_quat(a, i), at_quat(b, i), lane_slerp_pace_at(t[i])));
 }
 
 KERNEL(quat_slerp)(nkw_quat_view a, nkw_quat_view b, const float *t, nkw_quat_span out, size_t n)
@@ -78,11 +90,16 @@ KERNEL(quat_slerp)(nkw_quat_view a, nkw_quat_view b, const float *t, nkw_quat_sp
 
 static inline void slerp_at_pace(nkw_quat_view a, nkw_quat_view b, lane_slerp_pace pace, nkw_quat_span out, size_t n)
 {
+    for (size_t from = 0; from < n; from += BLOCK) {
+        size_t end = n - from < BLOCK ? n : from + BLOCK;
+        slerp_block s;
+        arcs(a, b, &s, from, end);
 #pragma omp simd
-    for (size_t i = 0; i < n; i++) {
-        nkw_quat from = at_quat(a, i), to = at_quat(b, i);
-        lane_slerp_arc arc = lane_slerp_arc_between(from, to);
-        put_quat(out, i, lane_quat_slerp_on(from, to, &arc, &pace));
+        for (size_t i = from; i < end; i++)
+            weigh(&s, i - from, pace);
+#pragma omp simd
+        for (size_t i = from; i < end; i++)
+            put_quat(out, i, turn(&s, i - from, at_quat(a, i), at_quat(b, i), pace));
     }
 }
 
