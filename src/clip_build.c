@@ -279,7 +279,7 @@ static size_t place_of(const builder *b, const nkw_clip_track *c, size_t compone
     return (component + (c->target == NKW_CLIP_SCALE ? 7u : 0u)) * stride + c->index;
 }
 
-/* The lanes of a track in pass 0, 1 or 2: one component, or all four of a rotation, or all the floats in a row. */
+/* The lanes of a track in pass 0, 1 or 2: one component, or all of a rotation, or all the floats in a row. */
 static void lay_track(lanes *l, const clip_group *g, const nkw_clip_track *c, size_t pass)
 {
     int turns = c->target == NKW_CLIP_ROTATION, floats = c->target == NKW_CLIP_FLOATS;

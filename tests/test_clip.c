@@ -214,8 +214,8 @@ static void a_clip_of_floats_does_not_differ_from_its_tracks(void **state)
 }
 
 /* At a key; between keys that are half a turn apart; radians. */
-#define COMPACT_AT_KEY  1.23e-4f
-#define COMPACT_BETWEEN 1.74e-4f
+#define COMPACT_AT_KEY  1.24e-4f
+#define COMPACT_BETWEEN 1.75e-4f
 
 /* Numbers are drawn from -3..3, so half a step is 4.6e-5. */
 static void a_compact_clip_is_within_its_bound(void **state)

@@ -55,6 +55,7 @@ static void constant_curves_are_constant(void **state)
         expect_bits(nkw_bezier(p, p, p, p, t), p);
         expect_bits(nkw_bspline(p, p, p, p, t), p);
         expect_bits(nkw_catmull_rom(p, p, p, p, t), p);
+        expect_bits(nkw_bezier(p, p, p, p, random_scaled(&r, -10, 60)), p);
     }
 }
 

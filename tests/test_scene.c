@@ -264,7 +264,7 @@ static void expect_compact_bound(const played *p)
         assert_true((double)error.translation <= compact_bound(s, NKW_CLIP_TRANSLATION));
         assert_true((double)error.scale <= compact_bound(s, NKW_CLIP_SCALE));
         assert_true((double)error.floats <= compact_bound(s, NKW_CLIP_FLOATS));
-        assert_true(error.rotation <= 1.74e-4f);
+        assert_true(error.rotation <= 1.75e-4f);
     }
 }
 

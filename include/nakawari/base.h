@@ -49,6 +49,8 @@
 #define NKW_INLINE 0
 #elif defined(FLT_EVAL_METHOD) && FLT_EVAL_METHOD != 0 && FLT_EVAL_METHOD != 16
 #define NKW_INLINE 0
+#elif (defined(__i386__) && !defined(__SSE2_MATH__)) || (defined(_M_IX86_FP) && _M_IX86_FP < 2)
+#define NKW_INLINE 0 /* Clang says 0 above where float is taken by SSE, but double by x87 */
 #else
 #define NKW_INLINE 1
 #endif
@@ -70,9 +72,12 @@
 #if defined(__GNUC__) && !defined(__clang__) && defined(__FP_FAST_FMAF) && !defined(NKW_CONTRACTION_OFF)
 #define NKW_FUSES
 #define NKW_MUL(a, b) __builtin_fmaf(a, b, -0.0f)
-#define NKW_MUL64(a, b) __builtin_fma(a, b, -0.0)
 #else
 #define NKW_MUL(a, b) ((a) * (b))
+#endif
+#if defined(NKW_FUSES) && defined(__FP_FAST_FMA)
+#define NKW_MUL64(a, b) __builtin_fma(a, b, -0.0)
+#else
 #define NKW_MUL64(a, b) ((a) * (b))
 #endif
 

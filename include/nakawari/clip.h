@@ -51,8 +51,8 @@ typedef enum nkw_clip_format {
      * A number is off by at most 0.51/65535 of its range and 3 u of its size.
      *
      * A rotation is three numbers, its axis times the tangent of a quarter of its angle. At a key it is off by at most
-     * 4/65535 radians times the widest range of the three, which is 2 at most, and 1e-6: 1.23e-4; between keys that are
-     * half a turn apart by sqrt 2 of that, 1.74e-4. It is unit to 5e-7, and of q and -q may be the one that the track's
+     * 4/65535 radians times the widest range of the three, which is 2 at most, and 1e-6: 1.24e-4; between keys that are
+     * half a turn apart by sqrt 2 of that, 1.75e-4. It is unit to 5e-7, and of q and -q may be the one that the track's
      * is not.
      *
      * nkw_clip_difference measures a clip's own error.

@@ -64,7 +64,8 @@ static inline nkw_quat turn(const slerp_block *s, size_t k, nkw_quat a, nkw_quat
     return lane_quat_slerp_by(a, b, s->turned[k], &pace, s->u[k], s->t[k]);
 }
 
-static inline void slerp_inside(nkw_quat_view a, nkw_quat_view b, const float *t, nkw_quat_span out, size_t from, size_t to)
+static inline void slerp_inside(nkw_quat_view a, nkw_quat_view b, const float *t, nkw_quat_span out, size_t from,
+                                size_t to)
 {
     slerp_block s;
     arcs(a, b, &s, from, to);

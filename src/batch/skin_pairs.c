@@ -191,7 +191,7 @@ INLINE void finish(lane_wide *blended, size_t wides, int tight, const skin_strea
 static inline size_t move_block(const skin_influences *f, int tight, const nkw_mat4 *palette, const skin_stream *p,
                                 const skin_stream *d, int raw, size_t n)
 {
-    lane_wide blended[SKIN_BLOCK / LANE_FOURS + 3];
+    lane_wide blended[SKIN_BLOCK / LANE_FOURS];
     size_t moved;
     if (raw || !d->in_stride)
         return move_by_format(f, tight, palette, p, d, NULL, n);

@@ -293,8 +293,8 @@ static inline int lane_four_nlerp(lane_four a, lane_four b, float t, lane_four *
     lane_four x = lane_four_all(t < u ? t : u);
     lane_four_bits last = lane_four_all(t) >= half;
     lane_four_bits exchange = ((lane_four_bits)a ^ (lane_four_bits)c) & last;
-    lane_four near = lane_four_flip(a, exchange), far = lane_four_flip(c, exchange);
-    lane_four v = near + (far - near) * x;
+    lane_four near = lane_four_flip(a, exchange);
+    lane_four v = near + (c - a) * lane_four_flip(x, last << 31);
     float m = lane_four_sum(quarter - v * v)[0], n2 = 1.0f - m;
     lane_four unit = v + v * lane_four_all(m / (sqrtf(n2) + n2));
     *out = lane_four_select(x == zero, near, unit);

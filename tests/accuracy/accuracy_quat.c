@@ -47,6 +47,15 @@ static void half_turned_vector(random_source *r, float *x)
     put_vec3(x + 4, random_vec3(r, -1.0f, 1.0f));
 }
 
+/* The same, unit as the library makes it. */
+static void half_turned_by_normalised(random_source *r, float *x)
+{
+    put_vec3(x, random_direction(r));
+    x[3] = random_scaled(r, -24, -6);
+    put_quat(x, nkw_quat_normalize(quat_at(x)));
+    put_vec3(x + 4, random_vec3(r, -1.0f, 1.0f));
+}
+
 /* Against the rotation of q, its length left out. */
 static double rotate_error(const float *x)
 {
@@ -458,6 +467,7 @@ static const wide_case cases[] = {
     {"nkw_quat_mul", "unit", unit_pair, mul_error, 8, WIDE_CHECKED},
     {"nkw_quat_rotate", "unit", turned_vector, rotate_error, 7, WIDE_CHECKED},
     {"nkw_quat_rotate", "near half turns", half_turned_vector, rotate_error, 7, WIDE_CHECKED},
+    {"nkw_quat_rotate", "near half turns, q normalised", half_turned_by_normalised, rotate_error, 7, WIDE_CHECKED},
     {"nkw_quat_rotate", "identity, bit by bit", turned_vector, identity_rotates_nothing, 7, WIDE_CHECKED},
     {"nkw_quat_length", "1e-3 .. 1e3", any_quat, length_error, 4, WIDE_CHECKED},
     {"nkw_quat_length", "unit", unit_quat, length_error, 4, WIDE_CHECKED},

@@ -139,7 +139,10 @@ static size_t draw_letter(random_source *r, char letter, size_t k, size_t i)
     return count;
 }
 
-/* Fills all inputs; gives how many arrays the row has. Every other pair of quaternions is close or opposite. */
+/*
+ * Fills all inputs; gives how many arrays the row has. Every other pair of quaternions is close or opposite, and of
+ * eight one has -0 in both.
+ */
 static size_t draw(random_source *r, const row *w)
 {
     size_t count = 0;
@@ -150,6 +153,8 @@ static size_t draw(random_source *r, const row *w)
         if (strncmp(w->inputs, "qq", 2) == 0 && i % 2)
             for (size_t j = 0; j < 4; j++)
                 inputs[4 + j][i] = (i % 4 == 1 ? -1.0f : 1.0f) * inputs[j][i] * (i % 8 < 4 ? 1.0f : 1.00001f);
+        if (strncmp(w->inputs, "qq", 2) == 0 && i % 8 == 4)
+            inputs[0][i] = inputs[4][i] = -0.0f;
     }
     return count;
 }

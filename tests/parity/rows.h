@@ -47,7 +47,7 @@ P(quat_from_euler, "v", 4, (V(0), NKW_EULER_YXZ, QS(0), n), put_quat(o, nkw_quat
 P(quat_log, "q", 3, (Q(0), VS(0), n), put_vec3(o, nkw_quat_log(q(0))))
 P(quat_exp, "v", 4, (V(0), QS(0), n), put_quat(o, nkw_quat_exp(v(0))))
 P(quat_nlerp, "qqt", 4, (Q(0), Q(4), in[8], QS(0), n), put_quat(o, nkw_quat_nlerp(q(0), q(4), x[8])))
-P(quat_nlerp_at, "qq", 4, (Q(0), Q(4), 0.3f, QS(0), n), put_quat(o, nkw_quat_nlerp(q(0), q(4), 0.3f)))
+P(quat_nlerp_at, "qq", 4, (Q(0), Q(4), 0.7f, QS(0), n), put_quat(o, nkw_quat_nlerp(q(0), q(4), 0.7f)))
 P(quat_slerp, "qqt", 4, (Q(0), Q(4), in[8], QS(0), n), put_quat(o, nkw_quat_slerp(q(0), q(4), x[8])))
 P(quat_slerp_at, "qq", 4, (Q(0), Q(4), 0.3f, QS(0), n), put_quat(o, nkw_quat_slerp(q(0), q(4), 0.3f)))
 

@@ -11,8 +11,8 @@ extern "C" {
 #endif
 
 /*
- * All curves but Bezier look from the end nearer to t: x is the way from there, y = 1 - x, a and b the near and the far
- * end. From t = 1/2 on the controls are mirrored; 1 - t is then exact. At x = 0 the end comes back as it is, the sign of
+ * All curves but Bezier look from the end nearer to t: x is the way from there, y = 1 - x, a and b the near and the
+ * far end. From t = 1/2 on the controls are mirrored; 1 - t is then exact. At x = 0 the end comes back as it is, the sign of
  * a zero too. One nkw_select is enough for GCC to make vectors of a loop over a curve.
  */
 
@@ -31,15 +31,14 @@ inline float nkw_hermite(float p0, float v0, float p1, float v1, float t)
     return nkw_select(x == 0.0f, a, a + NKW_MUL(x, w));
 }
 
-/* The weights and their sum in binary64, rounded once. */
+/* The distances from p0, by the weights of the other three, in binary64; rounded once. */
 inline float nkw_bezier(float p0, float p1, float p2, float p3, float t)
 {
     NKW_EXACT
-    double s = 1.0 - t, ss = NKW_MUL64(s, s), tt = NKW_MUL64((double)t, (double)t);
-    double w0 = NKW_MUL64(ss, s), w1 = NKW_MUL64(3.0 * ss, (double)t);
-    double w2 = NKW_MUL64(3.0 * tt, s), w3 = NKW_MUL64(tt, (double)t);
-    double p = (NKW_MUL64(w0, (double)p0) + NKW_MUL64(w1, (double)p1)) +
-               (NKW_MUL64(w2, (double)p2) + NKW_MUL64(w3, (double)p3));
+    double x = (double)t, s = 1.0 - x, ss = NKW_MUL64(s, s), xx = NKW_MUL64(x, x);
+    double w1 = NKW_MUL64(3.0 * ss, x), w2 = NKW_MUL64(3.0 * xx, s), w3 = NKW_MUL64(xx, x);
+    double d1 = (double)p1 - (double)p0, d2 = (double)p2 - (double)p0, d3 = (double)p3 - (double)p0;
+    double p = (double)p0 + ((NKW_MUL64(w1, d1) + NKW_MUL64(w2, d2)) + NKW_MUL64(w3, d3));
     return nkw_select(t == 0.0f, p0, nkw_select(t == 1.0f, p3, (float)p));
 }
 

@@ -8,7 +8,7 @@
 
 #include "../scalar.h"
 
-/* 2^-96..2^96: there a vector of this squared length needs no scaling before it is normalised. */
+/* Within 2^-96..2^96: a vector of this squared length needs no scaling before it is normalised. */
 #define NKW_IS_NEAR(n2) ((n2) >= 1.26217745e-29 && (n2) <= 7.92281625e28)
 
 /* The square of a float, exact. */
