@@ -21,7 +21,10 @@ KERNEL(quat_nlerp_at)(nkw_quat_view a, nkw_quat_view b, float t, nkw_quat_span o
         put_quat(out, i, lane_quat_nlerp(at_quat(a, i), at_quat(b, i), t));
 }
 
-/* Blocks with a t outside 0..1 take the single function, as angles do that are far (see batch/scalar.c). */
+/*
+ * Blocks with a t outside 0..1 take the single function, as angles do that are far (see batch/scalar.c), and those of
+ * one element.
+ */
 #define BLOCK 256
 
 static inline int any_outside(const float *t, size_t from, size_t to)
@@ -81,9 +84,9 @@ KERNEL(quat_slerp)(nkw_quat_view a, nkw_quat_view b, const float *t, nkw_quat_sp
 {
     for (size_t from = 0; from < n; from += BLOCK) {
         size_t end = n - from < BLOCK ? n : from + BLOCK;
-        if (any_outside(t, from, end))
+        if (end - from == 1 || any_outside(t, from, end))
             for (size_t i = from; i < end; i++)
-                put_quat(out, i, lane_quat_slerp_any(at_quat(a, i), at_quat(b, i), t[i]));
+                put_quat(out, i, nkw_quat_slerp(at_quat(a, i), at_quat(b, i), t[i]));
         else
             slerp_inside(a, b, t, out, from, end);
     }
@@ -106,9 +109,9 @@ static inline void slerp_at_pace(nkw_quat_view a, nkw_quat_view b, lane_slerp_pa
 
 KERNEL(quat_slerp_at)(nkw_quat_view a, nkw_quat_view b, float t, nkw_quat_span out, size_t n)
 {
-    if (!lane_t_is_inside(t)) {
+    if (n == 1 || !lane_t_is_inside(t)) {
         for (size_t i = 0; i < n; i++)
-            put_quat(out, i, lane_quat_slerp_any(at_quat(a, i), at_quat(b, i), t));
+            put_quat(out, i, nkw_quat_slerp(at_quat(a, i), at_quat(b, i), t));
         return;
     }
     lane_slerp_pace pace = lane_slerp_pace_at(t);
