@@ -34,7 +34,7 @@
 /* 16 means that only _Float16 is widened. */
 #if (defined(FLT_EVAL_METHOD) && FLT_EVAL_METHOD != 0 && FLT_EVAL_METHOD != 16) ||                                    \
     (defined(__i386__) && !defined(__SSE2_MATH__)) || (defined(_M_IX86_FP) && _M_IX86_FP < 2)
-#error "nakawari: float and double must be evaluated as they are (i386: -msse2 -mfpmath=sse, s390x: -fexcess-precision=fast)"
+#error "nakawari: float must be evaluated as float (i386: -msse2 -mfpmath=sse, s390x: -fexcess-precision=fast)"
 #endif
 
 #if FLT_RADIX != 2 || FLT_MANT_DIG != 24 || DBL_MANT_DIG != 53
