@@ -236,12 +236,16 @@ static void encode(const float base[3], const float step[3], const double x[3], 
 static void fill_compact(const builder *b, const clip_group *g, const nkw_clip_track *c, size_t component, size_t lane)
 {
     size_t rows = clip_rows(g), at[3];
-    compact_keys keys = {c, component, 0.0, 1.0f}, far_keys = {c, component, -0.5, 1.0f};
-    compact_ranges ranges = ranges_of(keys, rows), far_ranges = ranges_of(far_keys, rows);
+    compact_keys keys = {c, component, 0.0, 1.0f};
+    compact_ranges ranges = ranges_of(keys, rows);
     float base[3], step[3];
-    if (far_ranges.widest < ranges.widest) {
-        keys = far_keys;
-        ranges = far_ranges;
+    if (c->target == NKW_CLIP_ROTATION) {
+        compact_keys far_keys = {c, component, -0.5, 1.0f};
+        compact_ranges far_ranges = ranges_of(far_keys, rows);
+        if (far_ranges.widest < ranges.widest) {
+            keys = far_keys;
+            ranges = far_ranges;
+        }
     }
     for (size_t r = 0; r < rows; r++) {
         at[r] = lane_at(g, rows, r, lane);

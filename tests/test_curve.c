@@ -13,11 +13,13 @@ static const struct kind {
     curve *at;
     basis *weights, *velocity, *acceleration;
     int first, last; /* -1: passes through none */
-    int affine;      /* all four weights sum to 1; Hermite: those of the points */
+    int affine; /* all four weights sum to 1; Hermite: those of the points */
 } kinds[] = {
-    {"hermite", nkw_hermite, nkw_hermite_weights, nkw_hermite_velocity_weights, nkw_hermite_acceleration_weights, 0, 2, 0},
+    {"hermite", nkw_hermite, nkw_hermite_weights, nkw_hermite_velocity_weights, nkw_hermite_acceleration_weights, 0, 2,
+     0},
     {"bezier", nkw_bezier, nkw_bezier_weights, nkw_bezier_velocity_weights, nkw_bezier_acceleration_weights, 0, 3, 1},
-    {"bspline", nkw_bspline, nkw_bspline_weights, nkw_bspline_velocity_weights, nkw_bspline_acceleration_weights, -1, -1, 1},
+    {"bspline", nkw_bspline, nkw_bspline_weights, nkw_bspline_velocity_weights, nkw_bspline_acceleration_weights, -1,
+     -1, 1},
     {"catmull_rom", nkw_catmull_rom, nkw_catmull_rom_weights, nkw_catmull_rom_velocity_weights,
      nkw_catmull_rom_acceleration_weights, 1, 2, 1},
 };
@@ -67,8 +69,8 @@ static void curve_is_the_weighted_sum(void **state)
         for (int i = 0; i < 5000; i++) {
             float c[4], t = random_unit(&r);
             draw(&r, c);
-            expect_near(kinds[k].at(c[0], c[1], c[2], c[3], t),
-                        nkw_weigh(kinds[k].weights(t), c[0], c[1], c[2], c[3]), 1e-6);
+            expect_near(kinds[k].at(c[0], c[1], c[2], c[3], t), nkw_weigh(kinds[k].weights(t), c[0], c[1], c[2], c[3]),
+                        1e-6);
         }
     }
 }
@@ -100,7 +102,9 @@ static void derivatives_are_the_slopes_of_the_weights(void **state)
             for (int j = 0; j < 4; j++) {
                 /* Central differences: off by h^2/6 times the third derivative, at most 18; and by rounding. */
                 expect_near(v.w[j], ((double)after.w[j] - (double)before.w[j]) / (2 * (double)h), 2e-4);
-                expect_near(a.w[j], ((double)after.w[j] - 2 * (double)at.w[j] + (double)before.w[j]) / ((double)h * (double)h), 3e-2);
+                expect_near(a.w[j],
+                            ((double)after.w[j] - 2 * (double)at.w[j] + (double)before.w[j]) / ((double)h * (double)h),
+                            3e-2);
             }
         }
     }
@@ -142,7 +146,8 @@ static void bspline_segments_join_bit_for_bit(void **state)
         for (int j = 0; j < 5; j++)
             p[j] = random_between(&r, -1, 1);
         expect_bits(nkw_bspline(p[0], p[1], p[2], p[3], 1.0f), nkw_bspline(p[1], p[2], p[3], p[4], 0.0f));
-        expect_near(nkw_bspline(p[0], p[1], p[2], p[3], 0.0f), ((double)p[0] + 4 * (double)p[1] + (double)p[2]) / 6, 1e-7);
+        expect_near(nkw_bspline(p[0], p[1], p[2], p[3], 0.0f), ((double)p[0] + 4 * (double)p[1] + (double)p[2]) / 6,
+                    1e-7);
     }
 }
 
@@ -165,7 +170,8 @@ static void vectors_go_by_component(void **state)
     (void)state;
     random_source r = random_from(6);
     for (int i = 0; i < 2000; i++) {
-        nkw_vec3 a = random_vec3(&r, -1, 1), b = random_vec3(&r, -1, 1), c = random_vec3(&r, -1, 1), d = random_vec3(&r, -1, 1);
+        nkw_vec3 a = random_vec3(&r, -1, 1), b = random_vec3(&r, -1, 1), c = random_vec3(&r, -1, 1),
+                 d = random_vec3(&r, -1, 1);
         float t = random_unit(&r);
         expect_bits(nkw_vec3_hermite(a, b, c, d, t).x, nkw_hermite(a.x, b.x, c.x, d.x, t));
         expect_bits(nkw_vec3_bezier(a, b, c, d, t).y, nkw_bezier(a.y, b.y, c.y, d.y, t));
@@ -184,7 +190,8 @@ static void timed_catmull_rom_over_even_times_is_the_uniform_one(void **state)
     for (int i = 0; i < 5000; i++) {
         float c[4], t = random_unit(&r);
         draw(&r, c);
-        expect_near(nkw_catmull_rom_timed(times, c[0], c[1], c[2], c[3], t), nkw_catmull_rom(c[0], c[1], c[2], c[3], t), 1e-6);
+        expect_near(nkw_catmull_rom_timed(times, c[0], c[1], c[2], c[3], t), nkw_catmull_rom(c[0], c[1], c[2], c[3], t),
+                    1e-6);
     }
 }
 
@@ -254,7 +261,8 @@ static void vector_conversions_go_by_component(void **state)
         v.c[i] = random_vec3(&r, -1, 1);
         y.c[i] = v.c[i].y;
     }
-    nkw_vec3_cubic a = nkw_vec3_bezier_from_hermite(&v), b = nkw_vec3_bspline_from_bezier(&v), c = nkw_vec3_hermite_from_bspline(&v);
+    nkw_vec3_cubic a = nkw_vec3_bezier_from_hermite(&v), b = nkw_vec3_bspline_from_bezier(&v),
+                   c = nkw_vec3_hermite_from_bspline(&v);
     nkw_cubic p = nkw_bezier_from_hermite(&y), q = nkw_bspline_from_bezier(&y), s = nkw_hermite_from_bspline(&y);
     for (int i = 0; i < 4; i++) {
         expect_bits(a.c[i].y, p.c[i]);

@@ -47,7 +47,8 @@ static void order_names_the_product_from_left_to_right(void **state)
     for (int i = 0; i < 3000; i++) {
         nkw_vec3 a = random_vec3(&r, -4, 4);
         for (int o = 0; o < 6; o++) {
-            nkw_quat product = nkw_quat_mul(nkw_quat_mul(about(axes[o][0], a), about(axes[o][1], a)), about(axes[o][2], a));
+            nkw_quat product =
+                nkw_quat_mul(nkw_quat_mul(about(axes[o][0], a), about(axes[o][1], a)), about(axes[o][2], a));
             expect_quat_near(nkw_quat_from_euler(a, orders[o]), product, 5e-7);
             nkw_mat3 m = nkw_mat3_from_euler(a, orders[o]), n = nkw_mat3_from_quat(product);
             expect_floats_near(m.m, n.m, 9, 1e-6);
@@ -60,7 +61,7 @@ static void yxz_is_the_matrix_of_the_exercise(void **state)
     (void)state;
     /* Ry(216 deg) Rx(60 deg) Rz(45 deg): key 1 of the exercise's scene 1, by rows in coursework/keys.json. */
     nkw_mat3 m = nkw_mat3_from_euler(vec(1.04719755f, 3.76991118f, 0.785398163f), NKW_EULER_YXZ);
-    const float want[9] = {-0.93200489f, 0.35355339f, -0.07979277f, 0.21211792f, 0.35355339f,
+    const float want[9] = {-0.93200489f, 0.35355339f,  -0.07979277f, 0.21211792f, 0.35355339f,
                            -0.91104665f, -0.29389263f, -0.86602540f, -0.40450850f};
     expect_floats_near(m.m, want, 9, 3e-7);
 }

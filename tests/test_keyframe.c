@@ -47,7 +47,8 @@ typedef struct row {
 
 static int read_row(FILE *file, row *r)
 {
-    int read = fscanf(file, "%23[^,],%d,%23[^,],%15[^,],%f,%*d,%*f", r->scene, &r->count, r->position, r->orientation, &r->time);
+    int read = fscanf(file, "%23[^,],%d,%23[^,],%15[^,],%f,%*d,%*f", r->scene, &r->count, r->position, r->orientation,
+                      &r->time);
     for (int i = 0; i < 16 && read == 5; i++)
         if (fscanf(file, ",%f", &r->m[i]) != 1)
             return 0;
@@ -99,7 +100,8 @@ static void every_row_of_the_exercise_is_met(void **state)
         const nkw_keyframe *keys = strcmp(r.scene, "scene2") == 0 ? two : one;
         nkw_mat4 m;
         rows++;
-        assert_int_equal(nkw_keyframes_sample(keys, (size_t)r.count, r.time, position_of(&r), orientation_of(&r), &m), NKW_OK);
+        assert_int_equal(nkw_keyframes_sample(keys, (size_t)r.count, r.time, position_of(&r), orientation_of(&r), &m),
+                         NKW_OK);
         if (!is_ours(&r, keys))
             continue;
         expect_floats_near(m.m, r.m, 16, 2e-6);
@@ -154,7 +156,8 @@ static void outside_the_keys_every_method_clamps(void **state)
             for (int i = 0; i < 4; i++) {
                 nkw_mat4 got, want;
                 nkw_keyframes_sample(keys, 7, outside[i], (nkw_position_method)p, (nkw_orientation_method)o, &got);
-                nkw_keyframes_sample(keys, 7, i < 2 ? 0.0f : 6.0f, (nkw_position_method)p, (nkw_orientation_method)o, &want);
+                nkw_keyframes_sample(keys, 7, i < 2 ? 0.0f : 6.0f, (nkw_position_method)p, (nkw_orientation_method)o,
+                                     &want);
                 expect_floats_bits(got.m, want.m, 16);
             }
         }
@@ -213,9 +216,11 @@ static void one_key_is_itself_and_none_is_an_error(void **state)
     for (int p = NKW_POSITION_LINEAR; p <= NKW_POSITION_STEP; p++)
         for (int o = NKW_ORIENTATION_STEP; o <= NKW_ORIENTATION_NLERP; o++) {
             m = untouched;
-            assert_int_equal(nkw_keyframes_sample(keys, 0, 1, (nkw_position_method)p, (nkw_orientation_method)o, &m), NKW_EMPTY);
+            assert_int_equal(nkw_keyframes_sample(keys, 0, 1, (nkw_position_method)p, (nkw_orientation_method)o, &m),
+                             NKW_EMPTY);
             expect_floats_bits(m.m, untouched.m, 16);
-            assert_int_equal(nkw_keyframes_sample(keys, 1, 1, (nkw_position_method)p, (nkw_orientation_method)o, &m), NKW_OK);
+            assert_int_equal(nkw_keyframes_sample(keys, 1, 1, (nkw_position_method)p, (nkw_orientation_method)o, &m),
+                             NKW_OK);
             expect_vec3_near(nkw_mat4_translation(&m), keys[0].position, 1e-7);
             nkw_mat4 want = nkw_mat4_from_quat(keys[0].orientation);
             expect_floats_near(m.m, want.m, 12, 3e-7);
@@ -228,9 +233,12 @@ static void unknown_methods_are_refused(void **state)
     nkw_keyframe keys[7];
     nkw_mat4 m = nkw_mat4_identity(), untouched = m;
     scene_1(keys);
-    assert_int_equal(nkw_keyframes_sample(keys, 7, 1, (nkw_position_method)6, NKW_ORIENTATION_STEP, &m), NKW_BAD_METHOD);
-    assert_int_equal(nkw_keyframes_sample(keys, 7, 1, (nkw_position_method)-1, NKW_ORIENTATION_STEP, &m), NKW_BAD_METHOD);
-    assert_int_equal(nkw_keyframes_sample(keys, 7, 1, NKW_POSITION_STEP, (nkw_orientation_method)5, &m), NKW_BAD_METHOD);
+    assert_int_equal(nkw_keyframes_sample(keys, 7, 1, (nkw_position_method)6, NKW_ORIENTATION_STEP, &m),
+                     NKW_BAD_METHOD);
+    assert_int_equal(nkw_keyframes_sample(keys, 7, 1, (nkw_position_method)-1, NKW_ORIENTATION_STEP, &m),
+                     NKW_BAD_METHOD);
+    assert_int_equal(nkw_keyframes_sample(keys, 7, 1, NKW_POSITION_STEP, (nkw_orientation_method)5, &m),
+                     NKW_BAD_METHOD);
     expect_floats_bits(m.m, untouched.m, 16);
 }
 
@@ -302,8 +310,9 @@ static void validate_refuses_numbers_that_are_not_finite(void **state)
         nkw_keyframe keys[7];
         size_t bad = 99;
         scene_1(keys);
-        float *fields[8] = {&keys[3].time, &keys[3].position.x, &keys[3].position.y, &keys[3].position.z,
-                            &keys[3].orientation.x, &keys[3].orientation.y, &keys[3].orientation.z, &keys[3].orientation.w};
+        float *fields[8] = {&keys[3].time,          &keys[3].position.x,    &keys[3].position.y,
+                            &keys[3].position.z,    &keys[3].orientation.x, &keys[3].orientation.y,
+                            &keys[3].orientation.z, &keys[3].orientation.w};
         *fields[field] = field % 2 ? NAN : INFINITY;
         assert_int_equal(nkw_keyframes_validate(keys, 7, &bad), NKW_NOT_FINITE);
         assert_int_equal(bad, 3);

@@ -90,7 +90,8 @@ static void slerp_goes_on_along_its_arc_beyond_the_ends(void **state)
     (void)state;
     static const float far[] = {-0x1p-24f, 1.0000001f, -1, 2, 3.5f, -10, 100, 1000};
     for (int i = 0; i < 8; i++)
-        expect_quat_near(nkw_quat_slerp(about_z(0), about_z(1), far[i]), about_z(far[i]), 2e-7 + 1e-7 * (double)nkw_abs(far[i]));
+        expect_quat_near(nkw_quat_slerp(about_z(0), about_z(1), far[i]), about_z(far[i]),
+                         2e-7 + 1e-7 * (double)nkw_abs(far[i]));
     expect_near(nkw_quat_length(nkw_quat_slerp(about_z(0), about_z(1), 1e30f)), 1.0, 2e-7);
     expect_near(nkw_quat_length(nkw_quat_slerp(about_z(0), about_z(1), -3e38f)), 1.0, 2e-7);
 }
@@ -144,8 +145,9 @@ static void slerp_never_steps_back(void **state)
 static void zero_and_subnormal_quaternions_give_finite_results(void **state)
 {
     (void)state;
-    static const nkw_quat odd[] = {{0, 0, 0, 0}, {0x1p-149f, 0, 0, 0}, {0, 0, 0, 1}, {1e-40f, -1e-40f, 0, 1e-40f},
-                                   {0, 0, 0, 1.0001f}, {0.5f, 0.5f, 0.5f, 0.50001f}, {0, 0, 0, -1}};
+    static const nkw_quat odd[] = {
+        {0, 0, 0, 0},       {0x1p-149f, 0, 0, 0},         {0, 0, 0, 1}, {1e-40f, -1e-40f, 0, 1e-40f},
+        {0, 0, 0, 1.0001f}, {0.5f, 0.5f, 0.5f, 0.50001f}, {0, 0, 0, -1}};
     for (size_t i = 0; i < 7; i++)
         for (size_t k = 0; k < 7; k++)
             for (int t = -4; t <= 8; t++) {
@@ -193,7 +195,8 @@ static void long_path_goes_the_other_way_round(void **state)
     for (int i = 0; i <= 20; i++) {
         float t = (float)i / 20;
         expect_rotation_near(nkw_quat_slerp_path(a, b, t, NKW_PATH_LONG), about_z(t * (1 - 2 * PI)), 5e-7);
-        expect_rotation_near(nkw_quat_slerp_path(a, nkw_quat_negate(b), t, NKW_PATH_LONG), about_z(t * (1 - 2 * PI)), 5e-7);
+        expect_rotation_near(nkw_quat_slerp_path(a, nkw_quat_negate(b), t, NKW_PATH_LONG), about_z(t * (1 - 2 * PI)),
+                             5e-7);
     }
 }
 
@@ -204,7 +207,8 @@ static void path_as_given_follows_the_signs(void **state)
     for (int i = 0; i <= 20; i++) {
         float t = (float)i / 20;
         expect_quat_near(nkw_quat_slerp_path(a, b, t, NKW_PATH_AS_GIVEN), about_z(t), 3e-7);
-        expect_rotation_near(nkw_quat_slerp_path(a, nkw_quat_negate(b), t, NKW_PATH_AS_GIVEN), about_z(t * (1 - 2 * PI)), 5e-7);
+        expect_rotation_near(nkw_quat_slerp_path(a, nkw_quat_negate(b), t, NKW_PATH_AS_GIVEN),
+                             about_z(t * (1 - 2 * PI)), 5e-7);
     }
 }
 

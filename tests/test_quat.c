@@ -194,7 +194,8 @@ static void from_mat3_is_right_at_every_angle_and_at_half_turns(void **state)
 static void from_mat3_knows_the_half_turns_about_the_axes(void **state)
 {
     (void)state;
-    nkw_mat3 x = {{1, 0, 0, 0, -1, 0, 0, 0, -1}}, y = {{-1, 0, 0, 0, 1, 0, 0, 0, -1}}, z = {{-1, 0, 0, 0, -1, 0, 0, 0, 1}};
+    nkw_mat3 x = {{1, 0, 0, 0, -1, 0, 0, 0, -1}}, y = {{-1, 0, 0, 0, 1, 0, 0, 0, -1}},
+             z = {{-1, 0, 0, 0, -1, 0, 0, 0, 1}};
     nkw_mat3 one = nkw_mat3_identity();
     expect_quat_near(nkw_quat_from_mat3(&x), quat(1, 0, 0, 0), 0);
     expect_quat_near(nkw_quat_from_mat3(&y), quat(0, 1, 0, 0), 0);

@@ -203,8 +203,10 @@ enum { PICTURE_COUNT = sizeof pictures / sizeof *pictures };
 
 /* What nakawari-joints draws. */
 static const picture joints_pictures[] = {
-    {NULL, "joints-sheet", "From key frames to skinned vertices: every half second of the motion, by blended matrices."},
-    {NULL, "joints-compare", "Where a joint is twisted most: blended matrices lose the volume, dual quaternions keep it."},
+    {NULL, "joints-sheet",
+     "From key frames to skinned vertices: every half second of the motion, by blended matrices."},
+    {NULL, "joints-compare",
+     "Where a joint is twisted most: blended matrices lose the volume, dual quaternions keep it."},
 };
 enum { JOINTS_PICTURE_COUNT = sizeof joints_pictures / sizeof *joints_pictures };
 

@@ -307,7 +307,8 @@ static void print_series(const fit *f)
     real error = ceill(1000 * largest_error(f) / U) / 1000;
     printf("\n/*\n%s * H = H0(v) + T (H1(v) + T (H2(v) + T (H3(v) + T H4))), T = t^2 v, lowest power of v first.\n",
            f->of->said);
-    printf(" * sin(t theta) / sin theta = t - t (1 - t) (1 + t) v H. Off by at most %.3Lf u for t in -1..1.\n */\n", error);
+    printf(" * sin(t theta) / sin theta = t - t (1 - t) (1 + t) v H. Off by at most %.3Lf u for t in -1..1.\n */\n",
+           error);
     for (int j = 0; j < ROWS; j++)
         print_row(f, j);
 }

@@ -139,9 +139,9 @@ NKW_API nkw_result nkw_tree_walk(const nkw_tree *tree, const nkw_mat4 *locals, c
  * bit for bit; joints without a parent: of `root`, or the local matrix itself where root is NULL. `locals` may be
  * `models`.
  *
- * Error  2.1 u for each joint from the root on, of the Frobenius norm of the 3x3 block; of the place, of the length of the
- *        bones laid end to end; for rotations and even scales. That is an upper bound: along a chain errors grow with the
- *        root of its length, to 20.4 u at the end of 67 joints and 77 u of 1000, and the place to 4 u.
+ * Error  2.1 u for each joint from the root on, of the Frobenius norm of the 3x3 block; of the place, of the length of
+ *        the bones laid end to end; for rotations and even scales. That is an upper bound: along a chain errors grow
+ *        with the root of its length, to 20.4 u at the end of 67 joints and 77 u of 1000, and the place to 4 u.
  */
 NKW_API void nkw_models_from_pose(const nkw_skeleton *skeleton, const float *pose, const nkw_mat4 *root,
                                   nkw_mat4 *models);
@@ -163,8 +163,8 @@ NKW_API void nkw_models_update_from_locals(const nkw_skeleton *skeleton, const n
  * there is none. A parent whose matrix is singular (a scale of zero) has no inverse: then the local's 3x3 block and
  * translation are zero. `locals` may be `models`.
  *
- * Error  1.7 u of the product of the Frobenius norms of the inverse and of the model matrix, so of the local matrix times
- *        the condition of the parent's.
+ * Error  1.7 u of the product of the Frobenius norms of the inverse and of the model matrix, so of the local matrix
+ *        times the condition of the parent's.
  */
 NKW_API void nkw_locals_from_models(const nkw_skeleton *skeleton, const nkw_mat4 *models, const nkw_mat4 *root,
                                     nkw_mat4 *locals);

@@ -137,8 +137,8 @@ NKW_API void nkw_skin_linear_arrays(const nkw_skin *skin, const nkw_skin_palette
  * Skinning by dual quaternions, which should be unit. A blend whose rotation cancels to zero moves nothing. Where
  * two weights are the largest, the first one's half sphere counts.
  *
- * Error  6.7 u of |p| + |w0| |t0| + |w1| |t1| + ..., t the translations (5.4 u with more than one influence); of normals
- *        and their length 5.2 u; joints up to 1 rad apart, 1 to 8 influences.
+ * Error  6.7 u of |p| + |w0| |t0| + |w1| |t1| + ..., t the translations (5.4 u with more than one influence); of
+ *        normals and their length 5.2 u; joints up to 1 rad apart, 1 to 8 influences.
  */
 NKW_API void nkw_skin_dual_quat(const nkw_skin *skin, const nkw_dual_quat *palette, size_t joints,
                                 const nkw_vertices *in, const nkw_vertices_span *out);
@@ -168,10 +168,10 @@ NKW_API void nkw_skin_normalize_weights(nkw_skin_view in, size_t influences, nkw
 
 /**
  * Keeps the `keep` largest weights of each vertex, the first of equals, in their order, and normalises them as
- * nkw_skin_normalize_weights does. With fewer influences than `keep` the rest is joint 0, weight 0. A joint whose number
- * the format of `joints` cannot hold has no weight, and becomes joint 0. The outputs may be the inputs, of the same
- * stride and format; with strides of 0 `keep` is then at most the skin's influences. `keep` is 1..8, the influences any
- * number from 1 on, formats as in nkw_skin_validate; else nothing is written.
+ * nkw_skin_normalize_weights does. With fewer influences than `keep` the rest is joint 0, weight 0. A joint whose
+ * number the format of `joints` cannot hold has no weight, and becomes joint 0. The outputs may be the inputs, of the
+ * same stride and format; with strides of 0 `keep` is then at most the skin's influences. `keep` is 1..8, the
+ * influences any number from 1 on, formats as in nkw_skin_validate; else nothing is written.
  */
 NKW_API void nkw_skin_prune(const nkw_skin *skin, size_t keep, nkw_skin_span joints, nkw_skin_span weights);
 

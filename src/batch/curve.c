@@ -20,8 +20,8 @@ static inline void each(cubic *f, const float *a, const float *b, const float *c
         out[i] = f(a[i], b[i], c[i], d[i], t[i]);
 }
 
-static inline void each_at(cubic *f, const float *a, const float *b, const float *c, const float *d, float t, float *out,
-                           size_t n)
+static inline void each_at(cubic *f, const float *a, const float *b, const float *c, const float *d, float t,
+                           float *out, size_t n)
 {
 #pragma omp simd
     for (size_t i = 0; i < n; i++)

@@ -5,8 +5,8 @@
  * From one line here come the declaration of the loop, its place in the table of each instruction set, and the
  * public function that goes through the table. To add one, see docs/simd.md.
  *
- * KERNEL_INNER_LIST(X) has the loops that no header offers by themselves: parts of larger functions, which take them from
- * nkw_batch_selected(). No public function is made of these.
+ * KERNEL_INNER_LIST(X) has the loops that no header offers by themselves: parts of larger functions, which take them
+ * from nkw_batch_selected(). No public function is made of these.
  */
 #ifndef NAKAWARI_BATCH_KERNELS_H
 #define NAKAWARI_BATCH_KERNELS_H

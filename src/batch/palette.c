@@ -143,8 +143,8 @@ KERNEL(palette_dual)
 }
 
 /*
- * Three lines of `line` floats for each matrix: elements `step` apart, lines from element 0, `next`, 2 `next` on. What a
- * line of three has beyond itself the next one writes over.
+ * Three lines of `line` floats for each matrix: elements `step` apart, lines from element 0, `next`, 2 `next` on. What
+ * a line of three has beyond itself the next one writes over.
  */
 static inline void write_normals(const matrices *r, size_t line, size_t step, size_t next, float *out, size_t size)
 {

@@ -11,7 +11,7 @@
 #include "two.h"
 #include "wide.h"
 
-/* The axes i j k of an order, the places of x y z in it, and e = +1 where they follow each other as x y z x y, else -1. */
+/* The axes i j k of an order, the places of x y z in it, and e = 1 where i j k is x y z, y z x or z x y, else -1. */
 typedef struct lane_euler_axes {
     unsigned char i, j, k;
     unsigned char of[3];

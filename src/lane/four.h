@@ -12,7 +12,6 @@
 
 #include "strict.h"
 
-#include <math.h>
 #include <stdint.h>
 #include <string.h>
 
@@ -205,16 +204,6 @@ static inline void lane_four_store(float *p, lane_four a)
 static inline void lane_four_store_bytes(unsigned char *p, lane_four a)
 {
     memcpy(p, &a, sizeof a);
-}
-
-static inline lane_four lane_four_sqrt(lane_four a)
-{
-    float v[4];
-    memcpy(v, &a, sizeof v);
-    for (int i = 0; i < 4; i++)
-        v[i] = sqrtf(v[i]);
-    memcpy(&a, v, sizeof a);
-    return a;
 }
 
 #endif

@@ -6,6 +6,8 @@
 #ifndef NAKAWARI_LANE_FOURS_H
 #define NAKAWARI_LANE_FOURS_H
 
+#include <math.h>
+
 #include "four.h"
 
 #if defined(LANE_FOUR) && defined(__has_builtin) && defined(__AVX__)
@@ -80,20 +82,9 @@ static inline lane_wide_columns lane_wide_columns_of(const lane_wide_matrix *m)
 
 typedef int32_t lane_wide_bits __attribute__((vector_size(4 * LANE_WIDE)));
 
-static inline lane_wide lane_wide_add(lane_wide a, lane_wide b)
-{
-    return a + b;
-}
-
-static inline lane_wide lane_wide_mul(lane_wide a, lane_wide b)
-{
-    return a * b;
-}
-
-static inline lane_wide lane_wide_div(lane_wide a, lane_wide b)
-{
-    return a / b;
-}
+#define lane_wide_add(a, b) ((a) + (b))
+#define lane_wide_mul(a, b) ((a) * (b))
+#define lane_wide_div(a, b) ((a) / (b))
 
 static inline lane_wide lane_wide_all(float x)
 {

@@ -207,8 +207,8 @@ static inline lane_laplace lane_adjugate(const double a[16], double out[16])
 #endif
 
 /*
- * The columns of the adjugate of x y z, and -adjugate t; the fourth row is 0 0 0 1 after the division by det, which gives
- * its sign to these zeros as well.
+ * The columns of the adjugate of x y z, and -adjugate t; the fourth row is 0 0 0 1 after the division by det, which
+ * gives its sign to these zeros as well.
  */
 static inline void lane_adjugate_affine(lane_wvec3 x, lane_wvec3 y, lane_wvec3 z, lane_wvec3 t, double det,
                                         double out[16])

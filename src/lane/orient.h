@@ -104,10 +104,11 @@ static inline float lane_pairs7(const float *c, float v, float vv)
  *
  * Exchanging a and b and t and u gives the same bits, also at t = 1/2.
  *
- *     E(k) = k (1 - k^2) v H(v, k^2 v) = (p + p k) H,  p = t u v,        v = q / (|a.b| + q LANE_SLERP_BEND),  q = |d|^2
+ *     E(k) = k (1 - k^2) v H(v, k^2 v) = (p + p k) H,  p = t u v,      v = q / (|a.b| + q LANE_SLERP_BEND),  q = |d|^2
  *
  * v stands for the angle: small ones are told by the chord d, large ones by the dot product, and the lengths of a and b
- * cancel. p is never -0, so E(0) = -0 E(1) = -0: the bracket is +0 where nothing is to be added, and "near - 0" keeps a -0.
+ * cancel. p is never -0, so E(0) = -0 E(1) = -0: the bracket is +0 where nothing is to be added, and "near - 0" keeps
+ * a -0.
  */
 
 /* E(k). */
@@ -215,7 +216,8 @@ static inline nkw_quat lane_quat_slerp_by(nkw_quat a, nkw_quat b, uint32_t turne
     return r;
 }
 
-static inline nkw_quat lane_quat_slerp_on(nkw_quat a, nkw_quat b, const lane_slerp_arc *arc, const lane_slerp_pace *pace)
+static inline nkw_quat lane_quat_slerp_on(nkw_quat a, nkw_quat b, const lane_slerp_arc *arc,
+                                          const lane_slerp_pace *pace)
 {
     float et = lane_slerp_excess_on(arc, pace, pace->t), eu = lane_slerp_excess_on(arc, pace, pace->u);
     return lane_quat_slerp_by(a, b, arc->turned, pace, eu, et);

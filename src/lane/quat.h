@@ -247,7 +247,8 @@ static inline lane_wquat lane_wform_row(const lane_wform *k)
 
 /*
  * The rotation nearest to m, not unit: the best row after `steps` multiplications by K, each of which shrinks the
- * distance from the eigenvector by the ratio of the eigenvalues: to a quarter of the noise where m is nearly a rotation.
+ * distance from the eigenvector by the ratio of the eigenvalues: to a quarter of the noise where m is nearly a
+ * rotation.
  */
 #define LANE_NEAREST_STEPS 2 /* enough where m is nearly a rotation */
 

@@ -1,7 +1,8 @@
 /* SPDX-License-Identifier: MIT */
 /*
- * Each batch function, by the loops of each instruction set that this processor has, against the single function: bit for
- * bit, for the lengths 0..67 and some longer, at every alignment, in place and not, with guard words around the outputs.
+ * Each batch function, by the loops of each instruction set that this processor has, against the single function: bit
+ * for bit, for the lengths 0..67 and some longer, at every alignment, in place and not, with guard words around the
+ * outputs.
  *
  * A plain program, so that it also runs where there is no test library: on emulators, under Wine, in WebAssembly.
  */
@@ -176,8 +177,8 @@ static void fill_guards(void)
 
 static int complain(const row *w, const char *isa, size_t n, size_t k, size_t i, float got, float want)
 {
-    fprintf(stderr, "parity: %s, %s, length %zu, output %zu, element %zu: %08lx (%a), not %08lx (%a)\n", w->name, isa, n, k,
-            i, (unsigned long)bits(got), (double)got, (unsigned long)bits(want), (double)want);
+    fprintf(stderr, "parity: %s, %s, length %zu, output %zu, element %zu: %08lx (%a), not %08lx (%a)\n", w->name, isa,
+            n, k, i, (unsigned long)bits(got), (double)got, (unsigned long)bits(want), (double)want);
     return 1;
 }
 
@@ -205,7 +206,8 @@ static int compare(const row *w, const char *isa, size_t n, size_t start, size_t
     return 0;
 }
 
-static int run(const row *w, const nkw_batch *b, const char *isa, size_t n, size_t shift, int in_place, random_source *r)
+static int run(const row *w, const nkw_batch *b, const char *isa, size_t n, size_t shift, int in_place,
+               random_source *r)
 {
     const float *in[ARRAYS];
     float *out[ARRAYS];

@@ -5,9 +5,9 @@
  * `inputs` says what the arrays hold, letter by letter:
  *     q  unit quaternions, 4 arrays     v  vectors, 3 arrays      m  rotation matrices, 9 arrays
  *     M  matrices, 16 arrays            f  numbers of any size    t  parameters, most in 0..1
- * In the arguments in[k] and out[k] are arrays and n their length; V Q M3 M4 make views of those from k on, VS QS MS3 MS4
- * spans. In the single call x[k] are the inputs of one element and v q make values of those from k on; o is written.
- * PX is P for functions that may not work in place.
+ * In the arguments in[k] and out[k] are arrays and n their length; V Q M3 M4 make views of those from k on, VS QS MS3
+ * MS4 spans. In the single call x[k] are the inputs of one element and v q make values of those from k on; o is
+ * written. PX is P for functions that may not work in place.
  */
 P(sqrt, "f", 1, (in[0], out[0], n), o[0] = nkw_sqrt(x[0]))
 P(sin, "f", 1, (in[0], out[0], n), o[0] = nkw_sin(x[0]))

@@ -1,7 +1,8 @@
 /* SPDX-License-Identifier: MIT */
 /*
- * The data floors on fixed inputs: data_<stem>() in data_<stem>.c works through the stem's functions and gives one hash of
- * all results. `golden` compares the hashes with its table, `parity` those of each instruction set with the baseline's.
+ * The data floors on fixed inputs: data_<stem>() in data_<stem>.c works through the stem's functions and gives one hash
+ * of all results. `golden` compares the hashes with its table, `parity` those of each instruction set with the
+ * baseline's.
  */
 #ifndef NAKAWARI_TESTS_DATA_H
 #define NAKAWARI_TESTS_DATA_H

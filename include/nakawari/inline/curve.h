@@ -12,8 +12,8 @@ extern "C" {
 
 /*
  * All curves but Bezier look from the end nearer to t: x is the way from there, y = 1 - x, a and b the near and the
- * far end. From t = 1/2 on the controls are mirrored; 1 - t is then exact. At x = 0 the end comes back as it is, the sign of
- * a zero too. One nkw_select is enough for GCC to make vectors of a loop over a curve.
+ * far end. From t = 1/2 on the controls are mirrored; 1 - t is then exact. At x = 0 the end comes back as it is, the
+ * sign of a zero too. One nkw_select is enough for GCC to make vectors of a loop over a curve.
  */
 
 /* With the chord f = b - a and the tangents u, v: p = a + x (f + y (y (u - f) - x (v - f))). */
