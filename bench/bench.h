@@ -20,6 +20,7 @@
 #include <cstdint>
 #include <cstring>
 #include <functional>
+#include <new>
 #include <string>
 #include <vector>
 
@@ -190,13 +191,17 @@ template <class F> void into_structs(const operation &op, const char *who, F fil
     over(op, who, layout::structs, fill);
 }
 
+/*
+ * Results are constructed where they go: assigned, GCC keeps what a call gives in memory, in parts, and reads it from
+ * there as a whole, which waits for the parts to be written.
+ */
 template <class F> void one_by_one(const operation &op, const char *who, F f)
 {
     using T = decltype(f(size_t{0}));
     over(op, who, layout::structs, [=](size_t from, size_t n) {
         T *out = reinterpret_cast<T *>(answer.at);
         for (size_t i = from; i < from + n; i++)
-            out[i] = f(i);
+            ::new (out + i) T(f(i));
     });
 }
 
@@ -213,9 +218,11 @@ template <class T, class F, class Step> void chain(const operation &op, const ch
     };
     add(op, who, layout::chain, near, check, [=](benchmark::State &state) {
         for (auto _ : state) {
-            T value = first;
-            for (size_t i = 0; i < near; i++)
-                value = step(value, i);
+            T value = first, other = first;
+            for (size_t i = 0; i < near; i += 2) {
+                ::new (&other) T(step(value, i));
+                ::new (&value) T(step(other, i + 1));
+            }
             benchmark::DoNotOptimize(value);
         }
     });
