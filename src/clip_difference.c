@@ -5,6 +5,7 @@
 #include <nakawari/quat.h>
 
 #include "difference.h"
+#include "lane/scalar.h"
 
 static void compare_at(const nkw_clip *clip, const nkw_clip_track *c, float time, float *pose, float *floats,
                        nkw_clip_error *error)
@@ -27,9 +28,10 @@ static void compare_at(const nkw_clip *clip, const nkw_clip_track *c, float time
 
 nkw_clip_error nkw_clip_difference(const nkw_clip *clip, const nkw_clip_source *source, float *pose, float *floats)
 {
-    nkw_clip_error error = {0.0f, 0.0f, 0.0f, 0.0f};
+    const float far = lane_float(0x7f800000u);
+    nkw_clip_error error = {0.0f, 0.0f, 0.0f, 0.0f}, unlike = {far, far, far, far};
     if (source->joint_count != nkw_clip_joints(clip) || source->float_count != nkw_clip_floats(clip))
-        return error;
+        return unlike;
     for (size_t i = 0; i < source->track_count; i++) {
         const nkw_track *t = &source->tracks[i].track;
         for (size_t k = 0; k < t->count; k++)

@@ -330,6 +330,20 @@ static void compact_rotations_go_round_and_round(void **state)
     }
 }
 
+static void a_source_of_other_joints_is_infinitely_far(void **state)
+{
+    (void)state;
+    random_source r = random_from(21);
+    size_t bytes;
+    random_clip_draw(&r, 9, 3, &drawn);
+    nkw_clip *clip = build(&drawn.source, &bytes);
+    assert_true(difference(clip).rotation < 1e-6f);
+    drawn.source.joint_count = 8;
+    nkw_clip_error error = nkw_clip_difference(clip, &drawn.source, NULL, NULL);
+    assert_true(isinf(error.translation) && isinf(error.rotation) && isinf(error.scale) && isinf(error.floats));
+    free(clip);
+}
+
 /* 0.3 radians in all, from anywhere on, about half a turn too: 0.3/65535 and what rounding adds. */
 static void compact_rotations_of_a_narrow_range_are_more_exact(void **state)
 {
@@ -554,6 +568,7 @@ int main(void)
         cmocka_unit_test(a_compact_clip_is_within_its_bound),
         cmocka_unit_test(compact_rotations_half_a_turn_apart_go_the_same_way),
         cmocka_unit_test(compact_rotations_of_equal_components_are_within_their_bound),
+        cmocka_unit_test(a_source_of_other_joints_is_infinitely_far),
         cmocka_unit_test(compact_rotations_go_round_and_round),
         cmocka_unit_test(compact_rotations_of_a_narrow_range_are_more_exact),
         cmocka_unit_test(compact_rotations_are_unit),

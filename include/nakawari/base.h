@@ -129,19 +129,19 @@ extern "C" {
  */
 #define NKW_RESULTS(X)                                                                             \
     X(NKW_OK, "no error")                                                                          \
-    X(NKW_EMPTY, "there are no keys")                                                              \
+    X(NKW_EMPTY, "there is nothing: no keys, no joints, no influences")                            \
     X(NKW_NOT_FINITE, "a number is infinite or not a number")                                      \
     X(NKW_NOT_ASCENDING, "a key time is less than the one before it")                              \
     X(NKW_NOT_UNIT, "an orientation is not a unit quaternion")                                     \
-    X(NKW_BAD_METHOD, "no such method")                                                            \
-    X(NKW_TOO_SMALL, "a block or an array is too small")                                           \
+    X(NKW_BAD_METHOD, "no such method, kind, width or format")                                     \
+    X(NKW_TOO_SMALL, "a block or an array is too small, or would be too large for size_t")         \
     X(NKW_OUT_OF_RANGE, "an index is out of range")                                                \
     X(NKW_NOT_ORDERED, "a joint stands before its parent")                                         \
     X(NKW_NOT_A_TREE, "a node is reached twice or not at all")                                     \
     X(NKW_NOT_PAIRED, "a joint is not its partner's partner")                                      \
     X(NKW_BAD_WEIGHTS, "weights are negative or do not sum to 1")                                  \
-    X(NKW_TOO_MANY, "more bones are needed than a part may have")                                  \
-    X(NKW_NOT_A_CLIP, "the block does not begin as a clip of this version and byte order does")    \
+    X(NKW_TOO_MANY, "more bones or influences than there may be")                                  \
+    X(NKW_NOT_A_CLIP, "not a clip of this version and byte order, or not aligned")                 \
     X(NKW_REPEATED, "two tracks move the same")
 
 /** What a function of the data floors gives: NKW_OK is 0, all else names what is wrong. */

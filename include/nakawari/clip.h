@@ -139,7 +139,8 @@ typedef struct nkw_clip_error {
 /**
  * Samples the clip beside every track of the source: at each key of the track and at the quarters between two keys.
  *
- * source   as nkw_clip_build took it for this clip: another number of joints or floats gives zeros
+ * source   what nkw_clip_build took for this clip, or the tracks that those were made from (resampled, say); another
+ *          number of joints or floats gives infinity for all four
  * pose     working memory: nkw_pose_floats(joints) floats
  * floats   working memory: twice nkw_clip_floats(clip) floats; may be NULL if there are none
  */

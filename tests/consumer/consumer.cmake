@@ -14,7 +14,7 @@ endfunction()
 
 set(prefix "${WORK}/moved")
 if(NOT HOW STREQUAL "add_subdirectory")
-  run("${CMAKE_COMMAND}" -S "${SOURCE}" -B "${WORK}/library" "-DCMAKE_C_COMPILER=${CC}" -DCMAKE_BUILD_TYPE=Release
+  run("${CMAKE_COMMAND}" -S "${SOURCE}" -B "${WORK}/library" "-DCMAKE_C_COMPILER=${CC}"
     "-DBUILD_SHARED_LIBS=${shared}" -DNKW_BUILD_TESTS=OFF -DNKW_BUILD_EXAMPLES=OFF "-DCMAKE_INSTALL_PREFIX=${WORK}/installed")
   run("${CMAKE_COMMAND}" --build "${WORK}/library" --target install)
   file(RENAME "${WORK}/installed" "${prefix}")
