@@ -274,8 +274,10 @@ static uint32_t total_of(nkw_skin_format format)
     return format == NKW_SKIN_U8 ? 255 : format == NKW_SKIN_U16 ? 65535 : 1u << 24;
 }
 
-static float usable(float weight)
+/* A weight of any scale, 0 if it cannot be used: whole numbers as they are, so that equal parts of them are equal. */
+static float part_at(const unsigned char *p, nkw_skin_format format)
 {
+    float weight = format == NKW_SKIN_F32 ? lane_skin_weight(p, format) : (float)lane_skin_joint(p, format);
     return weight > 0.0f && lane_is_finite(weight) ? weight : 0.0f;
 }
 
@@ -298,11 +300,11 @@ static void apportion(const float *weight, size_t k, uint32_t total, uint32_t *n
     double sum = 0.0, rest[NKW_SKIN_INFLUENCES];
     uint32_t missing = total;
     for (size_t e = 0; e < k; e++)
-        sum += (double)usable(weight[e]);
+        sum += (double)weight[e];
     for (size_t e = 0; e < k; e++) {
-        double quota = sum > 0.0 ? (double)usable(weight[e]) / sum * (double)total : 0.0;
-        n[e] = (uint32_t)quota;
-        rest[e] = quota - (double)n[e];
+        double share = (double)weight[e] * (double)total;
+        n[e] = sum > 0.0 ? (uint32_t)(share / sum) : 0;
+        rest[e] = share - (double)n[e] * sum;
         missing -= n[e];
     }
     if (sum > 0.0)
@@ -343,7 +345,9 @@ void nkw_skin_normalize_weights(nkw_skin_view in, size_t influences, nkw_skin_sp
     if (!is_count(influences) || !is_for_weights(in.format) || !is_for_weights(out.format))
         return;
     for (size_t i = 0; i < vertices; i++) {
-        read_weights(&in, influences, i, weight);
+        const unsigned char *p = vertex_at(&in, influences, i);
+        for (size_t e = 0; e < influences; e++)
+            weight[e] = part_at(p + e * lane_skin_format_size(in.format), in.format);
         write_weights(weight, influences, influences, vertex_of(&out, influences, i), out.format);
     }
 }
@@ -377,7 +381,7 @@ static size_t keep_largest(const nkw_skin *skin, size_t i, size_t keep, uint32_t
     for (size_t e = 0; e < skin->influences; e++) {
         nkw_skin_format of_joints = skin->joints.format, of_weights = skin->weights.format;
         uint32_t joint = lane_skin_joint(joints + e * lane_skin_format_size(of_joints), of_joints);
-        float weight = usable(lane_skin_weight(weights + e * lane_skin_format_size(of_weights), of_weights));
+        float weight = part_at(weights + e * lane_skin_format_size(of_weights), of_weights);
         weight = joint <= most ? weight : 0.0f;
         size_t least = kept == keep ? smallest_of(v, kept) : 0;
         if (kept == keep && !(weight > v->weight[least]))

@@ -50,6 +50,57 @@ static void the_largest_remainder_gets_what_is_missing_and_the_first_of_equals(v
     assert_memory_equal(got, want, sizeof want);
 }
 
+/* The largest remainder in whole numbers: of w total / sum, w total mod sum. */
+static void share_out(const uint8_t *w, size_t k, uint32_t total, uint32_t *n)
+{
+    uint64_t sum = 0, rest[NKW_SKIN_INFLUENCES];
+    uint32_t missing = total;
+    for (size_t e = 0; e < k; e++)
+        sum += w[e];
+    for (size_t e = 0; e < k; e++) {
+        n[e] = (uint32_t)((uint64_t)w[e] * total / sum);
+        rest[e] = (uint64_t)w[e] * total % sum + 1;
+        missing -= n[e];
+    }
+    for (; missing > 0; missing--) {
+        size_t most = 0;
+        for (size_t e = 1; e < k; e++)
+            most = rest[e] > rest[most] ? e : most;
+        rest[most] = 0;
+        n[most]++;
+    }
+}
+
+static void whole_numbers_are_shared_out_as_whole_numbers_are(void **state)
+{
+    (void)state;
+    random_source r = random_from(11);
+    for (int i = 0; i < 20000; i++) {
+        size_t k = 1 + random_bits(&r) % NKW_SKIN_INFLUENCES;
+        uint8_t w[NKW_SKIN_INFLUENCES], bytes[NKW_SKIN_INFLUENCES];
+        uint16_t shorts[NKW_SKIN_INFLUENCES];
+        float floats[NKW_SKIN_INFLUENCES];
+        uint32_t n[NKW_SKIN_INFLUENCES];
+        for (size_t e = 0; e < k; e++)
+            w[e] = (uint8_t)(random_bits(&r) % (i % 2 ? 6 : 256));
+        w[0] = w[0] ? w[0] : 1;
+        nkw_skin_view view = {w, 0, NKW_SKIN_U8};
+        nkw_skin_span to_bytes = {bytes, 0, NKW_SKIN_U8}, to_shorts = {shorts, 0, NKW_SKIN_U16},
+                      to_floats = {floats, 0, NKW_SKIN_F32};
+        nkw_skin_normalize_weights(view, k, to_bytes, 1);
+        nkw_skin_normalize_weights(view, k, to_shorts, 1);
+        nkw_skin_normalize_weights(view, k, to_floats, 1);
+        for (size_t e = 0; e < k; e++) {
+            share_out(w, k, 255, n);
+            assert_int_equal(bytes[e], n[e]);
+            share_out(w, k, 65535, n);
+            assert_int_equal(shorts[e], n[e]);
+            share_out(w, k, 1u << 24, n);
+            assert_true(floats[e] == (float)n[e] * 0x1p-24f);
+        }
+    }
+}
+
 static void weights_that_cannot_be_used_count_as_zero(void **state)
 {
     (void)state;
@@ -197,6 +248,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(normalised_weights_sum_exactly),
         cmocka_unit_test(the_largest_remainder_gets_what_is_missing_and_the_first_of_equals),
+        cmocka_unit_test(whole_numbers_are_shared_out_as_whole_numbers_are),
         cmocka_unit_test(weights_that_cannot_be_used_count_as_zero),
         cmocka_unit_test(pruning_keeps_the_largest_in_their_order),
         cmocka_unit_test(a_joint_that_the_format_cannot_hold_has_no_weight),

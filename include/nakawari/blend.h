@@ -33,7 +33,10 @@ extern "C" {
  */
 NKW_API void nkw_pose_blend(const float *a, const float *b, size_t joints, float t, const float *mask, float *out);
 
-/** The same with nkw_quat_slerp for the rotations: each turns at constant speed as t goes on. */
+/**
+ * The same with nkw_quat_slerp for the rotations: each turns at constant speed as t goes on. Rotations must be finite
+ * also where they have no part.
+ */
 NKW_API void nkw_pose_blend_slerp(const float *a, const float *b, size_t joints, float t, const float *mask,
                                   float *out);
 

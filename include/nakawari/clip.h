@@ -48,7 +48,7 @@ typedef enum nkw_clip_format {
     NKW_CLIP_FLOAT32, /**< as they are: sampling gives the bits of track by track */
     /**
      * 16 bits a number, over the range of that number in all keys of its track; CUBICSPLINE tracks stay as they are.
-     * A number is off by at most 0.51/65535 of its range and 3 u of its size.
+     * A number is off by at most 0.51/65535 of its range, for ranges of 1e-33 to 3e38, and 3 u of its size.
      *
      * A rotation is three numbers, its axis times the tangent of a quarter of its angle. At a key it is off by at most
      * 4/65535 radians times the widest range of the three, which is 2 at most, and 1e-6: 1.24e-4; between keys that are

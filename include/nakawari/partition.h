@@ -16,9 +16,9 @@
  *
  * A vertex needs the bones whose weight is not zero. Triangles of one material with the same bones stay together; the
  * sets of bones are packed one part after the other: the part begins with the largest set left and takes, again and
- * again, the set that brings the fewest new bones. Afterwards no two parts of one material could be one: together they
- * need more than N bones. The bone lists do not depend on the order of the triangles.
- * Parts ascend by material, then by their bones.
+ * again, of the sets that share a bone with it the one that brings the fewest new bones; when none of them fits, the
+ * largest set that does. Afterwards no two parts of one material could be one: together they need more than N bones.
+ * The bone lists do not depend on the order of the triangles. Parts ascend by material, then by their bones.
  *
  * Source  the parts, their order and the bone-local vertex: the skin model converter of
  *         スキンモデルデータの作成, with parts of two or four bones. The packing is greedy bin packing of items that

@@ -134,8 +134,9 @@ NKW_API void nkw_skin_linear_arrays(const nkw_skin *skin, const nkw_skin_palette
                                     const nkw_vertices_arrays *in, const nkw_vertices_arrays_span *out);
 
 /**
- * Skinning by dual quaternions, which should be unit. A blend whose rotation cancels to zero moves nothing. Where
- * two weights are the largest, the first one's half sphere counts.
+ * Skinning by dual quaternions, which should be unit. A blend whose rotation cancels to zero moves nothing, and
+ * weights are not for blends shorter than 1e-19 or longer than 1e19. Where two weights are the largest, the first one's
+ * half sphere counts.
  *
  * Error  6.7 u of |p| + |w0| |t0| + |w1| |t1| + ..., t the translations (5.4 u with more than one influence); of
  *        normals and their length 5.2 u; joints up to 1 rad apart, 1 to 8 influences.
