@@ -203,6 +203,18 @@ static inline size_t move_block(const skin_influences *f, int tight, const nkw_m
     return moved;
 }
 
+/* Whether all weights of vertex i are 0, whatever its joints. */
+static inline int is_weightless(const skin_influences *f, size_t i)
+{
+    const unsigned char *w = (const unsigned char *)f->weights.data + i * f->weights.stride;
+    uint32_t any = 0;
+    if (has_weight(w, f->count))
+        return 0;
+    for (size_t e = 0; e < f->count; e++)
+        any |= lane_bits(lane_skin_weight(w + e * sizeof(float), NKW_SKIN_F32)) << 1;
+    return any == 0;
+}
+
 /* The matrix of a vertex of any weights and joints; gives 0 if its weights are all 0. */
 static inline uint32_t blend_any(const skin_influences *f, const nkw_mat4 *palette, size_t i, nkw_mat4 *sum)
 {
@@ -225,29 +237,45 @@ static inline uint32_t blend_any(const skin_influences *f, const nkw_mat4 *palet
     return any;
 }
 
-/* Up to n such vertices, the last one that without weight: gives how many. Reads no further than their vectors go. */
-static inline size_t move_any(const skin_influences *f, const nkw_mat4 *palette, const skin_stream *p,
-                              const skin_stream *d, int raw, size_t n)
+static inline void keep_vector(const skin_stream *s, size_t i)
 {
-    uint32_t any = 1;
+    nkw_vec3 v;
+    if (s->in_stride) {
+        memcpy(&v, s->in + i * s->in_stride, sizeof v);
+        memcpy(s->out + i * s->out_stride, &v, sizeof v);
+    }
+}
+
+static inline void move_one(const nkw_mat4 *m, const skin_stream *p, const skin_stream *d, int raw, size_t i)
+{
+    nkw_vec3 v;
+    if (p->in_stride) {
+        memcpy(&v, p->in + i * p->in_stride, sizeof v);
+        v = nkw_mat4_transform_point(m, v);
+        memcpy(p->out + i * p->out_stride, &v, sizeof v);
+    }
+    if (d->in_stride) {
+        memcpy(&v, d->in + i * d->in_stride, sizeof v);
+        v = nkw_mat4_transform_direction(m, v);
+        v = raw ? v : lane_skin_unit(v);
+        memcpy(d->out + i * d->out_stride, &v, sizeof v);
+    }
+}
+
+/*
+ * Vertices of any weights and joints: up to `few` with weights, and those without that follow them. Gives how many.
+ * Reads no further than their vectors go.
+ */
+static inline size_t move_any(const skin_influences *f, const nkw_mat4 *palette, const skin_stream *p,
+                              const skin_stream *d, int raw, size_t few, size_t n)
+{
+    nkw_mat4 m;
     size_t i = 0;
-    for (; i < n && any; i++) {
-        nkw_mat4 m;
-        nkw_vec3 v;
-        any = blend_any(f, palette, i, &m);
-        if (p->in_stride) {
-            memcpy(&v, p->in + i * p->in_stride, sizeof v);
-            v = any ? nkw_mat4_transform_point(&m, v) : v;
-            memcpy(p->out + i * p->out_stride, &v, sizeof v);
-        }
-        if (d->in_stride) {
-            memcpy(&v, d->in + i * d->in_stride, sizeof v);
-            if (any)
-                v = nkw_mat4_transform_direction(&m, v);
-            if (any && !raw)
-                v = lane_skin_unit(v);
-            memcpy(d->out + i * d->out_stride, &v, sizeof v);
-        }
+    for (; i < few && blend_any(f, palette, i, &m); i++)
+        move_one(&m, p, d, raw, i);
+    for (int none = i < few; none; none = ++i < n && is_weightless(f, i)) {
+        keep_vector(p, i);
+        keep_vector(d, i);
     }
     return i;
 }
@@ -319,6 +347,6 @@ KERNEL(skin_pairs)
         const skin_stream p = stream_at(positions, i), d = stream_at(directions, i);
         moved = i < followed ? move_block(&f, tight, palette, &p, &d, raw, followed - i) : 0;
         if (moved == 0)
-            moved = move_any(&f, palette, &p, &d, raw, n - i < LANE_FOURS ? n - i : LANE_FOURS);
+            moved = move_any(&f, palette, &p, &d, raw, n - i < LANE_FOURS ? n - i : LANE_FOURS, n - i);
     }
 }
