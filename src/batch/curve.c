@@ -44,98 +44,33 @@ static inline void each_vec3_at(vec3_cubic *f, nkw_vec3_view a, nkw_vec3_view b,
         put_vec3(out, i, f(at_vec3(a, i), at_vec3(b, i), at_vec3(c, i), at_vec3(d, i), t));
 }
 
-KERNEL(hermite)(const float *p0, const float *v0, const float *p1, const float *v1, const float *t, float *out,
-                size_t n)
-{
-    each(nkw_hermite, p0, v0, p1, v1, t, out, n);
-}
+#define CURVE(name, name_at, f)                                                                                        \
+    KERNEL(name)(const float *a, const float *b, const float *c, const float *d, const float *t, float *out, size_t n) \
+    {                                                                                                                  \
+        each(f, a, b, c, d, t, out, n);                                                                                \
+    }                                                                                                                  \
+    KERNEL(name_at)(const float *a, const float *b, const float *c, const float *d, float t, float *out, size_t n)     \
+    {                                                                                                                  \
+        each_at(f, a, b, c, d, t, out, n);                                                                             \
+    }
 
-KERNEL(vec3_hermite)(nkw_vec3_view p0, nkw_vec3_view v0, nkw_vec3_view p1, nkw_vec3_view v1, const float *t,
-                     nkw_vec3_span out, size_t n)
-{
-    each_vec3(nkw_vec3_hermite, p0, v0, p1, v1, t, out, n);
-}
+#define VEC3_CURVE(name, name_at, f)                                                                                   \
+    KERNEL(name)(nkw_vec3_view a, nkw_vec3_view b, nkw_vec3_view c, nkw_vec3_view d, const float *t,                   \
+                 nkw_vec3_span out, size_t n)                                                                          \
+    {                                                                                                                  \
+        each_vec3(f, a, b, c, d, t, out, n);                                                                           \
+    }                                                                                                                  \
+    KERNEL(name_at)(nkw_vec3_view a, nkw_vec3_view b, nkw_vec3_view c, nkw_vec3_view d, float t, nkw_vec3_span out,    \
+                    size_t n)                                                                                          \
+    {                                                                                                                  \
+        each_vec3_at(f, a, b, c, d, t, out, n);                                                                        \
+    }
 
-KERNEL(hermite_at)(const float *p0, const float *v0, const float *p1, const float *v1, float t, float *out,
-                   size_t n)
-{
-    each_at(nkw_hermite, p0, v0, p1, v1, t, out, n);
-}
-
-KERNEL(vec3_hermite_at)(nkw_vec3_view p0, nkw_vec3_view v0, nkw_vec3_view p1, nkw_vec3_view v1, float t,
-                        nkw_vec3_span out, size_t n)
-{
-    each_vec3_at(nkw_vec3_hermite, p0, v0, p1, v1, t, out, n);
-}
-
-KERNEL(bezier)(const float *p0, const float *p1, const float *p2, const float *p3, const float *t, float *out,
-               size_t n)
-{
-    each(nkw_bezier, p0, p1, p2, p3, t, out, n);
-}
-
-KERNEL(vec3_bezier)(nkw_vec3_view p0, nkw_vec3_view p1, nkw_vec3_view p2, nkw_vec3_view p3, const float *t,
-                    nkw_vec3_span out, size_t n)
-{
-    each_vec3(nkw_vec3_bezier, p0, p1, p2, p3, t, out, n);
-}
-
-KERNEL(bezier_at)(const float *p0, const float *p1, const float *p2, const float *p3, float t, float *out,
-                  size_t n)
-{
-    each_at(nkw_bezier, p0, p1, p2, p3, t, out, n);
-}
-
-KERNEL(vec3_bezier_at)(nkw_vec3_view p0, nkw_vec3_view p1, nkw_vec3_view p2, nkw_vec3_view p3, float t,
-                       nkw_vec3_span out, size_t n)
-{
-    each_vec3_at(nkw_vec3_bezier, p0, p1, p2, p3, t, out, n);
-}
-
-KERNEL(bspline)(const float *p0, const float *p1, const float *p2, const float *p3, const float *t, float *out,
-                size_t n)
-{
-    each(nkw_bspline, p0, p1, p2, p3, t, out, n);
-}
-
-KERNEL(vec3_bspline)(nkw_vec3_view p0, nkw_vec3_view p1, nkw_vec3_view p2, nkw_vec3_view p3, const float *t,
-                     nkw_vec3_span out, size_t n)
-{
-    each_vec3(nkw_vec3_bspline, p0, p1, p2, p3, t, out, n);
-}
-
-KERNEL(bspline_at)(const float *p0, const float *p1, const float *p2, const float *p3, float t, float *out,
-                   size_t n)
-{
-    each_at(nkw_bspline, p0, p1, p2, p3, t, out, n);
-}
-
-KERNEL(vec3_bspline_at)(nkw_vec3_view p0, nkw_vec3_view p1, nkw_vec3_view p2, nkw_vec3_view p3, float t,
-                        nkw_vec3_span out, size_t n)
-{
-    each_vec3_at(nkw_vec3_bspline, p0, p1, p2, p3, t, out, n);
-}
-
-KERNEL(catmull_rom)(const float *p0, const float *p1, const float *p2, const float *p3, const float *t, float *out,
-                    size_t n)
-{
-    each(nkw_catmull_rom, p0, p1, p2, p3, t, out, n);
-}
-
-KERNEL(vec3_catmull_rom)(nkw_vec3_view p0, nkw_vec3_view p1, nkw_vec3_view p2, nkw_vec3_view p3, const float *t,
-                         nkw_vec3_span out, size_t n)
-{
-    each_vec3(nkw_vec3_catmull_rom, p0, p1, p2, p3, t, out, n);
-}
-
-KERNEL(catmull_rom_at)(const float *p0, const float *p1, const float *p2, const float *p3, float t, float *out,
-                       size_t n)
-{
-    each_at(nkw_catmull_rom, p0, p1, p2, p3, t, out, n);
-}
-
-KERNEL(vec3_catmull_rom_at)(nkw_vec3_view p0, nkw_vec3_view p1, nkw_vec3_view p2, nkw_vec3_view p3, float t,
-                            nkw_vec3_span out, size_t n)
-{
-    each_vec3_at(nkw_vec3_catmull_rom, p0, p1, p2, p3, t, out, n);
-}
+CURVE(hermite, hermite_at, nkw_hermite)
+CURVE(bezier, bezier_at, nkw_bezier)
+CURVE(bspline, bspline_at, nkw_bspline)
+CURVE(catmull_rom, catmull_rom_at, nkw_catmull_rom)
+VEC3_CURVE(vec3_hermite, vec3_hermite_at, nkw_vec3_hermite)
+VEC3_CURVE(vec3_bezier, vec3_bezier_at, nkw_vec3_bezier)
+VEC3_CURVE(vec3_bspline, vec3_bspline_at, nkw_vec3_bspline)
+VEC3_CURVE(vec3_catmull_rom, vec3_catmull_rom_at, nkw_vec3_catmull_rom)

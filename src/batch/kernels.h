@@ -30,6 +30,21 @@ typedef struct blend_span {
 #include "lane/skin.h"
 
 /* clang-format off */
+/* The four of a curve: on numbers and on vectors, each at many t and at one. */
+#define CURVE_LINES(X, name, name_at, vec3_name, vec3_name_at)                                                         \
+    X(name,                                                                                                            \
+      (const float *a, const float *b, const float *c, const float *d, const float *t, float *out, size_t n),          \
+      (a, b, c, d, t, out, n))                                                                                         \
+    X(name_at, (const float *a, const float *b, const float *c, const float *d, float t, float *out, size_t n),        \
+      (a, b, c, d, t, out, n))                                                                                         \
+    X(vec3_name,                                                                                                       \
+      (nkw_vec3_view a, nkw_vec3_view b, nkw_vec3_view c, nkw_vec3_view d, const float *t, nkw_vec3_span out,          \
+       size_t n),                                                                                                      \
+      (a, b, c, d, t, out, n))                                                                                         \
+    X(vec3_name_at,                                                                                                    \
+      (nkw_vec3_view a, nkw_vec3_view b, nkw_vec3_view c, nkw_vec3_view d, float t, nkw_vec3_span out, size_t n),      \
+      (a, b, c, d, t, out, n))
+
 #define KERNEL_LIST(X) \
     X(sqrt, (const float *x, float *out, size_t n), (x, out, n)) \
     X(sin, (const float *angle, float *out, size_t n), (angle, out, n)) \
@@ -75,22 +90,10 @@ typedef struct blend_span {
     X(mat4_pack, (nkw_mat4_view in, nkw_mat4 *out, size_t n), (in, out, n)) \
     X(quat_from_euler, (nkw_vec3_view angles, nkw_euler_order order, nkw_quat_span out, size_t n), (angles, order, out, n)) \
     X(mat4_from_trs, (nkw_trs_view trs, nkw_mat4_span out, size_t n), (trs, out, n)) \
-    X(hermite, (const float *p0, const float *v0, const float *p1, const float *v1, const float *t, float *out, size_t n), (p0, v0, p1, v1, t, out, n)) \
-    X(hermite_at, (const float *p0, const float *v0, const float *p1, const float *v1, float t, float *out, size_t n), (p0, v0, p1, v1, t, out, n)) \
-    X(vec3_hermite, (nkw_vec3_view p0, nkw_vec3_view v0, nkw_vec3_view p1, nkw_vec3_view v1, const float *t, nkw_vec3_span out, size_t n), (p0, v0, p1, v1, t, out, n)) \
-    X(vec3_hermite_at, (nkw_vec3_view p0, nkw_vec3_view v0, nkw_vec3_view p1, nkw_vec3_view v1, float t, nkw_vec3_span out, size_t n), (p0, v0, p1, v1, t, out, n)) \
-    X(bezier, (const float *p0, const float *p1, const float *p2, const float *p3, const float *t, float *out, size_t n), (p0, p1, p2, p3, t, out, n)) \
-    X(bezier_at, (const float *p0, const float *p1, const float *p2, const float *p3, float t, float *out, size_t n), (p0, p1, p2, p3, t, out, n)) \
-    X(vec3_bezier, (nkw_vec3_view p0, nkw_vec3_view p1, nkw_vec3_view p2, nkw_vec3_view p3, const float *t, nkw_vec3_span out, size_t n), (p0, p1, p2, p3, t, out, n)) \
-    X(vec3_bezier_at, (nkw_vec3_view p0, nkw_vec3_view p1, nkw_vec3_view p2, nkw_vec3_view p3, float t, nkw_vec3_span out, size_t n), (p0, p1, p2, p3, t, out, n)) \
-    X(bspline, (const float *p0, const float *p1, const float *p2, const float *p3, const float *t, float *out, size_t n), (p0, p1, p2, p3, t, out, n)) \
-    X(bspline_at, (const float *p0, const float *p1, const float *p2, const float *p3, float t, float *out, size_t n), (p0, p1, p2, p3, t, out, n)) \
-    X(vec3_bspline, (nkw_vec3_view p0, nkw_vec3_view p1, nkw_vec3_view p2, nkw_vec3_view p3, const float *t, nkw_vec3_span out, size_t n), (p0, p1, p2, p3, t, out, n)) \
-    X(vec3_bspline_at, (nkw_vec3_view p0, nkw_vec3_view p1, nkw_vec3_view p2, nkw_vec3_view p3, float t, nkw_vec3_span out, size_t n), (p0, p1, p2, p3, t, out, n)) \
-    X(catmull_rom, (const float *p0, const float *p1, const float *p2, const float *p3, const float *t, float *out, size_t n), (p0, p1, p2, p3, t, out, n)) \
-    X(catmull_rom_at, (const float *p0, const float *p1, const float *p2, const float *p3, float t, float *out, size_t n), (p0, p1, p2, p3, t, out, n)) \
-    X(vec3_catmull_rom, (nkw_vec3_view p0, nkw_vec3_view p1, nkw_vec3_view p2, nkw_vec3_view p3, const float *t, nkw_vec3_span out, size_t n), (p0, p1, p2, p3, t, out, n)) \
-    X(vec3_catmull_rom_at, (nkw_vec3_view p0, nkw_vec3_view p1, nkw_vec3_view p2, nkw_vec3_view p3, float t, nkw_vec3_span out, size_t n), (p0, p1, p2, p3, t, out, n)) \
+    CURVE_LINES(X, hermite, hermite_at, vec3_hermite, vec3_hermite_at) \
+    CURVE_LINES(X, bezier, bezier_at, vec3_bezier, vec3_bezier_at) \
+    CURVE_LINES(X, bspline, bspline_at, vec3_bspline, vec3_bspline_at) \
+    CURVE_LINES(X, catmull_rom, catmull_rom_at, vec3_catmull_rom, vec3_catmull_rom_at) \
     X(quat_nlerp, (nkw_quat_view a, nkw_quat_view b, const float *t, nkw_quat_span out, size_t n), (a, b, t, out, n)) \
     X(quat_nlerp_at, (nkw_quat_view a, nkw_quat_view b, float t, nkw_quat_span out, size_t n), (a, b, t, out, n)) \
     X(quat_slerp, (nkw_quat_view a, nkw_quat_view b, const float *t, nkw_quat_span out, size_t n), (a, b, t, out, n)) \
