@@ -5,7 +5,7 @@ set(NKW_PAGES ../README README conventions floors/0-base floors/1-scalar floors/
 set(NKW_PAGES_OF_ONE_PROGRAM character)
 set(NKW_DOCS "${CMAKE_CURRENT_LIST_DIR}/..")
 
-# Writes the blocks of docs/PAGE.md into DIRECTORY as PAGE_1.c, PAGE_2.c ... or as PAGE.c, and adds their names to FILES.
+# Writes the blocks of docs/PAGE.md into DIRECTORY as PAGE_1.c, PAGE_2.c ... or as PAGE.c, and adds them to FILES.
 function(nkw_page_blocks page directory files)
   set(source "${NKW_DOCS}/${page}.md")
   set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS "${source}")
