@@ -118,7 +118,9 @@ static void validate_names_the_first_offender(void **state)
         expect_invalid(pose, 3, NKW_NOT_FINITE, 2);
     }
     nkw_pose_identity(pose, 3);
-    pose[16 * 6 + 1] = 0.98f;
+    pose[16 * 6 + 1] = 0.991f;
+    expect_invalid(pose, 3, NKW_OK, 0);
+    pose[16 * 6 + 1] = 0.989f;
     expect_invalid(pose, 3, NKW_NOT_UNIT, 1);
 }
 

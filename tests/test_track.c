@@ -256,6 +256,14 @@ static void validate_refuses_wrong_numbers(void **state)
     expect_invalid(&t, NKW_NOT_FINITE, 1, __LINE__);
     values[5] = 0.3f;
     expect_invalid(&t, NKW_NOT_UNIT, 1, __LINE__);
+    values[5] = 0;
+    values[6] = 1.009f;
+    values[9] = 0.991f;
+    expect_invalid(&t, NKW_OK, 0, __LINE__);
+    values[9] = 0.989f;
+    expect_invalid(&t, NKW_NOT_UNIT, 2, __LINE__);
+    t.kind = NKW_TRACK_ROTATION_NORMALIZED;
+    expect_invalid(&t, NKW_NOT_UNIT, 2, __LINE__);
 }
 
 static void anything_at_all_stays_within_its_arrays(void **state)

@@ -130,7 +130,8 @@ typedef enum nkw_mirror {
  *     plane x = 0:   translation (-x, y, z),   rotation (x, -y, -z, w),   scale as it is
  *
  * Only signs change, so twice gives the original bits. It is the mirrored figure where the skeleton is symmetric in its
- * axes too: where the mirrored bind pose is the bind pose.
+ * axes too: where the mirrored bind pose is the bind pose. Some rigs are so, in one of the planes, for the pairs and
+ * all else below the hip: how the hip and the joints above it are put right stands in docs/floors/5-blend.md.
  *
  * pair   `joints` partners: the left hand has the right one's index and the other way round, the head its own. A
  *        partner that is out of range or has another partner itself counts as none: that joint is mirrored in its

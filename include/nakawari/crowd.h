@@ -50,7 +50,7 @@ NKW_API void nkw_matrices_from_crowd(const float *crowd, size_t joints, nkw_mat4
  *
  * crowd   the poses of skeleton->joint_count joints
  * roots   a matrix for each lane, NKW_CROWD_MATRIX_FLOATS(1) floats, applied once, to joints without a parent; NULL:
- *         none
+ *         none. nkw_crowd_from_matrices(places, 1, roots) makes them of one matrix for each character
  * models  receives the matrices of all joints
  */
 NKW_API void nkw_crowd_models_from_pose(const nkw_skeleton *skeleton, const float *crowd, const float *roots,
@@ -70,10 +70,12 @@ NKW_API void nkw_crowd_palette_from_models(const float *models, size_t model_cou
 #define NKW_CROWD_SAMPLE_FLOATS(joints) (NKW_CROWD * NKW_POSE_FLOATS(joints))
 
 /**
- * One clip at many times: lane i is the clip at times[i], with the bits of nkw_clip_sample.
+ * One clip at many times: lane i is the clip at times[i], with the bits of nkw_clip_sample. The clip's floats (morph
+ * weights) are not sampled: nkw_clip_sample(clip, times[i], cursors, NULL, floats) gives them, for each character.
  *
  * times       one for each character, seconds
- * cursors     nkw_clip_cursors(clip) numbers for each character, those of the first before those of the second; NULL
+ * cursors     nkw_clip_cursors(clip) numbers for each character, those of the first before those of the second; NULL.
+ *             Those of another crowd change no bit, but searches are short only from a character's own
  * characters  how many, 0..NKW_CROWD, more count as NKW_CROWD; the lanes beyond them get the identity
  * work        NKW_CROWD_SAMPLE_FLOATS(nkw_clip_joints(clip)) floats: the poses stand in them afterwards, one after the
  *             other

@@ -35,7 +35,10 @@
 extern "C" {
 #endif
 
-/** A skinned mesh, in the caller's arrays. */
+/**
+ * A skinned mesh, in the caller's arrays. All are packed: a file's joints of one byte, weights in whole numbers and
+ * vertices with a stride are widened and gathered first.
+ */
 typedef struct nkw_partition_mesh {
     const uint32_t *indices; /**< 3 vertices for each triangle */
     const uint32_t *materials; /**< one for each triangle, any numbers; NULL: all 0 */

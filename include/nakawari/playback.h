@@ -41,6 +41,9 @@ typedef struct nkw_play_head {
  *     LOOP        start + rest; where that rounds to the end, start, and cycle one more
  *     PING_PONG   start + rest in even cycles, start + duration - rest in odd ones
  *
+ * A clip's keys may begin late. Seconds since it was started are nkw_playback_at(mode, start, end - start, start +
+ * seconds); on a time line of its own, from 0 to its last key as in glTF, nkw_playback_at(mode, 0, end, seconds).
+ *
  * For a loop with a closing segment, in which the last key blends into the first, pass duration + the segment's
  * length and give the track its first key once more at the end.
  *
