@@ -61,14 +61,13 @@ static void half_turned_by_normalised(random_source *r, float *x)
 static double off_rotated(nkw_vec3 v, const float *x, int back)
 {
     wide q[4], p[3], m[9], exact[3];
-    float got[3];
+    float got[3] = {v.x, v.y, v.z};
     wide_from(x, q, 4);
     wide_from(x + 4, p, 3);
     q[3] = back ? -q[3] : q[3];
     wide_mat3_from_quat(q, m);
     for (int i = 0; i < 3; i++)
         exact[i] = m[i] * p[0] + m[3 + i] * p[1] + m[6 + i] * p[2];
-    put_vec3(got, v);
     return wide_error(got, exact, 3);
 }
 
@@ -440,10 +439,9 @@ static nkw_quat from_matrix(const float *x)
 static double off_nearest(nkw_quat q, const float *x)
 {
     wide m[9], exact[4];
-    float got[4];
+    float got[4] = {q.x, q.y, q.z, q.w};
     wide_from(x, m, 9);
     wide_quat_from_mat3(m, exact);
-    put_quat(got, q);
     return wide_error_either(got, exact, 4);
 }
 

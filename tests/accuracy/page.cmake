@@ -11,7 +11,7 @@ of floor 1 is the C library's binary64 functions, that of floors 2 to 6 binary12
 another yardstick than the header's line, or outside the range it speaks of. The witness is the input of the worst case;
 where two whole numbers stand in its place, they are the seed that the case was drawn from.
 ")
-foreach(stem IN ITEMS scalar vec quat mat euler transform curve orient track clip skeleton blend palette skin)
+foreach(stem IN ITEMS scalar vec quat mat euler transform dual curve orient track clip skeleton blend palette skin)
   if(NOT EXISTS "${PARTS}/${stem}.md")
     message(FATAL_ERROR "no ${PARTS}/${stem}.md: run the accuracy tests first")
   endif()
