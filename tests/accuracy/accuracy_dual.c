@@ -40,7 +40,8 @@ static nkw_quat near_half_turn(random_source *r)
 static void half_turned_dual(random_source *r, float *x)
 {
     nkw_quat q = near_half_turn(r);
-    put_dual(x, nkw_dual_quat_from_rigid(q, random_vec3(r, -10.0f, 10.0f)));
+    float size = random_log(r, 1e-3f, 1e3f);
+    put_dual(x, nkw_dual_quat_from_rigid(q, nkw_vec3_scale(random_vec3(r, -1.0f, 1.0f), size)));
 }
 
 /* As blending makes them: the sum of two, normalised. */

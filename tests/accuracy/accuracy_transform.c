@@ -245,6 +245,7 @@ static void half_turned_point(random_source *r, float *x)
 {
     near_half_turn(r, x);
     with_point(r, x);
+    put_vec3(x, random_vec3(r, -1.0f, 1.0f));
 }
 
 /* Unit as the library makes it. */
@@ -303,6 +304,14 @@ static void near_half_turns(random_source *r, float *x)
 {
     near_half_turn(r, x);
     near_half_turn(r, x + 10);
+    put_vec3(x, random_vec3(r, -1.0f, 1.0f));
+}
+
+static void two_normalised(random_source *r, float *x)
+{
+    near_half_turns(r, x);
+    half_turned_by_normalised(r, x);
+    put_vec3(x + 10, random_vec3(r, -100.0f, 100.0f));
 }
 
 static double product_place_error(const float *x)
@@ -373,6 +382,7 @@ static const wide_case points[] = {
     {POINT, "to the origin", lost_point, point_error, 13, WIDE_CHECKED},
     {PRODUCT, "translation, scales 0.1 .. 10", two_transforms, product_place_error, 20, WIDE_CHECKED},
     {PRODUCT, "translation, near half turns", near_half_turns, product_place_error, 20, WIDE_CHECKED},
+    {PRODUCT, "translation, near half turns, normalised", two_normalised, product_place_error, 20, WIDE_CHECKED},
     {PRODUCT, "rotation", two_transforms, product_turn_error, 20, WIDE_CHECKED},
     {RESIDUAL, "T R S, rounded", with_own_matrix, residual_error, 22, WIDE_NOTED},
     {RESIDUAL, "shear 1e-4 .. 1", with_sheared_matrix, residual_error, 22, WIDE_CHECKED},
