@@ -459,7 +459,7 @@ static void in_view(random_source *r, float *x)
 }
 
 /* Of (1 + |q|) |m| |(p, 1)| / |w| or, in view, of 1. */
-static double project_error(const float *x, int in_view)
+static double project_error(const float *x, int of_one)
 {
     wide m[16], p[4] = {x[0], x[1], x[2], 1}, q[4];
     nkw_mat4 f = mat4_at(x + 3);
@@ -470,7 +470,7 @@ static double project_error(const float *x, int in_view)
     wide_scale(q, 1 / q[3], 3);
     wide size = (1 + wide_length(q, 3)) * wide_length(m, 16) * wide_length(p, 4) / q[3];
     put_vec3(got, nkw_mat4_project_point(&f, vec3_at(x)));
-    return wide_error_of(got, q, 3, in_view ? 1 : size < 0 ? -size : size);
+    return wide_error_of(got, q, 3, of_one ? 1 : size < 0 ? -size : size);
 }
 
 static double project_any_error(const float *x)
