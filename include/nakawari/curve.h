@@ -60,9 +60,17 @@ typedef struct nkw_vec3_cubic {
  * Error  1.9 u absolute each, for t in 0..1 (u = 2^-24).
  */
 NKW_API nkw_weights nkw_hermite_weights(float t);
-/** Their first derivative: -6ts, (1 - 3t)s, 6ts, t(3t - 2). */
+/**
+ * Their first derivative: -6ts, (1 - 3t)s, 6ts, t(3t - 2).
+ *
+ * Error  3.3 u absolute each, for t in 0..1 (u = 2^-24).
+ */
 NKW_API nkw_weights nkw_hermite_velocity_weights(float t);
-/** Their second derivative: 12t - 6, 6t - 4, 6 - 12t, 6t - 2. */
+/**
+ * Their second derivative: 12t - 6, 6t - 4, 6 - 12t, 6t - 2.
+ *
+ * Error  8.0 u absolute each, for t in 0..1 (u = 2^-24).
+ */
 NKW_API nkw_weights nkw_hermite_acceleration_weights(float t);
 
 /**
@@ -71,9 +79,17 @@ NKW_API nkw_weights nkw_hermite_acceleration_weights(float t);
  * Error  2.5 u absolute each, for t in 0..1 (u = 2^-24).
  */
 NKW_API nkw_weights nkw_bezier_weights(float t);
-/** Their first derivative: -3s^2, 3s(1 - 3t), 3t(2 - 3t), 3t^2. */
+/**
+ * Their first derivative: -3s^2, 3s(1 - 3t), 3t(2 - 3t), 3t^2.
+ *
+ * Error  10.0 u absolute each, for t in 0..1 (u = 2^-24).
+ */
 NKW_API nkw_weights nkw_bezier_velocity_weights(float t);
-/** Their second derivative: 6s, 18t - 12, 6 - 18t, 6t. */
+/**
+ * Their second derivative: 6s, 18t - 12, 6 - 18t, 6t.
+ *
+ * Error  16.0 u absolute each, for t in 0..1 (u = 2^-24).
+ */
 NKW_API nkw_weights nkw_bezier_acceleration_weights(float t);
 
 /**
@@ -84,9 +100,17 @@ NKW_API nkw_weights nkw_bezier_acceleration_weights(float t);
  * Error  1.8 u absolute each, for t in 0..1 (u = 2^-24).
  */
 NKW_API nkw_weights nkw_bspline_weights(float t);
-/** Their first derivative: -s^2/2, t(3t - 4)/2, s(4 - 3s)/2, t^2/2. */
+/**
+ * Their first derivative: -s^2/2, t(3t - 4)/2, s(4 - 3s)/2, t^2/2.
+ *
+ * Error  2.0 u absolute each, for t in 0..1 (u = 2^-24).
+ */
 NKW_API nkw_weights nkw_bspline_velocity_weights(float t);
-/** Their second derivative: s, 3t - 2, 1 - 3t, t. */
+/**
+ * Their second derivative: s, 3t - 2, 1 - 3t, t.
+ *
+ * Error  2.0 u absolute each, for t in 0..1 (u = 2^-24).
+ */
 NKW_API nkw_weights nkw_bspline_acceleration_weights(float t);
 
 /**
@@ -97,12 +121,24 @@ NKW_API nkw_weights nkw_bspline_acceleration_weights(float t);
  * Error  2.6 u absolute each, for t in 0..1 (u = 2^-24).
  */
 NKW_API nkw_weights nkw_catmull_rom_weights(float t);
-/** Their first derivative: s(3t - 1)/2, t(9t - 10)/2, s(10 - 9s)/2, t(3t - 2)/2. */
+/**
+ * Their first derivative: s(3t - 1)/2, t(9t - 10)/2, s(10 - 9s)/2, t(3t - 2)/2.
+ *
+ * Error  6.5 u absolute each, for t in 0..1 (u = 2^-24).
+ */
 NKW_API nkw_weights nkw_catmull_rom_velocity_weights(float t);
-/** Their second derivative: 2 - 3t, 9t - 5, 4 - 9t, 3t - 1. */
+/**
+ * Their second derivative: 2 - 3t, 9t - 5, 4 - 9t, 3t - 1.
+ *
+ * Error  8.0 u absolute each, for t in 0..1 (u = 2^-24).
+ */
 NKW_API nkw_weights nkw_catmull_rom_acceleration_weights(float t);
 
-/** The weighted sum (w0 c0 + w1 c1) + (w2 c2 + w3 c3). */
+/**
+ * The weighted sum (w0 c0 + w1 c1) + (w2 c2 + w3 c3).
+ *
+ * Error  3.0 u of |w0 c0| + |w1 c1| + |w2 c2| + |w3 c3|.
+ */
 NKW_API float nkw_weigh(nkw_weights weights, float c0, float c1, float c2, float c3);
 /** The weighted sum of vectors, each component as nkw_weigh. */
 NKW_API nkw_vec3 nkw_vec3_weigh(nkw_weights weights, nkw_vec3 c0, nkw_vec3 c1, nkw_vec3 c2, nkw_vec3 c3);
@@ -159,6 +195,7 @@ NKW_ALGEBRA nkw_vec3 nkw_vec3_catmull_rom(nkw_vec3 p0, nkw_vec3 p1, nkw_vec3 p2,
  * Gives    the slope of the other side where one duration is not positive; 0 where neither is. Worked out in
  *          binary64.
  *
+ * Error  1.0 u of the larger of |d0|, |d1|.
  * Source Barry, Goldman, A Recursive Evaluation Algorithm for a Class of Catmull-Rom Splines, SIGGRAPH 1988,
  *        whose curve over uneven knots has these tangents.
  */
@@ -187,6 +224,8 @@ NKW_API nkw_vec3 nkw_vec3_catmull_rom_timed(const float times[4], nkw_vec3 p0, n
  *     d = 6 b0 - 7 b1 + 2 b2, 2 b1 - b2, 2 b2 - b1, 2 b1 - 7 b2 + 6 b3
  *
  * Exact in the mathematical sense; worked out in binary64, each value rounded once.
+ *
+ * Error  1.0 u of the largest control value of the two segments.
  */
 NKW_API nkw_cubic nkw_bezier_from_hermite(const nkw_cubic *hermite);
 NKW_API nkw_cubic nkw_hermite_from_bezier(const nkw_cubic *bezier);
@@ -194,6 +233,7 @@ NKW_API nkw_cubic nkw_bezier_from_bspline(const nkw_cubic *bspline);
 NKW_API nkw_cubic nkw_bspline_from_bezier(const nkw_cubic *bezier);
 NKW_API nkw_cubic nkw_hermite_from_bspline(const nkw_cubic *bspline);
 NKW_API nkw_cubic nkw_bspline_from_hermite(const nkw_cubic *hermite);
+/** The same of vectors, each component for itself. */
 NKW_API nkw_vec3_cubic nkw_vec3_bezier_from_hermite(const nkw_vec3_cubic *hermite);
 NKW_API nkw_vec3_cubic nkw_vec3_hermite_from_bezier(const nkw_vec3_cubic *bezier);
 NKW_API nkw_vec3_cubic nkw_vec3_bezier_from_bspline(const nkw_vec3_cubic *bspline);
@@ -206,9 +246,11 @@ NKW_API nkw_vec3_cubic nkw_vec3_bspline_from_hermite(const nkw_vec3_cubic *hermi
  * segment over 0..1. Both share the cut point bit for bit; the outer ends are those of the whole. t outside
  * 0..1 extends. left and right may be the input itself.
  *
+ * Error  1.0 u of the largest control value, for t in 0..1.
  * Source de Casteljau, Courbes et surfaces a poles, 1963.
  */
 NKW_API void nkw_bezier_split(const nkw_cubic *bezier, float t, nkw_cubic *left, nkw_cubic *right);
+/** The halves of a Bezier segment of vectors, each component as nkw_bezier_split. */
 NKW_API void nkw_vec3_bezier_split(const nkw_vec3_cubic *bezier, float t, nkw_vec3_cubic *left,
                                    nkw_vec3_cubic *right);
 

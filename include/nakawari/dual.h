@@ -26,6 +26,8 @@ NKW_API nkw_dual_quat nkw_dual_quat_identity(void);
 /**
  * Rotate by the unit quaternion `rotation`, then move by `translation`. real is the rotation as given, bit for bit;
  * dual is worked out in binary64 and rounded once.
+ *
+ * Error  1.0 u of the dual part.
  */
 NKW_API nkw_dual_quat nkw_dual_quat_from_rigid(nkw_quat rotation, nkw_vec3 translation);
 
@@ -38,17 +40,29 @@ NKW_API nkw_dual_quat nkw_dual_quat_from_rigid(nkw_quat rotation, nkw_vec3 trans
  * 1e-3 cost nothing; with more shear the rotation is near the nearest. real.w >= 0; where it is 0, the largest
  * component of real is positive. A block of zeros gives no rotation, NaN gives NaN.
  *
- * Error  of the rotation as nkw_quat_from_mat3.
+ * Error  1.0 u of the dual part, 0.91 u of the rotation, against the one nearest to the columns.
  */
 NKW_API nkw_dual_quat nkw_dual_quat_from_mat4(const nkw_mat4 *m);
 
-/** The matrix of a unit d: nkw_mat3_from_quat of real and the translation; last row exactly 0 0 0 1. */
+/**
+ * The matrix of a unit d: nkw_mat3_from_quat of real and the translation; last row exactly 0 0 0 1.
+ *
+ * Error  4.3 u of the translation, 2.6 u of the 3x3 block (Frobenius norm / sqrt 3).
+ */
 NKW_API nkw_mat4 nkw_mat4_from_dual_quat(const nkw_dual_quat *d);
 
-/** The translation of a unit d: 2 dual real*, that is 2 (rw dv - dw rv + rv x dv). In binary32. */
+/**
+ * The translation of a unit d: 2 dual real*, that is 2 (rw dv - dw rv + rv x dv). In binary32.
+ *
+ * Error  4.3 u.
+ */
 NKW_API nkw_vec3 nkw_dual_quat_translation(const nkw_dual_quat *d);
 
-/** a b: first b, then a. real = ar br, dual = ar bd + ad br. In binary32. */
+/**
+ * a b: first b, then a. real = ar br, dual = ar bd + ad br. In binary32.
+ *
+ * Error  4.0 u of |a.dual| + |b.dual| in the dual part, 2.2 u in the real one, for unit inputs.
+ */
 NKW_API nkw_dual_quat nkw_dual_quat_mul(const nkw_dual_quat *a, const nkw_dual_quat *b);
 
 /** The inverse of a unit d: both parts conjugated. */
@@ -60,15 +74,25 @@ NKW_API nkw_dual_quat nkw_dual_quat_conjugate(const nkw_dual_quat *d);
  *     real' = real / |real|,     dual' = dual / |real| - real' (real' . dual / |real|)
  *
  * In binary64, rounded once. real = 0 gives the identity; NaN gives NaN.
+ *
+ * Error  1.0 u of |dual| / |real| in the dual part, 0.91 u in the real one.
  */
 NKW_API nkw_dual_quat nkw_dual_quat_normalize(const nkw_dual_quat *d);
 
 /** d, or -d where real and that of `side` are more than a quarter turn of the 3-sphere apart (negative dot product). */
 NKW_API nkw_dual_quat nkw_dual_quat_align(const nkw_dual_quat *d, const nkw_dual_quat *side);
 
-/** The unit d on a point: rotate, then move. In binary32. */
+/**
+ * The unit d on a point: rotate, then move. In binary32.
+ *
+ * Error  12.0 u of |p| + |t|, t the translation.
+ */
 NKW_API nkw_vec3 nkw_dual_quat_transform_point(const nkw_dual_quat *d, nkw_vec3 p);
-/** The unit d on a direction: rotate. In binary32. */
+/**
+ * The unit d on a direction: rotate. In binary32.
+ *
+ * Error  11.5 u of |v|.
+ */
 NKW_API nkw_vec3 nkw_dual_quat_transform_direction(const nkw_dual_quat *d, nkw_vec3 v);
 
 #ifdef __cplusplus

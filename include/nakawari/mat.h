@@ -34,7 +34,11 @@ NKW_ALGEBRA nkw_mat3 nkw_mat3_transpose(const nkw_mat3 *m);
  */
 NKW_ALGEBRA nkw_mat3 nkw_mat3_mul(const nkw_mat3 *a, const nkw_mat3 *b);
 
-/** m v. */
+/**
+ * m v.
+ *
+ * Error  3.0 u of |m| |v|, |m| the Frobenius norm; 2.6 u of |v| for rotations.
+ */
 NKW_ALGEBRA nkw_vec3 nkw_mat3_transform(const nkw_mat3 *m, nkw_vec3 v);
 
 /**
@@ -116,14 +120,24 @@ NKW_ALGEBRA nkw_mat4 nkw_mat4_mul(const nkw_mat4 *a, const nkw_mat4 *b);
  */
 NKW_ALGEBRA nkw_mat4 nkw_mat4_mul_affine(const nkw_mat4 *a, const nkw_mat4 *b);
 
-/** The affine m on a point: m (p, 1). The last row is not read. */
+/**
+ * The affine m on a point: m (p, 1). The last row is not read.
+ *
+ * Error  3.0 u of |A| |p| + |t|, |A| the Frobenius norm of the 3x3 block, t the translation.
+ */
 NKW_ALGEBRA nkw_vec3 nkw_mat4_transform_point(const nkw_mat4 *m, nkw_vec3 p);
-/** The affine m on a direction: m (d, 0), without the translation. */
+/**
+ * The affine m on a direction: m (d, 0), without the translation.
+ *
+ * Error  3.0 u of |A| |d|, |A| the Frobenius norm of the 3x3 block.
+ */
 NKW_ALGEBRA nkw_vec3 nkw_mat4_transform_direction(const nkw_mat4 *m, nkw_vec3 d);
 
 /**
- * Any m on a point with the division by w: q = m (p, 1), q.xyz / q.w. A point in the plane w = 0 gives
+ * Any m on a point with the division by w: q = m (p, 1), r = q.xyz / q.w. A point in the plane w = 0 gives
  * infinities or NaN, as the division does.
+ *
+ * Error  3.0 u of (1 + |r|) |m| |(p, 1)| / |q.w|, |m| the Frobenius norm; 2.5 u of 1 in view of a perspective.
  */
 NKW_API nkw_vec3 nkw_mat4_project_point(const nkw_mat4 *m, nkw_vec3 p);
 
@@ -154,6 +168,8 @@ NKW_API nkw_mat4 nkw_mat4_inverse_affine(const nkw_mat4 *m);
 /**
  * The inverse of a rotation and translation: R^T and -R^T t. Wrong where m scales or shears; exact in the
  * rotation.
+ *
+ * Error  3.0 u of |t| in the translation; 3.4 u of the Frobenius norm against the inverse of a rounded rotation.
  */
 NKW_ALGEBRA nkw_mat4 nkw_mat4_inverse_rigid(const nkw_mat4 *m);
 

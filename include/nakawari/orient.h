@@ -136,6 +136,8 @@ typedef enum nkw_unwrap {
  * Where unwrap says so, an angle of `a` that lies more than pi from that of `b` is moved by one turn towards it
  * first. That keeps each *angle* on its shorter way, which is not the shorter arc of the rotation. Exactly a (or
  * a moved by its turn) at t = 0, exactly b at t = 1.
+ *
+ * Error  1.0 u of the larger of |a|, |b|, each angle for itself, a as moved, for t in 0..1.
  */
 NKW_API nkw_vec3 nkw_euler_lerp(nkw_vec3 a, nkw_vec3 b, float t, nkw_unwrap unwrap);
 

@@ -39,7 +39,11 @@ NKW_ALGEBRA nkw_quat nkw_quat_divide(nkw_quat a, float s);
 NKW_ALGEBRA nkw_quat nkw_quat_negate(nkw_quat q);
 /** (-x, -y, -z, w): the opposite rotation of a unit quaternion. */
 NKW_ALGEBRA nkw_quat nkw_quat_conjugate(nkw_quat q);
-/** a.b = (a.x b.x + a.y b.y) + (a.z b.z + a.w b.w): the cosine of half the turn from a to b. */
+/**
+ * a.b = (a.x b.x + a.y b.y) + (a.z b.z + a.w b.w): the cosine of half the turn from a to b.
+ *
+ * Error  3.0 u of |a| |b|.
+ */
 NKW_ALGEBRA float nkw_quat_dot(nkw_quat a, nkw_quat b);
 /** 1 if all four components are finite, else 0. */
 NKW_ALGEBRA int nkw_quat_is_finite(nkw_quat q);
@@ -57,12 +61,16 @@ NKW_ALGEBRA nkw_quat nkw_quat_mul(nkw_quat a, nkw_quat b);
  *
  *     c = 2 (q.xyz x v),        v' = v + w c + q.xyz x c
  *
- * Error  13.5 u of |v| for q from nkw_quat_normalize, 8.8 for q rounded from a unit one (both near half turns); the
+ * Error  17.0 u of |v| for q from nkw_quat_normalize, 11.5 for q rounded from a unit one (both near half turns); the
  *        identity gives v itself.
  */
 NKW_ALGEBRA nkw_vec3 nkw_quat_rotate(nkw_quat q, nkw_vec3 v);
 
-/** v turned back: rotate(conjugate(q), v). */
+/**
+ * v turned back: rotate(conjugate(q), v).
+ *
+ * Error  17.0 u of |v|, as nkw_quat_rotate.
+ */
 NKW_ALGEBRA nkw_vec3 nkw_quat_rotate_inverse(nkw_quat q, nkw_vec3 v);
 
 /**
@@ -138,7 +146,11 @@ NKW_API nkw_quat nkw_quat_look_rotation(nkw_vec3 forward, nkw_vec3 up);
  */
 NKW_API nkw_quat nkw_quat_from_mat3(const nkw_mat3 *m);
 
-/** The rotation of the upper left 3x3 block of m, as nkw_quat_from_mat3. */
+/**
+ * The rotation of the upper left 3x3 block of m, as nkw_quat_from_mat3.
+ *
+ * Error  0.91 u against the rotation nearest to m.
+ */
 NKW_API nkw_quat nkw_quat_from_mat4(const nkw_mat4 *m);
 
 /**

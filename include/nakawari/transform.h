@@ -33,7 +33,12 @@ NKW_ALGEBRA nkw_mat3 nkw_mat3_from_quat_scale(nkw_quat q, nkw_vec3 scale);
  */
 NKW_ALGEBRA nkw_mat4 nkw_mat4_from_trs(const nkw_trs *trs);
 
-/** The transform of a point: translation + rotate(rotation, scale * p). */
+/**
+ * The transform of a point: translation + rotate(rotation, scale * p).
+ *
+ * Error  18.0 u of |scale * p| + |translation| for a rotation from nkw_quat_normalize, 12.5 for one rounded from a
+ *        unit one (both near half turns).
+ */
 NKW_ALGEBRA nkw_vec3 nkw_trs_transform_point(const nkw_trs *trs, nkw_vec3 p);
 
 /**
@@ -54,6 +59,8 @@ NKW_API nkw_trs nkw_trs_from_mat4(const nkw_mat4 *m);
  * What trs fails to say of m: the largest difference of an element of the 3x3 block of T R S from that of m, as a
  * part of the longest column of m. About 1e-7 where m is a TRS; a shear of angle a leaves about a/2.
  * A block of zeros gives 0, numbers that are not finite give NaN.
+ *
+ * Error  0.501 ULP for residuals above 1e-5; 2e-15 more than rounding below.
  */
 NKW_API float nkw_trs_residual(const nkw_trs *trs, const nkw_mat4 *m);
 
@@ -64,6 +71,8 @@ NKW_API float nkw_trs_residual(const nkw_trs *trs, const nkw_mat4 *m);
  *
  * Exact in the mathematical sense where a's scale is uniform, or b does not rotate. Elsewhere the true
  * product has shear: multiply the matrices instead.
+ *
+ * Error  18.0 u of the translation, as nkw_trs_transform_point; 2.2 u of the rotation.
  */
 NKW_ALGEBRA nkw_trs nkw_trs_mul(const nkw_trs *a, const nkw_trs *b);
 

@@ -32,20 +32,36 @@ NKW_ALGEBRA nkw_vec3 nkw_vec3_scale(nkw_vec3 a, float s);
 NKW_ALGEBRA nkw_vec3 nkw_vec3_divide(nkw_vec3 a, float s);
 /** The component-wise product (a.x b.x, a.y b.y, a.z b.z), as in scaling along the axes. */
 NKW_ALGEBRA nkw_vec3 nkw_vec3_mul(nkw_vec3 a, nkw_vec3 b);
-/** a + s b: one product and one sum, each rounded. */
+/**
+ * a + s b: one product and one sum, each rounded.
+ *
+ * Error  2.0 u of |a| + |s b|, each component for itself.
+ */
 NKW_ALGEBRA nkw_vec3 nkw_vec3_add_scaled(nkw_vec3 a, nkw_vec3 b, float s);
 /** The smaller of each pair of components, by nkw_min. */
 NKW_ALGEBRA nkw_vec3 nkw_vec3_min(nkw_vec3 a, nkw_vec3 b);
 /** The larger of each pair of components, by nkw_max. */
 NKW_ALGEBRA nkw_vec3 nkw_vec3_max(nkw_vec3 a, nkw_vec3 b);
 
-/** The scalar product a.b = (a.x b.x + a.y b.y) + a.z b.z. */
+/**
+ * The scalar product a.b = (a.x b.x + a.y b.y) + a.z b.z.
+ *
+ * Error  3.0 u of |a| |b|.
+ */
 NKW_ALGEBRA float nkw_vec3_dot(nkw_vec3 a, nkw_vec3 b);
 
-/** The vector product a x b, right-handed: x cross y is z. */
+/**
+ * The vector product a x b, right-handed: x cross y is z.
+ *
+ * Error  2.0 u of |a| |b|.
+ */
 NKW_ALGEBRA nkw_vec3 nkw_vec3_cross(nkw_vec3 a, nkw_vec3 b);
 
-/** a.a, rounded in binary32: it overflows for lengths beyond 1.8e19; nkw_vec3_length does not. */
+/**
+ * a.a, rounded in binary32: it overflows for lengths beyond 1.8e19; nkw_vec3_length does not.
+ *
+ * Error  3.0 u.
+ */
 NKW_ALGEBRA float nkw_vec3_length_squared(nkw_vec3 a);
 
 /**
@@ -101,7 +117,11 @@ NKW_API nkw_vec3 nkw_vec3_project(nkw_vec3 a, nkw_vec3 b);
  */
 NKW_API nkw_vec3 nkw_vec3_reject(nkw_vec3 a, nkw_vec3 b);
 
-/** a mirrored at the plane through the origin with unit normal n: a - 2 (a.n) n. */
+/**
+ * a mirrored at the plane through the origin with unit normal n: a - 2 (a.n) n.
+ *
+ * Error  15.0 u of |a| for n from nkw_vec3_normalize, 9.0 for n rounded from a unit one.
+ */
 NKW_ALGEBRA nkw_vec3 nkw_vec3_reflect(nkw_vec3 a, nkw_vec3 n);
 
 /**

@@ -7,6 +7,7 @@
 #include <math.h>
 
 #define SAMPLES 300000u
+#define FEWER   100000u
 
 /* ---- The four weights, from the monomials ---- */
 
@@ -228,6 +229,7 @@ static void timed_about_base(random_source *r, float *x)
     x[4] = t;
 }
 
+/* The slope of the parabola. */
 static wide tangent(wide p0, wide p1, wide p2, wide h0, wide h1)
 {
     return ((p1 - p0) / h0 * h1 + (p2 - p1) / h1 * h0) / (h0 + h1);
@@ -244,6 +246,236 @@ static double timed_error(const float *x)
     hermite_exact(x[4], w);
     wide exact = wide_dot(w, c, 4), size = largest(x, 4), steep = largest(tangents, 2);
     return wide_error_of(&got, &exact, 1, size > steep ? size : steep);
+}
+
+/* ---- Derivatives of the weights, absolute ---- */
+
+/* Six times the coefficients of 1, t, t^2, t^3 of the four weights. */
+typedef const int monomials[4][4];
+
+static monomials hermite_monomials = {{6, 0, -18, 12}, {0, 6, -12, 6}, {0, 0, 18, -12}, {0, 0, -6, 6}};
+static monomials bezier_monomials = {{6, -18, 18, -6}, {0, 18, -36, 18}, {0, 0, 18, -18}, {0, 0, 0, 6}};
+static monomials bspline_monomials = {{1, -3, 3, -1}, {4, 0, -6, 3}, {1, 3, 3, -3}, {0, 0, 0, 1}};
+static monomials catmull_rom_monomials = {{0, -3, 6, -3}, {6, 0, -15, 9}, {0, 3, 12, -9}, {0, 0, -3, 3}};
+
+static double off_velocity(nkw_weights got, wide t, monomials m)
+{
+    double worst = 0.0;
+    for (int i = 0; i < 4; i++) {
+        wide exact = (m[i][1] + t * (2 * m[i][2] + t * (3 * m[i][3]))) / 6;
+        worst = fmax(worst, wide_error_of(got.w + i, &exact, 1, 1));
+    }
+    return worst;
+}
+
+static double off_acceleration(nkw_weights got, wide t, monomials m)
+{
+    double worst = 0.0;
+    for (int i = 0; i < 4; i++) {
+        wide exact = (2 * m[i][2] + t * (6 * m[i][3])) / 6;
+        worst = fmax(worst, wide_error_of(got.w + i, &exact, 1, 1));
+    }
+    return worst;
+}
+
+#define DERIVATIVE(name)                                                                                               \
+    static double name##_velocity_error(const float *x)                                                                \
+    {                                                                                                                  \
+        return off_velocity(nkw_##name##_velocity_weights(x[4]), x[4], name##_monomials);                              \
+    }                                                                                                                  \
+    static double name##_acceleration_error(const float *x)                                                            \
+    {                                                                                                                  \
+        return off_acceleration(nkw_##name##_acceleration_weights(x[4]), x[4], name##_monomials);                      \
+    }
+
+DERIVATIVE(hermite)
+DERIVATIVE(bezier)
+DERIVATIVE(bspline)
+DERIVATIVE(catmull_rom)
+
+/* ---- The weighted sum: four values, t, four weights ---- */
+
+static void with_weights(float *x)
+{
+    nkw_weights w = nkw_catmull_rom_weights(x[4]);
+    for (int i = 0; i < 4; i++)
+        x[5 + i] = w.w[i];
+}
+
+static void weighed_uniform(random_source *r, float *x)
+{
+    uniform(r, x);
+    with_weights(x);
+}
+
+static void weighed_near_base(random_source *r, float *x)
+{
+    near_base(r, x);
+    with_weights(x);
+}
+
+static void weighed_scattered(random_source *r, float *x)
+{
+    scattered(r, x);
+    for (int i = 5; i < 9; i++)
+        x[i] = delta(r, 1e-3f, 1e3f);
+}
+
+/* Of |w0 c0| + |w1 c1| + |w2 c2| + |w3 c3|. */
+static double weigh_error(const float *x)
+{
+    nkw_weights w = {{x[5], x[6], x[7], x[8]}};
+    float got = nkw_weigh(w, x[0], x[1], x[2], x[3]);
+    wide exact = 0, size = 0;
+    for (int i = 0; i < 4; i++) {
+        wide term = (wide)x[i] * x[5 + i];
+        exact += term;
+        size += term < 0 ? -term : term;
+    }
+    return wide_error_of(&got, &exact, 1, size);
+}
+
+/* ---- The tangent: three values and two durations ---- */
+
+static void with_durations(random_source *r, float *x)
+{
+    x[3] = random_log(r, 1e-3f, 10.0f);
+    x[4] = random_log(r, 1e-3f, 10.0f);
+}
+
+static void tangent_uniform(random_source *r, float *x)
+{
+    uniform(r, x);
+    with_durations(r, x);
+}
+
+static void tangent_scattered(random_source *r, float *x)
+{
+    scattered(r, x);
+    with_durations(r, x);
+}
+
+static void tangent_near_base(random_source *r, float *x)
+{
+    near_base(r, x);
+    with_durations(r, x);
+}
+
+/* Near a turning point: one slope as steep up as the other down. */
+static void tangent_level(random_source *r, float *x)
+{
+    tangent_uniform(r, x);
+    x[4] = x[3];
+    x[2] = x[0] * (1.0f + random_scaled(r, -24, -4));
+}
+
+/* Of the larger of the slopes of both sides. */
+static double tangent_error(const float *x)
+{
+    float got = nkw_catmull_rom_tangent(x[0], x[1], x[2], x[3], x[4]);
+    wide exact = tangent(x[0], x[1], x[2], x[3], x[4]);
+    wide d0 = ((wide)x[1] - x[0]) / x[3], d1 = ((wide)x[2] - x[1]) / x[4];
+    d0 = d0 < 0 ? -d0 : d0;
+    d1 = d1 < 0 ? -d1 : d1;
+    return wide_error_of(&got, &exact, 1, d0 > d1 ? d0 : d1);
+}
+
+/* ---- One kind in the terms of another; the two halves of a Bezier segment ---- */
+
+static void to_bezier_from_hermite(const wide c[4], wide out[4])
+{
+    out[0] = c[0];
+    out[1] = c[0] + c[1] / 3;
+    out[2] = c[2] - c[3] / 3;
+    out[3] = c[2];
+}
+
+static void to_hermite_from_bezier(const wide c[4], wide out[4])
+{
+    out[0] = c[0];
+    out[1] = 3 * (c[1] - c[0]);
+    out[2] = c[3];
+    out[3] = 3 * (c[3] - c[2]);
+}
+
+static void to_bezier_from_bspline(const wide c[4], wide out[4])
+{
+    out[0] = (c[0] + 4 * c[1] + c[2]) / 6;
+    out[1] = (2 * c[1] + c[2]) / 3;
+    out[2] = (c[1] + 2 * c[2]) / 3;
+    out[3] = (c[1] + 4 * c[2] + c[3]) / 6;
+}
+
+static void to_bspline_from_bezier(const wide c[4], wide out[4])
+{
+    out[0] = 6 * c[0] - 7 * c[1] + 2 * c[2];
+    out[1] = 2 * c[1] - c[2];
+    out[2] = 2 * c[2] - c[1];
+    out[3] = 2 * c[1] - 7 * c[2] + 6 * c[3];
+}
+
+static void to_hermite_from_bspline(const wide c[4], wide out[4])
+{
+    wide b[4];
+    to_bezier_from_bspline(c, b);
+    to_hermite_from_bezier(b, out);
+}
+
+static void to_bspline_from_hermite(const wide c[4], wide out[4])
+{
+    wide b[4];
+    to_bezier_from_hermite(c, b);
+    to_bspline_from_bezier(b, out);
+}
+
+/* Of the largest control value of the two segments. */
+#define CONVERSION(name)                                                                                               \
+    static double name##_error(const float *x)                                                                         \
+    {                                                                                                                  \
+        nkw_cubic from = {{x[0], x[1], x[2], x[3]}}, got = nkw_##name(&from);                                          \
+        wide c[4], exact[4], size = largest(x, 4), far = largest(got.c, 4);                                            \
+        double worst = 0.0;                                                                                            \
+        wide_from(x, c, 4);                                                                                            \
+        to_##name(c, exact);                                                                                           \
+        for (int i = 0; i < 4; i++)                                                                                    \
+            worst = fmax(worst, wide_error_of(got.c + i, exact + i, 1, far > size ? far : size));                      \
+        return worst;                                                                                                  \
+    }
+
+CONVERSION(bezier_from_hermite)
+CONVERSION(hermite_from_bezier)
+CONVERSION(bezier_from_bspline)
+CONVERSION(bspline_from_bezier)
+CONVERSION(hermite_from_bspline)
+CONVERSION(bspline_from_hermite)
+
+static void cut(const wide c[4], wide t, wide left[4], wide right[4])
+{
+    wide s = 1 - t, ab = s * c[0] + t * c[1], bc = s * c[1] + t * c[2], cd = s * c[2] + t * c[3];
+    left[0] = c[0];
+    left[1] = ab;
+    left[2] = s * ab + t * bc;
+    right[1] = s * bc + t * cd;
+    right[2] = cd;
+    right[3] = c[3];
+    left[3] = right[0] = s * left[2] + t * right[1];
+}
+
+/* The outer ends and the cut bit by bit. */
+static double split_error(const float *x)
+{
+    nkw_cubic whole = {{x[0], x[1], x[2], x[3]}}, left, right;
+    wide c[4], before[4], after[4];
+    double worst = 0.0;
+    nkw_bezier_split(&whole, x[4], &left, &right);
+    wide_from(x, c, 4);
+    cut(c, x[4], before, after);
+    for (int i = 0; i < 4; i++) {
+        worst = fmax(worst, wide_error_of(left.c + i, before + i, 1, largest(x, 4)));
+        worst = fmax(worst, wide_error_of(right.c + i, after + i, 1, largest(x, 4)));
+    }
+    int promises = left.c[0] == x[0] && left.c[3] == right.c[0] && right.c[3] == x[3];
+    return promises ? worst : HUGE_VAL;
 }
 
 #define BLOCKS(name, near, about)                                                                                      \
@@ -271,10 +503,52 @@ static const wide_case cases[] = {
     {"nkw_catmull_rom_timed", "1e4 .. 1e6 + 1 .. 100", timed_about_base, timed_error, 9, WIDE_CHECKED},
 };
 
+#define DERIVATIVES(name)                                                                                              \
+    {"nkw_" #name "_velocity_weights", "t in 2^-30 .. 1", fine_t, name##_velocity_error, 5, WIDE_CHECKED},             \
+        {"nkw_" #name "_velocity_weights", "t in [0, 1)", uniform, name##_velocity_error, 5, WIDE_CHECKED},            \
+        {"nkw_" #name "_acceleration_weights", "t in 2^-30 .. 1", fine_t, name##_acceleration_error, 5, WIDE_CHECKED}, \
+    {                                                                                                                  \
+        "nkw_" #name "_acceleration_weights", "t in [0, 1)", uniform, name##_acceleration_error, 5, WIDE_CHECKED       \
+    }
+
+#define CONVERSIONS(name)                                                                                              \
+    {"nkw_" #name, "[-1, 1]", uniform, name##_error, 4, WIDE_CHECKED},                                                 \
+        {"nkw_" #name, "1e4 .. 1e6 + 1e-3 .. 1", near_base, name##_error, 4, WIDE_CHECKED},                            \
+    {                                                                                                                  \
+        "nkw_" #name, "magnitudes 1e-3 .. 1e3", scattered, name##_error, 4, WIDE_CHECKED                               \
+    }
+
+#define TANGENT "nkw_catmull_rom_tangent"
+
+static const wide_case others[] = {
+    DERIVATIVES(hermite),
+    DERIVATIVES(bezier),
+    DERIVATIVES(bspline),
+    DERIVATIVES(catmull_rom),
+    {"nkw_weigh", "Catmull-Rom, [-1, 1]", weighed_uniform, weigh_error, 9, WIDE_CHECKED},
+    {"nkw_weigh", "Catmull-Rom, 1e4 .. 1e6 + 1e-3 .. 1", weighed_near_base, weigh_error, 9, WIDE_CHECKED},
+    {"nkw_weigh", "both of magnitudes 1e-3 .. 1e3", weighed_scattered, weigh_error, 9, WIDE_CHECKED},
+    {TANGENT, "[-1, 1], 1e-3 .. 10 s", tangent_uniform, tangent_error, 5, WIDE_CHECKED},
+    {TANGENT, "magnitudes 1e-3 .. 1e3", tangent_scattered, tangent_error, 5, WIDE_CHECKED},
+    {TANGENT, "1e4 .. 1e6 + 1e-3 .. 1", tangent_near_base, tangent_error, 5, WIDE_CHECKED},
+    {TANGENT, "nearly level", tangent_level, tangent_error, 5, WIDE_CHECKED},
+    CONVERSIONS(bezier_from_hermite),
+    CONVERSIONS(hermite_from_bezier),
+    CONVERSIONS(bezier_from_bspline),
+    CONVERSIONS(bspline_from_bezier),
+    CONVERSIONS(hermite_from_bspline),
+    CONVERSIONS(bspline_from_hermite),
+    {"nkw_bezier_split", "[-1, 1]", uniform, split_error, 5, WIDE_CHECKED},
+    {"nkw_bezier_split", "[-1, 1], t in 2^-30 .. 1", fine_t, split_error, 5, WIDE_CHECKED},
+    {"nkw_bezier_split", "1e4 .. 1e6 + 1e-3 .. 1", near_base, split_error, 5, WIDE_CHECKED},
+    {"nkw_bezier_split", "magnitudes 1e-3 .. 1e3", scattered, split_error, 5, WIDE_CHECKED},
+};
+
 int main(int argc, char **argv)
 {
     accuracy a = accuracy_begin("curve.h", argc, argv);
     wide_run(&a, cases, sizeof cases / sizeof cases[0], SAMPLES);
+    wide_run(&a, others, sizeof others / sizeof others[0], FEWER);
     return accuracy_end(&a);
 }
 

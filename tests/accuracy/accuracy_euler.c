@@ -216,6 +216,65 @@ static double from_mat3_as_given_error(const float *x)
 #define TO_QUAT "nkw_euler_from_quat"
 #define TO_MAT3 "nkw_euler_from_mat3"
 
+/* ---- Moved by whole turns: angles and reference, three each ---- */
+
+static void angles_and_reference(random_source *r, float *x, float size)
+{
+    for (int i = 0; i < 6; i++)
+        x[i] = random_between(r, -size, size);
+}
+
+static void few_turns(random_source *r, float *x)
+{
+    angles_and_reference(r, x, 20.0f);
+}
+
+static void hundred_radians(random_source *r, float *x)
+{
+    angles_and_reference(r, x, 100.0f);
+}
+
+static void far_reference(random_source *r, float *x)
+{
+    few_turns(r, x);
+    for (int i = 3; i < 6; i++)
+        x[i] *= 1e3f;
+}
+
+/* Nearly whole turns, and the reference near 0: nearly all of the angle goes. */
+static void whole_turns(random_source *r, float *x)
+{
+    for (int i = 0; i < 3; i++) {
+        float turns = (float)(int)random_between(r, 1.0f, 17.0f), sign = random_sign(r);
+        x[i] = sign * (float)(6.283185307179586 * (double)turns) * (1.0f + random_scaled(r, -24, -8));
+        x[3 + i] = random_between(r, -1.0f, 1.0f);
+    }
+}
+
+/* Of the two angles about half a turn away, the nearer one. */
+static double unwrap_error(const float *x)
+{
+    float got[3];
+    double worst = 0.0;
+    put_vec3(got, nkw_euler_unwrap(vec3_at(x), vec3_at(x + 3)));
+    for (int i = 0; i < 3; i++) {
+        wide turns = (wide)rint((double)(((wide)x[i] - got[i]) / (2 * wide_pi())));
+        wide exact = (wide)x[i] - turns * 2 * wide_pi();
+        int within = fabs((double)(exact - x[3 + i])) <= (double)wide_pi() + 1e-6;
+        worst = fmax(worst, within ? accuracy_ulps(got[i], (double)exact) : HUGE_VAL);
+    }
+    return worst;
+}
+
+#define UNWRAP "nkw_euler_unwrap"
+
+static const wide_case unwraps[] = {
+    {UNWRAP, "both to 20 rad", few_turns, unwrap_error, 6, WIDE_CHECKED},
+    {UNWRAP, "both to 100 rad", hundred_radians, unwrap_error, 6, WIDE_CHECKED},
+    {UNWRAP, "reference to 20000 rad", far_reference, unwrap_error, 6, WIDE_CHECKED},
+    {UNWRAP, "nearly whole turns, to near 0", whole_turns, unwrap_error, 6, WIDE_NOTED},
+};
+
 static const wide_case cases[] = {
     {"nkw_quat_from_euler", "+-pi", uniform_angles, quat_error, 4, WIDE_CHECKED},
     {"nkw_quat_from_euler", "1e-6 .. 1e-2", small_angles, quat_error, 4, WIDE_CHECKED},
@@ -252,6 +311,7 @@ int main(int argc, char **argv)
 {
     accuracy a = accuracy_begin("euler.h", argc, argv);
     wide_run(&a, cases, sizeof cases / sizeof cases[0], SAMPLES);
+    wide_run(&a, unwraps, sizeof unwraps / sizeof unwraps[0], SAMPLES);
     return accuracy_end(&a);
 }
 

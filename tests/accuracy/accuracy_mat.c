@@ -8,7 +8,7 @@
 #include <string.h>
 
 #define SAMPLES 160000u
-/* For what needs a 4x4 elimination in binary128. */
+/* For what needs a 4x4 elimination in binary128, and for what is mostly samples. */
 #define FEWER 50000u
 
 static nkw_mat3 mat3_at(const float *x)
@@ -328,6 +328,196 @@ static double orthonormalize_error(const float *x)
     return worst;
 }
 
+/* ---- On vectors: the vector, then the matrix ---- */
+
+static void turned_vector(random_source *r, float *x)
+{
+    rotations(r, x + 3);
+    put_vec3(x, random_vec3(r, -10.0f, 10.0f));
+}
+
+static void vector_and_elements(random_source *r, float *x)
+{
+    elements(r, x + 3);
+    put_vec3(x, random_vec3(r, -10.0f, 10.0f));
+}
+
+static void vector_and_affine(random_source *r, float *x)
+{
+    affine(r, x + 3, 10.0f);
+    put_vec3(x, random_vec3(r, -10.0f, 10.0f));
+}
+
+static void scattered(random_source *r, float *x)
+{
+    for (int i = 0; i < 19; i++)
+        x[i] = random_scaled(r, -20, 20);
+}
+
+/* A vector that is nearly lost: at right angles to two of the rows, to 2^-24 .. 2^-4. */
+static void lost_vector(random_source *r, float *x, int stride)
+{
+    elements(r, x + 3);
+    const float *m = x + 3;
+    nkw_vec3 a = {m[0], m[stride], m[2 * stride]}, b = {m[1], m[stride + 1], m[2 * stride + 1]};
+    nkw_vec3 v = nkw_vec3_normalize(nkw_vec3_cross(a, b)), off = random_vec3(r, -1.0f, 1.0f);
+    put_vec3(x, nkw_vec3_add_scaled(v, off, random_scaled(r, -24, -4)));
+}
+
+static void lost_vector3(random_source *r, float *x)
+{
+    lost_vector(r, x, 3);
+}
+
+static void lost_vector4(random_source *r, float *x)
+{
+    lost_vector(r, x, 4);
+}
+
+/* A point that comes near the origin. */
+static void lost_point(random_source *r, float *x)
+{
+    vector_and_affine(r, x);
+    nkw_mat4 m = mat4_at(x + 3);
+    nkw_vec3 t = nkw_mat4_transform_direction(&m, vec3_at(x)), off = random_vec3(r, -1.0f, 1.0f);
+    put_vec3(x + 15, nkw_vec3_add_scaled(nkw_vec3_negate(t), off, random_scaled(r, -24, -4)));
+}
+
+/* The 3x3 block of m, columns `stride` apart, on v. Gives |m| |v|. */
+static wide wide_on_vector(const float *m, int stride, const float *v, wide out[3])
+{
+    wide a[9], w[3];
+    for (int i = 0; i < 9; i++)
+        a[i] = m[i / 3 * stride + i % 3];
+    wide_from(v, w, 3);
+    for (int i = 0; i < 3; i++)
+        out[i] = a[i] * w[0] + a[3 + i] * w[1] + a[6 + i] * w[2];
+    return wide_length(a, 9) * wide_length(w, 3);
+}
+
+static double transform3_error(const float *x)
+{
+    wide exact[3], size = wide_on_vector(x + 3, 3, x, exact);
+    nkw_mat3 m = mat3_at(x + 3);
+    float got[3];
+    put_vec3(got, nkw_mat3_transform(&m, vec3_at(x)));
+    return wide_error_of(got, exact, 3, size);
+}
+
+/* For rotations. */
+static double transform3_turn_error(const float *x)
+{
+    wide exact[3];
+    nkw_mat3 m = mat3_at(x + 3);
+    float got[3];
+    wide_on_vector(x + 3, 3, x, exact);
+    put_vec3(got, nkw_mat3_transform(&m, vec3_at(x)));
+    return wide_error(got, exact, 3);
+}
+
+static double direction_error(const float *x)
+{
+    wide exact[3], size = wide_on_vector(x + 3, 4, x, exact);
+    nkw_mat4 m = mat4_at(x + 3);
+    float got[3];
+    put_vec3(got, nkw_mat4_transform_direction(&m, vec3_at(x)));
+    return wide_error_of(got, exact, 3, size);
+}
+
+static double point_error(const float *x)
+{
+    wide exact[3], t[3], size = wide_on_vector(x + 3, 4, x, exact);
+    nkw_mat4 m = mat4_at(x + 3);
+    float got[3];
+    wide_from(x + 15, t, 3);
+    for (int i = 0; i < 3; i++)
+        exact[i] += t[i];
+    put_vec3(got, nkw_mat4_transform_point(&m, vec3_at(x)));
+    return wide_error_of(got, exact, 3, size + wide_length(t, 3));
+}
+
+/* w of 2^-12 .. 2^-2 of its terms. */
+static void vanishing_w(random_source *r, float *x)
+{
+    vector_and_elements(r, x);
+    const float *m = x + 3;
+    x[18] = -((m[3] * x[0] + m[7] * x[1]) + m[11] * x[2]) + random_scaled(r, -12, -2);
+}
+
+/* A perspective of 30 to 120 degrees on a point in view. */
+static void in_view(random_source *r, float *x)
+{
+    float f = random_between(r, 0.58f, 3.73f), near = random_log(r, 0.01f, 1.0f),
+          far = near * random_log(r, 10.0f, 1e4f);
+    float depth = random_log(r, near, far), aspect = random_between(r, 0.5f, 2.0f);
+    nkw_mat4 m = {{f / aspect, 0, 0, 0, 0, f, 0, 0, 0, 0, (far + near) / (near - far), -1, 0, 0, 0, 0}};
+    m.m[14] = 2.0f * far * near / (near - far);
+    x[0] = random_between(r, -1.0f, 1.0f) * depth * aspect / f;
+    x[1] = random_between(r, -1.0f, 1.0f) * depth / f;
+    x[2] = -depth;
+    memcpy(x + 3, m.m, sizeof m.m);
+}
+
+/* Of (1 + |q|) |m| |(p, 1)| / |w| or, in view, of 1. */
+static double project_error(const float *x, int of_one)
+{
+    wide m[16], p[4] = {x[0], x[1], x[2], 1}, q[4];
+    nkw_mat4 f = mat4_at(x + 3);
+    float got[3];
+    wide_from(x + 3, m, 16);
+    for (int i = 0; i < 4; i++)
+        q[i] = m[i] * p[0] + m[4 + i] * p[1] + m[8 + i] * p[2] + m[12 + i];
+    wide_scale(q, 1 / q[3], 3);
+    wide size = (1 + wide_length(q, 3)) * wide_length(m, 16) * wide_length(p, 4) / q[3];
+    put_vec3(got, nkw_mat4_project_point(&f, vec3_at(x)));
+    return wide_error_of(got, q, 3, of_one ? 1 : size < 0 ? -size : size);
+}
+
+static double project_any_error(const float *x)
+{
+    return project_error(x, 0);
+}
+
+static double project_view_error(const float *x)
+{
+    return project_error(x, 1);
+}
+
+/* -R^T t, of |t|; the rest bit by bit. */
+static double rigid_place_error(const float *x)
+{
+    wide exact[3];
+    nkw_mat4 f = mat4_at(x), got = nkw_mat4_inverse_rigid(&f);
+    nkw_mat3 block = nkw_mat3_from_mat4(&f), back = nkw_mat3_transpose(&block), turned = nkw_mat3_from_mat4(&got);
+    float t[3] = {-x[12], -x[13], -x[14]};
+    wide size[3];
+    wide_on_vector(back.m, 3, t, exact);
+    wide_from(t, size, 3);
+    return memcmp(&back, &turned, sizeof back) ? HUGE_VAL : wide_error_of(got.m + 12, exact, 3, wide_length(size, 3));
+}
+
+static const wide_case vectors[] = {
+    {"nkw_mat3_transform", "rotations", turned_vector, transform3_error, 12, WIDE_CHECKED},
+    {"nkw_mat3_transform", "elements in [-1, 1]", vector_and_elements, transform3_error, 12, WIDE_CHECKED},
+    {"nkw_mat3_transform", "2^-20 .. 2^20 mixed", scattered, transform3_error, 12, WIDE_CHECKED},
+    {"nkw_mat3_transform", "v nearly lost", lost_vector3, transform3_error, 12, WIDE_CHECKED},
+    {"nkw_mat3_transform", "rotations, of abs(v)", turned_vector, transform3_turn_error, 12, WIDE_NOTED},
+    {"nkw_mat4_transform_point", "T R S", vector_and_affine, point_error, 19, WIDE_CHECKED},
+    {"nkw_mat4_transform_point", "elements in [-1, 1]", vector_and_elements, point_error, 19, WIDE_CHECKED},
+    {"nkw_mat4_transform_point", "2^-20 .. 2^20 mixed", scattered, point_error, 19, WIDE_CHECKED},
+    {"nkw_mat4_transform_point", "T R S, to the origin", lost_point, point_error, 19, WIDE_CHECKED},
+    {"nkw_mat4_transform_direction", "T R S", vector_and_affine, direction_error, 19, WIDE_CHECKED},
+    {"nkw_mat4_transform_direction", "elements in [-1, 1]", vector_and_elements, direction_error, 19, WIDE_CHECKED},
+    {"nkw_mat4_transform_direction", "2^-20 .. 2^20 mixed", scattered, direction_error, 19, WIDE_CHECKED},
+    {"nkw_mat4_transform_direction", "d nearly lost", lost_vector4, direction_error, 19, WIDE_CHECKED},
+    {"nkw_mat4_project_point", "elements in [-1, 1]", vector_and_elements, project_any_error, 19, WIDE_CHECKED},
+    {"nkw_mat4_project_point", "2^-20 .. 2^20 mixed", scattered, project_any_error, 19, WIDE_CHECKED},
+    {"nkw_mat4_project_point", "w 2^-12 .. 2^-2 of its terms", vanishing_w, project_any_error, 19, WIDE_CHECKED},
+    {"nkw_mat4_project_point", "perspective, in view", in_view, project_any_error, 19, WIDE_CHECKED},
+    {"nkw_mat4_project_point", "perspective, in view, of 1", in_view, project_view_error, 19, WIDE_NOTED},
+    {"nkw_mat4_inverse_rigid", "translation", rigid, rigid_place_error, 16, WIDE_CHECKED},
+};
+
 static const wide_case cases[] = {
     {"nkw_mat3_mul", "rotations", rotations, mat3_mul_error, 18, WIDE_CHECKED},
     {"nkw_mat3_from_quat", "uniform", rotation, from_quat_error, 4, WIDE_CHECKED},
@@ -378,6 +568,7 @@ int main(int argc, char **argv)
 {
     accuracy a = accuracy_begin("mat.h", argc, argv);
     wide_run(&a, cases, sizeof cases / sizeof cases[0], SAMPLES);
+    wide_run(&a, vectors, sizeof vectors / sizeof vectors[0], FEWER);
     wide_run(&a, costly, sizeof costly / sizeof costly[0], FEWER);
     return accuracy_end(&a);
 }

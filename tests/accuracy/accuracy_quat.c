@@ -8,6 +8,7 @@
 #include <quadmath.h>
 
 #define SAMPLES 150000u
+#define FEWER   100000u
 #define PI      3.14159265f
 
 /* ---- Products ---- */
@@ -56,18 +57,28 @@ static void half_turned_by_normalised(random_source *r, float *x)
     put_vec3(x + 4, random_vec3(r, -1.0f, 1.0f));
 }
 
-/* Against the rotation of q, its length left out. */
-static double rotate_error(const float *x)
+/* Against the rotation of q, its length left out; or against that of its conjugate. */
+static double off_rotated(nkw_vec3 v, const float *x, int back)
 {
-    wide q[4], v[3], m[9], exact[3];
-    float got[3];
+    wide q[4], p[3], m[9], exact[3];
+    float got[3] = {v.x, v.y, v.z};
     wide_from(x, q, 4);
-    wide_from(x + 4, v, 3);
+    wide_from(x + 4, p, 3);
+    q[3] = back ? -q[3] : q[3];
     wide_mat3_from_quat(q, m);
     for (int i = 0; i < 3; i++)
-        exact[i] = m[i] * v[0] + m[3 + i] * v[1] + m[6 + i] * v[2];
-    put_vec3(got, nkw_quat_rotate(quat_at(x), vec3_at(x + 4)));
+        exact[i] = m[i] * p[0] + m[3 + i] * p[1] + m[6 + i] * p[2];
     return wide_error(got, exact, 3);
+}
+
+static double rotate_error(const float *x)
+{
+    return off_rotated(nkw_quat_rotate(quat_at(x), vec3_at(x + 4)), x, 0);
+}
+
+static double rotate_inverse_error(const float *x)
+{
+    return off_rotated(nkw_quat_rotate_inverse(quat_at(x), vec3_at(x + 4)), x, 1);
 }
 
 static double identity_rotates_nothing(const float *x)
@@ -425,14 +436,24 @@ static nkw_quat from_matrix(const float *x)
     return nkw_quat_from_mat3(&m);
 }
 
+static double off_nearest(nkw_quat q, const float *x)
+{
+    wide m[9], exact[4];
+    float got[4] = {q.x, q.y, q.z, q.w};
+    wide_from(x, m, 9);
+    wide_quat_from_mat3(m, exact);
+    return wide_error_either(got, exact, 4);
+}
+
 static double nearest_error(const float *x)
 {
-    wide m[9], q[4];
-    float got[4];
-    wide_from(x, m, 9);
-    wide_quat_from_mat3(m, q);
-    put_quat(got, from_matrix(x));
-    return wide_error_either(got, q, 4);
+    return off_nearest(from_matrix(x), x);
+}
+
+static double nearest4_error(const float *x)
+{
+    nkw_mat4 m = {{x[0], x[1], x[2], 0.0f, x[3], x[4], x[5], 0.0f, x[6], x[7], x[8], 0.0f, 9.0f, 9.0f, 9.0f, 1.0f}};
+    return off_nearest(nkw_quat_from_mat4(&m), x);
 }
 
 static double generating_error(const float *x)
@@ -462,6 +483,53 @@ static double round_trip_error(const float *x)
     put_quat(got, nkw_quat_from_mat3(&m));
     return wide_error_either(got, q, 4);
 }
+
+/* ---- Scalar product ---- */
+
+static void any_pair(random_source *r, float *x)
+{
+    any_quat(r, x);
+    any_quat(r, x + 4);
+}
+
+static void scattered_pair(random_source *r, float *x)
+{
+    scattered_quat(r, x);
+    scattered_quat(r, x + 4);
+}
+
+/* 1e-7 .. 0.1 from a quarter turn of the 3-sphere. */
+static void crossed_pair(random_source *r, float *x)
+{
+    nkw_vec3 axis = random_direction(r);
+    nkw_quat a = random_unit_quat(r), half = {axis.x, axis.y, axis.z, 0.0f};
+    put_quat(x, a);
+    put_quat(x + 4, random_unit_near(r, nkw_quat_mul(a, half), random_log(r, 1e-7f, 0.1f)));
+}
+
+static double dot_error(const float *x)
+{
+    wide a[4], b[4];
+    wide_from(x, a, 4);
+    wide_from(x + 4, b, 4);
+    wide exact = wide_dot(a, b, 4);
+    float got = nkw_quat_dot(quat_at(x), quat_at(x + 4));
+    return wide_error_of(&got, &exact, 1, wide_length(a, 4) * wide_length(b, 4));
+}
+
+#define BACK "nkw_quat_rotate_inverse"
+
+static const wide_case products[] = {
+    {"nkw_quat_dot", "unit", unit_pair, dot_error, 8, WIDE_CHECKED},
+    {"nkw_quat_dot", "1e-3 .. 1e3", any_pair, dot_error, 8, WIDE_CHECKED},
+    {"nkw_quat_dot", "2^-30 .. 2^30 mixed", scattered_pair, dot_error, 8, WIDE_CHECKED},
+    {"nkw_quat_dot", "1e-7 .. 0.1 from a right angle", crossed_pair, dot_error, 8, WIDE_CHECKED},
+    {BACK, "unit", turned_vector, rotate_inverse_error, 7, WIDE_CHECKED},
+    {BACK, "near half turns", half_turned_vector, rotate_inverse_error, 7, WIDE_CHECKED},
+    {BACK, "near half turns, q normalised", half_turned_by_normalised, rotate_inverse_error, 7, WIDE_CHECKED},
+    {"nkw_quat_from_mat4", "uniform", uniform_matrix, nearest4_error, 13, WIDE_CHECKED},
+    {"nkw_quat_from_mat4", "half turns", half_turn_matrix, nearest4_error, 13, WIDE_CHECKED},
+};
 
 static const wide_case cases[] = {
     {"nkw_quat_mul", "unit", unit_pair, mul_error, 8, WIDE_CHECKED},
@@ -522,6 +590,7 @@ int main(int argc, char **argv)
 {
     accuracy a = accuracy_begin("quat.h", argc, argv);
     wide_run(&a, cases, sizeof cases / sizeof cases[0], SAMPLES);
+    wide_run(&a, products, sizeof products / sizeof products[0], FEWER);
     return accuracy_end(&a);
 }
 

@@ -5,8 +5,10 @@
 #if WIDE_AVAILABLE
 
 #include <math.h>
+#include <string.h>
 
 #define SAMPLES 160000u
+#define FEWER   100000u
 
 /* ---- Samples: translation, rotation, scale, as ten floats ---- */
 
@@ -226,6 +228,166 @@ static const wide_case cases[] = {
     {DECOMPOSE, "rotation, near half turns", near_half_turn, rotation_error, 10, WIDE_NOTED},
 };
 
+/* ---- On points: translation, rotation, scale, point; two transforms; a transform and a matrix ---- */
+
+static void with_point(random_source *r, float *x)
+{
+    put_vec3(x + 10, random_vec3(r, -10.0f, 10.0f));
+}
+
+static void moved_point(random_source *r, float *x)
+{
+    with_scale(r, x, random_unit_quat(r), 0.1f, 10.0f);
+    with_point(r, x);
+}
+
+static void half_turned_point(random_source *r, float *x)
+{
+    near_half_turn(r, x);
+    with_point(r, x);
+    put_vec3(x, random_vec3(r, -1.0f, 1.0f));
+}
+
+/* Unit as the library makes it. */
+static void half_turned_by_normalised(random_source *r, float *x)
+{
+    half_turned_point(r, x);
+    nkw_vec3 axis = random_direction(r);
+    nkw_quat q = {axis.x, axis.y, axis.z, random_scaled(r, -24, -6)};
+    put_quat(x + 3, nkw_quat_normalize(q));
+}
+
+/* To near the origin. */
+static void lost_point(random_source *r, float *x)
+{
+    moved_point(r, x);
+    nkw_vec3 v = nkw_quat_rotate(quat_at(x + 3), nkw_vec3_mul(vec3_at(x + 7), vec3_at(x + 10)));
+    nkw_vec3 off = random_vec3(r, -1.0f, 1.0f);
+    put_vec3(x, nkw_vec3_add_scaled(nkw_vec3_negate(v), off, random_scaled(r, -24, -4)));
+}
+
+/* Of |scale * p| + |translation|. */
+static double off_point(nkw_vec3 v, const nkw_trs *t, nkw_vec3 p)
+{
+    float f[3], got[3];
+    wide m[9], w[3], to[3], scaled[3], scale[3];
+    nkw_trs turn = *t;
+    turn.scale.x = turn.scale.y = turn.scale.z = 1.0f;
+    columns(&turn, m);
+    put_vec3(f, p);
+    wide_from(f, w, 3);
+    put_vec3(f, t->scale);
+    wide_from(f, scale, 3);
+    put_vec3(f, t->translation);
+    wide_from(f, to, 3);
+    for (int i = 0; i < 3; i++)
+        scaled[i] = scale[i] * w[i];
+    for (int i = 0; i < 3; i++)
+        w[i] = m[i] * scaled[0] + m[3 + i] * scaled[1] + m[6 + i] * scaled[2] + to[i];
+    put_vec3(got, v);
+    return wide_error_of(got, w, 3, wide_length(scaled, 3) + wide_length(to, 3));
+}
+
+static double point_error(const float *x)
+{
+    nkw_trs t = trs_at(x);
+    return off_point(nkw_trs_transform_point(&t, vec3_at(x + 10)), &t, vec3_at(x + 10));
+}
+
+static void two_transforms(random_source *r, float *x)
+{
+    with_scale(r, x, random_unit_quat(r), 0.1f, 10.0f);
+    with_scale(r, x + 10, random_unit_quat(r), 0.1f, 10.0f);
+}
+
+static void near_half_turns(random_source *r, float *x)
+{
+    near_half_turn(r, x);
+    near_half_turn(r, x + 10);
+    put_vec3(x, random_vec3(r, -1.0f, 1.0f));
+}
+
+static void two_normalised(random_source *r, float *x)
+{
+    near_half_turns(r, x);
+    half_turned_by_normalised(r, x);
+    put_vec3(x + 10, random_vec3(r, -100.0f, 100.0f));
+}
+
+static double product_place_error(const float *x)
+{
+    nkw_trs a = trs_at(x), b = trs_at(x + 10), got = nkw_trs_mul(&a, &b);
+    return off_point(got.translation, &a, b.translation);
+}
+
+/* And the scale, which is rounded once. */
+static double product_turn_error(const float *x)
+{
+    wide a[4], b[4];
+    float q[4];
+    nkw_trs s = trs_at(x), t = trs_at(x + 10), got = nkw_trs_mul(&s, &t);
+    wide_from(x + 3, a, 4);
+    wide_from(x + 13, b, 4);
+    wide_quat_mul(a, b, a);
+    put_quat(q, got.rotation);
+    int scale = got.scale.x == x[7] * x[17] && got.scale.y == x[8] * x[18] && got.scale.z == x[9] * x[19];
+    return scale ? wide_error(q, a, 4) : HUGE_VAL;
+}
+
+/* A matrix that is T R S but for its rounding. */
+static void with_own_matrix(random_source *r, float *x)
+{
+    non_uniform(r, x);
+    nkw_mat4 m = rounded(x);
+    memcpy(x + 10, m.m, 12 * sizeof *x);
+}
+
+static void with_sheared_matrix(random_source *r, float *x)
+{
+    with_scale(r, x, random_unit_quat(r), 1.0f, 2.0f);
+    nkw_mat4 m = rounded(x);
+    memcpy(x + 10, m.m, 12 * sizeof *x);
+    float shear = random_log(r, 1e-4f, 1.0f);
+    for (int i = 0; i < 3; i++)
+        x[14 + i] += shear * x[10 + i];
+}
+
+static double residual_error(const float *x)
+{
+    wide m[9], exact[9], longest = 0, largest = 0;
+    nkw_trs t = trs_at(x);
+    nkw_mat4 f = nkw_mat4_identity();
+    columns(&t, exact);
+    for (int i = 0; i < 9; i++) {
+        f.m[i / 3 * 4 + i % 3] = x[10 + i / 3 * 4 + i % 3];
+        m[i] = f.m[i / 3 * 4 + i % 3];
+        wide off = m[i] > exact[i] ? m[i] - exact[i] : exact[i] - m[i];
+        largest = off > largest ? off : largest;
+    }
+    for (int c = 0; c < 9; c += 3) {
+        wide length = wide_length(m + c, 3);
+        longest = length > longest ? length : longest;
+    }
+    return accuracy_ulps(nkw_trs_residual(&t, &f), (double)(largest / longest));
+}
+
+#define POINT    "nkw_trs_transform_point"
+#define PRODUCT  "nkw_trs_mul"
+#define RESIDUAL "nkw_trs_residual"
+
+static const wide_case points[] = {
+    {POINT, "scales 0.1 .. 10", moved_point, point_error, 13, WIDE_CHECKED},
+    {POINT, "rotation near half turns", half_turned_point, point_error, 13, WIDE_CHECKED},
+    {POINT, "near half turns, normalised", half_turned_by_normalised, point_error, 13, WIDE_CHECKED},
+    {POINT, "to the origin", lost_point, point_error, 13, WIDE_CHECKED},
+    {PRODUCT, "translation, scales 0.1 .. 10", two_transforms, product_place_error, 20, WIDE_CHECKED},
+    {PRODUCT, "translation, near half turns", near_half_turns, product_place_error, 20, WIDE_CHECKED},
+    {PRODUCT, "translation, near half turns, normalised", two_normalised, product_place_error, 20, WIDE_CHECKED},
+    {PRODUCT, "rotation", two_transforms, product_turn_error, 20, WIDE_CHECKED},
+    {RESIDUAL, "T R S, rounded", with_own_matrix, residual_error, 22, WIDE_NOTED},
+    {RESIDUAL, "shear 1e-4 .. 1", with_sheared_matrix, residual_error, 22, WIDE_CHECKED},
+};
+
 /* ---- A chain of joints: rotation and reach of the product of many T R ---- */
 
 #define DEEPEST 64
@@ -289,6 +451,7 @@ int main(int argc, char **argv)
 {
     accuracy a = accuracy_begin("transform.h", argc, argv);
     wide_run(&a, cases, sizeof cases / sizeof cases[0], SAMPLES);
+    wide_run(&a, points, sizeof points / sizeof points[0], FEWER);
     wide_run(&a, chains, sizeof chains / sizeof chains[0], SAMPLES / 100);
     return accuracy_end(&a);
 }

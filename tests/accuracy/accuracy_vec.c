@@ -8,6 +8,8 @@
 #include <quadmath.h>
 
 #define SAMPLES 400000u
+/* For sums of products. */
+#define FEWER 150000u
 
 /* ---- lerp: a, b, t; components of a and b from one distribution ---- */
 
@@ -248,6 +250,137 @@ static double reject_error(const float *x)
     return wide_error_of(got, rest, 3, size);
 }
 
+/* ---- Sums of products: a, b; and s, or b a unit normal ---- */
+
+static void scattered_pair(random_source *r, float *x)
+{
+    scattered_vector(r, x);
+    scattered_vector(r, x + 3);
+}
+
+/* At right angles to 1e-7 .. 0.1. */
+static void crossed_pair(random_source *r, float *x)
+{
+    nkw_vec3 a = random_direction(r), b = nkw_vec3_perpendicular(a);
+    b = nkw_vec3_add_scaled(b, nkw_vec3_cross(a, b), random_between(r, -2.0f, 2.0f));
+    b = nkw_vec3_add_scaled(b, a, random_log(r, 1e-7f, 0.1f));
+    put_vec3(x, nkw_vec3_scale(a, random_between(r, 0.5f, 2.0f)));
+    put_vec3(x + 3, b);
+}
+
+static wide wide_lengths(const float *x)
+{
+    wide a[3], b[3];
+    wide_from(x, a, 3);
+    wide_from(x + 3, b, 3);
+    return wide_length(a, 3) * wide_length(b, 3);
+}
+
+static double dot_error(const float *x)
+{
+    wide a[3], b[3];
+    wide_from(x, a, 3);
+    wide_from(x + 3, b, 3);
+    wide exact = wide_dot(a, b, 3);
+    float got = nkw_vec3_dot(vec3_at(x), vec3_at(x + 3));
+    return wide_error_of(&got, &exact, 1, wide_lengths(x));
+}
+
+static double length_squared_error(const float *x)
+{
+    wide a[3];
+    wide_from(x, a, 3);
+    wide exact = wide_dot(a, a, 3);
+    float got = nkw_vec3_length_squared(vec3_at(x));
+    return wide_error(&got, &exact, 1);
+}
+
+static double cross_error(const float *x)
+{
+    wide a[3], b[3], exact[3];
+    float got[3];
+    wide_from(x, a, 3);
+    wide_from(x + 3, b, 3);
+    wide_cross(a, b, exact);
+    put_vec3(got, nkw_vec3_cross(vec3_at(x), vec3_at(x + 3)));
+    return wide_error_of(got, exact, 3, wide_lengths(x));
+}
+
+static void any_sum(random_source *r, float *x)
+{
+    any_pair(r, x);
+    float sign = random_sign(r);
+    x[6] = sign * random_log(r, 1e-3f, 1.0f);
+}
+
+/* a + s b near zero. */
+static void cancelling_sum(random_source *r, float *x)
+{
+    any_sum(r, x);
+    for (int i = 0; i < 3; i++)
+        x[i] = -x[6] * x[3 + i] * (1.0f + random_scaled(r, -24, -4));
+}
+
+static double add_scaled_error(const float *x)
+{
+    double worst = 0.0;
+    float got[3];
+    put_vec3(got, nkw_vec3_add_scaled(vec3_at(x), vec3_at(x + 3), x[6]));
+    for (int i = 0; i < 3; i++) {
+        wide a = x[i], b = (wide)x[6] * x[3 + i], exact = a + b;
+        worst = fmax(worst, wide_error_of(got + i, &exact, 1, (a < 0 ? -a : a) + (b < 0 ? -b : b)));
+    }
+    return worst;
+}
+
+/* Each component of an exactly unit normal rounded once. */
+static void rounded_normal(float *n)
+{
+    wide w[3];
+    wide_from(n, w, 3);
+    wide_normalize(w, 3);
+    wide_round(w, n, 3);
+}
+
+static void mirrored_by_rounded(random_source *r, float *x)
+{
+    any_pair(r, x);
+    rounded_normal(x + 3);
+}
+
+/* Unit as the library makes it. */
+static void mirrored_by_normalised(random_source *r, float *x)
+{
+    any_pair(r, x);
+    put_vec3(x + 3, nkw_vec3_normalize(vec3_at(x + 3)));
+}
+
+static void mirrored_along_normal(random_source *r, float *x)
+{
+    near_pair(r, x);
+    put_vec3(x + 3, nkw_vec3_normalize(vec3_at(x + 3)));
+}
+
+static void mirrored_beside_normal(random_source *r, float *x)
+{
+    crossed_pair(r, x);
+    put_vec3(x + 3, nkw_vec3_normalize(vec3_at(x + 3)));
+}
+
+/* Against the mirror of n's direction, its length left out. */
+static double reflect_error(const float *x)
+{
+    wide a[3], n[3], exact[3];
+    float got[3];
+    wide_from(x, a, 3);
+    wide_from(x + 3, n, 3);
+    wide k = 2 * wide_dot(a, n, 3) / wide_dot(n, n, 3);
+    for (int i = 0; i < 3; i++)
+        exact[i] = a[i] - k * n[i];
+    put_vec3(got, nkw_vec3_reflect(vec3_at(x), vec3_at(x + 3)));
+    return wide_error(got, exact, 3);
+}
+
 static const wide_case cases[] = {
     {"nkw_vec3_lerp", "within factor 4", near_lerp, lerp_error, 7, WIDE_CHECKED},
     {"nkw_vec3_lerp", "opposite signs", crossing_lerp, lerp_error, 7, WIDE_CHECKED},
@@ -284,10 +417,30 @@ static const wide_case cases[] = {
     {"nkw_vec3_perpendicular", "2^100 .. 2^127", huge_vector, perpendicular_error, 3, WIDE_CHECKED},
 };
 
+static const wide_case sums[] = {
+    {"nkw_vec3_add_scaled", "s to 1 : 1000", any_sum, add_scaled_error, 7, WIDE_CHECKED},
+    {"nkw_vec3_add_scaled", "a near -s b", cancelling_sum, add_scaled_error, 7, WIDE_CHECKED},
+    {"nkw_vec3_dot", "any", any_pair, dot_error, 6, WIDE_CHECKED},
+    {"nkw_vec3_dot", "nearly along", near_pair, dot_error, 6, WIDE_CHECKED},
+    {"nkw_vec3_dot", "1e-7 .. 0.1 from right angles", crossed_pair, dot_error, 6, WIDE_CHECKED},
+    {"nkw_vec3_dot", "2^-30 .. 2^30 mixed", scattered_pair, dot_error, 6, WIDE_CHECKED},
+    {"nkw_vec3_cross", "any", any_pair, cross_error, 6, WIDE_CHECKED},
+    {"nkw_vec3_cross", "nearly along", near_pair, cross_error, 6, WIDE_CHECKED},
+    {"nkw_vec3_cross", "1e-7 .. 0.1 from right angles", crossed_pair, cross_error, 6, WIDE_CHECKED},
+    {"nkw_vec3_cross", "2^-30 .. 2^30 mixed", scattered_pair, cross_error, 6, WIDE_CHECKED},
+    {"nkw_vec3_length_squared", "1e-3 .. 1e3", any_vector, length_squared_error, 3, WIDE_CHECKED},
+    {"nkw_vec3_length_squared", "2^-30 .. 2^30 mixed", scattered_vector, length_squared_error, 3, WIDE_CHECKED},
+    {"nkw_vec3_reflect", "n rounded once", mirrored_by_rounded, reflect_error, 6, WIDE_CHECKED},
+    {"nkw_vec3_reflect", "n normalised", mirrored_by_normalised, reflect_error, 6, WIDE_CHECKED},
+    {"nkw_vec3_reflect", "n normalised, a nearly along", mirrored_along_normal, reflect_error, 6, WIDE_CHECKED},
+    {"nkw_vec3_reflect", "n normalised, a nearly in the plane", mirrored_beside_normal, reflect_error, 6, WIDE_CHECKED},
+};
+
 int main(int argc, char **argv)
 {
     accuracy a = accuracy_begin("vec.h", argc, argv);
     wide_run(&a, cases, sizeof cases / sizeof cases[0], SAMPLES);
+    wide_run(&a, sums, sizeof sums / sizeof sums[0], FEWER);
     return accuracy_end(&a);
 }
 

@@ -2,16 +2,23 @@ cmake_minimum_required(VERSION 3.25)
 # Joins the Markdown parts that the accuracy programs wrote into one page.
 set(page "# Accuracy
 
-The worst error of every function, as `cmake --workflow --preset accuracy` measured it. The same programs run in the tests on
-smaller samples and fail where a measurement exceeds the `Error` line of the function's header.
+The worst error of every function, as `cmake --workflow --preset accuracy` measured it. The same programs run in the
+tests on smaller samples and fail where a measurement exceeds the `Error` line of the function's header. Lines well
+above their rows (sums of products, reflections, rotations by quaternions and what is made of them) hold for the larger
+errors too that a search starting from the worst samples found.
 
-Units: a ULP is the distance of neighbouring floats at the exact result, so 0.5 ULP is correct rounding. 1 u is 2^-24 of the
-magnitude that the header names: the norm of a vector, quaternion or matrix, the largest control value of a curve. The oracle
-of floor 1 is the C library's binary64 functions, that of floors 2 to 6 binary128. Rows marked *noted* are measured by
-another yardstick than the header's line, or outside the range it speaks of. The witness is the input of the worst case;
-where two whole numbers stand in its place, they are the seed that the case was drawn from.
+No row of their own need functions that copy, select or compare, those that round the sum, difference, product or
+quotient of two numbers once, component by component (a tangent per second made one per segment among them), and those
+that give the numbers of another function, on each component, in another place or on arrays: its row is theirs.
+
+Units: a ULP is the distance of neighbouring floats at the exact result, so 0.5 ULP is correct rounding. 1 u is 2^-24
+of the magnitude that the header names: the norm of a vector, quaternion or matrix, the product of the norms for sums
+of products, the largest control value of a curve. The oracle of floor 1 is the C library's binary64 functions, that of
+floors 2 to 6 binary128. Rows marked *noted* are measured by another yardstick than the header's line, or outside the
+range it speaks of. The witness is the input of the worst case; where two whole numbers stand in its place, they are
+the seed that the case was drawn from.
 ")
-foreach(stem IN ITEMS scalar vec quat mat euler transform curve orient track clip skeleton blend palette skin)
+foreach(stem IN ITEMS scalar vec quat mat euler transform dual curve orient track clip skeleton blend palette skin)
   if(NOT EXISTS "${PARTS}/${stem}.md")
     message(FATAL_ERROR "no ${PARTS}/${stem}.md: run the accuracy tests first")
   endif()

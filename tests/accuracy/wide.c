@@ -219,7 +219,8 @@ static double error_between(const float *got, const wide *exact, int n, int sign
 {
     double sum = 0.0;
     for (int i = 0; i < n; i++) {
-        double d = (double)(got[i] - sign * exact[i]) / magnitude;
+        double d = (double)(got[i] - sign * exact[i]);
+        d = d == 0.0 ? 0.0 : d / magnitude;
         sum += d * d;
     }
     return sum == 0.0 ? 0.0 : sum - sum == 0.0 ? sqrt(sum) * 0x1p24 : HUGE_VAL;
