@@ -17,7 +17,7 @@ static inline nkw_weights lane_hermite_weights(float t)
 static inline nkw_weights lane_hermite_velocity_weights(float t)
 {
     float s = 1.0f - t;
-    nkw_weights r = {{-6.0f * (t * s), (1.0f - 3.0f * t) * s, 6.0f * (t * s), (3.0f * t - 2.0f) * t}};
+    nkw_weights r = {{-6.0f * (t * s), (s - 2.0f * t) * s, 6.0f * (t * s), (t - 2.0f * s) * t}};
     return r;
 }
 
@@ -37,7 +37,7 @@ static inline nkw_weights lane_bezier_weights(float t)
 static inline nkw_weights lane_bezier_velocity_weights(float t)
 {
     float s = 1.0f - t;
-    nkw_weights r = {{-3.0f * (s * s), 3.0f * s * (1.0f - 3.0f * t), 3.0f * t * (2.0f - 3.0f * t), 3.0f * (t * t)}};
+    nkw_weights r = {{-3.0f * (s * s), 3.0f * s * (s - 2.0f * t), 3.0f * t * (2.0f * s - t), 3.0f * (t * t)}};
     return r;
 }
 
@@ -62,7 +62,7 @@ static inline nkw_weights lane_bspline_weights(float t)
 static inline nkw_weights lane_bspline_velocity_weights(float t)
 {
     float s = 1.0f - t;
-    nkw_weights r = {{-0.5f * (s * s), 0.5f * t * (3.0f * t - 4.0f), 0.5f * s * (4.0f - 3.0f * s), 0.5f * (t * t)}};
+    nkw_weights r = {{-0.5f * (s * s), -0.5f * t * (4.0f * s + t), 0.5f * s * (s + 4.0f * t), 0.5f * (t * t)}};
     return r;
 }
 
@@ -88,10 +88,10 @@ static inline nkw_weights lane_catmull_rom_velocity_weights(float t)
 {
     float s = 1.0f - t;
     nkw_weights r = {{
-        0.5f * s * (3.0f * t - 1.0f),
-        0.5f * t * (9.0f * t - 10.0f),
-        0.5f * s * (10.0f - 9.0f * s),
-        0.5f * t * (3.0f * t - 2.0f),
+        0.5f * s * (2.0f * t - s),
+        -0.5f * t * (10.0f * s + t),
+        0.5f * s * (s + 10.0f * t),
+        0.5f * t * (t - 2.0f * s),
     }};
     return r;
 }
