@@ -159,7 +159,7 @@ static const wide_case long_cases[] = {
 int main(int argc, char **argv)
 {
     accuracy a = accuracy_begin("skeleton.h", argc, argv);
-    wide_run(&a, cases, sizeof cases / sizeof cases[0], SAMPLES);
+    wide_search(&a, cases, sizeof cases / sizeof cases[0], SAMPLES);
     wide_run(&a, long_cases, sizeof long_cases / sizeof long_cases[0], SAMPLES / 20);
     return accuracy_end(&a);
 }

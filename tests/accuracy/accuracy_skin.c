@@ -201,7 +201,7 @@ static const wide_case cases[] = {
 int main(int argc, char **argv)
 {
     accuracy a = accuracy_begin("skin.h", argc, argv);
-    wide_run(&a, cases, sizeof cases / sizeof cases[0], SAMPLES);
+    wide_search(&a, cases, sizeof cases / sizeof cases[0], SAMPLES);
     return accuracy_end(&a);
 }
 
