@@ -167,14 +167,16 @@ LINEAR(linear_1, 1, 0.5f, POSITION, STREAMS)
 LINEAR(linear_4, 4, 0.5f, POSITION, STREAMS)
 LINEAR(linear_8, 8, 0.5f, POSITION, STREAMS)
 LINEAR(linear_normal, 4, 1.0f, NORMAL, STREAMS)
-LINEAR(linear_length, 4, 0.5f, LENGTH, STREAMS)
+LINEAR(linear_normal_8, 8, 1.0f, NORMAL, STREAMS)
+LINEAR(linear_length, 8, 0.5f, LENGTH, STREAMS)
 LINEAR(array_linear_4, 4, 0.5f, POSITION, ARRAYS)
 LINEAR(array_linear_normal, 4, 1.0f, NORMAL, ARRAYS)
 DUAL(dual_1, 1, POSITION, STREAMS)
 DUAL(dual_4, 4, POSITION, STREAMS)
 DUAL(dual_8, 8, POSITION, STREAMS)
 DUAL(dual_normal, 4, NORMAL, STREAMS)
-DUAL(dual_length, 4, LENGTH, STREAMS)
+DUAL(dual_normal_8, 8, NORMAL, STREAMS)
+DUAL(dual_length, 8, LENGTH, STREAMS)
 DUAL(array_dual_4, 4, POSITION, ARRAYS)
 DUAL(array_dual_normal, 4, NORMAL, ARRAYS)
 
@@ -186,14 +188,16 @@ static const wide_case cases[] = {
     {MATRICES, "positions, 4 influences", wide_seed, linear_4, 2, WIDE_CHECKED},
     {MATRICES, "positions, 8 influences", wide_seed, linear_8, 2, WIDE_CHECKED},
     {MATRICES, "normals, 4 influences, rigid", wide_seed, linear_normal, 2, WIDE_CHECKED},
-    {MATRICES, "length of normals, 4 influences", wide_seed, linear_length, 2, WIDE_CHECKED},
+    {MATRICES, "normals, 8 influences, rigid", wide_seed, linear_normal_8, 2, WIDE_CHECKED},
+    {MATRICES, "length of normals, 8 influences", wide_seed, linear_length, 2, WIDE_CHECKED},
     {MATRICES "_arrays", "positions, 4 influences", wide_seed, array_linear_4, 2, WIDE_CHECKED},
     {MATRICES "_arrays", "normals, 4 influences, rigid", wide_seed, array_linear_normal, 2, WIDE_CHECKED},
     {DUALS, "positions, 1 influence", wide_seed, dual_1, 2, WIDE_CHECKED},
     {DUALS, "positions, 4 influences", wide_seed, dual_4, 2, WIDE_CHECKED},
     {DUALS, "positions, 8 influences", wide_seed, dual_8, 2, WIDE_CHECKED},
     {DUALS, "normals, 4 influences", wide_seed, dual_normal, 2, WIDE_CHECKED},
-    {DUALS, "length of normals, 4 influences", wide_seed, dual_length, 2, WIDE_CHECKED},
+    {DUALS, "normals, 8 influences", wide_seed, dual_normal_8, 2, WIDE_CHECKED},
+    {DUALS, "length of normals, 8 influences", wide_seed, dual_length, 2, WIDE_CHECKED},
     {DUALS "_arrays", "positions, 4 influences", wide_seed, array_dual_4, 2, WIDE_CHECKED},
     {DUALS "_arrays", "normals, 4 influences", wide_seed, array_dual_normal, 2, WIDE_CHECKED},
 };

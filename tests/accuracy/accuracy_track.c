@@ -18,7 +18,7 @@ static void begin(segment *s, random_source *r, size_t width, nkw_track_kind kin
 {
     nkw_track track = {s->times, s->values, 2, width, kind, interpolation, NULL};
     s->track = track;
-    s->times[0] = random_between(r, 0.0f, 60.0f);
+    s->times[0] = random_log(r, 1e-2f, 60.0f);
     s->times[1] = s->times[0] + random_log(r, 1e-2f, 10.0f);
     s->time = random_between(r, s->times[0], s->times[1]);
 }
@@ -46,7 +46,7 @@ static wide hermite(const segment *s, size_t i, wide *largest)
     return (1 + 2 * t) * u * u * p + t * u * u * v + t * t * (3 - 2 * t) * q - t * t * u * e;
 }
 
-/* Of the largest control value or tangent per segment. */
+/* Of the largest control value or tangent per segment, which are of one size. */
 static double cubic_error(const float *x)
 {
     random_source r = wide_source(x);
@@ -54,8 +54,9 @@ static double cubic_error(const float *x)
     float got[3];
     double worst = 0.0;
     begin(&s, &r, 3, NKW_TRACK_FLOATS, NKW_INTERPOLATION_CUBICSPLINE);
+    float most = 1.0f / (s.times[1] - s.times[0]);
     for (int i = 0; i < 18; i++)
-        s.values[i] = random_between(&r, -1.0f, 1.0f);
+        s.values[i] = i / 3 % 3 == 1 ? random_between(&r, -1.0f, 1.0f) : random_between(&r, -most, most);
     nkw_track_sample(&s.track, s.time, got);
     for (size_t i = 0; i < 3; i++) {
         wide largest = 0, exact = hermite(&s, i, &largest);
@@ -95,15 +96,20 @@ static double cubic_turn_large(const float *x)
     return cubic_turn_error(x, 1.0f);
 }
 
-static double linear_error(const float *x)
+/* Values a and b = -a to `spread`, around the middle of the segment: where nkw_lerp is at its worst; 1 for any. */
+static double linear_error(const float *x, float spread)
 {
     random_source r = wide_source(x);
     segment s;
     float got[3];
     double worst = 0.0;
     begin(&s, &r, 3, NKW_TRACK_FLOATS, NKW_INTERPOLATION_LINEAR);
+    float middle = 0.5f * (s.times[0] + s.times[1]), half = spread * (s.times[1] - middle);
+    s.time = random_between(&r, middle - half, middle + half);
     for (int i = 0; i < 6; i++)
         s.values[i] = random_between(&r, -1.0f, 1.0f);
+    for (int i = 0; i < 3 && spread < 1.0f; i++)
+        s.values[3 + i] = -s.values[i] * random_between(&r, 1.0f - spread, 1.0f + spread);
     nkw_track_sample(&s.track, s.time, got);
     for (int i = 0; i < 3; i++) {
         wide a = s.values[i], b = s.values[3 + i], t = share_of(&s);
@@ -111,6 +117,16 @@ static double linear_error(const float *x)
         worst = fmax(worst, accuracy_units((double)got[i], (double)((1 - t) * a + t * b), largest));
     }
     return worst;
+}
+
+static double linear_any(const float *x)
+{
+    return linear_error(x, 1.0f);
+}
+
+static double linear_opposite(const float *x)
+{
+    return linear_error(x, 0.05f);
 }
 
 static double slerp_error(const float *x)
@@ -136,7 +152,8 @@ static const wide_case cases[] = {
     {SAMPLE, "CUBICSPLINE, numbers", wide_seed, cubic_error, 2, WIDE_CHECKED},
     {SAMPLE, "CUBICSPLINE, rotations 0.25 apart", wide_seed, cubic_turn_small, 2, WIDE_CHECKED},
     {SAMPLE, "CUBICSPLINE, rotations 1 rad apart", wide_seed, cubic_turn_large, 2, WIDE_CHECKED},
-    {SAMPLE, "LINEAR, numbers", wide_seed, linear_error, 2, WIDE_CHECKED},
+    {SAMPLE, "LINEAR, numbers", wide_seed, linear_any, 2, WIDE_CHECKED},
+    {SAMPLE, "LINEAR, a and about -a, in the middle", wide_seed, linear_opposite, 2, WIDE_CHECKED},
     {SAMPLE, "LINEAR, rotations", wide_seed, slerp_error, 2, WIDE_CHECKED},
 };
 
