@@ -28,15 +28,21 @@ typedef struct blend {
     wide weight[LAYERS + 1], total;
 } blend;
 
-/* Rotations within 0.7 radians of one, so that all agree on the side; a threshold of one to two times the sum. */
-static void draw_blend(blend *b, const float *x, int count, filling how)
+/*
+ * Rotations within 0.7 radians of one another, so that all agree on the side; a threshold of one to two times the sum.
+ * What is not judged is that of the identity.
+ */
+static void draw_blend(blend *b, const float *x, int count, filling how, part judged)
 {
     random_source r = wide_source(x);
-    b->middle = random_unit_quat(&r);
+    b->middle = judged == TURN ? random_unit_quat(&r) : nkw_quat_identity();
     b->total = 0;
     for (int i = 0; i <= count; i++) {
-        nkw_trs trs = draw_trs(&r);
-        trs.rotation = nkw_quat_scale(random_unit_near(&r, b->middle, 0.35f * random_unit(&r)), random_sign(&r));
+        nkw_trs trs = nkw_trs_identity();
+        if (judged == TURN)
+            trs.rotation = nkw_quat_scale(random_unit_near(&r, b->middle, 0.35f * random_unit(&r)), random_sign(&r));
+        else
+            trs.translation.x = random_between(&r, -5.0f, 5.0f);
         nkw_pose_from_trs(&trs, 1, b->pose[i]);
     }
     for (int i = 0; i < count; i++) {
@@ -60,31 +66,26 @@ static void numbers_of(const float *pose, nkw_quat side, float v[10])
     put_vec3(v + 7, trs.scale);
 }
 
-/* The weighted mean; of 1 for rotations, of the largest summand for translation and scale. */
+/* The weighted mean: of rotations of 1; of a translation's x of the largest summand, as of any number. */
 static double layers_error(const float *x, int count, filling how, part judged)
 {
     static blend b;
     static float out[NKW_POSE_FLOATS(1)];
     float v[10];
     wide sum[10] = {0};
-    double largest[10] = {0}, worst = 0.0;
-    draw_blend(&b, x, count, how);
+    double largest = 0.0;
+    draw_blend(&b, x, count, how, judged);
     for (int i = 0; i <= count; i++) {
         numbers_of(b.pose[i], b.middle, v);
-        for (int c = 0; c < 10; c++) {
+        for (int c = 0; c < 10; c++)
             sum[c] += b.weight[i] * v[c];
-            largest[c] = b.weight[i] > 0 ? fmax(largest[c], fabs((double)v[c])) : largest[c];
-        }
+        largest = b.weight[i] > 0 ? fmax(largest, fabs((double)v[0])) : largest;
     }
     nkw_pose_blend_layers(b.layer, (size_t)count, b.pose[count], 1, b.threshold, out);
     numbers_of(out, b.middle, v);
-    if (judged == TURN) {
-        wide_normalize(sum + 3, 4);
-        return wide_error(v + 3, sum + 3, 4);
-    }
-    for (int c = 0; c < 10; c += c == 2 ? 5 : 1)
-        worst = fmax(worst, accuracy_units((double)v[c], (double)(sum[c] / b.total), largest[c]));
-    return worst;
+    wide_normalize(sum + 3, 4);
+    return judged == TURN ? wide_error(v + 3, sum + 3, 4)
+                          : accuracy_units((double)v[0], (double)(sum[0] / b.total), largest);
 }
 
 #define LAYERS_CASE(name, count, how, judged)                                                                          \

@@ -26,7 +26,7 @@ static vertex draw_vertex(const float *x, int influences, float low, float sprea
     random_source r = wide_source(x);
     vertex v;
     nkw_quat middle = random_unit_quat(&r);
-    for (int e = 0; e < MOST; e++) {
+    for (int e = 0; e < influences; e++) {
         nkw_vec3 scale = {random_log(&r, low, 1.0f / low), random_log(&r, low, 1.0f / low),
                           random_log(&r, low, 1.0f / low)};
         nkw_trs trs = {random_vec3(&r, -2.0f, 2.0f), random_unit_near(&r, middle, 0.5f * spread * random_unit(&r)),
@@ -48,8 +48,9 @@ typedef enum way { STREAMS, ARRAYS } way;
 
 static void skin(vertex *v, int influences, int is_dual, way how)
 {
-    nkw_skin s = {1, (size_t)influences, {v->joint, 0, NKW_SKIN_U8}, {v->weight, 0, NKW_SKIN_F32}};
-    nkw_skin_palette palette = {v->matrix, NULL, MOST, 0};
+    size_t joints = (size_t)influences;
+    nkw_skin s = {1, joints, {v->joint, 0, NKW_SKIN_U8}, {v->weight, 0, NKW_SKIN_F32}};
+    nkw_skin_palette palette = {v->matrix, NULL, joints, 0};
     nkw_vec3 *p = &v->position, *n = &v->normal, *q = &v->moved, *o = &v->turned;
     nkw_vertices in = {{p, 0}, {n, 0}, {NULL, 0}, {NULL, 0}};
     nkw_vertices_span out = {{q, 0}, {o, 0}, {NULL, 0}, {NULL, 0}};
@@ -57,11 +58,11 @@ static void skin(vertex *v, int influences, int is_dual, way how)
     nkw_vertices_arrays_span to = {
         {&q->x, &q->y, &q->z}, {&o->x, &o->y, &o->z}, {NULL, NULL, NULL}, {NULL, NULL, NULL}};
     if (how == STREAMS && is_dual)
-        nkw_skin_dual_quat(&s, v->dual, MOST, &in, &out);
+        nkw_skin_dual_quat(&s, v->dual, joints, &in, &out);
     else if (how == STREAMS)
         nkw_skin_linear(&s, &palette, &in, &out);
     else if (is_dual)
-        nkw_skin_dual_quat_arrays(&s, v->dual, MOST, &from, &to);
+        nkw_skin_dual_quat_arrays(&s, v->dual, joints, &from, &to);
     else
         nkw_skin_linear_arrays(&s, &palette, &from, &to);
 }

@@ -51,18 +51,14 @@ static double cubic_error(const float *x)
 {
     random_source r = wide_source(x);
     segment s;
-    float got[3];
-    double worst = 0.0;
-    begin(&s, &r, 3, NKW_TRACK_FLOATS, NKW_INTERPOLATION_CUBICSPLINE);
+    float got;
+    begin(&s, &r, 1, NKW_TRACK_FLOATS, NKW_INTERPOLATION_CUBICSPLINE);
     float most = 1.0f / (s.times[1] - s.times[0]);
-    for (int i = 0; i < 18; i++)
-        s.values[i] = i / 3 % 3 == 1 ? random_between(&r, -1.0f, 1.0f) : random_between(&r, -most, most);
-    nkw_track_sample(&s.track, s.time, got);
-    for (size_t i = 0; i < 3; i++) {
-        wide largest = 0, exact = hermite(&s, i, &largest);
-        worst = fmax(worst, accuracy_units((double)got[i], (double)exact, (double)largest));
-    }
-    return worst;
+    for (int i = 0; i < 6; i++)
+        s.values[i] = i % 3 == 1 ? random_between(&r, -1.0f, 1.0f) : random_between(&r, -most, most);
+    nkw_track_sample(&s.track, s.time, &got);
+    wide largest = 0, exact = hermite(&s, 0, &largest);
+    return accuracy_units((double)got, (double)exact, (double)largest);
 }
 
 /* Keys of any sign up to `angle` apart, tangents of up to that length in a segment. */
@@ -101,22 +97,17 @@ static double linear_error(const float *x, float spread)
 {
     random_source r = wide_source(x);
     segment s;
-    float got[3];
-    double worst = 0.0;
-    begin(&s, &r, 3, NKW_TRACK_FLOATS, NKW_INTERPOLATION_LINEAR);
+    float got;
+    begin(&s, &r, 1, NKW_TRACK_FLOATS, NKW_INTERPOLATION_LINEAR);
     float middle = 0.5f * (s.times[0] + s.times[1]), half = spread * (s.times[1] - middle);
     s.time = random_between(&r, middle - half, middle + half);
-    for (int i = 0; i < 6; i++)
-        s.values[i] = random_between(&r, -1.0f, 1.0f);
-    for (int i = 0; i < 3 && spread < 1.0f; i++)
-        s.values[3 + i] = -s.values[i] * random_between(&r, 1.0f - spread, 1.0f + spread);
-    nkw_track_sample(&s.track, s.time, got);
-    for (int i = 0; i < 3; i++) {
-        wide a = s.values[i], b = s.values[3 + i], t = share_of(&s);
-        double largest = fmax(fabs((double)a), fabs((double)b));
-        worst = fmax(worst, accuracy_units((double)got[i], (double)((1 - t) * a + t * b), largest));
-    }
-    return worst;
+    s.values[0] = random_between(&r, -1.0f, 1.0f);
+    s.values[1] = random_between(&r, -1.0f, 1.0f);
+    if (spread < 1.0f)
+        s.values[1] = -s.values[0] * random_between(&r, 1.0f - spread, 1.0f + spread);
+    nkw_track_sample(&s.track, s.time, &got);
+    wide a = s.values[0], b = s.values[1], t = share_of(&s);
+    return accuracy_units((double)got, (double)((1 - t) * a + t * b), fmax(fabs((double)a), fabs((double)b)));
 }
 
 static double linear_any(const float *x)
