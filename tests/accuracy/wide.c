@@ -127,11 +127,10 @@ static void check(accuracy *a, const wide_case *c, const wide_worst *w)
 
 static void run(accuracy *a, const wide_case *cases, size_t size, uint64_t count, uint64_t steps)
 {
-    uint64_t times = a->exhaustive ? 20 : 1;
     for (const wide_case *c = cases; c < cases + size; c++) {
         if (!accuracy_wants(a, c->function))
             continue;
-        wide_worst w = worst_of(c, count * times, steps * times);
+        wide_worst w = worst_of(c, count * (a->exhaustive ? 20 : 1), steps);
         if (c->kind == WIDE_CHECKED)
             check(a, c, &w);
         else
@@ -147,7 +146,7 @@ void wide_run(accuracy *a, const wide_case *cases, size_t size, uint32_t count)
 
 void wide_search(accuracy *a, const wide_case *cases, size_t size, uint32_t count)
 {
-    run(a, cases, size, count, count / 8);
+    run(a, cases, size, count, a->exhaustive ? 5 * (uint64_t)count : count / 16);
 }
 
 /* ---- Between the types ---- */

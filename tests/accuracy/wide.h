@@ -67,10 +67,10 @@ typedef struct wide_case {
 /* Measures each case over `count` samples, 20 times as many in an exhaustive run, of which they are the first. */
 void wide_run(accuracy *a, const wide_case *cases, size_t size, uint32_t count);
 /*
- * The same for cases that draw from wide_source: each sample worse than all before is the start of a climb. One to
+ * The same for cases that draw from wide_source: each sample worse than all before it is the start of a climb. One to
  * three of the numbers that were drawn for it are changed at random, by little or much, and stay so where the error did
- * not fall; count / 8 times, 20 times as often in an exhaustive run. What is found is the case's worst, the seed from
- * which it was climbed its witness.
+ * not fall; count / 16 times, 5 count times in an exhaustive run. What is found is the case's worst; its witness, the
+ * seed that the climb began from.
  */
 void wide_search(accuracy *a, const wide_case *cases, size_t size, uint32_t count);
 
