@@ -288,8 +288,9 @@ static double error_between(const float *got, const wide *exact, int n, int sign
 {
     double sum = 0.0;
     for (int i = 0; i < n; i++) {
-        double d = (double)(got[i] - sign * exact[i]) / magnitude;
-        sum += d * d;
+        double d = (double)(got[i] - sign * exact[i]);
+        double part = d == 0.0 ? 0.0 : d / magnitude;
+        sum += part * part;
     }
     return sum == 0.0 ? 0.0 : sum - sum == 0.0 ? sqrt(sum) * 0x1p24 : HUGE_VAL;
 }
