@@ -34,7 +34,7 @@ extern "C" {
  *
  * bit for bit; a factor that is NULL is left out, and its product too.
  *
- * Error            4.1 u of the product of the factors' Frobenius norms (2.7 u without global_inverse, 1.3 u for rigid
+ * Error            4.1 u of the product of the factors' Frobenius norms (2.8 u without global_inverse, 1.3 u for rigid
  *                  ones)
  *
  * models           model_count matrices of the skeleton's joints

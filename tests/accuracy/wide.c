@@ -33,7 +33,8 @@ static int change(random_source *r, size_t drawn, size_t at[3], uint64_t old[3])
 {
     int n = 1 + (int)(random_bits(r) % 3);
     for (int k = 0; k < n; k++) {
-        uint64_t step = random_bits(r) >> random_bits(r) % 25;
+        uint64_t step = random_bits(r);
+        step >>= random_bits(r) % 25;
         at[k] = (size_t)(random_bits(r) % drawn);
         old[k] = numbers[at[k]];
         numbers[at[k]] += random_bits(r) >> 63 ? step : 0 - step;
