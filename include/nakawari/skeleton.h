@@ -139,7 +139,7 @@ NKW_API nkw_result nkw_tree_walk(const nkw_tree *tree, const nkw_mat4 *locals, c
  * bit for bit; joints without a parent: of `root`, or the local matrix itself where root is NULL. `locals` may be
  * `models`.
  *
- * Error  2.7 u for each joint from the root on, of the Frobenius norm of the 3x3 block; of the place 2.5 u, of the
+ * Error  2.8 u for each joint from the root on, of the Frobenius norm of the 3x3 block; of the place 2.6 u, of the
  *        length of the bones laid end to end; for rotations and even scales. That takes each joint for the worst: along
  *        a chain at random errors grow with the root of its length, to 20.4 u at the end of 67 joints and 77 u of 1000,
  *        and the place to 4 u.
