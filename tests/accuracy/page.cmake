@@ -13,8 +13,8 @@ where two whole numbers stand in its place, they are the seed that the case was 
 
 The errors of floors 4 to 6 are the worst that a search found, not proven bounds: each sample worse than all before it was
 the start of a climb, 10 to 200 thousand small changes at random, of which those stayed that did not lessen the error. The
-headers have the worst of two such searches, from two seeds, rounded up. Samples and rms are those before the climbs; the
-noted rows of chains, which say how errors grow at random, are not climbed.
+headers have the worst of several such searches, rounded up, or a bound that they name. Samples and rms are those before the
+climbs; the noted rows of chains, which say how errors grow at random, are not climbed.
 ")
 foreach(stem IN ITEMS scalar vec quat mat euler transform curve orient track clip skeleton blend palette skin)
   if(NOT EXISTS "${PARTS}/${stem}.md")
