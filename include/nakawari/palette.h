@@ -34,8 +34,8 @@ extern "C" {
  *
  * bit for bit; a factor that is NULL is left out, and its product too.
  *
- * Error            2.5 u of the product of the factors' Frobenius norms (2.0 u without global_inverse, 1.0 u for rigid
- *                  ones)
+ * Error            6.0 u of the product of the factors' Frobenius norms at most, 3.0 u without global_inverse: three
+ *                  roundings in each product; found were 4.7 u and 2.8 u, for rigid ones 1.3 u
  *
  * models           model_count matrices of the skeleton's joints
  * joints           count numbers of models; NULL: 0, 1, 2, ...

@@ -17,73 +17,91 @@ static nkw_trs draw_trs(random_source *r)
     return trs;
 }
 
-static nkw_quat rotation_of(const nkw_trs *trs, nkw_quat side)
-{
-    return nkw_quat_dot(trs->rotation, side) < 0.0f ? nkw_quat_negate(trs->rotation) : trs->rotation;
-}
+/* Layers alone; and a rest pose to make up for what they leave of the threshold, without masks and with them. */
+typedef enum filling { LAYERS_ALONE, FILLED, MASKED } filling;
+
+/* The layers, then the rest pose, and how much each of them counts. */
+typedef struct blend {
+    float pose[LAYERS + 1][NKW_POSE_FLOATS(1)], mask[LAYERS][NKW_POSE_STRIDE(1)], threshold;
+    nkw_pose_layer layer[LAYERS];
+    nkw_quat middle;
+    wide weight[LAYERS + 1], total;
+} blend;
 
 /*
- * The weighted mean of layers within 0.7 radians of one rotation, so that all agree on the side; of 1 for
- * rotations, of the largest summand for translation and scale.
+ * Rotations within 0.7 radians of one another, so that all agree on the side; a threshold of one to two times the sum.
+ * What is not judged is that of the identity.
  */
-static double layers_error(const float *x, int count, part judged)
+static void draw_blend(blend *b, const float *x, int count, filling how, part judged)
 {
     random_source r = wide_source(x);
-    static float pose[LAYERS][NKW_POSE_FLOATS(1)], out[NKW_POSE_FLOATS(1)];
-    nkw_pose_layer layer[LAYERS];
-    nkw_trs trs[LAYERS];
-    wide sum[10] = {0}, total = 0, largest[10] = {0};
-    nkw_quat middle = random_unit_quat(&r);
-    for (int i = 0; i < count; i++) {
-        nkw_pose_layer l = {pose[i], random_log(&r, 1e-2f, 1.0f), NULL};
-        trs[i] = draw_trs(&r);
-        trs[i].rotation = nkw_quat_scale(random_unit_near(&r, middle, 0.35f * random_unit(&r)), random_sign(&r));
-        nkw_pose_identity(pose[i], 1);
-        nkw_pose_set(pose[i], 1, 0, &trs[i]);
-        layer[i] = l;
-        total += l.weight;
+    b->middle = judged == TURN ? random_unit_quat(&r) : nkw_quat_identity();
+    b->total = 0;
+    for (int i = 0; i <= count; i++) {
+        nkw_trs trs = nkw_trs_identity();
+        if (judged == TURN)
+            trs.rotation = nkw_quat_scale(random_unit_near(&r, b->middle, 0.35f * random_unit(&r)), random_sign(&r));
+        else
+            trs.translation.x = random_between(&r, -5.0f, 5.0f);
+        nkw_pose_from_trs(&trs, 1, b->pose[i]);
     }
     for (int i = 0; i < count; i++) {
-        float v[10];
-        put_vec3(v, trs[i].translation);
-        put_quat(v + 3, rotation_of(&trs[i], middle));
-        put_vec3(v + 7, trs[i].scale);
-        for (int c = 0; c < 10; c++) {
-            wide term = layer[i].weight * (wide)v[c];
-            sum[c] += term;
-            largest[c] = (wide)fabs((double)v[c]) > largest[c] ? (wide)fabs((double)v[c]) : largest[c];
-        }
+        nkw_pose_layer l = {b->pose[i], random_log(&r, 1e-2f, 1.0f), how == MASKED ? b->mask[i] : NULL};
+        b->mask[i][0] = how == MASKED ? random_between(&r, 0.1f, 1.0f) : 1.0f;
+        b->layer[i] = l;
+        b->weight[i] = (wide)l.weight * b->mask[i][0];
+        b->total += b->weight[i];
     }
-    nkw_pose_blend_layers(layer, (size_t)count, pose[0], 1, 0.0f, out);
-    nkw_trs got = nkw_pose_get(out, 1, 0);
-    float g[10];
-    put_vec3(g, got.translation);
-    put_quat(g + 3, got.rotation);
-    put_vec3(g + 7, got.scale);
-    if (judged == TURN) {
-        wide_normalize(sum + 3, 4);
-        return wide_error_either(g + 3, sum + 3, 4);
+    b->threshold = how == LAYERS_ALONE ? 0.0f : (float)b->total * random_between(&r, 1.0f, 2.0f);
+    b->weight[count] = b->threshold > b->total ? b->threshold - b->total : 0;
+    b->total += b->weight[count];
+}
+
+/* The pose's numbers, the rotation on the side of another one. */
+static void numbers_of(const float *pose, nkw_quat side, float v[10])
+{
+    nkw_trs trs = nkw_pose_get(pose, 1, 0);
+    put_vec3(v, trs.translation);
+    put_quat(v + 3, nkw_quat_dot(trs.rotation, side) < 0.0f ? nkw_quat_negate(trs.rotation) : trs.rotation);
+    put_vec3(v + 7, trs.scale);
+}
+
+/* The weighted mean: of rotations of 1; of a translation's x of the largest summand, as of any number. */
+static double layers_error(const float *x, int count, filling how, part judged)
+{
+    static blend b;
+    static float out[NKW_POSE_FLOATS(1)];
+    float v[10];
+    wide sum[10] = {0};
+    double largest = 0.0;
+    draw_blend(&b, x, count, how, judged);
+    for (int i = 0; i <= count; i++) {
+        numbers_of(b.pose[i], b.middle, v);
+        for (int c = 0; c < 10; c++)
+            sum[c] += b.weight[i] * v[c];
+        largest = b.weight[i] > 0 ? fmax(largest, fabs((double)v[0])) : largest;
     }
-    double worst = 0.0;
-    for (int c = 0; c < 10; c += c == 2 ? 5 : 1)
-        worst = fmax(worst, accuracy_units((double)g[c], (double)(sum[c] / total), (double)largest[c]));
-    return worst;
+    nkw_pose_blend_layers(b.layer, (size_t)count, b.pose[count], 1, b.threshold, out);
+    numbers_of(out, b.middle, v);
+    wide_normalize(sum + 3, 4);
+    return judged == TURN ? wide_error(v + 3, sum + 3, 4)
+                          : accuracy_units((double)v[0], (double)(sum[0] / b.total), largest);
 }
 
-static double turns_4(const float *x)
-{
-    return layers_error(x, 4, TURN);
-}
+#define LAYERS_CASE(name, count, how, judged)                                                                          \
+    static double name(const float *x)                                                                                 \
+    {                                                                                                                  \
+        return layers_error(x, count, how, judged);                                                                    \
+    }
 
-static double turns_8(const float *x)
-{
-    return layers_error(x, 8, TURN);
-}
-
-static double numbers_8(const float *x)
-{
-    return layers_error(x, 8, NUMBERS);
-}
+LAYERS_CASE(turns_4, 4, LAYERS_ALONE, TURN)
+LAYERS_CASE(turns_8, 8, LAYERS_ALONE, TURN)
+LAYERS_CASE(turns_filled, 8, FILLED, TURN)
+LAYERS_CASE(turns_masked, 8, MASKED, TURN)
+LAYERS_CASE(numbers_8, 8, LAYERS_ALONE, NUMBERS)
+LAYERS_CASE(numbers_filled_1, 1, FILLED, NUMBERS)
+LAYERS_CASE(numbers_filled, 8, FILLED, NUMBERS)
+LAYERS_CASE(numbers_masked, 8, MASKED, NUMBERS)
 
 /* apply(build(a, ref), ref) against a. */
 static double back_error(const float *x, nkw_additive side, part judged)
@@ -136,7 +154,12 @@ static double numbers_back(const float *x)
 static const wide_case cases[] = {
     {MEAN, "rotations, 4 layers", wide_seed, turns_4, 2, WIDE_CHECKED},
     {MEAN, "rotations, 8 layers", wide_seed, turns_8, 2, WIDE_CHECKED},
-    {MEAN, "translations and scales, 8 layers", wide_seed, numbers_8, 2, WIDE_CHECKED},
+    {MEAN, "rotations, 8 layers and the rest pose", wide_seed, turns_filled, 2, WIDE_CHECKED},
+    {MEAN, "rotations, the same with masks", wide_seed, turns_masked, 2, WIDE_CHECKED},
+    {MEAN, "numbers, 8 layers", wide_seed, numbers_8, 2, WIDE_CHECKED},
+    {MEAN, "numbers, a layer and the rest pose", wide_seed, numbers_filled_1, 2, WIDE_CHECKED},
+    {MEAN, "numbers, 8 layers and the rest pose", wide_seed, numbers_filled, 2, WIDE_CHECKED},
+    {MEAN, "numbers, the same with masks", wide_seed, numbers_masked, 2, WIDE_CHECKED},
     {APPLY, "rotations back, local", wide_seed, local_turn, 2, WIDE_CHECKED},
     {APPLY, "rotations back, in the parent's axes", wide_seed, parent_turn, 2, WIDE_CHECKED},
     {APPLY, "translations and scales back", wide_seed, numbers_back, 2, WIDE_CHECKED},
@@ -145,7 +168,7 @@ static const wide_case cases[] = {
 int main(int argc, char **argv)
 {
     accuracy a = accuracy_begin("blend.h", argc, argv);
-    wide_run(&a, cases, sizeof cases / sizeof cases[0], SAMPLES);
+    wide_search(&a, cases, sizeof cases / sizeof cases[0], SAMPLES);
     return accuracy_end(&a);
 }
 

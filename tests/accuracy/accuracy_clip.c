@@ -136,7 +136,7 @@ static const wide_case cases[] = {
 int main(int argc, char **argv)
 {
     accuracy a = accuracy_begin("clip.h", argc, argv);
-    wide_run(&a, cases, sizeof cases / sizeof cases[0], SAMPLES);
+    wide_search(&a, cases, sizeof cases / sizeof cases[0], SAMPLES);
     a.failures += beyond;
     return accuracy_end(&a);
 }

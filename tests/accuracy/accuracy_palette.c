@@ -139,7 +139,7 @@ static const wide_case cases[] = {
 int main(int argc, char **argv)
 {
     accuracy a = accuracy_begin("palette.h", argc, argv);
-    wide_run(&a, cases, sizeof cases / sizeof cases[0], SAMPLES);
+    wide_search(&a, cases, sizeof cases / sizeof cases[0], SAMPLES);
     return accuracy_end(&a);
 }
 

@@ -16,19 +16,75 @@ typedef struct wide_worst {
     float witness[WIDE_ARGUMENTS];
 } wide_worst;
 
-static wide_worst worst_of(const wide_case *c, uint64_t count)
+/* What is drawn instead of the seeds' own numbers while a case is climbed. */
+#define TAPE 4096
+static uint64_t numbers[TAPE];
+static random_tape tape;
+static int is_climbing;
+
+static double error_of(const wide_case *c, const float *x)
+{
+    double error = c->error(x);
+    return error == error ? error : HUGE_VAL;
+}
+
+/* One to three of the first `drawn` numbers changed; gives how many, where, and what they were. */
+static int change(random_source *r, size_t drawn, size_t at[3], uint64_t old[3])
+{
+    int n = 1 + (int)(random_bits(r) % 3);
+    for (int k = 0; k < n; k++) {
+        uint64_t step = random_bits(r);
+        step >>= random_bits(r) % 25;
+        at[k] = (size_t)(random_bits(r) % drawn);
+        old[k] = numbers[at[k]];
+        numbers[at[k]] += random_bits(r) >> 63 ? step : 0 - step;
+    }
+    return n;
+}
+
+/* The worst error met on the way from a seed. */
+static double climb(const wide_case *c, const float *seed, uint64_t steps)
+{
+    random_source r = wide_source(seed);
+    for (int i = 0; i < TAPE; i++)
+        numbers[i] = random_bits(&r);
+    is_climbing = 1;
+    double worst = error_of(c, seed);
+    size_t drawn = (size_t)(tape.next - numbers);
+    while (steps-- > 0) {
+        size_t at[3];
+        uint64_t old[3];
+        int n = change(&r, drawn, at, old);
+        double error = error_of(c, seed);
+        if (error >= worst) {
+            worst = error;
+            drawn = (size_t)(tape.next - numbers);
+        } else {
+            while (n-- > 0)
+                numbers[at[n]] = old[n];
+        }
+    }
+    is_climbing = 0;
+    return worst;
+}
+
+static wide_worst worst_of(const wide_case *c, uint64_t count, uint64_t steps)
 {
     wide_worst w;
     random_source r = random_from(1);
+    double drawn = -1.0;
     memset(&w, 0, sizeof w);
     w.worst = -1.0;
     w.count = count;
     for (uint64_t i = 0; i < count; i++) {
         float x[WIDE_ARGUMENTS];
         c->sample(&r, x);
-        double error = c->error(x);
-        error = error == error ? error : HUGE_VAL;
+        double error = error_of(c, x);
         w.squares += error * error;
+        if (error <= drawn)
+            continue;
+        drawn = error;
+        error = steps ? climb(c, x, steps) : error;
         if (error > w.worst) {
             w.worst = error;
             memcpy(w.witness, x, (size_t)c->arguments * sizeof *x);
@@ -70,18 +126,28 @@ static void check(accuracy *a, const wide_case *c, const wide_worst *w)
     accuracy_row(a, c->function, c->region, &row);
 }
 
-void wide_run(accuracy *a, const wide_case *cases, size_t size, uint32_t count)
+static void run(accuracy *a, const wide_case *cases, size_t size, uint64_t count, uint64_t steps)
 {
     for (const wide_case *c = cases; c < cases + size; c++) {
         if (!accuracy_wants(a, c->function))
             continue;
-        wide_worst w = worst_of(c, (uint64_t)count * (a->exhaustive ? 20 : 1));
+        wide_worst w = worst_of(c, count * (a->exhaustive ? 20 : 1), steps);
         if (c->kind == WIDE_CHECKED)
             check(a, c, &w);
         else
             note(a, c, &w);
         fflush(stdout);
     }
+}
+
+void wide_run(accuracy *a, const wide_case *cases, size_t size, uint32_t count)
+{
+    run(a, cases, size, count, 0);
+}
+
+void wide_search(accuracy *a, const wide_case *cases, size_t size, uint32_t count)
+{
+    run(a, cases, size, count, a->exhaustive ? 5 * (uint64_t)count : count / 16);
 }
 
 /* ---- Between the types ---- */
@@ -183,7 +249,11 @@ void wide_seed(random_source *r, float *x)
 
 random_source wide_source(const float *x)
 {
-    return random_from((uint64_t)x[0] << 20 | (uint64_t)x[1]);
+    random_source r = random_from((uint64_t)x[0] << 20 | (uint64_t)x[1]);
+    tape.next = numbers;
+    tape.end = numbers + TAPE;
+    r.tape = is_climbing ? &tape : NULL;
+    return r;
 }
 
 /* ---- Norms and errors ---- */
@@ -220,8 +290,8 @@ static double error_between(const float *got, const wide *exact, int n, int sign
     double sum = 0.0;
     for (int i = 0; i < n; i++) {
         double d = (double)(got[i] - sign * exact[i]);
-        d = d == 0.0 ? 0.0 : d / magnitude;
-        sum += d * d;
+        double part = d == 0.0 ? 0.0 : d / magnitude;
+        sum += part * part;
     }
     return sum == 0.0 ? 0.0 : sum - sum == 0.0 ? sqrt(sum) * 0x1p24 : HUGE_VAL;
 }

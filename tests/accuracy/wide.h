@@ -66,6 +66,13 @@ typedef struct wide_case {
 
 /* Measures each case over `count` samples, 20 times as many in an exhaustive run, of which they are the first. */
 void wide_run(accuracy *a, const wide_case *cases, size_t size, uint32_t count);
+/*
+ * The same for cases that draw from wide_source: each sample worse than all before it is the start of a climb. One to
+ * three of the numbers that were drawn for it are changed at random, by little or much, and stay so where the error did
+ * not fall; count / 16 times, 5 count times in an exhaustive run. What is found is the case's worst; its witness, the
+ * seed that the climb began from.
+ */
+void wide_search(accuracy *a, const wide_case *cases, size_t size, uint32_t count);
 
 /* ---- Between the types ---- */
 
@@ -90,7 +97,7 @@ nkw_quat random_unit_near(random_source *r, nkw_quat q, float angle);
 /* The rotation matrix of q, unit, in binary64. */
 void double_mat3_from_quat(nkw_quat q, double m[9]);
 
-/* For samples of more numbers than arguments: the seed of a source, two numbers; and that source. */
+/* For samples of more numbers than arguments: the seed of a source, two numbers; and that source, taken once. */
 void wide_seed(random_source *r, float *x);
 random_source wide_source(const float *x);
 

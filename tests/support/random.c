@@ -22,11 +22,14 @@ random_source random_from(uint64_t seed)
     random_source r;
     for (int i = 0; i < 4; i++)
         r.s[i] = splitmix(&seed);
+    r.tape = NULL;
     return r;
 }
 
 uint64_t random_bits(random_source *r)
 {
+    if (r->tape && r->tape->next < r->tape->end)
+        return *r->tape->next++;
     uint64_t result = turned_left(r->s[1] * 5, 7) * 9;
     uint64_t t = r->s[1] << 17;
     r->s[2] ^= r->s[0];

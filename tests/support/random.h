@@ -15,8 +15,14 @@
 extern "C" {
 #endif
 
+/* Numbers to be drawn before a source's own, up to `end`. */
+typedef struct random_tape {
+    const uint64_t *next, *end;
+} random_tape;
+
 typedef struct random_source {
     uint64_t s[4];
+    random_tape *tape; /* or NULL, as random_from has it */
 } random_source;
 
 random_source random_from(uint64_t seed);
