@@ -201,12 +201,12 @@ static size_t next_peer(const nkw_pose_layer *layers, size_t count, const peers 
     return next;
 }
 
-/* What the rest pose has to make up for; all, where there is nothing else. */
-static float missing(float total, float threshold)
+/* What the rest pose has to make up for, which may be the most of all; all, where there is nothing else. */
+static float missing(double total, float threshold)
 {
-    float limit = weight_of(threshold);
-    float short_of = total < limit ? limit - total : 0.0f;
-    return total == 0.0f ? 1.0f : short_of;
+    double limit = (double)weight_of(threshold);
+    double short_of = total < limit ? limit - total : 0.0;
+    return total == 0.0 ? 1.0f : (float)short_of;
 }
 
 static void copy_rows(blend_rows from, blend_span to, size_t n)
@@ -222,15 +222,16 @@ static void copy_rows(blend_rows from, blend_span to, size_t n)
 typedef struct plain_sum {
     float v[10 * BLEND_BLOCK];
     blend_rows sum, last;
-    float total, t;
+    double total;
+    float t;
 } plain_sum;
 
 static void add_plain(plain_sum *s, const float *pose, float weight, const part *p)
 {
     blend_rows rows = rows_of(pose, p);
     blend_span v = {s->v, p->n};
-    float t = lane_share(weight, s->total);
-    s->total = s->total + weight;
+    float t = lane_share(weight, (float)s->total);
+    s->total = s->total + (double)weight;
     if (t == 0.0f)
         return;
     if (t < 1.0f && s->t > 0.0f) {
@@ -248,7 +249,8 @@ static int blend_plain(const nkw_pose_layer *layers, size_t count, const float *
                        float *out)
 {
     plain_sum s;
-    s.total = s.t = 0.0f;
+    s.total = 0.0;
+    s.t = 0.0f;
     for (peers g = peers_below(layers, count, ABOVE_ALL); g.count; g = peers_below(layers, count, g.weight)) {
         if (g.count > 1 || layers[g.first].mask)
             return 0;
@@ -268,7 +270,8 @@ static int blend_plain(const nkw_pose_layer *layers, size_t count, const float *
  */
 typedef struct masked_sum {
     float v[10 * BLEND_BLOCK];
-    float total[BLEND_BLOCK], mixed[BLEND_BLOCK], weight[BLEND_BLOCK], t[BLEND_BLOCK];
+    double total[BLEND_BLOCK];
+    float mixed[BLEND_BLOCK], weight[BLEND_BLOCK], t[BLEND_BLOCK];
     int begun;
 } masked_sum;
 

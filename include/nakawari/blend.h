@@ -75,8 +75,8 @@ typedef struct nkw_pose_layer {
  *
  * The time grows with the number of layers, and for its order with its square, which shows from about 20 on; layers of
  * equal weight take several times as long as others.
- * Error  18.0 u of the largest of the translations or scales, for up to eight layers (5.8 u where the rest pose has
- *        nothing to make up for); of rotations 7.2 u (5.9 u so, up to four layers 3.3).
+ * Error  7.8 u of the largest of the translations or scales, for up to eight layers (5.8 u where the rest pose has
+ *        nothing to make up for); of rotations 6.2 u (5.9 u so, up to four layers 3.3).
  */
 NKW_API void nkw_pose_blend_layers(const nkw_pose_layer *layers, size_t count, const float *rest, size_t joints,
                                    float threshold, float *out);

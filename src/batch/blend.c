@@ -227,13 +227,13 @@ KERNEL(blend_each)(blend_rows a, blend_rows b, const float *t, int used, blend_s
 }
 
 /* mixed becomes 1 where more than one pose has a part, 0 where one alone has all. */
-KERNEL(blend_share)(const float *weight, float *total, float *mixed, float *t, size_t n)
+KERNEL(blend_share)(const float *weight, double *total, float *mixed, float *t, size_t n)
 {
 #pragma omp simd
     for (size_t i = 0; i < n; i++) {
-        float share = lane_share(weight[i], total[i]);
+        float share = lane_share(weight[i], (float)total[i]);
         mixed[i] = share == 0.0f ? mixed[i] : share == 1.0f ? 0.0f : 1.0f;
-        total[i] = total[i] + weight[i];
+        total[i] = total[i] + (double)weight[i];
         t[i] = share;
     }
 }

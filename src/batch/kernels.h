@@ -116,7 +116,7 @@ typedef struct blend_span {
     X(quat_settle, (nkw_quat_view v, int used, nkw_quat_span out, int n), (v, used, out, n)) \
     X(blend_weigh, (float weight, const float *mask, int used, float *out, int n), (weight, mask, used, out, n)) \
     X(blend_each, (blend_rows a, blend_rows b, const float *t, int used, blend_span out, int n), (a, b, t, used, out, n)) \
-    X(blend_share, (const float *weight, float *total, float *mixed, float *t, size_t n), (weight, total, mixed, t, n)) \
+    X(blend_share, (const float *weight, double *total, float *mixed, float *t, size_t n), (weight, total, mixed, t, n)) \
     X(additive_build, (nkw_trs_view a, nkw_trs_view ref, int parent, nkw_trs_span out, size_t n), (a, ref, parent, out, n)) \
     X(additive_apply, (nkw_trs_view base, nkw_trs_view delta, const float *weight, int parent, nkw_trs_span out, size_t n), (base, delta, weight, parent, out, n)) \
     X(palette_4x4, (const nkw_mat4 *models, size_t model_count, const int32_t *joints, const nkw_mat4 *inverse_bind, const nkw_mat4 *global_inverse, nkw_mat4 *out, size_t n), (models, model_count, joints, inverse_bind, global_inverse, out, n)) \
