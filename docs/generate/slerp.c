@@ -12,8 +12,9 @@
  *
  *     x = 1 - cos theta    v = 2x / (1 - 21x/64)
  *
- * H minimises the largest error that E makes, over theta in 0..pi/2 and t in 0..1; E is odd, so that covers -1..0,
- * and t in 1..2 joins with the weight 4e-4. slerp takes E(t) and E(u), times vectors of length 1.
+ * H minimises the largest error that E makes, over theta in 0..pi/2 and t in 0..1, those of small arcs stressed; E is
+ * odd, so that covers -1..0, and t in 1..2 joins with the weight 4e-4. slerp takes E(t) and E(u), times vectors of
+ * length 1.
  * The coefficients are rounded to binary32 one after the other, the rest fitted again each time.
  *
  * Source Lawson, Contributions to the Theory of Linear Least Maximum Approximation, 1961.
@@ -24,7 +25,7 @@
 
 typedef long double real;
 
-enum { SIDE = 48, POINTS = SIDE * SIDE, FINE_SIDE = 240, ROWS = 5, TERMS = 19 };
+enum { SIDE = 48, POINTS = SIDE * SIDE, FINE_SIDE = 240, ROWS = 5, TERMS = 17 };
 
 static const real PI = 3.14159265358979323846264338L;
 static const real POLE = 64.0L / 21, OUTSIDE = 4e-4L, U = 0x1p-24L;
@@ -36,15 +37,16 @@ typedef struct place {
 /* H: the sum of the terms v^i (t^2 v)^j, i <= degree[j], j < ROWS. */
 typedef struct series {
     const char *name, *said;
+    real stress; /* how many times the errors of small arcs count, as those between neighbouring keys are */
     int degree[ROWS];
 } series;
 
-static const series full = {"LANE_SLERP_H", "", {6, 4, 2, 2, 0}};
-static const series brief = {"LANE_SLERP_BRIEF", " * Shorter, for compact clips.\n *\n", {4, 3, 2, 1, 0}};
+static const series full = {"LANE_SLERP_H", "", 4, {5, 4, 2, 1, 0}};
+static const series brief = {"LANE_SLERP_BRIEF", " * Shorter, for compact clips.\n *\n", 1, {4, 3, 2, 1, 0}};
 
 /* A place seen by the fit; basis[k] = (v/2)^i (t^2 v/2)^j. */
 typedef struct point {
-    real basis[TERMS], target, scale;
+    real basis[TERMS], target, scale, stress;
     real share; /* in the least squares */
     real error;
 } point;
@@ -87,6 +89,7 @@ static void sample(const fit *f, point *at, real x, real t)
     place here = place_at(x, t);
     at->target = target(&here);
     at->scale = (t < 1 ? 1 : OUTSIDE) * fabsl(scale(&here));
+    at->stress = 1 + (f->of->stress - 1) / (1 + powl(4 * here.v, 4));
     for (int k = 0; k < f->count; k++)
         at->basis[k] = powl(here.v / 2, f->i[k]) * powl(t * t * here.v / 2, f->j[k]);
 }
@@ -142,7 +145,7 @@ static real residual(const fit *f, const point *at)
 static void add_point(const fit *f, const point *at, const int *free_terms, int m,
                       real q[][TERMS + 1])
 {
-    real rest = residual(f, at), weight = at->share * at->scale * at->scale;
+    real rest = residual(f, at), stressed = at->scale * at->stress, weight = at->share * stressed * stressed;
     for (int i = 0; i < m; i++) {
         real wb = weight * at->basis[free_terms[i]];
         for (int j = i; j < m; j++)
@@ -210,7 +213,7 @@ static real measure(fit *f)
 {
     real largest = 0;
     for (int n = 0; n < POINTS; n++) {
-        f->points[n].error = error_at(f, &f->points[n]);
+        f->points[n].error = error_at(f, &f->points[n]) * f->points[n].stress;
         largest = fmaxl(largest, f->points[n].error);
     }
     return largest;

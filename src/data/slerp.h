@@ -10,36 +10,34 @@
 
 /*
  * H = H0(v) + T (H1(v) + T (H2(v) + T (H3(v) + T H4))), T = t^2 v, lowest power of v first.
- * sin(t theta) / sin theta = t - t (1 - t) (1 + t) v H. Off by at most 0.047 u for t in -1..1.
+ * sin(t theta) / sin theta = t - t (1 - t) (1 + t) v H. Off by at most 0.253 u for t in -1..1.
  */
-static const float LANE_SLERP_H0[7] = {
-    -0x1.55555ap-3f,
-    -0x1.8881cep-8f,
-    -0x1.6afd38p-11f,
-    -0x1.ba311p-16f,
-    -0x1.5bd3eep-18f,
-    0x1.d74ae6p-24f,
-    -0x1.190482p-24f,
+static const float LANE_SLERP_H0[6] = {
+    -0x1.555536p-3f,
+    -0x1.88a562p-8f,
+    -0x1.6847a4p-11f,
+    -0x1.09d412p-15f,
+    -0x1.4d5e4ep-19f,
+    -0x1.2c9b68p-21f,
 };
 static const float LANE_SLERP_H1[5] = {
-    0x1.110b6p-7f,
-    -0x1.430058p-13f,
-    0x1.3ac7acp-14f,
-    -0x1.1315a6p-18f,
-    0x1.630942p-21f,
+    0x1.110e6p-7f,
+    -0x1.48536cp-13f,
+    0x1.448d58p-14f,
+    -0x1.41c4b2p-18f,
+    0x1.842ad6p-21f,
 };
 static const float LANE_SLERP_H2[3] = {
-    -0x1.9cfbc6p-13f,
-    0x1.fe309ap-17f,
-    -0x1.2d245p-19f,
+    -0x1.98b8f2p-13f,
+    0x1.c4785ep-17f,
+    -0x1.fbcb3cp-20f,
 };
-static const float LANE_SLERP_H3[3] = {
-    0x1.6511d8p-19f,
-    -0x1.866c12p-22f,
-    0x1.9325ep-25f,
+static const float LANE_SLERP_H3[2] = {
+    0x1.3e4738p-19f,
+    -0x1.120b5cp-23f,
 };
 static const float LANE_SLERP_H4[1] = {
-    -0x1.dd5ca2p-27f,
+    -0x1.dfa7d8p-27f,
 };
 
 /*

@@ -75,7 +75,7 @@ static inline nkw_quat lane_quat_nlerp(nkw_quat a, nkw_quat b, float t)
 }
 
 /*
- * Polynomials of 3, 5 and 7 coefficients, lowest power first: pairs are summed first, then Horner in v^2, for half the
+ * Polynomials of 3, 5 and 6 coefficients, lowest power first: pairs are summed first, then Horner in v^2, for half the
  * latency of Horner in v.
  */
 static inline float lane_pairs3(const float *c, float v, float vv)
@@ -88,9 +88,9 @@ static inline float lane_pairs5(const float *c, float v, float vv)
     return (c[0] + v * c[1]) + vv * lane_pairs3(c + 2, v, vv);
 }
 
-static inline float lane_pairs7(const float *c, float v, float vv)
+static inline float lane_pairs6(const float *c, float v, float vv)
 {
-    return (c[0] + v * c[1]) + vv * lane_pairs5(c + 2, v, vv);
+    return (c[0] + v * c[1]) + vv * ((c[2] + v * c[3]) + vv * (c[4] + v * c[5]));
 }
 
 /*
@@ -104,18 +104,18 @@ static inline float lane_pairs7(const float *c, float v, float vv)
  *
  * Exchanging a and b and t and u gives the same bits, also at t = 1/2.
  *
- *     E(k) = k (1 - k^2) v H(v, k^2 v) = (p + p k) H,  p = t u v,      v = q / (|a.b| + q LANE_SLERP_BEND),  q = |d|^2
+ *     E(k) = k (1 - k^2) v H(v, k^2 v) = (c v) H,  c = t u (1 + k),    v = q / (|a.b| + q LANE_SLERP_BEND),  q = |d|^2
  *
  * v stands for the angle: small ones are told by the chord d, large ones by the dot product, and the lengths of a and b
- * cancel. p is never -0, so E(0) = -0 E(1) = -0: the bracket is +0 where nothing is to be added, and "near - 0" keeps
+ * cancel. c is never -0, so E(0) = -0 E(1) = -0: the bracket is +0 where nothing is to be added, and "near - 0" keeps
  * a -0.
  */
 
 /* E(k). */
-static inline float lane_slerp_excess(float k, float p, float v, float h0, float h1, float h2, float h3)
+static inline float lane_slerp_excess(float k, float c, float v, float h0, float h1, float h2, float h3)
 {
     float kv = k * k * v;
-    return (p + p * k) * (h0 + kv * (h1 + kv * (h2 + kv * (h3 + kv * LANE_SLERP_H4[0]))));
+    return (c * v) * (h0 + kv * (h1 + kv * (h2 + kv * (h3 + kv * LANE_SLERP_H4[0]))));
 }
 
 /* x where mask is all ones, y where it is 0. */
@@ -143,10 +143,10 @@ static inline lane_slerp_arc lane_slerp_arc_of(uint32_t turned, float v)
     lane_slerp_arc arc = {
         turned,
         v,
-        lane_pairs7(LANE_SLERP_H0, v, vv),
+        lane_pairs6(LANE_SLERP_H0, v, vv),
         lane_pairs5(LANE_SLERP_H1, v, vv),
         lane_pairs3(LANE_SLERP_H2, v, vv),
-        lane_pairs3(LANE_SLERP_H3, v, vv),
+        LANE_SLERP_H3[0] + v * LANE_SLERP_H3[1],
     };
     return arc;
 }
@@ -199,8 +199,8 @@ static inline float lane_slerp_component(float a, float b, const lane_slerp_pace
 /* E(k) for k = u or t. */
 static inline float lane_slerp_excess_on(const lane_slerp_arc *arc, const lane_slerp_pace *pace, float k)
 {
-    float p = (pace->t * pace->u) * arc->v + 0.0f;
-    return lane_slerp_excess(k, p, arc->v, arc->h0, arc->h1, arc->h2, arc->h3);
+    float c = (pace->t * pace->u + 0.0f) * (1.0f + k);
+    return lane_slerp_excess(k, c, arc->v, arc->h0, arc->h1, arc->h2, arc->h3);
 }
 
 /* The slerp by its E(u) and E(t). */
@@ -307,15 +307,15 @@ static inline int lane_four_nlerp(lane_four a, lane_four b, float t, lane_four *
 static inline lane_four lane_four_slerp_power(int i)
 {
     lane_four c = {LANE_SLERP_H0[i], i < 5 ? LANE_SLERP_H1[i] : 0.0f, i < 3 ? LANE_SLERP_H2[i] : 0.0f,
-                   i < 3 ? LANE_SLERP_H3[i] : 0.0f};
+                   i < 2 ? LANE_SLERP_H3[i] : 0.0f};
     return c;
 }
 
 /* lane_slerp_arc's h0..h3, v being finite or NaN. */
 static inline lane_four lane_four_slerp_polynomials(lane_four v)
 {
-    lane_four vv = v * v, h = lane_four_slerp_power(6);
-    for (int i = 4; i >= 0; i -= 2)
+    lane_four vv = v * v, h = lane_four_slerp_power(4) + v * lane_four_slerp_power(5);
+    for (int i = 2; i >= 0; i -= 2)
         h = (lane_four_slerp_power(i) + v * lane_four_slerp_power(i + 1)) + vv * h;
     return h;
 }
@@ -340,9 +340,10 @@ static inline lane_four lane_four_slerp(lane_four a, lane_four b, float t)
     lane_four base = lane_four_select(middle, half * (a + c), lane_four_select(first, a, c));
 
     /* E(u) and E(t) */
-    lane_four p = lane_four_all(t * u) * v + zero, k = {u, t, 0.0f, 0.0f}, kv = k * k * v;
+    lane_four k = {u, t, 0.0f, 0.0f}, kv = k * k * v, tu = lane_four_all(t * u) + zero;
+    lane_four of = tu * (lane_four_all(1.0f) + k);
     lane_four h3 = lane_four_splat(h, 3) + kv * lane_four_all(LANE_SLERP_H4[0]);
-    lane_four e = (p + p * k) * (lane_four_splat(h, 0) +
+    lane_four e = (of * v) * (lane_four_splat(h, 0) +
                                  kv * (lane_four_splat(h, 1) + kv * (lane_four_splat(h, 2) + kv * h3)));
     return base - (shift * d + (lane_four_splat(e, 0) * a + lane_four_splat(e, 1) * c));
 }
