@@ -173,11 +173,20 @@ typedef struct lane_slerp_pace {
     uint32_t first, half;
 } lane_slerp_pace;
 
-static inline lane_slerp_pace lane_slerp_pace_at(float t)
+/* For t other than 1/2. */
+static inline lane_slerp_pace lane_slerp_pace_aside(float t)
 {
     float u = 1.0f - t, late = t - 0.5f;
-    uint32_t first = 0u - (lane_bits(late) >> 31), half = 0u - (uint32_t)(late == 0.0f);
-    lane_slerp_pace pace = {t, u, lane_blend(half, 0.0f, lane_flip(t < u ? t : u, lane_sign_bit(late))), first, half};
+    uint32_t first = 0u - (lane_bits(late) >> 31);
+    lane_slerp_pace pace = {t, u, lane_flip(t < u ? t : u, lane_sign_bit(late)), first, 0u};
+    return pace;
+}
+
+static inline lane_slerp_pace lane_slerp_pace_at(float t)
+{
+    lane_slerp_pace pace = lane_slerp_pace_aside(t);
+    pace.half = 0u - (uint32_t)(t == 0.5f);
+    pace.shift = lane_blend(pace.half, 0.0f, pace.shift);
     return pace;
 }
 

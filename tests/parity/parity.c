@@ -118,10 +118,12 @@ static float number(random_source *r)
     return random_bits(r) % 16 == 0 ? random_finite(r) : random_scaled(r, -8, 3);
 }
 
+/* Few are outside 0..1, or no loop of many elements would do without the way that is for those. */
 static float parameter(random_source *r)
 {
-    uint64_t kind = random_bits(r) % 16;
-    return kind == 0 ? 0.0f : kind == 1 ? 1.0f : kind == 2 ? random_scaled(r, -3, 1) : random_unit(r);
+    const float ends[3] = {0.0f, 0.5f, 1.0f};
+    uint64_t kind = random_bits(r) % 64;
+    return kind < 12 ? ends[kind % 3] : kind == 12 ? random_scaled(r, -3, 1) : random_unit(r);
 }
 
 /* Writes the arrays of one letter for element i; gives how many there are. */
