@@ -152,7 +152,8 @@ static nkw_result check_repeated(const clip_tracks *b, size_t *bad)
 
 nkw_result nkw_clip_tracks_order(const nkw_clip_source *source, uint32_t *work, clip_tracks *out, size_t *bad_track)
 {
-    clip_tracks tracks = {source, work, work + source->track_count, work + 2 * source->track_count};
+    const size_t n = source->track_count; /* without tracks `work` may be NULL, which has no place after it */
+    clip_tracks tracks = {source, work, n ? work + n : work, n ? work + 2 * n : work};
     *out = tracks;
     *bad_track = 0;
     nkw_result result = check_tracks(source, bad_track);
