@@ -76,7 +76,7 @@ static inline nkw_quat turn(const slerp_block *s, size_t k, nkw_quat a, nkw_quat
     return lane_quat_slerp_by(a, b, s->turned[k], &pace, s->u[k], s->t[k]);
 }
 
-/* `half` says whether some t may be 1/2: mostly none is, which saves a sixth of the operations. */
+/* `half` says whether some t may be 1/2: mostly none is, which saves up to a tenth of the instructions. */
 INLINE void slerp_inside(nkw_quat_view a, nkw_quat_view b, const float *t, int half, nkw_quat_span out, size_t from,
                          size_t to)
 {

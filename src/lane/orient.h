@@ -111,13 +111,6 @@ static inline float lane_pairs6(const float *c, float v, float vv)
  * a -0.
  */
 
-/* E(k). */
-static inline float lane_slerp_excess(float k, float c, float v, float h0, float h1, float h2, float h3)
-{
-    float kv = k * k * v;
-    return (c * v) * (h0 + kv * (h1 + kv * (h2 + kv * (h3 + kv * LANE_SLERP_H4[0]))));
-}
-
 /* x where mask is all ones, y where it is 0. */
 static inline float lane_blend(uint32_t mask, float x, float y)
 {
@@ -208,8 +201,8 @@ static inline float lane_slerp_component(float a, float b, const lane_slerp_pace
 /* E(k) for k = u or t. */
 static inline float lane_slerp_excess_on(const lane_slerp_arc *arc, const lane_slerp_pace *pace, float k)
 {
-    float c = (pace->t * pace->u + 0.0f) * (1.0f + k);
-    return lane_slerp_excess(k, c, arc->v, arc->h0, arc->h1, arc->h2, arc->h3);
+    float c = (pace->t * pace->u + 0.0f) * (1.0f + k), kv = k * k * arc->v;
+    return (c * arc->v) * (arc->h0 + kv * (arc->h1 + kv * (arc->h2 + kv * (arc->h3 + kv * LANE_SLERP_H4[0]))));
 }
 
 /* The slerp by its E(u) and E(t). */
@@ -353,7 +346,7 @@ static inline lane_four lane_four_slerp(lane_four a, lane_four b, float t)
     lane_four of = tu * (lane_four_all(1.0f) + k);
     lane_four h3 = lane_four_splat(h, 3) + kv * lane_four_all(LANE_SLERP_H4[0]);
     lane_four e = (of * v) * (lane_four_splat(h, 0) +
-                                 kv * (lane_four_splat(h, 1) + kv * (lane_four_splat(h, 2) + kv * h3)));
+                              kv * (lane_four_splat(h, 1) + kv * (lane_four_splat(h, 2) + kv * h3)));
     return base - (shift * d + (lane_four_splat(e, 0) * a + lane_four_splat(e, 1) * c));
 }
 #endif
