@@ -50,6 +50,34 @@ static inline size_t blocks_in(size_t lanes)
     return (lanes + NKW_BLOCK - 1) / NKW_BLOCK;
 }
 
+/* Scattered blocks of numbers that are worked out together, at most: no lane waits to be stored before the next. */
+#define SCATTERED 8
+
+/* How many lanes from the first block on are worked out together. */
+static inline size_t lanes_together(const nkw_block *blocks, size_t block_count)
+{
+    size_t n = 0;
+    while (n < block_count && n < SCATTERED && !blocks[n].direct && blocks[n].width == NKW_BLOCK)
+        n++;
+    return blocks->direct ? blocks->direct : n > 0 ? n * NKW_BLOCK : blocks->width;
+}
+
+INLINE void scatter_count(const uint32_t *places, const float *from, float *out, size_t count)
+{
+    for (size_t i = 0; i < count; i++)
+        out[places[i]] = from[i];
+}
+
+/* `lanes` numbers, whole blocks, to their places; a constant count is a few loads and stores. */
+static inline void scatter_numbers(const nkw_block *blocks, const float *from, float *out, size_t lanes)
+{
+    for (size_t k = 0; k < blocks_in(lanes); k++, from += NKW_BLOCK)
+        if (blocks[k].count == NKW_BLOCK)
+            scatter_count(blocks[k].places, from, out, NKW_BLOCK);
+        else
+            scatter_count(blocks[k].places, from, out, blocks[k].count);
+}
+
 /* The arc from a key to the next as one number: v, with the sign bit of "turned". */
 static inline lane_slerp_arc arc_of(float number)
 {
@@ -99,12 +127,12 @@ INLINE void lerp_blocks(const float *a, const float *b, float t, int first, cons
                         float *out)
 {
     for (size_t k = 0, lanes; k < block_count; k += blocks_in(lanes)) {
-        float mixed[NKW_BLOCK];
+        float mixed[SCATTERED * NKW_BLOCK];
         int direct = blocks[k].direct > 0;
-        lanes = direct ? blocks[k].direct : blocks[k].width;
+        lanes = lanes_together(blocks + k, block_count - k);
         lerp_stretch(a + k * NKW_BLOCK, b + k * NKW_BLOCK, t, first, direct ? out + blocks[k].places[0] : mixed, lanes);
         if (!direct)
-            scatter(&blocks[k], mixed, 0, 1, out, 0);
+            scatter_numbers(blocks + k, mixed, out, lanes);
     }
 }
 
@@ -222,11 +250,11 @@ KERNEL(clip_lerp16)
     for (size_t k = 0, lanes; k < block_count; k += blocks_in(lanes)) {
         size_t at = k * NKW_BLOCK;
         int direct = blocks[k].direct > 0;
-        float mixed[NKW_BLOCK];
-        lanes = direct ? blocks[k].direct : blocks[k].width;
+        float mixed[SCATTERED * NKW_BLOCK];
+        lanes = lanes_together(blocks + k, block_count - k);
         lerp16_lanes(a + at, b + at, base + at, step + at, t, direct ? out + blocks[k].places[0] : mixed, lanes);
         if (!direct)
-            scatter(&blocks[k], mixed, 0, 1, out, 0);
+            scatter_numbers(blocks + k, mixed, out, lanes);
     }
 }
 
@@ -349,7 +377,7 @@ KERNEL(clip_hermite)
     for (size_t k = 0; k < block_count; k++, a += NKW_BLOCK, b += NKW_BLOCK) {
         float lanes[NKW_BLOCK];
         hermite_block(a, b, words, duration, t, lanes, blocks[k].width);
-        scatter(&blocks[k], lanes, 0, 1, out, 0);
+        scatter_numbers(&blocks[k], lanes, out, blocks[k].width);
     }
 }
 

@@ -1,0 +1,135 @@
+/* SPDX-License-Identifier: MIT */
+/* Clips of tracks that are resampled, each at the lowest rate that keeps a tolerance. */
+#include <stdlib.h>
+
+#include "support/expect.h"
+
+#define JOINTS    150
+#define TRACKS    (3 * JOINTS)
+#define KEYS      65
+#define RATE      32.0f
+#define TOLERANCE 8e-3f
+
+/* What is captured, and the tracks that are made of it. */
+typedef struct capture {
+    float times[KEYS], values[TRACKS][4 * KEYS];
+    float own_times[TRACKS][KEYS], own_values[TRACKS][4 * KEYS];
+    nkw_clip_track tracks[TRACKS], own[TRACKS];
+} capture;
+
+static capture taken;
+static uint32_t work[NKW_CLIP_WORK(TRACKS)];
+
+/* A wave of 1/2, 1 or 2 turns in the two seconds. Of rotations the angle about y, of numbers each component. */
+static void draw_values(size_t joint, int rotation, float *values)
+{
+    float turns = joint % 3 == 0 ? 0.5f : joint % 3 == 1 ? 1.0f : 2.0f, phase = 0.1f * (float)joint;
+    for (size_t k = 0; k < KEYS; k++) {
+        float angle = 6.2831853f * turns * (float)k / (float)(KEYS - 1) + phase;
+        nkw_vec3 wave = {0.2f * nkw_sin(angle), 0.1f * nkw_cos(angle), 0.3f * nkw_sin(angle + 1.0f)}, up = {0, 1, 0};
+        nkw_quat turn = nkw_quat_from_axis_angle(up, 2.0f * wave.x);
+        if (rotation)
+            memcpy(values + 4 * k, &turn, sizeof turn);
+        else
+            memcpy(values + 3 * k, &wave, sizeof wave);
+    }
+}
+
+static int draw(void **state)
+{
+    capture *c = &taken;
+    (void)state;
+    for (size_t k = 0; k < KEYS; k++)
+        c->times[k] = nkw_segment_uniform_time(0.0f, RATE, k);
+    for (size_t i = 0; i < TRACKS; i++) {
+        nkw_clip_target target = (nkw_clip_target)(i % 3);
+        int rotation = target == NKW_CLIP_ROTATION;
+        nkw_track track = {c->times,
+                           c->values[i],
+                           KEYS,
+                           rotation ? 4 : 3,
+                           rotation ? NKW_TRACK_ROTATION : NKW_TRACK_FLOATS,
+                           NKW_INTERPOLATION_LINEAR,
+                           NULL};
+        nkw_clip_track whole = {target, (uint32_t)(i / 3), track};
+        float room[8];
+        draw_values(i / 3, rotation, c->values[i]);
+        c->tracks[i] = c->own[i] = whole;
+        float rate = nkw_track_resample_within(&track, TOLERANCE, c->own_times[i], c->own_values[i], room,
+                                               &c->own[i].track);
+        assert_true(rate > 0.0f && rate < RATE);
+    }
+    return 0;
+}
+
+static nkw_clip_source source_of(const nkw_clip_track *tracks, nkw_clip_format format)
+{
+    nkw_clip_source source = {tracks, TRACKS, JOINTS, 0, NULL, NULL, format};
+    return source;
+}
+
+static nkw_clip *build(const nkw_clip_track *tracks, nkw_clip_format format)
+{
+    nkw_clip_source source = source_of(tracks, format);
+    size_t bytes;
+    const nkw_clip *clip;
+    assert_int_equal(nkw_clip_measure(&source, work, &bytes, NULL), NKW_OK);
+    void *block = malloc(bytes);
+    assert_non_null(block);
+    assert_int_equal(nkw_clip_build(&source, work, block, bytes, NULL), NKW_OK);
+    assert_int_equal(nkw_clip_open(block, bytes, &clip), NKW_OK);
+    return (nkw_clip *)block;
+}
+
+static void sampling_gives_the_bits_of_track_by_track(void **state)
+{
+    (void)state;
+    nkw_clip *clip = build(taken.own, NKW_CLIP_FLOAT32);
+    for (float time = -0.1f; time < 2.2f; time += 0.0371f) {
+        float pose[NKW_POSE_FLOATS(JOINTS)];
+        nkw_clip_sample(clip, time, NULL, pose, NULL);
+        for (size_t j = 0; j < JOINTS; j++) {
+            nkw_trs got = nkw_pose_get(pose, JOINTS, j);
+            float want[10], numbers[10];
+            nkw_track_sample(&taken.own[3 * j].track, time, want);
+            nkw_track_sample(&taken.own[3 * j + 1].track, time, want + 3);
+            nkw_track_sample(&taken.own[3 * j + 2].track, time, want + 7);
+            memcpy(numbers, &got, sizeof numbers);
+            expect_floats_bits(numbers, want, 10);
+        }
+    }
+    free(clip);
+}
+
+/* 16 bits add half a step of a range of 0.6 at most, and 1.75e-4 radians. */
+static void fewer_keys_keep_the_tolerance(void **state)
+{
+    (void)state;
+    for (int format = NKW_CLIP_FLOAT32; format <= NKW_CLIP_UNORM16; format++) {
+        float pose[NKW_POSE_FLOATS(JOINTS)];
+        nkw_clip *whole = build(taken.tracks, (nkw_clip_format)format);
+        nkw_clip *own = build(taken.own, (nkw_clip_format)format);
+        nkw_clip_source source = source_of(taken.tracks, NKW_CLIP_FLOAT32);
+        nkw_clip_error error = nkw_clip_difference(own, &source, pose, NULL);
+        assert_true(error.translation > 1e-5f && error.translation < TOLERANCE + 5e-6f);
+        assert_true(error.rotation > 1e-5f && error.rotation < TOLERANCE + 1.75e-4f);
+        assert_true(error.scale > 1e-5f && error.scale < TOLERANCE + 5e-6f);
+        printf("%s: %lu bytes, of fewer keys %lu: off by %.2g, %.2g radians\n", format ? "16 bits" : "floats",
+               (unsigned long)nkw_clip_bytes(whole), (unsigned long)nkw_clip_bytes(own), (double)error.translation,
+               (double)error.rotation);
+        assert_int_equal(nkw_clip_cursors(whole), 1);
+        assert_true(nkw_clip_cursors(own) > 1 && nkw_clip_cursors(own) <= 4);
+        assert_true(nkw_clip_bytes(own) < nkw_clip_bytes(whole) / 2);
+        free(whole);
+        free(own);
+    }
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(sampling_gives_the_bits_of_track_by_track),
+        cmocka_unit_test(fewer_keys_keep_the_tolerance),
+    };
+    return cmocka_run_group_tests_name("clip_rates", tests, draw, NULL);
+}
