@@ -72,9 +72,13 @@ static nkw_segment find(const nkw_clip *clip, const clip_timeline *line, float t
 static void hold(const nkw_clip *clip, const clip_group *g, const float *key, float *out, size_t stride)
 {
     int is_cubic = g->interpolation == NKW_INTERPOLATION_CUBICSPLINE;
-    size_t rows = clip_rows(g);
-    nkw_batch_selected()->clip_hold(key + (is_cubic ? rows * g->lanes : 0), rows, is_cubic ? rows : clip_key_rows(g),
-                                    (int)g->normalized, clip_blocks(clip, g), g->block_count, out, stride);
+    const float *values = key + (is_cubic ? clip_rows(g) * g->lanes : 0);
+    const nkw_block *blocks = clip_blocks(clip, g);
+    if (g->kind == GROUP_ROTATIONS)
+        nkw_batch_selected()->clip_quat_hold(values, is_cubic ? clip_rows(g) : clip_key_rows(g), (int)g->normalized,
+                                             blocks, g->block_count, out, stride);
+    else
+        nkw_batch_selected()->clip_hold(values, blocks, g->block_count, out);
 }
 
 static void cubic(const nkw_clip *clip, const clip_group *g, const float *a, const float *b, float duration, float t,

@@ -24,24 +24,23 @@ static inline nkw_quat_span rows_to(float *x, size_t stride)
     return span;
 }
 
-/* The lanes of `rows` rows, `apart` floats apart, to their places in components `stride` apart; two at a time. */
-static inline void scatter(const nkw_block *block, const float *from, size_t apart, size_t rows, float *out,
-                           size_t stride)
+/* Rotations in rows `apart` floats apart to their places in components `stride` apart; two at a time. */
+static inline void scatter(const nkw_block *block, const float *from, size_t apart, float *out, size_t stride)
 {
     const uint32_t *places = block->places;
     size_t i = 0;
     for (; i + 1 < block->count; i += 2) {
         float *to = out + places[i];
         if (places[i + 1] - places[i] == 1)
-            for (size_t row = 0; row < rows; row++)
+            for (size_t row = 0; row < 4; row++)
                 memcpy(to + row * stride, from + row * apart + i, 2 * sizeof *to);
         else
-            for (size_t row = 0; row < rows; row++) {
+            for (size_t row = 0; row < 4; row++) {
                 to[row * stride] = from[row * apart + i];
                 out[places[i + 1] + row * stride] = from[row * apart + i + 1];
             }
     }
-    for (size_t row = 0; i < block->count && row < rows; row++)
+    for (size_t row = 0; i < block->count && row < 4; row++)
         out[places[i] + row * stride] = from[row * apart + i];
 }
 
@@ -215,7 +214,7 @@ INLINE void slerp_blocks(const float *a, const float *b, lane_slerp_pace pace, c
         slerp_stretch(a + at, b + at, pace, direct ? out + blocks[k].places[0] : mixed, direct ? stride : NKW_BLOCK,
                       lanes);
         if (!direct)
-            scatter(&blocks[k], mixed, NKW_BLOCK, 4, out, stride);
+            scatter(&blocks[k], mixed, NKW_BLOCK, out, stride);
     }
 }
 
@@ -324,7 +323,7 @@ INLINE void slerp_pair_to(const pair16 *pair, const lane_compact_pace *pace, con
     else
         slerp_pair(pair, pace, o, apart, block->width);
     if (!direct)
-        scatter(block, mixed, NKW_BLOCK, 4, out, stride);
+        scatter(block, mixed, NKW_BLOCK, out, stride);
 }
 
 #define PAIRS 8 /* blocks that take each step together, so that no step waits for the divisions of the one before */
@@ -360,34 +359,52 @@ KERNEL(clip_slerp16)
     }
 }
 
-/* `words` floats to a value. Tangents are per second; times the duration they are per segment. */
-static inline void hermite_block(const float *a, const float *b, size_t words, float duration, float t, float *out,
-                                 size_t n)
+/*
+ * For t inside 0..1. A value has `words` floats. Tangents are per second: times the duration they are per segment, and
+ * turned where t is nearer to b.
+ */
+INLINE void hermite_lanes(const float *a, const float *b, size_t words, float duration, float t, float *out, size_t n)
 {
-    const float *p0 = a + words, *v0 = p0 + words, *v1 = b, *p1 = b + words;
+    int first = t < 0.5f;
+    float s = 1.0f - t, x = first ? t : s, y = first ? s : t, scale = first ? duration : -duration;
+    const float *left = a + words, *right = b + words;
+    const float *p = first ? left : right, *u = first ? left + words : b;
+    const float *q = first ? right : left, *v = first ? b : left + words;
 #pragma omp simd
     for (size_t i = 0; i < n; i++)
-        out[i] = nkw_hermite(p0[i], duration * v0[i], p1[i], duration * v1[i], t);
+        out[i] = lane_hermite_near(p[i], scale * u[i], q[i], scale * v[i], x, y);
 }
 
 KERNEL(clip_hermite)
 (const float *a, const float *b, size_t words, float duration, float t, const nkw_block *blocks, size_t block_count,
  float *out)
 {
-    for (size_t k = 0; k < block_count; k++, a += NKW_BLOCK, b += NKW_BLOCK) {
-        float lanes[NKW_BLOCK];
-        hermite_block(a, b, words, duration, t, lanes, blocks[k].width);
-        scatter_numbers(&blocks[k], lanes, out, blocks[k].width);
+    for (size_t k = 0, lanes; k < block_count; k += blocks_in(lanes)) {
+        float mixed[SCATTERED * NKW_BLOCK];
+        size_t at = k * NKW_BLOCK;
+        int direct = blocks[k].direct > 0;
+        lanes = lanes_together(blocks + k, block_count - k);
+        hermite_lanes(a + at, b + at, words, duration, t, direct ? out + blocks[k].places[0] : mixed, lanes);
+        if (!direct)
+            scatter_numbers(blocks + k, mixed, out, lanes);
     }
 }
 
-static inline void normalize_block(float *x, size_t width)
+INLINE void normalize_block(const float *x, float *out, size_t stride, size_t width)
 {
-    nkw_quat_span o = rows_to(x, width);
+    nkw_quat_span o = rows_to(out, stride);
     nkw_quat_view q = rows_of(x, width);
 #pragma omp simd
     for (size_t i = 0; i < width; i++)
         put_quat(o, i, lane_quat_normalize(at_quat(q, i)));
+}
+
+INLINE void quat_hermite_block(const float *a, const float *b, size_t words, float duration, float t, float *out,
+                               size_t stride, size_t width)
+{
+    float lanes[4 * NKW_BLOCK];
+    hermite_lanes(a, b, words, duration, t, lanes, 4 * width);
+    normalize_block(lanes, out, stride, width);
 }
 
 KERNEL(clip_quat_hermite)
@@ -395,47 +412,59 @@ KERNEL(clip_quat_hermite)
  float *out, size_t stride)
 {
     for (size_t k = 0; k < block_count; k++, a += 4 * NKW_BLOCK, b += 4 * NKW_BLOCK) {
-        float lanes[4 * NKW_BLOCK];
-        hermite_block(a, b, words, duration, t, lanes, 4 * (size_t)blocks[k].width);
-        normalize_block(lanes, blocks[k].width);
-        scatter(&blocks[k], lanes, blocks[k].width, 4, out, stride);
+        float mixed[4 * NKW_BLOCK];
+        int direct = blocks[k].direct > 0;
+        float *o = direct ? out + blocks[k].places[0] : mixed;
+        size_t apart = direct ? stride : NKW_BLOCK;
+        if (blocks[k].width == NKW_BLOCK)
+            quat_hermite_block(a, b, words, duration, t, o, apart, NKW_BLOCK);
+        else
+            quat_hermite_block(a, b, words, duration, t, o, apart, blocks[k].width);
+        if (!direct)
+            scatter(&blocks[k], mixed, NKW_BLOCK, out, stride);
     }
 }
 
-/* `rows` rows of a block to their places; a constant width is a few loads and stores. */
-INLINE void copy_rows(const float *from, size_t rows, float *out, size_t stride, size_t width)
+/* A block of rotations to its places; a constant width is a few loads and stores. */
+INLINE void copy_rows(const float *from, float *out, size_t stride, size_t width)
 {
-    for (size_t row = 0; row < rows; row++)
+    for (size_t row = 0; row < 4; row++)
         memcpy(out + row * stride, from + row * width, width * sizeof(float));
 }
 
-static inline void place(const nkw_block *block, const float *from, size_t rows, float *out, size_t stride)
+static inline void place(const nkw_block *block, const float *from, float *out, size_t stride)
 {
     const size_t width = block->width;
     float *to = out + block->places[0];
     if (!block->direct)
-        scatter(block, from, width, rows, out, stride);
+        scatter(block, from, width, out, stride);
     else if (width == NKW_BLOCK)
-        copy_rows(from, rows, to, stride, NKW_BLOCK);
+        copy_rows(from, to, stride, NKW_BLOCK);
     else
-        copy_rows(from, rows, to, stride, width);
+        copy_rows(from, to, stride, width);
 }
 
-/* A key's values as they are, `rows` rows of a lane among `key_rows` in a block; rotations normalised if asked. */
-KERNEL(clip_hold)
-(const float *key, size_t rows, size_t key_rows, int normalized, const nkw_block *blocks, size_t block_count,
- float *out, size_t stride)
+/* A key's values as they are. */
+KERNEL(clip_hold)(const float *key, const nkw_block *blocks, size_t block_count, float *out)
 {
-    for (size_t k = 0; k < block_count; k++, key += key_rows * NKW_BLOCK) {
+    for (size_t k = 0, lanes; k < block_count; k += blocks_in(lanes)) {
+        lanes = lanes_together(blocks + k, block_count - k);
+        if (blocks[k].direct)
+            memcpy(out + blocks[k].places[0], key + k * NKW_BLOCK, lanes * sizeof *out);
+        else
+            scatter_numbers(blocks + k, key + k * NKW_BLOCK, out, lanes);
+    }
+}
+
+/* Those of rotations, the first four of `rows` rows in a block; normalised if asked. */
+KERNEL(clip_quat_hold)
+(const float *key, size_t rows, int normalized, const nkw_block *blocks, size_t block_count, float *out, size_t stride)
+{
+    for (size_t k = 0; k < block_count; k++, key += rows * NKW_BLOCK) {
         size_t width = blocks[k].width;
-        float lanes[4 * NKW_BLOCK];
-        if (!normalized) {
-            place(&blocks[k], key, rows, out, stride);
-            continue;
-        }
-        for (size_t i = 0; i < 4 * width; i++)
-            lanes[i] = key[i];
-        normalize_block(lanes, width);
-        place(&blocks[k], lanes, 4, out, stride);
+        float unit[4 * NKW_BLOCK];
+        if (normalized)
+            normalize_block(key, unit, width, width);
+        place(&blocks[k], normalized ? unit : key, out, stride);
     }
 }

@@ -109,7 +109,8 @@ typedef struct blend_span {
     X(clip_quat_hermite, (const float *a, const float *b, size_t words, float duration, float t, const nkw_block *blocks, size_t block_count, float *out, size_t stride), (a, b, words, duration, t, blocks, block_count, out, stride)) \
     X(clip_lerp16, (const uint16_t *a, const uint16_t *b, const float *base, const float *step, float t, const nkw_block *blocks, size_t block_count, float *out), (a, b, base, step, t, blocks, block_count, out)) \
     X(clip_slerp16, (const uint16_t *a, const uint16_t *b, const float *base, const float *step, float t, const nkw_block *blocks, size_t block_count, float *out, size_t stride), (a, b, base, step, t, blocks, block_count, out, stride)) \
-    X(clip_hold, (const float *key, size_t rows, size_t key_rows, int normalized, const nkw_block *blocks, size_t block_count, float *out, size_t stride), (key, rows, key_rows, normalized, blocks, block_count, out, stride)) \
+    X(clip_hold, (const float *key, const nkw_block *blocks, size_t block_count, float *out), (key, blocks, block_count, out)) \
+    X(clip_quat_hold, (const float *key, size_t rows, int normalized, const nkw_block *blocks, size_t block_count, float *out, size_t stride), (key, rows, normalized, blocks, block_count, out, stride)) \
     X(quat_mix, (nkw_quat_view a, nkw_quat_view b, const float *t, nkw_quat_span out, size_t n), (a, b, t, out, n)) \
     X(blend_chord, (blend_rows a, blend_rows b, float t, blend_span out, int n), (a, b, t, out, n)) \
     X(blend_nlerp, (blend_rows a, blend_rows b, float t, int used, blend_span out, int n), (a, b, t, used, out, n)) \

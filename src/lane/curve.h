@@ -7,6 +7,13 @@
 
 #include <nakawari/curve.h>
 
+/* nkw_hermite inside 0..1 from the nearer end, a: x is the way from there, y = 1 - x; b and v are the far end's. */
+static inline float lane_hermite_near(float a, float u, float b, float v, float x, float y)
+{
+    float f = b - a;
+    return a + x * (f + y * (y * (u - f) - x * (v - f)));
+}
+
 static inline nkw_weights lane_hermite_weights(float t)
 {
     float s = 1.0f - t;

@@ -5,7 +5,7 @@ cmake_minimum_required(VERSION 3.25)
 set(fours palette_4x4 palette_3x4 skin_blend skin_blend_normals skin_blend_dual_quats models_from_locals)
 set(packed_fours "v?(mul|add)ps .*%[xy]mm")
 set(moves vec3_unpack vec3_pack quat_unpack quat_pack mat4_unpack mat4_pack quat_conjugate
-  skin_read skin_write crowd_from_poses crowd_to_matrices)
+  clip_hold skin_read skin_write crowd_from_poses crowd_to_matrices)
 set(packed_generic "(mul|add|sub|div|sqrt)p[sd] .*%xmm")
 set(packed_avx2 "v(mul|add|sub|div|sqrt)p[sd] .*%ymm")
 set(packed_avx512 "v(mul|add|sub|div|sqrt)p[sd] .*%zmm")
