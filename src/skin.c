@@ -142,12 +142,21 @@ static skin_stream stream_at(nkw_vec3_stream in, nkw_vec3_stream_span out, size_
     return r;
 }
 
+/* What a pass over the influences moves: positions or none, and one kind of directions or none. */
+static void run_pass(const plan *p, const skin_influences *f, const nkw_mat4 *palette, const skin_stream *positions,
+                     const skin_stream *directions, size_t from, size_t n)
+{
+    if (positions->in_stride || directions->in_stride)
+        p->batch->skin_pairs(f, palette, positions, directions, p->raw, p->vertices - from - n, n);
+}
+
 /*
- * Positions and normals by one matrix, which stays in registers. Weights that are not floats are made so, a block at a
- * time.
+ * Positions and normals by one matrix, which stays in registers; tangents and bitangents by the same once more. Weights
+ * that are not floats are made so, a block at a time.
  */
 static void run_pairs(const plan *p, const nkw_mat4 *palette, const nkw_vertices *in, const nkw_vertices_span *out)
 {
+    const skin_stream none = {NULL, NULL, 0, 0};
     skin_influences f = {p->joints, p->weights, p->influences, p->limit};
     int decoded = p->influences && p->weights.format != NKW_SKIN_F32;
     size_t n = p->vertices;
@@ -158,6 +167,8 @@ static void run_pairs(const plan *p, const nkw_mat4 *palette, const nkw_vertices
     for (size_t from = 0; from < p->vertices; from += n) {
         skin_stream positions = stream_at(in->positions, out->positions, from);
         skin_stream normals = stream_at(in->normals, out->normals, from);
+        skin_stream tangents = stream_at(in->tangents, out->tangents, from);
+        skin_stream bitangents = stream_at(in->bitangents, out->bitangents, from);
         if (decoded) {
             nkw_skin_view joints = {b.joint, 4 * p->influences, NKW_SKIN_U32};
             nkw_skin_view weights = {b.weight, 4 * p->influences, NKW_SKIN_F32};
@@ -165,13 +176,10 @@ static void run_pairs(const plan *p, const nkw_mat4 *palette, const nkw_vertices
             decode_block(p, from, n, &b);
             f.joints = joints, f.weights = weights;
         }
-        p->batch->skin_pairs(&f, palette, &positions, &normals, p->raw, p->vertices - from - n, n);
+        run_pass(p, &f, palette, &positions, &normals, from, n);
+        run_pass(p, &f, palette, &none, &tangents, from, n);
+        run_pass(p, &f, palette, &none, &bitangents, from, n);
     }
-}
-
-static int is_pair(const nkw_vertices *in, const nkw_vertices_span *out)
-{
-    return !(in->tangents.data && out->tangents.data) && !(in->bitangents.data && out->bitangents.data);
 }
 
 static void run_streams(const plan *p, const transforms *t, const nkw_vertices *in, const nkw_vertices_span *out)
@@ -206,7 +214,7 @@ void nkw_skin_linear(const nkw_skin *skin, const nkw_skin_palette *palette, cons
 {
     plan p = plan_of(skin, palette->joints, palette->raw_directions);
     transforms t = {palette, NULL};
-    if (!palette->normals && is_pair(in, out))
+    if (!palette->normals)
         run_pairs(&p, palette->matrices, in, out);
     else
         run_streams(&p, &t, in, out);

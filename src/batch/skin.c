@@ -13,27 +13,40 @@
 
 /* The formats and the usual count are constants in the loops that these are inlined into. */
 
-static inline void read_weights(skin_block *b, const unsigned char *data, size_t stride, nkw_skin_format format,
-                                size_t k, size_t n)
+/* n elements of `size` bytes one behind the other: where they lie if they do so, else copied to `tight`. */
+INLINE const unsigned char *gather(const unsigned char *data, size_t stride, size_t size, unsigned char *tight, size_t n)
 {
-    size_t size = lane_skin_format_size(format), run = stride == size * k ? n * k : k;
-    for (size_t at = 0; at < n * k; at += run, data += stride)
-        for (size_t e = 0; e < run; e++)
-            b->weight[at + e] = lane_skin_weight(data + e * size, format);
+    if (stride == size)
+        return data;
+    for (size_t i = 0; i < n; i++, data += stride)
+        memcpy(tight + i * size, data, size);
+    return tight;
+}
+
+INLINE void read_weights(skin_block *b, const nkw_skin_view *weights, nkw_skin_format format, size_t k, size_t n)
+{
+    unsigned char tight[4 * NKW_SKIN_INFLUENCES * SKIN_BLOCK];
+    const size_t size = lane_skin_format_size(format);
+    const unsigned char *data = (const unsigned char *)weights->data;
+    data = gather(data, weights->stride, size * k, tight, n);
+    for (size_t e = 0; e < n * k; e++)
+        b->weight[e] = lane_skin_weight(data + e * size, format);
 }
 
 /* A joint that the palette has not becomes joint 0 of weight 0. */
-static inline void read_joints(skin_block *b, const unsigned char *data, size_t stride, nkw_skin_format format,
-                               uint32_t joints, size_t k, size_t n)
+INLINE void read_joints(skin_block *b, const nkw_skin_view *joints, nkw_skin_format format, uint32_t limit, size_t k,
+                        size_t n)
 {
-    size_t size = lane_skin_format_size(format), run = stride == size * k ? n * k : k;
-    for (size_t at = 0; at < n * k; at += run, data += stride)
-        for (size_t e = 0; e < run; e++) {
-            uint32_t joint = lane_skin_joint(data + e * size, format);
-            float weight = b->weight[at + e];
-            b->joint[at + e] = joint < joints ? joint : 0;
-            b->weight[at + e] = joint < joints ? weight : 0.0f;
-        }
+    unsigned char tight[4 * NKW_SKIN_INFLUENCES * SKIN_BLOCK];
+    const size_t size = lane_skin_format_size(format);
+    const unsigned char *data = (const unsigned char *)joints->data;
+    data = gather(data, joints->stride, size * k, tight, n);
+    for (size_t e = 0; e < n * k; e++) {
+        uint32_t joint = lane_skin_joint(data + e * size, format);
+        float weight = b->weight[e];
+        b->joint[e] = joint < limit ? joint : 0;
+        b->weight[e] = joint < limit ? weight : 0.0f;
+    }
 }
 
 static inline void find_moved(skin_block *b, size_t k, size_t n)
@@ -46,22 +59,21 @@ static inline void find_moved(skin_block *b, size_t k, size_t n)
     }
 }
 
-static inline void decode(skin_block *b, const nkw_skin_view *joints, uint32_t limit, const nkw_skin_view *weights,
-                          size_t k, size_t n)
+INLINE void decode(skin_block *b, const nkw_skin_view *joints, uint32_t limit, const nkw_skin_view *weights, size_t k,
+                   size_t n)
 {
-    const unsigned char *w = (const unsigned char *)weights->data, *j = (const unsigned char *)joints->data;
     if (weights->format == NKW_SKIN_U8)
-        read_weights(b, w, weights->stride, NKW_SKIN_U8, k, n);
+        read_weights(b, weights, NKW_SKIN_U8, k, n);
     else if (weights->format == NKW_SKIN_U16)
-        read_weights(b, w, weights->stride, NKW_SKIN_U16, k, n);
+        read_weights(b, weights, NKW_SKIN_U16, k, n);
     else
-        read_weights(b, w, weights->stride, NKW_SKIN_F32, k, n);
+        read_weights(b, weights, NKW_SKIN_F32, k, n);
     if (joints->format == NKW_SKIN_U8)
-        read_joints(b, j, joints->stride, NKW_SKIN_U8, limit, k, n);
+        read_joints(b, joints, NKW_SKIN_U8, limit, k, n);
     else if (joints->format == NKW_SKIN_U16)
-        read_joints(b, j, joints->stride, NKW_SKIN_U16, limit, k, n);
+        read_joints(b, joints, NKW_SKIN_U16, limit, k, n);
     else
-        read_joints(b, j, joints->stride, NKW_SKIN_U32, limit, k, n);
+        read_joints(b, joints, NKW_SKIN_U32, limit, k, n);
     find_moved(b, k, n);
     for (size_t e = n * k; e < (n + 3) / 4 * 4 * k; e++)
         b->joint[e] = 0, b->weight[e] = 0.0f;
