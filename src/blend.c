@@ -139,13 +139,6 @@ void nkw_pose_blend_slerp(const float *a, const float *b, size_t joints, float t
 
 /* many poses */
 
-/* Orders numbers by their bits. */
-static int compare_floats(float a, float b)
-{
-    uint32_t x = lane_bits(a), y = lane_bits(b);
-    return x < y ? -1 : x > y;
-}
-
 /* The layers of the largest weight below another one: how many, and the first of them. */
 typedef struct peers {
     float weight;
@@ -166,39 +159,92 @@ static peers peers_below(const nkw_pose_layer *layers, size_t count, float weigh
     return r;
 }
 
-/* Joint j's own numbers, rotation first: it is the least likely to be equal. */
-static int compare_joints(const float *a, const float *b, size_t stride, size_t j)
+static int is_peer(const nkw_pose_layer *layer, const peers *g)
 {
-    static const unsigned char arrays[10] = {3, 4, 5, 6, 0, 1, 2, 7, 8, 9};
-    int order = 0;
-    for (size_t c = 0; order == 0 && a != b && c < 10; c++)
-        order = compare_floats(a[arrays[c] * stride + j], b[arrays[c] * stride + j]);
-    return order;
+    return weight_of(layer->weight) == g->weight;
 }
 
-static float mask_at(const nkw_pose_layer *layer, size_t j)
+static void copy_rows(blend_rows from, blend_span to, size_t n)
 {
-    return layer->mask ? lane_mask(layer->mask[j]) : 1.0f;
+    for (size_t c = 0; c < 10; c++)
+        memmove(to.at + c * to.stride, from.at + c * from.stride, n * sizeof(float));
 }
 
-/* Whether layer i is added before k, its peer, at joint j. Where all is the same either order is as good. */
-static int is_before(const nkw_pose_layer *layers, size_t i, size_t k, size_t stride, size_t j)
+/* Of so many layers of one weight the order is kept; of more it is worked out for every turn. */
+#define RANKED 8
+
+/*
+ * Layers of one weight take turns, joint by joint in an order that follows from the joint's own numbers: `layer` has
+ * the layers by turn. A turn's pose lasts until the third one after it.
+ */
+typedef struct turns {
+    uint32_t rank[RANKED][BLEND_BLOCK], layer[RANKED][BLEND_BLOCK];
+    float pose[3][10 * BLEND_BLOCK], weight[BLEND_BLOCK];
+} turns;
+
+/* Layers i and k, of which i is the first in the caller's array. */
+static void rank_pair(const nkw_pose_layer *layers, const peers *g, size_t i, size_t k, const part *p, uint32_t *rank_i,
+                      uint32_t *rank_k)
 {
-    int order = compare_floats(mask_at(&layers[i], j), mask_at(&layers[k], j));
-    order = order ? order : compare_joints(layers[i].pose, layers[k].pose, stride, j);
-    return order < 0 || (order == 0 && i < k);
+    float at_i[BLEND_BLOCK], at_k[BLEND_BLOCK];
+    weigh(g->weight, layers[i].mask, p, at_i);
+    weigh(g->weight, layers[k].mask, p, at_k);
+    nkw_batch_selected()->blend_rank(rows_of(layers[i].pose, p), rows_of(layers[k].pose, p), at_i, at_k, rank_i, rank_k,
+                                     (int)p->n);
 }
 
-/* Joint j's next one of the peers: after `last`, or the first of all after `count`. */
-static size_t next_peer(const nkw_pose_layer *layers, size_t count, const peers *g, size_t last, size_t stride,
-                        size_t j)
+static void order_all(turns *s, const nkw_pose_layer *layers, size_t count, const peers *g, const part *p)
 {
-    size_t next = count;
+    size_t peer[RANKED], n = 0;
     for (size_t i = g->first; i < count; i++)
-        if (weight_of(layers[i].weight) == g->weight && (last == count || is_before(layers, last, i, stride, j)) &&
-            (next == count || is_before(layers, i, next, stride, j)))
-            next = i;
-    return next;
+        if (is_peer(&layers[i], g))
+            peer[n++] = i;
+    memset(s->rank, 0, sizeof s->rank);
+    for (size_t i = 0; i < n; i++)
+        for (size_t k = i + 1; k < n; k++)
+            rank_pair(layers, g, peer[i], peer[k], p, s->rank[i], s->rank[k]);
+    for (size_t i = 0; i < n; i++)
+        for (size_t j = 0; j < p->n; j++)
+            s->layer[s->rank[i][j]][j] = (uint32_t)peer[i];
+}
+
+static void order_turn(turns *s, const nkw_pose_layer *layers, size_t count, const peers *g, uint32_t turn,
+                       const part *p)
+{
+    uint32_t *rank = s->rank[0], *other = s->rank[1];
+    memset(other, 0, sizeof s->rank[1]);
+    for (size_t i = g->first; i < count; i++) {
+        if (!is_peer(&layers[i], g))
+            continue;
+        memset(rank, 0, sizeof s->rank[0]);
+        for (size_t k = g->first; k < count; k++)
+            if (k != i && is_peer(&layers[k], g))
+                rank_pair(layers, g, k < i ? k : i, k < i ? i : k, p, k < i ? other : rank, k < i ? rank : other);
+        for (size_t j = 0; j < p->n; j++)
+            if (rank[j] == turn)
+                s->layer[0][j] = (uint32_t)i;
+    }
+}
+
+/* Gives the pose of the joints whose turn it is; their weights are s->weight. */
+static blend_rows take_turn(turns *s, const nkw_pose_layer *layers, size_t count, const peers *g, uint32_t turn,
+                            const part *p)
+{
+    float *out = s->pose[turn % 3];
+    blend_rows pose = {out, p->n};
+    const uint32_t *layer = s->layer[g->count > RANKED ? 0 : turn];
+    if (g->count > RANKED)
+        order_turn(s, layers, count, g, turn, p);
+    else if (turn == 0)
+        order_all(s, layers, count, g, p);
+    for (size_t j = 0; j < p->n; j++) {
+        const nkw_pose_layer *from = &layers[layer[j]];
+        const float *at = from->pose + p->from + j, *mask = from->mask;
+        s->weight[j] = j < p->used ? g->weight * (mask ? lane_mask(mask[p->from + j]) : 1.0f) : 0.0f;
+        for (size_t c = 0; c < 10; c++)
+            out[c * p->n + j] = at[c * p->stride];
+    }
+    return pose;
 }
 
 /* What the rest pose has to make up for, which may be the most of all; all, where there is nothing else. */
@@ -209,15 +255,9 @@ static float missing(double total, float threshold)
     return total == 0.0 ? 1.0f : (float)short_of;
 }
 
-static void copy_rows(blend_rows from, blend_span to, size_t n)
-{
-    for (size_t c = 0; c < 10; c++)
-        memmove(to.at + c * to.stride, from.at + c * from.stride, n * sizeof(float));
-}
-
 /*
- * Layers without masks, no two of one weight: sum = lerp(sum, pose, weight / (total + weight)), one pose behind, for
- * with the last one the rotations are normalised in the same loop. The sum begins as the first pose where it lies.
+ * Layers without masks: sum = lerp(sum, pose, weight / (total + weight)), one pose behind, for with the last one the
+ * rotations are normalised in the same loop. The sum begins as the first pose where it lies.
  */
 typedef struct plain_sum {
     float v[10 * BLEND_BLOCK];
@@ -226,9 +266,8 @@ typedef struct plain_sum {
     float t;
 } plain_sum;
 
-static void add_plain(plain_sum *s, const float *pose, float weight, const part *p)
+static void add_plain(plain_sum *s, blend_rows rows, float weight, const part *p)
 {
-    blend_rows rows = rows_of(pose, p);
     blend_span v = {s->v, p->n};
     float t = lane_share(weight, (float)s->total);
     s->total = s->total + (double)weight;
@@ -244,24 +283,31 @@ static void add_plain(plain_sum *s, const float *pose, float weight, const part 
     s->last = rows;
 }
 
-/* Gives whether it could: without masks, and no two of one weight. */
-static int blend_plain(const nkw_pose_layer *layers, size_t count, const float *rest, float threshold, const part *p,
-                       float *out)
+static int has_mask(const nkw_pose_layer *layers, size_t count)
+{
+    int any = 0;
+    for (size_t i = 0; i < count; i++)
+        any |= layers[i].mask && weight_of(layers[i].weight) > 0.0f;
+    return any;
+}
+
+static void blend_plain(const nkw_pose_layer *layers, size_t count, const float *rest, float threshold, const part *p,
+                        float *out)
 {
     plain_sum s;
+    turns t;
     s.total = 0.0;
     s.t = 0.0f;
-    for (peers g = peers_below(layers, count, ABOVE_ALL); g.count; g = peers_below(layers, count, g.weight)) {
-        if (g.count > 1 || layers[g.first].mask)
-            return 0;
-        add_plain(&s, layers[g.first].pose, g.weight, p);
-    }
-    add_plain(&s, rest, missing(s.total, threshold), p);
+    for (peers g = peers_below(layers, count, ABOVE_ALL); g.count; g = peers_below(layers, count, g.weight))
+        for (uint32_t turn = 0; turn < g.count; turn++) {
+            blend_rows alone = rows_of(layers[g.first].pose, p);
+            add_plain(&s, g.count > 1 ? take_turn(&t, layers, count, &g, turn, p) : alone, g.weight, p);
+        }
+    add_plain(&s, rows_of(rest, p), missing(s.total, threshold), p);
     if (s.t > 0.0f)
         nkw_batch_selected()->blend_nlerp(s.sum, s.last, s.t, (int)p->used, rows_span(out, p), (int)p->n);
     else
         copy_rows(s.sum, rows_span(out, p), p->n);
-    return 1;
 }
 
 /*
@@ -271,64 +317,40 @@ static int blend_plain(const nkw_pose_layer *layers, size_t count, const float *
 typedef struct masked_sum {
     float v[10 * BLEND_BLOCK];
     double total[BLEND_BLOCK];
-    float mixed[BLEND_BLOCK], weight[BLEND_BLOCK], t[BLEND_BLOCK];
+    float mixed[BLEND_BLOCK], t[BLEND_BLOCK];
     int begun;
 } masked_sum;
 
-/* Adds a pose by the weights in s->weight. */
-static void add_masked(masked_sum *s, const float *pose, const part *p)
+/* Adds a pose by its joints' weights. */
+static void add_masked(masked_sum *s, blend_rows rows, const float *weight, const part *p)
 {
     const nkw_batch *batch = nkw_batch_selected();
-    nkw_trs_view sum = nkw_pose_view(s->v, p->n), to = view_of(pose, p);
-    nkw_trs_span out = nkw_pose_span(s->v, p->n);
-    blend_span rows = {s->v, p->n};
-    batch->blend_share(s->weight, s->total, s->mixed, s->t, p->n);
-    if (s->begun) {
-        batch->vec3_lerp(sum.translation, to.translation, s->t, out.translation, p->n);
-        batch->quat_mix(sum.rotation, to.rotation, s->t, out.rotation, p->n);
-        batch->vec3_lerp(sum.scale, to.scale, s->t, out.scale, p->n);
-    } else {
-        copy_rows(rows_of(pose, p), rows, p->n);
-    }
+    blend_span v = {s->v, p->n};
+    batch->blend_share(weight, s->total, s->mixed, s->t, p->n);
+    if (s->begun)
+        batch->blend_mix(rows, s->t, v, (int)p->n);
+    else
+        copy_rows(rows, v, p->n);
     s->begun = 1;
-}
-
-/* Layers of one weight: each joint takes them in an order of its own, which follows from its own numbers. */
-static void add_peers(masked_sum *s, const nkw_pose_layer *layers, size_t count, const peers *g, const part *p)
-{
-    float turn[10 * BLEND_BLOCK];
-    size_t last[BLEND_BLOCK];
-    part here = {p->n, p->n, 0, p->used, p->n};
-    memset(turn, 0, sizeof turn);
-    for (size_t i = 0; i < p->n; i++)
-        last[i] = count;
-    for (size_t k = 0; k < g->count; k++) {
-        for (size_t i = 0; i < p->used; i++) {
-            size_t j = p->from + i, layer = next_peer(layers, count, g, last[i], p->stride, j);
-            last[i] = layer;
-            s->weight[i] = g->weight * mask_at(&layers[layer], j);
-            for (size_t c = 0; c < 10; c++)
-                turn[c * p->n + i] = layers[layer].pose[c * p->stride + j];
-        }
-        add_masked(s, turn, &here);
-    }
 }
 
 static void add_rest(masked_sum *s, const float *rest, float threshold, const part *p)
 {
+    float weight[BLEND_BLOCK];
     int any = 0;
     for (size_t i = 0; i < p->n; i++) {
-        s->weight[i] = missing(s->total[i], threshold);
-        any |= i < p->used && s->weight[i] > 0.0f;
+        weight[i] = missing(s->total[i], threshold);
+        any |= i < p->used && weight[i] > 0.0f;
     }
     if (any)
-        add_masked(s, rest, p);
+        add_masked(s, rows_of(rest, p), weight, p);
 }
 
 static void blend_with_masks(const nkw_pose_layer *layers, size_t count, const float *rest, float threshold,
                              const part *p, float *out)
 {
     masked_sum s;
+    turns t;
     float unit[4][BLEND_BLOCK];
     nkw_quat_span units = {unit[0], unit[1], unit[2], unit[3]};
     blend_rows sum = {s.v, p->n};
@@ -336,11 +358,14 @@ static void blend_with_masks(const nkw_pose_layer *layers, size_t count, const f
     memset(s.mixed, 0, sizeof s.mixed);
     s.begun = 0;
     for (peers g = peers_below(layers, count, ABOVE_ALL); g.count; g = peers_below(layers, count, g.weight)) {
-        weigh(g.weight, layers[g.first].mask, p, s.weight);
-        if (g.count > 1)
-            add_peers(&s, layers, count, &g, p);
-        else
-            add_masked(&s, layers[g.first].pose, p);
+        float weight[BLEND_BLOCK];
+        weigh(g.weight, layers[g.first].mask, p, weight);
+        if (g.count == 1)
+            add_masked(&s, rows_of(layers[g.first].pose, p), weight, p);
+        for (uint32_t turn = 0; g.count > 1 && turn < g.count; turn++) {
+            blend_rows pose = take_turn(&t, layers, count, &g, turn, p);
+            add_masked(&s, pose, t.weight, p);
+        }
     }
     add_rest(&s, rest, threshold, p);
     nkw_batch_selected()->quat_settle(nkw_pose_view(s.v, p->n).rotation, (int)p->used, units, (int)p->n);
@@ -356,8 +381,10 @@ void nkw_pose_blend_layers(const nkw_pose_layer *layers, size_t count, const flo
 {
     for (size_t from = 0; from < NKW_POSE_STRIDE(joints); from += BLEND_BLOCK) {
         part p = part_at(joints, from);
-        if (!blend_plain(layers, count, rest, threshold, &p, out))
+        if (has_mask(layers, count))
             blend_with_masks(layers, count, rest, threshold, &p, out);
+        else
+            blend_plain(layers, count, rest, threshold, &p, out);
     }
 }
 

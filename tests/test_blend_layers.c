@@ -63,6 +63,39 @@ static void the_order_of_layers_changes_no_bit(void **state)
     expect_any_order(b);
 }
 
+/* More than the library keeps the order of, some of them the same; turned round step by step, and backwards. */
+static void many_layers_of_one_weight_may_come_in_any_order(void **state)
+{
+    (void)state;
+    enum { MANY = 11 };
+    bed *b = make_bed(15), *more;
+    static bed other;
+    nkw_pose_layer layers[MANY];
+    other = *b;
+    more = make_bed(16);
+    for (int masked = 0; masked < 2; masked++) {
+        for (size_t i = 0; i < MANY; i++) {
+            nkw_pose_layer layer = {i < 5 ? more->poses[i] : other.poses[i % 5], 0.25f, NULL};
+            layer.mask = masked && i % 3 ? more->masks[i % 5] : NULL;
+            layers[i] = layer;
+        }
+        nkw_pose_blend_layers(layers, MANY, more->rest, JOINTS, 0.1f, more->want);
+        for (size_t step = 0; step < 2 * MANY; step++) {
+            nkw_pose_layer turned[MANY];
+            for (size_t i = 0; i < MANY; i++)
+                turned[i] = layers[(step < MANY ? i + step : 3 * MANY - i - step) % MANY];
+            nkw_pose_blend_layers(turned, MANY, more->rest, JOINTS, 0.1f, more->out);
+            expect_poses_bits(more->out, more->want);
+        }
+        for (size_t j = 0; j < JOINTS && !masked; j++) {
+            double mean = 0;
+            for (size_t i = 0; i < MANY; i++)
+                mean += (double)layers[i].pose[j] / MANY;
+            expect_near(more->out[j], mean, 1e-5);
+        }
+    }
+}
+
 /* Of equal weights too, with masks and without: all other joints of all layers change, and joint 7 keeps its bits. */
 static void a_joints_result_depends_on_that_joint_alone(void **state)
 {
@@ -263,6 +296,7 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(the_order_of_layers_changes_no_bit),
+        cmocka_unit_test(many_layers_of_one_weight_may_come_in_any_order),
         cmocka_unit_test(a_joints_result_depends_on_that_joint_alone),
         cmocka_unit_test(layers_give_the_weighted_mean_and_the_rest_pose_what_is_missing),
         cmocka_unit_test(two_layers_are_the_blend_of_two_from_the_heavier),

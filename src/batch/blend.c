@@ -5,13 +5,6 @@
 #include "batch/table.h"
 #include "lane/blend.h"
 
-KERNEL(quat_mix)(nkw_quat_view a, nkw_quat_view b, const float *t, nkw_quat_span out, size_t n)
-{
-#pragma omp simd
-    for (size_t i = 0; i < n; i++)
-        put_quat(out, i, lane_quat_mix(at_quat(a, i), at_quat(b, i), t[i]));
-}
-
 static inline void settle(nkw_quat_view v, nkw_quat_span out, size_t n)
 {
 #pragma omp simd
@@ -224,6 +217,53 @@ KERNEL(blend_each)(blend_rows a, blend_rows b, const float *t, int used, blend_s
     for (int i = 0; i < n; i++)
         put_quat(r, (size_t)i, lane_quat_nlerp(at_joint(p, i), at_joint(q, i), t[i]));
     lerps_each(vectors_of(a, 7), vectors_of(b, 7), t, vector_span(out, 7), n);
+}
+
+/* sum becomes its lerp to a pose by a t for each joint, rotations as chords. */
+KERNEL(blend_mix)(blend_rows to, const float *t, blend_span sum, int n)
+{
+    const blend_rows from = {sum.at, sum.stride};
+    nkw_quat_view p = rotations_of(from), q = rotations_of(to);
+    nkw_quat_span r = rotation_span(sum);
+    lerps_each(vectors_of(from, 0), vectors_of(to, 0), t, vector_span(sum, 0), n);
+#pragma omp simd
+    for (int i = 0; i < n; i++)
+        put_quat(r, (size_t)i, lane_quat_mix(at_quat(p, (size_t)i), at_quat(q, (size_t)i), t[i]));
+    lerps_each(vectors_of(from, 7), vectors_of(to, 7), t, vector_span(sum, 7), n);
+}
+
+/* Whether b's bits come before a's, as whole numbers; `equal` where they are the same. */
+static inline uint32_t comes_before(float b, float a, uint32_t equal)
+{
+    uint32_t x = lane_bits(a), y = lane_bits(b);
+    return (uint32_t)(y < x) | ((uint32_t)(y == x) & equal);
+}
+
+static inline uint32_t vec3_comes_before(nkw_vec3 b, nkw_vec3 a, uint32_t equal)
+{
+    return comes_before(b.x, a.x, comes_before(b.y, a.y, comes_before(b.z, a.z, equal)));
+}
+
+/*
+ * Counts which of two layers of one weight is added before the other: by the joint's own weights, then by its numbers,
+ * rotation first; a where all is the same.
+ */
+KERNEL(blend_rank)
+(blend_rows a, blend_rows b, const float *wa, const float *wb, uint32_t *rank_a, uint32_t *rank_b, int n)
+{
+    const nkw_quat_view p = rotations_of(a), q = rotations_of(b);
+    const nkw_vec3_view ta = vectors_of(a, 0), tb = vectors_of(b, 0), sa = vectors_of(a, 7), sb = vectors_of(b, 7);
+#pragma omp simd
+    for (int i = 0; i < n; i++) {
+        const size_t k = (size_t)i;
+        uint32_t r = vec3_comes_before(at_vec3(sb, k), at_vec3(sa, k), 0u);
+        r = vec3_comes_before(at_vec3(tb, k), at_vec3(ta, k), r);
+        r = comes_before(q.z[i], p.z[i], comes_before(q.w[i], p.w[i], r));
+        r = comes_before(q.x[i], p.x[i], comes_before(q.y[i], p.y[i], r));
+        r = comes_before(wb[i], wa[i], r);
+        rank_a[i] += r;
+        rank_b[i] += 1u - r;
+    }
 }
 
 /* mixed becomes 1 where more than one pose has a part, 0 where one alone has all. */
