@@ -24,7 +24,8 @@ struct poses {
     float weights[most];
 };
 
-static std::shared_ptr<poses> draw(size_t joints)
+/* even: all of one weight. */
+static std::shared_ptr<poses> draw(size_t joints, bool even)
 {
     auto p = std::make_shared<poses>();
     p->joints = joints;
@@ -41,7 +42,7 @@ static std::shared_ptr<poses> draw(size_t joints)
         }
         p->block[k].resize(NKW_POSE_FLOATS(joints));
         nkw_pose_from_trs(p->trs[k].data(), joints, p->block[k].data());
-        p->weights[k] = 0.5f - 0.05f * static_cast<float>(k);
+        p->weights[k] = even ? 0.25f : 0.5f - 0.05f * static_cast<float>(k);
         p->layers[k] = {p->block[k].data(), p->weights[k], nullptr};
     }
     return p;
@@ -299,12 +300,13 @@ static void additive(std::shared_ptr<poses> p)
 
 static const suite all([] {
     for (size_t joints : {10u, 67u, 256u, 1000u}) {
-        auto p = draw(joints);
+        auto p = draw(joints, false);
         two(p, false);
         two(p, true);
         two_by_slerp(p);
         many(p, 4, "four");
         many(p, 8, "eight");
+        many(draw(joints, true), 4, "four of one weight");
         additive(p);
     }
 });

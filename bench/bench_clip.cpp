@@ -77,18 +77,20 @@ static void rows(const char *name, std::shared_ptr<scene> s, size_t size, asking
     op.elements = s->joints;
     row(op, "nkw", s, how,
         [](scene &x, float time) { nkw_clip_sample(x.clip(0), time, x.cursors.data(), x.pose.data(), nullptr); });
-    row(op, "nkw 16 bits", s, how,
-        [](scene &x, float time) { nkw_clip_sample(x.clip(1), time, x.cursors.data(), x.pose.data(), nullptr); });
+    if (s->mode == NKW_INTERPOLATION_LINEAR)
+        row(op, "nkw 16 bits", s, how,
+            [](scene &x, float time) { nkw_clip_sample(x.clip(1), time, x.cursors.data(), x.pose.data(), nullptr); });
     /* Track by track, each with its own search: the reference, not a rival. */
     row(op, "nkw tracks", s, how, [](scene &x, float time) {
         for (size_t j = 0; j < x.joints; j++)
             put(x, j, x.joint_at(j, time));
     });
 #ifdef BENCH_GLM
-    row(op, "upper_bound, glm", s, how, [](scene &x, float time) {
-        for (size_t j = 0; j < x.joints; j++)
-            put(x, j, joint_by_hand(x, j, time));
-    });
+    if (s->mode == NKW_INTERPOLATION_LINEAR)
+        row(op, "upper_bound, glm", s, how, [](scene &x, float time) {
+            for (size_t j = 0; j < x.joints; j++)
+                put(x, j, joint_by_hand(x, j, time));
+        });
 #endif
 }
 
@@ -98,6 +100,8 @@ static const suite all([] {
         for (asking how : askings)
             rows("pose by joints", s, joints, how);
     }
+    rows("CUBICSPLINE pose by joints", draw_scene(67, 301, NKW_INTERPOLATION_CUBICSPLINE), 67, asking::onward);
+    rows("STEP pose by joints", draw_scene(67, 301, NKW_INTERPOLATION_STEP), 67, asking::onward);
     for (size_t keys : {2u, 16u, 301u, 4096u, 100000u}) {
         auto s = draw_scene(16, keys);
         for (asking how : askings)

@@ -324,6 +324,35 @@ static void two_passes(const operation &all, std::shared_ptr<weighted> w)
     }
 }
 
+/* The ways to the positions as tangents. */
+static void with_tangents(std::shared_ptr<weighted> w)
+{
+    operation op = {"skin", "4, tangents too", 6, 96, 180, blended(w, kind::f32, true, 6), 16};
+    for (size_t n : vertices) {
+        op.sizes = {n};
+        nkw_skin skin = skin_of(*w, kind::f32, n);
+        whole(op, "nkw interleaved", layout::structs, [=] {
+            static std::vector<nkw_vec3> tangents(pool);
+            nkw_skin_palette p = {palette, nullptr, joints, 0};
+            streams s = interleaved();
+            s.in.tangents = {positions.data(), 0}, s.out.tangents = {tangents.data(), 0};
+            nkw_skin_linear(&skin, &p, &s.in, &s.out);
+        });
+#ifdef BENCH_GLM
+        whole(op, "glm", layout::structs, [=] {
+            static std::vector<glm::vec3> tangents(pool);
+            glm_vertex *out = reinterpret_cast<glm_vertex *>(answer.at);
+            for (size_t i = 0; i < n; i++) {
+                const glm_vertex &v = as<glm_vertex>(mesh)[i];
+                glm::mat4 m = glm_blend(*w, i);
+                out[i] = {glm::vec3(m * glm::vec4(v.at, 1.0f)), glm::normalize(glm::mat3(m) * v.normal)};
+                tangents[i] = glm::normalize(glm::mat3(m) * glm::vec3(positions[i].x, positions[i].y, positions[i].z));
+            }
+        });
+#endif
+    }
+}
+
 static void linear(const std::string &name, std::shared_ptr<weighted> w, bool raw)
 {
     double k = static_cast<double>(w->influences);
@@ -458,6 +487,7 @@ static const suite all([] {
     auto four = draw_weights(4);
     linear("4, raw normals", four, true);
     positions_alone(four);
+    with_tangents(four);
     formats(four);
     dual(four);
 });

@@ -33,26 +33,30 @@ nkw_trs local_at(size_t i)
     return {{0.5f * p.x, 0.5f * p.y, 0.5f * p.z}, unit_a[i], {1 + 0.1f * q.x, 1 + 0.1f * q.y, 1 + 0.1f * q.z}};
 }
 
-/* Neighbouring rotations are as near as in unit_near, for they go to and fro. */
+/*
+ * Neighbouring rotations are as near as in unit_near, for they go to and fro. Tangents of CUBICSPLINE keys are another
+ * joint's numbers.
+ */
 static void draw_values(scene &s)
 {
-    s.values.resize(s.joints * s.keys * 10);
+    size_t each = s.mode == NKW_INTERPOLATION_CUBICSPLINE ? 3 : 1;
+    s.values.resize(s.joints * s.keys * each * 10);
     for (size_t j = 0; j < s.joints; j++)
-        for (size_t k = 0; k < s.keys; k++) {
+        for (size_t k = 0; k < s.keys * each; k++) {
             nkw_trs trs = local_at((j * 7 + k) % pool);
             trs.rotation = k % 2 ? unit_near[j] : unit_a[j];
             for (size_t p = 0; p < 3; p++)
                 std::copy_n(&trs.translation.x + first[p], width[p],
-                            &s.values[(j * 10 + first[p]) * s.keys + k * width[p]]);
+                            &s.values[(j * 10 + first[p]) * s.keys * each + k * width[p]]);
         }
     for (size_t j = 0; j < s.joints; j++)
         for (size_t p = 0; p < 3; p++) {
             const nkw_clip_target targets[3] = {NKW_CLIP_TRANSLATION, NKW_CLIP_ROTATION, NKW_CLIP_SCALE};
-            const float *values = &s.values[(j * 10 + first[p]) * s.keys];
+            const float *values = &s.values[(j * 10 + first[p]) * s.keys * each];
             s.tracks.push_back({targets[p],
                                 static_cast<uint32_t>(j),
                                 {s.times.data(), values, s.keys, width[p],
-                                 p == 1 ? NKW_TRACK_ROTATION : NKW_TRACK_FLOATS, NKW_INTERPOLATION_LINEAR, nullptr}});
+                                 p == 1 ? NKW_TRACK_ROTATION : NKW_TRACK_FLOATS, s.mode, nullptr}});
         }
 }
 
@@ -76,11 +80,12 @@ static void build(scene &s)
     s.pose.resize(NKW_POSE_FLOATS(s.joints));
 }
 
-std::shared_ptr<scene> draw_scene(size_t joints, size_t keys)
+std::shared_ptr<scene> draw_scene(size_t joints, size_t keys, nkw_interpolation mode)
 {
     auto s = std::make_shared<scene>();
     s->joints = joints;
     s->keys = keys;
+    s->mode = mode;
     for (size_t k = 0; k < keys; k++)
         s->times.push_back(static_cast<float>(k) / 30);
     draw_values(*s);

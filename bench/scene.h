@@ -22,6 +22,7 @@ nkw_trs local_at(size_t i);
 
 struct scene {
     size_t joints, keys;
+    nkw_interpolation mode;
     std::vector<float> times, values, pose;
     std::vector<nkw_clip_track> tracks; /* 3 j, 3 j + 1, 3 j + 2: translation, rotation and scale of joint j */
     std::vector<float> blocks[2]; /* of each format */
@@ -35,7 +36,7 @@ struct scene {
     nkw_trs joint_at(size_t joint, float time) const;
 };
 
-std::shared_ptr<scene> draw_scene(size_t joints, size_t keys);
+std::shared_ptr<scene> draw_scene(size_t joints, size_t keys, nkw_interpolation mode = NKW_INTERPOLATION_LINEAR);
 
 /* What stands in many programs: track by track, each with its own search and glm's slerp. */
 nkw_trs joint_by_hand(const scene &s, size_t joint, float time);
