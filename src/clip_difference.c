@@ -3,16 +3,17 @@
 
 #include <nakawari/clip.h>
 #include <nakawari/quat.h>
+#include <nakawari/segment.h>
 
 #include "difference.h"
 #include "lane/scalar.h"
 
-static void compare_at(const nkw_clip *clip, const nkw_clip_track *c, float time, float *pose, float *floats,
-                       nkw_clip_error *error)
+/* The sample of a track beside that of the clip. */
+static void compare(const nkw_clip *clip, const nkw_clip_track *c, nkw_segment segment, const float *pose, float *floats,
+                    nkw_clip_error *error)
 {
     float *of_floats = floats ? floats + nkw_clip_floats(clip) : NULL, of_joint[4] = {0.0f, 0.0f, 0.0f, 0.0f};
-    nkw_clip_sample(clip, time, NULL, pose, floats);
-    nkw_track_sample(&c->track, time, c->target == NKW_CLIP_FLOATS ? of_floats : of_joint);
+    nkw_track_sample_at(&c->track, segment, c->target == NKW_CLIP_FLOATS ? of_floats : of_joint);
     nkw_trs got = nkw_pose_get(pose, nkw_clip_joints(clip), c->index);
     nkw_quat rotation = {of_joint[0], of_joint[1], of_joint[2], of_joint[3]};
     if (c->target == NKW_CLIP_TRANSLATION)
@@ -26,6 +27,32 @@ static void compare_at(const nkw_clip *clip, const nkw_clip_track *c, float time
             difference_worse(error->floats, difference_farthest(floats + c->index, of_floats, c->track.width));
 }
 
+static int share_times(const nkw_track *a, const nkw_track *b)
+{
+    return a->times == b->times && a->count == b->count;
+}
+
+/* The first track of those that have its array of times. */
+static size_t first_of(const nkw_clip_source *source, size_t track)
+{
+    size_t i = 0;
+    while (!share_times(&source->tracks[i].track, &source->tracks[track].track))
+        i++;
+    return i;
+}
+
+/* All tracks that share the times of track `first`, the first of them, at one moment. */
+static void compare_at(const nkw_clip *clip, const nkw_clip_source *source, size_t first, float time, float *pose,
+                       float *floats, nkw_clip_error *error)
+{
+    const nkw_track *t = &source->tracks[first].track;
+    nkw_segment segment = nkw_segment_find(t->times, t->count, time);
+    nkw_clip_sample(clip, time, NULL, pose, floats);
+    for (size_t i = first; i < source->track_count; i++)
+        if (share_times(&source->tracks[i].track, t))
+            compare(clip, &source->tracks[i], segment, pose, floats, error);
+}
+
 nkw_clip_error nkw_clip_difference(const nkw_clip *clip, const nkw_clip_source *source, float *pose, float *floats)
 {
     const float far = lane_float(0x7f800000u);
@@ -34,9 +61,10 @@ nkw_clip_error nkw_clip_difference(const nkw_clip *clip, const nkw_clip_source *
         return unlike;
     for (size_t i = 0; i < source->track_count; i++) {
         const nkw_track *t = &source->tracks[i].track;
-        for (size_t k = 0; k < t->count; k++)
+        size_t count = first_of(source, i) == i ? t->count : 0;
+        for (size_t k = 0; k < count; k++)
             for (int quarter = 0; quarter < DIFFERENCE_QUARTERS; quarter++)
-                compare_at(clip, &source->tracks[i], difference_moment(t, k, quarter), pose, floats, &error);
+                compare_at(clip, source, i, difference_moment(t, k, quarter), pose, floats, &error);
     }
     return error;
 }
