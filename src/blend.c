@@ -170,73 +170,57 @@ static void copy_rows(blend_rows from, blend_span to, size_t n)
         memmove(to.at + c * to.stride, from.at + c * from.stride, n * sizeof(float));
 }
 
-/* Of so many layers of one weight the order is kept; of more it is worked out for every turn. */
-#define RANKED 8
+/* Of so many turns the order is worked out together. */
+#define TURNS 16
 
 /*
  * Layers of one weight take turns, joint by joint in an order that follows from the joint's own numbers: `layer` has
- * the layers by turn. A turn's pose lasts until the third one after it.
+ * those of TURNS turns.
  */
 typedef struct turns {
-    uint32_t rank[RANKED][BLEND_BLOCK], layer[RANKED][BLEND_BLOCK];
-    float pose[3][10 * BLEND_BLOCK], weight[BLEND_BLOCK];
+    uint32_t layer[TURNS][BLEND_BLOCK];
+    float pose[2][10 * BLEND_BLOCK], weight[BLEND_BLOCK];
 } turns;
 
-/* Layers i and k, of which i is the first in the caller's array. */
-static void rank_pair(const nkw_pose_layer *layers, const peers *g, size_t i, size_t k, const part *p, uint32_t *rank_i,
-                      uint32_t *rank_k)
+/* How many of layer i's peers go before it, joint by joint. */
+static void rank_layer(const nkw_pose_layer *layers, size_t count, const peers *g, size_t i, const part *p,
+                       uint32_t *rank)
 {
-    float at_i[BLEND_BLOCK], at_k[BLEND_BLOCK];
-    weigh(g->weight, layers[i].mask, p, at_i);
-    weigh(g->weight, layers[k].mask, p, at_k);
-    nkw_batch_selected()->blend_rank(rows_of(layers[i].pose, p), rows_of(layers[k].pose, p), at_i, at_k, rank_i, rank_k,
-                                     (int)p->n);
-}
-
-static void order_all(turns *s, const nkw_pose_layer *layers, size_t count, const peers *g, const part *p)
-{
-    size_t peer[RANKED], n = 0;
-    for (size_t i = g->first; i < count; i++)
-        if (is_peer(&layers[i], g))
-            peer[n++] = i;
-    memset(s->rank, 0, sizeof s->rank);
-    for (size_t i = 0; i < n; i++)
-        for (size_t k = i + 1; k < n; k++)
-            rank_pair(layers, g, peer[i], peer[k], p, s->rank[i], s->rank[k]);
-    for (size_t i = 0; i < n; i++)
-        for (size_t j = 0; j < p->n; j++)
-            s->layer[s->rank[i][j]][j] = (uint32_t)peer[i];
-}
-
-static void order_turn(turns *s, const nkw_pose_layer *layers, size_t count, const peers *g, uint32_t turn,
-                       const part *p)
-{
-    uint32_t *rank = s->rank[0], *other = s->rank[1];
-    memset(other, 0, sizeof s->rank[1]);
-    for (size_t i = g->first; i < count; i++) {
-        if (!is_peer(&layers[i], g))
+    float mask[BLEND_BLOCK], other[BLEND_BLOCK];
+    memset(rank, 0, p->n * sizeof *rank);
+    weigh(1.0f, layers[i].mask, p, mask);
+    for (size_t k = g->first; k < count; k++) {
+        if (k == i || !is_peer(&layers[k], g))
             continue;
-        memset(rank, 0, sizeof s->rank[0]);
-        for (size_t k = g->first; k < count; k++)
-            if (k != i && is_peer(&layers[k], g))
-                rank_pair(layers, g, k < i ? k : i, k < i ? i : k, p, k < i ? other : rank, k < i ? rank : other);
-        for (size_t j = 0; j < p->n; j++)
-            if (rank[j] == turn)
-                s->layer[0][j] = (uint32_t)i;
+        weigh(1.0f, layers[k].mask, p, other);
+        nkw_batch_selected()->blend_rank(rows_of(layers[i].pose, p), rows_of(layers[k].pose, p), mask, other, k < i,
+                                         rank, (int)p->n);
     }
 }
 
-/* Gives the pose of the joints whose turn it is; their weights are s->weight. */
-static blend_rows take_turn(turns *s, const nkw_pose_layer *layers, size_t count, const peers *g, uint32_t turn,
-                            const part *p)
+/* Finds the layers of the turns from `turn` on. */
+static void order_layers(turns *s, const nkw_pose_layer *layers, size_t count, const peers *g, uint32_t turn,
+                         const part *p)
 {
-    float *out = s->pose[turn % 3];
+    for (size_t i = g->first; i < count; i++) {
+        uint32_t rank[BLEND_BLOCK];
+        if (!is_peer(&layers[i], g))
+            continue;
+        rank_layer(layers, count, g, i, p, rank);
+        for (size_t j = 0; j < p->n; j++)
+            if (rank[j] >= turn && rank[j] - turn < TURNS)
+                s->layer[rank[j] - turn][j] = (uint32_t)i;
+    }
+}
+
+/* The pose of the joints whose turn it is, into `out`, and their weights, s->weight. */
+static blend_rows take_turn(turns *s, const nkw_pose_layer *layers, size_t count, const peers *g, uint32_t turn,
+                            const part *p, float *out)
+{
     blend_rows pose = {out, p->n};
-    const uint32_t *layer = s->layer[g->count > RANKED ? 0 : turn];
-    if (g->count > RANKED)
-        order_turn(s, layers, count, g, turn, p);
-    else if (turn == 0)
-        order_all(s, layers, count, g, p);
+    const uint32_t *layer = s->layer[turn % TURNS];
+    if (turn % TURNS == 0)
+        order_layers(s, layers, count, g, turn, p);
     for (size_t j = 0; j < p->n; j++) {
         const nkw_pose_layer *from = &layers[layer[j]];
         const float *at = from->pose + p->from + j, *mask = from->mask;
@@ -291,6 +275,15 @@ static int has_mask(const nkw_pose_layer *layers, size_t count)
     return any;
 }
 
+/*
+ * Where a turn's pose may go: the first one of all where the sum will be, then to and fro, for the one before is not
+ * added yet.
+ */
+static float *place_of_turn(plain_sum *s, turns *t)
+{
+    return s->total == 0.0 ? s->v : t->pose[s->last.at == t->pose[0]];
+}
+
 static void blend_plain(const nkw_pose_layer *layers, size_t count, const float *rest, float threshold, const part *p,
                         float *out)
 {
@@ -298,11 +291,12 @@ static void blend_plain(const nkw_pose_layer *layers, size_t count, const float 
     turns t;
     s.total = 0.0;
     s.t = 0.0f;
-    for (peers g = peers_below(layers, count, ABOVE_ALL); g.count; g = peers_below(layers, count, g.weight))
-        for (uint32_t turn = 0; turn < g.count; turn++) {
-            blend_rows alone = rows_of(layers[g.first].pose, p);
-            add_plain(&s, g.count > 1 ? take_turn(&t, layers, count, &g, turn, p) : alone, g.weight, p);
-        }
+    for (peers g = peers_below(layers, count, ABOVE_ALL); g.count; g = peers_below(layers, count, g.weight)) {
+        if (g.count == 1)
+            add_plain(&s, rows_of(layers[g.first].pose, p), g.weight, p);
+        for (uint32_t turn = 0; g.count > 1 && turn < g.count; turn++)
+            add_plain(&s, take_turn(&t, layers, count, &g, turn, p, place_of_turn(&s, &t)), g.weight, p);
+    }
     add_plain(&s, rows_of(rest, p), missing(s.total, threshold), p);
     if (s.t > 0.0f)
         nkw_batch_selected()->blend_nlerp(s.sum, s.last, s.t, (int)p->used, rows_span(out, p), (int)p->n);
@@ -363,7 +357,7 @@ static void blend_with_masks(const nkw_pose_layer *layers, size_t count, const f
         if (g.count == 1)
             add_masked(&s, rows_of(layers[g.first].pose, p), weight, p);
         for (uint32_t turn = 0; g.count > 1 && turn < g.count; turn++) {
-            blend_rows pose = take_turn(&t, layers, count, &g, turn, p);
+            blend_rows pose = take_turn(&t, layers, count, &g, turn, p, t.pose[0]);
             add_masked(&s, pose, t.weight, p);
         }
     }

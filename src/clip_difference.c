@@ -9,8 +9,8 @@
 #include "lane/scalar.h"
 
 /* The sample of a track beside that of the clip. */
-static void compare(const nkw_clip *clip, const nkw_clip_track *c, nkw_segment segment, const float *pose, float *floats,
-                    nkw_clip_error *error)
+static void compare(const nkw_clip *clip, const nkw_clip_track *c, nkw_segment segment, const float *pose,
+                    float *floats, nkw_clip_error *error)
 {
     float *of_floats = floats ? floats + nkw_clip_floats(clip) : NULL, of_joint[4] = {0.0f, 0.0f, 0.0f, 0.0f};
     nkw_track_sample_at(&c->track, segment, c->target == NKW_CLIP_FLOATS ? of_floats : of_joint);

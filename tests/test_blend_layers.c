@@ -63,11 +63,11 @@ static void the_order_of_layers_changes_no_bit(void **state)
     expect_any_order(b);
 }
 
-/* More than the library keeps the order of, some of them the same; turned round step by step, and backwards. */
+/* More than the library orders together, some of them the same; turned round step by step, and backwards. */
 static void many_layers_of_one_weight_may_come_in_any_order(void **state)
 {
     (void)state;
-    enum { MANY = 11 };
+    enum { MANY = 19 };
     bed *b = make_bed(15), *more;
     static bed other;
     nkw_pose_layer layers[MANY];
@@ -75,7 +75,7 @@ static void many_layers_of_one_weight_may_come_in_any_order(void **state)
     more = make_bed(16);
     for (int masked = 0; masked < 2; masked++) {
         for (size_t i = 0; i < MANY; i++) {
-            nkw_pose_layer layer = {i < 5 ? more->poses[i] : other.poses[i % 5], 0.25f, NULL};
+            nkw_pose_layer layer = {i % 7 < 5 ? more->poses[i % 7] : other.poses[i % 5], 0.25f, NULL};
             layer.mask = masked && i % 3 ? more->masks[i % 5] : NULL;
             layers[i] = layer;
         }
@@ -93,6 +93,30 @@ static void many_layers_of_one_weight_may_come_in_any_order(void **state)
                 mean += (double)layers[i].pose[j] / MANY;
             expect_near(more->out[j], mean, 1e-5);
         }
+    }
+}
+
+/* Several groups of one weight, some of them without a share; translations and scales. */
+static void groups_of_one_weight_give_the_mean(void **state)
+{
+    (void)state;
+    static const float weights[5][LAYERS] = {
+        {0.4f, 0.4f, 0.1f, 0.1f, 0.1f},           {0.5f, 0.2f, 0.2f, 0.1f, 0.1f}, {0.3f, 0.3f, 0.3f, 0.2f, 0.2f},
+        {0x1p60f, 0x1p60f, 1e-45f, 1e-45f, 0.0f}, {0.2f, 0.2f, 0.2f, 0.2f, 0.2f},
+    };
+    for (size_t set = 0; set < 5; set++) {
+        bed *b = make_bed(20 + set);
+        double total = 0;
+        for (size_t i = 0; i < LAYERS; i++)
+            total += (double)(b->layers[(3 * i) % LAYERS].weight = weights[set][i]);
+        nkw_pose_blend_layers(b->layers, LAYERS, b->rest, JOINTS, 0.0f, b->out);
+        for (size_t c = 0; c < 10; c += c == 2 ? 5 : 1)
+            for (size_t j = 0; j < JOINTS; j++) {
+                double mean = 0;
+                for (size_t i = 0; i < LAYERS; i++)
+                    mean += (double)b->layers[i].weight / total * (double)b->poses[i][c * STRIDE + j];
+                expect_near(b->out[c * STRIDE + j], mean, 20 * U);
+            }
     }
 }
 
@@ -297,6 +321,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(the_order_of_layers_changes_no_bit),
         cmocka_unit_test(many_layers_of_one_weight_may_come_in_any_order),
+        cmocka_unit_test(groups_of_one_weight_give_the_mean),
         cmocka_unit_test(a_joints_result_depends_on_that_joint_alone),
         cmocka_unit_test(layers_give_the_weighted_mean_and_the_rest_pose_what_is_missing),
         cmocka_unit_test(two_layers_are_the_blend_of_two_from_the_heavier),

@@ -55,8 +55,8 @@ static int draw(void **state)
         float room[8];
         draw_values(i / 3, rotation, c->values[i]);
         c->tracks[i] = c->own[i] = whole;
-        float rate = nkw_track_resample_within(&track, TOLERANCE, c->own_times[i], c->own_values[i], room,
-                                               &c->own[i].track);
+        float rate =
+            nkw_track_resample_within(&track, TOLERANCE, c->own_times[i], c->own_values[i], room, &c->own[i].track);
         assert_true(rate > 0.0f && rate < RATE);
     }
     return 0;

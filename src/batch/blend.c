@@ -245,24 +245,23 @@ static inline uint32_t vec3_comes_before(nkw_vec3 b, nkw_vec3 a, uint32_t equal)
 }
 
 /*
- * Counts which of two layers of one weight is added before the other: by the joint's own weights, then by its numbers,
- * rotation first; a where all is the same.
+ * Adds 1 to the rank of a joint of layer a where layer b, of the same weight, goes before it: by their masks, then by
+ * the joint's numbers, rotation first; where all is the same the one that is `first` as layers stand.
  */
 KERNEL(blend_rank)
-(blend_rows a, blend_rows b, const float *wa, const float *wb, uint32_t *rank_a, uint32_t *rank_b, int n)
+(blend_rows a, blend_rows b, const float *mask_a, const float *mask_b, int first, uint32_t *rank, int n)
 {
     const nkw_quat_view p = rotations_of(a), q = rotations_of(b);
     const nkw_vec3_view ta = vectors_of(a, 0), tb = vectors_of(b, 0), sa = vectors_of(a, 7), sb = vectors_of(b, 7);
+    const uint32_t equal = first != 0;
 #pragma omp simd
     for (int i = 0; i < n; i++) {
         const size_t k = (size_t)i;
-        uint32_t r = vec3_comes_before(at_vec3(sb, k), at_vec3(sa, k), 0u);
+        uint32_t r = vec3_comes_before(at_vec3(sb, k), at_vec3(sa, k), equal);
         r = vec3_comes_before(at_vec3(tb, k), at_vec3(ta, k), r);
         r = comes_before(q.z[i], p.z[i], comes_before(q.w[i], p.w[i], r));
         r = comes_before(q.x[i], p.x[i], comes_before(q.y[i], p.y[i], r));
-        r = comes_before(wb[i], wa[i], r);
-        rank_a[i] += r;
-        rank_b[i] += 1u - r;
+        rank[i] += comes_before(mask_b[i], mask_a[i], r);
     }
 }
 

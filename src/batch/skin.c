@@ -14,7 +14,8 @@
 /* The formats and the usual count are constants in the loops that these are inlined into. */
 
 /* n elements of `size` bytes one behind the other: where they lie if they do so, else copied to `tight`. */
-INLINE const unsigned char *gather(const unsigned char *data, size_t stride, size_t size, unsigned char *tight, size_t n)
+INLINE const unsigned char *gather(const unsigned char *data, size_t stride, size_t size, unsigned char *tight,
+                                   size_t n)
 {
     if (stride == size)
         return data;

@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: MIT */
 /*
- * Linear blend skinning of positions and normals as they lie in vertex buffers, in one pass: the matrix of each vertex
- * is blended column by column, and takes both vectors while it is in registers; as many vertices together as a register
- * has columns.
+ * Linear blend skinning of positions and directions (normals, tangents) as they lie in vertex buffers, either or both
+ * in one pass: the matrix of each vertex is blended column by column, and takes its vectors while it is in registers;
+ * as many vertices together as a register has columns.
  */
 #include "lane/strict.h"
 

@@ -1,11 +1,14 @@
 cmake_minimum_required(VERSION 3.25)
 # Every loop of every instruction set works on whole vectors: its code has packed arithmetic of that set's registers. A
-# loop that silently stops vectorising fails here. Loops that only move, unpack or compare data have none and are named.
+# loop that silently stops vectorising fails here. Loops that only move or unpack data have none and are named.
 # Columns of 4x4 matrices, one or two at a time on every set.
 set(fours palette_4x4 palette_3x4 skin_blend skin_blend_normals skin_blend_dual_quats models_from_locals)
 set(packed_fours "v?(mul|add)ps .*%[xy]mm")
+# Whole numbers are compared.
+set(compares blend_rank)
+set(packed_compares "v?pcmp[a-z]+ .*%[xyz]mm")
 set(moves vec3_unpack vec3_pack quat_unpack quat_pack mat4_unpack mat4_pack quat_conjugate
-  blend_rank clip_hold skin_read skin_write crowd_from_poses crowd_to_matrices)
+  clip_hold skin_read skin_write crowd_from_poses crowd_to_matrices)
 set(packed_generic "(mul|add|sub|div|sqrt)p[sd] .*%xmm")
 set(packed_avx2 "v(mul|add|sub|div|sqrt)p[sd] .*%ymm")
 set(packed_avx512 "v(mul|add|sub|div|sqrt)p[sd] .*%zmm")
@@ -26,6 +29,9 @@ foreach(isa IN LISTS ISAS)
     set(packed "${packed_${isa}}")
     if(name IN_LIST fours)
       set(packed "${packed_fours}")
+    endif()
+    if(name IN_LIST compares)
+      set(packed "${packed_compares}")
     endif()
     if(NOT code MATCHES "${packed}")
       message(SEND_ERROR "packed: ${name} is not vectorised for ${isa}")
