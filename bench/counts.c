@@ -31,13 +31,13 @@ static nkw_mat4 ma[N], mb[N];
 static float t[N], x[N], parts[24][N], times[KEYS], values[JOINTS * KEYS * 10], pose[NKW_POSE_FLOATS(JOINTS)];
 static nkw_clip_track tracks[3 * JOINTS];
 static uint32_t work[NKW_CLIP_WORK(3 * JOINTS)], cursors[8];
-static float blocks[2][2 * JOINTS * KEYS * 16];
-static const nkw_clip *clips[2];
+static float blocks[3][2 * JOINTS * KEYS * 16];
+static const nkw_clip *clips[3];
 static int32_t parents[JOINTS];
 static float poses[2][NKW_POSE_FLOATS(JOINTS)], blended[NKW_POSE_FLOATS(JOINTS)];
 static float crowd[NKW_CROWD_POSE_FLOATS(JOINTS)], crowd_models[NKW_CROWD_MATRIX_FLOATS(JOINTS)];
 static uint16_t skin_joints[4 * N];
-static float skin_weights[4 * N], skinned[6 * N], vertices[6 * N];
+static float skin_weights[4 * N], skinned[6 * N], tangents[3 * N], vertices[6 * N];
 
 /* One count: a name, and the code between. */
 #define COUNT(name, code)                                                                                              \
@@ -69,6 +69,16 @@ static void draw_values(random_source *r)
         times[k] = nkw_segment_uniform_time(0, 30, k);
 }
 
+static void build_clip(nkw_clip_format format, size_t i)
+{
+    nkw_clip_source source = {tracks, 3 * JOINTS, JOINTS, 0, NULL, NULL, format};
+    size_t bytes = 0;
+    if (nkw_clip_build(&source, work, blocks[i], sizeof blocks[i], NULL) != NKW_OK ||
+        nkw_clip_open(blocks[i], sizeof blocks[i], &clips[i]) != NKW_OK ||
+        nkw_clip_measure(&source, work, &bytes, NULL) != NKW_OK)
+        exit(1);
+}
+
 static void draw_clips(random_source *r)
 {
     static const size_t at[3] = {0, 3, 7}, width[3] = {3, 4, 3};
@@ -85,15 +95,14 @@ static void draw_clips(random_source *r)
                                      NKW_INTERPOLATION_LINEAR, NULL}};
             tracks[j * 3 + k] = track;
         }
-    for (int format = 0; format < 2; format++) {
-        nkw_clip_source source = {
-            tracks, 3 * JOINTS, JOINTS, 0, NULL, NULL, format ? NKW_CLIP_UNORM16 : NKW_CLIP_FLOAT32};
-        size_t bytes = 0;
-        if (nkw_clip_build(&source, work, blocks[format], sizeof blocks[format], NULL) != NKW_OK ||
-            nkw_clip_open(blocks[format], sizeof blocks[format], &clips[format]) != NKW_OK ||
-            nkw_clip_measure(&source, work, &bytes, NULL) != NKW_OK)
-            exit(1);
-    }
+    build_clip(NKW_CLIP_FLOAT32, 0);
+    build_clip(NKW_CLIP_UNORM16, 1);
+    /* The same numbers in turn as in-tangent, value and out-tangent. */
+    for (size_t i = 0; i < 3 * JOINTS; i++)
+        tracks[i].track.count = KEYS / 3, tracks[i].track.interpolation = NKW_INTERPOLATION_CUBICSPLINE;
+    build_clip(NKW_CLIP_FLOAT32, 2);
+    for (size_t i = 0; i < 3 * JOINTS; i++)
+        tracks[i].track.count = KEYS, tracks[i].track.interpolation = NKW_INTERPOLATION_LINEAR;
 }
 
 static void draw_character(random_source *r)
@@ -163,6 +172,8 @@ static void count_data(void)
           for (size_t i = 0; i < 16; i++) nkw_clip_sample(clips[0], 10 * t[i], cursors, pose, NULL));
     COUNT("clip_sample 67 joints, 16 bits",
           for (size_t i = 0; i < 16; i++) nkw_clip_sample(clips[1], 10 * t[i], cursors, pose, NULL));
+    COUNT("clip_sample 67 joints, CUBICSPLINE",
+          for (size_t i = 0; i < 16; i++) nkw_clip_sample(clips[2], 3 * t[i], cursors, pose, NULL));
 }
 
 /* These choose their loops by the processor, which under callgrind is one of AVX2 at the most. */
@@ -173,10 +184,19 @@ static void count_character(void)
     nkw_skin_palette palette = {ma, NULL, JOINTS, 0};
     nkw_vertices from = {{vertices, 24}, {vertices + 3, 24}, {NULL, 0}, {NULL, 0}};
     nkw_vertices_span to = {{skinned, 24}, {skinned + 3, 24}, {NULL, 0}, {NULL, 0}};
+    nkw_pose_layer layers[4];
+    for (size_t i = 0; i < 4; i++) {
+        nkw_pose_layer layer = {poses[i % 2], 0.25f, NULL};
+        layers[i] = layer;
+    }
     COUNT("pose_blend 67 joints", nkw_pose_blend(poses[0], poses[1], JOINTS, 0.3f, NULL, blended));
+    COUNT("pose_blend_layers 67 joints, 4 of one weight",
+          nkw_pose_blend_layers(layers, 4, poses[0], JOINTS, 0.1f, blended));
     COUNT("models_from_pose 67 joints", nkw_models_from_pose(&skeleton, poses[0], NULL, m_out));
     COUNT("palette_from_models 67 joints", nkw_palette_from_models(ma, JOINTS, NULL, mb, NULL, JOINTS, m_out));
     COUNT("skin_linear 1024 vertices, 4 influences", nkw_skin_linear(&skin, &palette, &from, &to));
+    from.tangents.data = vertices, to.tangents.data = tangents;
+    COUNT("skin_linear 1024 vertices, 4 influences, tangents", nkw_skin_linear(&skin, &palette, &from, &to));
     COUNT("crowd 16 of 67 joints to palettes", {
         nkw_crowd_models_from_pose(&skeleton, crowd, NULL, crowd_models);
         nkw_crowd_palette_from_models(crowd_models, JOINTS, NULL, mb, JOINTS, crowd_models);
