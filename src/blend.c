@@ -171,7 +171,7 @@ static void copy_rows(blend_rows from, blend_span to, size_t n)
 }
 
 /* Of so many turns the order is worked out together. */
-#define TURNS 16
+#define TURNS 8
 
 /*
  * Layers of one weight take turns, joint by joint in an order that follows from the joint's own numbers: `layer` has
