@@ -75,6 +75,10 @@ static void rows(const char *name, std::shared_ptr<scene> s, size_t size, asking
                     same::transform};
     op.sizes = {size};
     op.elements = s->joints;
+    if (s->mode == NKW_INTERPOLATION_CUBICSPLINE)
+        op.bytes = 200, op.flops = 147; /* keys, the tangents between, and the result */
+    if (s->mode == NKW_INTERPOLATION_STEP)
+        op.bytes = 80, op.flops = 0;
     row(op, "nkw", s, how,
         [](scene &x, float time) { nkw_clip_sample(x.clip(0), time, x.cursors.data(), x.pose.data(), nullptr); });
     if (s->mode == NKW_INTERPOLATION_LINEAR)

@@ -74,8 +74,8 @@ typedef struct nkw_pose_layer {
  * threshold  0 or less, and NaN: the rest pose only where nothing else is; 0.1 is usual
  *
  * The time grows with the number of layers, and for its order with its square, which shows from about 20 on. Layers of
- * one weight, which every joint puts in an order of its own, take about ten times as long, eight of them 16 times, and
- * from 9 on with the third power of their number.
+ * one weight, which every joint puts in an order of its own, take ten to twenty times as long; from 9 on their time
+ * grows with the third power of their number.
  * Error  7.8 u of the largest of the translations or scales, for up to eight layers (5.8 u where the rest pose has
  *        nothing to make up for); of rotations 6.2 u (5.9 u so, up to four layers 3.3).
  */
