@@ -139,15 +139,18 @@ void nkw_pose_blend_slerp(const float *a, const float *b, size_t joints, float t
 
 /* many poses */
 
-/* The layers of the largest weight below another one: how many, and the first of them. */
+/* The layers of one weight: how many, and the first of them. */
 typedef struct peers {
+    const nkw_pose_layer *layers;
+    size_t layer_count; /* of any weight */
     float weight;
     size_t count, first;
 } peers;
 
+/* Those of the largest weight below another one. */
 static peers peers_below(const nkw_pose_layer *layers, size_t count, float weight)
 {
-    peers r = {0.0f, 0, count};
+    peers r = {layers, count, 0.0f, 0, count};
     for (size_t i = count; i-- > 0;) {
         float w = weight_of(layers[i].weight);
         if (!(w > 0.0f && w < weight && w >= r.weight))
@@ -159,9 +162,9 @@ static peers peers_below(const nkw_pose_layer *layers, size_t count, float weigh
     return r;
 }
 
-static int is_peer(const nkw_pose_layer *layer, const peers *g)
+static int is_peer(const peers *g, size_t i)
 {
-    return weight_of(layer->weight) == g->weight;
+    return weight_of(g->layers[i].weight) == g->weight;
 }
 
 static void copy_rows(blend_rows from, blend_span to, size_t n)
@@ -183,30 +186,30 @@ typedef struct turns {
 } turns;
 
 /* How many of layer i's peers go before it, joint by joint. */
-static void rank_layer(const nkw_pose_layer *layers, size_t count, const peers *g, size_t i, const part *p,
-                       uint32_t *rank)
+static void rank_layer(const peers *g, size_t i, const part *p, uint32_t *rank)
 {
-    float mask[BLEND_BLOCK], other[BLEND_BLOCK];
+    const nkw_pose_layer *layer = &g->layers[i];
+    float mask[BLEND_BLOCK], other_mask[BLEND_BLOCK];
     memset(rank, 0, p->n * sizeof *rank);
-    weigh(1.0f, layers[i].mask, p, mask);
-    for (size_t k = g->first; k < count; k++) {
-        if (k == i || !is_peer(&layers[k], g))
+    weigh(1.0f, layer->mask, p, mask);
+    for (size_t k = g->first; k < g->layer_count; k++) {
+        const nkw_pose_layer *other = &g->layers[k];
+        if (k == i || !is_peer(g, k))
             continue;
-        weigh(1.0f, layers[k].mask, p, other);
-        nkw_batch_selected()->blend_rank(rows_of(layers[i].pose, p), rows_of(layers[k].pose, p), mask, other, k < i,
+        weigh(1.0f, other->mask, p, other_mask);
+        nkw_batch_selected()->blend_rank(rows_of(layer->pose, p), rows_of(other->pose, p), mask, other_mask, k < i,
                                          rank, (int)p->n);
     }
 }
 
 /* Finds the layers of the turns from `turn` on. */
-static void order_layers(turns *s, const nkw_pose_layer *layers, size_t count, const peers *g, uint32_t turn,
-                         const part *p)
+static void order_layers(turns *s, const peers *g, uint32_t turn, const part *p)
 {
-    for (size_t i = g->first; i < count; i++) {
+    for (size_t i = g->first; i < g->layer_count; i++) {
         uint32_t rank[BLEND_BLOCK];
-        if (!is_peer(&layers[i], g))
+        if (!is_peer(g, i))
             continue;
-        rank_layer(layers, count, g, i, p, rank);
+        rank_layer(g, i, p, rank);
         for (size_t j = 0; j < p->n; j++)
             if (rank[j] >= turn && rank[j] - turn < TURNS)
                 s->layer[rank[j] - turn][j] = (uint32_t)i;
@@ -214,15 +217,14 @@ static void order_layers(turns *s, const nkw_pose_layer *layers, size_t count, c
 }
 
 /* The pose of the joints whose turn it is, into `out`, and their weights, s->weight. */
-static blend_rows take_turn(turns *s, const nkw_pose_layer *layers, size_t count, const peers *g, uint32_t turn,
-                            const part *p, float *out)
+static blend_rows take_turn(turns *s, const peers *g, uint32_t turn, const part *p, float *out)
 {
     blend_rows pose = {out, p->n};
     const uint32_t *layer = s->layer[turn % TURNS];
     if (turn % TURNS == 0)
-        order_layers(s, layers, count, g, turn, p);
+        order_layers(s, g, turn, p);
     for (size_t j = 0; j < p->n; j++) {
-        const nkw_pose_layer *from = &layers[layer[j]];
+        const nkw_pose_layer *from = &g->layers[layer[j]];
         const float *at = from->pose + p->from + j, *mask = from->mask;
         s->weight[j] = j < p->used ? g->weight * (mask ? lane_mask(mask[p->from + j]) : 1.0f) : 0.0f;
         for (size_t c = 0; c < 10; c++)
@@ -295,7 +297,7 @@ static void blend_plain(const nkw_pose_layer *layers, size_t count, const float 
         if (g.count == 1)
             add_plain(&s, rows_of(layers[g.first].pose, p), g.weight, p);
         for (uint32_t turn = 0; g.count > 1 && turn < g.count; turn++)
-            add_plain(&s, take_turn(&t, layers, count, &g, turn, p, place_of_turn(&s, &t)), g.weight, p);
+            add_plain(&s, take_turn(&t, &g, turn, p, place_of_turn(&s, &t)), g.weight, p);
     }
     add_plain(&s, rows_of(rest, p), missing(s.total, threshold), p);
     if (s.t > 0.0f)
@@ -357,7 +359,7 @@ static void blend_with_masks(const nkw_pose_layer *layers, size_t count, const f
         if (g.count == 1)
             add_masked(&s, rows_of(layers[g.first].pose, p), weight, p);
         for (uint32_t turn = 0; g.count > 1 && turn < g.count; turn++) {
-            blend_rows pose = take_turn(&t, layers, count, &g, turn, p, t.pose[0]);
+            blend_rows pose = take_turn(&t, &g, turn, p, t.pose[0]);
             add_masked(&s, pose, t.weight, p);
         }
     }
@@ -373,9 +375,10 @@ static void blend_with_masks(const nkw_pose_layer *layers, size_t count, const f
 void nkw_pose_blend_layers(const nkw_pose_layer *layers, size_t count, const float *rest, size_t joints,
                            float threshold, float *out)
 {
+    int masked = has_mask(layers, count);
     for (size_t from = 0; from < NKW_POSE_STRIDE(joints); from += BLEND_BLOCK) {
         part p = part_at(joints, from);
-        if (has_mask(layers, count))
+        if (masked)
             blend_with_masks(layers, count, rest, threshold, &p, out);
         else
             blend_plain(layers, count, rest, threshold, &p, out);
