@@ -3,31 +3,14 @@
 #include <stdlib.h>
 
 #include "random_clip.h"
-#include "support/expect.h"
+#include "support/clips.h"
 
 static random_clip drawn;
 static uint32_t work[NKW_CLIP_WORK(RANDOM_CLIP_TRACKS)];
 
-/* A clip of the source, in memory of exactly its size; to be freed. */
 static nkw_clip *build(const nkw_clip_source *source, size_t *bytes)
 {
-    size_t bad = 99;
-    assert_int_equal(nkw_clip_measure(source, work, bytes, &bad), NKW_OK);
-    assert_int_equal(bad, 0);
-    void *block = malloc(*bytes);
-    assert_non_null(block);
-    assert_int_equal(nkw_clip_build(source, work, block, *bytes, &bad), NKW_OK);
-    const nkw_clip *clip;
-    assert_int_equal(nkw_clip_open(block, *bytes, &clip), NKW_OK);
-    assert_ptr_equal(clip, block);
-    assert_int_equal(nkw_clip_bytes(clip), *bytes);
-    return (nkw_clip *)block;
-}
-
-static void expect_same_pose(const float *got, const float *want, size_t joints)
-{
-    for (size_t c = 0; c < 10; c++)
-        expect_floats_bits(got + c * NKW_POSE_STRIDE(joints), want + c * NKW_POSE_STRIDE(joints), joints);
+    return clip_build(source, work, bytes);
 }
 
 /* At key times, between them, outside, and a NaN. */

@@ -1,8 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* Clips of tracks that are resampled, each at the lowest rate that keeps a tolerance. */
-#include <stdlib.h>
-
-#include "support/expect.h"
+#include "support/clips.h"
+#include "support/tracks.h"
 
 #define JOINTS    150
 #define TRACKS    (3 * JOINTS)
@@ -72,13 +71,7 @@ static nkw_clip *build(const nkw_clip_track *tracks, nkw_clip_format format)
 {
     nkw_clip_source source = source_of(tracks, format);
     size_t bytes;
-    const nkw_clip *clip;
-    assert_int_equal(nkw_clip_measure(&source, work, &bytes, NULL), NKW_OK);
-    void *block = malloc(bytes);
-    assert_non_null(block);
-    assert_int_equal(nkw_clip_build(&source, work, block, bytes, NULL), NKW_OK);
-    assert_int_equal(nkw_clip_open(block, bytes, &clip), NKW_OK);
-    return (nkw_clip *)block;
+    return clip_build(&source, work, &bytes);
 }
 
 static void sampling_gives_the_bits_of_track_by_track(void **state)
@@ -86,17 +79,12 @@ static void sampling_gives_the_bits_of_track_by_track(void **state)
     (void)state;
     nkw_clip *clip = build(taken.own, NKW_CLIP_FLOAT32);
     for (float time = -0.1f; time < 2.2f; time += 0.0371f) {
-        float pose[NKW_POSE_FLOATS(JOINTS)];
-        nkw_clip_sample(clip, time, NULL, pose, NULL);
-        for (size_t j = 0; j < JOINTS; j++) {
-            nkw_trs got = nkw_pose_get(pose, JOINTS, j);
-            float want[10], numbers[10];
-            nkw_track_sample(&taken.own[3 * j].track, time, want);
-            nkw_track_sample(&taken.own[3 * j + 1].track, time, want + 3);
-            nkw_track_sample(&taken.own[3 * j + 2].track, time, want + 7);
-            memcpy(numbers, &got, sizeof numbers);
-            expect_floats_bits(numbers, want, 10);
-        }
+        float got[NKW_POSE_FLOATS(JOINTS)], want[NKW_POSE_FLOATS(JOINTS)];
+        nkw_clip_sample(clip, time, NULL, got, NULL);
+        nkw_pose_identity(want, JOINTS);
+        for (size_t i = 0; i < TRACKS; i++)
+            track_sample_to(&taken.own[i], time, JOINTS, want, NULL);
+        expect_same_pose(got, want, JOINTS);
     }
     free(clip);
 }

@@ -395,23 +395,27 @@ static wide wide_on_vector(const float *m, int stride, const float *v, wide out[
     return wide_length(a, 9) * wide_length(w, 3);
 }
 
+/* The matrix in x on the vector, exactly and by the library. Gives |m| |v|. */
+static wide transform3(const float *x, wide exact[3], float got[3])
+{
+    nkw_mat3 m = mat3_at(x + 3);
+    put_vec3(got, nkw_mat3_transform(&m, vec3_at(x)));
+    return wide_on_vector(x + 3, 3, x, exact);
+}
+
 static double transform3_error(const float *x)
 {
-    wide exact[3], size = wide_on_vector(x + 3, 3, x, exact);
-    nkw_mat3 m = mat3_at(x + 3);
     float got[3];
-    put_vec3(got, nkw_mat3_transform(&m, vec3_at(x)));
+    wide exact[3], size = transform3(x, exact, got);
     return wide_error_of(got, exact, 3, size);
 }
 
 /* For rotations. */
 static double transform3_turn_error(const float *x)
 {
-    wide exact[3];
-    nkw_mat3 m = mat3_at(x + 3);
     float got[3];
-    wide_on_vector(x + 3, 3, x, exact);
-    put_vec3(got, nkw_mat3_transform(&m, vec3_at(x)));
+    wide exact[3];
+    transform3(x, exact, got);
     return wide_error(got, exact, 3);
 }
 

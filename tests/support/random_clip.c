@@ -3,6 +3,8 @@
 
 #include <string.h>
 
+#include "tracks.h"
+
 static void draw_times(random_source *r, random_clip *c)
 {
     for (int k = 0; k < RANDOM_CLIP_KEYS; k++) {
@@ -101,17 +103,6 @@ void random_clip_sample(const random_clip *c, float time, float *pose, float *fl
         nkw_pose_set(pose, joints, j, &trs);
     }
     memcpy(floats, c->rest_floats, c->source.float_count * sizeof *floats);
-    for (size_t i = 0; i < c->source.track_count; i++) {
-        const nkw_clip_track *t = &c->tracks[i];
-        if (t->target == NKW_CLIP_FLOATS) {
-            nkw_track_sample(&t->track, time, floats + t->index);
-            continue;
-        }
-        nkw_trs trs = nkw_pose_get(pose, joints, t->index);
-        nkw_track_sample(&t->track, time,
-                         t->target == NKW_CLIP_TRANSLATION ? &trs.translation.x
-                         : t->target == NKW_CLIP_ROTATION  ? &trs.rotation.x
-                                                           : &trs.scale.x);
-        nkw_pose_set(pose, joints, t->index, &trs);
-    }
+    for (size_t i = 0; i < c->source.track_count; i++)
+        track_sample_to(&c->tracks[i], time, joints, pose, floats);
 }

@@ -6,7 +6,8 @@
 
 #include <stdlib.h>
 
-#include "expect.h"
+#include "clips.h"
+#include "tracks.h"
 
 void scene_read_floats(FILE *file, float *out, size_t n)
 {
@@ -205,21 +206,9 @@ void scene_sample(const scene *s, int anim, float time, float *pose, float *floa
     size_t joints = (size_t)s->nodes;
     scene_rest(s, pose);
     memset(floats, 0, s->floats * sizeof *floats);
-    for (int i = 0; i < s->channels; i++) {
-        const nkw_clip_track *c = &s->channel[i].track;
-        if (s->channel[i].anim != anim)
-            continue;
-        if (c->target == NKW_CLIP_FLOATS) {
-            nkw_track_sample(&c->track, time, floats + c->index);
-            continue;
-        }
-        nkw_trs trs = nkw_pose_get(pose, joints, c->index);
-        nkw_track_sample(&c->track, time,
-                         c->target == NKW_CLIP_TRANSLATION ? &trs.translation.x
-                         : c->target == NKW_CLIP_ROTATION  ? &trs.rotation.x
-                                                           : &trs.scale.x);
-        nkw_pose_set(pose, joints, c->index, &trs);
-    }
+    for (int i = 0; i < s->channels; i++)
+        if (s->channel[i].anim == anim)
+            track_sample_to(&s->channel[i].track, time, joints, pose, floats);
 }
 
 nkw_clip *scene_clip(const scene *s, int anim, nkw_clip_format format, const float *rest, nkw_clip_track *tracks,
@@ -227,7 +216,6 @@ nkw_clip *scene_clip(const scene *s, int anim, nkw_clip_format format, const flo
 {
     uint32_t work[NKW_CLIP_WORK(SCENE_TRACKS)];
     size_t bytes, count = 0;
-    const nkw_clip *clip;
     for (int i = 0; i < s->channels; i++)
         if (s->channel[i].anim == anim) {
             assert_true(count < SCENE_TRACKS);
@@ -235,12 +223,7 @@ nkw_clip *scene_clip(const scene *s, int anim, nkw_clip_format format, const flo
         }
     nkw_clip_source from = {tracks, count, (size_t)s->nodes, s->floats, rest, NULL, format};
     *source = from;
-    assert_int_equal(nkw_clip_measure(source, work, &bytes, NULL), NKW_OK);
-    void *block = malloc(bytes);
-    assert_non_null(block);
-    assert_int_equal(nkw_clip_build(source, work, block, bytes, NULL), NKW_OK);
-    assert_int_equal(nkw_clip_open(block, bytes, &clip), NKW_OK);
-    return (nkw_clip *)block;
+    return clip_build(source, work, &bytes);
 }
 
 void scene_models(const scene *s, const float *pose, nkw_mat4 *models)
