@@ -10,8 +10,7 @@
 #include "simd/select.h"
 
 /* The most that a weight counts. */
-#define HEAVIEST  0x1p60f
-#define ABOVE_ALL 0x1p61f
+#define HEAVIEST 0x1p60f
 
 /* `n` lanes of poses from joint `from` on, the first `used` of them joints; `stride` of the whole pose. */
 typedef struct part {
@@ -139,98 +138,84 @@ void nkw_pose_blend_slerp(const float *a, const float *b, size_t joints, float t
 
 /* many poses */
 
-/* The layers of one weight: how many, and the first of them. */
-typedef struct peers {
-    const nkw_pose_layer *layers;
-    size_t layer_count; /* of any weight */
-    float weight;
-    size_t count, first;
-} peers;
-
-/* Those of the largest weight below another one. */
-static peers peers_below(const nkw_pose_layer *layers, size_t count, float weight)
+/* -1, 0 or 1: whether the first number in which a and b differ is smaller in a, as bits. */
+static int compare(const float *a, const float *b, size_t n)
 {
-    peers r = {layers, count, 0.0f, 0, count};
-    for (size_t i = count; i-- > 0;) {
-        float w = weight_of(layers[i].weight);
-        if (!(w > 0.0f && w < weight && w >= r.weight))
-            continue;
-        r.count = w > r.weight ? 1 : r.count + 1;
-        r.weight = w;
-        r.first = i;
-    }
-    return r;
+    for (size_t i = 0; i < n; i++)
+        if (lane_bits(a[i]) != lane_bits(b[i]))
+            return lane_bits(a[i]) < lane_bits(b[i]) ? -1 : 1;
+    return 0;
 }
 
-static int is_peer(const peers *g, size_t i)
+/* Masks, none before any; then rotations, translations and scales. */
+static int compare_layers(const nkw_pose_layer *a, const nkw_pose_layer *b, const part *p)
 {
-    return weight_of(g->layers[i].weight) == g->weight;
+    int order = (b->mask == NULL) - (a->mask == NULL);
+    if (a->mask && b->mask)
+        order = compare(a->mask + p->from, b->mask + p->from, p->used);
+    for (size_t row = 3; order == 0 && row < 13; row++) {
+        size_t at = row % 10 * p->stride + p->from;
+        order = compare(a->pose + at, b->pose + at, p->used);
+    }
+    return order;
+}
+
+/* Whether layer a is added before b: the heavier, and of one weight by their numbers. */
+static int goes_before(const nkw_pose_layer *a, const nkw_pose_layer *b, const part *p)
+{
+    float heavy = weight_of(a->weight), other = weight_of(b->weight);
+    int order = heavy == other ? compare_layers(a, b, p) : heavy > other ? -1 : 1;
+    return order != 0 ? order < 0 : a < b;
+}
+
+/* Of so many layers the order is worked out together. */
+#define SORTED 32
+
+/* The layers that have a weight, in the order in which they are added: `sorted` of them, of which `taken` are done. */
+typedef struct queue {
+    const nkw_pose_layer *layers, *order[SORTED];
+    const part *p;
+    size_t count, sorted, taken;
+} queue;
+
+/* Finds the first layers after `last`, of all where that is NULL. */
+static void sort_layers(queue *q, const nkw_pose_layer *last)
+{
+    q->sorted = q->taken = 0;
+    for (size_t i = 0; i < q->count; i++) {
+        const nkw_pose_layer *l = &q->layers[i];
+        if (!(l->weight > 0.0f) || (last && !goes_before(last, l, q->p)))
+            continue;
+        size_t k = q->sorted;
+        for (; k > 0 && goes_before(l, q->order[k - 1], q->p); k--)
+            if (k < SORTED)
+                q->order[k] = q->order[k - 1];
+        if (k < SORTED)
+            q->order[k] = l;
+        q->sorted += q->sorted < SORTED;
+    }
+}
+
+static void begin_queue(queue *q, const nkw_pose_layer *layers, size_t count, const part *p)
+{
+    q->layers = layers;
+    q->count = count;
+    q->p = p;
+    sort_layers(q, NULL);
+}
+
+/* NULL after the last one. */
+static const nkw_pose_layer *next_layer(queue *q)
+{
+    if (q->taken == SORTED)
+        sort_layers(q, q->order[SORTED - 1]);
+    return q->taken < q->sorted ? q->order[q->taken++] : NULL;
 }
 
 static void copy_rows(blend_rows from, blend_span to, size_t n)
 {
     for (size_t c = 0; c < 10; c++)
         memmove(to.at + c * to.stride, from.at + c * from.stride, n * sizeof(float));
-}
-
-/* Of so many turns the order is worked out together. */
-#define TURNS 8
-
-/*
- * Layers of one weight take turns, joint by joint in an order that follows from the joint's own numbers: `layer` has
- * those of TURNS turns.
- */
-typedef struct turns {
-    uint32_t layer[TURNS][BLEND_BLOCK];
-    float pose[2][10 * BLEND_BLOCK], weight[BLEND_BLOCK];
-} turns;
-
-/* How many of layer i's peers go before it, joint by joint. */
-static void rank_layer(const peers *g, size_t i, const part *p, uint32_t *rank)
-{
-    const nkw_pose_layer *layer = &g->layers[i];
-    float mask[BLEND_BLOCK], other_mask[BLEND_BLOCK];
-    memset(rank, 0, p->n * sizeof *rank);
-    weigh(1.0f, layer->mask, p, mask);
-    for (size_t k = g->first; k < g->layer_count; k++) {
-        const nkw_pose_layer *other = &g->layers[k];
-        if (k == i || !is_peer(g, k))
-            continue;
-        weigh(1.0f, other->mask, p, other_mask);
-        nkw_batch_selected()->blend_rank(rows_of(layer->pose, p), rows_of(other->pose, p), mask, other_mask, k < i,
-                                         rank, (int)p->n);
-    }
-}
-
-/* Finds the layers of the turns from `turn` on. */
-static void order_layers(turns *s, const peers *g, uint32_t turn, const part *p)
-{
-    for (size_t i = g->first; i < g->layer_count; i++) {
-        uint32_t rank[BLEND_BLOCK];
-        if (!is_peer(g, i))
-            continue;
-        rank_layer(g, i, p, rank);
-        for (size_t j = 0; j < p->n; j++)
-            if (rank[j] >= turn && rank[j] - turn < TURNS)
-                s->layer[rank[j] - turn][j] = (uint32_t)i;
-    }
-}
-
-/* The pose of the joints whose turn it is, into `out`, and their weights, s->weight. */
-static blend_rows take_turn(turns *s, const peers *g, uint32_t turn, const part *p, float *out)
-{
-    blend_rows pose = {out, p->n};
-    const uint32_t *layer = s->layer[turn % TURNS];
-    if (turn % TURNS == 0)
-        order_layers(s, g, turn, p);
-    for (size_t j = 0; j < p->n; j++) {
-        const nkw_pose_layer *from = &g->layers[layer[j]];
-        const float *at = from->pose + p->from + j, *mask = from->mask;
-        s->weight[j] = j < p->used ? g->weight * (mask ? lane_mask(mask[p->from + j]) : 1.0f) : 0.0f;
-        for (size_t c = 0; c < 10; c++)
-            out[c * p->n + j] = at[c * p->stride];
-    }
-    return pose;
 }
 
 /* What the rest pose has to make up for, which may be the most of all; all, where there is nothing else. */
@@ -277,28 +262,16 @@ static int has_mask(const nkw_pose_layer *layers, size_t count)
     return any;
 }
 
-/*
- * Where a turn's pose may go: the first one of all where the sum will be, then to and fro, for the one before is not
- * added yet.
- */
-static float *place_of_turn(plain_sum *s, turns *t)
-{
-    return s->total == 0.0 ? s->v : t->pose[s->last.at == t->pose[0]];
-}
-
 static void blend_plain(const nkw_pose_layer *layers, size_t count, const float *rest, float threshold, const part *p,
                         float *out)
 {
     plain_sum s;
-    turns t;
+    queue q;
     s.total = 0.0;
     s.t = 0.0f;
-    for (peers g = peers_below(layers, count, ABOVE_ALL); g.count; g = peers_below(layers, count, g.weight)) {
-        if (g.count == 1)
-            add_plain(&s, rows_of(layers[g.first].pose, p), g.weight, p);
-        for (uint32_t turn = 0; g.count > 1 && turn < g.count; turn++)
-            add_plain(&s, take_turn(&t, &g, turn, p, place_of_turn(&s, &t)), g.weight, p);
-    }
+    begin_queue(&q, layers, count, p);
+    for (const nkw_pose_layer *l = next_layer(&q); l; l = next_layer(&q))
+        add_plain(&s, rows_of(l->pose, p), weight_of(l->weight), p);
     add_plain(&s, rows_of(rest, p), missing(s.total, threshold), p);
     if (s.t > 0.0f)
         nkw_batch_selected()->blend_nlerp(s.sum, s.last, s.t, (int)p->used, rows_span(out, p), (int)p->n);
@@ -346,28 +319,24 @@ static void blend_with_masks(const nkw_pose_layer *layers, size_t count, const f
                              const part *p, float *out)
 {
     masked_sum s;
-    turns t;
+    queue q;
     float unit[4][BLEND_BLOCK];
     nkw_quat_span units = {unit[0], unit[1], unit[2], unit[3]};
     blend_rows sum = {s.v, p->n};
     memset(s.total, 0, sizeof s.total);
     memset(s.mixed, 0, sizeof s.mixed);
     s.begun = 0;
-    for (peers g = peers_below(layers, count, ABOVE_ALL); g.count; g = peers_below(layers, count, g.weight)) {
+    begin_queue(&q, layers, count, p);
+    for (const nkw_pose_layer *l = next_layer(&q); l; l = next_layer(&q)) {
         float weight[BLEND_BLOCK];
-        weigh(g.weight, layers[g.first].mask, p, weight);
-        if (g.count == 1)
-            add_masked(&s, rows_of(layers[g.first].pose, p), weight, p);
-        for (uint32_t turn = 0; g.count > 1 && turn < g.count; turn++) {
-            blend_rows pose = take_turn(&t, &g, turn, p, t.pose[0]);
-            add_masked(&s, pose, t.weight, p);
-        }
+        weigh(weight_of(l->weight), l->mask, p, weight);
+        add_masked(&s, rows_of(l->pose, p), weight, p);
     }
     add_rest(&s, rest, threshold, p);
     nkw_batch_selected()->quat_settle(nkw_pose_view(s.v, p->n).rotation, (int)p->used, units, (int)p->n);
     for (size_t c = 0; c < 4; c++) {
-        float *q = s.v + (3 + c) * p->n;
-        nkw_batch_selected()->lerp(q, unit[c], s.mixed, q, p->n);
+        float *row = s.v + (3 + c) * p->n;
+        nkw_batch_selected()->lerp(row, unit[c], s.mixed, row, p->n);
     }
     copy_rows(sum, rows_span(out, p), p->n);
 }

@@ -63,11 +63,26 @@ static void the_order_of_layers_changes_no_bit(void **state)
     expect_any_order(b);
 }
 
+static void layers_that_differ_in_one_row_may_come_in_any_order(void **state)
+{
+    (void)state;
+    for (size_t row = 0; row < 10; row++) {
+        bed *b = make_bed(19 + row);
+        for (size_t i = 0; i < LAYERS; i++) {
+            b->layers[i].weight = 0.25f;
+            for (size_t c = 0; c < 10 && i > 0; c++)
+                if (c != row)
+                    memcpy(b->poses[i] + c * STRIDE, b->poses[0] + c * STRIDE, STRIDE * sizeof(float));
+        }
+        expect_any_order(b);
+    }
+}
+
 /* More than the library orders together, some of them the same; turned round step by step, and backwards. */
 static void many_layers_of_one_weight_may_come_in_any_order(void **state)
 {
     (void)state;
-    enum { MANY = 19 };
+    enum { MANY = 75 };
     bed *b = make_bed(15), *more;
     static bed other;
     nkw_pose_layer layers[MANY];
@@ -120,14 +135,12 @@ static void groups_of_one_weight_give_the_mean(void **state)
     }
 }
 
-/* Of equal weights too, with masks and without: all other joints of all layers change, and joint 7 keeps its bits. */
+/* With masks and without: all other joints of all layers change, and joint 7 keeps its bits. */
 static void a_joints_result_depends_on_that_joint_alone(void **state)
 {
     (void)state;
     random_source r = random_from(12);
     bed *b = make_bed(11);
-    for (size_t i = 0; i < LAYERS; i++)
-        b->layers[i].weight = 0.25f;
     for (int masked = 0; masked < 2; masked++) {
         for (size_t i = 0; i < LAYERS; i++)
             b->layers[i].mask = masked ? b->masks[i] : NULL;
@@ -310,16 +323,42 @@ static void signs_of_layers_do_not_matter(void **state)
 static void the_result_may_replace_a_layers_pose(void **state)
 {
     (void)state;
-    bed *b = make_bed(14);
+    for (int even = 0; even < 2; even++)
+        for (size_t k = 0; k < LAYERS; k++) {
+            bed *b = make_bed(14);
+            for (size_t i = 0; i < LAYERS && even; i++)
+                b->layers[i].weight = 0.25f;
+            nkw_pose_blend_layers(b->layers, LAYERS, b->rest, JOINTS, 0.1f, b->want);
+            nkw_pose_blend_layers(b->layers, LAYERS, b->rest, JOINTS, 0.1f, b->poses[k]);
+            expect_poses_bits(b->poses[k], b->want);
+        }
+}
+
+/* Layers of one weight that have one row in common, behind which other things stand in each of them. */
+static void the_padding_puts_no_layer_before_another(void **state)
+{
+    (void)state;
+    random_source r = random_from(17);
+    bed *b = make_bed(18);
+    for (size_t i = 0; i < LAYERS; i++) {
+        b->layers[i].weight = 0.25f;
+        memcpy(b->poses[i] + 3 * STRIDE, b->poses[0] + 3 * STRIDE, JOINTS * sizeof(float));
+    }
     nkw_pose_blend_layers(b->layers, LAYERS, b->rest, JOINTS, 0.1f, b->want);
-    nkw_pose_blend_layers(b->layers, LAYERS, b->rest, JOINTS, 0.1f, b->poses[1]);
-    expect_poses_bits(b->poses[1], b->want);
+    for (int round = 0; round < 10; round++) {
+        for (size_t i = 0; i < LAYERS * 10 * STRIDE; i++)
+            if (i % STRIDE >= JOINTS)
+                b->poses[i / (10 * STRIDE)][i % (10 * STRIDE)] = random_unit(&r);
+        nkw_pose_blend_layers(b->layers, LAYERS, b->rest, JOINTS, 0.1f, b->out);
+        expect_poses_bits(b->out, b->want);
+    }
 }
 
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(the_order_of_layers_changes_no_bit),
+        cmocka_unit_test(layers_that_differ_in_one_row_may_come_in_any_order),
         cmocka_unit_test(many_layers_of_one_weight_may_come_in_any_order),
         cmocka_unit_test(groups_of_one_weight_give_the_mean),
         cmocka_unit_test(a_joints_result_depends_on_that_joint_alone),
@@ -332,6 +371,7 @@ int main(void)
         cmocka_unit_test(enormous_weights_count_as_two_to_the_sixty),
         cmocka_unit_test(signs_of_layers_do_not_matter),
         cmocka_unit_test(the_result_may_replace_a_layers_pose),
+        cmocka_unit_test(the_padding_puts_no_layer_before_another),
     };
     return cmocka_run_group_tests_name("blend_layers", tests, NULL, NULL);
 }

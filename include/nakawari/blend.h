@@ -9,7 +9,8 @@
  * mask may be NULL, that is 1 everywhere. Masks outside 0..1 count as 0 or 1, NaN as 0.
  *
  * Without joints nothing is read or written. `out` may be any of the input poses itself, otherwise it must not overlap
- * them; its padding may be written. A joint's result depends on that joint's inputs alone.
+ * them; its padding may be written. A joint's result depends on that joint's inputs alone, but for the order of layers of
+ * one weight.
  */
 #ifndef NAKAWARI_BLEND_H
 #define NAKAWARI_BLEND_H
@@ -58,8 +59,9 @@ typedef struct nkw_pose_layer {
  * Where the weights fall short of the threshold, the rest pose makes up for what is missing; where no layer has a
  * weight it is taken bit for bit, whatever the threshold. Weights need not sum to 1.
  *
- * Layers are added in an order of their own: the heaviest first, those of one weight joint by joint, by the joint's
- * masks, then by its numbers. That makes the order of `layers` of no account for any bit. Each rotation is added with
+ * Layers are added in an order of their own: the heaviest first, those of one weight by the first number, as bits, in
+ * which their masks or poses differ, in each block of 128 joints. That makes the order of `layers` of no account for any
+ * bit. Each rotation is added with
  * the sign that puts it on the side of the sum so far, so the heaviest layer says which side that is, and two layers
  * take the shorter arc. (A fixed side, such as the rest pose's, would tear apart layers that agree on a half turn away
  * from it.) Three and more rotations of which some are more than half a turn apart have no mean that is continuous in
@@ -73,9 +75,7 @@ typedef struct nkw_pose_layer {
  * layers     `count` of them, count = 0 too
  * threshold  0 or less, and NaN: the rest pose only where nothing else is; 0.1 is usual
  *
- * The time grows with the number of layers, and for its order with its square, which shows from about 20 on. Layers of
- * one weight, which every joint puts in an order of its own, take ten to twenty times as long; from 9 on their time
- * grows with the third power of their number.
+ * The time grows with the number of layers, and for their order with its square, which shows from about 20 on.
  * Error  7.8 u of the largest of the translations or scales, for up to eight layers (5.8 u where the rest pose has
  *        nothing to make up for); of rotations 6.2 u (5.9 u so, up to four layers 3.3).
  */

@@ -232,39 +232,6 @@ KERNEL(blend_mix)(blend_rows to, const float *t, blend_span sum, int n)
     lerps_each(vectors_of(from, 7), vectors_of(to, 7), t, vector_span(sum, 7), n);
 }
 
-/* Whether b's bits come before a's, as whole numbers; `equal` where they are the same. */
-static inline uint32_t comes_before(float b, float a, uint32_t equal)
-{
-    uint32_t x = lane_bits(a), y = lane_bits(b);
-    return (uint32_t)(y < x) | ((uint32_t)(y == x) & equal);
-}
-
-static inline uint32_t vec3_comes_before(nkw_vec3 b, nkw_vec3 a, uint32_t equal)
-{
-    return comes_before(b.x, a.x, comes_before(b.y, a.y, comes_before(b.z, a.z, equal)));
-}
-
-/*
- * Adds 1 to the rank of a joint of layer a where layer b, of the same weight, goes before it: by their masks, then by
- * the joint's numbers, rotation first; where all is the same the one that is `first` as layers stand.
- */
-KERNEL(blend_rank)
-(blend_rows a, blend_rows b, const float *mask_a, const float *mask_b, int first, uint32_t *rank, int n)
-{
-    const nkw_quat_view p = rotations_of(a), q = rotations_of(b);
-    const nkw_vec3_view ta = vectors_of(a, 0), tb = vectors_of(b, 0), sa = vectors_of(a, 7), sb = vectors_of(b, 7);
-    const uint32_t equal = first != 0;
-#pragma omp simd
-    for (int i = 0; i < n; i++) {
-        const size_t k = (size_t)i;
-        uint32_t r = vec3_comes_before(at_vec3(sb, k), at_vec3(sa, k), equal);
-        r = vec3_comes_before(at_vec3(tb, k), at_vec3(ta, k), r);
-        r = comes_before(q.z[i], p.z[i], comes_before(q.w[i], p.w[i], r));
-        r = comes_before(q.x[i], p.x[i], comes_before(q.y[i], p.y[i], r));
-        rank[i] += comes_before(mask_b[i], mask_a[i], r);
-    }
-}
-
 /* mixed becomes 1 where more than one pose has a part, 0 where one alone has all. */
 KERNEL(blend_share)(const float *weight, double *total, float *mixed, float *t, size_t n)
 {

@@ -117,7 +117,6 @@ typedef struct blend_span {
     X(blend_weigh, (float weight, const float *mask, int used, float *out, int n), (weight, mask, used, out, n)) \
     X(blend_each, (blend_rows a, blend_rows b, const float *t, int used, blend_span out, int n), (a, b, t, used, out, n)) \
     X(blend_mix, (blend_rows to, const float *t, blend_span sum, int n), (to, t, sum, n)) \
-    X(blend_rank, (blend_rows a, blend_rows b, const float *mask_a, const float *mask_b, int first, uint32_t *rank, int n), (a, b, mask_a, mask_b, first, rank, n)) \
     X(blend_share, (const float *weight, double *total, float *mixed, float *t, size_t n), (weight, total, mixed, t, n)) \
     X(additive_build, (nkw_trs_view a, nkw_trs_view ref, int parent, nkw_trs_span out, size_t n), (a, ref, parent, out, n)) \
     X(additive_apply, (nkw_trs_view base, nkw_trs_view delta, const float *weight, int parent, nkw_trs_span out, size_t n), (base, delta, weight, parent, out, n)) \

@@ -4,8 +4,6 @@ cmake_minimum_required(VERSION 3.25)
 # Columns of 4x4 matrices, one or two at a time on every set.
 set(fours palette_4x4 palette_3x4 skin_blend skin_blend_normals skin_blend_dual_quats models_from_locals)
 set(packed_fours "v?(mul|add)ps .*%[xy]mm")
-# Whole numbers are compared, in the same registers.
-set(compares blend_rank)
 set(moves vec3_unpack vec3_pack quat_unpack quat_pack mat4_unpack mat4_pack quat_conjugate
   clip_hold skin_read skin_write crowd_from_poses crowd_to_matrices)
 set(packed_generic "(mul|add|sub|div|sqrt)p[sd] .*%xmm")
@@ -28,9 +26,6 @@ foreach(isa IN LISTS ISAS)
     set(packed "${packed_${isa}}")
     if(name IN_LIST fours)
       set(packed "${packed_fours}")
-    endif()
-    if(name IN_LIST compares)
-      string(REGEX REPLACE "\\(.*\\)p\\[sd\\]" "pcmp[a-z]+" packed "${packed}")
     endif()
     if(NOT code MATCHES "${packed}")
       message(SEND_ERROR "packed: ${name} is not vectorised for ${isa}")
