@@ -115,13 +115,14 @@ inline nkw_vec3 nkw_mat3_transform(const nkw_mat3 *m, nkw_vec3 v)
 inline nkw_mat3 nkw_mat3_from_quat(nkw_quat q)
 {
     NKW_EXACT
+    float x2 = q.x + q.x, y2 = q.y + q.y, z2 = q.z + q.z;
     float xx = NKW_MUL(q.x, q.x), yy = NKW_MUL(q.y, q.y), zz = NKW_MUL(q.z, q.z), ww = NKW_MUL(q.w, q.w);
-    float xy = NKW_MUL(q.x, q.y), xz = NKW_MUL(q.x, q.z), yz = NKW_MUL(q.y, q.z);
-    float wx = NKW_MUL(q.w, q.x), wy = NKW_MUL(q.w, q.y), wz = NKW_MUL(q.w, q.z);
+    float xy = NKW_MUL(q.x, y2), yz = NKW_MUL(q.y, z2), zx = NKW_MUL(q.z, x2);
+    float wx = NKW_MUL(q.w, x2), wy = NKW_MUL(q.w, y2), wz = NKW_MUL(q.w, z2);
     nkw_mat3 r = {{
-        (ww - yy) + (xx - zz), (xy + wz) + (xy + wz), (xz - wy) + (xz - wy),
-        (xy - wz) + (xy - wz), (ww - zz) + (yy - xx), (yz + wx) + (yz + wx),
-        (xz + wy) + (xz + wy), (yz - wx) + (yz - wx), (ww - xx) + (zz - yy),
+        (ww - yy) + (xx - zz), xy + wz, zx - wy,
+        xy - wz, (ww - zz) + (yy - xx), yz + wx,
+        zx + wy, yz - wx, (ww - xx) + (zz - yy),
     }};
     return r;
 }
