@@ -151,10 +151,11 @@ static void run_pass(const plan *p, const skin_influences *f, const nkw_mat4 *pa
 }
 
 /*
- * Positions and normals by one matrix, which stays in registers; tangents and bitangents by the same once more. Weights
- * that are not floats are made so, a block at a time.
+ * Positions and normals by one matrix, which stays in registers, unless normals have their own; tangents and bitangents
+ * by the same once more. Weights that are not floats are made so, a block at a time.
  */
-static void run_pairs(const plan *p, const nkw_mat4 *palette, const nkw_vertices *in, const nkw_vertices_span *out)
+static void run_pairs(const plan *p, const nkw_mat4 *palette, const nkw_mat4 *normal_palette, const nkw_vertices *in,
+                      const nkw_vertices_span *out)
 {
     const skin_stream none = {NULL, NULL, 0, 0};
     skin_influences f = {p->joints, p->weights, p->influences, p->limit};
@@ -176,7 +177,9 @@ static void run_pairs(const plan *p, const nkw_mat4 *palette, const nkw_vertices
             decode_block(p, from, n, &b);
             f.joints = joints, f.weights = weights;
         }
-        run_pass(p, &f, palette, &positions, &normals, from, n);
+        run_pass(p, &f, palette, &positions, normal_palette ? &none : &normals, from, n);
+        if (normal_palette)
+            run_pass(p, &f, normal_palette, &none, &normals, from, n);
         run_pass(p, &f, palette, &none, &tangents, from, n);
         run_pass(p, &f, palette, &none, &bitangents, from, n);
     }
@@ -209,13 +212,28 @@ static void run_arrays(const plan *p, const transforms *t, const nkw_vertices_ar
     }
 }
 
+/* Of so many joints the matrices of normals are made 4x4 first; of more, each vertex's normal goes by blocks. */
+#define NORMAL_JOINTS 256
+
+static void run_normal_pairs(const plan *p, const nkw_skin_palette *palette, const nkw_vertices *in,
+                             const nkw_vertices_span *out)
+{
+    const nkw_vec3 origin = {0.0f, 0.0f, 0.0f};
+    nkw_mat4 normals[NORMAL_JOINTS];
+    for (size_t j = 0; j < palette->joints; j++)
+        normals[j] = nkw_mat4_from_mat3(&palette->normals[j], origin);
+    run_pairs(p, palette->matrices, normals, in, out);
+}
+
 void nkw_skin_linear(const nkw_skin *skin, const nkw_skin_palette *palette, const nkw_vertices *in,
                      const nkw_vertices_span *out)
 {
     plan p = plan_of(skin, palette->joints, palette->raw_directions);
     transforms t = {palette, NULL};
     if (!palette->normals)
-        run_pairs(&p, palette->matrices, in, out);
+        run_pairs(&p, palette->matrices, NULL, in, out);
+    else if (palette->joints <= NORMAL_JOINTS)
+        run_normal_pairs(&p, palette, in, out);
     else
         run_streams(&p, &t, in, out);
 }

@@ -122,6 +122,41 @@ static void positions_and_normals_alone_are_as_together(void **state)
     }
 }
 
+/* Of so many joints that normals go by blocks; what is behind those that influence a vertex must not matter. */
+static void normals_by_their_own_matrices_are_the_same_for_any_number_of_joints(void **state)
+{
+    (void)state;
+    enum { MANY = 257 };
+    static nkw_mat4 matrices[MANY];
+    static nkw_mat3 normals[MANY];
+    memset(matrices, 0xff, sizeof matrices);
+    memset(normals, 0xff, sizeof normals);
+    for (size_t k = 1; k <= 8; k++) {
+        mesh m = draw(90 + k, k, 0);
+        nkw_skin skin = skin_of(&m, k);
+        nkw_vertices in = streams(m.v, FLOATS), tight = {{m.v, 0}, {m.v + 3 * VERTICES, 0}, {NULL, 0}, {NULL, 0}};
+        memcpy(matrices, m.matrices, sizeof m.matrices);
+        memcpy(normals, m.normals, sizeof m.normals);
+        for (size_t i = 0; i < VERTICES; i += 1 + i / 5)
+            memset(m.weights + i * k, 0, k * sizeof *m.weights);
+        for (int raw = 0; raw < 2; raw++) {
+            float few[2][VERTICES * FLOATS] = {{0}}, many[2][VERTICES * FLOATS] = {{0}};
+            nkw_skin_palette small = {m.matrices, m.normals, JOINTS, raw}, large = {matrices, normals, MANY, raw};
+            nkw_vertices_span out[2] = {spans(few[0], FLOATS), spans(many[0], FLOATS)};
+            nkw_vertices_span out_tight[2] = {
+                {{few[1], 0}, {few[1] + 3 * VERTICES, 0}, {NULL, 0}, {NULL, 0}},
+                {{many[1], 0}, {many[1] + 3 * VERTICES, 0}, {NULL, 0}, {NULL, 0}},
+            };
+            nkw_skin_linear(&skin, &small, &in, &out[0]);
+            nkw_skin_linear(&skin, &large, &in, &out[1]);
+            nkw_skin_linear(&skin, &small, &tight, &out_tight[0]);
+            nkw_skin_linear(&skin, &large, &tight, &out_tight[1]);
+            expect_floats_bits(few[0], many[0], VERTICES * FLOATS);
+            expect_floats_bits(few[1], many[1], VERTICES * FLOATS);
+        }
+    }
+}
+
 /* As many floats as are there and no more: what lies behind is out of bounds. */
 static float *copy_of(const float *v, size_t floats)
 {
@@ -179,6 +214,7 @@ int main(void)
         cmocka_unit_test(raw_directions_are_not_made_unit),
         cmocka_unit_test(pairs_are_as_blocks_for_every_format_and_odd_vertices),
         cmocka_unit_test(positions_and_normals_alone_are_as_together),
+        cmocka_unit_test(normals_by_their_own_matrices_are_the_same_for_any_number_of_joints),
         cmocka_unit_test(any_number_of_vertices_is_as_the_first_of_many),
         cmocka_unit_test(without_influences_their_arrays_may_be_null),
     };
