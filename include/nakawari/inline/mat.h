@@ -26,14 +26,24 @@ typedef int nkw_column_bits __attribute__((vector_size(16)));
     } while (0)
 #define NKW_COLUMN_LOAD(r, from) memcpy(&r, from, sizeof r)
 #define NKW_COLUMN_STORE(to, r) memcpy(to, &r, sizeof r)
+#if defined(__clang__)
+#define NKW_COLUMN_MIX(r, a, b, i, j, k, l) ((void)(r = __builtin_shufflevector(a, b, i, j, k, l)))
+#else
+#define NKW_COLUMN_MIX(r, a, b, i, j, k, l)                                                                            \
+    ((void)(r = __builtin_shuffle(a, b, __extension__(nkw_column_bits){i, j, k, l})))
+#endif
 #define NKW_TERM(a) (a)
 #define NKW_ALL(s) (__extension__(nkw_column){s, s, s, s})
 #if !defined(NKW_FUSES)
 #define NKW_TIMES(a, s) ((a) * (s))
-#elif defined(__aarch64__)
-#define NKW_TIMES(a, s) __builtin_aarch64_fmav4sf(a, NKW_ALL(s), NKW_ALL(-0.0f))
+#define NKW_PRODUCT(a, b) ((a) * (b))
 #else
-#define NKW_TIMES(a, s) __builtin_ia32_vfmaddps(a, NKW_ALL(s), NKW_ALL(-0.0f))
+#if defined(__aarch64__)
+#define NKW_PRODUCT(a, b) __builtin_aarch64_fmav4sf(a, b, NKW_ALL(-0.0f))
+#else
+#define NKW_PRODUCT(a, b) __builtin_ia32_vfmaddps(a, b, NKW_ALL(-0.0f))
+#endif
+#define NKW_TIMES(a, s) NKW_PRODUCT(a, NKW_ALL(s))
 #endif
 #else
 typedef float nkw_column[4];
@@ -46,8 +56,16 @@ typedef float nkw_column[4];
 #define NKW_COLUMN_END(r, one) ((void)((r)[3] = (one) ? 1.0f : 0.0f))
 #define NKW_COLUMN_LOAD(r, from) NKW_COLUMN_EACH((r)[row] = (from)[row])
 #define NKW_COLUMN_STORE(to, r) NKW_COLUMN_EACH((to)[row] = (r)[row])
+#define NKW_COLUMN_PICK(a, b, i) ((i) < 4 ? (a)[(i) & 3] : (b)[(i) & 3])
+#define NKW_COLUMN_MIX(r, a, b, i, j, k, l)                                                                            \
+    do {                                                                                                               \
+        const float mix[4] = {NKW_COLUMN_PICK(a, b, i), NKW_COLUMN_PICK(a, b, j), NKW_COLUMN_PICK(a, b, k),            \
+                              NKW_COLUMN_PICK(a, b, l)};                                                               \
+        NKW_COLUMN_EACH((r)[row] = mix[row]);                                                                          \
+    } while (0)
 #define NKW_TERM(a) ((a)[row])
 #define NKW_TIMES(a, s) NKW_MUL((a)[row], s)
+#define NKW_PRODUCT(a, b) NKW_MUL((a)[row], (b)[row])
 #endif
 
 #ifdef __cplusplus
@@ -220,11 +238,19 @@ inline nkw_mat4 nkw_mat4_inverse_rigid(const nkw_mat4 *m)
 {
     NKW_EXACT
     const float *a = m->m;
-    nkw_column x = {a[0], a[4], a[8], a[12]}, y = {a[1], a[5], a[9], a[13]}, z = {a[2], a[6], a[10], a[14]}, t;
+    const nkw_column none = {0.0f, 0.0f, 0.0f, 0.0f};
+    nkw_column x, y, z, t, xy_low, xy_high, z_low, z_high;
+    NKW_COLUMN_LOAD(x, a);
+    NKW_COLUMN_LOAD(y, a + 4);
+    NKW_COLUMN_LOAD(z, a + 8);
+    NKW_COLUMN_MIX(xy_low, x, y, 0, 4, 1, 5);
+    NKW_COLUMN_MIX(xy_high, x, y, 2, 6, 3, 7);
+    NKW_COLUMN_MIX(z_low, z, none, 0, 4, 1, 5);
+    NKW_COLUMN_MIX(z_high, z, none, 2, 6, 3, 7);
+    NKW_COLUMN_MIX(x, xy_low, z_low, 0, 1, 4, 5);
+    NKW_COLUMN_MIX(y, xy_low, z_low, 2, 3, 6, 7);
+    NKW_COLUMN_MIX(z, xy_high, z_high, 0, 1, 4, 5);
     NKW_COLUMN(t, -NKW_WEIGHED_0(a + 12));
-    NKW_COLUMN_END(x, 0);
-    NKW_COLUMN_END(y, 0);
-    NKW_COLUMN_END(z, 0);
     NKW_COLUMN_END(t, 1);
     nkw_mat4 r;
     NKW_COLUMN_STORE(r.m, x);
