@@ -53,7 +53,7 @@ nkw_vec3 nkw_quat_log(nkw_quat q)
     return lane_vec3_from_wide(lane_wquat_log(lane_wquat_from(lane_quat_argument(q))));
 }
 
-nkw_quat nkw_quat_exp(nkw_vec3 v)
+LANE_FLAT nkw_quat nkw_quat_exp(nkw_vec3 v)
 {
     return lane_quat_from_wide(lane_wquat_exp(lane_wvec3_from(v)));
 }

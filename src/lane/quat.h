@@ -150,7 +150,7 @@ static inline lane_wquat lane_wquat_from_axis_half(lane_wvec3 axis, lane_sincos 
 
 static inline lane_wquat lane_wquat_from_axis_half_angle(lane_wvec3 axis, double half)
 {
-    return lane_wquat_from_axis_half(axis, lane_sincos64_any(half));
+    return lane_wquat_from_axis_half(axis, lane_sincos64_single(half));
 }
 
 /*
@@ -161,7 +161,7 @@ static inline lane_sincos lane_turn64(double x)
 {
     double most = (double)FLT_MAX;
     double held = x > most ? most : x < -most ? -most : x;
-    return lane_sincos64_any(lane_abs64(x) < LANE_NEAR ? x : (double)(float)held);
+    return lane_sincos64_single(lane_abs64(x) < LANE_NEAR ? x : (double)(float)held);
 }
 
 /* log q: axis times half angle; see nkw_quat_log. */
