@@ -68,6 +68,22 @@ typedef float nkw_column[4];
 #define NKW_PRODUCT(a, b) NKW_MUL((a)[row], (b)[row])
 #endif
 
+/* The columns x, y, z, t of a 4x4 matrix. */
+#define NKW_COLUMNS_LOAD(x, y, z, t, from)                                                                             \
+    do {                                                                                                               \
+        NKW_COLUMN_LOAD(x, (from)->m);                                                                                 \
+        NKW_COLUMN_LOAD(y, (from)->m + 4);                                                                             \
+        NKW_COLUMN_LOAD(z, (from)->m + 8);                                                                             \
+        NKW_COLUMN_LOAD(t, (from)->m + 12);                                                                            \
+    } while (0)
+#define NKW_COLUMNS_STORE(to, x, y, z, t)                                                                              \
+    do {                                                                                                               \
+        NKW_COLUMN_STORE((to)->m, x);                                                                                  \
+        NKW_COLUMN_STORE((to)->m + 4, y);                                                                              \
+        NKW_COLUMN_STORE((to)->m + 8, z);                                                                              \
+        NKW_COLUMN_STORE((to)->m + 12, t);                                                                             \
+    } while (0)
+
 #ifdef __cplusplus
 extern "C" {
 #endif
@@ -194,19 +210,13 @@ inline nkw_mat4 nkw_mat4_mul(const nkw_mat4 *a, const nkw_mat4 *b)
 {
     NKW_EXACT
     nkw_column x, y, z, t, u, v, w, s;
-    NKW_COLUMN_LOAD(x, a->m);
-    NKW_COLUMN_LOAD(y, a->m + 4);
-    NKW_COLUMN_LOAD(z, a->m + 8);
-    NKW_COLUMN_LOAD(t, a->m + 12);
+    NKW_COLUMNS_LOAD(x, y, z, t, a);
     NKW_COLUMN(u, NKW_WEIGHED(b->m));
     NKW_COLUMN(v, NKW_WEIGHED(b->m + 4));
     NKW_COLUMN(w, NKW_WEIGHED(b->m + 8));
     NKW_COLUMN(s, NKW_WEIGHED(b->m + 12));
     nkw_mat4 r;
-    NKW_COLUMN_STORE(r.m, u);
-    NKW_COLUMN_STORE(r.m + 4, v);
-    NKW_COLUMN_STORE(r.m + 8, w);
-    NKW_COLUMN_STORE(r.m + 12, s);
+    NKW_COLUMNS_STORE(&r, u, v, w, s);
     return r;
 }
 
@@ -214,10 +224,7 @@ inline nkw_mat4 nkw_mat4_mul_affine(const nkw_mat4 *a, const nkw_mat4 *b)
 {
     NKW_EXACT
     nkw_column x, y, z, t, u, v, w, s;
-    NKW_COLUMN_LOAD(x, a->m);
-    NKW_COLUMN_LOAD(y, a->m + 4);
-    NKW_COLUMN_LOAD(z, a->m + 8);
-    NKW_COLUMN_LOAD(t, a->m + 12);
+    NKW_COLUMNS_LOAD(x, y, z, t, a);
     NKW_COLUMN(u, NKW_WEIGHED_0(b->m));
     NKW_COLUMN(v, NKW_WEIGHED_0(b->m + 4));
     NKW_COLUMN(w, NKW_WEIGHED_0(b->m + 8));
@@ -227,22 +234,16 @@ inline nkw_mat4 nkw_mat4_mul_affine(const nkw_mat4 *a, const nkw_mat4 *b)
     NKW_COLUMN_END(w, 0);
     NKW_COLUMN_END(s, 1);
     nkw_mat4 r;
-    NKW_COLUMN_STORE(r.m, u);
-    NKW_COLUMN_STORE(r.m + 4, v);
-    NKW_COLUMN_STORE(r.m + 8, w);
-    NKW_COLUMN_STORE(r.m + 12, s);
+    NKW_COLUMNS_STORE(&r, u, v, w, s);
     return r;
 }
 
 inline nkw_mat4 nkw_mat4_inverse_rigid(const nkw_mat4 *m)
 {
     NKW_EXACT
-    const float *a = m->m;
     const nkw_column none = {0.0f, 0.0f, 0.0f, 0.0f};
     nkw_column x, y, z, t, xy_low, xy_high, z_low, z_high;
-    NKW_COLUMN_LOAD(x, a);
-    NKW_COLUMN_LOAD(y, a + 4);
-    NKW_COLUMN_LOAD(z, a + 8);
+    NKW_COLUMNS_LOAD(x, y, z, t, m);
     NKW_COLUMN_MIX(xy_low, x, y, 0, 4, 1, 5);
     NKW_COLUMN_MIX(xy_high, x, y, 2, 6, 3, 7);
     NKW_COLUMN_MIX(z_low, z, none, 0, 4, 1, 5);
@@ -250,13 +251,10 @@ inline nkw_mat4 nkw_mat4_inverse_rigid(const nkw_mat4 *m)
     NKW_COLUMN_MIX(x, xy_low, z_low, 0, 1, 4, 5);
     NKW_COLUMN_MIX(y, xy_low, z_low, 2, 3, 6, 7);
     NKW_COLUMN_MIX(z, xy_high, z_high, 0, 1, 4, 5);
-    NKW_COLUMN(t, -NKW_WEIGHED_0(a + 12));
+    NKW_COLUMN(t, -NKW_WEIGHED_0(m->m + 12));
     NKW_COLUMN_END(t, 1);
     nkw_mat4 r;
-    NKW_COLUMN_STORE(r.m, x);
-    NKW_COLUMN_STORE(r.m + 4, y);
-    NKW_COLUMN_STORE(r.m + 8, z);
-    NKW_COLUMN_STORE(r.m + 12, t);
+    NKW_COLUMNS_STORE(&r, x, y, z, t);
     return r;
 }
 

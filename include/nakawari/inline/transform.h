@@ -81,10 +81,7 @@ inline nkw_mat4 nkw_mat4_from_trs(const nkw_trs *trs)
     NKW_COLUMN_LOAD(origin, a);
     NKW_COLUMN_END(origin, 1);
     nkw_mat4 r;
-    NKW_COLUMN_STORE(r.m, x);
-    NKW_COLUMN_STORE(r.m + 4, y);
-    NKW_COLUMN_STORE(r.m + 8, z);
-    NKW_COLUMN_STORE(r.m + 12, origin);
+    NKW_COLUMNS_STORE(&r, x, y, z, origin);
     return r;
 }
 
