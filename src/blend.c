@@ -141,6 +141,8 @@ void nkw_pose_blend_slerp(const float *a, const float *b, size_t joints, float t
 /* -1, 0 or 1: whether the first number in which a and b differ is smaller in a, as bits. */
 static int compare(const float *a, const float *b, size_t n)
 {
+    if (a == b || memcmp(a, b, n * sizeof *a) == 0)
+        return 0;
     for (size_t i = 0; i < n; i++)
         if (lane_bits(a[i]) != lane_bits(b[i]))
             return lane_bits(a[i]) < lane_bits(b[i]) ? -1 : 1;

@@ -1,6 +1,8 @@
 /* SPDX-License-Identifier: MIT */
 #include "lane/strict.h"
 
+#include <string.h>
+
 #include <nakawari/clip.h>
 #include <nakawari/quat.h>
 #include <nakawari/segment.h>
@@ -29,10 +31,11 @@ static void compare(const nkw_clip *clip, const nkw_clip_track *c, nkw_segment s
 
 static int share_times(const nkw_track *a, const nkw_track *b)
 {
-    return a->times == b->times && a->count == b->count;
+    return a->count == b->count &&
+           (a->times == b->times || memcmp(a->times, b->times, a->count * sizeof *a->times) == 0);
 }
 
-/* The first track of those that have its array of times. */
+/* The first track of those that have its times. */
 static size_t first_of(const nkw_clip_source *source, size_t track)
 {
     size_t i = 0;

@@ -209,8 +209,7 @@ nkw_mat3x4 nkw_mat3x4_from_mat4(const nkw_mat4 *m)
 
 nkw_mat4 nkw_mat4_from_mat3x4(const nkw_mat3x4 *m)
 {
-    nkw_mat4 r = nkw_mat4_identity();
-    for (size_t k = 0; k < 12; k++)
-        r.m[k % 4 * 4 + k / 4] = m->m[k];
+    const float *a = m->m;
+    nkw_mat4 r = {{a[0], a[4], a[8], 0.0f, a[1], a[5], a[9], 0.0f, a[2], a[6], a[10], 0.0f, a[3], a[7], a[11], 1.0f}};
     return r;
 }

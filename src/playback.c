@@ -77,24 +77,32 @@ typedef struct passed {
     size_t capacity, count;
 } passed;
 
+/* The keys first..end - 1. */
+static void pass_keys(size_t first, size_t end, passed *p)
+{
+    size_t n = end > first ? end - first : 0;
+    for (size_t i = 0; i < n && p->count + i < p->capacity; i++)
+        p->out[p->count + i] = first + i;
+    p->count += n;
+}
+
+/* How many keys are not after the time. */
+static size_t keys_until(const float *times, size_t count, double time)
+{
+    size_t k = 0;
+    for (size_t n = count; n > 0;) {
+        size_t half = n / 2;
+        int until = (double)times[k + half] <= time;
+        k += until ? half + 1 : 0;
+        n = until ? n - half - 1 : half;
+    }
+    return k;
+}
+
 /* The keys of one pass in (from, to], both counted from the start of the pass. */
 static void pass(const float *times, size_t count, double from, double to, passed *p)
 {
-    for (size_t k = 0; k < count; k++) {
-        if (!((double)times[k] > from && (double)times[k] <= to))
-            continue;
-        if (p->count < p->capacity)
-            p->out[p->count] = k;
-        p->count++;
-    }
-}
-
-/* All keys of a pass that is passed from end to end. */
-static void whole_pass(size_t count, passed *p)
-{
-    for (size_t k = 0; k < count && p->count + k < p->capacity; k++)
-        p->out[p->count + k] = k;
-    p->count += count;
+    pass_keys(keys_until(times, count, from), keys_until(times, count, to), p);
 }
 
 /* The keys of the passes first..last; those further in from both ends than one hold every key. */
@@ -108,7 +116,7 @@ static void passes(const float *times, size_t count, double duration, double fir
             n = last - 2.0;
         }
         if (is_whole)
-            whole_pass(count, p);
+            pass_keys(0, count, p);
         else
             pass(times, count, span[0] - n * duration, span[1] - n * duration, p);
     }

@@ -86,6 +86,14 @@ KERNEL(skin_decode)
 {
     if (k == 4)
         decode(b, joints, limit, weights, 4, n);
+    else if (k == 1)
+        decode(b, joints, limit, weights, 1, n);
+    else if (k == 2)
+        decode(b, joints, limit, weights, 2, n);
+    else if (k == 3)
+        decode(b, joints, limit, weights, 3, n);
+    else if (k == 8)
+        decode(b, joints, limit, weights, 8, n);
     else
         decode(b, joints, limit, weights, k, n);
 }
