@@ -214,18 +214,10 @@ static const nkw_pose_layer *next_layer(queue *q)
     return q->taken < q->sorted ? q->order[q->taken++] : NULL;
 }
 
-static void copy_rows(blend_rows from, blend_span to, size_t n)
+static void copy_rows(blend_rows from, size_t rows, blend_span to, size_t n)
 {
-    for (size_t c = 0; c < 10; c++)
+    for (size_t c = 0; c < rows; c++)
         memmove(to.at + c * to.stride, from.at + c * from.stride, n * sizeof(float));
-}
-
-/* What the rest pose has to make up for, which may be the most of all; all, where there is nothing else. */
-static float missing(double total, float threshold)
-{
-    double limit = (double)weight_of(threshold);
-    double short_of = total < limit ? limit - total : 0.0;
-    return total == 0.0 ? 1.0f : (float)short_of;
 }
 
 /*
@@ -274,11 +266,11 @@ static void blend_plain(const nkw_pose_layer *layers, size_t count, const float 
     begin_queue(&q, layers, count, p);
     for (const nkw_pose_layer *l = next_layer(&q); l; l = next_layer(&q))
         add_plain(&s, rows_of(l->pose, p), weight_of(l->weight), p);
-    add_plain(&s, rows_of(rest, p), missing(s.total, threshold), p);
+    add_plain(&s, rows_of(rest, p), lane_missing(s.total, threshold), p);
     if (s.t > 0.0f)
         nkw_batch_selected()->blend_nlerp(s.sum, s.last, s.t, (int)p->used, rows_span(out, p), (int)p->n);
     else
-        copy_rows(s.sum, rows_span(out, p), p->n);
+        copy_rows(s.sum, 10, rows_span(out, p), p->n);
 }
 
 /*
@@ -301,7 +293,7 @@ static void add_masked(masked_sum *s, blend_rows rows, const float *weight, cons
     if (s->begun)
         batch->blend_mix(rows, s->t, v, (int)p->n);
     else
-        copy_rows(rows, v, p->n);
+        copy_rows(rows, 10, v, p->n);
     s->begun = 1;
 }
 
@@ -309,10 +301,9 @@ static void add_rest(masked_sum *s, const float *rest, float threshold, const pa
 {
     float weight[BLEND_BLOCK];
     int any = 0;
-    for (size_t i = 0; i < p->n; i++) {
-        weight[i] = missing(s->total[i], threshold);
-        any |= i < p->used && weight[i] > 0.0f;
-    }
+    nkw_batch_selected()->blend_missing(s->total, threshold, (int)p->used, weight, (int)p->n);
+    for (size_t i = 0; i < p->n; i++)
+        any |= weight[i] > 0.0f;
     if (any)
         add_masked(s, rows_of(rest, p), weight, p);
 }
@@ -322,9 +313,7 @@ static void blend_with_masks(const nkw_pose_layer *layers, size_t count, const f
 {
     masked_sum s;
     queue q;
-    float unit[4][BLEND_BLOCK];
-    nkw_quat_span units = {unit[0], unit[1], unit[2], unit[3]};
-    blend_rows sum = {s.v, p->n};
+    blend_rows translations = {s.v, p->n}, scales = {s.v + 7 * p->n, p->n};
     memset(s.total, 0, sizeof s.total);
     memset(s.mixed, 0, sizeof s.mixed);
     s.begun = 0;
@@ -335,24 +324,23 @@ static void blend_with_masks(const nkw_pose_layer *layers, size_t count, const f
         add_masked(&s, rows_of(l->pose, p), weight, p);
     }
     add_rest(&s, rest, threshold, p);
-    nkw_batch_selected()->quat_settle(nkw_pose_view(s.v, p->n).rotation, (int)p->used, units, (int)p->n);
-    for (size_t c = 0; c < 4; c++) {
-        float *row = s.v + (3 + c) * p->n;
-        nkw_batch_selected()->lerp(row, unit[c], s.mixed, row, p->n);
-    }
-    copy_rows(sum, rows_span(out, p), p->n);
+    copy_rows(translations, 3, rows_span(out, p), p->n);
+    nkw_batch_selected()->blend_settle(nkw_pose_view(s.v, p->n).rotation, s.mixed, (int)p->used,
+                                       span_of(out, p).rotation, (int)p->n);
+    copy_rows(scales, 3, rows_span(out + 7 * p->stride, p), p->n);
 }
 
 void nkw_pose_blend_layers(const nkw_pose_layer *layers, size_t count, const float *rest, size_t joints,
                            float threshold, float *out)
 {
     int masked = has_mask(layers, count);
+    float limit = weight_of(threshold);
     for (size_t from = 0; from < NKW_POSE_STRIDE(joints); from += BLEND_BLOCK) {
         part p = part_at(joints, from);
         if (masked)
-            blend_with_masks(layers, count, rest, threshold, &p, out);
+            blend_with_masks(layers, count, rest, limit, &p, out);
         else
-            blend_plain(layers, count, rest, threshold, &p, out);
+            blend_plain(layers, count, rest, limit, &p, out);
     }
 }
 

@@ -12,8 +12,11 @@ static inline void settle(nkw_quat_view v, nkw_quat_span out, size_t n)
         put_quat(out, i, lane_quat_settle(at_quat(v, i)));
 }
 
-/* out is not v: if one of the first `used` chords was not inside after all, all are done again. */
-KERNEL(quat_settle)(nkw_quat_view v, int used, nkw_quat_span out, int n)
+/*
+ * Chords made unit where mixed is not 0; as they are elsewhere. out is not v: if one of the first `used` was not inside
+ * after all, all are done again.
+ */
+KERNEL(blend_settle)(nkw_quat_view v, const float *mixed, int used, nkw_quat_span out, int n)
 {
     int outside = 0;
 #pragma omp simd reduction(| : outside)
@@ -21,10 +24,15 @@ KERNEL(quat_settle)(nkw_quat_view v, int used, nkw_quat_span out, int n)
         nkw_quat q = at_quat(v, (size_t)i);
         float m = lane_quat_defect(q);
         outside |= !(lane_abs(m) < 1.0f) & (i < used);
-        put_quat(out, (size_t)i, lane_quat_settle_inside(q, m));
+        put_quat(out, (size_t)i, lane_quat_select(mixed[i] == 0.0f, q, lane_quat_settle_inside(q, m)));
     }
-    if (outside)
-        settle(v, out, (size_t)n);
+    if (!outside)
+        return;
+#pragma omp simd
+    for (int i = 0; i < n; i++) {
+        nkw_quat q = at_quat(v, (size_t)i);
+        put_quat(out, (size_t)i, lane_quat_select(mixed[i] == 0.0f, q, lane_quat_settle(q)));
+    }
 }
 
 static inline nkw_quat_view rotations_of(blend_rows rows)
@@ -241,6 +249,16 @@ KERNEL(blend_share)(const float *weight, double *total, float *mixed, float *t, 
         mixed[i] = share == 0.0f ? mixed[i] : share == 1.0f ? 0.0f : 1.0f;
         total[i] = total[i] + (double)weight[i];
         t[i] = share;
+    }
+}
+
+/* What the rest pose has to make up for. */
+KERNEL(blend_missing)(const double *total, float threshold, int used, float *out, int n)
+{
+#pragma omp simd
+    for (int i = 0; i < n; i++) {
+        float w = lane_missing(total[i], threshold);
+        out[i] = i < used ? w : 0.0f;
     }
 }
 

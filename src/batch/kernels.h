@@ -113,10 +113,11 @@ typedef struct blend_span {
     X(clip_quat_hold, (const float *key, size_t rows, int normalized, const nkw_block *blocks, size_t block_count, float *out, size_t stride), (key, rows, normalized, blocks, block_count, out, stride)) \
     X(blend_chord, (blend_rows a, blend_rows b, float t, blend_span out, int n), (a, b, t, out, n)) \
     X(blend_nlerp, (blend_rows a, blend_rows b, float t, int used, blend_span out, int n), (a, b, t, used, out, n)) \
-    X(quat_settle, (nkw_quat_view v, int used, nkw_quat_span out, int n), (v, used, out, n)) \
+    X(blend_settle, (nkw_quat_view v, const float *mixed, int used, nkw_quat_span out, int n), (v, mixed, used, out, n)) \
     X(blend_weigh, (float weight, const float *mask, int used, float *out, int n), (weight, mask, used, out, n)) \
     X(blend_each, (blend_rows a, blend_rows b, const float *t, int used, blend_span out, int n), (a, b, t, used, out, n)) \
     X(blend_mix, (blend_rows to, const float *t, blend_span sum, int n), (to, t, sum, n)) \
+    X(blend_missing, (const double *total, float threshold, int used, float *out, int n), (total, threshold, used, out, n)) \
     X(blend_share, (const float *weight, double *total, float *mixed, float *t, size_t n), (weight, total, mixed, t, n)) \
     X(additive_build, (nkw_trs_view a, nkw_trs_view ref, int parent, nkw_trs_span out, size_t n), (a, ref, parent, out, n)) \
     X(additive_apply, (nkw_trs_view base, nkw_trs_view delta, const float *weight, int parent, nkw_trs_span out, size_t n), (base, delta, weight, parent, out, n)) \

@@ -29,6 +29,14 @@ static inline float lane_share(float weight, float total)
     return weight > 0.0f ? weight / sum : 0.0f;
 }
 
+/* The weights by which a total falls short of the threshold, which may be the most of all; 1 where there is nothing. */
+static inline float lane_missing(double total, float threshold)
+{
+    double limit = (double)threshold;
+    double short_of = total < limit ? limit - total : 0.0;
+    return total == 0.0 ? 1.0f : (float)short_of;
+}
+
 /* a / b, and 1 where b is 0. */
 static inline float lane_ratio(float a, float b)
 {
