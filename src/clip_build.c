@@ -272,15 +272,15 @@ static void fill_arcs(const builder *b, const clip_group *g, size_t key_count)
     }
 }
 
-/* Where component c of a track goes: in the pose, in its rotations, or in the floats. */
-static size_t place_of(const builder *b, const nkw_clip_track *c, size_t component)
+/* Where component c goes: in the pose, in its rotations, or in the floats. */
+static size_t place_of(const builder *b, nkw_clip_target target, size_t index, size_t component)
 {
     size_t stride = NKW_POSE_STRIDE(b->tracks.source->joint_count);
-    if (c->target == NKW_CLIP_FLOATS)
-        return c->index + component;
-    if (c->target == NKW_CLIP_ROTATION)
-        return c->index;
-    return (component + (c->target == NKW_CLIP_SCALE ? 7u : 0u)) * stride + c->index;
+    if (target == NKW_CLIP_FLOATS)
+        return index + component;
+    if (target == NKW_CLIP_ROTATION)
+        return index;
+    return (component + (target == NKW_CLIP_SCALE ? 7u : 0u)) * stride + index;
 }
 
 /* The lanes of a track in pass 0, 1 or 2: one component, or all of a rotation, or all the floats in a row. */
@@ -289,11 +289,42 @@ static void lay_track(lanes *l, const clip_group *g, const nkw_clip_track *c, si
     int turns = c->target == NKW_CLIP_ROTATION, floats = c->target == NKW_CLIP_FLOATS;
     size_t first = turns || floats ? 0 : pass, end = floats ? c->track.width : first + 1;
     for (size_t component = first; component < end; component++) {
-        size_t lane = add_lane(l, place_of(l->b, c, component));
+        size_t lane = add_lane(l, place_of(l->b, c->target, c->index, component));
         if (l->b->words && g->ranges)
             fill_compact(l->b, g, c, component, lane);
         for (size_t row = 0; l->b->words && !g->ranges && row < (turns ? 4u : 1u); row++)
             fill_component(l->b, g, c, component + row, row, lane);
+    }
+}
+
+/* What a joint or float holds that nothing changes. */
+static float constant_of(const builder *b, nkw_clip_target target, size_t index, size_t component)
+{
+    const nkw_clip_source *s = b->tracks.source;
+    const nkw_clip_track *c = nkw_clip_tracks_of(&b->tracks, target, index);
+    size_t row = target == NKW_CLIP_ROTATION ? 3 + component : component + (target == NKW_CLIP_SCALE ? 7u : 0u);
+    if (c)
+        return held_component(c, 0, target == NKW_CLIP_FLOATS ? index - c->index : component);
+    if (target == NKW_CLIP_FLOATS)
+        return s->rest_floats ? s->rest_floats[index] : 0.0f;
+    return s->rest ? s->rest[row * NKW_POSE_STRIDE(s->joint_count) + index] : row >= 6 ? 1.0f : 0.0f;
+}
+
+/* The lanes of joints from..to - 1, if those of c beside them go on there: all keys are the same. */
+static void lay_gap(lanes *l, const clip_group *g, const nkw_clip_track *c, size_t from, size_t to, size_t pass)
+{
+    const clip_tracks *t = &l->b->tracks;
+    int turns = c->target == NKW_CLIP_ROTATION;
+    for (size_t joint = from; joint < to; joint++)
+        if (!nkw_clip_tracks_same(t, nkw_clip_tracks_beside(t, c->target, joint), c))
+            return;
+    for (size_t joint = from; joint < to; joint++) {
+        size_t lane = add_lane(l, place_of(l->b, c->target, joint, pass));
+        for (size_t row = 0; l->b->words && row < (turns ? 4u : 1u); row++) {
+            float value = constant_of(l->b, c->target, joint, turns ? row : pass);
+            for (size_t k = 0; k < c->track.count; k++)
+                floats_at(l->b, g->keys + k * g->key_words)[lane_at(g, clip_key_rows(g), row, lane)] = value;
+        }
     }
 }
 
@@ -304,9 +335,17 @@ static lanes lay_lanes(builder *b, const clip_group *g, const uint32_t *members,
     for (int target = NKW_CLIP_TRANSLATION; target <= NKW_CLIP_FLOATS; target++) {
         int in_passes = target == NKW_CLIP_TRANSLATION || target == NKW_CLIP_SCALE;
         for (size_t pass = 0; pass < (in_passes ? 3u : 1u); pass++) {
-            for (size_t i = 0; i < count; i++)
-                if ((int)b->tracks.source->tracks[members[i]].target == target)
-                    lay_track(&l, g, &b->tracks.source->tracks[members[i]], pass);
+            const nkw_clip_track *last = NULL;
+            for (size_t i = 0; i < count; i++) {
+                const nkw_clip_track *c = &b->tracks.source->tracks[members[i]];
+                if ((int)c->target != target)
+                    continue;
+                lay_gap(&l, g, c, last ? last->index + 1 : 0, c->index, pass);
+                lay_track(&l, g, c, pass);
+                last = c;
+            }
+            if (last)
+                lay_gap(&l, g, last, last->index + 1, b->tracks.source->joint_count, pass);
             if (target != NKW_CLIP_FLOATS)
                 add_padding(&l, target == NKW_CLIP_ROTATION);
         }
@@ -423,33 +462,15 @@ static void add_constant(constants *c, size_t to, float value)
     add_value(c, value);
 }
 
-/* The track that moves joint or float `index`, or NULL. */
-static const nkw_clip_track *track_of(const clip_tracks *t, nkw_clip_target target, size_t index)
-{
-    const nkw_clip_track *tracks = t->source->tracks;
-    size_t low = 0, high = t->source->track_count;
-    while (low < high) {
-        size_t middle = low + (high - low) / 2;
-        const nkw_clip_track *c = &tracks[t->by_place[middle]];
-        if (c->target < target || (c->target == target && c->index <= index))
-            low = middle + 1;
-        else
-            high = middle;
-    }
-    const nkw_clip_track *last = low > 0 ? &tracks[t->by_place[low - 1]] : NULL;
-    size_t width = target == NKW_CLIP_FLOATS && last ? last->track.width : 1;
-    return last && last->target == target && index - last->index < width ? last : NULL;
-}
-
 /* Float `to` of the output, unless a track animates it: component `component` of joint or float `index`. */
-static int lay_constant(constants *c, nkw_clip_target target, size_t index, size_t component, size_t to, float rest)
+static int lay_constant(constants *c, nkw_clip_target target, size_t index, size_t component, size_t to)
 {
     const clip_tracks *t = &c->b->tracks;
-    const nkw_clip_track *track = track_of(t, target, index);
+    const nkw_clip_track *track = nkw_clip_tracks_of(t, target, index);
     if (track && t->timeline[track - t->source->tracks] != CLIP_CONSTANT)
         return 0;
-    size_t of_track = target == NKW_CLIP_FLOATS && track ? index - track->index : component;
-    add_constant(c, to, track ? held_component(track, 0, of_track) : rest);
+    if (!nkw_clip_tracks_beside(t, target, index))
+        add_constant(c, to, constant_of(c->b, target, index, component));
     return 1;
 }
 
@@ -466,8 +487,7 @@ static size_t lay_pose_constants(builder *b)
         float identity = array >= 6 ? 1.0f : 0.0f;
         int held = 0;
         for (size_t j = 0; j < s->joint_count; j++)
-            held = lay_constant(&c, targets[array], j, components[array], array * stride + j,
-                                s->rest ? s->rest[array * stride + j] : identity);
+            held = lay_constant(&c, targets[array], j, components[array], array * stride + j);
         for (size_t j = s->joint_count; held && j < stride; j++)
             add_constant(&c, array * stride + j, identity);
     }
@@ -479,7 +499,7 @@ static size_t lay_float_constants(builder *b)
     const nkw_clip_source *s = b->tracks.source;
     constants c = {b, (size_t)(b->start[RUNS] + b->used[RUNS]), 0, 0};
     for (size_t f = 0; f < s->float_count; f++)
-        lay_constant(&c, NKW_CLIP_FLOATS, f, 0, f, s->rest_floats ? s->rest_floats[f] : 0.0f);
+        lay_constant(&c, NKW_CLIP_FLOATS, f, 0, f);
     return c.count;
 }
 

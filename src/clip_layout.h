@@ -12,6 +12,8 @@
  *     GROUP_ROTATIONS               x[width] y[width] z[width] w[width]
  *                                   and for LINEAR the arc to the next key: v[width]
  *
+ * A group that moves the joints on both sides of a few that nothing changes has lanes for these too (clip_tracks.h).
+ *
  * A CUBICSPLINE key is its in-tangents, its values and its out-tangents, each laid out so.
  *
  * A compact group has 16-bit numbers in its keys, in the same order, and the range of each, once: the bases of all

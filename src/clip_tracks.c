@@ -150,10 +150,99 @@ static nkw_result check_repeated(const clip_tracks *b, size_t *bad)
     return NKW_OK;
 }
 
+const nkw_clip_track *nkw_clip_tracks_of(const clip_tracks *t, nkw_clip_target target, size_t index)
+{
+    const nkw_clip_track *tracks = t->source->tracks;
+    size_t low = 0, high = t->source->track_count;
+    while (low < high) {
+        size_t middle = low + (high - low) / 2;
+        const nkw_clip_track *c = &tracks[t->by_place[middle]];
+        if (c->target < target || (c->target == target && c->index <= index))
+            low = middle + 1;
+        else
+            high = middle;
+    }
+    const nkw_clip_track *last = low > 0 ? &tracks[t->by_place[low - 1]] : NULL;
+    size_t width = target == NKW_CLIP_FLOATS && last ? last->track.width : 1;
+    return last && last->target == target && index - last->index < width ? last : NULL;
+}
+
+/* Gaps between joints that a group moves. */
+
+#define GAP 4 /* joints */
+
+/* The track that changes a joint, or NULL. */
+static const nkw_clip_track *mover_of(const clip_tracks *t, nkw_clip_target target, size_t joint)
+{
+    const nkw_clip_track *c = nkw_clip_tracks_of(t, target, joint);
+    return c && t->timeline[c - t->source->tracks] != CLIP_CONSTANT ? c : NULL;
+}
+
+int nkw_clip_tracks_same(const clip_tracks *t, const nkw_clip_track *a, const nkw_clip_track *b)
+{
+    const nkw_clip_track *tracks = t->source->tracks;
+    return a && b && t->timeline[a - tracks] == t->timeline[b - tracks] &&
+           nkw_clip_tracks_group(a) == nkw_clip_tracks_group(b);
+}
+
+/* Whether the way from a number to itself is that number, bit for bit. */
+static int is_kept(nkw_clip_target target, float x)
+{
+    return target == NKW_CLIP_ROTATION ? x >= -2.0f && x <= 2.0f : x - x == 0.0f && !is_minus_zero(x);
+}
+
+static int is_joint_kept(const clip_tracks *t, nkw_clip_target target, size_t joint)
+{
+    const nkw_clip_track *c = nkw_clip_tracks_of(t, target, joint);
+    const float *rest = t->source->rest;
+    size_t stride = NKW_POSE_STRIDE(t->source->joint_count), width = target == NKW_CLIP_ROTATION ? 4 : 3;
+    size_t row = target == NKW_CLIP_TRANSLATION ? 0 : target == NKW_CLIP_ROTATION ? 3 : 7;
+    for (size_t i = 0; i < width && (c || rest); i++)
+        if (!is_kept(target, c ? clip_track_value(&c->track, 0)[i] : rest[(row + i) * stride + joint]))
+            return 0;
+    return 1;
+}
+
+const nkw_clip_track *nkw_clip_tracks_beside(const clip_tracks *t, nkw_clip_target target, size_t joint)
+{
+    size_t first = joint, end = joint + 1, joints = t->source->joint_count;
+    if (target == NKW_CLIP_FLOATS || !t->bridges[target] || mover_of(t, target, joint))
+        return NULL;
+    while (first > 0 && joint - first < GAP && !mover_of(t, target, first - 1))
+        first--;
+    while (end < joints && end - first <= GAP && !mover_of(t, target, end))
+        end++;
+    size_t gap = end - first;
+    const nkw_clip_track *before = first > 0 ? mover_of(t, target, first - 1) : NULL;
+    const nkw_clip_track *after = end < joints ? mover_of(t, target, end) : NULL;
+    const nkw_clip_track *beside = before ? before : after;
+    if (gap > GAP || !beside || clip_is_cubic(&beside->track) ||
+        (before && after && !nkw_clip_tracks_same(t, before, after)))
+        return NULL;
+    for (size_t i = first; i < end; i++)
+        if (!is_joint_kept(t, target, i))
+            return NULL;
+    return beside;
+}
+
+/* Gaps are bridged where that does not more than double the joints that are moved. */
+static void choose_bridges(clip_tracks *t)
+{
+    for (int target = 0; target < NKW_CLIP_FLOATS; target++) {
+        size_t moved = 0, between = 0;
+        t->bridges[target] = t->source->format == NKW_CLIP_FLOAT32;
+        for (size_t j = 0; j < t->source->joint_count; j++) {
+            moved += mover_of(t, (nkw_clip_target)target, j) != NULL;
+            between += nkw_clip_tracks_beside(t, (nkw_clip_target)target, j) != NULL;
+        }
+        t->bridges[target] &= between <= moved;
+    }
+}
+
 nkw_result nkw_clip_tracks_order(const nkw_clip_source *source, uint32_t *work, clip_tracks *out, size_t *bad_track)
 {
     const size_t n = source->track_count; /* without tracks `work` may be NULL, which has no place after it */
-    clip_tracks tracks = {source, work, n ? work + n : work, n ? work + 2 * n : work};
+    clip_tracks tracks = {source, work, n ? work + n : work, n ? work + 2 * n : work, {0, 0, 0}};
     *out = tracks;
     *bad_track = 0;
     nkw_result result = check_tracks(source, bad_track);
@@ -165,5 +254,6 @@ nkw_result nkw_clip_tracks_order(const nkw_clip_source *source, uint32_t *work, 
         return result;
     find_timelines(out);
     sort(out, out->by_group, before_by_group);
+    choose_bridges(out);
     return NKW_OK;
 }

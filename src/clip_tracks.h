@@ -14,10 +14,23 @@ typedef struct clip_tracks {
     uint32_t *by_group; /* tracks by timeline, then by group, then by target and index; constant ones last */
     uint32_t *by_place; /* tracks by target and index */
     uint32_t *timeline; /* of each track: where in by_place the first with the same one is, or CLIP_CONSTANT */
+    int bridges[NKW_CLIP_FLOATS]; /* whether gaps between translations, rotations, scales are bridged */
 } clip_tracks;
 
 /* Checks the source, and fills the three arrays in `work`, NKW_CLIP_WORK numbers. */
 nkw_result nkw_clip_tracks_order(const nkw_clip_source *source, uint32_t *work, clip_tracks *out, size_t *bad_track);
+
+/* The track that moves joint or float `index`, or NULL. */
+const nkw_clip_track *nkw_clip_tracks_of(const clip_tracks *t, nkw_clip_target target, size_t index);
+
+/* Whether two tracks that change are of one group. */
+int nkw_clip_tracks_same(const clip_tracks *t, const nkw_clip_track *a, const nkw_clip_track *b);
+
+/*
+ * A track beside a joint that nothing changes, whose group's lanes go on over it: in a gap of up to four joints between
+ * those of the group, or at an end of them. Lanes without gaps are written as they stand. NULL where there is none.
+ */
+const nkw_clip_track *nkw_clip_tracks_beside(const clip_tracks *t, nkw_clip_target target, size_t joint);
 
 /* What tracks of one timeline must have in common to be a group: equal numbers. */
 uint32_t nkw_clip_tracks_group(const nkw_clip_track *c);

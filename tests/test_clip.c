@@ -114,6 +114,51 @@ static void constant_tracks_are_stored_once(void **state)
     free(clip);
 }
 
+/* Every eighth joint has no track, and rests at numbers that lanes may not go over in some of them. */
+static void short_gaps_between_joints_are_gone_over(void **state)
+{
+    (void)state;
+    enum { JOINTS = 40 };
+    static const float odd[5] = {0.5f, -0.0f, INFINITY, NAN, 3e38f};
+    random_source r = random_from(33);
+    size_t all, bytes, sparse, left = 0;
+    random_clip_draw(&r, JOINTS, 0, &drawn);
+    free(build(&drawn.source, &all));
+    for (size_t i = 0; i < drawn.source.track_count; i++)
+        if (drawn.tracks[i].index % 8 != 4)
+            drawn.tracks[left++] = drawn.tracks[i];
+    drawn.source.track_count = left;
+    nkw_clip *clip = build(&drawn.source, &bytes);
+    assert_in_range(bytes, all - 256, all);
+    free(clip);
+    for (size_t c = 0; c < 10; c++)
+        for (size_t j = 4; j < JOINTS; j += 8)
+            drawn.rest[c * NKW_POSE_STRIDE(JOINTS) + j] = odd[(c + j / 8) % 5];
+    clip = build(&drawn.source, &bytes);
+    for (int i = 0; i < 20; i++) {
+        float got[NKW_POSE_FLOATS(JOINTS)], want[NKW_POSE_FLOATS(JOINTS)], time = some_time(&r, i);
+        float none[1];
+        random_clip_sample(&drawn, time, want, none);
+        nkw_clip_sample(clip, time, NULL, got, NULL);
+        for (size_t c = 0; c < 10; c++)
+            for (size_t j = 0; j < JOINTS; j++) {
+                size_t at = c * NKW_POSE_STRIDE(JOINTS) + j;
+                if (want[at] == want[at])
+                    expect_bits(got[at], want[at]);
+                else
+                    expect_nan(got[at]);
+            }
+    }
+    free(clip);
+    /* Where few joints move, nothing grows. */
+    for (size_t i = left = 0; i < drawn.source.track_count; i++)
+        if (drawn.tracks[i].index % 5 == 0)
+            drawn.tracks[left++] = drawn.tracks[i];
+    drawn.source.track_count = left;
+    free(build(&drawn.source, &sparse));
+    assert_true(sparse < all / 3);
+}
+
 static void a_clip_without_tracks_is_the_rest_pose(void **state)
 {
     (void)state;
@@ -544,6 +589,7 @@ int main(void)
         cmocka_unit_test(tracks_of_the_last_joints_alone_stay_within_their_component),
         cmocka_unit_test(tracks_of_one_time_array_share_a_lookup),
         cmocka_unit_test(constant_tracks_are_stored_once),
+        cmocka_unit_test(short_gaps_between_joints_are_gone_over),
         cmocka_unit_test(a_clip_without_tracks_is_the_rest_pose),
         cmocka_unit_test(pose_or_floats_may_be_left_out),
         cmocka_unit_test(the_order_of_tracks_does_not_matter),
