@@ -7,6 +7,7 @@
 #include <nakawari/quat.h>
 #include <nakawari/segment.h>
 
+#include "clip_layout.h"
 #include "difference.h"
 #include "lane/scalar.h"
 
@@ -56,6 +57,42 @@ static void compare_at(const nkw_clip *clip, const nkw_clip_source *source, size
             compare(clip, &source->tracks[i], segment, pose, floats, error);
 }
 
+/* The keys of a timeline of the clip, as those of a track that has nothing else. */
+static nkw_track keys_of(const nkw_clip *clip, const clip_timeline *line)
+{
+    nkw_track r = {clip_floats(clip, line->times), NULL, line->count, 0, NKW_TRACK_FLOATS,
+                   NKW_INTERPOLATION_STEP,         NULL};
+    return r;
+}
+
+static int is_of_source(const nkw_clip_source *source, const nkw_track *keys)
+{
+    for (size_t i = 0; i < source->track_count; i++)
+        if (share_times(&source->tracks[i].track, keys))
+            return 1;
+    return 0;
+}
+
+/* All tracks, as long as each of them lasts, at one moment. */
+static void compare_all_at(const nkw_clip *clip, const nkw_clip_source *source, float time, float *pose, float *floats,
+                           nkw_clip_error *error)
+{
+    nkw_clip_sample(clip, time, NULL, pose, floats);
+    for (size_t i = 0; i < source->track_count; i++) {
+        const nkw_track *t = &source->tracks[i].track;
+        if (t->count > 0 && time >= t->times[0] && time <= t->times[t->count - 1])
+            compare(clip, &source->tracks[i], nkw_segment_find(t->times, t->count, time), pose, floats, error);
+    }
+}
+
+static void compare_along(const nkw_clip *clip, const nkw_clip_source *source, const nkw_track *keys, float *pose,
+                          float *floats, nkw_clip_error *error)
+{
+    for (size_t k = 0; k < keys->count; k++)
+        for (int quarter = 0; quarter < DIFFERENCE_QUARTERS; quarter++)
+            compare_all_at(clip, source, difference_moment(keys, k, quarter), pose, floats, error);
+}
+
 nkw_clip_error nkw_clip_difference(const nkw_clip *clip, const nkw_clip_source *source, float *pose, float *floats)
 {
     const float far = lane_float(0x7f800000u);
@@ -68,6 +105,11 @@ nkw_clip_error nkw_clip_difference(const nkw_clip *clip, const nkw_clip_source *
         for (size_t k = 0; k < count; k++)
             for (int quarter = 0; quarter < DIFFERENCE_QUARTERS; quarter++)
                 compare_at(clip, source, i, difference_moment(t, k, quarter), pose, floats, &error);
+    }
+    for (uint32_t i = 0; i < clip->timeline_count; i++) {
+        nkw_track keys = keys_of(clip, clip_timelines(clip) + i);
+        if (!is_of_source(source, &keys))
+            compare_along(clip, source, &keys, pose, floats, &error);
     }
     return error;
 }

@@ -3,6 +3,8 @@
 
 #include <string.h>
 
+#include <nakawari/quat.h>
+
 #include "clip_tracks.h"
 #include "lane/scalar.h"
 #include "lane/sort.h"
@@ -30,13 +32,25 @@ static int is_minus_zero(float x)
     return lane_bits(x) == 0x80000000u;
 }
 
-/* The same bits at every time. Numbers that are -0 may come out of a lerp as 0; rotations of a cubic are normalised. */
+/* Whether normalising a rotation, as between the keys of a cubic, gives what stands at the keys. */
+static int is_settled(const nkw_track *t, const float *v)
+{
+    nkw_quat q = {v[0], v[1], v[2], v[3]}, unit = nkw_quat_normalize(q);
+    return clip_is_normalized(t) || memcmp(&unit, v, sizeof unit) == 0;
+}
+
+/* The same bits at every time. Numbers that are -0 may come out of a lerp or a cubic as 0. */
 static int is_constant(const nkw_clip_track *c)
 {
     const nkw_track *t = &c->track;
     const float *first = clip_track_value(t, 0);
-    if (t->count > 1 && c->target == NKW_CLIP_ROTATION ? clip_is_cubic(t) : any(first, t->width, is_minus_zero))
-        return t->count == 1;
+    int turns = c->target == NKW_CLIP_ROTATION;
+    if (t->count == 1)
+        return 1;
+    if ((!turns || clip_is_cubic(t)) && any(first, t->width, is_minus_zero))
+        return 0;
+    if (turns && clip_is_cubic(t) && !is_settled(t, first))
+        return 0;
     for (size_t k = 1; k < t->count; k++) {
         const float *v = clip_track_value(t, k), *before = clip_track_value(t, k - 1);
         if (!same_bits(v, first, t->width))
@@ -135,17 +149,31 @@ static nkw_result check_tracks(const nkw_clip_source *s, size_t *bad)
     return result;
 }
 
+static int move_the_same(const nkw_clip_track *a, const nkw_clip_track *b)
+{
+    const nkw_clip_track *p = a->index <= b->index ? a : b, *q = p == a ? b : a;
+    size_t taken = p->target == NKW_CLIP_FLOATS ? p->track.width : 1;
+    return p->target == q->target && q->index - p->index < taken;
+}
+
+/* The first track that moves what one before it moves; there is one. */
+static size_t first_repeated(const nkw_clip_track *tracks)
+{
+    for (size_t i = 1;; i++)
+        for (size_t j = 0; j < i; j++)
+            if (move_the_same(&tracks[j], &tracks[i]))
+                return i;
+}
+
 /* In the order of places, what two tracks move lies next to each other. */
 static nkw_result check_repeated(const clip_tracks *b, size_t *bad)
 {
     const nkw_clip_track *tracks = b->source->tracks;
     for (size_t i = 1; i < b->source->track_count; i++) {
-        const nkw_clip_track *p = &tracks[b->by_place[i - 1]], *q = &tracks[b->by_place[i]];
-        size_t taken = p->target == NKW_CLIP_FLOATS ? p->track.width : 1;
-        if (p->target == q->target && q->index - p->index < taken) {
-            *bad = b->by_place[i] > b->by_place[i - 1] ? b->by_place[i] : b->by_place[i - 1];
-            return NKW_REPEATED;
-        }
+        if (!move_the_same(&tracks[b->by_place[i - 1]], &tracks[b->by_place[i]]))
+            continue;
+        *bad = first_repeated(tracks);
+        return NKW_REPEATED;
     }
     return NKW_OK;
 }

@@ -241,21 +241,29 @@ static int are_alike(const nkw_track *a, const nkw_track *b)
     return is_readable(a) && is_readable(b) && a->width == b->width && is_rotation(a) == is_rotation(b);
 }
 
-float nkw_track_difference(const nkw_track *track, const nkw_track *other, float *work)
+/* At the keys of one of the two, and the quarters between them, while the first lasts. */
+static float difference_along(const nkw_track *along, const nkw_track *track, const nkw_track *other, float *work)
 {
     size_t here = 0, there = 0;
     float *a = work, *b = work + track->width, far = 0.0f;
-    if (!are_alike(track, other))
-        return lane_float(0x7f800000u);
-    for (size_t k = 0; k < track->count; k++)
+    for (size_t k = 0; k < along->count; k++)
         for (int quarter = 0; quarter < DIFFERENCE_QUARTERS; quarter++) {
-            float time = difference_moment(track, k, quarter);
+            float time = difference_moment(along, k, quarter);
+            if (time < track->times[0] || time > track->times[track->count - 1])
+                continue;
             nkw_track_sample_from(track, time, &here, a);
             nkw_track_sample_from(other, time, &there, b);
             far = difference_worse(far, is_rotation(track) ? nkw_quat_angle(read_quat(a), read_quat(b))
                                                            : difference_farthest(a, b, track->width));
         }
     return far;
+}
+
+float nkw_track_difference(const nkw_track *track, const nkw_track *other, float *work)
+{
+    if (!are_alike(track, other))
+        return lane_float(0x7f800000u);
+    return difference_worse(difference_along(track, track, other, work), difference_along(other, track, other, work));
 }
 
 /* The rate that parts the duration into `segments`: a part of the mean rate, never so high that the end is missed. */

@@ -114,6 +114,55 @@ static void constant_tracks_are_stored_once(void **state)
     free(clip);
 }
 
+static void the_difference_of_a_baked_clip_shows_between_its_own_keys(void **state)
+{
+    (void)state;
+    const float at[2] = {0, 1}, ease[18] = {0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 1, 1, 1, 0, 0, 0};
+    float times[25], made[75], track_work[6], pose[NKW_POSE_FLOATS(1)];
+    nkw_clip_track track = {
+        NKW_CLIP_TRANSLATION, 0, {at, ease, 2, 3, NKW_TRACK_FLOATS, NKW_INTERPOLATION_CUBICSPLINE, NULL}};
+    nkw_clip_track baked = track;
+    float error = nkw_track_resample(&track.track, 24.0f, times, made, track_work, &baked.track);
+    nkw_clip_source source = {&track, 1, 1, 0, NULL, NULL, NKW_CLIP_FLOAT32}, of_baked = source;
+    size_t bytes;
+    of_baked.tracks = &baked;
+    nkw_clip *clip = build(&of_baked, &bytes);
+    assert_true(error > 0.001f);
+    expect_bits(nkw_clip_difference(clip, &source, pose, NULL).translation, error);
+    free(clip);
+}
+
+/* Of rotations those that are as if normalised; what normalising changes is no constant, unless keys are so too. */
+static void cubic_rotations_that_stay_are_constants(void **state)
+{
+    (void)state;
+    const float at[3] = {0, 1, 2};
+    const nkw_quat keys[4] = {{0, 0, 0, 1}, {0.6f, 0, 0, 0.8f}, {0, 0, 0.70710678f, 0.70710678f}, {-0.0f, 0, 0, 1}};
+    random_source r = random_from(34);
+    size_t bytes, found = 0;
+    for (int i = 0; i < 400; i++) {
+        nkw_quat q = i < 4 ? keys[i] : random_rotation(&r);
+        if (i % 4 == 3 && i > 4)
+            q.x += 1e-3f;
+        float values[36] = {0}, pose[NKW_POSE_FLOATS(1)], want[4];
+        for (int k = 0; k < 3; k++)
+            memcpy(values + 12 * k + 4, &q, sizeof q);
+        nkw_track_kind kind = i % 2 ? NKW_TRACK_ROTATION_NORMALIZED : NKW_TRACK_ROTATION;
+        nkw_clip_track t = {NKW_CLIP_ROTATION, 0, {at, values, 3, 4, kind, NKW_INTERPOLATION_CUBICSPLINE, NULL}};
+        nkw_clip_source source = {&t, 1, 1, 0, NULL, NULL, NKW_CLIP_FLOAT32};
+        nkw_clip *clip = build(&source, &bytes);
+        found += nkw_clip_cursors(clip) == 0;
+        for (float time = 0; time <= 2; time += 0.25f) {
+            nkw_clip_sample(clip, time, NULL, pose, NULL);
+            nkw_track_sample(&t.track, time, want);
+            nkw_quat got = nkw_pose_get(pose, 1, 0).rotation;
+            assert_memory_equal(&got, want, sizeof got);
+        }
+        free(clip);
+    }
+    assert_in_range(found, 200, 398);
+}
+
 /* Every eighth joint has no track, and rests at numbers that lanes may not go over in some of them. */
 static void short_gaps_between_joints_are_gone_over(void **state)
 {
@@ -453,6 +502,34 @@ static void measure_refuses_what_is_no_clip(void **state)
     expect_refused(NKW_EMPTY, 0, __LINE__);
 }
 
+/* Tracks 5 6 2 2 9 6 of joints, and of floats one that reaches over two others. */
+static void the_first_that_repeats_is_named(void **state)
+{
+    (void)state;
+    random_source r = random_from(8);
+    random_clip_draw(&r, 12, 0, &drawn);
+    const uint32_t joints[6] = {5, 6, 2, 2, 9, 6}, others[6] = {5, 6, 2, 6, 9, 2}, floats[3] = {0, 7, 2};
+    drawn.source.track_count = 6;
+    for (size_t i = 0; i < 6; i++) {
+        drawn.tracks[i].target = NKW_CLIP_ROTATION;
+        drawn.tracks[i].track = drawn.tracks[0].track;
+        drawn.tracks[i].index = joints[i];
+    }
+    expect_refused(NKW_REPEATED, 3, __LINE__);
+    for (size_t i = 0; i < 6; i++)
+        drawn.tracks[i].index = others[i];
+    expect_refused(NKW_REPEATED, 3, __LINE__);
+    drawn.source.track_count = 3;
+    drawn.source.float_count = 20;
+    for (size_t i = 0; i < 3; i++) {
+        drawn.tracks[i].target = NKW_CLIP_FLOATS;
+        drawn.tracks[i].track.kind = NKW_TRACK_FLOATS;
+        drawn.tracks[i].track.width = i == 0 ? 10 : 1;
+        drawn.tracks[i].index = floats[i];
+    }
+    expect_refused(NKW_REPEATED, 1, __LINE__);
+}
+
 static void floats_that_overlap_are_refused(void **state)
 {
     (void)state;
@@ -589,7 +666,9 @@ int main(void)
         cmocka_unit_test(tracks_of_the_last_joints_alone_stay_within_their_component),
         cmocka_unit_test(tracks_of_one_time_array_share_a_lookup),
         cmocka_unit_test(constant_tracks_are_stored_once),
+        cmocka_unit_test(the_difference_of_a_baked_clip_shows_between_its_own_keys),
         cmocka_unit_test(short_gaps_between_joints_are_gone_over),
+        cmocka_unit_test(cubic_rotations_that_stay_are_constants),
         cmocka_unit_test(a_clip_without_tracks_is_the_rest_pose),
         cmocka_unit_test(pose_or_floats_may_be_left_out),
         cmocka_unit_test(the_order_of_tracks_does_not_matter),
@@ -602,6 +681,7 @@ int main(void)
         cmocka_unit_test(compact_rotations_of_a_narrow_range_are_more_exact),
         cmocka_unit_test(compact_rotations_are_unit),
         cmocka_unit_test(measure_refuses_what_is_no_clip),
+        cmocka_unit_test(the_first_that_repeats_is_named),
         cmocka_unit_test(floats_that_overlap_are_refused),
         cmocka_unit_test(build_refuses_a_block_that_is_too_small),
         cmocka_unit_test(open_refuses_other_files),

@@ -272,8 +272,9 @@ static void anything_at_all_stays_within_its_arrays(void **state)
     random_source r = random_from(4);
     for (int i = 0; i < 20000; i++) {
         size_t count = (size_t)(random_bits(&r) % 5), width = (size_t)(random_bits(&r) % 6);
-        nkw_track t = {NULL, NULL, count, width, (nkw_track_kind)(random_bits(&r) % 4),
-                       (nkw_interpolation)(random_bits(&r) % 4), NULL};
+        nkw_track t = {
+            NULL, NULL, count, width, (nkw_track_kind)(random_bits(&r) % 4), (nkw_interpolation)(random_bits(&r) % 4),
+            NULL};
         size_t n = nkw_track_value_count(&t);
         /* The arrays end where the data ends, so that a sanitizer sees a step beyond. */
         float *times = (float *)malloc(count * sizeof(float)), *values = (float *)malloc(n * sizeof(float));
@@ -387,6 +388,31 @@ static void the_error_of_resampling_is_what_was_lost(void **state)
     nkw_track turn = {at, turns, 3, 4, NKW_TRACK_ROTATION, NKW_INTERPOLATION_LINEAR, NULL};
     float rotations_made[12], rotations_work[8];
     expect_near(nkw_track_resample(&turn, 0.5f, times, rotations_made, rotations_work, &out), 1.57079633, 2e-7);
+}
+
+/* Rates at which new keys fall on all keys and quarters of the source: what is lost lies between the new ones. */
+static void the_error_of_resampling_shows_between_the_new_keys(void **state)
+{
+    (void)state;
+    const float at[4] = {0, 1, 1, 2}, ease[6] = {0, 0, 0, 0, 1, 0}, jump[4] = {0, 0, 10, 10};
+    const unsigned char modes[3] = {NKW_INTERPOLATION_STEP, NKW_INTERPOLATION_LINEAR, 0};
+    const float thirds[3] = {0, 1, 2}, held[3] = {0, 10, 10};
+    float times[99], made[99], work[2];
+    nkw_track t = {at, ease, 2, 1, NKW_TRACK_FLOATS, NKW_INTERPOLATION_CUBICSPLINE, NULL}, out;
+    /* A parabola over 1/rate: 1/8 of the second derivative, 6 at the ends, times its square. */
+    for (float rate = 4; rate <= 24; rate += 4) {
+        double end = 0.125 * 6 / (double)(rate * rate) * (1 - 1 / (double)rate);
+        expect_near(nkw_track_resample(&t, rate, times, made, work, &out), end, 0.05 * end);
+    }
+    t.values = jump;
+    t.count = 4;
+    t.interpolation = NKW_INTERPOLATION_LINEAR;
+    assert_true(nkw_track_resample(&t, 8.0f, times, made, work, &out) >= 7.5f);
+    t.times = thirds;
+    t.values = held;
+    t.count = 3;
+    t.key_interpolation = modes;
+    assert_true(nkw_track_resample(&t, 8.0f, times, made, work, &out) >= 7.5f);
 }
 
 static void resampling_keeps_step_where_all_is_step(void **state)
@@ -543,8 +569,13 @@ static void resampling_anything_stays_within_its_arrays(void **state)
                                : 0.0f;
         for (size_t k = 0; k < 72; k++)
             values[k] = float_of((uint32_t)random_bits(&r));
-        nkw_track out, t = {times, values, count, width, (nkw_track_kind)(random_bits(&r) % 4),
-                            (nkw_interpolation)(random_bits(&r) % 4), NULL};
+        nkw_track out, t = {times,
+                            values,
+                            count,
+                            width,
+                            (nkw_track_kind)(random_bits(&r) % 4),
+                            (nkw_interpolation)(random_bits(&r) % 4),
+                            NULL};
         float *new_times = (float *)malloc(sizeof(float) * (count + 1));
         float *made = (float *)malloc(sizeof(float) * (count * width + 1));
         assert_true(new_times && made);
@@ -576,6 +607,7 @@ int main(void)
         cmocka_unit_test(anything_at_all_stays_within_its_arrays),
         cmocka_unit_test(resampling_at_its_own_rate_gives_the_track_back),
         cmocka_unit_test(resampled_keys_are_samples_until_the_end_is_reached_or_passed),
+        cmocka_unit_test(the_error_of_resampling_shows_between_the_new_keys),
         cmocka_unit_test(the_error_of_resampling_is_what_was_lost),
         cmocka_unit_test(resampling_keeps_step_where_all_is_step),
         cmocka_unit_test(resampled_rotations_that_are_normalised_are_stored_unit),

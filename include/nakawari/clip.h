@@ -53,7 +53,7 @@ typedef enum nkw_clip_format {
      * A rotation is three numbers, its axis times the tangent of a quarter of its angle. At a key it is off by at most
      * 4/65535 radians times the widest range of the three, which is 2 at most, and 1e-6: 1.24e-4; between keys that are
      * half a turn apart by sqrt 2 of that, 1.75e-4. It is unit to 5e-7, and of q and -q may be the one that the track's
-     * is not.
+     * is not. Keys that are not unit are made so first: between them it is then off by twice what they are, and more.
      *
      * nkw_clip_difference measures a clip's own error.
      */
@@ -83,7 +83,8 @@ typedef struct nkw_clip nkw_clip;
  * NKW_EMPTY without joints and floats; what nkw_track_validate gives for a track; NKW_BAD_METHOD for a target that is
  * none, a track whose width or kind is not its target's, or an unknown format; NKW_OUT_OF_RANGE for a joint or float
  * beyond the last, and for more than 2^26 joints, 2^29 floats or 2^32 words in the block; NKW_REPEATED for two tracks
- * that move the same. *bad_track becomes the index of the first offender, 0 if there is none; it may be NULL.
+ * that move the same, the later one being the offender. Each track is looked at by itself before any two are.
+ * *bad_track becomes the index of the first offender, 0 if there is none; it may be NULL.
  */
 NKW_API nkw_result nkw_clip_measure(const nkw_clip_source *source, uint32_t *work, size_t *bytes, size_t *bad_track);
 
@@ -137,7 +138,8 @@ typedef struct nkw_clip_error {
 } nkw_clip_error;
 
 /**
- * Samples the clip beside every track of the source: at each key of the track and at the quarters between two keys.
+ * Samples the clip beside every track of the source: at each key of the track and at the quarters between two keys; and
+ * beside all of them, while they last, at those of the clip's own timelines that the source has not.
  *
  * source   what nkw_clip_build took for this clip, or the tracks that those were made from (resampled, say); another
  *          number of joints or floats gives infinity for all four

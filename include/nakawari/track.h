@@ -100,9 +100,9 @@ NKW_API void nkw_track_sample_from(const nkw_track *track, float time, size_t *c
 NKW_API void nkw_track_sample_at(const nkw_track *track, nkw_segment segment, float *out);
 
 /**
- * How far another track is from this one: the largest difference met at the keys of this one and at the quarters
- * between two of them. Of rotations it is the angle between them in radians, of numbers the difference of a
- * component. What lies between those moments is not seen: a jump, for one, counts where it falls on one of them.
+ * How far another track is from this one: the largest difference met at the keys of either and at the quarters
+ * between two of them, from this one's first key to its last. Of rotations it is the angle between them in radians, of
+ * numbers the difference of a component. What lies between those moments is not seen.
  *
  * work   2 * width floats
  * Gives  NaN where a number is; infinity for tracks without keys, of different width, or of a rotation and numbers.
