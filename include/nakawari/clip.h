@@ -13,6 +13,9 @@
  *     - key times that are evenly spaced need no search: any time costs the same;
  *     - tracks that never change are found, stored once and copied.
  *
+ * That is for tracks that share key times, as exporters write them. A track with times of its own is searched by itself
+ * and takes more room than its keys: clips of such tracks are no faster than their tracks. Resample them at one rate.
+ *
  * A block is in the byte order of the machine that built it. It is the same on every machine of that order, byte for
  * byte.
  */

@@ -48,7 +48,7 @@ NKW_API nkw_quat nkw_quat_nlerp(nkw_quat a, nkw_quat b, float t);
  *     q(t) = a sin((1-t)h)/sin h +- b sin(t h)/sin h,      cos h = |a.b|
  *
  * One expression without a branch on the angle, smooth through h = 0: no acos, no sine, no threshold. For t outside
- * 0..1 the arc continues, by nkw_quat_slerp_path.
+ * 0..1 the arc continues, by nkw_quat_slerp_path, which takes some ten times as long.
  *
  * a, b   unit to rounding; where they are not, the result's length is off as theirs are
  * t      any

@@ -21,10 +21,6 @@ KERNEL(quat_nlerp_at)(nkw_quat_view a, nkw_quat_view b, float t, nkw_quat_span o
         put_quat(out, i, lane_quat_nlerp(at_quat(a, i), at_quat(b, i), t));
 }
 
-/*
- * Blocks with a t outside 0..1 take the single function, as angles do that are far (see batch/scalar.c), and those of
- * one element.
- */
 #define BLOCK 256
 
 static inline int any_outside(const float *t, size_t from, size_t to)
@@ -92,13 +88,66 @@ INLINE void slerp_inside(nkw_quat_view a, nkw_quat_view b, const float *t, int h
     }
 }
 
+/* Beyond 0..1, as far as needs no branch. */
+static inline int is_near(float t)
+{
+    return lane_abs(t) < (float)LANE_T_NEAR;
+}
+
+/* Whether enough of them are outside that all are worked out so, and none is far. */
+static inline int many_near(const float *t, size_t from, size_t to)
+{
+    int far = 0, outside = 0;
+#pragma omp simd reduction(| : far) reduction(+ : outside)
+    for (size_t i = from; i < to; i++) {
+        far |= !is_near(t[i]);
+        outside += !lane_t_is_inside(t[i]);
+    }
+    return !far && (size_t)outside > (to - from) / 4;
+}
+
+static inline nkw_quat slerp_near(nkw_quat a, nkw_quat b, float t)
+{
+    return lane_quat_slerp_turned(a, b, t, NKW_PATH_SHORT, 1);
+}
+
+/*
+ * Both ways, what lies outside 0..1 first, for out may be a or b: many of them as all are, a few by the single function.
+ */
+APART LANE_FLAT static void slerp_beyond(nkw_quat_view a, nkw_quat_view b, const float *t, nkw_quat_span out,
+                                         size_t from, size_t to)
+{
+    float x[BLOCK], y[BLOCK], z[BLOCK], w[BLOCK];
+    nkw_quat_span beyond = {x, y, z, w};
+    if (many_near(t, from, to)) {
+#pragma omp simd
+        for (size_t i = from; i < to; i++)
+            put_quat(beyond, i - from, slerp_near(at_quat(a, i), at_quat(b, i), t[i]));
+    } else {
+        for (size_t i = from; i < to; i++) {
+            nkw_quat q = at_quat(a, i);
+            put_quat(beyond, i - from, lane_t_is_inside(t[i]) ? q : nkw_quat_slerp(q, at_quat(b, i), t[i]));
+        }
+    }
+    slerp_inside(a, b, t, 1, out, from, to);
+#pragma omp simd
+    for (size_t i = from; i < to; i++) {
+        uint32_t inside = 0u - ((uint32_t)(t[i] >= 0.0f) & (uint32_t)(t[i] <= 1.0f));
+        out.x[i] = lane_blend(inside, out.x[i], x[i - from]);
+        out.y[i] = lane_blend(inside, out.y[i], y[i - from]);
+        out.z[i] = lane_blend(inside, out.z[i], z[i - from]);
+        out.w[i] = lane_blend(inside, out.w[i], w[i - from]);
+    }
+}
+
 KERNEL(quat_slerp)(nkw_quat_view a, nkw_quat_view b, const float *t, nkw_quat_span out, size_t n)
 {
     for (size_t from = 0; from < n; from += BLOCK) {
         size_t end = n - from < BLOCK ? n : from + BLOCK;
-        if (end - from == 1 || any_outside(t, from, end))
-            for (size_t i = from; i < end; i++)
-                put_quat(out, i, nkw_quat_slerp(at_quat(a, i), at_quat(b, i), t[i]));
+        if (end - from == 1)
+            put_quat(out, from, nkw_quat_slerp(at_quat(a, from), at_quat(b, from), t[from]));
+        else if (any_outside(t, from, end))
+            slerp_beyond(a, b, t, out, from, end);
         else if (any_half(t, from, end))
             slerp_inside(a, b, t, 1, out, from, end);
         else
@@ -123,9 +172,15 @@ static inline void slerp_at_pace(nkw_quat_view a, nkw_quat_view b, lane_slerp_pa
 
 KERNEL(quat_slerp_at)(nkw_quat_view a, nkw_quat_view b, float t, nkw_quat_span out, size_t n)
 {
-    if (n == 1 || !lane_t_is_inside(t)) {
+    if (n == 1 || !is_near(t)) {
         for (size_t i = 0; i < n; i++)
             put_quat(out, i, nkw_quat_slerp(at_quat(a, i), at_quat(b, i), t));
+        return;
+    }
+    if (!lane_t_is_inside(t)) {
+#pragma omp simd
+        for (size_t i = 0; i < n; i++)
+            put_quat(out, i, slerp_near(at_quat(a, i), at_quat(b, i), t));
         return;
     }
     lane_slerp_pace pace = lane_slerp_pace_at(t);

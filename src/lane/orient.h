@@ -62,8 +62,8 @@ static inline nkw_quat lane_quat_settle(nkw_quat v)
     float m = lane_quat_defect(v), n2 = 1.0f - m;
     float n = sqrtf(n2);
     int outright = n2 > 2.0f;
-    nkw_quat unit = nkw_quat_add(nkw_quat_scale(v, outright ? 0.0f : 1.0f),
-                                 nkw_quat_scale(v, outright ? 1.0f / n : m / (n + n2)));
+    nkw_quat unit =
+        nkw_quat_add(nkw_quat_scale(v, outright ? 0.0f : 1.0f), nkw_quat_scale(v, outright ? 1.0f / n : m / (n + n2)));
     return lane_quat_select(n2 > 0.0f, unit, nkw_quat_identity());
 }
 
@@ -245,9 +245,12 @@ static inline lane_wquat lane_wquat_aligned(lane_wquat a, lane_wquat b, nkw_path
  *
  *     q = l (u cos(t h) + e sin(t h)),      h = atan2(|b - (u.b) u|, u.b),      l from |a| to |b|
  *
- * Where b has no part at right angles to a, the turn is about the local z axis: e = u * (0, 0, 1, 0).
+ * Where b has no part at right angles to a, the turn is about the local z axis: e = u * (0, 0, 1, 0). `near`, a
+ * constant, says that |t| < LANE_T_NEAR; then there is no branch.
  */
-static inline lane_wquat lane_wquat_slerp(lane_wquat a, lane_wquat b, double t)
+#define LANE_T_NEAR (0.25 * LANE_NEAR)
+
+static inline lane_wquat lane_wquat_slerp_turned(lane_wquat a, lane_wquat b, double t, int near)
 {
     lane_wquat u = lane_wquat_normalize(a), v = lane_wquat_normalize(b);
     double cosine = lane_wquat_dot(u, v);
@@ -255,20 +258,31 @@ static inline lane_wquat lane_wquat_slerp(lane_wquat a, lane_wquat b, double t)
     lane_wquat about_z = {u.y, -u.x, u.w, -u.z};
     double s2 = lane_wquat_dot(across, across);
     int along = s2 < 0x1p-96;
-    double h = along ? (cosine < 0.0 ? LANE_PI : 0.0) : lane_atan2_64(lane_sqrt64(s2), cosine);
+    double arc = lane_atan2_64(lane_sqrt64(s2), cosine), end = cosine < 0.0 ? LANE_PI : 0.0;
+    double h = along ? end : arc;
     lane_wquat e = lane_wquat_select(along, about_z, lane_wquat_normalize(across));
-    lane_sincos turn = lane_turn64(t * h);
+    lane_sincos turn = near ? lane_sincos64(t * h) : lane_turn64(t * h);
     double la = lane_sqrt64(lane_wquat_dot(a, a)), lb = lane_sqrt64(lane_wquat_dot(b, b));
     lane_wquat q = lane_wquat_add(lane_wquat_scale(u, turn.c), lane_wquat_scale(e, h == 0.0 ? 0.0 : turn.s));
     q = lane_wquat_scale(q, t > 0.0 && t < 1.0 ? la + t * (lb - la) : t > 0.0 ? lb : la);
     return lane_wquat_select(t == 0.0, a, lane_wquat_select(t == 1.0, b, q));
 }
 
-static inline nkw_quat lane_quat_slerp_path(nkw_quat a, nkw_quat b, float t, nkw_path path)
+static inline lane_wquat lane_wquat_slerp(lane_wquat a, lane_wquat b, double t)
+{
+    return lane_wquat_slerp_turned(a, b, t, 0);
+}
+
+static inline nkw_quat lane_quat_slerp_turned(nkw_quat a, nkw_quat b, float t, nkw_path path, int near)
 {
     lane_wquat from = lane_wquat_from(a);
     lane_wquat to = lane_wquat_aligned(from, lane_wquat_from(b), path);
-    return lane_quat_from_wide(lane_wquat_slerp(from, to, (double)t));
+    return lane_quat_from_wide(lane_wquat_slerp_turned(from, to, (double)t, near));
+}
+
+static inline nkw_quat lane_quat_slerp_path(nkw_quat a, nkw_quat b, float t, nkw_path path)
+{
+    return lane_quat_slerp_turned(a, b, t, path, 0);
 }
 
 /* lane_quat_slerp holds for t in 0..1; the arc goes on beyond. */
@@ -345,8 +359,8 @@ static inline lane_four lane_four_slerp(lane_four a, lane_four b, float t)
     lane_four k = {u, t, 0.0f, 0.0f}, kv = k * k * v, tu = lane_four_all(t * u) + zero;
     lane_four of = tu * (lane_four_all(1.0f) + k);
     lane_four h3 = lane_four_splat(h, 3) + kv * lane_four_all(LANE_SLERP_H4[0]);
-    lane_four e = (of * v) * (lane_four_splat(h, 0) +
-                              kv * (lane_four_splat(h, 1) + kv * (lane_four_splat(h, 2) + kv * h3)));
+    lane_four e =
+        (of * v) * (lane_four_splat(h, 0) + kv * (lane_four_splat(h, 1) + kv * (lane_four_splat(h, 2) + kv * h3)));
     return base - (shift * d + (lane_four_splat(e, 0) * a + lane_four_splat(e, 1) * c));
 }
 #endif
