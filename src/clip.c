@@ -69,10 +69,15 @@ static nkw_segment find(const nkw_clip *clip, const clip_timeline *line, float t
 }
 
 /* The values of a key, from its first block on: behind the in-tangents where there are any. */
+static const float *values_of(const clip_group *g, const float *key)
+{
+    return key + (g->interpolation == NKW_INTERPOLATION_CUBICSPLINE ? clip_rows(g) * g->lanes : 0);
+}
+
 static void hold(const nkw_clip *clip, const clip_group *g, const float *key, float *out, size_t stride)
 {
     int is_cubic = g->interpolation == NKW_INTERPOLATION_CUBICSPLINE;
-    const float *values = key + (is_cubic ? clip_rows(g) * g->lanes : 0);
+    const float *values = values_of(g, key);
     const nkw_block *blocks = clip_blocks(clip, g);
     if (g->kind == GROUP_ROTATIONS)
         nkw_batch_selected()->clip_quat_hold(values, is_cubic ? clip_rows(g) : clip_key_rows(g), (int)g->normalized,
@@ -92,14 +97,50 @@ static void cubic(const nkw_clip *clip, const clip_group *g, const float *a, con
         nkw_batch_selected()->clip_hermite(a, b, words, duration, t, blocks, g->block_count, out);
 }
 
+static nkw_quat_view rows_of(const float *x, size_t width)
+{
+    nkw_quat_view r = {x, x + width, x + 2 * width, x + 3 * width};
+    return r;
+}
+
+static nkw_quat_span rows_to(float *x, size_t width)
+{
+    nkw_quat_span r = {x, x + width, x + 2 * width, x + 3 * width};
+    return r;
+}
+
+/* A LINEAR segment of rotations that are laid out as CUBICSPLINE, block by block: they have no arcs. */
+static void slerp_values(const nkw_clip *clip, const clip_group *g, const float *a, const float *b, float t, float *out,
+                         size_t stride)
+{
+    const nkw_batch *batch = nkw_batch_selected();
+    const nkw_block *block = clip_blocks(clip, g), *end = block + g->block_count;
+    for (; block < end; a += 4 * NKW_BLOCK, b += 4 * NKW_BLOCK, block++) {
+        const size_t n = block->width;
+        float unit[8 * NKW_BLOCK], turned[4 * NKW_BLOCK];
+        nkw_quat_view from = rows_of(a, n), to = rows_of(b, n);
+        if (g->normalized) {
+            batch->quat_normalize(from, rows_to(unit, n), n);
+            batch->quat_normalize(to, rows_to(unit + 4 * n, n), n);
+            from = rows_of(unit, n), to = rows_of(unit + 4 * n, n);
+        }
+        batch->quat_slerp_at(from, to, t, rows_to(turned, n), n);
+        for (size_t row = 0; row < 4; row++)
+            for (size_t i = 0; i < block->count; i++)
+                out[row * stride + block->places[i]] = turned[row * n + i];
+    }
+}
+
 static void linear(const nkw_clip *clip, const clip_group *g, const float *a, const float *b, float t, float *out,
                    size_t stride)
 {
     const nkw_block *blocks = clip_blocks(clip, g);
-    if (g->kind == GROUP_ROTATIONS)
-        nkw_batch_selected()->clip_slerp(a, b, t, blocks, g->block_count, out, stride);
+    if (g->kind != GROUP_ROTATIONS)
+        nkw_batch_selected()->clip_lerp(values_of(g, a), values_of(g, b), t, blocks, g->block_count, out);
+    else if (g->interpolation == NKW_INTERPOLATION_CUBICSPLINE)
+        slerp_values(clip, g, values_of(g, a), values_of(g, b), t, out, stride);
     else
-        nkw_batch_selected()->clip_lerp(a, b, t, blocks, g->block_count, out);
+        nkw_batch_selected()->clip_slerp(a, b, t, blocks, g->block_count, out, stride);
 }
 
 static void compact(const nkw_clip *clip, const clip_group *g, const uint16_t *a, const uint16_t *b, float t,

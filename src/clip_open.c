@@ -61,10 +61,18 @@ static nkw_result check_timeline(const nkw_clip *clip, const clip_timeline *line
 {
     if (line->count == 0 || !fits(clip, line->times, line->count, 1) || !fits(clip, line->modes, line->count, 1))
         return NKW_OUT_OF_RANGE;
-    for (uint32_t k = 0; line->modes && k < line->count; k++)
-        if (clip_words(clip)[line->modes + k] > NKW_INTERPOLATION_STEP)
-            return NKW_OUT_OF_RANGE;
     return check_times(line, clip_floats(clip, line->times));
+}
+
+/* Modes of segments are for a group that serves them: one laid out as LINEAR, or as CUBICSPLINE. */
+static int fits_modes(const nkw_clip *clip, const clip_timeline *line, const clip_group *g)
+{
+    uint32_t most =
+        g->interpolation == NKW_INTERPOLATION_CUBICSPLINE ? NKW_INTERPOLATION_CUBICSPLINE : NKW_INTERPOLATION_STEP;
+    for (uint32_t k = 0; line->modes && k < line->count; k++)
+        if (g->interpolation == NKW_INTERPOLATION_STEP || clip_words(clip)[line->modes + k] > most)
+            return 0;
+    return 1;
 }
 
 static nkw_result check_group(const nkw_clip *clip, const clip_group *g)
@@ -78,7 +86,7 @@ static nkw_result check_group(const nkw_clip *clip, const clip_group *g)
                       !fits(clip, g->ranges, g->lanes, 2 * clip_rows(g))))
         return NKW_OUT_OF_RANGE;
     const clip_timeline *line = clip_timelines(clip) + g->timeline;
-    if (line->modes && g->interpolation != NKW_INTERPOLATION_LINEAR)
+    if (!fits_modes(clip, line, g))
         return NKW_OUT_OF_RANGE;
     if (g->key_words != clip_key_words(g) || !fits(clip, g->keys, line->count, g->key_words))
         return NKW_OUT_OF_RANGE;

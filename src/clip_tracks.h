@@ -57,10 +57,10 @@ static inline clip_kind clip_kind_of(const nkw_clip_track *c)
                                           : GROUP_NUMBERS;
 }
 
-/* Tracks that choose key by key are laid out as LINEAR, which serves STEP too. */
+/* Tracks that choose key by key are laid out as LINEAR, which serves STEP too, or as CUBICSPLINE, which serves all. */
 static inline nkw_interpolation clip_interpolation_of(const nkw_track *t)
 {
-    return t->key_interpolation ? NKW_INTERPOLATION_LINEAR : t->interpolation;
+    return t->key_interpolation && !clip_is_cubic(t) ? NKW_INTERPOLATION_LINEAR : t->interpolation;
 }
 
 #endif

@@ -97,9 +97,7 @@ static void cubic(const nkw_track *track, size_t k, float t, float *out)
 
 static nkw_interpolation interpolation_at(const nkw_track *track, size_t k)
 {
-    if (is_cubic(track) || !track->key_interpolation)
-        return track->interpolation;
-    return (nkw_interpolation)track->key_interpolation[k];
+    return track->key_interpolation ? (nkw_interpolation)track->key_interpolation[k] : track->interpolation;
 }
 
 /* A rotation of another width than 4 cannot be read; it does not validate. */
@@ -118,7 +116,7 @@ void nkw_track_sample_at(const nkw_track *track, nkw_segment segment, float *out
         hold(track, k, out);
     else if (segment.t == 1.0f)
         hold(track, k + 1, out);
-    else if (is_cubic(track))
+    else if (interpolation_at(track, k) == NKW_INTERPOLATION_CUBICSPLINE && is_cubic(track))
         cubic(track, k, segment.t, out);
     else if (interpolation_at(track, k) == NKW_INTERPOLATION_LINEAR)
         linear(track, k, segment.t, out);
@@ -145,7 +143,7 @@ static nkw_result check_shape(const nkw_track *track)
     if ((unsigned)track->kind > NKW_TRACK_ROTATION_NORMALIZED ||
         (unsigned)track->interpolation > NKW_INTERPOLATION_CUBICSPLINE || !is_readable(track))
         return NKW_BAD_METHOD;
-    return is_cubic(track) && track->key_interpolation ? NKW_BAD_METHOD : NKW_OK;
+    return NKW_OK;
 }
 
 static int are_finite(const float *v, size_t n)
@@ -158,7 +156,8 @@ static int are_finite(const float *v, size_t n)
 
 static nkw_result check_key(const nkw_track *track, size_t k)
 {
-    if (track->key_interpolation && track->key_interpolation[k] > NKW_INTERPOLATION_STEP)
+    unsigned most = is_cubic(track) ? NKW_INTERPOLATION_CUBICSPLINE : NKW_INTERPOLATION_STEP;
+    if (track->key_interpolation && track->key_interpolation[k] > most)
         return NKW_BAD_METHOD;
     if (!lane_is_finite(track->times[k]) || !are_finite(key_at(track, k), key_size(track)))
         return NKW_NOT_FINITE;
@@ -211,7 +210,7 @@ size_t nkw_track_resample_count(const nkw_track *track, float rate)
 static int is_step(const nkw_track *track)
 {
     for (size_t k = 0; track->key_interpolation && k + 1 < track->count; k++)
-        if (track->key_interpolation[k] == NKW_INTERPOLATION_LINEAR)
+        if (track->key_interpolation[k] != NKW_INTERPOLATION_STEP)
             return 0;
     return track->key_interpolation || track->interpolation == NKW_INTERPOLATION_STEP;
 }

@@ -154,6 +154,37 @@ static void each_key_may_choose_its_interpolation(void **state)
     expect_bits(sample_float(&t, 2.25f), 4.5f);
 }
 
+/* Each segment as that of a track of one interpolation: rotations, of the two kinds, and numbers. */
+static void each_key_of_a_cubic_may_choose_its_interpolation(void **state)
+{
+    (void)state;
+    const unsigned char modes[4] = {NKW_INTERPOLATION_CUBICSPLINE, NKW_INTERPOLATION_LINEAR, NKW_INTERPOLATION_STEP, 0};
+    random_source r = random_from(21);
+    float values[48], keys[16];
+    for (int i = 0; i < 48; i++)
+        values[i] = random_between(&r, -1, 1);
+    for (int k = 0; k < 4; k++) {
+        nkw_quat q = random_rotation(&r);
+        memcpy(values + 12 * k + 4, &q, sizeof q);
+        values[12 * k + 4] *= 1.001f;
+        memcpy(keys + 4 * k, values + 12 * k + 4, sizeof q);
+    }
+    for (int kind = NKW_TRACK_FLOATS; kind <= NKW_TRACK_ROTATION_NORMALIZED; kind++) {
+        nkw_track t = {times4, values, 4, 4, (nkw_track_kind)kind, NKW_INTERPOLATION_CUBICSPLINE, modes}, like = t;
+        assert_int_equal(nkw_track_validate(&t, NULL), NKW_OK);
+        like.key_interpolation = NULL;
+        for (float time = -0.5f; time < 4; time += 0.0625f) {
+            float got[4], want[4];
+            size_t k = nkw_segment_find(times4, 4, time).index;
+            like.interpolation = (nkw_interpolation)modes[k];
+            like.values = modes[k] == NKW_INTERPOLATION_CUBICSPLINE ? values : keys;
+            nkw_track_sample(&t, time, got);
+            nkw_track_sample(&like, time, want);
+            expect_floats_bits(got, want, 4);
+        }
+    }
+}
+
 static void one_key_is_constant_and_equal_times_do_not_divide(void **state)
 {
     (void)state;
@@ -221,7 +252,7 @@ static void validate_refuses_wrong_shapes(void **state)
 {
     (void)state;
     const float values[16] = {0};
-    const unsigned char modes[4] = {0, 1, 2, 0};
+    const unsigned char modes[4] = {0, 1, 2, 0}, unknown[4] = {0, 1, 2, 3};
     nkw_track t = floats(values, 1, NKW_INTERPOLATION_LINEAR), none = t, thin = t, odd = t, mode = t, turn = t;
     nkw_track key = t, both = t;
     none.count = 0;
@@ -238,7 +269,9 @@ static void validate_refuses_wrong_shapes(void **state)
     expect_invalid(&mode, NKW_BAD_METHOD, 0, __LINE__);
     expect_invalid(&turn, NKW_BAD_METHOD, 0, __LINE__);
     expect_invalid(&key, NKW_BAD_METHOD, 2, __LINE__);
-    expect_invalid(&both, NKW_BAD_METHOD, 0, __LINE__);
+    expect_invalid(&both, NKW_OK, 0, __LINE__);
+    both.key_interpolation = unknown;
+    expect_invalid(&both, NKW_BAD_METHOD, 3, __LINE__);
 }
 
 static void validate_refuses_wrong_numbers(void **state)
@@ -598,6 +631,7 @@ int main(void)
         cmocka_unit_test(cubic_rotations_are_normalised_between_keys),
         cmocka_unit_test(keys_that_are_not_quite_unit_are_normalised_where_asked),
         cmocka_unit_test(each_key_may_choose_its_interpolation),
+        cmocka_unit_test(each_key_of_a_cubic_may_choose_its_interpolation),
         cmocka_unit_test(one_key_is_constant_and_equal_times_do_not_divide),
         cmocka_unit_test(cursor_and_shared_segment_give_the_same_bits),
         cmocka_unit_test(value_count_is_what_the_layout_holds),

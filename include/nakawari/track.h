@@ -58,7 +58,7 @@ typedef struct nkw_track {
     nkw_interpolation interpolation;
     /**
      * NULL, or count bytes: the interpolation of the segment that begins at each key, in place of the one above; for
-     * files that choose it key by key. Not with CUBICSPLINE, whose values are stored otherwise.
+     * files that choose it key by key. CUBICSPLINE only where the one above is: it says how `values` are stored.
      */
     const unsigned char *key_interpolation;
 } nkw_track;
@@ -68,10 +68,10 @@ NKW_API size_t nkw_track_value_count(const nkw_track *track);
 
 /**
  * Checks a track: NKW_EMPTY without keys or width; NKW_BAD_METHOD for an unknown kind or interpolation, a rotation
- * whose width is not 4, a key's interpolation that is not LINEAR or STEP, or CUBICSPLINE with any; NKW_NOT_FINITE where
- * a time, value or tangent is not finite; NKW_NOT_ASCENDING where a time is less than the one before; NKW_NOT_UNIT
- * where a rotation's value is off unit length by more than 1e-2. *bad_key becomes the index of the first offending key,
- * 0 if there is none; it may be NULL.
+ * whose width is not 4, a key's interpolation that is unknown, or CUBICSPLINE in a track that is not; NKW_NOT_FINITE
+ * where a time, value or tangent is not finite; NKW_NOT_ASCENDING where a time is less than the one before;
+ * NKW_NOT_UNIT where a rotation's value is off unit length by more than 1e-2. *bad_key becomes the index of the first
+ * offending key, 0 if there is none; it may be NULL.
  */
 NKW_API nkw_result nkw_track_validate(const nkw_track *track, size_t *bad_key);
 

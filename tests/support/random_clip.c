@@ -13,6 +13,7 @@ static void draw_times(random_source *r, random_clip *c)
             c->times[line][k] =
                 k == 0 ? 0.125f * (float)(line - 1) : c->times[line][k - 1] + 0.01f + 0.05f * random_unit(r);
         c->modes[k] = (unsigned char)(random_bits(r) % 2);
+        c->cubic_modes[k] = (unsigned char)(random_bits(r) % 3);
     }
 }
 
@@ -61,15 +62,16 @@ static void add_track(random_source *r, random_clip *c, nkw_clip_target target, 
                                                                 : NKW_TRACK_ROTATION;
     track->track.interpolation = variety == 2 ? (nkw_interpolation)((bits >> 24) % 3) : NKW_INTERPOLATION_LINEAR;
     track->track.key_interpolation = NULL;
-    if (variety == 2 && track->track.interpolation == NKW_INTERPOLATION_STEP && (bits >> 32) % 2 == 0)
-        track->track.key_interpolation = c->modes;
+    if (variety == 2 && track->track.interpolation != NKW_INTERPOLATION_LINEAR && (bits >> 32) % 2 == 0)
+        track->track.key_interpolation =
+            track->track.interpolation == NKW_INTERPOLATION_STEP ? c->modes : c->cubic_modes;
     draw_values(r, &track->track, c->values[i], variety > 0 && (bits >> 40) % 4 == 0);
 }
 
 void random_clip_draw(random_source *r, size_t joints, int variety, random_clip *c)
 {
-    nkw_clip_source source = {c->tracks,      0,      joints, variety == 2 ? RANDOM_CLIP_FLOATS : 0, c->rest,
-                              c->rest_floats, NKW_CLIP_FLOAT32};
+    nkw_clip_source source = {
+        c->tracks, 0, joints, variety == 2 ? RANDOM_CLIP_FLOATS : 0, c->rest, c->rest_floats, NKW_CLIP_FLOAT32};
     c->source = source;
     draw_times(r, c);
     for (size_t j = 0; j < joints; j++) {

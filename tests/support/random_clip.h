@@ -19,7 +19,7 @@ typedef struct random_clip {
     nkw_clip_source source;
     nkw_clip_track tracks[RANDOM_CLIP_TRACKS];
     float times[RANDOM_CLIP_LINES][RANDOM_CLIP_KEYS];
-    unsigned char modes[RANDOM_CLIP_KEYS];
+    unsigned char modes[RANDOM_CLIP_KEYS], cubic_modes[RANDOM_CLIP_KEYS];
     float values[RANDOM_CLIP_TRACKS][3 * 4 * RANDOM_CLIP_KEYS];
     float rest[NKW_POSE_FLOATS(RANDOM_CLIP_JOINTS)], rest_floats[RANDOM_CLIP_FLOATS];
 } random_clip;
