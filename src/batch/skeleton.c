@@ -88,13 +88,16 @@ static inline void chain_root(chain *c, const nkw_mat4 *of, nkw_mat4 *model)
 }
 
 /*
- * The local matrix of the one joint at p, made anew. Taken from the block, it would have the loads of its elements
- * shared with those of chain_child, ahead of the branch, and the sums lose their registers to them.
+ * A local matrix taken from the block. In its caller the loads would be shared with those of chain_child, ahead of the
+ * branch, and the sums lose their registers to them.
  */
-static inline nkw_mat4 make_local(const float *p, size_t s)
+APART static void take_local(const float *linear, const float *translation, size_t stride, nkw_mat4 *m)
 {
-    nkw_trs trs = {{p[0], p[s], p[2 * s]}, {p[3 * s], p[4 * s], p[5 * s], p[6 * s]}, {p[7 * s], p[8 * s], p[9 * s]}};
-    return nkw_mat4_from_trs(&trs);
+    for (size_t c = 0; c < 4; c++) {
+        for (size_t r = 0; r < 3; r++)
+            m->m[4 * c + r] = c < 3 ? linear[(3 * c + r) * BLOCK] : translation[r * stride];
+        m->m[4 * c + 3] = c < 3 ? 0.0f : 1.0f;
+    }
 }
 
 /* Joints from .. to - 1; at from > 0 `models` holds those before. */
@@ -116,8 +119,9 @@ KERNEL(models_from_pose)
                 local of = {l[0] + i, l[3] + i, l[6] + i, t + i, BLOCK, stride};
                 chain_child(&c, parent, &of, &models[j]);
             } else {
-                nkw_mat4 of = make_local(t + i, stride);
-                chain_root(&c, &of, &models[j]);
+                nkw_mat4 m;
+                take_local(l[0] + i, t + i, stride, &m);
+                chain_root(&c, &m, &models[j]);
             }
         }
     }
