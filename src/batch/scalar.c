@@ -1,6 +1,8 @@
 /* SPDX-License-Identifier: MIT */
 #include "lane/strict.h"
 
+#include <string.h>
+
 #include <nakawari/scalar.h>
 
 #include "batch/element.h"
@@ -9,8 +11,8 @@
 #include "lane/two.h"
 
 /*
- * Angles come in blocks. The lanes for near angles vectorise; a block that holds a far one, which is rare, takes the
- * single functions throughout. So does one of so few elements that most of them would be left over by vectors.
+ * Angles come in blocks. The lanes for near angles vectorise; far ones, which are rare, are done again by the single
+ * functions. So are all of a block of so few that most of them would be left over by vectors.
  */
 #define BLOCK 256
 #define FEW   8
@@ -33,13 +35,30 @@ static inline void each(function *f, const float *x, float *out, size_t n)
         out[i] = f(x[i]);
 }
 
+static inline int is_far(float angle)
+{
+    return (lane_bits(angle) & 0x7FFFFFFFu) >= 0x49800000u;
+}
+
+/* In place the angles are gone by then, so these are kept. */
+static inline void each_angle_again(function *near, function *any, const float *angle, float *out, size_t n)
+{
+    float kept[BLOCK];
+    memcpy(kept, angle, n * sizeof *kept);
+    each(near, kept, out, n);
+    for (size_t k = 0; k < n; k++)
+        out[k] = is_far(kept[k]) ? any(kept[k]) : out[k];
+}
+
 static inline void each_angle(function *near, function *any, const float *angle, float *out, size_t n)
 {
     for (size_t i = 0; i < n; i += BLOCK) {
         size_t count = n - i < BLOCK ? n - i : BLOCK;
-        if (count < FEW || any_far(angle + i, count))
+        if (count < FEW)
             for (size_t k = i; k < i + count; k++)
                 out[k] = any(angle[k]);
+        else if (any_far(angle + i, count))
+            each_angle_again(near, any, angle + i, out + i, count);
         else
             each(near, angle + i, out + i, count);
     }
@@ -70,14 +89,20 @@ KERNEL(sincos)(const float *angle, float *sine, float *cosine, size_t n)
 {
     for (size_t i = 0; i < n; i += BLOCK) {
         size_t end = n - i < BLOCK ? n : i + BLOCK;
-        if (end - i < FEW || any_far(angle + i, end - i)) {
+        float kept[BLOCK];
+        if (end - i < FEW) {
             for (size_t k = i; k < end; k++)
                 put_sincos(sine, cosine, k, lane_sincos64_single((double)angle[k]));
-        } else {
-#pragma omp simd
-            for (size_t k = i; k < end; k++)
-                put_sincos(sine, cosine, k, lane_sincos64((double)angle[k]));
+            continue;
         }
+        int far = any_far(angle + i, end - i);
+        memcpy(kept, angle + i, (end - i) * sizeof *kept);
+#pragma omp simd
+        for (size_t k = i; k < end; k++)
+            put_sincos(sine, cosine, k, lane_sincos64((double)kept[k - i]));
+        for (size_t k = i; far && k < end; k++)
+            if (is_far(kept[k - i]))
+                put_sincos(sine, cosine, k, lane_sincos64_single((double)kept[k - i]));
     }
 }
 
