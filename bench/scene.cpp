@@ -60,6 +60,15 @@ static void draw_values(scene &s)
         }
 }
 
+static void keep_still(scene &s, size_t still)
+{
+    for (size_t i = 0; still && i < s.tracks.size(); i += still) {
+        float *values = &s.values[(i / 3 * 10 + first[i % 3]) * s.keys];
+        for (size_t k = 1; k < s.keys; k++)
+            std::copy_n(values, width[i % 3], values + k * width[i % 3]);
+    }
+}
+
 static void build(scene &s)
 {
     std::vector<uint32_t> work(NKW_CLIP_WORK(s.tracks.size()));
@@ -80,7 +89,7 @@ static void build(scene &s)
     s.pose.resize(NKW_POSE_FLOATS(s.joints));
 }
 
-std::shared_ptr<scene> draw_scene(size_t joints, size_t keys, nkw_interpolation mode)
+std::shared_ptr<scene> draw_scene(size_t joints, size_t keys, nkw_interpolation mode, size_t still)
 {
     auto s = std::make_shared<scene>();
     s->joints = joints;
@@ -89,6 +98,7 @@ std::shared_ptr<scene> draw_scene(size_t joints, size_t keys, nkw_interpolation 
     for (size_t k = 0; k < keys; k++)
         s->times.push_back(static_cast<float>(k) / 30);
     draw_values(*s);
+    keep_still(*s, still);
     build(*s);
     return s;
 }

@@ -36,7 +36,9 @@ struct scene {
     nkw_trs joint_at(size_t joint, float time) const;
 };
 
-std::shared_ptr<scene> draw_scene(size_t joints, size_t keys, nkw_interpolation mode = NKW_INTERPOLATION_LINEAR);
+/* still: every so many tracks one that keeps its first key; 0: none. */
+std::shared_ptr<scene> draw_scene(size_t joints, size_t keys, nkw_interpolation mode = NKW_INTERPOLATION_LINEAR,
+                                  size_t still = 0);
 
 /* What stands in many programs: track by track, each with its own search and glm's slerp. */
 nkw_trs joint_by_hand(const scene &s, size_t joint, float time);

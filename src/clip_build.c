@@ -310,7 +310,10 @@ static float constant_of(const builder *b, nkw_clip_target target, size_t index,
     return s->rest ? s->rest[row * NKW_POSE_STRIDE(s->joint_count) + index] : row >= 6 ? 1.0f : 0.0f;
 }
 
-/* The lanes of joints from..to - 1, if those of c beside them go on there: all keys are the same. */
+/*
+ * The lanes of joints from..to - 1, if those of c beside them go on there: all keys are the same. Compact ones are 0, of
+ * a range without width.
+ */
 static void lay_gap(lanes *l, const clip_group *g, const nkw_clip_track *c, size_t from, size_t to, size_t pass)
 {
     const clip_tracks *t = &l->b->tracks;
@@ -322,8 +325,11 @@ static void lay_gap(lanes *l, const clip_group *g, const nkw_clip_track *c, size
         size_t lane = add_lane(l, place_of(l->b, c->target, joint, pass));
         for (size_t row = 0; l->b->words && row < (turns ? 4u : 1u); row++) {
             float value = constant_of(l->b, c->target, joint, turns ? row : pass);
-            for (size_t k = 0; k < c->track.count; k++)
-                floats_at(l->b, g->keys + k * g->key_words)[lane_at(g, clip_key_rows(g), row, lane)] = value;
+            size_t at = lane_at(g, clip_key_rows(g), row, lane);
+            if (g->ranges)
+                floats_at(l->b, g->ranges)[at] = value;
+            for (size_t k = 0; !g->ranges && k < c->track.count; k++)
+                floats_at(l->b, g->keys + k * g->key_words)[at] = value;
         }
     }
 }

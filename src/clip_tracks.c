@@ -253,12 +253,12 @@ const nkw_clip_track *nkw_clip_tracks_beside(const clip_tracks *t, nkw_clip_targ
     return beside;
 }
 
-/* Gaps are bridged where that does not more than double the joints that are moved. */
+/* Gaps are bridged where that does not more than double the joints that are moved; compact rotations change, so not. */
 static void choose_bridges(clip_tracks *t)
 {
     for (int target = 0; target < NKW_CLIP_FLOATS; target++) {
         size_t moved = 0, between = 0;
-        t->bridges[target] = t->source->format == NKW_CLIP_FLOAT32;
+        t->bridges[target] = t->source->format == NKW_CLIP_FLOAT32 || target != NKW_CLIP_ROTATION;
         for (size_t j = 0; j < t->source->joint_count; j++) {
             moved += mover_of(t, (nkw_clip_target)target, j) != NULL;
             between += nkw_clip_tracks_beside(t, (nkw_clip_target)target, j) != NULL;

@@ -199,6 +199,18 @@ static void short_gaps_between_joints_are_gone_over(void **state)
             }
     }
     free(clip);
+    drawn.source.format = NKW_CLIP_UNORM16;
+    clip = build(&drawn.source, &bytes);
+    for (int i = 4; i < 20; i++) {
+        float got[NKW_POSE_FLOATS(JOINTS)];
+        nkw_clip_sample(clip, some_time(&r, i), NULL, got, NULL);
+        for (size_t c = 0; c < 10; c++)
+            for (size_t j = 4; j < JOINTS; j += 8)
+                if (odd[(c + j / 8) % 5] == odd[(c + j / 8) % 5])
+                    expect_bits(got[c * NKW_POSE_STRIDE(JOINTS) + j], odd[(c + j / 8) % 5]);
+    }
+    free(clip);
+    drawn.source.format = NKW_CLIP_FLOAT32;
     /* Where few joints move, nothing grows. */
     for (size_t i = left = 0; i < drawn.source.track_count; i++)
         if (drawn.tracks[i].index % 5 == 0)
