@@ -149,7 +149,7 @@ static int compare(const float *a, const float *b, size_t n)
     return 0;
 }
 
-/* Masks, none before any; then rotations, translations and scales. */
+/* Masks, none before any; then rotations, scales and translations. */
 static int compare_layers(const nkw_pose_layer *a, const nkw_pose_layer *b, const part *p)
 {
     int order = (b->mask == NULL) - (a->mask == NULL);

@@ -33,7 +33,7 @@ static void compare(const nkw_clip *clip, const nkw_clip_track *c, nkw_segment s
 static int share_times(const nkw_track *a, const nkw_track *b)
 {
     return a->count == b->count &&
-           (a->times == b->times || memcmp(a->times, b->times, a->count * sizeof *a->times) == 0);
+           (a->count == 0 || a->times == b->times || memcmp(a->times, b->times, a->count * sizeof *a->times) == 0);
 }
 
 /* The first track of those that have its times. */

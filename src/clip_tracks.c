@@ -53,7 +53,11 @@ static int is_constant(const nkw_clip_track *c)
         return 0;
     for (size_t k = 1; k < t->count; k++) {
         const float *v = clip_track_value(t, k), *before = clip_track_value(t, k - 1);
+        float duration = t->times[k] - t->times[k - 1];
         if (!same_bits(v, first, t->width))
+            return 0;
+        /* A tangent of 0 times a duration that overflows is NaN. */
+        if (clip_is_cubic(t) && duration - duration != 0.0f)
             return 0;
         if (clip_is_cubic(t) &&
             (any(before + t->width, t->width, is_not_zero) || any(v - t->width, t->width, is_not_zero)))

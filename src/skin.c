@@ -212,7 +212,7 @@ static void run_arrays(const plan *p, const transforms *t, const nkw_vertices_ar
     }
 }
 
-/* Of so many joints the matrices of normals are made 4x4 first; of more, each vertex's normal goes by blocks. */
+/* Of up to so many joints the matrices of normals are made 4x4 first; of more, or of few vertices, all goes by blocks. */
 #define NORMAL_JOINTS 256
 
 static void run_normal_pairs(const plan *p, const nkw_skin_palette *palette, const nkw_vertices *in,
@@ -232,7 +232,7 @@ void nkw_skin_linear(const nkw_skin *skin, const nkw_skin_palette *palette, cons
     transforms t = {palette, NULL};
     if (!palette->normals)
         run_pairs(&p, palette->matrices, NULL, in, out);
-    else if (palette->joints <= NORMAL_JOINTS)
+    else if (palette->joints <= NORMAL_JOINTS && palette->joints <= p.vertices)
         run_normal_pairs(&p, palette, in, out);
     else
         run_streams(&p, &t, in, out);

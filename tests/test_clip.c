@@ -163,6 +163,24 @@ static void cubic_rotations_that_stay_are_constants(void **state)
     assert_in_range(found, 200, 398);
 }
 
+/* The duration overflows, and its product with a tangent of 0 is NaN. */
+static void cubics_over_an_endless_duration_are_no_constants(void **state)
+{
+    (void)state;
+    const float at[2] = {-3e38f, 3e38f}, values[24] = {0, 0, 0, 0, 0, 0, 0, 1, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 1};
+    nkw_clip_track t = {
+        NKW_CLIP_ROTATION, 0, {at, values, 2, 4, NKW_TRACK_ROTATION, NKW_INTERPOLATION_CUBICSPLINE, NULL}};
+    nkw_clip_source source = {&t, 1, 1, 0, NULL, NULL, NKW_CLIP_FLOAT32};
+    float pose[NKW_POSE_FLOATS(1)], want[4];
+    size_t bytes;
+    nkw_clip *clip = build(&source, &bytes);
+    nkw_clip_sample(clip, 0.0f, NULL, pose, NULL);
+    nkw_track_sample(&t.track, 0.0f, want);
+    expect_nan(want[3]);
+    expect_nan(nkw_pose_get(pose, 1, 0).rotation.w);
+    free(clip);
+}
+
 /* Every eighth joint has no track, and rests at numbers that lanes may not go over in some of them. */
 static void short_gaps_between_joints_are_gone_over(void **state)
 {
@@ -681,6 +699,7 @@ int main(void)
         cmocka_unit_test(the_difference_of_a_baked_clip_shows_between_its_own_keys),
         cmocka_unit_test(short_gaps_between_joints_are_gone_over),
         cmocka_unit_test(cubic_rotations_that_stay_are_constants),
+        cmocka_unit_test(cubics_over_an_endless_duration_are_no_constants),
         cmocka_unit_test(a_clip_without_tracks_is_the_rest_pose),
         cmocka_unit_test(pose_or_floats_may_be_left_out),
         cmocka_unit_test(the_order_of_tracks_does_not_matter),

@@ -324,6 +324,42 @@ static void euler_lerp_unwraps_only_beyond_half_a_turn(void **state)
     expect_near(nkw_euler_lerp(a, more, 0.5f, NKW_UNWRAP_YAW).y, 1.5 * 3.14159265, 1e-6);
 }
 
+/* None, one, half or all of t beyond 0..1, some far; the result over each of the nine inputs. */
+static void arrays_of_slerps_beyond_their_ends_are_single_ones(void **state)
+{
+    (void)state;
+    enum { N = 300 };
+    static const float odd[6] = {1.00001f, -0.25f, 1.5f, 1e6f, NAN, -INFINITY};
+    random_source r = random_from(77);
+    for (size_t round = 0; round < 60; round++) {
+        float c[9][N], out[4][N];
+        nkw_quat want[N];
+        for (size_t i = 0; i < N; i++) {
+            nkw_quat a, b;
+            draw_pair(&r, &a, &b);
+            const float all[9] = {a.x, a.y, a.z, a.w, b.x, b.y, b.z, b.w, random_unit(&r)};
+            for (size_t k = 0; k < 9; k++)
+                c[k][i] = all[k];
+            int is_odd = round % 4 == 0 ? 0 : round % 4 == 1 ? i == 70 : round % 4 == 2 ? i % 2 == 0 : 1;
+            if (is_odd)
+                c[8][i] = odd[round % 8 < 4 ? i % 3 : i % 6];
+            want[i] = nkw_quat_slerp(a, b, c[8][i]);
+        }
+        float *to[4] = {out[0], out[1], out[2], out[3]};
+        to[round % 4] = c[round % 9];
+        nkw_quat_view from = {c[0], c[1], c[2], c[3]}, until = {c[4], c[5], c[6], c[7]};
+        nkw_quat_span result = {to[0], to[1], to[2], to[3]};
+        nkw_quat_slerp_n(from, until, c[8], result, N);
+        for (size_t i = 0; i < N; i++) {
+            nkw_quat got = {to[0][i], to[1][i], to[2][i], to[3][i]};
+            if (want[i].w == want[i].w)
+                expect_quat_bits(got, want[i]);
+            else
+                expect_nan(got.w);
+        }
+    }
+}
+
 static void far_t_gives_unit_quaternions(void **state)
 {
     (void)state;
@@ -339,6 +375,7 @@ static void far_t_gives_unit_quaternions(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
+        cmocka_unit_test(arrays_of_slerps_beyond_their_ends_are_single_ones),
         cmocka_unit_test(far_t_gives_unit_quaternions),
         cmocka_unit_test(slerp_gives_its_ends_bit_for_bit),
         cmocka_unit_test(slerp_between_equal_or_opposite_inputs_is_that_input),

@@ -61,11 +61,10 @@ typedef struct nkw_pose_layer {
  *
  * Layers are added in an order of their own: the heaviest first, those of one weight by the first number, as bits, in
  * which their masks or poses differ, in each block of 128 joints. That makes the order of `layers` of no account for any
- * bit. Each rotation is added with
- * the sign that puts it on the side of the sum so far, so the heaviest layer says which side that is, and two layers
- * take the shorter arc. (A fixed side, such as the rest pose's, would tear apart layers that agree on a half turn away
- * from it.) Three and more rotations of which some are more than half a turn apart have no mean that is continuous in
- * the weights: there the result may jump where two weights change places.
+ * bit. Each rotation is added with the sign that puts it on the side of the sum so far, so the heaviest layer says
+ * which side that is, and two layers take the shorter arc. (A fixed side, such as the rest pose's, would tear apart
+ * layers that agree on a half turn away from it.) Three and more rotations of which some are more than half a turn apart
+ * have no mean that is continuous in the weights: there the result may jump where two weights change places.
  *
  * The mean is made by lerps: sum = lerp(sum, v, w / (total + w)). So translations and scales that all layers share come
  * out bit for bit, as does a joint on which one layer alone has a weight, its rotation too; and two layers without

@@ -127,7 +127,7 @@ NKW_API size_t nkw_clip_cursors(const nkw_clip *clip);
  *
  * cursors  nkw_clip_cursors(clip) numbers, any at first, that each playing instance keeps for itself: the search
  *          begins where the last one ended. NULL: each search begins anew. The result is the same bits.
- * pose     receives all joints, and its padding; may be NULL
+ * pose     receives all joints, its padding may be written; may be NULL
  * floats   receives nkw_clip_floats(clip) floats; may be NULL
  */
 NKW_API void nkw_clip_sample(const nkw_clip *clip, float time, uint32_t *cursors, float *pose, float *floats);

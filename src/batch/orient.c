@@ -112,13 +112,18 @@ static inline nkw_quat slerp_near(nkw_quat a, nkw_quat b, float t)
 }
 
 /*
- * Both ways, what lies outside 0..1 first, for out may be a or b: many of them as all are, a few by the single function.
+ * Both ways, what lies outside 0..1 first, for out may be a, b or t: many of them as all are, a few by the single
+ * function.
  */
 APART LANE_FLAT static void slerp_beyond(nkw_quat_view a, nkw_quat_view b, const float *t, nkw_quat_span out,
                                          size_t from, size_t to)
 {
     float x[BLOCK], y[BLOCK], z[BLOCK], w[BLOCK];
+    uint32_t inside[BLOCK];
     nkw_quat_span beyond = {x, y, z, w};
+#pragma omp simd
+    for (size_t i = from; i < to; i++)
+        inside[i - from] = 0u - ((uint32_t)(t[i] >= 0.0f) & (uint32_t)(t[i] <= 1.0f));
     if (many_near(t, from, to)) {
 #pragma omp simd
         for (size_t i = from; i < to; i++)
@@ -132,11 +137,11 @@ APART LANE_FLAT static void slerp_beyond(nkw_quat_view a, nkw_quat_view b, const
     slerp_inside(a, b, t, 1, out, from, to);
 #pragma omp simd
     for (size_t i = from; i < to; i++) {
-        uint32_t inside = 0u - ((uint32_t)(t[i] >= 0.0f) & (uint32_t)(t[i] <= 1.0f));
-        out.x[i] = lane_blend(inside, out.x[i], x[i - from]);
-        out.y[i] = lane_blend(inside, out.y[i], y[i - from]);
-        out.z[i] = lane_blend(inside, out.z[i], z[i - from]);
-        out.w[i] = lane_blend(inside, out.w[i], w[i - from]);
+        const size_t k = i - from;
+        out.x[i] = lane_blend(inside[k], out.x[i], x[k]);
+        out.y[i] = lane_blend(inside[k], out.y[i], y[k]);
+        out.z[i] = lane_blend(inside[k], out.z[i], z[k]);
+        out.w[i] = lane_blend(inside[k], out.w[i], w[k]);
     }
 }
 

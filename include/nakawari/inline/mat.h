@@ -9,8 +9,9 @@
 
 /*
  * A column of a 4x4 matrix, in a register where the compiler has such: at once in one load, or float by float in
- * loops. NKW_COLUMN(r, f) is r = f, where f is a formula of terms NKW_TERM(a) = a and NKW_TIMES(a, s) = a s for columns
- * a and floats s. NKW_COLUMN_END sets the last float, to 0 or 1.
+ * loops. NKW_COLUMN(r, f) is r = f, where f is a formula of terms NKW_TERM(a) = a, NKW_TIMES(a, s) = a s for columns a
+ * and floats s, and NKW_PRODUCT(a, b), float by float. NKW_COLUMN_MIX takes the floats i, j, k, l of a, from 4 on those
+ * of b. NKW_COLUMN_END sets the last float, to 0 or 1.
  *
  * The library's loops go over many matrices instead, so there a column is four floats.
  */

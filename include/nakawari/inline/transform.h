@@ -39,7 +39,7 @@ inline nkw_mat3 nkw_mat3_from_quat_scale(nkw_quat q, nkw_vec3 s)
 inline nkw_mat4 nkw_mat4_from_trs(const nkw_trs *trs)
 {
     NKW_EXACT
-    const float *a = (const float *)trs;
+    const float *a = &trs->translation.x;
     const nkw_column quarter = {0.25f, 0.25f, 0.25f, 0.25f};
     nkw_column q, twice, w, yzx, zxy, qq, qq_yzx, qq_zxy, m, d, s, t, scale, origin, x, y, z;
     NKW_COLUMN_LOAD(q, a + 3);
