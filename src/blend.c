@@ -344,6 +344,37 @@ void nkw_pose_blend_layers(const nkw_pose_layer *layers, size_t count, const flo
     }
 }
 
+static nkw_result check_weight(float weight, float most)
+{
+    if (weight - weight != 0.0f)
+        return NKW_NOT_FINITE;
+    return weight >= 0.0f && weight <= most ? NKW_OK : NKW_BAD_WEIGHTS;
+}
+
+nkw_result nkw_mask_validate(const float *mask, size_t joints, size_t *bad_joint)
+{
+    nkw_result result = joints == 0 ? NKW_EMPTY : NKW_OK;
+    size_t bad = 0;
+    for (size_t j = 0; result == NKW_OK && j < joints; j++) {
+        result = check_weight(mask[j], 1.0f);
+        bad = j;
+    }
+    return report(result, bad, bad_joint);
+}
+
+nkw_result nkw_pose_layers_validate(const nkw_pose_layer *layers, size_t count, size_t joints, size_t *bad_layer)
+{
+    nkw_result result = joints == 0 ? NKW_EMPTY : NKW_OK;
+    size_t bad = 0;
+    for (size_t i = 0; result == NKW_OK && i < count; i++) {
+        result = layers[i].pose ? check_weight(layers[i].weight, HEAVIEST) : NKW_EMPTY;
+        if (result == NKW_OK && layers[i].mask)
+            result = nkw_mask_validate(layers[i].mask, joints, NULL);
+        bad = i;
+    }
+    return report(result, bad, bad_layer);
+}
+
 /* differences */
 
 void nkw_pose_additive_build(const float *a, const float *ref, size_t joints, nkw_additive side, float *out)

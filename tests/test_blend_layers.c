@@ -354,6 +354,62 @@ static void the_padding_puts_no_layer_before_another(void **state)
     }
 }
 
+static void expect_mask(const float *mask, size_t joints, nkw_result result, size_t joint)
+{
+    size_t bad = 99;
+    assert_int_equal(nkw_mask_validate(mask, joints, &bad), result);
+    assert_int_equal(bad, joint);
+    assert_int_equal(nkw_mask_validate(mask, joints, NULL), result);
+}
+
+static void validate_names_the_first_joint_of_a_bad_mask(void **state)
+{
+    (void)state;
+    float mask[5] = {0, 1, 0.5f, -0.0f, 1};
+    expect_mask(mask, 5, NKW_OK, 0);
+    expect_mask(mask, 0, NKW_EMPTY, 0);
+    mask[4] = 1.0000001f;
+    expect_mask(mask, 5, NKW_BAD_WEIGHTS, 4);
+    expect_mask(mask, 4, NKW_OK, 0);
+    mask[3] = -1e-30f;
+    expect_mask(mask, 5, NKW_BAD_WEIGHTS, 3);
+    mask[2] = INFINITY;
+    expect_mask(mask, 5, NKW_NOT_FINITE, 2);
+    mask[1] = NAN;
+    expect_mask(mask, 5, NKW_NOT_FINITE, 1);
+}
+
+static void expect_layers(const bed *b, size_t count, size_t joints, nkw_result result, size_t layer)
+{
+    size_t bad = 99;
+    assert_int_equal(nkw_pose_layers_validate(b->layers, count, joints, &bad), result);
+    assert_int_equal(bad, layer);
+    assert_int_equal(nkw_pose_layers_validate(b->layers, count, joints, NULL), result);
+}
+
+static void validate_names_the_first_bad_layer(void **state)
+{
+    (void)state;
+    bed *b = make_bed(21);
+    for (size_t i = 0; i < LAYERS; i++)
+        b->layers[i].mask = b->masks[i];
+    b->layers[1].weight = 0x1p60f;
+    b->layers[0].weight = 0.0f;
+    expect_layers(b, LAYERS, JOINTS, NKW_OK, 0);
+    expect_layers(b, 0, JOINTS, NKW_OK, 0);
+    expect_layers(b, LAYERS, 0, NKW_EMPTY, 0);
+    b->masks[4][JOINTS - 1] = 2.0f;
+    expect_layers(b, LAYERS, JOINTS, NKW_BAD_WEIGHTS, 4);
+    b->layers[3].weight = -1.0f;
+    expect_layers(b, LAYERS, JOINTS, NKW_BAD_WEIGHTS, 3);
+    b->layers[2].weight = NAN;
+    expect_layers(b, LAYERS, JOINTS, NKW_NOT_FINITE, 2);
+    b->layers[1].weight = 0x1.000002p60f;
+    expect_layers(b, LAYERS, JOINTS, NKW_BAD_WEIGHTS, 1);
+    b->layers[0].pose = NULL;
+    expect_layers(b, LAYERS, JOINTS, NKW_EMPTY, 0);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -372,6 +428,8 @@ int main(void)
         cmocka_unit_test(signs_of_layers_do_not_matter),
         cmocka_unit_test(the_result_may_replace_a_layers_pose),
         cmocka_unit_test(the_padding_puts_no_layer_before_another),
+        cmocka_unit_test(validate_names_the_first_joint_of_a_bad_mask),
+        cmocka_unit_test(validate_names_the_first_bad_layer),
     };
     return cmocka_run_group_tests_name("blend_layers", tests, NULL, NULL);
 }

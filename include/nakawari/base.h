@@ -139,7 +139,7 @@ extern "C" {
     X(NKW_NOT_ORDERED, "a joint stands before its parent")                                         \
     X(NKW_NOT_A_TREE, "a node is reached twice or not at all")                                     \
     X(NKW_NOT_PAIRED, "a joint is not its partner's partner")                                      \
-    X(NKW_BAD_WEIGHTS, "weights are negative or do not sum to 1")                                  \
+    X(NKW_BAD_WEIGHTS, "weights are out of range or do not sum to 1")                              \
     X(NKW_TOO_MANY, "more bones or influences than there may be")                                  \
     X(NKW_NOT_A_CLIP, "not a clip of this version and byte order, or not aligned")                 \
     X(NKW_REPEATED, "two tracks move the same")

@@ -81,6 +81,20 @@ typedef struct nkw_pose_layer {
 NKW_API void nkw_pose_blend_layers(const nkw_pose_layer *layers, size_t count, const float *rest, size_t joints,
                                    float threshold, float *out);
 
+/**
+ * Checks a mask: NKW_EMPTY without joints; NKW_NOT_FINITE where a number is not finite; NKW_BAD_WEIGHTS where one is not
+ * in 0..1. *bad_joint becomes the first offending joint, 0 if there is none; it may be NULL.
+ */
+NKW_API nkw_result nkw_mask_validate(const float *mask, size_t joints, size_t *bad_joint);
+
+/**
+ * Checks layers, which may be none: NKW_EMPTY for a layer without a pose, and without joints; NKW_NOT_FINITE where a
+ * weight is not finite; NKW_BAD_WEIGHTS where one is not in 0..2^60; what nkw_mask_validate gives for a mask.
+ * *bad_layer becomes the first offending layer, 0 if there is none; it may be NULL. Poses have nkw_pose_validate.
+ */
+NKW_API nkw_result nkw_pose_layers_validate(const nkw_pose_layer *layers, size_t count, size_t joints,
+                                            size_t *bad_layer);
+
 /** On which side of a rotation a difference is. Any other number is read as NKW_ADDITIVE_LOCAL. */
 typedef enum nkw_additive {
     NKW_ADDITIVE_LOCAL, /**< in the joint's own axes:  base * delta,  delta = ref^-1 a */

@@ -62,6 +62,9 @@ static void many(fuzz *f, size_t n, int wild)
     const float *rest = fuzz_pose(f, n, wild);
     float *out = fuzz_room(f, NKW_POSE_FLOATS(n)), *again = fuzz_room(f, NKW_POSE_FLOATS(n));
     float threshold = fuzz_float(f);
+    size_t bad;
+    nkw_pose_layers_validate(layer, count, n, &bad);
+    FUZZ_CHECK(bad < count || bad == 0);
     nkw_pose_blend_layers(layer, count, rest, n, threshold, out);
     nkw_pose_blend_layers(turned, count, rest, n, threshold, again);
     FUZZ_CHECK(same_pose(out, again, n));
