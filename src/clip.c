@@ -97,18 +97,6 @@ static void cubic(const nkw_clip *clip, const clip_group *g, const float *a, con
         nkw_batch_selected()->clip_hermite(a, b, words, duration, t, blocks, g->block_count, out);
 }
 
-static nkw_quat_view rows_of(const float *x, size_t width)
-{
-    nkw_quat_view r = {x, x + width, x + 2 * width, x + 3 * width};
-    return r;
-}
-
-static nkw_quat_span rows_to(float *x, size_t width)
-{
-    nkw_quat_span r = {x, x + width, x + 2 * width, x + 3 * width};
-    return r;
-}
-
 /* A LINEAR segment of rotations that are laid out as CUBICSPLINE, block by block: they have no arcs. */
 static void slerp_values(const nkw_clip *clip, const clip_group *g, const float *a, const float *b, float t, float *out,
                          size_t stride)
@@ -118,13 +106,13 @@ static void slerp_values(const nkw_clip *clip, const clip_group *g, const float 
     for (; block < end; a += 4 * NKW_BLOCK, b += 4 * NKW_BLOCK, block++) {
         const size_t n = block->width;
         float unit[8 * NKW_BLOCK], turned[4 * NKW_BLOCK];
-        nkw_quat_view from = rows_of(a, n), to = rows_of(b, n);
+        nkw_quat_view from = block_rows(a, n), to = block_rows(b, n);
         if (g->normalized) {
-            batch->quat_normalize(from, rows_to(unit, n), n);
-            batch->quat_normalize(to, rows_to(unit + 4 * n, n), n);
-            from = rows_of(unit, n), to = rows_of(unit + 4 * n, n);
+            batch->quat_normalize(from, block_rows_to(unit, n), n);
+            batch->quat_normalize(to, block_rows_to(unit + 4 * n, n), n);
+            from = block_rows(unit, n), to = block_rows(unit + 4 * n, n);
         }
-        batch->quat_slerp_at(from, to, t, rows_to(turned, n), n);
+        batch->quat_slerp_at(from, to, t, block_rows_to(turned, n), n);
         for (size_t row = 0; row < 4; row++)
             for (size_t i = 0; i < block->count; i++)
                 out[row * stride + block->places[i]] = turned[row * n + i];

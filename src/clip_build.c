@@ -280,7 +280,7 @@ static size_t place_of(const builder *b, nkw_clip_target target, size_t index, s
         return index + component;
     if (target == NKW_CLIP_ROTATION)
         return index;
-    return (component + (target == NKW_CLIP_SCALE ? 7u : 0u)) * stride + index;
+    return clip_array_of(target, component) * stride + index;
 }
 
 /* The lanes of a track in pass 0, 1 or 2: one component, or all of a rotation, or all the floats in a row. */
@@ -302,12 +302,12 @@ static float constant_of(const builder *b, nkw_clip_target target, size_t index,
 {
     const nkw_clip_source *s = b->tracks.source;
     const nkw_clip_track *c = nkw_clip_tracks_of(&b->tracks, target, index);
-    size_t row = target == NKW_CLIP_ROTATION ? 3 + component : component + (target == NKW_CLIP_SCALE ? 7u : 0u);
+    size_t array = clip_array_of(target, component);
     if (c)
         return held_component(c, 0, target == NKW_CLIP_FLOATS ? index - c->index : component);
     if (target == NKW_CLIP_FLOATS)
         return s->rest_floats ? s->rest_floats[index] : 0.0f;
-    return s->rest ? s->rest[row * NKW_POSE_STRIDE(s->joint_count) + index] : row >= 6 ? 1.0f : 0.0f;
+    return s->rest ? s->rest[array * NKW_POSE_STRIDE(s->joint_count) + index] : array >= 6 ? 1.0f : 0.0f;
 }
 
 /*
@@ -472,8 +472,7 @@ static void add_constant(constants *c, size_t to, float value)
 static int lay_constant(constants *c, nkw_clip_target target, size_t index, size_t component, size_t to)
 {
     const clip_tracks *t = &c->b->tracks;
-    const nkw_clip_track *track = nkw_clip_tracks_of(t, target, index);
-    if (track && t->timeline[track - t->source->tracks] != CLIP_CONSTANT)
+    if (nkw_clip_tracks_mover(t, target, index))
         return 0;
     if (!nkw_clip_tracks_beside(t, target, index))
         add_constant(c, to, constant_of(c->b, target, index, component));

@@ -36,25 +36,13 @@ static int share_times(const nkw_track *a, const nkw_track *b)
            (a->count == 0 || a->times == b->times || memcmp(a->times, b->times, a->count * sizeof *a->times) == 0);
 }
 
-/* The first track of those that have its times. */
-static size_t first_of(const nkw_clip_source *source, size_t track)
+/* The first track that has these keys' times; track_count where none has. */
+static size_t first_of(const nkw_clip_source *source, const nkw_track *keys)
 {
     size_t i = 0;
-    while (!share_times(&source->tracks[i].track, &source->tracks[track].track))
+    while (i < source->track_count && !share_times(&source->tracks[i].track, keys))
         i++;
     return i;
-}
-
-/* All tracks that share the times of track `first`, the first of them, at one moment. */
-static void compare_at(const nkw_clip *clip, const nkw_clip_source *source, size_t first, float time, float *pose,
-                       float *floats, nkw_clip_error *error)
-{
-    const nkw_track *t = &source->tracks[first].track;
-    nkw_segment segment = nkw_segment_find(t->times, t->count, time);
-    nkw_clip_sample(clip, time, NULL, pose, floats);
-    for (size_t i = first; i < source->track_count; i++)
-        if (share_times(&source->tracks[i].track, t))
-            compare(clip, &source->tracks[i], segment, pose, floats, error);
 }
 
 /* The keys of a timeline of the clip, as those of a track that has nothing else. */
@@ -65,32 +53,29 @@ static nkw_track keys_of(const nkw_clip *clip, const clip_timeline *line)
     return r;
 }
 
-static int is_of_source(const nkw_clip_source *source, const nkw_track *keys)
+static int lasts(const nkw_track *t, float time)
 {
-    for (size_t i = 0; i < source->track_count; i++)
-        if (share_times(&source->tracks[i].track, keys))
-            return 1;
-    return 0;
+    return t->count > 0 && time >= t->times[0] && time <= t->times[t->count - 1];
 }
 
-/* All tracks, as long as each of them lasts, at one moment. */
-static void compare_all_at(const nkw_clip *clip, const nkw_clip_source *source, float time, float *pose, float *floats,
-                           nkw_clip_error *error)
+/* At one moment, the tracks that have these keys' times; or, where those are the clip's own, all, while they last. */
+static void compare_at(const nkw_clip *clip, const nkw_clip_source *source, const nkw_track *keys, int own, float time,
+                       float *pose, float *floats, nkw_clip_error *error)
 {
     nkw_clip_sample(clip, time, NULL, pose, floats);
     for (size_t i = 0; i < source->track_count; i++) {
         const nkw_track *t = &source->tracks[i].track;
-        if (t->count > 0 && time >= t->times[0] && time <= t->times[t->count - 1])
+        if (own ? lasts(t, time) : share_times(t, keys))
             compare(clip, &source->tracks[i], nkw_segment_find(t->times, t->count, time), pose, floats, error);
     }
 }
 
-static void compare_along(const nkw_clip *clip, const nkw_clip_source *source, const nkw_track *keys, float *pose,
-                          float *floats, nkw_clip_error *error)
+static void compare_along(const nkw_clip *clip, const nkw_clip_source *source, const nkw_track *keys, int own,
+                          float *pose, float *floats, nkw_clip_error *error)
 {
     for (size_t k = 0; k < keys->count; k++)
         for (int quarter = 0; quarter < DIFFERENCE_QUARTERS; quarter++)
-            compare_all_at(clip, source, difference_moment(keys, k, quarter), pose, floats, error);
+            compare_at(clip, source, keys, own, difference_moment(keys, k, quarter), pose, floats, error);
 }
 
 nkw_clip_error nkw_clip_difference(const nkw_clip *clip, const nkw_clip_source *source, float *pose, float *floats)
@@ -99,17 +84,13 @@ nkw_clip_error nkw_clip_difference(const nkw_clip *clip, const nkw_clip_source *
     nkw_clip_error error = {0.0f, 0.0f, 0.0f, 0.0f}, unlike = {far, far, far, far};
     if (source->joint_count != nkw_clip_joints(clip) || source->float_count != nkw_clip_floats(clip))
         return unlike;
-    for (size_t i = 0; i < source->track_count; i++) {
-        const nkw_track *t = &source->tracks[i].track;
-        size_t count = first_of(source, i) == i ? t->count : 0;
-        for (size_t k = 0; k < count; k++)
-            for (int quarter = 0; quarter < DIFFERENCE_QUARTERS; quarter++)
-                compare_at(clip, source, i, difference_moment(t, k, quarter), pose, floats, &error);
-    }
+    for (size_t i = 0; i < source->track_count; i++)
+        if (first_of(source, &source->tracks[i].track) == i)
+            compare_along(clip, source, &source->tracks[i].track, 0, pose, floats, &error);
     for (uint32_t i = 0; i < clip->timeline_count; i++) {
         nkw_track keys = keys_of(clip, clip_timelines(clip) + i);
-        if (!is_of_source(source, &keys))
-            compare_along(clip, source, &keys, pose, floats, &error);
+        if (first_of(source, &keys) == source->track_count)
+            compare_along(clip, source, &keys, 1, pose, floats, &error);
     }
     return error;
 }

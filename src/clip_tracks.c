@@ -203,10 +203,9 @@ const nkw_clip_track *nkw_clip_tracks_of(const clip_tracks *t, nkw_clip_target t
 
 #define GAP 4 /* joints */
 
-/* The track that changes a joint, or NULL. */
-static const nkw_clip_track *mover_of(const clip_tracks *t, nkw_clip_target target, size_t joint)
+const nkw_clip_track *nkw_clip_tracks_mover(const clip_tracks *t, nkw_clip_target target, size_t index)
 {
-    const nkw_clip_track *c = nkw_clip_tracks_of(t, target, joint);
+    const nkw_clip_track *c = nkw_clip_tracks_of(t, target, index);
     return c && t->timeline[c - t->source->tracks] != CLIP_CONSTANT ? c : NULL;
 }
 
@@ -228,9 +227,8 @@ static int is_joint_kept(const clip_tracks *t, nkw_clip_target target, size_t jo
     const nkw_clip_track *c = nkw_clip_tracks_of(t, target, joint);
     const float *rest = t->source->rest;
     size_t stride = NKW_POSE_STRIDE(t->source->joint_count), width = target == NKW_CLIP_ROTATION ? 4 : 3;
-    size_t row = target == NKW_CLIP_TRANSLATION ? 0 : target == NKW_CLIP_ROTATION ? 3 : 7;
     for (size_t i = 0; i < width && (c || rest); i++)
-        if (!is_kept(target, c ? clip_track_value(&c->track, 0)[i] : rest[(row + i) * stride + joint]))
+        if (!is_kept(target, c ? clip_track_value(&c->track, 0)[i] : rest[clip_array_of(target, i) * stride + joint]))
             return 0;
     return 1;
 }
@@ -238,15 +236,15 @@ static int is_joint_kept(const clip_tracks *t, nkw_clip_target target, size_t jo
 const nkw_clip_track *nkw_clip_tracks_beside(const clip_tracks *t, nkw_clip_target target, size_t joint)
 {
     size_t first = joint, end = joint + 1, joints = t->source->joint_count;
-    if (target == NKW_CLIP_FLOATS || !t->bridges[target] || mover_of(t, target, joint))
+    if (target == NKW_CLIP_FLOATS || !t->bridges[target] || nkw_clip_tracks_mover(t, target, joint))
         return NULL;
-    while (first > 0 && joint - first < GAP && !mover_of(t, target, first - 1))
+    while (first > 0 && joint - first < GAP && !nkw_clip_tracks_mover(t, target, first - 1))
         first--;
-    while (end < joints && end - first <= GAP && !mover_of(t, target, end))
+    while (end < joints && end - first <= GAP && !nkw_clip_tracks_mover(t, target, end))
         end++;
     size_t gap = end - first;
-    const nkw_clip_track *before = first > 0 ? mover_of(t, target, first - 1) : NULL;
-    const nkw_clip_track *after = end < joints ? mover_of(t, target, end) : NULL;
+    const nkw_clip_track *before = first > 0 ? nkw_clip_tracks_mover(t, target, first - 1) : NULL;
+    const nkw_clip_track *after = end < joints ? nkw_clip_tracks_mover(t, target, end) : NULL;
     const nkw_clip_track *beside = before ? before : after;
     if (gap > GAP || !beside || clip_is_cubic(&beside->track) ||
         (before && after && !nkw_clip_tracks_same(t, before, after)))
@@ -264,7 +262,7 @@ static void choose_bridges(clip_tracks *t)
         size_t moved = 0, between = 0;
         t->bridges[target] = t->source->format == NKW_CLIP_FLOAT32 || target != NKW_CLIP_ROTATION;
         for (size_t j = 0; j < t->source->joint_count; j++) {
-            moved += mover_of(t, (nkw_clip_target)target, j) != NULL;
+            moved += nkw_clip_tracks_mover(t, (nkw_clip_target)target, j) != NULL;
             between += nkw_clip_tracks_beside(t, (nkw_clip_target)target, j) != NULL;
         }
         t->bridges[target] &= between <= moved;

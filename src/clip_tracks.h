@@ -23,6 +23,9 @@ nkw_result nkw_clip_tracks_order(const nkw_clip_source *source, uint32_t *work, 
 /* The track that moves joint or float `index`, or NULL. */
 const nkw_clip_track *nkw_clip_tracks_of(const clip_tracks *t, nkw_clip_target target, size_t index);
 
+/* The track that changes joint or float `index`, or NULL. */
+const nkw_clip_track *nkw_clip_tracks_mover(const clip_tracks *t, nkw_clip_target target, size_t index);
+
 /* Whether two tracks that change are of one group. */
 int nkw_clip_tracks_same(const clip_tracks *t, const nkw_clip_track *a, const nkw_clip_track *b);
 
@@ -34,6 +37,12 @@ const nkw_clip_track *nkw_clip_tracks_beside(const clip_tracks *t, nkw_clip_targ
 
 /* What tracks of one timeline must have in common to be a group: equal numbers. */
 uint32_t nkw_clip_tracks_group(const nkw_clip_track *c);
+
+/* The component array of a pose in which a component stands. */
+static inline size_t clip_array_of(nkw_clip_target target, size_t component)
+{
+    return component + (target == NKW_CLIP_ROTATION ? 3u : target == NKW_CLIP_SCALE ? 7u : 0u);
+}
 
 static inline int clip_is_cubic(const nkw_track *t)
 {

@@ -2,7 +2,10 @@
 #ifndef NAKAWARI_BATCH_BLOCK_H
 #define NAKAWARI_BATCH_BLOCK_H
 
+#include <stddef.h>
 #include <stdint.h>
+
+#include <nakawari/types.h>
 
 #define NKW_BLOCK      16 /* lanes: the widest vector, so that loops over a block have no remainder */
 #define NKW_BLOCK_ROWS 5 /* x y z w of rotations and v of their arcs */
@@ -19,5 +22,18 @@ typedef struct nkw_block {
     uint32_t width, count, direct;
     uint32_t places[NKW_BLOCK];
 } nkw_block;
+
+/* Rows of a block that stand `width` floats apart. */
+static inline nkw_quat_view block_rows(const float *x, size_t width)
+{
+    nkw_quat_view view = {x, x + width, x + 2 * width, x + 3 * width};
+    return view;
+}
+
+static inline nkw_quat_span block_rows_to(float *x, size_t width)
+{
+    nkw_quat_span span = {x, x + width, x + 2 * width, x + 3 * width};
+    return span;
+}
 
 #endif

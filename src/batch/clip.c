@@ -11,19 +11,6 @@
 #include "lane/curve.h"
 #include "lane/orient.h"
 
-/* Rows of a block that stand `width` floats apart. */
-static inline nkw_quat_view rows_of(const float *x, size_t width)
-{
-    nkw_quat_view view = {x, x + width, x + 2 * width, x + 3 * width};
-    return view;
-}
-
-static inline nkw_quat_span rows_to(float *x, size_t stride)
-{
-    nkw_quat_span span = {x, x + stride, x + 2 * stride, x + 3 * stride};
-    return span;
-}
-
 /* Rotations in rows `apart` floats apart to their places in components `stride` apart; two at a time. */
 static inline void scatter(const nkw_block *block, const float *from, size_t apart, float *out, size_t stride)
 {
@@ -85,7 +72,7 @@ static inline lane_slerp_arc arc_of(float number)
 
 static inline void arcs_of_block(float *a, const float *b, size_t width)
 {
-    nkw_quat_view from = rows_of(a, width), to = rows_of(b, width);
+    nkw_quat_view from = block_rows(a, width), to = block_rows(b, width);
     float *arcs = a + 4 * width;
 #pragma omp simd
     for (size_t i = 0; i < width; i++) {
@@ -166,8 +153,8 @@ INLINE void excesses_of_block(const float *arcs, lane_slerp_pace pace, excesses 
 INLINE void slerp_block(const float *a, const float *b, const excesses *e, lane_slerp_pace pace, float *out,
                         size_t stride, size_t width)
 {
-    nkw_quat_view from = rows_of(a, width), to = rows_of(b, width);
-    nkw_quat_span o = rows_to(out, stride);
+    nkw_quat_view from = block_rows(a, width), to = block_rows(b, width);
+    nkw_quat_span o = block_rows_to(out, stride);
     const float *arcs = a + 4 * width;
 #pragma omp simd
     KEEP_LOOP
@@ -284,7 +271,7 @@ INLINE void decode_pair(const uint16_t *a, const uint16_t *b, const float *base,
 
 INLINE void arcs_of_pair(pair16 *pair, size_t width)
 {
-    nkw_quat_span from = rows_to(pair->from, width), to = rows_to(pair->to, width);
+    nkw_quat_span from = block_rows_to(pair->from, width), to = block_rows_to(pair->to, width);
     float *v = pair->v, *of_a = pair->of_a, *of_b = pair->of_b;
     const uint32_t *turned = pair->turned;
 #pragma omp simd
@@ -301,8 +288,8 @@ INLINE void arcs_of_pair(pair16 *pair, size_t width)
 
 INLINE void slerp_pair(const pair16 *pair, const lane_compact_pace *pace, float *out, size_t stride, size_t width)
 {
-    nkw_quat_view from = rows_of(pair->from, width), to = rows_of(pair->to, width);
-    nkw_quat_span o = rows_to(out, stride);
+    nkw_quat_view from = block_rows(pair->from, width), to = block_rows(pair->to, width);
+    nkw_quat_span o = block_rows_to(out, stride);
     const float *v = pair->v, *of_a = pair->of_a, *of_b = pair->of_b;
 #pragma omp simd
     for (size_t i = 0; i < width; i++) {
@@ -392,8 +379,8 @@ KERNEL(clip_hermite)
 
 INLINE void normalize_block(const float *x, float *out, size_t stride, size_t width)
 {
-    nkw_quat_span o = rows_to(out, stride);
-    nkw_quat_view q = rows_of(x, width);
+    nkw_quat_span o = block_rows_to(out, stride);
+    nkw_quat_view q = block_rows(x, width);
 #pragma omp simd
     for (size_t i = 0; i < width; i++)
         put_quat(o, i, lane_quat_normalize(at_quat(q, i)));

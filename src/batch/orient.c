@@ -123,7 +123,7 @@ APART LANE_FLAT static void slerp_beyond(nkw_quat_view a, nkw_quat_view b, const
     nkw_quat_span beyond = {x, y, z, w};
 #pragma omp simd
     for (size_t i = from; i < to; i++)
-        inside[i - from] = 0u - ((uint32_t)(t[i] >= 0.0f) & (uint32_t)(t[i] <= 1.0f));
+        inside[i - from] = 0u - (uint32_t)lane_t_is_inside(t[i]);
     if (many_near(t, from, to)) {
 #pragma omp simd
         for (size_t i = from; i < to; i++)

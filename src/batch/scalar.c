@@ -17,6 +17,9 @@
 #define BLOCK 256
 #define FEW   8
 
+/* 2^20 and more, NaN and inf included, by their bits without the sign. */
+#define FAR 0x49800000u
+
 typedef float function(float);
 
 static inline int any_far(const float *angle, size_t n)
@@ -24,7 +27,7 @@ static inline int any_far(const float *angle, size_t n)
     uint32_t far = 0;
 #pragma omp simd reduction(| : far)
     for (size_t i = 0; i < n; i++)
-        far |= ((lane_bits(angle[i]) & 0x7FFFFFFFu) + (0x80000000u - 0x49800000u)); /* 2^20, NaN and inf included */
+        far |= ((lane_bits(angle[i]) & 0x7FFFFFFFu) + (0x80000000u - FAR));
     return far >> 31 != 0;
 }
 
@@ -37,7 +40,7 @@ static inline void each(function *f, const float *x, float *out, size_t n)
 
 static inline int is_far(float angle)
 {
-    return (lane_bits(angle) & 0x7FFFFFFFu) >= 0x49800000u;
+    return (lane_bits(angle) & 0x7FFFFFFFu) >= FAR;
 }
 
 /* In place the angles are gone by then, so these are kept. */
@@ -85,24 +88,34 @@ static inline void put_sincos(float *sine, float *cosine, size_t i, lane_sincos 
     cosine[i] = (float)a.c;
 }
 
+static inline void sincos_each(const float *angle, float *sine, float *cosine, size_t n)
+{
+#pragma omp simd
+    for (size_t k = 0; k < n; k++)
+        put_sincos(sine, cosine, k, lane_sincos64((double)angle[k]));
+}
+
+static inline void sincos_each_again(const float *angle, float *sine, float *cosine, size_t n)
+{
+    float kept[BLOCK];
+    memcpy(kept, angle, n * sizeof *kept);
+    sincos_each(kept, sine, cosine, n);
+    for (size_t k = 0; k < n; k++)
+        if (is_far(kept[k]))
+            put_sincos(sine, cosine, k, lane_sincos64_single((double)kept[k]));
+}
+
 KERNEL(sincos)(const float *angle, float *sine, float *cosine, size_t n)
 {
     for (size_t i = 0; i < n; i += BLOCK) {
-        size_t end = n - i < BLOCK ? n : i + BLOCK;
-        float kept[BLOCK];
-        if (end - i < FEW) {
-            for (size_t k = i; k < end; k++)
+        size_t count = n - i < BLOCK ? n - i : BLOCK;
+        if (count < FEW)
+            for (size_t k = i; k < i + count; k++)
                 put_sincos(sine, cosine, k, lane_sincos64_single((double)angle[k]));
-            continue;
-        }
-        int far = any_far(angle + i, end - i);
-        memcpy(kept, angle + i, (end - i) * sizeof *kept);
-#pragma omp simd
-        for (size_t k = i; k < end; k++)
-            put_sincos(sine, cosine, k, lane_sincos64((double)kept[k - i]));
-        for (size_t k = i; far && k < end; k++)
-            if (is_far(kept[k - i]))
-                put_sincos(sine, cosine, k, lane_sincos64_single((double)kept[k - i]));
+        else if (any_far(angle + i, count))
+            sincos_each_again(angle + i, sine + i, cosine + i, count);
+        else
+            sincos_each(angle + i, sine + i, cosine + i, count);
     }
 }
 

@@ -268,11 +268,6 @@ static inline lane_wquat lane_wquat_slerp_turned(lane_wquat a, lane_wquat b, dou
     return lane_wquat_select(t == 0.0, a, lane_wquat_select(t == 1.0, b, q));
 }
 
-static inline lane_wquat lane_wquat_slerp(lane_wquat a, lane_wquat b, double t)
-{
-    return lane_wquat_slerp_turned(a, b, t, 0);
-}
-
 static inline nkw_quat lane_quat_slerp_turned(nkw_quat a, nkw_quat b, float t, nkw_path path, int near)
 {
     lane_wquat from = lane_wquat_from(a);
