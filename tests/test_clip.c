@@ -13,15 +13,6 @@ static nkw_clip *build(const nkw_clip_source *source, size_t *bytes)
     return clip_build(source, work, bytes);
 }
 
-/* At key times, between them, outside, and a NaN. */
-static float some_time(random_source *r, int i)
-{
-    float keys[4] = {NAN, INFINITY, -1.0f, drawn.times[2][5]};
-    return i < 4        ? keys[i]
-           : i % 3 == 0 ? drawn.times[i % RANDOM_CLIP_LINES][i % RANDOM_CLIP_KEYS]
-                        : random_between(r, -0.2f, 1.4f);
-}
-
 static void expect_tracks_bits(random_source *r, size_t joints, int variety)
 {
     size_t bytes;
@@ -31,7 +22,7 @@ static void expect_tracks_bits(random_source *r, size_t joints, int variety)
     memset(cursors, 0xff, sizeof cursors);
     assert_true(nkw_clip_cursors(clip) <= RANDOM_CLIP_TRACKS);
     for (int i = 0; i < 60; i++) {
-        float time = some_time(r, i);
+        float time = random_clip_time(r, &drawn, i);
         float got[NKW_POSE_FLOATS(RANDOM_CLIP_JOINTS)], want[NKW_POSE_FLOATS(RANDOM_CLIP_JOINTS)];
         float floats[RANDOM_CLIP_FLOATS] = {0}, want_floats[RANDOM_CLIP_FLOATS] = {0};
         random_clip_sample(&drawn, time, want, want_floats);
@@ -96,24 +87,6 @@ static void tracks_of_one_time_array_share_a_lookup(void **state)
     free(clip);
 }
 
-static void constant_tracks_are_stored_once(void **state)
-{
-    (void)state;
-    random_source r = random_from(3);
-    size_t bytes, pose_bytes = sizeof(float) * NKW_POSE_FLOATS(20);
-    random_clip_draw(&r, 20, 0, &drawn);
-    for (size_t i = 0; i < drawn.source.track_count; i++)
-        for (size_t k = 1; k < RANDOM_CLIP_KEYS; k++)
-            for (size_t c = 0; c < drawn.tracks[i].track.width; c++)
-                drawn.values[i][k * drawn.tracks[i].track.width + c] = drawn.values[i][c] = nkw_abs(drawn.values[i][c]);
-    nkw_clip *clip = build(&drawn.source, &bytes);
-    assert_int_equal(nkw_clip_cursors(clip), 0);
-    assert_true(bytes < pose_bytes + 512);
-    expect_bits(nkw_clip_start(clip), 0.0f);
-    expect_bits(nkw_clip_end(clip), drawn.times[0][RANDOM_CLIP_KEYS - 1]);
-    free(clip);
-}
-
 static void the_difference_of_a_baked_clip_shows_between_its_own_keys(void **state)
 {
     (void)state;
@@ -130,112 +103,6 @@ static void the_difference_of_a_baked_clip_shows_between_its_own_keys(void **sta
     assert_true(error > 0.001f);
     expect_bits(nkw_clip_difference(clip, &source, pose, NULL).translation, error);
     free(clip);
-}
-
-/* Of rotations those that are as if normalised; what normalising changes is no constant, unless keys are so too. */
-static void cubic_rotations_that_stay_are_constants(void **state)
-{
-    (void)state;
-    const float at[3] = {0, 1, 2};
-    const nkw_quat keys[4] = {{0, 0, 0, 1}, {0.6f, 0, 0, 0.8f}, {0, 0, 0.70710678f, 0.70710678f}, {-0.0f, 0, 0, 1}};
-    random_source r = random_from(34);
-    size_t bytes, found = 0;
-    for (int i = 0; i < 400; i++) {
-        nkw_quat q = i < 4 ? keys[i] : random_rotation(&r);
-        if (i % 4 == 3 && i > 4)
-            q.x += 1e-3f;
-        float values[36] = {0}, pose[NKW_POSE_FLOATS(1)], want[4];
-        for (int k = 0; k < 3; k++)
-            memcpy(values + 12 * k + 4, &q, sizeof q);
-        nkw_track_kind kind = i % 2 ? NKW_TRACK_ROTATION_NORMALIZED : NKW_TRACK_ROTATION;
-        nkw_clip_track t = {NKW_CLIP_ROTATION, 0, {at, values, 3, 4, kind, NKW_INTERPOLATION_CUBICSPLINE, NULL}};
-        nkw_clip_source source = {&t, 1, 1, 0, NULL, NULL, NKW_CLIP_FLOAT32};
-        nkw_clip *clip = build(&source, &bytes);
-        found += nkw_clip_cursors(clip) == 0;
-        for (float time = 0; time <= 2; time += 0.25f) {
-            nkw_clip_sample(clip, time, NULL, pose, NULL);
-            nkw_track_sample(&t.track, time, want);
-            nkw_quat got = nkw_pose_get(pose, 1, 0).rotation;
-            assert_memory_equal(&got, want, sizeof got);
-        }
-        free(clip);
-    }
-    assert_in_range(found, 200, 398);
-}
-
-/* The duration overflows, and its product with a tangent of 0 is NaN. */
-static void cubics_over_an_endless_duration_are_no_constants(void **state)
-{
-    (void)state;
-    const float at[2] = {-3e38f, 3e38f}, values[24] = {0, 0, 0, 0, 0, 0, 0, 1, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 1};
-    nkw_clip_track t = {
-        NKW_CLIP_ROTATION, 0, {at, values, 2, 4, NKW_TRACK_ROTATION, NKW_INTERPOLATION_CUBICSPLINE, NULL}};
-    nkw_clip_source source = {&t, 1, 1, 0, NULL, NULL, NKW_CLIP_FLOAT32};
-    float pose[NKW_POSE_FLOATS(1)], want[4];
-    size_t bytes;
-    nkw_clip *clip = build(&source, &bytes);
-    nkw_clip_sample(clip, 0.0f, NULL, pose, NULL);
-    nkw_track_sample(&t.track, 0.0f, want);
-    expect_nan(want[3]);
-    expect_nan(nkw_pose_get(pose, 1, 0).rotation.w);
-    free(clip);
-}
-
-/* Every eighth joint has no track, and rests at numbers that lanes may not go over in some of them. */
-static void short_gaps_between_joints_are_gone_over(void **state)
-{
-    (void)state;
-    enum { JOINTS = 40 };
-    static const float odd[5] = {0.5f, -0.0f, INFINITY, NAN, 3e38f};
-    random_source r = random_from(33);
-    size_t all, bytes, sparse, left = 0;
-    random_clip_draw(&r, JOINTS, 0, &drawn);
-    free(build(&drawn.source, &all));
-    for (size_t i = 0; i < drawn.source.track_count; i++)
-        if (drawn.tracks[i].index % 8 != 4)
-            drawn.tracks[left++] = drawn.tracks[i];
-    drawn.source.track_count = left;
-    nkw_clip *clip = build(&drawn.source, &bytes);
-    assert_in_range(bytes, all - 256, all);
-    free(clip);
-    for (size_t c = 0; c < 10; c++)
-        for (size_t j = 4; j < JOINTS; j += 8)
-            drawn.rest[c * NKW_POSE_STRIDE(JOINTS) + j] = odd[(c + j / 8) % 5];
-    clip = build(&drawn.source, &bytes);
-    for (int i = 0; i < 20; i++) {
-        float got[NKW_POSE_FLOATS(JOINTS)], want[NKW_POSE_FLOATS(JOINTS)], time = some_time(&r, i);
-        float none[1];
-        random_clip_sample(&drawn, time, want, none);
-        nkw_clip_sample(clip, time, NULL, got, NULL);
-        for (size_t c = 0; c < 10; c++)
-            for (size_t j = 0; j < JOINTS; j++) {
-                size_t at = c * NKW_POSE_STRIDE(JOINTS) + j;
-                if (want[at] == want[at])
-                    expect_bits(got[at], want[at]);
-                else
-                    expect_nan(got[at]);
-            }
-    }
-    free(clip);
-    drawn.source.format = NKW_CLIP_UNORM16;
-    clip = build(&drawn.source, &bytes);
-    for (int i = 4; i < 20; i++) {
-        float got[NKW_POSE_FLOATS(JOINTS)];
-        nkw_clip_sample(clip, some_time(&r, i), NULL, got, NULL);
-        for (size_t c = 0; c < 10; c++)
-            for (size_t j = 4; j < JOINTS; j += 8)
-                if (odd[(c + j / 8) % 5] == odd[(c + j / 8) % 5])
-                    expect_bits(got[c * NKW_POSE_STRIDE(JOINTS) + j], odd[(c + j / 8) % 5]);
-    }
-    free(clip);
-    drawn.source.format = NKW_CLIP_FLOAT32;
-    /* Where few joints move, nothing grows. */
-    for (size_t i = left = 0; i < drawn.source.track_count; i++)
-        if (drawn.tracks[i].index % 5 == 0)
-            drawn.tracks[left++] = drawn.tracks[i];
-    drawn.source.track_count = left;
-    free(build(&drawn.source, &sparse));
-    assert_true(sparse < all / 3);
 }
 
 static void a_clip_without_tracks_is_the_rest_pose(void **state)
@@ -272,27 +139,6 @@ static void pose_or_floats_may_be_left_out(void **state)
     expect_same_pose(pose, both, 9);
     expect_floats_bits(floats, with, RANDOM_CLIP_FLOATS);
     free(clip);
-}
-
-static void the_order_of_tracks_does_not_matter(void **state)
-{
-    (void)state;
-    random_source r = random_from(5);
-    size_t bytes, again;
-    for (int variety = 0; variety < 3; variety++) {
-        random_clip_draw(&r, 23, variety, &drawn);
-        nkw_clip *clip = build(&drawn.source, &bytes);
-        for (size_t i = 0; i < drawn.source.track_count / 2; i++) {
-            nkw_clip_track swap = drawn.tracks[i];
-            drawn.tracks[i] = drawn.tracks[drawn.source.track_count - 1 - i];
-            drawn.tracks[drawn.source.track_count - 1 - i] = swap;
-        }
-        nkw_clip *turned = build(&drawn.source, &again);
-        assert_int_equal(again, bytes);
-        assert_memory_equal(clip, turned, bytes);
-        free(clip);
-        free(turned);
-    }
 }
 
 static nkw_clip_error difference(const nkw_clip *clip)
@@ -482,95 +328,6 @@ static void compact_rotations_are_unit(void **state)
     free(clip);
 }
 
-static void expect_refused(nkw_result result, size_t track, int line)
-{
-    size_t bytes = 0, bad = 99;
-    nkw_result got = nkw_clip_measure(&drawn.source, work, &bytes, &bad);
-    if (got != result || bad != track) {
-        print_error("got %s at %zu, want %s at %zu\n", nkw_result_text(got), bad, nkw_result_text(result), track);
-        _fail(__FILE__, line);
-    }
-    assert_int_equal(nkw_clip_build(&drawn.source, work, NULL, 0, NULL), result);
-}
-
-static void measure_refuses_what_is_no_clip(void **state)
-{
-    (void)state;
-    random_source r = random_from(6);
-    random_clip_draw(&r, 5, 0, &drawn);
-    nkw_clip_track *t = &drawn.tracks[7], kept = *t;
-    t->index = 5;
-    expect_refused(NKW_OUT_OF_RANGE, 7, __LINE__);
-    *t = kept;
-    t->target = (nkw_clip_target)4;
-    expect_refused(NKW_BAD_METHOD, 7, __LINE__);
-    *t = kept;
-    t->target = NKW_CLIP_FLOATS;
-    expect_refused(NKW_OUT_OF_RANGE, 7, __LINE__);
-    *t = kept;
-    t->track.width = 2;
-    expect_refused(NKW_BAD_METHOD, 7, __LINE__);
-    *t = kept;
-    t->track.count = 0;
-    expect_refused(NKW_EMPTY, 7, __LINE__);
-    *t = kept;
-    t->index = drawn.tracks[10].index;
-    t->target = drawn.tracks[10].target;
-    t->track = drawn.tracks[10].track;
-    expect_refused(NKW_REPEATED, 10, __LINE__);
-    *t = kept;
-    drawn.source.format = (nkw_clip_format)2;
-    expect_refused(NKW_BAD_METHOD, 0, __LINE__);
-    drawn.source.format = NKW_CLIP_FLOAT32;
-    drawn.source.track_count = 0;
-    drawn.source.joint_count = (1u << 26) + 1;
-    expect_refused(NKW_OUT_OF_RANGE, 0, __LINE__);
-    drawn.source.joint_count = 5;
-    drawn.source.float_count = (1u << 29) + 1;
-    expect_refused(NKW_OUT_OF_RANGE, 0, __LINE__);
-    drawn.source.joint_count = drawn.source.float_count = 0;
-    expect_refused(NKW_EMPTY, 0, __LINE__);
-}
-
-/* Tracks 5 6 2 2 9 6 of joints, and of floats one that reaches over two others. */
-static void the_first_that_repeats_is_named(void **state)
-{
-    (void)state;
-    random_source r = random_from(8);
-    random_clip_draw(&r, 12, 0, &drawn);
-    const uint32_t joints[6] = {5, 6, 2, 2, 9, 6}, others[6] = {5, 6, 2, 6, 9, 2}, floats[3] = {0, 7, 2};
-    drawn.source.track_count = 6;
-    for (size_t i = 0; i < 6; i++) {
-        drawn.tracks[i].target = NKW_CLIP_ROTATION;
-        drawn.tracks[i].track = drawn.tracks[0].track;
-        drawn.tracks[i].index = joints[i];
-    }
-    expect_refused(NKW_REPEATED, 3, __LINE__);
-    for (size_t i = 0; i < 6; i++)
-        drawn.tracks[i].index = others[i];
-    expect_refused(NKW_REPEATED, 3, __LINE__);
-    drawn.source.track_count = 3;
-    drawn.source.float_count = 20;
-    for (size_t i = 0; i < 3; i++) {
-        drawn.tracks[i].target = NKW_CLIP_FLOATS;
-        drawn.tracks[i].track.kind = NKW_TRACK_FLOATS;
-        drawn.tracks[i].track.width = i == 0 ? 10 : 1;
-        drawn.tracks[i].index = floats[i];
-    }
-    expect_refused(NKW_REPEATED, 1, __LINE__);
-}
-
-static void floats_that_overlap_are_refused(void **state)
-{
-    (void)state;
-    random_source r = random_from(7);
-    random_clip_draw(&r, 3, 2, &drawn);
-    size_t last = drawn.source.track_count - 2;
-    assert_int_equal(drawn.tracks[last].track.width, 4);
-    drawn.tracks[last].index = 4;
-    expect_refused(NKW_REPEATED, last, __LINE__);
-}
-
 static void build_refuses_a_block_that_is_too_small(void **state)
 {
     (void)state;
@@ -695,14 +452,9 @@ int main(void)
         cmocka_unit_test(sampling_gives_the_bits_of_track_by_track),
         cmocka_unit_test(tracks_of_the_last_joints_alone_stay_within_their_component),
         cmocka_unit_test(tracks_of_one_time_array_share_a_lookup),
-        cmocka_unit_test(constant_tracks_are_stored_once),
         cmocka_unit_test(the_difference_of_a_baked_clip_shows_between_its_own_keys),
-        cmocka_unit_test(short_gaps_between_joints_are_gone_over),
-        cmocka_unit_test(cubic_rotations_that_stay_are_constants),
-        cmocka_unit_test(cubics_over_an_endless_duration_are_no_constants),
         cmocka_unit_test(a_clip_without_tracks_is_the_rest_pose),
         cmocka_unit_test(pose_or_floats_may_be_left_out),
-        cmocka_unit_test(the_order_of_tracks_does_not_matter),
         cmocka_unit_test(a_clip_of_floats_does_not_differ_from_its_tracks),
         cmocka_unit_test(a_compact_clip_is_within_its_bound),
         cmocka_unit_test(compact_rotations_half_a_turn_apart_go_the_same_way),
@@ -711,9 +463,6 @@ int main(void)
         cmocka_unit_test(compact_rotations_go_round_and_round),
         cmocka_unit_test(compact_rotations_of_a_narrow_range_are_more_exact),
         cmocka_unit_test(compact_rotations_are_unit),
-        cmocka_unit_test(measure_refuses_what_is_no_clip),
-        cmocka_unit_test(the_first_that_repeats_is_named),
-        cmocka_unit_test(floats_that_overlap_are_refused),
         cmocka_unit_test(build_refuses_a_block_that_is_too_small),
         cmocka_unit_test(open_refuses_other_files),
         cmocka_unit_test(open_refuses_a_head_that_is_not_sound),

@@ -3,6 +3,8 @@
 #ifndef NAKAWARI_TESTS_RANDOM_CLIP_H
 #define NAKAWARI_TESTS_RANDOM_CLIP_H
 
+#include <math.h>
+
 #include "random.h"
 
 #ifdef __cplusplus
@@ -36,5 +38,14 @@ void random_clip_sample(const random_clip *clip, float time, float *pose, float 
 #ifdef __cplusplus
 }
 #endif
+
+/* At key times, between them, outside, and a NaN. */
+static inline float random_clip_time(random_source *r, const random_clip *c, int i)
+{
+    float keys[4] = {NAN, INFINITY, -1.0f, c->times[2][5]};
+    return i < 4        ? keys[i]
+           : i % 3 == 0 ? c->times[i % RANDOM_CLIP_LINES][i % RANDOM_CLIP_KEYS]
+                        : random_between(r, -0.2f, 1.4f);
+}
 
 #endif

@@ -1,0 +1,264 @@
+/* SPDX-License-Identifier: MIT */
+/* What becomes of a clip's tracks: constants, gaps between joints, their order, and those that are refused. */
+#include <math.h>
+#include <stdlib.h>
+
+#include "random_clip.h"
+#include "support/clips.h"
+
+static random_clip drawn;
+static uint32_t work[NKW_CLIP_WORK(RANDOM_CLIP_TRACKS)];
+
+static nkw_clip *build(const nkw_clip_source *source, size_t *bytes)
+{
+    return clip_build(source, work, bytes);
+}
+
+static void constant_tracks_are_stored_once(void **state)
+{
+    (void)state;
+    random_source r = random_from(3);
+    size_t bytes, pose_bytes = sizeof(float) * NKW_POSE_FLOATS(20);
+    random_clip_draw(&r, 20, 0, &drawn);
+    for (size_t i = 0; i < drawn.source.track_count; i++)
+        for (size_t k = 1; k < RANDOM_CLIP_KEYS; k++)
+            for (size_t c = 0; c < drawn.tracks[i].track.width; c++)
+                drawn.values[i][k * drawn.tracks[i].track.width + c] = drawn.values[i][c] = nkw_abs(drawn.values[i][c]);
+    nkw_clip *clip = build(&drawn.source, &bytes);
+    assert_int_equal(nkw_clip_cursors(clip), 0);
+    assert_true(bytes < pose_bytes + 512);
+    expect_bits(nkw_clip_start(clip), 0.0f);
+    expect_bits(nkw_clip_end(clip), drawn.times[0][RANDOM_CLIP_KEYS - 1]);
+    free(clip);
+}
+
+/* Of rotations those that are as if normalised; what normalising changes is no constant, unless keys are so too. */
+static void cubic_rotations_that_stay_are_constants(void **state)
+{
+    (void)state;
+    const float at[3] = {0, 1, 2};
+    const nkw_quat keys[4] = {{0, 0, 0, 1}, {0.6f, 0, 0, 0.8f}, {0, 0, 0.70710678f, 0.70710678f}, {-0.0f, 0, 0, 1}};
+    random_source r = random_from(34);
+    size_t bytes, found = 0;
+    for (int i = 0; i < 400; i++) {
+        nkw_quat q = i < 4 ? keys[i] : random_rotation(&r);
+        if (i % 4 == 3 && i > 4)
+            q.x += 1e-3f;
+        float values[36] = {0}, pose[NKW_POSE_FLOATS(1)], want[4];
+        for (int k = 0; k < 3; k++)
+            memcpy(values + 12 * k + 4, &q, sizeof q);
+        nkw_track_kind kind = i % 2 ? NKW_TRACK_ROTATION_NORMALIZED : NKW_TRACK_ROTATION;
+        nkw_clip_track t = {NKW_CLIP_ROTATION, 0, {at, values, 3, 4, kind, NKW_INTERPOLATION_CUBICSPLINE, NULL}};
+        nkw_clip_source source = {&t, 1, 1, 0, NULL, NULL, NKW_CLIP_FLOAT32};
+        nkw_clip *clip = build(&source, &bytes);
+        found += nkw_clip_cursors(clip) == 0;
+        for (float time = 0; time <= 2; time += 0.25f) {
+            nkw_clip_sample(clip, time, NULL, pose, NULL);
+            nkw_track_sample(&t.track, time, want);
+            nkw_quat got = nkw_pose_get(pose, 1, 0).rotation;
+            assert_memory_equal(&got, want, sizeof got);
+        }
+        free(clip);
+    }
+    assert_in_range(found, 200, 398);
+}
+
+/* The duration overflows, and its product with a tangent of 0 is NaN. */
+static void cubics_over_an_endless_duration_are_no_constants(void **state)
+{
+    (void)state;
+    const float at[2] = {-3e38f, 3e38f}, values[24] = {0, 0, 0, 0, 0, 0, 0, 1, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 1};
+    nkw_clip_track t = {
+        NKW_CLIP_ROTATION, 0, {at, values, 2, 4, NKW_TRACK_ROTATION, NKW_INTERPOLATION_CUBICSPLINE, NULL}};
+    nkw_clip_source source = {&t, 1, 1, 0, NULL, NULL, NKW_CLIP_FLOAT32};
+    float pose[NKW_POSE_FLOATS(1)], want[4];
+    size_t bytes;
+    nkw_clip *clip = build(&source, &bytes);
+    nkw_clip_sample(clip, 0.0f, NULL, pose, NULL);
+    nkw_track_sample(&t.track, 0.0f, want);
+    expect_nan(want[3]);
+    expect_nan(nkw_pose_get(pose, 1, 0).rotation.w);
+    free(clip);
+}
+
+/* Every eighth joint has no track, and rests at numbers that lanes may not go over in some of them. */
+static void short_gaps_between_joints_are_gone_over(void **state)
+{
+    (void)state;
+    enum { JOINTS = 40 };
+    static const float odd[5] = {0.5f, -0.0f, INFINITY, NAN, 3e38f};
+    random_source r = random_from(33);
+    size_t all, bytes, sparse, left = 0;
+    random_clip_draw(&r, JOINTS, 0, &drawn);
+    free(build(&drawn.source, &all));
+    for (size_t i = 0; i < drawn.source.track_count; i++)
+        if (drawn.tracks[i].index % 8 != 4)
+            drawn.tracks[left++] = drawn.tracks[i];
+    drawn.source.track_count = left;
+    nkw_clip *clip = build(&drawn.source, &bytes);
+    assert_in_range(bytes, all - 256, all);
+    free(clip);
+    for (size_t c = 0; c < 10; c++)
+        for (size_t j = 4; j < JOINTS; j += 8)
+            drawn.rest[c * NKW_POSE_STRIDE(JOINTS) + j] = odd[(c + j / 8) % 5];
+    clip = build(&drawn.source, &bytes);
+    for (int i = 0; i < 20; i++) {
+        float got[NKW_POSE_FLOATS(JOINTS)], want[NKW_POSE_FLOATS(JOINTS)], time = random_clip_time(&r, &drawn, i);
+        float none[1];
+        random_clip_sample(&drawn, time, want, none);
+        nkw_clip_sample(clip, time, NULL, got, NULL);
+        for (size_t c = 0; c < 10; c++)
+            for (size_t j = 0; j < JOINTS; j++) {
+                size_t at = c * NKW_POSE_STRIDE(JOINTS) + j;
+                if (want[at] == want[at])
+                    expect_bits(got[at], want[at]);
+                else
+                    expect_nan(got[at]);
+            }
+    }
+    free(clip);
+    drawn.source.format = NKW_CLIP_UNORM16;
+    clip = build(&drawn.source, &bytes);
+    for (int i = 4; i < 20; i++) {
+        float got[NKW_POSE_FLOATS(JOINTS)];
+        nkw_clip_sample(clip, random_clip_time(&r, &drawn, i), NULL, got, NULL);
+        for (size_t c = 0; c < 10; c++)
+            for (size_t j = 4; j < JOINTS; j += 8)
+                if (odd[(c + j / 8) % 5] == odd[(c + j / 8) % 5])
+                    expect_bits(got[c * NKW_POSE_STRIDE(JOINTS) + j], odd[(c + j / 8) % 5]);
+    }
+    free(clip);
+    drawn.source.format = NKW_CLIP_FLOAT32;
+    /* Where few joints move, nothing grows. */
+    for (size_t i = left = 0; i < drawn.source.track_count; i++)
+        if (drawn.tracks[i].index % 5 == 0)
+            drawn.tracks[left++] = drawn.tracks[i];
+    drawn.source.track_count = left;
+    free(build(&drawn.source, &sparse));
+    assert_true(sparse < all / 3);
+}
+
+static void the_order_of_tracks_does_not_matter(void **state)
+{
+    (void)state;
+    random_source r = random_from(5);
+    size_t bytes, again;
+    for (int variety = 0; variety < 3; variety++) {
+        random_clip_draw(&r, 23, variety, &drawn);
+        nkw_clip *clip = build(&drawn.source, &bytes);
+        for (size_t i = 0; i < drawn.source.track_count / 2; i++) {
+            nkw_clip_track swap = drawn.tracks[i];
+            drawn.tracks[i] = drawn.tracks[drawn.source.track_count - 1 - i];
+            drawn.tracks[drawn.source.track_count - 1 - i] = swap;
+        }
+        nkw_clip *turned = build(&drawn.source, &again);
+        assert_int_equal(again, bytes);
+        assert_memory_equal(clip, turned, bytes);
+        free(clip);
+        free(turned);
+    }
+}
+
+static void expect_refused(nkw_result result, size_t track, int line)
+{
+    size_t bytes = 0, bad = 99;
+    nkw_result got = nkw_clip_measure(&drawn.source, work, &bytes, &bad);
+    if (got != result || bad != track) {
+        print_error("got %s at %zu, want %s at %zu\n", nkw_result_text(got), bad, nkw_result_text(result), track);
+        _fail(__FILE__, line);
+    }
+    assert_int_equal(nkw_clip_build(&drawn.source, work, NULL, 0, NULL), result);
+}
+
+static void measure_refuses_what_is_no_clip(void **state)
+{
+    (void)state;
+    random_source r = random_from(6);
+    random_clip_draw(&r, 5, 0, &drawn);
+    nkw_clip_track *t = &drawn.tracks[7], kept = *t;
+    t->index = 5;
+    expect_refused(NKW_OUT_OF_RANGE, 7, __LINE__);
+    *t = kept;
+    t->target = (nkw_clip_target)4;
+    expect_refused(NKW_BAD_METHOD, 7, __LINE__);
+    *t = kept;
+    t->target = NKW_CLIP_FLOATS;
+    expect_refused(NKW_OUT_OF_RANGE, 7, __LINE__);
+    *t = kept;
+    t->track.width = 2;
+    expect_refused(NKW_BAD_METHOD, 7, __LINE__);
+    *t = kept;
+    t->track.count = 0;
+    expect_refused(NKW_EMPTY, 7, __LINE__);
+    *t = kept;
+    t->index = drawn.tracks[10].index;
+    t->target = drawn.tracks[10].target;
+    t->track = drawn.tracks[10].track;
+    expect_refused(NKW_REPEATED, 10, __LINE__);
+    *t = kept;
+    drawn.source.format = (nkw_clip_format)2;
+    expect_refused(NKW_BAD_METHOD, 0, __LINE__);
+    drawn.source.format = NKW_CLIP_FLOAT32;
+    drawn.source.track_count = 0;
+    drawn.source.joint_count = (1u << 26) + 1;
+    expect_refused(NKW_OUT_OF_RANGE, 0, __LINE__);
+    drawn.source.joint_count = 5;
+    drawn.source.float_count = (1u << 29) + 1;
+    expect_refused(NKW_OUT_OF_RANGE, 0, __LINE__);
+    drawn.source.joint_count = drawn.source.float_count = 0;
+    expect_refused(NKW_EMPTY, 0, __LINE__);
+}
+
+/* Tracks 5 6 2 2 9 6 of joints, and of floats one that reaches over two others. */
+static void the_first_that_repeats_is_named(void **state)
+{
+    (void)state;
+    random_source r = random_from(8);
+    random_clip_draw(&r, 12, 0, &drawn);
+    const uint32_t joints[6] = {5, 6, 2, 2, 9, 6}, others[6] = {5, 6, 2, 6, 9, 2}, floats[3] = {0, 7, 2};
+    drawn.source.track_count = 6;
+    for (size_t i = 0; i < 6; i++) {
+        drawn.tracks[i].target = NKW_CLIP_ROTATION;
+        drawn.tracks[i].track = drawn.tracks[0].track;
+        drawn.tracks[i].index = joints[i];
+    }
+    expect_refused(NKW_REPEATED, 3, __LINE__);
+    for (size_t i = 0; i < 6; i++)
+        drawn.tracks[i].index = others[i];
+    expect_refused(NKW_REPEATED, 3, __LINE__);
+    drawn.source.track_count = 3;
+    drawn.source.float_count = 20;
+    for (size_t i = 0; i < 3; i++) {
+        drawn.tracks[i].target = NKW_CLIP_FLOATS;
+        drawn.tracks[i].track.kind = NKW_TRACK_FLOATS;
+        drawn.tracks[i].track.width = i == 0 ? 10 : 1;
+        drawn.tracks[i].index = floats[i];
+    }
+    expect_refused(NKW_REPEATED, 1, __LINE__);
+}
+
+static void floats_that_overlap_are_refused(void **state)
+{
+    (void)state;
+    random_source r = random_from(7);
+    random_clip_draw(&r, 3, 2, &drawn);
+    size_t last = drawn.source.track_count - 2;
+    assert_int_equal(drawn.tracks[last].track.width, 4);
+    drawn.tracks[last].index = 4;
+    expect_refused(NKW_REPEATED, last, __LINE__);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(constant_tracks_are_stored_once),
+        cmocka_unit_test(short_gaps_between_joints_are_gone_over),
+        cmocka_unit_test(cubic_rotations_that_stay_are_constants),
+        cmocka_unit_test(cubics_over_an_endless_duration_are_no_constants),
+        cmocka_unit_test(the_order_of_tracks_does_not_matter),
+        cmocka_unit_test(measure_refuses_what_is_no_clip),
+        cmocka_unit_test(the_first_that_repeats_is_named),
+        cmocka_unit_test(floats_that_overlap_are_refused),
+    };
+    return cmocka_run_group_tests_name("clip_tracks", tests, NULL, NULL);
+}
