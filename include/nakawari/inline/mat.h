@@ -20,11 +20,6 @@
 typedef float nkw_column __attribute__((vector_size(16)));
 typedef int nkw_column_bits __attribute__((vector_size(16)));
 #define NKW_COLUMN(r, formula) ((void)(r = (formula)))
-#define NKW_COLUMN_END(r, one)                                                                                         \
-    do {                                                                                                               \
-        const nkw_column_bits keep = {-1, -1, -1, 0}, last = {0, 0, 0, (one) ? 0x3f800000 : 0};                        \
-        r = (nkw_column)(((nkw_column_bits)r & keep) | last);                                                          \
-    } while (0)
 #define NKW_COLUMN_LOAD(r, from) memcpy(&r, from, sizeof r)
 #define NKW_COLUMN_STORE(to, r) memcpy(to, &r, sizeof r)
 #if defined(__clang__)
@@ -32,6 +27,19 @@ typedef int nkw_column_bits __attribute__((vector_size(16)));
 #else
 #define NKW_COLUMN_MIX(r, a, b, i, j, k, l)                                                                            \
     ((void)(r = __builtin_shuffle(a, b, __extension__(nkw_column_bits){i, j, k, l})))
+#endif
+#if defined(__SSE4_1__)
+#define NKW_COLUMN_END(r, one)                                                                                         \
+    do {                                                                                                               \
+        const nkw_column last = {0.0f, 0.0f, 0.0f, (one) ? 1.0f : 0.0f};                                               \
+        NKW_COLUMN_MIX(r, r, last, 0, 1, 2, 7);                                                                        \
+    } while (0)
+#else
+#define NKW_COLUMN_END(r, one)                                                                                         \
+    do {                                                                                                               \
+        const nkw_column_bits keep = {-1, -1, -1, 0}, last = {0, 0, 0, (one) ? 0x3f800000 : 0};                        \
+        r = (nkw_column)(((nkw_column_bits)r & keep) | last);                                                          \
+    } while (0)
 #endif
 #define NKW_TERM(a) (a)
 #define NKW_ALL(s) (__extension__(nkw_column){s, s, s, s})
@@ -67,6 +75,39 @@ typedef float nkw_column[4];
 #define NKW_TERM(a) ((a)[row])
 #define NKW_TIMES(a, s) NKW_MUL((a)[row], s)
 #define NKW_PRODUCT(a, b) NKW_MUL((a)[row], (b)[row])
+#endif
+
+/*
+ * Two columns in one register, for products. NKW_PAIR_COPIES(x, y, from) makes x the first of the two columns from, y
+ * the second, each twice; NKW_PAIR_TIMES(a, b, i) takes either column of a times the number i of that of b.
+ */
+#if defined(NKW_ALL) && defined(__AVX__)
+#define NKW_PAIRS
+typedef float nkw_pair __attribute__((vector_size(32)));
+#if defined(__clang__)
+#define NKW_PAIR_MIX(a, b, i, j, k, l, m, n, o, p) __builtin_shufflevector(a, b, i, j, k, l, m, n, o, p)
+#else
+typedef int nkw_pair_bits __attribute__((vector_size(32)));
+#define NKW_PAIR_MIX(a, b, i, j, k, l, m, n, o, p)                                                                     \
+    __builtin_shuffle(a, b, __extension__(nkw_pair_bits){i, j, k, l, m, n, o, p})
+#endif
+#if !defined(NKW_FUSES)
+#define NKW_PAIR_PRODUCT(a, b) ((a) * (b))
+#else
+#define NKW_PAIR_PRODUCT(a, b)                                                                                         \
+    __builtin_ia32_vfmaddps256(                                                                                        \
+        a, b, (__extension__(nkw_pair){-0.0f, -0.0f, -0.0f, -0.0f, -0.0f, -0.0f, -0.0f, -0.0f}))
+#endif
+#define NKW_PAIR_TIMES(a, b, i)                                                                                        \
+    NKW_PAIR_PRODUCT(a, NKW_PAIR_MIX(b, b, i, i, i, i, (i) + 4, (i) + 4, (i) + 4, (i) + 4))
+#define NKW_PAIR_COPIES(x, y, from)                                                                                    \
+    do {                                                                                                               \
+        NKW_COLUMN_LOAD(x, from);                                                                                      \
+        y = NKW_PAIR_MIX(x, x, 4, 5, 6, 7, 4, 5, 6, 7);                                                                \
+        x = NKW_PAIR_MIX(x, x, 0, 1, 2, 3, 0, 1, 2, 3);                                                                \
+    } while (0)
+/* a, but for the last number of each column: those of b. */
+#define NKW_PAIR_END(a, b) NKW_PAIR_MIX(a, b, 0, 1, 2, 11, 4, 5, 6, 15)
 #endif
 
 /* The columns x, y, z, t of a 4x4 matrix. */
@@ -207,6 +248,50 @@ inline nkw_mat4 nkw_mat4_transpose(const nkw_mat4 *m)
 #define NKW_WEIGHED_0(b) ((NKW_TIMES(x, (b)[0]) + NKW_TIMES(y, (b)[1])) + NKW_TIMES(z, (b)[2]))
 #define NKW_WEIGHED_1(b) ((NKW_TIMES(x, (b)[0]) + NKW_TIMES(y, (b)[1])) + (NKW_TIMES(z, (b)[2]) + NKW_TERM(t)))
 
+#if defined(NKW_PAIRS)
+
+/* The same of pairs, sum by sum. */
+#define NKW_PAIR_XY(b) (NKW_PAIR_TIMES(x, b, 0) + NKW_PAIR_TIMES(y, b, 1))
+#define NKW_PAIR_Z(b)  NKW_PAIR_TIMES(z, b, 2)
+#define NKW_PAIR_ZT(b) (NKW_PAIR_TIMES(z, b, 2) + NKW_PAIR_TIMES(t, b, 3))
+
+inline nkw_mat4 nkw_mat4_mul(const nkw_mat4 *a, const nkw_mat4 *b)
+{
+    NKW_EXACT
+    nkw_pair x, y, z, t, u, w;
+    NKW_PAIR_COPIES(x, y, a->m);
+    NKW_PAIR_COPIES(z, t, a->m + 8);
+    NKW_COLUMN_LOAD(u, b->m);
+    NKW_COLUMN_LOAD(w, b->m + 8);
+    u = NKW_PAIR_XY(u) + NKW_PAIR_ZT(u);
+    w = NKW_PAIR_XY(w) + NKW_PAIR_ZT(w);
+    nkw_mat4 r;
+    NKW_COLUMN_STORE(r.m, u);
+    NKW_COLUMN_STORE(r.m + 8, w);
+    return r;
+}
+
+inline nkw_mat4 nkw_mat4_mul_affine(const nkw_mat4 *a, const nkw_mat4 *b)
+{
+    NKW_EXACT
+    const nkw_pair zeros = {0.0f, 0.0f, 0.0f, 0.0f, 0.0f, 0.0f, 0.0f, 0.0f}, last = {0, 0, 0, 0, 0, 0, 0, 1.0f};
+    const nkw_pair nothing = {-0.0f, -0.0f, -0.0f, -0.0f, 0.0f, 0.0f, 0.0f, 0.0f}; /* p + -0 is p */
+    nkw_pair x, y, z, t, u, w;
+    NKW_PAIR_COPIES(x, y, a->m);
+    NKW_PAIR_COPIES(z, t, a->m + 8);
+    NKW_COLUMN_LOAD(u, b->m);
+    NKW_COLUMN_LOAD(w, b->m + 8);
+    t = NKW_PAIR_MIX(nothing, t, 0, 1, 2, 3, 12, 13, 14, 15);
+    u = NKW_PAIR_END(NKW_PAIR_XY(u) + NKW_PAIR_Z(u), zeros);
+    w = NKW_PAIR_END(NKW_PAIR_XY(w) + (NKW_PAIR_Z(w) + t), last);
+    nkw_mat4 r;
+    NKW_COLUMN_STORE(r.m, u);
+    NKW_COLUMN_STORE(r.m + 8, w);
+    return r;
+}
+
+#else
+
 inline nkw_mat4 nkw_mat4_mul(const nkw_mat4 *a, const nkw_mat4 *b)
 {
     NKW_EXACT
@@ -238,6 +323,8 @@ inline nkw_mat4 nkw_mat4_mul_affine(const nkw_mat4 *a, const nkw_mat4 *b)
     NKW_COLUMNS_STORE(&r, u, v, w, s);
     return r;
 }
+
+#endif
 
 inline nkw_mat4 nkw_mat4_inverse_rigid(const nkw_mat4 *m)
 {
