@@ -8,20 +8,14 @@
 #include "lane/scalar.h"
 #include "lane/segment.h"
 
-static lane_times times_of(const float *times, size_t count)
-{
-    lane_times r = {(const char *)times, sizeof *times, count};
-    return r;
-}
-
 nkw_segment nkw_segment_find(const float *times, size_t count, float time)
 {
-    return lane_segment_find(times_of(times, count), time);
+    return lane_segment_find(lane_times_of(times, count), time);
 }
 
 nkw_segment nkw_segment_find_from(const float *times, size_t count, float time, size_t from)
 {
-    return lane_segment_find_from(times_of(times, count), time, from);
+    return lane_segment_find_from(lane_times_of(times, count), time, from);
 }
 
 /* After a jump of so many keys so many times are searched each for itself: that mispredicts no branch. */
@@ -30,7 +24,7 @@ nkw_segment nkw_segment_find_from(const float *times, size_t count, float time, 
 
 void nkw_segment_find_n(const float *times, size_t count, const float *time, nkw_segment *out, size_t n)
 {
-    lane_times all = times_of(times, count);
+    lane_times all = lane_times_of(times, count);
     size_t from = 0;
     for (size_t i = 0; i < n;) {
         nkw_segment here = lane_segment_find_from(all, time[i], from);

@@ -9,6 +9,7 @@
 
 #include "difference.h"
 #include "lane/scalar.h"
+#include "lane/segment.h"
 #include "report.h"
 
 static int is_rotation(const nkw_track *track)
@@ -73,14 +74,23 @@ static void hold(const nkw_track *track, size_t k, float *out)
             out[i] = v[i];
 }
 
+/* For t other than 0 and 1. Which end is nearer is a number, for a branch on t would be a guess. */
+static void lerp(const float *a, const float *b, float t, float *out, size_t n)
+{
+    size_t last = t < 0.5f ? 0u : 1u;
+    const float *near = a + last * (size_t)(b - a);
+    float x = t - (float)last;
+    for (size_t i = 0; i < n; i++)
+        out[i] = lane_lerp_from(near[i], x, a[i], b[i]);
+}
+
 static void linear(const nkw_track *track, size_t k, float t, float *out)
 {
     const float *a = value_at(track, k), *b = value_at(track, k + 1);
     if (is_rotation(track))
         write_quat(nkw_quat_slerp(rotation_at(track, k), rotation_at(track, k + 1), t), out);
     else
-        for (size_t i = 0; i < track->width; i++)
-            out[i] = nkw_lerp(a[i], b[i], t);
+        lerp(a, b, t, out, track->width);
 }
 
 /* Tangents per second times the segment's duration are tangents per segment. */
@@ -131,7 +141,7 @@ void nkw_track_sample(const nkw_track *track, float time, float *out)
 
 void nkw_track_sample_from(const nkw_track *track, float time, size_t *cursor, float *out)
 {
-    nkw_segment segment = nkw_segment_find_from(track->times, track->count, time, *cursor);
+    nkw_segment segment = lane_segment_find_from(lane_times_of(track->times, track->count), time, *cursor);
     *cursor = segment.index;
     nkw_track_sample_at(track, segment, out);
 }

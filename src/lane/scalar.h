@@ -47,10 +47,16 @@ static inline float lane_copysign(float magnitude, float sign)
     return lane_float(lane_bits(magnitude) | lane_sign_bit(sign));
 }
 
-/* nkw_lerp for t other than 0 and 1, of which `first`, known at compile time, says whether it is nearer to a. */
+/* nkw_lerp for t other than 0 and 1: from the end nearer to t, a by x = t or b by x = t - 1. */
+static inline float lane_lerp_from(float near, float x, float a, float b)
+{
+    return near + x * (b - a);
+}
+
+/* The same where it is known at compile time which end is nearer. */
 static inline float lane_lerp_near(float a, float b, float t, int first)
 {
-    return first ? a + t * (b - a) : b + (t - 1.0f) * (b - a);
+    return first ? lane_lerp_from(a, t, a, b) : lane_lerp_from(b, t - 1.0f, a, b);
 }
 
 /* sine and cosine */

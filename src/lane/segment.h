@@ -14,6 +14,12 @@ typedef struct lane_times {
     size_t count;
 } lane_times;
 
+static inline lane_times lane_times_of(const float *times, size_t count)
+{
+    lane_times r = {(const char *)times, sizeof *times, count};
+    return r;
+}
+
 static inline float lane_time(lane_times times, size_t k)
 {
     return *(const float *)(const void *)(times.first + k * times.stride);
