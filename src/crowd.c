@@ -8,6 +8,8 @@
 #include <nakawari/pose.h>
 #include <nakawari/segment.h>
 
+#include "lane/scalar.h"
+#include "report.h"
 #include "simd/select.h"
 
 void nkw_crowd_from_poses(const float *const *poses, size_t joints, float *crowd)
@@ -69,6 +71,27 @@ void nkw_crowd_sample(const nkw_clip *clip, const float *times, uint32_t *cursor
         poses[i] = pose;
     }
     nkw_crowd_from_poses(poses, joints, crowd);
+}
+
+static nkw_result check_frames(const nkw_crowd_source *source)
+{
+    nkw_result root = source->root ? nkw_palette_validate(1, NULL, source->root, 1, NULL) : NKW_OK;
+    if (root != NKW_OK || !lane_is_finite(source->start) || !lane_is_finite(source->rate))
+        return NKW_NOT_FINITE;
+    return source->rate == 0.0f ? NKW_OUT_OF_RANGE : NKW_OK;
+}
+
+nkw_result nkw_crowd_source_validate(const nkw_crowd_source *source, size_t skin_joints, size_t *bad_joint)
+{
+    size_t bad = 0, joints = source->skeleton->joint_count;
+    nkw_result result = nkw_skeleton_validate(source->skeleton, &bad);
+    if (result == NKW_OK && nkw_clip_joints(source->clip) != joints)
+        result = NKW_BAD_METHOD;
+    if (result == NKW_OK)
+        result = check_frames(source);
+    if (result == NKW_OK)
+        result = nkw_palette_validate(joints, source->joints, source->inverse_bind, skin_joints, &bad);
+    return report(result, bad, bad_joint);
 }
 
 /* Where the steps of baking leave their results. */

@@ -4,6 +4,7 @@
 #include <nakawari/dual.h>
 #include <nakawari/mat.h>
 #include <nakawari/palette.h>
+#include <nakawari/quat.h>
 #include <nakawari/vec.h>
 
 #include "report.h"
@@ -86,6 +87,25 @@ nkw_result nkw_palette_validate(size_t model_count, const int32_t *joints, const
     return report(result, bad, bad_joint);
 }
 
+static nkw_result check_dual(const nkw_dual_quat *d)
+{
+    if (!nkw_quat_is_finite(d->real) || !nkw_quat_is_finite(d->dual))
+        return NKW_NOT_FINITE;
+    float length = nkw_quat_length(d->real);
+    return length >= 0.99f && length <= 1.01f ? NKW_OK : NKW_NOT_UNIT;
+}
+
+nkw_result nkw_palette_dual_validate(const nkw_dual_quat *palette, size_t count, size_t *bad_joint)
+{
+    nkw_result result = count == 0 ? NKW_EMPTY : NKW_OK;
+    size_t bad = 0;
+    for (size_t i = 0; result == NKW_OK && i < count; i++) {
+        result = check_dual(&palette[i]);
+        bad = i;
+    }
+    return report(result, bad, bad_joint);
+}
+
 /* Matrices in the largest buffer. */
 #define MOST (SIZE_MAX / sizeof(nkw_mat4))
 
@@ -113,6 +133,25 @@ nkw_result nkw_palette_chunks_place(nkw_palette_chunk *chunks, size_t count, siz
         bad = i;
     }
     *total = end;
+    return report(result, bad, bad_chunk);
+}
+
+nkw_result nkw_palette_chunks_validate(const nkw_palette_chunk *chunks, size_t count, size_t total, size_t *bad_chunk)
+{
+    nkw_result result = NKW_OK;
+    size_t end = 0, bad = 0;
+    for (size_t i = 0; result == NKW_OK && i < count; i++) {
+        size_t frames = chunks[i].frames, joints = chunks[i].joints, first = chunks[i].first;
+        if (frames == 0 || joints == 0)
+            result = NKW_EMPTY;
+        else if (first > total || frames > (total - first) / joints)
+            result = NKW_OUT_OF_RANGE;
+        else if (first < end)
+            result = NKW_REPEATED;
+        else
+            end = first + frames * joints;
+        bad = i;
+    }
     return report(result, bad, bad_chunk);
 }
 

@@ -243,6 +243,47 @@ static void a_clip_of_other_joints_is_not_baked(void **state)
     free(clip);
 }
 
+static void expect_invalid(const nkw_crowd_source *source, size_t joints, nkw_result result, size_t joint)
+{
+    size_t bad = 99;
+    assert_int_equal(nkw_crowd_source_validate(source, joints, &bad), result);
+    assert_int_equal(bad, joint);
+    assert_int_equal(nkw_crowd_source_validate(source, joints, NULL), result);
+}
+
+static void validate_names_the_first_offender(void **state)
+{
+    (void)state;
+    static random_clip drawn;
+    random_source r = random_from(9);
+    draw(&r);
+    nkw_clip *clip = some_clip(&r, &drawn);
+    int32_t joints[3] = {0, 21, 4};
+    nkw_crowd_source source = {clip, &skeleton, &root[0], joints, bind, 0.0f, -30.0f};
+    expect_invalid(&source, 3, NKW_OK, 0);
+    expect_invalid(&source, 0, NKW_EMPTY, 0);
+    bind[2].m[5] = NAN;
+    expect_invalid(&source, 3, NKW_NOT_FINITE, 2);
+    joints[1] = JOINTS;
+    expect_invalid(&source, 3, NKW_OUT_OF_RANGE, 1);
+    source.rate = 0.0f;
+    expect_invalid(&source, 3, NKW_OUT_OF_RANGE, 0);
+    source.rate = INFINITY;
+    expect_invalid(&source, 3, NKW_NOT_FINITE, 0);
+    source.rate = 30.0f;
+    source.start = NAN;
+    expect_invalid(&source, 3, NKW_NOT_FINITE, 0);
+    source.start = 0.0f;
+    root[0].m[14] = INFINITY;
+    expect_invalid(&source, 3, NKW_NOT_FINITE, 0);
+    const nkw_skeleton shorter = {parents, JOINTS - 1};
+    source.skeleton = &shorter;
+    expect_invalid(&source, 3, NKW_BAD_METHOD, 0);
+    parents[7] = 7;
+    expect_invalid(&source, 3, NKW_NOT_ORDERED, 7);
+    free(clip);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -253,6 +294,7 @@ int main(void)
         cmocka_unit_test(a_clip_at_many_times_is_the_clip_at_each),
         cmocka_unit_test(baked_frames_are_palettes_one_by_one),
         cmocka_unit_test(a_clip_of_other_joints_is_not_baked),
+        cmocka_unit_test(validate_names_the_first_offender),
         cmocka_unit_test(any_parents_stay_within_the_arrays),
         cmocka_unit_test(nothing_is_written_without_joints),
     };

@@ -384,6 +384,34 @@ static void validate_names_the_first_offender(void **state)
     expect_invalid(MODELS, &s, s.joints, COUNT, NKW_OUT_OF_RANGE, 2);
 }
 
+static void expect_invalid_dual(const nkw_dual_quat *palette, size_t n, nkw_result result, size_t joint)
+{
+    size_t bad = 99;
+    assert_int_equal(nkw_palette_dual_validate(palette, n, &bad), result);
+    assert_int_equal(bad, joint);
+    assert_int_equal(nkw_palette_dual_validate(palette, n, NULL), result);
+}
+
+static void validate_names_the_first_bad_dual_quaternion(void **state)
+{
+    (void)state;
+    random_source r = random_from(11);
+    scene s;
+    draw(&r, &s);
+    static nkw_dual_quat palette[COUNT];
+    nkw_palette_dual_from_models(s.models, MODELS, s.joints, s.inverse_bind, NULL, COUNT, palette);
+    expect_invalid_dual(palette, COUNT, NKW_OK, 0);
+    expect_invalid_dual(palette, 0, NKW_EMPTY, 0);
+    palette[20].real = nkw_quat_scale(palette[20].real, 1.009f);
+    expect_invalid_dual(palette, COUNT, NKW_OK, 0);
+    palette[20].real = nkw_quat_scale(palette[20].real, 1.009f);
+    expect_invalid_dual(palette, COUNT, NKW_NOT_UNIT, 20);
+    palette[9].dual.z = INFINITY;
+    expect_invalid_dual(palette, COUNT, NKW_NOT_FINITE, 9);
+    palette[4].real.x = NAN;
+    expect_invalid_dual(palette, COUNT, NKW_NOT_FINITE, 4);
+}
+
 /* ---- Chunks ---- */
 
 static void expect_placed(nkw_palette_chunk *c, size_t n, size_t align, nkw_result result, size_t total,
@@ -432,6 +460,37 @@ static void chunks_without_a_place_are_named(void **state)
     expect_placed(c, 2, SIZE_MAX, NKW_TOO_SMALL, 15, 1);
 }
 
+static void expect_invalid_chunks(const nkw_palette_chunk *c, size_t n, size_t total, nkw_result result, size_t chunk)
+{
+    size_t bad = 99;
+    assert_int_equal(nkw_palette_chunks_validate(c, n, total, &bad), result);
+    assert_int_equal(bad, chunk);
+    assert_int_equal(nkw_palette_chunks_validate(c, n, total, NULL), result);
+}
+
+static void validate_names_the_first_bad_chunk(void **state)
+{
+    (void)state;
+    nkw_palette_chunk c[3] = {{3, 5, 0}, {1, 67, 0}, {30, 2, 0}};
+    size_t total;
+    assert_int_equal(nkw_palette_chunks_place(c, 3, 16, &total, NULL), NKW_OK);
+    expect_invalid_chunks(c, 3, total, NKW_OK, 0);
+    expect_invalid_chunks(c, 0, 0, NKW_OK, 0);
+    expect_invalid_chunks(c, 3, total - 1, NKW_OUT_OF_RANGE, 2);
+    c[2].first = total + 1;
+    expect_invalid_chunks(c, 3, total, NKW_OUT_OF_RANGE, 2);
+    c[2].first = 82;
+    expect_invalid_chunks(c, 3, total, NKW_REPEATED, 2);
+    c[2].first = 83;
+    expect_invalid_chunks(c, 3, total, NKW_OK, 0);
+    c[1].frames = SIZE_MAX;
+    expect_invalid_chunks(c, 3, SIZE_MAX, NKW_OUT_OF_RANGE, 1);
+    c[1].frames = 0;
+    expect_invalid_chunks(c, 3, total, NKW_EMPTY, 1);
+    c[0].joints = 0;
+    expect_invalid_chunks(c, 3, total, NKW_EMPTY, 0);
+}
+
 static void every_place_in_a_chunk_is_its_own(void **state)
 {
     (void)state;
@@ -470,8 +529,10 @@ int main(void)
         cmocka_unit_test(the_lessons_chain_is_model_times_inverse_bind),
         cmocka_unit_test(the_pages_matrices_are_these),
         cmocka_unit_test(validate_names_the_first_offender),
+        cmocka_unit_test(validate_names_the_first_bad_dual_quaternion),
         cmocka_unit_test(chunks_follow_each_other_at_multiples_of_the_alignment),
         cmocka_unit_test(chunks_without_a_place_are_named),
+        cmocka_unit_test(validate_names_the_first_bad_chunk),
         cmocka_unit_test(every_place_in_a_chunk_is_its_own),
     };
     return cmocka_run_group_tests_name("palette", tests, NULL, NULL);

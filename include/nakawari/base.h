@@ -142,7 +142,7 @@ extern "C" {
     X(NKW_BAD_WEIGHTS, "weights are out of range or do not sum to 1")                              \
     X(NKW_TOO_MANY, "more bones or influences than there may be")                                  \
     X(NKW_NOT_A_CLIP, "not a clip of this version and byte order, or not aligned")                 \
-    X(NKW_REPEATED, "two tracks move the same")
+    X(NKW_REPEATED, "two tracks move the same, or two chunks share a place")
 
 /** What a function of the data floors gives: NKW_OK is 0, all else names what is wrong. */
 typedef enum nkw_result {

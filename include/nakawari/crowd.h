@@ -94,6 +94,14 @@ typedef struct nkw_crowd_source {
     float start, rate;            /* frame f is the clip at nkw_segment_uniform_time(start, rate, f) */
 } nkw_crowd_source;
 
+/**
+ * Checks a source and a skin of so many joints: what nkw_skeleton_validate gives; NKW_BAD_METHOD for a clip of another
+ * number of joints than the skeleton; NKW_NOT_FINITE where start, rate or one of root's first three rows is not finite;
+ * NKW_OUT_OF_RANGE for a rate of 0; what nkw_palette_validate gives for the skin. *bad_joint becomes the first
+ * offending joint, of the skeleton or of the skin, 0 if it is no joint's fault; it may be NULL.
+ */
+NKW_API nkw_result nkw_crowd_source_validate(const nkw_crowd_source *source, size_t skin_joints, size_t *bad_joint);
+
 /** Floats that nkw_crowd_bake works in, for a skeleton and a skin of so many joints. */
 #define NKW_CROWD_BAKE_FLOATS(joints, skin_joints)                                                                     \
     (NKW_CROWD_SAMPLE_FLOATS(joints) + NKW_CROWD_POSE_FLOATS(joints) + NKW_CROWD_MATRIX_FLOATS(joints) +               \

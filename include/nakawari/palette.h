@@ -113,6 +113,13 @@ NKW_API nkw_result nkw_palette_validate(size_t model_count, const int32_t *joint
                                         size_t count, size_t *bad_joint);
 
 /**
+ * Checks a palette of dual quaternions: NKW_EMPTY without joints; NKW_NOT_FINITE where a number is not finite;
+ * NKW_NOT_UNIT where the real part is off unit length by more than 1e-2. *bad_joint becomes the first offending joint,
+ * 0 if there is none; it may be NULL.
+ */
+NKW_API nkw_result nkw_palette_dual_validate(const nkw_dual_quat *palette, size_t count, size_t *bad_joint);
+
+/**
  * A part of a buffer that holds many palettes: frames, one after the other, each of `joints` matrices. A baked clip
  * has its frames, a character that is written anew each time has one. All places are counted in matrices of the
  * buffer, whatever their type (nkw_mat4, nkw_mat3x4, nkw_dual_quat), from its beginning.
@@ -133,6 +140,14 @@ typedef struct nkw_palette_chunk {
  */
 NKW_API nkw_result nkw_palette_chunks_place(nkw_palette_chunk *chunks, size_t count, size_t alignment, size_t *total,
                                             size_t *bad_chunk);
+
+/**
+ * Checks chunks of a buffer of `total` matrices that were placed by other means: NKW_EMPTY for one without frames or
+ * joints; NKW_OUT_OF_RANGE for one that does not lie inside the buffer; NKW_REPEATED for one that begins before the end
+ * of the one before it. *bad_chunk becomes the first offender, 0 if there is none; it may be NULL.
+ */
+NKW_API nkw_result nkw_palette_chunks_validate(const nkw_palette_chunk *chunks, size_t count, size_t total,
+                                               size_t *bad_chunk);
 
 /**
  * The place of a joint in a frame: first + frame * joints + joint. A frame or a joint beyond the last counts as the

@@ -90,6 +90,13 @@ static void chunks(fuzz *f)
         FUZZ_CHECK(at >= c[i].first && at < end && end <= SIZE_MAX / sizeof(nkw_mat4));
     }
     FUZZ_CHECK(total == end);
+    FUZZ_CHECK(result != NKW_OK || nkw_palette_chunks_validate(c, count, total, NULL) == NKW_OK);
+    for (size_t i = 0; i < count; i++)
+        c[i].first = fuzz_huge(f);
+    result = nkw_palette_chunks_validate(c, count, total, &bad);
+    FUZZ_CHECK(bad < count || bad == 0);
+    for (size_t i = 0; i < count && result == NKW_OK; i++)
+        FUZZ_CHECK(nkw_palette_chunk_at(&c[i], SIZE_MAX, SIZE_MAX) < total);
 }
 
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
