@@ -87,15 +87,28 @@ static std::vector<curve> curves_of(const results &r, const panel &p)
     return curves;
 }
 
+/* The place of a curve's colour: that of its name where it is one of `known`, else one behind these, in turn. */
+static size_t place_of(const std::vector<curve> &curves, size_t k, const std::vector<std::string> &known)
+{
+    auto named = [&](const curve &c) { return std::find(known.begin(), known.end(), c.name) - known.begin(); };
+    auto unknown = [&](const curve &c) {
+        return c.own == curves[k].own && static_cast<size_t>(named(c)) == known.size();
+    };
+    auto place = static_cast<size_t>(named(curves[k]));
+    if (place < known.size())
+        return place;
+    auto before = std::count_if(curves.begin(), curves.begin() + static_cast<std::ptrdiff_t>(k), unknown);
+    return place + static_cast<size_t>(before);
+}
+
 /* The library's curves are full and cold, the peers' dashed and warm. */
 static svg_paint paint_of(const std::vector<curve> &curves, size_t k)
 {
     static const svg_colour own[] = {0x1f5fd0, 0x00897b, 0x5b4bb5, 0x4aa3df, 0x7d8a00},
                             others[] = {0xd55e00, 0xc2185b, 0xe0a000, 0x8d5524, 0x55555c};
-    auto same = [&](const curve &c) { return c.own == curves[k].own; };
-    size_t i =
-        static_cast<size_t>(std::count_if(curves.begin(), curves.begin() + static_cast<std::ptrdiff_t>(k), same));
-    svg_paint paint = svg_stroke(curves[k].own ? own[i % 5] : others[i % 5], 2.2f, 1);
+    static const std::vector<std::string> peers = {"glm", "cglm", "Eigen"};
+    svg_colour colour = curves[k].own ? own[place_of(curves, k, {}) % 5] : others[place_of(curves, k, peers) % 5];
+    svg_paint paint = svg_stroke(colour, 2.2f, 1);
     paint.dash = curves[k].own ? nullptr : "6 3";
     return paint;
 }
@@ -294,7 +307,8 @@ static int draw_ratios(const results &r, const std::string &folder, const char *
     std::string path = folder + "/performance-ratios-" + build + ".svg";
     std::string lesson = std::string("Time of the best peer over the library's: built for ") + build;
     if (!figure_open(&s, path.c_str(), 2 * column, bottom + 30, lesson.c_str(),
-                     "To the right of the line at 1 the library is faster. Logarithmic; bars end at 0.05 and at 50."))
+                     "To the right of the line at 1 the library is faster; to the left, pale, the peer. Logarithmic; bars end at "
+                     "0.05 and at 50."))
         return 0;
     svg_paint one = svg_stroke(single, 6, 1), many = svg_stroke(arrays, 6, 1);
     figure_legend(&s, 24, 90, &one, "structs: single calls, and arrays of structs");

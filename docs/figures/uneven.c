@@ -100,7 +100,7 @@ int figure_curve_uneven(const char *path)
     svg_paint truth = svg_stroke(0xa9adba, 5.0f, 0.6f);
     if (!figure_open(&s, path, 1000.0f, 724.0f, "Catmull-Rom over uneven keys must know their times",
                      "The uniform curve takes all segments for equally long: its velocity jumps at the keys, and it "
-                     "overshoots beside short segments."))
+                     "overshoots in short segments."))
         return 0;
     svg_plot_frame(&s, &value);
     svg_plot_frame(&s, &speed);

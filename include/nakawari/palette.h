@@ -66,7 +66,7 @@ NKW_API void nkw_palette_3x4_from_models(const nkw_mat4 *models, size_t model_co
  * Error  1.3 u of the rotation, for rigid joints.
  *
  * The sign: real.w >= 0, the side of the bind pose. Two joints that have turned away from each other by more than half
- * a turn stand on different sides all the same, so skinning takes each influence to the side of the vertex' heaviest
+ * a turn stand on different sides all the same, so skinning takes each influence to the side of the vertex's heaviest
  * (nkw_dual_quat_align) before it sums; no sign of the palette alone can save that.
  */
 NKW_API void nkw_palette_dual_from_models(const nkw_mat4 *models, size_t model_count, const int32_t *joints,

@@ -13,8 +13,8 @@
  *
  * Error lines: the worst error measured, with the argument that shows it. 1 ULP is the distance of
  * neighbouring floats at the exact result, so 0.5 ULP is correct rounding. 1 u is 2^-24 times the stated
- * magnitude. "exact" means that the exact result is a float and is given. "exhaustive" means every float; the
- * other figures were taken over structured random arguments.
+ * magnitude. "exact" means that the exact result is a float and is given. "exhaustive" means every float, of odd and
+ * even functions every one from 0 on; the other figures were taken over structured random arguments.
  */
 #ifndef NAKAWARI_SCALAR_H
 #define NAKAWARI_SCALAR_H

@@ -126,7 +126,8 @@ static void measure_one(accuracy *a, const one_case *c)
             accuracy_worst_add(&w, one_error(c, x), &x);
         }
     }
-    snprintf(region, sizeof region, "%s%s", how, c->highest == 1.0f ? " of [-1, 1]" : "");
+    const char *both = c->highest == 1.0f ? " of [-1, 1]" : "", *positive = c->highest == 1.0f ? " of [0, 1]" : " from 0 on";
+    snprintf(region, sizeof region, "%s%s", how, c->symmetry == NONE ? both : positive);
     accuracy_row(a, c->name, region, &w);
 }
 

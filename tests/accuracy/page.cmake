@@ -3,13 +3,13 @@ cmake_minimum_required(VERSION 3.25)
 set(page "# Accuracy
 
 The worst error of every function, as `cmake --workflow --preset accuracy` measured it. The same programs run in the
-tests on smaller samples and fail where a measurement exceeds the `Error` line of the function's header. Lines well
-above their rows (sums of products, reflections, rotations by quaternions and what is made of them) hold for the larger
-errors too that a search starting from the worst samples found.
+tests on smaller samples and fail where a measurement exceeds the `Error` line of the function's header. Some
+lines (sums of products, reflections, rotations by quaternions and what is made of them) stand well above their rows:
+they cover the larger errors that a search from the worst samples found.
 
-No row of their own need functions that copy, select or compare, those that round the sum, difference, product or
-quotient of two numbers once, component by component (a tangent per second made one per segment among them), and those
-that give the numbers of another function, on each component, in another place or on arrays: its row is theirs.
+Functions without a row: those that copy, select or compare; those that round one sum, difference, product or quotient
+of each component (a tangent per second made one per segment among them); and those that give the numbers of another
+function, of each component, in another place or on arrays, whose row is theirs.
 
 Units: a ULP is the distance of neighbouring floats at the exact result, so 0.5 ULP is correct rounding. 1 u is 2^-24
 of the magnitude that the header names: the norm of a vector, quaternion or matrix, the product of the norms for sums
