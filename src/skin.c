@@ -33,8 +33,8 @@ static size_t stride_of(size_t stride, nkw_skin_format format, size_t influences
 
 static plan plan_of(const nkw_skin *skin, size_t joints, int raw)
 {
-    plan r = {
-        nkw_batch_for(skin->vertices), skin->joints, skin->weights, skin->vertices, skin->influences, UINT32_MAX, raw};
+    const nkw_batch *batch = nkw_batch_selected_for(skin->vertices);
+    plan r = {batch, skin->joints, skin->weights, skin->vertices, skin->influences, UINT32_MAX, raw};
     r.joints.stride = stride_of(r.joints.stride, r.joints.format, r.influences);
     r.weights.stride = stride_of(r.weights.stride, r.weights.format, r.influences);
     r.influences = r.influences < NKW_SKIN_INFLUENCES ? r.influences : NKW_SKIN_INFLUENCES;

@@ -18,15 +18,7 @@
 #include <nakawari/types.h>
 
 #include "batch/block.h"
-/* The ten arrays of a pose, or of a part of one: array c begins at `at + c * stride`. */
-typedef struct blend_rows {
-    const float *at;
-    size_t stride;
-} blend_rows;
-typedef struct blend_span {
-    float *at;
-    size_t stride;
-} blend_span;
+#include "batch/rows.h"
 #include "lane/skin.h"
 
 /* clang-format off */

@@ -35,7 +35,11 @@ static inline const nkw_batch *nkw_batch_for(size_t n)
     return &nkw_batch_generic;
 }
 
-/* The widest loops of all, for arrays that are long or whole blocks. */
+/*
+ * The library's own functions take their loops from here, where a test may put others in their place: the widest of
+ * all, for arrays that are long or whole blocks, and those for n elements.
+ */
 const nkw_batch *nkw_batch_selected(void);
+const nkw_batch *nkw_batch_selected_for(size_t n);
 
 #endif

@@ -102,7 +102,7 @@ typedef struct row {
     void (*single)(const float *x, float *o);
 } row;
 
-static const row rows[] = {
+static const row all_rows[] = {
 #define P(name, letters, count, arguments, result)  {#name, letters, count, 1, batch_##name, single_##name},
 #define PX(name, letters, count, arguments, result) {#name, letters, count, 0, batch_##name, single_##name},
 #include "rows.h"
@@ -110,7 +110,7 @@ static const row rows[] = {
 #undef PX
 };
 
-#define ROWS (sizeof rows / sizeof rows[0])
+#define ROWS (sizeof all_rows / sizeof all_rows[0])
 
 /* Mostly of moderate size, now and then anything finite. */
 static float number(random_source *r)
@@ -260,18 +260,47 @@ static int run_packs(const nkw_batch *b, const char *isa)
     return 0;
 }
 
-/* The library's own functions take the loops of this table: what follows stands in for src/simd/select.c. */
+/* The table whose loops the library's own functions run, and how often each of those that only they use was run. */
 static const nkw_batch *chosen = &nkw_batch_generic;
+
+static struct {
+#define KERNEL_RUNS(name, parameters, arguments) size_t name;
+    KERNEL_INNER_LIST(KERNEL_RUNS)
+#undef KERNEL_RUNS
+} runs;
+
+#define KERNEL_COUNTED(name, parameters, arguments)                                                                    \
+    static void counted_##name parameters                                                                              \
+    {                                                                                                                  \
+        runs.name++;                                                                                                   \
+        chosen->name arguments;                                                                                        \
+    }
+KERNEL_INNER_LIST(KERNEL_COUNTED)
+#undef KERNEL_COUNTED
+
+/* What follows stands in for src/simd/select.c. */
+static nkw_batch counted;
 
 const nkw_batch *nkw_batch_selected(void)
 {
-    return chosen;
+    counted = *chosen;
+#define KERNEL_COUNTED(name, parameters, arguments) counted.name = counted_##name;
+    KERNEL_INNER_LIST(KERNEL_COUNTED)
+#undef KERNEL_COUNTED
+    return &counted;
 }
 
-/* The data floors by the loops of an instruction set, against the same by the baseline's. */
+const nkw_batch *nkw_batch_selected_for(size_t n)
+{
+    (void)n;
+    return nkw_batch_selected();
+}
+
+/* The data floors by the loops of an instruction set, against the same by the baseline's; every loop is run. */
 static int run_data(const nkw_batch *b, const char *isa)
 {
     int failed = 0;
+    memset(&runs, 0, sizeof runs);
 #define DATA_COMPARE(stem)                                                                                             \
     {                                                                                                                  \
         chosen = &nkw_batch_generic;                                                                                   \
@@ -282,6 +311,11 @@ static int run_data(const nkw_batch *b, const char *isa)
     }
     DATA_LIST(DATA_COMPARE)
 #undef DATA_COMPARE
+#define KERNEL_RUNS(name, parameters, arguments)                                                                       \
+    if (runs.name == 0)                                                                                                \
+        failed += fprintf(stderr, "parity: " #name ": no data function runs it\n") > 0;
+    KERNEL_INNER_LIST(KERNEL_RUNS)
+#undef KERNEL_RUNS
     chosen = &nkw_batch_generic;
     return failed;
 }
@@ -290,7 +324,7 @@ static int run_table(const nkw_batch *b, const char *isa)
 {
     int failed = run_packs(b, isa);
     for (size_t i = 0; i < ROWS; i++)
-        failed += run_row(&rows[i], b, isa);
+        failed += run_row(&all_rows[i], b, isa);
     printf("parity: %s: %zu functions, %d differ\n", isa, ROWS + 3, failed);
     return failed;
 }

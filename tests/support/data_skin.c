@@ -88,12 +88,13 @@ static uint64_t skin_pairs(uint64_t hash, const model *m, const nkw_skin *skin)
 
 static uint64_t skin_arrays(uint64_t hash, const model *m, const nkw_skin *skin)
 {
-    const nkw_skin_palette plain = {m->matrices, NULL, JOINTS, 0};
+    const nkw_skin_palette plain = {m->matrices, NULL, JOINTS, 0}, exact = {m->matrices, m->normals, JOINTS, 0};
     float v[VERTICES * FLOATS];
     nkw_vertices_arrays in = {{v, v + 150, v + 300}, {v + 450, v + 600, v + 750}, {0}, {0}};
     nkw_vertices_arrays_span out = {{v, v + 150, v + 300}, {v + 450, v + 600, v + 750}, {0}, {0}};
     memcpy(v, m->vertices, sizeof v);
     nkw_skin_linear_arrays(skin, &plain, &in, &out);
+    nkw_skin_linear_arrays(skin, &exact, &in, &out);
     nkw_skin_dual_quat_arrays(skin, m->duals, JOINTS, &in, &out);
     return hash_floats(hash, v, VERTICES * FLOATS);
 }
