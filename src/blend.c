@@ -333,7 +333,7 @@ static void blend_with_masks(const nkw_pose_layer *layers, size_t count, const f
 void nkw_pose_blend_layers(const nkw_pose_layer *layers, size_t count, const float *rest, size_t joints,
                            float threshold, float *out)
 {
-    int masked = has_mask(layers, count);
+    int masked = joints > 0 && has_mask(layers, count);
     float limit = weight_of(threshold);
     for (size_t from = 0; from < NKW_POSE_STRIDE(joints); from += BLEND_BLOCK) {
         part p = part_at(joints, from);

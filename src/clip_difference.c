@@ -8,6 +8,7 @@
 #include <nakawari/segment.h>
 
 #include "clip_layout.h"
+#include "clip_tracks.h"
 #include "difference.h"
 #include "lane/scalar.h"
 
@@ -78,11 +79,20 @@ static void compare_along(const nkw_clip *clip, const nkw_clip_source *source, c
             compare_at(clip, source, keys, own, difference_moment(keys, k, quarter), pose, floats, error);
 }
 
+/* Whether the clip may have been made from such tracks. */
+static int is_like(const nkw_clip *clip, const nkw_clip_source *source)
+{
+    int like = source->joint_count == nkw_clip_joints(clip) && source->float_count == nkw_clip_floats(clip);
+    for (size_t i = 0; like && i < source->track_count; i++)
+        like = nkw_clip_tracks_place(source, &source->tracks[i]) == NKW_OK;
+    return like;
+}
+
 nkw_clip_error nkw_clip_difference(const nkw_clip *clip, const nkw_clip_source *source, float *pose, float *floats)
 {
     const float far = lane_float(0x7f800000u);
     nkw_clip_error error = {0.0f, 0.0f, 0.0f, 0.0f}, unlike = {far, far, far, far};
-    if (source->joint_count != nkw_clip_joints(clip) || source->float_count != nkw_clip_floats(clip))
+    if (!is_like(clip, source))
         return unlike;
     for (size_t i = 0; i < source->track_count; i++)
         if (first_of(source, &source->tracks[i].track) == i)

@@ -8,10 +8,20 @@
 #include "clip_layout.h"
 #include "lane/scalar.h"
 
-/* count things of `size` words each from word `at` on lie within the block. */
-static int fits(const nkw_clip *clip, uint64_t at, uint64_t count, uint64_t size)
+/* A block to look over, and how many of its words no part has taken: no two share one, so the work is bounded. */
+typedef struct opening {
+    const nkw_clip *clip;
+    uint64_t left;
+} opening;
+
+/* Takes count things of `size` words each, from word `at` on, if they lie within the block. */
+static int fits(opening *o, uint64_t at, uint64_t count, uint64_t size)
 {
-    return at + count * size <= clip->words;
+    uint64_t words = count * size;
+    if (at + words > o->clip->words || words > o->left)
+        return 0;
+    o->left -= words;
+    return 1;
 }
 
 /* Floats of the output in one component that a group of the kind may write. */
@@ -22,12 +32,12 @@ static uint64_t room_of(const nkw_clip *clip, uint32_t kind)
 }
 
 /* One width but for the last block; all places in the room. */
-static nkw_result check_blocks(const nkw_clip *clip, const clip_group *g)
+static nkw_result check_blocks(opening *o, const clip_group *g)
 {
-    if (!fits(clip, g->blocks, g->block_count, sizeof(nkw_block) / 4))
+    if (!fits(o, g->blocks, g->block_count, sizeof(nkw_block) / 4))
         return NKW_OUT_OF_RANGE;
-    const nkw_block *blocks = clip_blocks(clip, g);
-    uint64_t room = room_of(clip, g->kind), lanes = 0;
+    const nkw_block *blocks = clip_blocks(o->clip, g);
+    uint64_t room = room_of(o->clip, g->kind), lanes = 0;
     for (uint32_t i = 0; i < g->block_count; i++) {
         const nkw_block *b = &blocks[i];
         int is_last = i + 1 == g->block_count;
@@ -57,11 +67,12 @@ static nkw_result check_times(const clip_timeline *line, const float *times)
     return NKW_OK;
 }
 
-static nkw_result check_timeline(const nkw_clip *clip, const clip_timeline *line)
+static nkw_result check_timeline(opening *o, const clip_timeline *line)
 {
-    if (line->count == 0 || !fits(clip, line->times, line->count, 1) || !fits(clip, line->modes, line->count, 1))
+    if (line->count == 0 || !fits(o, line->times, line->count, 1) ||
+        (line->modes && !fits(o, line->modes, line->count, 1)))
         return NKW_OUT_OF_RANGE;
-    return check_times(line, clip_floats(clip, line->times));
+    return check_times(line, clip_floats(o->clip, line->times));
 }
 
 /* Modes of segments are for a group that serves them: one laid out as LINEAR, or as CUBICSPLINE. */
@@ -75,49 +86,49 @@ static int fits_modes(const nkw_clip *clip, const clip_timeline *line, const cli
     return 1;
 }
 
-static nkw_result check_group(const nkw_clip *clip, const clip_group *g)
+static nkw_result check_group(opening *o, const clip_group *g)
 {
+    const nkw_clip *clip = o->clip;
     if (g->timeline >= clip->timeline_count || g->kind >= GROUP_KINDS ||
         g->interpolation > NKW_INTERPOLATION_CUBICSPLINE || g->lanes > clip->words)
         return NKW_OUT_OF_RANGE;
     if (g->normalized && g->kind != GROUP_ROTATIONS)
         return NKW_OUT_OF_RANGE;
     if (g->ranges && (g->interpolation == NKW_INTERPOLATION_CUBICSPLINE || g->lanes % 4 != 0 ||
-                      !fits(clip, g->ranges, g->lanes, 2 * clip_rows(g))))
+                      !fits(o, g->ranges, g->lanes, 2 * clip_rows(g))))
         return NKW_OUT_OF_RANGE;
     const clip_timeline *line = clip_timelines(clip) + g->timeline;
-    if (!fits_modes(clip, line, g))
+    if (g->key_words != clip_key_words(g) || !fits(o, g->keys, line->count, g->key_words))
         return NKW_OUT_OF_RANGE;
-    if (g->key_words != clip_key_words(g) || !fits(clip, g->keys, line->count, g->key_words))
-        return NKW_OUT_OF_RANGE;
-    return check_blocks(clip, g);
+    return fits_modes(clip, line, g) ? check_blocks(o, g) : NKW_OUT_OF_RANGE;
 }
 
-static nkw_result check_constants(const nkw_clip *clip, uint32_t at, uint32_t count, uint32_t kind)
+static nkw_result check_constants(opening *o, uint32_t at, uint32_t count, uint32_t kind)
 {
-    if (!fits(clip, at, count, sizeof(clip_run) / 4))
+    if (!fits(o, at, count, sizeof(clip_run) / 4))
         return NKW_OUT_OF_RANGE;
-    const clip_run *runs = (const clip_run *)(const void *)(clip_words(clip) + at);
+    const clip_run *runs = (const clip_run *)(const void *)(clip_words(o->clip) + at);
     for (uint32_t r = 0; r < count; r++)
-        if (!fits(clip, runs[r].values, runs[r].count, 1) || (uint64_t)runs[r].to + runs[r].count > room_of(clip, kind))
+        if (!fits(o, runs[r].values, runs[r].count, 1) || (uint64_t)runs[r].to + runs[r].count > room_of(o->clip, kind))
             return NKW_OUT_OF_RANGE;
     return NKW_OK;
 }
 
 static nkw_result check_parts(const nkw_clip *clip)
 {
+    opening o = {clip, clip->words};
     nkw_result result = NKW_OK;
-    if (!fits(clip, clip->timelines, clip->timeline_count, sizeof(clip_timeline) / 4) ||
-        !fits(clip, clip->groups, clip->group_count, sizeof(clip_group) / 4))
+    if (!fits(&o, clip->timelines, clip->timeline_count, sizeof(clip_timeline) / 4) ||
+        !fits(&o, clip->groups, clip->group_count, sizeof(clip_group) / 4))
         return NKW_OUT_OF_RANGE;
     for (uint32_t i = 0; result == NKW_OK && i < clip->timeline_count; i++)
-        result = check_timeline(clip, clip_timelines(clip) + i);
+        result = check_timeline(&o, clip_timelines(clip) + i);
     for (uint32_t i = 0; result == NKW_OK && i < clip->group_count; i++)
-        result = check_group(clip, clip_groups(clip) + i);
+        result = check_group(&o, clip_groups(clip) + i);
     if (result == NKW_OK)
-        result = check_constants(clip, clip->constants, clip->constant_count, GROUP_NUMBERS);
+        result = check_constants(&o, clip->constants, clip->constant_count, GROUP_NUMBERS);
     if (result == NKW_OK)
-        result = check_constants(clip, clip->float_constants, clip->float_constant_count, GROUP_FLOATS);
+        result = check_constants(&o, clip->float_constants, clip->float_constant_count, GROUP_FLOATS);
     return result;
 }
 

@@ -123,7 +123,7 @@ static void find_timelines(clip_tracks *b)
 
 /* Validation. */
 
-static nkw_result check_place(const nkw_clip_source *s, const nkw_clip_track *c)
+nkw_result nkw_clip_tracks_place(const nkw_clip_source *s, const nkw_clip_track *c)
 {
     int turns = c->target == NKW_CLIP_ROTATION;
     if (c->track.count >= CLIP_CONSTANT)
@@ -147,7 +147,7 @@ static nkw_result check_tracks(const nkw_clip_source *s, size_t *bad)
     for (size_t i = 0; result == NKW_OK && i < s->track_count; i++) {
         *bad = i;
         result = nkw_track_validate(&s->tracks[i].track, NULL);
-        result = result == NKW_OK ? check_place(s, &s->tracks[i]) : result;
+        result = result == NKW_OK ? nkw_clip_tracks_place(s, &s->tracks[i]) : result;
     }
     *bad = result == NKW_OK ? 0 : *bad;
     return result;

@@ -20,6 +20,9 @@ typedef struct clip_tracks {
 /* Checks the source, and fills the three arrays in `work`, NKW_CLIP_WORK numbers. */
 nkw_result nkw_clip_tracks_order(const nkw_clip_source *source, uint32_t *work, clip_tracks *out, size_t *bad_track);
 
+/* Whether track c may stand in the source s: its target, width and kind, and what it moves. */
+nkw_result nkw_clip_tracks_place(const nkw_clip_source *s, const nkw_clip_track *c);
+
 /* The track that moves joint or float `index`, or NULL. */
 const nkw_clip_track *nkw_clip_tracks_of(const clip_tracks *t, nkw_clip_target target, size_t index);
 

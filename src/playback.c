@@ -77,13 +77,19 @@ typedef struct passed {
     size_t capacity, count;
 } passed;
 
+/* n keys more, times over; SIZE_MAX where size_t does not hold so many. */
+static void add_keys(passed *p, size_t n, size_t times)
+{
+    p->count = n == 0 || times <= (SIZE_MAX - p->count) / n ? p->count + n * times : SIZE_MAX;
+}
+
 /* The keys first..end - 1. */
 static void pass_keys(size_t first, size_t end, passed *p)
 {
     size_t n = end > first ? end - first : 0;
     for (size_t i = 0; i < n && p->count + i < p->capacity; i++)
         p->out[p->count + i] = first + i;
-    p->count += n;
+    add_keys(p, n, 1);
 }
 
 /* How many keys are not after the time. */
@@ -112,7 +118,7 @@ static void passes(const float *times, size_t count, double duration, double fir
     for (double n = first; n <= last; n += 1.0) {
         int is_whole = n >= first + 2.0 && n <= last - 2.0;
         if (is_whole && p->count >= p->capacity) {
-            p->count += (size_t)(last - 2.0 - n) * count;
+            add_keys(p, count, (size_t)(last - 2.0 - n));
             n = last - 2.0;
         }
         if (is_whole)

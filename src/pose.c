@@ -10,7 +10,7 @@
 
 size_t nkw_pose_floats(size_t joints)
 {
-    return NKW_POSE_FLOATS(joints);
+    return joints <= (SIZE_MAX / 10 - 15) ? NKW_POSE_FLOATS(joints) : SIZE_MAX;
 }
 
 /* What lies `floats` behind the start; of no pose at all, which may be NULL, the start. */

@@ -30,7 +30,10 @@ static size_t key_size(const nkw_track *track)
 
 size_t nkw_track_value_count(const nkw_track *track)
 {
-    return track->count * key_size(track);
+    size_t most = SIZE_MAX / (is_cubic(track) ? 3 : 1);
+    if (track->count == 0 || track->width == 0)
+        return 0;
+    return track->count <= most / track->width ? track->count * key_size(track) : SIZE_MAX;
 }
 
 /* Key k's in-tangent, value and out-tangent, in that order; without tangents the value alone. */
@@ -153,7 +156,7 @@ static nkw_result check_shape(const nkw_track *track)
     if ((unsigned)track->kind > NKW_TRACK_ROTATION_NORMALIZED ||
         (unsigned)track->interpolation > NKW_INTERPOLATION_CUBICSPLINE || !is_readable(track))
         return NKW_BAD_METHOD;
-    return NKW_OK;
+    return nkw_track_value_count(track) <= SIZE_MAX / sizeof(float) ? NKW_OK : NKW_TOO_SMALL;
 }
 
 static int are_finite(const float *v, size_t n)
@@ -236,13 +239,14 @@ static nkw_track resampled(const nkw_track *track, const float *times, const flo
 
 float nkw_track_resample(const nkw_track *track, float rate, float *times, float *values, float *work, nkw_track *out)
 {
-    size_t count = nkw_track_resample_count(track, rate), cursor = 0;
+    const nkw_track source = *track;
+    size_t count = nkw_track_resample_count(&source, rate), cursor = 0;
     for (size_t k = 0; k < count; k++) {
-        times[k] = nkw_segment_uniform_time(track->times[0], rate, k);
-        nkw_track_sample_from(track, times[k], &cursor, values + k * track->width);
+        times[k] = nkw_segment_uniform_time(source.times[0], rate, k);
+        nkw_track_sample_from(&source, times[k], &cursor, values + k * source.width);
     }
-    *out = resampled(track, times, values, count);
-    return nkw_track_difference(track, out, work);
+    *out = resampled(&source, times, values, count);
+    return nkw_track_difference(&source, out, work);
 }
 
 static int are_alike(const nkw_track *a, const nkw_track *b)
@@ -294,13 +298,14 @@ static float rate_over(const nkw_track *track, size_t segments)
 float nkw_track_resample_within(const nkw_track *track, float tolerance, float *times, float *values, float *work,
                                 nkw_track *out)
 {
-    size_t segments = track->count > 1 ? track->count - 1 : 0, parts = 1;
-    *out = resampled(track, times, values, 0);
+    const nkw_track source = *track;
+    size_t segments = source.count > 1 ? source.count - 1 : 0, parts = 1;
+    *out = resampled(&source, times, values, 0);
     while (parts < segments)
         parts *= 2;
-    for (; is_readable(track) && parts > 0; parts /= 2) {
-        float rate = rate_over(track, (segments + parts - 1) / parts);
-        if (nkw_track_resample(track, rate, times, values, work, out) <= tolerance && out->count > 0)
+    for (; is_readable(&source) && parts > 0; parts /= 2) {
+        float rate = rate_over(&source, (segments + parts - 1) / parts);
+        if (nkw_track_resample(&source, rate, times, values, work, out) <= tolerance && out->count > 0)
             return rate;
     }
     out->count = 0;

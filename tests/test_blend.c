@@ -105,6 +105,7 @@ static void nothing_is_touched_without_joints(void **state)
     nkw_pose_blend(pose, pose, 0, 0.5f, NULL, out);
     nkw_pose_blend_slerp(pose, pose, 0, 0.5f, pose, out);
     nkw_pose_blend_layers(&layer, 1, pose, 0, 0.1f, out);
+    nkw_pose_blend_layers(NULL, 3, NULL, 0, 0.1f, out);
     nkw_pose_additive_build(pose, pose, 0, NKW_ADDITIVE_LOCAL, out);
     nkw_pose_additive_apply(pose, pose, 0, NKW_ADDITIVE_LOCAL, 1.0f, NULL, out);
     nkw_pose_mirror(pose, pair, 0, NKW_MIRROR_X, out);

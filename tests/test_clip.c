@@ -105,6 +105,28 @@ static void the_difference_of_a_baked_clip_shows_between_its_own_keys(void **sta
     free(clip);
 }
 
+static void a_clip_and_tracks_that_are_none_of_its_own_differ_infinitely(void **state)
+{
+    (void)state;
+    const float at[2] = {0, 1}, values[32] = {0};
+    float pose[NKW_POSE_FLOATS(1)];
+    nkw_clip_track track = {
+        NKW_CLIP_TRANSLATION, 0, {at, values, 2, 3, NKW_TRACK_FLOATS, NKW_INTERPOLATION_LINEAR, NULL}};
+    nkw_clip_source source = {&track, 1, 1, 0, NULL, NULL, NKW_CLIP_FLOAT32};
+    size_t bytes;
+    nkw_clip *clip = build(&source, &bytes);
+    expect_bits(nkw_clip_difference(clip, &source, pose, NULL).scale, 0.0f);
+    track.track.width = 16;
+    expect_bits(nkw_clip_difference(clip, &source, pose, NULL).scale, INFINITY);
+    track.track.width = 3;
+    track.index = 1;
+    expect_bits(nkw_clip_difference(clip, &source, pose, NULL).rotation, INFINITY);
+    track.index = 0;
+    track.target = NKW_CLIP_FLOATS;
+    expect_bits(nkw_clip_difference(clip, &source, pose, NULL).floats, INFINITY);
+    free(clip);
+}
+
 static void a_clip_without_tracks_is_the_rest_pose(void **state)
 {
     (void)state;
@@ -368,6 +390,31 @@ static void expect_word_refused(nkw_clip *block, size_t bytes, size_t word, uint
     words[word] = kept;
 }
 
+/* Words 7 and 8: where timelines are, and how many; 4 words each, of which the second counts the key times. */
+static void open_refuses_parts_that_share_words(void **state)
+{
+    (void)state;
+    enum { LINES = 4000 };
+    const nkw_clip *clip;
+    random_source r = random_from(16);
+    size_t bytes;
+    random_clip_draw(&r, 5, 2, &drawn);
+    nkw_clip *block = build(&drawn.source, &bytes);
+    uint32_t end = (uint32_t)(bytes / 4), *words = (uint32_t *)calloc(end + 4 * LINES, sizeof *words);
+    assert_non_null(words);
+    memcpy(words, block, bytes);
+    for (uint32_t i = 0; i < LINES; i++)
+        memcpy(words + end + 4 * i, words + words[7] + 4 * (i < words[8] ? i : 0), 16);
+    words[2] = end + 4 * LINES;
+    words[7] = end;
+    assert_int_equal(nkw_clip_open(words, 4 * (size_t)words[2], &clip), NKW_OK);
+    words[8] = LINES;
+    assert_int_equal(nkw_clip_open(words, 4 * (size_t)words[2], &clip), NKW_OUT_OF_RANGE);
+    assert_null(clip);
+    free(words);
+    free(block);
+}
+
 /* Words 3..6: joints, floats, start, end. */
 static void open_refuses_a_head_that_is_not_sound(void **state)
 {
@@ -453,6 +500,7 @@ int main(void)
         cmocka_unit_test(tracks_of_the_last_joints_alone_stay_within_their_component),
         cmocka_unit_test(tracks_of_one_time_array_share_a_lookup),
         cmocka_unit_test(the_difference_of_a_baked_clip_shows_between_its_own_keys),
+        cmocka_unit_test(a_clip_and_tracks_that_are_none_of_its_own_differ_infinitely),
         cmocka_unit_test(a_clip_without_tracks_is_the_rest_pose),
         cmocka_unit_test(pose_or_floats_may_be_left_out),
         cmocka_unit_test(a_clip_of_floats_does_not_differ_from_its_tracks),
@@ -466,6 +514,7 @@ int main(void)
         cmocka_unit_test(build_refuses_a_block_that_is_too_small),
         cmocka_unit_test(open_refuses_other_files),
         cmocka_unit_test(open_refuses_a_head_that_is_not_sound),
+        cmocka_unit_test(open_refuses_parts_that_share_words),
         cmocka_unit_test(a_block_may_be_copied_and_larger_than_the_clip),
         cmocka_unit_test(a_damaged_block_is_refused_or_safe),
         cmocka_unit_test_prestate(a_damaged_block_is_refused_or_safe, (void *)"compact"),

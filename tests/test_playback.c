@@ -148,6 +148,12 @@ static void what_does_not_fit_is_counted(void **state)
     assert_int_equal(out[1], 1);
     assert_int_equal(out[2], 9);
     assert_int_equal(nkw_playback_passed(times, 2, 1, -0.25f, 1000.25f, NULL, 0), 2001);
+    /* 2^32: more than a size_t of 32 bits holds. */
+    const float four[4] = {0, 0.25f, 0.5f, 0.75f};
+    const size_t all = sizeof(size_t) > 4 ? (size_t)0xffffffffu + 1 : SIZE_MAX;
+    assert_true(nkw_playback_passed(four, 4, 1, 0, 0x1p30f, out, 2) == all);
+    assert_int_equal(out[0], 1);
+    assert_int_equal(out[2], 9);
 }
 
 static void passing_nothing(void **state)

@@ -58,6 +58,14 @@ static void a_pose_without_joints_may_be_null(void **state)
     assert_int_equal(nkw_pose_validate(NULL, 0, NULL), NKW_EMPTY);
 }
 
+static void a_pose_that_no_memory_holds_has_the_most_floats(void **state)
+{
+    (void)state;
+    assert_true(nkw_pose_floats(SIZE_MAX / 10 - 15) < SIZE_MAX);
+    assert_true(nkw_pose_floats(SIZE_MAX / 10 + 2) == SIZE_MAX);
+    assert_true(nkw_pose_floats(SIZE_MAX) == SIZE_MAX);
+}
+
 static void views_and_spans_are_the_arrays_in_their_order(void **state)
 {
     (void)state;
@@ -130,6 +138,7 @@ int main(void)
         cmocka_unit_test(strides_are_padded_to_sixteen),
         cmocka_unit_test(transforms_go_in_and_come_out_bit_for_bit),
         cmocka_unit_test(a_pose_without_joints_may_be_null),
+        cmocka_unit_test(a_pose_that_no_memory_holds_has_the_most_floats),
         cmocka_unit_test(views_and_spans_are_the_arrays_in_their_order),
         cmocka_unit_test(identity_fills_the_padding_too),
         cmocka_unit_test(a_joint_beyond_the_last_is_the_identity_and_not_written),

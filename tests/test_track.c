@@ -212,6 +212,10 @@ static void value_count_is_what_the_layout_holds(void **state)
     assert_int_equal(nkw_track_value_count(&t), 12);
     t.interpolation = NKW_INTERPOLATION_CUBICSPLINE;
     assert_int_equal(nkw_track_value_count(&t), 36);
+    t.count = SIZE_MAX / 9;
+    assert_true(nkw_track_value_count(&t) == SIZE_MAX / 9 * 9);
+    t.count++;
+    assert_true(nkw_track_value_count(&t) == SIZE_MAX);
 }
 
 static void expect_invalid(const nkw_track *t, nkw_result result, size_t key, int line)
@@ -250,6 +254,9 @@ static void validate_refuses_wrong_shapes(void **state)
     key.key_interpolation = modes;
     both.interpolation = NKW_INTERPOLATION_CUBICSPLINE;
     both.key_interpolation = modes;
+    nkw_track vast = t;
+    vast.count = SIZE_MAX / 3 + 2;
+    expect_invalid(&vast, NKW_TOO_SMALL, 0, __LINE__);
     expect_invalid(&none, NKW_EMPTY, 0, __LINE__);
     expect_invalid(&thin, NKW_EMPTY, 0, __LINE__);
     expect_invalid(&odd, NKW_BAD_METHOD, 0, __LINE__);

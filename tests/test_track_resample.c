@@ -88,6 +88,12 @@ static void the_error_of_resampling_is_what_was_lost(void **state)
     expect_bits(nkw_track_resample(&t, 0.5f, times, made, work, &out), 3.0f);
     assert_int_equal(out.count, 2);
     expect_bits(nkw_track_resample(&t, 1.0f, times, made, work, &out), 0.0f);
+    out = t;
+    expect_bits(nkw_track_resample(&out, 0.5f, times, made, work, &out), 3.0f);
+    assert_int_equal(out.count, 2);
+    out = t;
+    expect_bits(nkw_track_resample_within(&out, 0.1f, times, made, work, &out), 1.0f);
+    assert_int_equal(out.count, 3);
     t.values = line;
     expect_bits(nkw_track_resample(&t, 0.5f, times, made, work, &out), 0.0f);
     t.values = steps;

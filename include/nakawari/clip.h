@@ -104,7 +104,8 @@ NKW_API nkw_result nkw_clip_build(const nkw_clip_source *source, uint32_t *work,
  *
  * NKW_NOT_A_CLIP for another beginning, version or byte order, and for a block that is not aligned for float;
  * NKW_TOO_SMALL for a block that is cut off;
- * NKW_OUT_OF_RANGE where something in it would be read or written outside the block or the pose; NKW_NOT_ASCENDING
+ * NKW_OUT_OF_RANGE where something in it would be read or written outside the block or the pose, or where its parts
+ * take more room than it has; NKW_NOT_ASCENDING
  * and NKW_NOT_FINITE for key times that are so. The values of keys are not looked at. A clip that opens is safe to
  * sample; one that does not must not be.
  */
@@ -145,7 +146,7 @@ typedef struct nkw_clip_error {
  * beside all of them, while they last, at those of the clip's own timelines that the source has not.
  *
  * source   what nkw_clip_build took for this clip, or the tracks that those were made from (resampled, say); another
- *          number of joints or floats gives infinity for all four
+ *          number of joints or floats, or a track that nkw_clip_measure would not place, gives infinity for all four
  * pose     working memory: nkw_pose_floats(joints) floats
  * floats   working memory: twice nkw_clip_floats(clip) floats; may be NULL if there are none
  */

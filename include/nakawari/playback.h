@@ -63,9 +63,10 @@ NKW_API nkw_play_head nkw_playback_at(nkw_playback mode, float start, float dura
  *           next pass and should not be listed
  * duration  of the loop; 0 for a clip that is played once
  * out       receives the first `capacity` indices in the order in which they are passed; may be NULL if capacity is 0
- * Gives     how many keys were passed, which may be more than capacity. to <= from passes none: play backwards by
- *           mirroring times. A duration that is negative or not finite, times that span more than it, more than 2^31
- *           passes in one step, and passes beyond the 2^53rd pass none.
+ * Gives     how many keys were passed, which may be more than capacity; SIZE_MAX where size_t does not hold so many. to
+ *           <= from passes none: play backwards by mirroring times. An infinite from or to, a duration that is negative
+ *           or not finite, times that span more than it, more than 2^31 passes in one step, and passes beyond the
+ *           2^53rd pass none.
  */
 NKW_API size_t nkw_playback_passed(const float *times, size_t count, float duration, float from, float to, size_t *out,
                                    size_t capacity);

@@ -13,8 +13,8 @@
  *
  * The stride is a multiple of 16, so loops of every vector width run without a remainder. Padding may hold anything:
  * what is read there has no effect on joints. Functions that write a whole pose may write padding too. Any alignment
- * will do; 64 bytes is fastest. Memory that was never written may hold subnormal numbers, with which processors are
- * slow: call nkw_pose_identity once on a new block.
+ * for float will do; 64 bytes is fastest. Memory that was never written may hold subnormal numbers, with which
+ * processors are slow: call nkw_pose_identity once on a new block.
  */
 #ifndef NAKAWARI_POSE_H
 #define NAKAWARI_POSE_H
@@ -31,7 +31,7 @@ extern "C" {
 /** Floats in the block of a pose; for arrays on the stack. */
 #define NKW_POSE_FLOATS(joints) (10 * NKW_POSE_STRIDE(joints))
 
-/** NKW_POSE_FLOATS as a function, for languages without the macro. */
+/** NKW_POSE_FLOATS as a function, for languages without the macro; SIZE_MAX where size_t does not hold so many. */
 NKW_API size_t nkw_pose_floats(size_t joints);
 
 /** The pose's arrays, for the batch functions: nkw_mat4_from_trs_n(nkw_pose_view(pose, joints), out, joints). */

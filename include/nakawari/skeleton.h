@@ -123,7 +123,8 @@ typedef enum nkw_convention {
  *
  * NKW_EMPTY without nodes; NKW_TOO_SMALL where the stack is full; NKW_OUT_OF_RANGE and NKW_NOT_A_TREE where the walk
  * meets a child or sibling out of range, or has met more nodes than there are. *bad_node becomes the node that it
- * stopped at, 0 if there is none; it may be NULL. Nothing is ever written outside the arrays.
+ * stopped at, 0 if there is none; it may be NULL. Nothing is ever written outside the arrays. Models of nodes that the
+ * walk does not reach are not written; nkw_tree_validate finds them.
  *
  * Source the matrix stack of ID3DXMatrixStack, Microsoft, DirectX 9 SDK.
  */

@@ -80,7 +80,9 @@ typedef struct nkw_skin {
 
 /**
  * One vec3 for each vertex, three floats at data + i * stride; a part of interleaved vertices or an array of its
- * own. Any alignment will do. A stride of 0 says 12. What lies between is not touched: the w of vec4 tangents stays.
+ * own. Any alignment will do. A stride of 0 says 12. What lies between is not written: the w of vec4 tangents stays.
+ * But the four bytes behind a vector may be read where another vertex follows, so threads share out vertices, not the
+ * vectors of interleaved ones.
  * data NULL: the vertices have none.
  */
 typedef struct nkw_vec3_stream {

@@ -63,15 +63,15 @@ typedef struct nkw_track {
     const unsigned char *key_interpolation;
 } nkw_track;
 
-/** How many floats stand in `values`. */
+/** How many floats stand in `values`; SIZE_MAX where size_t does not hold so many. */
 NKW_API size_t nkw_track_value_count(const nkw_track *track);
 
 /**
  * Checks a track: NKW_EMPTY without keys or width; NKW_BAD_METHOD for an unknown kind or interpolation, a rotation
  * whose width is not 4, a key's interpolation that is unknown, or CUBICSPLINE in a track that is not; NKW_NOT_FINITE
  * where a time, value or tangent is not finite; NKW_NOT_ASCENDING where a time is less than the one before;
- * NKW_NOT_UNIT where a rotation's value is off unit length by more than 1e-2. *bad_key becomes the index of the first
- * offending key, 0 if there is none; it may be NULL.
+ * NKW_NOT_UNIT where a rotation's value is off unit length by more than 1e-2; NKW_TOO_SMALL where size_t does not hold
+ * the bytes of the values. *bad_key becomes the index of the first offending key, 0 if there is none; it may be NULL.
  */
 NKW_API nkw_result nkw_track_validate(const nkw_track *track, size_t *bad_key);
 
@@ -129,7 +129,7 @@ NKW_API size_t nkw_track_resample_count(const nkw_track *track, float rate);
  *
  * times, values  receive nkw_track_resample_count keys, and that times width floats; not the source's own arrays
  * work           2 * width floats
- * out            becomes the track over times and values; without keys where the count is 0
+ * out            becomes the track over times and values; without keys where the count is 0. May be the source itself
  * Gives          the error: nkw_track_difference from the source; infinity where the count is 0
  */
 NKW_API float nkw_track_resample(const nkw_track *track, float rate, float *times, float *values, float *work,

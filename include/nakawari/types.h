@@ -74,9 +74,10 @@ typedef struct nkw_trs {
 /**
  * Component arrays: element i of a vector array is (x[i], y[i], z[i]). A view is read, a span is written.
  *
- * The batch functions, those that end in _n, take n elements of each. Any alignment and any n will do, n = 0
+ * The batch functions, those that end in _n, take n elements of each. Any alignment for float and any n will do, n = 0
  * too. An output array may be the very input array of the same function (in place), unless that function says
- * otherwise; arrays that overlap in any other way may not be mixed. Element by element the results are those of the single call, bit for bit.
+ * otherwise; arrays that overlap in any other way may not be mixed. Element by element the results are those of the
+ * single call, bit for bit.
  *
  * Fastest are arrays padded to a multiple of 16 and, of matrices, not a multiple of 4096 bytes apart: so many
  * streams would share the same places of the cache.

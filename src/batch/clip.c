@@ -422,13 +422,12 @@ INLINE void copy_rows(const float *from, float *out, size_t stride, size_t width
 static inline void place(const nkw_block *block, const float *from, float *out, size_t stride)
 {
     const size_t width = block->width;
-    float *to = out + block->places[0];
     if (!block->direct)
         scatter(block, from, width, out, stride);
     else if (width == NKW_BLOCK)
-        copy_rows(from, to, stride, NKW_BLOCK);
+        copy_rows(from, out + block->places[0], stride, NKW_BLOCK);
     else
-        copy_rows(from, to, stride, width);
+        copy_rows(from, out + block->places[0], stride, width);
 }
 
 /* A key's values as they are. */
