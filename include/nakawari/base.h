@@ -82,14 +82,25 @@
 #endif
 
 /**
- * NKW_ALGEBRA stands before each prototype of the small algebra: `inline` in a user's file, a plain
+ * NKW_BODY stands before each body of the small algebra. What is not inlined after all is a call of the library's
+ * symbol, as C99 has it. So it is in C++: a copy of the file's own, made for the file's processor, could take the place
+ * of the library's for the whole program.
+ */
+#if defined(__cplusplus) && defined(__GNUC__)
+#define NKW_BODY extern inline __attribute__((__gnu_inline__))
+#else
+#define NKW_BODY inline
+#endif
+
+/**
+ * NKW_ALGEBRA stands before each prototype of the small algebra: as before its body in a user's file, a plain
  * exported declaration in the one library file that holds the symbols and where NKW_INLINE is 0.
  */
 #if NKW_INLINE && !defined(NKW_DEFINE_ALGEBRA) && defined(NKW_FUSES)
 /* GCC weighs a body as if each fma in it were a call. */
-#define NKW_ALGEBRA __attribute__((always_inline)) inline
+#define NKW_ALGEBRA __attribute__((always_inline)) NKW_BODY
 #elif NKW_INLINE && !defined(NKW_DEFINE_ALGEBRA)
-#define NKW_ALGEBRA inline
+#define NKW_ALGEBRA NKW_BODY
 #else
 #define NKW_ALGEBRA NKW_API
 #endif

@@ -17,7 +17,7 @@ extern "C" {
  */
 
 /* With the chord f = b - a and the tangents u, v: p = a + x (f + y (y (u - f) - x (v - f))). */
-inline float nkw_hermite(float p0, float v0, float p1, float v1, float t)
+NKW_BODY float nkw_hermite(float p0, float v0, float p1, float v1, float t)
 {
     NKW_EXACT
     int first = t < 0.5f;
@@ -32,7 +32,7 @@ inline float nkw_hermite(float p0, float v0, float p1, float v1, float t)
 }
 
 /* The distances from p0, by the weights of the other three, in binary64; rounded once. */
-inline float nkw_bezier(float p0, float p1, float p2, float p3, float t)
+NKW_BODY float nkw_bezier(float p0, float p1, float p2, float p3, float t)
 {
     NKW_EXACT
     double x = (double)t, s = 1.0 - x, ss = NKW_MUL64(s, s), xx = NKW_MUL64(x, x);
@@ -43,7 +43,7 @@ inline float nkw_bezier(float p0, float p1, float p2, float p3, float t)
 }
 
 /* With f = b - a and the second differences h and m at the ends: p = a + (x f + (y^3 h + x^3 m)/6). */
-inline float nkw_bspline(float p0, float p1, float p2, float p3, float t)
+NKW_BODY float nkw_bspline(float p0, float p1, float p2, float p3, float t)
 {
     NKW_EXACT
     int first = t < 0.5f;
@@ -58,7 +58,7 @@ inline float nkw_bspline(float p0, float p1, float p2, float p3, float t)
 }
 
 /* The same letters: Hermite with the tangents (b - c)/2 and (d - a)/2 is p = a + x (f - y (y h + x m)/2). */
-inline float nkw_catmull_rom(float p0, float p1, float p2, float p3, float t)
+NKW_BODY float nkw_catmull_rom(float p0, float p1, float p2, float p3, float t)
 {
     NKW_EXACT
     int first = t < 0.5f;
@@ -71,7 +71,7 @@ inline float nkw_catmull_rom(float p0, float p1, float p2, float p3, float t)
     return nkw_select(x == 0.0f, a, a + NKW_MUL(x, w));
 }
 
-inline nkw_vec3 nkw_vec3_hermite(nkw_vec3 p0, nkw_vec3 v0, nkw_vec3 p1, nkw_vec3 v1, float t)
+NKW_BODY nkw_vec3 nkw_vec3_hermite(nkw_vec3 p0, nkw_vec3 v0, nkw_vec3 p1, nkw_vec3 v1, float t)
 {
     nkw_vec3 r = {
         nkw_hermite(p0.x, v0.x, p1.x, v1.x, t),
@@ -81,7 +81,7 @@ inline nkw_vec3 nkw_vec3_hermite(nkw_vec3 p0, nkw_vec3 v0, nkw_vec3 p1, nkw_vec3
     return r;
 }
 
-inline nkw_vec3 nkw_vec3_bezier(nkw_vec3 p0, nkw_vec3 p1, nkw_vec3 p2, nkw_vec3 p3, float t)
+NKW_BODY nkw_vec3 nkw_vec3_bezier(nkw_vec3 p0, nkw_vec3 p1, nkw_vec3 p2, nkw_vec3 p3, float t)
 {
     nkw_vec3 r = {
         nkw_bezier(p0.x, p1.x, p2.x, p3.x, t),
@@ -91,7 +91,7 @@ inline nkw_vec3 nkw_vec3_bezier(nkw_vec3 p0, nkw_vec3 p1, nkw_vec3 p2, nkw_vec3 
     return r;
 }
 
-inline nkw_vec3 nkw_vec3_bspline(nkw_vec3 p0, nkw_vec3 p1, nkw_vec3 p2, nkw_vec3 p3, float t)
+NKW_BODY nkw_vec3 nkw_vec3_bspline(nkw_vec3 p0, nkw_vec3 p1, nkw_vec3 p2, nkw_vec3 p3, float t)
 {
     nkw_vec3 r = {
         nkw_bspline(p0.x, p1.x, p2.x, p3.x, t),
@@ -101,7 +101,7 @@ inline nkw_vec3 nkw_vec3_bspline(nkw_vec3 p0, nkw_vec3 p1, nkw_vec3 p2, nkw_vec3
     return r;
 }
 
-inline nkw_vec3 nkw_vec3_catmull_rom(nkw_vec3 p0, nkw_vec3 p1, nkw_vec3 p2, nkw_vec3 p3, float t)
+NKW_BODY nkw_vec3 nkw_vec3_catmull_rom(nkw_vec3 p0, nkw_vec3 p1, nkw_vec3 p2, nkw_vec3 p3, float t)
 {
     nkw_vec3 r = {
         nkw_catmull_rom(p0.x, p1.x, p2.x, p3.x, t),

@@ -130,40 +130,40 @@ typedef int nkw_pair_bits __attribute__((vector_size(32)));
 extern "C" {
 #endif
 
-inline nkw_mat3 nkw_mat3_identity(void)
+NKW_BODY nkw_mat3 nkw_mat3_identity(void)
 {
     nkw_mat3 r = {{1, 0, 0, 0, 1, 0, 0, 0, 1}};
     return r;
 }
 
-inline nkw_mat3 nkw_mat3_from_columns(nkw_vec3 x, nkw_vec3 y, nkw_vec3 z)
+NKW_BODY nkw_mat3 nkw_mat3_from_columns(nkw_vec3 x, nkw_vec3 y, nkw_vec3 z)
 {
     nkw_mat3 r = {{x.x, x.y, x.z, y.x, y.y, y.z, z.x, z.y, z.z}};
     return r;
 }
 
-inline nkw_vec3 nkw_mat3_column(const nkw_mat3 *m, size_t c)
+NKW_BODY nkw_vec3 nkw_mat3_column(const nkw_mat3 *m, size_t c)
 {
     size_t k = c < 3 ? c * 3 : 0;
     nkw_vec3 r = {m->m[k], m->m[k + 1], m->m[k + 2]};
     return r;
 }
 
-inline nkw_mat3 nkw_mat3_from_mat4(const nkw_mat4 *m)
+NKW_BODY nkw_mat3 nkw_mat3_from_mat4(const nkw_mat4 *m)
 {
     const float *a = m->m;
     nkw_mat3 r = {{a[0], a[1], a[2], a[4], a[5], a[6], a[8], a[9], a[10]}};
     return r;
 }
 
-inline nkw_mat3 nkw_mat3_transpose(const nkw_mat3 *m)
+NKW_BODY nkw_mat3 nkw_mat3_transpose(const nkw_mat3 *m)
 {
     const float *a = m->m;
     nkw_mat3 r = {{a[0], a[3], a[6], a[1], a[4], a[7], a[2], a[5], a[8]}};
     return r;
 }
 
-inline nkw_mat3 nkw_mat3_mul(const nkw_mat3 *a, const nkw_mat3 *b)
+NKW_BODY nkw_mat3 nkw_mat3_mul(const nkw_mat3 *a, const nkw_mat3 *b)
 {
     NKW_EXACT
     nkw_mat3 r;
@@ -176,7 +176,7 @@ inline nkw_mat3 nkw_mat3_mul(const nkw_mat3 *a, const nkw_mat3 *b)
     return r;
 }
 
-inline nkw_vec3 nkw_mat3_transform(const nkw_mat3 *m, nkw_vec3 v)
+NKW_BODY nkw_vec3 nkw_mat3_transform(const nkw_mat3 *m, nkw_vec3 v)
 {
     NKW_EXACT
     const float *a = m->m;
@@ -188,7 +188,7 @@ inline nkw_vec3 nkw_mat3_transform(const nkw_mat3 *m, nkw_vec3 v)
     return r;
 }
 
-inline nkw_mat3 nkw_mat3_from_quat(nkw_quat q)
+NKW_BODY nkw_mat3 nkw_mat3_from_quat(nkw_quat q)
 {
     NKW_EXACT
     float x2 = q.x + q.x, y2 = q.y + q.y, z2 = q.z + q.z;
@@ -203,13 +203,13 @@ inline nkw_mat3 nkw_mat3_from_quat(nkw_quat q)
     return r;
 }
 
-inline nkw_mat4 nkw_mat4_identity(void)
+NKW_BODY nkw_mat4 nkw_mat4_identity(void)
 {
     nkw_mat4 r = {{1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1}};
     return r;
 }
 
-inline nkw_mat4 nkw_mat4_from_mat3(const nkw_mat3 *m, nkw_vec3 translation)
+NKW_BODY nkw_mat4 nkw_mat4_from_mat3(const nkw_mat3 *m, nkw_vec3 translation)
 {
     const float *a = m->m;
     /* One by one: from braces GCC clears it on the stack first. */
@@ -221,20 +221,20 @@ inline nkw_mat4 nkw_mat4_from_mat3(const nkw_mat3 *m, nkw_vec3 translation)
     return r;
 }
 
-inline nkw_mat4 nkw_mat4_from_quat(nkw_quat q)
+NKW_BODY nkw_mat4 nkw_mat4_from_quat(nkw_quat q)
 {
     nkw_mat3 m = nkw_mat3_from_quat(q);
     nkw_vec3 origin = {0.0f, 0.0f, 0.0f};
     return nkw_mat4_from_mat3(&m, origin);
 }
 
-inline nkw_vec3 nkw_mat4_translation(const nkw_mat4 *m)
+NKW_BODY nkw_vec3 nkw_mat4_translation(const nkw_mat4 *m)
 {
     nkw_vec3 r = {m->m[12], m->m[13], m->m[14]};
     return r;
 }
 
-inline nkw_mat4 nkw_mat4_transpose(const nkw_mat4 *m)
+NKW_BODY nkw_mat4 nkw_mat4_transpose(const nkw_mat4 *m)
 {
     nkw_mat4 r;
     for (size_t c = 0; c < 4; c++)
@@ -255,7 +255,7 @@ inline nkw_mat4 nkw_mat4_transpose(const nkw_mat4 *m)
 #define NKW_PAIR_Z(b)  NKW_PAIR_TIMES(z, b, 2)
 #define NKW_PAIR_ZT(b) (NKW_PAIR_TIMES(z, b, 2) + NKW_PAIR_TIMES(t, b, 3))
 
-inline nkw_mat4 nkw_mat4_mul(const nkw_mat4 *a, const nkw_mat4 *b)
+NKW_BODY nkw_mat4 nkw_mat4_mul(const nkw_mat4 *a, const nkw_mat4 *b)
 {
     NKW_EXACT
     nkw_pair x, y, z, t, u, w;
@@ -271,7 +271,7 @@ inline nkw_mat4 nkw_mat4_mul(const nkw_mat4 *a, const nkw_mat4 *b)
     return r;
 }
 
-inline nkw_mat4 nkw_mat4_mul_affine(const nkw_mat4 *a, const nkw_mat4 *b)
+NKW_BODY nkw_mat4 nkw_mat4_mul_affine(const nkw_mat4 *a, const nkw_mat4 *b)
 {
     NKW_EXACT
     const nkw_pair zeros = {0.0f, 0.0f, 0.0f, 0.0f, 0.0f, 0.0f, 0.0f, 0.0f}, last = {0, 0, 0, 0, 0, 0, 0, 1.0f};
@@ -292,7 +292,7 @@ inline nkw_mat4 nkw_mat4_mul_affine(const nkw_mat4 *a, const nkw_mat4 *b)
 
 #else
 
-inline nkw_mat4 nkw_mat4_mul(const nkw_mat4 *a, const nkw_mat4 *b)
+NKW_BODY nkw_mat4 nkw_mat4_mul(const nkw_mat4 *a, const nkw_mat4 *b)
 {
     NKW_EXACT
     nkw_column x, y, z, t, u, v, w, s;
@@ -306,7 +306,7 @@ inline nkw_mat4 nkw_mat4_mul(const nkw_mat4 *a, const nkw_mat4 *b)
     return r;
 }
 
-inline nkw_mat4 nkw_mat4_mul_affine(const nkw_mat4 *a, const nkw_mat4 *b)
+NKW_BODY nkw_mat4 nkw_mat4_mul_affine(const nkw_mat4 *a, const nkw_mat4 *b)
 {
     NKW_EXACT
     nkw_column x, y, z, t, u, v, w, s;
@@ -326,7 +326,7 @@ inline nkw_mat4 nkw_mat4_mul_affine(const nkw_mat4 *a, const nkw_mat4 *b)
 
 #endif
 
-inline nkw_mat4 nkw_mat4_inverse_rigid(const nkw_mat4 *m)
+NKW_BODY nkw_mat4 nkw_mat4_inverse_rigid(const nkw_mat4 *m)
 {
     NKW_EXACT
     const nkw_column none = {0.0f, 0.0f, 0.0f, 0.0f};
@@ -346,7 +346,7 @@ inline nkw_mat4 nkw_mat4_inverse_rigid(const nkw_mat4 *m)
     return r;
 }
 
-inline nkw_vec3 nkw_mat4_transform_point(const nkw_mat4 *m, nkw_vec3 p)
+NKW_BODY nkw_vec3 nkw_mat4_transform_point(const nkw_mat4 *m, nkw_vec3 p)
 {
     NKW_EXACT
     const float *a = m->m;
@@ -358,7 +358,7 @@ inline nkw_vec3 nkw_mat4_transform_point(const nkw_mat4 *m, nkw_vec3 p)
     return r;
 }
 
-inline nkw_vec3 nkw_mat4_transform_direction(const nkw_mat4 *m, nkw_vec3 d)
+NKW_BODY nkw_vec3 nkw_mat4_transform_direction(const nkw_mat4 *m, nkw_vec3 d)
 {
     NKW_EXACT
     const float *a = m->m;

@@ -16,56 +16,56 @@
 extern "C" {
 #endif
 
-inline nkw_quat nkw_quat_identity(void)
+NKW_BODY nkw_quat nkw_quat_identity(void)
 {
     nkw_quat r = {0.0f, 0.0f, 0.0f, 1.0f};
     return r;
 }
 
-inline nkw_quat nkw_quat_add(nkw_quat a, nkw_quat b)
+NKW_BODY nkw_quat nkw_quat_add(nkw_quat a, nkw_quat b)
 {
     nkw_quat r = {a.x + b.x, a.y + b.y, a.z + b.z, a.w + b.w};
     return r;
 }
 
-inline nkw_quat nkw_quat_sub(nkw_quat a, nkw_quat b)
+NKW_BODY nkw_quat nkw_quat_sub(nkw_quat a, nkw_quat b)
 {
     nkw_quat r = {a.x - b.x, a.y - b.y, a.z - b.z, a.w - b.w};
     return r;
 }
 
-inline nkw_quat nkw_quat_scale(nkw_quat a, float s)
+NKW_BODY nkw_quat nkw_quat_scale(nkw_quat a, float s)
 {
     nkw_quat r = {NKW_MUL(a.x, s), NKW_MUL(a.y, s), NKW_MUL(a.z, s), NKW_MUL(a.w, s)};
     return r;
 }
 
-inline nkw_quat nkw_quat_divide(nkw_quat a, float s)
+NKW_BODY nkw_quat nkw_quat_divide(nkw_quat a, float s)
 {
     nkw_quat r = {a.x / s, a.y / s, a.z / s, a.w / s};
     return r;
 }
 
-inline nkw_quat nkw_quat_negate(nkw_quat q)
+NKW_BODY nkw_quat nkw_quat_negate(nkw_quat q)
 {
     nkw_quat r = {NKW_MUL(-1.0f, q.x), NKW_MUL(-1.0f, q.y), NKW_MUL(-1.0f, q.z), NKW_MUL(-1.0f, q.w)};
     return r;
 }
 
-inline nkw_quat nkw_quat_conjugate(nkw_quat q)
+NKW_BODY nkw_quat nkw_quat_conjugate(nkw_quat q)
 {
     nkw_quat r = {NKW_MUL(-1.0f, q.x), NKW_MUL(-1.0f, q.y), NKW_MUL(-1.0f, q.z), q.w};
     return r;
 }
 
-inline float nkw_quat_dot(nkw_quat a, nkw_quat b)
+NKW_BODY float nkw_quat_dot(nkw_quat a, nkw_quat b)
 {
     NKW_EXACT
     return (NKW_MUL(a.x, b.x) + NKW_MUL(a.y, b.y)) + (NKW_MUL(a.z, b.z) + NKW_MUL(a.w, b.w));
 }
 
 #if NKW_ROOT_INLINE || defined(NKW_DEFINE_ALGEBRA)
-inline nkw_quat nkw_quat_normalize(nkw_quat q)
+NKW_BODY nkw_quat nkw_quat_normalize(nkw_quat q)
 {
     NKW_EXACT
     double n2 = (NKW_SQUARE64(q.x) + NKW_SQUARE64(q.y)) + (NKW_SQUARE64(q.z) + NKW_SQUARE64(q.w));
@@ -80,13 +80,13 @@ inline nkw_quat nkw_quat_normalize(nkw_quat q)
 }
 #endif
 
-inline int nkw_quat_is_finite(nkw_quat q)
+NKW_BODY int nkw_quat_is_finite(nkw_quat q)
 {
     /* x - x is 0 for a finite x, else NaN. */
     return q.x - q.x == 0.0f && q.y - q.y == 0.0f && q.z - q.z == 0.0f && q.w - q.w == 0.0f;
 }
 
-inline nkw_quat nkw_quat_mul(nkw_quat a, nkw_quat b)
+NKW_BODY nkw_quat nkw_quat_mul(nkw_quat a, nkw_quat b)
 {
     NKW_EXACT
     nkw_quat r = {
@@ -98,7 +98,7 @@ inline nkw_quat nkw_quat_mul(nkw_quat a, nkw_quat b)
     return r;
 }
 
-inline nkw_vec3 nkw_quat_rotate(nkw_quat q, nkw_vec3 v)
+NKW_BODY nkw_vec3 nkw_quat_rotate(nkw_quat q, nkw_vec3 v)
 {
     nkw_vec3 u = {q.x, q.y, q.z};
     nkw_vec3 c = nkw_vec3_cross(u, v);
@@ -106,7 +106,7 @@ inline nkw_vec3 nkw_quat_rotate(nkw_quat q, nkw_vec3 v)
     return nkw_vec3_add(v, nkw_vec3_add(nkw_vec3_scale(d, q.w), nkw_vec3_cross(u, d)));
 }
 
-inline nkw_vec3 nkw_quat_rotate_inverse(nkw_quat q, nkw_vec3 v)
+NKW_BODY nkw_vec3 nkw_quat_rotate_inverse(nkw_quat q, nkw_vec3 v)
 {
     return nkw_quat_rotate(nkw_quat_conjugate(q), v);
 }

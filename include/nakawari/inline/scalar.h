@@ -18,25 +18,25 @@
 extern "C" {
 #endif
 
-inline float nkw_abs(float x)
+NKW_BODY float nkw_abs(float x)
 {
     NKW_EXACT
     return x <= 0.0f ? 0.0f - x : x;
 }
 
-inline float nkw_min(float a, float b)
+NKW_BODY float nkw_min(float a, float b)
 {
     NKW_EXACT
     return a < b ? a : b;
 }
 
-inline float nkw_max(float a, float b)
+NKW_BODY float nkw_max(float a, float b)
 {
     NKW_EXACT
     return a > b ? a : b;
 }
 
-inline float nkw_select(int first, float a, float b)
+NKW_BODY float nkw_select(int first, float a, float b)
 {
     uint32_t x, y, mask = 0u - (uint32_t)(first != 0);
     float r;
@@ -48,7 +48,7 @@ inline float nkw_select(int first, float a, float b)
 }
 
 #if NKW_ROOT_INLINE
-inline float nkw_sqrt(float x)
+NKW_BODY float nkw_sqrt(float x)
 {
     typedef float four __attribute__((vector_size(16)));
     four v = {x, 0.0f, 0.0f, 0.0f};
@@ -62,19 +62,19 @@ float nkw_sqrt(float x)
 }
 #endif
 
-inline float nkw_clamp(float x, float low, float high)
+NKW_BODY float nkw_clamp(float x, float low, float high)
 {
     NKW_EXACT
     return nkw_min(nkw_max(x, low), high);
 }
 
-inline float nkw_saturate(float x)
+NKW_BODY float nkw_saturate(float x)
 {
     NKW_EXACT
     return nkw_clamp(x, 0.0f, 1.0f);
 }
 
-inline float nkw_lerp(float a, float b, float t)
+NKW_BODY float nkw_lerp(float a, float b, float t)
 {
     NKW_EXACT
     /* The nearer end, and how far from it: selected by masks, for a branch on t would be a guess. */
@@ -84,20 +84,20 @@ inline float nkw_lerp(float a, float b, float t)
     return nkw_select(x == 0.0f, end, inside);
 }
 
-inline float nkw_inverse_lerp(float a, float b, float x)
+NKW_BODY float nkw_inverse_lerp(float a, float b, float x)
 {
     NKW_EXACT
     float d = b - a;
     return a == b ? 0.0f : (x - a) / d;
 }
 
-inline float nkw_remap(float x, float a, float b, float c, float d)
+NKW_BODY float nkw_remap(float x, float a, float b, float c, float d)
 {
     NKW_EXACT
     return nkw_lerp(c, d, nkw_inverse_lerp(a, b, x));
 }
 
-inline float nkw_smoothstep(float t)
+NKW_BODY float nkw_smoothstep(float t)
 {
     NKW_EXACT
     float s = nkw_saturate(t);
@@ -106,13 +106,13 @@ inline float nkw_smoothstep(float t)
     return s < 0.5f ? NKW_MUL(ss, 3.0f - (s + s)) : 1.0f - NKW_MUL(uu, 3.0f - (u + u));
 }
 
-inline float nkw_degrees_from_radians(float radians)
+NKW_BODY float nkw_degrees_from_radians(float radians)
 {
     NKW_EXACT
     return (float)((double)radians * 57.295779513082320877);
 }
 
-inline float nkw_radians_from_degrees(float degrees)
+NKW_BODY float nkw_radians_from_degrees(float degrees)
 {
     NKW_EXACT
     return (float)((double)degrees * 0.017453292519943295769);

@@ -12,13 +12,13 @@
 extern "C" {
 #endif
 
-inline nkw_trs nkw_trs_identity(void)
+NKW_BODY nkw_trs nkw_trs_identity(void)
 {
     nkw_trs r = {{0.0f, 0.0f, 0.0f}, {0.0f, 0.0f, 0.0f, 1.0f}, {1.0f, 1.0f, 1.0f}};
     return r;
 }
 
-inline nkw_mat3 nkw_mat3_from_quat_scale(nkw_quat q, nkw_vec3 s)
+NKW_BODY nkw_mat3 nkw_mat3_from_quat_scale(nkw_quat q, nkw_vec3 s)
 {
     NKW_EXACT
     nkw_mat3 r = nkw_mat3_from_quat(q);
@@ -36,7 +36,7 @@ inline nkw_mat3 nkw_mat3_from_quat_scale(nkw_quat q, nkw_vec3 s)
  * nkw_mat3_from_quat_scale, with its nine numbers in three columns: d those of the diagonal, s those below it and t
  * those above it, in turn from the first, that is d0 d1 d2, s10 s21 s02 and t01 t12 t20.
  */
-inline nkw_mat4 nkw_mat4_from_trs(const nkw_trs *trs)
+NKW_BODY nkw_mat4 nkw_mat4_from_trs(const nkw_trs *trs)
 {
     NKW_EXACT
     const float *a = &trs->translation.x;
@@ -85,13 +85,13 @@ inline nkw_mat4 nkw_mat4_from_trs(const nkw_trs *trs)
     return r;
 }
 
-inline nkw_vec3 nkw_trs_transform_point(const nkw_trs *trs, nkw_vec3 p)
+NKW_BODY nkw_vec3 nkw_trs_transform_point(const nkw_trs *trs, nkw_vec3 p)
 {
     nkw_vec3 scaled = nkw_vec3_mul(trs->scale, p);
     return nkw_vec3_add(trs->translation, nkw_quat_rotate(trs->rotation, scaled));
 }
 
-inline nkw_trs nkw_trs_mul(const nkw_trs *a, const nkw_trs *b)
+NKW_BODY nkw_trs nkw_trs_mul(const nkw_trs *a, const nkw_trs *b)
 {
     nkw_trs r;
     r.translation = nkw_trs_transform_point(a, b->translation);

@@ -1,0 +1,13 @@
+cmake_minimum_required(VERSION 3.25)
+# A C++ file holds no copy of the library's functions, which the linker might take for the whole program: it calls them.
+execute_process(COMMAND "${NM}" -P "${OBJECT}" OUTPUT_VARIABLE symbols COMMAND_ERROR_IS_FATAL ANY)
+string(REGEX MATCHALL "\nnkw_[a-z0-9_]+ [A-TV-Za-z]" own "\n${symbols}")
+string(REGEX MATCHALL "\nnkw_[a-z0-9_]+ U" called "\n${symbols}")
+list(LENGTH called count)
+message(STATUS "own copies: none of ${count} functions")
+if(own)
+  message(SEND_ERROR "${OBJECT} has copies of its own: ${own}")
+endif()
+if(count LESS 5)
+  message(SEND_ERROR "${OBJECT} calls too little to tell: ${called}")
+endif()
