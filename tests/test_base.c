@@ -38,6 +38,8 @@ static void values_have_no_padding(void **state)
     assert_int_equal(sizeof(nkw_quat), 4 * sizeof(float));
     assert_int_equal(sizeof(nkw_mat3), 9 * sizeof(float));
     assert_int_equal(sizeof(nkw_mat4), 16 * sizeof(float));
+    assert_int_equal(sizeof(nkw_mat3x4), 12 * sizeof(float));
+    assert_int_equal(sizeof(nkw_dual_quat), 8 * sizeof(float));
     assert_int_equal(sizeof(nkw_trs), 10 * sizeof(float));
 }
 

@@ -86,12 +86,12 @@ NKW_API void nkw_crowd_sample(const nkw_clip *clip, const float *times, uint32_t
 
 /** What is baked: a clip on a skeleton, drawn with a skin. */
 typedef struct nkw_crowd_source {
-    const nkw_clip *clip;         /* of as many joints as the skeleton */
+    const nkw_clip *clip; /**< of as many joints as the skeleton */
     const nkw_skeleton *skeleton;
-    const nkw_mat4 *root;         /* applied once, to joints without a parent; NULL: none */
-    const int32_t *joints;        /* of the skin, numbers of the skeleton's; NULL: 0, 1, 2 ... */
-    const nkw_mat4 *inverse_bind; /* one for each joint of the skin; NULL: none */
-    float start, rate;            /* frame f is the clip at nkw_segment_uniform_time(start, rate, f) */
+    const nkw_mat4 *root;         /**< applied once, to joints without a parent; NULL: none */
+    const int32_t *joints;        /**< of the skin, numbers of the skeleton's; NULL: 0, 1, 2 ... */
+    const nkw_mat4 *inverse_bind; /**< one for each joint of the skin; NULL: none */
+    float start, rate;            /**< frame f is the clip at nkw_segment_uniform_time(start, rate, f) */
 } nkw_crowd_source;
 
 /**

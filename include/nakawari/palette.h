@@ -125,9 +125,9 @@ NKW_API nkw_result nkw_palette_dual_validate(const nkw_dual_quat *palette, size_
  * buffer, whatever their type (nkw_mat4, nkw_mat3x4, nkw_dual_quat), from its beginning.
  */
 typedef struct nkw_palette_chunk {
-    size_t frames; /* > 0 */
-    size_t joints; /* > 0 */
-    size_t first;  /* the place of joint 0 of frame 0, a result of nkw_palette_chunks_place */
+    size_t frames; /**< > 0 */
+    size_t joints; /**< > 0 */
+    size_t first;  /**< the place of joint 0 of frame 0, a result of nkw_palette_chunks_place */
 } nkw_palette_chunk;
 
 /**
