@@ -7,6 +7,7 @@
 #include <nakawari/segment.h>
 
 #include "clip_layout.h"
+#include "lane/orient.h"
 #include "simd/select.h"
 
 size_t nkw_clip_joints(const nkw_clip *clip)
@@ -105,17 +106,19 @@ static void slerp_values(const nkw_clip *clip, const clip_group *g, const float 
     const nkw_block *block = clip_blocks(clip, g), *end = block + g->block_count;
     for (; block < end; a += 4 * NKW_BLOCK, b += 4 * NKW_BLOCK, block++) {
         const size_t n = block->width;
-        float unit[8 * NKW_BLOCK], turned[4 * NKW_BLOCK];
+        float unit[8 * NKW_BLOCK];
         nkw_quat_view from = block_rows(a, n), to = block_rows(b, n);
         if (g->normalized) {
             batch->quat_normalize(from, block_rows_to(unit, n), n);
             batch->quat_normalize(to, block_rows_to(unit + 4 * n, n), n);
             from = block_rows(unit, n), to = block_rows(unit + 4 * n, n);
         }
-        batch->quat_slerp_at(from, to, t, block_rows_to(turned, n), n);
-        for (size_t row = 0; row < 4; row++)
-            for (size_t i = 0; i < block->count; i++)
-                out[row * stride + block->places[i]] = turned[row * n + i];
+        for (size_t i = 0; i < block->count; i++) {
+            nkw_quat p = {from.x[i], from.y[i], from.z[i], from.w[i]}, q = {to.x[i], to.y[i], to.z[i], to.w[i]};
+            nkw_quat r = lane_quat_slerp_keys(p, q, t);
+            float *o = out + block->places[i];
+            o[0] = r.x, o[stride] = r.y, o[2 * stride] = r.z, o[3 * stride] = r.w;
+        }
     }
 }
 

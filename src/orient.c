@@ -29,7 +29,7 @@ LANE_SELDOM static lane_four slerp_outside(lane_four a, lane_four b, float t)
 nkw_quat nkw_quat_slerp(nkw_quat a, nkw_quat b, float t)
 {
     lane_four from = lane_four_from_quat(a), to = lane_four_from_quat(b);
-    return lane_quat_from_four(lane_t_is_inside(t) ? lane_four_slerp(from, to, t) : slerp_outside(from, to, t));
+    return lane_quat_from_four(lane_t_is_inside(t) ? lane_four_slerp(from, to, t, 0) : slerp_outside(from, to, t));
 }
 #else
 nkw_quat nkw_quat_nlerp(nkw_quat a, nkw_quat b, float t)

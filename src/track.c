@@ -8,6 +8,7 @@
 #include <nakawari/track.h>
 
 #include "difference.h"
+#include "lane/orient.h"
 #include "lane/scalar.h"
 #include "lane/segment.h"
 #include "report.h"
@@ -87,13 +88,17 @@ static void lerp(const float *a, const float *b, float t, float *out, size_t n)
         out[i] = lane_lerp_from(near[i], x, a[i], b[i]);
 }
 
+static nkw_quat slerp(nkw_quat a, nkw_quat b, float t)
+{
+    return lane_t_is_inside(t) ? lane_quat_slerp_keys(a, b, t) : nkw_quat_slerp(a, b, t);
+}
+
 static void linear(const nkw_track *track, size_t k, float t, float *out)
 {
-    const float *a = value_at(track, k), *b = value_at(track, k + 1);
     if (is_rotation(track))
-        write_quat(nkw_quat_slerp(rotation_at(track, k), rotation_at(track, k + 1), t), out);
+        write_quat(slerp(rotation_at(track, k), rotation_at(track, k + 1), t), out);
     else
-        lerp(a, b, t, out, track->width);
+        lerp(value_at(track, k), value_at(track, k + 1), t, out, track->width);
 }
 
 /* Tangents per second times the segment's duration are tangents per segment. */

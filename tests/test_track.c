@@ -205,6 +205,41 @@ static void cursor_and_shared_segment_give_the_same_bits(void **state)
     }
 }
 
+/* glTF 2.0, appendix C.4, in binary64, the keys as they stand. */
+static void textbook_slerp(const float *a, const float *b, double t, double out[4])
+{
+    double dot = 0;
+    for (int i = 0; i < 4; i++)
+        dot += (double)a[i] * (double)b[i];
+    double angle = acos(fmin(fabs(dot), 1)), sine = sin(angle), sign = dot < 0 ? -1 : 1;
+    double wa = sine > 0 ? sin((1 - t) * angle) / sine : 1 - t, wb = sine > 0 ? sin(t * angle) / sine : t;
+    for (int i = 0; i < 4; i++)
+        out[i] = wa * (double)a[i] + wb * sign * (double)b[i];
+}
+
+static void keys_that_are_off_unit_are_taken_as_they_stand(void **state)
+{
+    (void)state;
+    static const float lengths[] = {1.00001f, 0.99999f, 1.0003f, 0.9997f, 1.009f, 0.991f, 1.0f};
+    random_source r = random_from(9);
+    for (int i = 0; i < 14000; i++) {
+        float values[16], got[4], time = random_between(&r, 1.0f, 2.0f);
+        double want[4], t = (double)time - 1;
+        nkw_quat a = random_rotation(&r), b = i % 2 ? random_rotation(&r) : random_near(&r, a, 0.1f);
+        a = nkw_quat_scale(a, lengths[i % 7]);
+        b = nkw_quat_scale(b, lengths[i % 7]);
+        for (int k = 0; k < 4; k++)
+            memcpy(values + 4 * k, k == 1 ? &a : &b, sizeof a);
+        nkw_track track = rotations(values, NKW_INTERPOLATION_LINEAR);
+        nkw_track_sample(&track, time, got);
+        textbook_slerp(values + 4, values + 8, t, want);
+        for (int k = 0; k < 4; k++)
+            expect_near(got[k], want[k], 5e-7);
+        nkw_track_sample(&track, 2.2f, got);
+        expect_floats_bits(got, values + 12, 4);
+    }
+}
+
 static void value_count_is_what_the_layout_holds(void **state)
 {
     (void)state;
@@ -335,6 +370,7 @@ int main(void)
         cmocka_unit_test(each_key_of_a_cubic_may_choose_its_interpolation),
         cmocka_unit_test(one_key_is_constant_and_equal_times_do_not_divide),
         cmocka_unit_test(cursor_and_shared_segment_give_the_same_bits),
+        cmocka_unit_test(keys_that_are_off_unit_are_taken_as_they_stand),
         cmocka_unit_test(value_count_is_what_the_layout_holds),
         cmocka_unit_test(validate_accepts_what_is_right),
         cmocka_unit_test(validate_refuses_wrong_shapes),

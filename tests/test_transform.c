@@ -62,6 +62,25 @@ static void decomposition_gives_back_what_was_composed(void **state)
     }
 }
 
+static void a_rotation_that_is_off_unit_is_taken_as_it_stands(void **state)
+{
+    (void)state;
+    static const float lengths[] = {1.00001f, 0.99999f, 1.0003f, 0.99f, 1.3f, 0.1f, 0.0f};
+    random_source r = random_from(12);
+    for (int i = 0; i < 7000; i++) {
+        nkw_trs t = trs(vec(1, 2, 3), nkw_quat_scale(random_rotation(&r), lengths[i % 7]), vec(1, 2, 0.5f));
+        nkw_mat4 got = nkw_mat4_from_trs(&t);
+        const float *f = &t.rotation.x;
+        double q[4] = {f[0], f[1], f[2], f[3]}, scales[3] = {1, 2, 0.5};
+        for (int c = 0; c < 3; c++) {
+            int a = (c + 1) % 3, b = (c + 2) % 3;
+            expect_near(got.m[4 * c + c], scales[c] * (1 - 2 * (q[a] * q[a] + q[b] * q[b])), 4e-6);
+            expect_near(got.m[4 * c + a], scales[c] * 2 * (q[c] * q[a] + q[3] * q[b]), 4e-6);
+            expect_near(got.m[4 * c + b], scales[c] * 2 * (q[c] * q[b] - q[3] * q[a]), 4e-6);
+        }
+    }
+}
+
 static void mirrors_show_as_a_negative_x_scale(void **state)
 {
     (void)state;
@@ -176,6 +195,7 @@ int main(void)
         cmocka_unit_test(identity_composes_to_the_identity_matrix),
         cmocka_unit_test(scale_comes_first_then_rotation_then_translation),
         cmocka_unit_test(decomposition_gives_back_what_was_composed),
+        cmocka_unit_test(a_rotation_that_is_off_unit_is_taken_as_it_stands),
         cmocka_unit_test(mirrors_show_as_a_negative_x_scale),
         cmocka_unit_test(shear_is_left_out_and_reported),
         cmocka_unit_test(rotation_is_the_nearest_at_any_shear),

@@ -76,7 +76,7 @@ static inline void arcs_of_block(float *a, const float *b, size_t width)
     float *arcs = a + 4 * width;
 #pragma omp simd
     for (size_t i = 0; i < width; i++) {
-        lane_slerp_arc arc = lane_slerp_arc_between(at_quat(from, i), at_quat(to, i));
+        lane_slerp_arc arc = lane_slerp_arc_between(at_quat(from, i), at_quat(to, i), 1);
         arcs[i] = lane_flip(arc.v, arc.turned);
     }
 }

@@ -26,22 +26,26 @@ static inline void put_matrix(float *m, size_t i, const nkw_mat4 *a)
         m[k * LANES + i] = a->m[k / 3 * 4 + k % 3];
 }
 
+/* nkw_mat4_from_trs of a lane. */
+static inline nkw_mat4 local_at(const float *p, size_t i)
+{
+    nkw_vec3 translation = {p[i], p[LANES + i], p[2 * LANES + i]};
+    nkw_quat rotation = {p[3 * LANES + i], p[4 * LANES + i], p[5 * LANES + i], p[6 * LANES + i]};
+    nkw_vec3 scale = {p[7 * LANES + i], p[8 * LANES + i], p[9 * LANES + i]};
+    nkw_mat3 m = nkw_mat3_from_quat_scale(rotation, scale);
+    return nkw_mat4_from_mat3(&m, translation);
+}
+
 /* Functions of their own, so that the loops around them see no address of a local matrix. */
 static inline void local_of(const float *p, float *out, size_t i)
 {
-    nkw_trs trs = {{p[i], p[LANES + i], p[2 * LANES + i]},
-                   {p[3 * LANES + i], p[4 * LANES + i], p[5 * LANES + i], p[6 * LANES + i]},
-                   {p[7 * LANES + i], p[8 * LANES + i], p[9 * LANES + i]}};
-    nkw_mat4 m = nkw_mat4_from_trs(&trs);
+    nkw_mat4 m = local_at(p, i);
     put_matrix(out, i, &m);
 }
 
 static inline void model_of(const float *parent, const float *p, float *out, size_t i)
 {
-    nkw_trs trs = {{p[i], p[LANES + i], p[2 * LANES + i]},
-                   {p[3 * LANES + i], p[4 * LANES + i], p[5 * LANES + i], p[6 * LANES + i]},
-                   {p[7 * LANES + i], p[8 * LANES + i], p[9 * LANES + i]}};
-    nkw_mat4 a = matrix_at(parent, i), b = nkw_mat4_from_trs(&trs), m = nkw_mat4_mul_affine(&a, &b);
+    nkw_mat4 a = matrix_at(parent, i), b = local_at(p, i), m = nkw_mat4_mul_affine(&a, &b);
     put_matrix(out, i, &m);
 }
 

@@ -54,7 +54,7 @@ static inline void arcs(nkw_quat_view a, nkw_quat_view b, slerp_block *s, size_t
 {
 #pragma omp simd
     for (size_t i = from; i < to; i++) {
-        lane_slerp_arc arc = lane_slerp_arc_between(at_quat(a, i), at_quat(b, i));
+        lane_slerp_arc arc = lane_slerp_arc_between(at_quat(a, i), at_quat(b, i), 0);
         s->v[i - from] = arc.v;
         s->turned[i - from] = arc.turned;
     }

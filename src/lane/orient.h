@@ -144,20 +144,34 @@ static inline lane_slerp_arc lane_slerp_arc_of(uint32_t turned, float v)
     return arc;
 }
 
+/*
+ * q of keys as they are stored. Where (|a|^2 + |b|^2)/2 is off 1 by more than rounding their angle is acos |a.b|, as glTF
+ * has it, and none where that is above 1: q = 2 (1 - |a.b|). Equal keys have none either.
+ */
+static inline float lane_slerp_stored(float q, float cosine)
+{
+    float u = cosine - 1.0f, off = u + 0.5f * q;
+    int unit = (off <= 0x1p-20f) & (off >= -0x1p-20f), same = q == 0.0f;
+    float stored = u < 0.0f ? -2.0f * u : 0.0f;
+    return unit | same ? q : stored;
+}
+
 /* From a to c, which is b turned to a's side if `turned` is the sign bit. */
-static inline lane_slerp_arc lane_slerp_arc_to(nkw_quat a, nkw_quat c, float cosine, uint32_t turned)
+static inline lane_slerp_arc lane_slerp_arc_to(nkw_quat a, nkw_quat c, float cosine, uint32_t turned, int keys)
 {
     nkw_quat d = nkw_quat_sub(c, a);
     float q = nkw_quat_dot(d, d);
+    q = keys ? lane_slerp_stored(q, cosine) : q;
     return lane_slerp_arc_of(turned, q / (cosine + q * LANE_SLERP_BEND));
 }
 
-static inline lane_slerp_arc lane_slerp_arc_between(nkw_quat a, nkw_quat b)
+/* `keys`, a constant: a and b are keys as they are stored; else they are unit. */
+static inline lane_slerp_arc lane_slerp_arc_between(nkw_quat a, nkw_quat b, int keys)
 {
     float cosine = lane_slerp_cosine(a, b);
     uint32_t turned = lane_sign_bit(cosine);
     nkw_quat c = {lane_flip(b.x, turned), lane_flip(b.y, turned), lane_flip(b.z, turned), lane_flip(b.w, turned)};
-    return lane_slerp_arc_to(a, c, lane_flip(cosine, turned), turned);
+    return lane_slerp_arc_to(a, c, lane_flip(cosine, turned), turned, keys);
 }
 
 /* What it needs to know of t: the masks say whether a is the nearer end, and whether t is 1/2. */
@@ -225,11 +239,16 @@ static inline nkw_quat lane_quat_slerp_on(nkw_quat a, nkw_quat b, const lane_sle
     return lane_quat_slerp_by(a, b, arc->turned, pace, eu, et);
 }
 
-static inline nkw_quat lane_quat_slerp(nkw_quat a, nkw_quat b, float t)
+static inline nkw_quat lane_quat_slerp_between(nkw_quat a, nkw_quat b, float t, int keys)
 {
-    lane_slerp_arc arc = lane_slerp_arc_between(a, b);
+    lane_slerp_arc arc = lane_slerp_arc_between(a, b, keys);
     lane_slerp_pace pace = lane_slerp_pace_at(t);
     return lane_quat_slerp_on(a, b, &arc, &pace);
+}
+
+static inline nkw_quat lane_quat_slerp(nkw_quat a, nkw_quat b, float t)
+{
+    return lane_quat_slerp_between(a, b, t, 0);
 }
 
 /* b or -b: the sign that `path` asks for. Where a.b = 0 the short path keeps b. */
@@ -332,15 +351,16 @@ static inline lane_four lane_four_slerp_polynomials(lane_four v)
 }
 
 /* For t in 0..1. */
-static inline lane_four lane_four_slerp(lane_four a, lane_four b, float t)
+static inline lane_four lane_four_slerp(lane_four a, lane_four b, float t, int keys)
 {
     const lane_four_bits sign = {INT32_MIN, INT32_MIN, INT32_MIN, INT32_MIN};
     const lane_four zero = {0.0f, 0.0f, 0.0f, 0.0f}, half = {0.5f, 0.5f, 0.5f, 0.5f};
     lane_four cosine = lane_four_sum(a * b) + lane_four_all(0x1p-126f);
     lane_four_bits turned = (lane_four_bits)cosine & sign;
     lane_four c = lane_four_flip(b, turned), d = c - a;
-    lane_four q = lane_four_sum(d * d);
-    lane_four v = q / (lane_four_flip(cosine, turned) + q * lane_four_all(LANE_SLERP_BEND));
+    lane_four q = lane_four_sum(d * d), along = lane_four_flip(cosine, turned);
+    q = keys ? lane_four_all(lane_slerp_stored(q[0], along[0])) : q;
+    lane_four v = q / (along + q * lane_four_all(LANE_SLERP_BEND));
     lane_four h = lane_four_slerp_polynomials(v);
 
     float u = 1.0f - t;
@@ -359,6 +379,16 @@ static inline lane_four lane_four_slerp(lane_four a, lane_four b, float t)
     return base - (shift * d + (lane_four_splat(e, 0) * a + lane_four_splat(e, 1) * c));
 }
 #endif
+
+/* Between two keys as they are stored, for single calls; t in 0..1. */
+static inline nkw_quat lane_quat_slerp_keys(nkw_quat a, nkw_quat b, float t)
+{
+#if defined(LANE_FOUR)
+    return lane_quat_from_four(lane_four_slerp(lane_four_from_quat(a), lane_four_from_quat(b), t, 1));
+#else
+    return lane_quat_slerp_between(a, b, t, 1);
+#endif
+}
 
 /* An angle of a within one turn of b's, as NKW_UNWRAP_YAW and _ALL ask. */
 static inline double lane_turned_towards(double a, double b)

@@ -17,14 +17,25 @@ static void draw_times(random_source *r, random_clip *c)
     }
 }
 
-/* Rotations that go on from key to key by a right angle at most, now and then anywhere, some with the sign turned. */
+/*
+ * Rotations that go on from key to key by a right angle at most, now and then anywhere, some with the sign turned; of
+ * some tracks rounded to three digits.
+ */
 static void draw_rotations(random_source *r, float *v, size_t count)
 {
     nkw_quat q = random_rotation(r);
+    int rounded = random_bits(r) % 4 == 0;
     for (size_t k = 0; k < count; k++) {
         uint64_t kind = random_bits(r) % 8;
         q = kind == 0 ? random_rotation(r) : kind == 1 ? nkw_quat_negate(q) : random_near(r, q, 0.3f * random_unit(r));
-        memcpy(v + 4 * k, &q, sizeof q);
+        nkw_quat kept = q;
+        if (rounded) {
+            const float *from = &q.x;
+            float *to = &kept.x;
+            for (size_t i = 0; i < 4; i++)
+                to[i] = (float)(int)(1000.0f * from[i]) / 1000.0f;
+        }
+        memcpy(v + 4 * k, &kept, sizeof kept);
     }
 }
 

@@ -12,6 +12,10 @@
     (((0.25f - NKW_MUL((q).x, (q).x)) + (0.25f - NKW_MUL((q).y, (q).y))) +                                             \
      ((0.25f - NKW_MUL((q).z, (q).z)) + (0.25f - NKW_MUL((q).w, (q).w))))
 
+/* The defect rounded to a multiple of 2^-20: 0 for a quaternion that is unit to rounding. */
+#define NKW_QUAT_ROUNDS 12.0f
+#define NKW_QUAT_OFF(defect) (((defect) + NKW_QUAT_ROUNDS) - NKW_QUAT_ROUNDS)
+
 #ifdef __cplusplus
 extern "C" {
 #endif

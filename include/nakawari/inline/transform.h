@@ -22,12 +22,17 @@ NKW_BODY nkw_mat3 nkw_mat3_from_quat_scale(nkw_quat q, nkw_vec3 s)
 {
     NKW_EXACT
     nkw_mat3 r = nkw_mat3_from_quat(q);
-    /* The rounding of |q| shows in the matrix twice over; 1 - |q|^2 takes it out. */
-    float m = NKW_QUAT_DEFECT(q);
+    /*
+     * The rounding k of |q| shows in the matrix twice over, and is taken out. What 1 - |q|^2 has beyond, off, is meant:
+     * 1 - 2 (yy + zz) = (ww - yy) + (xx - zz) + off.
+     */
+    float m = NKW_QUAT_DEFECT(q), off = NKW_QUAT_OFF(m), k = m - off;
     for (size_t i = 0; i < 3; i++) {
-        r.m[i] = NKW_MUL(r.m[i] + NKW_MUL(r.m[i], m), s.x);
-        r.m[3 + i] = NKW_MUL(r.m[3 + i] + NKW_MUL(r.m[3 + i], m), s.y);
-        r.m[6 + i] = NKW_MUL(r.m[6 + i] + NKW_MUL(r.m[6 + i], m), s.z);
+        float x = r.m[i] + NKW_MUL(r.m[i], k), y = r.m[3 + i] + NKW_MUL(r.m[3 + i], k);
+        float z = r.m[6 + i] + NKW_MUL(r.m[6 + i], k);
+        r.m[i] = NKW_MUL(i == 0 ? x + off : x, s.x);
+        r.m[3 + i] = NKW_MUL(i == 1 ? y + off : y, s.y);
+        r.m[6 + i] = NKW_MUL(i == 2 ? z + off : z, s.z);
     }
     return r;
 }
@@ -41,7 +46,8 @@ NKW_BODY nkw_mat4 nkw_mat4_from_trs(const nkw_trs *trs)
     NKW_EXACT
     const float *a = &trs->translation.x;
     const nkw_column quarter = {0.25f, 0.25f, 0.25f, 0.25f};
-    nkw_column q, twice, w, yzx, zxy, qq, qq_yzx, qq_zxy, m, d, s, t, scale, origin, x, y, z;
+    const nkw_column rounds = {NKW_QUAT_ROUNDS, NKW_QUAT_ROUNDS, NKW_QUAT_ROUNDS, NKW_QUAT_ROUNDS};
+    nkw_column q, twice, w, yzx, zxy, qq, qq_yzx, qq_zxy, m, off, d, s, t, scale, origin, x, y, z;
     NKW_COLUMN_LOAD(q, a + 3);
     NKW_COLUMN(twice, NKW_TERM(q) + NKW_TERM(q));
     NKW_COLUMN_MIX(w, q, q, 3, 3, 3, 3);
@@ -59,7 +65,13 @@ NKW_BODY nkw_mat4 nkw_mat4_from_trs(const nkw_trs *trs)
     NKW_COLUMN(m, NKW_TERM(m) + NKW_TERM(x));
     NKW_COLUMN_MIX(x, m, m, 2, 3, 0, 1);
     NKW_COLUMN(m, NKW_TERM(m) + NKW_TERM(x));
-    NKW_COLUMN(d, NKW_TERM(d) + NKW_PRODUCT(d, m));
+    NKW_COLUMN(off, (NKW_TERM(m) + NKW_TERM(rounds)) - NKW_TERM(rounds));
+    if (off[0] != 0.0f) {
+        NKW_COLUMN(m, NKW_TERM(m) - NKW_TERM(off));
+        NKW_COLUMN(d, (NKW_TERM(d) + NKW_PRODUCT(d, m)) + NKW_TERM(off));
+    } else {
+        NKW_COLUMN(d, NKW_TERM(d) + NKW_PRODUCT(d, m));
+    }
     NKW_COLUMN(s, NKW_TERM(s) + NKW_PRODUCT(s, m));
     NKW_COLUMN(t, NKW_TERM(t) + NKW_PRODUCT(t, m));
     NKW_COLUMN_LOAD(scale, a + 6);
