@@ -253,14 +253,14 @@ void table_close(FILE *file)
 
 int table_read(FILE *file, table_row *r)
 {
-    char line[4096], *at = line;
+    char line[16384], *at = line;
     int used = 0;
     if (!fgets(line, sizeof line, file))
         return 0;
     r->count = 0;
     if (sscanf(line, "%7[^,],%d,%f,%d,%d%n", r->tag, &r->anim, &r->time, &r->a, &r->b, &used) != 5)
         return r->tag[0] = '#', 1;
-    for (at += used; r->count < 64 && sscanf(at, ",%f%n", &r->values[r->count], &used) == 1; at += used)
+    for (at += used; r->count < SCENE_FLOATS && sscanf(at, ",%f%n", &r->values[r->count], &used) == 1; at += used)
         r->count++;
     return 1;
 }

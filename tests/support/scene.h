@@ -14,11 +14,11 @@
 extern "C" {
 #endif
 
-#define SCENE_NODES    512
-#define SCENE_CHANNELS 4096
-#define SCENE_TRACKS   512 /* channels of one animation */
-#define SCENE_FLOATS   256
-#define SCENE_SKINS    8
+#define SCENE_NODES    1024
+#define SCENE_CHANNELS 16384
+#define SCENE_TRACKS   2048 /* channels of one animation */
+#define SCENE_FLOATS   512
+#define SCENE_SKINS    96
 #define SCENE_VERTICES 256
 
 typedef struct scene_node {
@@ -93,7 +93,7 @@ void table_close(FILE *file);
 typedef struct table_row {
     char tag[8];
     int anim, a, b, count;
-    float time, values[64];
+    float time, values[SCENE_FLOATS];
 } table_row;
 
 /* The next row; gives 0 at the end. */
