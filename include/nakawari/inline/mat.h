@@ -79,18 +79,22 @@ typedef float nkw_column[4];
 
 /*
  * Two columns in one register, for products. NKW_PAIR_COPIES(x, y, from) makes x the first of the two columns from, y
- * the second, each twice; NKW_PAIR_TIMES(a, b, i) takes either column of a times the number i of that of b.
+ * the second, each twice; NKW_PAIR_TIMES(a, b, i) takes either column of a times the number i of that of b. Matrices
+ * are stored by pairs too: a load of two columns that were stored one by one would wait.
  */
-#if defined(NKW_ALL) && defined(__AVX__)
+#if defined(NKW_ALL) && defined(__AVX__) && defined(__has_builtin)
+#if __has_builtin(__builtin_shufflevector)
 #define NKW_PAIRS
-typedef float nkw_pair __attribute__((vector_size(32)));
-#if defined(__clang__)
-#define NKW_PAIR_MIX(a, b, i, j, k, l, m, n, o, p) __builtin_shufflevector(a, b, i, j, k, l, m, n, o, p)
-#else
-typedef int nkw_pair_bits __attribute__((vector_size(32)));
-#define NKW_PAIR_MIX(a, b, i, j, k, l, m, n, o, p)                                                                     \
-    __builtin_shuffle(a, b, __extension__(nkw_pair_bits){i, j, k, l, m, n, o, p})
 #endif
+#endif
+#if defined(NKW_PAIRS)
+typedef float nkw_pair __attribute__((vector_size(32)));
+#define NKW_PAIR_MIX(a, b, i, j, k, l, m, n, o, p) __builtin_shufflevector(a, b, i, j, k, l, m, n, o, p)
+#define NKW_PAIR_STORE(to, x, y)                                                                                       \
+    do {                                                                                                               \
+        const nkw_pair both = NKW_PAIR_MIX(x, y, 0, 1, 2, 3, 4, 5, 6, 7);                                              \
+        NKW_COLUMN_STORE(to, both);                                                                                    \
+    } while (0)
 #if !defined(NKW_FUSES)
 #define NKW_PAIR_PRODUCT(a, b) ((a) * (b))
 #else
@@ -108,6 +112,12 @@ typedef int nkw_pair_bits __attribute__((vector_size(32)));
     } while (0)
 /* a, but for the last number of each column: those of b. */
 #define NKW_PAIR_END(a, b) NKW_PAIR_MIX(a, b, 0, 1, 2, 11, 4, 5, 6, 15)
+#else
+#define NKW_PAIR_STORE(to, x, y)                                                                                       \
+    do {                                                                                                               \
+        NKW_COLUMN_STORE(to, x);                                                                                       \
+        NKW_COLUMN_STORE((to) + 4, y);                                                                                 \
+    } while (0)
 #endif
 
 /* The columns x, y, z, t of a 4x4 matrix. */
@@ -120,10 +130,8 @@ typedef int nkw_pair_bits __attribute__((vector_size(32)));
     } while (0)
 #define NKW_COLUMNS_STORE(to, x, y, z, t)                                                                              \
     do {                                                                                                               \
-        NKW_COLUMN_STORE((to)->m, x);                                                                                  \
-        NKW_COLUMN_STORE((to)->m + 4, y);                                                                              \
-        NKW_COLUMN_STORE((to)->m + 8, z);                                                                              \
-        NKW_COLUMN_STORE((to)->m + 12, t);                                                                             \
+        NKW_PAIR_STORE((to)->m, x, y);                                                                                 \
+        NKW_PAIR_STORE((to)->m + 8, z, t);                                                                             \
     } while (0)
 
 #ifdef __cplusplus
