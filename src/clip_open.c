@@ -90,7 +90,7 @@ static nkw_result check_group(opening *o, const clip_group *g)
 {
     const nkw_clip *clip = o->clip;
     if (g->timeline >= clip->timeline_count || g->kind >= GROUP_KINDS ||
-        g->interpolation > NKW_INTERPOLATION_CUBICSPLINE || g->lanes > clip->words)
+        g->interpolation > NKW_INTERPOLATION_CUBICSPLINE || g->lanes == 0 || g->lanes > clip->words)
         return NKW_OUT_OF_RANGE;
     if (g->normalized && g->kind != GROUP_ROTATIONS)
         return NKW_OUT_OF_RANGE;

@@ -42,7 +42,9 @@
  *
  * NKW_INLINE is 1 where the definitions are inlined, else 0.
  */
-#if defined(NKW_NO_INLINE) || defined(__FAST_MATH__) || defined(_M_FP_FAST) || defined(__GNUC_GNU_INLINE__)
+#if defined(NKW_NO_INLINE) || defined(__FAST_MATH__) || defined(_M_FP_FAST)
+#define NKW_INLINE 0
+#elif defined(__GNUC_GNU_INLINE__) && !defined(__cplusplus) /* Clang defines it in C++ too */
 #define NKW_INLINE 0
 #elif defined(__ASSOCIATIVE_MATH__) || defined(__RECIPROCAL_MATH__) || defined(__NO_SIGNED_ZEROS__) ||            \
     (defined(__FINITE_MATH_ONLY__) && __FINITE_MATH_ONLY__)
@@ -83,8 +85,8 @@
 
 /**
  * NKW_BODY stands before each body of the small algebra. What is not inlined after all is a call of the library's
- * symbol, as C99 has it. So it is in C++: a copy of the file's own, made for the file's processor, could take the place
- * of the library's for the whole program.
+ * symbol, as C99 has it. So it is in the C++ of GCC and Clang: a copy of the file's own, made for the file's processor,
+ * could take the place of the library's for the whole program.
  */
 #if defined(__cplusplus) && defined(__GNUC__)
 #define NKW_BODY extern inline __attribute__((__gnu_inline__))

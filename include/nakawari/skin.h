@@ -138,8 +138,8 @@ NKW_API void nkw_skin_linear_arrays(const nkw_skin *skin, const nkw_skin_palette
 
 /**
  * Skinning by dual quaternions, which should be unit. A blend whose rotation cancels to zero moves nothing, and
- * weights must not make blends shorter than 1e-19 or longer than 1e19. Where two weights are the largest, the first one's
- * half sphere counts.
+ * weights must not make blends shorter than 1e-19 or longer than 1e19. Where two weights are the largest, the first
+ * one's half sphere counts.
  *
  * Error  10.6 u of normals (8.4 u up to four influences), 2.9 u of their length; of positions 8.8 u of |p| +
  *        |w0| |t0| + |w1| |t1| + ..., t the translations; joints up to 1 rad apart, 1 to 8 influences.

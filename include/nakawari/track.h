@@ -14,14 +14,14 @@
  * bit. Segments are half open, as in segment.h. Between keys k and k + 1, d seconds apart and t of the way:
  *
  *     STEP          value[k]
- *     LINEAR        nkw_lerp of each component; rotations by nkw_quat_slerp
+ *     LINEAR        nkw_lerp of each component; rotations by slerp
  *     CUBICSPLINE   the Hermite curve of value[k], d out[k], value[k+1], d in[k+1]; rotations normalised afterwards
  *
  * Rotations are x, y, z, w and should be unit; what is stored is used as it is. Between unit keys it is nkw_quat_slerp;
  * where the squares of their lengths are off 1 by more than rounding, 1e-6 in the mean, it is glTF's formula on the keys
- * as they stand, with the angle acos |a.b|, and equal keys hold. NKW_TRACK_ROTATION_NORMALIZED normalises LINEAR and STEP keys as they
- * are read, and gives those of CUBICSPLINE normalised at their own times: a key's own value is then unit to rounding,
- * instead of the stored bits.
+ * as they stand, with the angle acos |a.b|, and equal keys hold. NKW_TRACK_ROTATION_NORMALIZED normalises LINEAR and
+ * STEP keys as they are read, and gives those of CUBICSPLINE normalised at their own times: a key's own value is then
+ * unit to rounding, instead of the stored bits.
  *
  * Source Khronos Group, glTF 2.0 Specification, section 3.11 and appendix C, 2021.
  */

@@ -145,8 +145,8 @@ static inline lane_slerp_arc lane_slerp_arc_of(uint32_t turned, float v)
 }
 
 /*
- * q of keys as they are stored. Where (|a|^2 + |b|^2)/2 is off 1 by more than rounding their angle is acos |a.b|, as glTF
- * has it, and none where that is above 1: q = 2 (1 - |a.b|). Equal keys have none either.
+ * q of keys as they are stored. Where (|a|^2 + |b|^2)/2 is off 1 by more than rounding their angle is acos |a.b|, as
+ * glTF has it, and none where that is above 1: q = 2 (1 - |a.b|). Equal keys have none either.
  */
 static inline float lane_slerp_stored(float q, float cosine)
 {

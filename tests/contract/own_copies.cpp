@@ -2,6 +2,10 @@
 /* Calls of the small algebra that a compiler without optimisation does not inline. */
 #include <nakawari/nakawari.h>
 
+#if !NKW_INLINE
+#error "C++ does not inline"
+#endif
+
 nkw_vec3 own_copies(const nkw_trs *trs, nkw_quat q, float t)
 {
     nkw_mat4 m = nkw_mat4_from_trs(trs), inverse = nkw_mat4_inverse_rigid(&m);
