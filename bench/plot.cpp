@@ -307,8 +307,8 @@ static int draw_ratios(const results &r, const std::string &folder, const char *
     std::string path = folder + "/performance-ratios-" + build + ".svg";
     std::string lesson = std::string("Time of the best peer over the library's: built for ") + build;
     if (!figure_open(&s, path.c_str(), 2 * column, bottom + 30, lesson.c_str(),
-                     "To the right of the line at 1 the library is faster; to the left, pale, the peer. Logarithmic; bars end at "
-                     "0.05 and at 50."))
+                     "To the right of the line at 1 the library is faster; to the left, pale, the peer. Logarithmic; "
+                     "bars end at 0.05 and at 50."))
         return 0;
     svg_paint one = svg_stroke(single, 6, 1), many = svg_stroke(arrays, 6, 1);
     figure_legend(&s, 24, 90, &one, "structs: single calls, and arrays of structs");

@@ -6,6 +6,7 @@
 #include <nakawari/blend.h>
 
 #include "lane/blend.h"
+#include "lane/scalar.h"
 #include "report.h"
 #include "simd/select.h"
 
@@ -346,7 +347,7 @@ void nkw_pose_blend_layers(const nkw_pose_layer *layers, size_t count, const flo
 
 static nkw_result check_weight(float weight, float most)
 {
-    if (weight - weight != 0.0f)
+    if (!lane_is_finite(weight))
         return NKW_NOT_FINITE;
     return weight >= 0.0f && weight <= most ? NKW_OK : NKW_BAD_WEIGHTS;
 }

@@ -57,7 +57,7 @@ static int is_constant(const nkw_clip_track *c)
         if (!same_bits(v, first, t->width))
             return 0;
         /* A tangent of 0 times a duration that overflows is NaN. */
-        if (clip_is_cubic(t) && duration - duration != 0.0f)
+        if (clip_is_cubic(t) && !lane_is_finite(duration))
             return 0;
         if (clip_is_cubic(t) &&
             (any(before + t->width, t->width, is_not_zero) || any(v - t->width, t->width, is_not_zero)))
@@ -219,7 +219,7 @@ int nkw_clip_tracks_same(const clip_tracks *t, const nkw_clip_track *a, const nk
 /* Whether the way from a number to itself is that number, bit for bit. */
 static int is_kept(nkw_clip_target target, float x)
 {
-    return target == NKW_CLIP_ROTATION ? x >= -2.0f && x <= 2.0f : x - x == 0.0f && !is_minus_zero(x);
+    return target == NKW_CLIP_ROTATION ? x >= -2.0f && x <= 2.0f : lane_is_finite(x) && !is_minus_zero(x);
 }
 
 static int is_joint_kept(const clip_tracks *t, nkw_clip_target target, size_t joint)

@@ -7,6 +7,7 @@
 #include <nakawari/quat.h>
 #include <nakawari/vec.h>
 
+#include "lane/scalar.h"
 #include "report.h"
 #include "simd/select.h"
 
@@ -67,7 +68,7 @@ static int is_finite(const nkw_mat4 *m)
 {
     int finite = 1;
     for (size_t k = 0; k < 16; k++)
-        finite = finite && (k % 4 == 3 || m->m[k] - m->m[k] == 0.0f);
+        finite = finite && (k % 4 == 3 || lane_is_finite(m->m[k]));
     return finite;
 }
 
@@ -91,8 +92,7 @@ static nkw_result check_dual(const nkw_dual_quat *d)
 {
     if (!nkw_quat_is_finite(d->real) || !nkw_quat_is_finite(d->dual))
         return NKW_NOT_FINITE;
-    float length = nkw_quat_length(d->real);
-    return length >= 0.99f && length <= 1.01f ? NKW_OK : NKW_NOT_UNIT;
+    return lane_is_unit_length(nkw_quat_length(d->real)) ? NKW_OK : NKW_NOT_UNIT;
 }
 
 nkw_result nkw_palette_dual_validate(const nkw_dual_quat *palette, size_t count, size_t *bad_joint)

@@ -6,6 +6,7 @@
 #include <nakawari/transform.h>
 #include <nakawari/vec.h>
 
+#include "lane/scalar.h"
 #include "report.h"
 
 size_t nkw_pose_floats(size_t joints)
@@ -109,8 +110,7 @@ static nkw_result check(const nkw_trs *trs)
 {
     if (!nkw_vec3_is_finite(trs->translation) || !nkw_quat_is_finite(trs->rotation) || !nkw_vec3_is_finite(trs->scale))
         return NKW_NOT_FINITE;
-    float length = nkw_quat_length(trs->rotation);
-    return length >= 0.99f && length <= 1.01f ? NKW_OK : NKW_NOT_UNIT;
+    return lane_is_unit_length(nkw_quat_length(trs->rotation)) ? NKW_OK : NKW_NOT_UNIT;
 }
 
 nkw_result nkw_pose_validate(const float *pose, size_t joints, size_t *bad_joint)

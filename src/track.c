@@ -182,7 +182,7 @@ static nkw_result check_key(const nkw_track *track, size_t k)
     if (k > 0 && track->times[k] < track->times[k - 1])
         return NKW_NOT_ASCENDING;
     float length = is_rotation(track) ? nkw_quat_length(read_quat(value_at(track, k))) : 1.0f;
-    return length >= 0.99f && length <= 1.01f ? NKW_OK : NKW_NOT_UNIT;
+    return lane_is_unit_length(length) ? NKW_OK : NKW_NOT_UNIT;
 }
 
 nkw_result nkw_track_validate(const nkw_track *track, size_t *bad_key)

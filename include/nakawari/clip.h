@@ -103,11 +103,10 @@ NKW_API nkw_result nkw_clip_build(const nkw_clip_source *source, uint32_t *work,
  * The clip in a block that was read or mapped: *clip becomes the block itself, or NULL where it is not a sound clip.
  *
  * NKW_NOT_A_CLIP for another beginning, version or byte order, and for a block that is not aligned for float;
- * NKW_TOO_SMALL for a block that is cut off;
- * NKW_OUT_OF_RANGE where something in it would be read or written outside the block or the pose, or where its parts
- * take more room than it has; NKW_NOT_ASCENDING
- * and NKW_NOT_FINITE for key times that are so. The values of keys are not looked at. A clip that opens is safe to
- * sample; one that does not must not be.
+ * NKW_TOO_SMALL for a block that is cut off; NKW_OUT_OF_RANGE where something in it would be read or written outside
+ * the block or the pose, or where its parts take more room than it has; NKW_NOT_ASCENDING and NKW_NOT_FINITE for key
+ * times that are so. The values of keys are not looked at. A clip that opens is safe to sample; one that does not must
+ * not be.
  */
 NKW_API nkw_result nkw_clip_open(const void *block, size_t bytes, const nkw_clip **clip);
 

@@ -84,7 +84,7 @@ typedef struct nkw_partition_sizes {
 
 /**
  * The lengths for a mesh of these counts, at most max_bones bones in a part; of the mesh only the counts are read. A
- * length that size_t cannot hold is SIZE_MAX. All are 0 for counts that nkw_partition refuses.
+ * length that size_t cannot hold is SIZE_MAX. All are 0 for counts that nkw_partition_build refuses.
  */
 NKW_API nkw_partition_sizes nkw_partition_bounds(const nkw_partition_mesh *mesh, size_t max_bones);
 

@@ -104,7 +104,7 @@ NKW_API nkw_result nkw_tree_validate(const nkw_tree *tree, int32_t *work, size_t
 NKW_API nkw_result nkw_skeleton_from_tree(const nkw_tree *tree, int32_t *joint_of_node, int32_t *node_of_joint,
                                           int32_t *parents, size_t *bad_node);
 
-/** On which side of a matrix its vectors stand. Any other number is read as NKW_ROW_VECTORS. */
+/** On which side of a matrix its vectors stand. Any other number is read as NKW_COLUMN_VECTORS. */
 typedef enum nkw_convention {
     NKW_COLUMN_VECTORS, /**< v' = M v: model = parent local; this library, OpenGL, glTF */
     NKW_ROW_VECTORS /**< v' = v M: model = local parent; D3DX, DirectXMath; rows of row vectors */

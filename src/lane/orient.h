@@ -156,22 +156,17 @@ static inline float lane_slerp_stored(float q, float cosine)
     return unit | same ? q : stored;
 }
 
-/* From a to c, which is b turned to a's side if `turned` is the sign bit. */
-static inline lane_slerp_arc lane_slerp_arc_to(nkw_quat a, nkw_quat c, float cosine, uint32_t turned, int keys)
-{
-    nkw_quat d = nkw_quat_sub(c, a);
-    float q = nkw_quat_dot(d, d);
-    q = keys ? lane_slerp_stored(q, cosine) : q;
-    return lane_slerp_arc_of(turned, q / (cosine + q * LANE_SLERP_BEND));
-}
-
-/* `keys`, a constant: a and b are keys as they are stored; else they are unit. */
+/* From a to c, which is b on a's side. `keys`, a constant: a and b are keys as they are stored; else they are unit. */
 static inline lane_slerp_arc lane_slerp_arc_between(nkw_quat a, nkw_quat b, int keys)
 {
     float cosine = lane_slerp_cosine(a, b);
     uint32_t turned = lane_sign_bit(cosine);
     nkw_quat c = {lane_flip(b.x, turned), lane_flip(b.y, turned), lane_flip(b.z, turned), lane_flip(b.w, turned)};
-    return lane_slerp_arc_to(a, c, lane_flip(cosine, turned), turned, keys);
+    nkw_quat d = nkw_quat_sub(c, a);
+    float q = nkw_quat_dot(d, d);
+    cosine = lane_flip(cosine, turned);
+    q = keys ? lane_slerp_stored(q, cosine) : q;
+    return lane_slerp_arc_of(turned, q / (cosine + q * LANE_SLERP_BEND));
 }
 
 /* What it needs to know of t: the masks say whether a is the nearer end, and whether t is 1/2. */

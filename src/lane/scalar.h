@@ -36,6 +36,12 @@ static inline int lane_is_finite(float x)
     return x - x == 0.0f;
 }
 
+/* Whether a quaternion of this length is taken for a rotation by what validates. */
+static inline int lane_is_unit_length(float length)
+{
+    return length >= 0.99f && length <= 1.01f;
+}
+
 static inline uint32_t lane_sign_bit(float x)
 {
     return lane_bits(x) & 0x80000000u;
