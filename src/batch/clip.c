@@ -346,20 +346,23 @@ KERNEL(clip_slerp16)
     }
 }
 
-/*
- * For t inside 0..1. A value has `words` floats. Tangents are per second: times the duration they are per segment, and
- * turned where t is nearer to b.
- */
-INLINE void hermite_lanes(const float *a, const float *b, size_t words, float duration, float t, float *out, size_t n)
+/* A value has `words` floats; its tangents are per second: times the duration they are per segment. */
+INLINE void hermite_near(const float *a, const float *b, size_t words, float duration, float t, int first, float *out,
+                         size_t n)
 {
-    int first = t < 0.5f;
-    float s = 1.0f - t, x = first ? t : s, y = first ? s : t, scale = first ? duration : -duration;
-    const float *left = a + words, *right = b + words;
-    const float *p = first ? left : right, *u = first ? left + words : b;
-    const float *q = first ? right : left, *v = first ? b : left + words;
+    const float *p0 = a + words, *v0 = p0 + words, *v1 = b, *p1 = b + words;
 #pragma omp simd
     for (size_t i = 0; i < n; i++)
-        out[i] = lane_hermite_near(p[i], scale * u[i], q[i], scale * v[i], x, y);
+        out[i] = lane_hermite_near(p0[i], duration * v0[i], p1[i], duration * v1[i], t, first);
+}
+
+/* For t inside 0..1. */
+INLINE void hermite_lanes(const float *a, const float *b, size_t words, float duration, float t, float *out, size_t n)
+{
+    if (t < 0.5f)
+        hermite_near(a, b, words, duration, t, 1, out, n);
+    else
+        hermite_near(a, b, words, duration, t, 0, out, n);
 }
 
 KERNEL(clip_hermite)

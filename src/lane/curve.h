@@ -7,11 +7,12 @@
 
 #include <nakawari/curve.h>
 
-/* nkw_hermite inside 0..1 from the nearer end, a: x is the way from there, y = 1 - x; b and v are the far end's. */
-static inline float lane_hermite_near(float a, float u, float b, float v, float x, float y)
+/* nkw_hermite inside 0..1 where it is known at compile time which end is nearer. */
+static inline float lane_hermite_near(float p0, float v0, float p1, float v1, float t, int first)
 {
-    float f = b - a;
-    return a + x * (f + y * (y * (u - f) - x * (v - f)));
+    float s = 1.0f - t, f = p1 - p0;
+    float k = s * (v0 - f) - t * (v1 - f);
+    return first ? p0 + t * (f + s * k) : p1 - s * (f - t * k);
 }
 
 static inline nkw_weights lane_hermite_weights(float t)

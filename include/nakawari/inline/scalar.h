@@ -14,6 +14,27 @@
 /* The square of a float, exact. */
 #define NKW_SQUARE64(x) NKW_MUL64((double)(x), (double)(x))
 
+/*
+ * Lerp, and what the curves begin with as well: the steps stand here once for a float and for the three of a vector side
+ * by side (NKW_XYZ in vec.h). `number` is the type of values, `flags` that of their comparisons, pick(c, a, b) gives a
+ * where c holds, else b; t is the caller's.
+ *
+ * `end` is the end nearer to t, of a and b, and `back` the way back there, -t or 1 - t, which is exact. They are picked
+ * by masks, for a branch on t would be a guess. NKW_FROM_END is end - way, and at back = 0 the end as it is, the sign of
+ * a zero too.
+ *
+ *     p = a + t (b - a) = b + (t-1) (b - a)
+ */
+#define NKW_NEARER(number, flags, pick, a, b)                                                                          \
+    const number none = {0.0f}, half = none + 0.5f, one = half + half, at = t - none;                                  \
+    const flags first = at < half;                                                                                     \
+    const number end = pick(first, a, b), back = pick(first, none, one) - at
+#define NKW_FROM_END(pick, way) (end - pick(back == none, none, way))
+
+#define NKW_LERP(number, flags, pick, a, b)                                                                            \
+    NKW_NEARER(number, flags, pick, a, b);                                                                             \
+    const number way = NKW_MUL(back, (b) - (a)), p = NKW_FROM_END(pick, way)
+
 #ifdef __cplusplus
 extern "C" {
 #endif
@@ -77,11 +98,8 @@ NKW_BODY float nkw_saturate(float x)
 NKW_BODY float nkw_lerp(float a, float b, float t)
 {
     NKW_EXACT
-    /* The nearer end, and how far from it: selected by masks, for a branch on t would be a guess. */
-    int first = t < 0.5f;
-    float end = nkw_select(first, a, b), x = nkw_select(first, t, t - 1.0f);
-    float inside = end + NKW_MUL(x, b - a);
-    return nkw_select(x == 0.0f, end, inside);
+    NKW_LERP(float, int, nkw_select, a, b);
+    return p;
 }
 
 NKW_BODY float nkw_inverse_lerp(float a, float b, float x)

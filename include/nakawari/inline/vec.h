@@ -6,6 +6,33 @@
 #include "../scalar.h"
 #include "../vec.h"
 
+/*
+ * The three of a vector side by side in a register, and 0: for what does the same with each, where the compiler makes
+ * no vectors of a loop over arrays of nkw_vec3. GCC does from SSSE3 on. The library's loops go over many vectors.
+ */
+#if defined(__GNUC__) && defined(__SSE2__) && (defined(__clang__) || !defined(__SSSE3__)) && !defined(NKW_ISA) &&      \
+    !defined(NKW_FUSES)
+#define NKW_XYZ
+typedef float nkw_xyz __attribute__((vector_size(16)));
+typedef int nkw_xyz_flags __attribute__((vector_size(16)));
+typedef double nkw_xyz_halves __attribute__((vector_size(16)));
+#define NKW_XYZ_LOAD(r, v)                                                                                             \
+    do {                                                                                                               \
+        const nkw_xyz third = {(v).z};                                                                                 \
+        double xy;                                                                                                     \
+        memcpy(&xy, &(v).x, sizeof xy);                                                                                \
+        const nkw_xyz_halves both = {xy, ((nkw_xyz_halves)third)[0]};                                                  \
+        r = (nkw_xyz)both;                                                                                             \
+    } while (0)
+#define NKW_XYZ_STORE(v, a)                                                                                            \
+    do {                                                                                                               \
+        const double xy = ((nkw_xyz_halves)(a))[0];                                                                    \
+        memcpy(&(v).x, &xy, sizeof xy);                                                                                \
+        (v).z = (a)[2];                                                                                                \
+    } while (0)
+#define NKW_XYZ_PICK(c, a, b) ((nkw_xyz)(((nkw_xyz_flags)(a) & (c)) | ((nkw_xyz_flags)(b) & ~(c))))
+#endif
+
 #ifdef __cplusplus
 extern "C" {
 #endif
@@ -111,7 +138,17 @@ NKW_BODY nkw_vec3 nkw_vec3_normalize(nkw_vec3 a)
 
 NKW_BODY nkw_vec3 nkw_vec3_lerp(nkw_vec3 a, nkw_vec3 b, float t)
 {
+#if defined(NKW_XYZ)
+    NKW_EXACT
+    nkw_xyz from, to;
+    NKW_XYZ_LOAD(from, a);
+    NKW_XYZ_LOAD(to, b);
+    NKW_LERP(nkw_xyz, nkw_xyz_flags, NKW_XYZ_PICK, from, to);
+    nkw_vec3 r;
+    NKW_XYZ_STORE(r, p);
+#else
     nkw_vec3 r = {nkw_lerp(a.x, b.x, t), nkw_lerp(a.y, b.y, t), nkw_lerp(a.z, b.z, t)};
+#endif
     return r;
 }
 
