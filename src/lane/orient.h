@@ -314,17 +314,16 @@ static inline nkw_quat lane_quat_slerp_any(nkw_quat a, nkw_quat b, float t)
 /* nlerp in *out; not for chords of 0 or of sqrt 2 and more, as t outside 0..1 makes them. */
 static inline int lane_four_nlerp(lane_four a, lane_four b, float t, lane_four *out)
 {
-    const lane_four quarter = {0.25f, 0.25f, 0.25f, 0.25f}, half = quarter + quarter, zero = {0.0f, 0.0f, 0.0f, 0.0f};
-    float u = 1.0f - t;
-    lane_four c = lane_four_flip(b, (lane_four_sum(a * b) < zero) << 31);
-    lane_four x = lane_four_all(t < u ? t : u);
-    lane_four_bits last = lane_four_all(t) >= half;
-    lane_four_bits exchange = ((lane_four_bits)a ^ (lane_four_bits)c) & last;
-    lane_four near = lane_four_flip(a, exchange);
-    lane_four v = near + (c - a) * lane_four_flip(x, last << 31);
+    const lane_four quarter = {0.25f, 0.25f, 0.25f, 0.25f}, half = quarter + quarter, one = half + half;
+    const lane_four zero = {0.0f, 0.0f, 0.0f, 0.0f};
+    lane_four c = lane_four_flip(b, (lane_four_sum(a * b) < zero) << 31), at = lane_four_all(t);
+    lane_four_bits first = at < half;
+    lane_four near = lane_four_select(first, a, c), back = lane_four_select(first, zero, one) - at;
+    lane_four_bits inside = back != zero;
+    lane_four v = near - (lane_four)((lane_four_bits)(back * (c - a)) & inside);
     float m = lane_four_sum(quarter - v * v)[0], n2 = 1.0f - m;
-    lane_four unit = v + v * lane_four_all(m / (sqrtf(n2) + n2));
-    *out = lane_four_select(x == zero, near, unit);
+    lane_four g = lane_four_all(m / (sqrtf(n2) + n2));
+    *out = v + v * (lane_four)((lane_four_bits)g & inside);
     return m * m < 1.0f;
 }
 
