@@ -74,8 +74,8 @@ NKW_BODY nkw_quat nkw_quat_normalize(nkw_quat q)
     NKW_EXACT
     double n2 = (NKW_SQUARE64(q.x) + NKW_SQUARE64(q.y)) + (NKW_SQUARE64(q.z) + NKW_SQUARE64(q.w));
     if (!NKW_IS_NEAR(n2)) {
-        nkw_quat_view from = {&q.x, &q.y, &q.z, &q.w};
-        nkw_quat r;
+        nkw_quat r = q; /* so that q itself stays in registers */
+        nkw_quat_view from = {&r.x, &r.y, &r.z, &r.w};
         nkw_quat_span to = {&r.x, &r.y, &r.z, &r.w};
         nkw_quat_normalize_n(from, to, 1);
         return r;

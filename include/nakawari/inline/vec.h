@@ -126,8 +126,8 @@ NKW_BODY nkw_vec3 nkw_vec3_normalize(nkw_vec3 a)
     NKW_EXACT
     double n2 = (NKW_SQUARE64(a.x) + NKW_SQUARE64(a.y)) + NKW_SQUARE64(a.z);
     if (!NKW_IS_NEAR(n2)) {
-        nkw_vec3_view from = {&a.x, &a.y, &a.z};
-        nkw_vec3 r;
+        nkw_vec3 r = a; /* so that a itself stays in registers */
+        nkw_vec3_view from = {&r.x, &r.y, &r.z};
         nkw_vec3_span to = {&r.x, &r.y, &r.z};
         nkw_vec3_normalize_n(from, to, 1);
         return r;
