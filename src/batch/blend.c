@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 #include "lane/strict.h"
 
+#include "batch/chords.h"
 #include "batch/element.h"
 #include "batch/table.h"
 #include "lane/blend.h"
@@ -12,27 +13,9 @@ static inline void settle(nkw_quat_view v, nkw_quat_span out, size_t n)
         put_quat(out, i, lane_quat_settle(at_quat(v, i)));
 }
 
-/*
- * Chords made unit where mixed is not 0; as they are elsewhere. out is not v: if one of the first `used` was not inside
- * after all, all are done again.
- */
 KERNEL(blend_settle)(nkw_quat_view v, const float *mixed, int used, nkw_quat_span out, int n)
 {
-    int outside = 0;
-#pragma omp simd reduction(| : outside)
-    for (int i = 0; i < n; i++) {
-        nkw_quat q = at_quat(v, (size_t)i);
-        float m = lane_quat_defect(q);
-        outside |= !(lane_abs(m) < 1.0f) & (i < used);
-        put_quat(out, (size_t)i, lane_quat_select(mixed[i] == 0.0f, q, lane_quat_settle_inside(q, m)));
-    }
-    if (!outside)
-        return;
-#pragma omp simd
-    for (int i = 0; i < n; i++) {
-        nkw_quat q = at_quat(v, (size_t)i);
-        put_quat(out, (size_t)i, lane_quat_select(mixed[i] == 0.0f, q, lane_quat_settle(q)));
-    }
+    settle_where(mixed, v, used, out, n);
 }
 
 static inline nkw_quat_view rotations_of(blend_rows rows)
@@ -99,7 +82,7 @@ INLINE void chord_lanes(blend_rows a, blend_rows b, float t, int first, int used
 #pragma omp simd
     KEEP_LOOP
     for (int i = 0; i < LANES; i++)
-        put_quat(out, (size_t)i, lane_quat_chord_near(at_joint(from, i), at_joint(to, i), t, first).v);
+        put_quat(out, (size_t)i, lane_quat_chord_near(at_joint(from, i), at_joint(to, i), t, first));
 }
 
 /* Three arrays from `row` on. */
@@ -215,15 +198,16 @@ static inline void lerps_each(nkw_vec3_view a, nkw_vec3_view b, const float *t, 
         put_vec3(out, (size_t)i, nkw_vec3_lerp(at_vec3(a, i), at_vec3(b, i), t[i]));
 }
 
-/* nkw_pose_blend by a t for each joint, any; t is 0 in the padding. */
+/* nkw_pose_blend by a t for each joint, any; t is 0 in the padding. n is at most BLEND_BLOCK. */
 KERNEL(blend_each)(blend_rows a, blend_rows b, const float *t, int used, blend_span out, int n)
 {
     nkw_quat_view p = rotations_of(a), q = rotations_of(b);
-    nkw_quat_span r = rotation_span(out);
+    chords c;
     lerps_each(vectors_of(a, 0), vectors_of(b, 0), t, vector_span(out, 0), n);
 #pragma omp simd
     for (int i = 0; i < n; i++)
-        put_quat(r, (size_t)i, lane_quat_nlerp(at_joint(p, i), at_joint(q, i), t[i]));
+        put_chord(c, (size_t)i, lane_quat_chord(at_joint(p, i), at_joint(q, i), t[i]));
+    settle_chords(&c, used, rotation_span(out), n);
     lerps_each(vectors_of(a, 7), vectors_of(b, 7), t, vector_span(out, 7), n);
 }
 
@@ -278,6 +262,7 @@ KERNEL(additive_build)(nkw_trs_view a, nkw_trs_view ref, int parent, nkw_trs_spa
     }
 }
 
+/* n is at most BLEND_BLOCK. */
 KERNEL(additive_apply)
 (nkw_trs_view base, nkw_trs_view delta, const float *weight, int parent, nkw_trs_span out, size_t n)
 {
@@ -285,10 +270,20 @@ KERNEL(additive_apply)
     for (size_t i = 0; i < n; i++)
         put_vec3(out.translation, i,
                  lane_vec3_add_delta(at_vec3(base.translation, i), at_vec3(delta.translation, i), weight[i]));
+    chords c;
+    float turn[4][BLEND_BLOCK];
+    const nkw_quat_span turns = {turn[0], turn[1], turn[2], turn[3]};
+    const nkw_quat_view part_of = {turn[0], turn[1], turn[2], turn[3]};
+#pragma omp simd
+    for (size_t i = 0; i < n; i++) {
+        nkw_quat d = at_quat(delta.rotation, i);
+        put_chord(c, i, lane_quat_chord(lane_quat_none(d), d, weight[i]));
+    }
+    settle_chords(&c, (int)n, turns, (int)n);
 #pragma omp simd
     for (size_t i = 0; i < n; i++)
         put_quat(out.rotation, i,
-                 lane_quat_add_delta(at_quat(base.rotation, i), at_quat(delta.rotation, i), weight[i], parent));
+                 lane_quat_add_delta(at_quat(base.rotation, i), at_quat(part_of, i), weight[i], parent));
 #pragma omp simd
     for (size_t i = 0; i < n; i++) {
         nkw_vec3 d = at_vec3(delta.scale, i);

@@ -3,25 +3,66 @@
 
 #include <nakawari/orient.h>
 
+#include "batch/chords.h"
 #include "batch/element.h"
 #include "batch/table.h"
 #include "lane/orient.h"
 
-KERNEL(quat_nlerp)(nkw_quat_view a, nkw_quat_view b, const float *t, nkw_quat_span out, size_t n)
+#define BLOCK CHORDS
+
+/* So many elements are worth a loop for chords and one for roots: then none waits for the root of the one before. */
+#if defined(__AVX512F__)
+#define MANY 128
+#else
+#define MANY 64
+#endif
+
+/* Elements from..to - 1, of one t or of each its own. */
+INLINE void nlerp_block(nkw_quat_view a, nkw_quat_view b, const float *t, int each, nkw_quat_span out, size_t from,
+                        size_t to)
+{
+    chords c;
+    const nkw_quat_span unit = {out.x + from, out.y + from, out.z + from, out.w + from};
+#pragma omp simd
+    for (size_t i = from; i < to; i++)
+        put_chord(c, i - from, lane_quat_chord(at_quat(a, i), at_quat(b, i), t[each ? i : 0]));
+    settle_chords(&c, (int)(to - from), unit, (int)(to - from));
+}
+
+APART static void nlerp_many(nkw_quat_view a, nkw_quat_view b, const float *t, nkw_quat_span out, size_t n)
+{
+    for (size_t from = 0; from < n; from += BLOCK)
+        nlerp_block(a, b, t, 1, out, from, n - from < BLOCK ? n : from + BLOCK);
+}
+
+APART static void nlerp_many_at(nkw_quat_view a, nkw_quat_view b, float t, nkw_quat_span out, size_t n)
+{
+    for (size_t from = 0; from < n; from += BLOCK)
+        nlerp_block(a, b, &t, 0, out, from, n - from < BLOCK ? n : from + BLOCK);
+}
+
+INLINE void nlerp_few(nkw_quat_view a, nkw_quat_view b, const float *t, int each, nkw_quat_span out, size_t n)
 {
 #pragma omp simd
     for (size_t i = 0; i < n; i++)
-        put_quat(out, i, lane_quat_nlerp(at_quat(a, i), at_quat(b, i), t[i]));
+        put_quat(out, i, lane_quat_nlerp(at_quat(a, i), at_quat(b, i), t[each ? i : 0]));
+}
+
+KERNEL(quat_nlerp)(nkw_quat_view a, nkw_quat_view b, const float *t, nkw_quat_span out, size_t n)
+{
+    if (n < MANY)
+        nlerp_few(a, b, t, 1, out, n);
+    else
+        nlerp_many(a, b, t, out, n);
 }
 
 KERNEL(quat_nlerp_at)(nkw_quat_view a, nkw_quat_view b, float t, nkw_quat_span out, size_t n)
 {
-#pragma omp simd
-    for (size_t i = 0; i < n; i++)
-        put_quat(out, i, lane_quat_nlerp(at_quat(a, i), at_quat(b, i), t));
+    if (n < MANY)
+        nlerp_few(a, b, &t, 0, out, n);
+    else
+        nlerp_many_at(a, b, t, out, n);
 }
-
-#define BLOCK 256
 
 static inline int any_outside(const float *t, size_t from, size_t to)
 {

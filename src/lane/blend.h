@@ -79,11 +79,16 @@ static inline nkw_quat lane_quat_delta(nkw_quat a, nkw_quat ref, int parent)
     return lane_quat_from_wide(lane_wquat_mul(left, right));
 }
 
-/* base turned by the part w of delta: from 1 or -1, whichever is nearer, so that w = 1 is delta with its sign. */
-static inline nkw_quat lane_quat_add_delta(nkw_quat base, nkw_quat delta, float w, int parent)
+/* 1 or -1, whichever is nearer to delta: nlerp from there to delta by w = 1 is delta with its sign. */
+static inline nkw_quat lane_quat_none(nkw_quat delta)
 {
     nkw_quat none = {0.0f, 0.0f, 0.0f, delta.w < 0.0f ? -1.0f : 1.0f};
-    nkw_quat part = lane_quat_nlerp(none, delta, w);
+    return none;
+}
+
+/* base turned by the part of a delta that is the nlerp to it by w. */
+static inline nkw_quat lane_quat_add_delta(nkw_quat base, nkw_quat part, float w, int parent)
+{
     nkw_quat left = lane_quat_select(parent, part, base), right = lane_quat_select(parent, base, part);
     return lane_quat_select(w == 0.0f, base, nkw_quat_mul(left, right));
 }

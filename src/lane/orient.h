@@ -25,26 +25,29 @@ static inline nkw_quat lane_quat_turned(nkw_quat a, nkw_quat b)
     return r;
 }
 
-/* The point v of the chord from a to b, turned to a's side: the part x of the way from the end nearer to t. */
+/* The point v of the chord from a to b, turned to a's side, and the way back from there to the end nearer to t. */
 typedef struct lane_chord {
-    nkw_quat near, v;
-    float x;
+    nkw_quat v;
+    float back;
 } lane_chord;
 
-/* `first` says that a is the nearer end: where it is known at compile time, nothing is left to be selected. */
-static inline lane_chord lane_quat_chord_near(nkw_quat a, nkw_quat b, float t, int first)
+/* As nkw_lerp: where back = 0, v is the end as it is. */
+static inline lane_chord lane_quat_chord(nkw_quat a, nkw_quat b, float t)
 {
     nkw_quat c = lane_quat_turned(a, b);
+    int first = t < 0.5f;
     lane_chord r;
-    r.x = first ? t : 1.0f - t;
-    r.near = lane_quat_select(first, a, c);
-    r.v = nkw_quat_add(r.near, nkw_quat_scale(nkw_quat_sub(c, a), first ? r.x : -r.x));
+    r.back = (first ? 0.0f : 1.0f) - t;
+    nkw_quat way = nkw_quat_scale(nkw_quat_sub(c, a), r.back), none = {0.0f, 0.0f, 0.0f, 0.0f};
+    r.v = nkw_quat_sub(lane_quat_select(first, a, c), lane_quat_select(r.back == 0.0f, none, way));
     return r;
 }
 
-static inline lane_chord lane_quat_chord(nkw_quat a, nkw_quat b, float t)
+/* v for t inside 0..1 where it is known at compile time which end is nearer. */
+static inline nkw_quat lane_quat_chord_near(nkw_quat a, nkw_quat b, float t, int first)
 {
-    return lane_quat_chord_near(a, b, t, t < 0.5f);
+    nkw_quat c = lane_quat_turned(a, b);
+    return nkw_quat_add(first ? a : c, nkw_quat_scale(nkw_quat_sub(c, a), first ? t : t - 1.0f));
 }
 
 /*
@@ -56,22 +59,28 @@ static inline nkw_quat lane_quat_settle_inside(nkw_quat v, float m)
     return nkw_quat_add(v, nkw_quat_scale(v, m / (sqrtf(n2) + n2)));
 }
 
+/* x, or where only the sign bit is kept, a zero of its sign. */
+static inline float lane_kept(uint32_t mask, float x)
+{
+    return lane_float(lane_bits(x) & mask);
+}
+
 /* The same for any: a chord that t outside 0..1 made longer than sqrt 2 is divided by its length outright. */
 static inline nkw_quat lane_quat_settle(nkw_quat v)
 {
     float m = lane_quat_defect(v), n2 = 1.0f - m;
     float n = sqrtf(n2);
     int outright = n2 > 2.0f;
-    nkw_quat unit =
-        nkw_quat_add(nkw_quat_scale(v, outright ? 0.0f : 1.0f), nkw_quat_scale(v, outright ? 1.0f / n : m / (n + n2)));
-    return lane_quat_select(n2 > 0.0f, unit, nkw_quat_identity());
+    float g = (outright ? 1.0f : m) / (outright ? n : n + n2);
+    uint32_t kept = outright ? 0x80000000u : ~0u;
+    nkw_quat part = {lane_kept(kept, v.x), lane_kept(kept, v.y), lane_kept(kept, v.z), lane_kept(kept, v.w)};
+    return lane_quat_select(n2 > 0.0f, nkw_quat_add(part, nkw_quat_scale(v, g)), nkw_quat_identity());
 }
 
-/* At x = 0 the end comes back as it is. */
 static inline nkw_quat lane_quat_nlerp(nkw_quat a, nkw_quat b, float t)
 {
     lane_chord c = lane_quat_chord(a, b, t);
-    return lane_quat_select(c.x == 0.0f, c.near, lane_quat_settle(c.v));
+    return lane_quat_select(c.back == 0.0f, c.v, lane_quat_settle(c.v));
 }
 
 /*

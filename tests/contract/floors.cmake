@@ -3,7 +3,7 @@ cmake_minimum_required(VERSION 3.25)
 set(floor_0 base strict sort report)
 set(floor_1 scalar wide four fours two)
 set(floor_2 types vec quat mat euler transform dual affine matrices)
-set(floor_3 algebra curve orient slerp)
+set(floor_3 algebra curve orient slerp chords)
 set(floor_4 segment keyframe track playback pose clip clip_build clip_layout clip_open clip_tracks clip_difference block
   difference)
 set(floor_5 skeleton skeleton_order blend rows)
