@@ -262,6 +262,24 @@ KERNEL(additive_build)(nkw_trs_view a, nkw_trs_view ref, int parent, nkw_trs_spa
     }
 }
 
+/* The parts of the turns delta come before they are added, as nlerps. */
+INLINE void add_turns(nkw_quat_view base, nkw_quat_view delta, const float *weight, int parent, nkw_quat_span out,
+                      size_t n)
+{
+    chords c;
+    float x[BLEND_BLOCK], y[BLEND_BLOCK], z[BLEND_BLOCK], w[BLEND_BLOCK];
+    const nkw_quat_span parts = {x, y, z, w};
+#pragma omp simd
+    for (size_t i = 0; i < n; i++) {
+        nkw_quat d = at_quat(delta, i);
+        put_chord(c, i, lane_quat_chord(lane_quat_none(d), d, weight[i]));
+    }
+    settle_chords(&c, (int)n, parts, (int)n);
+#pragma omp simd
+    for (size_t i = 0; i < n; i++)
+        put_quat(out, i, lane_quat_add_delta(at_quat(base, i), at_quat(parts, i), weight[i], parent));
+}
+
 /* n is at most BLEND_BLOCK. */
 KERNEL(additive_apply)
 (nkw_trs_view base, nkw_trs_view delta, const float *weight, int parent, nkw_trs_span out, size_t n)
@@ -270,20 +288,7 @@ KERNEL(additive_apply)
     for (size_t i = 0; i < n; i++)
         put_vec3(out.translation, i,
                  lane_vec3_add_delta(at_vec3(base.translation, i), at_vec3(delta.translation, i), weight[i]));
-    chords c;
-    float turn[4][BLEND_BLOCK];
-    const nkw_quat_span turns = {turn[0], turn[1], turn[2], turn[3]};
-    const nkw_quat_view part_of = {turn[0], turn[1], turn[2], turn[3]};
-#pragma omp simd
-    for (size_t i = 0; i < n; i++) {
-        nkw_quat d = at_quat(delta.rotation, i);
-        put_chord(c, i, lane_quat_chord(lane_quat_none(d), d, weight[i]));
-    }
-    settle_chords(&c, (int)n, turns, (int)n);
-#pragma omp simd
-    for (size_t i = 0; i < n; i++)
-        put_quat(out.rotation, i,
-                 lane_quat_add_delta(at_quat(base.rotation, i), at_quat(part_of, i), weight[i], parent));
+    add_turns(base.rotation, delta.rotation, weight, parent, out.rotation, n);
 #pragma omp simd
     for (size_t i = 0; i < n; i++) {
         nkw_vec3 d = at_vec3(delta.scale, i);

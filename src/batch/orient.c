@@ -17,32 +17,26 @@
 #define MANY 64
 #endif
 
-/* Elements from..to - 1, of one t or of each its own. */
-INLINE void nlerp_block(nkw_quat_view a, nkw_quat_view b, const float *t, int each, nkw_quat_span out, size_t from,
-                        size_t to)
+INLINE void nlerp_many(nkw_quat_view a, nkw_quat_view b, const float *t, int each, nkw_quat_span out, size_t n)
 {
-    chords c;
-    const nkw_quat_span unit = {out.x + from, out.y + from, out.z + from, out.w + from};
+    for (size_t from = 0; from < n; from += BLOCK) {
+        size_t end = n - from < BLOCK ? n : from + BLOCK;
+        chords c;
+        const nkw_quat_span unit = {out.x + from, out.y + from, out.z + from, out.w + from};
 #pragma omp simd
-    for (size_t i = from; i < to; i++)
-        put_chord(c, i - from, lane_quat_chord(at_quat(a, i), at_quat(b, i), t[each ? i : 0]));
-    settle_chords(&c, (int)(to - from), unit, (int)(to - from));
+        for (size_t i = from; i < end; i++)
+            put_chord(c, i - from, lane_quat_chord(at_quat(a, i), at_quat(b, i), t[each ? i : 0]));
+        settle_chords(&c, (int)(end - from), unit, (int)(end - from));
+    }
 }
 
-APART static void nlerp_many(nkw_quat_view a, nkw_quat_view b, const float *t, nkw_quat_span out, size_t n)
+/* `each`, a constant: every element has its own t; else *t is that of all. */
+INLINE void nlerp(nkw_quat_view a, nkw_quat_view b, const float *t, int each, nkw_quat_span out, size_t n)
 {
-    for (size_t from = 0; from < n; from += BLOCK)
-        nlerp_block(a, b, t, 1, out, from, n - from < BLOCK ? n : from + BLOCK);
-}
-
-APART static void nlerp_many_at(nkw_quat_view a, nkw_quat_view b, float t, nkw_quat_span out, size_t n)
-{
-    for (size_t from = 0; from < n; from += BLOCK)
-        nlerp_block(a, b, &t, 0, out, from, n - from < BLOCK ? n : from + BLOCK);
-}
-
-INLINE void nlerp_few(nkw_quat_view a, nkw_quat_view b, const float *t, int each, nkw_quat_span out, size_t n)
-{
+    if (n >= MANY) {
+        nlerp_many(a, b, t, each, out, n);
+        return;
+    }
 #pragma omp simd
     for (size_t i = 0; i < n; i++)
         put_quat(out, i, lane_quat_nlerp(at_quat(a, i), at_quat(b, i), t[each ? i : 0]));
@@ -50,18 +44,12 @@ INLINE void nlerp_few(nkw_quat_view a, nkw_quat_view b, const float *t, int each
 
 KERNEL(quat_nlerp)(nkw_quat_view a, nkw_quat_view b, const float *t, nkw_quat_span out, size_t n)
 {
-    if (n < MANY)
-        nlerp_few(a, b, t, 1, out, n);
-    else
-        nlerp_many(a, b, t, out, n);
+    nlerp(a, b, t, 1, out, n);
 }
 
 KERNEL(quat_nlerp_at)(nkw_quat_view a, nkw_quat_view b, float t, nkw_quat_span out, size_t n)
 {
-    if (n < MANY)
-        nlerp_few(a, b, &t, 0, out, n);
-    else
-        nlerp_many_at(a, b, t, out, n);
+    nlerp(a, b, &t, 0, out, n);
 }
 
 static inline int any_outside(const float *t, size_t from, size_t to)

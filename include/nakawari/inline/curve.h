@@ -5,7 +5,7 @@
 
 #include "../curve.h"
 #include "../scalar.h"
-#include "vec.h"
+#include "../vec.h"
 
 /*
  * All curves but Bezier start from the end nearer to t, as NKW_LERP does, and are written like it for a float and for
@@ -14,14 +14,14 @@
  */
 #define NKW_CURVE(number, flags, pick, a, b)                                                                           \
     NKW_NEARER(number, flags, pick, a, b);                                                                             \
-    const number s = one - at, f = (b) - (a)
+    const number s = one - at, f = b - a
 
 /*
  *     p = p0 + t (f + s k) = p1 - s (f - t k),        f = p1 - p0,  k = s (v0 - f) - t (v1 - f)
  */
 #define NKW_HERMITE(number, flags, pick, p0, v0, p1, v1)                                                               \
     NKW_CURVE(number, flags, pick, p0, p1);                                                                            \
-    const number on = pick(first, one, none) - at, k = NKW_MUL(s, (v0)-f) - NKW_MUL(at, (v1)-f);                       \
+    const number on = pick(first, one, none) - at, k = NKW_MUL(s, v0 - f) - NKW_MUL(at, v1 - f);                       \
     const number way = NKW_MUL(back, f + NKW_MUL(on, k)), p = NKW_FROM_END(pick, way)
 
 /*
@@ -31,7 +31,7 @@
  */
 #define NKW_BSPLINE(number, flags, pick, p0, p1, p2, p3)                                                               \
     NKW_CURVE(number, flags, pick, p1, p2);                                                                            \
-    const number h = f + ((p0) - (p1)), m = ((p3) - (p2)) - f;                                                         \
+    const number h = f + (p0 - p1), m = (p3 - p2) - f;                                                                 \
     const number x = pick(first, at, s), xx = NKW_MUL(x, x), yy = (one - (x + x)) + xx;                                \
     const number ss = pick(first, yy, xx), tt = pick(first, xx, yy);                                                   \
     const number bend = (NKW_MUL(NKW_MUL(ss, s), h) + NKW_MUL(NKW_MUL(tt, at), m)) / 6.0f;                             \
@@ -40,7 +40,7 @@
 /* The same letters: Hermite with the tangents (p2 - p0)/2 and (p3 - p1)/2, so k = -(s h + t m)/2. */
 #define NKW_CATMULL_ROM(number, flags, pick, p0, p1, p2, p3)                                                           \
     NKW_CURVE(number, flags, pick, p1, p2);                                                                            \
-    const number h = f + ((p0) - (p1)), m = ((p3) - (p2)) - f;                                                         \
+    const number h = f + (p0 - p1), m = (p3 - p2) - f;                                                                 \
     const number on = pick(first, one, none) - at, k = NKW_MUL(s, h) + NKW_MUL(at, m);                                 \
     const number way = NKW_MUL(back, f - NKW_MUL(NKW_MUL(0.5f, on), k)), p = NKW_FROM_END(pick, way)
 

@@ -17,7 +17,7 @@
 /*
  * Lerp, and what the curves begin with as well: the steps stand here once for a float and for the three of a vector side
  * by side (NKW_XYZ in vec.h). `number` is the type of values, `flags` that of their comparisons, pick(c, a, b) gives a
- * where c holds, else b; t is the caller's.
+ * where c holds, else b. The other arguments are names, t is the caller's.
  *
  * `end` is the end nearer to t, of a and b, and `back` the way back there, -t or 1 - t, which is exact. They are picked
  * by masks, for a branch on t would be a guess. NKW_FROM_END is end - way, and at back = 0 the end as it is, the sign of
@@ -33,7 +33,7 @@
 
 #define NKW_LERP(number, flags, pick, a, b)                                                                            \
     NKW_NEARER(number, flags, pick, a, b);                                                                             \
-    const number way = NKW_MUL(back, (b) - (a)), p = NKW_FROM_END(pick, way)
+    const number way = NKW_MUL(back, b - a), p = NKW_FROM_END(pick, way)
 
 #ifdef __cplusplus
 extern "C" {
