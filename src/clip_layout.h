@@ -31,7 +31,7 @@
 #include "batch/block.h"
 
 #define CLIP_MAGIC   0x70696c63u /* "clip", lowest byte first */
-#define CLIP_VERSION 4u
+#define CLIP_VERSION 5u
 #define CLIP_STEPS   65535.0f /* of a range */
 #define CLIP_ALIGN   16u /* words: key blocks and constants begin on 64 bytes of the block */
 

@@ -6,15 +6,14 @@
  *
  * Needs a long double of 64 or more bits, such as x86's 80-bit one. Takes two seconds. u = 2^-24.
  *
- * The formula (src/lane/orient.h), u = 1 - t:
+ * The formula (src/lane/orient.h):
  *
- *     sin(t theta)/sin theta = t - E(t)      E(t) = t (1 - t) (1 + t) v H(v, t^2 v)
+ *     sin(k theta)/sin theta = k - E(k)      E(k) = k (1 - k) (1 + k) v H(v, k^2)
  *
- *     x = 1 - cos theta    v = 2x / (1 - 21x/64)
+ *     x = 1 - cos theta    v = 2x / (1 - 5x/16)
  *
- * H minimises the largest error that E makes, over theta in 0..pi/2 and t in 0..1, those of small arcs stressed; E is
- * odd, so that covers -1..0, and t in 1..2 joins with the weight 4e-4. slerp takes E(t) and E(u), times vectors of
- * length 1.
+ * H minimises the largest error that E makes over theta in 0..pi/2, that of small arcs stressed; one for k in 0..1/2, of
+ * the end farther from t, and one for k in 1/2..1, of the nearer. slerp takes each times vectors of length 1.
  * The coefficients are rounded to binary32 one after the other, the rest fitted again each time.
  *
  * Source Lawson, Contributions to the Theory of Linear Least Maximum Approximation, 1961.
@@ -25,26 +24,30 @@
 
 typedef long double real;
 
-enum { SIDE = 48, POINTS = SIDE * SIDE, FINE_SIDE = 240, ROWS = 5, TERMS = 17 };
+enum { SIDE = 48, POINTS = SIDE * SIDE, FINE_SIDE = 240, ROWS = 4, POWERS = 6, TERMS = 15 };
 
 static const real PI = 3.14159265358979323846264338L;
-static const real POLE = 64.0L / 21, OUTSIDE = 4e-4L, U = 0x1p-24L;
+static const real POLE = 16.0L / 5, U = 0x1p-24L;
 
 typedef struct place {
-    real t, theta, v;
+    real k, theta, v;
 } place;
 
-/* H: the sum of the terms v^i (t^2 v)^j, i <= degree[j], j < ROWS. */
+/* H for k in from..from + 1/2: the sum of the terms v^i k^2j, i < POWERS, j <= degree[i]. */
 typedef struct series {
     const char *name, *said;
-    real stress; /* how many times the errors of small arcs count, as those between neighbouring keys are */
-    int degree[ROWS];
+    real from, stress; /* how many times the errors of small arcs count, as those between neighbouring keys are */
+    int degree[POWERS];
 } series;
 
-static const series full = {"LANE_SLERP_H", "", 4, {5, 4, 2, 1, 0}};
-static const series brief = {"LANE_SLERP_BRIEF", " * Shorter, for compact clips.\n *\n", 1, {4, 3, 2, 1, 0}};
+static const series all[] = {
+    {"LANE_SLERP_NEAR", "", 0.5L, 4, {0, 1, 2, 3, 0, 2}},
+    {"LANE_SLERP_FAR", "", 0, 4, {0, 1, 2, 1, 0, 1}},
+    {"LANE_SLERP_BRIEF_NEAR", ", for compact clips", 0.5L, 1, {0, 1, 2, 3, 2, -1}},
+    {"LANE_SLERP_BRIEF_FAR", ", for compact clips", 0, 1, {0, 1, 2, 1, 0, -1}},
+};
 
-/* A place seen by the fit; basis[k] = (v/2)^i (t^2 v/2)^j. */
+/* A place seen by the fit; basis[n] = (v/2)^i k^2j. */
 typedef struct point {
     real basis[TERMS], target, scale, stress;
     real share; /* in the least squares */
@@ -61,12 +64,12 @@ typedef struct fit {
 /* What E changes by when H changes by 1. */
 static real scale(const place *at)
 {
-    return at->t * (1 - at->t) * (1 + at->t) * at->v;
+    return at->k * (1 - at->k) * (1 + at->k) * at->v;
 }
 
 static real target(const place *at)
 {
-    return (at->t - sinl(at->t * at->theta) / sinl(at->theta)) / scale(at);
+    return (at->k - sinl(at->k * at->theta) / sinl(at->theta)) / scale(at);
 }
 
 /* Chebyshev's points of 0..1: k in 0..side - 1. */
@@ -75,31 +78,32 @@ static real node(int k, int side)
     return 0.5L * (1 - cosl((k + 0.5L) * PI / side));
 }
 
-static place place_at(real x, real t)
+static place place_at(real x, real k)
 {
     place at;
-    at.t = t;
+    at.k = k;
     at.theta = 2 * asinl(sqrtl(x / 2));
     at.v = 2 * x / (1 - x / POLE);
     return at;
 }
 
-static void sample(const fit *f, point *at, real x, real t)
+/* y in 0..1: the place of k in its range. */
+static void sample(const fit *f, point *at, real x, real y)
 {
-    place here = place_at(x, t);
+    place here = place_at(x, f->of->from + y / 2);
     at->target = target(&here);
-    at->scale = (t < 1 ? 1 : OUTSIDE) * fabsl(scale(&here));
+    at->scale = scale(&here);
     at->stress = 1 + (f->of->stress - 1) / (1 + powl(4 * here.v, 4));
-    for (int k = 0; k < f->count; k++)
-        at->basis[k] = powl(here.v / 2, f->i[k]) * powl(t * t * here.v / 2, f->j[k]);
+    for (int n = 0; n < f->count; n++)
+        at->basis[n] = powl(here.v / 2, f->i[n]) * powl(here.k, 2 * f->j[n]);
 }
 
 static void list_terms(fit *f, const series *of)
 {
     f->of = of;
     f->count = 0;
-    for (int j = 0; j < ROWS; j++) {
-        for (int i = 0; i <= f->of->degree[j]; i++, f->count++) {
+    for (int i = 0; i < POWERS; i++) {
+        for (int j = 0; j <= of->degree[i]; j++, f->count++) {
             f->i[f->count] = i;
             f->j[f->count] = j;
             f->fixed[f->count] = 0;
@@ -107,15 +111,11 @@ static void list_terms(fit *f, const series *of)
     }
 }
 
-/* Every third column is outside. */
 static void sample_all(fit *f)
 {
-    for (int a = 0; a < SIDE; a++) {
-        for (int b = 0; b < SIDE; b++) {
-            real y = node(b, SIDE);
-            sample(f, &f->points[a * SIDE + b], node(a, SIDE), b % 3 == 2 ? 1 + y : y);
-        }
-    }
+    for (int a = 0; a < SIDE; a++)
+        for (int b = 0; b < SIDE; b++)
+            sample(f, &f->points[a * SIDE + b], node(a, SIDE), node(b, SIDE));
 }
 
 static real sum(const fit *f, const point *at)
@@ -256,32 +256,30 @@ static void minimax(fit *f, int steps)
     copy(f->c, best_c, f->count);
 }
 
-/* c (v/2)^i (t^2 v/2)^j = c 2^(-i - j) v^i (t^2 v)^j. */
+/* c (v/2)^i = c 2^-i v^i. */
 static float coefficient(const fit *f, int k)
 {
-    return (float)ldexpl(f->c[k], -f->i[k] - f->j[k]);
+    return (float)ldexpl(f->c[k], -f->i[k]);
 }
 
 /* Rounds term k to binary32 and fits the free ones again. */
 static void settle(fit *f, int k)
 {
     int free_terms[TERMS];
-    f->c[k] = ldexpl((real)coefficient(f, k), f->i[k] + f->j[k]);
+    f->c[k] = ldexpl((real)coefficient(f, k), f->i[k]);
     f->fixed[k] = 1;
     if (find_free(f, free_terms) > 0)
         minimax(f, 20);
 }
 
-/* One after the other, lowest order first. */
+/* One after the other, the largest of what v^i makes first. */
 static void settle_all(fit *f)
 {
-    for (int order = 0; order <= 2 * TERMS; order++)
-        for (int k = 0; k < f->count; k++)
-            if (!f->fixed[k] && f->i[k] + f->j[k] == order)
-                settle(f, k);
+    for (int k = 0; k < f->count; k++)
+        settle(f, k);
 }
 
-/* The largest error for t in 0..1, on a finer grid. */
+/* The largest error, on a finer grid. */
 static real largest_error(const fit *f)
 {
     real largest = 0;
@@ -295,25 +293,28 @@ static real largest_error(const fit *f)
     return largest;
 }
 
+/* The coefficients of k^2j by powers of v; 0 where there is no such term. */
 static void print_row(const fit *f, int j)
 {
-    printf("static const float %s%d[%d] = {\n", f->of->name, j, f->of->degree[j] + 1);
+    float row[POWERS] = {0};
     for (int k = 0; k < f->count; k++)
         if (f->j[k] == j)
-            printf("    %af,\n", (double)coefficient(f, k));
-    printf("};\n");
+            row[f->i[k]] = coefficient(f, k);
+    printf("    {");
+    for (int i = 0; i < POWERS; i++)
+        printf("%af%s", (double)row[i], i < POWERS - 1 ? ", " : "},\n");
 }
 
 /* The error in thousandths of u, rounded up. */
 static void print_series(const fit *f)
 {
     real error = ceill(1000 * largest_error(f) / U) / 1000;
-    printf("\n/*\n%s * H = H0(v) + T (H1(v) + T (H2(v) + T (H3(v) + T H4))), T = t^2 v, lowest power of v first.\n",
-           f->of->said);
-    printf(" * sin(t theta) / sin theta = t - t (1 - t) (1 + t) v H. Off by at most %.3Lf u for t in -1..1.\n */\n",
+    printf("\n/* For k in %.1Lf..%.1Lf%s. Off by at most %.3Lf u. */\n", f->of->from, f->of->from + 0.5L, f->of->said,
            error);
+    printf("static const float %s[LANE_SLERP_ROWS][LANE_SLERP_POWERS] = {\n", f->of->name);
     for (int j = 0; j < ROWS; j++)
         print_row(f, j);
+    printf("};\n");
 }
 
 static void make_series(const series *of)
@@ -336,8 +337,14 @@ static void print_head(void)
            "/* clang-format off */\n"
            "\n"
            "/* v = |b - a|^2 / (a.b + LANE_SLERP_BEND |b - a|^2): moves the branch point at theta = pi away. */\n"
-           "#define LANE_SLERP_BEND %.7Lff\n",
-           (1 - 1 / POLE) / 2);
+           "#define LANE_SLERP_BEND %.7Lff\n"
+           "\n"
+           "/*\n"
+           " * sin(k theta) / sin theta = k - k (1 - k) (1 + k) v H(v, k^2). H[j][i] goes with v^i k^2j.\n"
+           " */\n"
+           "#define LANE_SLERP_ROWS   %d\n"
+           "#define LANE_SLERP_POWERS 8 /* the last are 0 */\n",
+           (1 - 1 / POLE) / 2, ROWS);
 }
 
 int main(void)
@@ -347,8 +354,8 @@ int main(void)
         return 1;
     }
     print_head();
-    make_series(&full);
-    make_series(&brief);
+    for (size_t k = 0; k < sizeof all / sizeof all[0]; k++)
+        make_series(&all[k]);
     printf("\n#endif\n");
     return fflush(stdout) != 0 || ferror(stdout);
 }

@@ -82,7 +82,7 @@ NKW_API nkw_result nkw_track_validate(const nkw_track *track, size_t *bad_key);
  * arrays.
  *
  * Error  4.8 u: of numbers, u of the largest of the two values and, for CUBICSPLINE, of the tangents per segment
- *        (LINEAR 3.0 u at most: 2.0 of nkw_lerp, 1 of t); of rotations, LINEAR 3.3 u with keys up to 1.5 rad apart
+ *        (LINEAR 3.0 u at most: 2.0 of nkw_lerp, 1 of t); of rotations, LINEAR 3.5 u with keys up to 1.5 rad apart
  *        between the quaternions, CUBICSPLINE 3.8 u up to 1 rad. All for the time itself: t is rounded on the way, and
  *        the segment's duration.
  */

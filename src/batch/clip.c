@@ -9,7 +9,6 @@
 #include "batch/table.h"
 #include "lane/clip.h"
 #include "lane/curve.h"
-#include "lane/orient.h"
 
 /* Rotations in rows `apart` floats apart to their places in components `stride` apart; two at a time. */
 static inline void scatter(const nkw_block *block, const float *from, size_t apart, float *out, size_t stride)
@@ -64,21 +63,13 @@ static inline void scatter_numbers(const nkw_block *blocks, const float *from, f
             scatter_count(blocks[k].places, from, out, blocks[k].count);
 }
 
-/* The arc from a key to the next as one number: v, with the sign bit of "turned". */
-static inline lane_slerp_arc arc_of(float number)
-{
-    return lane_slerp_arc_of(lane_sign_bit(number), lane_abs(number));
-}
-
 static inline void arcs_of_block(float *a, const float *b, size_t width)
 {
     nkw_quat_view from = block_rows(a, width), to = block_rows(b, width);
     float *arcs = a + 4 * width;
 #pragma omp simd
-    for (size_t i = 0; i < width; i++) {
-        lane_slerp_arc arc = lane_slerp_arc_between(at_quat(from, i), at_quat(to, i), 1);
-        arcs[i] = lane_flip(arc.v, arc.turned);
-    }
+    for (size_t i = 0; i < width; i++)
+        arcs[i] = lane_slerp_arc(at_quat(from, i), at_quat(to, i), 1);
 }
 
 /* Writes the arcs of key a to key b into a. */
@@ -131,74 +122,45 @@ KERNEL(clip_lerp)(const float *a, const float *b, float t, const nkw_block *bloc
         lerp_blocks(a, b, t, 0, blocks, block_count, out);
 }
 
-/* Blocks of rotations that are worked out together, at most. */
-#define TOGETHER 2
+/* How far all rotations of a group are on their way. */
+typedef struct pace {
+    lane_slerp_pace at;
+    lane_slerp_powers powers;
+} pace;
 
-/* E(u) and E(t) of lanes. */
-typedef struct excesses {
-    float u[NKW_BLOCK], t[NKW_BLOCK];
-} excesses;
-
-INLINE void excesses_of_block(const float *arcs, lane_slerp_pace pace, excesses *e, size_t width)
-{
-#pragma omp simd
-    KEEP_LOOP
-    for (size_t i = 0; i < width; i++) {
-        lane_slerp_arc arc = arc_of(arcs[i]);
-        e->u[i] = lane_slerp_excess_on(&arc, &pace, pace.u);
-        e->t[i] = lane_slerp_excess_on(&arc, &pace, pace.t);
-    }
-}
-
-INLINE void slerp_block(const float *a, const float *b, const excesses *e, lane_slerp_pace pace, float *out,
-                        size_t stride, size_t width)
+INLINE void slerp_block(const float *a, const float *b, const pace *p, float *out, size_t stride, size_t width)
 {
     nkw_quat_view from = block_rows(a, width), to = block_rows(b, width);
     nkw_quat_span o = block_rows_to(out, stride);
     const float *arcs = a + 4 * width;
 #pragma omp simd
     KEEP_LOOP
-    for (size_t i = 0; i < width; i++) {
-        uint32_t turned = lane_sign_bit(arcs[i]);
-        put_quat(o, i, lane_quat_slerp_by(at_quat(from, i), at_quat(to, i), turned, &pace, e->u[i], e->t[i]));
-    }
-}
-
-/* n blocks, first all of their polynomials: no lane waits for those of the one before. */
-INLINE void slerp_together(const float *a, const float *b, lane_slerp_pace pace, float *out, size_t stride,
-                           size_t width, size_t n)
-{
-    const size_t block = NKW_BLOCK * NKW_BLOCK_ROWS;
-    excesses e[TOGETHER];
-    for (size_t k = 0; k < n; k++)
-        excesses_of_block(a + k * block + 4 * width, pace, &e[k], width);
-    for (size_t k = 0; k < n; k++)
-        slerp_block(a + k * block, b + k * block, &e[k], pace, out + k * NKW_BLOCK, stride, width);
+    for (size_t i = 0; i < width; i++)
+        put_quat(o, i, lane_quat_slerp_along(at_quat(from, i), at_quat(to, i), arcs[i], &p->at, &p->powers));
 }
 
 /* `lanes` lanes, whole blocks, from one after the other to one after the other. */
-INLINE void slerp_stretch(const float *a, const float *b, lane_slerp_pace pace, float *out, size_t stride, size_t lanes)
+INLINE void slerp_stretch(const float *a, const float *b, const pace *p, float *out, size_t stride, size_t lanes)
 {
     const size_t block = NKW_BLOCK * NKW_BLOCK_ROWS;
-    for (size_t n; lanes >= NKW_BLOCK; lanes -= n * NKW_BLOCK, a += n * block, b += n * block, out += n * NKW_BLOCK) {
-        n = lanes < TOGETHER * NKW_BLOCK ? 1 : TOGETHER;
-        slerp_together(a, b, pace, out, stride, NKW_BLOCK, n);
-    }
+    for (; lanes >= NKW_BLOCK; lanes -= NKW_BLOCK, a += block, b += block, out += NKW_BLOCK)
+        slerp_block(a, b, p, out, stride, NKW_BLOCK);
     if (lanes == 8)
-        slerp_together(a, b, pace, out, stride, 8, 1);
+        slerp_block(a, b, p, out, stride, 8);
     else if (lanes == 4)
-        slerp_together(a, b, pace, out, stride, 4, 1);
+        slerp_block(a, b, p, out, stride, 4);
 }
 
-INLINE void slerp_blocks(const float *a, const float *b, lane_slerp_pace pace, const nkw_block *blocks,
+INLINE void slerp_blocks(const float *a, const float *b, lane_slerp_pace at, const nkw_block *blocks,
                          size_t block_count, float *out, size_t stride)
 {
+    const pace p = {at, lane_slerp_powers_at(&at)};
     for (size_t k = 0, lanes; k < block_count; k += blocks_in(lanes)) {
-        const size_t at = k * NKW_BLOCK * NKW_BLOCK_ROWS;
+        const size_t from = k * NKW_BLOCK * NKW_BLOCK_ROWS;
         float mixed[4 * NKW_BLOCK];
         int direct = blocks[k].direct > 0;
         lanes = direct ? blocks[k].direct : blocks[k].width;
-        slerp_stretch(a + at, b + at, pace, direct ? out + blocks[k].places[0] : mixed, direct ? stride : NKW_BLOCK,
+        slerp_stretch(a + from, b + from, &p, direct ? out + blocks[k].places[0] : mixed, direct ? stride : NKW_BLOCK,
                       lanes);
         if (!direct)
             scatter(&blocks[k], mixed, NKW_BLOCK, out, stride);
@@ -208,13 +170,13 @@ INLINE void slerp_blocks(const float *a, const float *b, lane_slerp_pace pace, c
 KERNEL(clip_slerp)
 (const float *a, const float *b, float t, const nkw_block *blocks, size_t block_count, float *out, size_t stride)
 {
-    lane_slerp_pace pace = lane_slerp_pace_at(t);
-    if (pace.first)
-        slerp_blocks(a, b, lane_slerp_near(pace, 1), blocks, block_count, out, stride);
-    else if (pace.half)
-        slerp_blocks(a, b, pace, blocks, block_count, out, stride);
+    lane_slerp_pace at = lane_slerp_pace_at(t);
+    if (!lane_t_is_aside(t))
+        slerp_blocks(a, b, at, blocks, block_count, out, stride);
+    else if (at.first)
+        slerp_blocks(a, b, lane_slerp_near(at, 1), blocks, block_count, out, stride);
     else
-        slerp_blocks(a, b, lane_slerp_near(pace, 0), blocks, block_count, out, stride);
+        slerp_blocks(a, b, lane_slerp_near(at, 0), blocks, block_count, out, stride);
 }
 
 /* Compact keys. A number is base + step key; between two keys of a number the key itself is interpolated. */
@@ -286,7 +248,7 @@ INLINE void arcs_of_pair(pair16 *pair, size_t width)
     }
 }
 
-INLINE void slerp_pair(const pair16 *pair, const lane_compact_pace *pace, float *out, size_t stride, size_t width)
+INLINE void slerp_pair(const pair16 *pair, const lane_compact_pace *p, float *out, size_t stride, size_t width)
 {
     nkw_quat_view from = block_rows(pair->from, width), to = block_rows(pair->to, width);
     nkw_quat_span o = block_rows_to(out, stride);
@@ -294,11 +256,11 @@ INLINE void slerp_pair(const pair16 *pair, const lane_compact_pace *pace, float 
 #pragma omp simd
     for (size_t i = 0; i < width; i++) {
         lane_compact_arc arc = {v[i], of_a[i], of_b[i]};
-        put_quat(o, i, lane_compact_slerp(at_quat(from, i), at_quat(to, i), arc, pace));
+        put_quat(o, i, lane_compact_slerp(at_quat(from, i), at_quat(to, i), arc, p));
     }
 }
 
-INLINE void slerp_pair_to(const pair16 *pair, const lane_compact_pace *pace, const nkw_block *block, float *out,
+INLINE void slerp_pair_to(const pair16 *pair, const lane_compact_pace *p, const nkw_block *block, float *out,
                           size_t stride)
 {
     float mixed[4 * NKW_BLOCK];
@@ -306,9 +268,9 @@ INLINE void slerp_pair_to(const pair16 *pair, const lane_compact_pace *pace, con
     float *o = direct ? out + block->places[0] : mixed;
     size_t apart = direct ? stride : NKW_BLOCK;
     if (block->width == NKW_BLOCK)
-        slerp_pair(pair, pace, o, apart, NKW_BLOCK);
+        slerp_pair(pair, p, o, apart, NKW_BLOCK);
     else
-        slerp_pair(pair, pace, o, apart, block->width);
+        slerp_pair(pair, p, o, apart, block->width);
     if (!direct)
         scatter(block, mixed, NKW_BLOCK, out, stride);
 }
@@ -319,7 +281,7 @@ KERNEL(clip_slerp16)
 (const uint16_t *a, const uint16_t *b, const float *base, const float *step, float t, const nkw_block *blocks,
  size_t block_count, float *out, size_t stride)
 {
-    lane_compact_pace pace = lane_compact_pace_at(t);
+    const lane_compact_pace p = lane_compact_pace_at(t);
     pair16 pairs[PAIRS];
     while (block_count > 0) {
         size_t n = block_count < PAIRS ? block_count : PAIRS;
@@ -340,7 +302,7 @@ KERNEL(clip_slerp16)
             else
                 arcs_of_pair(&pairs[k], blocks[k].width);
         for (size_t k = 0; k < n; k++)
-            slerp_pair_to(&pairs[k], &pace, &blocks[k], out, stride);
+            slerp_pair_to(&pairs[k], &p, &blocks[k], out, stride);
         blocks += n;
         block_count -= n;
     }

@@ -6,70 +6,44 @@
 /* clang-format off */
 
 /* v = |b - a|^2 / (a.b + LANE_SLERP_BEND |b - a|^2): moves the branch point at theta = pi away. */
-#define LANE_SLERP_BEND 0.3359375f
+#define LANE_SLERP_BEND 0.3437500f
 
 /*
- * H = H0(v) + T (H1(v) + T (H2(v) + T (H3(v) + T H4))), T = t^2 v, lowest power of v first.
- * sin(t theta) / sin theta = t - t (1 - t) (1 + t) v H. Off by at most 0.253 u for t in -1..1.
+ * sin(k theta) / sin theta = k - k (1 - k) (1 + k) v H(v, k^2). H[j][i] goes with v^i k^2j.
  */
-static const float LANE_SLERP_H0[6] = {
-    -0x1.555536p-3f,
-    -0x1.88a562p-8f,
-    -0x1.6847a4p-11f,
-    -0x1.09d412p-15f,
-    -0x1.4d5e4ep-19f,
-    -0x1.2c9b68p-21f,
-};
-static const float LANE_SLERP_H1[5] = {
-    0x1.110e6p-7f,
-    -0x1.48536cp-13f,
-    0x1.448d58p-14f,
-    -0x1.41c4b2p-18f,
-    0x1.842ad6p-21f,
-};
-static const float LANE_SLERP_H2[3] = {
-    -0x1.98b8f2p-13f,
-    0x1.c4785ep-17f,
-    -0x1.fbcb3cp-20f,
-};
-static const float LANE_SLERP_H3[2] = {
-    0x1.3e4738p-19f,
-    -0x1.120b5cp-23f,
-};
-static const float LANE_SLERP_H4[1] = {
-    -0x1.dfa7d8p-27f,
+#define LANE_SLERP_ROWS   4
+#define LANE_SLERP_POWERS 8 /* the last are 0 */
+
+/* For k in 0.5..1.0. Off by at most 0.553 u. */
+static const float LANE_SLERP_NEAR[LANE_SLERP_ROWS][LANE_SLERP_POWERS] = {
+    {-0x1.55553ap-3f, -0x1.ddcd5ap-8f, -0x1.a1a784p-11f, -0x1.7ac1e4p-15f, -0x1.2f9e2ap-18f, -0x1.97dcf6p-21f},
+    {0x0p+0f, 0x1.10dcap-7f, -0x1.c24c0ap-17f, 0x1.14323ap-14f, 0x0p+0f, 0x1.1363ecp-21f},
+    {0x0p+0f, 0x0p+0f, -0x1.9532ap-13f, 0x1.a8a64p-18f, 0x0p+0f, -0x1.82ed76p-22f},
+    {0x0p+0f, 0x0p+0f, 0x0p+0f, 0x1.1a9e42p-19f, 0x0p+0f, 0x0p+0f},
 };
 
-/*
- * Shorter, for compact clips.
- *
- * H = H0(v) + T (H1(v) + T (H2(v) + T (H3(v) + T H4))), T = t^2 v, lowest power of v first.
- * sin(t theta) / sin theta = t - t (1 - t) (1 + t) v H. Off by at most 1.075 u for t in -1..1.
- */
-static const float LANE_SLERP_BRIEF0[5] = {
-    -0x1.55566ap-3f,
-    -0x1.87d0a6p-8f,
-    -0x1.7380ccp-11f,
-    -0x1.14367cp-16f,
-    -0x1.e9ea9ep-18f,
+/* For k in 0.0..0.5. Off by at most 0.375 u. */
+static const float LANE_SLERP_FAR[LANE_SLERP_ROWS][LANE_SLERP_POWERS] = {
+    {-0x1.555522p-3f, -0x1.ddfeacp-8f, -0x1.9e5cdap-11f, -0x1.a31fbp-15f, -0x1.8f7852p-19f, -0x1.f7774ap-21f},
+    {0x0p+0f, 0x1.10e648p-7f, -0x1.3a1846p-16f, 0x1.1fb264p-14f, 0x0p+0f, 0x1.93739cp-22f},
+    {0x0p+0f, 0x0p+0f, -0x1.7bcb2cp-13f, 0x0p+0f, 0x0p+0f, 0x0p+0f},
+    {0x0p+0f, 0x0p+0f, 0x0p+0f, 0x0p+0f, 0x0p+0f, 0x0p+0f},
 };
-static const float LANE_SLERP_BRIEF1[4] = {
-    0x1.10d672p-7f,
-    -0x1.20f71ap-13f,
-    0x1.fe44d4p-15f,
-    0x1.1a8a9cp-20f,
+
+/* For k in 0.5..1.0, for compact clips. Off by at most 1.769 u. */
+static const float LANE_SLERP_BRIEF_NEAR[LANE_SLERP_ROWS][LANE_SLERP_POWERS] = {
+    {-0x1.555754p-3f, -0x1.dc9b08p-8f, -0x1.b0d104p-11f, -0x1.a25e3cp-16f, -0x1.6f763ap-17f, 0x0p+0f},
+    {0x0p+0f, 0x1.10d99p-7f, -0x1.afa4d6p-18f, 0x1.e021f6p-15f, 0x1.ea2524p-19f, 0x0p+0f},
+    {0x0p+0f, 0x0p+0f, -0x1.a1ce7p-13f, 0x1.c0baa8p-17f, -0x1.76f2cep-19f, 0x0p+0f},
+    {0x0p+0f, 0x0p+0f, 0x0p+0f, 0x1.247554p-19f, 0x0p+0f, 0x0p+0f},
 };
-static const float LANE_SLERP_BRIEF2[3] = {
-    -0x1.9becfep-13f,
-    0x1.f0691p-17f,
-    -0x1.22b42p-19f,
-};
-static const float LANE_SLERP_BRIEF3[2] = {
-    0x1.3bee4ep-19f,
-    -0x1.f9127ep-24f,
-};
-static const float LANE_SLERP_BRIEF4[1] = {
-    -0x1.fad19cp-27f,
+
+/* For k in 0.0..0.5, for compact clips. Off by at most 2.197 u. */
+static const float LANE_SLERP_BRIEF_FAR[LANE_SLERP_ROWS][LANE_SLERP_POWERS] = {
+    {-0x1.5557dp-3f, -0x1.dcc6b2p-8f, -0x1.add18ap-11f, -0x1.d5db52p-16f, -0x1.5ea1bep-17f, 0x0p+0f},
+    {0x0p+0f, 0x1.11a258p-7f, -0x1.989a08p-15f, 0x1.4d0d1cp-14f, 0x0p+0f, 0x0p+0f},
+    {0x0p+0f, 0x0p+0f, -0x1.7c24a8p-13f, 0x0p+0f, 0x0p+0f, 0x0p+0f},
+    {0x0p+0f, 0x0p+0f, 0x0p+0f, 0x0p+0f, 0x0p+0f, 0x0p+0f},
 };
 
 #endif

@@ -38,39 +38,6 @@ static inline void lane_compact_numbers(lane_wquat q, double p[3])
     p[2] = q.z * part;
 }
 
-/*
- * Slerp's weights sin(k theta)/sin theta = k - E(k) (orient.h) of the two keys, k = 1 - t and t. t is the same for all
- * lanes, so that a weight is a polynomial in v.
- */
-typedef struct lane_compact_pace {
-    float c[6][2]; /* lowest power first */
-} lane_compact_pace;
-
-static inline lane_compact_pace lane_compact_pace_at(float t)
-{
-    const float *h0 = LANE_SLERP_BRIEF0, *h1 = LANE_SLERP_BRIEF1, *h2 = LANE_SLERP_BRIEF2, *h3 = LANE_SLERP_BRIEF3,
-                *h4 = LANE_SLERP_BRIEF4;
-    const float ks[2] = {1.0f - t, t};
-    lane_compact_pace r;
-    for (int i = 0; i < 2; i++) {
-        float k = ks[i], s = k * k, p = ks[0] * ks[1] * (-1.0f - k);
-        r.c[0][i] = k;
-        r.c[1][i] = p * h0[0];
-        r.c[2][i] = p * (h0[1] + s * h1[0]);
-        r.c[3][i] = p * (h0[2] + s * (h1[1] + s * h2[0]));
-        r.c[4][i] = p * (h0[3] + s * (h1[2] + s * (h2[1] + s * h3[0])));
-        r.c[5][i] = p * (h0[4] + s * (h1[3] + s * (h2[2] + s * (h3[1] + s * h4[0]))));
-    }
-    return r;
-}
-
-static inline float lane_compact_weight(const lane_compact_pace *pace, int i, float v)
-{
-    float v2 = v * v;
-    float low = (pace->c[0][i] + pace->c[1][i] * v) + (pace->c[2][i] + pace->c[3][i] * v) * v2;
-    return low + (pace->c[4][i] + pace->c[5][i] * v) * (v2 * v2);
-}
-
 /* What slerp needs to know of two keys: v, and what the weights are to be multiplied by. */
 typedef struct lane_compact_arc {
     float v, of_a, of_b;
@@ -89,6 +56,33 @@ static inline lane_compact_arc lane_compact_arc_between(nkw_quat a, nkw_quat b, 
     float c = lane_flip(nkw_quat_dot(a, b), turned), q = 2.0f * (m - c), inverse = 1.0f / m;
     lane_compact_arc arc = {q / (c + q * LANE_SLERP_BEND), inverse * lb, lane_flip(inverse * la, turned)};
     return arc;
+}
+
+/* Slerp's weights of the two keys, k - E(k) with k = 1 - t and t, by powers of v. */
+typedef struct lane_compact_pace {
+    float c[2][1 + LANE_SLERP_POWERS];
+} lane_compact_pace;
+
+static inline lane_compact_pace lane_compact_pace_at(float t)
+{
+    const lane_slerp_pace at = lane_slerp_pace_at(t);
+    const float zr = at.r * at.r, zs = at.s * at.s;
+    lane_compact_pace pace;
+    float *near = pace.c[at.first ? 0 : 1], *far = pace.c[at.first ? 1 : 0];
+    near[0] = at.r;
+    far[0] = at.s;
+    for (int i = 0; i < LANE_SLERP_POWERS; i++) {
+        near[1 + i] = -at.cr * lane_slerp_power3(LANE_SLERP_BRIEF_NEAR, i, zr, zr * zr);
+        far[1 + i] = -at.cs * lane_slerp_power3(LANE_SLERP_BRIEF_FAR, i, zs, zs * zs);
+    }
+    return pace;
+}
+
+static inline float lane_compact_weight(const lane_compact_pace *pace, int i, float v)
+{
+    const float *c = pace->c[i];
+    float vv = v * v;
+    return ((c[0] + c[1] * v) + (c[2] + c[3] * v) * vv) + (c[4] + c[5] * v) * (vv * vv);
 }
 
 static inline nkw_quat lane_compact_slerp(nkw_quat a, nkw_quat b, lane_compact_arc arc, const lane_compact_pace *pace)

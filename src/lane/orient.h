@@ -17,12 +17,16 @@ static inline float lane_flip(float x, uint32_t sign_bit)
     return lane_float(lane_bits(x) ^ sign_bit);
 }
 
+static inline nkw_quat lane_quat_flip(nkw_quat q, uint32_t sign_bit)
+{
+    nkw_quat r = {lane_flip(q.x, sign_bit), lane_flip(q.y, sign_bit), lane_flip(q.z, sign_bit), lane_flip(q.w, sign_bit)};
+    return r;
+}
+
 /* b or -b, whichever lies on a's side. */
 static inline nkw_quat lane_quat_turned(nkw_quat a, nkw_quat b)
 {
-    uint32_t turned = nkw_quat_dot(a, b) < 0.0f ? 0x80000000u : 0u;
-    nkw_quat r = {lane_flip(b.x, turned), lane_flip(b.y, turned), lane_flip(b.z, turned), lane_flip(b.w, turned)};
-    return r;
+    return lane_quat_flip(b, nkw_quat_dot(a, b) < 0.0f ? 0x80000000u : 0u);
 }
 
 /* The point v of the chord from a to b, turned to a's side, and the way back from there to the end nearer to t. */
@@ -84,40 +88,21 @@ static inline nkw_quat lane_quat_nlerp(nkw_quat a, nkw_quat b, float t)
 }
 
 /*
- * Polynomials of 3, 5 and 6 coefficients, lowest power first: pairs are summed first, then Horner in v^2, for half the
- * latency of Horner in v.
- */
-static inline float lane_pairs3(const float *c, float v, float vv)
-{
-    return (c[0] + v * c[1]) + vv * c[2];
-}
-
-static inline float lane_pairs5(const float *c, float v, float vv)
-{
-    return (c[0] + v * c[1]) + vv * lane_pairs3(c + 2, v, vv);
-}
-
-static inline float lane_pairs6(const float *c, float v, float vv)
-{
-    return (c[0] + v * c[1]) + vv * ((c[2] + v * c[3]) + vv * (c[4] + v * c[5]));
-}
-
-/*
- * Slerp as the end nearer to t and small corrections to it. b is turned to a's side; theta is their angle, u = 1 - t:
+ * Slerp as the end nearer to t and a small correction to it. b is turned to a's side; theta is their angle, n the nearer
+ * end, f the farther, s the way from n to t and r = 1 - s that from f:
  *
- *     slerp = sin(u theta)/sin theta a + sin(t theta)/sin theta b        sin(k theta)/sin theta = k - E(k)
+ *     sin(k theta)/sin theta = k - E(k)
+ *     slerp = n - (bow f - way (f - n)),                 bow = E(s) + E(r),  way = s + E(r)
+ *     t = 1/2:  slerp = m - bow m,  m = (a + b)/2        bow = 2 E(1/2)
  *
- *     t < 1/2:  slerp = a         - (-t d + (E(u) a + E(t) b))           d = b - a
- *     t = 1/2:  slerp = (a + b)/2 - (       (E(u) a + E(t) b))
- *     t > 1/2:  slerp = b         - ( u d + (E(u) a + E(t) b))
+ * Exchanging a and b and t and 1 - t gives the same bits, also at t = 1/2.
  *
- * Exchanging a and b and t and u gives the same bits, also at t = 1/2.
+ *     E(k) = k (1 - k^2) v H(v, k^2) = (c v) H,  c = s r (1 + k),    v = q / (|a.b| + q LANE_SLERP_BEND),  q = |b - a|^2
  *
- *     E(k) = k (1 - k^2) v H(v, k^2 v) = (c v) H,  c = t u (1 + k),    v = q / (|a.b| + q LANE_SLERP_BEND),  q = |d|^2
+ * v stands for the angle: small ones are told by the chord, large ones by the dot product, and the lengths of a and b
+ * cancel. At t = 0 and 1 bow and way are -0, so that the bracket is +0 where n is -0: "n - 0" keeps a -0.
  *
- * v stands for the angle: small ones are told by the chord d, large ones by the dot product, and the lengths of a and b
- * cancel. c is never -0, so E(0) = -0 E(1) = -0: the bracket is +0 where nothing is to be added, and "near - 0" keeps
- * a -0.
+ * H is a polynomial in v, the coefficient of each power one in k^2. Many slerps at one t share these.
  */
 
 /* x where mask is all ones, y where it is 0. */
@@ -126,31 +111,10 @@ static inline float lane_blend(uint32_t mask, float x, float y)
     return lane_float(lane_bits(y) ^ ((lane_bits(x) ^ lane_bits(y)) & mask));
 }
 
-/* What slerp needs to know of a and b: whether b is turned, their angle as v, and H's polynomials in it. */
-typedef struct lane_slerp_arc {
-    uint32_t turned;
-    float v, h0, h1, h2, h3;
-} lane_slerp_arc;
-
 /* a.b. The smallest normal number makes -0 positive and keeps 0 / 0 away. */
 static inline float lane_slerp_cosine(nkw_quat a, nkw_quat b)
 {
     return nkw_quat_dot(a, b) + 0x1p-126f;
-}
-
-/* The arc of which v is known. */
-static inline lane_slerp_arc lane_slerp_arc_of(uint32_t turned, float v)
-{
-    float vv = v * v;
-    lane_slerp_arc arc = {
-        turned,
-        v,
-        lane_pairs6(LANE_SLERP_H0, v, vv),
-        lane_pairs5(LANE_SLERP_H1, v, vv),
-        lane_pairs3(LANE_SLERP_H2, v, vv),
-        LANE_SLERP_H3[0] + v * LANE_SLERP_H3[1],
-    };
-    return arc;
 }
 
 /*
@@ -165,89 +129,174 @@ static inline float lane_slerp_stored(float q, float cosine)
     return unit | same ? q : stored;
 }
 
-/* From a to c, which is b on a's side. `keys`, a constant: a and b are keys as they are stored; else they are unit. */
-static inline lane_slerp_arc lane_slerp_arc_between(nkw_quat a, nkw_quat b, int keys)
+/*
+ * What slerp needs to know of a and b: v, with the sign bit set where b is turned. `keys`, a constant: they are keys as
+ * they are stored; else they are unit.
+ */
+static inline float lane_slerp_arc(nkw_quat a, nkw_quat b, int keys)
 {
-    float cosine = lane_slerp_cosine(a, b);
-    uint32_t turned = lane_sign_bit(cosine);
-    nkw_quat c = {lane_flip(b.x, turned), lane_flip(b.y, turned), lane_flip(b.z, turned), lane_flip(b.w, turned)};
-    nkw_quat d = nkw_quat_sub(c, a);
+    float cosine = lane_slerp_cosine(a, b), along = lane_abs(cosine);
+    nkw_quat d = nkw_quat_sub(lane_quat_flip(b, lane_sign_bit(cosine)), a);
     float q = nkw_quat_dot(d, d);
-    cosine = lane_flip(cosine, turned);
-    q = keys ? lane_slerp_stored(q, cosine) : q;
-    return lane_slerp_arc_of(turned, q / (cosine + q * LANE_SLERP_BEND));
+    q = keys ? lane_slerp_stored(q, along) : q;
+    return lane_flip(q / (along + q * LANE_SLERP_BEND), lane_sign_bit(cosine));
 }
 
-/* What it needs to know of t: the masks say whether a is the nearer end, and whether t is 1/2. */
+/* What it needs to know of t: s, r, the c of each, and masks: a is nearer, t is 1/2, t is an end. */
 typedef struct lane_slerp_pace {
-    float t, u, shift;
-    uint32_t first, half;
+    float s, r, cs, cr;
+    uint32_t first, half, end;
 } lane_slerp_pace;
 
-/* For t other than 1/2. */
+/* Inside 0..1, but for 1/2. */
+static inline int lane_t_is_aside(float t)
+{
+    return t > 0.0f && t < 1.0f && t != 0.5f;
+}
+
 static inline lane_slerp_pace lane_slerp_pace_aside(float t)
 {
-    float u = 1.0f - t, late = t - 0.5f;
-    uint32_t first = 0u - (lane_bits(late) >> 31);
-    lane_slerp_pace pace = {t, u, lane_flip(t < u ? t : u, lane_sign_bit(late)), first, 0u};
+    float u = 1.0f - t, s = t < u ? t : u, r = t < u ? u : t, sr = t * u;
+    lane_slerp_pace pace = {s, r, sr * (1.0f + s), sr * (1.0f + r), 0u - (lane_bits(t - 0.5f) >> 31), 0u, 0u};
     return pace;
 }
 
+/* For t in 0..1; a -0 counts as 0. */
 static inline lane_slerp_pace lane_slerp_pace_at(float t)
 {
-    lane_slerp_pace pace = lane_slerp_pace_aside(t);
+    lane_slerp_pace pace = lane_slerp_pace_aside(t + 0.0f);
     pace.half = 0u - (uint32_t)(t == 0.5f);
-    pace.shift = lane_blend(pace.half, 0.0f, pace.shift);
+    pace.end = 0u - (uint32_t)(pace.s == 0.0f);
     return pace;
 }
 
-/* The same pace where it is known at compile time which end is nearer, so that nothing is left to be selected. */
+/* The pace aside where it is known at compile time which end is nearer, so that nothing is left to be selected. */
 static inline lane_slerp_pace lane_slerp_near(lane_slerp_pace pace, int first)
 {
     pace.first = first ? ~0u : 0u;
-    pace.half = 0u;
+    pace.half = pace.end = 0u;
     return pace;
 }
 
-/* One component: base - (shift d + (E(u) a + E(t) b)). */
-static inline float lane_slerp_component(float a, float b, const lane_slerp_pace *pace, float eu, float et)
+/* The coefficient of v^i: a polynomial in z = k^2, zz = z^2. */
+static inline float lane_slerp_power1(const float h[][LANE_SLERP_POWERS], int i, float z)
 {
-    float base = lane_blend(pace->half, 0.5f * (a + b), lane_blend(pace->first, a, b));
-    return base - (pace->shift * (b - a) + (eu * a + et * b));
+    return h[0][i] + z * h[1][i];
 }
 
-/* E(k) for k = u or t. */
-static inline float lane_slerp_excess_on(const lane_slerp_arc *arc, const lane_slerp_pace *pace, float k)
+static inline float lane_slerp_power2(const float h[][LANE_SLERP_POWERS], int i, float z, float zz)
 {
-    float c = (pace->t * pace->u + 0.0f) * (1.0f + k), kv = k * k * arc->v;
-    return (c * arc->v) * (arc->h0 + kv * (arc->h1 + kv * (arc->h2 + kv * (arc->h3 + kv * LANE_SLERP_H4[0]))));
+    return (h[0][i] + z * h[1][i]) + zz * h[2][i];
 }
 
-/* The slerp by its E(u) and E(t). */
-static inline nkw_quat lane_quat_slerp_by(nkw_quat a, nkw_quat b, uint32_t turned, const lane_slerp_pace *pace,
-                                          float eu, float et)
+static inline float lane_slerp_power3(const float h[][LANE_SLERP_POWERS], int i, float z, float zz)
 {
+    return (h[0][i] + z * h[1][i]) + zz * (h[2][i] + z * h[3][i]);
+}
+
+/* H by its coefficients: pairs are summed first, then Horner in v^2, for half the latency of Horner in v. */
+static inline float lane_slerp_sum(float h0, float h1, float h2, float h3, float h4, float h5, float v)
+{
+    float vv = v * v;
+    return (h0 + v * h1) + vv * ((h2 + v * h3) + vv * (h4 + v * h5));
+}
+
+/* E(r) and E(s). */
+static inline float lane_slerp_near_excess(const lane_slerp_pace *pace, float v)
+{
+    const float z = pace->r * pace->r, zz = z * z, (*h)[LANE_SLERP_POWERS] = LANE_SLERP_NEAR;
+    return (pace->cr * v) * lane_slerp_sum(h[0][0], lane_slerp_power1(h, 1, z), lane_slerp_power2(h, 2, z, zz),
+                                           lane_slerp_power3(h, 3, z, zz), h[0][4], lane_slerp_power2(h, 5, z, zz), v);
+}
+
+static inline float lane_slerp_far_excess(const lane_slerp_pace *pace, float v)
+{
+    const float z = pace->s * pace->s, zz = z * z, (*h)[LANE_SLERP_POWERS] = LANE_SLERP_FAR;
+    return (pace->cs * v) * lane_slerp_sum(h[0][0], lane_slerp_power1(h, 1, z), lane_slerp_power2(h, 2, z, zz),
+                                           lane_slerp_power1(h, 3, z), h[0][4], lane_slerp_power1(h, 5, z), v);
+}
+
+/* The same for many v at one t: the coefficients, worked out once. */
+typedef struct lane_slerp_powers {
+    float near[LANE_SLERP_POWERS], far[LANE_SLERP_POWERS];
+} lane_slerp_powers;
+
+static inline lane_slerp_powers lane_slerp_powers_at(const lane_slerp_pace *pace)
+{
+    const float zr = pace->r * pace->r, zs = pace->s * pace->s;
+    lane_slerp_powers p;
+    for (int i = 0; i < LANE_SLERP_POWERS; i++) {
+        p.near[i] = lane_slerp_power3(LANE_SLERP_NEAR, i, zr, zr * zr);
+        p.far[i] = lane_slerp_power3(LANE_SLERP_FAR, i, zs, zs * zs);
+    }
+    return p;
+}
+
+static inline float lane_slerp_excess_by(const float *h, float c, float v)
+{
+    return (c * v) * lane_slerp_sum(h[0], h[1], h[2], h[3], h[4], h[5], v);
+}
+
+typedef struct lane_slerp_weights {
+    float bow, way;
+} lane_slerp_weights;
+
+static inline lane_slerp_weights lane_slerp_weights_of(const lane_slerp_pace *pace, float er, float es)
+{
+    lane_slerp_weights w = {lane_blend(pace->half, es, er) + es, lane_blend(pace->end, er, pace->s + er)};
+    return w;
+}
+
+static inline lane_slerp_weights lane_slerp_weights_at(const lane_slerp_pace *pace, float v)
+{
+    return lane_slerp_weights_of(pace, lane_slerp_near_excess(pace, v), lane_slerp_far_excess(pace, v));
+}
+
+static inline lane_slerp_weights lane_slerp_weights_by(const lane_slerp_pace *pace, const lane_slerp_powers *powers,
+                                                       float v)
+{
+    return lane_slerp_weights_of(pace, lane_slerp_excess_by(powers->near, pace->cr, v),
+                                 lane_slerp_excess_by(powers->far, pace->cs, v));
+}
+
+/* One component. */
+static inline float lane_slerp_component(float a, float b, const lane_slerp_pace *pace, lane_slerp_weights w)
+{
+    float middle = 0.5f * (a + b);
+    float n = lane_blend(pace->half, middle, lane_blend(pace->first, a, b));
+    float f = lane_blend(pace->half, middle, lane_blend(pace->first, b, a));
+    return n - (w.bow * f - w.way * (f - n));
+}
+
+static inline nkw_quat lane_quat_slerp_by(nkw_quat a, nkw_quat b, float arc, const lane_slerp_pace *pace,
+                                          lane_slerp_weights w)
+{
+    nkw_quat c = lane_quat_flip(b, lane_sign_bit(arc));
     nkw_quat r = {
-        lane_slerp_component(a.x, lane_flip(b.x, turned), pace, eu, et),
-        lane_slerp_component(a.y, lane_flip(b.y, turned), pace, eu, et),
-        lane_slerp_component(a.z, lane_flip(b.z, turned), pace, eu, et),
-        lane_slerp_component(a.w, lane_flip(b.w, turned), pace, eu, et),
+        lane_slerp_component(a.x, c.x, pace, w),
+        lane_slerp_component(a.y, c.y, pace, w),
+        lane_slerp_component(a.z, c.z, pace, w),
+        lane_slerp_component(a.w, c.w, pace, w),
     };
     return r;
 }
 
-static inline nkw_quat lane_quat_slerp_on(nkw_quat a, nkw_quat b, const lane_slerp_arc *arc,
-                                          const lane_slerp_pace *pace)
+static inline nkw_quat lane_quat_slerp_on(nkw_quat a, nkw_quat b, float arc, const lane_slerp_pace *pace)
 {
-    float et = lane_slerp_excess_on(arc, pace, pace->t), eu = lane_slerp_excess_on(arc, pace, pace->u);
-    return lane_quat_slerp_by(a, b, arc->turned, pace, eu, et);
+    return lane_quat_slerp_by(a, b, arc, pace, lane_slerp_weights_at(pace, lane_abs(arc)));
+}
+
+/* The same bits, at a pace that many have. */
+static inline nkw_quat lane_quat_slerp_along(nkw_quat a, nkw_quat b, float arc, const lane_slerp_pace *pace,
+                                             const lane_slerp_powers *powers)
+{
+    return lane_quat_slerp_by(a, b, arc, pace, lane_slerp_weights_by(pace, powers, lane_abs(arc)));
 }
 
 static inline nkw_quat lane_quat_slerp_between(nkw_quat a, nkw_quat b, float t, int keys)
 {
-    lane_slerp_arc arc = lane_slerp_arc_between(a, b, keys);
     lane_slerp_pace pace = lane_slerp_pace_at(t);
-    return lane_quat_slerp_on(a, b, &arc, &pace);
+    return lane_quat_slerp_on(a, b, lane_slerp_arc(a, b, keys), &pace);
 }
 
 static inline nkw_quat lane_quat_slerp(nkw_quat a, nkw_quat b, float t)
@@ -336,50 +385,49 @@ static inline int lane_four_nlerp(lane_four a, lane_four b, float t, lane_four *
     return m * m < 1.0f;
 }
 
-/* LANE_SLERP_H0[i] to _H3[i]: the coefficients that shorter polynomials lack are 0. */
-static inline lane_four lane_four_slerp_power(int i)
+/*
+ * Of v^2p and v^(2p + 1) the coefficients in H of the nearer and of the farther end, side by side. The tables are 0 in
+ * row j before column j.
+ */
+static inline lane_four lane_four_slerp_row(int j, int i)
 {
-    lane_four c = {LANE_SLERP_H0[i], i < 5 ? LANE_SLERP_H1[i] : 0.0f, i < 3 ? LANE_SLERP_H2[i] : 0.0f,
-                   i < 2 ? LANE_SLERP_H3[i] : 0.0f};
-    return c;
-}
-
-/* lane_slerp_arc's h0..h3, v being finite or NaN. */
-static inline lane_four lane_four_slerp_polynomials(lane_four v)
-{
-    lane_four vv = v * v, h = lane_four_slerp_power(4) + v * lane_four_slerp_power(5);
-    for (int i = 2; i >= 0; i -= 2)
-        h = (lane_four_slerp_power(i) + v * lane_four_slerp_power(i + 1)) + vv * h;
+    lane_four h = {LANE_SLERP_NEAR[j][i], LANE_SLERP_FAR[j][i], LANE_SLERP_NEAR[j][i + 1], LANE_SLERP_FAR[j][i + 1]};
     return h;
 }
 
-/* For t in 0..1. */
+static inline lane_four lane_four_slerp_powers(int i, lane_four z, lane_four zz)
+{
+    lane_four low = lane_four_slerp_row(0, i) + z * lane_four_slerp_row(1, i);
+    lane_four high = lane_four_slerp_row(2, i);
+    high = i == 2 ? high + z * lane_four_slerp_row(3, i) : high;
+    return i == 0 ? low : low + zz * high;
+}
+
+/* For t aside: without what is seldom. */
 static inline lane_four lane_four_slerp(lane_four a, lane_four b, float t, int keys)
 {
     const lane_four_bits sign = {INT32_MIN, INT32_MIN, INT32_MIN, INT32_MIN};
-    const lane_four zero = {0.0f, 0.0f, 0.0f, 0.0f}, half = {0.5f, 0.5f, 0.5f, 0.5f};
+    const lane_four half = {0.5f, 0.5f, 0.5f, 0.5f}, one = half + half;
     lane_four cosine = lane_four_sum(a * b) + lane_four_all(0x1p-126f);
-    lane_four_bits turned = (lane_four_bits)cosine & sign;
-    lane_four c = lane_four_flip(b, turned), d = c - a;
-    lane_four q = lane_four_sum(d * d), along = lane_four_flip(cosine, turned);
+    lane_four c = lane_four_flip(b, (lane_four_bits)cosine & sign), d = c - a;
+    lane_four q = lane_four_sum(d * d), along = (lane_four)((lane_four_bits)cosine & ~sign);
     q = keys ? lane_four_all(lane_slerp_stored(q[0], along[0])) : q;
-    lane_four v = q / (along + q * lane_four_all(LANE_SLERP_BEND));
-    lane_four h = lane_four_slerp_polynomials(v);
+    lane_four v = q / (along + q * lane_four_all(LANE_SLERP_BEND)), vv = v * v;
 
-    float u = 1.0f - t;
-    lane_four late = lane_four_all(t) - half;
-    lane_four_bits first = (lane_four_bits)late >> 31, middle = late == zero;
-    lane_four way = lane_four_select(first, lane_four_all(-t), lane_four_all(u));
-    lane_four shift = (lane_four)((lane_four_bits)way & ~middle);
-    lane_four base = lane_four_select(middle, half * (a + c), lane_four_select(first, a, c));
+    /* Of the nearer and the farther end in turn: E(r) E(s) E(r) E(s). */
+    float u = 1.0f - t, s = t < u ? t : u, r = t < u ? u : t;
+    lane_four k = {r, s, r, s}, z = k * k, zz = z * z, e = v;
+    for (int i = 4; i >= 0; i -= 2) {
+        lane_four h = lane_four_slerp_powers(i, z, zz);
+        lane_four pair = h + v * LANE_FOUR_MIX(h, h, 2, 3, 2, 3);
+        e = i == 4 ? pair : pair + vv * e;
+    }
+    e = (lane_four_all(t * u) * (one + k) * v) * e;
 
-    /* E(u) and E(t) */
-    lane_four k = {u, t, 0.0f, 0.0f}, kv = k * k * v, tu = lane_four_all(t * u) + zero;
-    lane_four of = tu * (lane_four_all(1.0f) + k);
-    lane_four h3 = lane_four_splat(h, 3) + kv * lane_four_all(LANE_SLERP_H4[0]);
-    lane_four e =
-        (of * v) * (lane_four_splat(h, 0) + kv * (lane_four_splat(h, 1) + kv * (lane_four_splat(h, 2) + kv * h3)));
-    return base - (shift * d + (lane_four_splat(e, 0) * a + lane_four_splat(e, 1) * c));
+    lane_four bow = lane_four_splat(e, 0) + lane_four_splat(e, 1), way = lane_four_splat(e, 0) + lane_four_all(s);
+    lane_four_bits first = lane_four_all(t) < half;
+    lane_four n = lane_four_select(first, a, c), f = lane_four_select(first, c, a);
+    return n - (bow * f - way * (f - n));
 }
 #endif
 
@@ -387,10 +435,13 @@ static inline lane_four lane_four_slerp(lane_four a, lane_four b, float t, int k
 static inline nkw_quat lane_quat_slerp_keys(nkw_quat a, nkw_quat b, float t)
 {
 #if defined(LANE_FOUR)
-    return lane_quat_from_four(lane_four_slerp(lane_four_from_quat(a), lane_four_from_quat(b), t, 1));
-#else
-    return lane_quat_slerp_between(a, b, t, 1);
+    lane_four from = lane_four_from_quat(a), to = lane_four_from_quat(b);
+    if (lane_t_is_aside(t))
+        return lane_quat_from_four(lane_four_slerp(from, to, t, 1));
+    a = lane_quat_from_four(from);
+    b = lane_quat_from_four(to);
 #endif
+    return lane_quat_slerp_between(a, b, t, 1);
 }
 
 /* An angle of a within one turn of b's, as NKW_UNWRAP_YAW and _ALL ask. */
