@@ -123,12 +123,12 @@ KERNEL(clip_lerp)(const float *a, const float *b, float t, const nkw_block *bloc
 }
 
 /* How far all rotations of a group are on their way. */
-typedef struct pace {
+typedef struct slerp_pace {
     lane_slerp_pace at;
     lane_slerp_powers powers;
-} pace;
+} slerp_pace;
 
-INLINE void slerp_block(const float *a, const float *b, const pace *p, float *out, size_t stride, size_t width)
+INLINE void slerp_block(const float *a, const float *b, const slerp_pace *p, float *out, size_t stride, size_t width)
 {
     nkw_quat_view from = block_rows(a, width), to = block_rows(b, width);
     nkw_quat_span o = block_rows_to(out, stride);
@@ -140,7 +140,7 @@ INLINE void slerp_block(const float *a, const float *b, const pace *p, float *ou
 }
 
 /* `lanes` lanes, whole blocks, from one after the other to one after the other. */
-INLINE void slerp_stretch(const float *a, const float *b, const pace *p, float *out, size_t stride, size_t lanes)
+INLINE void slerp_stretch(const float *a, const float *b, const slerp_pace *p, float *out, size_t stride, size_t lanes)
 {
     const size_t block = NKW_BLOCK * NKW_BLOCK_ROWS;
     for (; lanes >= NKW_BLOCK; lanes -= NKW_BLOCK, a += block, b += block, out += NKW_BLOCK)
@@ -154,7 +154,7 @@ INLINE void slerp_stretch(const float *a, const float *b, const pace *p, float *
 INLINE void slerp_blocks(const float *a, const float *b, lane_slerp_pace at, const nkw_block *blocks,
                          size_t block_count, float *out, size_t stride)
 {
-    const pace p = {at, lane_slerp_powers_at(&at)};
+    const slerp_pace p = {at, lane_slerp_powers_at(&at)};
     for (size_t k = 0, lanes; k < block_count; k += blocks_in(lanes)) {
         const size_t from = k * NKW_BLOCK * NKW_BLOCK_ROWS;
         float mixed[4 * NKW_BLOCK];
@@ -206,105 +206,136 @@ KERNEL(clip_lerp16)
     }
 }
 
-/* A block of rotations between two keys, row by row, and what slerp needs to know of each. */
-typedef struct pair16 {
-    float from[4 * NKW_BLOCK], to[4 * NKW_BLOCK], v[NKW_BLOCK], of_a[NKW_BLOCK], of_b[NKW_BLOCK];
-    uint32_t turned[NKW_BLOCK];
-} pair16;
+#define PAIRS 8 /* blocks that take each step together, so that no step waits for the divisions of the one before */
 
-static inline void decode(const uint16_t *key, const float *base, const float *step, float *out, size_t n)
+/* Rotations of a key, block by block as in the key, and what the arcs say of them. */
+typedef struct key16 {
+    float xyz[3 * PAIRS * NKW_BLOCK], w[PAIRS * NKW_BLOCK], of[PAIRS * NKW_BLOCK];
+} key16;
+
+typedef struct pairs16 {
+    key16 a, b;
+    float v[PAIRS * NKW_BLOCK];
+} pairs16;
+
+INLINE void decode_lanes(const uint16_t *key, const float *base, const float *step, float *out, size_t n)
 {
 #pragma omp simd
     for (size_t i = 0; i < n; i++)
         out[i] = base[i] + step[i] * (float)key[i];
 }
 
-/* Where its three numbers have an odd sum, a rotation is turned against the key before. */
-INLINE void decode_pair(const uint16_t *a, const uint16_t *b, const float *base, const float *step, pair16 *pair,
-                        size_t width)
+/* n is a multiple of 4. */
+static inline void decode(const uint16_t *key, const float *base, const float *step, float *out, size_t n)
 {
-    uint32_t *turned = pair->turned;
-    decode(a, base, step, pair->from, 3 * width);
-    decode(b, base, step, pair->to, 3 * width);
+    size_t i = 0;
+    for (; i + 32 <= n; i += 32)
+        decode_lanes(key + i, base + i, step + i, out + i, 32);
+    for (; i < n; i += 4)
+        decode_lanes(key + i, base + i, step + i, out + i, 4);
+}
+
+/* Where its three numbers have an odd sum, a rotation of b is turned against the key before. */
+INLINE void turns_of(const uint16_t *b, uint32_t *turned, size_t width)
+{
 #pragma omp simd
     for (size_t i = 0; i < width; i++)
         turned[i] = ((uint32_t)b[i] ^ b[width + i] ^ b[2 * width + i]) << 31;
 }
 
-INLINE void arcs_of_pair(pair16 *pair, size_t width)
+static inline nkw_vec3_view vectors_of(const key16 *key, size_t at, size_t width)
 {
-    nkw_quat_span from = block_rows_to(pair->from, width), to = block_rows_to(pair->to, width);
-    float *v = pair->v, *of_a = pair->of_a, *of_b = pair->of_b;
-    const uint32_t *turned = pair->turned;
+    const float *x = key->xyz + 3 * at;
+    nkw_vec3_view view = {x, x + width, x + 2 * width};
+    return view;
+}
+
+static inline nkw_quat_view rotations_of(const key16 *key, size_t at, size_t width)
+{
+    const float *x = key->xyz + 3 * at;
+    nkw_quat_view view = {x, x + width, x + 2 * width, key->w + at};
+    return view;
+}
+
+/* The block whose first lane is `at`. */
+INLINE void arcs_of(pairs16 *p, const uint16_t *b, size_t at, size_t width)
+{
+    const nkw_vec3_view from = vectors_of(&p->a, at, width), to = vectors_of(&p->b, at, width);
+    float *from_w = p->a.w + at, *to_w = p->b.w + at, *of_a = p->a.of + at, *of_b = p->b.of + at, *v = p->v + at;
+    uint32_t turned[NKW_BLOCK];
+    turns_of(b, turned, width);
 #pragma omp simd
     for (size_t i = 0; i < width; i++) {
-        nkw_quat a = lane_compact_quat(at_vec3(from, i)), b = lane_compact_quat(at_vec3(to, i));
-        lane_compact_arc arc = lane_compact_arc_between(a, b, turned[i]);
-        from.w[i] = a.w;
-        to.w[i] = b.w;
+        nkw_quat q0 = lane_compact_quat(at_vec3(from, i)), q1 = lane_compact_quat(at_vec3(to, i));
+        lane_compact_arc arc = lane_compact_arc_between(q0, q1, turned[i]);
+        from_w[i] = q0.w;
+        to_w[i] = q1.w;
         v[i] = arc.v;
         of_a[i] = arc.of_a;
         of_b[i] = arc.of_b;
     }
 }
 
-INLINE void slerp_pair(const pair16 *pair, const lane_compact_pace *p, float *out, size_t stride, size_t width)
+INLINE void slerp_of(const pairs16 *p, const lane_compact_pace *pace, size_t at, float *out, size_t stride,
+                     size_t width)
 {
-    nkw_quat_view from = block_rows(pair->from, width), to = block_rows(pair->to, width);
-    nkw_quat_span o = block_rows_to(out, stride);
-    const float *v = pair->v, *of_a = pair->of_a, *of_b = pair->of_b;
+    const key16 *near = pace->first ? &p->a : &p->b, *far = pace->first ? &p->b : &p->a;
+    const nkw_quat_view n = rotations_of(near, at, width), f = rotations_of(far, at, width);
+    const nkw_quat_span o = block_rows_to(out, stride);
+    const float *v = p->v + at, *of_n = near->of + at, *of_f = far->of + at;
 #pragma omp simd
-    for (size_t i = 0; i < width; i++) {
-        lane_compact_arc arc = {v[i], of_a[i], of_b[i]};
-        put_quat(o, i, lane_compact_slerp(at_quat(from, i), at_quat(to, i), arc, p));
-    }
+    for (size_t i = 0; i < width; i++)
+        put_quat(o, i, lane_compact_slerp(at_quat(n, i), at_quat(f, i), v[i], of_n[i], of_f[i], pace));
 }
 
-INLINE void slerp_pair_to(const pair16 *pair, const lane_compact_pace *p, const nkw_block *block, float *out,
-                          size_t stride)
+/* The widths as constants. */
+
+INLINE void arcs16(pairs16 *p, const uint16_t *b, size_t at, size_t width)
+{
+    if (width == NKW_BLOCK)
+        arcs_of(p, b, at, NKW_BLOCK);
+    else if (width == 8)
+        arcs_of(p, b, at, 8);
+    else
+        arcs_of(p, b, at, 4);
+}
+
+INLINE void slerp16(const pairs16 *p, const lane_compact_pace *pace, size_t at, float *out, size_t stride,
+                    size_t width)
+{
+    if (width == NKW_BLOCK)
+        slerp_of(p, pace, at, out, stride, NKW_BLOCK);
+    else if (width == 8)
+        slerp_of(p, pace, at, out, stride, 8);
+    else
+        slerp_of(p, pace, at, out, stride, 4);
+}
+
+INLINE void slerp16_to(const pairs16 *p, const lane_compact_pace *pace, size_t at, const nkw_block *block, float *out,
+                       size_t stride)
 {
     float mixed[4 * NKW_BLOCK];
-    int direct = block->direct > 0;
-    float *o = direct ? out + block->places[0] : mixed;
-    size_t apart = direct ? stride : NKW_BLOCK;
-    if (block->width == NKW_BLOCK)
-        slerp_pair(pair, p, o, apart, NKW_BLOCK);
-    else
-        slerp_pair(pair, p, o, apart, block->width);
+    const int direct = block->direct > 0;
+    slerp16(p, pace, at, direct ? out + block->places[0] : mixed, direct ? stride : NKW_BLOCK, block->width);
     if (!direct)
         scatter(block, mixed, NKW_BLOCK, out, stride);
 }
-
-#define PAIRS 8 /* blocks that take each step together, so that no step waits for the divisions of the one before */
 
 KERNEL(clip_slerp16)
 (const uint16_t *a, const uint16_t *b, const float *base, const float *step, float t, const nkw_block *blocks,
  size_t block_count, float *out, size_t stride)
 {
-    const lane_compact_pace p = lane_compact_pace_at(t);
-    pair16 pairs[PAIRS];
-    while (block_count > 0) {
-        size_t n = block_count < PAIRS ? block_count : PAIRS;
-        for (size_t k = 0; k < n; k++) {
-            size_t width = blocks[k].width;
-            if (width == NKW_BLOCK)
-                decode_pair(a, b, base, step, &pairs[k], NKW_BLOCK);
-            else
-                decode_pair(a, b, base, step, &pairs[k], width);
-            a += 3 * width;
-            b += 3 * width;
-            base += 3 * width;
-            step += 3 * width;
-        }
-        for (size_t k = 0; k < n; k++)
-            if (blocks[k].width == NKW_BLOCK)
-                arcs_of_pair(&pairs[k], NKW_BLOCK);
-            else
-                arcs_of_pair(&pairs[k], blocks[k].width);
-        for (size_t k = 0; k < n; k++)
-            slerp_pair_to(&pairs[k], &p, &blocks[k], out, stride);
-        blocks += n;
-        block_count -= n;
+    const lane_compact_pace pace = lane_compact_pace_at(t);
+    for (size_t k = 0; k < block_count; k += PAIRS) {
+        const size_t n = block_count - k < PAIRS ? block_count - k : PAIRS, first = 3 * NKW_BLOCK * k;
+        const size_t numbers = 3 * (NKW_BLOCK * (n - 1) + blocks[k + n - 1].width);
+        pairs16 p;
+        decode(a + first, base + first, step + first, p.a.xyz, numbers);
+        decode(b + first, base + first, step + first, p.b.xyz, numbers);
+        for (size_t i = 0; i < n; i++)
+            arcs16(&p, b + first + 3 * NKW_BLOCK * i, NKW_BLOCK * i, blocks[k + i].width);
+        for (size_t i = 0; i < n; i++)
+            slerp16_to(&p, &pace, NKW_BLOCK * i, &blocks[k + i], out, stride);
     }
 }
 

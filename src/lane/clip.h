@@ -38,7 +38,7 @@ static inline void lane_compact_numbers(lane_wquat q, double p[3])
     p[2] = q.z * part;
 }
 
-/* What slerp needs to know of two keys: v, and what the weights are to be multiplied by. */
+/* What slerp needs to know of two keys: v, and what their weights are to be multiplied by. */
 typedef struct lane_compact_arc {
     float v, of_a, of_b;
 } lane_compact_arc;
@@ -58,37 +58,36 @@ static inline lane_compact_arc lane_compact_arc_between(nkw_quat a, nkw_quat b, 
     return arc;
 }
 
-/* Slerp's weights of the two keys, k - E(k) with k = 1 - t and t, by powers of v. */
+/* Slerp's weights of the nearer and the farther key, k - E(k), by powers of v. */
 typedef struct lane_compact_pace {
-    float c[2][1 + LANE_SLERP_POWERS];
+    int first; /* a is nearer */
+    float near[1 + LANE_SLERP_POWERS], far[1 + LANE_SLERP_POWERS];
 } lane_compact_pace;
 
 static inline lane_compact_pace lane_compact_pace_at(float t)
 {
     const lane_slerp_pace at = lane_slerp_pace_at(t);
     const float zr = at.r * at.r, zs = at.s * at.s;
-    lane_compact_pace pace;
-    float *near = pace.c[at.first ? 0 : 1], *far = pace.c[at.first ? 1 : 0];
-    near[0] = at.r;
-    far[0] = at.s;
+    lane_compact_pace pace = {at.first != 0u, {at.r}, {at.s}};
     for (int i = 0; i < LANE_SLERP_POWERS; i++) {
-        near[1 + i] = -at.cr * lane_slerp_power3(LANE_SLERP_BRIEF_NEAR, i, zr, zr * zr);
-        far[1 + i] = -at.cs * lane_slerp_power3(LANE_SLERP_BRIEF_FAR, i, zs, zs * zs);
+        pace.near[1 + i] = -at.cr * lane_slerp_power3(LANE_SLERP_BRIEF_NEAR, i, zr, zr * zr);
+        pace.far[1 + i] = -at.cs * lane_slerp_power3(LANE_SLERP_BRIEF_FAR, i, zs, zs * zs);
     }
     return pace;
 }
 
-static inline float lane_compact_weight(const lane_compact_pace *pace, int i, float v)
+static inline float lane_compact_weight(const float *c, float v)
 {
-    const float *c = pace->c[i];
     float vv = v * v;
     return ((c[0] + c[1] * v) + (c[2] + c[3] * v) * vv) + (c[4] + c[5] * v) * (vv * vv);
 }
 
-static inline nkw_quat lane_compact_slerp(nkw_quat a, nkw_quat b, lane_compact_arc arc, const lane_compact_pace *pace)
+/* n is the nearer key and f the farther, and of_n and of_f what belongs to them of the arc. */
+static inline nkw_quat lane_compact_slerp(nkw_quat n, nkw_quat f, float v, float of_n, float of_f,
+                                          const lane_compact_pace *pace)
 {
-    float of_a = arc.of_a * lane_compact_weight(pace, 0, arc.v), of_b = arc.of_b * lane_compact_weight(pace, 1, arc.v);
-    nkw_quat r = {of_a * a.x + of_b * b.x, of_a * a.y + of_b * b.y, of_a * a.z + of_b * b.z, of_a * a.w + of_b * b.w};
+    float wn = of_n * lane_compact_weight(pace->near, v), wf = of_f * lane_compact_weight(pace->far, v);
+    nkw_quat r = {wn * n.x + wf * f.x, wn * n.y + wf * f.y, wn * n.z + wf * f.z, wn * n.w + wf * f.w};
     return r;
 }
 
