@@ -22,6 +22,12 @@ static inline lane_columns lane_columns_from(const nkw_mat4 *m)
     return r;
 }
 
+static inline lane_columns lane_columns_none(void)
+{
+    static const nkw_mat4 zero = {{0.0f}};
+    return lane_columns_from(&zero);
+}
+
 /* With the last row 0 0 0 1. */
 static inline void lane_mat4_from_columns(const lane_columns *m, nkw_mat4 *out)
 {

@@ -4,6 +4,8 @@ cmake_minimum_required(VERSION 3.25)
 # Columns of 4x4 matrices, one or two at a time on every set.
 set(fours palette_4x4 palette_3x4 skin_blend skin_blend_normals skin_blend_dual_quats models_from_locals)
 set(packed_fours "v?(mul|add)ps .*%[xy]mm")
+# Eight lanes at a time, on AVX-512 too.
+set(eights models_from_pose)
 set(moves vec3_unpack vec3_pack quat_unpack quat_pack mat4_unpack mat4_pack quat_conjugate
   clip_hold skin_read skin_write crowd_from_poses crowd_to_matrices)
 set(packed_generic "(mul|add|sub|div|sqrt)p[sd] .*%xmm")
@@ -26,6 +28,9 @@ foreach(isa IN LISTS ISAS)
     set(packed "${packed_${isa}}")
     if(name IN_LIST fours)
       set(packed "${packed_fours}")
+    endif()
+    if(name IN_LIST eights AND isa STREQUAL "avx512")
+      set(packed "${packed_avx2}")
     endif()
     if(NOT code MATCHES "${packed}")
       message(SEND_ERROR "packed: ${name} is not vectorised for ${isa}")
