@@ -22,14 +22,16 @@ nkw_quat nkw_quat_nlerp(nkw_quat a, nkw_quat b, float t)
 
 LANE_SELDOM static lane_four slerp_any(lane_four a, lane_four b, float t)
 {
-    nkw_quat r = lane_quat_slerp_any(lane_quat_from_four(a), lane_quat_from_four(b), t);
+    if (lane_t_is_inside(t))
+        return lane_four_slerp(a, b, t, 0, 0);
+    nkw_quat r = lane_quat_slerp_path(lane_quat_from_four(a), lane_quat_from_four(b), t, NKW_PATH_SHORT);
     return lane_four_from_quat(r);
 }
 
 nkw_quat nkw_quat_slerp(nkw_quat a, nkw_quat b, float t)
 {
     lane_four from = lane_four_from_quat(a), to = lane_four_from_quat(b);
-    return lane_quat_from_four(lane_t_is_aside(t) ? lane_four_slerp(from, to, t, 0) : slerp_any(from, to, t));
+    return lane_quat_from_four(lane_t_is_aside(t) ? lane_four_slerp(from, to, t, 1, 0) : slerp_any(from, to, t));
 }
 #else
 nkw_quat nkw_quat_nlerp(nkw_quat a, nkw_quat b, float t)

@@ -403,11 +403,11 @@ static inline lane_four lane_four_slerp_powers(int i, lane_four z, lane_four zz)
     return i == 0 ? low : low + zz * high;
 }
 
-/* For t aside: without what is seldom. */
-static inline lane_four lane_four_slerp(lane_four a, lane_four b, float t, int keys)
+/* For t in 0..1. `aside`, a constant, says that t is, and leaves out what is seldom. */
+static inline lane_four lane_four_slerp(lane_four a, lane_four b, float t, int aside, int keys)
 {
     const lane_four_bits sign = {INT32_MIN, INT32_MIN, INT32_MIN, INT32_MIN};
-    const lane_four half = {0.5f, 0.5f, 0.5f, 0.5f}, one = half + half;
+    const lane_four zero = {0.0f, 0.0f, 0.0f, 0.0f}, half = {0.5f, 0.5f, 0.5f, 0.5f}, one = half + half;
     lane_four cosine = lane_four_sum(a * b) + lane_four_all(0x1p-126f);
     lane_four c = lane_four_flip(b, (lane_four_bits)cosine & sign), d = c - a;
     lane_four q = lane_four_sum(d * d), along = (lane_four)((lane_four_bits)cosine & ~sign);
@@ -415,6 +415,7 @@ static inline lane_four lane_four_slerp(lane_four a, lane_four b, float t, int k
     lane_four v = q / (along + q * lane_four_all(LANE_SLERP_BEND)), vv = v * v;
 
     /* Of the nearer and the farther end in turn: E(r) E(s) E(r) E(s). */
+    t = aside ? t : t + 0.0f;
     float u = 1.0f - t, s = t < u ? t : u, r = t < u ? u : t;
     lane_four k = {r, s, r, s}, z = k * k, zz = z * z, e = v;
     for (int i = 4; i >= 0; i -= 2) {
@@ -424,9 +425,17 @@ static inline lane_four lane_four_slerp(lane_four a, lane_four b, float t, int k
     }
     e = (lane_four_all(t * u) * (one + k) * v) * e;
 
-    lane_four bow = lane_four_splat(e, 0) + lane_four_splat(e, 1), way = lane_four_splat(e, 0) + lane_four_all(s);
+    lane_four er = lane_four_splat(e, 0), es = lane_four_splat(e, 1), bow = er + es, way = er + lane_four_all(s);
     lane_four_bits first = lane_four_all(t) < half;
     lane_four n = lane_four_select(first, a, c), f = lane_four_select(first, c, a);
+    if (!aside) {
+        lane_four_bits middle = lane_four_all(t) == half, end = lane_four_all(s) == zero;
+        lane_four m = half * (a + c);
+        bow = lane_four_select(middle, es + es, bow);
+        way = lane_four_select(end, er, way);
+        n = lane_four_select(middle, m, n);
+        f = lane_four_select(middle, m, f);
+    }
     return n - (bow * f - way * (f - n));
 }
 #endif
@@ -436,12 +445,11 @@ static inline nkw_quat lane_quat_slerp_keys(nkw_quat a, nkw_quat b, float t)
 {
 #if defined(LANE_FOUR)
     lane_four from = lane_four_from_quat(a), to = lane_four_from_quat(b);
-    if (lane_t_is_aside(t))
-        return lane_quat_from_four(lane_four_slerp(from, to, t, 1));
-    a = lane_quat_from_four(from);
-    b = lane_quat_from_four(to);
-#endif
+    return lane_quat_from_four(lane_t_is_aside(t) ? lane_four_slerp(from, to, t, 1, 1)
+                                                  : lane_four_slerp(from, to, t, 0, 1));
+#else
     return lane_quat_slerp_between(a, b, t, 1);
+#endif
 }
 
 /* An angle of a within one turn of b's, as NKW_UNWRAP_YAW and _ALL ask. */
