@@ -228,9 +228,8 @@ INLINE void decode_lanes(const uint16_t *key, const float *base, const float *st
 /* n is a multiple of 4. */
 static inline void decode(const uint16_t *key, const float *base, const float *step, float *out, size_t n)
 {
-    size_t i = 0;
-    for (; i + 32 <= n; i += 32)
-        decode_lanes(key + i, base + i, step + i, out + i, 32);
+    size_t i = n / 16 * 16;
+    decode_lanes(key, base, step, out, i);
     for (; i < n; i += 4)
         decode_lanes(key + i, base + i, step + i, out + i, 4);
 }
