@@ -40,6 +40,7 @@ typedef struct series {
     int degree[POWERS];
 } series;
 
+/* What a row lacks here src/lane/orient.h leaves out. */
 static const series all[] = {
     {"LANE_SLERP_NEAR", "", 0.5L, 4, {0, 1, 2, 3, 0, 2}},
     {"LANE_SLERP_FAR", "", 0, 4, {0, 1, 2, 1, 0, 1}},
@@ -272,7 +273,7 @@ static void settle(fit *f, int k)
         minimax(f, 20);
 }
 
-/* One after the other, the largest of what v^i makes first. */
+/* One after the other, by rising powers of v, then of k^2. */
 static void settle_all(fit *f)
 {
     for (int k = 0; k < f->count; k++)
@@ -343,7 +344,7 @@ static void print_head(void)
            " * sin(k theta) / sin theta = k - k (1 - k) (1 + k) v H(v, k^2). H[j][i] goes with v^i k^2j.\n"
            " */\n"
            "#define LANE_SLERP_ROWS   %d\n"
-           "#define LANE_SLERP_POWERS 8 /* the last are 0 */\n",
+           "#define LANE_SLERP_POWERS 8 /* six, and two zeros to fill a vector */\n",
            (1 - 1 / POLE) / 2, ROWS);
 }
 

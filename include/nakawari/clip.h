@@ -55,7 +55,7 @@ typedef enum nkw_clip_format {
      *
      * A rotation is three numbers, its axis times the tangent of a quarter of its angle. At a key it is off by at most
      * 4/65535 radians times the widest range of the three, which is 2 at most, and 1e-6: 1.24e-4; between keys that are
-     * half a turn apart by sqrt 2 of that, 1.75e-4. It is unit to 5e-7, and of q and -q may be the one that the track's
+     * half a turn apart by sqrt 2 of that, 1.75e-4. It is unit to 7e-7, and of q and -q may be the one that the track's
      * is not. Keys that are not unit are made so first: between them it is then off by twice what they are, and more.
      *
      * nkw_clip_difference measures a clip's own error.

@@ -57,7 +57,8 @@ NKW_API nkw_quat nkw_quat_nlerp(nkw_quat a, nkw_quat b, float t);
  *        1 - t is exact. At a.b = 0, half a turn apart, both arcs are as short and b is taken as it stands.
  *        Two zero quaternions give zero.
  *
- * Error  3.7 u (for arcs up to 0.5 rad between the quaternions 1.3; root mean square 0.61); 1.0 for t outside 0..1.
+ * Error  3.7 u (for arcs up to 0.5 rad between the quaternions 1.3, and 1.9 at t = 1/2; root mean square 0.61); 1.0 for
+ *        t outside 0..1.
  * Source Shoemake, Animating Rotation with Quaternion Curves, SIGGRAPH 1985.
  */
 NKW_API nkw_quat nkw_quat_slerp(nkw_quat a, nkw_quat b, float t);

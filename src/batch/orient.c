@@ -61,6 +61,7 @@ static inline int any_outside(const float *t, size_t from, size_t to)
     return outside;
 }
 
+/* For t in 0..1. */
 static inline int all_aside(const float *t, size_t from, size_t to)
 {
     int special = 0;

@@ -65,8 +65,8 @@ APART static void take_local(const float *linear, const float *translation, size
 }
 
 /*
- * Joints go one after the other. The parent of most is the joint before, whose matrix is still in registers: reading it
- * back from memory would take as long as the sums.
+ * Joints go one after the other. The parent of most is the joint before, whose matrix is still in registers, but for the
+ * first's: reading it back from memory would take as long as the sums.
  */
 static inline int follows_parent(const int32_t *parents, size_t j, size_t from)
 {

@@ -12,7 +12,7 @@
  * sin(k theta) / sin theta = k - k (1 - k) (1 + k) v H(v, k^2). H[j][i] goes with v^i k^2j.
  */
 #define LANE_SLERP_ROWS   4
-#define LANE_SLERP_POWERS 8 /* the last are 0 */
+#define LANE_SLERP_POWERS 8 /* six, and two zeros to fill a vector */
 
 /* For k in 0.5..1.0. Off by at most 0.553 u. */
 static const float LANE_SLERP_NEAR[LANE_SLERP_ROWS][LANE_SLERP_POWERS] = {

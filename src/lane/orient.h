@@ -148,7 +148,7 @@ typedef struct lane_slerp_pace {
     uint32_t first, half, end;
 } lane_slerp_pace;
 
-/* Inside 0..1, but for 1/2. */
+/* 0 < t < 1 and not 1/2. */
 static inline int lane_t_is_aside(float t)
 {
     return t > 0.0f && t < 1.0f && t != 0.5f;
@@ -201,7 +201,7 @@ static inline float lane_slerp_sum(float h0, float h1, float h2, float h3, float
     return (h0 + v * h1) + vv * ((h2 + v * h3) + vv * (h4 + v * h5));
 }
 
-/* E(r) and E(s). */
+/* E(r) and E(s). Terms that the tables have not (their degrees stand in docs/generate/slerp.c) are left out. */
 static inline float lane_slerp_near_excess(const lane_slerp_pace *pace, float v)
 {
     const float z = pace->r * pace->r, zz = z * z, (*h)[LANE_SLERP_POWERS] = LANE_SLERP_NEAR;
@@ -385,16 +385,14 @@ static inline int lane_four_nlerp(lane_four a, lane_four b, float t, lane_four *
     return m * m < 1.0f;
 }
 
-/*
- * Of v^2p and v^(2p + 1) the coefficients in H of the nearer and of the farther end, side by side. The tables are 0 in
- * row j before column j.
- */
+/* Row j of v^i and v^(i + 1), i even, in H of the nearer and of the farther end: near, far, near, far. */
 static inline lane_four lane_four_slerp_row(int j, int i)
 {
     lane_four h = {LANE_SLERP_NEAR[j][i], LANE_SLERP_FAR[j][i], LANE_SLERP_NEAR[j][i + 1], LANE_SLERP_FAR[j][i + 1]};
     return h;
 }
 
+/* Their coefficients at z. Rows 2 and 3 are 0 in columns 0 and 1, row 3 in columns 4 and 5. */
 static inline lane_four lane_four_slerp_powers(int i, lane_four z, lane_four zz)
 {
     lane_four low = lane_four_slerp_row(0, i) + z * lane_four_slerp_row(1, i);

@@ -108,9 +108,15 @@ static void far_extrapolated(random_source *r, float *x)
 
 static void extreme_t(random_source *r, float *x)
 {
-    static const float t[6] = {0x1p-149f, 0x1.8p-130f, 0x1p-24f, 0x1.fffffep-1f, 0x1.fffffep-2f, -0.0f};
+    static const float t[7] = {0x1p-149f, 0x1.8p-130f, 0x1p-24f, 0x1.fffffep-1f, 0x1.fffffep-2f, -0.0f, 0.5f};
     uniform_pair(r, x);
-    x[8] = t[random_bits(r) % 6];
+    x[8] = t[random_bits(r) % 7];
+}
+
+static void t5_middle(random_source *r, float *x)
+{
+    t5(r, x);
+    x[8] = 0.5f;
 }
 
 /* Pairs whose product in binary32 is above 1. */
@@ -526,6 +532,7 @@ static const wide_case cases[] = {
     {SLERP, "T3 1e-3 .. 1e-2", t3, slerp_error, 9, WIDE_CHECKED},
     {SLERP, "T4 1e-2 .. 0.1", t4, slerp_error, 9, WIDE_CHECKED},
     {SLERP, "T5 0.1 .. 0.5", t5, slerp_error, 9, WIDE_CHECKED},
+    {SLERP, "T5 0.1 .. 0.5, t = 1/2", t5_middle, slerp_error, 9, WIDE_CHECKED},
     {SLERP, "T6 0.5 .. 1.0", t6, slerp_error, 9, WIDE_CHECKED},
     {SLERP, "T7 1.0 .. pi/2 - 1e-3", t7, slerp_error, 9, WIDE_CHECKED},
     {SLERP, "P abs(dot) < 1e-6", perpendicular, slerp_either_error, 9, WIDE_CHECKED},

@@ -121,9 +121,9 @@ static float number(random_source *r)
 /* Few are outside 0..1, or no loop of many elements would do without the way that is for those. */
 static float parameter(random_source *r)
 {
-    const float ends[3] = {0.0f, 0.5f, 1.0f};
+    const float ends[4] = {0.0f, 0.5f, 1.0f, -0.0f};
     uint64_t kind = random_bits(r) % 64;
-    return kind < 12 ? ends[kind % 3] : kind == 12 ? random_scaled(r, -3, 1) : random_unit(r);
+    return kind < 12 ? ends[kind % 4] : kind == 12 ? random_scaled(r, -3, 1) : random_unit(r);
 }
 
 /* Writes the arrays of one letter for element i; gives how many there are. */
@@ -143,8 +143,8 @@ static size_t draw_letter(random_source *r, char letter, size_t k, size_t i)
 }
 
 /*
- * Fills all inputs; gives how many arrays the row has. Every other pair of quaternions is close or opposite, and of
- * eight one has -0 in both.
+ * Fills all inputs; gives how many arrays the row has. Every other pair of quaternions is close or opposite; of eight
+ * one has -0 in the first, one in both.
  */
 static size_t draw(random_source *r, const row *w)
 {
@@ -156,6 +156,8 @@ static size_t draw(random_source *r, const row *w)
         if (strncmp(w->inputs, "qq", 2) == 0 && i % 2)
             for (size_t j = 0; j < 4; j++)
                 inputs[4 + j][i] = (i % 4 == 1 ? -1.0f : 1.0f) * inputs[j][i] * (i % 8 < 4 ? 1.0f : 1.00001f);
+        if (strncmp(w->inputs, "qq", 2) == 0 && i % 8 == 2)
+            inputs[0][i] = -0.0f;
         if (strncmp(w->inputs, "qq", 2) == 0 && i % 8 == 4)
             inputs[0][i] = inputs[4][i] = -0.0f;
     }

@@ -39,13 +39,16 @@ void random_clip_sample(const random_clip *clip, float time, float *pose, float 
 }
 #endif
 
-/* At key times, between them, outside, and a NaN. */
+/* At key times, in the middle of two, elsewhere between them, outside, and a NaN. */
 static inline float random_clip_time(random_source *r, const random_clip *c, int i)
 {
     float keys[4] = {NAN, INFINITY, -1.0f, c->times[2][5]};
-    return i < 4        ? keys[i]
-           : i % 3 == 0 ? c->times[i % RANDOM_CLIP_LINES][i % RANDOM_CLIP_KEYS]
-                        : random_between(r, -0.2f, 1.4f);
+    const float *times = c->times[i % RANDOM_CLIP_LINES];
+    int k = i % RANDOM_CLIP_KEYS;
+    return i < 4                   ? keys[i]
+           : i % 3 == 0            ? times[k]
+           : i % 3 == 1 && k > 0   ? 0.5f * (times[k - 1] + times[k])
+                                   : random_between(r, -0.2f, 1.4f);
 }
 
 #endif
