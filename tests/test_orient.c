@@ -57,26 +57,25 @@ static void arrays_of_slerps_keep_the_ends_too(void **state)
 {
     (void)state;
     enum { N = 64 };
-    static float from[4][N], to[4][N], got[4][N], t[N];
+    nkw_quat a[N], b[N], got[N];
+    float from[4][N], to[4][N], t[N];
     const nkw_quat_view p = {from[0], from[1], from[2], from[3]}, q = {to[0], to[1], to[2], to[3]};
-    const nkw_quat_span o = {got[0], got[1], got[2], got[3]};
+    const nkw_quat_span p_span = {from[0], from[1], from[2], from[3]}, q_span = {to[0], to[1], to[2], to[3]};
     random_source r = random_from(20);
     for (int end = 0; end < 3; end++) {
         for (size_t i = 0; i < N; i++) {
-            nkw_quat a, b;
-            draw_pair(&r, &a, &b);
-            a.x = end == 1 ? a.x : -0.0f;
-            b.x = end == 1 ? -0.0f : b.x;
+            draw_pair(&r, &a[i], &b[i]);
+            *(end == 1 ? &b[i].x : &a[i].x) = -0.0f;
             t[i] = i % 3 ? random_between(&r, 0.01f, 0.49f) : end == 0 ? 0.0f : end == 1 ? 1.0f : -0.0f;
-            from[0][i] = a.x, from[1][i] = a.y, from[2][i] = a.z, from[3][i] = a.w;
-            to[0][i] = b.x, to[1][i] = b.y, to[2][i] = b.z, to[3][i] = b.w;
         }
-        nkw_quat_slerp_n(p, q, t, o, N);
-        for (size_t i = 0; i < N; i++) {
-            nkw_quat a = {from[0][i], from[1][i], from[2][i], from[3][i]}, b = {to[0][i], to[1][i], to[2][i], to[3][i]};
-            nkw_quat c = {got[0][i], got[1][i], got[2][i], got[3][i]};
-            expect_quat_bits(c, i % 3 ? nkw_quat_slerp(a, b, t[i]) : end == 1 ? nearer(a, b) : a);
-        }
+        nkw_quat_unpack_n(a, p_span, N);
+        nkw_quat_unpack_n(b, q_span, N);
+        nkw_quat_slerp_n(p, q, t, p_span, N);
+        nkw_quat_pack_n(p, got, N);
+        for (size_t i = 0; i < N; i++)
+            expect_quat_bits(got[i], i % 3      ? nkw_quat_slerp(a[i], b[i], t[i])
+                                     : end == 1 ? nearer(a[i], b[i])
+                                                : a[i]);
     }
 }
 

@@ -247,18 +247,6 @@ static inline lane_slerp_weights lane_slerp_weights_of(const lane_slerp_pace *pa
     return w;
 }
 
-static inline lane_slerp_weights lane_slerp_weights_at(const lane_slerp_pace *pace, float v)
-{
-    return lane_slerp_weights_of(pace, lane_slerp_near_excess(pace, v), lane_slerp_far_excess(pace, v));
-}
-
-static inline lane_slerp_weights lane_slerp_weights_by(const lane_slerp_pace *pace, const lane_slerp_powers *powers,
-                                                       float v)
-{
-    return lane_slerp_weights_of(pace, lane_slerp_excess_by(powers->near, pace->cr, v),
-                                 lane_slerp_excess_by(powers->far, pace->cs, v));
-}
-
 /* One component. */
 static inline float lane_slerp_component(float a, float b, const lane_slerp_pace *pace, lane_slerp_weights w)
 {
@@ -268,9 +256,11 @@ static inline float lane_slerp_component(float a, float b, const lane_slerp_pace
     return n - (w.bow * f - w.way * (f - n));
 }
 
-static inline nkw_quat lane_quat_slerp_by(nkw_quat a, nkw_quat b, float arc, const lane_slerp_pace *pace,
-                                          lane_slerp_weights w)
+/* The slerp by its E(r) and E(s). */
+static inline nkw_quat lane_quat_slerp_by(nkw_quat a, nkw_quat b, float arc, const lane_slerp_pace *pace, float er,
+                                          float es)
 {
+    lane_slerp_weights w = lane_slerp_weights_of(pace, er, es);
     nkw_quat c = lane_quat_flip(b, lane_sign_bit(arc));
     nkw_quat r = {
         lane_slerp_component(a.x, c.x, pace, w),
@@ -283,14 +273,17 @@ static inline nkw_quat lane_quat_slerp_by(nkw_quat a, nkw_quat b, float arc, con
 
 static inline nkw_quat lane_quat_slerp_on(nkw_quat a, nkw_quat b, float arc, const lane_slerp_pace *pace)
 {
-    return lane_quat_slerp_by(a, b, arc, pace, lane_slerp_weights_at(pace, lane_abs(arc)));
+    float v = lane_abs(arc);
+    return lane_quat_slerp_by(a, b, arc, pace, lane_slerp_near_excess(pace, v), lane_slerp_far_excess(pace, v));
 }
 
 /* The same bits, at a pace that many have. */
 static inline nkw_quat lane_quat_slerp_along(nkw_quat a, nkw_quat b, float arc, const lane_slerp_pace *pace,
                                              const lane_slerp_powers *powers)
 {
-    return lane_quat_slerp_by(a, b, arc, pace, lane_slerp_weights_by(pace, powers, lane_abs(arc)));
+    float v = lane_abs(arc);
+    return lane_quat_slerp_by(a, b, arc, pace, lane_slerp_excess_by(powers->near, pace->cr, v),
+                              lane_slerp_excess_by(powers->far, pace->cs, v));
 }
 
 static inline nkw_quat lane_quat_slerp_between(nkw_quat a, nkw_quat b, float t, int keys)

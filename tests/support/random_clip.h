@@ -45,10 +45,10 @@ static inline float random_clip_time(random_source *r, const random_clip *c, int
     float keys[4] = {NAN, INFINITY, -1.0f, c->times[2][5]};
     const float *times = c->times[i % RANDOM_CLIP_LINES];
     int k = i % RANDOM_CLIP_KEYS;
-    return i < 4                   ? keys[i]
-           : i % 3 == 0            ? times[k]
-           : i % 3 == 1 && k > 0   ? 0.5f * (times[k - 1] + times[k])
-                                   : random_between(r, -0.2f, 1.4f);
+    return i < 4                 ? keys[i]
+           : i % 3 == 0          ? times[k]
+           : i % 3 == 1 && k > 0 ? 0.5f * (times[k - 1] + times[k])
+                                 : random_between(r, -0.2f, 1.4f);
 }
 
 #endif
