@@ -1,6 +1,6 @@
 cmake_minimum_required(VERSION 3.25)
-# Installs the library, moves the installed tree, then configures, builds and runs the project beside this file, which
-# comes to the library by HOW. For add_subdirectory there is nothing to install.
+# HOW install: builds the library, installs it, and moves the installed tree to INSTALLED. Another HOW: configures, builds
+# and runs the project beside this file, which comes to the library in that way.
 file(REMOVE_RECURSE "${WORK}")
 file(MAKE_DIRECTORY "${WORK}")
 set(shared OFF)
@@ -12,27 +12,26 @@ function(run)
   execute_process(COMMAND ${ARGN} COMMAND_ERROR_IS_FATAL ANY OUTPUT_QUIET)
 endfunction()
 
-set(prefix "${WORK}/moved")
-if(NOT HOW STREQUAL "add_subdirectory")
+if(HOW STREQUAL "install")
   run("${CMAKE_COMMAND}" -S "${SOURCE}" -B "${WORK}/library" "-DCMAKE_C_COMPILER=${CC}"
     "-DBUILD_SHARED_LIBS=${shared}" -DNKW_BUILD_TESTS=OFF -DNKW_BUILD_EXAMPLES=OFF "-DCMAKE_INSTALL_PREFIX=${WORK}/installed")
   run("${CMAKE_COMMAND}" --build "${WORK}/library" --target install)
-  file(RENAME "${WORK}/installed" "${prefix}")
+  file(REMOVE_RECURSE "${INSTALLED}")
+  file(RENAME "${WORK}/installed" "${INSTALLED}")
+  return()
 endif()
 
-file(GLOB_RECURSE pc "${prefix}/*/nakawari.pc")
-if(pc)
+if(HOW STREQUAL "pkg_config")
+  file(GLOB_RECURSE pc "${INSTALLED}/*/nakawari.pc")
   cmake_path(GET pc PARENT_PATH pc_folder)
+  cmake_path(GET pc_folder PARENT_PATH lib)
   set(ENV{PKG_CONFIG_PATH} "${pc_folder}")
+  set(ENV{LD_LIBRARY_PATH} "${lib}")
 endif()
 run("${CMAKE_COMMAND}" -S "${SOURCE}/tests/consumer/project" -B "${WORK}/project" "-DHOW=${HOW}" "-DSOURCE=${SOURCE}"
   "-DCMAKE_C_COMPILER=${CC}" "-DCMAKE_CXX_COMPILER=${CXX}" "-DBUILD_SHARED_LIBS=${shared}" "-DVERSION=${VERSION}"
-  "-DCMAKE_PREFIX_PATH=${prefix}" "-DSHARED=${shared}")
+  "-DCMAKE_PREFIX_PATH=${INSTALLED}" "-DSHARED=${shared}")
 run("${CMAKE_COMMAND}" --build "${WORK}/project")
-if(shared AND pc)
-  cmake_path(GET pc_folder PARENT_PATH lib)
-  set(ENV{LD_LIBRARY_PATH} "${lib}")
-endif()
 foreach(program IN ITEMS in_c in_cxx)
   execute_process(COMMAND "${WORK}/project/${program}" COMMAND_ERROR_IS_FATAL ANY)
 endforeach()
