@@ -206,18 +206,21 @@ static const kernel kernels[] = {
 
 #define KERNELS (sizeof kernels / sizeof kernels[0])
 
-static uint64_t hash_kernel(const kernel *k)
+/* All functions take the same inputs, which are drawn once. */
+static void hash_kernels(uint64_t hashes[KERNELS])
 {
     random_source r = random_from(0x6e616b61);
-    uint64_t hash = HASH_START;
+    for (size_t k = 0; k < KERNELS; k++)
+        hashes[k] = HASH_START;
     for (unsigned round = 0; round < ROUNDS; round++) {
         input i;
-        float o[16] = {0};
         draw(&r, &i);
-        k->run(&i, o);
-        hash = hash_floats(hash, o, k->count);
+        for (size_t k = 0; k < KERNELS; k++) {
+            float o[16] = {0};
+            kernels[k].run(&i, o);
+            hashes[k] = hash_floats(hashes[k], o, kernels[k].count);
+        }
     }
-    return hash;
 }
 
 /* One line of the table. */
@@ -236,29 +239,24 @@ static const struct {
 #define LINES (KERNELS + sizeof data / sizeof data[0])
 
 /* The values' functions first, then the data's. */
-static line line_at(size_t i)
+static void make_table(line table[LINES])
 {
-    line l = {NULL, 0};
-    if (i < KERNELS) {
-        l.name = kernels[i].name;
-        l.hash = hash_kernel(&kernels[i]);
-    } else {
-        l.name = data[i - KERNELS].name;
-        l.hash = data[i - KERNELS].hash();
+    uint64_t hashes[KERNELS];
+    hash_kernels(hashes);
+    for (size_t i = 0; i < LINES; i++) {
+        table[i].name = i < KERNELS ? kernels[i].name : data[i - KERNELS].name;
+        table[i].hash = i < KERNELS ? hashes[i] : data[i - KERNELS].hash();
     }
-    return l;
 }
 
-static int write_table(void)
+static int write_table(const line table[LINES])
 {
-    for (size_t i = 0; i < LINES; i++) {
-        line l = line_at(i);
-        printf("%-36s %016llx\n", l.name, (unsigned long long)l.hash);
-    }
+    for (size_t i = 0; i < LINES; i++)
+        printf("%-36s %016llx\n", table[i].name, (unsigned long long)table[i].hash);
     return 0;
 }
 
-static int compare_table(const char *path)
+static int compare_table(const line table[LINES], const char *path)
 {
     FILE *file = fopen(path, "r");
     unsigned failed = 0;
@@ -267,12 +265,11 @@ static int compare_table(const char *path)
         return 1;
     }
     for (size_t i = 0; i < LINES; i++) {
-        line l = line_at(i);
         char name[64] = "";
-        unsigned long long want = 0, got = (unsigned long long)l.hash;
+        unsigned long long want = 0, got = (unsigned long long)table[i].hash;
         int read = fscanf(file, "%63s %llx", name, &want);
-        if (read != 2 || strcmp(name, l.name) != 0) {
-            fprintf(stderr, "golden: %s has '%s' where '%s' should be\n", path, name, l.name);
+        if (read != 2 || strcmp(name, table[i].name) != 0) {
+            fprintf(stderr, "golden: %s has '%s' where '%s' should be\n", path, name, table[i].name);
             fclose(file);
             return 1;
         }
@@ -288,9 +285,11 @@ static int compare_table(const char *path)
 
 int main(int argc, char **argv)
 {
+    static line table[LINES];
     if (argc != 2) {
         fprintf(stderr, "usage: golden golden.txt | --write\n");
         return 2;
     }
-    return strcmp(argv[1], "--write") == 0 ? write_table() : compare_table(argv[1]);
+    make_table(table);
+    return strcmp(argv[1], "--write") == 0 ? write_table(table) : compare_table(table, argv[1]);
 }
