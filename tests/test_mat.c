@@ -301,9 +301,24 @@ static void mat3_inverse_of_an_infinite_scale_is_zero(void **state)
         assert_true(inverse.m[i] == 0.0f);
 }
 
+static void inverses_of_what_is_not_finite_are_zero(void **state)
+{
+    (void)state;
+    for (size_t k = 0; k < 32; k++) {
+        nkw_mat4 m = nkw_mat4_identity();
+        m.m[k / 2] = k % 2 ? INFINITY : NAN;
+        nkw_mat4 general = nkw_mat4_inverse(&m), affine = nkw_mat4_inverse_affine(&m);
+        for (size_t i = 0; i < 16; i++) {
+            assert_true(general.m[i] == 0.0f);
+            assert_true(affine.m[i] == 0.0f || k / 2 % 4 == 3 || k / 2 > 11);
+        }
+    }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
+        cmocka_unit_test(inverses_of_what_is_not_finite_are_zero),
         cmocka_unit_test(mat4_inverse_of_singular_integers_is_zero),
         cmocka_unit_test(mat3_inverse_of_an_infinite_scale_is_zero),
         cmocka_unit_test(elements_stand_column_by_column),

@@ -189,6 +189,36 @@ static void zero_and_subnormal_quaternions_give_finite_results(void **state)
     expect_quat_bits(nkw_quat_nlerp(odd[0], odd[0], 0.5f), identity);
 }
 
+static void expect_all_nan(nkw_quat q)
+{
+    expect_nan(q.x);
+    expect_nan(q.y);
+    expect_nan(q.z);
+    expect_nan(q.w);
+}
+
+/* NaN at each place of a and b, and in t. */
+static void interpolations_of_nan_are_nan(void **state)
+{
+    (void)state;
+    float in[9][9], out[4][9];
+    const nkw_quat_view a = {in[0], in[1], in[2], in[3]}, b = {in[4], in[5], in[6], in[7]};
+    const nkw_quat_span result = {out[0], out[1], out[2], out[3]};
+    static const float numbers[9] = {0.6f, 0, 0, 0.8f, 0, 0, 0.6f, 0.8f, 0.3f};
+    nkw_quat got[9];
+    for (size_t k = 0; k < 9; k++)
+        for (size_t i = 0; i < 9; i++)
+            in[k][i] = i == k ? NAN : numbers[k];
+    nkw_quat_nlerp_n(a, b, in[8], result, 9);
+    nkw_quat_pack_n((nkw_quat_view){out[0], out[1], out[2], out[3]}, got, 9);
+    for (size_t i = 0; i < 9; i++) {
+        nkw_quat from = {in[0][i], in[1][i], in[2][i], in[3][i]}, to = {in[4][i], in[5][i], in[6][i], in[7][i]};
+        expect_all_nan(got[i]);
+        expect_all_nan(nkw_quat_nlerp(from, to, in[8][i]));
+        expect_all_nan(nkw_quat_slerp(from, to, in[8][i]));
+    }
+}
+
 static void nlerp_follows_the_path_of_slerp(void **state)
 {
     (void)state;
@@ -417,6 +447,7 @@ int main(void)
         cmocka_unit_test(slerp_stays_unit_and_smooth_through_the_smallest_angles),
         cmocka_unit_test(slerp_never_steps_back),
         cmocka_unit_test(zero_and_subnormal_quaternions_give_finite_results),
+        cmocka_unit_test(interpolations_of_nan_are_nan),
         cmocka_unit_test(nlerp_follows_the_path_of_slerp),
         cmocka_unit_test(short_path_is_slerp),
         cmocka_unit_test(long_path_goes_the_other_way_round),

@@ -24,6 +24,14 @@ static void lerp_gives_its_ends_exactly(void **state)
     }
 }
 
+static void lerp_goes_on_beyond_its_ends(void **state)
+{
+    (void)state;
+    expect_bits(nkw_lerp(2, 4, 0.5f), 3);
+    expect_bits(nkw_lerp(2, 4, 2.0f), 6);
+    expect_bits(nkw_lerp(2, 4, -1.0f), 0);
+}
+
 static void lerp_between_equal_numbers_gives_that_number(void **state)
 {
     random_source r = random_from(2);
@@ -516,6 +524,7 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(lerp_gives_its_ends_exactly),
+        cmocka_unit_test(lerp_goes_on_beyond_its_ends),
         cmocka_unit_test(lerp_between_equal_numbers_gives_that_number),
         cmocka_unit_test(inverse_lerp_gives_0_and_1_at_its_ends),
         cmocka_unit_test(sincos_gives_the_bits_of_sin_and_cos),

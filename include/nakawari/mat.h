@@ -151,7 +151,7 @@ NKW_API float nkw_mat4_determinant(const nkw_mat4 *m);
 /**
  * The inverse of any matrix, in binary64: by cofactors where they lose nothing, by elimination with
  * pivoting where they would. A singular matrix, whose determinant is at most 2^-50 of the terms that it
- * sums, gives the zero matrix.
+ * sums, gives the zero matrix; so does one whose determinant is not finite.
  *
  * Error  1.0 u of the Frobenius norm, up to condition 1e7.
  */
@@ -159,7 +159,7 @@ NKW_API nkw_mat4 nkw_mat4_inverse(const nkw_mat4 *m);
 
 /**
  * The inverse of an affine matrix: A^-1 and -A^-1 t, in binary64. The last row is not read; the result's is
- * exactly 0 0 0 1. Where the 3x3 block is singular, the zero matrix.
+ * exactly 0 0 0 1. Where the 3x3 block is singular or not finite, the zero matrix.
  *
  * Error  1.0 u of the Frobenius norm, for scales up to 1000 : 1.
  */

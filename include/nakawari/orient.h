@@ -30,7 +30,7 @@ typedef enum nkw_path {
  *     q(t) = normalize((1-t) a +- t b)
  *
  * The same path as slerp, but not at constant speed: for a quarter turn it is up to 0.9 degrees ahead or behind, for a
- * sixth of a turn 0.3. It takes about a third of slerp's operations.
+ * sixth of a turn 0.3. It takes little more than half of slerp's time.
  *
  * a, b   unit to within 1e-5
  * Gives  a unit quaternion; exactly a at t = 0, exactly b or -b at t = 1. t outside 0..1 continues the chord,
@@ -54,11 +54,12 @@ NKW_API nkw_quat nkw_quat_nlerp(nkw_quat a, nkw_quat b, float t);
  * t      any
  * Gives  a unit quaternion, as long as the inputs are: exactly a at t = 0, exactly b or -b at t = 1, exactly q
  *        between q and +-q. slerp(a, b, t) and slerp(b, a, 1 - t) have the same bits, up to the sign, where
- *        1 - t is exact. At a.b = 0, half a turn apart, both arcs are as short and b is taken as it stands.
+ *        1 - t is exact. At a.b = 0, half a turn apart, both arcs are equally long, and b is taken as it stands.
  *        Two zero quaternions give zero.
  *
  * Error  3.7 u (for arcs up to 0.5 rad between the quaternions 1.3, and 1.9 at t = 1/2; root mean square 0.61); 1.0 for
- *        t outside 0..1.
+ *        t outside 0..1 while |t| is below 6e5: beyond, t h is first rounded to a float from 2^20 rad on, which leaves
+ *        some quaternion of the arc's circle.
  * Source Shoemake, Animating Rotation with Quaternion Curves, SIGGRAPH 1985.
  */
 NKW_API nkw_quat nkw_quat_slerp(nkw_quat a, nkw_quat b, float t);
@@ -67,7 +68,8 @@ NKW_API nkw_quat nkw_quat_slerp(nkw_quat a, nkw_quat b, float t);
  * Spherical interpolation along the arc that `path` names, in binary64 inside.
  *
  * a, b   any lengths; the directions are blended, and the length goes from |a| to |b|
- * t      any; outside 0..1 the arc continues with the length of the nearer end
+ * t      any; outside 0..1 the arc continues with the length of the nearer end. From |t h| = 2^20 rad on, where h is the
+ *        angle between them, t h is first rounded to a float.
  * Gives  as nkw_quat_slerp. Between exactly opposite quaternions (a = -b as given, a = b the long way) every arc
  *        through a is as long: the one taken turns about the local z axis, by way of a * (0, 0, 1, 0). Near to
  *        opposite the rounding of the inputs decides the arc.

@@ -78,7 +78,7 @@ static inline nkw_quat lane_quat_settle(nkw_quat v)
     float g = (outright ? 1.0f : m) / (outright ? n : n + n2);
     uint32_t kept = outright ? 0x80000000u : ~0u;
     nkw_quat part = {lane_kept(kept, v.x), lane_kept(kept, v.y), lane_kept(kept, v.z), lane_kept(kept, v.w)};
-    return lane_quat_select(n2 > 0.0f, nkw_quat_add(part, nkw_quat_scale(v, g)), nkw_quat_identity());
+    return lane_quat_select(n2 <= 0.0f, nkw_quat_identity(), nkw_quat_add(part, nkw_quat_scale(v, g)));
 }
 
 static inline nkw_quat lane_quat_nlerp(nkw_quat a, nkw_quat b, float t)
@@ -405,22 +405,24 @@ static inline lane_four lane_four_slerp(lane_four a, lane_four b, float t, int a
     q = keys ? lane_four_all(lane_slerp_stored(q[0], along[0])) : q;
     lane_four v = q / (along + q * lane_four_all(LANE_SLERP_BEND)), vv = v * v;
 
-    /* Of the nearer and the farther end in turn: E(r) E(s) E(r) E(s). */
+    /* Of the nearer and the farther end in turn: E(r) E(s) E(r) E(s). By a mask, for GCC makes a branch of t < u. */
+    const lane_four_bits odd = {0, -1, 0, -1};
     t = aside ? t : t + 0.0f;
-    float u = 1.0f - t, s = t < u ? t : u, r = t < u ? u : t;
-    lane_four k = {r, s, r, s}, z = k * k, zz = z * z, e = v;
+    lane_four at = lane_four_all(t), to = lane_four_all(1.0f - t);
+    lane_four_bits first = at < half;
+    lane_four k = lane_four_select(first ^ odd, to, at), z = k * k, zz = z * z, e = v;
     for (int i = 4; i >= 0; i -= 2) {
         lane_four h = lane_four_slerp_powers(i, z, zz);
         lane_four pair = h + v * LANE_FOUR_MIX(h, h, 2, 3, 2, 3);
         e = i == 4 ? pair : pair + vv * e;
     }
-    e = (lane_four_all(t * u) * (one + k) * v) * e;
+    e = (at * to * (one + k) * v) * e;
 
-    lane_four er = lane_four_splat(e, 0), es = lane_four_splat(e, 1), bow = er + es, way = er + lane_four_all(s);
-    lane_four_bits first = lane_four_all(t) < half;
+    lane_four er = lane_four_splat(e, 0), es = lane_four_splat(e, 1), bow = er + es;
+    lane_four s = lane_four_splat(k, 1), way = er + s;
     lane_four n = lane_four_select(first, a, c), f = lane_four_select(first, c, a);
     if (!aside) {
-        lane_four_bits middle = lane_four_all(t) == half, end = lane_four_all(s) == zero;
+        lane_four_bits middle = at == half, end = s == zero;
         lane_four m = half * (a + c);
         bow = lane_four_select(middle, es + es, bow);
         way = lane_four_select(end, er, way);

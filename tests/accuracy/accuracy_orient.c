@@ -539,7 +539,7 @@ static const wide_case cases[] = {
     {SLERP, "O1 pi - 1e-3 .. pi - 1e-6", o1, slerp_error, 9, WIDE_CHECKED},
     {SLERP, "O2 pi - 0.1 .. pi - 1e-3", o2, slerp_error, 9, WIDE_CHECKED},
     {SLERP, "X t in [-1, 2]", extrapolated, slerp_error, 9, WIDE_CHECKED},
-    {SLERP, "t in [-10, 10]", far_extrapolated, slerp_error, 9, WIDE_NOTED},
+    {SLERP, "t in [-10, 10], beside the formula on the keys' own lengths", far_extrapolated, slerp_error, 9, WIDE_NOTED},
     {SLERP, "lengths 1 +- 1e-5", nearly_unit, slerp_error, 9, WIDE_NOTED},
     {SLERP, "E extreme t", extreme_t, slerp_error, 9, WIDE_CHECKED},
     {SLERP, "D dot > 1", above_one, slerp_error, 9, WIDE_CHECKED},
