@@ -3,6 +3,10 @@
  * Small algebra one upon the other, as C and as C++: compiled once inlined, under flags that may fuse, and once with
  * NKW_NO_INLINE. golden.c has each function alone; here a product of one function goes into the sum of the next.
  */
+#if defined(FUSED)
+#pragma clang fp contract(fast)
+#endif
+
 #include <nakawari/nakawari.h>
 
 #ifdef NKW_NO_INLINE

@@ -40,6 +40,7 @@ NKW_BODY nkw_quat nkw_quat_sub(nkw_quat a, nkw_quat b)
 
 NKW_BODY nkw_quat nkw_quat_scale(nkw_quat a, float s)
 {
+    NKW_EXACT
     nkw_quat r = {NKW_MUL(a.x, s), NKW_MUL(a.y, s), NKW_MUL(a.z, s), NKW_MUL(a.w, s)};
     return r;
 }
@@ -52,12 +53,14 @@ NKW_BODY nkw_quat nkw_quat_divide(nkw_quat a, float s)
 
 NKW_BODY nkw_quat nkw_quat_negate(nkw_quat q)
 {
+    NKW_EXACT
     nkw_quat r = {NKW_MUL(-1.0f, q.x), NKW_MUL(-1.0f, q.y), NKW_MUL(-1.0f, q.z), NKW_MUL(-1.0f, q.w)};
     return r;
 }
 
 NKW_BODY nkw_quat nkw_quat_conjugate(nkw_quat q)
 {
+    NKW_EXACT
     nkw_quat r = {NKW_MUL(-1.0f, q.x), NKW_MUL(-1.0f, q.y), NKW_MUL(-1.0f, q.z), q.w};
     return r;
 }

@@ -44,7 +44,7 @@ NKW_BODY nkw_mat3 nkw_mat3_from_quat_scale(nkw_quat q, nkw_vec3 s)
 NKW_BODY nkw_mat4 nkw_mat4_from_trs(const nkw_trs *trs)
 {
     NKW_EXACT
-    const float *a = &trs->translation.x;
+    const float *a = (const float *)trs;
     const nkw_column quarter = {0.25f, 0.25f, 0.25f, 0.25f};
     const nkw_column rounds = {NKW_QUAT_ROUNDS, NKW_QUAT_ROUNDS, NKW_QUAT_ROUNDS, NKW_QUAT_ROUNDS};
     nkw_column q, twice, w, yzx, zxy, qq, qq_yzx, qq_zxy, m, off, d, s, t, scale, origin, x, y, z;

@@ -20,14 +20,14 @@ typedef double nkw_xyz_halves __attribute__((vector_size(16)));
     do {                                                                                                               \
         const nkw_xyz third = {(v).z};                                                                                 \
         double xy;                                                                                                     \
-        memcpy(&xy, &(v).x, sizeof xy);                                                                                \
+        memcpy(&xy, &(v), sizeof xy);                                                                                  \
         const nkw_xyz_halves both = {xy, ((nkw_xyz_halves)third)[0]};                                                  \
         r = (nkw_xyz)both;                                                                                             \
     } while (0)
 #define NKW_XYZ_STORE(v, a)                                                                                            \
     do {                                                                                                               \
         const double xy = ((nkw_xyz_halves)(a))[0];                                                                    \
-        memcpy(&(v).x, &xy, sizeof xy);                                                                                \
+        memcpy(&(v), &xy, sizeof xy);                                                                                  \
         (v).z = (a)[2];                                                                                                \
     } while (0)
 #define NKW_XYZ_PICK(c, a, b) ((nkw_xyz)(((nkw_xyz_flags)(a) & (c)) | ((nkw_xyz_flags)(b) & ~(c))))
@@ -57,12 +57,14 @@ NKW_BODY nkw_vec3 nkw_vec3_sub(nkw_vec3 a, nkw_vec3 b)
 
 NKW_BODY nkw_vec3 nkw_vec3_negate(nkw_vec3 a)
 {
+    NKW_EXACT
     nkw_vec3 r = {NKW_MUL(-1.0f, a.x), NKW_MUL(-1.0f, a.y), NKW_MUL(-1.0f, a.z)};
     return r;
 }
 
 NKW_BODY nkw_vec3 nkw_vec3_scale(nkw_vec3 a, float s)
 {
+    NKW_EXACT
     nkw_vec3 r = {NKW_MUL(a.x, s), NKW_MUL(a.y, s), NKW_MUL(a.z, s)};
     return r;
 }
@@ -75,6 +77,7 @@ NKW_BODY nkw_vec3 nkw_vec3_divide(nkw_vec3 a, float s)
 
 NKW_BODY nkw_vec3 nkw_vec3_mul(nkw_vec3 a, nkw_vec3 b)
 {
+    NKW_EXACT
     nkw_vec3 r = {NKW_MUL(a.x, b.x), NKW_MUL(a.y, b.y), NKW_MUL(a.z, b.z)};
     return r;
 }
@@ -154,6 +157,7 @@ NKW_BODY nkw_vec3 nkw_vec3_lerp(nkw_vec3 a, nkw_vec3 b, float t)
 
 NKW_BODY nkw_vec3 nkw_vec3_reflect(nkw_vec3 a, nkw_vec3 n)
 {
+    NKW_EXACT
     return nkw_vec3_add_scaled(a, n, NKW_MUL(-2.0f, nkw_vec3_dot(a, n)));
 }
 
