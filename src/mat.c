@@ -42,7 +42,7 @@ nkw_mat3 nkw_mat3_orthonormalize(const nkw_mat3 *m)
     lane_wvec3 rest = lane_wvec3_sub(b, lane_wvec3_scale(x, lane_wvec3_dot(b, x)));
     lane_wvec3 y = direction_or(rest, b, direction_or(lane_wvec3_cross(c, x), c, lane_wvec3_perpendicular(x)));
     lane_wvec3 z = lane_wvec3_cross(x, y);
-    double side = lane_wvec3_dot(z, c) < 0.0 ? -1.0 : 1.0;
+    double along = lane_wvec3_dot(z, c), side = along < 0.0 ? -1.0 : along == along ? 1.0 : along;
     lane_wmat3 r = lane_wmat3_from_columns(x, y, lane_wvec3_scale(z, side));
     return lane_mat3_from_wide(&r, 1.0);
 }
@@ -67,9 +67,7 @@ nkw_vec3 nkw_mat4_project_point(const nkw_mat4 *m, nkw_vec3 p)
 {
     const float *a = m->m;
     float w = (a[3] * p.x + a[7] * p.y) + (a[11] * p.z + a[15]);
-    nkw_vec3 q = nkw_mat4_transform_point(m, p);
-    nkw_vec3 r = {q.x / w, q.y / w, q.z / w};
-    return r;
+    return nkw_vec3_divide(nkw_mat4_transform_point(m, p), w);
 }
 
 static void widen(const nkw_mat4 *m, double a[16])
@@ -90,11 +88,8 @@ float nkw_mat4_determinant(const nkw_mat4 *m)
 static void pivot(double a[4][8], size_t k)
 {
     size_t best = k;
-    for (size_t i = k + 1; i < 4; i++) {
-        double x = a[i][k] < 0.0 ? -a[i][k] : a[i][k];
-        double y = a[best][k] < 0.0 ? -a[best][k] : a[best][k];
-        best = x > y ? i : best;
-    }
+    for (size_t i = k + 1; i < 4; i++)
+        best = lane_abs64(a[i][k]) > lane_abs64(a[best][k]) ? i : best;
     for (size_t j = 0; j < 8; j++) {
         double t = a[k][j];
         a[k][j] = a[best][j];

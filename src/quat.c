@@ -33,7 +33,7 @@ nkw_axis_angle nkw_axis_angle_from_quat(nkw_quat q)
     lane_wquat w = lane_wquat_from(q);
     lane_wvec3 v = {w.x, w.y, w.z};
     lane_wvec3 axis = lane_wvec3_normalize(lane_wvec3_scale(v, w.w < 0.0 ? -1.0 : 1.0));
-    double half = lane_atan2_64(lane_wvec3_length(v), w.w < 0.0 ? -w.w : w.w);
+    double half = lane_atan2_64(lane_wvec3_length(v), lane_abs64(w.w));
     nkw_axis_angle r = {lane_vec3_from_wide(axis), (float)(2.0 * half)};
     return r;
 }
@@ -54,7 +54,7 @@ nkw_quat nkw_quat_look_rotation(nkw_vec3 forward, nkw_vec3 up)
     lane_wvec3 x = lane_wvec3_normalize(
         lane_wvec3_select(parallel, lane_wvec3_cross(lane_wvec3_perpendicular(z), z), side));
     lane_wvec3 y = lane_wvec3_cross(z, x);
-    lane_wmat3 m = {{x.x, x.y, x.z, y.x, y.y, y.z, z.x, z.y, z.z}};
+    lane_wmat3 m = lane_wmat3_from_columns(x, y, z);
     if (lane_wvec3_dot(z, z) == 0.0)
         return nkw_quat_identity();
     return lane_quat_from_wide(lane_wquat_from_wmat3(&m, 0));
@@ -79,7 +79,7 @@ LANE_FLAT nkw_quat nkw_quat_from_mat3(const nkw_mat3 *m)
 
 nkw_quat nkw_quat_from_mat4(const nkw_mat4 *m)
 {
-    nkw_mat3 r = {{m->m[0], m->m[1], m->m[2], m->m[4], m->m[5], m->m[6], m->m[8], m->m[9], m->m[10]}};
+    nkw_mat3 r = nkw_mat3_from_mat4(m);
     return nkw_quat_from_mat3(&r);
 }
 

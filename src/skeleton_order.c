@@ -135,6 +135,9 @@ nkw_result nkw_skeleton_from_tree(const nkw_tree *tree, int32_t *joint_of_node, 
 nkw_result nkw_tree_validate(const nkw_tree *tree, int32_t *work, size_t *bad_node)
 {
     size_t n = tree->node_count;
+    nkw_result result = check_count(n);
+    if (result != NKW_OK)
+        return report(result, 0, bad_node);
     return nkw_skeleton_from_tree(tree, work, work + n, work + 2 * n, bad_node);
 }
 

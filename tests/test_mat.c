@@ -251,6 +251,18 @@ static void orthonormalize_replaces_what_has_no_direction(void **state)
     }
 }
 
+static void orthonormalize_of_nan_is_nan_from_its_column_on(void **state)
+{
+    (void)state;
+    for (size_t k = 0; k < 9; k++) {
+        nkw_mat3 m = {{1, 2, 0, 0, 3, 1, 2, 0, 1}};
+        m.m[k] = NAN;
+        nkw_mat3 o = nkw_mat3_orthonormalize(&m);
+        for (size_t i = 0; i < 9; i++)
+            assert_int_equal(o.m[i] != o.m[i], i / 3 >= k / 3);
+    }
+}
+
 static void row_major_storage_is_transposed(void **state)
 {
     (void)state;
@@ -340,6 +352,7 @@ int main(void)
         cmocka_unit_test(normal_matrix_turns_with_a_mirror),
         cmocka_unit_test(orthonormalize_keeps_x_and_the_side_of_z),
         cmocka_unit_test(orthonormalize_replaces_what_has_no_direction),
+        cmocka_unit_test(orthonormalize_of_nan_is_nan_from_its_column_on),
         cmocka_unit_test(row_major_storage_is_transposed),
         cmocka_unit_test(row_vectors_stored_by_rows_have_the_same_bytes),
     };

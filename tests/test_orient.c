@@ -318,7 +318,8 @@ static void log_is_half_the_rotation_vector(void **state)
     expect_vec3_near(nkw_quat_log(about_z(1.5f)), vec(0, 0, 0.75f), 1e-7);
     expect_vec3_near(nkw_quat_log(identity), vec(0, 0, 0), 0);
     expect_vec3_bits(nkw_quat_log(nkw_quat_negate(identity)), vec(PI, 0, 0));
-    nkw_quat tiny = {0, 1e-40f, 0, 1};
+    nkw_quat minus_zero = {0, 0, 0, -0.0f}, tiny = {0, 1e-40f, 0, 1};
+    expect_vec3_near(nkw_quat_log(minus_zero), vec(0, 0, 0), 0);
     expect_vec3_bits(nkw_quat_log(tiny), vec(0, 1e-40f, 0));
     expect_quat_near(nkw_quat_exp(vec(0, 0, 0)), identity, 0);
     expect_quat_near(nkw_quat_exp(vec(0, 1e-40f, 0)), tiny, 0);

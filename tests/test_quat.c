@@ -113,6 +113,8 @@ static void axis_angle_of_no_turn_has_no_axis(void **state)
 {
     (void)state;
     nkw_axis_angle none = nkw_axis_angle_from_quat(quat(0, 0, 0, -1));
+    nkw_axis_angle nothing = nkw_axis_angle_from_quat(quat(0, 0, 0, -0.0f));
+    expect_bits(nothing.angle, 0.0f);
     expect_vec3_near(none.axis, vec(0, 0, 0), 0);
     expect_bits(none.angle, 0.0f);
     expect_quat_bits(nkw_quat_from_axis_angle(vec(0, 0, 0), 1.0f), identity);

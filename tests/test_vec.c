@@ -124,6 +124,11 @@ static void perpendicular_is_unit_and_at_right_angles(void **state)
         expect_near(nkw_vec3_dot(a, p), 0.0, 2e-6);
     }
     expect_vec3_bits(nkw_vec3_perpendicular(vec(0, 0, 0)), vec(1, 0, 0));
+    for (int k = 0; k < 3; k++)
+        for (int m = 1; m < 8; m++) {
+            nkw_vec3 a = {k == 0 ? NAN : (float)(m & 1), k == 1 ? NAN : (float)(m & 2), k == 2 ? NAN : (float)(m & 4)};
+            expect_nan(nkw_vec3_length(nkw_vec3_perpendicular(a)));
+        }
     expect_near(nkw_vec3_length(nkw_vec3_perpendicular(vec(0, 0x1p-149f, 0))), 1.0, 1e-7);
 }
 

@@ -84,7 +84,7 @@ NKW_API nkw_mat3 nkw_mat3_normal(const nkw_mat3 *m);
 /**
  * The nearest matrix, by Gram and Schmidt, with orthonormal columns: x keeps its direction, y its half-plane,
  * z its side, so a mirror stays a mirror. Columns of zero length and columns without a direction of their
- * own are replaced by unit vectors at right angles to the others. NaN gives NaN.
+ * own are replaced by unit vectors at right angles to the others. NaN gives NaN in its column and those after it.
  *
  * Error  0.87 u per column.
  */

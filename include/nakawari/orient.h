@@ -100,7 +100,8 @@ NKW_API nkw_quat nkw_quat_exp(nkw_vec3 v);
 
 /**
  * q^t = exp(t log q): the rotation q, t times. t = 0.5 is the half-way turn, -1 the inverse, 3 three turns.
- * As given: q and -q differ for t that is not whole. Exactly q, normalised, at t = 1.
+ * As given: q and -q differ for t that is not whole. At t = 1 it is q/|q| to the error below, not the bits of
+ * nkw_quat_normalize.
  *
  * Error  0.91 u, for |t| below 1e4.
  */

@@ -169,7 +169,7 @@ static inline lane_wvec3 lane_wquat_log(lane_wquat q)
 {
     lane_wvec3 v = {q.x, q.y, q.z};
     double n = lane_wvec3_length(v);
-    double half = lane_atan2_64(n, q.w);
+    double half = lane_atan2_64(n, q.w + 0.0);
     lane_wvec3 turned = lane_wvec3_scale(v, half / n);
     lane_wvec3 none = {n == 0.0 ? half : 0.0, 0.0, 0.0};
     return lane_wvec3_select(n == 0.0, none, turned);

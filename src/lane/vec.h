@@ -72,7 +72,7 @@ static inline lane_wvec3 lane_wvec3_perpendicular(lane_wvec3 a)
 {
     double x = a.x * a.x, y = a.y * a.y, z = a.z * a.z;
     int least_x = x <= y && x <= z;
-    int least_y = y <= z;
+    int least_y = y <= z || z != z;
     lane_wvec3 about_x = {0.0, -a.z, a.y};
     lane_wvec3 about_y = {a.z, 0.0, -a.x};
     lane_wvec3 about_z = {-a.y, a.x, 0.0};
