@@ -5,7 +5,6 @@
 #include <string.h>
 
 #include <nakawari/clip.h>
-#include <nakawari/quat.h>
 #include <nakawari/segment.h>
 
 #include "clip_layout.h"

@@ -31,17 +31,11 @@ static void compare(const nkw_clip *clip, const nkw_clip_track *c, nkw_segment s
             difference_worse(error->floats, difference_farthest(floats + c->index, of_floats, c->track.width));
 }
 
-static int share_times(const nkw_track *a, const nkw_track *b)
-{
-    return a->count == b->count &&
-           (a->count == 0 || a->times == b->times || memcmp(a->times, b->times, a->count * sizeof *a->times) == 0);
-}
-
 /* The first track that has these keys' times; track_count where none has. */
 static size_t first_of(const nkw_clip_source *source, const nkw_track *keys)
 {
     size_t i = 0;
-    while (i < source->track_count && !share_times(&source->tracks[i].track, keys))
+    while (i < source->track_count && !clip_same_times(&source->tracks[i].track, keys))
         i++;
     return i;
 }
@@ -66,7 +60,7 @@ static void compare_at(const nkw_clip *clip, const nkw_clip_source *source, cons
     nkw_clip_sample(clip, time, NULL, pose, floats);
     for (size_t i = 0; i < source->track_count; i++) {
         const nkw_track *t = &source->tracks[i].track;
-        if (own ? lasts(t, time) : share_times(t, keys))
+        if (own ? lasts(t, time) : clip_same_times(t, keys))
             compare(clip, &source->tracks[i], nkw_segment_find(t->times, t->count, time), pose, floats, error);
     }
 }
@@ -90,7 +84,7 @@ static int is_like(const nkw_clip *clip, const nkw_clip_source *source)
 
 nkw_clip_error nkw_clip_difference(const nkw_clip *clip, const nkw_clip_source *source, float *pose, float *floats)
 {
-    const float far = lane_float(0x7f800000u);
+    const float far = INFINITY;
     nkw_clip_error error = {0.0f, 0.0f, 0.0f, 0.0f}, unlike = {far, far, far, far};
     if (!is_like(clip, source))
         return unlike;

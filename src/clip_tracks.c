@@ -68,9 +68,7 @@ static int is_constant(const nkw_clip_track *c)
 
 static int same_timeline(const nkw_track *a, const nkw_track *b)
 {
-    if (a->count != b->count || !a->key_interpolation != !b->key_interpolation)
-        return 0;
-    if (a->times != b->times && !same_bits(a->times, b->times, a->count))
+    if (!clip_same_times(a, b) || !a->key_interpolation != !b->key_interpolation)
         return 0;
     return !a->key_interpolation || memcmp(a->key_interpolation, b->key_interpolation, a->count) == 0;
 }

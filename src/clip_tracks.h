@@ -3,6 +3,8 @@
 #ifndef NAKAWARI_CLIP_TRACKS_H
 #define NAKAWARI_CLIP_TRACKS_H
 
+#include <string.h>
+
 #include <nakawari/clip.h>
 
 #include "clip_layout.h"
@@ -50,6 +52,13 @@ static inline size_t clip_array_of(nkw_clip_target target, size_t component)
 static inline int clip_is_cubic(const nkw_track *t)
 {
     return t->interpolation == NKW_INTERPOLATION_CUBICSPLINE;
+}
+
+/* Whether two tracks have their keys at the same times, bit for bit. */
+static inline int clip_same_times(const nkw_track *a, const nkw_track *b)
+{
+    return a->count == b->count &&
+           (a->count == 0 || a->times == b->times || memcmp(a->times, b->times, a->count * sizeof *a->times) == 0);
 }
 
 static inline int clip_is_normalized(const nkw_track *t)

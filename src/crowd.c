@@ -38,21 +38,15 @@ void nkw_crowd_models_from_pose(const nkw_skeleton *skeleton, const float *crowd
     nkw_batch_selected()->crowd_models(skeleton->parents, skeleton->joint_count, crowd, roots, models);
 }
 
-static void put_identity(float *matrix)
-{
-    for (size_t k = 0; k < 12; k++)
-        for (size_t i = 0; i < NKW_CROWD; i++)
-            matrix[k * NKW_CROWD + i] = k % 4 == 0 ? 1.0f : 0.0f;
-}
-
 void nkw_crowd_palette_from_models(const float *models, size_t model_count, const int32_t *joints,
                                    const nkw_mat4 *inverse_bind, size_t count, float *palette)
 {
     const size_t size = NKW_CROWD_MATRIX_FLOATS(1);
+    const nkw_mat4 *const none[NKW_CROWD] = {NULL};
     for (size_t k = 0; k < count; k++) {
         size_t j = joints ? (size_t)joints[k] : k;
         if (j >= model_count)
-            put_identity(palette + k * size);
+            nkw_crowd_from_matrices(none, 1, palette + k * size);
         else if (inverse_bind)
             nkw_batch_selected()->crowd_bind(models + j * size, &inverse_bind[k], palette + k * size);
         else

@@ -243,6 +243,5 @@ nkw_vec3 nkw_per_segment_from_per_second(nkw_vec3 tangent, float duration)
 
 nkw_vec3 nkw_per_second_from_per_segment(nkw_vec3 tangent, float duration)
 {
-    nkw_vec3 r = {tangent.x / duration, tangent.y / duration, tangent.z / duration};
-    return duration == 0.0f ? nkw_vec3_zero() : r;
+    return duration == 0.0f ? nkw_vec3_zero() : nkw_vec3_divide(tangent, duration);
 }

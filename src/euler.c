@@ -2,7 +2,6 @@
 #include "lane/strict.h"
 
 #include <nakawari/euler.h>
-#include <nakawari/scalar.h>
 
 #include "lane/euler.h"
 #include "lane/mat.h"

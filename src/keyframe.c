@@ -5,9 +5,9 @@
 #include <nakawari/mat.h>
 #include <nakawari/orient.h>
 #include <nakawari/quat.h>
+#include <nakawari/scalar.h>
 #include <nakawari/vec.h>
 
-#include "lane/curve.h"
 #include "lane/scalar.h"
 #include "lane/segment.h"
 #include "report.h"
@@ -79,11 +79,13 @@ static nkw_vec3 hermite(const sampler *s, float t)
 {
     const nkw_keyframe *a = &s->keys[s->from], *b = &s->keys[s->to];
     nkw_vec3 v0 = heading(a), v1 = heading(b);
-    nkw_weights k = nkw_hermite_weights(t);
-    control_point(s, 0, s->from, k.w[0]);
-    control(s, 1, s->from, v0, k.w[1]);
-    control_point(s, 2, s->to, k.w[2]);
-    control(s, 3, s->to, v1, k.w[3]);
+    if (s->trace) {
+        nkw_weights k = nkw_hermite_weights(t);
+        control_point(s, 0, s->from, k.w[0]);
+        control(s, 1, s->from, v0, k.w[1]);
+        control_point(s, 2, s->to, k.w[2]);
+        control(s, 3, s->to, v1, k.w[3]);
+    }
     return nkw_vec3_hermite(a->position, v0, b->position, v1, t);
 }
 
@@ -97,11 +99,12 @@ static nkw_vec3 bezier(const sampler *s)
         return hold(s, first);
     const nkw_keyframe *key = &s->keys[first];
     float u = lane_segment_t(key[0].time, key[3].time, s->time);
-    nkw_weights k = nkw_bezier_weights(u);
-    for (size_t i = 0; i < 4; i++)
-        control_point(s, i, first + i, k.w[i]);
-    if (s->trace)
+    if (s->trace) {
+        nkw_weights k = nkw_bezier_weights(u);
+        for (size_t i = 0; i < 4; i++)
+            control_point(s, i, first + i, k.w[i]);
         s->trace->parameter = u;
+    }
     return nkw_vec3_bezier(key[0].position, key[1].position, key[2].position, key[3].position, u);
 }
 
@@ -126,7 +129,8 @@ static nkw_vec3 bspline(const sampler *s, float t)
 {
     const nkw_keyframe *k[4];
     neighbours(s, k);
-    control_neighbours(s, nkw_bspline_weights(t));
+    if (s->trace)
+        control_neighbours(s, nkw_bspline_weights(t));
     return nkw_vec3_bspline(k[0]->position, k[1]->position, k[2]->position, k[3]->position, t);
 }
 

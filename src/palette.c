@@ -5,7 +5,6 @@
 #include <nakawari/mat.h>
 #include <nakawari/palette.h>
 #include <nakawari/quat.h>
-#include <nakawari/vec.h>
 
 #include "lane/scalar.h"
 #include "report.h"

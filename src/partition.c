@@ -11,7 +11,6 @@
 #define NONE           UINT32_MAX
 #define INFLUENCES     8
 #define SET            (3 * INFLUENCES) /* bones of a triangle, at most */
-#define MOST_BONES     65536u
 #define MOST_TRIANGLES (UINT32_MAX / SET)
 
 /* ---- Validation ---- */

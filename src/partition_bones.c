@@ -9,7 +9,6 @@
 #include "lane/sort.h"
 #include "report.h"
 
-#define MOST_BONES 65536u
 
 /* ---- Bone-local vertices ---- */
 

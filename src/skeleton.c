@@ -5,6 +5,7 @@
 #include <nakawari/skeleton.h>
 #include <nakawari/transform.h>
 
+#include "difference.h"
 #include "report.h"
 #include "simd/select.h"
 
@@ -82,8 +83,7 @@ float nkw_pose_from_models(const nkw_skeleton *skeleton, const nkw_mat4 *models,
         nkw_batch_selected()->locals_from_models(skeleton->parents, models, root, from, to, locals);
         for (size_t j = from; j < to; j++) {
             nkw_trs trs = nkw_trs_from_mat4(&locals[j - from]);
-            float residual = nkw_trs_residual(&trs, &locals[j - from]);
-            worst = residual > worst || residual != residual ? residual : worst;
+            worst = difference_worse(worst, nkw_trs_residual(&trs, &locals[j - from]));
             nkw_pose_set(pose, count, j, &trs);
         }
     }

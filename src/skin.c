@@ -96,22 +96,6 @@ static void move(const plan *p, const skin_block *b, const float *m, nkw_vec3_vi
         p->batch->skin_points(b, in, out, n);
 }
 
-/* m NULL: positions. */
-static void move_stream(const plan *p, skin_block *b, const float *m, nkw_vec3_stream in, nkw_vec3_stream_span out,
-                        size_t from, size_t n)
-{
-    size_t in_stride = in.stride ? in.stride : sizeof(nkw_vec3),
-           out_stride = out.stride ? out.stride : sizeof(nkw_vec3);
-    float *v = b->vector;
-    nkw_vec3_view view = {v, v + SKIN_BLOCK, v + 2 * SKIN_BLOCK};
-    nkw_vec3_span span = {v, v + SKIN_BLOCK, v + 2 * SKIN_BLOCK};
-    if (!in.data || !out.data)
-        return;
-    p->batch->skin_read((const unsigned char *)in.data + from * in_stride, in_stride, v, n);
-    move(p, b, m, view, span, n);
-    p->batch->skin_write(v, (unsigned char *)out.data + from * out_stride, out_stride, n);
-}
-
 static void move_array(const plan *p, const skin_block *b, const float *m, nkw_vec3_view in, nkw_vec3_span out,
                        size_t from, size_t n)
 {
@@ -140,6 +124,21 @@ static skin_stream stream_at(nkw_vec3_stream in, nkw_vec3_stream_span out, size_
     r.in_stride = in_stride;
     r.out_stride = out_stride;
     return r;
+}
+
+/* m NULL: positions. */
+static void move_stream(const plan *p, skin_block *b, const float *m, nkw_vec3_stream in, nkw_vec3_stream_span out,
+                        size_t from, size_t n)
+{
+    const skin_stream s = stream_at(in, out, from);
+    float *v = b->vector;
+    nkw_vec3_view view = {v, v + SKIN_BLOCK, v + 2 * SKIN_BLOCK};
+    nkw_vec3_span span = {v, v + SKIN_BLOCK, v + 2 * SKIN_BLOCK};
+    if (!s.in_stride)
+        return;
+    p->batch->skin_read(s.in, s.in_stride, v, n);
+    move(p, b, m, view, span, n);
+    p->batch->skin_write(v, s.out, s.out_stride, n);
 }
 
 /* What a pass over the influences moves: positions or none, and one kind of directions or none. */

@@ -4,7 +4,6 @@
 #include <nakawari/curve.h>
 #include <nakawari/orient.h>
 #include <nakawari/quat.h>
-#include <nakawari/scalar.h>
 #include <nakawari/track.h>
 
 #include "difference.h"
@@ -280,7 +279,7 @@ static float difference_along(const nkw_track *along, const nkw_track *track, co
 float nkw_track_difference(const nkw_track *track, const nkw_track *other, float *work)
 {
     if (!are_alike(track, other))
-        return lane_float(0x7f800000u);
+        return INFINITY;
     return difference_worse(difference_along(track, track, other, work), difference_along(other, track, other, work));
 }
 

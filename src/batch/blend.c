@@ -1,6 +1,8 @@
 /* SPDX-License-Identifier: MIT */
 #include "lane/strict.h"
 
+#include <nakawari/scalar.h>
+
 #include "batch/chords.h"
 #include "batch/element.h"
 #include "batch/table.h"
@@ -20,16 +22,12 @@ KERNEL(blend_settle)(nkw_quat_view v, const float *mixed, int used, nkw_quat_spa
 
 static inline nkw_quat_view rotations_of(blend_rows rows)
 {
-    const float *x = rows.at + 3 * rows.stride;
-    nkw_quat_view v = {x, x + rows.stride, x + 2 * rows.stride, x + 3 * rows.stride};
-    return v;
+    return block_rows(rows.at + 3 * rows.stride, rows.stride);
 }
 
 static inline nkw_quat_span rotation_span(blend_span rows)
 {
-    float *x = rows.at + 3 * rows.stride;
-    nkw_quat_span s = {x, x + rows.stride, x + 2 * rows.stride, x + 3 * rows.stride};
-    return s;
+    return block_rows_to(rows.at + 3 * rows.stride, rows.stride);
 }
 
 static inline nkw_vec3_view vectors_of(blend_rows rows, size_t first)
@@ -118,7 +116,7 @@ KERNEL(blend_chord)(blend_rows a, blend_rows b, float t, blend_span out, int n)
 /* Translations beside the chords. */
 INLINE void begin_lanes(lanes l, float t, int first, int used)
 {
-    const nkw_quat_span chord = {l.chord, l.chord + BLEND_BLOCK, l.chord + 2 * BLEND_BLOCK, l.chord + 3 * BLEND_BLOCK};
+    const nkw_quat_span chord = block_rows_to(l.chord, BLEND_BLOCK);
     chord_lanes(l.a, l.b, t, first, used, chord);
     lerp_lanes(l.a, l.b, 0, t, first, l.out);
 }
@@ -126,7 +124,7 @@ INLINE void begin_lanes(lanes l, float t, int first, int used)
 /* Scales beside the roots. */
 INLINE void end_lanes(lanes l, float t, int first)
 {
-    const nkw_quat_view chord = {l.chord, l.chord + BLEND_BLOCK, l.chord + 2 * BLEND_BLOCK, l.chord + 3 * BLEND_BLOCK};
+    const nkw_quat_view chord = block_rows(l.chord, BLEND_BLOCK);
     nkw_quat_span unit = rotation_span(l.out);
     float *defect = l.chord + 4 * BLEND_BLOCK;
 #pragma omp simd

@@ -5,7 +5,6 @@
 
 #include "batch/element.h"
 #include "batch/table.h"
-#include "lane/curve.h"
 
 typedef float cubic(float, float, float, float, float);
 typedef nkw_vec3 vec3_cubic(nkw_vec3, nkw_vec3, nkw_vec3, nkw_vec3, float);

@@ -3,7 +3,6 @@
 
 #include <nakawari/euler.h>
 
-#include "batch/element.h"
 #include "batch/table.h"
 #include "lane/euler.h"
 #include "lane/scalar.h"

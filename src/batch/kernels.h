@@ -13,8 +13,7 @@
 
 #include <stdint.h>
 
-#include <nakawari/curve.h>
-#include <nakawari/orient.h>
+#include <nakawari/euler.h>
 #include <nakawari/types.h>
 
 #include "batch/block.h"

@@ -30,8 +30,7 @@ static inline lane_columns columns_of(const nkw_mat4 *models, size_t model_count
 /* The columns of *m; anything where there is none. */
 static inline lane_columns columns_or_none(const nkw_mat4 *m)
 {
-    static const nkw_mat4 none = {{0}};
-    return lane_columns_from(m ? m : &none);
+    return m ? lane_columns_from(m) : lane_columns_none();
 }
 
 KERNEL(palette_4x4)

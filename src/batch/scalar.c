@@ -5,7 +5,6 @@
 
 #include <nakawari/scalar.h>
 
-#include "batch/element.h"
 #include "batch/table.h"
 #include "lane/scalar.h"
 #include "lane/two.h"
@@ -38,11 +37,6 @@ static inline void each(function *f, const float *x, float *out, size_t n)
         out[i] = f(x[i]);
 }
 
-static inline int is_far(float angle)
-{
-    return (lane_bits(angle) & 0x7FFFFFFFu) >= FAR;
-}
-
 /* In place the angles are gone by then, so these are kept. */
 static inline void each_angle_again(function *near, function *any, const float *angle, float *out, size_t n)
 {
@@ -50,7 +44,7 @@ static inline void each_angle_again(function *near, function *any, const float *
     memcpy(kept, angle, n * sizeof *kept);
     each(near, kept, out, n);
     for (size_t k = 0; k < n; k++)
-        out[k] = is_far(kept[k]) ? any(kept[k]) : out[k];
+        out[k] = lane_angle_is_far(kept[k]) ? any(kept[k]) : out[k];
 }
 
 static inline void each_angle(function *near, function *any, const float *angle, float *out, size_t n)
@@ -101,7 +95,7 @@ static inline void sincos_each_again(const float *angle, float *sine, float *cos
     memcpy(kept, angle, n * sizeof *kept);
     sincos_each(kept, sine, cosine, n);
     for (size_t k = 0; k < n; k++)
-        if (is_far(kept[k]))
+        if (lane_angle_is_far(kept[k]))
             put_sincos(sine, cosine, k, lane_sincos64_single((double)kept[k]));
 }
 

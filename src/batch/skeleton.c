@@ -1,7 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 #include "lane/strict.h"
 
-#include <nakawari/pose.h>
 #include <nakawari/transform.h>
 
 #include "batch/matrices.h"

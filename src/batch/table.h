@@ -14,17 +14,14 @@
 
 #define NKW_JOIN(name, isa)     name##_##isa
 #define NKW_JOIN_ISA(name, isa) NKW_JOIN(name, isa)
-/* name_avx2 and its like: the only token pasting of the library. */
+/* name_avx2 and its like. */
 #define NKW_PER_ISA(name) NKW_JOIN_ISA(name, NKW_ISA)
-/* All calls of a loop are inlined, whatever the optimiser thinks of it: one that is left keeps it from vectorising. */
-#if defined(__GNUC__)
-#define NKW_FLATTEN __attribute__((flatten))
-#else
-#define NKW_FLATTEN
-#endif
 
-/* Opens the definition of a loop: KERNEL(quat_slerp)(nkw_quat_view a, ...). */
-#define KERNEL(name) NKW_FLATTEN void NKW_PER_ISA(nkw_batch_##name)
+/*
+ * Opens the definition of a loop: KERNEL(quat_slerp)(nkw_quat_view a, ...). All its calls are inlined, whatever the
+ * optimiser thinks of it: one that is left keeps it from vectorising.
+ */
+#define KERNEL(name) LANE_FLAT void NKW_PER_ISA(nkw_batch_##name)
 
 /* A part of a kernel to which counts and formats are constants: compilers do not see by themselves that it pays. */
 #if defined(__GNUC__)

@@ -6,8 +6,7 @@
 #include "strict.h"
 
 #include <nakawari/blend.h>
-#include <nakawari/scalar.h>
-#include <nakawari/transform.h>
+#include <nakawari/vec.h>
 
 #include "orient.h"
 #include "quat.h"

@@ -77,7 +77,7 @@ static inline double lane_wmat3_largest(const lane_wmat3 *m)
 {
     double largest = 0.0;
     for (size_t i = 0; i < 9; i++) {
-        double a = m->m[i] < 0.0 ? -m->m[i] : m->m[i];
+        double a = lane_abs64(m->m[i]);
         largest = a > largest ? a : largest;
     }
     return largest;

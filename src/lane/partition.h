@@ -8,6 +8,8 @@
 #include <stddef.h>
 #include <stdint.h>
 
+#define MOST_BONES 65536u /* a bone is the lower half of a key */
+
 /* A set of bones: ascending keys, depth in the upper and bone in the lower half. */
 typedef struct lane_set {
     const uint32_t *keys;

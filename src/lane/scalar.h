@@ -9,7 +9,9 @@
 #ifndef NAKAWARI_LANE_SCALAR_H
 #define NAKAWARI_LANE_SCALAR_H
 
-#include "lane/wide.h"
+#include "strict.h"
+
+#include "wide.h"
 
 static inline uint32_t lane_bits(float x)
 {
@@ -69,7 +71,7 @@ static inline float lane_lerp_near(float a, float b, float t, int first)
 
 static inline int lane_angle_is_far(float x)
 {
-    return !(lane_abs64((double)x) < LANE_NEAR);
+    return !(lane_abs(x) < (float)LANE_NEAR);
 }
 
 static inline float lane_sin(float x)

@@ -8,6 +8,8 @@
 #ifndef NAKAWARI_LANE_WIDE_H
 #define NAKAWARI_LANE_WIDE_H
 
+#include "strict.h"
+
 #include <float.h>
 #include <math.h>
 #include <stdint.h>
