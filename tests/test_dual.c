@@ -128,6 +128,25 @@ static void half_turns_have_their_largest_component_positive(void **state)
     nkw_quat want_x = {1, 0, 0, 0}, want_z = {0, 0, 1, 0};
     expect_quat_near(x.real, want_x, 1e-7);
     expect_quat_near(z.real, want_z, 1e-7);
+    nkw_mat4 nearly = about_x;
+    nearly.m[6] = -0x1p-149f;
+    expect_quat_near(nkw_dual_quat_from_mat4(&nearly).real, want_x, 1e-7);
+}
+
+/* Each axis in turn, as nkw_trs_from_mat4 does. */
+static void a_scale_of_zero_along_one_axis_leaves_the_rotation(void **state)
+{
+    (void)state;
+    random_source r = random_from(8);
+    for (int i = 0; i < ROUNDS; i++) {
+        nkw_trs trs = {random_vec3(&r, -4, 4), random_rotation(&r), random_vec3(&r, 0.01f, 9)};
+        *(i % 3 == 0 ? &trs.scale.x : i % 3 == 1 ? &trs.scale.y : &trs.scale.z) = 0.0f;
+        if (trs.rotation.w < 0.0f)
+            trs.rotation = nkw_quat_negate(trs.rotation);
+        nkw_mat4 m = nkw_mat4_from_trs(&trs);
+        nkw_dual_quat got = nkw_dual_quat_from_mat4(&m), want = nkw_dual_quat_from_rigid(trs.rotation, trs.translation);
+        expect_dual_near(&got, &want, 2e-6);
+    }
 }
 
 static void scale_and_mirroring_are_dropped(void **state)
@@ -214,6 +233,7 @@ int main(void)
         cmocka_unit_test(rigid_matrices_come_back_with_w_not_negative),
         cmocka_unit_test(half_turns_have_their_largest_component_positive),
         cmocka_unit_test(scale_and_mirroring_are_dropped),
+        cmocka_unit_test(a_scale_of_zero_along_one_axis_leaves_the_rotation),
         cmocka_unit_test(a_matrix_of_zeros_gives_no_rotation_and_nan_gives_nan),
         cmocka_unit_test(normalize_keeps_unit_ones_and_mends_others),
         cmocka_unit_test(normalize_of_zero_is_the_identity_and_of_nan_is_nan),

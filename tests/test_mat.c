@@ -204,6 +204,12 @@ static void normal_matrix_survives_a_zero_scale(void **state)
     expect_vec3_bits(nkw_mat3_transform(&n, vec(0.6f, 0.8f, 0)), vec(0, 0.8f, 0));
     nkw_mat3 none = nkw_mat3_normal(&line), zero = {{0}};
     expect_floats_near(none.m, zero.m, 9, 0);
+    for (size_t k = 0; k < 18; k++) {
+        nkw_mat3 m = {{1, 0, 0, 0, 1, 0, 0, 0, 1}};
+        m.m[k / 2] = k % 2 ? INFINITY : NAN;
+        none = nkw_mat3_normal(&m);
+        expect_floats_near(none.m, zero.m, 9, 0);
+    }
 }
 
 static void normal_matrix_turns_with_a_mirror(void **state)

@@ -374,6 +374,9 @@ static void euler_lerp_unwraps_what_it_is_told_to(void **state)
     expect_vec3_near(nkw_euler_lerp(a, b, 0.5f, NKW_UNWRAP_ALL), vec(-PI, -PI, -PI), 3e-7);
     expect_vec3_bits(nkw_euler_lerp(a, b, 0.0f, NKW_UNWRAP_NONE), a);
     expect_vec3_bits(nkw_euler_lerp(a, b, 1.0f, NKW_UNWRAP_ALL), b);
+    nkw_vec3 odd = vec(-0.0f, 1, 1e38f), far = vec(1, -0.0f, INFINITY);
+    expect_vec3_bits(nkw_euler_lerp(odd, far, 0.0f, NKW_UNWRAP_NONE), odd);
+    expect_vec3_bits(nkw_euler_lerp(far, odd, 1.0f, NKW_UNWRAP_NONE), odd);
     expect_vec3_bits(nkw_euler_lerp(a, b, 0.25f, (nkw_unwrap)7), nkw_euler_lerp(a, b, 0.25f, NKW_UNWRAP_NONE));
 }
 

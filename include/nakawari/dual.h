@@ -37,8 +37,9 @@ NKW_API nkw_dual_quat nkw_dual_quat_from_rigid(nkw_quat rotation, nkw_vec3 trans
  *
  * Scale and mirroring are dropped: the scale by dividing it out, a mirror (negative determinant) by negating all
  * columns; nkw_trs_from_mat4 negates the first alone, and so gives another rotation there. Columns off right angles by
- * 1e-3 cost nothing; with more shear the rotation is near the nearest. real.w >= 0; where it is 0, the largest
- * component of real is positive. A block of zeros gives no rotation, NaN gives NaN.
+ * 1e-3 cost nothing; with more shear the rotation is near the nearest. One column of zeros counts as at right angles to
+ * the others. real.w >= 0; where it is 0, the largest component of real is positive. A block of zeros gives no
+ * rotation, NaN gives NaN.
  *
  * Error  1.0 u of the dual part, 0.91 u of the rotation, against the one nearest to the columns.
  */
@@ -73,13 +74,16 @@ NKW_API nkw_dual_quat nkw_dual_quat_conjugate(const nkw_dual_quat *d);
  *
  *     real' = real / |real|,     dual' = dual / |real| - real' (real' . dual / |real|)
  *
- * In binary64, rounded once. real = 0 gives the identity; NaN gives NaN.
+ * In binary64, rounded once. real = 0 gives the identity, whatever dual is; else NaN gives NaN.
  *
  * Error  1.0 u of |dual| / |real| in the dual part, 0.91 u in the real one.
  */
 NKW_API nkw_dual_quat nkw_dual_quat_normalize(const nkw_dual_quat *d);
 
-/** d, or -d where real and that of `side` are more than a quarter turn of the 3-sphere apart (negative dot product). */
+/**
+ * d, or -d where real and that of `side` are more than a quarter turn of the 3-sphere apart (negative dot product). NaN
+ * counts as one side; the dual part of `side` is not read.
+ */
 NKW_API nkw_dual_quat nkw_dual_quat_align(const nkw_dual_quat *d, const nkw_dual_quat *side);
 
 /**

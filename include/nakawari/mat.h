@@ -75,7 +75,7 @@ NKW_API nkw_mat3 nkw_mat3_inverse(const nkw_mat3 *m);
  *
  * Where m is singular (a scale of zero along one axis) the inverse does not exist but the direction of the
  * normals still does: then the cofactor matrix is given, its largest element 1. A matrix of rank below two
- * has no normals and gives the zero matrix. Normalise the normals afterwards.
+ * has no normals and gives the zero matrix, as do NaN and infinity. Normalise the normals afterwards.
  *
  * Error  1.0 u of the Frobenius norm, up to condition 1e7.
  */
@@ -167,7 +167,7 @@ NKW_API nkw_mat4 nkw_mat4_inverse_affine(const nkw_mat4 *m);
 
 /**
  * The inverse of a rotation and translation: R^T and -R^T t. Wrong where m scales or shears; exact in the
- * rotation.
+ * rotation. The last row is not read; the result's is exactly 0 0 0 1.
  *
  * Error  3.0 u of |t| in the translation; 3.4 u of the Frobenius norm against the inverse of a rounded rotation.
  */

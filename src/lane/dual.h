@@ -17,18 +17,22 @@ static inline lane_wquat lane_wdual_part(lane_wquat q, lane_wvec3 t)
     return lane_wquat_mul(half, q);
 }
 
-/* The rotation nearest to m without its scale and its mirroring, w >= 0. */
+static inline lane_wvec3 lane_wvec3_or(lane_wvec3 unit, double side, lane_wvec3 other)
+{
+    return lane_wvec3_select(lane_wvec3_dot(unit, unit) == 0.0, other, lane_wvec3_scale(unit, side));
+}
+
+/* The rotation nearest to m without its scale and its mirroring, w >= 0. A column of no length is put upright on the others. */
 static inline lane_wquat lane_wquat_from_scaled(const lane_wmat3 *m)
 {
-    lane_wmat3 unit = lane_wmat3_from_columns(lane_wvec3_normalize(lane_wmat3_column(m, 0)),
-                                              lane_wvec3_normalize(lane_wmat3_column(m, 1)),
-                                              lane_wvec3_normalize(lane_wmat3_column(m, 2)));
-    lane_wmat3 cofactors = lane_wmat3_cofactors(&unit);
-    double side = lane_wmat3_determinant(&unit, &cofactors) < 0.0 ? -1.0 : 1.0;
-    for (size_t i = 0; i < 9; i++)
-        unit.m[i] *= side;
+    lane_wvec3 x = lane_wvec3_normalize(lane_wmat3_column(m, 0)), y = lane_wvec3_normalize(lane_wmat3_column(m, 1)),
+               z = lane_wvec3_normalize(lane_wmat3_column(m, 2));
+    lane_wvec3 yz = lane_wvec3_cross(y, z), zx = lane_wvec3_cross(z, x), xy = lane_wvec3_cross(x, y);
+    double side = lane_wvec3_dot(x, yz) < 0.0 ? -1.0 : 1.0;
+    lane_wmat3 unit =
+        lane_wmat3_from_columns(lane_wvec3_or(x, side, yz), lane_wvec3_or(y, side, zx), lane_wvec3_or(z, side, xy));
     lane_wquat q = lane_wquat_from_wmat3(&unit, LANE_NEAREST_STEPS);
-    return lane_wquat_scale(q, q.w < 0.0 ? -1.0 : 1.0);
+    return lane_wquat_scale(q, (float)q.w < 0.0f ? -1.0 : 1.0);
 }
 
 static inline nkw_dual_quat lane_dual_quat_from_affine(const lane_wmat3 *linear, lane_wvec3 translation)

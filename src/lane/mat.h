@@ -88,9 +88,9 @@ static inline nkw_mat3 lane_mat3_normal(const nkw_mat3 *m)
 {
     lane_wmat3 w = lane_wmat3_from(m);
     lane_wmat3 c = lane_wmat3_cofactors(&w);
-    double inverse = lane_reciprocal_or_zero(lane_wmat3_determinant(&w, &c));
+    double det = lane_wmat3_determinant(&w, &c), inverse = lane_reciprocal_or_zero(det);
     double singular = lane_reciprocal_or_zero(lane_wmat3_largest(&c));
-    return lane_mat3_from_wide(&c, inverse == 0.0 ? singular : inverse);
+    return lane_mat3_from_wide(&c, det == 0.0 ? singular : inverse);
 }
 
 /* Six 2x2 minors of two lines of four, each with one rounding: the products of floats are exact. */

@@ -455,7 +455,8 @@ static inline double lane_turned_towards(double a, double b)
 static inline float lane_angle_lerp(float a, float b, float t, int unwrap)
 {
     double from = unwrap ? lane_turned_towards(a, b) : (double)a;
-    return (float)((1.0 - (double)t) * from + (double)t * (double)b);
+    float inside = (float)((1.0 - (double)t) * from + (double)t * (double)b);
+    return t == 0.0f ? (float)from : t == 1.0f ? b : inside;
 }
 
 #endif
