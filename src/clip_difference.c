@@ -78,7 +78,8 @@ static int is_like(const nkw_clip *clip, const nkw_clip_source *source)
 {
     int like = source->joint_count == nkw_clip_joints(clip) && source->float_count == nkw_clip_floats(clip);
     for (size_t i = 0; like && i < source->track_count; i++)
-        like = nkw_clip_tracks_place(source, &source->tracks[i]) == NKW_OK;
+        like = nkw_track_value_count(&source->tracks[i].track) > 0 &&
+               nkw_clip_tracks_place(source, &source->tracks[i]) == NKW_OK;
     return like;
 }
 

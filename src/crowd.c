@@ -60,7 +60,7 @@ void nkw_crowd_sample(const nkw_clip *clip, const float *times, uint32_t *cursor
     const float *poses[NKW_CROWD] = {NULL};
     size_t joints = nkw_clip_joints(clip), step = nkw_clip_cursors(clip);
     for (size_t i = 0; i < characters && i < NKW_CROWD; i++) {
-        float *pose = work + i * NKW_POSE_FLOATS(joints);
+        float *pose = joints ? work + i * NKW_POSE_FLOATS(joints) : work;
         nkw_clip_sample(clip, times[i], cursors ? cursors + i * step : NULL, pose, NULL);
         poses[i] = pose;
     }

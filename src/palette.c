@@ -156,7 +156,9 @@ nkw_result nkw_palette_chunks_validate(const nkw_palette_chunk *chunks, size_t c
 
 size_t nkw_palette_chunk_at(const nkw_palette_chunk *chunk, size_t frame, size_t joint)
 {
-    size_t f = frame < chunk->frames ? frame : chunk->frames - (chunk->frames > 0);
-    size_t j = joint < chunk->joints ? joint : chunk->joints - (chunk->joints > 0);
+    if (chunk->frames == 0 || chunk->joints == 0)
+        return chunk->first;
+    size_t f = frame < chunk->frames ? frame : chunk->frames - 1;
+    size_t j = joint < chunk->joints ? joint : chunk->joints - 1;
     return chunk->first + f * chunk->joints + j;
 }

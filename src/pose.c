@@ -11,7 +11,7 @@
 
 size_t nkw_pose_floats(size_t joints)
 {
-    return joints <= (SIZE_MAX / 10 - 15) ? NKW_POSE_FLOATS(joints) : SIZE_MAX;
+    return joints <= SIZE_MAX / 160 * 16 ? NKW_POSE_FLOATS(joints) : SIZE_MAX;
 }
 
 /* What lies `floats` behind the start; of no pose at all, which may be NULL, the start. */

@@ -125,6 +125,12 @@ static void a_clip_and_tracks_that_are_none_of_its_own_differ_infinitely(void **
     track.index = 0;
     track.target = NKW_CLIP_FLOATS;
     expect_bits(nkw_clip_difference(clip, &source, pose, NULL).floats, INFINITY);
+    track.track.width = 0;
+    expect_bits(nkw_clip_difference(clip, &source, pose, NULL).floats, INFINITY);
+    track.track.width = 3;
+    track.target = NKW_CLIP_TRANSLATION;
+    track.track.count = 0;
+    expect_bits(nkw_clip_difference(clip, &source, pose, NULL).translation, INFINITY);
     free(clip);
 }
 

@@ -509,8 +509,10 @@ static void every_place_in_a_chunk_is_its_own(void **state)
     size_t last = c[0].first + 14;
     assert_int_equal(nkw_palette_chunk_at(&c[0], 3, 4), last);
     assert_int_equal(nkw_palette_chunk_at(&c[0], SIZE_MAX, SIZE_MAX), last);
-    const nkw_palette_chunk empty = {0, 0, 7};
+    const nkw_palette_chunk empty = {0, 0, 7}, no_frames = {0, 5, 10}, no_joints = {5, 0, 11};
     assert_int_equal(nkw_palette_chunk_at(&empty, 2, 2), 7);
+    assert_int_equal(nkw_palette_chunk_at(&no_frames, 0, 3), 10);
+    assert_int_equal(nkw_palette_chunk_at(&no_joints, 3, 0), 11);
 }
 
 int main(void)

@@ -9,8 +9,8 @@
  * mask may be NULL, that is 1 everywhere. Masks outside 0..1 count as 0 or 1, NaN as 0.
  *
  * Without joints nothing is read or written. `out` may be any of the input poses itself, otherwise it must not overlap
- * them; its padding may be written. A joint's result depends on that joint's inputs alone, but for the order of layers of
- * one weight.
+ * them; its padding may be written. A joint's result depends on that joint's inputs alone, but for the order of layers
+ * of one weight.
  */
 #ifndef NAKAWARI_BLEND_H
 #define NAKAWARI_BLEND_H
@@ -60,16 +60,16 @@ typedef struct nkw_pose_layer {
  * weight it is taken bit for bit, whatever the threshold. Weights need not sum to 1.
  *
  * Layers are added in an order of their own: the heaviest first, those of one weight by the first number, as bits, in
- * which their masks or poses differ, in each block of 128 joints. That makes the order of `layers` of no account for any
- * bit. Each rotation is added with the sign that puts it on the side of the sum so far, so the heaviest layer says
+ * which their masks or poses differ, in each block of 128 joints. That makes the order of `layers` of no account for
+ * any bit. Each rotation is added with the sign that puts it on the side of the sum so far, so the heaviest layer says
  * which side that is, and two layers take the shorter arc. (A fixed side, such as the rest pose's, would tear apart
- * layers that agree on a half turn away from it.) Three and more rotations of which some are more than half a turn apart
- * have no mean that is continuous in the weights: there the result may jump where two weights change places.
+ * layers that agree on a half turn away from it.) Three and more rotations of which some are more than half a turn
+ * apart have no mean that is continuous in the weights: there the result may jump where two weights change places.
  *
  * The mean is made by lerps: sum = lerp(sum, v, w / (total + w)). So translations and scales that all layers share come
- * out bit for bit, as does a joint on which one layer alone has a weight, its rotation too; and two layers without
- * masks are nkw_pose_blend from the heavier to the lighter, bit for bit. A layer has no effect at all on a joint where
- * it has no weight.
+ * out bit for bit, as does a joint on which one layer alone has a weight, or so much of it that its share rounds to 1,
+ * its rotation too; and two layers without masks are nkw_pose_blend from the heavier to the lighter, bit for bit. A
+ * layer has no effect at all on a joint where it has no weight.
  *
  * layers     `count` of them, count = 0 too
  * threshold  0 or less, and NaN: the rest pose only where nothing else is; 0.1 is usual
@@ -82,8 +82,8 @@ NKW_API void nkw_pose_blend_layers(const nkw_pose_layer *layers, size_t count, c
                                    float threshold, float *out);
 
 /**
- * Checks a mask: NKW_EMPTY without joints; NKW_NOT_FINITE where a number is not finite; NKW_BAD_WEIGHTS where one is not
- * in 0..1. *bad_joint becomes the first offending joint, 0 if there is none; it may be NULL.
+ * Checks a mask: NKW_EMPTY without joints; NKW_NOT_FINITE where a number is not finite; NKW_BAD_WEIGHTS where one is
+ * not in 0..1. *bad_joint becomes the first offending joint, 0 if there is none; it may be NULL.
  */
 NKW_API nkw_result nkw_mask_validate(const float *mask, size_t joints, size_t *bad_joint);
 

@@ -51,7 +51,8 @@ typedef enum nkw_clip_format {
     NKW_CLIP_FLOAT32, /**< as they are: sampling gives the bits of track by track */
     /**
      * 16 bits a number, over the range of that number in all keys of its track; CUBICSPLINE tracks stay as they are.
-     * A number is off by at most 0.51/65535 of its range, for ranges of 1e-33 to 3e38, and 3 u of its size.
+     * A number is off by at most 0.51/65535 of its range, for ranges of 1e-33 to 3e38 and numbers up to
+     * 3e38, and 3 u of its size.
      *
      * A rotation is three numbers, its axis times the tangent of a quarter of its angle. At a key it is off by at most
      * 4/65535 radians times the widest range of the three, which is 2 at most, and 1e-6: 1.24e-4; between keys that are
@@ -105,8 +106,8 @@ NKW_API nkw_result nkw_clip_build(const nkw_clip_source *source, uint32_t *work,
  * NKW_NOT_A_CLIP for another beginning, version or byte order, and for a block that is not aligned for float;
  * NKW_TOO_SMALL for a block that is cut off; NKW_OUT_OF_RANGE where something in it would be read or written outside
  * the block or the pose, or where its parts take more room than it has; NKW_NOT_ASCENDING and NKW_NOT_FINITE for key
- * times that are so. The values of keys are not looked at. A clip that opens is safe to sample; one that does not must
- * not be.
+ * times, or a start and end, that are so; the former also for times that are not those of the stored rate. The values
+ * of keys are not looked at. A clip that opens is safe to sample; one that does not must not be.
  */
 NKW_API nkw_result nkw_clip_open(const void *block, size_t bytes, const nkw_clip **clip);
 

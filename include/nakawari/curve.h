@@ -21,7 +21,8 @@
  *
  * The curve functions evaluate the same polynomial relative to the end nearer to t, which is the most exact form
  * known in binary32, and Bezier's in binary64, which has no cheap one: end points come back bit for bit, a constant
- * curve is constant, and large coordinates with small differences lose nothing. t outside 0..1 continues the cubic.
+ * curve is constant, and large coordinates with small differences lose nothing. t outside 0..1 continues the cubic,
+ * the B-spline's as far as |t| = 2^42, where t^3 is a float.
  *
  * Tangents are per segment: the change of p over 0 <= t <= 1. Multiply a tangent per second (glTF) by the
  * segment's duration: nkw_per_segment_from_per_second.
@@ -206,7 +207,8 @@ NKW_API nkw_vec3 nkw_vec3_catmull_rom_tangent(nkw_vec3 p0, nkw_vec3 p1, nkw_vec3
 /**
  * The Catmull-Rom segment from p1 to p2 where the keys stand at the uneven times times[0..3]: the Hermite curve
  * with the tangents of nkw_catmull_rom_tangent. t in 0..1 runs from times[1] to times[2]. At the ends of a series
- * repeat the end key, with its time: the tangent there is that of the chord.
+ * repeat the end key, with its time: the tangent there is that of the chord. Differences of times, and tangents per
+ * second, must be normal floats or 0.
  *
  * Error  2.5 u of the largest of the control values and tangents per segment, for t in 0..1.
  */

@@ -98,7 +98,7 @@ NKW_API nkw_result nkw_keyframes_validate(const nkw_keyframe *keys, size_t count
  * The matrix of the object at `time`: rotation in the 3x3 block, position in m[12..14], last row 0 0 0 1.
  *
  * keys   ascending times (nkw_keyframes_validate); others give a defined matrix of no meaning
- * time   seconds, clamped to the keys; NaN counts as the first key's time
+ * time   seconds, clamped to the keys; NaN counts as before the first key
  * Gives  NKW_OK; NKW_EMPTY if there is no key and NKW_BAD_METHOD if a method is none of the above, *out then left
  *        as it was. One key gives that key.
  *

@@ -34,7 +34,7 @@ typedef enum nkw_path {
  *
  * a, b   unit to within 1e-5
  * Gives  a unit quaternion; exactly a at t = 0, exactly b or -b at t = 1. t outside 0..1 continues the chord,
- *        up to |t| = 2^60; far beyond that it gives zeros, at infinity NaN.
+ *        up to |t| = 2^60; far beyond that it gives zeros or NaN.
  *        Two zero quaternions give the identity inside.
  *
  * Error  2.6 u for t in 0..1.
@@ -50,7 +50,7 @@ NKW_API nkw_quat nkw_quat_nlerp(nkw_quat a, nkw_quat b, float t);
  * One expression without a branch on the angle, smooth through h = 0: no acos, no sine, no threshold. For t outside
  * 0..1 the arc continues, by nkw_quat_slerp_path, which takes some ten times as long.
  *
- * a, b   unit to rounding; otherwise the result's length is off by as much as theirs
+ * a, b   unit to rounding; otherwise the result's length is off by as much as theirs, for lengths of 2^-60 to 2^60
  * t      any
  * Gives  a unit quaternion, as long as the inputs are: exactly a at t = 0, exactly b or -b at t = 1, exactly q
  *        between q and +-q. slerp(a, b, t) and slerp(b, a, 1 - t) have the same bits, up to the sign, where
@@ -68,8 +68,8 @@ NKW_API nkw_quat nkw_quat_slerp(nkw_quat a, nkw_quat b, float t);
  * Spherical interpolation along the arc that `path` names, in binary64 inside.
  *
  * a, b   any lengths; the directions are blended, and the length goes from |a| to |b|
- * t      any; outside 0..1 the arc continues with the length of the nearer end. From |t h| = 2^20 rad on, where h is the
- *        angle between them, t h is first rounded to a float.
+ * t      any; outside 0..1 the arc continues with the length of the nearer end. From |t h| = 2^20 rad on, where h is
+ *        the angle between them, t h is first rounded to a float.
  * Gives  as nkw_quat_slerp. Between exactly opposite quaternions (a = -b as given, a = b the long way) every arc
  *        through a is as long: the one taken turns about the local z axis, by way of a * (0, 0, 1, 0). Near to
  *        opposite the rounding of the inputs decides the arc.

@@ -83,7 +83,8 @@ NKW_API void nkw_palette_from_dual(const nkw_dual_quat *palette, size_t count, n
  *     out[i] = (global_inverse * models[joints[i]])^-1        nkw_mat4_inverse_affine of nkw_mat4_mul_affine
  *
  * so that nkw_palette_from_models of the same pose gives the identity to rounding. A singular matrix gives zeros, a
- * number that no model has the identity. Parameters as above; out may be models where joints is NULL.
+ * number that no model has the identity, but for the signs of zeros. Parameters as above; out may be models where
+ * joints is NULL.
  *
  * Error  1.0 u of the Frobenius norm, without global_inverse.
  */

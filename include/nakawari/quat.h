@@ -19,7 +19,7 @@
 extern "C" {
 #endif
 
-/** An axis (unit, or zero when the angle is 0) and an angle in radians about it. */
+/** An axis (unit, or zero where there is no turn) and an angle in radians about it. */
 typedef struct nkw_axis_angle {
     nkw_vec3 axis;
     float angle;
@@ -132,7 +132,8 @@ NKW_API nkw_quat nkw_quat_from_vectors(nkw_vec3 from, nkw_vec3 to);
 NKW_API nkw_quat nkw_quat_look_rotation(nkw_vec3 forward, nkw_vec3 up);
 
 /**
- * The quaternion of the rotation nearest to m; the component of largest magnitude comes out positive.
+ * The quaternion of the rotation nearest to m; of a rotation the component of largest magnitude comes out positive, of
+ * other matrices not always.
  *
  * With K the symmetric 4x4 matrix that is 4 q q^T for a rotation, the row of largest diagonal is
  * normalised and multiplied by K twice, which converges on K's dominant eigenvector, the nearest

@@ -67,7 +67,7 @@ NKW_ALGEBRA float nkw_select(int first, float a, float b);
  *     clamp = min(max(x, low), high)
  *
  * low    at most high; where it is above, high is the result
- * Gives  low for x = NaN.
+ * Gives  low for x = NaN; high for low = NaN; NaN for high = NaN.
  *
  * Error  exact
  */

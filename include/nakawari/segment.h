@@ -48,9 +48,9 @@ NKW_API nkw_segment nkw_segment_find_from(const float *times, size_t count, floa
 NKW_API float nkw_segment_uniform_time(float start, float rate, size_t k);
 
 /**
- * The rate of evenly spaced key times: one, below 1e9, with which nkw_segment_uniform_time(times[0], rate, k) is
- * times[k], bit for bit, for every k, and each time is greater than the one before. A whole number where one serves.
- * 0 where there is none, and for fewer than two keys.
+ * The rate of evenly spaced key times: one, at most 1e9, with which nkw_segment_uniform_time(times[0], rate, k) is
+ * times[k], bit for bit but for the sign of a zero, for every k, and each time is greater than the one before. A whole
+ * number where one serves. 0 where there is none, and for fewer than two keys.
  */
 NKW_API float nkw_segment_uniform_rate(const float *times, size_t count);
 

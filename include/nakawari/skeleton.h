@@ -70,9 +70,9 @@ NKW_API size_t nkw_skeleton_subtree_end(const nkw_skeleton *skeleton, size_t joi
  * The three outputs are also the working memory: no two of the four arrays may be the same.
  *
  * NKW_EMPTY without joints; NKW_OUT_OF_RANGE where a parent is neither a joint nor NKW_NO_JOINT (or where there are
- * more than 2^31 - 1); NKW_NOT_A_TREE where no root is above a joint, for it is in a cycle or below one; cycles are looked
- * for when all parents are joints. *bad_joint becomes the first offending joint in the file's numbers, 0 if there is
- * none; it may be NULL. Outputs hold nothing of use after an error.
+ * more than 2^31 - 1); NKW_NOT_A_TREE where no root is above a joint, for it is in a cycle or below one; cycles are
+ * looked for when all parents are joints. *bad_joint becomes the first offending joint in the file's numbers, 0 if
+ * there is none; it may be NULL. Outputs hold nothing of use after an error.
  */
 NKW_API nkw_result nkw_skeleton_order(const int32_t *file_parents, size_t joint_count, int32_t *joint_of_file,
                                       int32_t *file_of_joint, int32_t *parents, size_t *bad_joint);
@@ -163,7 +163,7 @@ NKW_API void nkw_models_update_from_locals(const nkw_skeleton *skeleton, const n
 /**
  * Model to local: local[j] = inverse(model[parent j]) model[j], with `root` in the place of the parent's matrix where
  * there is none. A parent whose matrix is singular (a scale of zero) has no inverse: then the local's 3x3 block and
- * translation are zero. `locals` may be `models`.
+ * translation are zero, for finite models. `locals` may be `models`.
  *
  * Error  1.7 u of the product of the Frobenius norms of the inverse and of the model matrix, so of the local matrix
  *        times the condition of the parent's.

@@ -18,10 +18,10 @@
  *     CUBICSPLINE   the Hermite curve of value[k], d out[k], value[k+1], d in[k+1]; rotations normalised afterwards
  *
  * Rotations are x, y, z, w and should be unit; what is stored is used as it is. Between unit keys it is nkw_quat_slerp;
- * where the squares of their lengths are off 1 by more than rounding, 1e-6 in the mean, it is glTF's formula on the keys
- * as they stand, with the angle acos |a.b|, and equal keys hold. NKW_TRACK_ROTATION_NORMALIZED normalises LINEAR and
- * STEP keys as they are read, and gives those of CUBICSPLINE normalised at their own times: a key's own value is then
- * unit to rounding, instead of the stored bits.
+ * where the squares of their lengths are off 1 by more than rounding, 1e-6 in the mean, it is glTF's formula on the
+ * keys as they stand, with the angle acos |a.b|, and equal keys hold. NKW_TRACK_ROTATION_NORMALIZED normalises LINEAR
+ * and STEP keys as they are read, and gives those of CUBICSPLINE normalised at their own times: a key's own value is
+ * then unit to rounding, instead of the stored bits.
  *
  * Source Khronos Group, glTF 2.0 Specification, section 3.11 and appendix C, 2021.
  */
@@ -115,7 +115,8 @@ NKW_API float nkw_track_difference(const nkw_track *track, const nkw_track *othe
  * rate, k) for k = 0, 1, 2 ... until the last key's time is reached or passed.
  *
  * One for a track of one key or of no duration. 0 where there can be none: without keys, for a rate that is not
- * positive and finite, for times that are not finite, for 2^31 keys or more.
+ * positive and finite, for a first or last time that is not finite, or a last key that would not be, for 2^31 keys or
+ * more.
  */
 NKW_API size_t nkw_track_resample_count(const nkw_track *track, float rate);
 
@@ -124,9 +125,9 @@ NKW_API size_t nkw_track_resample_count(const nkw_track *track, float rate);
  * becomes LINEAR; a source that chooses key by key stays STEP if all of it is. Normalised rotations are so in their
  * samples and need it no more: the kind becomes NKW_TRACK_ROTATION. A clip finds keys of such times without a search.
  *
- * At a rate at which every key of the source falls on one of its own, a LINEAR or STEP source comes back. Where the
- * rate does not divide the duration the last key is later than the source's, by less than 1 / rate: loop by the
- * source's duration.
+ * At a rate at which every key of the source falls on one of its own, a STEP source, and a LINEAR one without two keys
+ * at one time, comes back. Where the rate does not divide the duration the last key is later than the source's, by less
+ * than 1 / rate: loop by the source's duration.
  *
  * times, values  receive nkw_track_resample_count keys, and that times width floats; not the source's own arrays
  * work           2 * width floats

@@ -6,9 +6,9 @@
  * All values are structs of floats without padding, passed by value up to 16 bytes and by `const *` above, and safe to
  * copy, compare byte by byte, write to a file or hand to a GPU as they lie. Views and spans, of pointers, go by value.
  *
- * `Error` lines of all headers tell the worst error measured. 1 u is 2^-24 of the magnitude named; where none is, of the
- * norm of the exact result, which is 1 for a unit quaternion. 1 ULP is the distance of neighbouring floats at the exact
- * result. docs/accuracy.md has the inputs.
+ * `Error` lines of all headers tell the worst error measured. 1 u is 2^-24 of the magnitude named; where none is, of
+ * the norm of the exact result, which is 1 for a unit quaternion. 1 ULP is the distance of neighbouring floats at the
+ * exact result. docs/accuracy.md has the inputs.
  */
 #ifndef NAKAWARI_TYPES_H
 #define NAKAWARI_TYPES_H
