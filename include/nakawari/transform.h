@@ -28,14 +28,14 @@ NKW_ALGEBRA nkw_trs nkw_trs_identity(void);
  * What rounding takes from a unit q is made good. A q that is off unit by more than 2e-7 is taken as it stands, as in
  * glTF: to rounding and 5e-7 these are its columns, which are then not of unit length.
  *
- * Error  3.3 u of each column, for q unit to 2e-7; 21 u for others unit to 1e-2. Beyond, it grows with |q|^2.
+ * Error  3.3 u of each column, for q unit to 2e-7; 21 u for others unit to 1e-3; beyond, it grows with |q|^2.
  */
 NKW_ALGEBRA nkw_mat3 nkw_mat3_from_quat_scale(nkw_quat q, nkw_vec3 scale);
 
 /**
  * T R S: nkw_mat3_from_quat_scale and the translation.
  *
- * Error  3.3 u of each column, for q unit to 2e-7; 21 u for others unit to 1e-2. Beyond, it grows with |q|^2.
+ * Error  3.3 u of each column, for q unit to 2e-7; 21 u for others unit to 1e-3; beyond, it grows with |q|^2.
  */
 NKW_ALGEBRA nkw_mat4 nkw_mat4_from_trs(const nkw_trs *trs);
 
