@@ -17,12 +17,16 @@ static inline lane_wquat lane_wdual_part(lane_wquat q, lane_wvec3 t)
     return lane_wquat_mul(half, q);
 }
 
+/* A unit vector times side; `other` where it is the zero vector. */
 static inline lane_wvec3 lane_wvec3_or(lane_wvec3 unit, double side, lane_wvec3 other)
 {
     return lane_wvec3_select(lane_wvec3_dot(unit, unit) == 0.0, other, lane_wvec3_scale(unit, side));
 }
 
-/* The rotation nearest to m without its scale and its mirroring, w >= 0. A column of no length is put upright on the others. */
+/*
+ * The rotation nearest to m without its scale and its mirroring, w >= 0. A column of no length is put upright on the
+ * others.
+ */
 static inline lane_wquat lane_wquat_from_scaled(const lane_wmat3 *m)
 {
     lane_wvec3 x = lane_wvec3_normalize(lane_wmat3_column(m, 0)), y = lane_wvec3_normalize(lane_wmat3_column(m, 1)),

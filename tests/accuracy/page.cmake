@@ -4,8 +4,8 @@ set(page "# Accuracy
 
 The worst error of every function, as `cmake --workflow --preset accuracy` measured it. The same programs run in the
 tests on smaller samples and fail where a measurement exceeds the `Error` line of the function's header. Some
-lines (sums of products, reflections, slerp, rotations by quaternions and what is made of them) stand well above their rows:
-they cover the larger errors that a search from the worst samples found.
+lines (sums of products, reflections, slerp, rotations by quaternions and what is made of them) stand well above their
+rows: they cover the larger errors that a search from the worst samples found.
 
 Functions without a row: those that copy, select or compare; those that round one sum, difference, product or quotient
 of each component (a tangent per second made one per segment among them); and those that give the numbers of another

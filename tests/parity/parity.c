@@ -22,7 +22,7 @@
 #define STRIDE  (LONGEST + 2 * GUARD)
 #define WORD    0xfb5a5a5au /* a number that no function gives, about -1.1e36 */
 
-/* Inputs and outputs of one run: element i of array k is at [k][GUARD + shift + i]. A run of n uses GUARD more behind it. */
+/* Inputs and outputs of one run: element i of array k is at [k][GUARD + shift + i]. */
 static float inputs[ARRAYS][STRIDE], outputs[ARRAYS][STRIDE], pristine[ARRAYS][STRIDE], packed[16 * LONGEST];
 
 static const nkw_mat4 some_matrix = {{0.5f, 1, -2, 0, 3, 0.25f, 1, 0, -1, 1, 4, 0, 10, -20, 30, 1}};
@@ -143,8 +143,8 @@ static size_t draw_letter(random_source *r, char letter, size_t k, size_t i)
 }
 
 /*
- * Fills the inputs up to `end`; gives how many arrays the row has. Every other pair of quaternions is close or opposite; of eight
- * one has -0 in the first, one in both.
+ * Fills the inputs up to `end`; gives how many arrays the row has. Every other pair of quaternions is close or opposite;
+ * of eight one has -0 in the first, one in both.
  */
 static size_t draw(random_source *r, const row *w, size_t end)
 {
@@ -171,11 +171,11 @@ static uint32_t bits(float f)
     return f != f ? 0x7fc00000u : b;
 }
 
-static void fill_guards(size_t end)
+static void fill_guards(size_t arrays)
 {
     const uint32_t word = WORD;
-    for (size_t k = 0; k < ARRAYS; k++)
-        for (size_t i = 0; i < end; i++)
+    for (size_t k = 0; k < arrays; k++)
+        for (size_t i = 0; i < STRIDE; i++)
             memcpy(&outputs[k][i], &word, sizeof word);
 }
 
@@ -189,10 +189,10 @@ static int complain(const row *w, const char *isa, size_t n, size_t k, size_t i,
 /* Compares the outputs from `start` on, and the words before and after them with what they held. */
 static int compare(const row *w, const char *isa, size_t n, size_t start, size_t arrays, int in_place)
 {
-    for (size_t i = 0; i < start + n + GUARD; i++) {
+    for (size_t i = 0; i < STRIDE; i++) {
         float x[ARRAYS], o[16] = {0};
         int inside = i >= start && i < start + n;
-        for (size_t k = 0; k < arrays; k++)
+        for (size_t k = 0; inside && k < arrays; k++)
             x[k] = pristine[k][i];
         if (inside)
             w->single(x, o);
@@ -215,10 +215,10 @@ static int run(const row *w, const nkw_batch *b, const char *isa, size_t n, size
 {
     const float *in[ARRAYS];
     float *out[ARRAYS];
-    size_t start = GUARD + shift, end = start + n + GUARD, arrays = draw(r, w, end);
-    fill_guards(end);
+    size_t start = GUARD + shift, arrays = draw(r, w, start + n);
+    fill_guards(w->outputs);
+    memcpy(pristine, inputs, arrays * sizeof *inputs);
     for (size_t k = 0; k < ARRAYS; k++) {
-        memcpy(pristine[k], inputs[k], end * sizeof(float));
         in[k] = inputs[k] + start;
         out[k] = (in_place && k < arrays ? inputs[k] : outputs[k]) + start;
     }
