@@ -11,6 +11,16 @@
 
 #define LANES NKW_CROWD
 
+/*
+ * Lanes of a loop. GCC holds the address of every array of a loop of two steps; the rest of a step are constants where
+ * it is a loop by itself.
+ */
+#if defined(__AVX__) && !defined(__AVX512F__) && !defined(__clang__)
+#define TOGETHER 8
+#else
+#define TOGETHER LANES
+#endif
+
 /* An affine matrix of lane i. */
 static inline nkw_mat4 matrix_at(const float *m, size_t i)
 {
@@ -55,6 +65,22 @@ static inline void bound_of(const float *model, const nkw_mat4 *inverse_bind, fl
     put_matrix(out, i, &m);
 }
 
+INLINE void locals_of(const float *pose, float *out)
+{
+#pragma omp simd
+    KEEP_LOOP
+    for (size_t i = 0; i < TOGETHER; i++)
+        local_of(pose, out, i);
+}
+
+INLINE void models_of(const float *parent, const float *pose, float *out)
+{
+#pragma omp simd
+    KEEP_LOOP
+    for (size_t i = 0; i < TOGETHER; i++)
+        model_of(parent, pose, out, i);
+}
+
 KERNEL(crowd_models)(const int32_t *parents, size_t joints, const float *crowd, const float *roots, float *models)
 {
     for (size_t j = 0; j < joints; j++) {
@@ -62,15 +88,12 @@ KERNEL(crowd_models)(const int32_t *parents, size_t joints, const float *crowd, 
         float *model = models + j * 12 * LANES;
         size_t p = (size_t)parents[j];
         const float *parent = p < j ? models + p * 12 * LANES : roots;
-        if (parent) {
-#pragma omp simd
-            for (size_t i = 0; i < LANES; i++)
-                model_of(parent, pose, model, i);
-        } else {
-#pragma omp simd
-            for (size_t i = 0; i < LANES; i++)
-                local_of(pose, model, i);
-        }
+        if (parent)
+            for (size_t i = 0; i < LANES; i += TOGETHER)
+                models_of(parent + i, pose + i, model + i);
+        else
+            for (size_t i = 0; i < LANES; i += TOGETHER)
+                locals_of(pose + i, model + i);
     }
 }
 
