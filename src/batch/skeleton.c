@@ -64,12 +64,18 @@ APART static void take_local(const float *linear, const float *translation, size
 }
 
 /*
- * Joints go one after the other. The parent of most is the joint before, whose matrix is still in registers, but for the
- * first's: reading it back from memory would take as long as the sums.
+ * Joints go one after the other. The parent of most is the joint before, whose matrix is still in registers: reading it
+ * back from memory would take as long as the sums.
  */
-static inline int follows_parent(const int32_t *parents, size_t j, size_t from)
+static inline int follows_parent(const int32_t *parents, size_t j)
 {
-    return j > from && (size_t)(uint32_t)parents[j] + 1 == j;
+    return (uint64_t)(uint32_t)parents[j] + 1 == j;
+}
+
+/* The matrix of the joint before the first of from .. to - 1. */
+static inline lane_columns columns_before(const nkw_mat4 *models, size_t from, size_t to)
+{
+    return 0 < from && from < to ? lane_columns_from(&models[from - 1]) : lane_columns_none();
 }
 
 /* Joints from .. to - 1; at from > 0 `models` holds those before. */
@@ -77,7 +83,7 @@ KERNEL(models_from_pose)
 (const int32_t *parents, const float *pose, size_t stride, const nkw_mat4 *root, size_t from, size_t to,
  nkw_mat4 *models)
 {
-    lane_columns m = lane_columns_none();
+    lane_columns m = columns_before(models, from, to);
     for (size_t start = from / 16 * 16, j = from; j < to; start += BLOCK) {
         float l[9][BLOCK];
         const float *t = pose + start;
@@ -88,7 +94,7 @@ KERNEL(models_from_pose)
             const size_t i = j - start;
             const local of = {l[0] + i, l[3] + i, l[6] + i, t + i, BLOCK, stride};
             const nkw_mat4 *parent;
-            if (follows_parent(parents, j, from)) {
+            if (follows_parent(parents, j)) {
                 m = mul_local(&m, &of);
             } else if ((parent = above(parents, j, root, models)) != NULL) {
                 m = lane_columns_from(parent);
@@ -106,10 +112,10 @@ KERNEL(models_from_pose)
 KERNEL(models_from_locals)
 (const int32_t *parents, const nkw_mat4 *locals, const nkw_mat4 *root, size_t from, size_t to, nkw_mat4 *models)
 {
-    lane_columns m = lane_columns_none();
+    lane_columns m = columns_before(models, from, to);
     for (size_t j = from; j < to; j++) {
         const nkw_mat4 *parent;
-        if (follows_parent(parents, j, from)) {
+        if (follows_parent(parents, j)) {
             m = lane_columns_mul(&m, &locals[j]);
         } else if ((parent = above(parents, j, root, models)) != NULL) {
             m = lane_columns_from(parent);
