@@ -70,12 +70,11 @@ static void weigh(float weight, const float *mask, const part *p, float *out)
 
 /* two poses */
 
-static void nlerp_inside(const float *a, const float *b, size_t joints, float t, float *out)
+static void blend_inside(const float *a, const float *b, size_t joints, float t, float *out)
 {
-    for (size_t from = 0; from < NKW_POSE_STRIDE(joints); from += BLEND_BLOCK) {
-        part p = part_at(joints, from);
-        nkw_batch_selected()->blend_nlerp(rows_of(a, &p), rows_of(b, &p), t, (int)p.used, rows_span(out, &p), (int)p.n);
-    }
+    const nkw_batch *batch = nkw_batch_selected();
+    for (size_t i = 0; i < joints; i += BLEND_BLOCK)
+        batch->blend_poses(a + i, b + i, NKW_POSE_STRIDE(joints), t, (int)at_most(joints - i, BLEND_BLOCK), out + i);
 }
 
 static void blend_at(const float *a, const float *b, size_t joints, float t, int slerp, float *out)
@@ -122,7 +121,7 @@ static void blend(const float *a, const float *b, size_t joints, float t, const 
     if (mask)
         blend_masked(a, b, joints, known, mask, slerp, out);
     else if (!slerp && known > 0.0f && known < 1.0f)
-        nlerp_inside(a, b, joints, known, out);
+        blend_inside(a, b, joints, known, out);
     else
         blend_at(a, b, joints, known, slerp, out);
 }
@@ -269,7 +268,7 @@ static void blend_plain(const nkw_pose_layer *layers, size_t count, const float 
         add_plain(&s, rows_of(l->pose, p), weight_of(l->weight), p);
     add_plain(&s, rows_of(rest, p), lane_missing(s.total, threshold), p);
     if (s.t > 0.0f)
-        nkw_batch_selected()->blend_nlerp(s.sum, s.last, s.t, (int)p->used, rows_span(out, p), (int)p->n);
+        nkw_batch_selected()->blend_nlerp(s.sum, s.last, s.t, (int)p->used, rows_span(out, p));
     else
         copy_rows(s.sum, 10, rows_span(out, p), p->n);
 }

@@ -7,6 +7,7 @@
 #include "batch/element.h"
 #include "batch/table.h"
 #include "lane/blend.h"
+#include "lane/fours.h"
 
 static inline void settle(nkw_quat_view v, nkw_quat_span out, size_t n)
 {
@@ -44,140 +45,201 @@ static inline nkw_vec3_span vector_span(blend_span rows, size_t first)
     return s;
 }
 
-/* Lanes that are worked out together: the widest vector, and 8 at least. Poses are padded to whole ones. */
-#if defined(__AVX512F__)
-#define LANES 16
-#else
-#define LANES 8
-#endif
-
 /*
- * Lanes of two poses, and where they are blended to. chord: for x, y, z, w and 1 - |v|^2 of their chords v, BLEND_BLOCK
- * floats apart.
+ * Two poses by one t inside 0..1, a register of lanes at a time: the ends are others' to copy. way: t, or t - 1 where b
+ * is nearer; `first` says at compile time that a is.
  */
+
+/* Rotations, one in each lane. */
+typedef struct wide_quat {
+    lane_wide x, y, z, w;
+} wide_quat;
+
+INLINE wide_quat load_quats(const float *x, size_t stride)
+{
+    wide_quat r = {lane_wide_load_once(x), lane_wide_load_once(x + stride), lane_wide_load_once(x + 2 * stride),
+                   lane_wide_load_once(x + 3 * stride)};
+    return r;
+}
+
+INLINE void store_quats(float *x, size_t stride, wide_quat q)
+{
+    lane_wide_store(x, q.x);
+    lane_wide_store(x + stride, q.y);
+    lane_wide_store(x + 2 * stride, q.z);
+    lane_wide_store(x + 3 * stride, q.w);
+}
+
+/* As lane_lerp_from. */
+INLINE lane_wide lerp_wide(lane_wide a, lane_wide b, lane_wide way, int first)
+{
+    return lane_wide_add(first ? a : b, lane_wide_mul(way, lane_wide_sub(b, a)));
+}
+
+/* As lane_quat_chord. */
+INLINE wide_quat chord_wide(wide_quat a, wide_quat b, lane_wide way, int first)
+{
+    lane_wide xy = lane_wide_add(lane_wide_mul(a.x, b.x), lane_wide_mul(a.y, b.y));
+    lane_wide zw = lane_wide_add(lane_wide_mul(a.z, b.z), lane_wide_mul(a.w, b.w));
+    lane_wide dot = lane_wide_add(xy, zw);
+    wide_quat r = {
+        lerp_wide(a.x, lane_wide_turn(dot, b.x), way, first),
+        lerp_wide(a.y, lane_wide_turn(dot, b.y), way, first),
+        lerp_wide(a.z, lane_wide_turn(dot, b.z), way, first),
+        lerp_wide(a.w, lane_wide_turn(dot, b.w), way, first),
+    };
+    return r;
+}
+
+/* 1/4 - x^2 */
+INLINE lane_wide share_wide(lane_wide x)
+{
+    return lane_wide_sub(lane_wide_all(0.25f), lane_wide_mul(x, x));
+}
+
+INLINE lane_wide stretch_wide(lane_wide x, lane_wide g)
+{
+    return lane_wide_add(x, lane_wide_mul(x, g));
+}
+
+/* As lane_quat_settle_inside. `seen` is marked where not 0 < |v|^2 <= 2. */
+INLINE wide_quat settle_wide(wide_quat v, lane_wide *seen)
+{
+    lane_wide xy = lane_wide_add(share_wide(v.x), share_wide(v.y));
+    lane_wide m = lane_wide_add(xy, lane_wide_add(share_wide(v.z), share_wide(v.w)));
+    lane_wide n2 = lane_wide_sub(lane_wide_all(1.0f), m);
+    lane_wide g = lane_wide_div(m, lane_wide_add(lane_wide_sqrt(n2), n2));
+    wide_quat r = {stretch_wide(v.x, g), stretch_wide(v.y, g), stretch_wide(v.z, g), stretch_wide(v.w, g)};
+    *seen = lane_wide_mark(*seen, n2);
+    return r;
+}
+
+/* Floats from one component of the chords of a block to the next: a register more than it has lanes. */
+#define CHORD_STRIDE (BLEND_BLOCK + LANE_WIDE)
+
+/* Lanes of two poses, where they are blended to, and their chords, `chords` floats from component to component. */
 typedef struct lanes {
     blend_rows a, b;
     blend_span out;
     float *chord;
+    size_t chords;
 } lanes;
 
-static inline lanes lanes_after(lanes l)
+INLINE lanes lanes_after(lanes l)
 {
-    l.a.at += LANES;
-    l.b.at += LANES;
-    l.out.at += LANES;
-    l.chord += LANES;
+    l.a.at += LANE_WIDE;
+    l.b.at += LANE_WIDE;
+    l.out.at += LANE_WIDE;
+    l.chord += LANE_WIDE;
     return l;
+}
+
+INLINE void lerp_row(lanes l, size_t row, lane_wide way, int first)
+{
+    lane_wide a = lane_wide_load_once(l.a.at + row * l.a.stride), b = lane_wide_load_once(l.b.at + row * l.b.stride);
+    lane_wide_store(l.out.at + row * l.out.stride, lerp_wide(a, b, way, first));
+}
+
+INLINE void lerp_rows(lanes l, size_t row, lane_wide way, int first)
+{
+    lerp_row(l, row, way, first);
+    lerp_row(l, row + 1, way, first);
+    lerp_row(l, row + 2, way, first);
+}
+
+INLINE void chord_lanes(lanes l, lane_wide way, int first)
+{
+    wide_quat a = load_quats(l.a.at + 3 * l.a.stride, l.a.stride), b = load_quats(l.b.at + 3 * l.b.stride, l.b.stride);
+    store_quats(l.chord, l.chords, chord_wide(a, b, way, first));
+}
+
+INLINE void chord_near(lanes l, lane_wide way, int first, int n)
+{
+    for (int i = 0; i < n; i += LANE_WIDE, l = lanes_after(l)) {
+        lerp_rows(l, 0, way, first);
+        chord_lanes(l, way, first);
+        lerp_rows(l, 7, way, first);
+    }
+}
+
+INLINE void chords_at(lanes l, float t, int n)
+{
+    if (t < 0.5f)
+        chord_near(l, lane_wide_all(t), 1, n);
+    else
+        chord_near(l, lane_wide_all(t - 1.0f), 0, n);
+}
+
+/* The lerp, rotations as chords. out may be a. With one stride, which most have, there are fewer addresses to hold. */
+KERNEL(blend_chord)(blend_rows a, blend_rows b, float t, blend_span out, int n)
+{
+    const size_t stride = out.stride;
+    const lanes apart = {a, b, out, out.at + 3 * stride, stride};
+    const lanes alike = {{a.at, stride}, {b.at, stride}, {out.at, stride}, out.at + 3 * stride, stride};
+    if (a.stride == stride && b.stride == stride)
+        chords_at(alike, t, n);
+    else
+        chords_at(apart, t, n);
+}
+
+/* Chords that move nothing, in the padding from lane `used` on. */
+INLINE void end_chords(float *chord, int used)
+{
+    wide_quat identity = {lane_wide_all(0.0f), lane_wide_all(0.0f), lane_wide_all(0.0f), lane_wide_all(1.0f)};
+    store_quats(chord + used, CHORD_STRIDE, identity);
+}
+
+/*
+ * Translations beside the chords, scales beside the roots; all chords come before all roots, so that no lane waits for
+ * the one before.
+ */
+INLINE int nlerp_near(lanes l, lane_wide way, int first, int used)
+{
+    lane_wide seen = lane_wide_all(0.0f);
+    lanes from = l;
+    for (int i = 0; i < used; i += LANE_WIDE, l = lanes_after(l)) {
+        chord_lanes(l, way, first);
+        lerp_rows(l, 0, way, first);
+    }
+    l = from;
+    end_chords(l.chord, used);
+    for (int i = 0; i < used; i += LANE_WIDE, l = lanes_after(l)) {
+        wide_quat v = load_quats(l.chord, l.chords);
+        store_quats(l.out.at + 3 * l.out.stride, l.out.stride, settle_wide(v, &seen));
+        lerp_rows(l, 7, way, first);
+    }
+    return lane_wide_is_marked(seen);
+}
+
+INLINE int nlerp(lanes l, float t, int used)
+{
+    return t < 0.5f ? nlerp_near(l, lane_wide_all(t), 1, used) : nlerp_near(l, lane_wide_all(t - 1.0f), 0, used);
+}
+
+/* nkw_pose_blend of a block. If a chord was not inside after all, all are brought to length 1 again. */
+INLINE void nlerp_block(blend_rows a, blend_rows b, float t, int used, blend_span out)
+{
+    float c[4 * CHORD_STRIDE];
+    const lanes l = {a, b, out, c, CHORD_STRIDE};
+    if (nlerp(l, t, used))
+        settle(block_rows(c, CHORD_STRIDE), rotation_span(out), (size_t)used);
+}
+
+KERNEL(blend_nlerp)(blend_rows a, blend_rows b, float t, int used, blend_span out)
+{
+    nlerp_block(a, b, t, used, out);
+}
+
+/* The same of poses, which have one stride: fewer addresses to hold. */
+KERNEL(blend_poses)(const float *a, const float *b, size_t stride, float t, int used, float *out)
+{
+    const blend_rows x = {a, stride}, y = {b, stride};
+    const blend_span to = {out, stride};
+    nlerp_block(x, y, t, used, to);
 }
 
 /* A joint's own rotation, the identity in the padding: subnormal numbers there would take their time. */
 #define at_joint(v, i) lane_quat_or_identity(0u - (uint32_t)((i) < used), at_quat(v, i))
-
-/* LANES chords, for t inside 0..1: the ends are others' to copy. `first` says that it is nearer to a. */
-INLINE void chord_lanes(blend_rows a, blend_rows b, float t, int first, int used, nkw_quat_span out)
-{
-    nkw_quat_view from = rotations_of(a), to = rotations_of(b);
-#pragma omp simd
-    KEEP_LOOP
-    for (int i = 0; i < LANES; i++)
-        put_quat(out, (size_t)i, lane_quat_chord_near(at_joint(from, i), at_joint(to, i), t, first));
-}
-
-/* Three arrays from `row` on. */
-INLINE void lerp_lanes(blend_rows a, blend_rows b, size_t row, float t, int first, blend_span out)
-{
-    nkw_vec3_view from = vectors_of(a, row), to = vectors_of(b, row);
-    nkw_vec3_span v = vector_span(out, row);
-#pragma omp simd
-    KEEP_LOOP
-    for (size_t i = 0; i < LANES; i++)
-        put_vec3(v, i, lane_vec3_lerp_near(at_vec3(from, i), at_vec3(to, i), t, first));
-}
-
-INLINE void chord_near(lanes l, float t, int first, int n)
-{
-    for (; n > 0; n -= LANES, l = lanes_after(l)) {
-        lerp_lanes(l.a, l.b, 0, t, first, l.out);
-        chord_lanes(l.a, l.b, t, first, LANES, rotation_span(l.out));
-        lerp_lanes(l.a, l.b, 7, t, first, l.out);
-    }
-}
-
-/* The lerp, rotations as chords, for t inside 0..1. out may be a. */
-KERNEL(blend_chord)(blend_rows a, blend_rows b, float t, blend_span out, int n)
-{
-    const lanes l = {a, b, out, out.at};
-    if (t < 0.5f)
-        chord_near(l, t, 1, n);
-    else
-        chord_near(l, t, 0, n);
-}
-
-/* Translations beside the chords. */
-INLINE void begin_lanes(lanes l, float t, int first, int used)
-{
-    const nkw_quat_span chord = block_rows_to(l.chord, BLEND_BLOCK);
-    chord_lanes(l.a, l.b, t, first, used, chord);
-    lerp_lanes(l.a, l.b, 0, t, first, l.out);
-}
-
-/* Scales beside the roots. */
-INLINE void end_lanes(lanes l, float t, int first)
-{
-    const nkw_quat_view chord = block_rows(l.chord, BLEND_BLOCK);
-    nkw_quat_span unit = rotation_span(l.out);
-    float *defect = l.chord + 4 * BLEND_BLOCK;
-#pragma omp simd
-    KEEP_LOOP
-    for (size_t i = 0; i < LANES; i++) {
-        nkw_quat q = at_quat(chord, i);
-        defect[i] = lane_quat_defect(q);
-        put_quat(unit, i, lane_quat_settle_inside(q, defect[i]));
-    }
-    lerp_lanes(l.a, l.b, 7, t, first, l.out);
-}
-
-/* All chords come before all roots, so that no lane waits for the one before. */
-INLINE void nlerp_near(lanes l, float t, int first, int used)
-{
-    lanes from = l;
-    int rest = used;
-    for (; rest >= LANES; rest -= LANES, l = lanes_after(l))
-        begin_lanes(l, t, first, LANES);
-    if (rest > 0)
-        begin_lanes(l, t, first, rest);
-    for (l = from, rest = used; rest > 0; rest -= LANES, l = lanes_after(l))
-        end_lanes(l, t, first);
-}
-
-/* Eight lanes behind those that were worked out get the identity: rows 0 0 0, 0 0 0 1, 1 1 1. */
-static inline void fill_padding(blend_span out, int used, int n)
-{
-    int from = (used + 7) / 8 * 8;
-    for (size_t c = 0; from < n && c < 10; c++)
-        for (size_t i = 0; i < 8; i++)
-            out.at[c * out.stride + (size_t)from + i] = c < 6 ? 0.0f : 1.0f;
-}
-
-/* nkw_pose_blend for t inside 0..1. If a chord was not inside after all, all are brought to length 1 again. */
-KERNEL(blend_nlerp)(blend_rows a, blend_rows b, float t, int used, blend_span out, int n)
-{
-    float c[5][BLEND_BLOCK];
-    const lanes l = {a, b, out, c[0]};
-    size_t whole = ((size_t)used + LANES - 1) / LANES * LANES;
-    int outside = 0;
-    if (t < 0.5f)
-        nlerp_near(l, t, 1, used);
-    else
-        nlerp_near(l, t, 0, used);
-    for (size_t i = 0; i < whole; i++)
-        outside |= !(lane_abs(c[4][i]) < 1.0f);
-    if (outside) {
-        nkw_quat_view v = {c[0], c[1], c[2], c[3]};
-        settle(v, rotation_span(out), whole);
-    }
-    fill_padding(out, used, n);
-}
 
 /* The joints' own weights; none in the padding, whatever stands there. */
 KERNEL(blend_weigh)(float weight, const float *mask, int used, float *out, int n)

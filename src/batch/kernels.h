@@ -103,7 +103,8 @@
     X(clip_hold, (const float *key, const nkw_block *blocks, size_t block_count, float *out), (key, blocks, block_count, out)) \
     X(clip_quat_hold, (const float *key, size_t rows, int normalized, const nkw_block *blocks, size_t block_count, float *out, size_t stride), (key, rows, normalized, blocks, block_count, out, stride)) \
     X(blend_chord, (blend_rows a, blend_rows b, float t, blend_span out, int n), (a, b, t, out, n)) \
-    X(blend_nlerp, (blend_rows a, blend_rows b, float t, int used, blend_span out, int n), (a, b, t, used, out, n)) \
+    X(blend_poses, (const float *a, const float *b, size_t stride, float t, int used, float *out), (a, b, stride, t, used, out)) \
+    X(blend_nlerp, (blend_rows a, blend_rows b, float t, int used, blend_span out), (a, b, t, used, out)) \
     X(blend_settle, (nkw_quat_view v, const float *mixed, int used, nkw_quat_span out, int n), (v, mixed, used, out, n)) \
     X(blend_weigh, (float weight, const float *mask, int used, float *out, int n), (weight, mask, used, out, n)) \
     X(blend_each, (blend_rows a, blend_rows b, const float *t, int used, blend_span out, int n), (a, b, t, used, out, n)) \

@@ -51,14 +51,6 @@ static inline nkw_quat lane_quat_or_identity(uint32_t mask, nkw_quat q)
     return r;
 }
 
-/* lane_lerp_near of all three. */
-static inline nkw_vec3 lane_vec3_lerp_near(nkw_vec3 a, nkw_vec3 b, float t, int first)
-{
-    nkw_vec3 r = {lane_lerp_near(a.x, b.x, t, first), lane_lerp_near(a.y, b.y, t, first),
-                  lane_lerp_near(a.z, b.z, t, first)};
-    return r;
-}
-
 /* The lerp of a and b or -b, whichever lies on a's side; exactly a at t = 0, exactly b, whatever a is, at t = 1. */
 static inline nkw_quat lane_quat_mix(nkw_quat a, nkw_quat b, float t)
 {

@@ -33,6 +33,11 @@ static inline lane_four lane_four_add(lane_four a, lane_four b)
     return a + b;
 }
 
+static inline lane_four lane_four_sub(lane_four a, lane_four b)
+{
+    return a - b;
+}
+
 static inline lane_four lane_four_mul(lane_four a, lane_four b)
 {
     return a * b;
@@ -43,6 +48,19 @@ static inline lane_four lane_four_div(lane_four a, lane_four b)
     return a / b;
 }
 
+/* -b where a < 0, else b. */
+static inline lane_four lane_four_turn(lane_four a, lane_four b)
+{
+    const lane_four zero = {0.0f, 0.0f, 0.0f, 0.0f};
+    return (lane_four)((lane_four_bits)b ^ ((lane_four_bits)(a < zero) & INT32_MIN));
+}
+
+/* b, its bit 30 or 31 set where not 0 < a <= 2: all others' bits are below 2^30 once 1 is taken off them. */
+static inline lane_four lane_four_mark(lane_four b, lane_four a)
+{
+    return (lane_four)((lane_four_bits)b | ((lane_four_bits)a - 1));
+}
+
 /* b where a is 0. */
 static inline lane_four lane_four_unless_zero(lane_four a, lane_four b)
 {
@@ -50,18 +68,23 @@ static inline lane_four lane_four_unless_zero(lane_four a, lane_four b)
     return (lane_four)((lane_four_bits)b & (lane_four_bits)(a != zero));
 }
 
-/* a[0] a[1] a[2] and 0 or 1. */
-static inline lane_four lane_four_end(lane_four a, int one)
-{
-    const lane_four_bits keep = {-1, -1, -1, 0}, last = {0, 0, 0, one ? 0x3f800000 : 0};
-    return (lane_four)(((lane_four_bits)a & keep) | last);
-}
-
 #if defined(__clang__)
 #define LANE_FOUR_MIX(a, b, i, j, k, l) __builtin_shufflevector(a, b, i, j, k, l)
 #else
 #define LANE_FOUR_MIX(a, b, i, j, k, l) __builtin_shuffle(a, b, (lane_four_bits){i, j, k, l})
 #endif
+
+/* a[0] a[1] a[2] and 0 or 1. */
+static inline lane_four lane_four_end(lane_four a, int one)
+{
+#if defined(__AVX__)
+    const lane_four last = {0.0f, 0.0f, 0.0f, one ? 1.0f : 0.0f};
+    return LANE_FOUR_MIX(a, last, 0, 1, 2, 7);
+#else
+    const lane_four_bits keep = {-1, -1, -1, 0}, last = {0, 0, 0, one ? 0x3f800000 : 0};
+    return (lane_four)(((lane_four_bits)a & keep) | last);
+#endif
+}
 
 /* x where mask is all ones, y where it is 0. */
 static inline lane_four lane_four_select(lane_four_bits mask, lane_four x, lane_four y)
@@ -128,6 +151,12 @@ static inline lane_four lane_four_add(lane_four a, lane_four b)
     return r;
 }
 
+static inline lane_four lane_four_sub(lane_four a, lane_four b)
+{
+    lane_four r = {{a.v[0] - b.v[0], a.v[1] - b.v[1], a.v[2] - b.v[2], a.v[3] - b.v[3]}};
+    return r;
+}
+
 static inline lane_four lane_four_mul(lane_four a, lane_four b)
 {
     lane_four r = {{a.v[0] * b.v[0], a.v[1] * b.v[1], a.v[2] * b.v[2], a.v[3] * b.v[3]}};
@@ -137,6 +166,22 @@ static inline lane_four lane_four_mul(lane_four a, lane_four b)
 static inline lane_four lane_four_div(lane_four a, lane_four b)
 {
     lane_four r = {{a.v[0] / b.v[0], a.v[1] / b.v[1], a.v[2] / b.v[2], a.v[3] / b.v[3]}};
+    return r;
+}
+
+static inline lane_four lane_four_turn(lane_four a, lane_four b)
+{
+    lane_four r;
+    for (int i = 0; i < 4; i++)
+        r.v[i] = a.v[i] < 0.0f ? -b.v[i] : b.v[i];
+    return r;
+}
+
+static inline lane_four lane_four_mark(lane_four b, lane_four a)
+{
+    lane_four r;
+    for (int i = 0; i < 4; i++)
+        r.v[i] = a.v[i] > 0.0f && a.v[i] <= 2.0f ? b.v[i] : 2.0f;
     return r;
 }
 

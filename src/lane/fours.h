@@ -54,6 +54,26 @@ static inline lane_wide lane_wide_load(const float *p)
     return r;
 }
 
+/*
+ * The same, into a register at once. Otherwise x86 compilers read memory at each use, which takes two steps where an
+ * address has two parts.
+ */
+static inline lane_wide lane_wide_load_once(const float *p)
+{
+    lane_wide r = lane_wide_load(p);
+#if defined(__AVX512F__)
+    __asm__("" : "+v"(r));
+#elif defined(LANE_FOUR) && defined(__SSE2__)
+    __asm__("" : "+x"(r));
+#endif
+    return r;
+}
+
+static inline void lane_wide_store(float *p, lane_wide a)
+{
+    memcpy(p, &a, sizeof a);
+}
+
 static inline lane_wide lane_wide_load_bytes(const unsigned char *p)
 {
     lane_wide r;
@@ -64,10 +84,13 @@ static inline lane_wide lane_wide_load_bytes(const unsigned char *p)
 #if LANE_FOURS == 1
 
 #define lane_wide_add(a, b)         lane_four_add(a, b)
+#define lane_wide_sub(a, b)         lane_four_sub(a, b)
 #define lane_wide_mul(a, b)         lane_four_mul(a, b)
 #define lane_wide_div(a, b)         lane_four_div(a, b)
 #define lane_wide_all(x)            lane_four_all(x)
 #define lane_wide_all_of(p)         lane_four_all_of(p)
+#define lane_wide_turn(a, b)        lane_four_turn(a, b)
+#define lane_wide_mark(b, a)        lane_four_mark(b, a)
 #define lane_wide_unless_zero(a, b) lane_four_unless_zero(a, b)
 #define lane_wide_splat(a, i)       lane_four_splat(a, i)
 #define lane_wide_transpose(m)      lane_four_transpose(m)
@@ -83,6 +106,7 @@ static inline lane_wide_columns lane_wide_columns_of(const lane_wide_matrix *m)
 typedef int32_t lane_wide_bits __attribute__((vector_size(4 * LANE_WIDE)));
 
 #define lane_wide_add(a, b) ((a) + (b))
+#define lane_wide_sub(a, b) ((a) - (b))
 #define lane_wide_mul(a, b) ((a) * (b))
 #define lane_wide_div(a, b) ((a) / (b))
 
@@ -98,6 +122,17 @@ static inline lane_wide lane_wide_all_of(const unsigned char *p)
     float x;
     memcpy(&x, p, sizeof x);
     return lane_wide_all(x);
+}
+
+static inline lane_wide lane_wide_turn(lane_wide a, lane_wide b)
+{
+    const lane_wide zero = {0.0f};
+    return (lane_wide)((lane_wide_bits)b ^ ((lane_wide_bits)(a < zero) & INT32_MIN));
+}
+
+static inline lane_wide lane_wide_mark(lane_wide b, lane_wide a)
+{
+    return (lane_wide)((lane_wide_bits)b | ((lane_wide_bits)a - 1));
 }
 
 static inline lane_wide lane_wide_unless_zero(lane_wide a, lane_wide b)
@@ -166,6 +201,16 @@ static inline lane_wide_columns lane_wide_columns_of(const lane_wide_matrix *m)
 
 #endif
 #endif
+
+/* Whether lane_wide_mark has marked one. */
+static inline int lane_wide_is_marked(lane_wide a)
+{
+    uint32_t v[LANE_WIDE], any = 0;
+    memcpy(v, &a, sizeof v);
+    for (int i = 0; i < LANE_WIDE; i++)
+        any |= v[i];
+    return any >> 30 != 0;
+}
 
 /* LANE_FOURS vectors from `stride` to `stride` bytes, and the four bytes after each. */
 static inline lane_wide_vectors lane_wide_read3(const unsigned char *p, size_t stride)

@@ -47,13 +47,6 @@ static inline lane_chord lane_quat_chord(nkw_quat a, nkw_quat b, float t)
     return r;
 }
 
-/* v for t inside 0..1 where it is known at compile time which end is nearer. */
-static inline nkw_quat lane_quat_chord_near(nkw_quat a, nkw_quat b, float t, int first)
-{
-    nkw_quat c = lane_quat_turned(a, b);
-    return nkw_quat_add(first ? a : c, nkw_quat_scale(nkw_quat_sub(c, a), first ? t : t - 1.0f));
-}
-
 /*
  * v / |v| = v + v g,  g = 1/|v| - 1 = m / (|v| + |v|^2),  m = 1 - |v|^2, for chords of |v|^2 in 0..2 without 0.
  */
