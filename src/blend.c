@@ -180,8 +180,8 @@ typedef struct queue {
     size_t count, sorted, taken;
 } queue;
 
-/* Finds the first layers after `last`, of all where that is NULL. */
-static void sort_layers(queue *q, const nkw_pose_layer *last)
+/* Finds the first layers after `last`, of all where that is NULL. Apart, for more than SORTED layers are few. */
+APART static void sort_layers(queue *q, const nkw_pose_layer *last)
 {
     q->sorted = q->taken = 0;
     for (size_t i = 0; i < q->count; i++) {
@@ -248,6 +248,18 @@ static void add_plain(plain_sum *s, blend_rows rows, float weight, const part *p
     s->last = rows;
 }
 
+/* What is left to do of the sum; s->last is a pose itself, as `out` is. */
+static void end_plain(const plain_sum *s, const part *p, float *out)
+{
+    const nkw_batch *batch = nkw_batch_selected();
+    if (s->t == 0.0f)
+        copy_rows(s->sum, 10, rows_span(out, p), p->n);
+    else if (s->sum.stride == p->stride)
+        batch->blend_poses(s->sum.at, s->last.at, p->stride, s->t, (int)p->used, out + p->from);
+    else
+        batch->blend_nlerp(s->sum, s->last, s->t, (int)p->used, rows_span(out, p));
+}
+
 static int has_mask(const nkw_pose_layer *layers, size_t count)
 {
     int any = 0;
@@ -267,10 +279,7 @@ static void blend_plain(const nkw_pose_layer *layers, size_t count, const float 
     for (const nkw_pose_layer *l = next_layer(&q); l; l = next_layer(&q))
         add_plain(&s, rows_of(l->pose, p), weight_of(l->weight), p);
     add_plain(&s, rows_of(rest, p), lane_missing(s.total, threshold), p);
-    if (s.t > 0.0f)
-        nkw_batch_selected()->blend_nlerp(s.sum, s.last, s.t, (int)p->used, rows_span(out, p));
-    else
-        copy_rows(s.sum, 10, rows_span(out, p), p->n);
+    end_plain(&s, p, out);
 }
 
 /*
