@@ -20,6 +20,7 @@
 
 typedef float lane_four __attribute__((vector_size(16)));
 typedef int32_t lane_four_bits __attribute__((vector_size(16)));
+typedef uint32_t lane_four_words __attribute__((vector_size(16)));
 typedef int64_t lane_four_pair __attribute__((vector_size(16)));
 
 static inline lane_four lane_four_all(float x)
@@ -58,7 +59,7 @@ static inline lane_four lane_four_turn(lane_four a, lane_four b)
 /* b, its bit 30 or 31 set where not 0 < a <= 2: all others' bits are below 2^30 once 1 is taken off them. */
 static inline lane_four lane_four_mark(lane_four b, lane_four a)
 {
-    return (lane_four)((lane_four_bits)b | ((lane_four_bits)a - 1));
+    return (lane_four)((lane_four_words)b | ((lane_four_words)a - 1));
 }
 
 /* b where a is 0. */

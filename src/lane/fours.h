@@ -61,7 +61,7 @@ static inline lane_wide lane_wide_load(const float *p)
 static inline lane_wide lane_wide_load_once(const float *p)
 {
     lane_wide r = lane_wide_load(p);
-#if defined(__AVX512F__)
+#if defined(LANE_FOUR) && defined(__AVX512F__)
     __asm__("" : "+v"(r));
 #elif defined(LANE_FOUR) && defined(__SSE2__)
     __asm__("" : "+x"(r));
@@ -104,6 +104,7 @@ static inline lane_wide_columns lane_wide_columns_of(const lane_wide_matrix *m)
 #else
 
 typedef int32_t lane_wide_bits __attribute__((vector_size(4 * LANE_WIDE)));
+typedef uint32_t lane_wide_words __attribute__((vector_size(4 * LANE_WIDE)));
 
 #define lane_wide_add(a, b) ((a) + (b))
 #define lane_wide_sub(a, b) ((a) - (b))
@@ -132,7 +133,7 @@ static inline lane_wide lane_wide_turn(lane_wide a, lane_wide b)
 
 static inline lane_wide lane_wide_mark(lane_wide b, lane_wide a)
 {
-    return (lane_wide)((lane_wide_bits)b | ((lane_wide_bits)a - 1));
+    return (lane_wide)((lane_wide_words)b | ((lane_wide_words)a - 1));
 }
 
 static inline lane_wide lane_wide_unless_zero(lane_wide a, lane_wide b)
