@@ -133,19 +133,30 @@ static void half_turns_have_their_largest_component_positive(void **state)
     expect_quat_near(nkw_dual_quat_from_mat4(&nearly).real, want_x, 1e-7);
 }
 
+static nkw_trs draw_scaled(random_source *r)
+{
+    nkw_trs trs = {random_vec3(r, -4, 4), random_rotation(r), random_vec3(r, 0.01f, 9)};
+    if (trs.rotation.w < 0.0f)
+        trs.rotation = nkw_quat_negate(trs.rotation);
+    return trs;
+}
+
+static void expect_unscaled(const nkw_mat4 *m, const nkw_trs *trs)
+{
+    nkw_dual_quat got = nkw_dual_quat_from_mat4(m), want = nkw_dual_quat_from_rigid(trs->rotation, trs->translation);
+    expect_dual_near(&got, &want, 2e-6);
+}
+
 /* Each axis in turn, as nkw_trs_from_mat4 does. */
 static void a_scale_of_zero_along_one_axis_leaves_the_rotation(void **state)
 {
     (void)state;
     random_source r = random_from(8);
     for (int i = 0; i < ROUNDS; i++) {
-        nkw_trs trs = {random_vec3(&r, -4, 4), random_rotation(&r), random_vec3(&r, 0.01f, 9)};
+        nkw_trs trs = draw_scaled(&r);
         *(i % 3 == 0 ? &trs.scale.x : i % 3 == 1 ? &trs.scale.y : &trs.scale.z) = 0.0f;
-        if (trs.rotation.w < 0.0f)
-            trs.rotation = nkw_quat_negate(trs.rotation);
         nkw_mat4 m = nkw_mat4_from_trs(&trs);
-        nkw_dual_quat got = nkw_dual_quat_from_mat4(&m), want = nkw_dual_quat_from_rigid(trs.rotation, trs.translation);
-        expect_dual_near(&got, &want, 2e-6);
+        expect_unscaled(&m, &trs);
     }
 }
 
@@ -154,16 +165,12 @@ static void scale_and_mirroring_are_dropped(void **state)
     (void)state;
     random_source r = random_from(7);
     for (int i = 0; i < ROUNDS; i++) {
-        nkw_trs trs = {random_vec3(&r, -4, 4), random_rotation(&r), random_vec3(&r, 0.01f, 9)};
-        if (trs.rotation.w < 0.0f)
-            trs.rotation = nkw_quat_negate(trs.rotation);
+        nkw_trs trs = draw_scaled(&r);
         nkw_mat4 m = nkw_mat4_from_trs(&trs);
-        nkw_dual_quat got = nkw_dual_quat_from_mat4(&m), want = nkw_dual_quat_from_rigid(trs.rotation, trs.translation);
-        expect_dual_near(&got, &want, 2e-6);
+        expect_unscaled(&m, &trs);
         for (int k = 0; k < 12; k++)
             m.m[k] = -m.m[k];
-        got = nkw_dual_quat_from_mat4(&m);
-        expect_dual_near(&got, &want, 2e-6);
+        expect_unscaled(&m, &trs);
     }
 }
 
