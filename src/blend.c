@@ -248,18 +248,6 @@ static void add_plain(plain_sum *s, blend_rows rows, float weight, const part *p
     s->last = rows;
 }
 
-/* What is left to do of the sum; s->last is a pose itself, as `out` is. */
-static void end_plain(const plain_sum *s, const part *p, float *out)
-{
-    const nkw_batch *batch = nkw_batch_selected();
-    if (s->t == 0.0f)
-        copy_rows(s->sum, 10, rows_span(out, p), p->n);
-    else if (s->sum.stride == p->stride)
-        batch->blend_poses(s->sum.at, s->last.at, p->stride, s->t, (int)p->used, out + p->from);
-    else
-        batch->blend_nlerp(s->sum, s->last, s->t, (int)p->used, rows_span(out, p));
-}
-
 static int has_mask(const nkw_pose_layer *layers, size_t count)
 {
     int any = 0;
@@ -279,7 +267,10 @@ static void blend_plain(const nkw_pose_layer *layers, size_t count, const float 
     for (const nkw_pose_layer *l = next_layer(&q); l; l = next_layer(&q))
         add_plain(&s, rows_of(l->pose, p), weight_of(l->weight), p);
     add_plain(&s, rows_of(rest, p), lane_missing(s.total, threshold), p);
-    end_plain(&s, p, out);
+    if (s.t > 0.0f)
+        nkw_batch_selected()->blend_nlerp(s.sum, s.last, s.t, (int)p->used, rows_span(out, p));
+    else
+        copy_rows(s.sum, 10, rows_span(out, p), p->n);
 }
 
 /*
