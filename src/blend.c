@@ -32,12 +32,14 @@ static part part_at(size_t joints, size_t from)
 
 static nkw_trs_view view_of(const float *pose, const part *p)
 {
-    return nkw_pose_view(pose + p->from, p->joints);
+    nkw_pose_view view = {pose + p->from, p->joints};
+    return nkw_pose_components(view);
 }
 
 static nkw_trs_span span_of(float *pose, const part *p)
 {
-    return nkw_pose_span(pose + p->from, p->joints);
+    nkw_pose_span span = {pose + p->from, p->joints};
+    return nkw_pose_components_span(span);
 }
 
 static blend_rows rows_of(const float *pose, const part *p)
@@ -81,9 +83,11 @@ static void blend_at(const float *a, const float *b, size_t joints, float t, int
 {
     const nkw_batch *batch = nkw_batch_selected();
     size_t stride = NKW_POSE_STRIDE(joints), scales = 7 * stride;
-    nkw_quat_view qa = nkw_pose_view(a, joints).rotation, qb = nkw_pose_view(b, joints).rotation;
+    nkw_pose_view va = {a, joints}, vb = {b, joints};
+    nkw_pose_span vo = {out, joints};
+    nkw_quat_view qa = nkw_pose_components(va).rotation, qb = nkw_pose_components(vb).rotation;
     batch->lerp_at(a, b, t, out, 3 * stride);
-    (slerp ? batch->quat_slerp_at : batch->quat_nlerp_at)(qa, qb, t, nkw_pose_span(out, joints).rotation, stride);
+    (slerp ? batch->quat_slerp_at : batch->quat_nlerp_at)(qa, qb, t, nkw_pose_components_span(vo).rotation, stride);
     batch->lerp_at(a + scales, b + scales, t, out + scales, 3 * stride);
 }
 
@@ -325,7 +329,8 @@ static void blend_with_masks(const nkw_pose_layer *layers, size_t count, const f
     }
     add_rest(&s, rest, threshold, p);
     copy_rows(translations, 3, rows_span(out, p), p->n);
-    nkw_batch_selected()->blend_settle(nkw_pose_view(s.v, p->n).rotation, s.mixed, (int)p->used,
+    nkw_pose_view mean = {s.v, p->n};
+    nkw_batch_selected()->blend_settle(nkw_pose_components(mean).rotation, s.mixed, (int)p->used,
                                        span_of(out, p).rotation, (int)p->n);
     copy_rows(scales, 3, rows_span(out + 7 * p->stride, p), p->n);
 }
@@ -379,9 +384,10 @@ nkw_result nkw_pose_layers_validate(const nkw_pose_layer *layers, size_t count, 
 
 void nkw_pose_additive_build(const float *a, const float *ref, size_t joints, nkw_additive side, float *out)
 {
-    nkw_batch_selected()->additive_build(nkw_pose_view(a, joints), nkw_pose_view(ref, joints),
-                                         side == NKW_ADDITIVE_PARENT, nkw_pose_span(out, joints),
-                                         NKW_POSE_STRIDE(joints));
+    nkw_pose_view va = {a, joints}, vr = {ref, joints};
+    nkw_pose_span vo = {out, joints};
+    nkw_batch_selected()->additive_build(nkw_pose_components(va), nkw_pose_components(vr), side == NKW_ADDITIVE_PARENT,
+                                         nkw_pose_components_span(vo), NKW_POSE_STRIDE(joints));
 }
 
 void nkw_pose_additive_apply(const float *base, const float *delta, size_t joints, nkw_additive side, float weight,
@@ -434,7 +440,7 @@ nkw_result nkw_mirror_validate(const int32_t *pair, size_t joints, size_t *bad_j
         if (pair[j] < 0 || (size_t)pair[j] >= joints)
             result = NKW_OUT_OF_RANGE;
         else if (!is_paired(pair, joints, j))
-            result = NKW_NOT_PAIRED;
+            result = NKW_BAD_MIRROR;
         bad = j;
     }
     return report(result, bad, bad_joint);

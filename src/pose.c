@@ -14,18 +14,18 @@ size_t nkw_pose_floats(size_t joints)
     return joints <= SIZE_MAX / 160 * 16 ? NKW_POSE_FLOATS(joints) : SIZE_MAX;
 }
 
-/* What lies `floats` behind the start; of no pose at all, which may be NULL, the start. */
+/* pose + floats; pose itself for floats = 0, where it may be NULL. */
 static const float *behind(const float *pose, size_t floats)
 {
     return floats ? pose + floats : pose;
 }
 
-nkw_trs_view nkw_pose_view(const float *pose, size_t joints)
+nkw_trs_view nkw_pose_components(nkw_pose_view pose)
 {
-    size_t s = NKW_POSE_STRIDE(joints);
-    const float *rotation = behind(pose, 3 * s), *scale = behind(pose, 7 * s);
+    size_t s = NKW_POSE_STRIDE(pose.joint_count);
+    const float *rotation = behind(pose.data, 3 * s), *scale = behind(pose.data, 7 * s);
     nkw_trs_view view = {
-        {pose, behind(pose, s), behind(pose, 2 * s)},
+        {pose.data, behind(pose.data, s), behind(pose.data, 2 * s)},
         {rotation, behind(rotation, s), behind(rotation, 2 * s), behind(rotation, 3 * s)},
         {scale, behind(scale, s), behind(scale, 2 * s)},
     };
@@ -37,12 +37,12 @@ static float *behind_span(float *pose, size_t floats)
     return floats ? pose + floats : pose;
 }
 
-nkw_trs_span nkw_pose_span(float *pose, size_t joints)
+nkw_trs_span nkw_pose_components_span(nkw_pose_span pose)
 {
-    size_t s = NKW_POSE_STRIDE(joints);
-    float *rotation = behind_span(pose, 3 * s), *scale = behind_span(pose, 7 * s);
+    size_t s = NKW_POSE_STRIDE(pose.joint_count);
+    float *rotation = behind_span(pose.data, 3 * s), *scale = behind_span(pose.data, 7 * s);
     nkw_trs_span span = {
-        {pose, behind_span(pose, s), behind_span(pose, 2 * s)},
+        {pose.data, behind_span(pose.data, s), behind_span(pose.data, 2 * s)},
         {rotation, behind_span(rotation, s), behind_span(rotation, 2 * s), behind_span(rotation, 3 * s)},
         {scale, behind_span(scale, s), behind_span(scale, 2 * s)},
     };

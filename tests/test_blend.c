@@ -381,9 +381,9 @@ static void validate_names_the_first_joint_without_a_partner(void **state)
     pair[3] = -1;
     expect_invalid(pair, 4, NKW_OUT_OF_RANGE, 3);
     pair[3] = 0;
-    expect_invalid(pair, 4, NKW_NOT_PAIRED, 3);
+    expect_invalid(pair, 4, NKW_BAD_MIRROR, 3);
     pair[1] = 3;
-    expect_invalid(pair, 4, NKW_NOT_PAIRED, 1);
+    expect_invalid(pair, 4, NKW_BAD_MIRROR, 1);
 }
 
 static void a_subtree_masks_a_joint_and_all_below_it(void **state)

@@ -49,8 +49,10 @@ static void transforms_go_in_and_come_out_bit_for_bit(void **state)
 static void a_pose_without_joints_may_be_null(void **state)
 {
     (void)state;
-    nkw_trs_view view = nkw_pose_view(NULL, 0);
-    nkw_trs_span span = nkw_pose_span(NULL, 0);
+    nkw_pose_view no_view = {NULL, 0};
+    nkw_pose_span no_span = {NULL, 0};
+    nkw_trs_view view = nkw_pose_components(no_view);
+    nkw_trs_span span = nkw_pose_components_span(no_span);
     assert_true(!view.translation.z && !view.rotation.w && !view.scale.z);
     assert_true(!span.translation.z && !span.rotation.w && !span.scale.z);
     nkw_pose_identity(NULL, 0);
@@ -71,8 +73,9 @@ static void views_and_spans_are_the_arrays_in_their_order(void **state)
 {
     (void)state;
     float pose[NKW_POSE_FLOATS(JOINTS)] = {0};
-    nkw_trs_view view = nkw_pose_view(pose, JOINTS);
-    nkw_trs_span span = nkw_pose_span(pose, JOINTS);
+    nkw_pose_span whole = {pose, JOINTS};
+    nkw_trs_view view = nkw_pose_components(nkw_pose_view_from_span(whole));
+    nkw_trs_span span = nkw_pose_components_span(whole);
     const float *read[10] = {view.translation.x, view.translation.y, view.translation.z, view.rotation.x,
                              view.rotation.y,    view.rotation.z,    view.rotation.w,    view.scale.x,
                              view.scale.y,       view.scale.z};

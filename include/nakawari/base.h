@@ -146,16 +146,19 @@ extern "C" {
     X(NKW_NOT_FINITE, "a number is infinite or not a number")                                      \
     X(NKW_NOT_ASCENDING, "a key time is less than the one before it")                              \
     X(NKW_NOT_UNIT, "an orientation is not a unit quaternion")                                     \
-    X(NKW_BAD_METHOD, "no such method, kind, width or format")                                     \
+    X(NKW_BAD_METHOD, "no such method, kind, interpolation or target")                             \
     X(NKW_TOO_SMALL, "a block or an array is too small, or would be too large for size_t")         \
     X(NKW_OUT_OF_RANGE, "an index is out of range")                                                \
     X(NKW_NOT_ORDERED, "a joint stands before its parent")                                         \
     X(NKW_NOT_A_TREE, "a node is reached twice or not at all")                                     \
-    X(NKW_NOT_PAIRED, "a joint is not its partner's partner")                                      \
+    X(NKW_BAD_MIRROR, "a joint is not its partner's partner")                                      \
     X(NKW_BAD_WEIGHTS, "weights are out of range or do not sum to 1")                              \
     X(NKW_TOO_MANY, "more bones or influences than there may be")                                  \
     X(NKW_NOT_A_CLIP, "not a clip of this version and byte order, or not aligned")                 \
-    X(NKW_REPEATED, "two tracks move the same, or two chunks share a place")
+    X(NKW_REPEATED, "two tracks move the same, or two chunks share a place")                       \
+    X(NKW_BAD_WIDTH, "the width of a value is not that of its kind")                               \
+    X(NKW_BAD_FORMAT, "no such format, or one that is for something else")                         \
+    X(NKW_MISMATCHED, "two arguments are of different numbers of joints or floats")
 
 /** What a function of the data floors gives: NKW_OK is 0, all else names what is wrong. */
 typedef enum nkw_result {

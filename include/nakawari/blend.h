@@ -24,6 +24,24 @@
 extern "C" {
 #endif
 
+/** A mask that is read: NKW_POSE_STRIDE(joint_count) floats. data NULL: 1 for every joint. */
+typedef struct nkw_mask_view {
+    const float *data;
+    size_t joint_count;
+} nkw_mask_view;
+/** A mask that is written. */
+typedef struct nkw_mask_span {
+    float *data;
+    size_t joint_count;
+} nkw_mask_span;
+
+/** The same mask, to be read. */
+static inline nkw_mask_view nkw_mask_view_from_span(nkw_mask_span mask)
+{
+    nkw_mask_view view = {mask.data, mask.joint_count};
+    return view;
+}
+
 /**
  * The pose at t of the way from a to b: translations and scales by nkw_lerp, rotations by nkw_quat_nlerp, bit for bit.
  *
@@ -155,7 +173,7 @@ NKW_API void nkw_pose_mirror(const float *pose, const int32_t *pair, size_t join
 
 /**
  * Checks a map of partners: NKW_EMPTY without joints; NKW_OUT_OF_RANGE where a partner is not in 0..joints - 1;
- * NKW_NOT_PAIRED where pair[pair[j]] is not j. *bad_joint becomes the first offending joint, 0 if there is none; it may
+ * NKW_BAD_MIRROR where pair[pair[j]] is not j. *bad_joint becomes the first offending joint, 0 if there is none; it may
  * be NULL.
  */
 NKW_API nkw_result nkw_mirror_validate(const int32_t *pair, size_t joints, size_t *bad_joint);

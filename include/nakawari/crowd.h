@@ -30,8 +30,44 @@ extern "C" {
 #define NKW_CROWD 16
 
 /** Floats of a crowd's poses and of its matrices, for arrays on the stack. */
-#define NKW_CROWD_POSE_FLOATS(joints)   ((joints)*10 * NKW_CROWD)
-#define NKW_CROWD_MATRIX_FLOATS(joints) ((joints)*12 * NKW_CROWD)
+#define NKW_CROWD_POSE_FLOATS(joint_count)   ((joint_count)*10 * NKW_CROWD)
+#define NKW_CROWD_MATRIX_FLOATS(joint_count) ((joint_count)*12 * NKW_CROWD)
+
+/** Poses of a crowd that are read: NKW_CROWD_POSE_FLOATS(joint_count) floats. */
+typedef struct nkw_crowd_poses_view {
+    const float *data;
+    size_t joint_count;
+} nkw_crowd_poses_view;
+/** Poses of a crowd that are written. */
+typedef struct nkw_crowd_poses_span {
+    float *data;
+    size_t joint_count;
+} nkw_crowd_poses_span;
+
+/** Matrices of a crowd that are read: NKW_CROWD_MATRIX_FLOATS(joint_count) floats. */
+typedef struct nkw_crowd_matrices_view {
+    const float *data;
+    size_t joint_count;
+} nkw_crowd_matrices_view;
+/** Matrices of a crowd that are written. */
+typedef struct nkw_crowd_matrices_span {
+    float *data;
+    size_t joint_count;
+} nkw_crowd_matrices_span;
+
+/** The same poses, to be read. */
+static inline nkw_crowd_poses_view nkw_crowd_poses_view_from_span(nkw_crowd_poses_span poses)
+{
+    nkw_crowd_poses_view view = {poses.data, poses.joint_count};
+    return view;
+}
+
+/** The same matrices, to be read. */
+static inline nkw_crowd_matrices_view nkw_crowd_matrices_view_from_span(nkw_crowd_matrices_span matrices)
+{
+    nkw_crowd_matrices_view view = {matrices.data, matrices.joint_count};
+    return view;
+}
 
 /**
  * Poses (pose.h) into the lanes of a crowd: poses[i] into lane i, for i below NKW_CROWD. Lanes whose pose is NULL get

@@ -27,6 +27,37 @@
 extern "C" {
 #endif
 
+/** What the elements of a palette are. */
+typedef enum nkw_palette_format {
+    NKW_PALETTE_MAT4,           /**< nkw_mat4, 64 bytes: joint matrices */
+    NKW_PALETTE_MAT3X4,         /**< nkw_mat3x4, 48 bytes: the first three rows of joint matrices */
+    NKW_PALETTE_DUAL_QUAT,      /**< nkw_dual_quat, 32 bytes: joint matrices without scale and shear, unit */
+    NKW_PALETTE_NORMAL_MAT3,    /**< nkw_mat3, 36 bytes: normal matrices (nkw_mat3_normal of joint matrices) */
+    NKW_PALETTE_NORMAL_ROWS,    /**< nkw_mat3x4, 48 bytes: rows of normal matrices, fourth elements 0 */
+    NKW_PALETTE_NORMAL_COLUMNS, /**< 12 floats, 48 bytes: columns of normal matrices, each of four floats, the last 0 */
+    NKW_PALETTE_FORMAT_COUNT
+} nkw_palette_format;
+
+/** A palette that is read: joint_count elements of the format, contiguous. */
+typedef struct nkw_palette_view {
+    const void *data;
+    size_t joint_count;
+    nkw_palette_format format;
+} nkw_palette_view;
+/** A palette that is written. */
+typedef struct nkw_palette_span {
+    void *data;
+    size_t joint_count;
+    nkw_palette_format format;
+} nkw_palette_span;
+
+/** The same palette, to be read. */
+static inline nkw_palette_view nkw_palette_view_from_span(nkw_palette_span palette)
+{
+    nkw_palette_view view = {palette.data, palette.joint_count, palette.format};
+    return view;
+}
+
 /**
  * The joint matrices of a skin, out[i] for i in 0..count - 1.
  *

@@ -3,13 +3,13 @@
  * @file
  * Floor 4: a pose: the local transforms of all joints at one moment, in component arrays.
  *
- * A pose of `joints` joints is one block of NKW_POSE_FLOATS(joints) floats: ten arrays, each of NKW_POSE_STRIDE(joints)
- * floats, of which the first `joints` are the joints' and the rest padding.
+ * The data of a pose are one block of NKW_POSE_FLOATS(joint_count) floats: ten arrays of NKW_POSE_STRIDE(joint_count)
+ * floats each, of which the first joint_count are the joints' and the rest padding.
  *
  *     array   0 1 2              3 4 5 6           7 8 9
  *             translation x y z  rotation x y z w  scale x y z
  *
- *     component c of joint j:  pose[c * NKW_POSE_STRIDE(joints) + j]
+ *     component c of joint j:  data[c * NKW_POSE_STRIDE(joint_count) + j]
  *
  * The stride is a multiple of 16, so loops of every vector width run without a remainder. Padding may hold anything:
  * what is read there has no effect on joints. Functions that write a whole pose may write padding too. Any alignment
@@ -25,18 +25,36 @@
 extern "C" {
 #endif
 
-/** Floats from one component array of a pose to the next: `joints` rounded up to a multiple of 16. */
-#define NKW_POSE_STRIDE(joints) (((joints) + 15) / 16 * 16)
+/** Floats from one component array of a pose to the next: joint_count rounded up to a multiple of 16. */
+#define NKW_POSE_STRIDE(joint_count) (((joint_count) + 15) / 16 * 16)
 
 /** Floats in the block of a pose; for arrays on the stack. */
-#define NKW_POSE_FLOATS(joints) (10 * NKW_POSE_STRIDE(joints))
+#define NKW_POSE_FLOATS(joint_count) (10 * NKW_POSE_STRIDE(joint_count))
+
+/** A pose that is read: NKW_POSE_FLOATS(joint_count) floats. */
+typedef struct nkw_pose_view {
+    const float *data;
+    size_t joint_count;
+} nkw_pose_view;
+/** A pose that is written. */
+typedef struct nkw_pose_span {
+    float *data;
+    size_t joint_count;
+} nkw_pose_span;
+
+/** The same pose, to be read. */
+static inline nkw_pose_view nkw_pose_view_from_span(nkw_pose_span pose)
+{
+    nkw_pose_view view = {pose.data, pose.joint_count};
+    return view;
+}
 
 /** NKW_POSE_FLOATS as a function, for languages without the macro; SIZE_MAX where size_t does not hold so many. */
 NKW_API size_t nkw_pose_floats(size_t joints);
 
-/** The pose's arrays, for the batch functions: nkw_mat4_from_trs_n(nkw_pose_view(pose, joints), out, joints). */
-NKW_API nkw_trs_view nkw_pose_view(const float *pose, size_t joints);
-NKW_API nkw_trs_span nkw_pose_span(float *pose, size_t joints);
+/** The ten arrays of a pose, for batch functions: nkw_mat4_from_trs_n(nkw_pose_components(pose), out, joint_count). */
+NKW_API nkw_trs_view nkw_pose_components(nkw_pose_view pose);
+NKW_API nkw_trs_span nkw_pose_components_span(nkw_pose_span pose);
 
 /** Every joint at the identity: no translation, no rotation, scale 1. Padding too. */
 NKW_API void nkw_pose_identity(float *pose, size_t joints);
