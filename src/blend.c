@@ -5,10 +5,13 @@
 
 #include <nakawari/blend.h>
 
+#include "batch/blend.h"
+#include "batch/orient.h"
+#include "batch/scalar.h"
+#include "batch/vec.h"
 #include "lane/blend.h"
 #include "lane/scalar.h"
 #include "report.h"
-#include "simd/select.h"
 
 /* The most that a weight counts. */
 #define HEAVIEST 0x1p60f
@@ -64,7 +67,7 @@ static float weight_of(float weight)
 static void weigh(float weight, const float *mask, const part *p, float *out)
 {
     if (mask)
-        nkw_batch_selected()->blend_weigh(weight, mask + p->from, (int)p->used, out, (int)p->n);
+        nkwi_blend_weigh(weight, mask + p->from, (int)p->used, out, (int)p->n);
     else
         for (size_t i = 0; i < p->n; i++)
             out[i] = i < p->used ? weight : 0.0f;
@@ -74,32 +77,29 @@ static void weigh(float weight, const float *mask, const part *p, float *out)
 
 static void blend_inside(const float *a, const float *b, size_t joints, float t, float *out)
 {
-    const nkw_batch *batch = nkw_batch_selected();
     for (size_t i = 0; i < joints; i += BLEND_BLOCK)
-        batch->blend_poses(a + i, b + i, NKW_POSE_STRIDE(joints), t, (int)at_most(joints - i, BLEND_BLOCK), out + i);
+        nkwi_blend_poses(a + i, b + i, NKW_POSE_STRIDE(joints), t, (int)at_most(joints - i, BLEND_BLOCK), out + i);
 }
 
 static void blend_at(const float *a, const float *b, size_t joints, float t, int slerp, float *out)
 {
-    const nkw_batch *batch = nkw_batch_selected();
     size_t stride = NKW_POSE_STRIDE(joints), scales = 7 * stride;
     nkw_pose_view va = {a, joints}, vb = {b, joints};
     nkw_pose_span vo = {out, joints};
     nkw_quat_view qa = nkw_pose_components(va).rotation, qb = nkw_pose_components(vb).rotation;
-    batch->lerp_at(a, b, t, out, 3 * stride);
-    (slerp ? batch->quat_slerp_at : batch->quat_nlerp_at)(qa, qb, t, nkw_pose_components_span(vo).rotation, stride);
-    batch->lerp_at(a + scales, b + scales, t, out + scales, 3 * stride);
+    nkw_lerp_at_n(a, b, t, out, 3 * stride);
+    (slerp ? nkw_quat_slerp_at_n : nkw_quat_nlerp_at_n)(qa, qb, t, nkw_pose_components_span(vo).rotation, stride);
+    nkw_lerp_at_n(a + scales, b + scales, t, out + scales, 3 * stride);
 }
 
 /* nkw_pose_blend_slerp by a t for each joint. */
 static void slerp_each(const float *a, const float *b, const float *t, const part *p, float *out)
 {
-    const nkw_batch *batch = nkw_batch_selected();
     nkw_trs_view va = view_of(a, p), vb = view_of(b, p);
     nkw_trs_span vo = span_of(out, p);
-    batch->vec3_lerp(va.translation, vb.translation, t, vo.translation, p->n);
-    batch->quat_slerp(va.rotation, vb.rotation, t, vo.rotation, p->n);
-    batch->vec3_lerp(va.scale, vb.scale, t, vo.scale, p->n);
+    nkw_vec3_lerp_n(va.translation, vb.translation, t, vo.translation, p->n);
+    nkw_quat_slerp_n(va.rotation, vb.rotation, t, vo.rotation, p->n);
+    nkw_vec3_lerp_n(va.scale, vb.scale, t, vo.scale, p->n);
 }
 
 static void blend_masked(const float *a, const float *b, size_t joints, float t, const float *mask, int slerp,
@@ -112,8 +112,7 @@ static void blend_masked(const float *a, const float *b, size_t joints, float t,
         if (slerp)
             slerp_each(a, b, ts, &p, out);
         else
-            nkw_batch_selected()->blend_each(rows_of(a, &p), rows_of(b, &p), ts, (int)p.used, rows_span(out, &p),
-                                             (int)p.n);
+            nkwi_blend_each(rows_of(a, &p), rows_of(b, &p), ts, (int)p.used, rows_span(out, &p), (int)p.n);
     }
 }
 
@@ -243,7 +242,7 @@ static void add_plain(plain_sum *s, blend_rows rows, float weight, const part *p
     if (t == 0.0f)
         return;
     if (t < 1.0f && s->t > 0.0f) {
-        nkw_batch_selected()->blend_chord(s->sum, s->last, s->t, v, (int)p->n);
+        nkwi_blend_chord(s->sum, s->last, s->t, v, (int)p->n);
         s->sum.at = s->v;
         s->sum.stride = p->n;
     }
@@ -272,7 +271,7 @@ static void blend_plain(const nkw_pose_layer *layers, size_t count, const float 
         add_plain(&s, rows_of(l->pose, p), weight_of(l->weight), p);
     add_plain(&s, rows_of(rest, p), lane_missing(s.total, threshold), p);
     if (s.t > 0.0f)
-        nkw_batch_selected()->blend_nlerp(s.sum, s.last, s.t, (int)p->used, rows_span(out, p));
+        nkwi_blend_nlerp(s.sum, s.last, s.t, (int)p->used, rows_span(out, p));
     else
         copy_rows(s.sum, 10, rows_span(out, p), p->n);
 }
@@ -291,11 +290,10 @@ typedef struct masked_sum {
 /* Adds a pose by its joints' weights. */
 static void add_masked(masked_sum *s, blend_rows rows, const float *weight, const part *p)
 {
-    const nkw_batch *batch = nkw_batch_selected();
     blend_span v = {s->v, p->n};
-    batch->blend_share(weight, s->total, s->mixed, s->t, p->n);
+    nkwi_blend_share(weight, s->total, s->mixed, s->t, p->n);
     if (s->begun)
-        batch->blend_mix(rows, s->t, v, (int)p->n);
+        nkwi_blend_mix(rows, s->t, v, (int)p->n);
     else
         copy_rows(rows, 10, v, p->n);
     s->begun = 1;
@@ -305,7 +303,7 @@ static void add_rest(masked_sum *s, const float *rest, float threshold, const pa
 {
     float weight[BLEND_BLOCK];
     int any = 0;
-    nkw_batch_selected()->blend_missing(s->total, threshold, (int)p->used, weight, (int)p->n);
+    nkwi_blend_missing(s->total, threshold, (int)p->used, weight, (int)p->n);
     for (size_t i = 0; i < p->n; i++)
         any |= weight[i] > 0.0f;
     if (any)
@@ -330,8 +328,7 @@ static void blend_with_masks(const nkw_pose_layer *layers, size_t count, const f
     add_rest(&s, rest, threshold, p);
     copy_rows(translations, 3, rows_span(out, p), p->n);
     nkw_pose_view mean = {s.v, p->n};
-    nkw_batch_selected()->blend_settle(nkw_pose_components(mean).rotation, s.mixed, (int)p->used,
-                                       span_of(out, p).rotation, (int)p->n);
+    nkwi_blend_settle(nkw_pose_components(mean).rotation, s.mixed, (int)p->used, span_of(out, p).rotation, (int)p->n);
     copy_rows(scales, 3, rows_span(out + 7 * p->stride, p), p->n);
 }
 
@@ -386,8 +383,8 @@ void nkw_pose_additive_build(const float *a, const float *ref, size_t joints, nk
 {
     nkw_pose_view va = {a, joints}, vr = {ref, joints};
     nkw_pose_span vo = {out, joints};
-    nkw_batch_selected()->additive_build(nkw_pose_components(va), nkw_pose_components(vr), side == NKW_ADDITIVE_PARENT,
-                                         nkw_pose_components_span(vo), NKW_POSE_STRIDE(joints));
+    nkwi_additive_build(nkw_pose_components(va), nkw_pose_components(vr), side == NKW_ADDITIVE_PARENT,
+                        nkw_pose_components_span(vo), NKW_POSE_STRIDE(joints));
 }
 
 void nkw_pose_additive_apply(const float *base, const float *delta, size_t joints, nkw_additive side, float weight,
@@ -397,8 +394,8 @@ void nkw_pose_additive_apply(const float *base, const float *delta, size_t joint
         part p = part_at(joints, from);
         float w[BLEND_BLOCK];
         weigh(weight_of(weight), mask, &p, w);
-        nkw_batch_selected()->additive_apply(view_of(base, &p), view_of(delta, &p), w, side == NKW_ADDITIVE_PARENT,
-                                             span_of(out, &p), p.n);
+        nkwi_additive_apply(view_of(base, &p), view_of(delta, &p), w, side == NKW_ADDITIVE_PARENT, span_of(out, &p),
+                            p.n);
     }
 }
 

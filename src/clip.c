@@ -6,9 +6,9 @@
 #include <nakawari/clip.h>
 #include <nakawari/segment.h>
 
+#include "batch/clip.h"
 #include "clip_layout.h"
 #include "lane/orient.h"
-#include "simd/select.h"
 
 size_t nkw_clip_joints(const nkw_clip *clip)
 {
@@ -81,10 +81,10 @@ static void hold(const nkw_clip *clip, const clip_group *g, const float *key, fl
     const float *values = values_of(g, key);
     const nkw_block *blocks = clip_blocks(clip, g);
     if (g->kind == GROUP_ROTATIONS)
-        nkw_batch_selected()->clip_quat_hold(values, is_cubic ? clip_rows(g) : clip_key_rows(g), (int)g->normalized,
-                                             blocks, g->block_count, out, stride);
+        nkwi_clip_quat_hold(values, is_cubic ? clip_rows(g) : clip_key_rows(g), (int)g->normalized, blocks,
+                            g->block_count, out, stride);
     else
-        nkw_batch_selected()->clip_hold(values, blocks, g->block_count, out);
+        nkwi_clip_hold(values, blocks, g->block_count, out);
 }
 
 static void cubic(const nkw_clip *clip, const clip_group *g, const float *a, const float *b, float duration, float t,
@@ -93,24 +93,23 @@ static void cubic(const nkw_clip *clip, const clip_group *g, const float *a, con
     size_t words = clip_rows(g) * g->lanes;
     const nkw_block *blocks = clip_blocks(clip, g);
     if (g->kind == GROUP_ROTATIONS)
-        nkw_batch_selected()->clip_quat_hermite(a, b, words, duration, t, blocks, g->block_count, out, stride);
+        nkwi_clip_quat_hermite(a, b, words, duration, t, blocks, g->block_count, out, stride);
     else
-        nkw_batch_selected()->clip_hermite(a, b, words, duration, t, blocks, g->block_count, out);
+        nkwi_clip_hermite(a, b, words, duration, t, blocks, g->block_count, out);
 }
 
 /* A LINEAR segment of rotations that are laid out as CUBICSPLINE, block by block: they have no arcs. */
 static void slerp_values(const nkw_clip *clip, const clip_group *g, const float *a, const float *b, float t, float *out,
                          size_t stride)
 {
-    const nkw_batch *batch = nkw_batch_selected();
     const nkw_block *block = clip_blocks(clip, g), *end = block + g->block_count;
     for (; block < end; a += 4 * NKW_BLOCK, b += 4 * NKW_BLOCK, block++) {
         const size_t n = block->width;
         float unit[8 * NKW_BLOCK];
         nkw_quat_view from = block_rows(a, n), to = block_rows(b, n);
         if (g->normalized) {
-            batch->quat_normalize(from, block_rows_to(unit, n), n);
-            batch->quat_normalize(to, block_rows_to(unit + 4 * n, n), n);
+            nkw_quat_normalize_n(from, block_rows_to(unit, n), n);
+            nkw_quat_normalize_n(to, block_rows_to(unit + 4 * n, n), n);
             from = block_rows(unit, n), to = block_rows(unit + 4 * n, n);
         }
         for (size_t i = 0; i < block->count; i++) {
@@ -127,11 +126,11 @@ static void linear(const nkw_clip *clip, const clip_group *g, const float *a, co
 {
     const nkw_block *blocks = clip_blocks(clip, g);
     if (g->kind != GROUP_ROTATIONS)
-        nkw_batch_selected()->clip_lerp(values_of(g, a), values_of(g, b), t, blocks, g->block_count, out);
+        nkwi_clip_lerp(values_of(g, a), values_of(g, b), t, blocks, g->block_count, out);
     else if (g->interpolation == NKW_INTERPOLATION_CUBICSPLINE)
         slerp_values(clip, g, values_of(g, a), values_of(g, b), t, out, stride);
     else
-        nkw_batch_selected()->clip_slerp(a, b, t, blocks, g->block_count, out, stride);
+        nkwi_clip_slerp(a, b, t, blocks, g->block_count, out, stride);
 }
 
 static void compact(const nkw_clip *clip, const clip_group *g, const uint16_t *a, const uint16_t *b, float t,
@@ -140,9 +139,9 @@ static void compact(const nkw_clip *clip, const clip_group *g, const uint16_t *a
     const nkw_block *blocks = clip_blocks(clip, g);
     const float *base = clip_floats(clip, g->ranges), *step = base + clip_rows(g) * g->lanes;
     if (g->kind == GROUP_ROTATIONS)
-        nkw_batch_selected()->clip_slerp16(a, b, base, step, t, blocks, g->block_count, out, stride);
+        nkwi_clip_slerp16(a, b, base, step, t, blocks, g->block_count, out, stride);
     else
-        nkw_batch_selected()->clip_lerp16(a, b, base, step, t, blocks, g->block_count, out);
+        nkwi_clip_lerp16(a, b, base, step, t, blocks, g->block_count, out);
 }
 
 /* The same cases, in the same order, as nkw_track_sample_at. Components of rotations are `stride` floats apart. */

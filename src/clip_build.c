@@ -7,11 +7,11 @@
 #include <nakawari/clip.h>
 #include <nakawari/segment.h>
 
+#include "batch/clip.h"
 #include "clip_layout.h"
 #include "clip_tracks.h"
 #include "lane/clip.h"
 #include "lane/orient.h"
-#include "simd/select.h"
 
 typedef enum section { TIMELINES, GROUPS, BLOCKS, RUNS, TIMES, VALUES, SECTIONS } section;
 
@@ -267,7 +267,7 @@ static void fill_arcs(const builder *b, const clip_group *g, size_t key_count)
     const nkw_block *blocks = (const nkw_block *)(const void *)(b->words + g->blocks);
     for (size_t k = 0; k + 1 < key_count; k++) {
         float *key = floats_at(b, g->keys + k * g->key_words);
-        nkw_batch_selected()->clip_arcs(key, key + g->key_words, blocks, g->block_count);
+        nkwi_clip_arcs(key, key + g->key_words, blocks, g->block_count);
     }
 }
 

@@ -8,13 +8,13 @@
 #include <nakawari/pose.h>
 #include <nakawari/segment.h>
 
+#include "batch/crowd.h"
 #include "lane/scalar.h"
 #include "report.h"
-#include "simd/select.h"
 
 void nkw_crowd_from_poses(const float *const *poses, size_t joints, float *crowd)
 {
-    nkw_batch_selected()->crowd_from_poses(poses, joints, NKW_POSE_STRIDE(joints), crowd);
+    nkwi_crowd_from_poses(poses, joints, NKW_POSE_STRIDE(joints), crowd);
 }
 
 void nkw_crowd_from_matrices(const nkw_mat4 *const *matrices, size_t joints, float *crowd)
@@ -30,12 +30,12 @@ void nkw_crowd_from_matrices(const nkw_mat4 *const *matrices, size_t joints, flo
 
 void nkw_matrices_from_crowd(const float *crowd, size_t joints, nkw_mat4 *const *matrices)
 {
-    nkw_batch_selected()->crowd_to_matrices(crowd, joints, matrices);
+    nkwi_crowd_to_matrices(crowd, joints, matrices);
 }
 
 void nkw_crowd_models_from_pose(const nkw_skeleton *skeleton, const float *crowd, const float *roots, float *models)
 {
-    nkw_batch_selected()->crowd_models(skeleton->parents, skeleton->joint_count, crowd, roots, models);
+    nkwi_crowd_models(skeleton->parents, skeleton->joint_count, crowd, roots, models);
 }
 
 void nkw_crowd_palette_from_models(const float *models, size_t model_count, const int32_t *joints,
@@ -48,7 +48,7 @@ void nkw_crowd_palette_from_models(const float *models, size_t model_count, cons
         if (j >= model_count)
             nkw_crowd_from_matrices(none, 1, palette + k * size);
         else if (inverse_bind)
-            nkw_batch_selected()->crowd_bind(models + j * size, &inverse_bind[k], palette + k * size);
+            nkwi_crowd_bind(models + j * size, &inverse_bind[k], palette + k * size);
         else
             memmove(palette + k * size, models + j * size, size * sizeof(float));
     }

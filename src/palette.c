@@ -6,28 +6,28 @@
 #include <nakawari/palette.h>
 #include <nakawari/quat.h>
 
+#include "batch/palette.h"
 #include "lane/scalar.h"
 #include "report.h"
-#include "simd/select.h"
 
 void nkw_palette_from_models(const nkw_mat4 *models, size_t model_count, const int32_t *joints,
                              const nkw_mat4 *inverse_bind, const nkw_mat4 *global_inverse, size_t count, nkw_mat4 *out)
 {
-    nkw_batch_selected()->palette_4x4(models, model_count, joints, inverse_bind, global_inverse, out, count);
+    nkwi_palette_4x4(models, model_count, joints, inverse_bind, global_inverse, out, count);
 }
 
 void nkw_palette_3x4_from_models(const nkw_mat4 *models, size_t model_count, const int32_t *joints,
                                  const nkw_mat4 *inverse_bind, const nkw_mat4 *global_inverse, size_t count,
                                  nkw_mat3x4 *out)
 {
-    nkw_batch_selected()->palette_3x4(models, model_count, joints, inverse_bind, global_inverse, out, count);
+    nkwi_palette_3x4(models, model_count, joints, inverse_bind, global_inverse, out, count);
 }
 
 void nkw_palette_dual_from_models(const nkw_mat4 *models, size_t model_count, const int32_t *joints,
                                   const nkw_mat4 *inverse_bind, const nkw_mat4 *global_inverse, size_t count,
                                   nkw_dual_quat *out)
 {
-    nkw_batch_selected()->palette_dual(models, model_count, joints, inverse_bind, global_inverse, out, count);
+    nkwi_palette_dual(models, model_count, joints, inverse_bind, global_inverse, out, count);
 }
 
 void nkw_palette_from_3x4(const nkw_mat3x4 *palette, size_t count, nkw_mat4 *out)
@@ -45,22 +45,22 @@ void nkw_palette_from_dual(const nkw_dual_quat *palette, size_t count, nkw_mat4 
 void nkw_inverse_bind_from_models(const nkw_mat4 *models, size_t model_count, const int32_t *joints,
                                   const nkw_mat4 *global_inverse, size_t count, nkw_mat4 *out)
 {
-    nkw_batch_selected()->palette_inverse(models, model_count, joints, global_inverse, out, count);
+    nkwi_palette_inverse(models, model_count, joints, global_inverse, out, count);
 }
 
 void nkw_palette_normals(const nkw_mat4 *palette, size_t count, nkw_mat3 *out)
 {
-    nkw_batch_selected()->palette_normals(palette, 3, 0, (float *)out, count);
+    nkwi_palette_normals(palette, 3, 0, (float *)out, count);
 }
 
 void nkw_palette_normals_rows(const nkw_mat4 *palette, size_t count, nkw_mat3x4 *out)
 {
-    nkw_batch_selected()->palette_normals(palette, 4, 1, (float *)out, count);
+    nkwi_palette_normals(palette, 4, 1, (float *)out, count);
 }
 
 void nkw_palette_normals_columns(const nkw_mat4 *palette, size_t count, float *out)
 {
-    nkw_batch_selected()->palette_normals(palette, 4, 0, out, count);
+    nkwi_palette_normals(palette, 4, 0, out, count);
 }
 
 static int is_finite(const nkw_mat4 *m)

@@ -5,9 +5,9 @@
 #include <nakawari/skeleton.h>
 #include <nakawari/transform.h>
 
+#include "batch/skeleton.h"
 #include "difference.h"
 #include "report.h"
-#include "simd/select.h"
 
 /* Whether joint j has no parent, or one that it must not have. */
 static int is_root(const nkw_skeleton *skeleton, size_t j)
@@ -41,15 +41,14 @@ void nkw_models_update_from_pose(const nkw_skeleton *skeleton, const float *pose
                                  size_t to, nkw_mat4 *models)
 {
     size_t count = skeleton->joint_count;
-    nkw_batch_selected()->models_from_pose(skeleton->parents, pose, NKW_POSE_STRIDE(count), root, from,
-                                           to < count ? to : count, models);
+    nkwi_models_from_pose(skeleton->parents, pose, NKW_POSE_STRIDE(count), root, from, to < count ? to : count, models);
 }
 
 void nkw_models_update_from_locals(const nkw_skeleton *skeleton, const nkw_mat4 *locals, const nkw_mat4 *root,
                                    size_t from, size_t to, nkw_mat4 *models)
 {
     size_t count = skeleton->joint_count;
-    nkw_batch_selected()->models_from_locals(skeleton->parents, locals, root, from, to < count ? to : count, models);
+    nkwi_models_from_locals(skeleton->parents, locals, root, from, to < count ? to : count, models);
 }
 
 void nkw_models_from_pose(const nkw_skeleton *skeleton, const float *pose, const nkw_mat4 *root, nkw_mat4 *models)
@@ -66,7 +65,7 @@ void nkw_models_from_locals(const nkw_skeleton *skeleton, const nkw_mat4 *locals
 void nkw_locals_from_models(const nkw_skeleton *skeleton, const nkw_mat4 *models, const nkw_mat4 *root,
                             nkw_mat4 *locals)
 {
-    nkw_batch_selected()->locals_from_models(skeleton->parents, models, root, 0, skeleton->joint_count, locals);
+    nkwi_locals_from_models(skeleton->parents, models, root, 0, skeleton->joint_count, locals);
 }
 
 /* Joints whose local matrices are made together. */
@@ -80,7 +79,7 @@ float nkw_pose_from_models(const nkw_skeleton *skeleton, const nkw_mat4 *models,
     for (size_t from = 0; from < count; from += BLOCK) {
         nkw_mat4 locals[BLOCK];
         size_t to = count - from < BLOCK ? count : from + BLOCK;
-        nkw_batch_selected()->locals_from_models(skeleton->parents, models, root, from, to, locals);
+        nkwi_locals_from_models(skeleton->parents, models, root, from, to, locals);
         for (size_t j = from; j < to; j++) {
             nkw_trs trs = nkw_trs_from_mat4(&locals[j - from]);
             worst = difference_worse(worst, nkw_trs_residual(&trs, &locals[j - from]));

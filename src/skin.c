@@ -3,13 +3,12 @@
 
 #include <nakawari/skin.h>
 
+#include "batch/skin.h"
 #include "lane/skin.h"
 #include "report.h"
-#include "simd/select.h"
 
 /* What of a skin can be used: no influences where a format is not for it. */
 typedef struct plan {
-    const nkw_batch *batch;
     nkw_skin_view joints, weights;
     size_t vertices, influences;
     uint32_t limit; /* joints in the palette */
@@ -33,8 +32,7 @@ static size_t stride_of(size_t stride, nkw_skin_format format, size_t influences
 
 static plan plan_of(const nkw_skin *skin, size_t joints, int raw)
 {
-    const nkw_batch *batch = nkw_batch_selected_for(skin->vertices);
-    plan r = {batch, skin->joints, skin->weights, skin->vertices, skin->influences, UINT32_MAX, raw};
+    plan r = {skin->joints, skin->weights, skin->vertices, skin->influences, UINT32_MAX, raw};
     r.joints.stride = stride_of(r.joints.stride, r.joints.format, r.influences);
     r.weights.stride = stride_of(r.weights.stride, r.weights.format, r.influences);
     r.influences = r.influences < NKW_SKIN_INFLUENCES ? r.influences : NKW_SKIN_INFLUENCES;
@@ -65,7 +63,7 @@ static void decode_block(const plan *p, size_t from, size_t n, skin_block *b)
     }
     joints.data = influences_at(&p->joints, from);
     weights.data = influences_at(&p->weights, from);
-    p->batch->skin_decode(b, &joints, p->limit, &weights, p->influences, n);
+    nkwi_skin_decode(b, &joints, p->limit, &weights, p->influences, n);
 }
 
 /* The block's matrices, and those of the normals if they are asked for: gives where the latter stand. */
@@ -78,22 +76,22 @@ static const float *blend_block(const plan *p, const transforms *t, int normals,
     }
     decode_block(p, from, n, b);
     if (t->dual) {
-        p->batch->skin_blend_dual_quats(b, t->dual, p->influences, padded);
+        nkwi_skin_blend_dual_quats(b, t->dual, p->influences, padded);
         return b->matrix;
     }
-    p->batch->skin_blend(b, t->linear->matrices, p->influences, padded);
+    nkwi_skin_blend(b, t->linear->matrices, p->influences, padded);
     if (!normals || !t->linear->normals)
         return b->matrix;
-    p->batch->skin_blend_normals(b, t->linear->normals, p->influences, padded);
+    nkwi_skin_blend_normals(b, t->linear->normals, p->influences, padded);
     return b->normal;
 }
 
 static void move(const plan *p, const skin_block *b, const float *m, nkw_vec3_view in, nkw_vec3_span out, size_t n)
 {
     if (m)
-        p->batch->skin_directions(b, m, p->raw, in, out, n);
+        nkwi_skin_directions(b, m, p->raw, in, out, n);
     else
-        p->batch->skin_points(b, in, out, n);
+        nkwi_skin_points(b, in, out, n);
 }
 
 static void move_array(const plan *p, const skin_block *b, const float *m, nkw_vec3_view in, nkw_vec3_span out,
@@ -136,9 +134,9 @@ static void move_stream(const plan *p, skin_block *b, const float *m, nkw_vec3_s
     nkw_vec3_span span = {v, v + SKIN_BLOCK, v + 2 * SKIN_BLOCK};
     if (!s.in_stride)
         return;
-    p->batch->skin_read(s.in, s.in_stride, v, n);
+    nkwi_skin_read(s.in, s.in_stride, v, n);
     move(p, b, m, view, span, n);
-    p->batch->skin_write(v, s.out, s.out_stride, n);
+    nkwi_skin_write(v, s.out, s.out_stride, n);
 }
 
 /* What a pass over the influences moves: positions or none, and one kind of directions or none. */
@@ -146,7 +144,7 @@ static void run_pass(const plan *p, const skin_influences *f, const nkw_mat4 *pa
                      const skin_stream *directions, size_t from, size_t n)
 {
     if (positions->in_stride || directions->in_stride)
-        p->batch->skin_pairs(f, palette, positions, directions, p->raw, p->vertices - from - n, n);
+        nkwi_skin_pairs(f, palette, positions, directions, p->raw, p->vertices - from - n, n);
 }
 
 /*

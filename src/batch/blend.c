@@ -5,9 +5,12 @@
 
 #include "batch/chords.h"
 #include "batch/element.h"
-#include "batch/table.h"
+#include "batch/blend.h"
+#include "batch/block.h"
 #include "lane/blend.h"
 #include "lane/fours.h"
+
+NKW_LOOPS_BLEND(NKW_DECLARE_LOOP)
 
 static inline void settle(nkw_quat_view v, nkw_quat_span out, size_t n)
 {
@@ -16,7 +19,7 @@ static inline void settle(nkw_quat_view v, nkw_quat_span out, size_t n)
         put_quat(out, i, lane_quat_settle(at_quat(v, i)));
 }
 
-KERNEL(blend_settle)(nkw_quat_view v, const float *mixed, int used, nkw_quat_span out, int n)
+NKW_LOOP(nkwi_blend_settle)(nkw_quat_view v, const float *mixed, int used, nkw_quat_span out, int n)
 {
     settle_where(mixed, v, used, out, n);
 }
@@ -178,7 +181,7 @@ INLINE int have_one_stride(blend_rows a, blend_rows b, blend_span out)
 }
 
 /* The lerp, rotations as chords. out may be a. */
-KERNEL(blend_chord)(blend_rows a, blend_rows b, float t, blend_span out, int n)
+NKW_LOOP(nkwi_blend_chord)(blend_rows a, blend_rows b, float t, blend_span out, int n)
 {
     const blend_rows x = {a.at, out.stride}, y = {b.at, out.stride};
     if (have_one_stride(a, b, out))
@@ -230,7 +233,7 @@ INLINE void nlerp_block(blend_rows a, blend_rows b, float t, int used, blend_spa
         settle(block_rows(c, CHORD_STRIDE), rotation_span(out), (size_t)used);
 }
 
-KERNEL(blend_nlerp)(blend_rows a, blend_rows b, float t, int used, blend_span out)
+NKW_LOOP(nkwi_blend_nlerp)(blend_rows a, blend_rows b, float t, int used, blend_span out)
 {
     const blend_rows x = {a.at, out.stride}, y = {b.at, out.stride};
     if (have_one_stride(a, b, out))
@@ -240,7 +243,7 @@ KERNEL(blend_nlerp)(blend_rows a, blend_rows b, float t, int used, blend_span ou
 }
 
 /* The same of poses themselves: a blend of 67 joints is 2 % faster for what is not passed and asked. */
-KERNEL(blend_poses)(const float *a, const float *b, size_t stride, float t, int used, float *out)
+NKW_LOOP(nkwi_blend_poses)(const float *a, const float *b, size_t stride, float t, int used, float *out)
 {
     const blend_rows x = {a, stride}, y = {b, stride};
     const blend_span to = {out, stride};
@@ -251,7 +254,7 @@ KERNEL(blend_poses)(const float *a, const float *b, size_t stride, float t, int 
 #define at_joint(v, i) lane_quat_or_identity(0u - (uint32_t)((i) < used), at_quat(v, i))
 
 /* The joints' own weights; none in the padding, whatever stands there. */
-KERNEL(blend_weigh)(float weight, const float *mask, int used, float *out, int n)
+NKW_LOOP(nkwi_blend_weigh)(float weight, const float *mask, int used, float *out, int n)
 {
 #pragma omp simd
     for (int i = 0; i < n; i++) {
@@ -268,7 +271,7 @@ static inline void lerps_each(nkw_vec3_view a, nkw_vec3_view b, const float *t, 
 }
 
 /* nkw_pose_blend by a t for each joint, any; t is 0 in the padding. n is at most BLEND_BLOCK. */
-KERNEL(blend_each)(blend_rows a, blend_rows b, const float *t, int used, blend_span out, int n)
+NKW_LOOP(nkwi_blend_each)(blend_rows a, blend_rows b, const float *t, int used, blend_span out, int n)
 {
     nkw_quat_view p = rotations_of(a), q = rotations_of(b);
     chords c;
@@ -281,7 +284,7 @@ KERNEL(blend_each)(blend_rows a, blend_rows b, const float *t, int used, blend_s
 }
 
 /* sum becomes its lerp to a pose by a t for each joint, rotations as chords. */
-KERNEL(blend_mix)(blend_rows to, const float *t, blend_span sum, int n)
+NKW_LOOP(nkwi_blend_mix)(blend_rows to, const float *t, blend_span sum, int n)
 {
     const blend_rows from = {sum.at, sum.stride};
     nkw_quat_view p = rotations_of(from), q = rotations_of(to);
@@ -294,7 +297,7 @@ KERNEL(blend_mix)(blend_rows to, const float *t, blend_span sum, int n)
 }
 
 /* mixed becomes 1 where more than one pose has a part, 0 where one alone has all. */
-KERNEL(blend_share)(const float *weight, double *total, float *mixed, float *t, size_t n)
+NKW_LOOP(nkwi_blend_share)(const float *weight, double *total, float *mixed, float *t, size_t n)
 {
 #pragma omp simd
     for (size_t i = 0; i < n; i++) {
@@ -306,7 +309,7 @@ KERNEL(blend_share)(const float *weight, double *total, float *mixed, float *t, 
 }
 
 /* What the rest pose has to make up for. */
-KERNEL(blend_missing)(const double *total, float threshold, int used, float *out, int n)
+NKW_LOOP(nkwi_blend_missing)(const double *total, float threshold, int used, float *out, int n)
 {
 #pragma omp simd
     for (int i = 0; i < n; i++) {
@@ -315,7 +318,7 @@ KERNEL(blend_missing)(const double *total, float threshold, int used, float *out
     }
 }
 
-KERNEL(additive_build)(nkw_trs_view a, nkw_trs_view ref, int parent, nkw_trs_span out, size_t n)
+NKW_LOOP(nkwi_additive_build)(nkw_trs_view a, nkw_trs_view ref, int parent, nkw_trs_span out, size_t n)
 {
 #pragma omp simd
     for (size_t i = 0; i < n; i++)
@@ -350,7 +353,7 @@ INLINE void add_turns(nkw_quat_view base, nkw_quat_view delta, const float *weig
 }
 
 /* n is at most BLEND_BLOCK. */
-KERNEL(additive_apply)
+NKW_LOOP(nkwi_additive_apply)
 (nkw_trs_view base, nkw_trs_view delta, const float *weight, int parent, nkw_trs_span out, size_t n)
 {
 #pragma omp simd

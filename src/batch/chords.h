@@ -6,7 +6,7 @@
 #include "lane/strict.h"
 
 #include "batch/element.h"
-#include "batch/table.h"
+#include "batch/isa.h"
 #include "lane/orient.h"
 
 /*

@@ -6,9 +6,11 @@
 
 #include "batch/block.h"
 #include "batch/element.h"
-#include "batch/table.h"
+#include "batch/clip.h"
 #include "lane/clip.h"
 #include "lane/curve.h"
+
+NKW_LOOPS_CLIP(NKW_DECLARE_LOOP)
 
 /* Rotations in rows `apart` floats apart to their places in components `stride` apart; two at a time. */
 static inline void scatter(const nkw_block *block, const float *from, size_t apart, float *out, size_t stride)
@@ -73,7 +75,7 @@ static inline void arcs_of_block(float *a, const float *b, size_t width)
 }
 
 /* Writes the arcs of key a to key b into a. */
-KERNEL(clip_arcs)(float *a, const float *b, const nkw_block *blocks, size_t block_count)
+NKW_LOOP(nkwi_clip_arcs)(float *a, const float *b, const nkw_block *blocks, size_t block_count)
 {
     for (size_t k = 0; k < block_count; k++) {
         size_t at = k * NKW_BLOCK * NKW_BLOCK_ROWS;
@@ -114,7 +116,8 @@ INLINE void lerp_blocks(const float *a, const float *b, float t, int first, cons
 }
 
 /* For t inside 0..1: at the ends there is a key to hold. */
-KERNEL(clip_lerp)(const float *a, const float *b, float t, const nkw_block *blocks, size_t block_count, float *out)
+NKW_LOOP(nkwi_clip_lerp)
+(const float *a, const float *b, float t, const nkw_block *blocks, size_t block_count, float *out)
 {
     if (t < 0.5f)
         lerp_blocks(a, b, t, 1, blocks, block_count, out);
@@ -167,7 +170,7 @@ INLINE void slerp_blocks(const float *a, const float *b, lane_slerp_pace at, con
     }
 }
 
-KERNEL(clip_slerp)
+NKW_LOOP(nkwi_clip_slerp)
 (const float *a, const float *b, float t, const nkw_block *blocks, size_t block_count, float *out, size_t stride)
 {
     lane_slerp_pace at = lane_slerp_pace_at(t);
@@ -191,7 +194,7 @@ static inline void lerp16_lanes(const uint16_t *a, const uint16_t *b, const floa
     }
 }
 
-KERNEL(clip_lerp16)
+NKW_LOOP(nkwi_clip_lerp16)
 (const uint16_t *a, const uint16_t *b, const float *base, const float *step, float t, const nkw_block *blocks,
  size_t block_count, float *out)
 {
@@ -299,8 +302,7 @@ INLINE void arcs16(pairs16 *p, const uint16_t *b, size_t at, size_t width)
         arcs_of(p, b, at, 4);
 }
 
-INLINE void slerp16(const pairs16 *p, const lane_compact_pace *pace, size_t at, float *out, size_t stride,
-                    size_t width)
+INLINE void slerp16(const pairs16 *p, const lane_compact_pace *pace, size_t at, float *out, size_t stride, size_t width)
 {
     if (width == NKW_BLOCK)
         slerp_of(p, pace, at, out, stride, NKW_BLOCK);
@@ -320,7 +322,7 @@ INLINE void slerp16_to(const pairs16 *p, const lane_compact_pace *pace, size_t a
         scatter(block, mixed, NKW_BLOCK, out, stride);
 }
 
-KERNEL(clip_slerp16)
+NKW_LOOP(nkwi_clip_slerp16)
 (const uint16_t *a, const uint16_t *b, const float *base, const float *step, float t, const nkw_block *blocks,
  size_t block_count, float *out, size_t stride)
 {
@@ -357,7 +359,7 @@ INLINE void hermite_lanes(const float *a, const float *b, size_t words, float du
         hermite_near(a, b, words, duration, t, 0, out, n);
 }
 
-KERNEL(clip_hermite)
+NKW_LOOP(nkwi_clip_hermite)
 (const float *a, const float *b, size_t words, float duration, float t, const nkw_block *blocks, size_t block_count,
  float *out)
 {
@@ -389,7 +391,7 @@ INLINE void quat_hermite_block(const float *a, const float *b, size_t words, flo
     normalize_block(lanes, out, stride, width);
 }
 
-KERNEL(clip_quat_hermite)
+NKW_LOOP(nkwi_clip_quat_hermite)
 (const float *a, const float *b, size_t words, float duration, float t, const nkw_block *blocks, size_t block_count,
  float *out, size_t stride)
 {
@@ -426,7 +428,7 @@ static inline void place(const nkw_block *block, const float *from, float *out, 
 }
 
 /* A key's values as they are. */
-KERNEL(clip_hold)(const float *key, const nkw_block *blocks, size_t block_count, float *out)
+NKW_LOOP(nkwi_clip_hold)(const float *key, const nkw_block *blocks, size_t block_count, float *out)
 {
     for (size_t k = 0, lanes; k < block_count; k += blocks_in(lanes)) {
         lanes = lanes_together(blocks + k, block_count - k);
@@ -438,7 +440,7 @@ KERNEL(clip_hold)(const float *key, const nkw_block *blocks, size_t block_count,
 }
 
 /* Those of rotations, the first four of `rows` rows in a block; normalised if asked. */
-KERNEL(clip_quat_hold)
+NKW_LOOP(nkwi_clip_quat_hold)
 (const float *key, size_t rows, int normalized, const nkw_block *blocks, size_t block_count, float *out, size_t stride)
 {
     for (size_t k = 0; k < block_count; k++, key += rows * NKW_BLOCK) {

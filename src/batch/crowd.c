@@ -6,8 +6,10 @@
 #include <nakawari/mat.h>
 #include <nakawari/transform.h>
 
-#include "batch/table.h"
+#include "batch/crowd.h"
 #include "lane/four.h"
+
+NKW_LOOPS_CROWD(NKW_DECLARE_LOOP)
 
 #define LANES NKW_CROWD
 
@@ -81,7 +83,8 @@ INLINE void models_of(const float *parent, const float *pose, float *out)
         model_of(parent, pose, out, i);
 }
 
-KERNEL(crowd_models)(const int32_t *parents, size_t joints, const float *crowd, const float *roots, float *models)
+NKW_LOOP(nkwi_crowd_models)
+(const int32_t *parents, size_t joints, const float *crowd, const float *roots, float *models)
 {
     for (size_t j = 0; j < joints; j++) {
         const float *pose = crowd + j * 10 * LANES;
@@ -97,7 +100,7 @@ KERNEL(crowd_models)(const int32_t *parents, size_t joints, const float *crowd, 
     }
 }
 
-KERNEL(crowd_bind)(const float *model, const nkw_mat4 *inverse_bind, float *out)
+NKW_LOOP(nkwi_crowd_bind)(const float *model, const nkw_mat4 *inverse_bind, float *out)
 {
     const nkw_mat4 bind = *inverse_bind;
 #pragma omp simd
@@ -106,7 +109,7 @@ KERNEL(crowd_bind)(const float *model, const nkw_mat4 *inverse_bind, float *out)
 }
 
 /* Four floats of four arrays, turned around: four lanes of four joints. */
-KERNEL(crowd_from_poses)(const float *const *poses, size_t joints, size_t stride, float *crowd)
+NKW_LOOP(nkwi_crowd_from_poses)(const float *const *poses, size_t joints, size_t stride, float *crowd)
 {
     static const float identity[10][4] = {{0}, {0},          {0},          {0},          {0},
                                           {0}, {1, 1, 1, 1}, {1, 1, 1, 1}, {1, 1, 1, 1}, {1, 1, 1, 1}};
@@ -122,7 +125,7 @@ KERNEL(crowd_from_poses)(const float *const *poses, size_t joints, size_t stride
             }
 }
 
-KERNEL(crowd_to_matrices)(const float *crowd, size_t joints, nkw_mat4 *const *matrices)
+NKW_LOOP(nkwi_crowd_to_matrices)(const float *crowd, size_t joints, nkw_mat4 *const *matrices)
 {
     for (size_t j = 0; j < joints; j++)
         for (size_t column = 0; column < 4; column++)

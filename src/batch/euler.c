@@ -3,9 +3,11 @@
 
 #include <nakawari/euler.h>
 
-#include "batch/table.h"
+#include "batch/euler.h"
 #include "lane/euler.h"
 #include "lane/scalar.h"
+
+NKW_LOOPS_EULER(NKW_DECLARE_LOOP)
 
 /* As for single angles (see batch/scalar.c): blocks with a far angle take the single function. */
 #define BLOCK 256
@@ -49,7 +51,7 @@ static void far_block(const float *const angles[3], double e, float *const parts
     }
 }
 
-KERNEL(quat_from_euler)(nkw_vec3_view angles, nkw_euler_order order, nkw_quat_span out, size_t n)
+NKW_LOOP(nkw_quat_from_euler_n)(nkw_vec3_view angles, nkw_euler_order order, nkw_quat_span out, size_t n)
 {
     const lane_euler_axes *o = lane_euler_axes_of(order);
     const float *const in[3] = {angles.x, angles.y, angles.z};

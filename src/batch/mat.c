@@ -4,9 +4,11 @@
 #include <nakawari/mat.h>
 
 #include "batch/element.h"
-#include "batch/table.h"
+#include "batch/mat.h"
 
-KERNEL(mat3_from_quat)(nkw_quat_view q, nkw_mat3_span out, size_t n)
+NKW_LOOPS_MAT(NKW_DECLARE_LOOP)
+
+NKW_LOOP(nkw_mat3_from_quat_n)(nkw_quat_view q, nkw_mat3_span out, size_t n)
 {
 #pragma omp simd
     for (size_t i = 0; i < n; i++) {
@@ -23,14 +25,14 @@ static inline void mul_affine(const nkw_mat4_view *a, const nkw_mat4_view *b, co
     put_mat4(out, i, &r);
 }
 
-KERNEL(mat4_mul_affine)(nkw_mat4_view a, nkw_mat4_view b, nkw_mat4_span out, size_t n)
+NKW_LOOP(nkw_mat4_mul_affine_n)(nkw_mat4_view a, nkw_mat4_view b, nkw_mat4_span out, size_t n)
 {
 #pragma omp simd
     for (size_t i = 0; i < n; i++)
         mul_affine(&a, &b, &out, i);
 }
 
-KERNEL(mat4_transform_point)(const nkw_mat4 *m, nkw_vec3_view p, nkw_vec3_span out, size_t n)
+NKW_LOOP(nkw_mat4_transform_point_n)(const nkw_mat4 *m, nkw_vec3_view p, nkw_vec3_span out, size_t n)
 {
     const nkw_mat4 a = *m;
 #pragma omp simd
@@ -38,7 +40,7 @@ KERNEL(mat4_transform_point)(const nkw_mat4 *m, nkw_vec3_view p, nkw_vec3_span o
         put_vec3(out, i, nkw_mat4_transform_point(&a, at_vec3(p, i)));
 }
 
-KERNEL(mat4_transform_direction)(const nkw_mat4 *m, nkw_vec3_view d, nkw_vec3_span out, size_t n)
+NKW_LOOP(nkw_mat4_transform_direction_n)(const nkw_mat4 *m, nkw_vec3_view d, nkw_vec3_span out, size_t n)
 {
     const nkw_mat4 a = *m;
 #pragma omp simd
@@ -46,14 +48,14 @@ KERNEL(mat4_transform_direction)(const nkw_mat4 *m, nkw_vec3_view d, nkw_vec3_sp
         put_vec3(out, i, nkw_mat4_transform_direction(&a, at_vec3(d, i)));
 }
 
-KERNEL(mat4_unpack)(const nkw_mat4 *in, nkw_mat4_span out, size_t n)
+NKW_LOOP(nkw_mat4_unpack_n)(const nkw_mat4 *in, nkw_mat4_span out, size_t n)
 {
 #pragma omp simd
     for (size_t i = 0; i < n; i++)
         put_mat4(&out, i, &in[i]);
 }
 
-KERNEL(mat4_pack)(nkw_mat4_view in, nkw_mat4 *out, size_t n)
+NKW_LOOP(nkw_mat4_pack_n)(nkw_mat4_view in, nkw_mat4 *out, size_t n)
 {
 #pragma omp simd
     for (size_t i = 0; i < n; i++)

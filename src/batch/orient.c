@@ -5,8 +5,10 @@
 
 #include "batch/chords.h"
 #include "batch/element.h"
-#include "batch/table.h"
+#include "batch/orient.h"
 #include "lane/orient.h"
+
+NKW_LOOPS_ORIENT(NKW_DECLARE_LOOP)
 
 #define BLOCK CHORDS
 
@@ -42,12 +44,12 @@ INLINE void nlerp(nkw_quat_view a, nkw_quat_view b, const float *t, int each, nk
         put_quat(out, i, lane_quat_nlerp(at_quat(a, i), at_quat(b, i), t[each ? i : 0]));
 }
 
-KERNEL(quat_nlerp)(nkw_quat_view a, nkw_quat_view b, const float *t, nkw_quat_span out, size_t n)
+NKW_LOOP(nkw_quat_nlerp_n)(nkw_quat_view a, nkw_quat_view b, const float *t, nkw_quat_span out, size_t n)
 {
     nlerp(a, b, t, 1, out, n);
 }
 
-KERNEL(quat_nlerp_at)(nkw_quat_view a, nkw_quat_view b, float t, nkw_quat_span out, size_t n)
+NKW_LOOP(nkw_quat_nlerp_at_n)(nkw_quat_view a, nkw_quat_view b, float t, nkw_quat_span out, size_t n)
 {
     nlerp(a, b, &t, 0, out, n);
 }
@@ -152,7 +154,7 @@ APART LANE_FLAT static void slerp_beyond(nkw_quat_view a, nkw_quat_view b, const
     }
 }
 
-KERNEL(quat_slerp)(nkw_quat_view a, nkw_quat_view b, const float *t, nkw_quat_span out, size_t n)
+NKW_LOOP(nkw_quat_slerp_n)(nkw_quat_view a, nkw_quat_view b, const float *t, nkw_quat_span out, size_t n)
 {
     for (size_t from = 0; from < n; from += BLOCK) {
         size_t end = n - from < BLOCK ? n : from + BLOCK;
@@ -180,7 +182,7 @@ INLINE void slerp_at_pace(nkw_quat_view a, nkw_quat_view b, lane_slerp_pace pace
     }
 }
 
-KERNEL(quat_slerp_at)(nkw_quat_view a, nkw_quat_view b, float t, nkw_quat_span out, size_t n)
+NKW_LOOP(nkw_quat_slerp_at_n)(nkw_quat_view a, nkw_quat_view b, float t, nkw_quat_span out, size_t n)
 {
     if (n == 1 || !is_near(t)) {
         for (size_t i = 0; i < n; i++)
@@ -202,7 +204,7 @@ KERNEL(quat_slerp_at)(nkw_quat_view a, nkw_quat_view b, float t, nkw_quat_span o
         slerp_at_pace(a, b, lane_slerp_near(pace, 0), out, n);
 }
 
-KERNEL(quat_log)(nkw_quat_view q, nkw_vec3_span out, size_t n)
+NKW_LOOP(nkw_quat_log_n)(nkw_quat_view q, nkw_vec3_span out, size_t n)
 {
 #pragma omp simd
     for (size_t i = 0; i < n; i++)
@@ -228,7 +230,7 @@ static void exp_near(nkw_vec3_view v, nkw_quat_span out, size_t from, size_t to)
         put_quat(out, i, lane_quat_from_wide(lane_wquat_exp_near(lane_wvec3_from(at_vec3(v, i)))));
 }
 
-KERNEL(quat_exp)(nkw_vec3_view v, nkw_quat_span out, size_t n)
+NKW_LOOP(nkw_quat_exp_n)(nkw_vec3_view v, nkw_quat_span out, size_t n)
 {
     for (size_t from = 0; from < n; from += BLOCK) {
         size_t end = n - from < BLOCK ? n : from + BLOCK;

@@ -4,10 +4,12 @@
 #include <nakawari/palette.h>
 
 #include "batch/matrices.h"
-#include "batch/table.h"
+#include "batch/palette.h"
 #include "lane/dual.h"
 #include "lane/mat.h"
 #include "lane/palette.h"
+
+NKW_LOOPS_PALETTE(NKW_DECLARE_LOOP)
 
 /* The model of joint i of the skin, NULL where there is none. A negative number is beyond every count. */
 static inline const nkw_mat4 *model_of(const nkw_mat4 *models, size_t model_count, const int32_t *joints, size_t i)
@@ -33,7 +35,7 @@ static inline lane_columns columns_or_none(const nkw_mat4 *m)
     return m ? lane_columns_from(m) : lane_columns_none();
 }
 
-KERNEL(palette_4x4)
+NKW_LOOP(nkwi_palette_4x4)
 (const nkw_mat4 *models, size_t model_count, const int32_t *joints, const nkw_mat4 *inverse_bind,
  const nkw_mat4 *global_inverse, nkw_mat4 *out, size_t n)
 {
@@ -44,7 +46,7 @@ KERNEL(palette_4x4)
     }
 }
 
-KERNEL(palette_3x4)
+NKW_LOOP(nkwi_palette_3x4)
 (const nkw_mat4 *models, size_t model_count, const int32_t *joints, const nkw_mat4 *inverse_bind,
  const nkw_mat4 *global_inverse, nkw_mat3x4 *out, size_t n)
 {
@@ -81,7 +83,7 @@ static inline void gather(const nkw_mat4 *models, size_t model_count, const int3
     spread(plain ? models + from : m, size, a);
 }
 
-KERNEL(palette_inverse)
+NKW_LOOP(nkwi_palette_inverse)
 (const nkw_mat4 *models, size_t model_count, const int32_t *joints, const nkw_mat4 *global_inverse, nkw_mat4 *out,
  size_t n)
 {
@@ -117,7 +119,7 @@ static inline void dual_one(const matrices *a, matrices *r, size_t i)
     r->e[4][i] = d.dual.x, r->e[5][i] = d.dual.y, r->e[6][i] = d.dual.z, r->e[7][i] = d.dual.w;
 }
 
-KERNEL(palette_dual)
+NKW_LOOP(nkwi_palette_dual)
 (const nkw_mat4 *models, size_t model_count, const int32_t *joints, const nkw_mat4 *inverse_bind,
  const nkw_mat4 *global_inverse, nkw_dual_quat *out, size_t n)
 {
@@ -162,7 +164,7 @@ static inline void write_normals(const matrices *r, size_t line, size_t step, si
 }
 
 /* Lines of `line` floats, of which those after three are 0: columns, or rows. */
-KERNEL(palette_normals)(const nkw_mat4 *palette, size_t line, int rows, float *out, size_t n)
+NKW_LOOP(nkwi_palette_normals)(const nkw_mat4 *palette, size_t line, int rows, float *out, size_t n)
 {
     matrices a, r;
     for (size_t from = 0; from < n; from += MATRICES) {

@@ -4,38 +4,40 @@
 #include <nakawari/quat.h>
 
 #include "batch/element.h"
-#include "batch/table.h"
+#include "batch/quat.h"
 #include "lane/quat.h"
 
-KERNEL(quat_mul)(nkw_quat_view a, nkw_quat_view b, nkw_quat_span out, size_t n)
+NKW_LOOPS_QUAT(NKW_DECLARE_LOOP)
+
+NKW_LOOP(nkw_quat_mul_n)(nkw_quat_view a, nkw_quat_view b, nkw_quat_span out, size_t n)
 {
 #pragma omp simd
     for (size_t i = 0; i < n; i++)
         put_quat(out, i, nkw_quat_mul(at_quat(a, i), at_quat(b, i)));
 }
 
-KERNEL(quat_conjugate)(nkw_quat_view q, nkw_quat_span out, size_t n)
+NKW_LOOP(nkw_quat_conjugate_n)(nkw_quat_view q, nkw_quat_span out, size_t n)
 {
 #pragma omp simd
     for (size_t i = 0; i < n; i++)
         put_quat(out, i, nkw_quat_conjugate(at_quat(q, i)));
 }
 
-KERNEL(quat_dot)(nkw_quat_view a, nkw_quat_view b, float *out, size_t n)
+NKW_LOOP(nkw_quat_dot_n)(nkw_quat_view a, nkw_quat_view b, float *out, size_t n)
 {
 #pragma omp simd
     for (size_t i = 0; i < n; i++)
         out[i] = nkw_quat_dot(at_quat(a, i), at_quat(b, i));
 }
 
-KERNEL(quat_normalize)(nkw_quat_view q, nkw_quat_span out, size_t n)
+NKW_LOOP(nkw_quat_normalize_n)(nkw_quat_view q, nkw_quat_span out, size_t n)
 {
 #pragma omp simd
     for (size_t i = 0; i < n; i++)
         put_quat(out, i, lane_quat_normalize(at_quat(q, i)));
 }
 
-KERNEL(quat_rotate)(nkw_quat_view q, nkw_vec3_view v, nkw_vec3_span out, size_t n)
+NKW_LOOP(nkw_quat_rotate_n)(nkw_quat_view q, nkw_vec3_view v, nkw_vec3_span out, size_t n)
 {
 #pragma omp simd
     for (size_t i = 0; i < n; i++)
@@ -49,7 +51,7 @@ static inline nkw_quat from_columns(nkw_vec3 x, nkw_vec3 y, nkw_vec3 z)
     return lane_quat_from_wide(lane_wquat_from_wmat3(&m, LANE_NEAREST_STEPS));
 }
 
-KERNEL(quat_from_mat3)(nkw_mat3_view m, nkw_quat_span out, size_t n)
+NKW_LOOP(nkw_quat_from_mat3_n)(nkw_mat3_view m, nkw_quat_span out, size_t n)
 {
     const nkw_vec3_view x = {m.m[0], m.m[1], m.m[2]}, y = {m.m[3], m.m[4], m.m[5]}, z = {m.m[6], m.m[7], m.m[8]};
 #pragma omp simd
@@ -57,14 +59,14 @@ KERNEL(quat_from_mat3)(nkw_mat3_view m, nkw_quat_span out, size_t n)
         put_quat(out, i, from_columns(at_vec3(x, i), at_vec3(y, i), at_vec3(z, i)));
 }
 
-KERNEL(quat_unpack)(const nkw_quat *in, nkw_quat_span out, size_t n)
+NKW_LOOP(nkw_quat_unpack_n)(const nkw_quat *in, nkw_quat_span out, size_t n)
 {
 #pragma omp simd
     for (size_t i = 0; i < n; i++)
         out.x[i] = in[i].x, out.y[i] = in[i].y, out.z[i] = in[i].z, out.w[i] = in[i].w;
 }
 
-KERNEL(quat_pack)(nkw_quat_view in, nkw_quat *out, size_t n)
+NKW_LOOP(nkw_quat_pack_n)(nkw_quat_view in, nkw_quat *out, size_t n)
 {
 #pragma omp simd
     for (size_t i = 0; i < n; i++)

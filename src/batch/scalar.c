@@ -5,9 +5,11 @@
 
 #include <nakawari/scalar.h>
 
-#include "batch/table.h"
+#include "batch/scalar.h"
 #include "lane/scalar.h"
 #include "lane/two.h"
+
+NKW_LOOPS_SCALAR(NKW_DECLARE_LOOP)
 
 /*
  * Angles come in blocks. The lanes for near angles vectorise; far ones, which are rare, are done again by the single
@@ -61,17 +63,17 @@ static inline void each_angle(function *near, function *any, const float *angle,
     }
 }
 
-KERNEL(sqrt)(const float *x, float *out, size_t n)
+NKW_LOOP(nkw_sqrt_n)(const float *x, float *out, size_t n)
 {
     each(sqrtf, x, out, n);
 }
 
-KERNEL(sin)(const float *angle, float *out, size_t n)
+NKW_LOOP(nkw_sin_n)(const float *angle, float *out, size_t n)
 {
     each_angle(lane_sin, lane_sin_any, angle, out, n);
 }
 
-KERNEL(cos)(const float *angle, float *out, size_t n)
+NKW_LOOP(nkw_cos_n)(const float *angle, float *out, size_t n)
 {
     each_angle(lane_cos, lane_cos_any, angle, out, n);
 }
@@ -99,7 +101,7 @@ static inline void sincos_each_again(const float *angle, float *sine, float *cos
             put_sincos(sine, cosine, k, lane_sincos64_single((double)kept[k]));
 }
 
-KERNEL(sincos)(const float *angle, float *sine, float *cosine, size_t n)
+NKW_LOOP(nkw_sincos_n)(const float *angle, float *sine, float *cosine, size_t n)
 {
     for (size_t i = 0; i < n; i += BLOCK) {
         size_t count = n - i < BLOCK ? n - i : BLOCK;
@@ -113,63 +115,63 @@ KERNEL(sincos)(const float *angle, float *sine, float *cosine, size_t n)
     }
 }
 
-KERNEL(tan)(const float *angle, float *out, size_t n)
+NKW_LOOP(nkw_tan_n)(const float *angle, float *out, size_t n)
 {
     each_angle(lane_tan, lane_tan_any, angle, out, n);
 }
 
-KERNEL(asin)(const float *x, float *out, size_t n)
+NKW_LOOP(nkw_asin_n)(const float *x, float *out, size_t n)
 {
     each(lane_asin, x, out, n);
 }
 
-KERNEL(acos)(const float *x, float *out, size_t n)
+NKW_LOOP(nkw_acos_n)(const float *x, float *out, size_t n)
 {
     each(lane_acos, x, out, n);
 }
 
-KERNEL(atan)(const float *x, float *out, size_t n)
+NKW_LOOP(nkw_atan_n)(const float *x, float *out, size_t n)
 {
     each(lane_atan, x, out, n);
 }
 
-KERNEL(atan2)(const float *y, const float *x, float *out, size_t n)
+NKW_LOOP(nkw_atan2_n)(const float *y, const float *x, float *out, size_t n)
 {
 #pragma omp simd
     for (size_t i = 0; i < n; i++)
         out[i] = lane_atan2(y[i], x[i]);
 }
 
-KERNEL(exp)(const float *x, float *out, size_t n)
+NKW_LOOP(nkw_exp_n)(const float *x, float *out, size_t n)
 {
     each(lane_exp, x, out, n);
 }
 
-KERNEL(log)(const float *x, float *out, size_t n)
+NKW_LOOP(nkw_log_n)(const float *x, float *out, size_t n)
 {
     each(lane_log, x, out, n);
 }
 
-KERNEL(pow)(const float *x, const float *y, float *out, size_t n)
+NKW_LOOP(nkw_pow_n)(const float *x, const float *y, float *out, size_t n)
 {
 #pragma omp simd
     for (size_t i = 0; i < n; i++)
         out[i] = lane_pow(x[i], y[i]);
 }
 
-KERNEL(wrap_angle)(const float *angle, float *out, size_t n)
+NKW_LOOP(nkw_wrap_angle_n)(const float *angle, float *out, size_t n)
 {
     each_angle(lane_wrap_angle, lane_wrap_angle_any, angle, out, n);
 }
 
-KERNEL(lerp)(const float *a, const float *b, const float *t, float *out, size_t n)
+NKW_LOOP(nkw_lerp_n)(const float *a, const float *b, const float *t, float *out, size_t n)
 {
 #pragma omp simd
     for (size_t i = 0; i < n; i++)
         out[i] = nkw_lerp(a[i], b[i], t[i]);
 }
 
-KERNEL(lerp_at)(const float *a, const float *b, float t, float *out, size_t n)
+NKW_LOOP(nkw_lerp_at_n)(const float *a, const float *b, float t, float *out, size_t n)
 {
 #pragma omp simd
     for (size_t i = 0; i < n; i++)

@@ -4,8 +4,10 @@
 #include <nakawari/transform.h>
 
 #include "batch/matrices.h"
-#include "batch/table.h"
+#include "batch/skeleton.h"
 #include "lane/affine.h"
+
+NKW_LOOPS_SKELETON(NKW_DECLARE_LOOP)
 
 /* Joints whose local matrices are made together; a multiple of 16, as the padding of a pose is. */
 #define BLOCK 64
@@ -79,7 +81,7 @@ static inline lane_columns columns_before(const nkw_mat4 *models, size_t from, s
 }
 
 /* Joints from .. to - 1; at from > 0 `models` holds those before. */
-KERNEL(models_from_pose)
+NKW_LOOP(nkwi_models_from_pose)
 (const int32_t *parents, const float *pose, size_t stride, const nkw_mat4 *root, size_t from, size_t to,
  nkw_mat4 *models)
 {
@@ -109,7 +111,7 @@ KERNEL(models_from_pose)
     }
 }
 
-KERNEL(models_from_locals)
+NKW_LOOP(nkwi_models_from_locals)
 (const int32_t *parents, const nkw_mat4 *locals, const nkw_mat4 *root, size_t from, size_t to, nkw_mat4 *models)
 {
     lane_columns m = columns_before(models, from, to);
@@ -131,7 +133,7 @@ KERNEL(models_from_locals)
  * Joints from .. to - 1 to the beginning of `locals`, the last first: in place, parents are then still model matrices
  * when they are asked. A joint with nothing above is inverted for nothing.
  */
-KERNEL(locals_from_models)
+NKW_LOOP(nkwi_locals_from_models)
 (const int32_t *parents, const nkw_mat4 *models, const nkw_mat4 *root, size_t from, size_t to, nkw_mat4 *locals)
 {
     matrices a, inverse;

@@ -8,8 +8,10 @@
 #include <nakawari/skin.h>
 
 #include "batch/element.h"
-#include "batch/table.h"
+#include "batch/skin.h"
 #include "lane/skin.h"
+
+NKW_LOOPS_SKIN(NKW_DECLARE_LOOP)
 
 /* The formats and the usual count are constants in the loops that these are inlined into. */
 
@@ -81,7 +83,7 @@ INLINE void decode(skin_block *b, const nkw_skin_view *joints, uint32_t limit, c
 }
 
 /* Up to a multiple of 4 vertices more, of weight 0. */
-KERNEL(skin_decode)
+NKW_LOOP(nkwi_skin_decode)
 (skin_block *b, const nkw_skin_view *joints, uint32_t limit, const nkw_skin_view *weights, size_t k, size_t n)
 {
     if (k == 4)
@@ -223,12 +225,12 @@ static inline void blend_by_count(const skin_block *b, const float *palette, siz
 }
 
 /* n is a multiple of 4 in all three. */
-KERNEL(skin_blend)(skin_block *b, const nkw_mat4 *palette, size_t k, size_t n)
+NKW_LOOP(nkwi_skin_blend)(skin_block *b, const nkw_mat4 *palette, size_t k, size_t n)
 {
     blend_by_count(b, palette->m, 16, 4, 3, k, b->matrix, n);
 }
 
-KERNEL(skin_blend_normals)(skin_block *b, const nkw_mat3 *palette, size_t k, size_t n)
+NKW_LOOP(nkwi_skin_blend_normals)(skin_block *b, const nkw_mat3 *palette, size_t k, size_t n)
 {
     blend_by_count(b, palette->m, 9, 2, 4, k, b->normal, n);
     blend_element(b, palette->m + 8, 9, k, b->normal + 8 * SKIN_BLOCK, n);
@@ -249,7 +251,7 @@ static inline void align_weights(skin_block *b, const nkw_dual_quat *palette, si
     }
 }
 
-KERNEL(skin_blend_dual_quats)(skin_block *b, const nkw_dual_quat *palette, size_t k, size_t n)
+NKW_LOOP(nkwi_skin_blend_dual_quats)(skin_block *b, const nkw_dual_quat *palette, size_t k, size_t n)
 {
     if (k == 4)
         align_weights(b, palette, 4, n);
@@ -273,7 +275,7 @@ KERNEL(skin_blend_dual_quats)(skin_block *b, const nkw_dual_quat *palette, size_
     }
 }
 
-KERNEL(skin_points)(const skin_block *b, nkw_vec3_view in, nkw_vec3_span out, size_t n)
+NKW_LOOP(nkwi_skin_points)(const skin_block *b, nkw_vec3_view in, nkw_vec3_span out, size_t n)
 {
 #pragma omp simd
     for (size_t i = 0; i < n; i++) {
@@ -293,7 +295,7 @@ static inline void move_directions(const skin_block *b, const float *m, int raw,
     }
 }
 
-KERNEL(skin_directions)
+NKW_LOOP(nkwi_skin_directions)
 (const skin_block *b, const float *m, int raw, nkw_vec3_view in, nkw_vec3_span out, size_t n)
 {
     if (raw)
@@ -307,7 +309,7 @@ KERNEL(skin_directions)
  * whole.
  */
 
-KERNEL(skin_read)(const unsigned char *data, size_t stride, float *out, size_t n)
+NKW_LOOP(nkwi_skin_read)(const unsigned char *data, size_t stride, float *out, size_t n)
 {
     nkw_vec3 v[SKIN_BLOCK];
     if (stride == sizeof *v)
@@ -320,7 +322,7 @@ KERNEL(skin_read)(const unsigned char *data, size_t stride, float *out, size_t n
         out[i] = v[i].x, out[SKIN_BLOCK + i] = v[i].y, out[2 * SKIN_BLOCK + i] = v[i].z;
 }
 
-KERNEL(skin_write)(const float *in, unsigned char *data, size_t stride, size_t n)
+NKW_LOOP(nkwi_skin_write)(const float *in, unsigned char *data, size_t stride, size_t n)
 {
     nkw_vec3 v[SKIN_BLOCK];
 #pragma omp simd

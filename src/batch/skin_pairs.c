@@ -8,7 +8,7 @@
 
 #include <nakawari/skin.h>
 
-#include "batch/table.h"
+#include "batch/skin.h"
 #include "lane/fours.h"
 #include "lane/skin.h"
 
@@ -333,7 +333,7 @@ static inline int are_tight(const skin_influences *f, const skin_stream *p, cons
     return are_joints(joint, NKW_SKIN_U32, f->limit, n * f->count);
 }
 
-KERNEL(skin_pairs)
+NKW_LOOP(nkwi_skin_pairs)
 (const skin_influences *influences, const nkw_mat4 *palette, const skin_stream *positions,
  const skin_stream *directions, int raw, size_t more, size_t n)
 {

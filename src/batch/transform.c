@@ -4,7 +4,9 @@
 #include <nakawari/transform.h>
 
 #include "batch/element.h"
-#include "batch/table.h"
+#include "batch/transform.h"
+
+NKW_LOOPS_TRANSFORM(NKW_DECLARE_LOOP)
 
 /*
  * The elements that are no sums: translation and last row. Copies and constants stand apart from the loop: Clang drops
@@ -35,7 +37,7 @@ static inline void put_rest(nkw_vec3_view t, const nkw_mat4_span *out, size_t n)
     fill(out->m[15], 1.0f, n);
 }
 
-KERNEL(mat4_from_trs)(nkw_trs_view trs, nkw_mat4_span out, size_t n)
+NKW_LOOP(nkw_mat4_from_trs_n)(nkw_trs_view trs, nkw_mat4_span out, size_t n)
 {
     const nkw_quat_view rotation = trs.rotation;
     const nkw_vec3_view scale = trs.scale;

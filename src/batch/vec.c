@@ -4,94 +4,96 @@
 #include <nakawari/vec.h>
 
 #include "batch/element.h"
-#include "batch/table.h"
+#include "batch/vec.h"
 #include "lane/vec.h"
 
-KERNEL(vec3_add)(nkw_vec3_view a, nkw_vec3_view b, nkw_vec3_span out, size_t n)
+NKW_LOOPS_VEC(NKW_DECLARE_LOOP)
+
+NKW_LOOP(nkw_vec3_add_n)(nkw_vec3_view a, nkw_vec3_view b, nkw_vec3_span out, size_t n)
 {
 #pragma omp simd
     for (size_t i = 0; i < n; i++)
         put_vec3(out, i, nkw_vec3_add(at_vec3(a, i), at_vec3(b, i)));
 }
 
-KERNEL(vec3_sub)(nkw_vec3_view a, nkw_vec3_view b, nkw_vec3_span out, size_t n)
+NKW_LOOP(nkw_vec3_sub_n)(nkw_vec3_view a, nkw_vec3_view b, nkw_vec3_span out, size_t n)
 {
 #pragma omp simd
     for (size_t i = 0; i < n; i++)
         put_vec3(out, i, nkw_vec3_sub(at_vec3(a, i), at_vec3(b, i)));
 }
 
-KERNEL(vec3_mul)(nkw_vec3_view a, nkw_vec3_view b, nkw_vec3_span out, size_t n)
+NKW_LOOP(nkw_vec3_mul_n)(nkw_vec3_view a, nkw_vec3_view b, nkw_vec3_span out, size_t n)
 {
 #pragma omp simd
     for (size_t i = 0; i < n; i++)
         put_vec3(out, i, nkw_vec3_mul(at_vec3(a, i), at_vec3(b, i)));
 }
 
-KERNEL(vec3_scale)(nkw_vec3_view a, const float *s, nkw_vec3_span out, size_t n)
+NKW_LOOP(nkw_vec3_scale_n)(nkw_vec3_view a, const float *s, nkw_vec3_span out, size_t n)
 {
 #pragma omp simd
     for (size_t i = 0; i < n; i++)
         put_vec3(out, i, nkw_vec3_scale(at_vec3(a, i), s[i]));
 }
 
-KERNEL(vec3_add_scaled)(nkw_vec3_view a, nkw_vec3_view b, const float *s, nkw_vec3_span out, size_t n)
+NKW_LOOP(nkw_vec3_add_scaled_n)(nkw_vec3_view a, nkw_vec3_view b, const float *s, nkw_vec3_span out, size_t n)
 {
 #pragma omp simd
     for (size_t i = 0; i < n; i++)
         put_vec3(out, i, nkw_vec3_add_scaled(at_vec3(a, i), at_vec3(b, i), s[i]));
 }
 
-KERNEL(vec3_dot)(nkw_vec3_view a, nkw_vec3_view b, float *out, size_t n)
+NKW_LOOP(nkw_vec3_dot_n)(nkw_vec3_view a, nkw_vec3_view b, float *out, size_t n)
 {
 #pragma omp simd
     for (size_t i = 0; i < n; i++)
         out[i] = nkw_vec3_dot(at_vec3(a, i), at_vec3(b, i));
 }
 
-KERNEL(vec3_cross)(nkw_vec3_view a, nkw_vec3_view b, nkw_vec3_span out, size_t n)
+NKW_LOOP(nkw_vec3_cross_n)(nkw_vec3_view a, nkw_vec3_view b, nkw_vec3_span out, size_t n)
 {
 #pragma omp simd
     for (size_t i = 0; i < n; i++)
         put_vec3(out, i, nkw_vec3_cross(at_vec3(a, i), at_vec3(b, i)));
 }
 
-KERNEL(vec3_length)(nkw_vec3_view a, float *out, size_t n)
+NKW_LOOP(nkw_vec3_length_n)(nkw_vec3_view a, float *out, size_t n)
 {
 #pragma omp simd
     for (size_t i = 0; i < n; i++)
         out[i] = lane_vec3_length(at_vec3(a, i));
 }
 
-KERNEL(vec3_normalize)(nkw_vec3_view a, nkw_vec3_span out, size_t n)
+NKW_LOOP(nkw_vec3_normalize_n)(nkw_vec3_view a, nkw_vec3_span out, size_t n)
 {
 #pragma omp simd
     for (size_t i = 0; i < n; i++)
         put_vec3(out, i, lane_vec3_normalize(at_vec3(a, i)));
 }
 
-KERNEL(vec3_lerp)(nkw_vec3_view a, nkw_vec3_view b, const float *t, nkw_vec3_span out, size_t n)
+NKW_LOOP(nkw_vec3_lerp_n)(nkw_vec3_view a, nkw_vec3_view b, const float *t, nkw_vec3_span out, size_t n)
 {
 #pragma omp simd
     for (size_t i = 0; i < n; i++)
         put_vec3(out, i, nkw_vec3_lerp(at_vec3(a, i), at_vec3(b, i), t[i]));
 }
 
-KERNEL(vec3_lerp_at)(nkw_vec3_view a, nkw_vec3_view b, float t, nkw_vec3_span out, size_t n)
+NKW_LOOP(nkw_vec3_lerp_at_n)(nkw_vec3_view a, nkw_vec3_view b, float t, nkw_vec3_span out, size_t n)
 {
 #pragma omp simd
     for (size_t i = 0; i < n; i++)
         put_vec3(out, i, nkw_vec3_lerp(at_vec3(a, i), at_vec3(b, i), t));
 }
 
-KERNEL(vec3_unpack)(const nkw_vec3 *in, nkw_vec3_span out, size_t n)
+NKW_LOOP(nkw_vec3_unpack_n)(const nkw_vec3 *in, nkw_vec3_span out, size_t n)
 {
 #pragma omp simd
     for (size_t i = 0; i < n; i++)
         out.x[i] = in[i].x, out.y[i] = in[i].y, out.z[i] = in[i].z;
 }
 
-KERNEL(vec3_pack)(nkw_vec3_view in, nkw_vec3 *out, size_t n)
+NKW_LOOP(nkw_vec3_pack_n)(nkw_vec3_view in, nkw_vec3 *out, size_t n)
 {
 #pragma omp simd
     for (size_t i = 0; i < n; i++)

@@ -1,7 +1,7 @@
 cmake_minimum_required(VERSION 3.25)
 # A file includes only its own floor and lower ones. The floor of a file is that of its stem.
 set(floor_0 base strict sort report)
-set(floor_1 scalar wide four fours two)
+set(floor_1 scalar wide four fours two f32x4 f32xn f64x2)
 set(floor_2 types vec quat mat euler transform dual affine matrices)
 set(floor_3 algebra curve orient slerp chords)
 set(floor_4 segment keyframe track playback pose clip clip_build clip_layout clip_open clip_tracks clip_difference block
@@ -15,10 +15,10 @@ foreach(floor RANGE 7)
   endforeach()
 endforeach()
 # The tables of loops serve all floors, and see all.
-set(tables element kernels table select public)
+set(tables element isa dispatch)
 
 file(GLOB files "${SOURCE}/include/nakawari/*.h" "${SOURCE}/include/nakawari/inline/*.h" "${SOURCE}/src/*.[ch]"
-  "${SOURCE}/src/lane/*.h" "${SOURCE}/src/data/*.h" "${SOURCE}/src/batch/*.[ch]" "${SOURCE}/src/simd/*.[ch]")
+  "${SOURCE}/src/lane/*.h" "${SOURCE}/src/pack/*.h" "${SOURCE}/src/data/*.h" "${SOURCE}/src/batch/*.[ch]" "${SOURCE}/src/simd/*.[ch]")
 set(lines 0)
 foreach(file IN LISTS files)
   cmake_path(GET file STEM stem)
@@ -27,7 +27,7 @@ foreach(file IN LISTS files)
   endif()
   file(STRINGS "${file}" includes REGEX "^#include (\"|<nakawari/)")
   foreach(line IN LISTS includes)
-    string(REGEX REPLACE "^.*[\"</]([a-z_]+)\\.h[\">].*$" "\\1" used "${line}")
+    string(REGEX REPLACE "^.*[\"</]([a-z0-9_]+)\\.h[\">].*$" "\\1" used "${line}")
     math(EXPR lines "${lines} + 1")
     if(NOT DEFINED floor_of_${used} AND NOT used IN_LIST tables)
       message(SEND_ERROR "${file}: no floor is known for what it includes, ${used}.h")

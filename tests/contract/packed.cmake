@@ -16,14 +16,15 @@ execute_process(COMMAND "${OBJDUMP}" -t "${LIBRARY}" OUTPUT_VARIABLE symbols COM
 string(REPLACE "," ";" ISAS "${ISAS}")
 set(checked 0)
 foreach(isa IN LISTS ISAS)
-  string(REGEX MATCHALL "nkw_batch_[a-z0-9_]+_${isa}\n" loops "${symbols}")
+  string(REGEX MATCHALL "nkwi?_[a-z0-9_]+_${isa}\n" loops "${symbols}")
   list(REMOVE_DUPLICATES loops)
   foreach(loop IN LISTS loops)
-    string(REGEX REPLACE "nkw_batch_(.*)_${isa}\n" "\\1" name "${loop}")
+    string(REGEX REPLACE "\n" "" loop "${loop}")
+    string(REGEX REPLACE "^nkwi?_|(_n)?_${isa}$" "" name "${loop}")
     if(name IN_LIST moves)
       continue()
     endif()
-    execute_process(COMMAND "${OBJDUMP}" -d --no-show-raw-insn "--disassemble=nkw_batch_${name}_${isa}" "${LIBRARY}"
+    execute_process(COMMAND "${OBJDUMP}" -d --no-show-raw-insn "--disassemble=${loop}" "${LIBRARY}"
       OUTPUT_VARIABLE code COMMAND_ERROR_IS_FATAL ANY)
     set(packed "${packed_${isa}}")
     if(name IN_LIST fours)

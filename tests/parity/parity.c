@@ -14,7 +14,7 @@
 #include "../support/data.h"
 #include "../support/put.h"
 #include "../support/random.h"
-#include "simd/select.h"
+#include "../support/loops.h"
 
 #define ARRAYS  32
 #define LONGEST 600
@@ -80,10 +80,10 @@ static nkw_mat4_span span16(float *const *out)
 }
 
 #define P(name, letters, count, arguments, result)                                                                     \
-    static void batch_##name(const nkw_batch *b, const float *const *in, float *const *out, size_t n)                  \
+    static void batch_##name(const float *const *in, float *const *out, size_t n)                                      \
     {                                                                                                                  \
         (void)in;                                                                                                      \
-        b->name arguments;                                                                                             \
+        nkw_##name##_n arguments;                                                                                      \
     }                                                                                                                  \
     static void single_##name(const float *x, float *o)                                                                \
     {                                                                                                                  \
@@ -98,7 +98,7 @@ typedef struct row {
     const char *name, *inputs;
     size_t outputs;
     int in_place;
-    void (*batch)(const nkw_batch *b, const float *const *in, float *const *out, size_t n);
+    void (*batch)(const float *const *in, float *const *out, size_t n);
     void (*single)(const float *x, float *o);
 } row;
 
@@ -210,7 +210,7 @@ static int compare(const row *w, const char *isa, size_t n, size_t start, size_t
     return 0;
 }
 
-static int run(const row *w, const nkw_batch *b, const char *isa, size_t n, size_t shift, int in_place,
+static int run(const row *w, const char *isa, size_t n, size_t shift, int in_place,
                random_source *r)
 {
     const float *in[ARRAYS];
@@ -222,24 +222,24 @@ static int run(const row *w, const nkw_batch *b, const char *isa, size_t n, size
         in[k] = inputs[k] + start;
         out[k] = (in_place && k < arrays ? inputs[k] : outputs[k]) + start;
     }
-    w->batch(b, in, out, n);
+    w->batch(in, out, n);
     return compare(w, isa, n, start, arrays, in_place);
 }
 
-static int run_row(const row *w, const nkw_batch *b, const char *isa)
+static int run_row(const row *w, const char *isa)
 {
     random_source r = random_from(7);
     int failed = 0;
     for (size_t n = 0; n <= 67 && !failed; n++)
-        failed = run(w, b, isa, n, n % 16, 0, &r) || (w->in_place && run(w, b, isa, n, (n + 5) % 16, 1, &r));
+        failed = run(w, isa, n, n % 16, 0, &r) || (w->in_place && run(w, isa, n, (n + 5) % 16, 1, &r));
     static const size_t lengths[] = {255, 256, 257, 583};
     for (size_t i = 0; i < 4 && !failed; i++)
-        failed = run(w, b, isa, lengths[i], 3, 0, &r) || (w->in_place && run(w, b, isa, lengths[i], 1, 1, &r));
+        failed = run(w, isa, lengths[i], 3, 0, &r) || (w->in_place && run(w, isa, lengths[i], 1, 1, &r));
     return failed;
 }
 
 /* Back to structs what was unpacked from them. */
-static int run_packs(const nkw_batch *b, const char *isa)
+static int run_packs(const char *isa)
 {
     random_source r = random_from(8);
     static float back[16 * LONGEST];
@@ -249,116 +249,65 @@ static int run_packs(const nkw_batch *b, const char *isa)
         draw(&r, &any, n + 1);
         for (size_t k = 0; k < 16; k++)
             in[k] = inputs[k] + 1;
-        b->vec3_pack(V(0), (nkw_vec3 *)(void *)back, n);
+        nkw_vec3_pack_n(V(0), (nkw_vec3 *)(void *)back, n);
         if (n && memcmp(back, aos(in, 3, n), n * sizeof(nkw_vec3)) != 0)
             return fprintf(stderr, "parity: vec3_pack, %s, length %zu\n", isa, n) > 0;
-        b->quat_pack(Q(0), (nkw_quat *)(void *)back, n);
+        nkw_quat_pack_n(Q(0), (nkw_quat *)(void *)back, n);
         if (n && memcmp(back, aos(in, 4, n), n * sizeof(nkw_quat)) != 0)
             return fprintf(stderr, "parity: quat_pack, %s, length %zu\n", isa, n) > 0;
-        b->mat4_pack(M4(0), (nkw_mat4 *)(void *)back, n);
+        nkw_mat4_pack_n(M4(0), (nkw_mat4 *)(void *)back, n);
         if (n && memcmp(back, aos(in, 16, n), n * sizeof(nkw_mat4)) != 0)
             return fprintf(stderr, "parity: mat4_pack, %s, length %zu\n", isa, n) > 0;
     }
     return 0;
 }
 
-/* The table whose loops the library's own functions run, and how often each of those that only they use was run. */
-static const nkw_batch *chosen = &nkw_batch_generic;
-
-static struct {
-#define KERNEL_RUNS(name, parameters, arguments) size_t name;
-    KERNEL_INNER_LIST(KERNEL_RUNS)
-#undef KERNEL_RUNS
-} runs;
-
-#define KERNEL_COUNTED(name, parameters, arguments)                                                                    \
-    static void counted_##name parameters                                                                              \
-    {                                                                                                                  \
-        runs.name++;                                                                                                   \
-        chosen->name arguments;                                                                                        \
-    }
-KERNEL_INNER_LIST(KERNEL_COUNTED)
-#undef KERNEL_COUNTED
-
-/* What follows stands in for src/simd/select.c. */
-static nkw_batch counted;
-
-const nkw_batch *nkw_batch_selected(void)
-{
-    counted = *chosen;
-#define KERNEL_COUNTED(name, parameters, arguments) counted.name = counted_##name;
-    KERNEL_INNER_LIST(KERNEL_COUNTED)
-#undef KERNEL_COUNTED
-    return &counted;
-}
-
-const nkw_batch *nkw_batch_selected_for(size_t n)
-{
-    (void)n;
-    return nkw_batch_selected();
-}
-
 /* The data floors by the loops of an instruction set, against the same by the baseline's; every loop is run. */
-static int run_data(const nkw_batch *b, const char *isa)
+static int run_data(nkwi_isa tested, const char *isa)
 {
     int failed = 0;
-    memset(&runs, 0, sizeof runs);
+    memset(&loop_runs, 0, sizeof loop_runs);
 #define DATA_COMPARE(stem)                                                                                             \
     {                                                                                                                  \
-        chosen = &nkw_batch_generic;                                                                                   \
+        loop_isa = NKWI_ISA_GENERIC;                                                                                   \
         uint64_t want = data_##stem();                                                                                 \
-        chosen = b;                                                                                                    \
+        loop_isa = tested;                                                                                             \
         if (data_##stem() != want)                                                                                     \
             failed += fprintf(stderr, "parity: data_" #stem ", %s: differs from generic\n", isa) > 0;                  \
     }
     DATA_LIST(DATA_COMPARE)
 #undef DATA_COMPARE
-#define KERNEL_RUNS(name, parameters, arguments)                                                                       \
-    if (runs.name == 0)                                                                                                \
+#define LOOP_RUNS(name, parameters, arguments, n)                                                                      \
+    if (loop_runs.name == 0 && strncmp(#name, "nkwi_", 5) == 0)                                                        \
         failed += fprintf(stderr, "parity: " #name ": no data function runs it\n") > 0;
-    KERNEL_INNER_LIST(KERNEL_RUNS)
-#undef KERNEL_RUNS
-    chosen = &nkw_batch_generic;
+    LOOPS(LOOP_RUNS)
+#undef LOOP_RUNS
     return failed;
 }
 
-static int run_table(const nkw_batch *b, const char *isa)
+static int run_isa(nkwi_isa tested, const char *isa)
 {
-    int failed = run_packs(b, isa);
+    loop_isa = tested;
+    int failed = run_packs(isa);
     for (size_t i = 0; i < ROWS; i++)
-        failed += run_row(&all_rows[i], b, isa);
+        failed += run_row(&all_rows[i], isa);
     printf("parity: %s: %zu functions, %d differ\n", isa, ROWS + 3, failed);
-    return failed;
+    return failed + run_data(tested, isa);
 }
-
-static int run_isa(const nkw_batch *b, const char *isa)
-{
-    return run_table(b, isa) + run_data(b, isa);
-}
-
-/* What users call. */
-static const nkw_batch public_functions = {
-#define KERNEL_FUNCTION(name, parameters, arguments) nkw_##name##_n,
-#define KERNEL_INNER(name, parameters, arguments)    nkw_batch_##name##_generic,
-    KERNEL_LIST(KERNEL_FUNCTION)
-    KERNEL_INNER_LIST(KERNEL_INNER)
-#undef KERNEL_FUNCTION
-#undef KERNEL_INNER
-};
 
 int main(void)
 {
-    int failed = run_isa(&nkw_batch_generic, "generic") + run_table(&public_functions, "public");
+    int failed = run_isa(NKWI_ISA_GENERIC, "generic");
 #if defined(NKW_HAVE_AVX2)
     if (__builtin_cpu_supports("avx2"))
-        failed += run_isa(&nkw_batch_avx2, "avx2");
+        failed += run_isa(NKWI_ISA_AVX2, "avx2");
     else
         printf("parity: avx2 skipped, this processor has none\n");
 #endif
 #if defined(NKW_HAVE_AVX512)
     if (__builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512dq") && __builtin_cpu_supports("avx512vl") &&
         __builtin_cpu_supports("avx512bw"))
-        failed += run_isa(&nkw_batch_avx512, "avx512");
+        failed += run_isa(NKWI_ISA_AVX512, "avx512");
     else
         printf("parity: avx512 skipped, this processor has none\n");
 #endif

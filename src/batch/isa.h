@@ -1,0 +1,66 @@
+/* SPDX-License-Identifier: MIT */
+/*
+ * Loops are compiled once for each instruction set: the build defines NKW_ISA, its name, for the files of this folder.
+ * Without NKW_ISA it is `generic`, the baseline of the target.
+ *
+ * A file stem.h of this folder lists its loops: NKW_LOOPS_STEM(X) calls
+ *
+ *     X(name, parameters, arguments, n)
+ *
+ * for each, where `name` is a function nkw_..._n of the public headers or nkwi_..., which only the library calls, and n
+ * the elements that the choice of the instruction set goes by. From one line come the declarations below, and the
+ * function `name`, which chooses (simd/dispatch.h). stem.c defines name_ISA as NKW_LOOP(name). To add one, see
+ * docs/simd.md.
+ */
+#ifndef NAKAWARI_BATCH_ISA_H
+#define NAKAWARI_BATCH_ISA_H
+
+#include <stddef.h>
+
+#include "lane/wide.h"
+
+#ifndef NKW_ISA
+#define NKW_ISA generic
+#endif
+
+#define NKW_JOIN(name, isa)     name##_##isa
+#define NKW_JOIN_ISA(name, isa) NKW_JOIN(name, isa)
+
+/* Before and in the definition of a loop. All its calls are inlined: one that is left keeps it from vectorising. */
+#define NKW_LOOP(name) LANE_FLAT void NKW_JOIN_ISA(name, NKW_ISA)
+
+/* For n in a list: arrays that are long, or whole blocks. */
+#define NKW_WIDEST ((size_t)-1)
+
+#define NKW_DECLARE(name, parameters, arguments, n)      void name parameters;
+#define NKW_DECLARE_LOOP(name, parameters, arguments, n) void NKW_JOIN_ISA(name, NKW_ISA) parameters;
+
+/* A part of a kernel to which counts and formats are constants: compilers do not see by themselves that it pays. */
+#if defined(__GNUC__)
+#define INLINE static inline __attribute__((always_inline))
+#else
+#define INLINE static inline
+#endif
+
+/* Before a loop over a constant few: Clang would take it apart before it looks for vectors, and then find none. */
+#if defined(__clang__)
+#define KEEP_LOOP _Pragma("clang loop unroll(disable)")
+#else
+#define KEEP_LOOP
+#endif
+
+/* A condition that mostly holds: what it guards comes first. */
+#if defined(__GNUC__)
+#define USUALLY(condition) __builtin_expect(!!(condition), 1)
+#else
+#define USUALLY(condition) (condition)
+#endif
+
+/* A part of a kernel that stays a function of its own, lest a large one be compiled in one piece. */
+#if defined(__GNUC__)
+#define APART __attribute__((noinline))
+#else
+#define APART
+#endif
+
+#endif

@@ -1,0 +1,52 @@
+/* SPDX-License-Identifier: MIT */
+/*
+ * NKW_DISPATCH defines the function `name` of a list of loops (batch/isa.h): it calls the build of the loop for the
+ * instruction set that nkwi_isa_for chooses. Where only the baseline is built, it calls that one directly.
+ *
+ * Each stem has a file of these, so a program links the loops of the stems that it calls.
+ */
+#ifndef NAKAWARI_SIMD_DISPATCH_H
+#define NAKAWARI_SIMD_DISPATCH_H
+
+#include "simd/isa.h"
+
+/* A statement at the beginning of each; for tests. */
+#ifndef NKW_DISPATCHED
+#define NKW_DISPATCHED(name)
+#endif
+
+#if defined(NKW_HAVE_AVX2)
+#define NKW_WITH_AVX2(...) __VA_ARGS__
+#else
+#define NKW_WITH_AVX2(...)
+#endif
+#if defined(NKW_HAVE_AVX512)
+#define NKW_WITH_AVX512(...) __VA_ARGS__
+#else
+#define NKW_WITH_AVX512(...)
+#endif
+
+#if defined(NKW_HAVE_AVX2) || defined(NKW_HAVE_AVX512)
+#define NKW_DISPATCH(name, parameters, arguments, n)                                                                   \
+    void name##_generic parameters;                                                                                    \
+    NKW_WITH_AVX2(void name##_avx2 parameters;)                                                                        \
+    NKW_WITH_AVX512(void name##_avx512 parameters;)                                                                    \
+    void name parameters                                                                                               \
+    {                                                                                                                  \
+        NKW_DISPATCHED(name)                                                                                           \
+        const nkwi_isa isa = nkwi_isa_for(n);                                                                          \
+        NKW_WITH_AVX512(if (isa == NKWI_ISA_AVX512) name##_avx512 arguments; else)                                     \
+        NKW_WITH_AVX2(if (isa == NKWI_ISA_AVX2) name##_avx2 arguments; else)                                           \
+        name##_generic arguments;                                                                                      \
+    }
+#else
+#define NKW_DISPATCH(name, parameters, arguments, n)                                                                   \
+    void name##_generic parameters;                                                                                    \
+    void name parameters                                                                                               \
+    {                                                                                                                  \
+        NKW_DISPATCHED(name)                                                                                           \
+        name##_generic arguments;                                                                                      \
+    }
+#endif
+
+#endif
