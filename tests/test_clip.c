@@ -38,7 +38,7 @@ static void sampling_gives_the_bits_of_track_by_track(void **state)
 {
     (void)state;
     random_source r = random_from(1);
-    for (int variety = 0; variety < 3; variety++)
+    for (int variety = 0; variety < 5; variety++)
         for (size_t joints = 1; joints <= RANDOM_CLIP_JOINTS; joints += joints < 20 ? 1 : 5)
             for (int round = 0; round < (variety == 2 ? 6 : 1); round++)
                 expect_tracks_bits(&r, joints, variety);

@@ -212,11 +212,11 @@ static void baked_frames_are_palettes_one_by_one(void **state)
     random_source r = random_from(7);
     draw(&r);
     nkw_clip *clip = some_clip(&r, &drawn);
-    const nkw_crowd_source source = {clip, &skeleton, &root[0], joints, bind, 0.25f, 7.5f};
+    const nkw_crowd_source source = {clip, &skeleton, &root[0], joints, bind, 0.25f, 24.0f};
     for (size_t i = 0; i < ALL; i++)
         buffer[i] = want[i] = nkw_mat4_identity();
     for (size_t f = FROM; f < FRAMES; f++) {
-        nkw_clip_sample(clip, nkw_segment_uniform_time(0.25f, 7.5f, f), NULL, poses[0], NULL);
+        nkw_clip_sample(clip, nkw_segment_uniform_time(0.25f, 24.0f, f), NULL, poses[0], NULL);
         nkw_models_from_pose(&skeleton, poses[0], &root[0], alone);
         nkw_palette_from_models(alone, JOINTS, joints, bind, NULL, SKIN, want + FIRST + f * SKIN);
     }

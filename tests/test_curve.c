@@ -303,6 +303,72 @@ static void tangents_change_their_unit_with_the_duration(void **state)
     expect_vec3_bits(nkw_per_second_from_per_segment(half, 0.0f), zero);
 }
 
+/* c0 + c1 s + c2 s^2. */
+static nkw_vec3 parabola(const nkw_vec3 c[3], double s)
+{
+    const double x[3] = {c[0].x, c[1].x, c[2].x}, y[3] = {c[0].y, c[1].y, c[2].y}, z[3] = {c[0].z, c[1].z, c[2].z};
+    nkw_vec3 r = {(float)(x[0] + s * (x[1] + s * x[2])), (float)(y[0] + s * (y[1] + s * y[2])),
+                  (float)(z[0] + s * (z[1] + s * z[2]))};
+    return r;
+}
+
+static void tangents_of_a_parabola_are_its_slope(void **state)
+{
+    (void)state;
+    random_source r = random_from(12);
+    for (int i = 0; i < 2000; i++) {
+        nkw_vec3 c[3] = {random_vec3(&r, -1, 1), random_vec3(&r, -1, 1), random_vec3(&r, -1, 1)};
+        float h0 = random_between(&r, 0.25f, 2), h1 = random_between(&r, 0.25f, 2);
+        nkw_vec3 before = parabola(c, -(double)h0), after = parabola(c, h1);
+        expect_vec3_near(nkw_vec3_catmull_rom_tangent(before, c[0], after, h0, h1), c[1], 4e-6);
+    }
+}
+
+static nkw_vec3 hermite_at(const nkw_vec3_cubic *h, float t)
+{
+    return nkw_vec3_hermite(h->c[0], h->c[1], h->c[2], h->c[3], t);
+}
+
+static nkw_vec3 bezier_at(const nkw_vec3_cubic *b, float t)
+{
+    return nkw_vec3_bezier(b->c[0], b->c[1], b->c[2], b->c[3], t);
+}
+
+static void vector_conversions_keep_the_curve(void **state)
+{
+    (void)state;
+    random_source r = random_from(13);
+    for (int i = 0; i < 2000; i++) {
+        nkw_vec3_cubic c;
+        for (int k = 0; k < 4; k++)
+            c.c[k] = random_vec3(&r, -1, 1);
+        nkw_vec3_cubic bezier = nkw_vec3_bezier_from_hermite(&c), hermite = nkw_vec3_hermite_from_bezier(&c);
+        nkw_vec3_cubic of_spline = nkw_vec3_bezier_from_bspline(&c);
+        float t = random_unit(&r);
+        expect_vec3_near(bezier_at(&bezier, t), hermite_at(&c, t), 1e-6);
+        expect_vec3_near(hermite_at(&hermite, t), bezier_at(&c, t), 2e-6);
+        expect_vec3_near(bezier_at(&of_spline, t), nkw_vec3_bspline(c.c[0], c.c[1], c.c[2], c.c[3], t), 1e-6);
+    }
+}
+
+static void vector_halves_follow_the_whole(void **state)
+{
+    (void)state;
+    random_source r = random_from(14);
+    for (int i = 0; i < 2000; i++) {
+        nkw_vec3_cubic whole, left, right;
+        float cut = random_unit(&r), t = random_unit(&r);
+        for (int k = 0; k < 4; k++)
+            whole.c[k] = random_vec3(&r, -1, 1);
+        nkw_vec3_bezier_split(&whole, cut, &left, &right);
+        expect_vec3_bits(left.c[0], whole.c[0]);
+        expect_vec3_bits(left.c[3], right.c[0]);
+        expect_vec3_bits(right.c[3], whole.c[3]);
+        expect_vec3_near(bezier_at(&left, t), bezier_at(&whole, cut * t), 1e-6);
+        expect_vec3_near(bezier_at(&right, t), bezier_at(&whole, cut + (1 - cut) * t), 1e-6);
+    }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -323,6 +389,9 @@ int main(void)
         cmocka_unit_test(vector_conversions_go_by_component),
         cmocka_unit_test(split_halves_meet_and_follow_the_whole),
         cmocka_unit_test(tangents_change_their_unit_with_the_duration),
+        cmocka_unit_test(tangents_of_a_parabola_are_its_slope),
+        cmocka_unit_test(vector_conversions_keep_the_curve),
+        cmocka_unit_test(vector_halves_follow_the_whole),
     };
     return cmocka_run_group_tests_name("curve", tests, NULL, NULL);
 }

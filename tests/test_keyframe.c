@@ -370,6 +370,39 @@ static void anything_at_all_is_sampled_within_the_keys(void **state)
     }
 }
 
+static void trace_of_step_names_the_key_it_holds(void **state)
+{
+    (void)state;
+    nkw_keyframe keys[7];
+    nkw_keyframe_trace trace;
+    scene_1(keys);
+    for (int k = 0; k < 7; k++) {
+        nkw_keyframes_trace(keys, 7, (float)k + 0.75f, NKW_POSITION_STEP, NKW_ORIENTATION_STEP, &trace);
+        for (int i = 0; i < 2; i++) {
+            expect_quat_bits(trace.orientation[i], keys[k].orientation);
+            expect_bits(trace.orientation_weight[i], i == 0 ? 1.0f : 0.0f);
+        }
+    }
+}
+
+/* The orientation of each method is its two orientations by their weights, to the method's own blend. */
+static void trace_of_every_method_names_both_orientations(void **state)
+{
+    (void)state;
+    nkw_keyframe keys[7];
+    nkw_keyframe_trace trace;
+    scene_1(keys);
+    for (int o = NKW_ORIENTATION_EULER; o <= NKW_ORIENTATION_NLERP; o++) {
+        nkw_keyframes_trace(keys, 7, 2.25f, NKW_POSITION_LINEAR, (nkw_orientation_method)o, &trace);
+        expect_rotation_near(trace.orientation[0], keys[2].orientation, 0);
+        expect_rotation_near(trace.orientation[1], keys[3].orientation, 0);
+        if (o != NKW_ORIENTATION_SLERP) {
+            expect_bits(trace.orientation_weight[0], 0.75f);
+            expect_bits(trace.orientation_weight[1], 0.25f);
+        }
+    }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -390,6 +423,8 @@ int main(void)
         cmocka_unit_test(validate_refuses_times_that_descend_but_not_equal_ones),
         cmocka_unit_test(validate_refuses_orientations_that_are_not_unit),
         cmocka_unit_test(anything_at_all_is_sampled_within_the_keys),
+        cmocka_unit_test(trace_of_step_names_the_key_it_holds),
+        cmocka_unit_test(trace_of_every_method_names_both_orientations),
     };
     return cmocka_run_group_tests_name("keyframe", tests, NULL, NULL);
 }

@@ -333,6 +333,103 @@ static void inverses_of_what_is_not_finite_are_zero(void **state)
     }
 }
 
+static void projection_takes_w_from_all_four(void **state)
+{
+    (void)state;
+    nkw_mat4 m = nkw_mat4_identity();
+    m.m[3] = 2.0f, m.m[7] = 3.0f, m.m[11] = 5.0f, m.m[15] = 7.0f;
+    /* w = 2 * 1 + 3 * 2 + 5 * 4 + 7 = 35 */
+    expect_vec3_bits(nkw_mat4_project_point(&m, vec(1, 2, 4)), vec(1 / 35.0f, 2 / 35.0f, 4 / 35.0f));
+}
+
+/* Gauss-Jordan with full pivoting in long double. */
+static void inverse_by_elimination(const nkw_mat4 *m, long double out[16])
+{
+    long double a[4][8] = {{0}};
+    int column_of[4] = {0}, taken[4] = {0};
+    for (int i = 0; i < 4; i++) {
+        for (int j = 0; j < 4; j++)
+            a[i][j] = m->m[j * 4 + i];
+        a[i][4 + i] = 1;
+    }
+    for (int k = 0; k < 4; k++) {
+        int row = k, column = -1;
+        for (int i = k; i < 4; i++)
+            for (int j = 0; j < 4; j++)
+                if (!taken[j] && (column < 0 || fabsl(a[i][j]) > fabsl(a[row][column])))
+                    row = i, column = j;
+        taken[column] = 1;
+        column_of[k] = column;
+        for (int j = 0; j < 8; j++) {
+            long double t = a[k][j];
+            a[k][j] = a[row][j], a[row][j] = t;
+        }
+        long double by = a[k][column];
+        for (int j = 0; j < 8; j++)
+            a[k][j] /= by;
+        for (int i = 0; i < 4; i++) {
+            long double f = i == k ? 0 : a[i][column];
+            for (int j = 0; j < 8; j++)
+                a[i][j] -= f * a[k][j];
+        }
+    }
+    for (int k = 0; k < 4; k++)
+        for (int j = 0; j < 4; j++)
+            out[j * 4 + column_of[k]] = a[k][4 + j];
+}
+
+static void expect_inverse(const nkw_mat4 *m, const nkw_mat4 *got, double part)
+{
+    long double want[16], largest = 0;
+    inverse_by_elimination(m, want);
+    for (int i = 0; i < 16; i++)
+        largest = fabsl(want[i]) > largest ? fabsl(want[i]) : largest;
+    for (int i = 0; i < 16; i++)
+        expect_near(got->m[i], (double)want[i], part * (double)largest);
+}
+
+/* Rows that nearly depend on each other: from about 1 : 4000 on, cofactors cancel too much. */
+static void inverse_of_nearly_singular_matrices_is_exact(void **state)
+{
+    (void)state;
+    random_source r = random_from(14);
+    for (int i = 0; i < 4000; i++) {
+        nkw_mat4 m;
+        for (int k = 0; k < 16; k++)
+            m.m[k] = random_between(&r, -1, 1);
+        float part = nkw_abs(random_scaled(&r, -20, -8));
+        int to = i % 4, from = (to + 1 + i / 4 % 3) % 4;
+        for (int k = 0; k < 4; k++)
+            if (i % 2)
+                m.m[to * 4 + k] = m.m[from * 4 + k] + part * m.m[to * 4 + k];
+            else
+                m.m[k * 4 + to] = m.m[k * 4 + from] + part * m.m[k * 4 + to];
+        nkw_mat4 got = nkw_mat4_inverse(&m);
+        expect_inverse(&m, &got, 1.2e-7);
+    }
+}
+
+/* Every term of every cofactor is largest somewhere: all but a permutation's elements are small. */
+static void inverse_of_any_permutation_is_exact(void **state)
+{
+    (void)state;
+    random_source r = random_from(15);
+    for (int i = 0; i < 2400; i++) {
+        int place[4] = {0, 1, 2, 3}, code = i % 24;
+        for (int k = 3; k > 0; code /= k + 1, k--) {
+            int other = code % (k + 1), t = place[k];
+            place[k] = place[other], place[other] = t;
+        }
+        nkw_mat4 m;
+        for (int k = 0; k < 16; k++)
+            m.m[k] = random_scaled(&r, -12, -6);
+        for (int k = 0; k < 4; k++)
+            m.m[k * 4 + place[k]] = random_scaled(&r, -2, 2);
+        nkw_mat4 got = nkw_mat4_inverse(&m);
+        expect_inverse(&m, &got, 1.2e-7);
+    }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -361,6 +458,9 @@ int main(void)
         cmocka_unit_test(orthonormalize_of_nan_is_nan_from_its_column_on),
         cmocka_unit_test(row_major_storage_is_transposed),
         cmocka_unit_test(row_vectors_stored_by_rows_have_the_same_bytes),
+        cmocka_unit_test(projection_takes_w_from_all_four),
+        cmocka_unit_test(inverse_of_nearly_singular_matrices_is_exact),
+        cmocka_unit_test(inverse_of_any_permutation_is_exact),
     };
     return cmocka_run_group_tests_name("mat", tests, NULL, NULL);
 }

@@ -436,6 +436,87 @@ static void far_t_gives_unit_quaternions(void **state)
     assert_float_equal(nkw_quat_length(nkw_quat_integrate(a, fast, 1e30f)), 1.0f, 2e-7f);
 }
 
+/* At a.b = 0 both ways are as long: b keeps its sign. Half a turn apart, written so that every product is exact. */
+static void orthogonal_keys_keep_their_signs(void **state)
+{
+    (void)state;
+    const nkw_quat pairs[4][2] = {{{1, 0, 0, 0}, {0, 1, 0, 0}},
+                                  {{0, 0, 0, 1}, {-1, 0, 0, 0}},
+                                  {{0.5f, 0.5f, 0.5f, 0.5f}, {-0.5f, 0.5f, -0.5f, 0.5f}},
+                                  {{0.5f, -0.5f, 0.5f, -0.5f}, {-0.5f, -0.5f, 0.5f, 0.5f}}};
+    for (int i = 0; i < 4; i++)
+        for (int k = 0; k <= 16; k++) {
+            float t = (float)k / 16;
+            nkw_quat a = pairs[i][0], b = pairs[i][1], slerp = nkw_quat_slerp(a, b, t), nlerp = nkw_quat_nlerp(a, b, t);
+            nkw_quat line = nkw_quat_normalize(nkw_quat_add(nkw_quat_scale(a, 1 - t), nkw_quat_scale(b, t)));
+            nkw_quat arc = nkw_quat_add(nkw_quat_scale(a, nkw_cos(0.5f * PI * t)), nkw_quat_scale(b, nkw_sin(0.5f * PI * t)));
+            expect_quat_near(slerp, arc, 3e-7);
+            expect_quat_near(nlerp, line, 3e-7);
+            expect_quat_near(nkw_quat_slerp_path(a, b, t, NKW_PATH_SHORT), arc, 3e-7);
+        }
+}
+
+/* One t for all: inside, at the ends, beyond, and so far that angles need the long reduction. */
+static void arrays_of_slerps_at_one_t_are_single_ones(void **state)
+{
+    (void)state;
+    enum { N = 37 };
+    static const float ts[] = {0, -0.0f, 1, 0.5f, 0.25f, 0.75f, -0.5f, 1.5f, 1e5f, 262143.0f, 262144.0f, -262144.0f,
+                               1e7f, -1e18f, 3e38f};
+    float c[8][N], out[4][N];
+    nkw_quat a[N], b[N];
+    random_source r = random_from(21);
+    const nkw_quat_view from = {c[0], c[1], c[2], c[3]}, to = {c[4], c[5], c[6], c[7]};
+    const nkw_quat_span span_a = {c[0], c[1], c[2], c[3]}, span_b = {c[4], c[5], c[6], c[7]};
+    const nkw_quat_span result = {out[0], out[1], out[2], out[3]};
+    for (size_t i = 0; i < N; i++)
+        draw_pair(&r, &a[i], &b[i]);
+    nkw_quat_unpack_n(a, span_a, N);
+    nkw_quat_unpack_n(b, span_b, N);
+    for (size_t k = 0; k < sizeof ts / sizeof ts[0]; k++)
+        for (size_t n = 1; n <= N; n += 6) {
+            nkw_quat_slerp_at_n(from, to, ts[k], result, n);
+            for (size_t i = 0; i < n; i++) {
+                nkw_quat got = {out[0][i], out[1][i], out[2][i], out[3][i]};
+                expect_quat_bits(got, nkw_quat_slerp(a[i], b[i], ts[k]));
+            }
+        }
+}
+
+/* Shoemake's formula in binary64, at every angle between the keys. */
+static void slerp_and_nlerp_are_exact_to_their_bounds(void **state)
+{
+    (void)state;
+    random_source r = random_from(22);
+    for (int i = 0; i < 20000; i++) {
+        nkw_quat a, b;
+        draw_pair(&r, &a, &b);
+        float t = i % 10 ? random_unit(&r) : 0.5f;
+        const double p[4] = {a.x, a.y, a.z, a.w}, d[4] = {b.x, b.y, b.z, b.w};
+        double lp = 0, ld = 0, cosine = 0, sum = 0, n2 = 0, q[4], line[4], arc[4], u = t;
+        for (int k = 0; k < 4; k++) {
+            lp += p[k] * p[k];
+            ld += d[k] * d[k];
+            cosine += p[k] * d[k];
+        }
+        double sign = cosine < 0 ? -1 : 1;
+        for (int k = 0; k < 4; k++) {
+            q[k] = sign * d[k] / sqrt(ld);
+            sum += (p[k] / sqrt(lp) - q[k]) * (p[k] / sqrt(lp) - q[k]);
+            line[k] = (1 - u) * p[k] + u * sign * d[k];
+            n2 += line[k] * line[k];
+        }
+        double h = 2 * asin(0.5 * sqrt(sum)), wa = h > 0 ? sin((1 - u) * h) / sin(h) : 1 - u, wb = h > 0 ? sin(u * h) / sin(h) : u;
+        nkw_quat slerp = nkw_quat_slerp(a, b, t), nlerp = nkw_quat_nlerp(a, b, t);
+        const double got[4] = {slerp.x, slerp.y, slerp.z, slerp.w}, got_line[4] = {nlerp.x, nlerp.y, nlerp.z, nlerp.w};
+        for (int k = 0; k < 4; k++) {
+            arc[k] = wa * p[k] / sqrt(lp) + wb * q[k];
+            expect_near(got[k], arc[k], 3.7 * 0x1p-24);
+            expect_near(got_line[k], line[k] / sqrt(n2), 3.3 * 0x1p-24);
+        }
+    }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -465,6 +546,9 @@ int main(void)
         cmocka_unit_test(angular_velocity_stands_in_the_outer_frame),
         cmocka_unit_test(euler_lerp_unwraps_what_it_is_told_to),
         cmocka_unit_test(euler_lerp_unwraps_only_beyond_half_a_turn),
+        cmocka_unit_test(orthogonal_keys_keep_their_signs),
+        cmocka_unit_test(arrays_of_slerps_at_one_t_are_single_ones),
+        cmocka_unit_test(slerp_and_nlerp_are_exact_to_their_bounds),
     };
     return cmocka_run_group_tests_name("orient", tests, NULL, NULL);
 }

@@ -248,6 +248,48 @@ static void parents_that_make_no_tree_are_named(void **state)
     expect_no_order(NULL, 65537, NKW_OUT_OF_RANGE, 65536);
 }
 
+/* Runs that leave the partition, bones and vertices that leave the mesh: one number wrong at a time. */
+static void bone_local_writes_nothing_for_a_partition_that_is_not_sound(void **state)
+{
+    (void)state;
+    float out[5 * 12], before[5 * 12];
+    mesh_strip(&data);
+    nkw_partition p = partition_build(&data.mesh, 3, NKW_OK);
+    nkw_part *part = &p.parts[0];
+    const nkw_part whole = *part;
+    for (size_t i = 0; i < 60; i++)
+        out[i] = before[i] = 5;
+    for (int wrong = 0; wrong < 8; wrong++) {
+        *part = whole;
+        uint16_t bone = p.bones[whole.first_bone];
+        uint32_t vertex = p.vertices[whole.first_vertex];
+        if (wrong == 0)
+            part->first_bone = (uint32_t)p.bone_count + 1;
+        else if (wrong == 1)
+            part->bone_count = (uint32_t)(p.bone_count - part->first_bone) + 1;
+        else if (wrong == 2)
+            part->first_vertex = (uint32_t)p.vertex_count + 1;
+        else if (wrong == 3)
+            part->vertex_count = (uint32_t)(p.vertex_count - part->first_vertex) + 1;
+        else if (wrong == 4)
+            p.bones[whole.first_bone] = (uint16_t)data.mesh.bones;
+        else if (wrong == 5)
+            p.vertices[whole.first_vertex] = (uint32_t)data.mesh.vertices;
+        else if (wrong == 6)
+            part->bone_count = UINT32_MAX;
+        else
+            part->vertex_count = UINT32_MAX;
+        nkw_partition_bone_local(&data.mesh, &p, 0, 3, bind, positions, NULL, out, 12);
+        expect_floats_bits(out, before, 60);
+        p.bones[whole.first_bone] = bone;
+        p.vertices[whole.first_vertex] = vertex;
+    }
+    *part = whole;
+    nkw_partition_bone_local(&data.mesh, &p, 0, 3, bind, positions, NULL, out, 12);
+    assert_true(out[0] != 5.0f);
+    partition_free(&p);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -260,6 +302,7 @@ int main(void)
         cmocka_unit_test(a_chain_of_all_bones_is_ordered_either_way),
         cmocka_unit_test(random_trees_are_ordered_parents_first),
         cmocka_unit_test(parents_that_make_no_tree_are_named),
+        cmocka_unit_test(bone_local_writes_nothing_for_a_partition_that_is_not_sound),
     };
     return cmocka_run_group_tests_name("partition_bones", tests, NULL, NULL);
 }

@@ -180,6 +180,30 @@ static void passes_that_cannot_be_counted_pass_none(void **state)
     assert_int_equal(nkw_playback_passed(times, 2, 100.0f, -0x1p60f, nextafterf(-0x1p60f, 0.0f), out, 4), 0);
 }
 
+static void a_moment_before_the_start_is_the_start(void **state)
+{
+    (void)state;
+    /* The rest of -1e-20 is 1 in binary64: the whole period, which begins the pass at 0. */
+    expect_head(nkw_playback_at(NKW_PLAYBACK_LOOP, 0, 1, -1e-20f), 0, 0, __LINE__);
+    expect_head(nkw_playback_at(NKW_PLAYBACK_PING_PONG, 0, 1, -1e-20f), 0, 0, __LINE__);
+    expect_head(nkw_playback_at(NKW_PLAYBACK_LOOP, 0, 3, -1e-30f), 0, 0, __LINE__);
+}
+
+/* From 2^29 cycles on, cycle times duration is rounded: x is off by less than its last place, on either side. */
+static void ping_pong_follows_its_triangle_however_far(void **state)
+{
+    (void)state;
+    random_source r = random_from(5);
+    for (int i = 0; i < 100000; i++) {
+        float duration = nkw_abs(random_scaled(&r, -3, 3)), time = random_scaled(&r, 10, 46);
+        double rest = fmod(fabs((double)time), 2 * (double)duration), back = 2 * (double)duration - rest;
+        double want = rest < back ? rest : back;
+        double got = nkw_playback_at(NKW_PLAYBACK_PING_PONG, 0, duration, time).time;
+        assert_true(got >= 0 && got <= (double)duration);
+        assert_true(fabs(got - want) <= 0x1p-24 * (double)duration + 0x1p-52 * fabs((double)time));
+    }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -195,6 +219,8 @@ int main(void)
         cmocka_unit_test(what_does_not_fit_is_counted),
         cmocka_unit_test(passing_nothing),
         cmocka_unit_test(passes_that_cannot_be_counted_pass_none),
+        cmocka_unit_test(a_moment_before_the_start_is_the_start),
+        cmocka_unit_test(ping_pong_follows_its_triangle_however_far),
     };
     return cmocka_run_group_tests_name("playback", tests, NULL, NULL);
 }

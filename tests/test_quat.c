@@ -257,6 +257,94 @@ static void wxyz_is_only_another_order(void **state)
     expect_quat_bits(nkw_quat_from_wxyz(wxyz), quat(1, 2, 3, 4));
 }
 
+/* A fused product keeps the e^2 of (1 + e)^2, e = 2^-12, which rounding takes. */
+static void products_are_rounded_before_they_are_summed(void **state)
+{
+    (void)state;
+    const float e = 0x1p-12f, a = 1 + e, s = -(1 + 2 * e);
+    for (int i = 0; i < 4; i++)
+        for (int k = 0; k < 4; k++) {
+            float p[4] = {0}, q[4] = {0};
+            p[i] = q[i] = a;
+            p[k] = k == i ? a : 1;
+            q[k] = k == i ? a : s;
+            expect_near(nkw_quat_dot(quat(p[0], p[1], p[2], p[3]), quat(q[0], q[1], q[2], q[3])),
+                        k == i ? -(double)s : 0.0, 0);
+        }
+}
+
+/* Hamilton's product in binary64. */
+static void product_is_exact_to_its_bound(void **state)
+{
+    (void)state;
+    random_source r = random_from(31);
+    for (int i = 0; i < 20000; i++) {
+        nkw_quat a = random_rotation(&r), b = random_rotation(&r), got = nkw_quat_mul(a, b);
+        const double p[4] = {a.x, a.y, a.z, a.w}, q[4] = {b.x, b.y, b.z, b.w};
+        const double bound = 2.5 * 0x1p-24;
+        expect_near(got.x, p[3] * q[0] + p[0] * q[3] + p[1] * q[2] - p[2] * q[1], bound);
+        expect_near(got.y, p[3] * q[1] + p[1] * q[3] + p[2] * q[0] - p[0] * q[2], bound);
+        expect_near(got.z, p[3] * q[2] + p[2] * q[3] + p[0] * q[1] - p[1] * q[0], bound);
+        expect_near(got.w, p[3] * q[3] - p[0] * q[0] - p[1] * q[1] - p[2] * q[2], bound);
+        expect_near(nkw_quat_dot(a, b), p[0] * q[0] + p[1] * q[1] + p[2] * q[2] + p[3] * q[3], 3 * 0x1p-24);
+    }
+}
+
+/* Lengths of every size and those near 1, where a quaternion might be taken for unit already. */
+static void normalize_and_inverse_are_exact_to_their_bound(void **state)
+{
+    (void)state;
+    random_source r = random_from(32);
+    for (int i = 0; i < 20000; i++) {
+        float size = i % 2 ? 1.0f + random_scaled(&r, -24, -12) : random_scaled(&r, -100, 100);
+        nkw_quat q = nkw_quat_scale(random_rotation(&r), size), unit = nkw_quat_normalize(q);
+        nkw_quat inverse = nkw_quat_inverse(q);
+        const double x = q.x, y = q.y, z = q.z, w = q.w, n2 = (x * x + y * y) + (z * z + w * w), n = sqrt(n2);
+        const double bound = 2.3 * 0x1p-24, part = 1.0 * 0x1p-24 / n;
+        expect_near(unit.x, x / n, bound);
+        expect_near(unit.y, y / n, bound);
+        expect_near(unit.z, z / n, bound);
+        expect_near(unit.w, w / n, bound);
+        expect_near(inverse.x, -x / n2, part);
+        expect_near(inverse.y, -y / n2, part);
+        expect_near(inverse.z, -z / n2, part);
+        expect_near(inverse.w, w / n2, part);
+        expect_ulps(nkw_quat_length(q), (float)n, 0);
+    }
+}
+
+/* The half vector of the unit directions, at every angle from equal to 2^-20 rad from opposite. */
+static void from_vectors_is_exact_at_every_angle(void **state)
+{
+    (void)state;
+    random_source r = random_from(33);
+    for (int i = 0; i < 20000; i++) {
+        nkw_vec3 a = random_direction(&r), across = nkw_vec3_perpendicular(a);
+        double angle = i % 2 ? 3.14159265358979 * (double)random_unit(&r)
+                             : 3.14159265358979 - (double)nkw_abs(random_scaled(&r, -20, 0));
+        const double c = cos(angle), s = sin(angle);
+        nkw_vec3 b = {(float)(c * (double)a.x + s * (double)across.x), (float)(c * (double)a.y + s * (double)across.y),
+                      (float)(c * (double)a.z + s * (double)across.z)};
+        /* q = (|b| a + |a| b) taken as a half turn, times a: the axis a x b by sin, the cosine of half the angle. */
+        const long double u[3] = {a.x, a.y, a.z}, v[3] = {b.x, b.y, b.z};
+        long double lu = sqrtl(u[0] * u[0] + u[1] * u[1] + u[2] * u[2]);
+        long double lv = sqrtl(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]), sum = 0, difference = 0;
+        long double n[3] = {u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0]};
+        for (int k = 0; k < 3; k++) {
+            long double p = u[k] / lu, q = v[k] / lv;
+            sum += (p + q) * (p + q);
+            difference += (p - q) * (p - q);
+        }
+        long double ln = sqrtl(n[0] * n[0] + n[1] * n[1] + n[2] * n[2]), half = sqrtl(difference) / 2;
+        nkw_quat got = nkw_quat_from_vectors(a, b);
+        const double bound = 0.91 * 0x1p-24;
+        expect_near(got.w, (double)(sqrtl(sum) / 2), bound);
+        expect_near(got.x, ln > 0 ? (double)(half * n[0] / ln) : 0, bound);
+        expect_near(got.y, ln > 0 ? (double)(half * n[1] / ln) : 0, bound);
+        expect_near(got.z, ln > 0 ? (double)(half * n[2] / ln) : 0, bound);
+    }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -280,6 +368,10 @@ int main(void)
         cmocka_unit_test(from_mat3_of_anything_finite_is_unit),
         cmocka_unit_test(angle_between_is_that_of_the_turn_for_either_sign),
         cmocka_unit_test(wxyz_is_only_another_order),
+        cmocka_unit_test(products_are_rounded_before_they_are_summed),
+        cmocka_unit_test(product_is_exact_to_its_bound),
+        cmocka_unit_test(normalize_and_inverse_are_exact_to_their_bound),
+        cmocka_unit_test(from_vectors_is_exact_at_every_angle),
     };
     return cmocka_run_group_tests_name("quat", tests, NULL, NULL);
 }

@@ -263,6 +263,10 @@ static void expect_not_moved(const nkw_skin *skin, const nkw_skin_palette *palet
     nkw_skin_linear(skin, palette, &in, &to);
     for (size_t i = 0; i < VERTICES; i++)
         expect_floats_bits(out + i * FLOATS, m->v + i * FLOATS, 12);
+    memset(out, 0, sizeof out);
+    nkw_skin_dual_quat(skin, m->duals, palette->joints, &in, &to);
+    for (size_t i = 0; i < VERTICES; i++)
+        expect_floats_bits(out + i * FLOATS, m->v + i * FLOATS, 12);
 }
 
 static void no_palette_no_influence_and_unknown_formats_move_nothing(void **state)

@@ -306,6 +306,17 @@ static void resampling_anything_stays_within_its_arrays(void **state)
     }
 }
 
+static void tracks_are_compared_while_the_first_lasts(void **state)
+{
+    (void)state;
+    const float inside[2] = {1, 2}, outside[4] = {0, 1, 2, 3}, same[2] = {5, 6}, far[4] = {90, 5, 6, -90};
+    float work[2];
+    nkw_track t = {inside, same, 2, 1, NKW_TRACK_FLOATS, NKW_INTERPOLATION_LINEAR, NULL};
+    nkw_track longer = {outside, far, 4, 1, NKW_TRACK_FLOATS, NKW_INTERPOLATION_LINEAR, NULL};
+    expect_bits(nkw_track_difference(&t, &longer, work), 0.0f);
+    expect_bits(nkw_track_difference(&longer, &t, work), 96.0f);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -320,6 +331,7 @@ int main(void)
         cmocka_unit_test(resampling_of_nothing_is_defined),
         cmocka_unit_test(tracks_that_are_not_alike_differ_infinitely),
         cmocka_unit_test(resampling_anything_stays_within_its_arrays),
+        cmocka_unit_test(tracks_are_compared_while_the_first_lasts),
     };
     return cmocka_run_group_tests_name("track_resample", tests, NULL, NULL);
 }

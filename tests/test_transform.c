@@ -189,6 +189,61 @@ static void product_is_the_matrix_product_where_scales_are_uniform(void **state)
     }
 }
 
+/* Element by element in binary64, for quaternions that are unit to rounding. */
+static void composition_is_exact_to_its_bound(void **state)
+{
+    (void)state;
+    random_source r = random_from(6);
+    for (int i = 0; i < 5000; i++) {
+        nkw_trs t = trs(random_vec3(&r, -9, 9), random_rotation(&r), random_vec3(&r, -2, 2));
+        nkw_mat4 got = nkw_mat4_from_trs(&t);
+        const double x = t.rotation.x, y = t.rotation.y, z = t.rotation.z, w = t.rotation.w;
+        const double q[4] = {x, y, z, w}, n2 = (x * x + y * y) + (z * z + w * w);
+        const double scales[3] = {t.scale.x, t.scale.y, t.scale.z};
+        for (int c = 0; c < 3; c++) {
+            int a = (c + 1) % 3, b = (c + 2) % 3;
+            double s = scales[c] / n2, bound = 3.3 * 0x1p-24 * fabs(scales[c]);
+            expect_near(got.m[4 * c + c], s * (n2 - 2 * (q[a] * q[a] + q[b] * q[b])), bound);
+            expect_near(got.m[4 * c + a], s * 2 * (q[c] * q[a] + q[3] * q[b]), bound);
+            expect_near(got.m[4 * c + b], s * 2 * (q[c] * q[b] - q[3] * q[a]), bound);
+            expect_bits(got.m[4 * c + 3], 0.0f);
+        }
+        expect_vec3_bits(nkw_mat4_translation(&got), t.translation);
+        expect_bits(got.m[15], 1.0f);
+    }
+}
+
+static void the_block_alone_has_the_bits_of_the_whole(void **state)
+{
+    (void)state;
+    static const float lengths[] = {1.0f, 1.0000002f, 0.99999f, 1.0003f, 0.99f, 1.3f, 0.1f};
+    random_source r = random_from(8);
+    for (int i = 0; i < 7000; i++) {
+        nkw_trs t = trs(vec(1, 2, 3), nkw_quat_scale(random_rotation(&r), lengths[i % 7]), random_vec3(&r, -2, 2));
+        nkw_mat4 whole = nkw_mat4_from_trs(&t);
+        nkw_mat3 block = nkw_mat3_from_quat_scale(t.rotation, t.scale), of_whole = nkw_mat3_from_mat4(&whole);
+        expect_floats_bits(block.m, of_whole.m, 9);
+    }
+}
+
+/* The next column is perpendicular to the one that has a length. */
+static void one_column_alone_has_a_known_rotation(void **state)
+{
+    (void)state;
+    random_source r = random_from(7);
+    for (int i = 0; i < 3000; i++) {
+        int c = i % 3;
+        nkw_vec3 axis = random_direction(&r), across = nkw_vec3_perpendicular(axis);
+        nkw_mat4 m = nkw_mat4_identity();
+        memset(m.m, 0, 12 * sizeof(float));
+        m.m[4 * c] = axis.x, m.m[4 * c + 1] = axis.y, m.m[4 * c + 2] = axis.z;
+        nkw_trs got = nkw_trs_from_mat4(&m);
+        nkw_mat3 rotation = nkw_mat3_from_quat(got.rotation);
+        expect_vec3_near(nkw_mat3_column(&rotation, (size_t)c), axis, 5e-7);
+        expect_vec3_near(nkw_mat3_column(&rotation, (size_t)(c + 1) % 3), across, 5e-7);
+    }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -203,6 +258,9 @@ int main(void)
         cmocka_unit_test(matrix_of_zeros_has_no_rotation),
         cmocka_unit_test(residual_of_what_is_not_finite_is_nan),
         cmocka_unit_test(product_is_the_matrix_product_where_scales_are_uniform),
+        cmocka_unit_test(composition_is_exact_to_its_bound),
+        cmocka_unit_test(the_block_alone_has_the_bits_of_the_whole),
+        cmocka_unit_test(one_column_alone_has_a_known_rotation),
     };
     return cmocka_run_group_tests_name("transform", tests, NULL, NULL);
 }

@@ -141,6 +141,52 @@ static void is_finite_sees_each_component(void **state)
     assert_int_equal(nkw_vec3_is_finite(vec(0, 0, -INFINITY)), 0);
 }
 
+/*
+ * Sums of products, each product rounded: (1 + e)^2 = 1 + 2e + e^2 with e = 2^-12, whose e^2 rounding takes, less
+ * 1 + 2e. A fused product keeps the e^2.
+ */
+static void products_are_rounded_before_they_are_summed(void **state)
+{
+    (void)state;
+    const float e = 0x1p-12f, a = 1 + e, s = -(1 + 2 * e);
+    const nkw_vec3 p[3] = {vec(a, s, 0), vec(0, a, s), vec(s, 0, a)}, q[3] = {vec(a, 1, 0), vec(0, a, 1), vec(1, 0, a)};
+    const nkw_vec3 c[3] = {vec(a, 1, 0), vec(0, a, 1), vec(1, 0, a)},
+                   d[3] = {vec(-s, a, 0), vec(0, -s, a), vec(a, 0, -s)};
+    for (int i = 0; i < 3; i++) {
+        expect_near(nkw_vec3_dot(p[i], q[i]), 0.0, 0);
+        expect_near(nkw_vec3_dot(q[i], p[i]), 0.0, 0);
+        /* a a - 1 (1 + 2e) in one component. */
+        nkw_vec3 cross = nkw_vec3_cross(c[i], d[i]);
+        expect_near(cross.x, 0.0, 0);
+        expect_near(cross.y, 0.0, 0);
+        expect_near(cross.z, 0.0, 0);
+    }
+    expect_vec3_near(nkw_vec3_add_scaled(vec(s, s, s), vec(a, a, a), a), vec(0, 0, 0), 0);
+    expect_near(nkw_vec3_length_squared(vec(a, e, 0)), 1 + 2 * (double)e, 0);
+}
+
+static double exact_length(nkw_vec3 a)
+{
+    double x = a.x, y = a.y, z = a.z;
+    return sqrt((x * x + y * y) + z * z);
+}
+
+/* Lengths of every size and those near 1, where a vector might be taken for unit already. */
+static void normalize_and_length_are_exact_to_their_bound(void **state)
+{
+    (void)state;
+    random_source r = random_from(31);
+    for (int i = 0; i < 20000; i++) {
+        float size = i % 2 ? 1.0f + random_scaled(&r, -24, -12) : random_scaled(&r, -100, 100);
+        nkw_vec3 a = nkw_vec3_scale(random_direction(&r), size), unit = nkw_vec3_normalize(a);
+        double length = exact_length(a), bound = 2.3 * 0x1p-24;
+        expect_near(unit.x, (double)a.x / length, bound);
+        expect_near(unit.y, (double)a.y / length, bound);
+        expect_near(unit.z, (double)a.z / length, bound);
+        expect_ulps(nkw_vec3_length(a), (float)length, 0);
+    }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -156,6 +202,8 @@ int main(void)
         cmocka_unit_test(reflect_turns_the_part_along_the_normal),
         cmocka_unit_test(perpendicular_is_unit_and_at_right_angles),
         cmocka_unit_test(is_finite_sees_each_component),
+        cmocka_unit_test(products_are_rounded_before_they_are_summed),
+        cmocka_unit_test(normalize_and_length_are_exact_to_their_bound),
     };
     return cmocka_run_group_tests_name("vec", tests, NULL, NULL);
 }

@@ -61,22 +61,25 @@ static void add_track(random_source *r, random_clip *c, nkw_clip_target target, 
     size_t i = c->source.track_count++;
     nkw_clip_track *track = &c->tracks[i];
     uint64_t bits = random_bits(r);
-    size_t line = variety == 0 ? 0 : variety == 1 ? 1 : (size_t)(bits % RANDOM_CLIP_LINES);
+    size_t line = variety == 0 ? 0 : variety != 2 ? 1 : (size_t)(bits % RANDOM_CLIP_LINES);
+    int is_normalized = variety == 2 ? (bits >> 16) % 4 == 0 : variety > 2 && c->source.joint_count % 2 == 1;
     track->target = target;
     track->index = (uint32_t)index;
     track->track.times = c->times[line];
     track->track.values = c->values[i];
     track->track.count = variety == 2 && (bits >> 8) % 16 == 0 ? 1 : RANDOM_CLIP_KEYS;
     track->track.width = width;
-    track->track.kind = target != NKW_CLIP_ROTATION             ? NKW_TRACK_FLOATS
-                        : variety == 2 && (bits >> 16) % 4 == 0 ? NKW_TRACK_ROTATION_NORMALIZED
-                                                                : NKW_TRACK_ROTATION;
-    track->track.interpolation = variety == 2 ? (nkw_interpolation)((bits >> 24) % 3) : NKW_INTERPOLATION_LINEAR;
-    track->track.key_interpolation = NULL;
+    track->track.kind = target != NKW_CLIP_ROTATION ? NKW_TRACK_FLOATS
+                        : is_normalized             ? NKW_TRACK_ROTATION_NORMALIZED
+                                                    : NKW_TRACK_ROTATION;
+    track->track.interpolation = variety < 2    ? NKW_INTERPOLATION_LINEAR
+                                 : variety == 2 ? (nkw_interpolation)((bits >> 24) % 3)
+                                                : NKW_INTERPOLATION_CUBICSPLINE;
+    track->track.key_interpolation = variety == 4 ? c->cubic_modes : NULL;
     if (variety == 2 && track->track.interpolation != NKW_INTERPOLATION_LINEAR && (bits >> 32) % 2 == 0)
         track->track.key_interpolation =
             track->track.interpolation == NKW_INTERPOLATION_STEP ? c->modes : c->cubic_modes;
-    draw_values(r, &track->track, c->values[i], variety > 0 && (bits >> 40) % 4 == 0);
+    draw_values(r, &track->track, c->values[i], variety > 0 && variety < 3 && (bits >> 40) % 4 == 0);
 }
 
 void random_clip_draw(random_source *r, size_t joints, int variety, random_clip *c)
@@ -93,7 +96,7 @@ void random_clip_draw(random_source *r, size_t joints, int variety, random_clip 
         c->rest_floats[i] = random_unit(r);
     /* Backwards, for tracks may stand in any order. */
     for (size_t j = joints; j-- > 0;) {
-        uint64_t bits = variety == 0 ? 0 : random_bits(r);
+        uint64_t bits = variety == 1 || variety == 2 ? random_bits(r) : 0;
         if (bits % 4 != 1)
             add_track(r, c, NKW_CLIP_ROTATION, j, 4, variety);
         if ((bits >> 4) % 4 != 1)

@@ -28,7 +28,9 @@ typedef struct random_clip {
 
 /*
  * joints up to RANDOM_CLIP_JOINTS. variety 0: every property of every joint moves by LINEAR on one evenly spaced
- * timeline; 1: the same on an uneven one, some constant; 2: everything mixed.
+ * timeline; 1: the same on an uneven one, some constant; 2: everything mixed; 3: every property of every joint by
+ * CUBICSPLINE on one uneven timeline, rotations normalised where the number of joints is odd; 4: the same, segment by
+ * segment CUBICSPLINE, LINEAR or STEP.
  */
 void random_clip_draw(random_source *r, size_t joints, int variety, random_clip *clip);
 
