@@ -1,9 +1,9 @@
 # The C of the pages. Every ```c block becomes a file of its own; those of a page that is one program, one file.
-set(NKW_PAGES ../README README conventions floors/0-base floors/1-scalar floors/2-value floors/3-curve floors/4-track
-  floors/5-skeleton floors/5-blend floors/6-palette floors/6-skin floors/6-crowd floors/6-partition
-  formats character)
-set(NKW_PAGES_OF_ONE_PROGRAM character)
 set(NKW_DOCS "${CMAKE_CURRENT_LIST_DIR}/..")
+file(GLOB NKW_PAGES RELATIVE "${NKW_DOCS}" CONFIGURE_DEPENDS "${NKW_DOCS}/floors/*.md")
+list(TRANSFORM NKW_PAGES REPLACE "\\.md$" "")
+list(APPEND NKW_PAGES ../README README conventions formats character)
+set(NKW_PAGES_OF_ONE_PROGRAM character)
 
 # Writes the blocks of docs/PAGE.md into DIRECTORY as PAGE_1.c, PAGE_2.c ... or as PAGE.c, and adds them to FILES.
 function(nkw_page_blocks page directory files)
