@@ -11,7 +11,7 @@
 #include <valgrind/callgrind.h>
 
 #include "random.h"
-#include "simd/isa.h"
+#include "loops.h"
 
 enum { N = 1024, JOINTS = 67, KEYS = 301 };
 
@@ -203,17 +203,9 @@ static void count_character(void)
     });
 }
 
-/* In place of the library's own, which would take AVX-512. */
-static nkwi_isa widest = NKWI_ISA_GENERIC;
-
-nkwi_isa nkwi_isa_for(size_t n)
-{
-    return n >= 8 ? widest : NKWI_ISA_GENERIC;
-}
-
 static void count_loops(void)
 {
-    const int avx2 = widest == NKWI_ISA_AVX2;
+    const int avx2 = loop_isa == NKWI_ISA_AVX2;
     nkw_quat_view a = {parts[0], parts[1], parts[2], parts[3]}, c = {parts[4], parts[5], parts[6], parts[7]};
     nkw_quat_span q = {out[0], out[1], out[2], out[3]};
     nkw_vec3_view v[4];
@@ -228,7 +220,7 @@ static void count_loops(void)
     nkw_trs_view place = {v[0], a, v[1]};
 #define LOOP(name, arguments)                                                                                          \
     if (avx2)                                                                                                          \
-        COUNT("avx2 " #name, nkw_##name##_n arguments);                                                                       \
+        COUNT("avx2 " #name, nkw_##name##_n arguments);                                                                \
     else                                                                                                               \
         COUNT("generic " #name, nkw_##name##_n arguments)
     LOOP(sin, (x, out[0], N));
@@ -256,16 +248,17 @@ int main(void)
     draw_values(&r);
     draw_clips(&r);
     draw_character(&r);
+    loop_by_length = 1;
     count_loops();
 #if defined(NKW_HAVE_AVX2)
     if (__builtin_cpu_supports("avx2"))
-        widest = NKWI_ISA_AVX2;
+        loop_isa = NKWI_ISA_AVX2;
 #endif
     count_inlined();
     count_singles();
     count_data();
     count_character();
-    if (widest == NKWI_ISA_AVX2)
+    if (loop_isa == NKWI_ISA_AVX2)
         count_loops();
     return 0;
 }

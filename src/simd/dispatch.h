@@ -10,9 +10,9 @@
 
 #include "simd/isa.h"
 
-/* A statement at the beginning of each; for tests. */
-#ifndef NKW_DISPATCHED
-#define NKW_DISPATCHED(name)
+/* Tests choose the instruction set themselves, and count the calls. */
+#ifndef NKW_ISA_FOR
+#define NKW_ISA_FOR(name, n) nkwi_isa_for(n)
 #endif
 
 #if defined(NKW_HAVE_AVX2)
@@ -33,8 +33,7 @@
     NKW_WITH_AVX512(void name##_avx512 parameters;)                                                                    \
     void name parameters                                                                                               \
     {                                                                                                                  \
-        NKW_DISPATCHED(name)                                                                                           \
-        const nkwi_isa isa = nkwi_isa_for(n);                                                                          \
+        const nkwi_isa isa = NKW_ISA_FOR(name, n);                                                                     \
         NKW_WITH_AVX512(if (isa == NKWI_ISA_AVX512) name##_avx512 arguments; else)                                     \
         NKW_WITH_AVX2(if (isa == NKWI_ISA_AVX2) name##_avx2 arguments; else)                                           \
         name##_generic arguments;                                                                                      \
@@ -44,7 +43,7 @@
     void name##_generic parameters;                                                                                    \
     void name parameters                                                                                               \
     {                                                                                                                  \
-        NKW_DISPATCHED(name)                                                                                           \
+        (void)NKW_ISA_FOR(name, n);                                                                                    \
         name##_generic arguments;                                                                                      \
     }
 #endif

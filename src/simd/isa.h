@@ -10,9 +10,24 @@ typedef enum nkwi_isa { NKWI_ISA_GENERIC, NKWI_ISA_AVX2, NKWI_ISA_AVX512 } nkwi_
 
 /*
  * The widest instruction set that this build and this processor have and that n elements fill: an array shorter than a
- * vector would be all remainder. All loops compute the same bits, so the choice never shows. The tests define this
- * function themselves.
+ * vector would be all remainder. All loops compute the same bits, so the choice never shows.
+ *
+ * The compiler's run-time library asks the processor before main. Reading its answer is a load and a test, so nothing
+ * is initialised or kept here.
  */
-nkwi_isa nkwi_isa_for(size_t n);
+static inline nkwi_isa nkwi_isa_for(size_t n)
+{
+#if defined(NKW_HAVE_AVX512)
+    if (n >= 16 && __builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512dq") &&
+        __builtin_cpu_supports("avx512vl") && __builtin_cpu_supports("avx512bw"))
+        return NKWI_ISA_AVX512;
+#endif
+#if defined(NKW_HAVE_AVX2)
+    if (n >= 8 && __builtin_cpu_supports("avx2"))
+        return NKWI_ISA_AVX2;
+#endif
+    (void)n;
+    return NKWI_ISA_GENERIC;
+}
 
 #endif

@@ -47,15 +47,16 @@ static struct {
 #undef LOOP_RUNS
 } loop_runs;
 
-#define NKW_DISPATCHED(name) loop_runs.name++;
+#define NKW_ISA_FOR(name, n) (loop_runs.name++, loop_isa_for(n))
 #include "simd/dispatch.h"
 
+/* At most this one, and the baseline for arrays that are shorter than a vector if loop_by_length is set. */
 static nkwi_isa loop_isa = NKWI_ISA_GENERIC;
+static int loop_by_length;
 
-nkwi_isa nkwi_isa_for(size_t n)
+static inline nkwi_isa loop_isa_for(size_t n)
 {
-    (void)n;
-    return loop_isa;
+    return loop_by_length && n < 8 ? NKWI_ISA_GENERIC : loop_isa;
 }
 
 LOOPS(NKW_DISPATCH)
