@@ -1,5 +1,5 @@
 cmake_minimum_required(VERSION 3.25)
-# Draws docs/performance.md and docs/figures/performance-*.svg from results and from page.md.
+# Generates docs/performance.md and docs/figures/performance-*.svg from results and from page.md.
 #
 #     cmake -DTABLE=... -DPLOT=... -DROOT=repository [-DRESULTS=folder -DFILTER=...] [-DCHECK=folder] -P page.cmake
 #
@@ -46,6 +46,6 @@ foreach(name IN LISTS drawn ITEMS performance.md)
   execute_process(COMMAND "${CMAKE_COMMAND}" -E compare_files --ignore-eol "${CHECK}/${name}" "${ROOT}/docs/${name}"
     RESULT_VARIABLE differ)
   if(differ)
-    message(SEND_ERROR "docs/${name} is not what ${csv} and page.md give: build the target bench_page")
+    message(SEND_ERROR "docs/${name} differs from ${csv} and page.md: build the target bench_page")
   endif()
 endforeach()
