@@ -27,18 +27,17 @@ static operation exact(const char *name, double bytes, double flops, reference t
     return {"scalar", name, 1, bytes, flops, truth, 1.1, 16, same::number, 0};
 }
 
-template <one F, one_n N, one C>
+template <one F, one C>
 static void of_one(const char *name, const array<float> &x, double flops, double (*truth)(double), one_n vectors)
 {
     operation op = exact(name, 8, flops, [=, &x](size_t i, double *out) { *out = truth(static_cast<double>(x[i])); });
     single(op, "nkw", [&x](size_t i) { return F(x[i]); });
-    batch(op, "nkw _n", [&x](size_t from, size_t n) { N(x.at + from, answer.part[0] + from, n); });
     single(op, "C library", [&x](size_t i) { return C(x[i]); });
     if (vectors)
         batch(op, "SLEEF", [=, &x](size_t from, size_t n) { vectors(x.at + from, answer.part[0] + from, n); });
 }
 
-template <two F, two_n N, two C>
+template <two F, two C>
 static void of_two(const char *name, const array<float> &x, const array<float> &y, double flops,
                    double (*truth)(double, double), two_n vectors)
 {
@@ -46,7 +45,6 @@ static void of_two(const char *name, const array<float> &x, const array<float> &
         *out = truth(static_cast<double>(x[i]), static_cast<double>(y[i]));
     });
     single(op, "nkw", [&](size_t i) { return F(x[i], y[i]); });
-    batch(op, "nkw _n", [&](size_t from, size_t n) { N(x.at + from, y.at + from, answer.part[0] + from, n); });
     single(op, "C library", [&](size_t i) { return C(x[i], y[i]); });
     if (vectors)
         batch(op, "SLEEF",
@@ -91,9 +89,6 @@ static void lerp()
                     },
                     20};
     single(op, "nkw", [](size_t i) { return nkw_lerp(signed_one[i], turns[i], t[i]); });
-    batch(op, "nkw _n", [](size_t from, size_t n) {
-        nkw_lerp_n(signed_one.at + from, turns.at + from, t.at + from, answer.part[0] + from, n);
-    });
     single(op, "loop", [](size_t i) { return signed_one[i] + t[i] * (turns[i] - signed_one[i]); });
 }
 
@@ -104,16 +99,16 @@ static void lerp()
 #endif
 
 static const suite all([] {
-    of_one<nkw_sqrt, nkw_sqrt_n, sqrtf>("sqrt", positive, 1, std::sqrt, nullptr);
-    of_one<nkw_sin, nkw_sin_n, sinf>("sin", turns, 22, std::sin, VECTORS(sin));
-    of_one<nkw_tan, nkw_tan_n, tanf>("tan", turns, 40, std::tan, VECTORS(tan));
-    of_one<nkw_asin, nkw_asin_n, asinf>("asin", signed_one, 30, std::asin, VECTORS(asin));
-    of_one<nkw_acos, nkw_acos_n, acosf>("acos", signed_one, 30, std::acos, VECTORS(acos));
-    of_one<nkw_atan, nkw_atan_n, atanf>("atan", turns, 30, std::atan, VECTORS(atan));
-    of_one<nkw_exp, nkw_exp_n, expf>("exp", turns, 20, std::exp, VECTORS(exp));
-    of_one<nkw_log, nkw_log_n, logf>("log", positive, 25, std::log, VECTORS(log));
-    of_two<nkw_atan2, nkw_atan2_n, atan2f>("atan2", turns, signed_one, 35, std::atan2, VECTORS(atan2));
-    of_two<nkw_pow, nkw_pow_n, powf>("pow", positive, signed_one, 60, std::pow, VECTORS(pow));
+    of_one<nkw_sqrt, sqrtf>("sqrt", positive, 1, std::sqrt, nullptr);
+    of_one<nkw_sin, sinf>("sin", turns, 22, std::sin, VECTORS(sin));
+    of_one<nkw_tan, tanf>("tan", turns, 40, std::tan, VECTORS(tan));
+    of_one<nkw_asin, asinf>("asin", signed_one, 30, std::asin, VECTORS(asin));
+    of_one<nkw_acos, acosf>("acos", signed_one, 30, std::acos, VECTORS(acos));
+    of_one<nkw_atan, atanf>("atan", turns, 30, std::atan, VECTORS(atan));
+    of_one<nkw_exp, expf>("exp", turns, 20, std::exp, VECTORS(exp));
+    of_one<nkw_log, logf>("log", positive, 25, std::log, VECTORS(log));
+    of_two<nkw_atan2, atan2f>("atan2", turns, signed_one, 35, std::atan2, VECTORS(atan2));
+    of_two<nkw_pow, powf>("pow", positive, signed_one, 60, std::pow, VECTORS(pow));
     sine_and_cosine();
     lerp();
 });

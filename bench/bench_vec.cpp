@@ -24,8 +24,6 @@ static void dot()
                     [](size_t i, double *out) {
                         *out = d(a[i].x) * d(b[i].x) + d(a[i].y) * d(b[i].y) + d(a[i].z) * d(b[i].z); }};
     single(op, "nkw", [](size_t i) { return nkw_vec3_dot(a[i], b[i]); });
-    batch(op, "nkw _n",
-          [](size_t from, size_t n) { nkw_vec3_dot_n(view(a, from), view(b, from), answer.part[0] + from, n); });
     single(op, "loop", [](size_t i) { return a[i].x * b[i].x + a[i].y * b[i].y + a[i].z * b[i].z; });
 #ifdef BENCH_GLM
     single(op, "glm", [p = as<glm::vec3>(a), q = as<glm::vec3>(b)](size_t i) { return glm::dot(p[i], q[i]); });
@@ -43,8 +41,6 @@ static void cross()
                         out[2] = d(a[i].x) * d(b[i].y) - d(a[i].y) * d(b[i].x);
                     }};
     chained<nkw_vec3>(op, "nkw", a, [](nkw_vec3 p, size_t i) { return nkw_vec3_cross(p, b[i]); });
-    batch(op, "nkw _n",
-          [](size_t from, size_t n) { nkw_vec3_cross_n(view(a, from), view(b, from), vec3_out(from), n); });
 #ifdef BENCH_CGLM
     chained<cg::vec>(op, "cglm", a, [q = as<cg::vec>(b)](cg::vec p, size_t i) {
         cg::vec c = q[i], r;

@@ -223,10 +223,7 @@ static void count_loops(void)
         COUNT("avx2 " #name, nkw_##name##_n arguments);                                                                \
     else                                                                                                               \
         COUNT("generic " #name, nkw_##name##_n arguments)
-    LOOP(sin, (x, out[0], N));
-    LOOP(acos, (x, out[0], N));
-    LOOP(atan2, (x, t, out[0], N));
-    LOOP(pow, (t, x, out[0], N));
+    LOOP(sincos, (x, out[0], out[1], N));
     LOOP(vec3_normalize, (v[0], s, N));
     LOOP(vec3_lerp, (v[0], v[1], t, s, N));
     LOOP(vec3_hermite, (v[0], v[1], v[2], v[3], t, s, N));

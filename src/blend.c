@@ -87,9 +87,9 @@ static void blend_at(const float *a, const float *b, size_t joints, float t, int
     nkw_pose_view va = {a, joints}, vb = {b, joints};
     nkw_pose_span vo = {out, joints};
     nkw_quat_view qa = nkw_pose_components(va).rotation, qb = nkw_pose_components(vb).rotation;
-    nkw_lerp_at_n(a, b, t, out, 3 * stride);
+    nkwi_lerp_at_n(a, b, t, out, 3 * stride);
     (slerp ? nkw_quat_slerp_at_n : nkw_quat_nlerp_at_n)(qa, qb, t, nkw_pose_components_span(vo).rotation, stride);
-    nkw_lerp_at_n(a + scales, b + scales, t, out + scales, 3 * stride);
+    nkwi_lerp_at_n(a + scales, b + scales, t, out + scales, 3 * stride);
 }
 
 /* nkw_pose_blend_slerp by a t for each joint. */

@@ -80,7 +80,7 @@ static nkw_vec3 hermite(const sampler *s, float t)
     const nkw_keyframe *a = &s->keys[s->from], *b = &s->keys[s->to];
     nkw_vec3 v0 = heading(a), v1 = heading(b);
     if (s->trace) {
-        nkw_weights k = nkw_hermite_weights(t);
+        nkw_weights k = nkw_cubic_weights(NKW_CUBIC_HERMITE, 0, t);
         control_point(s, 0, s->from, k.w[0]);
         control(s, 1, s->from, v0, k.w[1]);
         control_point(s, 2, s->to, k.w[2]);
@@ -100,7 +100,7 @@ static nkw_vec3 bezier(const sampler *s)
     const nkw_keyframe *key = &s->keys[first];
     float u = lane_segment_t(key[0].time, key[3].time, s->time);
     if (s->trace) {
-        nkw_weights k = nkw_bezier_weights(u);
+        nkw_weights k = nkw_cubic_weights(NKW_CUBIC_BEZIER, 0, u);
         for (size_t i = 0; i < 4; i++)
             control_point(s, i, first + i, k.w[i]);
         s->trace->parameter = u;
@@ -130,7 +130,7 @@ static nkw_vec3 bspline(const sampler *s, float t)
     const nkw_keyframe *k[4];
     neighbours(s, k);
     if (s->trace)
-        control_neighbours(s, nkw_bspline_weights(t));
+        control_neighbours(s, nkw_cubic_weights(NKW_CUBIC_BSPLINE, 0, t));
     return nkw_vec3_bspline(k[0]->position, k[1]->position, k[2]->position, k[3]->position, t);
 }
 
@@ -138,10 +138,10 @@ static nkw_vec3 bspline(const sampler *s, float t)
 static nkw_weights catmull_rom_weights(const float times[4], float t)
 {
     nkw_weights k = {{
-        nkw_catmull_rom_timed(times, 1.0f, 0.0f, 0.0f, 0.0f, t),
-        nkw_catmull_rom_timed(times, 0.0f, 1.0f, 0.0f, 0.0f, t),
-        nkw_catmull_rom_timed(times, 0.0f, 0.0f, 1.0f, 0.0f, t),
-        nkw_catmull_rom_timed(times, 0.0f, 0.0f, 0.0f, 1.0f, t),
+        nkw_catmull_rom_nonuniform(times, 1.0f, 0.0f, 0.0f, 0.0f, t),
+        nkw_catmull_rom_nonuniform(times, 0.0f, 1.0f, 0.0f, 0.0f, t),
+        nkw_catmull_rom_nonuniform(times, 0.0f, 0.0f, 1.0f, 0.0f, t),
+        nkw_catmull_rom_nonuniform(times, 0.0f, 0.0f, 0.0f, 1.0f, t),
     }};
     return k;
 }
@@ -153,8 +153,8 @@ static nkw_vec3 catmull_rom(const sampler *s, float t)
     const float times[4] = {key[0]->time, key[1]->time, key[2]->time, key[3]->time};
     if (s->trace)
         control_neighbours(s, catmull_rom_weights(times, t));
-    return nkw_vec3_catmull_rom_timed(times, key[0]->position, key[1]->position, key[2]->position,
-                                      key[3]->position, t);
+    return nkw_vec3_catmull_rom_nonuniform(times, key[0]->position, key[1]->position, key[2]->position,
+                                           key[3]->position, t);
 }
 
 static nkw_vec3 position_at(const sampler *s, nkw_position_method method)

@@ -47,22 +47,6 @@ nkw_mat3 nkw_mat3_orthonormalize(const nkw_mat3 *m)
     return lane_mat3_from_wide(&r, 1.0);
 }
 
-nkw_mat3 nkw_mat3_from_row_major(const float rows[9])
-{
-    nkw_mat3 r;
-    for (size_t c = 0; c < 3; c++)
-        for (size_t i = 0; i < 3; i++)
-            r.m[c * 3 + i] = rows[i * 3 + c];
-    return r;
-}
-
-void nkw_mat3_to_row_major(const nkw_mat3 *m, float rows[9])
-{
-    nkw_mat3 t = nkw_mat3_transpose(m);
-    for (size_t i = 0; i < 9; i++)
-        rows[i] = t.m[i];
-}
-
 nkw_vec3 nkw_mat4_project_point(const nkw_mat4 *m, nkw_vec3 p)
 {
     const float *a = m->m;
@@ -170,28 +154,18 @@ LANE_FLAT nkw_mat4 nkw_mat4_inverse_affine(const nkw_mat4 *m)
 
 nkw_mat4 nkw_mat4_from_row_major(const float rows[16])
 {
-    nkw_mat4 r = nkw_mat4_from_row_vectors(rows);
-    return nkw_mat4_transpose(&r);
+    nkw_mat4 r;
+    for (size_t c = 0; c < 4; c++)
+        for (size_t i = 0; i < 4; i++)
+            r.m[c * 4 + i] = rows[i * 4 + c];
+    return r;
 }
 
 void nkw_mat4_to_row_major(const nkw_mat4 *m, float rows[16])
 {
     nkw_mat4 t = nkw_mat4_transpose(m);
-    nkw_mat4_to_row_vectors(&t, rows);
-}
-
-nkw_mat4 nkw_mat4_from_row_vectors(const float rows[16])
-{
-    nkw_mat4 r;
     for (size_t i = 0; i < 16; i++)
-        r.m[i] = rows[i];
-    return r;
-}
-
-void nkw_mat4_to_row_vectors(const nkw_mat4 *m, float rows[16])
-{
-    for (size_t i = 0; i < 16; i++)
-        rows[i] = m->m[i];
+        rows[i] = t.m[i];
 }
 
 nkw_mat3x4 nkw_mat3x4_from_mat4(const nkw_mat4 *m)

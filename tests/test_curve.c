@@ -5,23 +5,18 @@
 #include "support/expect.h"
 
 typedef float curve(float, float, float, float, float);
-typedef nkw_weights basis(float);
 
-/* A kind of curve, its basis and its derivatives. Interpolating kinds pass through control values first and last. */
+/* A kind of curve. Interpolating kinds pass through control values first and last. */
 static const struct kind {
-    const char *name;
+    nkw_cubic_kind kind;
     curve *at;
-    basis *weights, *velocity, *acceleration;
     int first, last; /* -1: passes through none */
     int affine; /* all four weights sum to 1; Hermite: those of the points */
 } kinds[] = {
-    {"hermite", nkw_hermite, nkw_hermite_weights, nkw_hermite_velocity_weights, nkw_hermite_acceleration_weights, 0, 2,
-     0},
-    {"bezier", nkw_bezier, nkw_bezier_weights, nkw_bezier_velocity_weights, nkw_bezier_acceleration_weights, 0, 3, 1},
-    {"bspline", nkw_bspline, nkw_bspline_weights, nkw_bspline_velocity_weights, nkw_bspline_acceleration_weights, -1,
-     -1, 1},
-    {"catmull_rom", nkw_catmull_rom, nkw_catmull_rom_weights, nkw_catmull_rom_velocity_weights,
-     nkw_catmull_rom_acceleration_weights, 1, 2, 1},
+    {NKW_CUBIC_HERMITE, nkw_hermite, 0, 2, 0},
+    {NKW_CUBIC_BEZIER, nkw_bezier, 0, 3, 1},
+    {NKW_CUBIC_BSPLINE, nkw_bspline, -1, -1, 1},
+    {NKW_CUBIC_CATMULL_ROM, nkw_catmull_rom, 1, 2, 1},
 };
 
 #define KINDS (sizeof kinds / sizeof kinds[0])
@@ -69,8 +64,8 @@ static void curve_is_the_weighted_sum(void **state)
         for (int i = 0; i < 5000; i++) {
             float c[4], t = random_unit(&r);
             draw(&r, c);
-            expect_near(kinds[k].at(c[0], c[1], c[2], c[3], t), nkw_weigh(kinds[k].weights(t), c[0], c[1], c[2], c[3]),
-                        1e-6);
+            expect_near(kinds[k].at(c[0], c[1], c[2], c[3], t),
+                        nkw_weighted_sum(nkw_cubic_weights(kinds[k].kind, 0, t), c[0], c[1], c[2], c[3]), 1e-6);
         }
     }
 }
@@ -81,7 +76,8 @@ static void weights_of_points_sum_to_one(void **state)
     for (size_t k = 0; k < KINDS; k++) {
         for (int i = 0; i <= 1000; i++) {
             float t = (float)i / 1000;
-            nkw_weights w = kinds[k].weights(t), v = kinds[k].velocity(t), a = kinds[k].acceleration(t);
+            nkw_weights w = nkw_cubic_weights(kinds[k].kind, 0, t), v = nkw_cubic_weights(kinds[k].kind, 1, t),
+                        a = nkw_cubic_weights(kinds[k].kind, 2, t);
             double other = kinds[k].affine;
             expect_near(w.w[0] + other * w.w[1] + w.w[2] + other * w.w[3], 1.0, 2e-7);
             expect_near(v.w[0] + other * v.w[1] + v.w[2] + other * v.w[3], 0.0, 1e-6);
@@ -97,8 +93,9 @@ static void derivatives_are_the_slopes_of_the_weights(void **state)
     for (size_t k = 0; k < KINDS; k++) {
         for (int i = 1; i < 100; i++) {
             float t = (float)i / 100;
-            nkw_weights before = kinds[k].weights(t - h), at = kinds[k].weights(t), after = kinds[k].weights(t + h);
-            nkw_weights v = kinds[k].velocity(t), a = kinds[k].acceleration(t);
+            nkw_weights before = nkw_cubic_weights(kinds[k].kind, 0, t - h),
+                        at = nkw_cubic_weights(kinds[k].kind, 0, t), after = nkw_cubic_weights(kinds[k].kind, 0, t + h);
+            nkw_weights v = nkw_cubic_weights(kinds[k].kind, 1, t), a = nkw_cubic_weights(kinds[k].kind, 2, t);
             for (int j = 0; j < 4; j++) {
                 /* Central differences: off by h^2/6 times the third derivative, at most 18; and by rounding. */
                 expect_near(v.w[j], ((double)after.w[j] - (double)before.w[j]) / (2 * (double)h), 2e-4);
@@ -116,22 +113,36 @@ static void weights_at_one_half_are_those_of_the_textbook(void **state)
     const float hermite[4] = {0.5f, 0.125f, 0.5f, -0.125f}, bezier[4] = {0.125f, 0.375f, 0.375f, 0.125f};
     const float bspline[4] = {1 / 48.0f, 23 / 48.0f, 23 / 48.0f, 1 / 48.0f};
     const float catmull_rom[4] = {-0.0625f, 0.5625f, 0.5625f, -0.0625f};
-    nkw_weights h = nkw_hermite_weights(0.5f), b = nkw_bezier_weights(0.5f);
-    nkw_weights s = nkw_bspline_weights(0.5f), c = nkw_catmull_rom_weights(0.5f);
+    nkw_weights h = nkw_cubic_weights(NKW_CUBIC_HERMITE, 0, 0.5f), b = nkw_cubic_weights(NKW_CUBIC_BEZIER, 0, 0.5f);
+    nkw_weights s = nkw_cubic_weights(NKW_CUBIC_BSPLINE, 0, 0.5f),
+                c = nkw_cubic_weights(NKW_CUBIC_CATMULL_ROM, 0, 0.5f);
     expect_floats_bits(h.w, hermite, 4);
     expect_floats_bits(b.w, bezier, 4);
     expect_floats_near(s.w, bspline, 4, 3e-8);
     expect_floats_bits(c.w, catmull_rom, 4);
 }
 
+static void unknown_kinds_are_hermite_and_unknown_derivatives_none(void **state)
+{
+    (void)state;
+    nkw_weights expected = nkw_cubic_weights(NKW_CUBIC_HERMITE, 0, 0.25f);
+    nkw_weights kind = nkw_cubic_weights((nkw_cubic_kind)9, 0, 0.25f);
+    nkw_weights third = nkw_cubic_weights(NKW_CUBIC_HERMITE, 3, 0.25f);
+    nkw_weights negative = nkw_cubic_weights(NKW_CUBIC_HERMITE, -1, 0.25f);
+    expect_floats_bits(kind.w, expected.w, 4);
+    expect_floats_bits(third.w, expected.w, 4);
+    expect_floats_bits(negative.w, expected.w, 4);
+}
+
 static void ends_leave_along_the_tangents(void **state)
 {
     (void)state;
-    nkw_weights v0 = nkw_hermite_velocity_weights(0), v1 = nkw_hermite_velocity_weights(1);
+    nkw_weights v0 = nkw_cubic_weights(NKW_CUBIC_HERMITE, 1, 0), v1 = nkw_cubic_weights(NKW_CUBIC_HERMITE, 1, 1);
     const float first[4] = {0, 1, 0, 0}, last[4] = {0, 0, 0, 1};
     expect_floats_near(v0.w, first, 4, 0);
     expect_floats_near(v1.w, last, 4, 0);
-    nkw_weights c0 = nkw_catmull_rom_velocity_weights(0), c1 = nkw_catmull_rom_velocity_weights(1);
+    nkw_weights c0 = nkw_cubic_weights(NKW_CUBIC_CATMULL_ROM, 1, 0),
+                c1 = nkw_cubic_weights(NKW_CUBIC_CATMULL_ROM, 1, 1);
     const float from[4] = {-0.5f, 0, 0.5f, 0}, to[4] = {0, -0.5f, 0, 0.5f};
     expect_floats_near(c0.w, from, 4, 0);
     expect_floats_near(c1.w, to, 4, 0);
@@ -177,12 +188,12 @@ static void vectors_go_by_component(void **state)
         expect_bits(nkw_vec3_bezier(a, b, c, d, t).y, nkw_bezier(a.y, b.y, c.y, d.y, t));
         expect_bits(nkw_vec3_bspline(a, b, c, d, t).z, nkw_bspline(a.z, b.z, c.z, d.z, t));
         expect_bits(nkw_vec3_catmull_rom(a, b, c, d, t).x, nkw_catmull_rom(a.x, b.x, c.x, d.x, t));
-        nkw_weights w = nkw_bezier_weights(t);
-        expect_bits(nkw_vec3_weigh(w, a, b, c, d).z, nkw_weigh(w, a.z, b.z, c.z, d.z));
+        nkw_weights w = nkw_cubic_weights(NKW_CUBIC_BEZIER, 0, t);
+        expect_bits(nkw_vec3_weighted_sum(w, a, b, c, d).z, nkw_weighted_sum(w, a.z, b.z, c.z, d.z));
     }
 }
 
-static void timed_catmull_rom_over_even_times_is_the_uniform_one(void **state)
+static void nonuniform_catmull_rom_over_even_times_is_the_uniform_one(void **state)
 {
     (void)state;
     random_source r = random_from(7);
@@ -190,8 +201,8 @@ static void timed_catmull_rom_over_even_times_is_the_uniform_one(void **state)
     for (int i = 0; i < 5000; i++) {
         float c[4], t = random_unit(&r);
         draw(&r, c);
-        expect_near(nkw_catmull_rom_timed(times, c[0], c[1], c[2], c[3], t), nkw_catmull_rom(c[0], c[1], c[2], c[3], t),
-                    1e-6);
+        expect_near(nkw_catmull_rom_nonuniform(times, c[0], c[1], c[2], c[3], t),
+                    nkw_catmull_rom(c[0], c[1], c[2], c[3], t), 1e-6);
     }
 }
 
@@ -206,7 +217,7 @@ static double pyramid(const float times[4], const float p[4], double time)
     return q[0] + (q[1] - q[0]) * (time - (double)times[1]) / ((double)times[2] - (double)times[1]);
 }
 
-static void timed_catmull_rom_is_the_pyramid_of_barry_and_goldman(void **state)
+static void nonuniform_catmull_rom_is_the_pyramid_of_barry_and_goldman(void **state)
 {
     (void)state;
     random_source r = random_from(8);
@@ -216,7 +227,7 @@ static void timed_catmull_rom_is_the_pyramid_of_barry_and_goldman(void **state)
         for (int k = 1; k < 4; k++)
             times[k] = times[k - 1] + random_between(&r, 0.25f, 1.0f);
         double time = (double)times[1] + (double)t * ((double)times[2] - (double)times[1]);
-        expect_near(nkw_catmull_rom_timed(times, c[0], c[1], c[2], c[3], t), pyramid(times, c, time), 4e-6);
+        expect_near(nkw_catmull_rom_nonuniform(times, c[0], c[1], c[2], c[3], t), pyramid(times, c, time), 4e-6);
     }
 }
 
@@ -230,44 +241,58 @@ static void tangent_without_a_duration_takes_the_other_side(void **state)
     expect_bits(nkw_catmull_rom_tangent(1, 2, 4, -1, NAN), 0.0f);
 }
 
+static void draw_cubic(random_source *r, nkw_vec3_cubic *c)
+{
+    for (int i = 0; i < 4; i++)
+        c->c[i] = random_vec3(r, -1, 1);
+}
+
+static nkw_vec3 bezier_at(const nkw_vec3_cubic *b, float t)
+{
+    return nkw_vec3_bezier(b->c[0], b->c[1], b->c[2], b->c[3], t);
+}
+
+static void expect_cubics_near(const nkw_vec3_cubic *a, const nkw_vec3_cubic *b, double bound)
+{
+    for (int i = 0; i < 4; i++)
+        expect_vec3_near(a->c[i], b->c[i], bound);
+}
+
 static void conversions_keep_the_curve(void **state)
 {
     (void)state;
     random_source r = random_from(9);
     for (int i = 0; i < 5000; i++) {
-        nkw_cubic h;
+        nkw_vec3_cubic h, s;
         float t = random_unit(&r);
-        draw(&r, h.c);
-        nkw_cubic b = nkw_bezier_from_hermite(&h), s = nkw_bspline_from_hermite(&h);
-        float p = nkw_hermite(h.c[0], h.c[1], h.c[2], h.c[3], t);
-        expect_near(nkw_bezier(b.c[0], b.c[1], b.c[2], b.c[3], t), p, 1e-6);
-        expect_near(nkw_bspline(s.c[0], s.c[1], s.c[2], s.c[3], t), p, 5e-6);
-        nkw_cubic h1 = nkw_hermite_from_bezier(&b), h2 = nkw_hermite_from_bspline(&s);
-        nkw_cubic b1 = nkw_bezier_from_bspline(&s), s1 = nkw_bspline_from_bezier(&b);
-        expect_floats_near(h1.c, h.c, 4, 1e-6);
-        expect_floats_near(h2.c, h.c, 4, 1e-5);
-        expect_floats_near(b1.c, b.c, 4, 5e-6);
-        expect_floats_near(s1.c, s.c, 4, 5e-6);
+        draw_cubic(&r, &h);
+        draw_cubic(&r, &s);
+        nkw_vec3_cubic b = nkw_vec3_bezier_from_hermite(&h), back = nkw_vec3_hermite_from_bezier(&b);
+        expect_vec3_near(bezier_at(&b, t), nkw_vec3_hermite(h.c[0], h.c[1], h.c[2], h.c[3], t), 1e-6);
+        expect_cubics_near(&back, &h, 1e-6);
+        b = nkw_vec3_bezier_from_bspline(&s);
+        expect_vec3_near(bezier_at(&b, t), nkw_vec3_bspline(s.c[0], s.c[1], s.c[2], s.c[3], t), 1e-6);
     }
 }
 
-static void vector_conversions_go_by_component(void **state)
+static void conversions_go_by_component(void **state)
 {
     (void)state;
     random_source r = random_from(10);
-    nkw_vec3_cubic v;
-    nkw_cubic y;
+    nkw_vec3_cubic v, turned;
+    draw_cubic(&r, &v);
     for (int i = 0; i < 4; i++) {
-        v.c[i] = random_vec3(&r, -1, 1);
-        y.c[i] = v.c[i].y;
+        nkw_vec3 c = {v.c[i].y, v.c[i].z, v.c[i].x};
+        turned.c[i] = c;
     }
-    nkw_vec3_cubic a = nkw_vec3_bezier_from_hermite(&v), b = nkw_vec3_bspline_from_bezier(&v),
-                   c = nkw_vec3_hermite_from_bspline(&v);
-    nkw_cubic p = nkw_bezier_from_hermite(&y), q = nkw_bspline_from_bezier(&y), s = nkw_hermite_from_bspline(&y);
-    for (int i = 0; i < 4; i++) {
-        expect_bits(a.c[i].y, p.c[i]);
-        expect_bits(b.c[i].y, q.c[i]);
-        expect_bits(c.c[i].y, s.c[i]);
+    nkw_vec3_cubic (*const all[3])(const nkw_vec3_cubic *) = {
+        nkw_vec3_bezier_from_hermite, nkw_vec3_hermite_from_bezier, nkw_vec3_bezier_from_bspline};
+    for (int k = 0; k < 3; k++) {
+        nkw_vec3_cubic a = all[k](&v), b = all[k](&turned);
+        for (int i = 0; i < 4; i++) {
+            nkw_vec3 c = {a.c[i].y, a.c[i].z, a.c[i].x};
+            expect_vec3_bits(b.c[i], c);
+        }
     }
 }
 
@@ -276,31 +301,20 @@ static void split_halves_meet_and_follow_the_whole(void **state)
     (void)state;
     random_source r = random_from(11);
     for (int i = 0; i < 5000; i++) {
-        nkw_cubic whole, left, right;
+        nkw_vec3_cubic whole, left, right;
         float cut = random_unit(&r), t = random_unit(&r);
-        draw(&r, whole.c);
-        nkw_bezier_split(&whole, cut, &left, &right);
-        expect_bits(left.c[0], whole.c[0]);
-        expect_bits(left.c[3], right.c[0]);
-        expect_bits(right.c[3], whole.c[3]);
-        expect_near(nkw_bezier(left.c[0], left.c[1], left.c[2], left.c[3], t),
-                    nkw_bezier(whole.c[0], whole.c[1], whole.c[2], whole.c[3], cut * t), 1e-6);
-        expect_near(nkw_bezier(right.c[0], right.c[1], right.c[2], right.c[3], t),
-                    nkw_bezier(whole.c[0], whole.c[1], whole.c[2], whole.c[3], cut + (1 - cut) * t), 1e-6);
-        nkw_cubic in_place = whole, other;
-        nkw_bezier_split(&in_place, cut, &in_place, &other);
-        expect_floats_bits(in_place.c, left.c, 4);
-        expect_floats_bits(other.c, right.c, 4);
+        draw_cubic(&r, &whole);
+        nkw_vec3_bezier_split(&whole, cut, &left, &right);
+        expect_vec3_bits(left.c[0], whole.c[0]);
+        expect_vec3_bits(left.c[3], right.c[0]);
+        expect_vec3_bits(right.c[3], whole.c[3]);
+        expect_vec3_near(bezier_at(&left, t), bezier_at(&whole, cut * t), 1e-6);
+        expect_vec3_near(bezier_at(&right, t), bezier_at(&whole, cut + (1 - cut) * t), 1e-6);
+        nkw_vec3_cubic in_place = whole, other;
+        nkw_vec3_bezier_split(&in_place, cut, &in_place, &other);
+        expect_cubics_near(&in_place, &left, 0);
+        expect_cubics_near(&other, &right, 0);
     }
-}
-
-static void tangents_change_their_unit_with_the_duration(void **state)
-{
-    (void)state;
-    nkw_vec3 v = {2, -4, 6}, half = {1, -2, 3}, zero = {0, 0, 0};
-    expect_vec3_bits(nkw_per_segment_from_per_second(v, 0.5f), half);
-    expect_vec3_bits(nkw_per_second_from_per_segment(half, 0.5f), v);
-    expect_vec3_bits(nkw_per_second_from_per_segment(half, 0.0f), zero);
 }
 
 /* c0 + c1 s + c2 s^2. */
@@ -324,51 +338,6 @@ static void tangents_of_a_parabola_are_its_slope(void **state)
     }
 }
 
-static nkw_vec3 hermite_at(const nkw_vec3_cubic *h, float t)
-{
-    return nkw_vec3_hermite(h->c[0], h->c[1], h->c[2], h->c[3], t);
-}
-
-static nkw_vec3 bezier_at(const nkw_vec3_cubic *b, float t)
-{
-    return nkw_vec3_bezier(b->c[0], b->c[1], b->c[2], b->c[3], t);
-}
-
-static void vector_conversions_keep_the_curve(void **state)
-{
-    (void)state;
-    random_source r = random_from(13);
-    for (int i = 0; i < 2000; i++) {
-        nkw_vec3_cubic c;
-        for (int k = 0; k < 4; k++)
-            c.c[k] = random_vec3(&r, -1, 1);
-        nkw_vec3_cubic bezier = nkw_vec3_bezier_from_hermite(&c), hermite = nkw_vec3_hermite_from_bezier(&c);
-        nkw_vec3_cubic of_spline = nkw_vec3_bezier_from_bspline(&c);
-        float t = random_unit(&r);
-        expect_vec3_near(bezier_at(&bezier, t), hermite_at(&c, t), 1e-6);
-        expect_vec3_near(hermite_at(&hermite, t), bezier_at(&c, t), 2e-6);
-        expect_vec3_near(bezier_at(&of_spline, t), nkw_vec3_bspline(c.c[0], c.c[1], c.c[2], c.c[3], t), 1e-6);
-    }
-}
-
-static void vector_halves_follow_the_whole(void **state)
-{
-    (void)state;
-    random_source r = random_from(14);
-    for (int i = 0; i < 2000; i++) {
-        nkw_vec3_cubic whole, left, right;
-        float cut = random_unit(&r), t = random_unit(&r);
-        for (int k = 0; k < 4; k++)
-            whole.c[k] = random_vec3(&r, -1, 1);
-        nkw_vec3_bezier_split(&whole, cut, &left, &right);
-        expect_vec3_bits(left.c[0], whole.c[0]);
-        expect_vec3_bits(left.c[3], right.c[0]);
-        expect_vec3_bits(right.c[3], whole.c[3]);
-        expect_vec3_near(bezier_at(&left, t), bezier_at(&whole, cut * t), 1e-6);
-        expect_vec3_near(bezier_at(&right, t), bezier_at(&whole, cut + (1 - cut) * t), 1e-6);
-    }
-}
-
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -378,20 +347,18 @@ int main(void)
         cmocka_unit_test(weights_of_points_sum_to_one),
         cmocka_unit_test(derivatives_are_the_slopes_of_the_weights),
         cmocka_unit_test(weights_at_one_half_are_those_of_the_textbook),
+        cmocka_unit_test(unknown_kinds_are_hermite_and_unknown_derivatives_none),
         cmocka_unit_test(ends_leave_along_the_tangents),
         cmocka_unit_test(bspline_segments_join_bit_for_bit),
         cmocka_unit_test(curves_mirror),
         cmocka_unit_test(vectors_go_by_component),
-        cmocka_unit_test(timed_catmull_rom_over_even_times_is_the_uniform_one),
-        cmocka_unit_test(timed_catmull_rom_is_the_pyramid_of_barry_and_goldman),
+        cmocka_unit_test(nonuniform_catmull_rom_over_even_times_is_the_uniform_one),
+        cmocka_unit_test(nonuniform_catmull_rom_is_the_pyramid_of_barry_and_goldman),
         cmocka_unit_test(tangent_without_a_duration_takes_the_other_side),
         cmocka_unit_test(conversions_keep_the_curve),
-        cmocka_unit_test(vector_conversions_go_by_component),
+        cmocka_unit_test(conversions_go_by_component),
         cmocka_unit_test(split_halves_meet_and_follow_the_whole),
-        cmocka_unit_test(tangents_change_their_unit_with_the_duration),
         cmocka_unit_test(tangents_of_a_parabola_are_its_slope),
-        cmocka_unit_test(vector_conversions_keep_the_curve),
-        cmocka_unit_test(vector_halves_follow_the_whole),
     };
     return cmocka_run_group_tests_name("curve", tests, NULL, NULL);
 }

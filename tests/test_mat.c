@@ -281,22 +281,14 @@ static void row_major_storage_is_transposed(void **state)
     float back[16];
     nkw_mat4_to_row_major(&m, back);
     expect_floats_bits(back, rows, 16);
-    nkw_mat3 s = nkw_mat3_from_row_major(rows);
-    expect_bits(s.m[3], 2.0f);
-    nkw_mat3_to_row_major(&s, back);
-    expect_floats_bits(back, rows, 9);
 }
 
 static void row_vectors_stored_by_rows_have_the_same_bytes(void **state)
 {
     (void)state;
     /* A D3DX translation by (5, 6, 7): the last row. */
-    const float d3dx[16] = {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 5, 6, 7, 1};
-    nkw_mat4 m = nkw_mat4_from_row_vectors(d3dx);
-    expect_vec3_bits(nkw_mat4_transform_point(&m, vec(1, 1, 1)), vec(6, 7, 8));
-    float back[16];
-    nkw_mat4_to_row_vectors(&m, back);
-    expect_floats_bits(back, d3dx, 16);
+    const nkw_mat4 d3dx = {{1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 5, 6, 7, 1}};
+    expect_vec3_bits(nkw_mat4_transform_point(&d3dx, vec(1, 1, 1)), vec(6, 7, 8));
 }
 
 static void mat4_inverse_of_singular_integers_is_zero(void **state)

@@ -116,7 +116,7 @@ static void set_weights(const rig *r, float height, float out[RIG_JOINTS])
 {
     float u = nkw_clamp((height - r->foot) / r->spacing - 0.5f, -1.0f, (float)RIG_JOINTS - 1.0f);
     int k = (int)(u + 1.0f) - 1;
-    nkw_weights w = nkw_bspline_weights(u - (float)k);
+    nkw_weights w = nkw_cubic_weights(NKW_CUBIC_BSPLINE, 0, u - (float)k);
     for (int j = 0; j < RIG_JOINTS; j++)
         out[j] = 0.0f;
     for (int i = 0; i < 4; i++) {

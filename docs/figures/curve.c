@@ -6,39 +6,32 @@
 #include <nakawari/scalar.h>
 #include <nakawari/vec.h>
 
-typedef nkw_weights weight_function(float t);
-
 typedef struct kind {
     const char *name;
     const char *controls[4];
     svg_colour colour;
-    weight_function *weights[3]; /* value, velocity, acceleration */
-    float low[3], high[3];       /* of the plots */
+    nkw_cubic_kind kind;
+    float low[3], high[3]; /* of the plots: value, velocity, acceleration */
 } kind;
 
 static const kind kinds[4] = {
-    {"Hermite",
-     {"p0", "v0", "p1", "v1"},
-     FIGURE_HERMITE,
-     {nkw_hermite_weights, nkw_hermite_velocity_weights, nkw_hermite_acceleration_weights},
-     {-0.4f, -2.0f, -7.0f},
-     {1.1f, 2.0f, 7.0f}},
+    {"Hermite", {"p0", "v0", "p1", "v1"}, FIGURE_HERMITE, NKW_CUBIC_HERMITE, {-0.4f, -2.0f, -7.0f}, {1.1f, 2.0f, 7.0f}},
     {"B\303\251zier",
      {"p0", "p1", "p2", "p3"},
      FIGURE_BEZIER,
-     {nkw_bezier_weights, nkw_bezier_velocity_weights, nkw_bezier_acceleration_weights},
+     NKW_CUBIC_BEZIER,
      {-0.4f, -3.2f, -13.0f},
      {1.1f, 3.2f, 7.0f}},
     {"B-spline",
      {"p0", "p1", "p2", "p3"},
      FIGURE_BSPLINE,
-     {nkw_bspline_weights, nkw_bspline_velocity_weights, nkw_bspline_acceleration_weights},
+     NKW_CUBIC_BSPLINE,
      {-0.4f, -2.0f, -7.0f},
      {1.1f, 2.0f, 7.0f}},
     {"Catmull-Rom",
      {"p0", "p1", "p2", "p3"},
      FIGURE_CATMULL_ROM,
-     {nkw_catmull_rom_weights, nkw_catmull_rom_velocity_weights, nkw_catmull_rom_acceleration_weights},
+     NKW_CUBIC_CATMULL_ROM,
      {-0.4f, -2.0f, -7.0f},
      {1.1f, 2.0f, 7.0f}},
 };
@@ -58,7 +51,7 @@ static void weights_plot(svg *s, const kind *k, int row, svg_box box)
         float y[FIGURE_STEPS + 1];
         svg_paint paint = svg_stroke(weight_colours[i], 2.4f, 1.0f);
         for (int j = 0; j <= FIGURE_STEPS; j++)
-            y[j] = k->weights[row]((float)j / (float)FIGURE_STEPS).w[i];
+            y[j] = nkw_cubic_weights(k->kind, row, (float)j / (float)FIGURE_STEPS).w[i];
         figure_graph(s, &plot, y, &paint);
     }
 }
@@ -153,8 +146,8 @@ static void tangents(svg *s, svg_box box, int k)
     controls_of(k, c);
     for (int end = 0; end < 2; end++) {
         float t = (float)end;
-        nkw_weights w = kinds[k].weights[1](t);
-        nkw_vec3 v = nkw_vec3_weigh(w, c[0], c[1], c[2], c[3]);
+        nkw_weights w = nkw_cubic_weights(kinds[k].kind, 1, t);
+        nkw_vec3 v = nkw_vec3_weighted_sum(w, c[0], c[1], c[2], c[3]);
         nkw_vec3 p = curve_at(k, t), from = nkw_vec3_add_scaled(p, v, -t / 3.0f);
         svg_arrow(s, on_panel(box, from), on_panel(box, nkw_vec3_add_scaled(from, v, 1.0f / 3.0f)), &paint);
     }

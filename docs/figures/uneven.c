@@ -33,7 +33,8 @@ static float value_at(size_t k, float t, int timed)
 {
     float h[4], p[4];
     around(k, h, p);
-    return timed ? nkw_catmull_rom_timed(h, p[0], p[1], p[2], p[3], t) : nkw_catmull_rom(p[0], p[1], p[2], p[3], t);
+    return timed ? nkw_catmull_rom_nonuniform(h, p[0], p[1], p[2], p[3], t)
+                 : nkw_catmull_rom(p[0], p[1], p[2], p[3], t);
 }
 
 /* Per second. */
@@ -44,9 +45,10 @@ static float velocity_at(size_t k, float t, int timed)
     float duration = h[2] - h[1];
     float v1 = nkw_catmull_rom_tangent(p[0], p[1], p[2], h[1] - h[0], duration);
     float v2 = nkw_catmull_rom_tangent(p[1], p[2], p[3], duration, h[3] - h[2]);
-    nkw_weights by_time = nkw_hermite_velocity_weights(t), uniform = nkw_catmull_rom_velocity_weights(t);
-    float slope = timed ? nkw_weigh(by_time, p[1], v1 * duration, p[2], v2 * duration)
-                        : nkw_weigh(uniform, p[0], p[1], p[2], p[3]);
+    nkw_weights by_time = nkw_cubic_weights(NKW_CUBIC_HERMITE, 1, t);
+    nkw_weights uniform = nkw_cubic_weights(NKW_CUBIC_CATMULL_ROM, 1, t);
+    float slope = timed ? nkw_weighted_sum(by_time, p[1], v1 * duration, p[2], v2 * duration)
+                        : nkw_weighted_sum(uniform, p[0], p[1], p[2], p[3]);
     return slope / duration;
 }
 
@@ -114,7 +116,7 @@ int figure_curve_uneven(const char *path)
     for (int k = 0; k < KEYS; k++)
         figure_key(&s, svg_plot_at(&value, times[k], motion(times[k])));
     figure_legend(&s, 70.0f, 708.0f, &uniform, "nkw_catmull_rom: uniform");
-    figure_legend(&s, 330.0f, 708.0f, &timed, "nkw_catmull_rom_timed");
+    figure_legend(&s, 330.0f, 708.0f, &timed, "nkw_catmull_rom_nonuniform");
     figure_legend(&s, 570.0f, 708.0f, &truth, "the motion the keys were taken from");
     return svg_close(&s);
 }

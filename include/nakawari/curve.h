@@ -15,9 +15,8 @@
  *     B-spline      c = p0, p1, p2, p3   from (p0 + 4 p1 + p2)/6 to (p1 + 4 p2 + p3)/6; twice differentiable
  *     Catmull-Rom   c = p0, p1, p2, p3   passes through p1 and p2, tangents (p2 - p0)/2 and (p3 - p1)/2
  *
- * The weights, and their first and second derivatives by t, are functions of their own: value, velocity and
- * acceleration come from the same place, and a reader can compare coefficient by coefficient. Over one t they
- * serve any number of components: nkw_weigh.
+ * nkw_cubic_weights returns the weights, and their first and second derivatives by t for velocity and acceleration.
+ * Over one t they serve any number of components: nkw_weighted_sum.
  *
  * The curve functions evaluate the same polynomial relative to the end nearer to t, which is the most exact form
  * known in binary32, and Bezier's in binary64, which has no cheap one: end points come back bit for bit, a constant
@@ -25,7 +24,7 @@
  * the B-spline's as far as |t| = 2^42, where t^3 is a float.
  *
  * Tangents are per segment: the change of p over 0 <= t <= 1. Multiply a tangent per second (glTF) by the
- * segment's duration: nkw_per_segment_from_per_second.
+ * segment's duration: nkw_vec3_scale(tangent, duration).
  */
 #ifndef NAKAWARI_CURVE_H
 #define NAKAWARI_CURVE_H
@@ -41,108 +40,55 @@ typedef struct nkw_weights {
     float w[4];
 } nkw_weights;
 
-/** The four control values of one cubic segment, in the order of its kind. */
-typedef struct nkw_cubic {
-    float c[4];
-} nkw_cubic;
-
 /** The four control points of one cubic segment, in the order of its kind. */
 typedef struct nkw_vec3_cubic {
     nkw_vec3 c[4];
 } nkw_vec3_cubic;
 
-/**
- * Hermite weights of p0, v0, p1, v1, with s = 1 - t; each is a product, so none cancels:
- *
- *     (1 + 2t) s^2,   t s^2,   t^2 (3 - 2t),   -t^2 s
- *
- * that is 2t^3 - 3t^2 + 1, t^3 - 2t^2 + t, -2t^3 + 3t^2, t^3 - t^2.
- *
- * Error  1.9 u absolute each, for t in 0..1 (u = 2^-24).
- */
-NKW_API nkw_weights nkw_hermite_weights(float t);
-/**
- * Their first derivative: -6ts, (s - 2t)s, 6ts, (t - 2s)t.
- *
- * Error  3.3 u absolute each, for t in 0..1 (u = 2^-24).
- */
-NKW_API nkw_weights nkw_hermite_velocity_weights(float t);
-/**
- * Their second derivative: 12t - 6, 6t - 4, 6 - 12t, 6t - 2.
- *
- * Error  8.0 u absolute each, for t in 0..1 (u = 2^-24).
- */
-NKW_API nkw_weights nkw_hermite_acceleration_weights(float t);
+/** A kind of cubic curve. Any other number is read as NKW_CUBIC_HERMITE. */
+typedef enum nkw_cubic_kind {
+    NKW_CUBIC_HERMITE, /**< control values p0, v0, p1, v1 */
+    NKW_CUBIC_BEZIER, /**< p0, p1, p2, p3 */
+    NKW_CUBIC_BSPLINE, /**< p0, p1, p2, p3; uniform */
+    NKW_CUBIC_CATMULL_ROM /**< p0, p1, p2, p3; uniform */
+} nkw_cubic_kind;
 
 /**
- * Bernstein weights s^3, 3s^2 t, 3s t^2, t^3 with s = 1 - t.
+ * The four basis weights of a kind at t, or their derivative by t. With s = 1 - t:
  *
- * Error  2.5 u absolute each, for t in 0..1 (u = 2^-24).
+ *     Hermite       (1 + 2t) s^2,   t s^2,   t^2 (3 - 2t),   -t^2 s
+ *       first       -6 t s,   (s - 2t) s,   6 t s,   (t - 2s) t
+ *       second      12t - 6,   6t - 4,   6 - 12t,   6t - 2
+ *     Bezier        s^3,   3 s^2 t,   3 s t^2,   t^3                            (Bernstein)
+ *       first       -3 s^2,   3 s (s - 2t),   3 t (2s - t),   3 t^2
+ *       second      6s,   18t - 12,   6 - 18t,   6t
+ *     B-spline      s^3/6,   (4 + 3 t^2 (t - 2))/6,   (4 + 3 s^2 (s - 2))/6,   t^3/6
+ *       first       -s^2/2,   -t (4s + t)/2,   s (s + 4t)/2,   t^2/2
+ *       second      s,   3t - 2,   1 - 3t,   t
+ *     Catmull-Rom   -t s^2/2,   s (1 + t - 3t^2/2),   t (1 + s - 3s^2/2),   -t^2 s/2
+ *       first       s (2t - s)/2,   -t (10s + t)/2,   s (s + 10t)/2,   t (t - 2s)/2
+ *       second      2 - 3t,   9t - 5,   4 - 9t,   3t - 1
+ *
+ * derivative   0 the weights, 1 their first derivative, 2 their second; any other number is read as 0
+ *
+ * Error  1.0 u of the number in this table, absolute, for t in 0..1 (u = 2^-24):
+ *
+ *     derivative    0     1     2
+ *     Hermite       1.9   3.3   8.0
+ *     Bezier        2.5   7.1   16.0
+ *     B-spline      1.8   1.9   2.0
+ *     Catmull-Rom   2.6   4.5   8.0
  */
-NKW_API nkw_weights nkw_bezier_weights(float t);
-/**
- * Their first derivative: -3s^2, 3s(s - 2t), 3t(2s - t), 3t^2.
- *
- * Error  7.1 u absolute each, for t in 0..1 (u = 2^-24).
- */
-NKW_API nkw_weights nkw_bezier_velocity_weights(float t);
-/**
- * Their second derivative: 6s, 18t - 12, 6 - 18t, 6t.
- *
- * Error  16.0 u absolute each, for t in 0..1 (u = 2^-24).
- */
-NKW_API nkw_weights nkw_bezier_acceleration_weights(float t);
-
-/**
- * Uniform cubic B-spline weights with s = 1 - t:
- *
- *     s^3/6,   (4 + 3t^2 (t - 2))/6,   (4 + 3s^2 (s - 2))/6,   t^3/6
- *
- * Error  1.8 u absolute each, for t in 0..1 (u = 2^-24).
- */
-NKW_API nkw_weights nkw_bspline_weights(float t);
-/**
- * Their first derivative: -s^2/2, -t(4s + t)/2, s(s + 4t)/2, t^2/2.
- *
- * Error  1.9 u absolute each, for t in 0..1 (u = 2^-24).
- */
-NKW_API nkw_weights nkw_bspline_velocity_weights(float t);
-/**
- * Their second derivative: s, 3t - 2, 1 - 3t, t.
- *
- * Error  2.0 u absolute each, for t in 0..1 (u = 2^-24).
- */
-NKW_API nkw_weights nkw_bspline_acceleration_weights(float t);
-
-/**
- * Uniform Catmull-Rom weights with s = 1 - t:
- *
- *     -t s^2/2,   s (1 + t - 3t^2/2),   t (1 + s - 3s^2/2),   -t^2 s/2
- *
- * Error  2.6 u absolute each, for t in 0..1 (u = 2^-24).
- */
-NKW_API nkw_weights nkw_catmull_rom_weights(float t);
-/**
- * Their first derivative: s(2t - s)/2, -t(10s + t)/2, s(s + 10t)/2, t(t - 2s)/2.
- *
- * Error  4.5 u absolute each, for t in 0..1 (u = 2^-24).
- */
-NKW_API nkw_weights nkw_catmull_rom_velocity_weights(float t);
-/**
- * Their second derivative: 2 - 3t, 9t - 5, 4 - 9t, 3t - 1.
- *
- * Error  8.0 u absolute each, for t in 0..1 (u = 2^-24).
- */
-NKW_API nkw_weights nkw_catmull_rom_acceleration_weights(float t);
+NKW_API nkw_weights nkw_cubic_weights(nkw_cubic_kind kind, int derivative, float t);
 
 /**
  * The weighted sum (w0 c0 + w1 c1) + (w2 c2 + w3 c3).
  *
  * Error  3.0 u of |w0 c0| + |w1 c1| + |w2 c2| + |w3 c3|.
  */
-NKW_API float nkw_weigh(nkw_weights weights, float c0, float c1, float c2, float c3);
-/** The weighted sum of vectors, each component as nkw_weigh. */
-NKW_API nkw_vec3 nkw_vec3_weigh(nkw_weights weights, nkw_vec3 c0, nkw_vec3 c1, nkw_vec3 c2, nkw_vec3 c3);
+NKW_API float nkw_weighted_sum(nkw_weights weights, float c0, float c1, float c2, float c3);
+/** The weighted sum of vectors, each component as nkw_weighted_sum. */
+NKW_API nkw_vec3 nkw_vec3_weighted_sum(nkw_weights weights, nkw_vec3 c0, nkw_vec3 c1, nkw_vec3 c2, nkw_vec3 c3);
 
 /**
  * The Hermite curve from p0 to p1 with tangents v0, v1 per segment. Exactly p0 at t = 0 and p1 at t = 1.
@@ -212,36 +158,26 @@ NKW_API nkw_vec3 nkw_vec3_catmull_rom_tangent(nkw_vec3 p0, nkw_vec3 p1, nkw_vec3
  *
  * Error  2.5 u of the largest of the control values and tangents per segment, for t in 0..1.
  */
-NKW_API float nkw_catmull_rom_timed(const float times[4], float p0, float p1, float p2, float p3, float t);
-/** The timed Catmull-Rom segment of vectors, each component as nkw_catmull_rom_timed. */
-NKW_API nkw_vec3 nkw_vec3_catmull_rom_timed(const float times[4], nkw_vec3 p0, nkw_vec3 p1, nkw_vec3 p2,
-                                            nkw_vec3 p3, float t);
+NKW_API float nkw_catmull_rom_nonuniform(const float times[4], float p0, float p1, float p2, float p3, float t);
+/** The non-uniform Catmull-Rom segment of vectors, each component as nkw_catmull_rom_nonuniform. */
+NKW_API nkw_vec3 nkw_vec3_catmull_rom_nonuniform(const float times[4], nkw_vec3 p0, nkw_vec3 p1, nkw_vec3 p2,
+                                                 nkw_vec3 p3, float t);
 
 /**
- * The same segment in the terms of another kind. With p, v Hermite, b Bezier, d B-spline control values:
+ * The same segment in the terms of another kind, each component separately. With p, v Hermite, b Bezier, d B-spline
+ * control points:
  *
  *     b = p0, p0 + v0/3, p1 - v1/3, p1
  *     p = b0, b3,    v = 3 (b1 - b0), 3 (b3 - b2)
  *     b = (d0 + 4 d1 + d2)/6, (2 d1 + d2)/3, (d1 + 2 d2)/3, (d1 + 4 d2 + d3)/6
- *     d = 6 b0 - 7 b1 + 2 b2, 2 b1 - b2, 2 b2 - b1, 2 b1 - 7 b2 + 6 b3
  *
- * Exact in the mathematical sense; worked out in binary64, each value rounded once.
+ * Exact in the mathematical sense; computed in binary64, each value rounded once.
  *
  * Error  1.0 u of the largest control value of the two segments.
  */
-NKW_API nkw_cubic nkw_bezier_from_hermite(const nkw_cubic *hermite);
-NKW_API nkw_cubic nkw_hermite_from_bezier(const nkw_cubic *bezier);
-NKW_API nkw_cubic nkw_bezier_from_bspline(const nkw_cubic *bspline);
-NKW_API nkw_cubic nkw_bspline_from_bezier(const nkw_cubic *bezier);
-NKW_API nkw_cubic nkw_hermite_from_bspline(const nkw_cubic *bspline);
-NKW_API nkw_cubic nkw_bspline_from_hermite(const nkw_cubic *hermite);
-/** The same of vectors, each component for itself. */
 NKW_API nkw_vec3_cubic nkw_vec3_bezier_from_hermite(const nkw_vec3_cubic *hermite);
 NKW_API nkw_vec3_cubic nkw_vec3_hermite_from_bezier(const nkw_vec3_cubic *bezier);
 NKW_API nkw_vec3_cubic nkw_vec3_bezier_from_bspline(const nkw_vec3_cubic *bspline);
-NKW_API nkw_vec3_cubic nkw_vec3_bspline_from_bezier(const nkw_vec3_cubic *bezier);
-NKW_API nkw_vec3_cubic nkw_vec3_hermite_from_bspline(const nkw_vec3_cubic *bspline);
-NKW_API nkw_vec3_cubic nkw_vec3_bspline_from_hermite(const nkw_vec3_cubic *hermite);
 
 /**
  * The two halves of a Bezier segment cut at t: the curve over 0..t and the curve over t..1, each a Bezier
@@ -251,52 +187,21 @@ NKW_API nkw_vec3_cubic nkw_vec3_bspline_from_hermite(const nkw_vec3_cubic *hermi
  * Error  1.0 u of the largest control value, for t in 0..1.
  * Source de Casteljau, Courbes et surfaces a poles, 1963.
  */
-NKW_API void nkw_bezier_split(const nkw_cubic *bezier, float t, nkw_cubic *left, nkw_cubic *right);
-/** The halves of a Bezier segment of vectors, each component as nkw_bezier_split. */
 NKW_API void nkw_vec3_bezier_split(const nkw_vec3_cubic *bezier, float t, nkw_vec3_cubic *left,
                                    nkw_vec3_cubic *right);
 
-/** A tangent per second times the segment's duration in seconds: a tangent per segment. */
-NKW_API nkw_vec3 nkw_per_segment_from_per_second(nkw_vec3 tangent, float duration);
-/** A tangent per segment divided by the duration: per second. A duration of 0 gives the zero vector. */
-NKW_API nkw_vec3 nkw_per_second_from_per_segment(nkw_vec3 tangent, float duration);
-
 /**
- * The curves over component arrays, each element with its own t; and, with _at_n, all at one t. See types.h for what
- * holds of all batch functions.
+ * The curves over component arrays: element i of the result is the curve of the elements i at t[i], with the bits of
+ * the single call. See types.h for the rules of all batch functions.
  */
-NKW_API void nkw_hermite_n(const float *p0, const float *v0, const float *p1, const float *v1, const float *t,
-                           float *out, size_t n);
-NKW_API void nkw_hermite_at_n(const float *p0, const float *v0, const float *p1, const float *v1, float t,
-                              float *out, size_t n);
-NKW_API void nkw_vec3_hermite_n(nkw_vec3_view p0, nkw_vec3_view v0, nkw_vec3_view p1, nkw_vec3_view v1,
-                                const float *t, nkw_vec3_span out, size_t n);
-NKW_API void nkw_vec3_hermite_at_n(nkw_vec3_view p0, nkw_vec3_view v0, nkw_vec3_view p1, nkw_vec3_view v1,
-                                   float t, nkw_vec3_span out, size_t n);
-NKW_API void nkw_bezier_n(const float *p0, const float *p1, const float *p2, const float *p3, const float *t,
-                          float *out, size_t n);
-NKW_API void nkw_bezier_at_n(const float *p0, const float *p1, const float *p2, const float *p3, float t,
-                             float *out, size_t n);
-NKW_API void nkw_vec3_bezier_n(nkw_vec3_view p0, nkw_vec3_view p1, nkw_vec3_view p2, nkw_vec3_view p3,
-                               const float *t, nkw_vec3_span out, size_t n);
-NKW_API void nkw_vec3_bezier_at_n(nkw_vec3_view p0, nkw_vec3_view p1, nkw_vec3_view p2, nkw_vec3_view p3,
-                                  float t, nkw_vec3_span out, size_t n);
-NKW_API void nkw_bspline_n(const float *p0, const float *p1, const float *p2, const float *p3, const float *t,
-                           float *out, size_t n);
-NKW_API void nkw_bspline_at_n(const float *p0, const float *p1, const float *p2, const float *p3, float t,
-                              float *out, size_t n);
-NKW_API void nkw_vec3_bspline_n(nkw_vec3_view p0, nkw_vec3_view p1, nkw_vec3_view p2, nkw_vec3_view p3,
-                                const float *t, nkw_vec3_span out, size_t n);
-NKW_API void nkw_vec3_bspline_at_n(nkw_vec3_view p0, nkw_vec3_view p1, nkw_vec3_view p2, nkw_vec3_view p3,
-                                   float t, nkw_vec3_span out, size_t n);
-NKW_API void nkw_catmull_rom_n(const float *p0, const float *p1, const float *p2, const float *p3, const float *t,
-                               float *out, size_t n);
-NKW_API void nkw_catmull_rom_at_n(const float *p0, const float *p1, const float *p2, const float *p3, float t,
-                                  float *out, size_t n);
+NKW_API void nkw_vec3_hermite_n(nkw_vec3_view p0, nkw_vec3_view v0, nkw_vec3_view p1, nkw_vec3_view v1, const float *t,
+                                nkw_vec3_span out, size_t n);
+NKW_API void nkw_vec3_bezier_n(nkw_vec3_view p0, nkw_vec3_view p1, nkw_vec3_view p2, nkw_vec3_view p3, const float *t,
+                               nkw_vec3_span out, size_t n);
+NKW_API void nkw_vec3_bspline_n(nkw_vec3_view p0, nkw_vec3_view p1, nkw_vec3_view p2, nkw_vec3_view p3, const float *t,
+                                nkw_vec3_span out, size_t n);
 NKW_API void nkw_vec3_catmull_rom_n(nkw_vec3_view p0, nkw_vec3_view p1, nkw_vec3_view p2, nkw_vec3_view p3,
                                     const float *t, nkw_vec3_span out, size_t n);
-NKW_API void nkw_vec3_catmull_rom_at_n(nkw_vec3_view p0, nkw_vec3_view p1, nkw_vec3_view p2, nkw_vec3_view p3,
-                                       float t, nkw_vec3_span out, size_t n);
 
 #ifdef __cplusplus
 }

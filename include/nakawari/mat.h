@@ -90,10 +90,6 @@ NKW_API nkw_mat3 nkw_mat3_normal(const nkw_mat3 *m);
  */
 NKW_API nkw_mat3 nkw_mat3_orthonormalize(const nkw_mat3 *m);
 
-/** Nine floats stored row by row (row r, column c at r * 3 + c), and back. */
-NKW_API nkw_mat3 nkw_mat3_from_row_major(const float rows[9]);
-NKW_API void nkw_mat3_to_row_major(const nkw_mat3 *m, float rows[9]);
-
 /** The identity matrix. */
 NKW_ALGEBRA nkw_mat4 nkw_mat4_identity(void);
 /** The affine matrix with the 3x3 block m and a translation. */
@@ -174,19 +170,15 @@ NKW_API nkw_mat4 nkw_mat4_inverse_affine(const nkw_mat4 *m);
 NKW_ALGEBRA nkw_mat4 nkw_mat4_inverse_rigid(const nkw_mat4 *m);
 
 /**
- * The world is written down in four ways. Two layouts, 16 floats each:
+ * Other layouts, 16 floats each:
  *
- *     columns of column vectors   this library, OpenGL, glTF, GLM     as it lies
- *     rows of row vectors         D3DX, DirectXMath, XNA              the same bytes: copy
+ *     columns of column vectors   this library, OpenGL, glTF, GLM     the same bytes
+ *     rows of row vectors         D3DX, DirectXMath, XNA              the same bytes
  *     rows of column vectors      vecmath, HLSL row_major, NumPy      transposed: _row_major
  *     columns of row vectors      (rare)                              transposed: _row_major
- *
- * from_row_vectors copies v' = v M stored row by row; from_row_major transposes the storage.
  */
 NKW_API nkw_mat4 nkw_mat4_from_row_major(const float rows[16]);
 NKW_API void nkw_mat4_to_row_major(const nkw_mat4 *m, float rows[16]);
-NKW_API nkw_mat4 nkw_mat4_from_row_vectors(const float rows[16]);
-NKW_API void nkw_mat4_to_row_vectors(const nkw_mat4 *m, float rows[16]);
 
 /** The first three rows of the affine m, and back with the last row 0 0 0 1. Every bit is kept. */
 NKW_API nkw_mat3x4 nkw_mat3x4_from_mat4(const nkw_mat4 *m);

@@ -171,8 +171,6 @@ NKW_API void nkw_quat_to_wxyz(nkw_quat q, float wxyz[4]);
  * the single call. See types.h for what holds of all batch functions.
  */
 NKW_API void nkw_quat_mul_n(nkw_quat_view a, nkw_quat_view b, nkw_quat_span out, size_t n);
-NKW_API void nkw_quat_conjugate_n(nkw_quat_view q, nkw_quat_span out, size_t n);
-NKW_API void nkw_quat_dot_n(nkw_quat_view a, nkw_quat_view b, float *out, size_t n);
 NKW_API void nkw_quat_normalize_n(nkw_quat_view q, nkw_quat_span out, size_t n);
 NKW_API void nkw_quat_rotate_n(nkw_quat_view q, nkw_vec3_view v, nkw_vec3_span out, size_t n);
 NKW_API void nkw_quat_from_mat3_n(nkw_mat3_view m, nkw_quat_span out, size_t n);

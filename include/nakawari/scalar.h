@@ -344,26 +344,8 @@ NKW_API float nkw_angle_difference(float from, float to);
 
 /* ---- arrays ---- */
 
-/**
- * The same functions over n elements: out[i] = f(x[i]), with the very bits of the single call. See types.h for what
- * holds of all batch functions.
- */
-NKW_API void nkw_sqrt_n(const float *x, float *out, size_t n);
-NKW_API void nkw_sin_n(const float *angle, float *out, size_t n);
-NKW_API void nkw_cos_n(const float *angle, float *out, size_t n);
+/** nkw_sincos of n angles, with the bits of the single call. See types.h for the rules of all batch functions. */
 NKW_API void nkw_sincos_n(const float *angle, float *sine, float *cosine, size_t n);
-NKW_API void nkw_tan_n(const float *angle, float *out, size_t n);
-NKW_API void nkw_asin_n(const float *x, float *out, size_t n);
-NKW_API void nkw_acos_n(const float *x, float *out, size_t n);
-NKW_API void nkw_atan_n(const float *x, float *out, size_t n);
-NKW_API void nkw_atan2_n(const float *y, const float *x, float *out, size_t n);
-NKW_API void nkw_exp_n(const float *x, float *out, size_t n);
-NKW_API void nkw_log_n(const float *x, float *out, size_t n);
-NKW_API void nkw_pow_n(const float *x, const float *y, float *out, size_t n);
-NKW_API void nkw_wrap_angle_n(const float *angle, float *out, size_t n);
-NKW_API void nkw_lerp_n(const float *a, const float *b, const float *t, float *out, size_t n);
-/** Every element at the same t. */
-NKW_API void nkw_lerp_at_n(const float *a, const float *b, float t, float *out, size_t n);
 
 #ifdef __cplusplus
 }

@@ -141,14 +141,6 @@ NKW_ALGEBRA int nkw_vec3_is_finite(nkw_vec3 a);
  * The same functions over component arrays: element i of the result is f of the elements i, with the very bits of
  * the single call. See types.h for what holds of all batch functions.
  */
-NKW_API void nkw_vec3_add_n(nkw_vec3_view a, nkw_vec3_view b, nkw_vec3_span out, size_t n);
-NKW_API void nkw_vec3_sub_n(nkw_vec3_view a, nkw_vec3_view b, nkw_vec3_span out, size_t n);
-NKW_API void nkw_vec3_mul_n(nkw_vec3_view a, nkw_vec3_view b, nkw_vec3_span out, size_t n);
-NKW_API void nkw_vec3_scale_n(nkw_vec3_view a, const float *s, nkw_vec3_span out, size_t n);
-NKW_API void nkw_vec3_add_scaled_n(nkw_vec3_view a, nkw_vec3_view b, const float *s, nkw_vec3_span out, size_t n);
-NKW_API void nkw_vec3_dot_n(nkw_vec3_view a, nkw_vec3_view b, float *out, size_t n);
-NKW_API void nkw_vec3_cross_n(nkw_vec3_view a, nkw_vec3_view b, nkw_vec3_span out, size_t n);
-NKW_API void nkw_vec3_length_n(nkw_vec3_view a, float *out, size_t n);
 NKW_API void nkw_vec3_normalize_n(nkw_vec3_view a, nkw_vec3_span out, size_t n);
 NKW_API void nkw_vec3_lerp_n(nkw_vec3_view a, nkw_vec3_view b, const float *t, nkw_vec3_span out, size_t n);
 /** Every element at the same t. */

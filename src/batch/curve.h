@@ -9,22 +9,10 @@
 
 /* clang-format off */
 #define NKW_LOOPS_CURVE(X) \
-    X(nkw_hermite_n, (const float *a, const float *b, const float *c, const float *d, const float *t, float *out, size_t n), (a, b, c, d, t, out, n), n) \
-    X(nkw_hermite_at_n, (const float *a, const float *b, const float *c, const float *d, float t, float *out, size_t n), (a, b, c, d, t, out, n), n) \
     X(nkw_vec3_hermite_n, (nkw_vec3_view a, nkw_vec3_view b, nkw_vec3_view c, nkw_vec3_view d, const float *t, nkw_vec3_span out, size_t n), (a, b, c, d, t, out, n), n) \
-    X(nkw_vec3_hermite_at_n, (nkw_vec3_view a, nkw_vec3_view b, nkw_vec3_view c, nkw_vec3_view d, float t, nkw_vec3_span out, size_t n), (a, b, c, d, t, out, n), n) \
-    X(nkw_bezier_n, (const float *a, const float *b, const float *c, const float *d, const float *t, float *out, size_t n), (a, b, c, d, t, out, n), n) \
-    X(nkw_bezier_at_n, (const float *a, const float *b, const float *c, const float *d, float t, float *out, size_t n), (a, b, c, d, t, out, n), n) \
     X(nkw_vec3_bezier_n, (nkw_vec3_view a, nkw_vec3_view b, nkw_vec3_view c, nkw_vec3_view d, const float *t, nkw_vec3_span out, size_t n), (a, b, c, d, t, out, n), n) \
-    X(nkw_vec3_bezier_at_n, (nkw_vec3_view a, nkw_vec3_view b, nkw_vec3_view c, nkw_vec3_view d, float t, nkw_vec3_span out, size_t n), (a, b, c, d, t, out, n), n) \
-    X(nkw_bspline_n, (const float *a, const float *b, const float *c, const float *d, const float *t, float *out, size_t n), (a, b, c, d, t, out, n), n) \
-    X(nkw_bspline_at_n, (const float *a, const float *b, const float *c, const float *d, float t, float *out, size_t n), (a, b, c, d, t, out, n), n) \
     X(nkw_vec3_bspline_n, (nkw_vec3_view a, nkw_vec3_view b, nkw_vec3_view c, nkw_vec3_view d, const float *t, nkw_vec3_span out, size_t n), (a, b, c, d, t, out, n), n) \
-    X(nkw_vec3_bspline_at_n, (nkw_vec3_view a, nkw_vec3_view b, nkw_vec3_view c, nkw_vec3_view d, float t, nkw_vec3_span out, size_t n), (a, b, c, d, t, out, n), n) \
-    X(nkw_catmull_rom_n, (const float *a, const float *b, const float *c, const float *d, const float *t, float *out, size_t n), (a, b, c, d, t, out, n), n) \
-    X(nkw_catmull_rom_at_n, (const float *a, const float *b, const float *c, const float *d, float t, float *out, size_t n), (a, b, c, d, t, out, n), n) \
-    X(nkw_vec3_catmull_rom_n, (nkw_vec3_view a, nkw_vec3_view b, nkw_vec3_view c, nkw_vec3_view d, const float *t, nkw_vec3_span out, size_t n), (a, b, c, d, t, out, n), n) \
-    X(nkw_vec3_catmull_rom_at_n, (nkw_vec3_view a, nkw_vec3_view b, nkw_vec3_view c, nkw_vec3_view d, float t, nkw_vec3_span out, size_t n), (a, b, c, d, t, out, n), n)
+    X(nkw_vec3_catmull_rom_n, (nkw_vec3_view a, nkw_vec3_view b, nkw_vec3_view c, nkw_vec3_view d, const float *t, nkw_vec3_span out, size_t n), (a, b, c, d, t, out, n), n)
 /* clang-format on */
 
 NKW_LOOPS_CURVE(NKW_DECLARE)

@@ -16,20 +16,6 @@ NKW_LOOP(nkw_quat_mul_n)(nkw_quat_view a, nkw_quat_view b, nkw_quat_span out, si
         put_quat(out, i, nkw_quat_mul(at_quat(a, i), at_quat(b, i)));
 }
 
-NKW_LOOP(nkw_quat_conjugate_n)(nkw_quat_view q, nkw_quat_span out, size_t n)
-{
-#pragma omp simd
-    for (size_t i = 0; i < n; i++)
-        put_quat(out, i, nkw_quat_conjugate(at_quat(q, i)));
-}
-
-NKW_LOOP(nkw_quat_dot_n)(nkw_quat_view a, nkw_quat_view b, float *out, size_t n)
-{
-#pragma omp simd
-    for (size_t i = 0; i < n; i++)
-        out[i] = nkw_quat_dot(at_quat(a, i), at_quat(b, i));
-}
-
 NKW_LOOP(nkw_quat_normalize_n)(nkw_quat_view q, nkw_quat_span out, size_t n)
 {
 #pragma omp simd

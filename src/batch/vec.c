@@ -9,62 +9,6 @@
 
 NKW_LOOPS_VEC(NKW_DECLARE_LOOP)
 
-NKW_LOOP(nkw_vec3_add_n)(nkw_vec3_view a, nkw_vec3_view b, nkw_vec3_span out, size_t n)
-{
-#pragma omp simd
-    for (size_t i = 0; i < n; i++)
-        put_vec3(out, i, nkw_vec3_add(at_vec3(a, i), at_vec3(b, i)));
-}
-
-NKW_LOOP(nkw_vec3_sub_n)(nkw_vec3_view a, nkw_vec3_view b, nkw_vec3_span out, size_t n)
-{
-#pragma omp simd
-    for (size_t i = 0; i < n; i++)
-        put_vec3(out, i, nkw_vec3_sub(at_vec3(a, i), at_vec3(b, i)));
-}
-
-NKW_LOOP(nkw_vec3_mul_n)(nkw_vec3_view a, nkw_vec3_view b, nkw_vec3_span out, size_t n)
-{
-#pragma omp simd
-    for (size_t i = 0; i < n; i++)
-        put_vec3(out, i, nkw_vec3_mul(at_vec3(a, i), at_vec3(b, i)));
-}
-
-NKW_LOOP(nkw_vec3_scale_n)(nkw_vec3_view a, const float *s, nkw_vec3_span out, size_t n)
-{
-#pragma omp simd
-    for (size_t i = 0; i < n; i++)
-        put_vec3(out, i, nkw_vec3_scale(at_vec3(a, i), s[i]));
-}
-
-NKW_LOOP(nkw_vec3_add_scaled_n)(nkw_vec3_view a, nkw_vec3_view b, const float *s, nkw_vec3_span out, size_t n)
-{
-#pragma omp simd
-    for (size_t i = 0; i < n; i++)
-        put_vec3(out, i, nkw_vec3_add_scaled(at_vec3(a, i), at_vec3(b, i), s[i]));
-}
-
-NKW_LOOP(nkw_vec3_dot_n)(nkw_vec3_view a, nkw_vec3_view b, float *out, size_t n)
-{
-#pragma omp simd
-    for (size_t i = 0; i < n; i++)
-        out[i] = nkw_vec3_dot(at_vec3(a, i), at_vec3(b, i));
-}
-
-NKW_LOOP(nkw_vec3_cross_n)(nkw_vec3_view a, nkw_vec3_view b, nkw_vec3_span out, size_t n)
-{
-#pragma omp simd
-    for (size_t i = 0; i < n; i++)
-        put_vec3(out, i, nkw_vec3_cross(at_vec3(a, i), at_vec3(b, i)));
-}
-
-NKW_LOOP(nkw_vec3_length_n)(nkw_vec3_view a, float *out, size_t n)
-{
-#pragma omp simd
-    for (size_t i = 0; i < n; i++)
-        out[i] = lane_vec3_length(at_vec3(a, i));
-}
-
 NKW_LOOP(nkw_vec3_normalize_n)(nkw_vec3_view a, nkw_vec3_span out, size_t n)
 {
 #pragma omp simd

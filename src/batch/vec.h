@@ -9,14 +9,6 @@
 
 /* clang-format off */
 #define NKW_LOOPS_VEC(X) \
-    X(nkw_vec3_add_n, (nkw_vec3_view a, nkw_vec3_view b, nkw_vec3_span out, size_t n), (a, b, out, n), n) \
-    X(nkw_vec3_sub_n, (nkw_vec3_view a, nkw_vec3_view b, nkw_vec3_span out, size_t n), (a, b, out, n), n) \
-    X(nkw_vec3_mul_n, (nkw_vec3_view a, nkw_vec3_view b, nkw_vec3_span out, size_t n), (a, b, out, n), n) \
-    X(nkw_vec3_scale_n, (nkw_vec3_view a, const float *s, nkw_vec3_span out, size_t n), (a, s, out, n), n) \
-    X(nkw_vec3_add_scaled_n, (nkw_vec3_view a, nkw_vec3_view b, const float *s, nkw_vec3_span out, size_t n), (a, b, s, out, n), n) \
-    X(nkw_vec3_dot_n, (nkw_vec3_view a, nkw_vec3_view b, float *out, size_t n), (a, b, out, n), n) \
-    X(nkw_vec3_cross_n, (nkw_vec3_view a, nkw_vec3_view b, nkw_vec3_span out, size_t n), (a, b, out, n), n) \
-    X(nkw_vec3_length_n, (nkw_vec3_view a, float *out, size_t n), (a, out, n), n) \
     X(nkw_vec3_normalize_n, (nkw_vec3_view a, nkw_vec3_span out, size_t n), (a, out, n), n) \
     X(nkw_vec3_lerp_n, (nkw_vec3_view a, nkw_vec3_view b, const float *t, nkw_vec3_span out, size_t n), (a, b, t, out, n), n) \
     X(nkw_vec3_lerp_at_n, (nkw_vec3_view a, nkw_vec3_view b, float t, nkw_vec3_span out, size_t n), (a, b, t, out, n), n) \

@@ -127,22 +127,10 @@ static inline float lane_catmull_rom_tangent(float p0, float p1, float p2, float
     return (float)((d0 * w0 + d1 * w1) / (w0 + w1 > 0.0 ? w0 + w1 : 1.0));
 }
 
-/* Conversions between the kinds, see nkw_bezier_from_hermite: in binary64, each value rounded once. */
+/* Conversions between the kinds, see nkw_vec3_bezier_from_hermite: in binary64, each value rounded once. */
 typedef struct lane_wcubic {
     double c[4];
 } lane_wcubic;
-
-static inline lane_wcubic lane_wcubic_from(nkw_cubic a)
-{
-    lane_wcubic r = {{a.c[0], a.c[1], a.c[2], a.c[3]}};
-    return r;
-}
-
-static inline nkw_cubic lane_cubic_from_wide(lane_wcubic a)
-{
-    nkw_cubic r = {{(float)a.c[0], (float)a.c[1], (float)a.c[2], (float)a.c[3]}};
-    return r;
-}
 
 static inline lane_wcubic lane_bezier_from_hermite(lane_wcubic h)
 {
@@ -168,28 +156,6 @@ static inline lane_wcubic lane_bezier_from_bspline(lane_wcubic d)
         ((c[1] + 4.0 * c[2]) + c[3]) / 6.0,
     }};
     return r;
-}
-
-static inline lane_wcubic lane_bspline_from_bezier(lane_wcubic b)
-{
-    const double *c = b.c;
-    lane_wcubic r = {{
-        (6.0 * c[0] - 7.0 * c[1]) + 2.0 * c[2],
-        2.0 * c[1] - c[2],
-        2.0 * c[2] - c[1],
-        (2.0 * c[1] - 7.0 * c[2]) + 6.0 * c[3],
-    }};
-    return r;
-}
-
-static inline lane_wcubic lane_hermite_from_bspline(lane_wcubic d)
-{
-    return lane_hermite_from_bezier(lane_bezier_from_bspline(d));
-}
-
-static inline lane_wcubic lane_bspline_from_hermite(lane_wcubic h)
-{
-    return lane_bspline_from_bezier(lane_bezier_from_hermite(h));
 }
 
 /* De Casteljau's triangle; its two sides are the halves. */

@@ -6,7 +6,7 @@ set(fours palette_4x4 palette_3x4 skin_blend skin_blend_normals skin_blend_dual_
 set(packed_fours "v?(mul|add)ps .*%[xy]mm")
 # Eight lanes at a time, on AVX-512 too.
 set(eights models_from_pose)
-set(moves vec3_unpack vec3_pack quat_unpack quat_pack mat4_unpack mat4_pack quat_conjugate
+set(moves vec3_unpack vec3_pack quat_unpack quat_pack mat4_unpack mat4_pack
   clip_hold skin_read skin_write crowd_from_poses crowd_to_matrices)
 set(packed_generic "(mul|add|sub|div|sqrt)p[sd] .*%xmm")
 set(packed_avx2 "v(mul|add|sub|div|sqrt)p[sd] .*%ymm")

@@ -26,7 +26,7 @@ typedef struct input {
     nkw_mat4 m, n;
     nkw_mat3 r;
     nkw_trs trs;
-    nkw_cubic cubic;
+    float cubic[4];
     float times[4];
     nkw_keyframe keys[5];
     nkw_euler_order order;
@@ -80,7 +80,7 @@ static void draw(random_source *r, input *i)
     for (unsigned k = 0; k < 8; k++) {
         i->x[k] = random_finite(r);
         i->s[k] = random_scaled(r, -6, 3);
-        i->cubic.c[k % 4] = i->s[k];
+        i->cubic[k % 4] = i->s[k];
     }
     uint64_t bits = random_bits(r);
     i->t = bits % 16 == 0 ? 0.0f : bits % 16 == 1 ? 1.0f : random_unit(r);
@@ -101,9 +101,20 @@ static void put_weights(float *o, nkw_weights w)
     memcpy(o, &w, sizeof w);
 }
 
-static void put_cubic(float *o, nkw_cubic c)
+/* A cubic of numbers, as the x of one of vectors. */
+static nkw_vec3_cubic cubic_of(const float c[4])
 {
-    memcpy(o, &c, sizeof c);
+    nkw_vec3_cubic r;
+    memset(&r, 0, sizeof r);
+    for (unsigned k = 0; k < 4; k++)
+        r.c[k].x = c[k];
+    return r;
+}
+
+static void put_cubic(float *o, const nkw_vec3_cubic *c)
+{
+    for (unsigned k = 0; k < 4; k++)
+        o[k] = c->c[k].x;
 }
 
 static void put_trs(float *o, nkw_trs t)
@@ -169,12 +180,18 @@ static void find_many(float *o, const input *i)
     }
 }
 
-static void split(float *o, const nkw_cubic *c, float t)
+static void convert(float *o, nkw_vec3_cubic (*to)(const nkw_vec3_cubic *), const float c[4])
 {
-    nkw_cubic left, right;
-    nkw_bezier_split(c, t, &left, &right);
-    put_cubic(o, left);
-    put_cubic(o + 4, right);
+    nkw_vec3_cubic from = cubic_of(c), converted = to(&from);
+    put_cubic(o, &converted);
+}
+
+static void split(float *o, const float c[4], float t)
+{
+    nkw_vec3_cubic whole = cubic_of(c), left, right;
+    nkw_vec3_bezier_split(&whole, t, &left, &right);
+    put_cubic(o, &left);
+    put_cubic(o + 4, &right);
 }
 
 static void sample(float *o, const input *i, nkw_position_method position, nkw_orientation_method orientation)
