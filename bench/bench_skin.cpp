@@ -67,9 +67,9 @@ static std::shared_ptr<weighted> draw_weights(size_t influences)
         w->weight[i] = random_between(&r, 0.1f, 1);
     }
     nkw_skin_view from = {w->weight.data(), 0, NKW_SKIN_F32};
-    nkw_skin_normalize_weights(from, influences, {w->weight8.data(), 0, NKW_SKIN_U8}, pool);
-    nkw_skin_normalize_weights(from, influences, {w->weight16.data(), 0, NKW_SKIN_U16}, pool);
-    nkw_skin_normalize_weights(from, influences, {w->weight.data(), 0, NKW_SKIN_F32}, pool);
+    nkw_skin_normalize_weights(from, {w->weight8.data(), 0, NKW_SKIN_U8}, influences, pool);
+    nkw_skin_normalize_weights(from, {w->weight16.data(), 0, NKW_SKIN_U16}, influences, pool);
+    nkw_skin_normalize_weights(from, {w->weight.data(), 0, NKW_SKIN_F32}, influences, pool);
     return w;
 }
 
@@ -138,7 +138,7 @@ static nkw_skin skin_of(const weighted &w, kind sort, size_t n)
 
 /* Where the vectors lie, of the mesh and of the answer. */
 struct streams {
-    nkw_vertices in;
+    nkw_vertices_view in;
     nkw_vertices_span out;
 };
 
@@ -170,24 +170,15 @@ static void show_separate(size_t n, bool directed)
     }
 }
 
-struct arrays {
-    nkw_vertices_arrays in;
-    nkw_vertices_arrays_span out;
-};
-
-static arrays components(bool directed)
+static nkw_skin_palette palette_of(const nkw_mat3 *normal_matrices, bool raw)
 {
-    nkw_vec3_view at = {mesh.part[0], mesh.part[1], mesh.part[2]}, none = {};
-    nkw_vec3_view normal = {mesh.part[3], mesh.part[4], mesh.part[5]};
-    nkw_vec3_span to = {answer.part[0], answer.part[1], answer.part[2]}, nowhere = {};
-    nkw_vec3_span turned_to = {answer.part[3], answer.part[4], answer.part[5]};
-    return {{at, directed ? normal : none, none, none}, {to, directed ? turned_to : nowhere, nowhere, nowhere}};
+    return {{palette, joints, NKW_PALETTE_MAT4}, {normal_matrices, joints, NKW_PALETTE_NORMAL_MAT3}, raw};
 }
 
 static void own(const operation &all, std::shared_ptr<weighted> w, kind sort, bool raw)
 {
     bool directed = all.width == 6;
-    nkw_skin_palette p = {palette, nullptr, joints, raw};
+    nkw_skin_palette p = palette_of(nullptr, raw);
     for (size_t n : all.sizes) {
         operation op = all;
         op.sizes = {n};
@@ -204,10 +195,6 @@ static void own(const operation &all, std::shared_ptr<weighted> w, kind sort, bo
                 nkw_skin_linear(&skin, &p, &s.in, &s.out);
             },
             [=] { show_separate(n, directed); });
-        whole(op, "nkw _arrays", layout::components, [=] {
-            arrays a = components(directed);
-            nkw_skin_linear_arrays(&skin, &p, &a.in, &a.out);
-        });
     }
 }
 
@@ -315,7 +302,7 @@ static void two_passes(const operation &all, std::shared_ptr<weighted> w)
         op.sizes = {n};
         nkw_skin skin = skin_of(*w, kind::f32, n);
         whole(op, "nkw two passes", layout::structs, [=] {
-            nkw_skin_palette p = {palette, nullptr, joints, 0};
+            nkw_skin_palette p = palette_of(nullptr, false);
             streams first = interleaved(), second = first;
             first.in.normals = second.in.positions = {};
             nkw_skin_linear(&skin, &p, &first.in, &first.out);
@@ -333,7 +320,7 @@ static void with_tangents(std::shared_ptr<weighted> w)
         nkw_skin skin = skin_of(*w, kind::f32, n);
         whole(op, "nkw interleaved", layout::structs, [=] {
             static std::vector<nkw_vec3> tangents(pool);
-            nkw_skin_palette p = {palette, nullptr, joints, 0};
+            nkw_skin_palette p = palette_of(nullptr, false);
             streams s = interleaved();
             s.in.tangents = {positions.data(), 0}, s.out.tangents = {tangents.data(), 0};
             nkw_skin_linear(&skin, &p, &s.in, &s.out);
@@ -399,7 +386,7 @@ static void formats(std::shared_ptr<weighted> w)
         operation one = op;
         one.sizes = {n};
         whole(one, "nkw interleaved", layout::structs, [=] {
-            nkw_skin_palette p = {palette, normals, joints, 0};
+            nkw_skin_palette p = palette_of(normals, false);
             nkw_skin skin = skin_of(*w, kind::f32, n);
             streams s = interleaved();
             nkw_skin_linear(&skin, &p, &s.in, &s.out);
@@ -468,11 +455,7 @@ static void dual(std::shared_ptr<weighted> w)
         nkw_skin skin = skin_of(*w, kind::f32, n);
         whole(op, "nkw interleaved", layout::structs, [=] {
             streams s = interleaved();
-            nkw_skin_dual_quat(&skin, duals, joints, &s.in, &s.out);
-        });
-        whole(op, "nkw _arrays", layout::components, [=] {
-            arrays a = components(true);
-            nkw_skin_dual_quat_arrays(&skin, duals, joints, &a.in, &a.out);
+            nkw_skin_dual_quat(&skin, {duals, joints, NKW_PALETTE_DUAL_QUAT}, &s.in, &s.out);
         });
     }
 #ifdef BENCH_GLM

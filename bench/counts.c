@@ -123,7 +123,7 @@ static void draw_character(random_source *r)
         vertices[i] = random_between(r, -1, 1);
     nkw_skin_view in = {skin_weights, 0, NKW_SKIN_F32};
     nkw_skin_span out_weights = {skin_weights, 0, NKW_SKIN_F32};
-    nkw_skin_normalize_weights(in, 4, out_weights, N);
+    nkw_skin_normalize_weights(in, out_weights, 4, N);
 }
 
 static void count_singles(void)
@@ -181,8 +181,8 @@ static void count_character(void)
 {
     nkw_skeleton skeleton = {parents, JOINTS};
     nkw_skin skin = {N, 4, {skin_joints, 0, NKW_SKIN_U16}, {skin_weights, 0, NKW_SKIN_F32}};
-    nkw_skin_palette palette = {ma, NULL, JOINTS, 0};
-    nkw_vertices from = {{vertices, 24}, {vertices + 3, 24}, {NULL, 0}, {NULL, 0}};
+    nkw_skin_palette palette = {{ma, JOINTS, NKW_PALETTE_MAT4}, {NULL, 0, NKW_PALETTE_NORMAL_MAT3}, 0};
+    nkw_vertices_view from = {{vertices, 24}, {vertices + 3, 24}, {NULL, 0}, {NULL, 0}};
     nkw_vertices_span to = {{skinned, 24}, {skinned + 3, 24}, {NULL, 0}, {NULL, 0}};
     nkw_pose_layer layers[4];
     for (size_t i = 0; i < 4; i++) {

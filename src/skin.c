@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 #include "lane/strict.h"
 
+#include <nakawari/palette.h>
 #include <nakawari/skin.h>
 
 #include "batch/skin.h"
@@ -32,7 +33,7 @@ static size_t stride_of(size_t stride, nkw_skin_format format, size_t influences
 
 static plan plan_of(const nkw_skin *skin, size_t joints, int raw)
 {
-    plan r = {skin->joints, skin->weights, skin->vertices, skin->influences, UINT32_MAX, raw};
+    plan r = {skin->joints, skin->weights, skin->vertex_count, skin->influence_count, UINT32_MAX, raw};
     r.joints.stride = stride_of(r.joints.stride, r.joints.format, r.influences);
     r.weights.stride = stride_of(r.weights.stride, r.weights.format, r.influences);
     r.influences = r.influences < NKW_SKIN_INFLUENCES ? r.influences : NKW_SKIN_INFLUENCES;
@@ -43,9 +44,10 @@ static plan plan_of(const nkw_skin *skin, size_t joints, int raw)
     return r;
 }
 
-/* The palette of either way: one of the two is NULL. */
+/* The palette of either method: matrices or dual is NULL. */
 typedef struct transforms {
-    const nkw_skin_palette *linear;
+    const nkw_mat4 *matrices;
+    const nkw_mat3 *normals;
     const nkw_dual_quat *dual;
 } transforms;
 
@@ -79,10 +81,10 @@ static const float *blend_block(const plan *p, const transforms *t, int normals,
         nkwi_skin_blend_dual_quats(b, t->dual, p->influences, padded);
         return b->matrix;
     }
-    nkwi_skin_blend(b, t->linear->matrices, p->influences, padded);
-    if (!normals || !t->linear->normals)
+    nkwi_skin_blend(b, t->matrices, p->influences, padded);
+    if (!normals || !t->normals)
         return b->matrix;
-    nkwi_skin_blend_normals(b, t->linear->normals, p->influences, padded);
+    nkwi_skin_blend_normals(b, t->normals, p->influences, padded);
     return b->normal;
 }
 
@@ -94,23 +96,13 @@ static void move(const plan *p, const skin_block *b, const float *m, nkw_vec3_vi
         nkwi_skin_points(b, in, out, n);
 }
 
-static void move_array(const plan *p, const skin_block *b, const float *m, nkw_vec3_view in, nkw_vec3_span out,
-                       size_t from, size_t n)
-{
-    if (!in.x || !out.x)
-        return;
-    nkw_vec3_view view = {in.x + from, in.y + from, in.z + from};
-    nkw_vec3_span span = {out.x + from, out.y + from, out.z + from};
-    move(p, b, m, view, span, n);
-}
-
 static size_t block_at(const plan *p, size_t from)
 {
     return p->vertices - from < SKIN_BLOCK ? p->vertices - from : SKIN_BLOCK;
 }
 
 /* Strides of 0 where there is none: no place is worked out from NULL. */
-static skin_stream stream_at(nkw_vec3_stream in, nkw_vec3_stream_span out, size_t from)
+static skin_stream stream_at(nkw_vec3_stream_view in, nkw_vec3_stream_span out, size_t from)
 {
     size_t in_stride = in.stride ? in.stride : sizeof(nkw_vec3),
            out_stride = out.stride ? out.stride : sizeof(nkw_vec3);
@@ -125,7 +117,7 @@ static skin_stream stream_at(nkw_vec3_stream in, nkw_vec3_stream_span out, size_
 }
 
 /* m NULL: positions. */
-static void move_stream(const plan *p, skin_block *b, const float *m, nkw_vec3_stream in, nkw_vec3_stream_span out,
+static void move_stream(const plan *p, skin_block *b, const float *m, nkw_vec3_stream_view in, nkw_vec3_stream_span out,
                         size_t from, size_t n)
 {
     const skin_stream s = stream_at(in, out, from);
@@ -151,8 +143,8 @@ static void run_pass(const plan *p, const skin_influences *f, const nkw_mat4 *pa
  * Positions and normals by one matrix, which stays in registers, unless normals have their own; tangents and bitangents
  * by the same once more. Weights that are not floats are made so, a block at a time.
  */
-static void run_pairs(const plan *p, const nkw_mat4 *palette, const nkw_mat4 *normal_palette, const nkw_vertices *in,
-                      const nkw_vertices_span *out)
+static void run_pairs(const plan *p, const nkw_mat4 *palette, const nkw_mat4 *normal_palette,
+                      const nkw_vertices_view *in, const nkw_vertices_span *out)
 {
     const skin_stream none = {NULL, NULL, 0, 0};
     skin_influences f = {p->joints, p->weights, p->influences, p->limit};
@@ -182,7 +174,7 @@ static void run_pairs(const plan *p, const nkw_mat4 *palette, const nkw_mat4 *no
     }
 }
 
-static void run_streams(const plan *p, const transforms *t, const nkw_vertices *in, const nkw_vertices_span *out)
+static void run_streams(const plan *p, const transforms *t, const nkw_vertices_view *in, const nkw_vertices_span *out)
 {
     skin_block b;
     for (size_t from = 0; from < p->vertices; from += SKIN_BLOCK) {
@@ -195,68 +187,54 @@ static void run_streams(const plan *p, const transforms *t, const nkw_vertices *
     }
 }
 
-static void run_arrays(const plan *p, const transforms *t, const nkw_vertices_arrays *in,
-                       const nkw_vertices_arrays_span *out)
-{
-    skin_block b;
-    for (size_t from = 0; from < p->vertices; from += SKIN_BLOCK) {
-        size_t n = block_at(p, from);
-        const float *normal = blend_block(p, t, in->normals.x && out->normals.x, from, n, &b);
-        move_array(p, &b, NULL, in->positions, out->positions, from, n);
-        move_array(p, &b, normal, in->normals, out->normals, from, n);
-        move_array(p, &b, b.matrix, in->tangents, out->tangents, from, n);
-        move_array(p, &b, b.matrix, in->bitangents, out->bitangents, from, n);
-    }
-}
-
 /* Of up to so many joints the matrices of normals are made 4x4 first; of more, or of few vertices, all goes by blocks. */
 #define NORMAL_JOINTS 256
 
-static void run_normal_pairs(const plan *p, const nkw_skin_palette *palette, const nkw_vertices *in,
+static void run_normal_pairs(const plan *p, const transforms *t, size_t joint_count, const nkw_vertices_view *in,
                              const nkw_vertices_span *out)
 {
     const nkw_vec3 origin = {0.0f, 0.0f, 0.0f};
     nkw_mat4 normals[NORMAL_JOINTS];
-    for (size_t j = 0; j < palette->joints; j++)
-        normals[j] = nkw_mat4_from_mat3(&palette->normals[j], origin);
-    run_pairs(p, palette->matrices, normals, in, out);
+    for (size_t j = 0; j < joint_count; j++)
+        normals[j] = nkw_mat4_from_mat3(&t->normals[j], origin);
+    run_pairs(p, t->matrices, normals, in, out);
 }
 
-void nkw_skin_linear(const nkw_skin *skin, const nkw_skin_palette *palette, const nkw_vertices *in,
-                     const nkw_vertices_span *out)
+/* Whether a palette has the format, and the skin formats for joints and weights. */
+static nkw_result check_formats(const nkw_skin *skin, nkw_palette_view palette, nkw_palette_format format)
 {
-    plan p = plan_of(skin, palette->joints, palette->raw_directions);
-    transforms t = {palette, NULL};
-    if (!palette->normals)
-        run_pairs(&p, palette->matrices, NULL, in, out);
-    else if (palette->joints <= NORMAL_JOINTS && palette->joints <= p.vertices)
-        run_normal_pairs(&p, palette, in, out);
+    int fits = palette.format == format && is_for_joints(skin->joints.format) && is_for_weights(skin->weights.format);
+    return fits ? NKW_OK : NKW_BAD_FORMAT;
+}
+
+nkw_result nkw_skin_linear(const nkw_skin *skin, const nkw_skin_palette *palette, const nkw_vertices_view *in,
+                           const nkw_vertices_span *out)
+{
+    nkw_result result = check_formats(skin, palette->matrices, NKW_PALETTE_MAT4);
+    size_t joint_count = palette->matrices.joint_count;
+    if (palette->normals.data && palette->normals.format != NKW_PALETTE_NORMAL_MAT3)
+        result = NKW_BAD_FORMAT;
+    if (palette->normals.data && palette->normals.joint_count < joint_count)
+        joint_count = palette->normals.joint_count;
+    plan p = plan_of(skin, result == NKW_OK ? joint_count : 0, palette->skip_normalization);
+    transforms t = {(const nkw_mat4 *)palette->matrices.data, (const nkw_mat3 *)palette->normals.data, NULL};
+    if (!t.normals)
+        run_pairs(&p, t.matrices, NULL, in, out);
+    else if (joint_count <= NORMAL_JOINTS && joint_count <= p.vertices)
+        run_normal_pairs(&p, &t, joint_count, in, out);
     else
         run_streams(&p, &t, in, out);
+    return result;
 }
 
-void nkw_skin_linear_arrays(const nkw_skin *skin, const nkw_skin_palette *palette, const nkw_vertices_arrays *in,
-                            const nkw_vertices_arrays_span *out)
+nkw_result nkw_skin_dual_quat(const nkw_skin *skin, nkw_palette_view palette, const nkw_vertices_view *in,
+                              const nkw_vertices_span *out)
 {
-    plan p = plan_of(skin, palette->joints, palette->raw_directions);
-    transforms t = {palette, NULL};
-    run_arrays(&p, &t, in, out);
-}
-
-void nkw_skin_dual_quat(const nkw_skin *skin, const nkw_dual_quat *palette, size_t joints, const nkw_vertices *in,
-                        const nkw_vertices_span *out)
-{
-    plan p = plan_of(skin, joints, 0);
-    transforms t = {NULL, palette};
+    nkw_result result = check_formats(skin, palette, NKW_PALETTE_DUAL_QUAT);
+    plan p = plan_of(skin, result == NKW_OK ? palette.joint_count : 0, 0);
+    transforms t = {NULL, NULL, (const nkw_dual_quat *)palette.data};
     run_streams(&p, &t, in, out);
-}
-
-void nkw_skin_dual_quat_arrays(const nkw_skin *skin, const nkw_dual_quat *palette, size_t joints,
-                               const nkw_vertices_arrays *in, const nkw_vertices_arrays_span *out)
-{
-    plan p = plan_of(skin, joints, 0);
-    transforms t = {NULL, palette};
-    run_arrays(&p, &t, in, out);
+    return result;
 }
 
 /* What is done to a skin once, after loading: normalising, pruning, checking. */
@@ -357,22 +335,25 @@ static void write_weights(const float *weight, size_t k, size_t width, unsigned 
     }
 }
 
-static int is_count(size_t influences)
+static nkw_result check_count(size_t influence_count)
 {
-    return influences > 0 && influences <= NKW_SKIN_INFLUENCES;
+    return influence_count == 0 ? NKW_EMPTY : influence_count > NKW_SKIN_INFLUENCES ? NKW_TOO_MANY : NKW_OK;
 }
 
-void nkw_skin_normalize_weights(nkw_skin_view in, size_t influences, nkw_skin_span out, size_t vertices)
+nkw_result nkw_skin_normalize_weights(nkw_skin_view in, nkw_skin_span out, size_t influence_count, size_t vertex_count)
 {
     float weight[NKW_SKIN_INFLUENCES];
-    if (!is_count(influences) || !is_for_weights(in.format) || !is_for_weights(out.format))
-        return;
-    for (size_t i = 0; i < vertices; i++) {
-        const unsigned char *p = vertex_at(&in, influences, i);
-        for (size_t e = 0; e < influences; e++)
+    if (check_count(influence_count) != NKW_OK)
+        return check_count(influence_count);
+    if (!is_for_weights(in.format) || !is_for_weights(out.format))
+        return NKW_BAD_FORMAT;
+    for (size_t i = 0; i < vertex_count; i++) {
+        const unsigned char *p = vertex_at(&in, influence_count, i);
+        for (size_t e = 0; e < influence_count; e++)
             weight[e] = part_at(p + e * lane_skin_format_size(in.format), in.format);
-        write_weights(weight, influences, influences, vertex_of(&out, influences, i), out.format);
+        write_weights(weight, influence_count, influence_count, vertex_of(&out, influence_count, i), out.format);
     }
+    return NKW_OK;
 }
 
 static uint32_t largest_joint(nkw_skin_format format)
@@ -398,10 +379,10 @@ static void drop(held *v, size_t k, size_t e)
 /* The `keep` largest of vertex i, in their order; gives how many. Joints above `most` have no weight. */
 static size_t keep_largest(const nkw_skin *skin, size_t i, size_t keep, uint32_t most, held *v)
 {
-    const unsigned char *joints = vertex_at(&skin->joints, skin->influences, i);
-    const unsigned char *weights = vertex_at(&skin->weights, skin->influences, i);
+    const unsigned char *joints = vertex_at(&skin->joints, skin->influence_count, i);
+    const unsigned char *weights = vertex_at(&skin->weights, skin->influence_count, i);
     size_t kept = 0;
-    for (size_t e = 0; e < skin->influences; e++) {
+    for (size_t e = 0; e < skin->influence_count; e++) {
         nkw_skin_format of_joints = skin->joints.format, of_weights = skin->weights.format;
         uint32_t joint = lane_skin_joint(joints + e * lane_skin_format_size(of_joints), of_joints);
         float weight = part_at(weights + e * lane_skin_format_size(of_weights), of_weights);
@@ -423,26 +404,27 @@ static void write_joints(const uint32_t *joint, size_t k, size_t width, unsigned
         write_number(p + e * lane_skin_format_size(format), format, e < k ? joint[e] : 0);
 }
 
-void nkw_skin_prune(const nkw_skin *skin, size_t keep, nkw_skin_span joints, nkw_skin_span weights)
+nkw_result nkw_skin_prune(const nkw_skin *skin, size_t keep_count, nkw_skin_span joints, nkw_skin_span weights)
 {
-    if (!is_count(keep) || skin->influences == 0 || !is_for_joints(skin->joints.format) ||
-        !is_for_weights(skin->weights.format) || !is_for_joints(joints.format) || !is_for_weights(weights.format))
-        return;
-    for (size_t i = 0; i < skin->vertices; i++) {
+    if (skin->influence_count == 0 || check_count(keep_count) != NKW_OK)
+        return skin->influence_count == 0 ? NKW_EMPTY : check_count(keep_count);
+    if (!is_for_joints(skin->joints.format) || !is_for_weights(skin->weights.format) || !is_for_joints(joints.format) ||
+        !is_for_weights(weights.format))
+        return NKW_BAD_FORMAT;
+    for (size_t i = 0; i < skin->vertex_count; i++) {
         held v;
-        size_t kept = keep_largest(skin, i, keep, largest_joint(joints.format), &v);
-        write_joints(v.joint, kept, keep, vertex_of(&joints, keep, i), joints.format);
-        write_weights(v.weight, kept, keep, vertex_of(&weights, keep, i), weights.format);
+        size_t kept = keep_largest(skin, i, keep_count, largest_joint(joints.format), &v);
+        write_joints(v.joint, kept, keep_count, vertex_of(&joints, keep_count, i), joints.format);
+        write_weights(v.weight, kept, keep_count, vertex_of(&weights, keep_count, i), weights.format);
     }
+    return NKW_OK;
 }
 
 static nkw_result check_shape(const nkw_skin *skin)
 {
-    if (skin->influences == 0)
-        return NKW_EMPTY;
-    if (skin->influences > NKW_SKIN_INFLUENCES)
-        return NKW_TOO_MANY;
-    return is_for_joints(skin->joints.format) && is_for_weights(skin->weights.format) ? NKW_OK : NKW_BAD_METHOD;
+    if (check_count(skin->influence_count) != NKW_OK)
+        return check_count(skin->influence_count);
+    return is_for_joints(skin->joints.format) && is_for_weights(skin->weights.format) ? NKW_OK : NKW_BAD_FORMAT;
 }
 
 /* Whole numbers sum to the whole exactly; w / 65535 times 65535 is within 1e-2 of w. */
@@ -453,14 +435,14 @@ static int is_sum(double sum, nkw_skin_format format)
     return sum == 0.0 || (off >= -1.0 && off <= 1.0);
 }
 
-static nkw_result check_vertex(const nkw_skin *skin, size_t joints, size_t i)
+static nkw_result check_vertex(const nkw_skin *skin, size_t joint_count, size_t i)
 {
     held v;
     double sum = 0.0;
     nkw_result result = NKW_OK;
-    read_joints(&skin->joints, skin->influences, i, v.joint);
-    read_weights(&skin->weights, skin->influences, i, v.weight);
-    for (size_t e = 0; e < skin->influences; e++) {
+    read_joints(&skin->joints, skin->influence_count, i, v.joint);
+    read_weights(&skin->weights, skin->influence_count, i, v.weight);
+    for (size_t e = 0; e < skin->influence_count; e++) {
         if (!lane_is_finite(v.weight[e]))
             return NKW_NOT_FINITE;
         if (v.weight[e] < 0.0f)
@@ -469,18 +451,18 @@ static nkw_result check_vertex(const nkw_skin *skin, size_t joints, size_t i)
     }
     if (result != NKW_OK || !is_sum(sum, skin->weights.format))
         return NKW_BAD_WEIGHTS;
-    for (size_t e = 0; e < skin->influences; e++)
-        if (v.joint[e] >= joints)
+    for (size_t e = 0; e < skin->influence_count; e++)
+        if (v.joint[e] >= joint_count)
             return NKW_OUT_OF_RANGE;
     return NKW_OK;
 }
 
-nkw_result nkw_skin_validate(const nkw_skin *skin, size_t joints, size_t *bad_vertex)
+nkw_result nkw_skin_validate(const nkw_skin *skin, size_t joint_count, size_t *bad_vertex)
 {
     nkw_result result = check_shape(skin);
     size_t bad = 0;
-    for (size_t i = 0; result == NKW_OK && i < skin->vertices; i++) {
-        result = check_vertex(skin, joints, i);
+    for (size_t i = 0; result == NKW_OK && i < skin->vertex_count; i++) {
+        result = check_vertex(skin, joint_count, i);
         bad = i;
     }
     return report(result, bad, bad_vertex);

@@ -90,7 +90,7 @@ static void load(character *c, actor *a)
 static void expect_strip(const character *c, actor *a, float seconds, float fade, const float *xy)
 {
     const nkw_skin skin = {4, 4, {joints, 0, NKW_SKIN_U8}, {joint_weights, 0, NKW_SKIN_F32}};
-    const nkw_vertices in = {{bind_positions, 0}, {NULL, 0}, {NULL, 0}, {NULL, 0}};
+    const nkw_vertices_view in = {{bind_positions, 0}, {NULL, 0}, {NULL, 0}, {NULL, 0}};
     nkw_vec3 moved[4];
     const nkw_vertices_span out = {{moved, 0}, {NULL, 0}, {NULL, 0}, {NULL, 0}};
     const float both[2] = {seconds, seconds};

@@ -3,15 +3,16 @@
 
 #include "support/skin_mesh.h"
 
-static void raw_directions_are_not_made_unit(void **state)
+static void directions_are_not_normalized_where_that_is_skipped(void **state)
 {
     (void)state;
     for (size_t k = 1; k <= 8; k++) {
         mesh m = draw(30 + k, k, 0);
         nkw_skin skin = skin_of(&m, k);
-        nkw_skin_palette palette = {m.matrices, NULL, JOINTS, 1}, exact = {m.matrices, m.normals, JOINTS, 1};
+        nkw_skin_palette palette = palette_of(m.matrices, NULL, JOINTS, 1),
+                         exact = palette_of(m.matrices, m.normals, JOINTS, 1);
         float out[VERTICES * FLOATS] = {0}, pair[VERTICES * FLOATS] = {0}, own[VERTICES * FLOATS] = {0};
-        nkw_vertices from = streams(m.v, FLOATS), two = {from.positions, from.normals, {NULL, 0}, {NULL, 0}};
+        nkw_vertices_view from = streams(m.v, FLOATS), two = {from.positions, from.normals, {NULL, 0}, {NULL, 0}};
         nkw_vertices_span to = spans(out, FLOATS), to_pair = spans(pair, FLOATS), to_own = spans(own, FLOATS);
         nkw_skin_linear(&skin, &palette, &from, &to);
         nkw_skin_linear(&skin, &palette, &two, &to_pair);
@@ -34,7 +35,7 @@ static void raw_directions_are_not_made_unit(void **state)
 /* Of every pair of formats, tight and not, in place, with odd vertices among usual ones; floats around the output. */
 static void expect_pair_as_blocks(const mesh *m, const nkw_skin *skin, size_t floats, int raw)
 {
-    const nkw_skin_palette palette = {m->matrices, NULL, JOINTS, raw};
+    const nkw_skin_palette palette = palette_of(m->matrices, NULL, JOINTS, raw);
     float got[VERTICES * FLOATS + 2], want[VERTICES * FLOATS + 2];
     const size_t s = floats * sizeof(float), half = VERTICES * 3;
     float *g = got + 1, *w = want + 1;
@@ -42,10 +43,10 @@ static void expect_pair_as_blocks(const mesh *m, const nkw_skin *skin, size_t fl
     memcpy(got, m->v, sizeof m->v);
     got[VERTICES * FLOATS] = got[VERTICES * FLOATS + 1] = 7;
     memcpy(want, got, sizeof got);
-    nkw_vertices in = {{g, s}, {g + normals, s}, {NULL, 0}, {NULL, 0}};
+    nkw_vertices_view in = {{g, s}, {g + normals, s}, {NULL, 0}, {NULL, 0}};
     nkw_vertices_span out = {{g, s}, {g + normals, s}, {NULL, 0}, {NULL, 0}};
     float other[VERTICES * 3];
-    nkw_vertices in_all = {{w, s}, {w + normals, s}, {m->v, 0}, {NULL, 0}};
+    nkw_vertices_view in_all = {{w, s}, {w + normals, s}, {m->v, 0}, {NULL, 0}};
     nkw_vertices_span out_all = {{w, s}, {w + normals, s}, {other, 0}, {NULL, 0}};
     nkw_skin_linear(skin, &palette, &in, &out);
     nkw_skin_linear(skin, &palette, &in_all, &out_all);
@@ -69,7 +70,7 @@ static void pairs_are_as_blocks_for_every_format_and_odd_vertices(void **state)
             nkw_skin skin = {VERTICES, k, {joints, 0, joint_formats[f % 3]}, {weights, 0, weight_formats[f / 3]}};
             nkw_skin_view from = {m.weights, 0, NKW_SKIN_F32};
             nkw_skin_span to = {weights, 0, weight_formats[f / 3]};
-            nkw_skin_normalize_weights(from, k, to, VERTICES);
+            nkw_skin_normalize_weights(from, to, k, VERTICES);
             for (size_t i = 0; i < VERTICES * k; i++) {
                 uint8_t u8 = (uint8_t)m.joints[i];
                 uint32_t u32 = m.joints[i];
@@ -99,13 +100,13 @@ static void positions_and_normals_alone_are_as_together(void **state)
         uint16_t weights[VERTICES * 8];
         nkw_skin_view floats = {m.weights, 0, NKW_SKIN_F32};
         nkw_skin_span whole = {weights, 0, NKW_SKIN_U16};
-        nkw_skin_normalize_weights(floats, k, whole, VERTICES);
+        nkw_skin_normalize_weights(floats, whole, k, VERTICES);
         for (int format = 0; format < 2; format++) {
             float together[VERTICES * FLOATS] = {0}, alone[VERTICES * FLOATS] = {0};
             nkw_skin skin = skin_of(&m, k);
-            nkw_skin_palette palette = {m.matrices, NULL, JOINTS, 0};
-            nkw_vertices in = streams(m.v, FLOATS);
-            nkw_vertices none = {{NULL, 0}, {NULL, 0}, {NULL, 0}, {NULL, 0}}, positions = none, normals = none;
+            nkw_skin_palette palette = palette_of(m.matrices, NULL, JOINTS, 0);
+            nkw_vertices_view in = streams(m.v, FLOATS);
+            nkw_vertices_view none = {{NULL, 0}, {NULL, 0}, {NULL, 0}, {NULL, 0}}, positions = none, normals = none;
             nkw_vertices_span to = spans(together, FLOATS), to_alone = spans(alone, FLOATS);
             nkw_vertices_span nowhere = {{NULL, 0}, {NULL, 0}, {NULL, 0}, {NULL, 0}};
             if (format)
@@ -134,14 +135,15 @@ static void normals_by_their_own_matrices_are_the_same_for_any_number_of_joints(
     for (size_t k = 1; k <= 8; k++) {
         mesh m = draw(90 + k, k, 0);
         nkw_skin skin = skin_of(&m, k);
-        nkw_vertices in = streams(m.v, FLOATS), tight = {{m.v, 0}, {m.v + 3 * VERTICES, 0}, {NULL, 0}, {NULL, 0}};
+        nkw_vertices_view in = streams(m.v, FLOATS), tight = {{m.v, 0}, {m.v + 3 * VERTICES, 0}, {NULL, 0}, {NULL, 0}};
         memcpy(matrices, m.matrices, sizeof m.matrices);
         memcpy(normals, m.normals, sizeof m.normals);
         for (size_t i = 0; i < VERTICES; i += 1 + i / 5)
             memset(m.weights + i * k, 0, k * sizeof *m.weights);
         for (int raw = 0; raw < 2; raw++) {
             float few[2][VERTICES * FLOATS] = {{0}}, many[2][VERTICES * FLOATS] = {{0}};
-            nkw_skin_palette small = {m.matrices, m.normals, JOINTS, raw}, large = {matrices, normals, MANY, raw};
+            nkw_skin_palette small = palette_of(m.matrices, m.normals, JOINTS, raw),
+                             large = palette_of(matrices, normals, MANY, raw);
             nkw_vertices_span out[2] = {spans(few[0], FLOATS), spans(many[0], FLOATS)};
             nkw_vertices_span out_tight[2] = {
                 {{few[1], 0}, {few[1] + 3 * VERTICES, 0}, {NULL, 0}, {NULL, 0}},
@@ -175,10 +177,10 @@ static void any_number_of_vertices_is_as_the_first_of_many(void **state)
         for (size_t c = 0; c < 8; c++) {
             const size_t f = floats[c & 1], s = f * sizeof(float);
             float want[VERTICES * 6], *all = copy_of(m.v, (n - 1) * f + 3), *w = copy_of(m.weights, n * 4);
-            nkw_skin_palette palette = {m.matrices, NULL, JOINTS, (int)(c >> 1 & 1)};
+            nkw_skin_palette palette = palette_of(m.matrices, NULL, JOINTS, (int)(c >> 1 & 1));
             nkw_skin many = skin_of(&m, 4), few = many;
-            nkw_vertices in = {{m.v, s}, {NULL, 0}, {NULL, 0}, {NULL, 0}},
-                         in_few = {{all, s}, {NULL, 0}, {NULL, 0}, {NULL, 0}};
+            nkw_vertices_view in = {{m.v, s}, {NULL, 0}, {NULL, 0}, {NULL, 0}},
+                              in_few = {{all, s}, {NULL, 0}, {NULL, 0}, {NULL, 0}};
             nkw_vertices_span out = {{want, s}, {NULL, 0}, {NULL, 0}, {NULL, 0}};
             nkw_vertices_span out_few = {{all, s}, {NULL, 0}, {NULL, 0}, {NULL, 0}};
             if (c >> 2) {
@@ -187,7 +189,7 @@ static void any_number_of_vertices_is_as_the_first_of_many(void **state)
                 in.positions.data = in_few.positions.data = out.positions.data = out_few.positions.data = NULL;
             }
             memcpy(want, m.v, sizeof want);
-            few.vertices = n, few.weights.data = w;
+            few.vertex_count = n, few.weights.data = w;
             nkw_skin_linear(&many, &palette, &in, &out);
             nkw_skin_linear(&few, &palette, &in_few, &out_few);
             expect_floats_bits(all, want, (n - 1) * f + 3);
@@ -200,9 +202,9 @@ static void without_influences_their_arrays_may_be_null(void **state)
     (void)state;
     mesh m = draw(70, 4, 0);
     float out[VERTICES * FLOATS];
-    nkw_skin_palette palette = {m.matrices, NULL, JOINTS, 0};
+    nkw_skin_palette palette = palette_of(m.matrices, NULL, JOINTS, 0);
     nkw_skin skin = {VERTICES, 0, {NULL, 16, NKW_SKIN_U8}, {NULL, 16, NKW_SKIN_F32}};
-    nkw_vertices in = {{m.v, 24}, {m.v + 3, 24}, {NULL, 0}, {NULL, 0}};
+    nkw_vertices_view in = {{m.v, 24}, {m.v + 3, 24}, {NULL, 0}, {NULL, 0}};
     nkw_vertices_span to = {{out, 24}, {out + 3, 24}, {NULL, 0}, {NULL, 0}};
     nkw_skin_linear(&skin, &palette, &in, &to);
     expect_floats_bits(out, m.v, VERTICES * 6);
@@ -211,7 +213,7 @@ static void without_influences_their_arrays_may_be_null(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(raw_directions_are_not_made_unit),
+        cmocka_unit_test(directions_are_not_normalized_where_that_is_skipped),
         cmocka_unit_test(pairs_are_as_blocks_for_every_format_and_odd_vertices),
         cmocka_unit_test(positions_and_normals_alone_are_as_together),
         cmocka_unit_test(normals_by_their_own_matrices_are_the_same_for_any_number_of_joints),

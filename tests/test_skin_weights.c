@@ -20,9 +20,9 @@ static void normalised_weights_sum_exactly(void **state)
         in[0] = in[0] < 0 ? -in[0] : in[0];
         nkw_skin_view view = {in, 0, NKW_SKIN_F32};
         nkw_skin_span to_f = {f, 0, NKW_SKIN_F32}, to_b = {b, 0, NKW_SKIN_U8}, to_s = {s, 0, NKW_SKIN_U16};
-        nkw_skin_normalize_weights(view, k, to_f, 1);
-        nkw_skin_normalize_weights(view, k, to_b, 1);
-        nkw_skin_normalize_weights(view, k, to_s, 1);
+        nkw_skin_normalize_weights(view, to_f, k, 1);
+        nkw_skin_normalize_weights(view, to_b, k, 1);
+        nkw_skin_normalize_weights(view, to_s, k, 1);
         for (size_t e = 0; e < k; e++) {
             sum += f[e];
             back += f[k - 1 - e];
@@ -46,7 +46,7 @@ static void the_largest_remainder_gets_what_is_missing_and_the_first_of_equals(v
     uint8_t got[3][4];
     nkw_skin_view view = {in, 0, NKW_SKIN_F32};
     nkw_skin_span span = {got, 0, NKW_SKIN_U8};
-    nkw_skin_normalize_weights(view, 4, span, 3);
+    assert_int_equal(nkw_skin_normalize_weights(view, span, 4, 3), NKW_OK);
     assert_memory_equal(got, want, sizeof want);
 }
 
@@ -87,9 +87,9 @@ static void whole_numbers_are_shared_out_as_whole_numbers_are(void **state)
         nkw_skin_view view = {w, 0, NKW_SKIN_U8};
         nkw_skin_span to_bytes = {bytes, 0, NKW_SKIN_U8}, to_shorts = {shorts, 0, NKW_SKIN_U16},
                       to_floats = {floats, 0, NKW_SKIN_F32};
-        nkw_skin_normalize_weights(view, k, to_bytes, 1);
-        nkw_skin_normalize_weights(view, k, to_shorts, 1);
-        nkw_skin_normalize_weights(view, k, to_floats, 1);
+        nkw_skin_normalize_weights(view, to_bytes, k, 1);
+        nkw_skin_normalize_weights(view, to_shorts, k, 1);
+        nkw_skin_normalize_weights(view, to_floats, k, 1);
         for (size_t e = 0; e < k; e++) {
             share_out(w, k, 255, n);
             assert_int_equal(bytes[e], n[e]);
@@ -108,7 +108,7 @@ static void weights_that_cannot_be_used_count_as_zero(void **state)
     const float want[3][4] = {{0, 0, 0, 1}, {0, 0, 0, 0}, {0.25f, 0.25f, 0.25f, 0.25f}};
     nkw_skin_view view = {w, 0, NKW_SKIN_F32};
     nkw_skin_span span = {w, 0, NKW_SKIN_F32};
-    nkw_skin_normalize_weights(view, 4, span, 3);
+    assert_int_equal(nkw_skin_normalize_weights(view, span, 4, 3), NKW_OK);
     expect_floats_bits(w[0], want[0], 12);
 }
 
@@ -188,6 +188,23 @@ static void pruning_to_more_fills_up_with_weight_zero(void **state)
     assert_memory_equal(w, want_w, sizeof w);
 }
 
+/* u8 joints of interleaved vertices to u16 ones, packed: nothing is dropped. */
+static void keeping_all_influences_widens_and_packs_them(void **state)
+{
+    (void)state;
+    const uint8_t vertices[3][8] = {
+        {3, 1, 255, 0, 200, 55, 0, 9}, {2, 4, 6, 8, 51, 51, 51, 102}, {1, 1, 1, 1, 0, 0, 0, 0}};
+    nkw_skin skin = {3, 4, {vertices[0], 8, NKW_SKIN_U8}, {vertices[0] + 4, 8, NKW_SKIN_U8}};
+    uint16_t j[3][4], w[3][4];
+    const uint16_t want_w[3][4] = {{49648, 13653, 0, 2234}, {13107, 13107, 13107, 26214}, {0, 0, 0, 0}};
+    nkw_skin_span to_j = {j, 0, NKW_SKIN_U16}, to_w = {w, 0, NKW_SKIN_U16};
+    assert_int_equal(nkw_skin_prune(&skin, 4, to_j, to_w), NKW_OK);
+    for (size_t i = 0; i < 3; i++)
+        for (size_t e = 0; e < 4; e++)
+            assert_int_equal(j[i][e], vertices[i][e]);
+    assert_memory_equal(w, want_w, sizeof w);
+}
+
 static void pruning_in_place_is_as_elsewhere(void **state)
 {
     (void)state;
@@ -223,22 +240,23 @@ static void what_cannot_be_pruned_or_normalised_writes_nothing(void **state)
     const uint8_t nothing[9] = {0};
     nkw_skin skin = {1, 4, {joints, 0, NKW_SKIN_U8}, {weights, 0, NKW_SKIN_U8}};
     nkw_skin none = skin, bad_joints = skin, bad_weights = skin;
-    none.influences = 0;
+    none.influence_count = 0;
     bad_joints.joints.format = NKW_SKIN_F32;
     bad_weights.weights.format = NKW_SKIN_U32;
     const nkw_skin *const refused[] = {&none, &bad_joints, &bad_weights};
+    const nkw_result why[] = {NKW_EMPTY, NKW_BAD_FORMAT, NKW_BAD_FORMAT};
     nkw_skin_span to_j = {j, 0, NKW_SKIN_U8}, to_w = {w, 0, NKW_SKIN_U8};
     nkw_skin_span floats = {j, 0, NKW_SKIN_F32}, wide = {w, 0, NKW_SKIN_U32};
     for (size_t i = 0; i < 3; i++)
-        nkw_skin_prune(refused[i], 2, to_j, to_w);
-    nkw_skin_prune(&skin, 0, to_j, to_w);
-    nkw_skin_prune(&skin, 9, to_j, to_w);
-    nkw_skin_prune(&skin, 2, floats, to_w);
-    nkw_skin_prune(&skin, 2, to_j, wide);
-    nkw_skin_normalize_weights(skin.weights, 9, to_w, 1);
-    nkw_skin_normalize_weights(skin.weights, 0, to_w, 1);
-    nkw_skin_normalize_weights(skin.weights, 4, wide, 1);
-    nkw_skin_normalize_weights(bad_weights.weights, 4, to_w, 1);
+        assert_int_equal(nkw_skin_prune(refused[i], 2, to_j, to_w), why[i]);
+    assert_int_equal(nkw_skin_prune(&skin, 0, to_j, to_w), NKW_EMPTY);
+    assert_int_equal(nkw_skin_prune(&skin, 9, to_j, to_w), NKW_TOO_MANY);
+    assert_int_equal(nkw_skin_prune(&skin, 2, floats, to_w), NKW_BAD_FORMAT);
+    assert_int_equal(nkw_skin_prune(&skin, 2, to_j, wide), NKW_BAD_FORMAT);
+    assert_int_equal(nkw_skin_normalize_weights(skin.weights, to_w, 9, 1), NKW_TOO_MANY);
+    assert_int_equal(nkw_skin_normalize_weights(skin.weights, to_w, 0, 1), NKW_EMPTY);
+    assert_int_equal(nkw_skin_normalize_weights(skin.weights, wide, 4, 1), NKW_BAD_FORMAT);
+    assert_int_equal(nkw_skin_normalize_weights(bad_weights.weights, to_w, 4, 1), NKW_BAD_FORMAT);
     assert_memory_equal(j, nothing, sizeof j);
     assert_memory_equal(w, nothing, sizeof w);
 }
@@ -254,6 +272,7 @@ int main(void)
         cmocka_unit_test(a_joint_that_the_format_cannot_hold_has_no_weight),
         cmocka_unit_test(pruning_takes_any_number_of_influences),
         cmocka_unit_test(pruning_to_more_fills_up_with_weight_zero),
+        cmocka_unit_test(keeping_all_influences_widens_and_packs_them),
         cmocka_unit_test(pruning_in_place_is_as_elsewhere),
         cmocka_unit_test(what_cannot_be_pruned_or_normalised_writes_nothing),
     };

@@ -133,7 +133,7 @@ static void hang(const rig *r, mesh *m)
         const nkw_skin_view in = {weights, 0, NKW_SKIN_F32};
         const nkw_skin_span out = {v->weights, 0, NKW_SKIN_U16};
         set_weights(r, v->position.y, weights);
-        nkw_skin_normalize_weights(in, RIG_JOINTS, out, 1);
+        nkw_skin_normalize_weights(in, out, RIG_JOINTS, 1);
         for (uint16_t j = 0; j < RIG_JOINTS; j++)
             v->joints[j] = j;
     }
@@ -198,13 +198,16 @@ void rig_skin(const rig_state *state, const mesh *m, int dual, nkw_vec3 *positio
 {
     const size_t stride = sizeof *m->vertices;
     const nkw_skin skin = skin_of(m);
-    const nkw_vertices in = {{&m->vertices->position, stride}, {&m->vertices->normal, stride}, {NULL, 0}, {NULL, 0}};
+    const nkw_vertices_view in = {
+        {&m->vertices->position, stride}, {&m->vertices->normal, stride}, {NULL, 0}, {NULL, 0}};
     const nkw_vertices_span out = {{positions, 0}, {normals, 0}, {NULL, 0}, {NULL, 0}};
-    const nkw_skin_palette matrices = {state->palette, NULL, RIG_JOINTS, 0};
+    const nkw_skin_palette matrices = {
+        {state->palette, RIG_JOINTS, NKW_PALETTE_MAT4}, {NULL, 0, NKW_PALETTE_NORMAL_MAT3}, 0};
     nkw_dual_quat motions[RIG_JOINTS];
+    const nkw_palette_view dual_quats = {motions, RIG_JOINTS, NKW_PALETTE_DUAL_QUAT};
     nkw_palette_dual_from_models(state->palette, RIG_JOINTS, NULL, NULL, NULL, RIG_JOINTS, motions);
     if (dual)
-        nkw_skin_dual_quat(&skin, motions, RIG_JOINTS, &in, &out);
+        nkw_skin_dual_quat(&skin, dual_quats, &in, &out);
     else
         nkw_skin_linear(&skin, &matrices, &in, &out);
 }

@@ -49,12 +49,13 @@ static void twist_tube(tube *t)
     nkw_mat4 matrices[2] = {nkw_mat4_identity(), nkw_mat4_from_quat(turn)};
     nkw_dual_quat duals[2] = {nkw_dual_quat_identity(), nkw_dual_quat_from_rigid(turn, none)};
     nkw_skin skin = {POINTS, 2, {t->joints, 0, NKW_SKIN_U8}, {t->weights, 0, NKW_SKIN_F32}};
-    nkw_skin_palette palette = {matrices, NULL, 2, 0};
-    nkw_vertices in = {{t->bind, 0}, {NULL, 0}, {NULL, 0}, {NULL, 0}};
+    nkw_skin_palette palette = {{matrices, 2, NKW_PALETTE_MAT4}, {NULL, 0, NKW_PALETTE_NORMAL_MAT3}, 0};
+    nkw_palette_view dual_palette = {duals, 2, NKW_PALETTE_DUAL_QUAT};
+    nkw_vertices_view in = {{t->bind, 0}, {NULL, 0}, {NULL, 0}, {NULL, 0}};
     nkw_vertices_span linear = {{t->linear, 0}, {NULL, 0}, {NULL, 0}, {NULL, 0}};
     nkw_vertices_span dual = {{t->dual, 0}, {NULL, 0}, {NULL, 0}, {NULL, 0}};
     nkw_skin_linear(&skin, &palette, &in, &linear);
-    nkw_skin_dual_quat(&skin, duals, 2, &in, &dual);
+    nkw_skin_dual_quat(&skin, dual_palette, &in, &dual);
 }
 
 /* Two of every five stripes along the tube are dark: they show how it turns. light: 1 towards the eye, -1 away. */

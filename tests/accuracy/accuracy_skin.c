@@ -38,33 +38,24 @@ static vertex draw_vertex(const float *x, int influences, float low, float sprea
     }
     nkw_skin_view in = {v.weight, 0, NKW_SKIN_F32};
     nkw_skin_span out = {v.weight, 0, NKW_SKIN_F32};
-    nkw_skin_normalize_weights(in, (size_t)influences, out, 1);
+    nkw_skin_normalize_weights(in, out, (size_t)influences, 1);
     v.position = random_vec3(&r, -2.0f, 2.0f);
     v.normal = random_direction(&r);
     return v;
 }
 
-typedef enum way { STREAMS, ARRAYS } way;
-
-static void skin(vertex *v, int influences, int is_dual, way how)
+static void skin(vertex *v, int influences, int is_dual)
 {
-    size_t joints = (size_t)influences;
-    nkw_skin s = {1, joints, {v->joint, 0, NKW_SKIN_U8}, {v->weight, 0, NKW_SKIN_F32}};
-    nkw_skin_palette palette = {v->matrix, NULL, joints, 0};
-    nkw_vec3 *p = &v->position, *n = &v->normal, *q = &v->moved, *o = &v->turned;
-    nkw_vertices in = {{p, 0}, {n, 0}, {NULL, 0}, {NULL, 0}};
-    nkw_vertices_span out = {{q, 0}, {o, 0}, {NULL, 0}, {NULL, 0}};
-    nkw_vertices_arrays from = {{&p->x, &p->y, &p->z}, {&n->x, &n->y, &n->z}, {NULL, NULL, NULL}, {NULL, NULL, NULL}};
-    nkw_vertices_arrays_span to = {
-        {&q->x, &q->y, &q->z}, {&o->x, &o->y, &o->z}, {NULL, NULL, NULL}, {NULL, NULL, NULL}};
-    if (how == STREAMS && is_dual)
-        nkw_skin_dual_quat(&s, v->dual, joints, &in, &out);
-    else if (how == STREAMS)
-        nkw_skin_linear(&s, &palette, &in, &out);
-    else if (is_dual)
-        nkw_skin_dual_quat_arrays(&s, v->dual, joints, &from, &to);
+    size_t joint_count = (size_t)influences;
+    nkw_skin s = {1, joint_count, {v->joint, 0, NKW_SKIN_U8}, {v->weight, 0, NKW_SKIN_F32}};
+    nkw_skin_palette palette = {{v->matrix, joint_count, NKW_PALETTE_MAT4}, {NULL, 0, NKW_PALETTE_NORMAL_MAT3}, 0};
+    nkw_palette_view duals = {v->dual, joint_count, NKW_PALETTE_DUAL_QUAT};
+    nkw_vertices_view in = {{&v->position, 0}, {&v->normal, 0}, {NULL, 0}, {NULL, 0}};
+    nkw_vertices_span out = {{&v->moved, 0}, {&v->turned, 0}, {NULL, 0}, {NULL, 0}};
+    if (is_dual)
+        nkw_skin_dual_quat(&s, duals, &in, &out);
     else
-        nkw_skin_linear_arrays(&s, &palette, &from, &to);
+        nkw_skin_linear(&s, &palette, &in, &out);
 }
 
 static void transform(const wide m[16], const float p[3], wide w, wide out[3])
@@ -91,12 +82,12 @@ static double judge(const vertex *v, const wide m[16], wide magnitude, part judg
 }
 
 /* Positions: of the sum of weight |matrix| |(p, 1)|, Frobenius norms of the first three rows. */
-static double linear_error(const float *x, int influences, float low, part judged, way how)
+static double linear_error(const float *x, int influences, float low, part judged)
 {
     vertex v = draw_vertex(x, influences, low, 1.0f);
     float p[4] = {v.position.x, v.position.y, v.position.z, 1.0f};
     wide sum[16] = {0}, m[16], point[4], magnitude = 0;
-    skin(&v, influences, 0, how);
+    skin(&v, influences, 0);
     wide_from(p, point, 4);
     for (int e = 0; e < influences; e++) {
         wide_from(v.matrix[e].m, m, 16);
@@ -131,13 +122,13 @@ static void motion_of(const wide real[4], const wide dual[4], wide m[16])
 }
 
 /* Positions: of |p| + the sum of weight |translation|. */
-static double dual_error(const float *x, int influences, part judged, way how)
+static double dual_error(const float *x, int influences, part judged)
 {
     vertex v = draw_vertex(x, influences, 1.0f, 1.0f);
     wide real[4] = {0}, dual[4] = {0}, m[16], point[3], magnitude;
     float p[3];
     int most = 0;
-    skin(&v, influences, 1, how);
+    skin(&v, influences, 1);
     for (int e = 1; e < influences; e++)
         most = v.weight[e] > v.weight[most] ? e : most;
     put_vec3(p, v.position);
@@ -153,33 +144,29 @@ static double dual_error(const float *x, int influences, part judged, way how)
     return judge(&v, m, magnitude, judged);
 }
 
-#define LINEAR(name, influences, low, judged, how)                                                                     \
+#define LINEAR(name, influences, low, judged)                                                                          \
     static double name(const float *x)                                                                                 \
     {                                                                                                                  \
-        return linear_error(x, influences, low, judged, how);                                                          \
+        return linear_error(x, influences, low, judged);                                                               \
     }
-#define DUAL(name, influences, judged, how)                                                                            \
+#define DUAL(name, influences, judged)                                                                                 \
     static double name(const float *x)                                                                                 \
     {                                                                                                                  \
-        return dual_error(x, influences, judged, how);                                                                 \
+        return dual_error(x, influences, judged);                                                                      \
     }
 
-LINEAR(linear_1, 1, 0.5f, POSITION, STREAMS)
-LINEAR(linear_4, 4, 0.5f, POSITION, STREAMS)
-LINEAR(linear_8, 8, 0.5f, POSITION, STREAMS)
-LINEAR(linear_normal, 4, 1.0f, NORMAL, STREAMS)
-LINEAR(linear_normal_8, 8, 1.0f, NORMAL, STREAMS)
-LINEAR(linear_length, 8, 0.5f, LENGTH, STREAMS)
-LINEAR(array_linear_4, 4, 0.5f, POSITION, ARRAYS)
-LINEAR(array_linear_normal, 4, 1.0f, NORMAL, ARRAYS)
-DUAL(dual_1, 1, POSITION, STREAMS)
-DUAL(dual_4, 4, POSITION, STREAMS)
-DUAL(dual_8, 8, POSITION, STREAMS)
-DUAL(dual_normal, 4, NORMAL, STREAMS)
-DUAL(dual_normal_8, 8, NORMAL, STREAMS)
-DUAL(dual_length, 8, LENGTH, STREAMS)
-DUAL(array_dual_4, 4, POSITION, ARRAYS)
-DUAL(array_dual_normal, 4, NORMAL, ARRAYS)
+LINEAR(linear_1, 1, 0.5f, POSITION)
+LINEAR(linear_4, 4, 0.5f, POSITION)
+LINEAR(linear_8, 8, 0.5f, POSITION)
+LINEAR(linear_normal, 4, 1.0f, NORMAL)
+LINEAR(linear_normal_8, 8, 1.0f, NORMAL)
+LINEAR(linear_length, 8, 0.5f, LENGTH)
+DUAL(dual_1, 1, POSITION)
+DUAL(dual_4, 4, POSITION)
+DUAL(dual_8, 8, POSITION)
+DUAL(dual_normal, 4, NORMAL)
+DUAL(dual_normal_8, 8, NORMAL)
+DUAL(dual_length, 8, LENGTH)
 
 #define MATRICES "nkw_skin_linear"
 #define DUALS    "nkw_skin_dual_quat"
@@ -191,16 +178,12 @@ static const wide_case cases[] = {
     {MATRICES, "normals, 4 influences, rigid", wide_seed, linear_normal, 2, WIDE_CHECKED},
     {MATRICES, "normals, 8 influences, rigid", wide_seed, linear_normal_8, 2, WIDE_CHECKED},
     {MATRICES, "length of normals, 8 influences", wide_seed, linear_length, 2, WIDE_CHECKED},
-    {MATRICES "_arrays", "positions, 4 influences", wide_seed, array_linear_4, 2, WIDE_CHECKED},
-    {MATRICES "_arrays", "normals, 4 influences, rigid", wide_seed, array_linear_normal, 2, WIDE_CHECKED},
     {DUALS, "positions, 1 influence", wide_seed, dual_1, 2, WIDE_CHECKED},
     {DUALS, "positions, 4 influences", wide_seed, dual_4, 2, WIDE_CHECKED},
     {DUALS, "positions, 8 influences", wide_seed, dual_8, 2, WIDE_CHECKED},
     {DUALS, "normals, 4 influences", wide_seed, dual_normal, 2, WIDE_CHECKED},
     {DUALS, "normals, 8 influences", wide_seed, dual_normal_8, 2, WIDE_CHECKED},
     {DUALS, "length of normals, 8 influences", wide_seed, dual_length, 2, WIDE_CHECKED},
-    {DUALS "_arrays", "positions, 4 influences", wide_seed, array_dual_4, 2, WIDE_CHECKED},
-    {DUALS "_arrays", "normals, 4 influences", wide_seed, array_dual_normal, 2, WIDE_CHECKED},
 };
 
 int main(int argc, char **argv)

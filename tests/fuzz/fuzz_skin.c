@@ -39,15 +39,15 @@ static nkw_skin_view draw_view(fuzz *f, size_t n, size_t influences, nkw_skin_fo
 static nkw_skin draw_skin(fuzz *f)
 {
     nkw_skin s = {fuzz_upto(f, VERTICES), fuzz_upto(f, MOST), {NULL, 0, NKW_SKIN_U8}, {NULL, 0, NKW_SKIN_U8}};
-    s.joints = draw_view(f, s.vertices, s.influences, draw_format(f));
-    s.weights = draw_view(f, s.vertices, s.influences, draw_format(f));
+    s.joints = draw_view(f, s.vertex_count, s.influence_count, draw_format(f));
+    s.weights = draw_view(f, s.vertex_count, s.influence_count, draw_format(f));
     return s;
 }
 
-static nkw_vec3_stream draw_stream(fuzz *f, size_t n)
+static nkw_vec3_stream_view draw_stream(fuzz *f, size_t n)
 {
     size_t stride = 12 + fuzz_upto(f, 60);
-    nkw_vec3_stream s = {draw_bytes(f, n, 12, stride, 1), stride};
+    nkw_vec3_stream_view s = {draw_bytes(f, n, 12, stride, 1), stride};
     if (fuzz_byte(f) % 4 == 0)
         s.data = NULL;
     return s;
@@ -76,56 +76,87 @@ static void check_gaps(const nkw_vec3_stream_span *s, size_t n)
             FUZZ_CHECK(p[i * s->stride + b] == 0xa5);
 }
 
-/* The stream in component arrays, and room for the result. */
-static void to_arrays(fuzz *f, const nkw_vec3_stream *s, size_t n, nkw_vec3_view *in, nkw_vec3_span *out)
+/* Vector i of a stream, copied to v. */
+static nkw_vec3_stream_view one_of(const nkw_vec3_stream_view *s, size_t i, float v[3])
 {
-    float *v = fuzz_room(f, 3 * n), *o = fuzz_room(f, 3 * n), at[3];
-    nkw_vec3_view view = {v, v + n, v + 2 * n}, no_view = {NULL, NULL, NULL};
-    nkw_vec3_span span = {o, o + n, o + 2 * n};
-    for (size_t i = 0; s->data && i < n; i++) {
-        read_vertex(s->data, s->stride, i, at);
-        v[i] = at[0], v[n + i] = at[1], v[2 * n + i] = at[2];
-    }
-    *in = s->data ? view : no_view;
-    *out = span;
+    nkw_vec3_stream_view r = {v, 0}, none = {NULL, 0};
+    if (!s->data)
+        return none;
+    read_vertex(s->data, s->stride, i, v);
+    return r;
 }
 
-static void same(const nkw_vec3_stream_span *s, const nkw_vec3_view *in, const nkw_vec3_span *out, size_t n)
+static void same(const nkw_vec3_stream_span *all, size_t i, const nkw_vec3_stream_span *one)
 {
-    for (size_t i = 0; s->data && in->x && i < n; i++) {
-        float got[3], want[3] = {out->x[i], out->y[i], out->z[i]};
-        read_vertex(s->data, s->stride, i, got);
-        FUZZ_CHECK(fuzz_same(got, want, 3));
-    }
-    check_gaps(s, n);
+    float got[3], want[3];
+    if (!all->data || !one->data)
+        return;
+    read_vertex(all->data, all->stride, i, got);
+    read_vertex(one->data, 0, 0, want);
+    FUZZ_CHECK(fuzz_same(got, want, 3));
 }
 
-/* Streams and arrays give the same bits, by matrices and by dual quaternions. */
+static nkw_skin_view influences_of(const nkw_skin_view *v, size_t influence_count, size_t i)
+{
+    size_t stride = v->stride ? v->stride : influence_count * size_of(v->format);
+    nkw_skin_view r = {(const unsigned char *)v->data + i * stride, 0, v->format};
+    return r;
+}
+
+typedef struct palettes {
+    nkw_skin_palette linear;
+    nkw_palette_view dual;
+} palettes;
+
+static palettes draw_palettes(fuzz *f)
+{
+    size_t joint_count = fuzz_upto(f, JOINTS), normal_count = fuzz_upto(f, JOINTS);
+    const float *normals = fuzz_floats(f, 9 * normal_count, 1);
+    palettes p = {{{fuzz_matrices(f, joint_count, 1), joint_count, NKW_PALETTE_MAT4},
+                   {fuzz_byte(f) % 4 ? NULL : normals, normal_count, NKW_PALETTE_NORMAL_MAT3},
+                   fuzz_byte(f) % 2},
+                  {fuzz_floats(f, 8 * joint_count, 1), joint_count, NKW_PALETTE_DUAL_QUAT}};
+    return p;
+}
+
+static void run(const nkw_skin *s, const palettes *p, int is_dual, const nkw_vertices_view *in,
+                const nkw_vertices_span *out)
+{
+    if (is_dual)
+        nkw_skin_dual_quat(s, p->dual, in, out);
+    else
+        nkw_skin_linear(s, &p->linear, in, out);
+}
+
+/* All vertices together and one by one have the same bits, by matrices and by dual quaternions. */
 static void skin(fuzz *f, const nkw_skin *s, int is_dual)
 {
-    size_t n = s->vertices, joints = fuzz_upto(f, JOINTS);
-    nkw_vertices in = {draw_stream(f, n), draw_stream(f, n), draw_stream(f, n), draw_stream(f, n)};
+    size_t n = s->vertex_count;
+    palettes p = draw_palettes(f);
+    nkw_vertices_view in = {draw_stream(f, n), draw_stream(f, n), draw_stream(f, n), draw_stream(f, n)};
     nkw_vertices_span out = {room_for(f, n), room_for(f, n), room_for(f, n), room_for(f, n)};
-    nkw_vertices_arrays a;
-    nkw_vertices_arrays_span o;
-    to_arrays(f, &in.positions, n, &a.positions, &o.positions);
-    to_arrays(f, &in.normals, n, &a.normals, &o.normals);
-    to_arrays(f, &in.tangents, n, &a.tangents, &o.tangents);
-    to_arrays(f, &in.bitangents, n, &a.bitangents, &o.bitangents);
-    if (is_dual) {
-        const nkw_dual_quat *palette = (const nkw_dual_quat *)(const void *)fuzz_floats(f, 8 * joints, 1);
-        nkw_skin_dual_quat(s, palette, joints, &in, &out);
-        nkw_skin_dual_quat_arrays(s, palette, joints, &a, &o);
-    } else {
-        const nkw_mat3 *normals = (const nkw_mat3 *)(const void *)fuzz_floats(f, 9 * joints, 1);
-        nkw_skin_palette p = {fuzz_matrices(f, joints, 1), fuzz_byte(f) % 4 ? NULL : normals, joints, fuzz_byte(f) % 2};
-        nkw_skin_linear(s, &p, &in, &out);
-        nkw_skin_linear_arrays(s, &p, &a, &o);
+    run(s, &p, is_dual, &in, &out);
+    for (size_t i = 0; i < n; i++) {
+        nkw_skin one = {1, s->influence_count, influences_of(&s->joints, s->influence_count, i),
+                        influences_of(&s->weights, s->influence_count, i)};
+        float v[4][3];
+        nkw_vertices_view from = {one_of(&in.positions, i, v[0]), one_of(&in.normals, i, v[1]),
+                                  one_of(&in.tangents, i, v[2]), one_of(&in.bitangents, i, v[3])};
+        nkw_vertices_span to = {{v[0], 0}, {v[1], 0}, {v[2], 0}, {v[3], 0}};
+        run(&one, &p, is_dual, &from, &to);
+        if (in.positions.data)
+            same(&out.positions, i, &to.positions);
+        if (in.normals.data)
+            same(&out.normals, i, &to.normals);
+        if (in.tangents.data)
+            same(&out.tangents, i, &to.tangents);
+        if (in.bitangents.data)
+            same(&out.bitangents, i, &to.bitangents);
     }
-    same(&out.positions, &a.positions, &o.positions, n);
-    same(&out.normals, &a.normals, &o.normals, n);
-    same(&out.tangents, &a.tangents, &o.tangents, n);
-    same(&out.bitangents, &a.bitangents, &o.bitangents, n);
+    check_gaps(&out.positions, n);
+    check_gaps(&out.normals, n);
+    check_gaps(&out.tangents, n);
+    check_gaps(&out.bitangents, n);
 }
 
 static nkw_skin_span draw_span(fuzz *f, size_t n, size_t influences)
@@ -140,17 +171,19 @@ static nkw_skin_span draw_span(fuzz *f, size_t n, size_t influences)
 static void prepare(fuzz *f, const nkw_skin *s)
 {
     size_t keep = fuzz_upto(f, MOST), bad;
-    nkw_skin_span joints = draw_span(f, s->vertices, keep), weights = draw_span(f, s->vertices, keep);
+    nkw_skin_span joints = draw_span(f, s->vertex_count, keep), weights = draw_span(f, s->vertex_count, keep);
     nkw_result result = nkw_skin_validate(s, JOINTS, &bad);
-    FUZZ_CHECK(bad < s->vertices || bad == 0);
-    nkw_skin_span even = draw_span(f, s->vertices, s->influences);
-    nkw_skin_normalize_weights(s->weights, s->influences, even, s->vertices);
+    FUZZ_CHECK(bad < s->vertex_count || bad == 0);
+    nkw_skin_span even = draw_span(f, s->vertex_count, s->influence_count);
+    nkw_skin_normalize_weights(s->weights, even, s->influence_count, s->vertex_count);
     nkw_skin_prune(s, keep, joints, weights);
-    nkw_skin pruned = {
-        s->vertices, keep, {joints.data, joints.stride, joints.format}, {weights.data, weights.stride, weights.format}};
+    nkw_skin pruned = {s->vertex_count,
+                       keep,
+                       {joints.data, joints.stride, joints.format},
+                       {weights.data, weights.stride, weights.format}};
     nkw_result shape = nkw_skin_validate(&pruned, SIZE_MAX, NULL);
-    int was_pruned = keep >= 1 && keep <= 8 && s->influences >= 1 && s->influences <= 8 && s->vertices > 0 &&
-                     result != NKW_BAD_METHOD && shape != NKW_BAD_METHOD;
+    int was_pruned = keep >= 1 && keep <= 8 && s->influence_count >= 1 && s->influence_count <= 8 &&
+                     s->vertex_count > 0 && result != NKW_BAD_FORMAT && shape != NKW_BAD_FORMAT;
     FUZZ_CHECK(!was_pruned || shape == NKW_OK);
 }
 

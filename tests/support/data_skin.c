@@ -44,9 +44,9 @@ static void draw(model *m)
         m->vertices[i] = i % 31 == 0 ? 0.0f : random_between(&r, -1, 1);
 }
 
-static nkw_vertices streams(const float *v)
+static nkw_vertices_view streams(const float *v)
 {
-    nkw_vertices r = {{v, 4 * FLOATS}, {v + 3, 4 * FLOATS}, {v + 8, 4 * FLOATS}, {v + 11, 4 * FLOATS}};
+    nkw_vertices_view r = {{v, 4 * FLOATS}, {v + 3, 4 * FLOATS}, {v + 8, 4 * FLOATS}, {v + 11, 4 * FLOATS}};
     return r;
 }
 
@@ -56,18 +56,32 @@ static nkw_vertices_span spans(float *v)
     return r;
 }
 
+static nkw_skin_palette palette_of(const model *m, int with_normals, int skip_normalization)
+{
+    nkw_skin_palette p = {{m->matrices, JOINTS, NKW_PALETTE_MAT4},
+                          {with_normals ? m->normals : NULL, JOINTS, NKW_PALETTE_NORMAL_MAT3},
+                          skip_normalization};
+    return p;
+}
+
+static nkw_palette_view duals_of(const model *m)
+{
+    nkw_palette_view p = {m->duals, JOINTS, NKW_PALETTE_DUAL_QUAT};
+    return p;
+}
+
 static uint64_t skin_all(uint64_t hash, const model *m, const nkw_skin *skin)
 {
-    const nkw_skin_palette plain = {m->matrices, NULL, JOINTS, 0}, exact = {m->matrices, m->normals, JOINTS, 0};
+    const nkw_skin_palette plain = palette_of(m, 0, 0), exact = palette_of(m, 1, 0);
     float v[VERTICES * FLOATS];
-    nkw_vertices in = streams(m->vertices);
+    nkw_vertices_view in = streams(m->vertices);
     nkw_vertices_span out = spans(v);
     memcpy(v, m->vertices, sizeof v);
     nkw_skin_linear(skin, &plain, &in, &out);
     hash = hash_floats(hash, v, VERTICES * FLOATS);
     nkw_skin_linear(skin, &exact, &in, &out);
     hash = hash_floats(hash, v, VERTICES * FLOATS);
-    nkw_skin_dual_quat(skin, m->duals, JOINTS, &in, &out);
+    nkw_skin_dual_quat(skin, duals_of(m), &in, &out);
     return hash_floats(hash, v, VERTICES * FLOATS);
 }
 
@@ -75,9 +89,9 @@ static uint64_t skin_all(uint64_t hash, const model *m, const nkw_skin *skin)
 static uint64_t skin_pairs(uint64_t hash, const model *m, const nkw_skin *skin)
 {
     for (int raw = 0; raw < 2; raw++) {
-        const nkw_skin_palette palette = {m->matrices, NULL, JOINTS, raw};
+        const nkw_skin_palette palette = palette_of(m, 0, raw);
         float v[VERTICES * FLOATS];
-        nkw_vertices in = {{v, 0}, {v + 3 * VERTICES, 4 * FLOATS / 2}, {NULL, 0}, {NULL, 0}};
+        nkw_vertices_view in = {{v, 0}, {v + 3 * VERTICES, 4 * FLOATS / 2}, {NULL, 0}, {NULL, 0}};
         nkw_vertices_span out = {{v, 0}, {v + 3 * VERTICES, 4 * FLOATS / 2}, {NULL, 0}, {NULL, 0}};
         memcpy(v, m->vertices, sizeof v);
         nkw_skin_linear(skin, &palette, &in, &out);
@@ -86,16 +100,33 @@ static uint64_t skin_pairs(uint64_t hash, const model *m, const nkw_skin *skin)
     return hash;
 }
 
-static uint64_t skin_arrays(uint64_t hash, const model *m, const nkw_skin *skin)
+/* Component arrays of a vector, VERTICES floats at every 150th, to structs and back. */
+static void gather(const float *v, nkw_vec3 *out)
 {
-    const nkw_skin_palette plain = {m->matrices, NULL, JOINTS, 0}, exact = {m->matrices, m->normals, JOINTS, 0};
+    for (size_t i = 0; i < VERTICES; i++)
+        out[i].x = v[i], out[i].y = v[150 + i], out[i].z = v[300 + i];
+}
+
+static void scatter(const nkw_vec3 *in, size_t n, float *v)
+{
+    for (size_t i = 0; i < n; i++)
+        v[i] = in[i].x, v[150 + i] = in[i].y, v[300 + i] = in[i].z;
+}
+
+/* Positions and normals alone, one method after the other. */
+static uint64_t skin_chain(uint64_t hash, const model *m, const nkw_skin *skin)
+{
+    const nkw_skin_palette plain = palette_of(m, 0, 0), exact = palette_of(m, 1, 0);
     float v[VERTICES * FLOATS];
-    nkw_vertices_arrays in = {{v, v + 150, v + 300}, {v + 450, v + 600, v + 750}, {0}, {0}};
-    nkw_vertices_arrays_span out = {{v, v + 150, v + 300}, {v + 450, v + 600, v + 750}, {0}, {0}};
+    nkw_vec3 p[VERTICES], n[VERTICES];
+    nkw_vertices_view in = {{p, 0}, {n, 0}, {NULL, 0}, {NULL, 0}};
+    nkw_vertices_span out = {{p, 0}, {n, 0}, {NULL, 0}, {NULL, 0}};
     memcpy(v, m->vertices, sizeof v);
-    nkw_skin_linear_arrays(skin, &plain, &in, &out);
-    nkw_skin_linear_arrays(skin, &exact, &in, &out);
-    nkw_skin_dual_quat_arrays(skin, m->duals, JOINTS, &in, &out);
+    gather(v, p), gather(v + 450, n);
+    nkw_skin_linear(skin, &plain, &in, &out);
+    nkw_skin_linear(skin, &exact, &in, &out);
+    nkw_skin_dual_quat(skin, duals_of(m), &in, &out);
+    scatter(p, skin->vertex_count, v), scatter(n, skin->vertex_count, v + 450);
     return hash_floats(hash, v, VERTICES * FLOATS);
 }
 
@@ -115,12 +146,14 @@ uint64_t data_skin(void)
     static model m;
     uint64_t hash = HASH_START;
     draw(&m);
+    nkw_skin few = {JOINTS - 1, 4, {m.joints, 0, NKW_SKIN_U16}, {m.weights, 0, NKW_SKIN_F32}};
+    (void)skin_all(hash, &m, &few);
     for (size_t k = 1; k <= 8; k++) {
         nkw_skin skin = {VERTICES, k, {m.joints, 16, NKW_SKIN_U16}, {m.weights, 32, NKW_SKIN_F32}};
-        hash = skin_arrays(skin_all(hash, &m, &skin), &m, &skin);
+        hash = skin_chain(skin_all(hash, &m, &skin), &m, &skin);
         hash = prune(skin_pairs(hash, &m, &skin), &skin);
         nkw_skin tight = {VERTICES, k, {m.joints, 0, NKW_SKIN_U16}, {m.weights16, 0, NKW_SKIN_U16}};
-        hash = skin_arrays(skin_all(hash, &m, &tight), &m, &tight);
+        hash = skin_chain(skin_all(hash, &m, &tight), &m, &tight);
         nkw_skin bytes = {VERTICES - k, k, {m.joints8, 5 < k ? k : 5, NKW_SKIN_U8}, {m.weights8, 0, NKW_SKIN_U8}};
         hash = skin_pairs(skin_all(hash, &m, &bytes), &m, &bytes);
     }

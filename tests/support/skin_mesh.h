@@ -52,7 +52,7 @@ static inline mesh draw(uint64_t seed, size_t influences, int rigid)
     }
     nkw_skin_view in = {m.weights, 0, NKW_SKIN_F32};
     nkw_skin_span out = {m.weights, 0, NKW_SKIN_F32};
-    nkw_skin_normalize_weights(in, influences, out, VERTICES);
+    nkw_skin_normalize_weights(in, out, influences, VERTICES);
     for (size_t i = 0; i < VERTICES * FLOATS; i++)
         m.v[i] = random_between(&r, -1, 1);
     return m;
@@ -64,10 +64,24 @@ static inline nkw_skin skin_of(const mesh *m, size_t influences)
     return s;
 }
 
-static inline nkw_vertices streams(const float *v, size_t floats)
+static inline nkw_skin_palette palette_of(const nkw_mat4 *matrices, const nkw_mat3 *normals, size_t joint_count,
+                                          int skip_normalization)
+{
+    nkw_skin_palette p = {
+        {matrices, joint_count, NKW_PALETTE_MAT4}, {normals, joint_count, NKW_PALETTE_NORMAL_MAT3}, skip_normalization};
+    return p;
+}
+
+static inline nkw_palette_view duals_of(const nkw_dual_quat *duals, size_t joint_count)
+{
+    nkw_palette_view p = {duals, joint_count, NKW_PALETTE_DUAL_QUAT};
+    return p;
+}
+
+static inline nkw_vertices_view streams(const float *v, size_t floats)
 {
     size_t s = floats * sizeof *v;
-    nkw_vertices r = {{v, s}, {v + 3, s}, {v + 6, s}, {v + 9, s}};
+    nkw_vertices_view r = {{v, s}, {v + 3, s}, {v + 6, s}, {v + 9, s}};
     return r;
 }
 
@@ -100,6 +114,22 @@ static inline nkw_vec3 unit(nkw_vec3 n)
 {
     float n2 = (n.x * n.x + n.y * n.y) + n.z * n.z;
     return nkw_vec3_scale(n, n2 == 0 ? 0 : 1 / sqrtf(n2));
+}
+
+/* Whether vertex i has a weight other than 0 for a joint of the palette, and its matrix by definition. */
+static inline int matrix_of(const mesh *m, size_t influences, size_t i, nkw_mat4 *sum)
+{
+    int any = 0;
+    for (size_t a = 0; a < 16; a++)
+        sum->m[a] = 0;
+    for (size_t e = 0; e < influences; e++) {
+        const size_t joint = m->joints[i * influences + e] < JOINTS ? m->joints[i * influences + e] : 0;
+        const float weight = m->joints[i * influences + e] < JOINTS ? m->weights[i * influences + e] : 0;
+        any |= weight != 0;
+        for (size_t a = 0; a < 16; a++)
+            sum->m[a] = e ? sum->m[a] + weight * m->matrices[joint].m[a] : weight * m->matrices[joint].m[a];
+    }
+    return any;
 }
 
 #endif
