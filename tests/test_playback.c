@@ -189,6 +189,31 @@ static void a_moment_before_the_start_is_the_start(void **state)
     expect_head(nkw_playback_at(NKW_PLAYBACK_LOOP, 0, 3, -1e-30f), 0, 0, __LINE__);
 }
 
+/* Where cycle times duration is rounded to more than the time, the rest is that of the pass before. */
+static void a_rest_below_nothing_belongs_to_the_pass_before(void **state)
+{
+    (void)state;
+    const float duration = 0x1.679bbep-1f, time = 0x1.a5b4cp+38f; /* 0x1.2c34d9a12ap+39 durations less 2^-14 */
+    const float before = (float)((double)duration - 0x1p-14);
+    expect_head(nkw_playback_at(NKW_PLAYBACK_LOOP, 0, duration, time), before, (float)(0x1.2c34d9a12ap+39 - 1),
+                __LINE__);
+    expect_head(nkw_playback_at(NKW_PLAYBACK_PING_PONG, 0, duration, time), before, (float)(0x1.2c34d9a12ap+39 - 1),
+                __LINE__);
+}
+
+static void any_time_at_all_stays_within_the_pass(void **state)
+{
+    (void)state;
+    random_source r = random_from(6);
+    for (int i = 0; i < 100000; i++) {
+        float duration = nkw_abs(random_scaled(&r, -126, 20)), time = random_scaled(&r, -100, 127);
+        for (int mode = NKW_PLAYBACK_CLAMP; mode <= NKW_PLAYBACK_PING_PONG; mode++) {
+            float got = nkw_playback_at((nkw_playback)mode, 0, duration, time).time;
+            assert_true(got >= 0 && got <= duration);
+        }
+    }
+}
+
 /* From 2^29 cycles on, cycle times duration is rounded: x is off by less than its last place, on either side. */
 static void ping_pong_follows_its_triangle_however_far(void **state)
 {
@@ -220,6 +245,8 @@ int main(void)
         cmocka_unit_test(passing_nothing),
         cmocka_unit_test(passes_that_cannot_be_counted_pass_none),
         cmocka_unit_test(a_moment_before_the_start_is_the_start),
+        cmocka_unit_test(a_rest_below_nothing_belongs_to_the_pass_before),
+        cmocka_unit_test(any_time_at_all_stays_within_the_pass),
         cmocka_unit_test(ping_pong_follows_its_triangle_however_far),
     };
     return cmocka_run_group_tests_name("playback", tests, NULL, NULL);
