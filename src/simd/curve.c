@@ -1,6 +1,8 @@
 /* SPDX-License-Identifier: MIT */
 #include "lane/strict.h"
 
+#include <nakawari/curve.h>
+
 #include "batch/curve.h"
 #include "simd/dispatch.h"
 

@@ -1,6 +1,8 @@
 /* SPDX-License-Identifier: MIT */
 #include "lane/strict.h"
 
+#include <nakawari/mat.h>
+
 #include "batch/mat.h"
 #include "simd/dispatch.h"
 

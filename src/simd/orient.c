@@ -1,6 +1,8 @@
 /* SPDX-License-Identifier: MIT */
 #include "lane/strict.h"
 
+#include <nakawari/orient.h>
+
 #include "batch/orient.h"
 #include "simd/dispatch.h"
 

@@ -1,6 +1,8 @@
 /* SPDX-License-Identifier: MIT */
 #include "lane/strict.h"
 
+#include <nakawari/quat.h>
+
 #include "batch/quat.h"
 #include "simd/dispatch.h"
 

@@ -1,6 +1,8 @@
 /* SPDX-License-Identifier: MIT */
 #include "lane/strict.h"
 
+#include <nakawari/scalar.h>
+
 #include "batch/scalar.h"
 #include "simd/dispatch.h"
 

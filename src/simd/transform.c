@@ -1,6 +1,8 @@
 /* SPDX-License-Identifier: MIT */
 #include "lane/strict.h"
 
+#include <nakawari/transform.h>
+
 #include "batch/transform.h"
 #include "simd/dispatch.h"
 

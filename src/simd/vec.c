@@ -1,6 +1,8 @@
 /* SPDX-License-Identifier: MIT */
 #include "lane/strict.h"
 
+#include <nakawari/vec.h>
+
 #include "batch/vec.h"
 #include "simd/dispatch.h"
 
