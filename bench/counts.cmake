@@ -1,4 +1,4 @@
-cmake_minimum_required(VERSION 3.25)
+cmake_minimum_required(VERSION 3.22)
 # Counts the instructions of counts.c under callgrind, and fails where one of them is more than 3 % above counts.txt.
 #
 #     cmake -DPROGRAM=... -DVALGRIND=... -DCOMPILER="GNU 12.2.0 Release" -DTABLE=bench/counts.txt -DWORK=folder

@@ -1,4 +1,4 @@
-cmake_minimum_required(VERSION 3.25)
+cmake_minimum_required(VERSION 3.22)
 # Generates docs/performance.md and docs/figures/performance-*.svg from results and from page.md.
 #
 #     cmake -DTABLE=... -DPLOT=... -DROOT=repository [-DRESULTS=folder -DFILTER=...] [-DCHECK=folder] -P page.cmake

@@ -1,4 +1,4 @@
-cmake_minimum_required(VERSION 3.25)
+cmake_minimum_required(VERSION 3.22)
 # Links of a page to lines of the source: `function`, [`path:line`](../path#Lline). Each must name the line on which the
 # function stands. With -DWRITE=ON the numbers are put right instead.
 #     cmake -DPAGE=docs/coursework.md -DROOT=. -DWRITE=ON -P docs/generate/lines.cmake

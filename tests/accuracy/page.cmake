@@ -1,4 +1,4 @@
-cmake_minimum_required(VERSION 3.25)
+cmake_minimum_required(VERSION 3.22)
 # Joins the Markdown parts that the accuracy programs wrote into one page.
 set(page "# Accuracy
 

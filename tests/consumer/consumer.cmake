@@ -1,4 +1,4 @@
-cmake_minimum_required(VERSION 3.25)
+cmake_minimum_required(VERSION 3.22)
 # HOW install: builds the library, installs it, and moves the installed tree to INSTALLED. Another HOW: configures, builds
 # and runs the project beside this file, which comes to the library in that way.
 file(REMOVE_RECURSE "${WORK}")

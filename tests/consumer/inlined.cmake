@@ -1,4 +1,4 @@
-cmake_minimum_required(VERSION 3.25)
+cmake_minimum_required(VERSION 3.22)
 # Compiles inlined.c by CC with FLAGS, and once more so that it calls LIBRARY; then links both with the comparison and
 # runs it. The inputs must not depend on the flags.
 file(MAKE_DIRECTORY "${WORK}")

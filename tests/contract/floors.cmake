@@ -1,4 +1,4 @@
-cmake_minimum_required(VERSION 3.25)
+cmake_minimum_required(VERSION 3.22)
 # A file includes only its own floor and lower ones. The floor of a file is that of its stem; a file without a stem has
 # the highest floor of those that it includes.
 include("${SOURCE}/src/stems.cmake")

@@ -1,4 +1,4 @@
-cmake_minimum_required(VERSION 3.25)
+cmake_minimum_required(VERSION 3.22)
 # The committed table is what its generator prints. GENERATOR is a Sollya script or a C program.
 if(GENERATOR MATCHES "\\.c$")
   execute_process(COMMAND "${CC}" -std=c99 -O2 "${GENERATOR}" -o "${WORK}" -lm COMMAND_ERROR_IS_FATAL ANY)

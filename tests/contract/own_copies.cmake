@@ -1,4 +1,4 @@
-cmake_minimum_required(VERSION 3.25)
+cmake_minimum_required(VERSION 3.22)
 # A C++ file holds no copy of the library's functions, which the linker might take for the whole program: it calls them.
 execute_process(COMMAND "${NM}" -P "${OBJECT}" OUTPUT_VARIABLE symbols COMMAND_ERROR_IS_FATAL ANY)
 string(REGEX MATCHALL "\nnkw_[a-z0-9_]+ [A-TV-Za-z]" own "\n${symbols}")

@@ -1,4 +1,4 @@
-cmake_minimum_required(VERSION 3.25)
+cmake_minimum_required(VERSION 3.22)
 # Every loop of every instruction set works on whole vectors: its code has packed arithmetic of that set's registers. A
 # loop that silently stops vectorising fails here. Loops that only move or unpack data have none and are named.
 # Columns of 4x4 matrices, one or two at a time on every set.

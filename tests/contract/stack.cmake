@@ -1,4 +1,4 @@
-cmake_minimum_required(VERSION 3.25)
+cmake_minimum_required(VERSION 3.22)
 # No function takes more than MOST bytes of stack for itself, nor any amount that its arguments decide: by the reports
 # that the compiler left beside the objects.
 file(GLOB_RECURSE reports "${OBJECTS}/*.su")

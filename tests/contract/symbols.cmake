@@ -1,4 +1,4 @@
-cmake_minimum_required(VERSION 3.25)
+cmake_minimum_required(VERSION 3.22)
 # The library imports nothing but sqrtf, the memory functions of string.h (bcmp: Clang's form of memcmp
 # where only equality is asked), and the compiler's record of what the processor can do; it defines the functions of its headers and, hidden, the loops and parts behind them, and
 # no other global name; it holds no writable data.

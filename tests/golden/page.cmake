@@ -1,4 +1,4 @@
-cmake_minimum_required(VERSION 3.25)
+cmake_minimum_required(VERSION 3.22)
 # The page names the table's SHA-256. With -DWRITE=ON it is put right instead.
 #     cmake -DPAGE=docs/determinism.md -DTABLE=tests/golden/golden.txt -P tests/golden/page.cmake
 file(SHA256 "${TABLE}" hash)

@@ -1,4 +1,4 @@
-cmake_minimum_required(VERSION 3.25)
+cmake_minimum_required(VERSION 3.22)
 # Compiles the library's sources by CC and golden.c by DRIVER, both with FLAGS, and compares the hashes with TABLE.
 # The inputs must not depend on the flags: those files are compiled without contraction. LINK and EMULATOR: another system's.
 file(MAKE_DIRECTORY "${WORK}")
