@@ -5,6 +5,18 @@
 
 #include "lane/mat.h"
 
+#if !NKW_F32X4
+nkw_mat4 nkw_mat4_mul(const nkw_mat4 *a, const nkw_mat4 *b)
+{
+    return lane_mat4_mul(a, b);
+}
+
+nkw_mat4 nkw_mat4_mul_affine(const nkw_mat4 *a, const nkw_mat4 *b)
+{
+    return lane_mat4_mul_affine(a, b);
+}
+#endif
+
 float nkw_mat3_determinant(const nkw_mat3 *m)
 {
     lane_wmat3 w = lane_wmat3_from(m);
@@ -51,7 +63,11 @@ nkw_vec3 nkw_mat4_project_point(const nkw_mat4 *m, nkw_vec3 p)
 {
     const float *a = m->m;
     float w = (a[3] * p.x + a[7] * p.y) + (a[11] * p.z + a[15]);
-    return nkw_vec3_divide(nkw_mat4_transform_point(m, p), w);
+    nkw_vec3 r = nkw_mat4_transform_point(m, p);
+    r.x /= w;
+    r.y /= w;
+    r.z /= w;
+    return r;
 }
 
 static void widen(const nkw_mat4 *m, double a[16])

@@ -8,6 +8,13 @@
 /* Enough for the eigenvector of sheared blocks too; where there is no shear, two would do. */
 #define NEAREST_ROTATION_STEPS 24
 
+#if !NKW_F32X4
+nkw_mat4 nkw_mat4_from_trs(const nkw_trs *trs)
+{
+    return lane_mat4_from_trs(trs);
+}
+#endif
+
 /* The unit column, or a direction at right angles to the two others where it has no length. */
 static lane_wvec3 unit_or_cross(lane_wvec3 column, double length, lane_wvec3 next, lane_wvec3 after)
 {

@@ -133,20 +133,6 @@ static void min_and_max_give_the_second_number_for_nan(void **state)
     expect_bits(nkw_max(-0.0f, 0.0f), 0.0f);
 }
 
-static void select_gives_either_argument_bit_for_bit(void **state)
-{
-    random_source r = random_from(46);
-    (void)state;
-    for (int i = 0; i < COUNT; i++) {
-        float a = random_finite(&r), b = random_finite(&r);
-        expect_bits(nkw_select(a < b, a, b), a < b ? a : b);
-    }
-    expect_bits(nkw_select(1, -0.0f, NAN), -0.0f);
-    expect_bits(nkw_select(0, INFINITY, -0.0f), -0.0f);
-    expect_bits(nkw_select(-2, 1.0f, 2.0f), 1.0f);
-    expect_nan(nkw_select(1, NAN, 0.0f));
-}
-
 static void clamp_and_saturate_take_nan_to_the_low_end(void **state)
 {
     (void)state;
@@ -534,7 +520,6 @@ int main(void)
         cmocka_unit_test(a_logarithm_leads_back_to_its_number),
         cmocka_unit_test(wrapping_twice_is_wrapping_once),
         cmocka_unit_test(min_and_max_give_the_second_number_for_nan),
-        cmocka_unit_test(select_gives_either_argument_bit_for_bit),
         cmocka_unit_test(clamp_and_saturate_take_nan_to_the_low_end),
         cmocka_unit_test(abs_drops_the_sign_of_zero),
         cmocka_unit_test(inverse_lerp_of_an_empty_range_is_0),

@@ -19,8 +19,6 @@ static void sums_differences_and_products_go_by_component(void **state)
     expect_vec3_bits(nkw_vec3_sub(a, b), vec(-3, -7, 9));
     expect_vec3_bits(nkw_vec3_mul(a, b), vec(4, -10, -18));
     expect_vec3_bits(nkw_vec3_scale(a, -2), vec(-2, 4, -6));
-    expect_vec3_bits(nkw_vec3_divide(a, -2), vec(-0.5f, 1, -1.5f));
-    expect_vec3_bits(nkw_vec3_divide(a, -0.0f), vec(-INFINITY, INFINITY, -INFINITY));
     expect_vec3_bits(nkw_vec3_negate(a), vec(-1, 2, -3));
     expect_vec3_bits(nkw_vec3_add_scaled(a, b, 0.5f), vec(3, 0.5f, 0));
     expect_vec3_bits(nkw_vec3_min(a, b), vec(1, -2, -6));

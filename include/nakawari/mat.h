@@ -106,7 +106,7 @@ NKW_ALGEBRA nkw_mat4 nkw_mat4_transpose(const nkw_mat4 *m);
  *
  * Error  3.2 u of the Frobenius norm, for elements in -1..1.
  */
-NKW_ALGEBRA nkw_mat4 nkw_mat4_mul(const nkw_mat4 *a, const nkw_mat4 *b);
+NKW_ALGEBRA_F32X4 nkw_mat4 nkw_mat4_mul(const nkw_mat4 *a, const nkw_mat4 *b);
 
 /**
  * a b of two affine matrices: the last rows are not read, and the result's is exactly 0 0 0 1. Same bits as
@@ -114,7 +114,7 @@ NKW_ALGEBRA nkw_mat4 nkw_mat4_mul(const nkw_mat4 *a, const nkw_mat4 *b);
  *
  * Error  2.1 u of the Frobenius norm, for elements in -1..1.
  */
-NKW_ALGEBRA nkw_mat4 nkw_mat4_mul_affine(const nkw_mat4 *a, const nkw_mat4 *b);
+NKW_ALGEBRA_F32X4 nkw_mat4 nkw_mat4_mul_affine(const nkw_mat4 *a, const nkw_mat4 *b);
 
 /**
  * The affine m on a point: m (p, 1). The last row is not read.

@@ -33,8 +33,6 @@ NKW_ALGEBRA nkw_quat nkw_quat_add(nkw_quat a, nkw_quat b);
 NKW_ALGEBRA nkw_quat nkw_quat_sub(nkw_quat a, nkw_quat b);
 /** s a, component by component. */
 NKW_ALGEBRA nkw_quat nkw_quat_scale(nkw_quat a, float s);
-/** a / s, component by component; infinities and NaN where s is 0. */
-NKW_ALGEBRA nkw_quat nkw_quat_divide(nkw_quat a, float s);
 /** -q: the same rotation, the other of its two quaternions. */
 NKW_ALGEBRA nkw_quat nkw_quat_negate(nkw_quat q);
 /** (-x, -y, -z, w): the opposite rotation of a unit quaternion. */

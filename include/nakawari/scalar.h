@@ -52,16 +52,6 @@ NKW_ALGEBRA float nkw_min(float a, float b);
 NKW_ALGEBRA float nkw_max(float a, float b);
 
 /**
- * a where `first` is not 0, else b, bit for bit.
- *
- * Both are computed and no branch is taken, so that a loop over it becomes vectors: compilers turn ?: into a branch
- * where they may not compute what is not needed.
- *
- * Error  exact
- */
-NKW_ALGEBRA float nkw_select(int first, float a, float b);
-
-/**
  * x kept within [low, high].
  *
  *     clamp = min(max(x, low), high)

@@ -37,7 +37,7 @@ NKW_ALGEBRA nkw_mat3 nkw_mat3_from_quat_scale(nkw_quat q, nkw_vec3 scale);
  *
  * Error  3.3 u of each column, for q unit to 2e-7; 21 u for others unit to 1e-3; beyond, it grows with |q|^2.
  */
-NKW_ALGEBRA nkw_mat4 nkw_mat4_from_trs(const nkw_trs *trs);
+NKW_ALGEBRA_F32X4 nkw_mat4 nkw_mat4_from_trs(const nkw_trs *trs);
 
 /**
  * The transform of a point: translation + rotate(rotation, scale * p).

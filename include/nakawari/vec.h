@@ -28,8 +28,6 @@ NKW_ALGEBRA nkw_vec3 nkw_vec3_sub(nkw_vec3 a, nkw_vec3 b);
 NKW_ALGEBRA nkw_vec3 nkw_vec3_negate(nkw_vec3 a);
 /** s a. */
 NKW_ALGEBRA nkw_vec3 nkw_vec3_scale(nkw_vec3 a, float s);
-/** a / s, component by component; infinities and NaN where s is 0. */
-NKW_ALGEBRA nkw_vec3 nkw_vec3_divide(nkw_vec3 a, float s);
 /** The component-wise product (a.x b.x, a.y b.y, a.z b.z), as in scaling along the axes. */
 NKW_ALGEBRA nkw_vec3 nkw_vec3_mul(nkw_vec3 a, nkw_vec3 b);
 /**

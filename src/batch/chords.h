@@ -19,7 +19,7 @@ INLINE void settle_where(const float *mixed, nkw_quat_view v, int used, nkw_quat
 #pragma omp simd reduction(| : outside)
     for (int i = 0; i < n; i++) {
         nkw_quat q = at_quat(v, (size_t)i);
-        float m = lane_quat_defect(q);
+        float m = nkw_quat_unit_error(q);
         outside |= !(lane_abs(m) < 1.0f) & (i < used);
         put_quat(out, (size_t)i, lane_quat_select(mixed[i] == 0.0f, q, lane_quat_settle_inside(q, m)));
     }

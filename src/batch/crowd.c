@@ -8,6 +8,7 @@
 
 #include "batch/crowd.h"
 #include "lane/four.h"
+#include "lane/mat.h"
 
 NKW_LOOPS_CROWD(NKW_DECLARE_LOOP)
 
@@ -41,11 +42,12 @@ static inline void put_matrix(float *m, size_t i, const nkw_mat4 *a)
 /* nkw_mat4_from_trs of a lane. */
 static inline nkw_mat4 local_at(const float *p, size_t i)
 {
-    nkw_vec3 translation = {p[i], p[LANES + i], p[2 * LANES + i]};
-    nkw_quat rotation = {p[3 * LANES + i], p[4 * LANES + i], p[5 * LANES + i], p[6 * LANES + i]};
-    nkw_vec3 scale = {p[7 * LANES + i], p[8 * LANES + i], p[9 * LANES + i]};
-    nkw_mat3 m = nkw_mat3_from_quat_scale(rotation, scale);
-    return nkw_mat4_from_mat3(&m, translation);
+    const nkw_trs trs = {
+        {p[i], p[LANES + i], p[2 * LANES + i]},
+        {p[3 * LANES + i], p[4 * LANES + i], p[5 * LANES + i], p[6 * LANES + i]},
+        {p[7 * LANES + i], p[8 * LANES + i], p[9 * LANES + i]},
+    };
+    return lane_mat4_from_trs(&trs);
 }
 
 /* Functions of their own, so that the loops around them see no address of a local matrix. */
@@ -57,13 +59,13 @@ static inline void local_of(const float *p, float *out, size_t i)
 
 static inline void model_of(const float *parent, const float *p, float *out, size_t i)
 {
-    nkw_mat4 a = matrix_at(parent, i), b = local_at(p, i), m = nkw_mat4_mul_affine(&a, &b);
+    nkw_mat4 a = matrix_at(parent, i), b = local_at(p, i), m = lane_mat4_mul_affine(&a, &b);
     put_matrix(out, i, &m);
 }
 
 static inline void bound_of(const float *model, const nkw_mat4 *inverse_bind, float *out, size_t i)
 {
-    nkw_mat4 a = matrix_at(model, i), m = nkw_mat4_mul_affine(&a, inverse_bind);
+    nkw_mat4 a = matrix_at(model, i), m = lane_mat4_mul_affine(&a, inverse_bind);
     put_matrix(out, i, &m);
 }
 

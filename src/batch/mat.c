@@ -5,6 +5,7 @@
 
 #include "batch/element.h"
 #include "batch/mat.h"
+#include "lane/mat.h"
 
 NKW_LOOPS_MAT(NKW_DECLARE_LOOP)
 
@@ -21,7 +22,7 @@ NKW_LOOP(nkw_mat3_from_quat_n)(nkw_quat_view q, nkw_mat3_span out, size_t n)
 /* A function of its own: GCC gives matrices whose address is taken in the loop a memory that it cannot see through. */
 static inline void mul_affine(const nkw_mat4_view *a, const nkw_mat4_view *b, const nkw_mat4_span *out, size_t i)
 {
-    nkw_mat4 p = at_mat4(a, i), q = at_mat4(b, i), r = nkw_mat4_mul_affine(&p, &q);
+    nkw_mat4 p = at_mat4(a, i), q = at_mat4(b, i), r = lane_mat4_mul_affine(&p, &q);
     put_mat4(out, i, &r);
 }
 

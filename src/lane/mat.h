@@ -6,9 +6,43 @@
 #include "strict.h"
 
 #include <nakawari/mat.h>
+#include <nakawari/transform.h>
 
 #include "quat.h"
 #include "two.h"
+
+/* The sums in the order of nkw_mat4_mul. */
+static inline nkw_mat4 lane_mat4_mul(const nkw_mat4 *a, const nkw_mat4 *b)
+{
+    const float *x = a->m, *y = x + 4, *z = x + 8, *t = x + 12;
+    nkw_mat4 r;
+    for (size_t c = 0; c < 16; c += 4) {
+        const float *k = b->m + c;
+        for (size_t i = 0; i < 4; i++)
+            r.m[c + i] = (x[i] * k[0] + y[i] * k[1]) + (z[i] * k[2] + t[i] * k[3]);
+    }
+    return r;
+}
+
+/* The same where the last row of both is 0 0 0 1. */
+static inline nkw_mat4 lane_mat4_mul_affine(const nkw_mat4 *a, const nkw_mat4 *b)
+{
+    const float *x = a->m, *y = x + 4, *z = x + 8, *t = x + 12;
+    nkw_mat4 r;
+    for (size_t c = 0; c < 16; c += 4) {
+        const float *k = b->m + c;
+        for (size_t i = 0; i < 3; i++)
+            r.m[c + i] = (x[i] * k[0] + y[i] * k[1]) + (c < 12 ? z[i] * k[2] : z[i] * k[2] + t[i]);
+        r.m[c + 3] = c < 12 ? 0.0f : 1.0f;
+    }
+    return r;
+}
+
+static inline nkw_mat4 lane_mat4_from_trs(const nkw_trs *trs)
+{
+    nkw_mat3 m = nkw_mat3_from_quat_scale(trs->rotation, trs->scale);
+    return nkw_mat4_from_mat3(&m, trs->translation);
+}
 
 static inline lane_wmat3 lane_wmat3_from(const nkw_mat3 *m)
 {

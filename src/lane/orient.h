@@ -65,7 +65,7 @@ static inline float lane_kept(uint32_t mask, float x)
 /* The same for any: a chord that t outside 0..1 made longer than sqrt 2 is divided by its length outright. */
 static inline nkw_quat lane_quat_settle(nkw_quat v)
 {
-    float m = lane_quat_defect(v), n2 = 1.0f - m;
+    float m = nkw_quat_unit_error(v), n2 = 1.0f - m;
     float n = sqrtf(n2);
     int outright = n2 > 2.0f;
     float g = (outright ? 1.0f : m) / (outright ? n : n + n2);

@@ -288,12 +288,6 @@ static inline lane_wquat lane_wquat_from_wmat3(const lane_wmat3 *m, int steps)
     return lane_wquat_normalize(lane_wform_dominant(&k, steps));
 }
 
-/* 1 - |k|^2 of a nearly unit k. Each difference is small, so nothing large is rounded. */
-static inline float lane_quat_defect(nkw_quat k)
-{
-    return ((0.25f - k.x * k.x) + (0.25f - k.y * k.y)) + ((0.25f - k.z * k.z) + (0.25f - k.w * k.w));
-}
-
 /* q / |q|, the squares summed in binary64; zero gives the identity. */
 static inline nkw_quat lane_quat_normalize(nkw_quat q)
 {
@@ -301,7 +295,8 @@ static inline nkw_quat lane_quat_normalize(nkw_quat q)
     double n2 = lane_wquat_dot(w, w);
     float rescue = lane_rescue((float)n2);
     double held = n2 * ((double)rescue * (double)rescue);
-    nkw_quat unit = nkw_quat_divide(nkw_quat_scale(q, rescue), sqrtf((float)held + FLT_MIN));
+    float n = sqrtf((float)held + FLT_MIN);
+    nkw_quat unit = {q.x * rescue / n, q.y * rescue / n, q.z * rescue / n, q.w * rescue / n};
     unit.w = n2 == 0.0 ? 1.0f : unit.w;
     return unit;
 }

@@ -30,6 +30,7 @@
 #ifndef NKW_CONTRACTION_OFF
 #define NKW_CONTRACTION_OFF
 #endif
+#define NKW_LIBRARY
 
 /* 16 means that only _Float16 is widened. */
 #if (defined(FLT_EVAL_METHOD) && FLT_EVAL_METHOD != 0 && FLT_EVAL_METHOD != 16) ||                                    \

@@ -111,7 +111,9 @@ static inline nkw_vec3 lane_vec3_normalize(nkw_vec3 a)
     double n2 = lane_wvec3_dot(w, w);
     float rescue = lane_rescue((float)n2);
     n2 = n2 * ((double)rescue * (double)rescue);
-    return nkw_vec3_divide(nkw_vec3_scale(a, rescue), sqrtf((float)n2 + FLT_MIN));
+    float n = sqrtf((float)n2 + FLT_MIN);
+    nkw_vec3 r = {a.x * rescue / n, a.y * rescue / n, a.z * rescue / n};
+    return r;
 }
 
 static inline float lane_vec3_angle(nkw_vec3 a, nkw_vec3 b)

@@ -13,7 +13,11 @@
 #define RESULT(name) called_##name
 #else
 #define RESULT(name) inlined_##name
-#if defined(__GNUC__) && !defined(__clang__) && !NKW_INLINE
+#if defined(__GNUC__) && !defined(__clang__) && defined(__FP_FAST_FMAF) && (!defined(__STRICT_ANSI__) || defined(__cplusplus))
+#if NKW_INLINE
+#error "GCC may fuse here: the small algebra is inlined"
+#endif
+#elif !NKW_INLINE
 #error "the small algebra is not inlined"
 #endif
 #endif

@@ -1,9 +1,9 @@
 /* SPDX-License-Identifier: MIT */
 /*
- * Four floats in one register, for the inlined matrix products: a type with the operators + - * and four helpers. Every
+ * Four floats in one register, for the inlined matrix products: a type with the operators + - * and five helpers. Every
  * operation acts on each float separately and rounds once, so the bits are those of the same line on single floats.
  *
- * NKW_F32X4 is 1 where the compiler has such a type and the target an instruction for it, otherwise 0.
+ * Only where NKW_F32X4 of base.h is 1.
  */
 #ifndef NAKAWARI_INLINE_F32X4_H
 #define NAKAWARI_INLINE_F32X4_H
@@ -11,11 +11,7 @@
 #include <stdint.h>
 #include <string.h>
 
-#if defined(__GNUC__) && (defined(__SSE2__) || defined(__aarch64__) || defined(__wasm_simd128__)) && !defined(NKW_PLAIN)
-#define NKW_F32X4 1
-#else
-#define NKW_F32X4 0
-#endif
+#include "../base.h"
 
 #if NKW_F32X4
 typedef float nkw_f32x4 __attribute__((vector_size(16)));
@@ -29,22 +25,36 @@ typedef int32_t nkw_i32x4 __attribute__((vector_size(16)));
 #endif
 
 /* Four floats from any address. */
-static inline nkw_f32x4 nkw_f32x4_load(const void *from)
+NKW_PART nkw_f32x4 nkw_f32x4_load(const void *from)
 {
     nkw_f32x4 r;
     memcpy(&r, from, sizeof r);
     return r;
 }
 
-static inline void nkw_f32x4_store(void *to, nkw_f32x4 a)
+NKW_PART void nkw_f32x4_store(void *to, nkw_f32x4 a)
 {
     memcpy(to, &a, sizeof a);
 }
 
-static inline nkw_f32x4 nkw_f32x4_splat(float x)
+NKW_PART nkw_f32x4 nkw_f32x4_splat(float x)
 {
     nkw_f32x4 r = {x, x, x, x};
     return r;
+}
+
+/* a[0] a[1] a[2] 0 */
+NKW_PART nkw_f32x4 nkw_f32x4_end_0(nkw_f32x4 a)
+{
+    const nkw_f32x4 end = {0.0f, 0.0f, 0.0f, 0.0f};
+    return NKW_SHUFFLE(a, end, 0, 1, 2, 7);
+}
+
+/* a[0] a[1] a[2] 1 */
+NKW_PART nkw_f32x4 nkw_f32x4_end_1(nkw_f32x4 a)
+{
+    const nkw_f32x4 end = {0.0f, 0.0f, 0.0f, 1.0f};
+    return NKW_SHUFFLE(a, end, 0, 1, 2, 7);
 }
 #endif
 

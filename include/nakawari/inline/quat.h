@@ -7,15 +7,6 @@
 #include "../scalar.h"
 #include "../vec.h"
 
-/* 1 - |q|^2 of a nearly unit q. Each difference is small, so nothing large is rounded. */
-#define NKW_QUAT_DEFECT(q)                                                                                             \
-    (((0.25f - NKW_MUL((q).x, (q).x)) + (0.25f - NKW_MUL((q).y, (q).y))) +                                             \
-     ((0.25f - NKW_MUL((q).z, (q).z)) + (0.25f - NKW_MUL((q).w, (q).w))))
-
-/* The defect rounded to a multiple of 2^-20: 0 for a quaternion that is unit to rounding. */
-#define NKW_QUAT_ROUNDS 12.0f
-#define NKW_QUAT_OFF(defect) (((defect) + NKW_QUAT_ROUNDS) - NKW_QUAT_ROUNDS)
-
 #ifdef __cplusplus
 extern "C" {
 #endif
@@ -41,49 +32,52 @@ NKW_BODY nkw_quat nkw_quat_sub(nkw_quat a, nkw_quat b)
 NKW_BODY nkw_quat nkw_quat_scale(nkw_quat a, float s)
 {
     NKW_EXACT
-    nkw_quat r = {NKW_MUL(a.x, s), NKW_MUL(a.y, s), NKW_MUL(a.z, s), NKW_MUL(a.w, s)};
-    return r;
-}
-
-NKW_BODY nkw_quat nkw_quat_divide(nkw_quat a, float s)
-{
-    nkw_quat r = {a.x / s, a.y / s, a.z / s, a.w / s};
+    nkw_quat r = {a.x * s, a.y * s, a.z * s, a.w * s};
     return r;
 }
 
 NKW_BODY nkw_quat nkw_quat_negate(nkw_quat q)
 {
     NKW_EXACT
-    nkw_quat r = {NKW_MUL(-1.0f, q.x), NKW_MUL(-1.0f, q.y), NKW_MUL(-1.0f, q.z), NKW_MUL(-1.0f, q.w)};
+    nkw_quat r = {-q.x, -q.y, -q.z, -q.w};
     return r;
 }
 
 NKW_BODY nkw_quat nkw_quat_conjugate(nkw_quat q)
 {
     NKW_EXACT
-    nkw_quat r = {NKW_MUL(-1.0f, q.x), NKW_MUL(-1.0f, q.y), NKW_MUL(-1.0f, q.z), q.w};
+    nkw_quat r = {-q.x, -q.y, -q.z, q.w};
     return r;
 }
 
 NKW_BODY float nkw_quat_dot(nkw_quat a, nkw_quat b)
 {
     NKW_EXACT
-    return (NKW_MUL(a.x, b.x) + NKW_MUL(a.y, b.y)) + (NKW_MUL(a.z, b.z) + NKW_MUL(a.w, b.w));
+    return (a.x * b.x + a.y * b.y) + (a.z * b.z + a.w * b.w);
 }
 
-#if NKW_ROOT_INLINE || defined(NKW_DEFINE_ALGEBRA)
+/* 1 - |q|^2 of a nearly unit q. Each difference is small, so nothing large is rounded. */
+NKW_PART float nkw_quat_unit_error(nkw_quat q)
+{
+    NKW_EXACT
+    return ((0.25f - q.x * q.x) + (0.25f - q.y * q.y)) + ((0.25f - q.z * q.z) + (0.25f - q.w * q.w));
+}
+
+#if NKW_ROOT
+/* As nkw_vec3_normalize; the zero quaternion becomes the identity. */
 NKW_BODY nkw_quat nkw_quat_normalize(nkw_quat q)
 {
     NKW_EXACT
-    double n2 = (NKW_SQUARE64(q.x) + NKW_SQUARE64(q.y)) + (NKW_SQUARE64(q.z) + NKW_SQUARE64(q.w));
-    if (!NKW_IS_NEAR(n2)) {
-        nkw_quat r = q; /* so that q itself stays in registers */
-        nkw_quat_view from = {&r.x, &r.y, &r.z, &r.w};
-        nkw_quat_span to = {&r.x, &r.y, &r.z, &r.w};
-        nkw_quat_normalize_n(from, to, 1);
-        return r;
+    double x = q.x, y = q.y, z = q.z, w = q.w, n2 = (x * x + y * y) + (z * z + w * w);
+    float square = (float)n2, scale = nkw_normal_scale(n2);
+    if (scale != 1.0f) {
+        q = nkw_quat_scale(q, scale);
+        q.w = n2 == 0.0 ? 1.0842022e-19f : q.w; /* the root of FLT_MIN */
+        square = (float)(n2 * ((double)scale * (double)scale)) + FLT_MIN;
     }
-    return nkw_quat_divide(q, nkw_sqrt((float)n2));
+    float n = nkw_sqrt(square);
+    nkw_quat r = {q.x / n, q.y / n, q.z / n, q.w / n};
+    return r;
 }
 #endif
 
@@ -97,10 +91,10 @@ NKW_BODY nkw_quat nkw_quat_mul(nkw_quat a, nkw_quat b)
 {
     NKW_EXACT
     nkw_quat r = {
-        (NKW_MUL(a.x, b.w) - NKW_MUL(a.z, b.y)) + (NKW_MUL(a.y, b.z) + NKW_MUL(a.w, b.x)),
-        (NKW_MUL(a.y, b.w) - NKW_MUL(a.x, b.z)) + (NKW_MUL(a.z, b.x) + NKW_MUL(a.w, b.y)),
-        (NKW_MUL(a.z, b.w) - NKW_MUL(a.y, b.x)) + (NKW_MUL(a.x, b.y) + NKW_MUL(a.w, b.z)),
-        (NKW_MUL(a.w, b.w) - NKW_MUL(a.x, b.x)) - (NKW_MUL(a.z, b.z) + NKW_MUL(a.y, b.y)),
+        (a.x * b.w - a.z * b.y) + (a.y * b.z + a.w * b.x),
+        (a.y * b.w - a.x * b.z) + (a.z * b.x + a.w * b.y),
+        (a.z * b.w - a.y * b.x) + (a.x * b.y + a.w * b.z),
+        (a.w * b.w - a.x * b.x) - (a.z * b.z + a.y * b.y),
     };
     return r;
 }

@@ -3,37 +3,9 @@
 #ifndef NAKAWARI_INLINE_SCALAR_H
 #define NAKAWARI_INLINE_SCALAR_H
 
-#include <stdint.h>
-#include <string.h>
+#include <math.h>
 
 #include "../scalar.h"
-
-/* Within 2^-96..2^96: a vector of this squared length needs no scaling before it is normalised. */
-#define NKW_IS_NEAR(n2) ((n2) >= 1.26217745e-29 && (n2) <= 7.92281625e28)
-
-/* The square of a float, exact. */
-#define NKW_SQUARE64(x) NKW_MUL64((double)(x), (double)(x))
-
-/*
- * Lerp, and what the curves begin with as well: the steps stand here once for a float and for the three of a vector side
- * by side (NKW_XYZ in vec.h). `number` is the type of values, `flags` that of their comparisons, pick(c, a, b) gives a
- * where c holds, else b. The other arguments are names, t is the caller's.
- *
- * `end` is the end nearer to t, of a and b, and `back` the way back there, -t or 1 - t, which is exact. They are picked
- * by masks, for a branch on t would be a guess. NKW_FROM_END is end - way, and at back = 0 the end as it is, the sign of
- * a zero too.
- *
- *     p = a + t (b - a) = b + (t-1) (b - a)
- */
-#define NKW_NEARER(number, flags, pick, a, b)                                                                          \
-    const number none = {0.0f}, half = none + 0.5f, one = half + half, at = t - none;                                  \
-    const flags first = at < half;                                                                                     \
-    const number end = pick(first, a, b), back = pick(first, none, one) - at
-#define NKW_FROM_END(pick, way) (end - pick(back == none, none, way))
-
-#define NKW_LERP(number, flags, pick, a, b)                                                                            \
-    NKW_NEARER(number, flags, pick, a, b);                                                                             \
-    const number way = NKW_MUL(back, b - a), p = NKW_FROM_END(pick, way)
 
 #ifdef __cplusplus
 extern "C" {
@@ -57,29 +29,26 @@ NKW_BODY float nkw_max(float a, float b)
     return a > b ? a : b;
 }
 
-NKW_BODY float nkw_select(int first, float a, float b)
+/*
+ * The power of two by which a vector of the squared length n2 is scaled before it is normalized: 1 for n2 in
+ * 2^-96 .. 2^96. Below and above, n2 could be subnormal or infinite as a float.
+ */
+NKW_PART float nkw_normal_scale(double n2)
 {
-    uint32_t x, y, mask = 0u - (uint32_t)(first != 0);
-    float r;
-    memcpy(&x, &a, sizeof x);
-    memcpy(&y, &b, sizeof y);
-    x = y ^ ((x ^ y) & mask);
-    memcpy(&r, &x, sizeof r);
-    return r;
+    return n2 < 1.2621774483536189e-29 ? 1.2676506e30f : n2 > 7.9228162514264338e28 ? 8.4703295e-22f : 1.0f;
 }
 
-#if NKW_ROOT_INLINE
+#if NKW_ROOT
 NKW_BODY float nkw_sqrt(float x)
 {
+#if defined(NKW_LIBRARY)
+    return sqrtf(x);
+#else
     typedef float four __attribute__((vector_size(16)));
     four v = {x, 0.0f, 0.0f, 0.0f};
     v = __builtin_ia32_sqrtss(v);
     return v[0];
-}
-#elif defined(NKW_DEFINE_ALGEBRA)
-float nkw_sqrt(float x)
-{
-    return sqrtf(x);
+#endif
 }
 #endif
 
@@ -95,11 +64,18 @@ NKW_BODY float nkw_saturate(float x)
     return nkw_clamp(x, 0.0f, 1.0f);
 }
 
+/*
+ *     p = a + t (b - a) = b - (1 - t) (b - a)
+ *
+ * from the end nearer to t, minus the distance back to it, -t or 1 - t, which is exact. At back = 0 it is the end itself,
+ * with the sign of a zero.
+ */
 NKW_BODY float nkw_lerp(float a, float b, float t)
 {
     NKW_EXACT
-    NKW_LERP(float, int, nkw_select, a, b);
-    return p;
+    int first = t < 0.5f; /* a is nearer to t than b */
+    float end = first ? a : b, back = (first ? 0.0f : 1.0f) - t;
+    return back == 0.0f ? end : end - back * (b - a);
 }
 
 NKW_BODY float nkw_inverse_lerp(float a, float b, float x)
@@ -120,8 +96,7 @@ NKW_BODY float nkw_smoothstep(float t)
     NKW_EXACT
     float s = nkw_saturate(t);
     float u = 1.0f - s;
-    float ss = NKW_MUL(s, s), uu = NKW_MUL(u, u);
-    return s < 0.5f ? NKW_MUL(ss, 3.0f - (s + s)) : 1.0f - NKW_MUL(uu, 3.0f - (u + u));
+    return s < 0.5f ? (s * s) * (3.0f - (s + s)) : 1.0f - (u * u) * (3.0f - (u + u));
 }
 
 NKW_BODY float nkw_degrees_from_radians(float radians)

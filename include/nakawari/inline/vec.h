@@ -6,33 +6,6 @@
 #include "../scalar.h"
 #include "../vec.h"
 
-/*
- * The three of a vector side by side in a register, and 0: for what does the same with each, where the compiler makes
- * no vectors of a loop over arrays of nkw_vec3. GCC does from SSSE3 on. The library's loops go over many vectors.
- */
-#if defined(__GNUC__) && defined(__SSE2__) && (defined(__clang__) || !defined(__SSSE3__)) && !defined(NKW_ISA) &&      \
-    !defined(NKW_FUSES)
-#define NKW_XYZ
-typedef float nkw_xyz __attribute__((vector_size(16)));
-typedef int nkw_xyz_flags __attribute__((vector_size(16)));
-typedef double nkw_xyz_halves __attribute__((vector_size(16)));
-#define NKW_XYZ_LOAD(r, v)                                                                                             \
-    do {                                                                                                               \
-        const nkw_xyz third = {(v).z};                                                                                 \
-        double xy;                                                                                                     \
-        memcpy(&xy, &(v), sizeof xy);                                                                                  \
-        const nkw_xyz_halves both = {xy, ((nkw_xyz_halves)third)[0]};                                                  \
-        r = (nkw_xyz)both;                                                                                             \
-    } while (0)
-#define NKW_XYZ_STORE(v, a)                                                                                            \
-    do {                                                                                                               \
-        const double xy = ((nkw_xyz_halves)(a))[0];                                                                    \
-        memcpy(&(v), &xy, sizeof xy);                                                                                  \
-        (v).z = (a)[2];                                                                                                \
-    } while (0)
-#define NKW_XYZ_PICK(c, a, b) ((nkw_xyz)(((nkw_xyz_flags)(a) & (c)) | ((nkw_xyz_flags)(b) & ~(c))))
-#endif
-
 #ifdef __cplusplus
 extern "C" {
 #endif
@@ -58,34 +31,28 @@ NKW_BODY nkw_vec3 nkw_vec3_sub(nkw_vec3 a, nkw_vec3 b)
 NKW_BODY nkw_vec3 nkw_vec3_negate(nkw_vec3 a)
 {
     NKW_EXACT
-    nkw_vec3 r = {NKW_MUL(-1.0f, a.x), NKW_MUL(-1.0f, a.y), NKW_MUL(-1.0f, a.z)};
+    nkw_vec3 r = {-a.x, -a.y, -a.z};
     return r;
 }
 
 NKW_BODY nkw_vec3 nkw_vec3_scale(nkw_vec3 a, float s)
 {
     NKW_EXACT
-    nkw_vec3 r = {NKW_MUL(a.x, s), NKW_MUL(a.y, s), NKW_MUL(a.z, s)};
-    return r;
-}
-
-NKW_BODY nkw_vec3 nkw_vec3_divide(nkw_vec3 a, float s)
-{
-    nkw_vec3 r = {a.x / s, a.y / s, a.z / s};
+    nkw_vec3 r = {a.x * s, a.y * s, a.z * s};
     return r;
 }
 
 NKW_BODY nkw_vec3 nkw_vec3_mul(nkw_vec3 a, nkw_vec3 b)
 {
     NKW_EXACT
-    nkw_vec3 r = {NKW_MUL(a.x, b.x), NKW_MUL(a.y, b.y), NKW_MUL(a.z, b.z)};
+    nkw_vec3 r = {a.x * b.x, a.y * b.y, a.z * b.z};
     return r;
 }
 
 NKW_BODY nkw_vec3 nkw_vec3_add_scaled(nkw_vec3 a, nkw_vec3 b, float s)
 {
     NKW_EXACT
-    nkw_vec3 r = {a.x + NKW_MUL(b.x, s), a.y + NKW_MUL(b.y, s), a.z + NKW_MUL(b.z, s)};
+    nkw_vec3 r = {a.x + b.x * s, a.y + b.y * s, a.z + b.z * s};
     return r;
 }
 
@@ -104,16 +71,16 @@ NKW_BODY nkw_vec3 nkw_vec3_max(nkw_vec3 a, nkw_vec3 b)
 NKW_BODY float nkw_vec3_dot(nkw_vec3 a, nkw_vec3 b)
 {
     NKW_EXACT
-    return (NKW_MUL(a.x, b.x) + NKW_MUL(a.y, b.y)) + NKW_MUL(a.z, b.z);
+    return (a.x * b.x + a.y * b.y) + a.z * b.z;
 }
 
 NKW_BODY nkw_vec3 nkw_vec3_cross(nkw_vec3 a, nkw_vec3 b)
 {
     NKW_EXACT
     nkw_vec3 r = {
-        NKW_MUL(a.y, b.z) - NKW_MUL(a.z, b.y),
-        NKW_MUL(a.z, b.x) - NKW_MUL(a.x, b.z),
-        NKW_MUL(a.x, b.y) - NKW_MUL(a.y, b.x),
+        a.y * b.z - a.z * b.y,
+        a.z * b.x - a.x * b.z,
+        a.x * b.y - a.y * b.x,
     };
     return r;
 }
@@ -123,42 +90,33 @@ NKW_BODY float nkw_vec3_length_squared(nkw_vec3 a)
     return nkw_vec3_dot(a, a);
 }
 
-#if NKW_ROOT_INLINE || defined(NKW_DEFINE_ALGEBRA)
+#if NKW_ROOT
+/* The squares of floats neither overflow nor underflow in binary64. FLT_MIN makes 0 / 0 to 0. */
 NKW_BODY nkw_vec3 nkw_vec3_normalize(nkw_vec3 a)
 {
     NKW_EXACT
-    double n2 = (NKW_SQUARE64(a.x) + NKW_SQUARE64(a.y)) + NKW_SQUARE64(a.z);
-    if (!NKW_IS_NEAR(n2)) {
-        nkw_vec3 r = a; /* so that a itself stays in registers */
-        nkw_vec3_view from = {&r.x, &r.y, &r.z};
-        nkw_vec3_span to = {&r.x, &r.y, &r.z};
-        nkw_vec3_normalize_n(from, to, 1);
-        return r;
+    double x = a.x, y = a.y, z = a.z, n2 = (x * x + y * y) + z * z;
+    float square = (float)n2, scale = nkw_normal_scale(n2);
+    if (scale != 1.0f) {
+        a = nkw_vec3_scale(a, scale);
+        square = (float)(n2 * ((double)scale * (double)scale)) + FLT_MIN;
     }
-    return nkw_vec3_divide(a, nkw_sqrt((float)n2));
+    float n = nkw_sqrt(square);
+    nkw_vec3 r = {a.x / n, a.y / n, a.z / n};
+    return r;
 }
 #endif
 
 NKW_BODY nkw_vec3 nkw_vec3_lerp(nkw_vec3 a, nkw_vec3 b, float t)
 {
-#if defined(NKW_XYZ)
-    NKW_EXACT
-    nkw_xyz from, to;
-    NKW_XYZ_LOAD(from, a);
-    NKW_XYZ_LOAD(to, b);
-    NKW_LERP(nkw_xyz, nkw_xyz_flags, NKW_XYZ_PICK, from, to);
-    nkw_vec3 r;
-    NKW_XYZ_STORE(r, p);
-#else
     nkw_vec3 r = {nkw_lerp(a.x, b.x, t), nkw_lerp(a.y, b.y, t), nkw_lerp(a.z, b.z, t)};
-#endif
     return r;
 }
 
 NKW_BODY nkw_vec3 nkw_vec3_reflect(nkw_vec3 a, nkw_vec3 n)
 {
     NKW_EXACT
-    return nkw_vec3_add_scaled(a, n, NKW_MUL(-2.0f, nkw_vec3_dot(a, n)));
+    return nkw_vec3_add_scaled(a, n, -2.0f * nkw_vec3_dot(a, n));
 }
 
 NKW_BODY int nkw_vec3_is_finite(nkw_vec3 a)
