@@ -8,11 +8,19 @@
 #include "clip_layout.h"
 #include "lane/scalar.h"
 
-/* A block to look over, and how many of its words no part has taken: no two share one, so the work is bounded. */
+/*
+ * A block to look over; how many of its words no part has taken: no two share one, so the work is bounded; and how many
+ * numbers of the pose and of the floats its parts write. These bound what the clip may claim to hold.
+ */
 typedef struct opening {
     const nkw_clip *clip;
-    uint64_t left;
+    uint64_t left, pose, floats;
 } opening;
+
+static void add_written(opening *o, uint32_t kind, uint64_t count)
+{
+    *(kind == GROUP_FLOATS ? &o->floats : &o->pose) += kind == GROUP_ROTATIONS ? 4 * count : count;
+}
 
 /* Takes count things of `size` words each, from word `at` on, if they lie within the block. */
 static int fits(opening *o, uint64_t at, uint64_t count, uint64_t size)
@@ -50,6 +58,7 @@ static nkw_result check_blocks(opening *o, const clip_group *g)
             if (b->places[k] >= room)
                 return NKW_OUT_OF_RANGE;
         lanes += b->width;
+        add_written(o, g->kind, b->count);
     }
     return lanes == g->lanes ? NKW_OK : NKW_OUT_OF_RANGE;
 }
@@ -108,15 +117,17 @@ static nkw_result check_constants(opening *o, uint32_t at, uint32_t count, uint3
     if (!fits(o, at, count, sizeof(clip_run) / 4))
         return NKW_OUT_OF_RANGE;
     const clip_run *runs = (const clip_run *)(const void *)(clip_words(o->clip) + at);
-    for (uint32_t r = 0; r < count; r++)
+    for (uint32_t r = 0; r < count; r++) {
         if (!fits(o, runs[r].values, runs[r].count, 1) || (uint64_t)runs[r].to + runs[r].count > room_of(o->clip, kind))
             return NKW_OUT_OF_RANGE;
+        add_written(o, kind, runs[r].count);
+    }
     return NKW_OK;
 }
 
 static nkw_result check_parts(const nkw_clip *clip)
 {
-    opening o = {clip, clip->words};
+    opening o = {clip, clip->words, 0, 0};
     nkw_result result = NKW_OK;
     if (!fits(&o, clip->timelines, clip->timeline_count, sizeof(clip_timeline) / 4) ||
         !fits(&o, clip->groups, clip->group_count, sizeof(clip_group) / 4))
@@ -129,6 +140,8 @@ static nkw_result check_parts(const nkw_clip *clip)
         result = check_constants(&o, clip->constants, clip->constant_count, GROUP_NUMBERS);
     if (result == NKW_OK)
         result = check_constants(&o, clip->float_constants, clip->float_constant_count, GROUP_FLOATS);
+    if (result == NKW_OK && (o.pose < 10 * (uint64_t)clip->joints || o.floats < clip->floats))
+        result = NKW_OUT_OF_RANGE;
     return result;
 }
 

@@ -105,9 +105,10 @@ NKW_API nkw_result nkw_clip_build(const nkw_clip_source *source, uint32_t *work,
  *
  * NKW_NOT_A_CLIP for another beginning, version or byte order, and for a block that is not aligned for float;
  * NKW_TOO_SMALL for a block that is cut off; NKW_OUT_OF_RANGE where something in it would be read or written outside
- * the block or the pose, or where its parts take more room than it has; NKW_NOT_ASCENDING and NKW_NOT_FINITE for key
- * times, or a start and end, that are so; the former also for times that are not those of the stored rate. The values
- * of keys are not looked at. A clip that opens is safe to sample; one that does not must not be.
+ * the block or the pose, where its parts take more room than it has, or where the clip states more joints or floats
+ * than its parts write; NKW_NOT_ASCENDING and NKW_NOT_FINITE for key times, or a start and end, that are so; the former
+ * also for times that are not those of the stored rate. The values of keys are not checked. A clip that opens is safe to
+ * sample, and its joints and floats together are fewer than its bytes; a clip that does not open must not be sampled.
  */
 NKW_API nkw_result nkw_clip_open(const void *block, size_t bytes, const nkw_clip **clip);
 
