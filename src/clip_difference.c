@@ -12,7 +12,13 @@
 #include "difference.h"
 #include "lane/scalar.h"
 
-/* The sample of a track beside that of the clip. */
+static float farthest(nkw_vec3 got, const float want[3])
+{
+    const float numbers[3] = {got.x, got.y, got.z};
+    return difference_farthest(numbers, want, 3);
+}
+
+/* Compares the sample of a track with that of the clip. */
 static void compare(const nkw_clip *clip, const nkw_clip_track *c, nkw_segment segment, const float *pose,
                     float *floats, nkw_clip_error *error)
 {
@@ -21,9 +27,9 @@ static void compare(const nkw_clip *clip, const nkw_clip_track *c, nkw_segment s
     nkw_trs got = nkw_pose_get(pose, nkw_clip_joints(clip), c->index);
     nkw_quat rotation = {of_joint[0], of_joint[1], of_joint[2], of_joint[3]};
     if (c->target == NKW_CLIP_TRANSLATION)
-        error->translation = difference_worse(error->translation, difference_farthest(&got.translation.x, of_joint, 3));
+        error->translation = difference_worse(error->translation, farthest(got.translation, of_joint));
     else if (c->target == NKW_CLIP_SCALE)
-        error->scale = difference_worse(error->scale, difference_farthest(&got.scale.x, of_joint, 3));
+        error->scale = difference_worse(error->scale, farthest(got.scale, of_joint));
     else if (c->target == NKW_CLIP_ROTATION)
         error->rotation = difference_worse(error->rotation, nkw_quat_angle(got.rotation, rotation));
     else
