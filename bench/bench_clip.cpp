@@ -79,11 +79,15 @@ static void rows(const char *name, std::shared_ptr<scene> s, size_t size, asking
         op.bytes = 200, op.flops = 147; /* keys, the tangents between, and the result */
     if (s->mode == NKW_INTERPOLATION_STEP)
         op.bytes = 80, op.flops = 0;
-    row(op, "nkw", s, how,
-        [](scene &x, float time) { nkw_clip_sample(x.clip(0), time, x.cursors.data(), x.pose.data(), nullptr); });
+    row(op, "nkw", s, how, [](scene &x, float time) {
+        nkw_clip_sample(x.clip(0), time, x.cursors.data(),
+                        nkw_pose_span{x.pose.data(), nkw_clip_joint_count(x.clip(0))}, nullptr);
+    });
     if (s->mode == NKW_INTERPOLATION_LINEAR)
-        row(op, "nkw 16 bits", s, how,
-            [](scene &x, float time) { nkw_clip_sample(x.clip(1), time, x.cursors.data(), x.pose.data(), nullptr); });
+        row(op, "nkw 16 bits", s, how, [](scene &x, float time) {
+            nkw_clip_sample(x.clip(1), time, x.cursors.data(),
+                            nkw_pose_span{x.pose.data(), nkw_clip_joint_count(x.clip(1))}, nullptr);
+        });
     /* Track by track, each with its own search: the reference, not a rival. */
     row(op, "nkw tracks", s, how, [](scene &x, float time) {
         for (size_t j = 0; j < x.joints; j++)

@@ -130,7 +130,7 @@ static void rows(std::shared_ptr<timeline> l, asking how)
     batch(op, "nkw _from", [=](size_t, size_t n) {
         nkw_segment s = {0, 0};
         for (size_t i = 0; i < n; i++)
-            put(i, s = nkw_segment_find_from(l->keys.data(), l->keys.size(), l->ask[i], s.index));
+            put(i, s = nkw_segment_find_hint(l->keys.data(), l->keys.size(), l->ask[i], s.index));
     });
     batch(op, "nkw _n", [=](size_t, size_t n) {
         static nkw_segment out[pool];

@@ -79,9 +79,9 @@ static void rows(const char *name, size_t keys, size_t width, nkw_track_kind kin
             nkw_track_sample(&d->track, d->ask[i], out(i, width));
     });
     into_structs(op, "nkw _from", [=](size_t, size_t n) {
-        size_t cursor = 0;
+        uint32_t cursor = 0;
         for (size_t i = 0; i < n; i++)
-            nkw_track_sample_from(&d->track, d->ask[i], &cursor, out(i, width));
+            nkw_track_sample_cursor(&d->track, d->ask[i], &cursor, out(i, width));
     });
     if (interpolation == NKW_INTERPOLATION_LINEAR)
         into_structs(op, width == 3 ? "loop" : "upper_bound, glm", [=](size_t, size_t n) {

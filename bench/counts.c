@@ -71,11 +71,11 @@ static void draw_values(random_source *r)
 
 static void build_clip(nkw_clip_format format, size_t i)
 {
-    nkw_clip_source source = {tracks, 3 * JOINTS, JOINTS, 0, NULL, NULL, format};
+    nkw_clip_source source = {tracks, 3 * JOINTS, JOINTS, 0, {NULL, 0}, NULL, format};
     size_t bytes = 0;
-    if (nkw_clip_build(&source, work, blocks[i], sizeof blocks[i], NULL) != NKW_OK ||
+    if (nkw_clip_build(&source, blocks[i], sizeof blocks[i], NULL, work, NKW_CLIP_WORK(source.track_count)) != NKW_OK ||
         nkw_clip_open(blocks[i], sizeof blocks[i], &clips[i]) != NKW_OK ||
-        nkw_clip_measure(&source, work, &bytes, NULL) != NKW_OK)
+        nkw_clip_measure(&source, &bytes, NULL, work, NKW_CLIP_WORK(source.track_count)) != NKW_OK)
         exit(1);
 }
 
@@ -164,16 +164,19 @@ static void count_data(void)
 {
     EACH("segment_find", segments[i] = nkw_segment_find(times, KEYS, 10 * t[i]));
     EACH("segment_find_from",
-         segments[i] = nkw_segment_find_from(times, KEYS, 10.0f * (float)i / N, segments[i ? i - 1 : 0].index));
+         segments[i] = nkw_segment_find_hint(times, KEYS, 10.0f * (float)i / N, segments[i ? i - 1 : 0].index));
     EACH("segment_find_uniform", segments[i] = nkw_segment_find_uniform(0, 30, KEYS, 10 * t[i]));
     EACH("track_sample vec3", nkw_track_sample(&tracks[0].track, 10 * t[i], &v_out[i].x));
     EACH("track_sample rotation", nkw_track_sample(&tracks[1].track, 10 * t[i], &q_out[i].x));
     COUNT("clip_sample 67 joints",
-          for (size_t i = 0; i < 16; i++) nkw_clip_sample(clips[0], 10 * t[i], cursors, pose, NULL));
+          for (size_t i = 0; i < 16; i++) nkw_clip_sample(clips[0], 10 * t[i], cursors,
+                                                          (nkw_pose_span){pose, nkw_clip_joint_count(clips[0])}, NULL));
     COUNT("clip_sample 67 joints, 16 bits",
-          for (size_t i = 0; i < 16; i++) nkw_clip_sample(clips[1], 10 * t[i], cursors, pose, NULL));
+          for (size_t i = 0; i < 16; i++) nkw_clip_sample(clips[1], 10 * t[i], cursors,
+                                                          (nkw_pose_span){pose, nkw_clip_joint_count(clips[1])}, NULL));
     COUNT("clip_sample 67 joints, CUBICSPLINE",
-          for (size_t i = 0; i < 16; i++) nkw_clip_sample(clips[2], 3 * t[i], cursors, pose, NULL));
+          for (size_t i = 0; i < 16; i++) nkw_clip_sample(clips[2], 3 * t[i], cursors,
+                                                          (nkw_pose_span){pose, nkw_clip_joint_count(clips[2])}, NULL));
 }
 
 /* These choose their loops by the processor, which under callgrind is one of AVX2 at the most. */

@@ -77,15 +77,16 @@ static void build(scene &s)
                                   s.tracks.size(),
                                   s.joints,
                                   0,
-                                  nullptr,
+                                  {nullptr, 0},
                                   nullptr,
                                   format ? NKW_CLIP_UNORM16 : NKW_CLIP_FLOAT32};
         size_t bytes = 0;
-        nkw_clip_measure(&source, work.data(), &bytes, nullptr);
+        nkw_clip_measure(&source, &bytes, nullptr, work.data(), NKW_CLIP_WORK(source.track_count));
         s.blocks[format].resize(bytes / sizeof(float) + 1);
-        nkw_clip_build(&source, work.data(), s.blocks[format].data(), bytes, nullptr);
+        nkw_clip_build(&source, s.blocks[format].data(), bytes, nullptr, work.data(),
+                       NKW_CLIP_WORK(source.track_count));
     }
-    s.cursors.resize(nkw_clip_cursors(s.clip(0)));
+    s.cursors.resize(nkw_clip_cursor_count(s.clip(0)));
     s.pose.resize(NKW_POSE_FLOATS(s.joints));
 }
 

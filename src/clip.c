@@ -10,12 +10,12 @@
 #include "clip_layout.h"
 #include "lane/orient.h"
 
-size_t nkw_clip_joints(const nkw_clip *clip)
+size_t nkw_clip_joint_count(const nkw_clip *clip)
 {
     return clip->joints;
 }
 
-size_t nkw_clip_floats(const nkw_clip *clip)
+size_t nkw_clip_float_count(const nkw_clip *clip)
 {
     return clip->floats;
 }
@@ -35,7 +35,7 @@ float nkw_clip_end(const nkw_clip *clip)
     return clip->end;
 }
 
-size_t nkw_clip_cursors(const nkw_clip *clip)
+size_t nkw_clip_cursor_count(const nkw_clip *clip)
 {
     return clip->timeline_count;
 }
@@ -61,10 +61,10 @@ static nkw_segment find(const nkw_clip *clip, const clip_timeline *line, float t
 {
     const float *times = clip_floats(clip, line->times);
     if (line->rate > 0.0f)
-        return nkw_segment_find_from(times, line->count, time, guess(line, times[0], time));
+        return nkw_segment_find_hint(times, line->count, time, guess(line, times[0], time));
     if (!cursor)
         return nkw_segment_find(times, line->count, time);
-    nkw_segment segment = nkw_segment_find_from(times, line->count, time, *cursor);
+    nkw_segment segment = nkw_segment_find_hint(times, line->count, time, *cursor);
     *cursor = (uint32_t)segment.index;
     return segment;
 }
@@ -144,7 +144,7 @@ static void compact(const nkw_clip *clip, const clip_group *g, const uint16_t *a
         nkwi_clip_lerp16(a, b, base, step, t, blocks, g->block_count, out);
 }
 
-/* The same cases, in the same order, as nkw_track_sample_at. Components of rotations are `stride` floats apart. */
+/* The same cases, in the same order, as nkw_track_sample_segment. Components of rotations are `stride` floats apart. */
 static void sample_group(const nkw_clip *clip, const clip_group *g, const clip_timeline *line, nkw_segment at,
                          float *out, size_t stride)
 {
@@ -167,11 +167,13 @@ static void sample_group(const nkw_clip *clip, const clip_group *g, const clip_t
         linear(clip, g, p, q, at.t, out, stride);
 }
 
-void nkw_clip_sample(const nkw_clip *clip, float time, uint32_t *cursors, float *pose, float *floats)
+nkw_result nkw_clip_sample(const nkw_clip *clip, float time, uint32_t *cursors, nkw_pose_span pose, float *floats)
 {
     size_t stride = NKW_POSE_STRIDE((size_t)clip->joints);
-    if (pose)
-        copy_runs(clip, clip->constants, clip->constant_count, pose);
+    if (pose.data && pose.joint_count != clip->joints)
+        return NKW_MISMATCHED;
+    if (pose.data)
+        copy_runs(clip, clip->constants, clip->constant_count, pose.data);
     if (floats)
         copy_runs(clip, clip->float_constants, clip->float_constant_count, floats);
     const clip_group *groups = clip_groups(clip);
@@ -179,11 +181,12 @@ void nkw_clip_sample(const nkw_clip *clip, float time, uint32_t *cursors, float 
     for (uint32_t g = 0; g < clip->group_count; g++) {
         uint32_t i = groups[g].timeline;
         const clip_timeline *line = clip_timelines(clip) + i;
-        float *out = groups[g].kind == GROUP_FLOATS ? floats : pose;
+        float *out = groups[g].kind == GROUP_FLOATS ? floats : pose.data;
         if (g == 0 || i != groups[g - 1].timeline)
             at = find(clip, line, time, cursors ? cursors + i : NULL);
         if (out)
             sample_group(clip, &groups[g], line, at, groups[g].kind == GROUP_ROTATIONS ? out + 3 * stride : out,
                          stride);
     }
+    return NKW_OK;
 }

@@ -104,7 +104,7 @@ static float held_component(const nkw_clip_track *c, size_t k, size_t component)
     float rotation[4];
     if (c->target != NKW_CLIP_ROTATION)
         return clip_track_value(&c->track, k)[component];
-    nkw_track_sample_at(&c->track, at, rotation);
+    nkw_track_sample_segment(&c->track, at, rotation);
     return rotation[component];
 }
 
@@ -306,7 +306,7 @@ static float constant_of(const builder *b, nkw_clip_target target, size_t index,
         return held_component(c, 0, target == NKW_CLIP_FLOATS ? index - c->index : component);
     if (target == NKW_CLIP_FLOATS)
         return s->rest_floats ? s->rest_floats[index] : 0.0f;
-    return s->rest ? s->rest[array * NKW_POSE_STRIDE(s->joint_count) + index] : array >= 6 ? 1.0f : 0.0f;
+    return s->rest.data ? s->rest.data[array * NKW_POSE_STRIDE(s->joint_count) + index] : array >= 6 ? 1.0f : 0.0f;
 }
 
 /*
@@ -366,8 +366,8 @@ static void lay_timeline(builder *b, const nkw_track *t)
     size_t modes = t->key_interpolation ? take(b, TIMES, t->count) : 0;
     if (!b->words)
         return;
-    clip_timeline line = {(uint32_t)times, (uint32_t)t->count, (uint32_t)modes,
-                          nkw_segment_uniform_rate(t->times, t->count)};
+    clip_timeline line = {(uint32_t)times, (uint32_t)t->count, (uint32_t)modes, 0.0f};
+    (void)nkw_segment_uniform_rate(t->times, t->count, &line.rate); /* 0 where there is none */
     memcpy(b->words + at, &line, sizeof line);
     memcpy(b->words + times, t->times, t->count * sizeof(float));
     for (size_t k = 0; modes && k < t->count; k++)
@@ -545,11 +545,12 @@ static void lay_clip(builder *b)
 }
 
 /* Measures, so that each section's beginning is known. */
-static nkw_result plan(builder *b, const nkw_clip_source *source, uint32_t *work, size_t *bytes, size_t *bad)
+static nkw_result plan(builder *b, const nkw_clip_source *source, size_t *bytes, size_t *bad, uint32_t *work,
+                       size_t work_count)
 {
     memset(b, 0, sizeof *b);
     b->start[VALUES] = CLIP_ALIGN; /* not 0, which says that there are no ranges */
-    nkw_result result = nkw_clip_tracks_order(source, work, &b->tracks, bad);
+    nkw_result result = nkw_clip_tracks_order(source, &b->tracks, bad, work, work_count);
     if (result != NKW_OK)
         return result;
     lay_clip(b);
@@ -565,18 +566,20 @@ static nkw_result plan(builder *b, const nkw_clip_source *source, uint32_t *work
     return NKW_OK;
 }
 
-nkw_result nkw_clip_measure(const nkw_clip_source *source, uint32_t *work, size_t *bytes, size_t *bad_track)
+nkw_result nkw_clip_measure(const nkw_clip_source *source, size_t *bytes, size_t *bad_track, uint32_t *work,
+                            size_t work_count)
 {
     builder b;
     size_t bad = 0;
-    return plan(&b, source, work, bytes, bad_track ? bad_track : &bad);
+    return plan(&b, source, bytes, bad_track ? bad_track : &bad, work, work_count);
 }
 
-nkw_result nkw_clip_build(const nkw_clip_source *source, uint32_t *work, void *block, size_t bytes, size_t *bad_track)
+nkw_result nkw_clip_build(const nkw_clip_source *source, void *block, size_t bytes, size_t *bad_track, uint32_t *work,
+                          size_t work_count)
 {
     builder b;
     size_t bad = 0, needed = 0;
-    nkw_result result = plan(&b, source, work, &needed, bad_track ? bad_track : &bad);
+    nkw_result result = plan(&b, source, &needed, bad_track ? bad_track : &bad, work, work_count);
     if (result != NKW_OK)
         return result;
     if (bytes < needed)

@@ -22,9 +22,9 @@ static float farthest(nkw_vec3 got, const float want[3])
 static void compare(const nkw_clip *clip, const nkw_clip_track *c, nkw_segment segment, const float *pose,
                     float *floats, nkw_clip_error *error)
 {
-    float *of_floats = floats ? floats + nkw_clip_floats(clip) : NULL, of_joint[4] = {0.0f, 0.0f, 0.0f, 0.0f};
-    nkw_track_sample_at(&c->track, segment, c->target == NKW_CLIP_FLOATS ? of_floats : of_joint);
-    nkw_trs got = nkw_pose_get(pose, nkw_clip_joints(clip), c->index);
+    float *of_floats = floats ? floats + nkw_clip_float_count(clip) : NULL, of_joint[4] = {0.0f, 0.0f, 0.0f, 0.0f};
+    nkw_track_sample_segment(&c->track, segment, c->target == NKW_CLIP_FLOATS ? of_floats : of_joint);
+    nkw_trs got = nkw_pose_get(pose, nkw_clip_joint_count(clip), c->index);
     nkw_quat rotation = {of_joint[0], of_joint[1], of_joint[2], of_joint[3]};
     if (c->target == NKW_CLIP_TRANSLATION)
         error->translation = difference_worse(error->translation, farthest(got.translation, of_joint));
@@ -63,7 +63,8 @@ static int lasts(const nkw_track *t, float time)
 static void compare_at(const nkw_clip *clip, const nkw_clip_source *source, const nkw_track *keys, int own, float time,
                        float *pose, float *floats, nkw_clip_error *error)
 {
-    nkw_clip_sample(clip, time, NULL, pose, floats);
+    nkw_pose_span span = {pose, nkw_clip_joint_count(clip)};
+    nkw_clip_sample(clip, time, NULL, span, floats);
     for (size_t i = 0; i < source->track_count; i++) {
         const nkw_track *t = &source->tracks[i].track;
         if (own ? lasts(t, time) : clip_same_times(t, keys))
@@ -82,26 +83,37 @@ static void compare_along(const nkw_clip *clip, const nkw_clip_source *source, c
 /* Whether the clip may have been made from such tracks. */
 static int is_like(const nkw_clip *clip, const nkw_clip_source *source)
 {
-    int like = source->joint_count == nkw_clip_joints(clip) && source->float_count == nkw_clip_floats(clip);
+    int like = source->joint_count == nkw_clip_joint_count(clip) && source->float_count == nkw_clip_float_count(clip);
     for (size_t i = 0; like && i < source->track_count; i++)
         like = nkw_track_value_count(&source->tracks[i].track) > 0 &&
                nkw_clip_tracks_place(source, &source->tracks[i]) == NKW_OK;
     return like;
 }
 
-nkw_clip_error nkw_clip_difference(const nkw_clip *clip, const nkw_clip_source *source, float *pose, float *floats)
+static void compare_all(const nkw_clip *clip, const nkw_clip_source *source, float *pose, float *floats,
+                        nkw_clip_error *error)
 {
-    const float far = INFINITY;
-    nkw_clip_error error = {0.0f, 0.0f, 0.0f, 0.0f}, unlike = {far, far, far, far};
-    if (!is_like(clip, source))
-        return unlike;
     for (size_t i = 0; i < source->track_count; i++)
         if (first_of(source, &source->tracks[i].track) == i)
-            compare_along(clip, source, &source->tracks[i].track, 0, pose, floats, &error);
+            compare_along(clip, source, &source->tracks[i].track, 0, pose, floats, error);
     for (uint32_t i = 0; i < clip->timeline_count; i++) {
         nkw_track keys = keys_of(clip, clip_timelines(clip) + i);
         if (first_of(source, &keys) == source->track_count)
-            compare_along(clip, source, &keys, 1, pose, floats, &error);
+            compare_along(clip, source, &keys, 1, pose, floats, error);
     }
-    return error;
+}
+
+nkw_result nkw_clip_difference(const nkw_clip *clip, const nkw_clip_source *source, nkw_clip_error *error, float *work,
+                               size_t work_count)
+{
+    const nkw_clip_error none = {0.0f, 0.0f, 0.0f, 0.0f}, unlike = {INFINITY, INFINITY, INFINITY, INFINITY};
+    size_t joint_count = nkw_clip_joint_count(clip), float_count = nkw_clip_float_count(clip);
+    *error = unlike;
+    if (!is_like(clip, source))
+        return NKW_MISMATCHED;
+    if (work_count < NKW_CLIP_DIFFERENCE_WORK(joint_count, float_count))
+        return NKW_TOO_SMALL;
+    *error = none;
+    compare_all(clip, source, work, float_count ? work + NKW_POSE_FLOATS(joint_count) : NULL, error);
+    return NKW_OK;
 }

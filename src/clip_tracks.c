@@ -131,15 +131,16 @@ nkw_result nkw_clip_tracks_place(const nkw_clip_source *s, const nkw_clip_track 
     if (c->target == NKW_CLIP_FLOATS)
         return c->index <= s->float_count && c->track.width <= s->float_count - c->index ? NKW_OK : NKW_OUT_OF_RANGE;
     if (c->track.width != (turns ? 4u : 3u))
-        return NKW_BAD_METHOD;
+        return NKW_BAD_WIDTH;
     return c->index < s->joint_count ? NKW_OK : NKW_OUT_OF_RANGE;
 }
 
 static nkw_result check_tracks(const nkw_clip_source *s, size_t *bad)
 {
-    nkw_result result = s->joint_count + s->float_count == 0               ? NKW_EMPTY
-                        : (unsigned)s->format > (unsigned)NKW_CLIP_UNORM16 ? NKW_BAD_METHOD
-                                                                           : NKW_OK;
+    nkw_result result = s->joint_count + s->float_count == 0                    ? NKW_EMPTY
+                        : (unsigned)s->format > (unsigned)NKW_CLIP_UNORM16      ? NKW_BAD_FORMAT
+                        : s->rest.data && s->rest.joint_count != s->joint_count ? NKW_MISMATCHED
+                                                                                : NKW_OK;
     if (s->track_count >= CLIP_CONSTANT || s->joint_count > CLIP_MOST_JOINTS || s->float_count > CLIP_MOST_FLOATS)
         result = NKW_OUT_OF_RANGE;
     for (size_t i = 0; result == NKW_OK && i < s->track_count; i++) {
@@ -223,7 +224,7 @@ static int is_kept(nkw_clip_target target, float x)
 static int is_joint_kept(const clip_tracks *t, nkw_clip_target target, size_t joint)
 {
     const nkw_clip_track *c = nkw_clip_tracks_of(t, target, joint);
-    const float *rest = t->source->rest;
+    const float *rest = t->source->rest.data;
     size_t stride = NKW_POSE_STRIDE(t->source->joint_count), width = target == NKW_CLIP_ROTATION ? 4 : 3;
     for (size_t i = 0; i < width && (c || rest); i++)
         if (!is_kept(target, c ? clip_track_value(&c->track, 0)[i] : rest[clip_array_of(target, i) * stride + joint]))
@@ -267,13 +268,16 @@ static void choose_bridges(clip_tracks *t)
     }
 }
 
-nkw_result nkw_clip_tracks_order(const nkw_clip_source *source, uint32_t *work, clip_tracks *out, size_t *bad_track)
+nkw_result nkw_clip_tracks_order(const nkw_clip_source *source, clip_tracks *out, size_t *bad_track, uint32_t *work,
+                                 size_t work_count)
 {
     const size_t n = source->track_count; /* without tracks `work` may be NULL, which has no place after it */
     clip_tracks tracks = {source, work, n ? work + n : work, n ? work + 2 * n : work, {0, 0, 0}};
     *out = tracks;
     *bad_track = 0;
     nkw_result result = check_tracks(source, bad_track);
+    if (result == NKW_OK && work_count / 3 < n)
+        result = NKW_TOO_SMALL;
     if (result != NKW_OK)
         return result;
     sort(out, out->by_place, before_by_place);

@@ -19,8 +19,9 @@ typedef struct clip_tracks {
     int bridges[NKW_CLIP_FLOATS]; /* whether gaps between translations, rotations, scales are bridged */
 } clip_tracks;
 
-/* Checks the source, and fills the three arrays in `work`, NKW_CLIP_WORK numbers. */
-nkw_result nkw_clip_tracks_order(const nkw_clip_source *source, uint32_t *work, clip_tracks *out, size_t *bad_track);
+/* Checks the source, and fills the three arrays in `work`, at least NKW_CLIP_WORK numbers. */
+nkw_result nkw_clip_tracks_order(const nkw_clip_source *source, clip_tracks *out, size_t *bad_track, uint32_t *work,
+                                 size_t work_count);
 
 /* Whether track c may stand in the source s: its target, width and kind, and what it moves. */
 nkw_result nkw_clip_tracks_place(const nkw_clip_source *s, const nkw_clip_track *c);

@@ -58,10 +58,11 @@ void nkw_crowd_sample(const nkw_clip *clip, const float *times, uint32_t *cursor
                       float *crowd)
 {
     const float *poses[NKW_CROWD] = {NULL};
-    size_t joints = nkw_clip_joints(clip), step = nkw_clip_cursors(clip);
+    size_t joints = nkw_clip_joint_count(clip), step = nkw_clip_cursor_count(clip);
     for (size_t i = 0; i < characters && i < NKW_CROWD; i++) {
         float *pose = joints ? work + i * NKW_POSE_FLOATS(joints) : work;
-        nkw_clip_sample(clip, times[i], cursors ? cursors + i * step : NULL, pose, NULL);
+        nkw_pose_span span = {pose, joints};
+        nkw_clip_sample(clip, times[i], cursors ? cursors + i * step : NULL, span, NULL);
         poses[i] = pose;
     }
     nkw_crowd_from_poses(poses, joints, crowd);
@@ -79,8 +80,8 @@ nkw_result nkw_crowd_source_validate(const nkw_crowd_source *source, size_t skin
 {
     size_t bad = 0, joints = source->skeleton->joint_count;
     nkw_result result = nkw_skeleton_validate(source->skeleton, &bad);
-    if (result == NKW_OK && nkw_clip_joints(source->clip) != joints)
-        result = NKW_BAD_METHOD;
+    if (result == NKW_OK && nkw_clip_joint_count(source->clip) != joints)
+        result = NKW_MISMATCHED;
     if (result == NKW_OK)
         result = check_frames(source);
     if (result == NKW_OK)
@@ -127,7 +128,7 @@ void nkw_crowd_bake(const nkw_crowd_source *source, const nkw_palette_chunk *chu
     const bake_work w = bake_work_in(work, joints);
     float roots[NKW_CROWD_MATRIX_FLOATS(1)];
     const nkw_mat4 *root[NKW_CROWD];
-    if (nkw_clip_joints(source->clip) != joints)
+    if (nkw_clip_joint_count(source->clip) != joints)
         return;
     for (size_t i = 0; i < NKW_CROWD; i++)
         root[i] = source->root;

@@ -50,7 +50,7 @@ static float clamped(float start, float duration, float time)
     return time < start ? start : time > end ? end : time;
 }
 
-nkw_play_head nkw_playback_at(nkw_playback mode, float start, float duration, float time)
+nkw_play_head nkw_playback_head(nkw_playback mode, float start, float duration, float time)
 {
     nkw_play_head head = {start, 0.0f};
     double cycle, x = (double)time - (double)start;
@@ -128,26 +128,42 @@ static void passes(const float *times, size_t count, double duration, double fir
     }
 }
 
-size_t nkw_playback_passed(const float *times, size_t count, float duration, float from, float to, size_t *out,
-                           size_t capacity)
+/* Whether the keys reach beyond one pass: they would be counted once for each pass that they reach over. */
+static int is_too_long(const nkw_playback_step *s)
 {
-    passed p = {out, capacity, 0};
-    const double span[2] = {from, to};
-    if (!(from < to) || !lane_is_finite(from) || !lane_is_finite(to) || count == 0)
-        return 0;
-    if (duration == 0.0f) {
-        pass(times, count, span[0], span[1], &p);
-        return p.count;
+    double first = s->times[0], last = s->times[s->key_count - 1];
+    return !(last - first <= (double)s->duration);
+}
+
+static nkw_result pass_step(const nkw_playback_step *s, passed *p)
+{
+    const double span[2] = {s->from, s->to};
+    if (!lane_is_finite(s->from) || !lane_is_finite(s->to) || !lane_is_finite(s->duration))
+        return NKW_NOT_FINITE;
+    if (s->duration < 0.0f)
+        return NKW_OUT_OF_RANGE;
+    if (!(s->from < s->to) || s->key_count == 0)
+        return NKW_OK;
+    if (s->duration == 0.0f) {
+        pass(s->times, s->key_count, span[0], span[1], p);
+        return NKW_OK;
     }
-    /* Keys that reach beyond one pass would be counted once for each pass they reach over. */
-    if (!((double)times[count - 1] - (double)times[0] <= (double)duration))
-        return 0;
+    if (is_too_long(s))
+        return NKW_OUT_OF_RANGE;
     /* Pass n holds the running times n duration + times[k]; the first and last that can matter. */
-    double first = floor64((span[0] - (double)times[count - 1]) / (double)duration);
-    double last = floor64((span[1] - (double)times[0]) / (double)duration);
+    double first = floor64((span[0] - (double)s->times[s->key_count - 1]) / (double)s->duration);
+    double last = floor64((span[1] - (double)s->times[0]) / (double)s->duration);
     /* From 2^53 on doubles cannot count passes one by one. */
-    int is_countable = first > -0x1p53 && last < 0x1p53 && last - first < 0x1p31;
-    if (is_positive(duration) && is_countable)
-        passes(times, count, duration, first, last, span, &p);
-    return p.count;
+    if (!(first > -0x1p53 && last < 0x1p53 && last - first < 0x1p31))
+        return NKW_OUT_OF_RANGE;
+    passes(s->times, s->key_count, s->duration, first, last, span, p);
+    return p->count < SIZE_MAX ? NKW_OK : NKW_TOO_MANY;
+}
+
+nkw_result nkw_playback_passed(const nkw_playback_step *step, size_t *keys, size_t *passed_count, size_t capacity)
+{
+    passed p = {keys, capacity, 0};
+    nkw_result result = pass_step(step, &p);
+    *passed_count = p.count;
+    return result;
 }

@@ -13,9 +13,9 @@ nkw_segment nkw_segment_find(const float *times, size_t count, float time)
     return lane_segment_find(lane_times_of(times, count), time);
 }
 
-nkw_segment nkw_segment_find_from(const float *times, size_t count, float time, size_t from)
+nkw_segment nkw_segment_find_hint(const float *times, size_t count, float time, size_t hint)
 {
-    return lane_segment_find_from(lane_times_of(times, count), time, from);
+    return lane_segment_find_hint(lane_times_of(times, count), time, hint);
 }
 
 /* After a jump of so many keys so many times are searched each for itself: that mispredicts no branch. */
@@ -27,7 +27,7 @@ void nkw_segment_find_n(const float *times, size_t count, const float *time, nkw
     lane_times all = lane_times_of(times, count);
     size_t from = 0;
     for (size_t i = 0; i < n;) {
-        nkw_segment here = lane_segment_find_from(all, time[i], from);
+        nkw_segment here = lane_segment_find_hint(all, time[i], from);
         out[i++] = here;
         if (here.index - from + JUMP > 2 * JUMP)
             for (size_t end = n - i < SEARCHES ? n : i + SEARCHES; i < end; i++)
@@ -69,15 +69,22 @@ static double middle_rate(const float *times, size_t count)
     return 1.0 / (0.5 * low + 0.5 * high);
 }
 
-float nkw_segment_uniform_rate(const float *times, size_t count)
+/* 0 where there is none. */
+static float uniform_rate(const float *times, size_t count)
 {
-    double rate = count > 1 ? middle_rate(times, count) : 0.0;
+    double rate = middle_rate(times, count);
     if (!(rate > 0.0 && rate < 1e9))
         return 0.0f;
     float whole = (float)(uint32_t)(rate + 0.5);
     if (is_uniform(times, count, whole))
         return whole;
     return is_uniform(times, count, (float)rate) ? (float)rate : 0.0f;
+}
+
+nkw_result nkw_segment_uniform_rate(const float *times, size_t count, float *rate)
+{
+    *rate = count > 1 ? uniform_rate(times, count) : 0.0f;
+    return count < 2 ? NKW_EMPTY : *rate > 0.0f ? NKW_OK : NKW_NO_RATE;
 }
 
 /* The most segments that floats have room for, and whole numbers in binary64. */

@@ -123,7 +123,7 @@ static int is_readable(const nkw_track *track)
     return track->count > 0 && track->width > 0 && (!is_rotation(track) || track->width == 4);
 }
 
-void nkw_track_sample_at(const nkw_track *track, nkw_segment segment, float *out)
+void nkw_track_sample_segment(const nkw_track *track, nkw_segment segment, float *out)
 {
     if (!is_readable(track))
         return;
@@ -143,23 +143,31 @@ void nkw_track_sample_at(const nkw_track *track, nkw_segment segment, float *out
 
 void nkw_track_sample(const nkw_track *track, float time, float *out)
 {
-    nkw_track_sample_at(track, nkw_segment_find(track->times, track->count, time), out);
+    nkw_track_sample_segment(track, nkw_segment_find(track->times, track->count, time), out);
 }
 
-void nkw_track_sample_from(const nkw_track *track, float time, size_t *cursor, float *out)
+void nkw_track_sample_cursor(const nkw_track *track, float time, uint32_t *cursor, float *out)
 {
-    nkw_segment segment = lane_segment_find_from(lane_times_of(track->times, track->count), time, *cursor);
-    *cursor = segment.index;
-    nkw_track_sample_at(track, segment, out);
+    nkw_segment segment = lane_segment_find_hint(lane_times_of(track->times, track->count), time, *cursor);
+    *cursor = (uint32_t)segment.index;
+    nkw_track_sample_segment(track, segment, out);
+}
+
+static nkw_result check_readable(const nkw_track *track)
+{
+    if (track->count == 0 || track->width == 0)
+        return NKW_EMPTY;
+    return is_readable(track) ? NKW_OK : NKW_BAD_WIDTH;
 }
 
 static nkw_result check_shape(const nkw_track *track)
 {
-    if (track->count == 0 || track->width == 0)
-        return NKW_EMPTY;
     if ((unsigned)track->kind > NKW_TRACK_ROTATION_NORMALIZED ||
-        (unsigned)track->interpolation > NKW_INTERPOLATION_CUBICSPLINE || !is_readable(track))
+        (unsigned)track->interpolation > NKW_INTERPOLATION_CUBICSPLINE)
         return NKW_BAD_METHOD;
+    nkw_result result = check_readable(track);
+    if (result != NKW_OK)
+        return result;
     return nkw_track_value_count(track) <= SIZE_MAX / sizeof(float) ? NKW_OK : NKW_TOO_SMALL;
 }
 
@@ -213,14 +221,22 @@ static size_t steps_until(float start, float rate, float end)
     return low;
 }
 
-size_t nkw_track_resample_count(const nkw_track *track, float rate)
+nkw_result nkw_track_resample_count(const nkw_track *track, float rate, size_t *count)
 {
-    if (!is_readable(track) || !(rate > 0.0f) || !lane_is_finite(rate))
-        return 0;
+    nkw_result result = check_readable(track);
+    *count = 0;
+    if (result != NKW_OK)
+        return result;
+    if (!(rate > 0.0f) || !lane_is_finite(rate))
+        return NKW_OUT_OF_RANGE;
     float first = track->times[0], last = track->times[track->count - 1];
     size_t steps = steps_until(first, rate, last);
-    int is_sound = lane_is_finite(last) && lane_is_finite(nkw_segment_uniform_time(first, rate, steps));
-    return is_sound && steps < MOST_STEPS ? steps + 1 : 0;
+    if (!lane_is_finite(last) || !lane_is_finite(nkw_segment_uniform_time(first, rate, steps)))
+        return NKW_NOT_FINITE;
+    if (steps >= MOST_STEPS)
+        return NKW_TOO_MANY;
+    *count = steps + 1;
+    return NKW_OK;
 }
 
 /* Whether no segment is anything but STEP. */
@@ -241,46 +257,79 @@ static nkw_track resampled(const nkw_track *track, const float *times, const flo
     return r;
 }
 
-float nkw_track_resample(const nkw_track *track, float rate, float *times, float *values, float *work, nkw_track *out)
-{
-    const nkw_track source = *track;
-    size_t count = nkw_track_resample_count(&source, rate), cursor = 0;
-    for (size_t k = 0; k < count; k++) {
-        times[k] = nkw_segment_uniform_time(source.times[0], rate, k);
-        nkw_track_sample_from(&source, times[k], &cursor, values + k * source.width);
-    }
-    *out = resampled(&source, times, values, count);
-    return nkw_track_difference(&source, out, work);
-}
-
-static int are_alike(const nkw_track *a, const nkw_track *b)
-{
-    return is_readable(a) && is_readable(b) && a->width == b->width && is_rotation(a) == is_rotation(b);
-}
-
 /* At the keys of one of the two, and the quarters between them, while the first lasts. */
 static float difference_along(const nkw_track *along, const nkw_track *track, const nkw_track *other, float *work)
 {
-    size_t here = 0, there = 0;
+    uint32_t here = 0, there = 0;
     float *a = work, *b = work + track->width, far = 0.0f;
     for (size_t k = 0; k < along->count; k++)
         for (int quarter = 0; quarter < DIFFERENCE_QUARTERS; quarter++) {
             float time = difference_moment(along, k, quarter);
             if (time < track->times[0] || time > track->times[track->count - 1])
                 continue;
-            nkw_track_sample_from(track, time, &here, a);
-            nkw_track_sample_from(other, time, &there, b);
+            nkw_track_sample_cursor(track, time, &here, a);
+            nkw_track_sample_cursor(other, time, &there, b);
             far = difference_worse(far, is_rotation(track) ? nkw_quat_angle(read_quat(a), read_quat(b))
                                                            : difference_farthest(a, b, track->width));
         }
     return far;
 }
 
-float nkw_track_difference(const nkw_track *track, const nkw_track *other, float *work)
+static float difference_of(const nkw_track *track, const nkw_track *other, float *work)
 {
-    if (!are_alike(track, other))
-        return INFINITY;
     return difference_worse(difference_along(track, track, other, work), difference_along(other, track, other, work));
+}
+
+nkw_result nkw_track_difference(const nkw_track *track, const nkw_track *other, float *difference, float *work,
+                                size_t work_count)
+{
+    nkw_result result = check_readable(track);
+    *difference = INFINITY;
+    if (result == NKW_OK)
+        result = check_readable(other);
+    if (result != NKW_OK)
+        return result;
+    if (track->width != other->width || is_rotation(track) != is_rotation(other))
+        return NKW_MISMATCHED;
+    if (work_count / 2 < track->width)
+        return NKW_TOO_SMALL;
+    *difference = difference_of(track, other, work);
+    return NKW_OK;
+}
+
+static nkw_result check_memory(const nkw_track *track, const nkw_track_memory *memory, size_t count)
+{
+    return memory->key_capacity >= count && memory->work_count / 2 >= track->width ? NKW_OK : NKW_TOO_SMALL;
+}
+
+/* `count` samples from the first key on; returns the difference from the source. */
+static float resample(const nkw_track *track, float rate, const nkw_track_memory *memory, size_t count, nkw_track *out)
+{
+    uint32_t cursor = 0;
+    for (size_t k = 0; k < count; k++) {
+        memory->times[k] = nkw_segment_uniform_time(track->times[0], rate, k);
+        nkw_track_sample_cursor(track, memory->times[k], &cursor, memory->values + k * track->width);
+    }
+    *out = resampled(track, memory->times, memory->values, count);
+    return difference_of(track, out, memory->work);
+}
+
+nkw_result nkw_track_resample(const nkw_track *track, float rate, const nkw_track_memory *memory, nkw_track *out,
+                              float *difference)
+{
+    const nkw_track source = *track;
+    size_t count;
+    nkw_result result = nkw_track_resample_count(&source, rate, &count);
+    if (result == NKW_OK)
+        result = check_memory(&source, memory, count);
+    float worst = INFINITY;
+    if (result == NKW_OK)
+        worst = resample(&source, rate, memory, count, out);
+    else
+        *out = resampled(&source, memory->times, memory->values, 0);
+    if (difference)
+        *difference = worst;
+    return result;
 }
 
 /* The rate that parts the duration into `segments`: a part of the mean rate, never so high that the end is missed. */
@@ -289,8 +338,10 @@ static float rate_over(const nkw_track *track, size_t segments)
     float first = track->times[0], last = track->times[track->count - 1];
     if (track->count < 2 || !(first < last))
         return 1.0f;
-    double all = (double)(track->count - 1), even = (double)nkw_segment_uniform_rate(track->times, track->count);
-    double mean = even > 0.0 ? even : all / ((double)last - (double)first);
+    float even;
+    double all = (double)(track->count - 1);
+    int is_even = nkw_segment_uniform_rate(track->times, track->count, &even) == NKW_OK;
+    double mean = is_even ? (double)even : all / ((double)last - (double)first);
     if (!(mean <= (double)FLT_MAX))
         return 0.0f;
     float rate = (float)(mean * ((double)segments / all));
@@ -299,19 +350,31 @@ static float rate_over(const nkw_track *track, size_t segments)
     return rate;
 }
 
-float nkw_track_resample_within(const nkw_track *track, float tolerance, float *times, float *values, float *work,
-                                nkw_track *out)
+/* The lowest rate of those tried whose error is within the tolerance; 0 where none is. */
+static float lowest_rate(const nkw_track *track, float tolerance, const nkw_track_memory *memory, nkw_track *out)
 {
-    const nkw_track source = *track;
-    size_t segments = source.count > 1 ? source.count - 1 : 0, parts = 1;
-    *out = resampled(&source, times, values, 0);
+    size_t segments = track->count - 1, parts = 1;
     while (parts < segments)
         parts *= 2;
-    for (; is_readable(&source) && parts > 0; parts /= 2) {
-        float rate = rate_over(&source, (segments + parts - 1) / parts);
-        if (nkw_track_resample(&source, rate, times, values, work, out) <= tolerance && out->count > 0)
+    for (; parts > 0; parts /= 2) {
+        float difference, rate = rate_over(track, (segments + parts - 1) / parts);
+        if (nkw_track_resample(track, rate, memory, out, &difference) == NKW_OK && difference <= tolerance)
             return rate;
     }
-    out->count = 0;
     return 0.0f;
+}
+
+nkw_result nkw_track_resample_within(const nkw_track *track, float tolerance, const nkw_track_memory *memory,
+                                     nkw_track *out, float *rate)
+{
+    const nkw_track source = *track;
+    nkw_result result = check_readable(&source);
+    if (result == NKW_OK)
+        result = check_memory(&source, memory, source.count);
+    *rate = result == NKW_OK ? lowest_rate(&source, tolerance, memory, out) : 0.0f;
+    if (result == NKW_OK && *rate == 0.0f)
+        result = NKW_NO_RATE;
+    if (result != NKW_OK)
+        *out = resampled(&source, memory->times, memory->values, 0);
+    return result;
 }

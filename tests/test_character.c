@@ -187,7 +187,7 @@ static void errors_name_the_files_own_numbers(void **state)
     load(&c, &a);
     memcpy(narrow, bend, sizeof bend);
     narrow[1].width = 2;
-    assert_int_equal(load_clip(&c, narrow, 3, &clip, &bad), NKW_BAD_METHOD);
+    assert_int_equal(load_clip(&c, narrow, 3, &clip, &bad), NKW_BAD_WIDTH);
     assert_int_equal(bad, 1);
     assert_null(clip);
     assert_int_equal(load_skin(&c, skin_nodes, not_finite, 2, &bad), NKW_NOT_FINITE);

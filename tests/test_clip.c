@@ -5,6 +5,8 @@
 #include "put.h"
 #include "random_clip.h"
 #include "support/clips.h"
+#include "support/views.h"
+#include "support/resample.h"
 
 static random_clip drawn;
 static uint32_t work[NKW_CLIP_WORK(RANDOM_CLIP_TRACKS)];
@@ -21,13 +23,13 @@ static void expect_tracks_bits(random_source *r, size_t joints, int variety)
     nkw_clip *clip = build(&drawn.source, &bytes);
     uint32_t cursors[RANDOM_CLIP_TRACKS];
     memset(cursors, 0xff, sizeof cursors);
-    assert_true(nkw_clip_cursors(clip) <= RANDOM_CLIP_TRACKS);
+    assert_true(nkw_clip_cursor_count(clip) <= RANDOM_CLIP_TRACKS);
     for (int i = 0; i < 60; i++) {
         float time = random_clip_time(r, &drawn, i);
         float got[NKW_POSE_FLOATS(RANDOM_CLIP_JOINTS)], want[NKW_POSE_FLOATS(RANDOM_CLIP_JOINTS)];
         float floats[RANDOM_CLIP_FLOATS] = {0}, want_floats[RANDOM_CLIP_FLOATS] = {0};
         random_clip_sample(&drawn, time, want, want_floats);
-        nkw_clip_sample(clip, time, i % 2 ? cursors : NULL, got, floats);
+        nkw_clip_sample(clip, time, i % 2 ? cursors : NULL, pose_span(got, nkw_clip_joint_count(clip)), floats);
         expect_same_pose(got, want, joints);
         expect_floats_bits(floats, want_floats, drawn.source.float_count);
     }
@@ -60,7 +62,7 @@ static void tracks_of_the_last_joints_alone_stay_within_their_component(void **s
             drawn.source.track_count = kept;
             nkw_clip *clip = build(&drawn.source, &bytes);
             random_clip_sample(&drawn, 0.35f, want, none);
-            nkw_clip_sample(clip, 0.35f, NULL, got, NULL);
+            nkw_clip_sample(clip, 0.35f, NULL, pose_span(got, nkw_clip_joint_count(clip)), NULL);
             expect_same_pose(got, want, joints);
             free(clip);
         }
@@ -75,7 +77,7 @@ static void tracks_of_one_time_array_share_a_lookup(void **state)
     for (int variety = 0; variety < 2; variety++) {
         random_clip_draw(&r, 20, variety, &drawn);
         nkw_clip *clip = build(&drawn.source, &bytes);
-        assert_int_equal(nkw_clip_cursors(clip), 1);
+        assert_int_equal(nkw_clip_cursor_count(clip), 1);
         free(clip);
     }
     /* The same times in another place. */
@@ -84,7 +86,34 @@ static void tracks_of_one_time_array_share_a_lookup(void **state)
     memcpy(copy, drawn.times[1], sizeof copy);
     drawn.tracks[3].track.times = copy;
     nkw_clip *clip = build(&drawn.source, &bytes);
-    assert_int_equal(nkw_clip_cursors(clip), 1);
+    assert_int_equal(nkw_clip_cursor_count(clip), 1);
+    free(clip);
+}
+
+static nkw_clip_error difference_from(const nkw_clip *clip, const nkw_clip_source *source)
+{
+    float room[NKW_CLIP_DIFFERENCE_WORK(RANDOM_CLIP_JOINTS, RANDOM_CLIP_FLOATS)];
+    size_t needed = NKW_CLIP_DIFFERENCE_WORK(nkw_clip_joint_count(clip), nkw_clip_float_count(clip));
+    nkw_clip_error error, none;
+    nkw_result result = nkw_clip_difference(clip, source, &error, room, needed);
+    assert_true(result == NKW_OK || (result == NKW_MISMATCHED && isinf(error.rotation)));
+    assert_int_equal(nkw_clip_difference(clip, source, &none, room, needed - 1),
+                     result == NKW_OK ? NKW_TOO_SMALL : result);
+    assert_true(isinf(none.translation) && isinf(none.rotation) && isinf(none.scale) && isinf(none.floats));
+    return error;
+}
+
+static void a_pose_of_other_joints_is_not_written(void **state)
+{
+    (void)state;
+    nkw_clip_source source = {NULL, 0, 17, 0, {NULL, 0}, NULL, NKW_CLIP_FLOAT32};
+    float pose[NKW_POSE_FLOATS(17)] = {7.0f};
+    size_t bytes;
+    nkw_clip *clip = build(&source, &bytes);
+    assert_int_equal(nkw_clip_sample(clip, 0.0f, NULL, pose_span(pose, 16), NULL), NKW_MISMATCHED);
+    expect_bits(pose[0], 7.0f);
+    assert_int_equal(nkw_clip_sample(clip, 0.0f, NULL, pose_span(pose, 17), NULL), NKW_OK);
+    expect_bits(pose[0], 0.0f);
     free(clip);
 }
 
@@ -92,17 +121,17 @@ static void the_difference_of_a_baked_clip_shows_between_its_own_keys(void **sta
 {
     (void)state;
     const float at[2] = {0, 1}, ease[18] = {0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 1, 1, 1, 0, 0, 0};
-    float times[25], made[75], track_work[6], pose[NKW_POSE_FLOATS(1)];
+    float times[25], made[75], track_work[6];
     nkw_clip_track track = {
         NKW_CLIP_TRANSLATION, 0, {at, ease, 2, 3, NKW_TRACK_FLOATS, NKW_INTERPOLATION_CUBICSPLINE, NULL}};
     nkw_clip_track baked = track;
-    float error = nkw_track_resample(&track.track, 24.0f, times, made, track_work, &baked.track);
-    nkw_clip_source source = {&track, 1, 1, 0, NULL, NULL, NKW_CLIP_FLOAT32}, of_baked = source;
+    float error = resample(&track.track, 24.0f, times, made, track_work, &baked.track);
+    nkw_clip_source source = {&track, 1, 1, 0, {NULL, 0}, NULL, NKW_CLIP_FLOAT32}, of_baked = source;
     size_t bytes;
     of_baked.tracks = &baked;
     nkw_clip *clip = build(&of_baked, &bytes);
     assert_true(error > 0.001f);
-    expect_bits(nkw_clip_difference(clip, &source, pose, NULL).translation, error);
+    expect_bits(difference_from(clip, &source).translation, error);
     free(clip);
 }
 
@@ -110,44 +139,43 @@ static void a_clip_and_tracks_that_are_none_of_its_own_differ_infinitely(void **
 {
     (void)state;
     const float at[2] = {0, 1}, values[32] = {0};
-    float pose[NKW_POSE_FLOATS(1)];
     nkw_clip_track track = {
         NKW_CLIP_TRANSLATION, 0, {at, values, 2, 3, NKW_TRACK_FLOATS, NKW_INTERPOLATION_LINEAR, NULL}};
-    nkw_clip_source source = {&track, 1, 1, 0, NULL, NULL, NKW_CLIP_FLOAT32};
+    nkw_clip_source source = {&track, 1, 1, 0, {NULL, 0}, NULL, NKW_CLIP_FLOAT32};
     size_t bytes;
     nkw_clip *clip = build(&source, &bytes);
-    expect_bits(nkw_clip_difference(clip, &source, pose, NULL).scale, 0.0f);
+    expect_bits(difference_from(clip, &source).scale, 0.0f);
     track.track.width = 16;
-    expect_bits(nkw_clip_difference(clip, &source, pose, NULL).scale, INFINITY);
+    expect_bits(difference_from(clip, &source).scale, INFINITY);
     track.track.width = 3;
     track.index = 1;
-    expect_bits(nkw_clip_difference(clip, &source, pose, NULL).rotation, INFINITY);
+    expect_bits(difference_from(clip, &source).rotation, INFINITY);
     track.index = 0;
     track.target = NKW_CLIP_FLOATS;
-    expect_bits(nkw_clip_difference(clip, &source, pose, NULL).floats, INFINITY);
+    expect_bits(difference_from(clip, &source).floats, INFINITY);
     track.track.width = 0;
-    expect_bits(nkw_clip_difference(clip, &source, pose, NULL).floats, INFINITY);
+    expect_bits(difference_from(clip, &source).floats, INFINITY);
     track.track.width = 3;
     track.target = NKW_CLIP_TRANSLATION;
     track.track.count = 0;
-    expect_bits(nkw_clip_difference(clip, &source, pose, NULL).translation, INFINITY);
+    expect_bits(difference_from(clip, &source).translation, INFINITY);
     free(clip);
 }
 
 static void a_clip_without_tracks_is_the_rest_pose(void **state)
 {
     (void)state;
-    nkw_clip_source source = {NULL, 0, 17, 2, NULL, NULL, NKW_CLIP_FLOAT32};
+    nkw_clip_source source = {NULL, 0, 17, 2, {NULL, 0}, NULL, NKW_CLIP_FLOAT32};
     size_t bytes;
     float pose[NKW_POSE_FLOATS(17)], identity[NKW_POSE_FLOATS(17)], floats[2] = {7, 7};
     nkw_clip *clip = build(&source, &bytes);
     nkw_pose_identity(identity, 17);
-    nkw_clip_sample(clip, 0.3f, NULL, pose, floats);
+    nkw_clip_sample(clip, 0.3f, NULL, pose_span(pose, nkw_clip_joint_count(clip)), floats);
     expect_same_pose(pose, identity, 17);
     expect_bits(floats[0], 0.0f);
     expect_bits(floats[1], 0.0f);
-    assert_int_equal(nkw_clip_joints(clip), 17);
-    assert_int_equal(nkw_clip_floats(clip), 2);
+    assert_int_equal(nkw_clip_joint_count(clip), 17);
+    assert_int_equal(nkw_clip_float_count(clip), 2);
     expect_bits(nkw_clip_start(clip), 0.0f);
     expect_bits(nkw_clip_end(clip), 0.0f);
     free(clip);
@@ -161,10 +189,10 @@ static void pose_or_floats_may_be_left_out(void **state)
     random_clip_draw(&r, 9, 2, &drawn);
     nkw_clip *clip = build(&drawn.source, &bytes);
     float pose[NKW_POSE_FLOATS(9)], floats[RANDOM_CLIP_FLOATS], both[NKW_POSE_FLOATS(9)], with[RANDOM_CLIP_FLOATS];
-    nkw_clip_sample(clip, 0.4f, NULL, both, with);
-    nkw_clip_sample(clip, 0.4f, NULL, pose, NULL);
-    nkw_clip_sample(clip, 0.4f, NULL, NULL, floats);
-    nkw_clip_sample(clip, 0.4f, NULL, NULL, NULL);
+    nkw_clip_sample(clip, 0.4f, NULL, pose_span(both, nkw_clip_joint_count(clip)), with);
+    nkw_clip_sample(clip, 0.4f, NULL, pose_span(pose, nkw_clip_joint_count(clip)), NULL);
+    nkw_clip_sample(clip, 0.4f, NULL, pose_span(NULL, 0), floats);
+    nkw_clip_sample(clip, 0.4f, NULL, pose_span(NULL, 0), NULL);
     expect_same_pose(pose, both, 9);
     expect_floats_bits(floats, with, RANDOM_CLIP_FLOATS);
     free(clip);
@@ -172,8 +200,7 @@ static void pose_or_floats_may_be_left_out(void **state)
 
 static nkw_clip_error difference(const nkw_clip *clip)
 {
-    float pose[NKW_POSE_FLOATS(RANDOM_CLIP_JOINTS)], floats[2 * RANDOM_CLIP_FLOATS];
-    return nkw_clip_difference(clip, &drawn.source, pose, floats);
+    return difference_from(clip, &drawn.source);
 }
 
 static void a_clip_of_floats_does_not_differ_from_its_tracks(void **state)
@@ -324,7 +351,7 @@ static void a_source_of_other_joints_is_infinitely_far(void **state)
     nkw_clip *clip = build(&drawn.source, &bytes);
     assert_true(difference(clip).rotation < 1e-6f);
     drawn.source.joint_count = 8;
-    nkw_clip_error error = nkw_clip_difference(clip, &drawn.source, NULL, NULL);
+    nkw_clip_error error = difference(clip);
     assert_true(isinf(error.translation) && isinf(error.rotation) && isinf(error.scale) && isinf(error.floats));
     free(clip);
 }
@@ -353,7 +380,8 @@ static void compact_rotations_are_unit(void **state)
     nkw_clip *clip = build(&drawn.source, &bytes);
     for (int i = 0; i < 200; i++) {
         float pose[NKW_POSE_FLOATS(20)];
-        nkw_clip_sample(clip, i % 5 ? random_unit(&r) : drawn.times[0][i % RANDOM_CLIP_KEYS], NULL, pose, NULL);
+        nkw_clip_sample(clip, i % 5 ? random_unit(&r) : drawn.times[0][i % RANDOM_CLIP_KEYS], NULL,
+                        pose_span(pose, nkw_clip_joint_count(clip)), NULL);
         for (size_t j = 0; j < 20; j++)
             expect_near(nkw_quat_length(nkw_pose_get(pose, 20, j).rotation), 1.0, 7e-7);
     }
@@ -373,9 +401,9 @@ static void compact_rotations_are_unit_between_far_keys_too(void **state)
         put_quat(values + 4 * k, nkw_quat_normalize(keys[k]));
     const nkw_track track = {times, values, 2, 4, NKW_TRACK_ROTATION, NKW_INTERPOLATION_LINEAR, NULL};
     const nkw_clip_track rotation = {NKW_CLIP_ROTATION, 0, track};
-    nkw_clip_source source = {&rotation, 1, 1, 0, NULL, NULL, NKW_CLIP_UNORM16};
+    nkw_clip_source source = {&rotation, 1, 1, 0, {NULL, 0}, NULL, NKW_CLIP_UNORM16};
     nkw_clip *clip = build(&source, &bytes);
-    nkw_clip_sample(clip, 0x1.ffffb6p-2f, NULL, pose, NULL);
+    nkw_clip_sample(clip, 0x1.ffffb6p-2f, NULL, pose_span(pose, nkw_clip_joint_count(clip)), NULL);
     expect_near(nkw_quat_length(nkw_pose_get(pose, 1, 0).rotation), 1.0, 7e-7);
     free(clip);
 }
@@ -386,8 +414,11 @@ static void build_refuses_a_block_that_is_too_small(void **state)
     random_source r = random_from(8);
     size_t bytes;
     random_clip_draw(&r, 5, 2, &drawn);
-    assert_int_equal(nkw_clip_measure(&drawn.source, work, &bytes, NULL), NKW_OK);
-    assert_int_equal(nkw_clip_build(&drawn.source, work, NULL, bytes - 1, NULL), NKW_TOO_SMALL);
+    assert_int_equal(nkw_clip_measure(&drawn.source, &bytes, NULL, work, NKW_CLIP_WORK(drawn.source.track_count)),
+                     NKW_OK);
+    assert_int_equal(
+        nkw_clip_build(&drawn.source, NULL, bytes - 1, NULL, work, NKW_CLIP_WORK(drawn.source.track_count)),
+        NKW_TOO_SMALL);
 }
 
 static void open_refuses_other_files(void **state)
@@ -486,8 +517,8 @@ static void a_block_may_be_copied_and_larger_than_the_clip(void **state)
         memcpy(copy + shift, block, bytes);
         assert_int_equal(nkw_clip_open(copy + shift, bytes + 100, &clip), NKW_OK);
         assert_int_equal(nkw_clip_bytes(clip), bytes);
-        nkw_clip_sample(clip, 0.3f, NULL, got, NULL);
-        nkw_clip_sample(block, 0.3f, NULL, want, NULL);
+        nkw_clip_sample(clip, 0.3f, NULL, pose_span(got, nkw_clip_joint_count(clip)), NULL);
+        nkw_clip_sample(block, 0.3f, NULL, pose_span(want, nkw_clip_joint_count(block)), NULL);
         expect_same_pose(got, want, 17);
         free(copy);
     }
@@ -512,10 +543,10 @@ static void a_damaged_block_is_refused_or_safe(void **state)
             damaged[i] = o < 4 ? others[o] : damaged[i] + 1;
             if (nkw_clip_open(damaged, bytes, &clip) != NKW_OK && ++refused)
                 continue;
-            assert_true(nkw_clip_joints(clip) + nkw_clip_floats(clip) <= bytes);
-            float *pose = (float *)malloc(sizeof(float) * (1 + nkw_pose_floats(nkw_clip_joints(clip))));
-            float *floats = (float *)malloc(sizeof(float) * (1 + nkw_clip_floats(clip)));
-            nkw_clip_sample(clip, 0.3f, NULL, pose, floats);
+            assert_true(nkw_clip_joint_count(clip) + nkw_clip_float_count(clip) <= bytes);
+            float *pose = (float *)malloc(sizeof(float) * (1 + nkw_pose_floats(nkw_clip_joint_count(clip))));
+            float *floats = (float *)malloc(sizeof(float) * (1 + nkw_clip_float_count(clip)));
+            nkw_clip_sample(clip, 0.3f, NULL, pose_span(pose, nkw_clip_joint_count(clip)), floats);
             free(pose);
             free(floats);
         }
@@ -531,6 +562,7 @@ int main(void)
         cmocka_unit_test(sampling_gives_the_bits_of_track_by_track),
         cmocka_unit_test(tracks_of_the_last_joints_alone_stay_within_their_component),
         cmocka_unit_test(tracks_of_one_time_array_share_a_lookup),
+        cmocka_unit_test(a_pose_of_other_joints_is_not_written),
         cmocka_unit_test(the_difference_of_a_baked_clip_shows_between_its_own_keys),
         cmocka_unit_test(a_clip_and_tracks_that_are_none_of_its_own_differ_infinitely),
         cmocka_unit_test(a_clip_without_tracks_is_the_rest_pose),

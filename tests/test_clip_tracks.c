@@ -5,6 +5,7 @@
 
 #include "random_clip.h"
 #include "support/clips.h"
+#include "support/views.h"
 
 static random_clip drawn;
 static uint32_t work[NKW_CLIP_WORK(RANDOM_CLIP_TRACKS)];
@@ -25,7 +26,7 @@ static void constant_tracks_are_stored_once(void **state)
             for (size_t c = 0; c < drawn.tracks[i].track.width; c++)
                 drawn.values[i][k * drawn.tracks[i].track.width + c] = drawn.values[i][c] = nkw_abs(drawn.values[i][c]);
     nkw_clip *clip = build(&drawn.source, &bytes);
-    assert_int_equal(nkw_clip_cursors(clip), 0);
+    assert_int_equal(nkw_clip_cursor_count(clip), 0);
     assert_true(bytes < pose_bytes + 512);
     expect_bits(nkw_clip_start(clip), 0.0f);
     expect_bits(nkw_clip_end(clip), drawn.times[0][RANDOM_CLIP_KEYS - 1]);
@@ -49,11 +50,11 @@ static void cubic_rotations_that_stay_are_constants(void **state)
             memcpy(values + 12 * k + 4, &q, sizeof q);
         nkw_track_kind kind = i % 2 ? NKW_TRACK_ROTATION_NORMALIZED : NKW_TRACK_ROTATION;
         nkw_clip_track t = {NKW_CLIP_ROTATION, 0, {at, values, 3, 4, kind, NKW_INTERPOLATION_CUBICSPLINE, NULL}};
-        nkw_clip_source source = {&t, 1, 1, 0, NULL, NULL, NKW_CLIP_FLOAT32};
+        nkw_clip_source source = {&t, 1, 1, 0, {NULL, 0}, NULL, NKW_CLIP_FLOAT32};
         nkw_clip *clip = build(&source, &bytes);
-        found += nkw_clip_cursors(clip) == 0;
+        found += nkw_clip_cursor_count(clip) == 0;
         for (float time = 0; time <= 2; time += 0.25f) {
-            nkw_clip_sample(clip, time, NULL, pose, NULL);
+            nkw_clip_sample(clip, time, NULL, pose_span(pose, nkw_clip_joint_count(clip)), NULL);
             nkw_track_sample(&t.track, time, want);
             nkw_quat got = nkw_pose_get(pose, 1, 0).rotation;
             assert_memory_equal(&got, want, sizeof got);
@@ -70,11 +71,11 @@ static void cubics_over_an_endless_duration_are_no_constants(void **state)
     const float at[2] = {-3e38f, 3e38f}, values[24] = {0, 0, 0, 0, 0, 0, 0, 1, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 1};
     nkw_clip_track t = {
         NKW_CLIP_ROTATION, 0, {at, values, 2, 4, NKW_TRACK_ROTATION, NKW_INTERPOLATION_CUBICSPLINE, NULL}};
-    nkw_clip_source source = {&t, 1, 1, 0, NULL, NULL, NKW_CLIP_FLOAT32};
+    nkw_clip_source source = {&t, 1, 1, 0, {NULL, 0}, NULL, NKW_CLIP_FLOAT32};
     float pose[NKW_POSE_FLOATS(1)], want[4];
     size_t bytes;
     nkw_clip *clip = build(&source, &bytes);
-    nkw_clip_sample(clip, 0.0f, NULL, pose, NULL);
+    nkw_clip_sample(clip, 0.0f, NULL, pose_span(pose, nkw_clip_joint_count(clip)), NULL);
     nkw_track_sample(&t.track, 0.0f, want);
     expect_nan(want[3]);
     expect_nan(nkw_pose_get(pose, 1, 0).rotation.w);
@@ -106,7 +107,7 @@ static void short_gaps_between_joints_are_gone_over(void **state)
         float got[NKW_POSE_FLOATS(JOINTS)], want[NKW_POSE_FLOATS(JOINTS)], time = random_clip_time(&r, &drawn, i);
         float none[1];
         random_clip_sample(&drawn, time, want, none);
-        nkw_clip_sample(clip, time, NULL, got, NULL);
+        nkw_clip_sample(clip, time, NULL, pose_span(got, nkw_clip_joint_count(clip)), NULL);
         for (size_t c = 0; c < 10; c++)
             for (size_t j = 0; j < JOINTS; j++) {
                 size_t at = c * NKW_POSE_STRIDE(JOINTS) + j;
@@ -121,7 +122,7 @@ static void short_gaps_between_joints_are_gone_over(void **state)
     clip = build(&drawn.source, &bytes);
     for (int i = 4; i < 20; i++) {
         float got[NKW_POSE_FLOATS(JOINTS)];
-        nkw_clip_sample(clip, random_clip_time(&r, &drawn, i), NULL, got, NULL);
+        nkw_clip_sample(clip, random_clip_time(&r, &drawn, i), NULL, pose_span(got, nkw_clip_joint_count(clip)), NULL);
         for (size_t c = 0; c < 10; c++)
             for (size_t j = 4; j < JOINTS; j += 8)
                 if (odd[(c + j / 8) % 5] == odd[(c + j / 8) % 5])
@@ -162,12 +163,13 @@ static void the_order_of_tracks_does_not_matter(void **state)
 static void expect_refused(nkw_result result, size_t track, int line)
 {
     size_t bytes = 0, bad = 99;
-    nkw_result got = nkw_clip_measure(&drawn.source, work, &bytes, &bad);
+    nkw_result got = nkw_clip_measure(&drawn.source, &bytes, &bad, work, NKW_CLIP_WORK(drawn.source.track_count));
     if (got != result || bad != track) {
         print_error("got %s at %zu, want %s at %zu\n", nkw_result_text(got), bad, nkw_result_text(result), track);
         _fail(__FILE__, line);
     }
-    assert_int_equal(nkw_clip_build(&drawn.source, work, NULL, 0, NULL), result);
+    assert_int_equal(nkw_clip_build(&drawn.source, NULL, 0, NULL, work, NKW_CLIP_WORK(drawn.source.track_count)),
+                     result);
 }
 
 static void measure_refuses_what_is_no_clip(void **state)
@@ -186,7 +188,7 @@ static void measure_refuses_what_is_no_clip(void **state)
     expect_refused(NKW_OUT_OF_RANGE, 7, __LINE__);
     *t = kept;
     t->track.width = 2;
-    expect_refused(NKW_BAD_METHOD, 7, __LINE__);
+    expect_refused(NKW_BAD_WIDTH, 7, __LINE__);
     *t = kept;
     t->track.count = 0;
     expect_refused(NKW_EMPTY, 7, __LINE__);
@@ -197,8 +199,14 @@ static void measure_refuses_what_is_no_clip(void **state)
     expect_refused(NKW_REPEATED, 10, __LINE__);
     *t = kept;
     drawn.source.format = (nkw_clip_format)2;
-    expect_refused(NKW_BAD_METHOD, 0, __LINE__);
+    expect_refused(NKW_BAD_FORMAT, 0, __LINE__);
     drawn.source.format = NKW_CLIP_FLOAT32;
+    drawn.source.rest.joint_count++;
+    expect_refused(NKW_MISMATCHED, 0, __LINE__);
+    drawn.source.rest.joint_count--;
+    size_t bytes;
+    assert_int_equal(nkw_clip_measure(&drawn.source, &bytes, NULL, work, NKW_CLIP_WORK(drawn.source.track_count) - 1),
+                     NKW_TOO_SMALL);
     drawn.source.track_count = 0;
     drawn.source.joint_count = (1u << 26) + 1;
     expect_refused(NKW_OUT_OF_RANGE, 0, __LINE__);

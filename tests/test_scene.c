@@ -13,6 +13,8 @@
 
 #include "scene.h"
 #include "support/expect.h"
+#include "support/views.h"
+#include "support/resample.h"
 
 #define ANIMS 128
 
@@ -63,7 +65,7 @@ static void sample_both_ways(const played *p, int anim, float time, float *pose,
     float want[NKW_POSE_FLOATS(SCENE_NODES)], want_floats[SCENE_FLOATS];
     size_t joints = (size_t)p->scene.nodes, stride = NKW_POSE_STRIDE(joints);
     scene_sample(&p->scene, anim, time, want, want_floats);
-    nkw_clip_sample(clip_of(p, anim), time, NULL, pose, floats);
+    nkw_clip_sample(clip_of(p, anim), time, NULL, pose_span(pose, nkw_clip_joint_count(clip_of(p, anim))), floats);
     for (size_t c = 0; c < 10; c++)
         expect_floats_bits(pose + c * stride, want + c * stride, joints);
     expect_floats_bits(floats, want_floats, p->scene.floats);
@@ -260,10 +262,11 @@ static double compact_bound(const nkw_clip_source *s, nkw_clip_target target)
 
 static void expect_compact_bound(const played *p)
 {
-    float pose[NKW_POSE_FLOATS(SCENE_NODES)], floats[2 * SCENE_FLOATS];
+    float room[NKW_CLIP_DIFFERENCE_WORK(SCENE_NODES, SCENE_FLOATS)];
     for (int i = 0; i < p->scene.anims; i++) {
         const nkw_clip_source *s = &p->source[i];
-        nkw_clip_error error = nkw_clip_difference(p->clip[i], s, pose, floats);
+        nkw_clip_error error;
+        assert_int_equal(nkw_clip_difference(p->clip[i], s, &error, room, sizeof room / sizeof *room), NKW_OK);
         assert_true((double)error.translation <= compact_bound(s, NKW_CLIP_TRANSLATION));
         assert_true((double)error.scale <= compact_bound(s, NKW_CLIP_SCALE));
         assert_true((double)error.floats <= compact_bound(s, NKW_CLIP_FLOATS));
@@ -286,10 +289,10 @@ static void expect_resampled(const played *p)
         float work[2 * SCENE_FLOATS], *times = (float *)malloc(t->count * sizeof(float));
         float *values = (float *)malloc(t->count * t->width * sizeof(float));
         assert_true(times && values);
-        float rate = nkw_track_resample_within(t, 1e-3f, times, values, work, &baked);
+        float rate = resample_within(t, 1e-3f, times, values, work, &baked);
         assert_true(baked.count <= t->count && (rate > 0.0f) == (baked.count > 0));
-        assert_true(rate == 0.0f || nkw_track_difference(t, &baked, work) <= 1e-3f);
-        assert_true(baked.count < 2 || nkw_segment_uniform_rate(times, baked.count) > 0.0f);
+        assert_true(rate == 0.0f || track_difference(t, &baked, work) <= 1e-3f);
+        assert_true(baked.count < 2 || uniform_rate(times, baked.count) > 0.0f);
         free(times);
         free(values);
     }

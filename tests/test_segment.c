@@ -4,6 +4,7 @@
 
 #include "random.h"
 #include "support/expect.h"
+#include "support/resample.h"
 
 static void expect_segment_at(nkw_segment got, size_t index, float t, int line)
 {
@@ -59,9 +60,9 @@ static void fewer_than_two_keys_and_nan_give_the_first_segment(void **state)
     expect_segment(nkw_segment_find(NULL, 0, 1.0f), 0, 0.0f);
     expect_segment(nkw_segment_find(times, 1, 3.0f), 0, 0.0f);
     expect_segment(nkw_segment_find(times, 3, NAN), 0, 0.0f);
-    expect_segment(nkw_segment_find_from(NULL, 0, 1.0f, 7), 0, 0.0f);
-    expect_segment(nkw_segment_find_from(times, 1, 3.0f, 7), 0, 0.0f);
-    expect_segment(nkw_segment_find_from(times, 3, NAN, 2), 0, 0.0f);
+    expect_segment(nkw_segment_find_hint(NULL, 0, 1.0f, 7), 0, 0.0f);
+    expect_segment(nkw_segment_find_hint(times, 1, 3.0f, 7), 0, 0.0f);
+    expect_segment(nkw_segment_find_hint(times, 3, NAN, 2), 0, 0.0f);
     expect_segment(nkw_segment_find_uniform(0, 30, 0, 1), 0, 0.0f);
     expect_segment(nkw_segment_find_uniform(0, 30, 1, 1), 0, 0.0f);
     expect_segment(nkw_segment_find_uniform(0, 30, 9, NAN), 0, 0.0f);
@@ -111,9 +112,9 @@ static void search_and_cursor_agree_with_the_definition(void **state)
             nkw_segment want = by_definition(times, count, time);
             expect_segment(nkw_segment_find(times, count, time), want.index, want.t);
             size_t from = (size_t)(random_bits(&r) % (count + 3));
-            expect_segment(nkw_segment_find_from(times, count, time, from), want.index, want.t);
+            expect_segment(nkw_segment_find_hint(times, count, time, from), want.index, want.t);
         }
-        expect_segment(nkw_segment_find_from(times, count, now, SIZE_MAX), nkw_segment_find(times, count, now).index,
+        expect_segment(nkw_segment_find_hint(times, count, now, SIZE_MAX), nkw_segment_find(times, count, now).index,
                        nkw_segment_find(times, count, now).t);
     }
 }
@@ -138,7 +139,7 @@ static void many_times_agree_with_the_definition(void **state)
             nkw_segment want = by_definition(keys, count, times[i]);
             expect_segment(found[i], want.index, want.t);
             expect_segment(nkw_segment_find(keys, count, times[i]), want.index, want.t);
-            expect_segment(nkw_segment_find_from(keys, count, times[i], i * 5), want.index, want.t);
+            expect_segment(nkw_segment_find_hint(keys, count, times[i], i * 5), want.index, want.t);
         }
     }
 }
@@ -154,7 +155,7 @@ static void anything_at_all_stays_within_the_array(void **state)
             times[k] = float_of((uint32_t)random_bits(&r));
         float time = float_of((uint32_t)random_bits(&r));
         nkw_segment found[4] = {nkw_segment_find(times, count, time),
-                                nkw_segment_find_from(times, count, time, (size_t)random_bits(&r))};
+                                nkw_segment_find_hint(times, count, time, (size_t)random_bits(&r))};
         nkw_segment_find_n(times, count, times, found + 2, count < 2 ? count : 2);
         for (size_t i = 0; i < 2 + (count < 2 ? count : 2); i++) {
             assert_true(found[i].index == 0 || found[i].index + 1 < count);
@@ -206,14 +207,14 @@ static void the_rate_of_even_times_is_found(void **state)
     for (int i = 0; i < 18; i++) {
         for (size_t k = 0; k < 200; k++)
             times[k] = nkw_segment_uniform_time(starts[i % 3], rates[i / 3], k);
-        expect_bits(nkw_segment_uniform_rate(times, 200), rates[i / 3]);
+        expect_bits(uniform_rate(times, 200), rates[i / 3]);
         for (size_t count = 2; count < 200; count += 13) {
-            float rate = nkw_segment_uniform_rate(times, count);
+            float rate = uniform_rate(times, count);
             for (size_t k = 0; rate > 0.0f && k < count; k++)
                 expect_bits(nkw_segment_uniform_time(times[0], rate, k), times[k]);
         }
         times[100] += 1e-3f;
-        expect_bits(nkw_segment_uniform_rate(times, 200), 0.0f);
+        expect_bits(uniform_rate(times, 200), 0.0f);
     }
 }
 
@@ -227,7 +228,7 @@ static void any_rate_of_even_times_is_found(void **state)
         rate = i % 4 < 2 ? (float)(1 + random_bits(&r) % 240) : rate;
         for (size_t k = 0; k < count; k++)
             times[k] = nkw_segment_uniform_time(start, rate, k);
-        float found = nkw_segment_uniform_rate(times, count);
+        float found = uniform_rate(times, count);
         assert_true(found > 0.0f && (i % 4 >= 2 || found == (float)(uint32_t)found));
         for (size_t k = 0; k < count; k++)
             expect_bits(nkw_segment_uniform_time(start, found, k), times[k]);
@@ -239,13 +240,13 @@ static void times_without_a_rate_have_none(void **state)
     (void)state;
     const float uneven[3] = {0, 1, 3}, same[3] = {1, 1, 1}, back[3] = {2, 1, 0}, odd[3] = {0, NAN, 2};
     const float endless[2] = {0, INFINITY};
-    expect_bits(nkw_segment_uniform_rate(NULL, 0), 0.0f);
-    expect_bits(nkw_segment_uniform_rate(uneven, 1), 0.0f);
-    expect_bits(nkw_segment_uniform_rate(uneven, 3), 0.0f);
-    expect_bits(nkw_segment_uniform_rate(same, 3), 0.0f);
-    expect_bits(nkw_segment_uniform_rate(back, 3), 0.0f);
-    expect_bits(nkw_segment_uniform_rate(odd, 3), 0.0f);
-    expect_bits(nkw_segment_uniform_rate(endless, 2), 0.0f);
+    expect_bits(uniform_rate(NULL, 0), 0.0f);
+    expect_bits(uniform_rate(uneven, 1), 0.0f);
+    expect_bits(uniform_rate(uneven, 3), 0.0f);
+    expect_bits(uniform_rate(same, 3), 0.0f);
+    expect_bits(uniform_rate(back, 3), 0.0f);
+    expect_bits(uniform_rate(odd, 3), 0.0f);
+    expect_bits(uniform_rate(endless, 2), 0.0f);
 }
 
 int main(void)

@@ -191,14 +191,14 @@ static void cursor_and_shared_segment_give_the_same_bits(void **state)
     float values[48];
     for (int i = 0; i < 48; i++)
         values[i] = random_between(&r, -1, 1);
-    size_t cursor = 99;
+    uint32_t cursor = 99;
     for (int i = 0; i < 3000; i++) {
         nkw_track t = floats(values, 4, (nkw_interpolation)(i % 3));
         t.kind = i % 2 ? NKW_TRACK_ROTATION : NKW_TRACK_FLOATS;
         float time = random_between(&r, 0, 3), a[4], b[4], c[4];
         nkw_track_sample(&t, time, a);
-        nkw_track_sample_from(&t, time, &cursor, b);
-        nkw_track_sample_at(&t, nkw_segment_find(times4, 4, time), c);
+        nkw_track_sample_cursor(&t, time, &cursor, b);
+        nkw_track_sample_segment(&t, nkw_segment_find(times4, 4, time), c);
         expect_floats_bits(b, a, 4);
         expect_floats_bits(c, a, 4);
         assert_true(cursor <= 2);
@@ -296,7 +296,7 @@ static void validate_refuses_wrong_shapes(void **state)
     expect_invalid(&thin, NKW_EMPTY, 0, __LINE__);
     expect_invalid(&odd, NKW_BAD_METHOD, 0, __LINE__);
     expect_invalid(&mode, NKW_BAD_METHOD, 0, __LINE__);
-    expect_invalid(&turn, NKW_BAD_METHOD, 0, __LINE__);
+    expect_invalid(&turn, NKW_BAD_WIDTH, 0, __LINE__);
     expect_invalid(&key, NKW_BAD_METHOD, 2, __LINE__);
     expect_invalid(&both, NKW_OK, 0, __LINE__);
     both.key_interpolation = unknown;

@@ -6,6 +6,7 @@
 #include "random.h"
 #include "support/expect.h"
 #include "support/four_keys.h"
+#include "support/resample.h"
 
 static void same_track(const nkw_track *got, const nkw_track *want)
 {
@@ -46,10 +47,10 @@ static void resampling_at_its_own_rate_gives_the_track_back(void **state)
         float rate = rates[i % 4];
         nkw_track t = even_keys(&r, starts[i % 3], rate, i % 2, times, values), out;
         t.interpolation = i % 8 < 4 ? NKW_INTERPOLATION_LINEAR : NKW_INTERPOLATION_STEP;
-        assert_int_equal(nkw_track_resample_count(&t, rate), EVEN_KEYS);
-        expect_near(nkw_track_resample(&t, rate, new_times, made, work, &out), 0.0, i % 2 ? 1e-7 : 0.0);
+        assert_int_equal(resample_count(&t, rate), EVEN_KEYS);
+        expect_near(resample(&t, rate, new_times, made, work, &out), 0.0, i % 2 ? 1e-7 : 0.0);
         same_track(&out, &t);
-        expect_near(nkw_segment_uniform_rate(new_times, EVEN_KEYS), rate, 2e-6 * rate);
+        expect_near(uniform_rate(new_times, EVEN_KEYS), rate, 2e-6 * rate);
     }
 }
 
@@ -64,14 +65,14 @@ static void resampled_keys_are_samples_until_the_end_is_reached_or_passed(void *
         nkw_track t = floats(values, 4, (nkw_interpolation)(i % 3)), out;
         t.kind = i % 2 ? NKW_TRACK_ROTATION : NKW_TRACK_FLOATS;
         float rate = random_between(&r, 0.1f, 30.0f);
-        size_t count = nkw_track_resample_count(&t, rate);
+        size_t count = resample_count(&t, rate);
         assert_in_range(count, 2, 61);
         assert_true(nkw_segment_uniform_time(0.5f, rate, count - 2) < 2.5f);
         assert_true(nkw_segment_uniform_time(0.5f, rate, count - 1) >= 2.5f);
-        float error = nkw_track_resample(&t, rate, times, made, work, &out);
+        float error = resample(&t, rate, times, made, work, &out);
         assert_int_equal(out.count, count);
         assert_int_equal(out.interpolation, i % 3 == 1 ? NKW_INTERPOLATION_STEP : NKW_INTERPOLATION_LINEAR);
-        expect_bits(error, nkw_track_difference(&t, &out, work));
+        expect_bits(error, track_difference(&t, &out, work));
         for (size_t k = 0; k < count; k++) {
             nkw_track_sample(&t, times[k], want);
             expect_floats_bits(made + 4 * k, want, 4);
@@ -85,29 +86,29 @@ static void the_error_of_resampling_is_what_was_lost(void **state)
     const float hat[3] = {0, 3, 0}, line[3] = {0, 1, 2}, steps[3] = {1, 5, 6}, at[3] = {0, 1, 2};
     float times[9], made[9], work[2];
     nkw_track t = {at, hat, 3, 1, NKW_TRACK_FLOATS, NKW_INTERPOLATION_LINEAR, NULL}, out;
-    expect_bits(nkw_track_resample(&t, 0.5f, times, made, work, &out), 3.0f);
+    expect_bits(resample(&t, 0.5f, times, made, work, &out), 3.0f);
     assert_int_equal(out.count, 2);
-    expect_bits(nkw_track_resample(&t, 1.0f, times, made, work, &out), 0.0f);
+    expect_bits(resample(&t, 1.0f, times, made, work, &out), 0.0f);
     out = t;
-    expect_bits(nkw_track_resample(&out, 0.5f, times, made, work, &out), 3.0f);
+    expect_bits(resample(&out, 0.5f, times, made, work, &out), 3.0f);
     assert_int_equal(out.count, 2);
     out = t;
-    expect_bits(nkw_track_resample_within(&out, 0.1f, times, made, work, &out), 1.0f);
+    expect_bits(resample_within(&out, 0.1f, times, made, work, &out), 1.0f);
     assert_int_equal(out.count, 3);
     t.values = line;
-    expect_bits(nkw_track_resample(&t, 0.5f, times, made, work, &out), 0.0f);
+    expect_bits(resample(&t, 0.5f, times, made, work, &out), 0.0f);
     t.values = steps;
     t.interpolation = NKW_INTERPOLATION_STEP;
-    expect_bits(nkw_track_resample(&t, 0.5f, times, made, work, &out), 4.0f);
+    expect_bits(resample(&t, 0.5f, times, made, work, &out), 4.0f);
     /* An arch of height 1 between two keys: seen at the quarters alone. */
     const float arch[6] = {0, 0, 4, -4, 0, 0};
     nkw_track curve = {at, arch, 2, 1, NKW_TRACK_FLOATS, NKW_INTERPOLATION_CUBICSPLINE, NULL};
-    expect_bits(nkw_track_resample(&curve, 1.0f, times, made, work, &out), 1.0f);
+    expect_bits(resample(&curve, 1.0f, times, made, work, &out), 1.0f);
     /* A quarter turn and back, held still: the angle of a quarter turn. */
     const float turns[12] = {0, 0, 0, 1, 0, 0, 0.70710678f, 0.70710678f, 0, 0, 0, 1};
     nkw_track turn = {at, turns, 3, 4, NKW_TRACK_ROTATION, NKW_INTERPOLATION_LINEAR, NULL};
     float rotations_made[12], rotations_work[8];
-    expect_near(nkw_track_resample(&turn, 0.5f, times, rotations_made, rotations_work, &out), 1.57079633, 2e-7);
+    expect_near(resample(&turn, 0.5f, times, rotations_made, rotations_work, &out), 1.57079633, 2e-7);
 }
 
 /* Rates at which new keys fall on all keys and quarters of the source: what is lost lies between the new ones. */
@@ -122,17 +123,17 @@ static void the_error_of_resampling_shows_between_the_new_keys(void **state)
     /* A parabola over 1/rate: 1/8 of the second derivative, 6 at the ends, times its square. */
     for (float rate = 4; rate <= 24; rate += 4) {
         double end = 0.125 * 6 / (double)(rate * rate) * (1 - 1 / (double)rate);
-        expect_near(nkw_track_resample(&t, rate, times, made, work, &out), end, 0.05 * end);
+        expect_near(resample(&t, rate, times, made, work, &out), end, 0.05 * end);
     }
     t.values = jump;
     t.count = 4;
     t.interpolation = NKW_INTERPOLATION_LINEAR;
-    assert_true(nkw_track_resample(&t, 8.0f, times, made, work, &out) >= 7.5f);
+    assert_true(resample(&t, 8.0f, times, made, work, &out) >= 7.5f);
     t.times = thirds;
     t.values = held;
     t.count = 3;
     t.key_interpolation = modes;
-    assert_true(nkw_track_resample(&t, 8.0f, times, made, work, &out) >= 7.5f);
+    assert_true(resample(&t, 8.0f, times, made, work, &out) >= 7.5f);
 }
 
 static void resampling_keeps_step_where_all_is_step(void **state)
@@ -143,11 +144,11 @@ static void resampling_keeps_step_where_all_is_step(void **state)
     float times[8], made[8], work[2];
     nkw_track t = floats(values, 1, NKW_INTERPOLATION_LINEAR), out;
     t.key_interpolation = modes;
-    expect_bits(nkw_track_resample(&t, 2.0f, times, made, work, &out), 0.0f);
+    expect_bits(resample(&t, 2.0f, times, made, work, &out), 0.0f);
     assert_int_equal(out.interpolation, NKW_INTERPOLATION_STEP);
     assert_null(out.key_interpolation);
     modes[1] = NKW_INTERPOLATION_LINEAR;
-    nkw_track_resample(&t, 2.0f, times, made, work, &out);
+    resample(&t, 2.0f, times, made, work, &out);
     assert_int_equal(out.interpolation, NKW_INTERPOLATION_LINEAR);
 }
 
@@ -158,7 +159,7 @@ static void resampled_rotations_that_are_normalised_are_stored_unit(void **state
     float times[64], made[256], work[8];
     nkw_track t = rotations(values, NKW_INTERPOLATION_LINEAR), out;
     t.kind = NKW_TRACK_ROTATION_NORMALIZED;
-    assert_true(nkw_track_resample(&t, 30.0f, times, made, work, &out) < 2e-7f);
+    assert_true(resample(&t, 30.0f, times, made, work, &out) < 2e-7f);
     assert_int_equal(out.kind, NKW_TRACK_ROTATION);
     for (size_t k = 0; k < out.count; k++) {
         nkw_quat q = {made[4 * k], made[4 * k + 1], made[4 * k + 2], made[4 * k + 3]};
@@ -176,14 +177,14 @@ static void the_lowest_rate_within_a_tolerance_is_found(void **state)
     /* Corners at every fourth key: a quarter of the rate is enough. */
     for (size_t k = 0; k < EVEN_KEYS; k++)
         values[k] = nkw_lerp(values[k / 4 * 4], values[k / 4 * 4 + (k % 4 ? 4 : 0)], 0.25f * (float)(k % 4));
-    expect_bits(nkw_track_resample_within(&t, 1e-5f, new_times, made, work, &out), 7.5f);
+    expect_bits(resample_within(&t, 1e-5f, new_times, made, work, &out), 7.5f);
     assert_int_equal(out.count, 16);
-    assert_true(nkw_track_difference(&t, &out, work) <= 1e-5f);
-    expect_bits(nkw_track_resample_within(&t, 0.0f, new_times, made, work, &out), 30.0f);
+    assert_true(track_difference(&t, &out, work) <= 1e-5f);
+    expect_bits(resample_within(&t, 0.0f, new_times, made, work, &out), 30.0f);
     same_track(&out, &t);
-    expect_bits(nkw_track_resample_within(&t, 10.0f, new_times, made, work, &out), 0.46875f * 16 / 15);
+    expect_bits(resample_within(&t, 10.0f, new_times, made, work, &out), 0.46875f * 16 / 15);
     assert_int_equal(out.count, 2);
-    expect_bits(nkw_track_resample_within(&t, NAN, new_times, made, work, &out), 0.0f);
+    expect_bits(resample_within(&t, NAN, new_times, made, work, &out), 0.0f);
     assert_int_equal(out.count, 0);
 }
 
@@ -201,13 +202,13 @@ static void no_lower_rate_of_those_tried_is_within_the_tolerance(void **state)
         }
         nkw_track t = {times, values, count, 3, NKW_TRACK_FLOATS, NKW_INTERPOLATION_LINEAR, NULL}, out;
         float tolerance = 0.02f * random_unit(&r);
-        float rate = nkw_track_resample_within(&t, tolerance, new_times, made, work, &out);
+        float rate = resample_within(&t, tolerance, new_times, made, work, &out);
         if (rate == 0.0f) {
             assert_int_equal(out.count, 0);
             continue;
         }
         assert_in_range(out.count, 2, count);
-        assert_true(nkw_track_difference(&t, &out, work) <= tolerance);
+        assert_true(track_difference(&t, &out, work) <= tolerance);
         assert_true(new_times[out.count - 1] >= times[count - 1]);
         assert_true(new_times[out.count - 1] < times[count - 1] + 1e-5f);
         size_t all = count - 1, found = out.count - 1, parts = 1;
@@ -216,7 +217,7 @@ static void no_lower_rate_of_those_tried_is_within_the_tolerance(void **state)
         for (; (all + parts - 1) / parts > 1; parts *= 2) {
             size_t fewer = (all + 2 * parts - 1) / (2 * parts);
             float lower = (float)fewer / (times[all] - times[0]);
-            assert_true(nkw_track_resample(&t, lower, new_times, made, work, &out) > tolerance - 1e-5f);
+            assert_true(resample(&t, lower, new_times, made, work, &out) > tolerance - 1e-5f);
         }
     }
 }
@@ -229,29 +230,29 @@ static void resampling_of_nothing_is_defined(void **state)
     float times[4], made[4], work[8];
     nkw_track t = floats(values, 1, NKW_INTERPOLATION_LINEAR), one = t, none = t, still = t, turn = t, out;
     for (int i = 0; i < 4; i++) {
-        assert_int_equal(nkw_track_resample_count(&t, bad_rates[i]), 0);
-        expect_bits(nkw_track_resample(&t, bad_rates[i], times, made, work, &out), INFINITY);
+        assert_int_equal(resample_count(&t, bad_rates[i]), 0);
+        expect_bits(resample(&t, bad_rates[i], times, made, work, &out), INFINITY);
         assert_int_equal(out.count, 0);
     }
     /* Two seconds; within half an ULP of the end it is reached. */
-    assert_in_range(nkw_track_resample_count(&t, 1e9f), 1999999800, 2000000001);
-    assert_int_equal(nkw_track_resample_count(&t, 2e9f), 0);
+    assert_in_range(resample_count(&t, 1e9f), 1999999800, 2000000001);
+    assert_int_equal(resample_count(&t, 2e9f), 0);
     one.count = 1;
     still.times = same;
     none.count = 0;
     turn.kind = NKW_TRACK_ROTATION;
-    assert_int_equal(nkw_track_resample_count(&none, 30.0f), 0);
-    assert_int_equal(nkw_track_resample_count(&turn, 30.0f), 0);
-    expect_bits(nkw_track_resample(&one, 30.0f, times, made, work, &out), 0.0f);
+    assert_int_equal(resample_count(&none, 30.0f), 0);
+    assert_int_equal(resample_count(&turn, 30.0f), 0);
+    expect_bits(resample(&one, 30.0f, times, made, work, &out), 0.0f);
     assert_int_equal(out.count, 1);
-    expect_bits(nkw_track_resample(&still, 30.0f, times, made, work, &out), 0.0f);
+    expect_bits(resample(&still, 30.0f, times, made, work, &out), 0.0f);
     assert_int_equal(out.count, 1);
     expect_bits(made[0], 5.0f);
-    expect_bits(nkw_track_resample_within(&one, 0.0f, times, made, work, &out), 1.0f);
-    expect_bits(nkw_track_resample_within(&still, 0.0f, times, made, work, &out), 1.0f);
+    expect_bits(resample_within(&one, 0.0f, times, made, work, &out), 1.0f);
+    expect_bits(resample_within(&still, 0.0f, times, made, work, &out), 1.0f);
     assert_int_equal(out.count, 1);
-    expect_bits(nkw_track_resample_within(&none, 1.0f, times, made, work, &out), 0.0f);
-    expect_bits(nkw_track_resample_within(&turn, 1.0f, times, made, work, &out), 0.0f);
+    expect_bits(resample_within(&none, 1.0f, times, made, work, &out), 0.0f);
+    expect_bits(resample_within(&turn, 1.0f, times, made, work, &out), 0.0f);
     assert_int_equal(out.count, 0);
 }
 
@@ -267,12 +268,47 @@ static void tracks_that_are_not_alike_differ_infinitely(void **state)
     none.count = 0;
     other[5] = NAN;
     nan.values = other;
-    expect_bits(nkw_track_difference(&t, &t, work), 0.0f);
-    expect_bits(nkw_track_difference(&t, &thin, work), INFINITY);
-    expect_bits(nkw_track_difference(&t, &turn, work), INFINITY);
-    expect_bits(nkw_track_difference(&t, &none, work), INFINITY);
-    expect_bits(nkw_track_difference(&none, &t, work), INFINITY);
-    expect_nan(nkw_track_difference(&t, &nan, work));
+    expect_bits(track_difference(&t, &t, work), 0.0f);
+    expect_bits(track_difference(&t, &thin, work), INFINITY);
+    expect_bits(track_difference(&t, &turn, work), INFINITY);
+    expect_bits(track_difference(&t, &none, work), INFINITY);
+    expect_bits(track_difference(&none, &t, work), INFINITY);
+    expect_nan(track_difference(&t, &nan, work));
+}
+
+static void results_name_what_keeps_tracks_from_being_resampled(void **state)
+{
+    (void)state;
+    const float at[3] = {0, 1, 2}, endless[3] = {0, 1, INFINITY}, values[12] = {0};
+    float times[3], made[12], work[8], rate, difference;
+    nkw_track t = {at, values, 3, 4, NKW_TRACK_FLOATS, NKW_INTERPOLATION_LINEAR, NULL}, none = t, thin = t, out;
+    nkw_track_memory memory = {times, made, 3, work, 8};
+    size_t count;
+    none.count = 0;
+    thin.width = 3;
+    assert_int_equal(nkw_track_resample_count(&t, 1.0f, &count), NKW_OK);
+    assert_int_equal(nkw_track_resample_count(&none, 1.0f, &count), NKW_EMPTY);
+    assert_int_equal(nkw_track_resample_count(&t, 0.0f, &count), NKW_OUT_OF_RANGE);
+    assert_int_equal(nkw_track_resample_count(&t, 2e9f, &count), NKW_TOO_MANY);
+    assert_int_equal(nkw_track_difference(&t, &thin, &difference, work, 8), NKW_MISMATCHED);
+    assert_int_equal(nkw_track_difference(&t, &none, &difference, work, 8), NKW_EMPTY);
+    assert_int_equal(nkw_track_difference(&t, &t, &difference, work, 7), NKW_TOO_SMALL);
+    assert_int_equal(nkw_track_resample(&t, 1.0f, &memory, &out, NULL), NKW_OK);
+    assert_int_equal(out.count, 3);
+    assert_int_equal(nkw_track_resample_within(&t, -1.0f, &memory, &out, &rate), NKW_NO_RATE);
+    memory.key_capacity = 2;
+    assert_int_equal(nkw_track_resample(&t, 1.0f, &memory, &out, &difference), NKW_TOO_SMALL);
+    assert_int_equal(out.count, 0);
+    expect_bits(difference, INFINITY);
+    assert_int_equal(nkw_track_resample_within(&t, 1.0f, &memory, &out, &rate), NKW_TOO_SMALL);
+    memory.key_capacity = 3;
+    memory.work_count = 7;
+    assert_int_equal(nkw_track_resample_within(&t, 1.0f, &memory, &out, &rate), NKW_TOO_SMALL);
+    t.times = endless;
+    assert_int_equal(nkw_track_resample_count(&t, 1.0f, &count), NKW_NOT_FINITE);
+    thin.kind = NKW_TRACK_ROTATION;
+    assert_int_equal(nkw_track_resample_count(&thin, 1.0f, &count), NKW_BAD_WIDTH);
+    assert_int_equal(nkw_track_validate(&thin, NULL), NKW_BAD_WIDTH);
 }
 
 /* The keys that within may write, in arrays of exactly their size. */
@@ -299,7 +335,7 @@ static void resampling_anything_stays_within_its_arrays(void **state)
         float *new_times = (float *)malloc(sizeof(float) * (count + 1));
         float *made = (float *)malloc(sizeof(float) * (count * width + 1));
         assert_true(new_times && made);
-        nkw_track_resample_within(&t, random_unit(&r), new_times + 1, made + 1, work, &out);
+        resample_within(&t, random_unit(&r), new_times + 1, made + 1, work, &out);
         assert_true(out.count <= count);
         free(new_times);
         free(made);
@@ -313,8 +349,8 @@ static void tracks_are_compared_while_the_first_lasts(void **state)
     float work[2];
     nkw_track t = {inside, same, 2, 1, NKW_TRACK_FLOATS, NKW_INTERPOLATION_LINEAR, NULL};
     nkw_track longer = {outside, far, 4, 1, NKW_TRACK_FLOATS, NKW_INTERPOLATION_LINEAR, NULL};
-    expect_bits(nkw_track_difference(&t, &longer, work), 0.0f);
-    expect_bits(nkw_track_difference(&longer, &t, work), 96.0f);
+    expect_bits(track_difference(&t, &longer, work), 0.0f);
+    expect_bits(track_difference(&longer, &t, work), 96.0f);
 }
 
 int main(void)
@@ -330,6 +366,7 @@ int main(void)
         cmocka_unit_test(no_lower_rate_of_those_tried_is_within_the_tolerance),
         cmocka_unit_test(resampling_of_nothing_is_defined),
         cmocka_unit_test(tracks_that_are_not_alike_differ_infinitely),
+        cmocka_unit_test(results_name_what_keeps_tracks_from_being_resampled),
         cmocka_unit_test(resampling_anything_stays_within_its_arrays),
         cmocka_unit_test(tracks_are_compared_while_the_first_lasts),
     };

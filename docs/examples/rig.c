@@ -92,17 +92,17 @@ static const char *build_clip(rig *r, const float *rest)
     keys k;
     nkw_clip_track tracks[TRACKS];
     uint32_t work[NKW_CLIP_WORK(TRACKS)];
-    const nkw_clip_source source = {tracks, TRACKS, RIG_JOINTS, 0, rest, NULL, NKW_CLIP_FLOAT32};
+    const nkw_clip_source source = {tracks, TRACKS, RIG_JOINTS, 0, {rest, RIG_JOINTS}, NULL, NKW_CLIP_FLOAT32};
     size_t bytes;
     set_keys(r, &k);
     set_tracks(&k, tracks);
-    nkw_result result = nkw_clip_measure(&source, work, &bytes, NULL);
+    nkw_result result = nkw_clip_measure(&source, &bytes, NULL, work, NKW_CLIP_WORK(source.track_count));
     if (result != NKW_OK)
         return nkw_result_text(result);
     r->clip = malloc(bytes);
     if (!r->clip)
         return "not enough memory";
-    result = nkw_clip_build(&source, work, r->clip, bytes, NULL);
+    result = nkw_clip_build(&source, r->clip, bytes, NULL, work, NKW_CLIP_WORK(source.track_count));
     return result == NKW_OK ? NULL : nkw_result_text(result);
 }
 
@@ -184,7 +184,7 @@ rig_state rig_at(const rig *r, float time)
 {
     rig_state s;
     float pose[NKW_POSE_FLOATS(RIG_JOINTS)];
-    nkw_clip_sample(r->clip, time, NULL, pose, NULL);
+    nkw_clip_sample(r->clip, time, NULL, (nkw_pose_span){pose, nkw_clip_joint_count(r->clip)}, NULL);
     for (size_t j = 0; j < RIG_JOINTS; j++) {
         nkw_trs trs = nkw_pose_get(pose, RIG_JOINTS, j);
         s.local[j] = nkw_mat4_from_trs(&trs);

@@ -75,14 +75,14 @@ static void set_keys(size_t joints, float *times, float *rotations, nkw_clip_tra
 
 static const char *build_clip(troupe *t, const nkw_clip_track *tracks, const float *rest, uint32_t *work)
 {
-    const nkw_clip_source source = {tracks, t->joints, t->joints, 0, rest, NULL, NKW_CLIP_FLOAT32};
+    const nkw_clip_source source = {tracks, t->joints, t->joints, 0, {rest, t->joints}, NULL, NKW_CLIP_FLOAT32};
     size_t bytes;
-    nkw_result result = nkw_clip_measure(&source, work, &bytes, NULL);
+    nkw_result result = nkw_clip_measure(&source, &bytes, NULL, work, NKW_CLIP_WORK(source.track_count));
     if (result == NKW_OK) {
         t->clip = malloc(bytes);
         if (!t->clip)
             return no_memory;
-        result = nkw_clip_build(&source, work, t->clip, bytes, NULL);
+        result = nkw_clip_build(&source, t->clip, bytes, NULL, work, NKW_CLIP_WORK(source.track_count));
     }
     return result == NKW_OK ? NULL : nkw_result_text(result);
 }
@@ -118,7 +118,7 @@ static const char *build_motion(troupe *t)
 /* One buffer: the baked frames first, then a chunk of one frame for each character, each at a multiple of 256 bytes. */
 static const char *build_buffer(troupe *t)
 {
-    size_t cursors = nkw_clip_cursors(t->clip);
+    size_t cursors = nkw_clip_cursor_count(t->clip);
     t->chunks = malloc((1 + t->characters) * sizeof *t->chunks);
     t->cursors = calloc(t->characters * cursors + 1, sizeof *t->cursors);
     if (!t->chunks || !t->cursors)
@@ -196,13 +196,14 @@ static float clip_time(troupe_task task, size_t i, float time)
 {
     if (task == TROUPE_FRAMES)
         return (float)i / (float)TROUPE_RATE;
-    return nkw_playback_at(NKW_PLAYBACK_LOOP, 0.0f, duration, time + 0.618034f * (float)i).time;
+    return nkw_playback_head(NKW_PLAYBACK_LOOP, 0.0f, duration, time + 0.618034f * (float)i).time;
 }
 
 static void sample(const troupe *t, troupe_task task, size_t i, float time, float *pose)
 {
-    uint32_t *cursors = task == TROUPE_FRAMES ? NULL : t->cursors + i * nkw_clip_cursors(t->clip);
-    nkw_clip_sample(t->clip, clip_time(task, i, time), cursors, pose, NULL);
+    uint32_t *cursors = task == TROUPE_FRAMES ? NULL : t->cursors + i * nkw_clip_cursor_count(t->clip);
+    nkw_clip_sample(t->clip, clip_time(task, i, time), cursors, (nkw_pose_span){pose, nkw_clip_joint_count(t->clip)},
+                    NULL);
 }
 
 /* The steps of the lanes: `first` is the piece's first character or frame, `end` the end of its last. */

@@ -164,7 +164,8 @@ extern "C" {
     X(NKW_REPEATED, "two tracks move the same, or two chunks share a place")                                           \
     X(NKW_BAD_WIDTH, "the width of a value is not that of its kind")                                                   \
     X(NKW_BAD_FORMAT, "no such format, or one that is for something else")                                             \
-    X(NKW_MISMATCHED, "two arguments are of different numbers of joints or floats")
+    X(NKW_MISMATCHED, "two arguments are of different kinds or numbers of joints or floats")                           \
+    X(NKW_NO_RATE, "no rate has these key times, or is within the tolerance")
 
 /** What a function of the data floors gives: NKW_OK is 0, all else names what is wrong. */
 typedef enum nkw_result {

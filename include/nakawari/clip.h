@@ -70,7 +70,7 @@ typedef struct nkw_clip_source {
     size_t track_count;
     size_t joint_count; /**< of the poses that the clip gives */
     size_t float_count; /**< floats besides the pose, 0 if there are none */
-    const float *rest; /**< a pose of joint_count joints; NULL: every joint at the identity */
+    nkw_pose_view rest; /**< a pose of joint_count joints; data NULL: every joint at the identity */
     const float *rest_floats; /**< float_count floats; NULL: zeros */
     nkw_clip_format format;
 } nkw_clip_source;
@@ -82,23 +82,26 @@ typedef struct nkw_clip nkw_clip;
 #define NKW_CLIP_WORK(track_count) (3 * (track_count))
 
 /**
- * Checks the tracks and says how many bytes their clip takes. `work` holds NKW_CLIP_WORK(source->track_count) numbers.
+ * Checks the tracks; *bytes becomes the size of their clip.
  *
- * NKW_EMPTY without joints and floats; what nkw_track_validate gives for a track; NKW_BAD_METHOD for a target that is
- * none, a track whose width or kind is not its target's, or an unknown format; NKW_OUT_OF_RANGE for a joint or float
- * beyond the last, and for more than 2^26 joints, 2^29 floats or 2^32 words in the block; NKW_REPEATED for two tracks
- * that move the same, the later one being the offender. Each track is looked at by itself before any two are.
- * *bad_track becomes the index of the first offender, 0 if there is none; it may be NULL.
+ * NKW_EMPTY without joints and floats; what nkw_track_validate returns for a track; NKW_BAD_METHOD for a target that is
+ * none and a track whose kind is not its target's; NKW_BAD_WIDTH for a width that is not; NKW_BAD_FORMAT for an unknown
+ * format; NKW_MISMATCHED for a rest pose of another number of joints; NKW_OUT_OF_RANGE for a joint or float beyond the
+ * last, and for more than 2^26 joints, 2^29 floats or 2^32 words in the block; NKW_REPEATED for two tracks that move the
+ * same, the later one being the offender; NKW_TOO_SMALL where work_count is less than
+ * NKW_CLIP_WORK(source->track_count). Each track is checked by itself before any two are. *bad_track becomes the index
+ * of the first offender, 0 if there is none; it may be NULL.
  */
-NKW_API nkw_result nkw_clip_measure(const nkw_clip_source *source, uint32_t *work, size_t *bytes, size_t *bad_track);
+NKW_API nkw_result nkw_clip_measure(const nkw_clip_source *source, size_t *bytes, size_t *bad_track, uint32_t *work,
+                                    size_t work_count);
 
 /**
  * Builds a clip of `bytes` bytes, as nkw_clip_measure told, into `block`, which must be aligned for float; 64 bytes
- * is fastest. Gives what nkw_clip_measure gives, and NKW_TOO_SMALL if bytes are less than told. The block may then be
- * sampled as (const nkw_clip *)block.
+ * is fastest. Returns what nkw_clip_measure returns, and NKW_TOO_SMALL if bytes are less than that. The block may then
+ * be sampled as (const nkw_clip *)block.
  */
-NKW_API nkw_result nkw_clip_build(const nkw_clip_source *source, uint32_t *work, void *block, size_t bytes,
-                                  size_t *bad_track);
+NKW_API nkw_result nkw_clip_build(const nkw_clip_source *source, void *block, size_t bytes, size_t *bad_track,
+                                  uint32_t *work, size_t work_count);
 
 /**
  * The clip in a block that was read or mapped: *clip becomes the block itself, or NULL where it is not a sound clip.
@@ -113,8 +116,8 @@ NKW_API nkw_result nkw_clip_build(const nkw_clip_source *source, uint32_t *work,
 NKW_API nkw_result nkw_clip_open(const void *block, size_t bytes, const nkw_clip **clip);
 
 /** What a clip is made for: the joints of its poses, the floats besides, the bytes of its block. */
-NKW_API size_t nkw_clip_joints(const nkw_clip *clip);
-NKW_API size_t nkw_clip_floats(const nkw_clip *clip);
+NKW_API size_t nkw_clip_joint_count(const nkw_clip *clip);
+NKW_API size_t nkw_clip_float_count(const nkw_clip *clip);
 NKW_API size_t nkw_clip_bytes(const nkw_clip *clip);
 
 /** The earliest and the latest key time of all tracks, constant ones too, seconds; 0 and 0 without tracks. */
@@ -122,17 +125,19 @@ NKW_API float nkw_clip_start(const nkw_clip *clip);
 NKW_API float nkw_clip_end(const nkw_clip *clip);
 
 /** How many cursors sampling takes: one for each timeline. */
-NKW_API size_t nkw_clip_cursors(const nkw_clip *clip);
+NKW_API size_t nkw_clip_cursor_count(const nkw_clip *clip);
 
 /**
  * The pose at `time`.
  *
- * cursors  nkw_clip_cursors(clip) numbers, any at first, that each playing instance keeps for itself: the search
+ * cursors  nkw_clip_cursor_count(clip) numbers, any at first, that each playing instance keeps for itself: the search
  *          begins where the last one ended. NULL: each search begins anew. The result is the same bits.
- * pose     receives all joints, its padding may be written; may be NULL
- * floats   receives nkw_clip_floats(clip) floats; may be NULL
+ * pose     receives all joints, its padding may be written; data may be NULL
+ * floats   receives nkw_clip_float_count(clip) floats; may be NULL
+ * Returns  NKW_OK; NKW_MISMATCHED for a pose of another number of joints, nothing is then written
  */
-NKW_API void nkw_clip_sample(const nkw_clip *clip, float time, uint32_t *cursors, float *pose, float *floats);
+NKW_API nkw_result nkw_clip_sample(const nkw_clip *clip, float time, uint32_t *cursors, nkw_pose_span pose,
+                                   float *floats);
 
 /** How far a clip is from tracks: the largest difference met. */
 typedef struct nkw_clip_error {
@@ -142,17 +147,21 @@ typedef struct nkw_clip_error {
     float floats;
 } nkw_clip_error;
 
+/** Floats of working memory that nkw_clip_difference takes. */
+#define NKW_CLIP_DIFFERENCE_WORK(joint_count, float_count) (NKW_POSE_FLOATS(joint_count) + 2 * (float_count))
+
 /**
- * Samples the clip beside every track of the source: at each key of the track and at the quarters between two keys; and
- * beside all of them, while they last, at those of the clip's own timelines that the source has not.
+ * Samples the clip and every track of the source at each key of the track and at the quarters between two keys; and all
+ * of them, while they last, at those of the clip's own timelines that the source has not.
  *
- * source   what nkw_clip_build took for this clip, or the tracks that those were made from (resampled, say); another
- *          number of joints or floats, or a track that nkw_clip_measure would not place, gives infinity for all four
- * pose     working memory: nkw_pose_floats(joints) floats
- * floats   working memory: twice nkw_clip_floats(clip) floats; may be NULL if there are none
+ * source   what nkw_clip_build took for this clip, or the tracks that those were made from (before resampling, say)
+ * error    the differences; infinities after an error
+ * work     work_count floats, at least NKW_CLIP_DIFFERENCE_WORK of the clip's joints and floats
+ * Returns  NKW_OK; NKW_MISMATCHED for another number of joints or floats, or a track that nkw_clip_measure would not
+ *          accept; NKW_TOO_SMALL for work_count
  */
-NKW_API nkw_clip_error nkw_clip_difference(const nkw_clip *clip, const nkw_clip_source *source, float *pose,
-                                           float *floats);
+NKW_API nkw_result nkw_clip_difference(const nkw_clip *clip, const nkw_clip_source *source, nkw_clip_error *error,
+                                       float *work, size_t work_count);
 
 #ifdef __cplusplus
 }

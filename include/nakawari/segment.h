@@ -36,11 +36,11 @@ typedef struct nkw_segment {
 NKW_API nkw_segment nkw_segment_find(const float *times, size_t count, float time);
 
 /**
- * The same segment, searched from the segment `from`, the last one found, outwards: one or two comparisons
- * while time moves slowly, forward or backward, and no more than twice those of nkw_segment_find when it jumps. Any
- * `from` will do. On ascending times the result is that of nkw_segment_find, bit for bit.
+ * The same segment, searched from the segment `hint`, the last one found, outwards: one or two comparisons while time
+ * changes slowly, forward or backward, and no more than twice those of nkw_segment_find when it jumps. Any hint is
+ * valid. On ascending times the result is that of nkw_segment_find, bit for bit.
  */
-NKW_API nkw_segment nkw_segment_find_from(const float *times, size_t count, float time, size_t from);
+NKW_API nkw_segment nkw_segment_find_hint(const float *times, size_t count, float time, size_t hint);
 
 /**
  * The time of key k of a uniform series: start + k / rate, rounded once. `rate` in keys per second.
@@ -49,10 +49,12 @@ NKW_API float nkw_segment_uniform_time(float start, float rate, size_t k);
 
 /**
  * The rate of evenly spaced key times: one, at most 1e9, with which nkw_segment_uniform_time(times[0], rate, k) is
- * times[k], bit for bit but for the sign of a zero, for every k, and each time is greater than the one before. A whole
- * number where one serves. 0 where there is none, and for fewer than two keys.
+ * times[k], bit for bit except the sign of a zero, for every k, and each time is greater than the one before. A whole
+ * number where one serves.
+ *
+ * Returns NKW_OK; NKW_EMPTY for fewer than two keys and NKW_NO_RATE where there is no such rate, *rate is then 0.
  */
-NKW_API float nkw_segment_uniform_rate(const float *times, size_t count);
+NKW_API nkw_result nkw_segment_uniform_rate(const float *times, size_t count, float *rate);
 
 /**
  * The segment among `count` keys at start, start + 1/rate, start + 2/rate ..., without a search. The result is

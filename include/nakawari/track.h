@@ -28,6 +28,8 @@
 #ifndef NAKAWARI_TRACK_H
 #define NAKAWARI_TRACK_H
 
+#include <stdint.h>
+
 #include "segment.h"
 #include "types.h"
 
@@ -68,8 +70,8 @@ typedef struct nkw_track {
 NKW_API size_t nkw_track_value_count(const nkw_track *track);
 
 /**
- * Checks a track: NKW_EMPTY without keys or width; NKW_BAD_METHOD for an unknown kind or interpolation, a rotation
- * whose width is not 4, a key's interpolation that is unknown, or CUBICSPLINE in a track that is not; NKW_NOT_FINITE
+ * Checks a track: NKW_EMPTY without keys or width; NKW_BAD_WIDTH for a rotation whose width is not 4; NKW_BAD_METHOD for
+ * an unknown kind or interpolation, a key's interpolation that is unknown, or CUBICSPLINE in a track that is not; NKW_NOT_FINITE
  * where a time, value or tangent is not finite; NKW_NOT_ASCENDING where a time is less than the one before;
  * NKW_NOT_UNIT where a rotation's value is off unit length by more than 1e-2; NKW_TOO_SMALL where size_t does not hold
  * the bytes of the values. *bad_key becomes the index of the first offending key, 0 if there is none; it may be NULL.
@@ -89,53 +91,69 @@ NKW_API nkw_result nkw_track_validate(const nkw_track *track, size_t *bad_key);
 NKW_API void nkw_track_sample(const nkw_track *track, float time, float *out);
 
 /**
- * The same from a cursor: *cursor is the segment found last, any number at first, and becomes the one found now. Fast
- * while time moves slowly, forward or backward; the same bits.
+ * The same with a cursor: *cursor is the segment found last, any number at first, and becomes the one found now. Fast
+ * while time changes slowly, forward or backward; the same bits.
  */
-NKW_API void nkw_track_sample_from(const nkw_track *track, float time, size_t *cursor, float *out);
+NKW_API void nkw_track_sample_cursor(const nkw_track *track, float time, uint32_t *cursor, float *out);
 
 /**
- * Reads the same value where the segment is already known, for tracks that share their key times: `segment` as
- * nkw_segment_find gives it for track->times.
+ * The same where the segment is already known, for tracks that share their key times: `segment` is what
+ * nkw_segment_find returns for track->times.
  */
-NKW_API void nkw_track_sample_at(const nkw_track *track, nkw_segment segment, float *out);
+NKW_API void nkw_track_sample_segment(const nkw_track *track, nkw_segment segment, float *out);
+
+/** Floats of working memory that comparing and resampling tracks of this width take. */
+#define NKW_TRACK_WORK(width) (2 * (width))
 
 /**
  * How far another track is from this one: the largest difference met at the keys of either and at the quarters
  * between two of them, from this one's first key to its last. Of rotations it is the angle between them in radians, of
  * numbers the difference of a component. What lies between those moments is not seen.
  *
- * work   2 * width floats
- * Gives  NaN where a number is; infinity for tracks without keys, of different width, or of a rotation and numbers.
+ * difference  the result; infinity where the tracks cannot be compared, NaN where a number is
+ * work        work_count floats, at least NKW_TRACK_WORK(width)
+ * Returns     NKW_OK; NKW_EMPTY without keys or width; NKW_BAD_WIDTH for a rotation whose width is not 4;
+ *             NKW_MISMATCHED for different widths, or a rotation and numbers; NKW_TOO_SMALL for work_count
  */
-NKW_API float nkw_track_difference(const nkw_track *track, const nkw_track *other, float *work);
+NKW_API nkw_result nkw_track_difference(const nkw_track *track, const nkw_track *other, float *difference, float *work,
+                                        size_t work_count);
 
 /**
  * How many keys the track has at a uniform rate, in keys per second: at the times nkw_segment_uniform_time(first,
- * rate, k) for k = 0, 1, 2 ... until the last key's time is reached or passed.
+ * rate, k) for k = 0, 1, 2 ... until the last key's time is reached or passed. 1 for a track of one key or of no
+ * duration.
  *
- * One for a track of one key or of no duration. 0 where there can be none: without keys, for a rate that is not
- * positive and finite, for a first or last time that is not finite, or a last key that would not be, for 2^31 keys or
- * more.
+ * Returns NKW_OK; NKW_EMPTY without keys or width; NKW_BAD_WIDTH for a rotation whose width is not 4; NKW_OUT_OF_RANGE
+ *         for a rate that is not positive and finite; NKW_NOT_FINITE for a first or last time that is not finite, or a
+ *         last key that would not be; NKW_TOO_MANY for 2^31 keys or more. *count is then 0.
  */
-NKW_API size_t nkw_track_resample_count(const nkw_track *track, float rate);
+NKW_API nkw_result nkw_track_resample_count(const nkw_track *track, float rate, size_t *count);
+
+/** The memory of a resampled track; not the source's own arrays. */
+typedef struct nkw_track_memory {
+    float *times; /**< key_capacity floats */
+    float *values; /**< key_capacity times width floats */
+    size_t key_capacity; /**< how many keys there is room for */
+    float *work; /**< work_count floats of working memory, at least NKW_TRACK_WORK(width) */
+    size_t work_count;
+} nkw_track_memory;
 
 /**
  * The track at a uniform rate (baked): its keys are samples of the source. Between them STEP stays STEP and all else
- * becomes LINEAR; a source that chooses key by key stays STEP if all of it is. Normalised rotations are so in their
- * samples and need it no more: the kind becomes NKW_TRACK_ROTATION. A clip finds keys of such times without a search.
+ * becomes LINEAR; a source that chooses key by key stays STEP if all of it is. Normalised rotations are stored
+ * normalised: the kind becomes NKW_TRACK_ROTATION. A clip finds keys of such times without a search.
  *
- * At a rate at which every key of the source falls on one of its own, a STEP source, and a LINEAR one without two keys
- * at one time, comes back. Where the rate does not divide the duration the last key is later than the source's, by less
- * than 1 / rate: loop by the source's duration.
+ * At a rate at which every key of the source falls on one of the new keys, a STEP source, and a LINEAR one without two
+ * keys at one time, comes back. Where the rate does not divide the duration the last key is later than the source's, by
+ * less than 1 / rate: loop by the source's duration.
  *
- * times, values  receive nkw_track_resample_count keys, and that times width floats; not the source's own arrays
- * work           2 * width floats
- * out            becomes the track over times and values; without keys where the count is 0. May be the source itself
- * Gives          the error: nkw_track_difference from the source; infinity where the count is 0
+ * memory      takes nkw_track_resample_count keys
+ * out         becomes the track over the memory, without keys after an error; may be the source itself
+ * difference  becomes the error: nkw_track_difference from the source; infinity after an error; may be NULL
+ * Returns     NKW_OK; what nkw_track_resample_count returns; NKW_TOO_SMALL for the memory
  */
-NKW_API float nkw_track_resample(const nkw_track *track, float rate, float *times, float *values, float *work,
-                                 nkw_track *out);
+NKW_API nkw_result nkw_track_resample(const nkw_track *track, float rate, const nkw_track_memory *memory,
+                                      nkw_track *out, float *difference);
 
 /**
  * The same at the lowest rate whose error is within `tolerance` (radians for rotations): fewer keys for a smaller
@@ -143,12 +161,12 @@ NKW_API float nkw_track_resample(const nkw_track *track, float rate, float *time
  * rounded up; the last key is then at the source's end, to rounding. Of evenly spaced keys these are rate, rate/2,
  * rate/4 ...
  *
- * times, values  receive up to as many keys as the source has
- * Gives          the rate; 0 where none is within the tolerance, *out being without keys. A track of one key or of no
- *                duration gives one key, at the rate 1.
+ * memory   takes as many keys as the source has
+ * rate     becomes the rate, 0 after an error; 1 for a track of one key or of no duration, which has one key
+ * Returns  NKW_OK; NKW_EMPTY, NKW_BAD_WIDTH and NKW_TOO_SMALL as above; NKW_NO_RATE where none is within the tolerance
  */
-NKW_API float nkw_track_resample_within(const nkw_track *track, float tolerance, float *times, float *values,
-                                        float *work, nkw_track *out);
+NKW_API nkw_result nkw_track_resample_within(const nkw_track *track, float tolerance, const nkw_track_memory *memory,
+                                             nkw_track *out, float *rate);
 
 #ifdef __cplusplus
 }

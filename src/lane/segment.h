@@ -76,14 +76,14 @@ static inline nkw_segment lane_segment_find(lane_times times, float time)
     return lane_segment_at(times, time, lane_segment_search(times, time, 0, times.count - 1));
 }
 
-/* Steps of 1, 1, 4, 16 and more keys away from `from` until the time is enclosed, then a search between. */
-static inline nkw_segment lane_segment_find_from(lane_times times, float time, size_t from)
+/* Steps of 1, 1, 4, 16 and more keys away from `hint` until the time is enclosed, then a search between. */
+static inline nkw_segment lane_segment_find_hint(lane_times times, float time, size_t hint)
 {
     nkw_segment none = {0, 0.0f};
     if (times.count < 2)
         return none;
     size_t last = times.count - 1;
-    size_t k = from < last ? from : last - 1, n = 1, step = 1;
+    size_t k = hint < last ? hint : last - 1, n = 1, step = 1;
     if (lane_time(times, k) <= time) {
         for (; n < last - k && lane_time(times, k + n) <= time; step *= 4) {
             k += n;

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* Compact clips of <nakawari/clip.h> beside their tracks: how much of the bounds of NKW_CLIP_UNORM16 is met. */
 #include "wide.h"
+#include "../support/views.h"
 
 #if WIDE_AVAILABLE
 
@@ -49,13 +50,13 @@ static int sample(drawn *d, int is_rotation, float time, float *pose)
                        NKW_INTERPOLATION_LINEAR,
                        NULL};
     nkw_clip_track placed = {is_rotation ? NKW_CLIP_ROTATION : NKW_CLIP_TRANSLATION, 0, track};
-    nkw_clip_source source = {&d->track, 1, 1, 0, NULL, NULL, NKW_CLIP_UNORM16};
+    nkw_clip_source source = {&d->track, 1, 1, 0, {NULL, 0}, NULL, NKW_CLIP_UNORM16};
     size_t bad;
     d->track = placed;
     d->track.track.times = d->times;
-    if (nkw_clip_build(&source, work, block, sizeof block, &bad) != NKW_OK)
+    if (nkw_clip_build(&source, block, sizeof block, &bad, work, NKW_CLIP_WORK(source.track_count)) != NKW_OK)
         return 0;
-    nkw_clip_sample((const nkw_clip *)(const void *)block, time, NULL, pose, NULL);
+    nkw_clip_sample((const nkw_clip *)(const void *)block, time, NULL, pose_span(pose, 1), NULL);
     return 1;
 }
 

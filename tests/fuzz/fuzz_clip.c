@@ -5,12 +5,14 @@
 #include <string.h>
 
 #include "../support/random_clip.h"
+#include "../support/views.h"
 
 enum { MOST_JOINTS = 12 };
 
 static void sample(fuzz *f, const nkw_clip *clip)
 {
-    size_t joints = nkw_clip_joints(clip), floats = nkw_clip_floats(clip), cursors = nkw_clip_cursors(clip);
+    size_t joints = nkw_clip_joint_count(clip), floats = nkw_clip_float_count(clip);
+    size_t cursors = nkw_clip_cursor_count(clip);
     FUZZ_CHECK(joints + floats <= nkw_clip_bytes(clip));
     float *pose = fuzz_room(f, NKW_POSE_FLOATS(joints)), *pose_again = fuzz_room(f, NKW_POSE_FLOATS(joints));
     float *out = fuzz_room(f, floats);
@@ -18,8 +20,8 @@ static void sample(fuzz *f, const nkw_clip *clip)
     FUZZ_CHECK(nkw_clip_start(clip) <= nkw_clip_end(clip));
     for (int i = 0; i < 4; i++) {
         float time = fuzz_float(f);
-        nkw_clip_sample(clip, time, cursor, pose, out);
-        nkw_clip_sample(clip, time, NULL, pose_again, NULL);
+        nkw_clip_sample(clip, time, cursor, pose_span(pose, joints), out);
+        nkw_clip_sample(clip, time, NULL, pose_span(pose_again, joints), NULL);
         FUZZ_CHECK(fuzz_same(pose, pose_again, NKW_POSE_FLOATS(joints)));
     }
 }
@@ -43,13 +45,15 @@ static void compare(fuzz *f, const random_clip *c, const nkw_clip *clip)
     float *got_floats = fuzz_room(f, floats), *want_floats = fuzz_room(f, floats);
     for (int i = 0; i < 3; i++) {
         float time = fuzz_float(f);
-        nkw_clip_sample(clip, time, NULL, got, got_floats);
+        nkw_clip_sample(clip, time, NULL, pose_span(got, nkw_clip_joint_count(clip)), got_floats);
         random_clip_sample(c, time, want, want_floats);
         for (size_t k = 0; k < 10; k++)
             FUZZ_CHECK(fuzz_same(got + k * NKW_POSE_STRIDE(joints), want + k * NKW_POSE_STRIDE(joints), joints));
         FUZZ_CHECK(fuzz_same(got_floats, want_floats, floats));
     }
-    nkw_clip_difference(clip, &c->source, got, fuzz_room(f, 2 * floats));
+    nkw_clip_error error;
+    size_t work_count = NKW_CLIP_DIFFERENCE_WORK(nkw_clip_joint_count(clip), floats);
+    FUZZ_CHECK(nkw_clip_difference(clip, &c->source, &error, fuzz_room(f, work_count), work_count) == NKW_OK);
 }
 
 /* Changes words of the block: to anything, by a little, to another of its words. */
@@ -92,7 +96,7 @@ static void spoil(fuzz *f, random_clip *c)
     }
     if (fuzz_byte(f) % 8 == 0)
         c->source.joint_count = fuzz_upto(f, MOST_JOINTS);
-    c->source.rest = fuzz_byte(f) % 4 == 0 ? NULL : c->rest;
+    c->source.rest = pose_view(fuzz_byte(f) % 4 == 0 ? NULL : c->rest, c->source.joint_count);
     c->source.format = (nkw_clip_format)fuzz_choice(f, 1);
 }
 
@@ -100,26 +104,28 @@ static void *build(fuzz *f, const random_clip *c, size_t *bytes)
 {
     size_t bad, built, tracks = c->source.track_count;
     uint32_t *work = fuzz_block(f, NKW_CLIP_WORK(tracks) * sizeof *work);
-    nkw_result result = nkw_clip_measure(&c->source, work, bytes, &bad);
+    nkw_result result = nkw_clip_measure(&c->source, bytes, &bad, work, NKW_CLIP_WORK(c->source.track_count));
     FUZZ_CHECK(bad < tracks || bad == 0);
     if (result != NKW_OK)
         return NULL;
     void *block = fuzz_block(f, *bytes);
-    FUZZ_CHECK(nkw_clip_build(&c->source, work, block, *bytes - 1, &built) == NKW_TOO_SMALL);
-    FUZZ_CHECK(nkw_clip_build(&c->source, work, block, *bytes, &built) == NKW_OK);
+    FUZZ_CHECK(nkw_clip_build(&c->source, block, *bytes - 1, &built, work, NKW_CLIP_WORK(c->source.track_count)) ==
+               NKW_TOO_SMALL);
+    FUZZ_CHECK(nkw_clip_build(&c->source, block, *bytes, &built, work, NKW_CLIP_WORK(c->source.track_count)) == NKW_OK);
     return block;
 }
 
 /* Counts alone: those that a clip may have, and none of those beyond. */
 static void counts(fuzz *f)
 {
-    nkw_clip_source source = {NULL, 0, fuzz_huge(f), fuzz_huge(f), NULL, NULL, (nkw_clip_format)(fuzz_byte(f) % 2)};
+    nkw_clip_source source = {
+        NULL, 0, fuzz_huge(f), fuzz_huge(f), {NULL, 0}, NULL, (nkw_clip_format)(fuzz_byte(f) % 2)};
     size_t bytes = 0, bad;
     if (source.joint_count > 4096 && source.joint_count < (size_t)1 << 27)
         source.joint_count %= 4096;
     if (source.float_count > 4096 && source.float_count < (size_t)1 << 30)
         source.float_count %= 4096;
-    nkw_result result = nkw_clip_measure(&source, NULL, &bytes, &bad);
+    nkw_result result = nkw_clip_measure(&source, &bytes, &bad, NULL, NKW_CLIP_WORK(source.track_count));
     FUZZ_CHECK(bad == 0);
     FUZZ_CHECK((result == NKW_OK) == (source.joint_count + source.float_count > 0 && source.joint_count <= 4096 &&
                                       source.float_count <= 4096));

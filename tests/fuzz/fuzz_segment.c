@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* Segments, and the play head. */
 #include "fuzz.h"
+#include "../support/resample.h"
 
 enum { KEYS = 60, TIMES = 20 };
 
@@ -36,11 +37,11 @@ static void segments(fuzz *f, const float *times, size_t count)
     const float *time = fuzz_floats(f, TIMES, 1);
     nkw_segment *all = fuzz_block(f, TIMES * sizeof *all);
     nkw_segment_find_n(times, count, time, all, TIMES);
-    float rate = nkw_segment_uniform_rate(times, count);
+    float rate = uniform_rate(times, count);
     FUZZ_CHECK(rate >= 0.0f && rate < 1e9f);
     for (size_t i = 0; i < TIMES; i++) {
         nkw_segment s = nkw_segment_find(times, count, time[i]);
-        nkw_segment from = nkw_segment_find_from(times, count, time[i], fuzz_huge(f));
+        nkw_segment from = nkw_segment_find_hint(times, count, time[i], fuzz_huge(f));
         check_segment(s, count);
         check_segment(from, count);
         check_segment(all[i], count);
@@ -59,16 +60,19 @@ static void playback(fuzz *f, const float *times, size_t count)
 {
     nkw_playback mode = (nkw_playback)fuzz_choice(f, 2);
     float start = fuzz_float(f), duration = fuzz_float(f), time = fuzz_float(f);
-    nkw_play_head head = nkw_playback_at(mode, start, duration, time);
+    nkw_play_head head = nkw_playback_head(mode, start, duration, time);
     double end = (double)start + (double)duration;
     if (fuzz_finite(&start, 1) && fuzz_finite(&time, 1) && duration > 0.0f && end <= 3e38)
         FUZZ_CHECK(head.time >= start && head.time <= (float)end);
     size_t capacity = fuzz_upto(f, 300), *out = fuzz_block(f, capacity * sizeof *out);
     float from = fuzz_float(f), to = fuzz_byte(f) % 2 ? fuzz_float(f) : from + (float)fuzz_byte(f) / 16.0f;
-    size_t passed = nkw_playback_passed(times, count, duration, from, to, out, capacity);
+    nkw_playback_step step = {times, count, duration, from, to};
+    size_t passed, again;
+    nkw_result result = nkw_playback_passed(&step, out, &passed, capacity);
     for (size_t i = 0; i < passed && i < capacity; i++)
         FUZZ_CHECK(out[i] < count);
-    FUZZ_CHECK(passed == nkw_playback_passed(times, count, duration, from, to, NULL, 0));
+    FUZZ_CHECK(nkw_playback_passed(&step, NULL, &again, 0) == result && passed == again);
+    FUZZ_CHECK(result == NKW_OK || passed == (result == NKW_TOO_MANY ? SIZE_MAX : 0));
 }
 
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 #include "fuzz.h"
+#include "../support/resample.h"
 
 #include <string.h>
 
@@ -41,15 +42,16 @@ static nkw_track draw_track(fuzz *f)
 static void sample(fuzz *f, const nkw_track *t)
 {
     float *out = fuzz_room(f, t->width), *again = fuzz_room(f, t->width);
-    size_t bad, cursor = fuzz_huge(f);
+    size_t bad;
+    uint32_t cursor = (uint32_t)fuzz_huge(f);
     nkw_result result = nkw_track_validate(t, &bad);
     FUZZ_CHECK(bad < t->count || bad == 0);
     for (int i = 0; i < 6; i++) {
         float time = fuzz_float(f);
         nkw_segment any = {fuzz_huge(f), fuzz_float(f)};
-        nkw_track_sample_at(t, any, out);
+        nkw_track_sample_segment(t, any, out);
         nkw_track_sample(t, time, out);
-        nkw_track_sample_from(t, time, &cursor, again);
+        nkw_track_sample_cursor(t, time, &cursor, again);
         FUZZ_CHECK(cursor + 1 < t->count || cursor == 0);
         if (result == NKW_OK)
             FUZZ_CHECK(fuzz_same(out, again, t->width));
@@ -71,20 +73,20 @@ static void finite(fuzz *f, const nkw_track *t)
     }
 }
 
-static void resample(fuzz *f, const nkw_track *t, const nkw_track *other)
+static void bake(fuzz *f, const nkw_track *t, const nkw_track *other)
 {
     float *work = fuzz_room(f, 2 * t->width), rate = fuzz_float(f);
-    size_t count = nkw_track_resample_count(t, rate);
-    float far = nkw_track_difference(t, other, work);
+    size_t count = resample_count(t, rate);
+    float far = track_difference(t, other, work);
     FUZZ_CHECK(!(far < 0.0f));
     nkw_track out;
     if (count <= 4096) {
         float *times = fuzz_room(f, count), *values = fuzz_room(f, count * t->width);
-        nkw_track_resample(t, rate, times, values, work, &out);
+        resample(t, rate, times, values, work, &out);
         FUZZ_CHECK(out.count == count);
     }
     float *times = fuzz_room(f, t->count), *values = fuzz_room(f, t->count * t->width);
-    float found = nkw_track_resample_within(t, fuzz_float(f), times, values, work, &out);
+    float found = resample_within(t, fuzz_float(f), times, values, work, &out);
     FUZZ_CHECK(out.count <= t->count && (found > 0.0f) == (out.count > 0));
 }
 
@@ -94,6 +96,6 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
     nkw_track t = draw_track(&f), other = draw_track(&f);
     sample(&f, &t);
     finite(&f, &t);
-    resample(&f, &t, &other);
+    bake(&f, &t, &other);
     return fuzz_end(&f);
 }

@@ -16,6 +16,7 @@
 #include "../support/hash.h"
 #include "../support/put.h"
 #include "../support/random.h"
+#include "../support/resample.h"
 
 #define ROUNDS 4000
 
@@ -148,7 +149,7 @@ static float even_rate(float start, float rate)
     float times[32];
     for (size_t k = 0; k < 32; k++)
         times[k] = nkw_segment_uniform_time(start, rate, k);
-    return nkw_segment_uniform_rate(times, 32);
+    return uniform_rate(times, 32);
 }
 
 static void resample_track(float *o, const input *i, nkw_interpolation mode)
@@ -157,10 +158,10 @@ static void resample_track(float *o, const input *i, nkw_interpolation mode)
     for (unsigned k = 0; k < 9; k++)
         memcpy(values + 4 * k, &i->q[k % 4], 4 * sizeof(float));
     nkw_track track = {i->times, values, 3, 4, NKW_TRACK_ROTATION, mode, NULL}, out;
-    float rate = nkw_track_resample_within(&track, 2.0f, times, made, work, &out);
+    float rate = resample_within(&track, 2.0f, times, made, work, &out);
     o[0] = rate;
-    o[1] = (float)nkw_track_resample_count(&track, 17.0f);
-    o[2] = rate > 0.0f ? nkw_track_difference(&track, &out, work) : 0.0f;
+    o[1] = (float)resample_count(&track, 17.0f);
+    o[2] = rate > 0.0f ? track_difference(&track, &out, work) : 0.0f;
     memcpy(o + 3, rate > 0.0f ? made + 4 * (out.count / 2) : values, 4 * sizeof(float));
 }
 
@@ -168,6 +169,14 @@ static void put_head(float *o, nkw_play_head head)
 {
     o[0] = head.time;
     o[1] = head.cycle;
+}
+
+static size_t keys_passed(const float *times, size_t count, float duration, float from, float to)
+{
+    nkw_playback_step step = {times, count, duration, from, to};
+    size_t passed;
+    nkw_playback_passed(&step, NULL, &passed, 0);
+    return passed;
 }
 
 static void find_many(float *o, const input *i)

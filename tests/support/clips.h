@@ -11,11 +11,11 @@
 static inline nkw_clip *clip_build(const nkw_clip_source *source, uint32_t *work, size_t *bytes)
 {
     size_t bad = 99;
-    assert_int_equal(nkw_clip_measure(source, work, bytes, &bad), NKW_OK);
+    assert_int_equal(nkw_clip_measure(source, bytes, &bad, work, NKW_CLIP_WORK(source->track_count)), NKW_OK);
     assert_int_equal(bad, 0);
     void *block = malloc(*bytes);
     assert_non_null(block);
-    assert_int_equal(nkw_clip_build(source, work, block, *bytes, &bad), NKW_OK);
+    assert_int_equal(nkw_clip_build(source, block, *bytes, &bad, work, NKW_CLIP_WORK(source->track_count)), NKW_OK);
     const nkw_clip *clip;
     assert_int_equal(nkw_clip_open(block, *bytes, &clip), NKW_OK);
     assert_ptr_equal(clip, block);

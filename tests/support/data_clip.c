@@ -2,6 +2,7 @@
 #include "data.h"
 #include "hash.h"
 #include "random_clip.h"
+#include "views.h"
 
 static random_clip drawn;
 static float block[1 << 16];
@@ -24,16 +25,18 @@ uint64_t data_clip(void)
         size_t joints = 1 + round * 39 / 35;
         random_clip_draw(&r, joints, (int)(round % 3), &drawn);
         drawn.source.format = round % 4 == 3 ? NKW_CLIP_UNORM16 : NKW_CLIP_FLOAT32;
-        if (nkw_clip_build(&drawn.source, work, block, sizeof block, NULL) != NKW_OK)
+        if (nkw_clip_build(&drawn.source, block, sizeof block, NULL, work, NKW_CLIP_WORK(drawn.source.track_count)) !=
+            NKW_OK)
             return 0;
         const nkw_clip *clip = (const nkw_clip *)(const void *)block;
         /* The block itself, word by word: the same on every machine, but for the order of 16-bit keys in a word. */
         if (drawn.source.format == NKW_CLIP_FLOAT32)
             hash = hash_floats(hash, block, nkw_clip_bytes(clip) / sizeof *block);
         for (int i = 0; i < 20; i++) {
-            nkw_clip_sample(clip, random_between(&r, -0.1f, 1.0f), NULL, pose, floats);
+            nkw_clip_sample(clip, random_between(&r, -0.1f, 1.0f), NULL, pose_span(pose, nkw_clip_joint_count(clip)),
+                            floats);
             hash = hash_pose(hash, pose, joints);
-            hash = hash_floats(hash, floats, nkw_clip_floats(clip));
+            hash = hash_floats(hash, floats, nkw_clip_float_count(clip));
         }
     }
     return hash;

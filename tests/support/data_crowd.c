@@ -16,7 +16,8 @@ static uint64_t hash_baked(uint64_t hash, random_source *r, const nkw_skeleton *
     uint32_t tracks[NKW_CLIP_WORK(RANDOM_CLIP_TRACKS)];
     const nkw_palette_chunk chunk = {FRAMES, JOINTS, 0};
     random_clip_draw(r, JOINTS, 0, &drawn);
-    if (nkw_clip_build(&drawn.source, tracks, block, sizeof block, NULL) != NKW_OK)
+    if (nkw_clip_build(&drawn.source, block, sizeof block, NULL, tracks, NKW_CLIP_WORK(drawn.source.track_count)) !=
+        NKW_OK)
         return 0;
     const nkw_clip *clip = (const nkw_clip *)(const void *)block;
     const nkw_crowd_source source = {clip, skeleton, &bind[0], NULL, bind, 0.0f, 23.0f};
