@@ -95,7 +95,8 @@ NKW_API nkw_vec3 nkw_vec3_weighted_sum(nkw_weights weights, nkw_vec3 c0, nkw_vec
  *
  *     p = p0 + t (f + s (s (v0 - f) - t (v1 - f))),    f = p1 - p0,  s = 1 - t
  *
- * Error  2.4 u of the largest control value, for t in 0..1.
+ * Error  4.0 u of the largest control value, for t in 0..1 (3.77 at 0x1.094004p-1, 0x1.4150aap-2, -0x1.0854fap-1,
+ *        0x1.39fffcp-2, t 0x1.f6b766p-2).
  * Source Ferguson, Multivariable Curve Interpolation, J. ACM 11, 1964.
  */
 NKW_ALGEBRA float nkw_hermite(float p0, float v0, float p1, float v1, float t);
@@ -115,7 +116,8 @@ NKW_ALGEBRA nkw_vec3 nkw_vec3_bezier(nkw_vec3 p0, nkw_vec3 p1, nkw_vec3 p2, nkw_
 /**
  * The segment of the uniform cubic B-spline between the second and third control value.
  *
- * Error  2.8 u of the largest control value, for t in 0..1.
+ * Error  3.6 u of the largest control value, for t in 0..1 (3.43 at 0x1.dc779ap-2, -0x1.0edecep-1, 0x1.13b43p-1,
+ *        -0x1.4d540ap-2, t 0x1.1ffe8ap-7).
  * Source de Boor, A Practical Guide to Splines, 1978.
  */
 NKW_ALGEBRA float nkw_bspline(float p0, float p1, float p2, float p3, float t);
@@ -125,7 +127,8 @@ NKW_ALGEBRA nkw_vec3 nkw_vec3_bspline(nkw_vec3 p0, nkw_vec3 p1, nkw_vec3 p2, nkw
 /**
  * The uniform Catmull-Rom segment from p1 to p2. Exactly p1 at t = 0 and p2 at t = 1.
  *
- * Error  2.5 u of the largest control value, for t in 0..1.
+ * Error  4.0 u of the largest control value, for t in 0..1 (3.63 at 0x1.0a702p-2, -0x1.082ddcp-2, 0x1.14c11ap-2,
+ *        -0x1.a22c12p-3, t 0x1.f12036p-2).
  * Source Catmull, Rom, A Class of Local Interpolating Splines, 1974.
  */
 NKW_ALGEBRA float nkw_catmull_rom(float p0, float p1, float p2, float p3, float t);
@@ -156,7 +159,7 @@ NKW_API nkw_vec3 nkw_vec3_catmull_rom_tangent(nkw_vec3 p0, nkw_vec3 p1, nkw_vec3
  * repeat the end key, with its time: the tangent there is that of the chord. Differences of times, and tangents per
  * second, must be normal floats or 0.
  *
- * Error  2.5 u of the largest of the control values and tangents per segment, for t in 0..1.
+ * Error  4.0 u of the largest of the control values and tangents per segment, for t in 0..1.
  */
 NKW_API float nkw_catmull_rom_nonuniform(const float times[4], float p0, float p1, float p2, float p3, float t);
 /** The non-uniform Catmull-Rom segment of vectors, each component as nkw_catmull_rom_nonuniform. */

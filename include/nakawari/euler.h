@@ -18,10 +18,10 @@
  *     middle angle j         in [-pi/2, pi/2]
  *
  * At the pole, the middle angle at +-pi/2, the outer axes coincide and only i + k or i - k is defined. The
- * policy: within 8.5e-8 rad of the pole, which is the rounding of the inputs, the middle angle is exactly the
- * float nearest +-pi/2, the last angle k is 0 and the first carries the whole turn. The *rotation* survives
- * at the pole and on every side of it, with the same error as elsewhere; a single angle near the pole is as
- * uncertain as its axes are near to each other.
+ * policy: within 8.5e-8 rad of the pole the middle angle is exactly the float nearest +-pi/2, the last angle k is 0
+ * and the first carries the whole turn. A quaternion that was rounded from angles at the pole may be 1.2e-7 rad away
+ * from it, and then has three angles as elsewhere. The *rotation* is right at the pole and around it, with the same
+ * error as elsewhere; a single angle near the pole is as uncertain as its axes are close to each other.
  *
  * All works in binary64 inside and rounds once.
  */
@@ -60,7 +60,7 @@ NKW_API nkw_quat nkw_quat_from_euler(nkw_vec3 angles, nkw_euler_order order);
 /**
  * The rotation matrix of three angles, each element rounded once.
  *
- * Error  0.71 u (Frobenius norm / sqrt 3).
+ * Error  0.87 u (Frobenius norm / sqrt 3): nine elements of at most 1, each rounded once.
  */
 NKW_API nkw_mat3 nkw_mat3_from_euler(nkw_vec3 angles, nkw_euler_order order);
 

@@ -37,7 +37,7 @@ typedef enum nkw_path {
  *        up to |t| = 2^60; far beyond that it gives zeros or NaN.
  *        Two zero quaternions give the identity inside.
  *
- * Error  2.6 u for t in 0..1.
+ * Error  3.3 u for t in 0..1 (3.00 for keys unit to 1e-5, 2.77 for keys unit to rounding).
  * Source Blow, Understanding Slerp, Then Not Using It, 2004.
  */
 NKW_API nkw_quat nkw_quat_nlerp(nkw_quat a, nkw_quat b, float t);
@@ -70,11 +70,11 @@ NKW_API nkw_quat nkw_quat_slerp(nkw_quat a, nkw_quat b, float t);
  * a, b   any lengths; the directions are blended, and the length goes from |a| to |b|
  * t      any; outside 0..1 the arc continues with the length of the nearer end. From |t h| = 2^20 rad on, where h is
  *        the angle between them, t h is first rounded to a float.
- * Gives  as nkw_quat_slerp. Between exactly opposite quaternions (a = -b as given, a = b the long way) every arc
- *        through a is as long: the one taken turns about the local z axis, by way of a * (0, 0, 1, 0). Near to
- *        opposite the rounding of the inputs decides the arc.
+ * Gives  as nkw_quat_slerp. Between opposite quaternions (a = -b as given, a = b the long way), exactly or to within
+ *        2^-48 rad, every arc through a is as long: the one taken turns about the local z axis, by way of
+ *        a * (0, 0, 1, 0). Between 2^-48 and 2^-28 rad from opposite the rounding of the inputs decides the arc.
  *
- * Error  1.0 u for t in -2..2.
+ * Error  1.0 u for t in -2..2, while the quaternions are 2^-28 rad or more from opposite.
  */
 NKW_API nkw_quat nkw_quat_slerp_path(nkw_quat a, nkw_quat b, float t, nkw_path path);
 

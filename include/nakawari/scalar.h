@@ -9,7 +9,7 @@
  * the same on every target.
  *
  * Every function is total: no argument is undefined behaviour. Where nothing else is said, NaN in any
- * argument gives NaN.
+ * argument gives NaN; an argument that a statement leaves without effect is such a case: nkw_lerp(a, NaN, 0) is a.
  *
  * Error lines: the worst error measured, with the argument that shows it. 1 ULP is the distance of
  * neighbouring floats at the exact result, so 0.5 ULP is correct rounding. 1 u is 2^-24 times the stated
@@ -248,7 +248,7 @@ NKW_API float nkw_atan2(float y, float x);
  *
  *     e^x = 2^n 2^f,     x log2 e = n + f,  |f| <= 1/2
  *
- * Gives  1 for zeros; +inf above 88.7228; subnormal numbers below -87.3365, correctly rounded once, and 0
+ * Gives  1 for zeros; +inf above 88.72284; subnormal numbers below -87.3365, correctly rounded once, and 0
  *        below -103.9721; 0 for -inf.
  *
  * Error  0.500001 ULP (exhaustive: 0.5000002 at -0x1.96b488p2)

@@ -88,7 +88,7 @@ NKW_API float nkw_vec3_distance(nkw_vec3 a, nkw_vec3 b);
  * a / |a|: the unit vector along a, for every finite a, subnormal and huge ones too.
  * The zero vector gives the zero vector.
  *
- * Error  2.2 u.
+ * Error  2.3 u (2.22 at 0x1.2f628p-89, 0x1.2f5b0ep-89, 0x1.185734p-89).
  */
 NKW_ALGEBRA_ROOT nkw_vec3 nkw_vec3_normalize(nkw_vec3 a);
 

@@ -9,7 +9,7 @@
 
 #include <math.h>
 
-#define SAMPLES 2000u
+#define SAMPLES 1000u
 #define MOST    1000
 
 typedef enum shape { CHAIN, BODY } shape;
@@ -182,8 +182,8 @@ static const wide_case long_cases[] = {
 int main(int argc, char **argv)
 {
     accuracy a = accuracy_begin("skeleton.h", argc, argv);
-    wide_search(&a, cases, sizeof cases / sizeof cases[0], SAMPLES);
-    wide_search(&a, pair_cases, sizeof pair_cases / sizeof pair_cases[0], SAMPLES * 20);
+    wide_search_seeds(&a, cases, sizeof cases / sizeof cases[0], SAMPLES);
+    wide_search_seeds(&a, pair_cases, sizeof pair_cases / sizeof pair_cases[0], SAMPLES * 20);
     wide_run(&a, last_cases, sizeof last_cases / sizeof last_cases[0], SAMPLES);
     wide_run(&a, long_cases, sizeof long_cases / sizeof long_cases[0], SAMPLES / 20);
     return accuracy_end(&a);

@@ -6,7 +6,7 @@
 
 #include <math.h>
 
-#define SAMPLES 40000u
+#define SAMPLES 15000u
 
 /* Two keys, `width` floats each: in-tangent, value, out-tangent; or the value alone. */
 typedef struct segment {
@@ -151,7 +151,7 @@ static const wide_case cases[] = {
 int main(int argc, char **argv)
 {
     accuracy a = accuracy_begin("track.h", argc, argv);
-    wide_search(&a, cases, sizeof cases / sizeof cases[0], SAMPLES);
+    wide_search_seeds(&a, cases, sizeof cases / sizeof cases[0], SAMPLES);
     return accuracy_end(&a);
 }
 

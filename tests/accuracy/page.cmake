@@ -3,9 +3,9 @@ cmake_minimum_required(VERSION 3.22)
 set(page "# Accuracy
 
 The worst error of every function, as `cmake --workflow --preset accuracy` measured it. The same programs run in the
-tests on smaller samples and fail where a measurement exceeds the `Error` line of the function's header. Some
-lines (sums of products, reflections, slerp, rotations by quaternions and what is made of them) stand well above their
-rows: they cover the larger errors that a search from the worst samples found.
+tests with fewer samples and a shorter search, and fail where a measurement exceeds the `Error` line of the function's
+header. Some lines (sums of products, reflections, slerp, rotations by quaternions and what is composed of them) are well
+above their rows: they cover larger errors that longer searches found.
 
 Functions without a row: those that copy, select or compare; those that round one sum, difference, product or quotient
 of each component (a tangent per second made one per segment among them); and those that give the numbers of another
@@ -18,10 +18,11 @@ floors 2 to 6 binary128. Rows marked *noted* are measured by another yardstick t
 range it speaks of. The witness is the input of the worst case; where two whole numbers stand in its place, they are
 the seed that the case was drawn from, or the climb to it.
 
-The errors of floors 4 to 6 are the worst that a search found, not proven bounds: each sample worse than all before it
-was the start of a climb, 10 to 200 thousand small changes at random, of which those stayed that did not lessen the
-error. The headers have the worst of several such searches, rounded up, or a bound that they name. Samples and rms are
-those before the climbs; the noted rows of chains, which say how errors grow at random, are not climbed.
+The errors of floors 2 to 6 are the worst that a search found, not proven bounds, except where a header says so. The
+search starts at the worst of 300 samples. One of the numbers that the sample is drawn from is changed at a time: by 1 to
+2^20 last places, to fewer bits, in one of its highest bits, or to any other number. The change stays where the error did
+not decrease. After 3000 changes without gain the search starts again from other samples. Samples and rms are those
+before the search; noted rows are not searched.
 ")
 foreach(stem IN ITEMS scalar vec quat mat euler transform dual curve orient track clip skeleton blend palette skin)
   if(NOT EXISTS "${PARTS}/${stem}.md")

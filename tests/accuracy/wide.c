@@ -16,11 +16,11 @@ typedef struct wide_worst {
     float witness[WIDE_ARGUMENTS];
 } wide_worst;
 
-/* What is drawn instead of the seeds' own numbers while a case is climbed. */
+/* What a sampler draws while a case is climbed. */
 #define TAPE 4096
 static uint64_t numbers[TAPE];
 static random_tape tape;
-static int is_climbing;
+static int is_climbing, is_searching;
 
 static double error_of(const wide_case *c, const float *x)
 {
@@ -28,51 +28,110 @@ static double error_of(const wide_case *c, const float *x)
     return error == error ? error : HUGE_VAL;
 }
 
-/* One to three of the first `drawn` numbers changed; gives how many, where, and what they were. */
-static int change(random_source *r, size_t drawn, size_t at[3], uint64_t old[3])
+static random_source source_on_tape(random_source r)
 {
-    int n = 1 + (int)(random_bits(r) % 3);
-    for (int k = 0; k < n; k++) {
-        uint64_t step = random_bits(r);
-        step >>= random_bits(r) % 25;
-        at[k] = (size_t)(random_bits(r) % drawn);
-        old[k] = numbers[at[k]];
-        numbers[at[k]] += random_bits(r) >> 63 ? step : 0 - step;
-    }
-    return n;
+    tape.next = numbers;
+    tape.end = numbers + TAPE;
+    r.tape = &tape;
+    r.fine = 1;
+    return r;
 }
 
-/* The worst error met on the way from a seed. */
-static double climb(const wide_case *c, const float *seed, uint64_t steps)
+/* The sample that the tape says, or what is drawn for the seed x from it. */
+static double error_on_tape(const wide_case *c, int by_seed, float *x)
 {
-    random_source r = wide_source(seed);
+    if (!by_seed) {
+        random_source r = source_on_tape(random_from(0));
+        c->sample(&r, x);
+    }
+    return error_of(c, x);
+}
+
+/*
+ * A number of the tape by 1 to 2^20 last places of the float that is made of it, wherever those bits are taken from;
+ * with fewer bits; with one of the highest bits the other way round; or another one.
+ */
+static uint64_t changed(random_source *r, uint64_t number)
+{
+    uint64_t kind = random_bits(r) % 8, place = random_bits(r) % 44;
+    uint64_t step = (1 + random_bits(r) % (UINT64_C(1) << random_bits(r) % 21)) << place;
+    switch (kind) {
+    case 5:
+        return number & ~UINT64_C(0) << (place + 18);
+    case 6:
+        return number ^ UINT64_C(1) << (63 - place / 2);
+    case 7:
+        return random_bits(r);
+    default:
+        return kind % 2 ? number + step : number - step;
+    }
+}
+
+/* So many changes without gain end a climb; it begins from the worst of so many samples. */
+#define PATIENCE 3000
+#define STARTS   300
+
+/* The tape of a sample: x is its seed, or is drawn with the seed `start`. */
+static void fill_tape(int by_seed, uint64_t start, const float *x)
+{
+    random_source r = by_seed ? wide_source(x) : random_from(start);
     for (int i = 0; i < TAPE; i++)
         numbers[i] = random_bits(&r);
+}
+
+/* The seed of the worst of the next samples; for cases that draw from one, x is that. */
+static uint64_t find_start(const wide_case *c, int by_seed, uint64_t first, uint64_t count, float *x)
+{
+    double worst = -1.0;
+    uint64_t start = first;
+    for (uint64_t i = first; i < first + count; i++) {
+        float sample[WIDE_ARGUMENTS];
+        random_source r = random_from(i);
+        r.fine = 1;
+        c->sample(&r, sample);
+        double error = error_of(c, sample);
+        if (error <= worst)
+            continue;
+        worst = error;
+        start = i;
+        memcpy(x, sample, by_seed ? 2 * sizeof *x : 0);
+    }
+    return start;
+}
+
+/* One climb of at most `steps` changes, one number at a time; what is worst goes to w. Gives how many it took. */
+static uint64_t climb(const wide_case *c, int by_seed, random_source *r, uint64_t steps, float *x, wide_worst *w)
+{
+    uint64_t step = 0, idle = 0;
     is_climbing = 1;
-    double worst = error_of(c, seed);
-    size_t drawn = (size_t)(tape.next - numbers);
-    while (steps-- > 0) {
-        size_t at[3];
-        uint64_t old[3];
-        int n = change(&r, drawn, at, old);
-        double error = error_of(c, seed);
+    double worst = error_on_tape(c, by_seed, x);
+    float at_worst[WIDE_ARGUMENTS];
+    memcpy(at_worst, x, (size_t)c->arguments * sizeof *x);
+    for (; step < steps && idle < PATIENCE; step++, idle++) {
+        size_t at = (size_t)(random_bits(r) % (uint64_t)(tape.next - numbers));
+        uint64_t old = numbers[at];
+        numbers[at] = changed(r, old);
+        double error = error_on_tape(c, by_seed, x);
+        idle = error > worst ? 0 : idle;
         if (error >= worst) {
             worst = error;
-            drawn = (size_t)(tape.next - numbers);
+            memcpy(at_worst, x, (size_t)c->arguments * sizeof *x);
         } else {
-            while (n-- > 0)
-                numbers[at[n]] = old[n];
+            numbers[at] = old;
         }
     }
     is_climbing = 0;
-    return worst;
+    if (worst > w->worst) {
+        w->worst = worst;
+        memcpy(w->witness, at_worst, (size_t)c->arguments * sizeof *x);
+    }
+    return step;
 }
 
-static wide_worst worst_of(const wide_case *c, uint64_t count, uint64_t steps)
+static wide_worst sampled(const wide_case *c, uint64_t count)
 {
     wide_worst w;
     random_source r = random_from(1);
-    double drawn = -1.0;
     memset(&w, 0, sizeof w);
     w.worst = -1.0;
     w.count = count;
@@ -81,16 +140,31 @@ static wide_worst worst_of(const wide_case *c, uint64_t count, uint64_t steps)
         c->sample(&r, x);
         double error = error_of(c, x);
         w.squares += error * error;
-        if (error <= drawn)
-            continue;
-        drawn = error;
-        error = steps ? climb(c, x, steps) : error;
         if (error > w.worst) {
             w.worst = error;
             memcpy(w.witness, x, (size_t)c->arguments * sizeof *x);
         }
     }
     return w;
+}
+
+/* Climbs from start to start until `steps` errors have been computed. */
+static void search(const wide_case *c, int by_seed, uint64_t steps, wide_worst *w)
+{
+    random_source r = random_from(2);
+    uint64_t first = 1000;
+    is_searching = 1;
+    while (steps > 0 && w->worst < HUGE_VAL) {
+        uint64_t starts = steps / 4 < STARTS ? steps / 4 + 1 : STARTS;
+        float x[WIDE_ARGUMENTS];
+        uint64_t start = find_start(c, by_seed, first, starts, x);
+        first += starts;
+        steps -= starts < steps ? starts : steps;
+        fill_tape(by_seed, start, x);
+        uint64_t used = climb(c, by_seed, &r, steps, x, w);
+        steps -= used < steps ? used : steps;
+    }
+    is_searching = 0;
 }
 
 static void print_witness(FILE *file, const wide_case *c, const wide_worst *w, const char *end)
@@ -126,12 +200,14 @@ static void check(accuracy *a, const wide_case *c, const wide_worst *w)
     accuracy_row(a, c->function, c->region, &row);
 }
 
-static void run(accuracy *a, const wide_case *cases, size_t size, uint64_t count, uint64_t steps)
+static void run(accuracy *a, const wide_case *cases, size_t size, uint64_t count, int by_seed, uint64_t steps)
 {
     for (const wide_case *c = cases; c < cases + size; c++) {
         if (!accuracy_wants(a, c->function))
             continue;
-        wide_worst w = worst_of(c, count * (a->exhaustive ? 20 : 1), steps);
+        wide_worst w = sampled(c, count * a->effort);
+        if (c->kind == WIDE_CHECKED && w.worst > 0.0)
+            search(c, by_seed, steps * a->effort, &w);
         if (c->kind == WIDE_CHECKED)
             check(a, c, &w);
         else
@@ -142,12 +218,17 @@ static void run(accuracy *a, const wide_case *cases, size_t size, uint64_t count
 
 void wide_run(accuracy *a, const wide_case *cases, size_t size, uint32_t count)
 {
-    run(a, cases, size, count, 0);
+    run(a, cases, size, count, 0, 0);
 }
 
 void wide_search(accuracy *a, const wide_case *cases, size_t size, uint32_t count)
 {
-    run(a, cases, size, count, a->exhaustive ? 5 * (uint64_t)count : count / 16);
+    run(a, cases, size, count, 0, count);
+}
+
+void wide_search_seeds(accuracy *a, const wide_case *cases, size_t size, uint32_t count)
+{
+    run(a, cases, size, count, 1, count);
 }
 
 /* ---- Between the types ---- */
@@ -190,7 +271,9 @@ void wide_round(const wide *x, float *out, int n)
 
 float random_log(random_source *r, float low, float high)
 {
-    return nkw_exp(random_between(r, nkw_log(low), nkw_log(high)));
+    float x = nkw_exp(random_between(r, nkw_log(low), nkw_log(high)));
+    /* Logarithms are too coarse for every float to come. */
+    return r->fine ? nkw_clamp(x * (1.0f + (float)(random_bits(r) >> 60) * 0x1p-23f), low, high) : x;
 }
 
 float random_sign(random_source *r)
@@ -250,10 +333,8 @@ void wide_seed(random_source *r, float *x)
 random_source wide_source(const float *x)
 {
     random_source r = random_from((uint64_t)x[0] << 20 | (uint64_t)x[1]);
-    tape.next = numbers;
-    tape.end = numbers + TAPE;
-    r.tape = is_climbing ? &tape : NULL;
-    return r;
+    r.fine = is_searching;
+    return is_climbing ? source_on_tape(r) : r;
 }
 
 /* ---- Norms and errors ---- */

@@ -64,15 +64,17 @@ typedef struct wide_case {
     wide_kind kind;
 } wide_case;
 
-/* Measures each case over `count` samples, 20 times as many in an exhaustive run, of which they are the first. */
+/* Measures each case over `count` samples, times the effort. */
 void wide_run(accuracy *a, const wide_case *cases, size_t size, uint32_t count);
 /*
- * The same for cases that draw from wide_source: each sample worse than all before it is the start of a climb. One to
- * three of the numbers that were drawn for it are changed at random, by little or much, and stay so where the error did
- * not fall; count / 16 times, 5 count times in an exhaustive run. What is found is the case's worst; its witness, the
- * seed that the climb began from.
+ * The same, then a search of as many steps for cases that are checked: from the worst of 300 samples on, one of the
+ * numbers that the sampler draws is changed, by 1 to 2^20 last places, to fewer bits, in one of its highest bits or to
+ * any other, and stays so where the error did not fall; after 3000 changes without gain, from the worst of other
+ * samples. So the sample stays in its region. What is found is the case's worst, and its witness.
  */
 void wide_search(accuracy *a, const wide_case *cases, size_t size, uint32_t count);
+/* The same for cases that draw from wide_source; their witness is the seed that the climb began from. */
+void wide_search_seeds(accuracy *a, const wide_case *cases, size_t size, uint32_t count);
 
 /* ---- Between the types ---- */
 

@@ -23,6 +23,7 @@ random_source random_from(uint64_t seed)
     for (int i = 0; i < 4; i++)
         r.s[i] = splitmix(&seed);
     r.tape = NULL;
+    r.fine = 0;
     return r;
 }
 
@@ -48,15 +49,22 @@ static float float_from(uint32_t bits)
     return x;
 }
 
+static double unit_number(random_source *r)
+{
+    uint64_t bits = random_bits(r);
+    return r->fine ? (double)(bits >> 11) * 0x1p-53 : (double)(bits >> 40) * 0x1p-24;
+}
+
 float random_unit(random_source *r)
 {
-    return (float)(random_bits(r) >> 40) * 0x1p-24f;
+    double unit = unit_number(r);
+    return unit < 1.0 - 0x1p-25 ? (float)unit : 1.0f - 0x1p-24f;
 }
 
 /* In binary64: the span and its product with a unit number are exact or rounded the same everywhere. */
 float random_between(random_source *r, float low, float high)
 {
-    double unit = (double)(random_bits(r) >> 40) * 0x1p-24;
+    double unit = unit_number(r);
     double span = ((double)high - (double)low) * unit;
     return (float)((double)low + span);
 }

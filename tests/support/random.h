@@ -23,6 +23,7 @@ typedef struct random_tape {
 typedef struct random_source {
     uint64_t s[4];
     random_tape *tape; /* or NULL, as random_from has it */
+    int fine; /* random_unit and random_between take 53 bits, so that every float may come */
 } random_source;
 
 random_source random_from(uint64_t seed);
