@@ -304,6 +304,11 @@ static int compare_table(const line table[LINES], const char *path)
             failed++;
         }
     }
+    char stale[64];
+    if (fscanf(file, "%63s", stale) == 1) {
+        fprintf(stderr, "golden: %s has '%s', which is no function here\n", path, stale);
+        failed++;
+    }
     fclose(file);
     printf("golden: %zu functions, %u differ\n", LINES, failed);
     return failed > 0;
