@@ -342,9 +342,10 @@ static double from_mat4_error(const float *x, int part)
     put_vec3(f.m + 12, vec3_at(x + 4));
     wide_quat_from_mat3(m, exact);
     put_dual(got, nkw_dual_quat_from_mat4(&f));
-    wide_scale(exact, exact[3] < 0 ? -1 : 1, 4);
+    /* The sign of the result: at half turns either is right. */
+    wide_scale(exact, got[0] * exact[0] + got[1] * exact[1] + got[2] * exact[2] + got[3] * exact[3] < 0 ? -1 : 1, 4);
     dual_part(exact, x + 4, exact + 4);
-    return wide_error(got + part, exact + part, 4);
+    return got[3] >= 0.0f ? wide_error(got + part, exact + part, 4) : HUGE_VAL;
 }
 
 static double from_mat4_real_error(const float *x)
