@@ -35,14 +35,11 @@ static const named positions[] = {
     {NULL, 0},
 };
 static const named orientations[] = {
-    {"none", NKW_ORIENTATION_STEP},
-    {"euler", NKW_ORIENTATION_EULER},
-    {"quat", NKW_ORIENTATION_SLERP},
-    {"euler-unwrapped", NKW_ORIENTATION_EULER_UNWRAPPED},
-    {"nlerp", NKW_ORIENTATION_NLERP},
-    {NULL, 0},
+    {"none", NKW_ORIENTATION_STEP},   {"euler", NKW_ORIENTATION_EULER},
+    {"quat", NKW_ORIENTATION_SLERP},  {"euler-unwrapped", NKW_ORIENTATION_EULER_UNWRAPPED},
+    {"nlerp", NKW_ORIENTATION_NLERP}, {NULL, 0},
 };
-enum { NONE, EULER, QUAT };                /* the exercise's, in `orientations` */
+enum { NONE, EULER, QUAT }; /* the exercise's, in `orientations` */
 enum { LINEAR, HERMITE, BEZIER, BSPLINE }; /* in `positions` */
 
 static const char usage[] =
@@ -106,12 +103,10 @@ static const char *path_in(const options *o, const char *name, const char *exten
     return path;
 }
 
-/* Says how the writing of a file went. */
+/* Reports a file that could not be written. */
 static int report(int ok, const char *path)
 {
-    if (ok)
-        printf("wrote %s\n", path);
-    else
+    if (!ok)
         fprintf(stderr, "nakawari-coursework: cannot write %s: %s\n", path, strerror(errno));
     return ok;
 }
@@ -138,8 +133,8 @@ static void write_row(FILE *f, const scene *s, float time, const named *position
     nkw_orientation_method o = (nkw_orientation_method)orientation->method;
     nkw_mat4 m = scene_sample(s, time, p, o);
     (void)nkw_keyframes_trace(s->keys, s->count, time, p, o, &trace);
-    fprintf(f, "%s,%u,%s,%s,%.9g,%u,%.9g", s->name, (unsigned)s->count, position->name, orientation->name,
-            (double)time, (unsigned)trace.segment.index, (double)trace.segment.t);
+    fprintf(f, "%s,%u,%s,%s,%.9g,%u,%.9g", s->name, (unsigned)s->count, position->name, orientation->name, (double)time,
+            (unsigned)trace.segment.index, (double)trace.segment.t);
     for (int i = 0; i < 16; i++)
         fprintf(f, ",%.9g", (double)(m.m[i] + 0.0f));
     fputc('\n', f);
@@ -223,7 +218,8 @@ static int write_index(const scene *s, int joints, const char *path)
     fputs("<!doctype html>\n<html lang=\"en\"><meta charset=\"utf-8\"><title>nakawari: the exercise</title>\n"
           "<style>body{font:16px/1.5 sans-serif;max-width:1040px;margin:2em auto;padding:0 1em;color:#222}"
           "figure{margin:0 0 2.5em}img{width:100%;border:1px solid #ddd}</style>\n"
-          "<h1>Key-frame animation, drawn by nakawari</h1>\n", f);
+          "<h1>Key-frame animation, drawn by nakawari</h1>\n",
+          f);
     fprintf(f, "<p>%u keys, one per second. The numbers: <a href=\"%s.csv\">%s.csv</a>.</p>\n", (unsigned)s->count,
             s->name, s->name);
     for (int i = 0; i < PICTURE_COUNT; i++)
@@ -249,7 +245,11 @@ static int write_files(const scene *s, const options *o)
             return 0;
     }
     path_in(o, "index", ".html", path);
-    return report(write_index(s, o->joints, path), path);
+    if (!report(write_index(s, o->joints, path), path))
+        return 0;
+    printf("wrote the table %s/%s.csv and %d pictures; all on one page: %s\n", o->out, s->name, (int)PICTURE_COUNT,
+           path);
+    return 1;
 }
 
 static int run(const options *o)

@@ -125,12 +125,10 @@ static void print_trace(const rig *r, const mesh *m, float time)
 
 /* ---- the pictures ---- */
 
-/* Says how the writing of a file went. */
+/* Reports a file that could not be written. */
 static int report(int ok, const char *path)
 {
-    if (ok)
-        printf("wrote %s\n", path);
-    else
+    if (!ok)
         fprintf(stderr, "nakawari-joints: cannot write %s: %s\n", path, strerror(errno));
     return ok;
 }
@@ -155,7 +153,10 @@ static int write_files(film *f, const char *folder)
     if (!report(film_sheet(f, path), path))
         return 0;
     sprintf(path, "%s/joints-compare.svg", folder);
-    return report(film_compare(f, path), path);
+    if (!report(film_compare(f, path), path))
+        return 0;
+    printf("wrote %d frames, %s/joints-sheet.svg and %s\n", f->frames, folder, path);
+    return 1;
 }
 
 static int draw(const rig *r, const mesh *m, const options *o)

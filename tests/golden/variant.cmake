@@ -1,5 +1,6 @@
 cmake_minimum_required(VERSION 3.22)
-# Compiles the library's sources by CC and golden.c by DRIVER, both with FLAGS, and compares the hashes with TABLE.
+# Compiles the library's sources by CC with STD and FLAGS. Then, for each of DRIVERS, compiles golden.c by it with FLAGS,
+# links, runs, and compares the hashes with TABLE. A driver that is not CC compiles golden.c as C++.
 # The inputs must not depend on the flags: those files are compiled without contraction. LINK and EMULATOR: another system's.
 file(MAKE_DIRECTORY "${WORK}")
 separate_arguments(flags UNIX_COMMAND "${FLAGS}")
@@ -15,13 +16,16 @@ foreach(source IN LISTS sources inputs)
   if(source IN_LIST inputs)
     set(steady -ffp-contract=off)
   endif()
-  execute_process(COMMAND "${CC}" ${flags} ${steady} -DNKW_BUILD "-I${SOURCE}/include" "-I${SOURCE}/src" -c "${SOURCE}/${source}" -o "${object}"
+  execute_process(COMMAND "${CC}" "-std=${STD}" ${flags} ${steady} -DNKW_BUILD "-I${SOURCE}/include" "-I${SOURCE}/src" -c "${SOURCE}/${source}" -o "${object}"
     COMMAND_ERROR_IS_FATAL ANY)
 endforeach()
-set(language "")
-if(NOT CC STREQUAL DRIVER)
+string(REPLACE "," ";" drivers "${DRIVERS}")
+foreach(driver IN LISTS drivers)
   set(language -x c++)
-endif()
-execute_process(COMMAND "${DRIVER}" ${flags} "-I${SOURCE}/include" ${language} "${SOURCE}/tests/golden/golden.c" -x none
-  ${objects} ${link} -lm -o "${WORK}/golden.exe" COMMAND_ERROR_IS_FATAL ANY)
-execute_process(COMMAND ${EMULATOR} "${WORK}/golden.exe" "${TABLE}" COMMAND_ERROR_IS_FATAL ANY)
+  if(driver STREQUAL CC)
+    set(language "-std=${STD}")
+  endif()
+  execute_process(COMMAND "${driver}" ${flags} "-I${SOURCE}/include" ${language} "${SOURCE}/tests/golden/golden.c" -x none
+    ${objects} ${link} -lm -o "${WORK}/golden.exe" COMMAND_ERROR_IS_FATAL ANY)
+  execute_process(COMMAND ${EMULATOR} "${WORK}/golden.exe" "${TABLE}" COMMAND_ERROR_IS_FATAL ANY)
+endforeach()

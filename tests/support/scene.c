@@ -145,7 +145,7 @@ int scene_folder_is_there(void)
     if (there)
         fclose(there);
     else
-        printf("skipped: no models at %s\n", NKW_DATA_DIR);
+        printf("skipped: no models in %s (-DNKW_DATA_DIR=FOLDER; docs/README.md explains)\n", NKW_DATA_DIR);
     return there != NULL;
 }
 
