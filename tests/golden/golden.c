@@ -203,6 +203,124 @@ static void split(float *o, const float c[4], float t)
     put_cubic(o + 4, &right);
 }
 
+static void put_vec3_cubic(float *o, nkw_vec3_cubic c)
+{
+    memcpy(o, &c, sizeof c);
+}
+
+static nkw_vec3_cubic vec3_cubic(const input *i)
+{
+    nkw_vec3_cubic c = {{i->v[0], i->v[1], i->v[2], i->v[3]}};
+    return c;
+}
+
+static void with_cubic(float *o, const input *i, nkw_vec3_cubic (*to)(const nkw_vec3_cubic *))
+{
+    nkw_vec3_cubic from = vec3_cubic(i);
+    put_vec3_cubic(o, to(&from));
+}
+
+static void split_right(float *o, const input *i)
+{
+    nkw_vec3_cubic whole = vec3_cubic(i), left, right;
+    nkw_vec3_bezier_split(&whole, i->t, &left, &right);
+    put_vec3_cubic(o, right);
+    put_vec3(o + 12, left.c[2]);
+}
+
+/*
+ * Inputs that random ones never come near. Sums of a number and another times a power of two: the same whether the
+ * compiler fuses or not.
+ */
+
+/* The second column is nearly the first; in every other round the fourth is nearly the third. */
+static nkw_mat4 nearly_singular(const input *i)
+{
+    nkw_mat4 m = i->n;
+    float part = i->t < 0.5f ? 0x1p-14f : 0x1p-19f;
+    for (unsigned k = 0; k < 4; k++) {
+        m.m[4 + k] = m.m[k] + part * m.m[4 + k];
+        m.m[12 + k] = i->order % 2 ? m.m[8 + k] + part * m.m[12 + k] : m.m[12 + k];
+    }
+    return m;
+}
+
+static nkw_mat4 sheared(const input *i)
+{
+    nkw_mat4 m = i->m;
+    for (unsigned k = 0; k < 3; k++) {
+        m.m[4 + k] = i->path == NKW_PATH_LONG ? 0.0f : m.m[k] + 0x1p-6f * m.m[4 + k];
+        m.m[8 + k] = i->order < 2 ? 0.0f : m.m[8 + k];
+    }
+    return m;
+}
+
+static nkw_mat3 block(nkw_mat4 m)
+{
+    return nkw_mat3_from_mat4(&m);
+}
+
+static nkw_mat4 inverse(nkw_mat4 m)
+{
+    return nkw_mat4_inverse(&m);
+}
+
+static nkw_mat3 inverse3(nkw_mat3 m)
+{
+    return nkw_mat3_inverse(&m);
+}
+
+static nkw_mat3 orthonormalized(nkw_mat3 m)
+{
+    return nkw_mat3_orthonormalize(&m);
+}
+
+static nkw_trs decomposed(nkw_mat4 m)
+{
+    return nkw_trs_from_mat4(&m);
+}
+
+/* Opposite to v[0] but for 2^-12 of v[1]. */
+static nkw_vec3 nearly_opposite(const input *i)
+{
+    return nkw_vec3_add_scaled(nkw_vec3_negate(i->v[0]), i->v[1], 0x1p-12f);
+}
+
+/* The middle angle within 2^-20 of a quarter turn. */
+static nkw_quat at_the_pole(const input *i)
+{
+    nkw_quat quarter = {0.0f, 0x1.6a09e6p-1f, 0.0f, 0x1.6a09e6p-1f}, turn = {0.0f, 0.0f, 0.6f, 0.8f};
+    nkw_quat pole = nkw_quat_mul(turn, quarter);
+    pole.x = pole.x + 0x1p-20f * i->t;
+    return nkw_quat_normalize(pole);
+}
+
+static void weights_of_four(float *o, const input *i, nkw_skin_format format)
+{
+    float weights[8];
+    unsigned short whole[8] = {0};
+    for (unsigned k = 0; k < 8; k++)
+        weights[k] = nkw_abs(i->s[k]);
+    nkw_skin_view in = {weights, 0, NKW_SKIN_F32};
+    nkw_skin_span to_floats = {o, 0, format}, to_whole = {whole, 0, format};
+    nkw_skin_normalize_weights(in, format == NKW_SKIN_F32 ? to_floats : to_whole, 4, 2);
+    for (unsigned k = 0; k < 8 && format != NKW_SKIN_F32; k++)
+        o[k] = (float)whole[k];
+}
+
+static void trace(float *o, const input *i, nkw_position_method position, nkw_orientation_method orientation)
+{
+    nkw_keyframe_trace t;
+    if (nkw_keyframes_trace(i->keys, 5, i->s[0], position, orientation, &t) != NKW_OK)
+        return;
+    memcpy(o, t.weight, sizeof t.weight);
+    put_vec3(o + 4, t.control[1]);
+    put_quat(o + 7, t.orientation[1]);
+    put_vec3(o + 11, t.angles[0]);
+    o[14] = t.half_angle;
+    o[15] = t.orientation_weight[1];
+}
+
 static void sample(float *o, const input *i, nkw_position_method position, nkw_orientation_method orientation)
 {
     nkw_mat4 m;
