@@ -69,8 +69,8 @@ void RESULT(vectors)(const float *in, float *out)
     put_vec3(out + 3, nkw_vec3_sub(nkw_vec3_cross(a, b), nkw_vec3_scale(c, nkw_vec3_dot(a, b))));
     put_vec3(out + 6, nkw_vec3_negate(nkw_vec3_scale(a, s)));
     put_vec3(out + 9, nkw_vec3_reflect(nkw_vec3_lerp(a, b, s), nkw_vec3_negate(nkw_vec3_mul(a, c))));
-    out[12] = nkw_smoothstep(s) + nkw_vec3_length_squared(a);
-    out[13] = nkw_remap(s, in[0], in[1], in[2], in[3]);
+    out[12] = nkw_radians_from_degrees(nkw_smoothstep(s)) + nkw_vec3_length_squared(a);
+    out[13] = nkw_degrees_from_radians(nkw_remap(s, in[0], in[1], in[2], in[3]));
     put_vec3(out + 14, nkw_vec3_normalize(nkw_vec3_sub(nkw_vec3_mul(a, b), nkw_vec3_scale(c, nkw_sqrt(nkw_abs(s))))));
 }
 

@@ -99,16 +99,17 @@ NKW_BODY float nkw_smoothstep(float t)
     return s < 0.5f ? (s * s) * (3.0f - (s + s)) : 1.0f - (u * u) * (3.0f - (u + u));
 }
 
+/* The suffix L: GCC's -fsingle-precision-constant would round a constant without a suffix to float. */
 NKW_BODY float nkw_degrees_from_radians(float radians)
 {
     NKW_EXACT
-    return (float)((double)radians * 57.295779513082320877);
+    return (float)((double)radians * (double)57.295779513082320877L);
 }
 
 NKW_BODY float nkw_radians_from_degrees(float degrees)
 {
     NKW_EXACT
-    return (float)((double)degrees * 0.017453292519943295769);
+    return (float)((double)degrees * (double)0.017453292519943295769L);
 }
 
 #ifdef __cplusplus
