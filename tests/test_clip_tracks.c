@@ -256,6 +256,19 @@ static void floats_that_overlap_are_refused(void **state)
     expect_refused(NKW_REPEATED, last, __LINE__);
 }
 
+static void compact_keys_take_half_the_room_and_less(void **state)
+{
+    (void)state;
+    random_source r = random_from(41);
+    size_t floats, compact;
+    random_clip_draw(&r, RANDOM_CLIP_JOINTS, 0, &drawn);
+    free(build(&drawn.source, &floats));
+    drawn.source.format = NKW_CLIP_UNORM16;
+    free(build(&drawn.source, &compact));
+    /* Of 24 keys: 12 words and 2 for the range instead of 24, of rotations 36 and 6 instead of 120. */
+    assert_true(2 * compact < floats);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -267,6 +280,7 @@ int main(void)
         cmocka_unit_test(measure_refuses_what_is_no_clip),
         cmocka_unit_test(the_first_that_repeats_is_named),
         cmocka_unit_test(floats_that_overlap_are_refused),
+        cmocka_unit_test(compact_keys_take_half_the_room_and_less),
     };
     return cmocka_run_group_tests_name("clip_tracks", tests, NULL, NULL);
 }

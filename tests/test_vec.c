@@ -130,6 +130,18 @@ static void perpendicular_is_unit_and_at_right_angles(void **state)
     expect_near(nkw_vec3_length(nkw_vec3_perpendicular(vec(0, 0x1p-149f, 0))), 1.0, 1e-7);
 }
 
+/* Crossed with the axis of the smallest component: of equal ones x before y before z. */
+static void perpendicular_takes_the_first_of_equal_components(void **state)
+{
+    (void)state;
+    const float a = 0x1.6a09e6p-1f, b = 0x1.c9f25cp-1f, c = 0x1.c9f25cp-2f;
+    expect_vec3_near(nkw_vec3_perpendicular(vec(1, 1, 1)), vec(0, -a, a), 0);
+    expect_vec3_near(nkw_vec3_perpendicular(vec(1, 1, 2)), vec(0, -b, c), 0);
+    expect_vec3_near(nkw_vec3_perpendicular(vec(-1, 2, 1)), vec(0, -c, b), 0);
+    expect_vec3_near(nkw_vec3_perpendicular(vec(2, 1, 1)), vec(c, 0, -b), 0);
+    expect_vec3_near(nkw_vec3_perpendicular(vec(2, 2, 1)), vec(-a, a, 0), 0);
+}
+
 static void is_finite_sees_each_component(void **state)
 {
     (void)state;
@@ -199,6 +211,7 @@ int main(void)
         cmocka_unit_test(project_and_reject_part_a_vector),
         cmocka_unit_test(reflect_turns_the_part_along_the_normal),
         cmocka_unit_test(perpendicular_is_unit_and_at_right_angles),
+        cmocka_unit_test(perpendicular_takes_the_first_of_equal_components),
         cmocka_unit_test(is_finite_sees_each_component),
         cmocka_unit_test(products_are_rounded_before_they_are_summed),
         cmocka_unit_test(normalize_and_length_are_exact_to_their_bound),

@@ -65,6 +65,8 @@ static void many(fuzz *f, size_t n, int wild)
     size_t bad;
     nkw_pose_layers_validate(layer, count, n, &bad);
     FUZZ_CHECK(bad < count || bad == 0);
+    for (size_t i = 0; i < count; i++)
+        FUZZ_CHECK(!layer[i].mask || nkw_mask_validate(layer[i].mask, n, &bad) != NKW_OK || bad == 0);
     nkw_pose_blend_layers(layer, count, rest, n, threshold, out);
     nkw_pose_blend_layers(turned, count, rest, n, threshold, again);
     FUZZ_CHECK(same_pose(out, again, n));

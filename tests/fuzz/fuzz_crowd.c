@@ -1,8 +1,11 @@
 /* SPDX-License-Identifier: MIT */
-/* Every lane has the bits of its character alone, on whatever skeleton. */
+/* Every lane has the bits of its character alone, on whatever skeleton; and of its clip alone, sampled and baked. */
 #include "fuzz.h"
 
 #include <string.h>
+
+#include "../support/random_clip.h"
+#include "../support/views.h"
 
 enum { JOINTS = 24 };
 
@@ -14,6 +17,48 @@ static void check_lanes(fuzz *f, const float *crowd, size_t n, const nkw_mat4 *c
     nkw_matrices_from_crowd(crowd, n, out);
     for (size_t i = 0; i < NKW_CROWD; i++)
         FUZZ_CHECK(!out[i] || fuzz_same((const float *)out[i], (const float *)want[i], 16 * n));
+}
+
+static const nkw_clip *some_clip(fuzz *f, size_t joints)
+{
+    random_clip *drawn = fuzz_block(f, sizeof *drawn);
+    random_source r = fuzz_source(f);
+    size_t bytes;
+    random_clip_draw(&r, joints, 2, drawn);
+    size_t work_count = NKW_CLIP_WORK(drawn->source.track_count);
+    uint32_t *work = fuzz_block(f, work_count * sizeof *work);
+    if (nkw_clip_measure(&drawn->source, &bytes, NULL, work, work_count) != NKW_OK)
+        return NULL;
+    void *block = fuzz_block(f, bytes);
+    FUZZ_CHECK(nkw_clip_build(&drawn->source, block, bytes, NULL, work, work_count) == NKW_OK);
+    return (const nkw_clip *)block;
+}
+
+static void sample(fuzz *f, const nkw_clip *clip, size_t n, size_t characters)
+{
+    float *times = fuzz_floats(f, characters, 1), *lanes = fuzz_room(f, NKW_CROWD_POSE_FLOATS(n));
+    float *want = fuzz_room(f, NKW_CROWD_POSE_FLOATS(n));
+    const float *poses[NKW_CROWD] = {NULL};
+    for (size_t i = 0; i < characters; i++) {
+        float *pose = fuzz_room(f, NKW_POSE_FLOATS(n));
+        nkw_clip_sample(clip, times[i], NULL, pose_span(pose, n), NULL);
+        poses[i] = pose;
+    }
+    nkw_crowd_from_poses(poses, n, want);
+    nkw_crowd_sample(clip, times, NULL, characters, fuzz_room(f, NKW_CROWD_SAMPLE_FLOATS(n)), lanes);
+    FUZZ_CHECK(fuzz_same(lanes, want, NKW_CROWD_POSE_FLOATS(n)));
+}
+
+/* Any rate and any frames: the chunk is written, nothing else. */
+static void bake(fuzz *f, const nkw_crowd_source *source, size_t count)
+{
+    size_t frames = fuzz_upto(f, 40), bad, n = source->skeleton->joint_count;
+    const nkw_palette_chunk chunk = {frames, count, 0};
+    nkw_mat4 *buffer = fuzz_block(f, frames * count * sizeof *buffer);
+    nkw_crowd_source_validate(source, count, &bad);
+    FUZZ_CHECK(bad < count || bad < n || bad == 0);
+    nkw_crowd_bake(source, &chunk, fuzz_upto(f, 50), fuzz_upto(f, 50), fuzz_room(f, NKW_CROWD_BAKE_FLOATS(n, count)),
+                   buffer);
 }
 
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
@@ -46,5 +91,11 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
     nkw_crowd_palette_from_models(all, n, joints, inverse_bind, count, palette);
     check_lanes(&f, palette, count, palettes);
     nkw_crowd_models_from_pose(&s, lanes, NULL, all);
+    const nkw_clip *clip = n ? some_clip(&f, n) : NULL;
+    if (clip) {
+        const nkw_crowd_source source = {clip, &s, root, joints, inverse_bind, fuzz_float(&f), fuzz_float(&f)};
+        sample(&f, clip, n, characters);
+        bake(&f, &source, count);
+    }
     return fuzz_end(&f);
 }

@@ -34,6 +34,10 @@ static void forms(fuzz *f, const inputs *i, int wild)
     nkw_palette_from_3x4(rows, i->count, back);
     FUZZ_CHECK(fuzz_same((float *)four, (float *)back, 16 * i->count) && fuzz_affine(four, i->count));
     FUZZ_CHECK(wild || (fuzz_finite((float *)four, 16 * i->count) && fuzz_finite((float *)dual, 8 * i->count)));
+    size_t bad;
+    nkw_result sound = nkw_palette_dual_validate(dual, i->count, &bad);
+    FUZZ_CHECK(bad < i->count || bad == 0);
+    FUZZ_CHECK(sound != NKW_OK || fuzz_finite((float *)dual, 8 * i->count));
     nkw_palette_from_dual(dual, i->count, back);
     FUZZ_CHECK(fuzz_affine(back, i->count));
     nkw_mat3 *normals = fuzz_block(f, i->count * sizeof *normals);
