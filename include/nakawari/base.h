@@ -1,10 +1,10 @@
 /* SPDX-License-Identifier: MIT */
 /**
  * @file
- * Floor 0: what everything else stands on: the version, the linkage words, the list of results.
+ * Floor 0: the version, the linkage macros and the list of results.
  *
- * The library reads and writes only what it is given. It allocates nothing, keeps no state, touches
- * no errno, no locale and no file, so every function may be called from any thread.
+ * The library reads and writes only the memory that the caller passes. It allocates nothing, keeps no state, and uses
+ * no errno, no locale and no file. Every function may be called from any thread.
  */
 #ifndef NAKAWARI_BASE_H
 #define NAKAWARI_BASE_H
@@ -12,14 +12,14 @@
 #include <float.h>
 #include <stddef.h>
 
-/** The version of these headers, as three numbers. nkw_version() gives that of the linked library. */
+/** The version of these headers, as three numbers. nkw_version() returns the version of the linked library. */
 #define NKW_VERSION_MAJOR 0
 #define NKW_VERSION_MINOR 1
 #define NKW_VERSION_PATCH 0
 
 /**
- * NKW_API marks what the library exports. Windows users of the shared library need nothing: an import
- * without the attribute goes through the import library.
+ * NKW_API marks the exported functions. On Windows, users of the shared library need no attribute: their calls go
+ * through the import library.
  */
 #if defined(NKW_BUILD) && defined(_WIN32) && defined(NKW_SHARED)
 #define NKW_API __declspec(dllexport)
@@ -30,20 +30,24 @@
 #endif
 
 /**
- * Small algebra (sums, products, rotations, transforms) is inlined into the caller from the headers in
- * `inline/`, except where the caller's compiler could change its bits. There these headers declare prototypes only, and
- * the same functions are called in the library: same bits, one call slower. A compiler could change bits
+ * The small algebra (sums, products, rotations, transforms) is inlined into the caller from the headers in `inline/`,
+ * except where the caller's compiler could change its bits. There the headers declare prototypes only, and the caller
+ * calls the same functions in the library: the bits are the same, at the cost of a call. A compiler could change bits
  *
  *   - under -ffast-math or one of its parts;
  *   - where it evaluates float in a wider format (x87, s390x in ISO mode);
  *   - where it may fuse a * b + c into one rounding: GCC in GNU mode or C++ on a target with fast fma.
  *
- * No macro reports two cases; define NKW_NO_INLINE there: -ffp-contract=fast, for GCC in ISO mode and for Clang, with
- * Clang's other parts of -ffast-math except -ffinite-math-only; and a function with GCC's attribute target("fma").
+ * No macro reports two of these cases. Define NKW_NO_INLINE there:
  *
- * NKW_CONTRACTION_OFF, defined by a program that GCC compiles with -ffp-contract=off, allows inlining in GNU mode too.
+ *   - with -ffp-contract=fast (GCC in ISO mode; Clang), and with Clang's other parts of -ffast-math except
+ *     -ffinite-math-only;
+ *   - for functions with GCC's attribute target("fma").
  *
- * NKW_NO_INLINE disables inlining. It changes no result.
+ * A program defines
+ *
+ *     NKW_NO_INLINE         to disable inlining; it changes no result
+ *     NKW_CONTRACTION_OFF   if GCC compiles it with -ffp-contract=off; this allows inlining in GNU mode too
  *
  * NKW_INLINE is 1 where the definitions are inlined, otherwise 0.
  */
@@ -66,8 +70,8 @@
 #endif
 
 /**
- * NKW_F32X4 is 1 where the compiler has a vector type with operators and the target an instruction set for it, otherwise
- * 0. NKW_PLAIN, defined, makes it 0. It changes no result.
+ * NKW_F32X4 is 1 where the compiler has a vector type with operators and the target has instructions for it, otherwise
+ * 0. If a program defines NKW_PLAIN, it is 0. It changes no result.
  */
 #if defined(__GNUC__) && (defined(__SSE2__) || defined(__aarch64__) || defined(__wasm_simd128__)) && !defined(NKW_PLAIN)
 #define NKW_F32X4 1
@@ -76,8 +80,8 @@
 #endif
 
 /**
- * NKW_ROOT is 1 where the compiler has a built-in square root instruction, otherwise 0: sqrtf, which may set errno,
- * would require a program to link libm. The library's own files, which define NKW_LIBRARY, call sqrtf.
+ * NKW_ROOT is 1 where the compiler has a built-in for the square root instruction, otherwise 0. sqrtf may set errno and
+ * would require the program to link libm. The files of the library define NKW_LIBRARY and call sqrtf.
  */
 #if defined(NKW_LIBRARY)
 #define NKW_ROOT 1
@@ -91,9 +95,9 @@
 #endif
 
 /**
- * NKW_BODY precedes each body of the small algebra. A call that is not inlined is a call of the library's symbol: in C
- * by the rules of C99. C++ would emit a weak copy, compiled with this file's -march, which the linker could choose for
- * the whole program; gnu_inline prevents that.
+ * NKW_BODY precedes each body of the small algebra. A call that the compiler does not inline calls the library's
+ * symbol. In C this follows from the rules of C99 for inline functions. C++ would emit a weak copy, compiled with this
+ * file's -march, and the linker could choose that copy for the whole program; gnu_inline prevents this.
  *
  * NKW_PART precedes a step that several bodies share. It is always inlined and has no symbol.
  */
@@ -109,9 +113,9 @@
 #endif
 
 /**
- * NKW_ALGEBRA precedes each prototype of the small algebra: NKW_BODY in a user's file, a plain exported declaration in
- * the library file that defines the symbols and where NKW_INLINE is 0. NKW_ALGEBRA_F32X4 and NKW_ALGEBRA_ROOT precede
- * those that are inlined only where NKW_F32X4 or NKW_ROOT is 1.
+ * NKW_ALGEBRA precedes each prototype of the small algebra. It is NKW_BODY in a user's file. It is NKW_API where
+ * NKW_INLINE is 0, and in the file of the library that defines the symbols. NKW_ALGEBRA_F32X4 and NKW_ALGEBRA_ROOT
+ * precede the functions that are inlined only where NKW_F32X4 or NKW_ROOT is 1.
  */
 #if NKW_INLINE && !defined(NKW_DEFINE_ALGEBRA)
 #define NKW_ALGEBRA NKW_BODY
@@ -129,7 +133,7 @@
 #define NKW_ALGEBRA_ROOT NKW_API
 #endif
 
-/** First line of an inlined body: Clang and MSVC then fuse nothing in it, whatever the file's mode. */
+/** First line of an inlined body. It prevents Clang and MSVC from fusing operations, in every mode of the file. */
 #if defined(__clang__)
 #define NKW_EXACT _Pragma("STDC FP_CONTRACT OFF")
 #elif defined(_MSC_VER)
@@ -143,31 +147,31 @@ extern "C" {
 #endif
 
 /**
- * Every code that a function of the data floors can give, with its text.
- * Functions on single values are total and give no code: each states its degenerate cases instead.
+ * Every result that a function of floors 4 to 6 can return, with its text.
+ * Scalar functions are total and return no result code: each states its degenerate cases.
  */
 #define NKW_RESULTS(X)                                                                                                 \
     X(NKW_OK, "no error")                                                                                              \
-    X(NKW_EMPTY, "there is nothing: no keys, no joints, no influences")                                                \
+    X(NKW_EMPTY, "the input is empty: no keys, no joints or no influences")                                            \
     X(NKW_NOT_FINITE, "a number is infinite or not a number")                                                          \
     X(NKW_NOT_ASCENDING, "a key time is less than the one before it")                                                  \
     X(NKW_NOT_UNIT, "an orientation is not a unit quaternion")                                                         \
-    X(NKW_BAD_METHOD, "no such method, kind, interpolation or target")                                                 \
-    X(NKW_TOO_SMALL, "a block or an array is too small, or would be too large for size_t")                             \
+    X(NKW_BAD_METHOD, "unknown method, kind, interpolation or target")                                                 \
+    X(NKW_TOO_SMALL, "a block or an array is too small, or its size exceeds size_t")                                   \
     X(NKW_OUT_OF_RANGE, "an index is out of range")                                                                    \
-    X(NKW_NOT_ORDERED, "a joint stands before its parent")                                                             \
+    X(NKW_NOT_ORDERED, "a joint precedes its parent")                                                                  \
     X(NKW_NOT_A_TREE, "a node is reached twice or not at all")                                                         \
     X(NKW_BAD_MIRROR, "a joint is not its partner's partner")                                                          \
     X(NKW_BAD_WEIGHTS, "weights are out of range or do not sum to 1")                                                  \
-    X(NKW_TOO_MANY, "more bones or influences than there may be")                                                      \
+    X(NKW_TOO_MANY, "a number exceeds its limit")                                                                      \
     X(NKW_NOT_A_CLIP, "not a clip of this version and byte order, or not aligned")                                     \
-    X(NKW_REPEATED, "two tracks move the same, or two chunks share a place")                                           \
-    X(NKW_BAD_WIDTH, "the width of a value is not that of its kind")                                                   \
-    X(NKW_BAD_FORMAT, "no such format, or one that is for something else")                                             \
-    X(NKW_MISMATCHED, "two arguments are of different kinds or numbers of joints or floats")                           \
-    X(NKW_NO_RATE, "no rate has these key times, or is within the tolerance")
+    X(NKW_REPEATED, "two tracks animate the same value, or two chunks overlap")                                        \
+    X(NKW_BAD_WIDTH, "the width of a value does not match its kind")                                                   \
+    X(NKW_BAD_FORMAT, "unknown format, or a format for other data")                                                    \
+    X(NKW_MISMATCHED, "two arguments differ in kind, in width or in a count")                                          \
+    X(NKW_NO_RATE, "no rate has these key times, or none is within the tolerance")
 
-/** What a function of the data floors gives: NKW_OK is 0, all else names what is wrong. */
+/** The result of a function of floors 4 to 6. NKW_OK is 0; every other value names an error. */
 typedef enum nkw_result {
 #define NKW_RESULT_NAME(name, text) name,
     NKW_RESULTS(NKW_RESULT_NAME)
@@ -175,10 +179,10 @@ typedef enum nkw_result {
         NKW_RESULT_COUNT
 } nkw_result;
 
-/** The text of a result in English, without a full stop; "unknown result" for any other number. */
+/** Returns the text of a result in English, without a full stop; "unknown result" for any other number. */
 NKW_API const char *nkw_result_text(nkw_result result);
 
-/** The version of the linked library: major * 10000 + minor * 100 + patch. */
+/** Returns the version of the linked library: major * 10000 + minor * 100 + patch. */
 NKW_API unsigned nkw_version(void);
 
 #ifdef __cplusplus

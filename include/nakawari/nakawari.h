@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /**
  * @file
- * nakawari: key frames into values. The table of contents, floor by floor.
+ * nakawari: interpolation of key frames. This header includes all others, floor by floor.
  */
 #ifndef NAKAWARI_NAKAWARI_H
 #define NAKAWARI_NAKAWARI_H
@@ -25,7 +25,7 @@
 #include "curve.h"
 #include "orient.h"
 
-/* Floor 4, track: from a time to the keys around it, from keys to values, poses and matrices. */
+/* Floor 4, track: the keys around a time; values, poses and matrices from keys. */
 #include "segment.h"
 #include "keyframe.h"
 #include "track.h"
@@ -33,11 +33,11 @@
 #include "pose.h"
 #include "clip.h"
 
-/* Floor 5, skeleton: hierarchies, poses blended. */
+/* Floor 5, skeleton: hierarchies, blending of poses. */
 #include "skeleton.h"
 #include "blend.h"
 
-/* Floor 6, skin: from model matrices to palettes, vertices and parts of meshes. */
+/* Floor 6, skin: palettes from model matrices, skinned vertices, parts of meshes. */
 #include "palette.h"
 #include "skin.h"
 #include "crowd.h"

@@ -1,14 +1,16 @@
 /* SPDX-License-Identifier: MIT */
 /**
  * @file
- * Floor 2: the plain values that the rest of the library works on.
+ * Floor 2: the value types of the library, and the rules of its batch functions.
  *
- * All values are structs of floats without padding, passed by value up to 16 bytes and by `const *` above, and safe to
- * copy, compare byte by byte, write to a file or hand to a GPU as they lie. Views and spans, of pointers, go by value.
+ * All values are structs of floats without padding. They may be copied, compared byte by byte, written to a file or
+ * passed to a GPU unchanged. Functions take values of up to 16 bytes by value and larger ones by `const *`. Views and
+ * spans contain pointers and are passed by value.
  *
- * `Error` lines of all headers tell the worst error measured. 1 u is 2^-24 of the magnitude named; where none is, of
- * the norm of the exact result, which is 1 for a unit quaternion. 1 ULP is the distance of neighbouring floats at the
- * exact result. docs/accuracy.md has the inputs.
+ * `Error` lines of all headers state a bound that no measured error exceeds; brackets contain the worst error measured
+ * and its arguments. 1 u is 2^-24 of the stated magnitude; without one, of the norm of the exact result, which is 1 for
+ * a unit quaternion. 1 ULP is the distance of neighbouring floats at the exact result. docs/accuracy.md lists the
+ * inputs.
  */
 #ifndef NAKAWARI_TYPES_H
 #define NAKAWARI_TYPES_H
@@ -24,13 +26,13 @@ typedef struct nkw_vec3 {
     float x, y, z;
 } nkw_vec3;
 
-/** The quaternion w + x i + y j + z k. As a rotation it is unit; q and -q are the same rotation. */
+/** The quaternion w + x i + y j + z k. A rotation is a unit quaternion; q and -q are the same rotation. */
 typedef struct nkw_quat {
     float x, y, z, w;
 } nkw_quat;
 
 /**
- * A 3x3 matrix, column by column: element (row r, column c) is m[c * 3 + r].
+ * A 3x3 matrix in column-major order: element (row r, column c) is m[c * 3 + r].
  *
  *     m[0] m[3] m[6]
  *     m[1] m[4] m[7]        v' = M v,  v a column
@@ -41,29 +43,29 @@ typedef struct nkw_mat3 {
 } nkw_mat3;
 
 /**
- * A 4x4 matrix, column by column: element (row r, column c) is m[c * 4 + r]; translation in m[12..14].
+ * A 4x4 matrix in column-major order: element (row r, column c) is m[c * 4 + r]; the translation is m[12..14].
  *
  *     m[0] m[4] m[ 8] m[12]
  *     m[1] m[5] m[ 9] m[13]        v' = M v,  v a column
  *     m[2] m[6] m[10] m[14]
  *     m[3] m[7] m[11] m[15]
  *
- * OpenGL, Vulkan, std430 and WebGPU take it as it lies. A matrix of row vectors stored row by row (D3DX)
- * has the very same bytes. "Affine" says that the last row is 0 0 0 1.
+ * OpenGL, Vulkan, std430 and WebGPU use the same layout. A matrix for row vectors in row-major order (D3DX) has the
+ * same bytes. A matrix is affine if its last row is 0 0 0 1.
  */
 typedef struct nkw_mat4 {
     float m[16];
 } nkw_mat4;
 
 /**
- * The first three rows of an affine 4x4 matrix, row by row: element (row r, column c) is m[r * 4 + c]. What shaders
- * take for skinning palettes as three vec4 (std430, a cbuffer's rows): 48 bytes.
+ * The first three rows of an affine 4x4 matrix in row-major order: element (row r, column c) is m[r * 4 + c]; 48 bytes.
+ * Shaders read it as three vec4 of a skinning palette (std430, the rows of a cbuffer).
  */
 typedef struct nkw_mat3x4 {
     float m[12];
 } nkw_mat3x4;
 
-/** A rotation and a translation in one: real + e dual, e e = 0; real is the rotation, dual = (t / 2) real. */
+/** A rotation and a translation t: real + e dual, e e = 0; real is the rotation, dual = (t / 2) real. */
 typedef struct nkw_dual_quat {
     nkw_quat real, dual;
 } nkw_dual_quat;
@@ -78,13 +80,15 @@ typedef struct nkw_trs {
 /**
  * Component arrays: element i of a vector array is (x[i], y[i], z[i]). A view is read, a span is written.
  *
- * The batch functions, those that end in _n, take n elements of each. Any alignment for float and any n will do, n = 0
- * too. An output array may be the very input array of the same function (in place), unless that function says
- * otherwise; arrays that overlap in any other way may not be mixed. Element by element the results are those of the
- * single call, bit for bit.
+ * A batch function, with a name in _n, applies a scalar function to n elements, with the same bits:
  *
- * Fastest are arrays padded to a multiple of 16 and, of matrices, not a multiple of 4096 bytes apart: so many
- * streams would share the same places of the cache.
+ *     length     any n, also 0
+ *     alignment  that of float
+ *     overlap    an output array may be an input array of the same call (in place), unless the function excludes it;
+ *                arrays must not overlap otherwise
+ *
+ * For speed, pad arrays to a multiple of 16 elements. Avoid distances of a multiple of 4096 bytes between the arrays of
+ * a matrix: they cause cache-set conflicts.
  */
 typedef struct nkw_vec3_view {
     const float *x, *y, *z;
