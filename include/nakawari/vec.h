@@ -3,11 +3,11 @@
  * @file
  * Floor 2: vectors of three floats.
  *
- * A vector is a column. Positions, directions, scales and Euler angles share the type; what a value
- * means stands in the name of the argument. Sums of three products are taken as (x + y) + z.
+ * A vector is a column. Positions, directions, scales and Euler angles share the type; the name of the argument states
+ * the meaning. Sums of three products are evaluated as (x + y) + z.
  *
- * Every function is total: infinities and NaN pass through by the rules of IEEE 754, and what is said
- * below of zero and subnormal vectors holds for every finite one.
+ * Every function is total: infinities and NaN propagate by the rules of IEEE 754. Statements about zero and subnormal
+ * vectors hold for every one of them.
  */
 #ifndef NAKAWARI_VEC_H
 #define NAKAWARI_VEC_H
@@ -24,16 +24,16 @@ NKW_ALGEBRA nkw_vec3 nkw_vec3_zero(void);
 NKW_ALGEBRA nkw_vec3 nkw_vec3_add(nkw_vec3 a, nkw_vec3 b);
 /** a - b. */
 NKW_ALGEBRA nkw_vec3 nkw_vec3_sub(nkw_vec3 a, nkw_vec3 b);
-/** -a. Turns the sign of zeros too. */
+/** -a. Negates zeros too. */
 NKW_ALGEBRA nkw_vec3 nkw_vec3_negate(nkw_vec3 a);
 /** s a. */
 NKW_ALGEBRA nkw_vec3 nkw_vec3_scale(nkw_vec3 a, float s);
-/** The component-wise product (a.x b.x, a.y b.y, a.z b.z), as in scaling along the axes. */
+/** The component-wise product (a.x b.x, a.y b.y, a.z b.z): a scaled along the axes by b. */
 NKW_ALGEBRA nkw_vec3 nkw_vec3_mul(nkw_vec3 a, nkw_vec3 b);
 /**
  * a + s b: one product and one sum, each rounded.
  *
- * Error  2.0 u of |a| + |s b|, each component for itself.
+ * Error  2.0 u of |a| + |s b|, for each component separately.
  */
 NKW_ALGEBRA nkw_vec3 nkw_vec3_add_scaled(nkw_vec3 a, nkw_vec3 b, float s);
 /** The smaller of each pair of components, by nkw_min. */
@@ -56,37 +56,37 @@ NKW_ALGEBRA float nkw_vec3_dot(nkw_vec3 a, nkw_vec3 b);
 NKW_ALGEBRA nkw_vec3 nkw_vec3_cross(nkw_vec3 a, nkw_vec3 b);
 
 /**
- * a.a, rounded in binary32: it overflows for lengths beyond 1.8e19; nkw_vec3_length does not.
+ * a.a, computed in binary32. It overflows for lengths above 1.8e19; nkw_vec3_length does not.
  *
  * Error  3.0 u.
  */
 NKW_ALGEBRA float nkw_vec3_length_squared(nkw_vec3 a);
 
 /**
- * Linear interpolation of each component by nkw_lerp: exactly a at t = 0, exactly b at t = 1, and
- * exactly a when a = b. t outside 0..1 continues the line.
+ * Linear interpolation of each component by nkw_lerp: exactly a at t = 0, exactly b at t = 1, and exactly a if a = b.
+ * For t outside 0..1 the line continues.
  *
- * Error  2.0 u of the larger of |a|, |b|, each component for itself, for t in 0..1.
+ * Error  2.0 u of the larger of |a|, |b|, for each component separately, for t in 0..1.
  */
 NKW_ALGEBRA nkw_vec3 nkw_vec3_lerp(nkw_vec3 a, nkw_vec3 b, float t);
 
 /**
- * The length |a|. Finite whenever the true length is: no overflow, no underflow on the way.
+ * The length |a|. Finite if the exact length is: no intermediate overflow or underflow.
  *
  * Error  0.501 ULP.
  */
 NKW_API float nkw_vec3_length(nkw_vec3 a);
 
 /**
- * The distance |a - b| of two points, the difference taken exactly.
+ * The distance |a - b| of two points. The difference is computed exactly.
  *
  * Error  0.501 ULP.
  */
 NKW_API float nkw_vec3_distance(nkw_vec3 a, nkw_vec3 b);
 
 /**
- * a / |a|: the unit vector along a, for every finite a, subnormal and huge ones too.
- * The zero vector gives the zero vector.
+ * a / |a|: the unit vector in the direction of a, for every finite a, including subnormal and huge vectors.
+ * The zero vector returns the zero vector.
  *
  * Error  2.3 u (2.22 at 0x1.2f628p-89, 0x1.2f5b0ep-89, 0x1.185734p-89).
  */
@@ -95,55 +95,58 @@ NKW_ALGEBRA_ROOT nkw_vec3 nkw_vec3_normalize(nkw_vec3 a);
 /**
  * The angle between two directions, 0..pi radians; 0 if one of them is zero.
  *
- *     angle = atan2(|a x b|, a.b)        exact near 0 and near pi, where acos(a.b) loses half the digits
+ *     angle = atan2(|a x b|, a.b)
+ *
+ * This keeps all digits near 0 and near pi, where acos(a.b) loses half of them.
  *
  * Error  0.501 ULP.
  */
 NKW_API float nkw_vec3_angle(nkw_vec3 a, nkw_vec3 b);
 
 /**
- * The part of a along b: b (a.b) / (b.b). b need not be unit; b zero gives zero.
+ * The component of a along b: b (a.b) / (b.b). b need not be unit; b = 0 returns zero.
  *
  * Error  1.0 u of |a|.
  */
 NKW_API nkw_vec3 nkw_vec3_project(nkw_vec3 a, nkw_vec3 b);
 
 /**
- * The part of a at right angles to b: a - project(a, b). b zero gives a.
+ * The component of a perpendicular to b: a - project(a, b). b = 0 returns a.
  *
  * Error  1.0 u of |a|.
  */
 NKW_API nkw_vec3 nkw_vec3_reject(nkw_vec3 a, nkw_vec3 b);
 
 /**
- * a mirrored at the plane through the origin with unit normal n: a - 2 (a.n) n.
+ * a reflected in the plane through the origin with the unit normal n: a - 2 (a.n) n.
  *
- * Error  15.0 u of |a| for n from nkw_vec3_normalize, 9.0 for n rounded from a unit one.
+ * Error  15.0 u of |a| for n from nkw_vec3_normalize, 9.0 for a unit n with each component rounded once.
  */
 NKW_ALGEBRA nkw_vec3 nkw_vec3_reflect(nkw_vec3 a, nkw_vec3 n);
 
 /**
- * Some unit vector at right angles to a. The zero vector gives the x axis.
+ * A unit vector perpendicular to a: the normalised cross product of a and the axis of its smallest component. The zero
+ * vector returns the x axis.
  *
- * The axis on which a is shortest is crossed with a, so the result jumps where two components are equal
- * in size; no continuous choice exists on the sphere.
+ * The result is discontinuous where the two smallest components are equal in magnitude. No continuous choice exists on
+ * the sphere.
  *
  * Error  0.71 u.
  */
 NKW_API nkw_vec3 nkw_vec3_perpendicular(nkw_vec3 a);
 
-/** 1 if all three components are finite, else 0. */
+/** 1 if all three components are finite, otherwise 0. */
 NKW_ALGEBRA int nkw_vec3_is_finite(nkw_vec3 a);
 
 /**
- * The same functions over component arrays: element i of the result is f of the elements i, with the very bits of
- * the single call. See types.h for what holds of all batch functions.
+ * The same functions over component arrays: element i of the result is computed from the elements i, with the bits of
+ * the scalar function. See types.h for the rules of all batch functions.
  */
 NKW_API void nkw_vec3_normalize_n(nkw_vec3_view a, nkw_vec3_span out, size_t n);
 NKW_API void nkw_vec3_lerp_n(nkw_vec3_view a, nkw_vec3_view b, const float *t, nkw_vec3_span out, size_t n);
-/** Every element at the same t. */
+/** All elements at the same t. */
 NKW_API void nkw_vec3_lerp_at_n(nkw_vec3_view a, nkw_vec3_view b, float t, nkw_vec3_span out, size_t n);
-/** From an array of vectors to component arrays, and back. The arrays must not overlap. */
+/** Copy an array of vectors to component arrays, and back. The arrays must not overlap. */
 NKW_API void nkw_vec3_unpack_n(const nkw_vec3 *in, nkw_vec3_span out, size_t n);
 NKW_API void nkw_vec3_pack_n(nkw_vec3_view in, nkw_vec3 *out, size_t n);
 
