@@ -3,27 +3,26 @@
  * @file
  * Floor 2: Euler angles, in the six Tait-Bryan orders.
  *
- * Three angles in radians stand in one nkw_vec3: .x turns about X, .y about Y, .z about Z, whatever the
- * order. The order is always an argument. NKW_EULER_YXZ means
+ * An nkw_vec3 contains three angles in radians: .x about X, .y about Y, .z about Z, in every order. The order is always
+ * an argument. NKW_EULER_YXZ is
  *
  *     R = Ry(angles.y) Rx(angles.x) Rz(angles.z)
  *
- * read as turns about the moving axes from left to right (intrinsic: yaw, pitch, roll) or about the fixed
- * axes from right to left (extrinsic). Other programs name the same product by either reading: an
- * "extrinsic zxy" is this YXZ.
+ * This is a sequence of rotations about the moving axes from left to right (intrinsic: yaw, pitch, roll) or about the
+ * fixed axes from right to left (extrinsic). Other programs use either name: "extrinsic zxy" is NKW_EULER_YXZ.
  *
- * From angles to rotations any angles will do. From rotations to angles, with the order i j k:
+ * Angles of any size are valid input. Angles of a rotation, in the order i j k, are
  *
  *     outer angles i and k   in [-pi, pi]
  *     middle angle j         in [-pi/2, pi/2]
  *
- * At the pole, the middle angle at +-pi/2, the outer axes coincide and only i + k or i - k is defined. The
- * policy: within 8.5e-8 rad of the pole the middle angle is exactly the float nearest +-pi/2, the last angle k is 0
- * and the first carries the whole turn. A quaternion that was rounded from angles at the pole may be 1.2e-7 rad away
- * from it, and then has three angles as elsewhere. The *rotation* is right at the pole and around it, with the same
- * error as elsewhere; a single angle near the pole is as uncertain as its axes are close to each other.
+ * At a pole, j = +-pi/2, the outer axes coincide and only i + k or i - k is defined. Within 8.5e-8 rad of a pole, j is
+ * exactly the float nearest to +-pi/2, k is 0 and i is the angle of the whole rotation about the common axis. A
+ * quaternion rounded from angles at a pole may be 1.2e-7 rad from it; its three angles are then computed as elsewhere.
+ * At and near a pole the *rotation* of the angles has the same error as elsewhere, but the single angles i and k are
+ * ill-conditioned.
  *
- * All works in binary64 inside and rounds once.
+ * All functions compute in binary64 and round once.
  */
 #ifndef NAKAWARI_EULER_H
 #define NAKAWARI_EULER_H
@@ -35,8 +34,8 @@ extern "C" {
 #endif
 
 /**
- * The order of the three factors, from left to right: NKW_EULER_XYZ is Rx Ry Rz. Any other number is read
- * as NKW_EULER_XYZ.
+ * The order of the three factors, from left to right: NKW_EULER_XYZ is Rx Ry Rz. Any other number is read as
+ * NKW_EULER_XYZ.
  */
 typedef enum nkw_euler_order {
     NKW_EULER_XYZ,
@@ -48,7 +47,8 @@ typedef enum nkw_euler_order {
 } nkw_euler_order;
 
 /**
- * The rotation of three angles. With half angles, order i j k, e = +1 for XYZ YZX ZXY and -1 for the others:
+ * The rotation of three angles. With c, s the cosines and sines of the half angles, the order i j k, and e = +1 for
+ * XYZ, YZX, ZXY, e = -1 for the others:
  *
  *     w  = ci cj ck - e si sj sk        qi = si cj ck + e ci sj sk
  *     qj = ci sj ck - e si cj sk        qk = ci cj sk + e si sj ck
@@ -65,36 +65,34 @@ NKW_API nkw_quat nkw_quat_from_euler(nkw_vec3 angles, nkw_euler_order order);
 NKW_API nkw_mat3 nkw_mat3_from_euler(nkw_vec3 angles, nkw_euler_order order);
 
 /**
- * The angles of a rotation; q need not be unit, the zero quaternion gives zero angles. q and -q give the
- * same angles.
+ * The angles of a rotation. q and -q return the same angles. q need not be unit; the zero quaternion returns zero
+ * angles.
  *
  *     (i + e k)/2 = atan2(qi + e qk, w + qj)
  *     (i - e k)/2 = atan2(qi - e qk, w - qj)
  *     j = atan2(2 (w qj + e qi qk), |(w + qj, qi + e qk)| |(w - qj, qi - e qk)|)
  *
- * Error  4.2 u rad of the rotation built again from the angles, of which 4.0 are the rounding of two angles
- *        near pi.
+ * Error  4.2 u rad of the rotation of the returned angles; 4.0 of these are the rounding of two angles near pi.
  * Source Bernardes, Viollet, Quaternion to Euler angles conversion, PLoS ONE 17(11), 2022.
  */
 NKW_API nkw_vec3 nkw_euler_from_quat(nkw_quat q, nkw_euler_order order);
 
 /**
- * The angles of the rotation nearest to m: as nkw_euler_from_quat of nkw_quat_from_mat3, without a rounding
- * between.
+ * The angles of the rotation nearest to m: nkw_euler_from_quat of nkw_quat_from_mat3, without an intermediate rounding.
  *
- * Error  4.2 u rad of the rotation built again from the angles.
+ * Error  4.2 u rad of the rotation of the returned angles.
  */
 NKW_API nkw_vec3 nkw_euler_from_mat3(const nkw_mat3 *m, nkw_euler_order order);
 
 /**
- * The same angles, each moved by whole turns to within pi of the angle in `reference`: what a curve through
- * several keys needs. An angle exactly half a turn away stays on its side.
+ * Each angle, plus the multiple of 2 pi that brings it within pi of the angle in `reference`. Use it before a curve is
+ * laid through the angles of several keys. An angle at a distance of exactly half a turn stays on its side.
  *
- * Error  0.501 ULP for angles up to 100 rad; beyond, 2e-16 of the angle more than rounding.
+ * Error  0.501 ULP for angles up to 100 rad; for larger angles, 2e-16 of the angle more than rounding.
  */
 NKW_API nkw_vec3 nkw_euler_unwrap(nkw_vec3 angles, nkw_vec3 reference);
 
-/** nkw_quat_from_euler over component arrays, all in one order. See types.h for what holds of all batch functions. */
+/** nkw_quat_from_euler over component arrays, with one order. See types.h for the rules of all batch functions. */
 NKW_API void nkw_quat_from_euler_n(nkw_vec3_view angles, nkw_euler_order order, nkw_quat_span out, size_t n);
 
 #ifdef __cplusplus
