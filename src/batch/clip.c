@@ -88,7 +88,7 @@ INLINE void lerp_lanes(const float *a, const float *b, float t, int first, float
 #pragma omp simd
     KEEP_LOOP
     for (size_t i = 0; i < n; i++)
-        out[i] = lane_lerp_near(a[i], b[i], t, first);
+        out[i] = nkw_lerp_from(first, a[i], b[i], t);
 }
 
 /* `lanes` lanes, whole blocks. */
@@ -341,22 +341,22 @@ NKW_LOOP(nkwi_clip_slerp16)
 }
 
 /* A value has `words` floats; its tangents are per second: times the duration they are per segment. */
-INLINE void hermite_near(const float *a, const float *b, size_t words, float duration, float t, int first, float *out,
+INLINE void hermite_from(int first, const float *a, const float *b, size_t words, float duration, float t, float *out,
                          size_t n)
 {
     const float *p0 = a + words, *v0 = p0 + words, *v1 = b, *p1 = b + words;
 #pragma omp simd
     for (size_t i = 0; i < n; i++)
-        out[i] = lane_hermite_near(p0[i], duration * v0[i], p1[i], duration * v1[i], t, first);
+        out[i] = nkw_hermite_from(first, p0[i], duration * v0[i], p1[i], duration * v1[i], t);
 }
 
 /* For t inside 0..1. */
 INLINE void hermite_lanes(const float *a, const float *b, size_t words, float duration, float t, float *out, size_t n)
 {
     if (t < 0.5f)
-        hermite_near(a, b, words, duration, t, 1, out, n);
+        hermite_from(1, a, b, words, duration, t, out, n);
     else
-        hermite_near(a, b, words, duration, t, 0, out, n);
+        hermite_from(0, a, b, words, duration, t, out, n);
 }
 
 NKW_LOOP(nkwi_clip_hermite)

@@ -7,14 +7,6 @@
 
 #include <nakawari/curve.h>
 
-/* nkw_hermite inside 0..1 where it is known at compile time which end is nearer. */
-static inline float lane_hermite_near(float p0, float v0, float p1, float v1, float t, int first)
-{
-    float s = 1.0f - t, f = p1 - p0;
-    float k = s * (v0 - f) - t * (v1 - f);
-    return first ? p0 + t * (f + s * k) : p1 - s * (f - t * k);
-}
-
 static inline nkw_weights lane_hermite_weights(float t)
 {
     float s = 1.0f - t;

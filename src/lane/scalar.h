@@ -61,12 +61,6 @@ static inline float lane_lerp_from(float near, float x, float a, float b)
     return near + x * (b - a);
 }
 
-/* The same where it is known at compile time which end is nearer. */
-static inline float lane_lerp_near(float a, float b, float t, int first)
-{
-    return first ? lane_lerp_from(a, t, a, b) : lane_lerp_from(b, t - 1.0f, a, b);
-}
-
 /* sine and cosine */
 
 static inline int lane_angle_is_far(float x)

@@ -3,8 +3,8 @@
  * The curves of curve.h, once: inlined into the caller, and compiled into the library as symbols. Each curve is a
  * function of one number, applied to the three of a vector.
  *
- * All except Bezier start from the end nearer to t, as nkw_lerp does: `end`, with `back`, -t or 1 - t, the exact distance
- * back to it. At back = 0 they return that end itself, with the sign of a zero.
+ * All except Bezier start from the end nearer to t, as nkw_lerp does: the first where `first` is not 0. `back`, -t or 1 - t,
+ * is exact. At back = 0 they return that end itself, with the sign of a zero.
  */
 #ifndef NAKAWARI_INLINE_CURVE_H
 #define NAKAWARI_INLINE_CURVE_H
@@ -20,13 +20,18 @@ extern "C" {
 /*
  *     p = p0 + t (f + s k) = p1 - s (f - t k),        f = p1 - p0,  s = 1 - t,  k = s (v0 - f) - t (v1 - f)
  */
-NKW_BODY float nkw_hermite(float p0, float v0, float p1, float v1, float t)
+NKW_PART float nkw_hermite_from(int first, float p0, float v0, float p1, float v1, float t)
 {
     NKW_EXACT
-    int first = t < 0.5f; /* p0 is nearer to t than p1 */
     float s = 1.0f - t, f = p1 - p0, k = s * (v0 - f) - t * (v1 - f);
-    float end = first ? p0 : p1, back = (first ? 0.0f : 1.0f) - t, to_other = (first ? 1.0f : 0.0f) - t;
-    return back == 0.0f ? end : end - back * (f + to_other * k);
+    float end = nkw_select(first, p0, p1), back = nkw_select(first, 0.0f, 1.0f) - t;
+    float onward = nkw_select(first, 1.0f, 0.0f) - t; /* to the other end */
+    return end - nkw_select(back == 0.0f, 0.0f, back * (f + onward * k));
+}
+
+NKW_BODY float nkw_hermite(float p0, float v0, float p1, float v1, float t)
+{
+    return nkw_hermite_from(t < 0.5f, p0, v0, p1, v1, t);
 }
 
 /*
@@ -55,10 +60,10 @@ NKW_BODY float nkw_bspline(float p0, float p1, float p2, float p3, float t)
     NKW_EXACT
     int first = t < 0.5f; /* p1 is nearer to t than p2 */
     float s = 1.0f - t, f = p2 - p1, h = f + (p0 - p1), m = (p3 - p2) - f;
-    float x = first ? t : s, xx = x * x, yy = (1.0f - (x + x)) + xx;
-    float ss = first ? yy : xx, tt = first ? xx : yy;
+    float x = nkw_select(first, t, s), xx = x * x, yy = (1.0f - (x + x)) + xx;
+    float ss = nkw_select(first, yy, xx), tt = nkw_select(first, xx, yy);
     float bend = ((ss * s) * h + (tt * t) * m) / 6.0f;
-    float end = first ? p1 : p2, back = (first ? 0.0f : 1.0f) - t;
+    float end = nkw_select(first, p1, p2), back = nkw_select(first, 0.0f, 1.0f) - t;
     return end + (bend - back * f);
 }
 
@@ -72,8 +77,9 @@ NKW_BODY float nkw_catmull_rom(float p0, float p1, float p2, float p3, float t)
     NKW_EXACT
     int first = t < 0.5f; /* p1 is nearer to t than p2 */
     float s = 1.0f - t, f = p2 - p1, h = f + (p0 - p1), m = (p3 - p2) - f, k = s * h + t * m;
-    float end = first ? p1 : p2, back = (first ? 0.0f : 1.0f) - t, to_other = (first ? 1.0f : 0.0f) - t;
-    return back == 0.0f ? end : end - back * (f - (0.5f * to_other) * k);
+    float end = nkw_select(first, p1, p2), back = nkw_select(first, 0.0f, 1.0f) - t;
+    float onward = nkw_select(first, 1.0f, 0.0f) - t;
+    return end - nkw_select(back == 0.0f, 0.0f, back * (f - (0.5f * onward) * k));
 }
 
 NKW_BODY nkw_vec3 nkw_vec3_hermite(nkw_vec3 p0, nkw_vec3 v0, nkw_vec3 p1, nkw_vec3 v1, float t)

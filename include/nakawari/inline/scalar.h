@@ -4,12 +4,32 @@
 #define NAKAWARI_INLINE_SCALAR_H
 
 #include <math.h>
+#include <stdint.h>
+#include <string.h>
 
 #include "../scalar.h"
 
 #ifdef __cplusplus
 extern "C" {
 #endif
+
+/*
+ * a where `first` is not 0, otherwise b. In the library's loops (NKW_ISA) by a mask: GCC makes branches of several ?: with
+ * one condition, and then no vectors.
+ */
+NKW_PART float nkw_select(int first, float a, float b)
+{
+#if defined(NKW_ISA)
+    uint32_t x, y, mask = 0u - (uint32_t)(first != 0);
+    memcpy(&x, &a, sizeof x);
+    memcpy(&y, &b, sizeof y);
+    x = y ^ ((x ^ y) & mask);
+    memcpy(&a, &x, sizeof a);
+    return a;
+#else
+    return first ? a : b;
+#endif
+}
 
 NKW_BODY float nkw_abs(float x)
 {
@@ -67,15 +87,19 @@ NKW_BODY float nkw_saturate(float x)
 /*
  *     p = a + t (b - a) = b - (1 - t) (b - a)
  *
- * from the end nearer to t, minus the distance back to it, -t or 1 - t, which is exact. At back = 0 it is the end itself,
- * with the sign of a zero.
+ * from the end nearer to t, a where `first` is not 0, minus the way back to it. `back`, -t or 1 - t, is exact. At back = 0
+ * p is the end itself, with the sign of a zero.
  */
-NKW_BODY float nkw_lerp(float a, float b, float t)
+NKW_PART float nkw_lerp_from(int first, float a, float b, float t)
 {
     NKW_EXACT
-    int first = t < 0.5f; /* a is nearer to t than b */
-    float end = first ? a : b, back = (first ? 0.0f : 1.0f) - t;
-    return back == 0.0f ? end : end - back * (b - a);
+    float end = nkw_select(first, a, b), back = nkw_select(first, 0.0f, 1.0f) - t;
+    return end - nkw_select(back == 0.0f, 0.0f, back * (b - a));
+}
+
+NKW_BODY float nkw_lerp(float a, float b, float t)
+{
+    return nkw_lerp_from(t < 0.5f, a, b, t);
 }
 
 NKW_BODY float nkw_inverse_lerp(float a, float b, float x)
