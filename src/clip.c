@@ -9,6 +9,7 @@
 #include "batch/clip.h"
 #include "clip_layout.h"
 #include "lane/orient.h"
+#include "pack/slerp.h"
 
 size_t nkw_clip_joint_count(const nkw_clip *clip)
 {
@@ -114,7 +115,7 @@ static void slerp_values(const nkw_clip *clip, const clip_group *g, const float 
         }
         for (size_t i = 0; i < block->count; i++) {
             nkw_quat p = {from.x[i], from.y[i], from.z[i], from.w[i]}, q = {to.x[i], to.y[i], to.z[i], to.w[i]};
-            nkw_quat r = lane_quat_slerp_keys(p, q, t);
+            nkw_quat r = quat_slerp_keys(p, q, t);
             float *o = out + block->places[i];
             o[0] = r.x, o[stride] = r.y, o[2 * stride] = r.z, o[3 * stride] = r.w;
         }

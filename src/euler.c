@@ -5,6 +5,7 @@
 
 #include "lane/euler.h"
 #include "lane/mat.h"
+#include "pack/quat.h"
 
 LANE_SELDOM static lane_wquat far_rotation(const double half[3], double e)
 {
@@ -43,7 +44,7 @@ LANE_SELDOM static lane_wquat rescued(lane_wquat q)
 
 LANE_FLAT nkw_vec3 nkw_euler_from_quat(nkw_quat q, nkw_euler_order order)
 {
-    lane_wquat w = lane_wquat_from(lane_quat_argument(q));
+    lane_wquat w = lane_wquat_from(quat_argument(q));
     double n2 = lane_wquat_dot(w, w);
     if (!(n2 > 0x1p-20 && n2 < 0x1p20))
         w = rescued(w);

@@ -4,34 +4,36 @@
 #include <nakawari/orient.h>
 
 #include "lane/orient.h"
+#include "pack/quat.h"
+#include "pack/slerp.h"
 
-#if defined(LANE_FOUR)
-LANE_SELDOM static lane_four nlerp_any(lane_four a, lane_four b, float t)
+#if NKW_F32X4
+LANE_SELDOM static f32x4 nlerp_any(f32x4 a, f32x4 b, float t)
 {
-    nkw_quat r = lane_quat_nlerp(lane_quat_from_four(a), lane_quat_from_four(b), t);
-    return lane_four_from_quat(r);
+    nkw_quat r = lane_quat_nlerp(quat_from_f32x4(a), quat_from_f32x4(b), t);
+    return f32x4_from_quat(r);
 }
 
 nkw_quat nkw_quat_nlerp(nkw_quat a, nkw_quat b, float t)
 {
-    lane_four from = lane_four_from_quat(a), to = lane_four_from_quat(b), r;
-    if (!lane_four_nlerp(from, to, t, &r))
+    f32x4 from = f32x4_from_quat(a), to = f32x4_from_quat(b), r;
+    if (!f32x4_nlerp(from, to, t, &r))
         r = nlerp_any(from, to, t);
-    return lane_quat_from_four(r);
+    return quat_from_f32x4(r);
 }
 
-LANE_SELDOM static lane_four slerp_any(lane_four a, lane_four b, float t)
+LANE_SELDOM static f32x4 slerp_any(f32x4 a, f32x4 b, float t)
 {
     if (lane_t_is_inside(t))
-        return lane_four_slerp(a, b, t, 0, 0);
-    nkw_quat r = lane_quat_slerp_path(lane_quat_from_four(a), lane_quat_from_four(b), t, NKW_PATH_SHORT);
-    return lane_four_from_quat(r);
+        return f32x4_slerp(a, b, t, 0, 0);
+    nkw_quat r = lane_quat_slerp_path(quat_from_f32x4(a), quat_from_f32x4(b), t, NKW_PATH_SHORT);
+    return f32x4_from_quat(r);
 }
 
 nkw_quat nkw_quat_slerp(nkw_quat a, nkw_quat b, float t)
 {
-    lane_four from = lane_four_from_quat(a), to = lane_four_from_quat(b);
-    return lane_quat_from_four(lane_t_is_aside(t) ? lane_four_slerp(from, to, t, 1, 0) : slerp_any(from, to, t));
+    f32x4 from = f32x4_from_quat(a), to = f32x4_from_quat(b);
+    return quat_from_f32x4(lane_t_is_generic(t) ? f32x4_slerp(from, to, t, 1, 0) : slerp_any(from, to, t));
 }
 #else
 nkw_quat nkw_quat_nlerp(nkw_quat a, nkw_quat b, float t)
@@ -52,7 +54,7 @@ nkw_quat nkw_quat_slerp_path(nkw_quat a, nkw_quat b, float t, nkw_path path)
 
 nkw_vec3 nkw_quat_log(nkw_quat q)
 {
-    return lane_vec3_from_wide(lane_wquat_log(lane_wquat_from(lane_quat_argument(q))));
+    return lane_vec3_from_wide(lane_wquat_log(lane_wquat_from(quat_argument(q))));
 }
 
 LANE_FLAT nkw_quat nkw_quat_exp(nkw_vec3 v)

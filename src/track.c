@@ -10,6 +10,7 @@
 #include "lane/orient.h"
 #include "lane/scalar.h"
 #include "lane/segment.h"
+#include "pack/slerp.h"
 #include "report.h"
 
 static int is_rotation(const nkw_track *track)
@@ -89,7 +90,7 @@ static void lerp(const float *a, const float *b, float t, float *out, size_t n)
 
 static nkw_quat slerp(nkw_quat a, nkw_quat b, float t)
 {
-    return lane_t_is_inside(t) ? lane_quat_slerp_keys(a, b, t) : nkw_quat_slerp(a, b, t);
+    return lane_t_is_inside(t) ? quat_slerp_keys(a, b, t) : nkw_quat_slerp(a, b, t);
 }
 
 static void linear(const nkw_track *track, size_t k, float t, float *out)

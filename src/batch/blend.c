@@ -16,7 +16,7 @@ static inline void settle(nkw_quat_view v, nkw_quat_span out, size_t n)
 {
 #pragma omp simd
     for (size_t i = 0; i < n; i++)
-        put_quat(out, i, lane_quat_settle(at_quat(v, i)));
+        put_quat(out, i, lane_chord_normalize(at_quat(v, i)));
 }
 
 NKW_LOOP(nkwi_blend_settle)(nkw_quat_view v, const float *mixed, int used, nkw_quat_span out, int n)

@@ -21,14 +21,14 @@ INLINE void settle_where(const float *mixed, nkw_quat_view v, int used, nkw_quat
         nkw_quat q = at_quat(v, (size_t)i);
         float m = nkw_quat_unit_error(q);
         outside |= !(lane_abs(m) < 1.0f) & (i < used);
-        put_quat(out, (size_t)i, lane_quat_select(mixed[i] == 0.0f, q, lane_quat_settle_inside(q, m)));
+        put_quat(out, (size_t)i, lane_quat_select(mixed[i] == 0.0f, q, lane_chord_normalize_short(q, m)));
     }
     if (!outside)
         return;
 #pragma omp simd
     for (int i = 0; i < n; i++) {
         nkw_quat q = at_quat(v, (size_t)i);
-        put_quat(out, (size_t)i, lane_quat_select(mixed[i] == 0.0f, q, lane_quat_settle(q)));
+        put_quat(out, (size_t)i, lane_quat_select(mixed[i] == 0.0f, q, lane_chord_normalize(q)));
     }
 }
 

@@ -125,25 +125,28 @@ NKW_LOOP(nkwi_clip_lerp)
         lerp_blocks(a, b, t, 0, blocks, block_count, out);
 }
 
-/* How far all rotations of a group are on their way. */
-typedef struct slerp_pace {
-    lane_slerp_pace at;
-    lane_slerp_powers powers;
-} slerp_pace;
+/* What the slerps of a group at one t share. */
+typedef struct slerp_shared {
+    lane_slerp_time at;
+    lane_slerp_series series;
+} slerp_shared;
 
-INLINE void slerp_block(const float *a, const float *b, const slerp_pace *p, float *out, size_t stride, size_t width)
+INLINE void slerp_block(const float *a, const float *b, const slerp_shared *p, float *out, size_t stride, size_t width)
 {
     nkw_quat_view from = block_rows(a, width), to = block_rows(b, width);
     nkw_quat_span o = block_rows_to(out, stride);
     const float *arcs = a + 4 * width;
 #pragma omp simd
     KEEP_LOOP
-    for (size_t i = 0; i < width; i++)
-        put_quat(o, i, lane_quat_slerp_along(at_quat(from, i), at_quat(to, i), arcs[i], &p->at, &p->powers));
+    for (size_t i = 0; i < width; i++) {
+        lane_slerp_weights k = lane_slerp_weights_in(&p->at, &p->series, lane_abs(arcs[i]));
+        put_quat(o, i, lane_quat_slerp_by(at_quat(from, i), at_quat(to, i), arcs[i], &p->at, k));
+    }
 }
 
 /* `lanes` lanes, whole blocks, from one after the other to one after the other. */
-INLINE void slerp_stretch(const float *a, const float *b, const slerp_pace *p, float *out, size_t stride, size_t lanes)
+INLINE void slerp_stretch(const float *a, const float *b, const slerp_shared *p, float *out, size_t stride,
+                          size_t lanes)
 {
     const size_t block = NKW_BLOCK * NKW_BLOCK_ROWS;
     for (; lanes >= NKW_BLOCK; lanes -= NKW_BLOCK, a += block, b += block, out += NKW_BLOCK)
@@ -154,10 +157,10 @@ INLINE void slerp_stretch(const float *a, const float *b, const slerp_pace *p, f
         slerp_block(a, b, p, out, stride, 4);
 }
 
-INLINE void slerp_blocks(const float *a, const float *b, lane_slerp_pace at, const nkw_block *blocks,
+INLINE void slerp_blocks(const float *a, const float *b, lane_slerp_time at, const nkw_block *blocks,
                          size_t block_count, float *out, size_t stride)
 {
-    const slerp_pace p = {at, lane_slerp_powers_at(&at)};
+    const slerp_shared p = {at, lane_slerp_series_at(&at)};
     for (size_t k = 0, lanes; k < block_count; k += blocks_in(lanes)) {
         const size_t from = k * NKW_BLOCK * NKW_BLOCK_ROWS;
         float mixed[4 * NKW_BLOCK];
@@ -173,13 +176,13 @@ INLINE void slerp_blocks(const float *a, const float *b, lane_slerp_pace at, con
 NKW_LOOP(nkwi_clip_slerp)
 (const float *a, const float *b, float t, const nkw_block *blocks, size_t block_count, float *out, size_t stride)
 {
-    lane_slerp_pace at = lane_slerp_pace_at(t);
-    if (!lane_t_is_aside(t))
+    lane_slerp_time at = lane_slerp_time_at(t, 0);
+    if (!lane_t_is_generic(t))
         slerp_blocks(a, b, at, blocks, block_count, out, stride);
     else if (at.first)
-        slerp_blocks(a, b, lane_slerp_near(at, 1), blocks, block_count, out, stride);
+        slerp_blocks(a, b, lane_slerp_time_from(at, 1), blocks, block_count, out, stride);
     else
-        slerp_blocks(a, b, lane_slerp_near(at, 0), blocks, block_count, out, stride);
+        slerp_blocks(a, b, lane_slerp_time_from(at, 0), blocks, block_count, out, stride);
 }
 
 /* Compact keys. A number is base + step key; between two keys of a number the key itself is interpolated. */
@@ -278,16 +281,16 @@ INLINE void arcs_of(pairs16 *p, const uint16_t *b, size_t at, size_t width)
     }
 }
 
-INLINE void slerp_of(const pairs16 *p, const lane_compact_pace *pace, size_t at, float *out, size_t stride,
+INLINE void slerp_of(const pairs16 *p, const lane_compact_series *series, size_t at, float *out, size_t stride,
                      size_t width)
 {
-    const key16 *near = pace->first ? &p->a : &p->b, *far = pace->first ? &p->b : &p->a;
+    const key16 *near = series->first ? &p->a : &p->b, *far = series->first ? &p->b : &p->a;
     const nkw_quat_view n = rotations_of(near, at, width), f = rotations_of(far, at, width);
     const nkw_quat_span o = block_rows_to(out, stride);
     const float *v = p->v + at, *of_n = near->of + at, *of_f = far->of + at;
 #pragma omp simd
     for (size_t i = 0; i < width; i++)
-        put_quat(o, i, lane_compact_slerp(at_quat(n, i), at_quat(f, i), v[i], of_n[i], of_f[i], pace));
+        put_quat(o, i, lane_compact_slerp(at_quat(n, i), at_quat(f, i), v[i], of_n[i], of_f[i], series));
 }
 
 /* The widths as constants. */
@@ -302,22 +305,23 @@ INLINE void arcs16(pairs16 *p, const uint16_t *b, size_t at, size_t width)
         arcs_of(p, b, at, 4);
 }
 
-INLINE void slerp16(const pairs16 *p, const lane_compact_pace *pace, size_t at, float *out, size_t stride, size_t width)
+INLINE void slerp16(const pairs16 *p, const lane_compact_series *series, size_t at, float *out, size_t stride,
+                    size_t width)
 {
     if (width == NKW_BLOCK)
-        slerp_of(p, pace, at, out, stride, NKW_BLOCK);
+        slerp_of(p, series, at, out, stride, NKW_BLOCK);
     else if (width == 8)
-        slerp_of(p, pace, at, out, stride, 8);
+        slerp_of(p, series, at, out, stride, 8);
     else
-        slerp_of(p, pace, at, out, stride, 4);
+        slerp_of(p, series, at, out, stride, 4);
 }
 
-INLINE void slerp16_to(const pairs16 *p, const lane_compact_pace *pace, size_t at, const nkw_block *block, float *out,
-                       size_t stride)
+INLINE void slerp16_to(const pairs16 *p, const lane_compact_series *series, size_t at, const nkw_block *block,
+                       float *out, size_t stride)
 {
     float mixed[4 * NKW_BLOCK];
     const int direct = block->direct > 0;
-    slerp16(p, pace, at, direct ? out + block->places[0] : mixed, direct ? stride : NKW_BLOCK, block->width);
+    slerp16(p, series, at, direct ? out + block->places[0] : mixed, direct ? stride : NKW_BLOCK, block->width);
     if (!direct)
         scatter(block, mixed, NKW_BLOCK, out, stride);
 }
@@ -326,7 +330,7 @@ NKW_LOOP(nkwi_clip_slerp16)
 (const uint16_t *a, const uint16_t *b, const float *base, const float *step, float t, const nkw_block *blocks,
  size_t block_count, float *out, size_t stride)
 {
-    const lane_compact_pace pace = lane_compact_pace_at(t);
+    const lane_compact_series series = lane_compact_series_at(t);
     for (size_t k = 0; k < block_count; k += PAIRS) {
         const size_t n = block_count - k < PAIRS ? block_count - k : PAIRS, first = 3 * NKW_BLOCK * k;
         const size_t numbers = 3 * (NKW_BLOCK * (n - 1) + blocks[k + n - 1].width);
@@ -336,7 +340,7 @@ NKW_LOOP(nkwi_clip_slerp16)
         for (size_t i = 0; i < n; i++)
             arcs16(&p, b + first + 3 * NKW_BLOCK * i, NKW_BLOCK * i, blocks[k + i].width);
         for (size_t i = 0; i < n; i++)
-            slerp16_to(&p, &pace, NKW_BLOCK * i, &blocks[k + i], out, stride);
+            slerp16_to(&p, &series, NKW_BLOCK * i, &blocks[k + i], out, stride);
     }
 }
 

@@ -64,7 +64,7 @@ static inline int any_outside(const float *t, size_t from, size_t to)
 }
 
 /* For t in 0..1. */
-static inline int all_aside(const float *t, size_t from, size_t to)
+static inline int all_generic(const float *t, size_t from, size_t to)
 {
     int special = 0;
 #pragma omp simd reduction(| : special)
@@ -84,16 +84,17 @@ static inline void arcs_between(nkw_quat_view a, nkw_quat_view b, float *arcs, s
         arcs[i - from] = lane_slerp_arc(at_quat(a, i), at_quat(b, i), 0);
 }
 
-/* `aside`, a constant: no t is 0, 1/2 or 1, which saves up to a tenth of the instructions. */
-INLINE void slerp_inside(nkw_quat_view a, nkw_quat_view b, const float *t, int aside, nkw_quat_span out, size_t from,
+/* `generic`, a constant: no t is 0, 1/2 or 1, which saves up to a tenth of the instructions. */
+INLINE void slerp_inside(nkw_quat_view a, nkw_quat_view b, const float *t, int generic, nkw_quat_span out, size_t from,
                          size_t to)
 {
     float arcs[BLOCK];
     arcs_between(a, b, arcs, from, to);
 #pragma omp simd
     for (size_t i = from; i < to; i++) {
-        lane_slerp_pace pace = aside ? lane_slerp_pace_aside(t[i]) : lane_slerp_pace_at(t[i]);
-        put_quat(out, i, lane_quat_slerp_on(at_quat(a, i), at_quat(b, i), arcs[i - from], &pace));
+        lane_slerp_time at = lane_slerp_time_at(t[i], generic);
+        lane_slerp_weights k = lane_slerp_weights_of(&at, lane_abs(arcs[i - from]));
+        put_quat(out, i, lane_quat_slerp_by(at_quat(a, i), at_quat(b, i), arcs[i - from], &at, k));
     }
 }
 
@@ -147,10 +148,10 @@ APART LANE_FLAT static void slerp_beyond(nkw_quat_view a, nkw_quat_view b, const
 #pragma omp simd
     for (size_t i = from; i < to; i++) {
         const size_t k = i - from;
-        out.x[i] = lane_blend(inside[k], out.x[i], x[k]);
-        out.y[i] = lane_blend(inside[k], out.y[i], y[k]);
-        out.z[i] = lane_blend(inside[k], out.z[i], z[k]);
-        out.w[i] = lane_blend(inside[k], out.w[i], w[k]);
+        out.x[i] = lane_select(inside[k], out.x[i], x[k]);
+        out.y[i] = lane_select(inside[k], out.y[i], y[k]);
+        out.z[i] = lane_select(inside[k], out.z[i], z[k]);
+        out.w[i] = lane_select(inside[k], out.w[i], w[k]);
     }
 }
 
@@ -162,23 +163,25 @@ NKW_LOOP(nkw_quat_slerp_n)(nkw_quat_view a, nkw_quat_view b, const float *t, nkw
             put_quat(out, from, nkw_quat_slerp(at_quat(a, from), at_quat(b, from), t[from]));
         else if (any_outside(t, from, end))
             slerp_beyond(a, b, t, out, from, end);
-        else if (all_aside(t, from, end))
+        else if (all_generic(t, from, end))
             slerp_inside(a, b, t, 1, out, from, end);
         else
             slerp_inside(a, b, t, 0, out, from, end);
     }
 }
 
-INLINE void slerp_at_pace(nkw_quat_view a, nkw_quat_view b, lane_slerp_pace pace, nkw_quat_span out, size_t n)
+INLINE void slerp_at_time(nkw_quat_view a, nkw_quat_view b, lane_slerp_time at, nkw_quat_span out, size_t n)
 {
-    const lane_slerp_powers powers = lane_slerp_powers_at(&pace);
+    const lane_slerp_series series = lane_slerp_series_at(&at);
     for (size_t from = 0; from < n; from += BLOCK) {
         size_t end = n - from < BLOCK ? n : from + BLOCK;
         float arcs[BLOCK];
         arcs_between(a, b, arcs, from, end);
 #pragma omp simd
-        for (size_t i = from; i < end; i++)
-            put_quat(out, i, lane_quat_slerp_along(at_quat(a, i), at_quat(b, i), arcs[i - from], &pace, &powers));
+        for (size_t i = from; i < end; i++) {
+            lane_slerp_weights k = lane_slerp_weights_in(&at, &series, lane_abs(arcs[i - from]));
+            put_quat(out, i, lane_quat_slerp_by(at_quat(a, i), at_quat(b, i), arcs[i - from], &at, k));
+        }
     }
 }
 
@@ -195,13 +198,13 @@ NKW_LOOP(nkw_quat_slerp_at_n)(nkw_quat_view a, nkw_quat_view b, float t, nkw_qua
             put_quat(out, i, slerp_near(at_quat(a, i), at_quat(b, i), t));
         return;
     }
-    lane_slerp_pace pace = lane_slerp_pace_at(t);
-    if (!lane_t_is_aside(t))
-        slerp_at_pace(a, b, pace, out, n);
-    else if (pace.first)
-        slerp_at_pace(a, b, lane_slerp_near(pace, 1), out, n);
+    lane_slerp_time at = lane_slerp_time_at(t, 0);
+    if (!lane_t_is_generic(t))
+        slerp_at_time(a, b, at, out, n);
+    else if (at.first)
+        slerp_at_time(a, b, lane_slerp_time_from(at, 1), out, n);
     else
-        slerp_at_pace(a, b, lane_slerp_near(pace, 0), out, n);
+        slerp_at_time(a, b, lane_slerp_time_from(at, 0), out, n);
 }
 
 NKW_LOOP(nkw_quat_log_n)(nkw_quat_view q, nkw_vec3_span out, size_t n)

@@ -46,8 +46,8 @@ static inline float lane_ratio(float a, float b)
 /* q where mask is all ones, the identity where it is 0. */
 static inline nkw_quat lane_quat_or_identity(uint32_t mask, nkw_quat q)
 {
-    nkw_quat r = {lane_blend(mask, q.x, 0.0f), lane_blend(mask, q.y, 0.0f), lane_blend(mask, q.z, 0.0f),
-                  lane_blend(mask, q.w, 1.0f)};
+    nkw_quat r = {lane_select(mask, q.x, 0.0f), lane_select(mask, q.y, 0.0f), lane_select(mask, q.z, 0.0f),
+                  lane_select(mask, q.w, 1.0f)};
     return r;
 }
 

@@ -59,21 +59,21 @@ static inline lane_compact_arc lane_compact_arc_between(nkw_quat a, nkw_quat b, 
 }
 
 /* Slerp's weights of the nearer and the farther key, k - E(k), by powers of v. */
-typedef struct lane_compact_pace {
+typedef struct lane_compact_series {
     int first; /* a is nearer */
-    float near[1 + LANE_SLERP_POWERS], far[1 + LANE_SLERP_POWERS];
-} lane_compact_pace;
+    float nearer[1 + LANE_SLERP_POWERS], farther[1 + LANE_SLERP_POWERS];
+} lane_compact_series;
 
-static inline lane_compact_pace lane_compact_pace_at(float t)
+static inline lane_compact_series lane_compact_series_at(float t)
 {
-    const lane_slerp_pace at = lane_slerp_pace_at(t);
+    const lane_slerp_time at = lane_slerp_time_at(t, 0);
     const float zr = at.r * at.r, zs = at.s * at.s;
-    lane_compact_pace pace = {at.first != 0u, {at.r}, {at.s}};
+    lane_compact_series series = {at.first != 0u, {at.r}, {at.s}};
     for (int i = 0; i < LANE_SLERP_POWERS; i++) {
-        pace.near[1 + i] = -at.cr * lane_slerp_power3(LANE_SLERP_BRIEF_NEAR, i, zr, zr * zr);
-        pace.far[1 + i] = -at.cs * lane_slerp_power3(LANE_SLERP_BRIEF_FAR, i, zs, zs * zs);
+        series.nearer[1 + i] = -at.cr * lane_slerp_coefficient(LANE_SLERP_BRIEF_NEAR, i, 3, zr, zr * zr);
+        series.farther[1 + i] = -at.cs * lane_slerp_coefficient(LANE_SLERP_BRIEF_FAR, i, 3, zs, zs * zs);
     }
-    return pace;
+    return series;
 }
 
 static inline float lane_compact_weight(const float *c, float v)
@@ -84,9 +84,9 @@ static inline float lane_compact_weight(const float *c, float v)
 
 /* n is the nearer key and f the farther, and of_n and of_f what belongs to them of the arc. */
 static inline nkw_quat lane_compact_slerp(nkw_quat n, nkw_quat f, float v, float of_n, float of_f,
-                                          const lane_compact_pace *pace)
+                                          const lane_compact_series *series)
 {
-    float wn = of_n * lane_compact_weight(pace->near, v), wf = of_f * lane_compact_weight(pace->far, v);
+    float wn = of_n * lane_compact_weight(series->nearer, v), wf = of_f * lane_compact_weight(series->farther, v);
     nkw_quat r = {wn * n.x + wf * f.x, wn * n.y + wf * f.y, wn * n.z + wf * f.z, wn * n.w + wf * f.w};
     return r;
 }

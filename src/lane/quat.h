@@ -7,7 +7,6 @@
 
 #include <nakawari/quat.h>
 
-#include "four.h"
 #include "two.h"
 #include "vec.h"
 #include "wide.h"
@@ -21,53 +20,6 @@ typedef struct lane_wquat {
 typedef struct lane_wmat3 {
     double m[9];
 } lane_wmat3;
-
-#if defined(LANE_FOUR)
-/*
- * The argument of a single function, in one register. x86-64 passes it as two pairs, which go by way of the stack; GCC
- * then reads all four numbers at once, and such a load waits until both stores have left the processor: 30 cycles.
- */
-static inline lane_four lane_four_from_quat(nkw_quat q)
-{
-#if !defined(__clang__) && defined(__SSE2__)
-    double xy, zw;
-    memcpy(&xy, &q.x, sizeof xy);
-    memcpy(&zw, &q.z, sizeof zw);
-    __asm__("" : "+x"(xy), "+x"(zw));
-    return (lane_four)lane_two_of(xy, zw);
-#else
-    lane_four r = {q.x, q.y, q.z, q.w};
-    return r;
-#endif
-}
-
-/* The result, likewise. As whole numbers GCC leaves the two where they are. */
-static inline nkw_quat lane_quat_from_four(lane_four a)
-{
-#if !defined(__clang__) && defined(__SSE2__) && defined(__x86_64__)
-    nkw_quat r;
-    int64_t xy = ((lane_four_pair)a)[0], zw = ((lane_four_pair)a)[1];
-    __asm__("" : "+x"(xy), "+x"(zw));
-    memcpy(&r.x, &xy, sizeof xy);
-    memcpy(&r.z, &zw, sizeof zw);
-#else
-    nkw_quat r = {a[0], a[1], a[2], a[3]};
-#endif
-    return r;
-}
-#endif
-
-/* The argument of a single function that takes it apart. */
-static inline nkw_quat lane_quat_argument(nkw_quat q)
-{
-#if defined(LANE_FOUR)
-    lane_four a = lane_four_from_quat(q);
-    nkw_quat r = {a[0], a[1], a[2], a[3]};
-    return r;
-#else
-    return q;
-#endif
-}
 
 static inline lane_wquat lane_wquat_from(nkw_quat q)
 {
