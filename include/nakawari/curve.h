@@ -3,28 +3,26 @@
  * @file
  * Floor 3: cubic curves on numbers and on vectors.
  *
- * One idea carries them all. A cubic segment is four basis weights of t and a weighted sum of four control
- * values:
+ * A cubic segment is the sum of four control values, weighted by four basis weights of t:
  *
  *     p(t) = w0(t) c0 + w1(t) c1 + w2(t) c2 + w3(t) c3,      0 <= t <= 1
  *
- * The kinds of curve differ only in their weights and in what the control values mean:
+ * The kinds of curve differ only in the weights and in the meaning of the control values:
  *
  *     Hermite       c = p0, v0, p1, v1   ends and tangents; passes through p0 and p1
- *     Bezier        c = p0, p1, p2, p3   passes through p0 and p3, drawn towards p1 and p2
+ *     Bezier        c = p0, p1, p2, p3   passes through p0 and p3, in the convex hull of the four
  *     B-spline      c = p0, p1, p2, p3   from (p0 + 4 p1 + p2)/6 to (p1 + 4 p2 + p3)/6; twice differentiable
  *     Catmull-Rom   c = p0, p1, p2, p3   passes through p1 and p2, tangents (p2 - p0)/2 and (p3 - p1)/2
  *
- * nkw_cubic_weights returns the weights, and their first and second derivatives by t for velocity and acceleration.
- * Over one t they serve any number of components: nkw_weighted_sum.
+ * nkw_cubic_weights returns the weights, or their first or second derivative by t for velocity and acceleration. The
+ * weights of one t apply to any number of components: nkw_weighted_sum.
  *
- * The curve functions evaluate the same polynomial relative to the end nearer to t, which is the most exact form
- * known in binary32, and Bezier's in binary64, which has no cheap one: end points come back bit for bit, a constant
- * curve is constant, and large coordinates with small differences lose nothing. t outside 0..1 continues the cubic,
- * the B-spline's as far as |t| = 2^42, where t^3 is a float.
+ * The curve functions evaluate the same polynomial relative to the end nearer to t in binary32, and Bezier in binary64.
+ * So ends are exact bit for bit, a constant curve is constant, and large coordinates with small differences lose no
+ * digits. For t outside 0..1 the cubic continues; the B-spline up to |t| = 2^42, so that t^3 does not overflow.
  *
- * Tangents are per segment: the change of p over 0 <= t <= 1. Multiply a tangent per second (glTF) by the
- * segment's duration: nkw_vec3_scale(tangent, duration).
+ * Tangents are per segment: the derivative of p by t. Multiply a tangent per second (glTF) by the duration of the
+ * segment: nkw_vec3_scale(tangent, duration).
  */
 #ifndef NAKAWARI_CURVE_H
 #define NAKAWARI_CURVE_H
@@ -54,7 +52,7 @@ typedef enum nkw_cubic_kind {
 } nkw_cubic_kind;
 
 /**
- * The four basis weights of a kind at t, or their derivative by t. With s = 1 - t:
+ * The four basis weights of a kind at t, or a derivative of them by t. With s = 1 - t:
  *
  *     Hermite       (1 + 2t) s^2,   t s^2,   t^2 (3 - 2t),   -t^2 s
  *       first       -6 t s,   (s - 2t) s,   6 t s,   (t - 2s) t
@@ -69,7 +67,7 @@ typedef enum nkw_cubic_kind {
  *       first       s (2t - s)/2,   -t (10s + t)/2,   s (s + 10t)/2,   t (t - 2s)/2
  *       second      2 - 3t,   9t - 5,   4 - 9t,   3t - 1
  *
- * derivative   0 the weights, 1 their first derivative, 2 their second; any other number is read as 0
+ * derivative   0 for the weights, 1 for the first derivative, 2 for the second; any other number is read as 0
  *
  * Error  1.0 u of the number in this table, absolute, for t in 0..1 (u = 2^-24):
  *
@@ -87,11 +85,11 @@ NKW_API nkw_weights nkw_cubic_weights(nkw_cubic_kind kind, int derivative, float
  * Error  3.0 u of |w0 c0| + |w1 c1| + |w2 c2| + |w3 c3|.
  */
 NKW_API float nkw_weighted_sum(nkw_weights weights, float c0, float c1, float c2, float c3);
-/** The weighted sum of vectors, each component as nkw_weighted_sum. */
+/** The weighted sum of vectors, by nkw_weighted_sum for each component. */
 NKW_API nkw_vec3 nkw_vec3_weighted_sum(nkw_weights weights, nkw_vec3 c0, nkw_vec3 c1, nkw_vec3 c2, nkw_vec3 c3);
 
 /**
- * The Hermite curve from p0 to p1 with tangents v0, v1 per segment. Exactly p0 at t = 0 and p1 at t = 1.
+ * The Hermite curve from p0 to p1 with tangents v0, v1 per segment. Returns exactly p0 at t = 0 and p1 at t = 1.
  *
  *     p = p0 + t (f + s (s (v0 - f) - t (v1 - f))),    f = p1 - p0,  s = 1 - t
  *
@@ -100,17 +98,17 @@ NKW_API nkw_vec3 nkw_vec3_weighted_sum(nkw_weights weights, nkw_vec3 c0, nkw_vec
  * Source Ferguson, Multivariable Curve Interpolation, J. ACM 11, 1964.
  */
 NKW_ALGEBRA float nkw_hermite(float p0, float v0, float p1, float v1, float t);
-/** The Hermite curve of vectors, each component as nkw_hermite. */
+/** The Hermite curve of vectors, by nkw_hermite for each component. */
 NKW_ALGEBRA nkw_vec3 nkw_vec3_hermite(nkw_vec3 p0, nkw_vec3 v0, nkw_vec3 p1, nkw_vec3 v1, float t);
 
 /**
- * The cubic Bezier curve. Exactly p0 at t = 0 and p3 at t = 1.
+ * The cubic Bezier curve. Returns exactly p0 at t = 0 and p3 at t = 1.
  *
  * Error  1.0 u of the largest control value, for t in 0..1.
  * Source Farin, Curves and Surfaces for CAGD, 5th edition, 2002.
  */
 NKW_ALGEBRA float nkw_bezier(float p0, float p1, float p2, float p3, float t);
-/** The cubic Bezier curve of vectors, each component as nkw_bezier. */
+/** The cubic Bezier curve of vectors, by nkw_bezier for each component. */
 NKW_ALGEBRA nkw_vec3 nkw_vec3_bezier(nkw_vec3 p0, nkw_vec3 p1, nkw_vec3 p2, nkw_vec3 p3, float t);
 
 /**
@@ -121,60 +119,60 @@ NKW_ALGEBRA nkw_vec3 nkw_vec3_bezier(nkw_vec3 p0, nkw_vec3 p1, nkw_vec3 p2, nkw_
  * Source de Boor, A Practical Guide to Splines, 1978.
  */
 NKW_ALGEBRA float nkw_bspline(float p0, float p1, float p2, float p3, float t);
-/** The uniform cubic B-spline of vectors, each component as nkw_bspline. */
+/** The uniform cubic B-spline of vectors, by nkw_bspline for each component. */
 NKW_ALGEBRA nkw_vec3 nkw_vec3_bspline(nkw_vec3 p0, nkw_vec3 p1, nkw_vec3 p2, nkw_vec3 p3, float t);
 
 /**
- * The uniform Catmull-Rom segment from p1 to p2. Exactly p1 at t = 0 and p2 at t = 1.
+ * The uniform Catmull-Rom segment from p1 to p2. Returns exactly p1 at t = 0 and p2 at t = 1.
  *
  * Error  4.0 u of the largest control value, for t in 0..1 (3.63 at 0x1.0a702p-2, -0x1.082ddcp-2, 0x1.14c11ap-2,
  *        -0x1.a22c12p-3, t 0x1.f12036p-2).
  * Source Catmull, Rom, A Class of Local Interpolating Splines, 1974.
  */
 NKW_ALGEBRA float nkw_catmull_rom(float p0, float p1, float p2, float p3, float t);
-/** The uniform Catmull-Rom segment of vectors, each component as nkw_catmull_rom. */
+/** The uniform Catmull-Rom segment of vectors, by nkw_catmull_rom for each component. */
 NKW_ALGEBRA nkw_vec3 nkw_vec3_catmull_rom(nkw_vec3 p0, nkw_vec3 p1, nkw_vec3 p2, nkw_vec3 p3, float t);
 
 /**
- * The Catmull-Rom tangent per second at the middle one of three keys at uneven times: the slope there of the
- * parabola through the three.
+ * The Catmull-Rom tangent per second at the middle of three keys with unequal durations: the derivative there of the
+ * parabola through the three keys.
  *
  *     v = (d0 h1 + d1 h0) / (h0 + h1),     d0 = (p1 - p0)/h0,  d1 = (p2 - p1)/h1
  *
  * h0, h1   the durations from p0 to p1 and from p1 to p2, in seconds
- * Gives    the slope of the other side where one duration is not positive; 0 where neither is. Worked out in
- *          binary64.
+ * Returns  the tangent, computed in binary64. If h0 or h1 is not positive, d1 or d0; if both are not positive, 0.
  *
  * Error  1.0 u of the larger of |d0|, |d1|.
  * Source Barry, Goldman, A Recursive Evaluation Algorithm for a Class of Catmull-Rom Splines, SIGGRAPH 1988,
  *        whose curve over uneven knots has these tangents.
  */
 NKW_API float nkw_catmull_rom_tangent(float p0, float p1, float p2, float h0, float h1);
-/** The tangent of vectors, each component as nkw_catmull_rom_tangent. */
+/** The tangent of vectors, by nkw_catmull_rom_tangent for each component. */
 NKW_API nkw_vec3 nkw_vec3_catmull_rom_tangent(nkw_vec3 p0, nkw_vec3 p1, nkw_vec3 p2, float h0, float h1);
 
 /**
- * The Catmull-Rom segment from p1 to p2 where the keys stand at the uneven times times[0..3]: the Hermite curve
- * with the tangents of nkw_catmull_rom_tangent. t in 0..1 runs from times[1] to times[2]. At the ends of a series
- * repeat the end key, with its time: the tangent there is that of the chord. Differences of times, and tangents per
- * second, must be normal floats or 0.
+ * The Catmull-Rom segment from p1 to p2 for keys at times[0..3], which may be unevenly spaced: the Hermite curve with
+ * the tangents of nkw_catmull_rom_tangent. t in 0..1 corresponds to times[1]..times[2]. At the ends of a series, repeat
+ * the end key and its time: the tangent there is then that of the straight line to its neighbour.
+ *
+ * times   differences of times, and tangents per second, must be normal floats or 0
  *
  * Error  4.0 u of the largest of the control values and tangents per segment, for t in 0..1.
  */
 NKW_API float nkw_catmull_rom_nonuniform(const float times[4], float p0, float p1, float p2, float p3, float t);
-/** The non-uniform Catmull-Rom segment of vectors, each component as nkw_catmull_rom_nonuniform. */
+/** The non-uniform Catmull-Rom segment of vectors, by nkw_catmull_rom_nonuniform for each component. */
 NKW_API nkw_vec3 nkw_vec3_catmull_rom_nonuniform(const float times[4], nkw_vec3 p0, nkw_vec3 p1, nkw_vec3 p2,
                                                  nkw_vec3 p3, float t);
 
 /**
- * The same segment in the terms of another kind, each component separately. With p, v Hermite, b Bezier, d B-spline
- * control points:
+ * The same segment as another kind of curve, for each component separately. With p, v the Hermite, b the Bezier and d
+ * the B-spline control values:
  *
  *     b = p0, p0 + v0/3, p1 - v1/3, p1
  *     p = b0, b3,    v = 3 (b1 - b0), 3 (b3 - b2)
  *     b = (d0 + 4 d1 + d2)/6, (2 d1 + d2)/3, (d1 + 2 d2)/3, (d1 + 4 d2 + d3)/6
  *
- * Exact in the mathematical sense; computed in binary64, each value rounded once.
+ * Mathematically exact; computed in binary64, each value rounded once.
  *
  * Error  1.0 u of the largest control value of the two segments.
  */
@@ -183,9 +181,9 @@ NKW_API nkw_vec3_cubic nkw_vec3_hermite_from_bezier(const nkw_vec3_cubic *bezier
 NKW_API nkw_vec3_cubic nkw_vec3_bezier_from_bspline(const nkw_vec3_cubic *bspline);
 
 /**
- * The two halves of a Bezier segment cut at t: the curve over 0..t and the curve over t..1, each a Bezier
- * segment over 0..1. Both share the cut point bit for bit; the outer ends are those of the whole. t outside
- * 0..1 extends. left and right may be the input itself.
+ * Splits a Bezier segment at t: into the curve over 0..t and the curve over t..1, each a Bezier segment over 0..1. The
+ * end of left and the start of right have the same bits; the other ends are those of the segment. t outside 0..1
+ * extrapolates. left and right may be the input.
  *
  * Error  1.0 u of the largest control value, for t in 0..1.
  * Source de Casteljau, Courbes et surfaces a poles, 1963.
@@ -195,7 +193,7 @@ NKW_API void nkw_vec3_bezier_split(const nkw_vec3_cubic *bezier, float t, nkw_ve
 
 /**
  * The curves over component arrays: element i of the result is the curve of the elements i at t[i], with the bits of
- * the single call. See types.h for the rules of all batch functions.
+ * the scalar function. See types.h for the rules of all batch functions.
  */
 NKW_API void nkw_vec3_hermite_n(nkw_vec3_view p0, nkw_vec3_view v0, nkw_vec3_view p1, nkw_vec3_view v1, const float *t,
                                 nkw_vec3_span out, size_t n);
