@@ -1,27 +1,32 @@
 /* SPDX-License-Identifier: MIT */
 /**
  * @file
- * Floor 4: a track: the keys of one property, as animation files give them.
+ * Floor 4: tracks: the keys of one property, as animation files contain them.
  *
- * A track is a view over the caller's arrays, in the very layout of glTF 2.0 accessors: `count` ascending key times in
- * seconds, and the keys' values one after the other, `width` floats each.
+ * A track is a view of the caller's arrays, in the layout of glTF 2.0 accessors: `count` ascending key times in
+ * seconds, and the values of the keys, contiguous, `width` floats each.
  *
  *     NKW_INTERPOLATION_STEP, _LINEAR    count values
  *     NKW_INTERPOLATION_CUBICSPLINE      count triples: in-tangent, value, out-tangent, each `width` floats;
  *                                        tangents per second
  *
- * Before the first key its value holds, after the last one the last's. At a key's own time its value comes back bit for
- * bit. Segments are half open, as in segment.h. Between keys k and k + 1, d seconds apart and t of the way:
+ * Before the first key the result is the value of the first key, after the last key that of the last. At the time of a
+ * key it is the value of that key, bit for bit. Segments are half open, as in segment.h. In the segment of keys k and
+ * k + 1, with the duration d in seconds and the parameter t:
  *
  *     STEP          value[k]
- *     LINEAR        nkw_lerp of each component; rotations by slerp
- *     CUBICSPLINE   the Hermite curve of value[k], d out[k], value[k+1], d in[k+1]; rotations normalised afterwards
+ *     LINEAR        nkw_lerp of each component; slerp for rotations
+ *     CUBICSPLINE   the Hermite curve of value[k], d out[k], value[k+1], d in[k+1]; rotations are then normalised
  *
- * Rotations are x, y, z, w and should be unit; what is stored is used as it is. Between unit keys it is nkw_quat_slerp;
- * where the squares of their lengths are off 1 by more than rounding, 1e-6 in the mean, it is glTF's formula on the
- * keys as they stand, with the angle acos |a.b|, and equal keys hold. NKW_TRACK_ROTATION_NORMALIZED normalises LINEAR
- * and STEP keys as they are read, and gives those of CUBICSPLINE normalised at their own times: a key's own value is
- * then unit to rounding, instead of the stored bits.
+ * Rotations are x, y, z, w and should be unit. Stored values are used unchanged:
+ *
+ *   - If the mean of the squared lengths of both keys differs from 1 by at most 1e-6, LINEAR is nkw_quat_slerp.
+ *   - Otherwise it is the formula of glTF without normalisation, with the angle acos |a.b|. Equal keys return that key.
+ *   - NKW_TRACK_ROTATION_NORMALIZED normalises LINEAR and STEP keys before use, and the result of CUBICSPLINE also at
+ *   the
+ *     times of keys. The result at a key is then unit to rounding, not the stored bits.
+ *   - CUBICSPLINE does not choose the shorter arc: if a key is q and the next one is close to -q, the curve takes the
+ *     longer arc, as in glTF.
  *
  * Source Khronos Group, glTF 2.0 Specification, section 3.11 and appendix C, 2021.
  */
@@ -37,21 +42,21 @@
 extern "C" {
 #endif
 
-/** How the values go from key to key. */
+/** How the values of neighbouring keys are interpolated. */
 typedef enum nkw_interpolation {
     NKW_INTERPOLATION_LINEAR,
     NKW_INTERPOLATION_STEP,
     NKW_INTERPOLATION_CUBICSPLINE
 } nkw_interpolation;
 
-/** What the floats of a value mean. */
+/** The meaning of the floats of a value. */
 typedef enum nkw_track_kind {
-    NKW_TRACK_FLOATS,             /**< `width` numbers of their own: a scalar, morph weights, a vector, a scale */
+    NKW_TRACK_FLOATS,             /**< `width` separate numbers: a scalar, morph weights, a vector, a scale */
     NKW_TRACK_ROTATION,           /**< a quaternion: width 4 */
-    NKW_TRACK_ROTATION_NORMALIZED /**< a quaternion whose keys are normalised as they are read */
+    NKW_TRACK_ROTATION_NORMALIZED /**< a quaternion; keys are normalised before use: width 4 */
 } nkw_track_kind;
 
-/** One property over time. Nothing is owned; the arrays may lie in a mapped file. */
+/** One property over time. The arrays belong to the caller and may be in a mapped file. */
 typedef struct nkw_track {
     const float *times;  /**< count key times, seconds, ascending; equal times allowed */
     const float *values; /**< count * width floats, three times as many for CUBICSPLINE */
@@ -60,110 +65,126 @@ typedef struct nkw_track {
     nkw_track_kind kind;
     nkw_interpolation interpolation;
     /**
-     * NULL, or count bytes: the interpolation of the segment that begins at each key, in place of the one above; for
-     * files that choose it key by key. CUBICSPLINE only where the one above is: it says how `values` are stored.
+     * NULL, or count bytes: the interpolation of the segment that begins at each key. It replaces `interpolation`, for
+     * files that choose it for each key. CUBICSPLINE is valid only if `interpolation` is CUBICSPLINE too, because that
+     * determines the layout of `values`.
      */
     const unsigned char *key_interpolation;
 } nkw_track;
 
-/** How many floats stand in `values`; SIZE_MAX where size_t does not hold so many. */
+/** The number of floats in `values`; SIZE_MAX if it exceeds size_t. */
 NKW_API size_t nkw_track_value_count(const nkw_track *track);
 
 /**
- * Checks a track: NKW_EMPTY without keys or width; NKW_BAD_WIDTH for a rotation whose width is not 4; NKW_BAD_METHOD for
- * an unknown kind or interpolation, a key's interpolation that is unknown, or CUBICSPLINE in a track that is not; NKW_NOT_FINITE
- * where a time, value or tangent is not finite; NKW_NOT_ASCENDING where a time is less than the one before;
- * NKW_NOT_UNIT where a rotation's value is off unit length by more than 1e-2; NKW_TOO_SMALL where size_t does not hold
- * the bytes of the values. *bad_key becomes the index of the first offending key, 0 if there is none; it may be NULL.
+ * Checks a track.
+ *
+ * bad_key  receives the index of the first key with an error, 0 if there is none; may be NULL
+ * Returns
+ *
+ *     NKW_OK             no error
+ *     NKW_EMPTY          no keys, or width 0
+ *     NKW_BAD_WIDTH      a rotation whose width is not 4
+ *     NKW_BAD_METHOD     an unknown kind or interpolation, also of a key; CUBICSPLINE for a key of a track of another
+ *                        interpolation
+ *     NKW_NOT_FINITE     a time, value or tangent that is not finite
+ *     NKW_NOT_ASCENDING  a time less than the one before
+ *     NKW_NOT_UNIT       a rotation whose length differs from 1 by more than 1e-2
+ *     NKW_TOO_SMALL      the bytes of the values exceed size_t
  */
 NKW_API nkw_result nkw_track_validate(const nkw_track *track, size_t *bad_key);
 
 /**
- * The value at `time`: writes `width` floats. A NaN time counts as before the first key. An empty track writes
- * nothing. A track that would not validate gives values of no meaning, but nothing is read or written outside its
- * arrays.
+ * Writes the value at `time` to out: `width` floats. A NaN time counts as before the first key. An empty track writes
+ * nothing. A track that nkw_track_validate rejects returns values without meaning, but nothing is read or written
+ * outside its arrays.
  *
- * Error  4.8 u: of numbers, u of the largest of the two values and, for CUBICSPLINE, of the tangents per segment
- *        (LINEAR 3.0 u at most: 2.0 of nkw_lerp, 1 of t); of rotations, LINEAR 3.5 u with keys up to 1.5 rad apart
- *        between the quaternions, CUBICSPLINE 3.8 u up to 1 rad. All for the time itself: t is rounded on the way, and
- *        the segment's duration.
+ * Error  4.8 u of the largest of the two values and, for CUBICSPLINE, of the tangents per segment (LINEAR at most 3.0
+ *        u: 2.0 of nkw_lerp, 1 of t). For rotations LINEAR 3.5 u, with keys up to 1.5 rad apart between the
+ *        quaternions, and CUBICSPLINE 3.8 u, up to 1 rad. All are errors relative to the exact value at `time`: they
+ *        include the rounding of t and of the duration of the segment.
  */
 NKW_API void nkw_track_sample(const nkw_track *track, float time, float *out);
 
 /**
- * The same with a cursor: *cursor is the segment found last, any number at first, and becomes the one found now. Fast
- * while time changes slowly, forward or backward; the same bits.
+ * The same with a cursor: the search begins at segment *cursor, and *cursor receives the segment found. Any number is a
+ * valid cursor. Fast while the time changes slowly, forward or backward. The result has the same bits.
  */
 NKW_API void nkw_track_sample_cursor(const nkw_track *track, float time, uint32_t *cursor, float *out);
 
 /**
- * The same where the segment is already known, for tracks that share their key times: `segment` is what
- * nkw_segment_find returns for track->times.
+ * The same for a known segment: the result of nkw_segment_find for track->times. For tracks that share their key times.
  */
 NKW_API void nkw_track_sample_segment(const nkw_track *track, nkw_segment segment, float *out);
 
-/** Floats of working memory that comparing and resampling tracks of this width take. */
+/** The number of floats of working memory to compare or resample tracks of this width. */
 #define NKW_TRACK_WORK(width) (2 * (width))
 
 /**
- * How far another track is from this one: the largest difference met at the keys of either and at the quarters
- * between two of them, from this one's first key to its last. Of rotations it is the angle between them in radians, of
- * numbers the difference of a component. What lies between those moments is not seen.
+ * The largest difference of two tracks, from the first key of `track` to its last: of a component, or, for rotations,
+ * the angle between them in radians. It is measured at the keys of both tracks and at 1/4, 1/2 and 3/4 between two
+ * keys. The difference between these times may be larger.
  *
- * difference  the result; infinity where the tracks cannot be compared, NaN where a number is
+ * difference  receives the result; infinity after an error; NaN if a value is NaN
  * work        work_count floats, at least NKW_TRACK_WORK(width)
- * Returns     NKW_OK; NKW_EMPTY without keys or width; NKW_BAD_WIDTH for a rotation whose width is not 4;
- *             NKW_MISMATCHED for different widths, or a rotation and numbers; NKW_TOO_SMALL for work_count
+ * Returns     NKW_OK; NKW_EMPTY without keys or for width 0; NKW_BAD_WIDTH for a rotation whose width is not 4;
+ *             NKW_MISMATCHED for different widths, or for a rotation and numbers; NKW_TOO_SMALL for work_count
  */
 NKW_API nkw_result nkw_track_difference(const nkw_track *track, const nkw_track *other, float *difference, float *work,
                                         size_t work_count);
 
 /**
- * How many keys the track has at a uniform rate, in keys per second: at the times nkw_segment_uniform_time(first,
- * rate, k) for k = 0, 1, 2 ... until the last key's time is reached or passed. 1 for a track of one key or of no
- * duration.
+ * The number of keys of the track, resampled at a uniform rate: the keys are at nkw_segment_uniform_time(first, rate,
+ * k), k = 0, 1, 2 ..., up to the first time that is not less than the last key time. It is 1 for a track of one key or
+ * of duration 0.
  *
- * Returns NKW_OK; NKW_EMPTY without keys or width; NKW_BAD_WIDTH for a rotation whose width is not 4; NKW_OUT_OF_RANGE
- *         for a rate that is not positive and finite; NKW_NOT_FINITE for a first or last time that is not finite, or a
- *         last key that would not be; NKW_TOO_MANY for 2^31 keys or more. *count is then 0.
+ * rate     keys per second, positive and finite
+ * count    receives the number; 0 after an error
+ * Returns  NKW_OK; NKW_EMPTY without keys or for width 0; NKW_BAD_WIDTH for a rotation whose width is not 4;
+ *          NKW_OUT_OF_RANGE for an invalid rate; NKW_NOT_FINITE if the first, the last or the resampled last time is
+ *          not finite; NKW_TOO_MANY for 2^31 keys or more
  */
 NKW_API nkw_result nkw_track_resample_count(const nkw_track *track, float rate, size_t *count);
 
-/** The memory of a resampled track; not the source's own arrays. */
+/** The memory of a resampled track. It must not overlap the arrays of the source. */
 typedef struct nkw_track_memory {
     float *times; /**< key_capacity floats */
-    float *values; /**< key_capacity times width floats */
-    size_t key_capacity; /**< how many keys there is room for */
+    float *values; /**< key_capacity * width floats */
+    size_t key_capacity; /**< the greatest number of keys */
     float *work; /**< work_count floats of working memory, at least NKW_TRACK_WORK(width) */
     size_t work_count;
 } nkw_track_memory;
 
 /**
- * The track at a uniform rate (baked): its keys are samples of the source. Between them STEP stays STEP and all else
- * becomes LINEAR; a source that chooses key by key stays STEP if all of it is. Normalised rotations are stored
- * normalised: the kind becomes NKW_TRACK_ROTATION. A clip finds keys of such times without a search.
+ * Resamples (bakes) a track at a uniform rate: its keys are samples of the source. A clip finds the keys of such tracks
+ * without a search.
  *
- * At a rate at which every key of the source falls on one of the new keys, a STEP source, and a LINEAR one without two
- * keys at one time, comes back. Where the rate does not divide the duration the last key is later than the source's, by
- * less than 1 / rate: loop by the source's duration.
+ *     source                                                 result
+ *     STEP in every segment                                  STEP
+ *     any other interpolation                                LINEAR
+ *     NKW_TRACK_ROTATION or NKW_TRACK_ROTATION_NORMALIZED    NKW_TRACK_ROTATION
  *
- * memory      takes nkw_track_resample_count keys
- * out         becomes the track over the memory, without keys after an error; may be the source itself
- * difference  becomes the error: nkw_track_difference from the source; infinity after an error; may be NULL
- * Returns     NKW_OK; what nkw_track_resample_count returns; NKW_TOO_SMALL for the memory
+ * If every key of the source is at the time of a new key, the resampled track has the values of the source at all
+ * times: for a STEP source, and for a LINEAR source without two keys at the same time. If the duration is not a
+ * multiple of 1 / rate, the last key is later than that of the source, by less than 1 / rate. Use the duration of the
+ * source for loops.
+ *
+ * memory      for at least nkw_track_resample_count keys
+ * out         receives the track, which refers to `memory`; without keys after an error; may be `track`
+ * difference  receives the error: nkw_track_difference from the source; infinity after an error; may be NULL
+ * Returns     NKW_OK; the errors of nkw_track_resample_count; NKW_TOO_SMALL for too little memory
  */
 NKW_API nkw_result nkw_track_resample(const nkw_track *track, float rate, const nkw_track_memory *memory,
                                       nkw_track *out, float *difference);
 
 /**
- * The same at the lowest rate whose error is within `tolerance` (radians for rotations): fewer keys for a smaller
- * clip. Tried are the source's own number of segments over its duration, half as many, a quarter ... down to one,
- * rounded up; the last key is then at the source's end, to rounding. Of evenly spaced keys these are rate, rate/2,
- * rate/4 ...
+ * Resamples a track at the lowest of a few rates whose error is within `tolerance` (radians for rotations), for a
+ * smaller clip. The rates are those of n, n/2, n/4 ... 1 segments, rounded up, over the duration, where n is the number
+ * of segments of the source; for evenly spaced keys these are rate, rate/2, rate/4 ... The last key is at the end of
+ * the source, to rounding.
  *
- * memory   takes as many keys as the source has
- * rate     becomes the rate, 0 after an error; 1 for a track of one key or of no duration, which has one key
- * Returns  NKW_OK; NKW_EMPTY, NKW_BAD_WIDTH and NKW_TOO_SMALL as above; NKW_NO_RATE where none is within the tolerance
+ * memory   for at least as many keys as the source has
+ * rate     receives the rate; 0 after an error; 1 for a track of one key or of duration 0, which becomes one key
+ * Returns  NKW_OK; NKW_EMPTY, NKW_BAD_WIDTH and NKW_TOO_SMALL as above; NKW_NO_RATE if no rate is within the tolerance
  */
 NKW_API nkw_result nkw_track_resample_within(const nkw_track *track, float tolerance, const nkw_track_memory *memory,
                                              nkw_track *out, float *rate);
