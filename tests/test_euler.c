@@ -167,6 +167,29 @@ static void opposite_signs_give_the_same_angles_at_half_turns(void **state)
     }
 }
 
+/* Rotations of any length, at the pole and elsewhere; of matrices of any size the angles are finite. */
+static void angles_do_not_depend_on_the_length(void **state)
+{
+    (void)state;
+    random_source r = random_from(12);
+    for (int i = 0; i < 6000; i++) {
+        nkw_euler_order order = (nkw_euler_order)(i % 6);
+        nkw_vec3 angles = random_vec3(&r, -1.5f, 1.5f);
+        float *middle = order == NKW_EULER_XZY || order == NKW_EULER_YZX   ? &angles.z
+                        : order == NKW_EULER_XYZ || order == NKW_EULER_ZYX ? &angles.y
+                                                                           : &angles.x;
+        *middle = i % 5 == 0 ? 0x1.921fb6p0f : *middle;
+        nkw_quat q = nkw_quat_from_euler(angles, order);
+        float size = float_of((uint32_t)(127 + (int)(random_bits(&r) % 120) - 60) << 23);
+        nkw_quat scaled = nkw_quat_scale(q, size);
+        expect_rotation_near(nkw_quat_from_euler(nkw_euler_from_quat(scaled, order), order), q, 5e-7);
+        nkw_mat3 m;
+        for (int k = 0; k < 9; k++)
+            m.m[k] = i % 2 ? random_finite(&r) : random_scaled(&r, 120, 127);
+        assert_true(nkw_vec3_is_finite(nkw_euler_from_mat3(&m, order)));
+    }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -181,6 +204,7 @@ int main(void)
         cmocka_unit_test(zero_quaternion_and_unknown_order_are_defined),
         cmocka_unit_test(opposite_quaternions_have_the_same_angles),
         cmocka_unit_test(unwrap_moves_by_whole_turns_to_the_reference),
+        cmocka_unit_test(angles_do_not_depend_on_the_length),
     };
     return cmocka_run_group_tests_name("euler", tests, NULL, NULL);
 }

@@ -345,6 +345,32 @@ static void from_vectors_is_exact_at_every_angle(void **state)
     }
 }
 
+static void from_mat4_takes_the_block_alone(void **state)
+{
+    (void)state;
+    random_source r = random_from(34);
+    for (int i = 0; i < 1000; i++) {
+        nkw_quat q = random_rotation(&r);
+        nkw_mat3 block = nkw_mat3_from_quat(q);
+        nkw_mat4 m = nkw_mat4_from_mat3(&block, random_vec3(&r, -9, 9));
+        m.m[3] = m.m[7] = m.m[11] = 5.0f;
+        expect_quat_bits(nkw_quat_from_mat4(&m), nkw_quat_from_mat3(&block));
+    }
+}
+
+static void axis_and_angle_are_those_of_either_sign(void **state)
+{
+    (void)state;
+    random_source r = random_from(35);
+    for (int i = 0; i < 5000; i++) {
+        nkw_quat q = random_rotation(&r);
+        nkw_axis_angle a = nkw_axis_angle_from_quat(q), b = nkw_axis_angle_from_quat(nkw_quat_negate(q));
+        expect_vec3_bits(a.axis, b.axis);
+        expect_bits(a.angle, b.angle);
+        expect_rotation_near(nkw_quat_from_axis_angle(a.axis, a.angle), q, 3e-7);
+    }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -372,6 +398,8 @@ int main(void)
         cmocka_unit_test(product_is_exact_to_its_bound),
         cmocka_unit_test(normalize_and_inverse_are_exact_to_their_bound),
         cmocka_unit_test(from_vectors_is_exact_at_every_angle),
+        cmocka_unit_test(from_mat4_takes_the_block_alone),
+        cmocka_unit_test(axis_and_angle_are_those_of_either_sign),
     };
     return cmocka_run_group_tests_name("quat", tests, NULL, NULL);
 }

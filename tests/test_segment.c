@@ -202,7 +202,7 @@ static void uniform_rate_of_nonsense_is_defined(void **state)
 static void the_rate_of_even_times_is_found(void **state)
 {
     (void)state;
-    const float rates[6] = {30.0f, 24.0f, 120.0f, 1.0f, 29.97f, 0.3f}, starts[3] = {0.0f, 2.5f, -7.3f};
+    const float rates[6] = {30.0f, 24.0f, 48000.0f, 1.0f, 29.97f, 0.3f}, starts[3] = {0.0f, 2.5f, -7.3f};
     float times[200];
     for (int i = 0; i < 18; i++) {
         for (size_t k = 0; k < 200; k++)
