@@ -203,6 +203,11 @@ static void layers_give_the_weighted_mean_and_the_rest_pose_what_is_missing(void
         b->layers[i].mask = b->masks[i];
     expect_mean(b, 0.1f);
     expect_mean(b, 2.0f);
+    /* A little is missing, on every joint alike. */
+    for (size_t i = 0; i < LAYERS; i++)
+        for (size_t j = 0; j < JOINTS; j++)
+            b->masks[i][j] = 0.75f;
+    expect_mean(b, 1.75f);
 }
 
 static void two_layers_are_the_blend_of_two_from_the_heavier(void **state)
