@@ -22,9 +22,8 @@
  *
  *   - If the mean of the squared lengths of both keys differs from 1 by at most 1e-6, LINEAR is nkw_quat_slerp.
  *   - Otherwise it is the formula of glTF without normalisation, with the angle acos |a.b|. Equal keys return that key.
- *   - NKW_TRACK_ROTATION_NORMALIZED normalises LINEAR and STEP keys before use, and the result of CUBICSPLINE also at
- *   the
- *     times of keys. The result at a key is then unit to rounding, not the stored bits.
+ *   - NKW_TRACK_ROTATION_NORMALIZED normalises LINEAR and STEP keys before use, and CUBICSPLINE also at the times of
+ *     keys. The result at a key is then unit to rounding, not the stored bits.
  *   - CUBICSPLINE does not choose the shorter arc: if a key is q and the next one is close to -q, the curve takes the
  *     longer arc, as in glTF.
  *
