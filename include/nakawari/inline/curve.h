@@ -1,10 +1,10 @@
 /* SPDX-License-Identifier: MIT */
 /*
- * The curves of curve.h, once: inlined into the caller, and compiled into the library as symbols. Each curve is a
- * function of one number, applied to the three of a vector.
+ * The curves of curve.h: inlined into the caller, and compiled into the library as symbols. Each curve is a function on
+ * single floats, applied to the three components of a vector.
  *
- * All except Bezier start from the end nearer to t, as nkw_lerp does: the first where `first` is not 0. `back`, -t or 1 - t,
- * is exact. At back = 0 they return that end itself, with the sign of a zero.
+ * All except Bezier start from the end nearer to t, as nkw_lerp does: the first end if `first` is not 0. `back`, -t or
+ * 1 - t, is exact. At back = 0 they return that end, with the sign of a zero.
  */
 #ifndef NAKAWARI_INLINE_CURVE_H
 #define NAKAWARI_INLINE_CURVE_H
@@ -25,7 +25,7 @@ NKW_PART float nkw_hermite_from(int first, float p0, float v0, float p1, float v
     NKW_EXACT
     float s = 1.0f - t, f = p1 - p0, k = s * (v0 - f) - t * (v1 - f);
     float end = nkw_select(first, p0, p1), back = nkw_select(first, 0.0f, 1.0f) - t;
-    float onward = nkw_select(first, 1.0f, 0.0f) - t; /* to the other end */
+    float onward = nkw_select(first, 1.0f, 0.0f) - t; /* from t to the other end */
     return end - nkw_select(back == 0.0f, 0.0f, back * (f + onward * k));
 }
 
@@ -52,8 +52,8 @@ NKW_BODY float nkw_bezier(float p0, float p1, float p2, float p3, float t)
 /*
  *     p = p1 + (bend + t f) = p2 + (bend - s f),        f = p2 - p1,  bend = (s^3 h + t^3 m)/6
  *
- * with the second differences h = p0 - 2 p1 + p2 and m = p1 - 2 p2 + p3. The squares of s and t are x^2 and 1 - 2 x + x^2,
- * x the smaller of s and t.
+ * with the second differences h = p0 - 2 p1 + p2 and m = p1 - 2 p2 + p3. The squares of s and t are x^2 and 1 - 2 x +
+ * x^2, x the smaller of s and t.
  */
 NKW_BODY float nkw_bspline(float p0, float p1, float p2, float p3, float t)
 {
@@ -68,7 +68,7 @@ NKW_BODY float nkw_bspline(float p0, float p1, float p2, float p3, float t)
 }
 
 /*
- * Hermite with the tangents (p2 - p0)/2 and (p3 - p1)/2. In the letters of nkw_bspline:
+ * Hermite with the tangents (p2 - p0)/2 and (p3 - p1)/2. With f, h, m and s of nkw_bspline:
  *
  *     p = p1 + t (f - s k/2) = p2 - s (f + t k/2),        k = s h + t m
  */

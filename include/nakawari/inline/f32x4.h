@@ -1,9 +1,9 @@
 /* SPDX-License-Identifier: MIT */
 /*
  * Four floats in one register, for the inlined matrix products: a type with the operators + - * and five helpers. Every
- * operation acts on each float separately and rounds once, so the bits are those of the same line on single floats.
+ * operation acts on each float separately and rounds once, so the bits are those of scalar code.
  *
- * Only where NKW_F32X4 of base.h is 1.
+ * Defined only if NKW_F32X4 of base.h is 1.
  */
 #ifndef NAKAWARI_INLINE_F32X4_H
 #define NAKAWARI_INLINE_F32X4_H
@@ -17,14 +17,14 @@
 typedef float nkw_f32x4 __attribute__((vector_size(16)));
 typedef int32_t nkw_i32x4 __attribute__((vector_size(16)));
 
-/* Elements i, j, k, l of a; from 4 on those of b. The indices are constants. */
+/* Elements i, j, k, l of the eight elements a[0..3] b[0..3]. The indices are constants. */
 #if defined(__clang__)
 #define NKW_SHUFFLE(a, b, i, j, k, l) __builtin_shufflevector(a, b, i, j, k, l)
 #else
 #define NKW_SHUFFLE(a, b, i, j, k, l) __builtin_shuffle(a, b, __extension__(nkw_i32x4){i, j, k, l})
 #endif
 
-/* Four floats from any address. */
+/* Reads four floats; no alignment required. */
 NKW_PART nkw_f32x4 nkw_f32x4_load(const void *from)
 {
     nkw_f32x4 r;

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* The small algebra of quat.h, once: inlined into the caller, and compiled into the library as symbols. */
+/* The small algebra of quat.h: inlined into the caller, and compiled into the library as symbols. */
 #ifndef NAKAWARI_INLINE_QUAT_H
 #define NAKAWARI_INLINE_QUAT_H
 
@@ -56,7 +56,7 @@ NKW_BODY float nkw_quat_dot(nkw_quat a, nkw_quat b)
     return (a.x * b.x + a.y * b.y) + (a.z * b.z + a.w * b.w);
 }
 
-/* 1 - |q|^2 of a nearly unit q. Each difference is small, so nothing large is rounded. */
+/* 1 - |q|^2 for |q| near 1. The four differences are below 1, so their rounding errors are small. */
 NKW_PART float nkw_quat_unit_error(nkw_quat q)
 {
     NKW_EXACT
@@ -83,7 +83,7 @@ NKW_BODY nkw_quat nkw_quat_normalize(nkw_quat q)
 
 NKW_BODY int nkw_quat_is_finite(nkw_quat q)
 {
-    /* x - x is 0 for a finite x, else NaN. */
+    /* x - x is 0 for a finite x, otherwise NaN. */
     return q.x - q.x == 0.0f && q.y - q.y == 0.0f && q.z - q.z == 0.0f && q.w - q.w == 0.0f;
 }
 

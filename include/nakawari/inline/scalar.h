@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* The small algebra of scalar.h, once: inlined into the caller, and compiled into the library as symbols. */
+/* The small algebra of scalar.h: inlined into the caller, and compiled into the library as symbols. */
 #ifndef NAKAWARI_INLINE_SCALAR_H
 #define NAKAWARI_INLINE_SCALAR_H
 
@@ -14,8 +14,8 @@ extern "C" {
 #endif
 
 /*
- * a where `first` is not 0, otherwise b. In the library's loops (NKW_ISA) by a mask: GCC makes branches of several ?: with
- * one condition, and then no vectors.
+ * a if `first` is not 0, otherwise b. The loops of the library (NKW_ISA) select by a mask, because GCC compiles several
+ * ?: with one condition to branches, and then does not vectorise.
  */
 NKW_PART float nkw_select(int first, float a, float b)
 {
@@ -50,8 +50,8 @@ NKW_BODY float nkw_max(float a, float b)
 }
 
 /*
- * The power of two by which a vector of the squared length n2 is scaled before it is normalized: 1 for n2 in
- * 2^-96 .. 2^96. Below and above, n2 could be subnormal or infinite as a float.
+ * The power of two that multiplies a vector of squared length n2 before it is normalised: 1 for n2 in 2^-96 .. 2^96.
+ * Outside of that range, n2 could be subnormal or infinite as a float.
  */
 NKW_PART float nkw_normal_scale(double n2)
 {
@@ -87,8 +87,8 @@ NKW_BODY float nkw_saturate(float x)
 /*
  *     p = a + t (b - a) = b - (1 - t) (b - a)
  *
- * from the end nearer to t, a where `first` is not 0, minus the way back to it. `back`, -t or 1 - t, is exact. At back = 0
- * p is the end itself, with the sign of a zero.
+ * from the end nearer to t, which is a if `first` is not 0: p = end - back (b - a). `back`, -t or 1 - t, is exact. At
+ * back = 0, p is the end, with the sign of a zero.
  */
 NKW_PART float nkw_lerp_from(int first, float a, float b, float t)
 {
@@ -123,7 +123,7 @@ NKW_BODY float nkw_smoothstep(float t)
     return s < 0.5f ? (s * s) * (3.0f - (s + s)) : 1.0f - (u * u) * (3.0f - (u + u));
 }
 
-/* The suffix L: GCC's -fsingle-precision-constant would round a constant without a suffix to float. */
+/* The suffix L: with -fsingle-precision-constant, GCC rounds a constant without a suffix to float. */
 NKW_BODY float nkw_degrees_from_radians(float radians)
 {
     NKW_EXACT

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* The small algebra of transform.h, once: inlined into the caller, and compiled into the library as symbols. */
+/* The small algebra of transform.h: inlined into the caller, and compiled into the library as symbols. */
 #ifndef NAKAWARI_INLINE_TRANSFORM_H
 #define NAKAWARI_INLINE_TRANSFORM_H
 
@@ -24,8 +24,8 @@ NKW_BODY nkw_mat3 nkw_mat3_from_quat_scale(nkw_quat q, nkw_vec3 s)
     NKW_EXACT
     nkw_mat3 r = nkw_mat3_from_quat(q);
     /*
-     * Let m = 1 - |q|^2 = k + off, off the nearest multiple of 2^-20. k is rounding of a unit q: R + k R corrects it. off
-     * is intended: q is used unnormalized, with 1 - 2 (yy + zz) = (ww - yy) + (xx - zz) + off.
+     * Let m = 1 - |q|^2 = k + off, off the nearest multiple of 2^-20. k is the rounding of a unit q: R + k R corrects
+     * it. off != 0 if q is not unit: it is used unnormalised, with 1 - 2 (yy + zz) = (ww - yy) + (xx - zz) + off.
      */
     float m = nkw_quat_unit_error(q), off = (m + 12.0f) - 12.0f, k = m - off;
     for (size_t i = 0; i < 3; i++) {
@@ -39,9 +39,9 @@ NKW_BODY nkw_mat3 nkw_mat3_from_quat_scale(nkw_quat q, nkw_vec3 s)
 
 #if NKW_F32X4
 /*
- * Second text of lane_mat4_from_trs; 1.7 times.
+ * Second text of lane_mat4_from_trs; 1.7 times faster.
  *
- * Nine numbers in three registers, row and column of each:
+ * The nine elements of R in three registers; row and column of each element:
  *
  *     d = 00 11 22   the diagonal          l = 10 21 02          u = 01 12 20
  */

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* The small algebra of vec.h, once: inlined into the caller, and compiled into the library as symbols. */
+/* The small algebra of vec.h: inlined into the caller, and compiled into the library as symbols. */
 #ifndef NAKAWARI_INLINE_VEC_H
 #define NAKAWARI_INLINE_VEC_H
 
@@ -91,7 +91,7 @@ NKW_BODY float nkw_vec3_length_squared(nkw_vec3 a)
 }
 
 #if NKW_ROOT
-/* The squares of floats neither overflow nor underflow in binary64. FLT_MIN makes 0 / 0 to 0. */
+/* Squares of floats neither overflow nor underflow in binary64. FLT_MIN avoids 0 / 0: the zero vector stays zero. */
 NKW_BODY nkw_vec3 nkw_vec3_normalize(nkw_vec3 a)
 {
     NKW_EXACT
@@ -121,7 +121,7 @@ NKW_BODY nkw_vec3 nkw_vec3_reflect(nkw_vec3 a, nkw_vec3 n)
 
 NKW_BODY int nkw_vec3_is_finite(nkw_vec3 a)
 {
-    /* x - x is 0 for a finite x, else NaN. */
+    /* x - x is 0 for a finite x, otherwise NaN. */
     return a.x - a.x == 0.0f && a.y - a.y == 0.0f && a.z - a.z == 0.0f;
 }
 
