@@ -128,10 +128,10 @@ static double between_far(const float *x)
 #define SAMPLE "nkw_clip_sample"
 
 static const wide_case cases[] = {
-    {SAMPLE, "UNORM16, numbers, part of the bound", wide_seed, number_error, 2, WIDE_NOTED},
-    {SAMPLE, "UNORM16, rotations at keys, part of the bound", wide_seed, at_keys, 2, WIDE_NOTED},
-    {SAMPLE, "UNORM16, keys 0.4 rad apart, part of 1.24e-4", wide_seed, between_near, 2, WIDE_NOTED},
-    {SAMPLE, "UNORM16, keys to 3 rad apart, part of 1.75e-4", wide_seed, between_far, 2, WIDE_NOTED},
+    {SAMPLE, "UNORM16, numbers, fraction of the bound", wide_seed, number_error, 2, WIDE_NOTED},
+    {SAMPLE, "UNORM16, rotations at keys, fraction of the bound", wide_seed, at_keys, 2, WIDE_NOTED},
+    {SAMPLE, "UNORM16, keys 0.4 rad apart, fraction of 1.24e-4", wide_seed, between_near, 2, WIDE_NOTED},
+    {SAMPLE, "UNORM16, keys to 3 rad apart, fraction of 1.75e-4", wide_seed, between_far, 2, WIDE_NOTED},
 };
 
 int main(int argc, char **argv)

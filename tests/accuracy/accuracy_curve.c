@@ -481,7 +481,7 @@ static double split_error(const float *x)
         {"nkw_" #name, "1e4 .. 1e6 + 1e-3 .. 1", near, name##_error, 5, WIDE_CHECKED},                                 \
         {"nkw_" #name, "1e4 .. 1e6 + 1 .. 100", about, name##_error, 5, WIDE_CHECKED},                                 \
         {"nkw_" #name, "magnitudes 1e-3 .. 1e3", scattered, name##_error, 5, WIDE_CHECKED},                            \
-        {"nkw_" #name, "ends and constants, bit by bit", scattered, name##_promises, 5, WIDE_CHECKED},                 \
+        {"nkw_" #name, "ends and constants, bit for bit", scattered, name##_promises, 5, WIDE_CHECKED},                \
         {"nkw_" #name, "1e4 .. 1e6 + 1e-3 .. 1, ULP", near, name##_ulps, 5, WIDE_NOTED},                               \
         {"nkw_" #name, "1e4 .. 1e6 + 1 .. 100, ULP", about, name##_ulps, 5, WIDE_NOTED},                               \
         {"nkw_" #name, "t in [-1, 2]", beyond, name##_error, 5, WIDE_NOTED},                                           \

@@ -272,7 +272,7 @@ static const wide_case unwraps[] = {
     {UNWRAP, "both to 20 rad", few_turns, unwrap_error, 6, WIDE_CHECKED},
     {UNWRAP, "both to 100 rad", hundred_radians, unwrap_error, 6, WIDE_CHECKED},
     {UNWRAP, "reference to 20000 rad", far_reference, unwrap_error, 6, WIDE_CHECKED},
-    {UNWRAP, "nearly whole turns, to near 0", whole_turns, unwrap_error, 6, WIDE_NOTED},
+    {UNWRAP, "nearly whole turns, result near 0", whole_turns, unwrap_error, 6, WIDE_NOTED},
 };
 
 static const wide_case cases[] = {

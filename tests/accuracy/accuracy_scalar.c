@@ -359,7 +359,7 @@ static void measure_pairs(accuracy *a)
     measure_samples(a, "nkw_pow", "x in [0, 4], y in [-8, 8]", curve_pair, pow_error, 2);
     measure_samples(a, "nkw_pow", "results 2^-152 .. 2^130", power_pair, pow_error, 2);
     measure_samples(a, "nkw_pow", "same, x within 2^-8 of 1", near_one_pair, pow_error, 2);
-    measure_samples(a, "nkw_pow", "whole y, x in [-10, 10]", whole_pair, pow_error, 2);
+    measure_samples(a, "nkw_pow", "integer y, x in [-10, 10]", whole_pair, pow_error, 2);
     measure_samples(a, "nkw_pow", "any finite", finite_pair, pow_error, 2);
 }
 

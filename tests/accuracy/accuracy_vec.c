@@ -390,7 +390,7 @@ static const wide_case cases[] = {
     {"nkw_vec3_lerp", "t in [-1, 2], within factor 4", beyond_lerp, lerp_error, 7, WIDE_NOTED},
     {"nkw_vec3_lerp", "within factor 4, ULP of x", near_lerp, lerp_ulps, 7, WIDE_NOTED},
     {"nkw_vec3_lerp", "1e4 .. 1e6 + 1e-3 .. 1, ULP of x", base_lerp, lerp_ulps, 7, WIDE_NOTED},
-    {"nkw_vec3_lerp", "ends and constants, bit by bit", scattered_lerp, lerp_promises, 7, WIDE_CHECKED},
+    {"nkw_vec3_lerp", "ends and constants, bit for bit", scattered_lerp, lerp_promises, 7, WIDE_CHECKED},
     {"nkw_vec3_length", "1e-3 .. 1e3", any_vector, length_error, 3, WIDE_CHECKED},
     {"nkw_vec3_length", "2^-30 .. 2^30 mixed", scattered_vector, length_error, 3, WIDE_CHECKED},
     {"nkw_vec3_length", "2^100 .. 2^127", huge_vector, length_error, 3, WIDE_CHECKED},

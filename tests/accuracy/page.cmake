@@ -1,28 +1,31 @@
 cmake_minimum_required(VERSION 3.22)
-# Joins the Markdown parts that the accuracy programs wrote into one page.
+# Joins the Markdown parts that the accuracy programs write into one page.
 set(page "# Accuracy
 
-The worst error of every function, as `cmake --workflow --preset accuracy` measured it. The same programs run in the
-tests with fewer samples and a shorter search, and fail where a measurement exceeds the `Error` line of the function's
-header. Some lines (sums of products, reflections, slerp, rotations by quaternions and what is composed of them) are well
-above their rows: they cover larger errors that longer searches found.
+The largest error of every function, measured by `cmake --workflow --preset accuracy`. The same programs run in the
+tests with fewer samples and a shorter search. A test fails if a measured error exceeds the `Error` line of the
+function's header. Some lines are well above their rows (sums of products, reflections, slerp, rotations by quaternions,
+and functions composed of them): they include larger errors that longer searches found.
 
-Functions without a row: those that copy, select or compare; those that round one sum, difference, product or quotient
-of each component (a tangent per second made one per segment among them); and those that give the numbers of another
-function, of each component, in another place or on arrays, whose row is theirs.
+Functions without a row:
 
-Units: a ULP is the distance of neighbouring floats at the exact result, so 0.5 ULP is correct rounding. 1 u is 2^-24
-of the magnitude that the header names: the norm of a vector, quaternion or matrix, the product of the norms for sums
-of products, the largest control value of a curve. The oracle of floor 1 is the C library's binary64 functions, that of
-floors 2 to 6 binary128. Rows marked *noted* are measured by another yardstick than the header's line, or outside the
-range it speaks of. The witness is the input of the worst case; where two whole numbers stand in its place, they are
-the seed that the case was drawn from, or the climb to it.
+- functions that copy, select or compare;
+- functions that round one sum, difference, product or quotient of each component, such as the conversion of a tangent
+  per second to one per segment;
+- functions that evaluate another function for each component or on arrays: the row of that function applies.
 
-The errors of floors 2 to 6 are the worst that a search found, not proven bounds, except where a header says so. The
-search starts at the worst of 300 samples. One of the numbers that the sample is drawn from is changed at a time: by 1 to
-2^20 last places, to fewer bits, in one of its highest bits, or to any other number. The change stays where the error did
-not decrease. After 3000 changes without gain the search starts again from other samples. Samples and rms are those
-before the search; noted rows are not searched.
+Units: 1 ULP is the distance of neighbouring floats at the exact result, so 0.5 ULP is correct rounding. 1 u is 2^-24 of
+the magnitude that the header names: the norm of a vector, quaternion or matrix, the product of the norms for sums of
+products, or the largest control value of a curve. The reference is binary64 functions of the C library for floor 1, and
+binary128 for floors 2 to 6. A row marked *noted* has another measure than the header's line, or arguments outside its
+range. The witness is the input with the largest error. Two integers are a seed: of the random case, or of the case from
+which the search started.
+
+The errors of floors 2 to 6 are the largest that a search found, not proven bounds, unless a header states a bound. The
+search starts at the worst of 300 samples. It changes one of the random numbers that the sample is computed from: by 1
+to 2^20 units in the last place, to fewer bits, in one of its highest bits, or to any other number. It keeps the change
+if the error does not decrease. After 3000 changes without an increase it starts again from other samples. The columns
+samples and rms do not include the search. Noted rows are not searched.
 ")
 foreach(stem IN ITEMS scalar vec quat mat euler transform dual curve orient track clip skeleton blend palette skin)
   if(NOT EXISTS "${PARTS}/${stem}.md")
