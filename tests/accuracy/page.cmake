@@ -10,8 +10,7 @@ and functions composed of them): they include larger errors that longer searches
 Functions without a row:
 
 - functions that copy, select or compare;
-- functions that round one sum, difference, product or quotient of each component, such as the conversion of a tangent
-  per second to one per segment;
+- functions that round one sum, difference, product or quotient of each component;
 - functions that evaluate another function for each component or on arrays: the row of that function applies.
 
 Units: 1 ULP is the distance of neighbouring floats at the exact result, so 0.5 ULP is correct rounding. 1 u is 2^-24 of
