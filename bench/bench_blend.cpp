@@ -41,9 +41,9 @@ static std::shared_ptr<poses> draw(size_t joints, bool even)
                                  random_vec3(&r, 0.9f, 1.1f)});
         }
         p->block[k].resize(NKW_POSE_FLOATS(joints));
-        nkw_pose_from_trs(p->trs[k].data(), joints, p->block[k].data());
+        nkw_pose_from_trs(p->trs[k].data(), nkw_pose_span{p->block[k].data(), joints});
         p->weights[k] = even ? 0.25f : 0.5f - 0.05f * static_cast<float>(k);
-        p->layers[k] = {p->block[k].data(), p->weights[k], nullptr};
+        p->layers[k] = {{p->block[k].data(), joints}, p->weights[k], {nullptr, 0}};
     }
     return p;
 }
@@ -188,8 +188,10 @@ static void two(std::shared_ptr<poses> p, bool masked)
             truth::nlerp(truth::quat(a[j].rotation), truth::quat(b[j].rotation), s).put(out + 3);
         });
     const float *mask = masked ? p->mask.data() : nullptr;
-    own(op, "nkw",
-        [=](float *out) { nkw_pose_blend(p->block[0].data(), p->block[1].data(), p->joints, weight, mask, out); });
+    own(op, "nkw", [=](float *out) {
+        nkw_pose_blend(nkw_pose_view{p->block[0].data(), p->joints}, nkw_pose_view{p->block[1].data(), p->joints},
+                       weight, nkw_mask_view{mask, p->joints}, nkw_pose_span{out, p->joints});
+    });
     size_t joints = p->joints;
     auto out = std::make_shared<std::vector<float>>(NKW_POSE_FLOATS(joints));
     whole(
@@ -214,7 +216,8 @@ static void two_by_slerp(std::shared_ptr<poses> p)
         truth::slerp(truth::unit(truth::quat(a[j].rotation)), truth::unit(truth::quat(b[j].rotation)), s).put(out + 3);
     });
     own(op, "nkw", [=](float *out) {
-        nkw_pose_blend_slerp(p->block[0].data(), p->block[1].data(), p->joints, weight, nullptr, out);
+        nkw_pose_blend_slerp(nkw_pose_view{p->block[0].data(), p->joints}, nkw_pose_view{p->block[1].data(), p->joints},
+                             weight, nkw_mask_view{nullptr, p->joints}, nkw_pose_span{out, p->joints});
     });
 #ifdef BENCH_GLM
     peer(op, "glm", [=](size_t j) { return glm_blend_slerp(a[j], b[j], weight); });
@@ -244,8 +247,10 @@ static void many(std::shared_ptr<poses> p, size_t count, const char *name)
     double n = static_cast<double>(count);
     operation op = blend_of(name, p->joints, 40 + 40 * n, 30 * n + 20,
                             [=](size_t j, double *out) { truth_of_many(*p, count, j, out); });
-    own(op, "nkw",
-        [=](float *out) { nkw_pose_blend_layers(p->layers, count, p->block[0].data(), p->joints, 0.1f, out); });
+    own(op, "nkw", [=](float *out) {
+        nkw_pose_blend_layers(p->layers, count, nkw_pose_view{p->block[0].data(), p->joints}, 0.1f,
+                              nkw_pose_span{out, p->joints});
+    });
 #ifdef BENCH_GLM
     peer(op, "glm", [=](size_t j) {
         glm::vec3 at(0.0f), scale(0.0f);
@@ -272,8 +277,9 @@ static void additive(std::shared_ptr<poses> p)
     const nkw_trs *base = p->trs[0].data();
     auto delta = std::make_shared<std::vector<float>>(NKW_POSE_FLOATS(p->joints));
     auto d = std::make_shared<std::vector<nkw_trs>>(p->joints);
-    nkw_pose_additive_build(p->block[1].data(), p->block[2].data(), p->joints, NKW_ADDITIVE_LOCAL, delta->data());
-    nkw_trs_from_pose(delta->data(), p->joints, d->data());
+    nkw_pose_additive_build(nkw_pose_view{p->block[1].data(), p->joints}, nkw_pose_view{p->block[2].data(), p->joints},
+                            NKW_ADDITIVE_LOCAL, nkw_pose_span{delta->data(), p->joints});
+    nkw_trs_from_pose(nkw_pose_view{delta->data(), p->joints}, d->data());
     operation op = blend_of("additive apply", p->joints, 120, 80, [=](size_t j, double *out) {
         double s = static_cast<double>(weight);
         const nkw_trs &a = base[j], &b = (*d)[j];
@@ -286,7 +292,9 @@ static void additive(std::shared_ptr<poses> p)
         truth::mul(truth::quat(a.rotation), part).put(out + 3);
     });
     own(op, "nkw", [=](float *out) {
-        nkw_pose_additive_apply(p->block[0].data(), delta->data(), p->joints, NKW_ADDITIVE_LOCAL, weight, nullptr, out);
+        nkw_pose_additive_apply(nkw_pose_view{p->block[0].data(), p->joints}, nkw_pose_view{delta->data(), p->joints},
+                                NKW_ADDITIVE_LOCAL, weight, nkw_mask_view{nullptr, p->joints},
+                                nkw_pose_span{out, p->joints});
     });
 #ifdef BENCH_GLM
     peer(op, "glm", [=](size_t j) {

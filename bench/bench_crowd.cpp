@@ -14,6 +14,7 @@
 #include "bench.h"
 #include "from_trs.h"
 #include "scene.h"
+#include "views.h"
 
 using namespace bench;
 
@@ -84,8 +85,8 @@ static void one_by_one(size_t from, size_t to)
     nkw_mat4 models[joints];
     for (size_t c = from; c < to; c++) {
         nkw_clip_sample(clip, s.time(c), nullptr, nkw_pose_span{pose, nkw_clip_joint_count(clip)}, nullptr);
-        nkw_models_from_pose(&skeleton, pose, nullptr, models);
-        nkw_palette_from_models(models, joints, nullptr, s.binds(), nullptr, joints, s.palette(c));
+        nkw_models_from_pose(&skeleton, nkw_pose_view{pose, skeleton.joint_count}, nullptr, nullptr, models);
+        palette_from_models(models, joints, nullptr, s.binds(), nullptr, joints, s.palette(c));
     }
 }
 
@@ -106,10 +107,10 @@ static void sixteen(size_t from, size_t to)
                 nkw_clip_sample(clip, s.time(c + i), nullptr, nkw_pose_span{poses[i], nkw_clip_joint_count(clip)},
                                 nullptr);
         }
-        nkw_crowd_from_poses(pose, joints, crowd);
-        nkw_crowd_models_from_pose(&skeleton, crowd, nullptr, models);
-        nkw_crowd_palette_from_models(models, joints, nullptr, s.binds(), joints, models);
-        nkw_matrices_from_crowd(models, joints, out);
+        crowd_from_poses(pose, joints, crowd);
+        crowd_models_from_pose(&skeleton, crowd, nullptr, models);
+        crowd_palette_from_models(models, joints, nullptr, s.binds(), joints, models);
+        matrices_from_crowd(models, joints, out);
     }
 }
 
@@ -218,13 +219,13 @@ static void draw_poses()
         float *pose = &s.poses[c * NKW_POSE_FLOATS(joints)];
         nkw_clip_sample(s.clip->clip(0), s.time(c), nullptr, nkw_pose_span{pose, nkw_clip_joint_count(s.clip->clip(0))},
                         nullptr);
-        nkw_trs_from_pose(pose, joints, &s.trs[c * joints]);
+        nkw_trs_from_pose(nkw_pose_view{pose, joints}, &s.trs[c * joints]);
     }
     for (size_t k = 0; k < crowds; k++) {
         const float *pose[NKW_CROWD];
         for (size_t i = 0; i < NKW_CROWD; i++)
             pose[i] = &s.poses[(k * NKW_CROWD + i) * NKW_POSE_FLOATS(joints)];
-        nkw_crowd_from_poses(pose, joints, &s.lanes[k * NKW_CROWD_POSE_FLOATS(joints)]);
+        crowd_from_poses(pose, joints, &s.lanes[k * NKW_CROWD_POSE_FLOATS(joints)]);
     }
 }
 
@@ -257,8 +258,8 @@ static void local_to_model()
                 stage &s = the();
                 nkw_skeleton skeleton = s.skeleton();
                 for (size_t k = 0; k < (n + NKW_CROWD - 1) / NKW_CROWD; k++)
-                    nkw_crowd_models_from_pose(&skeleton, &s.lanes[k * NKW_CROWD_POSE_FLOATS(joints)], nullptr,
-                                               &s.model_lanes[k * NKW_CROWD_MATRIX_FLOATS(joints)]);
+                    crowd_models_from_pose(&skeleton, &s.lanes[k * NKW_CROWD_POSE_FLOATS(joints)], nullptr,
+                                           &s.model_lanes[k * NKW_CROWD_MATRIX_FLOATS(joints)]);
             },
             [=] {
                 show_lanes(n);
@@ -276,8 +277,9 @@ static void local_to_model()
                 stage &s = the();
                 nkw_skeleton skeleton = s.skeleton();
                 for (size_t c = 0; c < n; c++)
-                    nkw_models_from_pose(&skeleton, &s.poses[c * NKW_POSE_FLOATS(joints)], nullptr,
-                                         &s.models[c * joints]);
+                    nkw_models_from_pose(&skeleton,
+                                         nkw_pose_view{&s.poses[c * NKW_POSE_FLOATS(joints)], skeleton.joint_count},
+                                         nullptr, nullptr, &s.models[c * joints]);
             },
             show);
 #ifdef BENCH_GLM

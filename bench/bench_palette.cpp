@@ -3,6 +3,7 @@
 #include "bench.h"
 #include "peers.h"
 #include "truth.h"
+#include "views.h"
 
 using namespace bench;
 
@@ -71,7 +72,7 @@ static void full()
 {
     operation op = {"palette", "4x4", 16, 192, 63, joint_matrix};
     op.sizes = joints;
-    row(op, "nkw", [](size_t n) { nkw_palette_from_models(models(), n, nullptr, binds(), nullptr, n, answer.at); });
+    row(op, "nkw", [](size_t n) { palette_from_models(models(), n, nullptr, binds(), nullptr, n, answer.at); });
     /* One product after another: wins where it is inlined and there are few. */
     peer(op, "nkw singles", [](size_t i) { return nkw_mat4_mul_affine(&models()[i], &binds()[i]); });
 #ifdef BENCH_CGLM
@@ -96,8 +97,7 @@ static void rows()
                     }};
     op.sizes = joints;
     row(op, "nkw", [](size_t n) {
-        nkw_palette_3x4_from_models(models(), n, nullptr, binds(), nullptr, n,
-                                    reinterpret_cast<nkw_mat3x4 *>(answer.at));
+        palette_3x4_from_models(models(), n, nullptr, binds(), nullptr, n, reinterpret_cast<nkw_mat3x4 *>(answer.at));
     });
 #ifdef BENCH_GLM
     peer(op, "glm", [](size_t i) { return glm::mat3x4(glm::transpose(glm_product(i))); });
@@ -124,8 +124,8 @@ static void dual()
                     0};
     op.sizes = joints;
     row(op, "nkw", [](size_t n) {
-        nkw_palette_dual_from_models(models(), n, nullptr, binds(), nullptr, n,
-                                     reinterpret_cast<nkw_dual_quat *>(answer.at));
+        palette_dual_from_models(models(), n, nullptr, binds(), nullptr, n,
+                                 reinterpret_cast<nkw_dual_quat *>(answer.at));
     });
 #ifdef BENCH_GLM
     peer(op, "glm", [](size_t i) {
@@ -163,7 +163,7 @@ static void normals()
                     }),
                     0};
     op.sizes = joints;
-    row(op, "nkw", [](size_t n) { nkw_palette_normals(affine.at, n, reinterpret_cast<nkw_mat3 *>(answer.at)); });
+    row(op, "nkw", [](size_t n) { palette_normals(affine.at, n, reinterpret_cast<nkw_mat3 *>(answer.at)); });
 #ifdef BENCH_GLM
     peer(op, "glm", [](size_t i) { return glm::inverseTranspose(glm::mat3(as<glm::mat4>(affine)[i])); });
 #endif
@@ -178,7 +178,7 @@ static void inverse_bind()
     operation op = {
         "palette", "inverse bind", 16, 128, 82, by([](size_t i) { return nkw_mat4_inverse_affine(&affine[i]); }), 0};
     op.sizes = joints;
-    row(op, "nkw", [](size_t n) { nkw_inverse_bind_from_models(affine.at, n, nullptr, nullptr, n, answer.at); });
+    row(op, "nkw", [](size_t n) { inverse_bind_from_models(affine.at, n, nullptr, nullptr, n, answer.at); });
 #ifdef BENCH_GLM
     peer(op, "glm", [](size_t i) { return glm::affineInverse(as<glm::mat4>(affine)[i]); });
 #endif

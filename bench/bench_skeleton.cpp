@@ -5,6 +5,7 @@
 #include "bench.h"
 #include "from_trs.h"
 #include "scene.h"
+#include "views.h"
 
 using namespace bench;
 
@@ -59,9 +60,10 @@ static std::shared_ptr<character> draw(size_t joints)
         else
             truth::product(&c->truth[16 * c->parent(j)], local, 4, model);
     }
-    nkw_pose_from_trs(c->trs.data(), joints, c->pose.data());
+    nkw_pose_from_trs(c->trs.data(), nkw_pose_span{c->pose.data(), joints});
     nkw_skeleton skeleton = c->skeleton();
-    nkw_models_from_pose(&skeleton, c->pose.data(), nullptr, c->models.at);
+    nkw_models_from_pose(&skeleton, nkw_pose_view{c->pose.data(), skeleton.joint_count}, nullptr, nullptr,
+                         c->models.at);
     return c;
 }
 
@@ -137,7 +139,7 @@ static void local_to_model(std::shared_ptr<character> c)
     auto row = [&](const char *who, auto f) { whole(op, who, layout::structs, [=] { f(size_t{0}, answer.at); }); };
     row("nkw", [=](size_t, nkw_mat4 *out) {
         nkw_skeleton s = c->skeleton();
-        nkw_models_from_pose(&s, c->pose.data(), nullptr, out);
+        nkw_models_from_pose(&s, nkw_pose_view{c->pose.data(), s.joint_count}, nullptr, nullptr, out);
     });
     row("nkw singles", [=](size_t from, nkw_mat4 *out) {
         down<nkw_mat4>(
@@ -152,7 +154,7 @@ static void of_matrices(std::shared_ptr<character> c)
     auto row = [&](const char *who, auto f) { whole(op, who, layout::structs, [=] { f(size_t{0}, answer.at); }); };
     row("nkw", [=](size_t, nkw_mat4 *out) {
         nkw_skeleton s = c->skeleton();
-        nkw_models_from_locals(&s, c->locals.at, nullptr, out);
+        nkw_models_from_locals(&s, c->locals.at, nullptr, nullptr, out);
     });
     /* The method of the D3DX days: made to be read, and slower. */
     row("nkw stack", [=](size_t, nkw_mat4 *out) {
@@ -178,7 +180,7 @@ static void update(std::shared_ptr<character> c)
     };
     row("nkw", [=](size_t from, nkw_mat4 *out) {
         nkw_skeleton s = c->skeleton();
-        nkw_models_update_from_pose(&s, c->pose.data(), nullptr, from, c->joints, out);
+        update_models_from_pose(&s, c->pose.data(), nullptr, from, c->joints, out);
     });
     peers_down(op, c, true, row);
 }

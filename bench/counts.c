@@ -12,6 +12,7 @@
 
 #include "random.h"
 #include "loops.h"
+#include "views.h"
 
 enum { N = 1024, JOINTS = 67, KEYS = 301 };
 
@@ -111,10 +112,10 @@ static void draw_character(random_source *r)
     for (size_t j = 0; j < JOINTS; j++)
         parents[j] = j % 4 == 0 ? (int32_t)(j / 4) - 1 : (int32_t)j - 1;
     for (int k = 0; k < 2; k++)
-        nkw_pose_from_trs(trs + k * JOINTS, JOINTS, poses[k]);
+        nkw_pose_from_trs(trs + k * JOINTS, (nkw_pose_span){poses[k], JOINTS});
     for (size_t i = 0; i < NKW_CROWD; i++)
         lanes[i] = poses[i % 2];
-    nkw_crowd_from_poses(lanes, JOINTS, crowd);
+    crowd_from_poses(lanes, JOINTS, crowd);
     for (size_t i = 0; i < 4 * N; i++) {
         skin_joints[i] = (uint16_t)(random_bits(r) % JOINTS);
         skin_weights[i] = random_unit(r);
@@ -189,20 +190,23 @@ static void count_character(void)
     nkw_vertices_span to = {{skinned, 24}, {skinned + 3, 24}, {NULL, 0}, {NULL, 0}};
     nkw_pose_layer layers[4];
     for (size_t i = 0; i < 4; i++) {
-        nkw_pose_layer layer = {poses[i % 2], 0.25f, NULL};
+        nkw_pose_layer layer = {{poses[i % 2], JOINTS}, 0.25f, {NULL, 0}};
         layers[i] = layer;
     }
-    COUNT("pose_blend 67 joints", nkw_pose_blend(poses[0], poses[1], JOINTS, 0.3f, NULL, blended));
+    COUNT("pose_blend 67 joints",
+          nkw_pose_blend((nkw_pose_view){poses[0], JOINTS}, (nkw_pose_view){poses[1], JOINTS}, 0.3f,
+                         (nkw_mask_view){NULL, JOINTS}, (nkw_pose_span){blended, JOINTS}));
     COUNT("pose_blend_layers 67 joints, 4 of one weight",
-          nkw_pose_blend_layers(layers, 4, poses[0], JOINTS, 0.1f, blended));
-    COUNT("models_from_pose 67 joints", nkw_models_from_pose(&skeleton, poses[0], NULL, m_out));
-    COUNT("palette_from_models 67 joints", nkw_palette_from_models(ma, JOINTS, NULL, mb, NULL, JOINTS, m_out));
+          nkw_pose_blend_layers(layers, 4, (nkw_pose_view){poses[0], JOINTS}, 0.1f, (nkw_pose_span){blended, JOINTS}));
+    COUNT("models_from_pose 67 joints",
+          nkw_models_from_pose(&skeleton, (nkw_pose_view){poses[0], skeleton.joint_count}, NULL, NULL, m_out));
+    COUNT("palette_from_models 67 joints", palette_from_models(ma, JOINTS, NULL, mb, NULL, JOINTS, m_out));
     COUNT("skin_linear 1024 vertices, 4 influences", nkw_skin_linear(&skin, &palette, &from, &to));
     from.tangents.data = vertices, to.tangents.data = tangents;
     COUNT("skin_linear 1024 vertices, 4 influences, tangents", nkw_skin_linear(&skin, &palette, &from, &to));
     COUNT("crowd 16 of 67 joints to palettes", {
-        nkw_crowd_models_from_pose(&skeleton, crowd, NULL, crowd_models);
-        nkw_crowd_palette_from_models(crowd_models, JOINTS, NULL, mb, JOINTS, crowd_models);
+        crowd_models_from_pose(&skeleton, crowd, NULL, crowd_models);
+        crowd_palette_from_models(crowd_models, JOINTS, NULL, mb, JOINTS, crowd_models);
     });
 }
 

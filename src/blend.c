@@ -129,14 +129,26 @@ static void blend(const float *a, const float *b, size_t joints, float t, const 
         blend_at(a, b, joints, known, slerp, out);
 }
 
-void nkw_pose_blend(const float *a, const float *b, size_t joints, float t, const float *mask, float *out)
+/* A mask without data fits every pose. */
+static int fits(nkw_mask_view mask, size_t joint_count)
 {
-    blend(a, b, joints, t, mask, 0, out);
+    return !mask.data || mask.joint_count == joint_count;
 }
 
-void nkw_pose_blend_slerp(const float *a, const float *b, size_t joints, float t, const float *mask, float *out)
+nkw_result nkw_pose_blend(nkw_pose_view a, nkw_pose_view b, float t, nkw_mask_view mask, nkw_pose_span out)
 {
-    blend(a, b, joints, t, mask, 1, out);
+    if (a.joint_count != out.joint_count || b.joint_count != out.joint_count || !fits(mask, out.joint_count))
+        return NKW_MISMATCHED;
+    blend(a.data, b.data, out.joint_count, t, mask.data, 0, out.data);
+    return NKW_OK;
+}
+
+nkw_result nkw_pose_blend_slerp(nkw_pose_view a, nkw_pose_view b, float t, nkw_mask_view mask, nkw_pose_span out)
+{
+    if (a.joint_count != out.joint_count || b.joint_count != out.joint_count || !fits(mask, out.joint_count))
+        return NKW_MISMATCHED;
+    blend(a.data, b.data, out.joint_count, t, mask.data, 1, out.data);
+    return NKW_OK;
 }
 
 /* many poses */
@@ -155,12 +167,12 @@ static int compare(const float *a, const float *b, size_t n)
 /* Masks, none before any; then rotations, scales and translations. */
 static int compare_layers(const nkw_pose_layer *a, const nkw_pose_layer *b, const part *p)
 {
-    int order = (b->mask == NULL) - (a->mask == NULL);
-    if (a->mask && b->mask)
-        order = compare(a->mask + p->from, b->mask + p->from, p->used);
+    int order = (b->mask.data == NULL) - (a->mask.data == NULL);
+    if (a->mask.data && b->mask.data)
+        order = compare(a->mask.data + p->from, b->mask.data + p->from, p->used);
     for (size_t row = 3; order == 0 && row < 13; row++) {
         size_t at = row % 10 * p->stride + p->from;
-        order = compare(a->pose + at, b->pose + at, p->used);
+        order = compare(a->pose.data + at, b->pose.data + at, p->used);
     }
     return order;
 }
@@ -255,7 +267,7 @@ static int has_mask(const nkw_pose_layer *layers, size_t count)
 {
     int any = 0;
     for (size_t i = 0; i < count; i++)
-        any |= layers[i].mask && weight_of(layers[i].weight) > 0.0f;
+        any |= layers[i].mask.data && weight_of(layers[i].weight) > 0.0f;
     return any;
 }
 
@@ -268,7 +280,7 @@ static void blend_plain(const nkw_pose_layer *layers, size_t count, const float 
     s.t = 0.0f;
     begin_queue(&q, layers, count, p);
     for (const nkw_pose_layer *l = next_layer(&q); l; l = next_layer(&q))
-        add_plain(&s, rows_of(l->pose, p), weight_of(l->weight), p);
+        add_plain(&s, rows_of(l->pose.data, p), weight_of(l->weight), p);
     add_plain(&s, rows_of(rest, p), lane_missing(s.total, threshold), p);
     if (s.t > 0.0f)
         nkwi_blend_nlerp(s.sum, s.last, s.t, (int)p->used, rows_span(out, p));
@@ -322,8 +334,8 @@ static void blend_with_masks(const nkw_pose_layer *layers, size_t count, const f
     begin_queue(&q, layers, count, p);
     for (const nkw_pose_layer *l = next_layer(&q); l; l = next_layer(&q)) {
         float weight[BLEND_BLOCK];
-        weigh(weight_of(l->weight), l->mask, p, weight);
-        add_masked(&s, rows_of(l->pose, p), weight, p);
+        weigh(weight_of(l->weight), l->mask.data, p, weight);
+        add_masked(&s, rows_of(l->pose.data, p), weight, p);
     }
     add_rest(&s, rest, threshold, p);
     copy_rows(translations, 3, rows_span(out, p), p->n);
@@ -332,18 +344,31 @@ static void blend_with_masks(const nkw_pose_layer *layers, size_t count, const f
     copy_rows(scales, 3, rows_span(out + 7 * p->stride, p), p->n);
 }
 
-void nkw_pose_blend_layers(const nkw_pose_layer *layers, size_t count, const float *rest, size_t joints,
-                           float threshold, float *out)
+/* Whether all layers are of so many joints. */
+static int all_fit(const nkw_pose_layer *layers, size_t count, size_t joint_count)
 {
-    int masked = joints > 0 && has_mask(layers, count);
+    int fit = 1;
+    for (size_t i = 0; joint_count > 0 && i < count; i++)
+        fit = fit && layers[i].pose.joint_count == joint_count && fits(layers[i].mask, joint_count);
+    return fit;
+}
+
+nkw_result nkw_pose_blend_layers(const nkw_pose_layer *layers, size_t layer_count, nkw_pose_view rest, float threshold,
+                                 nkw_pose_span out)
+{
+    size_t joints = out.joint_count;
+    if (rest.joint_count != joints || !all_fit(layers, layer_count, joints))
+        return NKW_MISMATCHED;
+    int masked = joints > 0 && has_mask(layers, layer_count);
     float limit = weight_of(threshold);
     for (size_t from = 0; from < NKW_POSE_STRIDE(joints); from += BLEND_BLOCK) {
         part p = part_at(joints, from);
         if (masked)
-            blend_with_masks(layers, count, rest, limit, &p, out);
+            blend_with_masks(layers, layer_count, rest.data, limit, &p, out.data);
         else
-            blend_plain(layers, count, rest, limit, &p, out);
+            blend_plain(layers, layer_count, rest.data, limit, &p, out.data);
     }
+    return NKW_OK;
 }
 
 static nkw_result check_weight(float weight, float most)
@@ -353,25 +378,34 @@ static nkw_result check_weight(float weight, float most)
     return weight >= 0.0f && weight <= most ? NKW_OK : NKW_BAD_WEIGHTS;
 }
 
-nkw_result nkw_mask_validate(const float *mask, size_t joints, size_t *bad_joint)
+nkw_result nkw_mask_validate(nkw_mask_view mask, size_t *bad_joint)
 {
-    nkw_result result = joints == 0 ? NKW_EMPTY : NKW_OK;
+    nkw_result result = mask.joint_count == 0 ? NKW_EMPTY : NKW_OK;
     size_t bad = 0;
-    for (size_t j = 0; result == NKW_OK && j < joints; j++) {
-        result = check_weight(mask[j], 1.0f);
+    for (size_t j = 0; result == NKW_OK && mask.data && j < mask.joint_count; j++) {
+        result = check_weight(mask.data[j], 1.0f);
         bad = j;
     }
     return report(result, bad, bad_joint);
 }
 
-nkw_result nkw_pose_layers_validate(const nkw_pose_layer *layers, size_t count, size_t joints, size_t *bad_layer)
+static nkw_result check_layer(const nkw_pose_layer *layer, size_t joint_count)
 {
-    nkw_result result = joints == 0 ? NKW_EMPTY : NKW_OK;
+    if (!layer->pose.data)
+        return NKW_EMPTY;
+    if (!all_fit(layer, 1, joint_count))
+        return NKW_MISMATCHED;
+    nkw_result result = check_weight(layer->weight, HEAVIEST);
+    return result == NKW_OK && layer->mask.data ? nkw_mask_validate(layer->mask, NULL) : result;
+}
+
+nkw_result nkw_pose_layers_validate(const nkw_pose_layer *layers, size_t layer_count, size_t joint_count,
+                                    size_t *bad_layer)
+{
+    nkw_result result = joint_count == 0 ? NKW_EMPTY : NKW_OK;
     size_t bad = 0;
-    for (size_t i = 0; result == NKW_OK && i < count; i++) {
-        result = layers[i].pose ? check_weight(layers[i].weight, HEAVIEST) : NKW_EMPTY;
-        if (result == NKW_OK && layers[i].mask)
-            result = nkw_mask_validate(layers[i].mask, joints, NULL);
+    for (size_t i = 0; result == NKW_OK && i < layer_count; i++) {
+        result = check_layer(&layers[i], joint_count);
         bad = i;
     }
     return report(result, bad, bad_layer);
@@ -379,24 +413,29 @@ nkw_result nkw_pose_layers_validate(const nkw_pose_layer *layers, size_t count, 
 
 /* differences */
 
-void nkw_pose_additive_build(const float *a, const float *ref, size_t joints, nkw_additive side, float *out)
+nkw_result nkw_pose_additive_build(nkw_pose_view a, nkw_pose_view ref, nkw_additive side, nkw_pose_span out)
 {
-    nkw_pose_view va = {a, joints}, vr = {ref, joints};
-    nkw_pose_span vo = {out, joints};
-    nkwi_additive_build(nkw_pose_components(va), nkw_pose_components(vr), side == NKW_ADDITIVE_PARENT,
-                        nkw_pose_components_span(vo), NKW_POSE_STRIDE(joints));
+    if (a.joint_count != out.joint_count || ref.joint_count != out.joint_count)
+        return NKW_MISMATCHED;
+    nkwi_additive_build(nkw_pose_components(a), nkw_pose_components(ref), side == NKW_ADDITIVE_PARENT,
+                        nkw_pose_components_span(out), NKW_POSE_STRIDE(out.joint_count));
+    return NKW_OK;
 }
 
-void nkw_pose_additive_apply(const float *base, const float *delta, size_t joints, nkw_additive side, float weight,
-                             const float *mask, float *out)
+nkw_result nkw_pose_additive_apply(nkw_pose_view base, nkw_pose_view delta, nkw_additive side, float weight,
+                                   nkw_mask_view mask, nkw_pose_span out)
 {
+    size_t joints = out.joint_count;
+    if (base.joint_count != joints || delta.joint_count != joints || !fits(mask, joints))
+        return NKW_MISMATCHED;
     for (size_t from = 0; from < NKW_POSE_STRIDE(joints); from += BLEND_BLOCK) {
         part p = part_at(joints, from);
         float w[BLEND_BLOCK];
-        weigh(weight_of(weight), mask, &p, w);
-        nkwi_additive_apply(view_of(base, &p), view_of(delta, &p), w, side == NKW_ADDITIVE_PARENT, span_of(out, &p),
-                            p.n);
+        weigh(weight_of(weight), mask.data, &p, w);
+        nkwi_additive_apply(view_of(base.data, &p), view_of(delta.data, &p), w, side == NKW_ADDITIVE_PARENT,
+                            span_of(out.data, &p), p.n);
     }
+    return NKW_OK;
 }
 
 /* left and right */
@@ -416,8 +455,11 @@ static void mirror_pair(const float *pose, size_t stride, size_t j, size_t k, co
     }
 }
 
-void nkw_pose_mirror(const float *pose, const int32_t *pair, size_t joints, nkw_mirror plane, float *out)
+nkw_result nkw_pose_mirror(nkw_pose_view pose, const int32_t *pair, nkw_mirror plane, nkw_pose_span out)
 {
+    size_t joints = out.joint_count;
+    if (pose.joint_count != joints)
+        return NKW_MISMATCHED;
     size_t normal = plane == NKW_MIRROR_Y ? 1 : plane == NKW_MIRROR_Z ? 2 : 0;
     float sign[10] = {1, 1, 1, -1, -1, -1, 1, 1, 1, 1};
     sign[normal] = -1.0f;
@@ -425,28 +467,34 @@ void nkw_pose_mirror(const float *pose, const int32_t *pair, size_t joints, nkw_
     for (size_t j = 0; j < joints; j++) {
         size_t k = is_paired(pair, joints, j) ? (size_t)pair[j] : j;
         if (j <= k)
-            mirror_pair(pose, NKW_POSE_STRIDE(joints), j, k, sign, out);
+            mirror_pair(pose.data, NKW_POSE_STRIDE(joints), j, k, sign, out.data);
     }
+    return NKW_OK;
 }
 
-nkw_result nkw_mirror_validate(const int32_t *pair, size_t joints, size_t *bad_joint)
+nkw_result nkw_mirror_validate(const int32_t *pair, size_t joint_count, size_t *bad_joint)
 {
-    nkw_result result = joints == 0 ? NKW_EMPTY : NKW_OK;
+    nkw_result result = joint_count == 0 ? NKW_EMPTY : NKW_OK;
     size_t bad = 0;
-    for (size_t j = 0; result == NKW_OK && j < joints; j++) {
-        if (pair[j] < 0 || (size_t)pair[j] >= joints)
+    for (size_t j = 0; result == NKW_OK && j < joint_count; j++) {
+        if (pair[j] < 0 || (size_t)pair[j] >= joint_count)
             result = NKW_OUT_OF_RANGE;
-        else if (!is_paired(pair, joints, j))
+        else if (!is_paired(pair, joint_count, j))
             result = NKW_BAD_MIRROR;
         bad = j;
     }
     return report(result, bad, bad_joint);
 }
 
-void nkw_mask_from_subtree(const int32_t *parents, size_t joints, size_t root, float *mask)
+nkw_result nkw_mask_from_subtree(const nkw_skeleton *skeleton, size_t root, nkw_mask_span mask)
 {
+    const int32_t *parents = skeleton->parents;
+    size_t joints = mask.joint_count;
+    if (skeleton->joint_count != joints)
+        return NKW_MISMATCHED;
     for (size_t j = 0; j < NKW_POSE_STRIDE(joints); j++) {
-        int below = j < joints && parents[j] >= 0 && (size_t)parents[j] < j && mask[parents[j]] == 1.0f;
-        mask[j] = j < joints && (j == root || below) ? 1.0f : 0.0f;
+        int below = j < joints && parents[j] >= 0 && (size_t)parents[j] < j && mask.data[parents[j]] == 1.0f;
+        mask.data[j] = j < joints && (j == root || below) ? 1.0f : 0.0f;
     }
+    return NKW_OK;
 }

@@ -24,7 +24,8 @@ static void compare(const nkw_clip *clip, const nkw_clip_track *c, nkw_segment s
 {
     float *of_floats = floats ? floats + nkw_clip_float_count(clip) : NULL, of_joint[4] = {0.0f, 0.0f, 0.0f, 0.0f};
     nkw_track_sample_segment(&c->track, segment, c->target == NKW_CLIP_FLOATS ? of_floats : of_joint);
-    nkw_trs got = nkw_pose_get(pose, nkw_clip_joint_count(clip), c->index);
+    const nkw_pose_view whole = {pose, nkw_clip_joint_count(clip)};
+    nkw_trs got = nkw_pose_get(whole, c->index);
     nkw_quat rotation = {of_joint[0], of_joint[1], of_joint[2], of_joint[3]};
     if (c->target == NKW_CLIP_TRANSLATION)
         error->translation = difference_worse(error->translation, farthest(got.translation, of_joint));

@@ -12,15 +12,23 @@
 #include "lane/scalar.h"
 #include "report.h"
 
-void nkw_crowd_from_poses(const float *const *poses, size_t joints, float *crowd)
+nkw_result nkw_crowd_from_poses(const nkw_pose_view *poses, nkw_crowd_poses_span crowd)
 {
-    nkwi_crowd_from_poses(poses, joints, NKW_POSE_STRIDE(joints), crowd);
+    const float *data[NKW_CROWD];
+    for (size_t i = 0; i < NKW_CROWD; i++) {
+        if (poses[i].data && poses[i].joint_count != crowd.joint_count)
+            return NKW_MISMATCHED;
+        data[i] = poses[i].data;
+    }
+    nkwi_crowd_from_poses(data, crowd.joint_count, NKW_POSE_STRIDE(crowd.joint_count), crowd.data);
+    return NKW_OK;
 }
 
-void nkw_crowd_from_matrices(const nkw_mat4 *const *matrices, size_t joints, float *crowd)
+/* Matrices into the lanes of `joint_count` joints. */
+static void gather(const nkw_mat4 *const *matrices, size_t joint_count, float *crowd)
 {
     nkw_mat4 identity = nkw_mat4_identity();
-    for (size_t j = 0; j < joints; j++)
+    for (size_t j = 0; j < joint_count; j++)
         for (size_t i = 0; i < NKW_CROWD; i++) {
             const nkw_mat4 *m = matrices[i] ? &matrices[i][j] : &identity;
             for (size_t k = 0; k < 12; k++)
@@ -28,114 +36,147 @@ void nkw_crowd_from_matrices(const nkw_mat4 *const *matrices, size_t joints, flo
         }
 }
 
-void nkw_matrices_from_crowd(const float *crowd, size_t joints, nkw_mat4 *const *matrices)
+void nkw_crowd_from_matrices(const nkw_mat4 *const *matrices, nkw_crowd_matrices_span crowd)
 {
-    nkwi_crowd_to_matrices(crowd, joints, matrices);
+    gather(matrices, crowd.joint_count, crowd.data);
 }
 
-void nkw_crowd_models_from_pose(const nkw_skeleton *skeleton, const float *crowd, const float *roots, float *models)
+void nkw_matrices_from_crowd(nkw_crowd_matrices_view crowd, nkw_mat4 *const *matrices)
 {
-    nkwi_crowd_models(skeleton->parents, skeleton->joint_count, crowd, roots, models);
+    nkwi_crowd_to_matrices(crowd.data, crowd.joint_count, matrices);
 }
 
-void nkw_crowd_palette_from_models(const float *models, size_t model_count, const int32_t *joints,
-                                   const nkw_mat4 *inverse_bind, size_t count, float *palette)
+nkw_result nkw_crowd_models_from_pose(const nkw_skeleton *skeleton, nkw_crowd_poses_view poses,
+                                      nkw_crowd_matrices_view roots, nkw_crowd_matrices_span models)
+{
+    size_t joints = skeleton->joint_count;
+    if (poses.joint_count != joints || models.joint_count != joints || (roots.data && roots.joint_count != 1))
+        return NKW_MISMATCHED;
+    nkwi_crowd_models(skeleton->parents, joints, poses.data, roots.data, models.data);
+    return NKW_OK;
+}
+
+void nkw_crowd_palette_from_models(nkw_crowd_matrices_view models, const int32_t *joints, const nkw_mat4 *inverse_bind,
+                                   nkw_crowd_matrices_span palette)
 {
     const size_t size = NKW_CROWD_MATRIX_FLOATS(1);
     const nkw_mat4 *const none[NKW_CROWD] = {NULL};
-    for (size_t k = 0; k < count; k++) {
+    for (size_t k = 0; k < palette.joint_count; k++) {
         size_t j = joints ? (size_t)joints[k] : k;
-        if (j >= model_count)
-            nkw_crowd_from_matrices(none, 1, palette + k * size);
+        if (j >= models.joint_count)
+            gather(none, 1, palette.data + k * size);
         else if (inverse_bind)
-            nkwi_crowd_bind(models + j * size, &inverse_bind[k], palette + k * size);
+            nkwi_crowd_bind(models.data + j * size, &inverse_bind[k], palette.data + k * size);
         else
-            memmove(palette + k * size, models + j * size, size * sizeof(float));
+            memmove(palette.data + k * size, models.data + j * size, size * sizeof(float));
     }
 }
 
-void nkw_crowd_sample(const nkw_clip *clip, const float *times, uint32_t *cursors, size_t characters, float *work,
-                      float *crowd)
+nkw_result nkw_crowd_sample(const nkw_clip *clip, const nkw_crowd_players *players, nkw_crowd_poses_span crowd,
+                            float *work, size_t work_count)
 {
-    const float *poses[NKW_CROWD] = {NULL};
+    nkw_pose_view poses[NKW_CROWD] = {{NULL, 0}};
     size_t joints = nkw_clip_joint_count(clip), step = nkw_clip_cursor_count(clip);
-    for (size_t i = 0; i < characters && i < NKW_CROWD; i++) {
-        float *pose = joints ? work + i * NKW_POSE_FLOATS(joints) : work;
-        nkw_pose_span span = {pose, joints};
-        nkw_clip_sample(clip, times[i], cursors ? cursors + i * step : NULL, span, NULL);
-        poses[i] = pose;
+    if (crowd.joint_count != joints)
+        return NKW_MISMATCHED;
+    if (work_count < NKW_CROWD_SAMPLE_FLOATS(joints))
+        return NKW_TOO_SMALL;
+    for (size_t i = 0; i < players->character_count && i < NKW_CROWD; i++) {
+        nkw_pose_span pose = {joints ? work + i * NKW_POSE_FLOATS(joints) : work, joints};
+        nkw_clip_sample(clip, players->times[i], players->cursors ? players->cursors + i * step : NULL, pose, NULL);
+        poses[i] = nkw_pose_view_from_span(pose);
     }
-    nkw_crowd_from_poses(poses, joints, crowd);
+    return nkw_crowd_from_poses(poses, crowd);
 }
 
 static nkw_result check_frames(const nkw_crowd_source *source)
 {
-    nkw_result root = source->root ? nkw_palette_validate(1, NULL, source->root, 1, NULL) : NKW_OK;
-    if (root != NKW_OK || !lane_is_finite(source->start) || !lane_is_finite(source->rate))
+    const nkw_palette_view root = {source->root, 1, NKW_PALETTE_MAT4};
+    nkw_result result = source->root ? nkw_palette_validate(root, NULL) : NKW_OK;
+    if (result != NKW_OK || !lane_is_finite(source->start) || !lane_is_finite(source->rate))
         return NKW_NOT_FINITE;
     return source->rate == 0.0f ? NKW_OUT_OF_RANGE : NKW_OK;
 }
 
-nkw_result nkw_crowd_source_validate(const nkw_crowd_source *source, size_t skin_joints, size_t *bad_joint)
+nkw_result nkw_crowd_source_validate(const nkw_crowd_source *source, size_t *bad_joint)
 {
     size_t bad = 0, joints = source->skeleton->joint_count;
+    const nkw_palette_source skin = {NULL, joints, source->joints, source->inverse_bind, NULL, source->joint_count};
     nkw_result result = nkw_skeleton_validate(source->skeleton, &bad);
     if (result == NKW_OK && nkw_clip_joint_count(source->clip) != joints)
         result = NKW_MISMATCHED;
     if (result == NKW_OK)
         result = check_frames(source);
     if (result == NKW_OK)
-        result = nkw_palette_validate(joints, source->joints, source->inverse_bind, skin_joints, &bad);
+        result = nkw_palette_source_validate(&skin, &bad);
     return report(result, bad, bad_joint);
 }
 
-/* Where the steps of baking leave their results. */
+/* Working memory of the steps of baking. */
 typedef struct bake_work {
-    float *poses, *crowd, *models, *palette;
+    float *poses;
+    size_t pose_floats;
+    nkw_crowd_poses_span crowd;
+    nkw_crowd_matrices_span models, palette;
 } bake_work;
 
-static bake_work bake_work_in(float *work, size_t joints)
+static bake_work bake_work_in(float *work, size_t joints, size_t skin_joints)
 {
     bake_work w;
     w.poses = work;
-    w.crowd = w.poses + NKW_CROWD_SAMPLE_FLOATS(joints);
-    w.models = w.crowd + NKW_CROWD_POSE_FLOATS(joints);
-    w.palette = w.models + NKW_CROWD_MATRIX_FLOATS(joints);
+    w.pose_floats = NKW_CROWD_SAMPLE_FLOATS(joints);
+    w.crowd.data = w.poses + w.pose_floats;
+    w.models.data = w.crowd.data + NKW_CROWD_POSE_FLOATS(joints);
+    w.palette.data = w.models.data + NKW_CROWD_MATRIX_FLOATS(joints);
+    w.crowd.joint_count = w.models.joint_count = joints;
+    w.palette.joint_count = skin_joints;
     return w;
 }
 
 /* `count` frames from `frame` on, at most a crowd of them. */
-static void bake_lanes(const nkw_crowd_source *source, const nkw_palette_chunk *chunk, const float *roots, size_t frame,
-                       size_t count, const bake_work *w, nkw_mat4 *buffer)
+static void bake_lanes(const nkw_crowd_source *source, const nkw_palette_chunk *chunk, nkw_crowd_matrices_view roots,
+                       size_t frame, size_t count, const bake_work *w, nkw_mat4 *buffer)
 {
     float times[NKW_CROWD];
+    const nkw_crowd_players players = {times, NULL, count};
     nkw_mat4 *out[NKW_CROWD] = {NULL};
     for (size_t i = 0; i < count; i++) {
         times[i] = nkw_segment_uniform_time(source->start, source->rate, frame + i);
-        out[i] = buffer + nkw_palette_chunk_at(chunk, frame + i, 0);
+        out[i] = buffer + nkw_palette_chunk_index(chunk, frame + i, 0);
     }
-    nkw_crowd_sample(source->clip, times, NULL, count, w->poses, w->crowd);
-    nkw_crowd_models_from_pose(source->skeleton, w->crowd, roots, w->models);
-    nkw_crowd_palette_from_models(w->models, source->skeleton->joint_count, source->joints, source->inverse_bind,
-                                  chunk->joints, w->palette);
-    nkw_matrices_from_crowd(w->palette, chunk->joints, out);
+    nkw_crowd_sample(source->clip, &players, w->crowd, w->poses, w->pose_floats);
+    nkw_crowd_models_from_pose(source->skeleton, nkw_crowd_poses_view_from_span(w->crowd), roots, w->models);
+    nkw_crowd_palette_from_models(nkw_crowd_matrices_view_from_span(w->models), source->joints, source->inverse_bind,
+                                  w->palette);
+    nkw_matrices_from_crowd(nkw_crowd_matrices_view_from_span(w->palette), out);
 }
 
-void nkw_crowd_bake(const nkw_crowd_source *source, const nkw_palette_chunk *chunk, size_t from, size_t to, float *work,
-                    nkw_mat4 *buffer)
+static nkw_result check_bake(const nkw_crowd_source *source, const nkw_palette_chunk *chunk, size_t work_count)
 {
     size_t joints = source->skeleton->joint_count;
-    const bake_work w = bake_work_in(work, joints);
-    float roots[NKW_CROWD_MATRIX_FLOATS(1)];
+    if (nkw_clip_joint_count(source->clip) != joints || chunk->joint_count != source->joint_count)
+        return NKW_MISMATCHED;
+    return work_count < NKW_CROWD_BAKE_FLOATS(joints, source->joint_count) ? NKW_TOO_SMALL : NKW_OK;
+}
+
+nkw_result nkw_crowd_bake(const nkw_crowd_source *source, const nkw_palette_chunk *chunk, const nkw_range *frames,
+                          nkw_mat4 *buffer, float *work, size_t work_count)
+{
+    nkw_result result = check_bake(source, chunk, work_count);
+    if (result != NKW_OK)
+        return result;
+    const bake_work w = bake_work_in(work, source->skeleton->joint_count, source->joint_count);
+    float root_floats[NKW_CROWD_MATRIX_FLOATS(1)];
     const nkw_mat4 *root[NKW_CROWD];
-    if (nkw_clip_joint_count(source->clip) != joints)
-        return;
     for (size_t i = 0; i < NKW_CROWD; i++)
         root[i] = source->root;
-    nkw_crowd_from_matrices(root, 1, roots);
-    to = to < chunk->frames ? to : chunk->frames;
+    gather(root, 1, root_floats);
+    const nkw_crowd_matrices_view roots = {source->root ? root_floats : NULL, 1};
+    size_t from = frames ? frames->from : 0, to = frames ? frames->to : chunk->frame_count;
+    to = to < chunk->frame_count ? to : chunk->frame_count;
     for (size_t frame = from, count; frame < to; frame += count) {
         count = to - frame < NKW_CROWD ? to - frame : NKW_CROWD;
-        bake_lanes(source, chunk, source->root ? roots : NULL, frame, count, &w, buffer);
+        bake_lanes(source, chunk, roots, frame, count, &w, buffer);
     }
+    return NKW_OK;
 }

@@ -10,96 +10,97 @@
 #include "lane/scalar.h"
 #include "report.h"
 
-void nkw_palette_from_models(const nkw_mat4 *models, size_t model_count, const int32_t *joints,
-                             const nkw_mat4 *inverse_bind, const nkw_mat4 *global_inverse, size_t count, nkw_mat4 *out)
+nkw_result nkw_palette_from_models(const nkw_palette_source *source, nkw_palette_span out)
 {
-    nkwi_palette_4x4(models, model_count, joints, inverse_bind, global_inverse, out, count);
+    if (out.joint_count != source->joint_count)
+        return NKW_MISMATCHED;
+    switch (out.format) {
+    case NKW_PALETTE_MAT4:
+        nkwi_palette_4x4(source, (nkw_mat4 *)out.data);
+        return NKW_OK;
+    case NKW_PALETTE_MAT3X4:
+        nkwi_palette_3x4(source, (nkw_mat3x4 *)out.data);
+        return NKW_OK;
+    case NKW_PALETTE_DUAL_QUAT:
+        nkwi_palette_dual(source, (nkw_dual_quat *)out.data);
+        return NKW_OK;
+    case NKW_PALETTE_NORMAL_MAT3:
+        nkwi_palette_normals(source, 3, 0, (float *)out.data);
+        return NKW_OK;
+    case NKW_PALETTE_NORMAL_ROWS:
+        nkwi_palette_normals(source, 4, 1, (float *)out.data);
+        return NKW_OK;
+    case NKW_PALETTE_NORMAL_COLUMNS:
+        nkwi_palette_normals(source, 4, 0, (float *)out.data);
+        return NKW_OK;
+    case NKW_PALETTE_FORMAT_COUNT:
+    default:
+        return NKW_BAD_FORMAT;
+    }
 }
 
-void nkw_palette_3x4_from_models(const nkw_mat4 *models, size_t model_count, const int32_t *joints,
-                                 const nkw_mat4 *inverse_bind, const nkw_mat4 *global_inverse, size_t count,
-                                 nkw_mat3x4 *out)
+nkw_result nkw_mat4_from_palette(nkw_palette_view palette, nkw_mat4 *out)
 {
-    nkwi_palette_3x4(models, model_count, joints, inverse_bind, global_inverse, out, count);
+    const nkw_mat4 *matrices = (const nkw_mat4 *)palette.data;
+    const nkw_mat3x4 *rows = (const nkw_mat3x4 *)palette.data;
+    const nkw_dual_quat *dual = (const nkw_dual_quat *)palette.data;
+    if ((unsigned)palette.format > NKW_PALETTE_DUAL_QUAT)
+        return NKW_BAD_FORMAT;
+    for (size_t i = 0; i < palette.joint_count; i++)
+        out[i] = palette.format == NKW_PALETTE_MAT4     ? matrices[i]
+                 : palette.format == NKW_PALETTE_MAT3X4 ? nkw_mat4_from_mat3x4(&rows[i])
+                                                        : nkw_mat4_from_dual_quat(&dual[i]);
+    return NKW_OK;
 }
 
-void nkw_palette_dual_from_models(const nkw_mat4 *models, size_t model_count, const int32_t *joints,
-                                  const nkw_mat4 *inverse_bind, const nkw_mat4 *global_inverse, size_t count,
-                                  nkw_dual_quat *out)
+void nkw_inverse_bind_from_models(const nkw_palette_source *source, nkw_mat4 *out)
 {
-    nkwi_palette_dual(models, model_count, joints, inverse_bind, global_inverse, out, count);
+    nkwi_palette_inverse(source, out);
 }
 
-void nkw_palette_from_3x4(const nkw_mat3x4 *palette, size_t count, nkw_mat4 *out)
-{
-    for (size_t i = 0; i < count; i++)
-        out[i] = nkw_mat4_from_mat3x4(&palette[i]);
-}
-
-void nkw_palette_from_dual(const nkw_dual_quat *palette, size_t count, nkw_mat4 *out)
-{
-    for (size_t i = 0; i < count; i++)
-        out[i] = nkw_mat4_from_dual_quat(&palette[i]);
-}
-
-void nkw_inverse_bind_from_models(const nkw_mat4 *models, size_t model_count, const int32_t *joints,
-                                  const nkw_mat4 *global_inverse, size_t count, nkw_mat4 *out)
-{
-    nkwi_palette_inverse(models, model_count, joints, global_inverse, out, count);
-}
-
-void nkw_palette_normals(const nkw_mat4 *palette, size_t count, nkw_mat3 *out)
-{
-    nkwi_palette_normals(palette, 3, 0, (float *)out, count);
-}
-
-void nkw_palette_normals_rows(const nkw_mat4 *palette, size_t count, nkw_mat3x4 *out)
-{
-    nkwi_palette_normals(palette, 4, 1, (float *)out, count);
-}
-
-void nkw_palette_normals_columns(const nkw_mat4 *palette, size_t count, float *out)
-{
-    nkwi_palette_normals(palette, 4, 0, out, count);
-}
-
-static int is_finite(const nkw_mat4 *m)
+/* Whether `count` floats are finite, except each fourth of a 4x4 matrix: its last row. */
+static int are_finite(const float *m, size_t count)
 {
     int finite = 1;
-    for (size_t k = 0; k < 16; k++)
-        finite = finite && (k % 4 == 3 || lane_is_finite(m->m[k]));
+    for (size_t k = 0; k < count; k++)
+        finite = finite && ((count == 16 && k % 4 == 3) || lane_is_finite(m[k]));
     return finite;
 }
 
-nkw_result nkw_palette_validate(size_t model_count, const int32_t *joints, const nkw_mat4 *inverse_bind, size_t count,
-                                size_t *bad_joint)
+nkw_result nkw_palette_source_validate(const nkw_palette_source *source, size_t *bad_joint)
 {
-    nkw_result result = count == 0 ? NKW_EMPTY : NKW_OK;
+    nkw_result result = source->joint_count == 0 ? NKW_EMPTY : NKW_OK;
     size_t bad = 0;
-    for (size_t i = 0; result == NKW_OK && i < count; i++) {
-        size_t j = joints ? (size_t)joints[i] : i;
-        if (j >= model_count)
+    for (size_t i = 0; result == NKW_OK && i < source->joint_count; i++) {
+        size_t j = source->joints ? (size_t)source->joints[i] : i;
+        if (j >= source->model_count)
             result = NKW_OUT_OF_RANGE;
-        else if (inverse_bind && !is_finite(&inverse_bind[i]))
+        else if (source->inverse_bind && !are_finite(source->inverse_bind[i].m, 16))
             result = NKW_NOT_FINITE;
         bad = i;
     }
     return report(result, bad, bad_joint);
 }
 
-static nkw_result check_dual(const nkw_dual_quat *d)
+static int is_unit(const nkw_dual_quat *d)
 {
-    if (!nkw_quat_is_finite(d->real) || !nkw_quat_is_finite(d->dual))
-        return NKW_NOT_FINITE;
-    return lane_is_unit_length(nkw_quat_length(d->real)) ? NKW_OK : NKW_NOT_UNIT;
+    return lane_is_unit_length(nkw_quat_length(d->real));
 }
 
-nkw_result nkw_palette_dual_validate(const nkw_dual_quat *palette, size_t count, size_t *bad_joint)
+nkw_result nkw_palette_validate(nkw_palette_view palette, size_t *bad_joint)
 {
-    nkw_result result = count == 0 ? NKW_EMPTY : NKW_OK;
+    static const unsigned char sizes[NKW_PALETTE_FORMAT_COUNT] = {16, 12, 8, 9, 12, 12};
     size_t bad = 0;
-    for (size_t i = 0; result == NKW_OK && i < count; i++) {
-        result = check_dual(&palette[i]);
+    if ((unsigned)palette.format >= NKW_PALETTE_FORMAT_COUNT)
+        return report(NKW_BAD_FORMAT, 0, bad_joint);
+    size_t size = sizes[palette.format];
+    nkw_result result = palette.joint_count == 0 ? NKW_EMPTY : NKW_OK;
+    for (size_t i = 0; result == NKW_OK && i < palette.joint_count; i++) {
+        const float *element = (const float *)palette.data + i * size;
+        if (!are_finite(element, size))
+            result = NKW_NOT_FINITE;
+        else if (palette.format == NKW_PALETTE_DUAL_QUAT && !is_unit((const nkw_dual_quat *)palette.data + i))
+            result = NKW_NOT_UNIT;
         bad = i;
     }
     return report(result, bad, bad_joint);
@@ -122,7 +123,7 @@ nkw_result nkw_palette_chunks_place(nkw_palette_chunk *chunks, size_t count, siz
     nkw_result result = NKW_OK;
     size_t end = 0, bad = 0;
     for (size_t i = 0; result == NKW_OK && i < count; i++) {
-        size_t frames = chunks[i].frames, joints = chunks[i].joints, first = aligned(end, alignment);
+        size_t frames = chunks[i].frame_count, joints = chunks[i].joint_count, first = aligned(end, alignment);
         if (frames == 0 || joints == 0)
             result = NKW_EMPTY;
         else if (first > MOST || frames > (MOST - first) / joints)
@@ -140,7 +141,7 @@ nkw_result nkw_palette_chunks_validate(const nkw_palette_chunk *chunks, size_t c
     nkw_result result = NKW_OK;
     size_t end = 0, bad = 0;
     for (size_t i = 0; result == NKW_OK && i < count; i++) {
-        size_t frames = chunks[i].frames, joints = chunks[i].joints, first = chunks[i].first;
+        size_t frames = chunks[i].frame_count, joints = chunks[i].joint_count, first = chunks[i].first;
         if (frames == 0 || joints == 0)
             result = NKW_EMPTY;
         else if (first > total || frames > (total - first) / joints)
@@ -154,11 +155,11 @@ nkw_result nkw_palette_chunks_validate(const nkw_palette_chunk *chunks, size_t c
     return report(result, bad, bad_chunk);
 }
 
-size_t nkw_palette_chunk_at(const nkw_palette_chunk *chunk, size_t frame, size_t joint)
+size_t nkw_palette_chunk_index(const nkw_palette_chunk *chunk, size_t frame, size_t joint)
 {
-    if (chunk->frames == 0 || chunk->joints == 0)
+    if (chunk->frame_count == 0 || chunk->joint_count == 0)
         return chunk->first;
-    size_t f = frame < chunk->frames ? frame : chunk->frames - 1;
-    size_t j = joint < chunk->joints ? joint : chunk->joints - 1;
-    return chunk->first + f * chunk->joints + j;
+    size_t f = frame < chunk->frame_count ? frame : chunk->frame_count - 1;
+    size_t j = joint < chunk->joint_count ? joint : chunk->joint_count - 1;
+    return chunk->first + f * chunk->joint_count + j;
 }

@@ -9,9 +9,9 @@
 #include "lane/scalar.h"
 #include "report.h"
 
-size_t nkw_pose_floats(size_t joints)
+size_t nkw_pose_floats(size_t joint_count)
 {
-    return joints <= SIZE_MAX / 160 * 16 ? NKW_POSE_FLOATS(joints) : SIZE_MAX;
+    return joint_count <= SIZE_MAX / 160 * 16 ? NKW_POSE_FLOATS(joint_count) : SIZE_MAX;
 }
 
 /* pose + floats; pose itself for floats = 0, where it may be NULL. */
@@ -76,34 +76,36 @@ static void fill(float *pose, size_t stride, size_t from)
         put(pose, stride, j, &none);
 }
 
-void nkw_pose_identity(float *pose, size_t joints)
+void nkw_pose_identity(nkw_pose_span pose)
 {
-    fill(pose, NKW_POSE_STRIDE(joints), 0);
+    fill(pose.data, NKW_POSE_STRIDE(pose.joint_count), 0);
 }
 
-nkw_trs nkw_pose_get(const float *pose, size_t joints, size_t joint)
+nkw_trs nkw_pose_get(nkw_pose_view pose, size_t joint)
 {
-    return joint < joints ? get(pose, NKW_POSE_STRIDE(joints), joint) : nkw_trs_identity();
+    return joint < pose.joint_count ? get(pose.data, NKW_POSE_STRIDE(pose.joint_count), joint) : nkw_trs_identity();
 }
 
-void nkw_pose_set(float *pose, size_t joints, size_t joint, const nkw_trs *trs)
+nkw_result nkw_pose_set(nkw_pose_span pose, size_t joint, const nkw_trs *trs)
 {
-    if (joint < joints)
-        put(pose, NKW_POSE_STRIDE(joints), joint, trs);
+    if (joint >= pose.joint_count)
+        return NKW_OUT_OF_RANGE;
+    put(pose.data, NKW_POSE_STRIDE(pose.joint_count), joint, trs);
+    return NKW_OK;
 }
 
-void nkw_pose_from_trs(const nkw_trs *trs, size_t joints, float *pose)
+void nkw_pose_from_trs(const nkw_trs *trs, nkw_pose_span pose)
 {
-    size_t stride = NKW_POSE_STRIDE(joints);
-    for (size_t j = 0; j < joints; j++)
-        put(pose, stride, j, &trs[j]);
-    fill(pose, stride, joints);
+    size_t stride = NKW_POSE_STRIDE(pose.joint_count);
+    for (size_t j = 0; j < pose.joint_count; j++)
+        put(pose.data, stride, j, &trs[j]);
+    fill(pose.data, stride, pose.joint_count);
 }
 
-void nkw_trs_from_pose(const float *pose, size_t joints, nkw_trs *out)
+void nkw_trs_from_pose(nkw_pose_view pose, nkw_trs *out)
 {
-    for (size_t j = 0; j < joints; j++)
-        out[j] = get(pose, NKW_POSE_STRIDE(joints), j);
+    for (size_t j = 0; j < pose.joint_count; j++)
+        out[j] = get(pose.data, NKW_POSE_STRIDE(pose.joint_count), j);
 }
 
 static nkw_result check(const nkw_trs *trs)
@@ -113,12 +115,12 @@ static nkw_result check(const nkw_trs *trs)
     return lane_is_unit_length(nkw_quat_length(trs->rotation)) ? NKW_OK : NKW_NOT_UNIT;
 }
 
-nkw_result nkw_pose_validate(const float *pose, size_t joints, size_t *bad_joint)
+nkw_result nkw_pose_validate(nkw_pose_view pose, size_t *bad_joint)
 {
-    nkw_result result = joints == 0 ? NKW_EMPTY : NKW_OK;
+    nkw_result result = pose.joint_count == 0 ? NKW_EMPTY : NKW_OK;
     size_t bad = 0;
-    for (size_t j = 0; result == NKW_OK && j < joints; j++) {
-        nkw_trs trs = get(pose, NKW_POSE_STRIDE(joints), j);
+    for (size_t j = 0; result == NKW_OK && j < pose.joint_count; j++) {
+        nkw_trs trs = get(pose.data, NKW_POSE_STRIDE(pose.joint_count), j);
         result = check(&trs);
         bad = j;
     }

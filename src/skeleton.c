@@ -37,29 +37,30 @@ size_t nkw_skeleton_subtree_end(const nkw_skeleton *skeleton, size_t joint)
     return end;
 }
 
-void nkw_models_update_from_pose(const nkw_skeleton *skeleton, const float *pose, const nkw_mat4 *root, size_t from,
-                                 size_t to, nkw_mat4 *models)
+/* The joints of a range; all for NULL. */
+static nkw_range joints_of(const nkw_skeleton *skeleton, const nkw_range *range)
 {
-    size_t count = skeleton->joint_count;
-    nkwi_models_from_pose(skeleton->parents, pose, NKW_POSE_STRIDE(count), root, from, to < count ? to : count, models);
+    nkw_range all = {0, skeleton->joint_count};
+    nkw_range r = range ? *range : all;
+    r.to = r.to < all.to ? r.to : all.to;
+    return r;
 }
 
-void nkw_models_update_from_locals(const nkw_skeleton *skeleton, const nkw_mat4 *locals, const nkw_mat4 *root,
-                                   size_t from, size_t to, nkw_mat4 *models)
+nkw_result nkw_models_from_pose(const nkw_skeleton *skeleton, nkw_pose_view pose, const nkw_mat4 *root,
+                                const nkw_range *range, nkw_mat4 *models)
 {
-    size_t count = skeleton->joint_count;
-    nkwi_models_from_locals(skeleton->parents, locals, root, from, to < count ? to : count, models);
-}
-
-void nkw_models_from_pose(const nkw_skeleton *skeleton, const float *pose, const nkw_mat4 *root, nkw_mat4 *models)
-{
-    nkw_models_update_from_pose(skeleton, pose, root, 0, skeleton->joint_count, models);
+    const nkw_range r = joints_of(skeleton, range);
+    if (pose.joint_count != skeleton->joint_count)
+        return NKW_MISMATCHED;
+    nkwi_models_from_pose(skeleton->parents, pose.data, NKW_POSE_STRIDE(pose.joint_count), root, r.from, r.to, models);
+    return NKW_OK;
 }
 
 void nkw_models_from_locals(const nkw_skeleton *skeleton, const nkw_mat4 *locals, const nkw_mat4 *root,
-                            nkw_mat4 *models)
+                            const nkw_range *range, nkw_mat4 *models)
 {
-    nkw_models_update_from_locals(skeleton, locals, root, 0, skeleton->joint_count, models);
+    const nkw_range r = joints_of(skeleton, range);
+    nkwi_models_from_locals(skeleton->parents, locals, root, r.from, r.to, models);
 }
 
 void nkw_locals_from_models(const nkw_skeleton *skeleton, const nkw_mat4 *models, const nkw_mat4 *root,
@@ -71,11 +72,14 @@ void nkw_locals_from_models(const nkw_skeleton *skeleton, const nkw_mat4 *models
 /* Joints whose local matrices are made together. */
 #define BLOCK 16
 
-float nkw_pose_from_models(const nkw_skeleton *skeleton, const nkw_mat4 *models, const nkw_mat4 *root, float *pose)
+nkw_result nkw_pose_from_models(const nkw_skeleton *skeleton, const nkw_mat4 *models, const nkw_mat4 *root,
+                                nkw_pose_span pose, float *residual)
 {
     size_t count = skeleton->joint_count;
     float worst = 0.0f;
-    nkw_pose_identity(pose, count);
+    if (pose.joint_count != count)
+        return NKW_MISMATCHED;
+    nkw_pose_identity(pose);
     for (size_t from = 0; from < count; from += BLOCK) {
         nkw_mat4 locals[BLOCK];
         size_t to = count - from < BLOCK ? count : from + BLOCK;
@@ -83,8 +87,10 @@ float nkw_pose_from_models(const nkw_skeleton *skeleton, const nkw_mat4 *models,
         for (size_t j = from; j < to; j++) {
             nkw_trs trs = nkw_trs_from_mat4(&locals[j - from]);
             worst = difference_worse(worst, nkw_trs_residual(&trs, &locals[j - from]));
-            nkw_pose_set(pose, count, j, &trs);
+            nkw_pose_set(pose, j, &trs);
         }
     }
-    return worst;
+    if (residual)
+        *residual = worst;
+    return NKW_OK;
 }

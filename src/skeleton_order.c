@@ -132,10 +132,12 @@ nkw_result nkw_skeleton_from_tree(const nkw_tree *tree, int32_t *joint_of_node, 
     return report(missing < tree->node_count ? NKW_NOT_A_TREE : NKW_OK, missing, bad_node);
 }
 
-nkw_result nkw_tree_validate(const nkw_tree *tree, int32_t *work, size_t *bad_node)
+nkw_result nkw_tree_validate(const nkw_tree *tree, size_t *bad_node, int32_t *work, size_t work_count)
 {
     size_t n = tree->node_count;
     nkw_result result = check_count(n);
+    if (result == NKW_OK && work_count / 3 < n)
+        result = NKW_TOO_SMALL;
     if (result != NKW_OK)
         return report(result, 0, bad_node);
     return nkw_skeleton_from_tree(tree, work, work + n, work + 2 * n, bad_node);

@@ -1,9 +1,10 @@
 /* SPDX-License-Identifier: MIT */
 #include "support/poses.h"
+#include "support/views.h"
 
 static nkw_trs expected_blend(const float *a, const float *b, size_t j, float t, int slerp)
 {
-    nkw_trs p = nkw_pose_get(a, JOINTS, j), q = nkw_pose_get(b, JOINTS, j), r;
+    nkw_trs p = nkw_pose_get(pose_view(a, JOINTS), j), q = nkw_pose_get(pose_view(b, JOINTS), j), r;
     r.translation = nkw_vec3_lerp(p.translation, q.translation, t);
     r.scale = nkw_vec3_lerp(p.scale, q.scale, t);
     r.rotation = slerp ? nkw_quat_slerp(p.rotation, q.rotation, t) : nkw_quat_nlerp(p.rotation, q.rotation, t);
@@ -13,13 +14,14 @@ static nkw_trs expected_blend(const float *a, const float *b, size_t j, float t,
 static void expect_blend(const float *a, const float *b, float t, const float *mask)
 {
     static float got[2][FLOATS];
-    nkw_pose_blend(a, b, JOINTS, t, mask, got[0]);
-    nkw_pose_blend_slerp(a, b, JOINTS, t, mask, got[1]);
+    nkw_pose_blend(pose_view(a, JOINTS), pose_view(b, JOINTS), t, mask_view(mask, JOINTS), pose_span(got[0], JOINTS));
+    nkw_pose_blend_slerp(pose_view(a, JOINTS), pose_view(b, JOINTS), t, mask_view(mask, JOINTS),
+                         pose_span(got[1], JOINTS));
     for (int slerp = 0; slerp < 2; slerp++)
         for (size_t j = 0; j < JOINTS; j++) {
             float m = mask ? nkw_saturate(mask[j] == mask[j] ? mask[j] : 0.0f) : 1.0f;
             nkw_trs want = expected_blend(a, b, j, t == t ? t * m : 0.0f, slerp),
-                    is = nkw_pose_get(got[slerp], JOINTS, j);
+                    is = nkw_pose_get(pose_view(got[slerp], JOINTS), j);
             expect_floats_bits(&is.translation.x, &want.translation.x, 10);
         }
 }
@@ -43,9 +45,9 @@ static void expect_nlerp(const float *a, const float *b)
 {
     for (float t = 0.0f; t <= 1.0f; t += 0.25f) {
         static float got[FLOATS];
-        nkw_pose_blend(a, b, JOINTS, t, NULL, got);
+        nkw_pose_blend(pose_view(a, JOINTS), pose_view(b, JOINTS), t, mask_view(NULL, JOINTS), pose_span(got, JOINTS));
         for (size_t j = 0; j < JOINTS; j++)
-            expect_quat_bits(nkw_pose_get(got, JOINTS, j).rotation, expected_blend(a, b, j, t, 0).rotation);
+            expect_quat_bits(nkw_pose_get(pose_view(got, JOINTS), j).rotation, expected_blend(a, b, j, t, 0).rotation);
     }
 }
 
@@ -96,13 +98,15 @@ static void the_ends_are_the_poses_bit_for_bit(void **state)
     draw(&r, a);
     draw(&r, b);
     a[2] = -0.0f;
+    nkw_pose_view from = pose_view(a, JOINTS), to = pose_view(b, JOINTS);
+    nkw_mask_view none = mask_view(NULL, 0);
     for (int slerp = 0; slerp < 2; slerp++) {
-        (slerp ? nkw_pose_blend_slerp : nkw_pose_blend)(a, b, JOINTS, 0.0f, NULL, out);
+        (slerp ? nkw_pose_blend_slerp : nkw_pose_blend)(from, to, 0.0f, none, pose_span(out, JOINTS));
         expect_poses_bits(out, a);
-        (slerp ? nkw_pose_blend_slerp : nkw_pose_blend)(a, b, JOINTS, 1.0f, NULL, out);
+        (slerp ? nkw_pose_blend_slerp : nkw_pose_blend)(from, to, 1.0f, none, pose_span(out, JOINTS));
         for (size_t j = 0; j < JOINTS; j++) {
-            nkw_trs got = nkw_pose_get(out, JOINTS, j), want = nkw_pose_get(b, JOINTS, j);
-            float side = nkw_quat_dot(nkw_pose_get(a, JOINTS, j).rotation, want.rotation);
+            nkw_trs got = nkw_pose_get(pose_view(out, JOINTS), j), want = nkw_pose_get(pose_view(b, JOINTS), j);
+            float side = nkw_quat_dot(nkw_pose_get(pose_view(a, JOINTS), j).rotation, want.rotation);
             want.rotation = side < 0.0f ? nkw_quat_negate(want.rotation) : want.rotation;
             expect_floats_bits(&got.translation.x, &want.translation.x, 10);
         }
@@ -113,17 +117,43 @@ static void nothing_is_touched_without_joints(void **state)
 {
     (void)state;
     float pose[1] = {7}, out[1] = {9};
-    nkw_pose_layer layer = {pose, 1.0f, NULL};
+    nkw_pose_layer layer = {pose_view(pose, 0), 1.0f, mask_view(NULL, 0)};
     const int32_t pair[1] = {0};
-    nkw_pose_blend(pose, pose, 0, 0.5f, NULL, out);
-    nkw_pose_blend_slerp(pose, pose, 0, 0.5f, pose, out);
-    nkw_pose_blend_layers(&layer, 1, pose, 0, 0.1f, out);
-    nkw_pose_blend_layers(NULL, 3, NULL, 0, 0.1f, out);
-    nkw_pose_additive_build(pose, pose, 0, NKW_ADDITIVE_LOCAL, out);
-    nkw_pose_additive_apply(pose, pose, 0, NKW_ADDITIVE_LOCAL, 1.0f, NULL, out);
-    nkw_pose_mirror(pose, pair, 0, NKW_MIRROR_X, out);
-    nkw_mask_from_subtree(pair, 0, 0, out);
+    nkw_pose_blend(pose_view(pose, 0), pose_view(pose, 0), 0.5f, mask_view(NULL, 0), pose_span(out, 0));
+    nkw_pose_blend_slerp(pose_view(pose, 0), pose_view(pose, 0), 0.5f, mask_view(pose, 0), pose_span(out, 0));
+    nkw_pose_blend_layers(&layer, 1, pose_view(pose, 0), 0.1f, pose_span(out, 0));
+    nkw_pose_blend_layers(NULL, 3, pose_view(NULL, 0), 0.1f, pose_span(out, 0));
+    nkw_pose_additive_build(pose_view(pose, 0), pose_view(pose, 0), NKW_ADDITIVE_LOCAL, pose_span(out, 0));
+    nkw_pose_additive_apply(pose_view(pose, 0), pose_view(pose, 0), NKW_ADDITIVE_LOCAL, 1.0f, mask_view(NULL, 0),
+                            pose_span(out, 0));
+    nkw_pose_mirror(pose_view(pose, 0), pair, NKW_MIRROR_X, pose_span(out, 0));
+    mask_from_subtree(pair, 0, 0, out);
     expect_bits(out[0], 9.0f);
+}
+
+static void poses_of_different_joints_are_not_blended(void **state)
+{
+    (void)state;
+    static float a[FLOATS], out[FLOATS], mask[NKW_POSE_STRIDE(JOINTS)];
+    nkw_pose_view whole = pose_view(a, JOINTS), less = pose_view(a, JOINTS - 1);
+    nkw_mask_view none = mask_view(NULL, 0), thin = mask_view(mask, JOINTS - 1);
+    nkw_pose_span to = pose_span(out, JOINTS);
+    int32_t pair[JOINTS] = {0};
+    nkw_pose_identity(pose_span(a, JOINTS));
+    out[0] = 9.0f;
+    assert_int_equal(nkw_pose_blend(less, whole, 0.5f, none, to), NKW_MISMATCHED);
+    assert_int_equal(nkw_pose_blend(whole, less, 0.5f, none, to), NKW_MISMATCHED);
+    assert_int_equal(nkw_pose_blend(whole, whole, 0.5f, thin, to), NKW_MISMATCHED);
+    assert_int_equal(nkw_pose_blend_slerp(whole, less, 0.5f, none, to), NKW_MISMATCHED);
+    assert_int_equal(nkw_pose_blend_slerp(whole, whole, 0.5f, thin, to), NKW_MISMATCHED);
+    assert_int_equal(nkw_pose_blend_layers(NULL, 0, less, 0.5f, to), NKW_MISMATCHED);
+    assert_int_equal(nkw_pose_additive_build(whole, less, NKW_ADDITIVE_LOCAL, to), NKW_MISMATCHED);
+    assert_int_equal(nkw_pose_additive_apply(whole, less, NKW_ADDITIVE_LOCAL, 1.0f, none, to), NKW_MISMATCHED);
+    assert_int_equal(nkw_pose_additive_apply(whole, whole, NKW_ADDITIVE_LOCAL, 1.0f, thin, to), NKW_MISMATCHED);
+    assert_int_equal(nkw_pose_mirror(less, pair, NKW_MIRROR_X, to), NKW_MISMATCHED);
+    expect_bits(out[0], 9.0f);
+    assert_int_equal(nkw_pose_blend(whole, whole, 0.5f, none, to), NKW_OK);
+    expect_bits(out[0], 0.0f);
 }
 
 static void writing_stays_within_the_block(void **state)
@@ -132,20 +162,25 @@ static void writing_stays_within_the_block(void **state)
     for (size_t joints = 1; joints < 40; joints++) {
         float a[NKW_POSE_FLOATS(39)], out[NKW_POSE_FLOATS(39) + 1], mask[NKW_POSE_STRIDE(39)];
         int32_t pair[39];
-        nkw_pose_identity(a, joints);
+        nkw_pose_identity(pose_span(a, joints));
         for (size_t j = 0; j < NKW_POSE_STRIDE(39); j++)
             mask[j] = 0.5f;
         for (size_t j = 0; j < joints; j++)
             pair[j] = (int32_t)(joints - 1 - j);
         size_t end = NKW_POSE_FLOATS(joints);
         out[end] = 9.0f;
-        nkw_pose_layer layers[2] = {{a, 1.0f, NULL}, {a, 1.0f, mask}};
-        nkw_pose_blend(a, a, joints, 0.5f, NULL, out);
-        nkw_pose_blend_slerp(a, a, joints, 0.5f, mask, out);
-        nkw_pose_blend_layers(layers, 2, a, joints, 0.5f, out);
-        nkw_pose_additive_build(a, a, joints, NKW_ADDITIVE_PARENT, out);
-        nkw_pose_additive_apply(a, a, joints, NKW_ADDITIVE_PARENT, 0.5f, mask, out);
-        nkw_pose_mirror(a, pair, joints, NKW_MIRROR_Y, out);
+        nkw_pose_layer layers[2] = {{pose_view(a, joints), 1.0f, mask_view(NULL, 0)},
+                                    {pose_view(a, joints), 1.0f, mask_view(mask, joints)}};
+        nkw_pose_blend(pose_view(a, joints), pose_view(a, joints), 0.5f, mask_view(NULL, joints),
+                       pose_span(out, joints));
+        nkw_pose_blend_slerp(pose_view(a, joints), pose_view(a, joints), 0.5f, mask_view(mask, joints),
+                             pose_span(out, joints));
+        nkw_pose_blend_layers(layers, 2, pose_view(a, joints), 0.5f, pose_span(out, joints));
+        nkw_pose_additive_build(pose_view(a, joints), pose_view(a, joints), NKW_ADDITIVE_PARENT,
+                                pose_span(out, joints));
+        nkw_pose_additive_apply(pose_view(a, joints), pose_view(a, joints), NKW_ADDITIVE_PARENT, 0.5f,
+                                mask_view(mask, joints), pose_span(out, joints));
+        nkw_pose_mirror(pose_view(a, joints), pair, NKW_MIRROR_Y, pose_span(out, joints));
         expect_bits(out[end], 9.0f);
     }
 }
@@ -158,17 +193,25 @@ static void every_function_works_in_place(void **state)
     draw(&r, first);
     draw(&r, second);
     draw_mask(&r, mask);
-    nkw_pose_blend(first, second, JOINTS, 0.3f, NULL, want);
-    nkw_pose_blend(first, second, JOINTS, 0.3f, NULL, second);
+    nkw_pose_blend(pose_view(first, JOINTS), pose_view(second, JOINTS), 0.3f, mask_view(NULL, JOINTS),
+                   pose_span(want, JOINTS));
+    nkw_pose_blend(pose_view(first, JOINTS), pose_view(second, JOINTS), 0.3f, mask_view(NULL, JOINTS),
+                   pose_span(second, JOINTS));
     expect_poses_bits(second, want);
-    nkw_pose_blend_slerp(second, first, JOINTS, 0.3f, mask, want);
-    nkw_pose_blend_slerp(second, first, JOINTS, 0.3f, mask, second);
+    nkw_pose_blend_slerp(pose_view(second, JOINTS), pose_view(first, JOINTS), 0.3f, mask_view(mask, JOINTS),
+                         pose_span(want, JOINTS));
+    nkw_pose_blend_slerp(pose_view(second, JOINTS), pose_view(first, JOINTS), 0.3f, mask_view(mask, JOINTS),
+                         pose_span(second, JOINTS));
     expect_poses_bits(second, want);
-    nkw_pose_additive_build(second, first, JOINTS, NKW_ADDITIVE_PARENT, want);
-    nkw_pose_additive_build(second, first, JOINTS, NKW_ADDITIVE_PARENT, second);
+    nkw_pose_additive_build(pose_view(second, JOINTS), pose_view(first, JOINTS), NKW_ADDITIVE_PARENT,
+                            pose_span(want, JOINTS));
+    nkw_pose_additive_build(pose_view(second, JOINTS), pose_view(first, JOINTS), NKW_ADDITIVE_PARENT,
+                            pose_span(second, JOINTS));
     expect_poses_bits(second, want);
-    nkw_pose_additive_apply(first, second, JOINTS, NKW_ADDITIVE_PARENT, 0.7f, mask, want);
-    nkw_pose_additive_apply(first, second, JOINTS, NKW_ADDITIVE_PARENT, 0.7f, mask, second);
+    nkw_pose_additive_apply(pose_view(first, JOINTS), pose_view(second, JOINTS), NKW_ADDITIVE_PARENT, 0.7f,
+                            mask_view(mask, JOINTS), pose_span(want, JOINTS));
+    nkw_pose_additive_apply(pose_view(first, JOINTS), pose_view(second, JOINTS), NKW_ADDITIVE_PARENT, 0.7f,
+                            mask_view(mask, JOINTS), pose_span(second, JOINTS));
     expect_poses_bits(second, want);
 }
 
@@ -177,8 +220,9 @@ static void every_function_works_in_place(void **state)
 static void expect_round_trip(const float *a, const float *ref, nkw_additive side)
 {
     static float delta[FLOATS], back[FLOATS];
-    nkw_pose_additive_build(a, ref, JOINTS, side, delta);
-    nkw_pose_additive_apply(ref, delta, JOINTS, side, 1.0f, NULL, back);
+    nkw_pose_additive_build(pose_view(a, JOINTS), pose_view(ref, JOINTS), side, pose_span(delta, JOINTS));
+    nkw_pose_additive_apply(pose_view(ref, JOINTS), pose_view(delta, JOINTS), side, 1.0f, mask_view(NULL, JOINTS),
+                            pose_span(back, JOINTS));
     for (size_t j = 0; j < JOINTS; j++)
         for (size_t c = 0; c < 10; c++) {
             double want = (double)a[c * STRIDE + j], from = (double)ref[c * STRIDE + j];
@@ -211,8 +255,9 @@ static void near_poses_with_unit_scale_come_back_exactly_but_for_rotations(void 
         a[i] = ref[i] * random_between(&r, 0.5f, 2.0f);
         ref[7 * STRIDE + i] = i % 2 ? 1.0f : 0.25f;
     }
-    nkw_pose_additive_build(a, ref, JOINTS, NKW_ADDITIVE_LOCAL, delta);
-    nkw_pose_additive_apply(ref, delta, JOINTS, NKW_ADDITIVE_LOCAL, 1.0f, NULL, delta);
+    nkw_pose_additive_build(pose_view(a, JOINTS), pose_view(ref, JOINTS), NKW_ADDITIVE_LOCAL, pose_span(delta, JOINTS));
+    nkw_pose_additive_apply(pose_view(ref, JOINTS), pose_view(delta, JOINTS), NKW_ADDITIVE_LOCAL, 1.0f,
+                            mask_view(NULL, JOINTS), pose_span(delta, JOINTS));
     for (size_t c = 0; c < 10; c = c == 2 ? 7 : c + 1)
         expect_floats_bits(delta + c * STRIDE, a + c * STRIDE, JOINTS);
 }
@@ -227,11 +272,13 @@ static void a_difference_of_weight_zero_leaves_the_base_bit_for_bit(void **state
     base[4] = -0.0f;
     static const float none[] = {0.0f, -1.0f, NAN};
     for (size_t i = 0; i < 3; i++) {
-        nkw_pose_additive_apply(base, delta, JOINTS, NKW_ADDITIVE_LOCAL, none[i], NULL, out);
+        nkw_pose_additive_apply(pose_view(base, JOINTS), pose_view(delta, JOINTS), NKW_ADDITIVE_LOCAL, none[i],
+                                mask_view(NULL, JOINTS), pose_span(out, JOINTS));
         expect_poses_bits(out, base);
     }
     delta[6] = INFINITY;
-    nkw_pose_additive_apply(base, delta, JOINTS, NKW_ADDITIVE_PARENT, 1.0f, mask, out);
+    nkw_pose_additive_apply(pose_view(base, JOINTS), pose_view(delta, JOINTS), NKW_ADDITIVE_PARENT, 1.0f,
+                            mask_view(mask, JOINTS), pose_span(out, JOINTS));
     expect_poses_bits(out, base);
 }
 
@@ -245,14 +292,16 @@ static void sides_are_the_joints_own_axes_and_its_parents(void **state)
     draw(&r, base);
     for (int parent = 0; parent < 2; parent++) {
         nkw_additive side = parent ? NKW_ADDITIVE_PARENT : NKW_ADDITIVE_LOCAL;
-        nkw_pose_additive_build(a, ref, JOINTS, side, delta);
-        nkw_pose_additive_apply(base, delta, JOINTS, side, 1.0f, NULL, out);
+        nkw_pose_additive_build(pose_view(a, JOINTS), pose_view(ref, JOINTS), side, pose_span(delta, JOINTS));
+        nkw_pose_additive_apply(pose_view(base, JOINTS), pose_view(delta, JOINTS), side, 1.0f, mask_view(NULL, JOINTS),
+                                pose_span(out, JOINTS));
         for (size_t j = 0; j < JOINTS; j++) {
-            nkw_trs p = nkw_pose_get(a, JOINTS, j), q = nkw_pose_get(ref, JOINTS, j), b = nkw_pose_get(base, JOINTS, j);
+            nkw_trs p = nkw_pose_get(pose_view(a, JOINTS), j), q = nkw_pose_get(pose_view(ref, JOINTS), j),
+                    b = nkw_pose_get(pose_view(base, JOINTS), j);
             nkw_quat back = nkw_quat_conjugate(q.rotation);
             nkw_quat want = parent ? nkw_quat_mul(nkw_quat_mul(p.rotation, back), b.rotation)
                                    : nkw_quat_mul(b.rotation, nkw_quat_mul(back, p.rotation));
-            nkw_trs got = nkw_pose_get(out, JOINTS, j);
+            nkw_trs got = nkw_pose_get(pose_view(out, JOINTS), j);
             expect_quat_near(got.rotation, want, 8 * U);
             expect_near(got.translation.x, b.translation.x + (p.translation.x - q.translation.x), 20 * U);
             expect_near(got.scale.z, b.scale.z * (p.scale.z / q.scale.z), 20 * U);
@@ -268,10 +317,11 @@ static void a_part_of_a_difference_is_a_part_of_each(void **state)
     nkw_trs b = {{1, 2, 3}, {0, 0, 0, 1}, {1, 2, 4}}, d = {{4, 8, -4}, half, {3, 1, 0.5f}};
     for (int negated = 0; negated < 2; negated++) {
         d.rotation = negated ? nkw_quat_negate(half) : half;
-        nkw_pose_from_trs(&b, 1, base);
-        nkw_pose_from_trs(&d, 1, delta);
-        nkw_pose_additive_apply(base, delta, 1, NKW_ADDITIVE_LOCAL, 0.25f, NULL, base);
-        nkw_trs got = nkw_pose_get(base, 1, 0);
+        nkw_pose_from_trs(&b, pose_span(base, 1));
+        nkw_pose_from_trs(&d, pose_span(delta, 1));
+        nkw_pose_additive_apply(pose_view(base, 1), pose_view(delta, 1), NKW_ADDITIVE_LOCAL, 0.25f, mask_view(NULL, 1),
+                                pose_span(base, 1));
+        nkw_trs got = nkw_pose_get(pose_view(base, 1), 0);
         expect_vec3_bits(got.translation, ((nkw_vec3){2, 4, 2}));
         expect_vec3_bits(got.scale, ((nkw_vec3){1.5f, 2, 3.5f}));
         nkw_quat want = nkw_quat_nlerp(none, half, 0.25f);
@@ -285,10 +335,11 @@ static void zeros_in_the_reference_are_defined(void **state)
     float a[NKW_POSE_FLOATS(1)], ref[NKW_POSE_FLOATS(1)];
     nkw_trs p = {{1, 2, 3}, {0.6f, 0, 0, 0.8f}, {0, 2, 3}}, q = {{0, 0, 0}, {0, 0, 0, 0}, {0, 0, -0.0f}};
     for (int parent = 0; parent < 2; parent++) {
-        nkw_pose_from_trs(&p, 1, a);
-        nkw_pose_from_trs(&q, 1, ref);
-        nkw_pose_additive_build(a, ref, 1, parent ? NKW_ADDITIVE_PARENT : NKW_ADDITIVE_LOCAL, a);
-        nkw_trs got = nkw_pose_get(a, 1, 0);
+        nkw_pose_from_trs(&p, pose_span(a, 1));
+        nkw_pose_from_trs(&q, pose_span(ref, 1));
+        nkw_pose_additive_build(pose_view(a, 1), pose_view(ref, 1), parent ? NKW_ADDITIVE_PARENT : NKW_ADDITIVE_LOCAL,
+                                pose_span(a, 1));
+        nkw_trs got = nkw_pose_get(pose_view(a, 1), 0);
         expect_vec3_bits(got.scale, ((nkw_vec3){1, 1, 1}));
         expect_quat_bits(got.rotation, p.rotation);
     }
@@ -308,9 +359,9 @@ static void a_mirror_reflects_points_through_its_plane(void **state)
             nkw_trs trs = {random_vec3(&r, -2, 2), random_rotation(&r), random_vec3(&r, 0.5f, 2)};
             nkw_vec3 point = random_vec3(&r, -1, 1),
                      sign = {k == 0 ? -1.0f : 1, k == 1 ? -1.0f : 1, k == 2 ? -1.0f : 1};
-            nkw_pose_from_trs(&trs, 1, pose);
-            nkw_pose_mirror(pose, &self, 1, planes[k], pose);
-            nkw_trs seen = nkw_pose_get(pose, 1, 0);
+            nkw_pose_from_trs(&trs, pose_span(pose, 1));
+            nkw_pose_mirror(pose_view(pose, 1), &self, planes[k], pose_span(pose, 1));
+            nkw_trs seen = nkw_pose_get(pose_view(pose, 1), 0);
             nkw_vec3 got = nkw_trs_transform_point(&seen, nkw_vec3_mul(sign, point));
             expect_vec3_near(got, nkw_vec3_mul(sign, nkw_trs_transform_point(&trs, point)), 30 * U);
         }
@@ -333,12 +384,12 @@ static void a_mirror_twice_gives_the_original_bits(void **state)
     pose[0] = -0.0f;
     make_pairs(pair);
     assert_int_equal(nkw_mirror_validate(pair, JOINTS, NULL), NKW_OK);
-    nkw_pose_mirror(pose, pair, JOINTS, NKW_MIRROR_X, once);
+    nkw_pose_mirror(pose_view(pose, JOINTS), pair, NKW_MIRROR_X, pose_span(once, JOINTS));
     expect_bits(once[2 * STRIDE], pose[2 * STRIDE + 1]);
     expect_bits(once[1], -pose[0]);
-    nkw_pose_mirror(once, pair, JOINTS, NKW_MIRROR_X, twice);
+    nkw_pose_mirror(pose_view(once, JOINTS), pair, NKW_MIRROR_X, pose_span(twice, JOINTS));
     expect_poses_bits(twice, pose);
-    nkw_pose_mirror(pose, pair, JOINTS, NKW_MIRROR_X, pose);
+    nkw_pose_mirror(pose_view(pose, JOINTS), pair, NKW_MIRROR_X, pose_span(pose, JOINTS));
     expect_poses_bits(pose, once);
 }
 
@@ -357,8 +408,8 @@ static void partners_that_are_none_are_mirrored_in_their_place(void **state)
     pair[5] = JOINTS;
     pair[6] = INT32_MAX;
     pair[7] = 6;
-    nkw_pose_mirror(pose, own, JOINTS, NKW_MIRROR_Z, want);
-    nkw_pose_mirror(pose, pair, JOINTS, NKW_MIRROR_Z, out);
+    nkw_pose_mirror(pose_view(pose, JOINTS), own, NKW_MIRROR_Z, pose_span(want, JOINTS));
+    nkw_pose_mirror(pose_view(pose, JOINTS), pair, NKW_MIRROR_Z, pose_span(out, JOINTS));
     expect_poses_bits(out, want);
 }
 
@@ -392,12 +443,12 @@ static void a_subtree_masks_a_joint_and_all_below_it(void **state)
     static const int32_t parents[8] = {-1, 0, 1, 1, 0, 4, 7, INT32_MAX};
     static const float arm[8] = {0, 1, 1, 1, 0, 0, 0, 0}, all[8] = {1, 1, 1, 1, 1, 1, 0, 0}, none[8] = {0};
     float mask[NKW_POSE_STRIDE(8)];
-    nkw_mask_from_subtree(parents, 8, 1, mask);
+    mask_from_subtree(parents, 8, 1, mask);
     expect_floats_bits(mask, arm, 8);
     expect_floats_bits(mask + 8, none, 8);
-    nkw_mask_from_subtree(parents, 8, 0, mask);
+    mask_from_subtree(parents, 8, 0, mask);
     expect_floats_bits(mask, all, 8);
-    nkw_mask_from_subtree(parents, 8, 8, mask);
+    mask_from_subtree(parents, 8, 8, mask);
     expect_floats_bits(mask, none, 8);
 }
 
@@ -409,6 +460,7 @@ int main(void)
         cmocka_unit_test(masks_weigh_joint_by_joint),
         cmocka_unit_test(the_ends_are_the_poses_bit_for_bit),
         cmocka_unit_test(nothing_is_touched_without_joints),
+        cmocka_unit_test(poses_of_different_joints_are_not_blended),
         cmocka_unit_test(writing_stays_within_the_block),
         cmocka_unit_test(every_function_works_in_place),
         cmocka_unit_test(applying_a_difference_to_its_reference_gives_the_pose),

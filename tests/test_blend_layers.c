@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 #include "support/poses.h"
+#include "support/views.h"
 
 #define LAYERS 5
 
@@ -16,7 +17,7 @@ static bed *make_bed(uint64_t seed)
     for (size_t i = 0; i < LAYERS; i++) {
         draw(&r, b.poses[i]);
         draw_mask(&r, b.masks[i]);
-        nkw_pose_layer layer = {b.poses[i], random_between(&r, 0.1f, 1), NULL};
+        nkw_pose_layer layer = {pose_view(b.poses[i], JOINTS), random_between(&r, 0.1f, 1), mask_view(NULL, 0)};
         b.layers[i] = layer;
     }
     return &b;
@@ -25,7 +26,7 @@ static bed *make_bed(uint64_t seed)
 static void permute_and_compare(bed *b, nkw_pose_layer *layers, size_t fixed)
 {
     if (fixed == LAYERS) {
-        nkw_pose_blend_layers(layers, LAYERS, b->rest, JOINTS, 3.5f, b->out);
+        nkw_pose_blend_layers(layers, LAYERS, pose_view(b->rest, JOINTS), 3.5f, pose_span(b->out, JOINTS));
         expect_poses_bits(b->out, b->want);
     }
     for (size_t i = fixed; i < LAYERS; i++) {
@@ -39,7 +40,7 @@ static void permute_and_compare(bed *b, nkw_pose_layer *layers, size_t fixed)
 
 static void expect_any_order(bed *b)
 {
-    nkw_pose_blend_layers(b->layers, LAYERS, b->rest, JOINTS, 3.5f, b->want);
+    nkw_pose_blend_layers(b->layers, LAYERS, pose_view(b->rest, JOINTS), 3.5f, pose_span(b->want, JOINTS));
     permute_and_compare(b, b->layers, 0);
 }
 
@@ -49,13 +50,13 @@ static void the_order_of_layers_changes_no_bit(void **state)
     bed *b = make_bed(5);
     expect_any_order(b);
     for (size_t i = 0; i < LAYERS; i++)
-        b->layers[i].mask = b->masks[i];
+        b->layers[i].mask = mask_view(b->masks[i], JOINTS);
     expect_any_order(b);
     for (size_t i = 0; i < LAYERS; i++)
         b->layers[i].weight = 0.25f;
     expect_any_order(b);
     for (size_t i = 0; i < LAYERS; i++)
-        b->layers[i].mask = i % 2 ? b->masks[1] : NULL;
+        b->layers[i].mask = mask_view(i % 2 ? b->masks[1] : NULL, JOINTS);
     expect_any_order(b);
     for (size_t i = 0; i < 4 * STRIDE; i++)
         b->poses[1][3 * STRIDE + i] = b->poses[2][3 * STRIDE + i] = b->poses[3][3 * STRIDE + i];
@@ -90,22 +91,23 @@ static void many_layers_of_one_weight_may_come_in_any_order(void **state)
     more = make_bed(16);
     for (int masked = 0; masked < 2; masked++) {
         for (size_t i = 0; i < MANY; i++) {
-            nkw_pose_layer layer = {i % 7 < 5 ? more->poses[i % 7] : other.poses[i % 5], 0.25f, NULL};
-            layer.mask = masked && i % 3 ? more->masks[i % 5] : NULL;
+            const float *pose = i % 7 < 5 ? more->poses[i % 7] : other.poses[i % 5];
+            nkw_pose_layer layer = {pose_view(pose, JOINTS), 0.25f, mask_view(NULL, 0)};
+            layer.mask = mask_view(masked && i % 3 ? more->masks[i % 5] : NULL, JOINTS);
             layers[i] = layer;
         }
-        nkw_pose_blend_layers(layers, MANY, more->rest, JOINTS, 0.1f, more->want);
+        nkw_pose_blend_layers(layers, MANY, pose_view(more->rest, JOINTS), 0.1f, pose_span(more->want, JOINTS));
         for (size_t step = 0; step < 2 * MANY; step++) {
             nkw_pose_layer turned[MANY];
             for (size_t i = 0; i < MANY; i++)
                 turned[i] = layers[(step < MANY ? i + step : 3 * MANY - i - step) % MANY];
-            nkw_pose_blend_layers(turned, MANY, more->rest, JOINTS, 0.1f, more->out);
+            nkw_pose_blend_layers(turned, MANY, pose_view(more->rest, JOINTS), 0.1f, pose_span(more->out, JOINTS));
             expect_poses_bits(more->out, more->want);
         }
         for (size_t j = 0; j < JOINTS && !masked; j++) {
             double mean = 0;
             for (size_t i = 0; i < MANY; i++)
-                mean += (double)layers[i].pose[j] / MANY;
+                mean += (double)layers[i].pose.data[j] / MANY;
             expect_near(more->out[j], mean, 1e-5);
         }
     }
@@ -124,7 +126,7 @@ static void groups_of_one_weight_give_the_mean(void **state)
         double total = 0;
         for (size_t i = 0; i < LAYERS; i++)
             total += (double)(b->layers[(3 * i) % LAYERS].weight = weights[set][i]);
-        nkw_pose_blend_layers(b->layers, LAYERS, b->rest, JOINTS, 0.0f, b->out);
+        nkw_pose_blend_layers(b->layers, LAYERS, pose_view(b->rest, JOINTS), 0.0f, pose_span(b->out, JOINTS));
         for (size_t c = 0; c < 10; c += c == 2 ? 5 : 1)
             for (size_t j = 0; j < JOINTS; j++) {
                 double mean = 0;
@@ -143,13 +145,13 @@ static void a_joints_result_depends_on_that_joint_alone(void **state)
     bed *b = make_bed(11);
     for (int masked = 0; masked < 2; masked++) {
         for (size_t i = 0; i < LAYERS; i++)
-            b->layers[i].mask = masked ? b->masks[i] : NULL;
-        nkw_pose_blend_layers(b->layers, LAYERS, b->rest, JOINTS, 0.1f, b->want);
+            b->layers[i].mask = mask_view(masked ? b->masks[i] : NULL, JOINTS);
+        nkw_pose_blend_layers(b->layers, LAYERS, pose_view(b->rest, JOINTS), 0.1f, pose_span(b->want, JOINTS));
         for (int round = 0; round < 20; round++) {
             for (size_t i = 0; i < LAYERS * 10 * STRIDE; i++)
                 if (i % STRIDE != 7)
                     b->poses[i / (10 * STRIDE)][i % (10 * STRIDE)] = random_unit(&r);
-            nkw_pose_blend_layers(b->layers, LAYERS, b->rest, JOINTS, 0.1f, b->out);
+            nkw_pose_blend_layers(b->layers, LAYERS, pose_view(b->rest, JOINTS), 0.1f, pose_span(b->out, JOINTS));
             for (size_t c = 0; c < 10; c++)
                 expect_bits(b->out[c * STRIDE + 7], b->want[c * STRIDE + 7]);
         }
@@ -177,12 +179,12 @@ static void mean_of_joint(const bed *b, const float *w, size_t j, double out[10]
 
 static void expect_mean(bed *b, float threshold)
 {
-    nkw_pose_blend_layers(b->layers, LAYERS, b->rest, JOINTS, threshold, b->out);
+    nkw_pose_blend_layers(b->layers, LAYERS, pose_view(b->rest, JOINTS), threshold, pose_span(b->out, JOINTS));
     for (size_t j = 0; j < JOINTS; j++) {
         float w[LAYERS + 1], sum = 0;
         double want[10];
         for (size_t i = 0; i < LAYERS; i++)
-            sum += w[i] = b->layers[i].weight * (b->layers[i].mask ? b->layers[i].mask[j] : 1.0f);
+            sum += w[i] = b->layers[i].weight * (b->layers[i].mask.data ? b->layers[i].mask.data[j] : 1.0f);
         w[LAYERS] = sum < threshold ? threshold - sum : 0.0f;
         mean_of_joint(b, w, j, want);
         for (size_t c = 0; c < 10; c++)
@@ -200,7 +202,7 @@ static void layers_give_the_weighted_mean_and_the_rest_pose_what_is_missing(void
     expect_mean(b, 0.1f);
     expect_mean(b, 4.0f);
     for (size_t i = 0; i < LAYERS; i++)
-        b->layers[i].mask = b->masks[i];
+        b->layers[i].mask = mask_view(b->masks[i], JOINTS);
     expect_mean(b, 0.1f);
     expect_mean(b, 2.0f);
     /* A little is missing, on every joint alike. */
@@ -216,8 +218,9 @@ static void two_layers_are_the_blend_of_two_from_the_heavier(void **state)
     bed *b = make_bed(7);
     b->layers[0].weight = 0.3f;
     b->layers[1].weight = 0.6f;
-    nkw_pose_blend_layers(b->layers, 2, b->rest, JOINTS, 0.5f, b->out);
-    nkw_pose_blend(b->poses[1], b->poses[0], JOINTS, 0.3f / (0.3f + 0.6f), NULL, b->want);
+    nkw_pose_blend_layers(b->layers, 2, pose_view(b->rest, JOINTS), 0.5f, pose_span(b->out, JOINTS));
+    nkw_pose_blend(pose_view(b->poses[1], JOINTS), pose_view(b->poses[0], JOINTS), 0.3f / (0.3f + 0.6f),
+                   mask_view(NULL, JOINTS), pose_span(b->want, JOINTS));
     expect_poses_bits(b->out, b->want);
 }
 
@@ -228,16 +231,16 @@ static void one_layer_alone_is_its_pose_bit_for_bit(void **state)
     b->poses[0][3] = -0.0f;
     b->poses[0][3 * STRIDE + 3] = -0.0f;
     b->layers[0].weight = 0.37f;
-    nkw_pose_blend_layers(b->layers, 1, b->rest, JOINTS, 0.1f, b->out);
+    nkw_pose_blend_layers(b->layers, 1, pose_view(b->rest, JOINTS), 0.1f, pose_span(b->out, JOINTS));
     expect_poses_bits(b->out, b->poses[0]);
     for (size_t j = 0; j < STRIDE; j++) {
         b->masks[0][j] = j % 2 ? 0.25f : 0.0f;
         b->masks[1][j] = j % 2 ? -1.0f : 0.5f;
     }
-    b->layers[0].mask = b->masks[0];
-    b->layers[1].mask = b->masks[1];
+    b->layers[0].mask = mask_view(b->masks[0], JOINTS);
+    b->layers[1].mask = mask_view(b->masks[1], JOINTS);
     b->poses[1][1] = NAN;
-    nkw_pose_blend_layers(b->layers, 2, b->rest, JOINTS, 0.0f, b->out);
+    nkw_pose_blend_layers(b->layers, 2, pose_view(b->rest, JOINTS), 0.0f, pose_span(b->out, JOINTS));
     for (size_t i = 0; i < FLOATS; i++)
         if (i % STRIDE < JOINTS)
             expect_bits(b->out[i], b->poses[i % 2 ? 0 : 1][i]);
@@ -250,9 +253,9 @@ static void what_all_layers_share_comes_out_bit_for_bit(void **state)
     for (size_t i = 0; i < LAYERS; i++) {
         memcpy(b->poses[i], b->poses[0], 3 * STRIDE * sizeof(float));
         memcpy(b->poses[i] + 7 * STRIDE, b->poses[0] + 7 * STRIDE, 3 * STRIDE * sizeof(float));
-        b->layers[i].mask = i % 2 ? b->masks[i] : NULL;
+        b->layers[i].mask = mask_view(i % 2 ? b->masks[i] : NULL, JOINTS);
     }
-    nkw_pose_blend_layers(b->layers, LAYERS, b->rest, JOINTS, 0.1f, b->out);
+    nkw_pose_blend_layers(b->layers, LAYERS, pose_view(b->rest, JOINTS), 0.1f, pose_span(b->out, JOINTS));
     for (size_t c = 0; c < 10; c = c == 2 ? 7 : c + 1)
         expect_floats_bits(b->out + c * STRIDE, b->poses[0] + c * STRIDE, JOINTS);
 }
@@ -266,15 +269,15 @@ static void the_rest_pose_stands_where_nothing_has_a_weight(void **state)
     for (size_t i = 0; i < LAYERS; i++)
         b->layers[i].weight = none[i];
     for (size_t i = 0; i < 5; i++) {
-        nkw_pose_blend_layers(b->layers, LAYERS, b->rest, JOINTS, thresholds[i], b->out);
+        nkw_pose_blend_layers(b->layers, LAYERS, pose_view(b->rest, JOINTS), thresholds[i], pose_span(b->out, JOINTS));
         expect_poses_bits(b->out, b->rest);
-        nkw_pose_blend_layers(NULL, 0, b->rest, JOINTS, thresholds[i], b->out);
+        nkw_pose_blend_layers(NULL, 0, pose_view(b->rest, JOINTS), thresholds[i], pose_span(b->out, JOINTS));
         expect_poses_bits(b->out, b->rest);
     }
     b->layers[0].weight = 1.0f;
-    b->layers[0].mask = b->masks[0];
+    b->layers[0].mask = mask_view(b->masks[0], JOINTS);
     memset(b->masks[0], 0, sizeof b->masks[0]);
-    nkw_pose_blend_layers(b->layers, LAYERS, b->rest, JOINTS, 0.0f, b->out);
+    nkw_pose_blend_layers(b->layers, LAYERS, pose_view(b->rest, JOINTS), 0.0f, pose_span(b->out, JOINTS));
     expect_poses_bits(b->out, b->rest);
 }
 
@@ -282,10 +285,10 @@ static void negative_and_nan_weights_are_no_layers(void **state)
 {
     (void)state;
     bed *b = make_bed(11);
-    nkw_pose_blend_layers(b->layers + 2, 3, b->rest, JOINTS, 0.1f, b->want);
+    nkw_pose_blend_layers(b->layers + 2, 3, pose_view(b->rest, JOINTS), 0.1f, pose_span(b->want, JOINTS));
     b->layers[0].weight = -3.0f;
     b->layers[1].weight = NAN;
-    nkw_pose_blend_layers(b->layers, LAYERS, b->rest, JOINTS, 0.1f, b->out);
+    nkw_pose_blend_layers(b->layers, LAYERS, pose_view(b->rest, JOINTS), 0.1f, pose_span(b->out, JOINTS));
     expect_poses_bits(b->out, b->want);
 }
 
@@ -295,13 +298,13 @@ static void enormous_weights_count_as_two_to_the_sixty(void **state)
     bed *b = make_bed(12);
     b->layers[0].weight = 0x1p60f;
     b->layers[1].weight = 0x1p60f;
-    nkw_pose_blend_layers(b->layers, 2, b->rest, JOINTS, 0.1f, b->want);
+    nkw_pose_blend_layers(b->layers, 2, pose_view(b->rest, JOINTS), 0.1f, pose_span(b->want, JOINTS));
     b->layers[0].weight = INFINITY;
     b->layers[1].weight = 3e38f;
-    nkw_pose_blend_layers(b->layers, 2, b->rest, JOINTS, 0.1f, b->out);
+    nkw_pose_blend_layers(b->layers, 2, pose_view(b->rest, JOINTS), 0.1f, pose_span(b->out, JOINTS));
     expect_poses_bits(b->out, b->want);
     for (size_t j = 0; j < JOINTS; j++)
-        expect_near(nkw_quat_length(nkw_pose_get(b->out, JOINTS, j).rotation), 1, 4 * U);
+        expect_near(nkw_quat_length(nkw_pose_get(pose_view(b->out, JOINTS), j).rotation), 1, 4 * U);
 }
 
 /* Rotations that agree, given with both signs and far from the rest pose, stay what they are. */
@@ -309,20 +312,20 @@ static void signs_of_layers_do_not_matter(void **state)
 {
     (void)state;
     bed *b = make_bed(13);
-    nkw_pose_identity(b->rest, JOINTS);
+    nkw_pose_identity(pose_span(b->rest, JOINTS));
     for (size_t j = 0; j < JOINTS; j++)
         for (size_t i = 0; i < LAYERS; i++) {
             nkw_trs trs = nkw_trs_identity();
             trs.rotation = nkw_quat_from_axis_angle((nkw_vec3){0, 1, 0}, 3.1f + 0.02f * (float)i);
             trs.rotation = (i + j) % 2 ? nkw_quat_negate(trs.rotation) : trs.rotation;
-            nkw_pose_set(b->poses[i], JOINTS, j, &trs);
+            nkw_pose_set(pose_span(b->poses[i], JOINTS), j, &trs);
         }
     for (size_t i = 0; i < LAYERS; i++)
         b->layers[i].weight = 0.2f;
-    nkw_pose_blend_layers(b->layers, LAYERS, b->rest, JOINTS, 0.1f, b->out);
+    nkw_pose_blend_layers(b->layers, LAYERS, pose_view(b->rest, JOINTS), 0.1f, pose_span(b->out, JOINTS));
     nkw_quat want = nkw_quat_from_axis_angle((nkw_vec3){0, 1, 0}, 3.14f);
     for (size_t j = 0; j < JOINTS; j++)
-        expect_rotation_near(nkw_pose_get(b->out, JOINTS, j).rotation, want, 1e-6);
+        expect_rotation_near(nkw_pose_get(pose_view(b->out, JOINTS), j).rotation, want, 1e-6);
 }
 
 static void the_result_may_replace_a_layers_pose(void **state)
@@ -333,8 +336,8 @@ static void the_result_may_replace_a_layers_pose(void **state)
             bed *b = make_bed(14);
             for (size_t i = 0; i < LAYERS && even; i++)
                 b->layers[i].weight = 0.25f;
-            nkw_pose_blend_layers(b->layers, LAYERS, b->rest, JOINTS, 0.1f, b->want);
-            nkw_pose_blend_layers(b->layers, LAYERS, b->rest, JOINTS, 0.1f, b->poses[k]);
+            nkw_pose_blend_layers(b->layers, LAYERS, pose_view(b->rest, JOINTS), 0.1f, pose_span(b->want, JOINTS));
+            nkw_pose_blend_layers(b->layers, LAYERS, pose_view(b->rest, JOINTS), 0.1f, pose_span(b->poses[k], JOINTS));
             expect_poses_bits(b->poses[k], b->want);
         }
 }
@@ -349,12 +352,12 @@ static void the_padding_puts_no_layer_before_another(void **state)
         b->layers[i].weight = 0.25f;
         memcpy(b->poses[i] + 3 * STRIDE, b->poses[0] + 3 * STRIDE, JOINTS * sizeof(float));
     }
-    nkw_pose_blend_layers(b->layers, LAYERS, b->rest, JOINTS, 0.1f, b->want);
+    nkw_pose_blend_layers(b->layers, LAYERS, pose_view(b->rest, JOINTS), 0.1f, pose_span(b->want, JOINTS));
     for (int round = 0; round < 10; round++) {
         for (size_t i = 0; i < LAYERS * 10 * STRIDE; i++)
             if (i % STRIDE >= JOINTS)
                 b->poses[i / (10 * STRIDE)][i % (10 * STRIDE)] = random_unit(&r);
-        nkw_pose_blend_layers(b->layers, LAYERS, b->rest, JOINTS, 0.1f, b->out);
+        nkw_pose_blend_layers(b->layers, LAYERS, pose_view(b->rest, JOINTS), 0.1f, pose_span(b->out, JOINTS));
         expect_poses_bits(b->out, b->want);
     }
 }
@@ -362,9 +365,9 @@ static void the_padding_puts_no_layer_before_another(void **state)
 static void expect_mask(const float *mask, size_t joints, nkw_result result, size_t joint)
 {
     size_t bad = 99;
-    assert_int_equal(nkw_mask_validate(mask, joints, &bad), result);
+    assert_int_equal(nkw_mask_validate(mask_view(mask, joints), &bad), result);
     assert_int_equal(bad, joint);
-    assert_int_equal(nkw_mask_validate(mask, joints, NULL), result);
+    assert_int_equal(nkw_mask_validate(mask_view(mask, joints), NULL), result);
 }
 
 static void validate_names_the_first_joint_of_a_bad_mask(void **state)
@@ -397,7 +400,7 @@ static void validate_names_the_first_bad_layer(void **state)
     (void)state;
     bed *b = make_bed(21);
     for (size_t i = 0; i < LAYERS; i++)
-        b->layers[i].mask = b->masks[i];
+        b->layers[i].mask = mask_view(b->masks[i], JOINTS);
     b->layers[1].weight = 0x1p60f;
     b->layers[0].weight = 0.0f;
     expect_layers(b, LAYERS, JOINTS, NKW_OK, 0);
@@ -411,7 +414,13 @@ static void validate_names_the_first_bad_layer(void **state)
     expect_layers(b, LAYERS, JOINTS, NKW_NOT_FINITE, 2);
     b->layers[1].weight = 0x1.000002p60f;
     expect_layers(b, LAYERS, JOINTS, NKW_BAD_WEIGHTS, 1);
-    b->layers[0].pose = NULL;
+    b->layers[2].mask.joint_count = 3;
+    b->layers[0].pose.joint_count++;
+    expect_layers(b, LAYERS, JOINTS, NKW_MISMATCHED, 0);
+    assert_int_equal(
+        nkw_pose_blend_layers(b->layers, LAYERS, pose_view(b->rest, JOINTS), 0.1f, pose_span(b->out, JOINTS)),
+        NKW_MISMATCHED);
+    b->layers[0].pose.data = NULL;
     expect_layers(b, LAYERS, JOINTS, NKW_EMPTY, 0);
 }
 

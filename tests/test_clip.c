@@ -169,7 +169,7 @@ static void a_clip_without_tracks_is_the_rest_pose(void **state)
     size_t bytes;
     float pose[NKW_POSE_FLOATS(17)], identity[NKW_POSE_FLOATS(17)], floats[2] = {7, 7};
     nkw_clip *clip = build(&source, &bytes);
-    nkw_pose_identity(identity, 17);
+    nkw_pose_identity(pose_span(identity, 17));
     nkw_clip_sample(clip, 0.3f, NULL, pose_span(pose, nkw_clip_joint_count(clip)), floats);
     expect_same_pose(pose, identity, 17);
     expect_bits(floats[0], 0.0f);
@@ -383,7 +383,7 @@ static void compact_rotations_are_unit(void **state)
         nkw_clip_sample(clip, i % 5 ? random_unit(&r) : drawn.times[0][i % RANDOM_CLIP_KEYS], NULL,
                         pose_span(pose, nkw_clip_joint_count(clip)), NULL);
         for (size_t j = 0; j < 20; j++)
-            expect_near(nkw_quat_length(nkw_pose_get(pose, 20, j).rotation), 1.0, 7e-7);
+            expect_near(nkw_quat_length(nkw_pose_get(pose_view(pose, 20), j).rotation), 1.0, 7e-7);
     }
     free(clip);
 }
@@ -404,7 +404,7 @@ static void compact_rotations_are_unit_between_far_keys_too(void **state)
     nkw_clip_source source = {&rotation, 1, 1, 0, {NULL, 0}, NULL, NKW_CLIP_UNORM16};
     nkw_clip *clip = build(&source, &bytes);
     nkw_clip_sample(clip, 0x1.ffffb6p-2f, NULL, pose_span(pose, nkw_clip_joint_count(clip)), NULL);
-    expect_near(nkw_quat_length(nkw_pose_get(pose, 1, 0).rotation), 1.0, 7e-7);
+    expect_near(nkw_quat_length(nkw_pose_get(pose_view(pose, 1), 0).rotation), 1.0, 7e-7);
     free(clip);
 }
 

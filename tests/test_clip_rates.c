@@ -82,7 +82,7 @@ static void sampling_gives_the_bits_of_track_by_track(void **state)
     for (float time = -0.1f; time < 2.2f; time += 0.0371f) {
         float got[NKW_POSE_FLOATS(JOINTS)], want[NKW_POSE_FLOATS(JOINTS)];
         nkw_clip_sample(clip, time, NULL, pose_span(got, nkw_clip_joint_count(clip)), NULL);
-        nkw_pose_identity(want, JOINTS);
+        nkw_pose_identity(pose_span(want, JOINTS));
         for (size_t i = 0; i < TRACKS; i++)
             track_sample_to(&taken.own[i], time, JOINTS, want, NULL);
         expect_same_pose(got, want, JOINTS);

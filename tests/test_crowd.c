@@ -38,14 +38,14 @@ static void draw(random_source *r)
         out[i] = matrices[i];
         for (size_t j = 0; j < JOINTS; j++) {
             nkw_trs trs = some_trs(r);
-            nkw_pose_set(poses[i], JOINTS, j, &trs);
+            nkw_pose_set(pose_span(poses[i], JOINTS), j, &trs);
         }
     }
 }
 
 static nkw_mat4 local_of(size_t i, size_t j)
 {
-    nkw_trs trs = nkw_pose_get(poses[i], JOINTS, j);
+    nkw_trs trs = nkw_pose_get(pose_view(poses[i], JOINTS), j);
     return nkw_mat4_from_trs(&trs);
 }
 
@@ -65,10 +65,10 @@ static void every_lane_gives_the_bits_of_its_character_alone(void **state)
     random_source r = random_from(1);
     for (int round = 0; round < 20; round++) {
         draw(&r);
-        nkw_crowd_from_poses(in, JOINTS, crowd);
-        nkw_crowd_from_matrices(in_roots, 1, roots);
-        nkw_crowd_models_from_pose(&skeleton, crowd, round % 2 ? roots : NULL, models);
-        nkw_matrices_from_crowd(models, JOINTS, out);
+        crowd_from_poses(in, JOINTS, crowd);
+        crowd_from_matrices(in_roots, 1, roots);
+        crowd_models_from_pose(&skeleton, crowd, round % 2 ? roots : NULL, models);
+        matrices_from_crowd(models, JOINTS, out);
         for (size_t i = 0; i < NKW_CROWD; i++)
             for (size_t j = 0; j < JOINTS; j++) {
                 nkw_mat4 want = model_of(i, j, round % 2);
@@ -85,10 +85,10 @@ static void palettes_are_models_times_inverse_binds(void **state)
     const int32_t joints[4] = {7, 0, -1, 21};
     const nkw_mat4 identity = nkw_mat4_identity();
     draw(&r);
-    nkw_crowd_from_poses(in, JOINTS, crowd);
-    nkw_crowd_models_from_pose(&skeleton, crowd, NULL, models);
-    nkw_crowd_palette_from_models(models, JOINTS, joints, bind, 4, palette);
-    nkw_matrices_from_crowd(palette, 4, out);
+    crowd_from_poses(in, JOINTS, crowd);
+    crowd_models_from_pose(&skeleton, crowd, NULL, models);
+    crowd_palette_from_models(models, JOINTS, joints, bind, 4, palette);
+    matrices_from_crowd(palette, 4, out);
     for (size_t i = 0; i < NKW_CROWD; i++)
         for (size_t k = 0; k < 4; k++) {
             nkw_mat4 model = k == 2 ? identity : model_of(i, (size_t)joints[k], 0);
@@ -103,12 +103,12 @@ static void palettes_may_take_the_place_of_models(void **state)
     random_source r = random_from(3);
     static float palette[NKW_CROWD_MATRIX_FLOATS(JOINTS)], copied[NKW_CROWD_MATRIX_FLOATS(JOINTS)];
     draw(&r);
-    nkw_crowd_from_poses(in, JOINTS, crowd);
-    nkw_crowd_models_from_pose(&skeleton, crowd, NULL, models);
-    nkw_crowd_palette_from_models(models, JOINTS, NULL, bind, JOINTS, palette);
-    nkw_crowd_palette_from_models(models, JOINTS, NULL, NULL, JOINTS, copied);
+    crowd_from_poses(in, JOINTS, crowd);
+    crowd_models_from_pose(&skeleton, crowd, NULL, models);
+    crowd_palette_from_models(models, JOINTS, NULL, bind, JOINTS, palette);
+    crowd_palette_from_models(models, JOINTS, NULL, NULL, JOINTS, copied);
     expect_floats_bits(copied, models, NKW_CROWD_MATRIX_FLOATS(JOINTS));
-    nkw_crowd_palette_from_models(models, JOINTS, NULL, bind, JOINTS, models);
+    crowd_palette_from_models(models, JOINTS, NULL, bind, JOINTS, models);
     expect_floats_bits(models, palette, NKW_CROWD_MATRIX_FLOATS(JOINTS));
 }
 
@@ -120,12 +120,12 @@ static void lanes_without_a_character_are_the_identity_and_left_out(void **state
     draw(&r);
     in[5] = NULL;
     in_roots[5] = NULL;
-    nkw_crowd_from_poses(in, JOINTS, crowd);
-    nkw_crowd_from_matrices(in_roots, 1, roots);
-    nkw_crowd_models_from_pose(&skeleton, crowd, roots, models);
+    crowd_from_poses(in, JOINTS, crowd);
+    crowd_from_matrices(in_roots, 1, roots);
+    crowd_models_from_pose(&skeleton, crowd, roots, models);
     out[6] = NULL;
     nkw_mat4 kept = matrices[6][3];
-    nkw_matrices_from_crowd(models, JOINTS, out);
+    matrices_from_crowd(models, JOINTS, out);
     for (size_t j = 0; j < JOINTS; j++)
         expect_floats_bits(matrices[5][j].m, identity.m, 16);
     expect_floats_bits(matrices[6][3].m, kept.m, 16);
@@ -140,9 +140,9 @@ static void any_parents_stay_within_the_arrays(void **state)
     parents[3] = -7;
     parents[4] = 4;
     parents[6] = JOINTS;
-    nkw_crowd_from_poses(in, JOINTS, crowd);
-    nkw_crowd_models_from_pose(&skeleton, crowd, NULL, models);
-    nkw_matrices_from_crowd(models, JOINTS, out);
+    crowd_from_poses(in, JOINTS, crowd);
+    crowd_models_from_pose(&skeleton, crowd, NULL, models);
+    matrices_from_crowd(models, JOINTS, out);
     const size_t made_roots[4] = {0, 3, 4, 6};
     for (size_t k = 0; k < 4; k++) {
         nkw_mat4 want = local_of(2, made_roots[k]);
@@ -155,10 +155,10 @@ static void nothing_is_written_without_joints(void **state)
     (void)state;
     float none[1] = {7};
     const nkw_skeleton empty = {NULL, 0};
-    nkw_crowd_from_poses(in, 0, none);
-    nkw_crowd_models_from_pose(&empty, none, NULL, none);
-    nkw_crowd_palette_from_models(none, 0, NULL, NULL, 0, none);
-    nkw_matrices_from_crowd(none, 0, out);
+    crowd_from_poses(in, 0, none);
+    crowd_models_from_pose(&empty, none, NULL, none);
+    crowd_palette_from_models(none, 0, NULL, NULL, 0, none);
+    matrices_from_crowd(none, 0, out);
     expect_bits(none[0], 7.0f);
 }
 
@@ -195,8 +195,8 @@ static void a_clip_at_many_times_is_the_clip_at_each(void **state)
             nkw_clip_sample(clip, times[i], NULL, pose_span(poses[i], nkw_clip_joint_count(clip)), NULL);
             in[i] = i < characters ? poses[i] : NULL;
         }
-        nkw_crowd_from_poses(in, JOINTS, want);
-        nkw_crowd_sample(clip, times, characters % 2 ? cursors : NULL, characters, work, crowd);
+        crowd_from_poses(in, JOINTS, want);
+        crowd_sample(clip, times, characters % 2 ? cursors : NULL, characters, work, crowd);
         expect_floats_bits(crowd, want, NKW_CROWD_POSE_FLOATS(JOINTS));
     }
     free(clip);
@@ -215,18 +215,18 @@ static void baked_frames_are_palettes_one_by_one(void **state)
     random_source r = random_from(7);
     draw(&r);
     nkw_clip *clip = some_clip(&r, &drawn);
-    const nkw_crowd_source source = {clip, &skeleton, &root[0], joints, bind, 0.25f, 24.0f};
+    const nkw_crowd_source source = {clip, &skeleton, &root[0], joints, bind, SKIN, 0.25f, 24.0f};
     for (size_t i = 0; i < ALL; i++)
         buffer[i] = want[i] = nkw_mat4_identity();
     for (size_t f = FROM; f < FRAMES; f++) {
         nkw_clip_sample(clip, nkw_segment_uniform_time(0.25f, 24.0f, f), NULL,
                         pose_span(poses[0], nkw_clip_joint_count(clip)), NULL);
-        nkw_models_from_pose(&skeleton, poses[0], &root[0], alone);
-        nkw_palette_from_models(alone, JOINTS, joints, bind, NULL, SKIN, want + FIRST + f * SKIN);
+        nkw_models_from_pose(&skeleton, pose_view(poses[0], skeleton.joint_count), &root[0], NULL, alone);
+        palette_from_models(alone, JOINTS, joints, bind, NULL, SKIN, want + FIRST + f * SKIN);
     }
-    nkw_crowd_bake(&source, &chunk, FROM, FRAMES + 2, work, buffer);
+    crowd_bake(&source, &chunk, FROM, FRAMES + 2, work, buffer);
     expect_floats_bits(buffer[0].m, want[0].m, 16 * ALL);
-    nkw_crowd_bake(&source, &chunk, FRAMES, FRAMES + 9, work, buffer);
+    crowd_bake(&source, &chunk, FRAMES, FRAMES + 9, work, buffer);
     expect_floats_bits(buffer[0].m, want[0].m, 16 * ALL);
     free(clip);
 }
@@ -239,20 +239,54 @@ static void a_clip_of_other_joints_is_not_baked(void **state)
     random_source r = random_from(8);
     nkw_clip *clip = some_clip(&r, &drawn);
     const nkw_skeleton shorter = {parents, JOINTS - 1};
-    const nkw_crowd_source source = {clip, &shorter, NULL, NULL, NULL, 0.0f, 30.0f};
+    const nkw_crowd_source source = {clip, &shorter, NULL, NULL, NULL, JOINTS - 1, 0.0f, 30.0f};
     const nkw_palette_chunk chunk = {1, JOINTS - 1, 0};
     nkw_mat4 before = matrices[0][0] = nkw_mat4_identity();
-    nkw_crowd_bake(&source, &chunk, 0, 1, work, matrices[0]);
+    assert_int_equal(crowd_bake(&source, &chunk, 0, 1, work, matrices[0]), NKW_MISMATCHED);
     expect_floats_bits(matrices[0][0].m, before.m, 16);
     free(clip);
 }
 
-static void expect_invalid(const nkw_crowd_source *source, size_t joints, nkw_result result, size_t joint)
+static void counts_that_do_not_match_write_nothing(void **state)
+{
+    (void)state;
+    static random_clip drawn;
+    static float work[NKW_CROWD_BAKE_FLOATS(JOINTS, JOINTS)], floats[NKW_CROWD_POSE_FLOATS(JOINTS)];
+    random_source r = random_from(10);
+    draw(&r);
+    nkw_clip *clip = some_clip(&r, &drawn);
+    const float time = 0.5f;
+    const nkw_crowd_players players = {&time, NULL, 1};
+    const nkw_crowd_source source = {clip, &skeleton, NULL, NULL, NULL, JOINTS, 0.0f, 30.0f};
+    const nkw_palette_chunk chunk = {1, JOINTS, 0}, thin = {1, JOINTS - 1, 0};
+    nkw_pose_view views[NKW_CROWD] = {{NULL, 0}};
+    floats[0] = 7.0f;
+    assert_int_equal(
+        nkw_crowd_sample(clip, &players, crowd_poses_span(floats, JOINTS - 1), work, NKW_CROWD_SAMPLE_FLOATS(JOINTS)),
+        NKW_MISMATCHED);
+    assert_int_equal(
+        nkw_crowd_sample(clip, &players, crowd_poses_span(floats, JOINTS), work, NKW_CROWD_SAMPLE_FLOATS(JOINTS) - 1),
+        NKW_TOO_SMALL);
+    views[3] = pose_view(poses[0], JOINTS - 1);
+    assert_int_equal(nkw_crowd_from_poses(views, crowd_poses_span(floats, JOINTS)), NKW_MISMATCHED);
+    assert_int_equal(nkw_crowd_models_from_pose(&skeleton, crowd_poses_view(floats, JOINTS),
+                                                crowd_matrices_view(floats, 2), crowd_matrices_span(floats, JOINTS)),
+                     NKW_MISMATCHED);
+    assert_int_equal(nkw_crowd_bake(&source, &thin, NULL, matrices[0], work, sizeof work / sizeof *work),
+                     NKW_MISMATCHED);
+    assert_int_equal(nkw_crowd_bake(&source, &chunk, NULL, matrices[0], work, sizeof work / sizeof *work - 1),
+                     NKW_TOO_SMALL);
+    assert_int_equal(nkw_crowd_bake(&source, &chunk, NULL, matrices[0], work, sizeof work / sizeof *work), NKW_OK);
+    expect_bits(floats[0], 7.0f);
+    free(clip);
+}
+
+static void expect_invalid(const nkw_crowd_source *source, nkw_result result, size_t joint)
 {
     size_t bad = 99;
-    assert_int_equal(nkw_crowd_source_validate(source, joints, &bad), result);
+    assert_int_equal(nkw_crowd_source_validate(source, &bad), result);
     assert_int_equal(bad, joint);
-    assert_int_equal(nkw_crowd_source_validate(source, joints, NULL), result);
+    assert_int_equal(nkw_crowd_source_validate(source, NULL), result);
 }
 
 static void validate_names_the_first_offender(void **state)
@@ -263,28 +297,30 @@ static void validate_names_the_first_offender(void **state)
     draw(&r);
     nkw_clip *clip = some_clip(&r, &drawn);
     int32_t joints[3] = {0, 21, 4};
-    nkw_crowd_source source = {clip, &skeleton, &root[0], joints, bind, 0.0f, -30.0f};
-    expect_invalid(&source, 3, NKW_OK, 0);
-    expect_invalid(&source, 0, NKW_EMPTY, 0);
+    nkw_crowd_source source = {clip, &skeleton, &root[0], joints, bind, 3, 0.0f, -30.0f};
+    expect_invalid(&source, NKW_OK, 0);
+    source.joint_count = 0;
+    expect_invalid(&source, NKW_EMPTY, 0);
+    source.joint_count = 3;
     bind[2].m[5] = NAN;
-    expect_invalid(&source, 3, NKW_NOT_FINITE, 2);
+    expect_invalid(&source, NKW_NOT_FINITE, 2);
     joints[1] = JOINTS;
-    expect_invalid(&source, 3, NKW_OUT_OF_RANGE, 1);
+    expect_invalid(&source, NKW_OUT_OF_RANGE, 1);
     source.rate = 0.0f;
-    expect_invalid(&source, 3, NKW_OUT_OF_RANGE, 0);
+    expect_invalid(&source, NKW_OUT_OF_RANGE, 0);
     source.rate = INFINITY;
-    expect_invalid(&source, 3, NKW_NOT_FINITE, 0);
+    expect_invalid(&source, NKW_NOT_FINITE, 0);
     source.rate = 30.0f;
     source.start = NAN;
-    expect_invalid(&source, 3, NKW_NOT_FINITE, 0);
+    expect_invalid(&source, NKW_NOT_FINITE, 0);
     source.start = 0.0f;
     root[0].m[14] = INFINITY;
-    expect_invalid(&source, 3, NKW_NOT_FINITE, 0);
+    expect_invalid(&source, NKW_NOT_FINITE, 0);
     const nkw_skeleton shorter = {parents, JOINTS - 1};
     source.skeleton = &shorter;
-    expect_invalid(&source, 3, NKW_MISMATCHED, 0);
+    expect_invalid(&source, NKW_MISMATCHED, 0);
     parents[7] = 7;
-    expect_invalid(&source, 3, NKW_NOT_ORDERED, 7);
+    expect_invalid(&source, NKW_NOT_ORDERED, 7);
     free(clip);
 }
 
@@ -298,6 +334,7 @@ int main(void)
         cmocka_unit_test(a_clip_at_many_times_is_the_clip_at_each),
         cmocka_unit_test(baked_frames_are_palettes_one_by_one),
         cmocka_unit_test(a_clip_of_other_joints_is_not_baked),
+        cmocka_unit_test(counts_that_do_not_match_write_nothing),
         cmocka_unit_test(validate_names_the_first_offender),
         cmocka_unit_test(any_parents_stay_within_the_arrays),
         cmocka_unit_test(nothing_is_written_without_joints),

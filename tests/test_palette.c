@@ -3,6 +3,7 @@
 
 #include "random.h"
 #include "support/expect.h"
+#include "support/views.h"
 
 #define MODELS 23
 #define COUNT  37
@@ -51,9 +52,9 @@ static void expect_palettes(const scene *s, const int32_t *joints, const nkw_mat
     memset(rows, 0x5a, sizeof rows);
     memset(duals, 0x5a, sizeof duals);
     nkw_mat4 guard = palette[n];
-    nkw_palette_from_models(s->models, MODELS, joints, ib, g, n, palette);
-    nkw_palette_3x4_from_models(s->models, MODELS, joints, ib, g, n, rows);
-    nkw_palette_dual_from_models(s->models, MODELS, joints, ib, g, n, duals);
+    palette_from_models(s->models, MODELS, joints, ib, g, n, palette);
+    palette_3x4_from_models(s->models, MODELS, joints, ib, g, n, rows);
+    palette_dual_from_models(s->models, MODELS, joints, ib, g, n, duals);
     for (size_t i = 0; i < n; i++) {
         nkw_mat4 want = expected(s, joints, ib, g, i);
         nkw_mat3x4 want_rows = nkw_mat3x4_from_mat4(&want);
@@ -96,7 +97,7 @@ static void joints_that_no_model_has_give_the_identity(void **state)
     s.joints[COUNT - 1] = MODELS + 1;
     expect_palettes(&s, s.joints, s.inverse_bind, &s.global_inverse, COUNT);
     nkw_mat4 out[3], one = nkw_mat4_identity();
-    nkw_palette_from_models(NULL, 0, NULL, s.inverse_bind, &s.global_inverse, 3, out);
+    palette_from_models(NULL, 0, NULL, s.inverse_bind, &s.global_inverse, 3, out);
     for (int i = 0; i < 3; i++)
         expect_floats_bits(out[i].m, one.m, 16);
 }
@@ -116,16 +117,16 @@ static void last_rows_are_not_read_and_come_out_exact(void **state)
         for (int i = 0; i < MODELS; i++)
             bad.models[i].m[k] = bad.inverse_bind[i].m[k] = k == 7 ? INFINITY : NAN;
     }
-    nkw_palette_from_models(s.models, MODELS, NULL, s.inverse_bind, &s.global_inverse, MODELS, want);
-    nkw_palette_from_models(bad.models, MODELS, NULL, bad.inverse_bind, &bad.global_inverse, MODELS, out);
+    palette_from_models(s.models, MODELS, NULL, s.inverse_bind, &s.global_inverse, MODELS, want);
+    palette_from_models(bad.models, MODELS, NULL, bad.inverse_bind, &bad.global_inverse, MODELS, out);
     expect_floats_bits(out[0].m, want[0].m, 16 * MODELS);
-    nkw_palette_from_models(bad.models, MODELS, NULL, NULL, NULL, MODELS, out);
+    palette_from_models(bad.models, MODELS, NULL, NULL, NULL, MODELS, out);
     expect_floats_bits(out[0].m, s.models[0].m, 16 * MODELS);
-    nkw_palette_normals(bad.models, MODELS, normals);
-    nkw_palette_normals(s.models, MODELS, want_normals);
+    palette_normals(bad.models, MODELS, normals);
+    palette_normals(s.models, MODELS, want_normals);
     expect_floats_bits(normals[0].m, want_normals[0].m, 9 * MODELS);
-    nkw_palette_dual_from_models(bad.models, MODELS, NULL, NULL, NULL, MODELS, duals);
-    nkw_palette_dual_from_models(s.models, MODELS, NULL, NULL, NULL, MODELS, want_duals);
+    palette_dual_from_models(bad.models, MODELS, NULL, NULL, NULL, MODELS, duals);
+    palette_dual_from_models(s.models, MODELS, NULL, NULL, NULL, MODELS, want_duals);
     assert_memory_equal(duals, want_duals, sizeof duals);
 }
 
@@ -136,12 +137,12 @@ static void a_palette_may_be_written_over_its_models_or_inverse_binds(void **sta
     scene s;
     nkw_mat4 want[COUNT], over[COUNT];
     draw(&r, &s);
-    nkw_palette_from_models(s.models, MODELS, s.joints, s.inverse_bind, &s.global_inverse, COUNT, want);
+    palette_from_models(s.models, MODELS, s.joints, s.inverse_bind, &s.global_inverse, COUNT, want);
     memcpy(over, s.inverse_bind, sizeof over);
-    nkw_palette_from_models(s.models, MODELS, s.joints, over, &s.global_inverse, COUNT, over);
+    palette_from_models(s.models, MODELS, s.joints, over, &s.global_inverse, COUNT, over);
     expect_floats_bits(over[0].m, want[0].m, 16 * COUNT);
-    nkw_palette_from_models(s.models, MODELS, NULL, s.inverse_bind, &s.global_inverse, MODELS, want);
-    nkw_palette_from_models(s.models, MODELS, NULL, s.inverse_bind, &s.global_inverse, MODELS, s.models);
+    palette_from_models(s.models, MODELS, NULL, s.inverse_bind, &s.global_inverse, MODELS, want);
+    palette_from_models(s.models, MODELS, NULL, s.inverse_bind, &s.global_inverse, MODELS, s.models);
     expect_floats_bits(s.models[0].m, want[0].m, 16 * MODELS);
 }
 
@@ -154,8 +155,8 @@ static void the_bind_pose_has_the_identity_as_its_palette(void **state)
         nkw_mat4 out[COUNT], one = nkw_mat4_identity();
         const nkw_mat4 *g = round % 2 ? &s.global_inverse : NULL;
         draw(&r, &s);
-        nkw_inverse_bind_from_models(s.models, MODELS, s.joints, g, COUNT, s.inverse_bind);
-        nkw_palette_from_models(s.models, MODELS, s.joints, s.inverse_bind, g, COUNT, out);
+        inverse_bind_from_models(s.models, MODELS, s.joints, g, COUNT, s.inverse_bind);
+        palette_from_models(s.models, MODELS, s.joints, s.inverse_bind, g, COUNT, out);
         for (int i = 0; i < COUNT; i++)
             expect_floats_near(out[i].m, one.m, 16, 1.5e-5);
     }
@@ -172,13 +173,13 @@ static void inverse_binds_are_the_inverses_and_zeros_where_there_is_none(void **
     s.joints[4] = -7;
     for (int k = 4; k < 8; k++)
         s.models[5].m[k] = 0.0f;
-    nkw_inverse_bind_from_models(s.models, MODELS, s.joints, &s.global_inverse, COUNT, out);
+    inverse_bind_from_models(s.models, MODELS, s.joints, &s.global_inverse, COUNT, out);
     expect_floats_near(out[3].m, zero.m, 16, 0.0);
     expect_floats_near(out[4].m, one.m, 16, 0.0);
     nkw_mat4 m = nkw_mat4_mul_affine(&s.global_inverse, &s.models[s.joints[20]]), want = nkw_mat4_inverse_affine(&m);
     expect_floats_bits(out[20].m, want.m, 16);
     memcpy(in_place, s.models, sizeof in_place);
-    nkw_inverse_bind_from_models(in_place, MODELS, NULL, NULL, MODELS, in_place);
+    inverse_bind_from_models(in_place, MODELS, NULL, NULL, MODELS, in_place);
     want = nkw_mat4_inverse_affine(&s.models[MODELS - 1]);
     expect_floats_bits(in_place[MODELS - 1].m, want.m, 16);
 }
@@ -195,7 +196,7 @@ static void inverse_binds_are_those_of_the_single_function_at_every_count(void *
             models[i] = draw_matrix(&r, i % 3 ? 0.1f : -2.0f, 2.0f);
         for (size_t k = 4; k < 8; k++)
             models[n / 2 % COUNT].m[k] = 0.0f;
-        nkw_inverse_bind_from_models(models, n, NULL, NULL, n, out);
+        inverse_bind_from_models(models, n, NULL, NULL, n, out);
         for (size_t i = 0; i < n; i++) {
             nkw_mat4 want = nkw_mat4_inverse_affine(&models[i]);
             expect_floats_bits(out[i].m, want.m, 16);
@@ -221,9 +222,9 @@ static void normals_are_those_of_the_single_function_in_three_forms(void **state
             palette[i] = draw_matrix(&r, i % 3 ? 0.1f : -2.0f, 2.0f);
         for (size_t k = 0; k < 12; k++)
             palette[n / 2 % COUNT].m[k] *= k / 4 == 1 ? 0.0f : 1.0f;
-        nkw_palette_normals(palette, n, normals);
-        nkw_palette_normals_rows(palette, n, rows);
-        nkw_palette_normals_columns(palette, n, columns);
+        palette_normals(palette, n, normals);
+        palette_normals_rows(palette, n, rows);
+        palette_normals_columns(palette, n, columns);
         for (size_t i = 0; i < n; i++) {
             nkw_mat3 linear = nkw_mat3_from_mat4(&palette[i]), want = nkw_mat3_normal(&linear);
             expect_floats_bits(normals[i].m, want.m, 9);
@@ -246,7 +247,7 @@ static void normals_stay_at_right_angles_to_turned_surfaces(void **state)
         nkw_mat4 m = draw_matrix(&r, 0.3f, 3);
         nkw_mat3 normal;
         nkw_vec3 u = random_direction(&r), v = random_direction(&r), n = nkw_vec3_cross(u, v);
-        nkw_palette_normals(&m, 1, &normal);
+        palette_normals(&m, 1, &normal);
         nkw_vec3 turned = nkw_vec3_normalize(nkw_mat3_transform(&normal, n));
         expect_near(nkw_vec3_dot(turned, nkw_mat4_transform_direction(&m, u)), 0.0, 4e-6);
         expect_near(nkw_vec3_dot(turned, nkw_mat4_transform_direction(&m, v)), 0.0, 4e-6);
@@ -262,12 +263,12 @@ static void palettes_go_to_rows_and_duals_and_come_back(void **state)
     nkw_dual_quat duals[COUNT];
     for (int i = 0; i < COUNT; i++)
         palette[i] = draw_matrix(&r, 1, 1);
-    nkw_palette_3x4_from_models(palette, COUNT, NULL, NULL, NULL, COUNT, rows);
-    nkw_palette_from_3x4(rows, COUNT, back);
+    palette_3x4_from_models(palette, COUNT, NULL, NULL, NULL, COUNT, rows);
+    nkw_mat4_from_palette(palette_view(NKW_PALETTE_MAT3X4, rows, COUNT), back);
     expect_floats_bits(back[0].m, palette[0].m, 16 * COUNT);
     expect_bits(rows[2].m[7], palette[2].m[13]);
-    nkw_palette_dual_from_models(palette, COUNT, NULL, NULL, NULL, COUNT, duals);
-    nkw_palette_from_dual(duals, COUNT, back);
+    palette_dual_from_models(palette, COUNT, NULL, NULL, NULL, COUNT, duals);
+    nkw_mat4_from_palette(palette_view(NKW_PALETTE_DUAL_QUAT, duals, COUNT), back);
     for (int i = 0; i < COUNT; i++)
         expect_floats_near(back[i].m, palette[i].m, 16, 3e-6);
 }
@@ -311,9 +312,9 @@ static void the_lessons_chain_is_model_times_inverse_bind(void **state)
     nkw_mat4 bind[4], inverse_bind[4], models[4], palette[4], chain = nkw_mat4_identity();
     for (int i = 0; i < 4; i++)
         bind[i] = moved_up((float)i);
-    nkw_inverse_bind_from_models(bind, 4, NULL, NULL, 4, inverse_bind);
+    inverse_bind_from_models(bind, 4, NULL, NULL, 4, inverse_bind);
     bend(models);
-    nkw_palette_from_models(models, 4, NULL, inverse_bind, NULL, 4, palette);
+    palette_from_models(models, 4, NULL, inverse_bind, NULL, 4, palette);
     for (int i = 0; i < 4; i++) {
         nkw_mat4 t = moved_up((float)i), j = turned_about_x(angles[i]), back = moved_up(-(float)i);
         expect_floats_near(inverse_bind[i].m, back.m, 16, 0.0);
@@ -336,9 +337,9 @@ static void the_pages_matrices_are_these(void **state)
     nkw_mat4 bind[4], inverse_bind[4], models[4], palette[4], one = nkw_mat4_identity();
     for (int i = 0; i < 4; i++)
         bind[i] = moved_up((float)i);
-    nkw_inverse_bind_from_models(bind, 4, NULL, NULL, 4, inverse_bind);
+    inverse_bind_from_models(bind, 4, NULL, NULL, 4, inverse_bind);
     bend(models);
-    nkw_palette_from_models(models, 4, NULL, inverse_bind, NULL, 4, palette);
+    palette_from_models(models, 4, NULL, inverse_bind, NULL, 4, palette);
     expect_rows(&models[1], model1);
     expect_rows(&models[2], model2);
     expect_rows(&models[3], model3);
@@ -359,9 +360,9 @@ static void expect_invalid(size_t models, const scene *s, const int32_t *joints,
                            size_t joint)
 {
     size_t bad = 99;
-    assert_int_equal(nkw_palette_validate(models, joints, s->inverse_bind, n, &bad), result);
+    assert_int_equal(palette_source_validate(models, joints, s->inverse_bind, n, &bad), result);
     assert_int_equal(bad, joint);
-    assert_int_equal(nkw_palette_validate(models, joints, s->inverse_bind, n, NULL), result);
+    assert_int_equal(palette_source_validate(models, joints, s->inverse_bind, n, NULL), result);
 }
 
 static void validate_names_the_first_offender(void **state)
@@ -387,9 +388,9 @@ static void validate_names_the_first_offender(void **state)
 static void expect_invalid_dual(const nkw_dual_quat *palette, size_t n, nkw_result result, size_t joint)
 {
     size_t bad = 99;
-    assert_int_equal(nkw_palette_dual_validate(palette, n, &bad), result);
+    assert_int_equal(nkw_palette_validate(palette_view(NKW_PALETTE_DUAL_QUAT, palette, n), &bad), result);
     assert_int_equal(bad, joint);
-    assert_int_equal(nkw_palette_dual_validate(palette, n, NULL), result);
+    assert_int_equal(nkw_palette_validate(palette_view(NKW_PALETTE_DUAL_QUAT, palette, n), NULL), result);
 }
 
 static void validate_names_the_first_bad_dual_quaternion(void **state)
@@ -399,7 +400,7 @@ static void validate_names_the_first_bad_dual_quaternion(void **state)
     scene s;
     draw(&r, &s);
     static nkw_dual_quat palette[COUNT];
-    nkw_palette_dual_from_models(s.models, MODELS, s.joints, s.inverse_bind, NULL, COUNT, palette);
+    palette_dual_from_models(s.models, MODELS, s.joints, s.inverse_bind, NULL, COUNT, palette);
     expect_invalid_dual(palette, COUNT, NKW_OK, 0);
     expect_invalid_dual(palette, 0, NKW_EMPTY, 0);
     palette[20].real = nkw_quat_scale(palette[20].real, 1.009f);
@@ -447,16 +448,16 @@ static void chunks_without_a_place_are_named(void **state)
     const size_t most = SIZE_MAX / 64;
     nkw_palette_chunk c[3] = {{3, 5, 0}, {0, 4, 0}, {1, 1, 0}};
     expect_placed(c, 3, 1, NKW_EMPTY, 15, 1);
-    c[1].frames = 4;
-    c[1].joints = 0;
+    c[1].frame_count = 4;
+    c[1].joint_count = 0;
     expect_placed(c, 3, 1, NKW_EMPTY, 15, 1);
-    c[1].joints = SIZE_MAX / 2;
+    c[1].joint_count = SIZE_MAX / 2;
     expect_placed(c, 3, 1, NKW_TOO_SMALL, 15, 1);
-    c[1].frames = most - 15;
-    c[1].joints = 1;
+    c[1].frame_count = most - 15;
+    c[1].joint_count = 1;
     expect_placed(c, 3, 1, NKW_TOO_SMALL, most, 2);
     expect_placed(c, 2, 1, NKW_OK, most, 0);
-    c[1].frames = 1;
+    c[1].frame_count = 1;
     expect_placed(c, 2, SIZE_MAX, NKW_TOO_SMALL, 15, 1);
 }
 
@@ -483,11 +484,11 @@ static void validate_names_the_first_bad_chunk(void **state)
     expect_invalid_chunks(c, 3, total, NKW_REPEATED, 2);
     c[2].first = 83;
     expect_invalid_chunks(c, 3, total, NKW_OK, 0);
-    c[1].frames = SIZE_MAX;
+    c[1].frame_count = SIZE_MAX;
     expect_invalid_chunks(c, 3, SIZE_MAX, NKW_OUT_OF_RANGE, 1);
-    c[1].frames = 0;
+    c[1].frame_count = 0;
     expect_invalid_chunks(c, 3, total, NKW_EMPTY, 1);
-    c[0].joints = 0;
+    c[0].joint_count = 0;
     expect_invalid_chunks(c, 3, total, NKW_EMPTY, 0);
 }
 
@@ -498,21 +499,21 @@ static void every_place_in_a_chunk_is_its_own(void **state)
     size_t total, seen[64] = {0};
     assert_int_equal(nkw_palette_chunks_place(c, 3, 4, &total, NULL), NKW_OK);
     for (int i = 0; i < 3; i++) {
-        assert_int_equal(nkw_palette_chunk_at(&c[i], 0, 0), c[i].first);
-        for (size_t f = 0; f < c[i].frames; f++)
-            for (size_t j = 0; j < c[i].joints; j++) {
-                size_t place = nkw_palette_chunk_at(&c[i], f, j);
+        assert_int_equal(nkw_palette_chunk_index(&c[i], 0, 0), c[i].first);
+        for (size_t f = 0; f < c[i].frame_count; f++)
+            for (size_t j = 0; j < c[i].joint_count; j++) {
+                size_t place = nkw_palette_chunk_index(&c[i], f, j);
                 assert_in_range(place, c[i].first, total - 1);
                 assert_int_equal(seen[place]++, 0);
             }
     }
     size_t last = c[0].first + 14;
-    assert_int_equal(nkw_palette_chunk_at(&c[0], 3, 4), last);
-    assert_int_equal(nkw_palette_chunk_at(&c[0], SIZE_MAX, SIZE_MAX), last);
+    assert_int_equal(nkw_palette_chunk_index(&c[0], 3, 4), last);
+    assert_int_equal(nkw_palette_chunk_index(&c[0], SIZE_MAX, SIZE_MAX), last);
     const nkw_palette_chunk empty = {0, 0, 7}, no_frames = {0, 5, 10}, no_joints = {5, 0, 11};
-    assert_int_equal(nkw_palette_chunk_at(&empty, 2, 2), 7);
-    assert_int_equal(nkw_palette_chunk_at(&no_frames, 0, 3), 10);
-    assert_int_equal(nkw_palette_chunk_at(&no_joints, 3, 0), 11);
+    assert_int_equal(nkw_palette_chunk_index(&empty, 2, 2), 7);
+    assert_int_equal(nkw_palette_chunk_index(&no_frames, 0, 3), 10);
+    assert_int_equal(nkw_palette_chunk_index(&no_joints, 3, 0), 11);
 }
 
 int main(void)

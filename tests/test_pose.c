@@ -3,6 +3,7 @@
 
 #include "random.h"
 #include "support/expect.h"
+#include "support/views.h"
 
 #define JOINTS 21
 
@@ -34,13 +35,13 @@ static void transforms_go_in_and_come_out_bit_for_bit(void **state)
     nkw_trs in[JOINTS], out[JOINTS];
     draw(&r, in);
     in[3].translation.y = -0.0f;
-    nkw_pose_from_trs(in, JOINTS, pose);
-    nkw_trs_from_pose(pose, JOINTS, out);
+    nkw_pose_from_trs(in, pose_span(pose, JOINTS));
+    nkw_trs_from_pose(pose_view(pose, JOINTS), out);
     assert_memory_equal(in, out, sizeof in);
-    nkw_trs one = nkw_pose_get(pose, JOINTS, 20);
+    nkw_trs one = nkw_pose_get(pose_view(pose, JOINTS), 20);
     assert_memory_equal(&one, &in[20], sizeof one);
-    nkw_pose_set(pose, JOINTS, 4, &one);
-    nkw_trs_from_pose(pose, JOINTS, out);
+    nkw_pose_set(pose_span(pose, JOINTS), 4, &one);
+    nkw_trs_from_pose(pose_view(pose, JOINTS), out);
     assert_memory_equal(&out[4], &one, sizeof one);
     assert_memory_equal(&out[5], &in[5], sizeof one);
 }
@@ -55,9 +56,9 @@ static void a_pose_without_joints_may_be_null(void **state)
     nkw_trs_span span = nkw_pose_components_span(no_span);
     assert_true(!view.translation.z && !view.rotation.w && !view.scale.z);
     assert_true(!span.translation.z && !span.rotation.w && !span.scale.z);
-    nkw_pose_identity(NULL, 0);
-    nkw_pose_from_trs(NULL, 0, NULL);
-    assert_int_equal(nkw_pose_validate(NULL, 0, NULL), NKW_EMPTY);
+    nkw_pose_identity(pose_span(NULL, 0));
+    nkw_pose_from_trs(NULL, pose_span(NULL, 0));
+    assert_int_equal(nkw_pose_validate(pose_view(NULL, 0), NULL), NKW_EMPTY);
 }
 
 static void a_pose_that_no_memory_holds_has_the_most_floats(void **state)
@@ -91,7 +92,7 @@ static void identity_fills_the_padding_too(void **state)
 {
     (void)state;
     float pose[NKW_POSE_FLOATS(3)];
-    nkw_pose_identity(pose, 3);
+    nkw_pose_identity(pose_span(pose, 3));
     for (size_t i = 0; i < 160; i++)
         expect_bits(pose[i], i / 16 >= 6 ? 1.0f : 0.0f);
 }
@@ -100,9 +101,9 @@ static void a_joint_beyond_the_last_is_the_identity_and_not_written(void **state
 {
     (void)state;
     float pose[NKW_POSE_FLOATS(3)] = {0};
-    nkw_trs none = nkw_trs_identity(), got = nkw_pose_get(pose, 3, 3);
+    nkw_trs none = nkw_trs_identity(), got = nkw_pose_get(pose_view(pose, 3), 3);
     assert_memory_equal(&got, &none, sizeof got);
-    nkw_pose_set(pose, 3, 3, &none);
+    nkw_pose_set(pose_span(pose, 3), 3, &none);
     for (size_t i = 0; i < 160; i++)
         expect_bits(pose[i], 0.0f);
 }
@@ -110,26 +111,26 @@ static void a_joint_beyond_the_last_is_the_identity_and_not_written(void **state
 static void expect_invalid(const float *pose, size_t joints, nkw_result result, size_t joint)
 {
     size_t bad = 99;
-    assert_int_equal(nkw_pose_validate(pose, joints, &bad), result);
+    assert_int_equal(nkw_pose_validate(pose_view(pose, joints), &bad), result);
     assert_int_equal(bad, joint);
-    assert_int_equal(nkw_pose_validate(pose, joints, NULL), result);
+    assert_int_equal(nkw_pose_validate(pose_view(pose, joints), NULL), result);
 }
 
 static void validate_names_the_first_offender(void **state)
 {
     (void)state;
     float pose[NKW_POSE_FLOATS(3)];
-    nkw_pose_identity(pose, 3);
+    nkw_pose_identity(pose_span(pose, 3));
     expect_invalid(pose, 3, NKW_OK, 0);
     expect_invalid(pose, 0, NKW_EMPTY, 0);
     pose[15] = NAN;
     expect_invalid(pose, 3, NKW_OK, 0);
     for (size_t c = 0; c < 10; c++) {
-        nkw_pose_identity(pose, 3);
+        nkw_pose_identity(pose_span(pose, 3));
         pose[16 * c + 2] = INFINITY;
         expect_invalid(pose, 3, NKW_NOT_FINITE, 2);
     }
-    nkw_pose_identity(pose, 3);
+    nkw_pose_identity(pose_span(pose, 3));
     pose[16 * 6 + 1] = 0.991f;
     expect_invalid(pose, 3, NKW_OK, 0);
     pose[16 * 6 + 1] = 0.989f;

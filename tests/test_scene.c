@@ -85,8 +85,8 @@ static void play_to(const played *p, int anim, float time, moment *m)
     sample_both_ways(p, anim, time, m->pose, m->floats);
     scene_models(s, m->pose, m->models);
     for (int k = 0; k < s->skins; k++)
-        nkw_palette_from_models(m->models, (size_t)s->nodes, s->skin[k].joints, s->skin[k].inverse_bind, NULL,
-                                s->skin[k].count, m->palette[k]);
+        palette_from_models(m->models, (size_t)s->nodes, s->skin[k].joints, s->skin[k].inverse_bind, NULL,
+                            s->skin[k].count, m->palette[k]);
     for (int k = 0; k < s->meshes; k++) {
         const scene_mesh *mesh = &s->mesh[k];
         nkw_skin skin = {mesh->count, 8, {mesh->joints, 0, NKW_SKIN_U16}, {mesh->weights, 0, NKW_SKIN_F32}};
@@ -116,7 +116,7 @@ static int compare_row(const played *p, const moment *m, const table_row *r, dou
     const scene *s = &p->scene;
     switch (r->tag[0]) {
     case 'L':
-        expect_local(nkw_pose_get(m->pose, (size_t)s->nodes, (size_t)r->a), r->values, bound);
+        expect_local(nkw_pose_get(pose_view(m->pose, (size_t)s->nodes), (size_t)r->a), r->values, bound);
         return 1;
     case 'W':
         expect_floats_near(m->models[s->joint_of_node[r->a]].m, r->values, 16, bound);

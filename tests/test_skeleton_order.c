@@ -125,7 +125,7 @@ static void trees_become_the_skeletons_of_their_parents(void **state)
         const nkw_tree tree = {child, sibling, (size_t)n};
         assert_int_equal(nkw_skeleton_order(file, (size_t)n, a[0], a[1], a[2], NULL), NKW_OK);
         assert_int_equal(nkw_skeleton_from_tree(&tree, b[0], b[1], b[2], NULL), NKW_OK);
-        assert_int_equal(nkw_tree_validate(&tree, work, NULL), NKW_OK);
+        assert_int_equal(nkw_tree_validate(&tree, NULL, work, NKW_TREE_WORK(tree.node_count)), NKW_OK);
         for (int k = 0; k < 3; k++)
             assert_memory_equal(a[k], b[k], (size_t)n * sizeof(int32_t));
     }
@@ -136,7 +136,7 @@ static void expect_tree(const int32_t *child, const int32_t *sibling, size_t cou
     const nkw_tree tree = {child, sibling, count};
     int32_t work[12];
     size_t bad = 99;
-    assert_int_equal(nkw_tree_validate(&tree, work, &bad), result);
+    assert_int_equal(nkw_tree_validate(&tree, &bad, work, NKW_TREE_WORK(tree.node_count)), result);
     assert_int_equal(bad, node);
     assert_int_equal(nkw_skeleton_from_tree(&tree, work, work + 4, work + 8, NULL), result);
 }
@@ -181,7 +181,7 @@ static void the_matrix_stack_gives_the_bits_of_the_array_form(void **state)
         assert_int_equal(nkw_skeleton_from_tree(&tree, to, from, parents, NULL), NKW_OK);
         for (int32_t k = 0; k < n; k++)
             models[k] = locals[from[k]];
-        nkw_models_from_locals(&skeleton, models, root, models);
+        nkw_models_from_locals(&skeleton, models, root, NULL, models);
         for (int32_t k = 0; k < n; k++) {
             expect_floats_bits(columns[from[k]].m, models[k].m, 16);
             expect_floats_bits(rows[from[k]].m, models[k].m, 16);

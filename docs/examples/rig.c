@@ -83,7 +83,7 @@ static void bind_pose(const rig *r, float *pose)
     nkw_trs trs = nkw_trs_identity();
     for (size_t j = 0; j < RIG_JOINTS; j++) {
         trs.translation.y = j ? r->spacing : r->foot;
-        nkw_pose_set(pose, RIG_JOINTS, j, &trs);
+        nkw_pose_set((nkw_pose_span){pose, RIG_JOINTS}, j, &trs);
     }
 }
 
@@ -168,8 +168,9 @@ const char *rig_build(rig *r, mesh *m)
     hang(r, m);
     nkw_skin skin = skin_of(m);
     bind_pose(r, rest);
-    nkw_models_from_pose(&r->skeleton, rest, NULL, bind);
-    nkw_inverse_bind_from_models(bind, RIG_JOINTS, NULL, NULL, RIG_JOINTS, r->inverse_bind);
+    nkw_models_from_pose(&r->skeleton, (nkw_pose_view){rest, r->skeleton.joint_count}, NULL, NULL, bind);
+    const nkw_palette_source bound = {bind, RIG_JOINTS, NULL, NULL, NULL, RIG_JOINTS};
+    nkw_inverse_bind_from_models(&bound, r->inverse_bind);
     nkw_result result = nkw_skin_validate(&skin, RIG_JOINTS, NULL);
     return result == NKW_OK ? build_clip(r, rest) : nkw_result_text(result);
 }
@@ -186,11 +187,12 @@ rig_state rig_at(const rig *r, float time)
     float pose[NKW_POSE_FLOATS(RIG_JOINTS)];
     nkw_clip_sample(r->clip, time, NULL, (nkw_pose_span){pose, nkw_clip_joint_count(r->clip)}, NULL);
     for (size_t j = 0; j < RIG_JOINTS; j++) {
-        nkw_trs trs = nkw_pose_get(pose, RIG_JOINTS, j);
+        nkw_trs trs = nkw_pose_get((nkw_pose_view){pose, RIG_JOINTS}, j);
         s.local[j] = nkw_mat4_from_trs(&trs);
     }
-    nkw_models_from_pose(&r->skeleton, pose, NULL, s.model);
-    nkw_palette_from_models(s.model, RIG_JOINTS, NULL, r->inverse_bind, NULL, RIG_JOINTS, s.palette);
+    nkw_models_from_pose(&r->skeleton, (nkw_pose_view){pose, r->skeleton.joint_count}, NULL, NULL, s.model);
+    const nkw_palette_source source = {s.model, RIG_JOINTS, NULL, r->inverse_bind, NULL, RIG_JOINTS};
+    nkw_palette_from_models(&source, (nkw_palette_span){s.palette, RIG_JOINTS, NKW_PALETTE_MAT4});
     return s;
 }
 
@@ -204,10 +206,11 @@ void rig_skin(const rig_state *state, const mesh *m, int dual, nkw_vec3 *positio
     const nkw_skin_palette matrices = {
         {state->palette, RIG_JOINTS, NKW_PALETTE_MAT4}, {NULL, 0, NKW_PALETTE_NORMAL_MAT3}, 0};
     nkw_dual_quat motions[RIG_JOINTS];
-    const nkw_palette_view dual_quats = {motions, RIG_JOINTS, NKW_PALETTE_DUAL_QUAT};
-    nkw_palette_dual_from_models(state->palette, RIG_JOINTS, NULL, NULL, NULL, RIG_JOINTS, motions);
+    const nkw_palette_span dual_quats = {motions, RIG_JOINTS, NKW_PALETTE_DUAL_QUAT};
+    const nkw_palette_source joint_matrices = {state->palette, RIG_JOINTS, NULL, NULL, NULL, RIG_JOINTS};
+    nkw_palette_from_models(&joint_matrices, dual_quats);
     if (dual)
-        nkw_skin_dual_quat(&skin, dual_quats, &in, &out);
+        nkw_skin_dual_quat(&skin, nkw_palette_view_from_span(dual_quats), &in, &out);
     else
         nkw_skin_linear(&skin, &matrices, &in, &out);
 }

@@ -28,7 +28,7 @@ static void rest_pose(size_t joints, float *pose)
         nkw_trs trs = nkw_trs_identity();
         trs.translation.y = 0.1f;
         trs.rotation = nkw_quat_from_axis_angle(z, (j + LIMB - 1) % LIMB == 0 ? 0.7f * (float)(j / LIMB) : 0.0f);
-        nkw_pose_set(pose, joints, j, &trs);
+        nkw_pose_set((nkw_pose_span){pose, joints}, j, &trs);
     }
 }
 
@@ -104,8 +104,9 @@ static const char *build_motion(troupe *t)
         rest_pose(joints, rest);
         t->skeleton.parents = t->parents;
         t->skeleton.joint_count = joints;
-        nkw_models_from_pose(&t->skeleton, rest, NULL, t->inverse_bind);
-        nkw_inverse_bind_from_models(t->inverse_bind, joints, NULL, NULL, joints, t->inverse_bind);
+        nkw_models_from_pose(&t->skeleton, (nkw_pose_view){rest, t->skeleton.joint_count}, NULL, NULL, t->inverse_bind);
+        const nkw_palette_source bound = {t->inverse_bind, joints, NULL, NULL, NULL, joints};
+        nkw_inverse_bind_from_models(&bound, t->inverse_bind);
         wrong = build_clip(t, tracks, rest, work);
     }
     free(rotations);
@@ -124,8 +125,8 @@ static const char *build_buffer(troupe *t)
     if (!t->chunks || !t->cursors)
         return no_memory;
     for (size_t i = 0; i <= t->characters; i++) {
-        t->chunks[i].frames = i ? 1 : t->frames;
-        t->chunks[i].joints = t->joints;
+        t->chunks[i].frame_count = i ? 1 : t->frames;
+        t->chunks[i].joint_count = t->joints;
     }
     nkw_result result = nkw_palette_chunks_place(t->chunks, 1 + t->characters, 4, &t->total, NULL);
     if (result != NKW_OK)
@@ -187,8 +188,8 @@ size_t troupe_pieces(const troupe *t, troupe_task task)
 /* Where the matrices of a character or frame belong. */
 static nkw_mat4 *place(const troupe *t, troupe_task task, size_t i)
 {
-    return t->buffer + (task == TROUPE_FRAMES ? nkw_palette_chunk_at(&t->chunks[0], i, 0)
-                                              : nkw_palette_chunk_at(&t->chunks[1 + i], 0, 0));
+    return t->buffer + (task == TROUPE_FRAMES ? nkw_palette_chunk_index(&t->chunks[0], i, 0)
+                                              : nkw_palette_chunk_index(&t->chunks[1 + i], 0, 0));
 }
 
 /* A character is ahead of the one before it by a part of the clip that never meets the keys' rate. */
@@ -209,10 +210,12 @@ static void sample(const troupe *t, troupe_task task, size_t i, float time, floa
 /* The steps of the lanes: `first` is the piece's first character or frame, `end` the end of its last. */
 static void enter(const troupe *t, size_t first, size_t end, troupe_scratch *s)
 {
-    const float *poses[NKW_CROWD];
-    for (size_t i = 0; i < NKW_CROWD; i++)
-        poses[i] = first + i < end ? s->poses + i * nkw_pose_floats(t->joints) : NULL;
-    nkw_crowd_from_poses(poses, t->joints, s->lane_poses);
+    nkw_pose_view poses[NKW_CROWD];
+    for (size_t i = 0; i < NKW_CROWD; i++) {
+        poses[i].data = first + i < end ? s->poses + i * nkw_pose_floats(t->joints) : NULL;
+        poses[i].joint_count = t->joints;
+    }
+    nkw_crowd_from_poses(poses, (nkw_crowd_poses_span){s->lane_poses, t->joints});
 }
 
 static void leave(const troupe *t, troupe_task task, size_t first, size_t end, troupe_scratch *s)
@@ -220,7 +223,13 @@ static void leave(const troupe *t, troupe_task task, size_t first, size_t end, t
     nkw_mat4 *out[NKW_CROWD];
     for (size_t i = 0; i < NKW_CROWD; i++)
         out[i] = first + i < end ? place(t, task, first + i) : NULL;
-    nkw_matrices_from_crowd(s->lane_matrices, t->joints, out);
+    nkw_matrices_from_crowd((nkw_crowd_matrices_view){s->lane_matrices, t->joints}, out);
+}
+
+static void make_palette(const troupe *t, const nkw_mat4 *models, nkw_mat4 *out)
+{
+    const nkw_palette_source source = {models, t->joints, NULL, t->inverse_bind, NULL, t->joints};
+    nkw_palette_from_models(&source, (nkw_palette_span){out, t->joints, NKW_PALETTE_MAT4});
 }
 
 /* The steps of one character or frame, the i-th of its piece. */
@@ -232,21 +241,24 @@ static void single(const troupe *t, troupe_task task, troupe_step step, size_t f
     if (step == TROUPE_SAMPLE)
         sample(t, task, first + i, time, pose);
     else if (step == TROUPE_MODELS)
-        nkw_models_from_pose(&t->skeleton, pose, NULL, models);
+        nkw_models_from_pose(&t->skeleton, (nkw_pose_view){pose, t->skeleton.joint_count}, NULL, NULL, models);
     else
-        nkw_palette_from_models(models, t->joints, NULL, t->inverse_bind, NULL, t->joints, place(t, task, first + i));
+        make_palette(t, models, place(t, task, first + i));
 }
 
 void troupe_do(const troupe *t, troupe_task task, troupe_step step, size_t piece, float time, troupe_scratch *s)
 {
     size_t first = piece * NKW_CROWD, end = first + NKW_CROWD;
     end = end < count(t, task) ? end : count(t, task);
+    const nkw_crowd_poses_view poses = {s->lane_poses, t->joints};
+    const nkw_crowd_matrices_span matrices = {s->lane_matrices, t->joints};
+    const nkw_crowd_matrices_view no_roots = {NULL, 0};
     if (step == TROUPE_ENTER)
         enter(t, first, end, s);
     else if (step == TROUPE_LANE_MODELS)
-        nkw_crowd_models_from_pose(&t->skeleton, s->lane_poses, NULL, s->lane_matrices);
+        nkw_crowd_models_from_pose(&t->skeleton, poses, no_roots, matrices);
     else if (step == TROUPE_LANE_PALETTE)
-        nkw_crowd_palette_from_models(s->lane_matrices, t->joints, NULL, t->inverse_bind, t->joints, s->lane_matrices);
+        nkw_crowd_palette_from_models(nkw_crowd_matrices_view_from_span(matrices), NULL, t->inverse_bind, matrices);
     else if (step == TROUPE_LEAVE)
         leave(t, task, first, end, s);
     else

@@ -49,10 +49,10 @@ static const turns lean = {0, -0.45f, -0.35f, -0.15f, -0.1f, 0.15f, 0.1f, -0.05f
 static void pose_of(const turns by, float *pose)
 {
     const nkw_vec3 z = {0.0f, 0.0f, 1.0f};
-    nkw_pose_identity(pose, JOINTS);
+    nkw_pose_identity((nkw_pose_span){pose, JOINTS});
     for (size_t j = 0; j < JOINTS; j++) {
         nkw_trs trs = {place[j], nkw_quat_from_axis_angle(z, by[j]), {1.0f, 1.0f, 1.0f}};
-        nkw_pose_set(pose, JOINTS, j, &trs);
+        nkw_pose_set((nkw_pose_span){pose, JOINTS}, j, &trs);
     }
 }
 
@@ -72,7 +72,7 @@ static void figure_of(svg *s, svg_point feet, const float *pose, float opacity)
 {
     const nkw_skeleton skeleton = {parents, JOINTS};
     nkw_mat4 models[JOINTS];
-    nkw_models_from_pose(&skeleton, pose, NULL, models);
+    nkw_models_from_pose(&skeleton, (nkw_pose_view){pose, skeleton.joint_count}, NULL, NULL, models);
     svg_begin(s, opacity);
     for (int j = 0; j < JOINTS; j++) {
         svg_point a = on_page(feet, nkw_mat4_translation(&models[j]));
@@ -108,7 +108,8 @@ static void two_poses(svg *s, float y)
     pose_of(jump, b);
     figure_bold(s, 24.0f, y - 190.0f, 15.0f, FIGURE_INK, 's', "Two poses: nkw_pose_blend");
     for (int i = 0; i < 5; i++) {
-        nkw_pose_blend(a, b, JOINTS, 0.25f * (float)i, NULL, out);
+        nkw_pose_blend((nkw_pose_view){a, JOINTS}, (nkw_pose_view){b, JOINTS}, 0.25f * (float)i,
+                       (nkw_mask_view){NULL, JOINTS}, (nkw_pose_span){out, JOINTS});
         named(s, svg_at(100.0f + 190.0f * (float)i, y), out, names[i]);
     }
 }
@@ -118,8 +119,10 @@ static void masked(svg *s, float x, float y)
     float a[FLOATS], b[FLOATS], out[FLOATS], arm[NKW_POSE_STRIDE(JOINTS)];
     pose_of(stride, a);
     pose_of(wave, b);
-    nkw_mask_from_subtree(parents, JOINTS, RIGHT_ARM, arm);
-    nkw_pose_blend(a, b, JOINTS, 1.0f, arm, out);
+    const nkw_skeleton skeleton = {parents, JOINTS};
+    nkw_mask_from_subtree(&skeleton, RIGHT_ARM, (nkw_mask_span){arm, JOINTS});
+    nkw_pose_blend((nkw_pose_view){a, JOINTS}, (nkw_pose_view){b, JOINTS}, 1.0f, (nkw_mask_view){arm, JOINTS},
+                   (nkw_pose_span){out, JOINTS});
     figure_bold(s, x, y - 190.0f, 15.0f, FIGURE_INK, 's', "A mask: one arm of the wave");
     named(s, svg_at(x + 66.0f, y), a, "walk");
     sign(s, x + 126.0f, y - 48.0f, "+");
@@ -134,8 +137,10 @@ static void added(svg *s, float x, float y)
     pose_of(stride, base);
     pose_of(stand, ref);
     pose_of(lean, a);
-    nkw_pose_additive_build(a, ref, JOINTS, NKW_ADDITIVE_LOCAL, delta);
-    nkw_pose_additive_apply(base, delta, JOINTS, NKW_ADDITIVE_LOCAL, 1.0f, NULL, out);
+    nkw_pose_additive_build((nkw_pose_view){a, JOINTS}, (nkw_pose_view){ref, JOINTS}, NKW_ADDITIVE_LOCAL,
+                            (nkw_pose_span){delta, JOINTS});
+    nkw_pose_additive_apply((nkw_pose_view){base, JOINTS}, (nkw_pose_view){delta, JOINTS}, NKW_ADDITIVE_LOCAL, 1.0f,
+                            (nkw_mask_view){NULL, JOINTS}, (nkw_pose_span){out, JOINTS});
     figure_bold(s, x, y - 190.0f, 15.0f, FIGURE_INK, 's', "A difference: from ref (pale) to a");
     named(s, svg_at(x + 56.0f, y), base, "walk");
     sign(s, x + 116.0f, y - 48.0f, "+");
@@ -151,7 +156,7 @@ static void mirrored(svg *s, float x, float y)
     svg_paint plane = svg_stroke(FIGURE_PALE, 1.4f, 1.0f);
     plane.dash = "5 4";
     pose_of(stride, a);
-    nkw_pose_mirror(a, pairs, JOINTS, NKW_MIRROR_X, out);
+    nkw_pose_mirror((nkw_pose_view){a, JOINTS}, pairs, NKW_MIRROR_X, (nkw_pose_span){out, JOINTS});
     figure_bold(s, x, y - 190.0f, 15.0f, FIGURE_INK, 's', "The mirror: x = 0");
     named(s, svg_at(x + 60.0f, y), a, "walk");
     svg_line(s, svg_at(x + 124.0f, y - 160.0f), svg_at(x + 124.0f, y + 6.0f), &plane);

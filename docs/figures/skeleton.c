@@ -122,9 +122,9 @@ static void arm_models(const float turns[ARM], nkw_mat4 models[ARM])
     float pose[NKW_POSE_FLOATS(ARM)];
     for (size_t j = 0; j < ARM; j++) {
         nkw_trs trs = {{bones[j], 0.0f, 0.0f}, nkw_quat_from_axis_angle(z, turns[j]), {1.0f, 1.0f, 1.0f}};
-        nkw_pose_set(pose, ARM, j, &trs);
+        nkw_pose_set((nkw_pose_span){pose, ARM}, j, &trs);
     }
-    nkw_models_from_pose(&skeleton, pose, NULL, models);
+    nkw_models_from_pose(&skeleton, (nkw_pose_view){pose, skeleton.joint_count}, NULL, NULL, models);
 }
 
 /* A bone from joint j to the next, and the axes of its space. */

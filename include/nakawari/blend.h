@@ -4,9 +4,9 @@
  * Floor 5: poses blended: two by a weight, any number by their weights, differences put on top, left and right
  * exchanged.
  *
- * Poses are blocks as pose.h has them, all of the same `joints`. A mask is one float for each joint, 0 (the joint takes
- * no part) to 1 (it takes all of the weight), padded as one array of a pose: NKW_POSE_STRIDE(joints) floats. Where a
- * mask may be NULL, that is 1 everywhere. Masks outside 0..1 count as 0 or 1, NaN as 0.
+ * All poses and masks of a call have the same joint_count; otherwise the result is NKW_MISMATCHED and nothing is written.
+ * A mask is one float for each joint, 0 (the joint takes no part) to 1 (it takes all of the weight), padded as one array
+ * of a pose: NKW_POSE_STRIDE(joint_count) floats. A mask whose data are NULL is 1 for every joint. Masks outside 0..1 count as 0 or 1, NaN as 0.
  *
  * Without joints nothing is read or written. `out` may be any of the input poses itself, otherwise it must not overlap
  * them; its padding may be written. A joint's result depends on that joint's inputs alone, but for the order of layers
@@ -18,7 +18,7 @@
 #include <stdint.h>
 
 #include "pose.h"
-#include "types.h"
+#include "skeleton.h"
 
 #ifdef __cplusplus
 extern "C" {
@@ -47,23 +47,23 @@ static inline nkw_mask_view nkw_mask_view_from_span(nkw_mask_span mask)
  *
  * t      any; times the joint's mask. Outside 0..1 the way goes on; NaN counts as 0. An infinite one gives infinities
  *        and NaN, where the mask is 0 too.
- * mask   or NULL
+ * mask   of each joint
  * Gives  exactly a at t = 0, exactly b at t = 1, but for the sign of a rotation: b or -b, on a's side.
  */
-NKW_API void nkw_pose_blend(const float *a, const float *b, size_t joints, float t, const float *mask, float *out);
+NKW_API nkw_result nkw_pose_blend(nkw_pose_view a, nkw_pose_view b, float t, nkw_mask_view mask, nkw_pose_span out);
 
 /**
  * The same with nkw_quat_slerp for the rotations: each turns at constant speed as t goes on. Rotations must be finite
  * also where they have no part.
  */
-NKW_API void nkw_pose_blend_slerp(const float *a, const float *b, size_t joints, float t, const float *mask,
-                                  float *out);
+NKW_API nkw_result nkw_pose_blend_slerp(nkw_pose_view a, nkw_pose_view b, float t, nkw_mask_view mask,
+                                        nkw_pose_span out);
 
 /** A pose that takes part in a blend of many. */
 typedef struct nkw_pose_layer {
-    const float *pose;
+    nkw_pose_view pose;
     float weight; /**< from 0, of any sum; negative and NaN count as 0, from 2^60 on as 2^60 */
-    const float *mask; /**< or NULL; the joint's weight is weight * mask */
+    nkw_mask_view mask; /**< the joint's weight is weight * mask */
 } nkw_pose_layer;
 
 /**
@@ -89,28 +89,29 @@ typedef struct nkw_pose_layer {
  * its rotation too; and two layers without masks are nkw_pose_blend from the heavier to the lighter, bit for bit. A
  * layer has no effect at all on a joint where it has no weight.
  *
- * layers     `count` of them, count = 0 too
+ * layers     layer_count of them, 0 too
  * threshold  0 or less, and NaN: the rest pose only where nothing else is; 0.1 is usual
  *
  * The time grows with the number of layers, and for their order with its square, which shows from about 20 on.
  * Error  7.8 u of the largest of the translations or scales, for up to eight layers (5.8 u where the rest pose has
  *        nothing to make up for); of rotations 6.2 u (5.9 u so, up to four layers 3.3).
  */
-NKW_API void nkw_pose_blend_layers(const nkw_pose_layer *layers, size_t count, const float *rest, size_t joints,
-                                   float threshold, float *out);
+NKW_API nkw_result nkw_pose_blend_layers(const nkw_pose_layer *layers, size_t layer_count, nkw_pose_view rest,
+                                         float threshold, nkw_pose_span out);
 
 /**
  * Checks a mask: NKW_EMPTY without joints; NKW_NOT_FINITE where a number is not finite; NKW_BAD_WEIGHTS where one is
  * not in 0..1. *bad_joint becomes the first offending joint, 0 if there is none; it may be NULL.
  */
-NKW_API nkw_result nkw_mask_validate(const float *mask, size_t joints, size_t *bad_joint);
+NKW_API nkw_result nkw_mask_validate(nkw_mask_view mask, size_t *bad_joint);
 
 /**
- * Checks layers, which may be none: NKW_EMPTY for a layer without a pose, and without joints; NKW_NOT_FINITE where a
+ * Checks layers, which may be none: NKW_EMPTY for a layer without a pose, and without joints; NKW_MISMATCHED for a pose or a
+ * mask of another number of joints; NKW_NOT_FINITE where a
  * weight is not finite; NKW_BAD_WEIGHTS where one is not in 0..2^60; what nkw_mask_validate gives for a mask.
  * *bad_layer becomes the first offending layer, 0 if there is none; it may be NULL. Poses have nkw_pose_validate.
  */
-NKW_API nkw_result nkw_pose_layers_validate(const nkw_pose_layer *layers, size_t count, size_t joints,
+NKW_API nkw_result nkw_pose_layers_validate(const nkw_pose_layer *layers, size_t layer_count, size_t joint_count,
                                             size_t *bad_layer);
 
 /** On which side of a rotation a difference is. Any other number is read as NKW_ADDITIVE_LOCAL. */
@@ -127,7 +128,7 @@ typedef enum nkw_additive {
  * A scale of 0 in ref gives the ratio 1. Rotations are worked out in binary64 and rounded once; a ref that is not unit
  * is divided by its length twice, as an inverse is; a zero quaternion counts as no rotation.
  */
-NKW_API void nkw_pose_additive_build(const float *a, const float *ref, size_t joints, nkw_additive side, float *out);
+NKW_API nkw_result nkw_pose_additive_build(nkw_pose_view a, nkw_pose_view ref, nkw_additive side, nkw_pose_span out);
 
 /**
  * base with the part w = weight * mask of a difference on top.
@@ -137,7 +138,7 @@ NKW_API void nkw_pose_additive_build(const float *a, const float *ref, size_t jo
  * part is nkw_quat_nlerp of no rotation and delta; as 1 and -1 are both none, it starts from the one on delta's side.
  *
  * weight  from 0; negative and NaN count as 0, from 2^60 on as 2^60. Above 1 the difference is overdone.
- * mask    or NULL
+ * mask    of each joint
  * Gives   exactly base at w = 0. With the difference of a from ref, apply(ref) at w = 1 is a, its rotations with their
  *         signs: translations exactly where a and ref have one sign and differ by at most a factor of two, scales
  *         exactly where ref's is a power of two or a's own. Elsewhere see Error. The product of two unit rotations is
@@ -146,8 +147,8 @@ NKW_API void nkw_pose_additive_build(const float *a, const float *ref, size_t jo
  * Error   2.7 u of rotations in apply(build(a, ref), ref) against a; scales 2.0 u of themselves, translations 1.0 u of
  *         |a - ref| + |a|.
  */
-NKW_API void nkw_pose_additive_apply(const float *base, const float *delta, size_t joints, nkw_additive side,
-                                     float weight, const float *mask, float *out);
+NKW_API nkw_result nkw_pose_additive_apply(nkw_pose_view base, nkw_pose_view delta, nkw_additive side, float weight,
+                                           nkw_mask_view mask, nkw_pose_span out);
 
 /** The plane through the origin that is the mirror. Any other number is read as NKW_MIRROR_X. */
 typedef enum nkw_mirror {
@@ -165,28 +166,24 @@ typedef enum nkw_mirror {
  * axes too: where the mirrored bind pose is the bind pose. Some rigs are so, in one of the planes, for the pairs and
  * all else below the hip: how the hip and the joints above it are put right stands in docs/floors/5-blend.md.
  *
- * pair   `joints` partners: the left hand has the right one's index and the other way round, the head its own. A
+ * pair   joint_count partners: the left hand has the right one's index and the other way round, the head its own. A
  *        partner that is out of range or has another partner itself counts as none: that joint is mirrored in its
  *        place.
  */
-NKW_API void nkw_pose_mirror(const float *pose, const int32_t *pair, size_t joints, nkw_mirror plane, float *out);
+NKW_API nkw_result nkw_pose_mirror(nkw_pose_view pose, const int32_t *pair, nkw_mirror plane, nkw_pose_span out);
 
 /**
- * Checks a map of partners: NKW_EMPTY without joints; NKW_OUT_OF_RANGE where a partner is not in 0..joints - 1;
+ * Checks a map of partners: NKW_EMPTY without joints; NKW_OUT_OF_RANGE where a partner is not in 0..joint_count - 1;
  * NKW_BAD_MIRROR where pair[pair[j]] is not j. *bad_joint becomes the first offending joint, 0 if there is none; it may
  * be NULL.
  */
-NKW_API nkw_result nkw_mirror_validate(const int32_t *pair, size_t joints, size_t *bad_joint);
+NKW_API nkw_result nkw_mirror_validate(const int32_t *pair, size_t joint_count, size_t *bad_joint);
 
 /**
- * The mask of a joint and all below it: 1 for those, 0 for the others and in the padding; NKW_POSE_STRIDE(joints)
- * floats.
- *
- * parents  each joint's parent, before it in the array, -1 for none. A parent that is not before its child counts as
- *          none.
- * root     from `joints` on: all 0
+ * The mask of a joint and all below it: 1 for those, 0 for the others and in the padding. A parent that is not before
+ * its child counts as none. A root that is not below joint_count: all 0.
  */
-NKW_API void nkw_mask_from_subtree(const int32_t *parents, size_t joints, size_t root, float *mask);
+NKW_API nkw_result nkw_mask_from_subtree(const nkw_skeleton *skeleton, size_t root, nkw_mask_span mask);
 
 #ifdef __cplusplus
 }

@@ -58,112 +58,98 @@ static inline nkw_palette_view nkw_palette_view_from_span(nkw_palette_span palet
     return view;
 }
 
+/** What a palette is made from. */
+typedef struct nkw_palette_source {
+    const nkw_mat4 *models; /**< model_count matrices of the skeleton's joints */
+    size_t model_count;
+    const int32_t *joints; /**< joint_count indices of models; NULL: 0, 1, 2, ... */
+    const nkw_mat4 *inverse_bind; /**< joint_count matrices; NULL: none */
+    /**
+     * One matrix; NULL: none. In glTF, where vertices come out in world space, models are the joint nodes' world
+     * matrices and it is NULL; to draw below the mesh's own node it is the inverse of that node's world matrix.
+     */
+    const nkw_mat4 *global_inverse;
+    size_t joint_count; /**< joints of the skin */
+} nkw_palette_source;
+
 /**
- * The joint matrices of a skin, out[i] for i in 0..count - 1.
+ * The palette of a skin. The joint matrices are, bit for bit; a factor that is NULL is left out, and its product too:
  *
- *     out[i] = nkw_mat4_mul_affine(nkw_mat4_mul_affine(global_inverse, models[joints[i]]), inverse_bind[i])
+ *     m[i] = nkw_mat4_mul_affine(nkw_mat4_mul_affine(global_inverse, models[joints[i]]), inverse_bind[i])
  *
- * bit for bit; a factor that is NULL is left out, and its product too.
+ *     NKW_PALETTE_MAT4, _MAT3X4   m[i]
+ *     NKW_PALETTE_DUAL_QUAT       nkw_dual_quat_from_mat4(m[i]): scale, shear and mirroring are dropped
+ *     NKW_PALETTE_NORMAL_...      nkw_mat3_normal of the 3x3 block of m[i]: the inverse transpose, also where a scale is
+ *                                 zero; normalize the normals afterwards
  *
- * Error            6.0 u of the product of the factors' Frobenius norms at most, 3.0 u without global_inverse: three
- *                  roundings in each product; found were 4.7 u and 2.8 u, for rigid ones 1.3 u
+ * With NULL for joints, inverse_bind and global_inverse it converts a palette of 4x4 matrices to any format.
  *
- * models           model_count matrices of the skeleton's joints
- * joints           count numbers of models; NULL: 0, 1, 2, ...
- * inverse_bind     count matrices; NULL: none
- * global_inverse   one matrix; NULL: none. In glTF, where vertices come out in world space, models are the joint
- *                  nodes' world matrices and it is NULL; to draw below the mesh's own node it is the inverse of that
- *                  node's world matrix
- * out              may be inverse_bind itself; may be models itself where joints is NULL; no other overlap
+ * out      joint_count elements. NKW_PALETTE_MAT4 may be inverse_bind itself, or models itself where joints is NULL;
+ *          there is no other overlap
+ * Returns  NKW_OK; NKW_MISMATCHED where out is of another joint_count, NKW_BAD_FORMAT for an unknown format; nothing is
+ *          then written
+ *
+ * The sign of dual quaternions: real.w >= 0, the side of the bind pose. Two joints that have turned away from each other
+ * by more than half a turn have different signs, so skinning negates influences that are not on the side of the vertex's
+ * heaviest (nkw_dual_quat_align) before it sums.
+ *
+ * Error  1.0 u of the number in this table:
+ *
+ *     NKW_PALETTE_MAT4, _MAT3X4   6.0   of the product of the factors' Frobenius norms at most, 3.0 without
+ *                                       global_inverse: three roundings in each product; found were 4.7 and 2.8, for
+ *                                       rigid ones 1.3
+ *     NKW_PALETTE_DUAL_QUAT       1.3   of the rotation, for rigid joints
+ *     NKW_PALETTE_NORMAL_...      1.0   of the Frobenius norm, from the joint matrix
  */
-NKW_API void nkw_palette_from_models(const nkw_mat4 *models, size_t model_count, const int32_t *joints,
-                                     const nkw_mat4 *inverse_bind, const nkw_mat4 *global_inverse, size_t count,
-                                     nkw_mat4 *out);
+NKW_API nkw_result nkw_palette_from_models(const nkw_palette_source *source, nkw_palette_span out);
 
 /**
- * The same matrices as three rows of four, same bits: 48 bytes each instead of 64, a quarter less to upload. With NULL
- * for joints, inverse_bind and global_inverse it turns a palette of 4x4 matrices into one of 3x4. out overlaps no
- * input.
+ * A palette as 4x4 matrices: a copy, nkw_mat4_from_mat3x4 or nkw_mat4_from_dual_quat of each element. out does not
+ * overlap the palette. Returns NKW_BAD_FORMAT for normal matrices and unknown formats; nothing is then written.
  */
-NKW_API void nkw_palette_3x4_from_models(const nkw_mat4 *models, size_t model_count, const int32_t *joints,
-                                         const nkw_mat4 *inverse_bind, const nkw_mat4 *global_inverse, size_t count,
-                                         nkw_mat3x4 *out);
+NKW_API nkw_result nkw_mat4_from_palette(nkw_palette_view palette, nkw_mat4 *out);
 
 /**
- * The same matrices as unit dual quaternions, each nkw_dual_quat_from_mat4 of the joint matrix, bit for bit. Scale,
- * shear and mirroring are dropped. With NULLs as above it turns a palette of 4x4 matrices into dual quaternions. out
- * overlaps no input.
- *
- * Error  1.3 u of the rotation, for rigid joints.
- *
- * The sign: real.w >= 0, the side of the bind pose. Two joints that have turned away from each other by more than half
- * a turn stand on different sides all the same, so skinning takes each influence to the side of the vertex's heaviest
- * (nkw_dual_quat_align) before it sums; no sign of the palette alone can save that.
- */
-NKW_API void nkw_palette_dual_from_models(const nkw_mat4 *models, size_t model_count, const int32_t *joints,
-                                          const nkw_mat4 *inverse_bind, const nkw_mat4 *global_inverse, size_t count,
-                                          nkw_dual_quat *out);
-
-/** Back to 4x4: nkw_mat4_from_mat3x4 and nkw_mat4_from_dual_quat of each. out does not overlap the input. */
-NKW_API void nkw_palette_from_3x4(const nkw_mat3x4 *palette, size_t count, nkw_mat4 *out);
-NKW_API void nkw_palette_from_dual(const nkw_dual_quat *palette, size_t count, nkw_mat4 *out);
-
-/**
- * The inverse bind matrices of a skin from the model matrices of the bind pose:
+ * The inverse bind matrices of a skin from the model matrices of the bind pose; source->inverse_bind is not read:
  *
  *     out[i] = (global_inverse * models[joints[i]])^-1        nkw_mat4_inverse_affine of nkw_mat4_mul_affine
  *
- * so that nkw_palette_from_models of the same pose gives the identity to rounding. A singular matrix gives zeros, a
- * number that no model has the identity, but for the signs of zeros. Parameters as above; out may be models where
- * joints is NULL.
+ * so that nkw_palette_from_models of the same pose returns the identity to rounding. A singular matrix becomes zeros; an
+ * index that no model has becomes the identity, except the signs of zeros. out has joint_count matrices and may be
+ * models where joints is NULL.
  *
  * Error  1.0 u of the Frobenius norm, without global_inverse.
  */
-NKW_API void nkw_inverse_bind_from_models(const nkw_mat4 *models, size_t model_count, const int32_t *joints,
-                                          const nkw_mat4 *global_inverse, size_t count, nkw_mat4 *out);
+NKW_API void nkw_inverse_bind_from_models(const nkw_palette_source *source, nkw_mat4 *out);
 
 /**
- * The matrices that turn normals where the palette's turn positions: nkw_mat3_normal of the 3x3 block of each, bit for
- * bit. The inverse transpose, also where a scale is zero; normalise the normals afterwards.
- *
- * Three forms: 3x3 matrices; rows of four floats (row r in m[4 r .. 4 r + 2], m[4 r + 3] = 0), to go with a 3x4
- * palette; columns of four floats (12 floats a joint, column c in out[12 i + 4 c ..], fourth ones 0), which is `mat3
- * normals[]` in std430 and std140. out overlaps no input.
- *
- * Error  1.0 u of the Frobenius norm.
+ * Checks what a palette is made from: NKW_EMPTY without joints; NKW_OUT_OF_RANGE for an index of a joint that is
+ * negative or not below model_count; NKW_NOT_FINITE for an inverse bind matrix that has an infinite or NaN element in
+ * its first three rows. Models are not read. *bad_joint becomes the first offending joint of the skin, 0 if there is
+ * none; it may be NULL.
  */
-NKW_API void nkw_palette_normals(const nkw_mat4 *palette, size_t count, nkw_mat3 *out);
-NKW_API void nkw_palette_normals_rows(const nkw_mat4 *palette, size_t count, nkw_mat3x4 *out);
-NKW_API void nkw_palette_normals_columns(const nkw_mat4 *palette, size_t count, float *out);
+NKW_API nkw_result nkw_palette_source_validate(const nkw_palette_source *source, size_t *bad_joint);
 
 /**
- * Checks what a palette is made from: NKW_EMPTY without joints; NKW_OUT_OF_RANGE for a joint's number that is negative
- * or not below model_count; NKW_NOT_FINITE for an inverse bind matrix that has an infinite or NaN element in its first
- * three rows. *bad_joint becomes the first offending joint of the skin, 0 if there is none; it may be NULL.
+ * Checks a palette: NKW_BAD_FORMAT for an unknown format; NKW_EMPTY without joints; NKW_NOT_FINITE where a number is not
+ * finite, the last rows of 4x4 matrices excepted; NKW_NOT_UNIT where the real part of a dual quaternion is off unit
+ * length by more than 1e-2. *bad_joint becomes the first offending joint, 0 if there is none; it may be NULL.
  */
-NKW_API nkw_result nkw_palette_validate(size_t model_count, const int32_t *joints, const nkw_mat4 *inverse_bind,
-                                        size_t count, size_t *bad_joint);
+NKW_API nkw_result nkw_palette_validate(nkw_palette_view palette, size_t *bad_joint);
 
 /**
- * Checks a palette of dual quaternions: NKW_EMPTY without joints; NKW_NOT_FINITE where a number is not finite;
- * NKW_NOT_UNIT where the real part is off unit length by more than 1e-2. *bad_joint becomes the first offending joint,
- * 0 if there is none; it may be NULL.
- */
-NKW_API nkw_result nkw_palette_dual_validate(const nkw_dual_quat *palette, size_t count, size_t *bad_joint);
-
-/**
- * A part of a buffer that holds many palettes: frames, one after the other, each of `joints` matrices. A baked clip
+ * A part of a buffer that holds many palettes: frames, one after the other, each of joint_count matrices. A baked clip
  * has its frames, a character that is written anew each time has one. All places are counted in matrices of the
  * buffer, whatever their type (nkw_mat4, nkw_mat3x4, nkw_dual_quat), from its beginning.
  */
 typedef struct nkw_palette_chunk {
-    size_t frames; /**< > 0 */
-    size_t joints; /**< > 0 */
-    size_t first;  /**< the place of joint 0 of frame 0, a result of nkw_palette_chunks_place */
+    size_t frame_count; /**< > 0 */
+    size_t joint_count; /**< > 0 */
+    size_t first; /**< the place of joint 0 of frame 0, a result of nkw_palette_chunks_place */
 } nkw_palette_chunk;
 
 /**
- * Places `count` chunks in one buffer: sets `first` of each from their frames and joints, in order, without overlap,
+ * Places `count` chunks in one buffer: sets `first` of each from their counts, in order, without overlap,
  * each at a multiple of `alignment` matrices (0 and 1: anywhere; GPUs want bindings at multiples of 256 bytes: 4
  * nkw_mat4, 8 dual quaternions, 16 nkw_mat3x4). *total becomes the matrices that the buffer must hold.
  *
@@ -182,15 +168,16 @@ NKW_API nkw_result nkw_palette_chunks_validate(const nkw_palette_chunk *chunks, 
                                                size_t *bad_chunk);
 
 /**
- * The place of a joint in a frame: first + frame * joints + joint. A frame or a joint beyond the last counts as the
+ * The place of a joint in a frame: first + frame * joint_count + joint. A frame or a joint beyond the last counts as the
  * last, so the place is always inside the chunk; a chunk without frames or joints gives `first`. Writing frame f of a
  * chunk is
  *
- *     nkw_palette_from_models(models, ..., chunk.joints, buffer + nkw_palette_chunk_at(&chunk, f, 0))
+ *     nkw_palette_span out = {buffer + nkw_palette_chunk_index(&chunk, f, 0), chunk.joint_count, NKW_PALETTE_MAT4};
+ *     nkw_palette_from_models(&source, out);
  *
  * and may go on in many threads at once, one for each chunk or frame.
  */
-NKW_API size_t nkw_palette_chunk_at(const nkw_palette_chunk *chunk, size_t frame, size_t joint);
+NKW_API size_t nkw_palette_chunk_index(const nkw_palette_chunk *chunk, size_t frame, size_t joint);
 
 #ifdef __cplusplus
 }

@@ -50,29 +50,30 @@ static inline nkw_pose_view nkw_pose_view_from_span(nkw_pose_span pose)
 }
 
 /** NKW_POSE_FLOATS as a function, for languages without the macro; SIZE_MAX where size_t does not hold so many. */
-NKW_API size_t nkw_pose_floats(size_t joints);
+NKW_API size_t nkw_pose_floats(size_t joint_count);
 
 /** The ten arrays of a pose, for batch functions: nkw_mat4_from_trs_n(nkw_pose_components(pose), out, joint_count). */
 NKW_API nkw_trs_view nkw_pose_components(nkw_pose_view pose);
 NKW_API nkw_trs_span nkw_pose_components_span(nkw_pose_span pose);
 
-/** Every joint at the identity: no translation, no rotation, scale 1. Padding too. */
-NKW_API void nkw_pose_identity(float *pose, size_t joints);
+/** Sets every joint to the identity: no translation, no rotation, scale 1. Padding too. */
+NKW_API void nkw_pose_identity(nkw_pose_span pose);
 
-/** The transform of one joint. A joint that the pose has not gives the identity and is not written. */
-NKW_API nkw_trs nkw_pose_get(const float *pose, size_t joints, size_t joint);
-NKW_API void nkw_pose_set(float *pose, size_t joints, size_t joint, const nkw_trs *trs);
+/** The transform of one joint; the identity for an index that is not below pose.joint_count. */
+NKW_API nkw_trs nkw_pose_get(nkw_pose_view pose, size_t joint);
+/** Sets the transform of one joint. Returns NKW_OUT_OF_RANGE for an index that is not below pose.joint_count. */
+NKW_API nkw_result nkw_pose_set(nkw_pose_span pose, size_t joint, const nkw_trs *trs);
 
-/** From `joints` transforms to a pose, its padding at the identity, and back. Every bit is kept. */
-NKW_API void nkw_pose_from_trs(const nkw_trs *trs, size_t joints, float *pose);
-NKW_API void nkw_trs_from_pose(const float *pose, size_t joints, nkw_trs *out);
+/** From joint_count transforms to a pose, its padding at the identity, and back. Every bit is kept. */
+NKW_API void nkw_pose_from_trs(const nkw_trs *trs, nkw_pose_span pose);
+NKW_API void nkw_trs_from_pose(nkw_pose_view pose, nkw_trs *out);
 
 /**
  * Checks a pose: NKW_EMPTY without joints; NKW_NOT_FINITE where a number is not finite; NKW_NOT_UNIT where a rotation
  * is off unit length by more than 1e-2. *bad_joint becomes the first offending joint, 0 if there is none; it may be
  * NULL.
  */
-NKW_API nkw_result nkw_pose_validate(const float *pose, size_t joints, size_t *bad_joint);
+NKW_API nkw_result nkw_pose_validate(nkw_pose_view pose, size_t *bad_joint);
 
 #ifdef __cplusplus
 }

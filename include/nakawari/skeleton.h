@@ -28,6 +28,7 @@
 
 #include <stdint.h>
 
+#include "pose.h"
 #include "types.h"
 
 #ifdef __cplusplus
@@ -87,15 +88,18 @@ typedef struct nkw_tree {
     size_t node_count; /**< at least 1 */
 } nkw_tree;
 
+/** How many int32_t nkw_tree_validate takes as working memory. */
+#define NKW_TREE_WORK(node_count) (3 * (node_count))
+
 /**
  * Checks a tree: NKW_EMPTY without nodes; NKW_OUT_OF_RANGE where a child or sibling is neither a node nor NKW_NO_JOINT
  * (or where there are more than 2^31 - 1); NKW_NOT_A_TREE for a node that is reached twice (so every cycle) or not at
  * all. *bad_node becomes the first offender on the walk, then the first node that the walk leaves out; 0 if there is
  * none; it may be NULL.
  *
- * work  3 * node_count numbers, for the walk's marks
+ * work  work_count numbers, at least NKW_TREE_WORK(node_count), otherwise NKW_TOO_SMALL
  */
-NKW_API nkw_result nkw_tree_validate(const nkw_tree *tree, int32_t *work, size_t *bad_node);
+NKW_API nkw_result nkw_tree_validate(const nkw_tree *tree, size_t *bad_node, int32_t *work, size_t work_count);
 
 /**
  * The skeleton of a tree, depth first: a node, its children's subtrees, its siblings. Arrays as for
@@ -140,25 +144,19 @@ NKW_API nkw_result nkw_tree_walk(const nkw_tree *tree, const nkw_mat4 *locals, c
  * bit for bit; joints without a parent: of `root`, or the local matrix itself where root is NULL. `locals` may be
  * `models`.
  *
+ * range    NULL: all joints. Otherwise only these joints, after a change to their local transforms; the matrices of
+ *          their parents outside the range are read from `models`. nkw_skeleton_subtree_end returns the end of a subtree
+ * Returns  NKW_MISMATCHED for a pose of another number of joints than the skeleton, nothing is then written
+ *
  * Error  2.8 u for each joint from the root on, of the Frobenius norm of the 3x3 block; of the place 2.6 u, of the
  *        length of the bones laid end to end; for rotations and even scales. That takes each joint for the worst: along
  *        a chain at random errors grow with the root of its length, to 20.4 u at the end of 67 joints and 77 u of 1000,
  *        and the place to 4 u.
  */
-NKW_API void nkw_models_from_pose(const nkw_skeleton *skeleton, const float *pose, const nkw_mat4 *root,
-                                  nkw_mat4 *models);
+NKW_API nkw_result nkw_models_from_pose(const nkw_skeleton *skeleton, nkw_pose_view pose, const nkw_mat4 *root,
+                                        const nkw_range *range, nkw_mat4 *models);
 NKW_API void nkw_models_from_locals(const nkw_skeleton *skeleton, const nkw_mat4 *locals, const nkw_mat4 *root,
-                                    nkw_mat4 *models);
-
-/**
- * The same for joints from .. to - 1 alone, after a change to their local transforms: the matrices of their parents
- * outside the range are taken as they stand in `models`. `to` beyond the last joint is the last one's end; a range
- * that is empty does nothing. nkw_skeleton_subtree_end gives the range of all that hangs from a joint.
- */
-NKW_API void nkw_models_update_from_pose(const nkw_skeleton *skeleton, const float *pose, const nkw_mat4 *root,
-                                         size_t from, size_t to, nkw_mat4 *models);
-NKW_API void nkw_models_update_from_locals(const nkw_skeleton *skeleton, const nkw_mat4 *locals, const nkw_mat4 *root,
-                                           size_t from, size_t to, nkw_mat4 *models);
+                                    const nkw_range *range, nkw_mat4 *models);
 
 /**
  * Model to local: local[j] = inverse(model[parent j]) model[j], with `root` in the place of the parent's matrix where
@@ -175,11 +173,12 @@ NKW_API void nkw_locals_from_models(const nkw_skeleton *skeleton, const nkw_mat4
  * Model to pose: the TRS (nkw_trs_from_mat4) of each of those local matrices; padding at the identity. A local matrix
  * that is zero becomes the identity rotation at scale 0.
  *
- * Gives  the largest nkw_trs_residual: what of the matrices, shear, the pose could not hold; about 1e-6 where there is
- *        none; NaN where one is
+ * residual  becomes the largest nkw_trs_residual: the shear that the pose cannot hold; about 1e-6 where there is none,
+ *           NaN where one is; may be NULL
+ * Returns   NKW_MISMATCHED for a pose of another number of joints than the skeleton, nothing is then written
  */
-NKW_API float nkw_pose_from_models(const nkw_skeleton *skeleton, const nkw_mat4 *models, const nkw_mat4 *root,
-                                   float *pose);
+NKW_API nkw_result nkw_pose_from_models(const nkw_skeleton *skeleton, const nkw_mat4 *models, const nkw_mat4 *root,
+                                        nkw_pose_span pose, float *residual);
 
 #ifdef __cplusplus
 }

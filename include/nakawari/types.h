@@ -77,6 +77,11 @@ typedef struct nkw_trs {
     nkw_vec3 scale;
 } nkw_trs;
 
+/** The elements from .. to - 1. A `to` beyond the last element is the end; an empty range has none. */
+typedef struct nkw_range {
+    size_t from, to;
+} nkw_range;
+
 /**
  * Component arrays: element i of a vector array is (x[i], y[i], z[i]). A view is read, a span is written.
  *

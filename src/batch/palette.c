@@ -11,19 +11,19 @@
 
 NKW_LOOPS_PALETTE(NKW_DECLARE_LOOP)
 
-/* The model of joint i of the skin, NULL where there is none. A negative number is beyond every count. */
-static inline const nkw_mat4 *model_of(const nkw_mat4 *models, size_t model_count, const int32_t *joints, size_t i)
+/* The model of joint i of the skin, NULL where there is none. A negative index is beyond every count. */
+static inline const nkw_mat4 *model_of(const nkw_palette_source *s, size_t i)
 {
-    size_t j = joints ? (size_t)joints[i] : i;
-    return j < model_count ? models + j : NULL;
+    size_t j = s->joints ? (size_t)s->joints[i] : i;
+    return j < s->model_count ? s->models + j : NULL;
 }
 
 /* Joint matrix i, columns. */
-static inline lane_columns columns_of(const nkw_mat4 *models, size_t model_count, const int32_t *joints,
-                                      const nkw_mat4 *inverse_bind, const lane_columns *global_inverse, size_t i)
+static inline lane_columns columns_of(const nkw_palette_source *s, const nkw_mat4 *inverse_bind,
+                                      const lane_columns *global_inverse, size_t i)
 {
     static const nkw_mat4 identity = {{1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1}};
-    const nkw_mat4 *model = model_of(models, model_count, joints, i);
+    const nkw_mat4 *model = model_of(s, i);
     if (!model)
         return lane_columns_from(&identity);
     return lane_joint_columns(global_inverse, model, inverse_bind ? inverse_bind + i : NULL);
@@ -36,23 +36,23 @@ static inline lane_columns columns_or_none(const nkw_mat4 *m)
 }
 
 NKW_LOOP(nkwi_palette_4x4)
-(const nkw_mat4 *models, size_t model_count, const int32_t *joints, const nkw_mat4 *inverse_bind,
- const nkw_mat4 *global_inverse, nkw_mat4 *out, size_t n)
+(const nkw_palette_source *source, nkw_mat4 *out)
 {
-    const lane_columns g = columns_or_none(global_inverse);
-    for (size_t i = 0; i < n; i++) {
-        lane_columns m = columns_of(models, model_count, joints, inverse_bind, global_inverse ? &g : NULL, i);
+    const nkw_palette_source s = *source;
+    const lane_columns g = columns_or_none(s.global_inverse);
+    for (size_t i = 0; i < s.joint_count; i++) {
+        lane_columns m = columns_of(&s, s.inverse_bind, s.global_inverse ? &g : NULL, i);
         lane_mat4_from_columns(&m, &out[i]);
     }
 }
 
 NKW_LOOP(nkwi_palette_3x4)
-(const nkw_mat4 *models, size_t model_count, const int32_t *joints, const nkw_mat4 *inverse_bind,
- const nkw_mat4 *global_inverse, nkw_mat3x4 *out, size_t n)
+(const nkw_palette_source *source, nkw_mat3x4 *out)
 {
-    const lane_columns g = columns_or_none(global_inverse);
-    for (size_t i = 0; i < n; i++) {
-        lane_columns m = columns_of(models, model_count, joints, inverse_bind, global_inverse ? &g : NULL, i);
+    const nkw_palette_source s = *source;
+    const lane_columns g = columns_or_none(s.global_inverse);
+    for (size_t i = 0; i < s.joint_count; i++) {
+        lane_columns m = columns_of(&s, s.inverse_bind, s.global_inverse ? &g : NULL, i);
         lane_mat3x4_from_columns(&m, &out[i]);
     }
 }
@@ -70,28 +70,28 @@ static inline void spread(const nkw_mat4 *m, size_t size, matrices *a)
 }
 
 /* Joint matrices from number `from` on. */
-static inline void gather(const nkw_mat4 *models, size_t model_count, const int32_t *joints,
-                          const nkw_mat4 *inverse_bind, const lane_columns *global_inverse, size_t from, size_t size,
-                          matrices *a)
+static inline void gather(const nkw_palette_source *s, const nkw_mat4 *inverse_bind, const lane_columns *global_inverse,
+                          size_t from, size_t size, matrices *a)
 {
     nkw_mat4 m[MATRICES];
-    int plain = !joints && !inverse_bind && !global_inverse && from + size <= model_count;
+    int plain = !s->joints && !inverse_bind && !global_inverse && from + size <= s->model_count;
     for (size_t i = 0; i < size && !plain; i++) {
-        lane_columns c = columns_of(models, model_count, joints, inverse_bind, global_inverse, from + i);
+        lane_columns c = columns_of(s, inverse_bind, global_inverse, from + i);
         lane_mat4_from_columns(&c, &m[i]);
     }
-    spread(plain ? models + from : m, size, a);
+    spread(plain ? s->models + from : m, size, a);
 }
 
 NKW_LOOP(nkwi_palette_inverse)
-(const nkw_mat4 *models, size_t model_count, const int32_t *joints, const nkw_mat4 *global_inverse, nkw_mat4 *out,
- size_t n)
+(const nkw_palette_source *source, nkw_mat4 *out)
 {
-    const lane_columns g = columns_or_none(global_inverse);
+    const nkw_palette_source s = *source;
+    const lane_columns g = columns_or_none(s.global_inverse);
+    const size_t n = s.joint_count;
     matrices a, r;
     for (size_t from = 0; from < n; from += MATRICES) {
         size_t size = n - from < MATRICES ? n - from : MATRICES;
-        gather(models, model_count, joints, NULL, global_inverse ? &g : NULL, from, size, &a);
+        gather(&s, NULL, s.global_inverse ? &g : NULL, from, size, &a);
 #pragma omp simd
         for (size_t i = 0; i < MATRICES; i++)
             matrices_invert(&a, i, &r);
@@ -120,14 +120,15 @@ static inline void dual_one(const matrices *a, matrices *r, size_t i)
 }
 
 NKW_LOOP(nkwi_palette_dual)
-(const nkw_mat4 *models, size_t model_count, const int32_t *joints, const nkw_mat4 *inverse_bind,
- const nkw_mat4 *global_inverse, nkw_dual_quat *out, size_t n)
+(const nkw_palette_source *source, nkw_dual_quat *out)
 {
-    const lane_columns g = columns_or_none(global_inverse);
+    const nkw_palette_source s = *source;
+    const lane_columns g = columns_or_none(s.global_inverse);
+    const size_t n = s.joint_count;
     matrices a, r;
     for (size_t from = 0; from < n; from += MATRICES) {
         size_t size = n - from < MATRICES ? n - from : MATRICES;
-        gather(models, model_count, joints, inverse_bind, global_inverse ? &g : NULL, from, size, &a);
+        gather(&s, s.inverse_bind, s.global_inverse ? &g : NULL, from, size, &a);
 #pragma omp simd
         for (size_t i = 0; i < MATRICES; i++)
             dual_one(&a, &r, i);
@@ -164,12 +165,15 @@ static inline void write_normals(const matrices *r, size_t line, size_t step, si
 }
 
 /* Lines of `line` floats, of which those after three are 0: columns, or rows. */
-NKW_LOOP(nkwi_palette_normals)(const nkw_mat4 *palette, size_t line, int rows, float *out, size_t n)
+NKW_LOOP(nkwi_palette_normals)(const nkw_palette_source *source, size_t line, int rows, float *out)
 {
+    const nkw_palette_source s = *source;
+    const lane_columns g = columns_or_none(s.global_inverse);
+    const size_t n = s.joint_count;
     matrices a, r;
     for (size_t from = 0; from < n; from += MATRICES) {
         size_t size = n - from < MATRICES ? n - from : MATRICES;
-        spread(palette + from, size, &a);
+        gather(&s, s.inverse_bind, s.global_inverse ? &g : NULL, from, size, &a);
 #pragma omp simd
         for (size_t i = 0; i < MATRICES; i++)
             normal_one(&a, &r, i);

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* Errors of <nakawari/blend.h> against binary128: one joint, drawn from its seed. */
 #include "wide.h"
+#include "../support/views.h"
 
 #if WIDE_AVAILABLE
 
@@ -43,10 +44,11 @@ static void draw_blend(blend *b, const float *x, int count, filling how, part ju
             trs.rotation = nkw_quat_scale(random_unit_near(&r, b->middle, 0.35f * random_unit(&r)), random_sign(&r));
         else
             trs.translation.x = random_between(&r, -5.0f, 5.0f);
-        nkw_pose_from_trs(&trs, 1, b->pose[i]);
+        nkw_pose_from_trs(&trs, pose_span(b->pose[i], 1));
     }
     for (int i = 0; i < count; i++) {
-        nkw_pose_layer l = {b->pose[i], random_log(&r, 1e-2f, 1.0f), how == MASKED ? b->mask[i] : NULL};
+        nkw_pose_layer l = {pose_view(b->pose[i], 1), random_log(&r, 1e-2f, 1.0f),
+                            mask_view(how == MASKED ? b->mask[i] : NULL, 1)};
         b->mask[i][0] = how == MASKED ? random_between(&r, 0.1f, 1.0f) : 1.0f;
         b->layer[i] = l;
         b->weight[i] = (wide)l.weight * b->mask[i][0];
@@ -60,7 +62,7 @@ static void draw_blend(blend *b, const float *x, int count, filling how, part ju
 /* The pose's numbers, the rotation on the side of another one. */
 static void numbers_of(const float *pose, nkw_quat side, float v[10])
 {
-    nkw_trs trs = nkw_pose_get(pose, 1, 0);
+    nkw_trs trs = nkw_pose_get(pose_view(pose, 1), 0);
     put_vec3(v, trs.translation);
     put_quat(v + 3, nkw_quat_dot(trs.rotation, side) < 0.0f ? nkw_quat_negate(trs.rotation) : trs.rotation);
     put_vec3(v + 7, trs.scale);
@@ -81,7 +83,7 @@ static double layers_error(const float *x, int count, filling how, part judged)
             sum[c] += b.weight[i] * v[c];
         largest = b.weight[i] > 0 ? fmax(largest, fabs((double)v[0])) : largest;
     }
-    nkw_pose_blend_layers(b.layer, (size_t)count, b.pose[count], 1, b.threshold, out);
+    nkw_pose_blend_layers(b.layer, (size_t)count, pose_view(b.pose[count], 1), b.threshold, pose_span(out, 1));
     numbers_of(out, b.middle, v);
     wide_normalize(sum + 3, 4);
     return judged == TURN ? wide_error(v + 3, sum + 3, 4)
@@ -109,11 +111,11 @@ static double back_error(const float *x, nkw_additive side, part judged)
     random_source r = wide_source(x);
     static float a[NKW_POSE_FLOATS(1)], ref[NKW_POSE_FLOATS(1)], out[NKW_POSE_FLOATS(1)];
     nkw_trs want = draw_trs(&r), base = draw_trs(&r);
-    nkw_pose_from_trs(&want, 1, a);
-    nkw_pose_from_trs(&base, 1, ref);
-    nkw_pose_additive_build(a, ref, 1, side, out);
-    nkw_pose_additive_apply(ref, out, 1, side, 1.0f, NULL, out);
-    nkw_trs got = nkw_pose_get(out, 1, 0);
+    nkw_pose_from_trs(&want, pose_span(a, 1));
+    nkw_pose_from_trs(&base, pose_span(ref, 1));
+    nkw_pose_additive_build(pose_view(a, 1), pose_view(ref, 1), side, pose_span(out, 1));
+    nkw_pose_additive_apply(pose_view(ref, 1), pose_view(out, 1), side, 1.0f, mask_view(NULL, 1), pose_span(out, 1));
+    nkw_trs got = nkw_pose_get(pose_view(out, 1), 0);
     if (judged == TURN) {
         float g[4], w[4];
         wide exact[4];

@@ -4,6 +4,7 @@
  * like a body's.
  */
 #include "wide.h"
+#include "../support/views.h"
 
 #if WIDE_AVAILABLE
 
@@ -34,7 +35,7 @@ static void draw_joint(random_source *r, shape form, int j, int joints, float lo
                  : j           ? (int)(random_bits(r) % (uint64_t)(j < 8 ? j : 8)) + (j < 8 ? 0 : j - 8)
                                : -1;
     parents[j] = parent;
-    nkw_pose_set(pose, (size_t)joints, (size_t)j, &trs);
+    nkw_pose_set(pose_span(pose, (size_t)joints), (size_t)j, &trs);
     wide_mat4_from_trs(&trs, local);
     if (parent < 0)
         wide_from(nkw_mat4_identity().m, exact[j], 16);
@@ -54,13 +55,13 @@ static double models_error(const float *x, shape form, int joints, float low, pa
     for (int j = 0; j < joints; j++)
         draw_joint(&r, form, j, joints, low);
     if (from == FROM_POSE) {
-        nkw_models_from_pose(&skeleton, pose, NULL, models);
+        nkw_models_from_pose(&skeleton, pose_view(pose, skeleton.joint_count), NULL, NULL, models);
     } else {
         for (int j = 0; j < joints; j++) {
-            nkw_trs trs = nkw_pose_get(pose, (size_t)joints, (size_t)j);
+            nkw_trs trs = nkw_pose_get(pose_view(pose, (size_t)joints), (size_t)j);
             models[j] = nkw_mat4_from_trs(&trs);
         }
-        nkw_models_from_locals(&skeleton, models, NULL, models);
+        nkw_models_from_locals(&skeleton, models, NULL, NULL, models);
     }
     for (int j = 0; j < joints; j++) {
         wide want[9];

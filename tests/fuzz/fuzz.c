@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 #include "fuzz.h"
+#include "../support/views.h"
 
 #include <stdio.h>
 #include <stdlib.h>
@@ -210,7 +211,7 @@ float *fuzz_pose(fuzz *f, size_t joints, int wild)
     uint64_t rare = rarity(f, wild);
     for (size_t j = 0; j < joints; j++) {
         nkw_trs trs = {random_vec3(&r, -4, 4), random_rotation(&r), random_vec3(&r, 0.5f, 2)};
-        nkw_pose_set(pose, joints, j, &trs);
+        nkw_pose_set(pose_span(pose, joints), j, &trs);
         if (strikes(&r, rare))
             pose[random_bits(&r) % 10 * NKW_POSE_STRIDE(joints) + j] = anything(&r);
     }

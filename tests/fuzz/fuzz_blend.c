@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 #include "fuzz.h"
+#include "../support/views.h"
 
 #include <string.h>
 
@@ -31,9 +32,9 @@ static void two(fuzz *f, size_t n, int wild)
 {
     const float *a = fuzz_pose(f, n, wild), *b = fuzz_pose(f, n, wild), *mask = draw_mask(f, n, wild);
     float *out = fuzz_room(f, NKW_POSE_FLOATS(n)), t = wild ? fuzz_float(f) : (float)fuzz_byte(f) / 255.0f;
-    nkw_pose_blend_slerp(a, b, n, t, mask, out);
+    nkw_pose_blend_slerp(pose_view(a, n), pose_view(b, n), t, mask_view(mask, n), pose_span(out, n));
     FUZZ_CHECK(wild || finite_pose(out, n));
-    nkw_pose_blend(a, b, n, t, mask, out);
+    nkw_pose_blend(pose_view(a, n), pose_view(b, n), t, mask_view(mask, n), pose_span(out, n));
     FUZZ_CHECK(wild || finite_pose(out, n));
 }
 
@@ -42,9 +43,9 @@ static void two_in_place(fuzz *f, size_t n)
 {
     float *a = fuzz_pose(f, n, 1), *b = fuzz_pose(f, n, 1), t = fuzz_float(f);
     float *out = fuzz_room(f, NKW_POSE_FLOATS(n));
-    nkw_pose_blend(a, b, n, t, NULL, out);
+    nkw_pose_blend(pose_view(a, n), pose_view(b, n), t, mask_view(NULL, n), pose_span(out, n));
     int over_b = fuzz_byte(f) % 2;
-    nkw_pose_blend(a, b, n, t, NULL, over_b ? b : a);
+    nkw_pose_blend(pose_view(a, n), pose_view(b, n), t, mask_view(NULL, n), pose_span(over_b ? b : a, n));
     FUZZ_CHECK(same_pose(out, over_b ? b : a, n));
 }
 
@@ -53,8 +54,9 @@ static void many(fuzz *f, size_t n, int wild)
     nkw_pose_layer layer[LAYERS], turned[LAYERS];
     size_t count = fuzz_upto(f, LAYERS), by = fuzz_upto(f, LAYERS);
     for (size_t i = 0; i < count; i++) {
-        const float *pose = i && fuzz_byte(f) % 4 == 0 ? layer[i - 1].pose : fuzz_pose(f, n, wild);
-        nkw_pose_layer l = {pose, fuzz_byte(f) % 4 ? fuzz_float(f) : 1.0f, draw_mask(f, n, wild)};
+        const float *pose = i && fuzz_byte(f) % 4 == 0 ? layer[i - 1].pose.data : fuzz_pose(f, n, wild);
+        float weight = fuzz_byte(f) % 4 ? fuzz_float(f) : 1.0f;
+        nkw_pose_layer l = {pose_view(pose, n), weight, mask_view(draw_mask(f, n, wild), n)};
         layer[i] = l;
     }
     for (size_t i = 0; i < count; i++)
@@ -66,9 +68,9 @@ static void many(fuzz *f, size_t n, int wild)
     nkw_pose_layers_validate(layer, count, n, &bad);
     FUZZ_CHECK(bad < count || bad == 0);
     for (size_t i = 0; i < count; i++)
-        FUZZ_CHECK(!layer[i].mask || nkw_mask_validate(layer[i].mask, n, &bad) != NKW_OK || bad == 0);
-    nkw_pose_blend_layers(layer, count, rest, n, threshold, out);
-    nkw_pose_blend_layers(turned, count, rest, n, threshold, again);
+        FUZZ_CHECK(!layer[i].mask.data || nkw_mask_validate(layer[i].mask, &bad) != NKW_OK || bad == 0);
+    nkw_pose_blend_layers(layer, count, pose_view(rest, n), threshold, pose_span(out, n));
+    nkw_pose_blend_layers(turned, count, pose_view(rest, n), threshold, pose_span(again, n));
     FUZZ_CHECK(same_pose(out, again, n));
     FUZZ_CHECK(wild || finite_pose(out, n));
 }
@@ -78,11 +80,12 @@ static void additive(fuzz *f, size_t n, int wild)
     const float *a = fuzz_pose(f, n, wild), *ref = fuzz_pose(f, n, wild), *mask = draw_mask(f, n, wild);
     float *delta = fuzz_room(f, NKW_POSE_FLOATS(n)), *out = fuzz_room(f, NKW_POSE_FLOATS(n));
     nkw_additive side = (nkw_additive)fuzz_choice(f, 1);
-    nkw_pose_additive_build(a, ref, n, side, delta);
+    nkw_pose_additive_build(pose_view(a, n), pose_view(ref, n), side, pose_span(delta, n));
     FUZZ_CHECK(wild || finite_pose(delta, n));
-    nkw_pose_additive_apply(ref, delta, n, side, wild ? fuzz_float(f) : 1.0f, mask, out);
+    nkw_pose_additive_apply(pose_view(ref, n), pose_view(delta, n), side, wild ? fuzz_float(f) : 1.0f,
+                            mask_view(mask, n), pose_span(out, n));
     FUZZ_CHECK(wild || finite_pose(out, n));
-    nkw_pose_additive_apply(a, delta, n, side, 0.0f, mask, out);
+    nkw_pose_additive_apply(pose_view(a, n), pose_view(delta, n), side, 0.0f, mask_view(mask, n), pose_span(out, n));
     FUZZ_CHECK(same_pose(out, a, n));
 }
 
@@ -96,8 +99,8 @@ static void mirror(fuzz *f, size_t n)
     size_t bad;
     nkw_mirror_validate(pair, n, &bad);
     FUZZ_CHECK(bad < n || bad == 0);
-    nkw_pose_mirror(pose, pair, n, plane, out);
-    nkw_pose_mirror(out, pair, n, plane, out);
+    nkw_pose_mirror(pose_view(pose, n), pair, plane, pose_span(out, n));
+    nkw_pose_mirror(pose_view(out, n), pair, plane, pose_span(out, n));
     FUZZ_CHECK(same_pose(out, pose, n));
 }
 
@@ -105,18 +108,18 @@ static void mask_and_pose(fuzz *f, size_t n)
 {
     float *mask = fuzz_room(f, NKW_POSE_STRIDE(n)), *pose = fuzz_pose(f, n, 1);
     size_t bad, root = fuzz_byte(f) % 4 ? fuzz_upto(f, JOINTS) : fuzz_huge(f);
-    nkw_mask_from_subtree(fuzz_parents(f, n, 1), n, root, mask);
+    mask_from_subtree(fuzz_parents(f, n, 1), n, root, mask);
     for (size_t j = 0; j < NKW_POSE_STRIDE(n); j++)
         FUZZ_CHECK(mask[j] == 1.0f || mask[j] == 0.0f);
-    nkw_result result = nkw_pose_validate(pose, n, &bad);
+    nkw_result result = nkw_pose_validate(pose_view(pose, n), &bad);
     FUZZ_CHECK(bad < n || bad == 0);
     FUZZ_CHECK(result != NKW_OK || finite_pose(pose, n));
-    nkw_trs trs = nkw_pose_get(pose, n, root);
-    nkw_pose_set(pose, n, root, &trs);
+    nkw_trs trs = nkw_pose_get(pose_view(pose, n), root);
+    nkw_pose_set(pose_span(pose, n), root, &trs);
     nkw_trs *all = fuzz_block(f, n * sizeof *all);
     float *back = fuzz_room(f, NKW_POSE_FLOATS(n));
-    nkw_trs_from_pose(pose, n, all);
-    nkw_pose_from_trs(all, n, back);
+    nkw_trs_from_pose(pose_view(pose, n), all);
+    nkw_pose_from_trs(all, pose_span(back, n));
     FUZZ_CHECK(same_pose(pose, back, n));
 }
 

@@ -14,7 +14,7 @@ static void check_lanes(fuzz *f, const float *crowd, size_t n, const nkw_mat4 *c
     nkw_mat4 *out[NKW_CROWD];
     for (size_t i = 0; i < NKW_CROWD; i++)
         out[i] = want[i] ? fuzz_block(f, n * sizeof **out) : NULL;
-    nkw_matrices_from_crowd(crowd, n, out);
+    matrices_from_crowd(crowd, n, out);
     for (size_t i = 0; i < NKW_CROWD; i++)
         FUZZ_CHECK(!out[i] || fuzz_same((const float *)out[i], (const float *)want[i], 16 * n));
 }
@@ -44,20 +44,20 @@ static void sample(fuzz *f, const nkw_clip *clip, size_t n, size_t characters)
         nkw_clip_sample(clip, times[i], NULL, pose_span(pose, n), NULL);
         poses[i] = pose;
     }
-    nkw_crowd_from_poses(poses, n, want);
-    nkw_crowd_sample(clip, times, NULL, characters, fuzz_room(f, NKW_CROWD_SAMPLE_FLOATS(n)), lanes);
+    crowd_from_poses(poses, n, want);
+    crowd_sample(clip, times, NULL, characters, fuzz_room(f, NKW_CROWD_SAMPLE_FLOATS(n)), lanes);
     FUZZ_CHECK(fuzz_same(lanes, want, NKW_CROWD_POSE_FLOATS(n)));
 }
 
 /* Any rate and any frames: the chunk is written, nothing else. */
-static void bake(fuzz *f, const nkw_crowd_source *source, size_t count)
+static void bake(fuzz *f, const nkw_crowd_source *source)
 {
-    size_t frames = fuzz_upto(f, 40), bad, n = source->skeleton->joint_count;
+    size_t frames = fuzz_upto(f, 40), count = source->joint_count, bad, n = source->skeleton->joint_count;
     const nkw_palette_chunk chunk = {frames, count, 0};
     nkw_mat4 *buffer = fuzz_block(f, frames * count * sizeof *buffer);
-    nkw_crowd_source_validate(source, count, &bad);
+    nkw_crowd_source_validate(source, &bad);
     FUZZ_CHECK(bad < count || bad < n || bad == 0);
-    nkw_crowd_bake(source, &chunk, fuzz_upto(f, 50), fuzz_upto(f, 50), fuzz_room(f, NKW_CROWD_BAKE_FLOATS(n, count)),
+    crowd_bake(source, &chunk, fuzz_upto(f, 50), fuzz_upto(f, 50), fuzz_room(f, NKW_CROWD_BAKE_FLOATS(n, count)),
                    buffer);
 }
 
@@ -77,25 +77,25 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
     for (size_t i = 0; i < characters; i++) {
         nkw_mat4 *m = fuzz_block(&f, n * sizeof *m), *p = fuzz_block(&f, count * sizeof *p);
         poses[i] = fuzz_pose(&f, n, wild);
-        nkw_models_from_pose(&s, poses[i], root, m);
-        nkw_palette_from_models(m, n, joints, inverse_bind, NULL, count, p);
+        nkw_models_from_pose(&s, pose_view(poses[i], s.joint_count), root, NULL, m);
+        palette_from_models(m, n, joints, inverse_bind, NULL, count, p);
         models[i] = m;
         palettes[i] = p;
     }
     float *lanes = fuzz_room(&f, NKW_CROWD_POSE_FLOATS(n)), *placed = fuzz_room(&f, NKW_CROWD_MATRIX_FLOATS(1));
     float *all = fuzz_room(&f, NKW_CROWD_MATRIX_FLOATS(n)), *palette = fuzz_room(&f, NKW_CROWD_MATRIX_FLOATS(count));
-    nkw_crowd_from_poses(poses, n, lanes);
-    nkw_crowd_from_matrices(roots, 1, placed);
-    nkw_crowd_models_from_pose(&s, lanes, placed, all);
+    crowd_from_poses(poses, n, lanes);
+    crowd_from_matrices(roots, 1, placed);
+    crowd_models_from_pose(&s, lanes, placed, all);
     check_lanes(&f, all, n, models);
-    nkw_crowd_palette_from_models(all, n, joints, inverse_bind, count, palette);
+    crowd_palette_from_models(all, n, joints, inverse_bind, count, palette);
     check_lanes(&f, palette, count, palettes);
-    nkw_crowd_models_from_pose(&s, lanes, NULL, all);
+    crowd_models_from_pose(&s, lanes, NULL, all);
     const nkw_clip *clip = n ? some_clip(&f, n) : NULL;
     if (clip) {
-        const nkw_crowd_source source = {clip, &s, root, joints, inverse_bind, fuzz_float(&f), fuzz_float(&f)};
+        const nkw_crowd_source source = {clip, &s, root, joints, inverse_bind, count, fuzz_float(&f), fuzz_float(&f)};
         sample(&f, clip, n, characters);
-        bake(&f, &source, count);
+        bake(&f, &source);
     }
     return fuzz_end(&f);
 }

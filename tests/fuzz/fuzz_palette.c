@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 #include "fuzz.h"
+#include "../support/views.h"
 
 #include <string.h>
 
@@ -26,25 +27,23 @@ static void forms(fuzz *f, const inputs *i, int wild)
     nkw_mat4 *four = fuzz_block(f, i->count * sizeof *four), *back = fuzz_block(f, i->count * sizeof *back);
     nkw_mat3x4 *rows = fuzz_block(f, i->count * sizeof *rows);
     nkw_dual_quat *dual = fuzz_block(f, i->count * sizeof *dual);
-    nkw_palette_from_models(i->models, i->model_count, i->joints, i->inverse_bind, i->global_inverse, i->count, four);
-    nkw_palette_3x4_from_models(i->models, i->model_count, i->joints, i->inverse_bind, i->global_inverse, i->count,
-                                rows);
-    nkw_palette_dual_from_models(i->models, i->model_count, i->joints, i->inverse_bind, i->global_inverse, i->count,
-                                 dual);
-    nkw_palette_from_3x4(rows, i->count, back);
+    palette_from_models(i->models, i->model_count, i->joints, i->inverse_bind, i->global_inverse, i->count, four);
+    palette_3x4_from_models(i->models, i->model_count, i->joints, i->inverse_bind, i->global_inverse, i->count, rows);
+    palette_dual_from_models(i->models, i->model_count, i->joints, i->inverse_bind, i->global_inverse, i->count, dual);
+    nkw_mat4_from_palette(palette_view(NKW_PALETTE_MAT3X4, rows, i->count), back);
     FUZZ_CHECK(fuzz_same((float *)four, (float *)back, 16 * i->count) && fuzz_affine(four, i->count));
     FUZZ_CHECK(wild || (fuzz_finite((float *)four, 16 * i->count) && fuzz_finite((float *)dual, 8 * i->count)));
     size_t bad;
-    nkw_result sound = nkw_palette_dual_validate(dual, i->count, &bad);
+    nkw_result sound = nkw_palette_validate(palette_view(NKW_PALETTE_DUAL_QUAT, dual, i->count), &bad);
     FUZZ_CHECK(bad < i->count || bad == 0);
     FUZZ_CHECK(sound != NKW_OK || fuzz_finite((float *)dual, 8 * i->count));
-    nkw_palette_from_dual(dual, i->count, back);
+    nkw_mat4_from_palette(palette_view(NKW_PALETTE_DUAL_QUAT, dual, i->count), back);
     FUZZ_CHECK(fuzz_affine(back, i->count));
     nkw_mat3 *normals = fuzz_block(f, i->count * sizeof *normals);
-    nkw_palette_normals(four, i->count, normals);
-    nkw_palette_normals_rows(four, i->count, rows);
+    palette_normals(four, i->count, normals);
+    palette_normals_rows(four, i->count, rows);
     float *columns = fuzz_room(f, 12 * i->count);
-    nkw_palette_normals_columns(four, i->count, columns);
+    palette_normals_columns(four, i->count, columns);
     for (size_t k = 0; k < 9 * i->count; k++) {
         size_t m = k / 9, c = k % 9 / 3, r = k % 3;
         FUZZ_CHECK(fuzz_same(&normals[m].m[k % 9], &rows[m].m[4 * r + c], 1));
@@ -64,14 +63,14 @@ static void in_place(fuzz *f, const inputs *i)
 {
     size_t n = i->count < i->model_count ? i->count : i->model_count, bad;
     nkw_mat4 *out = fuzz_block(f, i->count * sizeof *out), *over = fuzz_block(f, i->model_count * sizeof *over);
-    nkw_result result = nkw_palette_validate(i->model_count, i->joints, i->inverse_bind, i->count, &bad);
+    nkw_result result = palette_source_validate(i->model_count, i->joints, i->inverse_bind, i->count, &bad);
     FUZZ_CHECK(bad < i->count || bad == 0);
     FUZZ_CHECK((result == NKW_EMPTY) == (i->count == 0));
     memcpy(over, i->models, i->model_count * sizeof *over);
-    nkw_palette_from_models(i->models, i->model_count, NULL, i->inverse_bind, i->global_inverse, n, out);
-    nkw_palette_from_models(over, i->model_count, NULL, i->inverse_bind, i->global_inverse, n, over);
+    palette_from_models(i->models, i->model_count, NULL, i->inverse_bind, i->global_inverse, n, out);
+    palette_from_models(over, i->model_count, NULL, i->inverse_bind, i->global_inverse, n, over);
     FUZZ_CHECK(fuzz_same((float *)out, (float *)over, 16 * n));
-    nkw_inverse_bind_from_models(i->models, i->model_count, i->joints, i->global_inverse, i->count, out);
+    inverse_bind_from_models(i->models, i->model_count, i->joints, i->global_inverse, i->count, out);
     for (size_t k = 0; k < i->count; k++)
         FUZZ_CHECK(fuzz_affine(&out[k], 1) || is_zero(&out[k]));
 }
@@ -88,9 +87,9 @@ static void chunks(fuzz *f)
     nkw_result result = nkw_palette_chunks_place(c, count, alignment, &total, &bad);
     FUZZ_CHECK(bad < count || bad == 0);
     for (size_t i = 0; i < (result == NKW_OK ? count : bad); i++) {
-        size_t at = nkw_palette_chunk_at(&c[i], fuzz_huge(f), fuzz_huge(f));
+        size_t at = nkw_palette_chunk_index(&c[i], fuzz_huge(f), fuzz_huge(f));
         FUZZ_CHECK(c[i].first >= end && c[i].first % (alignment ? alignment : 1) == 0);
-        end = c[i].first + c[i].frames * c[i].joints;
+        end = c[i].first + c[i].frame_count * c[i].joint_count;
         FUZZ_CHECK(at >= c[i].first && at < end && end <= SIZE_MAX / sizeof(nkw_mat4));
     }
     FUZZ_CHECK(total == end);
@@ -100,7 +99,7 @@ static void chunks(fuzz *f)
     result = nkw_palette_chunks_validate(c, count, total, &bad);
     FUZZ_CHECK(bad < count || bad == 0);
     for (size_t i = 0; i < count && result == NKW_OK; i++)
-        FUZZ_CHECK(nkw_palette_chunk_at(&c[i], SIZE_MAX, SIZE_MAX) < total);
+        FUZZ_CHECK(nkw_palette_chunk_index(&c[i], SIZE_MAX, SIZE_MAX) < total);
 }
 
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 #include "fuzz.h"
+#include "../support/views.h"
 
 #include <string.h>
 
@@ -11,22 +12,22 @@ static void compose(fuzz *f, const nkw_skeleton *s, int wild)
     const float *pose = fuzz_pose(f, n, wild);
     nkw_mat4 *models = fuzz_block(f, n * sizeof *models), *locals = fuzz_matrices(f, n, wild);
     const nkw_mat4 *root = fuzz_byte(f) % 2 ? fuzz_matrices(f, 1, wild) : NULL;
-    nkw_models_from_pose(s, pose, root, models);
+    nkw_models_from_pose(s, pose_view(pose, s->joint_count), root, NULL, models);
     FUZZ_CHECK(fuzz_affine(models, n));
     FUZZ_CHECK(wild || fuzz_finite((const float *)models, 16 * n));
-    nkw_models_update_from_pose(s, pose, root, from, to, models);
+    update_models_from_pose(s, pose, root, from, to, models);
     FUZZ_CHECK(fuzz_affine(models, n));
-    nkw_models_from_locals(s, locals, root, models);
-    nkw_models_update_from_locals(s, locals, root, from, to, models);
+    nkw_models_from_locals(s, locals, root, NULL, models);
+    update_models_from_locals(s, locals, root, from, to, models);
     FUZZ_CHECK(fuzz_affine(models, n));
     nkw_mat4 *copy = fuzz_block(f, n * sizeof *copy);
     memcpy(copy, locals, n * sizeof *copy);
-    nkw_models_from_locals(s, copy, root, copy);
+    nkw_models_from_locals(s, copy, root, NULL, copy);
     FUZZ_CHECK(fuzz_same((float *)copy, (float *)models, 16 * n));
     nkw_locals_from_models(s, models, root, locals);
     nkw_locals_from_models(s, copy, root, copy);
     FUZZ_CHECK(fuzz_same((float *)copy, (float *)locals, 16 * n) && fuzz_affine(locals, n));
-    float residual = nkw_pose_from_models(s, models, root, fuzz_room(f, NKW_POSE_FLOATS(n)));
+    float residual = pose_from_models(s, models, root, fuzz_room(f, NKW_POSE_FLOATS(n)));
     FUZZ_CHECK(residual >= 0.0f || (wild && residual != residual));
 }
 
@@ -89,7 +90,7 @@ static void walk(fuzz *f, size_t n)
     size_t bad, levels = fuzz_byte(f) % 2 ? n : fuzz_upto(f, 8);
     nkw_result result = nkw_skeleton_from_tree(&tree, to, from, parents, &bad);
     FUZZ_CHECK(bad < n || bad == 0);
-    FUZZ_CHECK(result == nkw_tree_validate(&tree, fuzz_block(f, 12 * n), NULL));
+    FUZZ_CHECK(result == nkw_tree_validate(&tree, NULL, fuzz_block(f, 12 * n), NKW_TREE_WORK(tree.node_count)));
     nkw_mat4 *locals = fuzz_matrices(f, n, 1), *models = fuzz_block(f, n * sizeof *models);
     nkw_convention convention = (nkw_convention)fuzz_choice(f, 1);
     nkw_result walked = nkw_tree_walk(&tree, locals, NULL, convention, fuzz_block(f, 4 * levels), levels, models, &bad);

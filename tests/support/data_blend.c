@@ -2,6 +2,7 @@
 #include "data.h"
 #include "hash.h"
 #include "random.h"
+#include "views.h"
 
 #define JOINTS 151 /* more than one block, and not a multiple of anything */
 #define FLOATS NKW_POSE_FLOATS(JOINTS)
@@ -20,8 +21,8 @@ static void draw(random_source *r, scene *s)
             if (j % 5 == 0)
                 trs.scale.y = 0.0f;
             if (k > 0 && j % 3 == 0)
-                trs.rotation = random_near(r, nkw_pose_get(s->poses[0], JOINTS, j).rotation, 0.125f);
-            nkw_pose_set(s->poses[k], JOINTS, j, &trs);
+                trs.rotation = random_near(r, nkw_pose_get(pose_view(s->poses[0], JOINTS), j).rotation, 0.125f);
+            nkw_pose_set(pose_span(s->poses[k], JOINTS), j, &trs);
             s->masks[k][j] = random_bits(r) % 4 == 0 ? 0.0f : random_between(r, -0.25f, 1.25f);
         }
     for (size_t j = 0; j < JOINTS; j++) {
@@ -45,9 +46,11 @@ static uint64_t two_poses(uint64_t hash, scene *s)
         for (int k = 0; k < 4; k++) {
             const float *mask = k & 1 ? s->masks[0] : NULL;
             if (k & 2)
-                nkw_pose_blend_slerp(s->poses[0], s->poses[1], JOINTS, ts[i], mask, s->out);
+                nkw_pose_blend_slerp(pose_view(s->poses[0], JOINTS), pose_view(s->poses[1], JOINTS), ts[i],
+                                     mask_view(mask, JOINTS), pose_span(s->out, JOINTS));
             else
-                nkw_pose_blend(s->poses[0], s->poses[1], JOINTS, ts[i], mask, s->out);
+                nkw_pose_blend(pose_view(s->poses[0], JOINTS), pose_view(s->poses[1], JOINTS), ts[i],
+                               mask_view(mask, JOINTS), pose_span(s->out, JOINTS));
             hash = hash_pose(hash, s->out);
         }
     return hash;
@@ -58,11 +61,11 @@ static uint64_t many_poses(uint64_t hash, scene *s)
     for (unsigned k = 0; k < 16; k++) {
         nkw_pose_layer layers[POSES];
         for (unsigned i = 0; i < POSES; i++) {
-            layers[i].pose = s->poses[i];
+            layers[i].pose = pose_view(s->poses[i], JOINTS);
             layers[i].weight = k & 1 ? 0.25f : 0.5f - 0.125f * (float)i;
-            layers[i].mask = k >> 1 & 1 ? s->masks[i] : NULL;
+            layers[i].mask = mask_view(k >> 1 & 1 ? s->masks[i] : NULL, JOINTS);
         }
-        nkw_pose_blend_layers(layers, (k >> 2) + 1, s->poses[3], JOINTS, 0.75f, s->out);
+        nkw_pose_blend_layers(layers, (k >> 2) + 1, pose_view(s->poses[3], JOINTS), 0.75f, pose_span(s->out, JOINTS));
         hash = hash_pose(hash, s->out);
     }
     return hash;
@@ -73,10 +76,11 @@ static uint64_t differences(uint64_t hash, scene *s)
     static float delta[FLOATS];
     for (int k = 0; k < 4; k++) {
         nkw_additive side = k & 1 ? NKW_ADDITIVE_PARENT : NKW_ADDITIVE_LOCAL;
-        nkw_pose_additive_build(s->poses[0], s->poses[1], JOINTS, side, delta);
+        nkw_pose_additive_build(pose_view(s->poses[0], JOINTS), pose_view(s->poses[1], JOINTS), side,
+                                pose_span(delta, JOINTS));
         hash = hash_pose(hash, delta);
-        nkw_pose_additive_apply(s->poses[2], delta, JOINTS, side, k & 2 ? 1.0f : 0.75f, k & 2 ? s->masks[1] : NULL,
-                                s->out);
+        nkw_pose_additive_apply(pose_view(s->poses[2], JOINTS), pose_view(delta, JOINTS), side, k & 2 ? 1.0f : 0.75f,
+                                mask_view(k & 2 ? s->masks[1] : NULL, JOINTS), pose_span(s->out, JOINTS));
         hash = hash_pose(hash, s->out);
     }
     return hash;
@@ -88,8 +92,8 @@ uint64_t data_blend(void)
     random_source r = random_from(5);
     draw(&r, &s);
     uint64_t hash = differences(many_poses(two_poses(HASH_START, &s), &s), &s);
-    nkw_pose_mirror(s.poses[0], s.pair, JOINTS, NKW_MIRROR_Z, s.out);
+    nkw_pose_mirror(pose_view(s.poses[0], JOINTS), s.pair, NKW_MIRROR_Z, pose_span(s.out, JOINTS));
     hash = hash_pose(hash, s.out);
-    nkw_mask_from_subtree(s.parents, JOINTS, 2, s.masks[0]);
+    mask_from_subtree(s.parents, JOINTS, 2, s.masks[0]);
     return hash_floats(hash, s.masks[0], NKW_POSE_STRIDE(JOINTS));
 }

@@ -3,6 +3,7 @@
 #include "hash.h"
 #include "random.h"
 #include "random_clip.h"
+#include "views.h"
 
 #define JOINTS 13
 
@@ -20,8 +21,8 @@ static uint64_t hash_baked(uint64_t hash, random_source *r, const nkw_skeleton *
         NKW_OK)
         return 0;
     const nkw_clip *clip = (const nkw_clip *)(const void *)block;
-    const nkw_crowd_source source = {clip, skeleton, &bind[0], NULL, bind, 0.0f, 23.0f};
-    nkw_crowd_bake(&source, &chunk, 0, FRAMES, work, buffer);
+    const nkw_crowd_source source = {clip, skeleton, &bind[0], NULL, bind, JOINTS, 0.0f, 23.0f};
+    crowd_bake(&source, &chunk, 0, FRAMES, work, buffer);
     return hash_floats(hash, buffer[0].m, 16 * FRAMES * JOINTS);
 }
 
@@ -45,14 +46,14 @@ uint64_t data_crowd(void)
         matrices[i] = i == 3 ? NULL : &bind[i % JOINTS];
         for (size_t j = 0; j < JOINTS; j++) {
             nkw_trs trs = {random_vec3(&r, -3, 3), random_rotation(&r), random_vec3(&r, 0.5f, 2)};
-            nkw_pose_set(poses[i], JOINTS, j, &trs);
+            nkw_pose_set(pose_span(poses[i], JOINTS), j, &trs);
             bind[j] = nkw_mat4_from_trs(&trs);
         }
     }
-    nkw_crowd_from_poses(in, JOINTS, crowd);
-    nkw_crowd_from_matrices(matrices, 1, roots);
-    nkw_crowd_models_from_pose(&skeleton, crowd, roots, models);
-    nkw_crowd_palette_from_models(models, JOINTS, NULL, bind, JOINTS, palette);
-    nkw_matrices_from_crowd(palette, JOINTS, to);
+    crowd_from_poses(in, JOINTS, crowd);
+    crowd_from_matrices(matrices, 1, roots);
+    crowd_models_from_pose(&skeleton, crowd, roots, models);
+    crowd_palette_from_models(models, JOINTS, NULL, bind, JOINTS, palette);
+    matrices_from_crowd(palette, JOINTS, to);
     return hash_baked(hash_floats(HASH_START, out[0][0].m, sizeof out / sizeof(float)), &r, &skeleton, bind);
 }

@@ -2,6 +2,7 @@
 #include "data.h"
 #include "hash.h"
 #include "random.h"
+#include "views.h"
 
 #define MOST 67
 
@@ -32,17 +33,17 @@ static void draw(random_source *r, palettes *p, size_t count)
 static uint64_t hash_all(uint64_t hash, palettes *p, size_t n, const int32_t *joints, const nkw_mat4 *ib,
                          const nkw_mat4 *g)
 {
-    nkw_palette_from_models(p->models, n, joints, ib, g, n, p->palette);
-    nkw_palette_3x4_from_models(p->models, n, joints, ib, g, n, p->rows);
-    nkw_palette_dual_from_models(p->models, n, joints, ib, g, n, p->duals);
+    palette_from_models(p->models, n, joints, ib, g, n, p->palette);
+    palette_3x4_from_models(p->models, n, joints, ib, g, n, p->rows);
+    palette_dual_from_models(p->models, n, joints, ib, g, n, p->duals);
     hash = hash_floats(hash, p->palette[0].m, 16 * n);
     hash = hash_floats(hash, p->rows[0].m, 12 * n);
     hash = hash_floats(hash, &p->duals[0].real.x, 8 * n);
-    nkw_palette_normals(p->palette, n, p->normals);
+    palette_normals(p->palette, n, p->normals);
     hash = hash_floats(hash, p->normals[0].m, 9 * n);
-    nkw_palette_normals_rows(p->palette, n, p->rows);
+    palette_normals_rows(p->palette, n, p->rows);
     hash = hash_floats(hash, p->rows[0].m, 12 * n);
-    nkw_palette_normals_columns(p->palette, n, p->rows[0].m);
+    palette_normals_columns(p->palette, n, p->rows[0].m);
     return hash_floats(hash, p->rows[0].m, 12 * n);
 }
 
@@ -57,16 +58,16 @@ uint64_t data_palette(void)
         nkw_mat4 g;
         draw(&r, &p, n);
         g = nkw_mat4_inverse_affine(&p.models[0]);
-        nkw_inverse_bind_from_models(p.models, n, p.joints, &g, n, p.inverse_bind);
+        inverse_bind_from_models(p.models, n, p.joints, &g, n, p.inverse_bind);
         hash = hash_floats(hash, p.inverse_bind[0].m, 16 * n);
         draw(&r, &p, n);
         hash = hash_all(hash, &p, n, p.joints, p.inverse_bind, &g);
         hash = hash_all(hash, &p, n, NULL, p.inverse_bind, NULL);
         hash = hash_all(hash, &p, n, p.joints, NULL, NULL);
         hash = hash_all(hash, &p, n, NULL, NULL, &g);
-        nkw_palette_from_dual(p.duals, n, p.palette);
+        nkw_mat4_from_palette(palette_view(NKW_PALETTE_DUAL_QUAT, p.duals, n), p.palette);
         hash = hash_floats(hash, p.palette[0].m, 16 * n);
-        nkw_palette_from_3x4(p.rows, n, p.palette);
+        nkw_mat4_from_palette(palette_view(NKW_PALETTE_MAT3X4, p.rows, n), p.palette);
         hash = hash_floats(hash, p.palette[0].m, 16 * n);
     }
     return hash;

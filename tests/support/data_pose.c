@@ -2,6 +2,7 @@
 #include "data.h"
 #include "hash.h"
 #include "random.h"
+#include "views.h"
 
 #define JOINTS 21
 
@@ -16,9 +17,9 @@ uint64_t data_pose(void)
         trs[j].rotation = random_rotation(&r);
         trs[j].scale = random_vec3(&r, 0.5f, 2);
     }
-    nkw_pose_from_trs(trs, JOINTS, pose);
-    nkw_pose_set(pose, JOINTS, 3, &trs[7]);
+    nkw_pose_from_trs(trs, pose_span(pose, JOINTS));
+    nkw_pose_set(pose_span(pose, JOINTS), 3, &trs[7]);
     hash = hash_floats(hash, pose, NKW_POSE_FLOATS(JOINTS));
-    nkw_trs_from_pose(pose, JOINTS, trs);
+    nkw_trs_from_pose(pose_view(pose, JOINTS), trs);
     return hash_floats(hash, &trs[0].translation.x, 10 * JOINTS);
 }

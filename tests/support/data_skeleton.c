@@ -2,6 +2,7 @@
 #include "data.h"
 #include "hash.h"
 #include "random.h"
+#include "views.h"
 
 #define JOINTS 83
 
@@ -27,7 +28,7 @@ static void draw_pose(random_source *r, float *pose)
         trs[j].rotation = random_rotation(r);
         trs[j].scale = random_vec3(r, -0.5f, 2);
     }
-    nkw_pose_from_trs(trs, JOINTS, pose);
+    nkw_pose_from_trs(trs, pose_span(pose, JOINTS));
 }
 
 /* Parents above and below, three roots, in the order of a file that knows none: a walk with strides of 50 modulo 83. */
@@ -72,15 +73,15 @@ uint64_t data_skeleton(void)
     uint64_t hash = order(&r, parents);
     const nkw_skeleton skeleton = {parents, JOINTS};
     draw_pose(&r, pose);
-    nkw_models_from_pose(&skeleton, pose, NULL, models);
+    nkw_models_from_pose(&skeleton, pose_view(pose, skeleton.joint_count), NULL, NULL, models);
     hash = hash_matrices(hash, models);
-    nkw_models_update_from_pose(&skeleton, pose, &root, 17, 80, models);
+    update_models_from_pose(&skeleton, pose, &root, 17, 80, models);
     hash = hash_matrices(hash, models);
     nkw_locals_from_models(&skeleton, models, &root, locals);
     hash = walk(hash_matrices(hash, locals), parents, locals, &root);
-    nkw_models_from_locals(&skeleton, locals, NULL, models);
-    nkw_models_update_from_locals(&skeleton, locals, &root, 1, 16, models);
+    nkw_models_from_locals(&skeleton, locals, NULL, NULL, models);
+    update_models_from_locals(&skeleton, locals, &root, 1, 16, models);
     hash = hash_matrices(hash, models);
-    float residual = nkw_pose_from_models(&skeleton, models, NULL, pose);
+    float residual = pose_from_models(&skeleton, models, NULL, pose);
     return hash_floats(hash_floats(hash, pose, NKW_POSE_FLOATS(JOINTS)), &residual, 1);
 }

@@ -7,6 +7,7 @@
 
 #include "expect.h"
 #include "random.h"
+#include "views.h"
 
 #define JOINTS 149 /* two blocks of the loops, the second with padding */
 #define STRIDE NKW_POSE_STRIDE(JOINTS)
@@ -19,7 +20,7 @@ static inline void draw(random_source *r, float *pose)
         pose[i] = NAN; /* what stands in the padding must not matter */
     for (size_t j = 0; j < JOINTS; j++) {
         nkw_trs trs = {random_vec3(r, -5, 5), random_rotation(r), random_vec3(r, 0.5f, 2)};
-        nkw_pose_set(pose, JOINTS, j, &trs);
+        nkw_pose_set(pose_span(pose, JOINTS), j, &trs);
     }
 }
 

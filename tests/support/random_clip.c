@@ -4,6 +4,7 @@
 #include <string.h>
 
 #include "tracks.h"
+#include "views.h"
 
 static void draw_times(random_source *r, random_clip *c)
 {
@@ -91,7 +92,7 @@ void random_clip_draw(random_source *r, size_t joints, int variety, random_clip 
     draw_times(r, c);
     for (size_t j = 0; j < joints; j++) {
         nkw_trs trs = {random_vec3(r, -1, 1), random_rotation(r), random_vec3(r, 0.5f, 2)};
-        nkw_pose_set(c->rest, joints, j, &trs);
+        nkw_pose_set(pose_span(c->rest, joints), j, &trs);
     }
     for (size_t i = 0; i < RANDOM_CLIP_FLOATS; i++)
         c->rest_floats[i] = random_unit(r);
@@ -116,8 +117,8 @@ void random_clip_sample(const random_clip *c, float time, float *pose, float *fl
 {
     size_t joints = c->source.joint_count;
     for (size_t j = 0; j < joints; j++) {
-        nkw_trs trs = nkw_pose_get(c->rest, joints, j);
-        nkw_pose_set(pose, joints, j, &trs);
+        nkw_trs trs = nkw_pose_get(pose_view(c->rest, joints), j);
+        nkw_pose_set(pose_span(pose, joints), j, &trs);
     }
     memcpy(floats, c->rest_floats, c->source.float_count * sizeof *floats);
     for (size_t i = 0; i < c->source.track_count; i++)

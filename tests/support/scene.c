@@ -8,6 +8,7 @@
 
 #include "clips.h"
 #include "tracks.h"
+#include "views.h"
 
 void scene_read_floats(FILE *file, float *out, size_t n)
 {
@@ -193,11 +194,11 @@ void scene_free(scene *s)
 void scene_rest(const scene *s, float *pose)
 {
     size_t joints = (size_t)s->nodes;
-    nkw_pose_identity(pose, joints);
+    nkw_pose_identity(pose_span(pose, joints));
     for (size_t j = 0; j < joints; j++) {
         const scene_node *n = &s->node[j];
         nkw_trs trs = n->is_matrix ? nkw_trs_from_mat4(&n->matrix) : n->rest;
-        nkw_pose_set(pose, joints, j, &trs);
+        nkw_pose_set(pose_span(pose, joints), j, &trs);
     }
 }
 
@@ -231,10 +232,10 @@ void scene_models(const scene *s, const float *pose, nkw_mat4 *models)
     const nkw_skeleton skeleton = {s->parents, (size_t)s->nodes};
     for (int j = 0; j < s->nodes; j++) {
         int32_t node = s->node_of_joint[j];
-        nkw_trs t = nkw_pose_get(pose, (size_t)s->nodes, (size_t)node);
+        nkw_trs t = nkw_pose_get(pose_view(pose, (size_t)s->nodes), (size_t)node);
         models[j] = s->node[node].is_matrix ? s->node[node].matrix : nkw_mat4_from_trs(&t);
     }
-    nkw_models_from_locals(&skeleton, models, NULL, models);
+    nkw_models_from_locals(&skeleton, models, NULL, NULL, models);
 }
 
 FILE *table_open(const char *path)

@@ -4,6 +4,7 @@
 #define NAKAWARI_TESTS_TRACKS_H
 
 #include <nakawari/nakawari.h>
+#include "views.h"
 
 /* Puts what the track gives at a time into its place in a pose, or in the floats of the clip. */
 static inline void track_sample_to(const nkw_clip_track *t, float time, size_t joints, float *pose, float *floats)
@@ -12,12 +13,12 @@ static inline void track_sample_to(const nkw_clip_track *t, float time, size_t j
         nkw_track_sample(&t->track, time, floats + t->index);
         return;
     }
-    nkw_trs trs = nkw_pose_get(pose, joints, t->index);
+    nkw_trs trs = nkw_pose_get(pose_view(pose, joints), t->index);
     nkw_track_sample(&t->track, time,
                      t->target == NKW_CLIP_TRANSLATION ? &trs.translation.x
                      : t->target == NKW_CLIP_ROTATION  ? &trs.rotation.x
                                                        : &trs.scale.x);
-    nkw_pose_set(pose, joints, t->index, &trs);
+    nkw_pose_set(pose_span(pose, joints), t->index, &trs);
 }
 
 #endif
