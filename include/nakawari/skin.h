@@ -20,7 +20,7 @@
  * Defined on any data, validated or not, and always in bounds:
  *
  *     all weights 0                  every vector is copied bit for bit
- *     a joint beyond the palette     the influence counts as weight 0, joint 0
+ *     a joint beyond the palette     the influence counts as weight 0, joint 0; so does a joint from 2^26 on
  *     influences beyond the eighth   are not read
  *     a format that does not fit     every vector is copied bit for bit, NKW_BAD_FORMAT is returned
  *     a palette of NaN               NaN

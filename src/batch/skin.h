@@ -3,21 +3,36 @@
 #ifndef NAKAWARI_BATCH_SKIN_H
 #define NAKAWARI_BATCH_SKIN_H
 
-#include "batch/isa.h"
-#include "lane/skin.h"
+#include <nakawari/skin.h>
 
-/* clang-format off */
-#define NKW_LOOPS_SKIN(X) \
-    X(nkwi_skin_decode, (skin_block *b, const nkw_skin_view *joints, uint32_t limit, const nkw_skin_view *weights, size_t k, size_t n), (b, joints, limit, weights, k, n), n) \
-    X(nkwi_skin_blend, (skin_block *b, const nkw_mat4 *palette, size_t k, size_t n), (b, palette, k, n), n) \
-    X(nkwi_skin_blend_normals, (skin_block *b, const nkw_mat3 *palette, size_t k, size_t n), (b, palette, k, n), n) \
-    X(nkwi_skin_blend_dual_quats, (skin_block *b, const nkw_dual_quat *palette, size_t k, size_t n), (b, palette, k, n), n) \
-    X(nkwi_skin_pairs, (const skin_influences *f, const nkw_mat4 *palette, const skin_stream *p, const skin_stream *d, int raw, size_t more, size_t n), (f, palette, p, d, raw, more, n), n) \
-    X(nkwi_skin_points, (const skin_block *b, nkw_vec3_view in, nkw_vec3_span out, size_t n), (b, in, out, n), n) \
-    X(nkwi_skin_directions, (const skin_block *b, const float *m, int raw, nkw_vec3_view in, nkw_vec3_span out, size_t n), (b, m, raw, in, out, n), n) \
-    X(nkwi_skin_read, (const unsigned char *data, size_t stride, float *out, size_t n), (data, stride, out, n), n) \
-    X(nkwi_skin_write, (const float *in, unsigned char *data, size_t stride, size_t n), (in, data, stride, n), n)
-/* clang-format on */
+#include "batch/isa.h"
+
+/* One vector of the vertices; in is NULL where it is left out. Strides in bytes, not 0. */
+typedef struct skin_stream {
+    const unsigned char *in;
+    unsigned char *out;
+    size_t in_stride, out_stride;
+} skin_stream;
+
+enum { SKIN_POSITIONS, SKIN_NORMALS, SKIN_TANGENTS, SKIN_BITANGENTS, SKIN_STREAMS };
+
+/* The most joints of a palette: offsets of nkw_mat4 in bytes are below 2^32. */
+#define SKIN_JOINTS (1u << 26)
+
+/* One call of skinning. Formats fit, strides are not 0, influence_count is 0..8, joint_count at most SKIN_JOINTS. */
+typedef struct skin_job {
+    nkw_skin_view joints, weights;
+    size_t vertex_count, influence_count;
+    uint32_t joint_count;
+    int skip_normalization;
+    const unsigned char *palette; /* nkw_mat4 or nkw_dual_quat */
+    const unsigned char *normals; /* nkw_mat3, or NULL */
+    skin_stream streams[SKIN_STREAMS];
+} skin_job;
+
+#define NKW_LOOPS_SKIN(X)                                                                                              \
+    X(nkwi_skin_linear, (const skin_job *job), (job), job->vertex_count)                                               \
+    X(nkwi_skin_dual_quat, (const skin_job *job), (job), job->vertex_count)
 
 NKW_LOOPS_SKIN(NKW_DECLARE)
 

@@ -1,13 +1,14 @@
 cmake_minimum_required(VERSION 3.22)
 # Every loop of every instruction set works on whole vectors: its code has packed arithmetic of that set's registers. A
 # loop that silently stops vectorising fails here. Loops that only move or unpack data have none and are named.
+# Those of skinning call functions nkwi_skin_... that have it.
 # Columns of 4x4 matrices, one or two at a time on every set.
-set(fours palette_4x4 palette_3x4 skin_blend skin_blend_normals skin_blend_dual_quats models_from_locals)
+set(fours palette_4x4 palette_3x4 models_from_locals)
 set(packed_fours "v?(mul|add)ps .*%[xy]mm")
 # Eight lanes at a time, on AVX-512 too.
 set(eights models_from_pose)
 set(moves vec3_unpack vec3_pack quat_unpack quat_pack mat4_unpack mat4_pack
-  clip_hold skin_read skin_write crowd_from_poses crowd_to_matrices)
+  clip_hold skin_linear skin_dual_quat crowd_from_poses crowd_to_matrices)
 set(packed_generic "(mul|add|sub|div|sqrt)p[sd] .*%xmm")
 set(packed_avx2 "v(mul|add|sub|div|sqrt)p[sd] .*%ymm")
 set(packed_avx512 "v(mul|add|sub|div|sqrt)p[sd] .*%zmm")
