@@ -52,6 +52,7 @@ typedef double wide_measure(const float *x);
 
 typedef enum wide_kind {
     WIDE_CHECKED, /* against the Error line */
+    WIDE_UNITS, /* the same; its unit quaternions are searched component by component too */
     WIDE_NOTED /* printed only: another measure than the Error line's, or outside its range */
 } wide_kind;
 
