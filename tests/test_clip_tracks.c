@@ -269,6 +269,43 @@ static void compact_keys_take_half_the_room_and_less(void **state)
     assert_true(2 * compact < floats);
 }
 
+static void a_clip_that_lasts_longer_is_compared_while_the_tracks_last(void **state)
+{
+    (void)state;
+    const float own[4] = {-1, 0, 1, 2}, at[2] = {0, 1}, longer[12] = {9, 9, 9, 0, 0, 0, 1, 2, 3, -9, -9, -9};
+    nkw_clip_track made = {
+        NKW_CLIP_TRANSLATION, 0, {own, longer, 4, 3, NKW_TRACK_FLOATS, NKW_INTERPOLATION_LINEAR, NULL}};
+    nkw_clip_track track = {
+        NKW_CLIP_TRANSLATION, 0, {at, longer + 3, 2, 3, NKW_TRACK_FLOATS, NKW_INTERPOLATION_LINEAR, NULL}};
+    nkw_clip_source of_made = {&made, 1, 1, 0, {NULL, 0}, NULL, NKW_CLIP_FLOAT32}, source = of_made;
+    size_t bytes;
+    float floats[NKW_POSE_FLOATS(1)];
+    nkw_clip_error error;
+    source.tracks = &track;
+    nkw_clip *clip = build(&of_made, &bytes);
+    assert_int_equal(nkw_clip_difference(clip, &source, &error, floats, NKW_POSE_FLOATS(1)), NKW_OK);
+    expect_bits(error.translation, 0.0f);
+    free(clip);
+}
+
+static void compact_steps_hold_their_key(void **state)
+{
+    (void)state;
+    const float at[3] = {0, 1, 2}, values[9] = {0, 0, 0, 1, 2, 3, 4, 5, 6};
+    nkw_clip_track track = {
+        NKW_CLIP_TRANSLATION, 0, {at, values, 3, 3, NKW_TRACK_FLOATS, NKW_INTERPOLATION_STEP, NULL}};
+    nkw_clip_source source = {&track, 1, 1, 0, {NULL, 0}, NULL, NKW_CLIP_UNORM16};
+    size_t bytes;
+    float pose[NKW_POSE_FLOATS(1)];
+    nkw_clip *clip = build(&source, &bytes);
+    for (int k = 0; k < 5; k++) {
+        nkw_clip_sample(clip, 0.5f * (float)k, NULL, pose_span(pose, 1), NULL);
+        nkw_vec3 want = {values[k / 2 * 3], values[k / 2 * 3 + 1], values[k / 2 * 3 + 2]};
+        expect_vec3_near(nkw_pose_get(pose, 1, 0).translation, want, 6.0 / 65535);
+    }
+    free(clip);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -281,6 +318,8 @@ int main(void)
         cmocka_unit_test(the_first_that_repeats_is_named),
         cmocka_unit_test(floats_that_overlap_are_refused),
         cmocka_unit_test(compact_keys_take_half_the_room_and_less),
+        cmocka_unit_test(a_clip_that_lasts_longer_is_compared_while_the_tracks_last),
+        cmocka_unit_test(compact_steps_hold_their_key),
     };
     return cmocka_run_group_tests_name("clip_tracks", tests, NULL, NULL);
 }

@@ -429,6 +429,16 @@ static void inverse_of_any_permutation_is_exact(void **state)
     }
 }
 
+/* y 2^-14 rad from x still has a direction of its own: it stays in the plane of both. */
+static void orthonormalize_keeps_the_plane_of_close_columns(void **state)
+{
+    (void)state;
+    nkw_mat3 m = {{1, 0, 0, 1, 0x1p-14f, 0x1p-14f, 0, 0, 1}}, got = nkw_mat3_orthonormalize(&m);
+    expect_vec3_near(nkw_mat3_column(&got, 0), vec(1, 0, 0), 0);
+    expect_vec3_near(nkw_mat3_column(&got, 1), vec(0, 0x1.6a09e6p-1f, 0x1.6a09e6p-1f), 1e-7);
+    expect_vec3_near(nkw_mat3_column(&got, 2), vec(0, -0x1.6a09e6p-1f, 0x1.6a09e6p-1f), 1e-7);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -460,6 +470,7 @@ int main(void)
         cmocka_unit_test(projection_takes_w_from_all_four),
         cmocka_unit_test(inverse_of_nearly_singular_matrices_is_exact),
         cmocka_unit_test(inverse_of_any_permutation_is_exact),
+        cmocka_unit_test(orthonormalize_keeps_the_plane_of_close_columns),
     };
     return cmocka_run_group_tests_name("mat", tests, NULL, NULL);
 }

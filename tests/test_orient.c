@@ -73,9 +73,7 @@ static void arrays_of_slerps_keep_the_ends_too(void **state)
         nkw_quat_slerp_n(p, q, t, p_span, N);
         nkw_quat_pack_n(p, got, N);
         for (size_t i = 0; i < N; i++)
-            expect_quat_bits(got[i], i % 3      ? nkw_quat_slerp(a[i], b[i], t[i])
-                                     : end == 1 ? nearer(a[i], b[i])
-                                                : a[i]);
+            expect_quat_bits(got[i], i % 3 ? nkw_quat_slerp(a[i], b[i], t[i]) : end == 1 ? nearer(a[i], b[i]) : a[i]);
     }
 }
 
@@ -449,7 +447,8 @@ static void orthogonal_keys_keep_their_signs(void **state)
             float t = (float)k / 16;
             nkw_quat a = pairs[i][0], b = pairs[i][1], slerp = nkw_quat_slerp(a, b, t), nlerp = nkw_quat_nlerp(a, b, t);
             nkw_quat line = nkw_quat_normalize(nkw_quat_add(nkw_quat_scale(a, 1 - t), nkw_quat_scale(b, t)));
-            nkw_quat arc = nkw_quat_add(nkw_quat_scale(a, nkw_cos(0.5f * PI * t)), nkw_quat_scale(b, nkw_sin(0.5f * PI * t)));
+            nkw_quat arc =
+                nkw_quat_add(nkw_quat_scale(a, nkw_cos(0.5f * PI * t)), nkw_quat_scale(b, nkw_sin(0.5f * PI * t)));
             expect_quat_near(slerp, arc, 3e-7);
             expect_quat_near(nlerp, line, 3e-7);
             expect_quat_near(nkw_quat_slerp_path(a, b, t, NKW_PATH_SHORT), arc, 3e-7);
@@ -461,8 +460,8 @@ static void arrays_of_slerps_at_one_t_are_single_ones(void **state)
 {
     (void)state;
     enum { N = 37 };
-    static const float ts[] = {0, -0.0f, 1, 0.5f, 0.25f, 0.75f, -0.5f, 1.5f, 1e5f, 262143.0f, 262144.0f, -262144.0f,
-                               1e7f, -1e18f, 3e38f};
+    static const float ts[] = {0,    -0.0f,     1,         0.5f,       0.25f, 0.75f,  -0.5f, 1.5f,
+                               1e5f, 262143.0f, 262144.0f, -262144.0f, 1e7f,  -1e18f, 3e38f};
     float c[8][N], out[4][N];
     nkw_quat a[N], b[N];
     random_source r = random_from(21);
@@ -506,7 +505,8 @@ static void slerp_and_nlerp_are_exact_to_their_bounds(void **state)
             line[k] = (1 - u) * p[k] + u * sign * d[k];
             n2 += line[k] * line[k];
         }
-        double h = 2 * asin(0.5 * sqrt(sum)), wa = h > 0 ? sin((1 - u) * h) / sin(h) : 1 - u, wb = h > 0 ? sin(u * h) / sin(h) : u;
+        double h = 2 * asin(0.5 * sqrt(sum)), wa = h > 0 ? sin((1 - u) * h) / sin(h) : 1 - u,
+               wb = h > 0 ? sin(u * h) / sin(h) : u;
         nkw_quat slerp = nkw_quat_slerp(a, b, t), nlerp = nkw_quat_nlerp(a, b, t);
         const double got[4] = {slerp.x, slerp.y, slerp.z, slerp.w}, got_line[4] = {nlerp.x, nlerp.y, nlerp.z, nlerp.w};
         for (int k = 0; k < 4; k++) {
@@ -515,6 +515,17 @@ static void slerp_and_nlerp_are_exact_to_their_bounds(void **state)
             expect_near(got_line[k], line[k] / sqrt(n2), 3.3 * 0x1p-24);
         }
     }
+}
+
+/* 2^-17 rad from opposite the arc is still the keys' own: about x, not about z. */
+static void paths_near_opposite_follow_the_keys(void **state)
+{
+    (void)state;
+    nkw_quat a = identity, b = {0x1p-18f, 0, 0, -1}, c = {0, 0x1p-18f, 0, -1};
+    expect_quat_near(nkw_quat_slerp_path(a, b, 0.5f, NKW_PATH_AS_GIVEN), nkw_quat_from_axis_angle(vec(1, 0, 0), PI),
+                     1e-5);
+    expect_quat_near(nkw_quat_slerp_path(a, c, 0.5f, NKW_PATH_AS_GIVEN), nkw_quat_from_axis_angle(vec(0, 1, 0), PI),
+                     1e-5);
 }
 
 int main(void)
@@ -549,6 +560,7 @@ int main(void)
         cmocka_unit_test(orthogonal_keys_keep_their_signs),
         cmocka_unit_test(arrays_of_slerps_at_one_t_are_single_ones),
         cmocka_unit_test(slerp_and_nlerp_are_exact_to_their_bounds),
+        cmocka_unit_test(paths_near_opposite_follow_the_keys),
     };
     return cmocka_run_group_tests_name("orient", tests, NULL, NULL);
 }
