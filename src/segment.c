@@ -18,9 +18,12 @@ nkw_segment nkw_segment_find_hint(const float *times, size_t count, float time, 
     return lane_segment_find_hint(lane_times_of(times, count), time, hint);
 }
 
-/* After a jump of so many keys so many times are searched each for itself: that mispredicts no branch. */
-#define JUMP     ((size_t)16)
-#define SEARCHES 8
+/*
+ * Each search begins at the last segment found. After a distance of more than SEGMENT_JUMP keys, the times seem to be
+ * unordered: the next SEGMENT_SEARCHES times are searched from the start, without branches that are mispredicted.
+ */
+#define SEGMENT_JUMP     ((size_t)16)
+#define SEGMENT_SEARCHES 8
 
 void nkw_segment_find_n(const float *times, size_t count, const float *time, nkw_segment *out, size_t n)
 {
@@ -29,14 +32,15 @@ void nkw_segment_find_n(const float *times, size_t count, const float *time, nkw
     for (size_t i = 0; i < n;) {
         nkw_segment here = lane_segment_find_hint(all, time[i], from);
         out[i++] = here;
-        if (here.index - from + JUMP > 2 * JUMP)
-            for (size_t end = n - i < SEARCHES ? n : i + SEARCHES; i < end; i++)
+        /* |here.index - from| > SEGMENT_JUMP, in unsigned arithmetic */
+        if (here.index - from + SEGMENT_JUMP > 2 * SEGMENT_JUMP)
+            for (size_t end = n - i < SEGMENT_SEARCHES ? n : i + SEGMENT_SEARCHES; i < end; i++)
                 out[i] = here = lane_segment_find(all, time[i]);
         from = here.index;
     }
 }
 
-/* k as a whole number in binary64. */
+/* start + k / rate, rounded once to binary32. k is a whole number in binary64. */
 static float uniform_time(float start, float rate, double k)
 {
     return (float)((double)start + k / (double)rate);
@@ -47,7 +51,7 @@ float nkw_segment_uniform_time(float start, float rate, size_t k)
     return uniform_time(start, rate, (double)k);
 }
 
-/* Whether the times are those of nkw_segment_uniform_time, each greater than the one before. */
+/* Whether times[k] == nkw_segment_uniform_time(times[0], rate, k) for every k, in strictly ascending order. */
 static int is_uniform(const float *times, size_t count, float rate)
 {
     for (size_t k = 0; k < count; k++)
@@ -56,20 +60,26 @@ static int is_uniform(const float *times, size_t count, float rate)
     return rate > 0.0f;
 }
 
-/* The middle of the rates with which times[k] is within half an ULP of times[0] + k / rate, for every k. */
+/*
+ * A rate for which |times[k] - (times[0] + k / rate)| <= half[k] for every k, if there is one. half[k] is half an ULP:
+ *
+ *     (times[k] - times[0] - half[k]) / k  <=  1 / rate  <=  (times[k] - times[0] + half[k]) / k
+ *
+ * Returns the inverse of the middle of the intersection of these intervals.
+ */
 static double middle_rate(const float *times, size_t count)
 {
-    double low = 0.0, high = DBL_MAX; /* of 1 / rate */
+    double low = 0.0, high = DBL_MAX; /* the interval of 1 / rate */
     for (size_t k = 1; k < count; k++) {
         double half = (double)lane_float(lane_bits(times[k]) & 0x7f800000u) * 0x1p-24;
-        double way = (double)times[k] - (double)times[0], steps = (double)k;
-        low = (way - half) / steps > low ? (way - half) / steps : low;
-        high = (way + half) / steps < high ? (way + half) / steps : high;
+        double elapsed = (double)times[k] - (double)times[0], steps = (double)k;
+        low = (elapsed - half) / steps > low ? (elapsed - half) / steps : low;
+        high = (elapsed + half) / steps < high ? (elapsed + half) / steps : high;
     }
     return 1.0 / (0.5 * low + 0.5 * high);
 }
 
-/* 0 where there is none. */
+/* The nearest whole rate, otherwise the rounded rate, whichever reproduces the times; 0 if neither does. */
 static float uniform_rate(const float *times, size_t count)
 {
     double rate = middle_rate(times, count);
@@ -87,19 +97,19 @@ nkw_result nkw_segment_uniform_rate(const float *times, size_t count, float *rat
     return count < 2 ? NKW_EMPTY : *rate > 0.0f ? NKW_OK : NKW_NO_RATE;
 }
 
-/* The most segments that floats have room for, and whole numbers in binary64. */
-#define MOST_SEGMENTS ((size_t)1 << (sizeof(size_t) > 4 ? 52 : 31))
+/* The largest index of a segment: less than 2^53, so that it is exact in binary64, and within size_t. */
+#define SEGMENT_MOST ((size_t)1 << (sizeof(size_t) > 4 ? 52 : 31))
 
 nkw_segment nkw_segment_find_uniform(float start, float rate, size_t count, float time)
 {
     nkw_segment none = {0, 0.0f};
     if (count < 2 || !(rate > 0.0f) || rate - rate != 0.0f)
         return none;
-    double last = (double)(int64_t)(count - 2 < MOST_SEGMENTS ? count - 2 : MOST_SEGMENTS);
+    double last = (double)(int64_t)(count - 2 < SEGMENT_MOST ? count - 2 : SEGMENT_MOST);
     double x = ((double)time - (double)start) * (double)rate;
     double least = x > 0.0 ? x : 0.0, k = (double)(int64_t)(least < last ? least : last);
     float a = uniform_time(start, rate, k), b = uniform_time(start, rate, k + 1.0);
-    /* The key times are rounded, so a time within half an ULP of a key can be one segment off. */
+    /* Key times are rounded: a time within half an ULP of a key may belong to the neighbouring segment. */
     if (k > 0.0 && time < a) {
         k -= 1.0;
         b = a;

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* Floor 4: segment lookup over times that stand `stride` bytes apart. */
+/* Floor 4: segment lookup in key times at a distance of `stride` bytes. */
 #ifndef NAKAWARI_LANE_SEGMENT_H
 #define NAKAWARI_LANE_SEGMENT_H
 
@@ -7,7 +7,7 @@
 
 #include <nakawari/segment.h>
 
-/* Key times in an array of floats or of structs that hold one. */
+/* Key times in an array of floats, or of structs with a time. */
 typedef struct lane_times {
     const char *first;
     size_t stride;
@@ -26,9 +26,10 @@ static inline float lane_time(lane_times times, size_t k)
 }
 
 /*
- * (time - a) / (b - a) clamped to 0..1; 1 from b on and only there: before b a quotient that rounds to 1 is the float
- * below.
- * a >= b gives 1 from b on, else 0; NaN gives 0.
+ * t = (time - a) / (b - a), clamped to 0..1.
+ *
+ * t is 1 if and only if time >= b: for time < b, a quotient that rounds to 1 becomes the largest float below 1.
+ * If a >= b, t is 1 for time >= b, otherwise 0. NaN returns 0.
  */
 static inline float lane_segment_t(float a, float b, float time)
 {
@@ -38,7 +39,7 @@ static inline float lane_segment_t(float a, float b, float time)
     return time >= b ? 1.0f : below;
 }
 
-/* How many of the keys k + step, k + 2 step and k + 3 step are not after the time. */
+/* The number of keys k + step, k + 2 step and k + 3 step whose time is <= time. */
 static inline size_t lane_segment_passed(lane_times times, float time, size_t k, size_t step)
 {
     size_t one = lane_time(times, k + step) <= time, two = lane_time(times, k + 2 * step) <= time;
@@ -47,9 +48,11 @@ static inline size_t lane_segment_passed(lane_times times, float time, size_t k,
 }
 
 /*
- * The largest of the n keys from k on with time(k) <= time, or k. Each turn quarters them, by sums of comparisons: how
- * many turns there are depends on n alone, so times at random leave no branch to be mispredicted. Whatever the times
- * are, it stays among the n.
+ * The last of the keys k..k + n - 1 whose time is <= time; k if there is none.
+ *
+ * Each iteration reduces n to about a quarter. The comparisons are added, not branched on, and the number of iterations
+ * depends on n only: no branch is mispredicted when times are random. The result is in k..k + n - 1 for any times, also
+ * for times that do not ascend.
  */
 static inline size_t lane_segment_search(lane_times times, float time, size_t k, size_t n)
 {
@@ -76,7 +79,10 @@ static inline nkw_segment lane_segment_find(lane_times times, float time)
     return lane_segment_at(times, time, lane_segment_search(times, time, 0, times.count - 1));
 }
 
-/* Steps of 1, 1, 4, 16 and more keys away from `hint` until the time is enclosed, then a search between. */
+/*
+ * Searches from `hint` on: steps of 1, 1, 4, 16, ... keys forwards or backwards until an interval contains the time,
+ * then lane_segment_search in that interval. O(log d) for d keys between the hint and the result.
+ */
 static inline nkw_segment lane_segment_find_hint(lane_times times, float time, size_t hint)
 {
     nkw_segment none = {0, 0.0f};
