@@ -12,13 +12,13 @@
 #include "lane/segment.h"
 #include "report.h"
 
-/* The keys around a time, and where the methods write down what they do, unless it is NULL. */
+/* The keys around a time, and the trace that the methods fill, or NULL. */
 typedef struct sampler {
     const nkw_keyframe *keys;
     size_t count;
     float time;
     nkw_segment segment;
-    size_t from, to; /* the segment's keys; equal where there is only one key */
+    size_t from, to; /* the keys of the segment; equal if there is only one key */
     nkw_keyframe_trace *trace;
 } sampler;
 
@@ -32,13 +32,13 @@ static size_t key_after(const sampler *s)
     return s->to + 1 < s->count ? s->to + 1 : s->to;
 }
 
-/* The key whose state a step holds: the one that begins the segment, from the end on the last. */
+/* The key that STEP returns: the first of the segment; the last key from its time on. */
 static size_t key_held(const sampler *s)
 {
     return s->segment.t < 1.0f ? s->from : s->to;
 }
 
-/* Writes down control value i: `value`, taken from `key`, of the given weight. */
+/* Stores control value i in the trace: `value` of key `key`, and its weight. */
 static void control(const sampler *s, size_t i, size_t key, nkw_vec3 value, float weight)
 {
     nkw_keyframe_trace *trace = s->trace;
@@ -68,7 +68,7 @@ static nkw_vec3 linear(const sampler *s, float t)
     return nkw_vec3_lerp(s->keys[s->from].position, s->keys[s->to].position, t);
 }
 
-/* Minus the third column of the key's rotation matrix: where the object looks. */
+/* The negated third column of the rotation matrix of the key: the viewing direction of the object. */
 static nkw_vec3 heading(const nkw_keyframe *key)
 {
     nkw_mat3 m = nkw_mat3_from_quat(key->orientation);
@@ -89,7 +89,10 @@ static nkw_vec3 hermite(const sampler *s, float t)
     return nkw_vec3_hermite(a->position, v0, b->position, v1, t);
 }
 
-/* Groups of four keys: the last whole group's end where the keys run out, the first key where none is whole. */
+/*
+ * Keys 3i..3i + 3 control one curve; neighbouring curves share a key. After the last complete group of four, the
+ * position is its last key. With fewer than four keys, it is the first key.
+ */
 static nkw_vec3 bezier(const sampler *s)
 {
     size_t first = s->from / 3 * 3;
@@ -108,7 +111,7 @@ static nkw_vec3 bezier(const sampler *s)
     return nkw_vec3_bezier(key[0].position, key[1].position, key[2].position, key[3].position, u);
 }
 
-/* The four keys around the segment, the end keys doubled. */
+/* The four keys around the segment; the first and last key of the array are repeated at the ends. */
 static void neighbours(const sampler *s, const nkw_keyframe *key[4])
 {
     key[0] = &s->keys[key_before(s)];
@@ -134,7 +137,7 @@ static nkw_vec3 bspline(const sampler *s, float t)
     return nkw_vec3_bspline(k[0]->position, k[1]->position, k[2]->position, k[3]->position, t);
 }
 
-/* The curve is linear in its control values: each weight is the curve of a single 1. */
+/* The curve is linear in its control values: weight i is the curve of control value i = 1 and all others 0. */
 static nkw_weights catmull_rom_weights(const float times[4], float t)
 {
     nkw_weights k = {{
@@ -177,7 +180,7 @@ static nkw_vec3 position_at(const sampler *s, nkw_position_method method)
     return hold(s, key_held(s));
 }
 
-/* Writes down the two orientations blended and their weights. */
+/* Stores the two blended orientations and their weights in the trace. */
 static void orientations(const sampler *s, nkw_quat a, nkw_quat b, float wa, float wb)
 {
     if (!s->trace)
@@ -208,7 +211,10 @@ static nkw_mat3 euler(const sampler *s, float t, nkw_unwrap unwrap)
     return nkw_mat3_from_euler(nkw_euler_lerp(from, to, t, NKW_UNWRAP_NONE), NKW_EULER_YXZ);
 }
 
-/* The weights of slerp as the textbook has them; the blend itself is nkw_quat_slerp. */
+/*
+ * The weights of slerp by the textbook formula sin((1-t)h)/sin h, sin(t h)/sin h, for the trace only: the result is
+ * that of nkw_quat_slerp.
+ */
 static void arc(const sampler *s, nkw_quat a, nkw_quat b, float t)
 {
     if (!s->trace)
@@ -278,7 +284,7 @@ nkw_result nkw_keyframes_validate(const nkw_keyframe *keys, size_t count, size_t
     return report(result, bad, bad_key);
 }
 
-/* The sampler at `time`, or why there is none. */
+/* Sets the sampler to `time`. Returns NKW_OK or the error. */
 static nkw_result sampler_at(const nkw_keyframe *keys, size_t count, float time, nkw_position_method position,
                              nkw_orientation_method orientation, sampler *s)
 {

@@ -5,7 +5,7 @@
 
 #include "lane/scalar.h"
 
-/* floor(x) for |x| < 2^51; larger x have no fraction worth the name. */
+/* floor(x) for |x| < 2^51; x unchanged otherwise. */
 static double floor64(double x)
 {
     double rounded = (x + LANE_ROUND) - LANE_ROUND;
@@ -13,21 +13,21 @@ static double floor64(double x)
     return whole > x ? whole - 1.0 : whole;
 }
 
-/* x = cycle period + rest, 0 <= rest < period: exact while cycle has at most 29 bits. */
-static double rest_of(double x, double period, double *cycle)
+/* x = cycle period + r, returns r, 0 <= r < period. Exact if cycle has at most 29 bits. */
+static double remainder_of(double x, double period, double *cycle)
 {
     double n = floor64(x / period);
-    double rest = x - n * period;
-    /* The quotient may have been rounded across a whole number. */
-    if (rest < 0.0) {
+    double r = x - n * period;
+    /* x / period may be rounded up or down to a whole number. */
+    if (r < 0.0) {
         n -= 1.0;
-        rest += period;
-    } else if (rest >= period) {
+        r += period;
+    } else if (r >= period) {
         n += 1.0;
-        rest -= period;
+        r -= period;
     }
     *cycle = n;
-    return rest > 0.0 && rest < period ? rest : 0.0;
+    return r > 0.0 && r < period ? r : 0.0;
 }
 
 static int is_positive(float x)
@@ -35,10 +35,13 @@ static int is_positive(float x)
     return x > 0.0f && lane_is_finite(x);
 }
 
-/* start + rest. What is rounded up to the end is the start of the next pass: there time + cycle duration goes on. */
-static nkw_play_head looped(float start, double rest, float duration, double cycle)
+/*
+ * start + r in binary32. If that rounds up to the end, returns the start of the next cycle instead: then
+ * time + cycle duration stays continuous.
+ */
+static nkw_play_head looped(float start, double r, float duration, double cycle)
 {
-    float time = (float)((double)start + rest);
+    float time = (float)((double)start + r);
     float end = (float)((double)start + (double)duration);
     nkw_play_head here = {time, (float)cycle}, next = {start, (float)(cycle + 1.0)};
     return time > start && time >= end ? next : here;
@@ -62,28 +65,29 @@ nkw_play_head nkw_playback_head(nkw_playback mode, float start, float duration, 
     }
     if (x - x != 0.0)
         return head;
-    double rest = rest_of(x, duration, &cycle);
+    double r = remainder_of(x, duration, &cycle);
     if (mode == NKW_PLAYBACK_LOOP)
-        return looped(start, rest, duration, cycle);
+        return looped(start, r, duration, cycle);
     double half = 0.5 * cycle;
     int odd = floor64(half) != half;
-    head.time = (float)((double)start + (odd ? (double)duration - rest : rest));
+    head.time = (float)((double)start + (odd ? (double)duration - r : r));
     head.cycle = (float)cycle;
     return head;
 }
 
+/* The keys passed in a step: `count` of them, the first `capacity` of which are stored in `out`. */
 typedef struct passed {
     size_t *out;
     size_t capacity, count;
 } passed;
 
-/* n keys more, times over; SIZE_MAX where size_t does not hold so many. */
+/* Adds n * times to the count; SIZE_MAX on overflow. */
 static void add_keys(passed *p, size_t n, size_t times)
 {
     p->count = n == 0 || times <= (SIZE_MAX - p->count) / n ? p->count + n * times : SIZE_MAX;
 }
 
-/* The keys first..end - 1. */
+/* Stores the keys first..end - 1. */
 static void pass_keys(size_t first, size_t end, passed *p)
 {
     size_t n = end > first ? end - first : 0;
@@ -92,7 +96,7 @@ static void pass_keys(size_t first, size_t end, passed *p)
     add_keys(p, n, 1);
 }
 
-/* How many keys are not after the time. */
+/* The number of keys whose time is <= time. */
 static size_t keys_until(const float *times, size_t count, double time)
 {
     size_t k = 0;
@@ -105,13 +109,16 @@ static size_t keys_until(const float *times, size_t count, double time)
     return k;
 }
 
-/* The keys of one pass in (from, to], both counted from the start of the pass. */
+/* The keys of one cycle in (from, to], both relative to the start of the cycle. */
 static void pass(const float *times, size_t count, double from, double to, passed *p)
 {
     pass_keys(keys_until(times, count, from), keys_until(times, count, to), p);
 }
 
-/* The keys of the passes first..last; those further in from both ends than one hold every key. */
+/*
+ * The keys of the cycles first..last. The cycles first + 2..last - 2 contain every key. When `out` is full, they are
+ * counted by one multiplication, so that the time does not depend on the number of cycles.
+ */
 static void passes(const float *times, size_t count, double duration, double first, double last, const double span[2],
                    passed *p)
 {
@@ -128,7 +135,7 @@ static void passes(const float *times, size_t count, double duration, double fir
     }
 }
 
-/* Whether the keys reach beyond one pass: they would be counted once for each pass that they reach over. */
+/* Whether the keys span more than one cycle: each key would be counted in several cycles. */
 static int is_too_long(const nkw_playback_step *s)
 {
     double first = s->times[0], last = s->times[s->key_count - 1];
@@ -150,10 +157,10 @@ static nkw_result pass_step(const nkw_playback_step *s, passed *p)
     }
     if (is_too_long(s))
         return NKW_OUT_OF_RANGE;
-    /* Pass n holds the running times n duration + times[k]; the first and last that can matter. */
+    /* Cycle n contains the running times n duration + times[k]. The first and last cycle that meet the span: */
     double first = floor64((span[0] - (double)s->times[s->key_count - 1]) / (double)s->duration);
     double last = floor64((span[1] - (double)s->times[0]) / (double)s->duration);
-    /* From 2^53 on doubles cannot count passes one by one. */
+    /* From 2^53 on, neighbouring whole numbers are not distinct in binary64. */
     if (!(first > -0x1p53 && last < 0x1p53 && last - first < 0x1p31))
         return NKW_OUT_OF_RANGE;
     passes(s->times, s->key_count, s->duration, first, last, span, p);
