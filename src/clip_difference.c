@@ -15,7 +15,7 @@
 static float farthest(nkw_vec3 got, const float want[3])
 {
     const float numbers[3] = {got.x, got.y, got.z};
-    return difference_farthest(numbers, want, 3);
+    return difference_largest(numbers, want, 3);
 }
 
 /* Compares the sample of a track with that of the clip. */
@@ -35,7 +35,7 @@ static void compare(const nkw_clip *clip, const nkw_clip_track *c, nkw_segment s
         error->rotation = difference_worse(error->rotation, nkw_quat_angle(got.rotation, rotation));
     else
         error->floats =
-            difference_worse(error->floats, difference_farthest(floats + c->index, of_floats, c->track.width));
+            difference_worse(error->floats, difference_largest(floats + c->index, of_floats, c->track.width));
 }
 
 /* The first track that has these keys' times; track_count where none has. */
@@ -78,7 +78,7 @@ static void compare_along(const nkw_clip *clip, const nkw_clip_source *source, c
 {
     for (size_t k = 0; k < keys->count; k++)
         for (int quarter = 0; quarter < DIFFERENCE_QUARTERS; quarter++)
-            compare_at(clip, source, keys, own, difference_moment(keys, k, quarter), pose, floats, error);
+            compare_at(clip, source, keys, own, difference_time(keys, k, quarter), pose, floats, error);
 }
 
 /* Whether the clip may have been made from such tracks. */

@@ -1,11 +1,11 @@
 /* SPDX-License-Identifier: MIT */
-/* What a validation gives: its result, and the index of the first offender. */
+/* The outputs of a validate function: the result, and the index of the first element with an error. */
 #ifndef NAKAWARI_REPORT_H
 #define NAKAWARI_REPORT_H
 
 #include <nakawari/base.h>
 
-/* *out, where there is one, becomes `bad`, or 0 if all is well. */
+/* Stores `bad`, or 0 if the result is NKW_OK, in *out unless out is NULL. Returns the result. */
 static inline nkw_result report(nkw_result result, size_t bad, size_t *out)
 {
     if (out)

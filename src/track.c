@@ -265,13 +265,13 @@ static float difference_along(const nkw_track *along, const nkw_track *track, co
     float *a = work, *b = work + track->width, far = 0.0f;
     for (size_t k = 0; k < along->count; k++)
         for (int quarter = 0; quarter < DIFFERENCE_QUARTERS; quarter++) {
-            float time = difference_moment(along, k, quarter);
+            float time = difference_time(along, k, quarter);
             if (time < track->times[0] || time > track->times[track->count - 1])
                 continue;
             nkw_track_sample_cursor(track, time, &here, a);
             nkw_track_sample_cursor(other, time, &there, b);
             far = difference_worse(far, is_rotation(track) ? nkw_quat_angle(read_quat(a), read_quat(b))
-                                                           : difference_farthest(a, b, track->width));
+                                                           : difference_largest(a, b, track->width));
         }
     return far;
 }
