@@ -4,7 +4,8 @@
  *
  *     gcc -std=c99 -O2 docs/generate/slerp.c -lm -o slerp && ./slerp > src/data/slerp.h
  *
- * Needs a long double of 64 or more bits, such as x86's 80-bit one. Takes two seconds. u = 2^-24.
+ * Requires a long double with a significand of at least 64 bits, such as the 80-bit type of x86. Runs for two seconds.
+ * u = 2^-24.
  *
  * The formula (src/lane/orient.h):
  *
@@ -12,9 +13,10 @@
  *
  *     x = 1 - cos theta    v = 2x / (1 - 5x/16)
  *
- * H minimises the largest error that E makes over theta in 0..pi/2, that of small arcs stressed; one for k in 0..1/2, of
- * the end farther from t, and one for k in 1/2..1, of the nearer. slerp takes each times vectors of length 1.
- * The coefficients are rounded to binary32 one after the other, the rest fitted again each time.
+ * H minimises the largest error of E over theta in 0..pi/2. Errors of small arcs have a larger weight. There is one H
+ * for k in 0..1/2, the weight of the key farther from t, and one for k in 1/2..1, the weight of the nearer key. slerp
+ * multiplies each by a vector of length 1, so an error of E is an absolute error of the result.
+ * The coefficients are rounded to binary32 one by one; the others are fitted again each time.
  *
  * Source Lawson, Contributions to the Theory of Linear Least Maximum Approximation, 1961.
  */
@@ -29,18 +31,18 @@ enum { SIDE = 48, POINTS = SIDE * SIDE, FINE_SIDE = 240, ROWS = 4, POWERS = 6, T
 static const real PI = 3.14159265358979323846264338L;
 static const real POLE = 16.0L / 5, U = 0x1p-24L;
 
-typedef struct place {
+typedef struct argument {
     real k, theta, v;
-} place;
+} argument;
 
 /* H for k in from..from + 1/2: the sum of the terms v^i k^2j, i < POWERS, j <= degree[i]. */
 typedef struct series {
-    const char *name, *said;
-    real from, stress; /* how many times the errors of small arcs count, as those between neighbouring keys are */
+    const char *name, *use;
+    real from, stress; /* weight of errors of small arcs, such as those between neighbouring keys */
     int degree[POWERS];
 } series;
 
-/* What a row lacks here src/lane/orient.h leaves out. */
+/* src/lane/orient.h and src/lane/clip.h omit the terms that are missing here. Degree -1: no terms. */
 static const series all[] = {
     {"LANE_SLERP_NEAR", "", 0.5L, 4, {0, 1, 2, 3, 0, 2}},
     {"LANE_SLERP_FAR", "", 0, 4, {0, 1, 2, 1, 0, 1}},
@@ -48,10 +50,10 @@ static const series all[] = {
     {"LANE_SLERP_BRIEF_FAR", ", for compact clips", 0, 1, {0, 1, 2, 1, 0, -1}},
 };
 
-/* A place seen by the fit; basis[n] = (v/2)^i k^2j. */
+/* A sample of the fit at (k, theta); basis[n] = (v/2)^i k^2j. */
 typedef struct point {
     real basis[TERMS], target, scale, stress;
-    real share; /* in the least squares */
+    real share; /* its weight in the least squares */
     real error;
 } point;
 
@@ -62,36 +64,38 @@ typedef struct fit {
     point points[POINTS];
 } fit;
 
-/* What E changes by when H changes by 1. */
-static real scale(const place *at)
+/* dE / dH. */
+static real scale(const argument *at)
 {
     return at->k * (1 - at->k) * (1 + at->k) * at->v;
 }
 
-static real target(const place *at)
+/* The exact H. */
+static real target(const argument *at)
 {
     return (at->k - sinl(at->k * at->theta) / sinl(at->theta)) / scale(at);
 }
 
-/* Chebyshev's points of 0..1: k in 0..side - 1. */
+/* The Chebyshev nodes of 0..1: k in 0..side - 1. */
 static real node(int k, int side)
 {
     return 0.5L * (1 - cosl((k + 0.5L) * PI / side));
 }
 
-static place place_at(real x, real k)
+/* x = 1 - cos theta. */
+static argument argument_at(real x, real k)
 {
-    place at;
+    argument at;
     at.k = k;
     at.theta = 2 * asinl(sqrtl(x / 2));
     at.v = 2 * x / (1 - x / POLE);
     return at;
 }
 
-/* y in 0..1: the place of k in its range. */
+/* k = from + y/2, y in 0..1. */
 static void sample(const fit *f, point *at, real x, real y)
 {
-    place here = place_at(x, f->of->from + y / 2);
+    argument here = argument_at(x, f->of->from + y / 2);
     at->target = target(&here);
     at->scale = scale(&here);
     at->stress = 1 + (f->of->stress - 1) / (1 + powl(4 * here.v, 4));
@@ -132,7 +136,7 @@ static real error_at(const fit *f, const point *at)
     return fabsl((sum(f, at) - at->target) * at->scale);
 }
 
-/* The target less the fixed terms. */
+/* The target minus the fixed terms. */
 static real residual(const fit *f, const point *at)
 {
     real rest = at->target;
@@ -142,7 +146,7 @@ static real residual(const fit *f, const point *at)
     return rest;
 }
 
-/* Adds a point to the normal equations  B^T W B c = B^T W r  of the m free terms, upper half, right side last. */
+/* Adds a point to the normal equations  B^T W B c = B^T W r  of the m free terms: upper half, right side last. */
 static void add_point(const fit *f, const point *at, const int *free_terms, int m,
                       real q[][TERMS + 1])
 {
@@ -173,7 +177,7 @@ static int pivot(real q[][TERMS + 1], int m, int k)
     return best;
 }
 
-/* Gauss and Jordan: leaves a diagonal and the right side. */
+/* Gauss-Jordan elimination with partial pivoting: leaves a diagonal and the right side. */
 static void eliminate(real q[][TERMS + 1], int m)
 {
     for (int k = 0; k < m; k++) {
@@ -209,7 +213,7 @@ static void least_squares(fit *f)
         f->c[free_terms[i]] = q[i][m] / q[i][i];
 }
 
-/* Sets the error at every point; gives the largest. */
+/* Stores the weighted error at every point. Returns the largest. */
 static real measure(fit *f)
 {
     real largest = 0;
@@ -220,7 +224,7 @@ static real measure(fit *f)
     return largest;
 }
 
-/* Lawson's step, damped:  share <- share (sqrt(error / largest) + 1/1000),  mean share 1. */
+/* A damped step of Lawson's algorithm:  share <- share (sqrt(error / largest) + 1/1000),  mean share 1. */
 static void reweigh(fit *f, real largest)
 {
     real total = 0;
@@ -239,7 +243,7 @@ static void copy(real *to, const real *from, int count)
         to[k] = from[k];
 }
 
-/* The free terms for the least largest error: the best of so many of Lawson's steps. */
+/* The free terms with the smallest largest error in `steps` of Lawson's steps. */
 static void minimax(fit *f, int steps)
 {
     real best = LDBL_MAX, best_c[TERMS];
@@ -264,7 +268,7 @@ static float coefficient(const fit *f, int k)
 }
 
 /* Rounds term k to binary32 and fits the free ones again. */
-static void settle(fit *f, int k)
+static void round_term(fit *f, int k)
 {
     int free_terms[TERMS];
     f->c[k] = ldexpl((real)coefficient(f, k), f->i[k]);
@@ -273,11 +277,11 @@ static void settle(fit *f, int k)
         minimax(f, 20);
 }
 
-/* One after the other, by rising powers of v, then of k^2. */
-static void settle_all(fit *f)
+/* One by one, in ascending powers of v, then of k^2. */
+static void round_terms(fit *f)
 {
     for (int k = 0; k < f->count; k++)
-        settle(f, k);
+        round_term(f, k);
 }
 
 /* The largest error, on a finer grid. */
@@ -294,7 +298,7 @@ static real largest_error(const fit *f)
     return largest;
 }
 
-/* The coefficients of k^2j by powers of v; 0 where there is no such term. */
+/* The coefficients of k^2j in ascending powers of v; 0 for a missing term. */
 static void print_row(const fit *f, int j)
 {
     float row[POWERS] = {0};
@@ -310,7 +314,7 @@ static void print_row(const fit *f, int j)
 static void print_series(const fit *f)
 {
     real error = ceill(1000 * largest_error(f) / U) / 1000;
-    printf("\n/* For k in %.1Lf..%.1Lf%s. Off by at most %.3Lf u. */\n", f->of->from, f->of->from + 0.5L, f->of->said,
+    printf("\n/* E for k in %.1Lf..%.1Lf%s. Error at most %.3Lf u. */\n", f->of->from, f->of->from + 0.5L, f->of->use,
            error);
     printf("static const float %s[LANE_SLERP_ROWS][LANE_SLERP_POWERS] = {\n", f->of->name);
     for (int j = 0; j < ROWS; j++)
@@ -324,7 +328,7 @@ static void make_series(const series *of)
     list_terms(&f, of);
     sample_all(&f);
     minimax(&f, 40);
-    settle_all(&f);
+    round_terms(&f);
     print_series(&f);
 }
 
@@ -337,21 +341,22 @@ static void print_head(void)
            "\n"
            "/* clang-format off */\n"
            "\n"
-           "/* v = |b - a|^2 / (a.b + LANE_SLERP_BEND |b - a|^2): moves the branch point at theta = pi away. */\n"
+           "/* v = |b - a|^2 / (a.b + LANE_SLERP_BEND |b - a|^2): moves the branch point at theta = pi farther out. */\n"
            "#define LANE_SLERP_BEND %.7Lff\n"
            "\n"
            "/*\n"
-           " * sin(k theta) / sin theta = k - k (1 - k) (1 + k) v H(v, k^2). H[j][i] goes with v^i k^2j.\n"
+           " * sin(k theta) / sin theta = k - E(k),  E(k) = k (1 - k) (1 + k) v H(v, k^2),\n"
+           " * H(v, k^2) = sum of H[j][i] v^i k^2j.\n"
            " */\n"
            "#define LANE_SLERP_ROWS   %d\n"
-           "#define LANE_SLERP_POWERS 8 /* six, and two zeros to fill a vector */\n",
+           "#define LANE_SLERP_POWERS 8 /* six, padded by two zeros to a multiple of 4 */\n",
            (1 - 1 / POLE) / 2, ROWS);
 }
 
 int main(void)
 {
     if (LDBL_MANT_DIG < 64) {
-        fputs("slerp.c needs a long double of 64 bits or more, such as x86's 80-bit one\n", stderr);
+        fputs("slerp.c: requires a long double with a significand of at least 64 bits\n", stderr);
         return 1;
     }
     print_head();

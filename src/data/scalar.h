@@ -5,13 +5,13 @@
 
 /* clang-format off */
 
-/* pi, 2 pi, pi/2, pi/4, 1/pi, to nearest. */
+/* pi, 2 pi, pi/2, pi/4, 1/pi, rounded to nearest. */
 #define LANE_PI         0x1.921fb54442d18p1
 #define LANE_TWO_PI     0x1.921fb54442d18p2
 #define LANE_HALF_PI    0x1.921fb54442d18p0
 #define LANE_QUARTER_PI 0x1.921fb54442d18p-1
 #define LANE_INVERSE_PI 0x1.45f306dc9c883p-2
-/* 1/pi = high + low: high has 29 bits, the sum is off by at most 2^-84. */
+/* 1/pi = high + low; high has 29 bits. Error of the sum at most 2^-84. */
 #define LANE_INVERSE_PI_HIGH 0x1.45f306dp-2
 #define LANE_INVERSE_PI_LOW  0x1.9391054a7f09dp-31
 /* tan(pi/8). */
@@ -82,8 +82,8 @@ static const double LANE_EXP2[10] = {
 };
 
 /*
- * Row i: 1/pi for 2^(8i) <= |x| < 2^(8i + 8) without the bits that make x/pi a multiple of 4, as a sum
- * of 29, 29 and 53 bits. The sum is off by at most 2^-(86 + 8i), x/pi by 2^-78.
+ * Row i: 1/pi for 2^(8i) <= |x| < 2^(8i + 8), without the bits whose product with x is a multiple of 4, as a sum
+ * of parts of 29, 29 and 53 bits. Error of the sum at most 2^-(86 + 8i), of x/pi at most 2^-78.
  */
 static const double LANE_INVERSE_PI_ROWS[16][3] = {
     {0x1.4p-2, 0x1.7cc1b7p-8, 0x1.391054a7f09d6p-35},
