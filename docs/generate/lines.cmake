@@ -1,6 +1,6 @@
 cmake_minimum_required(VERSION 3.22)
-# Links of a page to lines of the source: `function`, [`path:line`](../path#Lline). Each must name the line on which the
-# function stands. With -DWRITE=ON the numbers are put right instead.
+# Checks the links of a page to lines of the source: `function`, [`path:line`](../path#Lline). Each line must be that of
+# the definition of the function. With -DWRITE=ON, the numbers are corrected instead.
 #     cmake -DPAGE=docs/coursework.md -DROOT=. -DWRITE=ON -P docs/generate/lines.cmake
 file(READ "${PAGE}" page)
 string(REGEX MATCHALL "`[a-z0-9_]+`, \\[`[^`]+:[0-9]+`\\]\\([^)]+#L[0-9]+\\)" links "${page}")
@@ -9,7 +9,7 @@ foreach(link IN LISTS links)
   string(REGEX MATCH "^`([a-z0-9_]+)`, \\[`([^`]+):([0-9]+)`\\]" unused "${link}")
   set(function "${CMAKE_MATCH_1}")
   set(path "${CMAKE_MATCH_2}")
-  set(said "${CMAKE_MATCH_3}")
+  set(old "${CMAKE_MATCH_3}")
   file(READ "${ROOT}/${path}" text)
   string(REGEX MATCH "^(.*\n)?((LANE_FLAT |NKW_BODY )?(static )?(inline )?[a-z0-9_]+ ${function}\\()" before "${text}")
   if(NOT before)
@@ -20,10 +20,10 @@ foreach(link IN LISTS links)
   list(LENGTH newlines above)
   math(EXPR line "${above} + 1")
   if(WRITE)
-    string(REPLACE "${path}:${said}`](../${path}#L${said})" "${path}:${line}`](../${path}#L${line})" fixed "${link}")
+    string(REPLACE "${path}:${old}`](../${path}#L${old})" "${path}:${line}`](../${path}#L${line})" fixed "${link}")
     string(REPLACE "${link}" "${fixed}" page "${page}")
-  elseif(NOT line EQUAL said)
-    message(SEND_ERROR "${PAGE}: ${function} stands at ${path}:${line}, not ${said}")
+  elseif(NOT line EQUAL old)
+    message(SEND_ERROR "${PAGE}: ${function} is defined at ${path}:${line}, not ${old}")
   endif()
 endforeach()
 if(WRITE)
