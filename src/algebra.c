@@ -1,7 +1,8 @@
 /* SPDX-License-Identifier: MIT */
 /*
- * The symbols of the small algebra that the headers inline: for bindings, debuggers, and callers whose compiler
- * could change its bits (see NKW_INLINE in base.h). Declared without `inline` here, the definitions are external.
+ * The symbols of the functions that the headers define inline: for bindings, for debuggers, and for callers whose
+ * compiler could change the bits (NKW_INLINE in base.h). This file declares them without `inline`, so their
+ * definitions are external.
  */
 #include "lane/strict.h"
 

@@ -1,16 +1,16 @@
 /* SPDX-License-Identifier: MIT */
 /*
- * NKW_DISPATCH defines the function `name` of a list of loops (batch/isa.h): it calls the build of the loop for the
- * instruction set that nkwi_isa_for chooses. Where only the baseline is built, it calls that one directly.
+ * NKW_DISPATCH defines the function `name` of a list of loops (batch/isa.h). The function calls the build of the loop
+ * for the instruction set that nkwi_isa_for returns, or the baseline if no other is built.
  *
- * Each stem has a file of these, so a program links the loops of the stems that it calls.
+ * Each stem has a separate file, so that a program links only the loops of the stems that it calls.
  */
 #ifndef NAKAWARI_SIMD_DISPATCH_H
 #define NAKAWARI_SIMD_DISPATCH_H
 
 #include "simd/isa.h"
 
-/* Tests choose the instruction set themselves, and count the calls. */
+/* Tests define NKW_ISA_FOR to choose the instruction set and to count calls. */
 #ifndef NKW_ISA_FOR
 #define NKW_ISA_FOR(name, n) nkwi_isa_for(n)
 #endif

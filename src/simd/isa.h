@@ -1,19 +1,19 @@
 /* SPDX-License-Identifier: MIT */
-/* The instruction sets that this build has loops for. */
+/* The instruction sets for which this build has loops, and the choice at run time. */
 #ifndef NAKAWARI_SIMD_ISA_H
 #define NAKAWARI_SIMD_ISA_H
 
 #include <stddef.h>
 
-/* In ascending order of their vectors. The baseline is SSE2 on x86-64, NEON on AArch64, simd128 in WebAssembly. */
+/* In ascending order of vector width. The baseline is SSE2 on x86-64, NEON on AArch64, simd128 in WebAssembly. */
 typedef enum nkwi_isa { NKWI_ISA_GENERIC, NKWI_ISA_AVX2, NKWI_ISA_AVX512 } nkwi_isa;
 
 /*
- * The widest instruction set that this build and this processor have and that n elements fill: an array shorter than a
- * vector would be all remainder. All loops compute the same bits, so the choice never shows.
+ * Returns the widest instruction set of this build and this processor whose vector has at most n elements: a shorter
+ * array would be remainder only. All builds of a loop compute the same bits, so the choice does not change results.
  *
- * The compiler's run-time library asks the processor before main. Reading its answer is a load and a test, so nothing
- * is initialised or kept here.
+ * The run-time library of the compiler detects the processor before main. Each query is a load and a test; this library
+ * stores no state.
  */
 static inline nkwi_isa nkwi_isa_for(size_t n)
 {
