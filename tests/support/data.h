@@ -18,7 +18,8 @@
     X(palette) \
     X(skin) \
     X(skeleton) \
-    X(crowd)
+    X(crowd) \
+    X(clip_more)
 
 #ifdef __cplusplus
 extern "C" {
