@@ -306,6 +306,29 @@ static void compact_steps_hold_their_key(void **state)
     free(clip);
 }
 
+static void compact_steps_of_rotations_have_the_same_bits_until_the_next_key(void **state)
+{
+    (void)state;
+    random_source r = random_from(42);
+    const float at[3] = {0, 1, 2};
+    float values[12], first[NKW_POSE_FLOATS(1)], later[NKW_POSE_FLOATS(1)];
+    for (int i = 0; i < 200; i++) {
+        for (int k = 0; k < 3; k++) {
+            nkw_quat q = random_rotation(&r);
+            memcpy(values + 4 * k, &q, sizeof q);
+        }
+        nkw_clip_track track = {
+            NKW_CLIP_ROTATION, 0, {at, values, 3, 4, NKW_TRACK_ROTATION, NKW_INTERPOLATION_STEP, NULL}};
+        nkw_clip_source source = {&track, 1, 1, 0, {NULL, 0}, NULL, NKW_CLIP_UNORM16};
+        size_t bytes;
+        nkw_clip *clip = build(&source, &bytes);
+        nkw_clip_sample(clip, 1.0f, NULL, pose_span(first, 1), NULL);
+        nkw_clip_sample(clip, 1.7f, NULL, pose_span(later, 1), NULL);
+        expect_quat_bits(nkw_pose_get(pose_view(later, 1), 0).rotation, nkw_pose_get(pose_view(first, 1), 0).rotation);
+        free(clip);
+    }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -320,6 +343,7 @@ int main(void)
         cmocka_unit_test(compact_keys_take_half_the_room_and_less),
         cmocka_unit_test(a_clip_that_lasts_longer_is_compared_while_the_tracks_last),
         cmocka_unit_test(compact_steps_hold_their_key),
+        cmocka_unit_test(compact_steps_of_rotations_have_the_same_bits_until_the_next_key),
     };
     return cmocka_run_group_tests_name("clip_tracks", tests, NULL, NULL);
 }
