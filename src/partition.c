@@ -10,15 +10,15 @@
 
 #define NONE           UINT32_MAX
 #define INFLUENCES     8
-#define SET            (3 * INFLUENCES) /* bones of a triangle, at most */
+#define SET            (3 * INFLUENCES) /* joints of a triangle, at most */
 #define MOST_TRIANGLES (UINT32_MAX / SET)
 
 /* ---- Validation ---- */
 
 static int counts_are_in_range(const nkw_partition_mesh *mesh)
 {
-    return mesh->influences >= 1 && mesh->influences <= INFLUENCES && mesh->bones <= MOST_BONES &&
-           mesh->triangles <= MOST_TRIANGLES && mesh->vertices < UINT32_MAX;
+    return mesh->influence_count >= 1 && mesh->influence_count <= INFLUENCES && mesh->joint_count <= MOST_JOINTS &&
+           mesh->triangle_count <= MOST_TRIANGLES && mesh->vertex_count < UINT32_MAX;
 }
 
 static nkw_result check_influence(const nkw_partition_mesh *mesh, size_t i)
@@ -28,7 +28,7 @@ static nkw_result check_influence(const nkw_partition_mesh *mesh, size_t i)
         return NKW_NOT_FINITE;
     if (w < 0.0f)
         return NKW_BAD_WEIGHTS;
-    return w == 0.0f || mesh->joints[i] < mesh->bones ? NKW_OK : NKW_OUT_OF_RANGE;
+    return w == 0.0f || mesh->joints[i] < mesh->joint_count ? NKW_OK : NKW_OUT_OF_RANGE;
 }
 
 static nkw_result check_triangle(const nkw_partition_mesh *mesh, size_t t)
@@ -36,10 +36,10 @@ static nkw_result check_triangle(const nkw_partition_mesh *mesh, size_t t)
     nkw_result result = NKW_OK;
     for (size_t c = 0; result == NKW_OK && c < 3; c++) {
         size_t v = mesh->indices[3 * t + c];
-        if (v >= mesh->vertices)
+        if (v >= mesh->vertex_count)
             return NKW_OUT_OF_RANGE;
-        for (size_t i = 0; result == NKW_OK && i < mesh->influences; i++)
-            result = check_influence(mesh, v * mesh->influences + i);
+        for (size_t i = 0; result == NKW_OK && i < mesh->influence_count; i++)
+            result = check_influence(mesh, v * mesh->influence_count + i);
     }
     return result;
 }
@@ -48,7 +48,7 @@ nkw_result nkw_partition_validate(const nkw_partition_mesh *mesh, size_t *bad_tr
 {
     nkw_result result = counts_are_in_range(mesh) ? NKW_OK : NKW_OUT_OF_RANGE;
     size_t bad = 0;
-    for (size_t t = 0; result == NKW_OK && t < mesh->triangles; t++) {
+    for (size_t t = 0; result == NKW_OK && t < mesh->triangle_count; t++) {
         result = check_triangle(mesh, t);
         bad = t;
     }
@@ -58,13 +58,13 @@ nkw_result nkw_partition_validate(const nkw_partition_mesh *mesh, size_t *bad_tr
 /* ---- Working memory ---- */
 
 /*
- * A group is all triangles of one material and one bone set. Groups are numbered as they are met; `ranked` puts them
- * in the order of packing: by material, then the larger set first, then by bones. A bin is a part
+ * A group is all triangles of one material and one joint set. Groups are numbered as they are met; `ranked` puts them
+ * in the order of packing: by material, then the larger set first, then by joints. A bin is a part
  * before the parts are ordered.
  */
 typedef struct plan {
     const nkw_partition_mesh *mesh;
-    size_t max_bones;
+    size_t max_joint_count;
     uint32_t *group_of; /* for each triangle; NONE for a rejected one */
     uint32_t *table; /* hash table of groups, 2 * triangles */
     uint32_t *set_start; /* for each group and the end: its set in set_keys */
@@ -72,21 +72,21 @@ typedef struct plan {
     uint32_t *first; /* for each group: a triangle of it */
     uint32_t *bin_of; /* for each group; NONE until it is packed */
     uint32_t *ranked; /* for each rank: the group */
-    uint32_t *missing; /* for each rank: bones that the open bin has not */
-    uint32_t *touched; /* the ranks that share a bone with the open bin */
-    uint32_t *users; /* for each bone, from user_start: the ranks that have it */
+    uint32_t *missing; /* for each rank: joints that the open bin has not */
+    uint32_t *touched; /* the ranks that share a joint with the open bin */
+    uint32_t *users; /* for each joint, from user_start: the ranks that have it */
     uint32_t *user_start, *user_count, *in_bin;
-    uint32_t *bin_start; /* for each bin and the end: its bones in bin_keys */
+    uint32_t *bin_start; /* for each bin and the end: its joints in bin_keys */
     uint32_t *bin_keys;
     uint32_t *bin_material, *bin_order, *part_of;
     uint32_t *seen_in, *local; /* for each vertex: the part that used it last, and its place there */
     size_t groups, bins, touched_count;
 } plan;
 
-static size_t set_limit(const nkw_partition_mesh *mesh, size_t max_bones)
+static size_t set_limit(const nkw_partition_mesh *mesh, size_t max_joint_count)
 {
-    size_t most = 3 * (mesh->influences < INFLUENCES ? mesh->influences : INFLUENCES);
-    return max_bones < most ? max_bones : most;
+    size_t most = 3 * (mesh->influence_count < INFLUENCES ? mesh->influence_count : INFLUENCES);
+    return max_joint_count < most ? max_joint_count : most;
 }
 
 static size_t saturated(uint64_t n)
@@ -103,11 +103,11 @@ static uint32_t *carve(uint32_t *block, uint64_t *used, uint64_t n)
 }
 
 /* Divides the block among the arrays; gives the words that they take. Without a block only that. */
-static uint64_t lay_out(plan *p, const nkw_partition_mesh *mesh, size_t max_bones, uint32_t *block)
+static uint64_t lay_out(plan *p, const nkw_partition_mesh *mesh, size_t max_joint_count, uint32_t *block)
 {
-    uint64_t t = mesh->triangles, sets = t * set_limit(mesh, max_bones), used = 0;
+    uint64_t t = mesh->triangle_count, sets = t * set_limit(mesh, max_joint_count), used = 0;
     p->mesh = mesh;
-    p->max_bones = max_bones;
+    p->max_joint_count = max_joint_count;
     p->group_of = carve(block, &used, t);
     p->table = carve(block, &used, 2 * t);
     p->set_start = carve(block, &used, t + 1);
@@ -118,30 +118,30 @@ static uint64_t lay_out(plan *p, const nkw_partition_mesh *mesh, size_t max_bone
     p->missing = carve(block, &used, t);
     p->touched = carve(block, &used, t);
     p->users = carve(block, &used, sets);
-    p->user_start = carve(block, &used, mesh->bones);
-    p->user_count = carve(block, &used, mesh->bones);
-    p->in_bin = carve(block, &used, mesh->bones);
+    p->user_start = carve(block, &used, mesh->joint_count);
+    p->user_count = carve(block, &used, mesh->joint_count);
+    p->in_bin = carve(block, &used, mesh->joint_count);
     p->bin_start = carve(block, &used, t + 1);
     p->bin_keys = carve(block, &used, sets);
     p->bin_material = carve(block, &used, t);
     p->bin_order = carve(block, &used, t);
     p->part_of = carve(block, &used, t);
-    p->seen_in = carve(block, &used, mesh->vertices);
-    p->local = carve(block, &used, mesh->vertices);
+    p->seen_in = carve(block, &used, mesh->vertex_count);
+    p->local = carve(block, &used, mesh->vertex_count);
     return used;
 }
 
-nkw_partition_sizes nkw_partition_bounds(const nkw_partition_mesh *mesh, size_t max_bones)
+nkw_partition_sizes nkw_partition_bounds(const nkw_partition_mesh *mesh, size_t max_joint_count)
 {
     nkw_partition_sizes sizes = {0, 0, 0, 0};
     if (!counts_are_in_range(mesh))
         return sizes;
     plan p;
-    uint64_t t = mesh->triangles;
-    sizes.parts = saturated(t);
-    sizes.bones = saturated(t * set_limit(mesh, max_bones));
-    sizes.vertices = saturated(3 * t);
-    sizes.work = saturated(lay_out(&p, mesh, max_bones, NULL));
+    uint64_t t = mesh->triangle_count;
+    sizes.part_count = saturated(t);
+    sizes.joint_count = saturated(t * set_limit(mesh, max_joint_count));
+    sizes.vertex_count = saturated(3 * t);
+    sizes.work_count = saturated(lay_out(&p, mesh, max_joint_count, NULL));
     return sizes;
 }
 
@@ -153,9 +153,9 @@ static void fill(uint32_t *a, size_t n, uint32_t value)
 
 /* ---- Groups ---- */
 
-static uint32_t key_of(const nkw_partition_mesh *mesh, uint16_t bone)
+static uint32_t key_of(const nkw_partition_mesh *mesh, uint16_t joint)
 {
-    return mesh->depths ? (uint32_t)mesh->depths[bone] << 16 | bone : bone;
+    return mesh->depths ? (uint32_t)mesh->depths[joint] << 16 | joint : joint;
 }
 
 static uint32_t material_of(const nkw_partition_mesh *mesh, size_t triangle)
@@ -173,8 +173,8 @@ static size_t triangle_set(const nkw_partition_mesh *mesh, size_t t, uint32_t ke
 {
     size_t n = 0;
     for (size_t c = 0; c < 3; c++) {
-        size_t v = mesh->indices[3 * t + c] * mesh->influences;
-        for (size_t i = 0; i < mesh->influences; i++)
+        size_t v = mesh->indices[3 * t + c] * mesh->influence_count;
+        for (size_t i = 0; i < mesh->influence_count; i++)
             if (mesh->weights[v + i] != 0.0f)
                 n = lane_set_insert(keys, n, key_of(mesh, mesh->joints[v + i]));
     }
@@ -198,7 +198,7 @@ static int is_group(const plan *p, uint32_t group, uint32_t material, lane_set s
 
 static uint32_t find_group(plan *p, size_t triangle, lane_set set)
 {
-    size_t size = 2 * p->mesh->triangles;
+    size_t size = 2 * p->mesh->triangle_count;
     uint32_t material = material_of(p->mesh, triangle);
     size_t at = (size_t)((uint64_t)lane_set_hash(material, set) * size >> 32);
     while (p->table[at] != NONE && !is_group(p, p->table[at], material, set))
@@ -211,12 +211,12 @@ static uint32_t find_group(plan *p, size_t triangle, lane_set set)
 static void find_groups(plan *p)
 {
     const nkw_partition_mesh *mesh = p->mesh;
-    fill(p->table, 2 * mesh->triangles, NONE);
+    fill(p->table, 2 * mesh->triangle_count, NONE);
     p->set_start[0] = 0;
-    for (size_t t = 0; t < mesh->triangles; t++) {
+    for (size_t t = 0; t < mesh->triangle_count; t++) {
         uint32_t keys[SET];
         lane_set set = {keys, triangle_set(mesh, t, keys)};
-        p->group_of[t] = set.n <= p->max_bones ? find_group(p, t, set) : NONE;
+        p->group_of[t] = set.n <= p->max_joint_count ? find_group(p, t, set) : NONE;
     }
 }
 
@@ -242,41 +242,41 @@ static int is_packed(const plan *p, size_t rank)
     return p->bin_of[p->ranked[rank]] != NONE;
 }
 
-/* Lists for each bone of the ranks from..to - 1 those that have it. */
+/* Lists for each joint of the ranks from..to - 1 those that have it. */
 static void list_users(plan *p, size_t from, size_t to)
 {
     uint32_t start = 0;
     for (size_t r = from; r < to; r++)
         for (size_t i = 0; i < ranked_set(p, r).n; i++)
-            p->user_count[lane_bone_of(ranked_set(p, r).keys[i])] = 0;
+            p->user_count[lane_joint_of(ranked_set(p, r).keys[i])] = 0;
     for (size_t r = from; r < to; r++)
         for (size_t i = 0; i < ranked_set(p, r).n; i++)
-            p->user_count[lane_bone_of(ranked_set(p, r).keys[i])]++;
+            p->user_count[lane_joint_of(ranked_set(p, r).keys[i])]++;
     for (size_t r = from; r < to; r++)
         for (size_t i = 0; i < ranked_set(p, r).n; i++)
-            p->user_start[lane_bone_of(ranked_set(p, r).keys[i])] = NONE;
+            p->user_start[lane_joint_of(ranked_set(p, r).keys[i])] = NONE;
     for (size_t r = from; r < to; r++)
         for (size_t i = 0; i < ranked_set(p, r).n; i++) {
-            uint32_t bone = lane_bone_of(ranked_set(p, r).keys[i]);
-            if (p->user_start[bone] == NONE) {
-                p->user_start[bone] = start;
-                start += p->user_count[bone];
-                p->user_count[bone] = 0;
+            uint32_t joint = lane_joint_of(ranked_set(p, r).keys[i]);
+            if (p->user_start[joint] == NONE) {
+                p->user_start[joint] = start;
+                start += p->user_count[joint];
+                p->user_count[joint] = 0;
             }
-            p->users[p->user_start[bone] + p->user_count[bone]++] = (uint32_t)r;
+            p->users[p->user_start[joint] + p->user_count[joint]++] = (uint32_t)r;
         }
 }
 
-/* The open bin gets a bone: whoever has it misses one less. Users that are packed already leave the list. */
-static void enter_bone(plan *p, uint32_t key)
+/* The open bin gets a joint: whoever has it misses one less. Users that are packed already leave the list. */
+static void enter_joint(plan *p, uint32_t key)
 {
-    uint32_t bone = lane_bone_of(key), *users = p->users + p->user_start[bone];
-    p->in_bin[bone] = 1;
+    uint32_t joint = lane_joint_of(key), *users = p->users + p->user_start[joint];
+    p->in_bin[joint] = 1;
     p->bin_keys[p->bin_start[p->bins + 1]++] = key;
-    for (size_t i = 0; i < p->user_count[bone];) {
+    for (size_t i = 0; i < p->user_count[joint];) {
         uint32_t r = users[i];
         if (is_packed(p, r)) {
-            users[i] = users[--p->user_count[bone]];
+            users[i] = users[--p->user_count[joint]];
             continue;
         }
         if (p->missing[r] == ranked_set(p, r).n)
@@ -291,17 +291,17 @@ static void pack_group(plan *p, size_t rank)
     lane_set set = ranked_set(p, rank);
     p->bin_of[p->ranked[rank]] = (uint32_t)p->bins;
     for (size_t i = 0; i < set.n; i++)
-        if (!p->in_bin[lane_bone_of(set.keys[i])])
-            enter_bone(p, set.keys[i]);
+        if (!p->in_bin[lane_joint_of(set.keys[i])])
+            enter_joint(p, set.keys[i]);
 }
 
 static size_t room(const plan *p)
 {
-    return p->max_bones - (p->bin_start[p->bins + 1] - p->bin_start[p->bins]);
+    return p->max_joint_count - (p->bin_start[p->bins + 1] - p->bin_start[p->bins]);
 }
 
 /*
- * Packs the touched groups that miss nothing, and gives of the others that fit the one that misses fewest bones, of
+ * Packs the touched groups that miss nothing, and gives of the others that fit the one that misses fewest joints, of
  * these the first by rank, so the largest; NONE if none fits.
  */
 static uint32_t best_touched(plan *p)
@@ -324,7 +324,7 @@ static uint32_t best_touched(plan *p)
     return best;
 }
 
-/* next[s] is the first rank that has at most s bones and may not be packed yet. */
+/* next[s] is the first rank that has at most s joints and may not be packed yet. */
 static uint32_t largest_left(const plan *p, size_t next[SET + 1], size_t most, size_t to)
 {
     size_t s = most < SET ? most : SET;
@@ -338,7 +338,7 @@ static void close_bin(plan *p, uint32_t material)
     uint32_t *keys = p->bin_keys + p->bin_start[p->bins];
     size_t n = p->bin_start[p->bins + 1] - p->bin_start[p->bins];
     for (size_t i = 0; i < n; i++)
-        p->in_bin[lane_bone_of(keys[i])] = 0;
+        p->in_bin[lane_joint_of(keys[i])] = 0;
     for (size_t i = 0; i < p->touched_count; i++)
         p->missing[p->touched[i]] = (uint32_t)ranked_set(p, p->touched[i]).n;
     p->touched_count = 0;
@@ -374,7 +374,7 @@ static void pack_groups(plan *p)
     for (size_t r = 0; r < p->groups; r++)
         p->missing[r] = (uint32_t)ranked_set(p, r).n;
     fill(p->bin_of, p->groups, NONE);
-    fill(p->in_bin, p->mesh->bones, 0);
+    fill(p->in_bin, p->mesh->joint_count, 0);
     p->bin_start[0] = 0;
     for (size_t from = 0, to; from < p->groups; from = to) {
         uint32_t material = material_of(p->mesh, p->first[p->ranked[from]]);
@@ -400,17 +400,17 @@ static int before_bin(const void *context, uint32_t a, uint32_t b)
     return lane_set_compare(bin_set(p, a), bin_set(p, b)) < 0;
 }
 
-static void write_bones(plan *p, nkw_partition *out)
+static void write_joints(plan *p, nkw_partition *out)
 {
     for (size_t b = 0; b < p->bins; b++)
         p->bin_order[b] = (uint32_t)b;
     lane_sort(p->bin_order, p->bins, before_bin, p);
     for (size_t k = 0; k < p->bins; k++) {
         lane_set set = bin_set(p, p->bin_order[k]);
-        nkw_part part = {p->bin_material[p->bin_order[k]], 0, 0, (uint32_t)out->bone_count, (uint32_t)set.n, 0, 0};
+        nkw_part part = {p->bin_material[p->bin_order[k]], 0, 0, (uint32_t)out->joint_count, (uint32_t)set.n, 0, 0};
         out->parts[k] = part;
         for (size_t i = 0; i < set.n; i++)
-            out->bones[out->bone_count++] = (uint16_t)lane_bone_of(set.keys[i]);
+            out->joints[out->joint_count++] = (uint16_t)lane_joint_of(set.keys[i]);
         p->part_of[p->bin_order[k]] = (uint32_t)k;
     }
     out->part_count = p->bins;
@@ -419,7 +419,7 @@ static void write_bones(plan *p, nkw_partition *out)
 /* Counting sort of the triangles by part, stable; the rejected after all. */
 static void write_triangles(plan *p, nkw_partition *out)
 {
-    size_t n = p->mesh->triangles;
+    size_t n = p->mesh->triangle_count;
     for (size_t t = 0; t < n; t++)
         if (p->group_of[t] != NONE)
             out->parts[p->part_of[p->bin_of[p->group_of[t]]]].triangle_count++;
@@ -435,10 +435,10 @@ static void write_triangles(plan *p, nkw_partition *out)
     }
 }
 
-/* Appends vertex v of the mesh to the partition; in_bin has become the slot of each bone. */
+/* Appends vertex v of the mesh to the partition; in_bin has become the slot of each joint. */
 static void write_vertex(const plan *p, nkw_partition *out, size_t v)
 {
-    size_t n = p->mesh->influences, at = out->vertex_count++;
+    size_t n = p->mesh->influence_count, at = out->vertex_count++;
     out->vertices[at] = (uint32_t)v;
     for (size_t i = 0; i < n; i++) {
         float w = p->mesh->weights[v * n + i];
@@ -451,8 +451,8 @@ static void write_part(plan *p, nkw_partition *out, uint32_t k)
 {
     nkw_part *part = &out->parts[k];
     part->first_vertex = (uint32_t)out->vertex_count;
-    for (uint32_t i = 0; i < part->bone_count; i++)
-        p->in_bin[out->bones[part->first_bone + i]] = i;
+    for (uint32_t i = 0; i < part->joint_count; i++)
+        p->in_bin[out->joints[part->first_joint + i]] = i;
     for (size_t i = 0; i < 3 * (size_t)part->triangle_count; i++) {
         size_t at = 3 * (size_t)part->first_triangle + i;
         uint32_t v = p->mesh->indices[3 * (size_t)out->triangles[at / 3] + at % 3];
@@ -465,22 +465,22 @@ static void write_part(plan *p, nkw_partition *out, uint32_t k)
     }
 }
 
-nkw_result nkw_partition_build(const nkw_partition_mesh *mesh, size_t max_bones, uint32_t *work, size_t work_count,
-                               nkw_partition *out, size_t *bad_triangle)
+nkw_result nkw_partition_build(const nkw_partition_mesh *mesh, size_t max_joint_count, nkw_partition *out,
+                               size_t *bad_triangle, uint32_t *work, size_t work_count)
 {
-    out->part_count = out->bone_count = out->triangle_count = out->vertex_count = out->rejected_count = 0;
+    out->part_count = out->joint_count = out->triangle_count = out->vertex_count = out->rejected_count = 0;
     nkw_result result = nkw_partition_validate(mesh, bad_triangle);
-    if (result == NKW_OK && work_count < nkw_partition_bounds(mesh, max_bones).work)
+    if (result == NKW_OK && work_count < nkw_partition_bounds(mesh, max_joint_count).work_count)
         result = NKW_TOO_SMALL;
-    if (result != NKW_OK || mesh->triangles == 0)
+    if (result != NKW_OK || mesh->triangle_count == 0)
         return result;
     plan p = {0};
-    lay_out(&p, mesh, max_bones, work);
+    lay_out(&p, mesh, max_joint_count, work);
     find_groups(&p);
     pack_groups(&p);
-    write_bones(&p, out);
+    write_joints(&p, out);
     write_triangles(&p, out);
-    fill(p.seen_in, mesh->vertices, NONE);
+    fill(p.seen_in, mesh->vertex_count, NONE);
     for (size_t k = 0; k < out->part_count; k++)
         write_part(&p, out, (uint32_t)k);
     if (out->rejected_count == 0)

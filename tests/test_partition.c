@@ -21,12 +21,12 @@ static void random_meshes_are_covered_exactly(void **state)
         mesh_draw(&data, &r);
         if (round % 5 == 0)
             data.mesh.materials = NULL;
-        size_t max_bones = random_bits(&r) % 30;
-        size_t more = mesh_needing_more(&data.mesh, max_bones);
+        size_t max_joint_count = random_bits(&r) % 30;
+        size_t more = mesh_needing_more(&data.mesh, max_joint_count);
         rejecting += more != 0;
-        nkw_partition p = partition_build(&data.mesh, max_bones, more ? NKW_TOO_MANY : NKW_OK);
+        nkw_partition p = partition_build(&data.mesh, max_joint_count, more ? NKW_TOO_MANY : NKW_OK);
         assert_int_equal(p.rejected_count, more);
-        expect_partition(&data.mesh, max_bones, &p);
+        expect_partition(&data.mesh, max_joint_count, &p);
         partition_free(&p);
     }
     assert_true(rejecting > 50 && rejecting < 350);
@@ -39,13 +39,13 @@ static void a_mesh_without_triangles_has_no_parts(void **state)
     nkw_partition p = unused;
     uint32_t work[8];
     size_t bad = 99;
-    assert_true(nkw_partition_bounds(&mesh, 4).work <= 8);
-    assert_int_equal(nkw_partition_build(&mesh, 4, work, 8, &p, &bad), NKW_OK);
+    assert_true(nkw_partition_bounds(&mesh, 4).work_count <= 8);
+    assert_int_equal(nkw_partition_build(&mesh, 4, &p, &bad, work, 8), NKW_OK);
     expect_nothing(&p);
     assert_int_equal(bad, 0);
 }
 
-static void a_mesh_of_one_bone_is_one_part(void **state)
+static void a_mesh_of_one_joint_is_one_part(void **state)
 {
     (void)state;
     random_source r = random_from(2);
@@ -59,23 +59,23 @@ static void a_mesh_of_one_bone_is_one_part(void **state)
     nkw_partition p = partition_build(&data.mesh, 1, NKW_OK);
     expect_partition(&data.mesh, 1, &p);
     assert_int_equal(p.part_count, 1);
-    assert_int_equal(p.bone_count, 1);
+    assert_int_equal(p.joint_count, 1);
     partition_free(&p);
 }
 
-static void vertices_without_weights_need_no_bones(void **state)
+static void vertices_without_weights_need_no_joints(void **state)
 {
     (void)state;
     mesh_shape(&data, 5, 15, 2, 3);
     nkw_partition p = partition_build(&data.mesh, 0, NKW_OK);
     expect_partition(&data.mesh, 0, &p);
     assert_int_equal(p.part_count, 1);
-    assert_int_equal(p.bone_count, 0);
+    assert_int_equal(p.joint_count, 0);
     assert_int_equal(p.triangle_count, 5);
     partition_free(&p);
 }
 
-static void room_for_all_bones_gives_one_part_per_material(void **state)
+static void room_for_all_joints_gives_one_part_per_material(void **state)
 {
     (void)state;
     random_source r = random_from(3);
@@ -91,7 +91,7 @@ static void room_for_all_bones_gives_one_part_per_material(void **state)
     }
 }
 
-static void all_bones_that_joints_can_name_will_do(void **state)
+static void all_joints_that_joints_can_name_will_do(void **state)
 {
     (void)state;
     mesh_shape(&data, 1, 3, 1, 65536);
@@ -102,13 +102,13 @@ static void all_bones_that_joints_can_name_will_do(void **state)
     }
     nkw_partition p = partition_build(&data.mesh, 3, NKW_OK);
     const uint16_t want[] = {65533, 65534, 65535};
-    assert_int_equal(p.bone_count, 3);
-    assert_memory_equal(p.bones, want, sizeof want);
+    assert_int_equal(p.joint_count, 3);
+    assert_memory_equal(p.joints, want, sizeof want);
     partition_free(&p);
 }
 
 /*
- * The triangles need {0 1} {0 1 2} {1 2} {1 2 3} {2 3} and, of the other material, {3 4}. With three bones in a part:
+ * The triangles need {0 1} {0 1 2} {1 2} {1 2 3} {2 3} and, of the other material, {3 4}. With three joints in a part:
  * {0 1 2} takes {0 1} and {1 2}, {1 2 3} takes {2 3}.
  */
 static void a_strip_of_six_triangles_comes_out_as_by_hand(void **state)
@@ -118,14 +118,14 @@ static void a_strip_of_six_triangles_comes_out_as_by_hand(void **state)
     nkw_partition p = partition_build(&data.mesh, 3, NKW_OK);
     expect_partition(&data.mesh, 3, &p);
     static const nkw_part parts[] = {{0, 0, 3, 0, 3, 0, 5}, {0, 3, 2, 3, 3, 5, 4}, {7, 5, 1, 6, 2, 9, 3}};
-    static const uint16_t bones[] = {0, 1, 2, 1, 2, 3, 3, 4};
+    static const uint16_t joints[] = {0, 1, 2, 1, 2, 3, 3, 4};
     static const uint32_t triangles[] = {0, 1, 2, 3, 4, 5};
     static const uint32_t indices[] = {0, 1, 2, 1, 2, 3, 2, 3, 4, 0, 1, 2, 1, 2, 3, 0, 1, 2};
     static const uint32_t vertices[] = {0, 1, 2, 3, 4, 3, 4, 5, 6, 5, 6, 7};
     static const uint16_t slots[] = {0, 0, 0, 0, 1, 0, 1, 2, 2, 0, 0, 1, 1, 0, 2, 0, 2, 0, 0, 0, 0, 0, 1, 0};
     assert_int_equal(p.part_count, 3);
     assert_memory_equal(p.parts, parts, sizeof parts);
-    assert_memory_equal(p.bones, bones, sizeof bones);
+    assert_memory_equal(p.joints, joints, sizeof joints);
     assert_memory_equal(p.triangles, triangles, sizeof triangles);
     assert_memory_equal(p.indices, indices, sizeof indices);
     assert_memory_equal(p.vertices, vertices, sizeof vertices);
@@ -133,7 +133,7 @@ static void a_strip_of_six_triangles_comes_out_as_by_hand(void **state)
     partition_free(&p);
 }
 
-static void triangles_that_need_more_bones_are_listed_after_the_parts(void **state)
+static void triangles_that_need_more_joints_are_listed_after_the_parts(void **state)
 {
     (void)state;
     mesh_strip(&data);
@@ -151,8 +151,8 @@ static void triangles_that_need_more_bones_are_listed_after_the_parts(void **sta
     partition_free(&p);
 }
 
-/* Two rings of four bones each, their triangles in turn: first fit in the order of the mesh would need four parts. */
-static void sets_that_share_bones_are_packed_together(void **state)
+/* Two rings of four joints each, their triangles in turn: first fit in the order of the mesh would need four parts. */
+static void sets_that_share_joints_are_packed_together(void **state)
 {
     (void)state;
     static const uint16_t pairs[][2] = {{0, 1}, {4, 5}, {1, 2}, {5, 6}, {2, 3}, {6, 7}, {3, 0}, {7, 4}};
@@ -167,10 +167,10 @@ static void sets_that_share_bones_are_packed_together(void **state)
             }
         }
     nkw_partition p = partition_build(&data.mesh, 4, NKW_OK);
-    static const uint16_t bones[] = {0, 1, 2, 3, 4, 5, 6, 7};
+    static const uint16_t joints[] = {0, 1, 2, 3, 4, 5, 6, 7};
     static const uint32_t triangles[] = {0, 2, 4, 6, 1, 3, 5, 7};
     assert_int_equal(p.part_count, 2);
-    assert_memory_equal(p.bones, bones, sizeof bones);
+    assert_memory_equal(p.joints, joints, sizeof joints);
     assert_memory_equal(p.triangles, triangles, sizeof triangles);
     partition_free(&p);
 }
@@ -184,14 +184,14 @@ static void the_same_mesh_gives_the_same_partition(void **state)
     nkw_partition a = partition_build(&data.mesh, 12, NKW_OK), b = partition_build(&data.mesh, 12, NKW_OK);
     assert_int_equal(a.part_count, b.part_count);
     assert_memory_equal(a.parts, b.parts, a.part_count * sizeof(nkw_part));
-    assert_memory_equal(a.bones, b.bones, a.bone_count * sizeof(uint16_t));
+    assert_memory_equal(a.joints, b.joints, a.joint_count * sizeof(uint16_t));
     assert_memory_equal(a.triangles, b.triangles, 500 * sizeof(uint32_t));
     assert_memory_equal(a.slots, b.slots, 4 * a.vertex_count * sizeof(uint16_t));
     partition_free(&a);
     partition_free(&b);
 }
 
-static void the_order_of_triangles_does_not_change_the_bones_of_parts(void **state)
+static void the_order_of_triangles_does_not_change_the_joints_of_parts(void **state)
 {
     (void)state;
     random_source r = random_from(5);
@@ -208,14 +208,14 @@ static void the_order_of_triangles_does_not_change_the_bones_of_parts(void **sta
     nkw_partition a = partition_build(&data.mesh, 12, NKW_OK), b = partition_build(&shuffled.mesh, 12, NKW_OK);
     expect_partition(&shuffled.mesh, 12, &b);
     assert_int_equal(a.part_count, b.part_count);
-    assert_memory_equal(a.bones, b.bones, a.bone_count * sizeof(uint16_t));
+    assert_memory_equal(a.joints, b.joints, a.joint_count * sizeof(uint16_t));
     for (size_t k = 0; k < a.part_count; k++)
         assert_int_equal(a.parts[k].triangle_count, b.parts[k].triangle_count);
     partition_free(&a);
     partition_free(&b);
 }
 
-static void bones_of_a_part_ascend_by_depth_where_depths_are_given(void **state)
+static void joints_of_a_part_ascend_by_depth_where_depths_are_given(void **state)
 {
     (void)state;
     random_source r = random_from(6);
@@ -241,7 +241,7 @@ static void expect_invalid(nkw_result result, size_t triangle)
     uint32_t work[1];
     nkw_partition p = unused;
     bad = 99;
-    assert_int_equal(nkw_partition_build(&data.mesh, 4, work, 1, &p, &bad), result);
+    assert_int_equal(nkw_partition_build(&data.mesh, 4, &p, &bad, work, 1), result);
     assert_int_equal(bad, triangle);
     expect_nothing(&p);
 }
@@ -257,7 +257,7 @@ static void validate_names_a_vertex_index_out_of_range(void **state)
     expect_invalid(NKW_OUT_OF_RANGE, 2);
 }
 
-static void validate_names_a_bone_out_of_range(void **state)
+static void validate_names_a_joint_out_of_range(void **state)
 {
     (void)state;
     mesh_strip(&data);
@@ -285,7 +285,7 @@ static void validate_does_not_look_at_vertices_that_no_triangle_uses(void **stat
 {
     (void)state;
     mesh_strip(&data);
-    data.mesh.vertices = 9;
+    data.mesh.vertex_count = 9;
     data.weights[2 * 8] = NAN;
     expect_invalid(NKW_OK, 0);
 }
@@ -294,20 +294,20 @@ static void validate_names_counts_out_of_range(void **state)
 {
     (void)state;
     mesh_strip(&data);
-    data.mesh.influences = 0;
+    data.mesh.influence_count = 0;
     expect_invalid(NKW_OUT_OF_RANGE, 0);
-    data.mesh.influences = 9;
-    expect_invalid(NKW_OUT_OF_RANGE, 0);
-    mesh_strip(&data);
-    data.mesh.bones = 65537;
+    data.mesh.influence_count = 9;
     expect_invalid(NKW_OUT_OF_RANGE, 0);
     mesh_strip(&data);
-    data.mesh.vertices = UINT32_MAX;
+    data.mesh.joint_count = 65537;
     expect_invalid(NKW_OUT_OF_RANGE, 0);
     mesh_strip(&data);
-    data.mesh.triangles = UINT32_MAX / 24 + 1;
+    data.mesh.vertex_count = UINT32_MAX;
     expect_invalid(NKW_OUT_OF_RANGE, 0);
-    assert_int_equal(nkw_partition_bounds(&data.mesh, 4).work, 0);
+    mesh_strip(&data);
+    data.mesh.triangle_count = UINT32_MAX / 24 + 1;
+    expect_invalid(NKW_OUT_OF_RANGE, 0);
+    assert_int_equal(nkw_partition_bounds(&data.mesh, 4).work_count, 0);
 }
 
 static void too_little_working_memory_is_refused(void **state)
@@ -315,12 +315,12 @@ static void too_little_working_memory_is_refused(void **state)
     (void)state;
     mesh_strip(&data);
     nkw_partition_sizes sizes = nkw_partition_bounds(&data.mesh, 3);
-    assert_int_equal(sizes.parts, 6);
-    assert_int_equal(sizes.bones, 18);
-    assert_int_equal(sizes.vertices, 18);
+    assert_int_equal(sizes.part_count, 6);
+    assert_int_equal(sizes.joint_count, 18);
+    assert_int_equal(sizes.vertex_count, 18);
     nkw_partition p = unused;
-    uint32_t *work = malloc(sizes.work * sizeof(uint32_t));
-    assert_int_equal(nkw_partition_build(&data.mesh, 3, work, sizes.work - 1, &p, NULL), NKW_TOO_SMALL);
+    uint32_t *work = malloc(sizes.work_count * sizeof(uint32_t));
+    assert_int_equal(nkw_partition_build(&data.mesh, 3, &p, NULL, work, sizes.work_count - 1), NKW_TOO_SMALL);
     expect_nothing(&p);
     free(work);
 }
@@ -330,18 +330,18 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(random_meshes_are_covered_exactly),
         cmocka_unit_test(a_mesh_without_triangles_has_no_parts),
-        cmocka_unit_test(a_mesh_of_one_bone_is_one_part),
-        cmocka_unit_test(vertices_without_weights_need_no_bones),
-        cmocka_unit_test(room_for_all_bones_gives_one_part_per_material),
-        cmocka_unit_test(all_bones_that_joints_can_name_will_do),
+        cmocka_unit_test(a_mesh_of_one_joint_is_one_part),
+        cmocka_unit_test(vertices_without_weights_need_no_joints),
+        cmocka_unit_test(room_for_all_joints_gives_one_part_per_material),
+        cmocka_unit_test(all_joints_that_joints_can_name_will_do),
         cmocka_unit_test(a_strip_of_six_triangles_comes_out_as_by_hand),
-        cmocka_unit_test(triangles_that_need_more_bones_are_listed_after_the_parts),
-        cmocka_unit_test(sets_that_share_bones_are_packed_together),
+        cmocka_unit_test(triangles_that_need_more_joints_are_listed_after_the_parts),
+        cmocka_unit_test(sets_that_share_joints_are_packed_together),
         cmocka_unit_test(the_same_mesh_gives_the_same_partition),
-        cmocka_unit_test(the_order_of_triangles_does_not_change_the_bones_of_parts),
-        cmocka_unit_test(bones_of_a_part_ascend_by_depth_where_depths_are_given),
+        cmocka_unit_test(the_order_of_triangles_does_not_change_the_joints_of_parts),
+        cmocka_unit_test(joints_of_a_part_ascend_by_depth_where_depths_are_given),
         cmocka_unit_test(validate_names_a_vertex_index_out_of_range),
-        cmocka_unit_test(validate_names_a_bone_out_of_range),
+        cmocka_unit_test(validate_names_a_joint_out_of_range),
         cmocka_unit_test(validate_names_weights_that_are_not_finite_or_negative),
         cmocka_unit_test(validate_does_not_look_at_vertices_that_no_triangle_uses),
         cmocka_unit_test(validate_names_counts_out_of_range),

@@ -218,7 +218,7 @@ static void draw_parts(svg *s, const hand *h, const nkw_partition *p)
         }
 }
 
-static void draw_bones(svg *s)
+static void draw_joints(svg *s)
 {
     svg_paint line = svg_stroke(FIGURE_INK, 1.6f, 0.8f);
     char text[16];
@@ -240,12 +240,12 @@ static void part_list(svg *s, float x, float y, const nkw_partition *p)
     for (size_t k = 0; k < p->part_count && k < 16; k++) {
         const nkw_part *part = &p->parts[k];
         char text[96];
-        int used = sprintf(text, "part %u: bones", (unsigned)k);
+        int used = sprintf(text, "part %u: joints", (unsigned)k);
         svg_box box = {x, y + 28.0f * (float)k - 13.0f, 16.0f, 16.0f};
         svg_paint paint = svg_fill(svg_mix(0xffffff, part_colours[k % 8], 0.55f), 1.0f);
         svg_rect(s, box, 3.0f, &paint);
-        for (size_t b = 0; b < part->bone_count && b < MOST; b++)
-            used += sprintf(text + used, " %u", (unsigned)p->bones[part->first_bone + b]);
+        for (size_t b = 0; b < part->joint_count && b < MOST; b++)
+            used += sprintf(text + used, " %u", (unsigned)p->joints[part->first_joint + b]);
         figure_bold(s, x + 26.0f, y + 28.0f * (float)k, 14.0f, FIGURE_INK, 's', text);
         sprintf(text, "%u triangles, %u vertices", (unsigned)part->triangle_count, (unsigned)part->vertex_count);
         figure_text(s, x + 220.0f, y + 28.0f * (float)k, 13.0f, FIGURE_GREY, 's', text);
@@ -262,9 +262,9 @@ static nkw_result cut(const nkw_partition_mesh *mesh, nkw_partition *p)
     nkw_partition arrays = {parts, bones, triangles, indices, vertices, slots, weights, 0, 0, 0, 0, 0};
     nkw_partition_sizes sizes = nkw_partition_bounds(mesh, MOST);
     *p = arrays;
-    if (sizes.bones > MOST * HAND_TRIANGLES || sizes.vertices > 3 * HAND_TRIANGLES)
+    if (sizes.joint_count > MOST * HAND_TRIANGLES || sizes.vertex_count > 3 * HAND_TRIANGLES)
         return NKW_TOO_SMALL;
-    return nkw_partition_build(mesh, MOST, work, sizeof work / sizeof *work, p, NULL);
+    return nkw_partition_build(mesh, MOST, p, NULL, work, sizeof work / sizeof *work);
 }
 
 int figure_partition_parts(const char *path)
@@ -277,14 +277,14 @@ int figure_partition_parts(const char *path)
     nkw_partition_mesh mesh = {h.indices, NULL, h.triangles, h.joints, h.weights, h.points, 2, BONES, NULL};
     if (cut(&mesh, &p) != NKW_OK ||
         !figure_open(
-            &s, path, 860.0f, 450.0f, "A hand of 13 bones in parts of at most four",
+            &s, path, 860.0f, 450.0f, "A hand of 13 joints in parts of at most four",
             "Each part is drawn with a palette of its own; every triangle is in one part, vertices on the seam in "
             "both."))
         return 0;
     draw_parts(&s, &h, &p);
-    draw_bones(&s);
+    draw_joints(&s);
     part_list(&s, 424.0f, 140.0f, &p);
-    sprintf(text, "the mesh has %u triangles, %u vertices", (unsigned)mesh.triangles, (unsigned)mesh.vertices);
+    sprintf(text, "the mesh has %u triangles, %u vertices", (unsigned)mesh.triangle_count, (unsigned)mesh.vertex_count);
     figure_text(&s, 424.0f, 140.0f + 28.0f * (float)p.part_count + 14.0f, 13.0f, FIGURE_GREY, 's', text);
     return svg_close(&s);
 }

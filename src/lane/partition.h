@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* Floor 6: what cutting a mesh works with: small sets of bones. */
+/* Floor 6: what cutting a mesh works with: small sets of joints. */
 #ifndef NAKAWARI_LANE_PARTITION_H
 #define NAKAWARI_LANE_PARTITION_H
 
@@ -8,15 +8,15 @@
 #include <stddef.h>
 #include <stdint.h>
 
-#define MOST_BONES 65536u /* a bone is the lower half of a key */
+#define MOST_JOINTS 65536u /* a joint is the lower half of a key */
 
-/* A set of bones: ascending keys, depth in the upper and bone in the lower half. */
+/* A set of joints: ascending keys, depth in the upper and joint in the lower half. */
 typedef struct lane_set {
     const uint32_t *keys;
     size_t n;
 } lane_set;
 
-static inline uint32_t lane_bone_of(uint32_t key)
+static inline uint32_t lane_joint_of(uint32_t key)
 {
     return key & 0xffffu;
 }

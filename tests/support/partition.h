@@ -18,24 +18,24 @@ typedef struct mesh_data {
 } mesh_data;
 
 /* A mesh of these counts, all numbers 0. */
-void mesh_shape(mesh_data *d, size_t triangles, size_t vertices, size_t influences, size_t bones);
+void mesh_shape(mesh_data *d, size_t triangles, size_t vertices, size_t influences, size_t joints);
 /*
- * Vertices near bone v * bones / vertices, triangles of vertices near each other: like a body. Where the weight is 0
- * the bone does not exist. Three materials.
+ * Vertices near joint v * joints / vertices, triangles of vertices near each other: like a body. Where the weight is 0
+ * the joint does not exist. Three materials.
  */
 void mesh_draw(mesh_data *d, random_source *r);
 /*
- * A strip of six triangles along a chain of bones 0 1 2 3 4, the last of another material. Each vertex has one bone,
- * but for one that has two; the bone of weight 0 does not exist.
+ * A strip of six triangles along a chain of joints 0 1 2 3 4, the last of another material. Each vertex has one joint,
+ * but for one that has two; the joint of weight 0 does not exist.
  */
 void mesh_strip(mesh_data *d);
-/* How many triangles need more bones. */
-size_t mesh_needing_more(const nkw_partition_mesh *m, size_t max_bones);
+/* How many triangles need more joints. */
+size_t mesh_needing_more(const nkw_partition_mesh *m, size_t max_joint_count);
 /* Builds in memory of exactly the lengths of nkw_partition_bounds; fails unless the result is the one wanted. */
-nkw_partition partition_build(const nkw_partition_mesh *mesh, size_t max_bones, nkw_result want);
+nkw_partition partition_build(const nkw_partition_mesh *mesh, size_t max_joint_count, nkw_result want);
 void partition_free(nkw_partition *p);
-/* Fails unless the partition keeps all its promises: cover, runs, order, materials, bones, vertices. */
-void expect_partition(const nkw_partition_mesh *m, size_t max_bones, const nkw_partition *p);
+/* Fails unless the partition keeps all its promises: cover, runs, order, materials, joints, vertices. */
+void expect_partition(const nkw_partition_mesh *m, size_t max_joint_count, const nkw_partition *p);
 /* Fails unless all counts are 0. */
 void expect_nothing(const nkw_partition *p);
 

@@ -5,18 +5,19 @@
 #include "random.h"
 #include "support/expect.h"
 #include "support/partition.h"
+#include "../docs/examples/joint_local.h"
 
 static mesh_data data;
 
-#define BONES 12
+#define JOINTS 12
 
-static nkw_mat4 bind[BONES], model[BONES];
+static nkw_mat4 bind[JOINTS], model[JOINTS];
 static nkw_vec3 positions[MOST_VERTICES], normals[MOST_VERTICES];
 
-/* Rigid bones and vertices within 2.6 of the origin. */
+/* Rigid joints and vertices within 2.6 of the origin. */
 static void draw_pose(random_source *r)
 {
-    for (size_t b = 0; b < BONES; b++) {
+    for (size_t b = 0; b < JOINTS; b++) {
         nkw_trs at = {random_vec3(r, -1.5f, 1.5f), random_rotation(r), {1, 1, 1}}, to = at;
         to.rotation = random_rotation(r);
         to.translation = random_vec3(r, -1.5f, 1.5f);
@@ -41,7 +42,7 @@ static void add_transformed(const nkw_mat4 *m, const double v[3], double w, doub
 static void blend(size_t v, nkw_vec3 vector, double w, double out[3])
 {
     const double from[3] = {vector.x, vector.y, vector.z};
-    for (size_t i = v * data.mesh.influences; i < (v + 1) * data.mesh.influences; i++) {
+    for (size_t i = v * data.mesh.influence_count; i < (v + 1) * data.mesh.influence_count; i++) {
         double local[3] = {0};
         if (data.weights[i] == 0.0f)
             continue;
@@ -56,34 +57,34 @@ static double weight_of(size_t v)
     return ((double)w[0] + w[1]) + ((double)w[2] + w[3]);
 }
 
-/* What a shader makes of a bone-local vertex of eight slots, in double: position and normal. */
-static void blend_local(const float *vertex, const uint16_t *bones, size_t count, double out[6])
+/* What a shader makes of a joint-local vertex of eight slots, in double: position and normal. */
+static void blend_local(const float *vertex, const uint16_t *joints, size_t count, double out[6])
 {
     for (size_t s = 0; s < count; s++) {
         const float *at = vertex + 7 * s;
         const double position[3] = {at[1], at[2], at[3]}, normal[3] = {at[4], at[5], at[6]};
-        add_transformed(&model[bones[s]], position, 1, at[0], out);
-        add_transformed(&model[bones[s]], normal, 0, at[0], out + 3);
+        add_transformed(&model[joints[s]], position, 1, at[0], out);
+        add_transformed(&model[joints[s]], normal, 0, at[0], out + 3);
     }
 }
 
-static void bone_local_vertices_blend_as_linear_blend_skinning_does(void **state)
+static void joint_local_vertices_blend_as_linear_blend_skinning_does(void **state)
 {
     (void)state;
     random_source r = random_from(7);
     static float out[MOST_VERTICES * 60];
-    mesh_shape(&data, 400, 300, 4, BONES);
+    mesh_shape(&data, 400, 300, 4, JOINTS);
     mesh_draw(&data, &r);
     draw_pose(&r);
     nkw_partition p = partition_build(&data.mesh, 8, NKW_OK);
     double worst = 0;
     for (size_t k = 0; k < p.part_count; k++) {
         const nkw_part *part = &p.parts[k];
-        nkw_partition_bone_local(&data.mesh, &p, k, 8, bind, positions, normals, out, 60);
+        joint_local_vertices(&data.mesh, &p, k, 8, bind, positions, normals, out, 60);
         for (size_t i = 0; i < part->vertex_count; i++) {
             double got[6] = {0}, want[6] = {0};
             size_t v = p.vertices[part->first_vertex + i];
-            blend_local(out + i * 60, p.bones + part->first_bone, part->bone_count, got);
+            blend_local(out + i * 60, p.joints + part->first_joint, part->joint_count, got);
             blend(v, positions[v], 1, want);
             blend(v, normals[v], 0, want + 3);
             for (size_t c = 0; c < 6; c++)
@@ -94,7 +95,7 @@ static void bone_local_vertices_blend_as_linear_blend_skinning_does(void **state
     partition_free(&p);
 }
 
-static void bone_local_vertices_have_every_bone_of_the_part(void **state)
+static void joint_local_vertices_have_every_joint_of_the_part(void **state)
 {
     (void)state;
     random_source r = random_from(8);
@@ -104,7 +105,7 @@ static void bone_local_vertices_have_every_bone_of_the_part(void **state)
     nkw_partition p = partition_build(&data.mesh, 3, NKW_OK);
     for (size_t i = 0; i < sizeof out / sizeof out[0]; i++)
         out[i] = -77;
-    nkw_partition_bone_local(&data.mesh, &p, 0, 4, bind, positions, normals, out, 32);
+    joint_local_vertices(&data.mesh, &p, 0, 4, bind, positions, normals, out, 32);
     static const float weights[5][3] = {{1, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0.5f, 0.5f}, {0, 0, 1}};
     for (size_t v = 0; v < 5; v++) {
         for (size_t s = 0; s < 3; s++) {
@@ -120,7 +121,7 @@ static void bone_local_vertices_have_every_bone_of_the_part(void **state)
     partition_free(&p);
 }
 
-static void bone_local_vertices_without_normals_have_four_floats_to_a_slot(void **state)
+static void joint_local_vertices_without_normals_have_four_floats_to_a_slot(void **state)
 {
     (void)state;
     random_source r = random_from(9);
@@ -128,9 +129,9 @@ static void bone_local_vertices_without_normals_have_four_floats_to_a_slot(void 
     mesh_strip(&data);
     draw_pose(&r);
     nkw_partition p = partition_build(&data.mesh, 3, NKW_OK);
-    assert_int_equal(NKW_BONE_LOCAL_FLOATS(2, 0), 8);
-    assert_int_equal(NKW_BONE_LOCAL_FLOATS(4, 1), 28);
-    nkw_partition_bone_local(&data.mesh, &p, 0, 2, bind, positions, NULL, out, 8);
+    assert_int_equal(JOINT_LOCAL_FLOATS(2, 0), 8);
+    assert_int_equal(JOINT_LOCAL_FLOATS(4, 1), 28);
+    joint_local_vertices(&data.mesh, &p, 0, 2, bind, positions, NULL, out, 8);
     nkw_vec3 position = {out[8 * 3 + 5], out[8 * 3 + 6], out[8 * 3 + 7]};
     expect_bits(out[8 * 3 + 0], 0.0f);
     expect_bits(out[8 * 3 + 4], 0.5f);
@@ -138,7 +139,7 @@ static void bone_local_vertices_without_normals_have_four_floats_to_a_slot(void 
     partition_free(&p);
 }
 
-static void a_bone_that_is_named_twice_has_both_weights(void **state)
+static void a_joint_that_is_named_twice_has_both_weights(void **state)
 {
     (void)state;
     float out[3 * 4];
@@ -149,26 +150,26 @@ static void a_bone_that_is_named_twice_has_both_weights(void **state)
         data.weights[i] = 0.25f;
     bind[0] = nkw_mat4_identity();
     nkw_partition p = partition_build(&data.mesh, 1, NKW_OK);
-    nkw_partition_bone_local(&data.mesh, &p, 0, 1, bind, positions, NULL, out, 4);
+    joint_local_vertices(&data.mesh, &p, 0, 1, bind, positions, NULL, out, 4);
     expect_bits(out[0], 0.5f);
     partition_free(&p);
 }
 
-static void bone_local_writes_nothing_for_no_part_and_for_a_short_stride(void **state)
+static void joint_local_writes_nothing_for_no_part_and_for_a_short_stride(void **state)
 {
     (void)state;
     float out[4] = {5, 5, 5, 5}, before[4] = {5, 5, 5, 5};
     mesh_strip(&data);
     nkw_partition p = partition_build(&data.mesh, 3, NKW_OK);
-    nkw_partition_bone_local(&data.mesh, &p, 3, 1, bind, positions, NULL, out, 4);
-    nkw_partition_bone_local(&data.mesh, &p, 0, 1, bind, positions, NULL, out, 3);
-    nkw_partition_bone_local(&data.mesh, &p, 0, 1, bind, positions, normals, out, 6);
-    nkw_partition_bone_local(&data.mesh, &p, 0, SIZE_MAX / 4 + 1, bind, positions, NULL, out, 0);
+    joint_local_vertices(&data.mesh, &p, 3, 1, bind, positions, NULL, out, 4);
+    joint_local_vertices(&data.mesh, &p, 0, 1, bind, positions, NULL, out, 3);
+    joint_local_vertices(&data.mesh, &p, 0, 1, bind, positions, normals, out, 6);
+    joint_local_vertices(&data.mesh, &p, 0, SIZE_MAX / 4 + 1, bind, positions, NULL, out, 0);
     expect_floats_bits(out, before, 4);
     partition_free(&p);
 }
 
-static void bones_come_roots_first_and_level_by_level(void **state)
+static void joints_come_roots_first_and_level_by_level(void **state)
 {
     (void)state;
     static const int32_t parents[] = {3, 0, 0, -1, 1, -1, 3};
@@ -177,15 +178,15 @@ static void bones_come_roots_first_and_level_by_level(void **state)
     uint16_t depths[7];
     uint32_t order[7];
     size_t bad = 99;
-    assert_int_equal(nkw_bones_order(parents, 7, depths, order, &bad), NKW_OK);
+    assert_int_equal(joints_by_depth(parents, 7, depths, order, &bad), NKW_OK);
     assert_int_equal(bad, 0);
     assert_memory_equal(depths, want_depths, sizeof depths);
     assert_memory_equal(order, want, sizeof order);
-    assert_int_equal(nkw_bones_order(parents, 7, depths, NULL, NULL), NKW_OK);
-    assert_int_equal(nkw_bones_order(NULL, 0, NULL, NULL, &bad), NKW_OK);
+    assert_int_equal(joints_by_depth(parents, 7, depths, NULL, NULL), NKW_OK);
+    assert_int_equal(joints_by_depth(NULL, 0, NULL, NULL, &bad), NKW_OK);
 }
 
-static void a_chain_of_all_bones_is_ordered_either_way(void **state)
+static void a_chain_of_all_joints_is_ordered_either_way(void **state)
 {
     (void)state;
     static int32_t parents[65536];
@@ -194,7 +195,7 @@ static void a_chain_of_all_bones_is_ordered_either_way(void **state)
     for (int up = 0; up < 2; up++) {
         for (int32_t b = 0; b < 65536; b++)
             parents[b] = up ? b - 1 : b == 65535 ? -1 : b + 1;
-        assert_int_equal(nkw_bones_order(parents, 65536, depths, order, NULL), NKW_OK);
+        assert_int_equal(joints_by_depth(parents, 65536, depths, order, NULL), NKW_OK);
         for (uint32_t b = 0; b < 65536; b++) {
             assert_int_equal(order[b], up ? b : 65535 - b);
             assert_int_equal(depths[b], up ? b : 65535 - b);
@@ -216,7 +217,7 @@ static void random_trees_are_ordered_parents_first(void **state)
         for (size_t i = 0; i < n; i++)
             parents[(i * step + 3) % n] =
                 i == 0 || random_bits(&r) % 20 == 0 ? -1 : (int32_t)((random_bits(&r) % i * step + 3) % n);
-        assert_int_equal(nkw_bones_order(parents, n, depths, order, NULL), NKW_OK);
+        assert_int_equal(joints_by_depth(parents, n, depths, order, NULL), NKW_OK);
         for (size_t i = 0; i < n; i++)
             place[order[i]] = i;
         for (size_t b = 0; b < n; b++) {
@@ -227,13 +228,13 @@ static void random_trees_are_ordered_parents_first(void **state)
     }
 }
 
-static void expect_no_order(const int32_t *parents, size_t bones, nkw_result result, size_t bone)
+static void expect_no_order(const int32_t *parents, size_t joints, nkw_result result, size_t joint)
 {
     uint16_t depths[8];
     uint32_t order[8] = {77};
     size_t bad = 99;
-    assert_int_equal(nkw_bones_order(parents, bones, depths, order, &bad), result);
-    assert_int_equal(bad, bone);
+    assert_int_equal(joints_by_depth(parents, joints, depths, order, &bad), result);
+    assert_int_equal(bad, joint);
     assert_int_equal(order[0], 77);
 }
 
@@ -248,8 +249,8 @@ static void parents_that_make_no_tree_are_named(void **state)
     expect_no_order(NULL, 65537, NKW_OUT_OF_RANGE, 65536);
 }
 
-/* Runs that leave the partition, bones and vertices that leave the mesh: one number wrong at a time. */
-static void bone_local_writes_nothing_for_a_partition_that_is_not_sound(void **state)
+/* Runs that leave the partition, joints and vertices that leave the mesh: one number wrong at a time. */
+static void joint_local_writes_nothing_for_a_partition_that_is_not_sound(void **state)
 {
     (void)state;
     float out[5 * 12], before[5 * 12];
@@ -261,31 +262,31 @@ static void bone_local_writes_nothing_for_a_partition_that_is_not_sound(void **s
         out[i] = before[i] = 5;
     for (int wrong = 0; wrong < 8; wrong++) {
         *part = whole;
-        uint16_t bone = p.bones[whole.first_bone];
+        uint16_t joint = p.joints[whole.first_joint];
         uint32_t vertex = p.vertices[whole.first_vertex];
         if (wrong == 0)
-            part->first_bone = (uint32_t)p.bone_count + 1;
+            part->first_joint = (uint32_t)p.joint_count + 1;
         else if (wrong == 1)
-            part->bone_count = (uint32_t)(p.bone_count - part->first_bone) + 1;
+            part->joint_count = (uint32_t)(p.joint_count - part->first_joint) + 1;
         else if (wrong == 2)
             part->first_vertex = (uint32_t)p.vertex_count + 1;
         else if (wrong == 3)
             part->vertex_count = (uint32_t)(p.vertex_count - part->first_vertex) + 1;
         else if (wrong == 4)
-            p.bones[whole.first_bone] = (uint16_t)data.mesh.bones;
+            p.joints[whole.first_joint] = (uint16_t)data.mesh.joint_count;
         else if (wrong == 5)
-            p.vertices[whole.first_vertex] = (uint32_t)data.mesh.vertices;
+            p.vertices[whole.first_vertex] = (uint32_t)data.mesh.vertex_count;
         else if (wrong == 6)
-            part->bone_count = UINT32_MAX;
+            part->joint_count = UINT32_MAX;
         else
             part->vertex_count = UINT32_MAX;
-        nkw_partition_bone_local(&data.mesh, &p, 0, 3, bind, positions, NULL, out, 12);
+        joint_local_vertices(&data.mesh, &p, 0, 3, bind, positions, NULL, out, 12);
         expect_floats_bits(out, before, 60);
-        p.bones[whole.first_bone] = bone;
+        p.joints[whole.first_joint] = joint;
         p.vertices[whole.first_vertex] = vertex;
     }
     *part = whole;
-    nkw_partition_bone_local(&data.mesh, &p, 0, 3, bind, positions, NULL, out, 12);
+    joint_local_vertices(&data.mesh, &p, 0, 3, bind, positions, NULL, out, 12);
     assert_true(out[0] != 5.0f);
     partition_free(&p);
 }
@@ -293,16 +294,16 @@ static void bone_local_writes_nothing_for_a_partition_that_is_not_sound(void **s
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(bone_local_vertices_blend_as_linear_blend_skinning_does),
-        cmocka_unit_test(bone_local_vertices_have_every_bone_of_the_part),
-        cmocka_unit_test(bone_local_vertices_without_normals_have_four_floats_to_a_slot),
-        cmocka_unit_test(a_bone_that_is_named_twice_has_both_weights),
-        cmocka_unit_test(bone_local_writes_nothing_for_no_part_and_for_a_short_stride),
-        cmocka_unit_test(bones_come_roots_first_and_level_by_level),
-        cmocka_unit_test(a_chain_of_all_bones_is_ordered_either_way),
+        cmocka_unit_test(joint_local_vertices_blend_as_linear_blend_skinning_does),
+        cmocka_unit_test(joint_local_vertices_have_every_joint_of_the_part),
+        cmocka_unit_test(joint_local_vertices_without_normals_have_four_floats_to_a_slot),
+        cmocka_unit_test(a_joint_that_is_named_twice_has_both_weights),
+        cmocka_unit_test(joint_local_writes_nothing_for_no_part_and_for_a_short_stride),
+        cmocka_unit_test(joints_come_roots_first_and_level_by_level),
+        cmocka_unit_test(a_chain_of_all_joints_is_ordered_either_way),
         cmocka_unit_test(random_trees_are_ordered_parents_first),
         cmocka_unit_test(parents_that_make_no_tree_are_named),
-        cmocka_unit_test(bone_local_writes_nothing_for_a_partition_that_is_not_sound),
+        cmocka_unit_test(joint_local_writes_nothing_for_a_partition_that_is_not_sound),
     };
-    return cmocka_run_group_tests_name("partition_bones", tests, NULL, NULL);
+    return cmocka_run_group_tests_name("partition_joints", tests, NULL, NULL);
 }
