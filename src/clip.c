@@ -80,7 +80,7 @@ static void hold(const nkw_clip *clip, const clip_group *g, const float *key, fl
 {
     int is_cubic = g->interpolation == NKW_INTERPOLATION_CUBICSPLINE;
     const float *values = values_of(g, key);
-    const nkw_block *blocks = clip_blocks(clip, g);
+    const clip_block *blocks = clip_blocks(clip, g);
     if (g->kind == GROUP_ROTATIONS)
         nkwi_clip_quat_hold(values, is_cubic ? clip_rows(g) : clip_key_rows(g), (int)g->normalized, blocks,
                             g->block_count, out, stride);
@@ -92,7 +92,7 @@ static void cubic(const nkw_clip *clip, const clip_group *g, const float *a, con
                   float *out, size_t stride)
 {
     size_t words = clip_rows(g) * g->lanes;
-    const nkw_block *blocks = clip_blocks(clip, g);
+    const clip_block *blocks = clip_blocks(clip, g);
     if (g->kind == GROUP_ROTATIONS)
         nkwi_clip_quat_hermite(a, b, words, duration, t, blocks, g->block_count, out, stride);
     else
@@ -103,10 +103,10 @@ static void cubic(const nkw_clip *clip, const clip_group *g, const float *a, con
 static void slerp_values(const nkw_clip *clip, const clip_group *g, const float *a, const float *b, float t, float *out,
                          size_t stride)
 {
-    const nkw_block *block = clip_blocks(clip, g), *end = block + g->block_count;
-    for (; block < end; a += 4 * NKW_BLOCK, b += 4 * NKW_BLOCK, block++) {
+    const clip_block *block = clip_blocks(clip, g), *end = block + g->block_count;
+    for (; block < end; a += 4 * CLIP_BLOCK, b += 4 * CLIP_BLOCK, block++) {
         const size_t n = block->width;
-        float unit[8 * NKW_BLOCK];
+        float unit[8 * CLIP_BLOCK];
         nkw_quat_view from = block_rows(a, n), to = block_rows(b, n);
         if (g->normalized) {
             nkw_quat_normalize_n(from, block_rows_to(unit, n), n);
@@ -125,7 +125,7 @@ static void slerp_values(const nkw_clip *clip, const clip_group *g, const float 
 static void linear(const nkw_clip *clip, const clip_group *g, const float *a, const float *b, float t, float *out,
                    size_t stride)
 {
-    const nkw_block *blocks = clip_blocks(clip, g);
+    const clip_block *blocks = clip_blocks(clip, g);
     if (g->kind != GROUP_ROTATIONS)
         nkwi_clip_lerp(values_of(g, a), values_of(g, b), t, blocks, g->block_count, out);
     else if (g->interpolation == NKW_INTERPOLATION_CUBICSPLINE)
@@ -137,7 +137,7 @@ static void linear(const nkw_clip *clip, const clip_group *g, const float *a, co
 static void compact(const nkw_clip *clip, const clip_group *g, const uint16_t *a, const uint16_t *b, float t,
                     float *out, size_t stride)
 {
-    const nkw_block *blocks = clip_blocks(clip, g);
+    const clip_block *blocks = clip_blocks(clip, g);
     const float *base = clip_floats(clip, g->ranges), *step = base + clip_rows(g) * g->lanes;
     if (g->kind == GROUP_ROTATIONS)
         nkwi_clip_slerp16(a, b, base, step, t, blocks, g->block_count, out, stride);

@@ -1,5 +1,19 @@
 /* SPDX-License-Identifier: MIT */
-/* Builds a clip's block. It is laid out twice by the same code: first to measure, without a block, then to write. */
+/*
+ * Builds the block of a clip in two passes of the same code, emit_clip:
+ *
+ *     1. plan      words == NULL: take() only counts the words of each section. The starts of the sections follow.
+ *     2. build     words is the block: take() returns the offsets at which the elements are written.
+ *
+ * Both passes must take the same words in the same order, so whether something is taken never depends on `words`.
+ * nkw_clip_measure is pass 1 alone.
+ *
+ * Order within the sections:
+ *
+ *     runs      of the pose, then of the floats
+ *     values    constants of the pose; constants of the floats; of each group its ranges and its keys
+ *     groups    by timeline; a timeline is emitted before its first group
+ */
 #include "lane/strict.h"
 
 #include <string.h>
@@ -7,23 +21,22 @@
 #include <nakawari/clip.h>
 #include <nakawari/segment.h>
 
-#include "batch/clip.h"
+#include "clip_keys.h"
 #include "clip_layout.h"
 #include "clip_tracks.h"
-#include "lane/clip.h"
-#include "lane/orient.h"
 
 typedef enum section { TIMELINES, GROUPS, BLOCKS, RUNS, TIMES, VALUES, SECTIONS } section;
 
 typedef struct builder {
     clip_tracks tracks;
-    uint32_t *words; /* the block; NULL while measuring */
-    uint64_t start[SECTIONS], used[SECTIONS]; /* words; far more than a block may have while measuring */
+    uint32_t *words; /* the block; NULL in pass 1 */
+    uint64_t start[SECTIONS], used[SECTIONS]; /* words; in pass 1 they may exceed 2^32, the limit of a block */
 } builder;
 
 /*
- * Room in a section: where it begins, in words from the beginning of the block. What is too large for a block is cut to
- * 2^32 words, so that sums stay below 2^64 and the clip is still found too large.
+ * Takes words of a section. Returns their offset from the beginning of the block.
+ *
+ * More than 2^32 - 1 words count as 2^32: no sum overflows 64 bits, and the block is still found to be too large.
  */
 static size_t take(builder *b, section s, uint64_t words)
 {
@@ -37,23 +50,18 @@ static uint64_t round_up(uint64_t n, uint64_t to)
     return (n + to - 1) / to * to;
 }
 
-static float *floats_at(const builder *b, size_t at)
-{
-    return (float *)(void *)(b->words + at);
-}
-
-/* Lanes: where they go, in blocks. */
+/* Lanes, and their places in blocks. */
 
 typedef struct lanes {
     builder *b;
-    size_t expected; /* of all blocks together; unknown while measuring */
-    size_t count, blocks;
-    size_t next, length; /* where the last lane went, plus one, and how long it has been going on so */
+    size_t expected; /* the sum of the widths of all blocks; unknown until all lanes are counted */
+    size_t count, blocks; /* lanes so far; the offset of the first block */
+    size_t next, length; /* the place after the last lane; how many lanes up to the last have contiguous places */
 } lanes;
 
-static nkw_block *block_of(const lanes *l, size_t lane)
+static clip_block *block_of(const lanes *l, size_t lane)
 {
-    return (nkw_block *)(void *)(l->b->words + l->blocks) + lane / NKW_BLOCK;
+    return (clip_block *)(void *)(l->b->words + l->blocks) + lane / CLIP_BLOCK;
 }
 
 static lanes lanes_begin(builder *b, size_t expected)
@@ -62,216 +70,44 @@ static lanes lanes_begin(builder *b, size_t expected)
     return l;
 }
 
-/* One more lane, that goes to the float `to`; gives its number. */
+/* Adds a lane with the place `to`. Returns its number. A full block whose places are contiguous is marked as such. */
 static size_t add_lane(lanes *l, size_t to)
 {
-    size_t i = l->count % NKW_BLOCK;
+    size_t i = l->count % CLIP_BLOCK;
     l->length = l->count > 0 && to == l->next ? l->length + 1 : 1;
     l->next = to + 1;
     if (i == 0)
-        take(l->b, BLOCKS, sizeof(nkw_block) / 4);
+        take(l->b, BLOCKS, sizeof(clip_block) / 4);
     if (l->b->words) {
-        nkw_block *block = block_of(l, l->count);
+        clip_block *block = block_of(l, l->count);
         size_t left = l->expected - (l->count - i);
-        block->width = (uint32_t)(left < NKW_BLOCK ? left : NKW_BLOCK);
+        block->width = (uint32_t)(left < CLIP_BLOCK ? left : CLIP_BLOCK);
         block->places[i] = (uint32_t)to;
         block->count = (uint32_t)i + 1;
-        block->direct = block->count == block->width && l->length >= block->count ? block->width : 0;
+        block->contiguous = block->count == block->width && l->length >= block->count ? block->width : 0;
     }
     return l->count++;
 }
 
 /*
- * Lanes that end with the last joint of a component array go on over the padding: numbers into the next array,
- * rotations until their block is full, where the padding is long enough for that.
+ * Extends contiguous lanes that end with the last joint of a component array by lanes for its padding, so that they
+ * remain contiguous: numbers to the start of the next array, rotations until their block is full if the padding is long
+ * enough. The values are 0.
+ *
+ *     place     ...  joint_count - 1 | joint_count ... stride - 1 | stride ...
+ *               lanes of joints      | lanes of padding           | next component array
  */
-static void add_padding(lanes *l, int turns)
+static void add_padding(lanes *l, int is_rotation)
 {
     size_t joints = l->b->tracks.source->joint_count, stride = NKW_POSE_STRIDE(joints);
-    size_t room = stride - joints, wanted = turns ? clip_lanes(l->count) - l->count : room;
+    size_t room = stride - joints, wanted = is_rotation ? clip_lanes(l->count) - l->count : room;
     if (l->length < 8 || l->next % stride != joints % stride || wanted > room)
         return;
     for (; wanted > 0; wanted--)
         add_lane(l, l->next);
 }
 
-/* Keys. */
-
-/* A component of what the track gives at key k. */
-static float held_component(const nkw_clip_track *c, size_t k, size_t component)
-{
-    nkw_segment at = {k, 0.0f};
-    float rotation[4];
-    if (c->target != NKW_CLIP_ROTATION)
-        return clip_track_value(&c->track, k)[component];
-    nkw_track_sample_segment(&c->track, at, rotation);
-    return rotation[component];
-}
-
-/* Component c of key k's in-tangent, value or out-tangent (part 0, 1, 2); without tangents of the value. */
-static float key_component(const nkw_clip_track *c, size_t k, size_t part, size_t component)
-{
-    const nkw_track *t = &c->track;
-    if (clip_is_cubic(t))
-        return t->values[(3 * k + part) * t->width + component];
-    return held_component(c, k, component);
-}
-
-/* Where row `row` of a lane stands in a value, of a key with `rows` rows to a lane. */
-static size_t lane_at(const clip_group *g, size_t rows, size_t row, size_t lane)
-{
-    size_t i = lane % NKW_BLOCK, before = lane - i, left = g->lanes - before;
-    return before * rows + row * (left < NKW_BLOCK ? left : NKW_BLOCK) + i;
-}
-
-/* Writes a component of a track into every key of its lane. */
-static void fill_component(const builder *b, const clip_group *g, const nkw_clip_track *c, size_t component, size_t row,
-                           size_t lane)
-{
-    int cubic = clip_is_cubic(&c->track);
-    size_t at = lane_at(g, cubic ? clip_rows(g) : clip_key_rows(g), row, lane);
-    for (size_t k = 0; k < c->track.count; k++)
-        for (size_t part = 0; part < (cubic ? 3u : 1u); part++)
-            floats_at(b, g->keys + k * g->key_words)[part * clip_rows(g) * g->lanes + at] =
-                key_component(c, k, part, component);
-}
-
-/* Compact keys: the range of a lane's row, and its numbers as parts of it. */
-
-/* A lane's keys, to be taken one after the other from 0 on. */
-typedef struct compact_keys {
-    const nkw_clip_track *c;
-    size_t component;
-    double lowest; /* w of a rotation may become this */
-    float side; /* 1 or -1: what the last rotation was multiplied by */
-} compact_keys;
-
-static nkw_quat held_rotation(const nkw_clip_track *c, size_t k)
-{
-    nkw_quat q = {held_component(c, k, 0), held_component(c, k, 1), held_component(c, k, 2), held_component(c, k, 3)};
-    return q;
-}
-
-/*
- * The numbers of key k: one, or a rotation's three. A rotation is kept on the side of the one before as slerp sees it,
- * so that the way between them is that of the source also where it is half a turn. Where its w would be too low there
- * it is turned, which is told.
- */
-static unsigned next_numbers(compact_keys *keys, size_t k, double numbers[3])
-{
-    if (keys->c->target != NKW_CLIP_ROTATION) {
-        numbers[0] = (double)held_component(keys->c, k, keys->component);
-        return 0;
-    }
-    nkw_quat q = held_rotation(keys->c, k);
-    if (k > 0 && lane_slerp_cosine(held_rotation(keys->c, k - 1), q) < 0.0f)
-        keys->side = -keys->side;
-    double w = (double)keys->side * (double)q.w, lowest = k > 0 ? keys->lowest : 0.0;
-    unsigned turned = w < lowest;
-    keys->side = turned ? -keys->side : keys->side;
-    lane_compact_numbers(lane_wquat_scale(lane_wquat_from(q), (double)keys->side), numbers);
-    return turned;
-}
-
-/* What the numbers of a lane lie between. */
-typedef struct compact_ranges {
-    double low[3], high[3], widest;
-} compact_ranges;
-
-static compact_ranges ranges_of(compact_keys keys, size_t rows)
-{
-    compact_ranges r = {{0.0}, {0.0}, 0.0};
-    for (size_t k = 0; k < keys.c->track.count; k++) {
-        double x[3];
-        next_numbers(&keys, k, x);
-        for (size_t i = 0; i < rows; i++) {
-            r.low[i] = k == 0 || x[i] < r.low[i] ? x[i] : r.low[i];
-            r.high[i] = k == 0 || x[i] > r.high[i] ? x[i] : r.high[i];
-            r.widest = r.high[i] - r.low[i] > r.widest ? r.high[i] - r.low[i] : r.widest;
-        }
-    }
-    return r;
-}
-
-/* (x - base) / step in 0..65535. */
-static double part_of(float base, float step, double x)
-{
-    double part = step > 0.0f ? (x - (double)base) / (double)step : 0.0;
-    return part < 0.0 ? 0.0 : part > (double)CLIP_STEPS ? (double)CLIP_STEPS : part;
-}
-
-/*
- * Each number to the nearest; those of a rotation to an odd sum where it is turned, else to an even one: if it is not,
- * that number is rounded the other way which adds least to the square of the distance, (1 - 2 |off|) step^2. Three with
- * the same step are then off by a step at most, all together.
- */
-static void encode(const float base[3], const float step[3], const double x[3], size_t rows, unsigned turned,
-                   uint16_t parts[3])
-{
-    double least = 0.0;
-    size_t other = rows;
-    unsigned sum = 0, away = 0;
-    for (size_t r = 0; r < rows; r++) {
-        double part = part_of(base[r], step[r], x[r]);
-        unsigned nearest = (unsigned)(part + 0.5);
-        double off = part - (double)nearest, size = off < 0.0 ? -off : off;
-        double added = (1.0 - 2.0 * size) * (double)step[r] * (double)step[r];
-        if (other == rows || added < least) {
-            other = r;
-            least = added;
-            away = off < 0.0 || nearest == 65535 ? nearest - 1 : nearest + 1;
-        }
-        parts[r] = (uint16_t)nearest;
-        sum += nearest;
-    }
-    if (rows == 3 && sum % 2 != turned)
-        parts[other] = (uint16_t)away;
-}
-
-/*
- * All rows of a lane. Rotations are those with w >= 0, so that their numbers are within -1..1; or, where that makes
- * ranges narrower, those of one side as far as w = -1/2.
- */
-static void fill_compact(const builder *b, const clip_group *g, const nkw_clip_track *c, size_t component, size_t lane)
-{
-    size_t rows = clip_rows(g), at[3];
-    compact_keys keys = {c, component, 0.0, 1.0f};
-    compact_ranges ranges = ranges_of(keys, rows);
-    float base[3], step[3];
-    if (c->target == NKW_CLIP_ROTATION) {
-        compact_keys far_keys = {c, component, -0.5, 1.0f};
-        compact_ranges far_ranges = ranges_of(far_keys, rows);
-        if (far_ranges.widest < ranges.widest) {
-            keys = far_keys;
-            ranges = far_ranges;
-        }
-    }
-    for (size_t r = 0; r < rows; r++) {
-        at[r] = lane_at(g, rows, r, lane);
-        base[r] = floats_at(b, g->ranges)[at[r]] = (float)ranges.low[r];
-        step[r] = floats_at(b, g->ranges)[rows * g->lanes + at[r]] =
-            (float)((ranges.high[r] - (double)base[r]) / (double)CLIP_STEPS);
-    }
-    for (size_t k = 0; k < c->track.count; k++) {
-        uint16_t *key = (uint16_t *)(void *)(b->words + g->keys + k * g->key_words), parts[3];
-        double x[3];
-        unsigned turned = next_numbers(&keys, k, x);
-        encode(base, step, x, rows, turned, parts);
-        for (size_t r = 0; r < rows; r++)
-            key[at[r]] = parts[r];
-    }
-}
-
-static void fill_arcs(const builder *b, const clip_group *g, size_t key_count)
-{
-    const nkw_block *blocks = (const nkw_block *)(const void *)(b->words + g->blocks);
-    for (size_t k = 0; k + 1 < key_count; k++) {
-        float *key = floats_at(b, g->keys + k * g->key_words);
-        nkwi_clip_arcs(key, key + g->key_words, blocks, g->block_count);
-    }
-}
-
-/* Where component c goes: in the pose, in its rotations, or in the floats. */
+/* The place of a component: in the pose, in one component array of the rotations, or in the floats. */
 static size_t place_of(const builder *b, nkw_clip_target target, size_t index, size_t component)
 {
     size_t stride = NKW_POSE_STRIDE(b->tracks.source->joint_count);
@@ -282,59 +118,63 @@ static size_t place_of(const builder *b, nkw_clip_target target, size_t index, s
     return clip_array_of(target, component) * stride + index;
 }
 
-/* The lanes of a track in pass 0, 1 or 2: one component, or all of a rotation, or all the floats in a row. */
-static void lay_track(lanes *l, const clip_group *g, const nkw_clip_track *c, size_t pass)
+/* The lanes of a track for array x, y or z (pass 0, 1, 2): one component; or one lane of a rotation; or all floats. */
+static void emit_track(lanes *l, const clip_group *g, const nkw_clip_track *c, size_t pass)
 {
-    int turns = c->target == NKW_CLIP_ROTATION, floats = c->target == NKW_CLIP_FLOATS;
-    size_t first = turns || floats ? 0 : pass, end = floats ? c->track.width : first + 1;
+    int is_rotation = c->target == NKW_CLIP_ROTATION, floats = c->target == NKW_CLIP_FLOATS;
+    size_t first = is_rotation || floats ? 0 : pass, end = floats ? c->track.width : first + 1;
     for (size_t component = first; component < end; component++) {
         size_t lane = add_lane(l, place_of(l->b, c->target, c->index, component));
         if (l->b->words && g->ranges)
-            fill_compact(l->b, g, c, component, lane);
-        for (size_t row = 0; l->b->words && !g->ranges && row < (turns ? 4u : 1u); row++)
-            fill_component(l->b, g, c, component + row, row, lane);
+            nkwi_clip_fill_compact(l->b->words, g, c, component, lane);
+        for (size_t row = 0; l->b->words && !g->ranges && row < (is_rotation ? 4u : 1u); row++)
+            nkwi_clip_fill_component(l->b->words, g, c, component + row, row, lane);
     }
 }
 
-/* What a joint or float holds that nothing changes. */
-static float constant_of(const builder *b, nkw_clip_target target, size_t index, size_t component)
+/* The value of a joint or float without an animated track: its constant track, its rest value, or the identity. */
+static float constant_value(const builder *b, nkw_clip_target target, size_t index, size_t component)
 {
     const nkw_clip_source *s = b->tracks.source;
-    const nkw_clip_track *c = nkw_clip_tracks_of(&b->tracks, target, index);
+    const nkw_clip_track *c = nkwi_clip_tracks_find(&b->tracks, target, index);
     size_t array = clip_array_of(target, component);
     if (c)
-        return held_component(c, 0, target == NKW_CLIP_FLOATS ? index - c->index : component);
+        return nkwi_clip_value_component(c, 0, target == NKW_CLIP_FLOATS ? index - c->index : component);
     if (target == NKW_CLIP_FLOATS)
         return s->rest_floats ? s->rest_floats[index] : 0.0f;
     return s->rest.data ? s->rest.data[array * NKW_POSE_STRIDE(s->joint_count) + index] : array >= 6 ? 1.0f : 0.0f;
 }
 
 /*
- * The lanes of joints from..to - 1, if those of c beside them go on there: all keys are the same. Compact ones are 0, of
- * a range without width.
+ * The lanes of the joints from..to - 1, if they are a gap of the group of c (clip_tracks.h): the constant value in all
+ * keys. Compact: base is the value, step and all keys are 0.
  */
-static void lay_gap(lanes *l, const clip_group *g, const nkw_clip_track *c, size_t from, size_t to, size_t pass)
+static void emit_gap(lanes *l, const clip_group *g, const nkw_clip_track *c, size_t from, size_t to, size_t pass)
 {
     const clip_tracks *t = &l->b->tracks;
-    int turns = c->target == NKW_CLIP_ROTATION;
+    int is_rotation = c->target == NKW_CLIP_ROTATION;
     for (size_t joint = from; joint < to; joint++)
-        if (!nkw_clip_tracks_same(t, nkw_clip_tracks_beside(t, c->target, joint), c))
+        if (!nkwi_clip_tracks_same_group(t, nkwi_clip_tracks_find_gap(t, c->target, joint), c))
             return;
     for (size_t joint = from; joint < to; joint++) {
         size_t lane = add_lane(l, place_of(l->b, c->target, joint, pass));
-        for (size_t row = 0; l->b->words && row < (turns ? 4u : 1u); row++) {
-            float value = constant_of(l->b, c->target, joint, turns ? row : pass);
-            size_t at = lane_at(g, clip_key_rows(g), row, lane);
+        for (size_t row = 0; l->b->words && row < (is_rotation ? 4u : 1u); row++) {
+            float value = constant_value(l->b, c->target, joint, is_rotation ? row : pass);
+            size_t at = nkwi_clip_lane_at(g, clip_key_rows(g), row, lane);
             if (g->ranges)
-                floats_at(l->b, g->ranges)[at] = value;
+                clip_floats_at(l->b->words, g->ranges)[at] = value;
             for (size_t k = 0; !g->ranges && k < c->track.count; k++)
-                floats_at(l->b, g->keys + k * g->key_words)[at] = value;
+                clip_floats_at(l->b->words, g->keys + k * g->key_words)[at] = value;
         }
     }
 }
 
-/* The lanes of a group's tracks: translations x, y, z, rotations, scales x, y, z, each in joint order; floats. */
-static lanes lay_lanes(builder *b, const clip_group *g, const uint32_t *members, size_t count)
+/*
+ * The lanes of a group, in ascending order of places as far as possible, so that most are contiguous:
+ *
+ *     translation x of all joints, y of all, z of all; rotations; scale x, y, z; floats
+ */
+static lanes emit_lanes(builder *b, const clip_group *g, const uint32_t *members, size_t count)
 {
     lanes l = lanes_begin(b, g->lanes);
     for (int target = NKW_CLIP_TRANSLATION; target <= NKW_CLIP_FLOATS; target++) {
@@ -345,12 +185,12 @@ static lanes lay_lanes(builder *b, const clip_group *g, const uint32_t *members,
                 const nkw_clip_track *c = &b->tracks.source->tracks[members[i]];
                 if ((int)c->target != target)
                     continue;
-                lay_gap(&l, g, c, last ? last->index + 1 : 0, c->index, pass);
-                lay_track(&l, g, c, pass);
+                emit_gap(&l, g, c, last ? last->index + 1 : 0, c->index, pass);
+                emit_track(&l, g, c, pass);
                 last = c;
             }
             if (last)
-                lay_gap(&l, g, last, last->index + 1, b->tracks.source->joint_count, pass);
+                emit_gap(&l, g, last, last->index + 1, b->tracks.source->joint_count, pass);
             if (target != NKW_CLIP_FLOATS)
                 add_padding(&l, target == NKW_CLIP_ROTATION);
         }
@@ -360,30 +200,34 @@ static lanes lay_lanes(builder *b, const clip_group *g, const uint32_t *members,
 
 /* Groups and timelines. */
 
-static void lay_timeline(builder *b, const nkw_track *t)
+static void emit_timeline(builder *b, const nkw_track *t)
 {
     size_t at = take(b, TIMELINES, sizeof(clip_timeline) / 4), times = take(b, TIMES, t->count);
     size_t modes = t->key_interpolation ? take(b, TIMES, t->count) : 0;
     if (!b->words)
         return;
     clip_timeline line = {(uint32_t)times, (uint32_t)t->count, (uint32_t)modes, 0.0f};
-    (void)nkw_segment_uniform_rate(t->times, t->count, &line.rate); /* 0 where there is none */
+    (void)nkw_segment_uniform_rate(t->times, t->count, &line.rate); /* 0 if there is none */
     memcpy(b->words + at, &line, sizeof line);
     memcpy(b->words + times, t->times, t->count * sizeof(float));
     for (size_t k = 0; modes && k < t->count; k++)
         b->words[modes + k] = t->key_interpolation[k];
 }
 
-/* Blocks that go on from each other become one stretch. */
-static void join_blocks(nkw_block *blocks, size_t count)
+/* Adds the contiguous lanes of a following block whose places continue those of this one; from the last block on. */
+static void join_blocks(clip_block *blocks, size_t count)
 {
     for (size_t i = count; i-- > 1;)
-        if (blocks[i - 1].direct && blocks[i].direct && blocks[i].places[0] == blocks[i - 1].places[0] + NKW_BLOCK)
-            blocks[i - 1].direct += blocks[i].direct;
+        if (blocks[i - 1].contiguous && blocks[i].contiguous &&
+            blocks[i].places[0] == blocks[i - 1].places[0] + CLIP_BLOCK)
+            blocks[i - 1].contiguous += blocks[i].contiguous;
 }
 
-/* The tracks of a group have the key times of its first one. */
-static void lay_group(builder *b, uint32_t timeline, const uint32_t *members, size_t count)
+/*
+ * A group: `count` tracks with the same key times. The number of lanes determines the widths of blocks and the size of
+ * keys, so the lanes are emitted twice: to a copy of the builder that writes nothing, to count them, then to b.
+ */
+static void emit_group(builder *b, uint32_t timeline, const uint32_t *members, size_t count)
 {
     const nkw_track *first = &b->tracks.source->tracks[members[0]].track;
     clip_group g;
@@ -394,27 +238,27 @@ static void lay_group(builder *b, uint32_t timeline, const uint32_t *members, si
     g.kind = clip_kind_of(&b->tracks.source->tracks[members[0]]);
     g.interpolation = clip_interpolation_of(first);
     g.normalized = clip_is_cubic(first) && clip_is_normalized(first);
-    g.lanes = (uint32_t)clip_lanes(lay_lanes(&probe, &g, members, count).count);
+    g.lanes = (uint32_t)clip_lanes(emit_lanes(&probe, &g, members, count).count);
     take(b, VALUES, round_up(b->used[VALUES], CLIP_ALIGN) - b->used[VALUES]);
     if (b->tracks.source->format == NKW_CLIP_UNORM16 && !clip_is_cubic(first)) {
-        g.ranges = CLIP_ALIGN; /* so that its rows are those of a compact group */
+        g.ranges = CLIP_ALIGN; /* any value but 0, for clip_rows: the offset follows from the size */
         g.ranges = (uint32_t)take(b, VALUES, round_up(2 * clip_rows(&g) * g.lanes, CLIP_ALIGN));
     }
     g.key_words = (uint32_t)clip_key_words(&g);
     g.keys = (uint32_t)take(b, VALUES, (uint64_t)g.key_words * first->count);
-    lanes l = lay_lanes(b, &g, members, count);
+    lanes l = emit_lanes(b, &g, members, count);
     size_t at = take(b, GROUPS, sizeof g / 4);
     g.blocks = (uint32_t)l.blocks;
-    g.block_count = (uint32_t)round_up(l.count, NKW_BLOCK) / NKW_BLOCK;
+    g.block_count = (uint32_t)round_up(l.count, CLIP_BLOCK) / CLIP_BLOCK;
     if (!b->words)
         return;
-    join_blocks((nkw_block *)(void *)(b->words + g.blocks), g.block_count);
+    join_blocks((clip_block *)(void *)(b->words + g.blocks), g.block_count);
     if (g.kind == GROUP_ROTATIONS && g.interpolation == NKW_INTERPOLATION_LINEAR && !g.ranges)
-        fill_arcs(b, &g, first->count);
+        nkwi_clip_fill_arcs(b->words, &g, first->count);
     memcpy(b->words + at, &g, sizeof g);
 }
 
-static void lay_groups(builder *b)
+static void emit_groups(builder *b)
 {
     const clip_tracks *t = &b->tracks;
     const nkw_clip_track *tracks = t->source->tracks;
@@ -422,24 +266,28 @@ static void lay_groups(builder *b)
     for (uint32_t lines = 0; from < count && t->timeline[t->by_group[from]] != CLIP_CONSTANT; from = to) {
         uint32_t first = t->by_group[from], line = t->timeline[first];
         while (to < count && t->timeline[t->by_group[to]] == line &&
-               nkw_clip_tracks_group(&tracks[t->by_group[to]]) == nkw_clip_tracks_group(&tracks[first]))
+               nkwi_clip_tracks_group(&tracks[t->by_group[to]]) == nkwi_clip_tracks_group(&tracks[first]))
             to++;
         if (from == 0 || t->timeline[t->by_group[from - 1]] != line) {
-            lay_timeline(b, &tracks[first].track);
+            emit_timeline(b, &tracks[first].track);
             lines++;
         }
-        lay_group(b, lines - 1, t->by_group + from, to - from);
+        emit_group(b, lines - 1, t->by_group + from, to - from);
     }
 }
 
-/* What never changes: constant tracks, and the rest where there is no track. */
+/* Constants: values of constant tracks, and rest values of joints and floats without a track. */
 
-#define BRIDGE 32 /* floats: a shorter gap between runs is filled; what is animated there is written afterwards */
+/*
+ * Floats: a gap of at most this many between two runs is filled with zeros, so that one copy is enough. The animated
+ * values in it are written after the copy.
+ */
+#define CLIP_RUN_GAP 32
 
 typedef struct constants {
     builder *b;
     size_t at, count; /* the runs */
-    size_t next; /* where the last one would go on */
+    size_t next; /* the place after the last value */
 } constants;
 
 static void add_value(constants *c, float value)
@@ -448,13 +296,13 @@ static void add_value(constants *c, float value)
     c->next++;
     if (c->b->words) {
         ((clip_run *)(void *)(c->b->words + c->at))[c->count - 1].count++;
-        floats_at(c->b, at)[0] = value;
+        clip_floats_at(c->b->words, at)[0] = value;
     }
 }
 
 static void add_constant(constants *c, size_t to, float value)
 {
-    if (c->count == 0 || to - c->next > BRIDGE) {
+    if (c->count == 0 || to - c->next > CLIP_RUN_GAP) {
         clip_run run = {(uint32_t)(c->b->start[VALUES] + c->b->used[VALUES]), (uint32_t)to, 0};
         size_t at = take(c->b, RUNS, sizeof run / 4);
         if (c->b->words)
@@ -467,18 +315,21 @@ static void add_constant(constants *c, size_t to, float value)
     add_value(c, value);
 }
 
-/* Float `to` of the output, unless a track animates it: component `component` of joint or float `index`. */
-static int lay_constant(constants *c, nkw_clip_target target, size_t index, size_t component, size_t to)
+/*
+ * Adds the constant of float `to` of the output, component `component` of joint or float `index`, unless it has a lane.
+ * Returns whether it is constant.
+ */
+static int emit_constant(constants *c, nkw_clip_target target, size_t index, size_t component, size_t to)
 {
     const clip_tracks *t = &c->b->tracks;
-    if (nkw_clip_tracks_mover(t, target, index))
+    if (nkwi_clip_tracks_find_animated(t, target, index))
         return 0;
-    if (!nkw_clip_tracks_beside(t, target, index))
-        add_constant(c, to, constant_of(c->b, target, index, component));
+    if (!nkwi_clip_tracks_find_gap(t, target, index))
+        add_constant(c, to, constant_value(c->b, target, index, component));
     return 1;
 }
 
-static size_t lay_pose_constants(builder *b)
+static size_t emit_pose_constants(builder *b)
 {
     static const nkw_clip_target targets[10] = {
         NKW_CLIP_TRANSLATION, NKW_CLIP_TRANSLATION, NKW_CLIP_TRANSLATION, NKW_CLIP_ROTATION, NKW_CLIP_ROTATION,
@@ -489,27 +340,27 @@ static size_t lay_pose_constants(builder *b)
     constants c = {b, (size_t)(b->start[RUNS] + b->used[RUNS]), 0, 0};
     for (size_t array = 0; array < 10; array++) {
         float identity = array >= 6 ? 1.0f : 0.0f;
-        int held = 0;
+        int is_constant = 0;
         for (size_t j = 0; j < s->joint_count; j++)
-            held = lay_constant(&c, targets[array], j, components[array], array * stride + j);
-        for (size_t j = s->joint_count; held && j < stride; j++)
+            is_constant = emit_constant(&c, targets[array], j, components[array], array * stride + j);
+        for (size_t j = s->joint_count; is_constant && j < stride; j++)
             add_constant(&c, array * stride + j, identity);
     }
     return c.count;
 }
 
-static size_t lay_float_constants(builder *b)
+static size_t emit_float_constants(builder *b)
 {
     const nkw_clip_source *s = b->tracks.source;
     constants c = {b, (size_t)(b->start[RUNS] + b->used[RUNS]), 0, 0};
     for (size_t f = 0; f < s->float_count; f++)
-        lay_constant(&c, NKW_CLIP_FLOATS, f, 0, f);
+        emit_constant(&c, NKW_CLIP_FLOATS, f, 0, f);
     return c.count;
 }
 
-/* The whole block. */
+/* The block. */
 
-static void lay_head(builder *b, size_t pose_runs, size_t float_runs)
+static void emit_header(builder *b, size_t pose_runs, size_t float_runs)
 {
     nkw_clip head;
     const nkw_clip_source *s = b->tracks.source;
@@ -536,24 +387,27 @@ static void lay_head(builder *b, size_t pose_runs, size_t float_runs)
     memcpy(b->words, &head, sizeof head);
 }
 
-static void lay_clip(builder *b)
+static void emit_clip(builder *b)
 {
-    size_t pose_runs = lay_pose_constants(b), float_runs = lay_float_constants(b);
-    lay_groups(b);
+    size_t pose_runs = emit_pose_constants(b), float_runs = emit_float_constants(b);
+    emit_groups(b);
     if (b->words)
-        lay_head(b, pose_runs, float_runs);
+        emit_header(b, pose_runs, float_runs);
 }
 
-/* Measures, so that each section's beginning is known. */
+/*
+ * Pass 1: measures all sections, then sets their starts in the order of the enumeration. Leaves `used` at 0 for pass 2.
+ * A block must have less than 2^32 - 1 words and fit size_t bytes.
+ */
 static nkw_result plan(builder *b, const nkw_clip_source *source, size_t *bytes, size_t *bad, uint32_t *work,
                        size_t work_count)
 {
     memset(b, 0, sizeof *b);
-    b->start[VALUES] = CLIP_ALIGN; /* not 0, which says that there are no ranges */
-    nkw_result result = nkw_clip_tracks_order(source, &b->tracks, bad, work, work_count);
+    b->start[VALUES] = CLIP_ALIGN; /* any value but 0: an offset 0 of ranges means that there are none */
+    nkw_result result = nkwi_clip_tracks_order(source, &b->tracks, bad, work, work_count);
     if (result != NKW_OK)
         return result;
-    lay_clip(b);
+    emit_clip(b);
     uint64_t at = sizeof(nkw_clip) / 4;
     for (int s = 0; s < SECTIONS; s++) {
         b->start[s] = at = s == VALUES ? round_up(at, CLIP_ALIGN) : at;
@@ -586,6 +440,6 @@ nkw_result nkw_clip_build(const nkw_clip_source *source, void *block, size_t byt
         return NKW_TOO_SMALL;
     memset(block, 0, needed);
     b.words = (uint32_t *)block;
-    lay_clip(&b);
+    emit_clip(&b);
     return NKW_OK;
 }

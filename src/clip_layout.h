@@ -1,25 +1,50 @@
 /* SPDX-License-Identifier: MIT */
 /*
- * A clip's block: 32-bit words throughout. Offsets are in words from the beginning of the block.
+ * The memory of a clip: 32-bit words. All offsets are in words from the beginning.
  *
- *     head | timelines | groups | blocks | runs | times | constants | key blocks
+ *     section      element          words   number
+ *     header       nkw_clip         15      1
+ *     timelines    clip_timeline     4      timeline_count
+ *     groups       clip_group       10      group_count
+ *     blocks       clip_block       19      (lanes + 15) / 16 of each group
+ *     runs         clip_run          3      constant_count, then float_constant_count
+ *     times        float             1      count of each timeline; then its modes, if any, a word each
+ *     values       float, uint16_t          constants; of each group its ranges, if any, and its keys
  *
- * A group holds the tracks of one timeline that are sampled alike. Its lanes are single numbers, or joints where it
- * turns; they stand in blocks of 16, the last one of 4, 8 or 16. A key holds block after block; in a block of `width`
- * lanes stand
+ * Values begin at a multiple of CLIP_ALIGN words, and so do the ranges and keys of each group.
  *
- *     GROUP_NUMBERS, GROUP_FLOATS   numbers[width]                               (into the pose; into the floats)
- *     GROUP_ROTATIONS               x[width] y[width] z[width] w[width]
- *                                   and for LINEAR the arc to the next key: v[width]
+ * Timeline   the ascending key times, in seconds, of one or more groups: one search for all of them.
+ * Group      the tracks of one timeline, one kind and one interpolation: one loop for all of them.
+ * Lane       one number of a pose; one of the floats; or the rotation of one joint.
+ * Block      16 neighbouring lanes of a group; the last block has 4, 8 or 16.
+ * Place      the destination of a lane: a float of the pose, of one component array of the rotations, or of the floats.
+ * Run        contiguous values that no track changes: copied to the output before the groups are sampled.
  *
- * A group that moves the joints on both sides of a few that nothing changes has lanes for these too (clip_tracks.h).
+ * A key stores its blocks one after another. A block stores its rows one after another, of `width` floats each:
  *
- * A CUBICSPLINE key is its in-tangents, its values and its out-tangents, each laid out so.
+ *     group                            rows of a block
+ *     numbers, floats                  1: value
+ *     rotations, STEP                  4: x y z w
+ *     rotations, LINEAR                5: x y z w v; v is the arc to the next key (lane_slerp_arc); 0 in the last key
+ *     CUBICSPLINE                      as numbers or as STEP, three times: in-tangents of all blocks, values of all
+ *                                      blocks, out-tangents of all blocks; tangents are per second
  *
- * A compact group has 16-bit numbers in its keys, in the same order, and the range of each, once: the bases of all
- * numbers of a key, then the steps of all, number = base + step key. Those of a rotation are the three that
- * lane/clip.h makes of it, x[width] y[width] z[width], without arcs; where the sum of the three in the key is odd,
- * slerp from the key before goes to -q.
+ * Example: a key of 20 LINEAR rotations, key_words = 5 * 20 = 100.
+ *
+ *     word   0         16        32        48        64        80       84    88    92    96
+ *            | x0..x15 | y0..y15 | z0..z15 | w0..w15 | v0..v15 | x16..19 | y   | z   | w   | v   |
+ *            |-------------------- block 0 --------------------|------------- block 1 -----------|
+ *
+ * Compact groups (ranges != 0; STEP and LINEAR only) store 16-bit keys in the same order, two in a word, and one range
+ * for each row of each lane: `base` of all rows in the order of a key, then `step` of all rows.
+ *
+ *     number = base + step key,  key in 0..65535
+ *
+ * A compact rotation has 3 rows, x y z of lane/clip.h, and no arc. Of q and -q, each key stores one. If the sum of its
+ * three numbers is odd, slerp from the previous key negates it.
+ *
+ * Lanes of one component array whose joints are neighbours are contiguous, so short gaps get lanes too: up to four
+ * constant joints between the joints of a group, with the same value in all keys (clip_tracks.h).
  */
 #ifndef NAKAWARI_CLIP_LAYOUT_H
 #define NAKAWARI_CLIP_LAYOUT_H
@@ -32,43 +57,43 @@
 
 #define CLIP_MAGIC   0x70696c63u /* "clip", lowest byte first */
 #define CLIP_VERSION 5u
-#define CLIP_STEPS   65535.0f /* of a range */
-#define CLIP_ALIGN   16u /* words: key blocks and constants begin on 64 bytes of the block */
+#define CLIP_STEPS   65535.0f /* steps of a range: the largest 16-bit key */
+#define CLIP_ALIGN   16u /* words: 64 bytes, a cache line */
 
-/* So that offsets in a pose, lanes and the words of a key fit 32 bits, and a pose's bytes any size_t. */
-#define CLIP_MOST_JOINTS (1u << 26)
-#define CLIP_MOST_FLOATS (1u << 29)
+/* Limits: offsets in a pose, numbers of lanes and words of a key are less than 2^32; bytes of a pose fit size_t. */
+#define CLIP_MAX_JOINTS (1u << 26)
+#define CLIP_MAX_FLOATS (1u << 29)
 
-/* Words from `values` on go to floats to..to + count - 1 of the output. */
+/* Copies the words values..values + count - 1 to the floats to..to + count - 1 of the output. */
 typedef struct clip_run {
     uint32_t values, to, count;
 } clip_run;
 
 struct nkw_clip {
-    uint32_t magic, version, words;
+    uint32_t magic, version, words; /* words: of the whole block */
     uint32_t joints, floats;
-    float start, end;
+    float start, end; /* seconds */
     uint32_t timelines, timeline_count;
-    uint32_t groups, group_count;
-    uint32_t constants, constant_count; /* runs of what never changes: in the pose, */
-    uint32_t float_constants, float_constant_count; /* and in the floats */
+    uint32_t groups, group_count; /* groups of one timeline are neighbours */
+    uint32_t constants, constant_count; /* runs of the pose */
+    uint32_t float_constants, float_constant_count; /* runs of the floats */
 };
 
 typedef struct clip_timeline {
     uint32_t times, count;
-    uint32_t modes; /* count words, an nkw_interpolation for each segment; 0: that of the group */
-    float rate; /* keys per second of an evenly spaced timeline, else 0 */
+    uint32_t modes; /* count words, an nkw_interpolation for each segment; 0: all segments have that of the group */
+    float rate; /* keys per second of an evenly spaced timeline, otherwise 0 */
 } clip_timeline;
 
 typedef enum clip_kind { GROUP_NUMBERS, GROUP_ROTATIONS, GROUP_FLOATS, GROUP_KINDS } clip_kind;
 
 typedef struct clip_group {
-    uint32_t timeline, kind, interpolation;
-    uint32_t normalized; /* CUBICSPLINE rotations are unit at keys too */
-    uint32_t lanes; /* of all blocks together */
+    uint32_t timeline, kind, interpolation; /* index, clip_kind, nkw_interpolation */
+    uint32_t normalized; /* CUBICSPLINE rotations are normalised at keys too */
+    uint32_t lanes; /* the sum of the widths of all blocks */
     uint32_t blocks, block_count;
-    uint32_t keys, key_words;
-    uint32_t ranges; /* of a compact group; else 0 */
+    uint32_t keys, key_words; /* offset of key 0, words of each key */
+    uint32_t ranges; /* offset of the ranges of a compact group, otherwise 0 */
 } clip_group;
 
 static inline const uint32_t *clip_words(const nkw_clip *clip)
@@ -86,9 +111,9 @@ static inline const clip_group *clip_groups(const nkw_clip *clip)
     return (const clip_group *)(const void *)(clip_words(clip) + clip->groups);
 }
 
-static inline const nkw_block *clip_blocks(const nkw_clip *clip, const clip_group *g)
+static inline const clip_block *clip_blocks(const nkw_clip *clip, const clip_group *g)
 {
-    return (const nkw_block *)(const void *)(clip_words(clip) + g->blocks);
+    return (const clip_block *)(const void *)(clip_words(clip) + g->blocks);
 }
 
 static inline const float *clip_floats(const nkw_clip *clip, uint32_t offset)
@@ -96,14 +121,14 @@ static inline const float *clip_floats(const nkw_clip *clip, uint32_t offset)
     return (const float *)(const void *)(clip_words(clip) + offset);
 }
 
-/* Lanes of all blocks together that hold `count`: full blocks and a narrower last one. */
+/* The lanes of the blocks that contain `count` lanes: `count` rounded up so that the last block has 4, 8 or 16. */
 static inline size_t clip_lanes(size_t count)
 {
-    size_t rest = count % NKW_BLOCK;
-    return count - rest + (rest == 0 ? 0 : rest <= 4 ? 4 : rest <= 8 ? 8 : NKW_BLOCK);
+    size_t rest = count % CLIP_BLOCK;
+    return count - rest + (rest == 0 ? 0 : rest <= 4 ? 4 : rest <= 8 ? 8 : CLIP_BLOCK);
 }
 
-/* Floats of a lane in a value, and in a key. */
+/* The rows of a value, and of a key. */
 static inline size_t clip_rows(const clip_group *g)
 {
     return g->kind != GROUP_ROTATIONS ? 1 : g->ranges ? 3 : 4;
@@ -115,10 +140,10 @@ static inline size_t clip_key_rows(const clip_group *g)
         return 3 * clip_rows(g);
     if (g->ranges)
         return clip_rows(g);
-    return g->kind == GROUP_ROTATIONS && g->interpolation == NKW_INTERPOLATION_LINEAR ? NKW_BLOCK_ROWS : clip_rows(g);
+    return g->kind == GROUP_ROTATIONS && g->interpolation == NKW_INTERPOLATION_LINEAR ? CLIP_SLERP_ROWS : clip_rows(g);
 }
 
-/* Words of a key. Lanes are a multiple of 4, so those of a compact one are whole. */
+/* The words of a key. Lanes are a multiple of 4, so a compact key is a whole number of words. */
 static inline uint64_t clip_key_words(const clip_group *g)
 {
     uint64_t numbers = (uint64_t)clip_key_rows(g) * g->lanes;

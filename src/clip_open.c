@@ -1,5 +1,27 @@
 /* SPDX-License-Identifier: MIT */
-/* Looks over a block before it is sampled: everything that sampling reads or writes must lie inside. */
+/*
+ * Checks a block before it is sampled: all offsets, counts and places, so that sampling does not access memory outside
+ * the block and the output. Values of keys, ranges and constants are not checked: they are only computed on.
+ *
+ * A sample at any time and with any cursors, of a block that passes:
+ *
+ *     reads                                          bounded by
+ *     header, timelines, groups                      check_parts
+ *     times[k], modes[k], k < count                  check_timeline; count >= 1, so that key 0 exists
+ *     key k, and key k + 1 of k + 1 < count          check_group: count keys of key_words words, and key_words is the
+ *                                                    size that lanes, kind and interpolation determine
+ *     base and step of a compact group               check_group: 2 rows * lanes words
+ *     blocks; count <= width places of each          check_blocks: the widths add up to `lanes`, so the rows of a key
+ *                                                    are exactly as long as its blocks
+ *     values of a run                                check_constants
+ *
+ *     writes                                         bounded by
+ *     places[i]; places[0]..places[0] + contiguous   check_blocks: less than output_limit
+ *     to..to + count - 1 of a run                    check_constants: at most output_limit
+ *
+ * The search accepts any finite ascending times. A mode of a segment that the group does not store would read rows that
+ * do not exist: check_modes.
+ */
 #include "lane/strict.h"
 
 #include <nakawari/clip.h>
@@ -9,21 +31,23 @@
 #include "lane/scalar.h"
 
 /*
- * A block to look over; how many of its words no part has taken: no two share one, so the work is bounded; and how many
- * numbers of the pose and of the floats its parts write. These bound what the clip may claim to hold.
+ * left          words of the block minus the sizes of all parts checked so far. It does not become negative, so the
+ *               time of opening and sampling is at most proportional to the size of the block, even if parts overlap.
+ * pose, floats  numbers that the parts write. A clip may state no more joints and floats than that, so that a caller
+ *               does not allocate much more memory than the block has.
  */
-typedef struct opening {
+typedef struct checker {
     const nkw_clip *clip;
     uint64_t left, pose, floats;
-} opening;
+} checker;
 
-static void add_written(opening *o, uint32_t kind, uint64_t count)
+static void add_written(checker *o, uint32_t kind, uint64_t count)
 {
     *(kind == GROUP_FLOATS ? &o->floats : &o->pose) += kind == GROUP_ROTATIONS ? 4 * count : count;
 }
 
-/* Takes count things of `size` words each, from word `at` on, if they lie within the block. */
-static int fits(opening *o, uint64_t at, uint64_t count, uint64_t size)
+/* Whether `count` elements of `size` words from word `at` on are inside the block. All arguments are less than 2^32. */
+static int fits(checker *o, uint64_t at, uint64_t count, uint64_t size)
 {
     uint64_t words = count * size;
     if (at + words > o->clip->words || words > o->left)
@@ -32,30 +56,34 @@ static int fits(opening *o, uint64_t at, uint64_t count, uint64_t size)
     return 1;
 }
 
-/* Floats of the output in one component that a group of the kind may write. */
-static uint64_t room_of(const nkw_clip *clip, uint32_t kind)
+/* The limit of places: the floats; the whole pose; one component array of the rotations, of which there are four. */
+static uint64_t output_limit(const nkw_clip *clip, uint32_t kind)
 {
     uint64_t stride = NKW_POSE_STRIDE((uint64_t)clip->joints);
     return kind == GROUP_FLOATS ? clip->floats : kind == GROUP_ROTATIONS ? stride : 10 * stride;
 }
 
-/* One width but for the last block; all places in the room. */
-static nkw_result check_blocks(opening *o, const clip_group *g)
+/*
+ * All blocks have width 16, except the last. All places, also those of contiguous lanes, are less than the limit.
+ * Contiguous lanes end with a block: at a multiple of 16, or with the group.
+ */
+static nkw_result check_blocks(checker *o, const clip_group *g)
 {
-    if (!fits(o, g->blocks, g->block_count, sizeof(nkw_block) / 4))
+    if (!fits(o, g->blocks, g->block_count, sizeof(clip_block) / 4))
         return NKW_OUT_OF_RANGE;
-    const nkw_block *blocks = clip_blocks(o->clip, g);
-    uint64_t room = room_of(o->clip, g->kind), lanes = 0;
+    const clip_block *blocks = clip_blocks(o->clip, g);
+    uint64_t limit = output_limit(o->clip, g->kind), lanes = 0;
     for (uint32_t i = 0; i < g->block_count; i++) {
-        const nkw_block *b = &blocks[i];
+        const clip_block *b = &blocks[i];
         int is_last = i + 1 == g->block_count;
-        if (b->width != NKW_BLOCK && (!is_last || (b->width != 4 && b->width != 8)))
+        if (b->width != CLIP_BLOCK && (!is_last || (b->width != 4 && b->width != 8)))
             return NKW_OUT_OF_RANGE;
-        int is_stretch = b->direct <= g->lanes - lanes && (b->direct % NKW_BLOCK == 0 || lanes + b->direct == g->lanes);
-        if (b->count > b->width || !is_stretch || (b->direct && (uint64_t)b->places[0] + b->direct > room))
+        int is_run =
+            b->contiguous <= g->lanes - lanes && (b->contiguous % CLIP_BLOCK == 0 || lanes + b->contiguous == g->lanes);
+        if (b->count > b->width || !is_run || (b->contiguous && (uint64_t)b->places[0] + b->contiguous > limit))
             return NKW_OUT_OF_RANGE;
         for (uint32_t k = 0; k < b->count; k++)
-            if (b->places[k] >= room)
+            if (b->places[k] >= limit)
                 return NKW_OUT_OF_RANGE;
         lanes += b->width;
         add_written(o, g->kind, b->count);
@@ -76,7 +104,7 @@ static nkw_result check_times(const clip_timeline *line, const float *times)
     return NKW_OK;
 }
 
-static nkw_result check_timeline(opening *o, const clip_timeline *line)
+static nkw_result check_timeline(checker *o, const clip_timeline *line)
 {
     if (line->count == 0 || !fits(o, line->times, line->count, 1) ||
         (line->modes && !fits(o, line->modes, line->count, 1)))
@@ -84,8 +112,8 @@ static nkw_result check_timeline(opening *o, const clip_timeline *line)
     return check_times(line, clip_floats(o->clip, line->times));
 }
 
-/* Modes of segments are for a group that serves them: one laid out as LINEAR, or as CUBICSPLINE. */
-static int fits_modes(const nkw_clip *clip, const clip_timeline *line, const clip_group *g)
+/* Whether the rows of the group suffice for all modes: LINEAR stores what STEP needs, CUBICSPLINE what all need. */
+static int check_modes(const nkw_clip *clip, const clip_timeline *line, const clip_group *g)
 {
     uint32_t most =
         g->interpolation == NKW_INTERPOLATION_CUBICSPLINE ? NKW_INTERPOLATION_CUBICSPLINE : NKW_INTERPOLATION_STEP;
@@ -95,7 +123,7 @@ static int fits_modes(const nkw_clip *clip, const clip_timeline *line, const cli
     return 1;
 }
 
-static nkw_result check_group(opening *o, const clip_group *g)
+static nkw_result check_group(checker *o, const clip_group *g)
 {
     const nkw_clip *clip = o->clip;
     if (g->timeline >= clip->timeline_count || g->kind >= GROUP_KINDS ||
@@ -109,16 +137,17 @@ static nkw_result check_group(opening *o, const clip_group *g)
     const clip_timeline *line = clip_timelines(clip) + g->timeline;
     if (g->key_words != clip_key_words(g) || !fits(o, g->keys, line->count, g->key_words))
         return NKW_OUT_OF_RANGE;
-    return fits_modes(clip, line, g) ? check_blocks(o, g) : NKW_OUT_OF_RANGE;
+    return check_modes(clip, line, g) ? check_blocks(o, g) : NKW_OUT_OF_RANGE;
 }
 
-static nkw_result check_constants(opening *o, uint32_t at, uint32_t count, uint32_t kind)
+static nkw_result check_constants(checker *o, uint32_t at, uint32_t count, uint32_t kind)
 {
     if (!fits(o, at, count, sizeof(clip_run) / 4))
         return NKW_OUT_OF_RANGE;
     const clip_run *runs = (const clip_run *)(const void *)(clip_words(o->clip) + at);
     for (uint32_t r = 0; r < count; r++) {
-        if (!fits(o, runs[r].values, runs[r].count, 1) || (uint64_t)runs[r].to + runs[r].count > room_of(o->clip, kind))
+        if (!fits(o, runs[r].values, runs[r].count, 1) ||
+            (uint64_t)runs[r].to + runs[r].count > output_limit(o->clip, kind))
             return NKW_OUT_OF_RANGE;
         add_written(o, kind, runs[r].count);
     }
@@ -127,7 +156,7 @@ static nkw_result check_constants(opening *o, uint32_t at, uint32_t count, uint3
 
 static nkw_result check_parts(const nkw_clip *clip)
 {
-    opening o = {clip, clip->words, 0, 0};
+    checker o = {clip, clip->words, 0, 0};
     nkw_result result = NKW_OK;
     if (!fits(&o, clip->timelines, clip->timeline_count, sizeof(clip_timeline) / 4) ||
         !fits(&o, clip->groups, clip->group_count, sizeof(clip_group) / 4))
@@ -145,9 +174,9 @@ static nkw_result check_parts(const nkw_clip *clip)
     return result;
 }
 
-static nkw_result check_head(const nkw_clip *clip)
+static nkw_result check_header(const nkw_clip *clip)
 {
-    if (clip->joints > CLIP_MOST_JOINTS || clip->floats > CLIP_MOST_FLOATS)
+    if (clip->joints > CLIP_MAX_JOINTS || clip->floats > CLIP_MAX_FLOATS)
         return NKW_OUT_OF_RANGE;
     if (!lane_is_finite(clip->start) || !lane_is_finite(clip->end))
         return NKW_NOT_FINITE;
@@ -166,7 +195,7 @@ nkw_result nkw_clip_open(const void *block, size_t bytes, const nkw_clip **clip)
         return NKW_NOT_A_CLIP;
     if (bytes / 4 < head->words || head->words < sizeof *head / 4)
         return NKW_TOO_SMALL;
-    nkw_result result = check_head(head);
+    nkw_result result = check_header(head);
     if (result == NKW_OK)
         result = check_parts(head);
     *clip = result == NKW_OK ? head : NULL;

@@ -32,31 +32,38 @@ static int is_minus_zero(float x)
     return lane_bits(x) == 0x80000000u;
 }
 
-/* Whether normalising a rotation, as between the keys of a cubic, gives what stands at the keys. */
-static int is_settled(const nkw_track *t, const float *v)
+/*
+ * Between its keys a cubic normalises its rotation; at its keys only if the track is normalised. Whether the bits of
+ * both are equal.
+ */
+static int is_normalize_exact(const nkw_track *t, const float *v)
 {
     nkw_quat q = {v[0], v[1], v[2], v[3]}, unit = nkw_quat_normalize(q);
     return clip_is_normalized(t) || memcmp(&unit, v, sizeof unit) == 0;
 }
 
-/* The same bits at every time. Numbers that are -0 may come out of a lerp or a cubic as 0. */
+/*
+ * Whether sampling returns the same bits at every time: one key; or equal keys, and for cubics tangents of 0.
+ * Not constant: numbers and cubics with a component -0, of which interpolation may return +0; rotations of cubics
+ * that normalisation changes.
+ */
 static int is_constant(const nkw_clip_track *c)
 {
     const nkw_track *t = &c->track;
     const float *first = clip_track_value(t, 0);
-    int turns = c->target == NKW_CLIP_ROTATION;
+    int is_rotation = c->target == NKW_CLIP_ROTATION;
     if (t->count == 1)
         return 1;
-    if ((!turns || clip_is_cubic(t)) && any(first, t->width, is_minus_zero))
+    if ((!is_rotation || clip_is_cubic(t)) && any(first, t->width, is_minus_zero))
         return 0;
-    if (turns && clip_is_cubic(t) && !is_settled(t, first))
+    if (is_rotation && clip_is_cubic(t) && !is_normalize_exact(t, first))
         return 0;
     for (size_t k = 1; k < t->count; k++) {
         const float *v = clip_track_value(t, k), *before = clip_track_value(t, k - 1);
         float duration = t->times[k] - t->times[k - 1];
         if (!same_bits(v, first, t->width))
             return 0;
-        /* A tangent of 0 times a duration that overflows is NaN. */
+        /* 0 times a duration that overflows to infinity is NaN. */
         if (clip_is_cubic(t) && !lane_is_finite(duration))
             return 0;
         if (clip_is_cubic(t) &&
@@ -73,13 +80,13 @@ static int same_timeline(const nkw_track *a, const nkw_track *b)
     return !a->key_interpolation || memcmp(a->key_interpolation, b->key_interpolation, a->count) == 0;
 }
 
-uint32_t nkw_clip_tracks_group(const nkw_clip_track *c)
+uint32_t nkwi_clip_tracks_group(const nkw_clip_track *c)
 {
     uint32_t cubic_unit = clip_is_cubic(&c->track) && clip_is_normalized(&c->track);
     return (uint32_t)clip_kind_of(c) * 16u + (uint32_t)clip_interpolation_of(&c->track) * 2u + cubic_unit;
 }
 
-/* Orders of tracks. */
+/* Sorting. */
 
 static int before_by_place(const void *context, uint32_t i, uint32_t j)
 {
@@ -91,7 +98,7 @@ static int before_by_place(const void *context, uint32_t i, uint32_t j)
 static int before_by_group(const void *context, uint32_t i, uint32_t j)
 {
     const clip_tracks *b = (const clip_tracks *)context;
-    uint32_t p = nkw_clip_tracks_group(&b->source->tracks[i]), q = nkw_clip_tracks_group(&b->source->tracks[j]);
+    uint32_t p = nkwi_clip_tracks_group(&b->source->tracks[i]), q = nkwi_clip_tracks_group(&b->source->tracks[j]);
     if (b->timeline[i] != b->timeline[j])
         return b->timeline[i] < b->timeline[j];
     return p != q ? p < q : before_by_place(b, i, j);
@@ -104,7 +111,10 @@ static void sort(const clip_tracks *b, uint32_t *order, lane_before *before)
     lane_sort(order, b->source->track_count, before, b);
 }
 
-/* Timelines are numbered by the places of their first tracks, not by the order in which tracks are given. */
+/*
+ * The timeline of a track is the first index in by_place with the same key times and modes. It does not depend on the
+ * order of the tracks in the source, so neither does the block. O(tracks * timelines).
+ */
 static void find_timelines(clip_tracks *b)
 {
     const nkw_clip_track *tracks = b->source->tracks;
@@ -121,16 +131,16 @@ static void find_timelines(clip_tracks *b)
 
 /* Validation. */
 
-nkw_result nkw_clip_tracks_place(const nkw_clip_source *s, const nkw_clip_track *c)
+nkw_result nkwi_clip_tracks_check_target(const nkw_clip_source *s, const nkw_clip_track *c)
 {
-    int turns = c->target == NKW_CLIP_ROTATION;
+    int is_rotation = c->target == NKW_CLIP_ROTATION;
     if (c->track.count >= CLIP_CONSTANT)
         return NKW_OUT_OF_RANGE;
-    if ((unsigned)c->target > NKW_CLIP_FLOATS || (c->track.kind != NKW_TRACK_FLOATS) != turns)
+    if ((unsigned)c->target > NKW_CLIP_FLOATS || (c->track.kind != NKW_TRACK_FLOATS) != is_rotation)
         return NKW_BAD_METHOD;
     if (c->target == NKW_CLIP_FLOATS)
         return c->index <= s->float_count && c->track.width <= s->float_count - c->index ? NKW_OK : NKW_OUT_OF_RANGE;
-    if (c->track.width != (turns ? 4u : 3u))
+    if (c->track.width != (is_rotation ? 4u : 3u))
         return NKW_BAD_WIDTH;
     return c->index < s->joint_count ? NKW_OK : NKW_OUT_OF_RANGE;
 }
@@ -141,39 +151,39 @@ static nkw_result check_tracks(const nkw_clip_source *s, size_t *bad)
                         : (unsigned)s->format > (unsigned)NKW_CLIP_UNORM16      ? NKW_BAD_FORMAT
                         : s->rest.data && s->rest.joint_count != s->joint_count ? NKW_MISMATCHED
                                                                                 : NKW_OK;
-    if (s->track_count >= CLIP_CONSTANT || s->joint_count > CLIP_MOST_JOINTS || s->float_count > CLIP_MOST_FLOATS)
+    if (s->track_count >= CLIP_CONSTANT || s->joint_count > CLIP_MAX_JOINTS || s->float_count > CLIP_MAX_FLOATS)
         result = NKW_OUT_OF_RANGE;
     for (size_t i = 0; result == NKW_OK && i < s->track_count; i++) {
         *bad = i;
         result = nkw_track_validate(&s->tracks[i].track, NULL);
-        result = result == NKW_OK ? nkw_clip_tracks_place(s, &s->tracks[i]) : result;
+        result = result == NKW_OK ? nkwi_clip_tracks_check_target(s, &s->tracks[i]) : result;
     }
     *bad = result == NKW_OK ? 0 : *bad;
     return result;
 }
 
-static int move_the_same(const nkw_clip_track *a, const nkw_clip_track *b)
+static int have_same_target(const nkw_clip_track *a, const nkw_clip_track *b)
 {
     const nkw_clip_track *p = a->index <= b->index ? a : b, *q = p == a ? b : a;
     size_t taken = p->target == NKW_CLIP_FLOATS ? p->track.width : 1;
     return p->target == q->target && q->index - p->index < taken;
 }
 
-/* The first track that moves what one before it moves; there is one. */
+/* The first track with the same target as an earlier one. The caller has found that there is one. */
 static size_t first_repeated(const nkw_clip_track *tracks)
 {
     for (size_t i = 1;; i++)
         for (size_t j = 0; j < i; j++)
-            if (move_the_same(&tracks[j], &tracks[i]))
+            if (have_same_target(&tracks[j], &tracks[i]))
                 return i;
 }
 
-/* In the order of places, what two tracks move lies next to each other. */
+/* In by_place, tracks with the same target are neighbours. */
 static nkw_result check_repeated(const clip_tracks *b, size_t *bad)
 {
     const nkw_clip_track *tracks = b->source->tracks;
     for (size_t i = 1; i < b->source->track_count; i++) {
-        if (!move_the_same(&tracks[b->by_place[i - 1]], &tracks[b->by_place[i]]))
+        if (!have_same_target(&tracks[b->by_place[i - 1]], &tracks[b->by_place[i]]))
             continue;
         *bad = first_repeated(tracks);
         return NKW_REPEATED;
@@ -181,7 +191,7 @@ static nkw_result check_repeated(const clip_tracks *b, size_t *bad)
     return NKW_OK;
 }
 
-const nkw_clip_track *nkw_clip_tracks_of(const clip_tracks *t, nkw_clip_target target, size_t index)
+const nkw_clip_track *nkwi_clip_tracks_find(const clip_tracks *t, nkw_clip_target target, size_t index)
 {
     const nkw_clip_track *tracks = t->source->tracks;
     size_t low = 0, high = t->source->track_count;
@@ -198,80 +208,87 @@ const nkw_clip_track *nkw_clip_tracks_of(const clip_tracks *t, nkw_clip_target t
     return last && last->target == target && index - last->index < width ? last : NULL;
 }
 
-/* Gaps between joints that a group moves. */
+/* Gaps (clip_tracks.h). */
 
-#define GAP 4 /* joints */
+#define CLIP_GAP 4 /* joints, at most */
 
-const nkw_clip_track *nkw_clip_tracks_mover(const clip_tracks *t, nkw_clip_target target, size_t index)
+const nkw_clip_track *nkwi_clip_tracks_find_animated(const clip_tracks *t, nkw_clip_target target, size_t index)
 {
-    const nkw_clip_track *c = nkw_clip_tracks_of(t, target, index);
+    const nkw_clip_track *c = nkwi_clip_tracks_find(t, target, index);
     return c && t->timeline[c - t->source->tracks] != CLIP_CONSTANT ? c : NULL;
 }
 
-int nkw_clip_tracks_same(const clip_tracks *t, const nkw_clip_track *a, const nkw_clip_track *b)
+int nkwi_clip_tracks_same_group(const clip_tracks *t, const nkw_clip_track *a, const nkw_clip_track *b)
 {
     const nkw_clip_track *tracks = t->source->tracks;
     return a && b && t->timeline[a - tracks] == t->timeline[b - tracks] &&
-           nkw_clip_tracks_group(a) == nkw_clip_tracks_group(b);
+           nkwi_clip_tracks_group(a) == nkwi_clip_tracks_group(b);
 }
 
-/* Whether the way from a number to itself is that number, bit for bit. */
-static int is_kept(nkw_clip_target target, float x)
+/*
+ * Whether interpolating from x to x returns the bits of x for every t. A lerp x + t (x - x) does for finite x, except
+ * that it may return +0 for -0; slerp does for components of magnitude up to 2, of either zero.
+ */
+static int is_invariant(nkw_clip_target target, float x)
 {
     return target == NKW_CLIP_ROTATION ? x >= -2.0f && x <= 2.0f : lane_is_finite(x) && !is_minus_zero(x);
 }
 
-static int is_joint_kept(const clip_tracks *t, nkw_clip_target target, size_t joint)
+static int is_joint_invariant(const clip_tracks *t, nkw_clip_target target, size_t joint)
 {
-    const nkw_clip_track *c = nkw_clip_tracks_of(t, target, joint);
+    const nkw_clip_track *c = nkwi_clip_tracks_find(t, target, joint);
     const float *rest = t->source->rest.data;
     size_t stride = NKW_POSE_STRIDE(t->source->joint_count), width = target == NKW_CLIP_ROTATION ? 4 : 3;
     for (size_t i = 0; i < width && (c || rest); i++)
-        if (!is_kept(target, c ? clip_track_value(&c->track, 0)[i] : rest[clip_array_of(target, i) * stride + joint]))
+        if (!is_invariant(target,
+                          c ? clip_track_value(&c->track, 0)[i] : rest[clip_array_of(target, i) * stride + joint]))
             return 0;
     return 1;
 }
 
-const nkw_clip_track *nkw_clip_tracks_beside(const clip_tracks *t, nkw_clip_target target, size_t joint)
+const nkw_clip_track *nkwi_clip_tracks_find_gap(const clip_tracks *t, nkw_clip_target target, size_t joint)
 {
     size_t first = joint, end = joint + 1, joints = t->source->joint_count;
-    if (target == NKW_CLIP_FLOATS || !t->bridges[target] || nkw_clip_tracks_mover(t, target, joint))
+    if (target == NKW_CLIP_FLOATS || !t->fills_gaps[target] || nkwi_clip_tracks_find_animated(t, target, joint))
         return NULL;
-    while (first > 0 && joint - first < GAP && !nkw_clip_tracks_mover(t, target, first - 1))
+    while (first > 0 && joint - first < CLIP_GAP && !nkwi_clip_tracks_find_animated(t, target, first - 1))
         first--;
-    while (end < joints && end - first <= GAP && !nkw_clip_tracks_mover(t, target, end))
+    while (end < joints && end - first <= CLIP_GAP && !nkwi_clip_tracks_find_animated(t, target, end))
         end++;
     size_t gap = end - first;
-    const nkw_clip_track *before = first > 0 ? nkw_clip_tracks_mover(t, target, first - 1) : NULL;
-    const nkw_clip_track *after = end < joints ? nkw_clip_tracks_mover(t, target, end) : NULL;
-    const nkw_clip_track *beside = before ? before : after;
-    if (gap > GAP || !beside || clip_is_cubic(&beside->track) ||
-        (before && after && !nkw_clip_tracks_same(t, before, after)))
+    const nkw_clip_track *before = first > 0 ? nkwi_clip_tracks_find_animated(t, target, first - 1) : NULL;
+    const nkw_clip_track *after = end < joints ? nkwi_clip_tracks_find_animated(t, target, end) : NULL;
+    const nkw_clip_track *neighbour = before ? before : after;
+    if (gap > CLIP_GAP || !neighbour || clip_is_cubic(&neighbour->track) ||
+        (before && after && !nkwi_clip_tracks_same_group(t, before, after)))
         return NULL;
     for (size_t i = first; i < end; i++)
-        if (!is_joint_kept(t, target, i))
+        if (!is_joint_invariant(t, target, i))
             return NULL;
-    return beside;
+    return neighbour;
 }
 
-/* Gaps are bridged where that does not more than double the joints that are moved; compact rotations change, so not. */
-static void choose_bridges(clip_tracks *t)
+/*
+ * Gaps get lanes if there are at most as many joints in gaps as animated joints. Compact rotations have none: encoding
+ * changes the bits of a constant rotation.
+ */
+static void choose_gaps(clip_tracks *t)
 {
     for (int target = 0; target < NKW_CLIP_FLOATS; target++) {
-        size_t moved = 0, between = 0;
-        t->bridges[target] = t->source->format == NKW_CLIP_FLOAT32 || target != NKW_CLIP_ROTATION;
+        size_t animated = 0, in_gaps = 0;
+        t->fills_gaps[target] = t->source->format == NKW_CLIP_FLOAT32 || target != NKW_CLIP_ROTATION;
         for (size_t j = 0; j < t->source->joint_count; j++) {
-            moved += nkw_clip_tracks_mover(t, (nkw_clip_target)target, j) != NULL;
-            between += nkw_clip_tracks_beside(t, (nkw_clip_target)target, j) != NULL;
+            animated += nkwi_clip_tracks_find_animated(t, (nkw_clip_target)target, j) != NULL;
+            in_gaps += nkwi_clip_tracks_find_gap(t, (nkw_clip_target)target, j) != NULL;
         }
-        t->bridges[target] &= between <= moved;
+        t->fills_gaps[target] &= in_gaps <= animated;
     }
 }
 
-nkw_result nkw_clip_tracks_order(const nkw_clip_source *source, clip_tracks *out, size_t *bad_track, uint32_t *work,
-                                 size_t work_count)
+nkw_result nkwi_clip_tracks_order(const nkw_clip_source *source, clip_tracks *out, size_t *bad_track, uint32_t *work,
+                                  size_t work_count)
 {
-    const size_t n = source->track_count; /* without tracks `work` may be NULL, which has no place after it */
+    const size_t n = source->track_count; /* if 0, `work` may be NULL: NULL + n is not computed */
     clip_tracks tracks = {source, work, n ? work + n : work, n ? work + 2 * n : work, {0, 0, 0}};
     *out = tracks;
     *bad_track = 0;
@@ -286,6 +303,6 @@ nkw_result nkw_clip_tracks_order(const nkw_clip_source *source, clip_tracks *out
         return result;
     find_timelines(out);
     sort(out, out->by_group, before_by_group);
-    choose_bridges(out);
+    choose_gaps(out);
     return NKW_OK;
 }

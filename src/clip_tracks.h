@@ -1,5 +1,10 @@
 /* SPDX-License-Identifier: MIT */
-/* The tracks of a clip to be built: checked, told apart, and put in order. */
+/*
+ * The tracks of the source of a clip: checked, grouped and sorted.
+ *
+ * A track is constant if sampling returns the same bits at every time, otherwise animated. Only animated tracks are
+ * members of groups; the value of a constant one is stored in a run.
+ */
 #ifndef NAKAWARI_CLIP_TRACKS_H
 #define NAKAWARI_CLIP_TRACKS_H
 
@@ -9,42 +14,45 @@
 
 #include "clip_layout.h"
 
-#define CLIP_CONSTANT UINT32_MAX /* in place of a timeline */
+#define CLIP_CONSTANT UINT32_MAX /* the timeline of a constant track */
 
 typedef struct clip_tracks {
     const nkw_clip_source *source;
-    uint32_t *by_group; /* tracks by timeline, then by group, then by target and index; constant ones last */
-    uint32_t *by_place; /* tracks by target and index */
-    uint32_t *timeline; /* of each track: where in by_place the first with the same one is, or CLIP_CONSTANT */
-    int bridges[NKW_CLIP_FLOATS]; /* whether gaps between translations, rotations, scales are bridged */
+    uint32_t *by_group; /* tracks sorted by timeline, group, target and index; constant tracks are last */
+    uint32_t *by_place; /* tracks sorted by target and index */
+    uint32_t *timeline; /* of each track: the index in by_place of the first track with equal times, or CLIP_CONSTANT */
+    int fills_gaps[NKW_CLIP_FLOATS]; /* whether gaps get lanes: of translations, of rotations, of scales */
 } clip_tracks;
 
-/* Checks the source, and fills the three arrays in `work`, at least NKW_CLIP_WORK numbers. */
-nkw_result nkw_clip_tracks_order(const nkw_clip_source *source, clip_tracks *out, size_t *bad_track, uint32_t *work,
-                                 size_t work_count);
+/* Checks the source and sets `out`. Its three arrays are in `work`, at least NKW_CLIP_WORK(track_count) numbers. */
+nkw_result nkwi_clip_tracks_order(const nkw_clip_source *source, clip_tracks *out, size_t *bad_track, uint32_t *work,
+                                  size_t work_count);
 
-/* Whether track c may stand in the source s: its target, width and kind, and what it moves. */
-nkw_result nkw_clip_tracks_place(const nkw_clip_source *s, const nkw_clip_track *c);
+/* Checks the target, width, kind and index of track c of the source s. */
+nkw_result nkwi_clip_tracks_check_target(const nkw_clip_source *s, const nkw_clip_track *c);
 
-/* The track that moves joint or float `index`, or NULL. */
-const nkw_clip_track *nkw_clip_tracks_of(const clip_tracks *t, nkw_clip_target target, size_t index);
+/* The track of joint or float `index`, constant or animated; NULL if there is none. */
+const nkw_clip_track *nkwi_clip_tracks_find(const clip_tracks *t, nkw_clip_target target, size_t index);
 
-/* The track that changes joint or float `index`, or NULL. */
-const nkw_clip_track *nkw_clip_tracks_mover(const clip_tracks *t, nkw_clip_target target, size_t index);
+/* The animated track of joint or float `index`; NULL if there is none. */
+const nkw_clip_track *nkwi_clip_tracks_find_animated(const clip_tracks *t, nkw_clip_target target, size_t index);
 
-/* Whether two tracks that change are of one group. */
-int nkw_clip_tracks_same(const clip_tracks *t, const nkw_clip_track *a, const nkw_clip_track *b);
+/* Whether two animated tracks are in the same group; 0 if either is NULL. */
+int nkwi_clip_tracks_same_group(const clip_tracks *t, const nkw_clip_track *a, const nkw_clip_track *b);
 
 /*
- * A track beside a joint that nothing changes, whose group's lanes go on over it: in a gap of up to four joints between
- * those of the group, or at an end of them. Lanes without gaps are written as they stand. NULL where there is none.
+ * A gap is up to four neighbouring joints without an animated track, between two joints of one group or at one end of
+ * the joints of a group. The joints of a gap get lanes in this group, with equal values in all keys, so that the lanes
+ * are contiguous and are written by vector stores.
+ *
+ * Returns a neighbouring animated track of the group if the joint is in such a gap, otherwise NULL.
  */
-const nkw_clip_track *nkw_clip_tracks_beside(const clip_tracks *t, nkw_clip_target target, size_t joint);
+const nkw_clip_track *nkwi_clip_tracks_find_gap(const clip_tracks *t, nkw_clip_target target, size_t joint);
 
-/* What tracks of one timeline must have in common to be a group: equal numbers. */
-uint32_t nkw_clip_tracks_group(const nkw_clip_track *c);
+/* A number for kind, interpolation and normalisation: the tracks of a timeline with equal numbers are a group. */
+uint32_t nkwi_clip_tracks_group(const nkw_clip_track *c);
 
-/* The component array of a pose in which a component stands. */
+/* The array 0..9 of a pose that contains the component. */
 static inline size_t clip_array_of(nkw_clip_target target, size_t component)
 {
     return component + (target == NKW_CLIP_ROTATION ? 3u : target == NKW_CLIP_SCALE ? 7u : 0u);
@@ -55,7 +63,7 @@ static inline int clip_is_cubic(const nkw_track *t)
     return t->interpolation == NKW_INTERPOLATION_CUBICSPLINE;
 }
 
-/* Whether two tracks have their keys at the same times, bit for bit. */
+/* Whether two tracks have the same key times, bit for bit. */
 static inline int clip_same_times(const nkw_track *a, const nkw_track *b)
 {
     return a->count == b->count &&
@@ -79,7 +87,7 @@ static inline clip_kind clip_kind_of(const nkw_clip_track *c)
                                           : GROUP_NUMBERS;
 }
 
-/* Tracks that choose key by key are laid out as LINEAR, which serves STEP too, or as CUBICSPLINE, which serves all. */
+/* The interpolation whose rows are stored. Tracks with a mode per key store LINEAR, or CUBICSPLINE if they are that. */
 static inline nkw_interpolation clip_interpolation_of(const nkw_track *t)
 {
     return t->key_interpolation && !clip_is_cubic(t) ? NKW_INTERPOLATION_LINEAR : t->interpolation;

@@ -7,23 +7,25 @@
 
 #include <nakawari/types.h>
 
-#define NKW_BLOCK      16 /* lanes: the widest vector, so that loops over a block have no remainder */
-#define NKW_BLOCK_ROWS 5 /* x y z w of rotations and v of their arcs */
+#define CLIP_BLOCK      16 /* lanes: the widest vector, so that loops over a block have no remainder */
+#define CLIP_SLERP_ROWS 5 /* rows of a LINEAR rotation: x y z w, and the arc v to the next key */
 
 /*
- * A block of a clip's lanes: width 4, 8 or 16. The first `count` are lanes of tracks, the rest fill it up: lane i
- * goes to the float places[i] of each component of the output.
+ * A block of lanes of a clip (clip_layout.h): the destinations of up to 16 lanes.
  *
- * direct: how many lanes from the first of this block on go to places[0], places[0] + 1, places[0] + 2 ... and may be
- * written there in one stream: this block and maybe others after it, all of them whole. 0 where this block is scattered
- * lane by lane.
+ * width       lanes in each row of a key: 16; 4, 8 or 16 in the last block of a group
+ * count       lanes that are written, at most width. The others are padding: computed, but not written.
+ * contiguous  0: lane i is written to places[i], one by one. Otherwise the number of lanes, from lane 0 of this block
+ *             on, whose places are places[0], places[0] + 1, places[0] + 2 ...: they are written by vector stores. They
+ *             are those of this block, and possibly of following blocks, always of whole blocks.
+ * places      of each lane: its float in the component of the output
  */
-typedef struct nkw_block {
-    uint32_t width, count, direct;
-    uint32_t places[NKW_BLOCK];
-} nkw_block;
+typedef struct clip_block {
+    uint32_t width, count, contiguous;
+    uint32_t places[CLIP_BLOCK];
+} clip_block;
 
-/* Rows of a block that stand `width` floats apart. */
+/* The rows x, y, z, w at x, at a distance of `width` floats. */
 static inline nkw_quat_view block_rows(const float *x, size_t width)
 {
     nkw_quat_view view = {x, x + width, x + 2 * width, x + 3 * width};

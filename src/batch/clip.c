@@ -1,5 +1,16 @@
 /* SPDX-License-Identifier: MIT */
-/* Between two keys of a clip's group, block by block. src/clip_layout.h has the layout of keys. */
+/*
+ * Interpolation between two neighbouring keys a and b of a group of a clip. src/clip_layout.h describes the layout.
+ *
+ * A loop computes the lanes of one or more blocks row by row, either into the output, if their places are contiguous,
+ * or into a buffer on the stack, which is then scattered:
+ *
+ *     contiguous    key rows -> vector computation -> out + places[0]
+ *     otherwise     key rows -> vector computation -> buffer -> out[places[i]], i < count
+ *
+ * Numbers: out is the output. Rotations: component c of the output is at out + c * stride.
+ * Most inner loops take the width as a constant, 16, 8 or 4, and have no remainder.
+ */
 #include "lane/strict.h"
 
 #include <string.h>
@@ -12,8 +23,8 @@
 
 NKW_LOOPS_CLIP(NKW_DECLARE_LOOP)
 
-/* Rotations in rows `apart` floats apart to their places in components `stride` apart; two at a time. */
-static inline void scatter(const nkw_block *block, const float *from, size_t apart, float *out, size_t stride)
+/* Copies rotations in rows at a distance of from_stride floats to their places; two neighbouring lanes at a time. */
+static inline void scatter(const clip_block *block, const float *from, size_t from_stride, float *out, size_t stride)
 {
     const uint32_t *places = block->places;
     size_t i = 0;
@@ -21,32 +32,32 @@ static inline void scatter(const nkw_block *block, const float *from, size_t apa
         float *to = out + places[i];
         if (places[i + 1] - places[i] == 1)
             for (size_t row = 0; row < 4; row++)
-                memcpy(to + row * stride, from + row * apart + i, 2 * sizeof *to);
+                memcpy(to + row * stride, from + row * from_stride + i, 2 * sizeof *to);
         else
             for (size_t row = 0; row < 4; row++) {
-                to[row * stride] = from[row * apart + i];
-                out[places[i + 1] + row * stride] = from[row * apart + i + 1];
+                to[row * stride] = from[row * from_stride + i];
+                out[places[i + 1] + row * stride] = from[row * from_stride + i + 1];
             }
     }
     for (size_t row = 0; i < block->count && row < 4; row++)
-        out[places[i] + row * stride] = from[row * apart + i];
+        out[places[i] + row * stride] = from[row * from_stride + i];
 }
 
 static inline size_t blocks_in(size_t lanes)
 {
-    return (lanes + NKW_BLOCK - 1) / NKW_BLOCK;
+    return (lanes + CLIP_BLOCK - 1) / CLIP_BLOCK;
 }
 
-/* Scattered blocks of numbers that are worked out together, at most: no lane waits to be stored before the next. */
-#define SCATTERED 8
+/* The most scattered blocks of numbers computed together: stores of one block overlap the computation of the next. */
+#define CLIP_SCATTER_BLOCKS 8
 
-/* How many lanes from the first block on are worked out together. */
-static inline size_t lanes_together(const nkw_block *blocks, size_t block_count)
+/* The number of lanes, from the first of blocks[0] on, that are computed together: whole blocks. */
+static inline size_t lanes_together(const clip_block *blocks, size_t block_count)
 {
     size_t n = 0;
-    while (n < block_count && n < SCATTERED && !blocks[n].direct && blocks[n].width == NKW_BLOCK)
+    while (n < block_count && n < CLIP_SCATTER_BLOCKS && !blocks[n].contiguous && blocks[n].width == CLIP_BLOCK)
         n++;
-    return blocks->direct ? blocks->direct : n > 0 ? n * NKW_BLOCK : blocks->width;
+    return blocks->contiguous ? blocks->contiguous : n > 0 ? n * CLIP_BLOCK : blocks->width;
 }
 
 INLINE void scatter_count(const uint32_t *places, const float *from, float *out, size_t count)
@@ -55,12 +66,12 @@ INLINE void scatter_count(const uint32_t *places, const float *from, float *out,
         out[places[i]] = from[i];
 }
 
-/* `lanes` numbers, whole blocks, to their places; a constant count is a few loads and stores. */
-static inline void scatter_numbers(const nkw_block *blocks, const float *from, float *out, size_t lanes)
+/* Copies `lanes` numbers, whole blocks, to their places. A constant count compiles to loads and stores only. */
+static inline void scatter_numbers(const clip_block *blocks, const float *from, float *out, size_t lanes)
 {
-    for (size_t k = 0; k < blocks_in(lanes); k++, from += NKW_BLOCK)
-        if (blocks[k].count == NKW_BLOCK)
-            scatter_count(blocks[k].places, from, out, NKW_BLOCK);
+    for (size_t k = 0; k < blocks_in(lanes); k++, from += CLIP_BLOCK)
+        if (blocks[k].count == CLIP_BLOCK)
+            scatter_count(blocks[k].places, from, out, CLIP_BLOCK);
         else
             scatter_count(blocks[k].places, from, out, blocks[k].count);
 }
@@ -74,11 +85,11 @@ static inline void arcs_of_block(float *a, const float *b, size_t width)
         arcs[i] = lane_slerp_arc(at_quat(from, i), at_quat(to, i), 1);
 }
 
-/* Writes the arcs of key a to key b into a. */
-NKW_LOOP(nkwi_clip_arcs)(float *a, const float *b, const nkw_block *blocks, size_t block_count)
+/* Writes row v of key a: the arcs from key a to key b. */
+NKW_LOOP(nkwi_clip_arcs)(float *a, const float *b, const clip_block *blocks, size_t block_count)
 {
     for (size_t k = 0; k < block_count; k++) {
-        size_t at = k * NKW_BLOCK * NKW_BLOCK_ROWS;
+        size_t at = k * CLIP_BLOCK * CLIP_SLERP_ROWS;
         arcs_of_block(a + at, b + at, blocks[k].width);
     }
 }
@@ -91,33 +102,34 @@ INLINE void lerp_lanes(const float *a, const float *b, float t, int first, float
         out[i] = nkw_lerp_from(first, a[i], b[i], t);
 }
 
-/* `lanes` lanes, whole blocks. */
-INLINE void lerp_stretch(const float *a, const float *b, float t, int first, float *out, size_t lanes)
+/* `lanes` lanes: blocks of 16, and at most one of 8 or 4. */
+INLINE void lerp_contiguous(const float *a, const float *b, float t, int first, float *out, size_t lanes)
 {
-    for (; lanes >= NKW_BLOCK; lanes -= NKW_BLOCK, a += NKW_BLOCK, b += NKW_BLOCK, out += NKW_BLOCK)
-        lerp_lanes(a, b, t, first, out, NKW_BLOCK);
+    for (; lanes >= CLIP_BLOCK; lanes -= CLIP_BLOCK, a += CLIP_BLOCK, b += CLIP_BLOCK, out += CLIP_BLOCK)
+        lerp_lanes(a, b, t, first, out, CLIP_BLOCK);
     if (lanes == 8)
         lerp_lanes(a, b, t, first, out, 8);
     else if (lanes == 4)
         lerp_lanes(a, b, t, first, out, 4);
 }
 
-INLINE void lerp_blocks(const float *a, const float *b, float t, int first, const nkw_block *blocks, size_t block_count,
-                        float *out)
+INLINE void lerp_blocks(const float *a, const float *b, float t, int first, const clip_block *blocks,
+                        size_t block_count, float *out)
 {
     for (size_t k = 0, lanes; k < block_count; k += blocks_in(lanes)) {
-        float mixed[SCATTERED * NKW_BLOCK];
-        int direct = blocks[k].direct > 0;
+        float buffer[CLIP_SCATTER_BLOCKS * CLIP_BLOCK];
+        int contiguous = blocks[k].contiguous > 0;
         lanes = lanes_together(blocks + k, block_count - k);
-        lerp_stretch(a + k * NKW_BLOCK, b + k * NKW_BLOCK, t, first, direct ? out + blocks[k].places[0] : mixed, lanes);
-        if (!direct)
-            scatter_numbers(blocks + k, mixed, out, lanes);
+        lerp_contiguous(a + k * CLIP_BLOCK, b + k * CLIP_BLOCK, t, first,
+                        contiguous ? out + blocks[k].places[0] : buffer, lanes);
+        if (!contiguous)
+            scatter_numbers(blocks + k, buffer, out, lanes);
     }
 }
 
-/* For t inside 0..1: at the ends there is a key to hold. */
+/* 0 < t < 1. At 0 and 1 the caller calls nkwi_clip_hold. */
 NKW_LOOP(nkwi_clip_lerp)
-(const float *a, const float *b, float t, const nkw_block *blocks, size_t block_count, float *out)
+(const float *a, const float *b, float t, const clip_block *blocks, size_t block_count, float *out)
 {
     if (t < 0.5f)
         lerp_blocks(a, b, t, 1, blocks, block_count, out);
@@ -125,7 +137,7 @@ NKW_LOOP(nkwi_clip_lerp)
         lerp_blocks(a, b, t, 0, blocks, block_count, out);
 }
 
-/* What the slerps of a group at one t share. */
+/* The values that all slerps at one t share. */
 typedef struct slerp_shared {
     lane_slerp_time at;
     lane_slerp_series series;
@@ -144,37 +156,37 @@ INLINE void slerp_block(const float *a, const float *b, const slerp_shared *p, f
     }
 }
 
-/* `lanes` lanes, whole blocks, from one after the other to one after the other. */
-INLINE void slerp_stretch(const float *a, const float *b, const slerp_shared *p, float *out, size_t stride,
-                          size_t lanes)
+/* `lanes` lanes: blocks of 16, and at most one of 8 or 4, to contiguous places. */
+INLINE void slerp_contiguous(const float *a, const float *b, const slerp_shared *p, float *out, size_t stride,
+                             size_t lanes)
 {
-    const size_t block = NKW_BLOCK * NKW_BLOCK_ROWS;
-    for (; lanes >= NKW_BLOCK; lanes -= NKW_BLOCK, a += block, b += block, out += NKW_BLOCK)
-        slerp_block(a, b, p, out, stride, NKW_BLOCK);
+    const size_t block = CLIP_BLOCK * CLIP_SLERP_ROWS;
+    for (; lanes >= CLIP_BLOCK; lanes -= CLIP_BLOCK, a += block, b += block, out += CLIP_BLOCK)
+        slerp_block(a, b, p, out, stride, CLIP_BLOCK);
     if (lanes == 8)
         slerp_block(a, b, p, out, stride, 8);
     else if (lanes == 4)
         slerp_block(a, b, p, out, stride, 4);
 }
 
-INLINE void slerp_blocks(const float *a, const float *b, lane_slerp_time at, const nkw_block *blocks,
+INLINE void slerp_blocks(const float *a, const float *b, lane_slerp_time at, const clip_block *blocks,
                          size_t block_count, float *out, size_t stride)
 {
     const slerp_shared p = {at, lane_slerp_series_at(&at)};
     for (size_t k = 0, lanes; k < block_count; k += blocks_in(lanes)) {
-        const size_t from = k * NKW_BLOCK * NKW_BLOCK_ROWS;
-        float mixed[4 * NKW_BLOCK];
-        int direct = blocks[k].direct > 0;
-        lanes = direct ? blocks[k].direct : blocks[k].width;
-        slerp_stretch(a + from, b + from, &p, direct ? out + blocks[k].places[0] : mixed, direct ? stride : NKW_BLOCK,
-                      lanes);
-        if (!direct)
-            scatter(&blocks[k], mixed, NKW_BLOCK, out, stride);
+        const size_t from = k * CLIP_BLOCK * CLIP_SLERP_ROWS;
+        float buffer[4 * CLIP_BLOCK];
+        int contiguous = blocks[k].contiguous > 0;
+        lanes = contiguous ? blocks[k].contiguous : blocks[k].width;
+        slerp_contiguous(a + from, b + from, &p, contiguous ? out + blocks[k].places[0] : buffer,
+                         contiguous ? stride : CLIP_BLOCK, lanes);
+        if (!contiguous)
+            scatter(&blocks[k], buffer, CLIP_BLOCK, out, stride);
     }
 }
 
 NKW_LOOP(nkwi_clip_slerp)
-(const float *a, const float *b, float t, const nkw_block *blocks, size_t block_count, float *out, size_t stride)
+(const float *a, const float *b, float t, const clip_block *blocks, size_t block_count, float *out, size_t stride)
 {
     lane_slerp_time at = lane_slerp_time_at(t, 0);
     if (!lane_t_is_generic(t))
@@ -185,7 +197,10 @@ NKW_LOOP(nkwi_clip_slerp)
         slerp_blocks(a, b, lane_slerp_time_from(at, 0), blocks, block_count, out, stride);
 }
 
-/* Compact keys. A number is base + step key; between two keys of a number the key itself is interpolated. */
+/*
+ * Compact keys: number = base + step key. Numbers are linear in the key, so the key is interpolated, then decoded.
+ * Rotations are decoded first.
+ */
 
 static inline void lerp16_lanes(const uint16_t *a, const uint16_t *b, const float *base, const float *step, float t,
                                 float *out, size_t n)
@@ -198,30 +213,35 @@ static inline void lerp16_lanes(const uint16_t *a, const uint16_t *b, const floa
 }
 
 NKW_LOOP(nkwi_clip_lerp16)
-(const uint16_t *a, const uint16_t *b, const float *base, const float *step, float t, const nkw_block *blocks,
+(const uint16_t *a, const uint16_t *b, const float *base, const float *step, float t, const clip_block *blocks,
  size_t block_count, float *out)
 {
     for (size_t k = 0, lanes; k < block_count; k += blocks_in(lanes)) {
-        size_t at = k * NKW_BLOCK;
-        int direct = blocks[k].direct > 0;
-        float mixed[SCATTERED * NKW_BLOCK];
+        size_t at = k * CLIP_BLOCK;
+        int contiguous = blocks[k].contiguous > 0;
+        float buffer[CLIP_SCATTER_BLOCKS * CLIP_BLOCK];
         lanes = lanes_together(blocks + k, block_count - k);
-        lerp16_lanes(a + at, b + at, base + at, step + at, t, direct ? out + blocks[k].places[0] : mixed, lanes);
-        if (!direct)
-            scatter_numbers(blocks + k, mixed, out, lanes);
+        lerp16_lanes(a + at, b + at, base + at, step + at, t, contiguous ? out + blocks[k].places[0] : buffer, lanes);
+        if (!contiguous)
+            scatter_numbers(blocks + k, buffer, out, lanes);
     }
 }
 
-#define PAIRS 8 /* blocks that take each step together, so that no step waits for the divisions of the one before */
+/* Blocks that take each step together, so that the divisions of one block overlap those of the others. */
+#define CLIP_SLERP16_BLOCKS 8
 
-/* Rotations of a key, block by block as in the key, and what the arcs say of them. */
+/*
+ * The decoded rotations of one key: xyz in blocks and rows as in the key; w and the factor `scale` of the weight
+ * (lane_compact_arc) of each lane.
+ */
 typedef struct key16 {
-    float xyz[3 * PAIRS * NKW_BLOCK], w[PAIRS * NKW_BLOCK], of[PAIRS * NKW_BLOCK];
+    float xyz[3 * CLIP_SLERP16_BLOCKS * CLIP_BLOCK], w[CLIP_SLERP16_BLOCKS * CLIP_BLOCK],
+        scale[CLIP_SLERP16_BLOCKS * CLIP_BLOCK];
 } key16;
 
 typedef struct pairs16 {
     key16 a, b;
-    float v[PAIRS * NKW_BLOCK];
+    float v[CLIP_SLERP16_BLOCKS * CLIP_BLOCK];
 } pairs16;
 
 INLINE void decode_lanes(const uint16_t *key, const float *base, const float *step, float *out, size_t n)
@@ -240,12 +260,12 @@ static inline void decode(const uint16_t *key, const float *base, const float *s
         decode_lanes(key + i, base + i, step + i, out + i, 4);
 }
 
-/* Where its three numbers have an odd sum, a rotation of b is turned against the key before. */
-INLINE void turns_of(const uint16_t *b, uint32_t *turned, size_t width)
+/* The sign bit of each lane whose three numbers in b have an odd sum: slerp negates this rotation of b. */
+INLINE void negations_of(const uint16_t *b, uint32_t *negated, size_t width)
 {
 #pragma omp simd
     for (size_t i = 0; i < width; i++)
-        turned[i] = ((uint32_t)b[i] ^ b[width + i] ^ b[2 * width + i]) << 31;
+        negated[i] = ((uint32_t)b[i] ^ b[width + i] ^ b[2 * width + i]) << 31;
 }
 
 static inline nkw_vec3_view vectors_of(const key16 *key, size_t at, size_t width)
@@ -262,43 +282,44 @@ static inline nkw_quat_view rotations_of(const key16 *key, size_t at, size_t wid
     return view;
 }
 
-/* The block whose first lane is `at`. */
+/* Computes w, scales and v of the block whose first lane is `at`. */
 INLINE void arcs_of(pairs16 *p, const uint16_t *b, size_t at, size_t width)
 {
     const nkw_vec3_view from = vectors_of(&p->a, at, width), to = vectors_of(&p->b, at, width);
-    float *from_w = p->a.w + at, *to_w = p->b.w + at, *of_a = p->a.of + at, *of_b = p->b.of + at, *v = p->v + at;
-    uint32_t turned[NKW_BLOCK];
-    turns_of(b, turned, width);
+    float *from_w = p->a.w + at, *to_w = p->b.w + at, *scale_a = p->a.scale + at, *scale_b = p->b.scale + at,
+          *v = p->v + at;
+    uint32_t negated[CLIP_BLOCK];
+    negations_of(b, negated, width);
 #pragma omp simd
     for (size_t i = 0; i < width; i++) {
         nkw_quat q0 = lane_compact_quat(at_vec3(from, i)), q1 = lane_compact_quat(at_vec3(to, i));
-        lane_compact_arc arc = lane_compact_arc_between(q0, q1, turned[i]);
+        lane_compact_arc arc = lane_compact_arc_between(q0, q1, negated[i]);
         from_w[i] = q0.w;
         to_w[i] = q1.w;
         v[i] = arc.v;
-        of_a[i] = arc.of_a;
-        of_b[i] = arc.of_b;
+        scale_a[i] = arc.scale_a;
+        scale_b[i] = arc.scale_b;
     }
 }
 
 INLINE void slerp_of(const pairs16 *p, const lane_compact_series *series, size_t at, float *out, size_t stride,
                      size_t width)
 {
-    const key16 *near = series->first ? &p->a : &p->b, *far = series->first ? &p->b : &p->a;
-    const nkw_quat_view n = rotations_of(near, at, width), f = rotations_of(far, at, width);
+    const key16 *nearer = series->first ? &p->a : &p->b, *farther = series->first ? &p->b : &p->a;
+    const nkw_quat_view n = rotations_of(nearer, at, width), f = rotations_of(farther, at, width);
     const nkw_quat_span o = block_rows_to(out, stride);
-    const float *v = p->v + at, *of_n = near->of + at, *of_f = far->of + at;
+    const float *v = p->v + at, *scale_n = nearer->scale + at, *scale_f = farther->scale + at;
 #pragma omp simd
     for (size_t i = 0; i < width; i++)
-        put_quat(o, i, lane_compact_slerp(at_quat(n, i), at_quat(f, i), v[i], of_n[i], of_f[i], series));
+        put_quat(o, i, lane_compact_slerp(at_quat(n, i), at_quat(f, i), v[i], scale_n[i], scale_f[i], series));
 }
 
-/* The widths as constants. */
+/* Dispatch on the width, so that it is a constant in each loop. */
 
 INLINE void arcs16(pairs16 *p, const uint16_t *b, size_t at, size_t width)
 {
-    if (width == NKW_BLOCK)
-        arcs_of(p, b, at, NKW_BLOCK);
+    if (width == CLIP_BLOCK)
+        arcs_of(p, b, at, CLIP_BLOCK);
     else if (width == 8)
         arcs_of(p, b, at, 8);
     else
@@ -308,43 +329,51 @@ INLINE void arcs16(pairs16 *p, const uint16_t *b, size_t at, size_t width)
 INLINE void slerp16(const pairs16 *p, const lane_compact_series *series, size_t at, float *out, size_t stride,
                     size_t width)
 {
-    if (width == NKW_BLOCK)
-        slerp_of(p, series, at, out, stride, NKW_BLOCK);
+    if (width == CLIP_BLOCK)
+        slerp_of(p, series, at, out, stride, CLIP_BLOCK);
     else if (width == 8)
         slerp_of(p, series, at, out, stride, 8);
     else
         slerp_of(p, series, at, out, stride, 4);
 }
 
-INLINE void slerp16_to(const pairs16 *p, const lane_compact_series *series, size_t at, const nkw_block *block,
+INLINE void slerp16_to(const pairs16 *p, const lane_compact_series *series, size_t at, const clip_block *block,
                        float *out, size_t stride)
 {
-    float mixed[4 * NKW_BLOCK];
-    const int direct = block->direct > 0;
-    slerp16(p, series, at, direct ? out + block->places[0] : mixed, direct ? stride : NKW_BLOCK, block->width);
-    if (!direct)
-        scatter(block, mixed, NKW_BLOCK, out, stride);
+    float buffer[4 * CLIP_BLOCK];
+    const int contiguous = block->contiguous > 0;
+    slerp16(p, series, at, contiguous ? out + block->places[0] : buffer, contiguous ? stride : CLIP_BLOCK,
+            block->width);
+    if (!contiguous)
+        scatter(block, buffer, CLIP_BLOCK, out, stride);
 }
 
 NKW_LOOP(nkwi_clip_slerp16)
-(const uint16_t *a, const uint16_t *b, const float *base, const float *step, float t, const nkw_block *blocks,
+(const uint16_t *a, const uint16_t *b, const float *base, const float *step, float t, const clip_block *blocks,
  size_t block_count, float *out, size_t stride)
 {
     const lane_compact_series series = lane_compact_series_at(t);
-    for (size_t k = 0; k < block_count; k += PAIRS) {
-        const size_t n = block_count - k < PAIRS ? block_count - k : PAIRS, first = 3 * NKW_BLOCK * k;
-        const size_t numbers = 3 * (NKW_BLOCK * (n - 1) + blocks[k + n - 1].width);
+    for (size_t k = 0; k < block_count; k += CLIP_SLERP16_BLOCKS) {
+        const size_t n = block_count - k < CLIP_SLERP16_BLOCKS ? block_count - k : CLIP_SLERP16_BLOCKS,
+                     first = 3 * CLIP_BLOCK * k;
+        const size_t numbers = 3 * (CLIP_BLOCK * (n - 1) + blocks[k + n - 1].width);
         pairs16 p;
         decode(a + first, base + first, step + first, p.a.xyz, numbers);
         decode(b + first, base + first, step + first, p.b.xyz, numbers);
         for (size_t i = 0; i < n; i++)
-            arcs16(&p, b + first + 3 * NKW_BLOCK * i, NKW_BLOCK * i, blocks[k + i].width);
+            arcs16(&p, b + first + 3 * CLIP_BLOCK * i, CLIP_BLOCK * i, blocks[k + i].width);
         for (size_t i = 0; i < n; i++)
-            slerp16_to(&p, &series, NKW_BLOCK * i, &blocks[k + i], out, stride);
+            slerp16_to(&p, &series, CLIP_BLOCK * i, &blocks[k + i], out, stride);
     }
 }
 
-/* A value has `words` floats; its tangents are per second: times the duration they are per segment. */
+/*
+ * n lanes of CUBICSPLINE. A key has three parts of `words` floats each; tangents are per second, and are multiplied by
+ * the duration of the segment.
+ *
+ *     a   in-tangents | values p0   | out-tangents v0
+ *     b   in-tangents v1 | values p1 | out-tangents
+ */
 INLINE void hermite_from(int first, const float *a, const float *b, size_t words, float duration, float t, float *out,
                          size_t n)
 {
@@ -354,7 +383,7 @@ INLINE void hermite_from(int first, const float *a, const float *b, size_t words
         out[i] = nkw_hermite_from(first, p0[i], duration * v0[i], p1[i], duration * v1[i], t);
 }
 
-/* For t inside 0..1. */
+/* 0 < t < 1. */
 INLINE void hermite_lanes(const float *a, const float *b, size_t words, float duration, float t, float *out, size_t n)
 {
     if (t < 0.5f)
@@ -364,17 +393,17 @@ INLINE void hermite_lanes(const float *a, const float *b, size_t words, float du
 }
 
 NKW_LOOP(nkwi_clip_hermite)
-(const float *a, const float *b, size_t words, float duration, float t, const nkw_block *blocks, size_t block_count,
+(const float *a, const float *b, size_t words, float duration, float t, const clip_block *blocks, size_t block_count,
  float *out)
 {
     for (size_t k = 0, lanes; k < block_count; k += blocks_in(lanes)) {
-        float mixed[SCATTERED * NKW_BLOCK];
-        size_t at = k * NKW_BLOCK;
-        int direct = blocks[k].direct > 0;
+        float buffer[CLIP_SCATTER_BLOCKS * CLIP_BLOCK];
+        size_t at = k * CLIP_BLOCK;
+        int contiguous = blocks[k].contiguous > 0;
         lanes = lanes_together(blocks + k, block_count - k);
-        hermite_lanes(a + at, b + at, words, duration, t, direct ? out + blocks[k].places[0] : mixed, lanes);
-        if (!direct)
-            scatter_numbers(blocks + k, mixed, out, lanes);
+        hermite_lanes(a + at, b + at, words, duration, t, contiguous ? out + blocks[k].places[0] : buffer, lanes);
+        if (!contiguous)
+            scatter_numbers(blocks + k, buffer, out, lanes);
     }
 }
 
@@ -390,66 +419,66 @@ INLINE void normalize_block(const float *x, float *out, size_t stride, size_t wi
 INLINE void quat_hermite_block(const float *a, const float *b, size_t words, float duration, float t, float *out,
                                size_t stride, size_t width)
 {
-    float lanes[4 * NKW_BLOCK];
+    float lanes[4 * CLIP_BLOCK];
     hermite_lanes(a, b, words, duration, t, lanes, 4 * width);
     normalize_block(lanes, out, stride, width);
 }
 
 NKW_LOOP(nkwi_clip_quat_hermite)
-(const float *a, const float *b, size_t words, float duration, float t, const nkw_block *blocks, size_t block_count,
+(const float *a, const float *b, size_t words, float duration, float t, const clip_block *blocks, size_t block_count,
  float *out, size_t stride)
 {
-    for (size_t k = 0; k < block_count; k++, a += 4 * NKW_BLOCK, b += 4 * NKW_BLOCK) {
-        float mixed[4 * NKW_BLOCK];
-        int direct = blocks[k].direct > 0;
-        float *o = direct ? out + blocks[k].places[0] : mixed;
-        size_t apart = direct ? stride : NKW_BLOCK;
-        if (blocks[k].width == NKW_BLOCK)
-            quat_hermite_block(a, b, words, duration, t, o, apart, NKW_BLOCK);
+    for (size_t k = 0; k < block_count; k++, a += 4 * CLIP_BLOCK, b += 4 * CLIP_BLOCK) {
+        float buffer[4 * CLIP_BLOCK];
+        int contiguous = blocks[k].contiguous > 0;
+        float *o = contiguous ? out + blocks[k].places[0] : buffer;
+        size_t out_stride = contiguous ? stride : CLIP_BLOCK;
+        if (blocks[k].width == CLIP_BLOCK)
+            quat_hermite_block(a, b, words, duration, t, o, out_stride, CLIP_BLOCK);
         else
-            quat_hermite_block(a, b, words, duration, t, o, apart, blocks[k].width);
-        if (!direct)
-            scatter(&blocks[k], mixed, NKW_BLOCK, out, stride);
+            quat_hermite_block(a, b, words, duration, t, o, out_stride, blocks[k].width);
+        if (!contiguous)
+            scatter(&blocks[k], buffer, CLIP_BLOCK, out, stride);
     }
 }
 
-/* A block of rotations to its places; a constant width is a few loads and stores. */
+/* Copies the four rows of a block to contiguous places. A constant width compiles to loads and stores only. */
 INLINE void copy_rows(const float *from, float *out, size_t stride, size_t width)
 {
     for (size_t row = 0; row < 4; row++)
         memcpy(out + row * stride, from + row * width, width * sizeof(float));
 }
 
-static inline void place(const nkw_block *block, const float *from, float *out, size_t stride)
+static inline void place(const clip_block *block, const float *from, float *out, size_t stride)
 {
     const size_t width = block->width;
-    if (!block->direct)
+    if (!block->contiguous)
         scatter(block, from, width, out, stride);
-    else if (width == NKW_BLOCK)
-        copy_rows(from, out + block->places[0], stride, NKW_BLOCK);
+    else if (width == CLIP_BLOCK)
+        copy_rows(from, out + block->places[0], stride, CLIP_BLOCK);
     else
         copy_rows(from, out + block->places[0], stride, width);
 }
 
-/* A key's values as they are. */
-NKW_LOOP(nkwi_clip_hold)(const float *key, const nkw_block *blocks, size_t block_count, float *out)
+/* Copies the values of a key to their places. */
+NKW_LOOP(nkwi_clip_hold)(const float *key, const clip_block *blocks, size_t block_count, float *out)
 {
     for (size_t k = 0, lanes; k < block_count; k += blocks_in(lanes)) {
         lanes = lanes_together(blocks + k, block_count - k);
-        if (blocks[k].direct)
-            memcpy(out + blocks[k].places[0], key + k * NKW_BLOCK, lanes * sizeof *out);
+        if (blocks[k].contiguous)
+            memcpy(out + blocks[k].places[0], key + k * CLIP_BLOCK, lanes * sizeof *out);
         else
-            scatter_numbers(blocks + k, key + k * NKW_BLOCK, out, lanes);
+            scatter_numbers(blocks + k, key + k * CLIP_BLOCK, out, lanes);
     }
 }
 
-/* Those of rotations, the first four of `rows` rows in a block; normalised if asked. */
+/* Copies the rotations of a key, the first 4 of `rows` rows of each block, to their places; normalised on request. */
 NKW_LOOP(nkwi_clip_quat_hold)
-(const float *key, size_t rows, int normalized, const nkw_block *blocks, size_t block_count, float *out, size_t stride)
+(const float *key, size_t rows, int normalized, const clip_block *blocks, size_t block_count, float *out, size_t stride)
 {
-    for (size_t k = 0; k < block_count; k++, key += rows * NKW_BLOCK) {
+    for (size_t k = 0; k < block_count; k++, key += rows * CLIP_BLOCK) {
         size_t width = blocks[k].width;
-        float unit[4 * NKW_BLOCK];
+        float unit[4 * CLIP_BLOCK];
         if (normalized)
             normalize_block(key, unit, width, width);
         place(&blocks[k], normalized ? unit : key, out, stride);

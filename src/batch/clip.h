@@ -8,15 +8,15 @@
 
 /* clang-format off */
 #define NKW_LOOPS_CLIP(X) \
-    X(nkwi_clip_arcs, (float *a, const float *b, const nkw_block *blocks, size_t block_count), (a, b, blocks, block_count), NKW_WIDEST) \
-    X(nkwi_clip_lerp, (const float *a, const float *b, float t, const nkw_block *blocks, size_t block_count, float *out), (a, b, t, blocks, block_count, out), NKW_WIDEST) \
-    X(nkwi_clip_slerp, (const float *a, const float *b, float t, const nkw_block *blocks, size_t block_count, float *out, size_t stride), (a, b, t, blocks, block_count, out, stride), NKW_WIDEST) \
-    X(nkwi_clip_hermite, (const float *a, const float *b, size_t words, float duration, float t, const nkw_block *blocks, size_t block_count, float *out), (a, b, words, duration, t, blocks, block_count, out), NKW_WIDEST) \
-    X(nkwi_clip_quat_hermite, (const float *a, const float *b, size_t words, float duration, float t, const nkw_block *blocks, size_t block_count, float *out, size_t stride), (a, b, words, duration, t, blocks, block_count, out, stride), NKW_WIDEST) \
-    X(nkwi_clip_lerp16, (const uint16_t *a, const uint16_t *b, const float *base, const float *step, float t, const nkw_block *blocks, size_t block_count, float *out), (a, b, base, step, t, blocks, block_count, out), NKW_WIDEST) \
-    X(nkwi_clip_slerp16, (const uint16_t *a, const uint16_t *b, const float *base, const float *step, float t, const nkw_block *blocks, size_t block_count, float *out, size_t stride), (a, b, base, step, t, blocks, block_count, out, stride), NKW_WIDEST) \
-    X(nkwi_clip_hold, (const float *key, const nkw_block *blocks, size_t block_count, float *out), (key, blocks, block_count, out), NKW_WIDEST) \
-    X(nkwi_clip_quat_hold, (const float *key, size_t rows, int normalized, const nkw_block *blocks, size_t block_count, float *out, size_t stride), (key, rows, normalized, blocks, block_count, out, stride), NKW_WIDEST)
+    X(nkwi_clip_arcs, (float *a, const float *b, const clip_block *blocks, size_t block_count), (a, b, blocks, block_count), NKW_WIDEST) \
+    X(nkwi_clip_lerp, (const float *a, const float *b, float t, const clip_block *blocks, size_t block_count, float *out), (a, b, t, blocks, block_count, out), NKW_WIDEST) \
+    X(nkwi_clip_slerp, (const float *a, const float *b, float t, const clip_block *blocks, size_t block_count, float *out, size_t stride), (a, b, t, blocks, block_count, out, stride), NKW_WIDEST) \
+    X(nkwi_clip_hermite, (const float *a, const float *b, size_t words, float duration, float t, const clip_block *blocks, size_t block_count, float *out), (a, b, words, duration, t, blocks, block_count, out), NKW_WIDEST) \
+    X(nkwi_clip_quat_hermite, (const float *a, const float *b, size_t words, float duration, float t, const clip_block *blocks, size_t block_count, float *out, size_t stride), (a, b, words, duration, t, blocks, block_count, out, stride), NKW_WIDEST) \
+    X(nkwi_clip_lerp16, (const uint16_t *a, const uint16_t *b, const float *base, const float *step, float t, const clip_block *blocks, size_t block_count, float *out), (a, b, base, step, t, blocks, block_count, out), NKW_WIDEST) \
+    X(nkwi_clip_slerp16, (const uint16_t *a, const uint16_t *b, const float *base, const float *step, float t, const clip_block *blocks, size_t block_count, float *out, size_t stride), (a, b, base, step, t, blocks, block_count, out, stride), NKW_WIDEST) \
+    X(nkwi_clip_hold, (const float *key, const clip_block *blocks, size_t block_count, float *out), (key, blocks, block_count, out), NKW_WIDEST) \
+    X(nkwi_clip_quat_hold, (const float *key, size_t rows, int normalized, const clip_block *blocks, size_t block_count, float *out, size_t stride), (key, rows, normalized, blocks, block_count, out, stride), NKW_WIDEST)
 /* clang-format on */
 
 NKW_LOOPS_CLIP(NKW_DECLARE)
