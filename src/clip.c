@@ -41,6 +41,7 @@ size_t nkw_clip_cursor_count(const nkw_clip *clip)
     return clip->timeline_count;
 }
 
+/* Copies the runs at `at`: the constants, and zeros of short gaps, which the groups then overwrite. */
 static void copy_runs(const nkw_clip *clip, uint32_t at, uint32_t count, float *out)
 {
     const clip_run *runs = (const clip_run *)(const void *)(clip_words(clip) + at);
@@ -49,8 +50,8 @@ static void copy_runs(const nkw_clip *clip, uint32_t at, uint32_t count, float *
 }
 
 /*
- * The key at or before a time of an evenly spaced timeline, or its neighbour: where to begin the search. Any number for
- * a NaN.
+ * Where the search in an evenly spaced timeline begins: the key at or before the time, or a neighbour of it, because of
+ * rounding. In 0..count - 1 for every time, also for NaN.
  */
 static size_t guess(const clip_timeline *line, float start, float time)
 {
@@ -58,6 +59,10 @@ static size_t guess(const clip_timeline *line, float start, float time)
     return k > 0.0f && k < (float)line->count ? (size_t)k : k > 0.0f ? line->count - 1 : 0;
 }
 
+/*
+ * The segment of the time, by one of three searches with the same result: from the computed key, from the cursor, or
+ * over all keys. The cursor is a hint only: any number is safe.
+ */
 static nkw_segment find(const nkw_clip *clip, const clip_timeline *line, float time, uint32_t *cursor)
 {
     const float *times = clip_floats(clip, line->times);
@@ -70,12 +75,13 @@ static nkw_segment find(const nkw_clip *clip, const clip_timeline *line, float t
     return segment;
 }
 
-/* The values of a key, from its first block on: behind the in-tangents where there are any. */
+/* The first value of a key: at its start; in CUBICSPLINE keys after the in-tangents of all lanes. */
 static const float *values_of(const clip_group *g, const float *key)
 {
     return key + (g->interpolation == NKW_INTERPOLATION_CUBICSPLINE ? clip_rows(g) * g->lanes : 0);
 }
 
+/* The values of one key: STEP, and at the time of a key. CUBICSPLINE rotations have 4 rows in a value, LINEAR 5. */
 static void hold(const nkw_clip *clip, const clip_group *g, const float *key, float *out, size_t stride)
 {
     int is_cubic = g->interpolation == NKW_INTERPOLATION_CUBICSPLINE;
@@ -88,6 +94,7 @@ static void hold(const nkw_clip *clip, const clip_group *g, const float *key, fl
         nkwi_clip_hold(values, blocks, g->block_count, out);
 }
 
+/* Hermite between the keys a and b. duration: seconds from a to b. */
 static void cubic(const nkw_clip *clip, const clip_group *g, const float *a, const float *b, float duration, float t,
                   float *out, size_t stride)
 {
@@ -99,7 +106,7 @@ static void cubic(const nkw_clip *clip, const clip_group *g, const float *a, con
         nkwi_clip_hermite(a, b, words, duration, t, blocks, g->block_count, out);
 }
 
-/* A LINEAR segment of rotations that are laid out as CUBICSPLINE, block by block: they have no arcs. */
+/* A LINEAR segment of rotations that are stored as CUBICSPLINE: they have no arcs, so slerp computes them. */
 static void slerp_values(const nkw_clip *clip, const clip_group *g, const float *a, const float *b, float t, float *out,
                          size_t stride)
 {
@@ -122,6 +129,7 @@ static void slerp_values(const nkw_clip *clip, const clip_group *g, const float 
     }
 }
 
+/* Lerp or slerp between the keys a and b. */
 static void linear(const nkw_clip *clip, const clip_group *g, const float *a, const float *b, float t, float *out,
                    size_t stride)
 {
@@ -134,6 +142,7 @@ static void linear(const nkw_clip *clip, const clip_group *g, const float *a, co
         nkwi_clip_slerp(a, b, t, blocks, g->block_count, out, stride);
 }
 
+/* Lerp or slerp between the compact keys a and b. If one key is held, a == b and t = 0. */
 static void compact(const nkw_clip *clip, const clip_group *g, const uint16_t *a, const uint16_t *b, float t,
                     float *out, size_t stride)
 {
@@ -145,7 +154,17 @@ static void compact(const nkw_clip *clip, const clip_group *g, const uint16_t *a
         nkwi_clip_lerp16(a, b, base, step, t, blocks, g->block_count, out);
 }
 
-/* The same cases, in the same order, as nkw_track_sample_segment. Components of rotations are `stride` floats apart. */
+/*
+ * One group at one segment: the cases of nkw_track_sample_segment, in the same order.
+ *
+ *     last key, or t = 0     hold key k
+ *     t = 1                  hold key k + 1
+ *     STEP                   hold key k
+ *     CUBICSPLINE, LINEAR    interpolate keys k and k + 1
+ *
+ * a is key k. b is key k + 1, or key k if key k is held, so that no key after the last is read.
+ * stride: the distance of the component arrays of rotations, in floats.
+ */
 static void sample_group(const nkw_clip *clip, const clip_group *g, const clip_timeline *line, nkw_segment at,
                          float *out, size_t stride)
 {
@@ -183,7 +202,7 @@ nkw_result nkw_clip_sample(const nkw_clip *clip, float time, uint32_t *cursors, 
         uint32_t i = groups[g].timeline;
         const clip_timeline *line = clip_timelines(clip) + i;
         float *out = groups[g].kind == GROUP_FLOATS ? floats : pose.data;
-        if (g == 0 || i != groups[g - 1].timeline)
+        if (g == 0 || i != groups[g - 1].timeline) /* groups of one timeline are neighbours: one search */
             at = find(clip, line, time, cursors ? cursors + i : NULL);
         if (out)
             sample_group(clip, &groups[g], line, at, groups[g].kind == GROUP_ROTATIONS ? out + 3 * stride : out,

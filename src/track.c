@@ -23,7 +23,7 @@ static int is_cubic(const nkw_track *track)
     return track->interpolation == NKW_INTERPOLATION_CUBICSPLINE;
 }
 
-/* The floats of one key. */
+/* The number of floats of one key. */
 static size_t key_size(const nkw_track *track)
 {
     return track->width * (is_cubic(track) ? 3 : 1);
@@ -37,7 +37,7 @@ size_t nkw_track_value_count(const nkw_track *track)
     return track->count <= most / track->width ? track->count * key_size(track) : SIZE_MAX;
 }
 
-/* Key k's in-tangent, value and out-tangent, in that order; without tangents the value alone. */
+/* Key k: in-tangent, value and out-tangent of CUBICSPLINE, `width` floats each; otherwise only the value. */
 static const float *key_at(const nkw_track *track, size_t k)
 {
     return track->values + k * key_size(track);
@@ -78,14 +78,17 @@ static void hold(const nkw_track *track, size_t k, float *out)
             out[i] = v[i];
 }
 
-/* For t other than 0 and 1. Which end is nearer is a number, for a branch on t would be a guess. */
+/*
+ * t other than 0 and 1. Interpolates from the nearer key, a or b. It is selected by arithmetic: a branch on t would be
+ * mispredicted.
+ */
 static void lerp(const float *a, const float *b, float t, float *out, size_t n)
 {
     size_t last = t < 0.5f ? 0u : 1u;
-    const float *near = a + last * (size_t)(b - a);
+    const float *nearer = a + last * (size_t)(b - a);
     float x = t - (float)last;
     for (size_t i = 0; i < n; i++)
-        out[i] = lane_lerp_from(near[i], x, a[i], b[i]);
+        out[i] = lane_lerp_from(nearer[i], x, a[i], b[i]);
 }
 
 static nkw_quat slerp(nkw_quat a, nkw_quat b, float t)
@@ -101,7 +104,7 @@ static void linear(const nkw_track *track, size_t k, float t, float *out)
         lerp(value_at(track, k), value_at(track, k + 1), t, out, track->width);
 }
 
-/* Tangents per second times the segment's duration are tangents per segment. */
+/* Tangents are per second. Times the duration of the segment they are per segment. */
 static void cubic(const nkw_track *track, size_t k, float t, float *out)
 {
     const float *a = value_at(track, k), *b = value_at(track, k + 1);
@@ -118,7 +121,7 @@ static nkw_interpolation interpolation_at(const nkw_track *track, size_t k)
     return track->key_interpolation ? (nkw_interpolation)track->key_interpolation[k] : track->interpolation;
 }
 
-/* A rotation of another width than 4 cannot be read; it does not validate. */
+/* A rotation must have width 4. nkw_track_validate rejects others. */
 static int is_readable(const nkw_track *track)
 {
     return track->count > 0 && track->width > 0 && (!is_rotation(track) || track->width == 4);
@@ -206,12 +209,12 @@ nkw_result nkw_track_validate(const nkw_track *track, size_t *bad_key)
 
 /* Resampling. */
 
-#define MOST_STEPS 0x7fffffffu
+#define TRACK_MOST_STEPS 0x7fffffffu
 
-/* The least k with start + k / rate >= end, or MOST_STEPS. */
+/* The least k with start + k / rate >= end; at most TRACK_MOST_STEPS. By bisection. */
 static size_t steps_until(float start, float rate, float end)
 {
-    size_t low = 0, high = MOST_STEPS;
+    size_t low = 0, high = TRACK_MOST_STEPS;
     while (low < high) {
         size_t middle = low + (high - low) / 2;
         if (nkw_segment_uniform_time(start, rate, middle) < end)
@@ -234,13 +237,13 @@ nkw_result nkw_track_resample_count(const nkw_track *track, float rate, size_t *
     size_t steps = steps_until(first, rate, last);
     if (!lane_is_finite(last) || !lane_is_finite(nkw_segment_uniform_time(first, rate, steps)))
         return NKW_NOT_FINITE;
-    if (steps >= MOST_STEPS)
+    if (steps >= TRACK_MOST_STEPS)
         return NKW_TOO_MANY;
     *count = steps + 1;
     return NKW_OK;
 }
 
-/* Whether no segment is anything but STEP. */
+/* Whether all segments are STEP. */
 static int is_step(const nkw_track *track)
 {
     for (size_t k = 0; track->key_interpolation && k + 1 < track->count; k++)
@@ -249,7 +252,7 @@ static int is_step(const nkw_track *track)
     return track->key_interpolation || track->interpolation == NKW_INTERPOLATION_STEP;
 }
 
-/* Normalised rotations come out of sampling unit, so they need it no more. */
+/* Samples of normalised rotations are unit, so the resampled track is not normalised again. */
 static nkw_track resampled(const nkw_track *track, const float *times, const float *values, size_t count)
 {
     nkw_track r = {times, values, count, track->width, NKW_TRACK_FLOATS, NKW_INTERPOLATION_LINEAR, NULL};
@@ -258,11 +261,11 @@ static nkw_track resampled(const nkw_track *track, const float *times, const flo
     return r;
 }
 
-/* At the keys of one of the two, and the quarters between them, while the first lasts. */
+/* The largest difference at the keys of `along` and at the quarters between them, while `track` has keys. */
 static float difference_along(const nkw_track *along, const nkw_track *track, const nkw_track *other, float *work)
 {
     uint32_t here = 0, there = 0;
-    float *a = work, *b = work + track->width, far = 0.0f;
+    float *a = work, *b = work + track->width, largest = 0.0f;
     for (size_t k = 0; k < along->count; k++)
         for (int quarter = 0; quarter < DIFFERENCE_QUARTERS; quarter++) {
             float time = difference_time(along, k, quarter);
@@ -270,10 +273,10 @@ static float difference_along(const nkw_track *along, const nkw_track *track, co
                 continue;
             nkw_track_sample_cursor(track, time, &here, a);
             nkw_track_sample_cursor(other, time, &there, b);
-            far = difference_worse(far, is_rotation(track) ? nkw_quat_angle(read_quat(a), read_quat(b))
-                                                           : difference_largest(a, b, track->width));
+            largest = difference_worse(largest, is_rotation(track) ? nkw_quat_angle(read_quat(a), read_quat(b))
+                                                                   : difference_largest(a, b, track->width));
         }
-    return far;
+    return largest;
 }
 
 static float difference_of(const nkw_track *track, const nkw_track *other, float *work)
@@ -303,7 +306,7 @@ static nkw_result check_memory(const nkw_track *track, const nkw_track_memory *m
     return memory->key_capacity >= count && memory->work_count / 2 >= track->width ? NKW_OK : NKW_TOO_SMALL;
 }
 
-/* `count` samples from the first key on; returns the difference from the source. */
+/* Samples `count` keys from the time of the first key on. Returns the difference from the source. */
 static float resample(const nkw_track *track, float rate, const nkw_track_memory *memory, size_t count, nkw_track *out)
 {
     uint32_t cursor = 0;
@@ -333,7 +336,10 @@ nkw_result nkw_track_resample(const nkw_track *track, float rate, const nkw_trac
     return result;
 }
 
-/* The rate that parts the duration into `segments`: a part of the mean rate, never so high that the end is missed. */
+/*
+ * The rate with `segments` segments from the first key to the last: the mean rate times segments / (count - 1).
+ * Decreased by ULPs until the last time is not before the last key. 1 without a duration; 0 if the mean rate overflows.
+ */
 static float rate_over(const nkw_track *track, size_t segments)
 {
     float first = track->times[0], last = track->times[track->count - 1];
@@ -351,7 +357,10 @@ static float rate_over(const nkw_track *track, size_t segments)
     return rate;
 }
 
-/* The lowest rate of those tried whose error is within the tolerance; 0 where none is. */
+/*
+ * Tries rates in ascending order: (count - 1) / parts segments, rounded up, for parts = 2^n, ..., 4, 2, 1. Returns the
+ * first whose error is at most the tolerance; 0 if there is none.
+ */
 static float lowest_rate(const nkw_track *track, float tolerance, const nkw_track_memory *memory, nkw_track *out)
 {
     size_t segments = track->count - 1, parts = 1;
