@@ -6,6 +6,7 @@
 #include "from_trs.h"
 #include "scene.h"
 #include "views.h"
+#include "../docs/examples/matrix_stack.h"
 
 using namespace bench;
 
@@ -159,7 +160,8 @@ static void of_matrices(std::shared_ptr<character> c)
     /* The method of the D3DX days: made to be read, and slower. */
     row("nkw stack", [=](size_t, nkw_mat4 *out) {
         nkw_tree tree = {c->first_child.data(), c->next_sibling.data(), c->joints};
-        nkw_tree_walk(&tree, c->locals.at, nullptr, NKW_COLUMN_VECTORS, c->stack.data(), c->stack.size(), out, nullptr);
+        matrix_stack_walk(&tree, c->locals.at, nullptr, STACK_COLUMN_VECTORS, c->stack.data(), c->stack.size(), out,
+                          nullptr);
     });
     row("nkw singles", [=](size_t from, nkw_mat4 *out) {
         down<nkw_mat4>(

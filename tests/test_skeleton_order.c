@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 #include "random.h"
 #include "support/expect.h"
+#include "../docs/examples/matrix_stack.h"
 
 #define MOST 150
 
@@ -176,8 +177,9 @@ static void the_matrix_stack_gives_the_bits_of_the_array_form(void **state)
             nkw_trs trs = {random_vec3(&r, -5, 5), random_rotation(&r), random_vec3(&r, 0.5f, 2)};
             locals[k] = nkw_mat4_from_trs(&trs);
         }
-        assert_int_equal(nkw_tree_walk(&tree, locals, root, NKW_COLUMN_VECTORS, stack, MOST, columns, NULL), NKW_OK);
-        assert_int_equal(nkw_tree_walk(&tree, locals, root, NKW_ROW_VECTORS, stack, MOST, rows, NULL), NKW_OK);
+        assert_int_equal(matrix_stack_walk(&tree, locals, root, STACK_COLUMN_VECTORS, stack, MOST, columns, NULL),
+                         NKW_OK);
+        assert_int_equal(matrix_stack_walk(&tree, locals, root, STACK_ROW_VECTORS, stack, MOST, rows, NULL), NKW_OK);
         assert_int_equal(nkw_skeleton_from_tree(&tree, to, from, parents, NULL), NKW_OK);
         for (int32_t k = 0; k < n; k++)
             models[k] = locals[from[k]];
@@ -200,7 +202,7 @@ static void row_vectors_go_through_the_child_first(void **state)
                                 {{1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 7, 0, 0, 1}}};
     nkw_mat4 models[2];
     int32_t stack[1];
-    assert_int_equal(nkw_tree_walk(&tree, locals, NULL, NKW_ROW_VECTORS, stack, 1, models, NULL), NKW_OK);
+    assert_int_equal(matrix_stack_walk(&tree, locals, NULL, STACK_ROW_VECTORS, stack, 1, models, NULL), NKW_OK);
     const float want[16] = {0, 1, 0, 0, -1, 0, 0, 0, 0, 0, 1, 0, 10, 7, 0, 1};
     expect_floats_bits(models[1].m, want, 16);
 }
@@ -212,10 +214,12 @@ static void expect_walk(const nkw_tree *tree, size_t stack_count, nkw_result res
     size_t bad = 99;
     for (int j = 0; j < 4; j++)
         locals[j] = nkw_mat4_identity();
-    assert_int_equal(nkw_tree_walk(tree, locals, NULL, NKW_COLUMN_VECTORS, stack, stack_count, models, &bad), result);
+    assert_int_equal(matrix_stack_walk(tree, locals, NULL, STACK_COLUMN_VECTORS, stack, stack_count, models, &bad),
+                     result);
     assert_int_equal(bad, node);
     assert_int_equal(stack[stack_count], -7);
-    assert_int_equal(nkw_tree_walk(tree, locals, NULL, NKW_ROW_VECTORS, stack, stack_count, models, NULL), result);
+    assert_int_equal(matrix_stack_walk(tree, locals, NULL, STACK_ROW_VECTORS, stack, stack_count, models, NULL),
+                     result);
 }
 
 static void the_walk_stops_at_a_full_stack_and_at_bad_links(void **state)

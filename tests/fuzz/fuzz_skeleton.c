@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 #include "fuzz.h"
 #include "../support/views.h"
+#include "../../docs/examples/matrix_stack.h"
 
 #include <string.h>
 
@@ -92,8 +93,9 @@ static void walk(fuzz *f, size_t n)
     FUZZ_CHECK(bad < n || bad == 0);
     FUZZ_CHECK(result == nkw_tree_validate(&tree, NULL, fuzz_block(f, 12 * n), NKW_TREE_WORK(tree.node_count)));
     nkw_mat4 *locals = fuzz_matrices(f, n, 1), *models = fuzz_block(f, n * sizeof *models);
-    nkw_convention convention = (nkw_convention)fuzz_choice(f, 1);
-    nkw_result walked = nkw_tree_walk(&tree, locals, NULL, convention, fuzz_block(f, 4 * levels), levels, models, &bad);
+    stack_convention convention = (stack_convention)fuzz_choice(f, 1);
+    nkw_result walked =
+        matrix_stack_walk(&tree, locals, NULL, convention, fuzz_block(f, 4 * levels), levels, models, &bad);
     FUZZ_CHECK(bad < n || bad == 0);
     if (result != NKW_OK)
         return;

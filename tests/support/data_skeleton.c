@@ -3,6 +3,7 @@
 #include "hash.h"
 #include "random.h"
 #include "views.h"
+#include "../../docs/examples/matrix_stack.h"
 
 #define JOINTS 83
 
@@ -57,9 +58,9 @@ static uint64_t walk(uint64_t hash, const int32_t *parents, const nkw_mat4 *loca
     }
     nkw_skeleton_from_tree(&tree, a, b, c, NULL);
     hash = hash_numbers(hash_numbers(hash_numbers(hash, a), b), c);
-    nkw_tree_walk(&tree, locals, root, NKW_COLUMN_VECTORS, a, JOINTS, models, NULL);
+    matrix_stack_walk(&tree, locals, root, STACK_COLUMN_VECTORS, a, JOINTS, models, NULL);
     hash = hash_matrices(hash, models);
-    nkw_tree_walk(&tree, locals, root, NKW_ROW_VECTORS, a, JOINTS, models, NULL);
+    matrix_stack_walk(&tree, locals, root, STACK_ROW_VECTORS, a, JOINTS, models, NULL);
     return hash_matrices(hash, models);
 }
 
