@@ -52,6 +52,7 @@ static uint64_t round_up(uint64_t n, uint64_t to)
 
 /* Lanes, and their places in blocks. */
 
+/* The lanes of one group, in the order in which they are emitted. */
 typedef struct lanes {
     builder *b;
     size_t expected; /* the sum of the widths of all blocks; unknown until all lanes are counted */
@@ -200,6 +201,7 @@ static lanes emit_lanes(builder *b, const clip_group *g, const uint32_t *members
 
 /* Groups and timelines. */
 
+/* A timeline: its times, and the mode of each segment if the tracks have them. */
 static void emit_timeline(builder *b, const nkw_track *t)
 {
     size_t at = take(b, TIMELINES, sizeof(clip_timeline) / 4), times = take(b, TIMES, t->count);
@@ -258,6 +260,7 @@ static void emit_group(builder *b, uint32_t timeline, const uint32_t *members, s
     memcpy(b->words + at, &g, sizeof g);
 }
 
+/* A group is a range of by_group with equal timeline and equal nkwi_clip_tracks_group. Constant tracks are last. */
 static void emit_groups(builder *b)
 {
     const clip_tracks *t = &b->tracks;
@@ -284,6 +287,7 @@ static void emit_groups(builder *b)
  */
 #define CLIP_RUN_GAP 32
 
+/* The runs of one output. Each has its values contiguous, because nothing else is emitted meanwhile. */
 typedef struct constants {
     builder *b;
     size_t at, count; /* the runs */
@@ -300,6 +304,7 @@ static void add_value(constants *c, float value)
     }
 }
 
+/* Appends the value of float `to` to the last run, or begins a run if the gap before it is long. `to` ascends. */
 static void add_constant(constants *c, size_t to, float value)
 {
     if (c->count == 0 || to - c->next > CLIP_RUN_GAP) {
@@ -329,6 +334,10 @@ static int emit_constant(constants *c, nkw_clip_target target, size_t index, siz
     return 1;
 }
 
+/*
+ * The constants of the ten component arrays, in the order of the pose. If the last joint of an array is not animated,
+ * the padding follows, with the values of the identity. Returns the number of runs.
+ */
 static size_t emit_pose_constants(builder *b)
 {
     static const nkw_clip_target targets[10] = {
@@ -387,6 +396,7 @@ static void emit_header(builder *b, size_t pose_runs, size_t float_runs)
     memcpy(b->words, &head, sizeof head);
 }
 
+/* The order of these calls is the order of the elements in each section. */
 static void emit_clip(builder *b)
 {
     size_t pose_runs = emit_pose_constants(b), float_runs = emit_float_constants(b);

@@ -58,7 +58,7 @@ typedef struct compact_keys {
     const nkw_clip_track *c;
     size_t component;
     double lowest; /* the smallest w of a stored rotation: 0 or -1/2 */
-    float side; /* 1 or -1: the sign by which the last rotation was multiplied */
+    float sign; /* 1 or -1: the sign by which the last rotation was multiplied */
 } compact_keys;
 
 static nkw_quat value_rotation(const nkw_clip_track *c, size_t k)
@@ -81,11 +81,11 @@ static unsigned next_key(compact_keys *keys, size_t k, double numbers[3])
     }
     nkw_quat q = value_rotation(keys->c, k);
     if (k > 0 && lane_slerp_cosine(value_rotation(keys->c, k - 1), q) < 0.0f)
-        keys->side = -keys->side;
-    double w = (double)keys->side * (double)q.w, lowest = k > 0 ? keys->lowest : 0.0;
+        keys->sign = -keys->sign;
+    double w = (double)keys->sign * (double)q.w, lowest = k > 0 ? keys->lowest : 0.0;
     unsigned negated = w < lowest;
-    keys->side = negated ? -keys->side : keys->side;
-    lane_compact_numbers(lane_wquat_scale(lane_wquat_from(q), (double)keys->side), numbers);
+    keys->sign = negated ? -keys->sign : keys->sign;
+    lane_compact_numbers(lane_wquat_scale(lane_wquat_from(q), (double)keys->sign), numbers);
     return negated;
 }
 

@@ -124,8 +124,8 @@ static inline const float *clip_floats(const nkw_clip *clip, uint32_t offset)
 /* The lanes of the blocks that contain `count` lanes: `count` rounded up so that the last block has 4, 8 or 16. */
 static inline size_t clip_lanes(size_t count)
 {
-    size_t rest = count % CLIP_BLOCK;
-    return count - rest + (rest == 0 ? 0 : rest <= 4 ? 4 : rest <= 8 ? 8 : CLIP_BLOCK);
+    size_t last = count % CLIP_BLOCK; /* lanes of a last block that is not full */
+    return count - last + (last == 0 ? 0 : last <= 4 ? 4 : last <= 8 ? 8 : CLIP_BLOCK);
 }
 
 /* The rows of a value, and of a key. */

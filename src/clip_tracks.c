@@ -73,6 +73,7 @@ static int is_constant(const nkw_clip_track *c)
     return 1;
 }
 
+/* Whether two tracks have the same key times and, if they have modes, the same modes. */
 static int same_timeline(const nkw_track *a, const nkw_track *b)
 {
     if (!clip_same_times(a, b) || !a->key_interpolation != !b->key_interpolation)
@@ -86,7 +87,7 @@ uint32_t nkwi_clip_tracks_group(const nkw_clip_track *c)
     return (uint32_t)clip_kind_of(c) * 16u + (uint32_t)clip_interpolation_of(&c->track) * 2u + cubic_unit;
 }
 
-/* Sorting. */
+/* Sorting. Both orders are total, so the result does not depend on the algorithm. */
 
 static int before_by_place(const void *context, uint32_t i, uint32_t j)
 {
@@ -129,7 +130,7 @@ static void find_timelines(clip_tracks *b)
     }
 }
 
-/* Validation. */
+/* Validation. First the source, then each track, then targets that occur twice. */
 
 nkw_result nkwi_clip_tracks_check_target(const nkw_clip_source *s, const nkw_clip_track *c)
 {
@@ -191,6 +192,10 @@ static nkw_result check_repeated(const clip_tracks *b, size_t *bad)
     return NKW_OK;
 }
 
+/*
+ * Bisection in by_place: the last track whose (target, index) is at most the given one. A track of several floats
+ * contains index..index + width - 1.
+ */
 const nkw_clip_track *nkwi_clip_tracks_find(const clip_tracks *t, nkw_clip_target target, size_t index)
 {
     const nkw_clip_track *tracks = t->source->tracks;
@@ -234,6 +239,7 @@ static int is_invariant(nkw_clip_target target, float x)
     return target == NKW_CLIP_ROTATION ? x >= -2.0f && x <= 2.0f : lane_is_finite(x) && !is_minus_zero(x);
 }
 
+/* is_invariant for all components of the constant value of a joint; the identity is invariant. */
 static int is_joint_invariant(const clip_tracks *t, nkw_clip_target target, size_t joint)
 {
     const nkw_clip_track *c = nkwi_clip_tracks_find(t, target, joint);
@@ -246,6 +252,13 @@ static int is_joint_invariant(const clip_tracks *t, nkw_clip_target target, size
     return 1;
 }
 
+/*
+ *     joint     first - 1 | first ... joint ... end - 1 | end
+ *               before    | no animated track           | after
+ *
+ * The gap first..end - 1 is filled if it has at most CLIP_GAP joints; if `before` and `after` are of one group, or only
+ * one of them exists; if this group is not CUBICSPLINE; and if interpolation returns the constant value of every joint.
+ */
 const nkw_clip_track *nkwi_clip_tracks_find_gap(const clip_tracks *t, nkw_clip_target target, size_t joint)
 {
     size_t first = joint, end = joint + 1, joints = t->source->joint_count;
