@@ -44,10 +44,10 @@ typedef struct series {
 
 /* src/lane/orient.h and src/lane/clip.h omit the terms that are missing here. Degree -1: no terms. */
 static const series all[] = {
-    {"LANE_SLERP_NEAR", "", 0.5L, 4, {0, 1, 2, 3, 0, 2}},
-    {"LANE_SLERP_FAR", "", 0, 4, {0, 1, 2, 1, 0, 1}},
-    {"LANE_SLERP_BRIEF_NEAR", ", for compact clips", 0.5L, 1, {0, 1, 2, 3, 2, -1}},
-    {"LANE_SLERP_BRIEF_FAR", ", for compact clips", 0, 1, {0, 1, 2, 1, 0, -1}},
+    {"LANE_SLERP_NEARER", "", 0.5L, 4, {0, 1, 2, 3, 0, 2}},
+    {"LANE_SLERP_FARTHER", "", 0, 4, {0, 1, 2, 1, 0, 1}},
+    {"LANE_SLERP_COMPACT_NEARER", ", for compact clips", 0.5L, 1, {0, 1, 2, 3, 2, -1}},
+    {"LANE_SLERP_COMPACT_FARTHER", ", for compact clips", 0, 1, {0, 1, 2, 1, 0, -1}},
 };
 
 /* A sample of the fit at (k, theta); basis[n] = (v/2)^i k^2j. */

@@ -16,7 +16,7 @@
 #define LANE_SLERP_POWERS 8 /* six, padded by two zeros to a multiple of 4 */
 
 /* E for k in 0.5..1.0. Error at most 0.553 u. */
-static const float LANE_SLERP_NEAR[LANE_SLERP_ROWS][LANE_SLERP_POWERS] = {
+static const float LANE_SLERP_NEARER[LANE_SLERP_ROWS][LANE_SLERP_POWERS] = {
     {-0x1.55553ap-3f, -0x1.ddcd5ap-8f, -0x1.a1a784p-11f, -0x1.7ac1e4p-15f, -0x1.2f9e2ap-18f, -0x1.97dcf6p-21f},
     {0x0p+0f, 0x1.10dcap-7f, -0x1.c24c0ap-17f, 0x1.14323ap-14f, 0x0p+0f, 0x1.1363ecp-21f},
     {0x0p+0f, 0x0p+0f, -0x1.9532ap-13f, 0x1.a8a64p-18f, 0x0p+0f, -0x1.82ed76p-22f},
@@ -24,7 +24,7 @@ static const float LANE_SLERP_NEAR[LANE_SLERP_ROWS][LANE_SLERP_POWERS] = {
 };
 
 /* E for k in 0.0..0.5. Error at most 0.375 u. */
-static const float LANE_SLERP_FAR[LANE_SLERP_ROWS][LANE_SLERP_POWERS] = {
+static const float LANE_SLERP_FARTHER[LANE_SLERP_ROWS][LANE_SLERP_POWERS] = {
     {-0x1.555522p-3f, -0x1.ddfeacp-8f, -0x1.9e5cdap-11f, -0x1.a31fbp-15f, -0x1.8f7852p-19f, -0x1.f7774ap-21f},
     {0x0p+0f, 0x1.10e648p-7f, -0x1.3a1846p-16f, 0x1.1fb264p-14f, 0x0p+0f, 0x1.93739cp-22f},
     {0x0p+0f, 0x0p+0f, -0x1.7bcb2cp-13f, 0x0p+0f, 0x0p+0f, 0x0p+0f},
@@ -32,7 +32,7 @@ static const float LANE_SLERP_FAR[LANE_SLERP_ROWS][LANE_SLERP_POWERS] = {
 };
 
 /* E for k in 0.5..1.0, for compact clips. Error at most 1.769 u. */
-static const float LANE_SLERP_BRIEF_NEAR[LANE_SLERP_ROWS][LANE_SLERP_POWERS] = {
+static const float LANE_SLERP_COMPACT_NEARER[LANE_SLERP_ROWS][LANE_SLERP_POWERS] = {
     {-0x1.555754p-3f, -0x1.dc9b08p-8f, -0x1.b0d104p-11f, -0x1.a25e3cp-16f, -0x1.6f763ap-17f, 0x0p+0f},
     {0x0p+0f, 0x1.10d99p-7f, -0x1.afa4d6p-18f, 0x1.e021f6p-15f, 0x1.ea2524p-19f, 0x0p+0f},
     {0x0p+0f, 0x0p+0f, -0x1.a1ce7p-13f, 0x1.c0baa8p-17f, -0x1.76f2cep-19f, 0x0p+0f},
@@ -40,7 +40,7 @@ static const float LANE_SLERP_BRIEF_NEAR[LANE_SLERP_ROWS][LANE_SLERP_POWERS] = {
 };
 
 /* E for k in 0.0..0.5, for compact clips. Error at most 2.197 u. */
-static const float LANE_SLERP_BRIEF_FAR[LANE_SLERP_ROWS][LANE_SLERP_POWERS] = {
+static const float LANE_SLERP_COMPACT_FARTHER[LANE_SLERP_ROWS][LANE_SLERP_POWERS] = {
     {-0x1.5557dp-3f, -0x1.dcc6b2p-8f, -0x1.add18ap-11f, -0x1.d5db52p-16f, -0x1.5ea1bep-17f, 0x0p+0f},
     {0x0p+0f, 0x1.11a258p-7f, -0x1.989a08p-15f, 0x1.4d0d1cp-14f, 0x0p+0f, 0x0p+0f},
     {0x0p+0f, 0x0p+0f, -0x1.7c24a8p-13f, 0x0p+0f, 0x0p+0f, 0x0p+0f},

@@ -73,8 +73,8 @@ static inline lane_compact_series lane_compact_series_at(float t)
     const float zr = at.r * at.r, zs = at.s * at.s;
     lane_compact_series series = {at.first != 0u, {at.r}, {at.s}};
     for (int i = 0; i < LANE_SLERP_POWERS; i++) {
-        series.nearer[1 + i] = -at.cr * lane_slerp_coefficient(LANE_SLERP_BRIEF_NEAR, i, 3, zr, zr * zr);
-        series.farther[1 + i] = -at.cs * lane_slerp_coefficient(LANE_SLERP_BRIEF_FAR, i, 3, zs, zs * zs);
+        series.nearer[1 + i] = -at.cr * lane_slerp_coefficient(LANE_SLERP_COMPACT_NEARER, i, 3, zr, zr * zr);
+        series.farther[1 + i] = -at.cs * lane_slerp_coefficient(LANE_SLERP_COMPACT_FARTHER, i, 3, zs, zs * zs);
     }
     return series;
 }

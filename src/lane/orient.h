@@ -179,7 +179,7 @@ static inline float lane_slerp_sum(float h0, float h1, float h2, float h3, float
 static inline float lane_slerp_excess(const lane_slerp_time *at, int nearer, float v)
 {
     const float k = nearer ? at->r : at->s, z = k * k, zz = z * z;
-    const float(*h)[LANE_SLERP_POWERS] = nearer ? LANE_SLERP_NEAR : LANE_SLERP_FAR;
+    const float(*h)[LANE_SLERP_POWERS] = nearer ? LANE_SLERP_NEARER : LANE_SLERP_FARTHER;
     float h1 = lane_slerp_coefficient(h, 1, 1, z, zz), h2 = lane_slerp_coefficient(h, 2, 2, z, zz);
     float h3 = lane_slerp_coefficient(h, 3, nearer ? 3 : 1, z, zz);
     float h5 = lane_slerp_coefficient(h, 5, nearer ? 2 : 1, z, zz);
@@ -202,8 +202,8 @@ static inline lane_slerp_series lane_slerp_series_at(const lane_slerp_time *at)
     const float zr = at->r * at->r, zs = at->s * at->s;
     lane_slerp_series p;
     for (int i = 0; i < LANE_SLERP_POWERS; i++) {
-        p.nearer[i] = lane_slerp_coefficient(LANE_SLERP_NEAR, i, 3, zr, zr * zr);
-        p.farther[i] = lane_slerp_coefficient(LANE_SLERP_FAR, i, 3, zs, zs * zs);
+        p.nearer[i] = lane_slerp_coefficient(LANE_SLERP_NEARER, i, 3, zr, zr * zr);
+        p.farther[i] = lane_slerp_coefficient(LANE_SLERP_FARTHER, i, 3, zs, zs * zs);
     }
     return p;
 }
