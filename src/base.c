@@ -6,8 +6,8 @@
 const char *nkw_result_text(nkw_result result)
 {
     switch (result) {
-#define NKW_RESULT_CASE(name, text)                                                                \
-    case name:                                                                                     \
+#define NKW_RESULT_CASE(name, text)                                                                                    \
+    case name:                                                                                                         \
         return text;
         NKW_RESULTS(NKW_RESULT_CASE)
 #undef NKW_RESULT_CASE

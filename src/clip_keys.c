@@ -85,7 +85,7 @@ static unsigned next_key(compact_keys *keys, size_t k, double numbers[3])
     double w = (double)keys->sign * (double)q.w, lowest = k > 0 ? keys->lowest : 0.0;
     unsigned negated = w < lowest;
     keys->sign = negated ? -keys->sign : keys->sign;
-    lane_compact_numbers(lane_wquat_scale(lane_wquat_from(q), (double)keys->sign), numbers);
+    lane_compact_numbers(lane_f64_quat_scale(lane_f64_quat_from(q), (double)keys->sign), numbers);
     return negated;
 }
 

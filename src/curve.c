@@ -78,25 +78,25 @@ nkw_vec3 nkw_vec3_catmull_rom_nonuniform(const float times[4], nkw_vec3 p0, nkw_
 }
 
 /* The components of four control points. */
-static lane_wcubic component_x(const nkw_vec3_cubic *a)
+static lane_f64_cubic component_x(const nkw_vec3_cubic *a)
 {
-    lane_wcubic r = {{a->c[0].x, a->c[1].x, a->c[2].x, a->c[3].x}};
+    lane_f64_cubic r = {{a->c[0].x, a->c[1].x, a->c[2].x, a->c[3].x}};
     return r;
 }
 
-static lane_wcubic component_y(const nkw_vec3_cubic *a)
+static lane_f64_cubic component_y(const nkw_vec3_cubic *a)
 {
-    lane_wcubic r = {{a->c[0].y, a->c[1].y, a->c[2].y, a->c[3].y}};
+    lane_f64_cubic r = {{a->c[0].y, a->c[1].y, a->c[2].y, a->c[3].y}};
     return r;
 }
 
-static lane_wcubic component_z(const nkw_vec3_cubic *a)
+static lane_f64_cubic component_z(const nkw_vec3_cubic *a)
 {
-    lane_wcubic r = {{a->c[0].z, a->c[1].z, a->c[2].z, a->c[3].z}};
+    lane_f64_cubic r = {{a->c[0].z, a->c[1].z, a->c[2].z, a->c[3].z}};
     return r;
 }
 
-static nkw_vec3_cubic from_components(lane_wcubic x, lane_wcubic y, lane_wcubic z)
+static nkw_vec3_cubic from_components(lane_f64_cubic x, lane_f64_cubic y, lane_f64_cubic z)
 {
     nkw_vec3_cubic r;
     for (size_t i = 0; i < 4; i++) {
@@ -128,7 +128,7 @@ nkw_vec3_cubic nkw_vec3_bezier_from_bspline(const nkw_vec3_cubic *bspline)
 
 void nkw_vec3_bezier_split(const nkw_vec3_cubic *bezier, float t, nkw_vec3_cubic *left, nkw_vec3_cubic *right)
 {
-    lane_wcubic x[2], y[2], z[2];
+    lane_f64_cubic x[2], y[2], z[2];
     lane_bezier_split(component_x(bezier), t, &x[0], &x[1]);
     lane_bezier_split(component_y(bezier), t, &y[0], &y[1]);
     lane_bezier_split(component_z(bezier), t, &z[0], &z[1]);

@@ -16,15 +16,15 @@ nkw_dual_quat nkw_dual_quat_identity(void)
 
 nkw_dual_quat nkw_dual_quat_from_rigid(nkw_quat rotation, nkw_vec3 translation)
 {
-    lane_wquat dual = lane_wdual_part(lane_wquat_from(rotation), lane_wvec3_from(translation));
-    nkw_dual_quat r = {rotation, lane_quat_from_wide(dual)};
+    lane_f64_quat dual = lane_wdual_part(lane_f64_quat_from(rotation), lane_f64_vec3_from(translation));
+    nkw_dual_quat r = {rotation, lane_quat_from_f64(dual)};
     return r;
 }
 
 nkw_dual_quat nkw_dual_quat_from_mat4(const nkw_mat4 *m)
 {
-    lane_wmat3 linear = lane_wmat3_from_mat4(m);
-    return lane_dual_quat_from_affine(&linear, lane_wvec3_from(nkw_mat4_translation(m)));
+    lane_f64_mat3 linear = lane_f64_mat3_from_mat4(m);
+    return lane_dual_quat_from_affine(&linear, lane_f64_vec3_from(nkw_mat4_translation(m)));
 }
 
 nkw_mat4 nkw_mat4_from_dual_quat(const nkw_dual_quat *d)
@@ -57,15 +57,15 @@ nkw_dual_quat nkw_dual_quat_conjugate(const nkw_dual_quat *d)
 
 nkw_dual_quat nkw_dual_quat_normalize(const nkw_dual_quat *d)
 {
-    lane_wquat real = lane_wquat_from(d->real), dual = lane_wquat_from(d->dual);
-    double n2 = lane_wquat_dot(real, real);
+    lane_f64_quat real = lane_f64_quat_from(d->real), dual = lane_f64_quat_from(d->dual);
+    double n2 = lane_f64_quat_dot(real, real);
     if (n2 == 0.0)
         return nkw_dual_quat_identity();
     double s = lane_rsqrt64(n2);
-    real = lane_wquat_scale(real, s);
-    dual = lane_wquat_scale(dual, s);
-    dual = lane_wquat_sub(dual, lane_wquat_scale(real, lane_wquat_dot(real, dual)));
-    nkw_dual_quat r = {lane_quat_from_wide(real), lane_quat_from_wide(dual)};
+    real = lane_f64_quat_scale(real, s);
+    dual = lane_f64_quat_scale(dual, s);
+    dual = lane_f64_quat_sub(dual, lane_f64_quat_scale(real, lane_f64_quat_dot(real, dual)));
+    nkw_dual_quat r = {lane_quat_from_f64(real), lane_quat_from_f64(dual)};
     return r;
 }
 

@@ -265,8 +265,7 @@ static nkw_result check_key(const nkw_keyframe *keys, size_t k)
 {
     const nkw_keyframe *key = &keys[k];
     float length = nkw_quat_length(key->orientation);
-    if (!lane_is_finite(key->time) || !nkw_vec3_is_finite(key->position) ||
-        !nkw_quat_is_finite(key->orientation))
+    if (!lane_is_finite(key->time) || !nkw_vec3_is_finite(key->position) || !nkw_quat_is_finite(key->orientation))
         return NKW_NOT_FINITE;
     if (k > 0 && key->time < keys[k - 1].time)
         return NKW_NOT_ASCENDING;

@@ -19,18 +19,18 @@ nkw_mat4 nkw_mat4_mul_affine(const nkw_mat4 *a, const nkw_mat4 *b)
 
 float nkw_mat3_determinant(const nkw_mat3 *m)
 {
-    lane_wmat3 w = lane_wmat3_from(m);
-    lane_wmat3 c = lane_wmat3_cofactors(&w);
-    return (float)lane_wmat3_determinant(&w, &c);
+    lane_f64_mat3 w = lane_f64_mat3_from(m);
+    lane_f64_mat3 c = lane_f64_mat3_cofactors(&w);
+    return (float)lane_f64_mat3_determinant(&w, &c);
 }
 
 nkw_mat3 nkw_mat3_inverse(const nkw_mat3 *m)
 {
-    lane_wmat3 w = lane_wmat3_from(m);
-    lane_wmat3 c = lane_wmat3_cofactors(&w);
-    double r = lane_reciprocal_or_zero(lane_wmat3_determinant(&w, &c));
-    lane_wmat3 adjugate = lane_wmat3_transpose(&c);
-    return lane_mat3_from_wide(&adjugate, r);
+    lane_f64_mat3 w = lane_f64_mat3_from(m);
+    lane_f64_mat3 c = lane_f64_mat3_cofactors(&w);
+    double r = lane_reciprocal_or_zero(lane_f64_mat3_determinant(&w, &c));
+    lane_f64_mat3 adjugate = lane_f64_mat3_transpose(&c);
+    return lane_mat3_from_f64(&adjugate, r);
 }
 
 nkw_mat3 nkw_mat3_normal(const nkw_mat3 *m)
@@ -39,24 +39,24 @@ nkw_mat3 nkw_mat3_normal(const nkw_mat3 *m)
 }
 
 /* Columns shorter than this part of the longest direction left are rounding, not direction. */
-static lane_wvec3 direction_or(lane_wvec3 rest, lane_wvec3 whole, lane_wvec3 otherwise)
+static lane_f64_vec3 direction_or(lane_f64_vec3 rest, lane_f64_vec3 whole, lane_f64_vec3 otherwise)
 {
-    int lost = lane_wvec3_dot(rest, rest) <= 0x1p-60 * lane_wvec3_dot(whole, whole);
-    return lane_wvec3_normalize(lane_wvec3_select(lost, otherwise, rest));
+    int lost = lane_f64_vec3_dot(rest, rest) <= 0x1p-60 * lane_f64_vec3_dot(whole, whole);
+    return lane_f64_vec3_normalize(lane_f64_vec3_select(lost, otherwise, rest));
 }
 
 nkw_mat3 nkw_mat3_orthonormalize(const nkw_mat3 *m)
 {
-    lane_wmat3 w = lane_wmat3_from(m);
-    lane_wvec3 a = lane_wmat3_column(&w, 0), b = lane_wmat3_column(&w, 1), c = lane_wmat3_column(&w, 2);
-    lane_wvec3 across = lane_wvec3_cross(b, c);
-    lane_wvec3 x = direction_or(a, a, direction_or(across, across, lane_wvec3_perpendicular(b)));
-    lane_wvec3 rest = lane_wvec3_sub(b, lane_wvec3_scale(x, lane_wvec3_dot(b, x)));
-    lane_wvec3 y = direction_or(rest, b, direction_or(lane_wvec3_cross(c, x), c, lane_wvec3_perpendicular(x)));
-    lane_wvec3 z = lane_wvec3_cross(x, y);
-    double along = lane_wvec3_dot(z, c), side = along < 0.0 ? -1.0 : along == along ? 1.0 : along;
-    lane_wmat3 r = lane_wmat3_from_columns(x, y, lane_wvec3_scale(z, side));
-    return lane_mat3_from_wide(&r, 1.0);
+    lane_f64_mat3 w = lane_f64_mat3_from(m);
+    lane_f64_vec3 a = lane_f64_mat3_column(&w, 0), b = lane_f64_mat3_column(&w, 1), c = lane_f64_mat3_column(&w, 2);
+    lane_f64_vec3 across = lane_f64_vec3_cross(b, c);
+    lane_f64_vec3 x = direction_or(a, a, direction_or(across, across, lane_f64_vec3_perpendicular(b)));
+    lane_f64_vec3 rest = lane_f64_vec3_sub(b, lane_f64_vec3_scale(x, lane_f64_vec3_dot(b, x)));
+    lane_f64_vec3 y = direction_or(rest, b, direction_or(lane_f64_vec3_cross(c, x), c, lane_f64_vec3_perpendicular(x)));
+    lane_f64_vec3 z = lane_f64_vec3_cross(x, y);
+    double along = lane_f64_vec3_dot(z, c), side = along < 0.0 ? -1.0 : along == along ? 1.0 : along;
+    lane_f64_mat3 r = lane_f64_mat3_from_columns(x, y, lane_f64_vec3_scale(z, side));
+    return lane_mat3_from_f64(&r, 1.0);
 }
 
 nkw_vec3 nkw_mat4_project_point(const nkw_mat4 *m, nkw_vec3 p)
@@ -157,8 +157,8 @@ LANE_FLAT nkw_mat4 nkw_mat4_inverse(const nkw_mat4 *m)
 LANE_FLAT nkw_mat4 nkw_mat4_inverse_affine(const nkw_mat4 *m)
 {
     const float *a = m->m;
-    lane_wvec3 x = {a[0], a[1], a[2]}, y = {a[4], a[5], a[6]}, z = {a[8], a[9], a[10]}, t = {a[12], a[13], a[14]};
-    double det = lane_wvec3_dot(x, lane_wvec3_cross(y, z)), r = lane_reciprocal_or_zero(det), columns[16];
+    lane_f64_vec3 x = {a[0], a[1], a[2]}, y = {a[4], a[5], a[6]}, z = {a[8], a[9], a[10]}, t = {a[12], a[13], a[14]};
+    double det = lane_f64_vec3_dot(x, lane_f64_vec3_cross(y, z)), r = lane_reciprocal_or_zero(det), columns[16];
     nkw_mat4 result = {{0.0f}};
     if (r == 0.0)
         return result;

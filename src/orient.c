@@ -5,6 +5,7 @@
 
 #include "lane/orient.h"
 #include "pack/quat.h"
+#include "pack/sincos.h"
 #include "pack/slerp.h"
 
 #if NKW_F32X4
@@ -54,32 +55,34 @@ nkw_quat nkw_quat_slerp_path(nkw_quat a, nkw_quat b, float t, nkw_path path)
 
 nkw_vec3 nkw_quat_log(nkw_quat q)
 {
-    return lane_vec3_from_wide(lane_wquat_log(lane_wquat_from(quat_argument(q))));
+    return lane_vec3_from_f64(lane_f64_quat_log(lane_f64_quat_from(quat_argument(q))));
 }
 
 LANE_FLAT nkw_quat nkw_quat_exp(nkw_vec3 v)
 {
-    return lane_quat_from_wide(lane_wquat_exp(lane_wvec3_from(v)));
+    lane_f64_vec3 w = lane_f64_vec3_from(v);
+    lane_sincos half = f64x2_sincos_any(lane_turn_angle64(lane_f64_vec3_length(w)));
+    return lane_quat_from_f64(lane_f64_quat_from_axis_half(lane_f64_vec3_normalize(w), half));
 }
 
 nkw_quat nkw_quat_pow(nkw_quat q, float t)
 {
-    lane_wvec3 v = lane_wquat_log(lane_wquat_from(q));
-    return lane_quat_from_wide(lane_wquat_exp(lane_wvec3_scale(v, t)));
+    lane_f64_vec3 v = lane_f64_quat_log(lane_f64_quat_from(q));
+    return lane_quat_from_f64(lane_f64_quat_exp(lane_f64_vec3_scale(v, t)));
 }
 
 nkw_vec3 nkw_quat_angular_velocity(nkw_quat a, nkw_quat b, float duration)
 {
-    lane_wquat from = lane_wquat_from(a);
-    lane_wquat to = lane_wquat_aligned(from, lane_wquat_from(b), NKW_PATH_SHORT);
-    lane_wvec3 half = lane_wquat_log(lane_wquat_mul(to, lane_wquat_conjugate(from)));
-    return lane_vec3_from_wide(lane_wvec3_scale(half, duration == 0.0f ? 0.0 : 2.0 / (double)duration));
+    lane_f64_quat from = lane_f64_quat_from(a);
+    lane_f64_quat to = lane_f64_quat_aligned(from, lane_f64_quat_from(b), NKW_PATH_SHORT);
+    lane_f64_vec3 half = lane_f64_quat_log(lane_f64_quat_mul(to, lane_f64_quat_conjugate(from)));
+    return lane_vec3_from_f64(lane_f64_vec3_scale(half, duration == 0.0f ? 0.0 : 2.0 / (double)duration));
 }
 
 nkw_quat nkw_quat_integrate(nkw_quat q, nkw_vec3 angular_velocity, float duration)
 {
-    lane_wvec3 half = lane_wvec3_scale(lane_wvec3_from(angular_velocity), 0.5 * (double)duration);
-    return lane_quat_from_wide(lane_wquat_mul(lane_wquat_exp(half), lane_wquat_from(q)));
+    lane_f64_vec3 half = lane_f64_vec3_scale(lane_f64_vec3_from(angular_velocity), 0.5 * (double)duration);
+    return lane_quat_from_f64(lane_f64_quat_mul(lane_f64_quat_exp(half), lane_f64_quat_from(q)));
 }
 
 nkw_vec3 nkw_euler_lerp(nkw_vec3 a, nkw_vec3 b, float t, nkw_unwrap unwrap)

@@ -4,7 +4,7 @@
 #include <nakawari/scalar.h>
 
 #include "lane/scalar.h"
-#include "lane/two.h"
+#include "pack/sincos.h"
 
 float nkw_sin(float angle)
 {
@@ -18,7 +18,7 @@ float nkw_cos(float angle)
 
 void nkw_sincos(float angle, float *sine, float *cosine)
 {
-    lane_sincos a = lane_sincos64_single((double)angle);
+    lane_sincos a = f64x2_sincos_any((double)angle);
     *sine = (float)a.s;
     *cosine = (float)a.c;
 }

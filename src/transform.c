@@ -16,45 +16,45 @@ nkw_mat4 nkw_mat4_from_trs(const nkw_trs *trs)
 #endif
 
 /* The unit column, or a direction at right angles to the two others where it has no length. */
-static lane_wvec3 unit_or_cross(lane_wvec3 column, double length, lane_wvec3 next, lane_wvec3 after)
+static lane_f64_vec3 unit_or_cross(lane_f64_vec3 column, double length, lane_f64_vec3 next, lane_f64_vec3 after)
 {
-    lane_wvec3 across = lane_wvec3_normalize(lane_wvec3_cross(next, after));
-    return lane_wvec3_select(length == 0.0, across, lane_wvec3_normalize(column));
+    lane_f64_vec3 across = lane_f64_vec3_normalize(lane_f64_vec3_cross(next, after));
+    return lane_f64_vec3_select(length == 0.0, across, lane_f64_vec3_normalize(column));
 }
 
 /* The unit directions of the columns x, y, z of lengths s, with those of length zero filled in. */
-static lane_wmat3 directions(const lane_wmat3 *m, const double s[3])
+static lane_f64_mat3 directions(const lane_f64_mat3 *m, const double s[3])
 {
-    lane_wvec3 x = lane_wmat3_column(m, 0), y = lane_wmat3_column(m, 1), z = lane_wmat3_column(m, 2);
-    lane_wvec3 axis_x = {1.0, 0.0, 0.0}, axis_y = {0.0, 1.0, 0.0}, axis_z = {0.0, 0.0, 1.0};
+    lane_f64_vec3 x = lane_f64_mat3_column(m, 0), y = lane_f64_mat3_column(m, 1), z = lane_f64_mat3_column(m, 2);
+    lane_f64_vec3 axis_x = {1.0, 0.0, 0.0}, axis_y = {0.0, 1.0, 0.0}, axis_z = {0.0, 0.0, 1.0};
     if (s[0] == 0.0 && s[1] == 0.0 && s[2] == 0.0)
-        return lane_wmat3_from_columns(axis_x, axis_y, axis_z);
+        return lane_f64_mat3_from_columns(axis_x, axis_y, axis_z);
     /* With one column left, the second is any at right angles to it; with two, the third is their product. */
     if (s[1] == 0.0 && s[2] == 0.0)
-        y = lane_wvec3_perpendicular(x);
+        y = lane_f64_vec3_perpendicular(x);
     else if (s[2] == 0.0 && s[0] == 0.0)
-        z = lane_wvec3_perpendicular(y);
+        z = lane_f64_vec3_perpendicular(y);
     else if (s[0] == 0.0 && s[1] == 0.0)
-        x = lane_wvec3_perpendicular(z);
-    double lx = lane_wvec3_length(x), ly = lane_wvec3_length(y), lz = lane_wvec3_length(z);
-    return lane_wmat3_from_columns(unit_or_cross(x, lx, y, z), unit_or_cross(y, ly, z, x),
-                                   unit_or_cross(z, lz, x, y));
+        x = lane_f64_vec3_perpendicular(z);
+    double lx = lane_f64_vec3_length(x), ly = lane_f64_vec3_length(y), lz = lane_f64_vec3_length(z);
+    return lane_f64_mat3_from_columns(unit_or_cross(x, lx, y, z), unit_or_cross(y, ly, z, x),
+                                      unit_or_cross(z, lz, x, y));
 }
 
 LANE_SELDOM static nkw_trs from_any_affine(const nkw_mat4 *m)
 {
-    lane_wmat3 w = lane_wmat3_from_mat4(m);
+    lane_f64_mat3 w = lane_f64_mat3_from_mat4(m);
     double s[3];
     for (size_t c = 0; c < 3; c++)
-        s[c] = lane_wvec3_length(lane_wmat3_column(&w, c));
-    lane_wmat3 unit = directions(&w, s);
-    lane_wmat3 cofactors = lane_wmat3_cofactors(&unit);
-    double side = lane_wmat3_determinant(&unit, &cofactors) < 0.0 ? -1.0 : 1.0;
+        s[c] = lane_f64_vec3_length(lane_f64_mat3_column(&w, c));
+    lane_f64_mat3 unit = directions(&w, s);
+    lane_f64_mat3 cofactors = lane_f64_mat3_cofactors(&unit);
+    double side = lane_f64_mat3_determinant(&unit, &cofactors) < 0.0 ? -1.0 : 1.0;
     for (size_t i = 0; i < 3; i++)
         unit.m[i] *= side;
     nkw_trs r = {
         {m->m[12], m->m[13], m->m[14]},
-        lane_quat_from_wide(lane_wquat_from_wmat3(&unit, NEAREST_ROTATION_STEPS)),
+        lane_quat_from_f64(lane_f64_quat_from_f64_mat3(&unit, NEAREST_ROTATION_STEPS)),
         {(float)(side * s[0]), (float)s[1], (float)s[2]},
     };
     return r;
@@ -66,22 +66,22 @@ LANE_SELDOM static nkw_trs from_any_affine(const nkw_mat4 *m)
 LANE_FLAT nkw_trs nkw_trs_from_mat4(const nkw_mat4 *m)
 {
     const float *a = m->m;
-    lane_wvec3 x = {a[0], a[1], a[2]}, y = {a[4], a[5], a[6]}, z = {a[8], a[9], a[10]};
-    double xx = lane_wvec3_dot(x, x), yy = lane_wvec3_dot(y, y), zz = lane_wvec3_dot(z, z);
+    lane_f64_vec3 x = {a[0], a[1], a[2]}, y = {a[4], a[5], a[6]}, z = {a[8], a[9], a[10]};
+    double xx = lane_f64_vec3_dot(x, x), yy = lane_f64_vec3_dot(y, y), zz = lane_f64_vec3_dot(z, z);
     if (!(lane_root_is_near(xx) && lane_root_is_near(yy) && lane_root_is_near(zz)))
         return from_any_affine(m);
-    double side = lane_copysign64(1.0, lane_wvec3_dot(lane_wvec3_cross(x, y), z));
+    double side = lane_copysign64(1.0, lane_f64_vec3_dot(lane_f64_vec3_cross(x, y), z));
     double rx = lane_rsqrt64_near(xx) * side, ry = lane_rsqrt64_near(yy), rz = lane_rsqrt64_near(zz);
-    lane_wvec3 u = lane_wvec3_scale(x, rx), v = lane_wvec3_scale(y, ry), n = lane_wvec3_scale(z, rz);
-    double uv = lane_wvec3_dot(u, v), vn = lane_wvec3_dot(v, n), nu = lane_wvec3_dot(n, u);
+    lane_f64_vec3 u = lane_f64_vec3_scale(x, rx), v = lane_f64_vec3_scale(y, ry), n = lane_f64_vec3_scale(z, rz);
+    double uv = lane_f64_vec3_dot(u, v), vn = lane_f64_vec3_dot(v, n), nu = lane_f64_vec3_dot(n, u);
     if (!((uv * uv + vn * vn) + nu * nu < HARDLY_SHEARED * HARDLY_SHEARED))
         return from_any_affine(m);
-    lane_wmat3 unit = lane_wmat3_from_columns(u, v, n);
-    lane_wform k = lane_wform_from_wmat3(&unit);
-    lane_wquat q = lane_wform_dominant_single(&k, LANE_NEAREST_STEPS);
+    lane_f64_mat3 unit = lane_f64_mat3_from_columns(u, v, n);
+    lane_f64_form k = lane_f64_form_from_f64_mat3(&unit);
+    lane_f64_quat q = lane_f64_form_dominant(&k, LANE_NEAREST_STEPS);
     nkw_trs r = {
         {a[12], a[13], a[14]},
-        lane_quat_from_wide(lane_wquat_scale(q, lane_rsqrt64_near(lane_wquat_dot(q, q)))),
+        lane_quat_from_f64(lane_f64_quat_scale(q, lane_rsqrt64_near(lane_f64_quat_dot(q, q)))),
         {(float)(xx * rx), (float)(yy * ry), (float)(zz * rz)},
     };
     return r;
@@ -89,18 +89,18 @@ LANE_FLAT nkw_trs nkw_trs_from_mat4(const nkw_mat4 *m)
 
 float nkw_trs_residual(const nkw_trs *trs, const nkw_mat4 *m)
 {
-    lane_wmat3 w = lane_wmat3_from_mat4(m);
-    lane_wmat3 r = lane_wmat3_from_wquat(lane_wquat_normalize(lane_wquat_from(trs->rotation)));
+    lane_f64_mat3 w = lane_f64_mat3_from_mat4(m);
+    lane_f64_mat3 r = lane_f64_mat3_from_f64_quat(lane_f64_quat_normalize(lane_f64_quat_from(trs->rotation)));
     const double s[3] = {trs->scale.x, trs->scale.y, trs->scale.z};
     double longest = 0.0, nothing = 0.0; /* or NaN */
-    lane_wmat3 difference;
+    lane_f64_mat3 difference;
     for (size_t c = 0; c < 3; c++) {
-        double length = lane_wvec3_length(lane_wmat3_column(&w, c));
+        double length = lane_f64_vec3_length(lane_f64_mat3_column(&w, c));
         longest = length > longest ? length : longest;
         for (size_t i = 0; i < 3; i++) {
             difference.m[c * 3 + i] = r.m[c * 3 + i] * s[c] - w.m[c * 3 + i];
             nothing += 0.0 * difference.m[c * 3 + i];
         }
     }
-    return (float)((longest == 0.0 ? 0.0 : lane_wmat3_largest(&difference) / longest) + nothing);
+    return (float)((longest == 0.0 ? 0.0 : lane_f64_mat3_largest(&difference) / longest) + nothing);
 }

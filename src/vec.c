@@ -22,16 +22,16 @@ float nkw_vec3_angle(nkw_vec3 a, nkw_vec3 b)
 
 nkw_vec3 nkw_vec3_project(nkw_vec3 a, nkw_vec3 b)
 {
-    return lane_vec3_from_wide(lane_wvec3_project(lane_wvec3_from(a), lane_wvec3_from(b)));
+    return lane_vec3_from_f64(lane_f64_vec3_project(lane_f64_vec3_from(a), lane_f64_vec3_from(b)));
 }
 
 nkw_vec3 nkw_vec3_reject(nkw_vec3 a, nkw_vec3 b)
 {
-    lane_wvec3 u = lane_wvec3_from(a);
-    return lane_vec3_from_wide(lane_wvec3_sub(u, lane_wvec3_project(u, lane_wvec3_from(b))));
+    lane_f64_vec3 u = lane_f64_vec3_from(a);
+    return lane_vec3_from_f64(lane_f64_vec3_sub(u, lane_f64_vec3_project(u, lane_f64_vec3_from(b))));
 }
 
 nkw_vec3 nkw_vec3_perpendicular(nkw_vec3 a)
 {
-    return lane_vec3_from_wide(lane_wvec3_perpendicular(lane_wvec3_from(a)));
+    return lane_vec3_from_f64(lane_f64_vec3_perpendicular(lane_f64_vec3_from(a)));
 }

@@ -11,8 +11,8 @@ NKW_LOOPS_CURVE(NKW_DECLARE_LOOP)
 typedef float cubic(float, float, float, float, float);
 
 /* Each kind of curve has four control values a..d; for Hermite they are p0, v0, p1, v1. */
-static inline void each(cubic *f, nkw_vec3_view a, nkw_vec3_view b, nkw_vec3_view c, nkw_vec3_view d,
-                        const float *t, nkw_vec3_span out, size_t n)
+static inline void each(cubic *f, nkw_vec3_view a, nkw_vec3_view b, nkw_vec3_view c, nkw_vec3_view d, const float *t,
+                        nkw_vec3_span out, size_t n)
 {
 #pragma omp simd
     for (size_t i = 0; i < n; i++) {

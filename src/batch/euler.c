@@ -31,7 +31,7 @@ static void near_block(const float *const angles[3], double e, float *const part
         lane_sincos i = lane_sincos64(0.5 * (double)ai[n]);
         lane_sincos j = lane_sincos64(0.5 * (double)aj[n]);
         lane_sincos k = lane_sincos64(0.5 * (double)ak[n]);
-        lane_wquat p = lane_wquat_from_halves(i, j, k, e);
+        lane_f64_quat p = lane_f64_quat_from_halves(i, j, k, e);
         pi[n] = (float)p.x;
         pj[n] = (float)p.y;
         pk[n] = (float)p.z;
@@ -42,8 +42,8 @@ static void near_block(const float *const angles[3], double e, float *const part
 static void far_block(const float *const angles[3], double e, float *const parts[4], size_t from, size_t to)
 {
     for (size_t n = from; n < to; n++) {
-        lane_wquat p = lane_wquat_from_half_angles(0.5 * (double)angles[0][n], 0.5 * (double)angles[1][n],
-                                                   0.5 * (double)angles[2][n], e);
+        lane_f64_quat p = lane_f64_quat_from_half_angles(0.5 * (double)angles[0][n], 0.5 * (double)angles[1][n],
+                                                         0.5 * (double)angles[2][n], e);
         parts[0][n] = (float)p.x;
         parts[1][n] = (float)p.y;
         parts[2][n] = (float)p.z;

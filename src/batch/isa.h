@@ -17,7 +17,7 @@
 
 #include <stddef.h>
 
-#include "lane/wide.h"
+#include "lane/f64.h"
 
 #ifndef NKW_ISA
 #define NKW_ISA generic

@@ -93,16 +93,16 @@ static inline void matrices_write(const matrices *a, size_t i, nkw_mat4 *out, si
             lane_four_store(out[k].m + 4 * c, m[k].c[c]);
 }
 
-static inline lane_wvec3 matrices_column(const matrices *a, size_t c, size_t i)
+static inline lane_f64_vec3 matrices_column(const matrices *a, size_t c, size_t i)
 {
-    lane_wvec3 r = {a->e[3 * c][i], a->e[3 * c + 1][i], a->e[3 * c + 2][i]};
+    lane_f64_vec3 r = {a->e[3 * c][i], a->e[3 * c + 1][i], a->e[3 * c + 2][i]};
     return r;
 }
 
 /* The 3x3 block. */
-static inline lane_wmat3 matrices_linear(const matrices *a, size_t i)
+static inline lane_f64_mat3 matrices_linear(const matrices *a, size_t i)
 {
-    lane_wmat3 r;
+    lane_f64_mat3 r;
     for (size_t k = 0; k < 9; k++)
         r.m[k] = a->e[k][i];
     return r;
@@ -111,13 +111,13 @@ static inline lane_wmat3 matrices_linear(const matrices *a, size_t i)
 /* nkw_mat4_inverse_affine of number i. */
 static inline void matrices_invert(const matrices *a, size_t i, matrices *out)
 {
-    lane_wmat3 linear = matrices_linear(a, i), cofactors = lane_wmat3_cofactors(&linear);
-    double r = lane_reciprocal_or_zero(lane_wmat3_determinant(&linear, &cofactors));
-    lane_wvec3 t = matrices_column(a, 3, i);
+    lane_f64_mat3 linear = matrices_linear(a, i), cofactors = lane_f64_mat3_cofactors(&linear);
+    double r = lane_reciprocal_or_zero(lane_f64_mat3_determinant(&linear, &cofactors));
+    lane_f64_vec3 t = matrices_column(a, 3, i);
     for (size_t k = 0; k < 9; k++)
         out->e[k][i] = r == 0.0 ? 0.0f : (float)(cofactors.m[k % 3 * 3 + k / 3] * r);
     for (size_t k = 0; k < 3; k++)
-        out->e[9 + k][i] = r == 0.0 ? 0.0f : (float)(-lane_wvec3_dot(lane_wmat3_column(&cofactors, k), t) * r);
+        out->e[9 + k][i] = r == 0.0 ? 0.0f : (float)(-lane_f64_vec3_dot(lane_f64_mat3_column(&cofactors, k), t) * r);
     out->e[12][i] = r == 0.0 ? 0.0f : 1.0f;
 }
 

@@ -211,7 +211,7 @@ NKW_LOOP(nkw_quat_log_n)(nkw_quat_view q, nkw_vec3_span out, size_t n)
 {
 #pragma omp simd
     for (size_t i = 0; i < n; i++)
-        put_vec3(out, i, lane_vec3_from_wide(lane_wquat_log(lane_wquat_from(at_quat(q, i)))));
+        put_vec3(out, i, lane_vec3_from_f64(lane_f64_quat_log(lane_f64_quat_from(at_quat(q, i)))));
 }
 
 /* Blocks with a far vector take the single function. */
@@ -220,8 +220,8 @@ static inline int any_far(nkw_vec3_view v, size_t from, size_t to)
     int far = 0;
 #pragma omp simd reduction(| : far)
     for (size_t i = from; i < to; i++) {
-        lane_wvec3 w = lane_wvec3_from(at_vec3(v, i));
-        far |= !(lane_wvec3_dot(w, w) < 0.25 * LANE_NEAR * LANE_NEAR);
+        lane_f64_vec3 w = lane_f64_vec3_from(at_vec3(v, i));
+        far |= !(lane_f64_vec3_dot(w, w) < 0.25 * LANE_NEAR * LANE_NEAR);
     }
     return far;
 }
@@ -230,7 +230,7 @@ static void exp_near(nkw_vec3_view v, nkw_quat_span out, size_t from, size_t to)
 {
 #pragma omp simd
     for (size_t i = from; i < to; i++)
-        put_quat(out, i, lane_quat_from_wide(lane_wquat_exp_near(lane_wvec3_from(at_vec3(v, i)))));
+        put_quat(out, i, lane_quat_from_f64(lane_f64_quat_exp_near(lane_f64_vec3_from(at_vec3(v, i)))));
 }
 
 NKW_LOOP(nkw_quat_exp_n)(nkw_vec3_view v, nkw_quat_span out, size_t n)
@@ -239,7 +239,7 @@ NKW_LOOP(nkw_quat_exp_n)(nkw_vec3_view v, nkw_quat_span out, size_t n)
         size_t end = n - from < BLOCK ? n : from + BLOCK;
         if (any_far(v, from, end))
             for (size_t i = from; i < end; i++)
-                put_quat(out, i, lane_quat_from_wide(lane_wquat_exp(lane_wvec3_from(at_vec3(v, i)))));
+                put_quat(out, i, lane_quat_from_f64(lane_f64_quat_exp(lane_f64_vec3_from(at_vec3(v, i)))));
         else
             exp_near(v, out, from, end);
     }

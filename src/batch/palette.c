@@ -113,7 +113,7 @@ static inline void normal_one(const matrices *a, matrices *r, size_t i)
 /* Eight elements: the real part, then the dual one. */
 static inline void dual_one(const matrices *a, matrices *r, size_t i)
 {
-    lane_wmat3 linear = matrices_linear(a, i);
+    lane_f64_mat3 linear = matrices_linear(a, i);
     nkw_dual_quat d = lane_dual_quat_from_affine(&linear, matrices_column(a, 3, i));
     r->e[0][i] = d.real.x, r->e[1][i] = d.real.y, r->e[2][i] = d.real.z, r->e[3][i] = d.real.w;
     r->e[4][i] = d.dual.x, r->e[5][i] = d.dual.y, r->e[6][i] = d.dual.z, r->e[7][i] = d.dual.w;

@@ -33,8 +33,8 @@ NKW_LOOP(nkw_quat_rotate_n)(nkw_quat_view q, nkw_vec3_view v, nkw_vec3_span out,
 /* By its columns: GCC keeps in memory what is an array in the loop itself. */
 static inline nkw_quat from_columns(nkw_vec3 x, nkw_vec3 y, nkw_vec3 z)
 {
-    lane_wmat3 m = {{x.x, x.y, x.z, y.x, y.y, y.z, z.x, z.y, z.z}};
-    return lane_quat_from_wide(lane_wquat_from_wmat3(&m, LANE_NEAREST_STEPS));
+    lane_f64_mat3 m = {{x.x, x.y, x.z, y.x, y.y, y.z, z.x, z.y, z.z}};
+    return lane_quat_from_f64(lane_f64_quat_from_f64_mat3(&m, LANE_NEAREST_STEPS));
 }
 
 NKW_LOOP(nkw_quat_from_mat3_n)(nkw_mat3_view m, nkw_quat_span out, size_t n)

@@ -7,7 +7,7 @@
 
 #include "batch/scalar.h"
 #include "lane/scalar.h"
-#include "lane/two.h"
+#include "pack/sincos.h"
 
 NKW_LOOPS_SCALAR(NKW_DECLARE_LOOP)
 
@@ -50,7 +50,7 @@ static inline void sincos_each_again(const float *angle, float *sine, float *cos
     sincos_each(kept, sine, cosine, n);
     for (size_t k = 0; k < n; k++)
         if (lane_angle_is_far(kept[k]))
-            put_sincos(sine, cosine, k, lane_sincos64_single((double)kept[k]));
+            put_sincos(sine, cosine, k, f64x2_sincos_any((double)kept[k]));
 }
 
 NKW_LOOP(nkw_sincos_n)(const float *angle, float *sine, float *cosine, size_t n)
@@ -59,7 +59,7 @@ NKW_LOOP(nkw_sincos_n)(const float *angle, float *sine, float *cosine, size_t n)
         size_t count = n - i < BLOCK ? n - i : BLOCK;
         if (count < FEW)
             for (size_t k = i; k < i + count; k++)
-                put_sincos(sine, cosine, k, lane_sincos64_single((double)angle[k]));
+                put_sincos(sine, cosine, k, f64x2_sincos_any((double)angle[k]));
         else if (any_far(angle + i, count))
             sincos_each_again(angle + i, sine + i, cosine + i, count);
         else

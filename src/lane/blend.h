@@ -61,13 +61,13 @@ static inline nkw_quat lane_quat_mix(nkw_quat a, nkw_quat b, float t)
 /* ref^-1 a, or a ref^-1 on the parent's side; in binary64, rounded once. A zero ref counts as the identity. */
 static inline nkw_quat lane_quat_delta(nkw_quat a, nkw_quat ref, int parent)
 {
-    lane_wquat identity = {0.0, 0.0, 0.0, 1.0};
-    lane_wquat from = lane_wquat_from(ref), to = lane_wquat_from(a);
-    double n2 = lane_wquat_dot(from, from);
-    lane_wquat inverse = lane_wquat_scale(lane_wquat_conjugate(from), 1.0 / n2);
-    inverse = lane_wquat_select(n2 == 0.0, identity, inverse);
-    lane_wquat left = lane_wquat_select(parent, to, inverse), right = lane_wquat_select(parent, inverse, to);
-    return lane_quat_from_wide(lane_wquat_mul(left, right));
+    lane_f64_quat identity = {0.0, 0.0, 0.0, 1.0};
+    lane_f64_quat from = lane_f64_quat_from(ref), to = lane_f64_quat_from(a);
+    double n2 = lane_f64_quat_dot(from, from);
+    lane_f64_quat inverse = lane_f64_quat_scale(lane_f64_quat_conjugate(from), 1.0 / n2);
+    inverse = lane_f64_quat_select(n2 == 0.0, identity, inverse);
+    lane_f64_quat left = lane_f64_quat_select(parent, to, inverse), right = lane_f64_quat_select(parent, inverse, to);
+    return lane_quat_from_f64(lane_f64_quat_mul(left, right));
 }
 
 /* 1 or -1, whichever is nearer to delta: nlerp from there to delta by w = 1 is delta with its sign. */

@@ -29,9 +29,9 @@ static inline nkw_quat lane_compact_quat(nkw_vec3 p)
 }
 
 /* p of a quaternion of any length, in binary64. Returns 0 for q = 0, and for q = (0, 0, 0, w), w < 0. */
-static inline void lane_compact_numbers(lane_wquat q, double p[3])
+static inline void lane_compact_numbers(lane_f64_quat q, double p[3])
 {
-    double whole = lane_sqrt64(lane_wquat_dot(q, q)) + q.w;
+    double whole = lane_sqrt64(lane_f64_quat_dot(q, q)) + q.w;
     double part = whole > 0.0 ? 1.0 / whole : 0.0;
     p[0] = q.x * part;
     p[1] = q.y * part;

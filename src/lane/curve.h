@@ -120,28 +120,28 @@ static inline float lane_catmull_rom_tangent(float p0, float p1, float p2, float
 }
 
 /* Conversions between the kinds, see nkw_vec3_bezier_from_hermite: in binary64, each value rounded once. */
-typedef struct lane_wcubic {
+typedef struct lane_f64_cubic {
     double c[4];
-} lane_wcubic;
+} lane_f64_cubic;
 
-static inline lane_wcubic lane_bezier_from_hermite(lane_wcubic h)
+static inline lane_f64_cubic lane_bezier_from_hermite(lane_f64_cubic h)
 {
     const double *c = h.c;
-    lane_wcubic r = {{c[0], c[0] + c[1] / 3.0, c[2] - c[3] / 3.0, c[2]}};
+    lane_f64_cubic r = {{c[0], c[0] + c[1] / 3.0, c[2] - c[3] / 3.0, c[2]}};
     return r;
 }
 
-static inline lane_wcubic lane_hermite_from_bezier(lane_wcubic b)
+static inline lane_f64_cubic lane_hermite_from_bezier(lane_f64_cubic b)
 {
     const double *c = b.c;
-    lane_wcubic r = {{c[0], 3.0 * (c[1] - c[0]), c[3], 3.0 * (c[3] - c[2])}};
+    lane_f64_cubic r = {{c[0], 3.0 * (c[1] - c[0]), c[3], 3.0 * (c[3] - c[2])}};
     return r;
 }
 
-static inline lane_wcubic lane_bezier_from_bspline(lane_wcubic d)
+static inline lane_f64_cubic lane_bezier_from_bspline(lane_f64_cubic d)
 {
     const double *c = d.c;
-    lane_wcubic r = {{
+    lane_f64_cubic r = {{
         ((c[0] + 4.0 * c[1]) + c[2]) / 6.0,
         (2.0 * c[1] + c[2]) / 3.0,
         (c[1] + 2.0 * c[2]) / 3.0,
@@ -151,14 +151,14 @@ static inline lane_wcubic lane_bezier_from_bspline(lane_wcubic d)
 }
 
 /* De Casteljau's triangle; its two sides are the halves. */
-static inline void lane_bezier_split(lane_wcubic b, double t, lane_wcubic *left, lane_wcubic *right)
+static inline void lane_bezier_split(lane_f64_cubic b, double t, lane_f64_cubic *left, lane_f64_cubic *right)
 {
     const double *c = b.c;
     double s = 1.0 - t;
     double ab = s * c[0] + t * c[1], bc = s * c[1] + t * c[2], cd = s * c[2] + t * c[3];
     double abc = s * ab + t * bc, bcd = s * bc + t * cd;
     double point = s * abc + t * bcd;
-    lane_wcubic before = {{c[0], ab, abc, point}}, after = {{point, bcd, cd, c[3]}};
+    lane_f64_cubic before = {{c[0], ab, abc, point}}, after = {{point, bcd, cd, c[3]}};
     *left = before;
     *right = after;
 }

@@ -8,8 +8,7 @@
 #include <nakawari/euler.h>
 
 #include "quat.h"
-#include "two.h"
-#include "wide.h"
+#include "f64.h"
 
 /* The axes i j k of an order, the places of x y z in it, and e = 1 where i j k is x y z, y z x or z x y, else -1. */
 typedef struct lane_euler_axes {
@@ -29,9 +28,9 @@ static inline const lane_euler_axes *lane_euler_axes_of(nkw_euler_order order)
 }
 
 /* The product of the turns i, j, k, given by sine and cosine of half of each: its parts along i, j, k and w. */
-static inline lane_wquat lane_wquat_from_halves(lane_sincos i, lane_sincos j, lane_sincos k, double e)
+static inline lane_f64_quat lane_f64_quat_from_halves(lane_sincos i, lane_sincos j, lane_sincos k, double e)
 {
-    lane_wquat q = {
+    lane_f64_quat q = {
         (i.s * j.c) * k.c + e * ((i.c * j.s) * k.s),
         (i.c * j.s) * k.c - e * ((i.s * j.c) * k.s),
         (i.c * j.c) * k.s + e * ((i.s * j.s) * k.c),
@@ -41,36 +40,16 @@ static inline lane_wquat lane_wquat_from_halves(lane_sincos i, lane_sincos j, la
 }
 
 /* The same product of half angles. */
-static inline lane_wquat lane_wquat_from_half_angles(double i, double j, double k, double e)
+static inline lane_f64_quat lane_f64_quat_from_half_angles(double i, double j, double k, double e)
 {
-    return lane_wquat_from_halves(lane_sincos64_any(i), lane_sincos64_any(j), lane_sincos64_any(k), e);
-}
-
-/* The same of half angles below LANE_NEAR: six sines, for cos x = sin(pi/2 - |x|). */
-static inline lane_wquat lane_wquat_from_near_half_angles(double i, double j, double k, double e)
-{
-#if defined(LANE_TWO)
-    const lane_two none = {-0.0, -0.0}, half = {0.5, 0.5}, mixed = {-0.0, 0.5}, sign = {e, -e};
-    lane_two ij = lane_two_of(i, j), kk = LANE_TWO_MIX(lane_two_all(k), -lane_two_abs(lane_two_all(k)), 0, 2);
-    lane_two s = lane_two_sine64(ij, none), c = lane_two_sine64(-lane_two_abs(ij), half);
-    lane_two sc = lane_two_sine64(kk, mixed);
-    lane_two cs = lane_two_swap(sc);
-    lane_two once = s * lane_two_swap(c), other = lane_two_swap(once);
-    lane_two even = LANE_TWO_MIX(c, s, 0, 2) * LANE_TWO_MIX(c, s, 1, 3);
-    lane_two xy = once * cs[0] + sign * (other * sc[0]);
-    lane_two zw = even[0] * sc + sign * (even[1] * cs);
-    lane_wquat q = {xy[0], xy[1], zw[0], zw[1]};
-    return q;
-#else
-    return lane_wquat_from_halves(lane_sincos64(i), lane_sincos64(j), lane_sincos64(k), e);
-#endif
+    return lane_f64_quat_from_halves(lane_sincos64_any(i), lane_sincos64_any(j), lane_sincos64_any(k), e);
 }
 
 /* What stands in the order i j k, in the order x y z. */
-static inline lane_wvec3 lane_euler_in_place(double i, double j, double k, const lane_euler_axes *o)
+static inline lane_f64_vec3 lane_euler_in_place(double i, double j, double k, const lane_euler_axes *o)
 {
     const double v[3] = {i, j, k};
-    lane_wvec3 r = {v[o->of[0]], v[o->of[1]], v[o->of[2]]};
+    lane_f64_vec3 r = {v[o->of[0]], v[o->of[1]], v[o->of[2]]};
     return r;
 }
 
@@ -93,25 +72,10 @@ static inline float lane_unwrap(float angle, float reference)
 }
 
 /* Of q and -q the one whose first component of w, x, y, z that is not 0 is positive. */
-static inline lane_wquat lane_wquat_positive(lane_wquat q)
+static inline lane_f64_quat lane_f64_quat_positive(lane_f64_quat q)
 {
     double first = q.w != 0.0 ? q.w : q.x != 0.0 ? q.x : q.y != 0.0 ? q.y : q.z;
-    return lane_wquat_scale(q, lane_copysign64(1.0, first));
-}
-
-/* The angles of three finite pairs. */
-static inline void lane_euler_arcs(const double y[3], const double x[3], double angle[3])
-{
-#if defined(LANE_TWO)
-    lane_two a = lane_two_atan2_64(lane_two_of(y[0], y[1]), lane_two_of(x[0], x[1]));
-    lane_two b = lane_two_atan2_64(lane_two_all(y[2]), lane_two_all(x[2]));
-    angle[0] = a[0];
-    angle[1] = a[1];
-    angle[2] = b[0];
-#else
-    for (size_t n = 0; n < 3; n++)
-        angle[n] = lane_atan2_64(y[n], x[n]);
-#endif
+    return lane_f64_quat_scale(q, lane_copysign64(1.0, first));
 }
 
 /*
@@ -123,7 +87,7 @@ static inline void lane_euler_arcs(const double y[3], const double x[3], double 
  * so q need not be unit: |q|^2 in 2^-20 .. 2^20. A half that is shorter than the rounding of a unit quaternion of
  * floats, 2^-24, is the pole.
  */
-static inline lane_wvec3 lane_euler_from_wquat(lane_wquat q, const lane_euler_axes *o)
+static inline lane_f64_vec3 lane_euler_from_f64_quat(lane_f64_quat q, const lane_euler_axes *o)
 {
     const double v[3] = {q.x, q.y, q.z};
     double vi = v[o->i], vj = v[o->j], vk = o->e * v[o->k];
@@ -131,8 +95,7 @@ static inline lane_wvec3 lane_euler_from_wquat(lane_wquat q, const lane_euler_ax
     double plus = pc * pc + ps * ps, minus = mc * mc + ms * ms;
     double pole = 0x1p-49 * (plus + minus);
     const double y[3] = {ps, ms, 2.0 * (q.w * vj + vi * vk)}, x[3] = {pc, mc, lane_sqrt64_near(plus * minus)};
-    double a[3];
-    lane_euler_arcs(y, x, a);
+    const double a[3] = {lane_atan2_64(y[0], x[0]), lane_atan2_64(y[1], x[1]), lane_atan2_64(y[2], x[2])};
     /* At a pole the missing half is taken so that k is 0. */
     int north = minus < pole, south = plus < pole;
     double p = south ? a[1] : a[0], m = north ? p : a[1];

@@ -9,7 +9,6 @@
 #include <nakawari/transform.h>
 
 #include "quat.h"
-#include "two.h"
 
 /* The sums in the order of nkw_mat4_mul. */
 static inline nkw_mat4 lane_mat4_mul(const nkw_mat4 *a, const nkw_mat4 *b)
@@ -44,24 +43,24 @@ static inline nkw_mat4 lane_mat4_from_trs(const nkw_trs *trs)
     return nkw_mat4_from_mat3(&m, trs->translation);
 }
 
-static inline lane_wmat3 lane_wmat3_from(const nkw_mat3 *m)
+static inline lane_f64_mat3 lane_f64_mat3_from(const nkw_mat3 *m)
 {
-    lane_wmat3 r;
+    lane_f64_mat3 r;
     for (size_t i = 0; i < 9; i++)
         r.m[i] = m->m[i];
     return r;
 }
 
 /* The 3x3 block of an affine matrix. */
-static inline lane_wmat3 lane_wmat3_from_mat4(const nkw_mat4 *m)
+static inline lane_f64_mat3 lane_f64_mat3_from_mat4(const nkw_mat4 *m)
 {
     const float *a = m->m;
-    lane_wmat3 r = {{a[0], a[1], a[2], a[4], a[5], a[6], a[8], a[9], a[10]}};
+    lane_f64_mat3 r = {{a[0], a[1], a[2], a[4], a[5], a[6], a[8], a[9], a[10]}};
     return r;
 }
 
 /* The scale 0, of a matrix without an inverse, gives 0 whatever the elements are. */
-static inline nkw_mat3 lane_mat3_from_wide(const lane_wmat3 *m, double scale)
+static inline nkw_mat3 lane_mat3_from_f64(const lane_f64_mat3 *m, double scale)
 {
     nkw_mat3 r;
     for (size_t i = 0; i < 9; i++)
@@ -69,35 +68,35 @@ static inline nkw_mat3 lane_mat3_from_wide(const lane_wmat3 *m, double scale)
     return r;
 }
 
-static inline lane_wvec3 lane_wmat3_column(const lane_wmat3 *m, size_t c)
+static inline lane_f64_vec3 lane_f64_mat3_column(const lane_f64_mat3 *m, size_t c)
 {
-    lane_wvec3 r = {m->m[c * 3], m->m[c * 3 + 1], m->m[c * 3 + 2]};
+    lane_f64_vec3 r = {m->m[c * 3], m->m[c * 3 + 1], m->m[c * 3 + 2]};
     return r;
 }
 
-static inline lane_wmat3 lane_wmat3_from_columns(lane_wvec3 x, lane_wvec3 y, lane_wvec3 z)
+static inline lane_f64_mat3 lane_f64_mat3_from_columns(lane_f64_vec3 x, lane_f64_vec3 y, lane_f64_vec3 z)
 {
-    lane_wmat3 r = {{x.x, x.y, x.z, y.x, y.y, y.z, z.x, z.y, z.z}};
+    lane_f64_mat3 r = {{x.x, x.y, x.z, y.x, y.y, y.z, z.x, z.y, z.z}};
     return r;
 }
 
-static inline lane_wmat3 lane_wmat3_transpose(const lane_wmat3 *a)
+static inline lane_f64_mat3 lane_f64_mat3_transpose(const lane_f64_mat3 *a)
 {
     const double *m = a->m;
-    lane_wmat3 r = {{m[0], m[3], m[6], m[1], m[4], m[7], m[2], m[5], m[8]}};
+    lane_f64_mat3 r = {{m[0], m[3], m[6], m[1], m[4], m[7], m[2], m[5], m[8]}};
     return r;
 }
 
 /* The columns y x z, z x x, x x y: det(M) times the inverse transpose, also where det(M) is 0. */
-static inline lane_wmat3 lane_wmat3_cofactors(const lane_wmat3 *m)
+static inline lane_f64_mat3 lane_f64_mat3_cofactors(const lane_f64_mat3 *m)
 {
-    lane_wvec3 x = lane_wmat3_column(m, 0), y = lane_wmat3_column(m, 1), z = lane_wmat3_column(m, 2);
-    return lane_wmat3_from_columns(lane_wvec3_cross(y, z), lane_wvec3_cross(z, x), lane_wvec3_cross(x, y));
+    lane_f64_vec3 x = lane_f64_mat3_column(m, 0), y = lane_f64_mat3_column(m, 1), z = lane_f64_mat3_column(m, 2);
+    return lane_f64_mat3_from_columns(lane_f64_vec3_cross(y, z), lane_f64_vec3_cross(z, x), lane_f64_vec3_cross(x, y));
 }
 
-static inline double lane_wmat3_determinant(const lane_wmat3 *m, const lane_wmat3 *cofactors)
+static inline double lane_f64_mat3_determinant(const lane_f64_mat3 *m, const lane_f64_mat3 *cofactors)
 {
-    return lane_wvec3_dot(lane_wmat3_column(m, 0), lane_wmat3_column(cofactors, 0));
+    return lane_f64_vec3_dot(lane_f64_mat3_column(m, 0), lane_f64_mat3_column(cofactors, 0));
 }
 
 /* 1 / det, and 0 for a determinant that has no finite inverse. */
@@ -107,7 +106,7 @@ static inline double lane_reciprocal_or_zero(double det)
     return det != 0.0 && r - r == 0.0 ? r : 0.0;
 }
 
-static inline double lane_wmat3_largest(const lane_wmat3 *m)
+static inline double lane_f64_mat3_largest(const lane_f64_mat3 *m)
 {
     double largest = 0.0;
     for (size_t i = 0; i < 9; i++) {
@@ -120,11 +119,11 @@ static inline double lane_wmat3_largest(const lane_wmat3 *m)
 /* The inverse transpose; the cofactors over the largest of them where m is singular. */
 static inline nkw_mat3 lane_mat3_normal(const nkw_mat3 *m)
 {
-    lane_wmat3 w = lane_wmat3_from(m);
-    lane_wmat3 c = lane_wmat3_cofactors(&w);
-    double det = lane_wmat3_determinant(&w, &c), inverse = lane_reciprocal_or_zero(det);
-    double singular = lane_reciprocal_or_zero(lane_wmat3_largest(&c));
-    return lane_mat3_from_wide(&c, det == 0.0 ? singular : inverse);
+    lane_f64_mat3 w = lane_f64_mat3_from(m);
+    lane_f64_mat3 c = lane_f64_mat3_cofactors(&w);
+    double det = lane_f64_mat3_determinant(&w, &c), inverse = lane_reciprocal_or_zero(det);
+    double singular = lane_reciprocal_or_zero(lane_f64_mat3_largest(&c));
+    return lane_mat3_from_f64(&c, det == 0.0 ? singular : inverse);
 }
 
 /* Six 2x2 minors of two lines of four, each with one rounding: the products of floats are exact. */
@@ -161,66 +160,6 @@ static inline lane_laplace lane_minors_determinant(const lane_minors *s, const l
  * The adjugate of the matrix with the columns a: two of its rows from each pair of columns against the minors of the
  * other pair. By its columns, as a is.
  */
-#if defined(LANE_TWO)
-typedef struct lane_minor_pairs {
-    lane_two near, far, across; /* 01 23, 02 13, 03 12 */
-} lane_minor_pairs;
-
-/* p and q are 0 1 and 2 3 of a column each. */
-static inline lane_minor_pairs lane_minor_pairs_of(const lane_two p[2], const lane_two q[2])
-{
-    lane_minor_pairs r = {
-        LANE_TWO_MIX(p[0], p[1], 0, 2) * LANE_TWO_MIX(q[0], q[1], 1, 3) -
-            LANE_TWO_MIX(p[0], p[1], 1, 3) * LANE_TWO_MIX(q[0], q[1], 0, 2),
-        p[0] * q[1] - p[1] * q[0],
-        p[0] * lane_two_swap(q[1]) - lane_two_swap(p[1]) * q[0],
-    };
-    return r;
-}
-
-/* lane_minors_determinant. */
-static inline lane_laplace lane_minor_pairs_determinant(const lane_minor_pairs *s, const lane_minor_pairs *c)
-{
-    lane_two ab = s->near * lane_two_swap(c->near), de = s->far * lane_two_swap(c->far);
-    lane_two fg = s->across * lane_two_swap(c->across);
-    lane_two sums = LANE_TWO_MIX(ab, de, 0, 2) + LANE_TWO_MIX(ab, de, 1, 3);
-    ab = lane_two_abs(ab);
-    de = lane_two_abs(de);
-    lane_two sizes = LANE_TWO_MIX(ab, de, 0, 2) + LANE_TWO_MIX(ab, de, 1, 3);
-    lane_two size = lane_two_abs(fg);
-    lane_laplace r = {(sums[0] - sums[1]) + (fg[0] + fg[1]), (sizes[0] + sizes[1]) + (size[0] + size[1])};
-    return r;
-}
-
-/* The rows of p and of q, side by side. */
-static inline void lane_adjugate_rows(const lane_two p[2], const lane_two q[2], const lane_minor_pairs *c, double *out)
-{
-    const lane_two_bits even = {0, INT64_MIN}, odd = {INT64_MIN, 0};
-    lane_two x0 = LANE_TWO_MIX(p[0], q[0], 0, 2), x1 = LANE_TWO_MIX(p[0], q[0], 1, 3);
-    lane_two x2 = LANE_TWO_MIX(p[1], q[1], 0, 2), x3 = LANE_TWO_MIX(p[1], q[1], 1, 3);
-    double c01 = c->near[0], c23 = c->near[1], c02 = c->far[0], c13 = c->far[1], c03 = c->across[0], c12 = c->across[1];
-    lane_two r[4] = {
-        (x1 * c23 - x2 * c13) + x3 * c12,
-        (x0 * c23 - x2 * c03) + x3 * c02,
-        (x0 * c13 - x1 * c03) + x3 * c01,
-        (x0 * c12 - x1 * c02) + x2 * c01,
-    };
-    for (size_t i = 0; i < 4; i++) {
-        r[i] = (lane_two)((lane_two_bits)r[i] ^ (i % 2 == 0 ? even : odd));
-        memcpy(out + 4 * i, &r[i], sizeof r[i]);
-    }
-}
-
-static inline lane_laplace lane_adjugate(const double a[16], double out[16])
-{
-    lane_two p[8];
-    memcpy(p, a, sizeof p);
-    lane_minor_pairs s = lane_minor_pairs_of(p, p + 2), c = lane_minor_pairs_of(p + 4, p + 6);
-    lane_adjugate_rows(p + 2, p, &c, out);
-    lane_adjugate_rows(p + 6, p + 4, &s, out + 2);
-    return lane_minor_pairs_determinant(&s, &c);
-}
-#else
 static inline void lane_adjugate_row(const double *x, const lane_minors *c, double sign, double *out)
 {
     out[0] = sign * ((x[1] * c->m23 - x[2] * c->m13) + x[3] * c->m12);
@@ -238,32 +177,35 @@ static inline lane_laplace lane_adjugate(const double a[16], double out[16])
     lane_adjugate_row(a + 8, &s, -1.0, out + 3);
     return lane_minors_determinant(&s, &c);
 }
-#endif
 
 /*
  * The columns of the adjugate of x y z, and -adjugate t; the fourth row is 0 0 0 1 after the division by det, which
  * gives its sign to these zeros as well.
  */
-static inline void lane_adjugate_affine(lane_wvec3 x, lane_wvec3 y, lane_wvec3 z, lane_wvec3 t, double det,
+static inline void lane_adjugate_affine(lane_f64_vec3 x, lane_f64_vec3 y, lane_f64_vec3 z, lane_f64_vec3 t, double det,
                                         double out[16])
 {
-    lane_wvec3 w = lane_wvec3_cross(x, y);
+    lane_f64_vec3 w = lane_f64_vec3_cross(x, y);
     double none = 0.0 * det;
-#if defined(LANE_TWO)
-    lane_two ax = lane_two_of(y.x, z.x), ay = lane_two_of(y.y, z.y), az = lane_two_of(y.z, z.z);
-    lane_two bx = lane_two_of(z.x, x.x), by = lane_two_of(z.y, x.y), bz = lane_two_of(z.z, x.z);
-    lane_two ux = ay * bz - az * by, uy = az * bx - ax * bz, uz = ax * by - ay * bx;
-    const lane_two columns[8] = {
-        ux, lane_two_of(w.x, none), uy, lane_two_of(w.y, none), uz, lane_two_of(w.z, none),
-        -((ux * t.x + uy * t.y) + uz * t.z), lane_two_of(-lane_wvec3_dot(w, t), det),
-    };
-#else
-    lane_wvec3 u = lane_wvec3_cross(y, z), v = lane_wvec3_cross(z, x);
+    lane_f64_vec3 u = lane_f64_vec3_cross(y, z), v = lane_f64_vec3_cross(z, x);
     const double columns[16] = {
-        u.x, v.x, w.x, none, u.y, v.y, w.y, none, u.z, v.z, w.z, none,
-        -lane_wvec3_dot(u, t), -lane_wvec3_dot(v, t), -lane_wvec3_dot(w, t), det,
+        u.x,
+        v.x,
+        w.x,
+        none,
+        u.y,
+        v.y,
+        w.y,
+        none,
+        u.z,
+        v.z,
+        w.z,
+        none,
+        -lane_f64_vec3_dot(u, t),
+        -lane_f64_vec3_dot(v, t),
+        -lane_f64_vec3_dot(w, t),
+        det,
     };
-#endif
     memcpy(out, columns, sizeof columns);
 }
 

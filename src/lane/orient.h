@@ -263,11 +263,11 @@ static inline nkw_quat lane_quat_slerp(nkw_quat a, nkw_quat b, float t, int keys
 /* ---- slerp over any arc and for any t ---- */
 
 /* b or -b: the sign that `path` asks for. Where a.b = 0 the short path keeps b. */
-static inline lane_wquat lane_wquat_aligned(lane_wquat a, lane_wquat b, nkw_path path)
+static inline lane_f64_quat lane_f64_quat_aligned(lane_f64_quat a, lane_f64_quat b, nkw_path path)
 {
-    int obtuse = lane_wquat_dot(a, b) < 0.0;
+    int obtuse = lane_f64_quat_dot(a, b) < 0.0;
     int turned = path == NKW_PATH_AS_GIVEN ? 0 : path == NKW_PATH_LONG ? !obtuse : obtuse;
-    return lane_wquat_scale(b, turned ? -1.0 : 1.0);
+    return lane_f64_quat_scale(b, turned ? -1.0 : 1.0);
 }
 
 /*
@@ -280,29 +280,30 @@ static inline lane_wquat lane_wquat_aligned(lane_wquat a, lane_wquat b, nkw_path
  */
 #define LANE_T_NEAR (0.25 * LANE_NEAR)
 
-static inline lane_wquat lane_wquat_slerp_turned(lane_wquat a, lane_wquat b, double t, int near)
+static inline lane_f64_quat lane_f64_quat_slerp_turned(lane_f64_quat a, lane_f64_quat b, double t, int near)
 {
-    lane_wquat u = lane_wquat_normalize(a), v = lane_wquat_normalize(b);
-    double cosine = lane_wquat_dot(u, v);
-    lane_wquat across = lane_wquat_sub(v, lane_wquat_scale(u, cosine));
-    lane_wquat about_z = {u.y, -u.x, u.w, -u.z};
-    double s2 = lane_wquat_dot(across, across);
+    lane_f64_quat u = lane_f64_quat_normalize(a), v = lane_f64_quat_normalize(b);
+    double cosine = lane_f64_quat_dot(u, v);
+    lane_f64_quat across = lane_f64_quat_sub(v, lane_f64_quat_scale(u, cosine));
+    lane_f64_quat about_z = {u.y, -u.x, u.w, -u.z};
+    double s2 = lane_f64_quat_dot(across, across);
     int along = s2 < 0x1p-96;
     double arc = lane_atan2_64(lane_sqrt64(s2), cosine), end = cosine < 0.0 ? LANE_PI : 0.0;
     double h = along ? end : arc;
-    lane_wquat e = lane_wquat_select(along, about_z, lane_wquat_normalize(across));
+    lane_f64_quat e = lane_f64_quat_select(along, about_z, lane_f64_quat_normalize(across));
     lane_sincos turn = near ? lane_sincos64(t * h) : lane_turn64(t * h);
-    double la = lane_sqrt64(lane_wquat_dot(a, a)), lb = lane_sqrt64(lane_wquat_dot(b, b));
-    lane_wquat q = lane_wquat_add(lane_wquat_scale(u, turn.c), lane_wquat_scale(e, h == 0.0 ? 0.0 : turn.s));
-    q = lane_wquat_scale(q, t > 0.0 && t < 1.0 ? la + t * (lb - la) : t > 0.0 ? lb : la);
-    return lane_wquat_select(t == 0.0, a, lane_wquat_select(t == 1.0, b, q));
+    double la = lane_sqrt64(lane_f64_quat_dot(a, a)), lb = lane_sqrt64(lane_f64_quat_dot(b, b));
+    lane_f64_quat q =
+        lane_f64_quat_add(lane_f64_quat_scale(u, turn.c), lane_f64_quat_scale(e, h == 0.0 ? 0.0 : turn.s));
+    q = lane_f64_quat_scale(q, t > 0.0 && t < 1.0 ? la + t * (lb - la) : t > 0.0 ? lb : la);
+    return lane_f64_quat_select(t == 0.0, a, lane_f64_quat_select(t == 1.0, b, q));
 }
 
 static inline nkw_quat lane_quat_slerp_turned(nkw_quat a, nkw_quat b, float t, nkw_path path, int near)
 {
-    lane_wquat from = lane_wquat_from(a);
-    lane_wquat to = lane_wquat_aligned(from, lane_wquat_from(b), path);
-    return lane_quat_from_wide(lane_wquat_slerp_turned(from, to, (double)t, near));
+    lane_f64_quat from = lane_f64_quat_from(a);
+    lane_f64_quat to = lane_f64_quat_aligned(from, lane_f64_quat_from(b), path);
+    return lane_quat_from_f64(lane_f64_quat_slerp_turned(from, to, (double)t, near));
 }
 
 static inline nkw_quat lane_quat_slerp_path(nkw_quat a, nkw_quat b, float t, nkw_path path)

@@ -11,7 +11,7 @@
 
 #include "strict.h"
 
-#include "wide.h"
+#include "f64.h"
 
 static inline uint32_t lane_bits(float x)
 {

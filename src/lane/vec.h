@@ -7,78 +7,78 @@
 
 #include <nakawari/vec.h>
 
-#include "wide.h"
+#include "f64.h"
 
 /* A vector in binary64. */
-typedef struct lane_wvec3 {
+typedef struct lane_f64_vec3 {
     double x, y, z;
-} lane_wvec3;
+} lane_f64_vec3;
 
-static inline lane_wvec3 lane_wvec3_from(nkw_vec3 a)
+static inline lane_f64_vec3 lane_f64_vec3_from(nkw_vec3 a)
 {
-    lane_wvec3 r = {a.x, a.y, a.z};
+    lane_f64_vec3 r = {a.x, a.y, a.z};
     return r;
 }
 
-static inline nkw_vec3 lane_vec3_from_wide(lane_wvec3 a)
+static inline nkw_vec3 lane_vec3_from_f64(lane_f64_vec3 a)
 {
     nkw_vec3 r = {(float)a.x, (float)a.y, (float)a.z};
     return r;
 }
 
-static inline lane_wvec3 lane_wvec3_scale(lane_wvec3 a, double s)
+static inline lane_f64_vec3 lane_f64_vec3_scale(lane_f64_vec3 a, double s)
 {
-    lane_wvec3 r = {a.x * s, a.y * s, a.z * s};
+    lane_f64_vec3 r = {a.x * s, a.y * s, a.z * s};
     return r;
 }
 
-static inline lane_wvec3 lane_wvec3_sub(lane_wvec3 a, lane_wvec3 b)
+static inline lane_f64_vec3 lane_f64_vec3_sub(lane_f64_vec3 a, lane_f64_vec3 b)
 {
-    lane_wvec3 r = {a.x - b.x, a.y - b.y, a.z - b.z};
+    lane_f64_vec3 r = {a.x - b.x, a.y - b.y, a.z - b.z};
     return r;
 }
 
-static inline double lane_wvec3_dot(lane_wvec3 a, lane_wvec3 b)
+static inline double lane_f64_vec3_dot(lane_f64_vec3 a, lane_f64_vec3 b)
 {
     return (a.x * b.x + a.y * b.y) + a.z * b.z;
 }
 
-static inline lane_wvec3 lane_wvec3_cross(lane_wvec3 a, lane_wvec3 b)
+static inline lane_f64_vec3 lane_f64_vec3_cross(lane_f64_vec3 a, lane_f64_vec3 b)
 {
-    lane_wvec3 r = {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
+    lane_f64_vec3 r = {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
     return r;
 }
 
-static inline double lane_wvec3_length(lane_wvec3 a)
+static inline double lane_f64_vec3_length(lane_f64_vec3 a)
 {
-    return lane_sqrt64(lane_wvec3_dot(a, a));
+    return lane_sqrt64(lane_f64_vec3_dot(a, a));
 }
 
-static inline lane_wvec3 lane_wvec3_select(int first, lane_wvec3 a, lane_wvec3 b)
+static inline lane_f64_vec3 lane_f64_vec3_select(int first, lane_f64_vec3 a, lane_f64_vec3 b)
 {
-    lane_wvec3 r = {first ? a.x : b.x, first ? a.y : b.y, first ? a.z : b.z};
+    lane_f64_vec3 r = {first ? a.x : b.x, first ? a.y : b.y, first ? a.z : b.z};
     return r;
 }
 
 /* a / |a|; the zero vector stays zero. The squares of floats are normal in binary64. */
-static inline lane_wvec3 lane_wvec3_normalize(lane_wvec3 a)
+static inline lane_f64_vec3 lane_f64_vec3_normalize(lane_f64_vec3 a)
 {
-    double n2 = lane_wvec3_dot(a, a);
-    return lane_wvec3_scale(a, n2 == 0.0 ? 0.0 : lane_rsqrt64(n2));
+    double n2 = lane_f64_vec3_dot(a, a);
+    return lane_f64_vec3_scale(a, n2 == 0.0 ? 0.0 : lane_rsqrt64(n2));
 }
 
 /* The axis on which a is shortest, crossed with a: not zero unless a is. */
-static inline lane_wvec3 lane_wvec3_perpendicular(lane_wvec3 a)
+static inline lane_f64_vec3 lane_f64_vec3_perpendicular(lane_f64_vec3 a)
 {
     double x = a.x * a.x, y = a.y * a.y, z = a.z * a.z;
     int least_x = x <= y && x <= z;
     int least_y = y <= z || z != z;
-    lane_wvec3 about_x = {0.0, -a.z, a.y};
-    lane_wvec3 about_y = {a.z, 0.0, -a.x};
-    lane_wvec3 about_z = {-a.y, a.x, 0.0};
-    lane_wvec3 axis_x = {1.0, 0.0, 0.0};
-    lane_wvec3 r = lane_wvec3_select(least_x, about_x, lane_wvec3_select(least_y, about_y, about_z));
-    return lane_wvec3_normalize(lane_wvec3_select((x + y) + z == 0.0, axis_x, r));
+    lane_f64_vec3 about_x = {0.0, -a.z, a.y};
+    lane_f64_vec3 about_y = {a.z, 0.0, -a.x};
+    lane_f64_vec3 about_z = {-a.y, a.x, 0.0};
+    lane_f64_vec3 axis_x = {1.0, 0.0, 0.0};
+    lane_f64_vec3 r = lane_f64_vec3_select(least_x, about_x, lane_f64_vec3_select(least_y, about_y, about_z));
+    return lane_f64_vec3_normalize(lane_f64_vec3_select((x + y) + z == 0.0, axis_x, r));
 }
 
 /*
@@ -96,19 +96,19 @@ static inline float lane_rescue(float n2)
 
 static inline float lane_vec3_length(nkw_vec3 a)
 {
-    return (float)lane_wvec3_length(lane_wvec3_from(a));
+    return (float)lane_f64_vec3_length(lane_f64_vec3_from(a));
 }
 
 static inline float lane_vec3_distance(nkw_vec3 a, nkw_vec3 b)
 {
-    return (float)lane_wvec3_length(lane_wvec3_sub(lane_wvec3_from(a), lane_wvec3_from(b)));
+    return (float)lane_f64_vec3_length(lane_f64_vec3_sub(lane_f64_vec3_from(a), lane_f64_vec3_from(b)));
 }
 
 /* a / |a|, the squares summed in binary64; the zero vector stays zero. */
 static inline nkw_vec3 lane_vec3_normalize(nkw_vec3 a)
 {
-    lane_wvec3 w = lane_wvec3_from(a);
-    double n2 = lane_wvec3_dot(w, w);
+    lane_f64_vec3 w = lane_f64_vec3_from(a);
+    double n2 = lane_f64_vec3_dot(w, w);
     float rescue = lane_rescue((float)n2);
     n2 = n2 * ((double)rescue * (double)rescue);
     float n = sqrtf((float)n2 + FLT_MIN);
@@ -118,16 +118,16 @@ static inline nkw_vec3 lane_vec3_normalize(nkw_vec3 a)
 
 static inline float lane_vec3_angle(nkw_vec3 a, nkw_vec3 b)
 {
-    lane_wvec3 u = lane_wvec3_from(a), v = lane_wvec3_from(b);
-    double sine = lane_wvec3_length(lane_wvec3_cross(u, v));
-    double cosine = lane_wvec3_dot(u, v);
+    lane_f64_vec3 u = lane_f64_vec3_from(a), v = lane_f64_vec3_from(b);
+    double sine = lane_f64_vec3_length(lane_f64_vec3_cross(u, v));
+    double cosine = lane_f64_vec3_dot(u, v);
     return (float)lane_atan2_64(sine, sine == 0.0 && cosine == 0.0 ? 1.0 : cosine);
 }
 
-static inline lane_wvec3 lane_wvec3_project(lane_wvec3 a, lane_wvec3 b)
+static inline lane_f64_vec3 lane_f64_vec3_project(lane_f64_vec3 a, lane_f64_vec3 b)
 {
-    double n2 = lane_wvec3_dot(b, b);
-    return lane_wvec3_scale(b, n2 == 0.0 ? 0.0 : lane_wvec3_dot(a, b) / n2);
+    double n2 = lane_f64_vec3_dot(b, b);
+    return lane_f64_vec3_scale(b, n2 == 0.0 ? 0.0 : lane_f64_vec3_dot(a, b) / n2);
 }
 
 #endif

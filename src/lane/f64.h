@@ -5,8 +5,8 @@
  * Only + - * / and the bits of a number: no libm, so nothing is imported and every target gives the same
  * result. Relative errors stand with each function; 2^-44 adds 2^-20 ULP to a later rounding to float.
  */
-#ifndef NAKAWARI_LANE_WIDE_H
-#define NAKAWARI_LANE_WIDE_H
+#ifndef NAKAWARI_LANE_F64_H
+#define NAKAWARI_LANE_F64_H
 
 #include "strict.h"
 
