@@ -8,21 +8,12 @@
 #include "pack/sincos.h"
 #include "pack/slerp.h"
 
+LANE_FLAT nkw_quat nkw_quat_nlerp(nkw_quat a, nkw_quat b, float t)
+{
+    return lane_quat_nlerp(quat_argument(a), quat_argument(b), t);
+}
+
 #if NKW_F32X4
-LANE_SELDOM static f32x4 nlerp_any(f32x4 a, f32x4 b, float t)
-{
-    nkw_quat r = lane_quat_nlerp(quat_from_f32x4(a), quat_from_f32x4(b), t);
-    return f32x4_from_quat(r);
-}
-
-nkw_quat nkw_quat_nlerp(nkw_quat a, nkw_quat b, float t)
-{
-    f32x4 from = f32x4_from_quat(a), to = f32x4_from_quat(b), r;
-    if (!f32x4_nlerp(from, to, t, &r))
-        r = nlerp_any(from, to, t);
-    return quat_from_f32x4(r);
-}
-
 LANE_SELDOM static f32x4 slerp_any(f32x4 a, f32x4 b, float t)
 {
     if (lane_t_is_inside(t))
@@ -37,11 +28,6 @@ nkw_quat nkw_quat_slerp(nkw_quat a, nkw_quat b, float t)
     return quat_from_f32x4(lane_t_is_generic(t) ? f32x4_slerp(from, to, t, 1, 0) : slerp_any(from, to, t));
 }
 #else
-nkw_quat nkw_quat_nlerp(nkw_quat a, nkw_quat b, float t)
-{
-    return lane_quat_nlerp(a, b, t);
-}
-
 nkw_quat nkw_quat_slerp(nkw_quat a, nkw_quat b, float t)
 {
     return lane_quat_slerp_any(a, b, t);

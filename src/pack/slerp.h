@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* Slerp and nlerp of two quaternions, each in one register: for scalar calls. Loops take the lanes. */
+/* Slerp of two quaternions, each in one register: for scalar calls. Loops use the lanes. */
 #ifndef NAKAWARI_PACK_SLERP_H
 #define NAKAWARI_PACK_SLERP_H
 
@@ -26,19 +26,6 @@ static inline f32x4 f32x4_slerp(f32x4 a, f32x4 b, float t, int generic, int keys
     return n - (k.e * f - k.w * (f - n));
 }
 
-/* Second text of lane_quat_nlerp; 2.5 times. Returns 0 where *out is not the result: chords of 0 or of sqrt 2 and more. */
-static inline int f32x4_nlerp(f32x4 a, f32x4 b, float t, f32x4 *out)
-{
-    const int first = t < 0.5f;
-    const float back = (first ? 0.0f : 1.0f) - t;
-    const f32x4 zero = f32x4_splat(0.0f), quarter = f32x4_splat(0.25f), c = f32x4_flip(b, f32x4_sum(a * b) < zero);
-    const i32x4 inside = f32x4_splat(back) != zero;
-    const f32x4 v = (first ? a : c) - (f32x4)((i32x4)(back * (c - a)) & inside);
-    const float m = f32x4_sum(quarter - v * v)[0], n2 = 1.0f - m;
-    const f32x4 g = f32x4_splat(m / (sqrtf(n2) + n2));
-    *out = v + v * (f32x4)((i32x4)g & inside);
-    return m * m < 1.0f;
-}
 #endif
 
 /* lane_quat_slerp of stored keys, for scalar calls. */
