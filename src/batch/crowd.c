@@ -7,8 +7,8 @@
 #include <nakawari/transform.h>
 
 #include "batch/crowd.h"
-#include "lane/four.h"
 #include "lane/mat.h"
+#include "pack/f32x4.h"
 
 NKW_LOOPS_CROWD(NKW_DECLARE_LOOP)
 
@@ -110,7 +110,7 @@ NKW_LOOP(nkwi_crowd_bind)(const float *model, const nkw_mat4 *inverse_bind, floa
         bound_of(model, &bind, out, i);
 }
 
-/* Four floats of four arrays, turned around: four lanes of four joints. */
+/* Transposes four floats of four poses to four lanes of four joints. */
 NKW_LOOP(nkwi_crowd_from_poses)(const float *const *poses, size_t joints, size_t stride, float *crowd)
 {
     static const float identity[10][4] = {{0}, {0},          {0},          {0},          {0},
@@ -118,26 +118,27 @@ NKW_LOOP(nkwi_crowd_from_poses)(const float *const *poses, size_t joints, size_t
     for (size_t j = 0; j < joints; j += 4)
         for (size_t c = 0; c < 10; c++)
             for (size_t i = 0; i < LANES; i += 4) {
-                lane_four m[4];
-                for (size_t k = 0; k < 4; k++)
-                    m[k] = lane_four_load(poses[i + k] ? poses[i + k] + c * stride + j : identity[c]);
-                lane_four_transpose(m);
-                for (size_t k = 0; k < 4 && j + k < joints; k++)
-                    lane_four_store(crowd + ((j + k) * 10 + c) * LANES + i, m[k]);
+                const float *from[4];
+                float *to[4];
+                for (size_t k = 0; k < 4; k++) {
+                    from[k] = poses[i + k] ? poses[i + k] + c * stride + j : identity[c];
+                    to[k] = j + k < joints ? crowd + ((j + k) * 10 + c) * LANES + i : NULL;
+                }
+                f32x4_transpose_rows(from, to);
             }
 }
 
 NKW_LOOP(nkwi_crowd_to_matrices)(const float *crowd, size_t joints, nkw_mat4 *const *matrices)
 {
+    static const float last[2][4] = {{0, 0, 0, 0}, {1, 1, 1, 1}};
     for (size_t j = 0; j < joints; j++)
         for (size_t column = 0; column < 4; column++)
             for (size_t i = 0; i < LANES; i += 4) {
-                const float *from = crowd + (12 * j + 3 * column) * LANES + i;
-                lane_four m[4] = {lane_four_load(from), lane_four_load(from + LANES), lane_four_load(from + 2 * LANES),
-                                  lane_four_all(column == 3 ? 1.0f : 0.0f)};
-                lane_four_transpose(m);
+                const float *at = crowd + (12 * j + 3 * column) * LANES + i;
+                const float *const from[4] = {at, at + LANES, at + 2 * LANES, last[column == 3]};
+                float *to[4];
                 for (size_t k = 0; k < 4; k++)
-                    if (matrices[i + k])
-                        lane_four_store(matrices[i + k][j].m + 4 * column, m[k]);
+                    to[k] = matrices[i + k] ? matrices[i + k][j].m + 4 * column : NULL;
+                f32x4_transpose_rows(from, to);
             }
 }

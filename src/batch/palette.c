@@ -7,7 +7,7 @@
 #include "batch/palette.h"
 #include "lane/dual.h"
 #include "lane/mat.h"
-#include "lane/palette.h"
+#include "pack/affine.h"
 
 NKW_LOOPS_PALETTE(NKW_DECLARE_LOOP)
 
@@ -18,31 +18,37 @@ static inline const nkw_mat4 *model_of(const nkw_palette_source *s, size_t i)
     return j < s->model_count ? s->models + j : NULL;
 }
 
-/* Joint matrix i, columns. */
-static inline lane_columns columns_of(const nkw_palette_source *s, const nkw_mat4 *inverse_bind,
-                                      const lane_columns *global_inverse, size_t i)
+/* (global inverse * model) * inverse bind, without the factors that are NULL. */
+static inline affine product_of(const affine *global_inverse, const nkw_mat4 *model, const nkw_mat4 *inverse_bind)
+{
+    affine m = global_inverse ? affine_mul(global_inverse, model) : affine_load(model);
+    return inverse_bind ? affine_mul(&m, inverse_bind) : m;
+}
+
+static inline affine joint_matrix(const nkw_palette_source *s, const nkw_mat4 *inverse_bind,
+                                  const affine *global_inverse, size_t i)
 {
     static const nkw_mat4 identity = {{1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1}};
     const nkw_mat4 *model = model_of(s, i);
     if (!model)
-        return lane_columns_from(&identity);
-    return lane_joint_columns(global_inverse, model, inverse_bind ? inverse_bind + i : NULL);
+        return affine_load(&identity);
+    return product_of(global_inverse, model, inverse_bind ? inverse_bind + i : NULL);
 }
 
-/* The columns of *m; anything where there is none. */
-static inline lane_columns columns_or_none(const nkw_mat4 *m)
+/* *m, or 0 where there is none. */
+static inline affine affine_or_zero(const nkw_mat4 *m)
 {
-    return m ? lane_columns_from(m) : lane_columns_none();
+    return m ? affine_load(m) : affine_zero();
 }
 
 NKW_LOOP(nkwi_palette_4x4)
 (const nkw_palette_source *source, nkw_mat4 *out)
 {
     const nkw_palette_source s = *source;
-    const lane_columns g = columns_or_none(s.global_inverse);
+    const affine g = affine_or_zero(s.global_inverse);
     for (size_t i = 0; i < s.joint_count; i++) {
-        lane_columns m = columns_of(&s, s.inverse_bind, s.global_inverse ? &g : NULL, i);
-        lane_mat4_from_columns(&m, &out[i]);
+        affine m = joint_matrix(&s, s.inverse_bind, s.global_inverse ? &g : NULL, i);
+        affine_store(&m, &out[i]);
     }
 }
 
@@ -50,10 +56,10 @@ NKW_LOOP(nkwi_palette_3x4)
 (const nkw_palette_source *source, nkw_mat3x4 *out)
 {
     const nkw_palette_source s = *source;
-    const lane_columns g = columns_or_none(s.global_inverse);
+    const affine g = affine_or_zero(s.global_inverse);
     for (size_t i = 0; i < s.joint_count; i++) {
-        lane_columns m = columns_of(&s, s.inverse_bind, s.global_inverse ? &g : NULL, i);
-        lane_mat3x4_from_columns(&m, &out[i]);
+        affine m = joint_matrix(&s, s.inverse_bind, s.global_inverse ? &g : NULL, i);
+        affine_store_rows(&m, &out[i]);
     }
 }
 
@@ -70,14 +76,14 @@ static inline void spread(const nkw_mat4 *m, size_t size, matrices *a)
 }
 
 /* Joint matrices from number `from` on. */
-static inline void gather(const nkw_palette_source *s, const nkw_mat4 *inverse_bind, const lane_columns *global_inverse,
+static inline void gather(const nkw_palette_source *s, const nkw_mat4 *inverse_bind, const affine *global_inverse,
                           size_t from, size_t size, matrices *a)
 {
     nkw_mat4 m[MATRICES];
     int plain = !s->joints && !inverse_bind && !global_inverse && from + size <= s->model_count;
     for (size_t i = 0; i < size && !plain; i++) {
-        lane_columns c = columns_of(s, inverse_bind, global_inverse, from + i);
-        lane_mat4_from_columns(&c, &m[i]);
+        affine c = joint_matrix(s, inverse_bind, global_inverse, from + i);
+        affine_store(&c, &m[i]);
     }
     spread(plain ? s->models + from : m, size, a);
 }
@@ -86,7 +92,7 @@ NKW_LOOP(nkwi_palette_inverse)
 (const nkw_palette_source *source, nkw_mat4 *out)
 {
     const nkw_palette_source s = *source;
-    const lane_columns g = columns_or_none(s.global_inverse);
+    const affine g = affine_or_zero(s.global_inverse);
     const size_t n = s.joint_count;
     matrices a, r;
     for (size_t from = 0; from < n; from += MATRICES) {
@@ -123,7 +129,7 @@ NKW_LOOP(nkwi_palette_dual)
 (const nkw_palette_source *source, nkw_dual_quat *out)
 {
     const nkw_palette_source s = *source;
-    const lane_columns g = columns_or_none(s.global_inverse);
+    const affine g = affine_or_zero(s.global_inverse);
     const size_t n = s.joint_count;
     matrices a, r;
     for (size_t from = 0; from < n; from += MATRICES) {
@@ -133,13 +139,13 @@ NKW_LOOP(nkwi_palette_dual)
         for (size_t i = 0; i < MATRICES; i++)
             dual_one(&a, &r, i);
         for (size_t i = 0; i < size; i += 4) {
-            lane_four real[4], dual[4];
-            matrices_turn(&r, 0, 1, 2, lane_four_load(r.e[3] + i), i, real);
-            matrices_turn(&r, 4, 5, 6, lane_four_load(r.e[7] + i), i, dual);
+            float *real[4] = {NULL}, *dual[4] = {NULL};
             for (size_t k = 0; k < 4 && i + k < size; k++) {
-                lane_four_store(&out[from + i + k].real.x, real[k]);
-                lane_four_store(&out[from + i + k].dual.x, dual[k]);
+                real[k] = &out[from + i + k].real.x;
+                dual[k] = &out[from + i + k].dual.x;
             }
+            matrices_take(&r, 0, 1, 2, r.e[3] + i, i, real);
+            matrices_take(&r, 4, 5, 6, r.e[7] + i, i, dual);
         }
     }
 }
@@ -150,16 +156,14 @@ NKW_LOOP(nkwi_palette_dual)
  */
 static inline void write_normals(const matrices *r, size_t line, size_t step, size_t next, float *out, size_t size)
 {
+    static const float zeros[4] = {0.0f};
     for (size_t i = 0; i < size; i += 4)
         for (size_t l = 0; l < 3; l++) {
-            lane_four lines[4];
-            matrices_turn(r, l * next, l * next + step, l * next + 2 * step, lane_four_all(0.0f), i, lines);
+            float lines[4][4], *const to[4] = {lines[0], lines[1], lines[2], lines[3]};
+            matrices_take(r, l * next, l * next + step, l * next + 2 * step, zeros, i, to);
             for (size_t k = 0; k < 4 && i + k < size; k++) {
                 float *o = out + (3 * (i + k) + l) * line;
-                if (line == 4 || l < 2)
-                    lane_four_store(o, lines[k]);
-                else
-                    lane_four_store3((unsigned char *)o, lines[k]);
+                memcpy(o, lines[k], (line == 4 || l < 2 ? 4 : 3) * sizeof *o);
             }
         }
 }
@@ -168,7 +172,7 @@ static inline void write_normals(const matrices *r, size_t line, size_t step, si
 NKW_LOOP(nkwi_palette_normals)(const nkw_palette_source *source, size_t line, int rows, float *out)
 {
     const nkw_palette_source s = *source;
-    const lane_columns g = columns_or_none(s.global_inverse);
+    const affine g = affine_or_zero(s.global_inverse);
     const size_t n = s.joint_count;
     matrices a, r;
     for (size_t from = 0; from < n; from += MATRICES) {

@@ -5,7 +5,7 @@
 
 #include "batch/matrices.h"
 #include "batch/skeleton.h"
-#include "lane/affine.h"
+#include "pack/affine.h"
 
 NKW_LOOPS_SKELETON(NKW_DECLARE_LOOP)
 
@@ -36,38 +36,18 @@ static inline const nkw_mat4 *above(const int32_t *parents, size_t j, const nkw_
     return p < j ? &models[p] : root;
 }
 
-/* Where the columns of a local matrix begin: elements of x, y, z are `step` floats apart, those of t `far`. */
-typedef struct local {
-    const float *x, *y, *z, *t;
-    size_t step, far;
-} local;
-
-static inline lane_columns mul_local(const lane_columns *a, const local *b)
-{
-    lane_columns r;
-    r.c[0] = lane_columns_direction(a, b->x, b->step);
-    r.c[1] = lane_columns_direction(a, b->y, b->step);
-    r.c[2] = lane_columns_direction(a, b->z, b->step);
-    r.c[3] = lane_columns_point(a, b->t, b->far);
-    return r;
-}
-
 /*
- * A local matrix taken from the block. In its caller the loads would be shared with those of mul_local, ahead of the
- * branch, and the sums lose their registers to them.
+ * The local matrix of a root. A separate function: otherwise its loads are shared with those of the product, ahead of
+ * the branch, and the sums lose their registers to them.
  */
-APART static void take_local(const float *linear, const float *translation, size_t stride, nkw_mat4 *m)
+APART static void store_root(affine_arrays local, nkw_mat4 *m)
 {
-    for (size_t c = 0; c < 4; c++) {
-        for (size_t r = 0; r < 3; r++)
-            m->m[4 * c + r] = c < 3 ? linear[(3 * c + r) * BLOCK] : translation[r * stride];
-        m->m[4 * c + 3] = c < 3 ? 0.0f : 1.0f;
-    }
+    *m = mat4_from_affine_arrays(&local);
 }
 
 /*
- * Joints go one after the other. The parent of most is the joint before, whose matrix is still in registers: reading it
- * back from memory would take as long as the sums.
+ * The parent of most joints is the joint before, whose matrix is still in registers: loading it from memory again would
+ * take as long as the sums.
  */
 static inline int follows_parent(const int32_t *parents, size_t j)
 {
@@ -75,9 +55,9 @@ static inline int follows_parent(const int32_t *parents, size_t j)
 }
 
 /* The matrix of the joint before the first of from .. to - 1. */
-static inline lane_columns columns_before(const nkw_mat4 *models, size_t from, size_t to)
+static inline affine model_before(const nkw_mat4 *models, size_t from, size_t to)
 {
-    return 0 < from && from < to ? lane_columns_from(&models[from - 1]) : lane_columns_none();
+    return 0 < from && from < to ? affine_load(&models[from - 1]) : affine_zero();
 }
 
 /* Joints from .. to - 1; at from > 0 `models` holds those before. */
@@ -85,7 +65,7 @@ NKW_LOOP(nkwi_models_from_pose)
 (const int32_t *parents, const float *pose, size_t stride, const nkw_mat4 *root, size_t from, size_t to,
  nkw_mat4 *models)
 {
-    lane_columns m = columns_before(models, from, to);
+    affine m = model_before(models, from, to);
     for (size_t start = from / 16 * 16, j = from; j < to; start += BLOCK) {
         float l[9][BLOCK];
         const float *t = pose + start;
@@ -94,19 +74,19 @@ NKW_LOOP(nkwi_models_from_pose)
             make_linear(t + 3 * stride + i, stride, l[0] + i);
         for (; j < end; j++) {
             const size_t i = j - start;
-            const local of = {l[0] + i, l[3] + i, l[6] + i, t + i, BLOCK, stride};
+            const affine_arrays local = {l[0] + i, l[3] + i, l[6] + i, t + i, BLOCK, stride};
             const nkw_mat4 *parent;
             if (follows_parent(parents, j)) {
-                m = mul_local(&m, &of);
+                m = affine_mul_arrays(&m, &local);
             } else if ((parent = above(parents, j, root, models)) != NULL) {
-                m = lane_columns_from(parent);
-                m = mul_local(&m, &of);
+                m = affine_load(parent);
+                m = affine_mul_arrays(&m, &local);
             } else {
-                take_local(l[0] + i, t + i, stride, &models[j]);
-                m = lane_columns_from(&models[j]);
+                store_root(local, &models[j]);
+                m = affine_load(&models[j]);
                 continue;
             }
-            lane_mat4_from_columns(&m, &models[j]);
+            affine_store(&m, &models[j]);
         }
     }
 }
@@ -114,18 +94,18 @@ NKW_LOOP(nkwi_models_from_pose)
 NKW_LOOP(nkwi_models_from_locals)
 (const int32_t *parents, const nkw_mat4 *locals, const nkw_mat4 *root, size_t from, size_t to, nkw_mat4 *models)
 {
-    lane_columns m = columns_before(models, from, to);
+    affine m = model_before(models, from, to);
     for (size_t j = from; j < to; j++) {
         const nkw_mat4 *parent;
         if (follows_parent(parents, j)) {
-            m = lane_columns_mul(&m, &locals[j]);
+            m = affine_mul(&m, &locals[j]);
         } else if ((parent = above(parents, j, root, models)) != NULL) {
-            m = lane_columns_from(parent);
-            m = lane_columns_mul(&m, &locals[j]);
+            m = affine_load(parent);
+            m = affine_mul(&m, &locals[j]);
         } else {
-            m = lane_columns_from(&locals[j]);
+            m = affine_load(&locals[j]);
         }
-        lane_mat4_from_columns(&m, &models[j]);
+        affine_store(&m, &models[j]);
     }
 }
 
@@ -153,13 +133,13 @@ NKW_LOOP(nkwi_locals_from_models)
         for (size_t i = 0; i < MATRICES; i++)
             matrices_invert(&a, i, &inverse);
         for (size_t i = 0; i < size; i += 4) {
-            lane_columns m[4];
-            matrices_take(&inverse, i, m);
+            nkw_mat4 m[4];
+            matrices_write(&inverse, i, m, 4);
             for (size_t k = 0; k < 4 && i + k < size; k++) {
                 size_t j = start + i + k;
-                lane_columns l = above(parents, j, root, models) ? lane_columns_mul(&m[k], &models[j])
-                                                                 : lane_columns_from(&models[j]);
-                lane_mat4_from_columns(&l, &locals[j - from]);
+                affine l = affine_load(&m[k]);
+                l = above(parents, j, root, models) ? affine_mul(&l, &models[j]) : affine_load(&models[j]);
+                affine_store(&l, &locals[j - from]);
             }
         }
         end = start;
