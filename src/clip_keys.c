@@ -48,9 +48,9 @@ void nkwi_clip_fill_component(uint32_t *words, const clip_group *g, const nkw_cl
 /*
  * Compact keys. Each row of a lane has a range, base..base + 65535 step, and 16-bit keys in it.
  *
- * A rotation q and -q are the same, but slerp between keys is not the same for either: its arc depends on the sign of
- * the dot product. So the sign of each stored key is followed from key to key, and the parity of the sum of the three
- * numbers stores where it changes.
+ * q and -q are the same rotation. Which of them is stored determines the three numbers, and the sign of the dot product
+ * with the previous key, which slerp needs. The builder computes this sign from the source, where it is exact also near
+ * half a turn, and stores it as the parity of the sum of the three numbers.
  */
 
 /* The iterator of the keys of a lane: next_key is called for k = 0, 1, 2, ... in this order. */

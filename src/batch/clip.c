@@ -185,6 +185,10 @@ INLINE void slerp_blocks(const float *a, const float *b, lane_slerp_time at, con
     }
 }
 
+/*
+ * 0 <= t <= 1. Which key is nearer depends on t only. Except at 0, 1/2 and 1, it is a constant in the loop, so that the
+ * selects fold away.
+ */
 NKW_LOOP(nkwi_clip_slerp)
 (const float *a, const float *b, float t, const clip_block *blocks, size_t block_count, float *out, size_t stride)
 {
@@ -348,6 +352,10 @@ INLINE void slerp16_to(const pairs16 *p, const lane_compact_series *series, size
         scatter(block, buffer, CLIP_BLOCK, out, stride);
 }
 
+/*
+ * Up to CLIP_SLERP16_BLOCKS blocks at a time, in three steps: decode the numbers of both keys; compute w, v and the
+ * scales of each block; interpolate each block. t = 0 returns the rotations of a, of unit length.
+ */
 NKW_LOOP(nkwi_clip_slerp16)
 (const uint16_t *a, const uint16_t *b, const float *base, const float *step, float t, const clip_block *blocks,
  size_t block_count, float *out, size_t stride)
@@ -416,6 +424,7 @@ INLINE void normalize_block(const float *x, float *out, size_t stride, size_t wi
         put_quat(o, i, lane_quat_normalize(at_quat(q, i)));
 }
 
+/* Hermite of the four rows of a block, then normalised. */
 INLINE void quat_hermite_block(const float *a, const float *b, size_t words, float duration, float t, float *out,
                                size_t stride, size_t width)
 {
