@@ -8,7 +8,7 @@
  *
  * Linear blend: the matrices of a group of vertices stay in registers while they transform positions and normals
  * (blend_groups); they are stored if there are other vectors. Dual quaternions are summed, then converted to matrices in
- * memory, 16 at a time.
+ * memory.
  */
 #include "lane/strict.h"
 
@@ -21,11 +21,8 @@
 
 /* Functions that stay apart, with the instruction set in their names. */
 #define blend_run        NKW_JOIN_ISA(nkwi_skin_blend_run, NKW_ISA)
-#define blend_dual_quats NKW_JOIN_ISA(nkwi_skin_blend_dual_quats, NKW_ISA)
+#define rigid_matrices   NKW_JOIN_ISA(nkwi_skin_rigid_matrices, NKW_ISA)
 #define transform_stream NKW_JOIN_ISA(nkwi_skin_transform_stream, NKW_ISA)
-
-/* Dual quaternions that become matrices together. Of this and of every F32XN a block is a multiple. */
-#define SKIN_PART 16
 
 typedef struct block {
     decoded_influences decoded;
@@ -107,16 +104,18 @@ INLINE void transform_group(f32xN_columns m, kind what, int packed, const skin_s
         write(s->out, s->out_stride, packed, r);
 }
 
-/* The first n vectors of a group. */
+/* The first n vectors of a group. Reads nothing else. */
 static void transform_part(const f32xN_columns *m, kind what, size_t n, const skin_stream *s, f32xN_column *later)
 {
-    float v[3 * F32XN_GROUP + 1] = {0.0f};
-    const skin_stream copy = {(const unsigned char *)v, (unsigned char *)v, sizeof(nkw_vec3), sizeof(nkw_vec3)};
-    for (size_t i = 0; i < n; i++)
-        memcpy(v + 3 * i, s->in + i * s->in_stride, sizeof(nkw_vec3));
-    transform_group(*m, what, 1, &copy, later);
-    for (size_t i = 0; what != UNIT_DIRECTIONS && i < n; i++)
-        memcpy(s->out + i * s->out_stride, v + 3 * i, sizeof(nkw_vec3));
+    const f32xN_vectors v = f32xN_read3_first(s->in, s->in_stride, n);
+    const f32xN_column r = what == POINTS ? f32xN_transform_point(*m, v) : f32xN_transform_direction(*m, v);
+    float out[4 * F32XN_GROUP];
+    memcpy(out, &r, sizeof out);
+    if (what == UNIT_DIRECTIONS)
+        *later = r;
+    else
+        for (size_t i = 0; i < n; i++)
+            memcpy(s->out + i * s->out_stride, out + 4 * i, sizeof(nkw_vec3));
 }
 
 INLINE skin_stream stream_at(const skin_stream *s, size_t i)
@@ -342,23 +341,28 @@ INLINE float *column_of(block *b, size_t i, size_t c)
 INLINE void align_weights(const influences *f, size_t k, size_t i, float *out)
 {
     const uint32_t *offset = f->offset + i * k;
+    const unsigned char *weights = f->weights + i * f->weight_stride;
     nkw_quat pivot, q;
     size_t largest = 0;
-    memcpy(out, f->weights + i * f->weight_stride, k * sizeof *out);
-    for (size_t e = 1; e < k; e++)
-        largest = out[e] > out[largest] ? e : largest;
+    float most = load_float(weights);
+    for (size_t e = 1; e < k; e++) {
+        const float w = load_float(weights + e * sizeof w);
+        largest = w > most ? e : largest;
+        most = w > most ? w : most;
+    }
     memcpy(&pivot, entry_at(f->palette, 8, offset[largest]), sizeof pivot);
     for (size_t e = 0; e < k; e++) {
+        const float w = load_float(weights + e * sizeof w);
         memcpy(&q, entry_at(f->palette, 8, offset[e]), sizeof q);
-        out[e] = nkw_quat_dot(pivot, q) < 0.0f ? -out[e] : out[e];
+        out[e] = nkw_quat_dot(pivot, q) < 0.0f ? -w : w;
     }
 }
 
-/* Dual quaternions to the first three rows of matrices, SKIN_PART of each in component arrays, column by column. */
-INLINE void rigid_matrices(float d[8][SKIN_PART], float m[12][SKIN_PART])
+/* n dual quaternions to the first three rows of matrices, in component arrays, column by column. */
+APART static void rigid_matrices(float d[8][SKIN_BLOCK], float m[12][SKIN_BLOCK], size_t n)
 {
 #pragma omp simd
-    for (size_t i = 0; i < SKIN_PART; i++) {
+    for (size_t i = 0; i < n; i++) {
         nkw_quat real = {d[0][i], d[1][i], d[2][i], d[3][i]}, dual = {d[4][i], d[5][i], d[6][i], d[7][i]};
         float n2 = nkw_quat_dot(real, real);
         nkw_quat r = lane_skin_rotation(real, n2);
@@ -372,22 +376,22 @@ INLINE void rigid_matrices(float d[8][SKIN_PART], float m[12][SKIN_PART])
     }
 }
 
-/* SKIN_PART vertices from `first` on: their dual quaternions to component arrays, and matrices back. */
-static void matrices_from_dual_quats(float dual[SKIN_PART][8], size_t first, block *b)
+/* The n dual quaternions at every 16 floats of b->matrix become matrices, by way of component arrays. n % 4 is 0. */
+static void matrices_from_dual_quats(size_t n, block *b)
 {
-    float d[8][SKIN_PART], m[12][SKIN_PART];
-    for (size_t i = 0; i < SKIN_PART; i += 4)
+    float d[8][SKIN_BLOCK], m[12][SKIN_BLOCK], *dual = (float *)(void *)b->matrix;
+    for (size_t i = 0; i < n; i += 4, dual += 64)
         for (size_t c = 0; c < 8; c += 4) {
-            const float *const from[4] = {dual[i] + c, dual[i + 1] + c, dual[i + 2] + c, dual[i + 3] + c};
+            const float *const from[4] = {dual + c, dual + 16 + c, dual + 32 + c, dual + 48 + c};
             float *const to[4] = {d[c] + i, d[c + 1] + i, d[c + 2] + i, d[c + 3] + i};
             f32x4_transpose_rows(from, to);
         }
-    rigid_matrices(d, m);
-    for (size_t i = 0; i < SKIN_PART; i += 4)
+    rigid_matrices(d, m, n);
+    for (size_t i = 0; i < n; i += 4)
         for (size_t c = 0; c < 4; c++) {
             const float *const from[4] = {m[3 * c] + i, m[3 * c + 1] + i, m[3 * c + 2] + i, m[3 * c] + i};
-            float *const to[4] = {column_of(b, first + i, c), column_of(b, first + i + 1, c),
-                                  column_of(b, first + i + 2, c), column_of(b, first + i + 3, c)};
+            float *const to[4] = {column_of(b, i, c), column_of(b, i + 1, c), column_of(b, i + 2, c),
+                                  column_of(b, i + 3, c)};
             f32x4_transpose_rows(from, to);
         }
 }
@@ -407,12 +411,12 @@ INLINE void sum_dual_quat(const influences *f, size_t k, size_t i, float out[8])
 
 INLINE void blend_dual_quats_of(const influences *f, size_t k, size_t n, block *b)
 {
-    float dual[SKIN_PART][8] = {{0.0f}};
-    for (size_t from = 0; from < n; from += SKIN_PART) {
-        for (size_t i = from; i < n && i < from + SKIN_PART; i++)
-            sum_dual_quat(f, k, i, dual[i - from]);
-        matrices_from_dual_quats(dual, from, b);
-    }
+    float *dual = (float *)(void *)b->matrix;
+    const size_t padded = (n + 3) / 4 * 4;
+    for (size_t i = 0; i < n; i++)
+        sum_dual_quat(f, k, i, dual + 16 * i);
+    memset(dual + 16 * n, 0, (padded - n) * 16 * sizeof *dual);
+    matrices_from_dual_quats(padded, b);
 }
 
 APART static void blend_dual_quats(const influences *f, size_t n, block *b)

@@ -154,6 +154,33 @@ static inline f32xN_columns f32xN_columns_of3(const f32xN *m)
     return r;
 }
 
+#if NKW_F32X4
+/* Three floats, then 0. */
+static inline f32x4 f32x4_load3(const void *from)
+{
+    float x, y, z;
+    memcpy(&x, from, sizeof x);
+    memcpy(&y, (const char *)from + sizeof x, sizeof y);
+    memcpy(&z, (const char *)from + 2 * sizeof x, sizeof z);
+    const f32x4 r = {x, y, z, 0.0f};
+    return r;
+}
+#endif
+
+#if F32XN == 1
+static inline f32xN_vectors f32xN_vectors_of(const float *v)
+{
+    f32xN_vectors r = {v[0], v[1], v[2]};
+    return r;
+}
+#else
+static inline f32xN_vectors f32xN_vectors_of(f32xN v)
+{
+    f32xN_vectors r = {f32xN_broadcast(v, 0), f32xN_broadcast(v, 1), f32xN_broadcast(v, 2)};
+    return r;
+}
+#endif
+
 /* The vectors of a group, at every `stride` bytes; reads the four bytes after each too. */
 static inline f32xN_vectors f32xN_read3(const unsigned char *p, size_t stride)
 {
@@ -161,21 +188,36 @@ static inline f32xN_vectors f32xN_read3(const unsigned char *p, size_t stride)
     float v[3];
     (void)stride;
     memcpy(v, p, sizeof v);
-    f32xN_vectors r = {v[0], v[1], v[2]};
-    return r;
-#else
-#if F32XN == 4
-    const f32xN v = f32x4_load(p);
+    return f32xN_vectors_of(v);
+#elif F32XN == 4
     (void)stride;
+    return f32xN_vectors_of(f32x4_load(p));
 #elif F32XN == 8
-    const f32xN v = F32XN_SHUFFLE(f32x4_load(p), f32x4_load(p + stride), 0, 1, 2, 3, 4, 5, 6, 7);
+    return f32xN_vectors_of(F32XN_SHUFFLE(f32x4_load(p), f32x4_load(p + stride), 0, 1, 2, 3, 4, 5, 6, 7));
 #else
     const f32x8 a = F32XN_SHUFFLE(f32x4_load(p), f32x4_load(p + stride), 0, 1, 2, 3, 4, 5, 6, 7);
     const f32x8 b = F32XN_SHUFFLE(f32x4_load(p + 2 * stride), f32x4_load(p + 3 * stride), 0, 1, 2, 3, 4, 5, 6, 7);
-    const f32xN v = F32XN_FOURS(a, b, 0, 4, 8, 12);
+    return f32xN_vectors_of(F32XN_FOURS(a, b, 0, 4, 8, 12));
 #endif
-    f32xN_vectors r = {f32xN_broadcast(v, 0), f32xN_broadcast(v, 1), f32xN_broadcast(v, 2)};
-    return r;
+}
+
+/* The first n vectors of a group, the last of them in the places of the others; reads nothing else. */
+static inline f32xN_vectors f32xN_read3_first(const unsigned char *p, size_t stride, size_t n)
+{
+#if F32XN == 1
+    (void)n;
+    return f32xN_read3(p, stride);
+#elif F32XN == 4
+    (void)stride, (void)n;
+    return f32xN_vectors_of(f32x4_load3(p));
+#elif F32XN == 8
+    return f32xN_vectors_of(
+        F32XN_SHUFFLE(f32x4_load3(p), f32x4_load3(p + (n > 1 ? stride : 0)), 0, 1, 2, 3, 4, 5, 6, 7));
+#else
+    const unsigned char *q = p + (n > 1 ? stride : 0), *r = p + (n > 2 ? 2 : n - 1) * stride, *s = p + (n - 1) * stride;
+    const f32x8 a = F32XN_SHUFFLE(f32x4_load3(p), f32x4_load3(q), 0, 1, 2, 3, 4, 5, 6, 7);
+    const f32x8 b = F32XN_SHUFFLE(f32x4_load3(r), f32x4_load3(s), 0, 1, 2, 3, 4, 5, 6, 7);
+    return f32xN_vectors_of(F32XN_FOURS(a, b, 0, 4, 8, 12));
 #endif
 }
 
