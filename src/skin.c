@@ -18,24 +18,19 @@ static skin_stream stream_of(nkw_vec3_stream_view in, nkw_vec3_stream_span out)
 static skin_job job_of(const nkw_skin *skin, size_t joint_count, const nkw_vertices_view *in,
                        const nkw_vertices_span *out)
 {
-    skin_job r = {skin->joints,
-                  skin->weights,
-                  skin->vertex_count,
-                  skin->influence_count,
-                  UINT32_MAX,
-                  0,
-                  NULL,
-                  NULL,
-                  {stream_of(in->positions, out->positions), stream_of(in->normals, out->normals),
-                   stream_of(in->tangents, out->tangents), stream_of(in->bitangents, out->bitangents)}};
-    r.joints.stride = skin_stride(r.joints.stride, r.joints.format, r.influence_count);
-    r.weights.stride = skin_stride(r.weights.stride, r.weights.format, r.influence_count);
-    if (r.influence_count > NKW_SKIN_INFLUENCES)
-        r.influence_count = NKW_SKIN_INFLUENCES;
-    if (joint_count < r.joint_count)
-        r.joint_count = (uint32_t)joint_count;
-    if (joint_count == 0)
-        r.influence_count = 0;
+    const size_t k = skin->influence_count;
+    skin_job r = {0};
+    r.joints = skin->joints;
+    r.joints.stride = skin_stride(r.joints.stride, r.joints.format, k);
+    r.weights = skin->weights;
+    r.weights.stride = skin_stride(r.weights.stride, r.weights.format, k);
+    r.vertex_count = skin->vertex_count;
+    r.influence_count = joint_count == 0 ? 0 : k < NKW_SKIN_INFLUENCES ? k : NKW_SKIN_INFLUENCES;
+    r.joint_count = joint_count < SKIN_JOINTS ? (uint32_t)joint_count : SKIN_JOINTS;
+    r.streams[SKIN_POSITIONS] = stream_of(in->positions, out->positions);
+    r.streams[SKIN_NORMALS] = stream_of(in->normals, out->normals);
+    r.streams[SKIN_TANGENTS] = stream_of(in->tangents, out->tangents);
+    r.streams[SKIN_BITANGENTS] = stream_of(in->bitangents, out->bitangents);
     return r;
 }
 

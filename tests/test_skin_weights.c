@@ -1,9 +1,10 @@
 /* SPDX-License-Identifier: MIT */
-/* The part of skin.h that prepares weights. */
+/* The part of skin.h that prepares and checks weights. */
 #include <math.h>
 
 #include "random.h"
 #include "support/expect.h"
+#include "support/skin_mesh.h"
 
 static void normalised_weights_sum_exactly(void **state)
 {
@@ -261,6 +262,74 @@ static void what_cannot_be_pruned_or_normalised_writes_nothing(void **state)
     assert_memory_equal(w, nothing, sizeof w);
 }
 
+static void expect_invalid(const nkw_skin *skin, nkw_result result, size_t vertex)
+{
+    size_t bad = 99;
+    assert_int_equal(nkw_skin_validate(skin, JOINTS, &bad), result);
+    assert_int_equal(bad, vertex);
+    assert_int_equal(nkw_skin_validate(skin, JOINTS, NULL), result);
+}
+
+static void validate_names_the_first_offender_among_floats(void **state)
+{
+    (void)state;
+    mesh m = draw(22, 4, 0);
+    nkw_skin skin = skin_of(&m, 4);
+    expect_invalid(&skin, NKW_OK, 0);
+    memset(m.weights + 40, 0, 16);
+    expect_invalid(&skin, NKW_OK, 0);
+    m.weights[4 * 90 + 2] += 0.0011f;
+    expect_invalid(&skin, NKW_BAD_WEIGHTS, 90);
+    m.weights[4 * 80 + 1] = -m.weights[4 * 80 + 1];
+    expect_invalid(&skin, NKW_BAD_WEIGHTS, 80);
+    m.weights[4 * 70 + 3] = INFINITY;
+    expect_invalid(&skin, NKW_NOT_FINITE, 70);
+    m.weights[4 * 60] = NAN;
+    expect_invalid(&skin, NKW_NOT_FINITE, 60);
+    m.joints[4 * 50 + 3] = JOINTS;
+    expect_invalid(&skin, NKW_OUT_OF_RANGE, 50);
+    m.weights[4 * 30] += 0.0009f;
+    expect_invalid(&skin, NKW_OUT_OF_RANGE, 50);
+}
+
+static void validate_wants_whole_numbers_to_sum_exactly(void **state)
+{
+    (void)state;
+    mesh m = draw(23, 8, 0);
+    uint8_t bytes[VERTICES * 8];
+    uint16_t shorts[VERTICES * 8];
+    nkw_skin_view from = {m.weights, 0, NKW_SKIN_F32};
+    nkw_skin_span to_bytes = {bytes, 0, NKW_SKIN_U8}, to_shorts = {shorts, 0, NKW_SKIN_U16};
+    nkw_skin_normalize_weights(from, to_bytes, 8, VERTICES);
+    nkw_skin_normalize_weights(from, to_shorts, 8, VERTICES);
+    nkw_skin skin = {VERTICES, 8, {m.joints, 0, NKW_SKIN_U16}, {bytes, 0, NKW_SKIN_U8}};
+    expect_invalid(&skin, NKW_OK, 0);
+    bytes[8 * 77] ^= 1;
+    expect_invalid(&skin, NKW_BAD_WEIGHTS, 77);
+    skin.weights.data = shorts;
+    skin.weights.format = NKW_SKIN_U16;
+    expect_invalid(&skin, NKW_OK, 0);
+    shorts[8 * 66 + 5] ^= 1;
+    expect_invalid(&skin, NKW_BAD_WEIGHTS, 66);
+}
+
+static void validate_checks_the_shape(void **state)
+{
+    (void)state;
+    mesh m = draw(24, 4, 0);
+    nkw_skin skin = skin_of(&m, 4);
+    skin.influence_count = 0;
+    expect_invalid(&skin, NKW_EMPTY, 0);
+    skin.influence_count = 9;
+    expect_invalid(&skin, NKW_TOO_MANY, 0);
+    skin = skin_of(&m, 4);
+    skin.joints.format = NKW_SKIN_F32;
+    expect_invalid(&skin, NKW_BAD_FORMAT, 0);
+    skin = skin_of(&m, 4);
+    skin.weights.format = NKW_SKIN_U32;
+    expect_invalid(&skin, NKW_BAD_FORMAT, 0);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -275,6 +344,9 @@ int main(void)
         cmocka_unit_test(keeping_all_influences_widens_and_packs_them),
         cmocka_unit_test(pruning_in_place_is_as_elsewhere),
         cmocka_unit_test(what_cannot_be_pruned_or_normalised_writes_nothing),
+        cmocka_unit_test(validate_names_the_first_offender_among_floats),
+        cmocka_unit_test(validate_wants_whole_numbers_to_sum_exactly),
+        cmocka_unit_test(validate_checks_the_shape),
     };
     return cmocka_run_group_tests_name("skin_weights", tests, NULL, NULL);
 }

@@ -146,8 +146,6 @@ uint64_t data_skin(void)
     static model m;
     uint64_t hash = HASH_START;
     draw(&m);
-    nkw_skin few = {JOINTS - 1, 4, {m.joints, 0, NKW_SKIN_U16}, {m.weights, 0, NKW_SKIN_F32}};
-    (void)skin_all(hash, &m, &few);
     for (size_t k = 1; k <= 8; k++) {
         nkw_skin skin = {VERTICES, k, {m.joints, 16, NKW_SKIN_U16}, {m.weights, 32, NKW_SKIN_F32}};
         hash = skin_chain(skin_all(hash, &m, &skin), &m, &skin);

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 #include <stdlib.h>
 
+#include "support/put.h"
 #include "support/skin_mesh.h"
 
 static void directions_are_not_normalized_where_that_is_skipped(void **state)
@@ -32,64 +33,78 @@ static void directions_are_not_normalized_where_that_is_skipped(void **state)
     }
 }
 
-/* Of every pair of formats, tight and not, in place, with odd vertices among usual ones; floats around the output. */
-static void expect_pair_as_blocks(const mesh *m, const nkw_skin *skin, size_t floats, int raw)
+static const size_t size_of[4] = {1, 2, 4, 4};
+
+/* The influences of m in the formats of `skin`, whose arrays are written; m has then the numbers that they stand for. */
+static void encode(mesh *m, size_t k, const nkw_skin *skin, uint8_t *joints, uint8_t *weights)
 {
-    const nkw_skin_palette palette = palette_of(m->matrices, NULL, JOINTS, raw);
+    const nkw_skin_format j = skin->joints.format, w = skin->weights.format;
+    const nkw_skin_view from = {m->weights, 0, NKW_SKIN_F32};
+    const nkw_skin_span to = {weights, 0, w};
+    assert_int_equal(nkw_skin_normalize_weights(from, to, k, VERTICES), NKW_OK);
+    for (size_t i = 0; i < VERTICES * k; i++) {
+        const uint8_t u8 = (uint8_t)m->joints[i];
+        const uint32_t u32 = m->joints[i];
+        uint16_t w16;
+        memcpy(joints + i * size_of[j],
+               j == NKW_SKIN_U8    ? (const void *)&u8
+               : j == NKW_SKIN_U16 ? (const void *)&m->joints[i]
+                                   : (const void *)&u32,
+               size_of[j]);
+        memcpy(&w16, weights + 2 * i, sizeof w16);
+        if (w == NKW_SKIN_F32)
+            memcpy(&m->weights[i], weights + 4 * i, sizeof(float));
+        else
+            m->weights[i] = w == NKW_SKIN_U8 ? (float)weights[i] / 255.0f : (float)w16 / 65535.0f;
+    }
+}
+
+/* Positions and normals of `floats` floats a vertex, or separate ones, in place; floats around them are kept. */
+static void expect_by_definition(const mesh *m, const nkw_skin *skin, size_t floats, int skip_normalization)
+{
+    const nkw_skin_palette palette = palette_of(m->matrices, NULL, JOINTS, skip_normalization);
     float got[VERTICES * FLOATS + 2], want[VERTICES * FLOATS + 2];
-    const size_t s = floats * sizeof(float), half = VERTICES * 3;
-    float *g = got + 1, *w = want + 1;
-    size_t normals = floats == 3 ? half : 3;
-    memcpy(got, m->v, sizeof m->v);
-    got[VERTICES * FLOATS] = got[VERTICES * FLOATS + 1] = 7;
+    const size_t s = floats * sizeof(float), normals = floats == 3 ? 3 * VERTICES : 3;
+    memcpy(got + 1, m->v, sizeof m->v);
+    got[0] = got[VERTICES * FLOATS + 1] = 7;
     memcpy(want, got, sizeof got);
-    nkw_vertices_view in = {{g, s}, {g + normals, s}, {NULL, 0}, {NULL, 0}};
-    nkw_vertices_span out = {{g, s}, {g + normals, s}, {NULL, 0}, {NULL, 0}};
-    float other[VERTICES * 3];
-    nkw_vertices_view in_all = {{w, s}, {w + normals, s}, {m->v, 0}, {NULL, 0}};
-    nkw_vertices_span out_all = {{w, s}, {w + normals, s}, {other, 0}, {NULL, 0}};
-    nkw_skin_linear(skin, &palette, &in, &out);
-    nkw_skin_linear(skin, &palette, &in_all, &out_all);
+    nkw_vertices_view in = {{got + 1, s}, {got + 1 + normals, s}, {NULL, 0}, {NULL, 0}};
+    nkw_vertices_span out = {{got + 1, s}, {got + 1 + normals, s}, {NULL, 0}, {NULL, 0}};
+    for (size_t i = 0; i < VERTICES; i++) {
+        nkw_mat4 sum;
+        float *p = want + 1 + i * floats, *n = p + normals;
+        if (!matrix_of(m, skin->influence_count, i, &sum))
+            continue;
+        const nkw_vec3 d = nkw_mat4_transform_direction(&sum, vec3_at(n));
+        put_vec3(p, nkw_mat4_transform_point(&sum, vec3_at(p)));
+        put_vec3(n, skip_normalization ? d : unit(d));
+    }
+    assert_int_equal(nkw_skin_linear(skin, &palette, &in, &out), NKW_OK);
     expect_floats_bits(got, want, VERTICES * FLOATS + 2);
 }
 
-static void pairs_are_as_blocks_for_every_format_and_odd_vertices(void **state)
+/* With vertices without weights and joints beyond the palette at all places of a group. */
+static void every_format_and_count_is_the_sum_of_the_stored_numbers(void **state)
 {
     (void)state;
     const nkw_skin_format joint_formats[3] = {NKW_SKIN_U8, NKW_SKIN_U16, NKW_SKIN_U32};
     const nkw_skin_format weight_formats[3] = {NKW_SKIN_U8, NKW_SKIN_U16, NKW_SKIN_F32};
-    for (size_t k = 1; k <= 8; k++) {
-        mesh m = draw(40 + k, k, 0);
-        uint8_t joints[VERTICES * 8 * 4], weights[VERTICES * 8 * 4];
-        for (size_t i = 0; i < VERTICES; i += 1 + i / 5) {
-            m.joints[i * k + i % k] = i % 2 ? JOINTS : 200;
-            if (i % 3 == 0)
-                memset(m.weights + i * k, 0, k * sizeof *m.weights);
-        }
+    for (size_t k = 1; k <= 8; k++)
         for (size_t f = 0; f < 9; f++) {
+            mesh m = draw(40 + k, k, 0);
+            uint8_t joints[VERTICES * 8 * 4], weights[VERTICES * 8 * 4];
             nkw_skin skin = {VERTICES, k, {joints, 0, joint_formats[f % 3]}, {weights, 0, weight_formats[f / 3]}};
-            nkw_skin_view from = {m.weights, 0, NKW_SKIN_F32};
-            nkw_skin_span to = {weights, 0, weight_formats[f / 3]};
-            nkw_skin_normalize_weights(from, to, k, VERTICES);
-            for (size_t i = 0; i < VERTICES * k; i++) {
-                uint8_t u8 = (uint8_t)m.joints[i];
-                uint32_t u32 = m.joints[i];
-                memcpy(joints + i * (f % 3 == 0   ? 1
-                                     : f % 3 == 1 ? 2
-                                                  : 4),
-                       f % 3 == 0   ? (const void *)&u8
-                       : f % 3 == 1 ? (const void *)&m.joints[i]
-                                    : (const void *)&u32,
-                       f % 3 == 0   ? 1
-                       : f % 3 == 1 ? 2
-                                    : 4);
+            for (size_t i = 0; i < VERTICES; i += 1 + i / 5) {
+                m.joints[i * k + i % k] = i % 2 ? JOINTS : 200;
+                if (i % 3 == 0)
+                    memset(m.weights + i * k, 0, k * sizeof *m.weights);
             }
+            encode(&m, k, &skin, joints, weights);
             for (int raw = 0; raw < 2; raw++) {
-                expect_pair_as_blocks(&m, &skin, 3, raw);
-                expect_pair_as_blocks(&m, &skin, FLOATS, raw);
+                expect_by_definition(&m, &skin, 3, raw);
+                expect_by_definition(&m, &skin, FLOATS, raw);
             }
         }
-    }
 }
 
 static void positions_and_normals_alone_are_as_together(void **state)
@@ -123,7 +138,7 @@ static void positions_and_normals_alone_are_as_together(void **state)
     }
 }
 
-/* Of so many joints that normals go by blocks; what is behind those that influence a vertex must not matter. */
+/* What is behind the joints that influence a vertex must not matter. */
 static void normals_by_their_own_matrices_are_the_same_for_any_number_of_joints(void **state)
 {
     (void)state;
@@ -201,24 +216,87 @@ static void without_influences_their_arrays_may_be_null(void **state)
 {
     (void)state;
     mesh m = draw(70, 4, 0);
-    float out[VERTICES * FLOATS];
-    nkw_skin_palette palette = palette_of(m.matrices, NULL, JOINTS, 0);
-    nkw_skin skin = {VERTICES, 0, {NULL, 16, NKW_SKIN_U8}, {NULL, 16, NKW_SKIN_F32}};
-    nkw_vertices_view in = {{m.v, 24}, {m.v + 3, 24}, {NULL, 0}, {NULL, 0}};
-    nkw_vertices_span to = {{out, 24}, {out + 3, 24}, {NULL, 0}, {NULL, 0}};
-    nkw_skin_linear(&skin, &palette, &in, &to);
-    expect_floats_bits(out, m.v, VERTICES * 6);
+    const nkw_skin_palette palette = palette_of(m.matrices, m.normals, JOINTS, 0);
+    const nkw_skin skin = {VERTICES, 0, {NULL, 16, NKW_SKIN_U8}, {NULL, 16, NKW_SKIN_F32}};
+    for (int dual = 0; dual < 2; dual++) {
+        float out[VERTICES * FLOATS];
+        nkw_vertices_view in = {{m.v, 24}, {m.v + 3, 24}, {NULL, 0}, {NULL, 0}};
+        nkw_vertices_span to = {{out, 24}, {out + 3, 24}, {NULL, 0}, {NULL, 0}};
+        if (dual)
+            nkw_skin_dual_quat(&skin, duals_of(m.duals, JOINTS), &in, &to);
+        else
+            nkw_skin_linear(&skin, &palette, &in, &to);
+        expect_floats_bits(out, m.v, VERTICES * 6);
+    }
+}
+
+/* All together, by itself: the same bits, with tangents and bitangents, between vertices without weights. */
+static void a_vertex_is_the_same_alone_by_either_method(void **state)
+{
+    (void)state;
+    for (size_t k = 1; k <= 8; k++)
+        for (int method = 0; method < 3; method++) {
+            mesh m = draw(100 + k, k, 1);
+            const nkw_skin_palette palette = palette_of(m.matrices, method == 1 ? m.normals : NULL, JOINTS, 0);
+            float all[VERTICES * FLOATS] = {0}, one[FLOATS] = {0};
+            for (size_t i = 0; i < VERTICES; i += 1 + i / 5)
+                memset(m.weights + i * k, 0, k * sizeof *m.weights);
+            const nkw_skin skin = skin_of(&m, k);
+            const nkw_vertices_view in = streams(m.v, FLOATS);
+            const nkw_vertices_span to = spans(all, FLOATS), to_one = spans(one, FLOATS);
+            if (method == 2)
+                nkw_skin_dual_quat(&skin, duals_of(m.duals, JOINTS), &in, &to);
+            else
+                nkw_skin_linear(&skin, &palette, &in, &to);
+            for (size_t i = 0; i < VERTICES; i++) {
+                const nkw_skin alone = {
+                    1, k, {m.joints + k * i, 0, NKW_SKIN_U16}, {m.weights + k * i, 0, NKW_SKIN_F32}};
+                const nkw_vertices_view at = streams(m.v + i * FLOATS, FLOATS);
+                if (method == 2)
+                    nkw_skin_dual_quat(&alone, duals_of(m.duals, JOINTS), &at, &to_one);
+                else
+                    nkw_skin_linear(&alone, &palette, &at, &to_one);
+                expect_floats_bits(one, all + i * FLOATS, 12);
+            }
+        }
+}
+
+/* Every vertex at the same place, and at the places of bytes that follow one another. */
+static void strides_may_be_shorter_than_a_vector(void **state)
+{
+    (void)state;
+    mesh m = draw(110, 4, 0);
+    const nkw_skin skin = skin_of(&m, 4);
+    const nkw_skin_palette palette = palette_of(m.matrices, NULL, JOINTS, 0);
+    unsigned char *bytes = malloc(12 + 2 * (VERTICES - 1));
+    nkw_vec3 packed[VERTICES], got[VERTICES], want[VERTICES];
+    assert_non_null(bytes);
+    for (size_t i = 0; i < 12 + 2 * (VERTICES - 1); i++)
+        bytes[i] = (unsigned char)(i % 4 == 3 ? 0x3f : i * 7);
+    for (size_t i = 0; i < VERTICES; i++)
+        memcpy(&packed[i], bytes + 2 * i, sizeof packed[i]);
+    const nkw_vertices_view in = {{bytes, 2}, {NULL, 0}, {NULL, 0}, {NULL, 0}},
+                            in_packed = {{packed, 0}, {NULL, 0}, {NULL, 0}, {NULL, 0}};
+    const nkw_vertices_span out = {{got, 0}, {NULL, 0}, {NULL, 0}, {NULL, 0}},
+                            out_packed = {{want, 0}, {NULL, 0}, {NULL, 0}, {NULL, 0}};
+    nkw_skin_linear(&skin, &palette, &in, &out);
+    nkw_skin_linear(&skin, &palette, &in_packed, &out_packed);
+    for (size_t i = 0; i < VERTICES; i++)
+        expect_vec3_bits(got[i], want[i]);
+    free(bytes);
 }
 
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(directions_are_not_normalized_where_that_is_skipped),
-        cmocka_unit_test(pairs_are_as_blocks_for_every_format_and_odd_vertices),
+        cmocka_unit_test(every_format_and_count_is_the_sum_of_the_stored_numbers),
         cmocka_unit_test(positions_and_normals_alone_are_as_together),
         cmocka_unit_test(normals_by_their_own_matrices_are_the_same_for_any_number_of_joints),
         cmocka_unit_test(any_number_of_vertices_is_as_the_first_of_many),
         cmocka_unit_test(without_influences_their_arrays_may_be_null),
+        cmocka_unit_test(a_vertex_is_the_same_alone_by_either_method),
+        cmocka_unit_test(strides_may_be_shorter_than_a_vector),
     };
-    return cmocka_run_group_tests_name("skin_pairs", tests, NULL, NULL);
+    return cmocka_run_group_tests_name("skin_layouts", tests, NULL, NULL);
 }
