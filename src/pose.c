@@ -14,7 +14,7 @@ size_t nkw_pose_floats(size_t joint_count)
     return joint_count <= SIZE_MAX / 160 * 16 ? NKW_POSE_FLOATS(joint_count) : SIZE_MAX;
 }
 
-/* pose + floats; pose itself for floats = 0, where it may be NULL. */
+/* Returns pose + floats, or pose unchanged for offset 0, because NULL + 0 is undefined in C99. */
 static const float *behind(const float *pose, size_t floats)
 {
     return floats ? pose + floats : pose;
@@ -68,7 +68,7 @@ static nkw_trs get(const float *pose, size_t stride, size_t joint)
     return trs;
 }
 
-/* Joints from..stride - 1 at the identity. */
+/* Sets joints from..stride - 1 to the identity. */
 static void fill(float *pose, size_t stride, size_t from)
 {
     nkw_trs none = nkw_trs_identity();

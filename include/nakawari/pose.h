@@ -1,20 +1,20 @@
 /* SPDX-License-Identifier: MIT */
 /**
  * @file
- * Floor 4: a pose: the local transforms of all joints at one moment, in component arrays.
+ * Floor 4: a pose: the local transforms of all joints at one time, in component arrays.
  *
  * The data of a pose are one block of NKW_POSE_FLOATS(joint_count) floats: ten arrays of NKW_POSE_STRIDE(joint_count)
- * floats each, of which the first joint_count are the joints' and the rest padding.
+ * floats. The first joint_count floats of an array belong to the joints, the rest is padding.
  *
  *     array   0 1 2              3 4 5 6           7 8 9
  *             translation x y z  rotation x y z w  scale x y z
  *
  *     component c of joint j:  data[c * NKW_POSE_STRIDE(joint_count) + j]
  *
- * The stride is a multiple of 16, so loops of every vector width run without a remainder. Padding may hold anything:
- * what is read there has no effect on joints. Functions that write a whole pose may write padding too. Any alignment
- * for float will do; 64 bytes is fastest. Memory that was never written may hold subnormal numbers, with which
- * processors are slow: call nkw_pose_identity once on a new block.
+ * The stride is a multiple of 16, so loops of every vector width run without a remainder. Padding may hold any values:
+ * they have no effect on joints. Functions that write a whole pose may write padding too. Alignment for float suffices;
+ * 64 bytes is fastest. Uninitialised memory may hold subnormal numbers, which slow processors down: call
+ * nkw_pose_identity once on a new block.
  */
 #ifndef NAKAWARI_POSE_H
 #define NAKAWARI_POSE_H
@@ -31,47 +31,49 @@ extern "C" {
 /** Floats in the block of a pose; for arrays on the stack. */
 #define NKW_POSE_FLOATS(joint_count) (10 * NKW_POSE_STRIDE(joint_count))
 
-/** A pose that is read: NKW_POSE_FLOATS(joint_count) floats. */
+/** A pose to read: NKW_POSE_FLOATS(joint_count) floats. */
 typedef struct nkw_pose_view {
     const float *data;
     size_t joint_count;
 } nkw_pose_view;
-/** A pose that is written. */
+/** A pose to write. */
 typedef struct nkw_pose_span {
     float *data;
     size_t joint_count;
 } nkw_pose_span;
 
-/** The same pose, to be read. */
+/** The same pose, to read. */
 static inline nkw_pose_view nkw_pose_view_from_span(nkw_pose_span pose)
 {
     nkw_pose_view view = {pose.data, pose.joint_count};
     return view;
 }
 
-/** NKW_POSE_FLOATS as a function, for languages without the macro; SIZE_MAX where size_t does not hold so many. */
+/** NKW_POSE_FLOATS as a function, for languages without the macro; SIZE_MAX if size_t cannot hold the number. */
 NKW_API size_t nkw_pose_floats(size_t joint_count);
 
 /** The ten arrays of a pose, for batch functions: nkw_mat4_from_trs_n(nkw_pose_components(pose), out, joint_count). */
 NKW_API nkw_trs_view nkw_pose_components(nkw_pose_view pose);
 NKW_API nkw_trs_span nkw_pose_components_span(nkw_pose_span pose);
 
-/** Sets every joint to the identity: no translation, no rotation, scale 1. Padding too. */
+/** Sets every joint and the padding to the identity: no translation, no rotation, scale 1. */
 NKW_API void nkw_pose_identity(nkw_pose_span pose);
 
-/** The transform of one joint; the identity for an index that is not below pose.joint_count. */
+/** Returns the transform of one joint; the identity if joint >= pose.joint_count. */
 NKW_API nkw_trs nkw_pose_get(nkw_pose_view pose, size_t joint);
-/** Sets the transform of one joint. Returns NKW_OUT_OF_RANGE for an index that is not below pose.joint_count. */
+/** Sets the transform of one joint. Returns NKW_OUT_OF_RANGE if joint >= pose.joint_count. */
 NKW_API nkw_result nkw_pose_set(nkw_pose_span pose, size_t joint, const nkw_trs *trs);
 
-/** From joint_count transforms to a pose, its padding at the identity, and back. Every bit is kept. */
+/** Copies joint_count transforms into a pose and back, bit for bit. The padding of the pose becomes the identity. */
 NKW_API void nkw_pose_from_trs(const nkw_trs *trs, nkw_pose_span pose);
 NKW_API void nkw_trs_from_pose(nkw_pose_view pose, nkw_trs *out);
 
 /**
- * Checks a pose: NKW_EMPTY without joints; NKW_NOT_FINITE where a number is not finite; NKW_NOT_UNIT where a rotation
- * is off unit length by more than 1e-2. *bad_joint becomes the first offending joint, 0 if there is none; it may be
- * NULL.
+ * Checks a pose.
+ *
+ * Returns  NKW_EMPTY without joints; NKW_NOT_FINITE if a number is not finite; NKW_NOT_UNIT if the length of a rotation
+ *          differs from 1 by more than 1e-2. *bad_joint becomes the first offending joint, 0 if there is none; it may
+ *          be NULL.
  */
 NKW_API nkw_result nkw_pose_validate(nkw_pose_view pose, size_t *bad_joint);
 
