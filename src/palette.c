@@ -58,7 +58,7 @@ void nkw_inverse_bind_from_models(const nkw_palette_source *source, nkw_mat4 *ou
     nkwi_palette_inverse(source, out);
 }
 
-/* Whether `count` floats are finite, except each fourth of a 4x4 matrix: its last row. */
+/* Whether `count` floats are finite; of a 4x4 matrix (16) the last row, every fourth float, is not tested. */
 static int are_finite(const float *m, size_t count)
 {
     int finite = 1;
@@ -106,10 +106,10 @@ nkw_result nkw_palette_validate(nkw_palette_view palette, size_t *bad_joint)
     return report(result, bad, bad_joint);
 }
 
-/* Matrices in the largest buffer. */
+/* The number of nkw_mat4 whose size in bytes size_t can hold. */
 #define MOST (SIZE_MAX / sizeof(nkw_mat4))
 
-/* The first multiple of the alignment from `place` on; MOST + 1 where there is none. */
+/* Returns the first multiple of the alignment at or after `place`; MOST + 1 if it exceeds MOST. */
 static size_t aligned(size_t place, size_t alignment)
 {
     size_t past = alignment > 1 ? place % alignment : 0;

@@ -1,20 +1,20 @@
 /* SPDX-License-Identifier: MIT */
 /**
  * @file
- * Floor 6: from the joints' model matrices to what skinning and shaders take: joint matrices, in palettes.
+ * Floor 6: palettes: the joint matrices of a skin, from model matrices, for skinning and shaders.
  *
  *     joint matrix = (global inverse * model) * inverse bind
  *
- *     inverse bind     from the mesh's space to the joint's, in the pose in which the mesh was bound
- *     model            from the joint's space to the skeleton's, now
- *     global inverse   from the skeleton's space to the mesh's; none where they are the same
+ *     inverse bind     from the mesh's space to the joint's, in the bind pose
+ *     model            from the joint's space to the skeleton's, in the current pose
+ *     global inverse   from the skeleton's space to the mesh's; none if they are the same
  *
- * A joint that stands as it was bound has the identity as its joint matrix: its vertices stay where they are. All
- * matrices are affine: last rows are not read, and those written are exactly 0 0 0 1.
+ * In the bind pose joint matrices are the identity: vertices do not move. All matrices are affine: last rows are not
+ * read and are written as exactly 0 0 0 1.
  *
- * A skin names its joints by their numbers in the skeleton: joint i of the skin is model joints[i]. joints = NULL says
- * that they are the same in the same order. A number that no model has gives the identity matrix; nothing is read for
- * it.
+ * A skin lists the indices of its joints in the skeleton: joint i of the skin has the model matrix models[joints[i]].
+ * joints = NULL: the joints of the skeleton in the same order. If joints[i] is negative or not less than the number of
+ * models, nothing is read and the joint matrix is the identity.
  */
 #ifndef NAKAWARI_PALETTE_H
 #define NAKAWARI_PALETTE_H
@@ -27,7 +27,7 @@
 extern "C" {
 #endif
 
-/** What the elements of a palette are. */
+/** The format of the elements of a palette. */
 typedef enum nkw_palette_format {
     NKW_PALETTE_MAT4,           /**< nkw_mat4, 64 bytes: joint matrices */
     NKW_PALETTE_MAT3X4,         /**< nkw_mat3x4, 48 bytes: the first three rows of joint matrices */
@@ -38,74 +38,74 @@ typedef enum nkw_palette_format {
     NKW_PALETTE_FORMAT_COUNT
 } nkw_palette_format;
 
-/** A palette that is read: joint_count elements of the format, contiguous. */
+/** A palette to read: joint_count contiguous elements of the format. */
 typedef struct nkw_palette_view {
     const void *data;
     size_t joint_count;
     nkw_palette_format format;
 } nkw_palette_view;
-/** A palette that is written. */
+/** A palette to write. */
 typedef struct nkw_palette_span {
     void *data;
     size_t joint_count;
     nkw_palette_format format;
 } nkw_palette_span;
 
-/** The same palette, to be read. */
+/** The same palette, to read. */
 static inline nkw_palette_view nkw_palette_view_from_span(nkw_palette_span palette)
 {
     nkw_palette_view view = {palette.data, palette.joint_count, palette.format};
     return view;
 }
 
-/** What a palette is made from. */
+/** The inputs of a palette. */
 typedef struct nkw_palette_source {
     const nkw_mat4 *models; /**< model_count matrices of the skeleton's joints */
     size_t model_count;
     const int32_t *joints; /**< joint_count indices of models; NULL: 0, 1, 2, ... */
     const nkw_mat4 *inverse_bind; /**< joint_count matrices; NULL: none */
     /**
-     * One matrix; NULL: none. In glTF, where vertices come out in world space, models are the joint nodes' world
-     * matrices and it is NULL; to draw below the mesh's own node it is the inverse of that node's world matrix.
+     * One matrix; NULL: none. In glTF models are the world matrices of the joint nodes. NULL then yields vertices in
+     * world space; the inverse of the world matrix of the mesh's node yields vertices in the space of that node.
      */
     const nkw_mat4 *global_inverse;
     size_t joint_count; /**< joints of the skin */
 } nkw_palette_source;
 
 /**
- * The palette of a skin. The joint matrices are, bit for bit; a factor that is NULL is left out, and its product too:
+ * The palette of a skin, bit for bit by these formulas. A factor that is NULL is omitted, and its product too.
  *
  *     m[i] = nkw_mat4_mul_affine(nkw_mat4_mul_affine(global_inverse, models[joints[i]]), inverse_bind[i])
  *
  *     NKW_PALETTE_MAT4, _MAT3X4   m[i]
  *     NKW_PALETTE_DUAL_QUAT       nkw_dual_quat_from_mat4(m[i]): scale, shear and mirroring are dropped
- *     NKW_PALETTE_NORMAL_...      nkw_mat3_normal of the 3x3 block of m[i]: the inverse transpose, also where a scale is
- *                                 zero; normalize the normals afterwards
+ *     NKW_PALETTE_NORMAL_...      nkw_mat3_normal of the 3x3 block of m[i]: the inverse transpose, defined also for a
+ *                                 scale of zero; normalise the normals afterwards
  *
  * With NULL for joints, inverse_bind and global_inverse it converts a palette of 4x4 matrices to any format.
  *
- * out      joint_count elements. NKW_PALETTE_MAT4 may be inverse_bind itself, or models itself where joints is NULL;
- *          there is no other overlap
- * Returns  NKW_OK; NKW_MISMATCHED where out is of another joint_count, NKW_BAD_FORMAT for an unknown format; nothing is
- *          then written
+ * out      joint_count elements. With NKW_PALETTE_MAT4 it may be inverse_bind, or models if joints is NULL; otherwise
+ *          it must not overlap the inputs
+ * Returns  NKW_OK; NKW_MISMATCHED if out has another joint_count; NKW_BAD_FORMAT for an unknown format; nothing is then
+ *          written
  *
- * The sign of dual quaternions: real.w >= 0, the side of the bind pose. Two joints that have turned away from each other
- * by more than half a turn have different signs, so skinning negates influences that are not on the side of the vertex's
- * heaviest (nkw_dual_quat_align) before it sums.
+ * Dual quaternions have real.w >= 0, so the identity of the bind pose is 1 and not -1. Joints that differ by more than
+ * half a turn can have different signs: skinning therefore aligns the influences of a vertex with that of the largest
+ * weight (nkw_dual_quat_align) before it sums them.
  *
  * Error  1.0 u of the number in this table:
  *
- *     NKW_PALETTE_MAT4, _MAT3X4   6.0   of the product of the factors' Frobenius norms at most, 3.0 without
- *                                       global_inverse: three roundings in each product; found were 4.7 and 2.8, for
- *                                       rigid ones 1.3
+ *     NKW_PALETTE_MAT4, _MAT3X4   6.0   of the product of the Frobenius norms of the factors at most, 3.0 without
+ *                                       global_inverse: three roundings in each product; measured 4.7 and 2.8, for
+ *                                       rigid joints 1.3
  *     NKW_PALETTE_DUAL_QUAT       1.3   of the rotation, for rigid joints
  *     NKW_PALETTE_NORMAL_...      1.0   of the Frobenius norm, from the joint matrix
  */
 NKW_API nkw_result nkw_palette_from_models(const nkw_palette_source *source, nkw_palette_span out);
 
 /**
- * A palette as 4x4 matrices: a copy, nkw_mat4_from_mat3x4 or nkw_mat4_from_dual_quat of each element. out does not
- * overlap the palette. Returns NKW_BAD_FORMAT for normal matrices and unknown formats; nothing is then written.
+ * Converts a palette to 4x4 matrices: a copy, nkw_mat4_from_mat3x4 or nkw_mat4_from_dual_quat of each element. out must
+ * not overlap the palette. Returns NKW_BAD_FORMAT for normal matrices and unknown formats; nothing is then written.
  */
 NKW_API nkw_result nkw_mat4_from_palette(nkw_palette_view palette, nkw_mat4 *out);
 
@@ -114,68 +114,75 @@ NKW_API nkw_result nkw_mat4_from_palette(nkw_palette_view palette, nkw_mat4 *out
  *
  *     out[i] = (global_inverse * models[joints[i]])^-1        nkw_mat4_inverse_affine of nkw_mat4_mul_affine
  *
- * so that nkw_palette_from_models of the same pose returns the identity to rounding. A singular matrix becomes zeros; an
- * index that no model has becomes the identity, except the signs of zeros. out has joint_count matrices and may be
- * models where joints is NULL.
+ * so that nkw_palette_from_models of the same pose yields the identity to rounding. The inverse of a singular matrix is
+ * zeros; that of an index without a model is the identity, except for the signs of zeros. out has joint_count matrices
+ * and may be models if joints is NULL.
  *
  * Error  1.0 u of the Frobenius norm, without global_inverse.
  */
 NKW_API void nkw_inverse_bind_from_models(const nkw_palette_source *source, nkw_mat4 *out);
 
 /**
- * Checks what a palette is made from: NKW_EMPTY without joints; NKW_OUT_OF_RANGE for an index of a joint that is
- * negative or not below model_count; NKW_NOT_FINITE for an inverse bind matrix that has an infinite or NaN element in
- * its first three rows. Models are not read. *bad_joint becomes the first offending joint of the skin, 0 if there is
- * none; it may be NULL.
+ * Checks the inputs of a palette. Models are not read.
+ *
+ * Returns  NKW_EMPTY without joints; NKW_OUT_OF_RANGE if an index of a joint is negative or not less than model_count;
+ *          NKW_NOT_FINITE if an inverse bind matrix has an infinite or NaN element in its first three rows. *bad_joint
+ *          becomes the first offending joint of the skin, 0 if there is none; it may be NULL.
  */
 NKW_API nkw_result nkw_palette_source_validate(const nkw_palette_source *source, size_t *bad_joint);
 
 /**
- * Checks a palette: NKW_BAD_FORMAT for an unknown format; NKW_EMPTY without joints; NKW_NOT_FINITE where a number is not
- * finite, the last rows of 4x4 matrices excepted; NKW_NOT_UNIT where the real part of a dual quaternion is off unit
- * length by more than 1e-2. *bad_joint becomes the first offending joint, 0 if there is none; it may be NULL.
+ * Checks a palette.
+ *
+ * Returns  NKW_BAD_FORMAT for an unknown format; NKW_EMPTY without joints; NKW_NOT_FINITE if a number is not finite,
+ *          except in the last rows of 4x4 matrices; NKW_NOT_UNIT if the length of the real part of a dual quaternion
+ *          differs from 1 by more than 1e-2. *bad_joint becomes the first offending joint, 0 if there is none; it may
+ *          be NULL.
  */
 NKW_API nkw_result nkw_palette_validate(nkw_palette_view palette, size_t *bad_joint);
 
 /**
- * A part of a buffer that holds many palettes: frames, one after the other, each of joint_count matrices. A baked clip
- * has its frames, a character that is written anew each time has one. All places are counted in matrices of the
- * buffer, whatever their type (nkw_mat4, nkw_mat3x4, nkw_dual_quat), from its beginning.
+ * A section of a buffer that contains many palettes: frame_count contiguous frames of joint_count matrices. A baked
+ * clip has one palette for each frame; a character whose palette is computed every frame has one. Positions are counted
+ * from the start of the buffer in its elements (nkw_mat4, nkw_mat3x4 or nkw_dual_quat).
  */
 typedef struct nkw_palette_chunk {
     size_t frame_count; /**< > 0 */
     size_t joint_count; /**< > 0 */
-    size_t first; /**< the place of joint 0 of frame 0, a result of nkw_palette_chunks_place */
+    size_t first; /**< the position of joint 0 of frame 0, set by nkw_palette_chunks_place */
 } nkw_palette_chunk;
 
 /**
- * Places `count` chunks in one buffer: sets `first` of each from their counts, in order, without overlap,
- * each at a multiple of `alignment` matrices (0 and 1: anywhere; GPUs want bindings at multiples of 256 bytes: 4
- * nkw_mat4, 8 dual quaternions, 16 nkw_mat3x4). *total becomes the matrices that the buffer must hold.
+ * Places `count` chunks in one buffer: sets `first` of each chunk, in order, without overlap.
  *
- * Result NKW_EMPTY: a chunk has no frames or no joints. NKW_TOO_SMALL: size_t cannot hold the buffer's bytes, at 64
- *        bytes a matrix. Then *bad_chunk, which may be NULL, is the chunk, and *total the matrices up to it.
+ * alignment  each `first` is a multiple of it, in elements; 0 and 1: any position. GPUs require bindings at multiples
+ *            of 256 bytes: 4 nkw_mat4, 8 nkw_dual_quat, 16 nkw_mat3x4
+ * total      *total becomes the number of elements of the buffer
+ * Returns    NKW_EMPTY if a chunk has no frames or no joints; NKW_TOO_SMALL if size_t cannot hold the size of the
+ *            buffer in bytes, at 64 bytes an element. Then *bad_chunk, which may be NULL, becomes the chunk, and *total
+ *            the number of elements before it.
  */
 NKW_API nkw_result nkw_palette_chunks_place(nkw_palette_chunk *chunks, size_t count, size_t alignment, size_t *total,
                                             size_t *bad_chunk);
 
 /**
- * Checks chunks of a buffer of `total` matrices that were placed by other means: NKW_EMPTY for one without frames or
- * joints; NKW_OUT_OF_RANGE for one that does not lie inside the buffer; NKW_REPEATED for one that begins before the end
- * of the one before it. *bad_chunk becomes the first offender, 0 if there is none; it may be NULL.
+ * Checks chunks of a buffer of `total` elements, for positions that nkw_palette_chunks_place did not set.
+ *
+ * Returns  NKW_EMPTY if a chunk has no frames or no joints; NKW_OUT_OF_RANGE if it is not inside the buffer;
+ *          NKW_REPEATED if it begins before the end of the previous chunk. *bad_chunk becomes the first offending
+ *          chunk, 0 if there is none; it may be NULL.
  */
 NKW_API nkw_result nkw_palette_chunks_validate(const nkw_palette_chunk *chunks, size_t count, size_t total,
                                                size_t *bad_chunk);
 
 /**
- * The place of a joint in a frame: first + frame * joint_count + joint. A frame or a joint beyond the last counts as the
- * last, so the place is always inside the chunk; a chunk without frames or joints gives `first`. Writing frame f of a
- * chunk is
+ * Returns the position of a joint in a frame: first + frame * joint_count + joint. frame and joint are clamped to the
+ * last, so the position is always inside the chunk. For a chunk without frames or joints it is `first`.
+ *
+ * This writes frame f of a chunk of buffer; different threads may write different frames and chunks:
  *
  *     nkw_palette_span out = {buffer + nkw_palette_chunk_index(&chunk, f, 0), chunk.joint_count, NKW_PALETTE_MAT4};
  *     nkw_palette_from_models(&source, out);
- *
- * and may go on in many threads at once, one for each chunk or frame.
  */
 NKW_API size_t nkw_palette_chunk_index(const nkw_palette_chunk *chunk, size_t frame, size_t joint);
 
