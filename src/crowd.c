@@ -24,7 +24,7 @@ nkw_result nkw_crowd_from_poses(const nkw_pose_view *poses, nkw_crowd_poses_span
     return NKW_OK;
 }
 
-/* Matrices into the lanes of `joint_count` joints. */
+/* Copies the rows 0..2 of joint_count matrices of each lane into the layout of crowd.h; the identity for NULL. */
 static void gather(const nkw_mat4 *const *matrices, size_t joint_count, float *crowd)
 {
     nkw_mat4 identity = nkw_mat4_identity();
@@ -112,7 +112,7 @@ nkw_result nkw_crowd_source_validate(const nkw_crowd_source *source, size_t *bad
     return report(result, bad, bad_joint);
 }
 
-/* Working memory of the steps of baking. */
+/* The working memory of nkw_crowd_bake, one section for the output of each step. */
 typedef struct bake_work {
     float *poses;
     size_t pose_floats;
@@ -133,7 +133,7 @@ static bake_work bake_work_in(float *work, size_t joints, size_t skin_joints)
     return w;
 }
 
-/* `count` frames from `frame` on, at most a crowd of them. */
+/* Bakes `count` frames from `frame` on, at most NKW_CROWD: frame + i is lane i. */
 static void bake_lanes(const nkw_crowd_source *source, const nkw_palette_chunk *chunk, nkw_crowd_matrices_view roots,
                        size_t frame, size_t count, const bake_work *w, nkw_mat4 *buffer)
 {
