@@ -9,7 +9,7 @@
 #include "difference.h"
 #include "report.h"
 
-/* Whether joint j has no parent, or one that it must not have. */
+/* Whether joint j has no parent or an invalid one: a negative parent is at least 2^31 as uint32_t. */
 static int is_root(const nkw_skeleton *skeleton, size_t j)
 {
     return (size_t)(uint32_t)skeleton->parents[j] >= j;
@@ -37,7 +37,7 @@ size_t nkw_skeleton_subtree_end(const nkw_skeleton *skeleton, size_t joint)
     return end;
 }
 
-/* The joints of a range; all for NULL. */
+/* The range clamped to the joints; all joints for NULL. */
 static nkw_range joints_of(const nkw_skeleton *skeleton, const nkw_range *range)
 {
     nkw_range all = {0, skeleton->joint_count};
@@ -69,7 +69,7 @@ void nkw_locals_from_models(const nkw_skeleton *skeleton, const nkw_mat4 *models
     nkwi_locals_from_models(skeleton->parents, models, root, 0, skeleton->joint_count, locals);
 }
 
-/* Joints whose local matrices are made together. */
+/* Joints whose local matrices are computed together. */
 #define BLOCK 16
 
 nkw_result nkw_pose_from_models(const nkw_skeleton *skeleton, const nkw_mat4 *models, const nkw_mat4 *root,

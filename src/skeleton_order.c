@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* Orders of joints: from parents in any order, from first-child/next-sibling trees; and the matrix stack. */
+/* Depth-first orders of parents in any order and of first-child/next-sibling trees. */
 #include "lane/strict.h"
 
 #include <nakawari/mat.h>
@@ -35,7 +35,7 @@ static nkw_result check_parents(const int32_t *parents, size_t count, size_t *ba
     return result;
 }
 
-/* First children and next siblings, in the file's order. Gives the first root. */
+/* Writes first children and next siblings in the order of the file. Returns the first root. */
 static int32_t link_children(const int32_t *parents, size_t count, int32_t *first_child, int32_t *next_sibling)
 {
     int32_t roots = NKW_NO_JOINT;
@@ -48,7 +48,7 @@ static int32_t link_children(const int32_t *parents, size_t count, int32_t *firs
     return roots;
 }
 
-/* The depth-first walk: writes the nodes in the order in which it meets them, and gives their number. */
+/* The depth-first walk: writes the nodes in the order of their visits and returns their number. */
 static size_t walk_down(int32_t node, const int32_t *parents, const int32_t *first_child, const int32_t *next_sibling,
                         int32_t *met)
 {
@@ -73,30 +73,30 @@ static size_t first_missing(const int32_t *number, size_t count)
     return i;
 }
 
-nkw_result nkw_skeleton_order(const int32_t *file_parents, size_t joint_count, int32_t *joint_of_file,
-                              int32_t *file_of_joint, int32_t *parents, size_t *bad_joint)
+nkw_result nkw_skeleton_order(const int32_t *node_parents, size_t joint_count, int32_t *joint_of_node,
+                              int32_t *node_of_joint, int32_t *parents, size_t *bad_joint)
 {
     size_t bad = 0;
-    nkw_result result = check_parents(file_parents, joint_count, &bad);
+    nkw_result result = check_parents(node_parents, joint_count, &bad);
     if (result != NKW_OK)
         return report(result, bad, bad_joint);
-    int32_t roots = link_children(file_parents, joint_count, joint_of_file, file_of_joint);
-    size_t met = walk_down(roots, file_parents, joint_of_file, file_of_joint, parents);
-    fill(joint_of_file, joint_count);
+    int32_t roots = link_children(node_parents, joint_count, joint_of_node, node_of_joint);
+    size_t met = walk_down(roots, node_parents, joint_of_node, node_of_joint, parents);
+    fill(joint_of_node, joint_count);
     for (size_t k = 0; k < met; k++) {
-        file_of_joint[k] = parents[k];
-        joint_of_file[parents[k]] = (int32_t)k;
+        node_of_joint[k] = parents[k];
+        joint_of_node[parents[k]] = (int32_t)k;
     }
     if (met < joint_count)
-        return report(NKW_NOT_A_TREE, first_missing(joint_of_file, joint_count), bad_joint);
+        return report(NKW_NOT_A_TREE, first_missing(joint_of_node, joint_count), bad_joint);
     for (size_t k = 0; k < joint_count; k++) {
-        int32_t parent = file_parents[file_of_joint[k]];
-        parents[k] = parent == NKW_NO_JOINT ? NKW_NO_JOINT : joint_of_file[parent];
+        int32_t parent = node_parents[node_of_joint[k]];
+        parents[k] = parent == NKW_NO_JOINT ? NKW_NO_JOINT : joint_of_node[parent];
     }
     return report(NKW_OK, 0, bad_joint);
 }
 
-/* What keeps a walk from going on to `node`, if anything: its links, or that it has a number already. */
+/* NKW_NOT_A_TREE if `node` was visited before (it has a number), NKW_OUT_OF_RANGE if one of its links is invalid. */
 static nkw_result check_node(const nkw_tree *tree, int32_t node, const int32_t *joint_of_node)
 {
     if (joint_of_node[node] != NKW_NO_JOINT)

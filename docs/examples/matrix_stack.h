@@ -9,27 +9,27 @@
 extern "C" {
 #endif
 
-/** On which side of a matrix its vectors stand. Any other number is read as STACK_COLUMN_VECTORS. */
+/** The side on which a vector is multiplied to a matrix. Any other number is read as STACK_COLUMN_VECTORS. */
 typedef enum stack_convention {
     STACK_COLUMN_VECTORS, /**< v' = M v: model = parent local; this library, OpenGL, glTF */
     STACK_ROW_VECTORS /**< v' = v M: model = local parent; D3DX, DirectXMath; rows of row vectors */
 } stack_convention;
 
 /**
- * The model matrices of a tree by the matrix stack, the method of the D3DX days, to be read beside
- * nkw_models_from_locals: the top of the stack is what the node's local matrix is multiplied with; going down to a
- * child pushes the result, coming back pops it, siblings share what is there. Gives the very bits of the array form,
- * in both conventions: see docs/floors/5-skeleton.md for why.
+ * The model matrices of a tree by the matrix stack, the method of D3DX. Each node's local matrix is multiplied with the
+ * matrix on top of the stack. Descending to a child pushes the product, returning pops it; siblings share the top. The
+ * results have the bits of nkw_models_from_locals in both conventions; docs/floors/5-skeleton.md explains why.
  *
- * locals  node_count matrices in the convention's own layout (columns of column vectors, rows of row vectors)
- * root    what the stack begins with, or NULL for none
- * stack   stack_count nodes, whose matrices are the pushed ones; a tree needs as many as it has levels, less one
- * models  node_count matrices, in the nodes' order; may be `locals`
+ * locals   node_count matrices in the layout of the convention (columns for column vectors, rows for row vectors)
+ * root     the first matrix on the stack; NULL: none
+ * stack    stack_count node indices: the nodes whose matrices are pushed; at least the number of levels minus 1
+ * models   node_count matrices, in the order of the nodes; may be `locals`
+ * Returns  NKW_EMPTY without nodes; NKW_TOO_SMALL if the stack is full; NKW_OUT_OF_RANGE if a child or sibling is out
+ *          of range, or if there are more than 2^31 - 1 nodes; NKW_NOT_A_TREE if the walk visits more than node_count
+ *          nodes. *bad_node becomes the node at which the walk stopped, 0 if there is none; it may be NULL.
  *
- * NKW_EMPTY without nodes; NKW_TOO_SMALL where the stack is full; NKW_OUT_OF_RANGE and NKW_NOT_A_TREE where the walk
- * meets a child or sibling out of range, or has met more nodes than there are. *bad_node becomes the node that it
- * stopped at, 0 if there is none; it may be NULL. Nothing is ever written outside the arrays. Models of nodes that the
- * walk does not reach are not written; nkw_tree_validate finds them.
+ * Nothing is written outside the arrays. The models of nodes that the walk does not reach are not written;
+ * nkw_tree_validate reports such nodes.
  *
  * Source the matrix stack of ID3DXMatrixStack, Microsoft, DirectX 9 SDK.
  */

@@ -35,11 +35,11 @@ static void draw_pose(random_source *r, float *pose)
 /* Parents above and below, three roots, in the order of a file that knows none: a walk with strides of 50 modulo 83. */
 static uint64_t order(random_source *r, int32_t *parents)
 {
-    int32_t file[JOINTS], joint_of_file[JOINTS], file_of_joint[JOINTS];
+    int32_t file[JOINTS], joint_of_node[JOINTS], node_of_joint[JOINTS];
     for (int k = 0; k < JOINTS; k++)
         file[k * 50 % JOINTS] = k < 3 ? NKW_NO_JOINT : (int32_t)(random_bits(r) % (uint64_t)k) * 50 % JOINTS;
-    nkw_skeleton_order(file, JOINTS, joint_of_file, file_of_joint, parents, NULL);
-    uint64_t hash = hash_numbers(hash_numbers(HASH_START, joint_of_file), file_of_joint);
+    nkw_skeleton_order(file, JOINTS, joint_of_node, node_of_joint, parents, NULL);
+    uint64_t hash = hash_numbers(hash_numbers(HASH_START, joint_of_node), node_of_joint);
     return hash_numbers(hash, parents);
 }
 
