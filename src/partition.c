@@ -58,9 +58,9 @@ nkw_result nkw_partition_validate(const nkw_partition_mesh *mesh, size_t *bad_tr
 /* ---- Working memory ---- */
 
 /*
- * A group is all triangles of one material and one joint set. Groups are numbered as they are met; `ranked` puts them
- * in the order of packing: by material, then the larger set first, then by joints. A bin is a part
- * before the parts are ordered.
+ * A group is all triangles of one material and one joint set. Groups are numbered in the order of their first triangle;
+ * `ranked` sorts them by material, then by the size of the set, descending, then by joints. This is the order of
+ * packing. A bin is a part before the parts are sorted.
  */
 typedef struct plan {
     const nkw_partition_mesh *mesh;
@@ -72,14 +72,14 @@ typedef struct plan {
     uint32_t *first; /* for each group: a triangle of it */
     uint32_t *bin_of; /* for each group; NONE until it is packed */
     uint32_t *ranked; /* for each rank: the group */
-    uint32_t *missing; /* for each rank: joints that the open bin has not */
+    uint32_t *missing; /* for each rank: the number of its joints that are not in the open bin */
     uint32_t *touched; /* the ranks that share a joint with the open bin */
-    uint32_t *users; /* for each joint, from user_start: the ranks that have it */
+    uint32_t *users; /* for each joint, from user_start: the ranks whose sets contain it */
     uint32_t *user_start, *user_count, *in_bin;
     uint32_t *bin_start; /* for each bin and the end: its joints in bin_keys */
     uint32_t *bin_keys;
     uint32_t *bin_material, *bin_order, *part_of;
-    uint32_t *seen_in, *local; /* for each vertex: the part that used it last, and its place there */
+    uint32_t *seen_in, *local; /* for each vertex: the last part that used it, and its index in that part */
     size_t groups, bins, touched_count;
 } plan;
 
@@ -94,7 +94,7 @@ static size_t saturated(uint64_t n)
     return n > SIZE_MAX ? SIZE_MAX : (size_t)n;
 }
 
-/* The next n words of a block, and none of no block. */
+/* Returns the next n words of the block, NULL without a block; adds n to *used. */
 static uint32_t *carve(uint32_t *block, uint64_t *used, uint64_t n)
 {
     uint32_t *words = block ? block + *used : NULL;
@@ -102,7 +102,7 @@ static uint32_t *carve(uint32_t *block, uint64_t *used, uint64_t n)
     return words;
 }
 
-/* Divides the block among the arrays; gives the words that they take. Without a block only that. */
+/* Divides the block into the arrays of the plan. Returns their size in words; block may be NULL. */
 static uint64_t lay_out(plan *p, const nkw_partition_mesh *mesh, size_t max_joint_count, uint32_t *block)
 {
     uint64_t t = mesh->triangle_count, sets = t * set_limit(mesh, max_joint_count), used = 0;
@@ -242,7 +242,7 @@ static int is_packed(const plan *p, size_t rank)
     return p->bin_of[p->ranked[rank]] != NONE;
 }
 
-/* Lists for each joint of the ranks from..to - 1 those that have it. */
+/* Lists for each joint the ranks of from..to - 1 whose sets contain it: counts, starts, entries. */
 static void list_users(plan *p, size_t from, size_t to)
 {
     uint32_t start = 0;
@@ -267,7 +267,7 @@ static void list_users(plan *p, size_t from, size_t to)
         }
 }
 
-/* The open bin gets a joint: whoever has it misses one less. Users that are packed already leave the list. */
+/* Adds a joint to the open bin and decrements `missing` of its users. Packed users are removed from the list. */
 static void enter_joint(plan *p, uint32_t key)
 {
     uint32_t joint = lane_joint_of(key), *users = p->users + p->user_start[joint];
@@ -301,8 +301,8 @@ static size_t room(const plan *p)
 }
 
 /*
- * Packs the touched groups that miss nothing, and gives of the others that fit the one that misses fewest joints, of
- * these the first by rank, so the largest; NONE if none fits.
+ * Packs the touched groups whose joints are all in the open bin. Of the others that fit, returns the one with the
+ * fewest missing joints, of these the first by rank, so the largest; NONE if none fits.
  */
 static uint32_t best_touched(plan *p)
 {
@@ -324,7 +324,7 @@ static uint32_t best_touched(plan *p)
     return best;
 }
 
-/* next[s] is the first rank that has at most s joints and may not be packed yet. */
+/* The largest unpacked set of at most `most` joints. next[s]: no unpacked rank of at most s joints is before it. */
 static uint32_t largest_left(const plan *p, size_t next[SET + 1], size_t most, size_t to)
 {
     size_t s = most < SET ? most : SET;
@@ -346,7 +346,7 @@ static void close_bin(plan *p, uint32_t material)
     p->bin_material[p->bins++] = material;
 }
 
-/* The groups of one material: ranks from..to - 1. */
+/* Packs the groups of one material: ranks from..to - 1. */
 static void pack_material(plan *p, size_t from, size_t to, uint32_t material)
 {
     size_t next[SET + 1];
@@ -416,7 +416,7 @@ static void write_joints(plan *p, nkw_partition *out)
     out->part_count = p->bins;
 }
 
-/* Counting sort of the triangles by part, stable; the rejected after all. */
+/* Stable counting sort of the triangles by part; the rejected ones are last. */
 static void write_triangles(plan *p, nkw_partition *out)
 {
     size_t n = p->mesh->triangle_count;
@@ -435,7 +435,7 @@ static void write_triangles(plan *p, nkw_partition *out)
     }
 }
 
-/* Appends vertex v of the mesh to the partition; in_bin has become the slot of each joint. */
+/* Appends vertex v of the mesh to the partition; here in_bin contains the slot of each joint. */
 static void write_vertex(const plan *p, nkw_partition *out, size_t v)
 {
     size_t n = p->mesh->influence_count, at = out->vertex_count++;
