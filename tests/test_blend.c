@@ -51,7 +51,7 @@ static void expect_nlerp(const float *a, const float *b)
     }
 }
 
-/* Each alone among unit ones: one joint is enough to take the general way. */
+/* Each among unit rotations: one such joint is enough for the general path. */
 static void rotations_of_any_length_blend_as_nlerp_too(void **state)
 {
     (void)state;

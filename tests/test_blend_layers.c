@@ -79,7 +79,7 @@ static void layers_that_differ_in_one_row_may_come_in_any_order(void **state)
     }
 }
 
-/* More than the library orders together, some of them the same; turned round step by step, and backwards. */
+/* More layers than the library sorts together, some of them equal; in all cyclic orders, and reversed. */
 static void many_layers_of_one_weight_may_come_in_any_order(void **state)
 {
     (void)state;
@@ -98,10 +98,10 @@ static void many_layers_of_one_weight_may_come_in_any_order(void **state)
         }
         nkw_pose_blend_layers(layers, MANY, pose_view(more->rest, JOINTS), 0.1f, pose_span(more->want, JOINTS));
         for (size_t step = 0; step < 2 * MANY; step++) {
-            nkw_pose_layer turned[MANY];
+            nkw_pose_layer rotated[MANY];
             for (size_t i = 0; i < MANY; i++)
-                turned[i] = layers[(step < MANY ? i + step : 3 * MANY - i - step) % MANY];
-            nkw_pose_blend_layers(turned, MANY, pose_view(more->rest, JOINTS), 0.1f, pose_span(more->out, JOINTS));
+                rotated[i] = layers[(step < MANY ? i + step : 3 * MANY - i - step) % MANY];
+            nkw_pose_blend_layers(rotated, MANY, pose_view(more->rest, JOINTS), 0.1f, pose_span(more->out, JOINTS));
             expect_poses_bits(more->out, more->want);
         }
         for (size_t j = 0; j < JOINTS && !masked; j++) {

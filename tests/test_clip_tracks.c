@@ -152,11 +152,11 @@ static void the_order_of_tracks_does_not_matter(void **state)
             drawn.tracks[i] = drawn.tracks[drawn.source.track_count - 1 - i];
             drawn.tracks[drawn.source.track_count - 1 - i] = swap;
         }
-        nkw_clip *turned = build(&drawn.source, &again);
+        nkw_clip *permuted = build(&drawn.source, &again);
         assert_int_equal(again, bytes);
-        assert_memory_equal(clip, turned, bytes);
+        assert_memory_equal(clip, permuted, bytes);
         free(clip);
-        free(turned);
+        free(permuted);
     }
 }
 

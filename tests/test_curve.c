@@ -279,16 +279,16 @@ static void conversions_go_by_component(void **state)
 {
     (void)state;
     random_source r = random_from(10);
-    nkw_vec3_cubic v, turned;
+    nkw_vec3_cubic v, permuted;
     draw_cubic(&r, &v);
     for (int i = 0; i < 4; i++) {
         nkw_vec3 c = {v.c[i].y, v.c[i].z, v.c[i].x};
-        turned.c[i] = c;
+        permuted.c[i] = c;
     }
     nkw_vec3_cubic (*const all[3])(const nkw_vec3_cubic *) = {
         nkw_vec3_bezier_from_hermite, nkw_vec3_hermite_from_bezier, nkw_vec3_bezier_from_bspline};
     for (int k = 0; k < 3; k++) {
-        nkw_vec3_cubic a = all[k](&v), b = all[k](&turned);
+        nkw_vec3_cubic a = all[k](&v), b = all[k](&permuted);
         for (int i = 0; i < 4; i++) {
             nkw_vec3 c = {a.c[i].y, a.c[i].z, a.c[i].x};
             expect_vec3_bits(b.c[i], c);

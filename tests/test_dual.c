@@ -218,14 +218,14 @@ static void align_takes_the_nearer_of_the_two_signs(void **state)
 {
     (void)state;
     random_source r = random_from(9);
-    int turned = 0;
+    int flipped = 0;
     for (int i = 0; i < ROUNDS; i++) {
         nkw_dual_quat a = draw(&r), b = draw(&r), got = nkw_dual_quat_align(&a, &b), other = negated(&a);
         int flip = nkw_quat_dot(a.real, b.real) < 0.0f;
         assert_memory_equal(&got, flip ? &other : &a, sizeof got);
-        turned += flip;
+        flipped += flip;
     }
-    assert_in_range(turned, ROUNDS / 4, 3 * ROUNDS / 4);
+    assert_in_range(flipped, ROUNDS / 4, 3 * ROUNDS / 4);
 }
 
 int main(void)

@@ -286,7 +286,7 @@ static void trace_of_euler_shows_the_unwrapped_yaw(void **state)
     nkw_keyframe_trace trace;
     scene_2(keys);
     nkw_keyframes_trace(keys, 2, 0.5f, NKW_POSITION_LINEAR, NKW_ORIENTATION_EULER, &trace);
-    /* 108 degrees becomes -252, beside -144. */
+    /* 108 degrees becomes -252, next to -144. */
     expect_near(trace.angles[0].y, -252 * PI / 180, 1e-6);
     expect_near(trace.angles[1].y, -144 * PI / 180, 1e-6);
 }

@@ -1,11 +1,11 @@
 /* SPDX-License-Identifier: MIT */
-/* Each loop over arrays against its single function, line by line of parity/rows.h, bit for bit. */
+/* Each loop over arrays against its scalar function, line by line of parity/rows.h, bit for bit. */
 #include "parity/access.h"
 #include "support/expect.h"
 #include "support/random.h"
 
 #define GUARD 16
-#define WORD  -0x1.5a5a5ap119f /* a number that no function gives */
+#define WORD  -0x1.5a5a5ap119f /* a number that no function returns */
 
 static float inputs[ARRAYS][LONGEST], outputs[ARRAYS][LONGEST + GUARD];
 

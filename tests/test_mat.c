@@ -429,7 +429,7 @@ static void inverse_of_any_permutation_is_exact(void **state)
     }
 }
 
-/* y 2^-14 rad from x still has a direction of its own: it stays in the plane of both. */
+/* y 2^-14 rad from x still has a defined direction: it stays in the plane of both. */
 static void orthonormalize_keeps_the_plane_of_close_columns(void **state)
 {
     (void)state;

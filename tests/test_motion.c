@@ -103,7 +103,7 @@ static nkw_trs joint_local(const motion *m, int joint, const float *v)
     return local;
 }
 
-/* The locals of all joints in frame number `frame`; gives 0 where the file leaves it out. */
+/* The locals of all joints in frame number `frame`; returns 0 if the file omits it. */
 static int locals_at(const motion *m, int frame, nkw_trs *locals)
 {
     for (int f = 0; f < m->frame_count; f++) {
@@ -141,7 +141,7 @@ static int move_to(const motion *m, float frame, moment *at)
     return 1;
 }
 
-/* "Q,frame,joint,x,y,z,w" and "W,frame,joint,m0..m15": gives how many values there are. */
+/* "Q,frame,joint,x,y,z,w" and "W,frame,joint,m0..m15": returns the number of values. */
 static int read_row(const char *line, char *tag, float *frame, int *joint, float values[16])
 {
     int used = 0, count = 0;

@@ -434,7 +434,7 @@ static void far_t_gives_unit_quaternions(void **state)
     assert_float_equal(nkw_quat_length(nkw_quat_integrate(a, fast, 1e30f)), 1.0f, 2e-7f);
 }
 
-/* At a.b = 0 both ways are as long: b keeps its sign. Half a turn apart, written so that every product is exact. */
+/* At a.b = 0 both arcs have the same length: b keeps its sign. The angle is half a turn and every product is exact. */
 static void orthogonal_keys_keep_their_signs(void **state)
 {
     (void)state;

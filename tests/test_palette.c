@@ -33,7 +33,7 @@ static void draw(random_source *r, scene *s)
     s->global_inverse = draw_matrix(r, 0.5f, 2);
 }
 
-/* What the header says, by the single functions. */
+/* The formulas of the header, by the scalar functions. */
 static nkw_mat4 expected(const scene *s, const int32_t *joints, const nkw_mat4 *ib, const nkw_mat4 *g, size_t i)
 {
     size_t j = joints ? (size_t)joints[i] : i;
@@ -248,9 +248,9 @@ static void normals_stay_at_right_angles_to_turned_surfaces(void **state)
         nkw_mat3 normal;
         nkw_vec3 u = random_direction(&r), v = random_direction(&r), n = nkw_vec3_cross(u, v);
         palette_normals(&m, 1, &normal);
-        nkw_vec3 turned = nkw_vec3_normalize(nkw_mat3_transform(&normal, n));
-        expect_near(nkw_vec3_dot(turned, nkw_mat4_transform_direction(&m, u)), 0.0, 4e-6);
-        expect_near(nkw_vec3_dot(turned, nkw_mat4_transform_direction(&m, v)), 0.0, 4e-6);
+        nkw_vec3 normal_now = nkw_vec3_normalize(nkw_mat3_transform(&normal, n));
+        expect_near(nkw_vec3_dot(normal_now, nkw_mat4_transform_direction(&m, u)), 0.0, 4e-6);
+        expect_near(nkw_vec3_dot(normal_now, nkw_mat4_transform_direction(&m, v)), 0.0, 4e-6);
     }
 }
 

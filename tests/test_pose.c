@@ -46,7 +46,7 @@ static void transforms_go_in_and_come_out_bit_for_bit(void **state)
     assert_memory_equal(&out[5], &in[5], sizeof one);
 }
 
-/* The sanitizer watches: no place is worked out from NULL. */
+/* The sanitizer watches: no address is computed from NULL. */
 static void a_pose_without_joints_may_be_null(void **state)
 {
     (void)state;

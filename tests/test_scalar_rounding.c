@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* Functions of one number beside the C library's of binary64, rounded: almost all arguments have the very bits. */
+/* Functions of one number against those of the C library in binary64, rounded: equal bits for almost all arguments. */
 #include <math.h>
 
 #include "support/expect.h"

@@ -99,7 +99,7 @@ static void play_to(const played *p, int anim, float time, moment *m)
     }
 }
 
-/* Where the skinned vertex `index` of the node's mesh stands among those at hand. */
+/* The position of the skinned vertex `index` of the node's mesh in the array of skinned vertices. */
 static const nkw_vec3 *vertex_of(const scene *s, const moment *m, int node, int index)
 {
     for (int k = 0; k < s->meshes; k++)
@@ -110,7 +110,7 @@ static const nkw_vec3 *vertex_of(const scene *s, const moment *m, int node, int 
     return NULL;
 }
 
-/* Compares a row of the table; gives whether it is one that is compared. */
+/* Compares a row of the table; returns whether it is compared. */
 static int compare_row(const played *p, const moment *m, const table_row *r, double bound)
 {
     const scene *s = &p->scene;
@@ -136,7 +136,7 @@ static int compare_row(const played *p, const moment *m, const table_row *r, dou
     }
 }
 
-/* 5e-6 of the largest value in the file is fair for binary32, says the format; 5e-4 where keys are off unit. */
+/* 5e-6 of the largest value in the file is adequate for binary32, as the format states; 5e-4 if keys are not unit. */
 static double fair_bound(const char *table, int off_unit)
 {
     double largest = off_unit ? 100.0 : 1.0;
@@ -149,7 +149,7 @@ static double fair_bound(const char *table, int off_unit)
     return 5e-6 * largest;
 }
 
-/* Compares all rows: local values, morph weights, world and skinning matrices, skinned vertices; gives how many. */
+/* Compares all rows: local values, morph weights, world and skinning matrices, skinned vertices. Returns the count. */
 static int compare_scene(const char *model, const char *table, int normalized, double bound)
 {
     static played p;
@@ -202,7 +202,7 @@ static void scenes_are_met(void **state)
     assert_true(compared > 0);
 }
 
-/* Calls `check` with every scene of the folder and gives how many. */
+/* Calls `check` with every scene of the folder and returns their number. */
 static size_t each_scene(nkw_clip_format format, int normalized, void (*check)(const played *p))
 {
     static played p;

@@ -16,7 +16,7 @@ static void expect_segment_at(nkw_segment got, size_t index, float t, int line)
 
 #define expect_segment(got, index, t) expect_segment_at((got), (index), (t), __LINE__)
 
-/* What the header says, word for word. */
+/* The definition of the header, literally. */
 static nkw_segment by_definition(const float *times, size_t count, float time)
 {
     nkw_segment r = {0, 0.0f};
@@ -119,7 +119,7 @@ static void search_and_cursor_agree_with_the_definition(void **state)
     }
 }
 
-/* Near and far by turns, so that each way of searching is taken and left. */
+/* Alternately near and far times, so that each search path is entered and left. */
 static void many_times_agree_with_the_definition(void **state)
 {
     (void)state;

@@ -220,8 +220,8 @@ static void shear_survives(void **state)
     const float want[8] = {2 * half, half, 0, 0, -2 * half, half, 0, 0};
     expect_floats_near(models[1].m, want, 8, 3e-7);
     assert_true(pose_from_models(&skeleton, models, NULL, pose) < 1e-6f);
-    const int32_t apart[2] = {NKW_NO_JOINT, NKW_NO_JOINT};
-    const nkw_skeleton flat = {apart, 2};
+    const int32_t roots[2] = {NKW_NO_JOINT, NKW_NO_JOINT};
+    const nkw_skeleton flat = {roots, 2};
     assert_true(pose_from_models(&flat, models, NULL, pose) > 0.1f);
 }
 

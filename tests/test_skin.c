@@ -219,7 +219,7 @@ static void a_vertex_without_weight_is_not_moved(void **state)
     }
 }
 
-/* The palette lies in a heap block of its own size, which the sanitizers watch. */
+/* The palette lies in a heap block of exactly its size, which the sanitizers watch. */
 static void a_joint_beyond_the_palette_counts_as_weight_zero(void **state)
 {
     (void)state;

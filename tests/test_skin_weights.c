@@ -147,7 +147,7 @@ static void a_joint_that_the_format_cannot_hold_has_no_weight(void **state)
     assert_true(small[0] == 0 && small[1] == 0 && w[0] == 0.0f && w[1] == 0.0f);
 }
 
-/* As an importer that sets no limit gives them. */
+/* As an importer without a limit returns them. */
 static void pruning_takes_any_number_of_influences(void **state)
 {
     (void)state;

@@ -205,7 +205,7 @@ static void cursor_and_shared_segment_give_the_same_bits(void **state)
     }
 }
 
-/* glTF 2.0, appendix C.4, in binary64, the keys as they stand. */
+/* glTF 2.0, appendix C.4, in binary64, with the keys as given. */
 static void textbook_slerp(const float *a, const float *b, double t, double out[4])
 {
     double dot = 0;

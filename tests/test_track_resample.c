@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* Tracks at other rates, and how far two tracks are apart. */
+/* Tracks at other rates, and the difference of two tracks. */
 #include <math.h>
 #include <stdlib.h>
 

@@ -9,7 +9,7 @@
 #define MOST_VERTICES   400
 #define MOST_INFLUENCES 8
 
-/* A mesh with arrays of its own. */
+/* A mesh with separate arrays. */
 typedef struct mesh_data {
     nkw_partition_mesh mesh;
     uint32_t indices[3 * MOST_TRIANGLES], materials[MOST_TRIANGLES];

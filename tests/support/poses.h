@@ -17,7 +17,7 @@
 static inline void draw(random_source *r, float *pose)
 {
     for (size_t i = 0; i < FLOATS; i++)
-        pose[i] = NAN; /* what stands in the padding must not matter */
+        pose[i] = NAN; /* the padding must have no effect */
     for (size_t j = 0; j < JOINTS; j++) {
         nkw_trs trs = {random_vec3(r, -5, 5), random_rotation(r), random_vec3(r, 0.5f, 2)};
         nkw_pose_set(pose_span(pose, JOINTS), j, &trs);

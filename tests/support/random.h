@@ -30,7 +30,7 @@ random_source random_from(uint64_t seed);
 uint64_t random_bits(random_source *r);
 /* k / 2^24, k uniform: in [0, 1). */
 float random_unit(random_source *r);
-/* Uniform in [low, high] but for rounding. */
+/* Uniform in [low, high], except for rounding. */
 float random_between(random_source *r, float low, float high);
 /* Sign and magnitude 2^low .. 2^high, log-uniform, random significand. */
 float random_scaled(random_source *r, int low, int high);

@@ -24,7 +24,7 @@ extern "C" {
 typedef struct scene_node {
     int parent, is_matrix;
     nkw_trs rest;
-    nkw_mat4 matrix; /* in place of rest, where the file gives it */
+    nkw_mat4 matrix; /* in place of rest, if the file has it */
     size_t weights; /* the first of its morph weights among the floats of the scene */
     size_t weight_count;
 } scene_node;
@@ -61,7 +61,7 @@ typedef struct scene {
     scene_channel channel[SCENE_CHANNELS];
 } scene;
 
-/* Whether there is a folder NKW_DATA_DIR; says that tests are skipped where there is none. */
+/* Whether the folder NKW_DATA_DIR exists; otherwise prints that tests are skipped. */
 int scene_folder_is_there(void);
 
 void scene_read(const char *path, scene *s);
@@ -96,7 +96,7 @@ typedef struct table_row {
     float time, values[SCENE_FLOATS];
 } table_row;
 
-/* The next row; gives 0 at the end. */
+/* Reads the next row; returns 0 at the end. */
 int table_read(FILE *file, table_row *r);
 
 #ifdef __cplusplus

@@ -6,7 +6,7 @@
 #include <nakawari/nakawari.h>
 #include "views.h"
 
-/* Puts what the track gives at a time into its place in a pose, or in the floats of the clip. */
+/* Samples the track at a time into its components of a pose, or into the floats of the clip. */
 static inline void track_sample_to(const nkw_clip_track *t, float time, size_t joints, float *pose, float *floats)
 {
     if (t->target == NKW_CLIP_FLOATS) {
