@@ -340,7 +340,7 @@ static void blend_with_masks(const nkw_pose_layer *layers, size_t count, const f
     add_rest(&s, rest, threshold, p);
     copy_rows(translations, 3, rows_span(out, p), p->n);
     nkw_pose_view mean = {s.v, p->n};
-    nkwi_blend_settle(nkw_pose_components(mean).rotation, s.mixed, (int)p->used, span_of(out, p).rotation, (int)p->n);
+    nkwi_blend_normalize(nkw_pose_components(mean).rotation, s.mixed, (int)p->used, span_of(out, p).rotation, (int)p->n);
     copy_rows(scales, 3, rows_span(out + 7 * p->stride, p), p->n);
 }
 

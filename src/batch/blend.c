@@ -8,20 +8,20 @@
 #include "batch/blend.h"
 #include "batch/block.h"
 #include "lane/blend.h"
-#include "lane/fours.h"
+#include "pack/nlerp.h"
 
 NKW_LOOPS_BLEND(NKW_DECLARE_LOOP)
 
-static inline void settle(nkw_quat_view v, nkw_quat_span out, size_t n)
+static inline void normalize_chords(nkw_quat_view v, nkw_quat_span out, size_t n)
 {
 #pragma omp simd
     for (size_t i = 0; i < n; i++)
         put_quat(out, i, lane_chord_normalize(at_quat(v, i)));
 }
 
-NKW_LOOP(nkwi_blend_settle)(nkw_quat_view v, const float *mixed, int used, nkw_quat_span out, int n)
+NKW_LOOP(nkwi_blend_normalize)(nkw_quat_view v, const float *mixed, int used, nkw_quat_span out, int n)
 {
-    settle_where(mixed, v, used, out, n);
+    normalize_where(mixed, v, used, out, n);
 }
 
 static inline nkw_quat_view rotations_of(blend_rows rows)
@@ -49,78 +49,18 @@ static inline nkw_vec3_span vector_span(blend_span rows, size_t first)
 }
 
 /*
- * Two poses by one t inside 0..1, a register of lanes at a time: the ends are others' to copy. way: t, or t - 1 where b
- * is nearer; `first` says at compile time that a is.
+ * Two poses by one t inside 0..1, a register of joints at a time; callers copy at t = 0 and 1. `first` and x are those of
+ * pack/nlerp.h. The arrays of a pose, `stride` floats apart:
+ *
+ *     0 1 2     translation      lerp
+ *     3 4 5 6   rotation         chord, then normalized
+ *     7 8 9     scale            lerp
  */
 
-/* Rotations, one in each lane. */
-typedef struct wide_quat {
-    lane_wide x, y, z, w;
-} wide_quat;
+/* Floats from one component of the chords of a block to the next: a register more than the block has joints. */
+#define CHORD_STRIDE (BLEND_BLOCK + F32XN)
 
-INLINE wide_quat load_quats(const float *x, size_t stride)
-{
-    wide_quat r = {lane_wide_load_once(x), lane_wide_load_once(x + stride), lane_wide_load_once(x + 2 * stride),
-                   lane_wide_load_once(x + 3 * stride)};
-    return r;
-}
-
-INLINE void store_quats(float *x, size_t stride, wide_quat q)
-{
-    lane_wide_store(x, q.x);
-    lane_wide_store(x + stride, q.y);
-    lane_wide_store(x + 2 * stride, q.z);
-    lane_wide_store(x + 3 * stride, q.w);
-}
-
-/* As lane_lerp_from. */
-INLINE lane_wide lerp_wide(lane_wide a, lane_wide b, lane_wide way, int first)
-{
-    return lane_wide_add(first ? a : b, lane_wide_mul(way, lane_wide_sub(b, a)));
-}
-
-/* As lane_quat_chord. */
-INLINE wide_quat chord_wide(wide_quat a, wide_quat b, lane_wide way, int first)
-{
-    lane_wide xy = lane_wide_add(lane_wide_mul(a.x, b.x), lane_wide_mul(a.y, b.y));
-    lane_wide zw = lane_wide_add(lane_wide_mul(a.z, b.z), lane_wide_mul(a.w, b.w));
-    lane_wide dot = lane_wide_add(xy, zw);
-    wide_quat r = {
-        lerp_wide(a.x, lane_wide_turn(dot, b.x), way, first),
-        lerp_wide(a.y, lane_wide_turn(dot, b.y), way, first),
-        lerp_wide(a.z, lane_wide_turn(dot, b.z), way, first),
-        lerp_wide(a.w, lane_wide_turn(dot, b.w), way, first),
-    };
-    return r;
-}
-
-/* 1/4 - x^2 */
-INLINE lane_wide share_wide(lane_wide x)
-{
-    return lane_wide_sub(lane_wide_all(0.25f), lane_wide_mul(x, x));
-}
-
-INLINE lane_wide stretch_wide(lane_wide x, lane_wide g)
-{
-    return lane_wide_add(x, lane_wide_mul(x, g));
-}
-
-/* As lane_quat_settle_inside. `seen` is marked where not 0 < |v|^2 <= 2. */
-INLINE wide_quat settle_wide(wide_quat v, lane_wide *seen)
-{
-    lane_wide xy = lane_wide_add(share_wide(v.x), share_wide(v.y));
-    lane_wide m = lane_wide_add(xy, lane_wide_add(share_wide(v.z), share_wide(v.w)));
-    lane_wide n2 = lane_wide_sub(lane_wide_all(1.0f), m);
-    lane_wide g = lane_wide_div(m, lane_wide_add(lane_wide_sqrt(n2), n2));
-    wide_quat r = {stretch_wide(v.x, g), stretch_wide(v.y, g), stretch_wide(v.z, g), stretch_wide(v.w, g)};
-    *seen = lane_wide_mark(*seen, n2);
-    return r;
-}
-
-/* Floats from one component of the chords of a block to the next: a register more than it has lanes. */
-#define CHORD_STRIDE (BLEND_BLOCK + LANE_WIDE)
-
-/* Lanes of two poses, where they are blended to, and their chords, `chords` floats from component to component. */
+/* The next joints of two poses, of the result, and of their chords, whose components are `chords` floats apart. */
 typedef struct lanes {
     blend_rows a, b;
     blend_span out;
@@ -130,38 +70,39 @@ typedef struct lanes {
 
 INLINE lanes lanes_after(lanes l)
 {
-    l.a.at += LANE_WIDE;
-    l.b.at += LANE_WIDE;
-    l.out.at += LANE_WIDE;
-    l.chord += LANE_WIDE;
+    l.a.at += F32XN;
+    l.b.at += F32XN;
+    l.out.at += F32XN;
+    l.chord += F32XN;
     return l;
 }
 
-INLINE void lerp_row(lanes l, size_t row, lane_wide way, int first)
+INLINE void lerp_row(lanes l, size_t row, f32xN x, int first)
 {
-    lane_wide a = lane_wide_load_once(l.a.at + row * l.a.stride), b = lane_wide_load_once(l.b.at + row * l.b.stride);
-    lane_wide_store(l.out.at + row * l.out.stride, lerp_wide(a, b, way, first));
+    f32xN a = f32xN_load_once(l.a.at + row * l.a.stride), b = f32xN_load_once(l.b.at + row * l.b.stride);
+    f32xN_store(l.out.at + row * l.out.stride, f32xN_lerp(a, b, x, first));
 }
 
-INLINE void lerp_rows(lanes l, size_t row, lane_wide way, int first)
+INLINE void lerp_rows(lanes l, size_t row, f32xN x, int first)
 {
-    lerp_row(l, row, way, first);
-    lerp_row(l, row + 1, way, first);
-    lerp_row(l, row + 2, way, first);
+    lerp_row(l, row, x, first);
+    lerp_row(l, row + 1, x, first);
+    lerp_row(l, row + 2, x, first);
 }
 
-INLINE void chord_lanes(lanes l, lane_wide way, int first)
+INLINE void chord_lanes(lanes l, f32xN x, int first)
 {
-    wide_quat a = load_quats(l.a.at + 3 * l.a.stride, l.a.stride), b = load_quats(l.b.at + 3 * l.b.stride, l.b.stride);
-    store_quats(l.chord, l.chords, chord_wide(a, b, way, first));
+    f32xN_quat a = f32xN_quat_load(l.a.at + 3 * l.a.stride, l.a.stride),
+               b = f32xN_quat_load(l.b.at + 3 * l.b.stride, l.b.stride);
+    f32xN_quat_store(l.chord, l.chords, f32xN_chord(a, b, x, first));
 }
 
-INLINE void chord_near(lanes l, lane_wide way, int first, int n)
+INLINE void chord_joints(lanes l, f32xN x, int first, int n)
 {
-    for (int i = 0; i < n; i += LANE_WIDE, l = lanes_after(l)) {
-        lerp_rows(l, 0, way, first);
-        chord_lanes(l, way, first);
-        lerp_rows(l, 7, way, first);
+    for (int i = 0; i < n; i += F32XN, l = lanes_after(l)) {
+        lerp_rows(l, 0, x, first);
+        chord_lanes(l, x, first);
+        lerp_rows(l, 7, x, first);
     }
 }
 
@@ -169,12 +110,12 @@ INLINE void chord_block(blend_rows a, blend_rows b, float t, blend_span out, int
 {
     const lanes l = {a, b, out, out.at + 3 * out.stride, out.stride};
     if (t < 0.5f)
-        chord_near(l, lane_wide_all(t), 1, n);
+        chord_joints(l, f32xN_splat(t), 1, n);
     else
-        chord_near(l, lane_wide_all(t - 1.0f), 0, n);
+        chord_joints(l, f32xN_splat(t - 1.0f), 0, n);
 }
 
-/* As most have: then there are fewer addresses to hold, if the compiler is told. */
+/* Most poses have one stride. A loop in which it is one variable holds fewer addresses. */
 INLINE int have_one_stride(blend_rows a, blend_rows b, blend_span out)
 {
     return a.stride == out.stride && b.stride == out.stride;
@@ -183,71 +124,71 @@ INLINE int have_one_stride(blend_rows a, blend_rows b, blend_span out)
 /* The lerp, rotations as chords. out may be a. */
 NKW_LOOP(nkwi_blend_chord)(blend_rows a, blend_rows b, float t, blend_span out, int n)
 {
-    const blend_rows x = {a.at, out.stride}, y = {b.at, out.stride};
+    const blend_rows from = {a.at, out.stride}, to = {b.at, out.stride};
     if (have_one_stride(a, b, out))
-        chord_block(x, y, t, out, n);
+        chord_block(from, to, t, out, n);
     else
         chord_block(a, b, t, out, n);
 }
 
-/* Chords that move nothing, in the padding from lane `used` on. */
+/* Identities in the padding from joint `used` on, so that it is inside. */
 INLINE void end_chords(float *chord, int used)
 {
-    wide_quat identity = {lane_wide_all(0.0f), lane_wide_all(0.0f), lane_wide_all(0.0f), lane_wide_all(1.0f)};
-    store_quats(chord + used, CHORD_STRIDE, identity);
+    f32xN_quat identity = {f32xN_splat(0.0f), f32xN_splat(0.0f), f32xN_splat(0.0f), f32xN_splat(1.0f)};
+    f32xN_quat_store(chord + used, CHORD_STRIDE, identity);
 }
 
 /*
- * Translations beside the chords, scales beside the roots; all chords come before all roots, so that no lane waits for
- * the one before.
+ * All chords come before all roots, so that no register waits for the root of the one before. Returns whether a chord was
+ * outside.
  */
-INLINE int nlerp_near(lanes l, lane_wide way, int first, int used)
+INLINE int nlerp_joints(lanes l, f32xN x, int first, int used)
 {
-    lane_wide seen = lane_wide_all(0.0f);
+    u32xN outside = u32xN_from_f32xN(f32xN_splat(0.0f));
     lanes from = l;
-    for (int i = 0; i < used; i += LANE_WIDE, l = lanes_after(l)) {
-        chord_lanes(l, way, first);
-        lerp_rows(l, 0, way, first);
+    for (int i = 0; i < used; i += F32XN, l = lanes_after(l)) {
+        chord_lanes(l, x, first);
+        lerp_rows(l, 0, x, first);
     }
     l = from;
     end_chords(l.chord, used);
-    for (int i = 0; i < used; i += LANE_WIDE, l = lanes_after(l)) {
-        wide_quat v = load_quats(l.chord, l.chords);
-        store_quats(l.out.at + 3 * l.out.stride, l.out.stride, settle_wide(v, &seen));
-        lerp_rows(l, 7, way, first);
+    for (int i = 0; i < used; i += F32XN, l = lanes_after(l)) {
+        f32xN_quat v = f32xN_quat_load(l.chord, l.chords);
+        f32xN_quat_store(l.out.at + 3 * l.out.stride, l.out.stride, f32xN_chord_normalize(v, &outside));
+        lerp_rows(l, 7, x, first);
     }
-    return lane_wide_is_marked(seen);
+    return u32xN_any(outside) >> 30 != 0;
 }
 
 INLINE int nlerp(lanes l, float t, int used)
 {
-    return t < 0.5f ? nlerp_near(l, lane_wide_all(t), 1, used) : nlerp_near(l, lane_wide_all(t - 1.0f), 0, used);
+    return t < 0.5f ? nlerp_joints(l, f32xN_splat(t), 1, used) : nlerp_joints(l, f32xN_splat(t - 1.0f), 0, used);
 }
 
-/* nkw_pose_blend of a block. If a chord was not inside after all, all are brought to length 1 again. */
+/* nkw_pose_blend of a block. If a chord was outside, all are normalized again, by the general formula. */
 INLINE void nlerp_block(blend_rows a, blend_rows b, float t, int used, blend_span out)
 {
     float c[4 * CHORD_STRIDE];
     const lanes l = {a, b, out, c, CHORD_STRIDE};
     if (nlerp(l, t, used))
-        settle(block_rows(c, CHORD_STRIDE), rotation_span(out), (size_t)used);
+        normalize_chords(block_rows(c, CHORD_STRIDE), rotation_span(out), (size_t)used);
 }
 
 NKW_LOOP(nkwi_blend_nlerp)(blend_rows a, blend_rows b, float t, int used, blend_span out)
 {
-    const blend_rows x = {a.at, out.stride}, y = {b.at, out.stride};
+    const blend_rows from = {a.at, out.stride}, to = {b.at, out.stride};
     if (have_one_stride(a, b, out))
-        nlerp_block(x, y, t, used, out);
+        nlerp_block(from, to, t, used, out);
     else
         nlerp_block(a, b, t, used, out);
 }
 
-/* The same of poses themselves: a blend of 67 joints is 2 % faster for what is not passed and asked. */
+/* The same of whole poses: two strides fewer to pass and to compare are 2 % of a blend of 67 joints. */
 NKW_LOOP(nkwi_blend_poses)(const float *a, const float *b, size_t stride, float t, int used, float *out)
 {
-    const blend_rows x = {a, stride}, y = {b, stride};
-    const blend_span to = {out, stride};
-    nlerp_block(x, y, t, used, to);
+    const blend_rows from = {a, stride}, to = {b, stride};
+    const blend_span span = {out, stride};
+    nlerp_block(from, to, t, used, span);
 }
 
 /* A joint's own rotation, the identity in the padding: subnormal numbers there would take their time. */
@@ -279,7 +220,7 @@ NKW_LOOP(nkwi_blend_each)(blend_rows a, blend_rows b, const float *t, int used, 
 #pragma omp simd
     for (int i = 0; i < n; i++)
         put_chord(c, (size_t)i, lane_quat_chord(at_joint(p, i), at_joint(q, i), t[i]));
-    settle_chords(&c, used, rotation_span(out), n);
+    normalize_blended(&c, used, rotation_span(out), n);
     lerps_each(vectors_of(a, 7), vectors_of(b, 7), t, vector_span(out, 7), n);
 }
 
@@ -346,7 +287,7 @@ INLINE void add_turns(nkw_quat_view base, nkw_quat_view delta, const float *weig
         nkw_quat d = at_quat(delta, i);
         put_chord(c, i, lane_quat_chord(lane_quat_none(d), d, weight[i]));
     }
-    settle_chords(&c, (int)n, parts, (int)n);
+    normalize_blended(&c, (int)n, parts, (int)n);
 #pragma omp simd
     for (size_t i = 0; i < n; i++)
         put_quat(out, i, lane_quat_add_delta(at_quat(base, i), at_quat(parts, i), weight[i], parent));

@@ -13,7 +13,7 @@
     X(nkwi_blend_chord, (blend_rows a, blend_rows b, float t, blend_span out, int n), (a, b, t, out, n), NKW_WIDEST) \
     X(nkwi_blend_poses, (const float *a, const float *b, size_t stride, float t, int used, float *out), (a, b, stride, t, used, out), NKW_WIDEST) \
     X(nkwi_blend_nlerp, (blend_rows a, blend_rows b, float t, int used, blend_span out), (a, b, t, used, out), NKW_WIDEST) \
-    X(nkwi_blend_settle, (nkw_quat_view v, const float *mixed, int used, nkw_quat_span out, int n), (v, mixed, used, out, n), NKW_WIDEST) \
+    X(nkwi_blend_normalize, (nkw_quat_view v, const float *mixed, int used, nkw_quat_span out, int n), (v, mixed, used, out, n), NKW_WIDEST) \
     X(nkwi_blend_weigh, (float weight, const float *mask, int used, float *out, int n), (weight, mask, used, out, n), NKW_WIDEST) \
     X(nkwi_blend_each, (blend_rows a, blend_rows b, const float *t, int used, blend_span out, int n), (a, b, t, used, out, n), NKW_WIDEST) \
     X(nkwi_blend_mix, (blend_rows to, const float *t, blend_span sum, int n), (to, t, sum, n), NKW_WIDEST) \

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* Chords between rotations, many at once, and how they are brought to length 1. */
+/* Chords between rotations, a block at a time, and their normalization. */
 #ifndef NAKAWARI_BATCH_CHORDS_H
 #define NAKAWARI_BATCH_CHORDS_H
 
@@ -10,10 +10,10 @@
 #include "lane/orient.h"
 
 /*
- * Chords made unit where mixed is not 0; as they are elsewhere. out is not v: if one of the first `used` was not inside
- * after all, all are done again.
+ * Normalizes the chord i where mixed[i] is not 0, and copies the others. out must not alias v: if one of the first
+ * `used` chords is not of 0 < |v|^2 < 2, the block is computed again by the general formula.
  */
-INLINE void settle_where(const float *mixed, nkw_quat_view v, int used, nkw_quat_span out, int n)
+INLINE void normalize_where(const float *mixed, nkw_quat_view v, int used, nkw_quat_span out, int n)
 {
     int outside = 0;
 #pragma omp simd reduction(| : outside)
@@ -32,7 +32,7 @@ INLINE void settle_where(const float *mixed, nkw_quat_view v, int used, nkw_quat
     }
 }
 
-/* Chords and their ways back, as lane_quat_chord gives them. */
+/* The results of lane_quat_chord. */
 #define CHORDS 256
 
 typedef struct chords {
@@ -47,11 +47,11 @@ static inline void store_chord(float *x, float *y, float *z, float *w, float *ba
     back[i] = c.back;
 }
 
-/* n nlerps from their chords; as settle_where. */
-INLINE void settle_chords(const chords *c, int used, nkw_quat_span out, int n)
+/* Normalizes n chords to nlerps; see normalize_where. */
+INLINE void normalize_blended(const chords *c, int used, nkw_quat_span out, int n)
 {
     const nkw_quat_view v = {c->x, c->y, c->z, c->w};
-    settle_where(c->back, v, used, out, n);
+    normalize_where(c->back, v, used, out, n);
 }
 
 #endif

@@ -28,7 +28,7 @@ INLINE void nlerp_many(nkw_quat_view a, nkw_quat_view b, const float *t, int eac
 #pragma omp simd
         for (size_t i = from; i < end; i++)
             put_chord(c, i - from, lane_quat_chord(at_quat(a, i), at_quat(b, i), t[each ? i : 0]));
-        settle_chords(&c, (int)(end - from), unit, (int)(end - from));
+        normalize_blended(&c, (int)(end - from), unit, (int)(end - from));
     }
 }
 

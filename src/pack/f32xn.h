@@ -30,12 +30,15 @@
 #if F32XN == 1
 typedef float f32xN;
 typedef int32_t i32xN;
+typedef uint32_t u32xN;
 #elif F32XN == 4
 typedef f32x4 f32xN;
 typedef i32x4 i32xN;
+typedef uint32_t u32xN __attribute__((vector_size(16)));
 #else
 typedef float f32xN __attribute__((vector_size(4 * F32XN)));
 typedef int32_t i32xN __attribute__((vector_size(4 * F32XN)));
+typedef uint32_t u32xN __attribute__((vector_size(4 * F32XN)));
 #endif
 
 static inline f32xN f32xN_load(const void *from)
@@ -84,6 +87,13 @@ static inline i32xN i32xN_from_f32xN(f32xN a)
     return r;
 }
 
+static inline u32xN u32xN_from_f32xN(f32xN a)
+{
+    u32xN r;
+    memcpy(&r, &a, sizeof r);
+    return r;
+}
+
 static inline f32xN f32xN_from_i32xN(i32xN a)
 {
     f32xN r;
@@ -124,14 +134,14 @@ static inline f32xN f32xN_negate_where(i32xN mask, f32xN a)
     return f32xN_from_i32xN(i32xN_from_f32xN(a) ^ (mask & INT32_MIN));
 }
 
-/* Whether the mask is set anywhere. */
-static inline int i32xN_any(i32xN mask)
+/* The bits that are set in any of the elements. */
+static inline uint32_t u32xN_any(u32xN a)
 {
-    int32_t v[F32XN], any = 0;
-    memcpy(v, &mask, sizeof v);
+    uint32_t v[F32XN], any = 0;
+    memcpy(v, &a, sizeof v);
     for (int i = 0; i < F32XN; i++)
         any |= v[i];
-    return any != 0;
+    return any;
 }
 
 static inline f32xN f32xN_sqrt(f32xN a)
