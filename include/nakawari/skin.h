@@ -81,9 +81,8 @@ typedef struct nkw_skin {
 /**
  * One vec3 for each vertex, three floats at data + i * stride: a part of interleaved vertices, or a separate array. Any
  * alignment. A stride of 0 means 12. The bytes between the vectors are not written: the w of vec4 tangents is kept.
- * But the four bytes after a vector may be read where another vertex follows: threads must split vertices by range, not
- * the vectors of interleaved ones.
- * data NULL: the vertices have none.
+ * The four bytes after a vector may be read if another vertex follows: split the work of threads by vertex range, not
+ * by the vectors of interleaved vertices. data NULL: the vertices have no such vector.
  */
 typedef struct nkw_vec3_stream_view {
     const void *data;
@@ -94,7 +93,7 @@ typedef struct nkw_vec3_stream_span {
     size_t stride;
 } nkw_vec3_stream_span;
 
-/** The vectors of vertices, as in vertex buffers. A vector that is NULL in the view or in the span is left out. */
+/** The vectors of vertices, as in vertex buffers. A vector that is NULL in the view or in the span is skipped. */
 typedef struct nkw_vertices_view {
     nkw_vec3_stream_view positions, normals, tangents, bitangents;
 } nkw_vertices_view;
@@ -107,8 +106,8 @@ typedef struct nkw_skin_palette {
     nkw_palette_view matrices; /**< joint matrices, NKW_PALETTE_MAT4 */
     /**
      * data NULL, or the normal matrices of the same joints, NKW_PALETTE_NORMAL_MAT3: normals are then transformed by
-     * the blend of these. Needed where matrices shear or scale unevenly; with rotations and uniform scale it makes no
-     * difference. The smaller of the two joint counts limits the joints of every influence.
+     * the blend of these. Needed if matrices have shear or non-uniform scale. The smaller of the two joint counts
+     * limits the joints of every influence.
      */
     nkw_palette_view normals;
     int skip_normalization; /**< 0: directions are M n / |M n|. Otherwise M n, for shaders that normalize them */
@@ -116,8 +115,8 @@ typedef struct nkw_skin_palette {
 
 /**
  * Linear blend skinning. `out` may be the same streams as `in`, or share no vector with them. A skin without vertices
- * and a palette without joints are allowed. Returns NKW_OK, or NKW_BAD_FORMAT where a palette has another format or
- * joints or weights have none that fits; all vectors are then copied.
+ * and a palette without joints are allowed. Returns NKW_OK, or NKW_BAD_FORMAT if a palette, the joints or the weights
+ * have a format that does not fit; all vectors are then copied.
  *
  * Error  6.2 u of normals, with rigid joints up to 1 rad apart (4.5 u up to four influences), 3.2 u of their length; of
  *        positions 4.8 u of |w0| |M0| |p| + |w1| |M1| |p| + ..., |M| the Frobenius norm of three rows, |p| that of
@@ -127,9 +126,9 @@ NKW_API nkw_result nkw_skin_linear(const nkw_skin *skin, const nkw_skin_palette 
                                    const nkw_vertices_span *out);
 
 /**
- * Skinning by dual quaternions, which should be unit: palette has the format NKW_PALETTE_DUAL_QUAT. Returns as
- * nkw_skin_linear does. A blend whose rotation cancels to zero is the identity, and weights must not make blends
- * shorter than 1e-19 or longer than 1e19. Of equal largest weights the first one's half sphere counts.
+ * Skinning by unit dual quaternions: palette has the format NKW_PALETTE_DUAL_QUAT. Returns the results of
+ * nkw_skin_linear. A blend whose rotation cancels to zero is the identity. The length of a blend must be in
+ * 1e-19..1e19. Of equal largest weights the first determines the half sphere.
  *
  * Error  10.6 u of normals (8.4 u up to four influences), 2.9 u of their length; of positions 8.8 u of |p| +
  *        |w0| |t0| + |w1| |t1| + ..., t the translations; joints up to 1 rad apart, 1 to 8 influences.
@@ -138,11 +137,13 @@ NKW_API nkw_result nkw_skin_dual_quat(const nkw_skin *skin, nkw_palette_view pal
                                       const nkw_vertices_span *out);
 
 /**
- * Checks a skin for a palette of joint_count joints: NKW_EMPTY without influences; NKW_TOO_MANY with more than 8;
- * NKW_BAD_FORMAT where joints or weights are not in a format for them. Then for each vertex: NKW_NOT_FINITE where a
- * weight is not finite; NKW_BAD_WEIGHTS where one is negative, or they are not all 0 and do not sum to 255, to
- * 65535, or to within 1e-3 of 1; NKW_OUT_OF_RANGE where a joint index, of weight 0 too, is not less than
- * joint_count. *bad_vertex becomes the first offending vertex, 0 if there is none; it may be NULL.
+ * Checks a skin for a palette of joint_count joints.
+ *
+ * Returns  NKW_EMPTY without influences; NKW_TOO_MANY with more than 8; NKW_BAD_FORMAT if joints or weights have a
+ *          format that does not fit. Then for each vertex: NKW_NOT_FINITE if a weight is not finite; NKW_BAD_WEIGHTS if
+ *          one is negative, or if they are not all 0 and do not sum to 255, to 65535, or to within 1e-3 of 1;
+ *          NKW_OUT_OF_RANGE if a joint index, of weight 0 too, is not less than joint_count. *bad_vertex becomes the
+ *          first offending vertex, 0 if there is none; it may be NULL.
  */
 NKW_API nkw_result nkw_skin_validate(const nkw_skin *skin, size_t joint_count, size_t *bad_vertex);
 
@@ -151,9 +152,10 @@ NKW_API nkw_result nkw_skin_validate(const nkw_skin *skin, size_t joint_count, s
  *
  *     q = w total / sum,   total = 255, 65535 or 2^24;   n = floor(q)
  *
- * What is missing to the total is added, one each, to those of the largest q - n, the first of equals (largest
- * remainder). A float is n / 2^24. Weights that are negative or not finite count as 0. Where all are 0 they stay 0.
- * Converts between formats and strides too: `out` may have others than `in`, and may be `in` with the same ones.
+ * The difference of the total and the sum of n is added, 1 to each, to the weights of the largest q - n, of equal ones
+ * to the first (largest remainder). A float is n / 2^24. Weights that are negative or not finite count as 0. If all are
+ * 0 they stay 0. It also converts: `out` may have another format and stride than `in`. With the same ones it may be
+ * `in`.
  *
  * Returns NKW_OK; or, and then nothing is written: NKW_EMPTY without influences, NKW_TOO_MANY with more than 8,
  * NKW_BAD_FORMAT where a format is not one for weights.
@@ -169,8 +171,8 @@ NKW_API nkw_result nkw_skin_normalize_weights(nkw_skin_view in, nkw_skin_span ou
  * keep_count equal to the influence count, no influence is dropped, and the call converts: to other formats (u8 joints
  * to u16), and from interleaved or separate to the layout of the spans.
  *
- * A joint index that the format of `joints` cannot hold has weight 0 and becomes joint 0. The outputs may be the inputs,
- * with the same stride and format; with strides of 0 keep_count is then at most the skin's influence count.
+ * A joint index that the format of `joints` cannot hold has weight 0 and becomes joint 0. The outputs may be the
+ * inputs, with the same stride and format; with strides of 0 keep_count is then at most the skin's influence count.
  *
  * Returns NKW_OK; or, and then nothing is written: NKW_EMPTY where keep_count or the influence count is 0, NKW_TOO_MANY
  * where keep_count is more than 8, NKW_BAD_FORMAT where a format is not one for joints or for weights.
