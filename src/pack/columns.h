@@ -282,7 +282,11 @@ static inline void f32xN_write3_packed(unsigned char *p, f32xN_column a)
 #endif
 }
 
-/* M p. Second text of nkw_mat4_transform_point; 3.3 times, in skinning on SSE2. */
+/*
+ * Second text of nkw_mat4_transform_point and nkw_mat4_transform_direction; 3.3 times faster.
+ *
+ * M p of each matrix and its point.
+ */
 static inline f32xN_column f32xN_transform_point(f32xN_columns m, f32xN_vectors p)
 {
     f32xN_column r;
@@ -291,7 +295,7 @@ static inline f32xN_column f32xN_transform_point(f32xN_columns m, f32xN_vectors 
     return r;
 }
 
-/* M d. Second text of nkw_mat4_transform_direction; 3.3 times, in skinning on SSE2. */
+/* M d of each matrix and its direction: without the translation. */
 static inline f32xN_column f32xN_transform_direction(f32xN_columns m, f32xN_vectors d)
 {
     f32xN_column r;

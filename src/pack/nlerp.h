@@ -36,7 +36,7 @@ static inline f32xN f32xN_lerp(f32xN a, f32xN b, f32xN x, int first)
     return (first ? a : b) + x * (b - a);
 }
 
-/* Second text of lane_quat_chord and lane_chord_normalize_short; 1.5 times faster. */
+/* Second text of lane_quat_chord and lane_chord_normalize_short; 1.3 times faster. */
 static inline f32xN_quat f32xN_chord(f32xN_quat a, f32xN_quat b, f32xN x, int first)
 {
     const f32xN dot = (a.x * b.x + a.y * b.y) + (a.z * b.z + a.w * b.w);

@@ -10,7 +10,7 @@
 #include "pack/quat.h"
 
 #if NKW_F32X4
-/* Second text of lane_quat_slerp; 3.0 times. The weights come from the lane. */
+/* Second text of lane_quat_slerp; 2.1 times faster. The weights come from the lane. */
 static inline f32x4 f32x4_slerp(f32x4 a, f32x4 b, float t, int generic, int keys)
 {
     const f32x4 cosine = f32x4_sum(a * b) + 0x1p-126f, c = f32x4_flip(b, (i32x4)cosine), d = c - a;
