@@ -99,7 +99,7 @@ INLINE void lerp_lanes(const float *a, const float *b, float t, int first, float
 #pragma omp simd
     KEEP_LOOP
     for (size_t i = 0; i < n; i++)
-        out[i] = nkw_lerp_from(first, a[i], b[i], t);
+        out[i] = nkw_lerp_from(first, 1, a[i], b[i], t);
 }
 
 /* `lanes` lanes: blocks of 16, and at most one of 8 or 4. */
@@ -388,7 +388,7 @@ INLINE void hermite_from(int first, const float *a, const float *b, size_t words
     const float *p0 = a + words, *v0 = p0 + words, *v1 = b, *p1 = b + words;
 #pragma omp simd
     for (size_t i = 0; i < n; i++)
-        out[i] = nkw_hermite_from(first, p0[i], duration * v0[i], p1[i], duration * v1[i], t);
+        out[i] = nkw_hermite_from(first, 1, p0[i], duration * v0[i], p1[i], duration * v1[i], t);
 }
 
 /* 0 < t < 1. */

@@ -400,7 +400,7 @@ static void matrices_from_dual_quats(size_t n, block *b)
 INLINE void sum_dual_quat(const influences *f, size_t k, size_t i, float out[8])
 {
     f32xN sum[PARTS(8)];
-    float weight[NKW_SKIN_INFLUENCES];
+    float weight[NKW_SKIN_INFLUENCES] = {0.0f};
     influences aligned = influences_at(f, i);
     align_weights(f, k, i, weight);
     aligned.weights = (const unsigned char *)weight;

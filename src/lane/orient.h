@@ -42,15 +42,14 @@ typedef struct lane_chord {
 static inline lane_chord lane_quat_chord(nkw_quat a, nkw_quat b, float t)
 {
     nkw_quat c = lane_quat_flip(b, nkw_quat_dot(a, b) < 0.0f ? 0x80000000u : 0u);
-    int first = t < 0.5f;
     lane_chord r = {
         {
-            nkw_lerp_from(first, a.x, c.x, t),
-            nkw_lerp_from(first, a.y, c.y, t),
-            nkw_lerp_from(first, a.z, c.z, t),
-            nkw_lerp_from(first, a.w, c.w, t),
+            nkw_lerp(a.x, c.x, t),
+            nkw_lerp(a.y, c.y, t),
+            nkw_lerp(a.z, c.z, t),
+            nkw_lerp(a.w, c.w, t),
         },
-        (first ? 0.0f : 1.0f) - t,
+        (t < 0.5f ? 0.0f : 1.0f) - t,
     };
     return r;
 }

@@ -19,19 +19,22 @@ extern "C" {
 
 /*
  *     p = p0 + t (f + s k) = p1 - s (f - t k),        f = p1 - p0,  s = 1 - t,  k = s (v0 - f) - t (v1 - f)
+ *
+ * from the end nearer to t, which is p0 if `first` is not 0. `inside`, a constant, states that t is neither 0 nor 1.
  */
-NKW_PART float nkw_hermite_from(int first, float p0, float v0, float p1, float v1, float t)
+NKW_PART float nkw_hermite_from(int first, int inside, float p0, float v0, float p1, float v1, float t)
 {
     NKW_EXACT
     float s = 1.0f - t, f = p1 - p0, k = s * (v0 - f) - t * (v1 - f);
     float end = nkw_select(first, p0, p1), back = nkw_select(first, 0.0f, 1.0f) - t;
     float onward = nkw_select(first, 1.0f, 0.0f) - t; /* from t to the other end */
-    return end - nkw_select(back == 0.0f, 0.0f, back * (f + onward * k));
+    float step = back * (f + onward * k);
+    return end - (inside ? step : nkw_select(back == 0.0f, 0.0f, step));
 }
 
 NKW_BODY float nkw_hermite(float p0, float v0, float p1, float v1, float t)
 {
-    return nkw_hermite_from(t < 0.5f, p0, v0, p1, v1, t);
+    return nkw_hermite_from(t < 0.5f, 0, p0, v0, p1, v1, t);
 }
 
 /*

@@ -88,18 +88,18 @@ NKW_BODY float nkw_saturate(float x)
  *     p = a + t (b - a) = b - (1 - t) (b - a)
  *
  * from the end nearer to t, which is a if `first` is not 0: p = end - back (b - a). `back`, -t or 1 - t, is exact. At
- * back = 0, p is the end, with the sign of a zero.
+ * back = 0, p is the end, with the sign of a zero. `inside`, a constant, states that t is neither 0 nor 1.
  */
-NKW_PART float nkw_lerp_from(int first, float a, float b, float t)
+NKW_PART float nkw_lerp_from(int first, int inside, float a, float b, float t)
 {
     NKW_EXACT
-    float end = nkw_select(first, a, b), back = nkw_select(first, 0.0f, 1.0f) - t;
-    return end - nkw_select(back == 0.0f, 0.0f, back * (b - a));
+    float end = nkw_select(first, a, b), back = nkw_select(first, 0.0f, 1.0f) - t, step = back * (b - a);
+    return end - (inside ? step : nkw_select(back == 0.0f, 0.0f, step));
 }
 
 NKW_BODY float nkw_lerp(float a, float b, float t)
 {
-    return nkw_lerp_from(t < 0.5f, a, b, t);
+    return nkw_lerp_from(t < 0.5f, 0, a, b, t);
 }
 
 NKW_BODY float nkw_inverse_lerp(float a, float b, float x)
