@@ -104,55 +104,29 @@ static inline int is_near(float t)
     return lane_abs(t) < (float)LANE_T_NEAR;
 }
 
-/* Whether enough of them are outside that all are worked out so, and none is far. */
-static inline int many_near(const float *t, size_t from, size_t to)
-{
-    int far = 0, outside = 0;
-#pragma omp simd reduction(| : far) reduction(+ : outside)
-    for (size_t i = from; i < to; i++) {
-        far |= !is_near(t[i]);
-        outside += !lane_t_is_inside(t[i]);
-    }
-    return !far && (size_t)outside > (to - from) / 4;
-}
-
 static inline nkw_quat slerp_near(nkw_quat a, nkw_quat b, float t)
 {
     return lane_quat_slerp_turned(a, b, t, NKW_PATH_SHORT, 1);
 }
 
 /*
- * Both ways, what lies outside 0..1 first, for out may be a, b or t: many of them as all are, a few by the single
- * function.
+ * A block with t outside 0..1, which is rare: those elements by the scalar function, before the others overwrite a, b or
+ * t, one of which may be out.
  */
 APART LANE_FLAT static void slerp_beyond(nkw_quat_view a, nkw_quat_view b, const float *t, nkw_quat_span out,
                                          size_t from, size_t to)
 {
-    float x[BLOCK], y[BLOCK], z[BLOCK], w[BLOCK];
-    uint32_t inside[BLOCK];
-    nkw_quat_span beyond = {x, y, z, w};
-#pragma omp simd
+    nkw_quat beyond[BLOCK];
+    uint32_t index[BLOCK];
+    size_t count = 0;
     for (size_t i = from; i < to; i++)
-        inside[i - from] = 0u - (uint32_t)lane_t_is_inside(t[i]);
-    if (many_near(t, from, to)) {
-#pragma omp simd
-        for (size_t i = from; i < to; i++)
-            put_quat(beyond, i - from, slerp_near(at_quat(a, i), at_quat(b, i), t[i]));
-    } else {
-        for (size_t i = from; i < to; i++) {
-            nkw_quat q = at_quat(a, i);
-            put_quat(beyond, i - from, lane_t_is_inside(t[i]) ? q : nkw_quat_slerp(q, at_quat(b, i), t[i]));
+        if (!lane_t_is_inside(t[i])) {
+            beyond[count] = nkw_quat_slerp(at_quat(a, i), at_quat(b, i), t[i]);
+            index[count++] = (uint32_t)(i - from);
         }
-    }
     slerp_inside(a, b, t, 0, out, from, to);
-#pragma omp simd
-    for (size_t i = from; i < to; i++) {
-        const size_t k = i - from;
-        out.x[i] = lane_select(inside[k], out.x[i], x[k]);
-        out.y[i] = lane_select(inside[k], out.y[i], y[k]);
-        out.z[i] = lane_select(inside[k], out.z[i], z[k]);
-        out.w[i] = lane_select(inside[k], out.w[i], w[k]);
-    }
+    for (size_t k = 0; k < count; k++)
+        put_quat(out, from + index[k], beyond[k]);
 }
 
 NKW_LOOP(nkw_quat_slerp_n)(nkw_quat_view a, nkw_quat_view b, const float *t, nkw_quat_span out, size_t n)
