@@ -12,9 +12,10 @@
 #include "lane/blend.h"
 #include "lane/scalar.h"
 #include "report.h"
+#include "sizes.h"
 
-/* The most that a weight counts. */
-#define HEAVIEST 0x1p60f
+/* Weights count as this at most, so that the sum of all is finite. */
+#define BLEND_MOST_WEIGHT 0x1p60f
 
 /* `n` lanes of poses from joint `from` on, the first `used` of them joints; `stride` of the whole pose. */
 typedef struct part {
@@ -60,7 +61,7 @@ static blend_span rows_span(float *pose, const part *p)
 static float weight_of(float weight)
 {
     float w = weight > 0.0f ? weight : 0.0f;
-    return w < HEAVIEST ? w : HEAVIEST;
+    return w < BLEND_MOST_WEIGHT ? w : BLEND_MOST_WEIGHT;
 }
 
 /* The joints' own weights: weight * mask. */
@@ -185,18 +186,15 @@ static int goes_before(const nkw_pose_layer *a, const nkw_pose_layer *b, const p
     return order != 0 ? order < 0 : a < b;
 }
 
-/* Of so many layers the order is worked out together. */
-#define SORTED 32
-
 /* The layers that have a weight, in the order in which they are added: `sorted` of them, of which `taken` are done. */
 typedef struct queue {
-    const nkw_pose_layer *layers, *order[SORTED];
+    const nkw_pose_layer *layers, *order[BLEND_SORTED];
     const part *p;
     size_t count, sorted, taken;
 } queue;
 
-/* Finds the first layers after `last`, of all where that is NULL. Apart, for more than SORTED layers are few. */
-APART static void sort_layers(queue *q, const nkw_pose_layer *last)
+/* Finds the first layers after `last`, of all where that is NULL. Apart, for more than BLEND_SORTED layers are few. */
+NKW_NOINLINE static void sort_layers(queue *q, const nkw_pose_layer *last)
 {
     q->sorted = q->taken = 0;
     for (size_t i = 0; i < q->count; i++) {
@@ -205,11 +203,11 @@ APART static void sort_layers(queue *q, const nkw_pose_layer *last)
             continue;
         size_t k = q->sorted;
         for (; k > 0 && goes_before(l, q->order[k - 1], q->p); k--)
-            if (k < SORTED)
+            if (k < BLEND_SORTED)
                 q->order[k] = q->order[k - 1];
-        if (k < SORTED)
+        if (k < BLEND_SORTED)
             q->order[k] = l;
-        q->sorted += q->sorted < SORTED;
+        q->sorted += q->sorted < BLEND_SORTED;
     }
 }
 
@@ -224,8 +222,8 @@ static void begin_queue(queue *q, const nkw_pose_layer *layers, size_t count, co
 /* NULL after the last one. */
 static const nkw_pose_layer *next_layer(queue *q)
 {
-    if (q->taken == SORTED)
-        sort_layers(q, q->order[SORTED - 1]);
+    if (q->taken == BLEND_SORTED)
+        sort_layers(q, q->order[BLEND_SORTED - 1]);
     return q->taken < q->sorted ? q->order[q->taken++] : NULL;
 }
 
@@ -340,7 +338,8 @@ static void blend_with_masks(const nkw_pose_layer *layers, size_t count, const f
     add_rest(&s, rest, threshold, p);
     copy_rows(translations, 3, rows_span(out, p), p->n);
     nkw_pose_view mean = {s.v, p->n};
-    nkwi_blend_normalize(nkw_pose_components(mean).rotation, s.mixed, (int)p->used, span_of(out, p).rotation, (int)p->n);
+    nkwi_blend_normalize(nkw_pose_components(mean).rotation, s.mixed, (int)p->used, span_of(out, p).rotation,
+                         (int)p->n);
     copy_rows(scales, 3, rows_span(out + 7 * p->stride, p), p->n);
 }
 
@@ -395,7 +394,7 @@ static nkw_result check_layer(const nkw_pose_layer *layer, size_t joint_count)
         return NKW_EMPTY;
     if (!all_fit(layer, 1, joint_count))
         return NKW_MISMATCHED;
-    nkw_result result = check_weight(layer->weight, HEAVIEST);
+    nkw_result result = check_weight(layer->weight, BLEND_MOST_WEIGHT);
     return result == NKW_OK && layer->mask.data ? nkw_mask_validate(layer->mask, NULL) : result;
 }
 

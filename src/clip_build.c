@@ -24,6 +24,7 @@
 #include "clip_keys.h"
 #include "clip_layout.h"
 #include "clip_tracks.h"
+#include "sizes.h"
 
 typedef enum section { TIMELINES, GROUPS, BLOCKS, RUNS, TIMES, VALUES, SECTIONS } section;
 
@@ -280,12 +281,6 @@ static void emit_groups(builder *b)
 }
 
 /* Constants: values of constant tracks, and rest values of joints and floats without a track. */
-
-/*
- * Floats: a gap of at most this many between two runs is filled with zeros, so that one copy is enough. The animated
- * values in it are written after the copy.
- */
-#define CLIP_RUN_GAP 32
 
 /* The runs of one output. Each has its values contiguous, because nothing else is emitted meanwhile. */
 typedef struct constants {

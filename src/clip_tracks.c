@@ -7,7 +7,8 @@
 
 #include "clip_tracks.h"
 #include "lane/scalar.h"
-#include "lane/sort.h"
+#include "sort.h"
+#include "sizes.h"
 
 static int same_bits(const float *a, const float *b, size_t n)
 {
@@ -105,11 +106,11 @@ static int before_by_group(const void *context, uint32_t i, uint32_t j)
     return p != q ? p < q : before_by_place(b, i, j);
 }
 
-static void sort(const clip_tracks *b, uint32_t *order, lane_before *before)
+static void sort(const clip_tracks *b, uint32_t *order, sort_before *before)
 {
     for (size_t i = 0; i < b->source->track_count; i++)
         order[i] = (uint32_t)i;
-    lane_sort(order, b->source->track_count, before, b);
+    sort_indices(order, b->source->track_count, before, b);
 }
 
 /*
@@ -214,8 +215,6 @@ const nkw_clip_track *nkwi_clip_tracks_find(const clip_tracks *t, nkw_clip_targe
 }
 
 /* Gaps (clip_tracks.h). */
-
-#define CLIP_GAP 4 /* joints, at most */
 
 const nkw_clip_track *nkwi_clip_tracks_find_animated(const clip_tracks *t, nkw_clip_target target, size_t index)
 {

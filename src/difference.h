@@ -6,7 +6,7 @@
 #include <nakawari/scalar.h>
 #include <nakawari/track.h>
 
-#define DIFFERENCE_QUARTERS 4 /* times compared in each segment */
+#include "sizes.h"
 
 /* The larger of a and b; NaN if either is NaN. */
 static inline float difference_worse(float a, float b)

@@ -9,7 +9,7 @@
 #include <nakawari/vec.h>
 
 #include "lane/scalar.h"
-#include "lane/segment.h"
+#include "segment_search.h"
 #include "report.h"
 
 /* The keys around a time, and the trace that the methods fill, or NULL. */
@@ -101,7 +101,7 @@ static nkw_vec3 bezier(const sampler *s)
     if (first + 3 >= s->count)
         return hold(s, first);
     const nkw_keyframe *key = &s->keys[first];
-    float u = lane_segment_t(key[0].time, key[3].time, s->time);
+    float u = segment_t(key[0].time, key[3].time, s->time);
     if (s->trace) {
         nkw_weights k = nkw_cubic_weights(NKW_CUBIC_BEZIER, 0, u);
         for (size_t i = 0; i < 4; i++)
@@ -291,8 +291,8 @@ static nkw_result sampler_at(const nkw_keyframe *keys, size_t count, float time,
         return NKW_EMPTY;
     if ((unsigned)position > NKW_POSITION_STEP || (unsigned)orientation > NKW_ORIENTATION_NLERP)
         return NKW_BAD_METHOD;
-    lane_times times = {(const char *)&keys[0].time, sizeof keys[0], count};
-    nkw_segment segment = lane_segment_find(times, time);
+    segment_times times = {(const char *)&keys[0].time, sizeof keys[0], count};
+    nkw_segment segment = segment_find(times, time);
     sampler found = {keys, count, time, segment, segment.index, segment.index, NULL};
     found.to += segment.index + 1 < count;
     *s = found;

@@ -107,14 +107,14 @@ nkw_result nkw_palette_validate(nkw_palette_view palette, size_t *bad_joint)
 }
 
 /* The number of nkw_mat4 whose size in bytes size_t can hold. */
-#define MOST (SIZE_MAX / sizeof(nkw_mat4))
+#define PALETTE_MOST (SIZE_MAX / sizeof(nkw_mat4))
 
-/* Returns the first multiple of the alignment at or after `place`; MOST + 1 if it exceeds MOST. */
+/* Returns the first multiple of the alignment at or after `place`; PALETTE_MOST + 1 if it exceeds PALETTE_MOST. */
 static size_t aligned(size_t place, size_t alignment)
 {
     size_t past = alignment > 1 ? place % alignment : 0;
     size_t gap = past ? alignment - past : 0;
-    return gap <= MOST - place ? place + gap : MOST + 1;
+    return gap <= PALETTE_MOST - place ? place + gap : PALETTE_MOST + 1;
 }
 
 nkw_result nkw_palette_chunks_place(nkw_palette_chunk *chunks, size_t count, size_t alignment, size_t *total,
@@ -126,7 +126,7 @@ nkw_result nkw_palette_chunks_place(nkw_palette_chunk *chunks, size_t count, siz
         size_t frames = chunks[i].frame_count, joints = chunks[i].joint_count, first = aligned(end, alignment);
         if (frames == 0 || joints == 0)
             result = NKW_EMPTY;
-        else if (first > MOST || frames > (MOST - first) / joints)
+        else if (first > PALETTE_MOST || frames > (PALETTE_MOST - first) / joints)
             result = NKW_TOO_SMALL;
         else
             chunks[i].first = first, end = first + frames * joints;

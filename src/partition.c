@@ -2,23 +2,69 @@
 #include "lane/strict.h"
 
 #include <nakawari/partition.h>
+#include <nakawari/skin.h>
 
-#include "lane/partition.h"
 #include "lane/scalar.h"
-#include "lane/sort.h"
 #include "report.h"
+#include "sort.h"
 
-#define NONE           UINT32_MAX
-#define INFLUENCES     8
-#define SET            (3 * INFLUENCES) /* joints of a triangle, at most */
-#define MOST_TRIANGLES (UINT32_MAX / SET)
+#define PARTITION_NONE           UINT32_MAX
+#define PARTITION_SET            (3 * NKW_SKIN_INFLUENCES) /* joints of a triangle, at most */
+#define PARTITION_MOST_TRIANGLES (UINT32_MAX / PARTITION_SET)
+#define PARTITION_MOST_JOINTS    65536u /* a joint is the lower half of a key */
+
+/* ---- Small sets of joints ---- */
+
+/* A set of joints: ascending keys, depth in the upper and joint in the lower half. */
+typedef struct joint_set {
+    const uint32_t *keys;
+    size_t n;
+} joint_set;
+
+static inline uint32_t joint_of_key(uint32_t key)
+{
+    return key & 0xffffu;
+}
+
+/* Inserts into an ascending set, once; returns the new number. */
+static inline size_t joint_set_insert(uint32_t *keys, size_t n, uint32_t key)
+{
+    size_t i = n;
+    while (i > 0 && keys[i - 1] > key)
+        i--;
+    if (i > 0 && keys[i - 1] == key)
+        return n;
+    for (size_t k = n; k > i; k--)
+        keys[k] = keys[k - 1];
+    keys[i] = key;
+    return n + 1;
+}
+
+static inline int joint_set_compare(joint_set a, joint_set b)
+{
+    size_t n = a.n < b.n ? a.n : b.n;
+    for (size_t i = 0; i < n; i++)
+        if (a.keys[i] != b.keys[i])
+            return a.keys[i] < b.keys[i] ? -1 : 1;
+    return a.n == b.n ? 0 : a.n < b.n ? -1 : 1;
+}
+
+/* FNV-1a by words, mixed so that the upper bits count. */
+static inline uint32_t joint_set_hash(uint32_t material, joint_set set)
+{
+    uint32_t h = (2166136261u ^ material) * 16777619u;
+    for (size_t i = 0; i < set.n; i++)
+        h = (h ^ (h >> 15) ^ set.keys[i]) * 16777619u;
+    return (h ^ (h >> 16)) * 0x9e3779b1u;
+}
 
 /* ---- Validation ---- */
 
 static int counts_are_in_range(const nkw_partition_mesh *mesh)
 {
-    return mesh->influence_count >= 1 && mesh->influence_count <= INFLUENCES && mesh->joint_count <= MOST_JOINTS &&
-           mesh->triangle_count <= MOST_TRIANGLES && mesh->vertex_count < UINT32_MAX;
+    return mesh->influence_count >= 1 && mesh->influence_count <= NKW_SKIN_INFLUENCES &&
+           mesh->joint_count <= PARTITION_MOST_JOINTS && mesh->triangle_count <= PARTITION_MOST_TRIANGLES &&
+           mesh->vertex_count < UINT32_MAX;
 }
 
 static nkw_result check_influence(const nkw_partition_mesh *mesh, size_t i)
@@ -65,12 +111,12 @@ nkw_result nkw_partition_validate(const nkw_partition_mesh *mesh, size_t *bad_tr
 typedef struct plan {
     const nkw_partition_mesh *mesh;
     size_t max_joint_count;
-    uint32_t *group_of; /* for each triangle; NONE for a rejected one */
+    uint32_t *group_of; /* for each triangle; PARTITION_NONE for a rejected one */
     uint32_t *table; /* hash table of groups, 2 * triangles */
     uint32_t *set_start; /* for each group and the end: its set in set_keys */
     uint32_t *set_keys;
     uint32_t *first; /* for each group: a triangle of it */
-    uint32_t *bin_of; /* for each group; NONE until it is packed */
+    uint32_t *bin_of; /* for each group; PARTITION_NONE until it is packed */
     uint32_t *ranked; /* for each rank: the group */
     uint32_t *missing; /* for each rank: the number of its joints that are not in the open bin */
     uint32_t *touched; /* the ranks that share a joint with the open bin */
@@ -85,7 +131,7 @@ typedef struct plan {
 
 static size_t set_limit(const nkw_partition_mesh *mesh, size_t max_joint_count)
 {
-    size_t most = 3 * (mesh->influence_count < INFLUENCES ? mesh->influence_count : INFLUENCES);
+    size_t most = 3 * (mesh->influence_count < NKW_SKIN_INFLUENCES ? mesh->influence_count : NKW_SKIN_INFLUENCES);
     return max_joint_count < most ? max_joint_count : most;
 }
 
@@ -163,25 +209,25 @@ static uint32_t material_of(const nkw_partition_mesh *mesh, size_t triangle)
     return mesh->materials ? mesh->materials[triangle] : 0;
 }
 
-static lane_set group_set(const plan *p, uint32_t group)
+static joint_set group_set(const plan *p, uint32_t group)
 {
-    lane_set set = {p->set_keys + p->set_start[group], p->set_start[group + 1] - p->set_start[group]};
+    joint_set set = {p->set_keys + p->set_start[group], p->set_start[group + 1] - p->set_start[group]};
     return set;
 }
 
-static size_t triangle_set(const nkw_partition_mesh *mesh, size_t t, uint32_t keys[SET])
+static size_t triangle_set(const nkw_partition_mesh *mesh, size_t t, uint32_t keys[PARTITION_SET])
 {
     size_t n = 0;
     for (size_t c = 0; c < 3; c++) {
         size_t v = mesh->indices[3 * t + c] * mesh->influence_count;
         for (size_t i = 0; i < mesh->influence_count; i++)
             if (mesh->weights[v + i] != 0.0f)
-                n = lane_set_insert(keys, n, key_of(mesh, mesh->joints[v + i]));
+                n = joint_set_insert(keys, n, key_of(mesh, mesh->joints[v + i]));
     }
     return n;
 }
 
-static uint32_t add_group(plan *p, size_t triangle, lane_set set)
+static uint32_t add_group(plan *p, size_t triangle, joint_set set)
 {
     uint32_t group = (uint32_t)p->groups++, start = p->set_start[group];
     for (size_t i = 0; i < set.n; i++)
@@ -191,19 +237,19 @@ static uint32_t add_group(plan *p, size_t triangle, lane_set set)
     return group;
 }
 
-static int is_group(const plan *p, uint32_t group, uint32_t material, lane_set set)
+static int is_group(const plan *p, uint32_t group, uint32_t material, joint_set set)
 {
-    return material_of(p->mesh, p->first[group]) == material && lane_set_compare(group_set(p, group), set) == 0;
+    return material_of(p->mesh, p->first[group]) == material && joint_set_compare(group_set(p, group), set) == 0;
 }
 
-static uint32_t find_group(plan *p, size_t triangle, lane_set set)
+static uint32_t find_group(plan *p, size_t triangle, joint_set set)
 {
     size_t size = 2 * p->mesh->triangle_count;
     uint32_t material = material_of(p->mesh, triangle);
-    size_t at = (size_t)((uint64_t)lane_set_hash(material, set) * size >> 32);
-    while (p->table[at] != NONE && !is_group(p, p->table[at], material, set))
+    size_t at = (size_t)((uint64_t)joint_set_hash(material, set) * size >> 32);
+    while (p->table[at] != PARTITION_NONE && !is_group(p, p->table[at], material, set))
         at = at + 1 < size ? at + 1 : 0;
-    if (p->table[at] == NONE)
+    if (p->table[at] == PARTITION_NONE)
         p->table[at] = add_group(p, triangle, set);
     return p->table[at];
 }
@@ -211,12 +257,12 @@ static uint32_t find_group(plan *p, size_t triangle, lane_set set)
 static void find_groups(plan *p)
 {
     const nkw_partition_mesh *mesh = p->mesh;
-    fill(p->table, 2 * mesh->triangle_count, NONE);
+    fill(p->table, 2 * mesh->triangle_count, PARTITION_NONE);
     p->set_start[0] = 0;
     for (size_t t = 0; t < mesh->triangle_count; t++) {
-        uint32_t keys[SET];
-        lane_set set = {keys, triangle_set(mesh, t, keys)};
-        p->group_of[t] = set.n <= p->max_joint_count ? find_group(p, t, set) : NONE;
+        uint32_t keys[PARTITION_SET];
+        joint_set set = {keys, triangle_set(mesh, t, keys)};
+        p->group_of[t] = set.n <= p->max_joint_count ? find_group(p, t, set) : PARTITION_NONE;
     }
 }
 
@@ -226,20 +272,20 @@ static int before_group(const void *context, uint32_t a, uint32_t b)
     uint32_t x = material_of(p->mesh, p->first[a]), y = material_of(p->mesh, p->first[b]);
     if (x != y)
         return x < y;
-    lane_set s = group_set(p, a), t = group_set(p, b);
-    return s.n != t.n ? s.n > t.n : lane_set_compare(s, t) < 0;
+    joint_set s = group_set(p, a), t = group_set(p, b);
+    return s.n != t.n ? s.n > t.n : joint_set_compare(s, t) < 0;
 }
 
 /* ---- Packing ---- */
 
-static lane_set ranked_set(const plan *p, size_t rank)
+static joint_set ranked_set(const plan *p, size_t rank)
 {
     return group_set(p, p->ranked[rank]);
 }
 
 static int is_packed(const plan *p, size_t rank)
 {
-    return p->bin_of[p->ranked[rank]] != NONE;
+    return p->bin_of[p->ranked[rank]] != PARTITION_NONE;
 }
 
 /* Lists for each joint the ranks of from..to - 1 whose sets contain it: counts, starts, entries. */
@@ -248,17 +294,17 @@ static void list_users(plan *p, size_t from, size_t to)
     uint32_t start = 0;
     for (size_t r = from; r < to; r++)
         for (size_t i = 0; i < ranked_set(p, r).n; i++)
-            p->user_count[lane_joint_of(ranked_set(p, r).keys[i])] = 0;
+            p->user_count[joint_of_key(ranked_set(p, r).keys[i])] = 0;
     for (size_t r = from; r < to; r++)
         for (size_t i = 0; i < ranked_set(p, r).n; i++)
-            p->user_count[lane_joint_of(ranked_set(p, r).keys[i])]++;
+            p->user_count[joint_of_key(ranked_set(p, r).keys[i])]++;
     for (size_t r = from; r < to; r++)
         for (size_t i = 0; i < ranked_set(p, r).n; i++)
-            p->user_start[lane_joint_of(ranked_set(p, r).keys[i])] = NONE;
+            p->user_start[joint_of_key(ranked_set(p, r).keys[i])] = PARTITION_NONE;
     for (size_t r = from; r < to; r++)
         for (size_t i = 0; i < ranked_set(p, r).n; i++) {
-            uint32_t joint = lane_joint_of(ranked_set(p, r).keys[i]);
-            if (p->user_start[joint] == NONE) {
+            uint32_t joint = joint_of_key(ranked_set(p, r).keys[i]);
+            if (p->user_start[joint] == PARTITION_NONE) {
                 p->user_start[joint] = start;
                 start += p->user_count[joint];
                 p->user_count[joint] = 0;
@@ -270,7 +316,7 @@ static void list_users(plan *p, size_t from, size_t to)
 /* Adds a joint to the open bin and decrements `missing` of its users. Packed users are removed from the list. */
 static void enter_joint(plan *p, uint32_t key)
 {
-    uint32_t joint = lane_joint_of(key), *users = p->users + p->user_start[joint];
+    uint32_t joint = joint_of_key(key), *users = p->users + p->user_start[joint];
     p->in_bin[joint] = 1;
     p->bin_keys[p->bin_start[p->bins + 1]++] = key;
     for (size_t i = 0; i < p->user_count[joint];) {
@@ -288,10 +334,10 @@ static void enter_joint(plan *p, uint32_t key)
 
 static void pack_group(plan *p, size_t rank)
 {
-    lane_set set = ranked_set(p, rank);
+    joint_set set = ranked_set(p, rank);
     p->bin_of[p->ranked[rank]] = (uint32_t)p->bins;
     for (size_t i = 0; i < set.n; i++)
-        if (!p->in_bin[lane_joint_of(set.keys[i])])
+        if (!p->in_bin[joint_of_key(set.keys[i])])
             enter_joint(p, set.keys[i]);
 }
 
@@ -302,11 +348,11 @@ static size_t room(const plan *p)
 
 /*
  * Packs the touched groups whose joints are all in the open bin. Of the others that fit, returns the one with the
- * fewest missing joints, of these the first by rank, so the largest; NONE if none fits.
+ * fewest missing joints, of these the first by rank, so the largest; PARTITION_NONE if none fits.
  */
 static uint32_t best_touched(plan *p)
 {
-    uint32_t best = NONE;
+    uint32_t best = PARTITION_NONE;
     size_t kept = 0;
     for (size_t i = 0; i < p->touched_count; i++) {
         uint32_t r = p->touched[i];
@@ -317,7 +363,8 @@ static uint32_t best_touched(plan *p)
         p->touched[kept++] = r;
         if (p->missing[r] > room(p))
             continue;
-        if (best == NONE || p->missing[r] < p->missing[best] || (p->missing[r] == p->missing[best] && r < best))
+        if (best == PARTITION_NONE || p->missing[r] < p->missing[best] ||
+            (p->missing[r] == p->missing[best] && r < best))
             best = r;
     }
     p->touched_count = kept;
@@ -325,12 +372,12 @@ static uint32_t best_touched(plan *p)
 }
 
 /* The largest unpacked set of at most `most` joints. next[s]: no unpacked rank of at most s joints is before it. */
-static uint32_t largest_left(const plan *p, size_t next[SET + 1], size_t most, size_t to)
+static uint32_t largest_left(const plan *p, size_t next[PARTITION_SET + 1], size_t most, size_t to)
 {
-    size_t s = most < SET ? most : SET;
+    size_t s = most < PARTITION_SET ? most : PARTITION_SET;
     while (next[s] < to && is_packed(p, next[s]))
         next[s]++;
-    return next[s] < to ? (uint32_t)next[s] : NONE;
+    return next[s] < to ? (uint32_t)next[s] : PARTITION_NONE;
 }
 
 static void close_bin(plan *p, uint32_t material)
@@ -338,28 +385,29 @@ static void close_bin(plan *p, uint32_t material)
     uint32_t *keys = p->bin_keys + p->bin_start[p->bins];
     size_t n = p->bin_start[p->bins + 1] - p->bin_start[p->bins];
     for (size_t i = 0; i < n; i++)
-        p->in_bin[lane_joint_of(keys[i])] = 0;
+        p->in_bin[joint_of_key(keys[i])] = 0;
     for (size_t i = 0; i < p->touched_count; i++)
         p->missing[p->touched[i]] = (uint32_t)ranked_set(p, p->touched[i]).n;
     p->touched_count = 0;
-    lane_sort(keys, n, lane_before_number, NULL);
+    sort_indices(keys, n, sort_before_number, NULL);
     p->bin_material[p->bins++] = material;
 }
 
 /* Packs the groups of one material: ranks from..to - 1. */
 static void pack_material(plan *p, size_t from, size_t to, uint32_t material)
 {
-    size_t next[SET + 1];
-    for (size_t s = SET + 1, r = from; s-- > 0; next[s] = r)
+    size_t next[PARTITION_SET + 1];
+    for (size_t s = PARTITION_SET + 1, r = from; s-- > 0; next[s] = r)
         while (r < to && ranked_set(p, r).n > s)
             r++;
     list_users(p, from, to);
-    for (uint32_t r = largest_left(p, next, SET, to); r != NONE; r = largest_left(p, next, SET, to)) {
+    for (uint32_t r = largest_left(p, next, PARTITION_SET, to); r != PARTITION_NONE;
+         r = largest_left(p, next, PARTITION_SET, to)) {
         p->bin_start[p->bins + 1] = p->bin_start[p->bins];
-        while (r != NONE) {
+        while (r != PARTITION_NONE) {
             pack_group(p, r);
             r = best_touched(p);
-            if (r == NONE)
+            if (r == PARTITION_NONE)
                 r = largest_left(p, next, room(p), to);
         }
         close_bin(p, material);
@@ -370,10 +418,10 @@ static void pack_groups(plan *p)
 {
     for (size_t g = 0; g < p->groups; g++)
         p->ranked[g] = (uint32_t)g;
-    lane_sort(p->ranked, p->groups, before_group, p);
+    sort_indices(p->ranked, p->groups, before_group, p);
     for (size_t r = 0; r < p->groups; r++)
         p->missing[r] = (uint32_t)ranked_set(p, r).n;
-    fill(p->bin_of, p->groups, NONE);
+    fill(p->bin_of, p->groups, PARTITION_NONE);
     fill(p->in_bin, p->mesh->joint_count, 0);
     p->bin_start[0] = 0;
     for (size_t from = 0, to; from < p->groups; from = to) {
@@ -386,9 +434,9 @@ static void pack_groups(plan *p)
 
 /* ---- Writing the parts ---- */
 
-static lane_set bin_set(const plan *p, uint32_t bin)
+static joint_set bin_set(const plan *p, uint32_t bin)
 {
-    lane_set set = {p->bin_keys + p->bin_start[bin], p->bin_start[bin + 1] - p->bin_start[bin]};
+    joint_set set = {p->bin_keys + p->bin_start[bin], p->bin_start[bin + 1] - p->bin_start[bin]};
     return set;
 }
 
@@ -397,20 +445,20 @@ static int before_bin(const void *context, uint32_t a, uint32_t b)
     const plan *p = context;
     if (p->bin_material[a] != p->bin_material[b])
         return p->bin_material[a] < p->bin_material[b];
-    return lane_set_compare(bin_set(p, a), bin_set(p, b)) < 0;
+    return joint_set_compare(bin_set(p, a), bin_set(p, b)) < 0;
 }
 
 static void write_joints(plan *p, nkw_partition *out)
 {
     for (size_t b = 0; b < p->bins; b++)
         p->bin_order[b] = (uint32_t)b;
-    lane_sort(p->bin_order, p->bins, before_bin, p);
+    sort_indices(p->bin_order, p->bins, before_bin, p);
     for (size_t k = 0; k < p->bins; k++) {
-        lane_set set = bin_set(p, p->bin_order[k]);
+        joint_set set = bin_set(p, p->bin_order[k]);
         nkw_part part = {p->bin_material[p->bin_order[k]], 0, 0, (uint32_t)out->joint_count, (uint32_t)set.n, 0, 0};
         out->parts[k] = part;
         for (size_t i = 0; i < set.n; i++)
-            out->joints[out->joint_count++] = (uint16_t)lane_joint_of(set.keys[i]);
+            out->joints[out->joint_count++] = (uint16_t)joint_of_key(set.keys[i]);
         p->part_of[p->bin_order[k]] = (uint32_t)k;
     }
     out->part_count = p->bins;
@@ -421,7 +469,7 @@ static void write_triangles(plan *p, nkw_partition *out)
 {
     size_t n = p->mesh->triangle_count;
     for (size_t t = 0; t < n; t++)
-        if (p->group_of[t] != NONE)
+        if (p->group_of[t] != PARTITION_NONE)
             out->parts[p->part_of[p->bin_of[p->group_of[t]]]].triangle_count++;
     for (size_t k = 0; k < out->part_count; k++) {
         out->parts[k].first_triangle = (uint32_t)out->triangle_count;
@@ -429,7 +477,7 @@ static void write_triangles(plan *p, nkw_partition *out)
         out->parts[k].triangle_count = 0;
     }
     for (size_t t = 0; t < n; t++) {
-        nkw_part *part = p->group_of[t] != NONE ? &out->parts[p->part_of[p->bin_of[p->group_of[t]]]] : NULL;
+        nkw_part *part = p->group_of[t] != PARTITION_NONE ? &out->parts[p->part_of[p->bin_of[p->group_of[t]]]] : NULL;
         size_t at = part ? part->first_triangle + part->triangle_count++ : out->triangle_count + out->rejected_count++;
         out->triangles[at] = (uint32_t)t;
     }
@@ -480,7 +528,7 @@ nkw_result nkw_partition_build(const nkw_partition_mesh *mesh, size_t max_joint_
     pack_groups(&p);
     write_joints(&p, out);
     write_triangles(&p, out);
-    fill(p.seen_in, mesh->vertex_count, NONE);
+    fill(p.seen_in, mesh->vertex_count, PARTITION_NONE);
     for (size_t k = 0; k < out->part_count; k++)
         write_part(&p, out, (uint32_t)k);
     if (out->rejected_count == 0)

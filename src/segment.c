@@ -6,36 +6,34 @@
 #include <nakawari/segment.h>
 
 #include "lane/scalar.h"
-#include "lane/segment.h"
+#include "segment_search.h"
+#include "sizes.h"
 
 nkw_segment nkw_segment_find(const float *times, size_t count, float time)
 {
-    return lane_segment_find(lane_times_of(times, count), time);
+    return segment_find(segment_times_of(times, count), time);
 }
 
 nkw_segment nkw_segment_find_hint(const float *times, size_t count, float time, size_t hint)
 {
-    return lane_segment_find_hint(lane_times_of(times, count), time, hint);
+    return segment_find_hint(segment_times_of(times, count), time, hint);
 }
 
 /*
  * Each search begins at the last segment found. After a distance of more than SEGMENT_JUMP keys, the times seem to be
  * unordered: the next SEGMENT_SEARCHES times are searched from the start, without branches that are mispredicted.
  */
-#define SEGMENT_JUMP     ((size_t)16)
-#define SEGMENT_SEARCHES 8
-
 void nkw_segment_find_n(const float *times, size_t count, const float *time, nkw_segment *out, size_t n)
 {
-    lane_times all = lane_times_of(times, count);
+    segment_times all = segment_times_of(times, count);
     size_t from = 0;
     for (size_t i = 0; i < n;) {
-        nkw_segment here = lane_segment_find_hint(all, time[i], from);
+        nkw_segment here = segment_find_hint(all, time[i], from);
         out[i++] = here;
         /* |here.index - from| > SEGMENT_JUMP, in unsigned arithmetic */
         if (here.index - from + SEGMENT_JUMP > 2 * SEGMENT_JUMP)
             for (size_t end = n - i < SEGMENT_SEARCHES ? n : i + SEGMENT_SEARCHES; i < end; i++)
-                out[i] = here = lane_segment_find(all, time[i]);
+                out[i] = here = segment_find(all, time[i]);
         from = here.index;
     }
 }
@@ -119,6 +117,6 @@ nkw_segment nkw_segment_find_uniform(float start, float rate, size_t count, floa
         a = b;
         b = uniform_time(start, rate, k + 1.0);
     }
-    nkw_segment r = {(size_t)(int64_t)k, lane_segment_t(a, b, time)};
+    nkw_segment r = {(size_t)(int64_t)k, segment_t(a, b, time)};
     return r;
 }

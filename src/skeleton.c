@@ -8,6 +8,7 @@
 #include "batch/skeleton.h"
 #include "difference.h"
 #include "report.h"
+#include "sizes.h"
 
 /* Whether joint j has no parent or an invalid one: a negative parent is at least 2^31 as uint32_t. */
 static int is_root(const nkw_skeleton *skeleton, size_t j)
@@ -69,9 +70,6 @@ void nkw_locals_from_models(const nkw_skeleton *skeleton, const nkw_mat4 *models
     nkwi_locals_from_models(skeleton->parents, models, root, 0, skeleton->joint_count, locals);
 }
 
-/* Joints whose local matrices are computed together. */
-#define BLOCK 16
-
 nkw_result nkw_pose_from_models(const nkw_skeleton *skeleton, const nkw_mat4 *models, const nkw_mat4 *root,
                                 nkw_pose_span pose, float *residual)
 {
@@ -80,9 +78,9 @@ nkw_result nkw_pose_from_models(const nkw_skeleton *skeleton, const nkw_mat4 *mo
     if (pose.joint_count != count)
         return NKW_MISMATCHED;
     nkw_pose_identity(pose);
-    for (size_t from = 0; from < count; from += BLOCK) {
-        nkw_mat4 locals[BLOCK];
-        size_t to = count - from < BLOCK ? count : from + BLOCK;
+    for (size_t from = 0; from < count; from += LOCALS_BLOCK) {
+        nkw_mat4 locals[LOCALS_BLOCK];
+        size_t to = count - from < LOCALS_BLOCK ? count : from + LOCALS_BLOCK;
         nkwi_locals_from_models(skeleton->parents, models, root, from, to, locals);
         for (size_t j = from; j < to; j++) {
             nkw_trs trs = nkw_trs_from_mat4(&locals[j - from]);

@@ -9,7 +9,7 @@
 #include "difference.h"
 #include "lane/orient.h"
 #include "lane/scalar.h"
-#include "lane/segment.h"
+#include "segment_search.h"
 #include "pack/slerp.h"
 #include "report.h"
 
@@ -152,7 +152,7 @@ void nkw_track_sample(const nkw_track *track, float time, float *out)
 
 void nkw_track_sample_cursor(const nkw_track *track, float time, uint32_t *cursor, float *out)
 {
-    nkw_segment segment = lane_segment_find_hint(lane_times_of(track->times, track->count), time, *cursor);
+    nkw_segment segment = segment_find_hint(segment_times_of(track->times, track->count), time, *cursor);
     *cursor = (uint32_t)segment.index;
     nkw_track_sample_segment(track, segment, out);
 }

@@ -6,7 +6,7 @@
 #include "lane/mat.h"
 
 /* Enough for the eigenvector of sheared blocks too; where there is no shear, two would do. */
-#define NEAREST_ROTATION_STEPS 24
+#define TRS_ROTATION_STEPS 24
 
 #if !NKW_F32X4
 nkw_mat4 nkw_mat4_from_trs(const nkw_trs *trs)
@@ -54,14 +54,14 @@ LANE_SELDOM static nkw_trs from_any_affine(const nkw_mat4 *m)
         unit.m[i] *= side;
     nkw_trs r = {
         {m->m[12], m->m[13], m->m[14]},
-        lane_quat_from_f64(lane_f64_quat_from_f64_mat3(&unit, NEAREST_ROTATION_STEPS)),
+        lane_quat_from_f64(lane_f64_quat_from_f64_mat3(&unit, TRS_ROTATION_STEPS)),
         {(float)(side * s[0]), (float)s[1], (float)s[2]},
     };
     return r;
 }
 
 /* Unit columns are at right angles but for this, all together: LANE_NEAREST_STEPS bring the rotation to 2^-32. */
-#define HARDLY_SHEARED 0x1p-10
+#define TRS_LITTLE_SHEAR 0x1p-10
 
 LANE_FLAT nkw_trs nkw_trs_from_mat4(const nkw_mat4 *m)
 {
@@ -74,7 +74,7 @@ LANE_FLAT nkw_trs nkw_trs_from_mat4(const nkw_mat4 *m)
     double rx = lane_rsqrt64_near(xx) * side, ry = lane_rsqrt64_near(yy), rz = lane_rsqrt64_near(zz);
     lane_f64_vec3 u = lane_f64_vec3_scale(x, rx), v = lane_f64_vec3_scale(y, ry), n = lane_f64_vec3_scale(z, rz);
     double uv = lane_f64_vec3_dot(u, v), vn = lane_f64_vec3_dot(v, n), nu = lane_f64_vec3_dot(n, u);
-    if (!((uv * uv + vn * vn) + nu * nu < HARDLY_SHEARED * HARDLY_SHEARED))
+    if (!((uv * uv + vn * vn) + nu * nu < TRS_LITTLE_SHEAR * TRS_LITTLE_SHEAR))
         return from_any_affine(m);
     lane_f64_mat3 unit = lane_f64_mat3_from_columns(u, v, n);
     lane_f64_form k = lane_f64_form_from_f64_mat3(&unit);

@@ -9,6 +9,7 @@
 #include "batch/block.h"
 #include "lane/blend.h"
 #include "pack/nlerp.h"
+#include "sizes.h"
 
 NKW_LOOPS_BLEND(NKW_DECLARE_LOOP)
 
@@ -68,7 +69,7 @@ typedef struct lanes {
     size_t chords;
 } lanes;
 
-INLINE lanes lanes_after(lanes l)
+NKW_ALWAYS_INLINE lanes lanes_after(lanes l)
 {
     l.a.at += F32XN;
     l.b.at += F32XN;
@@ -77,27 +78,27 @@ INLINE lanes lanes_after(lanes l)
     return l;
 }
 
-INLINE void lerp_row(lanes l, size_t row, f32xN x, int first)
+NKW_ALWAYS_INLINE void lerp_row(lanes l, size_t row, f32xN x, int first)
 {
     f32xN a = f32xN_load_once(l.a.at + row * l.a.stride), b = f32xN_load_once(l.b.at + row * l.b.stride);
     f32xN_store(l.out.at + row * l.out.stride, f32xN_lerp(a, b, x, first));
 }
 
-INLINE void lerp_rows(lanes l, size_t row, f32xN x, int first)
+NKW_ALWAYS_INLINE void lerp_rows(lanes l, size_t row, f32xN x, int first)
 {
     lerp_row(l, row, x, first);
     lerp_row(l, row + 1, x, first);
     lerp_row(l, row + 2, x, first);
 }
 
-INLINE void chord_lanes(lanes l, f32xN x, int first)
+NKW_ALWAYS_INLINE void chord_lanes(lanes l, f32xN x, int first)
 {
     f32xN_quat a = f32xN_quat_load(l.a.at + 3 * l.a.stride, l.a.stride),
                b = f32xN_quat_load(l.b.at + 3 * l.b.stride, l.b.stride);
     f32xN_quat_store(l.chord, l.chords, f32xN_chord(a, b, x, first));
 }
 
-INLINE void chord_joints(lanes l, f32xN x, int first, int n)
+NKW_ALWAYS_INLINE void chord_joints(lanes l, f32xN x, int first, int n)
 {
     for (int i = 0; i < n; i += F32XN, l = lanes_after(l)) {
         lerp_rows(l, 0, x, first);
@@ -106,7 +107,7 @@ INLINE void chord_joints(lanes l, f32xN x, int first, int n)
     }
 }
 
-INLINE void chord_block(blend_rows a, blend_rows b, float t, blend_span out, int n)
+NKW_ALWAYS_INLINE void chord_block(blend_rows a, blend_rows b, float t, blend_span out, int n)
 {
     const lanes l = {a, b, out, out.at + 3 * out.stride, out.stride};
     if (t < 0.5f)
@@ -116,7 +117,7 @@ INLINE void chord_block(blend_rows a, blend_rows b, float t, blend_span out, int
 }
 
 /* Most poses have one stride. A loop in which it is one variable holds fewer addresses. */
-INLINE int have_one_stride(blend_rows a, blend_rows b, blend_span out)
+NKW_ALWAYS_INLINE int have_one_stride(blend_rows a, blend_rows b, blend_span out)
 {
     return a.stride == out.stride && b.stride == out.stride;
 }
@@ -132,7 +133,7 @@ NKW_LOOP(nkwi_blend_chord)(blend_rows a, blend_rows b, float t, blend_span out, 
 }
 
 /* Identities in the padding from joint `used` on, so that it is inside. */
-INLINE void end_chords(float *chord, int used)
+NKW_ALWAYS_INLINE void end_chords(float *chord, int used)
 {
     f32xN_quat identity = {f32xN_splat(0.0f), f32xN_splat(0.0f), f32xN_splat(0.0f), f32xN_splat(1.0f)};
     f32xN_quat_store(chord + used, CHORD_STRIDE, identity);
@@ -142,7 +143,7 @@ INLINE void end_chords(float *chord, int used)
  * All chords come before all roots, so that no register waits for the root of the one before. Returns whether a chord was
  * outside.
  */
-INLINE int nlerp_joints(lanes l, f32xN x, int first, int used)
+NKW_ALWAYS_INLINE int nlerp_joints(lanes l, f32xN x, int first, int used)
 {
     u32xN outside = u32xN_from_f32xN(f32xN_splat(0.0f));
     lanes from = l;
@@ -160,13 +161,13 @@ INLINE int nlerp_joints(lanes l, f32xN x, int first, int used)
     return u32xN_any(outside) >> 30 != 0;
 }
 
-INLINE int nlerp(lanes l, float t, int used)
+NKW_ALWAYS_INLINE int nlerp(lanes l, float t, int used)
 {
     return t < 0.5f ? nlerp_joints(l, f32xN_splat(t), 1, used) : nlerp_joints(l, f32xN_splat(t - 1.0f), 0, used);
 }
 
 /* nkw_pose_blend of a block. If a chord was outside, all are normalized again, by the general formula. */
-INLINE void nlerp_block(blend_rows a, blend_rows b, float t, int used, blend_span out)
+NKW_ALWAYS_INLINE void nlerp_block(blend_rows a, blend_rows b, float t, int used, blend_span out)
 {
     float c[4 * CHORD_STRIDE];
     const lanes l = {a, b, out, c, CHORD_STRIDE};
@@ -276,8 +277,8 @@ NKW_LOOP(nkwi_additive_build)(nkw_trs_view a, nkw_trs_view ref, int parent, nkw_
 }
 
 /* The parts of the turns delta come before they are added, as nlerps. */
-INLINE void add_turns(nkw_quat_view base, nkw_quat_view delta, const float *weight, int parent, nkw_quat_span out,
-                      size_t n)
+NKW_ALWAYS_INLINE void add_turns(nkw_quat_view base, nkw_quat_view delta, const float *weight, int parent,
+                                 nkw_quat_span out, size_t n)
 {
     chords c;
     float x[BLEND_BLOCK], y[BLEND_BLOCK], z[BLEND_BLOCK], w[BLEND_BLOCK];

@@ -7,7 +7,8 @@
 
 #include <nakawari/types.h>
 
-#define CLIP_BLOCK      16 /* lanes: the widest vector, so that loops over a block have no remainder */
+#include "sizes.h"
+
 #define CLIP_SLERP_ROWS 5 /* rows of a LINEAR rotation: x y z w, and the arc v to the next key */
 
 /*

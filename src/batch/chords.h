@@ -8,12 +8,13 @@
 #include "batch/element.h"
 #include "batch/isa.h"
 #include "lane/orient.h"
+#include "sizes.h"
 
 /*
  * Normalizes the chord i where mixed[i] is not 0, and copies the others. out must not alias v: if one of the first
  * `used` chords is not of 0 < |v|^2 < 2, the block is computed again by the general formula.
  */
-INLINE void normalize_where(const float *mixed, nkw_quat_view v, int used, nkw_quat_span out, int n)
+NKW_ALWAYS_INLINE void normalize_where(const float *mixed, nkw_quat_view v, int used, nkw_quat_span out, int n)
 {
     int outside = 0;
 #pragma omp simd reduction(| : outside)
@@ -33,10 +34,8 @@ INLINE void normalize_where(const float *mixed, nkw_quat_view v, int used, nkw_q
 }
 
 /* The results of lane_quat_chord. */
-#define CHORDS 256
-
 typedef struct chords {
-    float x[CHORDS], y[CHORDS], z[CHORDS], w[CHORDS], back[CHORDS];
+    float x[ORIENT_BLOCK], y[ORIENT_BLOCK], z[ORIENT_BLOCK], w[ORIENT_BLOCK], back[ORIENT_BLOCK];
 } chords;
 
 #define put_chord(c, i, chord) store_chord((c).x, (c).y, (c).z, (c).w, (c).back, i, chord)
@@ -48,7 +47,7 @@ static inline void store_chord(float *x, float *y, float *z, float *w, float *ba
 }
 
 /* Normalizes n chords to nlerps; see normalize_where. */
-INLINE void normalize_blended(const chords *c, int used, nkw_quat_span out, int n)
+NKW_ALWAYS_INLINE void normalize_blended(const chords *c, int used, nkw_quat_span out, int n)
 {
     const nkw_quat_view v = {c->x, c->y, c->z, c->w};
     normalize_where(c->back, v, used, out, n);

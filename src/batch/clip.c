@@ -20,6 +20,7 @@
 #include "batch/clip.h"
 #include "lane/clip.h"
 #include "lane/curve.h"
+#include "sizes.h"
 
 NKW_LOOPS_CLIP(NKW_DECLARE_LOOP)
 
@@ -48,9 +49,6 @@ static inline size_t blocks_in(size_t lanes)
     return (lanes + CLIP_BLOCK - 1) / CLIP_BLOCK;
 }
 
-/* The most scattered blocks of numbers computed together: stores of one block overlap the computation of the next. */
-#define CLIP_SCATTER_BLOCKS 8
-
 /* The number of lanes, from the first of blocks[0] on, that are computed together: whole blocks. */
 static inline size_t lanes_together(const clip_block *blocks, size_t block_count)
 {
@@ -60,7 +58,7 @@ static inline size_t lanes_together(const clip_block *blocks, size_t block_count
     return blocks->contiguous ? blocks->contiguous : n > 0 ? n * CLIP_BLOCK : blocks->width;
 }
 
-INLINE void scatter_count(const uint32_t *places, const float *from, float *out, size_t count)
+NKW_ALWAYS_INLINE void scatter_count(const uint32_t *places, const float *from, float *out, size_t count)
 {
     for (size_t i = 0; i < count; i++)
         out[places[i]] = from[i];
@@ -94,16 +92,16 @@ NKW_LOOP(nkwi_clip_arcs)(float *a, const float *b, const clip_block *blocks, siz
     }
 }
 
-INLINE void lerp_lanes(const float *a, const float *b, float t, int first, float *out, size_t n)
+NKW_ALWAYS_INLINE void lerp_lanes(const float *a, const float *b, float t, int first, float *out, size_t n)
 {
 #pragma omp simd
-    KEEP_LOOP
+    NKW_KEEP_LOOP
     for (size_t i = 0; i < n; i++)
         out[i] = nkw_lerp_from(first, 1, a[i], b[i], t);
 }
 
 /* `lanes` lanes: blocks of 16, and at most one of 8 or 4. */
-INLINE void lerp_contiguous(const float *a, const float *b, float t, int first, float *out, size_t lanes)
+NKW_ALWAYS_INLINE void lerp_contiguous(const float *a, const float *b, float t, int first, float *out, size_t lanes)
 {
     for (; lanes >= CLIP_BLOCK; lanes -= CLIP_BLOCK, a += CLIP_BLOCK, b += CLIP_BLOCK, out += CLIP_BLOCK)
         lerp_lanes(a, b, t, first, out, CLIP_BLOCK);
@@ -113,8 +111,8 @@ INLINE void lerp_contiguous(const float *a, const float *b, float t, int first, 
         lerp_lanes(a, b, t, first, out, 4);
 }
 
-INLINE void lerp_blocks(const float *a, const float *b, float t, int first, const clip_block *blocks,
-                        size_t block_count, float *out)
+NKW_ALWAYS_INLINE void lerp_blocks(const float *a, const float *b, float t, int first, const clip_block *blocks,
+                                   size_t block_count, float *out)
 {
     for (size_t k = 0, lanes; k < block_count; k += blocks_in(lanes)) {
         float buffer[CLIP_SCATTER_BLOCKS * CLIP_BLOCK];
@@ -143,13 +141,14 @@ typedef struct slerp_shared {
     lane_slerp_series series;
 } slerp_shared;
 
-INLINE void slerp_block(const float *a, const float *b, const slerp_shared *p, float *out, size_t stride, size_t width)
+NKW_ALWAYS_INLINE void slerp_block(const float *a, const float *b, const slerp_shared *p, float *out, size_t stride,
+                                   size_t width)
 {
     nkw_quat_view from = block_rows(a, width), to = block_rows(b, width);
     nkw_quat_span o = block_rows_to(out, stride);
     const float *arcs = a + 4 * width;
 #pragma omp simd
-    KEEP_LOOP
+    NKW_KEEP_LOOP
     for (size_t i = 0; i < width; i++) {
         lane_slerp_weights k = lane_slerp_weights_in(&p->at, &p->series, lane_abs(arcs[i]));
         put_quat(o, i, lane_quat_slerp_by(at_quat(from, i), at_quat(to, i), arcs[i], &p->at, k));
@@ -157,8 +156,8 @@ INLINE void slerp_block(const float *a, const float *b, const slerp_shared *p, f
 }
 
 /* `lanes` lanes: blocks of 16, and at most one of 8 or 4, to contiguous places. */
-INLINE void slerp_contiguous(const float *a, const float *b, const slerp_shared *p, float *out, size_t stride,
-                             size_t lanes)
+NKW_ALWAYS_INLINE void slerp_contiguous(const float *a, const float *b, const slerp_shared *p, float *out,
+                                        size_t stride, size_t lanes)
 {
     const size_t block = CLIP_BLOCK * CLIP_SLERP_ROWS;
     for (; lanes >= CLIP_BLOCK; lanes -= CLIP_BLOCK, a += block, b += block, out += CLIP_BLOCK)
@@ -169,8 +168,8 @@ INLINE void slerp_contiguous(const float *a, const float *b, const slerp_shared 
         slerp_block(a, b, p, out, stride, 4);
 }
 
-INLINE void slerp_blocks(const float *a, const float *b, lane_slerp_time at, const clip_block *blocks,
-                         size_t block_count, float *out, size_t stride)
+NKW_ALWAYS_INLINE void slerp_blocks(const float *a, const float *b, lane_slerp_time at, const clip_block *blocks,
+                                    size_t block_count, float *out, size_t stride)
 {
     const slerp_shared p = {at, lane_slerp_series_at(&at)};
     for (size_t k = 0, lanes; k < block_count; k += blocks_in(lanes)) {
@@ -231,9 +230,6 @@ NKW_LOOP(nkwi_clip_lerp16)
     }
 }
 
-/* Blocks that take each step together, so that the divisions of one block overlap those of the others. */
-#define CLIP_SLERP16_BLOCKS 8
-
 /*
  * The decoded rotations of one key: xyz in blocks and rows as in the key; w and the factor `scale` of the weight
  * (lane_compact_arc) of each lane.
@@ -248,7 +244,7 @@ typedef struct pairs16 {
     float v[CLIP_SLERP16_BLOCKS * CLIP_BLOCK];
 } pairs16;
 
-INLINE void decode_lanes(const uint16_t *key, const float *base, const float *step, float *out, size_t n)
+NKW_ALWAYS_INLINE void decode_lanes(const uint16_t *key, const float *base, const float *step, float *out, size_t n)
 {
 #pragma omp simd
     for (size_t i = 0; i < n; i++)
@@ -265,7 +261,7 @@ static inline void decode(const uint16_t *key, const float *base, const float *s
 }
 
 /* The sign bit of each lane whose three numbers in b have an odd sum: slerp negates this rotation of b. */
-INLINE void negations_of(const uint16_t *b, uint32_t *negated, size_t width)
+NKW_ALWAYS_INLINE void negations_of(const uint16_t *b, uint32_t *negated, size_t width)
 {
 #pragma omp simd
     for (size_t i = 0; i < width; i++)
@@ -287,7 +283,7 @@ static inline nkw_quat_view rotations_of(const key16 *key, size_t at, size_t wid
 }
 
 /* Computes w, scales and v of the block whose first lane is `at`. */
-INLINE void arcs_of(pairs16 *p, const uint16_t *b, size_t at, size_t width)
+NKW_ALWAYS_INLINE void arcs_of(pairs16 *p, const uint16_t *b, size_t at, size_t width)
 {
     const nkw_vec3_view from = vectors_of(&p->a, at, width), to = vectors_of(&p->b, at, width);
     float *from_w = p->a.w + at, *to_w = p->b.w + at, *scale_a = p->a.scale + at, *scale_b = p->b.scale + at,
@@ -306,8 +302,8 @@ INLINE void arcs_of(pairs16 *p, const uint16_t *b, size_t at, size_t width)
     }
 }
 
-INLINE void slerp_of(const pairs16 *p, const lane_compact_series *series, size_t at, float *out, size_t stride,
-                     size_t width)
+NKW_ALWAYS_INLINE void slerp_of(const pairs16 *p, const lane_compact_series *series, size_t at, float *out,
+                                size_t stride, size_t width)
 {
     const key16 *nearer = series->first ? &p->a : &p->b, *farther = series->first ? &p->b : &p->a;
     const nkw_quat_view n = rotations_of(nearer, at, width), f = rotations_of(farther, at, width);
@@ -320,7 +316,7 @@ INLINE void slerp_of(const pairs16 *p, const lane_compact_series *series, size_t
 
 /* Dispatch on the width, so that it is a constant in each loop. */
 
-INLINE void arcs16(pairs16 *p, const uint16_t *b, size_t at, size_t width)
+NKW_ALWAYS_INLINE void arcs16(pairs16 *p, const uint16_t *b, size_t at, size_t width)
 {
     if (width == CLIP_BLOCK)
         arcs_of(p, b, at, CLIP_BLOCK);
@@ -330,8 +326,8 @@ INLINE void arcs16(pairs16 *p, const uint16_t *b, size_t at, size_t width)
         arcs_of(p, b, at, 4);
 }
 
-INLINE void slerp16(const pairs16 *p, const lane_compact_series *series, size_t at, float *out, size_t stride,
-                    size_t width)
+NKW_ALWAYS_INLINE void slerp16(const pairs16 *p, const lane_compact_series *series, size_t at, float *out,
+                               size_t stride, size_t width)
 {
     if (width == CLIP_BLOCK)
         slerp_of(p, series, at, out, stride, CLIP_BLOCK);
@@ -341,8 +337,8 @@ INLINE void slerp16(const pairs16 *p, const lane_compact_series *series, size_t 
         slerp_of(p, series, at, out, stride, 4);
 }
 
-INLINE void slerp16_to(const pairs16 *p, const lane_compact_series *series, size_t at, const clip_block *block,
-                       float *out, size_t stride)
+NKW_ALWAYS_INLINE void slerp16_to(const pairs16 *p, const lane_compact_series *series, size_t at,
+                                  const clip_block *block, float *out, size_t stride)
 {
     float buffer[4 * CLIP_BLOCK];
     const int contiguous = block->contiguous > 0;
@@ -382,8 +378,8 @@ NKW_LOOP(nkwi_clip_slerp16)
  *     a   in-tangents | values p0   | out-tangents v0
  *     b   in-tangents v1 | values p1 | out-tangents
  */
-INLINE void hermite_from(int first, const float *a, const float *b, size_t words, float duration, float t, float *out,
-                         size_t n)
+NKW_ALWAYS_INLINE void hermite_from(int first, const float *a, const float *b, size_t words, float duration, float t,
+                                    float *out, size_t n)
 {
     const float *p0 = a + words, *v0 = p0 + words, *v1 = b, *p1 = b + words;
 #pragma omp simd
@@ -392,7 +388,8 @@ INLINE void hermite_from(int first, const float *a, const float *b, size_t words
 }
 
 /* 0 < t < 1. */
-INLINE void hermite_lanes(const float *a, const float *b, size_t words, float duration, float t, float *out, size_t n)
+NKW_ALWAYS_INLINE void hermite_lanes(const float *a, const float *b, size_t words, float duration, float t, float *out,
+                                     size_t n)
 {
     if (t < 0.5f)
         hermite_from(1, a, b, words, duration, t, out, n);
@@ -415,7 +412,7 @@ NKW_LOOP(nkwi_clip_hermite)
     }
 }
 
-INLINE void normalize_block(const float *x, float *out, size_t stride, size_t width)
+NKW_ALWAYS_INLINE void normalize_block(const float *x, float *out, size_t stride, size_t width)
 {
     nkw_quat_span o = block_rows_to(out, stride);
     nkw_quat_view q = block_rows(x, width);
@@ -425,8 +422,8 @@ INLINE void normalize_block(const float *x, float *out, size_t stride, size_t wi
 }
 
 /* Hermite of the four rows of a block, then normalised. */
-INLINE void quat_hermite_block(const float *a, const float *b, size_t words, float duration, float t, float *out,
-                               size_t stride, size_t width)
+NKW_ALWAYS_INLINE void quat_hermite_block(const float *a, const float *b, size_t words, float duration, float t,
+                                          float *out, size_t stride, size_t width)
 {
     float lanes[4 * CLIP_BLOCK];
     hermite_lanes(a, b, words, duration, t, lanes, 4 * width);
@@ -452,7 +449,7 @@ NKW_LOOP(nkwi_clip_quat_hermite)
 }
 
 /* Copies the four rows of a block to contiguous places. A constant width compiles to loads and stores only. */
-INLINE void copy_rows(const float *from, float *out, size_t stride, size_t width)
+NKW_ALWAYS_INLINE void copy_rows(const float *from, float *out, size_t stride, size_t width)
 {
     for (size_t row = 0; row < 4; row++)
         memcpy(out + row * stride, from + row * width, width * sizeof(float));

@@ -9,43 +9,35 @@
 #include "batch/crowd.h"
 #include "lane/mat.h"
 #include "pack/f32x4.h"
+#include "sizes.h"
 
 NKW_LOOPS_CROWD(NKW_DECLARE_LOOP)
 
-#define LANES NKW_CROWD
-
-/*
- * Lanes of a loop. GCC holds the address of every array of a loop of two steps; the rest of a step are constants where
- * it is a loop by itself.
- */
-#if defined(__AVX__) && !defined(__AVX512F__) && !defined(__clang__)
-#define TOGETHER 8
-#else
-#define TOGETHER LANES
-#endif
+#define CROWD_LANES NKW_CROWD
 
 /* An affine matrix of lane i. */
 static inline nkw_mat4 matrix_at(const float *m, size_t i)
 {
-    nkw_mat4 r = {{m[i], m[LANES + i], m[2 * LANES + i], 0.0f, m[3 * LANES + i], m[4 * LANES + i], m[5 * LANES + i],
-                   0.0f, m[6 * LANES + i], m[7 * LANES + i], m[8 * LANES + i], 0.0f, m[9 * LANES + i],
-                   m[10 * LANES + i], m[11 * LANES + i], 1.0f}};
+    nkw_mat4 r = {{m[i], m[CROWD_LANES + i], m[2 * CROWD_LANES + i], 0.0f, m[3 * CROWD_LANES + i],
+                   m[4 * CROWD_LANES + i], m[5 * CROWD_LANES + i], 0.0f, m[6 * CROWD_LANES + i], m[7 * CROWD_LANES + i],
+                   m[8 * CROWD_LANES + i], 0.0f, m[9 * CROWD_LANES + i], m[10 * CROWD_LANES + i],
+                   m[11 * CROWD_LANES + i], 1.0f}};
     return r;
 }
 
 static inline void put_matrix(float *m, size_t i, const nkw_mat4 *a)
 {
     for (size_t k = 0; k < 12; k++)
-        m[k * LANES + i] = a->m[k / 3 * 4 + k % 3];
+        m[k * CROWD_LANES + i] = a->m[k / 3 * 4 + k % 3];
 }
 
 /* nkw_mat4_from_trs of a lane. */
 static inline nkw_mat4 local_at(const float *p, size_t i)
 {
     const nkw_trs trs = {
-        {p[i], p[LANES + i], p[2 * LANES + i]},
-        {p[3 * LANES + i], p[4 * LANES + i], p[5 * LANES + i], p[6 * LANES + i]},
-        {p[7 * LANES + i], p[8 * LANES + i], p[9 * LANES + i]},
+        {p[i], p[CROWD_LANES + i], p[2 * CROWD_LANES + i]},
+        {p[3 * CROWD_LANES + i], p[4 * CROWD_LANES + i], p[5 * CROWD_LANES + i], p[6 * CROWD_LANES + i]},
+        {p[7 * CROWD_LANES + i], p[8 * CROWD_LANES + i], p[9 * CROWD_LANES + i]},
     };
     return lane_mat4_from_trs(&trs);
 }
@@ -69,19 +61,19 @@ static inline void bound_of(const float *model, const nkw_mat4 *inverse_bind, fl
     put_matrix(out, i, &m);
 }
 
-INLINE void locals_of(const float *pose, float *out)
+NKW_ALWAYS_INLINE void locals_of(const float *pose, float *out)
 {
 #pragma omp simd
-    KEEP_LOOP
-    for (size_t i = 0; i < TOGETHER; i++)
+    NKW_KEEP_LOOP
+    for (size_t i = 0; i < CROWD_LOOP; i++)
         local_of(pose, out, i);
 }
 
-INLINE void models_of(const float *parent, const float *pose, float *out)
+NKW_ALWAYS_INLINE void models_of(const float *parent, const float *pose, float *out)
 {
 #pragma omp simd
-    KEEP_LOOP
-    for (size_t i = 0; i < TOGETHER; i++)
+    NKW_KEEP_LOOP
+    for (size_t i = 0; i < CROWD_LOOP; i++)
         model_of(parent, pose, out, i);
 }
 
@@ -89,15 +81,15 @@ NKW_LOOP(nkwi_crowd_models)
 (const int32_t *parents, size_t joints, const float *crowd, const float *roots, float *models)
 {
     for (size_t j = 0; j < joints; j++) {
-        const float *pose = crowd + j * 10 * LANES;
-        float *model = models + j * 12 * LANES;
+        const float *pose = crowd + j * 10 * CROWD_LANES;
+        float *model = models + j * 12 * CROWD_LANES;
         size_t p = (size_t)parents[j];
-        const float *parent = p < j ? models + p * 12 * LANES : roots;
+        const float *parent = p < j ? models + p * 12 * CROWD_LANES : roots;
         if (parent)
-            for (size_t i = 0; i < LANES; i += TOGETHER)
+            for (size_t i = 0; i < CROWD_LANES; i += CROWD_LOOP)
                 models_of(parent + i, pose + i, model + i);
         else
-            for (size_t i = 0; i < LANES; i += TOGETHER)
+            for (size_t i = 0; i < CROWD_LANES; i += CROWD_LOOP)
                 locals_of(pose + i, model + i);
     }
 }
@@ -106,7 +98,7 @@ NKW_LOOP(nkwi_crowd_bind)(const float *model, const nkw_mat4 *inverse_bind, floa
 {
     const nkw_mat4 bind = *inverse_bind;
 #pragma omp simd
-    for (size_t i = 0; i < LANES; i++)
+    for (size_t i = 0; i < CROWD_LANES; i++)
         bound_of(model, &bind, out, i);
 }
 
@@ -117,12 +109,12 @@ NKW_LOOP(nkwi_crowd_from_poses)(const float *const *poses, size_t joints, size_t
                                           {0}, {1, 1, 1, 1}, {1, 1, 1, 1}, {1, 1, 1, 1}, {1, 1, 1, 1}};
     for (size_t j = 0; j < joints; j += 4)
         for (size_t c = 0; c < 10; c++)
-            for (size_t i = 0; i < LANES; i += 4) {
+            for (size_t i = 0; i < CROWD_LANES; i += 4) {
                 const float *from[4];
                 float *to[4];
                 for (size_t k = 0; k < 4; k++) {
                     from[k] = poses[i + k] ? poses[i + k] + c * stride + j : identity[c];
-                    to[k] = j + k < joints ? crowd + ((j + k) * 10 + c) * LANES + i : NULL;
+                    to[k] = j + k < joints ? crowd + ((j + k) * 10 + c) * CROWD_LANES + i : NULL;
                 }
                 f32x4_transpose_rows(from, to);
             }
@@ -133,9 +125,9 @@ NKW_LOOP(nkwi_crowd_to_matrices)(const float *crowd, size_t joints, nkw_mat4 *co
     static const float last[2][4] = {{0, 0, 0, 0}, {1, 1, 1, 1}};
     for (size_t j = 0; j < joints; j++)
         for (size_t column = 0; column < 4; column++)
-            for (size_t i = 0; i < LANES; i += 4) {
-                const float *at = crowd + (12 * j + 3 * column) * LANES + i;
-                const float *const from[4] = {at, at + LANES, at + 2 * LANES, last[column == 3]};
+            for (size_t i = 0; i < CROWD_LANES; i += 4) {
+                const float *at = crowd + (12 * j + 3 * column) * CROWD_LANES + i;
+                const float *const from[4] = {at, at + CROWD_LANES, at + 2 * CROWD_LANES, last[column == 3]};
                 float *to[4];
                 for (size_t k = 0; k < 4; k++)
                     to[k] = matrices[i + k] ? matrices[i + k][j].m + 4 * column : NULL;

@@ -6,11 +6,11 @@
 #include "batch/euler.h"
 #include "lane/euler.h"
 #include "lane/scalar.h"
+#include "sizes.h"
 
 NKW_LOOPS_EULER(NKW_DECLARE_LOOP)
 
 /* As for single angles (see batch/scalar.c): blocks with a far angle take the single function. */
-#define BLOCK 256
 
 static inline int any_far(nkw_vec3_view angles, size_t from, size_t to)
 {
@@ -58,8 +58,8 @@ NKW_LOOP(nkw_quat_from_euler_n)(nkw_vec3_view angles, nkw_euler_order order, nkw
     float *const to[3] = {out.x, out.y, out.z};
     const float *const turns[3] = {in[o->i], in[o->j], in[o->k]};
     float *const parts[4] = {to[o->i], to[o->j], to[o->k], out.w};
-    for (size_t from = 0; from < n; from += BLOCK) {
-        size_t end = n - from < BLOCK ? n : from + BLOCK;
+    for (size_t from = 0; from < n; from += ANGLE_BLOCK) {
+        size_t end = n - from < ANGLE_BLOCK ? n : from + ANGLE_BLOCK;
         if (any_far(angles, from, end))
             far_block(turns, o->e, parts, from, end);
         else

@@ -37,30 +37,30 @@
 
 /* A part of a kernel to which counts and formats are constants: compilers do not see by themselves that it pays. */
 #if defined(__GNUC__)
-#define INLINE static inline __attribute__((always_inline))
+#define NKW_ALWAYS_INLINE static inline __attribute__((always_inline))
 #else
-#define INLINE static inline
+#define NKW_ALWAYS_INLINE static inline
 #endif
 
 /* Before a loop over a constant few: Clang would take it apart before it looks for vectors, and then find none. */
 #if defined(__clang__)
-#define KEEP_LOOP _Pragma("clang loop unroll(disable)")
+#define NKW_KEEP_LOOP _Pragma("clang loop unroll(disable)")
 #else
-#define KEEP_LOOP
+#define NKW_KEEP_LOOP
 #endif
 
 /* A condition that mostly holds: what it guards comes first. */
 #if defined(__GNUC__)
-#define USUALLY(condition) __builtin_expect(!!(condition), 1)
+#define NKW_LIKELY(condition) __builtin_expect(!!(condition), 1)
 #else
-#define USUALLY(condition) (condition)
+#define NKW_LIKELY(condition) (condition)
 #endif
 
 /* A part of a kernel that stays a function of its own, lest a large one be compiled in one piece. */
 #if defined(__GNUC__)
-#define APART __attribute__((noinline))
+#define NKW_NOINLINE __attribute__((noinline))
 #else
-#define APART
+#define NKW_NOINLINE
 #endif
 
 #endif

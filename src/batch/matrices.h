@@ -7,13 +7,11 @@
 
 #include "lane/mat.h"
 #include "pack/f32x4.h"
-
-/* Matrices of a block: the floats of the widest register. */
-#define MATRICES 16
+#include "sizes.h"
 
 /* Element r of column c is e[3 c + r]; of the fourth row there is only the end of the last column, e[12]. */
 typedef struct matrices {
-    float e[13][MATRICES];
+    float e[13][MATRIX_BLOCK];
 } matrices;
 
 /* Index i, clamped to the last of `size` matrices, so that a short block can be processed whole. */
@@ -35,7 +33,7 @@ static inline void matrices_put(matrices *a, size_t i, const nkw_mat4 *const m[4
 /* Fills a short block of `size` with copies of its first four matrices. */
 static inline void matrices_fill(matrices *a, size_t size)
 {
-    for (size_t i = (size + 3) / 4 * 4; i < MATRICES; i += 4)
+    for (size_t i = (size + 3) / 4 * 4; i < MATRIX_BLOCK; i += 4)
         for (size_t k = 0; k < 12; k++)
             memcpy(a->e[k] + i, a->e[k], 4 * sizeof(float));
 }

@@ -7,22 +7,15 @@
 #include "batch/element.h"
 #include "batch/orient.h"
 #include "lane/orient.h"
+#include "sizes.h"
 
 NKW_LOOPS_ORIENT(NKW_DECLARE_LOOP)
 
-#define BLOCK CHORDS
-
-/* So many elements are worth a loop for chords and one for roots: then none waits for the root of the one before. */
-#if defined(__AVX512F__)
-#define MANY 128
-#else
-#define MANY 64
-#endif
-
-INLINE void nlerp_many(nkw_quat_view a, nkw_quat_view b, const float *t, int each, nkw_quat_span out, size_t n)
+NKW_ALWAYS_INLINE void nlerp_many(nkw_quat_view a, nkw_quat_view b, const float *t, int each, nkw_quat_span out,
+                                  size_t n)
 {
-    for (size_t from = 0; from < n; from += BLOCK) {
-        size_t end = n - from < BLOCK ? n : from + BLOCK;
+    for (size_t from = 0; from < n; from += ORIENT_BLOCK) {
+        size_t end = n - from < ORIENT_BLOCK ? n : from + ORIENT_BLOCK;
         chords c;
         const nkw_quat_span unit = {out.x + from, out.y + from, out.z + from, out.w + from};
 #pragma omp simd
@@ -33,9 +26,9 @@ INLINE void nlerp_many(nkw_quat_view a, nkw_quat_view b, const float *t, int eac
 }
 
 /* `each`, a constant: every element has its own t; else *t is that of all. */
-INLINE void nlerp(nkw_quat_view a, nkw_quat_view b, const float *t, int each, nkw_quat_span out, size_t n)
+NKW_ALWAYS_INLINE void nlerp(nkw_quat_view a, nkw_quat_view b, const float *t, int each, nkw_quat_span out, size_t n)
 {
-    if (n >= MANY) {
+    if (n >= NLERP_TWO_LOOPS) {
         nlerp_many(a, b, t, each, out, n);
         return;
     }
@@ -85,10 +78,10 @@ static inline void arcs_between(nkw_quat_view a, nkw_quat_view b, float *arcs, s
 }
 
 /* `generic`, a constant: no t is 0, 1/2 or 1, which saves up to a tenth of the instructions. */
-INLINE void slerp_inside(nkw_quat_view a, nkw_quat_view b, const float *t, int generic, nkw_quat_span out, size_t from,
-                         size_t to)
+NKW_ALWAYS_INLINE void slerp_inside(nkw_quat_view a, nkw_quat_view b, const float *t, int generic, nkw_quat_span out,
+                                    size_t from, size_t to)
 {
-    float arcs[BLOCK];
+    float arcs[ORIENT_BLOCK];
     arcs_between(a, b, arcs, from, to);
 #pragma omp simd
     for (size_t i = from; i < to; i++) {
@@ -113,11 +106,11 @@ static inline nkw_quat slerp_near(nkw_quat a, nkw_quat b, float t)
  * A block with t outside 0..1, which is rare: those elements by the scalar function, before the others overwrite a, b or
  * t, one of which may be out.
  */
-APART LANE_FLAT static void slerp_beyond(nkw_quat_view a, nkw_quat_view b, const float *t, nkw_quat_span out,
-                                         size_t from, size_t to)
+NKW_NOINLINE LANE_FLAT static void slerp_beyond(nkw_quat_view a, nkw_quat_view b, const float *t, nkw_quat_span out,
+                                                size_t from, size_t to)
 {
-    nkw_quat beyond[BLOCK];
-    uint32_t index[BLOCK];
+    nkw_quat beyond[ORIENT_BLOCK];
+    uint32_t index[ORIENT_BLOCK];
     size_t count = 0;
     for (size_t i = from; i < to; i++)
         if (!lane_t_is_inside(t[i])) {
@@ -131,8 +124,8 @@ APART LANE_FLAT static void slerp_beyond(nkw_quat_view a, nkw_quat_view b, const
 
 NKW_LOOP(nkw_quat_slerp_n)(nkw_quat_view a, nkw_quat_view b, const float *t, nkw_quat_span out, size_t n)
 {
-    for (size_t from = 0; from < n; from += BLOCK) {
-        size_t end = n - from < BLOCK ? n : from + BLOCK;
+    for (size_t from = 0; from < n; from += ORIENT_BLOCK) {
+        size_t end = n - from < ORIENT_BLOCK ? n : from + ORIENT_BLOCK;
         if (end - from == 1)
             put_quat(out, from, nkw_quat_slerp(at_quat(a, from), at_quat(b, from), t[from]));
         else if (any_outside(t, from, end))
@@ -144,12 +137,12 @@ NKW_LOOP(nkw_quat_slerp_n)(nkw_quat_view a, nkw_quat_view b, const float *t, nkw
     }
 }
 
-INLINE void slerp_at_time(nkw_quat_view a, nkw_quat_view b, lane_slerp_time at, nkw_quat_span out, size_t n)
+NKW_ALWAYS_INLINE void slerp_at_time(nkw_quat_view a, nkw_quat_view b, lane_slerp_time at, nkw_quat_span out, size_t n)
 {
     const lane_slerp_series series = lane_slerp_series_at(&at);
-    for (size_t from = 0; from < n; from += BLOCK) {
-        size_t end = n - from < BLOCK ? n : from + BLOCK;
-        float arcs[BLOCK];
+    for (size_t from = 0; from < n; from += ORIENT_BLOCK) {
+        size_t end = n - from < ORIENT_BLOCK ? n : from + ORIENT_BLOCK;
+        float arcs[ORIENT_BLOCK];
         arcs_between(a, b, arcs, from, end);
 #pragma omp simd
         for (size_t i = from; i < end; i++) {
@@ -209,8 +202,8 @@ static void exp_near(nkw_vec3_view v, nkw_quat_span out, size_t from, size_t to)
 
 NKW_LOOP(nkw_quat_exp_n)(nkw_vec3_view v, nkw_quat_span out, size_t n)
 {
-    for (size_t from = 0; from < n; from += BLOCK) {
-        size_t end = n - from < BLOCK ? n : from + BLOCK;
+    for (size_t from = 0; from < n; from += ORIENT_BLOCK) {
+        size_t end = n - from < ORIENT_BLOCK ? n : from + ORIENT_BLOCK;
         if (any_far(v, from, end))
             for (size_t i = from; i < end; i++)
                 put_quat(out, i, lane_quat_from_f64(lane_f64_quat_exp(lane_f64_vec3_from(at_vec3(v, i)))));

@@ -79,7 +79,7 @@ static inline void spread(const nkw_mat4 *m, size_t size, matrices *a)
 static inline void gather(const nkw_palette_source *s, const nkw_mat4 *inverse_bind, const affine *global_inverse,
                           size_t from, size_t size, matrices *a)
 {
-    nkw_mat4 m[MATRICES];
+    nkw_mat4 m[MATRIX_BLOCK];
     int plain = !s->joints && !inverse_bind && !global_inverse && from + size <= s->model_count;
     for (size_t i = 0; i < size && !plain; i++) {
         affine c = joint_matrix(s, inverse_bind, global_inverse, from + i);
@@ -95,11 +95,11 @@ NKW_LOOP(nkwi_palette_inverse)
     const affine g = affine_or_zero(s.global_inverse);
     const size_t n = s.joint_count;
     matrices a, r;
-    for (size_t from = 0; from < n; from += MATRICES) {
-        size_t size = n - from < MATRICES ? n - from : MATRICES;
+    for (size_t from = 0; from < n; from += MATRIX_BLOCK) {
+        size_t size = n - from < MATRIX_BLOCK ? n - from : MATRIX_BLOCK;
         gather(&s, NULL, s.global_inverse ? &g : NULL, from, size, &a);
 #pragma omp simd
-        for (size_t i = 0; i < MATRICES; i++)
+        for (size_t i = 0; i < MATRIX_BLOCK; i++)
             matrices_invert(&a, i, &r);
         for (size_t i = 0; i < size; i += 4)
             matrices_write(&r, i, out + from + i, size - i);
@@ -132,11 +132,11 @@ NKW_LOOP(nkwi_palette_dual)
     const affine g = affine_or_zero(s.global_inverse);
     const size_t n = s.joint_count;
     matrices a, r;
-    for (size_t from = 0; from < n; from += MATRICES) {
-        size_t size = n - from < MATRICES ? n - from : MATRICES;
+    for (size_t from = 0; from < n; from += MATRIX_BLOCK) {
+        size_t size = n - from < MATRIX_BLOCK ? n - from : MATRIX_BLOCK;
         gather(&s, s.inverse_bind, s.global_inverse ? &g : NULL, from, size, &a);
 #pragma omp simd
-        for (size_t i = 0; i < MATRICES; i++)
+        for (size_t i = 0; i < MATRIX_BLOCK; i++)
             dual_one(&a, &r, i);
         for (size_t i = 0; i < size; i += 4) {
             float *real[4] = {NULL}, *dual[4] = {NULL};
@@ -175,11 +175,11 @@ NKW_LOOP(nkwi_palette_normals)(const nkw_palette_source *source, size_t line, in
     const affine g = affine_or_zero(s.global_inverse);
     const size_t n = s.joint_count;
     matrices a, r;
-    for (size_t from = 0; from < n; from += MATRICES) {
-        size_t size = n - from < MATRICES ? n - from : MATRICES;
+    for (size_t from = 0; from < n; from += MATRIX_BLOCK) {
+        size_t size = n - from < MATRIX_BLOCK ? n - from : MATRIX_BLOCK;
         gather(&s, s.inverse_bind, s.global_inverse ? &g : NULL, from, size, &a);
 #pragma omp simd
-        for (size_t i = 0; i < MATRICES; i++)
+        for (size_t i = 0; i < MATRIX_BLOCK; i++)
             normal_one(&a, &r, i);
         write_normals(&r, line, rows ? 3 : 1, rows ? 1 : 3, out + from * 3 * line, size);
     }

@@ -6,11 +6,9 @@
 #include "batch/matrices.h"
 #include "batch/skeleton.h"
 #include "pack/affine.h"
+#include "sizes.h"
 
 NKW_LOOPS_SKELETON(NKW_DECLARE_LOOP)
-
-/* Joints whose local matrices are made together; a multiple of 16, as the padding of a pose is. */
-#define BLOCK 64
 
 /*
  * R S of eight joints of a pose whose rotations begin at r: one array for each element. With sixteen at a time AVX-512
@@ -25,7 +23,7 @@ static inline void make_linear(const float *r, size_t stride, float *linear)
         nkw_vec3 scale = {s[i], s[stride + i], s[2 * stride + i]};
         nkw_mat3 m = nkw_mat3_from_quat_scale(rotation, scale);
         for (size_t k = 0; k < 9; k++)
-            linear[k * BLOCK + i] = m.m[k];
+            linear[k * MODELS_BLOCK + i] = m.m[k];
     }
 }
 
@@ -40,7 +38,7 @@ static inline const nkw_mat4 *above(const int32_t *parents, size_t j, const nkw_
  * The local matrix of a root. A separate function: otherwise its loads are shared with those of the product, ahead of
  * the branch, and the sums lose their registers to them.
  */
-APART static void store_root(affine_arrays local, nkw_mat4 *m)
+NKW_NOINLINE static void store_root(affine_arrays local, nkw_mat4 *m)
 {
     *m = mat4_from_affine_arrays(&local);
 }
@@ -66,15 +64,15 @@ NKW_LOOP(nkwi_models_from_pose)
  nkw_mat4 *models)
 {
     affine m = model_before(models, from, to);
-    for (size_t start = from / 16 * 16, j = from; j < to; start += BLOCK) {
-        float l[9][BLOCK];
+    for (size_t start = from / 16 * 16, j = from; j < to; start += MODELS_BLOCK) {
+        float l[9][MODELS_BLOCK];
         const float *t = pose + start;
-        size_t end = to - start < BLOCK ? to : start + BLOCK;
+        size_t end = to - start < MODELS_BLOCK ? to : start + MODELS_BLOCK;
         for (size_t i = 0; i < end - start; i += 8)
             make_linear(t + 3 * stride + i, stride, l[0] + i);
         for (; j < end; j++) {
             const size_t i = j - start;
-            const affine_arrays local = {l[0] + i, l[3] + i, l[6] + i, t + i, BLOCK, stride};
+            const affine_arrays local = {l[0] + i, l[3] + i, l[6] + i, t + i, MODELS_BLOCK, stride};
             const nkw_mat4 *parent;
             if (follows_parent(parents, j)) {
                 m = affine_mul_arrays(&m, &local);
@@ -118,7 +116,7 @@ NKW_LOOP(nkwi_locals_from_models)
 {
     matrices a, inverse;
     for (size_t end = to; end > from;) {
-        size_t size = end - from < MATRICES ? end - from : MATRICES, start = end - size;
+        size_t size = end - from < MATRIX_BLOCK ? end - from : MATRIX_BLOCK, start = end - size;
         for (size_t i = 0; i < size; i += 4) {
             const nkw_mat4 *four[4];
             for (size_t k = 0; k < 4; k++) {
@@ -130,7 +128,7 @@ NKW_LOOP(nkwi_locals_from_models)
         }
         matrices_fill(&a, size);
 #pragma omp simd
-        for (size_t i = 0; i < MATRICES; i++)
+        for (size_t i = 0; i < MATRIX_BLOCK; i++)
             matrices_invert(&a, i, &inverse);
         for (size_t i = 0; i < size; i += 4) {
             nkw_mat4 m[4];

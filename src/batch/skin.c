@@ -40,13 +40,13 @@ typedef struct block {
 #define PARTS(width)      (((width) + PART(width) - 1) / PART(width))
 #define PART_AT(width, a) ((a)*PART(width) + PART(width) > (width) ? (width)-PART(width) : (a)*PART(width))
 
-INLINE f32xN load_part(const unsigned char *entry, size_t width, size_t a)
+NKW_ALWAYS_INLINE f32xN load_part(const unsigned char *entry, size_t width, size_t a)
 {
     const unsigned char *p = entry + PART_AT(width, a) * sizeof(float);
     return PART(width) < F32XN ? f32xN_load8(p) : f32xN_load(p);
 }
 
-INLINE void store_part(float *to, size_t width, size_t a, f32xN part)
+NKW_ALWAYS_INLINE void store_part(float *to, size_t width, size_t a, f32xN part)
 {
     if (PART(width) < F32XN)
         f32xN_store8(to + PART_AT(width, a), part);
@@ -55,13 +55,13 @@ INLINE void store_part(float *to, size_t width, size_t a, f32xN part)
 }
 
 /* The entry of a joint by the offset of its nkw_mat4. */
-INLINE const unsigned char *entry_at(const unsigned char *palette, size_t width, size_t offset)
+NKW_ALWAYS_INLINE const unsigned char *entry_at(const unsigned char *palette, size_t width, size_t offset)
 {
     return palette + (width == 16 ? offset : offset / 16 * width);
 }
 
 /* (w0 m0 + w1 m1) + w2 m2 ... of vertex i, k at least 1. */
-INLINE void weighted_sum(const influences *f, size_t width, size_t k, size_t i, f32xN *sum)
+NKW_ALWAYS_INLINE void weighted_sum(const influences *f, size_t width, size_t k, size_t i, f32xN *sum)
 {
     const uint32_t *offset = f->offset + i * k;
     const unsigned char *weights = f->weights + i * f->weight_stride, *entry = entry_at(f->palette, width, offset[0]);
@@ -78,12 +78,12 @@ INLINE void weighted_sum(const influences *f, size_t width, size_t k, size_t i, 
 
 /* ---- Vectors ---- */
 
-INLINE f32xN_vectors read(const unsigned char *in, size_t stride, int packed)
+NKW_ALWAYS_INLINE f32xN_vectors read(const unsigned char *in, size_t stride, int packed)
 {
     return packed ? f32xN_read3_packed(in) : f32xN_read3(in, stride);
 }
 
-INLINE void write(unsigned char *out, size_t stride, int packed, f32xN_column a)
+NKW_ALWAYS_INLINE void write(unsigned char *out, size_t stride, int packed, f32xN_column a)
 {
     if (packed)
         f32xN_write3_packed(out, a);
@@ -94,7 +94,8 @@ INLINE void write(unsigned char *out, size_t stride, int packed, f32xN_column a)
 typedef enum kind { POINTS, DIRECTIONS, UNIT_DIRECTIONS } kind;
 
 /* The vectors of a group from s on; those to be normalized go to `later`. */
-INLINE void transform_group(f32xN_columns m, kind what, int packed, const skin_stream *s, f32xN_column *later)
+NKW_ALWAYS_INLINE void transform_group(f32xN_columns m, kind what, int packed, const skin_stream *s,
+                                       f32xN_column *later)
 {
     const f32xN_vectors v = read(s->in, s->in_stride, packed);
     const f32xN_column r = what == POINTS ? f32xN_transform_point(m, v) : f32xN_transform_direction(m, v);
@@ -118,7 +119,7 @@ static void transform_part(const f32xN_columns *m, kind what, size_t n, const sk
             memcpy(s->out + i * s->out_stride, out + 4 * i, sizeof(nkw_vec3));
 }
 
-INLINE skin_stream stream_at(const skin_stream *s, size_t i)
+NKW_ALWAYS_INLINE skin_stream stream_at(const skin_stream *s, size_t i)
 {
     skin_stream r = *s;
     if (r.in)
@@ -127,25 +128,25 @@ INLINE skin_stream stream_at(const skin_stream *s, size_t i)
 }
 
 /* To the next group. */
-INLINE void advance(skin_stream *s, int packed)
+NKW_ALWAYS_INLINE void advance(skin_stream *s, int packed)
 {
     s->in += F32XN_GROUP * (packed ? sizeof(nkw_vec3) : s->in_stride);
     s->out += F32XN_GROUP * (packed ? sizeof(nkw_vec3) : s->out_stride);
 }
 
-INLINE int is_packed(const skin_stream *s)
+NKW_ALWAYS_INLINE int is_packed(const skin_stream *s)
 {
     return !s->in || (s->in_stride == sizeof(nkw_vec3) && s->out_stride == sizeof(nkw_vec3));
 }
 
 /* Registers of F32XN vectors. */
-#define CHUNK 4
+#define SKIN_REGISTERS 4
 
 /* n / |n| of F32XN vectors, four floats of each; 0 where |n| = 0. */
-INLINE void normalize(f32xN n[CHUNK])
+NKW_ALWAYS_INLINE void normalize(f32xN n[SKIN_REGISTERS])
 {
-    f32xN s[CHUNK];
-    for (int i = 0; i < CHUNK; i++)
+    f32xN s[SKIN_REGISTERS];
+    for (int i = 0; i < SKIN_REGISTERS; i++)
         s[i] = n[i] * n[i];
     f32xN_transpose(s);
     const f32xN zero = f32xN_splat(0.0f), n2 = (s[0] + s[1]) + s[2];
@@ -157,13 +158,13 @@ INLINE void normalize(f32xN n[CHUNK])
 }
 
 /* Normalizes and writes n directions, in groups as transform_group leaves them. */
-INLINE void write_unit_directions(f32xN_column *direction, int packed, const skin_stream *stream, size_t n)
+NKW_ALWAYS_INLINE void write_unit_directions(f32xN_column *direction, int packed, const skin_stream *stream, size_t n)
 {
     skin_stream s = *stream;
     float *d = (float *)(void *)direction;
     memset(d + 4 * n, 0, (SKIN_LONG_BLOCK - n) * 4 % (4 * F32XN) * sizeof *d);
     for (size_t i = 0; i < n; i += F32XN) {
-        f32xN v[CHUNK];
+        f32xN v[SKIN_REGISTERS];
         memcpy(v, d + 4 * i, sizeof v);
         normalize(v);
         memcpy(d + 4 * i, v, sizeof v);
@@ -188,7 +189,7 @@ static void finish_directions(block *b, const skin_stream *s, size_t n)
 /* ---- A run: vertices one after the other of which each has a weight ---- */
 
 /* The matrices of a group, of `width` 16 or 9. Where it has fewer vertices the last one takes the places of the others. */
-INLINE f32xN_columns blend_group(const influences *f, size_t width, size_t k, size_t last)
+NKW_ALWAYS_INLINE f32xN_columns blend_group(const influences *f, size_t width, size_t k, size_t last)
 {
     f32xN m[F32XN_GROUP * (PARTS(16) > PARTS(9) ? PARTS(16) : PARTS(9))];
     for (size_t g = 0; g < F32XN_GROUP; g++)
@@ -200,13 +201,13 @@ INLINE f32xN_columns blend_group(const influences *f, size_t width, size_t k, si
  * Whether the first weights of a group are neither 0 nor subnormal, as most are. Half of their bits tell; compilers
  * would take the float for the sum from the whole of them, which is slower than to load it again.
  */
-INLINE int are_usual(const influences *f)
+NKW_ALWAYS_INLINE int are_usual(const influences *f)
 {
     const uint16_t order = 1;
     uint16_t high;
     for (size_t g = 0; g < F32XN_GROUP; g++) {
         memcpy(&high, f->weights + g * f->weight_stride + (*(const unsigned char *)&order ? 2 : 0), sizeof high);
-        if (!USUALLY(high & 0x7f80))
+        if (!NKW_LIKELY(high & 0x7f80))
             return 0;
     }
     return 1;
@@ -220,8 +221,8 @@ typedef struct task {
 } task;
 
 /* Groups from vertex i on, before vertex n, while first weights are usual. Returns their end. */
-INLINE size_t blend_groups(const influences *from, size_t width, size_t k, const task *t, int packed, size_t i,
-                           size_t n, block *b)
+NKW_ALWAYS_INLINE size_t blend_groups(const influences *from, size_t width, size_t k, const task *t, int packed,
+                                      size_t i, size_t n, block *b)
 {
     influences f = influences_at(from, i);
     skin_stream p = stream_at(&t->points, i), d = stream_at(&t->directions, i);
@@ -252,7 +253,7 @@ INLINE size_t blend_groups(const influences *from, size_t width, size_t k, const
  * The n vertices from i on, at most a group, whatever their weights. Returns how many of them belong to the run. Reads
  * no further than their vectors.
  */
-APART static size_t blend_part(const influences *from, const task *t, size_t i, size_t n, block *b)
+NKW_NOINLINE static size_t blend_part(const influences *from, const task *t, size_t i, size_t n, block *b)
 {
     const influences f = influences_at(from, i);
     const skin_stream p = stream_at(&t->points, i), d = stream_at(&t->directions, i);
@@ -271,7 +272,8 @@ APART static size_t blend_part(const influences *from, const task *t, size_t i, 
 }
 
 /* Returns the number of vertices of the run, at most n. */
-INLINE size_t blend_run_of(const influences *f, size_t width, size_t k, const task *t, int packed, size_t n, block *b)
+NKW_ALWAYS_INLINE size_t blend_run_of(const influences *f, size_t width, size_t k, const task *t, int packed, size_t n,
+                                      block *b)
 {
     const size_t followed = packed ? n : t->followed;
     for (size_t i = 0, part;; i += part) {
@@ -282,14 +284,15 @@ INLINE size_t blend_run_of(const influences *f, size_t width, size_t k, const ta
     }
 }
 
-INLINE size_t blend_run_by_stride(const influences *f, size_t width, size_t k, const task *t, size_t n, block *b)
+NKW_ALWAYS_INLINE size_t blend_run_by_stride(const influences *f, size_t width, size_t k, const task *t, size_t n,
+                                             block *b)
 {
     if (F32XN_GROUP > 1 && is_packed(&t->points) && is_packed(&t->directions))
         return blend_run_of(f, width, k, t, 1, n, b);
     return blend_run_of(f, width, k, t, 0, n, b);
 }
 
-APART static size_t blend_run(const influences *f, const task *t, size_t n, block *b)
+NKW_NOINLINE static size_t blend_run(const influences *f, const task *t, size_t n, block *b)
 {
     if (t->width == 9)
         return f->k == 4 ? blend_run_by_stride(f, 9, 4, t, n, b) : blend_run_by_stride(f, 9, f->k, t, n, b);
@@ -299,7 +302,7 @@ APART static size_t blend_run(const influences *f, const task *t, size_t n, bloc
                        : blend_run_by_stride(f, 16, f->k, t, n, b);
 }
 
-INLINE void transform_by_matrices(block *b, kind what, const skin_stream *stream, size_t followed, size_t n)
+NKW_ALWAYS_INLINE void transform_by_matrices(block *b, kind what, const skin_stream *stream, size_t followed, size_t n)
 {
     size_t i = 0;
     skin_stream s = *stream;
@@ -314,7 +317,8 @@ INLINE void transform_by_matrices(block *b, kind what, const skin_stream *stream
 }
 
 /* Stream s of n vertices from `from` on, by the matrices of the block. */
-APART static void transform_stream(const skin_job *job, size_t s, size_t from, size_t followed, size_t n, block *b)
+NKW_NOINLINE static void transform_stream(const skin_job *job, size_t s, size_t from, size_t followed, size_t n,
+                                          block *b)
 {
     const kind what = s == SKIN_POSITIONS ? POINTS : job->skip_normalization ? DIRECTIONS : UNIT_DIRECTIONS;
     const skin_stream stream = stream_at(&job->streams[s], from);
@@ -331,14 +335,14 @@ APART static void transform_stream(const skin_job *job, size_t s, size_t from, s
 /* ---- Dual quaternions ---- */
 
 /* The four floats of column c of vertex i, and those of i + F32XN_GROUP after 16 F32XN_GROUP floats. */
-INLINE float *column_of(block *b, size_t i, size_t c)
+NKW_ALWAYS_INLINE float *column_of(block *b, size_t i, size_t c)
 {
     float *first = (float *)(void *)b->matrix;
     return first + 16 * (i - i % F32XN_GROUP) + 4 * (c * F32XN_GROUP + i % F32XN_GROUP);
 }
 
 /* The weights of a vertex, negated for joints on the other half sphere than the one of the largest, first of equals. */
-INLINE void align_weights(const influences *f, size_t k, size_t i, float *out)
+NKW_ALWAYS_INLINE void align_weights(const influences *f, size_t k, size_t i, float *out)
 {
     const uint32_t *offset = f->offset + i * k;
     const unsigned char *weights = f->weights + i * f->weight_stride;
@@ -359,7 +363,7 @@ INLINE void align_weights(const influences *f, size_t k, size_t i, float *out)
 }
 
 /* n dual quaternions to the first three rows of matrices, in component arrays, column by column. */
-APART static void rigid_matrices(float d[8][SKIN_BLOCK], float m[12][SKIN_BLOCK], size_t n)
+NKW_NOINLINE static void rigid_matrices(float d[8][SKIN_BLOCK], float m[12][SKIN_BLOCK], size_t n)
 {
 #pragma omp simd
     for (size_t i = 0; i < n; i++) {
@@ -397,7 +401,7 @@ static void matrices_from_dual_quats(size_t n, block *b)
 }
 
 /* The sum of dual quaternion entries of vertex i. */
-INLINE void sum_dual_quat(const influences *f, size_t k, size_t i, float out[8])
+NKW_ALWAYS_INLINE void sum_dual_quat(const influences *f, size_t k, size_t i, float out[8])
 {
     f32xN sum[PARTS(8)];
     float weight[NKW_SKIN_INFLUENCES] = {0.0f};
@@ -409,7 +413,7 @@ INLINE void sum_dual_quat(const influences *f, size_t k, size_t i, float out[8])
         store_part(out, 8, a, sum[a]);
 }
 
-INLINE void blend_dual_quats_of(const influences *f, size_t k, size_t n, block *b)
+NKW_ALWAYS_INLINE void blend_dual_quats_of(const influences *f, size_t k, size_t n, block *b)
 {
     float *dual = (float *)(void *)b->matrix;
     const size_t padded = (n + 3) / 4 * 4;
@@ -419,7 +423,7 @@ INLINE void blend_dual_quats_of(const influences *f, size_t k, size_t n, block *
     matrices_from_dual_quats(padded, b);
 }
 
-APART static void blend_dual_quats(const influences *f, size_t n, block *b)
+NKW_NOINLINE static void blend_dual_quats(const influences *f, size_t n, block *b)
 {
     if (f->k == 4)
         blend_dual_quats_of(f, 4, n, b);
@@ -484,8 +488,8 @@ static void copy_vertices(const skin_job *job, size_t from, size_t n)
 }
 
 /* The n vertices of a block: runs, and between them vertices without weights. */
-INLINE void transform_block(const skin_job *job, int dual, const influences *all, size_t from, size_t followed,
-                            size_t n, block *b)
+NKW_ALWAYS_INLINE void transform_block(const skin_job *job, int dual, const influences *all, size_t from,
+                                       size_t followed, size_t n, block *b)
 {
     for (size_t i = 0; i < n; i++) {
         const influences f = influences_at(all, i);
@@ -506,7 +510,7 @@ static int may_read_fours(const skin_job *job)
     return 1;
 }
 
-INLINE void transform_blocks(const skin_job *job, int dual)
+NKW_ALWAYS_INLINE void transform_blocks(const skin_job *job, int dual)
 {
     const int is_long = !dual && job->influence_count <= 4 && !has_tangents(job), fours = may_read_fours(job);
     const size_t count = job->vertex_count, size = is_long ? SKIN_LONG_BLOCK : SKIN_BLOCK;

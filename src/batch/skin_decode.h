@@ -11,18 +11,14 @@
 #include "batch/skin.h"
 #include "lane/scalar.h"
 #include "skin_format.h"
+#include "sizes.h"
 
-/* Vertices in a block: its arrays stay in the first-level cache. */
-#define SKIN_BLOCK 64
-/* Where matrices are not stored and vertices have up to four influences: a block costs about 40 ns. */
-#define SKIN_LONG_BLOCK (2 * SKIN_BLOCK)
-
-#define BLOCK_INFLUENCES (SKIN_BLOCK * NKW_SKIN_INFLUENCES)
+#define SKIN_BLOCK_INFLUENCES (SKIN_BLOCK * NKW_SKIN_INFLUENCES)
 
 /* Influence e of vertex i, of k, at [i * k + e]. */
 typedef struct decoded_influences {
-    uint32_t offset[BLOCK_INFLUENCES];
-    float weight[BLOCK_INFLUENCES]; /* where weights are not read where they are stored */
+    uint32_t offset[SKIN_BLOCK_INFLUENCES];
+    float weight[SKIN_BLOCK_INFLUENCES]; /* where weights are not read where they are stored */
 } decoded_influences;
 
 /* The palette and the k influences of vertices; weights are floats. */
@@ -34,7 +30,7 @@ typedef struct influences {
 } influences;
 
 /* Those from vertex i on. */
-INLINE influences influences_at(const influences *f, size_t i)
+NKW_ALWAYS_INLINE influences influences_at(const influences *f, size_t i)
 {
     influences r = *f;
     r.offset += i * f->k;
@@ -42,7 +38,7 @@ INLINE influences influences_at(const influences *f, size_t i)
     return r;
 }
 
-INLINE float load_float(const unsigned char *p)
+NKW_ALWAYS_INLINE float load_float(const unsigned char *p)
 {
     float x;
     memcpy(&x, p, sizeof x);
@@ -50,8 +46,8 @@ INLINE float load_float(const unsigned char *p)
 }
 
 /* n elements of `size` bytes, contiguous: at data, or copied to `packed`. */
-INLINE const unsigned char *gather(const unsigned char *data, size_t stride, size_t size, unsigned char *packed,
-                                   size_t n)
+NKW_ALWAYS_INLINE const unsigned char *gather(const unsigned char *data, size_t stride, size_t size,
+                                              unsigned char *packed, size_t n)
 {
     if (stride == size)
         return data;
@@ -61,10 +57,10 @@ INLINE const unsigned char *gather(const unsigned char *data, size_t stride, siz
 }
 
 /* Weights of n vertices from data on. */
-INLINE void decode_weights(const unsigned char *data, size_t stride, nkw_skin_format format, size_t k, size_t n,
-                           float *weight)
+NKW_ALWAYS_INLINE void decode_weights(const unsigned char *data, size_t stride, nkw_skin_format format, size_t k,
+                                      size_t n, float *weight)
 {
-    unsigned char packed[4 * BLOCK_INFLUENCES];
+    unsigned char packed[4 * SKIN_BLOCK_INFLUENCES];
     const size_t size = skin_format_size(format);
     data = gather(data, stride, size * k, packed, n);
     for (size_t e = 0; e < n * k; e++)
@@ -75,10 +71,10 @@ INLINE void decode_weights(const unsigned char *data, size_t stride, nkw_skin_fo
  * Returns whether a joint j may be beyond the palette, joint_count <= SKIN_JOINTS: where j or joint_count - 1 - j has
  * the sign bit of an int32_t.
  */
-INLINE uint32_t decode_joints(const unsigned char *data, size_t stride, nkw_skin_format format, uint32_t joint_count,
-                              size_t k, size_t n, uint32_t *offset)
+NKW_ALWAYS_INLINE uint32_t decode_joints(const unsigned char *data, size_t stride, nkw_skin_format format,
+                                         uint32_t joint_count, size_t k, size_t n, uint32_t *offset)
 {
-    unsigned char packed[4 * BLOCK_INFLUENCES];
+    unsigned char packed[4 * SKIN_BLOCK_INFLUENCES];
     const size_t size = skin_format_size(format);
     uint32_t beyond = 0;
     data = gather(data, stride, size * k, packed, n);
@@ -91,8 +87,8 @@ INLINE uint32_t decode_joints(const unsigned char *data, size_t stride, nkw_skin
     return beyond >> 31;
 }
 
-INLINE uint32_t decode_by_format(const skin_job *job, const unsigned char *joints, const unsigned char *weights,
-                                 size_t k, size_t n, decoded_influences *d)
+NKW_ALWAYS_INLINE uint32_t decode_by_format(const skin_job *job, const unsigned char *joints,
+                                            const unsigned char *weights, size_t k, size_t n, decoded_influences *d)
 {
     const size_t joint_stride = job->joints.stride, weight_stride = job->weights.stride;
     if (job->weights.format == NKW_SKIN_U8)
@@ -107,8 +103,8 @@ INLINE uint32_t decode_by_format(const skin_job *job, const unsigned char *joint
 }
 
 /* A joint beyond the palette becomes joint 0 of weight 0. It is read again: an offset has lost its highest bits. */
-APART static void drop_joints(const skin_job *job, const unsigned char *joints, size_t k, size_t n,
-                              decoded_influences *d)
+NKW_NOINLINE static void drop_joints(const skin_job *job, const unsigned char *joints, size_t k, size_t n,
+                                     decoded_influences *d)
 {
     const size_t size = skin_format_size(job->joints.format);
     for (size_t i = 0; i < n; i++)
@@ -118,7 +114,7 @@ APART static void drop_joints(const skin_job *job, const unsigned char *joints, 
 }
 
 /* Vertices from .. from + n - 1. Float weights stay where they are stored if every joint is in the palette. */
-APART static influences decode(const skin_job *job, size_t from, size_t n, decoded_influences *d)
+NKW_NOINLINE static influences decode(const skin_job *job, size_t from, size_t n, decoded_influences *d)
 {
     const size_t k = job->influence_count;
     const unsigned char *joints = (const unsigned char *)job->joints.data + from * job->joints.stride;
@@ -137,7 +133,7 @@ APART static influences decode(const skin_job *job, size_t from, size_t n, decod
 }
 
 /* The vertices, of n, before the first one of which all weights are 0. */
-APART static size_t count_weighted(const influences *f, size_t n)
+NKW_NOINLINE static size_t count_weighted(const influences *f, size_t n)
 {
     for (size_t i = 0; i < n; i++) {
         uint32_t any = 0;

@@ -11,9 +11,6 @@
 #include "orient.h"
 #include "quat.h"
 
-/* The most joints that the loops take at once: what these need on the stack. */
-#define BLEND_BLOCK 128
-
 /* A mask brought into 0..1, NaN to 0. */
 static inline float lane_mask(float mask)
 {

@@ -316,8 +316,7 @@ static inline float lane_angle_difference_far(float from, float to)
 static inline int lane_wrap_is_far(float x, float period)
 {
     double magnitude = lane_abs64((double)x);
-    return (magnitude >= 0x1p28 * (double)period) & (magnitude < (double)INFINITY) &
-           (period > 0.0f);
+    return (magnitude >= 0x1p28 * (double)period) & (magnitude < (double)INFINITY) & (period > 0.0f);
 }
 
 /* |x| - n period, exact, n the nearest whole number to the quotient, made positive by one period. */

@@ -136,7 +136,7 @@ static inline f32xN_columns f32xN_columns_of3(const f32xN *m)
     f32xN_columns r = {{{m[0], m[1], m[2], 0.0f}}, {{m[3], m[4], m[5], 0.0f}}, {{m[6], m[7], m[8], 0.0f}}, {{0.0f}}};
 #elif F32XN == 4
     f32xN_columns r = {
-        {{m[0]}}, {{NKW_SHUFFLE(m[0], m[1], 3, 4, 5, 6)}}, {{NKW_SHUFFLE(m[2], m[2], 1, 2, 3, 3)}}, {{{0.0f}}}};
+        {{m[0]}}, {{F32X4_SHUFFLE(m[0], m[1], 3, 4, 5, 6)}}, {{F32X4_SHUFFLE(m[2], m[2], 1, 2, 3, 3)}}, {{{0.0f}}}};
 #elif F32XN == 8
     f32xN_columns r = {{{F32XN_SHUFFLE(m[0], m[2], 0, 1, 2, 3, 8, 9, 10, 11)}},
                        {{F32XN_SHUFFLE(m[0], m[2], 3, 4, 5, 6, 11, 12, 13, 14)}},

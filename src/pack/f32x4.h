@@ -18,6 +18,13 @@
 typedef nkw_f32x4 f32x4;
 typedef nkw_i32x4 i32x4;
 
+/* Elements i, j, k, l of a, from 4 on those of b; constants. */
+#if defined(__clang__)
+#define F32X4_SHUFFLE(a, b, i, j, k, l) __builtin_shufflevector(a, b, i, j, k, l)
+#else
+#define F32X4_SHUFFLE(a, b, i, j, k, l) __builtin_shuffle(a, b, (i32x4){i, j, k, l})
+#endif
+
 static inline f32x4 f32x4_load(const void *from)
 {
     return nkw_f32x4_load(from);
@@ -45,9 +52,9 @@ static inline f32x4 f32x4_splat(float x)
 
 /* a[i] in all four; i is a constant. Before AVX the integer shuffle needs no copy of a. */
 #if defined(__SSE2__) && !defined(__AVX__)
-#define f32x4_broadcast(a, i) ((f32x4)NKW_SHUFFLE((i32x4)(a), (i32x4)(a), i, i, i, i))
+#define f32x4_broadcast(a, i) ((f32x4)F32X4_SHUFFLE((i32x4)(a), (i32x4)(a), i, i, i, i))
 #else
-#define f32x4_broadcast(a, i) NKW_SHUFFLE(a, a, i, i, i, i)
+#define f32x4_broadcast(a, i) F32X4_SHUFFLE(a, a, i, i, i, i)
 #endif
 
 /* a where the mask is set, otherwise b. */
@@ -67,7 +74,7 @@ static inline f32x4 f32x4_with_last(f32x4 a, int last)
 {
 #if defined(__AVX__)
     const f32x4 end = {0.0f, 0.0f, 0.0f, last ? 1.0f : 0.0f};
-    return NKW_SHUFFLE(a, end, 0, 1, 2, 7);
+    return F32X4_SHUFFLE(a, end, 0, 1, 2, 7);
 #else
     const i32x4 keep = {-1, -1, -1, 0}, end = {0, 0, 0, last ? 0x3f800000 : 0};
     return (f32x4)(((i32x4)a & keep) | end);
@@ -77,8 +84,8 @@ static inline f32x4 f32x4_with_last(f32x4 a, int last)
 /* (a[0] + a[1]) + (a[2] + a[3]), in all four. */
 static inline f32x4 f32x4_sum(f32x4 a)
 {
-    f32x4 pairs = a + NKW_SHUFFLE(a, a, 1, 0, 3, 2);
-    return pairs + NKW_SHUFFLE(pairs, pairs, 2, 3, 0, 1);
+    f32x4 pairs = a + F32X4_SHUFFLE(a, a, 1, 0, 3, 2);
+    return pairs + F32X4_SHUFFLE(pairs, pairs, 2, 3, 0, 1);
 }
 
 static inline f32x4 f32x4_sqrt(f32x4 a)
@@ -90,12 +97,12 @@ static inline f32x4 f32x4_sqrt(f32x4 a)
 /* Rows become columns. */
 static inline void f32x4_transpose(f32x4 m[4])
 {
-    f32x4 a = NKW_SHUFFLE(m[0], m[1], 0, 4, 1, 5), b = NKW_SHUFFLE(m[2], m[3], 0, 4, 1, 5);
-    f32x4 c = NKW_SHUFFLE(m[0], m[1], 2, 6, 3, 7), d = NKW_SHUFFLE(m[2], m[3], 2, 6, 3, 7);
-    m[0] = NKW_SHUFFLE(a, b, 0, 1, 4, 5);
-    m[1] = NKW_SHUFFLE(a, b, 2, 3, 6, 7);
-    m[2] = NKW_SHUFFLE(c, d, 0, 1, 4, 5);
-    m[3] = NKW_SHUFFLE(c, d, 2, 3, 6, 7);
+    f32x4 a = F32X4_SHUFFLE(m[0], m[1], 0, 4, 1, 5), b = F32X4_SHUFFLE(m[2], m[3], 0, 4, 1, 5);
+    f32x4 c = F32X4_SHUFFLE(m[0], m[1], 2, 6, 3, 7), d = F32X4_SHUFFLE(m[2], m[3], 2, 6, 3, 7);
+    m[0] = F32X4_SHUFFLE(a, b, 0, 1, 4, 5);
+    m[1] = F32X4_SHUFFLE(a, b, 2, 3, 6, 7);
+    m[2] = F32X4_SHUFFLE(c, d, 0, 1, 4, 5);
+    m[3] = F32X4_SHUFFLE(c, d, 2, 3, 6, 7);
 }
 #endif
 

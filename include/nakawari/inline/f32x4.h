@@ -5,24 +5,25 @@
  *
  * Defined only if NKW_F32X4 of base.h is 1.
  */
+#include "../base.h"
+
+/* Elements i, j, k, l of a, from 4 on those of b; constants. Each header that includes this file undefines it again. */
+#if !NKW_F32X4 || defined(NKW_SHUFFLE)
+#elif defined(__clang__)
+#define NKW_SHUFFLE(a, b, i, j, k, l) __builtin_shufflevector(a, b, i, j, k, l)
+#else
+#define NKW_SHUFFLE(a, b, i, j, k, l) __builtin_shuffle(a, b, __extension__(nkw_i32x4){i, j, k, l})
+#endif
+
 #ifndef NAKAWARI_INLINE_F32X4_H
 #define NAKAWARI_INLINE_F32X4_H
 
 #include <stdint.h>
 #include <string.h>
 
-#include "../base.h"
-
 #if NKW_F32X4
 typedef float nkw_f32x4 __attribute__((vector_size(16)));
 typedef int32_t nkw_i32x4 __attribute__((vector_size(16)));
-
-/* Elements i, j, k, l of the eight elements a[0..3] b[0..3]. The indices are constants. */
-#if defined(__clang__)
-#define NKW_SHUFFLE(a, b, i, j, k, l) __builtin_shufflevector(a, b, i, j, k, l)
-#else
-#define NKW_SHUFFLE(a, b, i, j, k, l) __builtin_shuffle(a, b, __extension__(nkw_i32x4){i, j, k, l})
-#endif
 
 /* Reads four floats; no alignment required. */
 NKW_PART nkw_f32x4 nkw_f32x4_load(const void *from)

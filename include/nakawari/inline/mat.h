@@ -216,4 +216,6 @@ NKW_BODY nkw_vec3 nkw_mat4_transform_direction(const nkw_mat4 *m, nkw_vec3 d)
 }
 #endif
 
+#undef NKW_SHUFFLE
+
 #endif

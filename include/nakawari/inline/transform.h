@@ -98,4 +98,6 @@ NKW_BODY nkw_trs nkw_trs_mul(const nkw_trs *a, const nkw_trs *b)
 }
 #endif
 
+#undef NKW_SHUFFLE
+
 #endif

@@ -1,26 +1,26 @@
 /* SPDX-License-Identifier: MIT */
 /* Floor 4: segment lookup in key times at a distance of `stride` bytes. */
-#ifndef NAKAWARI_LANE_SEGMENT_H
-#define NAKAWARI_LANE_SEGMENT_H
+#ifndef NAKAWARI_SEGMENT_SEARCH_H
+#define NAKAWARI_SEGMENT_SEARCH_H
 
-#include "strict.h"
+#include "lane/strict.h"
 
 #include <nakawari/segment.h>
 
 /* Key times in an array of floats, or of structs with a time. */
-typedef struct lane_times {
+typedef struct segment_times {
     const char *first;
     size_t stride;
     size_t count;
-} lane_times;
+} segment_times;
 
-static inline lane_times lane_times_of(const float *times, size_t count)
+static inline segment_times segment_times_of(const float *times, size_t count)
 {
-    lane_times r = {(const char *)times, sizeof *times, count};
+    segment_times r = {(const char *)times, sizeof *times, count};
     return r;
 }
 
-static inline float lane_time(lane_times times, size_t k)
+static inline float segment_time(segment_times times, size_t k)
 {
     return *(const float *)(const void *)(times.first + k * times.stride);
 }
@@ -31,7 +31,7 @@ static inline float lane_time(lane_times times, size_t k)
  * t is 1 if and only if time >= b: for time < b, a quotient that rounds to 1 becomes the largest float below 1.
  * If a >= b, t is 1 for time >= b, otherwise 0. NaN returns 0.
  */
-static inline float lane_segment_t(float a, float b, float time)
+static inline float segment_t(float a, float b, float time)
 {
     float t = (float)(((double)time - (double)a) / ((double)b - (double)a));
     float inside = t > 0.0f ? t : 0.0f;
@@ -40,10 +40,10 @@ static inline float lane_segment_t(float a, float b, float time)
 }
 
 /* The number of keys k + step, k + 2 step and k + 3 step whose time is <= time. */
-static inline size_t lane_segment_passed(lane_times times, float time, size_t k, size_t step)
+static inline size_t segment_passed(segment_times times, float time, size_t k, size_t step)
 {
-    size_t one = lane_time(times, k + step) <= time, two = lane_time(times, k + 2 * step) <= time;
-    size_t three = lane_time(times, k + 3 * step) <= time;
+    size_t one = segment_time(times, k + step) <= time, two = segment_time(times, k + 2 * step) <= time;
+    size_t three = segment_time(times, k + 3 * step) <= time;
     return one + two + three;
 }
 
@@ -54,57 +54,57 @@ static inline size_t lane_segment_passed(lane_times times, float time, size_t k,
  * depends on n only: no branch is mispredicted when times are random. The result is in k..k + n - 1 for any times, also
  * for times that do not ascend.
  */
-static inline size_t lane_segment_search(lane_times times, float time, size_t k, size_t n)
+static inline size_t segment_search(segment_times times, float time, size_t k, size_t n)
 {
     while (n > 3) {
         size_t quarter = n / 4;
-        k += quarter * lane_segment_passed(times, time, k, quarter);
+        k += quarter * segment_passed(times, time, k, quarter);
         n -= 3 * quarter;
     }
-    size_t one = n > 1 && lane_time(times, k + 1) <= time, two = n > 2 && lane_time(times, k + 2) <= time;
+    size_t one = n > 1 && segment_time(times, k + 1) <= time, two = n > 2 && segment_time(times, k + 2) <= time;
     return k + one + two;
 }
 
-static inline nkw_segment lane_segment_at(lane_times times, float time, size_t k)
+static inline nkw_segment segment_at(segment_times times, float time, size_t k)
 {
-    nkw_segment r = {k, lane_segment_t(lane_time(times, k), lane_time(times, k + 1), time)};
+    nkw_segment r = {k, segment_t(segment_time(times, k), segment_time(times, k + 1), time)};
     return r;
 }
 
-static inline nkw_segment lane_segment_find(lane_times times, float time)
+static inline nkw_segment segment_find(segment_times times, float time)
 {
     nkw_segment none = {0, 0.0f};
     if (times.count < 2)
         return none;
-    return lane_segment_at(times, time, lane_segment_search(times, time, 0, times.count - 1));
+    return segment_at(times, time, segment_search(times, time, 0, times.count - 1));
 }
 
 /*
  * Searches from `hint` on: steps of 1, 1, 4, 16, ... keys forwards or backwards until an interval contains the time,
- * then lane_segment_search in that interval. O(log d) for d keys between the hint and the result.
+ * then segment_search in that interval. O(log d) for d keys between the hint and the result.
  */
-static inline nkw_segment lane_segment_find_hint(lane_times times, float time, size_t hint)
+static inline nkw_segment segment_find_hint(segment_times times, float time, size_t hint)
 {
     nkw_segment none = {0, 0.0f};
     if (times.count < 2)
         return none;
     size_t last = times.count - 1;
     size_t k = hint < last ? hint : last - 1, n = 1, step = 1;
-    if (lane_time(times, k) <= time) {
-        for (; n < last - k && lane_time(times, k + n) <= time; step *= 4) {
+    if (segment_time(times, k) <= time) {
+        for (; n < last - k && segment_time(times, k + n) <= time; step *= 4) {
             k += n;
             n = step;
         }
         n = n < last - k ? n : last - k;
     } else {
-        for (; n < k && !(lane_time(times, k - n) <= time); step *= 4) {
+        for (; n < k && !(segment_time(times, k - n) <= time); step *= 4) {
             k -= n;
             n = step;
         }
         n = n < k ? n : k;
         k -= n;
     }
-    return lane_segment_at(times, time, n > 1 ? lane_segment_search(times, time, k, n) : k);
+    return segment_at(times, time, n > 1 ? segment_search(times, time, k, n) : k);
 }
 
 #endif

@@ -1,16 +1,16 @@
 /* SPDX-License-Identifier: MIT */
-/* Floor 0: a sort that needs no memory. */
-#ifndef NAKAWARI_LANE_SORT_H
-#define NAKAWARI_LANE_SORT_H
+/* Floor 0: a sort of indices that needs no memory. */
+#ifndef NAKAWARI_SORT_H
+#define NAKAWARI_SORT_H
 
-#include "strict.h"
+#include "lane/strict.h"
 
 #include <stddef.h>
 #include <stdint.h>
 
-typedef int lane_before(const void *context, uint32_t a, uint32_t b);
+typedef int sort_before(const void *context, uint32_t a, uint32_t b);
 
-static inline void lane_sift_down(uint32_t *heap, size_t root, size_t n, lane_before *before, const void *context)
+static inline void sort_sift_down(uint32_t *heap, size_t root, size_t n, sort_before *before, const void *context)
 {
     uint32_t moved = heap[root];
     for (size_t child = 2 * root + 1; child < n; child = 2 * root + 1) {
@@ -25,19 +25,19 @@ static inline void lane_sift_down(uint32_t *heap, size_t root, size_t n, lane_be
 }
 
 /* Heap sort: in place, n log n whatever the input. `before` must be a total order for the result to be one. */
-static inline void lane_sort(uint32_t *a, size_t n, lane_before *before, const void *context)
+static inline void sort_indices(uint32_t *a, size_t n, sort_before *before, const void *context)
 {
     for (size_t i = n / 2; i-- > 0;)
-        lane_sift_down(a, i, n, before, context);
+        sort_sift_down(a, i, n, before, context);
     for (size_t end = n; end-- > 1;) {
         uint32_t largest = a[0];
         a[0] = a[end];
         a[end] = largest;
-        lane_sift_down(a, 0, end, before, context);
+        sort_sift_down(a, 0, end, before, context);
     }
 }
 
-static inline int lane_before_number(const void *context, uint32_t a, uint32_t b)
+static inline int sort_before_number(const void *context, uint32_t a, uint32_t b)
 {
     (void)context;
     return a < b;

@@ -1,0 +1,71 @@
+/* SPDX-License-Identifier: MIT */
+/*
+ * Block sizes and thresholds, each with its reason. None shows in a result: a loop over blocks returns the bits of the
+ * scalar function. Sizes were measured on x86-64; they are multiples of 16, the floats of the widest register.
+ */
+#ifndef NAKAWARI_SIZES_H
+#define NAKAWARI_SIZES_H
+
+#include <stddef.h>
+
+/* ---- Loops over elements ---- */
+
+/* Angles (scalar, euler): a block has one test for angles from 2^20 on, whose elements are computed again. */
+#define ANGLE_BLOCK 256
+/* Angles: a block with fewer is left to the scalar function, which takes less time than a remainder of a loop. */
+#define ANGLE_FEW 8
+/* Rotations (slerp, nlerp, exp): lengths and roots of a block in the first-level cache, 5 arrays of 1 KiB. */
+#define ORIENT_BLOCK 256
+/* nlerp: from this many on, chords and roots are two loops, so that no element waits for the root of the one before. */
+#if defined(__AVX512F__)
+#define NLERP_TWO_LOOPS 128
+#else
+#define NLERP_TWO_LOOPS 64
+#endif
+/* Matrices that are transposed to component arrays: the floats of the widest register. */
+#define MATRIX_BLOCK 16
+/* Lanes of a crowd in one loop. GCC holds the address of each array in a loop of two iterations, and runs out. */
+#if defined(__AVX__) && !defined(__AVX512F__) && !defined(__clang__)
+#define CROWD_LOOP 8
+#else
+#define CROWD_LOOP 16
+#endif
+
+/* ---- Poses ---- */
+
+/* Blends: the most joints that a loop processes at once; its chords are 2 KiB of stack. */
+#define BLEND_BLOCK 128
+/* Blends: so many layers are sorted by weight together, with their indices on the stack. */
+#define BLEND_SORTED 32
+/* Models from a pose: joints whose R S are computed together; a multiple of 16, as the padding of a pose is. */
+#define MODELS_BLOCK 64
+/* A pose from models: local matrices that are on the stack together. */
+#define LOCALS_BLOCK 16
+
+/* ---- Clips and segments ---- */
+
+/* Lanes in a block of keys: the widest register, so that loops over a block have no remainder. Part of the format. */
+#define CLIP_BLOCK 16
+/* Scattered blocks of numbers computed together: stores of one block overlap the computation of the next. */
+#define CLIP_SCATTER_BLOCKS 8
+/* Blocks of compact rotations that take each step together: the divisions of one overlap those of the others. */
+#define CLIP_SLERP16_BLOCKS 8
+/* Constant joints between animated ones, at most, that get lanes of their own: output is then contiguous. */
+#define CLIP_GAP 4
+/* Floats between two runs of constants, at most, that one copy fills with zeros and animated values overwrite. */
+#define CLIP_RUN_GAP 32
+/* Searches of many times: after a distance of more keys, the times count as unordered ... */
+#define SEGMENT_JUMP ((size_t)16)
+/* ... and so many are searched from the start, without mispredicted branches. */
+#define SEGMENT_SEARCHES 8
+/* Times compared in each segment of a track with its clip. */
+#define DIFFERENCE_QUARTERS 4
+
+/* ---- Skinning ---- */
+
+/* Vertices in a block: its arrays stay in the first-level cache. */
+#define SKIN_BLOCK 64
+/* The same where matrices are not stored and vertices have up to four influences: a block costs about 40 ns. */
+#define SKIN_LONG_BLOCK (2 * SKIN_BLOCK)
+
+#endif
