@@ -39,7 +39,7 @@ LANE_FLAT nkw_mat3 nkw_mat3_from_euler(nkw_vec3 angles, nkw_euler_order order)
     return lane_mat3_from_f64(&m, 1.0);
 }
 
-/* A length that is far from 1. Zero gives the identity. */
+/* A length that is far from 1. Zero returns the identity. */
 LANE_SELDOM static lane_f64_quat rescued(lane_f64_quat q)
 {
     return lane_f64_quat_normalize(q);

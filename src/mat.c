@@ -99,7 +99,7 @@ static void pivot(double a[4][8], size_t k)
 
 /*
  * Gauss-Jordan elimination with partial pivoting, where cofactors would cancel too much. Lines are the
- * matrix's columns, which inverts the transpose into the transposed inverse. Gives 0 for a singular matrix.
+ * matrix's columns, which inverts the transpose into the transposed inverse. Returns 0 for a singular matrix.
  */
 static int eliminate(const double m[16], double out[16])
 {

@@ -64,7 +64,7 @@ static void give_rest(const double *rest, size_t k, uint32_t missing, uint32_t *
     }
 }
 
-/* Largest remainder. The floors miss less than k, for the quotas sum to the total but for 1e-8. */
+/* Largest remainder. The floors miss less than k, because the quotas sum to the total to within 1e-8. */
 static void apportion(const float *weight, size_t k, uint32_t total, uint32_t *n)
 {
     double sum = 0.0, rest[NKW_SKIN_INFLUENCES];
@@ -145,7 +145,7 @@ static void drop(held *v, size_t k, size_t e)
     memmove(v->joint + e, v->joint + e + 1, (k - e - 1) * sizeof *v->joint);
 }
 
-/* The `keep` largest of vertex i, in their order; gives how many. Joints above `most` have no weight. */
+/* The `keep` largest of vertex i, in their order. Returns their number. Joints above `most` have no weight. */
 static size_t keep_largest(const nkw_skin *skin, size_t i, size_t keep, uint32_t most, held *v)
 {
     const unsigned char *joints = vertex_at(&skin->joints, skin->influence_count, i);

@@ -60,7 +60,7 @@ LANE_SELDOM static nkw_trs from_any_affine(const nkw_mat4 *m)
     return r;
 }
 
-/* Unit columns are at right angles but for this, all together: LANE_NEAREST_STEPS bring the rotation to 2^-32. */
+/* Unit columns are orthogonal to within this sum of cosines: then LANE_NEAREST_STEPS reach the rotation to 2^-32. */
 #define TRS_LITTLE_SHEAR 0x1p-10
 
 LANE_FLAT nkw_trs nkw_trs_from_mat4(const nkw_mat4 *m)

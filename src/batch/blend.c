@@ -195,7 +195,7 @@ NKW_LOOP(nkwi_blend_poses)(const float *a, const float *b, size_t stride, float 
 /* A joint's own rotation, the identity in the padding: subnormal numbers there would take their time. */
 #define at_joint(v, i) lane_quat_or_identity(0u - (uint32_t)((i) < used), at_quat(v, i))
 
-/* The joints' own weights; none in the padding, whatever stands there. */
+/* The weight of each joint; 0 in the padding, whatever it holds. */
 NKW_LOOP(nkwi_blend_weigh)(float weight, const float *mask, int used, float *out, int n)
 {
 #pragma omp simd

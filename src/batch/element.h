@@ -8,9 +8,9 @@
 #include <nakawari/types.h>
 
 /*
- * Reading stands in the loop itself and the pointers of a span go one by one: where Clang takes a struct apart, be it
- * an argument or a result, it loses what "omp simd" says of the accesses. The loop would then compare all arrays for
- * overlap at run time, and in place, where they do overlap, would not use vectors.
+ * at_ is a macro, and put_ passes the pointers of a span one by one: where Clang splits a struct, be it an argument or a
+ * result, it loses the mark of "omp simd" on its accesses. The loop would then compare all arrays for overlap at run
+ * time; in place, where they do overlap, it would not be vectorised.
  */
 #define at_vec3(v, i)     ((nkw_vec3){(v).x[i], (v).y[i], (v).z[i]})
 #define at_quat(v, i)     ((nkw_quat){(v).x[i], (v).y[i], (v).z[i], (v).w[i]})

@@ -19,7 +19,7 @@ NKW_LOOP(nkw_mat3_from_quat_n)(nkw_quat_view q, nkw_mat3_span out, size_t n)
     }
 }
 
-/* A function of its own: GCC gives matrices whose address is taken in the loop a memory that it cannot see through. */
+/* A separate function: GCC keeps a matrix whose address is taken in the loop in memory, and does not vectorise. */
 static inline void mul_affine(const nkw_mat4_view *a, const nkw_mat4_view *b, const nkw_mat4_span *out, size_t i)
 {
     nkw_mat4 p = at_mat4(a, i), q = at_mat4(b, i), r = lane_mat4_mul_affine(&p, &q);

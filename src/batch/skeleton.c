@@ -27,7 +27,7 @@ static inline void make_linear(const float *r, size_t stride, float *linear)
     }
 }
 
-/* Where the parent's matrix stands: NULL for none. A negative parent is a large one here. */
+/* The address of the parent's matrix, or NULL. A negative parent becomes a large number here. */
 static inline const nkw_mat4 *above(const int32_t *parents, size_t j, const nkw_mat4 *root, const nkw_mat4 *models)
 {
     size_t p = (uint32_t)parents[j];

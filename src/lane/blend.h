@@ -74,7 +74,7 @@ static inline nkw_quat lane_quat_none(nkw_quat delta)
     return none;
 }
 
-/* base turned by the part of a delta that is the nlerp to it by w. */
+/* base rotated by a part of a delta: the nlerp to the delta by w. */
 static inline nkw_quat lane_quat_add_delta(nkw_quat base, nkw_quat part, float w, int parent)
 {
     nkw_quat left = lane_quat_select(parent, part, base), right = lane_quat_select(parent, base, part);

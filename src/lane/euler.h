@@ -45,7 +45,7 @@ static inline lane_f64_quat lane_f64_quat_from_half_angles(double i, double j, d
     return lane_f64_quat_from_halves(lane_sincos64_any(i), lane_sincos64_any(j), lane_sincos64_any(k), e);
 }
 
-/* What stands in the order i j k, in the order x y z. */
+/* Values in the order i j k to the order x y z. */
 static inline lane_f64_vec3 lane_euler_in_place(double i, double j, double k, const lane_euler_axes *o)
 {
     const double v[3] = {i, j, k};
@@ -64,7 +64,7 @@ static inline double lane_wrap_once(double angle)
 static inline float lane_unwrap(float angle, float reference)
 {
     double off = (double)angle - (double)reference;
-    /* Beyond 2^51 turns a float says nothing of a fraction of one; rint then gives off itself, rounded. */
+    /* Beyond 2^51 turns a float holds no fraction of one; the rounding then returns off, rounded. */
     double turns = (off * (0.5 * LANE_INVERSE_PI) + LANE_ROUND) - LANE_ROUND;
     double moved = (double)angle - turns * LANE_TWO_PI;
     int within = off <= LANE_PI && off >= -LANE_PI;

@@ -2,7 +2,7 @@
 /*
  * Binary64 inside, binary32 outside: square root, sine, cosine and arc tangent before their last rounding.
  *
- * Only + - * / and the bits of a number: no libm, so nothing is imported and every target gives the same
+ * Only + - * / and the bits of a number: no libm, so nothing is imported and every target computes the same
  * result. Relative errors stand with each function; 2^-44 adds 2^-20 ULP to a later rounding to float.
  */
 #ifndef NAKAWARI_LANE_F64_H
@@ -102,7 +102,7 @@ static inline double lane_root_mantissa(double x)
     return lane_double((lane_bits64(x) & UINT64_C(0x001FFFFFFFFFFFFF)) | UINT64_C(0x3FE0000000000000));
 }
 
-/* Bits 53 to 61 of x: the exponent field of 2^k, but for a constant. */
+/* Bits 53 to 61 of x: the exponent field of 2^k, except for a constant. */
 static inline uint64_t lane_root_exponent(double x)
 {
     return (lane_bits64(x) & UINT64_C(0x7FE0000000000000)) >> 1;
@@ -141,7 +141,7 @@ static inline double lane_sqrt64_near(double m)
     return r.s + (m - r.s * r.s) * (0.5 * r.y);
 }
 
-/* The same for x >= 2^-1000. Zeros and +inf give themselves, NaN gives NaN. Not for negative numbers. */
+/* The same for x >= 2^-1000. Zeros, +inf and NaN are returned unchanged. Not for negative numbers. */
 static inline double lane_sqrt64(double x)
 {
     double scale = lane_double(UINT64_C(0x2000000000000000) + lane_root_exponent(x)); /* 2^k */
@@ -156,7 +156,7 @@ static inline int lane_root_is_near(double x)
     return x > 0x1p-100 && x < 0x1p100;
 }
 
-/* An angle as n + t half turns: |t| <= 1/2, but for 2^-10. */
+/* An angle as n + t half turns: |t| <= 1/2 + 2^-10. */
 typedef struct lane_turns {
     double t;
     uint64_t n; /* only bit 0, n odd, is meant */
@@ -169,7 +169,7 @@ typedef struct lane_turns {
  *
  * high has 29 bits, so x high is exact, and so is its difference from n. 1/2 + x high, for x <= 0, is exact below
  * 1/4 and else rounded within 2^-52 t (Cody, Waite, Software Manual for the Elementary Functions, 1980).
- * |error of t| < 2^-63 + 2^-51 |t|. high and low are positive, so -0 gives -0. An x of more bits counts as one
+ * |error of t| < 2^-63 + 2^-51 |t|. high and low are positive, so -0 returns -0. An x of more bits counts as one
  * within 2^-53 of itself. Larger finite x give some number, inf and NaN give NaN.
  */
 static inline lane_turns lane_half_turns(double x, double offset)
@@ -265,7 +265,7 @@ static inline lane_sincos lane_sincos64_any(double x)
  *     q = low/high,  q <= tan(pi/8);  (low - high)/(low + high) + a turn of pi/4 above
  *     low, high = the smaller and the larger of |x|, |y|
  *
- * then pi/2 - q, pi - q and the sign of y select the octant. Zeros and infinities follow C99 F.9.1.4, but for angles
+ * then pi/2 - q, pi - q and the sign of y select the octant. Zeros and infinities follow C99 F.9.1.4, except for angles
  * below 2^-800 instead of 0: infinities count as 2^1022, so two of them as equal, and x or y gets 2^-1022 added,
  * the larger, for two zeros. A NaN
  * in either passes through every line.

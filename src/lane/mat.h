@@ -59,7 +59,7 @@ static inline lane_f64_mat3 lane_f64_mat3_from_mat4(const nkw_mat4 *m)
     return r;
 }
 
-/* The scale 0, of a matrix without an inverse, gives 0 whatever the elements are. */
+/* The scale 0, for a matrix without an inverse, returns 0 for any elements. */
 static inline nkw_mat3 lane_mat3_from_f64(const lane_f64_mat3 *m, double scale)
 {
     nkw_mat3 r;
@@ -180,7 +180,7 @@ static inline lane_laplace lane_adjugate(const double a[16], double out[16])
 
 /*
  * The columns of the adjugate of x y z, and -adjugate t; the fourth row is 0 0 0 1 after the division by det, which
- * gives its sign to these zeros as well.
+ * applies its sign to these zeros as well.
  */
 static inline void lane_adjugate_affine(lane_f64_vec3 x, lane_f64_vec3 y, lane_f64_vec3 z, lane_f64_vec3 t, double det,
                                         double out[16])

@@ -92,7 +92,7 @@ static inline nkw_quat lane_quat_nlerp(nkw_quat a, nkw_quat b, float t)
  *     slerp = (r - E(r)) n + (s - E(s)) f = n - (e f - w (f - n)),      e = E(s) + E(r),  w = s + E(r)
  *     t = 1/2:  slerp = m - e m,                                        m = (a + b)/2,  e = 2 E(1/2)
  *
- * Exchanging a and b and t and 1 - t gives the same bits, also at t = 1/2. At t = 0 and 1 e and w are -0, so that the
+ * Exchanging a and b and t and 1 - t yields the same bits, also at t = 1/2. At t = 0 and 1 e and w are -0, so that the
  * bracket is +0 where n is -0: "n - 0" keeps a -0.
  *
  *     E(k) = k (1 - k^2) v H(v, k^2) = (c v) H,  c = s r (1 + k),    v = q / (|a.b| + q LANE_SLERP_BEND),  q = |b - a|^2
@@ -265,8 +265,8 @@ static inline nkw_quat lane_quat_slerp(nkw_quat a, nkw_quat b, float t, int keys
 static inline lane_f64_quat lane_f64_quat_aligned(lane_f64_quat a, lane_f64_quat b, nkw_path path)
 {
     int obtuse = lane_f64_quat_dot(a, b) < 0.0;
-    int turned = path == NKW_PATH_AS_GIVEN ? 0 : path == NKW_PATH_LONG ? !obtuse : obtuse;
-    return lane_f64_quat_scale(b, turned ? -1.0 : 1.0);
+    int negated = path == NKW_PATH_AS_GIVEN ? 0 : path == NKW_PATH_LONG ? !obtuse : obtuse;
+    return lane_f64_quat_scale(b, negated ? -1.0 : 1.0);
 }
 
 /*

@@ -84,7 +84,7 @@ static inline lane_f64_quat lane_f64_quat_conjugate(lane_f64_quat q)
     return r;
 }
 
-/* q / |q|; zero gives the identity. */
+/* q / |q|; zero returns the identity. */
 static inline lane_f64_quat lane_f64_quat_normalize(lane_f64_quat q)
 {
     lane_f64_quat identity = {0.0, 0.0, 0.0, 1.0};
@@ -121,9 +121,9 @@ static inline lane_f64_vec3 lane_f64_quat_log(lane_f64_quat q)
     lane_f64_vec3 v = {q.x, q.y, q.z};
     double n = lane_f64_vec3_length(v);
     double half = lane_atan2_64(n, q.w + 0.0);
-    lane_f64_vec3 turned = lane_f64_vec3_scale(v, half / n);
+    lane_f64_vec3 rotation = lane_f64_vec3_scale(v, half / n);
     lane_f64_vec3 none = {n == 0.0 ? half : 0.0, 0.0, 0.0};
-    return lane_f64_vec3_select(n == 0.0, none, turned);
+    return lane_f64_vec3_select(n == 0.0, none, rotation);
 }
 
 /* exp v for |v| < LANE_NEAR, without a branch. */
@@ -223,7 +223,7 @@ static inline lane_f64_quat lane_f64_quat_from_f64_mat3(const lane_f64_mat3 *m, 
     return lane_f64_quat_normalize(lane_f64_form_dominant(&k, steps));
 }
 
-/* q / |q|, the squares summed in binary64; zero gives the identity. */
+/* q / |q|, the squares summed in binary64; zero returns the identity. */
 static inline nkw_quat lane_quat_normalize(nkw_quat q)
 {
     lane_f64_quat w = lane_f64_quat_from(q);

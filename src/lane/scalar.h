@@ -2,7 +2,7 @@
 /*
  * Floor 1, every formula once: binary64 inside, one rounding to float at the end.
  *
- * What each function gives, its degenerate cases and its measured error stand in <nakawari/scalar.h>.
+ * <nakawari/scalar.h> states the result, the degenerate cases and the measured error of each function.
  * The angle functions come twice: the near one for |x| < LANE_NEAR, the far one for every float, four
  * times slower. Where both hold, the near one is the one that counts.
  */
@@ -272,7 +272,7 @@ static inline double lane_wrap_turn64(double r)
     return lowered <= LANE_WRAP_LOW ? lowered + LANE_TWO_PI : lowered;
 }
 
-/* x less whole turns, in turns: in [-1/2, 1/2], but for 2^-10. Half of x by half turns. */
+/* x minus whole turns, in turns: in [-1/2, 1/2], to within 2^-10. Half of x in half turns. */
 static inline double lane_turn_rest64(double x)
 {
     return lane_half_turns(0.5 * x, -0.0).t;
