@@ -9,30 +9,6 @@
 
 static float inputs[ARRAYS][LONGEST], outputs[ARRAYS][LONGEST + GUARD];
 
-#define P(name, letters, count, arguments, result)                                                                     \
-    static void loop_##name(const float *const *in, float *const *out, size_t n)                                       \
-    {                                                                                                                  \
-        (void)in;                                                                                                      \
-        nkw_##name##_n arguments;                                                                                      \
-    }                                                                                                                  \
-    static void single_##name(const float *x, float *o)                                                                \
-    {                                                                                                                  \
-        result;                                                                                                        \
-    }
-#define PX P
-#include "parity/rows.h"
-#undef P
-
-static const struct row {
-    const char *name, *inputs;
-    size_t outputs;
-    void (*loop)(const float *const *in, float *const *out, size_t n);
-    void (*single)(const float *x, float *o);
-} rows[] = {
-#define P(name, letters, count, arguments, result) {#name, letters, count, loop_##name, single_##name},
-#include "parity/rows.h"
-};
-
 /* `plain`: t inside 0..1, no ends, and nothing so large that a loop leaves its usual path; else a few of each. */
 static size_t draw_letter(random_source *r, char letter, int plain, float values[16])
 {
@@ -52,7 +28,7 @@ static size_t draw_letter(random_source *r, char letter, int plain, float values
     return count;
 }
 
-static void draw(random_source *r, const struct row *w, int plain, size_t n)
+static void draw(random_source *r, const row *w, int plain, size_t n)
 {
     for (size_t i = 0; i < n; i++) {
         size_t k = 0;
@@ -66,7 +42,7 @@ static void draw(random_source *r, const struct row *w, int plain, size_t n)
     }
 }
 
-static void expect_singles(const struct row *w, size_t n)
+static void expect_singles(const row *w, size_t n)
 {
     for (size_t i = 0; i < n + GUARD; i++) {
         float x[ARRAYS], want[16];
@@ -94,7 +70,7 @@ static void loops_have_the_bits_of_single_calls_at_every_length(void **state)
     float *out[ARRAYS];
     for (size_t k = 0; k < ARRAYS; k++)
         in[k] = inputs[k], out[k] = outputs[k];
-    for (size_t w = 0; w < sizeof rows / sizeof rows[0]; w++) {
+    for (size_t w = 0; w < ROWS; w++) {
         random_source r = random_from(w);
         for (size_t i = 0; i < 36 + sizeof longer / sizeof longer[0]; i++) {
             size_t n = i < 36 ? i : longer[i - 36];

@@ -72,7 +72,7 @@ void joint_local_vertices(const nkw_partition_mesh *mesh, const nkw_partition *p
 
 /*
  * The depths of a joint and of all above it, up to a root or to a joint whose depth is known already (UINT16_MAX is not;
- * a joint that deep is nobody's parent). Gives 0 where there is no end.
+ * a joint at that depth is no parent). Returns 0 where there is no end.
  */
 static int find_depth(const int32_t *parents, size_t joint_count, size_t joint, uint16_t *depths)
 {

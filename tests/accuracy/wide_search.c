@@ -105,7 +105,7 @@ static void note_worst(const wide_case *c, double worst, const float *x, wide_wo
     memcpy(w->witness, x, (size_t)c->arguments * sizeof *x);
 }
 
-/* One climb of at most `steps` changes, one number at a time; what is worst goes to w. Gives how many it took. */
+/* One climb of at most `steps` changes, one number at a time; the worst goes to w. Returns their number. */
 static uint64_t climb(const wide_case *c, int by_seed, random_source *r, uint64_t steps, float *x, wide_worst *w)
 {
     uint64_t step = 0, idle = 0;
@@ -150,7 +150,7 @@ static int find_units(const float *x, int arguments, int at[WIDE_ARGUMENTS])
     return count;
 }
 
-/* One component by some last places, another so that the length stays 1. Gives 0 where that is not possible. */
+/* One component by some last places, another so that the length stays 1. Returns 0 where that is not possible. */
 static int change_unit(random_source *r, float *q)
 {
     size_t i = (size_t)(random_bits(r) % 4), j = (i + 1 + (size_t)(random_bits(r) % 3)) % 4;

@@ -1,35 +1,8 @@
 /* SPDX-License-Identifier: MIT */
-/* A loop over arrays of any values, at any offset, in place or not: the bits of its single function, nothing beside. */
+/* A loop over arrays of any values, at any offset, in place or not: the bits of its scalar function, nothing outside the output. */
 #include "fuzz.h"
 
 #include "../parity/access.h"
-
-#define P(name, letters, count, arguments, result)                                                                     \
-    static void loop_##name(const float *const *in, float *const *out, size_t n)                                       \
-    {                                                                                                                  \
-        (void)in;                                                                                                      \
-        nkw_##name##_n arguments;                                                                                      \
-    }                                                                                                                  \
-    static void single_##name(const float *x, float *o)                                                                \
-    {                                                                                                                  \
-        result;                                                                                                        \
-    }
-#define PX P
-#include "../parity/rows.h"
-#undef P
-#undef PX
-
-static const struct row {
-    const char *inputs;
-    size_t outputs;
-    int in_place;
-    void (*loop)(const float *const *in, float *const *out, size_t n);
-    void (*single)(const float *x, float *o);
-} rows[] = {
-#define P(name, letters, count, arguments, result)  {letters, count, 1, loop_##name, single_##name},
-#define PX(name, letters, count, arguments, result) {letters, count, 0, loop_##name, single_##name},
-#include "../parity/rows.h"
-};
 
 static size_t arrays_of(const char *letters)
 {
@@ -48,7 +21,7 @@ static float *array_at(fuzz *f, size_t n, size_t shift, int wild)
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
 {
     fuzz f = fuzz_begin(data, size);
-    const struct row *w = &rows[fuzz_byte(&f) % (sizeof rows / sizeof rows[0])];
+    const row *w = &rows[fuzz_byte(&f) % ROWS];
     size_t n = fuzz_upto(&f, fuzz_byte(&f) % 8 ? 40 : 600), shift = fuzz_byte(&f) % 16, arrays = arrays_of(w->inputs);
     int wild = fuzz_byte(&f) % 4 != 0, in_place = w->in_place && fuzz_byte(&f) % 2;
     float *to[ARRAYS] = {NULL};

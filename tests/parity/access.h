@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* What the lines of rows.h are written in. */
+/* What the lines of rows.h are written in, and the table that they make: each loop, and its scalar function. */
 #ifndef NAKAWARI_TESTS_ACCESS_H
 #define NAKAWARI_TESTS_ACCESS_H
 
@@ -67,5 +67,40 @@ static nkw_mat4_span span16(float *const *out)
     memcpy(r.m, out, sizeof r.m);
     return r;
 }
+
+/* ---- The lines of rows.h as a table ---- */
+
+#define P(name, letters, count, arguments, result)                                                                     \
+    static void loop_##name(const float *const *in, float *const *out, size_t n)                                       \
+    {                                                                                                                  \
+        (void)in;                                                                                                      \
+        nkw_##name##_n arguments;                                                                                      \
+    }                                                                                                                  \
+    static void single_##name(const float *x, float *o)                                                                \
+    {                                                                                                                  \
+        result;                                                                                                        \
+    }
+#define PX P
+#include "rows.h"
+#undef P
+#undef PX
+
+typedef struct row {
+    const char *name, *inputs;
+    size_t outputs;
+    int in_place;
+    void (*loop)(const float *const *in, float *const *out, size_t n);
+    void (*single)(const float *x, float *o);
+} row;
+
+static const row rows[] = {
+#define P(name, letters, count, arguments, result)  {#name, letters, count, 1, loop_##name, single_##name},
+#define PX(name, letters, count, arguments, result) {#name, letters, count, 0, loop_##name, single_##name},
+#include "rows.h"
+#undef P
+#undef PX
+};
+
+#define ROWS (sizeof rows / sizeof rows[0])
 
 #endif

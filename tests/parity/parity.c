@@ -19,43 +19,10 @@
 
 #define GUARD   16
 #define STRIDE  (LONGEST + 2 * GUARD)
-#define WORD    0xfb5a5a5au /* a number that no function gives, about -1.1e36 */
+#define WORD    0xfb5a5a5au /* a number that no function returns, about -1.1e36 */
 
 /* Inputs and outputs of one run: element i of array k is at [k][GUARD + shift + i]. */
 static float inputs[ARRAYS][STRIDE], outputs[ARRAYS][STRIDE], pristine[ARRAYS][STRIDE];
-
-#define P(name, letters, count, arguments, result)                                                                     \
-    static void batch_##name(const float *const *in, float *const *out, size_t n)                                      \
-    {                                                                                                                  \
-        (void)in;                                                                                                      \
-        nkw_##name##_n arguments;                                                                                      \
-    }                                                                                                                  \
-    static void single_##name(const float *x, float *o)                                                                \
-    {                                                                                                                  \
-        result;                                                                                                        \
-    }
-#define PX P
-#include "rows.h"
-#undef P
-#undef PX
-
-typedef struct row {
-    const char *name, *inputs;
-    size_t outputs;
-    int in_place;
-    void (*batch)(const float *const *in, float *const *out, size_t n);
-    void (*single)(const float *x, float *o);
-} row;
-
-static const row all_rows[] = {
-#define P(name, letters, count, arguments, result)  {#name, letters, count, 1, batch_##name, single_##name},
-#define PX(name, letters, count, arguments, result) {#name, letters, count, 0, batch_##name, single_##name},
-#include "rows.h"
-#undef P
-#undef PX
-};
-
-#define ROWS (sizeof all_rows / sizeof all_rows[0])
 
 /* Mostly of moderate size, now and then anything finite. */
 static float number(random_source *r)
@@ -71,7 +38,7 @@ static float parameter(random_source *r)
     return kind < 12 ? ends[kind % 4] : kind == 12 ? random_scaled(r, -3, 1) : random_unit(r);
 }
 
-/* Writes the arrays of one letter for element i; gives how many there are. */
+/* Writes the arrays of one letter for element i. Returns their number. */
 static size_t draw_letter(random_source *r, char letter, size_t k, size_t i)
 {
     size_t count = letter == 'q' ? 4 : letter == 'v' ? 3 : letter == 'm' ? 9 : letter == 'M' ? 16 : 1;
@@ -88,7 +55,7 @@ static size_t draw_letter(random_source *r, char letter, size_t k, size_t i)
 }
 
 /*
- * Fills the inputs up to `end`; gives how many arrays the row has. Every other pair of quaternions is close or opposite;
+ * Fills the inputs up to `end`. Returns the number of arrays of the row. Every other pair of quaternions is close or opposite;
  * of eight one has -0 in the first, one in both.
  */
 static size_t draw(random_source *r, const row *w, size_t end)
@@ -167,7 +134,7 @@ static int run(const row *w, const char *isa, size_t n, size_t shift, int in_pla
         in[k] = inputs[k] + start;
         out[k] = (in_place && k < arrays ? inputs[k] : outputs[k]) + start;
     }
-    w->batch(in, out, n);
+    w->loop(in, out, n);
     return compare(w, isa, n, start, arrays, in_place);
 }
 
@@ -235,7 +202,7 @@ static int run_isa(nkwi_isa tested, const char *isa)
     loop_isa = tested;
     int failed = run_packs(isa);
     for (size_t i = 0; i < ROWS; i++)
-        failed += run_row(&all_rows[i], isa);
+        failed += run_row(&rows[i], isa);
     printf("parity: %s: %zu functions, %d differ\n", isa, ROWS + 3, failed);
     return failed + run_data(tested, isa);
 }

@@ -87,7 +87,7 @@ nkw_partition partition_build(const nkw_partition_mesh *mesh, size_t max_joint_c
 
 /* ---- What holds for every partition, by plain means ---- */
 
-/* Which joints the triangle needs; gives how many. */
+/* The joints of the triangle. Returns their number. */
 static size_t needed(const nkw_partition_mesh *m, size_t t, unsigned char *joints)
 {
     size_t n = 0;
