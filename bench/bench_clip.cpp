@@ -109,6 +109,7 @@ static const suite all([] {
             rows("pose by joints", s, joints, how);
     }
     rows("a fifth still pose by joints", draw_scene(67, 301, NKW_INTERPOLATION_LINEAR, 5), 67, asking::onward);
+    rows("half noisy pose by joints", draw_scene(67, 301, NKW_INTERPOLATION_LINEAR, 0, 2), 67, asking::onward);
     rows("CUBICSPLINE pose by joints", draw_scene(67, 301, NKW_INTERPOLATION_CUBICSPLINE), 67, asking::onward);
     rows("STEP pose by joints", draw_scene(67, 301, NKW_INTERPOLATION_STEP), 67, asking::onward);
     for (size_t keys : {2u, 16u, 301u, 4096u, 100000u}) {

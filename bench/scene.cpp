@@ -2,6 +2,7 @@
 #include "scene.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "bench.h"
 #include "peers.h"
@@ -69,6 +70,18 @@ static void keep_still(scene &s, size_t still)
     }
 }
 
+static void make_noisy(scene &s, size_t noisy)
+{
+    random_source source = random_from(29);
+    for (size_t j = 0; noisy && j < s.joints; j += noisy)
+        for (size_t k = 0; k < s.keys; k++) {
+            float *q = &s.values[(j * 10 + first[1]) * s.keys + k * 4];
+            for (int c = 0; c < 3; c++)
+                q[c] = random_between(&source, -1, 1) * std::pow(10.0f, random_between(&source, -29, -23));
+            q[3] = k % 2 ? 1 : 0x1.fffffep-1f;
+        }
+}
+
 static void build(scene &s)
 {
     std::vector<uint32_t> work(NKW_CLIP_WORK(s.tracks.size()));
@@ -90,7 +103,7 @@ static void build(scene &s)
     s.pose.resize(NKW_POSE_FLOATS(s.joints));
 }
 
-std::shared_ptr<scene> draw_scene(size_t joints, size_t keys, nkw_interpolation mode, size_t still)
+std::shared_ptr<scene> draw_scene(size_t joints, size_t keys, nkw_interpolation mode, size_t still, size_t noisy)
 {
     auto s = std::make_shared<scene>();
     s->joints = joints;
@@ -100,6 +113,7 @@ std::shared_ptr<scene> draw_scene(size_t joints, size_t keys, nkw_interpolation 
         s->times.push_back(static_cast<float>(k) / 30);
     draw_values(*s);
     keep_still(*s, still);
+    make_noisy(*s, noisy);
     build(*s);
     return s;
 }

@@ -36,9 +36,12 @@ struct scene {
     nkw_trs joint_at(size_t joint, float time) const;
 };
 
-/* still: every so many tracks one that keeps its first key; 0: none. */
+/*
+ * still: every so many tracks one that keeps its first key; 0: none. noisy: every so many joints one whose rotation is
+ * the identity with the noise of exporters: components of 1e-29 to 1e-23, and a w that is 1 or the float below; 0: none.
+ */
 std::shared_ptr<scene> draw_scene(size_t joints, size_t keys, nkw_interpolation mode = NKW_INTERPOLATION_LINEAR,
-                                  size_t still = 0);
+                                  size_t still = 0, size_t noisy = 0);
 
 /* What stands in many programs: track by track, each with its own search and glm's slerp. */
 nkw_trs joint_by_hand(const scene &s, size_t joint, float time);

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /* What becomes of a clip's tracks: constants, gaps between joints, their order, and those that are refused. */
+#include <fenv.h>
 #include <math.h>
 #include <stdlib.h>
 
@@ -329,6 +330,35 @@ static void compact_steps_of_rotations_have_the_same_bits_until_the_next_key(voi
     }
 }
 
+/* Exported rotations near the identity: components of 1e-29 to 1e-23, w off 1 by a rounding. No product is subnormal. */
+static void noise_in_rotations_makes_no_subnormal_products(void **state)
+{
+    (void)state;
+#ifdef FE_UNDERFLOW
+    enum { JOINTS = 20 };
+    const float at[4] = {0, 0.25f, 0.5f, 1};
+    float values[JOINTS][16], pose[NKW_POSE_FLOATS(JOINTS)];
+    nkw_clip_track tracks[JOINTS];
+    random_source r = random_from(27);
+    size_t bytes;
+    for (uint32_t j = 0; j < JOINTS; j++) {
+        nkw_clip_track t = {
+            NKW_CLIP_ROTATION, j, {at, values[j], 4, 4, NKW_TRACK_ROTATION, NKW_INTERPOLATION_LINEAR, NULL}};
+        for (int i = 0; i < 16; i++)
+            values[j][i] = i % 4 == 3 ? 1.0f - 0x1p-24f * (float)(i / 4 % 2)
+                                      : random_between(&r, -1, 1) * powf(10, random_between(&r, -29, -23));
+        tracks[j] = t;
+    }
+    nkw_clip_source source = {tracks, JOINTS, JOINTS, 0, {NULL, 0}, NULL, NKW_CLIP_FLOAT32};
+    nkw_clip *clip = build(&source, &bytes);
+    feclearexcept(FE_UNDERFLOW);
+    for (float time = 0; time < 1; time += 0.0625f)
+        nkw_clip_sample(clip, time, NULL, pose_span(pose, JOINTS), NULL);
+    assert_int_equal(fetestexcept(FE_UNDERFLOW), 0);
+    free(clip);
+#endif
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -343,6 +373,7 @@ int main(void)
         cmocka_unit_test(compact_keys_take_half_the_room_and_less),
         cmocka_unit_test(a_clip_that_lasts_longer_is_compared_while_the_tracks_last),
         cmocka_unit_test(compact_steps_hold_their_key),
+        cmocka_unit_test(noise_in_rotations_makes_no_subnormal_products),
         cmocka_unit_test(compact_steps_of_rotations_have_the_same_bits_until_the_next_key),
     };
     return cmocka_run_group_tests_name("clip_tracks", tests, NULL, NULL);
