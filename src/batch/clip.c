@@ -18,61 +18,13 @@
 #include "batch/block.h"
 #include "batch/element.h"
 #include "batch/clip.h"
+#include "batch/clip_compact.h"
+#include "batch/clip_place.h"
 #include "lane/clip.h"
 #include "lane/curve.h"
 #include "sizes.h"
 
 NKW_LOOPS_CLIP(NKW_DECLARE_LOOP)
-
-/* Copies rotations in rows at a distance of from_stride floats to their places; two neighbouring lanes at a time. */
-static inline void scatter(const clip_block *block, const float *from, size_t from_stride, float *out, size_t stride)
-{
-    const uint32_t *places = block->places;
-    size_t i = 0;
-    for (; i + 1 < block->count; i += 2) {
-        float *to = out + places[i];
-        if (places[i + 1] - places[i] == 1)
-            for (size_t row = 0; row < 4; row++)
-                memcpy(to + row * stride, from + row * from_stride + i, 2 * sizeof *to);
-        else
-            for (size_t row = 0; row < 4; row++) {
-                to[row * stride] = from[row * from_stride + i];
-                out[places[i + 1] + row * stride] = from[row * from_stride + i + 1];
-            }
-    }
-    for (size_t row = 0; i < block->count && row < 4; row++)
-        out[places[i] + row * stride] = from[row * from_stride + i];
-}
-
-static inline size_t blocks_in(size_t lanes)
-{
-    return (lanes + CLIP_BLOCK - 1) / CLIP_BLOCK;
-}
-
-/* The number of lanes, from the first of blocks[0] on, that are computed together: whole blocks. */
-static inline size_t lanes_together(const clip_block *blocks, size_t block_count)
-{
-    size_t n = 0;
-    while (n < block_count && n < CLIP_SCATTER_BLOCKS && !blocks[n].contiguous && blocks[n].width == CLIP_BLOCK)
-        n++;
-    return blocks->contiguous ? blocks->contiguous : n > 0 ? n * CLIP_BLOCK : blocks->width;
-}
-
-NKW_ALWAYS_INLINE void scatter_count(const uint32_t *places, const float *from, float *out, size_t count)
-{
-    for (size_t i = 0; i < count; i++)
-        out[places[i]] = from[i];
-}
-
-/* Copies `lanes` numbers, whole blocks, to their places. A constant count compiles to loads and stores only. */
-static inline void scatter_numbers(const clip_block *blocks, const float *from, float *out, size_t lanes)
-{
-    for (size_t k = 0; k < blocks_in(lanes); k++, from += CLIP_BLOCK)
-        if (blocks[k].count == CLIP_BLOCK)
-            scatter_count(blocks[k].places, from, out, CLIP_BLOCK);
-        else
-            scatter_count(blocks[k].places, from, out, blocks[k].count);
-}
 
 static inline void arcs_of_block(float *a, const float *b, size_t width)
 {
@@ -230,20 +182,6 @@ NKW_LOOP(nkwi_clip_lerp16)
     }
 }
 
-/*
- * The decoded rotations of one key: xyz in blocks and rows as in the key; w and the factor `scale` of the weight
- * (lane_compact_arc) of each lane.
- */
-typedef struct key16 {
-    float xyz[3 * CLIP_SLERP16_BLOCKS * CLIP_BLOCK], w[CLIP_SLERP16_BLOCKS * CLIP_BLOCK],
-        scale[CLIP_SLERP16_BLOCKS * CLIP_BLOCK];
-} key16;
-
-typedef struct pairs16 {
-    key16 a, b;
-    float v[CLIP_SLERP16_BLOCKS * CLIP_BLOCK];
-} pairs16;
-
 NKW_ALWAYS_INLINE void decode_lanes(const uint16_t *key, const float *base, const float *step, float *out, size_t n)
 {
 #pragma omp simd
@@ -268,84 +206,21 @@ NKW_ALWAYS_INLINE void negations_of(const uint16_t *b, uint32_t *negated, size_t
         negated[i] = ((uint32_t)b[i] ^ b[width + i] ^ b[2 * width + i]) << 31;
 }
 
-static inline nkw_vec3_view vectors_of(const key16 *key, size_t at, size_t width)
+NKW_ALWAYS_INLINE void arcs16_of(pairs16 *p, const uint16_t *b, size_t at, size_t width)
 {
-    const float *x = key->xyz + 3 * at;
-    nkw_vec3_view view = {x, x + width, x + 2 * width};
-    return view;
-}
-
-static inline nkw_quat_view rotations_of(const key16 *key, size_t at, size_t width)
-{
-    const float *x = key->xyz + 3 * at;
-    nkw_quat_view view = {x, x + width, x + 2 * width, key->w + at};
-    return view;
-}
-
-/* Computes w, scales and v of the block whose first lane is `at`. */
-NKW_ALWAYS_INLINE void arcs_of(pairs16 *p, const uint16_t *b, size_t at, size_t width)
-{
-    const nkw_vec3_view from = vectors_of(&p->a, at, width), to = vectors_of(&p->b, at, width);
-    float *from_w = p->a.w + at, *to_w = p->b.w + at, *scale_a = p->a.scale + at, *scale_b = p->b.scale + at,
-          *v = p->v + at;
     uint32_t negated[CLIP_BLOCK];
     negations_of(b, negated, width);
-#pragma omp simd
-    for (size_t i = 0; i < width; i++) {
-        nkw_quat q0 = lane_compact_quat(at_vec3(from, i)), q1 = lane_compact_quat(at_vec3(to, i));
-        lane_compact_arc arc = lane_compact_arc_between(q0, q1, negated[i]);
-        from_w[i] = q0.w;
-        to_w[i] = q1.w;
-        v[i] = arc.v;
-        scale_a[i] = arc.scale_a;
-        scale_b[i] = arc.scale_b;
-    }
+    arcs_of(p, negated, at, width);
 }
-
-NKW_ALWAYS_INLINE void slerp_of(const pairs16 *p, const lane_compact_series *series, size_t at, float *out,
-                                size_t stride, size_t width)
-{
-    const key16 *nearer = series->first ? &p->a : &p->b, *farther = series->first ? &p->b : &p->a;
-    const nkw_quat_view n = rotations_of(nearer, at, width), f = rotations_of(farther, at, width);
-    const nkw_quat_span o = block_rows_to(out, stride);
-    const float *v = p->v + at, *scale_n = nearer->scale + at, *scale_f = farther->scale + at;
-#pragma omp simd
-    for (size_t i = 0; i < width; i++)
-        put_quat(o, i, lane_compact_slerp(at_quat(n, i), at_quat(f, i), v[i], scale_n[i], scale_f[i], series));
-}
-
-/* Dispatch on the width, so that it is a constant in each loop. */
 
 NKW_ALWAYS_INLINE void arcs16(pairs16 *p, const uint16_t *b, size_t at, size_t width)
 {
     if (width == CLIP_BLOCK)
-        arcs_of(p, b, at, CLIP_BLOCK);
+        arcs16_of(p, b, at, CLIP_BLOCK);
     else if (width == 8)
-        arcs_of(p, b, at, 8);
+        arcs16_of(p, b, at, 8);
     else
-        arcs_of(p, b, at, 4);
-}
-
-NKW_ALWAYS_INLINE void slerp16(const pairs16 *p, const lane_compact_series *series, size_t at, float *out,
-                               size_t stride, size_t width)
-{
-    if (width == CLIP_BLOCK)
-        slerp_of(p, series, at, out, stride, CLIP_BLOCK);
-    else if (width == 8)
-        slerp_of(p, series, at, out, stride, 8);
-    else
-        slerp_of(p, series, at, out, stride, 4);
-}
-
-NKW_ALWAYS_INLINE void slerp16_to(const pairs16 *p, const lane_compact_series *series, size_t at,
-                                  const clip_block *block, float *out, size_t stride)
-{
-    float buffer[4 * CLIP_BLOCK];
-    const int contiguous = block->contiguous > 0;
-    slerp16(p, series, at, contiguous ? out + block->places[0] : buffer, contiguous ? stride : CLIP_BLOCK,
-            block->width);
-    if (!contiguous)
-        scatter(block, buffer, CLIP_BLOCK, out, stride);
+        arcs16_of(p, b, at, 4);
 }
 
 /*
