@@ -19,26 +19,21 @@ extern "C" {
 NKW_ALGEBRA nkw_trs nkw_trs_identity(void);
 
 /**
- * R S: the columns of the rotation matrix of q, multiplied by the components of scale. R is
+ * R S: the columns of the rotation matrix of q, nkw_mat3_from_quat, multiplied by the components of scale.
  *
- *     1 - 2 (yy + zz)    2 (xy - wz)        2 (xz + wy)
- *     2 (xy + wz)        1 - 2 (xx + zz)    2 (yz - wx)
- *     2 (xz - wy)        2 (yz + wx)        1 - 2 (xx + yy)
+ * q has unit length. Its length is not corrected: R is |q|^2 times a rotation, so a length of 1 + d makes the columns
+ * longer by 2 d of their length. nkw_quat_normalize corrects q.
  *
- * If |q| differs from 1 by at most 2e-7, that is by rounding, the result is corrected to a rotation. Otherwise q is
- * used unnormalised, as in glTF: the result is the formula above to within rounding and 5e-7, and the columns of R are
- * not of unit length.
- *
- * Error  3.7 u of each column, for q unit to 2e-7; 21 u for others unit to 1e-3; for larger deviations it grows with
- *        |q|^2.
+ * Error  4.2 u of each column of |q|^2 R S; the same of R S, for a unit q with each component rounded once; 7 u of R S,
+ *        for q from nkw_quat_normalize.
  */
 NKW_ALGEBRA nkw_mat3 nkw_mat3_from_quat_scale(nkw_quat q, nkw_vec3 scale);
 
 /**
- * T R S: nkw_mat3_from_quat_scale and the translation.
+ * T R S: nkw_mat3_from_quat_scale and the translation. The rotation has unit length; its length is not corrected.
  *
- * Error  3.7 u of each column, for q unit to 2e-7; 21 u for others unit to 1e-3; for larger deviations it grows with
- *        |q|^2.
+ * Error  4.2 u of each column of |q|^2 R S; the same of R S, for a unit q with each component rounded once; 7 u of R S,
+ *        for q from nkw_quat_normalize.
  */
 NKW_ALGEBRA_F32X4 nkw_mat4 nkw_mat4_from_trs(const nkw_trs *trs);
 

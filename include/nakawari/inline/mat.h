@@ -107,12 +107,51 @@ NKW_BODY nkw_mat4 nkw_mat4_from_mat3(const nkw_mat3 *m, nkw_vec3 translation)
     return r;
 }
 
+#if NKW_F32X4
+/*
+ * The nine elements of R, nkw_mat3_from_quat, in three registers; row and column of each element:
+ *
+ *     r[0] = 00 11 22   the diagonal          r[1] = 10 21 02          r[2] = 01 12 20
+ */
+NKW_PART void nkw_f32x4_rotation(nkw_f32x4 q, nkw_f32x4 r[3])
+{
+    NKW_EXACT
+    nkw_f32x4 q2 = q + q, qq = q * q, w = NKW_SHUFFLE(q, q, 3, 3, 3, 3);
+    nkw_f32x4 yzx = q * NKW_SHUFFLE(q2, q2, 1, 2, 0, 3), zxy = w * NKW_SHUFFLE(q2, q2, 2, 0, 1, 3);
+    r[0] = (w * w - NKW_SHUFFLE(qq, qq, 1, 2, 0, 3)) + (qq - NKW_SHUFFLE(qq, qq, 2, 0, 1, 3));
+    r[1] = yzx + zxy;
+    r[2] = yzx - zxy;
+}
+
+/* The affine matrix with these elements and the translation, whose last element is not used. */
+NKW_PART nkw_mat4 nkw_f32x4_affine(const nkw_f32x4 r[3], nkw_f32x4 translation)
+{
+    nkw_f32x4 d = nkw_f32x4_end_0(r[0]), u = nkw_f32x4_end_0(r[2]);
+    nkw_f32x4 l = nkw_f32x4_end_0(NKW_SHUFFLE(r[1], r[1], 2, 0, 1, 3)); /* 02 10 21 */
+    nkw_f32x4 x = NKW_SHUFFLE(l, d, 4, 1, 2, 3), y = NKW_SHUFFLE(d, u, 4, 1, 2, 3), z = NKW_SHUFFLE(u, l, 4, 1, 2, 3);
+    nkw_mat4 m;
+    nkw_f32x4_store(m.m, NKW_SHUFFLE(x, u, 0, 1, 6, 7));
+    nkw_f32x4_store(m.m + 4, NKW_SHUFFLE(y, l, 0, 1, 6, 7));
+    nkw_f32x4_store(m.m + 8, NKW_SHUFFLE(z, d, 0, 1, 6, 7));
+    nkw_f32x4_store(m.m + 12, nkw_f32x4_end_1(translation));
+    return m;
+}
+
+NKW_BODY nkw_mat4 nkw_mat4_from_quat(nkw_quat q)
+{
+    const nkw_f32x4 origin = {0.0f, 0.0f, 0.0f, 1.0f};
+    nkw_f32x4 r[3];
+    nkw_f32x4_rotation(nkw_f32x4_load(&q), r);
+    return nkw_f32x4_affine(r, origin);
+}
+#else
 NKW_BODY nkw_mat4 nkw_mat4_from_quat(nkw_quat q)
 {
     nkw_mat3 m = nkw_mat3_from_quat(q);
     nkw_vec3 origin = {0.0f, 0.0f, 0.0f};
     return nkw_mat4_from_mat3(&m, origin);
 }
+#endif
 
 NKW_BODY nkw_vec3 nkw_mat4_translation(const nkw_mat4 *m)
 {
