@@ -114,6 +114,10 @@ static void uniform_rows(std::shared_ptr<timeline> l, asking how)
         for (size_t i = 0; i < n; i++)
             put(i, nkw_segment_find_uniform(0, l->rate, l->keys.size(), l->ask[i]));
     });
+    batch(op, "nkw _even", [=](size_t, size_t n) {
+        for (size_t i = 0; i < n; i++)
+            put(i, nkw_segment_find_even(l->keys.data(), l->keys.size(), l->rate, l->ask[i]));
+    });
     batch(op, "loop", [=](size_t, size_t n) {
         for (size_t i = 0; i < n; i++)
             put(i, by_product(*l, l->ask[i]));

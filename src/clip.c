@@ -50,24 +50,14 @@ static void copy_runs(const nkw_clip *clip, uint32_t at, uint32_t count, float *
 }
 
 /*
- * Where the search in an evenly spaced timeline begins: the key at or before the time, or a neighbour of it, because of
- * rounding. In 0..count - 1 for every time, also for NaN.
- */
-static size_t guess(const clip_timeline *line, float start, float time)
-{
-    float k = (time - start) * line->rate;
-    return k > 0.0f && k < (float)line->count ? (size_t)k : k > 0.0f ? line->count - 1 : 0;
-}
-
-/*
- * The segment of the time, by one of three searches with the same result: from the computed key, from the cursor, or
- * over all keys. The cursor is a hint only: any number is safe.
+ * The segment of the time, by one of three functions with the same result: from the rate, from the cursor, or over all
+ * keys. The cursor is a hint only: any number is safe.
  */
 static nkw_segment find(const nkw_clip *clip, const clip_timeline *line, float time, uint32_t *cursor)
 {
     const float *times = clip_floats(clip, line->times);
     if (line->rate > 0.0f)
-        return nkw_segment_find_hint(times, line->count, time, guess(line, times[0], time));
+        return nkw_segment_find_even(times, line->count, line->rate, time);
     if (!cursor)
         return nkw_segment_find(times, line->count, time);
     nkw_segment segment = nkw_segment_find_hint(times, line->count, time, *cursor);

@@ -56,7 +56,7 @@
 #include "batch/block.h"
 
 #define CLIP_MAGIC   0x70696c63u /* "clip", lowest byte first */
-#define CLIP_VERSION 5u
+#define CLIP_VERSION 6u
 #define CLIP_STEPS   65535.0f /* steps of a range: the largest 16-bit key */
 #define CLIP_ALIGN   16u /* words: 64 bytes, a cache line */
 
@@ -82,7 +82,7 @@ struct nkw_clip {
 typedef struct clip_timeline {
     uint32_t times, count;
     uint32_t modes; /* count words, an nkw_interpolation for each segment; 0: all segments have that of the group */
-    float rate; /* keys per second of an evenly spaced timeline, otherwise 0 */
+    float rate; /* nkw_segment_even_rate of the times; 0 if there is none */
 } clip_timeline;
 
 typedef enum clip_kind { GROUP_NUMBERS, GROUP_ROTATIONS, GROUP_FLOATS, GROUP_KINDS } clip_kind;

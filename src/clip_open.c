@@ -29,6 +29,7 @@
 
 #include "clip_layout.h"
 #include "lane/scalar.h"
+#include "segment_search.h"
 
 /*
  * left          words of the block minus the sizes of all parts checked so far. It does not become negative, so the
@@ -98,10 +99,8 @@ static nkw_result check_times(const clip_timeline *line, const float *times)
             return NKW_NOT_FINITE;
         if (k > 0 && times[k] < times[k - 1])
             return NKW_NOT_ASCENDING;
-        if (line->rate != 0.0f && nkw_segment_uniform_time(times[0], line->rate, k) != times[k])
-            return NKW_NOT_ASCENDING;
     }
-    return NKW_OK;
+    return line->rate == 0.0f || segment_is_even(times, line->count, line->rate) ? NKW_OK : NKW_NOT_ASCENDING;
 }
 
 static nkw_result check_timeline(checker *o, const clip_timeline *line)

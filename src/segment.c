@@ -120,3 +120,25 @@ nkw_segment nkw_segment_find_uniform(float start, float rate, size_t count, floa
     nkw_segment r = {(size_t)(int64_t)k, segment_t(a, b, time)};
     return r;
 }
+
+nkw_result nkw_segment_even_rate(const float *times, size_t count, float *rate)
+{
+    *rate = 0.0f;
+    if (count < 2)
+        return NKW_EMPTY;
+    float even = (float)((double)(int64_t)(count - 1) / ((double)times[count - 1] - (double)times[0]));
+    if (!(even > 0.0f && even <= FLT_MAX) || !segment_is_even(times, count, even))
+        return NKW_NO_RATE;
+    *rate = even;
+    return NKW_OK;
+}
+
+nkw_segment nkw_segment_find_even(const float *times, size_t count, float rate, float time)
+{
+    nkw_segment none = {0, 0.0f};
+    if (count < 2)
+        return none;
+    size_t k = segment_even_key(times[0], rate, count - 1, time);
+    k -= k > 0 && !(times[k] <= time);
+    return segment_at(segment_times_of(times, count), time, k < count - 2 ? k : count - 2);
+}

@@ -107,4 +107,24 @@ static inline nkw_segment segment_find_hint(segment_times times, float time, siz
     return segment_at(times, time, n > 1 ? segment_search(times, time, k, n) : k);
 }
 
+/*
+ * The key at an even rate that is nearest to the time, 0..last. It does not decrease with the time, because rounding is
+ * monotonic. So if it is k for each times[k], it is k or k + 1 for times[k] <= time < times[k + 1].
+ */
+static inline size_t segment_even_key(float start, float rate, size_t last, float time)
+{
+    float x = (time - start) * rate + 0.5f, from = x >= 1.0f ? x : 0.0f;
+    size_t k = (uint32_t)(from < 0x1p31f ? from : 0x1p31f);
+    return k < last ? k : last;
+}
+
+/* Times with an even rate: those for which the nearest key of each key is that key itself. */
+static inline int segment_is_even(const float *times, size_t count, float rate)
+{
+    int is_even = count > 1;
+    for (size_t k = 0; k < count && is_even; k++)
+        is_even = segment_even_key(times[0], rate, count - 1, times[k]) == k;
+    return is_even;
+}
+
 #endif

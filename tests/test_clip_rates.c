@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* Clips of tracks that are resampled, each at the lowest rate that keeps a tolerance. */
+/* Clips of tracks that are resampled, each at the lowest rate that keeps a tolerance; clips of nearly even times. */
 #include "support/clips.h"
 #include "support/tracks.h"
 #include "support/views.h"
@@ -115,11 +115,41 @@ static void fewer_keys_keep_the_tolerance(void **state)
     }
 }
 
+/* Key times that are even before they are rounded: the clip finds their segments by a rate. */
+static void nearly_even_times_give_the_bits_of_tracks(void **state)
+{
+    (void)state;
+    const float step = 1.0f / 24;
+    for (int series = 0; series < 4; series++) {
+        float times[KEYS], time = -1.0f;
+        for (size_t k = 0; k < KEYS; k++)
+            times[k] = series == 0   ? (float)k * step
+                       : series == 1 ? (float)(k + 10) * step
+                       : series == 2 ? (float)(k + 10) / 29.97f
+                                     : (k ? times[k - 1] : -0.7f) + step;
+        nkw_clip_track track = taken.tracks[1];
+        track.index = 0;
+        track.track.times = times;
+        nkw_clip_source source = {&track, 1, 1, 0, {NULL, 0}, NULL, NKW_CLIP_FLOAT32};
+        size_t bytes;
+        nkw_clip *clip = clip_build(&source, work, &bytes);
+        for (int i = 0; i < 2000; i++, time += 0.0025f) {
+            float pose[NKW_POSE_FLOATS(1)], want[4], at = i < (int)KEYS ? times[i] : time;
+            nkw_clip_sample(clip, at, NULL, pose_span(pose, 1), NULL);
+            nkw_track_sample(&track.track, at, want);
+            nkw_quat got = nkw_pose_get(pose_view(pose, 1), 0).rotation;
+            assert_memory_equal(&got, want, sizeof got);
+        }
+        free(clip);
+    }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(sampling_gives_the_bits_of_track_by_track),
         cmocka_unit_test(fewer_keys_keep_the_tolerance),
+        cmocka_unit_test(nearly_even_times_give_the_bits_of_tracks),
     };
     return cmocka_run_group_tests_name("clip_rates", tests, draw, NULL);
 }

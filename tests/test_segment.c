@@ -249,10 +249,108 @@ static void times_without_a_rate_have_none(void **state)
     expect_bits(uniform_rate(endless, 2), 0.0f);
 }
 
+/* Series that programs make: each is even before its times are rounded. */
+static float series_time(int series, size_t k, float before)
+{
+    const float step24 = 1.0f / 24, step30 = 1.0f / 30, step60 = 0.016f;
+    const double rates[4] = {30000.0 / 1001, 24000.0 / 1001, 60000.0 / 1001, 29.97};
+    switch (series) {
+    case 0:
+        return (float)k * step24;
+    case 1:
+        return (float)(k + 10) * step24;
+    case 2:
+        return (float)(k + 100000) / 24;
+    case 3:
+        return k ? before + step30 : 0.0f;
+    case 4:
+        return k ? before + step60 : -7.3f;
+    case 5:
+        return (float)((double)k * 16.67) * 0.001f;
+    default:
+        return (float)((double)(k + 10 * (size_t)series) / rates[series % 4]);
+    }
+}
+
+static void expect_even(const float *times, size_t count, float rate)
+{
+    random_source r = random_from(24);
+    for (int i = 0; i < 2000; i++) {
+        float key = times[random_bits(&r) % count];
+        float time = i % 4 == 0   ? key
+                     : i % 4 == 1 ? float_of(bits_of(key) + 1)
+                     : i % 4 == 2 ? float_of(bits_of(key) + (uint32_t)(random_bits(&r) % 9) - 4)
+                                  : random_between(&r, times[0] - 1, times[count - 1] + 1);
+        nkw_segment want = by_definition(times, count, time);
+        expect_segment(nkw_segment_find_even(times, count, rate, time), want.index, want.t);
+    }
+    expect_segment(nkw_segment_find_even(times, count, rate, NAN), 0, 0.0f);
+    expect_segment(nkw_segment_find_even(times, count, rate, INFINITY), count - 2, 1.0f);
+    expect_segment(nkw_segment_find_even(times, count, rate, -INFINITY), 0, 0.0f);
+}
+
+static void times_that_are_nearly_even_need_no_search(void **state)
+{
+    (void)state;
+    static float times[3000];
+    for (int series = 0; series < 10; series++)
+        for (size_t count = 2; count <= 3000; count = count < 300 ? count + 17 : 3 * count) {
+            for (size_t k = 0; k < count; k++)
+                times[k] = series_time(series, k, k ? times[k - 1] : 0.0f);
+            float rate = even_rate(times, count);
+            assert_true(rate > 0.0f);
+            expect_even(times, count, rate);
+        }
+}
+
+static void keys_off_by_less_than_a_quarter_are_even(void **state)
+{
+    (void)state;
+    random_source r = random_from(25);
+    static float times[500];
+    for (int round = 0; round < 40; round++) {
+        size_t count = 2 + (size_t)(random_bits(&r) % 499);
+        for (size_t k = 0; k < count; k++)
+            times[k] = -3.0f + 0.04f * ((float)k + random_between(&r, -0.24f, 0.24f));
+        float rate = even_rate(times, count);
+        assert_true(rate > 0.0f);
+        expect_even(times, count, rate);
+    }
+}
+
+/* Whatever passes as even is found as by a search. */
+static void no_other_times_are_even(void **state)
+{
+    (void)state;
+    random_source r = random_from(26);
+    const float uneven[4] = {0, 1, 2, 5}, jump[4] = {0, 1, 1, 2}, odd[3] = {0, NAN, 2}, endless[3] = {0, 1, INFINITY};
+    expect_bits(even_rate(NULL, 0), 0.0f);
+    expect_bits(even_rate(uneven, 1), 0.0f);
+    expect_bits(even_rate(uneven, 4), 0.0f);
+    expect_bits(even_rate(jump, 4), 0.0f);
+    expect_bits(even_rate(odd, 3), 0.0f);
+    expect_bits(even_rate(endless, 3), 0.0f);
+    expect_segment(nkw_segment_find_even(uneven, 1, 1, 3), 0, 0.0f);
+    for (int round = 0; round < 4000; round++) {
+        float times[12];
+        size_t count = 2 + (size_t)(random_bits(&r) % 11);
+        times[0] = random_between(&r, -9, 9);
+        for (size_t k = 1; k < count; k++)
+            times[k] = times[k - 1] + random_between(&r, 0.0f, 1.0f);
+        float rate = even_rate(times, count), any = float_of((uint32_t)random_bits(&r));
+        assert_true(nkw_segment_find_even(times, count, any, random_between(&r, -9, 9)).index + 1 < count);
+        if (rate > 0.0f)
+            expect_even(times, count, rate);
+    }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(segments_are_half_open_and_the_last_is_closed),
+        cmocka_unit_test(times_that_are_nearly_even_need_no_search),
+        cmocka_unit_test(keys_off_by_less_than_a_quarter_are_even),
+        cmocka_unit_test(no_other_times_are_even),
         cmocka_unit_test(outside_the_keys_it_clamps),
         cmocka_unit_test(fewer_than_two_keys_and_nan_give_the_first_segment),
         cmocka_unit_test(equal_times_make_empty_segments_that_are_passed_over),

@@ -39,6 +39,8 @@ static void segments(fuzz *f, const float *times, size_t count)
     nkw_segment_find_n(times, count, time, all, TIMES);
     float rate = uniform_rate(times, count);
     FUZZ_CHECK(rate >= 0.0f && rate < 1e9f);
+    float even = even_rate(times, count), any = fuzz_float(f);
+    FUZZ_CHECK(even >= 0.0f);
     for (size_t i = 0; i < TIMES; i++) {
         nkw_segment s = nkw_segment_find(times, count, time[i]);
         nkw_segment from = nkw_segment_find_hint(times, count, time[i], fuzz_huge(f));
@@ -47,10 +49,14 @@ static void segments(fuzz *f, const float *times, size_t count)
         check_segment(all[i], count);
         if (ascending)
             FUZZ_CHECK(s.index == from.index && fuzz_same(&s.t, &from.t, 1) && s.index == all[i].index);
+        nkw_segment by_rate = nkw_segment_find_even(times, count, even > 0.0f ? even : any, time[i]);
+        check_segment(by_rate, count);
+        if (even > 0.0f)
+            FUZZ_CHECK(s.index == by_rate.index && fuzz_same(&s.t, &by_rate.t, 1));
         if (rate <= 0.0f)
             continue;
-        nkw_segment even = nkw_segment_find_uniform(times[0], rate, count, time[i]);
-        FUZZ_CHECK(s.index == even.index && fuzz_same(&s.t, &even.t, 1));
+        by_rate = nkw_segment_find_uniform(times[0], rate, count, time[i]);
+        FUZZ_CHECK(s.index == by_rate.index && fuzz_same(&s.t, &by_rate.t, 1));
     }
     size_t huge = fuzz_huge(f);
     check_segment(nkw_segment_find_uniform(fuzz_float(f), fuzz_float(f), huge, fuzz_float(f)), huge);

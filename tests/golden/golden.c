@@ -144,12 +144,22 @@ static void sample_track(float *o, const input *i, nkw_track_kind kind, nkw_inte
     nkw_track_sample(&track, i->s[0], o);
 }
 
-static float even_rate(float start, float rate)
+static float find_rate(float start, float rate)
 {
     float times[32];
     for (size_t k = 0; k < 32; k++)
         times[k] = nkw_segment_uniform_time(start, rate, k);
     return uniform_rate(times, 32);
+}
+
+/* Sums of a step. */
+static void find_even(float *o, float start, float step, float time)
+{
+    float times[32];
+    for (size_t k = 0; k < 32; k++, start += step)
+        times[k] = start;
+    o[2] = even_rate(times, 32);
+    put_segment(o, nkw_segment_find_even(times, 32, o[2], time));
 }
 
 static void resample_track(float *o, const input *i, nkw_interpolation mode)
@@ -328,10 +338,10 @@ static void sample(float *o, const input *i, nkw_position_method position, nkw_o
         put_mat4(o, m);
 }
 
-#define K(name, count, results)                                                                    \
-    static void run_##name(const input *i, float *o)                                               \
-    {                                                                                              \
-        results;                                                                                   \
+#define K(name, count, results)                                                                                        \
+    static void run_##name(const input *i, float *o)                                                                   \
+    {                                                                                                                  \
+        results;                                                                                                       \
     }
 #include "kernels.h"
 #undef K

@@ -47,4 +47,12 @@ static inline float uniform_rate(const float *times, size_t count)
     return (result == NKW_OK) == (rate > 0.0f) ? rate : -1.0f;
 }
 
+/* 0 after an error. */
+static inline float even_rate(const float *times, size_t count)
+{
+    float rate;
+    nkw_result result = nkw_segment_even_rate(times, count, &rate);
+    return (result == NKW_OK) == (rate > 0.0f) ? rate : -1.0f;
+}
+
 #endif
