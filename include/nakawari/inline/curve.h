@@ -3,7 +3,7 @@
  * The curves of curve.h: inlined into the caller, and compiled into the library as symbols. Each curve is a function on
  * single floats, applied to the three components of a vector.
  *
- * All except Bezier start from the end nearer to t, as nkw_lerp does: the first end if `first` is not 0. `back`, -t or
+ * All except Bezier, a weighted sum, start from the end nearer to t, as nkw_lerp does: the first end if `first` is not 0. `back`, -t or
  * 1 - t, is exact. At back = 0 they return that end, with the sign of a zero.
  */
 #ifndef NAKAWARI_INLINE_CURVE_H
@@ -37,19 +37,20 @@ NKW_BODY float nkw_hermite(float p0, float v0, float p1, float v1, float t)
     return nkw_hermite_from(t < 0.5f, 0, p0, v0, p1, v1, t);
 }
 
-/*
- *     p = p0 + ((w1 (p1 - p0) + w2 (p2 - p0)) + w3 (p3 - p0)),        w1 = 3 s^2 t,  w2 = 3 s t^2,  w3 = t^3
- *
- * in binary64, rounded once.
- */
+/* Bernstein: s^3, 3 s^2 t, 3 s t^2, t^3,  s = 1 - t. At t = 0 and t = 1 one weight is 1, the others are 0. */
+NKW_PART nkw_weights nkw_bezier_weights(float t)
+{
+    NKW_EXACT
+    float s = 1.0f - t, ss = s * s, tt = t * t;
+    nkw_weights r = {{ss * s, (3.0f * t) * ss, (3.0f * s) * tt, tt * t}};
+    return r;
+}
+
 NKW_BODY float nkw_bezier(float p0, float p1, float p2, float p3, float t)
 {
     NKW_EXACT
-    double x = (double)t, s = 1.0 - x, ss = s * s, xx = x * x;
-    double w1 = (3.0 * ss) * x, w2 = (3.0 * xx) * s, w3 = xx * x;
-    double d1 = (double)p1 - (double)p0, d2 = (double)p2 - (double)p0, d3 = (double)p3 - (double)p0;
-    double p = (double)p0 + ((w1 * d1 + w2 * d2) + w3 * d3);
-    return t == 0.0f ? p0 : t == 1.0f ? p3 : (float)p;
+    nkw_weights k = nkw_bezier_weights(t);
+    return (k.w[0] * p0 + k.w[1] * p1) + (k.w[2] * p2 + k.w[3] * p3);
 }
 
 /*
