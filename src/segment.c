@@ -9,12 +9,12 @@
 #include "segment_search.h"
 #include "sizes.h"
 
-nkw_segment nkw_segment_find(const float *times, size_t count, float time)
+LANE_FLAT nkw_segment nkw_segment_find(const float *times, size_t count, float time)
 {
     return segment_find(segment_times_of(times, count), time);
 }
 
-nkw_segment nkw_segment_find_hint(const float *times, size_t count, float time, size_t hint)
+LANE_FLAT nkw_segment nkw_segment_find_hint(const float *times, size_t count, float time, size_t hint)
 {
     return segment_find_hint(segment_times_of(times, count), time, hint);
 }
@@ -23,7 +23,7 @@ nkw_segment nkw_segment_find_hint(const float *times, size_t count, float time, 
  * Each search begins at the last segment found. After a distance of more than SEGMENT_JUMP keys, the times seem to be
  * unordered: the next SEGMENT_SEARCHES times are searched from the start, without branches that are mispredicted.
  */
-void nkw_segment_find_n(const float *times, size_t count, const float *time, nkw_segment *out, size_t n)
+LANE_FLAT void nkw_segment_find_n(const float *times, size_t count, const float *time, nkw_segment *out, size_t n)
 {
     segment_times all = segment_times_of(times, count);
     size_t from = 0;
@@ -139,6 +139,6 @@ nkw_segment nkw_segment_find_even(const float *times, size_t count, float rate, 
     if (count < 2)
         return none;
     size_t k = segment_even_key(times[0], rate, count - 1, time);
-    k -= k > 0 && !(times[k] <= time);
+    k -= (size_t)(k > 0) & (size_t)(time < times[k]);
     return segment_at(segment_times_of(times, count), time, k < count - 2 ? k : count - 2);
 }

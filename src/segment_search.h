@@ -5,7 +5,13 @@
 
 #include "lane/strict.h"
 
+#include <float.h>
+#include <stdint.h>
+
 #include <nakawari/segment.h>
+
+#include "batch/isa.h"
+#include "sizes.h"
 
 /* Key times in an array of floats, or of structs with a time. */
 typedef struct segment_times {
@@ -26,17 +32,19 @@ static inline float segment_time(segment_times times, size_t k)
 }
 
 /*
- * t = (time - a) / (b - a), clamped to 0..1.
+ * t = (time - a) / (b - a), clamped to 0..1. Halves are taken where b - a overflows.
  *
  * t is 1 if and only if time >= b: for time < b, a quotient that rounds to 1 becomes the largest float below 1.
  * If a >= b, t is 1 for time >= b, otherwise 0. NaN returns 0.
  */
 static inline float segment_t(float a, float b, float time)
 {
-    float t = (float)(((double)time - (double)a) / ((double)b - (double)a));
-    float inside = t > 0.0f ? t : 0.0f;
-    float below = inside < 0x1.fffffep-1f ? inside : 0x1.fffffep-1f;
-    return time >= b ? 1.0f : below;
+    if (b - a > FLT_MAX) {
+        float half = 0.5f * time;
+        a *= 0.5f, b *= 0.5f, time = half;
+    }
+    float t = (time - a) / (b - a), below = t < 0x1.fffffep-1f ? t : 0x1.fffffep-1f;
+    return time >= b ? 1.0f : time > a ? below : 0.0f;
 }
 
 /* The number of keys k + step, k + 2 step and k + 3 step whose time is <= time. */
@@ -47,22 +55,45 @@ static inline size_t segment_passed(segment_times times, float time, size_t k, s
     return one + two + three;
 }
 
-/*
- * The last of the keys k..k + n - 1 whose time is <= time; k if there is none.
- *
- * Each iteration reduces n to about a quarter. The comparisons are added, not branched on, and the number of iterations
- * depends on n only: no branch is mispredicted when times are random. The result is in k..k + n - 1 for any times, also
- * for times that do not ascend.
- */
-static inline size_t segment_search(segment_times times, float time, size_t k, size_t n)
+/* The same of the keys k, k + 1 ... k + SEGMENT_WINDOW - 1. A constant number, for vectors. */
+static inline size_t segment_passed_window(segment_times times, float time, size_t k)
 {
-    while (n > 3) {
+    int32_t passed = 0;
+    NKW_KEEP_LOOP
+    for (size_t i = 0; i < SEGMENT_WINDOW; i++)
+        passed += segment_time(times, k + i) <= time;
+    return (size_t)passed;
+}
+
+/*
+ * The last key, of all but the last, whose time is <= time; 0 if there is none. count >= 2. Of n keys from k on:
+ *
+ *     n > SEGMENT_WINDOW^2      each iteration reduces n to about a quarter
+ *     n > SEGMENT_WINDOW        every SEGMENT_WINDOW-th key is compared, then as many neighbours
+ *     otherwise                 all are compared
+ *
+ * The comparisons are added, not branched on, and their number depends on n only: no branch is mispredicted when times
+ * are random. The result is in 0..count - 2 for any times, also for times that do not ascend.
+ */
+static inline size_t segment_search(segment_times times, float time)
+{
+    size_t k = 0, n = times.count - 1, passed = 0;
+    while (n > SEGMENT_WINDOW * SEGMENT_WINDOW) {
         size_t quarter = n / 4;
         k += quarter * segment_passed(times, time, k, quarter);
         n -= 3 * quarter;
     }
-    size_t one = n > 1 && segment_time(times, k + 1) <= time, two = n > 2 && segment_time(times, k + 2) <= time;
-    return k + one + two;
+    if (n <= SEGMENT_WINDOW) {
+        for (size_t i = 1; i < n; i++)
+            passed += segment_time(times, k + i) <= time;
+        return k + passed;
+    }
+    for (size_t i = SEGMENT_WINDOW; i < n; i += SEGMENT_WINDOW)
+        passed += segment_time(times, k + i) <= time;
+    size_t from = SEGMENT_WINDOW * passed, last = n - SEGMENT_WINDOW;
+    k += from < last ? from : last;
+    passed = segment_passed_window(times, time, k);
+    return passed > 0 ? k + passed - 1 : k;
 }
 
 static inline nkw_segment segment_at(segment_times times, float time, size_t k)
@@ -76,35 +107,37 @@ static inline nkw_segment segment_find(segment_times times, float time)
     nkw_segment none = {0, 0.0f};
     if (times.count < 2)
         return none;
-    return segment_at(times, time, segment_search(times, time, 0, times.count - 1));
+    return segment_at(times, time, segment_search(times, time));
 }
 
 /*
- * Searches from `hint` on: steps of 1, 1, 4, 16, ... keys forwards or backwards until an interval contains the time,
- * then segment_search in that interval. O(log d) for d keys between the hint and the result.
+ * Whether the time is in the segment `hint`, the next or the one before; *k receives which. These are branched on, so
+ * that the processor need not wait for the result of the search before: it predicts that the segment is the same.
  */
+static inline int segment_is_near(segment_times times, float time, size_t hint, size_t *k)
+{
+    size_t last = times.count - 2, at = hint < last ? hint : last;
+    if (!(segment_time(times, at) <= time)) {
+        *k = at - (at > 0);
+        return at <= 1 || segment_time(times, *k) <= time;
+    }
+    *k = at;
+    if (at == last || time < segment_time(times, at + 1))
+        return 1;
+    *k = at + 1;
+    return *k == last || time < segment_time(times, *k + 1);
+}
+
+/* The same result as segment_find, by way of `hint`. */
 static inline nkw_segment segment_find_hint(segment_times times, float time, size_t hint)
 {
     nkw_segment none = {0, 0.0f};
+    size_t k;
     if (times.count < 2)
         return none;
-    size_t last = times.count - 1;
-    size_t k = hint < last ? hint : last - 1, n = 1, step = 1;
-    if (segment_time(times, k) <= time) {
-        for (; n < last - k && segment_time(times, k + n) <= time; step *= 4) {
-            k += n;
-            n = step;
-        }
-        n = n < last - k ? n : last - k;
-    } else {
-        for (; n < k && !(segment_time(times, k - n) <= time); step *= 4) {
-            k -= n;
-            n = step;
-        }
-        n = n < k ? n : k;
-        k -= n;
-    }
-    return segment_at(times, time, n > 1 ? segment_search(times, time, k, n) : k);
+    if (!segment_is_near(times, time, hint, &k))
+        k = segment_search(times, time);
+    return segment_at(times, time, k);
 }
 
 /*
@@ -113,8 +146,8 @@ static inline nkw_segment segment_find_hint(segment_times times, float time, siz
  */
 static inline size_t segment_even_key(float start, float rate, size_t last, float time)
 {
-    float x = (time - start) * rate + 0.5f, from = x >= 1.0f ? x : 0.0f;
-    size_t k = (uint32_t)(from < 0x1p31f ? from : 0x1p31f);
+    float x = (time - start) * rate + 0.5f, below = x < 0x1p31f ? x : 0x1p31f;
+    size_t k = x >= 1.0f ? (uint32_t)below : 0;
     return k < last ? k : last;
 }
 

@@ -54,10 +54,12 @@
 #define CLIP_GAP 4
 /* Floats between two runs of constants, at most, that one copy fills with zeros and animated values overwrite. */
 #define CLIP_RUN_GAP 32
-/* Searches of many times: after a distance of more keys, the times count as unordered ... */
-#define SEGMENT_JUMP ((size_t)16)
+/* Searches: so many neighbouring keys are compared at once. */
+#define SEGMENT_WINDOW ((size_t)16)
+/* Searches of many times: after a distance of more segments, the times count as unordered ... */
+#define SEGMENT_JUMP ((size_t)1)
 /* ... and so many are searched from the start, without mispredicted branches. */
-#define SEGMENT_SEARCHES 8
+#define SEGMENT_SEARCHES 16
 /* Times compared in each segment of a track with its clip. */
 #define DIFFERENCE_QUARTERS 4
 

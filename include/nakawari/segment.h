@@ -17,8 +17,9 @@
  * For every input, index + 1 < count or index = 0, and 0 <= t <= 1. Times that do not ascend, or are NaN, return some
  * segment within the array.
  *
- * t is computed in binary64 and rounded once. t is 0 at the first key of the segment, and t is 1 only from the last key
- * on.
+ * t is computed in binary32: its error is at most 3 u of t, u = 2^-24, and 1 u if both differences are exact, as they are
+ * between keys whose times differ by less than a factor of 2. t is 0 at the first key of the segment, and t is 1 only
+ * from the last key on.
  */
 #ifndef NAKAWARI_SEGMENT_H
 #define NAKAWARI_SEGMENT_H
@@ -36,15 +37,16 @@ typedef struct nkw_segment {
 } nkw_segment;
 
 /**
- * The segment of `time`, by a four-way search: about log4(count) steps of three comparisons each, without a branch on a
- * time.
+ * The segment of `time`, by a search without a branch on a time. Up to 17 keys are all compared; up to 257 keys take one
+ * step that compares every 16th key and one that compares 16 neighbours; more keys are first reduced to a quarter, and
+ * so on.
  */
 NKW_API nkw_segment nkw_segment_find(const float *times, size_t count, float time);
 
 /**
- * The same segment, searched outwards from the segment `hint`, usually the segment found last. It takes one or two
- * comparisons while the time changes slowly, forward or backward, and after a jump at most twice as many as
- * nkw_segment_find. Any hint is valid. For ascending times the result is that of nkw_segment_find, bit for bit.
+ * The same segment, first tried at the segment `hint`, usually the segment found last, and at the next and the one
+ * before. It takes two or three comparisons while the time changes slowly, forward or backward, and after a jump as many
+ * more as nkw_segment_find. Any hint is valid. For ascending times the result is that of nkw_segment_find, bit for bit.
  */
 NKW_API nkw_segment nkw_segment_find_hint(const float *times, size_t count, float time, size_t hint);
 
