@@ -5,6 +5,7 @@
 
 #include "lane/mat.h"
 #include "lane/quat.h"
+#include "pack/form.h"
 #include "pack/sincos.h"
 
 float nkw_quat_length(nkw_quat q)
@@ -60,27 +61,35 @@ nkw_quat nkw_quat_look_rotation(nkw_vec3 forward, nkw_vec3 up)
     return lane_quat_from_f64(lane_f64_quat_from_f64_mat3(&m, 0));
 }
 
-LANE_SELDOM static nkw_quat from_any_matrix(const nkw_mat3 *m)
+LANE_SELDOM static nkw_quat from_any_matrix(const float *x, const float *y, const float *z)
 {
-    lane_f64_mat3 w = lane_f64_mat3_from(m);
-    return lane_quat_from_f64(lane_f64_quat_from_f64_mat3(&w, LANE_NEAREST_STEPS));
+    nkw_vec3 a = {x[0], x[1], x[2]}, b = {y[0], y[1], y[2]}, c = {z[0], z[1], z[2]};
+    return lane_quat_from_any_columns(a, b, c);
 }
 
-LANE_FLAT nkw_quat nkw_quat_from_mat3(const nkw_mat3 *m)
+nkw_quat nkw_quat_from_mat3(const nkw_mat3 *m)
 {
-    lane_f64_mat3 w = lane_f64_mat3_from(m);
-    lane_f64_form k = lane_f64_form_from_f64_mat3(&w);
-    lane_f64_quat q = lane_f64_form_dominant(&k, LANE_NEAREST_STEPS);
-    double n2 = lane_f64_quat_dot(q, q);
-    if (!lane_root_is_near(n2))
-        return from_any_matrix(m);
-    return lane_quat_from_f64(lane_f64_quat_scale(q, lane_rsqrt64_near(n2)));
+    const float *a = m->m;
+#if NKW_F32X4
+    f32x4 last = f32x4_load(a + 5);
+    lane_nearest r =
+        f32x4_quat_from_columns(f32x4_load(a), f32x4_load(a + 3), F32X4_SHUFFLE(last, last, 1, 2, 3, 0));
+#else
+    lane_nearest r = lane_quat_from_columns(nkw_mat3_column(m, 0), nkw_mat3_column(m, 1), nkw_mat3_column(m, 2));
+#endif
+    return r.n2 < LANE_NEAREST_FAR ? r.q : from_any_matrix(a, a + 3, a + 6);
 }
 
 nkw_quat nkw_quat_from_mat4(const nkw_mat4 *m)
 {
-    nkw_mat3 r = nkw_mat3_from_mat4(m);
-    return nkw_quat_from_mat3(&r);
+    const float *a = m->m;
+#if NKW_F32X4
+    lane_nearest r = f32x4_quat_from_columns(f32x4_load(a), f32x4_load(a + 4), f32x4_load(a + 8));
+    return r.n2 < LANE_NEAREST_FAR ? r.q : from_any_matrix(a, a + 4, a + 8);
+#else
+    nkw_mat3 block = nkw_mat3_from_mat4(m);
+    return nkw_quat_from_mat3(&block);
+#endif
 }
 
 float nkw_quat_angle(nkw_quat a, nkw_quat b)

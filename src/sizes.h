@@ -16,6 +16,8 @@
 #define ANGLE_FEW 8
 /* Rotations (slerp, nlerp, exp): lengths and roots of a block in the first-level cache, 5 arrays of 1 KiB. */
 #define ORIENT_BLOCK 256
+/* Rotations nearest to matrices: 5 arrays of 512 bytes, until all matrices of the block have been read. */
+#define NEAREST_BLOCK 128
 /* nlerp: from this many on, chords and roots are two loops, so that no element waits for the root of the one before. */
 #if defined(__AVX512F__)
 #define NLERP_TWO_LOOPS 128

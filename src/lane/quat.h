@@ -223,6 +223,65 @@ static inline lane_f64_quat lane_f64_quat_from_f64_mat3(const lane_f64_mat3 *m, 
     return lane_f64_quat_normalize(lane_f64_form_dominant(&k, steps));
 }
 
+/* The same in binary32: lane_f64_form_from_f64_mat3 of the columns. */
+typedef struct lane_form {
+    nkw_quat x, y, z, w;
+} lane_form;
+
+static inline lane_form lane_form_from_columns(nkw_vec3 x, nkw_vec3 y, nkw_vec3 z)
+{
+    float xy = x.y + y.x, xz = x.z + z.x, yz = y.z + z.y;
+    float xw = y.z - z.y, yw = z.x - x.z, zw = x.y - y.x;
+    lane_form k = {
+        {((1.0f + x.x) - y.y) - z.z, xy, xz, xw},
+        {xy, ((1.0f - x.x) + y.y) - z.z, yz, yw},
+        {xz, yz, ((1.0f - x.x) - y.y) + z.z, zw},
+        {xw, yw, zw, ((1.0f + x.x) + y.y) + z.z},
+    };
+    return k;
+}
+
+static inline nkw_quat lane_form_apply(const lane_form *k, nkw_quat q)
+{
+    nkw_quat r = {nkw_quat_dot(k->x, q), nkw_quat_dot(k->y, q), nkw_quat_dot(k->z, q), nkw_quat_dot(k->w, q)};
+    return r;
+}
+
+static inline nkw_quat lane_form_row(const lane_form *k)
+{
+    int x_over_y = k->x.x > k->y.y, z_over_w = k->z.z > k->w.w;
+    float xy = x_over_y ? k->x.x : k->y.y, zw = z_over_w ? k->z.z : k->w.w;
+    return lane_quat_select(xy > zw, lane_quat_select(x_over_y, k->x, k->y), lane_quat_select(z_over_w, k->z, k->w));
+}
+
+/*
+ * The rotation nearest to a matrix and the square of the length that it was divided by, which is at least 1 except for
+ * rounding: a row of K of diagonal d >= 1 is at least 1 long, and each product makes it longer. From LANE_NEAREST_FAR on
+ * it is not the nearest rotation but the result of an overflow, possibly: elements beyond 2^15.
+ */
+typedef struct lane_nearest {
+    nkw_quat q;
+    float n2;
+} lane_nearest;
+
+#define LANE_NEAREST_FAR 0x1p100f
+
+static inline lane_nearest lane_quat_from_columns(nkw_vec3 x, nkw_vec3 y, nkw_vec3 z)
+{
+    lane_form k = lane_form_from_columns(x, y, z);
+    nkw_quat q = lane_form_apply(&k, lane_form_apply(&k, lane_form_row(&k)));
+    float n2 = nkw_quat_dot(q, q), n = sqrtf(n2);
+    lane_nearest r = {{q.x / n, q.y / n, q.z / n, q.w / n}, n2};
+    return r;
+}
+
+/* The same of any matrix, in binary64. */
+static inline nkw_quat lane_quat_from_any_columns(nkw_vec3 x, nkw_vec3 y, nkw_vec3 z)
+{
+    lane_f64_mat3 m = {{x.x, x.y, x.z, y.x, y.y, y.z, z.x, z.y, z.z}};
+    return lane_quat_from_f64(lane_f64_quat_from_f64_mat3(&m, LANE_NEAREST_STEPS));
+}
+
 /* q / |q|, the squares summed in binary64; zero returns the identity. */
 static inline nkw_quat lane_quat_normalize(nkw_quat q)
 {
