@@ -5,7 +5,6 @@
 
 #include "lane/strict.h"
 
-#include <float.h>
 #include <stdint.h>
 
 #include <nakawari/segment.h>
@@ -32,19 +31,20 @@ static inline float segment_time(segment_times times, size_t k)
 }
 
 /*
- * t = (time - a) / (b - a), clamped to 0..1. Halves are taken where b - a overflows.
+ * t = (time - a) / (b - a), clamped to 0..1.
+ *
+ * In binary64: differences in binary32 take 0.3 to 2 ns less, and make t wrong by 3 u where a and b differ by more than a
+ * factor of 2.
  *
  * t is 1 if and only if time >= b: for time < b, a quotient that rounds to 1 becomes the largest float below 1.
  * If a >= b, t is 1 for time >= b, otherwise 0. NaN returns 0.
  */
 static inline float segment_t(float a, float b, float time)
 {
-    if (b - a > FLT_MAX) {
-        float half = 0.5f * time;
-        a *= 0.5f, b *= 0.5f, time = half;
-    }
-    float t = (time - a) / (b - a), below = t < 0x1.fffffep-1f ? t : 0x1.fffffep-1f;
-    return time >= b ? 1.0f : time > a ? below : 0.0f;
+    float t = (float)(((double)time - (double)a) / ((double)b - (double)a));
+    float inside = t > 0.0f ? t : 0.0f;
+    float below = inside < 0x1.fffffep-1f ? inside : 0x1.fffffep-1f;
+    return time >= b ? 1.0f : below;
 }
 
 /* The number of keys k + step, k + 2 step and k + 3 step whose time is <= time. */

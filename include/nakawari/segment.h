@@ -17,9 +17,8 @@
  * For every input, index + 1 < count or index = 0, and 0 <= t <= 1. Times that do not ascend, or are NaN, return some
  * segment within the array.
  *
- * t is computed in binary32: its error is at most 3 u of t, u = 2^-24, and 1 u if both differences are exact, as they are
- * between keys whose times differ by less than a factor of 2. t is 0 at the first key of the segment, and t is 1 only
- * from the last key on.
+ * t is computed in binary64 and rounded once. t is 0 at the first key of the segment, and t is 1 only from the last key
+ * on.
  */
 #ifndef NAKAWARI_SEGMENT_H
 #define NAKAWARI_SEGMENT_H
