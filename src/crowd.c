@@ -11,6 +11,7 @@
 #include "batch/crowd.h"
 #include "lane/scalar.h"
 #include "report.h"
+#include "skin_job.h"
 
 nkw_result nkw_crowd_from_poses(const nkw_pose_view *poses, nkw_crowd_poses_span crowd)
 {
@@ -70,6 +71,37 @@ void nkw_crowd_palette_from_models(nkw_crowd_matrices_view models, const int32_t
         else
             memmove(palette.data + k * size, models.data + j * size, size * sizeof(float));
     }
+}
+
+/* The stream v of each lane. Lanes without it write to `spare`. */
+static crowd_stream stream_of(const nkw_vertices_view *in, const nkw_vertices_span *outs, size_t v, float spare[12])
+{
+    const nkw_vec3_stream_view *from = skin_in(in, v);
+    crowd_stream r = {NULL, skin_vector_stride(from->stride), {NULL}, {0}, 1};
+    for (size_t i = 0; i < NKW_CROWD; i++) {
+        const nkw_vec3_stream_span *to = skin_out(&outs[i], v);
+        r.out[i] = to->data ? (unsigned char *)to->data : (unsigned char *)spare;
+        r.out_stride[i] = to->data ? skin_vector_stride(to->stride) : 0;
+        r.packed = r.packed && (!to->data || r.out_stride[i] == sizeof(nkw_vec3));
+        if (to->data)
+            r.in = (const unsigned char *)from->data;
+    }
+    return r;
+}
+
+nkw_result nkw_crowd_skin_linear(const nkw_skin *skin, nkw_crowd_matrices_view palette, int skip_normalization,
+                                 const nkw_vertices_view *in, const nkw_vertices_span *outs)
+{
+    const int fit = skin_formats_fit(skin);
+    skin_job job = skin_job_of(skin, fit ? palette.joint_count : 0);
+    crowd_stream streams[SKIN_STREAMS];
+    float spare[12];
+    job.palette = (const unsigned char *)palette.data;
+    job.skip_normalization = skip_normalization;
+    for (size_t v = 0; v < SKIN_STREAMS; v++)
+        streams[v] = stream_of(in, outs, v, spare);
+    nkwi_crowd_skin(&job, streams);
+    return fit ? NKW_OK : NKW_BAD_FORMAT;
 }
 
 nkw_result nkw_crowd_sample(const nkw_clip *clip, const nkw_crowd_players *players, nkw_crowd_poses_span crowd,

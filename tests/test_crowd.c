@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 #include <stdlib.h>
+#include <string.h>
 
 #include "random.h"
 #include "random_clip.h"
@@ -324,6 +325,95 @@ static void validate_names_the_first_offender(void **state)
     free(clip);
 }
 
+enum { VERTICES = 75, INFLUENCES = 5 }; /* more than a block; groups and blocks end within */
+
+static float weights[VERTICES * INFLUENCES], bind_vectors[4][VERTICES * 4], results[2][NKW_CROWD][4][VERTICES * 4];
+static uint8_t indices[VERTICES * INFLUENCES];
+
+/* Vertices without weights, joints beyond the palette, zero directions. */
+static void draw_skin(random_source *r)
+{
+    for (size_t i = 0; i < VERTICES * INFLUENCES; i++) {
+        indices[i] = (uint8_t)(random_bits(r) % (JOINTS + 1));
+        weights[i] = i / INFLUENCES % 11 == 3 ? 0.0f : random_unit(r);
+    }
+    for (size_t v = 0; v < 4; v++)
+        for (size_t i = 0; i < VERTICES * 4; i++)
+            bind_vectors[v][i] = i / 3 % 13 == 0 ? 0.0f : random_between(r, -1, 1);
+}
+
+/* The streams that `mask` names. */
+static nkw_vertices_view bind_streams(int mask)
+{
+    nkw_vertices_view v = {{mask & 1 ? bind_vectors[0] : NULL, 0},
+                           {mask & 2 ? bind_vectors[1] : NULL, 12},
+                           {mask & 4 ? bind_vectors[2] : NULL, 16},
+                           {mask & 8 ? bind_vectors[3] : NULL, 0}};
+    return v;
+}
+
+static nkw_vertices_span result_streams(int which, size_t lane, int mask, size_t stride)
+{
+    float(*to)[VERTICES * 4] = results[which][lane];
+    nkw_vertices_span v = {{mask & 1 ? to[0] : NULL, stride},
+                           {mask & 2 ? to[1] : NULL, stride},
+                           {mask & 4 ? to[2] : NULL, stride},
+                           {mask & 8 ? to[3] : NULL, stride}};
+    return v;
+}
+
+static void compare_skins(const nkw_skin *skin, int skip, int in_mask, int out_mask, size_t stride)
+{
+    const nkw_vertices_view view = bind_streams(in_mask);
+    nkw_vertices_span outs[NKW_CROWD];
+    memset(results, 0, sizeof results);
+    for (size_t i = 0; i < NKW_CROWD; i++) {
+        const int mask = i == 6 ? 0 : i == 9 ? out_mask & 2 : out_mask;
+        const nkw_skin_palette palette = {{matrices[i], JOINTS, NKW_PALETTE_MAT4}, {NULL, 0, NKW_PALETTE_MAT4}, skip};
+        /* One lane with another stride, so that not all outputs are contiguous. */
+        const size_t apart = i == 12 && !skip ? 16 : stride;
+        const nkw_vertices_span alone = result_streams(0, i, mask, apart);
+        outs[i] = result_streams(1, i, mask, apart);
+        assert_int_equal(nkw_skin_linear(skin, &palette, &view, &alone), NKW_OK);
+    }
+    assert_int_equal(nkw_crowd_skin_linear(skin, crowd_matrices_view(models, JOINTS), skip, &view, outs), NKW_OK);
+    expect_floats_bits(results[1][0][0], results[0][0][0], sizeof results[0] / sizeof(float));
+}
+
+static void every_lane_is_skinned_as_its_character_alone(void **state)
+{
+    (void)state;
+    random_source r = random_from(12);
+    draw(&r);
+    draw_skin(&r);
+    crowd_from_poses(in, JOINTS, crowd);
+    crowd_models_from_pose(&skeleton, crowd, NULL, models);
+    matrices_from_crowd(models, JOINTS, out);
+    for (int round = 0; round < 64; round++) {
+        const size_t k = (size_t)round % (INFLUENCES + 1);
+        nkw_skin skin = {
+            round % 7 == 6 ? VERTICES - 2 : VERTICES, k, {indices, 0, NKW_SKIN_U8}, {weights, 0, NKW_SKIN_F32}};
+        if (round % 5 == 4)
+            skin.weights.format = NKW_SKIN_U8;
+        compare_skins(&skin, round % 2, round % 3 ? 15 : 1 + round % 15, round % 4 ? 15 : 3, round % 8 < 4 ? 12 : 16);
+    }
+}
+
+static void a_crowd_is_copied_where_formats_do_not_fit(void **state)
+{
+    (void)state;
+    random_source r = random_from(13);
+    draw_skin(&r);
+    const nkw_skin skin = {VERTICES, 4, {indices, 0, NKW_SKIN_F32}, {weights, 0, NKW_SKIN_F32}};
+    const nkw_vertices_view view = bind_streams(1);
+    nkw_vertices_span outs[NKW_CROWD];
+    for (size_t i = 0; i < NKW_CROWD; i++)
+        outs[i] = result_streams(0, i, 1, 12);
+    assert_int_equal(nkw_crowd_skin_linear(&skin, crowd_matrices_view(models, JOINTS), 0, &view, outs), NKW_BAD_FORMAT);
+    for (size_t i = 0; i < NKW_CROWD; i++)
+        expect_floats_bits(results[0][i][0], bind_vectors[0], 3 * VERTICES);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -336,6 +426,8 @@ int main(void)
         cmocka_unit_test(a_clip_of_other_joints_is_not_baked),
         cmocka_unit_test(counts_that_do_not_match_write_nothing),
         cmocka_unit_test(validate_names_the_first_offender),
+        cmocka_unit_test(every_lane_is_skinned_as_its_character_alone),
+        cmocka_unit_test(a_crowd_is_copied_where_formats_do_not_fit),
         cmocka_unit_test(any_parents_stay_within_the_arrays),
         cmocka_unit_test(nothing_is_written_without_joints),
     };

@@ -22,6 +22,7 @@
 #include "palette.h"
 #include "pose.h"
 #include "skeleton.h"
+#include "skin.h"
 
 #ifdef __cplusplus
 extern "C" {
@@ -105,6 +106,21 @@ NKW_API nkw_result nkw_crowd_models_from_pose(const nkw_skeleton *skeleton, nkw_
 NKW_API void nkw_crowd_palette_from_models(nkw_crowd_matrices_view models, const int32_t *joints,
                                            const nkw_mat4 *inverse_bind, nkw_crowd_matrices_span palette);
 
+/**
+ * Linear blend skinning of a crowd: one skin and its vertices for all, a palette for each lane. A joint's matrix is read
+ * once for sixteen characters, and no palette leaves the lanes. The vertices of lane i have the bits of nkw_skin_linear
+ * with the matrices of lane i and without normal matrices.
+ *
+ * in   the vertices of the skin
+ * outs the vertices of each lane, NKW_CROWD elements; vectors that are NULL are skipped. They share no vector with `in` or
+ *      with each other
+ *
+ * Returns NKW_OK, or NKW_BAD_FORMAT if the joints or the weights have a format that does not fit; all vectors are then
+ * copied.
+ */
+NKW_API nkw_result nkw_crowd_skin_linear(const nkw_skin *skin, nkw_crowd_matrices_view palette, int skip_normalization,
+                                         const nkw_vertices_view *in, const nkw_vertices_span *outs);
+
 /** The number of floats that nkw_crowd_sample needs as working memory: a pose for each lane. */
 #define NKW_CROWD_SAMPLE_FLOATS(joint_count) (NKW_CROWD * NKW_POSE_FLOATS(joint_count))
 
@@ -135,11 +151,11 @@ NKW_API nkw_result nkw_crowd_sample(const nkw_clip *clip, const nkw_crowd_player
 typedef struct nkw_crowd_source {
     const nkw_clip *clip; /**< has as many joints as the skeleton */
     const nkw_skeleton *skeleton;
-    const nkw_mat4 *root;         /**< applied once, to root joints; NULL: none */
+    const nkw_mat4 *root; /**< applied once, to root joints; NULL: none */
     const int32_t *joints; /**< joint_count indices of joints of the skeleton; NULL: 0, 1, 2 ... */
     const nkw_mat4 *inverse_bind; /**< joint_count matrices; NULL: none */
     size_t joint_count; /**< joints of the skin */
-    float start, rate;            /**< frame f is the clip at nkw_segment_uniform_time(start, rate, f) */
+    float start, rate; /**< frame f is the clip at nkw_segment_uniform_time(start, rate, f) */
 } nkw_crowd_source;
 
 /**

@@ -7,8 +7,9 @@
 #include <nakawari/transform.h>
 
 #include "batch/crowd.h"
+#include "batch/skin_decode.h"
 #include "lane/mat.h"
-#include "pack/f32x4.h"
+#include "pack/columns.h"
 #include "sizes.h"
 
 NKW_LOOPS_CROWD(NKW_DECLARE_LOOP)
@@ -133,4 +134,124 @@ NKW_LOOP(nkwi_crowd_to_matrices)(const float *crowd, size_t joints, nkw_mat4 *co
                     to[k] = matrices[i + k] ? matrices[i + k][j].m + 4 * column : NULL;
                 f32x4_transpose_rows(from, to);
             }
+}
+
+/* ---- Skinning: the lanes of a vertex share its influences and its vectors ---- */
+
+/* Row r, column c of the blended matrices at [3 c + r], as nkw_skin_linear sums them; k at least 1. */
+NKW_ALWAYS_INLINE void blend_lanes(const influences *f, size_t k, size_t lane, f32xN m[12])
+{
+    for (size_t e = 0; e < k; e++) {
+        /* The offset of a nkw_mat4, 64 bytes, becomes that of 12 rows of sixteen floats. */
+        const unsigned char *entry = f->palette + (size_t)f->offset[e] * 12 + lane * sizeof(float);
+        const f32xN w = f32xN_splat(load_float(f->weights + e * sizeof(float)));
+        for (size_t r = 0; r < 12; r++) {
+            const f32xN term = f32xN_load(entry + r * CROWD_LANES * sizeof(float)) * w;
+            m[r] = e == 0 ? term : m[r] + term;
+        }
+    }
+}
+
+enum { GROUP = 4 }; /* vertices whose results are written together */
+
+/* One vector of the F32XN lanes of a group: x0 y0 z0 x1 y1 ... */
+typedef f32xN group_vectors[3 * GROUP];
+
+NKW_ALWAYS_INLINE void transform_lanes(const f32xN m[12], const unsigned char *in, int is_point, int normalized,
+                                       f32xN *r)
+{
+    const f32xN x = f32xN_splat(load_float(in)), y = f32xN_splat(load_float(in + sizeof(float))),
+                z = f32xN_splat(load_float(in + 2 * sizeof(float)));
+    for (int i = 0; i < 3; i++) {
+        const f32xN xy = m[i] * x + m[3 + i] * y;
+        r[i] = is_point ? xy + (m[6 + i] * z + m[9 + i]) : xy + m[6 + i] * z;
+    }
+    if (normalized) {
+        const f32xN zero = f32xN_splat(0.0f), n2 = (r[0] * r[0] + r[1] * r[1]) + r[2] * r[2];
+        const f32xN scale = f32xN_select(f32xN_equal(n2, zero), zero, f32xN_splat(1.0f) / f32xN_sqrt(n2));
+        for (int i = 0; i < 3; i++)
+            r[i] = r[i] * scale;
+    }
+}
+
+/* The first n vertices of a group. */
+NKW_ALWAYS_INLINE void write_group(const crowd_stream *s, size_t lane, size_t n, f32xN *r)
+{
+    unsigned char *const *out = s->out + lane;
+    if (n == GROUP && s->packed)
+        for (size_t i = 0; i < 3; i++)
+            f32xN_scatter(r + 4 * i, 4, out, 4 * i * sizeof(float));
+    else
+        for (size_t v = 0; v < n; v++) {
+            unsigned char *to[F32XN];
+            f32xN m[4] = {r[3 * v], r[3 * v + 1], r[3 * v + 2], r[3 * v + 2]};
+            for (size_t i = 0; i < F32XN; i++)
+                to[i] = out[i] + v * s->out_stride[lane + i];
+            f32xN_scatter(m, 3, to, 0);
+        }
+}
+
+/* n vertices with weights, at most a group. */
+NKW_ALWAYS_INLINE void skin_group(const skin_job *job, const influences *from, size_t k, size_t n,
+                                  const crowd_stream *streams)
+{
+    group_vectors r[SKIN_STREAMS];
+    for (size_t lane = 0; lane < CROWD_LANES; lane += F32XN) {
+        for (size_t v = 0; v < n; v++) {
+            const influences f = influences_at(from, v);
+            f32xN m[12];
+            blend_lanes(&f, k, lane, m);
+            for (size_t s = 0; s < SKIN_STREAMS; s++) {
+                const unsigned char *in = streams[s].in + v * streams[s].in_stride;
+                if (!streams[s].in)
+                    continue;
+                if (s == SKIN_POSITIONS)
+                    transform_lanes(m, in, 1, 0, r[s] + 3 * v);
+                else if (job->skip_normalization)
+                    transform_lanes(m, in, 0, 0, r[s] + 3 * v);
+                else
+                    transform_lanes(m, in, 0, 1, r[s] + 3 * v);
+            }
+        }
+        for (size_t s = 0; s < SKIN_STREAMS; s++)
+            if (streams[s].in)
+                write_group(&streams[s], lane, n, r[s]);
+    }
+}
+
+static void copy_vertex(const crowd_stream *streams)
+{
+    for (size_t v = 0; v < SKIN_STREAMS; v++)
+        for (size_t i = 0; i < CROWD_LANES && streams[v].in; i++)
+            memcpy(streams[v].out[i], streams[v].in, sizeof(nkw_vec3));
+}
+
+static void advance(crowd_stream *streams, size_t n)
+{
+    for (size_t v = 0; v < SKIN_STREAMS; v++)
+        if (streams[v].in) {
+            streams[v].in += n * streams[v].in_stride;
+            for (size_t i = 0; i < CROWD_LANES; i++)
+                streams[v].out[i] += n * streams[v].out_stride[i];
+        }
+}
+
+NKW_LOOP(nkwi_crowd_skin)(const skin_job *job, crowd_stream *streams)
+{
+    decoded_influences decoded;
+    const size_t count = job->vertex_count, k = job->influence_count;
+    for (size_t from = 0; from < count; from += SKIN_BLOCK) {
+        const size_t n = count - from < SKIN_BLOCK ? count - from : SKIN_BLOCK;
+        const influences all = decode(job, from, n, &decoded);
+        for (size_t i = 0, part; i < n; i += part, advance(streams, part)) {
+            const influences f = influences_at(&all, i);
+            part = k == 0 ? 0 : count_weighted(&f, n - i < GROUP ? n - i : GROUP);
+            if (part == 0)
+                copy_vertex(streams), part = 1;
+            else if (k == 4 && part == GROUP)
+                skin_group(job, &f, 4, GROUP, streams);
+            else
+                skin_group(job, &f, k, part, streams);
+        }
+    }
 }

@@ -77,6 +77,36 @@ static inline void f32xN_transpose(f32xN m[4])
 #endif
 }
 
+/* Element i of each of the four registers, to `count` floats at to[i] + offset bytes; count is 3 or 4. */
+static inline void f32xN_scatter(f32xN m[4], int count, unsigned char *const *to, size_t offset)
+{
+    f32xN_transpose(m);
+#if F32XN == 1
+    memcpy(to[0] + offset, m, (size_t)count * sizeof *m);
+#else
+    for (int k = 0; k < 4; k++) {
+        const f32x4 fours[F32XN / 4] = {
+#if F32XN == 4
+            m[k]
+#elif F32XN == 8
+            F32XN_SHUFFLE(m[k], m[k], 0, 1, 2, 3),
+            F32XN_SHUFFLE(m[k], m[k], 4, 5, 6, 7)
+#else
+            F32XN_SHUFFLE(m[k], m[k], 0, 1, 2, 3),
+            F32XN_SHUFFLE(m[k], m[k], 4, 5, 6, 7),
+            F32XN_SHUFFLE(m[k], m[k], 8, 9, 10, 11),
+            F32XN_SHUFFLE(m[k], m[k], 12, 13, 14, 15)
+#endif
+        };
+        for (int g = 0; g < F32XN / 4; g++)
+            if (count == 4)
+                f32x4_store(to[4 * g + k] + offset, fours[g]);
+            else
+                f32x4_store3(to[4 * g + k] + offset, fours[g]);
+    }
+#endif
+}
+
 /* Eight floats to the first half of a register of 16, and back. Narrower registers have no such half. */
 static inline f32xN f32xN_load8(const void *from)
 {

@@ -20,7 +20,7 @@
 
 #include "../support/random.h"
 
-#define FUZZ_BLOCKS 160
+#define FUZZ_BLOCKS 320
 
 typedef struct fuzz {
     const uint8_t *data;

@@ -58,7 +58,34 @@ static void bake(fuzz *f, const nkw_crowd_source *source)
     nkw_crowd_source_validate(source, &bad);
     FUZZ_CHECK(bad < count || bad < n || bad == 0);
     crowd_bake(source, &chunk, fuzz_upto(f, 50), fuzz_upto(f, 50), fuzz_room(f, NKW_CROWD_BAKE_FLOATS(n, count)),
-                   buffer);
+               buffer);
+}
+
+/* Any influences: each lane has the bits of its palette alone. */
+static void skin(fuzz *f, const float *lanes, size_t n, const nkw_mat4 *const *palettes)
+{
+    const size_t count = fuzz_upto(f, 20), k = fuzz_upto(f, 10);
+    const int skip = fuzz_byte(f) % 2;
+    nkw_skin s = {count, k, {NULL, 0, NKW_SKIN_U8}, {NULL, 0, NKW_SKIN_F32}};
+    s.joints.data = fuzz_bytes(f, count * k);
+    s.weights.data = fuzz_floats(f, count * k, fuzz_byte(f) % 2);
+    const nkw_vertices_view vertices = {
+        {fuzz_floats(f, 3 * count, 1), 0}, {fuzz_floats(f, 3 * count, 0), 0}, {NULL, 0}, {NULL, 0}};
+    nkw_vertices_span outs[NKW_CROWD], alone[NKW_CROWD];
+    for (size_t i = 0; i < NKW_CROWD; i++) {
+        const nkw_vertices_span none = {{NULL, 0}, {NULL, 0}, {NULL, 0}, {NULL, 0}};
+        outs[i] = alone[i] = none;
+        if (!palettes[i])
+            continue;
+        outs[i].positions.data = fuzz_room(f, 3 * count), outs[i].normals.data = fuzz_room(f, 3 * count);
+        alone[i].positions.data = fuzz_room(f, 3 * count), alone[i].normals.data = fuzz_room(f, 3 * count);
+        const nkw_skin_palette p = {{palettes[i], n, NKW_PALETTE_MAT4}, {NULL, 0, NKW_PALETTE_MAT4}, skip};
+        nkw_skin_linear(&s, &p, &vertices, &alone[i]);
+    }
+    nkw_crowd_skin_linear(&s, crowd_matrices_view(lanes, n), skip, &vertices, outs);
+    for (size_t i = 0; i < NKW_CROWD; i++)
+        FUZZ_CHECK(!palettes[i] || (fuzz_same(outs[i].positions.data, alone[i].positions.data, 3 * count) &&
+                                    fuzz_same(outs[i].normals.data, alone[i].normals.data, 3 * count)));
 }
 
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
@@ -90,6 +117,7 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
     check_lanes(&f, all, n, models);
     crowd_palette_from_models(all, n, joints, inverse_bind, count, palette);
     check_lanes(&f, palette, count, palettes);
+    skin(&f, palette, count, palettes);
     crowd_models_from_pose(&s, lanes, NULL, all);
     const nkw_clip *clip = n ? some_clip(&f, n) : NULL;
     if (clip) {

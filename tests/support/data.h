@@ -19,7 +19,8 @@
     X(skin) \
     X(skeleton) \
     X(crowd) \
-    X(clip_more)
+    X(clip_more) \
+    X(crowd_skin)
 
 #ifdef __cplusplus
 extern "C" {
