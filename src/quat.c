@@ -82,8 +82,8 @@ nkw_quat nkw_quat_from_mat3(const nkw_mat3 *m)
 
 nkw_quat nkw_quat_from_mat4(const nkw_mat4 *m)
 {
-    const float *a = m->m;
 #if NKW_F32X4
+    const float *a = m->m;
     lane_nearest r = f32x4_quat_from_columns(f32x4_load(a), f32x4_load(a + 4), f32x4_load(a + 8));
     return r.n2 < LANE_NEAREST_FAR ? r.q : from_any_matrix(a, a + 4, a + 8);
 #else

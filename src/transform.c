@@ -4,6 +4,7 @@
 #include <nakawari/transform.h>
 
 #include "lane/mat.h"
+#include "pack/form.h"
 
 /* Enough for the eigenvector of sheared blocks too; where there is no shear, two would do. */
 #define TRS_ROTATION_STEPS 24
@@ -60,31 +61,21 @@ LANE_SELDOM static nkw_trs from_any_affine(const nkw_mat4 *m)
     return r;
 }
 
-/* Unit columns are orthogonal to within this sum of cosines: then LANE_NEAREST_STEPS reach the rotation to 2^-32. */
-#define TRS_LITTLE_SHEAR 0x1p-10
-
 LANE_FLAT nkw_trs nkw_trs_from_mat4(const nkw_mat4 *m)
 {
-    const float *a = m->m;
-    lane_f64_vec3 x = {a[0], a[1], a[2]}, y = {a[4], a[5], a[6]}, z = {a[8], a[9], a[10]};
-    double xx = lane_f64_vec3_dot(x, x), yy = lane_f64_vec3_dot(y, y), zz = lane_f64_vec3_dot(z, z);
-    if (!(lane_root_is_near(xx) && lane_root_is_near(yy) && lane_root_is_near(zz)))
-        return from_any_affine(m);
-    double side = lane_copysign64(1.0, lane_f64_vec3_dot(lane_f64_vec3_cross(x, y), z));
-    double rx = lane_rsqrt64_near(xx) * side, ry = lane_rsqrt64_near(yy), rz = lane_rsqrt64_near(zz);
-    lane_f64_vec3 u = lane_f64_vec3_scale(x, rx), v = lane_f64_vec3_scale(y, ry), n = lane_f64_vec3_scale(z, rz);
-    double uv = lane_f64_vec3_dot(u, v), vn = lane_f64_vec3_dot(v, n), nu = lane_f64_vec3_dot(n, u);
-    if (!((uv * uv + vn * vn) + nu * nu < TRS_LITTLE_SHEAR * TRS_LITTLE_SHEAR))
-        return from_any_affine(m);
-    lane_f64_mat3 unit = lane_f64_mat3_from_columns(u, v, n);
-    lane_f64_form k = lane_f64_form_from_f64_mat3(&unit);
-    lane_f64_quat q = lane_f64_form_dominant(&k, LANE_NEAREST_STEPS);
-    nkw_trs r = {
-        {a[12], a[13], a[14]},
-        lane_quat_from_f64(lane_f64_quat_scale(q, lane_rsqrt64_near(lane_f64_quat_dot(q, q)))),
-        {(float)(xx * rx), (float)(yy * ry), (float)(zz * rz)},
-    };
-    return r;
+    nkw_trs r;
+#if NKW_F32X4
+    int is_near = f32x4_trs_from_mat4(m->m, &r.translation.x);
+#else
+    nkw_mat3 block = nkw_mat3_from_mat4(m);
+    lane_scaled_rotation turn = lane_scaled_rotation_of(nkw_mat3_column(&block, 0), nkw_mat3_column(&block, 1),
+                                                        nkw_mat3_column(&block, 2));
+    int is_near = turn.is_near;
+    r.translation = nkw_mat4_translation(m);
+    r.rotation = turn.rotation;
+    r.scale = turn.scale;
+#endif
+    return is_near ? r : from_any_affine(m);
 }
 
 float nkw_trs_residual(const nkw_trs *trs, const nkw_mat4 *m)

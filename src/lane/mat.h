@@ -126,6 +126,41 @@ static inline nkw_mat3 lane_mat3_normal(const nkw_mat3 *m)
     return lane_mat3_from_f64(&c, det == 0.0 ? singular : inverse);
 }
 
+/*
+ * Rotation and scale of a block of three columns. `is_near` is 0 where the result is not to be used: a length is not in
+ * 2^-30 .. 2^30, or the columns are so far from orthogonal that LANE_NEAREST_STEPS do not reach the nearest rotation.
+ */
+typedef struct lane_scaled_rotation {
+    nkw_quat rotation;
+    nkw_vec3 scale;
+    int is_near;
+} lane_scaled_rotation;
+
+#define LANE_LEAST_SQUARE 0x1p-60f
+#define LANE_MOST_SQUARE  0x1p60f
+/* The sum of the squares of the three cosines between the columns. */
+#define LANE_LITTLE_SHEAR 0x1p-20f
+
+static inline int lane_is_moderate_square(float n2)
+{
+    return n2 > LANE_LEAST_SQUARE && n2 < LANE_MOST_SQUARE;
+}
+
+static inline lane_scaled_rotation lane_scaled_rotation_of(nkw_vec3 x, nkw_vec3 y, nkw_vec3 z)
+{
+    float xx = nkw_vec3_dot(x, x), yy = nkw_vec3_dot(y, y), zz = nkw_vec3_dot(z, z);
+    nkw_vec3 c = nkw_vec3_cross(x, y), scale = {sqrtf(xx), sqrtf(yy), sqrtf(zz)};
+    float rx = 1.0f / scale.x, ry = 1.0f / scale.y, rz = 1.0f / scale.z;
+    int mirrors = nkw_vec3_dot(c, z) < 0.0f; /* where is_near, whatever the rounding of c */
+    scale.x = mirrors ? -scale.x : scale.x;
+    nkw_vec3 u = nkw_vec3_scale(x, mirrors ? -rx : rx), v = nkw_vec3_scale(y, ry), n = nkw_vec3_scale(z, rz);
+    float uv = nkw_vec3_dot(x, y) * (rx * ry), vn = nkw_vec3_dot(y, z) * (ry * rz), nu = nkw_vec3_dot(z, x) * (rz * rx);
+    int is_near = lane_is_moderate_square(xx) && lane_is_moderate_square(yy) && lane_is_moderate_square(zz) &&
+                  (uv * uv + vn * vn) + nu * nu < LANE_LITTLE_SHEAR;
+    lane_scaled_rotation r = {lane_quat_from_columns(u, v, n).q, scale, is_near};
+    return r;
+}
+
 /* Six 2x2 minors of two lines of four, each with one rounding: the products of floats are exact. */
 typedef struct lane_minors {
     double m01, m02, m03, m12, m13, m23;

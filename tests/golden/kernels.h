@@ -174,6 +174,7 @@ K(keyframes_trace_step, 16, trace(o, i, NKW_POSITION_BEZIER, NKW_ORIENTATION_STE
 K(mat4_inverse_cancelling, 16, put_mat4(o, inverse(nearly_singular(i))))
 K(mat3_inverse_cancelling, 9, put_mat3(o, inverse3(block(nearly_singular(i)))))
 K(mat3_orthonormalize_sheared, 9, put_mat3(o, orthonormalized(block(sheared(i)))))
+K(trs_from_mat4_of_trs, 10, put_trs(o, decomposed(nkw_mat4_from_trs(&i->trs))))
 K(trs_from_mat4_sheared, 10, put_trs(o, decomposed(sheared(i))))
 K(quat_from_vectors_opposite, 4, put_quat(o, nkw_quat_from_vectors(i->v[0], nearly_opposite(i))))
 K(vec3_angle_opposite, 1, o[0] = nkw_vec3_angle(i->v[0], nearly_opposite(i)))
