@@ -14,6 +14,8 @@
 #define ANGLE_BLOCK 256
 /* Angles: a block with fewer is left to the scalar function, which takes less time than a remainder of a loop. */
 #define ANGLE_FEW 8
+/* Normalisation: lengths of a block in the first-level cache. */
+#define NORMALIZE_BLOCK 256
 /* Rotations (slerp, nlerp, exp): lengths and roots of a block in the first-level cache, 5 arrays of 1 KiB. */
 #define ORIENT_BLOCK 256
 /* Rotations nearest to matrices: 5 arrays of 512 bytes, until all matrices of the block have been read. */

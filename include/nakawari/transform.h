@@ -40,7 +40,7 @@ NKW_ALGEBRA_F32X4 nkw_mat4 nkw_mat4_from_trs(const nkw_trs *trs);
 /**
  * The transform of a point: translation + rotate(rotation, scale * p).
  *
- * Error  18.0 u of |scale * p| + |translation| for a rotation from nkw_quat_normalize, 12.5 for a unit rotation with
+ * Error  20.0 u of |scale * p| + |translation| for a rotation from nkw_quat_normalize, 12.5 for a unit rotation with
  *        each component rounded once (both near half turns).
  */
 NKW_ALGEBRA nkw_vec3 nkw_trs_transform_point(const nkw_trs *trs, nkw_vec3 p);

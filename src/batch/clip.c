@@ -292,8 +292,10 @@ NKW_ALWAYS_INLINE void normalize_block(const float *x, float *out, size_t stride
     nkw_quat_span o = block_rows_to(out, stride);
     nkw_quat_view q = block_rows(x, width);
 #pragma omp simd
-    for (size_t i = 0; i < width; i++)
-        put_quat(o, i, lane_quat_normalize(at_quat(q, i)));
+    for (size_t i = 0; i < width; i++) {
+        nkw_quat v = at_quat(q, i);
+        put_quat(o, i, nkw_quat_normalize_any(v, nkw_quat_dot(v, v)));
+    }
 }
 
 /* Hermite of the four rows of a block, then normalised. */

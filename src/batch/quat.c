@@ -17,11 +17,34 @@ NKW_LOOP(nkw_quat_mul_n)(nkw_quat_view a, nkw_quat_view b, nkw_quat_span out, si
         put_quat(out, i, nkw_quat_mul(at_quat(a, i), at_quat(b, i)));
 }
 
+/* Lengths come before divisions, so that no element waits for the root of the one before. */
+static inline void normalize_block(nkw_quat_view q, nkw_quat_span out, size_t from, size_t to)
+{
+    float length[NORMALIZE_BLOCK];
+    int far = 0;
+#pragma omp simd reduction(| : far)
+    for (size_t i = from; i < to; i++) {
+        float n2 = nkw_quat_dot(at_quat(q, i), at_quat(q, i));
+        far |= !nkw_is_moderate(n2);
+        length[i - from] = nkw_sqrt(n2);
+    }
+    if (far) {
+#pragma omp simd
+        for (size_t i = from; i < to; i++) {
+            nkw_quat v = at_quat(q, i);
+            put_quat(out, i, nkw_quat_normalize_any(v, nkw_quat_dot(v, v)));
+        }
+        return;
+    }
+#pragma omp simd
+    for (size_t i = from; i < to; i++)
+        put_quat(out, i, nkw_quat_over(at_quat(q, i), length[i - from]));
+}
+
 NKW_LOOP(nkw_quat_normalize_n)(nkw_quat_view q, nkw_quat_span out, size_t n)
 {
-#pragma omp simd
-    for (size_t i = 0; i < n; i++)
-        put_quat(out, i, lane_quat_normalize(at_quat(q, i)));
+    for (size_t from = 0; from < n; from += NORMALIZE_BLOCK)
+        normalize_block(q, out, from, n - from < NORMALIZE_BLOCK ? n : from + NORMALIZE_BLOCK);
 }
 
 NKW_LOOP(nkw_quat_rotate_n)(nkw_quat_view q, nkw_vec3_view v, nkw_vec3_span out, size_t n)

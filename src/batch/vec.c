@@ -6,14 +6,38 @@
 #include "batch/element.h"
 #include "batch/vec.h"
 #include "lane/vec.h"
+#include "sizes.h"
 
 NKW_LOOPS_VEC(NKW_DECLARE_LOOP)
 
+/* Lengths come before divisions, so that no element waits for the root of the one before. */
+static inline void normalize_block(nkw_vec3_view a, nkw_vec3_span out, size_t from, size_t to)
+{
+    float length[NORMALIZE_BLOCK];
+    int far = 0;
+#pragma omp simd reduction(| : far)
+    for (size_t i = from; i < to; i++) {
+        float n2 = nkw_vec3_dot(at_vec3(a, i), at_vec3(a, i));
+        far |= !nkw_is_moderate(n2);
+        length[i - from] = nkw_sqrt(n2);
+    }
+    if (far) {
+#pragma omp simd
+        for (size_t i = from; i < to; i++) {
+            nkw_vec3 v = at_vec3(a, i);
+            put_vec3(out, i, nkw_vec3_normalize_any(v, nkw_vec3_dot(v, v)));
+        }
+        return;
+    }
+#pragma omp simd
+    for (size_t i = from; i < to; i++)
+        put_vec3(out, i, nkw_vec3_over(at_vec3(a, i), length[i - from]));
+}
+
 NKW_LOOP(nkw_vec3_normalize_n)(nkw_vec3_view a, nkw_vec3_span out, size_t n)
 {
-#pragma omp simd
-    for (size_t i = 0; i < n; i++)
-        put_vec3(out, i, lane_vec3_normalize(at_vec3(a, i)));
+    for (size_t from = 0; from < n; from += NORMALIZE_BLOCK)
+        normalize_block(a, out, from, n - from < NORMALIZE_BLOCK ? n : from + NORMALIZE_BLOCK);
 }
 
 NKW_LOOP(nkw_vec3_lerp_n)(nkw_vec3_view a, nkw_vec3_view b, const float *t, nkw_vec3_span out, size_t n)

@@ -282,19 +282,6 @@ static inline nkw_quat lane_quat_from_any_columns(nkw_vec3 x, nkw_vec3 y, nkw_ve
     return lane_quat_from_f64(lane_f64_quat_from_f64_mat3(&m, LANE_NEAREST_STEPS));
 }
 
-/* q / |q|, the squares summed in binary64; zero returns the identity. */
-static inline nkw_quat lane_quat_normalize(nkw_quat q)
-{
-    lane_f64_quat w = lane_f64_quat_from(q);
-    double n2 = lane_f64_quat_dot(w, w);
-    float rescue = lane_rescue((float)n2);
-    double held = n2 * ((double)rescue * (double)rescue);
-    float n = sqrtf((float)held + FLT_MIN);
-    nkw_quat unit = {q.x * rescue / n, q.y * rescue / n, q.z * rescue / n, q.w * rescue / n};
-    unit.w = n2 == 0.0 ? 1.0f : unit.w;
-    return unit;
-}
-
 /*
  * (from x to, |from| |to| + from.to), normalised. Past a quarter turn the last sum cancels, and
  *

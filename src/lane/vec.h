@@ -81,19 +81,6 @@ static inline lane_f64_vec3 lane_f64_vec3_perpendicular(lane_f64_vec3 a)
     return lane_f64_vec3_normalize(lane_f64_vec3_select((x + y) + z == 0.0, axis_x, r));
 }
 
-/*
- * 2^100 for a squared length n2 below 2^-96, 2^-70 above 2^96, else 1: of a vector times that, the squared length is a
- * normal float. By its exponent: of a selection GCC would make three vectors, and of each what follows.
- */
-static inline float lane_rescue(float n2)
-{
-    uint32_t up = n2 < 0x1p-96f ? UINT32_C(100) << 23 : 0, down = n2 > 0x1p96f ? UINT32_C(70) << 23 : 0;
-    uint32_t bits = (UINT32_C(0x3F800000) + up) - down;
-    float scale;
-    memcpy(&scale, &bits, sizeof scale);
-    return scale;
-}
-
 static inline float lane_vec3_length(nkw_vec3 a)
 {
     return (float)lane_f64_vec3_length(lane_f64_vec3_from(a));
@@ -102,18 +89,6 @@ static inline float lane_vec3_length(nkw_vec3 a)
 static inline float lane_vec3_distance(nkw_vec3 a, nkw_vec3 b)
 {
     return (float)lane_f64_vec3_length(lane_f64_vec3_sub(lane_f64_vec3_from(a), lane_f64_vec3_from(b)));
-}
-
-/* a / |a|, the squares summed in binary64; the zero vector stays zero. */
-static inline nkw_vec3 lane_vec3_normalize(nkw_vec3 a)
-{
-    lane_f64_vec3 w = lane_f64_vec3_from(a);
-    double n2 = lane_f64_vec3_dot(w, w);
-    float rescue = lane_rescue((float)n2);
-    n2 = n2 * ((double)rescue * (double)rescue);
-    float n = sqrtf((float)n2 + FLT_MIN);
-    nkw_vec3 r = {a.x * rescue / n, a.y * rescue / n, a.z * rescue / n};
-    return r;
 }
 
 static inline float lane_vec3_angle(nkw_vec3 a, nkw_vec3 b)

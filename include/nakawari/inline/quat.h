@@ -6,6 +6,7 @@
 #include "../quat.h"
 #include "../scalar.h"
 #include "../vec.h"
+#include "normal.h"
 
 #ifdef __cplusplus
 extern "C" {
@@ -64,20 +65,20 @@ NKW_PART float nkw_quat_unit_error(nkw_quat q)
 }
 
 #if NKW_ROOT
-/* As nkw_vec3_normalize; the zero quaternion becomes the identity. */
-NKW_BODY nkw_quat nkw_quat_normalize(nkw_quat q)
+/* As nkw_vec3_normalize_any; the zero quaternion becomes the identity: its w the root of FLT_MIN. */
+NKW_PART nkw_quat nkw_quat_normalize_any(nkw_quat q, float n2)
 {
     NKW_EXACT
-    double x = q.x, y = q.y, z = q.z, w = q.w, n2 = (x * x + y * y) + (z * z + w * w);
-    float square = (float)n2, scale = nkw_normal_scale(n2);
-    if (scale != 1.0f) {
-        q = nkw_quat_scale(q, scale);
-        q.w = n2 == 0.0 ? 1.0842022e-19f : q.w; /* the root of FLT_MIN */
-        square = (float)(n2 * ((double)scale * (double)scale)) + FLT_MIN;
-    }
-    float n = nkw_sqrt(square);
-    nkw_quat r = {q.x / n, q.y / n, q.z / n, q.w / n};
-    return r;
+    q = nkw_quat_scale(q, nkw_normal_scale(n2));
+    float square = nkw_quat_dot(q, q);
+    q.w = square == 0.0f ? 1.0842022e-19f : q.w;
+    return nkw_quat_over(q, nkw_sqrt(square + FLT_MIN));
+}
+
+NKW_BODY nkw_quat nkw_quat_normalize(nkw_quat q)
+{
+    float n2 = nkw_quat_dot(q, q);
+    return nkw_is_moderate(n2) ? nkw_quat_over(q, nkw_sqrt(n2)) : nkw_quat_normalize_any(q, n2);
 }
 #endif
 

@@ -49,15 +49,6 @@ NKW_BODY float nkw_max(float a, float b)
     return a > b ? a : b;
 }
 
-/*
- * The power of two that multiplies a vector of squared length n2 before it is normalised: 1 for n2 in 2^-96 .. 2^96.
- * Outside of that range, n2 could be subnormal or infinite as a float.
- */
-NKW_PART float nkw_normal_scale(double n2)
-{
-    return n2 < 1.2621774483536189e-29 ? 1.2676506e30f : n2 > 7.9228162514264338e28 ? 8.4703295e-22f : 1.0f;
-}
-
 #if NKW_ROOT
 NKW_BODY float nkw_sqrt(float x)
 {

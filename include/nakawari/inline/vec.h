@@ -5,6 +5,7 @@
 
 #include "../scalar.h"
 #include "../vec.h"
+#include "normal.h"
 
 #ifdef __cplusplus
 extern "C" {
@@ -91,19 +92,18 @@ NKW_BODY float nkw_vec3_length_squared(nkw_vec3 a)
 }
 
 #if NKW_ROOT
-/* Squares of floats neither overflow nor underflow in binary64. FLT_MIN avoids 0 / 0: the zero vector stays zero. */
-NKW_BODY nkw_vec3 nkw_vec3_normalize(nkw_vec3 a)
+/* For a of any squared length n2, without a branch. FLT_MIN prevents 0 / 0: the zero vector stays zero. */
+NKW_PART nkw_vec3 nkw_vec3_normalize_any(nkw_vec3 a, float n2)
 {
     NKW_EXACT
-    double x = a.x, y = a.y, z = a.z, n2 = (x * x + y * y) + z * z;
-    float square = (float)n2, scale = nkw_normal_scale(n2);
-    if (scale != 1.0f) {
-        a = nkw_vec3_scale(a, scale);
-        square = (float)(n2 * ((double)scale * (double)scale)) + FLT_MIN;
-    }
-    float n = nkw_sqrt(square);
-    nkw_vec3 r = {a.x / n, a.y / n, a.z / n};
-    return r;
+    a = nkw_vec3_scale(a, nkw_normal_scale(n2));
+    return nkw_vec3_over(a, nkw_sqrt(nkw_vec3_dot(a, a) + FLT_MIN));
+}
+
+NKW_BODY nkw_vec3 nkw_vec3_normalize(nkw_vec3 a)
+{
+    float n2 = nkw_vec3_dot(a, a);
+    return nkw_is_moderate(n2) ? nkw_vec3_over(a, nkw_sqrt(n2)) : nkw_vec3_normalize_any(a, n2);
 }
 #endif
 
