@@ -11,6 +11,7 @@
 #define NKW_DEFINE_ALGEBRA
 #include <nakawari/curve.h>
 #include <nakawari/mat.h>
+#include <nakawari/orient.h>
 #include <nakawari/quat.h>
 #include <nakawari/scalar.h>
 #include <nakawari/transform.h>

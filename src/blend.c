@@ -71,7 +71,7 @@ static void weigh(float weight, const float *mask, const part *p, float *out)
         nkwi_blend_weigh(weight, mask + p->from, (int)p->used, out, (int)p->n);
     else
         for (size_t i = 0; i < p->n; i++)
-            out[i] = i < p->used ? weight : 0.0f;
+            out[i] = weight;
 }
 
 /* two poses */
@@ -113,7 +113,7 @@ static void blend_masked(const float *a, const float *b, size_t joints, float t,
         if (slerp)
             slerp_each(a, b, ts, &p, out);
         else
-            nkwi_blend_each(rows_of(a, &p), rows_of(b, &p), ts, (int)p.used, rows_span(out, &p), (int)p.n);
+            nkwi_blend_each(rows_of(a, &p), rows_of(b, &p), ts, NULL, (int)p.used, rows_span(out, &p));
     }
 }
 
@@ -252,7 +252,7 @@ static void add_plain(plain_sum *s, blend_rows rows, float weight, const part *p
     if (t == 0.0f)
         return;
     if (t < 1.0f && s->t > 0.0f) {
-        nkwi_blend_chord(s->sum, s->last, s->t, v, (int)p->n);
+        nkwi_blend_sum(s->sum, s->last, s->t, v, (int)p->n);
         s->sum.at = s->v;
         s->sum.stride = p->n;
     }
@@ -287,35 +287,38 @@ static void blend_plain(const nkw_pose_layer *layers, size_t count, const float 
 }
 
 /*
- * The same with totals and parts for each joint of its own. mixed is 1 where more than one pose has a part. The first
- * pose is taken whole: where it has no weight, the next one's part is 1.
+ * The same with totals and parts for each joint of its own. mixed is 1 where more than one pose has a part in the sum,
+ * which is the first pose where it lies, then v. The first pose is taken whole: where it has no weight, the next one's
+ * part is 1.
  */
 typedef struct masked_sum {
     float v[10 * BLEND_BLOCK];
+    blend_rows sum, last;
     double total[BLEND_BLOCK];
     float mixed[BLEND_BLOCK], t[BLEND_BLOCK];
-    int begun;
+    size_t poses;
 } masked_sum;
 
 /* Adds a pose by its joints' weights. */
 static void add_masked(masked_sum *s, blend_rows rows, const float *weight, const part *p)
 {
     blend_span v = {s->v, p->n};
-    nkwi_blend_share(weight, s->total, s->mixed, s->t, p->n);
-    if (s->begun)
-        nkwi_blend_mix(rows, s->t, v, (int)p->n);
-    else
-        copy_rows(rows, 10, v, p->n);
-    s->begun = 1;
+    if (s->poses > 1) {
+        nkwi_blend_mix(s->sum, s->last, s->t, s->mixed, (int)p->used, v);
+        s->sum.at = s->v;
+        s->sum.stride = p->n;
+    }
+    nkwi_blend_share(weight, s->total, s->t, p->n);
+    s->sum = s->poses == 0 ? rows : s->sum;
+    s->last = rows;
+    s->poses++;
 }
 
 static void add_rest(masked_sum *s, const float *rest, float threshold, const part *p)
 {
     float weight[BLEND_BLOCK];
-    int any = 0;
-    nkwi_blend_missing(s->total, threshold, (int)p->used, weight, (int)p->n);
-    for (size_t i = 0; i < p->n; i++)
-        any |= weight[i] > 0.0f;
+    int any;
+    nkwi_blend_missing(s->total, threshold, weight, &any, (int)p->n);
     if (any)
         add_masked(s, rows_of(rest, p), weight, p);
 }
@@ -325,10 +328,9 @@ static void blend_with_masks(const nkw_pose_layer *layers, size_t count, const f
 {
     masked_sum s;
     queue q;
-    blend_rows translations = {s.v, p->n}, scales = {s.v + 7 * p->n, p->n};
-    memset(s.total, 0, sizeof s.total);
-    memset(s.mixed, 0, sizeof s.mixed);
-    s.begun = 0;
+    memset(s.total, 0, p->n * sizeof *s.total);
+    memset(s.mixed, 0, p->n * sizeof *s.mixed);
+    s.poses = 0;
     begin_queue(&q, layers, count, p);
     for (const nkw_pose_layer *l = next_layer(&q); l; l = next_layer(&q)) {
         float weight[BLEND_BLOCK];
@@ -336,11 +338,10 @@ static void blend_with_masks(const nkw_pose_layer *layers, size_t count, const f
         add_masked(&s, rows_of(l->pose.data, p), weight, p);
     }
     add_rest(&s, rest, threshold, p);
-    copy_rows(translations, 3, rows_span(out, p), p->n);
-    nkw_pose_view mean = {s.v, p->n};
-    nkwi_blend_normalize(nkw_pose_components(mean).rotation, s.mixed, (int)p->used, span_of(out, p).rotation,
-                         (int)p->n);
-    copy_rows(scales, 3, rows_span(out + 7 * p->stride, p), p->n);
+    if (s.poses > 1)
+        nkwi_blend_each(s.sum, s.last, s.t, s.mixed, (int)p->used, rows_span(out, p));
+    else
+        copy_rows(s.sum, 10, rows_span(out, p), p->n);
 }
 
 /* Whether all layers are of so many joints. */

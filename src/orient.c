@@ -8,16 +8,6 @@
 #include "pack/sincos.h"
 #include "pack/slerp.h"
 
-/* lane_quat_nlerp, where only chords outside the usual lengths take its general form. */
-LANE_FLAT nkw_quat nkw_quat_nlerp(nkw_quat a, nkw_quat b, float t)
-{
-    lane_chord c = lane_quat_chord(quat_argument(a), quat_argument(b), t);
-    float m = nkw_quat_unit_error(c.v);
-    if (c.back == 0.0f)
-        return c.v;
-    return lane_abs(m) < 1.0f ? lane_chord_normalize_short(c.v, m) : lane_chord_normalize(c.v);
-}
-
 #if NKW_F32X4
 LANE_SELDOM static f32x4 slerp_any(f32x4 a, f32x4 b, float t)
 {

@@ -20,12 +20,6 @@
 #define ORIENT_BLOCK 256
 /* Rotations nearest to matrices: 5 arrays of 512 bytes, until all matrices of the block have been read. */
 #define NEAREST_BLOCK 128
-/* nlerp: from this many on, chords and roots are two loops, so that no element waits for the root of the one before. */
-#if defined(__AVX512F__)
-#define NLERP_TWO_LOOPS 128
-#else
-#define NLERP_TWO_LOOPS 64
-#endif
 /* Matrices that are transposed to component arrays: the floats of the widest register. */
 #define MATRIX_BLOCK 16
 /* Lanes of a crowd in one loop. GCC holds the address of each array in a loop of two iterations, and runs out. */
@@ -37,7 +31,7 @@
 
 /* ---- Poses ---- */
 
-/* Blends: the most joints that a loop processes at once; its chords are 2 KiB of stack. */
+/* Blends: the most joints that a loop processes at once; its sums are 2.5 KiB of stack. */
 #define BLEND_BLOCK 128
 /* Blends: so many layers are sorted by weight together, with their indices on the stack. */
 #define BLEND_SORTED 32

@@ -66,6 +66,8 @@ static void rotations_of_any_length_blend_as_nlerp_too(void **state)
             for (size_t c = 3; c < 7; c++) {
                 a[c * STRIDE + joints[k]] *= lengths[i];
                 b[c * STRIDE + joints[k]] *= lengths[i];
+                b[c * STRIDE + 7] = a[c * STRIDE + 7];
+                b[c * STRIDE + 8] = -a[c * STRIDE + 8];
             }
             expect_nlerp(a, b);
         }

@@ -94,6 +94,8 @@ NKW_API nkw_vec3 nkw_vec3_weighted_sum(nkw_weights weights, nkw_vec3 c0, nkw_vec
  *
  *     p = p0 + t (f + s (s (v0 - f) - t (v1 - f))),    f = p1 - p0,  s = 1 - t
  *
+ * A sum by four weights is not faster with SSE2 and has up to 1.5 times the error; so this form stays.
+ *
  * Error  4.0 u of the largest control value, for t in 0..1 (3.77 at 0x1.094004p-1, 0x1.4150aap-2, -0x1.0854fap-1,
  *        0x1.39fffcp-2, t 0x1.f6b766p-2).
  * Source Ferguson, Multivariable Curve Interpolation, J. ACM 11, 1964.
@@ -128,6 +130,8 @@ NKW_ALGEBRA nkw_vec3 nkw_vec3_bspline(nkw_vec3 p0, nkw_vec3 p1, nkw_vec3 p2, nkw
 
 /**
  * The uniform Catmull-Rom segment from p1 to p2. Returns exactly p1 at t = 0 and p2 at t = 1.
+ *
+ * A sum by four weights is slower with SSE2 and has up to 1.7 times the error; so this form stays.
  *
  * Error  4.0 u of the largest control value, for t in 0..1 (3.63 at 0x1.0a702p-2, -0x1.082ddcp-2, 0x1.14c11ap-2,
  *        -0x1.a22c12p-3, t 0x1.f12036p-2).

@@ -77,7 +77,8 @@ NKW_ALGEBRA float nkw_saturate(float x);
  *     b - (1 - t)(b - a)       otherwise
  *
  * The formula starts at the end nearer to t, so both ends are exact: lerp(a, b, 0) is a and lerp(a, b, 1) is b, bit for
- * bit. lerp(a, a, t) is a for finite t, except the sign of a zero.
+ * bit. lerp(a, a, t) is a for finite t, except the sign of a zero. (1 - t) a + t b takes fewer operations, but neither
+ * keeps equal ends nor is monotonic; so this form stays.
  *
  * a, b     b - a must not overflow; then every t in [0, 1] returns a finite number
  * t        any; outside [0, 1] the line continues; 1 - t is exact in [1/2, 2]

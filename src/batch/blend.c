@@ -3,27 +3,15 @@
 
 #include <nakawari/scalar.h>
 
-#include "batch/chords.h"
-#include "batch/element.h"
 #include "batch/blend.h"
 #include "batch/block.h"
+#include "batch/element.h"
+#include "batch/nlerp.h"
 #include "lane/blend.h"
 #include "pack/nlerp.h"
 #include "sizes.h"
 
 NKW_LOOPS_BLEND(NKW_DECLARE_LOOP)
-
-static inline void normalize_chords(nkw_quat_view v, nkw_quat_span out, size_t n)
-{
-#pragma omp simd
-    for (size_t i = 0; i < n; i++)
-        put_quat(out, i, lane_chord_normalize(at_quat(v, i)));
-}
-
-NKW_LOOP(nkwi_blend_normalize)(nkw_quat_view v, const float *mixed, int used, nkw_quat_span out, int n)
-{
-    normalize_where(mixed, v, used, out, n);
-}
 
 static inline nkw_quat_view rotations_of(blend_rows rows)
 {
@@ -50,31 +38,34 @@ static inline nkw_vec3_span vector_span(blend_span rows, size_t first)
 }
 
 /*
- * Two poses by one t inside 0..1, a register of joints at a time; callers copy at t = 0 and 1. `first` and x are those of
- * pack/nlerp.h. The arrays of a pose, `stride` floats apart:
+ * Two poses, a register of joints at a time. The arrays of a pose, `stride` floats apart:
  *
  *     0 1 2     translation      lerp
- *     3 4 5 6   rotation         chord, then normalized
+ *     3 4 5 6   rotation         nlerp
  *     7 8 9     scale            lerp
+ *
+ * Joints in whose register all t are inside 0..1 on one side of 1/2, and no two rotations may be equal, are computed on
+ * registers; the others by the lanes.
  */
 
-/* Floats from one component of the chords of a block to the next: a register more than the block has joints. */
-#define CHORD_STRIDE (BLEND_BLOCK + F32XN)
+/* Floats from one component of the sums of a block to the next: a register more than the block has joints. */
+#define SUM_STRIDE (BLEND_BLOCK + F32XN)
 
-/* The next joints of two poses, of the result, and of their chords, whose components are `chords` floats apart. */
+/* The next joints of two poses, of the result, and of their sums: components `sums` floats apart; and the lengths. */
 typedef struct lanes {
     blend_rows a, b;
     blend_span out;
-    float *chord;
-    size_t chords;
+    float *sum, *length;
+    size_t sums;
 } lanes;
 
-NKW_ALWAYS_INLINE lanes lanes_after(lanes l)
+NKW_ALWAYS_INLINE lanes lanes_after(lanes l, size_t n)
 {
-    l.a.at += F32XN;
-    l.b.at += F32XN;
-    l.out.at += F32XN;
-    l.chord += F32XN;
+    l.a.at += n;
+    l.b.at += n;
+    l.out.at += n;
+    l.sum += n;
+    l.length += n;
     return l;
 }
 
@@ -91,29 +82,14 @@ NKW_ALWAYS_INLINE void lerp_rows(lanes l, size_t row, f32xN x, int first)
     lerp_row(l, row + 2, x, first);
 }
 
-NKW_ALWAYS_INLINE void chord_lanes(lanes l, f32xN x, int first)
+/* The sums; and `lengths`, a constant, theirs. */
+NKW_ALWAYS_INLINE void sum_lanes(lanes l, f32xN_time at, int lengths)
 {
     f32xN_quat a = f32xN_quat_load(l.a.at + 3 * l.a.stride, l.a.stride),
-               b = f32xN_quat_load(l.b.at + 3 * l.b.stride, l.b.stride);
-    f32xN_quat_store(l.chord, l.chords, f32xN_chord(a, b, x, first));
-}
-
-NKW_ALWAYS_INLINE void chord_joints(lanes l, f32xN x, int first, int n)
-{
-    for (int i = 0; i < n; i += F32XN, l = lanes_after(l)) {
-        lerp_rows(l, 0, x, first);
-        chord_lanes(l, x, first);
-        lerp_rows(l, 7, x, first);
-    }
-}
-
-NKW_ALWAYS_INLINE void chord_block(blend_rows a, blend_rows b, float t, blend_span out, int n)
-{
-    const lanes l = {a, b, out, out.at + 3 * out.stride, out.stride};
-    if (t < 0.5f)
-        chord_joints(l, f32xN_splat(t), 1, n);
-    else
-        chord_joints(l, f32xN_splat(t - 1.0f), 0, n);
+               b = f32xN_quat_load(l.b.at + 3 * l.b.stride, l.b.stride), v = f32xN_nlerp_sum(a, b, at);
+    f32xN_quat_store(l.sum, l.sums, v);
+    if (lengths)
+        f32xN_store(l.length, f32xN_sqrt(f32xN_quat_dot(v, v)));
 }
 
 /* Most poses have one stride. A loop in which it is one variable holds fewer addresses. */
@@ -122,57 +98,132 @@ NKW_ALWAYS_INLINE int have_one_stride(blend_rows a, blend_rows b, blend_span out
     return a.stride == out.stride && b.stride == out.stride;
 }
 
-/* The lerp, rotations as chords. out may be a. */
-NKW_LOOP(nkwi_blend_chord)(blend_rows a, blend_rows b, float t, blend_span out, int n)
+NKW_ALWAYS_INLINE void sum_joints(lanes l, f32xN_time at, int first, int n)
+{
+    for (int i = 0; i < n; i += F32XN, l = lanes_after(l, F32XN)) {
+        lerp_rows(l, 0, at.x, first);
+        sum_lanes(l, at, 0);
+        lerp_rows(l, 7, at.x, first);
+    }
+}
+
+NKW_ALWAYS_INLINE void sum_block(blend_rows a, blend_rows b, float t, blend_span out, int n)
+{
+    const lanes l = {a, b, out, out.at + 3 * out.stride, out.at, out.stride};
+    if (t < 0.5f)
+        sum_joints(l, f32xN_time_at(f32xN_splat(t), 1), 1, n);
+    else
+        sum_joints(l, f32xN_time_at(f32xN_splat(t), 0), 0, n);
+}
+
+/* The lerp by a t inside 0..1, rotations as sums. out may be a. */
+NKW_LOOP(nkwi_blend_sum)(blend_rows a, blend_rows b, float t, blend_span out, int n)
 {
     const blend_rows from = {a.at, out.stride}, to = {b.at, out.stride};
     if (have_one_stride(a, b, out))
-        chord_block(from, to, t, out, n);
+        sum_block(from, to, t, out, n);
     else
-        chord_block(a, b, t, out, n);
+        sum_block(a, b, t, out, n);
 }
 
-/* Identities in the padding from joint `used` on, so that it is inside. */
-NKW_ALWAYS_INLINE void end_chords(float *chord, int used)
+/* Identities in the padding from joint `used` on, whose lengths are 1. */
+NKW_ALWAYS_INLINE void end_sums(lanes l, int used)
 {
-    f32xN_quat identity = {f32xN_splat(0.0f), f32xN_splat(0.0f), f32xN_splat(0.0f), f32xN_splat(1.0f)};
-    f32xN_quat_store(chord + used, CHORD_STRIDE, identity);
+    const f32xN zero = f32xN_splat(0.0f), one = f32xN_splat(1.0f);
+    f32xN_quat identity = {zero, zero, zero, one};
+    f32xN_quat_store(l.sum + used, l.sums, identity);
+    f32xN_store(l.length + used, one);
+}
+
+/* Whether two of the next `left` rotations may be equal. */
+NKW_ALWAYS_INLINE int may_be_equal(lanes l, int left)
+{
+    const f32xN a = f32xN_load_once(l.a.at + 6 * l.a.stride), b = f32xN_load_once(l.b.at + 6 * l.b.stride);
+    const uint32_t same = f32xN_same_size(a, b);
+    return same != 0 && (left >= F32XN || (same & ((UINT32_C(1) << left) - 1)) != 0);
+}
+
+/* The sums of a register of joints by the lanes; `each`, a constant: every one has its own t. */
+NKW_ALWAYS_INLINE void sums_by_lanes(lanes l, const float *t, int each)
+{
+    const nkw_quat_view a = rotations_of(l.a), b = rotations_of(l.b);
+    const nkw_quat_span sum = block_rows_to(l.sum, l.sums);
+#pragma omp simd
+    for (size_t i = 0; i < F32XN; i++) {
+        lane_nlerp v = lane_quat_nlerp(at_quat(a, i), at_quat(b, i), t[each ? i : 0], 0);
+        put_quat(sum, i, v.v);
+        l.length[i] = nkw_sqrt(v.n2);
+    }
+}
+
+/* The same of layers. */
+NKW_ALWAYS_INLINE void mixes_by_lanes(lanes l, const float *t, const float *open)
+{
+    const nkw_quat_view a = rotations_of(l.a), b = rotations_of(l.b);
+    const nkw_quat_span sum = block_rows_to(l.sum, l.sums);
+#pragma omp simd
+    for (size_t i = 0; i < F32XN; i++) {
+        lane_nlerp v = lane_quat_mix(at_quat(a, i), at_quat(b, i), t[i], open[i] != 0.0f);
+        put_quat(sum, i, v.v);
+        l.length[i] = nkw_sqrt(v.n2);
+    }
+}
+
+NKW_ALWAYS_INLINE void lerps_by_lanes(lanes l, size_t row, const float *t)
+{
+    const nkw_vec3_view a = vectors_of(l.a, row), b = vectors_of(l.b, row);
+    const nkw_vec3_span out = vector_span(l.out, row);
+#pragma omp simd
+    for (size_t i = 0; i < F32XN; i++)
+        put_vec3(out, i, nkw_vec3_lerp(at_vec3(a, i), at_vec3(b, i), t[i]));
+}
+
+/* Divides the next sums by their lengths. Sets bits 30 or 31 of *far where one is not in 2^-32 .. 2^32. */
+NKW_ALWAYS_INLINE void divide_lanes(lanes l, u32xN *far)
+{
+    const f32xN n = f32xN_load_once(l.length);
+    f32xN_quat_store(l.out.at + 3 * l.out.stride, l.out.stride, f32xN_quat_over(f32xN_quat_load(l.sum, l.sums), n));
+    *far |= u32xN_from_f32xN(n) - (UINT32_C(95) << 23);
 }
 
 /*
- * All chords come before all roots, so that no register waits for the root of the one before. Returns whether a chord was
- * outside.
+ * All sums come before all divisions, so that no register waits for the root of the one before. Returns whether a length
+ * was far from 1.
  */
-NKW_ALWAYS_INLINE int nlerp_joints(lanes l, f32xN x, int first, int used)
+NKW_ALWAYS_INLINE int nlerp_joints(lanes l, float t, int first, int used)
 {
-    u32xN outside = u32xN_from_f32xN(f32xN_splat(0.0f));
+    const f32xN_time at = f32xN_time_at(f32xN_splat(t), first);
+    u32xN far = u32xN_from_f32xN(f32xN_splat(0.0f));
     lanes from = l;
-    for (int i = 0; i < used; i += F32XN, l = lanes_after(l)) {
-        chord_lanes(l, x, first);
-        lerp_rows(l, 0, x, first);
+    for (int i = 0; i < used; i += F32XN, l = lanes_after(l, F32XN)) {
+        if (may_be_equal(l, used - i))
+            sums_by_lanes(l, &t, 0);
+        else
+            sum_lanes(l, at, 1);
+        lerp_rows(l, 0, at.x, first);
     }
     l = from;
-    end_chords(l.chord, used);
-    for (int i = 0; i < used; i += F32XN, l = lanes_after(l)) {
-        f32xN_quat v = f32xN_quat_load(l.chord, l.chords);
-        f32xN_quat_store(l.out.at + 3 * l.out.stride, l.out.stride, f32xN_chord_normalize(v, &outside));
-        lerp_rows(l, 7, x, first);
+    end_sums(l, used);
+    for (int i = 0; i < used; i += F32XN, l = lanes_after(l, F32XN)) {
+        divide_lanes(l, &far);
+        lerp_rows(l, 7, at.x, first);
     }
-    return u32xN_any(outside) >> 30 != 0;
+    return u32xN_any(far) >> 30 != 0;
 }
 
-NKW_ALWAYS_INLINE int nlerp(lanes l, float t, int used)
+/* All again by the general formula: where a length was far from 1. */
+NKW_NOINLINE LANE_FLAT static void normalize_again(const float *sum, const float *length, blend_span out, int used)
 {
-    return t < 0.5f ? nlerp_joints(l, f32xN_splat(t), 1, used) : nlerp_joints(l, f32xN_splat(t - 1.0f), 0, used);
+    normalize_sums(block_rows(sum, SUM_STRIDE), length, 1, rotation_span(out), (size_t)used);
 }
 
-/* nkw_pose_blend of a block. If a chord was outside, all are normalized again, by the general formula. */
+/* nkw_pose_blend of a block by a t inside 0..1. */
 NKW_ALWAYS_INLINE void nlerp_block(blend_rows a, blend_rows b, float t, int used, blend_span out)
 {
-    float c[4 * CHORD_STRIDE];
-    const lanes l = {a, b, out, c, CHORD_STRIDE};
-    if (nlerp(l, t, used))
-        normalize_chords(block_rows(c, CHORD_STRIDE), rotation_span(out), (size_t)used);
+    float sum[5 * SUM_STRIDE];
+    const lanes l = {a, b, out, sum, sum + 4 * SUM_STRIDE, SUM_STRIDE};
+    if (t < 0.5f ? nlerp_joints(l, t, 1, used) : nlerp_joints(l, t, 0, used))
+        normalize_again(sum, l.length, out, used);
 }
 
 NKW_LOOP(nkwi_blend_nlerp)(blend_rows a, blend_rows b, float t, int used, blend_span out)
@@ -192,72 +243,127 @@ NKW_LOOP(nkwi_blend_poses)(const float *a, const float *b, size_t stride, float 
     nlerp_block(from, to, t, used, span);
 }
 
-/* A joint's own rotation, the identity in the padding: subnormal numbers there would take their time. */
-#define at_joint(v, i) lane_quat_or_identity(0u - (uint32_t)((i) < used), at_quat(v, i))
-
-/* The weight of each joint; 0 in the padding, whatever it holds. */
+/* The weight of each joint; in the padding that of the last one, which needs no case of its own. */
 NKW_LOOP(nkwi_blend_weigh)(float weight, const float *mask, int used, float *out, int n)
 {
 #pragma omp simd
-    for (int i = 0; i < n; i++) {
-        float w = weight * lane_mask(mask[i]);
-        out[i] = i < used ? w : 0.0f;
+    for (int i = 0; i < n; i++)
+        out[i] = weight * lane_mask(mask[i]);
+    for (int i = used; i < n; i++)
+        out[i] = out[used - 1];
+}
+
+/* How a register of joints is computed by a t of each: on registers from either end, by the lanes, or copied. */
+typedef enum how { FROM_A, FROM_B, BY_LANES, ALL_A, ALL_B } how;
+
+NKW_ALWAYS_INLINE how how_at(f32xN t)
+{
+    const uint32_t all = (UINT32_C(1) << F32XN) - 1;
+    const f32xN zero = f32xN_splat(0.0f), half = f32xN_splat(0.5f), one = f32xN_splat(1.0f);
+    const uint32_t near = i32xN_bits(f32xN_less(t, half));
+    if (i32xN_bits(f32xN_less(zero, t) & f32xN_less(t, one)) == all)
+        return near == all ? FROM_A : near == 0 ? FROM_B : BY_LANES;
+    if (i32xN_bits(f32xN_equal(t, zero)) == all)
+        return ALL_A;
+    return i32xN_bits(f32xN_equal(t, one)) == all ? ALL_B : BY_LANES;
+}
+
+NKW_ALWAYS_INLINE void copy_row(lanes l, size_t row, blend_rows from)
+{
+    f32xN_store(l.out.at + row * l.out.stride, f32xN_load(from.at + row * from.stride));
+}
+
+NKW_ALWAYS_INLINE void lerps_each(lanes l, size_t row, const float *t, how kind)
+{
+    if (kind == FROM_A)
+        lerp_rows(l, row, f32xN_load(t), 1);
+    else if (kind == FROM_B)
+        lerp_rows(l, row, f32xN_load(t) - f32xN_splat(1.0f), 0);
+    else if (kind == BY_LANES)
+        lerps_by_lanes(l, row, t);
+    else
+        for (size_t i = row; i < row + 3; i++)
+            copy_row(l, i, kind == ALL_A ? l.a : l.b);
+}
+
+NKW_ALWAYS_INLINE void sums_each(lanes l, const float *t, const float *open, how kind, int left, int lengths)
+{
+    const int is_special = kind > FROM_B || may_be_equal(l, left);
+    if (is_special && open)
+        mixes_by_lanes(l, t, open);
+    else if (is_special)
+        sums_by_lanes(l, t, 1);
+    else
+        sum_lanes(l, f32xN_time_at(f32xN_load(t), 1), lengths);
+}
+
+/*
+ * nkw_pose_blend by a t for each joint, any. `open` is NULL, or a and b are layers: where open[i] is not 0, a has a sum
+ * of several.
+ */
+NKW_LOOP(nkwi_blend_each)
+(blend_rows a, blend_rows b, const float *t, const float *open, int used, blend_span out)
+{
+    float sum[5 * SUM_STRIDE];
+    const lanes begin = {a, b, out, sum, sum + 4 * SUM_STRIDE, SUM_STRIDE};
+    u32xN far = u32xN_from_f32xN(f32xN_splat(0.0f));
+    how kinds[BLEND_BLOCK / F32XN];
+    lanes l = begin;
+    for (int i = 0; i < used; i += F32XN, l = lanes_after(l, F32XN)) {
+        const how kind = kinds[i / F32XN] = how_at(f32xN_load(t + i));
+        sums_each(l, t + i, open ? open + i : NULL, kind, used - i, 1);
+        lerps_each(l, 0, t + i, kind);
     }
+    l = begin;
+    end_sums(l, used);
+    for (int i = 0; i < used; i += F32XN, l = lanes_after(l, F32XN)) {
+        divide_lanes(l, &far);
+        lerps_each(l, 7, t + i, kinds[i / F32XN]);
+    }
+    if (u32xN_any(far) >> 30 != 0)
+        normalize_again(sum, begin.length, out, used);
 }
 
-static inline void lerps_each(nkw_vec3_view a, nkw_vec3_view b, const float *t, nkw_vec3_span out, int n)
+/*
+ * The same, rotations as sums. out may be a. mixed becomes 1 where more than one pose has a part, 0 where one alone has
+ * all.
+ */
+NKW_LOOP(nkwi_blend_mix)(blend_rows a, blend_rows b, const float *t, float *mixed, int used, blend_span out)
 {
+    float length[SUM_STRIDE];
+    lanes l = {a, b, out, out.at + 3 * out.stride, length, out.stride};
+    for (int i = 0; i < used; i += F32XN, l = lanes_after(l, F32XN)) {
+        const how kind = how_at(f32xN_load(t + i));
+        sums_each(l, t + i, mixed + i, kind, used - i, 0);
+        lerps_each(l, 0, t + i, kind);
+        lerps_each(l, 7, t + i, kind);
+    }
 #pragma omp simd
-    for (int i = 0; i < n; i++)
-        put_vec3(out, (size_t)i, nkw_vec3_lerp(at_vec3(a, i), at_vec3(b, i), t[i]));
+    for (int i = 0; i < used; i++)
+        mixed[i] = t[i] == 0.0f ? mixed[i] : t[i] == 1.0f ? 0.0f : 1.0f;
 }
 
-/* nkw_pose_blend by a t for each joint, any; t is 0 in the padding. n is at most BLEND_BLOCK. */
-NKW_LOOP(nkwi_blend_each)(blend_rows a, blend_rows b, const float *t, int used, blend_span out, int n)
-{
-    nkw_quat_view p = rotations_of(a), q = rotations_of(b);
-    chords c;
-    lerps_each(vectors_of(a, 0), vectors_of(b, 0), t, vector_span(out, 0), n);
-#pragma omp simd
-    for (int i = 0; i < n; i++)
-        put_chord(c, (size_t)i, lane_quat_chord(at_joint(p, i), at_joint(q, i), t[i]));
-    normalize_blended(&c, used, rotation_span(out), n);
-    lerps_each(vectors_of(a, 7), vectors_of(b, 7), t, vector_span(out, 7), n);
-}
-
-/* sum becomes its lerp to a pose by a t for each joint, rotations as chords. */
-NKW_LOOP(nkwi_blend_mix)(blend_rows to, const float *t, blend_span sum, int n)
-{
-    const blend_rows from = {sum.at, sum.stride};
-    nkw_quat_view p = rotations_of(from), q = rotations_of(to);
-    nkw_quat_span r = rotation_span(sum);
-    lerps_each(vectors_of(from, 0), vectors_of(to, 0), t, vector_span(sum, 0), n);
-#pragma omp simd
-    for (int i = 0; i < n; i++)
-        put_quat(r, (size_t)i, lane_quat_mix(at_quat(p, (size_t)i), at_quat(q, (size_t)i), t[i]));
-    lerps_each(vectors_of(from, 7), vectors_of(to, 7), t, vector_span(sum, 7), n);
-}
-
-/* mixed becomes 1 where more than one pose has a part, 0 where one alone has all. */
-NKW_LOOP(nkwi_blend_share)(const float *weight, double *total, float *mixed, float *t, size_t n)
+/* The part of a pose in the sum of it and those before, t; and the total. */
+NKW_LOOP(nkwi_blend_share)(const float *weight, double *total, float *t, size_t n)
 {
 #pragma omp simd
     for (size_t i = 0; i < n; i++) {
         float share = lane_share(weight[i], (float)total[i]);
-        mixed[i] = share == 0.0f ? mixed[i] : share == 1.0f ? 0.0f : 1.0f;
         total[i] = total[i] + (double)weight[i];
         t[i] = share;
     }
 }
 
-/* What the rest pose has to make up for. */
-NKW_LOOP(nkwi_blend_missing)(const double *total, float threshold, int used, float *out, int n)
+/* What the rest pose has to make up for; *any becomes 1 where it is not 0. */
+NKW_LOOP(nkwi_blend_missing)(const double *total, float threshold, float *out, int *any, int n)
 {
-#pragma omp simd
+    int found = 0;
+#pragma omp simd reduction(| : found)
     for (int i = 0; i < n; i++) {
-        float w = lane_missing(total[i], threshold);
-        out[i] = i < used ? w : 0.0f;
+        out[i] = lane_missing(total[i], threshold);
+        found |= out[i] > 0.0f;
     }
+    *any = found;
 }
 
 NKW_LOOP(nkwi_additive_build)(nkw_trs_view a, nkw_trs_view ref, int parent, nkw_trs_span out, size_t n)
@@ -280,15 +386,16 @@ NKW_LOOP(nkwi_additive_build)(nkw_trs_view a, nkw_trs_view ref, int parent, nkw_
 NKW_ALWAYS_INLINE void add_turns(nkw_quat_view base, nkw_quat_view delta, const float *weight, int parent,
                                  nkw_quat_span out, size_t n)
 {
-    chords c;
+    nlerp_sums c;
     float x[BLEND_BLOCK], y[BLEND_BLOCK], z[BLEND_BLOCK], w[BLEND_BLOCK];
     const nkw_quat_span parts = {x, y, z, w};
-#pragma omp simd
+    int far = 0;
+#pragma omp simd reduction(| : far)
     for (size_t i = 0; i < n; i++) {
         nkw_quat d = at_quat(delta, i);
-        put_chord(c, i, lane_quat_chord(lane_quat_none(d), d, weight[i]));
+        put_nlerp(c, i, lane_quat_nlerp(lane_quat_none(d), d, weight[i], 0), far);
     }
-    normalize_blended(&c, (int)n, parts, (int)n);
+    normalize_block_sums(&c, far, parts, n);
 #pragma omp simd
     for (size_t i = 0; i < n; i++)
         put_quat(out, i, lane_quat_add_delta(at_quat(base, i), at_quat(parts, i), weight[i], parent));

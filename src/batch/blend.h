@@ -10,15 +10,14 @@
 
 /* clang-format off */
 #define NKW_LOOPS_BLEND(X) \
-    X(nkwi_blend_chord, (blend_rows a, blend_rows b, float t, blend_span out, int n), (a, b, t, out, n), NKW_WIDEST) \
+    X(nkwi_blend_sum, (blend_rows a, blend_rows b, float t, blend_span out, int n), (a, b, t, out, n), NKW_WIDEST) \
     X(nkwi_blend_poses, (const float *a, const float *b, size_t stride, float t, int used, float *out), (a, b, stride, t, used, out), NKW_WIDEST) \
     X(nkwi_blend_nlerp, (blend_rows a, blend_rows b, float t, int used, blend_span out), (a, b, t, used, out), NKW_WIDEST) \
-    X(nkwi_blend_normalize, (nkw_quat_view v, const float *mixed, int used, nkw_quat_span out, int n), (v, mixed, used, out, n), NKW_WIDEST) \
     X(nkwi_blend_weigh, (float weight, const float *mask, int used, float *out, int n), (weight, mask, used, out, n), NKW_WIDEST) \
-    X(nkwi_blend_each, (blend_rows a, blend_rows b, const float *t, int used, blend_span out, int n), (a, b, t, used, out, n), NKW_WIDEST) \
-    X(nkwi_blend_mix, (blend_rows to, const float *t, blend_span sum, int n), (to, t, sum, n), NKW_WIDEST) \
-    X(nkwi_blend_missing, (const double *total, float threshold, int used, float *out, int n), (total, threshold, used, out, n), NKW_WIDEST) \
-    X(nkwi_blend_share, (const float *weight, double *total, float *mixed, float *t, size_t n), (weight, total, mixed, t, n), NKW_WIDEST) \
+    X(nkwi_blend_each, (blend_rows a, blend_rows b, const float *t, const float *open, int used, blend_span out), (a, b, t, open, used, out), NKW_WIDEST) \
+    X(nkwi_blend_mix, (blend_rows a, blend_rows b, const float *t, float *mixed, int used, blend_span out), (a, b, t, mixed, used, out), NKW_WIDEST) \
+    X(nkwi_blend_missing, (const double *total, float threshold, float *out, int *any, int n), (total, threshold, out, any, n), NKW_WIDEST) \
+    X(nkwi_blend_share, (const float *weight, double *total, float *t, size_t n), (weight, total, t, n), NKW_WIDEST) \
     X(nkwi_additive_build, (nkw_trs_view a, nkw_trs_view ref, int parent, nkw_trs_span out, size_t n), (a, ref, parent, out, n), NKW_WIDEST) \
     X(nkwi_additive_apply, (nkw_trs_view base, nkw_trs_view delta, const float *weight, int parent, nkw_trs_span out, size_t n), (base, delta, weight, parent, out, n), NKW_WIDEST)
 /* clang-format on */

@@ -3,38 +3,48 @@
 
 #include <nakawari/orient.h>
 
-#include "batch/chords.h"
 #include "batch/element.h"
+#include "batch/nlerp.h"
 #include "batch/orient.h"
 #include "lane/orient.h"
 #include "sizes.h"
 
 NKW_LOOPS_ORIENT(NKW_DECLARE_LOOP)
 
-NKW_ALWAYS_INLINE void nlerp_many(nkw_quat_view a, nkw_quat_view b, const float *t, int each, nkw_quat_span out,
-                                  size_t n)
+/* Elements from..to - 1; `each`, a constant: every element has its own t; else *t is that of all. */
+NKW_ALWAYS_INLINE void nlerp_block(nkw_quat_view a, nkw_quat_view b, const float *t, int each, int generic,
+                                   nkw_quat_span out, size_t from, size_t to)
+{
+    const nkw_quat_span o = {out.x + from, out.y + from, out.z + from, out.w + from};
+    nlerp_sums s;
+    int far = 0;
+#pragma omp simd reduction(| : far)
+    for (size_t i = from; i < to; i++)
+        put_nlerp(s, i - from, lane_quat_nlerp(at_quat(a, i), at_quat(b, i), t[each ? i : 0], generic), far);
+    normalize_block_sums(&s, far, o, to - from);
+}
+
+/* Whether no result may be one of the inputs: equal ones have the same |w|. */
+NKW_ALWAYS_INLINE int is_nlerp_generic(const float *a, const float *b, const float *t, int each, size_t from, size_t to)
+{
+    int special = 0;
+#pragma omp simd reduction(| : special)
+    for (size_t i = from; i < to; i++) {
+        float at = t[each ? i : 0];
+        special |= (lane_abs(a[i]) == lane_abs(b[i])) | (at == 0.0f) | (at == 1.0f);
+    }
+    return !special;
+}
+
+NKW_ALWAYS_INLINE void nlerp(nkw_quat_view a, nkw_quat_view b, const float *t, int each, nkw_quat_span out, size_t n)
 {
     for (size_t from = 0; from < n; from += ORIENT_BLOCK) {
         size_t end = n - from < ORIENT_BLOCK ? n : from + ORIENT_BLOCK;
-        chords c;
-        const nkw_quat_span unit = {out.x + from, out.y + from, out.z + from, out.w + from};
-#pragma omp simd
-        for (size_t i = from; i < end; i++)
-            put_chord(c, i - from, lane_quat_chord(at_quat(a, i), at_quat(b, i), t[each ? i : 0]));
-        normalize_blended(&c, (int)(end - from), unit, (int)(end - from));
+        if (is_nlerp_generic(a.w, b.w, t, each, from, end))
+            nlerp_block(a, b, t, each, 1, out, from, end);
+        else
+            nlerp_block(a, b, t, each, 0, out, from, end);
     }
-}
-
-/* `each`, a constant: every element has its own t; else *t is that of all. */
-NKW_ALWAYS_INLINE void nlerp(nkw_quat_view a, nkw_quat_view b, const float *t, int each, nkw_quat_span out, size_t n)
-{
-    if (n >= NLERP_TWO_LOOPS) {
-        nlerp_many(a, b, t, each, out, n);
-        return;
-    }
-#pragma omp simd
-    for (size_t i = 0; i < n; i++)
-        put_quat(out, i, lane_quat_nlerp(at_quat(a, i), at_quat(b, i), t[each ? i : 0]));
 }
 
 NKW_LOOP(nkw_quat_nlerp_n)(nkw_quat_view a, nkw_quat_view b, const float *t, nkw_quat_span out, size_t n)

@@ -40,19 +40,13 @@ static inline float lane_ratio(float a, float b)
     return b == 0.0f ? 1.0f : r;
 }
 
-/* q where mask is all ones, the identity where it is 0. */
-static inline nkw_quat lane_quat_or_identity(uint32_t mask, nkw_quat q)
+/* nlerp, but b itself, whatever a is, at t = 1. `open`: a is a sum of several, which t = 0 leaves to be normalised. */
+static inline lane_nlerp lane_quat_mix(nkw_quat a, nkw_quat b, float t, int open)
 {
-    nkw_quat r = {lane_select(mask, q.x, 0.0f), lane_select(mask, q.y, 0.0f), lane_select(mask, q.z, 0.0f),
-                  lane_select(mask, q.w, 1.0f)};
+    lane_nlerp r = lane_quat_nlerp(a, b, t, 0);
+    r.v = lane_quat_select(t == 1.0f, b, r.v);
+    r.n2 = open & (t == 0.0f) ? nkw_quat_dot(a, a) : r.n2;
     return r;
-}
-
-/* The lerp of a and b or -b, whichever lies on a's side; exactly a at t = 0, exactly b, whatever a is, at t = 1. */
-static inline nkw_quat lane_quat_mix(nkw_quat a, nkw_quat b, float t)
-{
-    nkw_quat v = lane_quat_chord(a, b, t).v;
-    return lane_quat_select(t == 0.0f, a, lane_quat_select(t == 1.0f, b, v));
 }
 
 /* ref^-1 a, or a ref^-1 on the parent's side; in binary64, rounded once. A zero ref counts as the identity. */

@@ -30,56 +30,41 @@ static inline float lane_select(uint32_t mask, float x, float y)
     return lane_float(lane_bits(y) ^ ((lane_bits(x) ^ lane_bits(y)) & mask));
 }
 
-/* ---- nlerp: the chord from a to b or -b, normalized ---- */
+/* ---- nlerp: a sum, divided by its length ---- */
 
-/* The point v of the chord at t, and the parameter back from there to the nearer end: 0 where v is that end. */
-typedef struct lane_chord {
+/* The sum and its squared length; 1 where the sum is the result as it is. */
+typedef struct lane_nlerp {
     nkw_quat v;
-    float back;
-} lane_chord;
+    float n2;
+} lane_nlerp;
 
-/* From a to b or -b, whichever has a positive dot product with a. */
-static inline lane_chord lane_quat_chord(nkw_quat a, nkw_quat b, float t)
+/*
+ * v = (1 - t) a + t c, c = +-b, exactly a at t = 0, exactly c at t = 1, exactly a where a = c is not zero. `generic`, a
+ * constant, states that none of these holds.
+ */
+static inline lane_nlerp lane_quat_nlerp(nkw_quat a, nkw_quat b, float t, int generic)
 {
-    nkw_quat c = lane_quat_flip(b, nkw_quat_dot(a, b) < 0.0f ? 0x80000000u : 0u);
-    lane_chord r = {
+    float dot = nkw_quat_dot(a, b);
+    nkw_quat v = nkw_nlerp_sum(a, b, t, dot), c = lane_quat_flip(b, dot < 0.0f ? 0x80000000u : 0u);
+    int is_equal = (a.x == c.x) & (a.y == c.y) & (a.z == c.z) & (a.w == c.w);
+    uint32_t kept = generic ? 0u : 0u - (uint32_t)nkw_nlerp_is_kept(is_equal, t, dot);
+    uint32_t last = generic ? 0u : 0u - (uint32_t)(t == 1.0f);
+    lane_nlerp r = {
         {
-            nkw_lerp(a.x, c.x, t),
-            nkw_lerp(a.y, c.y, t),
-            nkw_lerp(a.z, c.z, t),
-            nkw_lerp(a.w, c.w, t),
+            lane_select(kept, lane_select(last, c.x, a.x), v.x),
+            lane_select(kept, lane_select(last, c.y, a.y), v.y),
+            lane_select(kept, lane_select(last, c.z, a.z), v.z),
+            lane_select(kept, lane_select(last, c.w, a.w), v.w),
         },
-        (t < 0.5f ? 0.0f : 1.0f) - t,
+        lane_select(kept, 1.0f, nkw_quat_dot(v, v)),
     };
     return r;
 }
 
-/*
- * v / |v| = v + v g,  g = 1/|v| - 1 = m / (|v| + |v|^2),  m = 1 - |v|^2, for 0 < |v|^2 < 2: every chord for t in 0..1,
- * except of opposite ends.
- */
-static inline nkw_quat lane_chord_normalize_short(nkw_quat v, float m)
+/* The result of a sum of length n: where n is 1, v as it is. */
+static inline nkw_quat lane_nlerp_any(nkw_quat v, float n)
 {
-    float n2 = 1.0f - m;
-    return nkw_quat_add(v, nkw_quat_scale(v, m / (sqrtf(n2) + n2)));
-}
-
-/* The same for every v: one longer than sqrt 2 becomes 0 + v/|v|, with a zero of v's sign; the zero the identity. */
-static inline nkw_quat lane_chord_normalize(nkw_quat v)
-{
-    float m = nkw_quat_unit_error(v), n2 = 1.0f - m, n = sqrtf(n2);
-    int is_long = n2 > 2.0f;
-    float g = (is_long ? 1.0f : m) / (is_long ? n : n + n2);
-    uint32_t kept = is_long ? 0x80000000u : ~0u;
-    nkw_quat part = {lane_float(lane_bits(v.x) & kept), lane_float(lane_bits(v.y) & kept),
-                     lane_float(lane_bits(v.z) & kept), lane_float(lane_bits(v.w) & kept)};
-    return lane_quat_select(n2 <= 0.0f, nkw_quat_identity(), nkw_quat_add(part, nkw_quat_scale(v, g)));
-}
-
-static inline nkw_quat lane_quat_nlerp(nkw_quat a, nkw_quat b, float t)
-{
-    lane_chord c = lane_quat_chord(a, b, t);
-    return lane_quat_select(c.back == 0.0f, c.v, lane_chord_normalize(c.v));
+    return lane_quat_select(n == 1.0f, v, nkw_quat_normalize_any(v, nkw_quat_dot(v, v)));
 }
 
 /*

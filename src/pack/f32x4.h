@@ -84,8 +84,7 @@ static inline f32x4 f32x4_with_last(f32x4 a, int last)
 /* (a[0] + a[1]) + (a[2] + a[3]), in all four. */
 static inline f32x4 f32x4_sum(f32x4 a)
 {
-    f32x4 pairs = a + F32X4_SHUFFLE(a, a, 1, 0, 3, 2);
-    return pairs + F32X4_SHUFFLE(pairs, pairs, 2, 3, 0, 1);
+    return nkw_f32x4_sum(a);
 }
 
 static inline f32x4 f32x4_sqrt(f32x4 a)

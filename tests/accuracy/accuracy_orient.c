@@ -231,14 +231,14 @@ static double slerp_backwards(const float *x)
     return step > 0 ? (double)step * 0x1p24 : 0.0;
 }
 
-static double nlerp_error(const float *x)
+/* Of the arc to b, or to -b. */
+static double nlerp_error_to(const float *x, int sign)
 {
     wide a[4], b[4];
     float got[4];
     pair_of(x, a, b);
-    wide to = wide_dot(a, b, 4) < 0 ? -(wide)x[8] : (wide)x[8];
     for (int i = 0; i < 4; i++)
-        a[i] = (1 - (wide)x[8]) * a[i] + to * b[i];
+        a[i] = (1 - (wide)x[8]) * a[i] + sign * (wide)x[8] * b[i];
     /* Exact inputs come back as they are, unit or not. */
     if (x[8] != 0.0f)
         wide_normalize(a, 4);
@@ -246,11 +246,27 @@ static double nlerp_error(const float *x)
     return wide_error_either(got, a, 4);
 }
 
+/* At right angles rounding decides the arc. */
+static double nlerp_error(const float *x)
+{
+    wide a[4], b[4];
+    pair_of(x, a, b);
+    wide dot = wide_dot(a, b, 4);
+    double error = nlerp_error_to(x, dot < 0 ? -1 : 1);
+    return fabsq(dot) < 0x1p-22 ? fmin(error, nlerp_error_to(x, dot < 0 ? 1 : -1)) : error;
+}
+
 static double nlerp_ends(const float *x)
 {
     nkw_quat a = quat_at(x), b = quat_at(x + 4);
     int exact = same(nkw_quat_nlerp(a, b, 0.0f), a) && same_either(nkw_quat_nlerp(a, b, 1.0f), b);
     return exact ? 0.0 : HUGE_VAL;
+}
+
+static double nlerp_constant(const float *x)
+{
+    nkw_quat a = quat_at(x), opposite = nkw_quat_negate(a);
+    return same(nkw_quat_nlerp(a, a, x[8]), a) && same(nkw_quat_nlerp(a, opposite, x[8]), a) ? 0.0 : HUGE_VAL;
 }
 
 /* ---- Named arcs ---- */
@@ -555,7 +571,9 @@ static const wide_case cases[] = {
     {NLERP, "1e-8 .. 1e-4", t1, nlerp_error, 9, WIDE_UNITS},
     {NLERP, "1.0 .. pi/2 - 1e-3", t7, nlerp_error, 9, WIDE_UNITS},
     {NLERP, "extreme t", extreme_t, nlerp_error, 9, WIDE_CHECKED},
+    {NLERP, "lengths 1 +- 1e-5", nearly_unit, nlerp_error, 9, WIDE_CHECKED},
     {NLERP, "ends, bit for bit", any_angle, nlerp_ends, 9, WIDE_CHECKED},
+    {NLERP, "q to q and -q, bit for bit", uniform_pair, nlerp_constant, 9, WIDE_CHECKED},
     {ARC, "short, uniform", uniform_pair, short_error, 9, WIDE_CHECKED},
     {ARC, "as given, uniform", uniform_pair, given_error, 9, WIDE_CHECKED},
     {ARC, "long, uniform", uniform_pair, long_error, 9, WIDE_CHECKED},

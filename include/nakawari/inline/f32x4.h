@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /*
- * Four floats in one register, for the inlined matrix products: a type with the operators + - * and five helpers. Every
+ * Four floats in one register, for inlined functions: a type with the operators + - * / and a few helpers. Every
  * operation acts on each float separately and rounds once, so the bits are those of scalar code.
  *
  * Defined only if NKW_F32X4 of base.h is 1.
@@ -42,6 +42,26 @@ NKW_PART nkw_f32x4 nkw_f32x4_splat(float x)
 {
     nkw_f32x4 r = {x, x, x, x};
     return r;
+}
+
+/* (a[0] + a[1]) + (a[2] + a[3]), in all four. */
+NKW_PART nkw_f32x4 nkw_f32x4_sum(nkw_f32x4 a)
+{
+    nkw_f32x4 pairs = a + NKW_SHUFFLE(a, a, 1, 0, 3, 2);
+    return pairs + NKW_SHUFFLE(pairs, pairs, 2, 3, 0, 1);
+}
+
+/* Whether all four are equal. */
+NKW_PART int nkw_f32x4_equal(nkw_f32x4 a, nkw_f32x4 b)
+{
+#if defined(__SSE2__)
+    return __builtin_ia32_movmskps((nkw_f32x4)(a != b)) == 0;
+#else
+    nkw_i32x4 other = a != b;
+    int64_t halves[2];
+    memcpy(halves, &other, sizeof halves);
+    return (halves[0] | halves[1]) == 0;
+#endif
 }
 
 /* a[0] a[1] a[2] 0 */
