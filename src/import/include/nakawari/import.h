@@ -1,0 +1,299 @@
+/* SPDX-License-Identifier: MIT */
+/**
+ * @file
+ * Above the library: files. An animation file becomes a document: its nodes, skins, meshes and animations, in the types
+ * and in the order of the library. Target nakawari::import; it allocates memory and uses a JSON library.
+ *
+ *     nkw_document *document;
+ *     nkw_import_error error;
+ *     nkw_clip *clip;
+ *     if (nkw_document_open("fox.glb", &document, &error) != NKW_IMPORT_OK ||
+ *         nkw_document_clip(document, 0, NKW_CLIP_FLOAT32, &clip, &error) != NKW_IMPORT_OK)
+ *         fprintf(stderr, "%s:%s: %s\n", error.file, error.place, error.reason);
+ *
+ * Then nkw_clip_sample, nkw_document_models and nkw_document_palette compute the pose, the model matrices and the
+ * palette at a time, nkw_document_vertices the vertices.
+ *
+ * All nodes of a file are joints, sorted by nkw_skeleton_order: parents before their children. Every index of a node in
+ * a document is an index of a joint; `number` is the index in the file. Indices are valid: reading checks them.
+ * Values are those of the file: reading does not check key times, keys, weights, or the joint indices of vertices. The
+ * functions that build data from them do.
+ *
+ * docs/import.md states what is read from each format.
+ */
+#ifndef NAKAWARI_IMPORT_H
+#define NAKAWARI_IMPORT_H
+
+#include <nakawari/clip.h>
+#include <nakawari/palette.h>
+#include <nakawari/skeleton.h>
+#include <nakawari/skin.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/** The kinds of errors. NKW_IMPORT_OK is 0. */
+typedef enum nkw_import_result {
+    NKW_IMPORT_OK,
+    NKW_IMPORT_UNREADABLE, /**< a file does not exist, cannot be read, or is outside the folder of the first file */
+    NKW_IMPORT_NO_MEMORY, /**< the system has no memory */
+    NKW_IMPORT_TOO_LARGE, /**< a count or a size exceeds a limit of docs/import.md */
+    NKW_IMPORT_UNKNOWN, /**< a file of no known format */
+    NKW_IMPORT_INVALID, /**< a file that violates its format */
+    NKW_IMPORT_UNSUPPORTED, /**< a valid file that needs a version or an extension that is not read */
+    NKW_IMPORT_REFUSED /**< values that a function of the library refuses, as nkw_import_error.result states */
+} nkw_import_result;
+
+/** What went wrong, and where. All texts end with 0; a text that is too long is cut. */
+typedef struct nkw_import_error {
+    nkw_import_result code;
+    nkw_result result; /**< of the function of the library, for NKW_IMPORT_REFUSED; otherwise NKW_OK */
+    char file[512]; /**< the file; of a longer path the end */
+    char place[160]; /**< a JSON pointer: /animations/2/samplers/0/input; in a GLB header or in text: byte 12; or "" */
+    char reason[256]; /**< in English, without a full stop */
+} nkw_import_error;
+
+/** A node of the file, and joint of the skeleton. */
+typedef struct nkw_document_node {
+    const char *name; /**< never NULL; "node_3" if node 3 of the file has no name */
+    size_t number; /**< the index in the file */
+    nkw_trs rest; /**< of a node with a matrix: nkw_trs_from_mat4 */
+    const nkw_mat4 *matrix; /**< the matrix of a node that has one in the file and that no channel animates; or NULL */
+    int32_t mesh; /**< an index of meshes, or NKW_NO_JOINT */
+    int32_t skin; /**< an index of skins, or NKW_NO_JOINT */
+    uint32_t float_first; /**< the first of its morph weights in the floats of clips */
+    uint32_t float_count; /**< the number of its morph weights: the targets of its mesh */
+} nkw_document_node;
+
+/** Joints and their inverse bind matrices. The joints of vertices are indices of these arrays. */
+typedef struct nkw_document_skin {
+    const char *name;
+    const int32_t *joints; /**< joint_count joints of the skeleton */
+    const nkw_mat4 *inverse_bind; /**< joint_count matrices; NULL if the file has none: identities */
+    size_t joint_count;
+} nkw_document_skin;
+
+/** Differences of a morph target: vertex_count elements each; NULL: none. */
+typedef struct nkw_document_target {
+    const nkw_vec3 *positions, *normals, *tangents;
+} nkw_document_target;
+
+/** What three indices, two or one of a primitive form. Strips, fans and loops of the file become lists. */
+typedef enum nkw_document_topology {
+    NKW_DOCUMENT_POINTS,
+    NKW_DOCUMENT_LINES,
+    NKW_DOCUMENT_TRIANGLES
+} nkw_document_topology;
+
+/** A part of a mesh with one material. Arrays that the file does not have are NULL. */
+typedef struct nkw_document_primitive {
+    nkw_document_topology topology;
+    int32_t material; /**< an index of materials, or NKW_NO_JOINT */
+    size_t vertex_count;
+    const nkw_vec3 *positions;
+    const nkw_vec3 *normals;
+    const float *tangents; /**< 4 floats for each vertex: x y z, and the sign of the bitangent */
+    const float *texcoords; /**< 2 floats for each vertex: the first set */
+    const uint32_t
+        *indices; /**< index_count vertices, each less than vertex_count; never NULL: 0, 1, 2 ... if absent */
+    size_t index_count;
+    /** As in the file, all sets joined: influence_count numbers for each vertex; 0 and NULL for a rigid mesh. */
+    const uint16_t *joints;
+    const float *weights;
+    size_t influence_count;
+    /** The same for nkw_skin_linear: nkw_skin_prune to at most 8 influences. influence_count is 0 for a rigid mesh. */
+    nkw_skin skin;
+    const nkw_document_target *targets;
+    size_t target_count;
+} nkw_document_primitive;
+
+typedef struct nkw_document_mesh {
+    const char *name;
+    const nkw_document_primitive *primitives;
+    size_t primitive_count;
+    const float *weights; /**< target_count morph weights; zeros if the file has none */
+    const char *const *target_names; /**< target_count names */
+    size_t target_count; /**< of every primitive of the mesh */
+} nkw_document_mesh;
+
+typedef struct nkw_document_material {
+    const char *name;
+    float color[4]; /**< base colour: red, green, blue, alpha; linear, 0..1 */
+} nkw_document_material;
+
+/** Where a track of an animation is in the file. */
+typedef struct nkw_document_channel {
+    size_t number; /**< the index of the channel in its animation, in the file */
+    int32_t joint; /**< the animated joint; of morph weights, the joint of the mesh */
+    size_t input; /**< the accessor of the times, in the file */
+    size_t output; /**< the accessor of the values, in the file */
+    size_t bytes; /**< of times and values in the file */
+} nkw_document_channel;
+
+/** An animation: tracks as in the file, those without a target left out. */
+typedef struct nkw_document_animation {
+    const char *name;
+    const nkw_clip_track *tracks; /**< track_count */
+    const nkw_document_channel *channels; /**< track_count */
+    size_t track_count;
+} nkw_document_animation;
+
+typedef struct nkw_document_scene {
+    const char *name;
+    const int32_t *roots; /**< root_count joints */
+    size_t root_count;
+} nkw_document_scene;
+
+/** A file that was read. All arrays belong to it and are read-only. */
+typedef struct nkw_document {
+    const char *file; /**< as passed to the function that opened it */
+    const char *format; /**< "glTF 2.0" */
+    const char *generator; /**< the program that wrote the file; "" if unknown */
+    size_t bytes; /**< of all files that were read */
+    nkw_skeleton skeleton; /**< all nodes; at least one */
+    const nkw_document_node *nodes; /**< skeleton.joint_count */
+    const int32_t *joint_of_node; /**< skeleton.joint_count: from indices in the file to joints */
+    nkw_pose_view rest; /**< the rest pose */
+    const float *rest_floats; /**< float_count: the rest values of all morph weights */
+    size_t float_count;
+    const nkw_document_skin *skins;
+    size_t skin_count;
+    const nkw_document_mesh *meshes;
+    size_t mesh_count;
+    const nkw_document_material *materials;
+    size_t material_count;
+    const nkw_document_animation *animations;
+    size_t animation_count;
+    const nkw_document_scene *scenes;
+    size_t scene_count;
+    int32_t scene; /**< the scene to show, or NKW_NO_JOINT */
+} nkw_document;
+
+/* ---- Reading ---- */
+
+/**
+ * Reads the outer files of a document.
+ *
+ * path     relative to the first file, with / between names, without a . or .. or an empty name
+ * out      NULL: only the size is wanted. Otherwise receives `size` bytes from the start of the file
+ * Returns  the size of the file in bytes; SIZE_MAX if it cannot be read, or if it has fewer than `size` bytes
+ */
+typedef size_t (*nkw_import_reader)(void *user, const char *path, void *out, size_t size);
+
+/** A file in memory. */
+typedef struct nkw_import_memory {
+    const void *data;
+    size_t bytes;
+    const char *file; /**< its name, for messages */
+    const char *folder; /**< the folder of outer files, which end in no other folder; NULL: outer files are errors */
+    nkw_import_reader reader; /**< NULL; or reads outer files in place of the folder */
+    void *user; /**< for the reader */
+} nkw_import_memory;
+
+/**
+ * Reads a file: glTF 2.0 as .gltf, .glb or .vrm, recognised by its content. Outer files are read from its folder and
+ * the folders below.
+ *
+ * document  receives the document, to be closed; NULL after an error
+ * error     receives what went wrong; code is NKW_IMPORT_OK without an error; may be NULL
+ * Returns   error->code
+ */
+NKW_API nkw_import_result nkw_document_open(const char *path, nkw_document **document, nkw_import_error *error);
+
+/** The same for a file in memory, which is not needed after the call. */
+NKW_API nkw_import_result nkw_document_open_memory(const nkw_import_memory *memory, nkw_document **document,
+                                                   nkw_import_error *error);
+
+/** Frees the document and all that it points to. NULL is allowed. */
+NKW_API void nkw_document_close(nkw_document *document);
+
+/* ---- From a document to the library ---- */
+
+/**
+ * The source of the clip of an animation: its tracks, the rest pose and the rest morph weights. An animation that is
+ * not less than animation_count has no tracks: its clip is the rest pose. The document must outlive the source.
+ */
+NKW_API nkw_clip_source nkw_document_clip_source(const nkw_document *document, size_t animation,
+                                                 nkw_clip_format format);
+
+/**
+ * Builds the clip of an animation, which may outlive the document.
+ *
+ * clip     receives the clip, to be freed by nkw_import_free; NULL after an error
+ * error    of NKW_IMPORT_REFUSED, the place is that of the first channel with an error; may be NULL
+ * Returns  error->code
+ */
+NKW_API nkw_import_result nkw_document_clip(const nkw_document *document, size_t animation, nkw_clip_format format,
+                                            nkw_clip **clip, nkw_import_error *error);
+
+/** Frees a clip. NULL is allowed. */
+NKW_API void nkw_import_free(void *block);
+
+/**
+ * Model matrices from a pose, as nkw_models_from_pose. Joints with a `matrix` use it instead of the pose, so shear is
+ * kept.
+ *
+ * pose     a pose of all joints
+ * models   receives skeleton.joint_count matrices
+ * Returns  NKW_MISMATCHED for a pose with another number of joints; nothing is then written
+ */
+NKW_API nkw_result nkw_document_models(const nkw_document *document, nkw_pose_view pose, const nkw_mat4 *root,
+                                       nkw_mat4 *models);
+
+/** The source of the palette of a skin, which must be less than skin_count. */
+NKW_API nkw_palette_source nkw_document_palette_source(const nkw_document *document, size_t skin,
+                                                       const nkw_mat4 *models);
+
+/**
+ * The palette of a skin: joint_count matrices from the model matrices of all joints.
+ *
+ * Returns  NKW_OUT_OF_RANGE if skin is not less than skin_count; nothing is then written
+ */
+NKW_API nkw_result nkw_document_palette(const nkw_document *document, size_t skin, const nkw_mat4 *models,
+                                        nkw_mat4 *palette);
+
+/** Positions and normals of the vertices of a primitive. */
+typedef struct nkw_document_vertices_span {
+    nkw_vec3 *positions; /**< vertex_count */
+    nkw_vec3 *normals; /**< vertex_count, or NULL; zeros if the file has none */
+} nkw_document_vertices_span;
+
+/**
+ * Morph targets: the positions and normals of a primitive, to each the differences of each target times its weight
+ * added. Targets of weight 0 are skipped.
+ *
+ * weights  target_count morph weights; NULL: zeros
+ */
+NKW_API void nkw_document_morph(const nkw_document_primitive *primitive, const float *weights,
+                                nkw_document_vertices_span out);
+
+/**
+ * The vertices of a primitive of the mesh of a joint, in the space of the models: morphed, then skinned by
+ * nkw_skin_linear, or moved by the joint's model matrix if the joint or the primitive has no skin.
+ *
+ * joint    less than skeleton.joint_count, with a mesh
+ * models   of all joints
+ * floats   float_count morph weights of all joints, as nkw_clip_sample writes them; NULL: rest_floats
+ * palette  of the joint's skin; not read if it has none
+ * Returns  NKW_OUT_OF_RANGE if there is no such joint or primitive; nothing is then written
+ */
+NKW_API nkw_result nkw_document_vertices(const nkw_document *document, size_t joint, size_t primitive,
+                                         const nkw_mat4 *models, const float *floats, const nkw_mat4 *palette,
+                                         nkw_document_vertices_span out);
+
+/**
+ * Checks all values that reading does not: every animation as nkw_clip_measure does, every skin as
+ * nkw_palette_source_validate, and every skinned primitive as nkw_skin_validate for the skin of each joint that has its
+ * mesh.
+ *
+ * error    receives the first error; its place names the channel, the skin or the primitive; may be NULL
+ * Returns  error->code
+ */
+NKW_API nkw_import_result nkw_document_validate(const nkw_document *document, nkw_import_error *error);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif
