@@ -127,6 +127,19 @@ if(EXISTS "${NKW_DATA_DIR}/obj/capsule_3m.obj")
   example_says(joints obj_capsule 0 "joint 3.*-0\\.122417.*it goes to" --trace 1 --obj "${NKW_DATA_DIR}/obj/capsule_3m.obj")
 endif()
 
+# ---- nakawari-character ----
+
+# The committed file has the very bytes. To renew it: nakawari-character --out docs/examples/character.glb
+set(character "${CMAKE_CURRENT_BINARY_DIR}/character.glb")
+example_says(character write 0 "wrote .*character.glb" --out "${character}")
+set_tests_properties(example_character_write PROPERTIES FIXTURES_SETUP character_file)
+add_test(NAME example_character_bytes COMMAND "${CMAKE_COMMAND}" -E compare_files "${character}"
+  "${CMAKE_CURRENT_SOURCE_DIR}/examples/character.glb")
+set_tests_properties(example_character_bytes PROPERTIES LABELS golden FIXTURES_REQUIRED character_file)
+example_says(character help 0 "^usage: nakawari-character" --help)
+example_says(character unknown_option 2 "unknown option: --nonsense" --nonsense)
+example_says(character unwritable 1 "cannot write .*/no/such/folder" --out "${nowhere}/character.glb")
+
 # ---- nakawari-crowd ----
 
 if(TARGET nakawari-crowd)
