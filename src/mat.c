@@ -4,6 +4,7 @@
 #include <nakawari/mat.h>
 
 #include "lane/mat.h"
+#include "pack/affine.h"
 
 #if !NKW_F32X4
 nkw_mat4 nkw_mat4_mul(const nkw_mat4 *a, const nkw_mat4 *b)
@@ -154,18 +155,29 @@ LANE_FLAT nkw_mat4 nkw_mat4_inverse(const nkw_mat4 *m)
     return result;
 }
 
+LANE_SELDOM static nkw_mat4 inverse_of_any_affine(const nkw_mat4 *m)
+{
+    return lane_inverse_any_affine(m);
+}
+
 LANE_FLAT nkw_mat4 nkw_mat4_inverse_affine(const nkw_mat4 *m)
 {
+#if NKW_F32X4
+    affine inverse;
+    int is_near = affine_inverse(m, &inverse);
+#else
     const float *a = m->m;
-    lane_f64_vec3 x = {a[0], a[1], a[2]}, y = {a[4], a[5], a[6]}, z = {a[8], a[9], a[10]}, t = {a[12], a[13], a[14]};
-    double det = lane_f64_vec3_dot(x, lane_f64_vec3_cross(y, z)), r = lane_reciprocal_or_zero(det), columns[16];
-    nkw_mat4 result = {{0.0f}};
-    if (r == 0.0)
-        return result;
-    lane_adjugate_affine(x, y, z, t, det, columns);
-    for (size_t i = 0; i < 16; i++)
-        result.m[i] = (float)(columns[i] * r);
-    return result;
+    nkw_vec3 x = {a[0], a[1], a[2]}, y = {a[4], a[5], a[6]}, z = {a[8], a[9], a[10]};
+    lane_affine_inverse i = lane_inverse_affine(x, y, z, nkw_mat4_translation(m));
+    nkw_mat3 block = nkw_mat3_from_columns(i.x, i.y, i.z);
+    affine inverse = nkw_mat4_from_mat3(&block, i.t);
+    int is_near = i.is_near;
+#endif
+    nkw_mat4 r;
+    if (!is_near)
+        return inverse_of_any_affine(m);
+    affine_store(&inverse, &r);
+    return r;
 }
 
 nkw_mat4 nkw_mat4_from_row_major(const float rows[16])

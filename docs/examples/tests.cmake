@@ -145,7 +145,7 @@ example_says(character unwritable 1 "cannot write .*/no/such/folder" --out "${no
 if(TARGET nakawari-crowd)
   example_says(crowd help 0 "^usage: nakawari-crowd" --help)
   # Sizes that fill neither pieces nor threads. The hash is the same on every machine.
-  example_says(crowd small 0 "37 characters of 11 joints.*3  .*0e7661b77dd1dda8.*out of the lanes"
+  example_says(crowd small 0 "37 characters of 11 joints.*3  .*9a3e9a0466c5d916.*out of the lanes"
     --characters 37 --joints 11 --threads 3 --seconds 0.001)
   example_says(crowd least 0 "1 characters of 1 joints" --characters 1 --joints 1 --threads 2 --seconds 0.001)
   example_says(crowd unknown_option 2 "unknown option: --nonsense" --nonsense)

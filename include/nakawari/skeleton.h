@@ -139,7 +139,7 @@ NKW_API void nkw_models_from_locals(const nkw_skeleton *skeleton, const nkw_mat4
  * parent's matrix. If that matrix is singular (a scale of zero), the 3x3 block and the translation of the local matrix
  * are zero, for finite models. `locals` may be `models`.
  *
- * Error  1.7 u of the product of the Frobenius norms of the inverse and of the model matrix, so of the local matrix
+ * Error  3.5 u of the product of the Frobenius norms of the inverse and of the model matrix, so of the local matrix
  *        times the condition of the parent's.
  */
 NKW_API void nkw_locals_from_models(const nkw_skeleton *skeleton, const nkw_mat4 *models, const nkw_mat4 *root,

@@ -72,17 +72,45 @@ static inline lane_f64_mat3 matrices_linear(const matrices *a, size_t i)
     return r;
 }
 
-/* nkw_mat4_inverse_affine of number i. */
-static inline void matrices_invert(const matrices *a, size_t i, matrices *out)
+static inline nkw_vec3 matrices_column3(const matrices *a, size_t c, size_t i)
 {
-    lane_f64_mat3 linear = matrices_linear(a, i), cofactors = lane_f64_mat3_cofactors(&linear);
-    double r = lane_reciprocal_or_zero(lane_f64_mat3_determinant(&linear, &cofactors));
-    lane_f64_vec3 t = matrices_column(a, 3, i);
-    for (size_t k = 0; k < 9; k++)
-        out->e[k][i] = r == 0.0 ? 0.0f : (float)(cofactors.m[k % 3 * 3 + k / 3] * r);
-    for (size_t k = 0; k < 3; k++)
-        out->e[9 + k][i] = r == 0.0 ? 0.0f : (float)(-lane_f64_vec3_dot(lane_f64_mat3_column(&cofactors, k), t) * r);
-    out->e[12][i] = r == 0.0 ? 0.0f : 1.0f;
+    nkw_vec3 r = {a->e[3 * c][i], a->e[3 * c + 1][i], a->e[3 * c + 2][i]};
+    return r;
+}
+
+/* A function of its own, so that the loop around it sees no address of a local matrix. Returns whether it is not near. */
+static inline int matrices_invert_near(const matrices *a, size_t i, matrices *out)
+{
+    lane_affine_inverse r = lane_inverse_affine(matrices_column3(a, 0, i), matrices_column3(a, 1, i),
+                                                matrices_column3(a, 2, i), matrices_column3(a, 3, i));
+    const float e[12] = {r.x.x, r.x.y, r.x.z, r.y.x, r.y.y, r.y.z, r.z.x, r.z.y, r.z.z, r.t.x, r.t.y, r.t.z};
+    for (size_t k = 0; k < 12; k++)
+        out->e[k][i] = e[k];
+    out->e[12][i] = 1.0f;
+    return !r.is_near;
+}
+
+static inline void matrices_invert_any(const matrices *a, size_t i, matrices *out)
+{
+    nkw_mat4 m = nkw_mat4_identity();
+    for (size_t k = 0; k < 12; k++)
+        m.m[k / 3 * 4 + k % 3] = a->e[k][i];
+    m = lane_inverse_any_affine(&m);
+    for (size_t k = 0; k < 12; k++)
+        out->e[k][i] = m.m[k / 3 * 4 + k % 3];
+    out->e[12][i] = m.m[15];
+}
+
+/* nkw_mat4_inverse_affine of each. */
+static inline void matrices_invert(const matrices *a, matrices *out)
+{
+    int far = 0;
+#pragma omp simd reduction(| : far)
+    for (size_t i = 0; i < MATRIX_BLOCK; i++)
+        far |= matrices_invert_near(a, i, out);
+    for (size_t i = 0; far && i < MATRIX_BLOCK; i++)
+        if (matrices_invert_near(a, i, out))
+            matrices_invert_any(a, i, out);
 }
 
 #endif

@@ -98,9 +98,7 @@ NKW_LOOP(nkwi_palette_inverse)
     for (size_t from = 0; from < n; from += MATRIX_BLOCK) {
         size_t size = n - from < MATRIX_BLOCK ? n - from : MATRIX_BLOCK;
         gather(&s, NULL, s.global_inverse ? &g : NULL, from, size, &a);
-#pragma omp simd
-        for (size_t i = 0; i < MATRIX_BLOCK; i++)
-            matrices_invert(&a, i, &r);
+        matrices_invert(&a, &r);
         for (size_t i = 0; i < size; i += 4)
             matrices_write(&r, i, out + from + i, size - i);
     }

@@ -127,9 +127,7 @@ NKW_LOOP(nkwi_locals_from_models)
             matrices_put(&a, i, four);
         }
         matrices_fill(&a, size);
-#pragma omp simd
-        for (size_t i = 0; i < MATRIX_BLOCK; i++)
-            matrices_invert(&a, i, &inverse);
+        matrices_invert(&a, &inverse);
         for (size_t i = 0; i < size; i += 4) {
             nkw_mat4 m[4];
             matrices_write(&inverse, i, m, 4);

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* Floor 2: the formulas of mat.h beyond the small algebra. All in binary64. */
+/* Floor 2: the formulas of mat.h and transform.h beyond the small algebra. */
 #ifndef NAKAWARI_LANE_MAT_H
 #define NAKAWARI_LANE_MAT_H
 
@@ -214,34 +214,55 @@ static inline lane_laplace lane_adjugate(const double a[16], double out[16])
 }
 
 /*
- * The columns of the adjugate of x y z, and -adjugate t; the fourth row is 0 0 0 1 after the division by det, which
- * applies its sign to these zeros as well.
+ * The inverse of an affine matrix with the columns x y z t: rows y x z, z x x, x x y over the determinant. `is_near` is 0
+ * where the result is not to be used: the product of the lengths of x y z is not within 2^-30 .. 2^30, so that a float
+ * could overflow, or the determinant is less than half of it, so that it has lost digits.
  */
-static inline void lane_adjugate_affine(lane_f64_vec3 x, lane_f64_vec3 y, lane_f64_vec3 z, lane_f64_vec3 t, double det,
-                                        double out[16])
+typedef struct lane_affine_inverse {
+    nkw_vec3 x, y, z, t; /* columns */
+    int is_near;
+} lane_affine_inverse;
+
+static inline int lane_is_near_affine(float xx, float yy, float zz, float det)
 {
-    lane_f64_vec3 w = lane_f64_vec3_cross(x, y);
-    double none = 0.0 * det;
-    lane_f64_vec3 u = lane_f64_vec3_cross(y, z), v = lane_f64_vec3_cross(z, x);
-    const double columns[16] = {
-        u.x,
-        v.x,
-        w.x,
-        none,
-        u.y,
-        v.y,
-        w.y,
-        none,
-        u.z,
-        v.z,
-        w.z,
-        none,
-        -lane_f64_vec3_dot(u, t),
-        -lane_f64_vec3_dot(v, t),
-        -lane_f64_vec3_dot(w, t),
-        det,
+    float n2 = (xx * yy) * zz;
+    return (n2 > 0x1p-60f) & (n2 < 0x1p60f) & (det * det > 0.25f * n2);
+}
+
+static inline lane_affine_inverse lane_inverse_affine(nkw_vec3 x, nkw_vec3 y, nkw_vec3 z, nkw_vec3 t)
+{
+    nkw_vec3 u = nkw_vec3_cross(y, z), v = nkw_vec3_cross(z, x), w = nkw_vec3_cross(x, y);
+    float det = nkw_vec3_dot(x, u), r = 1.0f / det;
+    u = nkw_vec3_scale(u, r), v = nkw_vec3_scale(v, r), w = nkw_vec3_scale(w, r);
+    lane_affine_inverse i = {
+        {u.x, v.x, w.x},
+        {u.y, v.y, w.y},
+        {u.z, v.z, w.z},
+        {-nkw_vec3_dot(u, t), -nkw_vec3_dot(v, t), -nkw_vec3_dot(w, t)},
+        lane_is_near_affine(nkw_vec3_dot(x, x), nkw_vec3_dot(y, y), nkw_vec3_dot(z, z), det),
     };
-    memcpy(out, columns, sizeof columns);
+    return i;
+}
+
+/* The same of any affine matrix, in binary64; zeros where there is no inverse. */
+static inline nkw_mat4 lane_inverse_any_affine(const nkw_mat4 *m)
+{
+    const float *a = m->m;
+    lane_f64_mat3 block = lane_f64_mat3_from_mat4(m), c = lane_f64_mat3_cofactors(&block);
+    lane_f64_vec3 t = {a[12], a[13], a[14]};
+    double r = lane_reciprocal_or_zero(lane_f64_mat3_determinant(&block, &c));
+    nkw_mat4 out = {{0.0f}};
+    if (r == 0.0)
+        return out;
+    for (size_t i = 0; i < 3; i++) {
+        lane_f64_vec3 row = lane_f64_mat3_column(&c, i);
+        out.m[i] = (float)(row.x * r);
+        out.m[4 + i] = (float)(row.y * r);
+        out.m[8 + i] = (float)(row.z * r);
+        out.m[12 + i] = (float)(-lane_f64_vec3_dot(row, t) * r);
+    }
+    out.m[15] = 1.0f;
+    return out;
 }
 
 #endif

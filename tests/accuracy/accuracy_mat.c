@@ -262,12 +262,39 @@ static double inverse4_error(const float *x)
     return wide_inverse(m, m, 4) ? wide_error(got.m, m, 16) : HUGE_VAL;
 }
 
+/* The block of |A^-1| and the translation of |A^-1| |t|, the larger of the two. */
 static double inverse_affine_error(const float *x)
+{
+    wide m[16], block[9], t[3];
+    float linear[9];
+    nkw_mat4 f = mat4_at(x), got = nkw_mat4_inverse_affine(&f);
+    nkw_mat3 got3 = nkw_mat3_from_mat4(&got);
+    wide_from(x, m, 16);
+    wide_from(x + 12, t, 3);
+    if (!wide_inverse(m, m, 4))
+        return HUGE_VAL;
+    for (int i = 0; i < 9; i++) {
+        block[i] = m[i / 3 * 4 + i % 3];
+        linear[i] = got3.m[i];
+    }
+    double place = wide_error_of(got.m + 12, m + 12, 3, wide_length(block, 9) * wide_length(t, 3));
+    return fmax(wide_error(linear, block, 9), place);
+}
+
+static double inverse_affine_whole_error(const float *x)
 {
     wide m[16];
     nkw_mat4 f = mat4_at(x), got = nkw_mat4_inverse_affine(&f);
     wide_from(x, m, 16);
     return wide_inverse(m, m, 4) ? wide_error(got.m, m, 16) : HUGE_VAL;
+}
+
+/* Columns at random: from hardly to strongly sheared. */
+static void sheared(random_source *r, float *x)
+{
+    affine(r, x, 10.0f);
+    for (int i = 0; i < 12; i++)
+        x[i] = i % 4 < 3 ? random_between(r, -1.0f, 1.0f) : 0.0f;
 }
 
 /* Rigid matrices are inverted as if they were exact. */
@@ -563,6 +590,13 @@ static const wide_case costly[] = {
     {"nkw_mat4_inverse_affine", "scales to 10 : 1", affine_1, inverse_affine_error, 16, WIDE_CHECKED},
     {"nkw_mat4_inverse_affine", "scales to 100 : 1", affine_2, inverse_affine_error, 16, WIDE_CHECKED},
     {"nkw_mat4_inverse_affine", "scales to 1000 : 1", affine_3, inverse_affine_error, 16, WIDE_CHECKED},
+    {"nkw_mat4_inverse_affine", "block in [-1, 1]", sheared, inverse_affine_error, 16, WIDE_CHECKED},
+    {"nkw_mat4_inverse_affine", "scales to 10 : 1, of the whole norm", affine_1, inverse_affine_whole_error, 16,
+     WIDE_NOTED},
+    {"nkw_mat4_inverse_affine", "scales to 100 : 1, of the whole norm", affine_2, inverse_affine_whole_error, 16,
+     WIDE_NOTED},
+    {"nkw_mat4_inverse_affine", "scales to 1000 : 1, of the whole norm", affine_3, inverse_affine_whole_error, 16,
+     WIDE_NOTED},
     {"nkw_mat4_inverse_rigid", "rounded rotations", rigid, inverse_rigid_error, 16, WIDE_NOTED},
 };
 

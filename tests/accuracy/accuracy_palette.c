@@ -81,14 +81,18 @@ static double dual_error(const float *x)
     return wide_error_either(q, want, 4) / DUAL_BOUND;
 }
 
+/* The block of |A^-1| and the translation of |A^-1| |t|, the larger of the two. */
 static double bind_error(const float *x)
 {
     joint j = draw_joint(x, 0.1f);
     nkw_mat4 got;
-    wide exact[16];
+    wide exact[16], block[9];
     inverse_bind_from_models(&j.model, 1, NULL, NULL, 1, &got);
+    nkw_mat3 linear = nkw_mat3_from_mat4(&got);
     wide_inverse(j.m, exact, 4);
-    return wide_error(got.m, exact, 16);
+    wide_block(exact, block);
+    double place = wide_error_of(got.m + 12, exact + 12, 3, wide_length(block, 9) * wide_length(j.m + 12, 3));
+    return fmax(wide_error(linear.m, block, 9), place);
 }
 
 typedef enum form { MATRIX, ROWS, COLUMNS } form;
