@@ -45,7 +45,7 @@ static inline lane_nlerp lane_quat_mix(nkw_quat a, nkw_quat b, float t, int open
 {
     lane_nlerp r = lane_quat_nlerp(a, b, t, 0);
     r.v = lane_quat_select(t == 1.0f, b, r.v);
-    r.n2 = open & (t == 0.0f) ? nkw_quat_dot(a, a) : r.n2;
+    r.n2 = (open & (t == 0.0f)) ? nkw_quat_dot(a, a) : r.n2;
     return r;
 }
 
