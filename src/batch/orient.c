@@ -6,6 +6,7 @@
 #include "batch/element.h"
 #include "batch/nlerp.h"
 #include "batch/orient.h"
+#include "batch/tail.h"
 #include "lane/orient.h"
 #include "sizes.h"
 
@@ -36,7 +37,8 @@ NKW_ALWAYS_INLINE int is_nlerp_generic(const float *a, const float *b, const flo
     return !special;
 }
 
-NKW_ALWAYS_INLINE void nlerp(nkw_quat_view a, nkw_quat_view b, const float *t, int each, nkw_quat_span out, size_t n)
+NKW_ALWAYS_INLINE void nlerp_blocks(nkw_quat_view a, nkw_quat_view b, const float *t, int each, nkw_quat_span out,
+                                    size_t n)
 {
     for (size_t from = 0; from < n; from += ORIENT_BLOCK) {
         size_t end = n - from < ORIENT_BLOCK ? n : from + ORIENT_BLOCK;
@@ -45,6 +47,23 @@ NKW_ALWAYS_INLINE void nlerp(nkw_quat_view a, nkw_quat_view b, const float *t, i
         else
             nlerp_block(a, b, t, each, 0, out, from, end);
     }
+}
+
+NKW_ALWAYS_INLINE void nlerp(nkw_quat_view a, nkw_quat_view b, const float *t, int each, nkw_quat_span out, size_t n)
+{
+    quat_tail r;
+    if (!has_tail(n)) {
+        nlerp_blocks(a, b, t, each, out, n);
+        return;
+    }
+    const size_t last = n - F32XN;
+    read_register(&r.a, a, last);
+    read_register(&r.b, b, last);
+    if (each)
+        copy_register(r.t, t + last);
+    nlerp_block(register_view(&r.a), register_view(&r.b), each ? r.t : t, each, 0, register_span(&r.out), 0, F32XN);
+    nlerp_blocks(a, b, t, each, out, n - n % F32XN);
+    write_register(&r.out, out, last);
 }
 
 NKW_LOOP(nkw_quat_nlerp_n)(nkw_quat_view a, nkw_quat_view b, const float *t, nkw_quat_span out, size_t n)
@@ -132,7 +151,7 @@ NKW_NOINLINE LANE_FLAT static void slerp_beyond(nkw_quat_view a, nkw_quat_view b
         put_quat(out, from + index[k], beyond[k]);
 }
 
-NKW_LOOP(nkw_quat_slerp_n)(nkw_quat_view a, nkw_quat_view b, const float *t, nkw_quat_span out, size_t n)
+NKW_ALWAYS_INLINE void slerp_blocks(nkw_quat_view a, nkw_quat_view b, const float *t, nkw_quat_span out, size_t n)
 {
     for (size_t from = 0; from < n; from += ORIENT_BLOCK) {
         size_t end = n - from < ORIENT_BLOCK ? n : from + ORIENT_BLOCK;
@@ -145,6 +164,22 @@ NKW_LOOP(nkw_quat_slerp_n)(nkw_quat_view a, nkw_quat_view b, const float *t, nkw
         else
             slerp_inside(a, b, t, 0, out, from, end);
     }
+}
+
+NKW_LOOP(nkw_quat_slerp_n)(nkw_quat_view a, nkw_quat_view b, const float *t, nkw_quat_span out, size_t n)
+{
+    const int tail = has_tail(n);
+    const size_t last = n - F32XN;
+    quat_tail r;
+    if (tail) {
+        read_register(&r.a, a, last);
+        read_register(&r.b, b, last);
+        copy_register(r.t, t + last);
+        slerp_blocks(register_view(&r.a), register_view(&r.b), r.t, register_span(&r.out), F32XN);
+    }
+    slerp_blocks(a, b, t, out, tail ? n - n % F32XN : n);
+    if (tail)
+        write_register(&r.out, out, last);
 }
 
 NKW_ALWAYS_INLINE void slerp_at_time(nkw_quat_view a, nkw_quat_view b, lane_slerp_time at, nkw_quat_span out, size_t n)
@@ -162,6 +197,16 @@ NKW_ALWAYS_INLINE void slerp_at_time(nkw_quat_view a, nkw_quat_view b, lane_sler
     }
 }
 
+static void slerp_at(nkw_quat_view a, nkw_quat_view b, const lane_slerp_time *at, float t, nkw_quat_span out, size_t n)
+{
+    if (!lane_t_is_generic(t))
+        slerp_at_time(a, b, *at, out, n);
+    else if (at->first)
+        slerp_at_time(a, b, lane_slerp_time_from(*at, 1), out, n);
+    else
+        slerp_at_time(a, b, lane_slerp_time_from(*at, 0), out, n);
+}
+
 NKW_LOOP(nkw_quat_slerp_at_n)(nkw_quat_view a, nkw_quat_view b, float t, nkw_quat_span out, size_t n)
 {
     if (n == 1 || !is_near(t)) {
@@ -175,13 +220,18 @@ NKW_LOOP(nkw_quat_slerp_at_n)(nkw_quat_view a, nkw_quat_view b, float t, nkw_qua
             put_quat(out, i, slerp_near(at_quat(a, i), at_quat(b, i), t));
         return;
     }
-    lane_slerp_time at = lane_slerp_time_at(t, 0);
-    if (!lane_t_is_generic(t))
-        slerp_at_time(a, b, at, out, n);
-    else if (at.first)
-        slerp_at_time(a, b, lane_slerp_time_from(at, 1), out, n);
-    else
-        slerp_at_time(a, b, lane_slerp_time_from(at, 0), out, n);
+    const lane_slerp_time at = lane_slerp_time_at(t, 0);
+    const int tail = has_tail(n);
+    const size_t last = n - F32XN;
+    quat_tail r;
+    if (tail) {
+        read_register(&r.a, a, last);
+        read_register(&r.b, b, last);
+        slerp_at(register_view(&r.a), register_view(&r.b), &at, t, register_span(&r.out), F32XN);
+    }
+    slerp_at(a, b, &at, t, out, tail ? n - n % F32XN : n);
+    if (tail)
+        write_register(&r.out, out, last);
 }
 
 NKW_LOOP(nkw_quat_log_n)(nkw_quat_view q, nkw_vec3_span out, size_t n)
