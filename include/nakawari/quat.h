@@ -61,7 +61,7 @@ NKW_ALGEBRA nkw_quat nkw_quat_mul(nkw_quat a, nkw_quat b);
  *
  *     c = 2 (q.xyz x v),        v' = v + w c + q.xyz x c
  *
- * Error  19.0 u of |v| for q from nkw_quat_normalize, 11.5 for a unit q with each component rounded once (both near
+ * Error  20.0 u of |v| for q from nkw_quat_normalize, 11.5 for a unit q with each component rounded once (both near
  *        half turns); exact for the identity.
  */
 NKW_ALGEBRA nkw_vec3 nkw_quat_rotate(nkw_quat q, nkw_vec3 v);
@@ -69,7 +69,7 @@ NKW_ALGEBRA nkw_vec3 nkw_quat_rotate(nkw_quat q, nkw_vec3 v);
 /**
  * v rotated by the inverse of q: rotate(conjugate(q), v).
  *
- * Error  19.0 u of |v|, as nkw_quat_rotate.
+ * Error  20.0 u of |v|, as nkw_quat_rotate.
  */
 NKW_ALGEBRA nkw_vec3 nkw_quat_rotate_inverse(nkw_quat q, nkw_vec3 v);
 

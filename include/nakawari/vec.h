@@ -123,7 +123,7 @@ NKW_API nkw_vec3 nkw_vec3_reject(nkw_vec3 a, nkw_vec3 b);
 /**
  * a reflected in the plane through the origin with the unit normal n: a - 2 (a.n) n.
  *
- * Error  18.0 u of |a| for n from nkw_vec3_normalize, 11.0 for a unit n with each component rounded once.
+ * Error  19.0 u of |a| for n from nkw_vec3_normalize, 11.0 for a unit n with each component rounded once.
  */
 NKW_ALGEBRA nkw_vec3 nkw_vec3_reflect(nkw_vec3 a, nkw_vec3 n);
 
