@@ -4,6 +4,7 @@
  * joints: 301 keys in ten seconds. By keys: 16 joints.
  */
 #include <algorithm>
+#include <cmath>
 #include <memory>
 
 #include "bench.h"
@@ -12,15 +13,16 @@
 
 using namespace bench;
 
-/* Where the time stands at each call. The first one is that of the check. */
+/* Where the time stands at each call. The first one is that of the check. slow: in steps of 1/6000 s instead. */
 struct playing {
     asking how;
     float end;
     size_t call;
+    bool slow;
     float next()
     {
         size_t i = call++;
-        return i == 0 ? checked() : time_at(how, i, end);
+        return i == 0 ? checked() : slow ? std::fmod(static_cast<float>(i % 60000) / 6000, end) : time_at(how, i, end);
     }
     float checked() const
     {
@@ -36,9 +38,9 @@ static void spread(const scene &s)
 }
 
 static void row(const operation &op, const char *who, std::shared_ptr<scene> s, asking how,
-                std::function<void(scene &, float)> sample)
+                std::function<void(scene &, float)> sample, bool slow = false)
 {
-    auto time = std::make_shared<playing>(playing{how, s->times.back(), 0});
+    auto time = std::make_shared<playing>(playing{how, s->times.back(), 0, slow});
     auto check = [=](size_t) {
         time->call = 0;
         sample(*s, time->next());
@@ -58,11 +60,10 @@ static void put(scene &s, size_t joint, const nkw_trs &trs)
         s.pose[c * NKW_POSE_STRIDE(s.joints) + joint] = (&trs.translation.x)[c];
 }
 
-static void rows(const char *name, std::shared_ptr<scene> s, size_t size, asking how)
+static operation posing(const std::string &name, std::shared_ptr<scene> s, size_t size, float checked)
 {
-    float checked = playing{how, s->times.back(), 0}.checked();
     operation op = {"clip",
-                    named(name, how),
+                    name,
                     10,
                     120,
                     125,
@@ -79,6 +80,12 @@ static void rows(const char *name, std::shared_ptr<scene> s, size_t size, asking
         op.bytes = 200, op.flops = 147; /* keys, the tangents between, and the result */
     if (s->mode == NKW_INTERPOLATION_STEP)
         op.bytes = 80, op.flops = 0;
+    return op;
+}
+
+static void rows(const char *name, std::shared_ptr<scene> s, size_t size, asking how)
+{
+    operation op = posing(named(name, how), s, size, playing{how, s->times.back(), 0, false}.checked());
     row(op, "nkw", s, how, [](scene &x, float time) {
         nkw_clip_sample(x.clip(0), time, x.cursors.data(),
                         nkw_pose_span{x.pose.data(), nkw_clip_joint_count(x.clip(0))}, nullptr);
@@ -102,7 +109,32 @@ static void rows(const char *name, std::shared_ptr<scene> s, size_t size, asking
 #endif
 }
 
+/* Steps of 1/6000 s: slow motion. */
+static void slow_rows(std::shared_ptr<scene> s)
+{
+    operation op =
+        posing("pose in slow motion", s, s->joints, playing{asking::onward, s->times.back(), 0, true}.checked());
+    for (int format = 0; format < 2; format++) {
+        auto cache = std::make_shared<std::vector<float>>(nkw_clip_cache_bytes(s->clip(format)) / sizeof(float));
+        row(
+            op, format ? "nkw 16 bits" : "nkw", s, asking::onward,
+            [=](scene &x, float time) {
+                nkw_clip_sample(x.clip(format), time, x.cursors.data(), nkw_pose_span{x.pose.data(), x.joints},
+                                nullptr);
+            },
+            true);
+        row(
+            op, format ? "nkw 16 bits _cached" : "nkw _cached", s, asking::onward,
+            [=](scene &x, float time) {
+                nkw_clip_sample_cached(x.clip(format), time, nkw_pose_span{x.pose.data(), x.joints}, nullptr,
+                                       cache->data(), cache->size() * sizeof(float));
+            },
+            true);
+    }
+}
+
 static const suite all([] {
+    slow_rows(draw_scene(67, 301));
     for (size_t joints : {10u, 67u, 256u, 1000u}) {
         auto s = draw_scene(joints, 301);
         for (asking how : askings)

@@ -7,6 +7,7 @@
 #include <nakawari/segment.h>
 
 #include "batch/clip.h"
+#include "clip_cache.h"
 #include "clip_layout.h"
 #include "lane/orient.h"
 #include "pack/slerp.h"
@@ -177,7 +178,9 @@ static void sample_group(const nkw_clip *clip, const clip_group *g, const clip_t
         linear(clip, g, p, q, at.t, out, stride);
 }
 
-nkw_result nkw_clip_sample(const nkw_clip *clip, float time, uint32_t *cursors, nkw_pose_span pose, float *floats)
+/* cache: NULL, or the words of a cache (clip_cache.h), whose cursors are then `cursors`. */
+static nkw_result sample(const nkw_clip *clip, float time, uint32_t *cursors, uint32_t *cache, nkw_pose_span pose,
+                         float *floats)
 {
     size_t stride = NKW_POSE_STRIDE((size_t)clip->joints);
     if (pose.data && pose.joint_count != clip->joints)
@@ -188,15 +191,31 @@ nkw_result nkw_clip_sample(const nkw_clip *clip, float time, uint32_t *cursors, 
         copy_runs(clip, clip->float_constants, clip->float_constant_count, floats);
     const clip_group *groups = clip_groups(clip);
     nkw_segment at = {0, 0.0f};
+    uint32_t *kept = cache ? cache + clip_cache_head(clip) : NULL;
     for (uint32_t g = 0; g < clip->group_count; g++) {
         uint32_t i = groups[g].timeline;
         const clip_timeline *line = clip_timelines(clip) + i;
         float *out = groups[g].kind == GROUP_FLOATS ? floats : pose.data;
+        size_t kept_words = cache ? nkwi_clip_kept_floats(&groups[g]) : 0;
         if (g == 0 || i != groups[g - 1].timeline) /* groups of one timeline are neighbours: one search */
             at = find(clip, line, time, cursors ? cursors + i : NULL);
-        if (out)
-            sample_group(clip, &groups[g], line, at, groups[g].kind == GROUP_ROTATIONS ? out + 3 * stride : out,
-                         stride);
+        out = out && groups[g].kind == GROUP_ROTATIONS ? out + 3 * stride : out;
+        if (out && (!kept_words || !nkwi_clip_sample_kept(clip, &groups[g], at, cache + clip->timeline_count + g,
+                                                          (float *)(void *)kept, out, stride)))
+            sample_group(clip, &groups[g], line, at, out, stride);
+        kept = kept ? kept + kept_words : NULL;
     }
     return NKW_OK;
+}
+
+nkw_result nkw_clip_sample(const nkw_clip *clip, float time, uint32_t *cursors, nkw_pose_span pose, float *floats)
+{
+    return sample(clip, time, cursors, NULL, pose, floats);
+}
+
+nkw_result nkw_clip_sample_cached(const nkw_clip *clip, float time, nkw_pose_span pose, float *floats, void *cache,
+                                  size_t bytes)
+{
+    uint32_t *words = (uint32_t *)cache;
+    return bytes < nkw_clip_cache_bytes(clip) ? NKW_TOO_SMALL : sample(clip, time, words, words, pose, floats);
 }

@@ -359,6 +359,37 @@ static void noise_in_rotations_makes_no_subnormal_products(void **state)
 #endif
 }
 
+/* Times that stay between two keys, cross them, hold them and jump. */
+static void a_cache_keeps_the_bits(void **state)
+{
+    (void)state;
+    random_source r = random_from(28);
+    for (int round = 0; round < 60; round++) {
+        size_t joints = 1 + (size_t)(random_bits(&r) % RANDOM_CLIP_JOINTS), bytes;
+        random_clip_draw(&r, joints, round % 5, &drawn);
+        drawn.source.format = round % 4 ? NKW_CLIP_UNORM16 : NKW_CLIP_FLOAT32;
+        nkw_clip *clip = build(&drawn.source, &bytes);
+        size_t cached = nkw_clip_cache_bytes(clip);
+        void *cache = calloc(1, cached);
+        assert_non_null(cache);
+        float time = 0, got[NKW_POSE_FLOATS(RANDOM_CLIP_JOINTS)], want[NKW_POSE_FLOATS(RANDOM_CLIP_JOINTS)];
+        float floats[RANDOM_CLIP_FLOATS] = {0}, want_floats[RANDOM_CLIP_FLOATS] = {0};
+        for (int i = 0; i < 150; i++) {
+            time = i % 25 == 0 ? random_clip_time(&r, &drawn, i / 25) : time + 0.004f;
+            assert_int_equal(nkw_clip_sample(clip, time, NULL, pose_span(want, joints), want_floats), NKW_OK);
+            assert_int_equal(nkw_clip_sample_cached(clip, time, pose_span(got, joints), floats, cache, cached), NKW_OK);
+            expect_same_pose(got, want, joints);
+            expect_floats_bits(floats, want_floats, drawn.source.float_count);
+        }
+        assert_int_equal(nkw_clip_sample_cached(clip, time, pose_span(got, joints), floats, cache, cached - 1),
+                         NKW_TOO_SMALL);
+        assert_int_equal(nkw_clip_sample_cached(clip, time, pose_span(got, joints + 1), floats, cache, cached),
+                         NKW_MISMATCHED);
+        free(cache);
+        free(clip);
+    }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -373,6 +404,7 @@ int main(void)
         cmocka_unit_test(compact_keys_take_half_the_room_and_less),
         cmocka_unit_test(a_clip_that_lasts_longer_is_compared_while_the_tracks_last),
         cmocka_unit_test(compact_steps_hold_their_key),
+        cmocka_unit_test(a_cache_keeps_the_bits),
         cmocka_unit_test(noise_in_rotations_makes_no_subnormal_products),
         cmocka_unit_test(compact_steps_of_rotations_have_the_same_bits_until_the_next_key),
     };

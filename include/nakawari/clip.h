@@ -160,6 +160,24 @@ NKW_API size_t nkw_clip_cursor_count(const nkw_clip *clip);
 NKW_API nkw_result nkw_clip_sample(const nkw_clip *clip, float time, uint32_t *cursors, nkw_pose_span pose,
                                    float *floats);
 
+/** The number of bytes of the cache of nkw_clip_sample_cached: about 68 for each animated joint of a compact clip. */
+NKW_API size_t nkw_clip_cache_bytes(const nkw_clip *clip);
+
+/**
+ * Samples the clip at `time`, for steps of time much smaller than the distance of the keys: slow motion, steps of a
+ * simulation. What two neighbouring 16-bit keys determine without the time is kept in the cache: decoded numbers, arcs.
+ * Samples of compact clips take half the time while they are between the same keys; the first one after that takes a
+ * third longer. Float clips store their arcs, so for them the cache has cursors only. The pose and the floats are those
+ * of nkw_clip_sample, bit for bit.
+ *
+ * cache    separate for each playing instance; zeros before its first use and before its use for another clip. Aligned
+ *          for float, 64-byte alignment is fastest
+ * bytes    at least nkw_clip_cache_bytes(clip)
+ * Returns  as nkw_clip_sample; NKW_TOO_SMALL if `bytes` is too small: nothing is written
+ */
+NKW_API nkw_result nkw_clip_sample_cached(const nkw_clip *clip, float time, nkw_pose_span pose, float *floats,
+                                          void *cache, size_t bytes);
+
 /** The largest differences between a clip and its tracks. */
 typedef struct nkw_clip_error {
     float translation; /**< of a component */

@@ -10,6 +10,7 @@
 #include "sizes.h"
 
 #define CLIP_SLERP_ROWS 5 /* rows of a LINEAR rotation: x y z w, and the arc v to the next key */
+#define CLIP_KEPT_ROWS  11 /* rows kept of two compact rotations (batch/clip.c) */
 
 /*
  * A block of lanes of a clip (clip_layout.h): the destinations of up to 16 lanes.

@@ -223,26 +223,132 @@ NKW_ALWAYS_INLINE void arcs16(pairs16 *p, const uint16_t *b, size_t at, size_t w
         arcs16_of(p, b, at, 4);
 }
 
-/*
- * Up to CLIP_SLERP16_BLOCKS blocks at a time, in three steps: decode the numbers of both keys; compute w, v and the
- * scales of each block; interpolate each block. t = 0 returns the rotations of a, of unit length.
- */
+/* The blocks from `blocks` on that take each step together, at most CLIP_SLERP16_BLOCKS. */
+static inline size_t blocks16(size_t block_count)
+{
+    return block_count < CLIP_SLERP16_BLOCKS ? block_count : CLIP_SLERP16_BLOCKS;
+}
+
+/* Decodes the numbers of both keys of n blocks; computes w, v and the scales of each block. */
+NKW_ALWAYS_INLINE void pairs16_of(pairs16 *p, const uint16_t *a, const uint16_t *b, const float *base,
+                                  const float *step, const clip_block *blocks, size_t n)
+{
+    const size_t numbers = 3 * (CLIP_BLOCK * (n - 1) + blocks[n - 1].width);
+    decode(a, base, step, p->a.xyz, numbers);
+    decode(b, base, step, p->b.xyz, numbers);
+    for (size_t i = 0; i < n; i++)
+        arcs16(p, b + 3 * CLIP_BLOCK * i, CLIP_BLOCK * i, blocks[i].width);
+}
+
+/* Decodes up to CLIP_SLERP16_BLOCKS blocks, then interpolates each. t = 0 returns the rotations of a, of unit length. */
 NKW_LOOP(nkwi_clip_slerp16)
 (const uint16_t *a, const uint16_t *b, const float *base, const float *step, float t, const clip_block *blocks,
  size_t block_count, float *out, size_t stride)
 {
     const lane_compact_series series = lane_compact_series_at(t);
     for (size_t k = 0; k < block_count; k += CLIP_SLERP16_BLOCKS) {
-        const size_t n = block_count - k < CLIP_SLERP16_BLOCKS ? block_count - k : CLIP_SLERP16_BLOCKS,
-                     first = 3 * CLIP_BLOCK * k;
-        const size_t numbers = 3 * (CLIP_BLOCK * (n - 1) + blocks[k + n - 1].width);
+        const size_t n = blocks16(block_count - k), first = 3 * CLIP_BLOCK * k;
         pairs16 p;
-        decode(a + first, base + first, step + first, p.a.xyz, numbers);
-        decode(b + first, base + first, step + first, p.b.xyz, numbers);
-        for (size_t i = 0; i < n; i++)
-            arcs16(&p, b + first + 3 * CLIP_BLOCK * i, CLIP_BLOCK * i, blocks[k + i].width);
+        pairs16_of(&p, a + first, b + first, base + first, step + first, blocks + k, n);
         for (size_t i = 0; i < n; i++)
             slerp16_to(&p, &series, CLIP_BLOCK * i, &blocks[k + i], out, stride);
+    }
+}
+
+/*
+ * Two neighbouring compact keys whose samples are at steps much smaller than the distance of the keys: what does not
+ * depend on t is kept (clip_cache.c). Each pair of loops returns the bits of the loop without `kept`.
+ *
+ *     numbers       key a of each lane as a float, n of them; then b - a
+ *     rotations     CLIP_KEPT_ROWS rows of a block: x y z w of a and the factor of its weight; the same of b; v
+ */
+NKW_LOOP(nkwi_clip_keep_lerp16)(const uint16_t *a, const uint16_t *b, float *kept, size_t n)
+{
+    float *d = kept + n;
+#pragma omp simd
+    for (size_t i = 0; i < n; i++) {
+        kept[i] = (float)a[i];
+        d[i] = (float)b[i] - (float)a[i];
+    }
+}
+
+static inline void kept_lerp16_lanes(const float *from, const float *d, const float *base, const float *step, float t,
+                                     float *out, size_t n)
+{
+#pragma omp simd
+    for (size_t i = 0; i < n; i++)
+        out[i] = base[i] + step[i] * (from[i] + t * d[i]);
+}
+
+NKW_LOOP(nkwi_clip_kept_lerp16)
+(const float *kept, size_t n, const float *base, const float *step, float t, const clip_block *blocks,
+ size_t block_count, float *out)
+{
+    for (size_t k = 0, lanes; k < block_count; k += blocks_in(lanes)) {
+        size_t at = k * CLIP_BLOCK;
+        int contiguous = blocks[k].contiguous > 0;
+        float buffer[CLIP_SCATTER_BLOCKS * CLIP_BLOCK];
+        lanes = lanes_together(blocks + k, block_count - k);
+        kept_lerp16_lanes(kept + at, kept + n + at, base + at, step + at, t,
+                          contiguous ? out + blocks[k].places[0] : buffer, lanes);
+        if (!contiguous)
+            scatter_numbers(blocks + k, buffer, out, lanes);
+    }
+}
+
+static inline void keep_rows(const pairs16 *p, size_t at, float *kept, size_t width)
+{
+    const float *rows[4] = {p->a.w, p->a.scale, p->b.w, p->b.scale};
+    memcpy(kept, p->a.xyz + 3 * at, 3 * width * sizeof *kept);
+    memcpy(kept + 5 * width, p->b.xyz + 3 * at, 3 * width * sizeof *kept);
+    for (size_t i = 0; i < 4; i++)
+        memcpy(kept + (i / 2 * 5 + 3 + i % 2) * width, rows[i] + at, width * sizeof *kept);
+    memcpy(kept + 10 * width, p->v + at, width * sizeof *kept);
+}
+
+NKW_LOOP(nkwi_clip_keep_slerp16)
+(const uint16_t *a, const uint16_t *b, const float *base, const float *step, const clip_block *blocks,
+ size_t block_count, float *kept)
+{
+    for (size_t k = 0; k < block_count; k += CLIP_SLERP16_BLOCKS) {
+        const size_t n = blocks16(block_count - k), first = 3 * CLIP_BLOCK * k;
+        pairs16 p;
+        pairs16_of(&p, a + first, b + first, base + first, step + first, blocks + k, n);
+        for (size_t i = 0; i < n; i++)
+            keep_rows(&p, CLIP_BLOCK * i, kept + CLIP_KEPT_ROWS * CLIP_BLOCK * (k + i), blocks[k + i].width);
+    }
+}
+
+NKW_ALWAYS_INLINE void kept_slerp16_block(const float *kept, const lane_compact_series *series, float *out,
+                                          size_t stride, size_t width)
+{
+    const float *nearer = kept + (series->first ? 0 : 5 * width), *farther = kept + (series->first ? 5 * width : 0);
+    const float *scale_n = nearer + 4 * width, *scale_f = farther + 4 * width, *v = kept + 10 * width;
+    const nkw_quat_view n = block_rows(nearer, width), f = block_rows(farther, width);
+    const nkw_quat_span o = block_rows_to(out, stride);
+#pragma omp simd
+    NKW_KEEP_LOOP
+    for (size_t i = 0; i < width; i++)
+        put_quat(o, i, lane_compact_slerp(at_quat(n, i), at_quat(f, i), v[i], scale_n[i], scale_f[i], series));
+}
+
+NKW_LOOP(nkwi_clip_kept_slerp16)
+(const float *kept, float t, const clip_block *blocks, size_t block_count, float *out, size_t stride)
+{
+    const lane_compact_series series = lane_compact_series_at(t);
+    for (size_t k = 0; k < block_count; k++, kept += CLIP_KEPT_ROWS * CLIP_BLOCK) {
+        float buffer[4 * CLIP_BLOCK];
+        const int contiguous = blocks[k].contiguous > 0;
+        float *to = contiguous ? out + blocks[k].places[0] : buffer;
+        const size_t to_stride = contiguous ? stride : CLIP_BLOCK;
+        if (blocks[k].width == CLIP_BLOCK)
+            kept_slerp16_block(kept, &series, to, to_stride, CLIP_BLOCK);
+        else if (blocks[k].width == 8)
+            kept_slerp16_block(kept, &series, to, to_stride, 8);
+        else
+            kept_slerp16_block(kept, &series, to, to_stride, 4);
+        if (!contiguous)
+            scatter(&blocks[k], buffer, CLIP_BLOCK, out, stride);
     }
 }
 

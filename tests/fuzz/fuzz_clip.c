@@ -17,12 +17,19 @@ static void sample(fuzz *f, const nkw_clip *clip)
     float *pose = fuzz_room(f, NKW_POSE_FLOATS(joints)), *pose_again = fuzz_room(f, NKW_POSE_FLOATS(joints));
     float *out = fuzz_room(f, floats);
     uint32_t *cursor = fuzz_block(f, cursors * sizeof *cursor);
+    size_t cached = nkw_clip_cache_bytes(clip);
+    float *cache = fuzz_room(f, cached / sizeof *cache);
+    memset(cache, 0, cached);
     FUZZ_CHECK(nkw_clip_start(clip) <= nkw_clip_end(clip));
     for (int i = 0; i < 4; i++) {
         float time = fuzz_float(f);
         nkw_clip_sample(clip, time, cursor, pose_span(pose, joints), out);
         nkw_clip_sample(clip, time, NULL, pose_span(pose_again, joints), NULL);
         FUZZ_CHECK(fuzz_same(pose, pose_again, NKW_POSE_FLOATS(joints)));
+        for (int again = 0; again < 2; again++) {
+            nkw_clip_sample_cached(clip, time, pose_span(pose_again, joints), out, cache, cached);
+            FUZZ_CHECK(fuzz_same(pose, pose_again, NKW_POSE_FLOATS(joints)));
+        }
     }
 }
 

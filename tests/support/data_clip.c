@@ -1,17 +1,33 @@
 /* SPDX-License-Identifier: MIT */
+#include <string.h>
+
 #include "data.h"
 #include "hash.h"
 #include "random_clip.h"
 #include "views.h"
 
 static random_clip drawn;
-static float block[1 << 16];
+static float block[1 << 16], cache[1 << 13];
 
 /* The joints of the pose without its padding. */
 static uint64_t hash_pose(uint64_t hash, const float *pose, size_t joints)
 {
     for (size_t c = 0; c < 10; c++)
         hash = hash_floats(hash, pose + c * NKW_POSE_STRIDE(joints), joints);
+    return hash;
+}
+
+/* Three times between the same two keys, or nearly so. */
+static uint64_t hash_cached(uint64_t hash, const nkw_clip *clip, float time)
+{
+    float pose[NKW_POSE_FLOATS(RANDOM_CLIP_JOINTS)], floats[RANDOM_CLIP_FLOATS];
+    size_t joints = nkw_clip_joint_count(clip);
+    for (int i = 0; i < 3; i++, time += 0.003f) {
+        if (nkw_clip_sample_cached(clip, time, pose_span(pose, joints), floats, cache, sizeof cache) != NKW_OK)
+            return 0;
+        hash = hash_pose(hash, pose, joints);
+        hash = hash_floats(hash, floats, nkw_clip_float_count(clip));
+    }
     return hash;
 }
 
@@ -32,11 +48,14 @@ uint64_t data_clip(void)
         /* The block itself, word by word: the same on every machine, but for the order of 16-bit keys in a word. */
         if (drawn.source.format == NKW_CLIP_FLOAT32)
             hash = hash_floats(hash, block, nkw_clip_bytes(clip) / sizeof *block);
+        memset(cache, 0, sizeof cache);
         for (int i = 0; i < 20; i++) {
             nkw_clip_sample(clip, random_between(&r, -0.1f, 1.0f), NULL, pose_span(pose, nkw_clip_joint_count(clip)),
                             floats);
             hash = hash_pose(hash, pose, joints);
             hash = hash_floats(hash, floats, nkw_clip_float_count(clip));
+            if (i % 4 == 0)
+                hash = hash_cached(hash, clip, random_between(&r, -0.1f, 1.0f));
         }
     }
     return hash;

@@ -1,0 +1,47 @@
+/* SPDX-License-Identifier: MIT */
+#include "lane/strict.h"
+
+#include <nakawari/clip.h>
+
+#include "batch/clip.h"
+#include "clip_cache.h"
+
+size_t nkwi_clip_kept_floats(const clip_group *g)
+{
+    size_t floats = (size_t)g->lanes * (g->kind == GROUP_ROTATIONS ? CLIP_KEPT_ROWS : 2);
+    return g->ranges ? (floats + CLIP_ALIGN - 1) / CLIP_ALIGN * CLIP_ALIGN : 0;
+}
+
+size_t nkw_clip_cache_bytes(const nkw_clip *clip)
+{
+    uint64_t words = clip_cache_head(clip);
+    for (uint32_t g = 0; g < clip->group_count; g++)
+        words += nkwi_clip_kept_floats(&clip_groups(clip)[g]);
+    return words > SIZE_MAX / 4 ? SIZE_MAX : (size_t)words * 4;
+}
+
+int nkwi_clip_sample_kept(const nkw_clip *clip, const clip_group *g, nkw_segment at, uint32_t *segment, float *kept,
+                          float *out, size_t stride)
+{
+    const clip_timeline *line = clip_timelines(clip) + g->timeline;
+    const uint32_t *words = clip_words(clip);
+    const clip_block *blocks = clip_blocks(clip, g);
+    const float *base = clip_floats(clip, g->ranges), *step = base + clip_rows(g) * g->lanes;
+    size_t k = at.index;
+    uint32_t mode = line->modes ? words[line->modes + k] : g->interpolation;
+    if (k + 1 >= line->count || at.t == 0.0f || at.t == 1.0f || mode != NKW_INTERPOLATION_LINEAR)
+        return 0;
+    const uint16_t *a = (const uint16_t *)(const void *)(words + g->keys + k * g->key_words), *b = a + 2 * g->key_words;
+    int is_new = *segment != (uint32_t)k + 1;
+    *segment = (uint32_t)k + 1;
+    if (g->kind == GROUP_ROTATIONS) {
+        if (is_new)
+            nkwi_clip_keep_slerp16(a, b, base, step, blocks, g->block_count, kept);
+        nkwi_clip_kept_slerp16(kept, at.t, blocks, g->block_count, out, stride);
+    } else {
+        if (is_new)
+            nkwi_clip_keep_lerp16(a, b, kept, g->lanes);
+        nkwi_clip_kept_lerp16(kept, g->lanes, base, step, at.t, blocks, g->block_count, out);
+    }
+    return 1;
+}
