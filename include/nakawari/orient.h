@@ -38,7 +38,7 @@ typedef enum nkw_path {
  * Returns  a unit quaternion; exactly a at t = 0, exactly b or -b at t = 1, exactly q between q and +-q. Two zero
  *          quaternions return the identity for t between 0 and 1.
  *
- * The weighted sum is divided by its length; where |a.b| is below 4 u, rounding decides the sign.
+ * The weighted sum is divided by its length; where |a.b| is below 5 u, rounding decides the sign.
  *
  * Error  3.3 u for t in 0..1 (2.96 for keys unit to rounding or to 1e-5; 2.2 of 65,536 random ones).
  * Source Blow, Understanding Slerp, Then Not Using It, 2004.

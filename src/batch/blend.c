@@ -69,25 +69,25 @@ NKW_ALWAYS_INLINE lanes lanes_after(lanes l, size_t n)
     return l;
 }
 
-NKW_ALWAYS_INLINE void lerp_row(lanes l, size_t row, f32xN x, int first)
+NKW_ALWAYS_INLINE void lerp_row(lanes l, size_t row, f32xN t, int first)
 {
     f32xN a = f32xN_load_once(l.a.at + row * l.a.stride), b = f32xN_load_once(l.b.at + row * l.b.stride);
-    f32xN_store(l.out.at + row * l.out.stride, f32xN_lerp(a, b, x, first));
+    f32xN_store(l.out.at + row * l.out.stride, f32xN_lerp(a, b, t, first));
 }
 
-NKW_ALWAYS_INLINE void lerp_rows(lanes l, size_t row, f32xN x, int first)
+NKW_ALWAYS_INLINE void lerp_rows(lanes l, size_t row, f32xN t, int first)
 {
-    lerp_row(l, row, x, first);
-    lerp_row(l, row + 1, x, first);
-    lerp_row(l, row + 2, x, first);
+    lerp_row(l, row, t, first);
+    lerp_row(l, row + 1, t, first);
+    lerp_row(l, row + 2, t, first);
 }
 
-/* The sums; and `lengths`, a constant, theirs. */
-NKW_ALWAYS_INLINE void sum_lanes(lanes l, f32xN_time at, int lengths)
+/* The sums and their lengths; or, where `lengths`, a constant, is 0, the sums as large as rotations are. */
+NKW_ALWAYS_INLINE void sum_lanes(lanes l, f32xN_weights at, int lengths)
 {
     f32xN_quat a = f32xN_quat_load(l.a.at + 3 * l.a.stride, l.a.stride),
                b = f32xN_quat_load(l.b.at + 3 * l.b.stride, l.b.stride), v = f32xN_nlerp_sum(a, b, at);
-    f32xN_quat_store(l.sum, l.sums, v);
+    f32xN_quat_store(l.sum, l.sums, lengths ? v : f32xN_quat_scale(v, f32xN_splat(1.0f / NKW_NLERP_SCALE)));
     if (lengths)
         f32xN_store(l.length, f32xN_sqrt(f32xN_quat_dot(v, v)));
 }
@@ -98,12 +98,13 @@ NKW_ALWAYS_INLINE int have_one_stride(blend_rows a, blend_rows b, blend_span out
     return a.stride == out.stride && b.stride == out.stride;
 }
 
-NKW_ALWAYS_INLINE void sum_joints(lanes l, f32xN_time at, int first, int n)
+NKW_ALWAYS_INLINE void sum_joints(lanes l, f32xN t, int first, int n)
 {
+    const f32xN_weights at = f32xN_weights_of(t);
     for (int i = 0; i < n; i += F32XN, l = lanes_after(l, F32XN)) {
-        lerp_rows(l, 0, at.x, first);
+        lerp_rows(l, 0, t, first);
         sum_lanes(l, at, 0);
-        lerp_rows(l, 7, at.x, first);
+        lerp_rows(l, 7, t, first);
     }
 }
 
@@ -111,9 +112,9 @@ NKW_ALWAYS_INLINE void sum_block(blend_rows a, blend_rows b, float t, blend_span
 {
     const lanes l = {a, b, out, out.at + 3 * out.stride, out.at, out.stride};
     if (t < 0.5f)
-        sum_joints(l, f32xN_time_at(f32xN_splat(t), 1), 1, n);
+        sum_joints(l, f32xN_splat(t), 1, n);
     else
-        sum_joints(l, f32xN_time_at(f32xN_splat(t), 0), 0, n);
+        sum_joints(l, f32xN_splat(t), 0, n);
 }
 
 /* The lerp by a t inside 0..1, rotations as sums. out may be a. */
@@ -157,14 +158,14 @@ NKW_ALWAYS_INLINE void sums_by_lanes(lanes l, const float *t, int each)
 }
 
 /* The same of layers. */
-NKW_ALWAYS_INLINE void mixes_by_lanes(lanes l, const float *t, const float *open)
+NKW_ALWAYS_INLINE void mixes_by_lanes(lanes l, const float *t, const float *open, int lengths)
 {
     const nkw_quat_view a = rotations_of(l.a), b = rotations_of(l.b);
     const nkw_quat_span sum = block_rows_to(l.sum, l.sums);
 #pragma omp simd
     for (size_t i = 0; i < F32XN; i++) {
         lane_nlerp v = lane_quat_mix(at_quat(a, i), at_quat(b, i), t[i], open[i] != 0.0f);
-        put_quat(sum, i, v.v);
+        put_quat(sum, i, lengths ? v.v : lane_mix_sum(v));
         l.length[i] = nkw_sqrt(v.n2);
     }
 }
@@ -178,21 +179,22 @@ NKW_ALWAYS_INLINE void lerps_by_lanes(lanes l, size_t row, const float *t)
         put_vec3(out, i, nkw_vec3_lerp(at_vec3(a, i), at_vec3(b, i), t[i]));
 }
 
-/* Divides the next sums by their lengths. Sets bits 30 or 31 of *far where one is not in 2^-32 .. 2^32. */
+/* Divides the next sums by their lengths. Sets bits 30 or 31 of *far where one is not in 1 .. 2^128. */
 NKW_ALWAYS_INLINE void divide_lanes(lanes l, u32xN *far)
 {
     const f32xN n = f32xN_load_once(l.length);
     f32xN_quat_store(l.out.at + 3 * l.out.stride, l.out.stride, f32xN_quat_over(f32xN_quat_load(l.sum, l.sums), n));
-    *far |= u32xN_from_f32xN(n) - (UINT32_C(95) << 23);
+    *far |= u32xN_from_f32xN(n) - (UINT32_C(127) << 23);
 }
 
 /*
  * All sums come before all divisions, so that no register waits for the root of the one before. Returns whether a length
- * was far from 1.
+ * was far from that of rotations.
  */
 NKW_ALWAYS_INLINE int nlerp_joints(lanes l, float t, int first, int used)
 {
-    const f32xN_time at = f32xN_time_at(f32xN_splat(t), first);
+    const f32xN all = f32xN_splat(t);
+    const f32xN_weights at = f32xN_weights_of(all);
     u32xN far = u32xN_from_f32xN(f32xN_splat(0.0f));
     lanes from = l;
     for (int i = 0; i < used; i += F32XN, l = lanes_after(l, F32XN)) {
@@ -200,18 +202,18 @@ NKW_ALWAYS_INLINE int nlerp_joints(lanes l, float t, int first, int used)
             sums_by_lanes(l, &t, 0);
         else
             sum_lanes(l, at, 1);
-        lerp_rows(l, 0, at.x, first);
+        lerp_rows(l, 0, all, first);
     }
     l = from;
     end_sums(l, used);
     for (int i = 0; i < used; i += F32XN, l = lanes_after(l, F32XN)) {
         divide_lanes(l, &far);
-        lerp_rows(l, 7, at.x, first);
+        lerp_rows(l, 7, all, first);
     }
     return u32xN_any(far) >> 30 != 0;
 }
 
-/* All again by the general formula: where a length was far from 1. */
+/* All again by the general formula. */
 NKW_NOINLINE LANE_FLAT static void normalize_again(const float *sum, const float *length, blend_span out, int used)
 {
     normalize_sums(block_rows(sum, SUM_STRIDE), length, 1, rotation_span(out), (size_t)used);
@@ -278,7 +280,7 @@ NKW_ALWAYS_INLINE void lerps_each(lanes l, size_t row, const float *t, how kind)
     if (kind == FROM_A)
         lerp_rows(l, row, f32xN_load(t), 1);
     else if (kind == FROM_B)
-        lerp_rows(l, row, f32xN_load(t) - f32xN_splat(1.0f), 0);
+        lerp_rows(l, row, f32xN_load(t), 0);
     else if (kind == BY_LANES)
         lerps_by_lanes(l, row, t);
     else
@@ -290,11 +292,11 @@ NKW_ALWAYS_INLINE void sums_each(lanes l, const float *t, const float *open, how
 {
     const int is_special = kind > FROM_B || may_be_equal(l, left);
     if (is_special && open)
-        mixes_by_lanes(l, t, open);
+        mixes_by_lanes(l, t, open, lengths);
     else if (is_special)
         sums_by_lanes(l, t, 1);
     else
-        sum_lanes(l, f32xN_time_at(f32xN_load(t), 1), lengths);
+        sum_lanes(l, f32xN_weights_of(f32xN_load(t)), lengths);
 }
 
 /*

@@ -399,8 +399,8 @@ NKW_ALWAYS_INLINE void normalize_block(const float *x, float *out, size_t stride
     nkw_quat_view q = block_rows(x, width);
 #pragma omp simd
     for (size_t i = 0; i < width; i++) {
-        nkw_quat v = at_quat(q, i);
-        put_quat(o, i, nkw_quat_normalize_any(v, nkw_quat_dot(v, v)));
+        nkw_quat v = nkw_quat_scale(at_quat(q, i), NKW_NORMAL_SCALE);
+        put_quat(o, i, nkw_quat_normalize_any(at_quat(q, i), nkw_quat_dot(v, v), NKW_NORMAL_SCALE));
     }
 }
 

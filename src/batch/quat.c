@@ -24,21 +24,22 @@ static inline void normalize_block(nkw_quat_view q, nkw_quat_span out, size_t fr
     int far = 0;
 #pragma omp simd reduction(| : far)
     for (size_t i = from; i < to; i++) {
-        float n2 = nkw_quat_dot(at_quat(q, i), at_quat(q, i));
+        nkw_quat v = nkw_quat_scale(at_quat(q, i), NKW_NORMAL_SCALE);
+        float n2 = nkw_quat_dot(v, v);
         far |= !nkw_is_moderate(n2);
         length[i - from] = nkw_sqrt(n2);
     }
     if (far) {
 #pragma omp simd
         for (size_t i = from; i < to; i++) {
-            nkw_quat v = at_quat(q, i);
-            put_quat(out, i, nkw_quat_normalize_any(v, nkw_quat_dot(v, v)));
+            nkw_quat v = nkw_quat_scale(at_quat(q, i), NKW_NORMAL_SCALE);
+            put_quat(out, i, nkw_quat_normalize_any(at_quat(q, i), nkw_quat_dot(v, v), NKW_NORMAL_SCALE));
         }
         return;
     }
 #pragma omp simd
     for (size_t i = from; i < to; i++)
-        put_quat(out, i, nkw_quat_over(at_quat(q, i), length[i - from]));
+        put_quat(out, i, nkw_quat_over(nkw_quat_scale(at_quat(q, i), NKW_NORMAL_SCALE), length[i - from]));
 }
 
 NKW_LOOP(nkw_quat_normalize_n)(nkw_quat_view q, nkw_quat_span out, size_t n)
@@ -78,8 +79,7 @@ NKW_LOOP(nkw_quat_from_mat3_n)(nkw_mat3_view m, nkw_quat_span out, size_t n)
         int far = 0;
 #pragma omp simd reduction(| : far)
         for (size_t i = 0; i < size; i++) {
-            lane_nearest r =
-                lane_quat_from_columns(at_vec3(x, from + i), at_vec3(y, from + i), at_vec3(z, from + i));
+            lane_nearest r = lane_quat_from_columns(at_vec3(x, from + i), at_vec3(y, from + i), at_vec3(z, from + i));
             put_quat(block, i, r.q);
             n2[i] = r.n2;
             far |= !(r.n2 < LANE_NEAREST_FAR);

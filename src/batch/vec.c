@@ -17,21 +17,22 @@ static inline void normalize_block(nkw_vec3_view a, nkw_vec3_span out, size_t fr
     int far = 0;
 #pragma omp simd reduction(| : far)
     for (size_t i = from; i < to; i++) {
-        float n2 = nkw_vec3_dot(at_vec3(a, i), at_vec3(a, i));
+        nkw_vec3 v = nkw_vec3_scale(at_vec3(a, i), NKW_NORMAL_SCALE);
+        float n2 = nkw_vec3_dot(v, v);
         far |= !nkw_is_moderate(n2);
         length[i - from] = nkw_sqrt(n2);
     }
     if (far) {
 #pragma omp simd
         for (size_t i = from; i < to; i++) {
-            nkw_vec3 v = at_vec3(a, i);
-            put_vec3(out, i, nkw_vec3_normalize_any(v, nkw_vec3_dot(v, v)));
+            nkw_vec3 v = nkw_vec3_scale(at_vec3(a, i), NKW_NORMAL_SCALE);
+            put_vec3(out, i, nkw_vec3_normalize_any(at_vec3(a, i), nkw_vec3_dot(v, v)));
         }
         return;
     }
 #pragma omp simd
     for (size_t i = from; i < to; i++)
-        put_vec3(out, i, nkw_vec3_over(at_vec3(a, i), length[i - from]));
+        put_vec3(out, i, nkw_vec3_over(nkw_vec3_scale(at_vec3(a, i), NKW_NORMAL_SCALE), length[i - from]));
 }
 
 NKW_LOOP(nkw_vec3_normalize_n)(nkw_vec3_view a, nkw_vec3_span out, size_t n)

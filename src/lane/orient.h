@@ -32,7 +32,7 @@ static inline float lane_select(uint32_t mask, float x, float y)
 
 /* ---- nlerp: a sum, divided by its length ---- */
 
-/* The sum and its squared length; 1 where the sum is the result as it is. */
+/* What is divided by the root of n2: a sum, 2^60 times as large, or, where n2 is 1, the result as it is. */
 typedef struct lane_nlerp {
     nkw_quat v;
     float n2;
@@ -44,8 +44,11 @@ typedef struct lane_nlerp {
  */
 static inline lane_nlerp lane_quat_nlerp(nkw_quat a, nkw_quat b, float t, int generic)
 {
-    float dot = nkw_quat_dot(a, b);
-    nkw_quat v = nkw_nlerp_sum(a, b, t, dot), c = lane_quat_flip(b, dot < 0.0f ? 0x80000000u : 0u);
+    float s = generic ? NKW_NLERP_SCALE - NKW_NLERP_SCALE * t : nkw_nlerp_weight(t);
+    nkw_quat part = nkw_quat_scale(a, s);
+    float dot = nkw_quat_dot(part, b);
+    nkw_quat c = lane_quat_flip(b, (dot < 0.0f) != (s < 0.0f) ? 0x80000000u : 0u);
+    nkw_quat v = nkw_quat_add(part, nkw_quat_scale(c, NKW_NLERP_SCALE * t));
     int is_equal = (a.x == c.x) & (a.y == c.y) & (a.z == c.z) & (a.w == c.w);
     uint32_t kept = generic ? 0u : 0u - (uint32_t)nkw_nlerp_is_kept(is_equal, t, dot);
     uint32_t last = generic ? 0u : 0u - (uint32_t)(t == 1.0f);
@@ -61,10 +64,10 @@ static inline lane_nlerp lane_quat_nlerp(nkw_quat a, nkw_quat b, float t, int ge
     return r;
 }
 
-/* The result of a sum of length n: where n is 1, v as it is. */
+/* The quotient for every length n, the root of n2. */
 static inline nkw_quat lane_nlerp_any(nkw_quat v, float n)
 {
-    return lane_quat_select(n == 1.0f, v, nkw_quat_normalize_any(v, nkw_quat_dot(v, v)));
+    return lane_quat_select(n == 1.0f, v, nkw_quat_normalize_any(v, nkw_quat_dot(v, v), 1.0f));
 }
 
 /*

@@ -253,7 +253,7 @@ static double nlerp_error(const float *x)
     pair_of(x, a, b);
     wide dot = wide_dot(a, b, 4);
     double error = nlerp_error_to(x, dot < 0 ? -1 : 1);
-    return fabsq(dot) < 0x1p-22 ? fmin(error, nlerp_error_to(x, dot < 0 ? 1 : -1)) : error;
+    return fabsq(dot) < 0x1p-21 ? fmin(error, nlerp_error_to(x, dot < 0 ? 1 : -1)) : error;
 }
 
 static double nlerp_ends(const float *x)

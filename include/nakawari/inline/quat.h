@@ -65,11 +65,14 @@ NKW_PART float nkw_quat_unit_error(nkw_quat q)
 }
 
 #if NKW_ROOT
-/* As nkw_vec3_normalize_any; the zero quaternion becomes the identity: its w the root of FLT_MIN. */
-NKW_PART nkw_quat nkw_quat_normalize_any(nkw_quat q, float n2)
+/*
+ * For every n2, that of q times the power of two `usual`. The zero quaternion becomes the identity: its w the root of
+ * FLT_MIN.
+ */
+NKW_PART nkw_quat nkw_quat_normalize_any(nkw_quat q, float n2, float usual)
 {
     NKW_EXACT
-    q = nkw_quat_scale(q, nkw_normal_scale(n2));
+    q = nkw_quat_scale(q, nkw_normal_scale(n2, usual));
     float square = nkw_quat_dot(q, q);
     q.w = square == 0.0f ? 1.0842022e-19f : q.w;
     return nkw_quat_over(q, nkw_sqrt(square + FLT_MIN));
@@ -77,8 +80,9 @@ NKW_PART nkw_quat nkw_quat_normalize_any(nkw_quat q, float n2)
 
 NKW_BODY nkw_quat nkw_quat_normalize(nkw_quat q)
 {
-    float n2 = nkw_quat_dot(q, q);
-    return nkw_is_moderate(n2) ? nkw_quat_over(q, nkw_sqrt(n2)) : nkw_quat_normalize_any(q, n2);
+    nkw_quat p = nkw_quat_scale(q, NKW_NORMAL_SCALE);
+    float n2 = nkw_quat_dot(p, p);
+    return nkw_is_moderate(n2) ? nkw_quat_over(p, nkw_sqrt(n2)) : nkw_quat_normalize_any(q, n2, NKW_NORMAL_SCALE);
 }
 #endif
 

@@ -92,18 +92,19 @@ NKW_BODY float nkw_vec3_length_squared(nkw_vec3 a)
 }
 
 #if NKW_ROOT
-/* For a of any squared length n2, without a branch. FLT_MIN prevents 0 / 0: the zero vector stays zero. */
+/* For every n2, that of a times NKW_NORMAL_SCALE. FLT_MIN prevents 0 / 0: the zero vector stays zero. */
 NKW_PART nkw_vec3 nkw_vec3_normalize_any(nkw_vec3 a, float n2)
 {
     NKW_EXACT
-    a = nkw_vec3_scale(a, nkw_normal_scale(n2));
+    a = nkw_vec3_scale(a, nkw_normal_scale(n2, NKW_NORMAL_SCALE));
     return nkw_vec3_over(a, nkw_sqrt(nkw_vec3_dot(a, a) + FLT_MIN));
 }
 
 NKW_BODY nkw_vec3 nkw_vec3_normalize(nkw_vec3 a)
 {
-    float n2 = nkw_vec3_dot(a, a);
-    return nkw_is_moderate(n2) ? nkw_vec3_over(a, nkw_sqrt(n2)) : nkw_vec3_normalize_any(a, n2);
+    nkw_vec3 b = nkw_vec3_scale(a, NKW_NORMAL_SCALE);
+    float n2 = nkw_vec3_dot(b, b);
+    return nkw_is_moderate(n2) ? nkw_vec3_over(b, nkw_sqrt(n2)) : nkw_vec3_normalize_any(a, n2);
 }
 #endif
 
