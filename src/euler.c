@@ -5,38 +5,51 @@
 
 #include "lane/euler.h"
 #include "lane/mat.h"
+#include "pack/angles.h"
 #include "pack/quat.h"
-#include "pack/sincos.h"
 
-LANE_SELDOM static lane_f64_quat far_rotation(const double half[3], double e)
+/* In binary64, for angles of any size. */
+static lane_f64_quat far_rotation(nkw_vec3 angles, const lane_euler_axes *o)
 {
-    return lane_f64_quat_from_half_angles(half[0], half[1], half[2], e);
-}
-
-static inline lane_f64_quat rotation_of(nkw_vec3 angles, nkw_euler_order order)
-{
-    const lane_euler_axes *o = lane_euler_axes_of(order);
     const float a[3] = {angles.x, angles.y, angles.z};
-    const double half[3] = {0.5 * (double)a[o->i], 0.5 * (double)a[o->j], 0.5 * (double)a[o->k]};
-    double n2 = (half[0] * half[0] + half[1] * half[1]) + half[2] * half[2];
-    lane_f64_quat p =
-        n2 < LANE_NEAR * LANE_NEAR
-            ? lane_f64_quat_from_halves(f64x2_sincos(half[0]), f64x2_sincos(half[1]), f64x2_sincos(half[2]), o->e)
-            : far_rotation(half, o->e);
+    lane_f64_quat p = lane_f64_quat_from_half_angles(0.5 * (double)a[o->i], 0.5 * (double)a[o->j],
+                                                     0.5 * (double)a[o->k], (double)o->e);
     lane_f64_vec3 v = lane_euler_in_place(p.x, p.y, p.z, o);
     lane_f64_quat q = {v.x, v.y, v.z, p.w};
     return q;
 }
 
+LANE_SELDOM static nkw_quat far_quat(nkw_vec3 angles, const lane_euler_axes *o)
+{
+    return lane_quat_from_f64(far_rotation(angles, o));
+}
+
+LANE_SELDOM static nkw_mat3 far_mat3(nkw_vec3 angles, const lane_euler_axes *o)
+{
+    lane_f64_mat3 m = lane_f64_mat3_from_f64_quat(far_rotation(angles, o));
+    return lane_mat3_from_f64(&m, 1.0);
+}
+
 LANE_FLAT nkw_quat nkw_quat_from_euler(nkw_vec3 angles, nkw_euler_order order)
 {
-    return lane_quat_from_f64(rotation_of(angles, order));
+    const lane_euler_axes *o = lane_euler_axes_of(order);
+    const float a[3] = {angles.x, angles.y, angles.z};
+    if (lane_angles_are_far(angles.x, angles.y, angles.z))
+        return far_quat(angles, o);
+    nkw_quat p = lane_quat_from_halves(f32x4_turns(0.5f * a[o->i], 0.5f * a[o->j], 0.5f * a[o->k]), o->e);
+    const float v[3] = {p.x, p.y, p.z};
+    nkw_quat q = {v[o->of[0]], v[o->of[1]], v[o->of[2]], p.w};
+    return q;
 }
 
 LANE_FLAT nkw_mat3 nkw_mat3_from_euler(nkw_vec3 angles, nkw_euler_order order)
 {
-    lane_f64_mat3 m = lane_f64_mat3_from_f64_quat(rotation_of(angles, order));
-    return lane_mat3_from_f64(&m, 1.0);
+    const lane_euler_axes *o = lane_euler_axes_of(order);
+    const float a[3] = {angles.x, angles.y, angles.z};
+    if (lane_angles_are_far(angles.x, angles.y, angles.z))
+        return far_mat3(angles, o);
+    nkw_mat3 m = lane_mat3_from_turns(f32x4_turns(a[o->i], a[o->j], a[o->k]), o->e);
+    return lane_euler_mat3_in_place(&m, o);
 }
 
 /* A length that is far from 1. Zero returns the identity. */

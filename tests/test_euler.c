@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 #include <math.h>
+#include <string.h>
 
 #include "random.h"
 #include "support/expect.h"
@@ -100,6 +101,24 @@ static void rotation_comes_back_at_and_near_the_poles(void **state)
     }
 }
 
+/* The product of the three turns in binary64, rounded once. */
+static nkw_quat rounded_rotation(nkw_vec3 angles, const char *order)
+{
+    double q[4] = {0, 0, 0, 1};
+    for (int k = 0; k < 3; k++) {
+        double half = 0.5 * (double)angle_about(order[k], angles), s = sin(half), c = cos(half);
+        int i = order[k] - 'x', a = (i + 1) % 3, b = (i + 2) % 3;
+        double r[4];
+        r[i] = q[i] * c + q[3] * s;
+        r[a] = q[a] * c + q[b] * s;
+        r[b] = q[b] * c - q[a] * s;
+        r[3] = q[3] * c - q[i] * s;
+        memcpy(q, r, sizeof q);
+    }
+    nkw_quat r = {(float)q[0], (float)q[1], (float)q[2], (float)q[3]};
+    return r;
+}
+
 static void at_the_pole_the_last_angle_is_zero(void **state)
 {
     (void)state;
@@ -108,7 +127,7 @@ static void at_the_pole_the_last_angle_is_zero(void **state)
             nkw_vec3 a = vec(0.5f, 0.5f, 0.5f);
             float *middle = axes[o][1] == 'x' ? &a.x : axes[o][1] == 'y' ? &a.y : &a.z;
             *middle = (float)side * HALF_PI;
-            nkw_vec3 got = nkw_euler_from_quat(nkw_quat_from_euler(a, orders[o]), orders[o]);
+            nkw_vec3 got = nkw_euler_from_quat(rounded_rotation(a, axes[o]), orders[o]);
             expect_bits(angle_about(axes[o][2], got), 0.0f);
             expect_bits(angle_about(axes[o][1], got), (float)side * HALF_PI);
         }

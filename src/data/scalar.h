@@ -81,6 +81,26 @@ static const double LANE_EXP2[10] = {
     0x1.b3dde10b7c4dbp-24,
 };
 
+/* pi/2 = high + middle + low in binary32; high and middle have 11 bits at most. Error of the sum at most 2^-48. */
+#define LANE_HALF_PI_HIGH   0x1.92p0f
+#define LANE_HALF_PI_MIDDLE 0x1.fb4p-12f
+#define LANE_HALF_PI_LOW    0x1.4442d2p-24f
+#define LANE_TWO_OVER_PI    0x1.45f306p-1f
+
+/* sin r = r + r z P(z), z = r^2, |r| <= 0.7864. Relative error 2^-27.8. */
+static const float LANE_SIN32[3] = {
+    -0x1.555546p-3f,
+    0x1.110776p-7f,
+    -0x1.9952c6p-13f,
+};
+
+/* cos r = 1 - z/2 + z^2 P(z), z = r^2, |r| <= 0.7864. Relative error 2^-32.9. */
+static const float LANE_COS32[3] = {
+    0x1.55554ap-5f,
+    -0x1.6c0c28p-10f,
+    0x1.99e81p-16f,
+};
+
 /*
  * Row i: 1/pi for 2^(8i) <= |x| < 2^(8i + 8), without the bits whose product with x is a multiple of 4, as a sum
  * of parts of 29, 29 and 53 bits. Error of the sum at most 2^-(86 + 8i), of x/pi at most 2^-78.

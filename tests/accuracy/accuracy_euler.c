@@ -83,6 +83,14 @@ static void many_turns(random_source *r, float *x)
     }
 }
 
+/* The largest angles that are computed in binary32. */
+static void hundreds_of_turns(random_source *r, float *x)
+{
+    uniform_angles(r, x);
+    for (int i = 0; i < 3; i++)
+        x[i] = random_between(r, -4700.0f, 4700.0f);
+}
+
 static void exact_quat(const float *x, wide q[4])
 {
     wide angles[3];
@@ -279,8 +287,11 @@ static const wide_case cases[] = {
     {"nkw_quat_from_euler", "+-pi", uniform_angles, quat_error, 4, WIDE_CHECKED},
     {"nkw_quat_from_euler", "1e-6 .. 1e-2", small_angles, quat_error, 4, WIDE_CHECKED},
     {"nkw_quat_from_euler", "10 .. 1e30", many_turns, quat_error, 4, WIDE_CHECKED},
+    {"nkw_quat_from_euler", "+-4700", hundreds_of_turns, quat_error, 4, WIDE_CHECKED},
     {"nkw_mat3_from_euler", "+-pi", uniform_angles, mat3_error, 4, WIDE_CHECKED},
     {"nkw_mat3_from_euler", "1e-6 .. 1e-2", small_angles, mat3_error, 4, WIDE_CHECKED},
+    {"nkw_mat3_from_euler", "+-4700", hundreds_of_turns, mat3_error, 4, WIDE_CHECKED},
+    {"nkw_mat3_from_euler", "10 .. 1e30", many_turns, mat3_error, 4, WIDE_CHECKED},
     {TO_QUAT, "uniform rotations", uniform_quat, from_quat_error, 8, WIDE_CHECKED},
     {TO_QUAT, "middle below 80 degrees", below_80_degrees_quat, from_quat_error, 8, WIDE_CHECKED},
     {TO_QUAT, "1e-3 .. 1e-1 from the pole", pole_3_quat, from_quat_error, 8, WIDE_CHECKED},
