@@ -1,0 +1,173 @@
+/* SPDX-License-Identifier: MIT */
+/* Documents of any format: opening, closing, the order of nodes. */
+#include "document.h"
+
+#include <stdint.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "file.h"
+
+void *nkwi_document_take(nkwi_document *document, nkw_import_error *error, const nkwi_place *place, size_t count,
+                         size_t size)
+{
+    void *block = nkwi_take(&document->memory, count, size);
+    if (!block && document->memory.exceeded)
+        nkwi_fail(error, place, NKW_IMPORT_TOO_LARGE,
+                  "%zu elements of %zu bytes: more than a file of %zu bytes may take", count, size,
+                  document->all.bytes);
+    else if (!block)
+        nkwi_fail(error, place, NKW_IMPORT_NO_MEMORY, "no memory for %zu elements of %zu bytes", count, size);
+    return block;
+}
+
+const char *nkwi_document_text(nkwi_document *document, nkw_import_error *error, const char *text)
+{
+    size_t bytes = strlen(text) + 1;
+    char *copy = (char *)nkwi_document_take(document, error, NULL, bytes, 1);
+    return copy ? (const char *)memcpy(copy, text, bytes) : NULL;
+}
+
+const char *nkwi_document_name(nkwi_document *document, nkw_import_error *error, const char *name, const char *kind,
+                               size_t number)
+{
+    char made[64];
+    if (name && *name)
+        return nkwi_document_text(document, error, name);
+    snprintf(made, sizeof made, "%s_%zu", kind, number);
+    return nkwi_document_text(document, error, made);
+}
+
+/* The morph weights of each joint, after those of the joints before it. */
+static int place_weights(nkwi_document *d, nkw_import_error *error, const nkwi_place *place)
+{
+    static const uint32_t most = (uint32_t)1 << 29; /* of nkw_clip_measure */
+    for (size_t j = 0; j < d->all.skeleton.joint_count; j++) {
+        nkw_document_node *node = &d->nodes[j];
+        size_t count = node->mesh == NKW_NO_JOINT ? 0 : d->all.meshes[node->mesh].target_count;
+        const nkwi_place at = {place, NULL, node->number};
+        if (count > most - d->all.float_count)
+            return nkwi_fail(error, &at, NKW_IMPORT_TOO_LARGE, "more than %lu morph weights", (unsigned long)most);
+        node->float_first = (uint32_t)d->all.float_count;
+        node->float_count = (uint32_t)count;
+        d->all.float_count += count;
+    }
+    return 1;
+}
+
+int nkwi_document_nodes(nkwi_document *d, nkw_import_error *error, const nkwi_place *place,
+                        const nkw_document_node *list, const int32_t *node_parents, size_t count)
+{
+    int32_t *maps = (int32_t *)nkwi_document_take(d, error, place, count, 3 * sizeof *maps);
+    d->nodes = (nkw_document_node *)nkwi_document_take(d, error, place, count, sizeof *d->nodes);
+    float *rest = (float *)nkwi_document_take(d, error, place, nkw_pose_floats(count), sizeof *rest);
+    size_t bad;
+    if (!maps || !d->nodes || !rest)
+        return 0;
+    int32_t *joint_of_node = maps, *node_of_joint = maps + count, *parents = maps + 2 * count;
+    nkw_result result = nkw_skeleton_order(node_parents, count, joint_of_node, node_of_joint, parents, &bad);
+    const nkwi_place at = {place, NULL, bad};
+    if (result != NKW_OK) {
+        error->result = result;
+        return nkwi_fail(error, &at, NKW_IMPORT_INVALID, "the node is a descendant of itself, or of such a node");
+    }
+    const nkw_pose_span pose = {rest, count};
+    nkw_pose_identity(pose);
+    for (size_t j = 0; j < count; j++) {
+        d->nodes[j] = list[node_of_joint[j]];
+        nkw_pose_set(pose, j, &d->nodes[j].rest);
+    }
+    d->all.nodes = d->nodes;
+    d->all.joint_of_node = joint_of_node;
+    d->all.skeleton.parents = parents;
+    d->all.skeleton.joint_count = count;
+    d->all.rest = nkw_pose_view_from_span(pose);
+    return place_weights(d, error, place);
+}
+
+static int read_document(nkwi_document *d, const nkw_import_memory *memory, nkw_import_error *error)
+{
+    d->memory.most = NKWI_MEMORY_MOST(memory->bytes);
+    d->all.bytes = memory->bytes;
+    d->all.scene = NKW_NO_JOINT;
+    d->all.file = nkwi_document_text(d, error, memory->file ? memory->file : "");
+    d->all.generator = "";
+    if (!d->all.file)
+        return 0;
+    if (nkwi_gltf_is(memory->data, memory->bytes))
+        return nkwi_gltf_read(d, memory, error);
+    return nkwi_fail(error, NULL, NKW_IMPORT_UNKNOWN, memory->bytes ? "no format that is read" : "the file is empty");
+}
+
+static nkw_import_result open_document(const nkw_import_memory *memory, nkw_document **document,
+                                       nkw_import_error *error)
+{
+    nkwi_document *d = (nkwi_document *)calloc(1, sizeof *d);
+    if (!d)
+        nkwi_fail(error, NULL, NKW_IMPORT_NO_MEMORY, "no memory for a document");
+    else if (!read_document(d, memory, error))
+        nkw_document_close(&d->all);
+    else
+        *document = &d->all;
+    return error->code;
+}
+
+/* The folder of the memory as a reader, where it has no reader. */
+nkw_import_result nkw_document_open_memory(const nkw_import_memory *memory, nkw_document **document,
+                                           nkw_import_error *error)
+{
+    nkw_import_error other;
+    nkw_import_memory from = *memory;
+    char *folder = NULL;
+    error = error ? error : &other;
+    nkwi_fault_none(error, memory->file ? memory->file : "");
+    *document = NULL;
+    if (!memory->reader && memory->folder) {
+        size_t length = strlen(memory->folder);
+        folder = (char *)malloc(length + 2);
+        if (!folder) {
+            nkwi_fail(error, NULL, NKW_IMPORT_NO_MEMORY, "no memory for the name of the folder");
+            return error->code;
+        }
+        memcpy(folder, memory->folder, length + 1);
+        if (length > 0 && folder[length - 1] != '/')
+            memcpy(folder + length, "/", 2);
+        from.reader = nkwi_folder_reader;
+        from.user = folder;
+    }
+    nkw_import_result result = open_document(&from, document, error);
+    free(folder);
+    return result;
+}
+
+nkw_import_result nkw_document_open(const char *path, nkw_document **document, nkw_import_error *error)
+{
+    nkw_import_error other;
+    nkw_import_memory memory = {NULL, 0, path, NULL, nkwi_folder_reader, NULL};
+    void *data;
+    error = error ? error : &other;
+    nkwi_fault_none(error, path);
+    *document = NULL;
+    if (!nkwi_file_read(error, path, &data, &memory.bytes))
+        return error->code;
+    char *folder = nkwi_folder_of(path);
+    memory.data = data;
+    memory.user = folder;
+    if (!folder)
+        nkwi_fail(error, NULL, NKW_IMPORT_NO_MEMORY, "no memory for the name of the folder");
+    else
+        open_document(&memory, document, error);
+    free(folder);
+    free(data);
+    return error->code;
+}
+
+void nkw_document_close(nkw_document *document)
+{
+    nkwi_document *d = (nkwi_document *)(void *)document;
+    if (d) {
+        nkwi_give(&d->memory);
+        free(d);
+    }
+}

@@ -1,0 +1,42 @@
+/* SPDX-License-Identifier: MIT */
+/* A document while it is read. */
+#ifndef NAKAWARI_IMPORT_DOCUMENT_H
+#define NAKAWARI_IMPORT_DOCUMENT_H
+
+#include "fault.h"
+#include "memory.h"
+
+/* What nkw_document_close frees; `all` is the first member, so that a pointer to it is one to the whole. */
+typedef struct nkwi_document {
+    nkw_document all;
+    nkwi_memory memory;
+    nkw_document_node *nodes; /* all.nodes, to be completed */
+} nkwi_document;
+
+/* The bytes that a document of `bytes` of files may take: more than any honest file needs. */
+#define NKWI_MEMORY_MOST(bytes) (((size_t)64 << 20) + ((bytes) < SIZE_MAX / 128 ? 64 * (bytes) : SIZE_MAX / 2))
+
+/* nkwi_take, and the error where there is no memory. */
+void *nkwi_document_take(nkwi_document *document, nkw_import_error *error, const nkwi_place *place, size_t count,
+                         size_t size);
+
+/* A copy of a text. NULL, and the error, where there is no memory. */
+const char *nkwi_document_text(nkwi_document *document, nkw_import_error *error, const char *text);
+
+/* A copy of the name; "KIND_NUMBER" where it is NULL or empty. */
+const char *nkwi_document_name(nkwi_document *document, nkw_import_error *error, const char *name, const char *kind,
+                               size_t number);
+
+/*
+ * The skeleton, the rest pose and the morph weights of `count` nodes. `list` and `node_parents` are in the order of the
+ * file; the nodes of the document are sorted. The skin of a node is that of the file. Places of errors are below
+ * `place`.
+ */
+int nkwi_document_nodes(nkwi_document *document, nkw_import_error *error, const nkwi_place *place,
+                        const nkw_document_node *list, const int32_t *node_parents, size_t count);
+
+/* glTF 2.0 (gltf.c): whether the file is that of its own beginning, and reading it. */
+int nkwi_gltf_is(const void *data, size_t bytes);
+int nkwi_gltf_read(nkwi_document *document, const nkw_import_memory *memory, nkw_import_error *error);
+
+#endif
