@@ -227,6 +227,16 @@ static void join_blocks(clip_block *blocks, size_t count)
 }
 
 /*
+ * Whether the keys of the group, stored as floats so far, take less memory as compact keys. With r rows and k keys a lane
+ * takes 8 r + 2 r k bytes instead of 4 r k, or of 20 k for LINEAR rotations.
+ */
+static int is_smaller_compact(const clip_group *g, size_t keys)
+{
+    size_t rows = g->kind == GROUP_ROTATIONS ? 3 : 1;
+    return (4 + keys) * rows < 2 * keys * clip_key_rows(g);
+}
+
+/*
  * A group: `count` tracks with the same key times. The number of lanes determines the widths of blocks and the size of
  * keys, so the lanes are emitted twice: to a copy of the builder that writes nothing, to count them, then to b.
  */
@@ -243,7 +253,7 @@ static void emit_group(builder *b, uint32_t timeline, const uint32_t *members, s
     g.normalized = clip_is_cubic(first) && clip_is_normalized(first);
     g.lanes = (uint32_t)clip_lanes(emit_lanes(&probe, &g, members, count).count);
     take(b, VALUES, round_up(b->used[VALUES], CLIP_ALIGN) - b->used[VALUES]);
-    if (b->tracks.source->format == NKW_CLIP_UNORM16 && !clip_is_cubic(first)) {
+    if (b->tracks.source->format == NKW_CLIP_UNORM16 && !clip_is_cubic(first) && is_smaller_compact(&g, first->count)) {
         g.ranges = CLIP_ALIGN; /* any value but 0, for clip_rows: the offset follows from the size */
         g.ranges = (uint32_t)take(b, VALUES, round_up(2 * clip_rows(&g) * g.lanes, CLIP_ALIGN));
     }
