@@ -114,7 +114,7 @@ static void slerp_values(const nkw_clip *clip, const clip_group *g, const float 
         for (size_t i = 0; i < block->count; i++) {
             nkw_quat p = {from.x[i], from.y[i], from.z[i], from.w[i]}, q = {to.x[i], to.y[i], to.z[i], to.w[i]};
             nkw_quat r = quat_slerp_keys(p, q, t);
-            float *o = out + block->places[i];
+            float *o = out + (block->contiguous ? block->place + i : block_places(block)[i]);
             o[0] = r.x, o[stride] = r.y, o[2 * stride] = r.z, o[3 * stride] = r.w;
         }
     }

@@ -26,7 +26,7 @@
 #include "clip_tracks.h"
 #include "sizes.h"
 
-typedef enum section { TIMELINES, GROUPS, BLOCKS, RUNS, TIMES, VALUES, SECTIONS } section;
+typedef enum section { TIMELINES, GROUPS, BLOCKS, PLACES, RUNS, TIMES, VALUES, SECTIONS } section;
 
 typedef struct builder {
     clip_tracks tracks;
@@ -56,39 +56,43 @@ static uint64_t round_up(uint64_t n, uint64_t to)
 /* The lanes of one group, in the order in which they are emitted. */
 typedef struct lanes {
     builder *b;
-    size_t expected; /* the sum of the widths of all blocks; unknown until all lanes are counted */
+    size_t expected; /* the sum of the widths of all blocks; 0 until all lanes are counted */
     size_t count, blocks; /* lanes so far; the offset of the first block */
     size_t next, length; /* the place after the last lane; how many lanes up to the last have contiguous places */
+    uint32_t places[CLIP_BLOCK]; /* of the lanes of the last block */
 } lanes;
-
-static clip_block *block_of(const lanes *l, size_t lane)
-{
-    return (clip_block *)(void *)(l->b->words + l->blocks) + lane / CLIP_BLOCK;
-}
 
 static lanes lanes_begin(builder *b, size_t expected)
 {
-    lanes l = {b, expected, 0, (size_t)(b->start[BLOCKS] + b->used[BLOCKS]), 0, 0};
+    lanes l = {b, expected, 0, (size_t)(b->start[BLOCKS] + b->used[BLOCKS]), 0, 0, {0}};
     return l;
 }
 
-/* Adds a lane with the place `to`. Returns its number. A full block whose places are contiguous is marked as such. */
+/* Takes the block that ends with the last lane. It is contiguous if it is full and its places are. */
+static void end_block(lanes *l)
+{
+    size_t count = (l->count - 1) % CLIP_BLOCK + 1, left = l->expected - (l->count - count);
+    size_t width = left < CLIP_BLOCK ? left : CLIP_BLOCK, at = take(l->b, BLOCKS, sizeof(clip_block) / 4);
+    int is_contiguous = count == width && l->length >= count;
+    size_t places = is_contiguous ? 0 : take(l->b, PLACES, count);
+    if (!l->b->words)
+        return;
+    clip_block block = {(uint32_t)width, (uint32_t)count, (uint32_t)(is_contiguous ? width : 0),
+                        is_contiguous ? l->places[0] : (uint32_t)(places - at)};
+    memcpy(l->b->words + at, &block, sizeof block);
+    if (!is_contiguous)
+        memcpy(l->b->words + places, l->places, count * sizeof *l->places);
+}
+
+/* Adds a lane with the place `to`. Returns its number. */
 static size_t add_lane(lanes *l, size_t to)
 {
-    size_t i = l->count % CLIP_BLOCK;
     l->length = l->count > 0 && to == l->next ? l->length + 1 : 1;
     l->next = to + 1;
-    if (i == 0)
-        take(l->b, BLOCKS, sizeof(clip_block) / 4);
-    if (l->b->words) {
-        clip_block *block = block_of(l, l->count);
-        size_t left = l->expected - (l->count - i);
-        block->width = (uint32_t)(left < CLIP_BLOCK ? left : CLIP_BLOCK);
-        block->places[i] = (uint32_t)to;
-        block->count = (uint32_t)i + 1;
-        block->contiguous = block->count == block->width && l->length >= block->count ? block->width : 0;
-    }
-    return l->count++;
+    l->places[l->count % CLIP_BLOCK] = (uint32_t)to;
+    if (++l->count % CLIP_BLOCK == 0)
+        end_block(l);
+    return l->count - 1;
 }
 
 /*
@@ -197,6 +201,8 @@ static lanes emit_lanes(builder *b, const clip_group *g, const uint32_t *members
                 add_padding(&l, target == NKW_CLIP_ROTATION);
         }
     }
+    if (l.count % CLIP_BLOCK != 0)
+        end_block(&l);
     return l;
 }
 
@@ -221,8 +227,7 @@ static void emit_timeline(builder *b, const nkw_track *t)
 static void join_blocks(clip_block *blocks, size_t count)
 {
     for (size_t i = count; i-- > 1;)
-        if (blocks[i - 1].contiguous && blocks[i].contiguous &&
-            blocks[i].places[0] == blocks[i - 1].places[0] + CLIP_BLOCK)
+        if (blocks[i - 1].contiguous && blocks[i].contiguous && blocks[i].place == blocks[i - 1].place + CLIP_BLOCK)
             blocks[i - 1].contiguous += blocks[i].contiguous;
 }
 

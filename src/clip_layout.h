@@ -6,7 +6,8 @@
  *     header       nkw_clip         15      1
  *     timelines    clip_timeline     4      timeline_count
  *     groups       clip_group       10      group_count
- *     blocks       clip_block       19      (lanes + 15) / 16 of each group
+ *     blocks       clip_block        4      (lanes + 15) / 16 of each group
+ *     places       uint32_t          1      count of each block that is not contiguous
  *     runs         clip_run          3      constant_count, then float_constant_count
  *     times        float             1      count of each timeline; then its modes, if any, a word each
  *     values       float, uint16_t          constants; of each group its ranges, if any, and its keys

@@ -16,7 +16,8 @@
  *     values of a run                                check_constants
  *
  *     writes                                         bounded by
- *     places[i]; places[0]..places[0] + contiguous   check_blocks: less than output_limit
+ *     places[i]                                      check_places: less than output_limit
+ *     place..place + contiguous                      check_blocks: at most output_limit
  *     to..to + count - 1 of a run                    check_constants: at most output_limit
  *
  * The search accepts any finite ascending times. A mode of a segment that the group does not store would read rows that
@@ -64,6 +65,18 @@ static uint64_t output_limit(const nkw_clip *clip, uint32_t kind)
     return kind == GROUP_FLOATS ? clip->floats : kind == GROUP_ROTATIONS ? stride : 10 * stride;
 }
 
+/* Whether the places of block i are inside the clip, and each is less than the limit. */
+static int check_places(checker *o, const clip_group *g, uint32_t i, uint64_t limit)
+{
+    const clip_block *b = clip_blocks(o->clip, g) + i;
+    if (!fits(o, g->blocks + (uint64_t)i * (sizeof *b / 4) + b->place, b->count, 1))
+        return 0;
+    for (uint32_t k = 0; k < b->count; k++)
+        if (block_places(b)[k] >= limit)
+            return 0;
+    return 1;
+}
+
 /*
  * All blocks have width 16, except the last. All places, also those of contiguous lanes, are less than the limit.
  * Contiguous lanes end with a block: at a multiple of 16, or with the group.
@@ -81,11 +94,9 @@ static nkw_result check_blocks(checker *o, const clip_group *g)
             return NKW_OUT_OF_RANGE;
         int is_run =
             b->contiguous <= g->lanes - lanes && (b->contiguous % CLIP_BLOCK == 0 || lanes + b->contiguous == g->lanes);
-        if (b->count > b->width || !is_run || (b->contiguous && (uint64_t)b->places[0] + b->contiguous > limit))
+        if (b->count > b->width || !is_run || (b->contiguous && (uint64_t)b->place + b->contiguous > limit) ||
+            (!b->contiguous && !check_places(o, g, i, limit)))
             return NKW_OUT_OF_RANGE;
-        for (uint32_t k = 0; k < b->count; k++)
-            if (b->places[k] >= limit)
-                return NKW_OUT_OF_RANGE;
         lanes += b->width;
         add_written(o, g->kind, b->count);
     }

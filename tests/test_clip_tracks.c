@@ -270,6 +270,31 @@ static void compact_keys_take_half_the_room_and_less(void **state)
     assert_true(2 * compact < floats);
 }
 
+/* Tracks of few keys: 40 joints take no more memory as a compact clip, and not much more than their keys. */
+static void few_keys_do_not_grow(void **state)
+{
+    (void)state;
+    random_source r = random_from(42);
+    random_clip_draw(&r, RANDOM_CLIP_JOINTS, 0, &drawn);
+    for (size_t keys = 2; keys < 8; keys++) {
+        size_t floats, compact, raw = 4 * keys * (1 + 10 * RANDOM_CLIP_JOINTS);
+        for (size_t i = 0; i < drawn.source.track_count; i++)
+            drawn.tracks[i].track.count = keys;
+        drawn.source.format = NKW_CLIP_FLOAT32;
+        free(build(&drawn.source, &floats));
+        drawn.source.format = NKW_CLIP_UNORM16;
+        nkw_clip *clip = build(&drawn.source, &compact);
+        assert_true(compact <= floats && compact < raw + raw / 2);
+        assert_true(keys < 5 || compact < raw + raw / 8);
+        float got[NKW_POSE_FLOATS(RANDOM_CLIP_JOINTS)], want[NKW_POSE_FLOATS(RANDOM_CLIP_JOINTS)], none[1];
+        random_clip_sample(&drawn, 0.01f, want, none);
+        nkw_clip_sample(clip, 0.01f, NULL, pose_span(got, RANDOM_CLIP_JOINTS), NULL);
+        for (size_t j = 0; keys < 5 && j < RANDOM_CLIP_JOINTS; j++)
+            expect_bits(got[j], want[j]);
+        free(clip);
+    }
+}
+
 static void a_clip_that_lasts_longer_is_compared_while_the_tracks_last(void **state)
 {
     (void)state;
@@ -402,6 +427,7 @@ int main(void)
         cmocka_unit_test(the_first_that_repeats_is_named),
         cmocka_unit_test(floats_that_overlap_are_refused),
         cmocka_unit_test(compact_keys_take_half_the_room_and_less),
+        cmocka_unit_test(few_keys_do_not_grow),
         cmocka_unit_test(a_clip_that_lasts_longer_is_compared_while_the_tracks_last),
         cmocka_unit_test(compact_steps_hold_their_key),
         cmocka_unit_test(a_cache_keeps_the_bits),

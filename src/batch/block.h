@@ -17,15 +17,21 @@
  *
  * width       lanes in each row of a key: 16; 4, 8 or 16 in the last block of a group
  * count       lanes that are written, at most width. The others are padding: computed, but not written.
- * contiguous  0: lane i is written to places[i], one by one. Otherwise the number of lanes, from lane 0 of this block
- *             on, whose places are places[0], places[0] + 1, places[0] + 2 ...: they are written by vector stores. They
- *             are those of this block, and possibly of following blocks, always of whole blocks.
- * places      of each lane: its float in the component of the output
+ * contiguous  0: lane i is written to the place block_places(block)[i], one by one. Otherwise the number of lanes, from
+ *             lane 0 of this block on, whose places are place, place + 1, place + 2 ...: they are written by vector
+ *             stores. They are those of this block, and possibly of following blocks, always of whole blocks.
+ * place       of lane 0 if contiguous: its float in the component of the output; otherwise the distance from this block
+ *             to the places of its lanes, in words
  */
 typedef struct clip_block {
-    uint32_t width, count, contiguous;
-    uint32_t places[CLIP_BLOCK];
+    uint32_t width, count, contiguous, place;
 } clip_block;
+
+/* The places of the lanes of a block that is not contiguous. */
+static inline const uint32_t *block_places(const clip_block *block)
+{
+    return (const uint32_t *)(const void *)block + block->place;
+}
 
 /* The rows x, y, z, w at x, at a distance of `width` floats. */
 static inline nkw_quat_view block_rows(const float *x, size_t width)

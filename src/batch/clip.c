@@ -5,7 +5,7 @@
  * A loop computes the lanes of one or more blocks row by row, either into the output, if their places are contiguous,
  * or into a buffer on the stack, which is then scattered:
  *
- *     contiguous    key rows -> vector computation -> out + places[0]
+ *     contiguous    key rows -> vector computation -> out + place
  *     otherwise     key rows -> vector computation -> buffer -> out[places[i]], i < count
  *
  * Numbers: out is the output. Rotations: component c of the output is at out + c * stride.
@@ -70,8 +70,8 @@ NKW_ALWAYS_INLINE void lerp_blocks(const float *a, const float *b, float t, int 
         float buffer[CLIP_SCATTER_BLOCKS * CLIP_BLOCK];
         int contiguous = blocks[k].contiguous > 0;
         lanes = lanes_together(blocks + k, block_count - k);
-        lerp_contiguous(a + k * CLIP_BLOCK, b + k * CLIP_BLOCK, t, first,
-                        contiguous ? out + blocks[k].places[0] : buffer, lanes);
+        lerp_contiguous(a + k * CLIP_BLOCK, b + k * CLIP_BLOCK, t, first, contiguous ? out + blocks[k].place : buffer,
+                        lanes);
         if (!contiguous)
             scatter_numbers(blocks + k, buffer, out, lanes);
     }
@@ -129,7 +129,7 @@ NKW_ALWAYS_INLINE void slerp_blocks(const float *a, const float *b, lane_slerp_t
         float buffer[4 * CLIP_BLOCK];
         int contiguous = blocks[k].contiguous > 0;
         lanes = contiguous ? blocks[k].contiguous : blocks[k].width;
-        slerp_contiguous(a + from, b + from, &p, contiguous ? out + blocks[k].places[0] : buffer,
+        slerp_contiguous(a + from, b + from, &p, contiguous ? out + blocks[k].place : buffer,
                          contiguous ? stride : CLIP_BLOCK, lanes);
         if (!contiguous)
             scatter(&blocks[k], buffer, CLIP_BLOCK, out, stride);
@@ -176,7 +176,7 @@ NKW_LOOP(nkwi_clip_lerp16)
         int contiguous = blocks[k].contiguous > 0;
         float buffer[CLIP_SCATTER_BLOCKS * CLIP_BLOCK];
         lanes = lanes_together(blocks + k, block_count - k);
-        lerp16_lanes(a + at, b + at, base + at, step + at, t, contiguous ? out + blocks[k].places[0] : buffer, lanes);
+        lerp16_lanes(a + at, b + at, base + at, step + at, t, contiguous ? out + blocks[k].place : buffer, lanes);
         if (!contiguous)
             scatter_numbers(blocks + k, buffer, out, lanes);
     }
@@ -290,7 +290,7 @@ NKW_LOOP(nkwi_clip_kept_lerp16)
         float buffer[CLIP_SCATTER_BLOCKS * CLIP_BLOCK];
         lanes = lanes_together(blocks + k, block_count - k);
         kept_lerp16_lanes(kept + at, kept + n + at, base + at, step + at, t,
-                          contiguous ? out + blocks[k].places[0] : buffer, lanes);
+                          contiguous ? out + blocks[k].place : buffer, lanes);
         if (!contiguous)
             scatter_numbers(blocks + k, buffer, out, lanes);
     }
@@ -339,7 +339,7 @@ NKW_LOOP(nkwi_clip_kept_slerp16)
     for (size_t k = 0; k < block_count; k++, kept += CLIP_KEPT_ROWS * CLIP_BLOCK) {
         float buffer[4 * CLIP_BLOCK];
         const int contiguous = blocks[k].contiguous > 0;
-        float *to = contiguous ? out + blocks[k].places[0] : buffer;
+        float *to = contiguous ? out + blocks[k].place : buffer;
         const size_t to_stride = contiguous ? stride : CLIP_BLOCK;
         if (blocks[k].width == CLIP_BLOCK)
             kept_slerp16_block(kept, &series, to, to_stride, CLIP_BLOCK);
@@ -387,7 +387,7 @@ NKW_LOOP(nkwi_clip_hermite)
         size_t at = k * CLIP_BLOCK;
         int contiguous = blocks[k].contiguous > 0;
         lanes = lanes_together(blocks + k, block_count - k);
-        hermite_lanes(a + at, b + at, words, duration, t, contiguous ? out + blocks[k].places[0] : buffer, lanes);
+        hermite_lanes(a + at, b + at, words, duration, t, contiguous ? out + blocks[k].place : buffer, lanes);
         if (!contiguous)
             scatter_numbers(blocks + k, buffer, out, lanes);
     }
@@ -420,7 +420,7 @@ NKW_LOOP(nkwi_clip_quat_hermite)
     for (size_t k = 0; k < block_count; k++, a += 4 * CLIP_BLOCK, b += 4 * CLIP_BLOCK) {
         float buffer[4 * CLIP_BLOCK];
         int contiguous = blocks[k].contiguous > 0;
-        float *o = contiguous ? out + blocks[k].places[0] : buffer;
+        float *o = contiguous ? out + blocks[k].place : buffer;
         size_t out_stride = contiguous ? stride : CLIP_BLOCK;
         if (blocks[k].width == CLIP_BLOCK)
             quat_hermite_block(a, b, words, duration, t, o, out_stride, CLIP_BLOCK);
@@ -444,9 +444,9 @@ static inline void place(const clip_block *block, const float *from, float *out,
     if (!block->contiguous)
         scatter(block, from, width, out, stride);
     else if (width == CLIP_BLOCK)
-        copy_rows(from, out + block->places[0], stride, CLIP_BLOCK);
+        copy_rows(from, out + block->place, stride, CLIP_BLOCK);
     else
-        copy_rows(from, out + block->places[0], stride, width);
+        copy_rows(from, out + block->place, stride, width);
 }
 
 /* Copies the values of a key to their places. */
@@ -455,7 +455,7 @@ NKW_LOOP(nkwi_clip_hold)(const float *key, const clip_block *blocks, size_t bloc
     for (size_t k = 0, lanes; k < block_count; k += blocks_in(lanes)) {
         lanes = lanes_together(blocks + k, block_count - k);
         if (blocks[k].contiguous)
-            memcpy(out + blocks[k].places[0], key + k * CLIP_BLOCK, lanes * sizeof *out);
+            memcpy(out + blocks[k].place, key + k * CLIP_BLOCK, lanes * sizeof *out);
         else
             scatter_numbers(blocks + k, key + k * CLIP_BLOCK, out, lanes);
     }

@@ -89,8 +89,7 @@ NKW_ALWAYS_INLINE void slerp16_to(const pairs16 *p, const lane_compact_series *s
 {
     float buffer[4 * CLIP_BLOCK];
     const int contiguous = block->contiguous > 0;
-    slerp16(p, series, at, contiguous ? out + block->places[0] : buffer, contiguous ? stride : CLIP_BLOCK,
-            block->width);
+    slerp16(p, series, at, contiguous ? out + block->place : buffer, contiguous ? stride : CLIP_BLOCK, block->width);
     if (!contiguous)
         scatter(block, buffer, CLIP_BLOCK, out, stride);
 }

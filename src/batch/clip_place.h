@@ -14,7 +14,7 @@
 /* Copies rotations in rows at a distance of from_stride floats to their places; two neighbouring lanes at a time. */
 static inline void scatter(const clip_block *block, const float *from, size_t from_stride, float *out, size_t stride)
 {
-    const uint32_t *places = block->places;
+    const uint32_t *places = block_places(block);
     size_t i = 0;
     for (; i + 1 < block->count; i += 2) {
         float *to = out + places[i];
@@ -56,9 +56,9 @@ static inline void scatter_numbers(const clip_block *blocks, const float *from, 
 {
     for (size_t k = 0; k < blocks_in(lanes); k++, from += CLIP_BLOCK)
         if (blocks[k].count == CLIP_BLOCK)
-            scatter_count(blocks[k].places, from, out, CLIP_BLOCK);
+            scatter_count(block_places(&blocks[k]), from, out, CLIP_BLOCK);
         else
-            scatter_count(blocks[k].places, from, out, blocks[k].count);
+            scatter_count(block_places(&blocks[k]), from, out, blocks[k].count);
 }
 
 #endif
