@@ -150,12 +150,6 @@ static inline double lane_sqrt64(double x)
     return lane_sqrt64_near(lane_root_mantissa(x)) * scale;
 }
 
-/* Where the two of them are the same, bit for bit, for single calls: all their numbers differ by powers of two. */
-static inline int lane_root_is_near(double x)
-{
-    return x > 0x1p-100 && x < 0x1p100;
-}
-
 /* An angle as n + t half turns: |t| <= 1/2 + 2^-10. */
 typedef struct lane_turns {
     double t;
