@@ -9,6 +9,7 @@
 #include "batch/clip.h"
 #include "clip_cache.h"
 #include "clip_layout.h"
+#include "clip_packed.h"
 #include "lane/orient.h"
 #include "pack/slerp.h"
 
@@ -145,6 +146,23 @@ static void compact(const nkw_clip *clip, const clip_group *g, const uint16_t *a
         nkwi_clip_lerp16(a, b, base, step, t, blocks, g->block_count, out);
 }
 
+/* Lerp or slerp between the packed keys k and k + 1 of `count` keys, or the value of one of them at its time. */
+static void packed(const nkw_clip *clip, const clip_group *g, uint32_t count, uint32_t k, float t, float *out,
+                   size_t stride)
+{
+    const packed_at p = packed_at_key(clip, g, count, k);
+    const clip_block *blocks = clip_blocks(clip, g);
+    const int held = t == 0.0f ? 1 : t == 1.0f ? 2 : 0;
+    float kept[CLIP_KEPT_ROWS * (PACKED_SLOTS / 3 + CLIP_BLOCK)];
+    if (g->kind == GROUP_ROTATIONS) {
+        nkwi_clip_keep_packed_rotations(&p, held, blocks, g->block_count, kept);
+        nkwi_clip_kept_slerp16(kept, held ? 0.0f : t, blocks, g->block_count, out, stride);
+    } else {
+        nkwi_clip_keep_packed(&p, held, kept);
+        nkwi_clip_kept_lerp16(kept, p.numbers, p.base, p.step, held ? 0.0f : t, blocks, g->block_count, out);
+    }
+}
+
 /*
  * One group at one segment: the cases of nkw_track_sample_segment, in the same order.
  *
@@ -160,6 +178,10 @@ static void sample_group(const nkw_clip *clip, const clip_group *g, const clip_t
                          float *out, size_t stride)
 {
     size_t last = line->count - 1, k = at.index < last ? at.index : last;
+    if (g->packed) { /* at least two keys, so at.index < last */
+        packed(clip, g, line->count, (uint32_t)at.index, at.t, out, stride);
+        return;
+    }
     const float *times = clip_floats(clip, line->times);
     const uint32_t *a = clip_words(clip) + g->keys + k * g->key_words;
     uint32_t mode = line->modes ? clip_words(clip)[line->modes + k] : g->interpolation;

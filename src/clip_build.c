@@ -23,6 +23,7 @@
 
 #include "clip_keys.h"
 #include "clip_layout.h"
+#include "clip_packed.h"
 #include "clip_tracks.h"
 #include "sizes.h"
 
@@ -60,11 +61,12 @@ typedef struct lanes {
     size_t count, blocks; /* lanes so far; the offset of the first block */
     size_t next, length; /* the place after the last lane; how many lanes up to the last have contiguous places */
     uint32_t places[CLIP_BLOCK]; /* of the lanes of the last block */
+    packed_lanes *packed; /* receives the tracks of the lanes of a packed group; otherwise NULL */
 } lanes;
 
-static lanes lanes_begin(builder *b, size_t expected)
+static lanes lanes_begin(builder *b, size_t expected, packed_lanes *packed)
 {
-    lanes l = {b, expected, 0, (size_t)(b->start[BLOCKS] + b->used[BLOCKS]), 0, 0, {0}};
+    lanes l = {b, expected, 0, (size_t)(b->start[BLOCKS] + b->used[BLOCKS]), 0, 0, {0}, packed};
     return l;
 }
 
@@ -131,6 +133,11 @@ static void emit_track(lanes *l, const clip_group *g, const nkw_clip_track *c, s
     size_t first = is_rotation || floats ? 0 : pass, end = floats ? c->track.width : first + 1;
     for (size_t component = first; component < end; component++) {
         size_t lane = add_lane(l, place_of(l->b, c->target, c->index, component));
+        if (l->packed) {
+            if (lane < PACKED_SLOTS)
+                l->packed->track[lane] = c, l->packed->component[lane] = (uint32_t)component;
+            continue;
+        }
         if (l->b->words && g->ranges)
             nkwi_clip_fill_compact(l->b->words, g, c, component, lane);
         for (size_t row = 0; l->b->words && !g->ranges && row < (is_rotation ? 4u : 1u); row++)
@@ -180,9 +187,9 @@ static void emit_gap(lanes *l, const clip_group *g, const nkw_clip_track *c, siz
  *
  *     translation x of all joints, y of all, z of all; rotations; scale x, y, z; floats
  */
-static lanes emit_lanes(builder *b, const clip_group *g, const uint32_t *members, size_t count)
+static lanes emit_lanes(builder *b, const clip_group *g, const uint32_t *members, size_t count, packed_lanes *packed)
 {
-    lanes l = lanes_begin(b, g->lanes);
+    lanes l = lanes_begin(b, g->lanes, packed);
     for (int target = NKW_CLIP_TRANSLATION; target <= NKW_CLIP_FLOATS; target++) {
         int in_passes = target == NKW_CLIP_TRANSLATION || target == NKW_CLIP_SCALE;
         for (size_t pass = 0; pass < (in_passes ? 3u : 1u); pass++) {
@@ -241,11 +248,29 @@ static int is_smaller_compact(const clip_group *g, size_t keys)
     return (4 + keys) * rows < 2 * keys * clip_key_rows(g);
 }
 
+/* The words of the ranges and keys of a group; then the keys of a packed group, of the tracks of `packed`. */
+static void take_keys(builder *b, clip_group *g, const packed_lanes *packed, size_t key_count)
+{
+    const nkw_clip_source *s = b->tracks.source;
+    take(b, VALUES, round_up(b->used[VALUES], CLIP_ALIGN) - b->used[VALUES]);
+    if (packed || (s->format == NKW_CLIP_UNORM16 && g->interpolation != NKW_INTERPOLATION_CUBICSPLINE &&
+                   is_smaller_compact(g, key_count))) {
+        g->ranges = CLIP_ALIGN; /* any value but 0, for clip_rows: the offset follows from the size */
+        g->ranges = (uint32_t)take(b, VALUES, round_up(2 * clip_rows(g) * g->lanes, CLIP_ALIGN));
+    }
+    g->packed = packed != NULL;
+    g->key_words = packed ? 0 : (uint32_t)clip_key_words(g);
+    g->keys = (uint32_t)take(b, VALUES, (uint64_t)g->key_words * key_count);
+    if (packed)
+        take(b, VALUES, nkwi_packed_fill(b->words, g, packed, s->tracks, b->tracks.packing));
+}
+
 /*
  * A group: `count` tracks with the same key times. The number of lanes determines the widths of blocks and the size of
  * keys, so the lanes are emitted twice: to a copy of the builder that writes nothing, to count them, then to b.
+ * packed: NULL, or cleared.
  */
-static void emit_group(builder *b, uint32_t timeline, const uint32_t *members, size_t count)
+static void emit_group(builder *b, uint32_t timeline, const uint32_t *members, size_t count, packed_lanes *packed)
 {
     const nkw_track *first = &b->tracks.source->tracks[members[0]].track;
     clip_group g;
@@ -256,15 +281,9 @@ static void emit_group(builder *b, uint32_t timeline, const uint32_t *members, s
     g.kind = clip_kind_of(&b->tracks.source->tracks[members[0]]);
     g.interpolation = clip_interpolation_of(first);
     g.normalized = clip_is_cubic(first) && clip_is_normalized(first);
-    g.lanes = (uint32_t)clip_lanes(emit_lanes(&probe, &g, members, count).count);
-    take(b, VALUES, round_up(b->used[VALUES], CLIP_ALIGN) - b->used[VALUES]);
-    if (b->tracks.source->format == NKW_CLIP_UNORM16 && !clip_is_cubic(first) && is_smaller_compact(&g, first->count)) {
-        g.ranges = CLIP_ALIGN; /* any value but 0, for clip_rows: the offset follows from the size */
-        g.ranges = (uint32_t)take(b, VALUES, round_up(2 * clip_rows(&g) * g.lanes, CLIP_ALIGN));
-    }
-    g.key_words = (uint32_t)clip_key_words(&g);
-    g.keys = (uint32_t)take(b, VALUES, (uint64_t)g.key_words * first->count);
-    lanes l = emit_lanes(b, &g, members, count);
+    g.lanes = (uint32_t)clip_lanes(emit_lanes(&probe, &g, members, count, packed).count);
+    take_keys(b, &g, packed, first->count);
+    lanes l = emit_lanes(b, &g, members, count, packed);
     size_t at = take(b, GROUPS, sizeof g / 4);
     g.blocks = (uint32_t)l.blocks;
     g.block_count = (uint32_t)round_up(l.count, CLIP_BLOCK) / CLIP_BLOCK;
@@ -276,6 +295,33 @@ static void emit_group(builder *b, uint32_t timeline, const uint32_t *members, s
     memcpy(b->words + at, &g, sizeof g);
 }
 
+/* Whether `count` members have at most PACKED_SLOTS numbers, with all padding. */
+static int fits_packed(const builder *b, const uint32_t *members, size_t count)
+{
+    builder probe = *b;
+    packed_lanes ignored;
+    clip_group g;
+    memset(&g, 0, sizeof g);
+    probe.words = NULL;
+    size_t rows = b->tracks.source->tracks[members[0]].target == NKW_CLIP_ROTATION ? 3 : 1;
+    return rows * clip_lanes(emit_lanes(&probe, &g, members, count, &ignored).count) <= PACKED_SLOTS;
+}
+
+/* Groups of as many members as a packed group may have. */
+static void emit_packed_groups(builder *b, uint32_t timeline, const uint32_t *members, size_t count)
+{
+    while (count > 0) {
+        size_t n = count < PACKED_SLOTS / 3 ? count : PACKED_SLOTS / 3;
+        packed_lanes packed;
+        memset(&packed, 0, sizeof packed);
+        while (n > 1 && !fits_packed(b, members, n))
+            n--;
+        emit_group(b, timeline, members, n, &packed);
+        members += n;
+        count -= n;
+    }
+}
+
 /* A group is a range of by_group with equal timeline and equal nkwi_clip_tracks_group. Constant tracks are last. */
 static void emit_groups(builder *b)
 {
@@ -285,13 +331,16 @@ static void emit_groups(builder *b)
     for (uint32_t lines = 0; from < count && t->timeline[t->by_group[from]] != CLIP_CONSTANT; from = to) {
         uint32_t first = t->by_group[from], line = t->timeline[first];
         while (to < count && t->timeline[t->by_group[to]] == line &&
-               nkwi_clip_tracks_group(&tracks[t->by_group[to]]) == nkwi_clip_tracks_group(&tracks[first]))
+               nkwi_clip_tracks_group(t, &tracks[t->by_group[to]]) == nkwi_clip_tracks_group(t, &tracks[first]))
             to++;
         if (from == 0 || t->timeline[t->by_group[from - 1]] != line) {
             emit_timeline(b, &tracks[first].track);
             lines++;
         }
-        emit_group(b, lines - 1, t->by_group + from, to - from);
+        if (nkwi_clip_tracks_is_packed(t, &tracks[first]))
+            emit_packed_groups(b, lines - 1, t->by_group + from, to - from);
+        else
+            emit_group(b, lines - 1, t->by_group + from, to - from, NULL);
     }
 }
 
@@ -419,12 +468,12 @@ static void emit_clip(builder *b)
  * Pass 1: measures all sections, then sets their starts in the order of the enumeration. Leaves `used` at 0 for pass 2.
  * A block must have less than 2^32 - 1 words and fit size_t bytes.
  */
-static nkw_result plan(builder *b, const nkw_clip_source *source, size_t *bytes, size_t *bad, uint32_t *work,
-                       size_t work_count)
+static nkw_result plan(builder *b, const nkw_clip_source *source, const clip_packing *packing, size_t *bytes,
+                       size_t *bad, uint32_t *work, size_t work_count)
 {
     memset(b, 0, sizeof *b);
     b->start[VALUES] = CLIP_ALIGN; /* any value but 0: an offset 0 of ranges means that there are none */
-    nkw_result result = nkwi_clip_tracks_order(source, &b->tracks, bad, work, work_count);
+    nkw_result result = nkwi_clip_tracks_order(source, packing, &b->tracks, bad, work, work_count);
     if (result != NKW_OK)
         return result;
     emit_clip(b);
@@ -443,17 +492,23 @@ static nkw_result plan(builder *b, const nkw_clip_source *source, size_t *bytes,
 nkw_result nkw_clip_measure(const nkw_clip_source *source, size_t *bytes, size_t *bad_track, uint32_t *work,
                             size_t work_count)
 {
-    builder b;
-    size_t bad = 0;
-    return plan(&b, source, bytes, bad_track ? bad_track : &bad, work, work_count);
+    return nkwi_clip_measure(source, NULL, bytes, bad_track, work, work_count);
 }
 
-nkw_result nkw_clip_build(const nkw_clip_source *source, void *block, size_t bytes, size_t *bad_track, uint32_t *work,
-                          size_t work_count)
+nkw_result nkwi_clip_measure(const nkw_clip_source *source, const clip_packing *packing, size_t *bytes,
+                             size_t *bad_track, uint32_t *work, size_t work_count)
+{
+    builder b;
+    size_t bad = 0;
+    return plan(&b, source, packing, bytes, bad_track ? bad_track : &bad, work, work_count);
+}
+
+nkw_result nkwi_clip_build(const nkw_clip_source *source, const clip_packing *packing, void *block, size_t bytes,
+                           size_t *bad_track, uint32_t *work, size_t work_count)
 {
     builder b;
     size_t bad = 0, needed = 0;
-    nkw_result result = plan(&b, source, &needed, bad_track ? bad_track : &bad, work, work_count);
+    nkw_result result = plan(&b, source, packing, &needed, bad_track ? bad_track : &bad, work, work_count);
     if (result != NKW_OK)
         return result;
     if (bytes < needed)
@@ -462,4 +517,10 @@ nkw_result nkw_clip_build(const nkw_clip_source *source, void *block, size_t byt
     b.words = (uint32_t *)block;
     emit_clip(&b);
     return NKW_OK;
+}
+
+nkw_result nkw_clip_build(const nkw_clip_source *source, void *block, size_t bytes, size_t *bad_track, uint32_t *work,
+                          size_t work_count)
+{
+    return nkwi_clip_build(source, NULL, block, bytes, bad_track, work, work_count);
 }

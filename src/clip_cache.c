@@ -5,6 +5,7 @@
 
 #include "batch/clip.h"
 #include "clip_cache.h"
+#include "clip_packed.h"
 
 size_t nkwi_clip_kept_floats(const clip_group *g)
 {
@@ -20,28 +21,42 @@ size_t nkw_clip_cache_bytes(const nkw_clip *clip)
     return words > SIZE_MAX / 4 ? SIZE_MAX : (size_t)words * 4;
 }
 
+/* Computes what is kept of the keys k and k + 1. */
+static void keep(const nkw_clip *clip, const clip_group *g, size_t k, float *kept)
+{
+    const clip_block *blocks = clip_blocks(clip, g);
+    const float *base = clip_floats(clip, g->ranges), *step = base + clip_rows(g) * g->lanes;
+    const uint16_t *a = (const uint16_t *)(const void *)(clip_words(clip) + g->keys + k * g->key_words);
+    const uint16_t *b = a + 2 * g->key_words;
+    if (g->packed) {
+        const packed_at p = packed_at_key(clip, g, clip_timelines(clip)[g->timeline].count, (uint32_t)k);
+        if (g->kind == GROUP_ROTATIONS)
+            nkwi_clip_keep_packed_rotations(&p, 0, blocks, g->block_count, kept);
+        else
+            nkwi_clip_keep_packed(&p, 0, kept);
+    } else if (g->kind == GROUP_ROTATIONS) {
+        nkwi_clip_keep_slerp16(a, b, base, step, blocks, g->block_count, kept);
+    } else {
+        nkwi_clip_keep_lerp16(a, b, kept, g->lanes);
+    }
+}
+
 int nkwi_clip_sample_kept(const nkw_clip *clip, const clip_group *g, nkw_segment at, uint32_t *segment, float *kept,
                           float *out, size_t stride)
 {
     const clip_timeline *line = clip_timelines(clip) + g->timeline;
-    const uint32_t *words = clip_words(clip);
     const clip_block *blocks = clip_blocks(clip, g);
     const float *base = clip_floats(clip, g->ranges), *step = base + clip_rows(g) * g->lanes;
     size_t k = at.index;
-    uint32_t mode = line->modes ? words[line->modes + k] : g->interpolation;
+    uint32_t mode = line->modes ? clip_words(clip)[line->modes + k] : g->interpolation;
     if (k + 1 >= line->count || at.t == 0.0f || at.t == 1.0f || mode != NKW_INTERPOLATION_LINEAR)
         return 0;
-    const uint16_t *a = (const uint16_t *)(const void *)(words + g->keys + k * g->key_words), *b = a + 2 * g->key_words;
-    int is_new = *segment != (uint32_t)k + 1;
+    if (*segment != (uint32_t)k + 1)
+        keep(clip, g, k, kept);
     *segment = (uint32_t)k + 1;
-    if (g->kind == GROUP_ROTATIONS) {
-        if (is_new)
-            nkwi_clip_keep_slerp16(a, b, base, step, blocks, g->block_count, kept);
+    if (g->kind == GROUP_ROTATIONS)
         nkwi_clip_kept_slerp16(kept, at.t, blocks, g->block_count, out, stride);
-    } else {
-        if (is_new)
-            nkwi_clip_keep_lerp16(a, b, kept, g->lanes);
+    else
         nkwi_clip_kept_lerp16(kept, g->lanes, base, step, at.t, blocks, g->block_count, out);
-    }
     return 1;
 }

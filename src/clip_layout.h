@@ -5,7 +5,7 @@
  *     section      element          words   number
  *     header       nkw_clip         15      1
  *     timelines    clip_timeline     4      timeline_count
- *     groups       clip_group       10      group_count
+ *     groups       clip_group       11      group_count
  *     blocks       clip_block        4      (lanes + 15) / 16 of each group
  *     places       uint32_t          1      count of each block that is not contiguous
  *     runs         clip_run          3      constant_count, then float_constant_count
@@ -43,6 +43,8 @@
  *
  * A compact rotation has 3 rows, x y z of lane/clip.h, and no arc. Of q and -q, each key stores one. If the sum of its
  * three numbers is odd, slerp from the previous key negates it.
+ *
+ * Packed groups (packed != 0; LINEAR only) have ranges too, and store their keys as clip_packed.h describes.
  *
  * Lanes of one component array whose joints are neighbours are contiguous, so short gaps get lanes too: up to four
  * constant joints between the joints of a group, with the same value in all keys (clip_tracks.h).
@@ -94,7 +96,8 @@ typedef struct clip_group {
     uint32_t lanes; /* the sum of the widths of all blocks */
     uint32_t blocks, block_count;
     uint32_t keys, key_words; /* offset of key 0, words of each key */
-    uint32_t ranges; /* offset of the ranges of a compact group, otherwise 0 */
+    uint32_t ranges; /* offset of the ranges of a compact or packed group, otherwise 0 */
+    uint32_t packed; /* 1: a packed group */
 } clip_group;
 
 static inline const uint32_t *clip_words(const nkw_clip *clip)

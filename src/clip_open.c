@@ -10,6 +10,7 @@
  *     times[k], modes[k], k < count                  check_timeline; count >= 1, so that key 0 exists
  *     key k, and key k + 1 of k + 1 < count          check_group: count keys of key_words words, and key_words is the
  *                                                    size that lanes, kind and interpolation determine
+ *     segments of a packed group                     nkwi_packed_check
  *     base and step of a compact group               check_group: 2 rows * lanes words
  *     blocks; count <= width places of each          check_blocks: the widths add up to `lanes`, so the rows of a key
  *                                                    are exactly as long as its blocks
@@ -29,6 +30,7 @@
 #include <nakawari/segment.h>
 
 #include "clip_layout.h"
+#include "clip_packed.h"
 #include "lane/scalar.h"
 #include "segment_search.h"
 
@@ -133,6 +135,19 @@ static int check_modes(const nkw_clip *clip, const clip_timeline *line, const cl
     return 1;
 }
 
+/* The keys: count keys of key_words words, or the segments of a packed group. */
+static int check_keys(checker *o, const clip_group *g, const clip_timeline *line)
+{
+    uint64_t words = 0;
+    if (!g->packed)
+        return g->key_words == clip_key_words(g) && fits(o, g->keys, line->count, g->key_words);
+    if (g->interpolation != NKW_INTERPOLATION_LINEAR || !g->ranges || line->modes || line->count < 2 ||
+        !nkwi_packed_check(o->clip, g, line->count, &words) || words > o->left)
+        return 0;
+    o->left -= words;
+    return 1;
+}
+
 static nkw_result check_group(checker *o, const clip_group *g)
 {
     const nkw_clip *clip = o->clip;
@@ -145,7 +160,7 @@ static nkw_result check_group(checker *o, const clip_group *g)
                       !fits(o, g->ranges, g->lanes, 2 * clip_rows(g))))
         return NKW_OUT_OF_RANGE;
     const clip_timeline *line = clip_timelines(clip) + g->timeline;
-    if (g->key_words != clip_key_words(g) || !fits(o, g->keys, line->count, g->key_words))
+    if (!check_keys(o, g, line))
         return NKW_OUT_OF_RANGE;
     return check_modes(clip, line, g) ? check_blocks(o, g) : NKW_OUT_OF_RANGE;
 }

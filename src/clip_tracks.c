@@ -82,10 +82,18 @@ static int same_timeline(const nkw_track *a, const nkw_track *b)
     return !a->key_interpolation || memcmp(a->key_interpolation, b->key_interpolation, a->count) == 0;
 }
 
-uint32_t nkwi_clip_tracks_group(const nkw_clip_track *c)
+int nkwi_clip_tracks_is_packed(const clip_tracks *t, const nkw_clip_track *c)
+{
+    if (!t->packing || c->track.interpolation != NKW_INTERPOLATION_LINEAR || c->track.key_interpolation)
+        return 0;
+    return t->packing->steps ? t->packing->steps[c - t->source->tracks] > 0.0f : 3 * c->track.width <= PACKED_SLOTS;
+}
+
+uint32_t nkwi_clip_tracks_group(const clip_tracks *t, const nkw_clip_track *c)
 {
     uint32_t cubic_unit = clip_is_cubic(&c->track) && clip_is_normalized(&c->track);
-    return (uint32_t)clip_kind_of(c) * 16u + (uint32_t)clip_interpolation_of(&c->track) * 2u + cubic_unit;
+    return (uint32_t)nkwi_clip_tracks_is_packed(t, c) * 64u + (uint32_t)clip_kind_of(c) * 16u +
+           (uint32_t)clip_interpolation_of(&c->track) * 2u + cubic_unit;
 }
 
 /* Sorting. Both orders are total, so the result does not depend on the algorithm. */
@@ -100,7 +108,7 @@ static int before_by_place(const void *context, uint32_t i, uint32_t j)
 static int before_by_group(const void *context, uint32_t i, uint32_t j)
 {
     const clip_tracks *b = (const clip_tracks *)context;
-    uint32_t p = nkwi_clip_tracks_group(&b->source->tracks[i]), q = nkwi_clip_tracks_group(&b->source->tracks[j]);
+    uint32_t p = nkwi_clip_tracks_group(b, &b->source->tracks[i]), q = nkwi_clip_tracks_group(b, &b->source->tracks[j]);
     if (b->timeline[i] != b->timeline[j])
         return b->timeline[i] < b->timeline[j];
     return p != q ? p < q : before_by_place(b, i, j);
@@ -226,7 +234,7 @@ int nkwi_clip_tracks_same_group(const clip_tracks *t, const nkw_clip_track *a, c
 {
     const nkw_clip_track *tracks = t->source->tracks;
     return a && b && t->timeline[a - tracks] == t->timeline[b - tracks] &&
-           nkwi_clip_tracks_group(a) == nkwi_clip_tracks_group(b);
+           nkwi_clip_tracks_group(t, a) == nkwi_clip_tracks_group(t, b);
 }
 
 /*
@@ -297,11 +305,11 @@ static void choose_gaps(clip_tracks *t)
     }
 }
 
-nkw_result nkwi_clip_tracks_order(const nkw_clip_source *source, clip_tracks *out, size_t *bad_track, uint32_t *work,
-                                  size_t work_count)
+nkw_result nkwi_clip_tracks_order(const nkw_clip_source *source, const clip_packing *packing, clip_tracks *out,
+                                  size_t *bad_track, uint32_t *work, size_t work_count)
 {
     const size_t n = source->track_count; /* if 0, `work` may be NULL: NULL + n is not computed */
-    clip_tracks tracks = {source, work, n ? work + n : work, n ? work + 2 * n : work, {0, 0, 0}};
+    clip_tracks tracks = {source, work, n ? work + n : work, n ? work + 2 * n : work, {0, 0, 0}, packing};
     *out = tracks;
     *bad_track = 0;
     nkw_result result = check_tracks(source, bad_track);
@@ -315,6 +323,7 @@ nkw_result nkwi_clip_tracks_order(const nkw_clip_source *source, clip_tracks *ou
         return result;
     find_timelines(out);
     sort(out, out->by_group, before_by_group);
-    choose_gaps(out);
+    if (!packing)
+        choose_gaps(out);
     return NKW_OK;
 }

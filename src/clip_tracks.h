@@ -13,6 +13,7 @@
 #include <nakawari/clip.h>
 
 #include "clip_layout.h"
+#include "clip_packed.h"
 
 #define CLIP_CONSTANT UINT32_MAX /* the timeline of a constant track */
 
@@ -22,11 +23,24 @@ typedef struct clip_tracks {
     uint32_t *by_place; /* tracks sorted by target and index */
     uint32_t *timeline; /* of each track: the index in by_place of the first track with equal times, or CLIP_CONSTANT */
     int fills_gaps[NKW_CLIP_FLOATS]; /* whether gaps get lanes: of translations, of rotations, of scales */
+    const clip_packing *packing; /* NULL: no track is packed */
 } clip_tracks;
 
-/* Checks the source and sets `out`. Its three arrays are in `work`, at least NKW_CLIP_WORK(track_count) numbers. */
-nkw_result nkwi_clip_tracks_order(const nkw_clip_source *source, clip_tracks *out, size_t *bad_track, uint32_t *work,
-                                  size_t work_count);
+/*
+ * Checks the source and sets `out`. Its three arrays are in `work`, at least NKW_CLIP_WORK(track_count) numbers.
+ * packing: NULL, or what to pack; clips with packed tracks have no gaps.
+ */
+nkw_result nkwi_clip_tracks_order(const nkw_clip_source *source, const clip_packing *packing, clip_tracks *out,
+                                  size_t *bad_track, uint32_t *work, size_t work_count);
+
+/* Whether a track is stored in a packed group. */
+int nkwi_clip_tracks_is_packed(const clip_tracks *t, const nkw_clip_track *c);
+
+/* nkw_clip_measure and nkw_clip_build, with packed tracks. */
+nkw_result nkwi_clip_measure(const nkw_clip_source *source, const clip_packing *packing, size_t *bytes,
+                             size_t *bad_track, uint32_t *work, size_t work_count);
+nkw_result nkwi_clip_build(const nkw_clip_source *source, const clip_packing *packing, void *block, size_t bytes,
+                           size_t *bad_track, uint32_t *work, size_t work_count);
 
 /* Checks the target, width, kind and index of track c of the source s. */
 nkw_result nkwi_clip_tracks_check_target(const nkw_clip_source *s, const nkw_clip_track *c);
@@ -49,8 +63,8 @@ int nkwi_clip_tracks_same_group(const clip_tracks *t, const nkw_clip_track *a, c
  */
 const nkw_clip_track *nkwi_clip_tracks_find_gap(const clip_tracks *t, nkw_clip_target target, size_t joint);
 
-/* A number for kind, interpolation and normalisation: the tracks of a timeline with equal numbers are a group. */
-uint32_t nkwi_clip_tracks_group(const nkw_clip_track *c);
+/* A number for kind, interpolation, normalisation and packing; equal for the tracks of a group. */
+uint32_t nkwi_clip_tracks_group(const clip_tracks *t, const nkw_clip_track *c);
 
 /* The array 0..9 of a pose that contains the component. */
 static inline size_t clip_array_of(nkw_clip_target target, size_t component)

@@ -50,6 +50,13 @@
 #define CLIP_SCATTER_BLOCKS 8
 /* Blocks of compact rotations that take each step together: the divisions of one overlap those of the others. */
 #define CLIP_SLERP16_BLOCKS 8
+/* Levels of residuals of packed keys, and the intervals of a segment: part of the format. */
+#define PACKED_LEVELS 4
+#define PACKED_KEYS   (1 << PACKED_LEVELS)
+/* Numbers of packed keys that share their widths: fewer waste fewer bits, more take less time. Format. */
+#define PACKED_COLUMNS 8
+/* Numbers of a packed key, at most: a byte has the index of one, and the codes of a segment are on the stack. */
+#define PACKED_SLOTS 240
 /* Constant joints between animated ones, at most, that get lanes of their own: output is then contiguous. */
 #define CLIP_GAP 4
 /* Floats between two runs of constants, at most, that one copy fills with zeros and animated values overwrite. */

@@ -180,8 +180,8 @@ NKW_API size_t nkw_clip_cache_bytes(const nkw_clip *clip);
 
 /**
  * Samples the clip at `time`, for steps of time much smaller than the distance of the keys: slow motion, steps of a
- * simulation. What two neighbouring 16-bit keys determine without the time is kept in the cache: decoded numbers, arcs.
- * Samples of compact clips take half the time while they are between the same keys; the first one after that takes a
+ * simulation. What two neighbouring compact or packed keys (nkw_clip_reduce) determine without the time is kept in the
+ * cache: decoded numbers, arcs. Samples of such clips take half the time or less while they are between the same keys; the first one after that takes a
  * third longer. Float clips store their arcs, so for them the cache has cursors only. The pose and the floats are those
  * of nkw_clip_sample, bit for bit.
  *
@@ -219,6 +219,79 @@ typedef struct nkw_clip_error {
  */
 NKW_API nkw_result nkw_clip_difference(const nkw_clip *clip, const nkw_clip_source *source, nkw_clip_error *error,
                                        float *work, size_t work_count);
+
+/** How far a reduced clip may be from its tracks. All distances are in the unit of the translations. */
+typedef struct nkw_clip_reduction {
+    /**
+     * The parent of each joint, as in nkw_skeleton: less than the joint's own index, otherwise the joint is a root.
+     * NULL: all joints are roots.
+     */
+    const int32_t *parents;
+    float tolerance; /**< the largest distance in model space, of a point at a joint and of the points around it */
+    float distance; /**< the distance of these points from the joint: how far its skin reaches */
+    const float *tolerances; /**< NULL, or joint_count numbers in place of `tolerance` */
+    const float *distances; /**< NULL, or joint_count numbers in place of `distance` */
+    float float_tolerance; /**< the largest difference of a separate float */
+} nkw_clip_reduction;
+
+/** What nkw_clip_reduce reached. */
+typedef struct nkw_clip_reduced {
+    size_t bytes; /**< of the clip */
+    size_t constant_count; /**< tracks that are constant within the tolerance */
+    size_t packed_count; /**< tracks with packed keys; the others are stored as FLOAT32 */
+    float distance; /**< the largest distance in model space */
+    float share; /**< the largest distance divided by its tolerance, of all joints and floats */
+    float floats; /**< the largest difference of a separate float */
+} nkw_clip_reduced;
+
+/** The memory of nkw_clip_reduce. */
+typedef struct nkw_clip_memory {
+    void *block; /**< receives the clip; aligned for float */
+    size_t bytes; /**< of the block, at least the bound of nkw_clip_reduce_measure */
+    double *work; /**< work_count doubles, at least NKW_CLIP_REDUCE_WORK of the tracks, joints and floats */
+    size_t work_count;
+} nkw_clip_memory;
+
+/** The number of doubles of working memory of nkw_clip_reduce_measure and nkw_clip_reduce. */
+#define NKW_CLIP_REDUCE_WORK(track_count, joint_count, float_count)                                                    \
+    (24 * (track_count) + 34 * (joint_count) + NKW_POSE_FLOATS(joint_count) + 4 * (float_count) + 16)
+
+/**
+ * Checks a source as nkw_clip_measure does, and computes a bound of the bytes that nkw_clip_reduce needs. The clip that
+ * it builds is much smaller: copy its first nkw_clip_reduced.bytes bytes.
+ */
+NKW_API nkw_result nkw_clip_reduce_measure(const nkw_clip_source *source, size_t *bytes, size_t *bad_track,
+                                           double *work, size_t work_count);
+
+/**
+ * Builds a clip that is as small as a tolerance permits. `format` of the source must be FLOAT32.
+ *
+ *   - A track whose values stay within the tolerance of one value becomes constant.
+ *   - LINEAR keys are packed: in whole steps, 16 intervals at a time. Of the keys between both ends only the difference
+ *     from the line between two neighbours is stored, with as many bits as it needs in this segment: motion that is
+ *     straight or smooth for a while needs few or none.
+ *   - STEP, CUBICSPLINE and modes per key are stored as FLOAT32: resample CUBICSPLINE first. So are the rotations of a
+ *     track that makes whole turns, and tracks whose range exceeds 2^20 steps.
+ *
+ * The steps are found by trials: a clip is built, sampled and compared with the tracks in model space, until no joint
+ * exceeds its tolerance and the clip does not become smaller. It is compared at the times of all keys and in the middle
+ * between two keys. The distance of a joint is the largest of four: of its position, and of the three points at
+ * `distance` along its axes.
+ *
+ * A reduced clip is opened, sampled and copied as every clip. Equal first and last keys return equal bits. A sample
+ * reads two knots and one segment of 16 intervals, at random times as in order, and takes two to four times as long as
+ * that of a FLOAT32 clip of the same tracks that is in a near cache.
+ *
+ * reduced  receives the result; may be NULL
+ * Returns  as nkw_clip_measure; NKW_BAD_FORMAT for another format than FLOAT32; NKW_NOT_FINITE for a tolerance or
+ *          distance that is negative or not finite; NKW_TOO_SMALL for too little memory
+ *
+ * If a tolerance is so small that the trials do not reach it, tracks are stored as FLOAT32: `share` is at most 1.
+ *
+ * Time: some 20 trials. A clip of 67 joints and 301 keys takes 0.4 to 1 s.
+ */
+NKW_API nkw_result nkw_clip_reduce(const nkw_clip_source *source, const nkw_clip_reduction *reduction,
+                                   const nkw_clip_memory *memory, nkw_clip_reduced *reduced, size_t *bad_track);
 
 #ifdef __cplusplus
 }

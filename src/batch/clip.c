@@ -296,16 +296,6 @@ NKW_LOOP(nkwi_clip_kept_lerp16)
     }
 }
 
-static inline void keep_rows(const pairs16 *p, size_t at, float *kept, size_t width)
-{
-    const float *rows[4] = {p->a.w, p->a.scale, p->b.w, p->b.scale};
-    memcpy(kept, p->a.xyz + 3 * at, 3 * width * sizeof *kept);
-    memcpy(kept + 5 * width, p->b.xyz + 3 * at, 3 * width * sizeof *kept);
-    for (size_t i = 0; i < 4; i++)
-        memcpy(kept + (i / 2 * 5 + 3 + i % 2) * width, rows[i] + at, width * sizeof *kept);
-    memcpy(kept + 10 * width, p->v + at, width * sizeof *kept);
-}
-
 NKW_LOOP(nkwi_clip_keep_slerp16)
 (const uint16_t *a, const uint16_t *b, const float *base, const float *step, const clip_block *blocks,
  size_t block_count, float *kept)

@@ -5,6 +5,7 @@
 
 #include "batch/isa.h"
 #include "batch/block.h"
+#include "batch/clip_packed.h"
 
 /* clang-format off */
 #define NKW_LOOPS_CLIP(X) \
@@ -20,7 +21,9 @@
     X(nkwi_clip_keep_lerp16, (const uint16_t *a, const uint16_t *b, float *kept, size_t n), (a, b, kept, n), NKW_WIDEST) \
     X(nkwi_clip_kept_lerp16, (const float *kept, size_t n, const float *base, const float *step, float t, const clip_block *blocks, size_t block_count, float *out), (kept, n, base, step, t, blocks, block_count, out), NKW_WIDEST) \
     X(nkwi_clip_keep_slerp16, (const uint16_t *a, const uint16_t *b, const float *base, const float *step, const clip_block *blocks, size_t block_count, float *kept), (a, b, base, step, blocks, block_count, kept), NKW_WIDEST) \
-    X(nkwi_clip_kept_slerp16, (const float *kept, float t, const clip_block *blocks, size_t block_count, float *out, size_t stride), (kept, t, blocks, block_count, out, stride), NKW_WIDEST)
+    X(nkwi_clip_kept_slerp16, (const float *kept, float t, const clip_block *blocks, size_t block_count, float *out, size_t stride), (kept, t, blocks, block_count, out, stride), NKW_WIDEST) \
+    X(nkwi_clip_keep_packed, (const packed_at *p, int held, float *kept), (p, held, kept), NKW_WIDEST) \
+    X(nkwi_clip_keep_packed_rotations, (const packed_at *p, int held, const clip_block *blocks, size_t block_count, float *kept), (p, held, blocks, block_count, kept), NKW_WIDEST)
 /* clang-format on */
 
 NKW_LOOPS_CLIP(NKW_DECLARE)

@@ -122,6 +122,33 @@ static void *build(fuzz *f, const random_clip *c, size_t *bytes)
     return block;
 }
 
+/* A reduced clip: within any tolerance that is sound; the same with words of the block changed. */
+static void reduce(fuzz *f, const random_clip *c)
+{
+    size_t bytes, bad, joints = c->source.joint_count;
+    size_t count = NKW_CLIP_REDUCE_WORK(c->source.track_count, joints, c->source.float_count);
+    double *work = fuzz_block(f, count * sizeof *work);
+    int32_t *parents = fuzz_block(f, joints * sizeof *parents);
+    for (size_t j = 0; j < joints; j++)
+        parents[j] = (int32_t)fuzz_byte(f) % 16 - 2;
+    const nkw_clip_reduction reduction = {
+        fuzz_byte(f) % 4 ? parents : NULL, fuzz_float(f), fuzz_float(f), NULL, NULL, fuzz_float(f)};
+    nkw_clip_reduced reduced;
+    if (nkw_clip_reduce_measure(&c->source, &bytes, &bad, work, count) != NKW_OK)
+        return;
+    void *block = fuzz_block(f, bytes);
+    const nkw_clip_memory memory = {block, bytes, work, count};
+    if (nkw_clip_reduce(&c->source, &reduction, &memory, &reduced, &bad) != NKW_OK)
+        return;
+    const nkw_clip *clip;
+    FUZZ_CHECK(nkw_clip_open(block, reduced.bytes, &clip) == NKW_OK && reduced.bytes <= bytes);
+    sample(f, clip);
+    damage(f, block, reduced.bytes / 4);
+    void *copy = fuzz_block(f, reduced.bytes);
+    memcpy(copy, block, reduced.bytes);
+    open_and_sample(f, copy, reduced.bytes);
+}
+
 /* Counts alone: those that a clip may have, and none of those beyond. */
 static void counts(fuzz *f)
 {
@@ -166,6 +193,8 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
     FUZZ_CHECK(nkw_clip_open(block, bytes, &clip) == NKW_OK);
     if (is_sound)
         compare(&f, c, clip);
+    if (fuzz_byte(&f) % 4 == 0)
+        reduce(&f, c);
     damage(&f, block, bytes / 4);
     size_t cut = fuzz_byte(&f) % 8 ? 0 : fuzz_upto(&f, 4096) % (bytes + 1), odd = fuzz_byte(&f) % 32 ? 0 : 1;
     unsigned char *copy = fuzz_block(&f, bytes - cut + odd);

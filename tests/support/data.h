@@ -20,7 +20,8 @@
     X(skeleton) \
     X(crowd) \
     X(clip_more) \
-    X(crowd_skin)
+    X(crowd_skin) \
+    X(clip_reduce)
 
 #ifdef __cplusplus
 extern "C" {

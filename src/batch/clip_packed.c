@@ -1,0 +1,215 @@
+/* SPDX-License-Identifier: MIT */
+/*
+ * Two neighbouring keys of packed groups (clip_packed.h): knots and residuals as floats; their sums; for rotations
+ * their arcs. The loops of compact groups then interpolate between them.
+ */
+#include "lane/strict.h"
+
+#include <string.h>
+
+#include "batch/clip.h"
+#include "batch/clip_compact.h"
+
+NKW_LOOPS_CLIP(NKW_DECLARE_LOOP)
+
+/* Of each width: the mask of its bits, and half its range, by which a field is larger than its residual. */
+static const uint32_t packed_masks[PACKED_WIDTH + 1] = {
+    0x0u,     0x1u,     0x3u,     0x7u,      0xfu,      0x1fu,     0x3fu,    0x7fu,   0xffu,
+    0x1ffu,   0x3ffu,   0x7ffu,   0xfffu,    0x1fffu,   0x3fffu,   0x7fffu,  0xffffu, 0x1ffffu,
+    0x3ffffu, 0x7ffffu, 0xfffffu, 0x1fffffu, 0x3fffffu, 0x7fffffu, 0xffffffu};
+static const float packed_halves[PACKED_WIDTH + 1] = {
+    0.0f,      1.0f,      2.0f,      4.0f,       8.0f,       16.0f,      32.0f,     64.0f,    128.0f,
+    256.0f,    512.0f,    1024.0f,   2048.0f,    4096.0f,    8192.0f,    16384.0f,  32768.0f, 65536.0f,
+    131072.0f, 262144.0f, 524288.0f, 1048576.0f, 2097152.0f, 4194304.0f, 8388608.0f};
+
+/* The residuals of `width` bits from bit `bit` of 8 columns on. Reads the row after the last bit too. */
+NKW_ALWAYS_INLINE void unpack(const uint32_t *rows, size_t bit, uint32_t width, float *out)
+{
+    const uint32_t *low = rows + bit / 32 * PACKED_COLUMNS, *high = low + PACKED_COLUMNS;
+    const uint32_t right = (uint32_t)bit % 32, left = 31 - right, mask = packed_masks[width];
+    const float half = packed_halves[width];
+#pragma omp simd
+    for (size_t i = 0; i < PACKED_COLUMNS; i++)
+        out[i] = (float)(int32_t)((low[i] >> right | high[i] << 1 << left) & mask) - half;
+}
+
+/* Adds the high 8 bits of 8 numbers. */
+NKW_ALWAYS_INLINE void add_high(const uint8_t *high, float *out)
+{
+#pragma omp simd
+    for (size_t i = 0; i < PACKED_COLUMNS; i++)
+        out[i] += 65536.0f * (float)(int32_t)high[i];
+}
+
+/* A knot of all slots. */
+NKW_ALWAYS_INLINE void read_knot(const packed_at *p, const uint32_t *knot, float *out)
+{
+    const uint16_t *low = (const uint16_t *)(const void *)knot;
+    const uint8_t *high = (const uint8_t *)(knot + p->numbers / 2);
+#pragma omp simd
+    for (size_t i = 0; i < p->numbers / 4 * 4; i++)
+        out[i] = (float)(int32_t)low[i];
+    for (uint32_t wide = p->wide, i = 0; wide; wide >>= 1, i += PACKED_COLUMNS)
+        if (wide & 1) {
+            add_high(high, out + i);
+            high += PACKED_COLUMNS;
+        }
+}
+
+/* One level: the bit of its residual in the first block; the weights at the key and the next one. */
+typedef struct packed_level {
+    size_t bit;
+    float a, b;
+} packed_level;
+
+/* How much the residual in the middle of a part adds at a key of it: 1 in the middle, 0 at both ends. */
+NKW_ALWAYS_INLINE float hat(packed_part part, uint32_t key)
+{
+    const uint32_t at = key < part.middle ? key - part.lo : part.hi - key;
+    const uint32_t length = key < part.middle ? part.middle - part.lo : part.hi - part.middle;
+    return part.middle == part.lo ? 0.0f : (float)(int32_t)at / (float)(int32_t)length;
+}
+
+/* The levels of the segment that contain the interval after the key. Returns their number. */
+NKW_ALWAYS_INLINE size_t find_levels(const packed_at *p, packed_level levels[PACKED_LEVELS])
+{
+    const uint8_t *widths = packed_widths(p->stream);
+    size_t sums[PACKED_LEVELS] = {0}, bit = 0, index = 0, level = 0;
+    packed_part part = packed_part_of(0, p->intervals);
+    for (size_t k = 0; k < packed_blocks(p->stream); k++, widths += PACKED_LEVELS)
+        for (size_t i = 0; i < PACKED_LEVELS; i++)
+            sums[i] += widths[i];
+    for (; (uint32_t)1 << level < p->intervals; level++) {
+        levels[level].bit = bit + index * sums[level];
+        levels[level].a = hat(part, p->key);
+        levels[level].b = hat(part, p->key + 1);
+        bit += sums[level] << level;
+        index = 2 * index + (p->key >= part.middle);
+        part = packed_half(part, p->key);
+    }
+    return level;
+}
+
+NKW_ALWAYS_INLINE void store_columns(const float *column, const uint8_t *slots, size_t n, float *out)
+{
+    if (n == PACKED_COLUMNS)
+        for (size_t i = 0; i < PACKED_COLUMNS; i++)
+            out[slots[i]] = column[i];
+    else
+        for (size_t i = 0; i < n; i++)
+            out[slots[i]] = column[i];
+}
+
+/* The sums of the residuals of all slots, at the key and the next one. */
+NKW_ALWAYS_INLINE void read_residuals(const packed_at *p, float *a, float *b)
+{
+    const size_t count = p->stream[0], blocks = packed_blocks(p->stream);
+    const uint8_t *widths = packed_widths(p->stream), *slots = packed_slots(p->stream);
+    const uint32_t *rows = packed_rows(p->stream);
+    packed_level levels[PACKED_LEVELS];
+    const size_t level_count = find_levels(p, levels);
+    memset(a, 0, p->numbers * sizeof *a);
+    memset(b, 0, p->numbers * sizeof *b);
+    for (size_t k = 0; k < blocks; k++, slots += PACKED_COLUMNS, widths += PACKED_LEVELS) {
+        const size_t left = count - k * PACKED_COLUMNS, n = left < PACKED_COLUMNS ? left : PACKED_COLUMNS;
+        float sum_a[PACKED_COLUMNS] = {0}, sum_b[PACKED_COLUMNS] = {0};
+        for (size_t level = 0; level < level_count; level++) {
+            const float weight_a = levels[level].a, weight_b = levels[level].b;
+            float residuals[PACKED_COLUMNS];
+            unpack(rows, levels[level].bit, widths[level], residuals);
+#pragma omp simd
+            for (size_t i = 0; i < PACKED_COLUMNS; i++) {
+                sum_a[i] += weight_a * residuals[i];
+                sum_b[i] += weight_b * residuals[i];
+            }
+            levels[level].bit += widths[level];
+        }
+        store_columns(sum_a, slots, n, a);
+        store_columns(sum_b, slots, n, b);
+    }
+}
+
+/* The line between the knots at `place`, plus the residuals, of slots from..to - 1; in steps. */
+NKW_ALWAYS_INLINE void add_lines(const float *first, const float *second, float place, float *residuals, size_t from,
+                                 size_t to)
+{
+#pragma omp simd
+    for (size_t i = from; i < to; i++)
+        residuals[i] = (first[i] + place * (second[i] - first[i])) + residuals[i];
+}
+
+/* Both keys around the time, in steps. */
+NKW_ALWAYS_INLINE void read_keys(const packed_at *p, float *a, float *b)
+{
+    float first[PACKED_SLOTS], second[PACKED_SLOTS];
+    const float intervals = (float)(int32_t)p->intervals;
+    const float place_a = (float)(int32_t)p->key / intervals, place_b = (float)(int32_t)(p->key + 1) / intervals;
+    size_t i = p->numbers / CLIP_BLOCK * CLIP_BLOCK;
+    read_knot(p, p->knots, first);
+    read_knot(p, p->knots + packed_knot_words(p->numbers, p->wide), second);
+    read_residuals(p, a, b);
+    add_lines(first, second, place_a, a, 0, i);
+    add_lines(first, second, place_b, b, 0, i);
+    for (; i < p->numbers; i += 4) {
+        add_lines(first, second, place_a, a, i, i + 4);
+        add_lines(first, second, place_b, b, i, i + 4);
+    }
+}
+
+/* base + step x of the slots from..to - 1. */
+NKW_ALWAYS_INLINE void scale(const packed_at *p, const float *x, float *out, size_t from, size_t to)
+{
+#pragma omp simd
+    for (size_t i = from; i < to; i++)
+        out[i] = p->base[i] + p->step[i] * x[i];
+}
+
+NKW_ALWAYS_INLINE void scale_all(const packed_at *p, const float *x, float *out)
+{
+    size_t i = p->numbers / CLIP_BLOCK * CLIP_BLOCK;
+    scale(p, x, out, 0, i);
+    for (; i < p->numbers; i += 4)
+        scale(p, x, out, i, i + 4);
+}
+
+/*
+ * What is kept of two neighbouring keys (clip_cache.h), of numbers and of rotations. held: 0; 1 if both are the first
+ * key, 2 if both are the second, for the times of keys.
+ */
+NKW_LOOP(nkwi_clip_keep_packed)(const packed_at *p, int held, float *kept)
+{
+    float a[PACKED_SLOTS], b[PACKED_SLOTS], *d = kept + p->numbers;
+    read_keys(p, a, b);
+    const float *from = held == 2 ? b : a, *to = held == 1 ? a : b;
+#pragma omp simd
+    for (size_t i = 0; i < p->numbers / 4 * 4; i++) {
+        kept[i] = from[i];
+        d[i] = to[i] - from[i];
+    }
+}
+
+/* The arcs of a block: no rotation of the second key is negated. */
+NKW_ALWAYS_INLINE void arcs_packed(pairs16 *p, size_t at, size_t width)
+{
+    static const uint32_t same[CLIP_BLOCK] = {0};
+    if (width == CLIP_BLOCK)
+        arcs_of(p, same, at, CLIP_BLOCK);
+    else if (width == 8)
+        arcs_of(p, same, at, 8);
+    else
+        arcs_of(p, same, at, 4);
+}
+
+NKW_LOOP(nkwi_clip_keep_packed_rotations)
+(const packed_at *p, int held, const clip_block *blocks, size_t block_count, float *kept)
+{
+    float a[PACKED_SLOTS], b[PACKED_SLOTS];
+    pairs16 pairs;
+    read_keys(p, a, b);
+    scale_all(p, held == 2 ? b : a, pairs.a.xyz);
+    scale_all(p, held == 1 ? a : b, pairs.b.xyz);
+    for (size_t k = 0; k < block_count; k++)
+        arcs_packed(&pairs, CLIP_BLOCK * k, blocks[k].width);
+    for (size_t k = 0; k < block_count; k++)
+        keep_rows(&pairs, CLIP_BLOCK * k, kept + CLIP_KEPT_ROWS * CLIP_BLOCK * k, blocks[k].width);
+}

@@ -1,0 +1,198 @@
+/* SPDX-License-Identifier: MIT */
+#include "lane/strict.h"
+
+#include <string.h>
+
+#include <nakawari/clip.h>
+#include <nakawari/pose.h>
+#include <nakawari/scalar.h>
+
+#include "clip_reduce.h"
+#include "clip_tracks.h"
+#include "lane/f64.h"
+
+/* a b of matrices of three columns and a position. */
+static void multiply(const double *a, const double *b, double *out)
+{
+    for (size_t c = 0; c < 12; c++) {
+        size_t row = c % 3;
+        const double *column = b + (c - row);
+        double sum = (a[row] * column[0] + a[3 + row] * column[1]) + a[6 + row] * column[2];
+        out[c] = c < 9 ? sum : sum + a[9 + row];
+    }
+}
+
+static void local_model(const nkw_trs *t, double *out)
+{
+    double x = (double)t->rotation.x, y = (double)t->rotation.y, z = (double)t->rotation.z, w = (double)t->rotation.w;
+    double nn = (x * x + y * y) + (z * z + w * w), two = nn > 0.0 ? 2.0 / nn : 0.0;
+    const double scale[3] = {(double)t->scale.x, (double)t->scale.y, (double)t->scale.z};
+    const double columns[12] = {1.0 - two * (y * y + z * z), two * (x * y + w * z),       two * (x * z - w * y),
+                                two * (x * y - w * z),       1.0 - two * (x * x + z * z), two * (y * z + w * x),
+                                two * (x * z + w * y),       two * (y * z - w * x),       1.0 - two * (x * x + y * y),
+                                (double)t->translation.x,    (double)t->translation.y,    (double)t->translation.z};
+    for (size_t i = 0; i < 12; i++)
+        out[i] = i < 9 ? columns[i] * scale[i / 3] : columns[i];
+}
+
+static void models_of(const nkw_clip_reduction *r, size_t joints, reduce_pose *p)
+{
+    const nkw_pose_view view = {p->pose, joints};
+    for (size_t j = 0; j < joints; j++) {
+        size_t parent = reduce_parent(r, j);
+        nkw_trs trs = nkw_pose_get(view, j);
+        double local[12];
+        local_model(&trs, parent == j ? p->models + 12 * j : local);
+        if (parent != j)
+            multiply(p->models + 12 * parent, local, p->models + 12 * j);
+    }
+}
+
+static void set_rest(const nkw_clip_source *s, reduce_pose *p)
+{
+    const nkw_pose_span span = {p->pose, s->joint_count};
+    if (s->rest.data)
+        memcpy(p->pose, s->rest.data, NKW_POSE_FLOATS(s->joint_count) * sizeof(float));
+    else
+        nkw_pose_identity(span);
+    for (size_t i = 0; i < s->float_count; i++)
+        p->floats[i] = s->rest_floats ? s->rest_floats[i] : 0.0f;
+}
+
+static void sample_tracks(const nkw_clip_source *s, float time, reduce_pose *p)
+{
+    size_t stride = NKW_POSE_STRIDE(s->joint_count);
+    for (size_t i = 0; i < s->track_count; i++) {
+        const nkw_clip_track *c = &s->tracks[i];
+        float v[4];
+        nkw_track_sample(&c->track, time, c->target == NKW_CLIP_FLOATS ? p->floats + c->index : v);
+        for (size_t k = 0; c->target != NKW_CLIP_FLOATS && k < c->track.width; k++)
+            p->pose[clip_array_of(c->target, k) * stride + c->index] = v[k];
+    }
+}
+
+static double larger(double a, double b)
+{
+    return a > b ? a : b;
+}
+
+static double length(double x, double y, double z)
+{
+    return lane_sqrt64((x * x + y * y) + z * z);
+}
+
+/* The longest of the three columns. */
+static double largest_scale(const double *m)
+{
+    return larger(larger(length(m[0], m[1], m[2]), length(m[3], m[4], m[5])), length(m[6], m[7], m[8]));
+}
+
+static double tightness(const nkw_clip_reduction *r, size_t joint)
+{
+    return reduce_tightness(r->tolerances ? r->tolerances[joint] : r->tolerance);
+}
+
+static double distance_of(const nkw_clip_reduction *r, size_t joint)
+{
+    return (double)(r->distances ? r->distances[joint] : r->distance);
+}
+
+static void add_reach(const nkw_clip_source *s, const nkw_clip_reduction *r, reduce_errors *e)
+{
+    for (size_t j = 0; j < s->joint_count; j++) {
+        const double *m = e->want.models + 12 * j;
+        double skin = distance_of(r, j) * largest_scale(m), tight = tightness(r, j);
+        size_t parent = reduce_parent(r, j);
+        e->scale[j] = larger(e->scale[j], parent == j ? 1.0 : largest_scale(e->want.models + 12 * parent));
+        for (size_t above = j, next = j;; above = next) {
+            const double *a = e->want.models + 12 * above;
+            double d = length(m[9] - a[9], m[10] - a[10], m[11] - a[11]) + skin;
+            e->reach[above] = larger(e->reach[above], d * tight);
+            e->tight[above] = larger(e->tight[above], tight);
+            next = reduce_parent(r, above);
+            if (next == above)
+                break;
+        }
+    }
+}
+
+/* The distance of joint j: of its position, and of the points at `skin` on its axes. */
+static double joint_error(const double *a, const double *b, double skin)
+{
+    double d[3] = {a[9] - b[9], a[10] - b[10], a[11] - b[11]}, worst = length(d[0], d[1], d[2]);
+    for (size_t c = 0; c < 9; c += 3)
+        worst = larger(worst, length(d[0] + skin * (a[c] - b[c]), d[1] + skin * (a[c + 1] - b[c + 1]),
+                                     d[2] + skin * (a[c + 2] - b[c + 2])));
+    return worst;
+}
+
+static void add_errors(const nkw_clip_source *s, const nkw_clip_reduction *r, reduce_errors *e)
+{
+    for (size_t j = 0; j < s->joint_count; j++) {
+        double d = joint_error(e->want.models + 12 * j, e->got.models + 12 * j, distance_of(r, j));
+        e->distance = larger(e->distance, d);
+        e->errors[j] = larger(e->errors[j], d * tightness(r, j));
+    }
+    for (size_t i = 0; i < s->track_count; i++) {
+        const nkw_clip_track *c = &s->tracks[i];
+        for (size_t k = c->index; c->target == NKW_CLIP_FLOATS && k < c->index + c->track.width; k++) {
+            double d = lane_abs64((double)e->want.floats[k] - (double)e->got.floats[k]);
+            e->floats = larger(e->floats, d);
+            e->errors[s->joint_count + i] =
+                larger(e->errors[s->joint_count + i], d * reduce_tightness(r->float_tolerance));
+        }
+    }
+}
+
+static void add_time(const nkw_clip_source *s, const nkw_clip_reduction *r, const nkw_clip *clip, float time,
+                     reduce_errors *e)
+{
+    const nkw_pose_span span = {e->got.pose, s->joint_count};
+    sample_tracks(s, time, &e->want);
+    models_of(r, s->joint_count, &e->want);
+    if (!clip) {
+        add_reach(s, r, e);
+        return;
+    }
+    nkw_clip_sample(clip, time, NULL, span, e->got.floats);
+    models_of(r, s->joint_count, &e->got);
+    add_errors(s, r, e);
+}
+
+static int is_first_of_timeline(const nkw_clip_source *s, size_t i)
+{
+    for (size_t k = 0; k < i; k++)
+        if (clip_same_times(&s->tracks[k].track, &s->tracks[i].track))
+            return 0;
+    return 1;
+}
+
+/* All key times, and the middle of all segments. */
+static void add_times(const nkw_clip_source *s, const nkw_clip_reduction *r, const nkw_clip *clip, reduce_errors *e)
+{
+    set_rest(s, &e->want);
+    for (size_t i = 0; i < s->track_count; i++) {
+        const nkw_track *t = &s->tracks[i].track;
+        for (size_t k = 0; is_first_of_timeline(s, i) && k < t->count; k++) {
+            add_time(s, r, clip, t->times[k], e);
+            if (clip && k + 1 < t->count)
+                add_time(s, r, clip, nkw_lerp(t->times[k], t->times[k + 1], 0.5f), e);
+        }
+    }
+}
+
+void nkwi_reduce_reach(const nkw_clip_source *source, const nkw_clip_reduction *r, reduce_errors *e)
+{
+    for (size_t j = 0; j < source->joint_count; j++)
+        e->reach[j] = e->tight[j] = e->scale[j] = 0.0;
+    add_times(source, r, NULL, e);
+}
+
+void nkwi_reduce_errors(const nkw_clip_source *source, const nkw_clip_reduction *r, const nkw_clip *clip,
+                        reduce_errors *e)
+{
+    for (size_t i = 0; i < source->joint_count + source->track_count; i++)
+        e->errors[i] = 0.0;
+    e->distance = e->floats = 0.0;
+    add_times(source, r, clip, e);
+}

@@ -1,0 +1,41 @@
+/* SPDX-License-Identifier: MIT */
+/* Reduced clips of every kind of track. */
+#include "data.h"
+#include "hash.h"
+#include "random_clip.h"
+#include "views.h"
+
+#define JOINTS 33
+
+static random_clip drawn;
+static float block[1 << 17];
+static double work[NKW_CLIP_REDUCE_WORK(RANDOM_CLIP_TRACKS, JOINTS, RANDOM_CLIP_FLOATS)];
+static int32_t parents[JOINTS];
+
+uint64_t data_clip_reduce(void)
+{
+    random_source r = random_from(47);
+    uint64_t hash = HASH_START;
+    for (int i = 0; i < 8; i++) {
+        float pose[NKW_POSE_FLOATS(JOINTS)], floats[RANDOM_CLIP_FLOATS], numbers[4];
+        const nkw_clip_reduction reduction = {parents, i < 4 ? 1e-3f : 1e-1f, 0.5f, NULL, NULL, 1e-3f};
+        const nkw_clip_memory memory = {block, sizeof block, work, sizeof work / sizeof *work};
+        nkw_clip_reduced reduced;
+        random_clip_draw(&r, JOINTS, i % 4 == 3 ? 2 : i % 2, &drawn);
+        for (size_t j = 0; j < JOINTS; j++)
+            parents[j] = j % 8 == 0 ? -1 : (int32_t)j - 1;
+        if (nkw_clip_reduce(&drawn.source, &reduction, &memory, &reduced, NULL) != NKW_OK)
+            return 0;
+        const nkw_clip *clip = (const nkw_clip *)(const void *)block;
+        numbers[0] = reduced.distance, numbers[1] = reduced.share, numbers[2] = reduced.floats;
+        numbers[3] = (float)(int)(reduced.bytes + reduced.constant_count + reduced.packed_count);
+        hash = hash_floats(hash, numbers, 4);
+        for (int k = 0; k < 40; k++) {
+            nkw_clip_sample(clip, random_clip_time(&r, &drawn, k), NULL, pose_span(pose, JOINTS), floats);
+            for (size_t c = 0; c < 10; c++)
+                hash = hash_floats(hash, pose + c * NKW_POSE_STRIDE(JOINTS), JOINTS);
+            hash = hash_floats(hash, floats, nkw_clip_float_count(clip));
+        }
+    }
+    return hash;
+}
