@@ -144,8 +144,8 @@ NKW_ALWAYS_INLINE int may_be_equal(lanes l, int left)
     return same != 0 && (left >= F32XN || (same & ((UINT32_C(1) << left) - 1)) != 0);
 }
 
-/* The sums of a register of joints by the lanes; `each`, a constant: every one has its own t. */
-NKW_ALWAYS_INLINE void sums_by_lanes(lanes l, const float *t, int each)
+/* The sums of a register of joints by the lanes, which is seldom: by one t, or by one of each. */
+NKW_NOINLINE LANE_FLAT static void sums_by_lanes(lanes l, const float *t, int each)
 {
     const nkw_quat_view a = rotations_of(l.a), b = rotations_of(l.b);
     const nkw_quat_span sum = block_rows_to(l.sum, l.sums);

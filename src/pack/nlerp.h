@@ -59,7 +59,7 @@ static inline f32xN_quat f32xN_quat_scale(f32xN_quat q, f32xN s)
     return r;
 }
 
-/* The sum of generic weights. Second text of lane_quat_nlerp; 1.3 times faster. */
+/* The sum of generic weights. Second text of lane_quat_nlerp; 1.6 times faster. */
 static inline f32xN_quat f32xN_nlerp_sum(f32xN_quat a, f32xN_quat b, f32xN_weights at)
 {
     const f32xN_quat part = f32xN_quat_scale(a, at.s);
