@@ -299,12 +299,8 @@ NKW_ALWAYS_INLINE void sums_each(lanes l, const float *t, const float *open, how
         sum_lanes(l, f32xN_weights_of(f32xN_load(t)), lengths);
 }
 
-/*
- * nkw_pose_blend by a t for each joint, any. `open` is NULL, or a and b are layers: where open[i] is not 0, a has a sum
- * of several.
- */
-NKW_LOOP(nkwi_blend_each)
-(blend_rows a, blend_rows b, const float *t, const float *open, int used, blend_span out)
+NKW_ALWAYS_INLINE void each_block(blend_rows a, blend_rows b, const float *t, const float *open, int used,
+                                  blend_span out)
 {
     float sum[5 * SUM_STRIDE];
     const lanes begin = {a, b, out, sum, sum + 4 * SUM_STRIDE, SUM_STRIDE};
@@ -324,6 +320,20 @@ NKW_LOOP(nkwi_blend_each)
     }
     if (u32xN_any(far) >> 30 != 0)
         normalize_again(sum, begin.length, out, used);
+}
+
+/*
+ * nkw_pose_blend by a t for each joint, any. `open` is NULL, or a and b are layers: where open[i] is not 0, a has a sum
+ * of several.
+ */
+NKW_LOOP(nkwi_blend_each)
+(blend_rows a, blend_rows b, const float *t, const float *open, int used, blend_span out)
+{
+    const blend_rows from = {a.at, out.stride}, to = {b.at, out.stride};
+    if (have_one_stride(a, b, out))
+        each_block(from, to, t, open, used, out);
+    else
+        each_block(a, b, t, open, used, out);
 }
 
 /*
