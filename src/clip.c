@@ -12,6 +12,7 @@
 #include "clip_packed.h"
 #include "lane/orient.h"
 #include "pack/slerp.h"
+#include "segment_search.h"
 
 size_t nkw_clip_joint_count(const nkw_clip *clip)
 {
@@ -52,18 +53,24 @@ static void copy_runs(const nkw_clip *clip, uint32_t at, uint32_t count, float *
 }
 
 /*
- * The segment of the time, by one of three functions with the same result: from the rate, from the cursor, or over all
- * keys. The cursor is a hint only: any number is safe.
+ * The segment of the time: that of the cursor or a neighbour of it, the one by the rate, or by a search of all keys, all
+ * with the same result. The cursor is a hint only: any number is safe. Its segment is tried first, because the rest of
+ * the sample then does not wait for the conversion of the time to an index.
  */
 static nkw_segment find(const nkw_clip *clip, const clip_timeline *line, float time, uint32_t *cursor)
 {
     const float *times = clip_floats(clip, line->times);
-    if (line->rate > 0.0f)
-        return nkw_segment_find_even(times, line->count, line->rate, time);
-    if (!cursor)
-        return nkw_segment_find(times, line->count, time);
-    nkw_segment segment = nkw_segment_find_hint(times, line->count, time, *cursor);
-    *cursor = (uint32_t)segment.index;
+    const segment_times all = segment_times_of(times, line->count);
+    nkw_segment segment;
+    size_t k;
+    if (cursor && line->count > 1 && segment_is_near(all, time, *cursor, &k))
+        segment = segment_at(all, time, k);
+    else if (line->rate > 0.0f)
+        segment = nkw_segment_find_even(times, line->count, line->rate, time);
+    else
+        segment = nkw_segment_find(times, line->count, time);
+    if (cursor)
+        *cursor = (uint32_t)segment.index;
     return segment;
 }
 
