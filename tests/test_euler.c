@@ -209,6 +209,29 @@ static void angles_do_not_depend_on_the_length(void **state)
     }
 }
 
+/* Angles on both sides of the length from which they are computed in binary64. */
+static void arrays_have_the_bits_of_the_single_function_at_any_size(void **state)
+{
+    (void)state;
+    enum { COUNT = 300 };
+    static float x[COUNT], y[COUNT], z[COUNT], q[4][COUNT];
+    const nkw_vec3_view angles = {x, y, z};
+    const nkw_quat_span out = {q[0], q[1], q[2], q[3]};
+    random_source r = random_from(21);
+    for (int o = 0; o < 6; o++) {
+        for (int i = 0; i < COUNT; i++) {
+            float length = i % 3 ? 8192.0f : random_scaled(&r, -20, 100);
+            nkw_vec3 a = nkw_vec3_scale(random_direction(&r), length);
+            x[i] = a.x, y[i] = a.y, z[i] = a.z;
+        }
+        nkw_quat_from_euler_n(angles, orders[o], out, COUNT);
+        for (int i = 0; i < COUNT; i++) {
+            nkw_quat got = {q[0][i], q[1][i], q[2][i], q[3][i]};
+            expect_quat_bits(got, nkw_quat_from_euler(vec(x[i], y[i], z[i]), orders[o]));
+        }
+    }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -224,6 +247,7 @@ int main(void)
         cmocka_unit_test(opposite_quaternions_have_the_same_angles),
         cmocka_unit_test(unwrap_moves_by_whole_turns_to_the_reference),
         cmocka_unit_test(angles_do_not_depend_on_the_length),
+        cmocka_unit_test(arrays_have_the_bits_of_the_single_function_at_any_size),
     };
     return cmocka_run_group_tests_name("euler", tests, NULL, NULL);
 }
