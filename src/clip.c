@@ -159,7 +159,7 @@ static void packed(const nkw_clip *clip, const clip_group *g, uint32_t count, ui
 {
     const packed_at p = packed_at_key(clip, g, count, k);
     const clip_block *blocks = clip_blocks(clip, g);
-    const int held = t == 0.0f ? 1 : t == 1.0f ? 2 : 0;
+    const int held = t == 1.0f;
     float kept[CLIP_KEPT_ROWS * (PACKED_SLOTS / 3 + CLIP_BLOCK)];
     if (g->kind == GROUP_ROTATIONS) {
         nkwi_clip_keep_packed_rotations(&p, held, blocks, g->block_count, kept);

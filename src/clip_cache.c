@@ -49,7 +49,7 @@ int nkwi_clip_sample_kept(const nkw_clip *clip, const clip_group *g, nkw_segment
     const float *base = clip_floats(clip, g->ranges), *step = base + clip_rows(g) * g->lanes;
     size_t k = at.index;
     uint32_t mode = line->modes ? clip_words(clip)[line->modes + k] : g->interpolation;
-    if (k + 1 >= line->count || at.t == 0.0f || at.t == 1.0f || mode != NKW_INTERPOLATION_LINEAR)
+    if (k + 1 >= line->count || (at.t == 0.0f && !g->packed) || at.t == 1.0f || mode != NKW_INTERPOLATION_LINEAR)
         return 0;
     if (*segment != (uint32_t)k + 1)
         keep(clip, g, k, kept);

@@ -26,7 +26,7 @@ static inline size_t clip_cache_head(const nkw_clip *clip)
 
 /*
  * Samples the group at `at` from what is kept, which is computed first if it is of another segment. Returns 0, and does
- * nothing, where a key is held.
+ * nothing, where a key is held, except the first of two packed keys.
  */
 int nkwi_clip_sample_kept(const nkw_clip *clip, const clip_group *g, nkw_segment at, uint32_t *segment, float *kept,
                           float *out, size_t stride);

@@ -173,19 +173,34 @@ NKW_ALWAYS_INLINE void scale_all(const packed_at *p, const float *x, float *out)
 }
 
 /*
- * What is kept of two neighbouring keys (clip_cache.h), of numbers and of rotations. held: 0; 1 if both are the first
- * key, 2 if both are the second, for the times of keys.
+ * What is kept of two neighbouring keys (clip_cache.h), of numbers and of rotations. held: whether both are the second
+ * key, for the time of the last one.
  */
 NKW_LOOP(nkwi_clip_keep_packed)(const packed_at *p, int held, float *kept)
 {
     float a[PACKED_SLOTS], b[PACKED_SLOTS], *d = kept + p->numbers;
     read_keys(p, a, b);
-    const float *from = held == 2 ? b : a, *to = held == 1 ? a : b;
+    const float *from = held ? b : a;
 #pragma omp simd
     for (size_t i = 0; i < p->numbers / 4 * 4; i++) {
         kept[i] = from[i];
-        d[i] = to[i] - from[i];
+        d[i] = b[i] - from[i];
     }
+}
+
+/* Scales of one key each, so that the rotation at the time of a key does not depend on the other one. */
+NKW_ALWAYS_INLINE void set_scales(key16 *key, size_t at, size_t width)
+{
+#pragma omp simd
+    for (size_t i = at; i < at + width; i++)
+        key->scale[i] = 1.0f / (1.0f - key->w[i]);
+}
+
+NKW_ALWAYS_INLINE void arcs_of_width(pairs16 *p, const uint32_t *same, size_t at, size_t width)
+{
+    arcs_of(p, same, at, width);
+    set_scales(&p->a, at, width);
+    set_scales(&p->b, at, width);
 }
 
 /* The arcs of a block: no rotation of the second key is negated. */
@@ -193,11 +208,11 @@ NKW_ALWAYS_INLINE void arcs_packed(pairs16 *p, size_t at, size_t width)
 {
     static const uint32_t same[CLIP_BLOCK] = {0};
     if (width == CLIP_BLOCK)
-        arcs_of(p, same, at, CLIP_BLOCK);
+        arcs_of_width(p, same, at, CLIP_BLOCK);
     else if (width == 8)
-        arcs_of(p, same, at, 8);
+        arcs_of_width(p, same, at, 8);
     else
-        arcs_of(p, same, at, 4);
+        arcs_of_width(p, same, at, 4);
 }
 
 NKW_LOOP(nkwi_clip_keep_packed_rotations)
@@ -206,8 +221,8 @@ NKW_LOOP(nkwi_clip_keep_packed_rotations)
     float a[PACKED_SLOTS], b[PACKED_SLOTS];
     pairs16 pairs;
     read_keys(p, a, b);
-    scale_all(p, held == 2 ? b : a, pairs.a.xyz);
-    scale_all(p, held == 1 ? a : b, pairs.b.xyz);
+    scale_all(p, held ? b : a, pairs.a.xyz);
+    scale_all(p, b, pairs.b.xyz);
     for (size_t k = 0; k < block_count; k++)
         arcs_packed(&pairs, CLIP_BLOCK * k, blocks[k].width);
     for (size_t k = 0; k < block_count; k++)
