@@ -79,4 +79,37 @@ NKW_PART nkw_f32x4 nkw_f32x4_end_1(nkw_f32x4 a)
 }
 #endif
 
+/* Eight floats, two columns, where a register has room for them and the compiler has a shuffle of any vectors. */
+#if NKW_F32X4 && defined(__AVX__) && defined(__has_builtin)
+#if __has_builtin(__builtin_shufflevector)
+#define NKW_F32X8 1
+#endif
+#endif
+#ifndef NKW_F32X8
+#define NKW_F32X8 0
+#endif
+
+#if NKW_F32X8
+typedef float nkw_f32x8 __attribute__((vector_size(32)));
+
+NKW_PART nkw_f32x8 nkw_f32x8_load(const void *from)
+{
+    nkw_f32x8 r;
+    memcpy(&r, from, sizeof r);
+    return r;
+}
+
+NKW_PART void nkw_f32x8_store(void *to, nkw_f32x8 a)
+{
+    memcpy(to, &a, sizeof a);
+}
+
+/* Four floats, twice. */
+NKW_PART nkw_f32x8 nkw_f32x8_twice(const void *from)
+{
+    const nkw_f32x4 a = nkw_f32x4_load(from);
+    return __builtin_shufflevector(a, a, 0, 1, 2, 3, 0, 1, 2, 3);
+}
+#endif
+
 #endif
