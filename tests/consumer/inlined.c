@@ -83,6 +83,7 @@ void RESULT(quats)(const float *in, float *out)
     put_quat(out + 8, nkw_quat_negate(nkw_quat_sub(nkw_quat_scale(b, s), nkw_quat_scale(a, nkw_quat_dot(a, b)))));
     put_vec3(out + 12, nkw_vec3_add(nkw_quat_rotate(a, vec3_at(in + 4)), nkw_vec3_scale(vec3_at(in), s)));
     put_quat(out + 15, nkw_quat_normalize(nkw_quat_add(nkw_quat_mul(a, b), nkw_quat_scale(b, s))));
+    put_quat(out + 19, nkw_quat_nlerp(nkw_quat_mul(a, b), nkw_quat_scale(b, s), s * in[0]));
 }
 
 void RESULT(matrices)(const float *in, float *out)
