@@ -72,8 +72,7 @@ nkw_quat nkw_quat_from_mat3(const nkw_mat3 *m)
     const float *a = m->m;
 #if NKW_F32X4
     f32x4 last = f32x4_load(a + 5);
-    lane_nearest r =
-        f32x4_quat_from_columns(f32x4_load(a), f32x4_load(a + 3), F32X4_SHUFFLE(last, last, 1, 2, 3, 0));
+    lane_nearest r = f32x4_quat_from_columns(f32x4_load(a), f32x4_load(a + 3), F32X4_SHUFFLE(last, last, 1, 2, 3, 0));
 #else
     lane_nearest r = lane_quat_from_columns(nkw_mat3_column(m, 0), nkw_mat3_column(m, 1), nkw_mat3_column(m, 2));
 #endif

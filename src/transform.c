@@ -68,8 +68,8 @@ LANE_FLAT nkw_trs nkw_trs_from_mat4(const nkw_mat4 *m)
     int is_near = f32x4_trs_from_mat4(m->m, &r.translation.x);
 #else
     nkw_mat3 block = nkw_mat3_from_mat4(m);
-    lane_scaled_rotation turn = lane_scaled_rotation_of(nkw_mat3_column(&block, 0), nkw_mat3_column(&block, 1),
-                                                        nkw_mat3_column(&block, 2));
+    lane_scaled_rotation turn =
+        lane_scaled_rotation_of(nkw_mat3_column(&block, 0), nkw_mat3_column(&block, 1), nkw_mat3_column(&block, 2));
     int is_near = turn.is_near;
     r.translation = nkw_mat4_translation(m);
     r.rotation = turn.rotation;

@@ -166,8 +166,8 @@ NKW_API nkw_mat4 nkw_mat4_inverse(const nkw_mat4 *m);
  * product is not within 2^-30 .. 2^30, the result is computed in binary64 and rounded once.
  *
  * Error  9.0 u of |A^-1| in the 3x3 block, and of |A^-1| |t| in the translation, the Frobenius norms, at every ratio of
- *        scales; 1.1 u in the root mean square. Of the norm of the whole result it grows with uneven scales: 11, 19 and
- *        21 u were found at 10 : 1, 100 : 1 and 1000 : 1.
+ *        scales; 1.1 u in the root mean square. Of the norm of the whole result it grows with uneven scales: some 11,
+ *        19 and 21 u at 10 : 1, 100 : 1 and 1000 : 1.
  */
 NKW_API nkw_mat4 nkw_mat4_inverse_affine(const nkw_mat4 *m);
 

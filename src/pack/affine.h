@@ -71,7 +71,8 @@ static inline int affine_inverse(const nkw_mat4 *m, affine *out)
 {
     const float *t = m->m + 12;
     f32x4 r[4] = {f32x4_load(m->m), f32x4_load(m->m + 4), f32x4_load(m->m + 8), f32x4_load(m->m + 8)};
-    f32x4_transpose(r); /* rows; lanes are the columns x y z z, in a0 .. a2 the column after, in b0 .. b2 the one before */
+    f32x4_transpose(
+        r); /* rows; lanes are the columns x y z z, in a0 .. a2 the column after, in b0 .. b2 the one before */
     f32x4 a0 = F32X4_SHUFFLE(r[0], r[0], 1, 2, 0, 0), b0 = F32X4_SHUFFLE(r[0], r[0], 2, 0, 1, 1);
     f32x4 a1 = F32X4_SHUFFLE(r[1], r[1], 1, 2, 0, 0), b1 = F32X4_SHUFFLE(r[1], r[1], 2, 0, 1, 1);
     f32x4 a2 = F32X4_SHUFFLE(r[2], r[2], 1, 2, 0, 0), b2 = F32X4_SHUFFLE(r[2], r[2], 2, 0, 1, 1);
