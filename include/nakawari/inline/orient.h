@@ -42,7 +42,7 @@ NKW_BODY nkw_quat nkw_quat_nlerp(nkw_quat a, nkw_quat b, float t)
     nkw_f32x4 part = weight * from, dot = nkw_f32x4_sum(part * to), zero = nkw_f32x4_splat(0.0f);
     to = (nkw_f32x4)((nkw_i32x4)to ^ (((dot < zero) ^ (weight < zero)) & INT32_MIN));
     nkw_f32x4 v = part + nkw_f32x4_splat(u) * to;
-    if (nkw_nlerp_is_kept(nkw_f32x4_equal(from, to), t, dot[0]))
+    if (t == 0.0f || t == 1.0f || (nkw_f32x4_equal(from, to) && dot[0] != 0.0f)) /* nkw_nlerp_is_kept */
         v = t == 1.0f ? to : from;
     else {
         float n2 = nkw_f32x4_sum(v * v)[0];
