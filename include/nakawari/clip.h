@@ -279,8 +279,9 @@ NKW_API nkw_result nkw_clip_reduce_measure(const nkw_clip_source *source, size_t
  * `distance` along its axes.
  *
  * A reduced clip is opened, sampled and copied as every clip. Equal first and last keys return equal bits. A sample
- * reads two knots and one segment of 16 intervals, at random times as in order, and takes two to four times as long as
- * that of a FLOAT32 clip of the same tracks that is in a near cache.
+ * decodes two keys from two knots and one segment of 16 intervals, at random times as in order. It takes 4 to 12 times
+ * as long as that of a FLOAT32 clip in a near cache: 8 to 10 ns for each moving track with AVX2, 11 to 15 ns with SSE2.
+ * nkw_clip_sample_cached decodes each pair of keys once: half of that at 60 samples per second of keys at 30 Hz.
  *
  * reduced  receives the result; may be NULL
  * Returns  as nkw_clip_measure; NKW_BAD_FORMAT for another format than FLOAT32; NKW_NOT_FINITE for a tolerance or
@@ -288,7 +289,7 @@ NKW_API nkw_result nkw_clip_reduce_measure(const nkw_clip_source *source, size_t
  *
  * If a tolerance is so small that the trials do not reach it, tracks are stored as FLOAT32: `share` is at most 1.
  *
- * Time: some 20 trials. A clip of 67 joints and 301 keys takes 0.4 to 1 s.
+ * Time: 16 to 28 trials. A clip of 67 joints and 301 keys takes 0.4 to 1 s.
  */
 NKW_API nkw_result nkw_clip_reduce(const nkw_clip_source *source, const nkw_clip_reduction *reduction,
                                    const nkw_clip_memory *memory, nkw_clip_reduced *reduced, size_t *bad_track);

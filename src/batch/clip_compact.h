@@ -60,7 +60,7 @@ NKW_ALWAYS_INLINE void arcs_of(pairs16 *p, const uint32_t *negated, size_t at, s
 }
 
 /* Copies a block of pairs to what is kept of it (clip_cache.h). */
-static inline void keep_rows(const pairs16 *p, size_t at, float *kept, size_t width)
+NKW_ALWAYS_INLINE void keep_width(const pairs16 *p, size_t at, float *kept, size_t width)
 {
     const float *rows[4] = {p->a.w, p->a.scale, p->b.w, p->b.scale};
     memcpy(kept, p->a.xyz + 3 * at, 3 * width * sizeof *kept);
@@ -68,6 +68,17 @@ static inline void keep_rows(const pairs16 *p, size_t at, float *kept, size_t wi
     for (size_t i = 0; i < 4; i++)
         memcpy(kept + (i / 2 * 5 + 3 + i % 2) * width, rows[i] + at, width * sizeof *kept);
     memcpy(kept + 10 * width, p->v + at, width * sizeof *kept);
+}
+
+/* Dispatches on the width: a constant width compiles to loads and stores only. */
+NKW_ALWAYS_INLINE void keep_rows(const pairs16 *p, size_t at, float *kept, size_t width)
+{
+    if (width == CLIP_BLOCK)
+        keep_width(p, at, kept, CLIP_BLOCK);
+    else if (width == 8)
+        keep_width(p, at, kept, 8);
+    else
+        keep_width(p, at, kept, 4);
 }
 
 NKW_ALWAYS_INLINE void slerp_of(const pairs16 *p, const lane_compact_series *series, size_t at, float *out,

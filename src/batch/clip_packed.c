@@ -100,33 +100,46 @@ NKW_ALWAYS_INLINE void store_columns(const float *column, const uint8_t *slots, 
             out[slots[i]] = column[i];
 }
 
-/* The sums of the residuals of all slots, at the key and the next one. */
-NKW_ALWAYS_INLINE void read_residuals(const packed_at *p, float *a, float *b)
+/* Adds the residuals of `level_count` levels, best a constant, to the sums of the slots of all columns. */
+NKW_ALWAYS_INLINE void sum_levels(const packed_at *p, const packed_level *levels, size_t level_count, float *a,
+                                  float *b)
 {
     const size_t count = p->stream[0], blocks = packed_blocks(p->stream);
     const uint8_t *widths = packed_widths(p->stream), *slots = packed_slots(p->stream);
     const uint32_t *rows = packed_rows(p->stream);
-    packed_level levels[PACKED_LEVELS];
-    const size_t level_count = find_levels(p, levels);
-    memset(a, 0, p->numbers * sizeof *a);
-    memset(b, 0, p->numbers * sizeof *b);
+    size_t bits[PACKED_LEVELS] = {0};
+    for (size_t level = 0; level < level_count; level++)
+        bits[level] = levels[level].bit;
     for (size_t k = 0; k < blocks; k++, slots += PACKED_COLUMNS, widths += PACKED_LEVELS) {
         const size_t left = count - k * PACKED_COLUMNS, n = left < PACKED_COLUMNS ? left : PACKED_COLUMNS;
         float sum_a[PACKED_COLUMNS] = {0}, sum_b[PACKED_COLUMNS] = {0};
         for (size_t level = 0; level < level_count; level++) {
-            const float weight_a = levels[level].a, weight_b = levels[level].b;
+            const uint32_t width = widths[level];
             float residuals[PACKED_COLUMNS];
-            unpack(rows, levels[level].bit, widths[level], residuals);
+            unpack(rows, bits[level], width, residuals);
 #pragma omp simd
             for (size_t i = 0; i < PACKED_COLUMNS; i++) {
-                sum_a[i] += weight_a * residuals[i];
-                sum_b[i] += weight_b * residuals[i];
+                sum_a[i] += levels[level].a * residuals[i];
+                sum_b[i] += levels[level].b * residuals[i];
             }
-            levels[level].bit += widths[level];
+            bits[level] += width;
         }
         store_columns(sum_a, slots, n, a);
         store_columns(sum_b, slots, n, b);
     }
+}
+
+/* The sums of the residuals of all slots, at the key and the next one. */
+NKW_ALWAYS_INLINE void read_residuals(const packed_at *p, float *a, float *b)
+{
+    packed_level levels[PACKED_LEVELS];
+    const size_t level_count = find_levels(p, levels);
+    memset(a, 0, p->numbers * sizeof *a);
+    memset(b, 0, p->numbers * sizeof *b);
+    if (level_count == PACKED_LEVELS)
+        sum_levels(p, levels, PACKED_LEVELS, a, b);
+    else
+        sum_levels(p, levels, level_count, a, b);
 }
 
 /* The line between the knots at `place`, plus the residuals, of slots from..to - 1; in steps. */
