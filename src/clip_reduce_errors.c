@@ -173,9 +173,10 @@ static void add_times(const nkw_clip_source *s, const nkw_clip_reduction *r, con
     set_rest(s, &e->want);
     for (size_t i = 0; i < s->track_count; i++) {
         const nkw_track *t = &s->tracks[i].track;
-        for (size_t k = 0; is_first_of_timeline(s, i) && k < t->count; k++) {
+        const size_t count = is_first_of_timeline(s, i) ? t->count : 0;
+        for (size_t k = 0; k < count; k++) {
             add_time(s, r, clip, t->times[k], e);
-            if (clip && k + 1 < t->count)
+            if (clip && k + 1 < count)
                 add_time(s, r, clip, nkw_lerp(t->times[k], t->times[k + 1], 0.5f), e);
         }
     }

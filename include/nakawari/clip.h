@@ -181,9 +181,9 @@ NKW_API size_t nkw_clip_cache_bytes(const nkw_clip *clip);
 /**
  * Samples the clip at `time`, for steps of time much smaller than the distance of the keys: slow motion, steps of a
  * simulation. What two neighbouring compact or packed keys (nkw_clip_reduce) determine without the time is kept in the
- * cache: decoded numbers, arcs. Samples of such clips take half the time or less while they are between the same keys; the first one after that takes a
- * third longer. Float clips store their arcs, so for them the cache has cursors only. The pose and the floats are those
- * of nkw_clip_sample, bit for bit.
+ * cache: decoded numbers, arcs. Samples of such clips take half the time or less while they are between the same keys;
+ * the first one after that takes a third longer. Float clips store their arcs, so for them the cache has cursors only.
+ * The pose and the floats are those of nkw_clip_sample, bit for bit.
  *
  * cache    separate for each playing instance; zeros before its first use and before its use for another clip. Aligned
  *          for float, 64-byte alignment is fastest
