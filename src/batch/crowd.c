@@ -141,14 +141,16 @@ NKW_LOOP(nkwi_crowd_to_matrices)(const float *crowd, size_t joints, nkw_mat4 *co
 /* Row r, column c of the blended matrices at [3 c + r], as nkw_skin_linear sums them; k at least 1. */
 NKW_ALWAYS_INLINE void blend_lanes(const influences *f, size_t k, size_t lane, f32xN m[12])
 {
-    for (size_t e = 0; e < k; e++) {
-        /* The offset of a nkw_mat4, 64 bytes, becomes that of 12 rows of sixteen floats. */
-        const unsigned char *entry = f->palette + (size_t)f->offset[e] * 12 + lane * sizeof(float);
-        const f32xN w = f32xN_splat(load_float(f->weights + e * sizeof(float)));
-        for (size_t r = 0; r < 12; r++) {
-            const f32xN term = f32xN_load(entry + r * CROWD_LANES * sizeof(float)) * w;
-            m[r] = e == 0 ? term : m[r] + term;
-        }
+    /* The offset of a nkw_mat4, 64 bytes, becomes that of 12 rows of sixteen floats. */
+    const unsigned char *entry = f->palette + (size_t)f->offset[0] * 12 + lane * sizeof(float);
+    f32xN w = f32xN_splat(load_float(f->weights));
+    for (size_t r = 0; r < 12; r++)
+        m[r] = f32xN_load(entry + r * CROWD_LANES * sizeof(float)) * w;
+    for (size_t e = 1; e < k; e++) {
+        entry = f->palette + (size_t)f->offset[e] * 12 + lane * sizeof(float);
+        w = f32xN_splat(load_float(f->weights + e * sizeof(float)));
+        for (size_t r = 0; r < 12; r++)
+            m[r] = m[r] + f32xN_load(entry + r * CROWD_LANES * sizeof(float)) * w;
     }
 }
 
@@ -202,9 +204,9 @@ NKW_ALWAYS_INLINE void skin_group(const skin_job *job, const influences *from, s
             f32xN m[12];
             blend_lanes(&f, k, lane, m);
             for (size_t s = 0; s < SKIN_STREAMS; s++) {
-                const unsigned char *in = streams[s].in + v * streams[s].in_stride;
                 if (!streams[s].in)
                     continue;
+                const unsigned char *in = streams[s].in + v * streams[s].in_stride;
                 if (s == SKIN_POSITIONS)
                     transform_lanes(m, in, 1, 0, r[s] + 3 * v);
                 else if (job->skip_normalization)
