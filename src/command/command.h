@@ -1,0 +1,97 @@
+/* SPDX-License-Identifier: MIT */
+/**
+ * @file
+ * The program nakawari: one function for each subcommand, and what they share: options, documents, outputs.
+ */
+#ifndef COMMAND_H
+#define COMMAND_H
+
+#include <stdio.h>
+
+#include <popt.h>
+
+#include <nakawari/import.h>
+
+/** The exit codes. */
+enum command_code {
+    COMMAND_FINE,
+    COMMAND_FINDINGS, /**< a finding, or a file that cannot be read or written */
+    COMMAND_MISUSE /**< options that make no sense */
+};
+
+/* The subcommands: argv[0] is "nakawari NAME". They return an exit code. */
+int command_sample(int argc, const char **argv);
+
+/* ---- options.c ---- */
+
+/** The help of a subcommand around its table of options. */
+typedef struct options_text {
+    const char *usage; /**< "[OPTION...] FILE" */
+    const char *about; /**< one sentence or more, each line ends with \n */
+    const char *examples; /**< lines, each ends with \n */
+    int file_count; /**< the number of arguments that are no options */
+} options_text;
+
+typedef struct options {
+    poptContext context;
+    const char **files; /**< file_count arguments */
+    int code; /**< the exit code if options_read returned 0 */
+} options;
+
+/**
+ * Reads the command line into the variables of the table, which ends with OPTIONS_END. Returns 0 if the program is to
+ * end with `code`: after --help, or after a misuse, which is reported on stderr. options_close is due in either case.
+ */
+int options_read(options *o, const options_text *text, const struct poptOption *table, int argc, const char **argv);
+void options_close(options *o);
+
+/** Reports a misuse: "nakawari sample: WHICH: WHAT". Returns COMMAND_MISUSE. */
+int options_misuse(const options *o, const char *which, const char *what);
+
+#define OPTIONS_END {"help", 'h', POPT_ARG_NONE, NULL, 'h', "print this help", NULL}, POPT_TABLEEND
+
+/** The number of `text`, all of it, finite. Returns 0 if it is none. */
+int options_number(const char *text, float *number);
+/** The whole number of `text`, 0..SIZE_MAX - 1. Returns 0 if it is none. */
+int options_index(const char *text, size_t *index);
+/** The index of `word` among `count` words, -1 if it is none of them. */
+int options_word(const char *word, const char *const *words, int count);
+
+/* ---- input.c ---- */
+
+/** Opens a file, or the standard input for "-". An error is reported on stderr; returns NULL. */
+nkw_document *input_open(const char *path);
+/** Reports an error of the import on stderr: "file:place: reason". */
+void input_report(const nkw_import_error *error);
+
+/** Animations of a document: first..first + count - 1. The rest pose is NKW_INPUT_REST. */
+#define INPUT_REST SIZE_MAX
+typedef struct input_clips {
+    size_t first, count;
+} input_clips;
+
+/**
+ * The animations that --clip names: a number, a name, "all" or "rest". NULL: the first, or the rest pose if there is
+ * none. Returns 0 and reports if there is no such animation.
+ */
+int input_select(const nkw_document *document, const char *clip, input_clips *clips);
+/** The name of an animation; "" for INPUT_REST. */
+const char *input_clip_name(const nkw_document *document, size_t animation);
+/** The number of an animation as printed: -1 for INPUT_REST. */
+long input_clip_number(size_t animation);
+
+/* ---- output.c ---- */
+
+/** The file, or the standard output for NULL and "-". Reports an error on stderr and returns NULL. */
+FILE *output_open(const char *path);
+/** Closes it. Returns 0 and reports on stderr if anything could not be written. */
+int output_close(FILE *f, const char *path);
+
+/** A number with nine significant digits, which determine a float; "nan" without a sign. */
+void output_number(FILE *f, float number);
+/** A field of CSV, in quotes if it contains a comma, a quote or a line end. */
+void output_field(FILE *f, const char *text);
+/** A text on a terminal: control characters become \xNN. */
+void output_text(FILE *f, const char *text);
+
+#endif

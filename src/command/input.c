@@ -1,0 +1,123 @@
+/* SPDX-License-Identifier: MIT */
+#include "command.h"
+
+#include <errno.h>
+#include <stdint.h>
+#include <stdlib.h>
+#include <string.h>
+
+/* The standard input is kept in memory; more is an error. */
+#define STDIN_MOST ((size_t)1 << 31)
+
+void input_report(const nkw_import_error *error)
+{
+    output_text(stderr, error->file);
+    if (error->place[0]) {
+        fputs(":", stderr);
+        output_text(stderr, error->place);
+    }
+    fputs(": ", stderr);
+    output_text(stderr, error->reason);
+    fputs("\n", stderr);
+}
+
+/* All bytes of the standard input. Returns NULL, errno set, if it cannot. */
+static unsigned char *read_all(FILE *f, size_t *bytes)
+{
+    unsigned char *data = NULL;
+    size_t room = 0, count = 0;
+    for (;;) {
+        if (count == room) {
+            unsigned char *more = room < STDIN_MOST ? realloc(data, room ? room * 2 : 65536) : NULL;
+            if (!more)
+                break;
+            data = more;
+            room = room ? room * 2 : 65536;
+        }
+        size_t got = fread(data + count, 1, room - count, f);
+        count += got;
+        if (got == 0) {
+            *bytes = count;
+            if (!ferror(f))
+                return data;
+            free(data);
+            return NULL;
+        }
+    }
+    free(data);
+    errno = room < STDIN_MOST ? ENOMEM : EFBIG;
+    return NULL;
+}
+
+static nkw_document *open_stdin(nkw_import_error *error)
+{
+    nkw_document *document = NULL;
+    nkw_import_memory memory = {NULL, 0, "-", ".", NULL, NULL};
+    unsigned char *data = read_all(stdin, &memory.bytes);
+    memory.data = data;
+    if (data)
+        nkw_document_open_memory(&memory, &document, error);
+    else {
+        memset(error, 0, sizeof *error);
+        strcpy(error->file, "-");
+        snprintf(error->reason, sizeof error->reason, "%s", strerror(errno));
+    }
+    free(data);
+    return document;
+}
+
+nkw_document *input_open(const char *path)
+{
+    nkw_document *document = NULL;
+    nkw_import_error error;
+    if (strcmp(path, "-") == 0)
+        document = open_stdin(&error);
+    else
+        nkw_document_open(path, &document, &error);
+    if (!document)
+        input_report(&error);
+    return document;
+}
+
+static int select_name(const nkw_document *d, const char *clip, input_clips *clips)
+{
+    for (size_t i = 0; i < d->animation_count; i++)
+        if (strcmp(d->animations[i].name, clip) == 0) {
+            clips->first = i;
+            return 1;
+        }
+    return 0;
+}
+
+int input_select(const nkw_document *d, const char *clip, input_clips *clips)
+{
+    clips->first = d->animation_count ? 0 : INPUT_REST;
+    clips->count = 1;
+    if (!clip)
+        return 1;
+    if (strcmp(clip, "rest") == 0 || strcmp(clip, "-1") == 0) {
+        clips->first = INPUT_REST;
+        return 1;
+    }
+    if (strcmp(clip, "all") == 0) {
+        clips->count = d->animation_count ? d->animation_count : 1;
+        return 1;
+    }
+    if (select_name(d, clip, clips) || (options_index(clip, &clips->first) && clips->first < d->animation_count))
+        return 1;
+    output_text(stderr, d->file);
+    fputs(": no clip ", stderr);
+    output_text(stderr, clip);
+    fprintf(stderr, ": it has %zu\n", d->animation_count);
+    return 0;
+}
+
+const char *input_clip_name(const nkw_document *document, size_t animation)
+{
+    return animation < document->animation_count ? document->animations[animation].name : "";
+}
+
+long input_clip_number(size_t animation)
+{
+    return animation == INPUT_REST ? -1 : (long)animation;
+}

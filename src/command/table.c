@@ -1,0 +1,94 @@
+/* SPDX-License-Identifier: MIT */
+#include "table.h"
+
+#include <stdint.h>
+#include <string.h>
+
+#include "json.h"
+
+static void put_u32(FILE *f, uint32_t value)
+{
+    for (int shift = 0; shift < 32; shift += 8)
+        fputc((int)(value >> shift & 255), f);
+}
+
+static void put_f32(FILE *f, float value)
+{
+    uint32_t bits;
+    memcpy(&bits, &value, sizeof bits);
+    put_u32(f, bits);
+}
+
+void table_begin(table *t, const char *file)
+{
+    if (t->format == TABLE_CSV)
+        fprintf(t->file, "clip,time,index,name,%s\n", t->columns);
+    if (t->format == TABLE_JSON) {
+        fputs("{\"file\": ", t->file);
+        t->failed |= !json_put(t->file, json_text(file));
+        fprintf(t->file, ",\n \"what\": \"%s\",\n \"columns\": \"%s\",\n \"rows\": [", t->what, t->columns);
+    }
+}
+
+void table_end(table *t)
+{
+    if (t->format == TABLE_JSON)
+        fputs("\n]}\n", t->file);
+}
+
+void table_clip(table *t, long clip, size_t time_count)
+{
+    t->clip = clip;
+    if (t->format != TABLE_RAW)
+        return;
+    fputs("nkwsampl", t->file);
+    put_u32(t->file, 1);
+    put_u32(t->file, (uint32_t)t->kind);
+    put_u32(t->file, (uint32_t)clip);
+    put_u32(t->file, (uint32_t)time_count);
+    put_u32(t->file, (uint32_t)t->rows_per_time);
+    put_u32(t->file, (uint32_t)t->width);
+}
+
+void table_time(table *t, float time)
+{
+    t->time = time;
+    if (t->format == TABLE_RAW)
+        put_f32(t->file, time);
+}
+
+static void csv_row(table *t, size_t index, const char *name, const float *numbers)
+{
+    fprintf(t->file, "%ld,", t->clip);
+    output_number(t->file, t->time);
+    fprintf(t->file, ",%zu,", index);
+    output_field(t->file, name);
+    for (size_t i = 0; i < t->width; i++) {
+        fputc(',', t->file);
+        output_number(t->file, numbers[i]);
+    }
+    fputc('\n', t->file);
+}
+
+static void json_row(table *t, size_t index, const char *name, const float *numbers)
+{
+    json_t *values = json_array();
+    for (size_t i = 0; i < t->width; i++)
+        json_array_append_new(values, json_number(numbers[i]));
+    json_t *row = json_pack("{s:I, s:o, s:I, s:o, s:o}", "clip", (json_int_t)t->clip, "time", json_number(t->time),
+                            "index", (json_int_t)index, "name", json_text(name), "values", values);
+    fputs(t->row_count ? ",\n  " : "\n  ", t->file);
+    t->failed |= !json_put(t->file, row);
+}
+
+void table_row(table *t, size_t index, const char *name, const float *numbers)
+{
+    if (t->format == TABLE_CSV)
+        csv_row(t, index, name, numbers);
+    else if (t->format == TABLE_JSON)
+        json_row(t, index, name, numbers);
+    else
+        for (size_t i = 0; i < t->width; i++)
+            put_f32(t->file, numbers[i]);
+    t->row_count++;
+}
