@@ -1,0 +1,301 @@
+/* SPDX-License-Identifier: MIT */
+/* nakawari info: what a file contains. */
+#include <stdint.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include <nakawari/segment.h>
+
+#include "command.h"
+#include "json.h"
+#include "size.h"
+
+static const options_text text = {
+    "[OPTION...] FILE",
+    "Prints what FILE contains (- reads the standard input): counts, a table of its clips, and a table of the\n"
+    "channels of each clip: the joint, what is animated, the interpolation, the number of keys, the first and the\n"
+    "last key time, how the keys are spaced, and the bytes in the file, in a clip of float keys and in a clip of\n"
+    "16-bit keys.\n",
+    "  nakawari info fox.glb\n"
+    "  nakawari info --clips fox.glb\n"
+    "  nakawari info --json fox.glb | jq '.clips[].name'\n",
+    1};
+
+static const char *const targets[] = {"translation", "rotation", "scale", "weights"};
+static const char *const modes[] = {"LINEAR", "STEP", "CUBICSPLINE"};
+
+/* ---- counts ---- */
+
+typedef struct totals {
+    size_t vertices, triangles, primitives, targets;
+} totals;
+
+static totals count_meshes(const nkw_document *d)
+{
+    totals t = {0, 0, 0, 0};
+    for (size_t m = 0; m < d->mesh_count; m++)
+        for (size_t p = 0; p < d->meshes[m].primitive_count; p++) {
+            const nkw_document_primitive *primitive = &d->meshes[m].primitives[p];
+            t.primitives++;
+            t.vertices += primitive->vertex_count;
+            t.targets += primitive->target_count;
+            t.triangles += primitive->topology == NKW_DOCUMENT_TRIANGLES ? primitive->index_count / 3 : 0;
+        }
+    return t;
+}
+
+/* Of an animation: all keys, their bytes in the file, the animated joints, the first and the last key time. */
+typedef struct clip_totals {
+    size_t keys, bytes, joints;
+    float start, end;
+} clip_totals;
+
+static size_t count_joints(const nkw_document *d, const nkw_document_animation *a)
+{
+    size_t count = 0;
+    unsigned char *seen = calloc(d->skeleton.joint_count, 1);
+    for (size_t i = 0; seen && i < a->track_count; i++) {
+        unsigned char *one = &seen[a->channels[i].joint];
+        count += !*one;
+        *one = 1;
+    }
+    free(seen);
+    return count;
+}
+
+static clip_totals count_clip(const nkw_document *d, size_t animation)
+{
+    const nkw_document_animation *a = &d->animations[animation];
+    clip_totals t = {0, 0, count_joints(d, a), 0.0f, 0.0f};
+    for (size_t i = 0; i < a->track_count; i++) {
+        const nkw_track *track = &a->tracks[i].track;
+        t.keys += track->count;
+        t.bytes += a->channels[i].bytes;
+        if (!track->count)
+            continue;
+        float first = track->times[0], last = track->times[track->count - 1];
+        t.start = i == 0 || first < t.start ? first : t.start;
+        t.end = i == 0 || last > t.end ? last : t.end;
+    }
+    return t;
+}
+
+/* How the keys are spaced: "24/s", "about 24/s" or "uneven"; "-" for one key. */
+static const char *spacing(const nkw_track *track, char out[48])
+{
+    float rate;
+    if (track->count < 2)
+        return "-";
+    if (nkw_segment_uniform_rate(track->times, track->count, &rate) == NKW_OK)
+        snprintf(out, 48, "%.6g/s", (double)rate);
+    else if (nkw_segment_even_rate(track->times, track->count, &rate) == NKW_OK)
+        snprintf(out, 48, "about %.6g/s", (double)rate);
+    else
+        return "uneven";
+    return out;
+}
+
+/* ---- text ---- */
+
+/* A text in a column of at least `width` characters of UTF-8. */
+static void put_column(const char *name, int width)
+{
+    int characters = 0;
+    output_text(stdout, name);
+    for (const char *c = name; *c; c++)
+        characters += ((unsigned char)*c & 0xc0) != 0x80;
+    printf("%*s", characters < width ? width - characters + 2 : 2, "");
+}
+
+static int widest_name(const nkw_document *d)
+{
+    size_t widest = 5;
+    for (size_t i = 0; i < d->skeleton.joint_count; i++) {
+        size_t length = strlen(d->nodes[i].name);
+        widest = length > widest && length <= 32 ? length : widest;
+    }
+    return (int)widest;
+}
+
+static void put_file(const nkw_document *d)
+{
+    totals t = count_meshes(d);
+    output_text(stdout, d->file);
+    printf(": %s, %zu bytes", d->format, d->bytes);
+    if (d->generator[0]) {
+        fputs(", by ", stdout);
+        output_text(stdout, d->generator);
+    }
+    printf("\n  %zu nodes, %zu skins, %zu meshes, %zu materials, %zu clips, %zu morph weights\n",
+           d->skeleton.joint_count, d->skin_count, d->mesh_count, d->material_count, d->animation_count,
+           d->float_count);
+    printf("  %zu primitives: %zu vertices, %zu triangles, %zu morph targets\n", t.primitives, t.vertices, t.triangles,
+           t.targets);
+    for (size_t i = 0; i < d->skin_count; i++) {
+        printf("  skin %zu ", i);
+        output_text(stdout, d->skins[i].name);
+        printf(": %zu joints\n", d->skins[i].joint_count);
+    }
+}
+
+static void put_bytes(size_t bytes)
+{
+    if (bytes == SIZE_MAX)
+        printf("  %9s", "refused");
+    else
+        printf("  %9zu", bytes);
+}
+
+static void put_clips(const nkw_document *d)
+{
+    int width = 4;
+    for (size_t i = 0; i < d->animation_count; i++) {
+        int length = (int)strlen(d->animations[i].name);
+        width = length > width && length <= 32 ? length : width;
+    }
+    printf("\nclip  ");
+    put_column("name", width);
+    printf("channels  joints     keys      start        end       file       clip    compact\n");
+    for (size_t i = 0; i < d->animation_count; i++) {
+        clip_totals t = count_clip(d, i);
+        clip_size size = size_of_clip(d, i);
+        printf("%4zu  ", i);
+        put_column(d->animations[i].name, width);
+        printf("%8zu  %6zu  %7zu  %9.6g  %9.6g", d->animations[i].track_count, t.joints, t.keys, (double)t.start,
+               (double)t.end);
+        put_bytes(t.bytes);
+        put_bytes(size.clip);
+        put_bytes(size.compact);
+        putchar('\n');
+    }
+}
+
+static void put_channels(const nkw_document *d, size_t animation)
+{
+    const nkw_document_animation *a = &d->animations[animation];
+    int width = widest_name(d);
+    char even[48];
+    printf("\nclip %zu ", animation);
+    output_text(stdout, a->name);
+    printf("\nchannel  ");
+    put_column("joint", width);
+    printf("target       mode            keys      start        end  %-12s       file       clip    compact\n",
+           "keys at");
+    for (size_t i = 0; i < a->track_count; i++) {
+        const nkw_track *track = &a->tracks[i].track;
+        clip_size size = size_of_channel(d, animation, i);
+        float first = track->count ? track->times[0] : 0.0f,
+              last = track->count ? track->times[track->count - 1] : 0.0f;
+        printf("%7zu  ", a->channels[i].number);
+        put_column(d->nodes[a->channels[i].joint].name, width);
+        printf("%-11s  %-11s  %7zu  %9.6g  %9.6g  %-12s", targets[a->tracks[i].target], modes[track->interpolation],
+               track->count, (double)first, (double)last, spacing(track, even));
+        put_bytes(a->channels[i].bytes);
+        put_bytes(size.clip);
+        put_bytes(size.compact);
+        putchar('\n');
+    }
+}
+
+static void put_text(const nkw_document *d, int clips_only)
+{
+    put_file(d);
+    if (d->animation_count)
+        put_clips(d);
+    for (size_t i = 0; !clips_only && i < d->animation_count; i++)
+        put_channels(d, i);
+}
+
+/* ---- JSON ---- */
+
+static json_t *json_bytes(size_t bytes)
+{
+    return bytes == SIZE_MAX ? json_null() : json_integer((json_int_t)bytes);
+}
+
+static json_t *json_channel(const nkw_document *d, size_t animation, size_t i)
+{
+    const nkw_document_animation *a = &d->animations[animation];
+    const nkw_track *track = &a->tracks[i].track;
+    clip_size size = size_of_channel(d, animation, i);
+    float rate = 0.0f;
+    const int exact = nkw_segment_uniform_rate(track->times, track->count, &rate) == NKW_OK;
+    const int even = exact || nkw_segment_even_rate(track->times, track->count, &rate) == NKW_OK;
+    return json_pack("{s:I, s:I, s:o, s:s, s:s, s:I, s:o, s:o, s:s, s:o, s:o, s:o, s:o}", "channel",
+                     (json_int_t)a->channels[i].number, "node", (json_int_t)d->nodes[a->channels[i].joint].number,
+                     "joint", json_text(d->nodes[a->channels[i].joint].name), "target", targets[a->tracks[i].target],
+                     "mode", modes[track->interpolation], "keys", (json_int_t)track->count, "start",
+                     track->count ? json_number((double)track->times[0]) : json_null(), "end",
+                     track->count ? json_number((double)track->times[track->count - 1]) : json_null(), "spacing",
+                     exact  ? "uniform"
+                     : even ? "even"
+                            : "uneven",
+                     "rate", even ? json_number((double)rate) : json_null(), "file_bytes",
+                     json_bytes(a->channels[i].bytes), "clip_bytes", json_bytes(size.clip), "compact_bytes",
+                     json_bytes(size.compact));
+}
+
+static json_t *json_clip(const nkw_document *d, size_t animation, int clips_only)
+{
+    const nkw_document_animation *a = &d->animations[animation];
+    clip_totals t = count_clip(d, animation);
+    clip_size size = size_of_clip(d, animation);
+    json_t *clip = json_pack("{s:I, s:o, s:I, s:I, s:I, s:o, s:o, s:o, s:o, s:o}", "clip", (json_int_t)animation,
+                             "name", json_text(a->name), "channel_count", (json_int_t)a->track_count, "joints",
+                             (json_int_t)t.joints, "keys", (json_int_t)t.keys, "start", json_number((double)t.start),
+                             "end", json_number((double)t.end), "file_bytes", json_bytes(t.bytes), "clip_bytes",
+                             json_bytes(size.clip), "compact_bytes", json_bytes(size.compact));
+    json_t *channels = clips_only ? NULL : json_array();
+    for (size_t i = 0; channels && i < a->track_count; i++)
+        json_array_append_new(channels, json_channel(d, animation, i));
+    if (channels)
+        json_object_set_new(clip, "channels", channels);
+    return clip;
+}
+
+static int put_json(const nkw_document *d, int clips_only)
+{
+    totals t = count_meshes(d);
+    json_t *clips = json_array(), *skins = json_array();
+    for (size_t i = 0; i < d->animation_count; i++)
+        json_array_append_new(clips, json_clip(d, i, clips_only));
+    for (size_t i = 0; i < d->skin_count; i++)
+        json_array_append_new(skins, json_pack("{s:o, s:I}", "name", json_text(d->skins[i].name), "joints",
+                                               (json_int_t)d->skins[i].joint_count));
+    json_t *all =
+        json_pack("{s:o, s:s, s:o, s:I, s:I, s:o, s:I, s:I, s:I, s:I, s:I, s:I, s:I, s:o}", "file", json_text(d->file),
+                  "format", d->format, "generator", json_text(d->generator), "bytes", (json_int_t)d->bytes, "nodes",
+                  (json_int_t)d->skeleton.joint_count, "skins", skins, "meshes", (json_int_t)d->mesh_count,
+                  "primitives", (json_int_t)t.primitives, "vertices", (json_int_t)t.vertices, "triangles",
+                  (json_int_t)t.triangles, "morph_targets", (json_int_t)t.targets, "morph_weights",
+                  (json_int_t)d->float_count, "materials", (json_int_t)d->material_count, "clips", clips);
+    return json_put_lines(stdout, all);
+}
+
+/* ---- the command ---- */
+
+int command_info(int argc, const char **argv)
+{
+    int json = 0, clips_only = 0;
+    const struct poptOption known[] = {
+        {"clips", 'c', POPT_ARG_NONE, &clips_only, 0, "print clips without their channels", NULL},
+        {"json", 0, POPT_ARG_NONE, &json, 0, "print JSON", NULL},
+        OPTIONS_END};
+    options o;
+    int code = COMMAND_FINE;
+    if (!options_read(&o, &text, known, argc, argv))
+        code = o.code;
+    else {
+        nkw_document *d = input_open(o.files[0]);
+        int fine = d != NULL;
+        if (d && json)
+            fine = put_json(d, clips_only);
+        else if (d)
+            put_text(d, clips_only);
+        fine = d && output_close(stdout, NULL) && fine;
+        nkw_document_close(d);
+        code = fine ? COMMAND_FINE : COMMAND_FINDINGS;
+    }
+    options_close(&o);
+    return code;
+}

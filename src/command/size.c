@@ -1,0 +1,54 @@
+/* SPDX-License-Identifier: MIT */
+#include "size.h"
+
+#include <stdint.h>
+#include <stdlib.h>
+
+static size_t measure(nkw_clip_source source, nkw_clip_format format)
+{
+    size_t count = NKW_CLIP_WORK(source.track_count), bytes;
+    uint32_t *work = calloc(count ? count : 1, sizeof *work);
+    source.format = format;
+    if (!work || nkw_clip_measure(&source, &bytes, NULL, work, count) != NKW_OK)
+        bytes = SIZE_MAX;
+    free(work);
+    return bytes;
+}
+
+clip_size size_of_clip(const nkw_document *d, size_t animation)
+{
+    nkw_clip_source source = nkw_document_clip_source(d, animation, NKW_CLIP_FLOAT32);
+    clip_size size = {measure(source, NKW_CLIP_FLOAT32), measure(source, NKW_CLIP_UNORM16)};
+    return size;
+}
+
+/* Lanes are stored in groups of 16 at most, so the share in 16 equal channels has no unused lanes. */
+enum { COPIES = 16 };
+
+static size_t share(const nkw_clip_source *source, nkw_clip_format format)
+{
+    nkw_clip_source none = *source;
+    none.track_count = 0;
+    size_t with = measure(*source, format), without = measure(none, format);
+    if (with == SIZE_MAX || without == SIZE_MAX)
+        return SIZE_MAX;
+    return with > without ? (with - without + COPIES - 1) / COPIES : 0;
+}
+
+clip_size size_of_channel(const nkw_document *d, size_t animation, size_t track)
+{
+    nkw_clip_track copies[COPIES];
+    nkw_clip_source source = {copies, COPIES, COPIES, 0, {NULL, COPIES}, NULL, NKW_CLIP_FLOAT32};
+    for (uint32_t i = 0; i < COPIES; i++) {
+        copies[i] = d->animations[animation].tracks[track];
+        copies[i].index = i;
+    }
+    const size_t width = copies[0].track.width;
+    if (copies[0].target == NKW_CLIP_FLOATS && width < UINT32_MAX / COPIES) {
+        source.float_count = COPIES * width;
+        for (uint32_t i = 0; i < COPIES; i++)
+            copies[i].index = i * (uint32_t)width;
+    }
+    clip_size size = {share(&source, NKW_CLIP_FLOAT32), share(&source, NKW_CLIP_UNORM16)};
+    return size;
+}

@@ -1,0 +1,17 @@
+/* SPDX-License-Identifier: MIT */
+/** @file The bytes of clips. */
+#ifndef SIZE_H
+#define SIZE_H
+
+#include "command.h"
+
+/** Bytes as NKW_CLIP_FLOAT32 and as NKW_CLIP_UNORM16; SIZE_MAX where the library refuses the keys. */
+typedef struct clip_size {
+    size_t clip, compact;
+} clip_size;
+
+clip_size size_of_clip(const nkw_document *d, size_t animation);
+/** One sixteenth of what 16 such channels add to a clip without tracks: its keys, and its share of the key times. */
+clip_size size_of_channel(const nkw_document *d, size_t animation, size_t track);
+
+#endif
