@@ -1,0 +1,129 @@
+/* SPDX-License-Identifier: MIT */
+/* nakawari check: what is wrong with a file. */
+#include "check.h"
+
+#include <stdint.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "json.h"
+
+static const options_text text = {
+    "[OPTION...] FILE",
+    "Checks FILE (- reads the standard input) and prints one line for each finding: file, clip, joint, key and time,\n"
+    "severity, what, and how much.\n\n"
+    "  error     unsorted-time, not-finite, not-unit, joint-out-of-range, bad-weight, refused\n"
+    "  warning   duplicate-time, short-segment, not-unit, over-half-turn, long-way, non-positive-scale (negative),\n"
+    "            weights-sum, unused-joint-out-of-range, singular-matrix\n"
+    "  note      rounded-unit, sign-flip, half-turn, non-positive-scale (zero), constant, spare-keys, open-loop\n\n"
+    "Errors and warnings make the exit code 1, with --strict notes too.\n",
+    "  nakawari check fox.glb\n"
+    "  for f in *.glb; do nakawari check --no-notes \"$f\" || broken=1; done\n"
+    "  nakawari check --json fox.glb | jq '.findings[] | select(.severity == \"error\")'\n",
+    1};
+
+/* An error of the library that no check has found: two tracks of one property, for example. */
+static int check_clip_builds(check *c, size_t animation)
+{
+    nkw_clip *clip = NULL;
+    nkw_import_error error;
+    finding f = finding_of(SEVERITY_ERROR, "refused");
+    int fine = nkw_document_clip(c->document, animation, NKW_CLIP_FLOAT32, &clip, &error) == NKW_IMPORT_OK;
+    nkw_import_free(clip);
+    if (fine)
+        return 1;
+    f.clip = (long)animation;
+    snprintf(f.detail, sizeof f.detail, "%.60s: %.90s", error.place, error.reason);
+    findings_add(&c->found, &f);
+    return 0;
+}
+
+static void check_clip(check *c, size_t animation, int notes)
+{
+    const nkw_document_animation *a = &c->document->animations[animation];
+    size_t errors = c->found.counts[SEVERITY_ERROR];
+    for (size_t i = 0; i < a->track_count; i++)
+        check_track(c, animation, i);
+    if (c->found.counts[SEVERITY_ERROR] != errors || !check_clip_builds(c, animation) || !notes)
+        return;
+    for (size_t i = 0; i < a->track_count; i++)
+        check_spare_keys(c, animation, i);
+    check_loop(c, animation);
+}
+
+static void check_document(check *c, int notes)
+{
+    check_model(c);
+    for (size_t i = 0; i < c->document->animation_count; i++)
+        check_clip(c, i, notes);
+}
+
+static int put_json(check *c)
+{
+    json_t *all = json_pack("{s:o, s:I, s:I, s:I, s:o}", "file", json_text(c->document->file), "errors",
+                            (json_int_t)c->found.counts[SEVERITY_ERROR], "warnings",
+                            (json_int_t)c->found.counts[SEVERITY_WARNING], "notes",
+                            (json_int_t)c->found.counts[SEVERITY_NOTE], "findings", c->found.list);
+    return json_put_lines(stdout, all);
+}
+
+typedef struct request {
+    int json, strict, no_notes;
+    float tolerance;
+    long most;
+} request;
+
+static int run(const nkw_document *d, const request *r)
+{
+    check c;
+    memset(&c, 0, sizeof c);
+    c.document = c.found.document = d;
+    c.found.most = (size_t)r->most;
+    c.found.hide_notes = r->no_notes;
+    c.found.list = r->json ? json_array() : NULL;
+    int fine = extent_open(&c.extent, d);
+    if (fine) {
+        c.tolerance = r->tolerance >= 0.0f ? r->tolerance : 1e-4f * c.extent.size;
+        check_document(&c, !r->no_notes);
+    }
+    extent_free(&c.extent);
+    fine = fine && !c.found.failed;
+    if (r->json && fine)
+        fine = put_json(&c);
+    fine = output_close(stdout, NULL) && fine;
+    if (!fine || c.found.counts[SEVERITY_ERROR] || c.found.counts[SEVERITY_WARNING])
+        return COMMAND_FINDINGS;
+    return r->strict && c.found.counts[SEVERITY_NOTE] ? COMMAND_FINDINGS : COMMAND_FINE;
+}
+
+static int check_request(const options *o, const request *r)
+{
+    if (!(r->tolerance == -1.0f || (r->tolerance >= 0.0f && r->tolerance < 1e30f)))
+        return options_misuse(o, "--tolerance", "not a distance");
+    return r->most < 1 ? options_misuse(o, "--most", "not a positive number") : COMMAND_FINE;
+}
+
+int command_check(int argc, const char **argv)
+{
+    request r = {0, 0, 0, -1.0f, 100};
+    const struct poptOption known[] = {
+        {"json", 0, POPT_ARG_NONE, &r.json, 0, "print one JSON object in place of lines", NULL},
+        {"strict", 's', POPT_ARG_NONE, &r.strict, 0, "exit with 1 for notes too", NULL},
+        {"no-notes", 'n', POPT_ARG_NONE, &r.no_notes, 0, "do not look for what only wastes memory, and for open loops",
+         NULL},
+        {"tolerance", 't', POPT_ARG_FLOAT, &r.tolerance, 0,
+         "distance that is not seen, for notes (default: 1/10000 of the model's size)", "D"},
+        {"most", 'm', POPT_ARG_LONG, &r.most, 0, "lines of one kind for one track (default: 100)", "N"},
+        OPTIONS_END};
+    options o;
+    int code;
+    if (!options_read(&o, &text, known, argc, argv))
+        code = o.code;
+    else if ((code = check_request(&o, &r)) == COMMAND_FINE) {
+        nkw_document *d = input_open(o.files[0]);
+        code = d ? run(d, &r) : COMMAND_FINDINGS;
+        nkw_document_close(d);
+    }
+    options_close(&o);
+    return code;
+}

@@ -1,0 +1,137 @@
+/* SPDX-License-Identifier: MIT */
+/* Keys that a tolerance would drop, constant tracks, loops. */
+#include <math.h>
+#include <stdint.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "check.h"
+#include "distance.h"
+
+/* A difference of two values of a track as a distance in model space: the largest that it can cause. */
+static double distance_of(const check *c, const nkw_clip_track *track, size_t joint, const float *a, const float *b)
+{
+    double sum = 0.0, other = 0.0, lever = (double)c->extent.lever[joint];
+    for (size_t i = 0; i < track->track.width; i++) {
+        double minus = (double)a[i] - (double)b[i], plus = (double)a[i] + (double)b[i];
+        sum = track->target == NKW_CLIP_FLOATS ? fmax(sum, minus * minus) : sum + minus * minus;
+        other += plus * plus;
+    }
+    switch (track->target) {
+    case NKW_CLIP_ROTATION: /* a chord of 2 sin(angle / 4); the farthest point moves by at most angle times lever */
+        return 2.0 * sqrt(fmin(sum, other)) * lever;
+    case NKW_CLIP_TRANSLATION:
+        return sqrt(sum) * (double)c->extent.stretch[joint];
+    case NKW_CLIP_SCALE:
+        return sqrt(sum) * lever;
+    default: /* morph weights: the whole model at a weight of 1, at most */
+        return sqrt(sum) * (double)c->extent.size;
+    }
+}
+
+enum { WIDEST = 64, WINDOW = 256 };
+
+/* Whether the keys between i and j are what LINEAR or STEP between them would be. */
+static int spans(const check *c, const nkw_clip_track *track, size_t joint, size_t i, size_t j)
+{
+    float value[WIDEST], times[2] = {track->track.times[i], track->track.times[j]}, values[2 * WIDEST];
+    const size_t width = track->track.width;
+    nkw_track pair = track->track;
+    memcpy(values, check_value(&track->track, i), width * sizeof *values);
+    memcpy(values + width, check_value(&track->track, j), width * sizeof *values);
+    pair.times = times, pair.values = values, pair.count = 2;
+    for (size_t k = i + 1; k < j; k++) {
+        nkw_track_sample(&pair, track->track.times[k], value);
+        if (!(distance_of(c, track, joint, value, check_value(&track->track, k)) <= (double)c->tolerance))
+            return 0;
+    }
+    return 1;
+}
+
+/* Greedy: from a key that is kept, the farthest key that spans all between. */
+static size_t count_spare(const check *c, const nkw_clip_track *track, size_t joint)
+{
+    size_t kept = 1;
+    for (size_t i = 0; i + 1 < track->track.count; kept++) {
+        size_t j = i + 1;
+        while (j + 1 < track->track.count && j - i < WINDOW && spans(c, track, joint, i, j + 1))
+            j++;
+        i = j;
+    }
+    return track->track.count - kept;
+}
+
+static double range_of(const check *c, const nkw_clip_track *track, size_t joint)
+{
+    double most = 0.0;
+    for (size_t k = 1; k < track->track.count; k++)
+        most = fmax(most, distance_of(c, track, joint, check_value(&track->track, 0), check_value(&track->track, k)));
+    return most;
+}
+
+void check_spare_keys(check *c, size_t animation, size_t index)
+{
+    const nkw_document_animation *a = &c->document->animations[animation];
+    const nkw_clip_track *track = &a->tracks[index];
+    const size_t joint = (size_t)a->channels[index].joint;
+    finding f = check_finding(c, animation, index, -1, SEVERITY_NOTE, "constant");
+    int cubic = track->track.interpolation == NKW_INTERPOLATION_CUBICSPLINE;
+    if (track->track.count < 2 || track->track.width > WIDEST || track->track.key_interpolation)
+        return;
+    f.amount = range_of(c, track, joint);
+    if (!cubic && f.amount <= (double)c->tolerance) {
+        snprintf(f.detail, sizeof f.detail, "%zu keys within a distance of %.3g: one is enough", track->track.count,
+                 f.amount);
+        findings_add(&c->found, &f);
+        return;
+    }
+    size_t spare = cubic ? 0 : count_spare(c, track, joint);
+    if (!spare)
+        return;
+    f.what = "spare-keys";
+    f.amount = (double)spare;
+    snprintf(f.detail, sizeof f.detail, "%zu of %zu keys can be dropped within a distance of %.3g", spare,
+             track->track.count, (double)c->tolerance);
+    findings_add(&c->found, &f);
+}
+
+/* ---- loops ---- */
+
+static void compare_ends(check *c, size_t animation, moment *m, nkw_mat4 *first)
+{
+    const size_t joints = c->document->skeleton.joint_count;
+    double worst = 0.0;
+    size_t at = 0;
+    moment_at(m, nkw_clip_start(m->clip));
+    memcpy(first, m->models, joints * sizeof *first);
+    moment_at(m, nkw_clip_end(m->clip));
+    for (size_t j = 0; j < joints; j++) {
+        double distance = matrix_distance(&first[j], &m->models[j], c->extent.reach[j]);
+        if (distance > worst) {
+            worst = distance;
+            at = j;
+        }
+    }
+    if (worst <= (double)c->tolerance)
+        return;
+    finding f = finding_of(SEVERITY_NOTE, "open-loop");
+    f.clip = (long)animation;
+    f.joint = c->document->nodes[at].name;
+    f.number = (long)c->document->nodes[at].number;
+    f.amount = worst;
+    snprintf(f.detail, sizeof f.detail, "the end of the clip is %.6g from its start, %.3g of the model's size", worst,
+             worst / (double)c->extent.size);
+    findings_add(&c->found, &f);
+}
+
+void check_loop(check *c, size_t animation)
+{
+    moment m;
+    nkw_mat4 *first = calloc(c->document->skeleton.joint_count, sizeof *first);
+    if (moment_open(&m, c->document, animation) && first)
+        compare_ends(c, animation, &m, first);
+    else
+        c->found.failed = 1;
+    moment_close(&m);
+    free(first);
+}

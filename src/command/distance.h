@@ -1,0 +1,14 @@
+/* SPDX-License-Identifier: MIT */
+/** @file The distance of two matrices of a joint. */
+#ifndef DISTANCE_H
+#define DISTANCE_H
+
+#include <nakawari/types.h>
+
+/**
+ * The largest distance of four points, each moved by a and by b: the joint's origin, and the points at `reach` along its
+ * three axes. The measure of nkw_clip_reduce. NaN counts as infinity.
+ */
+double matrix_distance(const nkw_mat4 *a, const nkw_mat4 *b, float reach);
+
+#endif
