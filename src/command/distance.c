@@ -2,10 +2,13 @@
 #include "distance.h"
 
 #include <math.h>
+#include <string.h>
 
 double matrix_distance(const nkw_mat4 *a, const nkw_mat4 *b, float reach)
 {
     double worst = 0.0;
+    if (memcmp(a, b, sizeof *a) == 0)
+        return worst;
     for (int axis = -1; axis < 3; axis++) {
         double squares = 0.0;
         for (int r = 0; r < 3; r++) {

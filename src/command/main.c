@@ -14,6 +14,7 @@ typedef struct subcommand {
 
 static const subcommand subcommands[] = {
     {"check", "nakawari check", command_check, "what is wrong with a file: one line for each finding"},
+    {"diff", "nakawari diff", command_diff, "the largest difference of each joint between two files"},
     {"info", "nakawari info", command_info, "what a file contains: clips, channels, keys, bytes"},
     {"sample", "nakawari sample", command_sample, "poses, matrices or vertices at times, as CSV, JSON or raw numbers"},
 };
