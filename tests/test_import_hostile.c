@@ -452,17 +452,18 @@ static void memory_is_bounded(void **state)
 
 /* ---- Bytes ---- */
 
+static const char glb_text[] =
+    "{" ASSET "'buffers':[{'byteLength':44}],'bufferViews':[{'buffer':0,'byteLength':44}],"
+    "'accessors':[" FLOATS(2, SCALAR) "," FLOATS(
+        3, VEC3) ","
+                 "{'bufferView':0,'byteOffset':8,'componentType':5126,'count':2,'type':'VEC3'}],"
+                 "'nodes':[{'mesh':0},{}],'meshes':[{'primitives':[{'attributes':{'POSITION':1}}]}],"
+                 "'animations':[{'samplers':[{'input':0,'output':2}],'channels':[" MOVES "]}]}   ";
+
 /* A GLB of one triangle that moves; returns its size. */
 static size_t glb(unsigned char *out)
 {
-    char *
-        json = quoted("{" ASSET
-                      "'buffers':[{'byteLength':44}],'bufferViews':[{'buffer':0,'byteLength':44}],'accessors':[" FLOATS(
-                          2, SCALAR) ",{'bufferView':0,'byteOffset':8,'componentType':5126,'count':2,'type':'VEC3'}"
-                                     "," FLOATS(3, VEC3) "],'nodes':[{'mesh':0},{}],'meshes':[{'primitives':[{'"
-                                                         "attributes':{'POSITION':2}}]}],"
-                                                         "'animations':[{'samplers':[{'input':0,'output':1}],'channels'"
-                                                         ":[" MOVES "]}]}   ");
+    char *json = quoted(glb_text);
     uint32_t length = (uint32_t)strlen(json) / 4 * 4, bin = 44, all = 12 + 8 + length + 8 + bin;
     const float keys[11] = {0, 1, 1, 2, 3, 4, 5, 6};
     const uint32_t head[5] = {0x46546c67, 2, all, length, 0x4e4f534a}, chunk[2] = {bin, 0x004e4942};

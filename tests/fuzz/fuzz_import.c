@@ -1,0 +1,160 @@
+/* SPDX-License-Identifier: MIT */
+/* Files: the input as it is, and edits of a file that has everything. What is read can be played. */
+#include <stdlib.h>
+#include <string.h>
+
+#include <nakawari/import.h>
+
+#include "fuzz.h"
+
+enum { TEXT_MOST = 8192, EDITS_MOST = 12, DATA = 256 };
+
+/* ' for ". The outer file has DATA bytes of any values. */
+static const char whole[] =
+    "{'asset':{'version':'2.0','generator':'g'},'scene':0,'scenes':[{'nodes':[0]}],'buffers':[{'uri':'d','byteLength':"
+    "256},{'uri':'data:;base64,AAAAAAAAgD8AAABAAABAQAAAAAAAAAAAAACAPwAAgD8AAAAAAAAAAAAAAAA=','byteLength':44}],"
+    "'bufferViews':[{'buffer':0,'byteLength':256},{'buffer':0,'byteLength':240,'byteStride':20,'byteOffset':16},"
+    "{'buffer':1,'byteLength':44}],'accessors':[{'bufferView':2,'componentType':5126,'count':2,'type':'SCALAR'},"
+    "{'bufferView':0,'componentType':5126,'count':6,'type':'VEC3'},{'bufferView':1,'componentType':5120,'normalized':"
+    "true,'count':6,'type':'VEC4'},{'bufferView':1,'componentType':5121,'count':6,'type':'VEC4'},{'bufferView':0,"
+    "'componentType':5126,'count':2,'type':'MAT4'},{'componentType':5126,'count':6,'type':'VEC3','sparse':{'count':1,"
+    "'indices':{'bufferView':2,'componentType':5123},'values':{'bufferView':0,'byteOffset':8}}},{'bufferView':0,"
+    "'componentType':5126,'count':4,'type':'SCALAR'},{'bufferView':2,'componentType':5121,'count':4,'type':'SCALAR'},"
+    "{'bufferView':2,'byteOffset':16,'componentType':5126,'count':1,'type':'VEC4'},{'bufferView':2,'componentType':"
+    "5126,'count':2,'type':'VEC3','byteOffset':8}],'materials':[{'name':'m','pbrMetallicRoughness':{'baseColorFactor':"
+    "[1,1,1,1]}}],'meshes':[{'weights':[0.5,0],'extras':{'targetNames':['a']},'primitives':[{'attributes':{'POSITION':"
+    "1,'NORMAL':5,'JOINTS_0':3,'WEIGHTS_0':2,'JOINTS_1':3,'WEIGHTS_1':2},'indices':7,'mode':5,'material':0,'targets':"
+    "[{'POSITION':5},{'NORMAL':1}]}]}],'skins':[{'joints':[1,2],'inverseBindMatrices':4}],'nodes':[{'children':[1,3]},"
+    "{'children':[2],'rotation':[0,0,1,0]},{'matrix':[1,0,0,0,0,1,0,0,0,0,1,0,0,0,0,1]},{'mesh':0,'skin':0,'weights':"
+    "[1,2]}],'animations':[{'samplers':[{'input':0,'output':9},{'input':0,'output':6,'interpolation':'STEP'},{'input':"
+    "6,'output':2,'interpolation':'LINEAR'}],'channels':[{'sampler':0,'target':{'node':1,'path':'translation'}},"
+    "{'sampler':1,'target':{'node':3,'path':'weights'}}]}]}";
+
+static const char *const words[] = {
+    "0",    "1", "-1",   "4294967295", "9007199254740992", "1e999", "null", "[", "{", "]", "}", "''", "65536", "0.5",
+    "true", ",", "5126", "5121",       "'CUBICSPLINE'",    "7"};
+
+/* Replaces `cut` bytes at a place by a word, a byte or another part of the text. */
+static size_t edit(fuzz *f, char *text, size_t length)
+{
+    char piece[64];
+    size_t at = fuzz_upto(f, length - 1), cut = fuzz_byte(f) % 8, more;
+    unsigned char kind = fuzz_byte(f);
+    cut = cut > length - at ? length - at : cut;
+    if (kind % 4 == 0) {
+        piece[0] = (char)fuzz_byte(f);
+        more = 1;
+    } else if (kind % 4 == 1) {
+        size_t from = fuzz_upto(f, length - 1);
+        more = fuzz_upto(f, sizeof piece - 1);
+        more = more > length - from ? length - from : more;
+        memcpy(piece, text + from, more);
+    } else {
+        const char *word = words[fuzz_upto(f, sizeof words / sizeof *words - 1)];
+        more = strlen(word);
+        memcpy(piece, word, more);
+        while (kind % 4 == 3 && at + cut < length && strchr("0123456789.", text[at + cut]))
+            cut++;
+    }
+    if (length - cut + more > TEXT_MOST)
+        return length;
+    memmove(text + at + more, text + at + cut, length - at - cut);
+    memcpy(text + at, piece, more);
+    return length - cut + more;
+}
+
+static size_t read_data(void *user, const char *path, void *out, size_t size)
+{
+    FUZZ_CHECK(path[0] != '/' && !strstr(path, ".."));
+    if (size > DATA)
+        return SIZE_MAX;
+    if (out)
+        memcpy(out, user, size);
+    return DATA;
+}
+
+static void check_indices(const nkw_document *d)
+{
+    size_t joints = d->skeleton.joint_count;
+    FUZZ_CHECK(joints > 0 && nkw_skeleton_validate(&d->skeleton, NULL) == NKW_OK);
+    for (size_t j = 0; j < joints; j++) {
+        const nkw_document_node *n = &d->nodes[j];
+        FUZZ_CHECK(n->name && n->number < joints && (size_t)d->joint_of_node[n->number] == j);
+        FUZZ_CHECK(n->mesh == NKW_NO_JOINT || (size_t)n->mesh < d->mesh_count);
+        FUZZ_CHECK(n->skin == NKW_NO_JOINT || (size_t)n->skin < d->skin_count);
+        FUZZ_CHECK(n->float_first + (size_t)n->float_count <= d->float_count);
+    }
+    for (size_t k = 0; k < d->skin_count; k++)
+        for (size_t i = 0; i < d->skins[k].joint_count; i++)
+            FUZZ_CHECK(d->skins[k].joints[i] >= 0 && (size_t)d->skins[k].joints[i] < joints);
+    for (size_t m = 0; m < d->mesh_count; m++)
+        for (size_t i = 0; i < d->meshes[m].primitive_count; i++) {
+            const nkw_document_primitive *p = &d->meshes[m].primitives[i];
+            FUZZ_CHECK(p->index_count % ((size_t)p->topology + 1) == 0);
+            for (size_t v = 0; v < p->index_count; v++)
+                FUZZ_CHECK(p->indices[v] < p->vertex_count);
+        }
+}
+
+/* Samples every clip that can be built, and skins every mesh. */
+static void play(fuzz *f, const nkw_document *d)
+{
+    size_t joints = d->skeleton.joint_count;
+    const nkw_pose_span pose = {fuzz_room(f, nkw_pose_floats(joints)), joints};
+    float *floats = fuzz_room(f, d->float_count);
+    nkw_mat4 *models = (nkw_mat4 *)fuzz_block(f, joints * sizeof *models);
+    for (size_t i = 0; i <= d->animation_count && i < 4; i++) {
+        nkw_clip *clip;
+        nkw_import_error error;
+        if (nkw_document_clip(d, i, NKW_CLIP_FLOAT32, &clip, &error) != NKW_IMPORT_OK) {
+            FUZZ_CHECK(error.code == NKW_IMPORT_REFUSED && error.result != NKW_OK && error.reason[0]);
+            continue;
+        }
+        FUZZ_CHECK(nkw_clip_sample(clip, fuzz_float(f), NULL, pose, floats) == NKW_OK);
+        FUZZ_CHECK(nkw_document_models(d, nkw_pose_view_from_span(pose), NULL, models) == NKW_OK);
+        nkw_import_free(clip);
+    }
+    for (size_t j = 0; j < joints && j < 16; j++) {
+        const nkw_document_node *n = &d->nodes[j];
+        if (n->mesh == NKW_NO_JOINT || d->meshes[n->mesh].primitive_count == 0)
+            continue;
+        nkw_mat4 *palette = NULL;
+        if (n->skin != NKW_NO_JOINT) {
+            palette = (nkw_mat4 *)fuzz_block(f, d->skins[n->skin].joint_count * sizeof *palette);
+            FUZZ_CHECK(nkw_document_palette(d, (size_t)n->skin, models, palette) == NKW_OK);
+        }
+        size_t bytes = d->meshes[n->mesh].primitives[0].vertex_count * sizeof(nkw_vec3);
+        const nkw_document_vertices_span out = {(nkw_vec3 *)fuzz_block(f, bytes), (nkw_vec3 *)fuzz_block(f, bytes)};
+        FUZZ_CHECK(nkw_document_vertices(d, j, 0, models, floats, palette, out) == NKW_OK);
+    }
+}
+
+int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
+{
+    fuzz f = fuzz_begin(data, size);
+    char *text = (char *)fuzz_block(&f, TEXT_MOST);
+    size_t length = strlen(whole), edits = fuzz_upto(&f, EDITS_MOST);
+    for (size_t i = 0; i < length; i++)
+        text[i] = (char)(whole[i] == '\'' ? '"' : whole[i]);
+    void *outer = fuzz_byte(&f) % 2 ? fuzz_bytes(&f, DATA) : (void *)fuzz_floats(&f, DATA / 4, 0);
+    for (size_t i = 0; i < edits && length > 0; i++)
+        length = edit(&f, text, length);
+    nkw_import_memory memory = {text, length, "fuzz", NULL, read_data, outer};
+    for (int raw = 0; raw < 2; raw++) {
+        nkw_document *d;
+        nkw_import_error error;
+        nkw_import_result result = nkw_document_open_memory(&memory, &d, &error);
+        FUZZ_CHECK(result == error.code && (result == NKW_IMPORT_OK) == (d != NULL));
+        FUZZ_CHECK(result == NKW_IMPORT_OK || error.reason[0]);
+        FUZZ_CHECK(edits > 0 || raw || result == NKW_IMPORT_OK);
+        if (d) {
+            check_indices(d);
+            nkw_document_validate(d, &error);
+            play(&f, d);
+        }
+        nkw_document_close(d);
+        memory.data = data;
+        memory.bytes = size;
+    }
+    return fuzz_end(&f);
+}
