@@ -2,6 +2,7 @@
 /* What the reader makes of valid glTF files, feature by feature. */
 #include <nakawari/mat.h>
 #include <nakawari/transform.h>
+#include <nakawari/vec.h>
 
 #include "documents.h"
 #include "views.h"
@@ -279,6 +280,55 @@ static void extensions_that_change_nothing_are_ignored(void **state)
     nkw_document_close(d);
 }
 
+/* The character of the examples: two skins, morph targets, three clips. */
+static void the_character_of_the_examples_is_read(void **state)
+{
+    (void)state;
+    nkw_document *d;
+    nkw_import_error error;
+    assert_int_equal(nkw_document_open(NKW_CHARACTER, &d, &error), NKW_IMPORT_OK);
+    assert_int_equal(nkw_document_validate(d, &error), NKW_IMPORT_OK);
+    assert_int_equal(d->animation_count, 3);
+    assert_int_equal(d->skin_count, 2);
+    assert_true(d->float_count > 0);
+    size_t joints = d->skeleton.joint_count, skinned = 0;
+    float *pose = (float *)calloc(nkw_pose_floats(joints), sizeof *pose);
+    float *floats = (float *)calloc(d->float_count, sizeof *floats);
+    nkw_mat4 *models = (nkw_mat4 *)calloc(joints, sizeof *models),
+             *palette = (nkw_mat4 *)calloc(joints, sizeof *models);
+    assert_true(pose && floats && models && palette);
+    for (size_t i = 0; i < d->animation_count; i++) {
+        nkw_clip *clip;
+        assert_int_equal(nkw_document_clip(d, i, NKW_CLIP_FLOAT32, &clip, &error), NKW_IMPORT_OK);
+        float middle = 0.5f * (nkw_clip_start(clip) + nkw_clip_end(clip));
+        assert_int_equal(nkw_clip_sample(clip, middle, NULL, pose_span(pose, joints), floats), NKW_OK);
+        nkw_import_free(clip);
+        assert_int_equal(nkw_document_models(d, pose_view(pose, joints), NULL, models), NKW_OK);
+        for (size_t j = 0; j < joints; j++) {
+            if (d->nodes[j].mesh == NKW_NO_JOINT)
+                continue;
+            size_t count = d->meshes[d->nodes[j].mesh].primitives[0].vertex_count;
+            nkw_vec3 *vertices = (nkw_vec3 *)calloc(count, 2 * sizeof *vertices);
+            assert_non_null(vertices);
+            const nkw_document_vertices_span out = {vertices, vertices + count};
+            assert_int_equal(nkw_document_palette(d, (size_t)d->nodes[j].skin, models, palette), NKW_OK);
+            assert_int_equal(nkw_document_vertices(d, j, 0, models, floats, palette, out), NKW_OK);
+            for (size_t v = 0; v < count; v++) {
+                expect_near(nkw_vec3_length(vertices[v]), 0, 10);
+                expect_near(nkw_vec3_length(out.normals[v]), 1, 1e-6);
+            }
+            skinned += count;
+            free(vertices);
+        }
+    }
+    assert_true(skinned > 100);
+    free(palette);
+    free(models);
+    free(floats);
+    free(pose);
+    nkw_document_close(d);
+}
+
 /* A clip of the rest pose, for an animation that does not exist. */
 static void documents_without_animations_have_a_rest_clip(void **state)
 {
@@ -306,6 +356,7 @@ int main(void)
         cmocka_unit_test(morph_targets_have_weights),
         cmocka_unit_test(buffers_are_data_or_files),
         cmocka_unit_test(extensions_that_change_nothing_are_ignored),
+        cmocka_unit_test(the_character_of_the_examples_is_read),
         cmocka_unit_test(documents_without_animations_have_a_rest_clip),
     };
     return cmocka_run_group_tests_name("import_gltf", tests, NULL, NULL);
