@@ -117,14 +117,12 @@ static void escaped(svg *s, const char *text)
     }
 }
 
-int svg_open(svg *s, const char *path, float width, float height, const char *title, const char *about)
+void svg_start(svg *s, FILE *file, float width, float height, const char *title, const char *about)
 {
     svg_box page = {0.0f, 0.0f, width, height};
     svg_paint white = svg_fill(0xffffff, 1.0f);
     s->clips = 0;
-    s->file = fopen(path, "wb");
-    if (!s->file)
-        return 0;
+    s->file = file;
     put(s, "<svg xmlns=\"http://www.w3.org/2000/svg\" role=\"img\"");
     attribute(s, "width", width);
     attribute(s, "height", height);
@@ -135,12 +133,24 @@ int svg_open(svg *s, const char *path, float width, float height, const char *ti
     escaped(s, about);
     put(s, "</desc>\n");
     svg_rect(s, page, 0.0f, &white);
-    return 1;
+}
+
+int svg_open(svg *s, const char *path, float width, float height, const char *title, const char *about)
+{
+    FILE *file = fopen(path, "wb");
+    if (file)
+        svg_start(s, file, width, height, title, about);
+    return file != NULL;
+}
+
+void svg_finish(svg *s)
+{
+    put(s, "</svg>\n");
 }
 
 int svg_close(svg *s)
 {
-    put(s, "</svg>\n");
+    svg_finish(s);
     int failed = ferror(s->file);
     return fclose(s->file) == 0 && !failed;
 }

@@ -59,7 +59,11 @@ svg_colour svg_mix(svg_colour a, svg_colour b, float share);
 
 /** Starts a white page. `title` and `about` are what a screen reader says. Gives 0, errno set, if it cannot. */
 int svg_open(svg *s, const char *path, float width, float height, const char *title, const char *about);
-/** Ends the page. Gives 0 if anything since svg_open could not be written. */
+/** The same into an open file, to be ended by svg_finish or svg_close. */
+void svg_start(svg *s, FILE *file, float width, float height, const char *title, const char *about);
+/** Ends the page; the file remains open. */
+void svg_finish(svg *s);
+/** Ends the page and closes the file. Gives 0 if anything since svg_open could not be written. */
 int svg_close(svg *s);
 
 /** A group painted as one, so that shapes within do not show through one another. */

@@ -6,7 +6,7 @@ execute_process(COMMAND "${PROGRAM}" "${OUT}" COMMAND_ERROR_IS_FATAL ANY)
 
 file(GLOB drawn RELATIVE "${OUT}" "${OUT}/*.svg")
 file(GLOB committed RELATIVE "${COMMITTED}" "${COMMITTED}/*.svg")
-list(FILTER committed EXCLUDE REGEX "^(coursework|joints|performance)-")
+list(FILTER committed EXCLUDE REGEX "^(command|coursework|joints|performance)-")
 if(NOT drawn STREQUAL committed)
   message(FATAL_ERROR "drawn: ${drawn}\ncommitted: ${committed}")
 endif()
