@@ -38,7 +38,8 @@ struct scene {
 
 /*
  * still: every so many tracks one that keeps its first key; 0: none. noisy: every so many joints one whose rotation is
- * the identity with the noise of exporters: components of 1e-29 to 1e-23, and a w that is 1 or the float below; 0: none.
+ * the identity with the noise of exporters: components of 1e-29 to 1e-23, and a w that is 1 or the float below; 0:
+ * none.
  */
 std::shared_ptr<scene> draw_scene(size_t joints, size_t keys, nkw_interpolation mode = NKW_INTERPOLATION_LINEAR,
                                   size_t still = 0, size_t noisy = 0);

@@ -53,9 +53,9 @@ static void copy_runs(const nkw_clip *clip, uint32_t at, uint32_t count, float *
 }
 
 /*
- * The segment of the time: that of the cursor or a neighbour of it, the one by the rate, or by a search of all keys, all
- * with the same result. The cursor is a hint only: any number is safe. Its segment is tried first, because the rest of
- * the sample then does not wait for the conversion of the time to an index.
+ * The segment of the time: that of the cursor or a neighbour of it, the one by the rate, or by a search of all keys,
+ * all with the same result. The cursor is a hint only: any number is safe. Its segment is tried first, because the rest
+ * of the sample then does not wait for the conversion of the time to an index.
  */
 static nkw_segment find(const nkw_clip *clip, const clip_timeline *line, float time, uint32_t *cursor)
 {

@@ -239,8 +239,8 @@ static void join_blocks(clip_block *blocks, size_t count)
 }
 
 /*
- * Whether the keys of the group, stored as floats so far, take less memory as compact keys. With r rows and k keys a lane
- * takes 8 r + 2 r k bytes instead of 4 r k, or of 20 k for LINEAR rotations.
+ * Whether the keys of the group, stored as floats so far, take less memory as compact keys. With r rows and k keys a
+ * lane takes 8 r + 2 r k bytes instead of 4 r k, or of 20 k for LINEAR rotations.
  */
 static int is_smaller_compact(const clip_group *g, size_t keys)
 {

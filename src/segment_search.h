@@ -33,8 +33,8 @@ static inline float segment_time(segment_times times, size_t k)
 /*
  * t = (time - a) / (b - a), clamped to 0..1.
  *
- * In binary64: differences in binary32 take 0.3 to 2 ns less, and make t wrong by 3 u where a and b differ by more than a
- * factor of 2.
+ * In binary64: differences in binary32 take 0.3 to 2 ns less, and make t wrong by 3 u where a and b differ by more than
+ * a factor of 2.
  *
  * t is 1 if and only if time >= b: for time < b, a quotient that rounds to 1 becomes the largest float below 1.
  * If a >= b, t is 1 for time >= b, otherwise 0. NaN returns 0.

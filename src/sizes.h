@@ -18,7 +18,9 @@
 #define NORMALIZE_BLOCK 256
 /* Rotations (slerp, nlerp, exp): lengths and roots of a block in the first-level cache, 5 arrays of 1 KiB. */
 #define ORIENT_BLOCK 256
-/* Slerp, nlerp: so many elements after the last whole register are computed as a register; one takes less time alone. */
+/*
+ * Slerp, nlerp: so many elements after the last whole register are computed as a register; one takes less time alone.
+ */
 #define TAIL_LEAST 2
 /* Rotations nearest to matrices: 5 arrays of 512 bytes, until all matrices of the block have been read. */
 #define NEAREST_BLOCK 128

@@ -355,7 +355,9 @@ static void compact_steps_of_rotations_have_the_same_bits_until_the_next_key(voi
     }
 }
 
-/* Exported rotations near the identity: components of 1e-29 to 1e-23, w off 1 by a rounding. No product is subnormal. */
+/*
+ * Exported rotations near the identity: components of 1e-29 to 1e-23, w off 1 by a rounding. No product is subnormal.
+ */
 static void noise_in_rotations_makes_no_subnormal_products(void **state)
 {
     (void)state;

@@ -44,7 +44,10 @@ static float exponent(random_source *r)
     return random_between(r, -80.0f, 80.0f);
 }
 
-/* `differ`: how many of the COUNT arguments have a result so close to the middle of two floats that it is the other one. */
+/*
+ * `differ`: how many of the COUNT arguments have a result so close to the middle of two floats that it is the other
+ * one.
+ */
 static const struct row {
     const char *name;
     float (*function)(float x);

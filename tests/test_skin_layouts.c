@@ -35,7 +35,9 @@ static void directions_are_not_normalized_where_that_is_skipped(void **state)
 
 static const size_t size_of[4] = {1, 2, 4, 4};
 
-/* The influences of m in the formats of `skin`, whose arrays are written; m has then the numbers that they stand for. */
+/*
+ * The influences of m in the formats of `skin`, whose arrays are written; m has then the numbers that they stand for.
+ */
 static void encode(mesh *m, size_t k, const nkw_skin *skin, uint8_t *joints, uint8_t *weights)
 {
     const nkw_skin_format j = skin->joints.format, w = skin->weights.format;

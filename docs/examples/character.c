@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: MIT */
 /**
  * @file
- * nakawari-character: writes the mannequin, its skins and its clips as a binary glTF file. It has two meshes on two skins,
- * a morph target in a sparse accessor, normalised integers, and channels of every mode and path.
+ * nakawari-character: writes the mannequin, its skins and its clips as a binary glTF file. It has two meshes on two
+ * skins, a morph target in a sparse accessor, normalised integers, and channels of every mode and path.
  */
 #include <errno.h>
 #include <stdio.h>

@@ -47,7 +47,9 @@ static void add_vec3(mannequin_channel *ch, float time, nkw_vec3 v)
     add_key(ch, time, value);
 }
 
-/* Tangents of Catmull and Rom: (next - previous) / (time between them); 0 at the ends. From the last key on, in place. */
+/*
+ * Tangents of Catmull and Rom: (next - previous) / (time between them); 0 at the ends. From the last key on, in place.
+ */
 static void finish(mannequin_channel *ch)
 {
     float plain[CHANNEL_FLOATS];

@@ -71,8 +71,8 @@ void joint_local_vertices(const nkw_partition_mesh *mesh, const nkw_partition *p
 /* ---- The order of joints ---- */
 
 /*
- * The depths of a joint and of all above it, up to a root or to a joint whose depth is known already (UINT16_MAX is not;
- * a joint at that depth is no parent). Returns 0 where there is no end.
+ * The depths of a joint and of all above it, up to a root or to a joint whose depth is known already (UINT16_MAX is
+ * not; a joint at that depth is no parent). Returns 0 where there is no end.
  */
 static int find_depth(const int32_t *parents, size_t joint_count, size_t joint, uint16_t *depths)
 {

@@ -16,8 +16,8 @@ extern "C" {
 #define JOINT_LOCAL_FLOATS(slots, normals) ((slots) * ((normals) ? 7 : 4))
 
 /**
- * The converter's vertices: each has, for each of the part's joints, its weight there and its position and normal in the
- * space of that joint, so that a shader needs the joints' model matrices alone, no inverse bind:
+ * The converter's vertices: each has, for each of the part's joints, its weight there and its position and normal in
+ * the space of that joint, so that a shader needs the joints' model matrices alone, no inverse bind:
  *
  *     weight, x, y, z, nx, ny, nz     for slot 0, then for slot 1, ...
  *     position(slot) = inverse_bind[joint] (p, 1)      normal(slot) = inverse_bind[joint] (n, 0)
@@ -44,9 +44,9 @@ void joint_local_vertices(const nkw_partition_mesh *mesh, const nkw_partition *p
                           size_t stride);
 
 /**
- * Joints by their distance from the root: order[0..joint_count-1] are the joints, roots first, then their children, each level
- * ascending by index; depths[b] is the level of joint b, a root's 0. So parents stand before their children whatever the
- * file's order is.
+ * Joints by their distance from the root: order[0..joint_count-1] are the joints, roots first, then their children,
+ * each level ascending by index; depths[b] is the level of joint b, a root's 0. So parents stand before their children
+ * whatever the file's order is.
  *
  * parents      -1 for a root, else the parent's index
  * joint_count  at most 65536, else NKW_OUT_OF_RANGE and *bad_joint 65536

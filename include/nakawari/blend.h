@@ -84,8 +84,8 @@ typedef struct nkw_pose_layer {
  * weights: the result may jump where two weights exchange their order.
  *
  * The mean is computed by lerps: sum = lerp(sum, v, w / (total + w)). Therefore these results are exact, bit for bit:
- * translations and scales that are equal in all layers, rotations that are equal in both of two layers; the transform of
- * a joint on which only one layer has a weight, or on which the share of one layer rounds to 1; two layers without
+ * translations and scales that are equal in all layers, rotations that are equal in both of two layers; the transform
+ * of a joint on which only one layer has a weight, or on which the share of one layer rounds to 1; two layers without
  * masks, which are nkw_pose_blend from the layer of larger weight to the other. A layer has no effect on a joint where
  * its weight is 0.
  *

@@ -57,16 +57,16 @@ typedef struct nkw_clip_track {
  *     constant number, rotation            4, 16       4, 16
  *
  * In addition each timeline takes 16 + 4 n, each group of tracks with the same key times about 100, each number and
- * rotation 1, or 5 if its joint has no animated neighbour. Component arrays of at least 8 neighbouring joints are padded
- * as those of a pose, so that they are written as a whole: 10 joints take the memory of 16. In compact clips a sample
- * takes about twice as long, unless keys are not in a near cache.
+ * rotation 1, or 5 if its joint has no animated neighbour. Component arrays of at least 8 neighbouring joints are
+ * padded as those of a pose, so that they are written as a whole: 10 joints take the memory of 16. In compact clips a
+ * sample takes about twice as long, unless keys are not in a near cache.
  */
 typedef enum nkw_clip_format {
     NKW_CLIP_FLOAT32, /**< binary32, unchanged: sampling returns the bits of nkw_track_sample */
     /**
      * 16 bits for each number, linear over the range of that number in all keys of its track. CUBICSPLINE tracks, and
-     * tracks of so few keys that they would take more memory, are stored as FLOAT32. The error of a number is at most 0.51/65535 of its range plus 3 u of its magnitude, for ranges
-     * of 1e-33 to 3e38 and numbers up to 3e38; u = 2^-24.
+     * tracks of so few keys that they would take more memory, are stored as FLOAT32. The error of a number is at most
+     * 0.51/65535 of its range plus 3 u of its magnitude, for ranges of 1e-33 to 3e38 and numbers up to 3e38; u = 2^-24.
      *
      * A rotation is stored as three numbers: its axis times the tangent of a quarter of its angle. The error of the
      * rotation is

@@ -107,12 +107,13 @@ NKW_API void nkw_crowd_palette_from_models(nkw_crowd_matrices_view models, const
                                            const nkw_mat4 *inverse_bind, nkw_crowd_matrices_span palette);
 
 /**
- * Linear blend skinning of a crowd: one skin and its vertices for all, a palette for each lane. A joint's matrix is read
- * once for sixteen characters, and no palette leaves the lanes. The vertices of lane i have the bits of nkw_skin_linear
- * with the matrices of lane i and without normal matrices.
+ * Linear blend skinning of a crowd: one skin and its vertices for all, a palette for each lane. A joint's matrix is
+ * read once for sixteen characters, and no palette leaves the lanes. The vertices of lane i have the bits of
+ * nkw_skin_linear with the matrices of lane i and without normal matrices.
  *
  * in   the vertices of the skin
- * outs the vertices of each lane, NKW_CROWD elements; vectors that are NULL are skipped. They share no vector with `in` or
+ * outs the vertices of each lane, NKW_CROWD elements; vectors that are NULL are skipped. They share no vector with `in`
+ * or
  *      with each other
  *
  * Returns NKW_OK, or NKW_BAD_FORMAT if the joints or the weights have a format that does not fit; all vectors are then

@@ -17,10 +17,10 @@
  * nkw_cubic_weights returns the weights, or their first or second derivative by t for velocity and acceleration. The
  * weights of one t apply to any number of components: nkw_weighted_sum.
  *
- * All curve functions compute in binary32. All except Bezier evaluate the polynomial relative to the end nearer to t. So
- * ends are exact bit for bit, a constant curve is constant, and large coordinates with small differences lose no digits.
- * Bezier is the weighted sum. For t outside 0..1 the cubic continues; the B-spline and Bezier up to |t| = 2^42, so that
- * t^3 does not overflow.
+ * All curve functions compute in binary32. All except Bezier evaluate the polynomial relative to the end nearer to t.
+ * So ends are exact bit for bit, a constant curve is constant, and large coordinates with small differences lose no
+ * digits. Bezier is the weighted sum. For t outside 0..1 the cubic continues; the B-spline and Bezier up to |t| = 2^42,
+ * so that t^3 does not overflow.
  *
  * Tangents are per segment: the derivative of p by t. Multiply a tangent per second (glTF) by the duration of the
  * segment: nkw_vec3_scale(tangent, duration).
@@ -105,9 +105,9 @@ NKW_ALGEBRA float nkw_hermite(float p0, float v0, float p1, float v1, float t);
 NKW_ALGEBRA nkw_vec3 nkw_vec3_hermite(nkw_vec3 p0, nkw_vec3 v0, nkw_vec3 p1, nkw_vec3 v1, float t);
 
 /**
- * The cubic Bezier curve: the weighted sum of NKW_CUBIC_BEZIER, with the bits of nkw_weighted_sum. Returns exactly p0 at
- * t = 0 and p3 at t = 1, for finite control values, except the sign of a zero. A constant curve is constant to within
- * the error.
+ * The cubic Bezier curve: the weighted sum of NKW_CUBIC_BEZIER, with the bits of nkw_weighted_sum. Returns exactly p0
+ * at t = 0 and p3 at t = 1, for finite control values, except the sign of a zero. A constant curve is constant to
+ * within the error.
  *
  * Error  6.0 u of the largest control value, for t in 0..1 (5.52 at -0x1.1d9cc4p+16, -0x1.1d9dbp+16, -0x1.1d9dbcp+16,
  *        -0x1.1d9ebep+16, t 0x1.77acecp-3).

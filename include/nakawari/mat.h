@@ -150,17 +150,17 @@ NKW_API float nkw_mat4_determinant(const nkw_mat4 *m);
 /**
  * The inverse of any matrix, computed in binary64: by cofactors, or by elimination with pivoting where cofactors would
  * lose digits. Returns the zero matrix if the determinant is not finite, or if m is singular: its determinant is at
- * most 2^-50 of the terms of its sum. In binary32 cofactors lose 90 to 250 u for the product of a perspective and a view
- * matrix, and all digits for other matrices of high condition, so no binary32 form is used.
+ * most 2^-50 of the terms of its sum. In binary32 cofactors lose 90 to 250 u for the product of a perspective and a
+ * view matrix, and all digits for other matrices of high condition, so no binary32 form is used.
  *
  * Error  1.0 u of the Frobenius norm, up to condition 1e7.
  */
 NKW_API nkw_mat4 nkw_mat4_inverse(const nkw_mat4 *m);
 
 /**
- * The inverse of an affine matrix: A^-1 and -A^-1 t, in binary32 by the cross products of the columns of the 3x3 block A.
- * The last row is not read; the last row of the result is exactly 0 0 0 1. If A is singular or not finite, returns the
- * zero matrix. nkw_mat4_inverse is the exact one.
+ * The inverse of an affine matrix: A^-1 and -A^-1 t, in binary32 by the cross products of the columns of the 3x3 block
+ * A. The last row is not read; the last row of the result is exactly 0 0 0 1. If A is singular or not finite, returns
+ * the zero matrix. nkw_mat4_inverse is the exact one.
  *
  * If the determinant of A is less than half of the product of the lengths of its columns (strong shear), or if this
  * product is not within 2^-30 .. 2^30, the result is computed in binary64 and rounded once.

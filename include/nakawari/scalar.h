@@ -5,8 +5,8 @@
  *
  * The elementary functions of the C library differ between systems; those of this header return the same bits on every
  * target. They compute in binary64 and round once to binary32. The result is the float nearest to the exact value,
- * except for a few arguments in a thousand million (sine, cosine, tangent: one in five thousand). C libraries have faster
- * forms of exp, log and pow by tables; in loops each argument would cost a gather, so polynomials are used here.
+ * except for a few arguments in a thousand million (sine, cosine, tangent: one in five thousand). C libraries have
+ * faster forms of exp, log and pow by tables; in loops each argument would cost a gather, so polynomials are used here.
  *
  * Every function is total: no argument causes undefined behaviour. NaN in any argument returns NaN, unless a function
  * states otherwise or its formula ignores the argument: nkw_lerp(a, NaN, 0) is a.

@@ -36,16 +36,17 @@ typedef struct nkw_segment {
 } nkw_segment;
 
 /**
- * The segment of `time`, by a search without a branch on a time. Up to 17 keys are all compared; up to 257 keys take one
- * step that compares every 16th key and one that compares 16 neighbours; more keys are first reduced to a quarter, and
- * so on.
+ * The segment of `time`, by a search without a branch on a time. Up to 17 keys are all compared; up to 257 keys take
+ * one step that compares every 16th key and one that compares 16 neighbours; more keys are first reduced to a quarter,
+ * and so on.
  */
 NKW_API nkw_segment nkw_segment_find(const float *times, size_t count, float time);
 
 /**
  * The same segment, first tried at the segment `hint`, usually the segment found last, and at the next and the one
- * before. It takes two or three comparisons while the time changes slowly, forward or backward, and after a jump as many
- * more as nkw_segment_find. Any hint is valid. For ascending times the result is that of nkw_segment_find, bit for bit.
+ * before. It takes two or three comparisons while the time changes slowly, forward or backward, and after a jump as
+ * many more as nkw_segment_find. Any hint is valid. For ascending times the result is that of nkw_segment_find, bit for
+ * bit.
  */
 NKW_API nkw_segment nkw_segment_find_hint(const float *times, size_t count, float time, size_t hint);
 
@@ -83,9 +84,9 @@ NKW_API nkw_segment nkw_segment_find_uniform(float start, float rate, size_t cou
 NKW_API nkw_result nkw_segment_even_rate(const float *times, size_t count, float *rate);
 
 /**
- * The segment of `time`, without a search: the rate determines the nearest even key, and one comparison with the time of
- * that key its segment. The result is that of nkw_segment_find, bit for bit, for a rate from nkw_segment_even_rate. For
- * another rate it is some segment within the array.
+ * The segment of `time`, without a search: the rate determines the nearest even key, and one comparison with the time
+ * of that key its segment. The result is that of nkw_segment_find, bit for bit, for a rate from nkw_segment_even_rate.
+ * For another rate it is some segment within the array.
  */
 NKW_API nkw_segment nkw_segment_find_even(const float *times, size_t count, float rate, float time);
 

@@ -3,8 +3,8 @@
  * @file
  * Floor 2: translation, rotation and scale, and their matrix M = T R S.
  *
- * Composition and decomposition compute in binary32. Only the decomposition of matrices that shear, or whose columns are
- * very long or short, computes in binary64.
+ * Composition and decomposition compute in binary32. Only the decomposition of matrices that shear, or whose columns
+ * are very long or short, computes in binary64.
  */
 #ifndef NAKAWARI_TRANSFORM_H
 #define NAKAWARI_TRANSFORM_H
@@ -55,10 +55,11 @@ NKW_ALGEBRA nkw_vec3 nkw_trs_transform_point(const nkw_trs *trs, nkw_vec3 p);
  * returns scale 0 there, and its direction is perpendicular to the others. A matrix of zeros returns the identity
  * rotation. A TRS cannot store shear: nkw_trs_residual returns how much was lost.
  *
- * If the sum of the squares of the cosines between the columns is 2^-20 or more, or if a column is not longer than 2^-30
- * and shorter than 2^30, the result is computed in binary64.
+ * If the sum of the squares of the cosines between the columns is 2^-20 or more, or if a column is not longer than
+ * 2^-30 and shorter than 2^30, the result is computed in binary64.
  *
- * Error  5.2 u of each column of the matrix of the result (2.8 u of the rotation, 2.1 u of the scale along it); 2.4 u if
+ * Error  5.2 u of each column of the matrix of the result (2.8 u of the rotation, 2.1 u of the scale along it); 2.4 u
+ * if
  *        computed in binary64.
  */
 NKW_API nkw_trs nkw_trs_from_mat4(const nkw_mat4 *m);

@@ -188,8 +188,8 @@ NKW_ALWAYS_INLINE void divide_lanes(lanes l, u32xN *far)
 }
 
 /*
- * All sums come before all divisions, so that no register waits for the root of the one before. Returns whether a length
- * was far from that of rotations.
+ * All sums come before all divisions, so that no register waits for the root of the one before. Returns whether a
+ * length was far from that of rotations.
  */
 NKW_ALWAYS_INLINE int nlerp_joints(lanes l, float t, int first, int used)
 {

@@ -240,7 +240,9 @@ NKW_ALWAYS_INLINE void pairs16_of(pairs16 *p, const uint16_t *a, const uint16_t 
         arcs16(p, b + 3 * CLIP_BLOCK * i, CLIP_BLOCK * i, blocks[i].width);
 }
 
-/* Decodes up to CLIP_SLERP16_BLOCKS blocks, then interpolates each. t = 0 returns the rotations of a, of unit length. */
+/*
+ * Decodes up to CLIP_SLERP16_BLOCKS blocks, then interpolates each. t = 0 returns the rotations of a, of unit length.
+ */
 NKW_LOOP(nkwi_clip_slerp16)
 (const uint16_t *a, const uint16_t *b, const float *base, const float *step, float t, const clip_block *blocks,
  size_t block_count, float *out, size_t stride)

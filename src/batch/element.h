@@ -8,8 +8,8 @@
 #include <nakawari/types.h>
 
 /*
- * at_ is a macro, and put_ passes the pointers of a span one by one: where Clang splits a struct, be it an argument or a
- * result, it loses the mark of "omp simd" on its accesses. The loop would then compare all arrays for overlap at run
+ * at_ is a macro, and put_ passes the pointers of a span one by one: where Clang splits a struct, be it an argument or
+ * a result, it loses the mark of "omp simd" on its accesses. The loop would then compare all arrays for overlap at run
  * time; in place, where they do overlap, it would not be vectorised.
  */
 #define at_vec3(v, i)     ((nkw_vec3){(v).x[i], (v).y[i], (v).z[i]})

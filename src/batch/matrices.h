@@ -78,7 +78,9 @@ static inline nkw_vec3 matrices_column3(const matrices *a, size_t c, size_t i)
     return r;
 }
 
-/* A function of its own, so that the loop around it sees no address of a local matrix. Returns whether it is not near. */
+/*
+ * A function of its own, so that the loop around it sees no address of a local matrix. Returns whether it is not near.
+ */
 static inline int matrices_invert_near(const matrices *a, size_t i, matrices *out)
 {
     lane_affine_inverse r = lane_inverse_affine(matrices_column3(a, 0, i), matrices_column3(a, 1, i),

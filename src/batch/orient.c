@@ -132,8 +132,8 @@ static inline nkw_quat slerp_near(nkw_quat a, nkw_quat b, float t)
 }
 
 /*
- * A block with t outside 0..1, which is rare: those elements by the scalar function, before the others overwrite a, b or
- * t, one of which may be out.
+ * A block with t outside 0..1, which is rare: those elements by the scalar function, before the others overwrite a, b
+ * or t, one of which may be out.
  */
 NKW_NOINLINE LANE_FLAT static void slerp_beyond(nkw_quat_view a, nkw_quat_view b, const float *t, nkw_quat_span out,
                                                 size_t from, size_t to)

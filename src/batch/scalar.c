@@ -13,8 +13,8 @@
 NKW_LOOPS_SCALAR(NKW_DECLARE_LOOP)
 
 /*
- * Angles are taken in blocks. The lanes for angles below 2^20 vectorise; larger ones, which are rare, are computed again
- * by the scalar function. So are all angles of a block that is shorter than ANGLE_FEW.
+ * Angles are taken in blocks. The lanes for angles below 2^20 vectorise; larger ones, which are rare, are computed
+ * again by the scalar function. So are all angles of a block that is shorter than ANGLE_FEW.
  */
 
 /* 2^20 and more, NaN and inf included, by their bits without the sign. */

@@ -7,8 +7,8 @@
  *     vectors as stored          ->  M p, M d / |M d|             transform_group, normalize
  *
  * Linear blend: the matrices of a group of vertices stay in registers while they transform positions and normals
- * (blend_groups); they are stored if there are other vectors. Dual quaternions are summed, then converted to matrices in
- * memory.
+ * (blend_groups); they are stored if there are other vectors. Dual quaternions are summed, then converted to matrices
+ * in memory.
  */
 #include "lane/strict.h"
 
@@ -188,7 +188,9 @@ static void finish_directions(block *b, const skin_stream *s, size_t n)
 
 /* ---- A run: vertices one after the other of which each has a weight ---- */
 
-/* The matrices of a group, of `width` 16 or 9. Where it has fewer vertices the last one takes the places of the others. */
+/*
+ * The matrices of a group, of `width` 16 or 9. Where it has fewer vertices the last one takes the places of the others.
+ */
 NKW_ALWAYS_INLINE f32xN_columns blend_group(const influences *f, size_t width, size_t k, size_t last)
 {
     f32xN m[F32XN_GROUP * (PARTS(16) > PARTS(9) ? PARTS(16) : PARTS(9))];

@@ -214,9 +214,9 @@ static inline lane_laplace lane_adjugate(const double a[16], double out[16])
 }
 
 /*
- * The inverse of an affine matrix with the columns x y z t: rows y x z, z x x, x x y over the determinant. `is_near` is 0
- * where the result is not to be used: the product of the lengths of x y z is not within 2^-30 .. 2^30, so that a float
- * could overflow, or the determinant is less than half of it, so that it has lost digits.
+ * The inverse of an affine matrix with the columns x y z t: rows y x z, z x x, x x y over the determinant. `is_near` is
+ * 0 where the result is not to be used: the product of the lengths of x y z is not within 2^-30 .. 2^30, so that a
+ * float could overflow, or the determinant is less than half of it, so that it has lost digits.
  */
 typedef struct lane_affine_inverse {
     nkw_vec3 x, y, z, t; /* columns */

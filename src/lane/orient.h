@@ -83,10 +83,11 @@ static inline nkw_quat lane_nlerp_any(nkw_quat v, float n)
  * Exchanging a and b and t and 1 - t yields the same bits, also at t = 1/2. At t = 0 and 1 e and w are -0, so that the
  * bracket is +0 where n is -0: "n - 0" keeps a -0.
  *
- *     E(k) = k (1 - k^2) v H(v, k^2) = (c v) H,  c = s r (1 + k),    v = q / (|a.b| + q LANE_SLERP_BEND),  q = |b - a|^2
+ *     E(k) = k (1 - k^2) v H(v, k^2) = (c v) H,  c = s r (1 + k),    v = q / (|a.b| + q LANE_SLERP_BEND),  q = |b -
+ *     a|^2
  *
- * v measures the angle: q determines small angles, the dot product large ones, and the lengths of a and b cancel. H is a
- * polynomial in v; the coefficient of each power is one in k^2, which slerps at one t share.
+ * v measures the angle: q determines small angles, the dot product large ones, and the lengths of a and b cancel. H is
+ * a polynomial in v; the coefficient of each power is one in k^2, which slerps at one t share.
  */
 
 /* a.b. The smallest normal number makes -0 positive and prevents 0 / 0. */

@@ -256,8 +256,8 @@ static inline nkw_quat lane_form_row(const lane_form *k)
 
 /*
  * The rotation nearest to a matrix and the square of the length that it was divided by, which is at least 1 except for
- * rounding: a row of K of diagonal d >= 1 is at least 1 long, and each product makes it longer. From LANE_NEAREST_FAR on
- * it is not the nearest rotation but the result of an overflow, possibly: elements beyond 2^15.
+ * rounding: a row of K of diagonal d >= 1 is at least 1 long, and each product makes it longer. From LANE_NEAREST_FAR
+ * on it is not the nearest rotation but the result of an overflow, possibly: elements beyond 2^15.
  */
 typedef struct lane_nearest {
     nkw_quat q;

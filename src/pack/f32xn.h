@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /*
- * The widest register of floats of the instruction set: F32XN floats, 16 (AVX-512), 8 (AVX), 4 (SSE2, NEON, simd128), or
- * 1, a plain float, where there is no vector type. + - * / act on each float separately and round once, so one text
+ * The widest register of floats of the instruction set: F32XN floats, 16 (AVX-512), 8 (AVX), 4 (SSE2, NEON, simd128),
+ * or 1, a plain float, where there is no vector type. + - * / act on each float separately and round once, so one text
  * serves every width, the scalar one included.
  *
  * A mask has all bits set in the floats where a comparison holds.

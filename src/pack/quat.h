@@ -3,7 +3,8 @@
  * Quaternions between arguments, results and registers.
  *
  * The x86-64 ABI passes a quaternion as two pairs of floats. GCC stores both and loads all four numbers at once; such a
- * load waits until both stores have left the processor, some 30 cycles. The empty assembly keeps the pairs in registers.
+ * load waits until both stores have left the processor, some 30 cycles. The empty assembly keeps the pairs in
+ * registers.
  */
 #ifndef NAKAWARI_PACK_QUAT_H
 #define NAKAWARI_PACK_QUAT_H

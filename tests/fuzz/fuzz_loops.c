@@ -1,5 +1,8 @@
 /* SPDX-License-Identifier: MIT */
-/* A loop over arrays of any values, at any offset, in place or not: the bits of its scalar function, nothing outside the output. */
+/*
+ * A loop over arrays of any values, at any offset, in place or not: the bits of its scalar function, nothing outside
+ * the output.
+ */
 #include "fuzz.h"
 
 #include "../parity/access.h"

@@ -55,8 +55,8 @@ static size_t draw_letter(random_source *r, char letter, size_t k, size_t i)
 }
 
 /*
- * Fills the inputs up to `end`. Returns the number of arrays of the row. Every other pair of quaternions is close or opposite;
- * of eight one has -0 in the first, one in both.
+ * Fills the inputs up to `end`. Returns the number of arrays of the row. Every other pair of quaternions is close or
+ * opposite; of eight one has -0 in the first, one in both.
  */
 static size_t draw(random_source *r, const row *w, size_t end)
 {

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /*
- * Views and spans from a pointer and a count, and functions that take described sources on the loose arrays of tests; for
- * C and C++.
+ * Views and spans from a pointer and a count, and functions that take described sources on the loose arrays of tests;
+ * for C and C++.
  */
 #ifndef NAKAWARI_TESTS_VIEWS_H
 #define NAKAWARI_TESTS_VIEWS_H

@@ -3,8 +3,8 @@
  * The curves of curve.h: inlined into the caller, and compiled into the library as symbols. Each curve is a function on
  * single floats, applied to the three components of a vector.
  *
- * All except Bezier, a weighted sum, start from the end nearer to t, as nkw_lerp does: the first end if `first` is not 0. `back`, -t or
- * 1 - t, is exact. At back = 0 they return that end, with the sign of a zero.
+ * All except Bezier, a weighted sum, start from the end nearer to t, as nkw_lerp does: the first end if `first` is not
+ * 0. `back`, -t or 1 - t, is exact. At back = 0 they return that end, with the sign of a zero.
  */
 #ifndef NAKAWARI_INLINE_CURVE_H
 #define NAKAWARI_INLINE_CURVE_H

@@ -169,7 +169,9 @@ NKW_BODY nkw_mat4 nkw_mat4_transpose(const nkw_mat4 *m)
 }
 
 #if NKW_F32X4
-/* x k[0] + y k[1] + z k[2] for the columns x, y, z, t of an affine matrix; the elements of k are `step` floats apart. */
+/*
+ * x k[0] + y k[1] + z k[2] for the columns x, y, z, t of an affine matrix; the elements of k are `step` floats apart.
+ */
 NKW_PART nkw_f32x4 nkw_f32x4_direction(const nkw_f32x4 m[4], const float *k, size_t step)
 {
     NKW_EXACT

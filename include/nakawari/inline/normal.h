@@ -14,10 +14,10 @@ extern "C" {
 #endif
 
 /*
- * Vectors are multiplied by 2^31 before they are squared: the squares of components near 1e-23, as exporters leave them,
- * would be subnormal, which takes some hundred cycles on some processors. n2 is the sum of the squares. In 2^-96 ..
- * 2^126 no square has overflowed, and one that underflows is too small to matter. Otherwise (also for NaN) the vector is
- * multiplied by another power of two: 2^106 below, 2^-65 above that range.
+ * Vectors are multiplied by 2^31 before they are squared: the squares of components near 1e-23, as exporters leave
+ * them, would be subnormal, which takes some hundred cycles on some processors. n2 is the sum of the squares. In 2^-96
+ * .. 2^126 no square has overflowed, and one that underflows is too small to matter. Otherwise (also for NaN) the
+ * vector is multiplied by another power of two: 2^106 below, 2^-65 above that range.
  */
 #define NKW_NORMAL_SCALE 2147483648.0f
 
@@ -28,7 +28,9 @@ NKW_PART int nkw_is_moderate(float n2)
     return bits - (UINT32_C(31) << 23) <= UINT32_C(222) << 23;
 }
 
-/* `usual`, or 2^75 or 2^-96 times that. By the exponent: GCC compiles a selection between constants to three products. */
+/*
+ * `usual`, or 2^75 or 2^-96 times that. By the exponent: GCC compiles a selection between constants to three products.
+ */
 NKW_PART float nkw_normal_scale(float n2, float usual)
 {
     uint32_t up = n2 < 1.26217745e-29f ? UINT32_C(75) << 23 : 0, down = n2 > 8.507059173e37f ? UINT32_C(96) << 23 : 0;
@@ -54,8 +56,8 @@ NKW_PART nkw_quat nkw_quat_over_each(nkw_quat q, float n)
 }
 
 /*
- * a / n, q / n: one division of four floats where there is a register for them. The loops of the library (NKW_ISA) divide
- * component by component.
+ * a / n, q / n: one division of four floats where there is a register for them. The loops of the library (NKW_ISA)
+ * divide component by component.
  */
 #if NKW_F32X4 && !defined(NKW_ISA)
 /* Second text of nkw_vec3_over_each and nkw_quat_over_each; 1.3 times faster. */
