@@ -17,9 +17,15 @@ static const options_text text = {
     "last key time, how the keys are spaced, and the bytes in the file, in a clip of float keys and in a clip of\n"
     "16-bit keys.\n",
     "  nakawari info fox.glb\n"
-    "  nakawari info --clips fox.glb\n"
+    "  nakawari info --clips --reduced fox.glb\n"
     "  nakawari info --json fox.glb | jq '.clips[].name'\n",
     1};
+
+typedef struct request {
+    int json, clips_only, reduced;
+    float tolerance;
+    extent extent; /* for reduced */
+} request;
 
 static const char *const targets[] = {"translation", "rotation", "scale", "weights"};
 static const char *const modes[] = {"LINEAR", "STEP", "CUBICSPLINE"};
@@ -146,7 +152,7 @@ static void put_bytes(size_t bytes)
         printf("  %9zu", bytes);
 }
 
-static void put_clips(const nkw_document *d)
+static void put_clips(const nkw_document *d, const request *r)
 {
     int width = 4;
     for (size_t i = 0; i < d->animation_count; i++) {
@@ -155,7 +161,8 @@ static void put_clips(const nkw_document *d)
     }
     printf("\nclip  ");
     put_column("name", width);
-    printf("channels  joints     keys      start        end       file       clip    compact\n");
+    printf("channels  joints     keys      start        end       file       clip    compact%s\n",
+           r->reduced ? "    reduced" : "");
     for (size_t i = 0; i < d->animation_count; i++) {
         clip_totals t = count_clip(d, i);
         clip_size size = size_of_clip(d, i);
@@ -166,6 +173,8 @@ static void put_clips(const nkw_document *d)
         put_bytes(t.bytes);
         put_bytes(size.clip);
         put_bytes(size.compact);
+        if (r->reduced)
+            put_bytes(size_of_reduced(d, i, &r->extent, r->tolerance));
         putchar('\n');
     }
 }
@@ -197,12 +206,12 @@ static void put_channels(const nkw_document *d, size_t animation)
     }
 }
 
-static void put_text(const nkw_document *d, int clips_only)
+static void put_text(const nkw_document *d, const request *r)
 {
     put_file(d);
     if (d->animation_count)
-        put_clips(d);
-    for (size_t i = 0; !clips_only && i < d->animation_count; i++)
+        put_clips(d, r);
+    for (size_t i = 0; !r->clips_only && i < d->animation_count; i++)
         put_channels(d, i);
 }
 
@@ -235,7 +244,7 @@ static json_t *json_channel(const nkw_document *d, size_t animation, size_t i)
                      json_bytes(size.compact));
 }
 
-static json_t *json_clip(const nkw_document *d, size_t animation, int clips_only)
+static json_t *json_clip(const nkw_document *d, size_t animation, const request *r)
 {
     const nkw_document_animation *a = &d->animations[animation];
     clip_totals t = count_clip(d, animation);
@@ -245,7 +254,9 @@ static json_t *json_clip(const nkw_document *d, size_t animation, int clips_only
                              (json_int_t)t.joints, "keys", (json_int_t)t.keys, "start", json_number((double)t.start),
                              "end", json_number((double)t.end), "file_bytes", json_bytes(t.bytes), "clip_bytes",
                              json_bytes(size.clip), "compact_bytes", json_bytes(size.compact));
-    json_t *channels = clips_only ? NULL : json_array();
+    if (r->reduced)
+        json_object_set_new(clip, "reduced_bytes", json_bytes(size_of_reduced(d, animation, &r->extent, r->tolerance)));
+    json_t *channels = r->clips_only ? NULL : json_array();
     for (size_t i = 0; channels && i < a->track_count; i++)
         json_array_append_new(channels, json_channel(d, animation, i));
     if (channels)
@@ -253,12 +264,12 @@ static json_t *json_clip(const nkw_document *d, size_t animation, int clips_only
     return clip;
 }
 
-static int put_json(const nkw_document *d, int clips_only)
+static int put_json(const nkw_document *d, const request *r)
 {
     totals t = count_meshes(d);
     json_t *clips = json_array(), *skins = json_array();
     for (size_t i = 0; i < d->animation_count; i++)
-        json_array_append_new(clips, json_clip(d, i, clips_only));
+        json_array_append_new(clips, json_clip(d, i, r));
     for (size_t i = 0; i < d->skin_count; i++)
         json_array_append_new(skins, json_pack("{s:o, s:I}", "name", json_text(d->skins[i].name), "joints",
                                                (json_int_t)d->skins[i].joint_count));
@@ -274,27 +285,51 @@ static int put_json(const nkw_document *d, int clips_only)
 
 /* ---- the command ---- */
 
+static int run(const nkw_document *d, request *r)
+{
+    int fine = 1;
+    if (r->reduced) {
+        fine = extent_open(&r->extent, d);
+        r->tolerance = r->tolerance >= 0.0f ? r->tolerance : 1e-4f * r->extent.size;
+    }
+    if (fine && r->json)
+        fine = put_json(d, r);
+    else if (fine)
+        put_text(d, r);
+    if (r->reduced)
+        extent_free(&r->extent);
+    return output_close(stdout, NULL) && fine;
+}
+
+static int check_request(const options *o, request *r)
+{
+    r->reduced |= r->tolerance != -1.0f;
+    if (r->tolerance != -1.0f && !(r->tolerance >= 0.0f && r->tolerance < 1e30f))
+        return options_misuse(o, "--tolerance", "not a distance");
+    return COMMAND_FINE;
+}
+
 int command_info(int argc, const char **argv)
 {
-    int json = 0, clips_only = 0;
+    request r;
+    memset(&r, 0, sizeof r);
+    r.tolerance = -1.0f;
     const struct poptOption known[] = {
-        {"clips", 'c', POPT_ARG_NONE, &clips_only, 0, "print clips without their channels", NULL},
-        {"json", 0, POPT_ARG_NONE, &json, 0, "print JSON", NULL},
+        {"clips", 'c', POPT_ARG_NONE, &r.clips_only, 0, "print clips without their channels", NULL},
+        {"reduced", 'r', POPT_ARG_NONE, &r.reduced, 0,
+         "print the bytes of reduced clips too; a second for a large clip", NULL},
+        {"tolerance", 't', POPT_ARG_FLOAT, &r.tolerance, 0,
+         "distance in model space for --reduced (default: 1/10000 of the model's size)", "D"},
+        {"json", 0, POPT_ARG_NONE, &r.json, 0, "print JSON", NULL},
         OPTIONS_END};
     options o;
-    int code = COMMAND_FINE;
+    int code;
     if (!options_read(&o, &text, known, argc, argv))
         code = o.code;
-    else {
+    else if ((code = check_request(&o, &r)) == COMMAND_FINE) {
         nkw_document *d = input_open(o.files[0]);
-        int fine = d != NULL;
-        if (d && json)
-            fine = put_json(d, clips_only);
-        else if (d)
-            put_text(d, clips_only);
-        fine = d && output_close(stdout, NULL) && fine;
+        code = d && run(d, &r) ? COMMAND_FINE : COMMAND_FINDINGS;
         nkw_document_close(d);
-        code = fine ? COMMAND_FINE : COMMAND_FINDINGS;
     }
     options_close(&o);
     return code;

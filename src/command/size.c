@@ -52,3 +52,20 @@ clip_size size_of_channel(const nkw_document *d, size_t animation, size_t track)
     clip_size size = {share(&source, NKW_CLIP_FLOAT32), share(&source, NKW_CLIP_UNORM16)};
     return size;
 }
+
+size_t size_of_reduced(const nkw_document *d, size_t animation, const extent *e, float tolerance)
+{
+    nkw_clip_source source = nkw_document_clip_source(d, animation, NKW_CLIP_FLOAT32);
+    const nkw_clip_reduction reduction = {d->skeleton.parents, tolerance, 0.0f, NULL, e->reach, tolerance / e->size};
+    nkw_clip_memory memory = {NULL, 0, NULL, 0};
+    nkw_clip_reduced reduced = {SIZE_MAX, 0, 0, 0.0f, 0.0f, 0.0f};
+    memory.work_count = NKW_CLIP_REDUCE_WORK(source.track_count, source.joint_count, source.float_count);
+    memory.work = calloc(memory.work_count, sizeof *memory.work);
+    if (memory.work && nkw_clip_reduce_measure(&source, &memory.bytes, NULL, memory.work, memory.work_count) == NKW_OK)
+        memory.block = malloc(memory.bytes);
+    if (!memory.block || nkw_clip_reduce(&source, &reduction, &memory, &reduced, NULL) != NKW_OK)
+        reduced.bytes = SIZE_MAX;
+    free(memory.block);
+    free(memory.work);
+    return reduced.bytes;
+}

@@ -48,6 +48,19 @@ static void output_is_the_same_each_time(void **state)
     free(again);
 }
 
+/* The walk has 9 keys; a large tolerance makes every track constant. */
+static void reduced_bytes_depend_on_the_tolerance(void **state)
+{
+    (void)state;
+    char *fine = program_run(NULL, CHARACTER "--clips --reduced | awk '$2 == \"walk\" { print $NF }'");
+    char *coarse = program_run(NULL, CHARACTER "--clips --tolerance 10 | awk '$2 == \"walk\" { print $NF }'");
+    assert_true(atoi(fine) > atoi(coarse) && atoi(coarse) > 0);
+    free(fine);
+    free(coarse);
+    program_says(0, "\"reduced_bytes\": ", CHARACTER "--json -r");
+    program_says(2, "not a distance", CHARACTER "--tolerance -2");
+}
+
 static void misuse_and_files_in_error(void **state)
 {
     (void)state;
@@ -59,8 +72,11 @@ static void misuse_and_files_in_error(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(each_clip_has_a_line),      cmocka_unit_test(each_channel_has_a_line),
-        cmocka_unit_test(json_has_the_channels),     cmocka_unit_test(output_is_the_same_each_time),
+        cmocka_unit_test(each_clip_has_a_line),
+        cmocka_unit_test(each_channel_has_a_line),
+        cmocka_unit_test(json_has_the_channels),
+        cmocka_unit_test(output_is_the_same_each_time),
+        cmocka_unit_test(reduced_bytes_depend_on_the_tolerance),
         cmocka_unit_test(misuse_and_files_in_error),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
