@@ -17,6 +17,9 @@ static const subcommand subcommands[] = {
     {"diff", "nakawari diff", command_diff, "the largest difference of each joint between two files"},
     {"info", "nakawari info", command_info, "what a file contains: clips, channels, keys, bytes"},
     {"plot", "nakawari plot", command_plot, "the curves of joints over time with their keys, as SVG"},
+#if defined(NKW_RENDER)
+    {"render", "nakawari render", command_render, "pictures of the model at times, as PNG"},
+#endif
     {"sample", "nakawari sample", command_sample, "poses, matrices or vertices at times, as CSV, JSON or raw numbers"},
 };
 

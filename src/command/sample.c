@@ -1,12 +1,12 @@
 /* SPDX-License-Identifier: MIT */
 /* nakawari sample: poses, matrices and vertices at times. */
-#include <math.h>
 #include <stdint.h>
 #include <stdlib.h>
 #include <string.h>
 
 #include "moment.h"
 #include "table.h"
+#include "timelist.h"
 
 typedef enum sample_what { WHAT_LOCAL, WHAT_MODEL, WHAT_PALETTE, WHAT_VERTICES, WHAT_WEIGHTS, WHATS } sample_what;
 
@@ -147,32 +147,9 @@ static void sample_at(moment *m, sample_what what, float time, table *t)
 
 /* ---- times ---- */
 
-/* The next number of a list, from *at on, which is moved behind it. Returns 0 at the end and for what is no number. */
-static int next_time(const char **at, float *time)
-{
-    char *end;
-    if (!**at)
-        return 0;
-    *time = strtof(*at, &end);
-    if (end == *at || !isfinite(*time) || (*end && *end != ',') || (*end && !end[1]))
-        return 0;
-    *at = *end ? end + 1 : end;
-    return 1;
-}
-
-/* The number of times of a list, 0 if it is not a list of numbers. */
-static size_t count_times(const char *list)
-{
-    float time;
-    size_t count = 0;
-    while (next_time(&list, &time))
-        count++;
-    return *list ? 0 : count;
-}
-
 static int sample_clip(moment *m, size_t animation, const request *r, table *t)
 {
-    size_t count = r->at ? count_times(r->at) : moment_rate_count(m, r->rate);
+    size_t count = r->at ? timelist_count(r->at) : moment_rate_count(m, r->rate);
     if (count > INT32_MAX || t->rows_per_time > INT32_MAX) {
         fprintf(stderr, "%s: clip %ld: too many times at this rate\n", m->document->file, input_clip_number(animation));
         return 0;
@@ -182,7 +159,7 @@ static int sample_clip(moment *m, size_t animation, const request *r, table *t)
     for (size_t k = 0; k < count && !ferror(t->file) && !t->failed; k++) {
         float time = 0.0f;
         if (r->at)
-            next_time(&list, &time);
+            timelist_next(&list, &time);
         else
             time = moment_rate_time(m, r->rate, k);
         sample_at(m, r->kind, time, t);
@@ -226,7 +203,7 @@ static int check_request(const options *o, request *r)
         return options_misuse(o, "--raw", "not with --json");
     if (!r->at == !(r->rate != 0.0f))
         return options_misuse(o, "--at, --rate", "one of them is needed");
-    if (r->at && !count_times(r->at))
+    if (r->at && !timelist_count(r->at))
         return options_misuse(o, r->at, "not a list of times: 0,0.5,1");
     if (!r->at && !(r->rate > 0.0f && r->rate <= 1e6f))
         return options_misuse(o, "--rate", "not in 0..1000000");
