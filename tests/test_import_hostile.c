@@ -435,8 +435,10 @@ static void memory_is_bounded(void **state)
     growing g = {NULL, 0, 0};
     append(&g, "{" ASSET "'buffers':[{'uri':'data.bin','byteLength':%d}],", BYTES);
     append(&g, "'bufferViews':[{'buffer':0,'byteLength':%d}],'nodes':[{}],'accessors':[", BYTES);
-    for (int i = 0; i < COUNT; i++)
-        append(&g, ",{'bufferView':0,'componentType':5121,'count':%d,'type':'VEC3'}" + (i == 0), BYTES / 3);
+    for (int i = 0; i < COUNT; i++) {
+        append(&g, i > 0 ? "," : "", 0);
+        append(&g, "{'bufferView':0,'componentType':5121,'count':%d,'type':'VEC3'}", BYTES / 3);
+    }
     append(&g, "],'meshes':[{'primitives':[", 0);
     for (int i = 0; i < COUNT; i++)
         append(&g, i ? ",{'attributes':{'POSITION':%d}}" : "{'attributes':{'POSITION':%d}}", i);
