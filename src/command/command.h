@@ -23,6 +23,7 @@ enum command_code {
 int command_check(int argc, const char **argv);
 int command_diff(int argc, const char **argv);
 int command_info(int argc, const char **argv);
+int command_parts(int argc, const char **argv);
 int command_plot(int argc, const char **argv);
 int command_render(int argc, const char **argv); /* only with libpng: NKW_RENDER */
 int command_sample(int argc, const char **argv);
