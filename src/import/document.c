@@ -97,6 +97,8 @@ static int read_document(nkwi_document *d, const nkw_import_memory *memory, nkw_
         return 0;
     if (nkwi_gltf_is(memory->data, memory->bytes))
         return nkwi_gltf_read(d, memory, error);
+    if (nkwi_keys_is(memory->data, memory->bytes))
+        return nkwi_keys_read(d, memory, error);
     return nkwi_fail(error, NULL, NKW_IMPORT_UNKNOWN, memory->bytes ? "no format that is read" : "the file is empty");
 }
 

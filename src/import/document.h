@@ -39,4 +39,8 @@ int nkwi_document_nodes(nkwi_document *document, nkw_import_error *error, const 
 int nkwi_gltf_is(const void *data, size_t bytes);
 int nkwi_gltf_read(nkwi_document *document, const nkw_import_memory *memory, nkw_import_error *error);
 
+/* Keys in CSV (keys.c): the same. */
+int nkwi_keys_is(const void *data, size_t bytes);
+int nkwi_keys_read(nkwi_document *document, const nkw_import_memory *memory, nkw_import_error *error);
+
 #endif

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* Files: the input as it is, and edits of a file that has everything. What is read can be played. */
+/* Files: the input as it is, and edits of files that have everything. What is read can be played. */
 #include <stdlib.h>
 #include <string.h>
 
@@ -29,6 +29,10 @@ static const char whole[] =
     "[1,2]}],'animations':[{'samplers':[{'input':0,'output':9},{'input':0,'output':6,'interpolation':'STEP'},{'input':"
     "6,'output':2,'interpolation':'LINEAR'}],'channels':[{'sampler':0,'target':{'node':1,'path':'translation'}},"
     "{'sampler':1,'target':{'node':3,'path':'weights'}}]}]}";
+
+static const char keys[] = "index,name,time,clip,parent,interpolation,tx,ty,tz,qx,qy,qz,qw,sx,sy,sz\n"
+                           "0,a,0,c,,,1,2,3,0,0,0,1,,,\n1,'b, b',0,c,a,STEP,,,,0,0,1,0,1,1,1\n# x\n"
+                           "0,a,1,c,,,4,5,6,1,0,0,0,,,\n0,a,0,d,,,4,5,6,,,,,,,\n";
 
 static const char *const words[] = {
     "0",    "1", "-1",   "4294967295", "9007199254740992", "1e999", "null", "[", "{", "]", "}", "''", "65536", "0.5",
@@ -133,9 +137,10 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
 {
     fuzz f = fuzz_begin(data, size);
     char *text = (char *)fuzz_block(&f, TEXT_MOST);
-    size_t length = strlen(whole), edits = fuzz_upto(&f, EDITS_MOST);
+    const char *from = fuzz_byte(&f) % 8 ? whole : keys;
+    size_t length = strlen(from), edits = fuzz_upto(&f, EDITS_MOST);
     for (size_t i = 0; i < length; i++)
-        text[i] = (char)(whole[i] == '\'' ? '"' : whole[i]);
+        text[i] = (char)(from[i] == '\'' ? '"' : from[i]);
     void *outer = fuzz_byte(&f) % 2 ? fuzz_bytes(&f, DATA) : (void *)fuzz_floats(&f, DATA / 4, 0);
     for (size_t i = 0; i < edits && length > 0; i++)
         length = edit(&f, text, length);

@@ -50,7 +50,7 @@ typedef struct nkw_import_error {
     nkw_import_result code;
     nkw_result result; /**< of the function of the library, for NKW_IMPORT_REFUSED; otherwise NKW_OK */
     char file[512]; /**< the file; of a longer path the end */
-    char place[160]; /**< a JSON pointer: /animations/2/samplers/0/input; in a GLB header or in text: byte 12; or "" */
+    char place[160]; /**< a JSON pointer: /animations/2/samplers/0/input; byte 12; line 3, column 14; or "" */
     char reason[256]; /**< in English, without a full stop */
 } nkw_import_error;
 
@@ -126,9 +126,9 @@ typedef struct nkw_document_material {
 typedef struct nkw_document_channel {
     size_t number; /**< the index of the channel in its animation, in the file */
     int32_t joint; /**< the animated joint; of morph weights, the joint of the mesh */
-    size_t input; /**< the accessor of the times, in the file */
-    size_t output; /**< the accessor of the values, in the file */
-    size_t bytes; /**< of times and values in the file */
+    size_t input; /**< the accessor of the times, in the file; 0 in formats without */
+    size_t output; /**< the accessor of the values, in the file; 0 in formats without */
+    size_t bytes; /**< of times and values in the file; in text, as floats */
 } nkw_document_channel;
 
 /** An animation: tracks as in the file, those without a target left out. */
@@ -148,7 +148,7 @@ typedef struct nkw_document_scene {
 /** A file that was read. All arrays belong to it and are read-only. */
 typedef struct nkw_document {
     const char *file; /**< as passed to the function that opened it */
-    const char *format; /**< "glTF 2.0" */
+    const char *format; /**< "glTF 2.0" or "CSV keys" */
     const char *generator; /**< the program that wrote the file; "" if unknown */
     size_t bytes; /**< of all files that were read */
     nkw_skeleton skeleton; /**< all nodes; at least one */
@@ -192,7 +192,7 @@ typedef struct nkw_import_memory {
 } nkw_import_memory;
 
 /**
- * Reads a file: glTF 2.0 as .gltf, .glb or .vrm, recognised by its content. Outer files are read from its folder and
+ * Reads a file: glTF 2.0 as .gltf, .glb or .vrm, or keys in CSV, recognised by its content. Outer files are read from its folder and
  * the folders below.
  *
  * document  receives the document, to be closed; NULL after an error
