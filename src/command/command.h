@@ -20,6 +20,7 @@ enum command_code {
 };
 
 /* The subcommands: argv[0] is "nakawari NAME". They return an exit code. */
+int command_bake(int argc, const char **argv);
 int command_check(int argc, const char **argv);
 int command_diff(int argc, const char **argv);
 int command_info(int argc, const char **argv);

@@ -13,6 +13,7 @@ typedef struct subcommand {
 } subcommand;
 
 static const subcommand subcommands[] = {
+    {"bake", "nakawari bake", command_bake, "a clip as a file that maps back, or as a texture of palettes"},
     {"check", "nakawari check", command_check, "what is wrong with a file: one line for each finding"},
     {"diff", "nakawari diff", command_diff, "the largest difference of each joint between two files"},
     {"info", "nakawari info", command_info, "what a file contains: clips, channels, keys, bytes"},

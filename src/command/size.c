@@ -53,7 +53,7 @@ clip_size size_of_channel(const nkw_document *d, size_t animation, size_t track)
     return size;
 }
 
-size_t size_of_reduced(const nkw_document *d, size_t animation, const extent *e, float tolerance)
+void *reduced_clip(const nkw_document *d, size_t animation, const extent *e, float tolerance, size_t *bytes)
 {
     nkw_clip_source source = nkw_document_clip_source(d, animation, NKW_CLIP_FLOAT32);
     const nkw_clip_reduction reduction = {d->skeleton.parents, tolerance, 0.0f, NULL, e->reach, tolerance / e->size};
@@ -63,9 +63,18 @@ size_t size_of_reduced(const nkw_document *d, size_t animation, const extent *e,
     memory.work = calloc(memory.work_count, sizeof *memory.work);
     if (memory.work && nkw_clip_reduce_measure(&source, &memory.bytes, NULL, memory.work, memory.work_count) == NKW_OK)
         memory.block = malloc(memory.bytes);
-    if (!memory.block || nkw_clip_reduce(&source, &reduction, &memory, &reduced, NULL) != NKW_OK)
-        reduced.bytes = SIZE_MAX;
-    free(memory.block);
+    if (memory.block && nkw_clip_reduce(&source, &reduction, &memory, &reduced, NULL) != NKW_OK) {
+        free(memory.block);
+        memory.block = NULL;
+    }
     free(memory.work);
-    return reduced.bytes;
+    *bytes = memory.block ? reduced.bytes : SIZE_MAX;
+    return memory.block;
+}
+
+size_t size_of_reduced(const nkw_document *d, size_t animation, const extent *e, float tolerance)
+{
+    size_t bytes;
+    free(reduced_clip(d, animation, e, tolerance, &bytes));
+    return bytes;
 }

@@ -15,10 +15,12 @@ clip_size size_of_clip(const nkw_document *d, size_t animation);
 clip_size size_of_channel(const nkw_document *d, size_t animation, size_t track);
 
 /**
- * Bytes of the clip that nkw_clip_reduce builds within a distance in model space, at the reach of each joint; of morph
- * weights within the same share of 1 as the distance is of the model's size. SIZE_MAX if the library refuses the keys or
- * there is no memory.
+ * The clip that nkw_clip_reduce builds within a distance in model space, at the reach of each joint; of morph weights
+ * within the same share of 1 as the distance is of the model's size. NULL, and SIZE_MAX bytes, if the library refuses the
+ * keys or there is no memory.
  */
+void *reduced_clip(const nkw_document *d, size_t animation, const extent *e, float tolerance, size_t *bytes);
+/** Its bytes. */
 size_t size_of_reduced(const nkw_document *d, size_t animation, const extent *e, float tolerance);
 
 #endif

@@ -2,22 +2,9 @@
 #include "table.h"
 
 #include <stdint.h>
-#include <string.h>
 
+#include "bytes.h"
 #include "json.h"
-
-static void put_u32(FILE *f, uint32_t value)
-{
-    for (int shift = 0; shift < 32; shift += 8)
-        fputc((int)(value >> shift & 255), f);
-}
-
-static void put_f32(FILE *f, float value)
-{
-    uint32_t bits;
-    memcpy(&bits, &value, sizeof bits);
-    put_u32(f, bits);
-}
 
 void table_begin(table *t, const char *file)
 {
@@ -42,19 +29,19 @@ void table_clip(table *t, long clip, size_t time_count)
     if (t->format != TABLE_RAW)
         return;
     fputs("nkwsampl", t->file);
-    put_u32(t->file, 1);
-    put_u32(t->file, (uint32_t)t->kind);
-    put_u32(t->file, (uint32_t)clip);
-    put_u32(t->file, (uint32_t)time_count);
-    put_u32(t->file, (uint32_t)t->rows_per_time);
-    put_u32(t->file, (uint32_t)t->width);
+    bytes_put_u32(t->file, 1);
+    bytes_put_u32(t->file, (uint32_t)t->kind);
+    bytes_put_u32(t->file, (uint32_t)clip);
+    bytes_put_u32(t->file, (uint32_t)time_count);
+    bytes_put_u32(t->file, (uint32_t)t->rows_per_time);
+    bytes_put_u32(t->file, (uint32_t)t->width);
 }
 
 void table_time(table *t, float time)
 {
     t->time = time;
     if (t->format == TABLE_RAW)
-        put_f32(t->file, time);
+        bytes_put_f32(t->file, time);
 }
 
 static void csv_row(table *t, size_t index, const char *name, const float *numbers)
@@ -89,6 +76,6 @@ void table_row(table *t, size_t index, const char *name, const float *numbers)
         json_row(t, index, name, numbers);
     else
         for (size_t i = 0; i < t->width; i++)
-            put_f32(t->file, numbers[i]);
+            bytes_put_f32(t->file, numbers[i]);
     t->row_count++;
 }
