@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* Keys in CSV: columns, clips, nodes; and what is refused. */
+/* Keys in CSV and in JSON: columns, clips, nodes; and what is refused. */
 #include <nakawari/euler.h>
 
 #include "documents.h"
@@ -94,10 +94,48 @@ static void broken_rows_are_refused(void **state)
         expect_refused(list[i].text, NULL, 0, list[i].code, list[i].place);
 }
 
+static void rows_of_json_are_those_of_the_table(void **state)
+{
+    (void)state;
+    nkw_document *d = opened("{'columns':'tx,ty,tz,qx,qy,qz,qw','rows':["
+                             "{'name':'a','time':1,'clip':3,'values':[1,2,3,null,null,null,null]},"
+                             "{'name':'b','time':0.5,'clip':'c','parent':'a','interpolation':'STEP','index':7,"
+                             "'values':[1,2,3,0,0,1,0]}]}",
+                             NULL, 0);
+    assert_string_equal(d->format, "JSON keys");
+    assert_int_equal(d->animation_count, 2);
+    assert_string_equal(d->animations[0].name, "3");
+    assert_string_equal(d->animations[1].name, "c");
+    assert_int_equal(d->animations[0].track_count, 1);
+    assert_int_equal(d->animations[1].track_count, 2);
+    expect_near(d->animations[1].tracks[1].track.values[2], 1, 0);
+    assert_int_equal(d->skeleton.parents[1], 0);
+    nkw_document_close(d);
+
+    static const struct {
+        nkw_import_result code;
+        const char *place, *text;
+    } list[] = {
+        {NKW_IMPORT_INVALID, "/rows", "{'columns':'tx,ty,tz','rows':{}}"},
+        {NKW_IMPORT_INVALID, "/columns", "{'columns':'tx','rows':[]}"},
+        {NKW_IMPORT_INVALID, "/columns", "{'columns':7,'rows':[]}"},
+        {NKW_IMPORT_INVALID, "/columns", "{'columns':'name,tx,ty,tz','rows':[]}"},
+        {NKW_IMPORT_INVALID, "/rows/0", "{'columns':'tx,ty,tz','rows':[]}"},
+        {NKW_IMPORT_INVALID, "/rows/0/time", "{'columns':'tx,ty,tz','rows':[7]}"},
+        {NKW_IMPORT_INVALID, "/rows/0/values", "{'columns':'tx,ty,tz','rows':[{'time':0}]}"},
+        {NKW_IMPORT_INVALID, "/rows/0/name", "{'columns':'tx,ty,tz','rows':[{'time':0,'values':[1,2,3]}]}"},
+        {NKW_IMPORT_INVALID, "/rows/0/values", "{'columns':'tx,ty,tz','rows':[{'time':0,'values':[1,2,1e39]}]}"},
+        {NKW_IMPORT_INVALID, "/rows/0/tx", "{'columns':'tx,ty,tz','rows':[{'name':'a','time':0,'values':[1,2,null]}]}"},
+    };
+    for (size_t i = 0; i < sizeof list / sizeof *list; i++)
+        expect_refused(list[i].text, NULL, 0, list[i].code, list[i].place);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(columns_become_tracks),
+        cmocka_unit_test(rows_of_json_are_those_of_the_table),
         cmocka_unit_test(broken_rows_are_refused),
     };
     return cmocka_run_group_tests_name("import_keys", tests, NULL, NULL);

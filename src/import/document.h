@@ -43,4 +43,9 @@ int nkwi_gltf_read(nkwi_document *document, const nkw_import_memory *memory, nkw
 int nkwi_keys_is(const void *data, size_t bytes);
 int nkwi_keys_read(nkwi_document *document, const nkw_import_memory *memory, nkw_import_error *error);
 
+/* Keys in JSON, which is parsed already. */
+struct nkwi_value;
+int nkwi_keys_are(const struct nkwi_value *root);
+int nkwi_keys_read_tree(nkwi_document *document, const struct nkwi_value *root, nkw_import_error *error);
+
 #endif

@@ -192,7 +192,7 @@ int nkwi_gltf_read(nkwi_document *document, const nkw_import_memory *memory, nkw
         return 0;
     g.root = nkwi_root(tree);
     document->all.format = "glTF 2.0";
-    int done = read_parts(&g);
+    int done = nkwi_keys_are(&g.root) ? nkwi_keys_read_tree(document, &g.root, error) : read_parts(&g);
     nkwi_give(&g.scratch);
     json_decref(tree);
     return done;

@@ -1,6 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* Keys of one's own: a CSV text with a row for each node and time. docs/import.md states the columns. */
-#include <jansson.h>
+/* Keys of one's own: a table with a row for each node and time, CSV or JSON. docs/import.md states the columns. */
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -10,6 +9,7 @@
 #include <nakawari/scalar.h>
 
 #include "document.h"
+#include "value.h"
 
 /* The columns: ten numbers of a TRS, three angles in place of the rotation, and others. */
 enum { NUMBERS = 13, YAW = 10, NAME = NUMBERS, TIME, CLIP, PARENT, INTERPOLATION, INDEX, COLUMNS, FIELDS_MOST = 64 };
@@ -28,11 +28,19 @@ typedef struct row {
     float time, numbers[10];
 } row;
 
+/* The same as the file has it: NULL or empty texts are not there, bits of `filled` are the numbers that are. */
+typedef struct entry {
+    const char *name, *clip, *parent, *interpolation;
+    float time, numbers[NUMBERS];
+    unsigned filled;
+} entry;
+
 typedef struct keys {
     nkwi_document *document;
     nkw_import_error *error;
     char *text, *at, *end; /* a copy that the fields are cut from */
-    size_t line, next; /* of the fields, and of `at` */
+    size_t line, next; /* of the fields, and of `at`; in JSON `line` is the index of the row */
+    int is_json;
     char *fields[FIELDS_MOST];
     size_t field_count, column_count;
     int column_of[FIELDS_MOST];
@@ -43,8 +51,11 @@ typedef struct keys {
 
 static int fail(keys *k, const char *column, nkw_import_result code, const char *reason)
 {
-    char place[64];
-    snprintf(place, sizeof place, column ? "line %zu, column %s" : "line %zu", k->line, column);
+    char place[160];
+    if (k->is_json)
+        snprintf(place, sizeof place, column ? "/rows/%zu/%s" : "/rows/%zu", k->line, column);
+    else
+        snprintf(place, sizeof place, column ? "line %zu, column %s" : "line %zu", k->line, column);
     return nkwi_fail_at(k->error, place, code, "%s", reason);
 }
 
@@ -138,32 +149,21 @@ static int read_number(const char *text, float *out)
     return is_number && isfinite(*out);
 }
 
-/* Empty cells are no key; of a property all are empty, or none. */
-static int read_numbers(keys *k, const char *const cells[COLUMNS], row *r)
+/* The numbers of a row: of a property all, or none. */
+static int set_numbers(keys *k, const entry *e, row *r)
 {
-    float v[NUMBERS];
-    unsigned filled = 0;
-    for (int c = 0; c < NUMBERS; c++) {
-        if (!cells[c] || !cells[c][0])
-            continue;
-        if (!read_number(cells[c], &v[c]))
-            return fail(k, column_names[c], NKW_IMPORT_INVALID, "is no finite number");
-        filled |= 1u << c;
-    }
     static const unsigned masks[4] = {0x7, 0x78, 0x380, 0x1c00};
+    static const int firsts[4] = {0, 3, 7, YAW};
+    unsigned filled = e->filled;
     for (int p = 0; p < 4; p++)
         if ((filled & masks[p]) && (filled & masks[p]) != masks[p])
-            return fail(k,
-                        column_names[p == 0   ? 0
-                                     : p == 1 ? 3
-                                     : p == 2 ? 7
-                                              : YAW],
-                        NKW_IMPORT_INVALID, "some of the property's numbers are missing");
+            return fail(k, column_names[firsts[p]], NKW_IMPORT_INVALID, "some of the property's numbers are missing");
     for (int c = 0; c < 10; c++)
-        r->numbers[c] = filled & 1u << c ? v[c] : c == 6 || c >= 7 ? 1.0f : 0.0f;
+        r->numbers[c] = filled & 1u << c ? e->numbers[c] : c >= 6 ? 1.0f : 0.0f;
     if (filled & masks[3]) {
-        nkw_vec3 angles = {nkw_radians_from_degrees(v[YAW + 1]), nkw_radians_from_degrees(v[YAW]),
-                           nkw_radians_from_degrees(v[YAW + 2])};
+        const float *v = e->numbers + YAW;
+        nkw_vec3 angles = {nkw_radians_from_degrees(v[1]), nkw_radians_from_degrees(v[0]),
+                           nkw_radians_from_degrees(v[2])};
         nkw_quat q = nkw_quat_from_euler(angles, NKW_EULER_YXZ);
         memcpy(r->numbers + 3, &q, sizeof q);
     }
@@ -182,36 +182,96 @@ static int read_parent(keys *k, uint32_t node, const char *parent)
     return json_array_set_new(k->parents, node, json_string_nocheck(parent)) == 0 || no_memory(k);
 }
 
-static int read_row(keys *k)
+static int room_for_row(keys *k)
 {
-    const char *cells[COLUMNS] = {NULL};
-    row r = {k->line, 0, 0, NKW_INTERPOLATION_LINEAR, 0, 0.0f, {0}};
-    if (k->field_count > k->column_count)
-        return fail(k, NULL, NKW_IMPORT_INVALID, "more fields than columns");
-    for (size_t i = 0; i < k->field_count; i++)
-        cells[k->column_of[i]] = k->fields[i];
-    if (k->row_count == k->room) {
-        size_t room = k->room ? 2 * k->room : 64;
-        row *wider = room < SIZE_MAX / sizeof *wider ? (row *)realloc(k->rows, room * sizeof *wider) : NULL;
-        if (!wider)
-            return no_memory(k);
-        k->rows = wider;
-        k->room = room;
-    }
-    if (!cells[NAME] || !cells[NAME][0])
+    if (k->row_count < k->room)
+        return 1;
+    size_t room = k->room ? 2 * k->room : 64;
+    row *wider = room < SIZE_MAX / sizeof *wider ? (row *)realloc(k->rows, room * sizeof *wider) : NULL;
+    if (!wider)
+        return no_memory(k);
+    k->rows = wider;
+    k->room = room;
+    return 1;
+}
+
+static int add_row(keys *k, const entry *e)
+{
+    row r = {k->line, 0, 0, NKW_INTERPOLATION_LINEAR, 0, e->time, {0}};
+    const char *mode = e->interpolation;
+    if (!e->name || !e->name[0])
         return fail(k, "name", NKW_IMPORT_INVALID, "is empty");
-    if (!cells[TIME] || !read_number(cells[TIME], &r.time))
-        return fail(k, "time", NKW_IMPORT_INVALID, "is no finite number");
-    const char *mode = cells[INTERPOLATION];
     if (mode && strcmp(mode, "STEP") == 0)
         r.interpolation = NKW_INTERPOLATION_STEP;
     else if (mode && mode[0] && strcmp(mode, "LINEAR") != 0)
         return fail(k, "interpolation", NKW_IMPORT_INVALID, "is neither LINEAR nor STEP");
-    if (!read_numbers(k, cells, &r) || !index_of(k, k->clips, cells[CLIP] ? cells[CLIP] : "", &r.clip) ||
-        !index_of(k, k->nodes, cells[NAME], &r.node) || !read_parent(k, r.node, cells[PARENT]))
+    if (!set_numbers(k, e, &r) || !room_for_row(k) || !index_of(k, k->clips, e->clip ? e->clip : "", &r.clip) ||
+        !index_of(k, k->nodes, e->name, &r.node) || !read_parent(k, r.node, e->parent))
         return 0;
     k->rows[k->row_count++] = r;
     return 1;
+}
+
+/* A line of CSV. */
+static int read_line(keys *k)
+{
+    const char *cells[COLUMNS] = {NULL};
+    entry e;
+    if (k->field_count > k->column_count)
+        return fail(k, NULL, NKW_IMPORT_INVALID, "more fields than columns");
+    for (size_t i = 0; i < k->field_count; i++)
+        cells[k->column_of[i]] = k->fields[i];
+    memset(&e, 0, sizeof e);
+    e.name = cells[NAME];
+    e.clip = cells[CLIP];
+    e.parent = cells[PARENT];
+    e.interpolation = cells[INTERPOLATION];
+    for (int c = 0; c < NUMBERS; c++) {
+        if (!cells[c] || !cells[c][0])
+            continue;
+        if (!read_number(cells[c], &e.numbers[c]))
+            return fail(k, column_names[c], NKW_IMPORT_INVALID, "is no finite number");
+        e.filled |= 1u << c;
+    }
+    if (!cells[TIME] || !read_number(cells[TIME], &e.time))
+        return fail(k, "time", NKW_IMPORT_INVALID, "is no finite number");
+    return add_row(k, &e);
+}
+
+static int is_float(const json_t *json, float *out)
+{
+    *out = (float)json_number_value(json);
+    return json_is_number(json) && isfinite(*out);
+}
+
+/* An element of "rows" in JSON: its values are in the order of the columns; null is no key. */
+static int read_object(keys *k, const json_t *object)
+{
+    const json_t *values = json_object_get(object, "values"), *clip = json_object_get(object, "clip");
+    char number[32];
+    entry e;
+    memset(&e, 0, sizeof e);
+    e.name = json_string_value(json_object_get(object, "name"));
+    e.clip = json_string_value(clip);
+    e.parent = json_string_value(json_object_get(object, "parent"));
+    e.interpolation = json_string_value(json_object_get(object, "interpolation"));
+    if (json_is_number(clip)) {
+        snprintf(number, sizeof number, "%.0f", json_number_value(clip));
+        e.clip = number;
+    }
+    if (!is_float(json_object_get(object, "time"), &e.time))
+        return fail(k, "time", NKW_IMPORT_INVALID, "is no finite number");
+    if (json_array_size(values) != k->column_count)
+        return fail(k, "values", NKW_IMPORT_INVALID, "are not as many as the columns");
+    for (size_t i = 0; i < k->column_count; i++) {
+        const json_t *value = json_array_get(values, i);
+        if (json_is_null(value))
+            continue;
+        if (!is_float(value, &e.numbers[k->column_of[i]]))
+            return fail(k, "values", NKW_IMPORT_INVALID, "are not finite numbers");
+        e.filled |= 1u << k->column_of[i];
+    }
+    return add_row(k, &e);
 }
 
 /* Nodes in the order of their first rows; the first row of a node has its rest pose. */
@@ -347,19 +407,24 @@ static int make_animations(keys *k)
     return 1;
 }
 
+static int make_document(keys *k, const char *format)
+{
+    if (k->error->code != NKW_IMPORT_OK)
+        return 0;
+    if (k->row_count == 0)
+        return fail(k, NULL, NKW_IMPORT_INVALID, "there are no keys");
+    k->document->all.format = format;
+    return make_nodes(k) && make_animations(k);
+}
+
 static int read_text(keys *k)
 {
     if (!next_line(k) || !read_header(k))
         return 0;
     while (next_line(k))
-        if (!read_row(k))
+        if (!read_line(k))
             return 0;
-    if (k->error->code != NKW_IMPORT_OK)
-        return 0;
-    if (k->row_count == 0)
-        return fail(k, NULL, NKW_IMPORT_INVALID, "there are no keys");
-    k->document->all.format = "CSV keys";
-    return make_nodes(k) && make_animations(k);
+    return make_document(k, "CSV keys");
 }
 
 /* Copies the text, as fields are cut from it. */
@@ -396,10 +461,30 @@ int nkwi_keys_is(const void *data, size_t bytes)
     return has_name && has_time;
 }
 
-int nkwi_keys_read(nkwi_document *document, const nkw_import_memory *memory, nkw_import_error *error)
+/* "columns" and "rows" of JSON. */
+static int read_tree(keys *k, const nkwi_value *root)
+{
+    nkwi_value rows = nkwi_member(root, "rows"), columns = nkwi_member(root, "columns");
+    if (!nkwi_is_array(k->error, &rows))
+        return 0;
+    if (!next_line(k) || !read_header(k))
+        return nkwi_fail(k->error, &columns.place, NKW_IMPORT_INVALID, "are no list of columns");
+    for (size_t i = 0; i < k->column_count; i++)
+        if (k->column_of[i] >= NUMBERS)
+            return nkwi_fail(k->error, &columns.place, NKW_IMPORT_INVALID, "%s is a member of rows", k->fields[i]);
+    k->is_json = 1;
+    for (k->line = 0; k->line < nkwi_length(&rows); k->line++)
+        if (!read_object(k, json_array_get(rows.json, k->line)))
+            return 0;
+    return make_document(k, "JSON keys");
+}
+
+/* root: NULL for CSV. */
+static int read_keys(nkwi_document *document, const void *text, size_t bytes, const nkwi_value *root,
+                     nkw_import_error *error)
 {
     keys k;
-    int done = 0, copied = begin(&k, memory->data, memory->bytes);
+    int done = 0, copied = begin(&k, text, bytes);
     k.document = document;
     k.error = error;
     k.clips = json_object();
@@ -408,11 +493,27 @@ int nkwi_keys_read(nkwi_document *document, const nkw_import_memory *memory, nkw
     if (!copied || !k.clips || !k.nodes || !k.parents)
         no_memory(&k);
     else
-        done = read_text(&k);
+        done = root ? read_tree(&k, root) : read_text(&k);
     json_decref(k.clips);
     json_decref(k.nodes);
     json_decref(k.parents);
     free(k.rows);
     free(k.text);
     return done;
+}
+
+int nkwi_keys_read(nkwi_document *document, const nkw_import_memory *memory, nkw_import_error *error)
+{
+    return read_keys(document, memory->data, memory->bytes, NULL, error);
+}
+
+int nkwi_keys_are(const nkwi_value *root)
+{
+    return nkwi_member(root, "rows").json && nkwi_member(root, "columns").json && !nkwi_member(root, "asset").json;
+}
+
+int nkwi_keys_read_tree(nkwi_document *document, const nkwi_value *root, nkw_import_error *error)
+{
+    const char *columns = nkwi_text(root, "columns", "");
+    return read_keys(document, columns, strlen(columns), root, error);
 }

@@ -34,6 +34,10 @@ static const char keys[] = "index,name,time,clip,parent,interpolation,tx,ty,tz,q
                            "0,a,0,c,,,1,2,3,0,0,0,1,,,\n1,'b, b',0,c,a,STEP,,,,0,0,1,0,1,1,1\n# x\n"
                            "0,a,1,c,,,4,5,6,1,0,0,0,,,\n0,a,0,d,,,4,5,6,,,,,,,\n";
 
+static const char rows[] = "{'columns':'tx,ty,tz,yaw,pitch,roll','rows':[{'name':'a','time':0,'clip':0,'values':[1,2,3,"
+                           "10,20,30]},{'name':'b','time':0,'parent':'a','values':[1,2,3,null,null,null]},{'name':'b',"
+                           "'interpolation':'STEP','clip':'d','time':0,'values':[null,null,null,1,2,3]}]}";
+
 static const char *const words[] = {
     "0",    "1", "-1",   "4294967295", "9007199254740992", "1e999", "null", "[", "{", "]", "}", "''", "65536", "0.5",
     "true", ",", "5126", "5121",       "'CUBICSPLINE'",    "7"};
@@ -137,7 +141,8 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
 {
     fuzz f = fuzz_begin(data, size);
     char *text = (char *)fuzz_block(&f, TEXT_MOST);
-    const char *from = fuzz_byte(&f) % 8 ? whole : keys;
+    static const char *const texts[8] = {whole, whole, whole, whole, whole, whole, keys, rows};
+    const char *from = texts[fuzz_byte(&f) % 8];
     size_t length = strlen(from), edits = fuzz_upto(&f, EDITS_MOST);
     for (size_t i = 0; i < length; i++)
         text[i] = (char)(from[i] == '\'' ? '"' : from[i]);

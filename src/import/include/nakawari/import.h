@@ -148,7 +148,7 @@ typedef struct nkw_document_scene {
 /** A file that was read. All arrays belong to it and are read-only. */
 typedef struct nkw_document {
     const char *file; /**< as passed to the function that opened it */
-    const char *format; /**< "glTF 2.0" or "CSV keys" */
+    const char *format; /**< "glTF 2.0", "CSV keys" or "JSON keys" */
     const char *generator; /**< the program that wrote the file; "" if unknown */
     size_t bytes; /**< of all files that were read */
     nkw_skeleton skeleton; /**< all nodes; at least one */
@@ -192,8 +192,8 @@ typedef struct nkw_import_memory {
 } nkw_import_memory;
 
 /**
- * Reads a file: glTF 2.0 as .gltf, .glb or .vrm, or keys in CSV, recognised by its content. Outer files are read from its folder and
- * the folders below.
+ * Reads a file: glTF 2.0 as .gltf, .glb or .vrm, or keys in CSV or JSON, recognised by its content. Outer files are
+ * read from its folder and the folders below.
  *
  * document  receives the document, to be closed; NULL after an error
  * error     receives what went wrong; code is NKW_IMPORT_OK without an error; may be NULL
