@@ -186,6 +186,9 @@ void add(const operation &op, const std::string &who, layout where, size_t n, st
          std::function<void(benchmark::State &)> time, passing clock)
 {
     static const char *const layouts[] = {"structs", "components", "chain"};
+    const bool own = who.compare(0, 3, "nkw") == 0;
+    if (BENCH_ROWS != rows_all && own != (BENCH_ROWS == rows_own))
+        return;
     row &r = new_row();
     size_t elements = op.elements ? op.elements : n;
     r = {op.stem,

@@ -65,6 +65,22 @@ static void mul(const char *name, bool affine_only)
         return Eigen::Matrix4f(m * b[i]);
     });
 #endif
+#ifdef BENCH_RTM
+    if (affine_only)
+        chained<nkw_mat4>(op, "rtm", affine, [](const nkw_mat4 &m, size_t i) {
+            return rt::mat4(rtm::matrix_mul(rt::load_affine(rigid[i]), rt::load_affine(m)));
+        });
+    else
+        chained<nkw_mat4>(op, "rtm", affine, [](const nkw_mat4 &m, size_t i) {
+            return rt::mat4(rtm::matrix_mul(rt::load(rigid[i]), rt::load(m)));
+        });
+#endif
+#ifdef BENCH_DIRECTXMATH
+    if (!affine_only)
+        chained<nkw_mat4>(op, "DirectXMath", affine, [](const nkw_mat4 &m, size_t i) {
+            return dx::mat4(dx::XMMatrixMultiply(dx::load(rigid[i]), dx::load(m)));
+        });
+#endif
 }
 
 static void inverse()
@@ -84,6 +100,14 @@ static void inverse()
     chained<Eigen::Matrix4f>(op, "Eigen", general,
                              [](const Eigen::Matrix4f &m, size_t) { return Eigen::Matrix4f(m.inverse()); });
 #endif
+#ifdef BENCH_RTM
+    chained<nkw_mat4>(op, "rtm", general,
+                      [](const nkw_mat4 &m, size_t) { return rt::mat4(rtm::matrix_inverse(rt::load(m))); });
+#endif
+#ifdef BENCH_DIRECTXMATH
+    chained<nkw_mat4>(op, "DirectXMath", general,
+                      [](const nkw_mat4 &m, size_t) { return dx::mat4(dx::XMMatrixInverse(nullptr, dx::load(m))); });
+#endif
 }
 
 static void inverse_affine()
@@ -101,6 +125,10 @@ static void inverse_affine()
     chained<Eigen::Matrix4f>(op, "Eigen", affine, [](const Eigen::Matrix4f &m, size_t) {
         return Eigen::Matrix4f(Eigen::Affine3f(m).inverse(Eigen::Affine).matrix());
     });
+#endif
+#ifdef BENCH_RTM
+    chained<nkw_mat4>(op, "rtm", affine,
+                      [](const nkw_mat4 &m, size_t) { return rt::mat4(rtm::matrix_inverse(rt::load_affine(m))); });
 #endif
 }
 
@@ -167,6 +195,9 @@ static void from_quat()
 #endif
 #ifdef BENCH_EIGEN
     single(op, "Eigen", [q = as<Eigen::Quaternionf>(unit_a)](size_t i) { return q[i].toRotationMatrix(); });
+#endif
+#ifdef BENCH_DIRECTXMATH
+    single(op4, "DirectXMath", [](size_t i) { return dx::mat4(dx::XMMatrixRotationQuaternion(dx::load(unit_a[i]))); });
 #endif
 }
 

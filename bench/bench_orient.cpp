@@ -96,6 +96,15 @@ static void slerp(const char *name, const array<nkw_quat> &a, const array<nkw_qu
         return x.slerp(t[i], q[i]);
     });
 #endif
+#ifdef BENCH_RTM
+    rows<nkw_quat>(op, "rtm", a,
+                   [&b](nkw_quat x, size_t i) { return rt::quat(rtm::quat_slerp(rt::load(x), rt::load(b[i]), t[i])); });
+#endif
+#ifdef BENCH_DIRECTXMATH
+    rows<nkw_quat>(op, "DirectXMath", a, [&b](nkw_quat x, size_t i) {
+        return dx::quat(dx::XMQuaternionSlerp(dx::load(x), dx::load(b[i]), t[i]));
+    });
+#endif
 }
 
 static void nlerp(const char *name, const array<nkw_quat> &a, const array<nkw_quat> &b)
@@ -125,6 +134,10 @@ static void nlerp(const char *name, const array<nkw_quat> &a, const array<nkw_qu
         float v = x.dot(q[i]) < 0 ? -t[i] : t[i];
         return Eigen::Quaternionf(((1 - t[i]) * x.coeffs() + v * q[i].coeffs()).normalized());
     });
+#endif
+#ifdef BENCH_RTM
+    rows<nkw_quat>(op, "rtm", a,
+                   [&b](nkw_quat x, size_t i) { return rt::quat(rtm::quat_lerp(rt::load(x), rt::load(b[i]), t[i])); });
 #endif
 }
 

@@ -39,6 +39,15 @@ static void mul()
         op, "Eigen", unit_a,
         [b = as<Eigen::Quaternionf>(unit_b)](const Eigen::Quaternionf &a, size_t i) { return a * b[i]; });
 #endif
+#ifdef BENCH_RTM
+    chained<nkw_quat>(op, "rtm", unit_a,
+                      [](nkw_quat q, size_t i) { return rt::quat(rtm::quat_mul(rt::load(unit_b[i]), rt::load(q))); });
+#endif
+#ifdef BENCH_DIRECTXMATH
+    chained<nkw_quat>(op, "DirectXMath", unit_a, [](nkw_quat q, size_t i) {
+        return dx::quat(dx::XMQuaternionMultiply(dx::load(unit_b[i]), dx::load(q)));
+    });
+#endif
 }
 
 static void rotate()
@@ -78,6 +87,16 @@ static void rotate()
         op, "Eigen", point[0],
         [q = as<Eigen::Quaternionf>(unit_a)](const Eigen::Vector3f &v, size_t i) { return Eigen::Vector3f(q[i] * v); });
 #endif
+#ifdef BENCH_RTM
+    chained<nkw_vec3>(op, "rtm", point[0], [](nkw_vec3 v, size_t i) {
+        return rt::vec3(rtm::quat_mul_vector3(rt::load(v), rt::load(unit_a[i])));
+    });
+#endif
+#ifdef BENCH_DIRECTXMATH
+    chained<nkw_vec3>(op, "DirectXMath", point[0], [](nkw_vec3 v, size_t i) {
+        return dx::vec3(dx::XMVector3Rotate(dx::load(v), dx::load(unit_a[i])));
+    });
+#endif
 }
 
 static void normalize()
@@ -99,6 +118,13 @@ static void normalize()
 #ifdef BENCH_EIGEN
     chained<Eigen::Quaternionf>(op, "Eigen", unit_a,
                                 [](const Eigen::Quaternionf &q, size_t) { return q.normalized(); });
+#endif
+#ifdef BENCH_RTM
+    chained<nkw_quat>(op, "rtm", unit_a, [](nkw_quat q, size_t) { return rt::quat(rtm::quat_normalize(rt::load(q))); });
+#endif
+#ifdef BENCH_DIRECTXMATH
+    chained<nkw_quat>(op, "DirectXMath", unit_a,
+                      [](nkw_quat q, size_t) { return dx::quat(dx::XMQuaternionNormalize(dx::load(q))); });
 #endif
 }
 
@@ -122,6 +148,15 @@ static void from_mat3()
 #endif
 #ifdef BENCH_EIGEN
     single(op, "Eigen", [m = as<Eigen::Matrix3f>(turn)](size_t i) { return Eigen::Quaternionf(m[i]); });
+#endif
+#ifdef BENCH_RTM
+    single(op, "rtm", [](size_t i) { return rt::quat(rtm::quat_from_matrix(rt::load(turn[i]))); });
+#endif
+#ifdef BENCH_DIRECTXMATH
+    single(op, "DirectXMath", [](size_t i) {
+        return dx::quat(
+            dx::XMQuaternionRotationMatrix(dx::XMLoadFloat3x3(reinterpret_cast<const dx::XMFLOAT3X3 *>(&turn.at[i]))));
+    });
 #endif
 }
 

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* Elementary functions: the C library, SLEEF (1.0 ULP, vectors as wide as the processor's), a plain loop. */
+/* Elementary functions: the C library, SLEEF (1.0 ULP, vectors of the level of the build), a plain loop. */
 #include <cmath>
 
 #include "bench.h"
@@ -10,9 +10,7 @@ using namespace bench;
 #ifdef BENCH_SLEEF
 static const peer_sleef &sleef()
 {
-    return __builtin_cpu_supports("avx512f") ? peer_sleef_avx512
-           : __builtin_cpu_supports("avx2")  ? peer_sleef_avx2
-                                             : peer_sleef_sse2;
+    return BENCH_SLEEF_LEVEL;
 }
 #endif
 

@@ -22,6 +22,19 @@ static void to_matrix()
 #ifdef BENCH_EIGEN
     single(op, "Eigen", [](size_t i) { return Eigen::Matrix4f(eigen_matrix(place[i]).matrix()); });
 #endif
+#ifdef BENCH_RTM
+    single(op, "rtm", [](size_t i) {
+        const nkw_trs &p = place[i];
+        return rt::mat4(rtm::matrix_from_qvv(rt::load(p.rotation), rt::load(p.translation), rt::load(p.scale)));
+    });
+#endif
+#ifdef BENCH_DIRECTXMATH
+    single(op, "DirectXMath", [](size_t i) {
+        const nkw_trs &p = place[i];
+        return dx::mat4(dx::XMMatrixAffineTransformation(dx::load(p.scale), dx::XMVectorZero(), dx::load(p.rotation),
+                                                         dx::load(p.translation)));
+    });
+#endif
 }
 
 static void from_matrix()
@@ -37,6 +50,13 @@ static void from_matrix()
         glm::vec3 s(glm::length(x), glm::length(y), glm::length(z));
         glm::quat q = glm::quat_cast(glm::mat3(x / s.x, y / s.y, z / s.z));
         return nkw_trs{{m[12], m[13], m[14]}, {q.x, q.y, q.z, q.w}, {s.x, s.y, s.z}};
+    });
+#endif
+#ifdef BENCH_DIRECTXMATH
+    single(op, "DirectXMath", [](size_t i) {
+        dx::XMVECTOR s, q = dx::XMVectorZero(), p;
+        dx::XMMatrixDecompose(&s, &q, &p, dx::load(affine[i]));
+        return nkw_trs{dx::vec3(p), dx::quat(q), dx::vec3(s)};
     });
 #endif
 }

@@ -84,6 +84,14 @@ static void normalize()
     chained<Eigen::Vector3f>(op, "Eigen", a,
                              [](const Eigen::Vector3f &p, size_t) { return Eigen::Vector3f(p.normalized()); });
 #endif
+#ifdef BENCH_RTM
+    chained<nkw_vec3>(op, "rtm", a,
+                      [](nkw_vec3 p, size_t) { return rt::vec3(rtm::vector_normalize3(rt::load(p), rt::load(p))); });
+#endif
+#ifdef BENCH_DIRECTXMATH
+    chained<nkw_vec3>(op, "DirectXMath", a,
+                      [](nkw_vec3 p, size_t) { return dx::vec3(dx::XMVector3Normalize(dx::load(p))); });
+#endif
 }
 
 static void lerp()
@@ -118,6 +126,16 @@ static void lerp()
 #ifdef BENCH_EIGEN
     chained<Eigen::Vector3f>(op, "Eigen", a, [q = as<Eigen::Vector3f>(b)](const Eigen::Vector3f &p, size_t i) {
         return Eigen::Vector3f(p + t[i] * (q[i] - p));
+    });
+#endif
+#ifdef BENCH_RTM
+    chained<nkw_vec3>(op, "rtm", a, [](nkw_vec3 p, size_t i) {
+        return rt::vec3(rtm::vector_lerp(rt::load(p), rt::load(b[i]), t[i]));
+    });
+#endif
+#ifdef BENCH_DIRECTXMATH
+    chained<nkw_vec3>(op, "DirectXMath", a, [](nkw_vec3 p, size_t i) {
+        return dx::vec3(dx::XMVectorLerp(dx::load(p), dx::load(b[i]), t[i]));
     });
 #endif
 }

@@ -90,6 +90,16 @@ class collector : public benchmark::BenchmarkReporter
     std::map<std::string, row *> at;
 };
 
+static void write_limits(std::ostream &out)
+{
+    for (const limits &l : machine_limits()) {
+        const double values[] = {l.flops, l.near_copy, l.second_copy, l.third_copy, l.far_copy};
+        const char *names[] = {"peak Gflop/s", "copy L1 GB/s", "copy L2 GB/s", "copy L3 GB/s", "copy memory GB/s"};
+        for (size_t k = 0; k < 5; k++)
+            out << BENCH_BUILD << ",machine," << names[k] << "," << l.isa << ",,0," << values[k] << ",,,,\n";
+    }
+}
+
 static void write(const std::string &path)
 {
     bool begins = !std::ifstream(path).good();
@@ -97,12 +107,8 @@ static void write(const std::string &path)
     if (begins)
         out << "build,stem,operation,row,layout,n,value,error_u,bytes,flops,limit_ns\n";
     out.precision(5);
-    for (const limits &l : machine_limits()) {
-        const double values[] = {l.flops, l.near_copy, l.second_copy, l.third_copy, l.far_copy};
-        const char *names[] = {"peak Gflop/s", "copy L1 GB/s", "copy L2 GB/s", "copy L3 GB/s", "copy memory GB/s"};
-        for (size_t k = 0; k < 5; k++)
-            out << BENCH_BUILD << ",machine," << names[k] << "," << l.isa << ",,0," << values[k] << ",,,,\n";
-    }
+    if (BENCH_ROWS != rows_peers)
+        write_limits(out);
     for (const row &r : rows())
         if (!r.ns.empty())
             out << BENCH_BUILD << "," << r.stem << ",\"" << r.operation << "\",\"" << r.who << "\"," << r.layout << ","

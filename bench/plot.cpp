@@ -267,15 +267,17 @@ static std::vector<ratio> ratios_of(const results &r, const char *build)
     return all;
 }
 
-/* From 1 to the ratio, cut off at the ends of the axis. */
-static void draw_bar(svg *s, const axis &x, float left, float width, float y, double value, svg_colour colour)
+/* From 1 to the ratio, cut off at the ends of the axis; in `lost` where the peer is faster. */
+static void draw_bar(svg *s, const axis &x, float left, float width, float y, double value, svg_colour won,
+                     svg_colour lost)
 {
     if (value == 0)
         return;
+    svg_colour colour = value < 1 ? lost : won;
     double shown = std::min(std::max(value, x.from), x.to);
     float one = x.position(1, left, width), end = x.position(shown, left, width);
     svg_box box = {std::min(one, end), y, std::max(std::fabs(end - one), 1.0f), 6};
-    svg_paint paint = svg_fill(colour, value < 1 ? 0.45f : 1.0f);
+    svg_paint paint = svg_fill(colour, 1.0f);
     svg_rect(s, box, 0, &paint);
     std::string text = three(value);
     figure_text(s, std::max(one, end) + 4, y + 6, 8, FIGURE_GREY, 's', text.c_str());
@@ -296,7 +298,7 @@ static void draw_scale(svg *s, const axis &x, float left, float width, float top
 static int draw_ratios(const results &r, const std::string &folder, const char *build)
 {
     const float row = 20, top = 130, label = 190, bars = 260, column = 500;
-    const svg_colour single = 0x1f5fd0, arrays = 0x00897b;
+    const svg_colour single = 0x1f5fd0, arrays = 0x00897b, lost_single = 0xd55e00, lost_arrays = 0xc2185b;
     std::vector<ratio> all = ratios_of(r, build);
     size_t half = (all.size() + 1) / 2;
     while (half < all.size() && !all[half].stem)
@@ -307,7 +309,7 @@ static int draw_ratios(const results &r, const std::string &folder, const char *
     std::string path = folder + "/performance-ratios-" + build + ".svg";
     std::string lesson = std::string("Time of the best peer over the library's: built for ") + build;
     if (!figure_open(&s, path.c_str(), 2 * column, bottom + 30, lesson.c_str(),
-                     "To the right of the line at 1 the library is faster; to the left, pale, the peer. Logarithmic; "
+                     "To the right of the line at 1 the library is faster; to the left, red, the peer. Logarithmic; "
                      "bars end at 0.05 and at 50."))
         return 0;
     svg_paint one = svg_stroke(single, 6, 1), many = svg_stroke(arrays, 6, 1);
@@ -322,8 +324,8 @@ static int draw_ratios(const results &r, const std::string &folder, const char *
             continue;
         }
         figure_text(&s, left + label - 6, y + 13, 11, FIGURE_GREY, 'e', all[k].name.c_str());
-        draw_bar(&s, x, left + label, bars, y + 1, all[k].single, single);
-        draw_bar(&s, x, left + label, bars, y + 10, all[k].arrays, arrays);
+        draw_bar(&s, x, left + label, bars, y + 1, all[k].single, single, lost_single);
+        draw_bar(&s, x, left + label, bars, y + 10, all[k].arrays, arrays, lost_arrays);
     }
     return svg_close(&s);
 }
@@ -335,7 +337,9 @@ int main(int argc, char **argv)
         std::fprintf(stderr, "usage: %s RESULTS.csv FOLDER\n", argv[0]);
         return 2;
     }
-    int drawn = draw_ratios(r, argv[2], "x86-64") && draw_ratios(r, argv[2], "x86-64-v3");
+    int drawn = 1;
+    for (const std::string &build : r.builds())
+        drawn = drawn && draw_ratios(r, argv[2], build.c_str());
     for (const page &p : pages)
         drawn = drawn && draw_page(r, argv[2], p);
     if (!drawn) {

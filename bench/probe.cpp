@@ -66,13 +66,11 @@ const std::vector<limits> &machine_limits()
     return all;
 }
 
-/* Loops of the library and of SLEEF are chosen at run time: the widest. All else has the vectors of this build. */
-static const limits &limits_of(const row &r)
+/* Those of the instruction set of this build. */
+static const limits &limits_of_build()
 {
     const std::vector<limits> &all = machine_limits();
-    bool widest = r.who == "SLEEF" || (r.own() && r.layout == "components");
-    return widest ? all.back()
-                  : *std::find_if(all.begin(), all.end(), [](const limits &l) { return l.isa == BENCH_ISA; });
+    return *std::find_if(all.begin(), all.end(), [](const limits &l) { return l.isa == BENCH_ISA; });
 }
 
 /* Bytes of a level of the caches, or what is usual where the system does not tell. */
@@ -84,7 +82,7 @@ static double level(int name, double usual)
 
 double limit_ns(const row &r)
 {
-    const limits &l = limits_of(r);
+    const limits &l = limits_of_build();
     double set = r.bytes * static_cast<double>(r.round);
     double rate = set <= level(_SC_LEVEL1_DCACHE_SIZE, 32768)     ? l.near_copy
                   : set <= level(_SC_LEVEL2_CACHE_SIZE, 1048576)  ? l.second_copy

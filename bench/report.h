@@ -10,6 +10,9 @@
 namespace bench
 {
 
+/* Which rows a program has: BENCH_ROWS. */
+enum { rows_all, rows_own, rows_peers };
+
 struct row {
     std::string stem, operation, who, layout;
     size_t n, elements; /* the size, and the elements of a call, which mostly is the same */

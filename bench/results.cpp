@@ -110,10 +110,19 @@ bool results::read(const char *path, const char *build)
     return true;
 }
 
+std::vector<std::string> results::builds() const
+{
+    std::vector<std::string> all;
+    for (const line &l : lines)
+        if (all.empty() || all.back() != l.build)
+            all.push_back(l.build);
+    return all;
+}
+
 double results::versus(const line &l, bool chain) const
 {
-    const line *best =
-        fastest(l, chain, [&](const line &p) { return !p.own() && (l.layout != "structs" || p.layout == "structs"); });
+    const line *best = fastest(
+        l, chain, [&](const line &p) { return p.compared() && (l.layout != "structs" || p.layout == "structs"); });
     double time = chain ? l.chain : l.time();
     return l.own() && time > 0 && best ? (chain ? best->chain : best->time()) / time : 0;
 }

@@ -21,6 +21,12 @@ struct line {
     {
         return who.compare(0, 3, "nkw") == 0;
     }
+    /* A peer beyond this error, u, is shown, but nothing is compared with it. */
+    static constexpr double loose = 64;
+    bool compared() const
+    {
+        return !own() && error <= loose;
+    }
     bool does(const line &other) const
     {
         return build == other.build && stem == other.stem && operation == other.operation;
@@ -35,6 +41,8 @@ struct results {
 
     /* Of all builds, or of one. Gives false for a file that cannot be read. */
     bool read(const char *path, const char *build);
+    /* In the order of the file. */
+    std::vector<std::string> builds() const;
     /* The best peer's time over that of l; 0 without a peer. Structs are held against structs, the rest against all. */
     double versus(const line &l, bool chain) const;
     /* The sizes that some line of the operation has. */

@@ -5,7 +5,8 @@
  *     nakawari-bench-table RESULTS.csv [BUILD]             as text
  *     nakawari-bench-table --markdown RESULTS.csv [BUILD]  as Markdown, a line for each operation
  *     nakawari-bench-table --growth RESULTS.csv [BUILD]    as Markdown, how the cost grows with the size
- *     nakawari-bench-table --losses RESULTS.csv            rows of the library that a peer beats by more than a tenth
+ *     nakawari-bench-table --losses RESULTS.csv [REASONS]  as Markdown, where a peer is more than a tenth faster, and why;
+ *                                                          fails if REASONS has no sentence for one of them
  *
  * vs     the time of the best peer over this one, at the size that stands for all: above 1 the library is faster.
  *        Structs are held against peers on structs, components against all.
@@ -13,7 +14,8 @@
  */
 #include <algorithm>
 #include <cstdio>
-#include <cstring>
+#include <fstream>
+#include <set>
 
 #include "results.h"
 
@@ -83,8 +85,8 @@ static void print_operation(const results &r, const line &of)
 {
     auto structs = [](const line &l) { return l.own() && l.layout == "structs"; };
     auto components = [](const line &l) { return l.own() && l.layout == "components"; };
-    auto peer_structs = [](const line &l) { return !l.own() && l.layout == "structs"; };
-    auto peer = [](const line &l) { return !l.own(); };
+    auto peer_structs = [](const line &l) { return l.compared() && l.layout == "structs"; };
+    auto peer = [](const line &l) { return l.compared(); };
     const line *batch = r.fastest(of, false, components);
     std::printf("| %s ", of.operation.c_str());
     print_pair(r.fastest(of, false, structs), r.fastest(of, false, peer_structs), false);
@@ -141,15 +143,87 @@ static void print_growth_of(const results &r, const growth &g)
     std::puts("");
 }
 
-static void print_losses(const results &r)
+/* How an operation is called: the rows of the library and of the peers that are compared. */
+struct form {
+    const char *name, *layout;
+    bool chain, structs_only;
+};
+static const form forms[] = {
+    {"single", "structs", false, true}, {"chain", "structs", true, false}, {"arrays", "components", false, false}};
+
+/* The best peer's time over the library's in `build`; 0 where one of them is missing. Stores the name of the peer. */
+static double ratio_of(const results &r, line of, const form &f, const std::string &build, std::string *who)
 {
-    for (const line &l : r.lines)
-        for (bool chain : {false, true}) {
-            double ratio = r.versus(l, chain);
-            if (ratio > 0 && ratio < 0.9)
-                std::printf("%-10s %-10s %-32s %-16s %-11s %-6s %5.2f\n", l.build.c_str(), l.stem.c_str(),
-                            l.operation.c_str(), l.who.c_str(), l.layout.c_str(), chain ? "chain" : "", ratio);
+    of.build = build;
+    const line *own = r.fastest(of, f.chain, [&](const line &l) { return l.own() && l.layout == f.layout; });
+    const line *peer = r.fastest(
+        of, f.chain, [&](const line &l) { return l.compared() && (!f.structs_only || l.layout == f.layout); });
+    if (!own || !peer)
+        return 0;
+    *who = peer->who;
+    return f.chain ? peer->chain / own->chain : peer->time() / own->time();
+}
+
+/* The sentences of a file: "stem, operation: sentence" or "stem: sentence" a line. */
+static std::map<std::string, std::string> read_reasons(const char *path)
+{
+    std::map<std::string, std::string> reasons;
+    std::ifstream in(path);
+    std::string text;
+    while (std::getline(in, text)) {
+        size_t colon = text.find(": ");
+        if (colon != std::string::npos)
+            reasons[text.substr(0, colon)] = text.substr(colon + 2);
+    }
+    return reasons;
+}
+
+/* That of the operation, or of its stem, or "". */
+static std::string reason_of(const std::map<std::string, std::string> &reasons, const line &l)
+{
+    for (const std::string &name : {l.stem + ", " + l.operation, l.stem})
+        if (reasons.count(name))
+            return reasons.at(name);
+    return "";
+}
+
+/*
+ * Prints a line for each form of an operation in which a peer is more than a tenth faster in some build, the reason last.
+ * Returns how many have no reason in the file.
+ */
+static int print_losses(const results &r, const char *reasons_path)
+{
+    std::map<std::string, std::string> reasons;
+    if (reasons_path)
+        reasons = read_reasons(reasons_path);
+    const std::vector<std::string> builds = r.builds();
+    int missing = 0;
+    std::string head = "| operation | form |", rule = "|---|---|";
+    for (const std::string &b : builds)
+        head += " " + b + " |", rule += "--:|";
+    std::printf("%s why |\n%s---|\n", head.c_str(), rule.c_str());
+    std::set<std::string> seen;
+    for (const line &l : r.lines) {
+        std::string name = l.stem + ", " + l.operation;
+        if (!seen.insert(name).second)
+            continue;
+        for (const form &f : forms) {
+            std::string cells, who;
+            bool lost = false;
+            for (const std::string &b : builds) {
+                double ratio = ratio_of(r, l, f, b, &who);
+                lost = lost || (ratio > 0 && ratio < 0.9);
+                cells += ratio > 0 ? " " + three(ratio) + " " + who + " |" : " |";
+            }
+            if (!lost)
+                continue;
+            std::string reason = reason_of(reasons, l);
+            if (reasons_path && reason.empty())
+                std::fprintf(stderr, "%s: no line \"%s: ...\"\n", reasons_path, name.c_str()), missing++;
+            std::printf("| %s | %s |%s %s |\n", name.c_str(), f.name, cells.c_str(), reason.c_str());
         }
+    }
+    return missing;
 }
 
 int main(int argc, char **argv)
@@ -157,14 +231,17 @@ int main(int argc, char **argv)
     std::string how = argc > 1 && argv[1][0] == '-' ? argv[1] : "";
     int first = how.empty() ? 1 : 2;
     results r;
-    bool known = how.empty() || how == "--markdown" || how == "--growth" || how == "--losses";
-    if (!known || argc <= first || !r.read(argv[first], argc > first + 1 ? argv[first + 1] : nullptr)) {
-        std::fprintf(stderr, "usage: %s [--markdown | --growth | --losses] RESULTS.csv [BUILD]\n", argv[0]);
+    bool losses = how == "--losses";
+    const char *second = argc > first + 1 ? argv[first + 1] : nullptr;
+    bool known = how.empty() || how == "--markdown" || how == "--growth" || losses;
+    if (!known || argc <= first || !r.read(argv[first], losses ? nullptr : second)) {
+        std::fprintf(stderr, "usage: %s [--markdown | --growth] RESULTS.csv [BUILD] | --losses RESULTS.csv [REASONS]\n",
+                     argv[0]);
         return 2;
     }
-    if (how == "--losses")
-        print_losses(r);
-    else if (how == "--markdown")
+    if (losses)
+        return print_losses(r, second) > 0;
+    if (how == "--markdown")
         print_markdown(r);
     else if (how == "--growth")
         for (const growth &g : growths)
