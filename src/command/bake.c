@@ -21,7 +21,7 @@ static const options_text text = {
     "  nakawari bake fox.glb --clip Run -o run.nkw\n"
     "  nakawari bake fox.glb -c Run --as reduced --tolerance 0.1 -o run.nkw\n"
     "  nakawari bake fox.glb -c Run --as palette --rate 30 -o run.palette\n",
-    1};
+    1, 0};
 
 typedef enum bake_form { FORM_CLIP, FORM_COMPACT, FORM_REDUCED, FORM_PALETTE, FORMS } bake_form;
 static const char *const forms[FORMS] = {"clip", "compact", "reduced", "palette"};

@@ -9,8 +9,9 @@
 #include "json.h"
 
 static const options_text text = {
-    "[OPTION...] FILE",
-    "Checks FILE (- reads the standard input) and prints one line for each finding: file, clip, joint, key and time,\n"
+    "[OPTION...] FILE...",
+    "Checks each FILE (- reads the standard input) and prints one line for each finding: file, clip, joint, key, "
+    "time,\n"
     "severity, what, and how much.\n\n"
     "  error     unsorted-time, not-finite, not-unit, joint-out-of-range, bad-weight, refused\n"
     "  warning   duplicate-time, short-segment, not-unit, over-half-turn, long-way, non-positive-scale (negative),\n"
@@ -18,9 +19,9 @@ static const options_text text = {
     "  note      rounded-unit, sign-flip, half-turn, non-positive-scale (zero), constant, spare-keys, open-loop\n\n"
     "Errors and warnings make the exit code 1, with --strict notes too.\n",
     "  nakawari check fox.glb\n"
-    "  for f in *.glb; do nakawari check --no-notes \"$f\" || broken=1; done\n"
+    "  nakawari check --no-notes models/*.glb\n"
     "  nakawari check --json fox.glb | jq '.findings[] | select(.severity == \"error\")'\n",
-    1};
+    1, 1};
 
 /* An error of the library that no check has found: two tracks of one property, for example. */
 static int check_clip_builds(check *c, size_t animation)
@@ -107,7 +108,7 @@ int command_check(int argc, const char **argv)
 {
     request r = {0, 0, 0, -1.0f, 100};
     const struct poptOption known[] = {
-        {"json", 0, POPT_ARG_NONE, &r.json, 0, "print one JSON object in place of lines", NULL},
+        {"json", 0, POPT_ARG_NONE, &r.json, 0, "print a JSON object for each file in place of lines", NULL},
         {"strict", 's', POPT_ARG_NONE, &r.strict, 0, "exit with 1 for notes too", NULL},
         {"no-notes", 'n', POPT_ARG_NONE, &r.no_notes, 0, "do not look for what only wastes memory, and for open loops",
          NULL},
@@ -120,9 +121,12 @@ int command_check(int argc, const char **argv)
     if (!options_read(&o, &text, known, argc, argv))
         code = o.code;
     else if ((code = check_request(&o, &r)) == COMMAND_FINE) {
-        nkw_document *d = input_open(o.files[0]);
-        code = d ? run(d, &r) : COMMAND_FINDINGS;
-        nkw_document_close(d);
+        for (int i = 0; o.files[i]; i++) {
+            nkw_document *d = input_open(o.files[i]);
+            if (!d || run(d, &r) != COMMAND_FINE)
+                code = COMMAND_FINDINGS;
+            nkw_document_close(d);
+        }
     }
     options_close(&o);
     return code;

@@ -37,11 +37,12 @@ typedef struct options_text {
     const char *about; /**< one sentence or more, each line ends with \n */
     const char *examples; /**< lines, each ends with \n */
     int file_count; /**< the number of arguments that are no options */
+    int more; /**< whether there may be more of them */
 } options_text;
 
 typedef struct options {
     poptContext context;
-    const char **files; /**< file_count arguments */
+    const char **files; /**< the arguments that are no options, then NULL */
     int code; /**< the exit code if options_read returned 0 */
 } options;
 

@@ -24,7 +24,7 @@ static const options_text text = {
     "  nakawari diff fox.glb fox-optimised.glb\n"
     "  nakawari diff --tolerance 0.01 --clip Walk fox.glb fox-optimised.glb\n"
     "  nakawari diff --json a.glb b.glb | jq '.clips[].joints[] | select(.distance > 0.1)'\n",
-    2};
+    2, 0};
 
 typedef struct request {
     char *clip;

@@ -19,7 +19,7 @@ static const options_text text = {
     "  nakawari info fox.glb\n"
     "  nakawari info --clips --reduced fox.glb\n"
     "  nakawari info --json fox.glb | jq '.clips[].name'\n",
-    1};
+    1, 0};
 
 typedef struct request {
     int json, clips_only, reduced;

@@ -35,7 +35,7 @@ static int take_files(options *o, const options_text *text)
         o->code = options_misuse(o, "FILE", text->file_count == 1 ? "missing; - reads the standard input" : "missing");
         return 0;
     }
-    if (count > text->file_count) {
+    if (count > text->file_count && !text->more) {
         o->code = options_misuse(o, o->files[text->file_count], "one argument too many");
         return 0;
     }

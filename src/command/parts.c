@@ -22,7 +22,7 @@ static const options_text text = {
     "The exit code is 1 if triangles need more bones: they are left out, and their number is reported.\n",
     "  nakawari parts fox.glb -o fox.json\n"
     "  nakawari parts --bones 16 --space bind fox.glb | jq '.skin_models[].parts | length'\n",
-    1};
+    1, 0};
 
 enum { SIZES = 8, MOST_BONES = 1024 };
 

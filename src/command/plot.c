@@ -17,7 +17,7 @@ static const options_text text = {"[OPTION...] FILE",
                                   "grey; of morph weights the first four are drawn.\n",
                                   "  nakawari plot fox.glb --clip Walk --joint b_Head_05 -o head.svg\n"
                                   "  nakawari plot fox.glb -c 1 -j b_Head_05,b_Neck_04 --what rotation > neck.svg\n",
-                                  1};
+                                  1, 0};
 
 typedef struct request {
     char *clip, *joints, *what, *output;

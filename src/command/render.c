@@ -20,7 +20,7 @@ static const options_text text = {
     "  nakawari render fox.glb --clip Walk -o walk.png\n"
     "  nakawari render fox.glb -c Run --at 0,0.25 --skeleton --size 480 -o run.png\n"
     "  nakawari render fox.glb -c Run --rate 25 --sequence run- && ffmpeg -framerate 25 -i run-%04d.png run.mp4\n",
-    1};
+    1, 0};
 
 enum { SIZE_MOST = 4096, SHEET_MOST = 16384, FRAMES_MOST = 10000 };
 

@@ -38,7 +38,7 @@ static const options_text text = {
     "  nakawari sample fox.glb --clip 1 --at 0,0.5 --what model\n"
     "  nakawari sample fox.glb --clip Walk --rate 30 --json > walk.json\n"
     "  nakawari sample - --clip all --rate 60 --what palette --raw -o palettes.bin < fox.glb\n",
-    1};
+    1, 0};
 
 /* ---- rows ---- */
 

@@ -194,6 +194,18 @@ static void many_findings_are_cut(void **state)
                  "check --most 2 planted.gltf");
 }
 
+static void many_files_are_checked(void **state)
+{
+    (void)state;
+    planted p = planted_clean();
+    planted_write(&p, "planted_a");
+    program_says(0, "", "check planted_a.gltf planted_a.gltf");
+    program_says(1, "no-such-file: ", "check planted_a.gltf no-such-file planted_a.gltf");
+    p.scales[3][1] = -1.0f;
+    planted_write(&p, "planted_b");
+    program_says(1, "planted_b.gltf: clip 0", "check planted_a.gltf planted_b.gltf planted_a.gltf");
+}
+
 static void misuse_and_files_in_error(void **state)
 {
     (void)state;
@@ -201,6 +213,7 @@ static void misuse_and_files_in_error(void **state)
     program_says(2, "not a distance", "check --tolerance -3 x");
     program_says(2, "not a positive number", "check --most 0 x");
     program_says(1, "no-such-file: ", "check no-such-file");
+    program_says(2, "FILE: missing", "check --strict");
 }
 
 /* Models that people use: no error and no warning. */
@@ -237,6 +250,7 @@ int main(void)
         cmocka_unit_test(inverse_bind_matrices),
         cmocka_unit_test(json_has_the_findings),
         cmocka_unit_test(many_findings_are_cut),
+        cmocka_unit_test(many_files_are_checked),
         cmocka_unit_test(misuse_and_files_in_error),
         cmocka_unit_test(real_files_raise_no_alarm),
     };
