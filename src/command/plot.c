@@ -36,7 +36,13 @@ enum { ROW = 210, TOP = 70, PANEL_WIDTH = 470, PANEL_HEIGHT = 130 };
 /* A step of 1, 2 or 5 times a power of ten, four to ten of them in a range. */
 static float tick_of(float range)
 {
-    double step = pow(10.0, floor(log10((double)range / 4.0)));
+    double step = 1.0, quarter = 0.25 * (double)range;
+    if (!isfinite(range))
+        return range;
+    while (step > quarter && step > 1e-60)
+        step /= 10.0;
+    while (10.0 * step <= quarter)
+        step *= 10.0;
     double ratio = (double)range / step;
     return (float)(step * (ratio >= 20.0 ? 5.0 : ratio >= 8.0 ? 2.0 : 1.0));
 }

@@ -43,6 +43,7 @@ int view_open(view *v, const nkw_document *d)
     }
     mark_scene(v, d);
     mark_bones(v, d);
+    v->frames_bones = d->skin_count > 0 || d->mesh_count == 0;
     view_turn(v, 0.0f, 0.0f);
     return 1;
 }
@@ -89,7 +90,7 @@ void view_include(view *v, moment *m)
     const nkw_document *d = m->document;
     for (size_t j = 0; j < d->skeleton.joint_count; j++) {
         const nkw_document_mesh *mesh = mesh_of(v, d, j);
-        if (v->shown[j] && v->bones[j])
+        if (v->frames_bones && v->shown[j] && v->bones[j])
             include_point(v, origin_of(&m->models[j]));
         for (size_t p = 0; mesh && p < mesh->primitive_count; p++) {
             if (!mesh->primitives[p].positions)

@@ -12,6 +12,7 @@ typedef struct view {
     nkw_vec3 low, high; /**< the box in eye space that the picture frames */
     unsigned char *shown; /**< of each joint: whether it is in the scene */
     unsigned char *bones; /**< of each joint: whether it is a joint of a skin; of all joints if there are no skins */
+    int frames_bones; /**< whether the box includes them: nodes without a skin may be cameras and lamps far away */
 } view;
 
 /** Finds what is shown. Returns 0 and reports without memory. view_free is due in either case. */
