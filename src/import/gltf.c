@@ -33,10 +33,21 @@ int nkwi_gltf_list(nkwi_gltf *g, const char *key, nkwi_value *list, size_t *coun
 /* Extensions without which nodes, meshes, skins and animations are complete: of materials, images, lights, rights. */
 static int is_ignorable(const char *extension)
 {
-    static const char *const beginnings[] = {
-        "KHR_materials_",      "KHR_texture_",     "EXT_texture_", "MSFT_texture_",
-        "KHR_lights_",         "EXT_lights_",      "KHR_xmp",      "KHR_mesh_quantization",
-        "KHR_node_visibility", "ADOBE_materials_", "VRM",          "EXT_materials_"};
+    static const char *const beginnings[] = {"KHR_materials_",
+                                             "KHR_texture_",
+                                             "EXT_texture_",
+                                             "MSFT_texture_",
+                                             "KHR_lights_",
+                                             "EXT_lights_",
+                                             "KHR_xmp",
+                                             "KHR_mesh_quantization",
+                                             "KHR_node_visibility",
+                                             "KHR_techniques_",
+                                             "FB_ngon_encoding",
+                                             "MSFT_lod",
+                                             "ADOBE_materials_",
+                                             "VRM",
+                                             "EXT_materials_"};
     for (size_t i = 0; i < sizeof beginnings / sizeof *beginnings; i++)
         if (strncmp(extension, beginnings[i], strlen(beginnings[i])) == 0)
             return 1;
@@ -178,8 +189,8 @@ static json_t *parse(nkwi_gltf *g, const unsigned char *text, size_t bytes)
 int nkwi_gltf_read(nkwi_document *document, const nkw_import_memory *memory, nkw_import_error *error)
 {
     nkwi_gltf g;
-    size_t mark = mark_of(memory->data, memory->bytes), bytes = memory->bytes - mark;
-    const unsigned char *text = (const unsigned char *)memory->data + mark;
+    size_t bytes = memory->bytes;
+    const unsigned char *text = (const unsigned char *)memory->data;
     memset(&g, 0, sizeof g);
     g.document = document;
     g.memory = memory;
@@ -187,7 +198,8 @@ int nkwi_gltf_read(nkwi_document *document, const nkw_import_memory *memory, nkw
     g.scratch.most = SIZE_MAX;
     if (is_glb(memory->data, memory->bytes) && !split_glb(&g, &text, &bytes))
         return 0;
-    json_t *tree = parse(&g, text, bytes);
+    size_t mark = mark_of(text, bytes);
+    json_t *tree = parse(&g, text + mark, bytes - mark);
     if (!tree)
         return 0;
     g.root = nkwi_root(tree);
