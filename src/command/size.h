@@ -16,8 +16,8 @@ clip_size size_of_channel(const nkw_document *d, size_t animation, size_t track)
 
 /**
  * The clip that nkw_clip_reduce builds within a distance in model space, at the reach of each joint; of morph weights
- * within the same share of 1 as the distance is of the model's size. NULL, and SIZE_MAX bytes, if the library refuses the
- * keys or there is no memory.
+ * within the same share of 1 as the distance is of the model's size. NULL, and SIZE_MAX bytes, if the library refuses
+ * the keys or there is no memory.
  */
 void *reduced_clip(const nkw_document *d, size_t animation, const extent *e, float tolerance, size_t *bytes);
 /** Its bytes. */

@@ -41,8 +41,8 @@ static void read_sample(const char *clip, float time, float want[JOINTS][10])
 }
 
 /*
- * The joints of a clip may be in another order than the nodes of the file, and rotations negated: compares weighted sums
- * of absolute values.
+ * The joints of a clip may be in another order than the nodes of the file, and rotations negated: compares sums of
+ * weighted absolute values.
  */
 static double largest_difference(const nkw_clip *clip, const char *name, float time)
 {
