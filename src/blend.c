@@ -287,7 +287,7 @@ static void blend_plain(const nkw_pose_layer *layers, size_t count, const float 
 }
 
 /*
- * The same with totals and parts for each joint of its own. mixed is 1 where more than one pose has a part in the sum,
+ * The same with totals and parts for each joint separately. mixed is 1 where more than one pose has a part in the sum,
  * which is the first pose where it lies, then v. The first pose is taken whole: where it has no weight, the next one's
  * part is 1.
  */

@@ -111,10 +111,9 @@ NKW_API void nkw_crowd_palette_from_models(nkw_crowd_matrices_view models, const
  * read once for sixteen characters, and no palette leaves the lanes. The vertices of lane i have the bits of
  * nkw_skin_linear with the matrices of lane i and without normal matrices.
  *
- * in   the vertices of the skin
- * outs the vertices of each lane, NKW_CROWD elements; vectors that are NULL are skipped. They share no vector with `in`
- * or
- *      with each other
+ * in    the vertices of the skin
+ * outs  the vertices of each lane, NKW_CROWD elements; vectors that are NULL are skipped. They share no vector with
+ *       `in` or with each other
  *
  * Returns NKW_OK, or NKW_BAD_FORMAT if the joints or the weights have a format that does not fit; all vectors are then
  * copied.

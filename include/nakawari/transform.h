@@ -59,8 +59,7 @@ NKW_ALGEBRA nkw_vec3 nkw_trs_transform_point(const nkw_trs *trs, nkw_vec3 p);
  * 2^-30 and shorter than 2^30, the result is computed in binary64.
  *
  * Error  5.2 u of each column of the matrix of the result (2.8 u of the rotation, 2.1 u of the scale along it); 2.4 u
- * if
- *        computed in binary64.
+ *        if computed in binary64.
  */
 NKW_API nkw_trs nkw_trs_from_mat4(const nkw_mat4 *m);
 

@@ -245,7 +245,7 @@ NKW_LOOP(nkwi_blend_poses)(const float *a, const float *b, size_t stride, float 
     nlerp_block(from, to, t, used, span);
 }
 
-/* The weight of each joint; in the padding that of the last one, which needs no case of its own. */
+/* The weight of each joint; in the padding that of the last one, which needs no separate case. */
 NKW_LOOP(nkwi_blend_weigh)(float weight, const float *mask, int used, float *out, int n)
 {
 #pragma omp simd

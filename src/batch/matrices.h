@@ -79,7 +79,7 @@ static inline nkw_vec3 matrices_column3(const matrices *a, size_t c, size_t i)
 }
 
 /*
- * A function of its own, so that the loop around it sees no address of a local matrix. Returns whether it is not near.
+ * A separate function, so that the loop around it sees no address of a local matrix. Returns whether it is not near.
  */
 static inline int matrices_invert_near(const matrices *a, size_t i, matrices *out)
 {
