@@ -98,7 +98,7 @@ typedef struct nkw_palette_source {
  *     NKW_PALETTE_MAT4, _MAT3X4   6.0   of the product of the Frobenius norms of the factors at most, 3.0 without
  *                                       global_inverse: three roundings in each product; measured 4.7 and 2.8, for
  *                                       rigid joints 1.3
- *     NKW_PALETTE_DUAL_QUAT       1.3   of the rotation, for rigid joints
+ *     NKW_PALETTE_DUAL_QUAT       1.5   of the rotation, for rigid joints
  *     NKW_PALETTE_NORMAL_...      1.0   of the Frobenius norm, from the joint matrix
  */
 NKW_API nkw_result nkw_palette_from_models(const nkw_palette_source *source, nkw_palette_span out);

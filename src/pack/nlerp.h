@@ -78,7 +78,7 @@ static inline f32xN_quat f32xN_quat_over(f32xN_quat q, f32xN n)
 static inline uint32_t f32xN_same_size(f32xN a, f32xN b)
 {
     const i32xN other = i32xN_from_f32xN(a) ^ i32xN_from_f32xN(b);
-    return i32xN_bits(i32xN_equal(other + other, other ^ other));
+    return i32xN_bits(i32xN_equal(other & INT32_MAX, other ^ other));
 }
 
 #endif

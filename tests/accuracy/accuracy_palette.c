@@ -9,7 +9,7 @@
 
 /* The bounds of nkw_palette_from_models, in u: the table of palette.h. That of normals is 1. */
 #define MATRIX_BOUND 6.0
-#define DUAL_BOUND   1.3
+#define DUAL_BOUND   1.5
 
 #define SAMPLES 15000u
 
