@@ -126,8 +126,9 @@ static int bake_palette(const nkw_document *d, size_t animation, const request *
 
 /* ---- the command ---- */
 
-static int bake(const nkw_document *d, const request *r)
+static int bake(const nkw_document *d, void *data)
 {
+    const request *r = data;
     input_clips clips;
     if (!input_select(d, r->clip, &clips))
         return 0;
@@ -138,8 +139,9 @@ static int bake(const nkw_document *d, const request *r)
     return r->form == FORM_REDUCED ? bake_reduced(d, clips.first, r) : bake_clip(d, clips.first, r);
 }
 
-static int check_request(const options *o, request *r)
+static int check_request(const options *o, void *data)
 {
+    request *r = data;
     int form = r->as ? options_word(r->as, forms, FORMS) : FORM_CLIP;
     if (form < 0)
         return options_misuse(o, r->as, "not clip, compact, reduced or palette");
@@ -165,16 +167,8 @@ int command_bake(int argc, const char **argv)
         {"skin", 's', POPT_ARG_LONG, &r.skin, 0, "number of the skin of palettes (default: 0)", "N"},
         {"output", 'o', POPT_ARG_STRING, &r.output, 0, "write to FILE, not to the standard output", "FILE"},
         OPTIONS_END};
-    options o;
-    int code;
-    if (!options_read(&o, &text, known, argc, argv))
-        code = o.code;
-    else if ((code = check_request(&o, &r)) == COMMAND_FINE) {
-        nkw_document *d = input_open(o.files[0]);
-        code = d && bake(d, &r) ? COMMAND_FINE : COMMAND_FINDINGS;
-        nkw_document_close(d);
-    }
-    options_close(&o);
+    static const command_steps steps = {check_request, bake};
+    const int code = command_run(&text, known, argc, argv, &steps, &r);
     free(r.clip);
     free(r.as);
     free(r.output);

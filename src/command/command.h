@@ -88,6 +88,18 @@ const char *input_clip_name(const nkw_document *document, size_t animation);
 /** The number of an animation as printed: -1 for INPUT_REST. */
 long input_clip_number(size_t animation);
 
+/* ---- run.c ---- */
+
+/** What a subcommand on one file does with its request: the variables of its table of options. */
+typedef struct command_steps {
+    int (*check)(const options *o, void *request); /**< returns an exit code; the work is done if it is COMMAND_FINE */
+    int (*work)(const nkw_document *document, void *request); /**< returns 0 if it failed, which it reports */
+} command_steps;
+
+/** Reads the options, checks the request, opens the file and works on it. Returns the exit code. */
+int command_run(const options_text *text, const struct poptOption *table, int argc, const char **argv,
+                const command_steps *steps, void *request);
+
 /* ---- output.c ---- */
 
 /** The file, or the standard output for NULL and "-". Reports an error on stderr and returns NULL. */

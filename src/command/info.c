@@ -285,8 +285,9 @@ static int put_json(const nkw_document *d, const request *r)
 
 /* ---- the command ---- */
 
-static int run(const nkw_document *d, request *r)
+static int run(const nkw_document *d, void *data)
 {
+    request *r = data;
     int fine = 1;
     if (r->reduced) {
         fine = extent_open(&r->extent, d);
@@ -301,8 +302,9 @@ static int run(const nkw_document *d, request *r)
     return output_close(stdout, NULL) && fine;
 }
 
-static int check_request(const options *o, request *r)
+static int check_request(const options *o, void *data)
 {
+    request *r = data;
     r->reduced |= r->tolerance != -1.0f;
     if (r->tolerance != -1.0f && !(r->tolerance >= 0.0f && r->tolerance < 1e30f))
         return options_misuse(o, "--tolerance", "not a distance");
@@ -322,15 +324,7 @@ int command_info(int argc, const char **argv)
          "distance in model space for --reduced (default: 1/10000 of the model's size)", "D"},
         {"json", 0, POPT_ARG_NONE, &r.json, 0, "print JSON", NULL},
         OPTIONS_END};
-    options o;
-    int code;
-    if (!options_read(&o, &text, known, argc, argv))
-        code = o.code;
-    else if ((code = check_request(&o, &r)) == COMMAND_FINE) {
-        nkw_document *d = input_open(o.files[0]);
-        code = d && run(d, &r) ? COMMAND_FINE : COMMAND_FINDINGS;
-        nkw_document_close(d);
-    }
-    options_close(&o);
+    static const command_steps steps = {check_request, run};
+    const int code = command_run(&text, known, argc, argv, &steps, &r);
     return code;
 }

@@ -285,8 +285,9 @@ static int convert(const nkw_document *d, size_t joint, const request *r, json_t
     return fine;
 }
 
-static int run(const nkw_document *d, const request *r)
+static int run(const nkw_document *d, void *data)
 {
+    const request *r = data;
     json_t *models = json_object();
     size_t rejected = 0;
     int fine = 1, any = 0;
@@ -302,14 +303,14 @@ static int run(const nkw_document *d, const request *r)
     FILE *f = fine ? output_open(r->output) : NULL;
     if (!f) {
         json_decref(models);
-        return COMMAND_FINDINGS;
+        return 0;
     }
     fine = json_put_lines(f, json_pack("{s:o}", "skin_models", models));
     fine = output_close(f, r->output) && fine;
     if (rejected)
         fprintf(stderr, "%s: %zu triangles need more than %zu bones and are left out\n", d->file, rejected,
                 r->sizes[r->size_count - 1]);
-    return fine && !rejected ? COMMAND_FINE : COMMAND_FINDINGS;
+    return fine && !rejected;
 }
 
 /* ---- the command ---- */
@@ -335,8 +336,9 @@ static int read_sizes(request *r)
     return 0;
 }
 
-static int check_request(const options *o, request *r)
+static int check_request(const options *o, void *data)
 {
+    request *r = data;
     static const char *const spaces[] = {"bone", "bind"};
     int space = r->space ? options_word(r->space, spaces, 2) : 0;
     if (space < 0)
@@ -355,16 +357,8 @@ int command_parts(int argc, const char **argv)
         {"space", 0, POPT_ARG_STRING, &r.space, 0, "space of the vertices: bone (default) or bind", "SPACE"},
         {"output", 'o', POPT_ARG_STRING, &r.output, 0, "write to FILE, not to the standard output", "FILE"},
         OPTIONS_END};
-    options o;
-    int code;
-    if (!options_read(&o, &text, known, argc, argv))
-        code = o.code;
-    else if ((code = check_request(&o, &r)) == COMMAND_FINE) {
-        nkw_document *d = input_open(o.files[0]);
-        code = d ? run(d, &r) : COMMAND_FINDINGS;
-        nkw_document_close(d);
-    }
-    options_close(&o);
+    static const command_steps steps = {check_request, run};
+    const int code = command_run(&text, known, argc, argv, &steps, &r);
     free(r.bones);
     free(r.space);
     free(r.output);

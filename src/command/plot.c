@@ -245,8 +245,9 @@ static int complain(const nkw_document *d, const char *what)
     return 0;
 }
 
-static int plot_document(const nkw_document *d, const request *r)
+static int plot_document(const nkw_document *d, void *data)
 {
+    const request *r = data;
     input_clips clips;
     moment m;
     if (!input_select(d, r->clip, &clips))
@@ -265,8 +266,9 @@ static int plot_document(const nkw_document *d, const request *r)
     return f && output_close(f, r->output) && fine;
 }
 
-static int check_request(const options *o, request *r)
+static int check_request(const options *o, void *data)
 {
+    request *r = data;
     r->target = r->what ? options_word(r->what, targets, 4) : -1;
     if (r->what && r->target < 0)
         return options_misuse(o, r->what, "not translation, rotation, scale or weights");
@@ -283,16 +285,8 @@ int command_plot(int argc, const char **argv)
         {"most", 'm', POPT_ARG_LONG, &r.most, 0, "number of channels on the page (default: 16)", "N"},
         {"output", 'o', POPT_ARG_STRING, &r.output, 0, "write to FILE, not to the standard output", "FILE"},
         OPTIONS_END};
-    options o;
-    int code;
-    if (!options_read(&o, &text, known, argc, argv))
-        code = o.code;
-    else if ((code = check_request(&o, &r)) == COMMAND_FINE) {
-        nkw_document *d = input_open(o.files[0]);
-        code = d && plot_document(d, &r) ? COMMAND_FINE : COMMAND_FINDINGS;
-        nkw_document_close(d);
-    }
-    options_close(&o);
+    static const command_steps steps = {check_request, plot_document};
+    const int code = command_run(&text, known, argc, argv, &steps, &r);
     free(r.clip);
     free(r.joints);
     free(r.what);

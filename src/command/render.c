@@ -161,8 +161,9 @@ static int plan(picture *p, const request *r)
            complain(p->moment->document, "no memory");
 }
 
-static int render_document(const nkw_document *d, const request *r)
+static int render_document(const nkw_document *d, void *data)
 {
+    const request *r = data;
     input_clips clips;
     moment m;
     picture p;
@@ -185,8 +186,9 @@ static int render_document(const nkw_document *d, const request *r)
     return fine;
 }
 
-static int check_request(const options *o, const request *r)
+static int check_request(const options *o, void *data)
 {
+    const request *r = data;
     if (r->at && !timelist_count(r->at))
         return options_misuse(o, r->at, "not a list of times: 0,0.5,1");
     if (r->rate != 0.0f && !(r->rate > 0.0f && r->rate <= 1e6f))
@@ -224,16 +226,8 @@ int command_render(int argc, const char **argv)
         {"sequence", 0, POPT_ARG_STRING, &r.sequence, 0, "write each frame to PREFIX0000.png, PREFIX0001.png ...",
          "PREFIX"},
         OPTIONS_END};
-    options o;
-    int code;
-    if (!options_read(&o, &text, known, argc, argv))
-        code = o.code;
-    else if ((code = check_request(&o, &r)) == COMMAND_FINE) {
-        nkw_document *d = input_open(o.files[0]);
-        code = d && render_document(d, &r) ? COMMAND_FINE : COMMAND_FINDINGS;
-        nkw_document_close(d);
-    }
-    options_close(&o);
+    static const command_steps steps = {check_request, render_document};
+    const int code = command_run(&text, known, argc, argv, &steps, &r);
     free(r.clip);
     free(r.at);
     free(r.output);

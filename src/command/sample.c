@@ -193,8 +193,9 @@ static int sample_document(const nkw_document *d, const request *r, FILE *f)
     return fine;
 }
 
-static int check_request(const options *o, request *r)
+static int check_request(const options *o, void *data)
 {
+    request *r = data;
     int kind = r->what ? options_word(r->what, what_words, WHATS) : WHAT_LOCAL;
     if (kind < 0)
         return options_misuse(o, r->what, "not local, model, palette, vertices or weights");
@@ -210,15 +211,14 @@ static int check_request(const options *o, request *r)
     return COMMAND_FINE;
 }
 
-static int run(const char *path, const request *r)
+static int run(const nkw_document *d, void *data)
 {
-    nkw_document *d = input_open(path);
-    FILE *f = d ? output_open(r->output) : NULL;
+    const request *r = data;
+    FILE *f = output_open(r->output);
     int fine = f && sample_document(d, r, f);
     if (f)
         fine &= output_close(f, r->output);
-    nkw_document_close(d);
-    return fine ? COMMAND_FINE : COMMAND_FINDINGS;
+    return fine;
 }
 
 int command_sample(int argc, const char **argv)
@@ -233,13 +233,8 @@ int command_sample(int argc, const char **argv)
         {"raw", 0, POPT_ARG_NONE, &r.raw, 0, "write bytes: the header of docs/command.md, then floats", NULL},
         {"output", 'o', POPT_ARG_STRING, &r.output, 0, "write to FILE, not to the standard output", "FILE"},
         OPTIONS_END};
-    options o;
-    int code;
-    if (!options_read(&o, &text, known, argc, argv))
-        code = o.code;
-    else if ((code = check_request(&o, &r)) == COMMAND_FINE)
-        code = run(o.files[0], &r);
-    options_close(&o);
+    static const command_steps steps = {check_request, run};
+    const int code = command_run(&text, known, argc, argv, &steps, &r);
     free(r.clip);
     free(r.at);
     free(r.what);
