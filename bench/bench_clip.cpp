@@ -13,7 +13,7 @@
 
 using namespace bench;
 
-/* Where the time stands at each call. The first one is that of the check. slow: in steps of 1/6000 s instead. */
+/* The times of the calls, in this order. The first one is that of the check. slow: in steps of 1/6000 s instead. */
 struct playing {
     asking how;
     float end;

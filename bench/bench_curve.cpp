@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /*
- * Cubic curves on vectors. The plain loop and cglm take the polynomial as it stands; the library goes from the
+ * Cubic curves on vectors. The plain loop and cglm take the polynomial as given; the library goes from the
  * nearer end.
  */
 #include "bench.h"

@@ -269,19 +269,6 @@ static int compare_row(const moment *m, const table_row *r, double bound)
     }
 }
 
-/* 5e-6 of the largest value in the file is adequate for binary32, as the format states; 5e-4 if keys are not unit. */
-static double fair_bound(const char *table, int off_unit)
-{
-    double largest = off_unit ? 100.0 : 1.0;
-    table_row r;
-    FILE *file = table_open(table);
-    while (table_read(file, &r))
-        for (int i = 0; i < r.count; i++)
-            largest = fabs((double)r.values[i]) > largest ? fabs((double)r.values[i]) : largest;
-    table_close(file);
-    return 5e-6 * largest;
-}
-
 /* All rows: local values, morph weights, world and skinning matrices, skinned vertices. Returns the count. */
 static int compare_table(const char *name, const char *table, int normalized, double bound)
 {
@@ -323,7 +310,7 @@ static void samples_are_those_of_independent_implementations(void **state)
         FILE *there = normalized ? NULL : fopen(other, "r");
         if (there)
             fclose(there);
-        int rows = compare_table(name, table, normalized, fair_bound(table, there != NULL));
+        int rows = compare_table(name, table, normalized, table_bound(table, there != NULL));
         printf("%s%s: %d rows\n", name, normalized ? ", keys normalised" : "", rows);
         compared += rows;
     }

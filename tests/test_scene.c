@@ -136,19 +136,6 @@ static int compare_row(const played *p, const moment *m, const table_row *r, dou
     }
 }
 
-/* 5e-6 of the largest value in the file is adequate for binary32, as the format states; 5e-4 if keys are not unit. */
-static double fair_bound(const char *table, int off_unit)
-{
-    double largest = off_unit ? 100.0 : 1.0;
-    table_row r;
-    FILE *file = table_open(table);
-    while (table_read(file, &r))
-        for (int i = 0; i < r.count; i++)
-            largest = fabs((double)r.values[i]) > largest ? fabs((double)r.values[i]) : largest;
-    table_close(file);
-    return 5e-6 * largest;
-}
-
 /* Compares all rows: local values, morph weights, world and skinning matrices, skinned vertices. Returns the count. */
 static int compare_scene(const char *model, const char *table, int normalized, double bound)
 {
@@ -194,7 +181,7 @@ static void scenes_are_met(void **state)
         int off_unit = !normalized && glob(normal, 0, NULL, &other) == 0;
         if (off_unit)
             globfree(&other);
-        int rows = compare_scene(model, table, normalized, fair_bound(table, off_unit));
+        int rows = compare_scene(model, table, normalized, table_bound(table, off_unit));
         printf("%s%s: %d rows\n", name, normalized ? ", keys normalised" : "", rows);
         compared += rows;
     }

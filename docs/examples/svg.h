@@ -63,7 +63,7 @@ int svg_open(svg *s, const char *path, float width, float height, const char *ti
 void svg_start(svg *s, FILE *file, float width, float height, const char *title, const char *about);
 /** Ends the page; the file remains open. */
 void svg_finish(svg *s);
-/** Ends the page and closes the file. Gives 0 if anything since svg_open could not be written. */
+/** Ends the page and closes the file. Returns 0 if anything since svg_open could not be written. */
 int svg_close(svg *s);
 
 /** A group painted as one, so that shapes within do not show through one another. */

@@ -336,20 +336,6 @@ static double path_ends(const float *x)
 
 /* ---- log, exp, pow ---- */
 
-static void wide_log(const wide q[4], wide v[3])
-{
-    wide n = wide_length(q, 3);
-    memcpy(v, q, 3 * sizeof *v);
-    wide_scale(v, n > 0 ? atan2q(n, q[3]) / n : 0, 3);
-}
-
-static void wide_exp(const wide v[3], wide q[4])
-{
-    wide axis[3] = {v[0], v[1], v[2]};
-    wide_normalize(axis, 3);
-    wide_quat_from_axis(axis, 2 * wide_length(v, 3), q);
-}
-
 static void unit_quat(random_source *r, float *x)
 {
     put_quat(x, random_unit_quat(r));
@@ -366,7 +352,7 @@ static double log_error(const float *x)
     wide q[4], v[3];
     float got[3];
     wide_from(x, q, 4);
-    wide_log(q, v);
+    wide_quat_log(q, v);
     put_vec3(got, nkw_quat_log(quat_at(x)));
     return wide_error(got, v, 3);
 }
@@ -391,7 +377,7 @@ static double exp_error(const float *x)
     wide v[3], q[4];
     float got[4];
     wide_from(x, v, 3);
-    wide_exp(v, q);
+    wide_quat_exp(v, q);
     put_quat(got, nkw_quat_exp(vec3_at(x)));
     return wide_error(got, q, 4);
 }
@@ -414,9 +400,9 @@ static double pow_error(const float *x)
     wide q[4], v[3];
     float got[4];
     wide_from(x, q, 4);
-    wide_log(q, v);
+    wide_quat_log(q, v);
     wide_scale(v, x[4], 3);
-    wide_exp(v, q);
+    wide_quat_exp(v, q);
     put_quat(got, nkw_quat_pow(quat_at(x), x[4]));
     return wide_error(got, q, 4);
 }
@@ -443,7 +429,7 @@ static double velocity_error(const float *x)
     wide_scale(b, wide_dot(a, b, 4) < 0 ? -1 : 1, 4);
     wide_scale(a, -1, 3);
     wide_quat_mul(b, a, b);
-    wide_log(b, v);
+    wide_quat_log(b, v);
     wide_scale(v, 2 / (wide)x[8], 3);
     put_vec3(got, nkw_quat_angular_velocity(quat_at(x), quat_at(x + 4), x[8]));
     return wide_error(got, v, 3);
@@ -470,7 +456,7 @@ static double integrate_error(const float *x)
     wide_from(x, q, 4);
     wide_from(x + 4, v, 3);
     wide_scale(v, (wide)x[7] / 2, 3);
-    wide_exp(v, turn);
+    wide_quat_exp(v, turn);
     wide_quat_mul(turn, q, q);
     put_quat(got, nkw_quat_integrate(quat_at(x), vec3_at(x + 4), x[7]));
     return wide_error(got, q, 4);

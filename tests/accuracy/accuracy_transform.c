@@ -132,7 +132,7 @@ static double compose_error(const float *x)
     return rest ? worst_column(m.m, 4, exact) : HUGE_VAL;
 }
 
-/* The columns of |q|^2 R S, q as it stands. */
+/* The columns of |q|^2 R S, q as given. */
 static double stored_error(const float *x)
 {
     wide exact[9], q[4];

@@ -272,6 +272,20 @@ void wide_quat_from_axis(const wide axis[3], wide angle, wide q[4])
     q[3] = cosl(half);
 }
 
+void wide_quat_log(const wide q[4], wide v[3])
+{
+    wide n = wide_length(q, 3);
+    memcpy(v, q, 3 * sizeof *v);
+    wide_scale(v, n > 0 ? atan2q(n, q[3]) / n : 0, 3);
+}
+
+void wide_quat_exp(const wide v[3], wide q[4])
+{
+    wide axis[3] = {v[0], v[1], v[2]};
+    wide_normalize(axis, 3);
+    wide_quat_from_axis(axis, 2 * wide_length(v, 3), q);
+}
+
 void wide_quat_from_euler(const wide angles[3], nkw_euler_order order, wide q[4])
 {
     static const int axes[6][3] = {{0, 1, 2}, {0, 2, 1}, {1, 0, 2}, {1, 2, 0}, {2, 0, 1}, {2, 1, 0}};

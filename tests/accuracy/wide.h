@@ -133,6 +133,9 @@ void wide_mat3_from_quat(const wide q[4], wide m[9]);
 void wide_quat_from_mat3(const wide m[9], wide q[4]);
 /* The turn by `angle` about a unit axis. */
 void wide_quat_from_axis(const wide axis[3], wide angle, wide q[4]);
+/* The logarithm of a unit quaternion, half the rotation vector, and its inverse. */
+void wide_quat_log(const wide q[4], wide v[3]);
+void wide_quat_exp(const wide v[3], wide q[4]);
 /* Angles about x, y, z, of the order R = Ri Rj Rk. */
 void wide_quat_from_euler(const wide angles[3], nkw_euler_order order, wide q[4]);
 /* The arc from a to b as given, angle taken of the directions alone. */

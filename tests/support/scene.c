@@ -265,3 +265,15 @@ int table_read(FILE *file, table_row *r)
         r->count++;
     return 1;
 }
+
+double table_bound(const char *path, int off_unit)
+{
+    double largest = off_unit ? 100.0 : 1.0;
+    table_row r;
+    FILE *file = table_open(path);
+    while (table_read(file, &r))
+        for (int i = 0; i < r.count; i++)
+            largest = fabs((double)r.values[i]) > largest ? fabs((double)r.values[i]) : largest;
+    table_close(file);
+    return 5e-6 * largest;
+}

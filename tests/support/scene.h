@@ -99,6 +99,9 @@ typedef struct table_row {
 /* Reads the next row; returns 0 at the end. */
 int table_read(FILE *file, table_row *r);
 
+/* 5e-6 of the largest value in the file is adequate for binary32, as the format states; 5e-4 if keys are not unit. */
+double table_bound(const char *path, int off_unit);
+
 #ifdef __cplusplus
 }
 #endif
