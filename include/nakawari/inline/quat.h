@@ -57,13 +57,6 @@ NKW_BODY float nkw_quat_dot(nkw_quat a, nkw_quat b)
     return (a.x * b.x + a.y * b.y) + (a.z * b.z + a.w * b.w);
 }
 
-/* 1 - |q|^2 for |q| near 1. The four differences are below 1, so their rounding errors are small. */
-NKW_PART float nkw_quat_unit_error(nkw_quat q)
-{
-    NKW_EXACT
-    return ((0.25f - q.x * q.x) + (0.25f - q.y * q.y)) + ((0.25f - q.z * q.z) + (0.25f - q.w * q.w));
-}
-
 #if NKW_ROOT
 /*
  * For every n2, that of q times the power of two `usual`. The zero quaternion becomes the identity: its w the root of
