@@ -6,6 +6,7 @@
 
 #include "bytes.h"
 #include "moment.h"
+#include "progress.h"
 #include "size.h"
 
 static const options_text text = {
@@ -114,12 +115,15 @@ static int bake_palette(const nkw_document *d, size_t animation, const request *
     fine = fine && (f = output_open(r->output)) != NULL;
     if (fine)
         put_header(f, &m, r, joints, frames);
+    progress p = progress_begin("baking frame", frames, NULL);
     for (size_t k = 0; fine && k < frames && !ferror(f); k++) {
+        progress_at(&p, k);
         moment_at(&m, moment_rate_time(&m, r->rate, k));
         moment_palette(&m, skin);
         for (size_t j = 0; j < joints; j++)
             put_rows(f, &m.palette[j]);
     }
+    progress_end(&p);
     moment_close(&m);
     return f && output_close(f, r->output) && fine;
 }

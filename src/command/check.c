@@ -43,12 +43,20 @@ static void check_clip(check *c, size_t animation, int notes)
 {
     const nkw_document_animation *a = &c->document->animations[animation];
     size_t errors = c->found.counts[SEVERITY_ERROR];
-    for (size_t i = 0; i < a->track_count; i++)
+    c->found.line = progress_begin("checking channel", a->track_count, NULL);
+    for (size_t i = 0; i < a->track_count; i++) {
+        progress_at(&c->found.line, i);
         check_track(c, animation, i);
+    }
+    progress_end(&c->found.line);
     if (c->found.counts[SEVERITY_ERROR] != errors || !check_clip_builds(c, animation) || !notes)
         return;
-    for (size_t i = 0; i < a->track_count; i++)
+    c->found.line = progress_begin("looking for spare keys of channel", a->track_count, NULL);
+    for (size_t i = 0; i < a->track_count; i++) {
+        progress_at(&c->found.line, i);
         check_spare_keys(c, animation, i);
+    }
+    progress_end(&c->found.line);
     check_loop(c, animation);
 }
 

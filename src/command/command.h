@@ -56,7 +56,9 @@ void options_close(options *o);
 /** Reports a misuse: "nakawari sample: WHICH: WHAT". Returns COMMAND_MISUSE. */
 int options_misuse(const options *o, const char *which, const char *what);
 
-#define OPTIONS_END {"help", 'h', POPT_ARG_NONE, NULL, 'h', "print this help", NULL}, POPT_TABLEEND
+#define OPTIONS_END                                                                                                    \
+    {"quiet", 0, POPT_ARG_NONE, NULL, 'q', "show no progress of long work", NULL},                                     \
+        {"help", 'h', POPT_ARG_NONE, NULL, 'h', "print this help", NULL}, POPT_TABLEEND
 
 /** The number of `text`, all of it, finite. Returns 0 if it is none. */
 int options_number(const char *text, float *number);

@@ -9,6 +9,7 @@
 #include "extent.h"
 #include "json.h"
 #include "pair.h"
+#include "progress.h"
 #include "times.h"
 
 static const options_text text = {
@@ -152,8 +153,12 @@ static int compare_clips(comparison *c, size_t clip_a, size_t clip_b)
     c->floats = none;
     for (size_t j = 0; j < c->a->skeleton.joint_count; j++)
         c->joints[j] = none;
-    for (size_t k = 0; fine && k < t.count; k++)
+    progress p = progress_begin("comparing time", t.count, NULL);
+    for (size_t k = 0; fine && k < t.count; k++) {
+        progress_at(&p, k);
         compare_at(c, &x, &y, t.times[k]);
+    }
+    progress_end(&p);
     for (size_t j = 0; fine && j < c->a->skeleton.joint_count; j++)
         c->most = fmax(c->most, c->joints[j].distance);
     c->most = fmax(c->most, c->floats.distance);

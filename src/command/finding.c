@@ -70,6 +70,7 @@ void findings_add(findings *all, const finding *f)
     finding shown = *f;
     if (all->repeated == all->most)
         snprintf(shown.detail, sizeof shown.detail, "and more of these are not printed");
+    progress_end(&all->line);
     if (!all->list)
         put_line(all, &shown);
     else

@@ -6,6 +6,7 @@
 #include <jansson.h>
 
 #include "command.h"
+#include "progress.h"
 
 typedef enum severity { SEVERITY_NOTE, SEVERITY_WARNING, SEVERITY_ERROR, SEVERITIES } severity;
 
@@ -34,6 +35,7 @@ typedef struct findings {
     const char *last_what, *last_object;
     long last_clip, last_number;
     int hide_notes;
+    progress line; /**< of the checks: ended before a finding is printed */
     int failed; /**< no memory */
 } findings;
 

@@ -8,6 +8,7 @@
 
 #include "command.h"
 #include "json.h"
+#include "progress.h"
 #include "size.h"
 
 static const options_text text = {
@@ -163,7 +164,9 @@ static void put_clips(const nkw_document *d, const request *r)
     put_column("name", width);
     printf("channels  joints     keys      start        end       file       clip    compact%s\n",
            r->reduced ? "    reduced" : "");
+    progress p = progress_begin("measuring clip", d->animation_count, stdout);
     for (size_t i = 0; i < d->animation_count; i++) {
+        progress_at(&p, i);
         clip_totals t = count_clip(d, i);
         clip_size size = size_of_clip(d, i);
         printf("%4zu  ", i);
@@ -177,6 +180,7 @@ static void put_clips(const nkw_document *d, const request *r)
             put_bytes(size_of_reduced(d, i, &r->extent, r->tolerance));
         putchar('\n');
     }
+    progress_end(&p);
 }
 
 static void put_channels(const nkw_document *d, size_t animation)
@@ -268,8 +272,12 @@ static int put_json(const nkw_document *d, const request *r)
 {
     totals t = count_meshes(d);
     json_t *clips = json_array(), *skins = json_array();
-    for (size_t i = 0; i < d->animation_count; i++)
+    progress p = progress_begin("measuring clip", d->animation_count, NULL);
+    for (size_t i = 0; i < d->animation_count; i++) {
+        progress_at(&p, i);
         json_array_append_new(clips, json_clip(d, i, r));
+    }
+    progress_end(&p);
     for (size_t i = 0; i < d->skin_count; i++)
         json_array_append_new(skins, json_pack("{s:o, s:I}", "name", json_text(d->skins[i].name), "joints",
                                                (json_int_t)d->skins[i].joint_count));

@@ -7,6 +7,8 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "progress.h"
+
 int options_misuse(const options *o, const char *which, const char *what)
 {
     const char *program = poptGetInvocationName(o->context);
@@ -54,6 +56,8 @@ int options_read(options *o, const options_text *text, const struct poptOption *
             o->code = help(o, text);
             return 0;
         }
+        if (option == 'q')
+            progress_silence();
         if (option < -1) {
             o->code = options_misuse(o, poptBadOption(o->context, POPT_BADOPTION_NOALIAS), poptStrerror(option));
             return 0;

@@ -7,6 +7,7 @@
 
 #include <nakawari/vec.h>
 
+#include "progress.h"
 #include "timelist.h"
 #include "view.h"
 
@@ -117,11 +118,14 @@ static int draw_sequence(picture *p)
     size_t size = (size_t)p->request->size, room = strlen(p->request->sequence) + 32;
     char *path = malloc(room);
     int fine = path != NULL;
+    progress line = progress_begin("drawing frame", p->frame_count, NULL);
     for (size_t k = 0; fine && k < p->frame_count; k++) {
+        progress_at(&line, k);
         draw_frame(p, k, p->pixels, 3 * size);
         snprintf(path, room, "%s%04zu.png", p->request->sequence, k);
         fine = write_file(p, path, size, size);
     }
+    progress_end(&line);
     free(path);
     return fine;
 }
@@ -130,8 +134,12 @@ static int draw_sheet(picture *p)
 {
     size_t size = (size_t)p->request->size, stride = 3 * size * p->columns;
     memset(p->pixels, 255, stride * size * p->rows);
-    for (size_t k = 0; k < p->frame_count; k++)
+    progress line = progress_begin("drawing frame", p->frame_count, NULL);
+    for (size_t k = 0; k < p->frame_count; k++) {
+        progress_at(&line, k);
         draw_frame(p, k, p->pixels + k / p->columns * size * stride + k % p->columns * 3 * size, stride);
+    }
+    progress_end(&line);
     return write_file(p, p->request->output, size * p->columns, size * p->rows);
 }
 

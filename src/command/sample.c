@@ -5,6 +5,7 @@
 #include <string.h>
 
 #include "moment.h"
+#include "progress.h"
 #include "table.h"
 #include "timelist.h"
 
@@ -156,14 +157,17 @@ static int sample_clip(moment *m, size_t animation, const request *r, table *t)
     }
     const char *list = r->at;
     table_clip(t, input_clip_number(animation), count);
+    progress p = progress_begin("sampling time", count, t->file);
     for (size_t k = 0; k < count && !ferror(t->file) && !t->failed; k++) {
         float time = 0.0f;
+        progress_at(&p, k);
         if (r->at)
             timelist_next(&list, &time);
         else
             time = moment_rate_time(m, r->rate, k);
         sample_at(m, r->kind, time, t);
     }
+    progress_end(&p);
     return !t->failed;
 }
 
