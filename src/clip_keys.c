@@ -14,7 +14,7 @@ float nkwi_clip_value_component(const nkw_clip_track *c, size_t k, size_t compon
     nkw_segment at = {k, 0.0f};
     float rotation[4];
     if (c->target != NKW_CLIP_ROTATION)
-        return clip_track_value(&c->track, k)[component];
+        return track_value_at(&c->track, k)[component];
     nkw_track_sample_segment(&c->track, at, rotation);
     return rotation[component];
 }
@@ -23,7 +23,7 @@ float nkwi_clip_value_component(const nkw_clip_track *c, size_t k, size_t compon
 static float key_component(const nkw_clip_track *c, size_t k, size_t part, size_t component)
 {
     const nkw_track *t = &c->track;
-    if (clip_is_cubic(t))
+    if (track_is_cubic(t))
         return t->values[(3 * k + part) * t->width + component];
     return nkwi_clip_value_component(c, k, component);
 }
@@ -37,7 +37,7 @@ size_t nkwi_clip_lane_at(const clip_group *g, size_t rows, size_t row, size_t la
 void nkwi_clip_fill_component(uint32_t *words, const clip_group *g, const nkw_clip_track *c, size_t component,
                               size_t row, size_t lane)
 {
-    int cubic = clip_is_cubic(&c->track);
+    int cubic = track_is_cubic(&c->track);
     size_t at = nkwi_clip_lane_at(g, cubic ? clip_rows(g) : clip_key_rows(g), row, lane);
     for (size_t k = 0; k < c->track.count; k++)
         for (size_t part = 0; part < (cubic ? 3u : 1u); part++)

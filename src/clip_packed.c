@@ -57,7 +57,7 @@ static size_t rows_of(const nkw_clip_track *c)
 static void next_numbers(packed_keys *keys, size_t k, double x[3])
 {
     if (keys->c->target != NKW_CLIP_ROTATION) {
-        x[0] = (double)clip_track_value(&keys->c->track, k)[keys->component];
+        x[0] = (double)track_value_at(&keys->c->track, k)[keys->component];
         return;
     }
     lane_f64_quat q = lane_f64_quat_from(next_rotation(keys, k));

@@ -114,7 +114,7 @@ static float step_of(const reducer *r, size_t track)
     else
         step = r->shares[j] / (e->reach[j] > 1e-30 ? e->reach[j] : 1e-30);
     if (c->target == NKW_CLIP_SCALE) {
-        const float *s = clip_track_value(&c->track, 0);
+        const float *s = track_value_at(&c->track, 0);
         double size = lane_abs64((double)s[0]), y = lane_abs64((double)s[1]), z = lane_abs64((double)s[2]);
         size = y > size ? y : size;
         size = z > size ? z : size;

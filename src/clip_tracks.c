@@ -51,23 +51,23 @@ static int is_normalize_exact(const nkw_track *t, const float *v)
 static int is_constant(const nkw_clip_track *c)
 {
     const nkw_track *t = &c->track;
-    const float *first = clip_track_value(t, 0);
+    const float *first = track_value_at(t, 0);
     int is_rotation = c->target == NKW_CLIP_ROTATION;
     if (t->count == 1)
         return 1;
-    if ((!is_rotation || clip_is_cubic(t)) && any(first, t->width, is_minus_zero))
+    if ((!is_rotation || track_is_cubic(t)) && any(first, t->width, is_minus_zero))
         return 0;
-    if (is_rotation && clip_is_cubic(t) && !is_normalize_exact(t, first))
+    if (is_rotation && track_is_cubic(t) && !is_normalize_exact(t, first))
         return 0;
     for (size_t k = 1; k < t->count; k++) {
-        const float *v = clip_track_value(t, k), *before = clip_track_value(t, k - 1);
+        const float *v = track_value_at(t, k), *before = track_value_at(t, k - 1);
         float duration = t->times[k] - t->times[k - 1];
         if (!same_bits(v, first, t->width))
             return 0;
         /* 0 times a duration that overflows to infinity is NaN. */
-        if (clip_is_cubic(t) && !lane_is_finite(duration))
+        if (track_is_cubic(t) && !lane_is_finite(duration))
             return 0;
-        if (clip_is_cubic(t) &&
+        if (track_is_cubic(t) &&
             (any(before + t->width, t->width, is_not_zero) || any(v - t->width, t->width, is_not_zero)))
             return 0;
     }
@@ -91,7 +91,7 @@ int nkwi_clip_tracks_is_packed(const clip_tracks *t, const nkw_clip_track *c)
 
 uint32_t nkwi_clip_tracks_group(const clip_tracks *t, const nkw_clip_track *c)
 {
-    uint32_t cubic_unit = clip_is_cubic(&c->track) && clip_is_normalized(&c->track);
+    uint32_t cubic_unit = track_is_cubic(&c->track) && clip_is_normalized(&c->track);
     return (uint32_t)nkwi_clip_tracks_is_packed(t, c) * 64u + (uint32_t)clip_kind_of(c) * 16u +
            (uint32_t)clip_interpolation_of(&c->track) * 2u + cubic_unit;
 }
@@ -254,7 +254,7 @@ static int is_joint_invariant(const clip_tracks *t, nkw_clip_target target, size
     size_t stride = NKW_POSE_STRIDE(t->source->joint_count), width = target == NKW_CLIP_ROTATION ? 4 : 3;
     for (size_t i = 0; i < width && (c || rest); i++)
         if (!is_invariant(target,
-                          c ? clip_track_value(&c->track, 0)[i] : rest[clip_array_of(target, i) * stride + joint]))
+                          c ? track_value_at(&c->track, 0)[i] : rest[clip_array_of(target, i) * stride + joint]))
             return 0;
     return 1;
 }
@@ -279,7 +279,7 @@ const nkw_clip_track *nkwi_clip_tracks_find_gap(const clip_tracks *t, nkw_clip_t
     const nkw_clip_track *before = first > 0 ? nkwi_clip_tracks_find_animated(t, target, first - 1) : NULL;
     const nkw_clip_track *after = end < joints ? nkwi_clip_tracks_find_animated(t, target, end) : NULL;
     const nkw_clip_track *neighbour = before ? before : after;
-    if (gap > CLIP_GAP || !neighbour || clip_is_cubic(&neighbour->track) ||
+    if (gap > CLIP_GAP || !neighbour || track_is_cubic(&neighbour->track) ||
         (before && after && !nkwi_clip_tracks_same_group(t, before, after)))
         return NULL;
     for (size_t i = first; i < end; i++)

@@ -14,6 +14,7 @@
 
 #include "clip_layout.h"
 #include "clip_packed.h"
+#include "track_keys.h"
 
 #define CLIP_CONSTANT UINT32_MAX /* the timeline of a constant track */
 
@@ -72,11 +73,6 @@ static inline size_t clip_array_of(nkw_clip_target target, size_t component)
     return component + (target == NKW_CLIP_ROTATION ? 3u : target == NKW_CLIP_SCALE ? 7u : 0u);
 }
 
-static inline int clip_is_cubic(const nkw_track *t)
-{
-    return t->interpolation == NKW_INTERPOLATION_CUBICSPLINE;
-}
-
 /* Whether two tracks have the same key times, bit for bit. */
 static inline int clip_same_times(const nkw_track *a, const nkw_track *b)
 {
@@ -89,11 +85,6 @@ static inline int clip_is_normalized(const nkw_track *t)
     return t->kind == NKW_TRACK_ROTATION_NORMALIZED;
 }
 
-static inline const float *clip_track_value(const nkw_track *t, size_t k)
-{
-    return t->values + (clip_is_cubic(t) ? (3 * k + 1) * t->width : k * t->width);
-}
-
 static inline clip_kind clip_kind_of(const nkw_clip_track *c)
 {
     return c->target == NKW_CLIP_ROTATION ? GROUP_ROTATIONS
@@ -104,7 +95,7 @@ static inline clip_kind clip_kind_of(const nkw_clip_track *c)
 /* The interpolation whose rows are stored. Tracks with a mode per key store LINEAR, or CUBICSPLINE if they are that. */
 static inline nkw_interpolation clip_interpolation_of(const nkw_track *t)
 {
-    return t->key_interpolation && !clip_is_cubic(t) ? NKW_INTERPOLATION_LINEAR : t->interpolation;
+    return t->key_interpolation && !track_is_cubic(t) ? NKW_INTERPOLATION_LINEAR : t->interpolation;
 }
 
 #endif

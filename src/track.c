@@ -12,67 +12,27 @@
 #include "segment_search.h"
 #include "pack/slerp.h"
 #include "report.h"
-
-static int is_rotation(const nkw_track *track)
-{
-    return track->kind == NKW_TRACK_ROTATION || track->kind == NKW_TRACK_ROTATION_NORMALIZED;
-}
-
-static int is_cubic(const nkw_track *track)
-{
-    return track->interpolation == NKW_INTERPOLATION_CUBICSPLINE;
-}
-
-/* The number of floats of one key. */
-static size_t key_size(const nkw_track *track)
-{
-    return track->width * (is_cubic(track) ? 3 : 1);
-}
+#include "track_keys.h"
 
 size_t nkw_track_value_count(const nkw_track *track)
 {
-    size_t most = SIZE_MAX / (is_cubic(track) ? 3 : 1);
+    size_t most = SIZE_MAX / (track_is_cubic(track) ? 3 : 1);
     if (track->count == 0 || track->width == 0)
         return 0;
-    return track->count <= most / track->width ? track->count * key_size(track) : SIZE_MAX;
-}
-
-/* Key k: in-tangent, value and out-tangent of CUBICSPLINE, `width` floats each; otherwise only the value. */
-static const float *key_at(const nkw_track *track, size_t k)
-{
-    return track->values + k * key_size(track);
-}
-
-static const float *value_at(const nkw_track *track, size_t k)
-{
-    return key_at(track, k) + (is_cubic(track) ? track->width : 0);
-}
-
-static nkw_quat read_quat(const float *v)
-{
-    nkw_quat q = {v[0], v[1], v[2], v[3]};
-    return q;
-}
-
-static void write_quat(nkw_quat q, float *out)
-{
-    out[0] = q.x;
-    out[1] = q.y;
-    out[2] = q.z;
-    out[3] = q.w;
+    return track->count <= most / track->width ? track->count * track_key_size(track) : SIZE_MAX;
 }
 
 static nkw_quat rotation_at(const nkw_track *track, size_t k)
 {
-    nkw_quat q = read_quat(value_at(track, k));
+    nkw_quat q = track_read_quat(track_value_at(track, k));
     return track->kind == NKW_TRACK_ROTATION_NORMALIZED ? nkw_quat_normalize(q) : q;
 }
 
 static void hold(const nkw_track *track, size_t k, float *out)
 {
-    const float *v = value_at(track, k);
-    if (is_rotation(track))
-        write_quat(rotation_at(track, k), out);
+    const float *v = track_value_at(track, k);
+    if (track_is_rotation(track))
+        track_write_quat(rotation_at(track, k), out);
     else
         for (size_t i = 0; i < track->width; i++)
             out[i] = v[i];
@@ -98,38 +58,27 @@ static nkw_quat slerp(nkw_quat a, nkw_quat b, float t)
 
 static void linear(const nkw_track *track, size_t k, float t, float *out)
 {
-    if (is_rotation(track))
-        write_quat(slerp(rotation_at(track, k), rotation_at(track, k + 1), t), out);
+    if (track_is_rotation(track))
+        track_write_quat(slerp(rotation_at(track, k), rotation_at(track, k + 1), t), out);
     else
-        lerp(value_at(track, k), value_at(track, k + 1), t, out, track->width);
+        lerp(track_value_at(track, k), track_value_at(track, k + 1), t, out, track->width);
 }
 
 /* Tangents are per second. Times the duration of the segment they are per segment. */
 static void cubic(const nkw_track *track, size_t k, float t, float *out)
 {
-    const float *a = value_at(track, k), *b = value_at(track, k + 1);
+    const float *a = track_value_at(track, k), *b = track_value_at(track, k + 1);
     const float *leaving = a + track->width, *arriving = b - track->width;
     float duration = track->times[k + 1] - track->times[k];
     for (size_t i = 0; i < track->width; i++)
         out[i] = nkw_hermite(a[i], duration * leaving[i], b[i], duration * arriving[i], t);
-    if (is_rotation(track))
-        write_quat(nkw_quat_normalize(read_quat(out)), out);
-}
-
-static nkw_interpolation interpolation_at(const nkw_track *track, size_t k)
-{
-    return track->key_interpolation ? (nkw_interpolation)track->key_interpolation[k] : track->interpolation;
-}
-
-/* A rotation must have width 4. nkw_track_validate rejects others. */
-static int is_readable(const nkw_track *track)
-{
-    return track->count > 0 && track->width > 0 && (!is_rotation(track) || track->width == 4);
+    if (track_is_rotation(track))
+        track_write_quat(nkw_quat_normalize(track_read_quat(out)), out);
 }
 
 void nkw_track_sample_segment(const nkw_track *track, nkw_segment segment, float *out)
 {
-    if (!is_readable(track))
+    if (!track_is_readable(track))
         return;
     size_t last = track->count - 1;
     size_t k = segment.index < last ? segment.index : last;
@@ -137,9 +86,9 @@ void nkw_track_sample_segment(const nkw_track *track, nkw_segment segment, float
         hold(track, k, out);
     else if (segment.t == 1.0f)
         hold(track, k + 1, out);
-    else if (interpolation_at(track, k) == NKW_INTERPOLATION_CUBICSPLINE && is_cubic(track))
+    else if (track_interpolation_at(track, k) == NKW_INTERPOLATION_CUBICSPLINE && track_is_cubic(track))
         cubic(track, k, segment.t, out);
-    else if (interpolation_at(track, k) == NKW_INTERPOLATION_LINEAR)
+    else if (track_interpolation_at(track, k) == NKW_INTERPOLATION_LINEAR)
         linear(track, k, segment.t, out);
     else
         hold(track, k, out);
@@ -157,19 +106,12 @@ void nkw_track_sample_cursor(const nkw_track *track, float time, uint32_t *curso
     nkw_track_sample_segment(track, segment, out);
 }
 
-static nkw_result check_readable(const nkw_track *track)
-{
-    if (track->count == 0 || track->width == 0)
-        return NKW_EMPTY;
-    return is_readable(track) ? NKW_OK : NKW_BAD_WIDTH;
-}
-
 static nkw_result check_shape(const nkw_track *track)
 {
     if ((unsigned)track->kind > NKW_TRACK_ROTATION_NORMALIZED ||
         (unsigned)track->interpolation > NKW_INTERPOLATION_CUBICSPLINE)
         return NKW_BAD_METHOD;
-    nkw_result result = check_readable(track);
+    nkw_result result = track_check_readable(track);
     if (result != NKW_OK)
         return result;
     return nkw_track_value_count(track) <= SIZE_MAX / sizeof(float) ? NKW_OK : NKW_TOO_SMALL;
@@ -185,14 +127,14 @@ static int are_finite(const float *v, size_t n)
 
 static nkw_result check_key(const nkw_track *track, size_t k)
 {
-    unsigned most = is_cubic(track) ? NKW_INTERPOLATION_CUBICSPLINE : NKW_INTERPOLATION_STEP;
+    unsigned most = track_is_cubic(track) ? NKW_INTERPOLATION_CUBICSPLINE : NKW_INTERPOLATION_STEP;
     if (track->key_interpolation && track->key_interpolation[k] > most)
         return NKW_BAD_METHOD;
-    if (!lane_is_finite(track->times[k]) || !are_finite(key_at(track, k), key_size(track)))
+    if (!lane_is_finite(track->times[k]) || !are_finite(track_key_at(track, k), track_key_size(track)))
         return NKW_NOT_FINITE;
     if (k > 0 && track->times[k] < track->times[k - 1])
         return NKW_NOT_ASCENDING;
-    float length = is_rotation(track) ? nkw_quat_length(read_quat(value_at(track, k))) : 1.0f;
+    float length = track_is_rotation(track) ? nkw_quat_length(track_read_quat(track_value_at(track, k))) : 1.0f;
     return lane_is_unit_length(length) ? NKW_OK : NKW_NOT_UNIT;
 }
 
@@ -227,7 +169,7 @@ static size_t steps_until(float start, float rate, float end)
 
 nkw_result nkw_track_resample_count(const nkw_track *track, float rate, size_t *count)
 {
-    nkw_result result = check_readable(track);
+    nkw_result result = track_check_readable(track);
     *count = 0;
     if (result != NKW_OK)
         return result;
@@ -256,7 +198,7 @@ static int is_step(const nkw_track *track)
 static nkw_track resampled(const nkw_track *track, const float *times, const float *values, size_t count)
 {
     nkw_track r = {times, values, count, track->width, NKW_TRACK_FLOATS, NKW_INTERPOLATION_LINEAR, NULL};
-    r.kind = is_rotation(track) ? NKW_TRACK_ROTATION : NKW_TRACK_FLOATS;
+    r.kind = track_is_rotation(track) ? NKW_TRACK_ROTATION : NKW_TRACK_FLOATS;
     r.interpolation = is_step(track) ? NKW_INTERPOLATION_STEP : NKW_INTERPOLATION_LINEAR;
     return r;
 }
@@ -273,8 +215,9 @@ static float difference_along(const nkw_track *along, const nkw_track *track, co
                 continue;
             nkw_track_sample_cursor(track, time, &here, a);
             nkw_track_sample_cursor(other, time, &there, b);
-            largest = difference_worse(largest, is_rotation(track) ? nkw_quat_angle(read_quat(a), read_quat(b))
-                                                                   : difference_largest(a, b, track->width));
+            largest = difference_worse(largest, track_is_rotation(track)
+                                                    ? nkw_quat_angle(track_read_quat(a), track_read_quat(b))
+                                                    : difference_largest(a, b, track->width));
         }
     return largest;
 }
@@ -287,13 +230,13 @@ static float difference_of(const nkw_track *track, const nkw_track *other, float
 nkw_result nkw_track_difference(const nkw_track *track, const nkw_track *other, float *difference, float *work,
                                 size_t work_count)
 {
-    nkw_result result = check_readable(track);
+    nkw_result result = track_check_readable(track);
     *difference = INFINITY;
     if (result == NKW_OK)
-        result = check_readable(other);
+        result = track_check_readable(other);
     if (result != NKW_OK)
         return result;
-    if (track->width != other->width || is_rotation(track) != is_rotation(other))
+    if (track->width != other->width || track_is_rotation(track) != track_is_rotation(other))
         return NKW_MISMATCHED;
     if (work_count / 2 < track->width)
         return NKW_TOO_SMALL;
@@ -378,7 +321,7 @@ nkw_result nkw_track_resample_within(const nkw_track *track, float tolerance, co
                                      nkw_track *out, float *rate)
 {
     const nkw_track source = *track;
-    nkw_result result = check_readable(&source);
+    nkw_result result = track_check_readable(&source);
     if (result == NKW_OK)
         result = check_memory(&source, memory, source.count);
     *rate = result == NKW_OK ? lowest_rate(&source, tolerance, memory, out) : 0.0f;
