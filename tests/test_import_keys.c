@@ -1,5 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* Keys in CSV and in JSON: columns, clips, nodes; and what is refused. */
+#include <math.h>
+
 #include <nakawari/euler.h>
 
 #include "documents.h"
@@ -66,6 +68,120 @@ static void columns_become_tracks(void **state)
 
 #define POSITION "name,time,tx,ty,tz\n"
 
+/* A table in memory. */
+static nkw_document *table(const char *text)
+{
+    const nkw_import_memory memory = {text, strlen(text), "keys.csv", NULL, NULL, NULL};
+    nkw_document *d;
+    nkw_import_error error;
+    if (nkw_document_open_memory(&memory, &d, &error) != NKW_IMPORT_OK)
+        print_error("%s:%s: %s\n", error.file, error.place, error.reason);
+    assert_non_null(d);
+    assert_int_equal(nkw_document_validate(d, NULL), NKW_IMPORT_OK);
+    return d;
+}
+
+static void tangents_are_those_of_cubicspline(void **state)
+{
+    (void)state;
+    nkw_document *d = table("name,time,interpolation,tx,ty,tz,in_tx,in_ty,in_tz,out_tx,out_ty,out_tz,qx,qy,qz,qw,"
+                            "out_qx,out_qy,out_qz,out_qw\n"
+                            "a,0,CUBICSPLINE,1,2,3,,,,4,5,6,0,0,0,1,0.25,0,0,0\n"
+                            "a,2,CUBICSPLINE,7,8,9,-1,-2,-3,,,,0,1,0,0,,,,\n"
+                            "b,0,,1,2,3,,,,,,,,,,,,,,\n");
+    const float values[] = {0, 0, 0, 1, 2, 3, 4, 5, 6, -1, -2, -3, 7, 8, 9, 0, 0, 0};
+    const float turns[] = {0, 0, 0, 0, 0, 0, 0, 1, 0.25f, 0, 0, 0, 0, 0, 0, 0, 0, 1, 0, 0, 0, 0, 0, 0};
+    const nkw_clip_track *t = d->animations[0].tracks;
+    assert_int_equal(d->animations[0].track_count, 3);
+    assert_int_equal(t[0].track.interpolation, NKW_INTERPOLATION_CUBICSPLINE);
+    assert_int_equal(t[1].track.kind, NKW_TRACK_ROTATION);
+    assert_int_equal(t[2].track.interpolation, NKW_INTERPOLATION_LINEAR);
+    expect_floats_bits(t[0].track.values, values, 18);
+    expect_floats_bits(t[1].track.values, turns, 24);
+    assert_int_equal(d->animations[0].channels[1].bytes, (2 + 24) * sizeof(float));
+    nkw_document_close(d);
+    d = table("name,time,interpolation,weight\na,0,CUBICSPLINE,1\na,1,CUBICSPLINE,2\n"); /* without columns: zeros */
+    const float flat[] = {0, 1, 0, 0, 2, 0};
+    expect_floats_bits(d->animations[0].tracks[0].track.values, flat, 6);
+    nkw_document_close(d);
+}
+
+static void rows_of_one_time_are_the_weights_of_a_node(void **state)
+{
+    (void)state;
+    nkw_document *d = table("clip,time,index,name,weight,in_weight,out_weight,interpolation,tx,ty,tz\n"
+                            "0,0,0,face,0.25,,,,1,2,3\n0,0,1,face,0.5,,,,,,\n0,0,2,tail,1,,,,,,\n"
+                            "0,1,0,face,0.75,,,,,,\n0,1,1,face,1,,,,,,\n"
+                            "1,0,0,face,1,2,3,CUBICSPLINE,,,\n1,0,0,face,4,5,6,CUBICSPLINE,,,\n");
+    const float face[] = {0.25f, 0.5f, 0.75f, 1}, rest[] = {0.25f, 0.5f, 1}, cubic[] = {2, 5, 1, 4, 3, 6};
+    const nkw_clip_track *t = d->animations[0].tracks;
+    assert_int_equal(d->float_count, 3);
+    expect_floats_bits(d->rest_floats, rest, 3);
+    assert_int_equal(d->nodes[0].float_count, 2);
+    assert_int_equal(d->nodes[1].float_first, 2);
+    assert_int_equal(d->meshes[d->nodes[0].mesh].primitive_count, 0);
+    assert_string_equal(d->meshes[d->nodes[0].mesh].target_names[1], "target_1");
+    assert_int_equal(d->animations[0].track_count, 3);
+    assert_int_equal(t[1].target, NKW_CLIP_FLOATS);
+    assert_int_equal(t[1].track.width, 2);
+    assert_int_equal(t[1].track.count, 2);
+    expect_floats_bits(t[1].track.values, face, 4);
+    assert_int_equal(t[2].index, 2);
+    expect_floats_bits(d->animations[1].tracks[0].track.values, cubic, 6);
+    nkw_clip *clip;
+    float pose[NKW_POSE_FLOATS(2)], floats[3];
+    assert_int_equal(nkw_document_clip(d, 0, NKW_CLIP_FLOAT32, &clip, NULL), NKW_IMPORT_OK);
+    assert_int_equal(nkw_clip_sample(clip, 0.5f, NULL, pose_span(pose, 2), floats), NKW_OK);
+    expect_near(floats[0], 0.5, 0);
+    expect_near(floats[2], 1, 0);
+    nkw_import_free(clip);
+    nkw_document_close(d);
+}
+
+static void members_that_are_lists_of_keys_are_scenes(void **state)
+{
+    (void)state;
+    nkw_document *d = opened("{'scene1':[{'time':0,'pos':[1,2,3],'quat_xyzw':[0,1,0,0]},"
+                             "{'time':1,'pos':[4,5,6],'euler_yxz_yaw_pitch_roll':[0.5,0.25,0.125]},"
+                             "{'time':2,'pos':[4,5,6],'ori_rows':[0,-1,0,1,0,0,0,0,1]}],"
+                             "'scene2':[{'time':3,'pos':[1,2,3]}]}",
+                             NULL, 0);
+    const nkw_vec3 angles = {0.25f, 0.5f, 0.125f};
+    const nkw_clip_track *t = d->animations[0].tracks;
+    const nkw_quat *q = (const nkw_quat *)(const void *)t[1].track.values;
+    assert_string_equal(d->nodes[0].name, "model");
+    assert_string_equal(d->animations[1].name, "scene2");
+    assert_int_equal(d->animation_count, 2);
+    assert_int_equal(t[0].track.count, 3);
+    expect_near(q[0].y, 1, 0);
+    expect_quat_bits(q[1], nkw_quat_from_euler(angles, NKW_EULER_YXZ));
+    expect_near(q[2].z, sqrt(0.5), 1e-7); /* the quarter turn about z takes x to y: the first column is 0 1 0 */
+    expect_near(q[2].w, sqrt(0.5), 1e-7);
+    assert_int_equal(d->animations[1].track_count, 1);
+    nkw_document_close(d);
+    expect_refused("{'a':[{'time':0,'pos':[1,2,3]},{'time':1,'pos':[1,2]}]}", NULL, 0, NKW_IMPORT_INVALID, "/a/1/pos");
+    expect_refused("{'a':[{'time':0,'pos':[1,2,3]},{'pos':[1,2,3]}]}", NULL, 0, NKW_IMPORT_INVALID, "/a/1/time");
+    expect_refused("{'a':[{'time':0,'pos':[1,2,3]}],'b':[7]}", NULL, 0, NKW_IMPORT_INVALID, "/b/0");
+}
+
+/* The scenes of the exercise, where they are at hand: the quaternions, the angles and the matrices are the same. */
+static void the_keys_of_the_exercise_are_read(void **state)
+{
+    (void)state;
+    nkw_document *d;
+    nkw_import_error error;
+    nkw_import_result result = nkw_document_open(NKW_DATA_DIR "/coursework/keys.json", &d, &error);
+    if (result == NKW_IMPORT_UNREADABLE)
+        skip();
+    assert_int_equal(result, NKW_IMPORT_OK);
+    assert_int_equal(d->animation_count, 2);
+    assert_string_equal(d->animations[0].name, "scene1");
+    assert_int_equal(d->animations[0].tracks[0].track.count, 7);
+    assert_int_equal(d->animations[1].tracks[1].track.count, 2);
+    assert_int_equal(nkw_document_validate(d, NULL), NKW_IMPORT_OK);
+    nkw_document_close(d);
+}
+
 static void broken_rows_are_refused(void **state)
 {
     (void)state;
@@ -87,6 +203,13 @@ static void broken_rows_are_refused(void **state)
         {NKW_IMPORT_INVALID, "line 2", POSITION "a,0,1,2,3,4\n"},
         {NKW_IMPORT_INVALID, "line 2, column interpolation", "name,time,interpolation\na,0,BEZIER\n"},
         {NKW_IMPORT_INVALID, "line 3, column interpolation", "name,time,interpolation\na,0,STEP\na,1,LINEAR\n"},
+        {NKW_IMPORT_INVALID, "line 1, column in_tx", "name,time,in_tx,in_ty,in_tz\n"},
+        {NKW_IMPORT_INVALID, "line 1, column out_qy", "name,time,qx,qy,qz,qw,out_qx,out_qz,out_qw\n"},
+        {NKW_IMPORT_INVALID, "line 2, column in_weight", "name,time,weight,in_weight\na,0,1,1\n"},
+        {NKW_IMPORT_INVALID, "line 2, column out_weight",
+         "name,time,interpolation,weight,out_weight\na,0,CUBICSPLINE,,1\n"},
+        {NKW_IMPORT_INVALID, "line 5, column weight", "name,time,weight\na,0,1\na,0,1\na,1,1\na,2,1\na,2,1\n"},
+        {NKW_IMPORT_INVALID, "line 4, column weight", "name,time,weight\na,0,1\na,0,1\na,1,1\n"},
         {NKW_IMPORT_INVALID, "", "name,time,parent\na,0,b\n"},
         {NKW_IMPORT_INVALID, "/nodes/0", "name,time,parent\na,0,b\nb,0,a\n"},
     };
@@ -136,6 +259,10 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(columns_become_tracks),
         cmocka_unit_test(rows_of_json_are_those_of_the_table),
+        cmocka_unit_test(tangents_are_those_of_cubicspline),
+        cmocka_unit_test(rows_of_one_time_are_the_weights_of_a_node),
+        cmocka_unit_test(members_that_are_lists_of_keys_are_scenes),
+        cmocka_unit_test(the_keys_of_the_exercise_are_read),
         cmocka_unit_test(broken_rows_are_refused),
     };
     return cmocka_run_group_tests_name("import_keys", tests, NULL, NULL);

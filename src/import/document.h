@@ -6,14 +6,14 @@
 #include "fault.h"
 #include "memory.h"
 
-/* What nkw_document_close frees; `all` is the first member, so that a pointer to it is one to the whole. */
+/* What nkw_document_close frees. `all` is the first member: a pointer to it is a pointer to the whole structure. */
 typedef struct nkwi_document {
     nkw_document all;
     nkwi_memory memory;
     nkw_document_node *nodes; /* all.nodes, to be completed */
 } nkwi_document;
 
-/* The bytes that a document of `bytes` of files may take: more than any honest file needs. */
+/* The most bytes that a document of `bytes` bytes of files may allocate. No valid file is known that needs more. */
 #define NKWI_MEMORY_MOST(bytes) (((size_t)64 << 20) + ((bytes) < SIZE_MAX / 128 ? 64 * (bytes) : SIZE_MAX / 2))
 
 /* nkwi_take, and the error where there is no memory. */
@@ -35,7 +35,7 @@ const char *nkwi_document_name(nkwi_document *document, nkw_import_error *error,
 int nkwi_document_nodes(nkwi_document *document, nkw_import_error *error, const nkwi_place *place,
                         const nkw_document_node *list, const int32_t *node_parents, size_t count);
 
-/* glTF 2.0 (gltf.c): whether the file is that of its own beginning, and reading it. */
+/* glTF 2.0 (gltf.c): whether the first bytes are those of a glTF file, and reading it. */
 int nkwi_gltf_is(const void *data, size_t bytes);
 int nkwi_gltf_read(nkwi_document *document, const nkw_import_memory *memory, nkw_import_error *error);
 
@@ -43,7 +43,7 @@ int nkwi_gltf_read(nkwi_document *document, const nkw_import_memory *memory, nkw
 int nkwi_keys_is(const void *data, size_t bytes);
 int nkwi_keys_read(nkwi_document *document, const nkw_import_memory *memory, nkw_import_error *error);
 
-/* Keys in JSON, which is parsed already. */
+/* Keys in JSON, which is parsed already: tables, and scenes. */
 struct nkwi_value;
 int nkwi_keys_are(const struct nkwi_value *root);
 int nkwi_keys_read_tree(nkwi_document *document, const struct nkwi_value *root, nkw_import_error *error);

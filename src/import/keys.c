@@ -1,55 +1,14 @@
 /* SPDX-License-Identifier: MIT */
-/* Keys of one's own: a table with a row for each node and time, CSV or JSON. docs/import.md states the columns. */
-#include <math.h>
+/* Keys of one's own: from rows to a document. */
+#include "keys.h"
+
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
-#include <nakawari/euler.h>
-#include <nakawari/scalar.h>
+const size_t nkwi_keys_first[4] = {0, 3, 7, NKWI_WEIGHT}, nkwi_keys_width[4] = {3, 4, 3, 1};
 
-#include "document.h"
-#include "value.h"
-
-/* The columns: ten numbers of a TRS, three angles in place of the rotation, and others. */
-enum { NUMBERS = 13, YAW = 10, NAME = NUMBERS, TIME, CLIP, PARENT, INTERPOLATION, INDEX, COLUMNS, FIELDS_MOST = 64 };
-
-static const char *const column_names[COLUMNS] = {"tx",   "ty",   "tz",   "qx",   "qy",     "qz",
-                                                  "qw",   "sx",   "sy",   "sz",   "yaw",    "pitch",
-                                                  "roll", "name", "time", "clip", "parent", "interpolation",
-                                                  "index"};
-
-/* A row: which properties it has (bits 0, 1, 2: translation, rotation, scale), and where it comes from. */
-typedef struct row {
-    size_t line;
-    uint32_t clip, node;
-    nkw_interpolation interpolation;
-    unsigned has;
-    float time, numbers[10];
-} row;
-
-/* The same as the file has it: NULL or empty texts are not there, bits of `filled` are the numbers that are. */
-typedef struct entry {
-    const char *name, *clip, *parent, *interpolation;
-    float time, numbers[NUMBERS];
-    unsigned filled;
-} entry;
-
-typedef struct keys {
-    nkwi_document *document;
-    nkw_import_error *error;
-    char *text, *at, *end; /* a copy that the fields are cut from */
-    size_t line, next; /* of the fields, and of `at`; in JSON `line` is the index of the row */
-    int is_json;
-    char *fields[FIELDS_MOST];
-    size_t field_count, column_count;
-    int column_of[FIELDS_MOST];
-    json_t *clips, *nodes, *parents; /* objects: the index of a name; an array: the parent of each node, or null */
-    row *rows;
-    size_t row_count, room;
-} keys;
-
-static int fail(keys *k, const char *column, nkw_import_result code, const char *reason)
+int nkwi_keys_fail(nkwi_keys *k, const char *column, nkw_import_result code, const char *reason)
 {
     char place[160];
     if (k->is_json)
@@ -59,258 +18,169 @@ static int fail(keys *k, const char *column, nkw_import_result code, const char 
     return nkwi_fail_at(k->error, place, code, "%s", reason);
 }
 
-static int no_memory(keys *k)
+int nkwi_keys_no_memory(nkwi_keys *k)
 {
-    return fail(k, NULL, NKW_IMPORT_NO_MEMORY, "no memory for the keys");
-}
-
-/* Cuts a field off, RFC 4180: in quotes, a double quote is doubled. Returns whether another follows in the line. */
-static int cut_field(keys *k, char **field)
-{
-    char *to = k->at;
-    int quoted = k->at < k->end && *k->at == '"';
-    *field = to;
-    k->at += quoted;
-    for (; k->at < k->end; k->at++) {
-        if (quoted && *k->at == '"' && k->at + 1 < k->end && k->at[1] == '"')
-            k->at++;
-        else if (quoted && *k->at == '"') {
-            quoted = 0;
-            continue;
-        } else if (!quoted && (*k->at == ',' || *k->at == '\n'))
-            break;
-        k->next += *k->at == '\n';
-        *to++ = *k->at;
-    }
-    int more = k->at < k->end && *k->at == ',';
-    k->next += k->at < k->end && *k->at == '\n';
-    k->at += k->at < k->end;
-    to -= !more && to > *field && to[-1] == '\r';
-    *to = 0;
-    return more;
-}
-
-/* The fields of the next line that is neither empty nor a comment; 0 at the end or after an error. */
-static int next_line(keys *k)
-{
-    while (k->at < k->end) {
-        int more = 1;
-        k->line = k->next;
-        for (k->field_count = 0; more && k->field_count < FIELDS_MOST; k->field_count++)
-            more = cut_field(k, &k->fields[k->field_count]);
-        if (more)
-            return fail(k, NULL, NKW_IMPORT_TOO_LARGE, "more than 64 fields");
-        if (k->fields[0][0] != '#' && (k->field_count > 1 || k->fields[0][0]))
-            return 1;
-    }
-    return 0;
-}
-
-static int read_header(keys *k)
-{
-    int found[COLUMNS] = {0};
-    for (size_t i = 0; i < k->field_count; i++) {
-        int c = 0;
-        while (c < COLUMNS && strcmp(k->fields[i], column_names[c]) != 0)
-            c++;
-        if (c == COLUMNS || found[c]++)
-            return fail(k, k->fields[i], NKW_IMPORT_INVALID, c == COLUMNS ? "is no column" : "is there twice");
-        k->column_of[i] = c;
-    }
-    k->column_count = k->field_count;
-    for (int c = 0; c < NUMBERS; c++) {
-        int first = c < 3 ? 0 : c < 7 ? 3 : c < 10 ? 7 : 10;
-        if (found[c] != found[first])
-            return fail(k, column_names[found[c] ? first : c], NKW_IMPORT_INVALID, "is missing");
-    }
-    if (found[3] && found[YAW])
-        return fail(k, "yaw", NKW_IMPORT_INVALID, "there are both quaternions and angles");
-    return 1;
+    return nkwi_keys_fail(k, NULL, NKW_IMPORT_NO_MEMORY, "no memory for the keys");
 }
 
 /* The index of a name, the next one if it is new. */
-static int index_of(keys *k, json_t *names, const char *name, uint32_t *out)
+static int index_of(nkwi_keys *k, json_t *names, const char *name, uint32_t *out)
 {
     const json_t *known = json_object_get(names, name);
     *out = (uint32_t)json_object_size(names);
     if (known)
         *out = (uint32_t)json_integer_value(known);
-    return known || json_object_set_new_nocheck(names, name, json_integer(*out)) == 0 || no_memory(k);
-}
-
-/* A number as in JSON, which does not depend on the locale. */
-static int read_number(const char *text, float *out)
-{
-    json_t *json = json_loads(text, JSON_DECODE_ANY | JSON_DECODE_INT_AS_REAL, NULL);
-    double number = json_number_value(json);
-    int is_number = json_is_number(json);
-    json_decref(json);
-    *out = (float)number;
-    return is_number && isfinite(*out);
-}
-
-/* The numbers of a row: of a property all, or none. */
-static int set_numbers(keys *k, const entry *e, row *r)
-{
-    static const unsigned masks[4] = {0x7, 0x78, 0x380, 0x1c00};
-    static const int firsts[4] = {0, 3, 7, YAW};
-    unsigned filled = e->filled;
-    for (int p = 0; p < 4; p++)
-        if ((filled & masks[p]) && (filled & masks[p]) != masks[p])
-            return fail(k, column_names[firsts[p]], NKW_IMPORT_INVALID, "some of the property's numbers are missing");
-    for (int c = 0; c < 10; c++)
-        r->numbers[c] = filled & 1u << c ? e->numbers[c] : c >= 6 ? 1.0f : 0.0f;
-    if (filled & masks[3]) {
-        const float *v = e->numbers + YAW;
-        nkw_vec3 angles = {nkw_radians_from_degrees(v[1]), nkw_radians_from_degrees(v[0]),
-                           nkw_radians_from_degrees(v[2])};
-        nkw_quat q = nkw_quat_from_euler(angles, NKW_EULER_YXZ);
-        memcpy(r->numbers + 3, &q, sizeof q);
-    }
-    r->has = (filled & masks[0] ? 1u : 0) | (filled & (masks[1] | masks[3]) ? 2u : 0) | (filled & masks[2] ? 4u : 0);
-    return 1;
+    return known || json_object_set_new_nocheck(names, name, json_integer(*out)) == 0 || nkwi_keys_no_memory(k);
 }
 
 /* The first parent that a node names is its parent. */
-static int read_parent(keys *k, uint32_t node, const char *parent)
+static int read_parent(nkwi_keys *k, uint32_t node, const char *parent)
 {
     while (json_array_size(k->parents) <= node)
         if (json_array_append_new(k->parents, json_null()) != 0)
-            return no_memory(k);
+            return nkwi_keys_no_memory(k);
     if (!parent || !parent[0] || !json_is_null(json_array_get(k->parents, node)))
         return 1;
-    return json_array_set_new(k->parents, node, json_string_nocheck(parent)) == 0 || no_memory(k);
+    return json_array_set_new(k->parents, node, json_string_nocheck(parent)) == 0 || nkwi_keys_no_memory(k);
 }
 
-static int room_for_row(keys *k)
+static int room_for_row(nkwi_keys *k)
 {
     if (k->row_count < k->room)
         return 1;
-    size_t room = k->room ? 2 * k->room : 64;
-    row *wider = room < SIZE_MAX / sizeof *wider ? (row *)realloc(k->rows, room * sizeof *wider) : NULL;
-    if (!wider)
-        return no_memory(k);
-    k->rows = wider;
+    size_t room = k->room ? 2 * k->room : 64, most = SIZE_MAX / (sizeof *k->rows + k->stride * sizeof *k->numbers);
+    nkwi_row *rows = room < most ? (nkwi_row *)realloc(k->rows, room * sizeof *rows) : NULL;
+    k->rows = rows ? rows : k->rows;
+    float *numbers = rows ? (float *)realloc(k->numbers, room * k->stride * sizeof *numbers) : NULL;
+    k->numbers = numbers ? numbers : k->numbers;
+    if (!numbers)
+        return nkwi_keys_no_memory(k);
     k->room = room;
     return 1;
 }
 
-static int add_row(keys *k, const entry *e)
+int nkwi_keys_add(nkwi_keys *k, const nkwi_entry *e)
 {
-    row r = {k->line, 0, 0, NKW_INTERPOLATION_LINEAR, 0, e->time, {0}};
-    const char *mode = e->interpolation;
+    nkwi_row r = {k->line, 0, 0, e->interpolation, e->has, e->time, k->row_count * k->stride};
     if (!e->name || !e->name[0])
-        return fail(k, "name", NKW_IMPORT_INVALID, "is empty");
-    if (mode && strcmp(mode, "STEP") == 0)
-        r.interpolation = NKW_INTERPOLATION_STEP;
-    else if (mode && mode[0] && strcmp(mode, "LINEAR") != 0)
-        return fail(k, "interpolation", NKW_IMPORT_INVALID, "is neither LINEAR nor STEP");
-    if (!set_numbers(k, e, &r) || !room_for_row(k) || !index_of(k, k->clips, e->clip ? e->clip : "", &r.clip) ||
+        return nkwi_keys_fail(k, "name", NKW_IMPORT_INVALID, "is empty");
+    if (!room_for_row(k) || !index_of(k, k->clips, e->clip ? e->clip : "", &r.clip) ||
         !index_of(k, k->nodes, e->name, &r.node) || !read_parent(k, r.node, e->parent))
         return 0;
+    memcpy(k->numbers + r.numbers, e->numbers, k->stride * sizeof *k->numbers);
     k->rows[k->row_count++] = r;
     return 1;
 }
 
-/* A line of CSV. */
-static int read_line(keys *k)
+/* Names and parents. */
+static int name_nodes(nkwi_keys *k, nkw_document_node *nodes, int32_t *parents)
 {
-    const char *cells[COLUMNS] = {NULL};
-    entry e;
-    if (k->field_count > k->column_count)
-        return fail(k, NULL, NKW_IMPORT_INVALID, "more fields than columns");
-    for (size_t i = 0; i < k->field_count; i++)
-        cells[k->column_of[i]] = k->fields[i];
-    memset(&e, 0, sizeof e);
-    e.name = cells[NAME];
-    e.clip = cells[CLIP];
-    e.parent = cells[PARENT];
-    e.interpolation = cells[INTERPOLATION];
-    for (int c = 0; c < NUMBERS; c++) {
-        if (!cells[c] || !cells[c][0])
-            continue;
-        if (!read_number(cells[c], &e.numbers[c]))
-            return fail(k, column_names[c], NKW_IMPORT_INVALID, "is no finite number");
-        e.filled |= 1u << c;
-    }
-    if (!cells[TIME] || !read_number(cells[TIME], &e.time))
-        return fail(k, "time", NKW_IMPORT_INVALID, "is no finite number");
-    return add_row(k, &e);
-}
-
-static int is_float(const json_t *json, float *out)
-{
-    *out = (float)json_number_value(json);
-    return json_is_number(json) && isfinite(*out);
-}
-
-/* An element of "rows" in JSON: its values are in the order of the columns; null is no key. */
-static int read_object(keys *k, const json_t *object)
-{
-    const json_t *values = json_object_get(object, "values"), *clip = json_object_get(object, "clip");
-    char number[32];
-    entry e;
-    memset(&e, 0, sizeof e);
-    e.name = json_string_value(json_object_get(object, "name"));
-    e.clip = json_string_value(clip);
-    e.parent = json_string_value(json_object_get(object, "parent"));
-    e.interpolation = json_string_value(json_object_get(object, "interpolation"));
-    if (json_is_number(clip)) {
-        snprintf(number, sizeof number, "%.0f", json_number_value(clip));
-        e.clip = number;
-    }
-    if (!is_float(json_object_get(object, "time"), &e.time))
-        return fail(k, "time", NKW_IMPORT_INVALID, "is no finite number");
-    if (json_array_size(values) != k->column_count)
-        return fail(k, "values", NKW_IMPORT_INVALID, "are not as many as the columns");
-    for (size_t i = 0; i < k->column_count; i++) {
-        const json_t *value = json_array_get(values, i);
-        if (json_is_null(value))
-            continue;
-        if (!is_float(value, &e.numbers[k->column_of[i]]))
-            return fail(k, "values", NKW_IMPORT_INVALID, "are not finite numbers");
-        e.filled |= 1u << k->column_of[i];
-    }
-    return add_row(k, &e);
-}
-
-/* Nodes in the order of their first rows; the first row of a node has its rest pose. */
-static int make_nodes(keys *k)
-{
-    static const nkwi_place root = {NULL, NULL, 0}, place = {&root, "nodes", 0};
-    size_t count = json_object_size(k->nodes);
-    nkw_document_node *nodes = (nkw_document_node *)calloc(count, sizeof *nodes);
-    int32_t *parents = (int32_t *)calloc(count, sizeof *parents);
     const char *name;
     json_t *index;
-    int good = nodes && parents ? 1 : no_memory(k);
     json_object_foreach(k->nodes, name, index)
     {
         size_t i = (size_t)json_integer_value(index);
         const char *parent = json_string_value(json_array_get(k->parents, i));
         const json_t *found = parent ? json_object_get(k->nodes, parent) : NULL;
-        if (!good)
-            break;
         if (parent && !found)
-            good = nkwi_fail(k->error, NULL, NKW_IMPORT_INVALID, "%s: there is no node %s, its parent", name, parent);
+            return nkwi_fail(k->error, NULL, NKW_IMPORT_INVALID, "%s: there is no node %s, its parent", name, parent);
         parents[i] = found ? (int32_t)json_integer_value(found) : NKW_NO_JOINT;
-        nodes[i].name = good ? nkwi_document_text(k->document, k->error, name) : NULL;
+        nodes[i].name = nkwi_document_text(k->document, k->error, name);
         nodes[i].number = i;
         nodes[i].mesh = nodes[i].skin = NKW_NO_JOINT;
-        good = nodes[i].name != NULL;
+        if (!nodes[i].name)
+            return 0;
     }
-    for (size_t i = k->row_count; good && i-- > 0;)
-        memcpy(&nodes[k->rows[i].node].rest, k->rows[i].numbers, sizeof(nkw_trs));
-    good = good && nkwi_document_nodes(k->document, k->error, &place, nodes, parents, count);
-    free(nodes);
-    free(parents);
-    return good;
+    return 1;
+}
+
+/* Of sorted rows: the end of those that have the clip and the node of the row `from`. */
+static size_t end_of_run(const nkwi_keys *k, size_t from)
+{
+    size_t end = from;
+    while (end < k->row_count && k->rows[end].clip == k->rows[from].clip && k->rows[end].node == k->rows[from].node)
+        end++;
+    return end;
+}
+
+static int has(const nkwi_row *r, int property)
+{
+    return (int)(r->has >> property & 1);
+}
+
+/* The morph weights of one time, the first of a run: their number, and the first row. */
+static size_t count_weights(const nkwi_keys *k, size_t from, size_t to, size_t *first)
+{
+    size_t count = 0;
+    for (size_t i = from; i < to; i++) {
+        if (!has(&k->rows[i], NKW_CLIP_FLOATS))
+            continue;
+        *first = count == 0 ? i : *first;
+        if (k->rows[i].time != k->rows[*first].time)
+            break;
+        count++;
+    }
+    return count;
+}
+
+/* The weights of a node are those of a mesh without primitives. */
+static int make_mesh(nkwi_keys *k, size_t from, size_t count, nkw_document_node *node, nkw_document_mesh *mesh)
+{
+    float *weights = (float *)nkwi_document_take(k->document, k->error, NULL, count, sizeof *weights);
+    const char **names = (const char **)nkwi_document_take(k->document, k->error, NULL, count, sizeof *names);
+    if (!weights || !names)
+        return 0;
+    for (size_t i = from, t = 0; t < count; i++)
+        if (has(&k->rows[i], NKW_CLIP_FLOATS)) {
+            weights[t] = k->numbers[k->rows[i].numbers + NKWI_WEIGHT];
+            names[t] = nkwi_document_name(k->document, k->error, NULL, "target", t);
+            if (!names[t++])
+                return 0;
+        }
+    mesh->name = node->name;
+    mesh->weights = weights;
+    mesh->target_names = names;
+    mesh->target_count = count;
+    return 1;
+}
+
+/* A mesh for each node with weights. */
+static int make_meshes(nkwi_keys *k, nkw_document_node *nodes, size_t node_count)
+{
+    nkw_document *d = &k->document->all;
+    nkw_document_mesh *meshes = NULL;
+    for (size_t from = 0, end; from < k->row_count; from = end) {
+        nkw_document_node *node = &nodes[k->rows[from].node];
+        size_t first, count = count_weights(k, from, end = end_of_run(k, from), &first);
+        if (count == 0 || node->mesh != NKW_NO_JOINT)
+            continue;
+        if (!meshes)
+            meshes = (nkw_document_mesh *)nkwi_document_take(k->document, k->error, NULL, node_count, sizeof *meshes);
+        d->meshes = meshes;
+        if (!meshes || !make_mesh(k, first, count, node, &meshes[d->mesh_count]))
+            return 0;
+        node->mesh = (int32_t)d->mesh_count++;
+    }
+    return 1;
+}
+
+/* After the nodes are sorted. */
+static int rest_weights(nkwi_keys *k)
+{
+    nkw_document *d = &k->document->all;
+    float *floats = (float *)nkwi_document_take(k->document, k->error, NULL, d->float_count, sizeof *floats);
+    for (size_t j = 0; floats && j < d->skeleton.joint_count; j++)
+        if (d->nodes[j].float_count > 0)
+            memcpy(floats + d->nodes[j].float_first, d->meshes[d->nodes[j].mesh].weights,
+                   d->nodes[j].float_count * sizeof *floats);
+    d->rest_floats = floats;
+    return floats != NULL;
 }
 
 /* Rows of a clip, then of a node, then as in the file. */
 static int compare_rows(const void *left, const void *right)
 {
-    const row *a = (const row *)left, *b = (const row *)right;
+    const nkwi_row *a = (const nkwi_row *)left, *b = (const nkwi_row *)right;
     if (a->clip != b->clip)
         return a->clip < b->clip ? -1 : 1;
     if (a->node != b->node)
@@ -318,67 +188,138 @@ static int compare_rows(const void *left, const void *right)
     return a->line < b->line ? -1 : a->line > b->line;
 }
 
-/* The keys of a property in rows from .. to - 1 of one clip and node; none: the track stays without keys. */
-static int make_track(keys *k, size_t from, size_t to, int property, nkw_clip_track *out)
+/* Nodes in the order of their first rows; the first row of a node has its rest pose. Sorts the rows. */
+static int make_nodes(nkwi_keys *k)
 {
-    static const size_t first[3] = {0, 3, 7}, width[3] = {3, 4, 3};
-    size_t count = 0, w = width[property];
-    for (size_t i = from; i < to; i++)
-        count += k->rows[i].has >> property & 1;
-    float *times = (float *)nkwi_document_take(k->document, k->error, NULL, count, sizeof *times);
-    float *values = (float *)nkwi_document_take(k->document, k->error, NULL, count, w * sizeof *values);
-    if (!times || !values)
-        return 0;
-    nkw_interpolation mode = k->rows[from].interpolation;
-    nkw_track track = {times, values, count, w, property == 1 ? NKW_TRACK_ROTATION : NKW_TRACK_FLOATS, mode, NULL};
-    out->target = (nkw_clip_target)property;
-    out->index = (uint32_t)k->document->all.joint_of_node[k->rows[from].node];
-    out->track = track;
+    static const nkwi_place root = {NULL, NULL, 0}, place = {&root, "nodes", 0};
+    size_t count = json_object_size(k->nodes);
+    nkw_document_node *nodes = (nkw_document_node *)calloc(count, sizeof *nodes);
+    int32_t *parents = (int32_t *)calloc(count, sizeof *parents);
+    int good = nodes && parents ? name_nodes(k, nodes, parents) : nkwi_keys_no_memory(k);
+    for (size_t i = k->row_count; good && i-- > 0;)
+        memcpy(&nodes[k->rows[i].node].rest, k->numbers + k->rows[i].numbers, sizeof(nkw_trs));
+    qsort(k->rows, k->row_count, sizeof *k->rows, compare_rows);
+    good = good && make_meshes(k, nodes, count) &&
+           nkwi_document_nodes(k->document, k->error, &place, nodes, parents, count) && rest_weights(k);
+    free(nodes);
+    free(parents);
+    return good;
+}
+
+/* The mode of a run, which is that of all its rows. */
+static int check_mode(nkwi_keys *k, size_t from, size_t to)
+{
     for (size_t i = from; i < to; i++) {
         k->line = k->rows[i].line;
-        if (k->rows[i].interpolation != mode)
-            return fail(k, "interpolation", NKW_IMPORT_INVALID, "another than in the first row of the node");
-        if (!(k->rows[i].has >> property & 1))
-            continue;
-        *times++ = k->rows[i].time;
-        memcpy(values, k->rows[i].numbers + first[property], w * sizeof *values);
-        values += w;
+        if (k->rows[i].interpolation != k->rows[from].interpolation)
+            return nkwi_keys_fail(k, "interpolation", NKW_IMPORT_INVALID, "another than in the first row of the node");
     }
     return 1;
 }
 
+/* The rows of a key of `parts` weights have the same time, and none is missing. */
+static int check_weights(nkwi_keys *k, size_t from, size_t to, size_t parts)
+{
+    size_t count = 0;
+    float time = 0.0f;
+    for (size_t i = from; i < to; i++) {
+        if (!has(&k->rows[i], NKW_CLIP_FLOATS))
+            continue;
+        k->line = k->rows[i].line;
+        if (count++ % parts == 0)
+            time = k->rows[i].time;
+        else if (k->rows[i].time != time)
+            return nkwi_keys_fail(k, "weight", NKW_IMPORT_INVALID, "the time before has fewer weights than the first");
+    }
+    return count % parts == 0 ||
+           nkwi_keys_fail(k, "weight", NKW_IMPORT_INVALID, "the last time has fewer weights than the first");
+}
+
+/* The keys of `parts` rows each: times, and values between tangents, as in glTF. */
+static void copy_keys(const nkwi_keys *k, size_t from, size_t to, nkw_clip_track *out, float *times, float *values)
+{
+    int property = (int)out->target, cubic = out->track.interpolation == NKW_INTERPOLATION_CUBICSPLINE;
+    size_t w = nkwi_keys_width[property], parts = out->track.width / w, count = 0, span = out->track.width;
+    for (size_t i = from; i < to; i++) {
+        const float *v = k->numbers + k->rows[i].numbers + nkwi_keys_first[property];
+        if (!has(&k->rows[i], property))
+            continue;
+        float *key = values + count / parts * span * (cubic ? 3 : 1) + count % parts * w;
+        times[count / parts] = k->rows[i].time;
+        memcpy(key + (cubic ? span : 0), v, w * sizeof *v);
+        if (cubic && k->stride == NKWI_NUMBERS) {
+            memcpy(key, v + NKWI_VALUES, w * sizeof *v);
+            memcpy(key + 2 * span, v + 2 * NKWI_VALUES, w * sizeof *v);
+        }
+        count++;
+    }
+}
+
+/* The keys of a property in rows from .. to - 1 of one clip and node; none: the track stays without keys. */
+static int make_track(nkwi_keys *k, size_t from, size_t to, int property, nkw_clip_track *out)
+{
+    const nkw_document *d = &k->document->all;
+    size_t count = 0, joint = (size_t)d->joint_of_node[k->rows[from].node];
+    size_t parts = property == NKW_CLIP_FLOATS ? d->nodes[joint].float_count : 1;
+    nkw_interpolation mode = k->rows[from].interpolation;
+    for (size_t i = from; i < to; i++)
+        count += (size_t)has(&k->rows[i], property);
+    if (count == 0)
+        return 1;
+    if (property == NKW_CLIP_FLOATS && !check_weights(k, from, to, parts))
+        return 0;
+    size_t floats = count * nkwi_keys_width[property] * (mode == NKW_INTERPOLATION_CUBICSPLINE ? 3 : 1);
+    float *times = (float *)nkwi_document_take(k->document, k->error, NULL, count / parts, sizeof *times);
+    float *values = (float *)nkwi_document_take(k->document, k->error, NULL, floats, sizeof *values);
+    if (!times || !values)
+        return 0;
+    const nkw_track track = {times,
+                             values,
+                             count / parts,
+                             parts * nkwi_keys_width[property],
+                             property == NKW_CLIP_ROTATION ? NKW_TRACK_ROTATION : NKW_TRACK_FLOATS,
+                             mode,
+                             NULL};
+    out->target = (nkw_clip_target)property;
+    out->index = property == NKW_CLIP_FLOATS ? d->nodes[joint].float_first : (uint32_t)joint;
+    out->track = track;
+    copy_keys(k, from, to, out, times, values);
+    return 1;
+}
+
 /* Tracks of the rows from .. to - 1, which are those of one clip. */
-static int make_animation(keys *k, size_t from, size_t to, nkw_document_animation *out)
+static int make_animation(nkwi_keys *k, size_t from, size_t to, nkw_document_animation *out)
 {
     size_t runs = 1;
     for (size_t i = from + 1; i < to; i++)
         runs += k->rows[i].node != k->rows[i - 1].node;
     nkw_clip_track *tracks =
-        (nkw_clip_track *)nkwi_document_take(k->document, k->error, NULL, runs, 3 * sizeof *tracks);
+        (nkw_clip_track *)nkwi_document_take(k->document, k->error, NULL, runs, 4 * sizeof *tracks);
     nkw_document_channel *channels =
-        (nkw_document_channel *)nkwi_document_take(k->document, k->error, NULL, runs, 3 * sizeof *channels);
+        (nkw_document_channel *)nkwi_document_take(k->document, k->error, NULL, runs, 4 * sizeof *channels);
     if (!tracks || !channels)
         return 0;
     out->tracks = tracks;
     out->channels = channels;
     for (size_t end; from < to; from = end) {
-        for (end = from; end < to && k->rows[end].node == k->rows[from].node;)
-            end++;
-        for (int property = 0; property < 3; property++) {
+        end = end_of_run(k, from);
+        if (!check_mode(k, from, end))
+            return 0;
+        for (int property = 0; property < 4; property++) {
             nkw_clip_track *track = &tracks[out->track_count];
             nkw_document_channel *channel = &channels[out->track_count];
             if (!make_track(k, from, end, property, track))
                 return 0;
             channel->number = out->track_count;
-            channel->joint = (int32_t)track->index;
-            channel->bytes = track->track.count * (1 + track->track.width) * sizeof(float);
+            channel->joint = k->document->all.joint_of_node[k->rows[from].node];
+            channel->bytes = (track->track.count + nkw_track_value_count(&track->track)) * sizeof(float);
             out->track_count += track->track.count > 0;
         }
     }
     return 1;
 }
 
-static int make_animations(keys *k)
+static int make_animations(nkwi_keys *k)
 {
     size_t count = json_object_size(k->clips), next = 0;
     nkw_document_animation *list =
@@ -387,7 +328,6 @@ static int make_animations(keys *k)
     json_t *index;
     if (!list)
         return 0;
-    qsort(k->rows, k->row_count, sizeof *k->rows, compare_rows);
     json_object_foreach(k->clips, name, index)
     {
         size_t i = (size_t)json_integer_value(index);
@@ -407,113 +347,63 @@ static int make_animations(keys *k)
     return 1;
 }
 
-static int make_document(keys *k, const char *format)
+static int make_document(nkwi_keys *k, const char *format)
 {
-    if (k->error->code != NKW_IMPORT_OK)
-        return 0;
     if (k->row_count == 0)
-        return fail(k, NULL, NKW_IMPORT_INVALID, "there are no keys");
+        return nkwi_keys_fail(k, NULL, NKW_IMPORT_INVALID, "there are no keys");
     k->document->all.format = format;
     return make_nodes(k) && make_animations(k);
 }
 
-static int read_text(keys *k)
+static int read_rows(nkwi_keys *k, const nkw_import_memory *memory, const nkwi_value *root, const char **format)
 {
-    if (!next_line(k) || !read_header(k))
-        return 0;
-    while (next_line(k))
-        if (!read_line(k))
-            return 0;
-    return make_document(k, "CSV keys");
-}
-
-/* Copies the text, as fields are cut from it. */
-static int begin(keys *k, const void *data, size_t bytes)
-{
-    size_t mark = bytes >= 3 && memcmp(data, "\xef\xbb\xbf", 3) == 0 ? 3 : 0;
-    memset(k, 0, sizeof *k);
-    k->text = (char *)malloc(bytes - mark + 1);
-    if (!k->text)
-        return 0;
-    memcpy(k->text, (const char *)data + mark, bytes - mark);
-    k->at = k->text;
-    k->end = k->text + (bytes - mark);
-    k->next = 1;
-    return 1;
-}
-
-int nkwi_keys_is(const void *data, size_t bytes)
-{
-    keys k;
-    nkw_import_error error;
-    size_t most = 4096; /* comments and the header */
-    int has_name = 0, has_time = 0;
-    if (!begin(&k, data, bytes < most ? bytes : most))
-        return 0;
-    nkwi_fault_none(&error, "");
-    k.error = &error;
-    int found = next_line(&k);
-    for (size_t i = 0; found && i < k.field_count; i++) {
-        has_name |= strcmp(k.fields[i], "name") == 0;
-        has_time |= strcmp(k.fields[i], "time") == 0;
-    }
-    free(k.text);
-    return has_name && has_time;
-}
-
-/* "columns" and "rows" of JSON. */
-static int read_tree(keys *k, const nkwi_value *root)
-{
-    nkwi_value rows = nkwi_member(root, "rows"), columns = nkwi_member(root, "columns");
-    if (!nkwi_is_array(k->error, &rows))
-        return 0;
-    if (!next_line(k) || !read_header(k))
-        return nkwi_fail(k->error, &columns.place, NKW_IMPORT_INVALID, "are no list of columns");
-    for (size_t i = 0; i < k->column_count; i++)
-        if (k->column_of[i] >= NUMBERS)
-            return nkwi_fail(k->error, &columns.place, NKW_IMPORT_INVALID, "%s is a member of rows", k->fields[i]);
-    k->is_json = 1;
-    for (k->line = 0; k->line < nkwi_length(&rows); k->line++)
-        if (!read_object(k, json_array_get(rows.json, k->line)))
-            return 0;
-    return make_document(k, "JSON keys");
+    *format = !root ? "CSV keys" : "JSON keys";
+    if (!root)
+        return nkwi_table_read(k, memory->data, memory->bytes);
+    return nkwi_table_are(root) ? nkwi_table_read_tree(k, root) : nkwi_scenes_read(k, root);
 }
 
 /* root: NULL for CSV. */
-static int read_keys(nkwi_document *document, const void *text, size_t bytes, const nkwi_value *root,
+static int read_keys(nkwi_document *document, const nkw_import_memory *memory, const nkwi_value *root,
                      nkw_import_error *error)
 {
-    keys k;
-    int done = 0, copied = begin(&k, text, bytes);
+    nkwi_keys k;
+    const char *format;
+    int done = 0;
+    memset(&k, 0, sizeof k);
     k.document = document;
     k.error = error;
     k.clips = json_object();
     k.nodes = json_object();
     k.parents = json_array();
-    if (!copied || !k.clips || !k.nodes || !k.parents)
-        no_memory(&k);
+    if (!k.clips || !k.nodes || !k.parents)
+        nkwi_keys_no_memory(&k);
     else
-        done = root ? read_tree(&k, root) : read_text(&k);
+        done = read_rows(&k, memory, root, &format) && make_document(&k, format);
     json_decref(k.clips);
     json_decref(k.nodes);
     json_decref(k.parents);
     free(k.rows);
-    free(k.text);
+    free(k.numbers);
     return done;
+}
+
+int nkwi_keys_is(const void *data, size_t bytes)
+{
+    return nkwi_table_is(data, bytes);
 }
 
 int nkwi_keys_read(nkwi_document *document, const nkw_import_memory *memory, nkw_import_error *error)
 {
-    return read_keys(document, memory->data, memory->bytes, NULL, error);
+    return read_keys(document, memory, NULL, error);
 }
 
 int nkwi_keys_are(const nkwi_value *root)
 {
-    return nkwi_member(root, "rows").json && nkwi_member(root, "columns").json && !nkwi_member(root, "asset").json;
+    return !nkwi_member(root, "asset").json && (nkwi_table_are(root) || nkwi_scenes_are(root));
 }
 
 int nkwi_keys_read_tree(nkwi_document *document, const nkwi_value *root, nkw_import_error *error)
 {
-    const char *columns = nkwi_text(root, "columns", "");
-    return read_keys(document, columns, strlen(columns), root, error);
+    return read_keys(document, NULL, root, error);
 }

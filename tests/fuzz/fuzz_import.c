@@ -34,6 +34,14 @@ static const char keys[] = "index,name,time,clip,parent,interpolation,tx,ty,tz,q
                            "0,a,0,c,,,1,2,3,0,0,0,1,,,\n1,'b, b',0,c,a,STEP,,,,0,0,1,0,1,1,1\n# x\n"
                            "0,a,1,c,,,4,5,6,1,0,0,0,,,\n0,a,0,d,,,4,5,6,,,,,,,\n";
 
+static const char curves[] = "name,time,interpolation,weight,in_weight,tx,ty,tz,out_tx,out_ty,out_tz\n"
+                             "a,0,CUBICSPLINE,1,2,,,,,,\na,0,CUBICSPLINE,3,4,,,,,,\na,1,CUBICSPLINE,5,,1,2,3,4,5,6\n"
+                             "a,1,CUBICSPLINE,6,,,,,,,\nb,0,,1,,,,,,,\n";
+
+static const char scenes[] = "{'s':[{'time':0,'pos':[1,2,3],'quat_xyzw':[0,1,0,0]},{'time':1,'pos':[1,2,3],"
+                             "'euler_yxz_yaw_pitch_roll':[1,2,3]},{'time':2,'pos':[4,5,6],'ori_rows':[0,-1,0,1,0,0,0,"
+                             "0,1]}],'t':[{'time':3,'pos':[1,2,3]}]}";
+
 static const char rows[] = "{'columns':'tx,ty,tz,yaw,pitch,roll','rows':[{'name':'a','time':0,'clip':0,'values':[1,2,3,"
                            "10,20,30]},{'name':'b','time':0,'parent':'a','values':[1,2,3,null,null,null]},{'name':'b',"
                            "'interpolation':'STEP','clip':'d','time':0,'values':[null,null,null,1,2,3]}]}";
@@ -141,7 +149,7 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
 {
     fuzz f = fuzz_begin(data, size);
     char *text = (char *)fuzz_block(&f, TEXT_MOST);
-    static const char *const texts[8] = {whole, whole, whole, whole, whole, whole, keys, rows};
+    static const char *const texts[8] = {whole, whole, whole, whole, curves, scenes, keys, rows};
     const char *from = texts[fuzz_byte(&f) % 8];
     size_t length = strlen(from), edits = fuzz_upto(&f, EDITS_MOST);
     for (size_t i = 0; i < length; i++)
