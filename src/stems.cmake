@@ -3,7 +3,7 @@
 # tests/accuracy (accuracy_) and bench (bench_).
 set(NKW_FLOOR_0 base)
 set(NKW_FLOOR_1 scalar)
-set(NKW_FLOOR_2 types vec quat mat euler transform dual)
+set(NKW_FLOOR_2 types vec quat mat euler axes transform dual)
 set(NKW_FLOOR_3 curve orient)
 set(NKW_FLOOR_4 segment keyframe track playback pose clip)
 set(NKW_FLOOR_5 skeleton blend)

@@ -23,6 +23,8 @@ int figure_orient_paths(const char *path);
 int figure_orient_shorter(const char *path);
 int figure_orient_euler(const char *path);
 int figure_euler_pole(const char *path);
+/* axes.c */
+int figure_axes_tools(const char *path);
 /* memory.c */
 int figure_segment_lookup(const char *path);
 int figure_mat_layout(const char *path);

@@ -19,6 +19,7 @@ static const struct {
     {"skeleton-models", figure_skeleton_models}, {"blend-poses", figure_blend_poses},
     {"palette-layouts", figure_palette_layouts}, {"crowd-lanes", figure_crowd_lanes},
     {"skin-twist", figure_skin_twist},           {"partition-parts", figure_partition_parts},
+    {"axes-tools", figure_axes_tools},
 };
 
 int main(int argc, char **argv)

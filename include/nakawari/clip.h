@@ -46,6 +46,16 @@ typedef struct nkw_clip_track {
 } nkw_clip_track;
 
 /**
+ * Converts the values of a track to other axes by nkw_track_convert_axes: NKW_CLIP_TRANSLATION as NKW_AXES_VEC3,
+ * _ROTATION as _QUAT, _SCALE as _SCALE. Values of NKW_CLIP_FLOATS have no axes and are copied. Convert all tracks of a
+ * source and its rest pose (nkw_pose_convert_axes) before nkw_clip_build.
+ *
+ * values   receives nkw_track_value_count floats; may be the values of the track
+ * Returns  as nkw_track_convert_axes; NKW_BAD_METHOD for an unknown target
+ */
+NKW_API nkw_result nkw_clip_track_convert_axes(const nkw_clip_track *track, nkw_axes_map map, float *values);
+
+/**
  * The format of stored keys. Bytes of a track of n keys:
  *
  *                                          FLOAT32     UNORM16

@@ -18,6 +18,7 @@
 #include "quat.h"
 #include "mat.h"
 #include "euler.h"
+#include "axes.h"
 #include "transform.h"
 #include "dual.h"
 

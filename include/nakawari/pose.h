@@ -19,6 +19,7 @@
 #ifndef NAKAWARI_POSE_H
 #define NAKAWARI_POSE_H
 
+#include "axes.h"
 #include "types.h"
 
 #ifdef __cplusplus
@@ -67,6 +68,12 @@ NKW_API nkw_result nkw_pose_set(nkw_pose_span pose, size_t joint, const nkw_trs 
 /** Copies joint_count transforms into a pose and back, bit for bit. The padding of the pose becomes the identity. */
 NKW_API void nkw_pose_from_trs(const nkw_trs *trs, nkw_pose_span pose);
 NKW_API void nkw_trs_from_pose(nkw_pose_view pose, nkw_trs *out);
+
+/**
+ * Converts a pose to other axes: joint j receives nkw_axes_convert_trs of its transform. The padding becomes that of an
+ * identity. `out` may be `pose`. Returns NKW_MISMATCHED if out has another number of joints; nothing is then written.
+ */
+NKW_API nkw_result nkw_pose_convert_axes(nkw_pose_view pose, nkw_axes_map map, nkw_pose_span out);
 
 /**
  * Checks a pose.

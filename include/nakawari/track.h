@@ -34,6 +34,7 @@
 
 #include <stdint.h>
 
+#include "axes.h"
 #include "segment.h"
 #include "types.h"
 
@@ -114,6 +115,19 @@ NKW_API void nkw_track_sample_cursor(const nkw_track *track, float time, uint32_
  * The same for a known segment: the result of nkw_segment_find for track->times. For tracks that share their key times.
  */
 NKW_API void nkw_track_sample_segment(const nkw_track *track, nkw_segment segment, float *out);
+
+/**
+ * Converts the values and tangents of a track to other axes. Samples of the converted track are the converted samples:
+ * with the same bits, except the signs of zeros; those of rotations to rounding. In place, convert each array once:
+ * tracks may share their values.
+ *
+ * kind     what the values are: a translation is NKW_AXES_VEC3
+ * values   receives nkw_track_value_count(track) floats; may be track->values
+ * Returns  NKW_OK; NKW_BAD_METHOD for an unknown kind; NKW_BAD_WIDTH if the width is not nkw_axes_kind_width(kind);
+ *          NKW_OUT_OF_RANGE for a map that is not valid; NKW_TOO_SMALL if the number of floats exceeds size_t; nothing
+ *          is then written
+ */
+NKW_API nkw_result nkw_track_convert_axes(const nkw_track *track, nkw_axes_kind kind, nkw_axes_map map, float *values);
 
 /** The number of floats of working memory to compare or resample tracks of this width. */
 #define NKW_TRACK_WORK(width) (2 * (width))

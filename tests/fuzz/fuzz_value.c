@@ -101,6 +101,22 @@ static void orient(const any *a, nkw_path path, nkw_unwrap unwrap)
     nkw_euler_lerp(a->v[0], a->v[1], t, unwrap);
 }
 
+static void axes(const any *a, fuzz *f)
+{
+    nkw_axes_map map = {(nkw_axis)(fuzz_choice(f, 6) - 3), (nkw_axis)(fuzz_choice(f, 6) - 3),
+                        (nkw_axis)(fuzz_choice(f, 6) - 3)};
+    nkw_axes from = {map.x, map.y, map.z}, to = {map.z, map.x, map.y};
+    nkw_axes_map back = nkw_axes_map_inverse(map);
+    nkw_trs there = nkw_axes_convert_trs(map, &a->trs), again = nkw_axes_convert_trs(back, &there);
+    nkw_mat4 m = nkw_axes_convert_mat4(map, &a->m4), n = nkw_axes_convert_mat4(back, &m);
+    int is_valid = nkw_axes_map_is_valid(map);
+    FUZZ_CHECK(is_valid == nkw_axes_is_valid(from) && nkw_axes_map_is_valid(nkw_axes_map_from_axes(from, to)));
+    FUZZ_CHECK(!is_valid ||
+               (fuzz_same(&again.translation.x, &a->trs.translation.x, 10) && fuzz_same(n.m, a->m4.m, 16)));
+    nkw_axes_convert_euler(map, a->v[0]), nkw_axes_convert_mat3(map, &a->m3), nkw_mat3_from_axes_map(map);
+    nkw_axes_convert_euler_order(map, (nkw_euler_order)fuzz_choice(f, 5));
+}
+
 static void mat(const any *a, size_t column)
 {
     float rows[16];
@@ -173,6 +189,7 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
     vec(a);
     quat(a, (nkw_euler_order)fuzz_choice(&f, 5));
     orient(a, (nkw_path)fuzz_choice(&f, 2), (nkw_unwrap)fuzz_choice(&f, 2));
+    axes(a, &f);
     mat(a, fuzz_byte(&f));
     transform(a);
     curve(a);

@@ -305,6 +305,19 @@ static nkw_quat at_the_pole(const input *i)
     return nkw_quat_normalize(pole);
 }
 
+/* Any of the 48 signed permutations. */
+static nkw_axes_map some_axes(const input *i)
+{
+    nkw_axes_map turned = {NKW_AXIS_X, NKW_AXIS_Y, NKW_AXIS_Z};
+    const nkw_axis x = turned.x, y = turned.y, z = turned.z;
+    const nkw_axis named[6][3] = {{x, y, z}, {x, z, y}, {y, x, z}, {y, z, x}, {z, x, y}, {z, y, x}};
+    const nkw_axis *n = named[i->order];
+    turned.x = (nkw_axis)(i->s[0] < 0.0f ? -(int)n[0] : (int)n[0]);
+    turned.y = (nkw_axis)(i->s[1] < 0.0f ? -(int)n[1] : (int)n[1]);
+    turned.z = (nkw_axis)(i->s[2] < 0.0f ? -(int)n[2] : (int)n[2]);
+    return turned;
+}
+
 static void weights_of_four(float *o, const input *i, nkw_skin_format format)
 {
     float weights[8];

@@ -183,3 +183,6 @@ K(quat_log_half_turn, 3, put_vec3(o, nkw_quat_log(nkw_quat_mul(i->q[0], i->q[3])
 K(mat3_from_quat_scale_off_unit, 9, put_mat3(o, nkw_mat3_from_quat_scale(nkw_quat_scale(i->q[0], 0x1.004p0f), i->v[0])))
 K(angle_difference_far, 2, (o[0] = nkw_angle_difference(i->x[0], i->s[0]), o[1] = nkw_angle_difference(i->s[1], i->x[1])))
 K(playback_ping_pong_far, 2, put_head(o, nkw_playback_head(NKW_PLAYBACK_PING_PONG, 0.0f, i->t + 0.25f, 0x1p38f * i->s[1])))
+
+K(axes_convert_trs, 10, put_trs(o, nkw_axes_convert_trs(some_axes(i), &i->trs)))
+K(axes_convert_mat4, 16, put_mat4(o, nkw_axes_convert_mat4(some_axes(i), &i->n)))

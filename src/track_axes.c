@@ -1,0 +1,19 @@
+/* SPDX-License-Identifier: MIT */
+#include "lane/strict.h"
+
+#include <nakawari/track.h>
+
+nkw_result nkw_track_convert_axes(const nkw_track *track, nkw_axes_kind kind, nkw_axes_map map, float *values)
+{
+    size_t width = nkw_axes_kind_width(kind), count = nkw_track_value_count(track);
+    if (width == 0)
+        return NKW_BAD_METHOD;
+    if (track->width != width)
+        return NKW_BAD_WIDTH;
+    if (!nkw_axes_map_is_valid(map))
+        return NKW_OUT_OF_RANGE;
+    if (count == SIZE_MAX)
+        return NKW_TOO_SMALL;
+    nkw_axes_convert_values(map, kind, track->values, values, count / width);
+    return NKW_OK;
+}
