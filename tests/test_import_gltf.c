@@ -280,6 +280,63 @@ static void extensions_that_change_nothing_are_ignored(void **state)
     nkw_document_close(d);
 }
 
+/* Images of base colours: a data URI, a buffer view, an outer file; and five that are none. */
+static void images_of_base_colours_are_kept(void **state)
+{
+    (void)state;
+    const unsigned char bytes[] = {0x89, 'P', 'N', 'G'};
+    nkw_document *d =
+        opened("{" ASSET BUFFER(
+                   4) "'bufferViews':[{'buffer':0,'byteOffset':1,'byteLength':3}],'nodes':[{}],"
+                      "'images':[{'uri':'data:image/png;base64,AAECAw==','name':'a'},{'bufferView':0},"
+                      "{'uri':'skins/fox%20red.png'},{'uri':'../x.png'},{'bufferView':7},{'uri':'data:,unused'}],"
+                      "'textures':[{'source':0},{'source':1},{'source':2},{'source':3},{'source':4},{}],'materials':["
+                      "{'pbrMetallicRoughness':{'baseColorTexture':{'index':0}}},"
+                      "{'pbrMetallicRoughness':{'baseColorTexture':{'index':1}}},"
+                      "{'pbrMetallicRoughness':{'baseColorTexture':{'index':2}}},"
+                      "{'pbrMetallicRoughness':{'baseColorTexture':{'index':3}}},"
+                      "{'pbrMetallicRoughness':{'baseColorTexture':{'index':4}}},"
+                      "{'pbrMetallicRoughness':{'baseColorTexture':{'index':5}}},"
+                      "{'pbrMetallicRoughness':{'baseColorTexture':{'index':0,'texCoord':1}}},"
+                      "{'pbrMetallicRoughness':{'baseColorTexture':{'index':9}}},{}]}",
+               bytes, sizeof bytes);
+    const nkw_document_image *image[9];
+    for (size_t i = 0; i < 9; i++)
+        image[i] = d->materials[i].image;
+    assert_int_equal(d->image_count, 6);
+    assert_string_equal(image[0]->name, "a");
+    assert_int_equal(image[0]->bytes, 4);
+    assert_memory_equal(image[0]->data, "\0\1\2\3", 4);
+    assert_int_equal(image[1]->bytes, 3);
+    assert_memory_equal(image[1]->data, "PNG", 3);
+    assert_null(image[2]->data);
+    assert_string_equal(image[2]->path, "skins/fox red.png");
+    assert_true(!image[3]->data && !image[3]->path && !image[4]->data && !image[4]->path);
+    assert_true(!image[5] && !image[6] && !image[7] && !image[8]);
+    assert_null(d->images[5].data); /* of no material */
+    nkw_document_close(d);
+}
+
+static void colours_of_vertices_have_alpha(void **state)
+{
+    (void)state;
+    const unsigned char bytes[32] = {0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0x33, 0xff, 0, 0x66, 0, 0, 0};
+    const float three[4] = {0, 0.2f, 1, 1}, four[4] = {0, 0.2f, 1, 0};
+    nkw_document *d =
+        opened("{" ASSET BUFFER(32) "'bufferViews':[{'buffer':0,'byteLength':32}],'nodes':[{}],"
+                                    "'accessors':[{'bufferView':0,'componentType':5126,'count':1,'type':'VEC3'},"
+                                    "{'bufferView':0,'componentType':5121,'normalized':true,'byteOffset':12,"
+                                    "'count':1,'type':'VEC3'},{'bufferView':0,'componentType':5121,"
+                                    "'normalized':true,'byteOffset':12,'count':1,'type':'VEC4'}],'meshes':[{"
+                                    "'primitives':[{'attributes':{'POSITION':0,'COLOR_0':1}},"
+                                    "{'attributes':{'POSITION':0,'COLOR_0':2}},{'attributes':{'POSITION':0}}]}]}",
+               bytes, sizeof bytes);
+    expect_floats_bits(d->meshes[0].primitives[0].colors, three, 4);
+    expect_floats_bits(d->meshes[0].primitives[1].colors, four, 4);
+    assert_null(d->meshes[0].primitives[2].colors);
+    nkw_document_close(d);
+}
+
 /* The character of the examples: two skins, morph targets, three clips. */
 static void the_character_of_the_examples_is_read(void **state)
 {
@@ -356,6 +413,8 @@ int main(void)
         cmocka_unit_test(morph_targets_have_weights),
         cmocka_unit_test(buffers_are_data_or_files),
         cmocka_unit_test(extensions_that_change_nothing_are_ignored),
+        cmocka_unit_test(images_of_base_colours_are_kept),
+        cmocka_unit_test(colours_of_vertices_have_alpha),
         cmocka_unit_test(the_character_of_the_examples_is_read),
         cmocka_unit_test(documents_without_animations_have_a_rest_clip),
     };

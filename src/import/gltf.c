@@ -101,8 +101,8 @@ static int read_parts(nkwi_gltf *g)
         return 0;
     g->buffers = (nkwi_buffer *)nkwi_gltf_scratch(g, &g->buffer_list, buffers, sizeof *g->buffers);
     g->accessors = (nkwi_accessor *)nkwi_gltf_scratch(g, &g->accessor_list, g->accessor_count, sizeof *g->accessors);
-    return g->buffers && g->accessors && nkwi_gltf_materials(g) && nkwi_gltf_meshes(g) && nkwi_gltf_nodes(g) &&
-           nkwi_gltf_skins(g) && nkwi_gltf_animations(g) && nkwi_gltf_scenes(g);
+    return g->buffers && g->accessors && nkwi_gltf_images(g) && nkwi_gltf_materials(g) && nkwi_gltf_meshes(g) &&
+           nkwi_gltf_nodes(g) && nkwi_gltf_skins(g) && nkwi_gltf_animations(g) && nkwi_gltf_scenes(g);
 }
 
 static uint32_t number_at(const unsigned char *p)

@@ -57,6 +57,8 @@ typedef struct nkwi_gltf {
     nkwi_buffer *buffers;
     nkwi_accessor *accessors;
     size_t node_count, mesh_count, skin_count, material_count, accessor_count;
+    nkw_document_image *images; /* document->all.images, to be completed */
+    unsigned char *image_is_read;
 } nkwi_gltf;
 
 /* Scratch memory, and memory of the document. */
@@ -84,8 +86,16 @@ int nkwi_gltf_floats(nkwi_gltf *g, const nkwi_value *object, const char *key, si
 int nkwi_gltf_integers(nkwi_gltf *g, const nkwi_value *object, const char *key, const uint32_t **out, size_t *count);
 int nkwi_gltf_shorts(nkwi_gltf *g, const nkwi_value *object, const char *key, const uint16_t **out, size_t *count);
 
+/* The bytes of the buffer view that the member `bufferView` of `object` names. */
+int nkwi_gltf_view(nkwi_gltf *g, const nkwi_value *object, const unsigned char **data, size_t *bytes);
+
 /* The bytes of the elements of an accessor that was decoded. */
 size_t nkwi_gltf_bytes(const nkwi_gltf *g, size_t accessor);
+
+/* The images, without their data (gltf_image.c). */
+int nkwi_gltf_images(nkwi_gltf *g);
+/* The image of the texture that the member `key` of `object` names, with its data or path; NULL without one. */
+const nkw_document_image *nkwi_gltf_texture(nkwi_gltf *g, const nkwi_value *object, const char *key);
 
 /* The parts of a file (gltf_node.c, gltf_mesh.c, gltf_animation.c), in this order. */
 int nkwi_gltf_materials(nkwi_gltf *g);

@@ -66,6 +66,20 @@ static int find_elements(nkwi_gltf *g, const nkwi_value *object, nkwi_elements *
     return 1;
 }
 
+int nkwi_gltf_view(nkwi_gltf *g, const nkwi_value *object, const unsigned char **data, size_t *bytes)
+{
+    int32_t index;
+    nkwi_elements e = {NULL, 0, 1, 0};
+    if (!nkwi_needed_index(g->error, object, "bufferView", "buffer view", nkwi_length(&g->view_list), &index))
+        return 0;
+    nkwi_value view = nkwi_element(&g->view_list, (size_t)index), length = nkwi_member(&view, "byteLength");
+    if (!nkwi_integer(g->error, &length, &e.count) || !find_elements(g, object, &e))
+        return 0;
+    *data = e.data;
+    *bytes = e.count;
+    return e.stride == 1 || nkwi_fail(g->error, &view.place, NKW_IMPORT_INVALID, "has a stride and is no array");
+}
+
 static int open_sparse(nkwi_gltf *g, const nkwi_value *object, nkwi_accessor *a)
 {
     nkwi_value sparse = nkwi_member(object, "sparse"), indices = nkwi_member(&sparse, "indices");

@@ -30,6 +30,29 @@ static int read_vectors(nkwi_gltf *g, const nkwi_value *attributes, const char *
     return done;
 }
 
+/* COLOR_0: three components or four; alpha is 1 where there are three. */
+static int read_colors(nkwi_gltf *g, const nkwi_value *attributes, nkw_document_primitive *out)
+{
+    int32_t index;
+    const float *given;
+    if (!nkwi_index(g->error, attributes, "COLOR_0", "accessor", g->accessor_count, &index))
+        return 0;
+    if (index == NKW_NO_JOINT)
+        return 1;
+    nkwi_value accessor = nkwi_element(&g->accessor_list, (size_t)index);
+    if (strcmp(nkwi_text(&accessor, "type", ""), "VEC3") != 0)
+        return read_attribute(g, attributes, "COLOR_0", 4, out->vertex_count, &out->colors);
+    float *colors = (float *)nkwi_gltf_take(g, attributes, out->vertex_count, 4 * sizeof *colors);
+    if (!colors || !read_attribute(g, attributes, "COLOR_0", 3, out->vertex_count, &given))
+        return 0;
+    for (size_t i = 0; i < out->vertex_count; i++) {
+        memcpy(colors + 4 * i, given + 3 * i, 3 * sizeof *colors);
+        colors[4 * i + 3] = 1.0f;
+    }
+    out->colors = colors;
+    return 1;
+}
+
 /* 3.7.2.1: the lists that a mode means. `corner` returns the vertex of corner c of shape i of n. */
 enum { MODE_POINTS, MODE_LINES, MODE_LOOP, MODE_STRIP, MODE_TRIANGLES, MODE_TRIANGLE_STRIP, MODE_TRIANGLE_FAN };
 
@@ -249,7 +272,8 @@ static int read_primitive(nkwi_gltf *g, const nkwi_value *object, nkw_document_p
     return read_vectors(g, &attributes, "NORMAL", out->vertex_count, &out->normals) &&
            read_attribute(g, &attributes, "TANGENT", 4, out->vertex_count, &out->tangents) &&
            read_attribute(g, &attributes, "TEXCOORD_0", 2, out->vertex_count, &out->texcoords) &&
-           read_indices(g, object, out) && read_influences(g, &attributes, out) && read_targets(g, object, out);
+           read_colors(g, &attributes, out) && read_indices(g, object, out) && read_influences(g, &attributes, out) &&
+           read_targets(g, object, out);
 }
 
 /* Names are a convention of exporters: mesh.extras.targetNames. */
@@ -332,6 +356,7 @@ int nkwi_gltf_materials(nkwi_gltf *g)
         if (!materials[i].name || !nkwi_is_object(g->error, &object) ||
             !nkwi_floats(g->error, &pbr, "baseColorFactor", materials[i].color, 4))
             return 0;
+        materials[i].image = nkwi_gltf_texture(g, &pbr, "baseColorTexture");
     }
     return 1;
 }

@@ -95,6 +95,7 @@ typedef struct nkw_document_primitive {
     const nkw_vec3 *normals;
     const float *tangents; /**< 4 floats for each vertex: x y z, and the sign of the bitangent */
     const float *texcoords; /**< 2 floats for each vertex: the first set */
+    const float *colors; /**< 4 floats for each vertex: red, green, blue, alpha; linear: the first set */
     const uint32_t
         *indices; /**< index_count vertices, each less than vertex_count; never NULL: 0, 1, 2 ... if absent */
     size_t index_count;
@@ -117,9 +118,18 @@ typedef struct nkw_document_mesh {
     size_t target_count; /**< of every primitive of the mesh */
 } nkw_document_mesh;
 
+/** A picture in a file, or beside it. A picture that cannot be found has neither data nor path. */
+typedef struct nkw_document_image {
+    const char *name;
+    const void *data; /**< as stored: a PNG or JPEG file; NULL if it is in no file that was read */
+    size_t bytes;
+    const char *path; /**< of an outer file, relative to the folder of the first file; otherwise NULL */
+} nkw_document_image;
+
 typedef struct nkw_document_material {
     const char *name;
     float color[4]; /**< base colour: red, green, blue, alpha; linear, 0..1 */
+    const nkw_document_image *image; /**< NULL, or the base colour at `texcoords`, to be multiplied; sRGB, repeated */
 } nkw_document_material;
 
 /** Where a track of an animation is in the file. */
@@ -163,6 +173,8 @@ typedef struct nkw_document {
     size_t mesh_count;
     const nkw_document_material *materials;
     size_t material_count;
+    const nkw_document_image *images; /**< only those of base colours have data or a path */
+    size_t image_count;
     const nkw_document_animation *animations;
     size_t animation_count;
     const nkw_document_scene *scenes;
