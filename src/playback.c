@@ -4,31 +4,7 @@
 #include <nakawari/playback.h>
 
 #include "lane/scalar.h"
-
-/* floor(x) for |x| < 2^51; x unchanged otherwise. */
-static double floor64(double x)
-{
-    double rounded = (x + LANE_ROUND) - LANE_ROUND;
-    double whole = x < 0x1p51 && x > -0x1p51 ? rounded : x;
-    return whole > x ? whole - 1.0 : whole;
-}
-
-/* x = cycle period + r, returns r, 0 <= r < period. Exact if cycle has at most 29 bits. */
-static double remainder_of(double x, double period, double *cycle)
-{
-    double n = floor64(x / period);
-    double r = x - n * period;
-    /* x / period may be rounded up or down to a whole number. */
-    if (r < 0.0) {
-        n -= 1.0;
-        r += period;
-    } else if (r >= period) {
-        n += 1.0;
-        r -= period;
-    }
-    *cycle = n;
-    return r > 0.0 && r < period ? r : 0.0;
-}
+#include "playback_cycle.h"
 
 static int is_positive(float x)
 {
@@ -65,11 +41,11 @@ nkw_play_head nkw_playback_head(nkw_playback mode, float start, float duration, 
     }
     if (x - x != 0.0)
         return head;
-    double r = remainder_of(x, duration, &cycle);
+    double r = playback_remainder(x, duration, &cycle);
     if (mode == NKW_PLAYBACK_LOOP)
         return looped(start, r, duration, cycle);
     double half = 0.5 * cycle;
-    int odd = floor64(half) != half;
+    int odd = lane_floor64(half) != half;
     head.time = (float)((double)start + (odd ? (double)duration - r : r));
     head.cycle = (float)cycle;
     return head;
@@ -158,8 +134,8 @@ static nkw_result pass_step(const nkw_playback_step *s, passed *p)
     if (is_too_long(s))
         return NKW_OUT_OF_RANGE;
     /* Cycle n contains the running times n duration + times[k]. The first and last cycle that meet the span: */
-    double first = floor64((span[0] - (double)s->times[s->key_count - 1]) / (double)s->duration);
-    double last = floor64((span[1] - (double)s->times[0]) / (double)s->duration);
+    double first = lane_floor64((span[0] - (double)s->times[s->key_count - 1]) / (double)s->duration);
+    double last = lane_floor64((span[1] - (double)s->times[0]) / (double)s->duration);
     /* From 2^53 on, neighbouring whole numbers are not distinct in binary64. */
     if (!(first > -0x1p53 && last < 0x1p53 && last - first < 0x1p31))
         return NKW_OUT_OF_RANGE;

@@ -60,6 +60,14 @@ static inline double lane_copysign64(double magnitude, double sign)
     return lane_double(lane_bits64(magnitude) | (lane_bits64(sign) & LANE_SIGN));
 }
 
+/* floor(x) for |x| < 2^51; x unchanged otherwise. */
+static inline double lane_floor64(double x)
+{
+    double rounded = (x + LANE_ROUND) - LANE_ROUND;
+    double whole = x < 0x1p51 && x > -0x1p51 ? rounded : x;
+    return whole > x ? whole - 1.0 : whole;
+}
+
 /*
  * Polynomials c[0] + c[1] z + ..., zz = z^2: pairs are summed first, then Horner in zz.
  * Half the latency of Horner for one product more.
