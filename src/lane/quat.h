@@ -84,6 +84,13 @@ static inline lane_f64_quat lane_f64_quat_conjugate(lane_f64_quat q)
     return r;
 }
 
+/* R(q) v for a unit q: v + 2 w (q x v) + 2 q x (q x v). */
+static inline lane_f64_vec3 lane_f64_quat_rotate(lane_f64_quat q, lane_f64_vec3 v)
+{
+    lane_f64_vec3 axis = {q.x, q.y, q.z};
+    return lane_f64_vec3_turned(axis, v, 2.0 * q.w, 2.0);
+}
+
 /* q / |q|; zero returns the identity. */
 static inline lane_f64_quat lane_f64_quat_normalize(lane_f64_quat q)
 {

@@ -32,6 +32,19 @@ static inline lane_f64_vec3 lane_f64_vec3_scale(lane_f64_vec3 a, double s)
     return r;
 }
 
+static inline lane_f64_vec3 lane_f64_vec3_add(lane_f64_vec3 a, lane_f64_vec3 b)
+{
+    lane_f64_vec3 r = {a.x + b.x, a.y + b.y, a.z + b.z};
+    return r;
+}
+
+/* a + s b */
+static inline lane_f64_vec3 lane_f64_vec3_add_scaled(lane_f64_vec3 a, lane_f64_vec3 b, double s)
+{
+    lane_f64_vec3 r = {a.x + s * b.x, a.y + s * b.y, a.z + s * b.z};
+    return r;
+}
+
 static inline lane_f64_vec3 lane_f64_vec3_sub(lane_f64_vec3 a, lane_f64_vec3 b)
 {
     lane_f64_vec3 r = {a.x - b.x, a.y - b.y, a.z - b.z};
@@ -47,6 +60,13 @@ static inline lane_f64_vec3 lane_f64_vec3_cross(lane_f64_vec3 a, lane_f64_vec3 b
 {
     lane_f64_vec3 r = {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
     return r;
+}
+
+/* v + a r x v + b r x (r x v) */
+static inline lane_f64_vec3 lane_f64_vec3_turned(lane_f64_vec3 r, lane_f64_vec3 v, double a, double b)
+{
+    lane_f64_vec3 c = lane_f64_vec3_cross(r, v);
+    return lane_f64_vec3_add_scaled(lane_f64_vec3_add_scaled(v, c, a), lane_f64_vec3_cross(r, c), b);
 }
 
 static inline double lane_f64_vec3_length(lane_f64_vec3 a)
