@@ -10,34 +10,9 @@
 #include "space.h"
 #include "svg.h"
 
-/* scalar.c */
-int figure_scalar_lerp(const char *path);
-/* curve.c and uneven.c */
-int figure_curve_bases(const char *path);
-int figure_curve_four(const char *path);
-int figure_curve_uneven(const char *path);
-int figure_curve_tangents(const char *path);
-/* arc.c and pole.c */
-int figure_orient_speed(const char *path);
-int figure_orient_paths(const char *path);
-int figure_orient_shorter(const char *path);
-int figure_orient_euler(const char *path);
-int figure_euler_pole(const char *path);
-/* axes.c */
-int figure_axes_tools(const char *path);
-/* memory.c */
-int figure_segment_lookup(const char *path);
-int figure_mat_layout(const char *path);
-/* clip.c */
-int figure_clip_layout(const char *path);
-/* skeleton.c, blend.c, palette.c, skin.c */
-int figure_skeleton_order(const char *path);
-int figure_skeleton_models(const char *path);
-int figure_blend_poses(const char *path);
-int figure_palette_layouts(const char *path);
-int figure_crowd_lanes(const char *path);
-int figure_skin_twist(const char *path);
-int figure_partition_parts(const char *path);
+#define F(name, draw) int draw(const char *path);
+#include "list.h"
+#undef F
 
 /* ---- shared, in figure.c ---- */
 

@@ -9,17 +9,9 @@ static const struct {
     const char *name;
     int (*draw)(const char *path);
 } figures[] = {
-    {"curve-bases", figure_curve_bases},         {"curve-four", figure_curve_four},
-    {"curve-uneven", figure_curve_uneven},       {"curve-tangents", figure_curve_tangents},
-    {"orient-speed", figure_orient_speed},       {"orient-paths", figure_orient_paths},
-    {"orient-shorter", figure_orient_shorter},   {"orient-euler", figure_orient_euler},
-    {"euler-pole", figure_euler_pole},           {"segment-lookup", figure_segment_lookup},
-    {"mat-layout", figure_mat_layout},           {"scalar-lerp", figure_scalar_lerp},
-    {"clip-layout", figure_clip_layout},         {"skeleton-order", figure_skeleton_order},
-    {"skeleton-models", figure_skeleton_models}, {"blend-poses", figure_blend_poses},
-    {"palette-layouts", figure_palette_layouts}, {"crowd-lanes", figure_crowd_lanes},
-    {"skin-twist", figure_skin_twist},           {"partition-parts", figure_partition_parts},
-    {"axes-tools", figure_axes_tools},
+#define F(name, draw) {name, draw},
+#include "list.h"
+#undef F
 };
 
 int main(int argc, char **argv)

@@ -30,6 +30,7 @@
 #include "segment.h"
 #include "keyframe.h"
 #include "track.h"
+#include "edit.h"
 #include "playback.h"
 #include "pose.h"
 #include "clip.h"

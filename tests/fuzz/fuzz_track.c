@@ -90,6 +90,19 @@ static void bake(fuzz *f, const nkw_track *t, const nkw_track *other)
     FUZZ_CHECK(out.count <= t->count && (found > 0.0f) == (out.count > 0));
 }
 
+static void edit(fuzz *f, const nkw_track *t, const nkw_track *other)
+{
+    size_t capacity = fuzz_upto(f, 2 * KEYS);
+    nkw_edit_memory m = {fuzz_room(f, capacity), fuzz_room(f, capacity * 3 * WIDTH), fuzz_bytes(f, capacity), capacity};
+    nkw_track out;
+    FUZZ_CHECK((nkw_track_trim(t, fuzz_float(f), fuzz_float(f), &m, &out) == NKW_OK) == (out.count > 0));
+    FUZZ_CHECK(out.count <= capacity);
+    FUZZ_CHECK((nkw_track_retime(t, fuzz_float(f), fuzz_float(f), &m, &out) == NKW_OK) == (out.count > 0));
+    FUZZ_CHECK((nkw_track_join(t, other, &m, &out) == NKW_OK) == (out.count > 0));
+    FUZZ_CHECK((nkw_track_close(t, fuzz_float(f), &m, &out) == NKW_OK) == (out.count > 0));
+    FUZZ_CHECK(out.count <= capacity);
+}
+
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
 {
     fuzz f = fuzz_begin(data, size);
@@ -97,5 +110,6 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
     sample(&f, &t);
     finite(&f, &t);
     bake(&f, &t, &other);
+    edit(&f, &t, &other);
     return fuzz_end(&f);
 }

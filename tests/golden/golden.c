@@ -17,6 +17,7 @@
 #include "../support/put.h"
 #include "../support/random.h"
 #include "../support/resample.h"
+#include "edits.h"
 
 #define ROUNDS 4000
 

@@ -1,0 +1,37 @@
+/* SPDX-License-Identifier: MIT */
+/* Edits of a track of three keys, hashed by one of its samples. */
+#ifndef NAKAWARI_TESTS_GOLDEN_EDITS_H
+#define NAKAWARI_TESTS_GOLDEN_EDITS_H
+
+#include <string.h>
+
+#include <nakawari/nakawari.h>
+
+typedef enum edit_kind { EDIT_TRIM, EDIT_RETIME, EDIT_JOIN, EDIT_CLOSE } edit_kind;
+
+/* Three keys of quaternions at times[0..2]; writes the number of keys, the last time and the last key: 14 floats. */
+static void edit_track(float *o, const float *times, const nkw_quat *q, const float *s, edit_kind kind,
+                       nkw_interpolation mode)
+{
+    float values[36], made_times[8], made[96];
+    for (unsigned k = 0; k < 9; k++)
+        memcpy(values + 4 * k, &q[k % 4], 4 * sizeof(float));
+    nkw_track track = {times, values, 3, 4, NKW_TRACK_ROTATION, mode, NULL}, out;
+    nkw_edit_memory memory = {made_times, made, NULL, 8};
+    if (kind == EDIT_TRIM)
+        nkw_track_trim(&track, nkw_min(s[0], s[1]), nkw_max(s[0], s[1]), &memory, &out);
+    else if (kind == EDIT_RETIME)
+        nkw_track_retime(&track, s[0], s[1], &memory, &out);
+    else if (kind == EDIT_JOIN)
+        nkw_track_join(&track, &track, &memory, &out);
+    else
+        nkw_track_close(&track, 0.5f, &memory, &out);
+    o[0] = (float)out.count;
+    if (out.count == 0)
+        return;
+    size_t size = mode == NKW_INTERPOLATION_CUBICSPLINE ? 12 : 4;
+    o[1] = out.times[out.count - 1];
+    memcpy(o + 2, out.values + size * (out.count - 1), size * sizeof(float));
+}
+
+#endif
