@@ -86,3 +86,38 @@ nkw_vec3 nkw_euler_unwrap(nkw_vec3 angles, nkw_vec3 reference)
     };
     return r;
 }
+
+/* x without half a turn, towards 0. */
+static float turned_half(float x)
+{
+    return (float)((double)x - lane_copysign64(LANE_PI, (double)x));
+}
+
+nkw_vec3 nkw_euler_alternate(nkw_vec3 angles, nkw_euler_order order)
+{
+    const lane_euler_axes *o = lane_euler_axes_of(order);
+    const float a[3] = {angles.x, angles.y, angles.z};
+    const float v[3] = {turned_half(a[o->i]), -turned_half(a[o->j]), turned_half(a[o->k])};
+    nkw_vec3 r = {v[o->of[0]], v[o->of[1]], v[o->of[2]]};
+    return r;
+}
+
+/* The sum of the squared differences of the angles. */
+static double squared_distance(nkw_vec3 a, nkw_vec3 b)
+{
+    lane_f64_vec3 d = lane_f64_vec3_sub(lane_f64_vec3_from(a), lane_f64_vec3_from(b));
+    return lane_f64_vec3_dot(d, d);
+}
+
+nkw_vec3 nkw_euler_nearest(nkw_vec3 angles, nkw_vec3 reference, nkw_euler_order order)
+{
+    nkw_vec3 first = nkw_euler_unwrap(angles, reference);
+    nkw_vec3 second = nkw_euler_unwrap(nkw_euler_alternate(angles, order), reference);
+    return squared_distance(second, reference) < squared_distance(first, reference) ? second : first;
+}
+
+void nkw_euler_filter(const nkw_vec3 *angles, nkw_euler_order order, nkw_vec3 *out, size_t count)
+{
+    for (size_t i = 0; i < count; i++)
+        out[i] = i > 0 ? nkw_euler_nearest(angles[i], out[i - 1], order) : angles[i];
+}

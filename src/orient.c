@@ -13,7 +13,7 @@ LANE_SELDOM static f32x4 slerp_any(f32x4 a, f32x4 b, float t)
 {
     if (lane_t_is_inside(t))
         return f32x4_slerp(a, b, t, 0, 0);
-    nkw_quat r = lane_quat_slerp_path(quat_from_f32x4(a), quat_from_f32x4(b), t, NKW_PATH_SHORT);
+    nkw_quat r = lane_quat_slerp_turned(quat_from_f32x4(a), quat_from_f32x4(b), t, NKW_PATH_SHORT, 0);
     return f32x4_from_quat(r);
 }
 
@@ -29,9 +29,36 @@ nkw_quat nkw_quat_slerp(nkw_quat a, nkw_quat b, float t)
 }
 #endif
 
-nkw_quat nkw_quat_slerp_path(nkw_quat a, nkw_quat b, float t, nkw_path path)
+nkw_quat nkw_quat_slerp_path(nkw_quat a, nkw_quat b, float t, nkw_path path, int32_t turns)
 {
-    return lane_quat_slerp_path(a, b, t, path);
+    return lane_quat_slerp_path(a, b, t, path, turns);
+}
+
+nkw_quat nkw_quat_nlerp_path(nkw_quat a, nkw_quat b, float t, nkw_path path, int32_t turns)
+{
+    lane_f64_quat from = lane_f64_quat_from(a);
+    lane_f64_quat to = lane_f64_quat_aligned(from, lane_f64_quat_from(b), path);
+    lane_f64_arc arc = lane_f64_arc_between(from, to);
+    double t64 = (double)t, la = lane_sqrt64(lane_f64_quat_dot(from, from));
+    double part = t64 * lane_sqrt64(lane_f64_quat_dot(to, to));
+    double x = lane_atan2_64(part * (arc.is_along ? 0.0 : arc.sine), (1.0 - t64) * la + part * arc.cosine);
+    lane_f64_quat q = lane_f64_arc_at(&arc, x, turns == 0 ? 0.0 : t64 * (double)turns, 0);
+    return lane_quat_from_f64(t == 0.0f ? from : t == 1.0f ? lane_f64_quat_after(to, turns) : q);
+}
+
+#define MOST_TURNS 0x1p29
+
+int32_t nkw_quat_turns(nkw_quat a, nkw_quat b, nkw_path path, nkw_vec3 expected)
+{
+    lane_f64_quat from = lane_f64_quat_from(a);
+    lane_f64_arc arc = lane_f64_arc_between(from, lane_f64_quat_aligned(from, lane_f64_quat_from(b), path));
+    lane_f64_quat axis = lane_f64_quat_mul(arc.e, lane_f64_quat_conjugate(arc.u));
+    lane_f64_vec3 n = {axis.x, axis.y, axis.z};
+    double beyond = lane_f64_vec3_dot(n, lane_f64_vec3_from(expected)) - 2.0 * arc.h;
+    double turns = (beyond / LANE_TWO_PI + LANE_ROUND) - LANE_ROUND;
+    if (arc.h == 0.0 || !lane_is_finite(expected.x + expected.y + expected.z) || !(turns == turns))
+        return 0;
+    return (int32_t)(turns > MOST_TURNS ? MOST_TURNS : turns < -MOST_TURNS ? -MOST_TURNS : turns);
 }
 
 nkw_vec3 nkw_quat_log(nkw_quat q)

@@ -232,6 +232,57 @@ static void arrays_have_the_bits_of_the_single_function_at_any_size(void **state
     }
 }
 
+static void alternate_angles_are_the_same_rotation(void **state)
+{
+    (void)state;
+    random_source r = random_from(31);
+    for (int i = 0; i < 12000; i++) {
+        nkw_euler_order order = orders[i % 6];
+        nkw_vec3 a = random_vec3(&r, -3.0f, 3.0f), b = nkw_euler_alternate(a, order);
+        expect_rotation_near(nkw_quat_from_euler(b, order), nkw_quat_from_euler(a, order), 8e-7);
+        assert_true(nkw_vec3_distance(a, b) > 0.1f);
+        expect_vec3_near(nkw_euler_alternate(b, order), a, 8e-7);
+    }
+}
+
+/* A pitch that passes through the pole at constant speed: its other triple continues where the first jumps. */
+static void filtered_angles_pass_through_the_pole(void **state)
+{
+    (void)state;
+    enum { KEYS = 120 };
+    nkw_vec3 angles[KEYS], filtered[KEYS];
+    float jump = 0.0f;
+    for (int k = 0; k < KEYS; k++) {
+        nkw_vec3 turned = vec(0.1f * (float)k, 0.3f, 0.2f);
+        angles[k] = nkw_euler_from_quat(nkw_quat_from_euler(turned, NKW_EULER_YXZ), NKW_EULER_YXZ);
+        jump = k ? nkw_max(jump, nkw_vec3_distance(angles[k], angles[k - 1])) : jump;
+    }
+    assert_true(jump > 3.0f);
+    nkw_euler_filter(angles, NKW_EULER_YXZ, filtered, KEYS);
+    for (int k = 0; k < KEYS; k++)
+        expect_vec3_near(filtered[k], vec(0.1f * (float)k, 0.3f, 0.2f), 3e-5);
+    nkw_euler_filter(angles, NKW_EULER_YXZ, angles, KEYS);
+    assert_memory_equal(angles, filtered, sizeof angles);
+    nkw_euler_filter(angles, NKW_EULER_YXZ, angles, 0);
+}
+
+static void nearest_angles_are_no_farther_than_either_triple(void **state)
+{
+    (void)state;
+    random_source r = random_from(32);
+    for (int i = 0; i < 12000; i++) {
+        nkw_euler_order order = orders[i % 6];
+        nkw_vec3 a = random_vec3(&r, -6.0f, 6.0f), reference = random_vec3(&r, -20.0f, 20.0f);
+        nkw_vec3 got = nkw_euler_nearest(a, reference, order);
+        float distance = nkw_vec3_distance(got, reference) * (1.0f - 1e-6f);
+        assert_true(distance <= nkw_vec3_distance(nkw_euler_unwrap(a, reference), reference));
+        nkw_vec3 other = nkw_euler_unwrap(nkw_euler_alternate(a, order), reference);
+        assert_true(distance <= nkw_vec3_distance(other, reference));
+        expect_rotation_near(nkw_quat_from_euler(got, order), nkw_quat_from_euler(a, order), 4e-6);
+    }
+    expect_vec3_bits(nkw_euler_nearest(vec(1, 2, 3), vec(1, 2, 3), NKW_EULER_ZYX), vec(1, 2, 3));
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -248,6 +299,9 @@ int main(void)
         cmocka_unit_test(unwrap_moves_by_whole_turns_to_the_reference),
         cmocka_unit_test(angles_do_not_depend_on_the_length),
         cmocka_unit_test(arrays_have_the_bits_of_the_single_function_at_any_size),
+        cmocka_unit_test(alternate_angles_are_the_same_rotation),
+        cmocka_unit_test(filtered_angles_pass_through_the_pole),
+        cmocka_unit_test(nearest_angles_are_no_farther_than_either_triple),
     };
     return cmocka_run_group_tests_name("euler", tests, NULL, NULL);
 }

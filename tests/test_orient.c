@@ -182,7 +182,8 @@ static void zero_and_subnormal_quaternions_give_finite_results(void **state)
                 assert_true(nkw_quat_is_finite(nkw_quat_slerp(odd[i], odd[k], (float)t / 4)));
                 assert_true(nkw_quat_is_finite(nkw_quat_nlerp(odd[i], odd[k], (float)t / 4)));
                 for (int path = 0; path < 4; path++)
-                    assert_true(nkw_quat_is_finite(nkw_quat_slerp_path(odd[i], odd[k], (float)t / 4, (nkw_path)path)));
+                    assert_true(
+                        nkw_quat_is_finite(nkw_quat_slerp_path(odd[i], odd[k], (float)t / 4, (nkw_path)path, 0)));
             }
     expect_quat_bits(nkw_quat_nlerp(odd[0], odd[0], 0.5f), identity);
 }
@@ -241,8 +242,8 @@ static void short_path_is_slerp(void **state)
         nkw_quat a, b;
         draw_pair(&r, &a, &b);
         float t = random_unit(&r);
-        expect_quat_near(nkw_quat_slerp_path(a, b, t, NKW_PATH_SHORT), nkw_quat_slerp(a, b, t), 4e-7);
-        expect_quat_bits(nkw_quat_slerp_path(a, b, t, (nkw_path)9), nkw_quat_slerp_path(a, b, t, NKW_PATH_SHORT));
+        expect_quat_near(nkw_quat_slerp_path(a, b, t, NKW_PATH_SHORT, 0), nkw_quat_slerp(a, b, t), 4e-7);
+        expect_quat_bits(nkw_quat_slerp_path(a, b, t, (nkw_path)9, 0), nkw_quat_slerp_path(a, b, t, NKW_PATH_SHORT, 0));
     }
 }
 
@@ -252,8 +253,8 @@ static void long_path_goes_the_other_way_round(void **state)
     nkw_quat a = about_z(0), b = about_z(1);
     for (int i = 0; i <= 20; i++) {
         float t = (float)i / 20;
-        expect_rotation_near(nkw_quat_slerp_path(a, b, t, NKW_PATH_LONG), about_z(t * (1 - 2 * PI)), 5e-7);
-        expect_rotation_near(nkw_quat_slerp_path(a, nkw_quat_negate(b), t, NKW_PATH_LONG), about_z(t * (1 - 2 * PI)),
+        expect_rotation_near(nkw_quat_slerp_path(a, b, t, NKW_PATH_LONG, 0), about_z(t * (1 - 2 * PI)), 5e-7);
+        expect_rotation_near(nkw_quat_slerp_path(a, nkw_quat_negate(b), t, NKW_PATH_LONG, 0), about_z(t * (1 - 2 * PI)),
                              5e-7);
     }
 }
@@ -264,8 +265,8 @@ static void path_as_given_follows_the_signs(void **state)
     nkw_quat a = about_z(0), b = about_z(1);
     for (int i = 0; i <= 20; i++) {
         float t = (float)i / 20;
-        expect_quat_near(nkw_quat_slerp_path(a, b, t, NKW_PATH_AS_GIVEN), about_z(t), 3e-7);
-        expect_rotation_near(nkw_quat_slerp_path(a, nkw_quat_negate(b), t, NKW_PATH_AS_GIVEN),
+        expect_quat_near(nkw_quat_slerp_path(a, b, t, NKW_PATH_AS_GIVEN, 0), about_z(t), 3e-7);
+        expect_rotation_near(nkw_quat_slerp_path(a, nkw_quat_negate(b), t, NKW_PATH_AS_GIVEN, 0),
                              about_z(t * (1 - 2 * PI)), 5e-7);
     }
 }
@@ -278,11 +279,11 @@ static void paths_between_opposites_are_a_turn_about_local_z(void **state)
         nkw_quat q = random_rotation(&r);
         float t = random_unit(&r);
         nkw_quat want = nkw_quat_mul(q, about_z(2 * PI * t));
-        expect_quat_near(nkw_quat_slerp_path(q, nkw_quat_negate(q), t, NKW_PATH_AS_GIVEN), want, 1e-6);
-        expect_rotation_near(nkw_quat_slerp_path(q, q, t, NKW_PATH_LONG), want, 1e-6);
-        expect_quat_near(nkw_quat_slerp_path(q, q, t, NKW_PATH_AS_GIVEN), q, 0);
-        expect_quat_bits(nkw_quat_slerp_path(q, nkw_quat_negate(q), 0, NKW_PATH_AS_GIVEN), q);
-        expect_quat_bits(nkw_quat_slerp_path(q, nkw_quat_negate(q), 1, NKW_PATH_AS_GIVEN), nkw_quat_negate(q));
+        expect_quat_near(nkw_quat_slerp_path(q, nkw_quat_negate(q), t, NKW_PATH_AS_GIVEN, 0), want, 1e-6);
+        expect_rotation_near(nkw_quat_slerp_path(q, q, t, NKW_PATH_LONG, 0), want, 1e-6);
+        expect_quat_near(nkw_quat_slerp_path(q, q, t, NKW_PATH_AS_GIVEN, 0), q, 0);
+        expect_quat_bits(nkw_quat_slerp_path(q, nkw_quat_negate(q), 0, NKW_PATH_AS_GIVEN, 0), q);
+        expect_quat_bits(nkw_quat_slerp_path(q, nkw_quat_negate(q), 1, NKW_PATH_AS_GIVEN, 0), nkw_quat_negate(q));
     }
 }
 
@@ -295,8 +296,8 @@ static void paths_near_opposite_stay_unit(void **state)
     for (int i = 0; i < 20000; i++) {
         float t = random_unit(&r);
         nkw_quat p = random_rotation(&r), q = random_near(&r, p, 1e-7f * (float)(i % 30));
-        expect_near(nkw_quat_length(nkw_quat_slerp_path(a, b, t, NKW_PATH_AS_GIVEN)), 1.0, 2e-7);
-        expect_near(nkw_quat_length(nkw_quat_slerp_path(p, q, t, NKW_PATH_LONG)), 1.0, 3e-7);
+        expect_near(nkw_quat_length(nkw_quat_slerp_path(a, b, t, NKW_PATH_AS_GIVEN, 0)), 1.0, 2e-7);
+        expect_near(nkw_quat_length(nkw_quat_slerp_path(p, q, t, NKW_PATH_LONG, 0)), 1.0, 3e-7);
     }
 }
 
@@ -451,7 +452,7 @@ static void orthogonal_keys_keep_their_signs(void **state)
                 nkw_quat_add(nkw_quat_scale(a, nkw_cos(0.5f * PI * t)), nkw_quat_scale(b, nkw_sin(0.5f * PI * t)));
             expect_quat_near(slerp, arc, 3e-7);
             expect_quat_near(nlerp, line, 3e-7);
-            expect_quat_near(nkw_quat_slerp_path(a, b, t, NKW_PATH_SHORT), arc, 3e-7);
+            expect_quat_near(nkw_quat_slerp_path(a, b, t, NKW_PATH_SHORT, 0), arc, 3e-7);
         }
 }
 
@@ -522,9 +523,9 @@ static void paths_near_opposite_follow_the_keys(void **state)
 {
     (void)state;
     nkw_quat a = identity, b = {0x1p-25f, 0, 0, -1}, c = {0, 0x1p-25f, 0, -1};
-    expect_quat_near(nkw_quat_slerp_path(a, b, 0.5f, NKW_PATH_AS_GIVEN), nkw_quat_from_axis_angle(vec(1, 0, 0), PI),
+    expect_quat_near(nkw_quat_slerp_path(a, b, 0.5f, NKW_PATH_AS_GIVEN, 0), nkw_quat_from_axis_angle(vec(1, 0, 0), PI),
                      1e-5);
-    expect_quat_near(nkw_quat_slerp_path(a, c, 0.5f, NKW_PATH_AS_GIVEN), nkw_quat_from_axis_angle(vec(0, 1, 0), PI),
+    expect_quat_near(nkw_quat_slerp_path(a, c, 0.5f, NKW_PATH_AS_GIVEN, 0), nkw_quat_from_axis_angle(vec(0, 1, 0), PI),
                      1e-5);
 }
 

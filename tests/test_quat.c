@@ -371,6 +371,142 @@ static void axis_and_angle_are_those_of_either_sign(void **state)
     }
 }
 
+static void swing_after_twist_is_the_rotation(void **state)
+{
+    (void)state;
+    random_source r = random_from(41);
+    for (int i = 0; i < 20000; i++) {
+        nkw_quat q = random_rotation(&r);
+        nkw_vec3 axis = nkw_vec3_scale(random_direction(&r), random_between(&r, 0.1f, 10.0f));
+        nkw_vec3 a = nkw_vec3_normalize(axis);
+        nkw_swing_twist s = nkw_quat_swing_twist(q, axis);
+        expect_quat_near(nkw_quat_mul(s.swing, s.twist), q, 3e-7);
+        assert_true(s.swing.w >= 0.0f);
+        expect_near(nkw_vec3_dot(vec(s.swing.x, s.swing.y, s.swing.z), a), 0, 2e-7);
+        expect_vec3_near(nkw_quat_rotate(s.twist, a), a, 3e-6);
+        expect_vec3_near(nkw_quat_rotate(s.swing, a), nkw_quat_rotate(q, a), 5e-6);
+    }
+}
+
+static void twist_angle_is_the_angle_about_the_axis(void **state)
+{
+    (void)state;
+    random_source r = random_from(42);
+    for (int i = 0; i < 20000; i++) {
+        nkw_vec3 axis = random_direction(&r);
+        nkw_vec3 across = nkw_vec3_perpendicular(axis);
+        float twist = random_between(&r, -3.1f, 3.1f), swing = random_between(&r, -2.0f, 2.0f);
+        nkw_quat q = nkw_quat_mul(nkw_quat_from_axis_angle(across, swing), nkw_quat_from_axis_angle(axis, twist));
+        expect_near(nkw_quat_twist_angle(q, axis), twist, 2e-6);
+        expect_bits(nkw_quat_twist_angle(nkw_quat_negate(q), axis), nkw_quat_twist_angle(q, axis));
+    }
+}
+
+static void swing_of_half_a_turn_has_no_twist(void **state)
+{
+    (void)state;
+    const nkw_quat half_turn = {0.6f, 0.8f, 0.0f, 0.0f};
+    nkw_swing_twist s = nkw_quat_swing_twist(half_turn, vec(0, 0, 2));
+    expect_quat_near(s.swing, half_turn, 1e-7);
+    expect_quat_bits(s.twist, identity);
+    expect_bits(nkw_quat_twist_angle(half_turn, vec(0, 0, 2)), 0.0f);
+    s = nkw_quat_swing_twist(half_turn, vec(0, 0, 0));
+    expect_quat_near(s.swing, half_turn, 1e-7);
+    expect_quat_bits(s.twist, identity);
+    s = nkw_quat_swing_twist(quat(0, 0, 0, 0), vec(0, 1, 0));
+    expect_quat_bits(s.swing, identity);
+    expect_quat_bits(s.twist, identity);
+}
+
+static void mean_of_equal_rotations_is_that_rotation(void **state)
+{
+    (void)state;
+    random_source r = random_from(43);
+    for (int i = 0; i < 2000; i++) {
+        nkw_quat q = nkw_quat_normalize(random_rotation(&r));
+        nkw_quat same[3] = {q, nkw_quat_negate(q), q};
+        expect_quat_near(nkw_quat_mean(same, NULL, 3), q, 2e-7);
+        expect_quat_near(nkw_quat_mean(&q, NULL, 1), q, 2e-7);
+    }
+    expect_quat_bits(nkw_quat_mean(NULL, NULL, 0), identity);
+    nkw_quat zero = {0, 0, 0, 0};
+    expect_quat_bits(nkw_quat_mean(&zero, NULL, 1), identity);
+}
+
+/* Of two rotations of equal weight the mean is half-way, as slerp has it. */
+static void mean_of_two_is_half_way(void **state)
+{
+    (void)state;
+    random_source r = random_from(44);
+    for (int i = 0; i < 5000; i++) {
+        nkw_quat q[2] = {random_rotation(&r), identity};
+        q[1] = random_near(&r, q[0], random_between(&r, 0.0f, 1.4f));
+        expect_quat_near(nkw_quat_mean(q, NULL, 2), nkw_quat_slerp(q[0], q[1], 0.5f), 5e-7);
+    }
+}
+
+static void mean_ignores_signs_and_order_and_turns_with_the_rotations(void **state)
+{
+    (void)state;
+    random_source r = random_from(45);
+    for (int i = 0; i < 3000; i++) {
+        nkw_quat q[4], other[4], turned[4], turn = random_rotation(&r);
+        float weights[4], reversed[4];
+        q[0] = random_rotation(&r);
+        for (int k = 0; k < 4; k++) {
+            q[k] = k ? random_near(&r, q[0], random_between(&r, 0.0f, 0.6f)) : q[0];
+            weights[k] = random_between(&r, 0.1f, 1.0f);
+            reversed[3 - k] = weights[k];
+            other[3 - k] = random_bits(&r) & 1 ? nkw_quat_negate(q[k]) : q[k];
+            turned[k] = nkw_quat_mul(turn, q[k]);
+        }
+        nkw_quat mean = nkw_quat_mean(q, weights, 4);
+        expect_rotation_near(nkw_quat_mean(other, reversed, 4), mean, 3e-7);
+        expect_rotation_near(nkw_quat_mean(turned, weights, 4), nkw_quat_mul(turn, mean), 1e-6);
+        assert_true(nkw_quat_dot(mean, q[0]) >= 0.0f);
+    }
+}
+
+/* No unit quaternion near the mean has a larger sum of weight (q.m)^2. */
+static void mean_has_the_largest_sum_of_squared_products(void **state)
+{
+    (void)state;
+    random_source r = random_from(46);
+    for (int i = 0; i < 300; i++) {
+        nkw_quat q[5];
+        float weights[5];
+        for (int k = 0; k < 5; k++) {
+            q[k] = random_rotation(&r);
+            weights[k] = random_between(&r, -0.2f, 1.0f);
+        }
+        nkw_quat mean = nkw_quat_mean(q, weights, 5);
+        double best = 0.0;
+        for (int trial = -1; trial < 200; trial++) {
+            nkw_quat m = trial < 0 ? mean : random_near(&r, mean, random_between(&r, 0.01f, 1.5f));
+            double sum = 0.0;
+            for (int k = 0; k < 5; k++) {
+                double dot = (double)q[k].x * m.x + (double)q[k].y * m.y + (double)q[k].z * m.z + (double)q[k].w * m.w;
+                sum += weights[k] < 0 ? 0.0 : (double)weights[k] * dot * dot;
+            }
+            best = trial < 0 ? sum : best;
+            assert_true(sum <= best * (1.0 + 1e-6));
+        }
+    }
+}
+
+static void mean_of_opposite_halves_is_defined_and_unit(void **state)
+{
+    (void)state;
+    const nkw_quat apart[2] = {{0, 0, 0, 1}, {1, 0, 0, 0}};
+    nkw_quat mean = nkw_quat_mean(apart, NULL, 2);
+    expect_near(nkw_quat_length(mean), 1.0, 1e-7);
+    assert_true(mean.y == 0.0f && mean.z == 0.0f);
+    const nkw_quat odd[2] = {{0, 0, 0, NAN}, {1, 0, 0, 0}};
+    assert_false(nkw_quat_is_finite(nkw_quat_mean(odd, NULL, 2)));
+    const nkw_quat huge[2] = {{3e38f, 3e38f, 0, 0}, {3e38f, 3e38f, 0, 0}};
+    expect_quat_near(nkw_quat_mean(huge, NULL, 2), quat(0.70710678f, 0.70710678f, 0, 0), 1e-7);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -400,6 +536,14 @@ int main(void)
         cmocka_unit_test(from_vectors_is_exact_at_every_angle),
         cmocka_unit_test(from_mat4_takes_the_block_alone),
         cmocka_unit_test(axis_and_angle_are_those_of_either_sign),
+        cmocka_unit_test(swing_after_twist_is_the_rotation),
+        cmocka_unit_test(twist_angle_is_the_angle_about_the_axis),
+        cmocka_unit_test(swing_of_half_a_turn_has_no_twist),
+        cmocka_unit_test(mean_of_equal_rotations_is_that_rotation),
+        cmocka_unit_test(mean_of_two_is_half_way),
+        cmocka_unit_test(mean_ignores_signs_and_order_and_turns_with_the_rotations),
+        cmocka_unit_test(mean_has_the_largest_sum_of_squared_products),
+        cmocka_unit_test(mean_of_opposite_halves_is_defined_and_unit),
     };
     return cmocka_run_group_tests_name("quat", tests, NULL, NULL);
 }

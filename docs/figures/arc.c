@@ -114,7 +114,7 @@ typedef nkw_quat arc_function(nkw_quat a, nkw_quat b, float t);
 
 static nkw_quat long_way(nkw_quat a, nkw_quat b, float t)
 {
-    return nkw_quat_slerp_path(a, b, t, NKW_PATH_LONG);
+    return nkw_quat_slerp_path(a, b, t, NKW_PATH_LONG, 0);
 }
 
 static void sphere_arc(svg *s, const svg_camera *camera, arc_function *arc, float turn, svg_colour colour)

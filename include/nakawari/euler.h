@@ -29,6 +29,8 @@
 #ifndef NAKAWARI_EULER_H
 #define NAKAWARI_EULER_H
 
+#include <stddef.h>
+
 #include "types.h"
 
 #ifdef __cplusplus
@@ -98,6 +100,30 @@ NKW_API nkw_vec3 nkw_euler_from_mat3(const nkw_mat3 *m, nkw_euler_order order);
  * Error  0.501 ULP for angles up to 100 rad; for larger angles, 2e-16 of the angle more than rounding.
  */
 NKW_API nkw_vec3 nkw_euler_unwrap(nkw_vec3 angles, nkw_vec3 reference);
+
+/**
+ * The other three angles of the same rotation, for the order i j k: i and k turned by half a turn towards 0, and pi - j
+ * for j >= 0, -pi - j otherwise.
+ *
+ * Error  0.501 ULP of each angle, for angles up to 2^20 rad.
+ */
+NKW_API nkw_vec3 nkw_euler_alternate(nkw_vec3 angles, nkw_euler_order order);
+
+/**
+ * The three angles of the same rotation that are nearest to `reference`: of nkw_euler_unwrap(angles, reference) and
+ * nkw_euler_unwrap(nkw_euler_alternate(angles, order), reference), the one with the smaller sum of squared differences
+ * from the reference; the first if they are equal. Across a pole, where the angles of a rotation jump by half a turn,
+ * the second is the continuation.
+ *
+ * Error  as nkw_euler_unwrap and nkw_euler_alternate.
+ */
+NKW_API nkw_vec3 nkw_euler_nearest(nkw_vec3 angles, nkw_vec3 reference, nkw_euler_order order);
+
+/**
+ * The Euler filter: the angles of `count` successive rotations without jumps. The first stays, each following one is
+ * nkw_euler_nearest to the result before it. The rotations are unchanged, to rounding. `out` may be `angles`.
+ */
+NKW_API void nkw_euler_filter(const nkw_vec3 *angles, nkw_euler_order order, nkw_vec3 *out, size_t count);
 
 /** nkw_quat_from_euler over component arrays, with one order. See types.h for the rules of all batch functions. */
 NKW_API void nkw_quat_from_euler_n(nkw_vec3_view angles, nkw_euler_order order, nkw_quat_span out, size_t n);

@@ -5,10 +5,12 @@
  *
  * q and -q are the same rotation, so two arcs join two rotations. The shorter arc rotates by at most pi. If a.b is
  * negative, the shorter arc ends at -b: b is *negated*, not conjugated, because the conjugate is another rotation.
- * Interpolations of quaternions take the shorter arc, except nkw_quat_slerp_path, where nkw_path selects the arc.
+ * Interpolations of quaternions take the shorter arc, except the functions in _path, where nkw_path selects the arc.
  */
 #ifndef NAKAWARI_ORIENT_H
 #define NAKAWARI_ORIENT_H
+
+#include <stdint.h>
 
 #include "euler.h"
 #include "types.h"
@@ -17,7 +19,12 @@
 extern "C" {
 #endif
 
-/** The arc between a and b. Any other number is read as NKW_PATH_SHORT. */
+/**
+ * The arc between a and b. Any other number is read as NKW_PATH_SHORT.
+ *
+ * Functions with a path also take a number of whole turns k: the rotation by the angle g of the arc continues by k whole
+ * turns about the same axis, to g + 2 pi k. A negative k turns the other way: the short arc with k = -1 is the long arc.
+ */
 typedef enum nkw_path {
     NKW_PATH_SHORT,   /**< the arc of at most half a turn: from a to the nearer of b and -b */
     NKW_PATH_LONG,    /**< the other arc, of at least half a turn */
@@ -68,18 +75,46 @@ NKW_ALGEBRA_ROOT nkw_quat nkw_quat_nlerp(nkw_quat a, nkw_quat b, float t);
 NKW_API nkw_quat nkw_quat_slerp(nkw_quat a, nkw_quat b, float t);
 
 /**
- * Spherical interpolation along the arc that `path` selects. Computed in binary64.
+ * Spherical interpolation along the arc that `path` selects, and `turns` whole turns more. Computed in binary64.
+ *
+ *     q(t) = a turned by t (g + 2 pi turns) about the axis of the arc,      g the angle of the arc, 0..2 pi
  *
  * a, b     any lengths; the directions are interpolated along the arc, the lengths linearly from |a| to |b|
- * t        any; outside 0..1 the arc continues with the length of the nearer end. From |t h| = 2^20 rad on, h the angle
- *          between a and b, t h is first rounded to a float.
- * Returns  as nkw_quat_slerp. If the ends of the arc are opposite quaternions (a = -b for AS_GIVEN, a = b for LONG) to
- *          within 2^-48 rad, all arcs through a have equal length; the one through a * (0, 0, 1, 0) is used, a rotation
- *          about the local z axis. From 2^-48 to 2^-28 rad, rounding of the inputs decides the arc.
+ * t        any; outside 0..1 the arc continues with the length of the nearer end. From |t g| = 2^21 rad on, t g is
+ *          first rounded to a float.
+ * turns    any; up to 2^29 the product with t is exact
+ * Returns  as nkw_quat_slerp; at t = 1, b with the sign of the arc, negated if turns is odd. If a and b are equal or
+ *          opposite to within 2^-48 rad, the arc has no axis: the local z axis is used, through a * (0, 0, 1, 0), for the
+ *          arc from a to -a and for whole turns. From 2^-48 to 2^-28 rad, rounding of the inputs decides the axis.
  *
- * Error  1.0 u for t in -2..2, if the ends of the arc are at least 2^-28 rad from opposite.
+ * Error  1.0 u for t in -2..2 and turns of -1000..1000, if the axis does not depend on rounding: without turns the
+ *        ends of the arc are at least 2^-28 rad from opposite, with turns also 2^-28 rad from equal.
  */
-NKW_API nkw_quat nkw_quat_slerp_path(nkw_quat a, nkw_quat b, float t, nkw_path path);
+NKW_API nkw_quat nkw_quat_slerp_path(nkw_quat a, nkw_quat b, float t, nkw_path path, int32_t turns);
+
+/**
+ * nkw_quat_nlerp along the arc that `path` selects, and `turns` whole turns more, which advance linearly. Computed in
+ * binary64 as the angle of the straight line, along the arc of nkw_quat_slerp_path:
+ *
+ *     tan(p/2) = t sin h / ((1-t) + t cos h),      q(t) = a turned by p + 2 pi turns t,      h = g/2
+ *
+ * Without turns it is normalize((1-t) a + t b), b with the sign of the path. The long arc is nearly all in the middle
+ * of 0..1, the more so the longer it is: for arcs above half a turn nkw_quat_slerp_path is the better choice.
+ *
+ * a, b, t, turns, Returns  as nkw_quat_slerp_path
+ *
+ * Error  1.0 u for t in 0..1, under the condition of nkw_quat_slerp_path, and for arcs of at most 3.1 rad between the
+ *        quaternions.
+ */
+NKW_API nkw_quat nkw_quat_nlerp_path(nkw_quat a, nkw_quat b, float t, nkw_path path, int32_t turns);
+
+/**
+ * The number of whole turns with which the arc from a to b is nearest to the rotation vector `expected` (radians, in
+ * the frame of a and b): the k that minimises |(g + 2 pi k) n - expected|, n the axis of the arc. For a wheel whose
+ * angular velocity w is known, expected = w * duration. The smaller |k| of two that are equally near; 0 if a and b are
+ * equal, so that the arc has no axis, or if `expected` is not finite. Clamped to -2^29..2^29.
+ */
+NKW_API int32_t nkw_quat_turns(nkw_quat a, nkw_quat b, nkw_path path, nkw_vec3 expected);
 
 /**
  * The logarithm of a unit quaternion: half the rotation vector.

@@ -13,6 +13,8 @@
 #ifndef NAKAWARI_QUAT_H
 #define NAKAWARI_QUAT_H
 
+#include <stddef.h>
+
 #include "types.h"
 
 #ifdef __cplusplus
@@ -24,6 +26,11 @@ typedef struct nkw_axis_angle {
     nkw_vec3 axis;
     float angle;
 } nkw_axis_angle;
+
+/** A rotation in two parts: q = swing * twist, first about an axis, then of that axis. */
+typedef struct nkw_swing_twist {
+    nkw_quat swing, twist;
+} nkw_swing_twist;
 
 /** (0, 0, 0, 1): no rotation. */
 NKW_ALGEBRA nkw_quat nkw_quat_identity(void);
@@ -167,6 +174,53 @@ NKW_API nkw_quat nkw_quat_from_mat4(const nkw_mat4 *m);
  * Error  0.52 ULP.
  */
 NKW_API float nkw_quat_angle(nkw_quat a, nkw_quat b);
+
+/**
+ * Swing and twist: the twist is a rotation about `axis`, and the swing, applied after it, rotates the axis by the
+ * shortest arc to where q rotates it. With a = axis/|axis| and q = (v, w):
+ *
+ *     twist = normalize((v.a) a, w),      swing = q twist^-1,      q/|q| = swing twist
+ *
+ * The axis of the swing is perpendicular to a, and its w is not negative: an angle of at most half a turn. The twist
+ * has the sign of q: for q with w >= 0 its angle is at most half a turn.
+ *
+ * Neither q nor axis need be unit. If q rotates the axis to its opposite, to within 2^-48 rad, every twist has such a
+ * swing; the twist is then the identity. From 2^-48 to 2^-28 rad, rounding of the inputs decides. A zero axis returns
+ * the identity as twist; the zero quaternion returns two identities.
+ *
+ * Error  0.91 u of each part, if q rotates the axis to at least 2^-28 rad from its opposite.
+ * Source Dobrowolski, Swing-twist decomposition in Clifford algebra, arXiv:1506.05481, 2015.
+ */
+NKW_API nkw_swing_twist nkw_quat_swing_twist(nkw_quat q, nkw_vec3 axis);
+
+/**
+ * The angle of the twist of q about `axis`, in -pi..pi, of q or -q, whichever has the smaller angle:
+ * 2 atan2(v.a, w) for w >= 0. It is 0 where nkw_quat_swing_twist returns the identity as twist.
+ *
+ * Error  0.52 ULP, if |v.a| is at least 2^-20 |v| and q rotates the axis to at least 2^-20 rad from its opposite.
+ */
+NKW_API float nkw_quat_twist_angle(nkw_quat q, nkw_vec3 axis);
+
+/**
+ * The weighted mean of `count` rotations: the unit quaternion m with the largest sum of weight[i] (q[i].m)^2, which
+ * minimises the weighted sum of squared chords between the rotation matrices. The signs of the quaternions, and their
+ * order except for rounding, have no effect.
+ *
+ *     m = the eigenvector of the largest eigenvalue of M = sum of weight[i] q[i] q[i]^T
+ *
+ * M is squared and divided by its trace 32 times; all its columns are then multiples of m. Of m and -m it returns the
+ * one with m.q[0] >= 0. If several m have the same sum, as for two rotations by half a turn from each other, it returns
+ * one of them, the same on every target.
+ *
+ * rotations  count quaternions, unit; another length multiplies the weight by its square
+ * weights    count weights, or NULL: all equal. A negative weight counts as 0.
+ * Returns    the identity for count 0, or if all weights are 0; NaN for input that is not finite
+ *
+ * Error  0.91 u, if the two largest eigenvalues differ by at least 2^-20 of their sum.
+ * Source Markley, Cheng, Crassidis, Oshman, Averaging Quaternions, Journal of Guidance, Control, and Dynamics 30(4),
+ *        2007.
+ */
+NKW_API nkw_quat nkw_quat_mean(const nkw_quat *rotations, const float *weights, size_t count);
 
 /** The quaternion from components stored as w, x, y, z, and back. */
 NKW_API nkw_quat nkw_quat_from_wxyz(const float wxyz[4]);

@@ -283,7 +283,24 @@ static const wide_case unwraps[] = {
     {UNWRAP, "nearly whole turns, result near 0", whole_turns, unwrap_error, 6, WIDE_NOTED},
 };
 
+/* Each angle in ULP: half a turn less, towards 0; the middle one negated too. */
+static double alternate_error(const float *x)
+{
+    nkw_vec3 got = nkw_euler_alternate(vec3_at(x), (nkw_euler_order)(int)x[3]);
+    static const int middle[6] = {1, 2, 0, 2, 0, 1};
+    const float g[3] = {got.x, got.y, got.z};
+    double worst = 0.0;
+    for (int i = 0; i < 3; i++) {
+        wide exact = (wide)x[i] - (x[i] < 0.0f ? -wide_pi() : wide_pi());
+        exact = i == middle[(int)x[3]] ? -exact : exact;
+        worst = fmax(worst, accuracy_ulps(g[i], (double)exact));
+    }
+    return worst;
+}
+
 static const wide_case cases[] = {
+    {"nkw_euler_alternate", "+-pi", uniform_angles, alternate_error, 4, WIDE_CHECKED},
+    {"nkw_euler_alternate", "1e-6 .. 1e-2", small_angles, alternate_error, 4, WIDE_CHECKED},
     {"nkw_quat_from_euler", "+-pi", uniform_angles, quat_error, 4, WIDE_CHECKED},
     {"nkw_quat_from_euler", "1e-6 .. 1e-2", small_angles, quat_error, 4, WIDE_CHECKED},
     {"nkw_quat_from_euler", "10 .. 1e30", many_turns, quat_error, 4, WIDE_CHECKED},

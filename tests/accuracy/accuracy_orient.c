@@ -285,7 +285,7 @@ static double path_error(const float *x, nkw_path path)
     wide_scale(b, 1 / lb, 4);
     wide_slerp(a, b, x[8], exact);
     wide_scale(exact, la + x[8] * (lb - la), 4);
-    put_quat(got, nkw_quat_slerp_path(quat_at(x), quat_at(x + 4), x[8], path));
+    put_quat(got, nkw_quat_slerp_path(quat_at(x), quat_at(x + 4), x[8], path, 0));
     return wide_error(got, exact, 4);
 }
 
@@ -310,7 +310,7 @@ static double long_unit_error(const float *x)
     float got[4];
     int obtuse = nkw_quat_dot(quat_at(x), quat_at(x + 4)) < 0.0f;
     nkw_quat b = nkw_quat_scale(quat_at(x + 4), obtuse ? -1.0f : 1.0f);
-    put_quat(got, nkw_quat_slerp_path(quat_at(x), b, x[8], NKW_PATH_LONG));
+    put_quat(got, nkw_quat_slerp_path(quat_at(x), b, x[8], NKW_PATH_LONG, 0));
     return wide_unit_error(got, 4);
 }
 
@@ -330,7 +330,8 @@ static double path_ends(const float *x)
 {
     nkw_quat a = quat_at(x), b = quat_at(x + 4);
     nkw_path path = (nkw_path)((int)(x[8] * 4096.0f) % 3);
-    int exact = same(nkw_quat_slerp_path(a, b, 0.0f, path), a) && same_either(nkw_quat_slerp_path(a, b, 1.0f, path), b);
+    int exact =
+        same(nkw_quat_slerp_path(a, b, 0.0f, path, 0), a) && same_either(nkw_quat_slerp_path(a, b, 1.0f, path, 0), b);
     return exact ? 0.0 : HUGE_VAL;
 }
 
@@ -588,6 +589,7 @@ int main(int argc, char **argv)
     accuracy a = accuracy_begin("orient.h", argc, argv);
     wide_search(&a, cases, sizeof cases / sizeof cases[0], SAMPLES);
     wide_search(&a, angles, sizeof angles / sizeof angles[0], SAMPLES);
+    orient_more(&a);
     return accuracy_end(&a);
 }
 

@@ -591,6 +591,7 @@ int main(int argc, char **argv)
     accuracy a = accuracy_begin("quat.h", argc, argv);
     wide_search(&a, cases, sizeof cases / sizeof cases[0], SAMPLES);
     wide_search(&a, products, sizeof products / sizeof products[0], FEWER);
+    quat_more(&a);
     return accuracy_end(&a);
 }
 

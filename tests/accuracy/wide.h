@@ -77,6 +77,10 @@ void wide_search(accuracy *a, const wide_case *cases, size_t size, uint32_t coun
 /* The same for cases that draw from wide_source; their witness is the seed that the climb began from. */
 void wide_search_seeds(accuracy *a, const wide_case *cases, size_t size, uint32_t count);
 
+/* The cases of a header that stand in the file STEM_more.c. */
+void quat_more(accuracy *a);
+void orient_more(accuracy *a);
+
 /* ---- Between the types ---- */
 
 nkw_vec3 vec3_at(const float *x);

@@ -89,16 +89,26 @@ static void quat(const any *a, nkw_euler_order order)
     nkw_quat_negate(p), nkw_quat_conjugate(p), nkw_quat_dot(p, q), nkw_quat_mul(p, q), nkw_quat_inverse(p);
     nkw_quat_rotate(p, a->v[0]), nkw_quat_rotate_inverse(p, a->v[0]), nkw_quat_angle(p, q), nkw_quat_from_mat4(&a->m4);
     nkw_mat3_from_euler(a->v[0], order), nkw_euler_from_quat(p, order), nkw_euler_from_mat3(&a->m3, order);
-    nkw_euler_unwrap(a->v[0], a->v[1]);
+    nkw_euler_unwrap(a->v[0], a->v[1]), nkw_euler_alternate(a->v[0], order);
+    nkw_euler_nearest(a->v[0], a->v[1], order);
+    nkw_swing_twist parts = nkw_quat_swing_twist(p, a->v[0]);
+    at_most_unit(parts.swing, is_finite && nkw_vec3_is_finite(a->v[0]));
+    at_most_unit(parts.twist, is_finite && nkw_vec3_is_finite(a->v[0]));
+    within(nkw_quat_twist_angle(p, a->v[0]), -3.1415930f, 3.1415930f, is_finite && nkw_vec3_is_finite(a->v[0]));
+    at_most_unit(nkw_quat_mean(a->q, a->f, 2), is_finite && nkw_quat_is_finite(q) && finite(a->f[0]) && finite(a->f[1]));
 }
 
 static void orient(const any *a, nkw_path path, nkw_unwrap unwrap)
 {
     nkw_quat p = a->q[0], q = a->q[1];
     float t = a->f[0], d = a->f[1];
-    nkw_quat_nlerp(p, q, t), nkw_quat_slerp(p, q, t), nkw_quat_slerp_path(p, q, t, path), nkw_quat_log(p);
+    nkw_quat_nlerp(p, q, t), nkw_quat_slerp(p, q, t), nkw_quat_slerp_path(p, q, t, path, 0), nkw_quat_log(p);
     nkw_quat_exp(a->v[0]), nkw_quat_pow(p, t), nkw_quat_angular_velocity(p, q, d), nkw_quat_integrate(p, a->v[0], d);
     nkw_euler_lerp(a->v[0], a->v[1], t, unwrap);
+    int32_t turns = nkw_quat_turns(p, q, path, a->v[0]);
+    FUZZ_CHECK(turns <= 1 << 29 && turns >= -(1 << 29));
+    nkw_quat_slerp_path(p, q, t, path, turns), nkw_quat_nlerp_path(p, q, t, path, turns);
+    nkw_quat_slerp_path(p, q, t, path, INT32_MIN), nkw_quat_nlerp_path(p, q, t, path, INT32_MAX);
 }
 
 static void axes(const any *a, fuzz *f)

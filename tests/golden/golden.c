@@ -129,6 +129,18 @@ static void put_axis_angle(float *o, nkw_axis_angle a)
     memcpy(o, &a, sizeof a);
 }
 
+static void put_swing_twist(float *o, nkw_swing_twist s)
+{
+    memcpy(o, &s, sizeof s);
+}
+
+static void filter_angles(float *o, const input *i)
+{
+    nkw_vec3 angles[4];
+    nkw_euler_filter(i->v, i->order, angles, 4);
+    put_vec3(o, angles[3]);
+}
+
 static void put_segment(float *o, nkw_segment s)
 {
     o[0] = (float)s.index;
