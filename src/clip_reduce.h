@@ -1,5 +1,19 @@
 /* SPDX-License-Identifier: MIT */
-/* The errors of a reduced clip in model space, in units of the tolerance of each joint. */
+/*
+ * What reductions of clips share: the errors in model space, in units of the tolerance of each joint, and the search by
+ * trials for the share of each joint.
+ *
+ * The share of a joint is the distance by which the reduction of one of its tracks may move a point in model space, in
+ * units of the tolerance. A trial reduces all tracks with these shares and measures the error of each joint, in units
+ * of its tolerance. With E, the largest error of the joints below a joint, itself included, divided by AIM, the next
+ * share is
+ *
+ *     E > 1    share E^(-3/4)
+ *     E <= 1   share min(3/2, E^(-1/2))
+ *
+ * So each chain of joints soon reaches the tolerance somewhere. The smallest result within the tolerance is made again
+ * at the end. If there is none, shares of joints beyond it are reduced until one is. Otherwise all shares are 0.
+ */
 #ifndef NAKAWARI_CLIP_REDUCE_H
 #define NAKAWARI_CLIP_REDUCE_H
 
@@ -36,11 +50,51 @@ static inline double reduce_tightness(float tolerance)
     return tolerance > 0.0f ? 1.0 / (double)tolerance : 1e300;
 }
 
+/* A reduced clip, or reduced tracks: exactly one of both. */
+typedef struct reduce_made {
+    const nkw_clip *clip;
+    const nkw_clip_source *tracks;
+    int parts; /* of each segment between two keys: errors are measured where they begin */
+} reduce_made;
+
 /* Sets reach, tight and scale, from the poses of the tracks of the source. */
 void nkwi_reduce_reach(const nkw_clip_source *source, const nkw_clip_reduction *r, reduce_errors *e);
 
-/* Sets errors, distance and floats, at the times of all keys and in the middle between two keys. */
-void nkwi_reduce_errors(const nkw_clip_source *source, const nkw_clip_reduction *r, const nkw_clip *clip,
+/* Sets errors, distance and floats, at the times of all keys of the source and between them. */
+void nkwi_reduce_errors(const nkw_clip_source *source, const nkw_clip_reduction *r, const reduce_made *made,
                         reduce_errors *e);
+
+/* shares: of joints, then of tracks of floats; of this trial and of the smallest result within the tolerance */
+typedef struct reduce_trials {
+    const nkw_clip_source *source;
+    const nkw_clip_reduction *reduction;
+    double *shares, *best, *worst;
+    reduce_errors errors;
+    double share; /* the largest of the errors */
+    /* Reduces with the current shares and sets what was made, which is then measured, and its size. */
+    nkw_result (*make)(void *user, reduce_made *made, size_t *size, size_t *bad);
+    void *user;
+} reduce_trials;
+
+/* Takes n numbers of `size` bytes of the working memory. */
+static inline void *reduce_take(double **work, size_t n, size_t size)
+{
+    void *at = *work;
+    *work += (n * size + sizeof **work - 1) / sizeof **work;
+    return at;
+}
+
+/* Checks the reduction, and work_count by NKW_CLIP_REDUCE_WORK. */
+nkw_result nkwi_reduce_check(const nkw_clip_source *source, const nkw_clip_reduction *reduction);
+int nkwi_reduce_has_work(const nkw_clip_source *source, size_t work_count);
+
+/* Takes the memory of the arrays, and sets the first shares. */
+void nkwi_reduce_begin(reduce_trials *t, double **work);
+
+/* The change of a value by which the share of its joint is used: a distance, radians, or of floats. */
+float nkwi_reduce_step(const reduce_trials *t, size_t track);
+
+/* The trials; makes the smallest result within the tolerance again at the end. */
+nkw_result nkwi_reduce_search(reduce_trials *t, size_t *bad);
 
 #endif

@@ -144,17 +144,21 @@ static void add_errors(const nkw_clip_source *s, const nkw_clip_reduction *r, re
     }
 }
 
-static void add_time(const nkw_clip_source *s, const nkw_clip_reduction *r, const nkw_clip *clip, float time,
+/* made: NULL for the reach */
+static void add_time(const nkw_clip_source *s, const nkw_clip_reduction *r, const reduce_made *made, float time,
                      reduce_errors *e)
 {
     const nkw_pose_span span = {e->got.pose, s->joint_count};
     sample_tracks(s, time, &e->want);
     models_of(r, s->joint_count, &e->want);
-    if (!clip) {
+    if (!made) {
         add_reach(s, r, e);
         return;
     }
-    nkw_clip_sample(clip, time, NULL, span, e->got.floats);
+    if (made->clip)
+        nkw_clip_sample(made->clip, time, NULL, span, e->got.floats);
+    else
+        sample_tracks(made->tracks, time, &e->got);
     models_of(r, s->joint_count, &e->got);
     add_errors(s, r, e);
 }
@@ -167,17 +171,19 @@ static int is_first_of_timeline(const nkw_clip_source *s, size_t i)
     return 1;
 }
 
-/* All key times, and the middle of all segments. */
-static void add_times(const nkw_clip_source *s, const nkw_clip_reduction *r, const nkw_clip *clip, reduce_errors *e)
+/* All key times, and the times that divide each segment into equal parts. */
+static void add_times(const nkw_clip_source *s, const nkw_clip_reduction *r, const reduce_made *made, reduce_errors *e)
 {
+    const int parts = made ? made->parts : 1;
     set_rest(s, &e->want);
+    set_rest(s, &e->got);
     for (size_t i = 0; i < s->track_count; i++) {
         const nkw_track *t = &s->tracks[i].track;
         const size_t count = is_first_of_timeline(s, i) ? t->count : 0;
         for (size_t k = 0; k < count; k++) {
-            add_time(s, r, clip, t->times[k], e);
-            if (clip && k + 1 < count)
-                add_time(s, r, clip, nkw_lerp(t->times[k], t->times[k + 1], 0.5f), e);
+            add_time(s, r, made, t->times[k], e);
+            for (int part = 1; part < parts && k + 1 < count; part++)
+                add_time(s, r, made, nkw_lerp(t->times[k], t->times[k + 1], (float)part / (float)parts), e);
         }
     }
 }
@@ -189,11 +195,11 @@ void nkwi_reduce_reach(const nkw_clip_source *source, const nkw_clip_reduction *
     add_times(source, r, NULL, e);
 }
 
-void nkwi_reduce_errors(const nkw_clip_source *source, const nkw_clip_reduction *r, const nkw_clip *clip,
+void nkwi_reduce_errors(const nkw_clip_source *source, const nkw_clip_reduction *r, const reduce_made *made,
                         reduce_errors *e)
 {
     for (size_t i = 0; i < source->joint_count + source->track_count; i++)
         e->errors[i] = 0.0;
     e->distance = e->floats = 0.0;
-    add_times(source, r, clip, e);
+    add_times(source, r, made, e);
 }
