@@ -34,6 +34,7 @@
 #include "playback.h"
 #include "pose.h"
 #include "clip.h"
+#include "reduce.h"
 
 /* Floor 5, skeleton: hierarchies, blending of poses. */
 #include "skeleton.h"

@@ -149,6 +149,25 @@ static void reduce(fuzz *f, const random_clip *c)
     open_and_sample(f, copy, reduced.bytes);
 }
 
+/* Tracks with fewer keys, from which a clip can be built. */
+static void reduce_keys(fuzz *f, const random_clip *c)
+{
+    size_t bytes = 0, bad, joints = c->source.joint_count;
+    size_t count = NKW_CLIP_REDUCE_WORK(c->source.track_count, joints, c->source.float_count);
+    double *work = fuzz_block(f, count * sizeof *work);
+    const nkw_clip_reduction reduction = {NULL, fuzz_float(f), fuzz_float(f), NULL, NULL, fuzz_float(f)};
+    nkw_reduced reduced;
+    nkw_clip_source out;
+    if (nkw_clip_source_reduce_measure(&c->source, &bytes, &bad, work, count) != NKW_OK)
+        return;
+    const nkw_clip_memory memory = {fuzz_block(f, bytes), bytes, work, count};
+    if (nkw_clip_source_reduce(&c->source, &reduction, &memory, &out, &reduced, &bad) != NKW_OK)
+        return;
+    FUZZ_CHECK(reduced.key_count <= reduced.source_key_count && reduced.share <= 1.0f);
+    FUZZ_CHECK(nkw_clip_measure(&out, &bytes, &bad, (uint32_t *)(void *)work, NKW_CLIP_WORK(out.track_count)) ==
+               NKW_OK);
+}
+
 /* Counts alone: those that a clip may have, and none of those beyond. */
 static void counts(fuzz *f)
 {
@@ -195,6 +214,8 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
         compare(&f, c, clip);
     if (fuzz_byte(&f) % 4 == 0)
         reduce(&f, c);
+    if (fuzz_byte(&f) % 4 == 0)
+        reduce_keys(&f, c);
     damage(&f, block, bytes / 4);
     size_t cut = fuzz_byte(&f) % 8 ? 0 : fuzz_upto(&f, 4096) % (bytes + 1), odd = fuzz_byte(&f) % 32 ? 0 : 1;
     unsigned char *copy = fuzz_block(&f, bytes - cut + odd);

@@ -2,6 +2,8 @@
 #include "fuzz.h"
 #include "../support/resample.h"
 
+#include <nakawari/reduce.h>
+
 #include <string.h>
 
 enum { KEYS = 40, WIDTH = 9 };
@@ -103,6 +105,21 @@ static void edit(fuzz *f, const nkw_track *t, const nkw_track *other)
     FUZZ_CHECK(out.count <= capacity);
 }
 
+/* As many keys at most as before; within the tolerance at the keys. */
+static void reduce(fuzz *f, const nkw_track *t)
+{
+    const size_t count = nkw_track_value_count(t);
+    const nkw_edit_memory memory = {fuzz_room(f, t->count), fuzz_room(f, count), fuzz_block(f, t->count), t->count};
+    float tolerance = fuzz_byte(f) % 4 ? nkw_abs(fuzz_float(f)) : 0.0f, difference, *work = fuzz_room(f, 2 * t->width);
+    nkw_track out;
+    nkw_result result = nkw_track_reduce(t, tolerance, &memory, &out, &difference);
+    FUZZ_CHECK(out.count <= t->count && (result == NKW_OK) == (out.count > 0));
+    if (result != NKW_OK)
+        return;
+    FUZZ_CHECK(difference <= tolerance && nkw_track_validate(&out, NULL) == NKW_OK);
+    FUZZ_CHECK(!(track_difference(t, &out, work) < 0.0f));
+}
+
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
 {
     fuzz f = fuzz_begin(data, size);
@@ -111,5 +128,6 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
     finite(&f, &t);
     bake(&f, &t, &other);
     edit(&f, &t, &other);
+    reduce(&f, &t);
     return fuzz_end(&f);
 }

@@ -188,6 +188,56 @@ static void resample_track(float *o, const input *i, nkw_interpolation mode)
     memcpy(o + 3, rate > 0.0f ? made + 4 * (out.count / 2) : values, 4 * sizeof(float));
 }
 
+/* Nine keys on an arc between arcs. */
+static void reduce_track(float *o, const input *i, nkw_track_kind kind, nkw_interpolation mode, float tolerance)
+{
+    float values[108], times[9], new_times[9], made[108];
+    const unsigned parts = mode == NKW_INTERPOLATION_CUBICSPLINE ? 3 : 1;
+    for (unsigned k = 0; k < 9; k++) {
+        const float t = (float)k / 8.0f;
+        nkw_quat q = nkw_quat_slerp(i->q[0], nkw_quat_slerp(i->q[1], i->q[2], t), t);
+        times[k] = i->times[0] + (i->times[3] - i->times[0]) * t;
+        for (unsigned part = 0; part < parts; part++)
+            memcpy(values + 4 * (parts * k + part), &q, sizeof q);
+    }
+    const nkw_track track = {times, values, 9, 4, kind, mode, NULL};
+    const nkw_edit_memory memory = {new_times, made, NULL, 9};
+    nkw_track out;
+    float difference;
+    nkw_track_reduce(&track, tolerance, &memory, &out, &difference);
+    o[0] = (float)out.count;
+    o[1] = difference;
+    o[2] = out.count > 1 ? out.times[1] : 0.0f;
+}
+
+/* Two joints that turn, the second at a distance from the first. */
+static void reduce_clip(float *o, const input *i)
+{
+    float values[2][36], times[9];
+    const int32_t parents[2] = {-1, 0};
+    const nkw_clip_reduction reduction = {parents, 0.25f, 1.0f, NULL, NULL, 0.0f};
+    double block[128], work[NKW_CLIP_REDUCE_WORK(2, 2, 0)];
+    nkw_clip_track tracks[2];
+    for (unsigned n = 0; n < 2; n++) {
+        const nkw_clip_track track = {
+            NKW_CLIP_ROTATION, n, {times, values[n], 9, 4, NKW_TRACK_ROTATION, NKW_INTERPOLATION_LINEAR, NULL}};
+        tracks[n] = track;
+        for (unsigned k = 0; k < 9; k++) {
+            const float t = (float)k / 8.0f;
+            nkw_quat q = nkw_quat_slerp(i->q[n], nkw_quat_slerp(i->q[1 + n], i->q[2 + n], t), t);
+            memcpy(values[n] + 4 * k, &q, sizeof q);
+            times[k] = (float)k;
+        }
+    }
+    const nkw_clip_source source = {tracks, 2, 2, 0, {NULL, 0}, NULL, NKW_CLIP_FLOAT32};
+    const nkw_clip_memory memory = {block, sizeof block, work, sizeof work / sizeof *work};
+    nkw_clip_source out;
+    nkw_reduced reduced = {0, 0, 0.0f, 0.0f, 0.0f};
+    nkw_clip_source_reduce(&source, &reduction, &memory, &out, &reduced, NULL);
+    o[0] = (float)reduced.key_count;
+    o[1] = reduced.distance;
+}
+
 static void put_head(float *o, nkw_play_head head)
 {
     o[0] = head.time;

@@ -1,0 +1,129 @@
+/* SPDX-License-Identifier: MIT */
+/* Reduces the keys of a clip: finds the tolerances of its tracks by trials (clip_reduce.h). */
+#include "lane/strict.h"
+
+#include <string.h>
+
+#include <nakawari/reduce.h>
+
+#include "clip_reduce.h"
+
+#define QUARTERS 4
+
+/* The block: the tracks, then times and values of each track with as many keys as its source, then the modes per key. */
+typedef struct key_reducer {
+    nkw_clip_track *tracks;
+    float *floats;
+    unsigned char *modes;
+    nkw_clip_source made;
+    reduce_trials trials;
+    size_t key_count;
+} key_reducer;
+
+static size_t add(size_t a, size_t b)
+{
+    return a <= SIZE_MAX - b ? a + b : SIZE_MAX;
+}
+
+/* The number of floats of all keys, and the number of keys with a mode of their own; SIZE_MAX if it exceeds size_t. */
+static size_t count_floats(const nkw_clip_source *s, size_t *modes)
+{
+    size_t floats = 0;
+    *modes = 0;
+    for (size_t i = 0; i < s->track_count; i++) {
+        const nkw_track *t = &s->tracks[i].track;
+        floats = add(floats, add(t->count, nkw_track_value_count(t)));
+        *modes = add(*modes, t->key_interpolation ? t->count : 0);
+    }
+    return floats;
+}
+
+nkw_result nkw_clip_source_reduce_measure(const nkw_clip_source *source, size_t *bytes, size_t *bad_track, double *work,
+                                          size_t work_count)
+{
+    size_t clip_bytes = 0, modes, most = SIZE_MAX / 16;
+    uint32_t *order = (uint32_t *)(void *)work;
+    if (!nkwi_reduce_has_work(source, work_count))
+        return NKW_TOO_SMALL;
+    nkw_result result = nkw_clip_measure(source, &clip_bytes, bad_track, order, NKW_CLIP_WORK(source->track_count));
+    if (result != NKW_OK)
+        return result;
+    const size_t floats = count_floats(source, &modes);
+    if (floats > most || modes > most || source->track_count > most / sizeof *source->tracks)
+        return NKW_TOO_SMALL;
+    *bytes = source->track_count * sizeof *source->tracks + floats * sizeof(float) + modes;
+    return NKW_OK;
+}
+
+/* Reduces all tracks with the current shares. */
+static nkw_result make(void *user, reduce_made *made, size_t *size, size_t *bad)
+{
+    key_reducer *r = (key_reducer *)user;
+    const nkw_clip_source *s = r->trials.source;
+    float *floats = r->floats;
+    unsigned char *modes = r->modes;
+    r->key_count = 0;
+    for (size_t i = 0; i < s->track_count; i++) {
+        const nkw_track *t = &s->tracks[i].track;
+        const nkw_edit_memory memory = {floats, floats + t->count, modes, t->count};
+        r->tracks[i] = s->tracks[i];
+        nkw_result result = nkw_track_reduce(t, nkwi_reduce_step(&r->trials, i), &memory, &r->tracks[i].track, NULL);
+        *bad = i;
+        if (result != NKW_OK)
+            return result;
+        floats += t->count + nkw_track_value_count(t);
+        modes += t->key_interpolation ? t->count : 0;
+        r->key_count += r->tracks[i].track.count;
+    }
+    *bad = 0;
+    *size = r->key_count + 1;
+    made->tracks = &r->made;
+    made->parts = QUARTERS;
+    return NKW_OK;
+}
+
+static nkw_result reduce(const nkw_clip_source *source, const nkw_clip_reduction *reduction,
+                         const nkw_clip_memory *memory, key_reducer *r, size_t *bad)
+{
+    double *work = memory->work;
+    size_t modes, floats = count_floats(source, &modes);
+    memset(r, 0, sizeof *r);
+    r->tracks = (nkw_clip_track *)memory->block;
+    r->floats = (float *)(void *)(r->tracks + source->track_count);
+    r->modes = (unsigned char *)(void *)(r->floats + floats);
+    r->made = *source;
+    r->made.tracks = r->tracks;
+    r->trials.source = source, r->trials.reduction = reduction, r->trials.make = make, r->trials.user = r;
+    nkwi_reduce_begin(&r->trials, &work);
+    return nkwi_reduce_search(&r->trials, bad);
+}
+
+nkw_result nkw_clip_source_reduce(const nkw_clip_source *source, const nkw_clip_reduction *reduction,
+                                  const nkw_clip_memory *memory, nkw_clip_source *out, nkw_reduced *reduced,
+                                  size_t *bad_track)
+{
+    const nkw_clip_source from = *source;
+    key_reducer r;
+    size_t bytes = 0, bad = 0, *offender = bad_track ? bad_track : &bad;
+    *out = from;
+    out->track_count = 0;
+    nkw_result result = nkw_clip_source_reduce_measure(&from, &bytes, offender, memory->work, memory->work_count);
+    if (result == NKW_OK)
+        result = nkwi_reduce_check(&from, reduction);
+    if (result == NKW_OK && memory->bytes < bytes)
+        result = NKW_TOO_SMALL;
+    if (result == NKW_OK)
+        result = reduce(&from, reduction, memory, &r, offender);
+    if (result != NKW_OK)
+        return result;
+    nkw_reduced reached = {0, r.key_count, (float)r.trials.errors.distance, (float)r.trials.share,
+                           (float)r.trials.errors.floats};
+    for (size_t i = 0; i < from.track_count; i++)
+        reached.source_key_count += from.tracks[i].track.count;
+    const nkw_reduced unchanged = {reached.source_key_count, reached.source_key_count, 0.0f, 0.0f, 0.0f};
+    const int is_within = r.trials.share <= 1.0;
+    *out = is_within ? r.made : from;
+    if (reduced)
+        *reduced = is_within ? reached : unchanged;
+    return NKW_OK;
+}
