@@ -9,7 +9,7 @@
 
 enum { KEYS = 61 };
 
-/* Still, a fast movement, a slow one, and a jump. */
+/* Still, then a fast movement, then a slow one. */
 static float motion(size_t k)
 {
     const float time = (float)k / 15.0f;
