@@ -20,7 +20,7 @@ static const subcommand subcommands[] = {
     {"parts", "nakawari parts", command_parts, "skinned meshes cut into parts of few bones, as JSON"},
     {"plot", "nakawari plot", command_plot, "the curves of joints over time with their keys, as SVG"},
 #if defined(NKW_RENDER)
-    {"render", "nakawari render", command_render, "pictures of the model at times, as PNG"},
+    {"render", "nakawari render", command_render, "pictures of the model at times: PNG, animated PNG, SVG"},
 #endif
     {"sample", "nakawari sample", command_sample, "poses, matrices or vertices at times, as CSV, JSON or raw numbers"},
 };

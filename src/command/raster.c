@@ -2,17 +2,169 @@
 #include "raster.h"
 
 #include <math.h>
-#include <stdint.h>
 #include <stdlib.h>
-#include <string.h>
-
-#include <png.h>
 
 #include <nakawari/scalar.h>
 #include <nakawari/vec.h>
 
+static raster *raster_of(canvas *c)
+{
+    return (raster *)c;
+}
+
+/* ---- triangles ---- */
+
+/* The points whose middles may be in low..high, within 0..count: first, and one after the last. */
+static void range_of(float low, float high, size_t count, size_t *first, size_t *end)
+{
+    float from = nkw_clamp(low - 1.0f, 0.0f, (float)count), to = nkw_clamp(high + 1.0f, 0.0f, (float)count);
+    *first = (size_t)from;
+    *end = (size_t)to;
+}
+
+/* The barycentric weights of a point; 0 if it is outside. */
+static int weights_at(const nkw_vec3 place[3], float whole, float x, float y, float w[3])
+{
+    w[0] = canvas_area(place[1], place[2], x, y) / whole;
+    w[1] = canvas_area(place[2], place[0], x, y) / whole;
+    w[2] = 1.0f - w[0] - w[1];
+    return w[0] >= 0.0f && w[1] >= 0.0f && w[2] >= 0.0f;
+}
+
+/* Calls `at` for each point whose middle is in the triangle. */
+typedef void (*visit)(raster *r, size_t index, const float w[3], const void *user);
+
+static void visit_triangle(raster *r, const nkw_vec3 place[3], visit at, const void *user)
+{
+    const nkw_vec3 a = place[0], b = place[1], c = place[2];
+    float whole = canvas_area(a, b, c.x, c.y);
+    size_t x0, x1, y0, y1;
+    if (!(fabsf(whole) > 0.0f))
+        return;
+    range_of(nkw_min(a.x, nkw_min(b.x, c.x)), nkw_max(a.x, nkw_max(b.x, c.x)), r->width, &x0, &x1);
+    range_of(nkw_min(a.y, nkw_min(b.y, c.y)), nkw_max(a.y, nkw_max(b.y, c.y)), r->height, &y0, &y1);
+    for (size_t y = y0; y < y1; y++)
+        for (size_t x = x0; x < x1; x++) {
+            float w[3];
+            if (weights_at(place, whole, (float)x + 0.5f, (float)y + 0.5f, w))
+                at(r, y * r->width + x, w, user);
+        }
+}
+
+/* A triangle of the scene, and the level of its texture. */
+typedef struct facet {
+    const canvas_corner *corner;
+    const texture *image;
+    int level;
+} facet;
+
+static nkw_vec3 blended(nkw_vec3 a, nkw_vec3 b, nkw_vec3 c, const float w[3])
+{
+    return nkw_vec3_add_scaled(nkw_vec3_add_scaled(nkw_vec3_scale(a, w[0]), b, w[1]), c, w[2]);
+}
+
+static void draw_point(raster *r, size_t index, const float w[3], const void *user)
+{
+    const facet *f = user;
+    const canvas_corner *a = &f->corner[0], *b = &f->corner[1], *c = &f->corner[2];
+    float z = (w[0] * a->place.z + w[1] * b->place.z) + w[2] * c->place.z;
+    if (!(z > r->depth[index]))
+        return;
+    nkw_vec3 colour = blended(a->colour, b->colour, c->colour, w);
+    if (f->image) {
+        float u = (w[0] * a->u + w[1] * b->u) + w[2] * c->u, v = (w[0] * a->v + w[1] * b->v) + w[2] * c->v;
+        nkw_vec3 t = texture_at(f->image, f->level, u, v);
+        colour.x *= t.x, colour.y *= t.y, colour.z *= t.z;
+    }
+    r->depth[index] = z;
+    r->colour[index] = canvas_lit(colour, blended(a->normal, b->normal, c->normal, w));
+}
+
+static void draw_triangle(canvas *c, const canvas_corner corner[3], const texture *image)
+{
+    const nkw_vec3 place[3] = {corner[0].place, corner[1].place, corner[2].place};
+    facet f = {corner, image, 0};
+    if (!canvas_finite(corner))
+        return;
+    if (image)
+        f.level = canvas_texture_level(corner, image);
+    visit_triangle(raster_of(c), place, draw_point, &f);
+}
+
+static void draw_flat_point(raster *r, size_t index, const float w[3], const void *user)
+{
+    (void)w;
+    r->colour[index] = *(const nkw_vec3 *)user;
+}
+
+static void draw_shadow(canvas *c, const nkw_vec3 place[3], nkw_vec3 colour)
+{
+    for (int i = 0; i < 3; i++)
+        if (!isfinite(place[i].x) || !isfinite(place[i].y))
+            return;
+    visit_triangle(raster_of(c), place, draw_flat_point, &colour);
+}
+
+/* ---- lines ---- */
+
+/* The share of a line from a to b that is nearest to a point, and the squared distance of it. */
+static float nearest(nkw_vec3 a, nkw_vec3 b, float x, float y, float *squared)
+{
+    float dx = b.x - a.x, dy = b.y - a.y, length = dx * dx + dy * dy;
+    float t = length > 0.0f ? nkw_saturate(((x - a.x) * dx + (y - a.y) * dy) / length) : 0.0f;
+    float ex = a.x + t * dx - x, ey = a.y + t * dy - y;
+    *squared = ex * ex + ey * ey;
+    return t;
+}
+
+/* The columns that a line of half the width `half` may have in a row. */
+static void columns_of(nkw_vec3 a, nkw_vec3 b, float half, float y, float *low, float *high)
+{
+    float rise = b.y - a.y, from = 0.0f, to = 1.0f;
+    if (fabsf(rise) > 0.0f) {
+        float s = (y - half - 1.0f - a.y) / rise, t = (y + half + 1.0f - a.y) / rise;
+        from = nkw_saturate(nkw_min(s, t));
+        to = nkw_saturate(nkw_max(s, t));
+    }
+    float x0 = nkw_lerp(a.x, b.x, from), x1 = nkw_lerp(a.x, b.x, to);
+    *low = nkw_min(x0, x1) - half;
+    *high = nkw_max(x0, x1) + half;
+}
+
+static void draw_line(canvas *c, canvas_layer layer, const nkw_vec3 ends[2], float width, nkw_vec3 colour)
+{
+    raster *r = raster_of(c);
+    const nkw_vec3 a = ends[0], b = ends[1];
+    size_t x0, x1, y0, y1;
+    float half = 0.5f * width, low, high, squared;
+    if (!isfinite(a.x) || !isfinite(a.y) || !isfinite(b.x) || !isfinite(b.y))
+        return;
+    range_of(nkw_min(a.y, b.y) - half, nkw_max(a.y, b.y) + half, r->height, &y0, &y1);
+    for (size_t y = y0; y < y1; y++) {
+        columns_of(a, b, half, (float)y + 0.5f, &low, &high);
+        range_of(low, high, r->width, &x0, &x1);
+        for (size_t x = x0; x < x1; x++) {
+            float t = nearest(a, b, (float)x + 0.5f, (float)y + 0.5f, &squared), z = nkw_lerp(a.z, b.z, t);
+            size_t index = y * r->width + x;
+            if (squared > half * half || (layer == CANVAS_SCENE && !(z > r->depth[index])))
+                continue;
+            r->colour[index] = colour;
+            r->depth[index] = layer == CANVAS_SCENE ? z : r->depth[index];
+        }
+    }
+}
+
+/* ---- the picture ---- */
+
 int raster_open(raster *r, size_t width, size_t height)
 {
+    const canvas own = {(float)(width * RASTER_SAMPLES),
+                        (float)(height * RASTER_SAMPLES),
+                        (float)RASTER_SAMPLES,
+                        draw_triangle,
+                        draw_shadow,
+                        draw_line};
+    r->canvas = own;
     r->width = width * RASTER_SAMPLES;
     r->height = height * RASTER_SAMPLES;
     r->depth = calloc(r->width * r->height, sizeof *r->depth);
@@ -34,114 +186,6 @@ void raster_clear(raster *r, nkw_vec3 colour)
     }
 }
 
-/* The points whose middles may be in low..high, within 0..count: first, and one after the last. */
-static void range_of(float low, float high, size_t count, size_t *first, size_t *end)
-{
-    float from = nkw_clamp(low - 1.0f, 0.0f, (float)count), to = nkw_clamp(high + 1.0f, 0.0f, (float)count);
-    *first = (size_t)from;
-    *end = (size_t)to;
-}
-
-/* Light from the upper left behind the eye, and light from everywhere. */
-static nkw_vec3 lit(nkw_vec3 colour, nkw_vec3 normal)
-{
-    const nkw_vec3 lamp = {-0.36f, 0.55f, 0.753f};
-    nkw_vec3 n = nkw_vec3_normalize(normal);
-    float cosine = nkw_vec3_dot(n.z < 0.0f ? nkw_vec3_scale(n, -1.0f) : n, lamp);
-    return nkw_vec3_scale(colour, 0.2f + 0.7f * nkw_max(cosine, 0.0f));
-}
-
-/* Twice the signed area of a, b, p. */
-static float area(nkw_vec3 a, nkw_vec3 b, float x, float y)
-{
-    return (b.x - a.x) * (y - a.y) - (b.y - a.y) * (x - a.x);
-}
-
-static int finite_corners(const raster_corner corner[3])
-{
-    int finite = 1;
-    for (int i = 0; i < 3; i++) {
-        nkw_vec3 p = corner[i].place, n = corner[i].normal;
-        finite = finite && isfinite(p.x) && isfinite(p.y) && isfinite(p.z) && isfinite(n.x) && isfinite(n.y) &&
-                 isfinite(n.z);
-    }
-    return finite;
-}
-
-/* The barycentric weights of a point; 0 if it is outside. */
-static int weights_at(const raster_corner corner[3], float whole, float x, float y, float w[3])
-{
-    w[0] = area(corner[1].place, corner[2].place, x, y) / whole;
-    w[1] = area(corner[2].place, corner[0].place, x, y) / whole;
-    w[2] = 1.0f - w[0] - w[1];
-    return w[0] >= 0.0f && w[1] >= 0.0f && w[2] >= 0.0f;
-}
-
-static nkw_vec3 blended(const raster_corner corner[3], const float w[3])
-{
-    nkw_vec3 n = nkw_vec3_scale(corner[0].normal, w[0]);
-    n = nkw_vec3_add_scaled(n, corner[1].normal, w[1]);
-    return nkw_vec3_add_scaled(n, corner[2].normal, w[2]);
-}
-
-void raster_triangle(raster *r, const raster_corner corner[3], nkw_vec3 colour)
-{
-    if (!finite_corners(corner))
-        return;
-    const nkw_vec3 a = corner[0].place, b = corner[1].place, c = corner[2].place;
-    float whole = area(a, b, c.x, c.y);
-    size_t x0, x1, y0, y1;
-    if (!(fabsf(whole) > 0.0f))
-        return;
-    range_of(nkw_min(a.x, nkw_min(b.x, c.x)), nkw_max(a.x, nkw_max(b.x, c.x)), r->width, &x0, &x1);
-    range_of(nkw_min(a.y, nkw_min(b.y, c.y)), nkw_max(a.y, nkw_max(b.y, c.y)), r->height, &y0, &y1);
-    for (size_t y = y0; y < y1; y++)
-        for (size_t x = x0; x < x1; x++) {
-            float w[3], *depth = &r->depth[y * r->width + x];
-            if (!weights_at(corner, whole, (float)x + 0.5f, (float)y + 0.5f, w))
-                continue;
-            float z = (w[0] * a.z + w[1] * b.z) + w[2] * c.z;
-            if (!(z > *depth))
-                continue;
-            *depth = z;
-            r->colour[y * r->width + x] = lit(colour, blended(corner, w));
-        }
-}
-
-/* The squared distance of a point from the line from a to b. */
-static float distance_squared(nkw_vec3 a, nkw_vec3 b, float x, float y)
-{
-    float dx = b.x - a.x, dy = b.y - a.y, length = dx * dx + dy * dy;
-    float t = length > 0.0f ? nkw_saturate(((x - a.x) * dx + (y - a.y) * dy) / length) : 0.0f;
-    float ex = a.x + t * dx - x, ey = a.y + t * dy - y;
-    return ex * ex + ey * ey;
-}
-
-void raster_line(raster *r, nkw_vec3 a, nkw_vec3 b, float width, nkw_vec3 colour)
-{
-    size_t x0, x1, y0, y1;
-    float half = 0.5f * width;
-    if (!isfinite(a.x) || !isfinite(a.y) || !isfinite(b.x) || !isfinite(b.y))
-        return;
-    range_of(nkw_min(a.x, b.x) - half, nkw_max(a.x, b.x) + half, r->width, &x0, &x1);
-    range_of(nkw_min(a.y, b.y) - half, nkw_max(a.y, b.y) + half, r->height, &y0, &y1);
-    for (size_t y = y0; y < y1; y++)
-        for (size_t x = x0; x < x1; x++)
-            if (distance_squared(a, b, (float)x + 0.5f, (float)y + 0.5f) <= half * half)
-                r->colour[y * r->width + x] = colour;
-}
-
-void raster_disc(raster *r, nkw_vec3 centre, float radius, nkw_vec3 colour)
-{
-    raster_line(r, centre, centre, 2.0f * radius, colour);
-}
-
-/* A linear share as a byte; the transfer function is the square root. */
-static unsigned char byte_of(float share)
-{
-    return (unsigned char)(255.0f * nkw_sqrt(nkw_saturate(share)) + 0.5f);
-}
-
 void raster_resolve(const raster *r, unsigned char *out, size_t stride)
 {
     const float each = 1.0f / (float)(RASTER_SAMPLES * RASTER_SAMPLES);
@@ -153,21 +197,8 @@ void raster_resolve(const raster *r, unsigned char *out, size_t stride)
                 sum = nkw_vec3_add(sum, r->colour[row * r->width + column]);
             }
             unsigned char *pixel = out + y * stride + 3 * x;
-            pixel[0] = byte_of(sum.x * each);
-            pixel[1] = byte_of(sum.y * each);
-            pixel[2] = byte_of(sum.z * each);
+            pixel[0] = canvas_byte(sum.x * each);
+            pixel[1] = canvas_byte(sum.y * each);
+            pixel[2] = canvas_byte(sum.z * each);
         }
-}
-
-int raster_write_png(FILE *f, const unsigned char *pixels, size_t width, size_t height)
-{
-    png_image image;
-    memset(&image, 0, sizeof image);
-    image.version = PNG_IMAGE_VERSION;
-    image.format = PNG_FORMAT_RGB;
-    image.width = (png_uint_32)width;
-    image.height = (png_uint_32)height;
-    int fine = png_image_write_to_stdio(&image, f, 0, pixels, 0, NULL) != 0;
-    png_image_free(&image);
-    return fine;
 }

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* nakawari render: pictures of the model at times, as PNG. */
+/* nakawari render: pictures of the model at times, as PNG, animated PNG or SVG. */
 #include <math.h>
 #include <stdint.h>
 #include <stdlib.h>
@@ -7,29 +7,37 @@
 
 #include <nakawari/vec.h>
 
+#include "image.h"
 #include "progress.h"
+#include "raster.h"
+#include "sketch.h"
 #include "timelist.h"
 #include "view.h"
 
 static const options_text text = {
     "[OPTION...] FILE",
-    "Draws the morphed and skinned meshes of FILE at times of a clip, shaded, as one PNG file: a contact sheet, row "
-    "by\n"
-    "row; or with --sequence as numbered files of one frame each. The camera is orthographic and frames the model "
-    "over\n"
-    "all times. With --turntable it turns once around the model.\n",
+    "Draws the morphed and skinned meshes of FILE at times of a clip, shaded, with base colour textures in PNG, as a\n"
+    "contact sheet, row by row; with --sequence as numbered files of one frame each; or as an animated PNG. The "
+    "camera is\n"
+    "orthographic and frames the model over all times. With --turntable it turns once around the model.\n",
     "  nakawari render fox.glb --clip Walk -o walk.png\n"
-    "  nakawari render fox.glb -c Run --at 0,0.25 --skeleton --size 480 -o run.png\n"
+    "  nakawari render fox.glb -c Run --rate 25 -o run.apng\n"
+    "  nakawari render fox.glb -c rest --turntable --frames 48 --format apng > fox.png\n"
+    "  nakawari render fox.glb -c Run --at 0,0.25 --skeleton --size 480 -o run.svg\n"
     "  nakawari render fox.glb -c Run --rate 25 --sequence run- && ffmpeg -framerate 25 -i run-%04d.png run.mp4\n",
     1, 0};
 
 enum { SIZE_MOST = 4096, SHEET_MOST = 16384, FRAMES_MOST = 10000 };
 
+typedef enum form { FORM_PNG, FORM_APNG, FORM_SVG, FORMS } form;
+static const char *const forms[FORMS] = {"png", "apng", "svg"};
+
 typedef struct request {
-    char *clip, *at, *output, *sequence;
+    char *clip, *at, *output, *sequence, *format;
     float rate, yaw, pitch;
     long frames, size, columns;
-    int skeleton, turntable;
+    int skeleton, turntable, plain;
+    form form;
 } request;
 
 /* One clip while it is drawn: the cell of a frame, and the sheet or one frame in bytes. */
@@ -37,19 +45,24 @@ typedef struct picture {
     const request *request;
     moment *moment;
     view view;
-    nkw_vec3 low, high; /* of all frames */
+    view_box box; /* of all frames */
     raster cell;
     size_t frame_count, columns, rows;
     unsigned char *pixels;
+    progress line;
 } picture;
 
 /* ---- times ---- */
 
+/* An animation is a loop: the end of the clip is its start. */
 static size_t count_frames(const moment *m, const request *r)
 {
     if (r->at)
         return timelist_count(r->at);
-    return r->rate > 0.0f ? moment_rate_count(m, r->rate) : (size_t)r->frames;
+    if (!(r->rate > 0.0f))
+        return (size_t)r->frames;
+    size_t count = moment_rate_count(m, r->rate);
+    return r->form == FORM_APNG && count > 1 ? count - 1 : count;
 }
 
 /* Without a list or a rate: frames evenly from the start of the clip, without its end, which is the start of a loop. */
@@ -62,6 +75,20 @@ static float frame_time(const moment *m, const request *r, size_t count, size_t 
     for (size_t i = 0; i <= k; i++)
         timelist_next(&list, &time);
     return time;
+}
+
+/* The seconds that a frame of an animation is shown: until the next one; all of a clip without a length take 4 s. */
+static double frame_seconds(const picture *p, size_t k)
+{
+    const moment *m = p->moment;
+    const float start = nkw_clip_start(m->clip), end = nkw_clip_end(m->clip);
+    const size_t count = p->frame_count;
+    if (!(end > start))
+        return 4.0 / (double)count;
+    if (p->request->at && k + 1 == count)
+        return (double)(end - start) / (double)count;
+    float next = k + 1 < count ? frame_time(m, p->request, count, k + 1) : end;
+    return (double)next - (double)frame_time(m, p->request, count, k);
 }
 
 static void go_to(picture *p, size_t k)
@@ -77,73 +104,36 @@ static void go_to(picture *p, size_t k)
 /* The box of all frames. */
 static void frame_all(picture *p)
 {
-    view all;
     go_to(p, 0);
-    all = p->view;
+    p->box = p->view.box;
     for (size_t k = 0; k < p->frame_count; k++) {
         go_to(p, k);
         view_include(&p->view, p->moment);
-        view_join(&all, &p->view);
+        view_join(&p->box, &p->view.box);
     }
-    p->low = all.low;
-    p->high = all.high;
-    if (p->low.x <= p->high.x)
+    if (!p->request->plain)
+        view_include_shadow(&p->view, &p->box);
+    if (p->box.low.x <= p->box.high.x)
         return;
-    p->low = nkw_vec3_zero();
-    p->high = p->low;
+    p->box.low = p->box.high = p->box.least = p->box.most = nkw_vec3_zero();
+}
+
+static void draw_on(picture *p, size_t k, canvas *c)
+{
+    progress_at(&p->line, k);
+    go_to(p, k);
+    p->view.box = p->box;
+    if (!p->request->plain)
+        view_draw_floor(&p->view, p->moment, c);
+    view_draw(&p->view, p->moment, c, p->request->skeleton);
 }
 
 static void draw_frame(picture *p, size_t k, unsigned char *out, size_t stride)
 {
-    const nkw_vec3 paper = {0.86f, 0.88f, 0.91f};
-    go_to(p, k);
-    p->view.low = p->low;
-    p->view.high = p->high;
-    raster_clear(&p->cell, paper);
-    view_draw(&p->view, p->moment, &p->cell, p->request->skeleton);
+    raster_clear(&p->cell, view_paper());
+    draw_on(p, k, &p->cell.canvas);
     raster_resolve(&p->cell, out, stride);
 }
-
-static int write_file(const picture *p, const char *path, size_t width, size_t height)
-{
-    FILE *f = output_open(path);
-    if (!f)
-        return 0;
-    int fine = raster_write_png(f, p->pixels, width, height);
-    return output_close(f, path) && fine;
-}
-
-static int draw_sequence(picture *p)
-{
-    size_t size = (size_t)p->request->size, room = strlen(p->request->sequence) + 32;
-    char *path = malloc(room);
-    int fine = path != NULL;
-    progress line = progress_begin("drawing frame", p->frame_count, NULL);
-    for (size_t k = 0; fine && k < p->frame_count; k++) {
-        progress_at(&line, k);
-        draw_frame(p, k, p->pixels, 3 * size);
-        snprintf(path, room, "%s%04zu.png", p->request->sequence, k);
-        fine = write_file(p, path, size, size);
-    }
-    progress_end(&line);
-    free(path);
-    return fine;
-}
-
-static int draw_sheet(picture *p)
-{
-    size_t size = (size_t)p->request->size, stride = 3 * size * p->columns;
-    memset(p->pixels, 255, stride * size * p->rows);
-    progress line = progress_begin("drawing frame", p->frame_count, NULL);
-    for (size_t k = 0; k < p->frame_count; k++) {
-        progress_at(&line, k);
-        draw_frame(p, k, p->pixels + k / p->columns * size * stride + k % p->columns * 3 * size, stride);
-    }
-    progress_end(&line);
-    return write_file(p, p->request->output, size * p->columns, size * p->rows);
-}
-
-/* ---- the command ---- */
 
 static int complain(const nkw_document *d, const char *what)
 {
@@ -152,18 +142,91 @@ static int complain(const nkw_document *d, const char *what)
     return 0;
 }
 
+/* ---- the files ---- */
+
+static int write_png(picture *p, FILE *f, size_t first, size_t count)
+{
+    size_t size = (size_t)p->request->size, columns = count < p->columns ? count : p->columns;
+    size_t rows = (count + columns - 1) / columns, stride = 3 * size * columns;
+    memset(p->pixels, 255, stride * size * rows);
+    for (size_t k = 0; k < count; k++)
+        draw_frame(p, first + k, p->pixels + k / columns * size * stride + k % columns * 3 * size, stride);
+    return image_write_png(f, p->pixels, size * columns, size * rows);
+}
+
+static int write_svg(picture *p, FILE *f, size_t first, size_t count)
+{
+    svg page;
+    size_t columns = count < p->columns ? count : p->columns, rows = (count + columns - 1) / columns;
+    float size = (float)p->request->size;
+    const char *title = p->moment->document->file;
+    int fine = 1;
+    svg_start(&page, f, size * (float)columns, size * (float)rows,
+              strrchr(title, '/') ? strrchr(title, '/') + 1 : title, "The model at times of a clip");
+    for (size_t k = 0; k < count && fine; k++) {
+        sketch s;
+        svg_box box = {size * (float)(k % columns), size * (float)(k / columns), size, size};
+        sketch_begin(&s, &page, box, view_paper());
+        draw_on(p, first + k, &s.canvas);
+        fine = sketch_end(&s) || complain(p->moment->document, "no memory");
+    }
+    svg_finish(&page);
+    return fine;
+}
+
+static int write_apng(picture *p, FILE *f, size_t first, size_t count)
+{
+    image_film film;
+    size_t size = (size_t)p->request->size;
+    int fine = image_film_open(&film, f, size, size, count) || complain(p->moment->document, "no memory");
+    for (size_t k = 0; k < count && fine; k++) {
+        draw_frame(p, first + k, p->pixels, 3 * size);
+        fine = image_film_add(&film, p->pixels, frame_seconds(p, first + k));
+    }
+    image_film_close(&film);
+    return fine;
+}
+
+static int write_file(picture *p, const char *path, size_t first, size_t count)
+{
+    static int (*const writers[FORMS])(picture *, FILE *, size_t, size_t) = {write_png, write_apng, write_svg};
+    FILE *f = output_open(path);
+    if (!f)
+        return 0;
+    int fine = writers[p->request->form](p, f, first, count);
+    return output_close(f, path) && fine;
+}
+
+static int write_sequence(picture *p)
+{
+    size_t room = strlen(p->request->sequence) + 32;
+    char *path = malloc(room);
+    int fine = path != NULL;
+    for (size_t k = 0; fine && k < p->frame_count; k++) {
+        snprintf(path, room, "%s%04zu.%s", p->request->sequence, k, forms[p->request->form]);
+        fine = write_file(p, path, k, 1);
+    }
+    free(path);
+    return fine;
+}
+
+/* ---- the command ---- */
+
 /* The rows and columns of the picture, within the limits. */
 static int plan(picture *p, const request *r)
 {
+    const int single = r->sequence || r->form == FORM_APNG;
     p->frame_count = count_frames(p->moment, r);
     if (p->frame_count > FRAMES_MOST)
         return complain(p->moment->document, "more than 10000 frames: use a lower rate");
-    size_t columns = r->sequence ? 1 : (size_t)r->columns;
+    size_t columns = single ? 1 : (size_t)r->columns;
     p->columns = p->frame_count < columns ? p->frame_count : columns;
-    p->rows = r->sequence ? 1 : (p->frame_count + p->columns - 1) / p->columns;
+    p->rows = single ? 1 : (p->frame_count + p->columns - 1) / p->columns;
     if (p->columns * (size_t)r->size > SHEET_MOST || p->rows * (size_t)r->size > SHEET_MOST)
         return complain(p->moment->document,
                         "the sheet exceeds 16384 pixels: use fewer frames, a --size or --sequence");
+    if (r->form == FORM_SVG)
+        return 1;
     p->pixels = malloc(3 * p->columns * p->rows * (size_t)r->size * (size_t)r->size);
     return (p->pixels && raster_open(&p->cell, (size_t)r->size, (size_t)r->size)) ||
            complain(p->moment->document, "no memory");
@@ -185,7 +248,9 @@ static int render_document(const nkw_document *d, void *data)
     int fine = moment_open(&m, d, clips.first) && view_open(&p.view, d) && plan(&p, r);
     if (fine) {
         frame_all(&p);
-        fine = r->sequence ? draw_sequence(&p) : draw_sheet(&p);
+        p.line = progress_begin("drawing frame", p.frame_count, NULL);
+        fine = r->sequence ? write_sequence(&p) : write_file(&p, r->output, 0, p.frame_count);
+        progress_end(&p.line);
     }
     raster_free(&p.cell);
     free(p.pixels);
@@ -194,9 +259,20 @@ static int render_document(const nkw_document *d, void *data)
     return fine;
 }
 
+/* The format by its name, or by the end of the output's name. */
+static int find_form(request *r)
+{
+    const char *end = r->output ? strrchr(r->output, '.') : NULL;
+    int found = r->format ? options_word(r->format, forms, FORMS) : end ? options_word(end + 1, forms, FORMS) : -1;
+    r->form = found < 0 ? FORM_PNG : (form)found;
+    return found >= 0 || !r->format;
+}
+
 static int check_request(const options *o, void *data)
 {
-    const request *r = data;
+    request *r = data;
+    if (!find_form(r))
+        return options_misuse(o, r->format, "not png, apng or svg");
     if (r->at && !timelist_count(r->at))
         return options_misuse(o, r->at, "not a list of times: 0,0.5,1");
     if (r->rate != 0.0f && !(r->rate > 0.0f && r->rate <= 1e6f))
@@ -211,14 +287,14 @@ static int check_request(const options *o, void *data)
         return options_misuse(o, "--columns", "not in 1..1024");
     if (!isfinite(r->yaw) || !isfinite(r->pitch))
         return options_misuse(o, "--yaw, --pitch", "not a number");
-    if (r->sequence && r->output)
-        return options_misuse(o, "--sequence", "not with --output");
+    if (r->sequence && (r->output || r->form == FORM_APNG))
+        return options_misuse(o, "--sequence", r->output ? "not with --output" : "not as apng");
     return COMMAND_FINE;
 }
 
 int command_render(int argc, const char **argv)
 {
-    request r = {NULL, NULL, NULL, NULL, 0.0f, 35.0f, 12.0f, 8, 240, 4, 0, 0};
+    request r = {NULL, NULL, NULL, NULL, NULL, 0.0f, 35.0f, 12.0f, 8, 240, 4, 0, 0, 0, FORM_PNG};
     const struct poptOption known[] = {
         {"clip", 'c', POPT_ARG_STRING, &r.clip, 0, "number or name of the clip, or rest (default: 0)", "N"},
         {"at", 't', POPT_ARG_STRING, &r.at, 0, "times in seconds", "T,T,..."},
@@ -229,8 +305,11 @@ int command_render(int argc, const char **argv)
         {"skeleton", 'k', POPT_ARG_NONE, &r.skeleton, 0, "draw the joints of the skins over the model", NULL},
         {"yaw", 0, POPT_ARG_FLOAT, &r.yaw, 0, "degrees that the camera is to the model's left (default: 35)", "D"},
         {"pitch", 0, POPT_ARG_FLOAT, &r.pitch, 0, "degrees that it looks down (default: 12)", "D"},
+        {"plain", 0, POPT_ARG_NONE, &r.plain, 0, "draw no floor and no shadow", NULL},
         {"turntable", 0, POPT_ARG_NONE, &r.turntable, 0, "turn once around the model", NULL},
         {"output", 'o', POPT_ARG_STRING, &r.output, 0, "write to FILE, not to the standard output", "FILE"},
+        {"format", 'f', POPT_ARG_STRING, &r.format, 0,
+         "png, apng (animated) or svg (default: by the end of --output, or png)", "FORMAT"},
         {"sequence", 0, POPT_ARG_STRING, &r.sequence, 0, "write each frame to PREFIX0000.png, PREFIX0001.png ...",
          "PREFIX"},
         OPTIONS_END};
@@ -240,5 +319,6 @@ int command_render(int argc, const char **argv)
     free(r.at);
     free(r.output);
     free(r.sequence);
+    free(r.format);
     return code;
 }
