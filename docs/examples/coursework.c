@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /**
  * @file
- * nakawari-coursework: the university exercise on key-frame animation, finished: a table of the object's matrix
+ * nakawari-coursework: the university exercise on key-frame animation, finished: tables of the object's matrix
  * by every method, pictures of its way, and the whole calculation of any one time. See docs/coursework.md.
  */
 #include <errno.h>
@@ -14,6 +14,7 @@
 #include "options.h"
 #include "picture.h"
 #include "scene.h"
+#include "summary.h"
 #include "trace.h"
 
 /* Exit codes. */
@@ -44,13 +45,14 @@ enum { LINEAR, HERMITE, BEZIER, BSPLINE }; /* in `positions` */
 
 static const char usage[] =
     "usage: nakawari-coursework [options]\n"
-    "Writes a table and pictures of the exercise's key-frame animation.\n"
+    "Prints the numbers of the exercise's key-frame animation; writes a table and pictures of it.\n"
     "\n"
     "  --scene 1|2        which of the exercise's scenes (default 1)\n"
     "  --keys N           only its first N keys, 2 or more (default all)\n"
     "  --step SECONDS     distance of the table's rows (default 0.1)\n"
     "  --out DIR          an existing folder for the files (default .)\n"
     "  --joints           index.html shows the pictures of nakawari-joints too, from the same folder\n"
+    "  --character        and those of a character, by nakawari render: walk.apng, wave.apng, hop.apng, sheet.png\n"
     "  --trace TIME       write no file; print the calculation at TIME step by step, with\n"
     "  --position P       linear, hermite (default), bezier, bspline, catmull-rom or step, and\n"
     "  --orientation O    none, euler, quat (default), euler-unwrapped or nlerp\n"
@@ -60,7 +62,7 @@ typedef struct options {
     long scene, keys;
     double step, time;
     const char *out;
-    int joints, trace, help;
+    int joints, character, trace, help;
     const named *position, *orientation;
 } options;
 
@@ -86,6 +88,7 @@ static int read_options(int argc, char **argv, options *o)
                             {"--step", OPTION_NUMBER, &o->step, 1e-4, 1e3, NULL},
                             {"--out", OPTION_TEXT, &o->out, 0, 0, NULL},
                             {"--joints", OPTION_FLAG, &o->joints, 0, 0, NULL},
+                            {"--character", OPTION_FLAG, &o->character, 0, 0, NULL},
                             {"--trace", OPTION_NUMBER, &o->time, -1e6, 1e6, &o->trace},
                             {"--position", OPTION_TEXT, &position, 0, 0, NULL},
                             {"--orientation", OPTION_TEXT, &orientation, 0, 0, NULL}};
@@ -179,55 +182,84 @@ static int write_frames_slerp(const scene *s, const char *path)
 
 typedef struct picture {
     int (*write)(const scene *s, const char *path);
-    const char *name, *caption;
+    const char *name, *caption, *alt; /* alt: what is seen, for those who do not */
 } picture;
 
 static const picture pictures[] = {
     {picture_trajectory_top, "trajectory-top",
      "The four position curves from above. Hermite passes through every key and leaves it along the object's nose; "
-     "B&eacute;zier passes through every third key; B-spline passes near the keys."},
+     "B&eacute;zier passes through every third key; B-spline passes near the keys.",
+     "A map of seven keys and four curves. Only the B-spline does not reach them; the Bezier curve is far from key 2."},
     {picture_trajectory_perspective, "trajectory-perspective",
-     "The same curves in space through the exercise's camera, each with the curtain down to its shadow on the floor."},
-    {write_frames_euler, "frames-euler", "All frames, every 0.2 s, orientation by Euler angles."},
-    {write_frames_slerp, "frames-slerp", "The same frames, orientation by quaternions and slerp."},
+     "The same curves in space through the exercise's camera, each with the curtain down to its shadow on the floor.",
+     "Four panels, one for each curve, with a dart at each key."},
+    {write_frames_euler, "frames-euler", "All frames, every 0.2 s, orientation by Euler angles.",
+     "Thirty-one darts along the Hermite curve."},
+    {write_frames_slerp, "frames-slerp", "The same frames, orientation by quaternions and slerp.",
+     "The same darts at the same places; they differ between keys 0 and 2."},
     {picture_orientation_compare, "orientation-compare",
      "Where the two orientation methods differ most: the object side by side, the path of its nose, and how fast "
-     "it turns."},
+     "it turns.",
+     "Two rows of darts; two paths on a sphere, that of slerp the shorter one; two curves of angular speed, that of "
+     "slerp constant between keys."},
 };
 enum { PICTURE_COUNT = sizeof pictures / sizeof *pictures };
 
 /* What nakawari-joints draws. */
 static const picture joints_pictures[] = {
-    {NULL, "joints-sheet",
-     "From key frames to skinned vertices: every half second of the motion, by blended matrices."},
+    {NULL, "joints-sheet", "From key frames to skinned vertices: every half second of the motion, by blended matrices.",
+     "Eight capsules that bend and twist."},
     {NULL, "joints-compare",
-     "Where a joint is twisted most: blended matrices lose the volume, dual quaternions keep it."},
+     "Where a joint is twisted most: blended matrices lose the volume, dual quaternions keep it.",
+     "Two twisted capsules; that of blended matrices is thin as a thread in the middle."},
 };
 enum { JOINTS_PICTURE_COUNT = sizeof joints_pictures / sizeof *joints_pictures };
 
 static void write_figure(FILE *f, const picture *p)
 {
-    fprintf(f, "<figure><img src=\"%s.svg\" alt=\"\"><figcaption>%s</figcaption></figure>\n", p->name, p->caption);
+    fprintf(f, "<figure><img src=\"%s.svg\" alt=\"%s\"><figcaption>%s</figcaption></figure>\n", p->name, p->alt,
+            p->caption);
 }
 
-static int write_index(const scene *s, int joints, const char *path)
+/* What nakawari render draws of the committed character. */
+static void write_character(FILE *f)
+{
+    static const char *const clips[] = {"walk", "wave", "hop"};
+    fputs("<h1>A character from a file</h1>\n<figure class=\"row\">", f);
+    for (int i = 0; i < 3; i++)
+        fprintf(f, "<img src=\"%s.apng\" alt=\"A mannequin: %s\">", clips[i], clips[i]);
+    fputs("<figcaption>The three clips of docs/examples/character.glb, by <code>nakawari render character.glb --clip "
+          "walk "
+          "--rate 25 -o walk.apng</code>.</figcaption></figure>\n"
+          "<figure><img src=\"sheet.png\" alt=\"Eight frames of the walk with the skeleton\"><figcaption>The walk in "
+          "eight frames with its skeleton: linear blend skinning of one mesh by 17 joints.</figcaption></figure>\n",
+          f);
+}
+
+static int write_index(const scene *s, const options *o, const char *path)
 {
     FILE *f = fopen(path, "wb");
     if (!f)
         return 0;
     fputs("<!doctype html>\n<html lang=\"en\"><meta charset=\"utf-8\"><title>nakawari: the exercise</title>\n"
           "<style>body{font:16px/1.5 sans-serif;max-width:1040px;margin:2em auto;padding:0 1em;color:#222}"
-          "figure{margin:0 0 2.5em}img{width:100%;border:1px solid #ddd}</style>\n"
+          "figure{margin:0 0 2.5em}img{width:100%;border:1px solid #ddd}.row img{width:32.6%}"
+          "pre{font-size:12px;overflow:auto}</style>\n"
           "<h1>Key-frame animation, drawn by nakawari</h1>\n",
           f);
     fprintf(f, "<p>%u keys, one per second. The numbers: <a href=\"%s.csv\">%s.csv</a>.</p>\n", (unsigned)s->count,
             s->name, s->name);
+    fputs("<details><summary>A table to compare with</summary><pre>\n", f);
+    summary_print(f, s);
+    fputs("</pre></details>\n", f);
     for (int i = 0; i < PICTURE_COUNT; i++)
         write_figure(f, &pictures[i]);
-    if (joints)
+    if (o->joints)
         fputs("<h1>A capsule on four joints</h1>\n", f);
-    for (int i = 0; joints && i < JOINTS_PICTURE_COUNT; i++)
+    for (int i = 0; o->joints && i < JOINTS_PICTURE_COUNT; i++)
         write_figure(f, &joints_pictures[i]);
+    if (o->character)
+        write_character(f);
     fputs("</html>\n", f);
     int failed = ferror(f);
     return fclose(f) == 0 && !failed;
@@ -245,10 +277,11 @@ static int write_files(const scene *s, const options *o)
             return 0;
     }
     path_in(o, "index", ".html", path);
-    if (!report(write_index(s, o->joints, path), path))
+    if (!report(write_index(s, o, path), path))
         return 0;
-    printf("wrote the table %s/%s.csv and %d pictures; all on one page: %s\n", o->out, s->name, (int)PICTURE_COUNT,
-           path);
+    summary_print(stdout, s);
+    printf("\nwrote the whole table %s/%s.csv\nand %d pictures, all on one page: %s\n", o->out, s->name,
+           (int)PICTURE_COUNT, path);
     return 1;
 }
 
@@ -272,7 +305,7 @@ static int run(const options *o)
 
 int main(int argc, char **argv)
 {
-    options o = {1, 0, 0.1, 0.0, ".", 0, 0, 0, &positions[HERMITE], &orientations[QUAT]};
+    options o = {1, 0, 0.1, 0.0, ".", 0, 0, 0, 0, &positions[HERMITE], &orientations[QUAT]};
     int code = DONE;
     if (!read_options(argc, argv, &o))
         return MISUSED;
