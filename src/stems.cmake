@@ -4,7 +4,7 @@
 set(NKW_FLOOR_0 base)
 set(NKW_FLOOR_1 scalar)
 set(NKW_FLOOR_2 types vec quat mat euler axes transform dual)
-set(NKW_FLOOR_3 curve orient)
+set(NKW_FLOOR_3 curve curve_point orient)
 set(NKW_FLOOR_4 segment keyframe track edit playback pose clip reduce)
 set(NKW_FLOOR_5 skeleton blend)
 set(NKW_FLOOR_6 palette skin partition crowd)

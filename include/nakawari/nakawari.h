@@ -24,6 +24,7 @@
 
 /* Floor 3, curve and orient: curves on numbers, curves on rotations. */
 #include "curve.h"
+#include "curve_point.h"
 #include "orient.h"
 
 /* Floor 4, track: the keys around a time; values, poses and matrices from keys. */

@@ -143,6 +143,44 @@ static inline lane_f64_cubic lane_bezier_from_bspline(lane_f64_cubic d)
     return r;
 }
 
+/* Catmull-Rom: tangents (c2 - c0)/2 and (c3 - c1)/2. */
+static inline lane_f64_cubic lane_bezier_from_catmull_rom(lane_f64_cubic p)
+{
+    const double *c = p.c;
+    lane_f64_cubic r = {{c[1], c[1] + (c[2] - c[0]) / 6.0, c[2] - (c[3] - c[1]) / 6.0, c[2]}};
+    return r;
+}
+
+/* The differences that determine a cubic segment but for its place: p(1) - p(0), and the tangents at its ends. */
+typedef struct lane_f64_slopes {
+    double f, v0, v1;
+} lane_f64_slopes;
+
+static inline lane_f64_slopes lane_slopes_of(nkw_cubic_kind kind, const float c[4])
+{
+    double d0 = (double)c[1] - (double)c[0], d1 = (double)c[2] - (double)c[1], d2 = (double)c[3] - (double)c[2];
+    double in = 0.5 * (d0 + d1), out = 0.5 * (d1 + d2);
+    lane_f64_slopes hermite = {(double)c[2] - (double)c[0], c[1], c[3]};
+    lane_f64_slopes bezier = {(double)c[3] - (double)c[0], 3.0 * d0, 3.0 * d2};
+    lane_f64_slopes bspline = {((d0 + 4.0 * d1) + d2) / 6.0, in, out}, catmull_rom = {d1, in, out};
+    return kind == NKW_CUBIC_BEZIER        ? bezier
+           : kind == NKW_CUBIC_BSPLINE     ? bspline
+           : kind == NKW_CUBIC_CATMULL_ROM ? catmull_rom
+                                           : hermite;
+}
+
+/* The first and second derivative by t; see nkw_cubic_point. */
+static inline double lane_f64_first(lane_f64_slopes a, double t)
+{
+    double s = 1.0 - t;
+    return (6.0 * (t * s)) * a.f + ((s * (s - 2.0 * t)) * a.v0 + (t * (t - 2.0 * s)) * a.v1);
+}
+
+static inline double lane_f64_second(lane_f64_slopes a, double t)
+{
+    return (6.0 - 12.0 * t) * a.f + ((6.0 * t - 4.0) * a.v0 + (6.0 * t - 2.0) * a.v1);
+}
+
 /* De Casteljau's triangle; its two sides are the halves. */
 static inline void lane_bezier_split(lane_f64_cubic b, double t, lane_f64_cubic *left, lane_f64_cubic *right)
 {

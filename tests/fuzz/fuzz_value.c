@@ -184,6 +184,10 @@ static void curve(const any *a)
     nkw_catmull_rom_tangent(f[0], f[1], f[2], f[3], f[4]), nkw_vec3_catmull_rom_tangent(v[0], v[1], v[2], f[3], f[4]);
     nkw_catmull_rom_nonuniform(w, f[0], f[1], f[2], f[3], t),
         nkw_vec3_catmull_rom_nonuniform(w, v[0], v[1], v[2], v[3], t);
+    nkw_vec3_curve_point from = {v[0], v[1], v[2]}, to = {v[3], v[0], v[1]};
+    nkw_vec3_catmull_rom_nonuniform_point(w, v[0], v[1], v[2], v[3], t), nkw_vec3_quintic_hermite(&from, &to, t);
+    for (int kind = -1; kind <= 4; kind++)
+        nkw_vec3_cubic_point((nkw_cubic_kind)kind, &a->cubics, t);
     nkw_vec3_bezier_from_hermite(&a->cubics), nkw_vec3_hermite_from_bezier(&a->cubics);
     nkw_vec3_bezier_from_bspline(&a->cubics), nkw_vec3_bezier_split(&a->cubics, t, &lefts, &rights);
 }

@@ -119,6 +119,17 @@ static void put_cubic(float *o, const nkw_vec3_cubic *c)
         o[k] = c->c[k].x;
 }
 
+static void put_point(float *o, nkw_curve_point p)
+{
+    memcpy(o, &p, sizeof p);
+}
+
+static nkw_curve_point point_of(const float s[3])
+{
+    nkw_curve_point p = {s[0], s[1], s[2]};
+    return p;
+}
+
 static void put_trs(float *o, nkw_trs t)
 {
     memcpy(o, &t, sizeof t);

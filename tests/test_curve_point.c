@@ -1,0 +1,242 @@
+/* SPDX-License-Identifier: MIT */
+#include <math.h>
+
+#include "random.h"
+#include "support/expect.h"
+
+#define KINDS 4
+
+static float value_of(nkw_cubic_kind kind, const float c[4], float t)
+{
+    switch (kind) {
+    case NKW_CUBIC_BEZIER:
+        return nkw_bezier(c[0], c[1], c[2], c[3], t);
+    case NKW_CUBIC_BSPLINE:
+        return nkw_bspline(c[0], c[1], c[2], c[3], t);
+    case NKW_CUBIC_CATMULL_ROM:
+        return nkw_catmull_rom(c[0], c[1], c[2], c[3], t);
+    default:
+        return nkw_hermite(c[0], c[1], c[2], c[3], t);
+    }
+}
+
+static void draw(random_source *r, float c[4])
+{
+    for (int i = 0; i < 4; i++)
+        c[i] = random_between(r, -1, 1);
+}
+
+static nkw_curve_point draw_point(random_source *r)
+{
+    nkw_curve_point p = {random_between(r, -1, 1), random_between(r, -4, 4), random_between(r, -20, 20)};
+    return p;
+}
+
+static void value_of_a_point_has_the_bits_of_the_curve(void **state)
+{
+    (void)state;
+    random_source r = random_from(1);
+    for (int i = 0; i < 4000; i++) {
+        float c[4], t = random_between(&r, -0.5f, 1.5f);
+        draw(&r, c);
+        for (int kind = -1; kind <= KINDS; kind++)
+            expect_bits(nkw_cubic_point((nkw_cubic_kind)kind, c, t).value, value_of((nkw_cubic_kind)kind, c, t));
+    }
+}
+
+static void derivatives_of_a_point_are_the_weighted_sums(void **state)
+{
+    (void)state;
+    random_source r = random_from(2);
+    for (int i = 0; i < 4000; i++) {
+        float c[4], t = random_unit(&r);
+        draw(&r, c);
+        for (int k = 0; k < KINDS; k++) {
+            nkw_cubic_kind kind = (nkw_cubic_kind)k;
+            nkw_curve_point p = nkw_cubic_point(kind, c, t);
+            nkw_weights v = nkw_cubic_weights(kind, 1, t), a = nkw_cubic_weights(kind, 2, t);
+            expect_near(p.first, nkw_weighted_sum(v, c[0], c[1], c[2], c[3]), 4e-6);
+            expect_near(p.second, nkw_weighted_sum(a, c[0], c[1], c[2], c[3]), 1e-5);
+        }
+    }
+}
+
+static void tangents_come_back_at_the_ends(void **state)
+{
+    (void)state;
+    random_source r = random_from(3);
+    for (int i = 0; i < 4000; i++) {
+        float c[4];
+        for (int j = 0; j < 4; j++)
+            c[j] = random_scaled(&r, -40, 40);
+        expect_bits(nkw_cubic_point(NKW_CUBIC_HERMITE, c, 0).first, c[1]);
+        expect_bits(nkw_cubic_point(NKW_CUBIC_HERMITE, c, 1).first, c[3]);
+    }
+}
+
+static void derivatives_do_not_lose_digits_far_from_the_origin(void **state)
+{
+    (void)state;
+    random_source r = random_from(4);
+    for (int i = 0; i < 2000; i++) {
+        float near[4], far[4], t = random_unit(&r);
+        for (int j = 0; j < 4; j++) {
+            near[j] = (float)(random_bits(&r) % 64) / 16;
+            far[j] = 262144.0f + near[j]; /* exact */
+        }
+        for (int k = NKW_CUBIC_BEZIER; k < KINDS; k++) {
+            expect_bits(nkw_cubic_point((nkw_cubic_kind)k, far, t).first,
+                        nkw_cubic_point((nkw_cubic_kind)k, near, t).first);
+            expect_bits(nkw_cubic_point((nkw_cubic_kind)k, far, t).second,
+                        nkw_cubic_point((nkw_cubic_kind)k, near, t).second);
+        }
+    }
+}
+
+static void points_of_vectors_go_by_component(void **state)
+{
+    (void)state;
+    random_source r = random_from(5);
+    for (int i = 0; i < 1000; i++) {
+        nkw_vec3_cubic c;
+        float t = random_unit(&r), times[4] = {0, 0.5f, 0.75f, 2}, y[4];
+        for (int j = 0; j < 4; j++) {
+            c.c[j] = random_vec3(&r, -1, 1);
+            y[j] = c.c[j].y;
+        }
+        nkw_vec3_curve_point p = nkw_vec3_cubic_point(NKW_CUBIC_BSPLINE, &c, t);
+        nkw_curve_point want = nkw_cubic_point(NKW_CUBIC_BSPLINE, y, t);
+        expect_bits(p.value.y, want.value);
+        expect_bits(p.first.y, want.first);
+        expect_bits(p.second.y, want.second);
+        p = nkw_vec3_catmull_rom_nonuniform_point(times, c.c[0], c.c[1], c.c[2], c.c[3], t);
+        want = nkw_catmull_rom_nonuniform_point(times, c.c[0].z, c.c[1].z, c.c[2].z, c.c[3].z, t);
+        expect_bits(p.value.z, want.value);
+        expect_bits(p.first.z, want.first);
+        expect_bits(p.second.z, want.second);
+        nkw_vec3_curve_point a = {c.c[0], c.c[1], c.c[2]}, b = {c.c[3], c.c[0], c.c[1]};
+        nkw_curve_point ax = {a.value.x, a.first.x, a.second.x}, bx = {b.value.x, b.first.x, b.second.x};
+        p = nkw_vec3_quintic_hermite(&a, &b, t);
+        want = nkw_quintic_hermite(ax, bx, t);
+        expect_bits(p.value.x, want.value);
+        expect_bits(p.first.x, want.first);
+        expect_bits(p.second.x, want.second);
+    }
+}
+
+static void nonuniform_points_have_the_value_of_the_curve_and_its_slope(void **state)
+{
+    (void)state;
+    random_source r = random_from(6);
+    const double h = 0x1p-9;
+    for (int i = 0; i < 2000; i++) {
+        float c[4], times[4] = {0, 0.5f, 1.5f, 1.75f}, t = 0.25f + (float)(random_bits(&r) % 256) / 512;
+        draw(&r, c);
+        nkw_curve_point p = nkw_catmull_rom_nonuniform_point(times, c[0], c[1], c[2], c[3], t);
+        expect_bits(p.value, nkw_catmull_rom_nonuniform(times, c[0], c[1], c[2], c[3], t));
+        nkw_curve_point before = nkw_catmull_rom_nonuniform_point(times, c[0], c[1], c[2], c[3], t - (float)h),
+                        after = nkw_catmull_rom_nonuniform_point(times, c[0], c[1], c[2], c[3], t + (float)h);
+        /* Central differences: off by h^2/6 times the third derivative, at most 60. */
+        expect_near(p.first, ((double)after.value - (double)before.value) / (2 * h), 3e-4);
+        expect_near(p.second, ((double)after.first - (double)before.first) / (2 * h), 1e-3);
+    }
+}
+
+static void quintic_returns_its_ends(void **state)
+{
+    (void)state;
+    random_source r = random_from(7);
+    for (int i = 0; i < 4000; i++) {
+        nkw_curve_point p0 = draw_point(&r), p1 = draw_point(&r);
+        nkw_curve_point start = nkw_quintic_hermite(p0, p1, 0), end = nkw_quintic_hermite(p0, p1, 1);
+        expect_bits(start.value, p0.value);
+        expect_bits(start.first, p0.first);
+        expect_bits(start.second, p0.second);
+        expect_bits(end.value, p1.value);
+        expect_bits(end.first, p1.first);
+        expect_bits(end.second, p1.second);
+    }
+}
+
+static void quintic_of_a_constant_is_constant(void **state)
+{
+    (void)state;
+    random_source r = random_from(8);
+    for (int i = 0; i < 4000; i++) {
+        nkw_curve_point p = {random_scaled(&r, -60, 60), 0, 0};
+        nkw_curve_point at = nkw_quintic_hermite(p, p, random_unit(&r));
+        expect_bits(at.value, p.value);
+        expect_near(at.first, 0, 0);
+        expect_near(at.second, 0, 0);
+    }
+}
+
+/* Degree 5 with random coefficients, in double. */
+static void quintic_reproduces_polynomials_of_degree_five(void **state)
+{
+    (void)state;
+    random_source r = random_from(9);
+    for (int i = 0; i < 4000; i++) {
+        double c[6], t = random_unit(&r), x[3][3] = {{0}};
+        for (int k = 0; k < 6; k++)
+            c[k] = (double)(random_bits(&r) % 65) / 16 - 2; /* sums of these are floats */
+        const double at[3] = {0, 1, t};
+        for (int j = 0; j < 3; j++)
+            for (int k = 5; k >= 0; k--) {
+                x[j][2] = x[j][2] * at[j] + 2 * x[j][1];
+                x[j][1] = x[j][1] * at[j] + x[j][0];
+                x[j][0] = x[j][0] * at[j] + c[k];
+            }
+        nkw_curve_point p0 = {(float)x[0][0], (float)x[0][1], (float)x[0][2]},
+                        p1 = {(float)x[1][0], (float)x[1][1], (float)x[1][2]};
+        nkw_curve_point p = nkw_quintic_hermite(p0, p1, (float)t);
+        expect_near(p.value, x[2][0], 1e-6);
+        expect_near(p.first, x[2][1], 4e-6);
+        expect_near(p.second, x[2][2], 2e-5);
+    }
+}
+
+static void quintic_mirrors(void **state)
+{
+    (void)state;
+    random_source r = random_from(10);
+    for (int i = 0; i < 4000; i++) {
+        nkw_curve_point p0 = draw_point(&r), p1 = draw_point(&r);
+        nkw_curve_point m0 = {p1.value, -p1.first, p1.second}, m1 = {p0.value, -p0.first, p0.second};
+        float t = random_unit(&r);
+        nkw_curve_point p = nkw_quintic_hermite(p0, p1, t), m = nkw_quintic_hermite(m0, m1, 1.0f - t);
+        expect_near(p.value, m.value, 1e-6);
+        expect_near(p.first, -(double)m.first, 1e-5);
+        expect_near(p.second, m.second, 1e-4);
+    }
+}
+
+static void points_of_nan_are_nan(void **state)
+{
+    (void)state;
+    const float c[4] = {0, NAN, 1, 0};
+    nkw_curve_point p = nkw_cubic_point(NKW_CUBIC_HERMITE, c, 0.5f), zero = {0, 0, 0}, bad = {NAN, 0, 0};
+    expect_nan(p.value);
+    expect_nan(p.first);
+    expect_nan(p.second);
+    expect_nan(nkw_quintic_hermite(zero, bad, 0.25f).value);
+    expect_nan(nkw_quintic_hermite(zero, zero, NAN).first);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(value_of_a_point_has_the_bits_of_the_curve),
+        cmocka_unit_test(derivatives_of_a_point_are_the_weighted_sums),
+        cmocka_unit_test(tangents_come_back_at_the_ends),
+        cmocka_unit_test(derivatives_do_not_lose_digits_far_from_the_origin),
+        cmocka_unit_test(points_of_vectors_go_by_component),
+        cmocka_unit_test(nonuniform_points_have_the_value_of_the_curve_and_its_slope),
+        cmocka_unit_test(quintic_returns_its_ends),
+        cmocka_unit_test(quintic_of_a_constant_is_constant),
+        cmocka_unit_test(quintic_reproduces_polynomials_of_degree_five),
+        cmocka_unit_test(quintic_mirrors),
+        cmocka_unit_test(points_of_nan_are_nan),
+    };
+    return cmocka_run_group_tests_name("curve_point", tests, NULL, NULL);
+}
