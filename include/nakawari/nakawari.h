@@ -29,6 +29,7 @@
 
 /* Floor 4, track: the keys around a time; values, poses and matrices from keys. */
 #include "segment.h"
+#include "spline.h"
 #include "keyframe.h"
 #include "track.h"
 #include "edit.h"

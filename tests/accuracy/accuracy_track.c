@@ -61,6 +61,28 @@ static double cubic_error(const float *x)
     return accuracy_units((double)got, (double)exact, (double)largest);
 }
 
+/* Velocity and acceleration at the rounded t, of the largest of the slope and the tangents. */
+static double rates_error(const float *x)
+{
+    random_source r = wide_source(x);
+    segment s;
+    float value, got[2];
+    begin(&s, &r, 1, NKW_TRACK_FLOATS, NKW_INTERPOLATION_CUBICSPLINE);
+    for (int i = 0; i < 6; i++)
+        s.values[i] = random_between(&r, -1.0f, 1.0f);
+    if (nkw_track_sample_derivatives(&s.track, s.time, &value, got, got + 1) != NKW_OK)
+        return HUGE_VAL;
+    wide h = (wide)s.times[1] - s.times[0], t = nkw_segment_find(s.times, 2, s.time).t, u = 1 - t;
+    wide c[3] = {((wide)s.values[4] - s.values[1]) / h, s.values[2], s.values[3]}, size = 0;
+    wide first[3] = {6 * t * u, u * (u - 2 * t), t * (t - 2 * u)}, second[3] = {6 - 12 * t, 6 * t - 4, 6 * t - 2};
+    for (int i = 0; i < 3; i++)
+        size = c[i] > size ? c[i] : -c[i] > size ? -c[i] : size;
+    wide velocity = wide_dot(c, first, 3), acceleration = wide_dot(c, second, 3) / h;
+    wide speed = velocity > size ? velocity : -velocity > size ? -velocity : size;
+    wide bend = acceleration * h > size ? acceleration * h : -acceleration * h > size ? -acceleration * h : size;
+    return fmax(wide_error_of(got, &velocity, 1, speed), wide_error_of(got + 1, &acceleration, 1, bend / h));
+}
+
 /* Keys of any sign up to `angle` apart, tangents of up to that length in a segment. */
 static double cubic_turn_error(const float *x, float angle)
 {
@@ -143,6 +165,7 @@ static const wide_case cases[] = {
     {SAMPLE, "CUBICSPLINE, numbers", wide_seed, cubic_error, 2, WIDE_CHECKED},
     {SAMPLE, "CUBICSPLINE, rotations 0.25 apart", wide_seed, cubic_turn_small, 2, WIDE_CHECKED},
     {SAMPLE, "CUBICSPLINE, rotations 1 rad apart", wide_seed, cubic_turn_large, 2, WIDE_CHECKED},
+    {"nkw_track_sample_derivatives", "CUBICSPLINE", wide_seed, rates_error, 2, WIDE_CHECKED},
     {SAMPLE, "LINEAR, numbers", wide_seed, linear_any, 2, WIDE_CHECKED},
     {SAMPLE, "LINEAR, nearly opposite keys, middle", wide_seed, linear_opposite, 2, WIDE_CHECKED},
     {SAMPLE, "LINEAR, rotations", wide_seed, slerp_error, 2, WIDE_CHECKED},

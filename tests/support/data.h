@@ -21,7 +21,8 @@
     X(crowd) \
     X(clip_more) \
     X(crowd_skin) \
-    X(clip_reduce)
+    X(clip_reduce) \
+    X(spline)
 
 #ifdef __cplusplus
 extern "C" {

@@ -1,0 +1,148 @@
+/* SPDX-License-Identifier: MIT */
+#include <math.h>
+
+#include "four_keys.h"
+#include "random.h"
+#include "support/expect.h"
+
+/* Four keys of two numbers with their tangents. */
+static void draw(random_source *r, float triples[24])
+{
+    for (int i = 0; i < 24; i++)
+        triples[i] = random_between(r, -2, 2);
+}
+
+static void derivatives(const nkw_track *track, float time, float *value, float *velocity, float *acceleration)
+{
+    assert_int_equal(nkw_track_sample_derivatives(track, time, value, velocity, acceleration), NKW_OK);
+}
+
+static void value_has_the_bits_of_the_sample(void **state)
+{
+    (void)state;
+    random_source r = random_from(1);
+    for (int i = 0; i < 3000; i++) {
+        float v[24], at[2], velocity[2], acceleration[2], want[2], time = random_between(&r, 0, 3);
+        draw(&r, v);
+        nkw_track track = floats(v, 2, (nkw_interpolation)(i % 3));
+        derivatives(&track, time, at, velocity, acceleration);
+        nkw_track_sample(&track, time, want);
+        expect_floats_bits(at, want, 2);
+    }
+}
+
+static void derivatives_are_the_slopes_of_the_samples(void **state)
+{
+    (void)state;
+    random_source r = random_from(2);
+    const float h = 0x1p-8f;
+    for (int i = 0; i < 3000; i++) {
+        float v[24], at[2], velocity[2], acceleration[2], before[2], after[2], low[2], high[2], other[2];
+        float time = 1 + 0x1p-7f + 0.96875f * random_unit(&r);
+        draw(&r, v);
+        nkw_track track = floats(v, 2, (nkw_interpolation)(i % 3));
+        derivatives(&track, time, at, velocity, acceleration);
+        derivatives(&track, time - h, before, low, other);
+        derivatives(&track, time + h, after, high, other);
+        for (int c = 0; c < 2; c++) {
+            /* Central differences: off by h^2/6 times the third derivative, at most 72; and by rounding. */
+            expect_near(velocity[c], ((double)after[c] - (double)before[c]) / (2 * (double)h), 3e-4);
+            expect_near(acceleration[c], ((double)high[c] - (double)low[c]) / (2 * (double)h), 1e-3);
+        }
+    }
+}
+
+static void keys_have_the_velocity_of_the_segment_that_begins_there(void **state)
+{
+    (void)state;
+    random_source r = random_from(3);
+    for (int i = 0; i < 200; i++) {
+        float v[24], at[2], velocity[2], acceleration[2];
+        draw(&r, v);
+        nkw_track track = floats(v, 2, NKW_INTERPOLATION_CUBICSPLINE);
+        for (size_t k = 0; k < 3; k++) {
+            derivatives(&track, times4[k], at, velocity, acceleration);
+            expect_floats_bits(velocity, v + 6 * k + 4, 2);
+        }
+        derivatives(&track, times4[3], at, velocity, acceleration);
+        expect_floats_bits(velocity, v + 18, 2);
+    }
+}
+
+static void derivatives_outside_the_keys_are_zero(void **state)
+{
+    (void)state;
+    static const float v[24] = {1, 2, 3, 4, 5, 6, 7, 8, 9, 1, 2, 3, 4, 5, 6, 7, 8, 9, 1, 2, 3, 4, 5, 6},
+                       zero[2] = {0, 0};
+    const float outside[4] = {0.25f, 2.75f, NAN, INFINITY};
+    for (int i = 0; i < 12; i++) {
+        float at[2], velocity[2] = {9, 9}, acceleration[2] = {9, 9};
+        nkw_track track = floats(v, 2, (nkw_interpolation)(i % 3));
+        derivatives(&track, outside[i / 3], at, velocity, acceleration);
+        expect_floats_bits(velocity, zero, 2);
+        expect_floats_bits(acceleration, zero, 2);
+    }
+}
+
+static void an_empty_segment_has_no_velocity(void **state)
+{
+    (void)state;
+    static const float times[3] = {0, 1, 1}, v[3] = {1, 2, 4}, one[1] = {0};
+    nkw_track track = {times, v, 3, 1, NKW_TRACK_FLOATS, NKW_INTERPOLATION_LINEAR, NULL};
+    nkw_track single = {one, v, 1, 1, NKW_TRACK_FLOATS, NKW_INTERPOLATION_LINEAR, NULL};
+    float at, velocity, acceleration;
+    derivatives(&track, 1, &at, &velocity, &acceleration);
+    expect_bits(at, 4);
+    expect_bits(velocity, 0);
+    derivatives(&single, 0, &at, &velocity, &acceleration);
+    expect_bits(at, 1);
+    expect_bits(velocity, 0);
+}
+
+static void each_key_may_choose_its_interpolation(void **state)
+{
+    (void)state;
+    random_source r = random_from(4);
+    static const unsigned char own[4] = {NKW_INTERPOLATION_STEP, NKW_INTERPOLATION_LINEAR,
+                                         NKW_INTERPOLATION_CUBICSPLINE, NKW_INTERPOLATION_STEP};
+    float v[24], at[2], velocity[2], acceleration[2];
+    draw(&r, v);
+    nkw_track track = floats(v, 2, NKW_INTERPOLATION_CUBICSPLINE);
+    track.key_interpolation = own;
+    derivatives(&track, 0.75f, at, velocity, acceleration);
+    expect_bits(velocity[0], 0);
+    derivatives(&track, 1.25f, at, velocity, acceleration);
+    expect_near(velocity[0], (double)v[14] - (double)v[8], 1e-6); /* of the values of keys 1 and 2, 1 s apart */
+    expect_bits(acceleration[0], 0);
+    derivatives(&track, 2, at, velocity, acceleration);
+    expect_bits(velocity[1], v[17]);
+}
+
+static void rotations_and_empty_tracks_are_refused(void **state)
+{
+    (void)state;
+    static const float v[16] = {0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1};
+    nkw_track rotation = rotations(v, NKW_INTERPOLATION_LINEAR), empty = floats(v, 1, NKW_INTERPOLATION_LINEAR),
+              narrow = floats(v, 0, NKW_INTERPOLATION_LINEAR);
+    float at[4] = {9, 9, 9, 9}, velocity[4] = {9, 9, 9, 9}, acceleration[4] = {9, 9, 9, 9};
+    empty.count = 0;
+    assert_int_equal(nkw_track_sample_derivatives(&rotation, 1, at, velocity, acceleration), NKW_BAD_METHOD);
+    assert_int_equal(nkw_track_sample_derivatives(&empty, 1, at, velocity, acceleration), NKW_EMPTY);
+    assert_int_equal(nkw_track_sample_derivatives(&narrow, 1, at, velocity, acceleration), NKW_EMPTY);
+    for (int i = 0; i < 4; i++)
+        assert_true(at[i] == 9 && velocity[i] == 9 && acceleration[i] == 9);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(value_has_the_bits_of_the_sample),
+        cmocka_unit_test(derivatives_are_the_slopes_of_the_samples),
+        cmocka_unit_test(keys_have_the_velocity_of_the_segment_that_begins_there),
+        cmocka_unit_test(derivatives_outside_the_keys_are_zero),
+        cmocka_unit_test(an_empty_segment_has_no_velocity),
+        cmocka_unit_test(each_key_may_choose_its_interpolation),
+        cmocka_unit_test(rotations_and_empty_tracks_are_refused),
+    };
+    return cmocka_run_group_tests_name("track_derivatives", tests, NULL, NULL);
+}
