@@ -1,13 +1,49 @@
 # The subjects of the library, floor by floor: the one list of them. A new stem is registered here and in nakawari.h.
 # Files are found by name: include/nakawari/STEM.h, and STEM.c and STEM_*.c in src, src/batch, src/simd, tests (test_),
 # tests/accuracy (accuracy_) and bench (bench_).
-set(NKW_FLOOR_0 base)
-set(NKW_FLOOR_1 scalar)
-set(NKW_FLOOR_2 types vec quat mat euler axes transform dual)
-set(NKW_FLOOR_3 curve curve_point orient)
-set(NKW_FLOOR_4 segment spline keyframe track edit playback pose clip reduce)
-set(NKW_FLOOR_5 skeleton blend)
-set(NKW_FLOOR_6 palette skin partition crowd)
+set(NKW_FLOOR_0
+  base
+)
+set(NKW_FLOOR_1
+  scalar
+)
+set(NKW_FLOOR_2
+  types
+  vec
+  quat
+  mat
+  euler
+  axes
+  transform
+  dual
+)
+set(NKW_FLOOR_3
+  curve
+  curve_point
+  orient
+)
+set(NKW_FLOOR_4
+  segment
+  spline
+  keyframe
+  track
+  edit
+  fit
+  playback
+  pose
+  clip
+  reduce
+)
+set(NKW_FLOOR_5
+  skeleton
+  blend
+)
+set(NKW_FLOOR_6
+  palette
+  skin
+  partition
+  crowd
+)
 set(NKW_STEMS ${NKW_FLOOR_0} ${NKW_FLOOR_1} ${NKW_FLOOR_2} ${NKW_FLOOR_3} ${NKW_FLOOR_4} ${NKW_FLOOR_5} ${NKW_FLOOR_6})
 
 # Stores the stem of a file's name in `out`: the longest one that the name is, or begins with before a `_`; or "".

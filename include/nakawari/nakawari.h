@@ -33,6 +33,7 @@
 #include "keyframe.h"
 #include "track.h"
 #include "edit.h"
+#include "fit.h"
 #include "playback.h"
 #include "pose.h"
 #include "clip.h"

@@ -120,6 +120,18 @@ static void reduce(fuzz *f, const nkw_track *t)
     FUZZ_CHECK(!(track_difference(t, &out, work) < 0.0f));
 }
 
+static void fit(fuzz *f, const nkw_track *t)
+{
+    size_t count = NKW_FIT_WORK(t->count, t->width);
+    nkw_fit_memory m = {fuzz_room(f, t->count), fuzz_room(f, 3 * t->count * t->width), t->count,
+                        fuzz_block(f, count * sizeof(double)), count};
+    nkw_track out;
+    float error, tolerance = fuzz_float(f);
+    FUZZ_CHECK((nkw_track_fit(t, tolerance, &m, &out, &error) == NKW_OK) == (out.count > 0));
+    FUZZ_CHECK(out.count <= t->count);
+    FUZZ_CHECK(out.count == 0 || !(tolerance >= 0.0f) || error <= tolerance || out.count == t->count);
+}
+
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
 {
     fuzz f = fuzz_begin(data, size);
@@ -129,5 +141,6 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
     bake(&f, &t, &other);
     edit(&f, &t, &other);
     reduce(&f, &t);
+    fit(&f, &t);
     return fuzz_end(&f);
 }

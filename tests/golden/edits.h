@@ -34,4 +34,21 @@ static void edit_track(float *o, const float *times, const nkw_quat *q, const fl
     memcpy(o + 2, out.values + size * (out.count - 1), size * sizeof(float));
 }
 
+/* A fit of 16 samples; its error is a part of the hash. */
+static void fit_track(float *o, const float *x, float tolerance)
+{
+    float times[16], values[16], made_times[16], made[48];
+    double work[NKW_FIT_WORK(16, 1)];
+    for (unsigned k = 0; k < 16; k++) {
+        times[k] = 0.25f * (float)k;
+        values[k] = x[k % 8] * times[k] + x[(3 * k) % 8];
+    }
+    nkw_track track = {times, values, 16, 1, NKW_TRACK_FLOATS, NKW_INTERPOLATION_LINEAR, NULL}, out;
+    nkw_fit_memory memory = {made_times, made, 16, work, NKW_FIT_WORK(16, 1)};
+    nkw_track_fit(&track, tolerance, &memory, &out, &o[0]);
+    o[1] = (float)out.count;
+    memcpy(o + 2, made, 6 * sizeof(float));
+    memcpy(o + 8, made + 3 * (out.count - 1), 3 * sizeof(float));
+}
+
 #endif

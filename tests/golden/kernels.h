@@ -180,6 +180,7 @@ K(track_reduce_floats, 3, reduce_track(o, i, NKW_TRACK_FLOATS, NKW_INTERPOLATION
 K(track_reduce_cubic, 3, reduce_track(o, i, NKW_TRACK_FLOATS, NKW_INTERPOLATION_CUBICSPLINE, 0.5f))
 K(track_reduce_turns, 3, reduce_track(o, i, NKW_TRACK_ROTATION_NORMALIZED, NKW_INTERPOLATION_LINEAR, 0.1f))
 K(clip_source_reduce, 2, reduce_clip(o, i))
+K(track_fit, 11, fit_track(o, i->s, 0.1f * i->t))
 K(playback_loop, 2, put_head(o, nkw_playback_head(NKW_PLAYBACK_LOOP, i->s[0], i->t + 0.25f, i->s[1])))
 K(playback_ping_pong, 2, put_head(o, nkw_playback_head(NKW_PLAYBACK_PING_PONG, i->s[0], i->t + 0.25f, i->s[1])))
 K(playback_passed, 1, o[0] = (float)keys_passed(i->s, 4, 10.0f, i->s[4], i->s[4] + 25.0f))
