@@ -21,6 +21,8 @@ set(NKW_FLOOR_3
   curve
   curve_point
   orient
+  spring
+  inertia
 )
 set(NKW_FLOOR_4
   segment

@@ -22,10 +22,12 @@
 #include "transform.h"
 #include "dual.h"
 
-/* Floor 3, curve and orient: curves on numbers, curves on rotations. */
+/* Floor 3, curve and orient: curves on numbers, curves on rotations; what follows a goal. */
 #include "curve.h"
 #include "curve_point.h"
 #include "orient.h"
+#include "spring.h"
+#include "inertia.h"
 
 /* Floor 4, track: the keys around a time; values, poses and matrices from keys. */
 #include "segment.h"

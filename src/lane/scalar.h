@@ -188,6 +188,20 @@ static inline float lane_exp(float x)
     return (float)lane_exp2_64(lane_limit64((double)x, -104.0, 89.0) * LANE_LOG2_E);
 }
 
+/* e^-x for x >= 0. */
+static inline double lane_decay64(double x)
+{
+    return lane_exp2_64((x < 690.0 ? -x : x == x ? -690.0 : x) * LANE_LOG2_E);
+}
+
+/* (1 - e^-x) / x for x >= 0; below 1/8 by its series, to 2^-45. */
+static inline double lane_decay_mean64(double x)
+{
+    double tail = 1.0 - x / 6.0 * (1.0 - x / 7.0 * (1.0 - x / 8.0 * (1.0 - x / 9.0 * (1.0 - x / 10.0))));
+    double series = 1.0 - x / 2.0 * (1.0 - x / 3.0 * (1.0 - x / 4.0 * (1.0 - x / 5.0 * tail)));
+    return x < 0.125 ? series : (1.0 - lane_decay64(x)) / x;
+}
+
 /*
  * x = 2^exponent m,  sqrt(1/2) <= m < sqrt 2,  s = (m - 1)/(m + 1),     ln x = exponent ln 2 + 2 atanh s
  *

@@ -425,6 +425,8 @@ static void sample(float *o, const input *i, nkw_position_method position, nkw_o
         put_mat4(o, m);
 }
 
+#include "motion.h"
+
 #define K(name, count, results)                                                                                        \
     static void run_##name(const input *i, float *o)                                                                   \
     {                                                                                                                  \

@@ -153,6 +153,18 @@ K(quat_angular_velocity, 3, put_vec3(o, nkw_quat_angular_velocity(i->q[0], i->q[
 K(quat_integrate, 4, put_quat(o, nkw_quat_integrate(i->q[0], i->v[0], i->t)))
 K(euler_lerp, 3, put_vec3(o, nkw_euler_lerp(i->v[0], i->v[1], i->t, i->unwrap)))
 
+K(spring_constants, 7, spring_constants(o, i->t + 0x1p-6f, nkw_abs(i->s[0])))
+K(spring_step, 2, put_motion(o, nkw_spring_step(some_spring(i), motion_at(i, 0), motion_at(i, 2), i->t)))
+K(quat_spring_step, 7, put_motion_quat(o, quat_spring(i)))
+K(spring_timed_step, 5, spring_timed(o, i))
+K(quat_spring_timed_step, 14, quat_spring_timed(o, i))
+K(damper_step, 5, dampers(o, i))
+K(inertia, 6, inertia(o, i))
+K(vec3_inertia, 16, vec3_inertia(o, i))
+K(quat_inertia, 16, quat_inertia(o, i))
+K(dead_blend, 3, dead_blend(o, i))
+K(quat_dead_blend, 11, quat_dead_blend(o, i))
+
 K(segment_find, 2, put_segment(o, nkw_segment_find(i->times, 4, i->s[0])))
 K(segment_find_from, 2, put_segment(o, nkw_segment_find_hint(i->times, 4, i->s[0], 1)))
 K(segment_find_n, 2, find_many(o, i))

@@ -1,0 +1,170 @@
+/* SPDX-License-Identifier: MIT */
+/**
+ * @file
+ * Floor 3: transitions from one motion to another without a jump of the value or of its velocity.
+ *
+ * Inertialisation stores the offset between the old and the new motion when the new one begins, and reduces it to 0 by
+ * a quintic. Only the new motion is evaluated from then on:
+ *
+ *     result(t) = to(t) + offset(t),     t seconds after the transition began
+ *
+ * Dead blending continues the old motion with a velocity that decays, and blends from it to the new one.
+ *
+ * The states of both motions are needed once, when the transition begins; then only that of the new one. `evaluate`
+ * returns a motion, so that a transition can begin while another is running: its result is the `from` of the next.
+ */
+#ifndef NAKAWARI_INERTIA_H
+#define NAKAWARI_INERTIA_H
+
+#include "spring.h"
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/**
+ * The offset of a number during a transition: (1 - u)^3 (c[0] + c[1] u + c[2] u^2), u = t/duration, and 0 from
+ * t = duration on.
+ */
+typedef struct nkw_inertia {
+    float c[3];
+    float duration;
+} nkw_inertia;
+
+/** The same of a vector; of a rotation, half the rotation vector of the offset, in the outer frame. */
+typedef struct nkw_inertia_vec3 {
+    nkw_vec3 c[3];
+    float duration;
+} nkw_inertia_vec3;
+
+/**
+ * Begins the transition from one motion to another.
+ *
+ *     x = from - to,   v = from' - to',   T = duration,   V = v T
+ *
+ *     offset(u) = (1 - u)^3 (x + (V + 3 x) u + (A/2 + 3 V + 6 x) u^2),      A = max(-8 V/x - 20, 0) x
+ *
+ * the quintic that ends with value, velocity and acceleration 0. If the offset already shrinks, T is reduced to
+ * -5 x/v where that is shorter, and the acceleration A at the start is raised, so that the offset does not change its
+ * sign. If the offset grows, its velocity is kept: it grows to at most |x| + 0.22 |V| before it shrinks. (Bollo sets
+ * such velocities to 0; the velocity then jumps.)
+ *
+ * duration  seconds. A duration that is not positive and finite ends the transition at once
+ *
+ * Error  1.0 u of the norm of the coefficients.
+ * Source Bollo, Inertialization: High-Performance Animation Transitions in Gears of War, GDC 2018.
+ */
+NKW_API nkw_inertia nkw_inertia_begin(nkw_motion from, nkw_motion to, float duration);
+
+/**
+ * The same of a vector. T and A follow from the part of v along x, with V x / |x|^2 for V/x; the part of v at right
+ * angles to x has no offset to reduce and is kept. So the velocity is continuous in all directions, and the transition
+ * does not depend on the axes.
+ */
+NKW_API nkw_inertia_vec3 nkw_vec3_inertia_begin(const nkw_motion_vec3 *from, const nkw_motion_vec3 *to, float duration);
+
+/**
+ * The same of a rotation: x = log(from to^-1) along the shorter arc, and v is its rate, which follows from both angular
+ * velocities. The arc is chosen here, once: whatever the new motion does later, the result does not snap from one arc
+ * to the other. For opposite rotations either arc begins at `from`.
+ *
+ * from, to  any lengths but 0; a zero quaternion counts as the identity. A v that passes more than 2^16 rad in T is
+ *           reduced to that
+ */
+NKW_API nkw_inertia_vec3 nkw_quat_inertia_begin(const nkw_motion_quat *from, const nkw_motion_quat *to, float duration);
+
+/**
+ * The motion t seconds after the transition began, from the new motion at that time.
+ *
+ * to       value and velocity of the new motion; without interest in the velocity of the result, any
+ * t        seconds; negative numbers and NaN count as 0
+ * Returns  `from` of the begin at t = 0, to rounding; exactly `to` from t = duration on
+ *
+ * Error  2.5 u of the value, relative to |to| + |c[0]| + |c[1]| + |c[2]|.
+ */
+NKW_API nkw_motion nkw_inertia_evaluate(nkw_inertia inertia, nkw_motion to, float t);
+/** The same of a vector: each component with the bits of nkw_inertia_evaluate. */
+NKW_API nkw_motion_vec3 nkw_vec3_inertia_evaluate(const nkw_inertia_vec3 *inertia, const nkw_motion_vec3 *to, float t);
+/**
+ * The same of a rotation: exp(offset) to. The velocity is exact: the derivative of the exponential and of `to`.
+ *
+ * Error  3.5 u of the quaternion, for offsets below a turn.
+ */
+NKW_API nkw_motion_quat nkw_quat_inertia_evaluate(const nkw_inertia_vec3 *inertia, const nkw_motion_quat *to, float t);
+
+/**
+ * A transition by dead blending: the last state of the old motion, the time in seconds in which its velocity is halved,
+ * and the duration of the blend. It needs no begin: fill in the four numbers.
+ */
+typedef struct nkw_dead_blend {
+    nkw_motion from;
+    float half_life, duration;
+} nkw_dead_blend;
+
+/** The same of a vector. */
+typedef struct nkw_dead_blend_vec3 {
+    nkw_motion_vec3 from;
+    float half_life, duration;
+} nkw_dead_blend_vec3;
+
+/**
+ * The same of a rotation. `difference` is the difference of both motions at the last evaluation; {0, 0, 0, 0} at
+ * first, which takes the shorter arc.
+ */
+typedef struct nkw_dead_blend_quat {
+    nkw_motion_quat from;
+    float half_life, duration;
+    nkw_quat difference;
+} nkw_dead_blend_quat;
+
+/**
+ * The motion t seconds after the transition began, from the new motion at that time.
+ *
+ *     old(t) = x + v h (1 - 2^(-t/half_life)),    h = half_life/ln 2,    s = 3 u^2 - 2 u^3,    u = t/duration
+ *
+ *     result = old + s (to - old)
+ *
+ * half_life  0 and negative numbers stop the old motion at once, infinity lets it continue with its velocity
+ * duration   seconds. Not positive, or NaN: the result is `to`
+ * to         value and velocity of the new motion
+ * t          seconds; negative numbers and NaN count as 0
+ * Returns    exactly `from` at t = 0, exactly `to` from t = duration on
+ *
+ * Error  3.2 u of the value, relative to |x| + |v h (1 - 2^(-t/half_life))| + |to|.
+ * Source Holden, Dead Blending, 2023.
+ */
+NKW_API nkw_motion nkw_dead_blend_evaluate(const nkw_dead_blend *blend, nkw_motion to, float t);
+/** The same of a vector: each component with the bits of nkw_dead_blend_evaluate. */
+NKW_API nkw_motion_vec3 nkw_vec3_dead_blend_evaluate(const nkw_dead_blend_vec3 *blend, const nkw_motion_vec3 *to,
+                                                     float t);
+/**
+ * The same of a rotation: the old one rotates on with the angular velocity of `from`, decaying, and
+ *
+ *     result = exp((1 - s) log(difference)) to,      difference = +-old to^-1
+ *
+ * The sign of the difference is that for which it continues the one of the last evaluation. So the arc does not change
+ * where the motions pass half a turn from each other, as the shorter arc would; it changes where they pass a whole turn.
+ * Evaluate in the order of time, in steps in which the difference turns by less than a turn.
+ *
+ * blend  difference receives the difference
+ *
+ * Error  3.5 u of the quaternion, for v h below 10 rad.
+ */
+NKW_API nkw_motion_quat nkw_quat_dead_blend_evaluate(nkw_dead_blend_quat *blend, const nkw_motion_quat *to, float t);
+
+/**
+ * A half-life for dead blending: long where the old motion moves towards the new value, short where it moves away.
+ *
+ *     half_life (to - from.value) / from.velocity,      limited to least .. most
+ *
+ * For a vector, pass its length along the way to the new value. A velocity of 0 and NaN return `most`.
+ *
+ * Source Holden, Dead Blending Node in Unreal Engine, 2023.
+ */
+NKW_API float nkw_dead_blend_half_life(nkw_motion from, float to, float half_life, float least, float most);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif

@@ -1,0 +1,199 @@
+/* SPDX-License-Identifier: MIT */
+/**
+ * @file
+ * Floor 3: springs and dampers in closed form: a value follows a goal.
+ *
+ * A spring accelerates a value x towards its goal g, which moves with constant velocity during a step:
+ *
+ *     x'' = stiffness (g - x) + damping (g' - x'),      g(t) = g(0) + g' t
+ *
+ * A step is the exact solution of this equation, not an integration: a step of 2h equals two steps of h, for any h,
+ * except for rounding. The result does not depend on the frame rate, and no step is unstable. With omega^2 = stiffness
+ * and zeta = damping / (2 omega), the spring is
+ *
+ *     underdamped         zeta < 1    passes the goal and oscillates
+ *     critically damped   zeta = 1    the fastest spring that does not oscillate
+ *     overdamped          zeta > 1    slower, does not oscillate
+ *
+ * The state of a value is its motion: the value and its rate of change. The goal is a motion too. To follow a goal
+ * whose velocity is not known, pass 0 for it. If the goal itself moves with its velocity, the spring follows it without
+ * a lag, and the goal of the next step is at goal.value + h goal.velocity.
+ *
+ * Computed in binary64, rounded once.
+ *
+ * Source Holden, Spring-It-On: The Game Developer's Spring-Roll-Call, 2021.
+ */
+#ifndef NAKAWARI_SPRING_H
+#define NAKAWARI_SPRING_H
+
+#include "types.h"
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/** A number and its rate per second. */
+typedef struct nkw_motion {
+    float value, velocity;
+} nkw_motion;
+
+/** A vector and its rate per second. */
+typedef struct nkw_motion_vec3 {
+    nkw_vec3 value, velocity;
+} nkw_motion_vec3;
+
+/** A unit quaternion and its angular velocity in radians per second, in the outer frame, as nkw_quat_integrate has it. */
+typedef struct nkw_motion_quat {
+    nkw_quat value;
+    nkw_vec3 velocity;
+} nkw_motion_quat;
+
+/**
+ * The constants of a spring: stiffness in 1/s^2, damping in 1/s. Without stiffness it is drag alone, without damping it
+ * oscillates for ever; with both 0 the value keeps its velocity. A negative constant counts as 0, an infinite one as
+ * the largest float.
+ */
+typedef struct nkw_spring {
+    float stiffness, damping;
+} nkw_spring;
+
+/**
+ * The spring whose deviation from the goal, from rest, is halved for the first time after `half_life` seconds. The half
+ * of the deviation is exact for every damping ratio; for the critically damped spring, omega = 1.6783 / half_life.
+ *
+ * half_life      seconds; 0 and negative numbers count as 2^-62 s, which is a jump to the goal; infinity is no spring
+ * damping_ratio  zeta, 1 for critical damping; negative numbers count as 0, numbers above 2^20 as 2^20
+ * Returns        NaN constants if an argument is NaN
+ *
+ * Error  1.0 u of each constant.
+ */
+NKW_API nkw_spring nkw_spring_from_half_life(float half_life, float damping_ratio);
+
+/**
+ * The spring of `frequency` oscillations per second, if it had no damping: stiffness = (2 pi frequency)^2, damping =
+ * 4 pi frequency damping_ratio.
+ *
+ * frequency      Hz; negative numbers count as 0, numbers above 2^60 as 2^60
+ * damping_ratio  as above
+ *
+ * Error  1.0 u of each constant.
+ */
+NKW_API nkw_spring nkw_spring_from_frequency(float frequency, float damping_ratio);
+
+/**
+ * The frequency sqrt(stiffness) / (2 pi) in Hz, the inverse of nkw_spring_from_frequency.
+ *
+ * Error  1.0 u.
+ */
+NKW_API float nkw_spring_frequency(nkw_spring spring);
+
+/**
+ * The damping ratio damping / (2 sqrt(stiffness)). 0 for no damping, infinity for drag alone.
+ *
+ * Error  1.0 u.
+ */
+NKW_API float nkw_spring_damping_ratio(nkw_spring spring);
+
+/**
+ * The time in seconds in which the deviation from the goal, from rest, is halved for the first time: the inverse of
+ * nkw_spring_from_half_life. Infinity without stiffness.
+ *
+ * Error  1.0 u.
+ */
+NKW_API float nkw_spring_half_life(nkw_spring spring);
+
+/**
+ * One step of a spring: the motion after h seconds.
+ *
+ * from     the motion at the beginning of the step
+ * goal     the goal at the beginning of the step, and its velocity
+ * h        seconds; 0 and negative numbers return `from` bit for bit, infinity counts as the largest float
+ * Returns  the motion after h seconds; NaN if an argument is NaN. A value at its goal, with the goal's velocity, stays
+ *          there. Where the oscillation turns by 2^50 rad or more in one step, its phase is rounded.
+ *
+ * Error  1.0 u of the value, relative to the sum of the magnitudes |g(h)| + |m11 (x - g)| + |m12 (x' - g')| that it
+ *        consists of, and the same of the velocity; two steps of h differ from the exact step of 2h by at most 2.0 u
+ *        of those of both steps.
+ */
+NKW_API nkw_motion nkw_spring_step(nkw_spring spring, nkw_motion from, nkw_motion goal, float h);
+
+/** The same of a vector: each component with the bits of nkw_spring_step. */
+NKW_API nkw_motion_vec3 nkw_vec3_spring_step(nkw_spring spring, const nkw_motion_vec3 *from,
+                                             const nkw_motion_vec3 *goal, float h);
+
+/**
+ * The same of a rotation: the rotation vector of the error, r = 2 log(from goal^-1) along the shorter arc, is the
+ * deviation that the spring reduces.
+ *
+ *     x(h) = exp(r(h) / 2) g(h),      g(h) = exp(goal.velocity h / 2) g(0)
+ *
+ * The rate of r is computed from the angular velocities, and back, by the derivative of the exponential, so that the
+ * axis may turn: a step of 2h equals two of h as long as |r| stays below pi. Where the goal moves past half a turn from
+ * the value, the spring changes its direction, but the rotation and its angular velocity are continuous.
+ *
+ * from, goal  any lengths but 0; a zero quaternion counts as the identity
+ * h           as above
+ * Returns     a unit quaternion; `from` bit for bit for h <= 0
+ *
+ * Error  1.0 u of the quaternion, for |r| and the angle that it passes below 10 rad.
+ */
+NKW_API nkw_motion_quat nkw_quat_spring_step(nkw_spring spring, const nkw_motion_quat *from,
+                                             const nkw_motion_quat *goal, float h);
+
+/**
+ * One step of exponential decay towards a goal at rest: the deviation is halved every half_life seconds.
+ *
+ *     x(h) = g + (x - g) 2^(-h / half_life)
+ *
+ * Without a state but the value, and without a continuous velocity where the goal jumps.
+ *
+ * half_life  seconds; 0 and negative numbers return the goal, infinity returns `from`
+ * h          seconds; 0 and negative numbers return `from` bit for bit, whatever the half-life
+ *
+ * Error  1.0 u of |g| + |x - g|; two steps of h differ from the exact step of 2h by at most 2.0 u of it.
+ */
+NKW_API float nkw_damper_step(float from, float goal, float half_life, float h);
+/** The same of a vector: each component with the bits of nkw_damper_step. */
+NKW_API nkw_vec3 nkw_vec3_damper_step(nkw_vec3 from, nkw_vec3 goal, float half_life, float h);
+/**
+ * The same of a rotation: the angle of the shorter arc to the goal is halved every half_life seconds. The result has
+ * the sign of `from`; where the decay rounds to 0 it is the goal, or its negative.
+ *
+ * Error  1.0 u.
+ */
+NKW_API nkw_quat nkw_quat_damper_step(nkw_quat from, nkw_quat goal, float half_life, float h);
+
+/**
+ * A spring that arrives at a time: it follows a point that moves to the goal at constant velocity. The point leaves for
+ * the goal damping / stiffness seconds before the time: from there on the spring slows down as it would with the goal at
+ * rest, and its acceleration is continuous. The rest of the deviation decays as that of any spring.
+ */
+typedef struct nkw_spring_timed {
+    nkw_spring spring;
+    float time_left; /**< seconds until the arrival */
+} nkw_spring_timed;
+
+/**
+ * One step of a spring that arrives at a time. The step is divided where the point leaves for the goal, so a step of 2h
+ * equals two of h, except for rounding.
+ *
+ * timed   receives time_left - h, at least 0. Without time left, the spring follows the goal as nkw_spring_step
+ * motion  the motion at the beginning of the step; receives that at its end
+ * point   the point that moves to the goal: {motion.value, 0} at first. It receives the point at the end of the step.
+ *         Only its value is read
+ * goal    where to arrive; it may change between steps
+ * h       as above; 0 and negative numbers change nothing
+ */
+NKW_API void nkw_spring_timed_step(nkw_spring_timed *timed, nkw_motion *motion, nkw_motion *point, float goal, float h);
+/** The same of a vector: each component with the bits of nkw_spring_timed_step. */
+NKW_API void nkw_vec3_spring_timed_step(nkw_spring_timed *timed, nkw_motion_vec3 *motion, nkw_motion_vec3 *point,
+                                        nkw_vec3 goal, float h);
+/** The same of a rotation, by nkw_quat_spring_step; the point rotates along the shorter arc to the goal. */
+NKW_API void nkw_quat_spring_timed_step(nkw_spring_timed *timed, nkw_motion_quat *motion, nkw_motion_quat *point,
+                                        nkw_quat goal, float h);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif

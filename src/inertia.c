@@ -1,0 +1,163 @@
+/* SPDX-License-Identifier: MIT */
+#include "lane/strict.h"
+
+#include <nakawari/inertia.h>
+
+#include "lane/inertia.h"
+
+static lane_f64_vec3 difference_of(nkw_vec3 a, nkw_vec3 b)
+{
+    return lane_f64_vec3_sub(lane_f64_vec3_from(a), lane_f64_vec3_from(b));
+}
+
+nkw_inertia nkw_inertia_begin(nkw_motion from, nkw_motion to, float duration)
+{
+    lane_f64_vec3 x = {(double)from.value - (double)to.value, 0.0, 0.0};
+    lane_f64_vec3 v = {(double)from.velocity - (double)to.velocity, 0.0, 0.0};
+    lane_inertia_c i = lane_inertia_begin(x, v, duration);
+    nkw_inertia r = {{i.c0.x, i.c1.x, i.c2.x}, i.duration};
+    return r;
+}
+
+static nkw_inertia_vec3 inertia_of(lane_inertia_c i)
+{
+    nkw_inertia_vec3 r = {{i.c0, i.c1, i.c2}, i.duration};
+    return r;
+}
+
+nkw_inertia_vec3 nkw_vec3_inertia_begin(const nkw_motion_vec3 *from, const nkw_motion_vec3 *to, float duration)
+{
+    lane_f64_vec3 x = difference_of(from->value, to->value), v = difference_of(from->velocity, to->velocity);
+    return inertia_of(lane_inertia_begin(x, v, duration));
+}
+
+nkw_inertia_vec3 nkw_quat_inertia_begin(const nkw_motion_quat *from, const nkw_motion_quat *to, float duration)
+{
+    lane_rotation_offset x = lane_rotation_offset_of(from->value, from->velocity, to->value, to->velocity);
+    return inertia_of(lane_inertia_begin_quat(x, duration));
+}
+
+/* The rate of the offset: (1 - u)^2 ((1 - u) p' - 3 p) / duration, p = c[0] + c[1] u + c[2] u^2. */
+static float offset_rate(float c0, float c1, float c2, float u, float duration)
+{
+    float w = 1.0f - u, p = c0 + u * (c1 + u * c2), slope = c1 + 2.0f * (u * c2);
+    return (w * w) * (w * slope - 3.0f * p) / duration;
+}
+
+static nkw_vec3 offset_rate_vec3(const nkw_inertia_vec3 *i, float u)
+{
+    nkw_vec3 r = {
+        offset_rate(i->c[0].x, i->c[1].x, i->c[2].x, u, i->duration),
+        offset_rate(i->c[0].y, i->c[1].y, i->c[2].y, u, i->duration),
+        offset_rate(i->c[0].z, i->c[1].z, i->c[2].z, u, i->duration),
+    };
+    return r;
+}
+
+nkw_motion nkw_inertia_evaluate(nkw_inertia inertia, nkw_motion to, float t)
+{
+    const float *c = inertia.c, u = lane_inertia_time(t, inertia.duration);
+    nkw_motion r = {
+        lane_inertia_value(to.value, lane_inertia_offset(c[0], c[1], c[2], u), u),
+        lane_inertia_value(to.velocity, offset_rate(c[0], c[1], c[2], u, inertia.duration), u),
+    };
+    return r;
+}
+
+nkw_motion_vec3 nkw_vec3_inertia_evaluate(const nkw_inertia_vec3 *inertia, const nkw_motion_vec3 *to, float t)
+{
+    float u = lane_inertia_time(t, inertia->duration);
+    nkw_vec3 offset = lane_inertia_offset_vec3(inertia->c[0], inertia->c[1], inertia->c[2], u);
+    nkw_motion_vec3 r = {
+        lane_inertia_value_vec3(to->value, offset, u),
+        lane_inertia_value_vec3(to->velocity, offset_rate_vec3(inertia, u), u),
+    };
+    return r;
+}
+
+/* The angular velocity of exp(half) to, whose parts have the rates `rate` and `to`. */
+static nkw_vec3 velocity_of(lane_f64_vec3 half, lane_f64_vec3 rate, nkw_vec3 to)
+{
+    lane_sincos turn = lane_turn64(lane_f64_vec3_length(half));
+    lane_f64_quat d = lane_f64_quat_from_axis_half(lane_f64_vec3_normalize(half), turn);
+    lane_f64_vec3 own =
+        lane_f64_rotation_velocity(lane_f64_vec3_scale(half, 2.0), turn, lane_f64_vec3_scale(rate, 2.0));
+    lane_f64_vec3 carried = lane_f64_quat_rotate(d, lane_f64_vec3_from(to));
+    return lane_vec3_from_f64(lane_f64_vec3_add_scaled(own, carried, 1.0));
+}
+
+nkw_motion_quat nkw_quat_inertia_evaluate(const nkw_inertia_vec3 *inertia, const nkw_motion_quat *to, float t)
+{
+    float u = lane_inertia_time(t, inertia->duration);
+    if (!(u < 1.0f))
+        return *to;
+    nkw_vec3 offset = lane_inertia_offset_vec3(inertia->c[0], inertia->c[1], inertia->c[2], u);
+    lane_f64_vec3 rate = lane_f64_vec3_from(offset_rate_vec3(inertia, u));
+    nkw_motion_quat r = {
+        lane_inertia_value_quat(to->value, offset, u),
+        velocity_of(lane_f64_vec3_from(offset), rate, to->velocity),
+    };
+    return r;
+}
+
+/* The velocity of a blend: of both velocities, and of the weight. */
+static float blended_rate(nkw_motion from, nkw_motion to, const lane_dead_time *at)
+{
+    float old = lane_dead_old(from.value, from.velocity, at->carried), rate = from.velocity * at->left;
+    float blended = lane_dead_blend(rate, to.velocity, at->s) + at->rate * (to.value - old);
+    return at->s == 1.0f ? to.velocity : at->s == 0.0f ? rate : blended;
+}
+
+static nkw_motion dead_blend(nkw_motion from, nkw_motion to, const lane_dead_time *at)
+{
+    float old = lane_dead_old(from.value, from.velocity, at->carried);
+    nkw_motion r = {lane_dead_blend(old, to.value, at->s), blended_rate(from, to, at)};
+    return r;
+}
+
+nkw_motion nkw_dead_blend_evaluate(const nkw_dead_blend *blend, nkw_motion to, float t)
+{
+    lane_dead_time at = lane_dead_time_at(blend->half_life, blend->duration, t);
+    return dead_blend(blend->from, to, &at);
+}
+
+static nkw_motion motion_of(float value, float velocity)
+{
+    nkw_motion m = {value, velocity};
+    return m;
+}
+
+nkw_motion_vec3 nkw_vec3_dead_blend_evaluate(const nkw_dead_blend_vec3 *blend, const nkw_motion_vec3 *to, float t)
+{
+    lane_dead_time at = lane_dead_time_at(blend->half_life, blend->duration, t);
+    const nkw_motion_vec3 *a = &blend->from;
+    nkw_motion x = dead_blend(motion_of(a->value.x, a->velocity.x), motion_of(to->value.x, to->velocity.x), &at);
+    nkw_motion y = dead_blend(motion_of(a->value.y, a->velocity.y), motion_of(to->value.y, to->velocity.y), &at);
+    nkw_motion z = dead_blend(motion_of(a->value.z, a->velocity.z), motion_of(to->value.z, to->velocity.z), &at);
+    nkw_motion_vec3 r = {{x.value, y.value, z.value}, {x.velocity, y.velocity, z.velocity}};
+    return r;
+}
+
+nkw_motion_quat nkw_quat_dead_blend_evaluate(nkw_dead_blend_quat *blend, const nkw_motion_quat *to, float t)
+{
+    lane_dead_time at = lane_dead_time_at(blend->half_life, blend->duration, t);
+    lane_f64_quat old = lane_dead_old_quat(blend->from.value, blend->from.velocity, at.carried);
+    lane_f64_quat d = lane_dead_difference(old, to->value, blend->difference);
+    lane_f64_vec3 half = lane_f64_quat_log(d), w = lane_f64_vec3_from(blend->from.velocity);
+    double s = (double)at.s, left = (double)at.left;
+    lane_f64_vec3 rate = lane_difference_rate(d, half, lane_f64_vec3_scale(w, left), lane_f64_vec3_from(to->velocity));
+    rate = lane_f64_vec3_add_scaled(lane_f64_vec3_scale(rate, 1.0 - s), half, -(double)at.rate);
+    nkw_motion_quat r = {
+        lane_dead_value_quat(d, to->value, at.s),
+        velocity_of(lane_f64_vec3_scale(half, 1.0 - s), rate, to->velocity),
+    };
+    blend->difference = lane_quat_from_f64(d);
+    return at.s == 1.0f ? *to : r;
+}
+
+float nkw_dead_blend_half_life(nkw_motion from, float to, float half_life, float least, float most)
+{
+    float way = half_life * ((to - from.value) / from.velocity);
+    float least_or_more = way < least ? least : way;
+    return from.velocity != 0.0f && least_or_more < most ? least_or_more : most;
+}

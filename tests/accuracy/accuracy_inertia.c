@@ -1,0 +1,134 @@
+/* SPDX-License-Identifier: MIT */
+/* Errors of inertia.h, in u of the magnitudes that the Error lines name. */
+#include "wide.h"
+
+#if WIDE_AVAILABLE
+
+#include <math.h>
+#include <quadmath.h>
+
+/* Two motions of a number, the duration, the time as a part of the shortened duration, the half-life. */
+static void two_motions(random_source *r, float *x)
+{
+    for (int i = 0; i < 4; i++)
+        x[i] = random_sign(r) * random_log(r, 0.01f, 10.0f);
+    x[4] = random_log(r, 0.05f, 2.0f);
+    x[5] = random_unit(r);
+    x[6] = random_log(r, 0.01f, 10.0f);
+}
+
+/* The coefficients of the quintic in u, and its duration. */
+static wide quintic(wide x, wide v, wide duration, wide c[3])
+{
+    wide growth = x == 0 ? 0 : v / x, t = duration * growth < -5 ? -5 / growth : duration, a = -8 * growth * t - 20;
+    c[0] = x;
+    c[1] = v * t + 3 * x;
+    c[2] = 3 * v * t + (6 + (a > 0 ? a / 2 : 0)) * x;
+    return t;
+}
+
+static double begin_error(const float *x)
+{
+    nkw_motion from = {x[0], x[1]}, to = {x[2], x[3]};
+    nkw_inertia got = nkw_inertia_begin(from, to, x[4]);
+    wide c[3], e = (wide)x[0] - x[2], v = (wide)x[1] - x[3], t = quintic(e, v, x[4], c);
+    return fmax(wide_error(got.c, c, 3), wide_error(&got.duration, &t, 1));
+}
+
+static double evaluate_error(const float *x)
+{
+    nkw_motion from = {x[0], x[1]}, to = {x[2], x[3]};
+    nkw_inertia i = nkw_inertia_begin(from, to, x[4]);
+    float t = x[5] * i.duration, got = nkw_inertia_evaluate(i, to, t).value;
+    wide u = (wide)t / i.duration, w = 1 - u;
+    wide want = x[2] + (u < 1 ? w * w * w * (i.c[0] + u * (i.c[1] + u * (wide)i.c[2])) : 0);
+    float size = fabsf(x[2]) + fabsf(i.c[0]) + fabsf(i.c[1]) + fabsf(i.c[2]);
+    return wide_error_of(&got, &want, 1, size);
+}
+
+/* The coefficients, the new rotation, u. */
+static void offset(random_source *r, float *x)
+{
+    for (int i = 0; i < 3; i++)
+        put_vec3(x + 3 * i, random_vec3(r, -0.5f, 0.5f));
+    put_quat(x + 9, random_unit_quat(r));
+    x[13] = random_unit(r);
+}
+
+static double quat_evaluate_error(const float *x)
+{
+    nkw_inertia_vec3 i = {{vec3_at(x), vec3_at(x + 3), vec3_at(x + 6)}, 1.0f};
+    nkw_motion_quat to = {quat_at(x + 9), {0.0f, 0.0f, 0.0f}}, got = nkw_quat_inertia_evaluate(&i, &to, x[13]);
+    wide u = x[13], w = (1 - u) * (1 - u) * (1 - u), v[3], q[4], e[4], want[4];
+    for (int k = 0; k < 3; k++)
+        v[k] = w * (x[k] + u * (x[3 + k] + u * x[6 + k]));
+    wide_from(x + 9, q, 4);
+    wide_quat_exp(v, e);
+    wide_quat_mul(e, q, want);
+    return wide_error(&got.value.x, want, 4);
+}
+
+static double dead_error(const float *x)
+{
+    nkw_dead_blend d = {{x[0], x[1]}, x[6], x[4]};
+    nkw_motion to = {x[2], x[3]};
+    float t = x[5] * x[4], got = nkw_dead_blend_evaluate(&d, to, t).value;
+    wide u = (wide)t / x[4], h = x[6] / logq(2), carried = x[1] * h * -expm1q(-t / h), old = x[0] + carried;
+    wide s = u * u * (3 - 2 * u), want = u < 1 ? old + s * (x[2] - old) : x[2];
+    return wide_error_of(&got, &want, 1, fabsq((wide)x[0]) + fabsq(carried) + fabsq((wide)x[2]));
+}
+
+/* The old rotation and its velocity, the new one, the duration, u, the half-life. */
+static void two_rotations(random_source *r, float *x)
+{
+    nkw_quat q = random_unit_quat(r);
+    put_quat(x, q);
+    put_vec3(x + 4, nkw_vec3_scale(random_direction(r), random_between(r, 0.0f, 5.0f)));
+    put_quat(x + 7, random_unit_near(r, q, random_between(r, 0.0f, 1.5f)));
+    x[11] = random_log(r, 0.05f, 2.0f);
+    x[12] = random_unit(r);
+    x[13] = random_log(r, 0.01f, 10.0f);
+}
+
+static double quat_dead_error(const float *x)
+{
+    nkw_dead_blend_quat d = {{quat_at(x), vec3_at(x + 4)}, x[13], x[11], {0, 0, 0, 0}};
+    nkw_motion_quat to = {quat_at(x + 7), {0.0f, 0.0f, 0.0f}};
+    float t = x[12] * x[11];
+    nkw_motion_quat got = nkw_quat_dead_blend_evaluate(&d, &to, t);
+    wide u = (wide)t / x[11], h = x[13] / logq(2), s = u < 1 ? u * u * (3 - 2 * u) : 1, q[4], v[3], e[4], g[4], old[4];
+    wide_from(x, q, 4);
+    wide_from(x + 4, v, 3);
+    wide_from(x + 7, g, 4);
+    wide_normalize(q, 4);
+    wide_scale(v, h * -expm1q(-t / h) / 2, 3);
+    wide_quat_exp(v, e);
+    wide_quat_mul(e, q, old);
+    wide c[4] = {-g[0], -g[1], -g[2], g[3]}, want[4];
+    wide_normalize(c, 4);
+    wide_quat_mul(old, c, e);
+    wide_scale(e, d.difference.w * e[3] < 0 ? -1 : 1, 4);
+    wide_quat_log(e, v);
+    wide_scale(v, 1 - s, 3);
+    wide_quat_exp(v, e);
+    wide_quat_mul(e, g, want);
+    return wide_error(&got.value.x, want, 4);
+}
+
+int main(int argc, char **argv)
+{
+    accuracy a = accuracy_begin("inertia.h", argc, argv);
+    static const wide_case cases[] = {
+        {"nkw_inertia_begin", "any", two_motions, begin_error, 5, WIDE_CHECKED},
+        {"nkw_inertia_evaluate", "any", two_motions, evaluate_error, 6, WIDE_CHECKED},
+        {"nkw_quat_inertia_evaluate", "any", offset, quat_evaluate_error, 14, WIDE_CHECKED},
+        {"nkw_dead_blend_evaluate", "any", two_motions, dead_error, 7, WIDE_CHECKED},
+        {"nkw_quat_dead_blend_evaluate", "any", two_rotations, quat_dead_error, 14, WIDE_CHECKED},
+    };
+    wide_search(&a, cases, sizeof cases / sizeof *cases, 20000);
+    return accuracy_end(&a);
+}
+
+#else
+WIDE_SKIPPED
+#endif

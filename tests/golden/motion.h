@@ -1,0 +1,124 @@
+/* SPDX-License-Identifier: MIT */
+/* Results of the motion kit for kernels.h; included where `input` is known. */
+static nkw_spring some_spring(const input *i)
+{
+    return nkw_spring_from_frequency(4.0f * i->t + 0.125f, nkw_abs(i->s[5]));
+}
+
+static nkw_motion motion_at(const input *i, unsigned k)
+{
+    nkw_motion m = {i->s[k], i->s[k + 1]};
+    return m;
+}
+
+static nkw_motion_vec3 vec3_motion_at(const input *i, unsigned k)
+{
+    nkw_motion_vec3 m = {i->v[k], i->v[k + 1]};
+    return m;
+}
+
+static nkw_motion_quat quat_motion_at(const input *i, unsigned k)
+{
+    nkw_motion_quat m = {i->q[k], i->v[k]};
+    return m;
+}
+
+static void put_motion(float *o, nkw_motion m)
+{
+    o[0] = m.value;
+    o[1] = m.velocity;
+}
+
+static void put_motion_quat(float *o, nkw_motion_quat m)
+{
+    put_quat(o, m.value);
+    put_vec3(o + 4, m.velocity);
+}
+
+static void spring_constants(float *o, float half_life, float ratio)
+{
+    nkw_spring a = nkw_spring_from_half_life(half_life, ratio), b = nkw_spring_from_frequency(half_life, ratio);
+    o[0] = a.stiffness;
+    o[1] = a.damping;
+    o[2] = b.stiffness;
+    o[3] = b.damping;
+    o[4] = nkw_spring_frequency(a);
+    o[5] = nkw_spring_damping_ratio(a);
+    o[6] = nkw_spring_half_life(a);
+}
+
+static nkw_motion_quat quat_spring(const input *i)
+{
+    nkw_motion_quat from = quat_motion_at(i, 0), goal = quat_motion_at(i, 1);
+    return nkw_quat_spring_step(some_spring(i), &from, &goal, i->t);
+}
+
+static void spring_timed(float *o, const input *i)
+{
+    nkw_spring_timed timed = {some_spring(i), nkw_abs(i->s[4])};
+    nkw_motion m = motion_at(i, 0), point = motion_at(i, 2);
+    nkw_spring_timed_step(&timed, &m, &point, i->s[6], i->t);
+    put_motion(o, m);
+    put_motion(o + 2, point);
+    o[4] = timed.time_left;
+}
+
+static void quat_spring_timed(float *o, const input *i)
+{
+    nkw_spring_timed timed = {some_spring(i), nkw_abs(i->s[4])};
+    nkw_motion_quat m = quat_motion_at(i, 0), point = quat_motion_at(i, 1);
+    nkw_quat_spring_timed_step(&timed, &m, &point, i->q[3], i->t);
+    put_motion_quat(o, m);
+    put_motion_quat(o + 7, point);
+}
+
+static void dampers(float *o, const input *i)
+{
+    o[0] = nkw_damper_step(i->s[0], i->s[1], nkw_abs(i->s[2]), i->t);
+    put_quat(o + 1, nkw_quat_damper_step(i->q[0], i->q[1], nkw_abs(i->s[2]), i->t));
+}
+
+static void inertia(float *o, const input *i)
+{
+    nkw_inertia x = nkw_inertia_begin(motion_at(i, 0), motion_at(i, 2), nkw_abs(i->s[4]));
+    for (int k = 0; k < 3; k++)
+        o[k] = x.c[k];
+    o[3] = x.duration;
+    put_motion(o + 4, nkw_inertia_evaluate(x, motion_at(i, 2), i->t));
+}
+
+static void vec3_inertia(float *o, const input *i)
+{
+    nkw_motion_vec3 from = vec3_motion_at(i, 0), to = vec3_motion_at(i, 2);
+    nkw_inertia_vec3 x = nkw_vec3_inertia_begin(&from, &to, nkw_abs(i->s[4]));
+    nkw_motion_vec3 m = nkw_vec3_inertia_evaluate(&x, &to, i->t);
+    for (int k = 0; k < 3; k++)
+        put_vec3(o + 3 * k, x.c[k]);
+    o[9] = x.duration;
+    put_vec3(o + 10, m.value);
+    put_vec3(o + 13, m.velocity);
+}
+
+static void quat_inertia(float *o, const input *i)
+{
+    nkw_motion_quat from = quat_motion_at(i, 0), to = quat_motion_at(i, 1);
+    nkw_inertia_vec3 x = nkw_quat_inertia_begin(&from, &to, nkw_abs(i->s[4]));
+    for (int k = 0; k < 3; k++)
+        put_vec3(o + 3 * k, x.c[k]);
+    put_motion_quat(o + 9, nkw_quat_inertia_evaluate(&x, &to, i->t));
+}
+
+static void dead_blend(float *o, const input *i)
+{
+    nkw_dead_blend d = {motion_at(i, 0), nkw_abs(i->s[4]), nkw_abs(i->s[5])};
+    put_motion(o, nkw_dead_blend_evaluate(&d, motion_at(i, 2), i->t));
+    o[2] = nkw_dead_blend_half_life(motion_at(i, 0), i->s[2], 0.5f, 0.125f, 2.0f);
+}
+
+static void quat_dead_blend(float *o, const input *i)
+{
+    nkw_dead_blend_quat d = {quat_motion_at(i, 0), nkw_abs(i->s[4]), nkw_abs(i->s[5]), i->q[3]};
+    nkw_motion_quat to = quat_motion_at(i, 1);
+    put_motion_quat(o, nkw_quat_dead_blend_evaluate(&d, &to, i->t));
+    put_quat(o + 7, d.difference);
+}

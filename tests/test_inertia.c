@@ -1,0 +1,360 @@
+/* SPDX-License-Identifier: MIT */
+#include <float.h>
+#include <math.h>
+
+#include "random.h"
+#include "support/expect.h"
+
+static nkw_motion motion(float value, float velocity)
+{
+    nkw_motion m = {value, velocity};
+    return m;
+}
+
+static nkw_vec3 vec(float x, float y, float z)
+{
+    nkw_vec3 v = {x, y, z};
+    return v;
+}
+
+static nkw_motion_vec3 moving(nkw_vec3 value, nkw_vec3 velocity)
+{
+    nkw_motion_vec3 m = {value, velocity};
+    return m;
+}
+
+static nkw_motion_quat rotating(nkw_quat value, nkw_vec3 velocity)
+{
+    nkw_motion_quat m = {value, velocity};
+    return m;
+}
+
+static nkw_motion some_motion(random_source *r)
+{
+    float value = random_between(r, -3, 3);
+    return motion(value, random_between(r, -10, 10));
+}
+
+static void expect_motion(nkw_motion got, nkw_motion want)
+{
+    expect_bits(got.value, want.value);
+    expect_bits(got.velocity, want.velocity);
+}
+
+static void value_and_velocity_are_continuous_at_both_ends(void **state)
+{
+    (void)state;
+    random_source r = random_from(1);
+    for (int i = 0; i < 20000; i++) {
+        nkw_motion from = some_motion(&r), to = some_motion(&r);
+        float duration = random_between(&r, 0.05f, 2);
+        nkw_inertia x = nkw_inertia_begin(from, to, duration);
+        assert_true(x.duration > 0 && x.duration <= duration);
+        nkw_motion begin = nkw_inertia_evaluate(x, to, 0), end = nkw_inertia_evaluate(x, to, 0.9999f * x.duration);
+        expect_near(begin.value, from.value, 1e-6);
+        /* c[1] = V + 3 x is rounded to a float. */
+        double size = fabs(from.value - to.value) + fabs(from.velocity - to.velocity) * x.duration;
+        expect_near(begin.velocity, from.velocity, 5e-7 * (size / x.duration + fabs(to.velocity)));
+        expect_near(end.value, to.value, 1e-6);
+        expect_near(end.velocity, to.velocity, 1e-5 + 1e-6 * size / x.duration);
+        expect_motion(nkw_inertia_evaluate(x, to, x.duration), to);
+        expect_motion(nkw_inertia_evaluate(x, to, INFINITY), to);
+    }
+}
+
+static void the_velocity_is_the_rate_of_the_value(void **state)
+{
+    (void)state;
+    random_source r = random_from(2);
+    for (int i = 0; i < 5000; i++) {
+        nkw_motion from = some_motion(&r), to = motion(0, 0);
+        nkw_inertia x = nkw_inertia_begin(from, to, 1);
+        float d = 1e-3f * x.duration, t = random_between(&r, 2 * d, x.duration - 2 * d);
+        double rate = ((double)nkw_inertia_evaluate(x, to, t + d).value - nkw_inertia_evaluate(x, to, t - d).value) /
+                      ((double)(t + d) - (t - d));
+        expect_near(nkw_inertia_evaluate(x, to, t).velocity, rate, 3e-3 * (fabs(from.velocity) + fabs(from.value)));
+    }
+}
+
+static void offsets_that_shrink_neither_change_their_sign_nor_grow(void **state)
+{
+    (void)state;
+    random_source r = random_from(3);
+    for (int i = 0; i < 5000; i++) {
+        float sign = i & 1 ? -1.0f : 1.0f, value = sign * random_between(&r, 0.01f, 3),
+              velocity = -sign * random_between(&r, 0, i % 3 ? 100.0f : 2.0f), last = fabsf(value);
+        nkw_inertia x = nkw_inertia_begin(motion(value, velocity), motion(0, 0), 0.5f);
+        for (int k = 0; k <= 50; k++) {
+            float offset = sign * nkw_inertia_evaluate(x, motion(0, 0), 0.02f * (float)k * x.duration).value;
+            assert_true(offset >= -1e-7f * fabsf(value) && offset <= last + 1e-6f * fabsf(value));
+            last = offset;
+        }
+    }
+}
+
+/* x = 1, T = 1: without velocity (1 - u)^3 (1 + 3 u + 6 u^2); at v = -5 and beyond (1 - u)^5. */
+static void known_offsets_come_out(void **state)
+{
+    (void)state;
+    nkw_inertia rest = nkw_inertia_begin(motion(1, 0), motion(0, 0), 1);
+    expect_bits(nkw_inertia_evaluate(rest, motion(0, 0), 0.5f).value, 0.5f);
+    nkw_inertia limit = nkw_inertia_begin(motion(1, -5), motion(0, 0), 1);
+    expect_bits(limit.duration, 1);
+    expect_bits(nkw_inertia_evaluate(limit, motion(0, 0), 0.5f).value, 0x1p-5f);
+    nkw_inertia fast = nkw_inertia_begin(motion(1, -10), motion(0, 0), 1);
+    expect_bits(fast.duration, 0.5f);
+    expect_bits(nkw_inertia_evaluate(fast, motion(0, 0), 0.25f).value, 0x1p-5f);
+    nkw_inertia away = nkw_inertia_begin(motion(0, 1), motion(0, 0), 1);
+    expect_bits(nkw_inertia_evaluate(away, motion(0, 0), 0.5f).value, 0.15625f);
+}
+
+static void offsets_that_grow_stay_below_their_bound(void **state)
+{
+    (void)state;
+    random_source r = random_from(4);
+    for (int i = 0; i < 2000; i++) {
+        float value = random_between(&r, 0, 1), velocity = random_between(&r, 0, 20);
+        nkw_inertia x = nkw_inertia_begin(motion(value, velocity), motion(0, 0), 1);
+        for (int k = 0; k <= 100; k++)
+            assert_true(nkw_inertia_evaluate(x, motion(0, 0), 0.01f * (float)k).value <= value + 0.22f * velocity);
+    }
+}
+
+static void bad_durations_end_the_transition_at_once(void **state)
+{
+    (void)state;
+    const float bad[] = {0, -0.0f, -1, NAN, INFINITY, -INFINITY};
+    nkw_motion_quat a = rotating(nkw_quat_identity(), vec(1, 2, 3)),
+                    b = rotating(random_rotation(&(random_source){{1, 2, 3, 4}, NULL, 0}), vec(0, 0, 1));
+    nkw_motion_vec3 v = moving(vec(1, 2, 3), vec(4, 5, 6)), w = moving(vec(-1, 0, 0), vec(0, 0, 0));
+    for (int i = 0; i < 6; i++) {
+        nkw_inertia x = nkw_inertia_begin(motion(1, 2), motion(3, 4), bad[i]);
+        nkw_inertia_vec3 y = nkw_vec3_inertia_begin(&v, &w, bad[i]), z = nkw_quat_inertia_begin(&a, &b, bad[i]);
+        expect_motion(nkw_inertia_evaluate(x, motion(3, 4), 0), motion(3, 4));
+        expect_vec3_bits(nkw_vec3_inertia_evaluate(&y, &w, 0).value, w.value);
+        expect_quat_bits(nkw_quat_inertia_evaluate(&z, &b, 0).value, b.value);
+        expect_vec3_bits(nkw_quat_inertia_evaluate(&z, &b, -1).velocity, b.velocity);
+        if (i == 4)
+            continue;
+        nkw_dead_blend d = {motion(1, 2), 0.1f, bad[i]};
+        nkw_dead_blend_quat q = {a, 0.1f, bad[i], {0, 0, 0, 0}};
+        expect_motion(nkw_dead_blend_evaluate(&d, motion(3, 4), 0), motion(3, 4));
+        expect_quat_bits(nkw_quat_dead_blend_evaluate(&q, &b, 0).value, b.value);
+    }
+}
+
+static void early_times_and_nan_are_the_beginning(void **state)
+{
+    (void)state;
+    nkw_inertia x = nkw_inertia_begin(motion(1, 2), motion(3, 4), 1);
+    nkw_dead_blend d = {motion(1, 2), 0.1f, 1};
+    const float early[] = {-1, -INFINITY, NAN, -0.0f};
+    for (int i = 0; i < 4; i++) {
+        expect_motion(nkw_inertia_evaluate(x, motion(3, 4), early[i]), nkw_inertia_evaluate(x, motion(3, 4), 0));
+        expect_motion(nkw_dead_blend_evaluate(&d, motion(3, 4), early[i]), motion(1, 2));
+    }
+    expect_nan(nkw_inertia_evaluate(nkw_inertia_begin(motion(NAN, 0), motion(0, 0), 1), motion(0, 0), 0.5f).value);
+    expect_nan(nkw_inertia_evaluate(x, motion(NAN, 0), 0.5f).value);
+    expect_motion(nkw_inertia_evaluate(nkw_inertia_begin(motion(NAN, 0), motion(0, 0), 1), motion(0, 0), 1),
+                  motion(0, 0));
+}
+
+static void vectors_along_one_axis_are_numbers(void **state)
+{
+    (void)state;
+    random_source r = random_from(5);
+    for (int i = 0; i < 500; i++) {
+        nkw_motion a = some_motion(&r), b = some_motion(&r);
+        nkw_motion_vec3 from = moving(vec(0, a.value, 0), vec(0, a.velocity, 0)),
+                        to = moving(vec(0, b.value, 0), vec(0, b.velocity, 0));
+        nkw_inertia_vec3 v = nkw_vec3_inertia_begin(&from, &to, 0.5f);
+        nkw_motion want = nkw_inertia_evaluate(nkw_inertia_begin(a, b, 0.5f), b, 0.1f);
+        nkw_motion_vec3 got = nkw_vec3_inertia_evaluate(&v, &to, 0.1f);
+        expect_bits(got.value.y, want.value);
+        expect_bits(got.velocity.y, want.velocity);
+        expect_bits(got.value.x, 0);
+    }
+}
+
+/* The velocity at right angles to the offset is kept too, and turning both motions turns the transition. */
+static void vectors_are_continuous_and_do_not_depend_on_the_axes(void **state)
+{
+    (void)state;
+    random_source r = random_from(6);
+    for (int i = 0; i < 5000; i++) {
+        nkw_motion_vec3 from = moving(random_vec3(&r, -3, 3), random_vec3(&r, -3, 3)),
+                        to = moving(random_vec3(&r, -3, 3), random_vec3(&r, -3, 3));
+        nkw_quat q = random_rotation(&r);
+        nkw_motion_vec3 from_q = moving(nkw_quat_rotate(q, from.value), nkw_quat_rotate(q, from.velocity)),
+                        to_q = moving(nkw_quat_rotate(q, to.value), nkw_quat_rotate(q, to.velocity));
+        nkw_inertia_vec3 v = nkw_vec3_inertia_begin(&from, &to, 1), vq = nkw_vec3_inertia_begin(&from_q, &to_q, 1);
+        nkw_motion_vec3 begin = nkw_vec3_inertia_evaluate(&v, &to, 0);
+        expect_vec3_near(begin.value, from.value, 2e-6);
+        expect_vec3_near(begin.velocity, from.velocity, 1e-5);
+        float t = random_unit(&r);
+        expect_vec3_near(nkw_vec3_inertia_evaluate(&vq, &to_q, t).value,
+                         nkw_quat_rotate(q, nkw_vec3_inertia_evaluate(&v, &to, t).value), 2e-5);
+    }
+}
+
+static void rotations_begin_with_rotation_and_velocity_of_the_old_motion(void **state)
+{
+    (void)state;
+    random_source r = random_from(7);
+    for (int i = 0; i < 20000; i++) {
+        nkw_motion_quat from = rotating(random_rotation(&r), random_vec3(&r, -3, 3)),
+                        to = rotating(random_rotation(&r), random_vec3(&r, -3, 3));
+        if (i % 4 == 0)
+            to.value = random_near(&r, from.value, 1.5707f);
+        nkw_inertia_vec3 x = nkw_quat_inertia_begin(&from, &to, 0.5f);
+        nkw_motion_quat begin = nkw_quat_inertia_evaluate(&x, &to, 0);
+        expect_rotation_near(begin.value, from.value, 6e-7);
+        expect_vec3_near(begin.velocity, from.velocity, 2e-5);
+        expect_quat_bits(nkw_quat_inertia_evaluate(&x, &to, 0.5f).value, to.value);
+        expect_near(nkw_quat_length(nkw_quat_inertia_evaluate(&x, &to, random_unit(&r)).value), 1, 4e-7);
+    }
+}
+
+/* The new motion passes half a turn from the old one while the transition runs. */
+static void rotations_do_not_snap_at_half_a_turn(void **state)
+{
+    (void)state;
+    nkw_vec3 z = vec(0, 0, 1), y = vec(0, 1, 0);
+    nkw_motion_quat from = rotating(nkw_quat_from_axis_angle(y, 0.1f), vec(0, 0, -1)),
+                    to = rotating(nkw_quat_from_axis_angle(z, 3), vec(0, 0, 2)), last = from, dead_last = from;
+    nkw_inertia_vec3 x = nkw_quat_inertia_begin(&from, &to, 1);
+    nkw_dead_blend_quat dead = {from, 0.3f, 1, {0, 0, 0, 0}};
+    for (int i = 0; i <= 1000; i++) {
+        float t = 0.001f * (float)i;
+        to.value = nkw_quat_from_axis_angle(z, 3 + 2 * t);
+        nkw_motion_quat got = nkw_quat_inertia_evaluate(&x, &to, t),
+                        blended = nkw_quat_dead_blend_evaluate(&dead, &to, t);
+        assert_true(nkw_quat_angle(last.value, got.value) < 0.012f);
+        assert_true(nkw_quat_angle(dead_last.value, blended.value) < 0.012f);
+        if (i > 0) {
+            nkw_vec3 w = nkw_quat_angular_velocity(last.value, got.value, 0.001f),
+                     v = nkw_quat_angular_velocity(dead_last.value, blended.value, 0.001f);
+            expect_vec3_near(nkw_vec3_lerp(last.velocity, got.velocity, 0.5f), w, 0.02);
+            expect_vec3_near(nkw_vec3_lerp(dead_last.velocity, blended.velocity, 0.5f), v, 0.02);
+        }
+        last = got;
+        dead_last = blended;
+    }
+    expect_quat_bits(last.value, to.value);
+    expect_quat_bits(dead_last.value, to.value);
+}
+
+static void a_second_transition_continues_the_first(void **state)
+{
+    (void)state;
+    random_source r = random_from(8);
+    for (int i = 0; i < 2000; i++) {
+        nkw_motion_quat from = rotating(random_rotation(&r), random_vec3(&r, -3, 3)),
+                        a = rotating(random_rotation(&r), random_vec3(&r, -3, 3)),
+                        b = rotating(random_rotation(&r), random_vec3(&r, -3, 3));
+        nkw_inertia_vec3 first = nkw_quat_inertia_begin(&from, &a, 0.5f);
+        nkw_motion_quat middle = nkw_quat_inertia_evaluate(&first, &a, 0.2f);
+        nkw_inertia_vec3 second = nkw_quat_inertia_begin(&middle, &b, 0.5f);
+        nkw_motion_quat got = nkw_quat_inertia_evaluate(&second, &b, 0);
+        expect_rotation_near(got.value, middle.value, 6e-7);
+        expect_vec3_near(got.velocity, middle.velocity, 1e-4);
+    }
+}
+
+static void dead_blends_begin_with_the_old_and_end_with_the_new(void **state)
+{
+    (void)state;
+    random_source r = random_from(9);
+    for (int i = 0; i < 5000; i++) {
+        nkw_motion from = some_motion(&r), to = some_motion(&r);
+        float half_life = random_between(&r, 0.01f, 1), duration = random_between(&r, 0.1f, 1);
+        nkw_dead_blend d = {from, half_life, duration};
+        expect_motion(nkw_dead_blend_evaluate(&d, to, 0), from);
+        expect_motion(nkw_dead_blend_evaluate(&d, to, duration), to);
+        expect_motion(nkw_dead_blend_evaluate(&d, to, INFINITY), to);
+        float t = random_between(&r, 0.01f, 0.99f) * duration, u = t / duration;
+        double decay = log(2.0) / half_life, old = from.value + from.velocity * (1 - exp(-decay * t)) / decay,
+               s = u * u * (3.0 - 2.0 * u), want = old + s * (to.value - old);
+        expect_near(nkw_dead_blend_evaluate(&d, to, t).value, want, 4e-6);
+        nkw_motion rest = motion(to.value, 0);
+        float e = 1e-3f * duration;
+        double rate =
+            ((double)nkw_dead_blend_evaluate(&d, rest, t + e).value - nkw_dead_blend_evaluate(&d, rest, t - e).value) /
+            ((double)(t + e) - (t - e));
+        expect_near(nkw_dead_blend_evaluate(&d, rest, t).velocity, rate, 0.02 * (1 + fabs(rate)));
+    }
+}
+
+static void half_lives_of_zero_and_infinity_stop_and_continue(void **state)
+{
+    (void)state;
+    nkw_dead_blend stopped = {motion(1, 4), 0, 1}, going = {motion(1, 4), INFINITY, 1};
+    expect_bits(nkw_dead_blend_evaluate(&stopped, motion(1, 0), 0.5f).value, 1);
+    expect_bits(nkw_dead_blend_evaluate(&going, motion(0, 0), 0.5f).value, 1.5f);
+    nkw_dead_blend endless = {motion(1, 4), INFINITY, INFINITY};
+    expect_bits(nkw_dead_blend_evaluate(&endless, motion(0, 0), 2).value, 9);
+}
+
+static void dead_vectors_are_component_by_component(void **state)
+{
+    (void)state;
+    random_source r = random_from(10);
+    for (int i = 0; i < 500; i++) {
+        nkw_dead_blend_vec3 v = {{random_vec3(&r, -1, 1), random_vec3(&r, -1, 1)}, 0.2f, 0.7f};
+        nkw_dead_blend d = {motion(v.from.value.z, v.from.velocity.z), 0.2f, 0.7f};
+        nkw_motion_vec3 to = moving(random_vec3(&r, -1, 1), random_vec3(&r, -1, 1));
+        nkw_motion_vec3 got = nkw_vec3_dead_blend_evaluate(&v, &to, 0.3f);
+        expect_motion(motion(got.value.z, got.velocity.z),
+                      nkw_dead_blend_evaluate(&d, motion(to.value.z, to.velocity.z), 0.3f));
+    }
+}
+
+static void dead_rotations_begin_with_the_old_motion(void **state)
+{
+    (void)state;
+    random_source r = random_from(11);
+    for (int i = 0; i < 5000; i++) {
+        nkw_motion_quat from = rotating(random_rotation(&r), random_vec3(&r, -3, 3)),
+                        to = rotating(random_rotation(&r), random_vec3(&r, -3, 3));
+        nkw_dead_blend_quat d = {from, 0.2f, 0.5f, {0, 0, 0, 0}};
+        nkw_motion_quat got = nkw_quat_dead_blend_evaluate(&d, &to, 0);
+        expect_rotation_near(got.value, from.value, 5e-7);
+        expect_vec3_near(got.velocity, from.velocity, 1e-4);
+        expect_quat_bits(nkw_quat_dead_blend_evaluate(&d, &to, 0.5f).value, to.value);
+    }
+}
+
+static void half_lives_follow_the_way_to_the_new_value(void **state)
+{
+    (void)state;
+    expect_bits(nkw_dead_blend_half_life(motion(0, 2), 1, 1, 0.1f, 4), 0.5f);
+    expect_bits(nkw_dead_blend_half_life(motion(0, -2), 1, 1, 0.1f, 4), 0.1f);
+    expect_bits(nkw_dead_blend_half_life(motion(0, 0.01f), 1, 1, 0.1f, 4), 4);
+    expect_bits(nkw_dead_blend_half_life(motion(0, 0), 1, 1, 0.1f, 4), 4);
+    expect_bits(nkw_dead_blend_half_life(motion(0, NAN), 1, 1, 0.1f, 4), 4);
+    expect_bits(nkw_dead_blend_half_life(motion(1, 0), 1, 1, 0.1f, 4), 4);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(value_and_velocity_are_continuous_at_both_ends),
+        cmocka_unit_test(the_velocity_is_the_rate_of_the_value),
+        cmocka_unit_test(offsets_that_shrink_neither_change_their_sign_nor_grow),
+        cmocka_unit_test(known_offsets_come_out),
+        cmocka_unit_test(offsets_that_grow_stay_below_their_bound),
+        cmocka_unit_test(bad_durations_end_the_transition_at_once),
+        cmocka_unit_test(early_times_and_nan_are_the_beginning),
+        cmocka_unit_test(vectors_along_one_axis_are_numbers),
+        cmocka_unit_test(vectors_are_continuous_and_do_not_depend_on_the_axes),
+        cmocka_unit_test(rotations_begin_with_rotation_and_velocity_of_the_old_motion),
+        cmocka_unit_test(rotations_do_not_snap_at_half_a_turn),
+        cmocka_unit_test(a_second_transition_continues_the_first),
+        cmocka_unit_test(dead_blends_begin_with_the_old_and_end_with_the_new),
+        cmocka_unit_test(half_lives_of_zero_and_infinity_stop_and_continue),
+        cmocka_unit_test(dead_vectors_are_component_by_component),
+        cmocka_unit_test(dead_rotations_begin_with_the_old_motion),
+        cmocka_unit_test(half_lives_follow_the_way_to_the_new_value),
+    };
+    return cmocka_run_group_tests_name("inertia", tests, NULL, NULL);
+}
