@@ -21,6 +21,7 @@ set(NKW_FLOOR_3
   curve
   curve_point
   orient
+  limit
   spring
   inertia
 )
@@ -39,6 +40,7 @@ set(NKW_FLOOR_4
 set(NKW_FLOOR_5
   skeleton
   blend
+  ik
 )
 set(NKW_FLOOR_6
   palette

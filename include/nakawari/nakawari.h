@@ -28,6 +28,7 @@
 #include "orient.h"
 #include "spring.h"
 #include "inertia.h"
+#include "limit.h"
 
 /* Floor 4, track: the keys around a time; values, poses and matrices from keys. */
 #include "segment.h"
@@ -44,6 +45,7 @@
 /* Floor 5, skeleton: hierarchies, blending of poses. */
 #include "skeleton.h"
 #include "blend.h"
+#include "ik.h"
 
 /* Floor 6, skin: palettes from model matrices, skinned vertices, parts of meshes. */
 #include "palette.h"

@@ -95,7 +95,8 @@ static void quat(const any *a, nkw_euler_order order)
     at_most_unit(parts.swing, is_finite && nkw_vec3_is_finite(a->v[0]));
     at_most_unit(parts.twist, is_finite && nkw_vec3_is_finite(a->v[0]));
     within(nkw_quat_twist_angle(p, a->v[0]), -3.1415930f, 3.1415930f, is_finite && nkw_vec3_is_finite(a->v[0]));
-    at_most_unit(nkw_quat_mean(a->q, a->f, 2), is_finite && nkw_quat_is_finite(q) && finite(a->f[0]) && finite(a->f[1]));
+    at_most_unit(nkw_quat_mean(a->q, a->f, 2),
+                 is_finite && nkw_quat_is_finite(q) && finite(a->f[0]) && finite(a->f[1]));
 }
 
 static void orient(const any *a, nkw_path path, nkw_unwrap unwrap)
@@ -109,6 +110,17 @@ static void orient(const any *a, nkw_path path, nkw_unwrap unwrap)
     FUZZ_CHECK(turns <= 1 << 29 && turns >= -(1 << 29));
     nkw_quat_slerp_path(p, q, t, path, turns), nkw_quat_nlerp_path(p, q, t, path, turns);
     nkw_quat_slerp_path(p, q, t, path, INT32_MIN), nkw_quat_nlerp_path(p, q, t, path, INT32_MAX);
+}
+
+static void limit(const any *a)
+{
+    nkw_limit limit = {a->q[1], a->v[0], a->v[1], a->f[0], a->f[1], a->f[2], a->f[3]};
+    nkw_quat q = a->q[0], all = nkw_limit_apply(&limit, q), cone = nkw_quat_limit_cone(q, a->v[0], a->f[0]);
+    nkw_quat ellipse = nkw_quat_limit_ellipse(q, a->v[0], a->v[1], a->f[0], a->f[1]);
+    nkw_quat twist = nkw_quat_limit_twist(q, a->v[0], a->f[0], a->f[1]);
+    int is_finite = nkw_quat_is_finite(q);
+    FUZZ_CHECK(!is_finite || (nkw_quat_is_finite(all) && nkw_quat_is_finite(cone)));
+    FUZZ_CHECK(!is_finite || (nkw_quat_is_finite(ellipse) && nkw_quat_is_finite(twist)));
 }
 
 static void axes(const any *a, fuzz *f)
@@ -204,6 +216,7 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
     quat(a, (nkw_euler_order)fuzz_choice(&f, 5));
     orient(a, (nkw_path)fuzz_choice(&f, 2), (nkw_unwrap)fuzz_choice(&f, 2));
     axes(a, &f);
+    limit(a);
     mat(a, fuzz_byte(&f));
     transform(a);
     curve(a);

@@ -392,6 +392,12 @@ static nkw_axes_map some_axes(const input *i)
     return turned;
 }
 
+static nkw_quat limited(const input *i)
+{
+    nkw_limit limit = {i->q[1], i->v[1], i->v[2], i->t, nkw_abs(i->s[0]), -nkw_abs(i->s[1]), nkw_abs(i->s[2])};
+    return nkw_limit_apply(&limit, i->q[0]);
+}
+
 static void weights_of_four(float *o, const input *i, nkw_skin_format format)
 {
     float weights[8];

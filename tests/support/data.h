@@ -22,7 +22,8 @@
     X(clip_more) \
     X(crowd_skin) \
     X(clip_reduce) \
-    X(spline)
+    X(spline) \
+    X(ik)
 
 #ifdef __cplusplus
 extern "C" {

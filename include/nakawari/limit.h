@@ -1,0 +1,70 @@
+/* SPDX-License-Identifier: MIT */
+/**
+ * @file
+ * Floor 3: limits of joints: the nearest rotation within a cone, an ellipse, a range of twist.
+ *
+ * A rotation is split into a twist about an axis of the joint and a swing of this axis (nkw_quat_swing_twist):
+ *
+ *     q = swing twist,      swing = exp(s/2),  s perpendicular to the axis,  |s| the angle of the swing
+ *
+ * Swings are points s of a plane, and limits are figures of this plane about the origin. A point outside moves to the
+ * nearest point of the boundary; the twist does not change. A twist outside its range moves to the nearer end, around
+ * the circle; the swing does not change.
+ *
+ * Within the limits, or outside by at most 2^-20 rad, q is returned unchanged, bit for bit; so limits applied twice
+ * return the same bits as once. Angles are clamped to 0..pi, NaN to pi (no limit). A zero axis is no limit: q is
+ * returned. If q has NaN or infinity, it is returned too. q need not be unit; what is clamped is unit.
+ *
+ * Error  3.0 u of the rotation, where the angle of the swing is at most pi - 1e-3.
+ * Source Dobrowolski, Swing-twist decomposition in Clifford algebra, arXiv:1506.05481, 2015;
+ *        Eberly, Distance from a Point to an Ellipse, an Ellipsoid, or a Hyperellipsoid, 2013.
+ */
+#ifndef NAKAWARI_LIMIT_H
+#define NAKAWARI_LIMIT_H
+
+#include "types.h"
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/** The swing of `axis` is limited to `angle`: a cone about the axis. */
+NKW_API nkw_quat nkw_quat_limit_cone(nkw_quat q, nkw_vec3 axis, float angle);
+
+/**
+ * The swing is limited to an ellipse with half axes a, b, angles of the swings about `side` and about axis x side:
+ *
+ *     (s.side / a)^2 + (s.(axis x side) / b)^2 <= 1
+ *
+ * side is made perpendicular to the axis; zero or along the axis it is replaced by nkw_vec3_perpendicular(axis). With
+ * b = 0 the joint swings like a hinge. The nearest point of the boundary is the root of a convex function, by Newton's
+ * method from the side on which it converges for every point.
+ */
+NKW_API nkw_quat nkw_quat_limit_ellipse(nkw_quat q, nkw_vec3 axis, nkw_vec3 side, float a, float b);
+
+/**
+ * The twist about `axis` is limited to the angles low .. high, of at most 2^20 rad; a range of 2 pi or more, or NaN,
+ * is no limit. If low > high, both are replaced by their mean.
+ */
+NKW_API nkw_quat nkw_quat_limit_twist(nkw_quat q, nkw_vec3 axis, float low, float high);
+
+/** The limits of one joint, measured from a rest rotation. */
+typedef struct nkw_limit {
+    nkw_quat rest; /**< the rotation of no swing and no twist; zero counts as the identity */
+    nkw_vec3 axis; /**< the direction of the bone in the joint's space, any length; zero: no limit */
+    nkw_vec3 side; /**< the first axis of the ellipse, in the joint's space */
+    float swing_side, swing_across; /**< half axes a, b of the ellipse, radians; equal for a cone */
+    float twist_low, twist_high; /**< radians */
+} nkw_limit;
+
+/**
+ * The rotation nearest to q within all limits of the joint: the twist and then the swing of rest^-1 q are limited.
+ * Returns q, bit for bit, if both are within their limits.
+ */
+NKW_API nkw_quat nkw_limit_apply(const nkw_limit *limit, nkw_quat q);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif

@@ -1,0 +1,224 @@
+/* SPDX-License-Identifier: MIT */
+#include "lane/strict.h"
+
+#include <nakawari/ik.h>
+#include <nakawari/quat.h>
+#include <nakawari/vec.h>
+
+#include "ik_turn.h"
+#include "lane/quat.h"
+#include "lane/scalar.h"
+
+/* Half the angle by which joint 0 of a chain on a line is rotated first, radians; and how exactly it is a line. */
+#define CHAIN_NUDGE 0x1p-4
+#define CHAIN_LINE  0x1p-36
+
+/* A joint in model space. */
+typedef struct chain_frame {
+    lane_f64_quat rotation;
+    lane_f64_vec3 position;
+} chain_frame;
+
+static lane_f64_quat unit_of(nkw_quat q)
+{
+    return lane_f64_quat_normalize(lane_f64_quat_from(q));
+}
+
+static lane_f64_vec3 bone_of(const nkw_ik_chain *chain, size_t k, lane_f64_quat rotation)
+{
+    return lane_f64_quat_rotate(rotation, lane_f64_vec3_from(chain->offsets[k]));
+}
+
+static chain_frame base_of(const nkw_ik_chain *chain)
+{
+    chain_frame base = {unit_of(chain->rotation), lane_f64_vec3_from(chain->position)};
+    return base;
+}
+
+/* From the parent's rotation and the position of joint k to its own rotation and the position of the next joint. */
+static chain_frame advance(const nkw_ik_chain *chain, const nkw_quat *rotations, size_t k, chain_frame f)
+{
+    f.rotation = lane_f64_quat_mul(f.rotation, unit_of(rotations[k]));
+    f.position = lane_f64_vec3_add(f.position, bone_of(chain, k, f.rotation));
+    return f;
+}
+
+/* The rotation of the last joint and the position of the end. */
+static chain_frame end_of(const nkw_ik_chain *chain, const nkw_quat *rotations)
+{
+    chain_frame f = base_of(chain);
+    for (size_t k = 0; k < chain->count; k++)
+        f = advance(chain, rotations, k, f);
+    return f;
+}
+
+float nkwi_ik_chain_error(const nkw_ik_chain *chain, const nkw_quat *rotations, nkw_vec3 target)
+{
+    lane_f64_vec3 end = end_of(chain, rotations).position;
+    double error = lane_f64_vec3_length(lane_f64_vec3_sub(end, lane_f64_vec3_from(target)));
+    return error < (double)INFINITY ? (float)error : INFINITY;
+}
+
+static int chain_is_finite(const nkw_ik_chain *chain, const nkw_ik_goal *goal, const nkw_quat *rotations)
+{
+    int finite = nkw_vec3_is_finite(chain->position) && nkw_quat_is_finite(chain->rotation);
+    for (size_t k = 0; finite && k < chain->count; k++)
+        finite = nkw_vec3_is_finite(chain->offsets[k]) && nkw_quat_is_finite(rotations[k]);
+    return finite && nkw_vec3_is_finite(goal->target);
+}
+
+/* Stores the local rotation of joint k, limited. */
+static void store(const nkw_ik_chain *chain, nkw_quat *rotations, size_t k, nkw_quat q)
+{
+    rotations[k] = chain->limits ? nkw_limit_apply(&chain->limits[k], q) : q;
+}
+
+/* Rotates joint k by `turn` in model space; `parent` and `own` are its parent's rotation and its own. */
+static void rotate(const nkw_ik_chain *chain, nkw_quat *rotations, size_t k, const lane_f64_quat *parent,
+                   lane_f64_quat turn, lane_f64_quat own)
+{
+    lane_f64_quat local = lane_f64_quat_mul(lane_f64_quat_conjugate(*parent), lane_f64_quat_mul(turn, own));
+    store(chain, rotations, k, lane_quat_from_f64(lane_f64_quat_normalize(local)));
+}
+
+static double length_of(const nkw_ik_chain *chain)
+{
+    double sum = 0.0;
+    for (size_t k = 0; k < chain->count; k++)
+        sum += lane_f64_vec3_length(lane_f64_vec3_from(chain->offsets[k]));
+    return sum;
+}
+
+/* Whether all joints and the end are on one line with the target. */
+static int is_line(const nkw_ik_chain *chain, const nkw_quat *rotations, lane_f64_vec3 line, double length)
+{
+    chain_frame f = base_of(chain);
+    lane_f64_vec3 base = f.position;
+    double most = CHAIN_LINE * (length * length) * lane_f64_vec3_dot(line, line);
+    for (size_t k = 0; k < chain->count; k++) {
+        f = advance(chain, rotations, k, f);
+        lane_f64_vec3 across = lane_f64_vec3_cross(lane_f64_vec3_sub(f.position, base), line);
+        if (lane_f64_vec3_dot(across, across) > most)
+            return 0;
+    }
+    return 1;
+}
+
+/* Rotates joint 0 of a chain that would have to bend, but is on one line with the target. */
+static void leave_line(const nkw_ik_chain *chain, const nkw_ik_goal *goal, nkw_quat *rotations)
+{
+    chain_frame base = base_of(chain);
+    lane_f64_vec3 line = lane_f64_vec3_sub(lane_f64_vec3_from(goal->target), base.position);
+    double length = length_of(chain), d2 = lane_f64_vec3_dot(line, line);
+    if (chain->count < 2 || d2 >= length * length)
+        return;
+    if (d2 == 0.0)
+        line = lane_f64_vec3_sub(end_of(chain, rotations).position, base.position);
+    if (!is_line(chain, rotations, line, length))
+        return;
+    lane_f64_quat turn = lane_f64_quat_from_axis_half(lane_f64_vec3_perpendicular(line), lane_sincos64(CHAIN_NUDGE));
+    lane_f64_quat own = lane_f64_quat_mul(base.rotation, unit_of(rotations[0]));
+    rotate(chain, rotations, 0, &base.rotation, turn, own);
+}
+
+/* Limits the rotations, and returns the error; a chain on a line leaves it if it has to move. */
+static float begin(const nkw_ik_chain *chain, const nkw_ik_goal *goal, nkw_quat *rotations)
+{
+    for (size_t k = 0; k < chain->count; k++)
+        store(chain, rotations, k, rotations[k]);
+    float error = nkwi_ik_chain_error(chain, rotations, goal->target);
+    if (goal->iterations == 0 || !(error > goal->tolerance))
+        return error;
+    leave_line(chain, goal, rotations);
+    return nkwi_ik_chain_error(chain, rotations, goal->target);
+}
+
+/* ---- Cyclic coordinate descent ---- */
+
+static void ccd_pass(const nkw_ik_chain *chain, lane_f64_vec3 target, nkw_quat *rotations)
+{
+    chain_frame f = end_of(chain, rotations);
+    lane_f64_vec3 end = f.position, position = end;
+    for (size_t k = chain->count; k-- > 0;) {
+        lane_f64_quat parent = lane_f64_quat_mul(f.rotation, lane_f64_quat_conjugate(unit_of(rotations[k])));
+        position = lane_f64_vec3_sub(position, bone_of(chain, k, f.rotation));
+        lane_f64_vec3 from = lane_f64_vec3_sub(end, position);
+        lane_f64_quat turn = lane_f64_quat_from_vectors(from, lane_f64_vec3_sub(target, position));
+        rotate(chain, rotations, k, &parent, turn, f.rotation);
+        lane_f64_quat now = lane_f64_quat_mul(parent, unit_of(rotations[k]));
+        from = lane_f64_quat_rotate(lane_f64_quat_conjugate(f.rotation), from);
+        end = lane_f64_vec3_add(position, lane_f64_quat_rotate(now, from));
+        f.rotation = parent;
+    }
+}
+
+nkw_ik_chain_result nkw_ik_ccd_solve(const nkw_ik_chain *chain, const nkw_ik_goal *goal, nkw_quat *rotations)
+{
+    nkw_ik_chain_result r = {INFINITY, 0};
+    if (!chain_is_finite(chain, goal, rotations))
+        return r;
+    r.error = begin(chain, goal, rotations);
+    float tolerance = goal->tolerance > 0.0f ? goal->tolerance : 0.0f, before = INFINITY;
+    while (r.error > tolerance && r.iterations < goal->iterations && r.error != before) {
+        before = r.error;
+        ccd_pass(chain, lane_f64_vec3_from(goal->target), rotations);
+        r.error = nkwi_ik_chain_error(chain, rotations, goal->target);
+        r.iterations++;
+    }
+    return r;
+}
+
+/* ---- Forward and backward reaching ---- */
+
+/* From the end to the root: where each joint should be, so that the next one is where it should be. */
+static void backward(const nkw_ik_chain *chain, lane_f64_vec3 target, const nkw_quat *rotations, nkw_vec3 *places)
+{
+    chain_frame f = base_of(chain);
+    for (size_t k = 0; k < chain->count; k++) {
+        places[k] = lane_vec3_from_f64(f.position);
+        f = advance(chain, rotations, k, f);
+    }
+    for (size_t k = chain->count; k-- > 0;) {
+        lane_f64_vec3 back = lane_f64_vec3_sub(lane_f64_vec3_from(places[k]), target);
+        double length = lane_f64_vec3_length(lane_f64_vec3_from(chain->offsets[k]));
+        target = lane_f64_vec3_add_scaled(target, lane_f64_vec3_normalize(back), length);
+        places[k] = lane_vec3_from_f64(target);
+    }
+}
+
+/* From the root to the end: each joint aims at the place of the next, or at the target if places is NULL. */
+static void forward(const nkw_ik_chain *chain, lane_f64_vec3 target, const nkw_vec3 *places, nkw_quat *rotations)
+{
+    chain_frame f = base_of(chain);
+    for (size_t k = 0; k < chain->count; k++) {
+        lane_f64_vec3 aim = places && k + 1 < chain->count ? lane_f64_vec3_from(places[k + 1]) : target;
+        lane_f64_quat own = lane_f64_quat_mul(f.rotation, unit_of(rotations[k]));
+        lane_f64_quat turn = lane_f64_quat_from_vectors(bone_of(chain, k, own), lane_f64_vec3_sub(aim, f.position));
+        rotate(chain, rotations, k, &f.rotation, turn, own);
+        f = advance(chain, rotations, k, f);
+    }
+}
+
+nkw_ik_chain_result nkw_ik_fabrik_solve(const nkw_ik_chain *chain, const nkw_ik_goal *goal, nkw_quat *rotations,
+                                        nkw_vec3 *work, size_t work_count)
+{
+    nkw_ik_chain_result r = {INFINITY, 0};
+    if (work_count < chain->count || !chain_is_finite(chain, goal, rotations))
+        return r;
+    r.error = begin(chain, goal, rotations);
+    lane_f64_vec3 target = lane_f64_vec3_from(goal->target);
+    double length = length_of(chain), d = lane_f64_vec3_length(lane_f64_vec3_sub(target, base_of(chain).position));
+    int stretched = !chain->limits && d >= length;
+    float tolerance = goal->tolerance > 0.0f ? goal->tolerance : 0.0f, before = INFINITY;
+    while (r.error > tolerance && r.iterations < goal->iterations && r.error != before) {
+        before = r.error;
+        if (!stretched)
+            backward(chain, target, rotations, work);
+        forward(chain, target, stretched ? NULL : work, rotations);
+        r.error = nkwi_ik_chain_error(chain, rotations, goal->target);
+        r.iterations++;
+        if (stretched)
+            break;
+    }
+    return r;
+}

@@ -1,0 +1,48 @@
+/* SPDX-License-Identifier: MIT */
+/* Rotations that the solvers of inverse kinematics share. */
+#ifndef NAKAWARI_IK_TURN_H
+#define NAKAWARI_IK_TURN_H
+
+#include "lane/strict.h"
+
+#include <nakawari/ik.h>
+#include <nakawari/orient.h>
+#include <nakawari/quat.h>
+
+#include "lane/quat.h"
+
+/*
+ * The rotation about the unit axis that brings the side of `from` to that of `to`, for unit `to`. With m, w their parts
+ * perpendicular to the axis, L = |m| |w|:
+ *
+ *     tan(angle/2) = y / (L + x) = (L - x) / y,      x = m.w,  y = axis.(m x w)
+ *
+ * Identity where a part is zero, or its square is below `parallel` of its vector's.
+ */
+static inline lane_f64_quat ik_turn_about(lane_f64_vec3 axis, lane_f64_vec3 from, lane_f64_vec3 to, double parallel)
+{
+    const lane_f64_quat identity = {0.0, 0.0, 0.0, 1.0};
+    lane_f64_vec3 m = lane_f64_vec3_add_scaled(from, axis, -lane_f64_vec3_dot(from, axis));
+    lane_f64_vec3 w = lane_f64_vec3_add_scaled(to, axis, -lane_f64_vec3_dot(to, axis));
+    double m2 = lane_f64_vec3_dot(m, m), w2 = lane_f64_vec3_dot(w, w);
+    if (!(m2 > parallel * lane_f64_vec3_dot(from, from)) || !(w2 > parallel * lane_f64_vec3_dot(to, to)))
+        return identity;
+    m = lane_f64_vec3_normalize(m);
+    w = lane_f64_vec3_normalize(w);
+    double x = lane_f64_vec3_dot(m, w), y = lane_f64_vec3_dot(axis, lane_f64_vec3_cross(m, w));
+    lane_sincos half = {x < 0.0 ? 1.0 - x : y, x < 0.0 ? y : 1.0 + x};
+    return lane_f64_quat_normalize(lane_f64_quat_from_axis_half(axis, half));
+}
+
+/* A share of a rotation, along the shorter arc; at 1 the rotation itself, with w >= 0. */
+static inline nkw_quat ik_weighted(lane_f64_quat q, float weight)
+{
+    nkw_quat whole = lane_quat_from_f64(lane_f64_quat_scale(q, q.w < 0.0 ? -1.0 : 1.0));
+    float share = weight > 0.0f ? weight < 1.0f ? weight : 1.0f : 0.0f;
+    return share == 1.0f ? whole : nkw_quat_slerp(nkw_quat_identity(), whole, share);
+}
+
+/* The distance of the end of a chain from the target, for rotations as they are; infinite if it is not finite. */
+float nkwi_ik_chain_error(const nkw_ik_chain *chain, const nkw_quat *rotations, nkw_vec3 target);
+
+#endif
