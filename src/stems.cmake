@@ -20,6 +20,8 @@ set(NKW_FLOOR_2
 set(NKW_FLOOR_3
   curve
   curve_point
+  handle
+  ease
   orient
   limit
   spring
@@ -27,6 +29,7 @@ set(NKW_FLOOR_3
 )
 set(NKW_FLOOR_4
   segment
+  fcurve
   spline
   keyframe
   track

@@ -25,6 +25,8 @@
 /* Floor 3, curve and orient: curves on numbers, curves on rotations; what follows a goal. */
 #include "curve.h"
 #include "curve_point.h"
+#include "handle.h"
+#include "ease.h"
 #include "orient.h"
 #include "spring.h"
 #include "inertia.h"
@@ -32,6 +34,7 @@
 
 /* Floor 4, track: the keys around a time; values, poses and matrices from keys. */
 #include "segment.h"
+#include "fcurve.h"
 #include "spline.h"
 #include "keyframe.h"
 #include "track.h"

@@ -18,6 +18,7 @@
 #include "../support/random.h"
 #include "../support/resample.h"
 #include "edits.h"
+#include "handles.h"
 
 #define ROUNDS 4000
 
@@ -285,6 +286,12 @@ static void split(float *o, const float c[4], float t)
     nkw_vec3_bezier_split(&whole, t, &left, &right);
     put_cubic(o, &left);
     put_cubic(o + 4, &right);
+}
+
+/* A number of the input, 0..17. */
+static unsigned some(const input *i)
+{
+    return (unsigned)i->order + 6 * (unsigned)i->path;
 }
 
 static void put_vec3_cubic(float *o, nkw_vec3_cubic c)

@@ -139,6 +139,14 @@ K(cubic_point_catmull_rom, 3, put_point(o, nkw_cubic_point(NKW_CUBIC_CATMULL_ROM
 K(catmull_rom_nonuniform_point, 3, put_point(o, nkw_catmull_rom_nonuniform_point(i->times, i->s[0], i->s[1], i->s[2], i->s[3], i->t)))
 K(quintic_hermite, 3, put_point(o, nkw_quintic_hermite(point_of(i->s), point_of(i->s + 3), i->t)))
 
+K(handle_point, 8, handle_points(o, i->s, i->t))
+K(handle_limit, 12, handle_limits(o, i->s))
+K(handle_split, 16, handle_split(o, i->s, i->t))
+K(ease_point, 12, eases(o, some(i), i->t))
+K(ease_cubic_bezier, 3, put_point(o, nkw_ease_cubic_bezier(nkw_abs(i->s[0]), i->s[1], nkw_abs(i->s[2]), i->s[3], i->t)))
+K(ease_steps, 1, o[0] = nkw_ease_steps(1 + (int)i->order, (nkw_ease_jump)i->path, i->s[0]))
+K(ease_linear, 3, put_point(o, nkw_ease_linear(i->times, i->s, 4, i->s[5])))
+
 K(quat_nlerp, 4, put_quat(o, nkw_quat_nlerp(i->q[0], i->q[1], i->t)))
 K(quat_slerp, 4, put_quat(o, nkw_quat_slerp(i->q[0], i->q[1], i->t)))
 K(quat_slerp_beyond, 4, put_quat(o, nkw_quat_slerp(i->q[0], i->q[1], 4.0f * i->t - 1.5f)))
@@ -165,6 +173,7 @@ K(quat_inertia, 16, quat_inertia(o, i))
 K(dead_blend, 3, dead_blend(o, i))
 K(quat_dead_blend, 11, quat_dead_blend(o, i))
 
+K(fcurve_sample, 15, sample_fcurve(o, i->keys, i->s, some(i), i->t))
 K(segment_find, 2, put_segment(o, nkw_segment_find(i->times, 4, i->s[0])))
 K(segment_find_from, 2, put_segment(o, nkw_segment_find_hint(i->times, 4, i->s[0], 1)))
 K(segment_find_n, 2, find_many(o, i))

@@ -1,0 +1,124 @@
+/* SPDX-License-Identifier: MIT */
+/**
+ * @file
+ * Floor 4: curves of animation tools: keys with handles, an interpolation for each key, and a behaviour before the first
+ * and after the last key.
+ *
+ * An fcurve is a view of the caller's array of keys, in ascending order of time; two equal times are a jump. The
+ * segment from key k to k + 1 is half open, as in segment.h, and interpolated by the kind of key k, with
+ * x = (time - key[k].time) / (key[k + 1].time - key[k].time):
+ *
+ *     CONSTANT        value[k]
+ *     CONSTANT_NEXT   value[k + 1]; value[k] only at the time of key k itself
+ *     LINEAR          value[k] + x (value[k + 1] - value[k])
+ *     BEZIER          nkw_handle_point with the handles key[k].out and key[k + 1].in, shortened by `policy`
+ *     EASE            value[k] + nkw_ease(key[k].ease, x) (value[k + 1] - value[k])
+ *
+ * At the time of a key the value is that of the key, bit for bit. With d = time of the last key - time of the first,
+ * the value outside the keys is
+ *
+ *     HOLD            that of the nearest key
+ *     LINEAR          the line through the nearest key with the slope of the curve there; an infinite slope holds
+ *     CYCLE           that at time - n d
+ *     CYCLE_OFFSET    that at time - n d, plus n (value of the last key - value of the first)
+ *     OSCILLATE       that at time - n d for even n, at the mirrored time for odd n
+ *
+ * where n is the number of the cycle, 0 within the keys. After the given number of cycles, the value at their end is
+ * held. Derivatives are by time; at a key they are those of the segment that it begins, at the last key those of the
+ * segment that it ends.
+ */
+#ifndef NAKAWARI_FCURVE_H
+#define NAKAWARI_FCURVE_H
+
+#include <stdint.h>
+
+#include "base.h"
+#include "ease.h"
+#include "handle.h"
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/** The interpolation of the segment that a key begins. Any other number is read as NKW_FCURVE_CONSTANT. */
+typedef enum nkw_fcurve_kind {
+    NKW_FCURVE_CONSTANT, /**< holds the key (step) */
+    NKW_FCURVE_CONSTANT_NEXT, /**< holds the next key (step next) */
+    NKW_FCURVE_LINEAR,
+    NKW_FCURVE_BEZIER,
+    NKW_FCURVE_EASE
+} nkw_fcurve_kind;
+
+/** The behaviour before the first or after the last key. Any other number is read as NKW_FCURVE_OUTSIDE_HOLD. */
+typedef enum nkw_fcurve_outside {
+    NKW_FCURVE_OUTSIDE_HOLD, /**< constant */
+    NKW_FCURVE_OUTSIDE_LINEAR, /**< along the slope of the curve at its end */
+    NKW_FCURVE_OUTSIDE_CYCLE, /**< repeats (loop) */
+    NKW_FCURVE_OUTSIDE_CYCLE_OFFSET, /**< repeats, each cycle from the value where the one before ended */
+    NKW_FCURVE_OUTSIDE_OSCILLATE /**< repeats, every other cycle backwards (ping-pong) */
+} nkw_fcurve_outside;
+
+typedef struct nkw_fcurve_key {
+    float time, value;
+    nkw_handle in, out; /**< relative to the key; in.time is not positive, out.time not negative */
+    nkw_fcurve_kind kind;
+    nkw_ease_kind ease; /**< for NKW_FCURVE_EASE */
+} nkw_fcurve_key;
+
+/** One number over time. The keys belong to the caller. */
+typedef struct nkw_fcurve {
+    const nkw_fcurve_key *keys;
+    size_t key_count;
+    nkw_fcurve_outside before, after;
+    uint32_t before_cycles, after_cycles; /**< the number of cycles outside the keys; 0 repeats without end */
+    nkw_handle_policy policy; /**< for BEZIER segments that run back in time */
+} nkw_fcurve;
+
+/**
+ * Checks an fcurve.
+ *
+ * bad_key  receives the index of the first key with an error, 0 if there is none; may be NULL
+ * Returns
+ *
+ *     NKW_OK             no error
+ *     NKW_EMPTY          no keys
+ *     NKW_BAD_METHOD     an unknown kind, ease, behaviour or policy
+ *     NKW_NOT_FINITE     a time, value or handle that is not finite
+ *     NKW_NOT_ASCENDING  a time less than the one before
+ *
+ * Handles that point out of their segment are not an error: the policy, or the solver, answers them.
+ */
+NKW_API nkw_result nkw_fcurve_validate(const nkw_fcurve *curve, size_t *bad_key);
+
+/**
+ * The value at `time`, with its first and second derivative by time.
+ *
+ * Returns  NaN for a NaN time; 0 for no keys. One key holds its value. A curve that nkw_fcurve_validate rejects returns
+ *          values without meaning, but nothing is read outside its keys. An infinite time returns the nearest key for
+ *          the cycles, and its line for LINEAR
+ *
+ * Error  1.1 u of the largest of the result and the values and tips of handles of the segment. BEZIER and EASE by a
+ *        keyword of CSS relative to the exact curve at some time near `time`, as in handle.h.
+ */
+NKW_API nkw_curve_point nkw_fcurve_sample(const nkw_fcurve *curve, float time);
+
+/**
+ * The same with a cursor: the search begins at segment *cursor, and *cursor receives the segment found. Any number is a
+ * valid cursor. The result has the same bits.
+ */
+NKW_API nkw_curve_point nkw_fcurve_sample_cursor(const nkw_fcurve *curve, float time, uint32_t *cursor);
+
+/**
+ * Shortens the handles of all BEZIER segments by a policy, as nkw_handle_limit, so that no tool sees a curve that runs
+ * back. out receives count keys; it may be `keys`.
+ */
+NKW_API void nkw_fcurve_limit(const nkw_fcurve_key *keys, size_t count, nkw_handle_policy policy, nkw_fcurve_key *out);
+
+/** The index of the first BEZIER segment that runs back in time without a policy, or count if there is none. */
+NKW_API size_t nkw_fcurve_find_regression(const nkw_fcurve_key *keys, size_t count);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif

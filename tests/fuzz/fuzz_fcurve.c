@@ -1,0 +1,130 @@
+/* SPDX-License-Identifier: MIT */
+/* Curves of tools: handles, easing, fcurves. */
+#include "fuzz.h"
+
+#include <string.h>
+
+enum { KEYS = 12, TIMES = 16, STOPS = 8 };
+
+static nkw_handle draw_handle(fuzz *f)
+{
+    nkw_handle h = {fuzz_float(f), fuzz_float(f)};
+    return h;
+}
+
+static int is_finite(const nkw_handle_segment *s)
+{
+    return fuzz_finite(&s->time0, sizeof *s / sizeof(float));
+}
+
+/* Values are between those of the control points: the curve is in their convex hull. */
+static void check_value(const nkw_handle_segment *s, float value)
+{
+    double v[4] = {s->value0, (double)s->value0 + s->out.value, (double)s->value1 + s->in.value, s->value1};
+    double low = v[0], high = v[0], size;
+    for (int i = 1; i < 4; i++) {
+        low = v[i] < low ? v[i] : low;
+        high = v[i] > high ? v[i] : high;
+    }
+    size = high > -low ? high : -low;
+    FUZZ_CHECK(value >= low - 1e-6 * size && (value <= high + 1e-6 * size || high > 3e38));
+}
+
+static void handles(fuzz *f)
+{
+    nkw_handle_segment s = {fuzz_float(f), fuzz_float(f), draw_handle(f), draw_handle(f), fuzz_float(f), fuzz_float(f)};
+    nkw_handle_segment left, right;
+    float time = fuzz_byte(f) % 2 ? fuzz_float(f) : nkw_lerp(s.time0, s.time1, (float)fuzz_byte(f) / 255.0f);
+    nkw_curve_point p = nkw_handle_point(&s, time);
+    float t = nkw_handle_parameter(&s, time);
+    FUZZ_CHECK(t != t || (t >= 0.0f && t <= 1.0f));
+    if (is_finite(&s) && fuzz_finite(&time, 1)) {
+        check_value(&s, p.value);
+        FUZZ_CHECK(p.first == p.first && p.second == p.second);
+    }
+    nkw_handle_split(&s, time, &left, &right);
+    for (int policy = NKW_HANDLE_CONTAIN; policy <= NKW_HANDLE_KEEP_START; policy++) {
+        nkw_handle_segment limited = nkw_handle_limit(&s, (nkw_handle_policy)policy);
+        FUZZ_CHECK(!is_finite(&s) || !nkw_handle_runs_back(&limited));
+    }
+    nkw_handle_limit(&s, (nkw_handle_policy)fuzz_choice(f, 3));
+}
+
+static void eases(fuzz *f)
+{
+    float t = fuzz_float(f), inputs[STOPS], outputs[STOPS];
+    nkw_ease_kind kind = (nkw_ease_kind)fuzz_choice(f, NKW_EASE_COUNT - 1);
+    nkw_curve_point p = nkw_ease_point(kind, t);
+    FUZZ_CHECK(!(t >= 0.0f && t <= 1.0f) || (p.value > -0.5f && p.value < 1.5f));
+    nkw_ease_cubic_bezier(fuzz_float(f), fuzz_float(f), fuzz_float(f), fuzz_float(f), t);
+    nkw_ease_steps((int)fuzz_bits(f), (nkw_ease_jump)fuzz_choice(f, 3), t);
+    size_t count = fuzz_upto(f, STOPS);
+    for (size_t i = 0; i < count; i++) {
+        inputs[i] = fuzz_float(f);
+        outputs[i] = fuzz_float(f);
+    }
+    nkw_ease_linear(inputs, outputs, count, t);
+    nkw_ease_linear_inputs(inputs, count);
+    for (size_t i = 1; i < count; i++)
+        FUZZ_CHECK(!fuzz_finite(inputs, count) || inputs[i - 1] <= inputs[i]);
+    nkw_ease_linear(inputs, outputs, count, t);
+}
+
+static nkw_fcurve_key *draw_keys(fuzz *f, size_t count, int wild)
+{
+    nkw_fcurve_key *keys = fuzz_block(f, count * sizeof *keys);
+    random_source r = fuzz_source(f);
+    for (size_t k = 0; k < count; k++) {
+        nkw_handle in = {-3.0f * random_unit(&r), random_between(&r, -4, 4)};
+        nkw_handle out = {3.0f * random_unit(&r), random_between(&r, -4, 4)};
+        nkw_fcurve_key key = {(k ? keys[k - 1].time : -3.0f) + random_unit(&r),
+                              random_between(&r, -4, 4),
+                              in,
+                              out,
+                              (nkw_fcurve_kind)(random_bits(&r) % 5),
+                              (nkw_ease_kind)(random_bits(&r) % NKW_EASE_COUNT)};
+        keys[k] = key;
+        if (!wild || random_bits(&r) % 4)
+            continue;
+        float *number[6] = {&keys[k].time,     &keys[k].value,    &keys[k].in.time,
+                            &keys[k].in.value, &keys[k].out.time, &keys[k].out.value};
+        *number[random_bits(&r) % 6] = fuzz_float(f);
+        keys[k].kind = (nkw_fcurve_kind)fuzz_choice(f, 4);
+        keys[k].ease = (nkw_ease_kind)fuzz_choice(f, NKW_EASE_COUNT - 1);
+    }
+    return keys;
+}
+
+static void fcurves(fuzz *f)
+{
+    size_t count = fuzz_upto(f, KEYS), bad;
+    nkw_fcurve_key *keys = draw_keys(f, count, fuzz_byte(f) % 2);
+    nkw_fcurve c = {keys,
+                    count,
+                    (nkw_fcurve_outside)fuzz_choice(f, 4),
+                    (nkw_fcurve_outside)fuzz_choice(f, 4),
+                    fuzz_bits(f) % 4,
+                    fuzz_bits(f) % 4,
+                    (nkw_handle_policy)fuzz_choice(f, 3)};
+    nkw_result result = nkw_fcurve_validate(&c, &bad);
+    FUZZ_CHECK(result == NKW_OK || result == NKW_EMPTY || bad < count);
+    const float *times = fuzz_floats(f, TIMES, 1);
+    uint32_t cursor = fuzz_bits(f);
+    for (size_t i = 0; i < TIMES; i++) {
+        nkw_curve_point a = nkw_fcurve_sample(&c, times[i]), b = nkw_fcurve_sample_cursor(&c, times[i], &cursor);
+        FUZZ_CHECK(result != NKW_OK || fuzz_same(&a.value, &b.value, 3));
+        FUZZ_CHECK(result != NKW_OK || !fuzz_finite(times + i, 1) || a.value == a.value);
+    }
+    nkw_fcurve_find_regression(keys, count);
+    nkw_fcurve_limit(keys, count, NKW_HANDLE_KEEP_RATIO, keys);
+    FUZZ_CHECK(result != NKW_OK || nkw_fcurve_find_regression(keys, count) == count);
+}
+
+int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
+{
+    fuzz f = fuzz_begin(data, size);
+    handles(&f);
+    eases(&f);
+    fcurves(&f);
+    return fuzz_end(&f);
+}

@@ -1,0 +1,78 @@
+/* SPDX-License-Identifier: MIT */
+/* Curves of tools from a few numbers. */
+#ifndef NAKAWARI_TESTS_GOLDEN_HANDLES_H
+#define NAKAWARI_TESTS_GOLDEN_HANDLES_H
+
+#include <string.h>
+
+#include <nakawari/nakawari.h>
+
+static void put_tool_point(float *o, nkw_curve_point p)
+{
+    memcpy(o, &p, sizeof p);
+}
+
+/* Handles of any direction, often so long that the curve runs back. */
+static nkw_handle_segment some_handles(const float s[8])
+{
+    nkw_handle_segment c = {s[0], s[1], {s[2], s[3]}, {s[4], s[5]}, 0.0f, s[6]};
+    c.time1 = c.time0 + nkw_abs(s[7]);
+    return c;
+}
+
+static void handle_split(float *o, const float s[8], float t)
+{
+    nkw_handle_segment whole = some_handles(s), left, right;
+    nkw_handle_split(&whole, nkw_lerp(whole.time0, whole.time1, t), &left, &right);
+    memcpy(o, &left, sizeof left);
+    memcpy(o + 8, &right, sizeof right);
+}
+
+static void handle_limits(float *o, const float s[8])
+{
+    nkw_handle_segment c = some_handles(s), ratio = nkw_handle_limit(&c, NKW_HANDLE_KEEP_RATIO);
+    nkw_handle_segment start = nkw_handle_limit(&c, NKW_HANDLE_KEEP_START);
+    nkw_handle_segment contained = nkw_handle_limit(&c, NKW_HANDLE_CONTAIN);
+    memcpy(o, &ratio.out, 4 * sizeof(float));
+    memcpy(o + 4, &start.out, 4 * sizeof(float));
+    memcpy(o + 8, &contained.out, 4 * sizeof(float));
+}
+
+static void handle_points(float *o, const float s[8], float t)
+{
+    nkw_handle_segment c = some_handles(s), limited = nkw_handle_limit(&c, NKW_HANDLE_KEEP_RATIO);
+    float time = nkw_lerp(c.time0, c.time1, t);
+    put_tool_point(o, nkw_handle_point(&c, time));
+    put_tool_point(o + 3, nkw_handle_point(&limited, time));
+    o[6] = nkw_handle_parameter(&c, time);
+    o[7] = (float)nkw_handle_runs_back(&c);
+}
+
+/* Four kinds a round: all of them in nine rounds. */
+static void eases(float *o, unsigned some, float t)
+{
+    for (unsigned k = 0; k < 4; k++)
+        put_tool_point(o + 3 * k, nkw_ease_point((nkw_ease_kind)((10 * k + some) % NKW_EASE_COUNT), t));
+}
+
+/* All kinds of segments and of behaviour outside, chosen by `some`, 0..17, at times far outside too. */
+static void sample_fcurve(float *o, const nkw_keyframe *from, const float s[8], unsigned some, float t)
+{
+    nkw_fcurve_key keys[5];
+    for (unsigned k = 0; k < 5; k++) {
+        nkw_handle in = {-nkw_abs(s[k]), s[k + 1]}, out = {nkw_abs(s[k + 1]), s[k + 2]};
+        nkw_fcurve_key key = {from[k].time, from[k].position.x, in, out, NKW_FCURVE_BEZIER, NKW_EASE_CSS};
+        keys[k] = key;
+        keys[k].kind = (nkw_fcurve_kind)((k + some) % 5);
+        keys[k].ease = (nkw_ease_kind)((7 * k + some) % NKW_EASE_COUNT);
+    }
+    nkw_fcurve_outside before = (nkw_fcurve_outside)(some % 5), after = (nkw_fcurve_outside)((some + 2) % 5);
+    nkw_fcurve curve = {keys, 5, before, after, some % 3, some % 2, (nkw_handle_policy)(some % 4)};
+    put_tool_point(o, nkw_fcurve_sample(&curve, nkw_lerp(keys[0].time, keys[4].time, t)));
+    put_tool_point(o + 3, nkw_fcurve_sample(&curve, keys[2].time));
+    put_tool_point(o + 6, nkw_fcurve_sample(&curve, s[0]));
+    put_tool_point(o + 9, nkw_fcurve_sample(&curve, 64.0f * s[1]));
+    put_tool_point(o + 12, nkw_fcurve_sample(&curve, -0x1p20f * nkw_abs(s[2])));
+}
+
+#endif
