@@ -28,7 +28,7 @@ static void files_of_other_formats_are_unknown(void **state)
     (void)state;
     static const broken list[] = {
         {NKW_IMPORT_UNKNOWN, "", ""},
-        {NKW_IMPORT_UNKNOWN, "", "v 1 2 3\n"},
+        {NKW_IMPORT_UNKNOWN, "", "to be or not\n"},
         {NKW_IMPORT_UNKNOWN, "", "[]"},
         {NKW_IMPORT_INVALID, "line 1, column 1", "{"},
         {NKW_IMPORT_INVALID, "line 2, column 5", "{\n 'a':\x80}"},

@@ -99,6 +99,10 @@ static int read_document(nkwi_document *d, const nkw_import_memory *memory, nkw_
         return nkwi_gltf_read(d, memory, error);
     if (nkwi_keys_is(memory->data, memory->bytes))
         return nkwi_keys_read(d, memory, error);
+#if defined(NKWI_ASSIMP)
+    if (nkwi_assimp_is(memory))
+        return nkwi_assimp_read(d, memory, error);
+#endif
     return nkwi_fail(error, NULL, NKW_IMPORT_UNKNOWN, memory->bytes ? "no format that is read" : "the file is empty");
 }
 

@@ -48,4 +48,10 @@ struct nkwi_value;
 int nkwi_keys_are(const struct nkwi_value *root);
 int nkwi_keys_read_tree(nkwi_document *document, const struct nkwi_value *root, nkw_import_error *error);
 
+/* All other formats, if Assimp is there (assimp.c): whether an importer takes the file, and reading it. */
+#if defined(NKWI_ASSIMP)
+int nkwi_assimp_is(const nkw_import_memory *memory);
+int nkwi_assimp_read(nkwi_document *document, const nkw_import_memory *memory, nkw_import_error *error);
+#endif
+
 #endif

@@ -138,13 +138,22 @@ static ptrdiff_t end_name(char *path, ptrdiff_t start, ptrdiff_t length)
     return start;
 }
 
-const char *nkwi_path_from_uri(const char *uri, char *path)
+/* The next character of a path, and *text past it; -1 for a % without two digits. */
+static int next_character(const char **text, int is_uri)
+{
+    if (is_uri)
+        return decoded(text);
+    int c = (unsigned char)*(*text)++;
+    return c == '\\' ? '/' : c;
+}
+
+static const char *tidy_path(const char *text, int is_uri, char *path)
 {
     ptrdiff_t length = 0, start = 0;
-    if (*uri == '/')
+    if (*text == '/')
         return "is an absolute path";
-    while (*uri) {
-        int c = decoded(&uri);
+    while (*text) {
+        int c = next_character(&text, is_uri);
         if (c < 0)
             return "has a % without two hexadecimal digits";
         if (c < 0x20 || c == 0x7f || c == '\\' || c == ':')
@@ -165,6 +174,16 @@ const char *nkwi_path_from_uri(const char *uri, char *path)
         return "leaves the folder of the file";
     path[length] = 0;
     return length == 0 || path[length - 1] == '/' ? "names no file" : NULL;
+}
+
+const char *nkwi_path_from_uri(const char *uri, char *path)
+{
+    return tidy_path(uri, 1, path);
+}
+
+const char *nkwi_path_from_name(const char *name, char *path)
+{
+    return tidy_path(name, 0, path);
 }
 
 /* The value of a character of base64 and of base64url, or -1. */

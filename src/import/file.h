@@ -25,6 +25,9 @@ size_t nkwi_folder_reader(void *user, const char *path, void *out, size_t size);
  */
 const char *nkwi_path_from_uri(const char *uri, char *path);
 
+/* The same of a path as it is, in which a backslash is a separator too. */
+const char *nkwi_path_from_name(const char *name, char *path);
+
 /*
  * The bytes of a data URI, at most `room`, in `out`. Returns NULL, or what is wrong with it. *bytes is their number,
  * counted also beyond the room.

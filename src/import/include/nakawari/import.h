@@ -2,7 +2,8 @@
 /**
  * @file
  * Above the library: files. An animation file becomes a document: its nodes, skins, meshes and animations, in the types
- * and in the order of the library. Target nakawari::import; it allocates memory and uses a JSON library.
+ * and in the order of the library. Target nakawari::import; it allocates memory and uses a JSON library, and Assimp if it
+ * was there when this was built.
  *
  *     nkw_document *document;
  *     nkw_import_error error;
@@ -158,7 +159,7 @@ typedef struct nkw_document_scene {
 /** A file that was read. All arrays belong to it and are read-only. */
 typedef struct nkw_document {
     const char *file; /**< as passed to the function that opened it */
-    const char *format; /**< "glTF 2.0", "CSV keys" or "JSON keys" */
+    const char *format; /**< "glTF 2.0", "CSV keys", "JSON keys", or the name of an importer of Assimp */
     const char *generator; /**< the program that wrote the file; "" if unknown */
     size_t bytes; /**< of all files that were read */
     nkw_skeleton skeleton; /**< all nodes; at least one */
@@ -204,8 +205,9 @@ typedef struct nkw_import_memory {
 } nkw_import_memory;
 
 /**
- * Reads a file: glTF 2.0 as .gltf, .glb or .vrm, or keys in CSV or JSON, recognised by its content. Outer files are
- * read from its folder and the folders below.
+ * Reads a file: glTF 2.0 as .gltf, .glb or .vrm, or keys in CSV or JSON, recognised by its content; with Assimp FBX,
+ * Collada, X, MD5, BVH, OBJ and others, recognised by their content, otherwise by the extension of the file. Outer files
+ * are read from its folder and the folders below.
  *
  * document  receives the document, to be closed; NULL after an error
  * error     receives what went wrong; code is NKW_IMPORT_OK without an error; may be NULL

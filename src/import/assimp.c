@@ -1,0 +1,181 @@
+/* SPDX-License-Identifier: MIT */
+#include "assimp.h"
+
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include <assimp/config.h>
+#include <assimp/postprocess.h>
+
+#include "file.h"
+
+void *nkwi_assimp_take(nkwi_assimp *a, const char *place, size_t count, size_t size)
+{
+    const nkwi_place root = {NULL, NULL, 0}, at = {&root, place, 0};
+    return nkwi_document_take(a->document, a->error, &at, count, size);
+}
+
+void *nkwi_assimp_scratch(nkwi_assimp *a, const char *place, size_t count, size_t size)
+{
+    void *block = nkwi_take(&a->scratch, count, size);
+    if (!block) {
+        const nkwi_place root = {NULL, NULL, 0}, at = {&root, place, 0};
+        nkwi_fail(a->error, &at, NKW_IMPORT_NO_MEMORY, "no memory for %zu elements of %zu bytes", count, size);
+    }
+    return block;
+}
+
+/* The bytes of the character at `text` in UTF-8, RFC 3629; 0 for what is no character. */
+static size_t character_bytes(const unsigned char *text)
+{
+    static const struct {
+        unsigned char low, high, bytes, least, most; /* of the first byte, and of the second */
+    } rows[] = {{0x01, 0x7f, 1, 0, 0},       {0xc2, 0xdf, 2, 0x80, 0xbf}, {0xe0, 0xe0, 3, 0xa0, 0xbf},
+                {0xe1, 0xec, 3, 0x80, 0xbf}, {0xed, 0xed, 3, 0x80, 0x9f}, {0xee, 0xef, 3, 0x80, 0xbf},
+                {0xf0, 0xf0, 4, 0x90, 0xbf}, {0xf1, 0xf3, 4, 0x80, 0xbf}, {0xf4, 0xf4, 4, 0x80, 0x8f}};
+    for (size_t i = 0; i < sizeof rows / sizeof *rows; i++) {
+        if (text[0] < rows[i].low || text[0] > rows[i].high)
+            continue;
+        if (rows[i].bytes > 1 && (text[1] < rows[i].least || text[1] > rows[i].most))
+            return 0;
+        for (size_t b = 2; b < rows[i].bytes; b++)
+            if ((text[b] & 0xc0) != 0x80)
+                return 0;
+        return rows[i].bytes;
+    }
+    return 0;
+}
+
+const char *nkwi_assimp_name(nkwi_assimp *a, const struct aiString *name, const char *kind, size_t number)
+{
+    unsigned char text[sizeof name->data + 1];
+    size_t length = name->length < sizeof name->data ? name->length : sizeof name->data - 1, step;
+    memcpy(text, name->data, length);
+    text[length] = 0;
+    for (size_t i = 0; i < length; i += step) {
+        step = character_bytes(text + i);
+        if (step == 0) {
+            text[i] = '?';
+            step = 1;
+        }
+    }
+    return nkwi_document_name(a->document, a->error, (const char *)text, kind, number);
+}
+
+nkw_mat4 nkwi_assimp_matrix(const struct aiMatrix4x4 *m)
+{
+    const nkw_mat4 columns = {{m->a1, m->b1, m->c1, m->d1, m->a2, m->b2, m->c2, m->d2, m->a3, m->b3, m->c3, m->d3,
+                               m->a4, m->b4, m->c4, m->d4}};
+    return columns;
+}
+
+/* A text of the scene's metadata, or NULL. */
+static const struct aiString *metadata(const struct aiScene *scene, const char *key)
+{
+    const struct aiMetadata *m = scene->mMetaData;
+    for (unsigned i = 0; m && i < m->mNumProperties; i++)
+        if (strcmp(m->mKeys[i].data, key) == 0 && m->mValues[i].mType == AI_AISTRING)
+            return (const struct aiString *)m->mValues[i].mData;
+    return NULL;
+}
+
+static int read_origin(nkwi_assimp *a)
+{
+    const struct aiString *format = metadata(a->scene, "SourceAsset_Format");
+    const struct aiString *generator = metadata(a->scene, "SourceAsset_Generator");
+    nkw_document *d = &a->document->all;
+    d->format = format ? nkwi_assimp_name(a, format, "Assimp", 0) : "Assimp";
+    d->generator = generator && generator->length ? nkwi_assimp_name(a, generator, "", 0) : "";
+    return d->format && d->generator;
+}
+
+/* The importers' settings: no meshes made of skeletons, pivots as nodes, no materials' files. */
+static struct aiPropertyStore *settings(void)
+{
+    struct aiPropertyStore *store = aiCreatePropertyStore();
+    if (store) {
+        aiSetImportPropertyInteger(store, AI_CONFIG_IMPORT_NO_SKELETON_MESHES, 1);
+        aiSetImportPropertyInteger(store, AI_CONFIG_IMPORT_FBX_PRESERVE_PIVOTS, 1);
+        aiSetImportPropertyInteger(store, AI_CONFIG_IMPORT_FBX_READ_TEXTURES, 0);
+    }
+    return store;
+}
+
+/* Polygons become triangles, and meshes of several shapes several meshes. Both read indices that were checked. */
+static int process(nkwi_assimp *a)
+{
+    const unsigned steps = aiProcess_Triangulate | aiProcess_SortByPType;
+    if (a->scene->mNumMeshes > 0 && !aiApplyPostProcessing(a->scene, steps)) {
+        a->scene = NULL;
+        return nkwi_fail(a->error, NULL, NKW_IMPORT_INVALID, "Assimp: %s", aiGetErrorString());
+    }
+    return nkwi_assimp_check(a);
+}
+
+static int read_parts(nkwi_assimp *a)
+{
+    return nkwi_assimp_check(a) && read_origin(a) && nkwi_assimp_tree(a) && process(a) && nkwi_assimp_materials(a) &&
+           nkwi_assimp_meshes(a) && nkwi_assimp_nodes(a) && nkwi_assimp_animations(a);
+}
+
+/* The name of the first file for the importer: its own, with the extension of its format. To be freed. */
+static char *importer_name(const nkw_import_memory *memory)
+{
+    const char *file = memory->file ? memory->file : "", *extension = nkwi_assimp_extension(memory);
+    const char *slash = strrchr(file, '/'), *name = slash ? slash + 1 : file, *dot = strrchr(name, '.');
+    size_t stem = dot ? (size_t)(dot - name) : strlen(name), tail = strlen(extension);
+    char *whole = (char *)malloc(stem + tail + 2);
+    if (!whole)
+        return NULL;
+    memcpy(whole, name, stem);
+    if (stem == 0)
+        whole[stem++] = '_';
+    memcpy(whole + stem, extension, tail + 1);
+    return whole;
+}
+
+static int import(nkwi_assimp *a, const nkw_import_memory *memory, const char *name)
+{
+    nkwi_assimp_files files;
+    struct aiPropertyStore *store = settings();
+    nkwi_assimp_files_begin(&files, memory, name);
+    if (!store)
+        return nkwi_fail(a->error, NULL, NKW_IMPORT_NO_MEMORY, "no memory for the settings of Assimp");
+    a->scene = aiImportFileExWithProperties(name, 0, &files.io, store);
+    aiReleasePropertyStore(store);
+    a->document->memory.most = NKWI_MEMORY_MOST(files.bytes);
+    a->document->all.bytes = files.bytes;
+    a->frame_rate = files.frame_rate;
+    a->has_meshes = strcmp(nkwi_assimp_extension(memory), ".md5anim") != 0;
+    if (a->scene)
+        return 1;
+    const char *reason = aiGetErrorString();
+    return nkwi_fail(a->error, NULL, NKW_IMPORT_INVALID, "Assimp: %s", reason && *reason ? reason : "cannot be read");
+}
+
+int nkwi_assimp_is(const nkw_import_memory *memory)
+{
+    const char *extension = nkwi_assimp_extension(memory);
+    static const char *const not [] = {".gltf", ".glb", ".vrm"};
+    for (size_t i = 0; i < sizeof not / sizeof *not ; i++)
+        if (strcmp(extension, not [i]) == 0)
+            return 0;
+    return memory->bytes > 0 && extension[0] && aiIsExtensionSupported(extension);
+}
+
+int nkwi_assimp_read(nkwi_document *document, const nkw_import_memory *memory, nkw_import_error *error)
+{
+    nkwi_assimp a;
+    memset(&a, 0, sizeof a);
+    a.document = document;
+    a.error = error;
+    a.scratch.most = SIZE_MAX;
+    char *name = importer_name(memory);
+    int done = name ? import(&a, memory, name) && read_parts(&a)
+                    : nkwi_fail(error, NULL, NKW_IMPORT_NO_MEMORY, "no memory for the name of the file");
+    aiReleaseImport(a.scene);
+    nkwi_give(&a.scratch);
+    free(name);
+    return done;
+}

@@ -1,0 +1,103 @@
+/* SPDX-License-Identifier: MIT */
+/*
+ * The bridge to Assimp: all formats but glTF and keys. Everything of a scene is checked before it is used: counts,
+ * indices, names. docs/importers.md states what each importer loses.
+ */
+#ifndef NAKAWARI_IMPORT_ASSIMP_H
+#define NAKAWARI_IMPORT_ASSIMP_H
+
+#include <assimp/cfileio.h>
+#include <assimp/cimport.h>
+#include <assimp/scene.h>
+
+#include "document.h"
+
+/* A name of a node, and its index. */
+typedef struct nkwi_assimp_name_index {
+    const char *name;
+    int32_t node;
+} nkwi_assimp_name_index;
+
+/* The channels of a node that was made of several, the pivots of FBX: where a property comes from, and what is before
+ * and after it. */
+typedef struct nkwi_assimp_pivot {
+    int32_t sources[3]; /* of translation, rotation, scale: a node, or NKW_NO_JOINT: not animated */
+    nkw_vec3 offset; /* is added to translations */
+    nkw_quat before, after; /* rotations are before * r * after */
+    nkw_vec3 scale; /* is multiplied with scales */
+} nkwi_assimp_pivot;
+
+/* A joint of a skin: a node, and its inverse bind matrix. next: another entry of the same node. */
+typedef struct nkwi_assimp_bone {
+    int32_t node, next;
+    nkw_mat4 inverse_bind;
+} nkwi_assimp_bone;
+
+typedef struct nkwi_assimp_skin {
+    const nkwi_assimp_bone *bones;
+    size_t count;
+} nkwi_assimp_skin;
+
+typedef struct nkwi_assimp {
+    nkwi_document *document;
+    nkw_import_error *error;
+    const struct aiScene *scene;
+    nkwi_memory scratch; /* until the file is read */
+    /* Nodes in the order of the tree: a node, then its first child with all below, and so on. */
+    const struct aiNode **nodes;
+    int32_t *parents;
+    nkw_mat4 *locals;
+    size_t node_count;
+    nkwi_assimp_name_index *by_name; /* sorted */
+    int32_t *part_of; /* the node that a node becomes part of: itself, unless it is a pivot */
+    size_t *number; /* the index in the document's list of nodes, of nodes that are their own part */
+    nkwi_assimp_pivot **pivots; /* of each node, or NULL */
+    nkw_document_primitive *primitives; /* of each aiMesh; joints are bones of the mesh */
+    double frame_rate; /* as in nkwi_assimp_files */
+    int has_meshes; /* not where Assimp adds a picture of the skeleton */
+    nkwi_assimp_skin *skins; /* of each skin, as nodes of the tree */
+} nkwi_assimp;
+
+/* The files that an importer asks for (assimp_file.c). */
+typedef struct nkwi_assimp_files {
+    struct aiFileIO io;
+    const nkw_import_memory *memory;
+    const char *name; /* of the first file, as the importer gets it */
+    size_t bytes; /* of all files that were read */
+    double frame_rate; /* of MD5: frameRate of the .md5anim that was opened; otherwise 0 */
+} nkwi_assimp_files;
+
+void nkwi_assimp_files_begin(nkwi_assimp_files *files, const nkw_import_memory *memory, const char *name);
+
+/* The extension of a file with a dot, by its content, then by its name; "" for neither. */
+const char *nkwi_assimp_extension(const nkw_import_memory *memory);
+
+/* Memory until the file is read, and of the document. */
+void *nkwi_assimp_scratch(nkwi_assimp *a, const char *place, size_t count, size_t size);
+void *nkwi_assimp_take(nkwi_assimp *a, const char *place, size_t count, size_t size);
+
+/* A name as UTF-8; "KIND_NUMBER" where it is empty. */
+const char *nkwi_assimp_name(nkwi_assimp *a, const struct aiString *name, const char *kind, size_t number);
+
+/* The first node of this name, or NKW_NO_JOINT. */
+int32_t nkwi_assimp_find(const nkwi_assimp *a, const char *name);
+
+/* The joint of a node of the tree; of a node that was collapsed, that of the node it is part of. */
+int32_t nkwi_assimp_joint(const nkwi_assimp *a, int32_t node);
+
+nkw_mat4 nkwi_assimp_matrix(const struct aiMatrix4x4 *m);
+
+/* The parts of a scene, in this order. */
+int nkwi_assimp_check(nkwi_assimp *a); /* counts and indices of meshes */
+int nkwi_assimp_check_node(nkwi_assimp *a, size_t node); /* its meshes exist */
+int nkwi_assimp_tree(nkwi_assimp *a);
+int nkwi_assimp_pivots(nkwi_assimp *a);
+int nkwi_assimp_materials(nkwi_assimp *a);
+int nkwi_assimp_meshes(nkwi_assimp *a);
+int nkwi_assimp_join(nkwi_assimp *a, nkw_document_primitive *p, uint32_t *indices); /* equal vertices */
+int nkwi_assimp_nodes(nkwi_assimp *a);
+int nkwi_assimp_instances(nkwi_assimp *a, nkw_document_node *list); /* meshes and skins of nodes */
+int nkwi_assimp_skins(nkwi_assimp *a); /* joints of skins, after the nodes are sorted */
+int nkwi_assimp_animations(nkwi_assimp *a);
+
+#endif

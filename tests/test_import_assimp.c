@@ -1,0 +1,445 @@
+/* SPDX-License-Identifier: MIT */
+/*
+ * The bridge to Assimp: small files of each format, tests/data/import, whose values follow from their texts; and captured
+ * motion against tables of an independent implementation, where it is at hand.
+ */
+#include <math.h>
+#include <stdio.h>
+
+#include <nakawari/euler.h>
+#include <nakawari/mat.h>
+#include <nakawari/pose.h>
+#include <nakawari/quat.h>
+
+#include "documents.h"
+#include "scene.h"
+#include "views.h"
+
+enum { JOINTS = 64 };
+
+/* A document at a time of its first animation; without animations at rest. */
+typedef struct moment {
+    nkw_document *d;
+    nkw_clip *clip;
+    float pose[NKW_POSE_FLOATS(JOINTS)];
+    nkw_mat4 models[JOINTS], palette[JOINTS];
+} moment;
+
+static moment *open_file(const char *path)
+{
+    nkw_import_error error;
+    moment *m = (moment *)calloc(1, sizeof *m);
+    assert_non_null(m);
+    if (nkw_document_open(path, &m->d, &error) != NKW_IMPORT_OK)
+        print_error("%s:%s: %s\n", error.file, error.place, error.reason);
+    assert_non_null(m->d);
+    assert_int_equal(nkw_document_validate(m->d, &error), NKW_IMPORT_OK);
+    assert_in_range(m->d->skeleton.joint_count, 1, JOINTS);
+    assert_int_equal(nkw_document_clip(m->d, 0, NKW_CLIP_FLOAT32, &m->clip, &error), NKW_IMPORT_OK);
+    return m;
+}
+
+static void close_file(moment *m)
+{
+    nkw_import_free(m->clip);
+    nkw_document_close(m->d);
+    free(m);
+}
+
+static void play(moment *m, float time)
+{
+    size_t joints = m->d->skeleton.joint_count;
+    assert_int_equal(nkw_clip_sample(m->clip, time, NULL, pose_span(m->pose, joints), NULL), NKW_OK);
+    assert_int_equal(nkw_document_models(m->d, pose_view(m->pose, joints), NULL, m->models), NKW_OK);
+    if (m->d->skin_count > 0)
+        assert_int_equal(nkw_document_palette(m->d, 0, m->models, m->palette), NKW_OK);
+}
+
+static size_t joint(const moment *m, const char *name)
+{
+    size_t j = 0;
+    while (j < m->d->skeleton.joint_count && strcmp(m->d->nodes[j].name, name) != 0)
+        j++;
+    assert_in_range(j, 0, m->d->skeleton.joint_count - 1);
+    return j;
+}
+
+static nkw_trs local(const moment *m, const char *name)
+{
+    return nkw_pose_get(pose_view(m->pose, m->d->skeleton.joint_count), joint(m, name));
+}
+
+static nkw_vec3 at(float x, float y, float z)
+{
+    const nkw_vec3 v = {x, y, z};
+    return v;
+}
+
+/* Rotations about an axis, in degrees. */
+static nkw_quat turn(char axis, float degrees)
+{
+    return nkw_quat_from_axis_angle(at(axis == 'x', axis == 'y', axis == 'z'), nkw_radians_from_degrees(degrees));
+}
+
+static nkw_quat product(nkw_quat a, nkw_quat b, nkw_quat c)
+{
+    return nkw_quat_mul(nkw_quat_mul(a, b), c);
+}
+
+/* The vertex of the first primitive at a place of the bind pose; its number. */
+static size_t vertex_at(const moment *m, nkw_vec3 place)
+{
+    const nkw_document_primitive *p = &m->d->meshes[0].primitives[0];
+    size_t v = 0;
+    while (v < p->vertex_count && nkw_vec3_distance(p->positions[v], place) > 1e-6f)
+        v++;
+    assert_in_range(v, 0, p->vertex_count - 1);
+    return v;
+}
+
+/* The weight of a joint of the skin for a vertex. */
+static float weight(const moment *m, size_t vertex, const char *name)
+{
+    const nkw_document_primitive *p = &m->d->meshes[0].primitives[0];
+    float sum = 0.0f;
+    for (size_t i = 0; i < p->influence_count; i++)
+        if ((size_t)m->d->skins[0].joints[p->joints[vertex * p->influence_count + i]] == joint(m, name))
+            sum += p->weights[vertex * p->influence_count + i];
+    return sum;
+}
+
+#define FILES NKW_TEST_DATA "/import/"
+
+static void bvh_has_angles_in_the_order_of_its_channels_and_offsets(void **state)
+{
+    (void)state;
+    moment *m = open_file(FILES "arm.bvh");
+    assert_int_equal(m->d->skeleton.joint_count, 4);
+    assert_int_equal(m->d->mesh_count, 0);
+    expect_vec3_near(m->d->nodes[joint(m, "hand")].rest.translation, at(0, 1, 0.5f), 0);
+    expect_vec3_near(m->d->nodes[joint(m, "EndSite_hand")].rest.translation, at(0, 0.25f, 0), 0);
+    play(m, 0.5f);
+    expect_vec3_near(local(m, "base").translation, at(1 + 10, 2 + 20, 3 + 30), 1e-5);
+    expect_rotation_near(local(m, "base").rotation, product(turn('z', 30), turn('x', 40), turn('y', 50)), 3e-7);
+    expect_rotation_near(local(m, "arm").rotation, product(turn('y', 10), turn('z', 20), turn('x', 30)), 3e-7);
+    expect_vec3_near(local(m, "arm").translation, at(0, 2, 0), 0);
+    play(m, 1.0f);
+    expect_rotation_near(local(m, "base").rotation, product(turn('z', 100), turn('x', -40), turn('y', 170)), 3e-7);
+    expect_rotation_near(local(m, "hand").rotation, turn('x', -200), 3e-7);
+    /* Signs follow the key before, so that half a turn and more is seen once only. */
+    for (size_t i = 0; i < m->d->animations[0].track_count; i++) {
+        const nkw_track *t = &m->d->animations[0].tracks[i].track;
+        for (size_t k = 1; t->width == 4 && k < t->count; k++) {
+            const nkw_quat *q = (const nkw_quat *)(const void *)t->values + k;
+            assert_true(nkw_quat_dot(q[-1], q[0]) >= 0.0f);
+        }
+    }
+    close_file(m);
+}
+
+static void collada_has_its_unit_and_its_axis_in_the_root(void **state)
+{
+    (void)state;
+    moment *m = open_file(FILES "arm.dae");
+    const nkw_document_node *root = &m->d->nodes[0];
+    assert_string_equal(m->d->format, "Collada Importer");
+    expect_rotation_near(root->rest.rotation, turn('x', -90), 3e-7);
+    expect_vec3_near(root->rest.scale, at(0.01f, 0.01f, 0.01f), 1e-8);
+    play(m, 0.25f); /* keys 0 and 90 degrees at 0 and 0.5 s; 0 2 0 and 1 2 3 at 0 and 1 s */
+    expect_rotation_near(local(m, "arm").rotation, turn('z', 45), 3e-7);
+    expect_vec3_near(local(m, "arm").translation, at(0.25f, 2, 0.75f), 3e-7);
+    play(m, 2.0f);
+    expect_rotation_near(local(m, "arm").rotation, turn('z', 30), 3e-7);
+    expect_vec3_near(local(m, "arm").translation, at(1, 2, 3), 3e-7);
+    size_t both = vertex_at(m, at(0, 3, 0));
+    expect_near(weight(m, both, "base"), 0.25, 1e-7);
+    expect_near(weight(m, both, "arm"), 0.75, 1e-7);
+    /* The bind shape moves by 0.25 along z, then the unit and the axis: z is y. */
+    play(m, 0.0f);
+    expect_vec3_near(nkw_mat4_transform_point(&m->palette[0], at(1, 0, 0)), at(0.01f, 0.0025f, 0), 1e-8);
+    assert_string_equal(m->d->materials[0].name, "red");
+    expect_near(m->d->materials[0].color[2], 0.5, 1e-7);
+    close_file(m);
+}
+
+static void x_is_mirrored_to_a_right_handed_space(void **state)
+{
+    (void)state;
+    moment *m = open_file(FILES "arm.x");
+    play(m, 0.0f);
+    expect_vec3_near(local(m, "arm").translation, at(0, 2, -0.5f), 0);
+    play(m, 2.0f); /* tick 20 of 10 a second: 60 degrees about x, mirrored */
+    expect_vec3_near(local(m, "arm").translation, at(1, 2, -0.5f), 3e-7);
+    expect_rotation_near(local(m, "arm").rotation, turn('x', 60), 3e-7);
+    size_t both = vertex_at(m, at(0, 3, 0));
+    expect_near(weight(m, both, "base"), 0.25, 0);
+    expect_near(weight(m, both, "arm"), 0.75, 0);
+    vertex_at(m, at(1, 3, -0.25f));
+    assert_int_equal(m->d->meshes[0].primitives[0].vertex_count, 4); /* six corners */
+    close_file(m);
+}
+
+/* The text of a file, cut before and after `word` and joined with `instead`; to be freed. */
+static char *edited(const char *path, const char *word, const char *instead)
+{
+    static char text[65536];
+    FILE *file = fopen(path, "rb");
+    assert_non_null(file);
+    size_t bytes = fread(text, 1, sizeof text - 1, file);
+    fclose(file);
+    text[bytes] = 0;
+    char *found = strstr(text, word), *whole = (char *)malloc(bytes + strlen(instead) + 1);
+    assert_non_null(found);
+    assert_non_null(whole);
+    memcpy(whole, text, (size_t)(found - text));
+    strcpy(whole + (found - text), instead);
+    strcat(whole, found + strlen(word));
+    return whole;
+}
+
+static size_t size_of(const char *path)
+{
+    FILE *file = fopen(path, "rb");
+    assert_non_null(file);
+    assert_int_equal(fseek(file, 0, SEEK_END), 0);
+    long size = ftell(file);
+    fclose(file);
+    return (size_t)size;
+}
+
+static nkw_import_result open_bytes(const char *text, const char *name, nkw_document **d, nkw_import_error *error)
+{
+    const nkw_import_memory memory = {text, strlen(text), name, NULL, NULL, NULL};
+    return nkw_document_open_memory(&memory, d, error);
+}
+
+static void x_without_ticks_has_4800_a_second(void **state)
+{
+    (void)state;
+    nkw_document *d;
+    nkw_import_error error;
+    char *text = edited(FILES "arm.x", "AnimTicksPerSecond {\n 10;\n}\n", "");
+    assert_int_equal(open_bytes(text, "-", &d, &error), NKW_IMPORT_OK);
+    const nkw_track *t = &d->animations[0].tracks[0].track;
+    expect_near(t->times[t->count - 1], 20.0 / 4800.0, 1e-9);
+    nkw_document_close(d);
+    free(text);
+}
+
+static void md5_has_the_frame_rate_of_its_animation(void **state)
+{
+    (void)state;
+    moment *m = open_file(FILES "arm.md5mesh");
+    expect_rotation_near(m->d->nodes[0].rest.rotation, turn('x', -90), 3e-7);
+    const nkw_quat rest = {0, 0, 0.5f, -sqrtf(0.75f)}, last = {0, 0.6f, 0, -0.8f};
+    expect_rotation_near(m->d->nodes[joint(m, "arm")].rest.rotation, rest, 3e-7);
+    play(m, 0.5f); /* frame 2 of 4 a second */
+    expect_vec3_near(local(m, "base").translation, at(2, 0, 0), 0);
+    expect_rotation_near(local(m, "arm").rotation, last, 3e-7);
+    expect_vec3_near(local(m, "arm").translation, at(0, 0, 2), 0);
+    /* Vertex 1: a quarter of 0 1 2 of the base, three quarters of 0 1 0 of the arm, which turns by -60 degrees about z */
+    nkw_vec3 far = nkw_quat_rotate(rest, at(0, 1, 0));
+    size_t v = vertex_at(m, at(0.75f * far.x, 0.25f + 0.75f * far.y, 0.5f + 0.75f * (2 + far.z)));
+    expect_near(weight(m, v, "arm"), 0.75, 0);
+    close_file(m);
+    m = open_file(FILES "arm.md5anim");
+    assert_int_equal(m->d->mesh_count, 0);
+    expect_near(m->d->animations[0].tracks[0].track.times[2], 0.5, 0);
+    close_file(m);
+}
+
+static void obj_has_the_materials_of_its_folder(void **state)
+{
+    (void)state;
+    moment *m = open_file(FILES "bar.obj");
+    const nkw_document_mesh *mesh = &m->d->meshes[0];
+    assert_int_equal(mesh->primitive_count, 2);
+    const nkw_document_primitive *quad = &mesh->primitives[0], *sides = &mesh->primitives[1];
+    assert_int_equal(quad->index_count, 6);
+    assert_int_equal(quad->vertex_count, 4);
+    assert_int_equal(sides->index_count, 12);
+    assert_int_equal(sides->vertex_count, 5);
+    expect_vec3_near(quad->normals[0], at(0, -1, 0), 0);
+    assert_string_equal(m->d->materials[quad->material].name, "red");
+    expect_near(m->d->materials[quad->material].color[2], 0.5, 0);
+    assert_string_equal(m->d->materials[sides->material].name, "blue");
+    assert_int_equal(m->d->bytes, size_of(FILES "bar.obj") + size_of(FILES "bar.mtl"));
+    close_file(m);
+}
+
+static void fbx_pivots_are_one_node_where_this_is_exact(void **state)
+{
+    (void)state;
+    moment *m = open_file(FILES "arm.fbx");
+    play(m, 0.0f);
+    expect_rotation_near(local(m, "arm").rotation, product(turn('z', 90), turn('x', 10), turn('y', -20)), 4e-7);
+    play(m, 1.0f);
+    expect_rotation_near(local(m, "arm").rotation, product(turn('z', 90), turn('x', 100), turn('y', -20)), 4e-7);
+    expect_vec3_near(local(m, "arm").translation, at(0, 3, 0), 3e-7);
+    assert_int_equal(m->d->skeleton.parents[joint(m, "arm")], joint(m, "base"));
+    const nkw_trs rest = m->d->nodes[joint(m, "arm")].rest;
+    expect_rotation_near(rest.rotation, product(turn('z', 90), turn('x', 10), turn('y', -20)), 4e-7);
+    expect_vec3_near(rest.translation, at(0, 2, 0), 3e-7);
+    /* A quarter turn about z at 2 s, of the point 0 1 0 above 0 3 0 of the base at 1 0 0. */
+    play(m, 2.0f);
+    nkw_vec3 origin = nkw_mat4_transform_point(&m->models[joint(m, "lever")], at(0, 0, 0));
+    expect_vec3_near(origin, at(2, 4, 0), 1e-6);
+    close_file(m);
+}
+
+static void formats_are_known_by_their_content(void **state)
+{
+    (void)state;
+    static const char *const files[] = {"arm.bvh",     "arm.dae",     "arm.x",  "arm.fbx",
+                                        "arm.md5mesh", "arm.md5anim", "bar.obj"};
+    for (size_t i = 0; i < sizeof files / sizeof *files; i++) {
+        char path[512];
+        nkw_document *d;
+        nkw_import_error error;
+        snprintf(path, sizeof path, FILES "%s", files[i]);
+        char *text = edited(path, "\n", "\n");
+        nkw_import_result result = open_bytes(text, "-", &d, &error);
+        if (result != NKW_IMPORT_OK)
+            print_error("%s: %s\n", files[i], error.reason);
+        assert_int_equal(result, NKW_IMPORT_OK);
+        nkw_document_close(d);
+        free(text);
+    }
+}
+
+static void files_of_no_format_are_refused(void **state)
+{
+    (void)state;
+    static const struct {
+        nkw_import_result code;
+        const char *name, *text;
+    } list[] = {
+        {NKW_IMPORT_UNKNOWN, "-", "to be or not to be"},
+        {NKW_IMPORT_UNKNOWN, "a.gltf", "HIERARCH"},
+        {NKW_IMPORT_UNKNOWN, "a.glb", "to be"},
+        {NKW_IMPORT_UNKNOWN, "a.VRM", "to be"},
+        {NKW_IMPORT_INVALID, "a.bvh", "to be"},
+        {NKW_IMPORT_INVALID, "-", "HIERARCHY\nROOT a\n{\n"},
+        {NKW_IMPORT_INVALID, "a.fbx", "; FBX 7.4.0\n{{{{"},
+        {NKW_IMPORT_INVALID, "a.dae", "<COLLADA>"},
+        {NKW_IMPORT_INVALID, "a.x", "xof 0303txt 0032\nFrame {"},
+    };
+    for (size_t i = 0; i < sizeof list / sizeof *list; i++) {
+        nkw_document *d;
+        nkw_import_error error;
+        nkw_import_result result = open_bytes(list[i].text, list[i].name, &d, &error);
+        if (result != list[i].code)
+            print_error("%zu: %d: %s\n", i, (int)result, error.reason);
+        assert_int_equal(result, list[i].code);
+        assert_true(error.reason[0]);
+        assert_null(d);
+    }
+}
+
+/* A reader without files, which counts the questions. */
+static size_t refuse(void *user, const char *path, void *out, size_t size)
+{
+    (void)out, (void)size;
+    assert_true(path[0] != '/' && !strstr(path, ".."));
+    *(int *)user += 1;
+    return SIZE_MAX;
+}
+
+static void outer_files_are_those_of_the_folder(void **state)
+{
+    (void)state;
+    static const char *const names[] = {"../bar.mtl", "/etc/passwd", "a/../../bar.mtl", "a\\..\\..\\bar.mtl"};
+    for (size_t i = 0; i < sizeof names / sizeof *names; i++) {
+        nkw_document *d;
+        nkw_import_error error;
+        int questions = 0;
+        char *text = edited(FILES "bar.obj", "bar.mtl", names[i]);
+        const nkw_import_memory memory = {text, strlen(text), "other.obj", NULL, refuse, &questions};
+        assert_int_equal(nkw_document_open_memory(&memory, &d, &error), NKW_IMPORT_OK);
+        assert_int_equal(d->bytes, strlen(text));
+        assert_true(questions > 0); /* the name without its folder, or that of the model */
+        nkw_document_close(d);
+        free(text);
+    }
+}
+
+/* 5e-6 of the largest value of a table of such rows. */
+static double motion_bound(const char *table)
+{
+    FILE *file = table_open(table);
+    char line[1024];
+    double most = 1.0;
+    while (fgets(line, sizeof line, file)) {
+        const char *next = line;
+        for (int column = 0; *next; column++, next += strcspn(next, ",") + (next[strcspn(next, ",")] != 0))
+            most = column < 3 || line[0] == 't' ? most : fmax(most, fabs(strtod(next, NULL)));
+    }
+    table_close(file);
+    return 5e-6 * most;
+}
+
+/* Rows Q (a local rotation) and W (a world matrix) of a frame number, of which k.5 is between two frames. */
+static void captured_motion_is_that_of_an_independent_implementation(void **state)
+{
+    (void)state;
+    static const float frame_time = 0.0083333f;
+    const char *const table = NKW_DATA_DIR "/expected/cmu_12_01_walk.bvh.expected.csv";
+    if (!scene_folder_is_there())
+        skip();
+    moment *m = open_file(NKW_DATA_DIR "/motion/cmu_12_01_walk.bvh");
+    FILE *file = table_open(table);
+    double bound = motion_bound(table);
+    char line[1024], tag;
+    int rows = 0, index, used;
+    float frame;
+    while (fgets(line, sizeof line, file)) {
+        float values[16];
+        if (sscanf(line, "%c,%f,%d%n", &tag, &frame, &index, &used) != 3)
+            continue;
+        size_t j = (size_t)m->d->joint_of_node[index];
+        const char *next = line + used;
+        for (int i = 0; i < (tag == 'Q' ? 4 : 16); i++, next += used)
+            assert_int_equal(sscanf(next, ",%f%n", &values[i], &used), 1);
+        play(m, frame * frame_time);
+        if (tag == 'Q') {
+            const nkw_quat want = {values[0], values[1], values[2], values[3]};
+            expect_rotation_near(nkw_pose_get(pose_view(m->pose, m->d->skeleton.joint_count), j).rotation, want, bound);
+        } else
+            expect_floats_near(m->models[j].m, values, 16, bound);
+        rows++;
+    }
+    table_close(file);
+    assert_true(rows > 1000);
+    close_file(m);
+}
+
+/* Every other file of the folder can be read. */
+static void models_at_hand_are_read(void **state)
+{
+    (void)state;
+    if (!scene_folder_is_there())
+        skip();
+    close_file(open_file(NKW_DATA_DIR "/motion/bvh_example.bvh"));
+    moment *m = open_file(NKW_DATA_DIR "/obj/capsule_3m.obj");
+    assert_int_equal(m->d->meshes[0].primitives[0].index_count, 3 * 312);
+    close_file(m);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(bvh_has_angles_in_the_order_of_its_channels_and_offsets),
+        cmocka_unit_test(collada_has_its_unit_and_its_axis_in_the_root),
+        cmocka_unit_test(x_is_mirrored_to_a_right_handed_space),
+        cmocka_unit_test(x_without_ticks_has_4800_a_second),
+        cmocka_unit_test(md5_has_the_frame_rate_of_its_animation),
+        cmocka_unit_test(obj_has_the_materials_of_its_folder),
+        cmocka_unit_test(fbx_pivots_are_one_node_where_this_is_exact),
+        cmocka_unit_test(formats_are_known_by_their_content),
+        cmocka_unit_test(files_of_no_format_are_refused),
+        cmocka_unit_test(outer_files_are_those_of_the_folder),
+        cmocka_unit_test(captured_motion_is_that_of_an_independent_implementation),
+        cmocka_unit_test(models_at_hand_are_read),
+    };
+    return cmocka_run_group_tests_name("import_assimp", tests, NULL, NULL);
+}
