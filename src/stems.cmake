@@ -23,6 +23,7 @@ set(NKW_FLOOR_3
   handle
   ease
   orient
+  rotation
   limit
   spring
   inertia

@@ -44,6 +44,11 @@ typedef struct nkw_vec3_cubic {
     nkw_vec3 c[4];
 } nkw_vec3_cubic;
 
+/** The parameters of a Kochanek-Bartels key, usually -1..1; all 0 is the cardinal spline of tension 0. */
+typedef struct nkw_tcb {
+    float tension, continuity, bias;
+} nkw_tcb;
+
 /** A kind of cubic curve. Any other number is read as NKW_CUBIC_HERMITE. */
 typedef enum nkw_cubic_kind {
     NKW_CUBIC_HERMITE, /**< control values p0, v0, p1, v1 */

@@ -28,6 +28,7 @@
 #include "handle.h"
 #include "ease.h"
 #include "orient.h"
+#include "rotation.h"
 #include "spring.h"
 #include "inertia.h"
 #include "limit.h"

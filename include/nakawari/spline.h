@@ -48,6 +48,7 @@
 #ifndef NAKAWARI_SPLINE_H
 #define NAKAWARI_SPLINE_H
 
+#include "curve.h"
 #include "types.h"
 
 #ifdef __cplusplus
@@ -73,11 +74,6 @@ typedef enum nkw_spline_ends {
     NKW_SPLINE_ENDS_CLAMPED,
     NKW_SPLINE_ENDS_PERIODIC
 } nkw_spline_ends;
-
-/** The parameters of a Kochanek-Bartels key, usually -1..1; all 0 is the cardinal spline of tension 0. */
-typedef struct nkw_tcb {
-    float tension, continuity, bias;
-} nkw_tcb;
 
 /** Keys and a method. The arrays belong to the caller. */
 typedef struct nkw_spline {

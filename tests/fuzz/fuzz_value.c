@@ -139,6 +139,26 @@ static void axes(const any *a, fuzz *f)
     nkw_axes_convert_euler_order(map, (nkw_euler_order)fuzz_choice(f, 5));
 }
 
+/* A segment of any numbers, and those that are made of any keys. */
+static void rotation(const any *a, nkw_path path, int32_t turns)
+{
+    const nkw_quat keys[4] = {a->q[0], a->q[1], a->trs.rotation, a->d.real};
+    const nkw_tcb tcb[2] = {{a->f[0], a->f[1], a->f[2]}, {a->f[3], a->f[4], a->f[5]}};
+    nkw_rotation_segment s[6] = {
+        nkw_rotation_slerp(keys[0], keys[1], path, turns, a->f[1]),
+        nkw_rotation_hermite(keys[0], a->v[0], keys[1], a->v[1], a->f[1]),
+        nkw_rotation_catmull_rom(keys, a->times),
+        nkw_rotation_tcb(keys, a->times, tcb),
+        nkw_rotation_squad(keys, a->f[1]),
+        nkw_rotation_bspline(keys, a->f[1]),
+    };
+    for (int i = 0; i < 6; i++) {
+        nkw_rotation_state at = nkw_rotation_evaluate(&s[i], a->f[0]);
+        int is_finite = nkw_quat_is_finite(at.orientation);
+        FUZZ_CHECK(!is_finite || a->f[0] == 0.0f || a->f[0] == 1.0f || nkw_quat_length(at.orientation) < 1.0001f);
+    }
+}
+
 static void mat(const any *a, size_t column)
 {
     float rows[16];
@@ -215,6 +235,7 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
     vec(a);
     quat(a, (nkw_euler_order)fuzz_choice(&f, 5));
     orient(a, (nkw_path)fuzz_choice(&f, 2), (nkw_unwrap)fuzz_choice(&f, 2));
+    rotation(a, (nkw_path)fuzz_choice(&f, 2), (int32_t)(fuzz_bits(&f) >> 1));
     axes(a, &f);
     limit(a);
     mat(a, fuzz_byte(&f));

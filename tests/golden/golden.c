@@ -153,6 +153,32 @@ static void filter_angles(float *o, const input *i)
     put_vec3(o, angles[3]);
 }
 
+static nkw_rotation_segment rotation_of(const input *i, int kind)
+{
+    nkw_tcb tcb[2] = {{i->t, i->s[0], i->s[1]}, {i->s[2], i->s[3], i->t}};
+    float duration = i->t + 0.25f;
+    switch (kind) {
+    case 0:
+        return nkw_rotation_slerp(i->q[0], i->q[1], i->path, (int32_t)i->s[0], duration);
+    case 1:
+        return nkw_rotation_hermite(i->q[0], i->v[0], i->q[1], i->v[1], duration);
+    case 2:
+        return nkw_rotation_catmull_rom(i->q, i->times);
+    case 3:
+        return nkw_rotation_tcb(i->q, i->times, tcb);
+    case 4:
+        return nkw_rotation_squad(i->q, duration);
+    }
+    return nkw_rotation_bspline(i->q, duration);
+}
+
+static void rotate_along(float *o, const input *i, int kind)
+{
+    nkw_rotation_segment s = rotation_of(i, kind);
+    nkw_rotation_state at = nkw_rotation_evaluate(&s, i->t);
+    memcpy(o, &at, sizeof at);
+}
+
 static void put_segment(float *o, nkw_segment s)
 {
     o[0] = (float)s.index;
