@@ -102,6 +102,9 @@ typedef struct command_steps {
 int command_run(const options_text *text, const struct poptOption *table, int argc, const char **argv,
                 const command_steps *steps, void *request);
 
+/** Opens a file and works on it. Returns the exit code. */
+int command_work(const char *path, const command_steps *steps, void *request);
+
 /* ---- output.c ---- */
 
 /** The file, or the standard output for NULL and "-". Reports an error on stderr and returns NULL. */

@@ -18,7 +18,7 @@ static const subcommand subcommands[] = {
     {"diff", "nakawari diff", command_diff, "the largest difference of each joint between two files"},
     {"info", "nakawari info", command_info, "what a file contains: clips, channels, keys, bytes"},
     {"parts", "nakawari parts", command_parts, "skinned meshes cut into parts of few bones, as JSON"},
-    {"plot", "nakawari plot", command_plot, "the curves of joints over time with their keys, as SVG"},
+    {"plot", "nakawari plot", command_plot, "curves of joints over time, paths, Euler angles: SVG, PNG"},
 #if defined(NKW_RENDER)
     {"render", "nakawari render", command_render, "pictures of the model at times: PNG, animated PNG, SVG"},
 #endif

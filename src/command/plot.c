@@ -1,104 +1,39 @@
 /* SPDX-License-Identifier: MIT */
-/* nakawari plot: the curves of joints over time, as SVG. */
+/* nakawari plot: the curves of joints over time, as SVG or PNG. */
 #include <math.h>
 #include <stdint.h>
 #include <stdlib.h>
 #include <string.h>
 
 #include "curve.h"
-#include "moment.h"
-#include "svg.h"
+#include "plot.h"
+#include "watch.h"
 
-static const options_text text = {"[OPTION...] FILE",
-                                  "Draws the channels of a clip as SVG: on the left the values over time with their "
-                                  "keys, on the right the velocity,\n"
-                                  "of rotations the angular velocity in radians per second, in the frame of the "
-                                  "parent. x is red, y green, z blue, w\n"
-                                  "grey; of morph weights the first four are drawn.\n",
-                                  "  nakawari plot fox.glb --clip Walk --joint b_Head_05 -o head.svg\n"
-                                  "  nakawari plot fox.glb -c 1 -j b_Head_05,b_Neck_04 --what rotation > neck.svg\n",
-                                  1, 0};
+static const options_text text = {
+    "[OPTION...] FILE",
+    "Draws the channels of a clip: on the left the values over time with their keys, on the right the velocity, of\n"
+    "rotations the angular velocity in radians per second, in the frame of the parent. x is red, y green, z blue, w\n"
+    "grey; of morph weights the first four are drawn.\n\n"
+    "  --what path    the paths of joints in the space of the model, from four sides; without --joint the five "
+    "longest\n"
+    "  --what euler   the angles of rotations about x, y and z, and those that interpolating the angles of the keys "
+    "results\n"
+    "                 in (dashed); and the angle between the two\n",
+    "  nakawari plot fox.glb --clip Walk --joint b_Head_05 -o head.svg\n"
+    "  nakawari plot fox.glb -c 1 -j b_Head_05,b_Neck_04 --what rotation > neck.svg\n"
+    "  nakawari plot fox.glb -c Run --what path -o paths.png\n"
+    "  nakawari plot keys.csv --watch -o keys.svg\n",
+    1, 0};
 
-typedef struct request {
-    char *clip, *joints, *what, *output;
-    int target; /* -1: all */
-    long most;
-} request;
-
-static const char *const targets[] = {"translation", "rotation", "scale", "weights"};
+static const char *const targets[] = {"translation", "rotation", "scale", "weights", "path", "euler"};
+static const char *const orders[] = {"xyz", "xzy", "yxz", "yzx", "zxy", "zyx"};
 static const char *const modes[] = {"LINEAR", "STEP", "CUBICSPLINE"};
-static const svg_colour colours[CURVE_COMPONENTS] = {0xd62728, 0x2ca02c, 0x1f5fd0, 0x77777f};
 
-enum { ROW = 210, TOP = 70, PANEL_WIDTH = 470, PANEL_HEIGHT = 130 };
-
-/* ---- axes ---- */
-
-/* A step of 1, 2 or 5 times a power of ten, four to ten of them in a range. */
-static float tick_of(float range)
+svg_box plot_panel(float y, int right)
 {
-    double step = 1.0, quarter = 0.25 * (double)range;
-    if (!isfinite(range))
-        return range;
-    while (step > quarter && step > 1e-60)
-        step /= 10.0;
-    while (10.0 * step <= quarter)
-        step *= 10.0;
-    double ratio = (double)range / step;
-    return (float)(step * (ratio >= 20.0 ? 5.0 : ratio >= 8.0 ? 2.0 : 1.0));
-}
-
-static svg_axis axis_of(float low, float high, const char *name)
-{
-    if (!(high > low)) {
-        float around = fabsf(low) > 0.0f ? 0.5f * fabsf(low) : 1.0f;
-        high = low + around;
-        low -= around;
-    }
-    float margin = 0.06f * (high - low);
-    svg_axis axis = {low - margin, high + margin, tick_of(high - low), name};
-    return axis;
-}
-
-static void put_label(svg *s, svg_point at, char anchor, const char *words, float size, svg_colour colour)
-{
-    char plain[256];
-    svg_font font = {size, colour, anchor, size > 12.0f, SVG_NONE};
-    size_t n = 0;
-    for (; words[n] && n + 1 < sizeof plain; n++)
-        plain[n] = words[n];
-    while (n && words[n] && ((unsigned char)words[n] & 0xc0) == 0x80)
-        n--; /* not within a character of UTF-8 */
-    plain[n] = 0;
-    for (size_t i = 0; i < n; i++)
-        if ((unsigned char)plain[i] < 32)
-            plain[i] = '?';
-    svg_text(s, at, &font, plain);
-}
-
-/* The lines of an axis: at the multiples of its tick. */
-static void put_ticks(svg *s, const svg_plot *plot, const svg_axis *axis, int vertical)
-{
-    svg_paint grid = svg_stroke(0xe6e6ea, 1.0f, 1.0f);
-    double first = ceil((double)axis->from / (double)axis->tick), last = floor((double)axis->to / (double)axis->tick);
-    for (double k = first; k <= last && k < first + 40.0; k += 1.0) {
-        char number[32];
-        float value = (float)(k * (double)axis->tick);
-        snprintf(number, sizeof number, "%.6g", k == 0.0 ? 0.0 : (double)value);
-        svg_point p = vertical ? svg_plot_at(plot, plot->x.from, value) : svg_plot_at(plot, value, plot->y.from);
-        svg_point q = vertical ? svg_plot_at(plot, plot->x.to, value) : svg_plot_at(plot, value, plot->y.to);
-        svg_line(s, p, q, &grid);
-        put_label(s, vertical ? svg_at(p.x - 6.0f, p.y + 4.0f) : svg_at(p.x, p.y + 15.0f), vertical ? 'e' : 'm', number,
-                  11.0f, 0x55555c);
-    }
-}
-
-static void put_frame(svg *s, const svg_plot *plot)
-{
-    svg_paint border = svg_stroke(0x9a9aa2, 1.0f, 1.0f);
-    put_ticks(s, plot, &plot->x, 0);
-    put_ticks(s, plot, &plot->y, 1);
-    svg_rect(s, plot->box, 0.0f, &border);
-    put_label(s, svg_at(plot->box.x, plot->box.y - 7.0f), 's', plot->y.name, 12.0f, 0x2b2b30);
+    svg_box box = {60.0f, y + 44.0f, PLOT_PANEL_WIDTH, PLOT_PANEL_HEIGHT};
+    box.x += right ? PLOT_PANEL_WIDTH + 70.0f : 0.0f;
+    return box;
 }
 
 /* ---- curves ---- */
@@ -118,61 +53,63 @@ static void bounds_of(const curve *c, int velocity, float *low, float *high)
         *low = *high = 0.0f;
 }
 
-static void put_curve(svg *s, const svg_plot *plot, const curve *c, int velocity, size_t component)
+static void put_curve(page *p, const svg_plot *plot, const curve *c, int velocity, size_t component)
 {
-    svg_paint paint = svg_stroke(colours[component], 1.6f, 1.0f);
+    svg_paint paint = svg_stroke(chart_colours[component], 1.6f, 1.0f);
     svg_point *points = calloc(c->point_count + 1, sizeof *points);
     for (size_t r = 0; points && r < c->run_count; r++) {
         size_t count = c->runs[r].count - (size_t)velocity, first = c->runs[r].first;
         for (size_t i = 0; i < count; i++)
             points[i] = svg_plot_at(plot, (velocity ? c->middles : c->times)[first + i],
                                     (velocity ? c->velocities : c->values)[first + i][component]);
-        svg_polyline(s, points, count, &paint);
+        page_polyline(p, points, count, &paint);
     }
     free(points);
 }
 
-static void put_keys(svg *s, const svg_plot *plot, const nkw_track *track, size_t components)
+static void put_keys(page *p, const svg_plot *plot, const nkw_track *track, size_t components)
 {
     size_t width = track->width, cubic = track->interpolation == NKW_INTERPOLATION_CUBICSPLINE;
     for (size_t k = 0; k < track->count && track->count <= 512; k++)
         for (size_t i = 0; i < components; i++) {
-            svg_paint dot = {0xffffff, colours[i], 1.3f, 1.0f, NULL};
-            svg_circle(s, svg_plot_at(plot, track->times[k], track->values[(cubic ? 3 * k + 1 : k) * width + i]), 3.0f,
-                       &dot);
+            svg_paint dot = {0xffffff, chart_colours[i], 1.3f, 1.0f, NULL};
+            page_circle(p, svg_plot_at(plot, track->times[k], track->values[(cubic ? 3 * k + 1 : k) * width + i]),
+                        track->count > 40 ? 1.8f : 3.0f, &dot);
         }
 }
 
-static void put_panel(svg *s, svg_box box, const nkw_clip_track *track, const curve *c, svg_axis time, int velocity)
+static void put_panel(page *p, svg_box box, const nkw_clip_track *track, const curve *c, svg_axis time, int velocity)
 {
     float low, high;
     const char *name = !velocity                            ? "value"
                        : track->target == NKW_CLIP_ROTATION ? "angular velocity, rad/s"
                                                             : "velocity, 1/s";
     bounds_of(c, velocity, &low, &high);
-    svg_plot plot = {box, time, axis_of(low, high, name)};
-    put_frame(s, &plot);
+    svg_plot plot = {box, time, chart_axis(low, high, name)};
+    chart_frame(p, &plot);
     for (size_t i = velocity ? c->velocity_count : c->component_count; i-- > 0;)
-        put_curve(s, &plot, c, velocity, i);
+        put_curve(p, &plot, c, velocity, i);
     if (!velocity)
-        put_keys(s, &plot, &track->track, c->component_count);
+        put_keys(p, &plot, &track->track, c->component_count);
 }
 
-static int put_row(svg *s, const nkw_document *d, size_t animation, size_t index, svg_axis time, float y)
+/* The rows of channels, and of their Euler angles. */
+static int put_row(page *p, const nkw_document *d, const plot_request *r, size_t animation, size_t index, svg_axis time,
+                   float y)
 {
     const nkw_document_animation *a = &d->animations[animation];
     const nkw_clip_track *track = &a->tracks[index];
-    svg_box left = {60.0f, y + 44.0f, PANEL_WIDTH, PANEL_HEIGHT}, right = left;
     char title[256];
     curve c;
-    right.x += PANEL_WIDTH + 70.0f;
     snprintf(title, sizeof title, "%.160s %s: %s, %zu keys", d->nodes[a->channels[index].joint].name,
              targets[track->target], modes[track->track.interpolation], track->track.count);
+    chart_label(p, svg_at(24.0f, y + 16.0f), 's', title, 14.0f, 0x1d1d22);
+    if (r->target == PLOT_EULER)
+        return plot_euler(p, r, track, time, y);
     int fine = curve_sample(&c, track, time.from, time.to);
-    put_label(s, svg_at(24.0f, y + 16.0f), 's', title, 14.0f, 0x1d1d22);
     if (fine) {
-        put_panel(s, left, track, &c, time, 0);
-        put_panel(s, right, track, &c, time, 1);
+        put_panel(p, plot_panel(y, 0), track, &c, time, 0);
+        put_panel(p, plot_panel(y, 1), track, &c, time, 1);
     }
     curve_free(&c);
     return fine;
@@ -180,62 +117,95 @@ static int put_row(svg *s, const nkw_document *d, size_t animation, size_t index
 
 /* ---- the page ---- */
 
-/* Whether a list of names, with commas, contains a name. */
-static int listed(const char *list, const char *name)
+int plot_names(const plot_request *r, const char *name)
 {
     size_t length = strlen(name);
-    for (const char *at = strstr(list, name); at; at = strstr(at + 1, name))
-        if ((at == list || at[-1] == ',') && (at[length] == ',' || at[length] == 0))
+    for (const char *at = r->joints ? strstr(r->joints, name) : NULL; at && length; at = strstr(at + 1, name))
+        if ((at == r->joints || at[-1] == ',') && (at[length] == ',' || at[length] == 0))
             return 1;
-    return 0;
+    return !r->joints;
 }
 
-static int selected(const nkw_document *d, size_t animation, size_t index, const request *r)
+static int selected(const nkw_document *d, size_t animation, size_t index, const plot_request *r)
 {
     const nkw_document_animation *a = &d->animations[animation];
-    const char *name = d->nodes[a->channels[index].joint].name;
-    return (r->target < 0 || (int)a->tracks[index].target == r->target) &&
-           (!r->joints || (name[0] && listed(r->joints, name)));
+    const int target = (int)a->tracks[index].target;
+    return (r->target == PLOT_ALL || target == (r->target == PLOT_EULER ? (int)NKW_CLIP_ROTATION : r->target)) &&
+           plot_names(r, d->nodes[a->channels[index].joint].name);
 }
 
-static void put_legend(svg *s)
+static size_t count_rows(const nkw_document *d, size_t animation, const plot_request *r)
 {
-    static const char *const names[CURVE_COMPONENTS] = {"x", "y", "z", "w"};
-    for (int i = 0; i < CURVE_COMPONENTS; i++) {
-        svg_point at = {930.0f + 36.0f * (float)i, 30.0f};
-        svg_paint paint = svg_stroke(colours[i], 2.4f, 1.0f);
-        svg_line(s, at, svg_at(at.x + 14.0f, at.y), &paint);
-        put_label(s, svg_at(at.x + 18.0f, at.y + 4.0f), 's', names[i], 12.0f, 0x2b2b30);
-    }
+    size_t rows = 0;
+    if (r->target != PLOT_PATH)
+        for (size_t i = 0; i < d->animations[animation].track_count; i++)
+            rows += (size_t)selected(d, animation, i, r);
+    else
+        for (size_t j = 0; j < d->skeleton.joint_count; j++)
+            rows += (size_t)plot_names(r, d->nodes[j].name);
+    return rows;
 }
 
-static int put_page(FILE *f, const nkw_document *d, size_t animation, const request *r, float start, float end)
+static void put_legend(page *p, const plot_request *r)
 {
-    svg s;
-    char title[300];
-    const nkw_document_animation *a = &d->animations[animation];
-    size_t rows = 0, shown = 0;
-    for (size_t i = 0; i < a->track_count; i++)
-        rows += (size_t)selected(d, animation, i, r);
-    size_t most = rows < (size_t)r->most ? rows : (size_t)r->most;
-    svg_axis time = {start, end > start ? end : start + 1.0f, tick_of(end > start ? end - start : 1.0f), "s"};
-    snprintf(title, sizeof title, "%.200s, clip %zu", a->name, animation);
-    svg_start(&s, f, 1090.0f, (float)TOP + (float)ROW * (float)most, title,
-              "Values and velocities of channels over time");
-    put_label(&s, svg_at(24.0f, 34.0f), 's', title, 20.0f, 0x1d1d22);
-    put_legend(&s);
-    if (rows > most) {
-        snprintf(title, sizeof title, "%zu of %zu channels; --joint and --most choose others", most, rows);
-        put_label(&s, svg_at(24.0f, 54.0f), 's', title, 12.0f, 0x55555c);
+    static const char *const names[4] = {"x", "y", "z", "w"};
+    const int euler = r->target == PLOT_EULER;
+    svg_paint solid = svg_stroke(0x55555c, 1.7f, 1.0f), dashed = solid;
+    for (int i = 0; i < (euler ? 3 : 4); i++) {
+        svg_paint paint = svg_stroke(chart_colours[i], 2.4f, 1.0f);
+        chart_key(p, svg_at((euler ? 560.0f : 910.0f) + 44.0f * (float)i, 30.0f), &paint, names[i]);
     }
+    if (!euler)
+        return;
+    dashed.dash = "4 4";
+    chart_key(p, svg_at(720.0f, 30.0f), &solid, "the channel (LINEAR: slerp)");
+    chart_key(p, svg_at(930.0f, 30.0f), &dashed, "its angles, linear");
+}
+
+static int put_rows(page *p, const plot_request *r, moment *m, size_t animation, size_t most)
+{
+    const float start = nkw_clip_start(m->clip), end = nkw_clip_end(m->clip);
+    const float span = end > start ? end - start : 1.0f;
+    const svg_axis time = {start, start + span, chart_tick(span), "s"};
     int fine = 1;
-    for (size_t i = 0; fine && i < a->track_count && shown < most; i++)
-        if (selected(d, animation, i, r))
-            fine = put_row(&s, d, animation, i, time, (float)TOP + (float)ROW * (float)shown++);
-    svg_finish(&s);
+    size_t shown = 0;
+    put_legend(p, r);
+    for (size_t i = 0; fine && i < m->document->animations[animation].track_count && shown < most; i++)
+        if (selected(m->document, animation, i, r))
+            fine = put_row(p, m->document, r, animation, i, time, (float)PLOT_TOP + (float)PLOT_ROW * (float)shown++);
+    return fine;
+}
+
+static void put_heading(page *p, const plot_request *r, const char *title, size_t rows, size_t most)
+{
+    char more[96];
+    chart_label(p, svg_at(24.0f, 34.0f), 's', title, 20.0f, 0x1d1d22);
+    if (rows <= most || r->target == PLOT_PATH)
+        return;
+    snprintf(more, sizeof more, "%zu of %zu channels; --joint and --most choose others", most, rows);
+    chart_label(p, svg_at(24.0f, 54.0f), 's', more, 12.0f, 0x55555c);
+}
+
+static int put_page(FILE *f, const plot_request *r, moment *m, size_t animation, size_t rows)
+{
+    page p;
+    char title[300];
+    const nkw_document *d = m->document;
+    size_t most = rows < (size_t)r->most ? rows : (size_t)r->most;
+    svg_point size = {1090.0f, (float)PLOT_TOP + (float)PLOT_ROW * (float)most};
+    snprintf(title, sizeof title, "%.200s, clip %zu", d->animations[animation].name, animation);
+    if (!page_start(&p, f, page_is_png(r->output), r->target == PLOT_PATH ? plot_path_size() : size, title,
+                    r->target == PLOT_PATH    ? "Paths of joints in space"
+                    : r->target == PLOT_EULER ? "Angles of rotations over time, and of interpolated angles"
+                                              : "Values and velocities of channels over time")) {
+        fprintf(stderr, "%s: too many rows for a PNG\n", r->output);
+        return 0;
+    }
+    put_heading(&p, r, title, rows, most);
+    int fine = r->target == PLOT_PATH ? plot_path(&p, r, m) : put_rows(&p, r, m, animation, most);
     if (!fine)
         fprintf(stderr, "%s: no memory\n", d->file);
-    return fine;
+    return page_finish(&p) && fine;
 }
 
 static int complain(const nkw_document *d, const char *what)
@@ -247,49 +217,104 @@ static int complain(const nkw_document *d, const char *what)
 
 static int plot_document(const nkw_document *d, void *data)
 {
-    const request *r = data;
+    const plot_request *r = data;
     input_clips clips;
     moment m;
     if (!input_select(d, r->clip, &clips))
         return 0;
     if (clips.first == INPUT_REST || clips.count != 1)
         return complain(d, "the rest pose and all clips have no plot: choose a clip");
-    size_t any = 0;
-    for (size_t i = 0; i < d->animations[clips.first].track_count; i++)
-        any += (size_t)selected(d, clips.first, i, r);
-    if (!any)
-        return complain(d, "no channel of the clip is of these joints and this kind");
+    const size_t rows = count_rows(d, clips.first, r);
+    if (!rows)
+        return complain(d, r->target == PLOT_PATH ? "no joint has such a name"
+                                                  : "no channel of the clip is of these joints and this kind");
     FILE *f = NULL;
     int fine = moment_open(&m, d, clips.first) && (f = output_open(r->output)) != NULL &&
-               put_page(f, d, clips.first, r, nkw_clip_start(m.clip), nkw_clip_end(m.clip));
+               put_page(f, r, &m, clips.first, rows);
     moment_close(&m);
     return f && output_close(f, r->output) && fine;
 }
 
+static int check_watch(const options *o, const plot_request *r)
+{
+    if (strcmp(o->files[0], "-") == 0)
+        return options_misuse(o, "--watch", "not with the standard input");
+    return r->output && strcmp(r->output, "-") != 0 ? COMMAND_FINE : options_misuse(o, "--watch", "only with --output");
+}
+
 static int check_request(const options *o, void *data)
 {
-    request *r = data;
-    r->target = r->what ? options_word(r->what, targets, 4) : -1;
+    plot_request *r = data;
+    int order = r->order ? options_word(r->order, orders, 6) : NKW_EULER_XYZ;
+    r->target = r->what ? options_word(r->what, targets, 6) : PLOT_ALL;
+    r->euler = (nkw_euler_order)order;
     if (r->what && r->target < 0)
-        return options_misuse(o, r->what, "not translation, rotation, scale or weights");
-    return r->most < 1 || r->most > 1000 ? options_misuse(o, "--most", "not in 1..1000") : COMMAND_FINE;
+        return options_misuse(o, r->what, "not translation, rotation, scale, weights, path or euler");
+    if (order < 0)
+        return options_misuse(o, r->order, "not an order: xyz, xzy, yxz, yzx, zxy or zyx");
+    if (r->order && r->target != PLOT_EULER)
+        return options_misuse(o, "--order", "only with --what euler");
+#if !defined(NKW_CAIRO)
+    if (page_is_png(r->output))
+        return options_misuse(o, r->output, "PNG is not built: it needs cairo");
+#endif
+    if (r->most < 1 || r->most > 1000)
+        return options_misuse(o, "--most", "not in 1..1000");
+    return r->watch ? check_watch(o, r) : COMMAND_FINE;
+}
+
+static const command_steps steps = {check_request, plot_document};
+
+/* ---- the command ---- */
+
+typedef struct watched {
+    const char *path;
+    plot_request *request;
+} watched;
+
+static void plot_again(void *user)
+{
+    const watched *w = user;
+    (void)command_work(w->path, &steps, w->request);
+}
+
+static int run(int argc, const char **argv, const struct poptOption *known, plot_request *r)
+{
+    options o;
+    int code;
+    if (!options_read(&o, &text, known, argc, argv))
+        code = o.code;
+    else if ((code = check_request(&o, r)) == COMMAND_FINE) {
+        watched w = {o.files[0], r};
+        if (r->watch)
+            watch_file(w.path, plot_again, &w);
+        else
+            code = command_work(w.path, &steps, r);
+    }
+    options_close(&o);
+    return code;
 }
 
 int command_plot(int argc, const char **argv)
 {
-    request r = {NULL, NULL, NULL, NULL, -1, 16};
+    plot_request r = {NULL, NULL, NULL, NULL, NULL, PLOT_ALL, NKW_EULER_XYZ, 16, 0};
     const struct poptOption known[] = {
         {"clip", 'c', POPT_ARG_STRING, &r.clip, 0, "number or name of the clip (default: 0)", "N"},
         {"joint", 'j', POPT_ARG_STRING, &r.joints, 0, "names of joints (default: all)", "NAME,..."},
-        {"what", 'w', POPT_ARG_STRING, &r.what, 0, "translation, rotation, scale or weights (default: all)", "WHAT"},
+        {"what", 'w', POPT_ARG_STRING, &r.what, 0,
+         "translation, rotation, scale, weights (default: all four), path or euler", "WHAT"},
+        {"order", 0, POPT_ARG_STRING, &r.order, 0, "of the angles of --what euler: xyz (default, Rx Ry Rz), yxz ...",
+         "ORDER"},
         {"most", 'm', POPT_ARG_LONG, &r.most, 0, "number of channels on the page (default: 16)", "N"},
-        {"output", 'o', POPT_ARG_STRING, &r.output, 0, "write to FILE, not to the standard output", "FILE"},
+        {"watch", 0, POPT_ARG_NONE, &r.watch, 0, "draw again when FILE changes, until interrupted", NULL},
+        {"output", 'o', POPT_ARG_STRING, &r.output, 0, "write to FILE, .svg or .png; not to the standard output",
+         "FILE"},
         OPTIONS_END};
-    static const command_steps steps = {check_request, plot_document};
-    const int code = command_run(&text, known, argc, argv, &steps, &r);
+    const int code = run(argc, argv, known, &r);
     free(r.clip);
     free(r.joints);
     free(r.what);
+    free(r.order);
     free(r.output);
     return code;
 }

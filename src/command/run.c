@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 #include "command.h"
 
-static int work_on(const char *path, const command_steps *steps, void *request)
+int command_work(const char *path, const command_steps *steps, void *request)
 {
     nkw_document *d = input_open(path);
     const int done = d && steps->work(d, request);
@@ -17,7 +17,7 @@ int command_run(const options_text *text, const struct poptOption *table, int ar
     if (!options_read(&o, text, table, argc, argv))
         code = o.code;
     else if ((code = steps->check(&o, request)) == COMMAND_FINE)
-        code = work_on(o.files[0], steps, request);
+        code = command_work(o.files[0], steps, request);
     options_close(&o);
     return code;
 }
