@@ -347,10 +347,22 @@ static void draw_bones(const frame *f, const moment *m)
         }
 }
 
+/* A motion capture has joints only. */
+static int shows_mesh(const view *v, const nkw_document *d)
+{
+    for (size_t j = 0; j < d->skeleton.joint_count; j++) {
+        const nkw_document_mesh *mesh = mesh_of(v, d, j);
+        for (size_t p = 0; mesh && p < mesh->primitive_count; p++)
+            if (mesh->primitives[p].positions)
+                return 1;
+    }
+    return 0;
+}
+
 void view_draw(const view *v, moment *m, canvas *c, int skeleton)
 {
     frame f = frame_of(v, c);
     visit_primitives(v, m, draw_primitive, &f);
-    if (skeleton)
+    if (skeleton || !shows_mesh(v, m->document))
         draw_bones(&f, m);
 }

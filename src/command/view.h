@@ -39,7 +39,7 @@ void view_include_shadow(view *v, view_box *box);
 
 /** Draws a floor below the box, with the shadow of what is straight above it. Not from below. */
 void view_draw_floor(const view *v, moment *m, canvas *c);
-/** Draws the meshes and, if `skeleton`, the bones over them. */
+/** Draws the meshes and, if `skeleton` or if no mesh is shown, the bones over them. */
 void view_draw(const view *v, moment *m, canvas *c, int skeleton);
 
 /** The colour behind all. */

@@ -5,8 +5,14 @@
 #include <math.h>
 #include <stdlib.h>
 
+#include <nakawari/import.h>
+#include <nakawari/mat.h>
+#include <nakawari/vec.h>
+
 #define CHARACTER "bake '" NKW_CHARACTER "' "
 #define JOINTS    20
+#define FLOATS    1
+#define TIMES     33
 
 static union {
     float aligned;
@@ -23,68 +29,120 @@ static size_t read_baked(const char *arguments)
     return bytes;
 }
 
-/* The local transforms of `sample` at a time, by nodes of the file. */
-static void read_sample(const char *clip, float time, float want[JOINTS][10])
+static nkw_document *open_character(void)
 {
-    char *csv = program_run(NULL, "sample '" NKW_CHARACTER "' --clip %s --at %.9g", clip, (double)time);
-    const char *at = strchr(csv, '\n') + 1;
-    for (size_t j = 0; j < JOINTS; j++) {
-        int used = 0;
-        assert_int_equal(sscanf(at, "%*d,%*f,%*d,%*[^,]%n", &used), 0);
-        for (int i = 0; i < 10; i++) {
-            at += used;
-            assert_int_equal(sscanf(at, ",%f%n", &want[j][i], &used), 1);
-        }
-        at = strchr(at, '\n') + 1;
+    nkw_document *d;
+    assert_int_equal(nkw_document_open(NKW_CHARACTER, &d, NULL), NKW_IMPORT_OK);
+    assert_int_equal(d->skeleton.joint_count, JOINTS);
+    assert_int_equal(d->float_count, FLOATS);
+    return d;
+}
+
+/* ---- clips ---- */
+
+/* A pose with its matrices and morph weights at a time. */
+typedef struct moment {
+    float pose[NKW_POSE_FLOATS(JOINTS)], floats[FLOATS];
+    nkw_mat4 models[JOINTS];
+} moment;
+
+static void sample(const nkw_document *d, const nkw_clip *clip, float time, moment *m)
+{
+    const nkw_pose_span pose = {m->pose, JOINTS};
+    assert_int_equal(nkw_clip_sample(clip, time, NULL, pose, m->floats), NKW_OK);
+    assert_int_equal(nkw_document_models(d, nkw_pose_view_from_span(pose), NULL, m->models), NKW_OK);
+}
+
+/* The largest distance of an origin, and of a point `reach` away on an axis, in the space of the model. */
+static double distance(const nkw_mat4 *a, const nkw_mat4 *b, float reach)
+{
+    double most = 0.0;
+    for (int axis = -1; axis < 3; axis++) {
+        nkw_vec3 p = {axis == 0 ? reach : 0.0f, axis == 1 ? reach : 0.0f, axis == 2 ? reach : 0.0f};
+        nkw_vec3 difference = nkw_vec3_sub(nkw_mat4_transform_point(a, p), nkw_mat4_transform_point(b, p));
+        most = fmax(most, (double)nkw_vec3_length(difference));
     }
-    free(csv);
+    return most;
+}
+
+/* Over 33 times, the first and the last of them the ends of the clip. */
+static double largest_distance(const nkw_document *d, const nkw_clip *a, const nkw_clip *b, double *floats)
+{
+    static moment x, y;
+    double most = 0.0;
+    *floats = 0.0;
+    for (int k = 0; k < TIMES; k++) {
+        float time = nkw_clip_start(a) + (nkw_clip_end(a) - nkw_clip_start(a)) * (float)k / (float)(TIMES - 1);
+        sample(d, a, time, &x);
+        sample(d, b, time, &y);
+        for (size_t j = 0; j < JOINTS; j++)
+            most = fmax(most, distance(&x.models[j], &y.models[j], 0.1f));
+        *floats = fmax(*floats, fabs((double)x.floats[0] - (double)y.floats[0]));
+    }
+    return most;
 }
 
 /*
- * The joints of a clip may be in another order than the nodes of the file, and rotations negated: compares sums of
- * weighted absolute values.
+ * Each form of each clip against the clip of the file, at the points of joints that nkw_clip_reduce measures. compact:
+ * 16 bits, half a step of which is 7.6e-6 of the range of a channel. reduced: the tolerance, which is 1/10000 of the
+ * size of 2.54 if none is given.
  */
-static double largest_difference(const nkw_clip *clip, const char *name, float time)
-{
-    static float data[NKW_POSE_FLOATS(JOINTS)];
-    float want[JOINTS][10];
-    nkw_pose_span pose = {data, JOINTS};
-    double sum_got = 0.0, sum_want = 0.0;
-    assert_int_equal(nkw_clip_joint_count(clip), JOINTS);
-    assert_int_equal(nkw_clip_sample(clip, time, NULL, pose, NULL), NKW_OK);
-    read_sample(name, time, want);
-    for (size_t j = 0; j < JOINTS; j++) {
-        nkw_trs t = nkw_pose_get(nkw_pose_view_from_span(pose), j);
-        float got[10] = {t.translation.x, t.translation.y, t.translation.z, t.rotation.x, t.rotation.y,
-                         t.rotation.z,    t.rotation.w,    t.scale.x,       t.scale.y,    t.scale.z};
-        for (int i = 0; i < 10; i++) {
-            sum_got += fabs((double)got[i]) * (1.0 + i);
-            sum_want += fabs((double)want[j][i]) * (1.0 + i);
-        }
-    }
-    return fabs(sum_got - sum_want);
-}
-
 static void clips_map_back(void **state)
 {
     (void)state;
     static const struct {
-        const char *arguments;
-        double bound;
-    } forms[] = {{"--clip walk", 1e-9},
-                 {"--clip walk --as compact", 5e-3},
-                 {"--clip walk --as reduced", 5e-2},
-                 {"--clip walk --as reduced --tolerance 0.00001", 5e-3}};
-    for (size_t i = 0; i < sizeof forms / sizeof forms[0]; i++) {
-        const nkw_clip *clip;
-        size_t bytes = read_baked(forms[i].arguments);
-        assert_int_equal(nkw_clip_open(file.bytes, bytes, &clip), NKW_OK);
-        assert_int_equal(nkw_clip_bytes(clip), bytes);
-        assert_true(nkw_clip_end(clip) == 1.0f);
-        for (int k = 0; k <= 8; k++)
-            assert_true(largest_difference(clip, "walk", (float)k / 8.0f) <= forms[i].bound);
-    }
+        const char *form;
+        double bound, floats;
+    } forms[] = {{"clip", 0.0, 0.0},
+                 {"compact", 2e-5, 2e-5},
+                 {"reduced", 2.54e-4, 1e-3},
+                 {"reduced --tolerance 0.01", 0.01, 1e-2},
+                 {"reduced --tolerance 0.00001", 1e-5, 1e-4}};
+    nkw_document *d = open_character();
+    for (size_t i = 0; i < sizeof forms / sizeof forms[0]; i++)
+        for (size_t n = 0; n < d->animation_count; n++) {
+            char arguments[128];
+            const nkw_clip *clip;
+            nkw_clip *want;
+            double floats;
+            snprintf(arguments, sizeof arguments, "--clip %s --as %s", d->animations[n].name, forms[i].form);
+            size_t bytes = read_baked(arguments);
+            assert_int_equal(nkw_clip_open(file.bytes, bytes, &clip), NKW_OK);
+            assert_int_equal(nkw_clip_bytes(clip), bytes);
+            assert_int_equal(nkw_clip_joint_count(clip), JOINTS);
+            assert_int_equal(nkw_document_clip(d, n, NKW_CLIP_FLOAT32, &want, NULL), NKW_IMPORT_OK);
+            expect_bits(nkw_clip_start(clip), nkw_clip_start(want));
+            expect_bits(nkw_clip_end(clip), nkw_clip_end(want));
+            double most = largest_distance(d, want, clip, &floats);
+            if (!(most <= forms[i].bound) || !(floats <= forms[i].floats))
+                fail_msg("bake %s: distance %g, morph weights %g", arguments, most, floats);
+            nkw_import_free(want);
+        }
+    nkw_document_close(d);
 }
+
+/* A larger tolerance is a smaller file; without one, the float keys are the largest. */
+static void smaller_forms_are_smaller(void **state)
+{
+    (void)state;
+    size_t clip = read_baked("--clip walk"), compact = read_baked("--clip walk --as compact");
+    size_t fine = read_baked("--clip walk --as reduced --tolerance 0.00001");
+    size_t coarse = read_baked("--clip walk --as reduced --tolerance 0.01");
+    assert_true(compact < clip);
+    assert_true(coarse < fine);
+    assert_true(fine < clip);
+}
+
+static void a_part_of_a_clip_is_refused(void **state)
+{
+    (void)state;
+    const nkw_clip *clip;
+    size_t bytes = read_baked("--clip walk");
+    for (size_t n = 0; n < bytes; n += 16)
+        assert_int_not_equal(nkw_clip_open(file.bytes, n, &clip), NKW_OK);
+}
+
+/* ---- palettes ---- */
 
 static uint32_t u32_at(size_t at)
 {
@@ -92,6 +150,20 @@ static uint32_t u32_at(size_t at)
     for (int i = 3; i >= 0; i--)
         value = value << 8 | file.bytes[at + (size_t)i];
     return value;
+}
+
+/* The 12 floats at `at` are the first three rows of the matrix of a line of CSV, which is column by column. */
+static void expect_rows(const char *line, size_t at)
+{
+    for (int i = 0; i < 4; i++)
+        line = strchr(line, ',') + 1;
+    for (int i = 0; i < 16; i++) {
+        char *end;
+        float want = strtof(line, &end);
+        if (i % 4 < 3)
+            expect_bits(float_of(u32_at(at + (size_t)(4 * (i % 4) + i / 4) * 4)), want);
+        line = end + 1;
+    }
 }
 
 /* Frames 0, 1/4, 1/2, 3/4, 1 s; 12 floats for each of the 17 joints of the first skin. */
@@ -105,16 +177,13 @@ static void palettes_are_rows_of_the_joint_matrices(void **state)
     assert_int_equal(u32_at(16), 5);
     assert_int_equal(u32_at(28), 0x3f800000);
     assert_int_equal(bytes, 32 + 5 * 17 * 48);
-    char *csv = program_run(NULL, "sample '" NKW_CHARACTER "' --clip walk --at 0.5 --what palette | sed -n 4p");
-    const char *at = csv;
-    for (int i = 0; i < 4; i++)
-        at = strchr(at, ',') + 1;
-    for (int i = 0; i < 16; i++) {
-        float want = strtof(at, NULL);
-        if (i % 4 < 3)
-            expect_bits(float_of(u32_at(32 + ((2 * 17 + 2) * 12 + (size_t)(4 * (i % 4) + i / 4)) * 4)), want);
-        at = strchr(at, ',') ? strchr(at, ',') + 1 : at;
-    }
+    char *csv = program_run(NULL, "sample '" NKW_CHARACTER "' --clip walk --rate 4 --what palette");
+    const char *line = strchr(csv, '\n') + 1;
+    for (size_t frame = 0; frame < 5; frame++)
+        for (size_t joint = 0; joint < 18; joint++, line = strchr(line, '\n') + 1)
+            if (joint < 17) /* the last is of the other skin */
+                expect_rows(line, 32 + (frame * 17 + joint) * 48);
+    assert_int_equal(*line, 0);
     free(csv);
 }
 
@@ -136,6 +205,8 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(clips_map_back),
+        cmocka_unit_test(smaller_forms_are_smaller),
+        cmocka_unit_test(a_part_of_a_clip_is_refused),
         cmocka_unit_test(palettes_are_rows_of_the_joint_matrices),
         cmocka_unit_test(misuse_and_files_in_error),
     };

@@ -278,6 +278,21 @@ static void points_and_lines_are_drawn(void **state)
     free(p.rgb);
 }
 
+/* A file of joints only: its skeleton is drawn. */
+static void joints_without_meshes_are_drawn(void **state)
+{
+    (void)state;
+    FILE *f = fopen("joints.csv", "wb");
+    assert_non_null(f);
+    fputs("name,parent,time,tx,ty,tz\nhip,,0,0,0,0\nknee,hip,0,0,-1,0\n", f);
+    fclose(f);
+    free(program_run(NULL, "render joints.csv --plain --frames 1 --size 64 --yaw 0 --pitch 0 -o joints.png"));
+    pixels p = read_png("joints.png");
+    assert_true(drawn(&p, 32, 32));
+    assert_false(drawn(&p, 20, 32));
+    free(p.rgb);
+}
+
 /* ---- formats ---- */
 
 static void svg_has_the_triangles_of_each_frame(void **state)
@@ -448,6 +463,7 @@ int main(void)
         cmocka_unit_test(textures_are_drawn),
         cmocka_unit_test(textures_that_cannot_be_read_are_left_out),
         cmocka_unit_test(points_and_lines_are_drawn),
+        cmocka_unit_test(joints_without_meshes_are_drawn),
         cmocka_unit_test(svg_has_the_triangles_of_each_frame),
         cmocka_unit_test(an_animated_png_has_the_frames_of_a_sequence),
         cmocka_unit_test(the_picture_of_the_page_is_this_one),
