@@ -5,6 +5,7 @@
 #include <nakawari/mat.h>
 #include <nakawari/orient.h>
 #include <nakawari/quat.h>
+#include <nakawari/rotation.h>
 #include <nakawari/scalar.h>
 #include <nakawari/vec.h>
 
@@ -243,6 +244,29 @@ static nkw_mat3 nlerp(const sampler *s, float t)
     return nkw_mat3_from_quat(nkw_quat_nlerp(a, b, t));
 }
 
+/* The segment of rotations of the four keys around. */
+static nkw_rotation_segment rotation_segment(const sampler *s, nkw_orientation_method method)
+{
+    const nkw_keyframe *k[4];
+    neighbours(s, k);
+    const nkw_quat keys[4] = {k[0]->orientation, k[1]->orientation, k[2]->orientation, k[3]->orientation};
+    const float times[4] = {k[0]->time, k[1]->time, k[2]->time, k[3]->time};
+    if (method == NKW_ORIENTATION_CATMULL_ROM)
+        return nkw_rotation_catmull_rom(keys, times);
+    float duration = times[2] - times[1];
+    return method == NKW_ORIENTATION_SQUAD ? nkw_rotation_squad(keys, duration) : nkw_rotation_bspline(keys, duration);
+}
+
+static nkw_mat3 rotation_curve(const sampler *s, float t, nkw_orientation_method method)
+{
+    nkw_rotation_segment segment = rotation_segment(s, method);
+    nkw_rotation_state at = nkw_rotation_evaluate(&segment, t);
+    orientations(s, s->keys[s->from].orientation, s->keys[s->to].orientation, 0.0f, 0.0f);
+    if (s->trace)
+        s->trace->angular_velocity = at.velocity;
+    return nkw_mat3_from_quat(at.orientation);
+}
+
 static nkw_mat3 rotation_at(const sampler *s, nkw_orientation_method method)
 {
     float t = s->segment.t;
@@ -255,6 +279,10 @@ static nkw_mat3 rotation_at(const sampler *s, nkw_orientation_method method)
         return slerp(s, t);
     case NKW_ORIENTATION_NLERP:
         return nlerp(s, t);
+    case NKW_ORIENTATION_SQUAD:
+    case NKW_ORIENTATION_CATMULL_ROM:
+    case NKW_ORIENTATION_BSPLINE:
+        return rotation_curve(s, t, method);
     case NKW_ORIENTATION_STEP:
         break;
     }
@@ -289,7 +317,7 @@ static nkw_result sampler_at(const nkw_keyframe *keys, size_t count, float time,
 {
     if (count == 0)
         return NKW_EMPTY;
-    if ((unsigned)position > NKW_POSITION_STEP || (unsigned)orientation > NKW_ORIENTATION_NLERP)
+    if ((unsigned)position > NKW_POSITION_STEP || (unsigned)orientation > NKW_ORIENTATION_BSPLINE)
         return NKW_BAD_METHOD;
     segment_times times = {(const char *)&keys[0].time, sizeof keys[0], count};
     nkw_segment segment = segment_find(times, time);

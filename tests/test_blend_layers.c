@@ -424,6 +424,39 @@ static void validate_names_the_first_bad_layer(void **state)
     expect_layers(b, LAYERS, JOINTS, NKW_EMPTY, 0);
 }
 
+/* docs/floors/2-value.md, the mean of many rotations: 2.9 degrees for rotations within 90. */
+static void layers_are_near_the_mean_of_their_rotations(void **state)
+{
+    (void)state;
+    static float poses[4][FLOATS], rest[FLOATS], out[FLOATS];
+    nkw_pose_layer layers[4];
+    random_source r = random_from(90);
+    draw(&r, rest);
+    for (int round = 0; round < 100; round++) {
+        nkw_quat q[4][JOINTS];
+        float weights[4];
+        for (int i = 0; i < 4; i++) {
+            weights[i] = random_between(&r, 0.05f, 1.0f);
+            draw(&r, poses[i]);
+            for (size_t j = 0; j < JOINTS; j++) {
+                nkw_trs trs = nkw_trs_identity();
+                /* Each within 45 degrees of the first, 0.39 between the quaternions: all within 90 of one another. */
+                q[i][j] = i ? random_near(&r, q[0][j], 0.39f * random_unit(&r)) : random_rotation(&r);
+                trs.rotation = random_bits(&r) & 1 ? nkw_quat_negate(q[i][j]) : q[i][j];
+                nkw_pose_set(pose_span(poses[i], JOINTS), j, &trs);
+            }
+            nkw_pose_layer layer = {pose_view(poses[i], JOINTS), weights[i], mask_view(NULL, 0)};
+            layers[i] = layer;
+        }
+        nkw_pose_blend_layers(layers, 4, pose_view(rest, JOINTS), 0.0f, pose_span(out, JOINTS));
+        for (size_t j = 0; j < JOINTS; j++) {
+            nkw_quat keys[4] = {q[0][j], q[1][j], q[2][j], q[3][j]};
+            nkw_quat got = nkw_pose_get(pose_view(out, JOINTS), j).rotation;
+            assert_true(nkw_quat_angle(got, nkw_quat_mean(keys, weights, 4)) < nkw_radians_from_degrees(2.9f));
+        }
+    }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -444,6 +477,7 @@ int main(void)
         cmocka_unit_test(the_padding_puts_no_layer_before_another),
         cmocka_unit_test(validate_names_the_first_joint_of_a_bad_mask),
         cmocka_unit_test(validate_names_the_first_bad_layer),
+        cmocka_unit_test(layers_are_near_the_mean_of_their_rotations),
     };
     return cmocka_run_group_tests_name("blend_layers", tests, NULL, NULL);
 }

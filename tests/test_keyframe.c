@@ -151,7 +151,7 @@ static void outside_the_keys_every_method_clamps(void **state)
     nkw_keyframe keys[7];
     scene_1(keys);
     for (int p = NKW_POSITION_LINEAR; p <= NKW_POSITION_STEP; p++) {
-        for (int o = NKW_ORIENTATION_STEP; o <= NKW_ORIENTATION_NLERP; o++) {
+        for (int o = NKW_ORIENTATION_STEP; o <= NKW_ORIENTATION_BSPLINE; o++) {
             static const float outside[4] = {-1e30f, -0.5f, 6.5f, INFINITY};
             for (int i = 0; i < 4; i++) {
                 nkw_mat4 got, want;
@@ -214,7 +214,7 @@ static void one_key_is_itself_and_none_is_an_error(void **state)
     nkw_mat4 m = nkw_mat4_identity(), untouched = m;
     scene_1(keys);
     for (int p = NKW_POSITION_LINEAR; p <= NKW_POSITION_STEP; p++)
-        for (int o = NKW_ORIENTATION_STEP; o <= NKW_ORIENTATION_NLERP; o++) {
+        for (int o = NKW_ORIENTATION_STEP; o <= NKW_ORIENTATION_BSPLINE; o++) {
             m = untouched;
             assert_int_equal(nkw_keyframes_sample(keys, 0, 1, (nkw_position_method)p, (nkw_orientation_method)o, &m),
                              NKW_EMPTY);
@@ -237,7 +237,7 @@ static void unknown_methods_are_refused(void **state)
                      NKW_BAD_METHOD);
     assert_int_equal(nkw_keyframes_sample(keys, 7, 1, (nkw_position_method)-1, NKW_ORIENTATION_STEP, &m),
                      NKW_BAD_METHOD);
-    assert_int_equal(nkw_keyframes_sample(keys, 7, 1, NKW_POSITION_STEP, (nkw_orientation_method)5, &m),
+    assert_int_equal(nkw_keyframes_sample(keys, 7, 1, NKW_POSITION_STEP, (nkw_orientation_method)8, &m),
                      NKW_BAD_METHOD);
     expect_floats_bits(m.m, untouched.m, 16);
 }
@@ -248,7 +248,7 @@ static void trace_says_what_sample_did(void **state)
     nkw_keyframe keys[7];
     scene_1(keys);
     for (int p = NKW_POSITION_LINEAR; p <= NKW_POSITION_STEP; p++) {
-        for (int o = NKW_ORIENTATION_STEP; o <= NKW_ORIENTATION_NLERP; o++) {
+        for (int o = NKW_ORIENTATION_STEP; o <= NKW_ORIENTATION_BSPLINE; o++) {
             for (float time = -0.5f; time < 7.0f; time += 0.07f) {
                 nkw_mat4 m;
                 nkw_keyframe_trace trace;
@@ -403,6 +403,45 @@ static void trace_of_every_method_names_both_orientations(void **state)
     }
 }
 
+/* Squad and Catmull-Rom pass through the keys, the B-spline of even turns too; the velocity has no jump at a key. */
+static void curves_of_four_keys_pass_with_a_continuous_velocity(void **state)
+{
+    (void)state;
+    nkw_keyframe keys[7];
+    nkw_keyframe_trace before, after;
+    scene_1(keys);
+    for (int o = NKW_ORIENTATION_SQUAD; o <= NKW_ORIENTATION_BSPLINE; o++)
+        for (size_t k = 1; k + 1 < 7; k++) {
+            float time = keys[k].time;
+            nkw_keyframes_trace(keys, 7, time - 0x1p-16f, NKW_POSITION_LINEAR, (nkw_orientation_method)o, &before);
+            nkw_keyframes_trace(keys, 7, time, NKW_POSITION_LINEAR, (nkw_orientation_method)o, &after);
+            expect_vec3_near(before.angular_velocity, after.angular_velocity, 1e-3);
+            expect_floats_near(before.rotation.m, after.rotation.m, 9, 1e-4);
+            nkw_mat3 want = nkw_mat3_from_quat(keys[k].orientation);
+            if (o != NKW_ORIENTATION_BSPLINE)
+                expect_floats_bits(after.rotation.m, want.m, 9);
+            assert_true(after.orientation_weight[0] == 0.0f && after.orientation_weight[1] == 0.0f);
+        }
+}
+
+static void orientations_of_a_steady_turn_are_those_of_slerp(void **state)
+{
+    (void)state;
+    nkw_keyframe keys[7];
+    scene_1(keys);
+    for (int k = 0; k < 7; k++) {
+        const nkw_vec3 axis = {0.6f, 0.0f, 0.8f};
+        keys[k].orientation = nkw_quat_from_axis_angle(axis, 0.5f * keys[k].time);
+    }
+    for (float time = 1.0f; time < 5.0f; time += 0.17f)
+        for (int o = NKW_ORIENTATION_SQUAD; o <= NKW_ORIENTATION_BSPLINE; o++) {
+            nkw_mat4 got, want;
+            nkw_keyframes_sample(keys, 7, time, NKW_POSITION_STEP, (nkw_orientation_method)o, &got);
+            nkw_keyframes_sample(keys, 7, time, NKW_POSITION_STEP, NKW_ORIENTATION_SLERP, &want);
+            expect_floats_near(got.m, want.m, 16, 1e-6);
+        }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -415,6 +454,8 @@ int main(void)
         cmocka_unit_test(uneven_times_move_the_bezier_parameter_by_time),
         cmocka_unit_test(one_key_is_itself_and_none_is_an_error),
         cmocka_unit_test(unknown_methods_are_refused),
+        cmocka_unit_test(curves_of_four_keys_pass_with_a_continuous_velocity),
+        cmocka_unit_test(orientations_of_a_steady_turn_are_those_of_slerp),
         cmocka_unit_test(trace_says_what_sample_did),
         cmocka_unit_test(trace_of_slerp_has_the_textbook_weights),
         cmocka_unit_test(trace_of_euler_shows_the_unwrapped_yaw),

@@ -61,7 +61,13 @@ typedef enum nkw_orientation_method {
     /** YXZ Euler angles, linearly; all three are unwrapped. */
     NKW_ORIENTATION_EULER_UNWRAPPED,
     /** nkw_quat_nlerp. */
-    NKW_ORIENTATION_NLERP
+    NKW_ORIENTATION_NLERP,
+    /** nkw_rotation_squad of the four keys around the segment, the end keys repeated. It does not use the times. */
+    NKW_ORIENTATION_SQUAD,
+    /** nkw_rotation_catmull_rom of these keys and their times: the angular velocity is continuous. */
+    NKW_ORIENTATION_CATMULL_ROM,
+    /** nkw_rotation_bspline of these keys. Passes near them. */
+    NKW_ORIENTATION_BSPLINE
 } nkw_orientation_method;
 
 /**
@@ -81,7 +87,8 @@ typedef struct nkw_keyframe_trace {
     nkw_quat orientation[2];  /**< the orientations interpolated, the second negated for the shorter arc */
     nkw_vec3 angles[2];       /**< Euler methods: the YXZ angles, the first unwrapped; otherwise zero */
     float half_angle;         /**< slerp and nlerp: acos of the dot product, radians; otherwise zero */
-    float orientation_weight[2]; /**< the weights of the two orientations (or angles) */
+    float orientation_weight[2]; /**< the weights of the two orientations (or angles); 0 for the curves of four keys */
+    nkw_vec3 angular_velocity;   /**< curves of four keys: radians per second, outer frame; otherwise zero */
     nkw_vec3 position;        /**< the translation of the result */
     nkw_mat3 rotation;        /**< the rotation of the result */
 } nkw_keyframe_trace;
@@ -103,8 +110,8 @@ NKW_API nkw_result nkw_keyframes_validate(const nkw_keyframe *keys, size_t count
  * out      receives the matrix; after an error it is unchanged
  * Returns  NKW_OK; NKW_EMPTY without keys; NKW_BAD_METHOD for an unknown method
  *
- * At the time of a key, linear, Hermite, Catmull-Rom and step return the position of the key bit for bit; step and
- * slerp return the matrix of its orientation.
+ * At the time of a key, linear, Hermite, Catmull-Rom and step return the position of the key bit for bit; step, slerp,
+ * squad and Catmull-Rom return the matrix of its orientation.
  */
 NKW_API nkw_result nkw_keyframes_sample(const nkw_keyframe *keys, size_t count, float time,
                                         nkw_position_method position, nkw_orientation_method orientation,

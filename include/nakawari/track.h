@@ -25,7 +25,7 @@
  *   - NKW_TRACK_ROTATION_NORMALIZED normalises LINEAR and STEP keys before use, and CUBICSPLINE also at the times of
  *     keys. The result at a key is then unit to rounding, not the stored bits.
  *   - CUBICSPLINE does not choose the shorter arc: if a key is q and the next one is close to -q, the curve takes the
- *     longer arc, as in glTF.
+ *     longer arc, as in glTF. nkw_track_long_arc finds such keys, nkw_track_align negates them.
  *
  * Source Khronos Group, glTF 2.0 Specification, section 3.11 and appendix C, 2021.
  */
@@ -147,6 +147,29 @@ NKW_API nkw_result nkw_track_convert_axes(const nkw_track *track, nkw_axes_kind 
  */
 NKW_API nkw_result nkw_track_sample_derivatives(const nkw_track *track, float time, float *value, float *velocity,
                                                 float *acceleration);
+
+/**
+ * The warning that nkw_track_validate does not give: the index of the first key, from `first` on, from which a
+ * CUBICSPLINE rotation goes the long way to the next key: the dot product of the two stored values is negative. glTF's
+ * formula does not negate, so the curve between two keys 90 degrees apart, one of them negated, passes through -135
+ * degrees: it turns by 270 degrees. Few files intend that; nkw_track_align removes it.
+ *
+ * Returns  the index; track->count if there is none, for other tracks, and for tracks that nkw_track_validate rejects
+ *          for their width
+ */
+NKW_API size_t nkw_track_long_arc(const nkw_track *track, size_t first);
+
+/**
+ * Aligns the signs of rotations: each key has a dot product with the key before that is not negative. A key is negated
+ * as a whole, with both tangents for CUBICSPLINE. The rotations at the keys and the angular velocities there stay;
+ * CUBICSPLINE then takes the shorter arc everywhere, LINEAR and STEP tracks keep their rotations at all times.
+ *
+ * values   receives the nkw_track_value_count values; may be the array of the track. A track of numbers is copied.
+ * negated  receives how many keys were negated; may be NULL
+ * Returns  NKW_OK; NKW_EMPTY without keys or for width 0; NKW_BAD_WIDTH for a rotation whose width is not 4; after an
+ *          error nothing is written to `values`, and 0 to `negated`
+ */
+NKW_API nkw_result nkw_track_align(const nkw_track *track, float *values, size_t *negated);
 
 /** The number of floats of working memory to compare or resample tracks of this width. */
 #define NKW_TRACK_WORK(width) (2 * (width))

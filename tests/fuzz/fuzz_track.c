@@ -92,6 +92,21 @@ static void bake(fuzz *f, const nkw_track *t, const nkw_track *other)
     FUZZ_CHECK(out.count <= t->count && (found > 0.0f) == (out.count > 0));
 }
 
+/* Aligned keys have no long arcs, and are aligned. */
+static void align(fuzz *f, const nkw_track *t)
+{
+    size_t negated, count = nkw_track_value_count(t), first = nkw_track_long_arc(t, 0);
+    float *values = fuzz_room(f, count);
+    FUZZ_CHECK(first <= t->count);
+    if (nkw_track_align(t, values, &negated) == NKW_OK) {
+        nkw_track aligned = *t;
+        aligned.values = values;
+        FUZZ_CHECK(nkw_track_long_arc(&aligned, 0) == t->count && (negated > 0 || first == t->count));
+        nkw_track_align(&aligned, values, &negated);
+        FUZZ_CHECK(negated == 0);
+    }
+}
+
 static void edit(fuzz *f, const nkw_track *t, const nkw_track *other)
 {
     size_t capacity = fuzz_upto(f, 2 * KEYS);
@@ -139,6 +154,7 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
     sample(&f, &t);
     finite(&f, &t);
     bake(&f, &t, &other);
+    align(&f, &t);
     edit(&f, &t, &other);
     reduce(&f, &t);
     fit(&f, &t);

@@ -195,6 +195,18 @@ static void sample_track(float *o, const input *i, nkw_track_kind kind, nkw_inte
     nkw_track_sample(&track, i->s[0], o);
 }
 
+static void align_track(float *o, const input *i)
+{
+    float values[16];
+    size_t negated;
+    for (unsigned k = 0; k < 4; k++)
+        memcpy(values + 4 * k, &i->q[k], 4 * sizeof(float));
+    nkw_track track = {i->times, values, 4, 4, NKW_TRACK_ROTATION, NKW_INTERPOLATION_LINEAR, NULL};
+    nkw_track_align(&track, values, &negated);
+    memcpy(o, values + 8, 7 * sizeof(float));
+    o[7] = (float)negated;
+}
+
 static float find_rate(float start, float rate)
 {
     float times[32];
