@@ -3,6 +3,7 @@
 
 #include <nakawari/playback.h>
 
+#include "lane/orient.h"
 #include "lane/scalar.h"
 #include "playback_cycle.h"
 
@@ -51,10 +52,123 @@ nkw_play_head nkw_playback_head(nkw_playback mode, float start, float duration, 
     return head;
 }
 
+/* ---- Ranges in binary64 ---- */
+
+/* a b = p + e, by Veltkamp's and Dekker's products, for products far from the limits. */
+static double product_error(double a, double b, double p)
+{
+    double ca = 0x1.0000002p27 * a, cb = 0x1.0000002p27 * b;
+    double ah = ca - (ca - a), bh = cb - (cb - b), al = a - ah, bl = b - bh;
+    return ((ah * bh - p) + (ah * bl + al * bh)) + al * bl;
+}
+
+/* The same remainder for a period of 53 bits and |cycle| < 2^51. */
+static double remainder_of_f64(double x, double period, double *cycle)
+{
+    double n = lane_floor64(x / period), p = n * period;
+    double r = (x - p) - product_error(n, period, p);
+    if (r < 0.0) {
+        n -= 1.0;
+        r += period;
+    } else if (r >= period) {
+        n += 1.0;
+        r -= period;
+    }
+    *cycle = n;
+    return r > 0.0 && r < period ? r : 0.0;
+}
+
+/* A count as a number of cycles: infinite without a limit. */
+static double limit_of(double count)
+{
+    double whole = lane_floor64(count);
+    return whole >= 1.0 ? whole : (double)INFINITY;
+}
+
+/* The state in a cycle, `rest` seconds from its beginning. */
+static nkw_play_head_f64 head_in(const nkw_playback_range *range, nkw_playback mode, double rest, double cycle)
+{
+    double half = 0.5 * cycle, end = range->start + range->duration;
+    int is_odd = mode == NKW_PLAYBACK_PING_PONG && lane_floor64(half) != half, is_closing = rest > range->duration;
+    double place = is_odd ? range->duration - rest : rest, time = range->start + place;
+    nkw_play_head_f64 head = {is_closing || time > end ? end : time, cycle, 0.0};
+    if (is_closing)
+        head.closing = (rest - range->duration) / range->closing;
+    return head;
+}
+
+static nkw_play_head_f64 repeated(const nkw_playback_range *range, nkw_playback mode, double x, double limit)
+{
+    double closing = mode == NKW_PLAYBACK_LOOP && range->closing > 0.0 ? range->closing : 0.0;
+    double period = range->duration + closing, quotient = x / period, cycle;
+    nkw_play_head_f64 head = {range->start, 0.0, 0.0};
+    /* From its last key on, the last cycle stays. */
+    if (x >= 0.0 && limit < (double)INFINITY && (x - range->duration) / period >= limit)
+        return head_in(range, mode, range->duration, limit);
+    if (x < 0.0 && limit < (double)INFINITY && -quotient >= limit)
+        return head_in(range, mode, 0.0, -limit);
+    if (!(quotient > -0x1p51 && quotient < 0x1p51 && period <= 0x1p900))
+        return head;
+    double rest = remainder_of_f64(x, period, &cycle);
+    head = head_in(range, mode, rest, cycle);
+    double end = range->start + range->duration;
+    /* Where the sum rounds up to the end of a loop, it is the start of the next cycle. */
+    if (mode == NKW_PLAYBACK_LOOP && closing == 0.0 && head.time >= end && end > range->start)
+        return head_in(range, mode, 0.0, cycle + 1.0);
+    return head;
+}
+
+nkw_play_head_f64 nkw_playback_head_f64(const nkw_playback_range *range, double time)
+{
+    nkw_play_head_f64 head = {range->start, 0.0, 0.0};
+    double x = time - range->start;
+    if (!(range->duration >= 0x1p-900 && range->duration <= 0x1p900) || x != x)
+        return head;
+    nkw_playback mode = x < 0.0 ? range->before : range->after;
+    if (x >= 0.0 && x < range->duration)
+        return head_in(range, NKW_PLAYBACK_CLAMP, x, 0.0);
+    if (mode != NKW_PLAYBACK_LOOP && mode != NKW_PLAYBACK_PING_PONG)
+        return head_in(range, mode, x < 0.0 ? 0.0 : range->duration, 0.0);
+    return repeated(range, mode, x, limit_of(x < 0.0 ? range->before_count : range->after_count));
+}
+
+/* ---- Values that continue ---- */
+
+float nkw_playback_offset(float value, float first, float last, double cycle)
+{
+    double moved = (double)value + cycle * ((double)last - (double)first);
+    return cycle == 0.0 ? value : (float)moved;
+}
+
+nkw_vec3 nkw_vec3_playback_offset(nkw_vec3 value, nkw_vec3 first, nkw_vec3 last, double cycle)
+{
+    nkw_vec3 r = {
+        nkw_playback_offset(value.x, first.x, last.x, cycle),
+        nkw_playback_offset(value.y, first.y, last.y, cycle),
+        nkw_playback_offset(value.z, first.z, last.z, cycle),
+    };
+    return r;
+}
+
+nkw_quat nkw_quat_playback_offset(nkw_quat value, nkw_quat first, nkw_quat last, double cycle)
+{
+    lane_f64_quat a = lane_f64_quat_from(first);
+    lane_f64_quat b = lane_f64_quat_aligned(a, lane_f64_quat_from(last), NKW_PATH_SHORT);
+    lane_f64_vec3 half = lane_f64_quat_log(lane_f64_quat_mul(b, lane_f64_quat_conjugate(a)));
+    lane_sincos turn = lane_turn64_long(cycle * lane_f64_vec3_length(half));
+    lane_f64_quat c = lane_f64_quat_from_axis_half(lane_f64_vec3_normalize(half), turn);
+    nkw_quat r = lane_quat_from_f64(lane_f64_quat_mul(c, lane_f64_quat_from(value)));
+    return cycle == 0.0 ? value : r;
+}
+
+/* ---- Keys that are passed ---- */
+
 /* The keys passed in a step: `count` of them, the first `capacity` of which are stored in `out`. */
 typedef struct passed {
     size_t *out;
     size_t capacity, count;
+    int is_backward;
+    double margin; /* cycles: the number of the first and the last may be off by so much */
 } passed;
 
 /* Adds n * times to the count; SIZE_MAX on overflow. */
@@ -68,85 +182,109 @@ static void pass_keys(size_t first, size_t end, passed *p)
 {
     size_t n = end > first ? end - first : 0;
     for (size_t i = 0; i < n && p->count + i < p->capacity; i++)
-        p->out[p->count + i] = first + i;
+        p->out[p->count + i] = p->is_backward ? end - 1 - i : first + i;
     add_keys(p, n, 1);
 }
 
-/* The number of keys whose time is <= time. */
-static size_t keys_until(const float *times, size_t count, double time)
+/* The number of keys whose time is <= time; backwards < time. */
+static size_t keys_until(const float *times, size_t count, double time, int is_backward)
 {
     size_t k = 0;
     for (size_t n = count; n > 0;) {
         size_t half = n / 2;
-        int until = (double)times[k + half] <= time;
+        double key = (double)times[k + half];
+        int until = is_backward ? key < time : key <= time;
         k += until ? half + 1 : 0;
         n = until ? n - half - 1 : half;
     }
     return k;
 }
 
-/* The keys of one cycle in (from, to], both relative to the start of the cycle. */
-static void pass(const float *times, size_t count, double from, double to, passed *p)
+/* The keys of one cycle in (low, high], backwards in [low, high), both relative to the start of the cycle. */
+static void pass(const nkw_playback_step_f64 *s, double low, double high, passed *p)
 {
-    pass_keys(keys_until(times, count, from), keys_until(times, count, to), p);
+    pass_keys(keys_until(s->times, s->key_count, low, p->is_backward),
+              keys_until(s->times, s->key_count, high, p->is_backward), p);
 }
 
 /*
- * The keys of the cycles first..last. The cycles first + 2..last - 2 contain every key. When `out` is full, they are
- * counted by one multiplication, so that the time does not depend on the number of cycles.
+ * The keys of `cycles` cycles from `first` on, in the direction of play. All cycles except some at either end
+ * contain every key. When `out` is full, they are counted by one multiplication, so that the time does not depend on the
+ * number of cycles.
  */
-static void passes(const float *times, size_t count, double duration, double first, double last, const double span[2],
-                   passed *p)
+static void passes(const nkw_playback_step_f64 *s, double first, double cycles, passed *p)
 {
-    for (double n = first; n <= last; n += 1.0) {
-        int is_whole = n >= first + 2.0 && n <= last - 2.0;
+    double low = p->is_backward ? s->to : s->from, high = p->is_backward ? s->from : s->to;
+    const double part = 2.0 + p->margin;
+    for (double i = 0.0; i < cycles; i += 1.0) {
+        double n = p->is_backward ? first - i : first + i;
+        int is_whole = i >= part && i < cycles - part;
         if (is_whole && p->count >= p->capacity) {
-            add_keys(p, count, (size_t)(last - 2.0 - n));
-            n = last - 2.0;
-        }
-        if (is_whole)
-            pass_keys(0, count, p);
+            add_keys(p, s->key_count, (size_t)(cycles - part - i));
+            i = cycles - part - 1.0;
+        } else if (is_whole)
+            pass_keys(0, s->key_count, p);
         else
-            pass(times, count, span[0] - n * duration, span[1] - n * duration, p);
+            pass(s, low - n * s->duration, high - n * s->duration, p);
     }
 }
 
 /* Whether the keys span more than one cycle: each key would be counted in several cycles. */
-static int is_too_long(const nkw_playback_step *s)
+static int is_too_long(const nkw_playback_step_f64 *s)
 {
     double first = s->times[0], last = s->times[s->key_count - 1];
-    return !(last - first <= (double)s->duration);
+    return !(last - first <= s->duration);
 }
 
-static nkw_result pass_step(const nkw_playback_step *s, passed *p)
+static int is_finite64(double x)
 {
-    const double span[2] = {s->from, s->to};
-    if (!lane_is_finite(s->from) || !lane_is_finite(s->to) || !lane_is_finite(s->duration))
+    return x - x == 0.0;
+}
+
+static nkw_result pass_step(const nkw_playback_step_f64 *s, passed *p)
+{
+    double low = p->is_backward ? s->to : s->from, high = p->is_backward ? s->from : s->to;
+    if (!is_finite64(s->from) || !is_finite64(s->to) || !is_finite64(s->duration))
         return NKW_NOT_FINITE;
-    if (s->duration < 0.0f)
+    if (s->duration < 0.0)
         return NKW_OUT_OF_RANGE;
-    if (!(s->from < s->to) || s->key_count == 0)
+    if (!(low < high) || s->key_count == 0)
         return NKW_OK;
-    if (s->duration == 0.0f) {
-        pass(s->times, s->key_count, span[0], span[1], p);
+    if (s->duration == 0.0) {
+        pass(s, low, high, p);
         return NKW_OK;
     }
     if (is_too_long(s))
         return NKW_OUT_OF_RANGE;
     /* Cycle n contains the running times n duration + times[k]. The first and last cycle that meet the span: */
-    double first = lane_floor64((span[0] - (double)s->times[s->key_count - 1]) / (double)s->duration);
-    double last = lane_floor64((span[1] - (double)s->times[0]) / (double)s->duration);
+    double first = lane_floor64((low - (double)s->times[s->key_count - 1]) / s->duration) - p->margin;
+    double last = lane_floor64((high - (double)s->times[0]) / s->duration) + p->margin;
     /* From 2^53 on, neighbouring whole numbers are not distinct in binary64. */
     if (!(first > -0x1p53 && last < 0x1p53 && last - first < 0x1p31))
         return NKW_OUT_OF_RANGE;
-    passes(s->times, s->key_count, s->duration, first, last, span, p);
+    passes(s, p->is_backward ? last : first, last - first + 1.0, p);
     return p->count < SIZE_MAX ? NKW_OK : NKW_TOO_MANY;
 }
 
-nkw_result nkw_playback_passed(const nkw_playback_step *step, size_t *keys, size_t *passed_count, size_t capacity)
+static nkw_result passed_in(const nkw_playback_step_f64 *step, double margin, size_t *keys, size_t *passed_count,
+                            size_t capacity)
 {
-    passed p = {keys, capacity, 0};
+    passed p = {keys, capacity, 0, step->to < step->from, margin};
     nkw_result result = pass_step(step, &p);
     *passed_count = p.count;
     return result;
+}
+
+nkw_result nkw_playback_passed_f64(const nkw_playback_step_f64 *step, size_t *keys, size_t *passed_count,
+                                   size_t capacity)
+{
+    return passed_in(step, 1.0, keys, passed_count, capacity);
+}
+
+/* Products of a duration of 24 bits are exact: no cycle is off. */
+nkw_result nkw_playback_passed(const nkw_playback_step *step, size_t *keys, size_t *passed_count, size_t capacity)
+{
+    const nkw_playback_step_f64 wide = {step->times, step->key_count, (double)step->duration, (double)step->from,
+                                        (double)step->to};
+    return passed_in(&wide, 0.0, keys, passed_count, capacity);
 }

@@ -6,10 +6,6 @@
 #include "lane/orient.h"
 #include "lane/scalar.h"
 
-/* 2 pi as the sum of 33 bits and the rest: n * high is exact for n < 2^20. */
-#define TURN_HIGH 0x1.921fb544p2
-#define TURN_LOW  0x1.0b4611a626331p-32
-
 /* The bounds of what springs are made from. */
 #define MOST_FREQUENCY 0x1p62
 #define MOST_RATIO     0x1p20
@@ -19,13 +15,6 @@ static double bounded(float x)
 {
     double most = (double)FLT_MAX;
     return lane_limit64((double)x + 0.0, 0.0, most);
-}
-
-/* sin x and cos x for |x| < 2^50, of all bits of x; beyond, x is rounded to float. */
-static lane_sincos turn_of(double x)
-{
-    double n = (x * (1.0 / LANE_TWO_PI) + LANE_ROUND) - LANE_ROUND;
-    return lane_abs64(x) < 0x1p50 ? lane_sincos64((x - n * TURN_HIGH) - n * TURN_LOW) : lane_turn64(x);
 }
 
 /* The deviation e of a spring without a goal after h seconds: e(h) = xx e + xv e', e'(h) = vx e + vv e'. */
@@ -58,7 +47,7 @@ static lane_sincos near_critical(double z, double h)
 static lane_sincos underdamped(double q, double h)
 {
     double w = lane_sqrt64(-q);
-    lane_sincos a = turn_of(w * h);
+    lane_sincos a = lane_turn64_long(w * h);
     a.s = a.s / w;
     return a;
 }
@@ -201,7 +190,7 @@ nkw_motion_vec3 nkw_vec3_spring_step(nkw_spring spring, const nkw_motion_vec3 *f
 /* exp v: any angle, without the rounding to float from 2^20 rad on. */
 static lane_f64_quat exp_of(lane_f64_vec3 half, lane_sincos *turn)
 {
-    *turn = turn_of(lane_f64_vec3_length(half));
+    *turn = lane_turn64_long(lane_f64_vec3_length(half));
     return lane_f64_quat_from_axis_half(lane_f64_vec3_normalize(half), *turn);
 }
 

@@ -37,6 +37,7 @@ set(NKW_FLOOR_4
   edit
   fit
   playback
+  timecode
   pose
   clip
   reduce

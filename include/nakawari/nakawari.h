@@ -42,6 +42,7 @@
 #include "edit.h"
 #include "fit.h"
 #include "playback.h"
+#include "timecode.h"
 #include "pose.h"
 #include "clip.h"
 #include "reduce.h"

@@ -122,6 +122,17 @@ static inline lane_sincos lane_turn64(double x)
     return lane_sincos64_any(lane_turn_angle64(x));
 }
 
+/* 2 pi as the sum of 33 bits and the rest: n * high is exact for n < 2^20. */
+#define LANE_TURN_HIGH 0x1.921fb544p2
+#define LANE_TURN_LOW  0x1.0b4611a626331p-32
+
+/* sin x and cos x of all bits of x for |x| < 2^50; beyond, x is rounded to float. */
+static inline lane_sincos lane_turn64_long(double x)
+{
+    double n = (x * (1.0 / LANE_TWO_PI) + LANE_ROUND) - LANE_ROUND;
+    return lane_abs64(x) < 0x1p50 ? lane_sincos64((x - n * LANE_TURN_HIGH) - n * LANE_TURN_LOW) : lane_turn64(x);
+}
+
 /* log q: axis times half angle; see nkw_quat_log. */
 static inline lane_f64_vec3 lane_f64_quat_log(lane_f64_quat q)
 {

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* The motion kit: springs, transitions. Total on any floats; unit rotations of finite ones. */
+/* The motion kit: springs, transitions, play heads, timecode. Total on any floats; unit rotations of finite ones. */
 #include "fuzz.h"
 
 static nkw_motion draw_motion(fuzz *f)
@@ -93,10 +93,74 @@ static void transitions(fuzz *f)
     nkw_dead_blend_half_life(from, to.value, t, duration, x.c[0]);
 }
 
+static double draw_double(fuzz *f)
+{
+    union {
+        uint64_t bits;
+        double value;
+    } any = {(uint64_t)fuzz_bits(f) << 32 | fuzz_bits(f)};
+    return fuzz_byte(f) % 4 ? (double)fuzz_float(f) : any.value;
+}
+
+static void heads(fuzz *f)
+{
+    nkw_playback_range range = {draw_double(f),
+                                draw_double(f),
+                                draw_double(f),
+                                (nkw_playback)fuzz_choice(f, 2),
+                                (nkw_playback)fuzz_choice(f, 2),
+                                draw_double(f),
+                                draw_double(f)};
+    nkw_play_head_f64 head = nkw_playback_head_f64(&range, draw_double(f));
+    double end = range.start + range.duration;
+    FUZZ_CHECK(!(head.time < range.start) && (!(head.time > end) || !(range.duration > 0.0)));
+    FUZZ_CHECK(head.closing >= 0.0 && head.closing <= 1.0);
+    nkw_quat q = draw_quat(f), r = nkw_quat_playback_offset(q, draw_quat(f), draw_quat(f), head.cycle);
+    (void)r;
+    nkw_playback_offset(fuzz_float(f), fuzz_float(f), fuzz_float(f), head.cycle);
+    const float *times = fuzz_floats(f, 8, 1);
+    nkw_playback_step_f64 step = {times, fuzz_upto(f, 8), draw_double(f), draw_double(f), draw_double(f)};
+    size_t capacity = fuzz_upto(f, 20), *out = fuzz_block(f, capacity * sizeof *out), passed;
+    nkw_playback_passed_f64(&step, out, &passed, capacity);
+    for (size_t i = 0; i < passed && i < capacity; i++)
+        FUZZ_CHECK(out[i] < step.key_count);
+}
+
+static int64_t draw_count(fuzz *f)
+{
+    uint64_t bits = (uint64_t)fuzz_bits(f) << 32 | fuzz_bits(f);
+    return (int64_t)(bits >> fuzz_byte(f) % 64);
+}
+
+static void counts(fuzz *f)
+{
+    nkw_rate a = {draw_count(f), draw_count(f)}, b = {draw_count(f), fuzz_byte(f)};
+    nkw_round round = (nkw_round)fuzz_choice(f, 2);
+    int64_t count = draw_count(f), out, back;
+    if (fuzz_byte(f) % 2)
+        a.denominator &= 0x3fffff, a.numerator &= 0xffffffffff, b.numerator &= 0xffffffffff;
+    if (nkw_ticks_convert(count, a, b, NKW_ROUND_DOWN, &out) == NKW_OK &&
+        nkw_ticks_convert(count, a, b, NKW_ROUND_UP, &back) == NKW_OK)
+        FUZZ_CHECK(back == out || back == out + 1);
+    double seconds = nkw_seconds_from_ticks(count, a);
+    if (count > -(INT64_C(1) << 51) && count < INT64_C(1) << 51 && seconds == seconds)
+        FUZZ_CHECK(nkw_ticks_from_seconds(seconds, a, NKW_ROUND_NEAREST, &back) == NKW_OK && back == count);
+    nkw_ticks_from_seconds(draw_double(f), b, round, &out);
+    nkw_timecode t;
+    int32_t rate = (int32_t)fuzz_bits(f) >> fuzz_byte(f) % 32;
+    int drop = fuzz_byte(f) % 2;
+    if (nkw_timecode_from_frame(count, rate, drop, &t) == NKW_OK)
+        FUZZ_CHECK(nkw_frame_from_timecode(&t, rate, drop, &back) == NKW_OK && back == count);
+    nkw_timecode any = {(int32_t)fuzz_bits(f), fuzz_byte(f) % 70, fuzz_byte(f) % 70, (int32_t)fuzz_byte(f)};
+    nkw_frame_from_timecode(&any, rate, drop, &out);
+}
+
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
 {
     fuzz f = fuzz_begin(data, size);
     springs(&f);
     transitions(&f);
+    heads(&f);
+    counts(&f);
     return fuzz_end(&f);
 }

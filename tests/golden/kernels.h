@@ -214,6 +214,10 @@ K(track_reduce_turns, 3, reduce_track(o, i, NKW_TRACK_ROTATION_NORMALIZED, NKW_I
 K(clip_source_reduce, 2, reduce_clip(o, i))
 K(track_fit, 11, fit_track(o, i->s, 0.1f * i->t))
 K(playback_loop, 2, put_head(o, nkw_playback_head(NKW_PLAYBACK_LOOP, i->s[0], i->t + 0.25f, i->s[1])))
+K(playback_head_f64, 6, head_f64(o, i))
+K(playback_offset, 5, (o[0] = nkw_playback_offset(i->s[0], i->s[1], i->s[2], 77.0), put_quat(o + 1, nkw_quat_playback_offset(i->q[0], i->q[1], i->q[2], 1e5 * (double)i->s[0]))))
+K(playback_passed_f64, 2, passed_f64(o, i))
+K(timecode, 9, timecode(o, i))
 K(playback_ping_pong, 2, put_head(o, nkw_playback_head(NKW_PLAYBACK_PING_PONG, i->s[0], i->t + 0.25f, i->s[1])))
 K(playback_passed, 1, o[0] = (float)keys_passed(i->s, 4, 10.0f, i->s[4], i->s[4] + 25.0f))
 

@@ -122,3 +122,49 @@ static void quat_dead_blend(float *o, const input *i)
     put_motion_quat(o, nkw_quat_dead_blend_evaluate(&d, &to, i->t));
     put_quat(o + 7, d.difference);
 }
+
+static void put_f64(float *o, double x)
+{
+    o[0] = (float)x;
+    o[1] = (float)((x - (double)o[0]) * 0x1p24);
+}
+
+static void head_f64(float *o, const input *i)
+{
+    nkw_playback_range range = {
+        i->s[0], (double)i->t + 0.1, 0.3 * (double)nkw_abs(i->s[1]), NKW_PLAYBACK_LOOP, NKW_PLAYBACK_PING_PONG, 0.0,
+        50.0};
+    nkw_play_head_f64 head = nkw_playback_head_f64(&range, 1e3 * (double)i->s[2]);
+    put_f64(o, head.time);
+    put_f64(o + 2, head.cycle);
+    put_f64(o + 4, head.closing);
+}
+
+static void passed_f64(float *o, const input *i)
+{
+    nkw_playback_step_f64 step = {i->times, 4, 4.7, 1e6 * (double)i->s[0],
+                                  1e6 * (double)i->s[0] + 9.0 * (double)i->s[1]};
+    size_t keys[1] = {0}, passed;
+    nkw_playback_passed_f64(&step, keys, &passed, 1);
+    o[0] = (float)passed;
+    o[1] = (float)keys[0];
+}
+
+static void timecode(float *o, const input *i)
+{
+    const nkw_rate ntsc = {30000, 1001}, fbx = {NKW_RATE_FBX, 1};
+    const nkw_round round = i->s[1] > 0.0f ? NKW_ROUND_DOWN : NKW_ROUND_UP;
+    int64_t ticks, frames, frame;
+    nkw_timecode label;
+    nkw_ticks_from_seconds(1e4 * (double)i->s[0], fbx, round, &ticks);
+    nkw_ticks_convert(ticks, fbx, ntsc, round, &frames);
+    put_f64(o, (double)ticks);
+    o[2] = (float)frames;
+    put_f64(o + 3, nkw_seconds_from_ticks(frames, ntsc));
+    nkw_timecode_from_frame(frames < 0 ? -frames : frames, 30, 1, &label);
+    nkw_frame_from_timecode(&label, 30, 1, &frame);
+    o[5] = (float)label.minutes;
+    o[6] = (float)label.seconds;
+    o[7] = (float)label.frames;
+    o[8] = (float)frame;
+}
