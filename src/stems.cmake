@@ -32,6 +32,7 @@ set(NKW_FLOOR_4
   segment
   fcurve
   spline
+  nurbs
   keyframe
   track
   edit

@@ -37,6 +37,7 @@
 #include "segment.h"
 #include "fcurve.h"
 #include "spline.h"
+#include "nurbs.h"
 #include "keyframe.h"
 #include "track.h"
 #include "edit.h"

@@ -23,7 +23,8 @@
     X(crowd_skin) \
     X(clip_reduce) \
     X(spline) \
-    X(ik)
+    X(ik) \
+    X(nurbs)
 
 #ifdef __cplusplus
 extern "C" {
