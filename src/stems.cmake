@@ -33,6 +33,7 @@ set(NKW_FLOOR_4
   fcurve
   spline
   nurbs
+  polycurve
   keyframe
   track
   edit

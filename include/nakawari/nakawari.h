@@ -38,6 +38,7 @@
 #include "fcurve.h"
 #include "spline.h"
 #include "nurbs.h"
+#include "polycurve.h"
 #include "keyframe.h"
 #include "track.h"
 #include "edit.h"

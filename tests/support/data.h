@@ -24,7 +24,8 @@
     X(clip_reduce) \
     X(spline) \
     X(ik) \
-    X(nurbs)
+    X(nurbs) \
+    X(polycurve)
 
 #ifdef __cplusplus
 extern "C" {
