@@ -48,16 +48,33 @@ static int spans(const check *c, const nkw_clip_track *track, size_t joint, size
     return 1;
 }
 
-/* Greedy: from a key that is kept, the farthest key that spans all between. */
+/*
+ * A key j up to which the key i spans all between, and not up to j + 1 or the end of the window. Spans of 1, 2, 4 ... are
+ * tried, then halves of what is left: a key is compared 2 log2(WINDOW) times at most, not WINDOW / 2 times.
+ */
+static size_t reach(const check *c, const nkw_clip_track *track, size_t joint, size_t i)
+{
+    const size_t last = track->track.count - 1, most = last - i < WINDOW ? last : i + WINDOW;
+    size_t good = i + 1, bad = most + 1, step = 2;
+    while (bad - good > 1) {
+        const size_t next = step && i + step < bad ? i + step : step ? most : good + (bad - good) / 2;
+        if (next > good && spans(c, track, joint, i, next)) {
+            good = next;
+            step = 2 * step;
+        } else {
+            bad = next > good ? next : bad;
+            step = 0;
+        }
+    }
+    return good;
+}
+
+/* Greedy: from a key that is kept, a far key that spans all between. */
 static size_t count_spare(const check *c, const nkw_clip_track *track, size_t joint)
 {
     size_t kept = 1;
-    for (size_t i = 0; i + 1 < track->track.count; kept++) {
-        size_t j = i + 1;
-        while (j + 1 < track->track.count && j - i < WINDOW && spans(c, track, joint, i, j + 1))
-            j++;
-        i = j;
-    }
+    for (size_t i = 0; i + 1 < track->track.count; kept++)
+        i = reach(c, track, joint, i);
     return track->track.count - kept;
 }
 

@@ -21,7 +21,8 @@ void *nkwi_assimp_scratch(nkwi_assimp *a, const char *place, size_t count, size_
     void *block = nkwi_take(&a->scratch, count, size);
     if (!block) {
         const nkwi_place root = {NULL, NULL, 0}, at = {&root, place, 0};
-        nkwi_fail(a->error, &at, NKW_IMPORT_NO_MEMORY, "no memory for %zu elements of %zu bytes", count, size);
+        nkwi_fail(a->error, &at, a->scratch.exceeded ? NKW_IMPORT_TOO_LARGE : NKW_IMPORT_NO_MEMORY,
+                  "no memory for %zu elements of %zu bytes", count, size);
     }
     return block;
 }
@@ -144,7 +145,7 @@ static int import(nkwi_assimp *a, const nkw_import_memory *memory, const char *n
         return nkwi_fail(a->error, NULL, NKW_IMPORT_NO_MEMORY, "no memory for the settings of Assimp");
     a->scene = aiImportFileExWithProperties(name, 0, &files.io, store);
     aiReleasePropertyStore(store);
-    a->document->memory.most = NKWI_MEMORY_MOST(files.bytes);
+    a->document->memory.most = a->scratch.most = NKWI_MEMORY_MOST(files.bytes);
     a->document->all.bytes = files.bytes;
     a->frame_rate = files.frame_rate;
     a->has_meshes = strcmp(nkwi_assimp_extension(memory), ".md5anim") != 0;
@@ -170,7 +171,6 @@ int nkwi_assimp_read(nkwi_document *document, const nkw_import_memory *memory, n
     memset(&a, 0, sizeof a);
     a.document = document;
     a.error = error;
-    a.scratch.most = SIZE_MAX;
     char *name = importer_name(memory);
     int done = name ? import(&a, memory, name) && read_parts(&a)
                     : nkwi_fail(error, NULL, NKW_IMPORT_NO_MEMORY, "no memory for the name of the file");

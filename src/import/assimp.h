@@ -82,6 +82,12 @@ const char *nkwi_assimp_name(nkwi_assimp *a, const struct aiString *name, const 
 /* The first node of this name, or NKW_NO_JOINT. */
 int32_t nkwi_assimp_find(const nkwi_assimp *a, const char *name);
 
+/*
+ * Of several nodes with this name the first, in the next call the second, and so on, in the order of the tree; after the
+ * last the first. uses: node_count numbers, zeros before the first call.
+ */
+int32_t nkwi_assimp_find_nth(const nkwi_assimp *a, const char *name, uint32_t *uses);
+
 /* The joint of a node of the tree; of a node that was collapsed, that of the node it is part of. */
 int32_t nkwi_assimp_joint(const nkwi_assimp *a, int32_t node);
 

@@ -17,6 +17,7 @@ typedef struct reader {
     nkw_clip_track *tracks;
     nkw_document_channel *channels;
     size_t count;
+    uint32_t *uses; /* of names: channels of nodes with the same name are in the order of the nodes */
 } reader;
 
 static int fail_channel(const reader *r, const char *list, size_t channel, const char *reason)
@@ -141,7 +142,7 @@ static int read_channel(reader *r, size_t number)
     const struct aiNodeAnim *c = r->from->mChannels[number];
     if (!c)
         return fail_channel(r, "channels", number, "the channel is missing");
-    int32_t node = nkwi_assimp_find(r->a, c->mNodeName.data);
+    int32_t node = nkwi_assimp_find_nth(r->a, c->mNodeName.data, r->uses);
     return node == NKW_NO_JOINT ||
            (read_vectors(r, number, node, NKW_CLIP_TRANSLATION, c->mPositionKeys, c->mNumPositionKeys) &&
             read_rotations(r, number, node, c->mRotationKeys, c->mNumRotationKeys) &&
@@ -196,6 +197,7 @@ static int read_animation(reader *r, nkw_document_animation *out)
         return fail_channel(r, "channels", 0, "there are no channels");
     r->tracks = (nkw_clip_track *)nkwi_assimp_take(a, "animations", most, sizeof *r->tracks);
     r->channels = (nkw_document_channel *)nkwi_assimp_take(a, "animations", most, sizeof *r->channels);
+    memset(r->uses, 0, a->node_count * sizeof *r->uses);
     r->ticks = ticks_of(a, r->from);
     out->name = nkwi_assimp_name(a, &r->from->mName, "animation", r->index);
     if (!r->tracks || !r->channels || !out->name)
@@ -217,10 +219,11 @@ int nkwi_assimp_animations(nkwi_assimp *a)
     nkw_document *d = &a->document->all;
     size_t count = a->scene->mAnimations ? a->scene->mNumAnimations : 0;
     nkw_document_animation *list = (nkw_document_animation *)nkwi_assimp_take(a, "animations", count, sizeof *list);
-    if (!list)
+    uint32_t *uses = (uint32_t *)nkwi_assimp_scratch(a, "animations", a->node_count, sizeof *uses);
+    if (!list || !uses)
         return 0;
     for (size_t i = 0; i < count; i++) {
-        reader r = {a, a->scene->mAnimations[i], i, 0.0, NULL, NULL, 0};
+        reader r = {a, a->scene->mAnimations[i], i, 0.0, NULL, NULL, 0, uses};
         if (!r.from)
             return fail_channel(&r, "channels", 0, "the animation is missing");
         if (!read_animation(&r, &list[i]))

@@ -1,9 +1,7 @@
 /* SPDX-License-Identifier: MIT */
-/* Meshes of a scene of Assimp: attributes, indices, morph targets; and materials. */
+/* Meshes of a scene of Assimp: attributes, indices, morph targets. */
 #include <stdio.h>
 #include <string.h>
-
-#include <assimp/material.h>
 
 #include "assimp.h"
 
@@ -96,12 +94,26 @@ static int read_vectors(nkwi_assimp *a, const struct aiVector3D *from, size_t n,
     return !from || vectors;
 }
 
+/* The first set of colours. */
+static int read_colors(nkwi_assimp *a, const struct aiMesh *m, nkw_document_primitive *out)
+{
+    const struct aiColor4D *from = m->mColors[0];
+    float *to = from ? (float *)nkwi_assimp_take(a, "meshes", m->mNumVertices, 4 * sizeof *to) : NULL;
+    for (size_t v = 0; to && v < m->mNumVertices; v++) {
+        const float color[4] = {from[v].r, from[v].g, from[v].b, from[v].a};
+        memcpy(to + 4 * v, color, sizeof color);
+    }
+    out->colors = to;
+    return !from || to;
+}
+
 /* Tangents with the sign of the bitangent, and the first set of texture coordinates. */
 static int read_attributes(nkwi_assimp *a, const struct aiMesh *m, nkw_document_primitive *out)
 {
     size_t n = m->mNumVertices;
     out->vertex_count = n;
-    if (!read_vectors(a, m->mVertices, n, &out->positions) || !read_vectors(a, m->mNormals, n, &out->normals))
+    if (!read_vectors(a, m->mVertices, n, &out->positions) || !read_vectors(a, m->mNormals, n, &out->normals) ||
+        !read_colors(a, m, out))
         return 0;
     if (m->mTextureCoords[0]) {
         float *to = (float *)nkwi_assimp_take(a, "meshes", n, 2 * sizeof *to);
@@ -223,29 +235,4 @@ int nkwi_assimp_meshes(nkwi_assimp *a)
             return 0;
     }
     return a->primitives != NULL;
-}
-
-int nkwi_assimp_materials(nkwi_assimp *a)
-{
-    size_t count = a->scene->mMaterials ? a->scene->mNumMaterials : 0;
-    nkw_document_material *list = (nkw_document_material *)nkwi_assimp_take(a, "materials", count, sizeof *list);
-    if (!list || count > INT32_MAX)
-        return 0;
-    for (size_t i = 0; i < count; i++) {
-        const struct aiMaterial *m = a->scene->mMaterials[i];
-        struct aiString name = {0, {0}};
-        struct aiColor4D color = {1.0f, 1.0f, 1.0f, 1.0f};
-        if (m && aiGetMaterialColor(m, AI_MATKEY_BASE_COLOR, &color) != aiReturn_SUCCESS)
-            aiGetMaterialColor(m, AI_MATKEY_COLOR_DIFFUSE, &color);
-        if (m)
-            aiGetMaterialString(m, AI_MATKEY_NAME, &name);
-        const float numbers[4] = {color.r, color.g, color.b, color.a};
-        memcpy(list[i].color, numbers, sizeof numbers);
-        list[i].name = nkwi_assimp_name(a, &name, "material", i);
-        if (!list[i].name)
-            return 0;
-    }
-    a->document->all.materials = list;
-    a->document->all.material_count = count;
-    return 1;
 }

@@ -64,7 +64,7 @@ static int compare_names(const void *left, const void *right)
     return order != 0 ? order : a->node < b->node ? -1 : a->node > b->node;
 }
 
-int32_t nkwi_assimp_find(const nkwi_assimp *a, const char *name)
+int32_t nkwi_assimp_find_nth(const nkwi_assimp *a, const char *name, uint32_t *uses)
 {
     size_t low = 0, high = a->node_count;
     while (low < high) {
@@ -74,7 +74,16 @@ int32_t nkwi_assimp_find(const nkwi_assimp *a, const char *name)
         else
             high = middle;
     }
-    return low < a->node_count && strcmp(a->by_name[low].name, name) == 0 ? a->by_name[low].node : NKW_NO_JOINT;
+    if (low == a->node_count || strcmp(a->by_name[low].name, name) != 0)
+        return NKW_NO_JOINT;
+    size_t next = low + (uses ? uses[low]++ : 0);
+    return next < a->node_count && strcmp(a->by_name[next].name, name) == 0 ? a->by_name[next].node
+                                                                            : a->by_name[low].node;
+}
+
+int32_t nkwi_assimp_find(const nkwi_assimp *a, const char *name)
+{
+    return nkwi_assimp_find_nth(a, name, NULL);
 }
 
 int32_t nkwi_assimp_joint(const nkwi_assimp *a, int32_t node)
