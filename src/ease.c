@@ -176,7 +176,7 @@ float nkw_ease_steps(int count, nkw_ease_jump jump, float t)
     return (float)steps(count, jump, (double)t);
 }
 
-handle_point nkwi_ease_point(nkw_ease_kind kind, double t)
+const float *nkwi_ease_css(nkw_ease_kind kind)
 {
     static const float css[4][4] = {
         {0.25f, 0.1f, 0.25f, 1.0f},
@@ -184,14 +184,21 @@ handle_point nkwi_ease_point(nkw_ease_kind kind, double t)
         {0.0f, 0.0f, 0.58f, 1.0f},
         {0.42f, 0.0f, 0.58f, 1.0f},
     };
+    int index = (int)kind - (int)NKW_EASE_CSS;
+    return index >= 0 && index < 4 ? css[index] : NULL;
+}
+
+handle_point nkwi_ease_point(nkw_ease_kind kind, double t)
+{
     handle_point none = {(double)NAN, (double)NAN, (double)NAN}, line = {t, 1.0, 0.0}, step = {0.0, 0.0, 0.0};
     int index = (int)kind;
     if (t != t)
         return none;
     if (index >= NKW_EASE_SINE_IN && index <= NKW_EASE_BOUNCE_IN_OUT)
         return penner_point(index - NKW_EASE_SINE_IN, t);
-    if (index >= NKW_EASE_CSS && index <= NKW_EASE_CSS_IN_OUT)
-        return css_point(css[index - NKW_EASE_CSS], t);
+    const float *css = nkwi_ease_css(kind);
+    if (css)
+        return css_point(css, t);
     if (index != NKW_EASE_CSS_STEP_START && index != NKW_EASE_CSS_STEP_END)
         return line;
     step.value = steps(1, index == NKW_EASE_CSS_STEP_START ? NKW_EASE_JUMP_START : NKW_EASE_JUMP_END, t);

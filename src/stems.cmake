@@ -36,6 +36,7 @@ set(NKW_FLOOR_4
   polycurve
   keyframe
   track
+  dialect
   edit
   fit
   playback

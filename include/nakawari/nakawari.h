@@ -41,6 +41,7 @@
 #include "polycurve.h"
 #include "keyframe.h"
 #include "track.h"
+#include "dialect.h"
 #include "edit.h"
 #include "fit.h"
 #include "playback.h"

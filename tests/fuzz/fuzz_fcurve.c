@@ -120,11 +120,62 @@ static void fcurves(fuzz *f)
     FUZZ_CHECK(result != NKW_OK || nkw_fcurve_find_regression(keys, count) == count);
 }
 
+static void slopes(fuzz *f, const nkw_fcurve_key *keys, size_t count)
+{
+    nkw_weight_unit unit = (nkw_weight_unit)fuzz_choice(f, 2);
+    nkw_slope_key *slope = fuzz_block(f, count * sizeof *slope);
+    nkw_fcurve_key *back = fuzz_block(f, count * sizeof *back);
+    size_t bad;
+    if (nkw_slopes_from_fcurve_keys(keys, count, unit, slope, &bad) != NKW_OK)
+        FUZZ_CHECK(count == 0 || bad < count);
+    for (size_t k = 0; k < count && fuzz_byte(f) % 2; k++) {
+        nkw_slope_key s = {fuzz_float(f),
+                           fuzz_float(f),
+                           fuzz_float(f),
+                           fuzz_float(f),
+                           fuzz_float(f),
+                           fuzz_float(f),
+                           (nkw_weighted)fuzz_choice(f, 3),
+                           (nkw_fcurve_kind)fuzz_choice(f, 4)};
+        slope[k] = s;
+    }
+    if (nkw_fcurve_keys_from_slopes(slope, count, unit, back, &bad) != NKW_OK)
+        FUZZ_CHECK(count == 0 || bad < count);
+}
+
+static void dialects(fuzz *f)
+{
+    size_t count = fuzz_upto(f, KEYS), bad, room = fuzz_upto(f, 60);
+    nkw_fcurve_key *keys = draw_keys(f, count, fuzz_byte(f) % 2);
+    nkw_blender_key *blender = fuzz_block(f, count * sizeof *blender);
+    float css[4] = {fuzz_float(f), fuzz_float(f), fuzz_float(f), fuzz_float(f)}, error;
+    slopes(f, keys, count);
+    if (nkw_blender_keys_from_fcurve(keys, count, blender, &bad) == NKW_OK && fuzz_byte(f) % 2)
+        nkw_fcurve_keys_from_blender(blender, count, keys, &bad);
+    if (count > 1) {
+        nkw_css_from_fcurve_keys(keys, css);
+        nkw_fcurve_keys_from_css(css, keys);
+    }
+    nkw_fcurve c[2] = {{keys, count, (nkw_fcurve_outside)fuzz_choice(f, 4), (nkw_fcurve_outside)fuzz_choice(f, 4),
+                        fuzz_bits(f) % 4, fuzz_bits(f) % 4, (nkw_handle_policy)fuzz_choice(f, 3)},
+                       {keys, count / 2, NKW_FCURVE_OUTSIDE_LINEAR, NKW_FCURVE_OUTSIDE_HOLD, 0, 0, NKW_HANDLE_CONTAIN}};
+    size_t width = 1 + fuzz_byte(f) % 2u;
+    nkw_track_memory memory = {fuzz_room(f, room), fuzz_room(f, 3 * width * room), room, NULL, 0};
+    nkw_track track;
+    nkw_result result = nkw_track_from_fcurves(c, width, 0.01f * (float)fuzz_byte(f), &memory, &track, &error);
+    FUZZ_CHECK(track.count <= room && (result == NKW_OK) == (track.count > 0));
+    for (size_t k = 1; k < track.count; k++)
+        FUZZ_CHECK(track.times[k - 1] < track.times[k]);
+    if (track.count > 0 && nkw_track_validate(&track, &bad) == NKW_OK)
+        nkw_fcurve_keys_from_track(&track, 0, fuzz_block(f, track.count * sizeof *keys), &bad);
+}
+
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
 {
     fuzz f = fuzz_begin(data, size);
     handles(&f);
     eases(&f);
     fcurves(&f);
+    dialects(&f);
     return fuzz_end(&f);
 }

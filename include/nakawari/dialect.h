@@ -1,0 +1,160 @@
+/* SPDX-License-Identifier: MIT */
+/**
+ * @file
+ * Floor 4: curves of tools and files to and from fcurves (fcurve.h).
+ *
+ * The same cubic curve is written in five ways. h is the duration of the segment, in seconds:
+ *
+ *     handle tips relative to the key        this library; Maya's API, as (x, y)/3
+ *     handle tips as points                  Blender
+ *     slope, and the length of the handle    Unity, FBX: in units of h; OpenUSD: in seconds; Unreal: in the plane of
+ *                                            time and value; without a length (Hermite) it is h/3
+ *     a Hermite tangent per second           glTF CUBICSPLINE, and the splines of spline.h (TCB, PCHIP ...)
+ *     control points in units of the segment CSS cubic-bezier()
+ *
+ * These conversions are exact, each number rounded once, except to a CUBICSPLINE track: there, segments whose handles
+ * are not h/3 long are divided until the curve is within a tolerance.
+ */
+#ifndef NAKAWARI_DIALECT_H
+#define NAKAWARI_DIALECT_H
+
+#include "fcurve.h"
+#include "spline.h"
+#include "track.h"
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/** The unit of the length of a handle. */
+typedef enum nkw_weight_unit {
+    NKW_WEIGHT_FRACTION, /**< its time in units of the duration of the segment: Unity, FBX */
+    NKW_WEIGHT_SECONDS, /**< its time in seconds: the widths of OpenUSD */
+    NKW_WEIGHT_LENGTH /**< its length in the plane of time and value: Unreal */
+} nkw_weight_unit;
+
+/** Which handles of a key have a length of their own, with the numbers of Unity and Unreal; others are h/3 long. */
+typedef enum nkw_weighted {
+    NKW_WEIGHTED_NONE,
+    NKW_WEIGHTED_IN, /**< arrive */
+    NKW_WEIGHTED_OUT, /**< leave */
+    NKW_WEIGHTED_BOTH
+} nkw_weighted;
+
+/** A key with slopes, in value per second. */
+typedef struct nkw_slope_key {
+    float time, value;
+    float in_slope, out_slope;
+    float in_weight, out_weight; /**< ignored where `weighted` does not name them */
+    nkw_weighted weighted;
+    nkw_fcurve_kind kind; /**< of the segment that the key begins */
+} nkw_slope_key;
+
+/**
+ * Converts keys with slopes.
+ *
+ *     time of the handle     FRACTION  weight h     SECONDS  weight     LENGTH  weight / sqrt(1 + slope^2)
+ *     value of the handle    slope times its time
+ *
+ * A BEZIER segment with an infinite slope becomes CONSTANT, as in Unity. Handles before the first and after the last
+ * key become {0, 0}.
+ *
+ * keys     receives `count` keys
+ * bad_key  receives the index of the first key with an error, 0 if there is none; may be NULL
+ * Returns  NKW_OK; NKW_EMPTY; NKW_BAD_METHOD for an unknown kind, unit or `weighted`, and for EASE; NKW_NOT_FINITE for a
+ *          time, value or weight that is not finite, and a slope that is NaN; NKW_NOT_ASCENDING. Keys before the
+ *          offender are written
+ *
+ * Error  1.1 u of the number, for handles.
+ */
+NKW_API nkw_result nkw_fcurve_keys_from_slopes(const nkw_slope_key *slopes, size_t count, nkw_weight_unit unit,
+                                               nkw_fcurve_key *keys, size_t *bad_key);
+
+/**
+ * The inverse. A handle of the time (float)(h/3) is written without a weight. LINEAR segments have the slope of the
+ * line, CONSTANT ones the slope 0. Handles that are not used become slope 0.
+ *
+ * Returns  as above; NKW_BAD_METHOD also for EASE; NKW_OUT_OF_RANGE for a vertical handle, which has no slope
+ */
+NKW_API nkw_result nkw_slopes_from_fcurve_keys(const nkw_fcurve_key *keys, size_t count, nkw_weight_unit unit,
+                                               nkw_slope_key *slopes, size_t *bad_key);
+
+/** A key of Blender: three points, and its numbers for interpolation (`ipo`) and easing. */
+typedef struct nkw_blender_key {
+    nkw_handle left, center, right; /**< points, not relative to the key */
+    int interpolation; /**< 0 constant, 1 linear, 2 Bezier, 3 .. 12 back, bounce, circ, cubic, elastic, expo, quad,
+                            quart, quint, sine */
+    int easing; /**< 0 auto, 1 in, 2 out, 3 in-out; auto is out for back, bounce, elastic, otherwise in */
+} nkw_blender_key;
+
+/**
+ * Converts keys of Blender. Its evaluation is that of the policy NKW_HANDLE_CONTAIN. Its behaviour outside: `extend`
+ * constant and linear are HOLD and LINEAR; the modifier Cycles repeats as CYCLE, CYCLE_OFFSET, OSCILLATE.
+ *
+ * Returns  NKW_OK; NKW_EMPTY; NKW_NOT_FINITE; NKW_NOT_ASCENDING; NKW_BAD_METHOD for unknown numbers, and for elastic and
+ *          expo, whose formulas differ from Penner's: period in frames, and a scale by 1/(1 - 2^-10). Back has
+ *          Blender's default overshoot
+ *
+ * Error  2.0 u of the larger of the coordinates of handle and key.
+ */
+NKW_API nkw_result nkw_fcurve_keys_from_blender(const nkw_blender_key *blender, size_t count, nkw_fcurve_key *keys,
+                                                size_t *bad_key);
+
+/** The inverse. Returns NKW_BAD_METHOD also for CONSTANT_NEXT, and for an easing of CSS. */
+NKW_API nkw_result nkw_blender_keys_from_fcurve(const nkw_fcurve_key *keys, size_t count, nkw_blender_key *blender,
+                                                size_t *bad_key);
+
+/** Makes the segment of two keys that of cubic-bezier(css[0], css[1], css[2], css[3]): kind and handles are set. */
+NKW_API void nkw_fcurve_keys_from_css(const float css[4], nkw_fcurve_key keys[2]);
+
+/**
+ * The cubic-bezier() of the segment of two keys: BEZIER, LINEAR, or EASE by a keyword of CSS.
+ *
+ * Returns  NKW_OK; NKW_BAD_METHOD for other kinds; NKW_OUT_OF_RANGE without a duration, for an x outside 0..1, and for
+ *          handles with a value between keys of equal value
+ */
+NKW_API nkw_result nkw_css_from_fcurve_keys(const nkw_fcurve_key keys[2], float css[4]);
+
+/**
+ * The keys of a spline through keys, one component of it: TCB, PCHIP and all methods of spline.h. Handles are h/3 long.
+ *
+ * component  less than the width of the spline
+ * keys       receives spline->count keys
+ * work       as for nkw_spline_tangents
+ * Returns    those of nkw_spline_tangents; NKW_OUT_OF_RANGE for the component
+ */
+NKW_API nkw_result nkw_fcurve_keys_from_spline(const nkw_spline *spline, size_t component, nkw_fcurve_key *keys,
+                                               double *work, size_t work_count, size_t *bad_key);
+
+/**
+ * The keys of one component of a track: STEP is CONSTANT, CUBICSPLINE is BEZIER with handles of h/3.
+ *
+ * keys     receives track->count keys
+ * Returns  those of nkw_track_validate; NKW_MISMATCHED for rotations, whose components are not curves of their own;
+ *          NKW_OUT_OF_RANGE for the component
+ */
+NKW_API nkw_result nkw_fcurve_keys_from_track(const nkw_track *track, size_t component, nkw_fcurve_key *keys,
+                                              size_t *bad_key);
+
+/**
+ * Converts `width` fcurves to one CUBICSPLINE track of that width, from the first key of all to the last: for glTF, for
+ * clips, and for tools without handles in time. Each segment begins as the Hermite segment of the values and slopes at
+ * its ends, and is halved while the curve is more than `tolerance` from it at one of 31 times between. Key times
+ * ascend strictly. A jump takes two keys at neighbouring floats, so that no float time lies within it.
+ *
+ * memory   key_capacity keys of 3 * width values; `work` is not used
+ * out      receives the track, which refers to `memory`; without keys after an error
+ * error    receives the largest difference found at these times; infinity after an error; may be NULL. It is more than
+ *          the tolerance only where float times end the division, at vertical tangents
+ * Returns  NKW_OK; NKW_EMPTY for width 0; those of nkw_fcurve_validate; NKW_OUT_OF_RANGE for a negative or NaN
+ *          tolerance; NKW_BAD_METHOD if a curve whose keys begin later or end earlier than others cycles there;
+ *          NKW_TOO_SMALL for too little memory
+ */
+NKW_API nkw_result nkw_track_from_fcurves(const nkw_fcurve *curves, size_t width, float tolerance,
+                                          const nkw_track_memory *memory, nkw_track *out, float *error);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif
