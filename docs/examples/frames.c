@@ -333,7 +333,7 @@ static void sphere(svg *out, const scene *s, size_t segment)
 {
     svg_font heading = {14.0f, 0x1d1d22, 's', 1, SVG_NONE};
     nkw_mat4 view = upright_view(facing_yaw(s, segment, nose));
-    svg_camera camera = svg_orthographic(&view, svg_at(260.0f, 672.0f), 190.0f);
+    svg_camera camera = svg_orthographic(&view, svg_at(260.0f, 682.0f), 190.0f);
     svg_text(out, svg_at(28.0f, 452.0f), &heading, "Where the nose points, on the unit sphere");
     sphere_ball(out, &camera);
     nose_path(out, &camera, s, segment, NKW_ORIENTATION_EULER, euler_colour);
@@ -400,14 +400,15 @@ int picture_orientation_compare(const scene *s, const char *path)
     size_t segment = worst_segment(s);
     char title[96];
     sprintf(title, "Euler angles and slerp between key %u and key %u", (unsigned)segment, (unsigned)segment + 1);
-    if (!picture_open(&out, path, 1100.0f, 924.0f, title,
+    if (!picture_open(&out, path, 1100.0f, 884.0f, title,
                       "Same keys, same times. Slerp turns about one axis at one speed; Euler angles make a detour and "
                       "change their speed."))
         return 0;
     int ok = strip(&out, s, segment, facing_yaw(s, segment, top));
     sphere(&out, s, segment);
     speeds(&out, s);
-    method_legend(&out, svg_at(100.0f, 900.0f));
-    picture_dart_legend(&out, svg_at(560.0f, 900.0f));
+    picture_dart_legend(&out, svg_at(196.0f, 418.0f));
+    method_legend(&out, svg_at(28.0f, 474.0f));
+    method_legend(&out, svg_at(850.0f, 447.0f));
     return svg_close(&out) && ok;
 }

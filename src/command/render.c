@@ -21,8 +21,8 @@ static const options_text text = {
     "camera is\n"
     "orthographic and frames the model over all times. With --turntable it turns once around the model.\n",
     "  nakawari render fox.glb --clip Walk -o walk.png\n"
-    "  nakawari render fox.glb -c Run --rate 25 -o run.apng\n"
-    "  nakawari render fox.glb -c rest --turntable --frames 48 --format apng > fox.png\n"
+    "  nakawari render fox.glb -c Run -o run.apng\n"
+    "  nakawari render fox.glb -c rest --turntable --format apng > fox.png\n"
     "  nakawari render fox.glb -c Run --at 0,0.25 --skeleton --size 480 -o run.svg\n"
     "  nakawari render fox.glb -c Run --rate 25 --sequence run- && ffmpeg -framerate 25 -i run-%04d.png run.mp4\n",
     1, 0};
@@ -232,9 +232,19 @@ static int plan(picture *p, const request *r)
            complain(p->moment->document, "no memory");
 }
 
+/* 8 frames of a sheet; of an animation 25 a second, 48 if the clip has no length. */
+static void set_frames(request *r, const moment *m)
+{
+    const int film = r->form == FORM_APNG && !r->at && r->rate == 0.0f && !r->frames;
+    if (film && nkw_clip_end(m->clip) > nkw_clip_start(m->clip))
+        r->rate = 25.0f;
+    else if (!r->frames)
+        r->frames = film ? 48 : 8;
+}
+
 static int render_document(const nkw_document *d, void *data)
 {
-    const request *r = data;
+    request *r = data;
     input_clips clips;
     moment m;
     picture p;
@@ -245,7 +255,10 @@ static int render_document(const nkw_document *d, void *data)
         return complain(d, "choose one clip");
     p.request = r;
     p.moment = &m;
-    int fine = moment_open(&m, d, clips.first) && view_open(&p.view, d) && plan(&p, r);
+    int fine = moment_open(&m, d, clips.first) && view_open(&p.view, d);
+    if (fine)
+        set_frames(r, &m);
+    fine = fine && plan(&p, r);
     if (fine) {
         frame_all(&p);
         p.line = progress_begin("drawing frame", p.frame_count, NULL);
@@ -279,8 +292,8 @@ static int check_request(const options *o, void *data)
         return options_misuse(o, "--rate", "not in 0..1000000");
     if (r->at && r->rate != 0.0f)
         return options_misuse(o, "--at, --rate", "only one of them");
-    if (r->frames < 1 || r->frames > FRAMES_MOST)
-        return options_misuse(o, "--frames", "not in 1..10000");
+    if (r->frames < 0 || r->frames > FRAMES_MOST)
+        return options_misuse(o, "--frames", "not in 0..10000");
     if (r->size < 16 || r->size > SIZE_MOST)
         return options_misuse(o, "--size", "not in 16..4096");
     if (r->columns < 1 || r->columns > 1024)
@@ -294,12 +307,13 @@ static int check_request(const options *o, void *data)
 
 int command_render(int argc, const char **argv)
 {
-    request r = {NULL, NULL, NULL, NULL, NULL, 0.0f, 35.0f, 12.0f, 8, 240, 4, 0, 0, 0, FORM_PNG};
+    request r = {NULL, NULL, NULL, NULL, NULL, 0.0f, 35.0f, 12.0f, 0, 240, 4, 0, 0, 0, FORM_PNG};
     const struct poptOption known[] = {
         {"clip", 'c', POPT_ARG_STRING, &r.clip, 0, "number or name of the clip, or rest (default: 0)", "N"},
         {"at", 't', POPT_ARG_STRING, &r.at, 0, "times in seconds", "T,T,..."},
         {"rate", 'r', POPT_ARG_FLOAT, &r.rate, 0, "frames per second from the start of the clip to its end", "R"},
-        {"frames", 'n', POPT_ARG_LONG, &r.frames, 0, "frames evenly from the start of the clip (default: 8)", "N"},
+        {"frames", 'n', POPT_ARG_LONG, &r.frames, 0,
+         "frames evenly from the start of the clip (default: 8; apng: a rate of 25)", "N"},
         {"size", 's', POPT_ARG_LONG, &r.size, 0, "width and height of a frame in pixels (default: 240)", "S"},
         {"columns", 0, POPT_ARG_LONG, &r.columns, 0, "frames in a row of the sheet (default: 4)", "N"},
         {"skeleton", 'k', POPT_ARG_NONE, &r.skeleton, 0, "draw the joints of the skins over the model", NULL},
