@@ -25,6 +25,14 @@ static size_t add(size_t a, size_t b)
     return a <= SIZE_MAX - b ? a + b : SIZE_MAX;
 }
 
+static size_t count_keys(const nkw_clip_source *s)
+{
+    size_t keys = 0;
+    for (size_t i = 0; i < s->track_count; i++)
+        keys += s->tracks[i].track.count;
+    return keys;
+}
+
 /* The number of floats of all keys, and the number of keys with a mode of their own; SIZE_MAX if it exceeds size_t. */
 static size_t count_floats(const nkw_clip_source *s, size_t *modes)
 {
@@ -116,14 +124,51 @@ nkw_result nkw_clip_source_reduce(const nkw_clip_source *source, const nkw_clip_
         result = reduce(&from, reduction, memory, &r, offender);
     if (result != NKW_OK)
         return result;
-    nkw_reduced reached = {0, r.key_count, (float)r.trials.errors.distance, (float)r.trials.share,
-                           (float)r.trials.errors.floats};
-    for (size_t i = 0; i < from.track_count; i++)
-        reached.source_key_count += from.tracks[i].track.count;
+    const nkw_reduced reached = {count_keys(&from), r.key_count, (float)r.trials.errors.distance, (float)r.trials.share,
+                                 (float)r.trials.errors.floats};
     const nkw_reduced unchanged = {reached.source_key_count, reached.source_key_count, 0.0f, 0.0f, 0.0f};
     const int is_within = r.trials.share <= 1.0;
     *out = is_within ? r.made : from;
     if (reduced)
         *reduced = is_within ? reached : unchanged;
+    return NKW_OK;
+}
+
+/* Adds the differences of `other` at the times of the source. */
+static void add_difference(const nkw_clip_source *source, const nkw_clip_source *other, reduce_trials *t,
+                           nkw_reduced *d)
+{
+    const reduce_made made = {NULL, other, QUARTERS};
+    nkwi_reduce_errors(source, t->reduction, &made, &t->errors);
+    float distance = (float)t->errors.distance, floats = (float)t->errors.floats;
+    d->distance = distance > d->distance ? distance : d->distance;
+    d->floats = floats > d->floats ? floats : d->floats;
+    for (size_t i = 0; i < source->joint_count + source->track_count; i++)
+        d->share = (float)t->errors.errors[i] > d->share ? (float)t->errors.errors[i] : d->share;
+}
+
+nkw_result nkw_clip_source_difference(const nkw_clip_source *source, const nkw_clip_source *other,
+                                      const nkw_clip_reduction *reduction, nkw_reduced *difference, double *work,
+                                      size_t work_count)
+{
+    const nkw_clip_source *larger = source->track_count < other->track_count ? other : source;
+    nkw_reduced d = {count_keys(source), count_keys(other), 0.0f, 0.0f, 0.0f};
+    reduce_trials trials;
+    size_t bytes;
+    nkw_result result = nkw_clip_source_reduce_measure(source, &bytes, NULL, work, work_count);
+    if (result == NKW_OK)
+        result = nkw_clip_source_reduce_measure(other, &bytes, NULL, work, work_count);
+    if (result == NKW_OK && (source->joint_count != other->joint_count || source->float_count != other->float_count))
+        result = NKW_MISMATCHED;
+    if (result == NKW_OK)
+        result = nkwi_reduce_check(source, reduction);
+    if (result != NKW_OK)
+        return result;
+    memset(&trials, 0, sizeof trials);
+    trials.source = larger, trials.reduction = reduction;
+    nkwi_reduce_begin(&trials, &work);
+    add_difference(source, other, &trials, &d);
+    add_difference(other, source, &trials, &d);
+    *difference = d;
     return NKW_OK;
 }

@@ -200,6 +200,28 @@ static void a_tolerance_of_zero_is_lossless(void **state)
         assert_true(out.tracks[i].track.count == (i % 2 == 0 && i > 0 && i < TRACKS - 1 ? 2 : KEYS));
 }
 
+static void the_difference_of_reduced_tracks_is_the_error_that_was_reached(void **state)
+{
+    (void)state;
+    const nkw_clip_reduction r = within(0.02f);
+    nkw_reduced reduced, measured;
+    const nkw_clip_source out = reduce(&r, &reduced);
+    const size_t count = sizeof work / sizeof *work;
+    assert_int_equal(nkw_clip_source_difference(&drawn.source, &out, &r, &measured, work, count), NKW_OK);
+    expect_bits(measured.distance, reduced.distance);
+    expect_bits(measured.share, reduced.share);
+    assert_int_equal(measured.key_count, reduced.key_count);
+    assert_int_equal(nkw_clip_source_difference(&drawn.source, &drawn.source, &r, &measured, work, count), NKW_OK);
+    expect_bits(measured.distance, 0.0f);
+    nkw_clip_source other = out;
+    other.joint_count++;
+    assert_int_equal(nkw_clip_source_difference(&drawn.source, &other, &r, &measured, work, count), NKW_TOO_SMALL);
+    other.joint_count = JOINTS;
+    other.float_count = 0;
+    other.track_count--;
+    assert_int_equal(nkw_clip_source_difference(&drawn.source, &other, &r, &measured, work, count), NKW_MISMATCHED);
+}
+
 static void wrong_sources_and_too_little_memory_are_refused(void **state)
 {
     (void)state;
@@ -244,6 +266,7 @@ int main(void)
         cmocka_unit_test(errors_of_a_chain_add_up_without_the_hierarchy),
         cmocka_unit_test(each_joint_may_have_its_own_tolerance),
         cmocka_unit_test(a_tolerance_of_zero_is_lossless),
+        cmocka_unit_test(the_difference_of_reduced_tracks_is_the_error_that_was_reached),
         cmocka_unit_test(wrong_sources_and_too_little_memory_are_refused),
         cmocka_unit_test(a_clip_without_tracks_has_none),
     };

@@ -101,6 +101,21 @@ NKW_API nkw_result nkw_clip_source_reduce(const nkw_clip_source *source, const n
                                           const nkw_clip_memory *memory, nkw_clip_source *out, nkw_reduced *reduced,
                                           size_t *bad_track);
 
+/**
+ * The largest differences of other tracks from those of a clip, in model space, as nkw_clip_source_reduce measures them;
+ * also at the keys of the other tracks and between them. For tracks that were edited, resampled or read again.
+ *
+ * source, other  with the same number of joints and floats
+ * reduction      as above; its tolerances determine `share`, which may be larger than 1
+ * difference     receives the number of keys of both, and the differences
+ * work           as above, for the source with more tracks
+ * Returns        as nkw_clip_source_reduce_measure for either; NKW_MISMATCHED for another number of joints or floats;
+ *                NKW_NOT_FINITE as above
+ */
+NKW_API nkw_result nkw_clip_source_difference(const nkw_clip_source *source, const nkw_clip_source *other,
+                                              const nkw_clip_reduction *reduction, nkw_reduced *difference,
+                                              double *work, size_t work_count);
+
 #ifdef __cplusplus
 }
 #endif
