@@ -119,7 +119,23 @@ static nkw_import_result open_document(const nkw_import_memory *memory, nkw_docu
     return error->code;
 }
 
-/* The folder of the memory as a reader, where it has no reader. */
+int nkwi_document_reader(nkw_import_memory *memory, char **folder, nkw_import_error *error)
+{
+    *folder = NULL;
+    if (memory->reader || !memory->folder)
+        return 1;
+    size_t length = strlen(memory->folder);
+    *folder = (char *)malloc(length + 2);
+    if (!*folder)
+        return nkwi_fail(error, NULL, NKW_IMPORT_NO_MEMORY, "no memory for the name of the folder");
+    memcpy(*folder, memory->folder, length + 1);
+    if (length > 0 && memory->folder[length - 1] != '/')
+        memcpy(*folder + length, "/", 2);
+    memory->reader = nkwi_folder_reader;
+    memory->user = *folder;
+    return 1;
+}
+
 nkw_import_result nkw_document_open_memory(const nkw_import_memory *memory, nkw_document **document,
                                            nkw_import_error *error)
 {
@@ -129,22 +145,10 @@ nkw_import_result nkw_document_open_memory(const nkw_import_memory *memory, nkw_
     error = error ? error : &other;
     nkwi_fault_none(error, memory->file ? memory->file : "");
     *document = NULL;
-    if (!memory->reader && memory->folder) {
-        size_t length = strlen(memory->folder);
-        folder = (char *)malloc(length + 2);
-        if (!folder) {
-            nkwi_fail(error, NULL, NKW_IMPORT_NO_MEMORY, "no memory for the name of the folder");
-            return error->code;
-        }
-        memcpy(folder, memory->folder, length + 1);
-        if (length > 0 && folder[length - 1] != '/')
-            memcpy(folder + length, "/", 2);
-        from.reader = nkwi_folder_reader;
-        from.user = folder;
-    }
-    nkw_import_result result = open_document(&from, document, error);
+    if (nkwi_document_reader(&from, &folder, error))
+        open_document(&from, document, error);
     free(folder);
-    return result;
+    return error->code;
 }
 
 nkw_import_result nkw_document_open(const char *path, nkw_document **document, nkw_import_error *error)

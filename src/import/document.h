@@ -35,6 +35,9 @@ const char *nkwi_document_name(nkwi_document *document, nkw_import_error *error,
 int nkwi_document_nodes(nkwi_document *document, nkw_import_error *error, const nkwi_place *place,
                         const nkw_document_node *list, const int32_t *node_parents, size_t count);
 
+/* The folder of the memory as its reader, if it has none. The name of the folder is to be freed. */
+int nkwi_document_reader(nkw_import_memory *memory, char **folder, nkw_import_error *error);
+
 /* glTF 2.0 (gltf.c): whether the first bytes are those of a glTF file, and reading it. */
 int nkwi_gltf_is(const void *data, size_t bytes);
 int nkwi_gltf_read(nkwi_document *document, const nkw_import_memory *memory, nkw_import_error *error);

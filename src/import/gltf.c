@@ -88,20 +88,26 @@ static int check_version(nkwi_gltf *g)
     return g->document->all.generator != NULL;
 }
 
-static int read_parts(nkwi_gltf *g)
+int nkwi_gltf_begin(nkwi_gltf *g)
 {
-    nkwi_value list;
     size_t views, buffers;
-    if (!check_version(g) || !check_extensions(g) || !nkwi_gltf_list(g, "nodes", &list, &g->node_count) ||
-        !nkwi_gltf_list(g, "meshes", &list, &g->mesh_count) || !nkwi_gltf_list(g, "skins", &list, &g->skin_count) ||
-        !nkwi_gltf_list(g, "materials", &list, &g->material_count) ||
-        !nkwi_gltf_list(g, "accessors", &g->accessor_list, &g->accessor_count) ||
+    if (!nkwi_gltf_list(g, "accessors", &g->accessor_list, &g->accessor_count) ||
         !nkwi_gltf_list(g, "bufferViews", &g->view_list, &views) ||
         !nkwi_gltf_list(g, "buffers", &g->buffer_list, &buffers))
         return 0;
     g->buffers = (nkwi_buffer *)nkwi_gltf_scratch(g, &g->buffer_list, buffers, sizeof *g->buffers);
     g->accessors = (nkwi_accessor *)nkwi_gltf_scratch(g, &g->accessor_list, g->accessor_count, sizeof *g->accessors);
-    return g->buffers && g->accessors && nkwi_gltf_images(g) && nkwi_gltf_materials(g) && nkwi_gltf_meshes(g) &&
+    return g->buffers && g->accessors;
+}
+
+static int read_parts(nkwi_gltf *g)
+{
+    nkwi_value list;
+    if (!check_version(g) || !check_extensions(g) || !nkwi_gltf_list(g, "nodes", &list, &g->node_count) ||
+        !nkwi_gltf_list(g, "meshes", &list, &g->mesh_count) || !nkwi_gltf_list(g, "skins", &list, &g->skin_count) ||
+        !nkwi_gltf_list(g, "materials", &list, &g->material_count))
+        return 0;
+    return nkwi_gltf_begin(g) && nkwi_gltf_images(g) && nkwi_gltf_materials(g) && nkwi_gltf_meshes(g) &&
            nkwi_gltf_nodes(g) && nkwi_gltf_skins(g) && nkwi_gltf_animations(g) && nkwi_gltf_scenes(g);
 }
 
@@ -168,13 +174,11 @@ int nkwi_gltf_is(const void *data, size_t bytes)
     return is_glb(data, bytes) || (i < bytes && text[i] == '{');
 }
 
-/* The JSON tree; integers become doubles, which hold all that are valid. */
-static json_t *parse(nkwi_gltf *g, const unsigned char *text, size_t bytes)
+static json_t *parse(nkwi_gltf *g, const unsigned char *text, size_t bytes, size_t flags)
 {
     json_error_t wrong;
     char place[64];
-    json_t *tree = json_loadb((const char *)text, bytes,
-                              JSON_REJECT_DUPLICATES | JSON_DECODE_INT_AS_REAL | JSON_ALLOW_NUL, &wrong);
+    json_t *tree = json_loadb((const char *)text, bytes, JSON_REJECT_DUPLICATES | JSON_ALLOW_NUL | flags, &wrong);
     if (tree)
         return tree;
     size_t before = (size_t)(text - (const unsigned char *)g->memory->data);
@@ -186,23 +190,31 @@ static json_t *parse(nkwi_gltf *g, const unsigned char *text, size_t bytes)
     return NULL;
 }
 
+json_t *nkwi_gltf_open(nkwi_gltf *g, nkwi_document *document, const nkw_import_memory *memory, size_t flags,
+                       nkw_import_error *error)
+{
+    size_t bytes = memory->bytes;
+    const unsigned char *text = (const unsigned char *)memory->data;
+    memset(g, 0, sizeof *g);
+    g->document = document;
+    g->memory = memory;
+    g->error = error;
+    g->scratch.most = SIZE_MAX;
+    if (is_glb(memory->data, memory->bytes) && !split_glb(g, &text, &bytes))
+        return NULL;
+    size_t mark = mark_of(text, bytes);
+    json_t *tree = parse(g, text + mark, bytes - mark, flags);
+    g->root = nkwi_root(tree);
+    return tree;
+}
+
+/* Integers become doubles, which hold all that are valid. */
 int nkwi_gltf_read(nkwi_document *document, const nkw_import_memory *memory, nkw_import_error *error)
 {
     nkwi_gltf g;
-    size_t bytes = memory->bytes;
-    const unsigned char *text = (const unsigned char *)memory->data;
-    memset(&g, 0, sizeof g);
-    g.document = document;
-    g.memory = memory;
-    g.error = error;
-    g.scratch.most = SIZE_MAX;
-    if (is_glb(memory->data, memory->bytes) && !split_glb(&g, &text, &bytes))
-        return 0;
-    size_t mark = mark_of(text, bytes);
-    json_t *tree = parse(&g, text + mark, bytes - mark);
+    json_t *tree = nkwi_gltf_open(&g, document, memory, JSON_DECODE_INT_AS_REAL, error);
     if (!tree)
         return 0;
-    g.root = nkwi_root(tree);
     document->all.format = "glTF 2.0";
     int done = nkwi_keys_are(&g.root) ? nkwi_keys_read_tree(document, &g.root, error) : read_parts(&g);
     nkwi_give(&g.scratch);

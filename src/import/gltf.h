@@ -61,6 +61,14 @@ typedef struct nkwi_gltf {
     unsigned char *image_is_read;
 } nkwi_gltf;
 
+/*
+ * The tree of a file, with the flags of jansson, and the bytes of the GLB's second chunk; NULL after an error. Then the
+ * lists of accessors, views and buffers. The tree and g->scratch are to be freed.
+ */
+json_t *nkwi_gltf_open(nkwi_gltf *g, nkwi_document *document, const nkw_import_memory *memory, size_t flags,
+                       nkw_import_error *error);
+int nkwi_gltf_begin(nkwi_gltf *g);
+
 /* Scratch memory, and memory of the document. */
 void *nkwi_gltf_scratch(nkwi_gltf *g, const nkwi_value *at, size_t count, size_t size);
 void *nkwi_gltf_take(nkwi_gltf *g, const nkwi_value *at, size_t count, size_t size);

@@ -1,0 +1,84 @@
+/* SPDX-License-Identifier: MIT */
+/**
+ * @file
+ * Above the library: documents as glTF 2.0 files. Part of nakawari::import.
+ *
+ *     nkw_gltf_file file;
+ *     if (nkw_document_write(document, NKW_GLTF_BINARY, NULL, &file, &error) == NKW_IMPORT_OK)
+ *         fwrite(file.data, 1, file.bytes, out);
+ *     nkw_gltf_file_free(&file);
+ *
+ * To change a document, copy the structure nkw_document, not what it points to, and replace its arrays: a writer reads
+ * the fields only. The same document is written with the same bytes everywhere.
+ *
+ * glTF has no two keys at one time and no interpolation per key. A jump becomes two keys whose times differ by one ULP.
+ * STEP segments between LINEAR or CUBICSPLINE ones become a key more, one ULP before the next. LINEAR segments of numbers
+ * between CUBICSPLINE ones become cubics of the same values; such a rotation is an error: resample it first.
+ *
+ * docs/import.md states what is written.
+ */
+#ifndef NAKAWARI_EXPORT_H
+#define NAKAWARI_EXPORT_H
+
+#include "import.h"
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/** The form of a file. */
+typedef enum nkw_gltf_form {
+    NKW_GLTF_BINARY, /**< .glb */
+    NKW_GLTF_TEXT, /**< .gltf, its buffer as a data URI */
+    NKW_GLTF_OUTER /**< .gltf, its buffer in a file of its own */
+} nkw_gltf_form;
+
+/** Bytes to be written, freed by nkw_gltf_file_free. */
+typedef struct nkw_gltf_file {
+    unsigned char *data;
+    size_t bytes;
+    unsigned char *outer; /**< of NKW_GLTF_OUTER: the buffer; NULL without one */
+    size_t outer_bytes;
+} nkw_gltf_file;
+
+/**
+ * Writes a document: nodes, skins, meshes with all that is read of them, morph targets, the names and base colours of
+ * materials, scenes, animations. Nodes have the numbers of the file. Nothing else of the file is written: no textures,
+ * cameras, lights, extensions, extras.
+ *
+ * uri      of NKW_GLTF_OUTER: the name of the outer file; otherwise not read
+ * file     receives the bytes; zeros after an error
+ * error    receives what went wrong; its place is that of the part; may be NULL
+ * Returns  error->code: NKW_IMPORT_UNSUPPORTED for tracks that glTF does not have, NKW_IMPORT_TOO_LARGE for 4 GiB
+ */
+NKW_API nkw_import_result nkw_document_write(const nkw_document *document, nkw_gltf_form form, const char *uri,
+                                             nkw_gltf_file *file, nkw_import_error *error);
+
+/** A glTF file whose animations are replaced. */
+typedef struct nkw_gltf_rewriting {
+    const nkw_import_memory
+        *source; /**< the bytes of the file; outer files are read as nkw_document_open_memory does */
+    const nkw_document *from; /**< the document of these bytes */
+    const nkw_document *to; /**< the same with other tracks: as many animations, channels as in `from` */
+    int embeds_images; /**< whether outer images become part of the file: if it is written to another folder */
+} nkw_gltf_rewriting;
+
+/**
+ * Writes a glTF file with other animations and everything else as it is: materials, textures, cameras, extensions,
+ * extras. If any track has other arrays than in `from`, all keys are written anew and the old bytes are dropped; values
+ * keep the integer type of their accessor if that is exact. All buffers become one.
+ *
+ * Returns  as nkw_document_write; NKW_IMPORT_REFUSED for a `to` with other channels; the errors of reading;
+ *          NKW_IMPORT_UNSUPPORTED for files with EXT_meshopt_compression
+ */
+NKW_API nkw_import_result nkw_gltf_rewrite(const nkw_gltf_rewriting *rewriting, nkw_gltf_form form, const char *uri,
+                                           nkw_gltf_file *file, nkw_import_error *error);
+
+/** Frees the bytes and sets zeros. */
+NKW_API void nkw_gltf_file_free(nkw_gltf_file *file);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif

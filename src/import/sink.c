@@ -1,0 +1,414 @@
+/* SPDX-License-Identifier: MIT */
+#include <stdlib.h>
+#include <string.h>
+
+#include "file.h"
+#include "sink.h"
+
+void nkwi_sink_open(nkwi_sink *s, nkw_import_error *error, json_t *views, json_t *accessors)
+{
+    memset(s, 0, sizeof *s);
+    s->error = error;
+    s->views = views;
+    s->accessors = accessors;
+    s->scratch.most = SIZE_MAX;
+    s->failed = !views || !accessors;
+}
+
+void nkwi_sink_close(nkwi_sink *s)
+{
+    nkwi_give(&s->scratch);
+    free(s->known);
+    free(s->data);
+}
+
+void nkwi_set(nkwi_sink *s, json_t *object, const char *key, json_t *value)
+{
+    if (json_object_set_new(object, key, value) != 0)
+        s->failed = 1;
+}
+
+void nkwi_put(nkwi_sink *s, json_t *array, json_t *value)
+{
+    if (json_array_append_new(array, value) != 0)
+        s->failed = 1;
+}
+
+json_t *nkwi_real(double number)
+{
+    return json_real(number - number == 0.0 ? number : 0.0);
+}
+
+json_t *nkwi_string(nkwi_sink *s, const char *text)
+{
+    json_t *string = json_string(text);
+    char *copy = string ? NULL : nkwi_copy(&s->scratch, text);
+    for (char *c = copy; c && *c; c++)
+        *c = (char)((unsigned char)*c < 0x80 ? *c : '?');
+    return copy ? json_string(copy) : string;
+}
+
+json_t *nkwi_floats_of(nkwi_sink *s, const float *values, size_t count)
+{
+    json_t *list = json_array();
+    for (size_t i = 0; i < count; i++)
+        nkwi_put(s, list, nkwi_real((double)values[i]));
+    return list;
+}
+
+static int grow(nkwi_sink *s, size_t bytes)
+{
+    size_t room = s->room ? s->room : 4096;
+    if (s->failed || bytes > NKWI_BYTES_MOST - s->bytes - 4) {
+        s->failed = 1;
+        return 0;
+    }
+    while (room < s->bytes + bytes + 4)
+        room *= 2;
+    if (room == s->room)
+        return 1;
+    unsigned char *wider = (unsigned char *)realloc(s->data, room);
+    s->failed = wider == NULL;
+    if (!wider)
+        return 0;
+    s->data = wider;
+    s->room = room;
+    return 1;
+}
+
+size_t nkwi_sink_append(nkwi_sink *s, const void *data, size_t bytes)
+{
+    if (!grow(s, bytes))
+        return 0;
+    while (s->bytes % 4 != 0)
+        s->data[s->bytes++] = 0;
+    size_t at = s->bytes;
+    if (bytes > 0)
+        memcpy(s->data + at, data, bytes);
+    s->bytes += bytes;
+    return at;
+}
+
+static size_t size_of(nkwi_component component)
+{
+    return component == NKWI_I8 || component == NKWI_U8 ? 1 : component == NKWI_I16 || component == NKWI_U16 ? 2 : 4;
+}
+
+/* glTF is little-endian. */
+static void to_little_endian(unsigned char *data, size_t size, size_t count)
+{
+    const uint16_t one = 1;
+    unsigned char low;
+    memcpy(&low, &one, 1);
+    for (size_t i = 0; !low && i < count; i++)
+        for (size_t k = 0; k < size / 2; k++) {
+            unsigned char *a = data + i * size + k, *b = data + i * size + (size - 1 - k), c = *a;
+            *a = *b;
+            *b = c;
+        }
+}
+
+static size_t append_numbers(nkwi_sink *s, const nkwi_numbers *n)
+{
+    const size_t size = size_of(n->component), count = n->width * n->count;
+    size_t at = nkwi_sink_append(s, n->data, size * count);
+    if (!s->failed && size > 1)
+        to_little_endian(s->data + at, size, count);
+    return at;
+}
+
+static double number_at(const nkwi_numbers *n, size_t i)
+{
+    return n->component == NKWI_F32   ? (double)((const float *)n->data)[i]
+           : n->component == NKWI_U32 ? (double)((const uint32_t *)n->data)[i]
+                                      : (double)((const uint16_t *)n->data)[i];
+}
+
+static void set_bounds(nkwi_sink *s, json_t *accessor, const nkwi_numbers *n)
+{
+    json_t *low = json_array(), *high = json_array();
+    for (size_t c = 0; c < n->width; c++) {
+        double least = number_at(n, c), greatest = least;
+        for (size_t i = c; i < n->width * n->count; i += n->width) {
+            double x = number_at(n, i);
+            least = x < least ? x : least;
+            greatest = x > greatest ? x : greatest;
+        }
+        nkwi_put(s, low, nkwi_real(least));
+        nkwi_put(s, high, nkwi_real(greatest));
+    }
+    nkwi_set(s, accessor, "min", low);
+    nkwi_set(s, accessor, "max", high);
+}
+
+static json_t *accessor_of(nkwi_sink *s, const nkwi_numbers *n, size_t view, size_t offset)
+{
+    static const char *const types[17] = {NULL, "SCALAR", "VEC2", "VEC3", "VEC4", NULL, NULL, NULL,  NULL,
+                                          NULL, NULL,     NULL,   NULL,   NULL,   NULL, NULL, "MAT4"};
+    json_t *a = json_object();
+    nkwi_set(s, a, "bufferView", json_integer((json_int_t)view));
+    if (offset)
+        nkwi_set(s, a, "byteOffset", json_integer((json_int_t)offset));
+    nkwi_set(s, a, "componentType", json_integer(n->component));
+    if (n->normalized)
+        nkwi_set(s, a, "normalized", json_true());
+    nkwi_set(s, a, "count", json_integer((json_int_t)n->count));
+    nkwi_set(s, a, "type", json_string(types[n->width]));
+    if (n->bounds && n->count > 0)
+        set_bounds(s, a, n);
+    return a;
+}
+
+static json_t *view_of(nkwi_sink *s, size_t start, size_t bytes, int target)
+{
+    json_t *view = json_object();
+    nkwi_set(s, view, "buffer", json_integer(0));
+    nkwi_set(s, view, "byteOffset", json_integer((json_int_t)start));
+    nkwi_set(s, view, "byteLength", json_integer((json_int_t)bytes));
+    if (target)
+        nkwi_set(s, view, "target", json_integer(target));
+    return view;
+}
+
+size_t nkwi_sink_numbers(nkwi_sink *s, const nkwi_numbers *n)
+{
+    size_t view = json_array_size(s->views), index = json_array_size(s->accessors), at = append_numbers(s, n);
+    nkwi_put(s, s->views, view_of(s, at, s->bytes - at, n->target));
+    nkwi_put(s, s->accessors, accessor_of(s, n, view, 0));
+    return index;
+}
+
+void nkwi_sink_begin_keys(nkwi_sink *s)
+{
+    s->view_index = json_array_size(s->views);
+    s->view_start = nkwi_sink_append(s, NULL, 0);
+    s->view = view_of(s, s->view_start, 0, 0);
+}
+
+void nkwi_sink_end_keys(nkwi_sink *s)
+{
+    if (s->bytes > s->view_start) {
+        nkwi_set(s, s->view, "byteLength", json_integer((json_int_t)(s->bytes - s->view_start)));
+        nkwi_put(s, s->views, s->view);
+    } else
+        json_decref(s->view);
+    s->view = NULL;
+}
+
+static size_t add_keys(nkwi_sink *s, const nkwi_numbers *n)
+{
+    size_t index = json_array_size(s->accessors), at = append_numbers(s, n);
+    nkwi_put(s, s->accessors, accessor_of(s, n, s->view_index, at - s->view_start));
+    return index;
+}
+
+/* ---- keys as glTF has them: times that ascend strictly, one interpolation ---- */
+
+/* Accessors of keys that exist already: key times by their numbers, values by the array of the track. */
+typedef struct nkwi_known {
+    const float *times, *values;
+    size_t count, size, time_accessor, value_accessor;
+} nkwi_known;
+
+typedef struct keys {
+    float *times, *values;
+    size_t count;
+    nkw_interpolation mode;
+} keys;
+
+static nkw_interpolation mode_at(const nkw_track *t, size_t k)
+{
+    return t->key_interpolation ? (nkw_interpolation)t->key_interpolation[k] : t->interpolation;
+}
+
+/* The one mode of all segments; otherwise that of the layout, LINEAR for a STEP layout of other modes. */
+static nkw_interpolation mode_of(const nkw_track *t)
+{
+    int same = 1;
+    for (size_t k = 1; k + 1 < t->count; k++)
+        same = same && mode_at(t, k) == mode_at(t, 0);
+    if (t->interpolation == NKW_INTERPOLATION_CUBICSPLINE)
+        return NKW_INTERPOLATION_CUBICSPLINE;
+    return same && t->count > 0 ? mode_at(t, 0) : NKW_INTERPOLATION_LINEAR;
+}
+
+/* The next float below a finite one. */
+static float below(float x)
+{
+    uint32_t bits;
+    memcpy(&bits, &x, sizeof bits);
+    if (x == 0.0f)
+        bits = 0x80000001u;
+    else
+        bits = x > 0.0f ? bits - 1 : bits + 1;
+    memcpy(&x, &bits, sizeof x);
+    return x;
+}
+
+static int is_cubic(const nkw_track *t)
+{
+    return t->interpolation == NKW_INTERPOLATION_CUBICSPLINE;
+}
+
+/* Adds a key if it is later than the last one. */
+static void add_key(keys *out, const nkw_track *t, float time, const float *key)
+{
+    const size_t size = t->width * (is_cubic(t) ? 3 : 1);
+    if (out->count > 0 && !(time > out->times[out->count - 1]))
+        return;
+    out->times[out->count] = time;
+    memcpy(out->values + size * out->count, key, size * sizeof *key);
+    out->count++;
+}
+
+/* All keys in their order. Memory for twice as many. */
+static void convert(const nkw_track *t, keys *out)
+{
+    const size_t size = t->width * (is_cubic(t) ? 3 : 1);
+    const int mixed = out->mode != NKW_INTERPOLATION_STEP && t->key_interpolation;
+    for (size_t k = 0; k < t->count; k++) {
+        const float *key = t->values + size * k;
+        const size_t at = out->count;
+        const int jumps = k + 1 < t->count && t->times[k] == t->times[k + 1];
+        add_key(out, t, jumps ? below(t->times[k]) : t->times[k], key);
+        if (!mixed || jumps || k + 1 == t->count || out->count == at)
+            continue;
+        if (mode_at(t, k) == NKW_INTERPOLATION_STEP)
+            add_key(out, t, below(t->times[k + 1]), key);
+        if (is_cubic(t) && out->count == at + 2)
+            memset(out->values + (3 * at + 2) * t->width, 0, 2 * t->width * sizeof(float));
+    }
+}
+
+/* The tangents of lines between cubics of numbers: the slope, after key `at` and before the next. */
+static void set_slope(const nkw_track *t, size_t k, keys *out, size_t at)
+{
+    const float *a = t->values + (3 * k + 1) * t->width, *b = a + 3 * t->width;
+    const double duration = (double)t->times[k + 1] - (double)t->times[k];
+    for (size_t i = 0; i < t->width; i++) {
+        float slope = (float)(((double)b[i] - (double)a[i]) / duration);
+        out->values[(3 * at + 2) * t->width + i] = slope;
+        out->values[(3 * at + 3) * t->width + i] = slope;
+    }
+}
+
+static void set_slopes(const nkw_track *t, keys *out)
+{
+    for (size_t k = 0, at = 0; t->key_interpolation && is_cubic(t) && k + 1 < t->count; k++) {
+        while (at < out->count && out->times[at] < t->times[k])
+            at++;
+        if (mode_at(t, k) == NKW_INTERPOLATION_LINEAR && t->times[k] < t->times[k + 1] && at + 1 < out->count)
+            set_slope(t, k, out, at);
+    }
+}
+
+static int prepare(nkwi_sink *s, const nkw_clip_track *track, const nkwi_place *place, keys *out)
+{
+    const nkw_track *t = &track->track;
+    const size_t size = t->width * (is_cubic(t) ? 3 : 1);
+    out->count = 0;
+    out->mode = mode_of(t);
+    for (size_t k = 0; is_cubic(t) && track->target == NKW_CLIP_ROTATION && k + 1 < t->count; k++)
+        if (mode_at(t, k) == NKW_INTERPOLATION_LINEAR)
+            return nkwi_fail(s->error, place, NKW_IMPORT_UNSUPPORTED,
+                             "glTF has no rotation that is LINEAR after key %zu and CUBICSPLINE elsewhere", k);
+    out->times = (float *)nkwi_take(&s->scratch, 2 * t->count, sizeof(float));
+    out->values = (float *)nkwi_take(&s->scratch, 2 * t->count * size, sizeof(float));
+    s->failed = s->failed || !out->times || !out->values;
+    if (s->failed)
+        return 0;
+    convert(t, out);
+    set_slopes(t, out);
+    return 1;
+}
+
+/* The least and the greatest integer of a normalised component type. */
+static int range_of(nkwi_component component, float *low, float *high)
+{
+    *low = component == NKWI_I8 ? -127.0f : component == NKWI_I16 ? -32767.0f : 0.0f;
+    *high = component == NKWI_I8 ? 127.0f : component == NKWI_U8 ? 255.0f : component == NKWI_I16 ? 32767.0f : 65535.0f;
+    return component == NKWI_I8 || component == NKWI_U8 || component == NKWI_I16 || component == NKWI_U16;
+}
+
+/* x / high is the value of the integer x, as reading decodes it. Returns 0 if a value is none of them. */
+static int encode(const float *values, size_t count, nkwi_component component, unsigned char *out)
+{
+    float low, high;
+    if (!range_of(component, &low, &high))
+        return 0;
+    for (size_t i = 0; i < count; i++) {
+        float scaled = values[i] * high, code = (float)(int32_t)(scaled < 0.0f ? scaled - 0.5f : scaled + 0.5f);
+        if (!(scaled >= low - 0.5f && scaled <= high + 0.5f) || code / high != values[i])
+            return 0;
+        const int16_t word = (int16_t)(uint16_t)(int32_t)code;
+        if (high < 256.0f)
+            out[i] = (unsigned char)(word & 0xff);
+        else
+            memcpy(out + 2 * i, &word, 2);
+    }
+    return 1;
+}
+
+static size_t values_accessor(nkwi_sink *s, const nkw_track *t, const keys *k, size_t width, nkwi_component component)
+{
+    const size_t count = k->count * t->width * (is_cubic(t) ? 3 : 1);
+    nkwi_numbers numbers = {NKWI_F32, 0, width, count / width, k->values, 0, 0};
+    unsigned char *codes = (unsigned char *)nkwi_take(&s->scratch, count, 2);
+    if (codes && encode(k->values, count, component, codes)) {
+        numbers.component = component;
+        numbers.normalized = 1;
+        numbers.data = codes;
+    }
+    return add_keys(s, &numbers);
+}
+
+static int remember(nkwi_sink *s, const nkwi_known *known)
+{
+    if (s->known_count == s->known_room) {
+        size_t room = s->known_room ? 2 * s->known_room : 64;
+        nkwi_known *wider = (nkwi_known *)realloc(s->known, room * sizeof *wider);
+        if (!wider)
+            return 0;
+        s->known = wider;
+        s->known_room = room;
+    }
+    s->known[s->known_count++] = *known;
+    return 1;
+}
+
+/* The accessors of the keys, which several tracks may share. */
+static nkwi_known accessors_of(nkwi_sink *s, const nkw_track *t, const keys *k, size_t width, nkwi_component component)
+{
+    nkwi_known found = {k->times, t->values, k->count, t->width * (is_cubic(t) ? 3 : 1), SIZE_MAX, SIZE_MAX};
+    for (size_t i = 0; i < s->known_count && found.value_accessor == SIZE_MAX; i++) {
+        const nkwi_known *known = &s->known[i];
+        if (known->count != k->count || memcmp(known->times, k->times, k->count * sizeof *k->times) != 0)
+            continue;
+        found.time_accessor = known->time_accessor;
+        if (known->values == t->values && known->size == found.size)
+            found.value_accessor = known->value_accessor;
+    }
+    const nkwi_numbers times = {NKWI_F32, 0, 1, k->count, k->times, 1, 0};
+    const int is_known = found.value_accessor != SIZE_MAX;
+    if (found.time_accessor == SIZE_MAX)
+        found.time_accessor = add_keys(s, &times);
+    if (!is_known)
+        found.value_accessor = values_accessor(s, t, k, width, component);
+    s->failed = s->failed || (!is_known && !remember(s, &found));
+    return found;
+}
+
+json_t *nkwi_sink_sampler(nkwi_sink *s, const nkw_clip_track *track, const nkwi_place *place, nkwi_component component)
+{
+    static const char *const names[] = {"LINEAR", "STEP", "CUBICSPLINE"};
+    keys k = {NULL, NULL, 0, NKW_INTERPOLATION_LINEAR};
+    if (!prepare(s, track, place, &k))
+        return NULL;
+    const size_t width = track->target == NKW_CLIP_FLOATS ? 1 : track->target == NKW_CLIP_ROTATION ? 4 : 3;
+    const nkwi_known known = accessors_of(s, &track->track, &k, width, component);
+    json_t *sampler = json_object();
+    nkwi_set(s, sampler, "input", json_integer((json_int_t)known.time_accessor));
+    nkwi_set(s, sampler, "output", json_integer((json_int_t)known.value_accessor));
+    nkwi_set(s, sampler, "interpolation", json_string(names[k.mode]));
+    return sampler;
+}

@@ -1,0 +1,389 @@
+/* SPDX-License-Identifier: MIT */
+/* A document as a glTF 2.0 file. */
+#include <string.h>
+
+#include "sink.h"
+
+typedef struct writer {
+    nkwi_sink sink;
+    const nkw_document *document;
+    json_t *root;
+    struct written {
+        const void *data;
+        size_t width, accessor;
+    } * written; /* arrays that have an accessor: parts of meshes share them */
+    size_t written_count, written_room;
+} writer;
+
+/* An array of the root; NULL if it is empty, which is not valid. */
+static json_t *add_list(writer *w, const char *key, size_t count)
+{
+    json_t *list = count > 0 ? json_array() : NULL;
+    if (list)
+        nkwi_set(&w->sink, w->root, key, list);
+    return list;
+}
+
+/* An object of a list. */
+static json_t *add_object(writer *w, json_t *list, const char *name)
+{
+    json_t *object = json_object();
+    nkwi_put(&w->sink, list, object);
+    if (name && name[0])
+        nkwi_set(&w->sink, object, "name", nkwi_string(&w->sink, name));
+    return object;
+}
+
+static void set_index(writer *w, json_t *object, const char *key, size_t index)
+{
+    nkwi_set(&w->sink, object, key, json_integer((json_int_t)index));
+}
+
+static size_t number_of(const writer *w, int32_t joint)
+{
+    return w->document->nodes[joint].number;
+}
+
+/* ---- nodes and scenes ---- */
+
+static int differs(const float *a, const float *b, size_t n)
+{
+    for (size_t i = 0; i < n; i++)
+        if (a[i] != b[i])
+            return 1;
+    return 0;
+}
+
+static void set_transform(writer *w, json_t *object, const nkw_document_node *node)
+{
+    static const nkw_trs identity = {{0.0f, 0.0f, 0.0f}, {0.0f, 0.0f, 0.0f, 1.0f}, {1.0f, 1.0f, 1.0f}};
+    const nkw_trs *t = &node->rest;
+    if (node->matrix) {
+        nkwi_set(&w->sink, object, "matrix", nkwi_floats_of(&w->sink, node->matrix->m, 16));
+        return;
+    }
+    if (differs(&t->translation.x, &identity.translation.x, 3))
+        nkwi_set(&w->sink, object, "translation", nkwi_floats_of(&w->sink, &t->translation.x, 3));
+    if (differs(&t->rotation.x, &identity.rotation.x, 4))
+        nkwi_set(&w->sink, object, "rotation", nkwi_floats_of(&w->sink, &t->rotation.x, 4));
+    if (differs(&t->scale.x, &identity.scale.x, 3))
+        nkwi_set(&w->sink, object, "scale", nkwi_floats_of(&w->sink, &t->scale.x, 3));
+}
+
+static void set_children(writer *w, json_t *nodes)
+{
+    const nkw_document *d = w->document;
+    for (size_t i = 0; i < d->skeleton.joint_count; i++) {
+        const int32_t parent = d->skeleton.parents[d->joint_of_node[i]];
+        if (parent == NKW_NO_JOINT)
+            continue;
+        json_t *object = json_array_get(nodes, number_of(w, parent)), *list = json_object_get(object, "children");
+        if (!list)
+            nkwi_set(&w->sink, object, "children", list = json_array());
+        nkwi_put(&w->sink, list, json_integer((json_int_t)i));
+    }
+}
+
+static void write_nodes(writer *w)
+{
+    const nkw_document *d = w->document;
+    json_t *list = add_list(w, "nodes", d->skeleton.joint_count);
+    for (size_t i = 0; i < d->skeleton.joint_count; i++) {
+        const nkw_document_node *node = &d->nodes[d->joint_of_node[i]];
+        json_t *object = add_object(w, list, node->name);
+        set_transform(w, object, node);
+        if (node->mesh != NKW_NO_JOINT)
+            set_index(w, object, "mesh", (size_t)node->mesh);
+        if (node->skin != NKW_NO_JOINT && node->mesh != NKW_NO_JOINT)
+            set_index(w, object, "skin", (size_t)node->skin);
+        if (node->float_count > 0 && d->rest_floats)
+            nkwi_set(&w->sink, object, "weights",
+                     nkwi_floats_of(&w->sink, d->rest_floats + node->float_first, node->float_count));
+    }
+    set_children(w, list);
+}
+
+/* Without scenes: one of all roots. */
+static void write_scenes(writer *w)
+{
+    const nkw_document *d = w->document;
+    json_t *list = add_list(w, "scenes", 1);
+    for (size_t i = 0; i < d->scene_count; i++) {
+        json_t *object = add_object(w, list, d->scenes[i].name), *roots = json_array();
+        for (size_t k = 0; k < d->scenes[i].root_count; k++)
+            nkwi_put(&w->sink, roots, json_integer((json_int_t)number_of(w, d->scenes[i].roots[k])));
+        if (d->scenes[i].root_count > 0)
+            nkwi_set(&w->sink, object, "nodes", roots);
+        else
+            json_decref(roots);
+    }
+    if (d->scene_count == 0) {
+        json_t *object = add_object(w, list, NULL), *roots = json_array();
+        for (size_t i = 0; i < d->skeleton.joint_count; i++)
+            if (d->skeleton.parents[d->joint_of_node[i]] == NKW_NO_JOINT)
+                nkwi_put(&w->sink, roots, json_integer((json_int_t)i));
+        nkwi_set(&w->sink, object, "nodes", roots);
+    }
+    if (d->scene != NKW_NO_JOINT || d->scene_count == 0)
+        set_index(w, w->root, "scene", d->scene_count ? (size_t)d->scene : 0);
+}
+
+static void write_skins(writer *w)
+{
+    const nkw_document *d = w->document;
+    json_t *list = add_list(w, "skins", d->skin_count);
+    for (size_t i = 0; i < d->skin_count; i++) {
+        const nkw_document_skin *skin = &d->skins[i];
+        json_t *object = add_object(w, list, skin->name), *joints = json_array();
+        for (size_t k = 0; k < skin->joint_count; k++)
+            nkwi_put(&w->sink, joints, json_integer((json_int_t)number_of(w, skin->joints[k])));
+        nkwi_set(&w->sink, object, "joints", joints);
+        const nkwi_numbers matrices = {NKWI_F32, 0, 16, skin->joint_count, skin->inverse_bind, 0, 0};
+        if (skin->inverse_bind)
+            set_index(w, object, "inverseBindMatrices", nkwi_sink_numbers(&w->sink, &matrices));
+    }
+}
+
+/* ---- meshes ---- */
+
+/* The accessor of an array, once. */
+static size_t accessor_of(writer *w, const nkwi_numbers *n)
+{
+    for (size_t i = 0; i < w->written_count; i++)
+        if (w->written[i].data == n->data && w->written[i].width == n->width)
+            return w->written[i].accessor;
+    const struct written entry = {n->data, n->width, nkwi_sink_numbers(&w->sink, n)};
+    if (w->written_count < w->written_room)
+        w->written[w->written_count++] = entry;
+    return entry.accessor;
+}
+
+static void set_floats(writer *w, json_t *attributes, const char *key, const void *data, size_t width, size_t count)
+{
+    const nkwi_numbers n = {NKWI_F32, 0, width, count, data, strcmp(key, "POSITION") == 0, 34962};
+    if (data && count > 0)
+        set_index(w, attributes, key, accessor_of(w, &n));
+}
+
+/* Set `set` of four influences: joints and weights, with zeros after the last. */
+static void set_influences(writer *w, json_t *attributes, const nkw_document_primitive *p, size_t set)
+{
+    const size_t first = 4 * set, most = p->influence_count - first < 4 ? p->influence_count - first : 4;
+    uint16_t *joints = (uint16_t *)nkwi_take(&w->sink.scratch, 4 * p->vertex_count, sizeof *joints);
+    float *weights = (float *)nkwi_take(&w->sink.scratch, 4 * p->vertex_count, sizeof *weights);
+    w->sink.failed = w->sink.failed || !joints || !weights;
+    for (size_t v = 0; v < p->vertex_count && !w->sink.failed; v++)
+        for (size_t k = 0; k < most; k++) {
+            weights[4 * v + k] = p->weights[v * p->influence_count + first + k];
+            joints[4 * v + k] = p->joints[v * p->influence_count + first + k];
+        }
+    const nkwi_numbers j = {NKWI_U16, 0, 4, p->vertex_count, joints, 0, 34962};
+    const nkwi_numbers x = {NKWI_F32, 0, 4, p->vertex_count, weights, 0, 34962};
+    char key[32];
+    if (w->sink.failed)
+        return;
+    snprintf(key, sizeof key, "JOINTS_%zu", set);
+    set_index(w, attributes, key, nkwi_sink_numbers(&w->sink, &j));
+    snprintf(key, sizeof key, "WEIGHTS_%zu", set);
+    set_index(w, attributes, key, nkwi_sink_numbers(&w->sink, &x));
+}
+
+static void set_indices(writer *w, json_t *object, const nkw_document_primitive *p)
+{
+    nkwi_numbers n = {NKWI_U32, 0, 1, p->index_count, p->indices, 0, 34963};
+    uint16_t *shorts = NULL;
+    if (p->vertex_count < 65536)
+        shorts = (uint16_t *)nkwi_take(&w->sink.scratch, p->index_count, sizeof *shorts);
+    for (size_t i = 0; shorts && i < p->index_count; i++)
+        shorts[i] = (uint16_t)p->indices[i];
+    if (shorts) {
+        n.component = NKWI_U16;
+        n.data = shorts;
+    }
+    if (p->index_count > 0)
+        set_index(w, object, "indices", nkwi_sink_numbers(&w->sink, &n));
+}
+
+static void set_targets(writer *w, json_t *object, const nkw_document_primitive *p)
+{
+    json_t *list = json_array();
+    for (size_t i = 0; i < p->target_count; i++) {
+        json_t *target = json_object();
+        set_floats(w, target, "POSITION", p->targets[i].positions, 3, p->vertex_count);
+        set_floats(w, target, "NORMAL", p->targets[i].normals, 3, p->vertex_count);
+        set_floats(w, target, "TANGENT", p->targets[i].tangents, 3, p->vertex_count);
+        nkwi_put(&w->sink, list, target);
+    }
+    nkwi_set(&w->sink, object, "targets", list);
+}
+
+static void write_primitive(writer *w, json_t *list, const nkw_document_primitive *p)
+{
+    static const int modes[] = {0, 1, 4};
+    json_t *object = json_object(), *attributes = json_object();
+    nkwi_put(&w->sink, list, object);
+    nkwi_set(&w->sink, object, "attributes", attributes);
+    set_floats(w, attributes, "POSITION", p->positions, 3, p->vertex_count);
+    set_floats(w, attributes, "NORMAL", p->normals, 3, p->vertex_count);
+    set_floats(w, attributes, "TANGENT", p->tangents, 4, p->vertex_count);
+    set_floats(w, attributes, "TEXCOORD_0", p->texcoords, 2, p->vertex_count);
+    set_floats(w, attributes, "COLOR_0", p->colors, 4, p->vertex_count);
+    for (size_t set = 0; 4 * set < p->influence_count; set++)
+        set_influences(w, attributes, p, set);
+    set_indices(w, object, p);
+    if (modes[p->topology] != 4)
+        nkwi_set(&w->sink, object, "mode", json_integer(modes[p->topology]));
+    if (p->material != NKW_NO_JOINT)
+        set_index(w, object, "material", (size_t)p->material);
+    if (p->target_count > 0)
+        set_targets(w, object, p);
+}
+
+/* glTF has no mesh without a part, and no morph weights without targets: one point, which no target moves. */
+static void write_point(writer *w, json_t *list, size_t target_count)
+{
+    static const nkw_vec3 origin = {0.0f, 0.0f, 0.0f};
+    const nkw_document_target still = {&origin, NULL, NULL};
+    nkw_document_target *targets = (nkw_document_target *)nkwi_take(&w->sink.scratch, target_count, sizeof *targets);
+    nkw_document_primitive p;
+    memset(&p, 0, sizeof p);
+    w->sink.failed = w->sink.failed || !targets;
+    for (size_t i = 0; targets && i < target_count; i++)
+        targets[i] = still;
+    p.topology = NKW_DOCUMENT_POINTS;
+    p.material = NKW_NO_JOINT;
+    p.vertex_count = 1;
+    p.positions = &origin;
+    p.targets = targets;
+    p.target_count = targets ? target_count : 0;
+    write_primitive(w, list, &p);
+}
+
+static void write_meshes(writer *w)
+{
+    const nkw_document *d = w->document;
+    json_t *list = add_list(w, "meshes", d->mesh_count);
+    for (size_t i = 0; i < d->mesh_count; i++) {
+        const nkw_document_mesh *mesh = &d->meshes[i];
+        json_t *object = add_object(w, list, mesh->name), *primitives = json_array(), *names = json_array();
+        nkwi_set(&w->sink, object, "primitives", primitives);
+        for (size_t k = 0; k < mesh->primitive_count; k++)
+            write_primitive(w, primitives, &mesh->primitives[k]);
+        if (mesh->primitive_count == 0)
+            write_point(w, primitives, mesh->target_count);
+        if (mesh->target_count > 0 && mesh->weights)
+            nkwi_set(&w->sink, object, "weights", nkwi_floats_of(&w->sink, mesh->weights, mesh->target_count));
+        for (size_t k = 0; k < mesh->target_count; k++)
+            nkwi_put(&w->sink, names, nkwi_string(&w->sink, mesh->target_names[k]));
+        if (mesh->target_count > 0)
+            nkwi_set(&w->sink, object, "extras", json_pack("{s:o}", "targetNames", names));
+        else
+            json_decref(names);
+    }
+}
+
+static void write_materials(writer *w)
+{
+    const nkw_document *d = w->document;
+    json_t *list = add_list(w, "materials", d->material_count);
+    for (size_t i = 0; i < d->material_count; i++) {
+        json_t *object = add_object(w, list, d->materials[i].name), *look = json_object();
+        nkwi_set(&w->sink, look, "baseColorFactor", nkwi_floats_of(&w->sink, d->materials[i].color, 4));
+        nkwi_set(&w->sink, look, "metallicFactor", json_integer(0));
+        nkwi_set(&w->sink, object, "pbrMetallicRoughness", look);
+        if (d->materials[i].color[3] < 1.0f)
+            nkwi_set(&w->sink, object, "alphaMode", json_string("BLEND"));
+    }
+}
+
+/* ---- animations ---- */
+
+static int write_animation(writer *w, json_t *list, const nkw_document_animation *a, const nkwi_place *place)
+{
+    static const char *const paths[] = {"translation", "rotation", "scale", "weights"};
+    const nkwi_place channel_list = {place, "channels", 0};
+    json_t *object = add_object(w, list, a->name), *channels = json_array(), *samplers = json_array();
+    nkwi_set(&w->sink, object, "channels", channels);
+    nkwi_set(&w->sink, object, "samplers", samplers);
+    for (size_t i = 0; i < a->track_count; i++) {
+        const nkwi_place at = {&channel_list, NULL, a->channels[i].number};
+        json_t *sampler = nkwi_sink_sampler(&w->sink, &a->tracks[i], &at, NKWI_F32);
+        if (!sampler)
+            return 0;
+        nkwi_put(&w->sink, samplers, sampler);
+        nkwi_put(&w->sink, channels,
+                 json_pack("{s:I,s:{s:I,s:s}}", "sampler", (json_int_t)i, "target", "node",
+                           (json_int_t)number_of(w, a->channels[i].joint), "path", paths[a->tracks[i].target]));
+    }
+    return 1;
+}
+
+/* An animation without channels is not valid. */
+static int write_animations(writer *w)
+{
+    const nkw_document *d = w->document;
+    const nkwi_place root = {NULL, NULL, 0}, place = {&root, "animations", 0};
+    json_t *list = add_list(w, "animations", 1);
+    int done = 1;
+    nkwi_sink_begin_keys(&w->sink);
+    for (size_t i = 0; done && i < d->animation_count; i++) {
+        const nkwi_place at = {&place, NULL, i};
+        if (d->animations[i].track_count > 0)
+            done = write_animation(w, list, &d->animations[i], &at);
+    }
+    nkwi_sink_end_keys(&w->sink);
+    return done;
+}
+
+static size_t most_arrays(const nkw_document *d)
+{
+    size_t count = 1;
+    for (size_t i = 0; i < d->mesh_count; i++)
+        count += d->meshes[i].primitive_count * (5 + 3 * d->meshes[i].target_count);
+    return count;
+}
+
+static int write_parts(writer *w, nkw_gltf_form form, const char *uri, nkw_gltf_file *file)
+{
+    w->written_room = most_arrays(w->document);
+    w->written = (struct written *)nkwi_take(&w->sink.scratch, w->written_room, sizeof *w->written);
+    w->sink.failed = w->sink.failed || !w->written;
+    if (w->sink.failed)
+        return nkwi_fail(w->sink.error, NULL, NKW_IMPORT_NO_MEMORY, "no memory for the file");
+    nkwi_set(&w->sink, w->root, "asset", json_pack("{s:s,s:s}", "version", "2.0", "generator", "nakawari"));
+    write_scenes(w);
+    write_nodes(w);
+    write_materials(w);
+    write_meshes(w);
+    write_skins(w);
+    if (!write_animations(w))
+        return 0;
+    nkwi_set(&w->sink, w->root, "accessors", json_incref(w->sink.accessors));
+    nkwi_set(&w->sink, w->root, "bufferViews", json_incref(w->sink.views));
+    return nkwi_sink_write(&w->sink, w->root, form, uri, 9, file);
+}
+
+nkw_import_result nkw_document_write(const nkw_document *document, nkw_gltf_form form, const char *uri,
+                                     nkw_gltf_file *file, nkw_import_error *error)
+{
+    const nkw_gltf_file none = {NULL, 0, NULL, 0};
+    nkw_import_error own;
+    writer w;
+    error = error ? error : &own;
+    memset(&w, 0, sizeof w);
+    nkwi_fault_none(error, document->file);
+    *file = none;
+    w.document = document;
+    w.root = json_object();
+    nkwi_sink_open(&w.sink, error, json_array(), json_array());
+    if (!write_parts(&w, form, uri ? uri : "", file)) {
+        nkw_gltf_file_free(file);
+        if (error->code == NKW_IMPORT_OK)
+            nkwi_fail(error, NULL, NKW_IMPORT_NO_MEMORY, "no memory for the file");
+    }
+    json_decref(w.sink.views);
+    json_decref(w.sink.accessors);
+    json_decref(w.root);
+    nkwi_sink_close(&w.sink);
+    return error->code;
+}
