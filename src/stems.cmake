@@ -32,8 +32,6 @@ set(NKW_FLOOR_4
   segment
   fcurve
   spline
-  nurbs
-  polycurve
   keyframe
   track
   dialect

@@ -22,10 +22,12 @@ enum command_code {
 /* The subcommands: argv[0] is "nakawari NAME". They return an exit code. */
 int command_bake(int argc, const char **argv);
 int command_check(int argc, const char **argv);
+int command_convert(int argc, const char **argv);
 int command_diff(int argc, const char **argv);
 int command_info(int argc, const char **argv);
 int command_parts(int argc, const char **argv);
 int command_plot(int argc, const char **argv);
+int command_reduce(int argc, const char **argv);
 int command_render(int argc, const char **argv); /* only with libpng: NKW_RENDER */
 int command_sample(int argc, const char **argv);
 
@@ -71,6 +73,8 @@ int options_word(const char *word, const char *const *words, int count);
 
 /** Opens a file, or the standard input for "-". An error is reported on stderr; returns NULL. */
 nkw_document *input_open(const char *path);
+/** All bytes of a file, or of the standard input for "-", to be freed. An error is reported; returns NULL. */
+unsigned char *input_read(const char *path, size_t *bytes);
 /** Reports an error of the import on stderr: "file:place: reason". */
 void input_report(const nkw_import_error *error);
 

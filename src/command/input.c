@@ -49,6 +49,21 @@ static unsigned char *read_all(FILE *f, size_t *bytes)
     return NULL;
 }
 
+unsigned char *input_read(const char *path, size_t *bytes)
+{
+    const int is_stdin = strcmp(path, "-") == 0;
+    FILE *f = is_stdin ? stdin : fopen(path, "rb");
+    unsigned char *data = f ? read_all(f, bytes) : NULL;
+    if (!data) {
+        const int reason = errno;
+        output_text(stderr, path);
+        fprintf(stderr, ": cannot be read: %s\n", strerror(reason));
+    }
+    if (f && !is_stdin)
+        fclose(f);
+    return data;
+}
+
 static nkw_document *open_stdin(nkw_import_error *error)
 {
     nkw_document *document = NULL;

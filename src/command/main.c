@@ -15,10 +15,12 @@ typedef struct subcommand {
 static const subcommand subcommands[] = {
     {"bake", "nakawari bake", command_bake, "a clip as a file that maps back, or as a texture of palettes"},
     {"check", "nakawari check", command_check, "what is wrong with a file: one line for each finding"},
+    {"convert", "nakawari convert", command_convert, "any file as glTF: resampled, reduced, with other axes"},
     {"diff", "nakawari diff", command_diff, "the largest difference of each joint between two files"},
     {"info", "nakawari info", command_info, "what a file contains: clips, channels, keys, bytes"},
     {"parts", "nakawari parts", command_parts, "skinned meshes cut into parts of few bones, as JSON"},
     {"plot", "nakawari plot", command_plot, "curves of joints over time, paths, Euler angles: SVG, PNG"},
+    {"reduce", "nakawari reduce", command_reduce, "fewer keys within a distance in model space, as glTF"},
 #if defined(NKW_RENDER)
     {"render", "nakawari render", command_render, "pictures of the model at times: PNG, animated PNG, SVG"},
 #endif

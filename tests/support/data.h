@@ -23,9 +23,7 @@
     X(crowd_skin) \
     X(clip_reduce) \
     X(spline) \
-    X(ik) \
-    X(nurbs) \
-    X(polycurve)
+    X(ik)
 
 #ifdef __cplusplus
 extern "C" {

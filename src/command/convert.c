@@ -1,0 +1,175 @@
+/* SPDX-License-Identifier: MIT */
+/* nakawari convert: any file that is read, as glTF. */
+#include <stdlib.h>
+#include <string.h>
+
+#include "progress.h"
+#include "reframe.h"
+
+static const options_text text = {
+    "[OPTION...] FILE -o OUT",
+    "Writes FILE, of any format that is read, as glTF 2.0: skeleton, skins, meshes with morph targets, clips. Keys "
+    "are\n"
+    "those of the file, unless --rate resamples them or --tolerance reduces them; then the keys, their bytes and the\n"
+    "largest distance to the original are printed for each clip.\n\n"
+    "--axes A:B converts from the axes of A to those of B: a tool (gltf, maya, vrm, blender, max, opengl, unity,\n"
+    "directx, unreal), or the axes that point right, up and forward, such as x,z,-y. --up z:y is --axes blender:gltf,\n"
+    "--up y:z the reverse. --scale multiplies lengths.\n\n"
+    "Of a glTF file everything else is kept, unless --axes, --up or --scale changes its meshes: then only what is "
+    "read\n"
+    "is written, without textures, cameras, lights and extensions.\n",
+    "  nakawari convert keys.csv -o keys.glb\n"
+    "  nakawari convert fox.glb --rate 30 --tolerance 0.1 -o fox30.glb\n"
+    "  nakawari convert zup.glb --up z:y --scale 0.01 -o yup.glb\n"
+    "  nakawari convert fox.glb --axes gltf:unity --form embedded -o - | less\n",
+    1, 0};
+
+typedef struct request {
+    char *clip, *output, *form, *axes, *up;
+    float rate, tolerance, scale;
+    int reframes;
+    nkw_axes_map map;
+} request;
+
+static int change_clip(model *m, size_t animation, const request *r, const extent *e, FILE *report)
+{
+    model_change change;
+    const float tolerance = r->tolerance >= 0.0f ? r->tolerance : 1e-4f * e->size;
+    if (r->rate > 0.0f && !model_resample(m, animation, r->rate))
+        return 0;
+    if (r->tolerance >= 0.0f && !model_reduce(m, animation, e, tolerance, 0))
+        return 0;
+    if (!model_measure(m, animation, e, tolerance, &change))
+        return 0;
+    model_report(report, m->original, animation, &change);
+    return 1;
+}
+
+/* Leaves one clip, if one is chosen. */
+static int choose_clips(model *m, const request *r)
+{
+    input_clips clips;
+    if (!r->clip)
+        return 1;
+    if (!input_select(m->original, r->clip, &clips))
+        return 0;
+    m->document.animations = clips.first == INPUT_REST ? NULL : m->animations + clips.first;
+    m->document.animation_count = clips.first == INPUT_REST ? 0 : clips.count;
+    return 1;
+}
+
+static int change_clips(model *m, const request *r, const extent *e, FILE *report)
+{
+    int fine = 1;
+    if (r->rate == 0.0f && r->tolerance < 0.0f)
+        return 1;
+    model_report_head(report, m->original);
+    progress p = progress_begin("converting clip", m->document.animation_count, report);
+    for (size_t i = 0; fine && i < m->document.animation_count; i++) {
+        progress_at(&p, i);
+        fine = change_clip(m, (size_t)(m->document.animations - m->animations) + i, r, e, report);
+    }
+    progress_end(&p);
+    return fine;
+}
+
+static int run(const model_source *source, const request *r)
+{
+    const int to_stdout = !r->output || strcmp(r->output, "-") == 0;
+    const int is_gltf = strcmp(source->document->format, "glTF 2.0") == 0;
+    const int keeps = is_gltf && !r->reframes && !r->clip;
+    FILE *report = to_stdout ? stderr : stdout;
+    size_t bytes = 0;
+    model m;
+    extent e;
+    int fine = model_open(&m, source->document);
+    fine = extent_open(&e, source->document) && fine;
+    if (fine && is_gltf && !keeps)
+        fputs("note: only what is read is written: no textures, cameras, lights, extensions\n", stderr);
+    fine = fine && choose_clips(&m, r) && change_clips(&m, r, &e, report) &&
+           (!r->reframes || reframe(&m, r->map, r->scale)) &&
+           model_write(&m, keeps ? source : NULL, r->output, (nkw_gltf_form)model_form(r->form, r->output), &bytes);
+    if (fine)
+        fprintf(report, "written: %zu bytes\n", bytes);
+    extent_free(&e);
+    model_close(&m);
+    return (to_stdout || output_close(stdout, NULL)) && fine;
+}
+
+/* "A:B" */
+static int read_axes(const char *axes, nkw_axes_map *map)
+{
+    char first[64];
+    nkw_axes from, to;
+    const char *colon = strchr(axes, ':');
+    const size_t length = colon ? (size_t)(colon - axes) : sizeof first;
+    if (length >= sizeof first)
+        return 0;
+    memcpy(first, axes, length);
+    first[length] = 0;
+    if (!reframe_axes(first, &from) || !reframe_axes(colon + 1, &to))
+        return 0;
+    *map = nkw_axes_map_from_axes(from, to);
+    return 1;
+}
+
+static int check_axes(const options *o, request *r)
+{
+    static const char *const ups[] = {"z:y", "y:z"};
+    const int up = r->up ? options_word(r->up, ups, 2) : -1;
+    if (r->up && r->axes)
+        return options_misuse(o, "--up", "not with --axes");
+    if (r->up && up < 0)
+        return options_misuse(o, r->up, "not z:y or y:z");
+    const char *axes = up == 0 ? "blender:gltf" : up == 1 ? "gltf:blender" : r->axes;
+    r->map = nkw_axes_map_identity();
+    if (axes && !read_axes(axes, &r->map))
+        return options_misuse(o, axes, "not two tools or triples of axes: FROM:TO");
+    r->reframes = axes || r->scale != 1.0f;
+    return COMMAND_FINE;
+}
+
+static int check_request(const options *o, request *r)
+{
+    if (!(r->tolerance == -1.0f || (r->tolerance >= 0.0f && r->tolerance < 1e30f)))
+        return options_misuse(o, "--tolerance", "not a distance");
+    if (!(r->rate >= 0.0f && r->rate <= 1e6f))
+        return options_misuse(o, "--rate", "not in 0..1000000");
+    if (!(r->scale > 0.0f && r->scale < 1e30f))
+        return options_misuse(o, "--scale", "not a positive number");
+    if (model_form(r->form, r->output) < 0)
+        return options_misuse(o, r->form, "not glb, gltf or embedded");
+    return check_axes(o, r);
+}
+
+int command_convert(int argc, const char **argv)
+{
+    request r = {NULL, NULL, NULL, NULL, NULL, 0.0f, -1.0f, 1.0f, 0, {NKW_AXIS_X, NKW_AXIS_Y, NKW_AXIS_Z}};
+    const struct poptOption known[] = {
+        {"clip", 'c', POPT_ARG_STRING, &r.clip, 0, "number or name of one clip, or rest (default: all)", "N"},
+        {"rate", 'r', POPT_ARG_FLOAT, &r.rate, 0, "resample at R keys per second", "R"},
+        {"tolerance", 't', POPT_ARG_FLOAT, &r.tolerance, 0, "reduce keys to a distance in model space", "D"},
+        {"axes", 'a', POPT_ARG_STRING, &r.axes, 0, "convert axes, such as blender:gltf or x,z,-y:-x,y,z", "A:B"},
+        {"up", 'u', POPT_ARG_STRING, &r.up, 0, "z:y from Z-up to Y-up, y:z from Y-up to Z-up", "A:B"},
+        {"scale", 's', POPT_ARG_FLOAT, &r.scale, 0, "multiply lengths: 0.01 from centimetres to metres", "F"},
+        {"form", 'f', POPT_ARG_STRING, &r.form, 0,
+         "glb, gltf (with FILE.bin) or embedded (default: by the name of the output)", "FORM"},
+        {"output", 'o', POPT_ARG_STRING, &r.output, 0, "write to FILE, not to the standard output", "FILE"},
+        OPTIONS_END};
+    options o;
+    model_source source;
+    int code;
+    if (!options_read(&o, &text, known, argc, argv))
+        code = o.code;
+    else if ((code = check_request(&o, &r)) == COMMAND_FINE) {
+        code = model_source_open(&source, o.files[0]) && run(&source, &r) ? COMMAND_FINE : COMMAND_FINDINGS;
+        model_source_close(&source);
+    }
+    options_close(&o);
+    free(r.clip);
+    free(r.output);
+    free(r.form);
+    free(r.axes);
+    free(r.up);
+    return code;
+}

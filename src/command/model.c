@@ -1,0 +1,324 @@
+/* SPDX-License-Identifier: MIT */
+#include "model.h"
+
+#include <stdint.h>
+#include <stdlib.h>
+#include <string.h>
+
+/* ---- the source ---- */
+
+/* The folder of a path, with its last separator; "." without one. */
+static char *folder_of(const char *path)
+{
+    const char *end = strrchr(path, '/');
+    size_t length = end ? (size_t)(end - path) + 1 : 1;
+    char *folder = malloc(length + 1);
+    if (folder) {
+        memcpy(folder, end ? path : ".", length);
+        folder[length] = 0;
+    }
+    return folder;
+}
+
+int model_source_open(model_source *s, const char *path)
+{
+    const int is_stdin = strcmp(path, "-") == 0;
+    nkw_import_error error;
+    memset(s, 0, sizeof *s);
+    s->memory.file = path;
+    s->folder = folder_of(is_stdin ? "." : path);
+    s->memory.folder = s->folder;
+    s->data = input_read(path, &s->memory.bytes);
+    s->memory.data = s->data;
+    if (!s->data || !s->folder)
+        return 0;
+    if (!is_stdin)
+        s->document = input_open(path);
+    else if (nkw_document_open_memory(&s->memory, &s->document, &error) != NKW_IMPORT_OK)
+        input_report(&error);
+    return s->document != NULL;
+}
+
+void model_source_close(model_source *s)
+{
+    nkw_document_close(s->document);
+    free(s->data);
+    free(s->folder);
+}
+
+/* ---- the model ---- */
+
+static int no_memory(void)
+{
+    fputs("nakawari: no memory\n", stderr);
+    return 0;
+}
+
+void *model_take(model *m, size_t count, size_t size)
+{
+    void **blocks = realloc(m->blocks, (m->block_count + 1) * sizeof *blocks);
+    void *block = blocks ? calloc(count ? count : 1, size) : NULL;
+    m->blocks = blocks ? blocks : m->blocks;
+    if (!block) {
+        no_memory();
+        return NULL;
+    }
+    m->blocks[m->block_count++] = block;
+    return block;
+}
+
+int model_open(model *m, const nkw_document *d)
+{
+    memset(m, 0, sizeof *m);
+    m->original = d;
+    m->document = *d;
+    m->animations = model_take(m, d->animation_count, sizeof *m->animations);
+    m->document.animations = m->animations;
+    for (size_t i = 0; m->animations && i < d->animation_count; i++) {
+        const size_t count = d->animations[i].track_count;
+        nkw_clip_track *tracks = model_take(m, count, sizeof *tracks);
+        if (!tracks)
+            return 0;
+        if (count)
+            memcpy(tracks, d->animations[i].tracks, count * sizeof *tracks);
+        m->animations[i] = d->animations[i];
+        m->animations[i].tracks = tracks;
+    }
+    return m->animations != NULL;
+}
+
+void model_close(model *m)
+{
+    for (size_t i = 0; i < m->block_count; i++)
+        free(m->blocks[i]);
+    free(m->blocks);
+}
+
+nkw_clip_track *model_tracks(model *m, size_t animation)
+{
+    return (nkw_clip_track *)m->animations[animation].tracks;
+}
+
+static int refuse(const model *m, size_t animation, nkw_result result)
+{
+    output_text(stderr, m->original->file);
+    fputs(": clip ", stderr);
+    output_text(stderr, m->original->animations[animation].name);
+    fprintf(stderr, ": %s: see nakawari check\n", nkw_result_text(result));
+    return 0;
+}
+
+/* ---- keys ---- */
+
+static int same_times(const nkw_track *a, const nkw_track *b)
+{
+    return a->count == b->count &&
+           (a->times == b->times || memcmp(a->times, b->times, a->count * sizeof *a->times) == 0);
+}
+
+/* Whether a track before this one has the same times, or another one if `any`. */
+static int shares_times(const nkw_document_animation *a, size_t track, int any)
+{
+    for (size_t i = 0; i < (any ? a->track_count : track); i++)
+        if (i != track && same_times(&a->tracks[i].track, &a->tracks[track].track))
+            return 1;
+    return 0;
+}
+
+static void count_bytes(const nkw_document_animation *a, size_t *keys, size_t *bytes)
+{
+    *keys = *bytes = 0;
+    for (size_t i = 0; i < a->track_count; i++) {
+        const nkw_track *t = &a->tracks[i].track;
+        *keys += t->count;
+        *bytes += sizeof(float) * (nkw_track_value_count(t) + (shares_times(a, i, 0) ? 0 : t->count));
+    }
+}
+
+static nkw_clip_reduction reduction_of(const nkw_document *d, const extent *e, float tolerance)
+{
+    const nkw_clip_reduction r = {d->skeleton.parents, tolerance, 0.0f, NULL, e->reach, tolerance / e->size};
+    return r;
+}
+
+static double *work_of(const nkw_clip_source *s, size_t *count)
+{
+    *count = NKW_CLIP_REDUCE_WORK(s->track_count, s->joint_count, s->float_count);
+    return calloc(*count, sizeof(double));
+}
+
+/* Whether there are fewer keys, and, unless `fewest`, fewer bytes: the times of the source may be shared. */
+static int is_better(const nkw_document_animation *a, size_t track, const nkw_track *reduced, int fewest)
+{
+    const nkw_track *t = &a->tracks[track].track;
+    const size_t before = nkw_track_value_count(t) + (shares_times(a, track, 1) ? 0 : t->count);
+    return reduced->count < t->count && (fewest || nkw_track_value_count(reduced) + reduced->count < before);
+}
+
+int model_reduce(model *m, size_t animation, const extent *e, float tolerance, int fewest)
+{
+    const nkw_clip_source source = nkw_document_clip_source(&m->document, animation, NKW_CLIP_FLOAT32);
+    const nkw_clip_reduction reduction = reduction_of(&m->document, e, tolerance);
+    nkw_clip_memory memory = {NULL, 0, NULL, 0};
+    nkw_clip_source out;
+    memory.work = work_of(&source, &memory.work_count);
+    if (!memory.work)
+        return no_memory();
+    nkw_result result = nkw_clip_source_reduce_measure(&source, &memory.bytes, NULL, memory.work, memory.work_count);
+    memory.block = result == NKW_OK ? model_take(m, memory.bytes, 1) : NULL;
+    if (result == NKW_OK && !memory.block) {
+        free(memory.work);
+        return 0;
+    }
+    if (result == NKW_OK)
+        result = nkw_clip_source_reduce(&source, &reduction, &memory, &out, NULL, NULL);
+    free(memory.work);
+    if (result != NKW_OK)
+        return refuse(m, animation, result);
+    nkw_clip_track *tracks = model_tracks(m, animation), *chosen = model_take(m, out.track_count, sizeof *chosen);
+    for (size_t i = 0; chosen && i < out.track_count; i++)
+        chosen[i] = is_better(&m->animations[animation], i, &out.tracks[i].track, fewest) ? out.tracks[i] : tracks[i];
+    m->animations[animation].tracks = chosen ? chosen : tracks;
+    return chosen != NULL;
+}
+
+static nkw_result resample(model *m, nkw_track *t, float rate)
+{
+    nkw_track_memory memory = {NULL, NULL, 0, NULL, NKW_TRACK_WORK(t->width)};
+    nkw_result result = nkw_track_resample_count(t, rate, &memory.key_capacity);
+    if (result != NKW_OK)
+        return result;
+    memory.times = model_take(m, memory.key_capacity, sizeof(float));
+    memory.values = model_take(m, memory.key_capacity * t->width, sizeof(float));
+    memory.work = model_take(m, memory.work_count, sizeof(float));
+    return memory.times && memory.values && memory.work ? nkw_track_resample(t, rate, &memory, t, NULL) : NKW_TOO_SMALL;
+}
+
+int model_resample(model *m, size_t animation, float rate)
+{
+    nkw_clip_track *tracks = model_tracks(m, animation);
+    for (size_t i = 0; i < m->animations[animation].track_count; i++) {
+        nkw_result result = nkw_track_validate(&tracks[i].track, NULL);
+        if (result == NKW_OK)
+            result = resample(m, &tracks[i].track, rate);
+        if (result != NKW_OK)
+            return refuse(m, animation, result);
+    }
+    return 1;
+}
+
+int model_measure(const model *m, size_t animation, const extent *e, float tolerance, model_change *change)
+{
+    const nkw_clip_source before = nkw_document_clip_source(m->original, animation, NKW_CLIP_FLOAT32);
+    const nkw_clip_source after = nkw_document_clip_source(&m->document, animation, NKW_CLIP_FLOAT32);
+    const nkw_clip_reduction reduction = reduction_of(m->original, e, tolerance);
+    size_t count;
+    double *work = work_of(&before, &count);
+    memset(change, 0, sizeof *change);
+    count_bytes(&m->original->animations[animation], &change->keys_before, &change->bytes_before);
+    count_bytes(&m->animations[animation], &change->keys, &change->bytes);
+    if (!work)
+        return no_memory();
+    nkw_result result = nkw_clip_source_difference(&before, &after, &reduction, &change->error, work, count);
+    free(work);
+    return result == NKW_OK || refuse(m, animation, result);
+}
+
+/* ---- the file ---- */
+
+static int ends_with(const char *text, const char *end)
+{
+    size_t length = strlen(text), tail = strlen(end);
+    return length >= tail && strcmp(text + length - tail, end) == 0;
+}
+
+int model_form(const char *form, const char *path)
+{
+    static const char *const forms[] = {"glb", "embedded", "gltf"};
+    if (form)
+        return options_word(form, forms, 3);
+    return path && ends_with(path, ".gltf") ? NKW_GLTF_OUTER : NKW_GLTF_BINARY;
+}
+
+static int put_file(const char *path, const void *data, size_t bytes)
+{
+    FILE *f = output_open(path);
+    if (!f)
+        return 0;
+    int fine = fwrite(data, 1, bytes, f) == bytes;
+    return output_close(f, path) && fine;
+}
+
+/* The path of the outer file: FILE.bin for FILE.gltf. To be freed. */
+static char *outer_of(const char *path)
+{
+    char *outer = malloc(strlen(path) + 8);
+    if (!outer)
+        return NULL;
+    strcpy(outer, path);
+    if (ends_with(outer, ".gltf"))
+        outer[strlen(outer) - 5] = 0;
+    return strcat(outer, ".bin");
+}
+
+static const char *name_of(const char *path)
+{
+    const char *end = strrchr(path, '/');
+    return end ? end + 1 : path;
+}
+
+static int same_folder(const char *a, const char *b)
+{
+    size_t x = (size_t)(name_of(a) - a), y = (size_t)(name_of(b) - b);
+    return x == y && memcmp(a, b, x) == 0;
+}
+
+static int make_file(const model *m, const model_source *source, const char *path, const char *outer,
+                     nkw_gltf_form form, nkw_gltf_file *file)
+{
+    nkw_import_error error;
+    /* A URI: blanks and % are escaped by no program that wrote `path`; the name is written as it is. */
+    const char *uri = outer ? name_of(outer) : NULL;
+    if (source) {
+        const nkw_gltf_rewriting r = {&source->memory, m->original, &m->document,
+                                      !path || !same_folder(path, source->memory.file)};
+        nkw_gltf_rewrite(&r, form, uri, file, &error);
+    } else
+        nkw_document_write(&m->document, form, uri, file, &error);
+    if (error.code != NKW_IMPORT_OK)
+        input_report(&error);
+    return error.code == NKW_IMPORT_OK;
+}
+
+int model_write(const model *m, const model_source *source, const char *path, nkw_gltf_form form, size_t *bytes)
+{
+    nkw_gltf_file file = {NULL, 0, NULL, 0};
+    const int names = path && strcmp(path, "-") != 0;
+    char *outer = names && form == NKW_GLTF_OUTER ? outer_of(path) : NULL;
+    form = form == NKW_GLTF_OUTER && !outer ? NKW_GLTF_TEXT : form;
+    int fine = make_file(m, source, names ? path : NULL, outer, form, &file);
+    fine = fine && (!file.outer || put_file(outer, file.outer, file.outer_bytes));
+    fine = fine && put_file(path, file.data, file.bytes);
+    if (bytes)
+        *bytes = file.bytes + file.outer_bytes;
+    nkw_gltf_file_free(&file);
+    free(outer);
+    return fine;
+}
+
+/* ---- the report ---- */
+
+void model_report_head(FILE *f, const nkw_document *d)
+{
+    output_text(f, d->file);
+    fprintf(f, ": %s, %zu bytes\n", d->format, d->bytes);
+    fputs("clip      keys        to       bytes          to    distance     weights  name\n", f);
+}
+
+void model_report(FILE *f, const nkw_document *d, size_t animation, const model_change *c)
+{
+    fprintf(f, "%4zu  %8zu  %8zu  %10zu  %10zu  %10.3g  %10.3g  ", animation, c->keys_before, c->keys, c->bytes_before,
+            c->bytes, (double)c->error.distance, (double)c->error.floats);
+    output_text(f, d->animations[animation].name);
+    fputc('\n', f);
+}

@@ -1,0 +1,69 @@
+/* SPDX-License-Identifier: MIT */
+/** @file A document whose tracks, nodes and meshes may be replaced, and the glTF file of it. */
+#ifndef MODEL_H
+#define MODEL_H
+
+#include <nakawari/export.h>
+#include <nakawari/reduce.h>
+
+#include "extent.h"
+
+/** A file that is kept, because it is written again with other animations. */
+typedef struct model_source {
+    nkw_import_memory memory;
+    unsigned char *data;
+    char *folder;
+    nkw_document *document;
+} model_source;
+
+/** Opens a file, or the standard input for "-". Reports an error and returns 0. model_source_close is due either way. */
+int model_source_open(model_source *s, const char *path);
+void model_source_close(model_source *s);
+
+typedef struct model {
+    nkw_document document; /**< a copy of the original, whose arrays are replaced */
+    const nkw_document *original;
+    nkw_document_animation *animations; /**< document.animations */
+    void **blocks;
+    size_t block_count;
+} model;
+
+/** Copies the document and its lists of tracks. Returns 0 and reports without memory. model_close is due either way. */
+int model_open(model *m, const nkw_document *d);
+void model_close(model *m);
+/** Memory of the model, zeros. NULL without memory, which is reported. */
+void *model_take(model *m, size_t count, size_t size);
+/** The tracks of an animation of the model, to be replaced. */
+nkw_clip_track *model_tracks(model *m, size_t animation);
+
+/** How the keys of a clip changed. */
+typedef struct model_change {
+    size_t keys_before, keys;
+    size_t bytes_before, bytes; /**< of key times, those that tracks share once, and values, as floats */
+    nkw_reduced error; /**< measured between the original and the model */
+} model_change;
+
+/**
+ * Reduces the keys of an animation to a distance in model space, at the reach of each joint; morph weights to the same
+ * share of 1 as the distance is of the model's size. Unless `fewest`, tracks whose keys would need more bytes, because
+ * they share their times, remain. Returns 0 and reports if the library refuses the keys, or without memory.
+ */
+int model_reduce(model *m, size_t animation, const extent *e, float tolerance, int fewest);
+/** Resamples the tracks of an animation at a rate, keys per second. */
+int model_resample(model *m, size_t animation, float rate);
+/** Measures what changed. */
+int model_measure(const model *m, size_t animation, const extent *e, float tolerance, model_change *change);
+
+/** The form of a file by its name and the option --form; -1 if there is no such form. */
+int model_form(const char *form, const char *path);
+/**
+ * Writes the model: with everything else of its source, or, if `source` is NULL, what nkw_document_write writes.
+ * bytes: receives the bytes of all files; may be NULL.
+ */
+int model_write(const model *m, const model_source *source, const char *path, nkw_gltf_form form, size_t *bytes);
+
+/** One line for each clip: keys, bytes and error; then the bytes of the file. `f`: stdout, or stderr if a file is there. */
+void model_report_head(FILE *f, const nkw_document *d);
+void model_report(FILE *f, const nkw_document *d, size_t animation, const model_change *c);
+
+#endif

@@ -1,0 +1,159 @@
+/* SPDX-License-Identifier: MIT */
+/* nakawari convert: what is read is written, with other rates, axes and units. */
+#if !defined(_POSIX_C_SOURCE)
+#define _POSIX_C_SOURCE 200809L
+#endif
+#include "program.h"
+
+#include <glob.h>
+#include <stdlib.h>
+
+#include "planted.h"
+
+/* A conversion of axes that changes nothing writes the document, not the file. */
+#define WRITTEN "--axes gltf:gltf"
+
+static void a_written_document_is_the_one_that_was_read(void **state)
+{
+    (void)state;
+    program_says(0, "only what is read", "convert '" NKW_CHARACTER "' " WRITTEN " -o written.glb");
+    free(program_run(NULL, "diff '" NKW_CHARACTER "' written.glb"));
+    const char *const what[] = {"local", "model", "palette", "vertices", "weights"};
+    for (int i = 0; i < 5; i++) {
+        char *from = program_run(NULL, "sample '" NKW_CHARACTER "' --clip hop --at 0,0.3,1 --what %s", what[i]);
+        char *to = program_run(NULL, "sample written.glb --clip hop --at 0,0.3,1 --what %s", what[i]);
+        assert_string_equal(from, to);
+        free(from);
+        free(to);
+    }
+}
+
+static void the_forms_of_a_file_have_the_same_content(void **state)
+{
+    (void)state;
+    const char *const forms[] = {"glb", "gltf", "embedded"};
+    for (int i = 0; i < 3; i++) {
+        free(program_run(NULL, "convert '" NKW_CHARACTER "' " WRITTEN " --form %s -o form%d.gltf", forms[i], i));
+        free(program_run(NULL, "diff '" NKW_CHARACTER "' form%d.gltf", i));
+        free(program_run(NULL, "convert '" NKW_CHARACTER "' --form %s -o kept%d.gltf", forms[i], i));
+        free(program_run(NULL, "diff '" NKW_CHARACTER "' kept%d.gltf", i));
+    }
+}
+
+static void real_files_are_written_as_they_are_read(void **state)
+{
+    (void)state;
+    glob_t found;
+    if (glob(NKW_DATA_DIR "/gltf/*.gl[tb]*", 0, NULL, &found) != 0) {
+        print_message("skipped: there is no " NKW_DATA_DIR "/gltf/\n");
+        skip();
+    }
+    for (size_t i = 0; i < found.gl_pathc; i++) {
+        free(program_run(NULL, "convert '%s' " WRITTEN " -o real.glb", found.gl_pathv[i]));
+        free(program_run(NULL, "diff '%s' real.glb", found.gl_pathv[i]));
+        free(program_run(NULL, "convert '%s' -o real.gltf", found.gl_pathv[i]));
+        free(program_run(NULL, "diff '%s' real.gltf", found.gl_pathv[i]));
+    }
+    globfree(&found);
+}
+
+/* There and back, through a mirror: every byte. */
+static void axes_convert_there_and_back_exactly(void **state)
+{
+    (void)state;
+    const char *const tools[] = {"unity", "blender", "unreal", "x,z,-y"};
+    program_says(0, "written", "convert '" NKW_CHARACTER "' " WRITTEN " -o there.glb");
+    for (int i = 0; i < 4; i++) {
+        free(program_run(NULL, "convert '" NKW_CHARACTER "' --axes gltf:%s -o other.glb", tools[i]));
+        free(program_run(NULL, "convert other.glb --axes %s:gltf -o back.glb", tools[i]));
+        program_says(0, "same", "--version >/dev/null && cmp there.glb back.glb && echo same");
+    }
+}
+
+static double number_of(const char *csv, int column)
+{
+    const char *at = strchr(csv, '\n') + 1;
+    for (int i = 0; i < column; i++)
+        at = strchr(at, ',') + 1;
+    return strtod(at, NULL);
+}
+
+/* (x, y, z) of Y-up is (x, -z, y) of Z-up. */
+static void up_and_scale_move_vertices(void **state)
+{
+    (void)state;
+    free(program_run(NULL, "convert '" NKW_CHARACTER "' --up y:z --scale 100 -o z.glb"));
+    char *from = program_run(NULL, "sample '" NKW_CHARACTER "' --clip walk --at 0.3 --what vertices");
+    char *to = program_run(NULL, "sample z.glb --clip walk --at 0.3 --what vertices");
+    const int x = 4;
+    expect_near((float)number_of(to, x), 100.0 * number_of(from, x), 1e-3);
+    expect_near((float)number_of(to, x + 1), -100.0 * number_of(from, x + 2), 1e-3);
+    expect_near((float)number_of(to, x + 2), 100.0 * number_of(from, x + 1), 1e-3);
+    free(from);
+    free(to);
+}
+
+static void keys_of_ones_own_become_a_model(void **state)
+{
+    (void)state;
+    FILE *f = fopen("own.csv", "wb");
+    assert_non_null(f);
+    fputs("name,time,tx,ty,tz\nball,0,0,0,0\nball,1,1,2,0\nball,2,0,0,0\n", f);
+    assert_int_equal(fclose(f), 0);
+    free(program_run(NULL, "convert own.csv -o own.glb"));
+    program_says(0, "glTF 2.0", "info own.glb");
+    program_says(0, "1 joints", "diff own.csv own.glb");
+}
+
+static void resampled_clips_are_measured(void **state)
+{
+    (void)state;
+    char *said = program_run(NULL, "convert '" NKW_CHARACTER "' --rate 12 -o rate.glb");
+    unsigned long before = 0, after = 0;
+    double distance = 0.0;
+    assert_int_equal(sscanf(strstr(said, "   0  "), "%*d %lu %lu %*u %*u %lf", &before, &after, &distance), 3);
+    assert_true(before == 90 && after > 90 && distance < 0.05);
+    free(said);
+    program_says(0, "12/s", "info rate.glb");
+    program_says(0, "walk", "diff --clip walk --tolerance 0.1 '" NKW_CHARACTER "' rate.glb");
+    program_says(0, "written", "convert '" NKW_CHARACTER "' --rate 60 --tolerance 0.001 -o both.glb");
+    program_says(0, "walk", "diff --clip walk --tolerance 0.05 '" NKW_CHARACTER "' both.glb");
+}
+
+static void one_clip_can_be_chosen(void **state)
+{
+    (void)state;
+    free(program_run(NULL, "convert '" NKW_CHARACTER "' --clip wave -o wave.glb"));
+    program_says(0, "1 clips", "info --clips wave.glb");
+    program_says(0, "20 joints", "diff --clip wave '" NKW_CHARACTER "' wave.glb");
+    free(program_run(NULL, "convert '" NKW_CHARACTER "' --clip rest -o rest.glb"));
+    program_says(0, "0 clips", "info --clips rest.glb");
+}
+
+static void misuse_is_reported(void **state)
+{
+    (void)state;
+    program_says(2, "not two tools", "convert --axes unity '" NKW_CHARACTER "' -o x.glb");
+    program_says(2, "not two tools", "convert --axes unity:x,x,y '" NKW_CHARACTER "' -o x.glb");
+    program_says(2, "not z:y or y:z", "convert --up z '" NKW_CHARACTER "' -o x.glb");
+    program_says(2, "not with --axes", "convert --up z:y --axes unity:gltf '" NKW_CHARACTER "' -o x.glb");
+    program_says(2, "not a positive number", "convert --scale 0 '" NKW_CHARACTER "' -o x.glb");
+    program_says(2, "not in 0..1000000", "convert --rate -1 '" NKW_CHARACTER "' -o x.glb");
+    program_says(1, "cannot be", "convert no-such-file.glb -o x.glb");
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(a_written_document_is_the_one_that_was_read),
+        cmocka_unit_test(the_forms_of_a_file_have_the_same_content),
+        cmocka_unit_test(real_files_are_written_as_they_are_read),
+        cmocka_unit_test(axes_convert_there_and_back_exactly),
+        cmocka_unit_test(up_and_scale_move_vertices),
+        cmocka_unit_test(keys_of_ones_own_become_a_model),
+        cmocka_unit_test(resampled_clips_are_measured),
+        cmocka_unit_test(one_clip_can_be_chosen),
+        cmocka_unit_test(misuse_is_reported),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}

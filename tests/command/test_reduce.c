@@ -1,0 +1,178 @@
+/* SPDX-License-Identifier: MIT */
+/* nakawari reduce: fewer keys, within the distance that diff confirms; everything else of the file remains. */
+#if !defined(_POSIX_C_SOURCE)
+#define _POSIX_C_SOURCE 200809L
+#endif
+#include "program.h"
+
+#include <glob.h>
+#include <stdlib.h>
+
+#include "planted.h"
+
+/* The numbers of a clip in the report. */
+typedef struct report {
+    unsigned long before, after, bytes_before, bytes_after;
+    double distance, floats;
+} report;
+
+static report report_of(const char *said, int clip)
+{
+    report r = {0, 0, 0, 0, 0.0, 0.0};
+    const char *line = said;
+    for (int i = 0; i < clip + 2; i++) {
+        line = strchr(line, '\n');
+        assert_non_null(line);
+        line++;
+    }
+    assert_int_equal(sscanf(line, "%*d %lu %lu %lu %lu %lf %lf", &r.before, &r.after, &r.bytes_before, &r.bytes_after,
+                            &r.distance, &r.floats),
+                     6);
+    return r;
+}
+
+static void diff_confirms_the_distance_that_was_measured(void **state)
+{
+    (void)state;
+    char *said = program_run(NULL, "reduce --fewest '" NKW_CHARACTER "' --tolerance 0.02 -o reduced.glb");
+    double most = 0.0;
+    for (int clip = 0; clip < 3; clip++) {
+        const report r = report_of(said, clip);
+        assert_true(r.after <= r.before && r.bytes_after <= r.bytes_before);
+        assert_true(r.distance <= 0.02);
+        most = r.distance > most ? r.distance : most;
+    }
+    assert_true(report_of(said, 0).after < report_of(said, 0).before);
+    assert_true(most > 0.0);
+    free(said);
+    int code;
+    free(program_run(NULL, "diff '" NKW_CHARACTER "' reduced.glb --tolerance %.9g", 1.05 * most));
+    free(program_run(&code, "diff '" NKW_CHARACTER "' reduced.glb --tolerance %.9g", 0.8 * most));
+    assert_int_equal(code, 1);
+}
+
+static void lossless_reduction_has_no_difference(void **state)
+{
+    (void)state;
+    planted p = planted_clean();
+    for (int k = 0; k < PLANTED_KEYS; k++)
+        p.scales[k][0] = p.scales[k][1] = p.scales[k][2] = 1.0f;
+    planted_write(&p, "spare");
+    char *said = program_run(NULL, "reduce --lossless --fewest spare.gltf --form glb -o lossless.glb");
+    const report r = report_of(said, 0);
+    assert_true(r.after < r.before);
+    expect_near((float)r.distance, 0.0, 0.0);
+    free(said);
+    program_says(0, "3 joints", "diff spare.gltf lossless.glb");
+}
+
+static void keys_of_cubic_curves_keep_their_tangents(void **state)
+{
+    (void)state;
+    planted p = planted_clean();
+    p.cubic = 1;
+    memset(p.rotations, 0, sizeof p.rotations);
+    for (int k = 0; k < PLANTED_KEYS; k++)
+        planted_turn(&p, k, 10.0 * k);
+    planted_write(&p, "cubic");
+    char *said = program_run(NULL, "reduce cubic.gltf --tolerance 0.5 -o cubic.glb");
+    assert_true(report_of(said, 0).distance <= 0.5);
+    free(said);
+    program_says(0, "CUBICSPLINE", "info cubic.glb");
+    program_says(0, "kick", "diff --tolerance 0.55 cubic.gltf cubic.glb");
+}
+
+static void write_text(const char *path, const char *text)
+{
+    FILE *f = fopen(path, "wb");
+    assert_non_null(f);
+    assert_true(fputs(text, f) >= 0);
+    assert_int_equal(fclose(f), 0);
+}
+
+/* Three keys on a line at 0, 1 and 2 s; a camera, extras, an extension, a view of an image. */
+static void everything_else_of_the_file_remains(void **state)
+{
+    (void)state;
+    write_text("kept.gltf",
+               "{\"asset\":{\"version\":\"2.0\",\"extras\":{\"bufferView\":7,\"x\":0.1}},\"scene\":0,"
+               "\"scenes\":[{\"nodes\":[0]}],\"nodes\":[{\"name\":\"eye\",\"camera\":0,\"extras\":{\"kept\":[1,2.5]}}],"
+               "\"cameras\":[{\"type\":\"perspective\",\"perspective\":{\"yfov\":0.7,\"znear\":0.01}}],"
+               "\"extensionsUsed\":[\"EXT_own\"],\"extensions\":{\"EXT_own\":{\"bufferView\":2}},"
+               "\"buffers\":[{\"byteLength\":52,\"uri\":\"data:application/octet-stream;base64,"
+               "AAAAAAAAgD8AAABAAAAAAAAAAAAAAAAAAACAPwAAAAAAAAAAAAAAQAAAAAAAAAAAa2VwdA==\"}],"
+               "\"bufferViews\":[{\"buffer\":0,\"byteLength\":12},{\"buffer\":0,\"byteOffset\":12,\"byteLength\":36},"
+               "{\"buffer\":0,\"byteOffset\":48,\"byteLength\":4}],"
+               "\"accessors\":[{\"bufferView\":0,\"componentType\":5126,\"count\":3,\"type\":\"SCALAR\",\"min\":[0],"
+               "\"max\":[2]},{\"bufferView\":1,\"componentType\":5126,\"count\":3,\"type\":\"VEC3\"}],"
+               "\"animations\":[{\"samplers\":[{\"input\":0,\"output\":1}],\"extras\":5,"
+               "\"channels\":[{\"sampler\":0,\"target\":{\"node\":0,\"path\":\"translation\"}}]}]}");
+    char *said = program_run(NULL, "reduce kept.gltf --form embedded");
+    const char *const parts[] = {"\"extras\":{\"bufferView\":7,\"x\":0.1",
+                                 "\"cameras\":[{\"type\":\"perspective\",\"perspective\":{\"yfov\":0.",
+                                 "\"extras\":{\"kept\":[1,2.5]}",
+                                 "\"extensions\":{\"EXT_own\":{\"bufferView\":0}}",
+                                 "\"extras\":5",
+                                 "\"byteLength\":36", /* 4 of the extension, 8 of times, 24 of values */
+                                 "\"count\":2,\"type\":\"VEC3\""};
+    for (size_t i = 0; i < sizeof parts / sizeof *parts; i++)
+        if (!strstr(said, parts[i]))
+            fail_msg("%s is not in %s", parts[i], said);
+    assert_null(strstr(said, "\"count\":3"));
+    free(said);
+}
+
+static void the_output_is_a_pipe_and_the_same_each_time(void **state)
+{
+    (void)state;
+    program_says(0, "clip", "reduce - -o piped.glb < '" NKW_CHARACTER "'");
+    program_says(0, "clip", "reduce '" NKW_CHARACTER "' -o named.glb");
+    free(program_run(NULL, "reduce '" NKW_CHARACTER "' 2>report.txt >out.glb"));
+    program_says(0, "written: ", "--version >/dev/null && cat report.txt");
+    program_says(0, "same", "--version >/dev/null && cmp piped.glb named.glb && cmp out.glb named.glb && echo same");
+    program_says(0, "walk", "reduce '" NKW_CHARACTER "' -o outer.gltf");
+    program_says(0, "same", "--version >/dev/null && test -s outer.bin && echo same");
+    program_says(0, "20 joints", "diff outer.gltf named.glb");
+}
+
+static void real_files_stay_within_the_tolerance(void **state)
+{
+    (void)state;
+    glob_t found;
+    if (glob(NKW_DATA_DIR "/gltf/*.gl[tb]*", 0, NULL, &found) != 0) {
+        print_message("skipped: there is no " NKW_DATA_DIR "/gltf/\n");
+        skip();
+    }
+    for (size_t i = 0; i < found.gl_pathc; i++) {
+        free(program_run(NULL, "reduce '%s' --tolerance 0.01 -o real.glb", found.gl_pathv[i]));
+        free(program_run(NULL, "diff --tolerance 0.0105 '%s' real.glb", found.gl_pathv[i]));
+        free(program_run(NULL, "reduce --lossless '%s' -o real.glb", found.gl_pathv[i]));
+        free(program_run(NULL, "diff --tolerance 1e-6 '%s' real.glb", found.gl_pathv[i]));
+    }
+    globfree(&found);
+}
+
+static void misuse_and_missing_files_are_reported(void **state)
+{
+    (void)state;
+    program_says(2, "not a distance", "reduce --tolerance -3 '" NKW_CHARACTER "' -o x.glb");
+    program_says(2, "has no tolerance", "reduce --lossless -t 1 '" NKW_CHARACTER "' -o x.glb");
+    program_says(2, "not glb, gltf or embedded", "reduce --form fbx '" NKW_CHARACTER "' -o x.glb");
+    program_says(1, "no clip fly", "reduce --clip fly '" NKW_CHARACTER "' -o x.glb");
+    program_says(1, "cannot be", "reduce no-such-file.glb -o x.glb");
+    program_says(1, "cannot be written", "reduce '" NKW_CHARACTER "' -o no/such/folder.glb");
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(diff_confirms_the_distance_that_was_measured),
+        cmocka_unit_test(lossless_reduction_has_no_difference),
+        cmocka_unit_test(keys_of_cubic_curves_keep_their_tangents),
+        cmocka_unit_test(everything_else_of_the_file_remains),
+        cmocka_unit_test(the_output_is_a_pipe_and_the_same_each_time),
+        cmocka_unit_test(real_files_stay_within_the_tolerance),
+        cmocka_unit_test(misuse_and_missing_files_are_reported),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
