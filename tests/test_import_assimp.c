@@ -179,22 +179,28 @@ static void x_is_mirrored_to_a_right_handed_space(void **state)
     close_file(m);
 }
 
-/* The text of a file, cut before and after `word` and joined with `instead`; to be freed. */
-static char *edited(const char *path, const char *word, const char *instead)
+/* The text with `instead` in place of `word`; to be freed. */
+static char *replaced(const char *text, const char *word, const char *instead)
 {
-    static char text[65536];
-    FILE *file = fopen(path, "rb");
-    assert_non_null(file);
-    size_t bytes = fread(text, 1, sizeof text - 1, file);
-    fclose(file);
-    text[bytes] = 0;
-    char *found = strstr(text, word), *whole = (char *)malloc(bytes + strlen(instead) + 1);
+    const char *found = strstr(text, word);
+    char *whole = (char *)malloc(strlen(text) + strlen(instead) + 1);
     assert_non_null(found);
     assert_non_null(whole);
     memcpy(whole, text, (size_t)(found - text));
     strcpy(whole + (found - text), instead);
     strcat(whole, found + strlen(word));
     return whole;
+}
+
+/* The same of a file. */
+static char *edited(const char *path, const char *word, const char *instead)
+{
+    static char text[65536];
+    FILE *file = fopen(path, "rb");
+    assert_non_null(file);
+    text[fread(text, 1, sizeof text - 1, file)] = 0;
+    fclose(file);
+    return replaced(text, word, instead);
 }
 
 static size_t size_of(const char *path)
@@ -280,11 +286,48 @@ static void fbx_pivots_are_one_node_where_this_is_exact(void **state)
     const nkw_trs rest = m->d->nodes[joint(m, "arm")].rest;
     expect_rotation_near(rest.rotation, product(turn('z', 90), turn('x', 10), turn('y', -20)), 4e-7);
     expect_vec3_near(rest.translation, at(0, 2, 0), 3e-7);
+    /* From 100 to 400 degrees in a second: the turn that the angles state. */
+    play(m, 1.5f);
+    expect_rotation_near(local(m, "arm").rotation, product(turn('z', 90), turn('x', 250), turn('y', -20)), 2e-6);
     /* A quarter turn about z at 2 s, of the point 0 1 0 above 0 3 0 of the base at 1 0 0. */
     play(m, 2.0f);
     nkw_vec3 origin = nkw_mat4_transform_point(&m->models[joint(m, "lever")], at(0, 0, 0));
     expect_vec3_near(origin, at(2, 4, 0), 1e-6);
     close_file(m);
+}
+
+static const nkw_track *rotations(const nkw_document *d)
+{
+    const nkw_clip_track *t = d->animations[0].tracks;
+    while (t->target != NKW_CLIP_ROTATION)
+        t++;
+    return &t->track;
+}
+
+/* A key for each frame of 30 a second, of which two are 179 and -179 degrees. */
+static void fbx_angles_of_each_frame_do_not_spin(void **state)
+{
+    (void)state;
+    nkw_document *d;
+    nkw_import_error error;
+    nkw_clip *clip;
+    float pose[NKW_POSE_FLOATS(JOINTS)];
+    char *times = edited(FILES "arm.fbx", "KeyTime: *3 {\n\t\t\ta: 0,46186158000,92372316000",
+                         "KeyTime: *10 {\na: 0,1539538600,3079077200,4618615800,6158154400,7697693000,9237231600,"
+                         "10776770200,12316308800,13855847400");
+    char *text = replaced(times, "KeyValueFloat: *3 {\n\t\t\ta: 10,100,400",
+                          "KeyValueFloat: *10 {\na: 99,119,139,159,179,-179,-159,-139,-119,-99");
+    assert_int_equal(open_bytes(text, "-", &d, &error), NKW_IMPORT_OK);
+    assert_int_equal(rotations(d)->count, 11); /* and one at the last key of the translation */
+    assert_int_equal(nkw_document_clip(d, 0, NKW_CLIP_FLOAT32, &clip, &error), NKW_IMPORT_OK);
+    assert_int_equal(nkw_clip_sample(clip, 4.5f / 30.0f, NULL, pose_span(pose, d->skeleton.joint_count), NULL), NKW_OK);
+    const nkw_trs arm = nkw_pose_get(pose_view(pose, d->skeleton.joint_count), 2);
+    assert_string_equal(d->nodes[2].name, "arm");
+    expect_rotation_near(arm.rotation, product(turn('z', 90), turn('x', 180), turn('y', -20)), 2e-6);
+    nkw_import_free(clip);
+    nkw_document_close(d);
+    free(times);
+    free(text);
 }
 
 static void formats_are_known_by_their_content(void **state)
@@ -435,6 +478,7 @@ int main(void)
         cmocka_unit_test(md5_has_the_frame_rate_of_its_animation),
         cmocka_unit_test(obj_has_the_materials_of_its_folder),
         cmocka_unit_test(fbx_pivots_are_one_node_where_this_is_exact),
+        cmocka_unit_test(fbx_angles_of_each_frame_do_not_spin),
         cmocka_unit_test(formats_are_known_by_their_content),
         cmocka_unit_test(files_of_no_format_are_refused),
         cmocka_unit_test(outer_files_are_those_of_the_folder),

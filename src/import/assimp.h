@@ -105,5 +105,6 @@ int nkwi_assimp_nodes(nkwi_assimp *a);
 int nkwi_assimp_instances(nkwi_assimp *a, nkw_document_node *list); /* meshes and skins of nodes */
 int nkwi_assimp_skins(nkwi_assimp *a); /* joints of skins, after the nodes are sorted */
 int nkwi_assimp_animations(nkwi_assimp *a);
+void nkwi_assimp_drop_added(nkwi_assimp *a, struct aiNodeAnim *c); /* keys of FBX that no file has */
 
 #endif

@@ -139,9 +139,11 @@ static int read_rotations(reader *r, size_t number, int32_t node, const struct a
 /* A channel of a node that does not exist is left out. */
 static int read_channel(reader *r, size_t number)
 {
-    const struct aiNodeAnim *c = r->from->mChannels[number];
+    struct aiNodeAnim *c = r->from->mChannels[number];
     if (!c)
         return fail_channel(r, "channels", number, "the channel is missing");
+    if (strstr(r->a->document->all.format, "FBX"))
+        nkwi_assimp_drop_added(r->a, c);
     int32_t node = nkwi_assimp_find_nth(r->a, c->mNodeName.data, r->uses);
     return node == NKW_NO_JOINT ||
            (read_vectors(r, number, node, NKW_CLIP_TRANSLATION, c->mPositionKeys, c->mNumPositionKeys) &&
