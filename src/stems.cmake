@@ -47,6 +47,9 @@ set(NKW_FLOOR_5
   skeleton
   blend
   ik
+  foot
+  retarget
+  blendspace
 )
 set(NKW_FLOOR_6
   palette

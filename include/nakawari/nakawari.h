@@ -52,6 +52,9 @@
 #include "skeleton.h"
 #include "blend.h"
 #include "ik.h"
+#include "foot.h"
+#include "retarget.h"
+#include "blendspace.h"
 
 /* Floor 6, skin: palettes from model matrices, skinned vertices, parts of meshes. */
 #include "palette.h"

@@ -23,7 +23,10 @@
     X(crowd_skin) \
     X(clip_reduce) \
     X(spline) \
-    X(ik)
+    X(ik) \
+    X(foot) \
+    X(retarget) \
+    X(blendspace)
 
 #ifdef __cplusplus
 extern "C" {

@@ -1,0 +1,87 @@
+/* SPDX-License-Identifier: MIT */
+/**
+ * @file
+ * Floor 5: contacts of feet with the ground, and feet that are locked while they are in contact.
+ *
+ * A foot of an animation slides a little while it stands, because the character moves at another speed than the clip.
+ * While a foot is in contact its position is locked. When it leaves the ground the position returns to that of the
+ * animation, without a jump of position or velocity (inertia.h). Solve the leg for the position by ik.h.
+ *
+ * All functions work on a state of the caller; a state of zeros begins. Positions are in world space, with the motion of
+ * the root. Units: metres and seconds; any others, if the rules have the same.
+ */
+#ifndef NAKAWARI_FOOT_H
+#define NAKAWARI_FOOT_H
+
+#include "inertia.h"
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/** When a foot is in contact, and how long transitions take. */
+typedef struct nkw_foot_rules {
+    nkw_vec3 up; /**< the direction of heights, any length; zero: +y */
+    float enter_height, leave_height; /**< above the ground */
+    float enter_speed, leave_speed; /**< units per second, in all directions */
+    float release_distance; /**< from the locked position to that of the animation; the lock ends beyond. 0: never */
+    float duration; /**< of the transitions to and from the lock, seconds */
+} nkw_foot_rules;
+
+/**
+ * Usual rules in metres and seconds, for the toe or the ball of a foot: contact begins below 5 cm and 0.3 m/s, and ends
+ * above 10 cm or 1 m/s or 20 cm away; transitions take 0.2 s. nkw_foot_rules rules = NKW_FOOT_RULES;
+ */
+#define NKW_FOOT_RULES                                                                                                 \
+    {                                                                                                                  \
+        {0, 1, 0}, 0.05f, 0.1f, 0.3f, 1.0f, 0.2f, 0.2f                                                                 \
+    }
+
+/**
+ * Whether a foot is in contact, with hysteresis:
+ *
+ *     was in contact    unless height > leave_height or speed > leave_speed
+ *     was not           if height <= enter_height and speed <= enter_speed
+ *
+ * contact  whether it was in contact before
+ * Returns  1 or 0; 0 if height or speed is NaN
+ */
+NKW_API int nkw_foot_contact(const nkw_foot_rules *rules, int contact, float height, float speed);
+
+/** The state of a foot. Zeros: nothing is known yet; set zeros again after a jump of the character. */
+typedef struct nkw_foot {
+    nkw_vec3 animated; /**< the position of the animation at the last update */
+    nkw_vec3 locked; /**< where the foot is locked, while in contact */
+    nkw_vec3 position; /**< the result of the last update */
+    nkw_inertia_vec3 inertia; /**< the transition in progress */
+    float time; /**< since it began */
+    int started, contact;
+} nkw_foot;
+
+/**
+ * Updates a foot, and returns the position at which it should be.
+ *
+ * The velocity of the animation is the difference from the last position, divided by dt. The height is the part of the
+ * position along `up`, less `ground`. When contact begins, the foot is locked at the position of the animation. The
+ * result blends from the present motion to the lock, and at the end of the contact from the lock to the animation, by
+ * nkw_vec3_inertia_begin with rules->duration.
+ *
+ * animated  the position of the foot in the animation
+ * ground    the height of the ground below the foot
+ * dt        seconds since the last update
+ * Returns   exactly `animated` if no contact was found yet; exactly the locked position in contact, after `duration`
+ *
+ * At the first update no velocity is known: the foot is not in contact, and `animated` is returned. If dt is not
+ * positive, no time passes and the contact stays. If animated, ground or dt is not finite, the state stays and the last
+ * position is returned.
+ *
+ * Source Holden, Inverse Kinematics and Foot Locking, 2025.
+ */
+NKW_API nkw_vec3 nkw_foot_update(nkw_foot *foot, const nkw_foot_rules *rules, nkw_vec3 animated, float ground,
+                                 float dt);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif

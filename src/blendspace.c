@@ -1,0 +1,139 @@
+/* SPDX-License-Identifier: MIT */
+#include "lane/strict.h"
+
+#include <nakawari/blendspace.h>
+
+#include "lane/f64.h"
+#include "lane/scalar.h"
+#include "report.h"
+
+/* The weight of the angle against the relative difference of lengths, of Johansen. */
+#define POLAR_ANGLE 2.0
+
+/* The products (p - a).(b - a) and |b - a|^2. */
+typedef struct band {
+    double dot, n2;
+} band;
+
+static band cartesian_band(const float *p, const float *a, const float *b, size_t dimension)
+{
+    band r = {0.0, 0.0};
+    for (size_t k = 0; k < dimension; k++) {
+        double to = (double)b[k] - (double)a[k];
+        r.dot += ((double)p[k] - (double)a[k]) * to;
+        r.n2 += to * to;
+    }
+    return r;
+}
+
+static double length2(const float *v)
+{
+    return lane_sqrt64((double)v[0] * (double)v[0] + (double)v[1] * (double)v[1]);
+}
+
+/* The angle from a to b, 0 where either is zero. */
+static double angle2(const float *a, const float *b)
+{
+    double cosine = (double)a[0] * (double)b[0] + (double)a[1] * (double)b[1];
+    double sine = (double)a[0] * (double)b[1] - (double)a[1] * (double)b[0];
+    return sine == 0.0 && cosine == 0.0 ? 0.0 : POLAR_ANGLE * lane_atan2_64(sine, cosine);
+}
+
+/* In the plane of relative length and angle, seen from a: twice the differences of lengths over the sum of a's and b's. */
+static band polar_band(const float *p, const float *a, const float *b)
+{
+    double la = length2(a), lb = length2(b), mean = 0.5 * (la + lb);
+    double to_length = mean > 0.0 ? (lb - la) / mean : 0.0, to_angle = angle2(a, b);
+    double length = mean > 0.0 ? (length2(p) - la) / mean : 0.0, angle = angle2(a, p);
+    band r = {length * to_length + angle * to_angle, to_length * to_length + to_angle * to_angle};
+    return r;
+}
+
+static int is_polar(const nkw_blendspace *space)
+{
+    return space->kind == NKW_BLENDSPACE_POLAR && space->dimension == 2;
+}
+
+static int are_finite(const float *v, size_t dimension)
+{
+    for (size_t k = 0; k < dimension; k++)
+        if (!lane_is_finite(v[k]))
+            return 0;
+    return 1;
+}
+
+static const float *sample_at(const nkw_blendspace *space, size_t i)
+{
+    return space->samples + i * space->dimension;
+}
+
+static double influence_of(const nkw_blendspace *space, const float *point, size_t i)
+{
+    const float *a = sample_at(space, i);
+    double least = 1.0;
+    if (!are_finite(a, space->dimension))
+        return 0.0;
+    for (size_t j = 0; j < space->count; j++) {
+        const float *b = sample_at(space, j);
+        if (j == i || !are_finite(b, space->dimension))
+            continue;
+        band r = is_polar(space) ? polar_band(point, a, b) : cartesian_band(point, a, b, space->dimension);
+        double h = r.n2 > 0.0 ? 1.0 - r.dot / r.n2 : 1.0;
+        least = h < least ? h : least;
+    }
+    return least > 0.0 ? least : 0.0;
+}
+
+static int is_point(const nkw_blendspace *space, const float *point)
+{
+    return space->dimension > 0 && are_finite(point, space->dimension);
+}
+
+static double sum_of(const float *weights, size_t count)
+{
+    double sum = 0.0;
+    for (size_t i = 0; i < count; i++)
+        sum += (double)weights[i];
+    return sum;
+}
+
+void nkw_blendspace_weights(const nkw_blendspace *space, const float *point, float *weights)
+{
+    int known = is_point(space, point);
+    for (size_t i = 0; i < space->count; i++)
+        weights[i] = known ? (float)influence_of(space, point, i) : 0.0f;
+    double sum = sum_of(weights, space->count);
+    if (sum == 0.0) {
+        for (size_t i = 0; i < space->count; i++)
+            weights[i] = are_finite(sample_at(space, i), space->dimension) ? 1.0f : 0.0f;
+        sum = sum_of(weights, space->count);
+    }
+    for (size_t i = 0; sum > 0.0 && i < space->count; i++)
+        weights[i] = (float)((double)weights[i] / sum);
+}
+
+static int is_repeated(const nkw_blendspace *space, size_t i)
+{
+    for (size_t j = 0; j < i; j++) {
+        size_t k = 0;
+        while (k < space->dimension && sample_at(space, i)[k] == sample_at(space, j)[k])
+            k++;
+        if (k == space->dimension)
+            return 1;
+    }
+    return 0;
+}
+
+nkw_result nkw_blendspace_validate(const nkw_blendspace *space, size_t *bad_sample)
+{
+    int known = space->kind == NKW_BLENDSPACE_CARTESIAN || is_polar(space);
+    nkw_result result = space->count == 0 || space->dimension == 0 ? NKW_EMPTY : known ? NKW_OK : NKW_BAD_METHOD;
+    size_t i = 0;
+    for (; result == NKW_OK && i < space->count; i++) {
+        if (!are_finite(sample_at(space, i), space->dimension))
+            result = NKW_NOT_FINITE;
+        else if (is_repeated(space, i))
+            result = NKW_REPEATED;
+    }
+    return report(result, i ? i - 1 : 0, bad_sample);
+}

@@ -1,0 +1,200 @@
+/* SPDX-License-Identifier: MIT */
+#include "lane/strict.h"
+
+#include <nakawari/mat.h>
+#include <nakawari/orient.h>
+#include <nakawari/quat.h>
+#include <nakawari/retarget.h>
+#include <nakawari/vec.h>
+
+#include "lane/scalar.h"
+#include "report.h"
+
+/* The model-space rotations of a rest pose, and of a pose, of each joint. */
+typedef struct rotations {
+    nkw_quat *rest, *now;
+} rotations;
+
+static int has_parent(const nkw_skeleton *skeleton, size_t j)
+{
+    return skeleton->parents[j] >= 0 && (size_t)skeleton->parents[j] < j;
+}
+
+static nkw_quat parent_of(const nkw_skeleton *skeleton, const nkw_quat *models, size_t j)
+{
+    return has_parent(skeleton, j) ? models[skeleton->parents[j]] : nkw_quat_identity();
+}
+
+static nkw_quat model_of(const nkw_skeleton *skeleton, const nkw_quat *models, nkw_pose_view pose, size_t j)
+{
+    return nkw_quat_normalize(nkw_quat_mul(parent_of(skeleton, models, j), nkw_pose_get(pose, j).rotation));
+}
+
+static void models_of(const nkw_skeleton *skeleton, nkw_pose_view pose, nkw_quat *models)
+{
+    for (size_t j = 0; j < skeleton->joint_count; j++)
+        models[j] = model_of(skeleton, models, pose, j);
+}
+
+static nkw_quat align_of(const nkw_retarget *r)
+{
+    return nkw_quat_normalize(r->align);
+}
+
+/* Whether the source has the joint. */
+static int is_joint(const nkw_retarget *r, int32_t joint)
+{
+    return joint >= 0 && (size_t)joint < r->source.joint_count;
+}
+
+/* How far a source joint is rotated from rest, in the target's model space. */
+static nkw_quat rotation_from_rest(const nkw_retarget *r, const rotations *source, int32_t joint)
+{
+    nkw_quat align = align_of(r);
+    nkw_quat d = nkw_quat_mul(source->now[joint], nkw_quat_conjugate(source->rest[joint]));
+    return nkw_quat_mul(align, nkw_quat_mul(d, nkw_quat_conjugate(align)));
+}
+
+static nkw_quat rotation_of(const nkw_retarget *r, const rotations *source, const nkw_retarget_joint *map)
+{
+    nkw_quat from = rotation_from_rest(r, source, map->from);
+    float t = nkw_saturate(map->t);
+    if (!is_joint(r, map->to) || !(t > 0.0f))
+        return from;
+    nkw_quat to = rotation_from_rest(r, source, map->to);
+    return t < 1.0f ? nkw_quat_slerp(from, to, t) : to;
+}
+
+static nkw_vec3 translation_of(const nkw_retarget *r, const rotations *source, nkw_pose_view pose,
+                               const nkw_retarget_joint *map, nkw_quat parent)
+{
+    size_t j = (size_t)map->from;
+    nkw_vec3 moved = nkw_vec3_sub(nkw_pose_get(pose, j).translation, nkw_pose_get(r->source_rest, j).translation);
+    moved = nkw_quat_rotate(align_of(r), nkw_quat_rotate(parent_of(&r->source, source->now, j), moved));
+    return nkw_vec3_scale(nkw_quat_rotate_inverse(parent, moved), map->translation);
+}
+
+static void retarget_joint(const nkw_retarget *r, const rotations *source, const rotations *target, nkw_pose_view pose,
+                           size_t j, nkw_pose_span out)
+{
+    const nkw_retarget_joint *map = &r->joints[j];
+    nkw_trs local = nkw_pose_get(r->target_rest, j);
+    nkw_quat parent = parent_of(&r->target, target->now, j);
+    if (is_joint(r, map->from)) {
+        target->now[j] = nkw_quat_normalize(nkw_quat_mul(rotation_of(r, source, map), target->rest[j]));
+        local.rotation = nkw_quat_normalize(nkw_quat_mul(nkw_quat_conjugate(parent), target->now[j]));
+        if (map->translation != 0.0f)
+            local.translation = nkw_vec3_add(local.translation, translation_of(r, source, pose, map, parent));
+    } else {
+        target->now[j] = nkw_quat_normalize(nkw_quat_mul(parent, local.rotation));
+    }
+    nkw_pose_set(out, j, &local);
+}
+
+static nkw_result check_counts(const nkw_retarget *r)
+{
+    int fit =
+        r->source_rest.joint_count == r->source.joint_count && r->target_rest.joint_count == r->target.joint_count;
+    return fit ? NKW_OK : NKW_MISMATCHED;
+}
+
+nkw_result nkw_pose_retarget(const nkw_retarget *retarget, nkw_pose_view source, nkw_pose_span out, float *work,
+                             size_t work_count)
+{
+    size_t m = retarget->source.joint_count, n = retarget->target.joint_count;
+    if (check_counts(retarget) != NKW_OK || source.joint_count != m || out.joint_count != n)
+        return NKW_MISMATCHED;
+    if (work_count / 8 < m || work_count / 8 - m < n)
+        return NKW_TOO_SMALL;
+    nkw_quat *quats = (nkw_quat *)(void *)work;
+    rotations from = {quats, quats + m}, to = {quats + 2 * m, quats + 2 * m + n};
+    models_of(&retarget->source, retarget->source_rest, from.rest);
+    models_of(&retarget->source, source, from.now);
+    models_of(&retarget->target, retarget->target_rest, to.rest);
+    nkw_pose_identity(out);
+    for (size_t j = 0; j < n; j++)
+        retarget_joint(retarget, &from, &to, source, j, out);
+    return NKW_OK;
+}
+
+static nkw_result check_map(const nkw_retarget *r, const nkw_retarget_joint *map)
+{
+    int32_t count = (int32_t)(r->source.joint_count < INT32_MAX ? r->source.joint_count : INT32_MAX);
+    if (map->from < NKW_NO_JOINT || map->from >= count || map->to < NKW_NO_JOINT || map->to >= count)
+        return NKW_OUT_OF_RANGE;
+    return lane_is_finite(map->t) && lane_is_finite(map->translation) ? NKW_OK : NKW_NOT_FINITE;
+}
+
+nkw_result nkw_retarget_validate(const nkw_retarget *r, size_t *bad_joint)
+{
+    size_t bad = 0;
+    nkw_result result = nkw_skeleton_validate(&r->source, &bad);
+    result = result == NKW_OK ? nkw_skeleton_validate(&r->target, &bad) : result;
+    result = result == NKW_OK ? check_counts(r) : result;
+    result = result == NKW_OK ? nkw_pose_validate(r->source_rest, &bad) : result;
+    result = result == NKW_OK ? nkw_pose_validate(r->target_rest, &bad) : result;
+    for (size_t j = 0; result == NKW_OK && j < r->target.joint_count; j++) {
+        result = check_map(r, &r->joints[j]);
+        bad = j;
+    }
+    return report(result, bad, bad_joint);
+}
+
+/* ---- Chains ---- */
+
+static int are_joints(const int32_t *chain, size_t count, size_t joint_count)
+{
+    for (size_t k = 0; k < count; k++)
+        if (chain[k] < 0 || (size_t)chain[k] >= joint_count)
+            return 0;
+    return 1;
+}
+
+/* The length of a chain up to joint k; a chain of length 0 counts joints. */
+static double length_to(nkw_pose_view rest, const int32_t *chain, size_t k)
+{
+    double sum = 0.0;
+    for (size_t i = 1; i <= k; i++)
+        sum += (double)nkw_vec3_length(nkw_pose_get(rest, (size_t)chain[i]).translation);
+    return sum;
+}
+
+/* The share of the length of a chain at joint k, 0..1. */
+static double share_at(nkw_pose_view rest, const int32_t *chain, size_t count, size_t k)
+{
+    double whole = length_to(rest, chain, count - 1);
+    if (count < 2)
+        return 0.0;
+    return whole > 0.0 && whole < (double)INFINITY ? length_to(rest, chain, k) / whole
+                                                   : (double)k / (double)(count - 1);
+}
+
+nkw_result nkw_retarget_map_chain(const nkw_retarget *r, const int32_t *source_chain, size_t source_count,
+                                  const int32_t *target_chain, size_t target_count, nkw_retarget_joint *joints)
+{
+    if (source_count == 0 || target_count == 0)
+        return NKW_EMPTY;
+    if (!are_joints(source_chain, source_count, r->source_rest.joint_count) ||
+        !are_joints(target_chain, target_count, r->target_rest.joint_count))
+        return NKW_OUT_OF_RANGE;
+    for (size_t k = 0, s = 0; k < target_count; k++) {
+        double x = share_at(r->target_rest, target_chain, target_count, k);
+        while (s + 2 < source_count && share_at(r->source_rest, source_chain, source_count, s + 1) <= x)
+            s++;
+        nkw_retarget_joint *map = &joints[target_chain[k]];
+        size_t next = s + 1 < source_count ? s + 1 : s;
+        double low = share_at(r->source_rest, source_chain, source_count, s);
+        double width = share_at(r->source_rest, source_chain, source_count, next) - low;
+        map->from = source_chain[s];
+        map->to = source_chain[next];
+        map->t = width > 0.0 ? nkw_saturate((float)((x - low) / width)) : 0.0f;
+    }
+    return NKW_OK;
+}
+
+float nkw_retarget_scale(const nkw_mat4 *source, const nkw_mat4 *target, nkw_vec3 up)
+{
+    float from = nkw_vec3_dot(up, nkw_mat4_translation(source)), to = nkw_vec3_dot(up, nkw_mat4_translation(target));
+    float scale = to / from;
+    return scale > 0.0f && scale < INFINITY ? scale : 1.0f;
+}

@@ -1,0 +1,75 @@
+/* SPDX-License-Identifier: MIT */
+/* Feet, retargeting, blend spaces: in bounds for any indices and counts, and weights that are weights. */
+#include "fuzz.h"
+#include "../support/views.h"
+
+#include <string.h>
+
+enum { JOINTS = 24 };
+
+static void feet(fuzz *f)
+{
+    nkw_foot_rules rules = NKW_FOOT_RULES;
+    nkw_foot foot;
+    memset(&foot, 0, sizeof foot);
+    if (fuzz_byte(f) % 2)
+        memcpy(&rules, fuzz_floats(f, sizeof rules / sizeof(float), 1), sizeof rules);
+    for (int i = 0; i < 12; i++) {
+        nkw_vec3 p = {fuzz_float(f), 0.1f * (float)fuzz_upto(f, 3), fuzz_float(f)};
+        p.x = fuzz_byte(f) % 2 ? 0.01f * (float)i : p.x;
+        nkw_foot_update(&foot, &rules, p, fuzz_byte(f) % 4 ? 0.0f : fuzz_float(f), fuzz_float(f));
+        FUZZ_CHECK(foot.contact == 0 || foot.contact == 1);
+    }
+}
+
+static void retargets(fuzz *f, int wild)
+{
+    size_t m = fuzz_upto(f, JOINTS), n = fuzz_upto(f, JOINTS), bad = 0;
+    size_t room = fuzz_byte(f) % 8 ? NKW_RETARGET_WORK(m, n) : fuzz_upto(f, 300);
+    nkw_retarget_joint *joints = fuzz_block(f, n * sizeof *joints);
+    const int32_t *from = fuzz_links(f, n, m, wild), *to = fuzz_links(f, n, m, wild);
+    for (size_t j = 0; j < n; j++) {
+        nkw_retarget_joint map = {from[j], to[j], fuzz_float(f), fuzz_byte(f) % 4 ? 0.0f : fuzz_float(f)};
+        joints[j] = map;
+    }
+    nkw_retarget r = {{fuzz_parents(f, m, wild), m},
+                      {fuzz_parents(f, n, wild), n},
+                      {fuzz_pose(f, m, wild), m},
+                      {fuzz_pose(f, n, wild), n},
+                      joints,
+                      {0, 0, 0, 1}};
+    memcpy(&r.align, fuzz_floats(f, 4, wild), sizeof r.align);
+    nkw_retarget_validate(&r, &bad);
+    FUZZ_CHECK(bad == 0 || bad < m || bad < n);
+    nkw_pose_span out = {fuzz_room(f, NKW_POSE_FLOATS(n)), n};
+    nkw_result result = nkw_pose_retarget(&r, pose_view(fuzz_pose(f, m, wild), m), out, fuzz_room(f, room), room);
+    FUZZ_CHECK((result == NKW_OK) == (room >= NKW_RETARGET_WORK(m, n)));
+    size_t a = fuzz_upto(f, 6), b = fuzz_upto(f, 6);
+    nkw_retarget_map_chain(&r, fuzz_links(f, a, m, wild), a, fuzz_links(f, b, n, wild), b, joints);
+}
+
+static void spaces(fuzz *f, int wild)
+{
+    size_t count = fuzz_upto(f, 12), dimension = fuzz_upto(f, 4), bad;
+    nkw_blendspace space = {fuzz_floats(f, count * dimension, wild), count, dimension, NKW_BLENDSPACE_CARTESIAN};
+    space.kind = (nkw_blendspace_kind)fuzz_choice(f, 1);
+    float *weights = fuzz_room(f, count), sum = 0.0f;
+    nkw_blendspace_weights(&space, fuzz_floats(f, dimension, wild), weights);
+    nkw_result result = nkw_blendspace_validate(&space, &bad);
+    FUZZ_CHECK(bad == 0 || bad < count);
+    for (size_t i = 0; i < count; i++) {
+        FUZZ_CHECK(weights[i] >= 0.0f && weights[i] <= 1.0f);
+        sum += weights[i];
+    }
+    FUZZ_CHECK(result != NKW_OK || (sum > 0.999999f && sum < 1.000001f));
+}
+
+int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
+{
+    fuzz f = fuzz_begin(data, size);
+    int wild = fuzz_byte(&f) % 2;
+    feet(&f);
+    retargets(&f, wild);
+    spaces(&f, wild);
+    return fuzz_end(&f);
+}

@@ -1,0 +1,175 @@
+/* SPDX-License-Identifier: MIT */
+#include <math.h>
+
+#include "random.h"
+#include "support/expect.h"
+
+static const nkw_foot_rules rules = NKW_FOOT_RULES;
+
+static nkw_vec3 vec(float x, float y, float z)
+{
+    nkw_vec3 r = {x, y, z};
+    return r;
+}
+
+static void contact_has_hysteresis(void **state)
+{
+    (void)state;
+    assert_int_equal(nkw_foot_contact(&rules, 0, 0.05f, 0.3f), 1);
+    assert_int_equal(nkw_foot_contact(&rules, 0, 0.051f, 0.3f), 0);
+    assert_int_equal(nkw_foot_contact(&rules, 0, 0.05f, 0.31f), 0);
+    assert_int_equal(nkw_foot_contact(&rules, 1, 0.1f, 1.0f), 1);
+    assert_int_equal(nkw_foot_contact(&rules, 1, 0.11f, 0.0f), 0);
+    assert_int_equal(nkw_foot_contact(&rules, 1, 0.0f, 1.01f), 0);
+    assert_int_equal(nkw_foot_contact(&rules, 1, NAN, 0.0f), 0);
+    assert_int_equal(nkw_foot_contact(&rules, 0, 0.0f, NAN), 0);
+    /* Noise between the thresholds changes nothing. */
+    random_source r = random_from(1);
+    for (int contact = 0; contact < 2; contact++)
+        for (int i = 0; i < 1000; i++)
+            assert_int_equal(
+                nkw_foot_contact(&rules, contact, random_between(&r, 0.051f, 0.099f), random_between(&r, 0.31f, 0.99f)),
+                contact);
+}
+
+/* A walk on the spot of 1 s a step: the foot stands, sliding by 4 cm, then swings 0.6 m ahead and 0.2 m up. */
+static nkw_vec3 walk(float time)
+{
+    float step = (float)(int)time, t = time - step, swing = nkw_smoothstep(nkw_saturate((t - 0.5f) * 2));
+    float sine = t > 0.5f ? nkw_sin(3.14159274f * (2 * t - 1)) : 0.0f, up = 0.2f * sine * sine;
+    return vec(0.56f * step + 0.6f * swing - 0.08f * nkw_min(t, 0.5f), up, 0);
+}
+
+static void a_standing_foot_does_not_slide(void **state)
+{
+    (void)state;
+    nkw_foot foot = {0};
+    int contacts = 0, changes = 0;
+    for (int i = 0; i < 480; i++) {
+        nkw_vec3 before = foot.position;
+        int was = foot.contact, rested = was && foot.time > rules.duration;
+        nkw_vec3 p = nkw_foot_update(&foot, &rules, walk((float)i / 120), 0, 1.0f / 120);
+        contacts += foot.contact;
+        changes += i > 0 && foot.contact != was;
+        if (foot.contact && foot.time > rules.duration) {
+            expect_vec3_near(p, foot.locked, 0);
+            if (rested)
+                expect_vec3_bits(p, before);
+        }
+    }
+    assert_true(contacts > 4 * 50 && contacts < 4 * 75);
+    assert_in_range(changes, 6, 9);
+}
+
+/* Neither position nor velocity jumps: the change of the velocity is bounded, at both transitions. */
+static void transitions_are_smooth(void **state)
+{
+    (void)state;
+    nkw_foot foot = {0};
+    const float dt = 1.0f / 480;
+    nkw_vec3 last = {0, 0, 0}, velocity = {0, 0, 0};
+    for (int i = 0; i < 4 * 480; i++) {
+        nkw_vec3 p = nkw_foot_update(&foot, &rules, walk((float)i * dt), 0, dt);
+        nkw_vec3 v = nkw_vec3_scale(nkw_vec3_sub(p, last), 1 / dt);
+        if (i > 1)
+            assert_true(nkw_vec3_distance(v, velocity) < 0.4f);
+        velocity = v;
+        last = p;
+    }
+}
+
+static void a_released_foot_returns_to_the_animation(void **state)
+{
+    (void)state;
+    nkw_foot foot = {0};
+    const float dt = 0.01f;
+    int i = 0;
+    for (; i < 40; i++)
+        nkw_foot_update(&foot, &rules, walk((float)i * dt), 0, dt);
+    assert_int_equal(foot.contact, 1);
+    for (; i < 85; i++)
+        nkw_foot_update(&foot, &rules, walk((float)i * dt), 0, dt);
+    assert_int_equal(foot.contact, 0);
+    expect_vec3_near(foot.position, walk((float)(i - 1) * dt), 0);
+}
+
+static void a_lock_ends_far_from_the_animation(void **state)
+{
+    (void)state;
+    nkw_foot foot = {0};
+    nkw_foot_rules free = rules;
+    free.release_distance = 0;
+    nkw_foot other = {0};
+    int released = 0;
+    for (int i = 0; i < 200; i++) {
+        nkw_vec3 p = vec(0.0025f * (float)i, 0, 0);
+        nkw_foot_update(&foot, &rules, p, 0, 0.01f);
+        nkw_foot_update(&other, &free, p, 0, 0.01f);
+        released += !foot.contact;
+        assert_true(nkw_vec3_distance(foot.locked, p) < 0.21f || !foot.contact);
+    }
+    assert_true(released >= 2);
+    assert_int_equal(other.contact, 1);
+    expect_near(other.position.x, 0.0025, 1e-6);
+}
+
+static void heights_are_along_up_and_above_the_ground(void **state)
+{
+    (void)state;
+    nkw_foot_rules z_up = rules, no_up = rules;
+    z_up.up = vec(0, 0, 2);
+    no_up.up = vec(0, 0, 0);
+    for (int k = 0; k < 3; k++) {
+        const nkw_foot_rules *used = k == 0 ? &rules : k == 1 ? &z_up : &no_up;
+        nkw_vec3 low = k == 1 ? vec(9, 9, 5.02f) : vec(9, 5.02f, 9);
+        nkw_foot foot = {0};
+        nkw_foot_update(&foot, used, low, 5, 0.01f);
+        assert_int_equal(foot.contact, 0);
+        nkw_foot_update(&foot, used, low, 5, 0.01f);
+        assert_int_equal(foot.contact, 1);
+        nkw_foot_update(&foot, used, low, 4.9f, 0.01f);
+        assert_int_equal(foot.contact, 0);
+    }
+}
+
+static void no_time_and_no_numbers_change_nothing(void **state)
+{
+    (void)state;
+    nkw_foot foot = {0}, before;
+    expect_vec3_bits(nkw_foot_update(&foot, &rules, vec(1, 0, 2), 0, NAN), vec(0, 0, 0));
+    expect_vec3_bits(nkw_foot_update(&foot, &rules, vec(1, 0, 2), 0, 0), vec(1, 0, 2));
+    nkw_foot_update(&foot, &rules, vec(1, 0, 2), 0, 0.01f);
+    assert_int_equal(foot.contact, 1);
+    before = foot;
+    nkw_foot_update(&foot, &rules, vec(NAN, 0, 2), 0, 0.01f);
+    nkw_foot_update(&foot, &rules, vec(1, 0, 2), INFINITY, 0.01f);
+    nkw_foot_update(&foot, &rules, vec(1, 0, 2), 0, INFINITY);
+    assert_memory_equal(&foot, &before, sizeof foot);
+    /* Time stands still or runs back: the contact stays. */
+    nkw_foot_update(&foot, &rules, vec(1, 3, 2), 0, 0);
+    nkw_foot_update(&foot, &rules, vec(1, 3, 2), 0, -1);
+    assert_int_equal(foot.contact, 1);
+    assert_true(foot.time == before.time);
+    /* A duration that is none locks at once. */
+    nkw_foot_rules sudden = rules;
+    sudden.duration = 0;
+    memset(&foot, 0, sizeof foot);
+    nkw_foot_update(&foot, &sudden, vec(0, 0, 0), 0, 0.01f);
+    nkw_foot_update(&foot, &sudden, vec(0.002f, 0, 0), 0, 0.01f);
+    nkw_foot_update(&foot, &sudden, vec(0.004f, 0, 0), 0, 0.01f);
+    expect_vec3_bits(foot.position, vec(0.002f, 0, 0));
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(contact_has_hysteresis),
+        cmocka_unit_test(a_standing_foot_does_not_slide),
+        cmocka_unit_test(transitions_are_smooth),
+        cmocka_unit_test(a_released_foot_returns_to_the_animation),
+        cmocka_unit_test(a_lock_ends_far_from_the_animation),
+        cmocka_unit_test(heights_are_along_up_and_above_the_ground),
+        cmocka_unit_test(no_time_and_no_numbers_change_nothing),
+    };
+    return cmocka_run_group_tests_name("foot", tests, NULL, NULL);
+}
