@@ -256,3 +256,8 @@ K(quat_limit_cone, 4, put_quat(o, nkw_quat_limit_cone(i->q[0], i->v[0], i->t)))
 K(quat_limit_ellipse, 4, put_quat(o, nkw_quat_limit_ellipse(i->q[0], i->v[0], i->v[1], i->t, 0.25f)))
 K(quat_limit_twist, 4, put_quat(o, nkw_quat_limit_twist(i->q[0], i->v[0], -i->t, i->s[0])))
 K(limit_apply, 4, put_quat(o, limited(i)))
+
+K(root_extract, 14, root_extract(o, i))
+K(root_delta, 7, put_place(o, root_delta(i)))
+K(root_place, 7, put_place(o, root_place(i)))
+K(root_blend, 7, put_place(o, root_blend(i)))

@@ -168,3 +168,43 @@ static void timecode(float *o, const input *i)
     o[7] = (float)label.frames;
     o[8] = (float)frame;
 }
+
+static nkw_trs place_at(const input *i, unsigned k)
+{
+    nkw_trs t = {i->v[k], i->q[k], {1.0f, 1.0f, 1.0f}};
+    return t;
+}
+
+static void put_place(float *o, nkw_trs t)
+{
+    put_vec3(o, t.translation);
+    put_quat(o + 3, t.rotation);
+}
+
+static void root_extract(float *o, const input *i)
+{
+    const nkw_root_rule rule = {i->v[3], NKW_ROOT_PLANE | NKW_ROOT_YAW};
+    nkw_trs root = place_at(i, 0), motion = nkw_root_extract(&root, &rule);
+    put_place(o, motion);
+    put_place(o + 7, nkw_root_remove(&root, &motion));
+}
+
+static nkw_trs root_delta(const input *i)
+{
+    nkw_root_cycle cycle = {place_at(i, 0), place_at(i, 1)};
+    nkw_trs from = place_at(i, 2), to = place_at(i, 3);
+    return nkw_root_delta(&cycle, &from, &to, (double)(int)(100.0f * i->t));
+}
+
+static nkw_trs root_place(const input *i)
+{
+    nkw_root_cycle cycle = {place_at(i, 0), place_at(i, 1)};
+    nkw_trs origin = place_at(i, 2), now = place_at(i, 3);
+    return nkw_root_place(&origin, &cycle, &now, -(double)(int)(1000.0f * i->t));
+}
+
+static nkw_trs root_blend(const input *i)
+{
+    const nkw_trs motions[3] = {place_at(i, 0), place_at(i, 1), place_at(i, 2)};
+    return nkw_root_blend(motions, i->s, 3);
+}
