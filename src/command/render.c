@@ -19,7 +19,8 @@ static const options_text text = {
     "Draws the morphed and skinned meshes of FILE at times of a clip, shaded, with base colour textures in PNG, as a\n"
     "contact sheet, row by row; with --sequence as numbered files of one frame each; or as an animated PNG. The "
     "camera is\n"
-    "orthographic and frames the model over all times. With --turntable it turns once around the model.\n",
+    "orthographic and frames the model over all times. With --turntable it turns once around the model, with --follow\n"
+    "it moves with it.\n",
     "  nakawari render fox.glb --clip Walk -o walk.png\n"
     "  nakawari render fox.glb -c Run -o run.apng\n"
     "  nakawari render fox.glb -c rest --turntable --format apng > fox.png\n"
@@ -36,7 +37,7 @@ typedef struct request {
     char *clip, *at, *output, *sequence, *format;
     float rate, yaw, pitch;
     long frames, size, columns;
-    int skeleton, turntable, plain;
+    int skeleton, turntable, follow, plain;
     form form;
 } request;
 
@@ -96,7 +97,8 @@ static void go_to(picture *p, size_t k)
     const float degree = 0.0174532925f;
     float turn = p->request->turntable ? 360.0f * ((float)k / (float)p->frame_count) : 0.0f;
     moment_at(p->moment, frame_time(p->moment, p->request, p->frame_count, k));
-    view_turn(&p->view, (p->request->yaw + turn) * degree, p->request->pitch * degree);
+    nkw_vec3 origin = p->request->follow ? view_middle(&p->view, p->moment) : nkw_vec3_zero();
+    view_turn(&p->view, origin, (p->request->yaw + turn) * degree, p->request->pitch * degree);
 }
 
 /* ---- drawing ---- */
@@ -307,7 +309,7 @@ static int check_request(const options *o, void *data)
 
 int command_render(int argc, const char **argv)
 {
-    request r = {NULL, NULL, NULL, NULL, NULL, 0.0f, 35.0f, 12.0f, 0, 240, 4, 0, 0, 0, FORM_PNG};
+    request r = {NULL, NULL, NULL, NULL, NULL, 0.0f, 35.0f, 12.0f, 0, 240, 4, 0, 0, 0, 0, FORM_PNG};
     const struct poptOption known[] = {
         {"clip", 'c', POPT_ARG_STRING, &r.clip, 0, "number or name of the clip, or rest (default: 0)", "N"},
         {"at", 't', POPT_ARG_STRING, &r.at, 0, "times in seconds", "T,T,..."},
@@ -319,6 +321,7 @@ int command_render(int argc, const char **argv)
         {"skeleton", 'k', POPT_ARG_NONE, &r.skeleton, 0, "draw the joints of the skins over the model", NULL},
         {"yaw", 0, POPT_ARG_FLOAT, &r.yaw, 0, "degrees that the camera is to the model's left (default: 35)", "D"},
         {"pitch", 0, POPT_ARG_FLOAT, &r.pitch, 0, "degrees that it looks down (default: 12)", "D"},
+        {"follow", 0, POPT_ARG_NONE, &r.follow, 0, "move the camera with the model over the floor", NULL},
         {"plain", 0, POPT_ARG_NONE, &r.plain, 0, "draw no floor and no shadow", NULL},
         {"turntable", 0, POPT_ARG_NONE, &r.turntable, 0, "turn once around the model", NULL},
         {"output", 'o', POPT_ARG_STRING, &r.output, 0, "write to FILE, not to the standard output", "FILE"},

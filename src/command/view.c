@@ -49,7 +49,7 @@ int view_open(view *v, const nkw_document *d)
         if (d->materials[i].image)
             texture_open(&v->textures[i], d, d->materials[i].image);
     v->frames_bones = d->skin_count > 0 || d->mesh_count == 0;
-    view_turn(v, 0.0f, 0.0f);
+    view_turn(v, nkw_vec3_zero(), 0.0f, 0.0f);
     return 1;
 }
 
@@ -70,10 +70,13 @@ static const view_box empty_box = {{INFINITY, INFINITY, INFINITY},
                                    {-INFINITY, -INFINITY, -INFINITY},
                                    INFINITY};
 
-void view_turn(view *v, float yaw, float pitch)
+void view_turn(view *v, nkw_vec3 origin, float yaw, float pitch)
 {
     const nkw_vec3 x = {1.0f, 0.0f, 0.0f}, y = {0.0f, 1.0f, 0.0f};
     v->eye = nkw_mat4_from_quat(nkw_quat_mul(nkw_quat_from_axis_angle(x, pitch), nkw_quat_from_axis_angle(y, -yaw)));
+    nkw_vec3 moved = nkw_mat4_transform_point(&v->eye, nkw_vec3_scale(origin, -1.0f));
+    v->eye.m[12] = moved.x, v->eye.m[13] = moved.y, v->eye.m[14] = moved.z;
+    v->origin = origin;
     v->box = empty_box;
 }
 
@@ -96,8 +99,8 @@ static void include_point(view *v, nkw_vec3 world)
         return;
     v->box.low = lower(v->box.low, p);
     v->box.high = upper(v->box.high, p);
-    v->box.least = lower(v->box.least, world);
-    v->box.most = upper(v->box.most, world);
+    v->box.least = lower(v->box.least, nkw_vec3_sub(world, v->origin));
+    v->box.most = upper(v->box.most, nkw_vec3_sub(world, v->origin));
     v->box.sole = nkw_min(v->box.sole, p.y - world.y * v->eye.m[5]);
 }
 
@@ -105,6 +108,20 @@ static nkw_vec3 origin_of(const nkw_mat4 *m)
 {
     nkw_vec3 p = {m->m[12], m->m[13], m->m[14]};
     return p;
+}
+
+nkw_vec3 view_middle(const view *v, const moment *m)
+{
+    nkw_vec3 sum = nkw_vec3_zero();
+    size_t count = 0;
+    for (size_t j = 0; j < m->document->skeleton.joint_count; j++)
+        if (v->shown[j] && v->bones[j]) {
+            sum = nkw_vec3_add(sum, origin_of(&m->models[j]));
+            count++;
+        }
+    nkw_vec3 mean = nkw_vec3_scale(sum, 1.0f / (float)(count ? count : 1));
+    mean.y = 0.0f;
+    return isfinite(mean.x) && isfinite(mean.z) ? mean : nkw_vec3_zero();
 }
 
 static const nkw_document_mesh *mesh_of(const view *v, const nkw_document *d, size_t joint)
@@ -255,6 +272,7 @@ void view_draw_floor(const view *v, moment *m, canvas *c)
     float length = nkw_max(size.x, nkw_max(size.z, size.y));
     if (!sees_floor(v) || !(length > 0.0f) || !isfinite(length))
         return;
+    middle = nkw_vec3_add(middle, v->origin);
     middle.y = b->least.y;
     visit_primitives(v, m, drop_shadow, &f);
     draw_rules(&f, rule_step(length), middle);

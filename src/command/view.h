@@ -9,12 +9,13 @@
 /** The space that a model takes, over some moments. Empty: low > high. */
 typedef struct view_box {
     nkw_vec3 low, high; /**< in eye space: what the picture frames */
-    nkw_vec3 least, most; /**< in the world */
+    nkw_vec3 least, most; /**< in the world, from the origin of the view */
     float sole; /**< the lowest y in eye space of all points, dropped to y = 0 in the world */
 } view_box;
 
 /** An orthographic camera: it looks along -z of its space, y is up. */
 typedef struct view {
+    nkw_vec3 origin; /**< what the camera moves with; y is 0 */
     nkw_mat4 eye; /**< from the world to the eye */
     view_box box;
     unsigned char *shown; /**< of each joint: whether it is in the scene */
@@ -28,8 +29,11 @@ typedef struct view {
 int view_open(view *v, const nkw_document *d);
 void view_free(view *v);
 
-/** Turns the camera: radians to the right about y, then down about x. The box becomes empty. */
-void view_turn(view *v, float yaw, float pitch);
+/** Moves the camera with an origin in the world, and turns it: radians to the right about y, then down about x. The box
+ * becomes empty. */
+void view_turn(view *v, nkw_vec3 origin, float yaw, float pitch);
+/** The mean of the joints of a moment, at y = 0. */
+nkw_vec3 view_middle(const view *v, const moment *m);
 /** Extends the box by all vertices and bones of a moment. */
 void view_include(view *v, moment *m);
 /** Extends a box by another. */

@@ -293,6 +293,31 @@ static void joints_without_meshes_are_drawn(void **state)
     free(p.rgb);
 }
 
+/* A model that goes from 0 to 10 m: the camera frames all of its way, or moves with it. */
+static void the_camera_follows(void **state)
+{
+    (void)state;
+    size_t left[4], right[4];
+    FILE *f = fopen("away.csv", "wb");
+    assert_non_null(f);
+    fputs("name,parent,time,tx,ty,tz\nhip,,0,0,0,0\nhip,,1,10,0,0\nknee,hip,0,0,-1,0\n", f);
+    fclose(f);
+    free(program_run(NULL, "render away.csv --plain --at 0,1 --size 64 --yaw 0 --pitch 0 -o away.png"));
+    pixels p = read_png("away.png");
+    box_of(&p, 0, 64, left);
+    box_of(&p, 64, 128, right);
+    assert_true(left[1] < 16 && right[0] > 64 + 48);
+    free(p.rgb);
+    free(program_run(NULL, "render away.csv --plain --follow --at 0,1 --size 64 --yaw 0 --pitch 0 -o away.png"));
+    p = read_png("away.png");
+    box_of(&p, 0, 64, left);
+    box_of(&p, 64, 128, right);
+    assert_true(left[0] > 24 && left[1] < 40 && left[3] - left[2] > 50);
+    assert_int_equal(right[0], left[0] + 64);
+    assert_int_equal(right[3], left[3]);
+    free(p.rgb);
+}
+
 /* ---- formats ---- */
 
 static void svg_has_the_triangles_of_each_frame(void **state)
@@ -464,6 +489,7 @@ int main(void)
         cmocka_unit_test(textures_that_cannot_be_read_are_left_out),
         cmocka_unit_test(points_and_lines_are_drawn),
         cmocka_unit_test(joints_without_meshes_are_drawn),
+        cmocka_unit_test(the_camera_follows),
         cmocka_unit_test(svg_has_the_triangles_of_each_frame),
         cmocka_unit_test(an_animated_png_has_the_frames_of_a_sequence),
         cmocka_unit_test(the_picture_of_the_page_is_this_one),
