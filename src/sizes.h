@@ -78,5 +78,7 @@
 #define SKIN_BLOCK 64
 /* The same where matrices are not stored and vertices have up to four influences: a block costs about 40 ns. */
 #define SKIN_LONG_BLOCK (2 * SKIN_BLOCK)
+/* Morph targets: vertices that all dense targets are added to together, 6 KiB. */
+#define MORPH_BLOCK 512
 
 #endif

@@ -55,6 +55,8 @@ set(NKW_FLOOR_5
 set(NKW_FLOOR_6
   palette
   skin
+  morph
+  bounds
   partition
   crowd
 )

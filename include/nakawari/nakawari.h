@@ -60,6 +60,8 @@
 /* Floor 6, skin: palettes from model matrices, skinned vertices, parts of meshes. */
 #include "palette.h"
 #include "skin.h"
+#include "morph.h"
+#include "bounds.h"
 #include "crowd.h"
 #include "partition.h"
 

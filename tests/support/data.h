@@ -26,7 +26,9 @@
     X(ik) \
     X(foot) \
     X(retarget) \
-    X(blendspace)
+    X(blendspace) \
+    X(morph) \
+    X(bounds)
 
 #ifdef __cplusplus
 extern "C" {
