@@ -1,20 +1,25 @@
 /* SPDX-License-Identifier: MIT */
-/* Fcurves as one CUBICSPLINE track, by subdivision. */
+/* Fcurves as one CUBICSPLINE track of numbers or of rotations, by subdivision. */
 #include "lane/strict.h"
 
 #include <math.h>
 
 #include <nakawari/curve.h>
 #include <nakawari/dialect.h>
+#include <nakawari/quat.h>
 
 #include "fcurve_segment.h"
 #include "lane/scalar.h"
 #include "segment_search.h"
+#include "track_keys.h"
 
 /* The track while it is written: `count` keys, the last of which has no out-tangents yet. */
 typedef struct writer {
     const nkw_fcurve *curves;
-    size_t width;
+    size_t curve_count;
+    nkw_track_kind kind; /* FLOATS: a curve for each component; ROTATION: angles about x, y and z */
+    nkw_euler_order order;
+    size_t width; /* of the track */
     float tolerance;
     const nkw_track_memory *memory;
     size_t count;
@@ -65,12 +70,58 @@ static float next_break(const nkw_fcurve *curve, float time)
     return sooner(time, jump_of(curve, key), next);
 }
 
-/* Whether a value at b is more than the tolerance from that at the float before. */
+/* ---- Values and slopes ---- */
+
+static nkw_quat axis_of(unsigned axis)
+{
+    nkw_quat q = {axis == 0 ? 1.0f : 0.0f, axis == 1 ? 1.0f : 0.0f, axis == 2 ? 1.0f : 0.0f, 0.0f};
+    return q;
+}
+
+/*
+ * Of the rotation q = qi qj qk of three angles, in the order i j k with the axes ei, ej, ek:
+ *
+ *     2 dq/dt = i' ei q + j' qi ej qi^-1 q + k' q ek
+ */
+static nkw_quat rotation_slope(const nkw_curve_point angle[3], nkw_quat q, nkw_euler_order order)
+{
+    static const unsigned char axes[6][3] = {{0, 1, 2}, {0, 2, 1}, {1, 0, 2}, {1, 2, 0}, {2, 0, 1}, {2, 1, 0}};
+    const unsigned char *axis = axes[(unsigned)order < 6 ? (unsigned)order : 0];
+    nkw_quat ei = axis_of(axis[0]), ej = axis_of(axis[1]), ek = axis_of(axis[2]);
+    nkw_vec3 about = {ei.x, ei.y, ei.z};
+    nkw_quat qi = nkw_quat_from_axis_angle(about, angle[axis[0]].value);
+    nkw_quat middle = nkw_quat_mul(nkw_quat_mul(qi, ej), nkw_quat_mul(nkw_quat_conjugate(qi), q));
+    nkw_quat sum = nkw_quat_add(nkw_quat_scale(nkw_quat_mul(ei, q), angle[axis[0]].first),
+                                nkw_quat_scale(nkw_quat_mul(q, ek), angle[axis[2]].first));
+    return nkw_quat_scale(nkw_quat_add(sum, nkw_quat_scale(middle, angle[axis[1]].first)), 0.5f);
+}
+
+/* The quaternion of three angles is continuous: it keeps whole turns in its sign. */
+static nkw_curve_point rotation_component(const writer *w, size_t i, float time)
+{
+    nkw_curve_point angle[3], r = {0.0f, 0.0f, 0.0f};
+    for (size_t k = 0; k < 3; k++)
+        angle[k] = nkw_fcurve_sample(w->curves + k, time);
+    nkw_vec3 angles = {angle[0].value, angle[1].value, angle[2].value};
+    nkw_quat q = nkw_quat_from_euler(angles, w->order), slope = rotation_slope(angle, q, w->order);
+    r.value = i == 0 ? q.x : i == 1 ? q.y : i == 2 ? q.z : q.w;
+    r.first = i == 0 ? slope.x : i == 1 ? slope.y : i == 2 ? slope.z : slope.w;
+    return r;
+}
+
+/* Value and slope of component i of the track. */
+static nkw_curve_point component(const writer *w, size_t i, float time)
+{
+    return w->kind == NKW_TRACK_FLOATS ? nkw_fcurve_sample(w->curves + i, time) : rotation_component(w, i, time);
+}
+
+/* Whether a value at b is more than the tolerance from that at the float before; half of it for quaternions. */
 static int jumps_at(const writer *w, float b)
 {
+    float most = w->kind == NKW_TRACK_FLOATS ? w->tolerance : 0.5f * w->tolerance;
     for (size_t i = 0; i < w->width; i++) {
-        float before = nkw_fcurve_sample(w->curves + i, float_before(b)).value;
-        if (!(lane_abs(nkw_fcurve_sample(w->curves + i, b).value - before) <= w->tolerance))
+        float before = component(w, i, float_before(b)).value;
+        if (!(lane_abs(component(w, i, b).value - before) <= most))
             return 1;
     }
     return 0;
@@ -82,7 +133,7 @@ static float next_break_of_all(const writer *w, float time, float end)
     float next = end, after = float_after(time);
     if (after < end && jumps_at(w, after))
         return after;
-    for (size_t i = 0; i < w->width; i++) {
+    for (size_t i = 0; i < w->curve_count; i++) {
         float own = next_break(w->curves + i, time);
         next = own < next ? own : next;
     }
@@ -109,7 +160,7 @@ static void write_values(const writer *w, float time)
     w->memory->times[w->count] = time;
     for (size_t i = 0; i < w->width; i++) {
         v[i] = v[2 * w->width + i] = 0.0f;
-        v[w->width + i] = nkw_fcurve_sample(w->curves + i, time).value;
+        v[w->width + i] = component(w, i, time).value;
     }
 }
 
@@ -126,24 +177,36 @@ static void write_tangents(const writer *w, float a, float b)
     float *v0 = triple(w, w->count - 1), *v1 = triple(w, w->count);
     for (size_t i = 0; i < w->width; i++) {
         float from = v0[w->width + i], to = v1[w->width + i];
-        v0[2 * w->width + i] = slope_or(nkw_fcurve_sample(w->curves + i, a).first, from, to, b - a);
-        v1[i] = slope_or(nkw_fcurve_sample(w->curves + i, float_before(b)).first, from, to, b - a);
+        v0[2 * w->width + i] = slope_or(component(w, i, a).first, from, to, b - a);
+        v1[i] = slope_or(component(w, i, float_before(b)).first, from, to, b - a);
     }
 }
 
-/* The largest difference between curves and track at 31 times between the last key and the new one. */
-static float difference_between(const writer *w, float a, float b)
+/* The difference of the track from the curves at one time between the last key and the new one. */
+static float difference_at(const writer *w, float a, float b, float time)
 {
     const float *v0 = triple(w, w->count - 1), *v1 = triple(w, w->count);
-    float worst = 0.0f, h = b - a;
+    float worst = 0.0f, h = b - a, t = segment_t(a, b, time), made[4] = {0}, want[4] = {0};
+    size_t n = w->width;
+    for (size_t i = 0; i < n; i++) {
+        made[i % 4] = nkw_hermite(v0[n + i], h * v0[2 * n + i], v1[n + i], h * v1[i], t);
+        want[i % 4] = component(w, i, time).value;
+        float off = lane_abs(made[i % 4] - want[i % 4]);
+        worst = !(off <= worst) ? off : worst;
+    }
+    if (w->kind == NKW_TRACK_FLOATS)
+        return worst;
+    return nkw_quat_angle(nkw_quat_normalize(track_read_quat(made)), track_read_quat(want));
+}
+
+/* The largest difference at 31 times. */
+static float difference_between(const writer *w, float a, float b)
+{
+    float worst = 0.0f;
     for (int k = 1; k < 32; k++) {
-        float time = (float)((double)a + ((double)b - (double)a) * (k / 32.0)), t = segment_t(a, b, time);
-        for (size_t i = 0; i < w->width; i++) {
-            size_t n = w->width;
-            float made = nkw_hermite(v0[n + i], h * v0[2 * n + i], v1[n + i], h * v1[i], t);
-            float off = lane_abs(made - nkw_fcurve_sample(w->curves + i, time).value);
-            worst = !(off <= worst) && time > a && time < b ? off : worst;
-        }
+        float time = (float)((double)a + ((double)b - (double)a) * (k / 32.0));
+        float off = time > a && time < b ? difference_at(w, a, b, time) : 0.0f;
+        worst = !(off <= worst) ? off : worst;
     }
     return worst;
 }
@@ -231,21 +294,34 @@ static nkw_result check_curves(const nkw_fcurve *curves, size_t width, float *fi
     return width > 0 ? NKW_OK : NKW_EMPTY;
 }
 
-nkw_result nkw_track_from_fcurves(const nkw_fcurve *curves, size_t width, float tolerance,
-                                  const nkw_track_memory *memory, nkw_track *out, float *error)
+static nkw_result write_track(writer *w, nkw_track *out, float *error)
 {
-    writer w = {curves, width, tolerance, memory, 0, 0.0f};
+    const nkw_track_memory *memory = w->memory;
     float first, last;
-    nkw_result result = check_curves(curves, width, &first, &last);
-    if (result == NKW_OK && !(tolerance >= 0.0f))
+    nkw_result result = check_curves(w->curves, w->curve_count, &first, &last);
+    if (result == NKW_OK && !(w->tolerance >= 0.0f))
         result = NKW_OUT_OF_RANGE;
     if (result == NKW_OK)
-        result = write_all(&w, first, last);
-    nkw_track made = {memory->times, memory->values,   result == NKW_OK ? w.count : 0,
-                      width,         NKW_TRACK_FLOATS, NKW_INTERPOLATION_CUBICSPLINE,
+        result = write_all(w, first, last);
+    nkw_track made = {memory->times, memory->values, result == NKW_OK ? w->count : 0,
+                      w->width,      w->kind,        NKW_INTERPOLATION_CUBICSPLINE,
                       NULL};
     *out = made;
     if (error)
-        *error = result == NKW_OK ? w.error : INFINITY;
+        *error = result == NKW_OK ? w->error : INFINITY;
     return result;
+}
+
+nkw_result nkw_track_from_fcurves(const nkw_fcurve *curves, size_t width, float tolerance,
+                                  const nkw_track_memory *memory, nkw_track *out, float *error)
+{
+    writer w = {curves, width, NKW_TRACK_FLOATS, NKW_EULER_XYZ, width, tolerance, memory, 0, 0.0f};
+    return write_track(&w, out, error);
+}
+
+nkw_result nkw_track_from_euler_fcurves(const nkw_fcurve angles[3], nkw_euler_order order, float tolerance,
+                                        const nkw_track_memory *memory, nkw_track *out, float *error)
+{
+    writer w = {angles, 3, NKW_TRACK_ROTATION, order, 4, tolerance, memory, 0, 0.0f};
+    return write_track(&w, out, error);
 }

@@ -390,6 +390,46 @@ static void regressive_and_vertical_segments_become_tracks(void **state)
     }
 }
 
+static nkw_quat rotation_of(const nkw_fcurve angles[3], nkw_euler_order order, float time)
+{
+    nkw_vec3 a = {nkw_fcurve_sample(angles, time).value, nkw_fcurve_sample(angles + 1, time).value,
+                  nkw_fcurve_sample(angles + 2, time).value};
+    return nkw_quat_from_euler(a, order);
+}
+
+/* Five turns in one segment, other axes by handles, and a segment that holds. */
+static void euler_angles_keep_their_turns(void **state)
+{
+    (void)state;
+    random_source r = random_from(6);
+    for (int order = 0; order <= 6; order++) {
+        nkw_fcurve_key keys[3][4];
+        nkw_fcurve angles[3];
+        nkw_track track;
+        nkw_track_memory memory = memory_of(1000);
+        float error, q[4];
+        for (int c = 0; c < 3; c++) {
+            draw_keys(&r, keys[c], 4, c == order % 3 ? 0x8 : 0xc);
+            for (int k = 0; k < 4; k++)
+                keys[c][k].time = (float)k;
+            keys[c][2].value += c == order % 3 ? 31.415927f : 0.0f;
+            angles[c] = curve_of(keys[c], 4);
+        }
+        keys[0][2].kind = keys[1][2].kind = keys[2][2].kind = NKW_FCURVE_CONSTANT;
+        nkw_result result =
+            nkw_track_from_euler_fcurves(angles, (nkw_euler_order)order, 2e-3f, &memory, &track, &error);
+        assert_int_equal(result, NKW_OK);
+        assert_true(error <= 2e-3f && track.kind == NKW_TRACK_ROTATION && track.count < 300);
+        assert_int_equal(nkw_track_validate(&track, NULL), NKW_OK);
+        for (int i = 0; i <= 2000; i++) {
+            float time = 3.0f * (float)i / 2000.0f;
+            nkw_track_sample(&track, time, q);
+            nkw_quat got = {q[0], q[1], q[2], q[3]};
+            expect_near(nkw_quat_angle(got, rotation_of(angles, (nkw_euler_order)order, time)), 0, 2.2e-3);
+        }
+    }
+}
+
 static void what_cannot_become_a_track_is_refused(void **state)
 {
     (void)state;
@@ -435,6 +475,7 @@ int main(void)
         cmocka_unit_test(handles_of_a_third_need_no_more_keys),
         cmocka_unit_test(jumps_take_two_keys_at_neighbouring_floats),
         cmocka_unit_test(regressive_and_vertical_segments_become_tracks),
+        cmocka_unit_test(euler_angles_keep_their_turns),
         cmocka_unit_test(what_cannot_become_a_track_is_refused),
     };
     return cmocka_run_group_tests_name("dialect", tests, NULL, NULL);

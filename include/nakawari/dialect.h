@@ -18,6 +18,7 @@
 #ifndef NAKAWARI_DIALECT_H
 #define NAKAWARI_DIALECT_H
 
+#include "euler.h"
 #include "fcurve.h"
 #include "spline.h"
 #include "track.h"
@@ -152,6 +153,20 @@ NKW_API nkw_result nkw_fcurve_keys_from_track(const nkw_track *track, size_t com
  */
 NKW_API nkw_result nkw_track_from_fcurves(const nkw_fcurve *curves, size_t width, float tolerance,
                                           const nkw_track_memory *memory, nkw_track *out, float *error);
+
+/**
+ * Converts three fcurves of Euler angles to one track of rotations, NKW_TRACK_ROTATION and CUBICSPLINE, for glTF and for
+ * clips. The track follows the angles through any number of turns: keys are added until it does. Their signs are those
+ * for which the cubic takes the way of the angles.
+ *
+ * angles     about x, y and z, in radians, at any number of turns
+ * order      of the product; any other number is read as NKW_EULER_XYZ
+ * tolerance  radians
+ * error      receives the largest angle between track and curves found, as above
+ * Returns    those of nkw_track_from_fcurves
+ */
+NKW_API nkw_result nkw_track_from_euler_fcurves(const nkw_fcurve angles[3], nkw_euler_order order, float tolerance,
+                                                const nkw_track_memory *memory, nkw_track *out, float *error);
 
 #ifdef __cplusplus
 }

@@ -164,6 +164,11 @@ static void dialects(fuzz *f)
     nkw_track track;
     nkw_result result = nkw_track_from_fcurves(c, width, 0.01f * (float)fuzz_byte(f), &memory, &track, &error);
     FUZZ_CHECK(track.count <= room && (result == NKW_OK) == (track.count > 0));
+    nkw_fcurve angles[3] = {c[0], c[1], c[fuzz_byte(f) % 2]};
+    nkw_track_memory rotations = {fuzz_room(f, room), fuzz_room(f, 12 * room), room, NULL, 0};
+    nkw_track turns;
+    nkw_track_from_euler_fcurves(angles, (nkw_euler_order)fuzz_choice(f, 5), 0.1f, &rotations, &turns, NULL);
+    FUZZ_CHECK(turns.count <= room);
     for (size_t k = 1; k < track.count; k++)
         FUZZ_CHECK(track.times[k - 1] < track.times[k]);
     if (track.count > 0 && nkw_track_validate(&track, &bad) == NKW_OK)

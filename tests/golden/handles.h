@@ -75,13 +75,26 @@ static void sample_fcurve(float *o, const nkw_keyframe *from, const float s[8], 
     put_tool_point(o + 12, nkw_fcurve_sample(&curve, -0x1p20f * nkw_abs(s[2])));
 }
 
-/* Keys of slopes, of Blender and of CSS, and a track; by samples and numbers of keys. */
+/* A track of numbers and one of rotations, by their errors, numbers of keys and a sample. */
+static void tracks_of_fcurves(float *o, const nkw_fcurve *curve, float time)
+{
+    float times[300], values[3600];
+    nkw_fcurve angles[3] = {curve[0], curve[0], curve[0]};
+    nkw_track_memory memory = {times, values, 300, NULL, 0};
+    nkw_track track;
+    nkw_track_from_fcurves(curve, 1, 0.25f, &memory, &track, o);
+    o[1] = (float)track.count;
+    nkw_track_sample(&track, time, o + 2);
+    nkw_track_from_euler_fcurves(angles, NKW_EULER_YXZ, 0.25f, &memory, &track, o + 3);
+    nkw_track_sample(&track, time, o + 4);
+}
+
+/* Keys of slopes, of Blender and of CSS; in one round of 18, tracks. */
 static void dialects(float *o, const nkw_keyframe *from, const float s[8], unsigned some, float t)
 {
     nkw_slope_key slopes[4];
     nkw_fcurve_key keys[4];
     nkw_blender_key blender[4];
-    float times[300], values[900];
     for (unsigned k = 0; k < 4; k++) {
         nkw_slope_key key = {from[k].time,
                              from[k].position.x,
@@ -95,15 +108,12 @@ static void dialects(float *o, const nkw_keyframe *from, const float s[8], unsig
     }
     nkw_fcurve_keys_from_slopes(slopes, 4, (nkw_weight_unit)(some % 3), keys, NULL);
     nkw_fcurve curve = {keys, 4, NKW_FCURVE_OUTSIDE_HOLD, NKW_FCURVE_OUTSIDE_HOLD, 0, 0, NKW_HANDLE_KEEP_RATIO};
-    nkw_track_memory memory = {times, values, 300, NULL, 0};
-    nkw_track track;
-    nkw_track_from_fcurves(&curve, 1, 0.25f, &memory, &track, o);
-    o[1] = (float)track.count;
-    nkw_track_sample(&track, nkw_lerp(from[0].time, from[3].time, t), o + 2);
     nkw_blender_keys_from_fcurve(keys, 4, blender, NULL);
-    memcpy(o + 3, blender + 1, 6 * sizeof(float));
+    memcpy(o, blender + 1, 6 * sizeof(float));
     nkw_slopes_from_fcurve_keys(keys, 4, (nkw_weight_unit)((some + 1) % 3), slopes, NULL);
-    memcpy(o + 9, &slopes[1].in_slope, 4 * sizeof(float));
+    memcpy(o + 6, &slopes[1].in_slope, 4 * sizeof(float));
+    if (some == 7)
+        tracks_of_fcurves(o, &curve, nkw_lerp(from[0].time, from[3].time, t));
     nkw_fcurve_keys_from_css(s, keys);
     o[13] = keys[0].out.value;
     o[14] = keys[1].in.time;
