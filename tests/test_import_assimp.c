@@ -379,6 +379,35 @@ static void files_of_no_format_are_refused(void **state)
     }
 }
 
+/* What Assimp reads and returns is checked: a bone without a node, a matrix that is not finite, a vertex that does not exist. */
+static void scenes_are_checked(void **state)
+{
+    (void)state;
+    static const struct {
+        const char *file, *word, *instead, *place;
+    } list[] = {
+        {"arm.x", "\"arm\";", "\"nobody\";", "/meshes/0/bones/1"},
+        {"arm.x", "0.0,2.0,0.5,1.0", "nan,2.0,0.5,1.0", "/nodes/1"},
+        {"arm.bvh", "OFFSET 0 2 0", "OFFSET 0 nan 0", "/nodes/1"},
+        {"arm.md5mesh", "tri 0 0 2 1", "tri 0 0 2 9", "line 28"},
+        {"arm.md5mesh", "weight 3 1 1", "weight 3 7 1", "line 27"},
+        {"arm.md5mesh", "vert 2 ( 0 1 ) 3 1", "vert 2 ( 0 1 ) 3 2", "line 28"},
+        {"arm.md5mesh", "\"arm\"\t0", "\"arm\"\t1", "line 9"},
+        {"arm.md5anim", "\"arm\"\t0 56 1", "\"arm\"\t0 63 1", "line 27"},
+        {"arm.md5anim", "\t2 0 0.6 0\n}", "\t2 0 0.6 0\n", "line 36"},
+    };
+    for (size_t i = 0; i < sizeof list / sizeof *list; i++) {
+        char path[512];
+        nkw_document *d;
+        nkw_import_error error;
+        snprintf(path, sizeof path, FILES "%s", list[i].file);
+        char *text = edited(path, list[i].word, list[i].instead);
+        assert_int_equal(open_bytes(text, "-", &d, &error), NKW_IMPORT_INVALID);
+        assert_string_equal(error.place, list[i].place);
+        free(text);
+    }
+}
+
 /* A reader without files, which counts the questions. */
 static size_t refuse(void *user, const char *path, void *out, size_t size)
 {
@@ -481,6 +510,7 @@ int main(void)
         cmocka_unit_test(fbx_angles_of_each_frame_do_not_spin),
         cmocka_unit_test(formats_are_known_by_their_content),
         cmocka_unit_test(files_of_no_format_are_refused),
+        cmocka_unit_test(scenes_are_checked),
         cmocka_unit_test(outer_files_are_those_of_the_folder),
         cmocka_unit_test(captured_motion_is_that_of_an_independent_implementation),
         cmocka_unit_test(models_at_hand_are_read),

@@ -149,6 +149,11 @@ static int import(nkwi_assimp *a, const nkw_import_memory *memory, const char *n
     a->document->all.bytes = files.bytes;
     a->frame_rate = files.frame_rate;
     a->has_meshes = strcmp(nkwi_assimp_extension(memory), ".md5anim") != 0;
+    if (files.fault) {
+        char place[32];
+        snprintf(place, sizeof place, "line %zu", files.fault);
+        return nkwi_fail_at(a->error, place, NKW_IMPORT_INVALID, "the MD5 file is cut, or names what is not there");
+    }
     if (a->scene)
         return 1;
     const char *reason = aiGetErrorString();

@@ -64,10 +64,14 @@ typedef struct nkwi_assimp_files {
     const nkw_import_memory *memory;
     const char *name; /* of the first file, as the importer gets it */
     size_t bytes; /* of all files that were read */
+    size_t fault; /* of MD5: the line of nkwi_assimp_md5_fault of a file that was not opened for it; otherwise 0 */
     double frame_rate; /* of MD5: frameRate of the .md5anim that was opened; otherwise 0 */
 } nkwi_assimp_files;
 
 void nkwi_assimp_files_begin(nkwi_assimp_files *files, const nkw_import_memory *memory, const char *name);
+
+/* The first line of an .md5mesh or .md5anim that would harm Assimp (assimp_md5.c), counted from 1; 0 for none. */
+size_t nkwi_assimp_md5_fault(const void *data, size_t bytes);
 
 /* The extension of a file with a dot, by its content, then by its name; "" for neither. */
 const char *nkwi_assimp_extension(const nkw_import_memory *memory);

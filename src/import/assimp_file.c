@@ -131,6 +131,12 @@ static struct aiFile *open_stream(struct aiFileIO *io, const char *name, const c
     }
     if (ends_with(name, ".md5anim"))
         files->frame_rate = frame_rate_of(s);
+    if (!files->fault && (ends_with(name, ".md5anim") || ends_with(name, ".md5mesh")))
+        files->fault = nkwi_assimp_md5_fault(s->data, s->bytes);
+    if (files->fault) {
+        close_stream(io, &s->file);
+        return NULL;
+    }
     return &s->file;
 }
 
