@@ -22,12 +22,28 @@ static const char *method_name(nkw_orientation_method method)
 
 static size_t frame_count(const scene *s)
 {
-    return (s->count - 1) * FRAMES_PER_SECOND + 1;
+    return scene_times(s, FRAMES_PER_SECOND);
+}
+
+static int is_key(const scene *s, float time)
+{
+    size_t k = 0;
+    while (k < s->count && s->keys[k].time != time)
+        k++;
+    return k < s->count;
+}
+
+static int is_frame(const scene *s, float time)
+{
+    size_t i = 0;
+    while (i < frame_count(s) && scene_time(s, FRAMES_PER_SECOND, i) != time)
+        i++;
+    return i < frame_count(s);
 }
 
 static nkw_mat4 frame(const scene *s, size_t i, nkw_orientation_method method)
 {
-    return scene_sample(s, (float)i / (float)FRAMES_PER_SECOND, NKW_POSITION_HERMITE, method);
+    return scene_place(s, scene_time(s, FRAMES_PER_SECOND, i), NKW_POSITION_HERMITE, method);
 }
 
 static void frame_shadows(svg *out, const scene *s, const svg_camera *camera, nkw_orientation_method method,
@@ -46,16 +62,16 @@ static void frame_way(space_list *list, const scene *s, const svg_camera *camera
 {
     svg_paint paint = svg_stroke(0x85858f, 1.3f, 1.0f);
     nkw_vec3 ends[2];
-    for (size_t i = 0; i <= 8 * (frame_count(s) - 1); i++) {
-        nkw_mat4 m = scene_sample(s, (float)i / (8.0f * (float)FRAMES_PER_SECOND), NKW_POSITION_HERMITE,
-                                  NKW_ORIENTATION_STEP);
+    for (size_t i = 0; i < scene_times(s, 8 * FRAMES_PER_SECOND); i++) {
+        nkw_mat4 m = scene_place(s, scene_time(s, 8 * FRAMES_PER_SECOND, i), NKW_POSITION_HERMITE,
+                                 NKW_ORIENTATION_STEP);
         ends[i % 2] = nkw_mat4_translation(&m);
         if (i > 0)
             space_add(list, camera, ends, 2, space_distance(camera, ends[0]) + 0.2f, &paint);
     }
 }
 
-/* The keys in full colours, the frames between in pale ones. */
+/* The keys in full colours, also those between two frames; the frames between in pale ones. */
 static int frame_darts(svg *out, const scene *s, const svg_camera *camera, nkw_orientation_method method,
                        float length)
 {
@@ -63,8 +79,14 @@ static int frame_darts(svg *out, const scene *s, const svg_camera *camera, nkw_o
     frame_way(&list, s, camera);
     for (size_t i = 0; i < frame_count(s); i++) {
         nkw_mat4 m = frame(s, i, method);
-        space_dart(&list, camera, &m, length, i % FRAMES_PER_SECOND ? &space_pale : &space_vivid);
+        space_dart(&list, camera, &m, length,
+                   is_key(s, scene_time(s, FRAMES_PER_SECOND, i)) ? &space_vivid : &space_pale);
     }
+    for (size_t k = 0; k < s->count; k++)
+        if (!is_frame(s, s->keys[k].time)) {
+            nkw_mat4 m = scene_place(s, s->keys[k].time, NKW_POSITION_HERMITE, method);
+            space_dart(&list, camera, &m, length, &space_vivid);
+        }
     return space_paint(&list, out);
 }
 
@@ -134,13 +156,20 @@ static float difference(const scene *s, float time)
     return nkw_quat_angle(nkw_quat_from_mat4(&e), nkw_quat_from_mat4(&q));
 }
 
-/* The segment in which the methods come to differ most; keys stand at whole seconds. */
+/* Sample i: SAMPLES in each segment between two keys. */
+static float sample_time(const scene *s, size_t i)
+{
+    const size_t segment = i / SAMPLES < s->count - 1 ? i / SAMPLES : s->count - 2;
+    return scene_segment_time(s, segment, (float)(i - segment * SAMPLES) / (float)SAMPLES);
+}
+
+/* The segment in which the methods come to differ most. */
 static size_t worst_segment(const scene *s)
 {
     size_t worst = 0;
     float most = -1.0f;
     for (size_t i = 0; i < (s->count - 1) * SAMPLES; i++) {
-        float d = difference(s, (float)i / (float)SAMPLES);
+        float d = difference(s, sample_time(s, i));
         if (d > most) {
             most = d;
             worst = i / SAMPLES;
@@ -176,8 +205,8 @@ static float facing_yaw(const scene *s, size_t segment, nkw_vec3 (*axis)(const s
 {
     nkw_vec3 sum = nkw_vec3_zero();
     for (int i = 0; i <= 8; i++) {
-        sum = nkw_vec3_add(sum, axis(s, (float)segment + 0.125f * (float)i, NKW_ORIENTATION_EULER));
-        sum = nkw_vec3_add(sum, axis(s, (float)segment + 0.125f * (float)i, NKW_ORIENTATION_SLERP));
+        sum = nkw_vec3_add(sum, axis(s, scene_segment_time(s, segment, 0.125f * (float)i), NKW_ORIENTATION_EULER));
+        sum = nkw_vec3_add(sum, axis(s, scene_segment_time(s, segment, 0.125f * (float)i), NKW_ORIENTATION_SLERP));
     }
     return nkw_atan2(sum.x, sum.z);
 }
@@ -204,7 +233,7 @@ static int strip(svg *out, const scene *s, size_t segment, float yaw)
     svg_text(out, svg_at(28.0f, 310.0f), &slerp, "slerp");
     svg_text(out, svg_at(28.0f, 392.0f), &picture_text, "apart by");
     for (int i = 0; i < STRIP; i++) {
-        float t = (float)segment + (float)i / (float)(STRIP - 1), x = 196.0f + 136.0f * (float)i;
+        float t = scene_segment_time(s, segment, (float)i / (float)(STRIP - 1)), x = 196.0f + 136.0f * (float)i;
         nkw_mat4 e = turned(s, t, NKW_ORIENTATION_EULER), q = turned(s, t, NKW_ORIENTATION_SLERP);
         ok &= strip_dart(out, &e, svg_at(x, 178.0f), yaw) && strip_dart(out, &q, svg_at(x, 308.0f), yaw);
         sprintf(text, "%.16s s", svg_number(digits, t, 2));
@@ -223,7 +252,7 @@ static void nose_path(svg *out, const svg_camera *camera, const scene *s, size_t
     nkw_vec3 points[SAMPLES + 1];
     svg_paint dot = {colour, 0xffffff, 1.0f, 1.0f, NULL};
     for (size_t i = 0; i <= SAMPLES; i++)
-        points[i] = nose(s, (float)segment + (float)i / (float)SAMPLES, method);
+        points[i] = nose(s, sample_time(s, segment * SAMPLES + i), method);
     sphere_line(out, camera, points, SAMPLES + 1, svg_stroke(colour, 3.2f, 1.0f));
     for (size_t i = 0; i <= SAMPLES; i += SAMPLES / 12)
         svg_circle(out, svg_project(camera, points[i]), 4.2f, &dot);
@@ -234,7 +263,7 @@ static void sphere_key(svg *out, const svg_camera *camera, const scene *s, size_
     svg_font font = {13.0f, 0x1d1d22, 'm', 1, 0xffffff};
     svg_paint core = {0xffffff, 0x1d1d22, 2.0f, 1.0f, NULL};
     char text[SVG_DIGITS];
-    svg_point p = svg_project(camera, nose(s, (float)key, NKW_ORIENTATION_STEP));
+    svg_point p = svg_project(camera, nose(s, s->keys[key].time, NKW_ORIENTATION_STEP));
     svg_circle(out, p, 5.5f, &core);
     svg_text(out, svg_at(p.x, p.y + (p.y < camera->centre.y ? -14.0f : 24.0f)), &font, picture_key_name(s, key, text));
 }
@@ -257,9 +286,10 @@ static void sphere(svg *out, const scene *s, size_t segment)
 /* Radians per second over the sample from i to i + 1; the end of a segment belongs to it. */
 static float turning_speed(const scene *s, size_t i, nkw_orientation_method method)
 {
-    float step = 1.0f / (float)SAMPLES;
-    nkw_mat4 a = turned(s, (float)i * step, method), b = turned(s, (float)(i + 1) * step, method);
-    return nkw_quat_angle(nkw_quat_from_mat4(&a), nkw_quat_from_mat4(&b)) * (float)SAMPLES;
+    const float from = sample_time(s, i), to = sample_time(s, i + 1);
+    nkw_mat4 a = turned(s, from, method), b = turned(s, to, method);
+    const float angle = nkw_quat_angle(nkw_quat_from_mat4(&a), nkw_quat_from_mat4(&b));
+    return to > from ? angle / (to - from) : 0.0f;
 }
 
 static float fastest(const scene *s)
@@ -278,7 +308,7 @@ static void speed_line(svg *out, const scene *s, const svg_plot *plot, nkw_orien
     svg_paint paint = svg_stroke(colour, 2.4f, 1.0f);
     size_t count = (s->count - 1) * SAMPLES;
     for (size_t i = 0; i < count; i++)
-        line[i] = svg_plot_at(plot, ((float)i + 0.5f) / (float)SAMPLES,
+        line[i] = svg_plot_at(plot, 0.5f * (sample_time(s, i) + sample_time(s, i + 1)),
                               nkw_degrees_from_radians(turning_speed(s, i, method)));
     svg_polyline(out, line, count, &paint);
 }
@@ -286,9 +316,13 @@ static void speed_line(svg *out, const scene *s, const svg_plot *plot, nkw_orien
 static void speeds(svg *out, const scene *s)
 {
     svg_font heading = {14.0f, 0x1d1d22, 's', 1, SVG_NONE};
-    svg_plot plot = {{556.0f, 500.0f, 520.0f, 330.0f}, {0.0f, scene_end(s), 1.0f, "time, s"},
+    svg_plot plot = {{556.0f, 500.0f, 520.0f, 330.0f}, {scene_start(s), scene_end(s), 1.0f, "time, s"},
                      {0.0f, 0.0f, 30.0f, "degrees per second"}};
-    plot.y.to = 1.12f * fastest(s);
+    plot.y.to = nkw_max(1.12f * fastest(s), 1.0f);
+    while ((plot.x.to - plot.x.from) / plot.x.tick > 12.0f)
+        plot.x.tick *= 2.0f;
+    while (plot.y.to / plot.y.tick > 12.0f)
+        plot.y.tick *= 2.0f;
     svg_text(out, svg_at(526.0f, 452.0f), &heading, "How fast the object turns");
     svg_plot_frame(out, &plot);
     speed_line(out, s, &plot, NKW_ORIENTATION_EULER, euler_colour);

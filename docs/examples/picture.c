@@ -25,7 +25,7 @@ static const curve curves[] = {
     {NKW_POSITION_BSPLINE, "B-spline", "near the keys,", "smoothest of the four", 0x00897b},
 };
 enum { CURVES = sizeof curves / sizeof *curves };
-enum { PER_SECOND = 40, POINTS_MAX = 40 * SCENE_KEYS_MAX + 1 };
+enum { PER_SECOND = 40, POINTS_MAX = 40 * SCENE_SECONDS_MAX + 2 };
 static const svg_colour axis_colours[3] = {0xd62728, 0x2ca02c, 0x1f5fd0};
 
 int picture_open(svg *s, const char *path, float width, float height, const char *title, const char *lesson)
@@ -48,9 +48,9 @@ const char *picture_key_name(const scene *s, size_t key, char text[SVG_DIGITS])
 /* The positions of a curve, PER_SECOND times a second and at the end. */
 static size_t points_of(const scene *s, nkw_position_method method, nkw_vec3 out[POINTS_MAX])
 {
-    size_t count = (s->count - 1) * PER_SECOND + 1;
+    size_t count = scene_times(s, PER_SECOND);
     for (size_t i = 0; i < count; i++) {
-        nkw_mat4 m = scene_sample(s, (float)i / (float)PER_SECOND, method, NKW_ORIENTATION_STEP);
+        nkw_mat4 m = scene_place(s, scene_time(s, PER_SECOND, i), method, NKW_ORIENTATION_STEP);
         out[i] = nkw_mat4_translation(&m);
     }
     return count;
@@ -115,7 +115,7 @@ static void include_range(svg_plot *plot, nkw_vec3 p)
 /* The range of all curves and keys with a margin, one scale for both axes; the box shrinks to fit it. */
 static svg_plot map_of(const scene *s, svg_box box)
 {
-    nkw_vec3 points[POINTS_MAX], p = s->keys[0].position;
+    nkw_vec3 points[POINTS_MAX], p = scene_position(s, 0);
     svg_plot plot = {box, {p.x, p.x, 0.5f, "x"}, {p.z, p.z, 0.5f, "z, down as on a map"}};
     const float margin = 0.6f;
     for (int c = 0; c < CURVES; c++) {
@@ -124,7 +124,7 @@ static svg_plot map_of(const scene *s, svg_box box)
             include_range(&plot, points[i]);
     }
     for (size_t k = 0; k < s->count; k++)
-        include_range(&plot, s->keys[k].position);
+        include_range(&plot, scene_position(s, k));
     plot.x.from -= margin;
     plot.x.to += margin;
     plot.y.from += margin;
@@ -165,24 +165,25 @@ static void map_arrow(svg *out, const svg_plot *plot, nkw_vec3 from, nkw_vec3 wa
 }
 
 /* The key's axes; the nose, minus z, is drawn longer: it is the tangent of the Hermite curve. */
-static void map_key(svg *out, const svg_plot *plot, const nkw_keyframe *key, obstacles *o)
+static void map_key(svg *out, const scene *s, const svg_plot *plot, size_t k, obstacles *o)
 {
-    nkw_mat3 r = nkw_mat3_from_quat(key->orientation);
+    const nkw_vec3 at = scene_position(s, k);
+    nkw_mat3 r = nkw_mat3_from_quat(s->keys[k].orientation);
     svg_paint nose = svg_stroke(0x1d1d22, 1.4f, 1.0f), core = {0xffffff, 0x1d1d22, 1.8f, 1.0f, NULL};
     nose.dash = "4 3";
-    map_arrow(out, plot, key->position, nkw_vec3_scale(nkw_mat3_column(&r, 2), -0.42f), nose, o);
+    map_arrow(out, plot, at, nkw_vec3_scale(nkw_mat3_column(&r, 2), -0.42f), nose, o);
     for (size_t c = 0; c < 3; c++)
-        map_arrow(out, plot, key->position, nkw_vec3_scale(nkw_mat3_column(&r, c), 0.26f),
+        map_arrow(out, plot, at, nkw_vec3_scale(nkw_mat3_column(&r, c), 0.26f),
                   svg_stroke(axis_colours[c], 2.2f, 1.0f), o);
-    svg_circle(out, on_map(plot, key->position), 4.5f, &core);
-    avoid(o, on_map(plot, key->position));
+    svg_circle(out, on_map(plot, at), 4.5f, &core);
+    avoid(o, on_map(plot, at));
 }
 
 static void map_label(svg *out, const scene *s, const svg_plot *plot, size_t key, obstacles *o)
 {
     char text[SVG_DIGITS];
     svg_font font = {13.0f, 0x1d1d22, 'm', 1, 0xffffff};
-    svg_point p = free_place(o, plot->box, on_map(plot, s->keys[key].position));
+    svg_point p = free_place(o, plot->box, on_map(plot, scene_position(s, key)));
     svg_text(out, svg_at(p.x, p.y + 4.5f), &font, picture_key_name(s, key, text));
     for (int i = -1; i <= 1; i++)
         avoid(o, svg_at(p.x + 25.0f * (float)i, p.y));
@@ -220,17 +221,23 @@ int picture_trajectory_top(const scene *s, const char *path)
 {
     svg out;
     obstacles o = {{{0.0f, 0.0f}}, 0};
+    char across[48], digits[SVG_DIGITS];
     const svg_box box = {64.0f, 104.0f, 720.0f, 720.0f};
     svg_plot plot = map_of(s, box);
+    sprintf(across, "x, 1 is %.16s", svg_number(digits, s->unit, 6));
+    if (s->unit != 1.0f)
+        plot.x.name = across;
     float width = plot.box.x + plot.box.width + 216.0f, height = plot.box.y + nkw_max(plot.box.height, 440.0f) + 56.0f;
     if (!picture_open(&out, path, width, height, "Four curves through the same keys, seen from above",
-                      "The keys say where the object is once a second; the method decides its way between them."))
+                      s->own ? "The keys say where the object is at their times; the method decides its way between them."
+                             : "The keys say where the object is once a second; the method decides its way between "
+                               "them."))
         return 0;
     svg_plot_frame(&out, &plot);
     for (int c = 0; c < CURVES; c++)
         map_curve(&out, s, &plot, &curves[c], &o);
     for (size_t k = 0; k < s->count; k++)
-        map_key(&out, &plot, &s->keys[k], &o);
+        map_key(&out, s, &plot, k, &o);
     for (size_t k = 0; k < s->count; k++)
         map_label(&out, s, &plot, k, &o);
     curve_legend(&out, svg_at(plot.box.x + plot.box.width + 24.0f, 130.0f));
@@ -261,22 +268,23 @@ static void shadow_line(svg *out, const svg_camera *camera, const nkw_vec3 *poin
 }
 
 /* A pole from the key to the floor, and the key's object. */
-static void key_object(space_list *list, const svg_camera *camera, const nkw_keyframe *key)
+static void key_object(space_list *list, const svg_camera *camera, const scene *s, size_t k)
 {
-    nkw_vec3 pole[2] = {key->position, space_below(key->position)};
+    const nkw_vec3 at = scene_position(s, k);
+    nkw_vec3 pole[2] = {at, space_below(at)};
     svg_paint paint = svg_stroke(0x55555c, 1.2f, 1.0f);
-    nkw_mat3 r = nkw_mat3_from_quat(key->orientation);
-    nkw_mat4 m = nkw_mat4_from_mat3(&r, key->position);
+    nkw_mat3 r = nkw_mat3_from_quat(s->keys[k].orientation);
+    nkw_mat4 m = nkw_mat4_from_mat3(&r, at);
     paint.dash = "3 3";
-    space_add(list, camera, pole, 2, space_distance(camera, key->position) + 0.02f, &paint);
+    space_add(list, camera, pole, 2, space_distance(camera, at) + 0.02f, &paint);
     space_dart(list, camera, &m, 0.4f, &space_vivid);
 }
 
 svg_point picture_outward(const scene *s, const svg_camera *camera, size_t key, float far)
 {
-    svg_point p = svg_project(camera, s->keys[key].position), centre = {0.0f, 0.0f};
+    svg_point p = svg_project(camera, scene_position(s, key)), centre = {0.0f, 0.0f};
     for (size_t k = 0; k < s->count; k++) {
-        svg_point q = svg_project(camera, s->keys[k].position);
+        svg_point q = svg_project(camera, scene_position(s, k));
         centre.x += q.x / (float)s->count;
         centre.y += q.y / (float)s->count;
     }
@@ -308,7 +316,7 @@ static int panel(svg *out, const scene *s, svg_box box, const curve *c)
     for (size_t i = 0; i + 2 < count; i += 2)
         curtain(&list, &camera, points + i, c->colour);
     for (size_t k = 0; k < s->count; k++)
-        key_object(&list, &camera, &s->keys[k]);
+        key_object(&list, &camera, s, k);
     int ok = space_paint(&list, out);
     key_numbers(out, &camera, s);
     svg_end(out);
@@ -322,8 +330,10 @@ int picture_trajectory_perspective(const scene *s, const char *path)
     svg out;
     int ok = 1;
     if (!picture_open(&out, path, 1080.0f, 780.0f, "The same curves in space, through the exercise's camera",
-                      "The darts are the keys, numbered by their second. A curtain hangs from each curve to its "
-                      "shadow: its height is the object's."))
+                      s->own ? "The darts are the keys. A curtain hangs from each curve to its shadow: its height is the "
+                               "object's."
+                             : "The darts are the keys, numbered by their second. A curtain hangs from each curve to "
+                               "its shadow: its height is the object's."))
         return 0;
     for (int c = 0; c < CURVES; c++) {
         svg_box box = {24.0f + 520.0f * (float)(c % 2), 84.0f + 340.0f * (float)(c / 2), 512.0f, 332.0f};
