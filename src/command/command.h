@@ -24,6 +24,7 @@ int command_bake(int argc, const char **argv);
 int command_check(int argc, const char **argv);
 int command_convert(int argc, const char **argv);
 int command_diff(int argc, const char **argv);
+int command_exercise(int argc, const char **argv);
 int command_info(int argc, const char **argv);
 int command_parts(int argc, const char **argv);
 int command_plot(int argc, const char **argv);

@@ -1,0 +1,181 @@
+/* SPDX-License-Identifier: MIT */
+/* nakawari exercise: the university exercise on key-frame animation, for keys of one's own. */
+#include <stdlib.h>
+#include <string.h>
+
+#include <nakawari/pose.h>
+
+#include "command.h"
+#include "report.h"
+#include "trace.h"
+
+static const options_text text = {
+    "[OPTION...] SCENE",
+    "Draws the exercise of docs/coursework.md with the keys of SCENE: a table of the object's matrix by every method, "
+    "the\n"
+    "curves from above and in space, all frames, Euler angles against slerp, and one page of all. SCENE is a scene of\n"
+    "keys in JSON, a table of keys in CSV or JSON, or any other file that is read: the keys of one joint of a clip, "
+    "at\n"
+    "most 64 of them in 64 seconds. With --trace it prints the calculation at one time, step by step.\n",
+    "  nakawari exercise docs/examples/scenes.json --clip scene1 -o out\n"
+    "  nakawari exercise docs/examples/flight.csv -o out && open out/index.html\n"
+    "  nakawari exercise docs/examples/flight.csv --trace 1.25 --position bezier --orientation euler\n",
+    1, 0};
+
+typedef struct request {
+    char *clip, *joint, *output, *position, *orientation;
+    long keys;
+    double step, time;
+    int traces;
+    const report_method *position_method, *orientation_method;
+} request;
+
+static int complain(const nkw_document *d, const char *what)
+{
+    output_text(stderr, d->file);
+    fprintf(stderr, ": %s\n", what);
+    return 0;
+}
+
+/* ---- the keys ---- */
+
+/* The joint of that name; without one the first that the clip moves or turns. -1 if there is none. */
+static int32_t find_joint(const nkw_document *d, const nkw_document_animation *a, const char *name)
+{
+    for (size_t i = 0; i < a->track_count; i++) {
+        const int32_t joint = a->channels[i].joint;
+        const int moves = a->tracks[i].target == NKW_CLIP_TRANSLATION || a->tracks[i].target == NKW_CLIP_ROTATION;
+        if (moves && (!name || strcmp(d->nodes[joint].name, name) == 0))
+            return joint;
+    }
+    return NKW_NO_JOINT;
+}
+
+static const nkw_track *find_track(const nkw_document_animation *a, int32_t joint, nkw_clip_target target)
+{
+    for (size_t i = 0; i < a->track_count; i++)
+        if (a->channels[i].joint == joint && a->tracks[i].target == target &&
+            nkw_track_validate(&a->tracks[i].track, NULL) == NKW_OK)
+            return &a->tracks[i].track;
+    return NULL;
+}
+
+/* The earliest key time of both tracks after key k of each; moves on beyond it. Returns 0 after the last. */
+static int next_time(const nkw_track *const tracks[2], size_t k[2], float *time)
+{
+    int found = 0;
+    for (int i = 0; i < 2; i++)
+        if (tracks[i] && k[i] < tracks[i]->count && (!found || tracks[i]->times[k[i]] < *time)) {
+            *time = tracks[i]->times[k[i]];
+            found = 1;
+        }
+    for (int i = 0; found && i < 2; i++)
+        while (tracks[i] && k[i] < tracks[i]->count && tracks[i]->times[k[i]] <= *time)
+            k[i]++;
+    return found;
+}
+
+/* Key frames at the key times of the translation and of the rotation. Returns how many; one more than fit for more. */
+static size_t read_keys(const nkw_document *d, const nkw_document_animation *a, int32_t joint,
+                        nkw_keyframe keys[SCENE_KEYS_MAX])
+{
+    const nkw_track *tracks[2] = {find_track(a, joint, NKW_CLIP_TRANSLATION), find_track(a, joint, NKW_CLIP_ROTATION)};
+    const nkw_trs rest = nkw_pose_get(d->rest, (size_t)joint);
+    size_t k[2] = {0, 0}, count = 0;
+    float time;
+    while (next_time(tracks, k, &time)) {
+        nkw_keyframe key = {time, rest.translation, rest.rotation};
+        if (tracks[0])
+            nkw_track_sample(tracks[0], time, &key.position.x);
+        if (tracks[1])
+            nkw_track_sample(tracks[1], time, &key.orientation.x);
+        if (count == SCENE_KEYS_MAX)
+            return count + 1;
+        keys[count++] = key;
+    }
+    return count;
+}
+
+static int read_scene(const nkw_document *d, const request *r, scene *s)
+{
+    nkw_keyframe keys[SCENE_KEYS_MAX];
+    input_clips clips;
+    if (!input_select(d, r->clip, &clips))
+        return 0;
+    if (clips.first == INPUT_REST || clips.count != 1)
+        return complain(d, clips.count > 1 ? "choose one clip" : "has no clip");
+    const nkw_document_animation *a = &d->animations[clips.first];
+    const int32_t joint = find_joint(d, a, r->joint);
+    if (joint == NKW_NO_JOINT)
+        return complain(d, r->joint ? "the clip does not move that joint" : "the clip moves no joint");
+    size_t count = read_keys(d, a, joint, keys);
+    if (count > SCENE_KEYS_MAX)
+        return complain(d, "the joint has more than 64 keys: see nakawari reduce");
+    if (r->keys > 0 && (size_t)r->keys < count)
+        count = (size_t)r->keys;
+    return scene_from_keys(a->name, keys, count, s) ||
+           complain(d, "the keys are not valid, fewer than 2, or longer than 64 seconds: see nakawari check");
+}
+
+/* ---- the command ---- */
+
+static int run(const nkw_document *d, void *data)
+{
+    const request *r = data;
+    const report_options o = {"nakawari exercise", r->output ? r->output : ".", r->step, 0, 0};
+    scene s;
+    if (!read_scene(d, r, &s))
+        return 0;
+    if (r->traces)
+        trace_print(stdout, &s, (float)r->time, (nkw_position_method)r->position_method->method,
+                    (nkw_orientation_method)r->orientation_method->method);
+    else if (report_rows(&s, &o) > REPORT_ROWS_MAX)
+        return complain(d, "more than 1000000 rows: choose a longer --step");
+    else if (!report_write(&s, &o))
+        return 0;
+    return output_close(stdout, NULL);
+}
+
+static int check_request(const options *o, void *data)
+{
+    request *r = data;
+    r->position_method = report_find(r->position ? r->position : "hermite", report_positions);
+    r->orientation_method = report_find(r->orientation ? r->orientation : "quat", report_orientations);
+    if (!r->position_method)
+        return options_misuse(o, r->position, "not linear, hermite, bezier, bspline, catmull-rom or step");
+    if (!r->orientation_method)
+        return options_misuse(o, r->orientation, "not none, euler, quat, euler-unwrapped or nlerp");
+    if (!(r->step >= 1e-4 && r->step <= 1e3))
+        return options_misuse(o, "--step", "not in 0.0001..1000");
+    if (!(r->time == 1e30 || (r->time >= -1e6 && r->time <= 1e6)))
+        return options_misuse(o, "--trace", "not a time");
+    if (r->output && strlen(r->output) > 4000)
+        return options_misuse(o, "--output", "too long");
+    r->traces = r->time != 1e30;
+    return r->keys == 1 || r->keys < 0 ? options_misuse(o, "--keys", "not 2 or more") : COMMAND_FINE;
+}
+
+int command_exercise(int argc, const char **argv)
+{
+    request r = {NULL, NULL, NULL, NULL, NULL, 0, 0.1, 1e30, 0, NULL, NULL};
+    const struct poptOption known[] = {
+        {"clip", 'c', POPT_ARG_STRING, &r.clip, 0, "number or name of the clip (default: 0)", "N"},
+        {"joint", 'j', POPT_ARG_STRING, &r.joint, 0, "name of the joint (default: the first that moves)", "NAME"},
+        {"keys", 'k', POPT_ARG_LONG, &r.keys, 0, "only the first N keys", "N"},
+        {"step", 's', POPT_ARG_DOUBLE, &r.step, 0, "seconds between the rows of the table (default: 0.1)", "S"},
+        {"trace", 't', POPT_ARG_DOUBLE, &r.time, 0, "write no file; print the calculation at time T", "T"},
+        {"position", 'p', POPT_ARG_STRING, &r.position, 0,
+         "of --trace: linear, hermite (default), bezier, bspline, catmull-rom or step", "METHOD"},
+        {"orientation", 'q', POPT_ARG_STRING, &r.orientation, 0,
+         "of --trace: none, euler, quat (default), euler-unwrapped or nlerp", "METHOD"},
+        {"output", 'o', POPT_ARG_STRING, &r.output, 0, "write the files to the folder DIR (default: .)", "DIR"},
+        OPTIONS_END};
+    static const command_steps steps = {check_request, run};
+    const int code = command_run(&text, known, argc, argv, &steps, &r);
+    free(r.clip);
+    free(r.joint);
+    free(r.output);
+    free(r.position);
+    free(r.orientation);
+    return code;
+}

@@ -1,0 +1,146 @@
+/* SPDX-License-Identifier: MIT */
+/* nakawari exercise: the exercise with keys from files. */
+#if !defined(_POSIX_C_SOURCE)
+#define _POSIX_C_SOURCE 200809L
+#endif
+#include "program.h"
+
+#include <stdlib.h>
+
+#define EXAMPLES NKW_FIGURES "/../examples/"
+
+/* The row of a table without its last 16 fields; the 16 numbers of the matrix. */
+typedef struct row {
+    char scene[32], position[32], orientation[32];
+    double keys, time, segment, t, m[16];
+} row;
+
+static int read_row(const char *line, row *r)
+{
+    int used = 0;
+    if (sscanf(line, "%31[^,],%lf,%31[^,],%31[^,],%lf,%lf,%lf%n", r->scene, &r->keys, r->position, r->orientation,
+               &r->time, &r->segment, &r->t, &used) != 7)
+        return 0;
+    for (int i = 0; i < 16; i++) {
+        int more = 0;
+        if (sscanf(line + used, ",%lf%n", &r->m[i], &more) != 1)
+            return 0;
+        used += more;
+    }
+    return 1;
+}
+
+static size_t read_table(const char *path, row *rows, size_t most)
+{
+    char line[1024];
+    size_t count = 0;
+    FILE *f = fopen(path, "rb");
+    assert_non_null(f);
+    while (count < most && fgets(line, sizeof line, f))
+        count += (size_t)read_row(line, &rows[count]);
+    fclose(f);
+    return count;
+}
+
+static const row *find_row(const row *rows, size_t count, const row *like)
+{
+    for (size_t i = 0; i < count; i++)
+        if (strcmp(rows[i].scene, like->scene) == 0 && strcmp(rows[i].position, like->position) == 0 &&
+            strcmp(rows[i].orientation, like->orientation) == 0 && rows[i].time > like->time - 1e-4 &&
+            rows[i].time < like->time + 1e-4)
+            return &rows[i];
+    return NULL;
+}
+
+/* Against the table that a program of its own computed in binary64; inside the keys, where both extrapolate alike. */
+static void the_scenes_of_the_exercise_have_its_matrices(void **state)
+{
+    (void)state;
+    enum { MOST = 6000 };
+    row *want = calloc(MOST, sizeof *want), *got = calloc(MOST, sizeof *got);
+    assert_non_null(want);
+    assert_non_null(got);
+    size_t want_count = read_table(NKW_FIGURES "/../../tests/data/coursework_expected.csv", want, MOST), compared = 0;
+    for (int scene = 1; scene <= 2; scene++) {
+        char path[64];
+        free(program_run(NULL, "exercise '" EXAMPLES "scenes.json' --clip scene%d -o .", scene));
+        snprintf(path, sizeof path, "scene%d.csv", scene);
+        size_t count = read_table(path, got, MOST);
+        assert_true(count > 0);
+        for (size_t i = 0; i < count; i++) {
+            const row *w = find_row(want, want_count, &got[i]);
+            if (!w || got[i].time < 0.0 || got[i].time > (scene == 1 ? 6.0 : 1.0))
+                continue;
+            /* Linear curves hold step orientations at a key by either side. */
+            if (strcmp(got[i].orientation, "none") == 0)
+                continue;
+            for (int k = 0; k < 16; k++)
+                expect_near((float)got[i].m[k], w->m[k], 2e-6);
+            compared++;
+        }
+    }
+    assert_true(compared > 8 * 60);
+    free(want);
+    free(got);
+}
+
+static void all_pictures_and_the_page_are_written(void **state)
+{
+    (void)state;
+    program_says(0, "5 pictures, all on one page: ./index.html", "exercise '" EXAMPLES "flight.csv' -o .");
+    program_says(
+        0, "all of them",
+        "--version >/dev/null; grep -l '</svg>' trajectory-top.svg trajectory-perspective.svg frames-euler.svg "
+        "frames-slerp.svg orientation-compare.svg | wc -l | grep -q 5 && grep -q '10 keys' index.html && "
+        "echo all of them");
+}
+
+static void a_trace_explains_one_time(void **state)
+{
+    (void)state;
+    program_says(0, "segment 1, from key 1 to key 2", "exercise '" EXAMPLES "flight.csv' --trace 1.7");
+    program_says(0, "position: Bezier", "exercise '" EXAMPLES "flight.csv' --trace 1.7 -p bezier -q euler");
+    char *piped = program_run(NULL, "exercise - --trace 1.25 < '" EXAMPLES "scenes.json'");
+    char *named = program_run(NULL, "exercise '" EXAMPLES "scenes.json' --trace 1.25");
+    assert_string_equal(piped, named);
+    free(piped);
+    free(named);
+}
+
+static void joints_of_models_have_keys_too(void **state)
+{
+    (void)state;
+    program_says(0, "segment 0", "exercise '" NKW_CHARACTER "' --clip hop --joint hips --trace 0.05");
+    program_says(1, "does not move that joint", "exercise '" NKW_CHARACTER "' --joint tail --trace 0");
+    program_says(1, "choose one clip", "exercise '" NKW_CHARACTER "' --clip all --trace 0");
+    program_says(1, "has no clip", "exercise '" NKW_CHARACTER "' --clip rest --trace 0");
+}
+
+static void too_many_keys_and_misuse_are_reported(void **state)
+{
+    (void)state;
+    FILE *f = fopen("long.csv", "wb");
+    assert_non_null(f);
+    fputs("name,time,tx,ty,tz\n", f);
+    for (int k = 0; k < 65; k++)
+        fprintf(f, "a,%d,%d,0,0\n", k, k);
+    assert_int_equal(fclose(f), 0);
+    program_says(1, "more than 64 keys", "exercise long.csv -o .");
+    program_says(2, "not linear, hermite", "exercise long.csv --trace 0 -p cubic");
+    program_says(2, "not none, euler", "exercise long.csv --trace 0 -q squad");
+    program_says(2, "not in 0.0001..1000", "exercise long.csv --step 0");
+    program_says(2, "not 2 or more", "exercise long.csv --keys 1");
+    program_says(1, "cannot write", "exercise '" EXAMPLES "flight.csv' -o no/such/folder");
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(the_scenes_of_the_exercise_have_its_matrices),
+        cmocka_unit_test(all_pictures_and_the_page_are_written),
+        cmocka_unit_test(a_trace_explains_one_time),
+        cmocka_unit_test(joints_of_models_have_keys_too),
+        cmocka_unit_test(too_many_keys_and_misuse_are_reported),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
