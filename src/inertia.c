@@ -1,7 +1,10 @@
 /* SPDX-License-Identifier: MIT */
 #include "lane/strict.h"
 
+#include <nakawari/curve_point.h>
 #include <nakawari/inertia.h>
+#include <nakawari/rotation.h>
+#include <nakawari/vec.h>
 
 #include "lane/inertia.h"
 
@@ -160,4 +163,24 @@ float nkw_dead_blend_half_life(nkw_motion from, float to, float half_life, float
     float way = half_life * ((to - from.value) / from.velocity);
     float least_or_more = way < least ? least : way;
     return from.velocity != 0.0f && least_or_more < most ? least_or_more : most;
+}
+
+nkw_body_motion nkw_body_motion_between(const nkw_body_motion *a, const nkw_body_motion *b, float duration, float alpha)
+{
+    float h = duration > 0.0f && duration < INFINITY ? duration : 0.0f;
+    nkw_vec3 none = {0.0f, 0.0f, 0.0f};
+    nkw_vec3_cubic cubic = {{a->place.value, none, b->place.value, none}};
+    if (h > 0.0f) {
+        cubic.c[1] = nkw_vec3_scale(a->place.velocity, h);
+        cubic.c[3] = nkw_vec3_scale(b->place.velocity, h);
+    }
+    nkw_vec3_curve_point place = nkw_vec3_cubic_point(NKW_CUBIC_HERMITE, &cubic, alpha);
+    nkw_rotation_segment segment =
+        nkw_rotation_hermite(a->rotation.value, a->rotation.velocity, b->rotation.value, b->rotation.velocity, h);
+    nkw_rotation_state rotation = nkw_rotation_evaluate(&segment, alpha);
+    nkw_body_motion r = {
+        {place.value, h > 0.0f ? nkw_vec3_scale(place.first, 1.0f / h) : none},
+        {rotation.orientation, rotation.velocity},
+    };
+    return r;
 }

@@ -46,6 +46,7 @@ set(NKW_FLOOR_4
 set(NKW_FLOOR_5
   skeleton
   blend
+  transition
   root
   ik
   foot

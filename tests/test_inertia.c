@@ -335,6 +335,50 @@ static void half_lives_follow_the_way_to_the_new_value(void **state)
     expect_bits(nkw_dead_blend_half_life(motion(1, 0), 1, 1, 0.1f, 4), 4);
 }
 
+static void bodies_move_smoothly_between_steps_of_physics(void **state)
+{
+    (void)state;
+    random_source r = random_from(12);
+    for (int i = 0; i < 2000; i++) {
+        nkw_body_motion a = {moving(random_vec3(&r, -2, 2), random_vec3(&r, -2, 2)),
+                             rotating(random_rotation(&r), random_vec3(&r, -9, 9))},
+                        b = {moving(random_vec3(&r, -2, 2), random_vec3(&r, -2, 2)),
+                             rotating(random_rotation(&r), random_vec3(&r, -9, 9))};
+        const float h = 1 / 30.0f;
+        nkw_body_motion first = nkw_body_motion_between(&a, &b, h, 0), last = nkw_body_motion_between(&a, &b, h, 1);
+        expect_vec3_bits(first.place.value, a.place.value);
+        expect_vec3_near(first.place.velocity, a.place.velocity, 1e-6);
+        expect_vec3_bits(last.place.value, b.place.value);
+        expect_vec3_near(last.place.velocity, b.place.velocity, 1e-6);
+        expect_quat_bits(first.rotation.value, a.rotation.value);
+        expect_rotation_near(last.rotation.value, b.rotation.value, 0);
+        expect_vec3_near(first.rotation.velocity, a.rotation.velocity, 1e-5);
+        expect_vec3_near(last.rotation.velocity, b.rotation.velocity, 1e-5);
+        nkw_body_motion still = nkw_body_motion_between(&a, &b, i & 1 ? NAN : 0, 0.5f);
+        expect_vec3_near(still.place.value, nkw_vec3_lerp(a.place.value, b.place.value, 0.5f), 1e-6);
+        expect_vec3_near(still.place.velocity, vec(0, 0, 0), 0);
+        expect_vec3_near(still.rotation.velocity, vec(0, 0, 0), 0);
+    }
+}
+
+/* A wheel at 100 rad/s passes 10/3 rad in a step of 1/30 s: more than half a turn. */
+static void fast_wheels_turn_as_often_as_their_velocity_says(void **state)
+{
+    (void)state;
+    const float h = 1 / 30.0f;
+    nkw_vec3 w = vec(0, 0, 100);
+    nkw_body_motion a = {moving(vec(0, 0, 0), vec(3, 0, 0)), rotating(nkw_quat_identity(), w)},
+                    b = {moving(vec(0.1f, 0, 0), vec(3, 0, 0)),
+                         rotating(nkw_quat_integrate(nkw_quat_identity(), w, h), w)};
+    for (int i = 0; i <= 10; i++) {
+        float t = 0.1f * (float)i;
+        nkw_body_motion got = nkw_body_motion_between(&a, &b, h, t);
+        expect_rotation_near(got.rotation.value, nkw_quat_integrate(nkw_quat_identity(), w, t * h), 2e-6);
+        expect_vec3_near(got.rotation.velocity, w, 1e-3);
+        expect_vec3_near(got.place.value, vec(0.1f * t, 0, 0), 1e-7);
+    }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -355,6 +399,8 @@ int main(void)
         cmocka_unit_test(dead_vectors_are_component_by_component),
         cmocka_unit_test(dead_rotations_begin_with_the_old_motion),
         cmocka_unit_test(half_lives_follow_the_way_to_the_new_value),
+        cmocka_unit_test(bodies_move_smoothly_between_steps_of_physics),
+        cmocka_unit_test(fast_wheels_turn_as_often_as_their_velocity_says),
     };
     return cmocka_run_group_tests_name("inertia", tests, NULL, NULL);
 }

@@ -1,7 +1,8 @@
 /* SPDX-License-Identifier: MIT */
 /**
  * @file
- * Floor 3: transitions from one motion to another without a jump of the value or of its velocity.
+ * Floor 3: transitions from one motion to another without a jump of the value or of its velocity, and the motion between
+ * two steps of physics.
  *
  * Inertialisation stores the offset between the old and the new motion when the new one begins, and reduces it to 0 by
  * a quintic. Only the new motion is evaluated from then on:
@@ -17,6 +18,7 @@
 #define NAKAWARI_INERTIA_H
 
 #include "spring.h"
+#include "types.h"
 
 #ifdef __cplusplus
 extern "C" {
@@ -162,6 +164,29 @@ NKW_API nkw_motion_quat nkw_quat_dead_blend_evaluate(nkw_dead_blend_quat *blend,
  * Source Holden, Dead Blending Node in Unreal Engine, 2023.
  */
 NKW_API float nkw_dead_blend_half_life(nkw_motion from, float to, float half_life, float least, float most);
+
+/** A body between two steps of physics: its place and its rotation, with their velocities. */
+typedef struct nkw_body_motion {
+    nkw_motion_vec3 place;
+    nkw_motion_quat rotation;
+} nkw_body_motion;
+
+/**
+ * The motion between two steps of physics, for frames that are drawn between them: the place by the Hermite curve with
+ * the velocities of both steps (nkw_vec3_cubic_point), the rotation by that with the angular velocities
+ * (nkw_rotation_hermite), so that a wheel of several turns in a step turns as often. Value and velocity are continuous
+ * from step to step; a lerp has a corner in each.
+ *
+ * a, b      two consecutive steps
+ * duration  seconds between them. If it is not positive and finite, the velocities of the ends count as 0, and those of
+ *           the result are 0
+ * alpha     0 at a, 1 at b; outside, the curve continues
+ * Returns   exactly the place and the rotation of a at alpha = 0; those of b at alpha = 1, the rotation possibly negated
+ *
+ * Error  as nkw_vec3_cubic_point and nkw_rotation_evaluate.
+ */
+NKW_API nkw_body_motion nkw_body_motion_between(const nkw_body_motion *a, const nkw_body_motion *b, float duration,
+                                                float alpha);
 
 #ifdef __cplusplus
 }

@@ -51,6 +51,7 @@
 /* Floor 5, skeleton: hierarchies, blending of poses. */
 #include "skeleton.h"
 #include "blend.h"
+#include "transition.h"
 #include "root.h"
 #include "ik.h"
 #include "foot.h"

@@ -168,12 +168,12 @@ static inline float lane_dead_blend(float old, float to, float s)
     return s == 1.0f ? to : s == 0.0f ? old : inside;
 }
 
-static inline nkw_vec3 lane_dead_value_vec3(nkw_vec3 x, nkw_vec3 v, nkw_vec3 to, const lane_dead_time *at)
+static inline nkw_vec3 lane_dead_value_vec3(nkw_vec3 x, nkw_vec3 v, nkw_vec3 to, double carried, float s)
 {
     nkw_vec3 r = {
-        lane_dead_blend(lane_dead_old(x.x, v.x, at->carried), to.x, at->s),
-        lane_dead_blend(lane_dead_old(x.y, v.y, at->carried), to.y, at->s),
-        lane_dead_blend(lane_dead_old(x.z, v.z, at->carried), to.z, at->s),
+        lane_dead_blend(lane_dead_old(x.x, v.x, carried), to.x, s),
+        lane_dead_blend(lane_dead_old(x.y, v.y, carried), to.y, s),
+        lane_dead_blend(lane_dead_old(x.z, v.z, carried), to.z, s),
     };
     return r;
 }

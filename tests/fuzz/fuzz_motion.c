@@ -188,6 +188,31 @@ static void roots(fuzz *f)
     FUZZ_CHECK((nkw_pose_root_remove(pose, joint, &rule, &motion) == NKW_OK) == (joint < count));
 }
 
+static void poses(fuzz *f)
+{
+    size_t joints = fuzz_upto(f, 20);
+    nkw_pose_view a = {fuzz_pose(f, joints, 1), joints}, b = {fuzz_pose(f, joints, 1), joints};
+    nkw_pose_velocity_span v = {fuzz_room(f, NKW_POSE_VELOCITY_FLOATS(joints)), joints};
+    nkw_pose_span out = {fuzz_room(f, NKW_POSE_FLOATS(joints)), joints};
+    nkw_pose_inertia inertia = {fuzz_room(f, NKW_POSE_INERTIA_FLOATS(joints)), joints};
+    nkw_pose_dead_blend dead = {fuzz_room(f, NKW_POSE_DEAD_BLEND_FLOATS(joints)), joints, fuzz_float(f), fuzz_float(f)};
+    FUZZ_CHECK(nkw_pose_velocity_from_poses(a, b, fuzz_float(f), v) == NKW_OK);
+    nkw_pose_motion from = {a, nkw_pose_velocity_view_from_span(v)}, to = {b, {NULL, 0}};
+    float duration = fuzz_float(f), t = fuzz_float(f);
+    FUZZ_CHECK(nkw_pose_inertia_begin(&from, &to, duration, inertia) == NKW_OK);
+    FUZZ_CHECK(nkw_pose_inertia_evaluate(inertia, b, t, out) == NKW_OK);
+    for (size_t j = 0; j < joints && t >= duration; j++) {
+        nkw_trs got = nkw_pose_get(nkw_pose_view_from_span(out), j), want = nkw_pose_get(b, j);
+        FUZZ_CHECK(fuzz_same(&got.translation.x, &want.translation.x, 10));
+    }
+    FUZZ_CHECK(nkw_pose_dead_blend_begin(&from, dead) == NKW_OK);
+    FUZZ_CHECK(nkw_pose_dead_blend_evaluate(dead, b, t, out) == NKW_OK);
+    FUZZ_CHECK(nkw_pose_inertia_evaluate(inertia, a, t, out) == NKW_OK);
+    nkw_body_motion p = {{draw_vec3(f), draw_vec3(f)}, draw_rotation(f)},
+                    q = {{draw_vec3(f), draw_vec3(f)}, draw_rotation(f)};
+    nkw_body_motion_between(&p, &q, duration, t);
+}
+
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
 {
     fuzz f = fuzz_begin(data, size);
@@ -196,5 +221,6 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
     heads(&f);
     counts(&f);
     roots(&f);
+    poses(&f);
     return fuzz_end(&f);
 }

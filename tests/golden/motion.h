@@ -208,3 +208,12 @@ static nkw_trs root_blend(const input *i)
     const nkw_trs motions[3] = {place_at(i, 0), place_at(i, 1), place_at(i, 2)};
     return nkw_root_blend(motions, i->s, 3);
 }
+
+static void body_between(float *o, const input *i)
+{
+    nkw_body_motion a = {vec3_motion_at(i, 0), quat_motion_at(i, 0)}, b = {vec3_motion_at(i, 2), quat_motion_at(i, 1)};
+    nkw_body_motion m = nkw_body_motion_between(&a, &b, nkw_abs(i->s[0]), i->t);
+    put_vec3(o, m.place.value);
+    put_vec3(o + 3, m.place.velocity);
+    put_motion_quat(o + 6, m.rotation);
+}

@@ -28,7 +28,8 @@
     X(retarget) \
     X(blendspace) \
     X(morph) \
-    X(bounds)
+    X(bounds) \
+    X(transition)
 
 #ifdef __cplusplus
 extern "C" {

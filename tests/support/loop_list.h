@@ -22,6 +22,7 @@
 #include "batch/skeleton.h"
 #include "batch/skin.h"
 #include "batch/transform.h"
+#include "batch/transition.h"
 #include "batch/vec.h"
 
 /* clang-format off */
@@ -39,6 +40,7 @@
     NKW_LOOPS_SKELETON(X) \
     NKW_LOOPS_SKIN(X) \
     NKW_LOOPS_TRANSFORM(X) \
+    NKW_LOOPS_TRANSITION(X) \
     NKW_LOOPS_VEC(X)
 /* clang-format on */
 

@@ -1,0 +1,238 @@
+/* SPDX-License-Identifier: MIT */
+#include <math.h>
+
+#include "random.h"
+#include "support/expect.h"
+#include "views.h"
+
+enum { JOINTS = 67, FLOATS = NKW_POSE_FLOATS(JOINTS), SPEEDS = NKW_POSE_VELOCITY_FLOATS(JOINTS) };
+
+typedef struct scene {
+    float from[FLOATS], to[FLOATS], out[FLOATS], from_velocity[SPEEDS], to_velocity[SPEEDS];
+    float inertia[NKW_POSE_INERTIA_FLOATS(JOINTS)], dead[NKW_POSE_DEAD_BLEND_FLOATS(JOINTS)];
+} scene;
+
+static void draw_pose(random_source *r, float *pose)
+{
+    nkw_pose_identity(pose_span(pose, JOINTS));
+    for (size_t j = 0; j < JOINTS; j++) {
+        nkw_trs trs = {random_vec3(r, -2, 2), random_rotation(r), random_vec3(r, 0.5f, 2)};
+        nkw_pose_set(pose_span(pose, JOINTS), j, &trs);
+    }
+}
+
+static void draw(scene *s)
+{
+    random_source r = random_from(1);
+    draw_pose(&r, s->from);
+    draw_pose(&r, s->to);
+    for (size_t i = 0; i < SPEEDS; i++) {
+        s->from_velocity[i] = random_between(&r, -2, 2);
+        s->to_velocity[i] = random_between(&r, -2, 2);
+    }
+}
+
+static nkw_pose_motion motion_of(const float *pose, const float *velocity)
+{
+    nkw_pose_motion m = {pose_view(pose, JOINTS), {velocity, JOINTS}};
+    return m;
+}
+
+static nkw_vec3 speed(const float *velocity, size_t row, size_t j)
+{
+    const float *x = velocity + row * NKW_POSE_STRIDE(JOINTS) + j;
+    nkw_vec3 v = {x[0], x[NKW_POSE_STRIDE(JOINTS)], x[2 * NKW_POSE_STRIDE(JOINTS)]};
+    return v;
+}
+
+static nkw_trs joint(const float *pose, size_t j)
+{
+    return nkw_pose_get(pose_view(pose, JOINTS), j);
+}
+
+static void expect_trs_bits(nkw_trs got, nkw_trs want)
+{
+    expect_vec3_bits(got.translation, want.translation);
+    expect_quat_bits(got.rotation, want.rotation);
+    expect_vec3_bits(got.scale, want.scale);
+}
+
+static void each_joint_is_inertialised_as_its_values_are(void **state)
+{
+    (void)state;
+    static scene s;
+    draw(&s);
+    nkw_pose_motion from = motion_of(s.from, s.from_velocity), to = motion_of(s.to, s.to_velocity);
+    nkw_pose_inertia inertia = {s.inertia, JOINTS};
+    assert_int_equal(nkw_pose_inertia_begin(&from, &to, 0.5f, inertia), NKW_OK);
+    for (int i = 0; i < 12; i++) {
+        float t = 0.05f * (float)i;
+        assert_int_equal(nkw_pose_inertia_evaluate(inertia, to.pose, t, pose_span(s.out, JOINTS)), NKW_OK);
+        for (size_t j = 0; j < JOINTS; j++) {
+            nkw_trs a = joint(s.from, j), b = joint(s.to, j);
+            nkw_motion_vec3 p = {a.translation, speed(s.from_velocity, 0, j)},
+                            q = {b.translation, speed(s.to_velocity, 0, j)},
+                            u = {a.scale, speed(s.from_velocity, 6, j)}, v = {b.scale, speed(s.to_velocity, 6, j)};
+            nkw_motion_quat g = {a.rotation, speed(s.from_velocity, 3, j)},
+                            h = {b.rotation, speed(s.to_velocity, 3, j)};
+            nkw_inertia_vec3 translation = nkw_vec3_inertia_begin(&p, &q, 0.5f),
+                             rotation = nkw_quat_inertia_begin(&g, &h, 0.5f),
+                             scale = nkw_vec3_inertia_begin(&u, &v, 0.5f);
+            nkw_trs want = {nkw_vec3_inertia_evaluate(&translation, &q, t).value,
+                            nkw_quat_inertia_evaluate(&rotation, &h, t).value,
+                            nkw_vec3_inertia_evaluate(&scale, &v, t).value};
+            expect_trs_bits(joint(s.out, j), want);
+        }
+    }
+}
+
+static void each_joint_is_dead_blended_as_its_values_are(void **state)
+{
+    (void)state;
+    static scene s;
+    draw(&s);
+    nkw_pose_motion from = motion_of(s.from, s.from_velocity);
+    nkw_pose_dead_blend dead = {s.dead, JOINTS, 0.2f, 0.5f};
+    nkw_dead_blend_quat quats[JOINTS];
+    assert_int_equal(nkw_pose_dead_blend_begin(&from, dead), NKW_OK);
+    for (size_t j = 0; j < JOINTS; j++) {
+        nkw_dead_blend_quat d = {{joint(s.from, j).rotation, speed(s.from_velocity, 3, j)}, 0.2f, 0.5f, {0, 0, 0, 0}};
+        quats[j] = d;
+    }
+    for (int i = 0; i < 12; i++) {
+        float t = 0.05f * (float)i;
+        assert_int_equal(nkw_pose_dead_blend_evaluate(dead, pose_view(s.to, JOINTS), t, pose_span(s.out, JOINTS)),
+                         NKW_OK);
+        for (size_t j = 0; j < JOINTS; j++) {
+            nkw_trs a = joint(s.from, j), b = joint(s.to, j);
+            nkw_dead_blend_vec3 p = {{a.translation, speed(s.from_velocity, 0, j)}, 0.2f, 0.5f},
+                                u = {{a.scale, speed(s.from_velocity, 6, j)}, 0.2f, 0.5f};
+            nkw_motion_vec3 q = {b.translation, {0, 0, 0}}, v = {b.scale, {0, 0, 0}};
+            nkw_motion_quat h = {b.rotation, {0, 0, 0}};
+            nkw_trs want = {nkw_vec3_dead_blend_evaluate(&p, &q, t).value,
+                            nkw_quat_dead_blend_evaluate(&quats[j], &h, t).value,
+                            nkw_vec3_dead_blend_evaluate(&u, &v, t).value};
+            expect_trs_bits(joint(s.out, j), want);
+        }
+    }
+}
+
+static void velocities_are_those_between_two_poses(void **state)
+{
+    (void)state;
+    static scene s;
+    draw(&s);
+    nkw_pose_velocity_span v = {s.from_velocity, JOINTS};
+    assert_int_equal(nkw_pose_velocity_from_poses(pose_view(s.from, JOINTS), pose_view(s.to, JOINTS), 0.25f, v),
+                     NKW_OK);
+    for (size_t j = 0; j < JOINTS; j++) {
+        nkw_trs a = joint(s.from, j), b = joint(s.to, j);
+        expect_vec3_bits(speed(v.data, 3, j), nkw_quat_angular_velocity(a.rotation, b.rotation, 0.25f));
+        expect_vec3_near(speed(v.data, 0, j), nkw_vec3_scale(nkw_vec3_sub(b.translation, a.translation), 4), 2e-6);
+        expect_vec3_near(speed(v.data, 6, j), nkw_vec3_scale(nkw_vec3_sub(b.scale, a.scale), 4), 2e-6);
+    }
+    const float none[] = {0, -0.0f, NAN};
+    for (int i = 0; i < 3; i++) {
+        nkw_pose_velocity_from_poses(pose_view(s.from, JOINTS), pose_view(s.to, JOINTS), none[i], v);
+        for (size_t k = 0; k < SPEEDS; k++)
+            expect_bits(v.data[k], 0);
+    }
+}
+
+/* Two clips of every joint rotating; the transition is begun in the middle, and a second one within the first. */
+static void poses_move_without_a_jump(void **state)
+{
+    (void)state;
+    static scene s;
+    static float last[FLOATS], before[FLOATS];
+    draw(&s);
+    const float h = 1 / 240.0f;
+    nkw_pose_inertia inertia = {s.inertia, JOINTS};
+    nkw_pose_dead_blend dead = {s.dead, JOINTS, 0.1f, 0.3f};
+    for (int kind = 0; kind < 2; kind++) {
+        memcpy(before, s.from, sizeof before);
+        for (size_t j = 0; j < JOINTS; j++) {
+            nkw_trs a = joint(s.from, j);
+            nkw_vec3 w = {0, 1, 0};
+            a.rotation = nkw_quat_integrate(a.rotation, w, h);
+            a.translation.x += 1 * h;
+            nkw_pose_set(pose_span(last, JOINTS), j, &a);
+        }
+        nkw_pose_velocity_span v = {s.from_velocity, JOINTS};
+        nkw_pose_velocity_from_poses(pose_view(before, JOINTS), pose_view(last, JOINTS), h, v);
+        nkw_pose_motion from = motion_of(last, s.from_velocity), to = motion_of(s.to, NULL);
+        assert_int_equal(nkw_pose_inertia_begin(&from, &to, 0.3f, inertia), NKW_OK);
+        assert_int_equal(nkw_pose_dead_blend_begin(&from, dead), NKW_OK);
+        for (int i = 0; i <= 80; i++) {
+            if (kind)
+                nkw_pose_dead_blend_evaluate(dead, to.pose, h * (float)i, pose_span(s.out, JOINTS));
+            else
+                nkw_pose_inertia_evaluate(inertia, to.pose, h * (float)i, pose_span(s.out, JOINTS));
+            for (size_t j = 0; j < JOINTS; j++) {
+                assert_true(nkw_quat_angle(joint(last, j).rotation, joint(s.out, j).rotation) < 30 * h);
+                assert_true(nkw_vec3_distance(joint(last, j).translation, joint(s.out, j).translation) < 60 * h);
+            }
+            memcpy(last, s.out, sizeof last);
+        }
+        for (size_t j = 0; j < JOINTS; j++)
+            expect_trs_bits(joint(s.out, j), joint(s.to, j));
+    }
+}
+
+static void output_may_be_the_input_and_padding_has_no_effect(void **state)
+{
+    (void)state;
+    static scene s;
+    static float in_place[FLOATS];
+    draw(&s);
+    nkw_pose_motion from = motion_of(s.from, NULL), to = motion_of(s.to, NULL);
+    nkw_pose_inertia inertia = {s.inertia, JOINTS};
+    nkw_pose_inertia_begin(&from, &to, 0.5f, inertia);
+    nkw_pose_inertia_evaluate(inertia, to.pose, 0.2f, pose_span(s.out, JOINTS));
+    memcpy(in_place, s.to, sizeof in_place);
+    for (size_t c = 0; c < 10; c++)
+        for (size_t j = JOINTS; j < NKW_POSE_STRIDE(JOINTS); j++)
+            in_place[c * NKW_POSE_STRIDE(JOINTS) + j] = NAN;
+    nkw_pose_inertia_evaluate(inertia, pose_view(in_place, JOINTS), 0.2f, pose_span(in_place, JOINTS));
+    for (size_t j = 0; j < JOINTS; j++)
+        expect_trs_bits(joint(in_place, j), joint(s.out, j));
+}
+
+static void counts_that_differ_are_refused(void **state)
+{
+    (void)state;
+    static scene s;
+    draw(&s);
+    nkw_pose_motion from = motion_of(s.from, s.from_velocity), other = from, fast = from, none = {{NULL, 0}, {NULL, 0}};
+    other.pose.joint_count = 3;
+    fast.velocity.joint_count = 3;
+    nkw_pose_inertia inertia = {s.inertia, JOINTS}, empty = {NULL, 0};
+    nkw_pose_dead_blend dead = {s.dead, JOINTS, 1, 1}, no_dead = {NULL, 0, 1, 1};
+    nkw_pose_velocity_span v = {s.from_velocity, JOINTS}, no_v = {NULL, 0};
+    nkw_pose_view view = pose_view(s.from, JOINTS), few = pose_view(s.from, 3);
+    assert_int_equal(nkw_pose_inertia_begin(&other, &from, 1, inertia), NKW_MISMATCHED);
+    assert_int_equal(nkw_pose_inertia_begin(&from, &fast, 1, inertia), NKW_MISMATCHED);
+    assert_int_equal(nkw_pose_inertia_evaluate(empty, view, 1, pose_span(s.out, JOINTS)), NKW_MISMATCHED);
+    assert_int_equal(nkw_pose_inertia_evaluate(inertia, few, 1, pose_span(s.out, JOINTS)), NKW_MISMATCHED);
+    assert_int_equal(nkw_pose_dead_blend_begin(&fast, dead), NKW_MISMATCHED);
+    assert_int_equal(nkw_pose_dead_blend_evaluate(dead, few, 1, pose_span(s.out, JOINTS)), NKW_MISMATCHED);
+    assert_int_equal(nkw_pose_velocity_from_poses(view, few, 1, v), NKW_MISMATCHED);
+    assert_int_equal(nkw_pose_inertia_begin(&none, &none, 1, empty), NKW_OK);
+    assert_int_equal(nkw_pose_inertia_evaluate(empty, none.pose, 1, pose_span(NULL, 0)), NKW_OK);
+    assert_int_equal(nkw_pose_dead_blend_begin(&none, no_dead), NKW_OK);
+    assert_int_equal(nkw_pose_dead_blend_evaluate(no_dead, none.pose, 1, pose_span(NULL, 0)), NKW_OK);
+    assert_int_equal(nkw_pose_velocity_from_poses(none.pose, none.pose, 1, no_v), NKW_OK);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(each_joint_is_inertialised_as_its_values_are),
+        cmocka_unit_test(each_joint_is_dead_blended_as_its_values_are),
+        cmocka_unit_test(velocities_are_those_between_two_poses),
+        cmocka_unit_test(poses_move_without_a_jump),
+        cmocka_unit_test(output_may_be_the_input_and_padding_has_no_effect),
+        cmocka_unit_test(counts_that_differ_are_refused),
+    };
+    return cmocka_run_group_tests_name("transition", tests, NULL, NULL);
+}
