@@ -76,21 +76,28 @@ static unsigned long u32_at(const unsigned char *p)
     return (unsigned long)p[0] << 24 | (unsigned long)p[1] << 16 | (unsigned long)p[2] << 8 | p[3];
 }
 
+/* Bytes of a chunk, and their checksum. */
+static unsigned long put_part(FILE *f, unsigned long crc, const unsigned char *data, size_t bytes)
+{
+    if (!bytes)
+        return crc;
+    fwrite(data, 1, bytes, f);
+    return crc32(crc, data, (uInt)bytes);
+}
+
 /* A chunk of two parts: its length, its name, the parts, the checksum of name and parts. */
 static void put_chunk(FILE *f, const char *name, const unsigned char *head, size_t head_bytes,
                       const unsigned char *data, size_t bytes)
 {
-    unsigned char frame[8], sum[4];
-    put_u32(frame, (unsigned long)(head_bytes + bytes));
-    memcpy(frame + 4, name, 4);
-    unsigned long crc = crc32(0, frame + 4, 4);
-    crc = head_bytes ? crc32(crc, head, (uInt)head_bytes) : crc;
-    crc = bytes ? crc32(crc, data, (uInt)bytes) : crc;
-    put_u32(sum, crc);
-    fwrite(frame, 1, 8, f);
-    fwrite(head, 1, head_bytes, f);
-    fwrite(data, 1, bytes, f);
-    fwrite(sum, 1, 4, f);
+    unsigned char number[4], letters[4];
+    put_u32(number, (unsigned long)(head_bytes + bytes));
+    memcpy(letters, name, 4);
+    fwrite(number, 1, 4, f);
+    unsigned long crc = put_part(f, 0, letters, 4);
+    crc = put_part(f, crc, head, head_bytes);
+    crc = put_part(f, crc, data, bytes);
+    put_u32(number, crc);
+    fwrite(number, 1, 4, f);
 }
 
 int image_film_open(image_film *film, FILE *f, size_t width, size_t height, size_t frame_count)
