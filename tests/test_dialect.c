@@ -181,6 +181,74 @@ static void blender_easing_auto_depends_on_the_family(void **state)
     assert_int_equal(nkw_blender_keys_from_fcurve(&key, 1, &b, &bad), NKW_BAD_METHOD);
 }
 
+/* ---- Types of handles ---- */
+
+static void handles_follow_from_their_types(void **state)
+{
+    (void)state;
+    const nkw_handle_types all[5] = {{NKW_HANDLE_AUTO, NKW_HANDLE_AUTO},
+                                     {NKW_HANDLE_AUTO, NKW_HANDLE_AUTO},
+                                     {NKW_HANDLE_VECTOR, NKW_HANDLE_VECTOR},
+                                     {NKW_HANDLE_FREE, NKW_HANDLE_ALIGNED},
+                                     {NKW_HANDLE_ALIGNED, NKW_HANDLE_VECTOR}};
+    nkw_fcurve_key keys[5] = {{0, 0, {0, 0}, {0, 0}, NKW_FCURVE_BEZIER, NKW_EASE_LINEAR},
+                              {1, 1, {0, 0}, {0, 0}, NKW_FCURVE_BEZIER, NKW_EASE_LINEAR},
+                              {3, 5, {0, 0}, {0, 0}, NKW_FCURVE_BEZIER, NKW_EASE_LINEAR},
+                              {4, 5, {-0.5f, 1}, {0.25f, 9}, NKW_FCURVE_BEZIER, NKW_EASE_LINEAR},
+                              {5, 7, {-0.5f, 0}, {0, 0}, NKW_FCURVE_BEZIER, NKW_EASE_LINEAR}};
+    nkw_fcurve_auto_handles(keys, 5, all);
+    expect_near(keys[0].out.time, 1 / 2.5614, 1e-7);
+    expect_near(keys[0].out.value, 0, 0);
+    expect_near(keys[1].in.time, -1 / 2.5614, 1e-7);
+    expect_near(keys[1].in.value, -1.5 / 2.5614, 1e-7);
+    expect_near(keys[1].out.time, 2 / 2.5614, 1e-7);
+    expect_near(keys[1].out.value, 3 / 2.5614, 1e-6);
+    expect_near(keys[2].in.value, -4.0 / 3, 1e-6);
+    expect_near(keys[2].out.time, 1.0 / 3, 1e-7);
+    expect_near(keys[3].in.value, 1, 0);
+    expect_near(keys[3].out.value, -0.5, 0);
+    expect_near(keys[4].out.value, 2.0 / 3, 1e-6);
+    expect_near(keys[4].in.value, -1, 1e-6);
+}
+
+/* Clamped handles do not overshoot: each segment stays between its keys. */
+static void clamped_handles_stay_between_their_keys(void **state)
+{
+    (void)state;
+    random_source r = random_from(7);
+    const nkw_handle_types clamped = {NKW_HANDLE_AUTO_CLAMPED, NKW_HANDLE_AUTO_CLAMPED};
+    const nkw_handle_types types[KEYS] = {clamped, clamped, clamped, clamped, clamped, clamped};
+    for (int round = 0; round < 500; round++) {
+        nkw_fcurve_key keys[KEYS];
+        draw_keys(&r, keys, KEYS, 0x8);
+        if (round % 2)
+            for (int k = 1; k < KEYS; k++)
+                keys[k].value = keys[k - 1].value + random_unit(&r);
+        nkw_fcurve_auto_handles(keys, KEYS, types);
+        nkw_fcurve c = curve_of(keys, KEYS);
+        for (int k = 0; k + 1 < KEYS; k++)
+            for (int i = 0; i <= 16; i++) {
+                float v = nkw_fcurve_sample(&c, nkw_lerp(keys[k].time, keys[k + 1].time, (float)i / 16.0f)).value;
+                assert_true(v >= nkw_min(keys[k].value, keys[k + 1].value) - 1e-5f);
+                assert_true(v <= nkw_max(keys[k].value, keys[k + 1].value) + 1e-5f);
+            }
+    }
+}
+
+static void handles_of_one_key_or_no_duration_are_defined(void **state)
+{
+    (void)state;
+    const nkw_handle_types types[2] = {{NKW_HANDLE_AUTO, NKW_HANDLE_AUTO}, {NKW_HANDLE_VECTOR, (nkw_handle_type)99}};
+    nkw_fcurve_key keys[2] = {{1, 2, {-1, 5}, {1, 5}, NKW_FCURVE_BEZIER, NKW_EASE_LINEAR},
+                              {1, 3, {-1, 5}, {1, 5}, NKW_FCURVE_BEZIER, NKW_EASE_LINEAR}};
+    nkw_fcurve_auto_handles(keys, 1, types);
+    expect_bits(keys[0].out.value, 5);
+    nkw_fcurve_auto_handles(keys, 2, types);
+    assert_true(isfinite(keys[0].out.time) && isfinite(keys[1].in.value));
+    expect_bits(keys[1].out.value, 5);
+    nkw_fcurve_auto_handles(NULL, 0, NULL);
+}
+
 /* ---- CSS ---- */
 
 static void css_curves_come_back(void **state)
@@ -467,6 +535,9 @@ int main(void)
         cmocka_unit_test(slopes_with_errors_are_named),
         cmocka_unit_test(blender_keys_come_back),
         cmocka_unit_test(blender_easing_auto_depends_on_the_family),
+        cmocka_unit_test(handles_follow_from_their_types),
+        cmocka_unit_test(clamped_handles_stay_between_their_keys),
+        cmocka_unit_test(handles_of_one_key_or_no_duration_are_defined),
         cmocka_unit_test(css_curves_come_back),
         cmocka_unit_test(css_has_no_other_curves),
         cmocka_unit_test(tcb_keys_are_those_of_the_spline),

@@ -358,8 +358,8 @@ static void each_policy_shortens_in_its_way(void **state)
     expect_lengths(far, (nkw_handle_policy)77, 2, 4);
 }
 
-/* OpenUSD's baselines InitiallyRegressiveKeepRatio and KeepStart: widths and values to 6 digits. Their widths are
- * shorter than the limit by 1e-5 of the duration, 11. */
+/* OpenUSD's baselines InitiallyRegressiveContain and KeepStart: widths and values to 6 digits. Widths of the latter are
+ * shorter than the limit by 1e-5 of the duration, 11. Times of the former are met to 1e-5. */
 static void openusd_shortens_the_same(void **state)
 {
     (void)state;
@@ -370,6 +370,18 @@ static void openusd_shortens_the_same(void **state)
     expect_near(nkw_handle_point(&limited, 160.049751f).value, -4.041445, 2e-4);
     expect_near(nkw_handle_point(&limited, 163.004975f).value, -4.130118, 2e-3);
     expect_near(nkw_handle_point(&limited, 166.507463f).value, 28.210649, 2e-4);
+    static const double contained[][2] = {{157.039801, -1.269597},
+                                          {159.995025, -3.104126},
+                                          {161.417910, 1.743242},
+                                          {161.582090, 13.881955},
+                                          {163.004975, 23.790394}};
+    limited = nkw_handle_limit(&s, NKW_HANDLE_CONTAIN);
+    expect_bits(limited.out.time, 11);
+    expect_bits(limited.in.time, -11);
+    for (int i = 0; i < 5; i++) {
+        nkw_curve_point p = nkw_handle_point(&limited, (float)contained[i][0]);
+        expect_near(p.value, contained[i][1], 2e-6 + 2e-5 * fabs(p.first));
+    }
 }
 
 /* ---- Splitting ---- */

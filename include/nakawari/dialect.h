@@ -105,6 +105,38 @@ NKW_API nkw_result nkw_fcurve_keys_from_blender(const nkw_blender_key *blender, 
 NKW_API nkw_result nkw_blender_keys_from_fcurve(const nkw_fcurve_key *keys, size_t count, nkw_blender_key *blender,
                                                 size_t *bad_key);
 
+/** How a handle follows from the keys, with the names of Blender. Any other number is read as NKW_HANDLE_FREE. */
+typedef enum nkw_handle_type {
+    NKW_HANDLE_FREE, /**< stays */
+    NKW_HANDLE_ALIGNED, /**< keeps its time, and takes the slope of the other handle */
+    NKW_HANDLE_VECTOR, /**< a third of the way to the neighbouring key */
+    NKW_HANDLE_AUTO, /**< the mean of the slopes to both neighbours */
+    NKW_HANDLE_AUTO_CLAMPED /**< the same, level at extremes, and never beyond the value of the neighbour */
+} nkw_handle_type;
+
+/** The types of both handles of a key. */
+typedef struct nkw_handle_types {
+    nkw_handle_type in, out;
+} nkw_handle_types;
+
+/**
+ * Computes the handles of keys from their types, as Blender does after an edit, with its smoothing `None`. With the
+ * durations h0, h1 and slopes d0, d1 before and after the key:
+ *
+ *     VECTOR          in -(h0, d0 h0)/3,     out (h1, d1 h1)/3
+ *     AUTO            in -h0/2.5614 (1, m),  out h1/2.5614 (1, m),     m = (d0 + d1)/2
+ *     AUTO_CLAMPED    m = 0 if the key is an extreme of the three; otherwise a handle that passes the value of its
+ *                     neighbour ends there, and the other one is aligned to it
+ *
+ * h0 and h1 count as at most five times the other for AUTO. An AUTO handle of the first and last key is level, a VECTOR
+ * there beyond the keys continues the slope inside. If both handles are ALIGNED, the out-handle follows.
+ *
+ * types   of each key
+ *
+ * Error  1.0 u of the larger slope times the duration, for the values of VECTOR and AUTO handles.
+ */
+NKW_API void nkw_fcurve_auto_handles(nkw_fcurve_key *keys, size_t count, const nkw_handle_types *types);
+
 /** Makes the segment of two keys that of cubic-bezier(css[0], css[1], css[2], css[3]): kind and handles are set. */
 NKW_API void nkw_fcurve_keys_from_css(const float css[4], nkw_fcurve_key keys[2]);
 

@@ -64,11 +64,39 @@ static double blender_error(const float *x)
                 wide_error_of(&key.out.value, &value, 1, fmaxq(fabsq(x[1]), fabsq(x[3]))));
 }
 
+/* x = three times, three values */
+static void three(random_source *r, float *x)
+{
+    x[0] = random_between(r, -10.0f, 10.0f);
+    x[1] = x[0] + random_between(r, 0.5f, 2.0f);
+    x[2] = x[1] + random_between(r, 0.5f, 2.0f);
+    for (int i = 3; i < 6; i++)
+        x[i] = random_between(r, -1.0f, 1.0f);
+}
+
+/* Values of the handles, of the larger of the two slopes. */
+static double auto_error(const float *x)
+{
+    const nkw_handle_types types[3] = {
+        {NKW_HANDLE_AUTO, NKW_HANDLE_AUTO}, {NKW_HANDLE_AUTO, NKW_HANDLE_AUTO}, {NKW_HANDLE_VECTOR, NKW_HANDLE_VECTOR}};
+    nkw_fcurve_key keys[3];
+    for (int k = 0; k < 3; k++) {
+        nkw_fcurve_key key = {x[k], x[3 + k], {0, 0}, {0, 0}, NKW_FCURVE_BEZIER, NKW_EASE_LINEAR};
+        keys[k] = key;
+    }
+    nkw_fcurve_auto_handles(keys, 3, types);
+    wide h0 = (wide)x[1] - x[0], h1 = (wide)x[2] - x[1], d0 = ((wide)x[4] - x[3]) / h0, d1 = ((wide)x[5] - x[4]) / h1;
+    wide out = (d0 + d1) / 2 * h1 / (wide)2.5614, third = -d1 * h1 / 3, steep = fmaxq(fabsq(d0), fabsq(d1));
+    return fmax(wide_error_of(&keys[1].out.value, &out, 1, steep * h1),
+                wide_error_of(&keys[2].in.value, &third, 1, steep * h1));
+}
+
 static const wide_case cases[] = {
     {"nkw_fcurve_keys_from_slopes", "without a weight", slope, third_error, 4, WIDE_CHECKED},
     {"nkw_fcurve_keys_from_slopes", "FRACTION", slope, fraction_error, 4, WIDE_CHECKED},
     {"nkw_fcurve_keys_from_slopes", "LENGTH", slope, length_error, 4, WIDE_CHECKED},
     {"nkw_fcurve_keys_from_blender", "[-10, 10]", points, blender_error, 4, WIDE_CHECKED},
+    {"nkw_fcurve_auto_handles", "AUTO, VECTOR", three, auto_error, 6, WIDE_CHECKED},
 };
 
 int main(int argc, char **argv)

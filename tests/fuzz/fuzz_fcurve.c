@@ -150,6 +150,12 @@ static void dialects(fuzz *f)
     nkw_blender_key *blender = fuzz_block(f, count * sizeof *blender);
     float css[4] = {fuzz_float(f), fuzz_float(f), fuzz_float(f), fuzz_float(f)}, error;
     slopes(f, keys, count);
+    nkw_handle_types *types = fuzz_block(f, count * sizeof *types);
+    for (size_t k = 0; k < count; k++) {
+        types[k].in = (nkw_handle_type)fuzz_choice(f, 4);
+        types[k].out = (nkw_handle_type)fuzz_choice(f, 4);
+    }
+    nkw_fcurve_auto_handles(keys, fuzz_byte(f) % 2 ? count : 0, types);
     if (nkw_blender_keys_from_fcurve(keys, count, blender, &bad) == NKW_OK && fuzz_byte(f) % 2)
         nkw_fcurve_keys_from_blender(blender, count, keys, &bad);
     if (count > 1) {

@@ -12,6 +12,12 @@ static void put_tool_point(float *o, nkw_curve_point p)
     memcpy(o, &p, sizeof p);
 }
 
+static void put_handles(float *o, nkw_handle a, nkw_handle b)
+{
+    memcpy(o, &a, sizeof a);
+    memcpy(o + 2, &b, sizeof b);
+}
+
 /* Handles of any direction, often so long that the curve runs back. */
 static nkw_handle_segment some_handles(const float s[8])
 {
@@ -33,9 +39,9 @@ static void handle_limits(float *o, const float s[8])
     nkw_handle_segment c = some_handles(s), ratio = nkw_handle_limit(&c, NKW_HANDLE_KEEP_RATIO);
     nkw_handle_segment start = nkw_handle_limit(&c, NKW_HANDLE_KEEP_START);
     nkw_handle_segment contained = nkw_handle_limit(&c, NKW_HANDLE_CONTAIN);
-    memcpy(o, &ratio.out, 4 * sizeof(float));
-    memcpy(o + 4, &start.out, 4 * sizeof(float));
-    memcpy(o + 8, &contained.out, 4 * sizeof(float));
+    put_handles(o, ratio.out, ratio.in);
+    put_handles(o + 4, start.out, start.in);
+    put_handles(o + 8, contained.out, contained.in);
 }
 
 static void handle_points(float *o, const float s[8], float t)
@@ -75,6 +81,23 @@ static void sample_fcurve(float *o, const nkw_keyframe *from, const float s[8], 
     put_tool_point(o + 12, nkw_fcurve_sample(&curve, -0x1p20f * nkw_abs(s[2])));
 }
 
+/* Handles of all types. */
+static void auto_handles(float *o, const nkw_keyframe *from, unsigned some)
+{
+    nkw_fcurve_key keys[4];
+    nkw_handle_types types[4];
+    for (unsigned k = 0; k < 4; k++) {
+        nkw_fcurve_key key = {from[k].time,    from[k].position.x, {-0.25f, 0.5f},
+                              {0.25f, 0.125f}, NKW_FCURVE_BEZIER,  NKW_EASE_LINEAR};
+        keys[k] = key;
+        types[k].in = (nkw_handle_type)((some + k) % 5);
+        types[k].out = (nkw_handle_type)((some / 2 + 2 * k) % 5);
+    }
+    nkw_fcurve_auto_handles(keys, 4, types);
+    for (unsigned k = 0; k < 4; k++)
+        put_handles(o + 4 * k, keys[k].in, keys[k].out);
+}
+
 /* A track of numbers and one of rotations, by their errors, numbers of keys and a sample. */
 static void tracks_of_fcurves(float *o, const nkw_fcurve *curve, float time)
 {
@@ -109,9 +132,13 @@ static void dialects(float *o, const nkw_keyframe *from, const float s[8], unsig
     nkw_fcurve_keys_from_slopes(slopes, 4, (nkw_weight_unit)(some % 3), keys, NULL);
     nkw_fcurve curve = {keys, 4, NKW_FCURVE_OUTSIDE_HOLD, NKW_FCURVE_OUTSIDE_HOLD, 0, 0, NKW_HANDLE_KEEP_RATIO};
     nkw_blender_keys_from_fcurve(keys, 4, blender, NULL);
-    memcpy(o, blender + 1, 6 * sizeof(float));
+    put_handles(o, blender[1].left, blender[1].center);
+    put_handles(o + 4, blender[1].right, keys[1].in);
     nkw_slopes_from_fcurve_keys(keys, 4, (nkw_weight_unit)((some + 1) % 3), slopes, NULL);
-    memcpy(o + 6, &slopes[1].in_slope, 4 * sizeof(float));
+    o[8] = slopes[1].in_slope;
+    o[9] = slopes[1].out_slope;
+    o[10] = slopes[1].in_weight;
+    o[11] = slopes[1].out_weight;
     if (some == 7)
         tracks_of_fcurves(o, &curve, nkw_lerp(from[0].time, from[3].time, t));
     nkw_fcurve_keys_from_css(s, keys);

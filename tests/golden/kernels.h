@@ -182,6 +182,7 @@ K(quat_dead_blend, 11, quat_dead_blend(o, i))
 
 K(fcurve_sample, 15, sample_fcurve(o, i->keys, i->s, some(i), i->t))
 K(dialect, 15, dialects(o, i->keys, i->s, some(i), i->t))
+K(fcurve_auto_handles, 16, auto_handles(o, i->keys, some(i)))
 K(segment_find, 2, put_segment(o, nkw_segment_find(i->times, 4, i->s[0])))
 K(segment_find_from, 2, put_segment(o, nkw_segment_find_hint(i->times, 4, i->s[0], 1)))
 K(segment_find_n, 2, find_many(o, i))
