@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* The two pictures about orientation: all frames of the animation, and Euler angles against slerp. */
+/* The pictures about orientation: all frames of the animation, and Euler angles against slerp. */
 #include "picture.h"
 #include "sphere.h"
 
@@ -12,11 +12,6 @@
 
 enum { FRAMES_PER_SECOND = 5, SAMPLES = 96 };
 static const svg_colour euler_colour = 0xc2185b, slerp_colour = 0x00796b;
-
-static const char *method_name(nkw_orientation_method method)
-{
-    return method == NKW_ORIENTATION_EULER ? "Euler angles" : "quaternions and slerp";
-}
 
 /* ---- all frames ---- */
 
@@ -63,8 +58,8 @@ static void frame_way(space_list *list, const scene *s, const svg_camera *camera
     svg_paint paint = svg_stroke(0x85858f, 1.3f, 1.0f);
     nkw_vec3 ends[2];
     for (size_t i = 0; i < scene_times(s, 8 * FRAMES_PER_SECOND); i++) {
-        nkw_mat4 m = scene_place(s, scene_time(s, 8 * FRAMES_PER_SECOND, i), NKW_POSITION_HERMITE,
-                                 NKW_ORIENTATION_STEP);
+        nkw_mat4 m =
+            scene_place(s, scene_time(s, 8 * FRAMES_PER_SECOND, i), NKW_POSITION_HERMITE, NKW_ORIENTATION_STEP);
         ends[i % 2] = nkw_mat4_translation(&m);
         if (i > 0)
             space_add(list, camera, ends, 2, space_distance(camera, ends[0]) + 0.2f, &paint);
@@ -72,8 +67,7 @@ static void frame_way(space_list *list, const scene *s, const svg_camera *camera
 }
 
 /* The keys in full colours, also those between two frames; the frames between in pale ones. */
-static int frame_darts(svg *out, const scene *s, const svg_camera *camera, nkw_orientation_method method,
-                       float length)
+static int frame_darts(svg *out, const scene *s, const svg_camera *camera, nkw_orientation_method method, float length)
 {
     space_list list = {NULL, 0, 0, 0};
     frame_way(&list, s, camera);
@@ -103,8 +97,11 @@ void picture_dart_legend(svg *s, svg_point at)
     static const struct {
         svg_colour colour;
         const char *text;
-    } parts[] = {{0xe8304f, "nose (-z)"}, {0xf08a24, "left"}, {0x2f7fd1, "right"},
-                 {0xf4d35e, "fin, on top"}, {0x6a6a78, "underside"}};
+    } parts[] = {{0xe8304f, "nose (-z)"},
+                 {0xf08a24, "left"},
+                 {0x2f7fd1, "right"},
+                 {0xf4d35e, "fin, on top"},
+                 {0x6a6a78, "underside"}};
     static const float widths[] = {96.0f, 60.0f, 68.0f, 106.0f, 0.0f};
     for (int i = 0; i < 5; i++) {
         svg_paint paint = {parts[i].colour, 0x33333a, 0.6f, 1.0f, NULL};
@@ -114,27 +111,22 @@ void picture_dart_legend(svg *s, svg_point at)
     }
 }
 
-int picture_frames(const scene *s, nkw_orientation_method method, const char *path)
+int picture_frames(const scene *s, const char *path)
 {
     svg out;
-    char title[96];
     const svg_box box = {24.0f, 84.0f, 1052.0f, 560.0f};
     const svg_point centre = {550.0f, 380.0f};
     const float length = 0.42f;
     svg_paint border = svg_stroke(0x9a9aa2, 1.0f, 1.0f);
     svg_camera camera = svg_perspective(&s->view, PICTURE_FOV, centre, 448.0f);
-    sprintf(title, "Every frame, 0.2 s apart: orientation by %s", method_name(method));
-    if (!picture_open(&out, path, 1100.0f, 684.0f, title,
-                      method == NKW_ORIENTATION_EULER
-                          ? "Three angles run evenly, each by itself: between keys that differ in all three the dart "
-                            "sways. Position: Hermite."
-                          : "One even turn about one axis leads from key to key, by the shorter way. "
-                            "Position: Hermite, the same places."))
+    if (!picture_open(&out, path, 1100.0f, 684.0f,
+                      "Every frame, 0.2 s apart: position by Hermite, orientation by slerp",
+                      "Between two keys the dart turns evenly about one axis, the shorter way."))
         return 0;
     svg_begin_clip(&out, box);
     space_floor(&out, &camera, box);
-    frame_shadows(&out, s, &camera, method, length);
-    int ok = frame_darts(&out, s, &camera, method, length);
+    frame_shadows(&out, s, &camera, NKW_ORIENTATION_SLERP, length);
+    int ok = frame_darts(&out, s, &camera, NKW_ORIENTATION_SLERP, length);
     frame_numbers(&out, s, &camera);
     svg_end(&out);
     svg_rect(&out, box, 0.0f, &border);
@@ -182,8 +174,8 @@ static size_t worst_segment(const scene *s)
 static nkw_mat4 upright_view(float yaw)
 {
     nkw_vec3 x = {1.0f, 0.0f, 0.0f}, y = {0.0f, 1.0f, 0.0f};
-    return nkw_mat4_from_quat(nkw_quat_mul(nkw_quat_from_axis_angle(x, 0.436332313f),
-                                           nkw_quat_from_axis_angle(y, -yaw)));
+    return nkw_mat4_from_quat(
+        nkw_quat_mul(nkw_quat_from_axis_angle(x, 0.436332313f), nkw_quat_from_axis_angle(y, -yaw)));
 }
 
 static nkw_vec3 nose(const scene *s, float time, nkw_orientation_method method)
@@ -244,10 +236,136 @@ static int strip(svg *out, const scene *s, size_t segment, float yaw)
     return ok;
 }
 
+/* ---- both methods, the keys in which they differ ---- */
+
+/* The keys from the segment on in which the methods differ most. */
+enum { CLOSE_KEYS = 3 };
+
+/* A camera that looks 55 degrees down on the way of the object, with room for a dart at each side, in a box. */
+static svg_camera close_camera(const scene *s, svg_box box, float length)
+{
+    nkw_vec3 x = {1.0f, 0.0f, 0.0f};
+    nkw_mat4 view = nkw_mat4_from_quat(nkw_quat_from_axis_angle(x, 0.959931089f));
+    view.m[14] = -10.0f;
+    svg_camera camera = svg_orthographic(&view, svg_at(0.0f, 0.0f), 1.0f);
+    svg_point low = {1e9f, 1e9f}, high = {-1e9f, -1e9f};
+    for (size_t i = 0; i < frame_count(s); i++) {
+        nkw_mat4 m = frame(s, i, NKW_ORIENTATION_STEP);
+        svg_point p = svg_project(&camera, nkw_mat4_translation(&m));
+        low = svg_at(nkw_min(low.x, p.x), nkw_min(low.y, p.y));
+        high = svg_at(nkw_max(high.x, p.x), nkw_max(high.y, p.y));
+    }
+    float margin = 2.2f * length;
+    float scale = nkw_min(box.width / (high.x - low.x + margin), box.height / (high.y - low.y + margin));
+    svg_point centre = {box.x + 0.5f * box.width - 0.5f * scale * (low.x + high.x),
+                        box.y + 0.5f * box.height - 0.5f * scale * (low.y + high.y)};
+    return svg_orthographic(&view, centre, scale);
+}
+
+static void close_numbers(svg *out, const scene *s, const svg_camera *camera, size_t first)
+{
+    svg_font font = {14.0f, 0x1d1d22, 'm', 1, 0xffffff};
+    char text[SVG_DIGITS];
+    for (size_t k = 0; k < s->count; k++) {
+        sprintf(text, "key %u", (unsigned)(first + k));
+        svg_text(out, picture_outward(s, camera, k, 50.0f), &font, text);
+    }
+}
+
+/* s: keys of a scene from `first` on. */
+static int close_panel(svg *out, const scene *s, size_t first, svg_box box, nkw_orientation_method method)
+{
+    const float length = 0.42f;
+    const int euler = method == NKW_ORIENTATION_EULER;
+    svg_font name = {16.0f, euler ? euler_colour : slerp_colour, 's', 1, 0xffffff};
+    svg_paint border = svg_stroke(0x9a9aa2, 1.0f, 1.0f);
+    svg_camera camera = close_camera(s, box, length);
+    svg_begin_clip(out, box);
+    space_floor(out, &camera, box);
+    frame_shadows(out, s, &camera, method, length);
+    int ok = frame_darts(out, s, &camera, method, length);
+    close_numbers(out, s, &camera, first);
+    svg_end(out);
+    svg_rect(out, box, 0.0f, &border);
+    svg_text(out, svg_at(box.x + 12.0f, box.y + 24.0f), &name, euler ? "Euler angles" : "slerp");
+    return ok;
+}
+
+static float most_different(const scene *s)
+{
+    float most = 0.0f;
+    for (size_t i = 0; i < (s->count - 1) * SAMPLES; i++)
+        most = nkw_max(most, difference(s, sample_time(s, i)));
+    return nkw_degrees_from_radians(most);
+}
+
+/* The angle between the methods in a segment, with its largest value. */
+static void close_arc(svg *out, const scene *s, const svg_plot *plot, size_t segment)
+{
+    svg_font label = {13.0f, 0x7b3fa0, 'm', 1, 0xffffff};
+    svg_paint paint = svg_stroke(0x7b3fa0, 2.6f, 1.0f), dot = svg_fill(0x7b3fa0, 1.0f);
+    svg_point line[SAMPLES + 1], top = {0.0f, 1e9f};
+    char text[SVG_DIGITS], digits[SVG_DIGITS];
+    float most = 0.0f;
+    for (size_t i = 0; i <= SAMPLES; i++) {
+        float t = scene_segment_time(s, segment, (float)i / (float)SAMPLES);
+        float d = nkw_degrees_from_radians(difference(s, t));
+        line[i] = svg_plot_at(plot, t, d);
+        top = line[i].y < top.y ? line[i] : top;
+        most = nkw_max(most, d);
+    }
+    svg_polyline(out, line, SAMPLES + 1, &paint);
+    svg_circle(out, top, 4.0f, &dot);
+    sprintf(text, "%.16s\302\260", svg_number(digits, most, 1));
+    svg_text(out, svg_at(top.x, top.y + 22.0f), &label, text);
+}
+
+static void close_angles(svg *out, const scene *s)
+{
+    const float span = scene_end(s) - scene_start(s), most = nkw_max(most_different(s), 1.0f);
+    svg_plot plot = {{76.0f, 602.0f, 1000.0f, 130.0f},
+                     {scene_start(s), scene_end(s),
+                      span > 12.0f  ? 5.0f
+                      : span > 2.5f ? 1.0f
+                                    : 0.2f,
+                      "time, s"},
+                     {0.0f, 1.17f * most,
+                      most > 60.0f  ? 30.0f
+                      : most > 6.0f ? 5.0f
+                                    : 1.0f,
+                      "angle between the two, degrees"}};
+    svg_plot_frame(out, &plot);
+    for (size_t k = 0; k + 1 < s->count; k++)
+        close_arc(out, s, &plot, k);
+}
+
+int picture_frames_compare(const scene *s, const char *path)
+{
+    svg out;
+    scene part = *s;
+    char title[96];
+    const svg_box left = {24.0f, 84.0f, 522.0f, 450.0f}, right = {554.0f, 84.0f, 522.0f, 450.0f};
+    part.count = s->count < CLOSE_KEYS ? s->count : CLOSE_KEYS;
+    size_t worst = worst_segment(s), last = s->count - part.count, first = worst < last ? worst : last;
+    for (size_t k = 0; k < part.count; k++)
+        part.keys[k] = s->keys[first + k];
+    sprintf(title, "Euler angles against slerp, from key %u to key %u", (unsigned)first,
+            (unsigned)(first + part.count - 1));
+    if (!picture_open(&out, path, 1100.0f, 780.0f, title,
+                      "The same keys, times and places (Hermite), every 0.2 s. Compare the darts between two keys: "
+                      "those of Euler angles sway."))
+        return 0;
+    int ok = close_panel(&out, &part, first, left, NKW_ORIENTATION_EULER) &&
+             close_panel(&out, &part, first, right, NKW_ORIENTATION_SLERP);
+    picture_dart_legend(&out, svg_at(36.0f, 556.0f));
+    close_angles(&out, &part);
+    return svg_close(&out) && ok;
+}
+
 /* ---- the path of the nose on the unit sphere ---- */
 
-static void nose_path(svg *out, const svg_camera *camera, const scene *s, size_t segment,
-                      nkw_orientation_method method, svg_colour colour)
+static void nose_path(svg *out, const svg_camera *camera, const scene *s, size_t segment, nkw_orientation_method method,
+                      svg_colour colour)
 {
     nkw_vec3 points[SAMPLES + 1];
     svg_paint dot = {colour, 0xffffff, 1.0f, 1.0f, NULL};
@@ -296,13 +414,12 @@ static float fastest(const scene *s)
 {
     float most = 0.0f;
     for (size_t i = 0; i < (s->count - 1) * SAMPLES; i++)
-        most = nkw_max(most, nkw_max(turning_speed(s, i, NKW_ORIENTATION_EULER),
-                                     turning_speed(s, i, NKW_ORIENTATION_SLERP)));
+        most = nkw_max(most,
+                       nkw_max(turning_speed(s, i, NKW_ORIENTATION_EULER), turning_speed(s, i, NKW_ORIENTATION_SLERP)));
     return nkw_degrees_from_radians(most);
 }
 
-static void speed_line(svg *out, const scene *s, const svg_plot *plot, nkw_orientation_method method,
-                       svg_colour colour)
+static void speed_line(svg *out, const scene *s, const svg_plot *plot, nkw_orientation_method method, svg_colour colour)
 {
     svg_point line[SCENE_KEYS_MAX * SAMPLES];
     svg_paint paint = svg_stroke(colour, 2.4f, 1.0f);
@@ -316,7 +433,8 @@ static void speed_line(svg *out, const scene *s, const svg_plot *plot, nkw_orien
 static void speeds(svg *out, const scene *s)
 {
     svg_font heading = {14.0f, 0x1d1d22, 's', 1, SVG_NONE};
-    svg_plot plot = {{556.0f, 500.0f, 520.0f, 330.0f}, {scene_start(s), scene_end(s), 1.0f, "time, s"},
+    svg_plot plot = {{556.0f, 500.0f, 520.0f, 330.0f},
+                     {scene_start(s), scene_end(s), 1.0f, "time, s"},
                      {0.0f, 0.0f, 30.0f, "degrees per second"}};
     plot.y.to = nkw_max(1.12f * fastest(s), 1.0f);
     while ((plot.x.to - plot.x.from) / plot.x.tick > 12.0f)

@@ -14,8 +14,10 @@
 int picture_trajectory_top(const scene *s, const char *path);
 /** The four position curves in space, one panel each, with their shadows, through the exercise's camera. */
 int picture_trajectory_perspective(const scene *s, const char *path);
-/** The object every 0.2 s along the Hermite curve, through the exercise's camera. */
-int picture_frames(const scene *s, nkw_orientation_method method, const char *path);
+/** The object every 0.2 s along the Hermite curve by slerp, through the exercise's camera. */
+int picture_frames(const scene *s, const char *path);
+/** The keys where they differ most, enlarged: the object by Euler angles and by slerp, and the angle between them. */
+int picture_frames_compare(const scene *s, const char *path);
 /** Euler angles against slerp where they differ most: the object, the path of its nose, the speed of turning. */
 int picture_orientation_compare(const scene *s, const char *path);
 

@@ -109,16 +109,6 @@ static int write_table(const scene *s, const report_options *o, const char *path
 
 /* ---- the pictures ---- */
 
-static int write_frames_euler(const scene *s, const char *path)
-{
-    return picture_frames(s, NKW_ORIENTATION_EULER, path);
-}
-
-static int write_frames_slerp(const scene *s, const char *path)
-{
-    return picture_frames(s, NKW_ORIENTATION_SLERP, path);
-}
-
 typedef struct picture {
     int (*write)(const scene *s, const char *path);
     const char *name, *caption, *alt; /* alt: what is seen, for those who do not */
@@ -132,10 +122,13 @@ static const picture pictures[] = {
     {picture_trajectory_perspective, "trajectory-perspective",
      "The same curves in space through the exercise's camera, each with the curtain down to its shadow on the floor.",
      "Four panels, one for each curve, with a dart at each key."},
-    {write_frames_euler, "frames-euler", "All frames, every 0.2 s, orientation by Euler angles.",
+    {picture_frames, "frames", "All frames, every 0.2 s: position by Hermite, orientation by quaternions and slerp.",
      "Thirty-one darts along the Hermite curve."},
-    {write_frames_slerp, "frames-slerp", "The same frames, orientation by quaternions and slerp.",
-     "The same darts at the same places; they differ between keys 0 and 2."},
+    {picture_frames_compare, "frames-compare",
+     "Three keys enlarged, by Euler angles and by slerp, and the angle between the two over time.",
+     "Two panels with eleven darts each at the same places; between the keys they point elsewhere. Below, two arcs: "
+     "20.6 "
+     "degrees at 0.5 s, 13.8 degrees at 1.5 s."},
     {picture_orientation_compare, "orientation-compare",
      "Where the two orientation methods differ most: the object side by side, the path of its nose, and how fast "
      "it turns.",

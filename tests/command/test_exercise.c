@@ -90,8 +90,8 @@ static void all_pictures_and_the_page_are_written(void **state)
     program_says(0, "5 pictures, all on one page: ./index.html", "exercise '" EXAMPLES "flight.csv' -o .");
     program_says(
         0, "all of them",
-        "--version >/dev/null; grep -l '</svg>' trajectory-top.svg trajectory-perspective.svg frames-euler.svg "
-        "frames-slerp.svg orientation-compare.svg | wc -l | grep -q 5 && grep -q '10 keys' index.html && "
+        "--version >/dev/null; grep -l '</svg>' trajectory-top.svg trajectory-perspective.svg frames.svg "
+        "frames-compare.svg orientation-compare.svg | wc -l | grep -q 5 && grep -q '10 keys' index.html && "
         "echo all of them");
 }
 
