@@ -72,7 +72,7 @@ static void draw_values(random_source *r)
 
 static void build_clip(nkw_clip_format format, size_t i)
 {
-    nkw_clip_source source = {tracks, 3 * JOINTS, JOINTS, 0, {NULL, 0}, NULL, format};
+    nkw_clip_source source = {tracks, 3 * JOINTS, JOINTS, 0, {NULL, 0}, NULL, format, NULL};
     size_t bytes = 0;
     if (nkw_clip_build(&source, blocks[i], sizeof blocks[i], NULL, work, NKW_CLIP_WORK(source.track_count)) != NKW_OK ||
         nkw_clip_open(blocks[i], sizeof blocks[i], &clips[i]) != NKW_OK ||

@@ -92,7 +92,8 @@ static void build(scene &s)
                                   0,
                                   {nullptr, 0},
                                   nullptr,
-                                  format ? NKW_CLIP_UNORM16 : NKW_CLIP_FLOAT32};
+                                  format ? NKW_CLIP_UNORM16 : NKW_CLIP_FLOAT32,
+                                  NULL};
         size_t bytes = 0;
         nkw_clip_measure(&source, &bytes, nullptr, work.data(), NKW_CLIP_WORK(source.track_count));
         s.blocks[format].resize(bytes / sizeof(float) + 1);

@@ -10,6 +10,7 @@
 #include "clip_cache.h"
 #include "clip_layout.h"
 #include "clip_packed.h"
+#include "clip_sample.h"
 #include "lane/orient.h"
 #include "pack/slerp.h"
 #include "segment_search.h"
@@ -37,6 +38,16 @@ float nkw_clip_start(const nkw_clip *clip)
 float nkw_clip_end(const nkw_clip *clip)
 {
     return clip->end;
+}
+
+const char *nkw_clip_name(const nkw_clip *clip)
+{
+    return clip_name(clip, 0);
+}
+
+const char *nkw_clip_joint_name(const nkw_clip *clip, size_t joint)
+{
+    return joint < clip->joints ? clip_name(clip, 1 + joint) : "";
 }
 
 size_t nkw_clip_cursor_count(const nkw_clip *clip)
@@ -181,8 +192,8 @@ static void packed(const nkw_clip *clip, const clip_group *g, uint32_t count, ui
  * a is key k. b is key k + 1, or key k if key k is held, so that no key after the last is read.
  * stride: the distance of the component arrays of rotations, in floats.
  */
-static void sample_group(const nkw_clip *clip, const clip_group *g, const clip_timeline *line, nkw_segment at,
-                         float *out, size_t stride)
+void nkwi_clip_sample_group(const nkw_clip *clip, const clip_group *g, const clip_timeline *line, nkw_segment at,
+                            float *out, size_t stride)
 {
     size_t last = line->count - 1, k = at.index < last ? at.index : last;
     if (g->packed) { /* at least two keys, so at.index < last */
@@ -231,7 +242,7 @@ static nkw_result sample(const nkw_clip *clip, float time, uint32_t *cursors, ui
         out = out && groups[g].kind == GROUP_ROTATIONS ? out + 3 * stride : out;
         if (out && (!kept_words || !nkwi_clip_sample_kept(clip, &groups[g], at, cache + clip->timeline_count + g,
                                                           (float *)(void *)kept, out, stride)))
-            sample_group(clip, &groups[g], line, at, out, stride);
+            nkwi_clip_sample_group(clip, &groups[g], line, at, out, stride);
         kept = kept ? kept + kept_words : NULL;
     }
     return NKW_OK;

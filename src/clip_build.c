@@ -27,7 +27,7 @@
 #include "clip_tracks.h"
 #include "sizes.h"
 
-typedef enum section { TIMELINES, GROUPS, BLOCKS, PLACES, RUNS, TIMES, VALUES, SECTIONS } section;
+typedef enum section { TIMELINES, GROUPS, BLOCKS, PLACES, RUNS, TIMES, NAMES, VALUES, SECTIONS } section;
 
 typedef struct builder {
     clip_tracks tracks;
@@ -426,6 +426,36 @@ static size_t emit_float_constants(builder *b)
     return c.count;
 }
 
+/* Names. */
+
+/* Name 0 is that of the clip, name 1 + j that of joint j. */
+static const char *name_at(const nkw_clip_names *names, size_t k)
+{
+    const char *name = k == 0 ? names->clip : names->joints ? names->joints[k - 1] : NULL;
+    return name ? name : "";
+}
+
+static void emit_names(builder *b)
+{
+    const nkw_clip_names *names = b->tracks.source->names;
+    size_t count = 1 + b->tracks.source->joint_count;
+    if (!names)
+        return;
+    uint32_t *offsets = b->words ? b->words + b->start[NAMES] : NULL;
+    uint64_t bytes = 4 * (uint64_t)count;
+    for (size_t k = 0; k < count; k++) {
+        const char *name = name_at(names, k);
+        if (offsets)
+            offsets[k] = (uint32_t)bytes;
+        do { /* one byte at a time: the library does not import strlen */
+            if (offsets)
+                ((char *)offsets)[bytes] = *name;
+            bytes++;
+        } while (*name++);
+    }
+    take(b, NAMES, bytes <= UINT32_MAX ? round_up(bytes, 4) / 4 : (uint64_t)UINT32_MAX + 1);
+}
+
 /* The block. */
 
 static void emit_header(builder *b, size_t pose_runs, size_t float_runs)
@@ -452,6 +482,8 @@ static void emit_header(builder *b, size_t pose_runs, size_t float_runs)
     head.constant_count = (uint32_t)pose_runs;
     head.float_constants = (uint32_t)(b->start[RUNS] + pose_runs * (sizeof(clip_run) / 4));
     head.float_constant_count = (uint32_t)float_runs;
+    head.names = (uint32_t)b->start[NAMES];
+    head.name_words = (uint32_t)b->used[NAMES];
     memcpy(b->words, &head, sizeof head);
 }
 
@@ -460,6 +492,7 @@ static void emit_clip(builder *b)
 {
     size_t pose_runs = emit_pose_constants(b), float_runs = emit_float_constants(b);
     emit_groups(b);
+    emit_names(b);
     if (b->words)
         emit_header(b, pose_runs, float_runs);
 }

@@ -3,13 +3,15 @@
  * The memory of a clip: 32-bit words. All offsets are in words from the beginning.
  *
  *     section      element          words   number
- *     header       nkw_clip         15      1
+ *     header       nkw_clip         17      1
  *     timelines    clip_timeline     4      timeline_count
  *     groups       clip_group       11      group_count
  *     blocks       clip_block        4      (lanes + 15) / 16 of each group
  *     places       uint32_t          1      count of each block that is not contiguous
  *     runs         clip_run          3      constant_count, then float_constant_count
  *     times        float             1      count of each timeline; then its modes, if any, a word each
+ *     names        uint32_t, char           of the clip, then of each joint, where its text begins, in bytes from the
+ *                                           beginning of the section; then the texts, each with its NUL; or nothing
  *     values       float, uint16_t          constants; of each group its ranges, if any, and its keys
  *
  * Values begin at a multiple of CLIP_ALIGN words, and so do the ranges and keys of each group.
@@ -59,7 +61,7 @@
 #include "batch/block.h"
 
 #define CLIP_MAGIC   0x70696c63u /* "clip", lowest byte first */
-#define CLIP_VERSION 6u
+#define CLIP_VERSION 7u
 #define CLIP_STEPS   65535.0f /* steps of a range: the largest 16-bit key */
 #define CLIP_ALIGN   16u /* words: 64 bytes, a cache line */
 
@@ -80,6 +82,7 @@ struct nkw_clip {
     uint32_t groups, group_count; /* groups of one timeline are neighbours */
     uint32_t constants, constant_count; /* runs of the pose */
     uint32_t float_constants, float_constant_count; /* runs of the floats */
+    uint32_t names, name_words; /* 0 words: there are no names */
 };
 
 typedef struct clip_timeline {
@@ -123,6 +126,13 @@ static inline const clip_block *clip_blocks(const nkw_clip *clip, const clip_gro
 static inline const float *clip_floats(const nkw_clip *clip, uint32_t offset)
 {
     return (const float *)(const void *)(clip_words(clip) + offset);
+}
+
+/* The text of name k: 0 of the clip, 1 + j of joint j. */
+static inline const char *clip_name(const nkw_clip *clip, size_t k)
+{
+    const uint32_t *names = clip_words(clip) + clip->names;
+    return clip->name_words ? (const char *)names + names[k] : "";
 }
 
 /* The lanes of the blocks that contain `count` lanes: `count` rounded up so that the last block has 4, 8 or 16. */

@@ -15,6 +15,7 @@
  *     blocks; count <= width places of each          check_blocks: the widths add up to `lanes`, so the rows of a key
  *                                                    are exactly as long as its blocks
  *     values of a run                                check_constants
+ *     texts of names, up to their NUL                check_names
  *
  *     writes                                         bounded by
  *     places[i]                                      check_places: less than output_limit
@@ -179,6 +180,22 @@ static nkw_result check_constants(checker *o, uint32_t at, uint32_t count, uint3
     return NKW_OK;
 }
 
+/* Every text begins after the offsets and within the section, whose last byte is a NUL. */
+static int check_names(checker *o)
+{
+    const nkw_clip *clip = o->clip;
+    const uint64_t count = 1 + (uint64_t)clip->joints, bytes = 4 * (uint64_t)clip->name_words;
+    if (clip->name_words == 0)
+        return 1;
+    if (!fits(o, clip->names, clip->name_words, 1) || bytes <= 4 * count)
+        return 0;
+    const uint32_t *names = clip_words(clip) + clip->names;
+    for (uint64_t k = 0; k < count; k++)
+        if (names[k] < 4 * count || names[k] >= bytes)
+            return 0;
+    return ((const char *)names)[bytes - 1] == 0;
+}
+
 static nkw_result check_parts(const nkw_clip *clip)
 {
     checker o = {clip, clip->words, 0, 0};
@@ -194,6 +211,8 @@ static nkw_result check_parts(const nkw_clip *clip)
         result = check_constants(&o, clip->constants, clip->constant_count, GROUP_NUMBERS);
     if (result == NKW_OK)
         result = check_constants(&o, clip->float_constants, clip->float_constant_count, GROUP_FLOATS);
+    if (result == NKW_OK && !check_names(&o))
+        result = NKW_OUT_OF_RANGE;
     if (result == NKW_OK && (o.pose < 10 * (uint64_t)clip->joints || o.floats < clip->floats))
         result = NKW_OUT_OF_RANGE;
     return result;

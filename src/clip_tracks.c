@@ -28,11 +28,6 @@ static int is_not_zero(float x)
     return x != 0.0f;
 }
 
-static int is_minus_zero(float x)
-{
-    return lane_bits(x) == 0x80000000u;
-}
-
 /*
  * Between its keys a cubic normalises its rotation; at its keys only if the track is normalised. Whether the bits of
  * both are equal.
@@ -55,7 +50,7 @@ static int is_constant(const nkw_clip_track *c)
     int is_rotation = c->target == NKW_CLIP_ROTATION;
     if (t->count == 1)
         return 1;
-    if ((!is_rotation || track_is_cubic(t)) && any(first, t->width, is_minus_zero))
+    if ((!is_rotation || track_is_cubic(t)) && any(first, t->width, clip_is_minus_zero))
         return 0;
     if (is_rotation && track_is_cubic(t) && !is_normalize_exact(t, first))
         return 0;
@@ -237,24 +232,15 @@ int nkwi_clip_tracks_same_group(const clip_tracks *t, const nkw_clip_track *a, c
            nkwi_clip_tracks_group(t, a) == nkwi_clip_tracks_group(t, b);
 }
 
-/*
- * Whether interpolating from x to x returns the bits of x for every t. A lerp x + t (x - x) does for finite x, except
- * that it may return +0 for -0; slerp does for components of magnitude up to 2, of either zero.
- */
-static int is_invariant(nkw_clip_target target, float x)
-{
-    return target == NKW_CLIP_ROTATION ? x >= -2.0f && x <= 2.0f : lane_is_finite(x) && !is_minus_zero(x);
-}
-
-/* is_invariant for all components of the constant value of a joint; the identity is invariant. */
+/* clip_is_invariant for all components of the constant value of a joint; the identity is invariant. */
 static int is_joint_invariant(const clip_tracks *t, nkw_clip_target target, size_t joint)
 {
     const nkw_clip_track *c = nkwi_clip_tracks_find(t, target, joint);
     const float *rest = t->source->rest.data;
     size_t stride = NKW_POSE_STRIDE(t->source->joint_count), width = target == NKW_CLIP_ROTATION ? 4 : 3;
     for (size_t i = 0; i < width && (c || rest); i++)
-        if (!is_invariant(target,
-                          c ? track_value_at(&c->track, 0)[i] : rest[clip_array_of(target, i) * stride + joint]))
+        if (!clip_is_invariant(target,
+                               c ? track_value_at(&c->track, 0)[i] : rest[clip_array_of(target, i) * stride + joint]))
             return 0;
     return 1;
 }

@@ -14,6 +14,7 @@
 
 #include "clip_layout.h"
 #include "clip_packed.h"
+#include "lane/scalar.h"
 #include "track_keys.h"
 
 #define CLIP_CONSTANT UINT32_MAX /* the timeline of a constant track */
@@ -83,6 +84,20 @@ static inline int clip_same_times(const nkw_track *a, const nkw_track *b)
 static inline int clip_is_normalized(const nkw_track *t)
 {
     return t->kind == NKW_TRACK_ROTATION_NORMALIZED;
+}
+
+static inline int clip_is_minus_zero(float x)
+{
+    return lane_bits(x) == 0x80000000u;
+}
+
+/*
+ * Whether interpolating from x to x returns the bits of x for every t. A lerp x + t (x - x) does for finite x, except
+ * that it may return +0 for -0; slerp does for components of magnitude up to 2, of either zero.
+ */
+static inline int clip_is_invariant(nkw_clip_target target, float x)
+{
+    return target == NKW_CLIP_ROTATION ? x >= -2.0f && x <= 2.0f : lane_is_finite(x) && !clip_is_minus_zero(x);
 }
 
 static inline clip_kind clip_kind_of(const nkw_clip_track *c)

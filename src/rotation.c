@@ -144,7 +144,7 @@ static motion squad_at(const nkw_rotation_segment *s, double t, double *sign)
     c[1] = lane_f64_quat_aligned(c[0], c[1], NKW_PATH_SHORT);
     c[2] = lane_f64_quat_aligned(c[3], c[2], NKW_PATH_SHORT);
     *sign = lane_f64_quat_dot(c[3], end) < 0.0 ? -1.0 : 1.0;
-    rotation_jet j = rotation_squad_at(c, t);
+    rotation_jet j = nkwi_rotation_squad_at(c, t);
     motion m = {j.q, twice_over(j.d, j.q), twice_over(j.dd, j.q)};
     return m;
 }

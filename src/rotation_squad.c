@@ -145,7 +145,7 @@ static rotation_jet power(rotation_jet q, number_jet s)
     return exp_jet(scaled(log, s));
 }
 
-rotation_jet rotation_squad_at(const lane_f64_quat c[4], double t)
+rotation_jet nkwi_rotation_squad_at(const lane_f64_quat c[4], double t)
 {
     rotation_jet outer = slerp_jet(c[0], c[3], t), inner = slerp_jet(c[1], c[2], t);
     number_jet s = {2.0 * t * (1.0 - t), 2.0 - 4.0 * t, -4.0};

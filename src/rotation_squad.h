@@ -12,6 +12,6 @@ typedef struct rotation_jet {
 } rotation_jet;
 
 /* slerp(slerp(c0, c3, t), slerp(c1, c2, t), 2 t (1 - t)), along the arcs as given. */
-rotation_jet rotation_squad_at(const lane_f64_quat c[4], double t);
+rotation_jet nkwi_rotation_squad_at(const lane_f64_quat c[4], double t);
 
 #endif

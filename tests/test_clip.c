@@ -106,7 +106,7 @@ static nkw_clip_error difference_from(const nkw_clip *clip, const nkw_clip_sourc
 static void a_pose_of_other_joints_is_not_written(void **state)
 {
     (void)state;
-    nkw_clip_source source = {NULL, 0, 17, 0, {NULL, 0}, NULL, NKW_CLIP_FLOAT32};
+    nkw_clip_source source = {NULL, 0, 17, 0, {NULL, 0}, NULL, NKW_CLIP_FLOAT32, NULL};
     float pose[NKW_POSE_FLOATS(17)] = {7.0f};
     size_t bytes;
     nkw_clip *clip = build(&source, &bytes);
@@ -126,7 +126,7 @@ static void the_difference_of_a_baked_clip_shows_between_its_own_keys(void **sta
         NKW_CLIP_TRANSLATION, 0, {at, ease, 2, 3, NKW_TRACK_FLOATS, NKW_INTERPOLATION_CUBICSPLINE, NULL}};
     nkw_clip_track baked = track;
     float error = resample(&track.track, 24.0f, times, made, track_work, &baked.track);
-    nkw_clip_source source = {&track, 1, 1, 0, {NULL, 0}, NULL, NKW_CLIP_FLOAT32}, of_baked = source;
+    nkw_clip_source source = {&track, 1, 1, 0, {NULL, 0}, NULL, NKW_CLIP_FLOAT32, NULL}, of_baked = source;
     size_t bytes;
     of_baked.tracks = &baked;
     nkw_clip *clip = build(&of_baked, &bytes);
@@ -141,7 +141,7 @@ static void a_clip_and_tracks_that_are_none_of_its_own_differ_infinitely(void **
     const float at[2] = {0, 1}, values[32] = {0};
     nkw_clip_track track = {
         NKW_CLIP_TRANSLATION, 0, {at, values, 2, 3, NKW_TRACK_FLOATS, NKW_INTERPOLATION_LINEAR, NULL}};
-    nkw_clip_source source = {&track, 1, 1, 0, {NULL, 0}, NULL, NKW_CLIP_FLOAT32};
+    nkw_clip_source source = {&track, 1, 1, 0, {NULL, 0}, NULL, NKW_CLIP_FLOAT32, NULL};
     size_t bytes;
     nkw_clip *clip = build(&source, &bytes);
     expect_bits(difference_from(clip, &source).scale, 0.0f);
@@ -165,7 +165,7 @@ static void a_clip_and_tracks_that_are_none_of_its_own_differ_infinitely(void **
 static void a_clip_without_tracks_is_the_rest_pose(void **state)
 {
     (void)state;
-    nkw_clip_source source = {NULL, 0, 17, 2, {NULL, 0}, NULL, NKW_CLIP_FLOAT32};
+    nkw_clip_source source = {NULL, 0, 17, 2, {NULL, 0}, NULL, NKW_CLIP_FLOAT32, NULL};
     size_t bytes;
     float pose[NKW_POSE_FLOATS(17)], identity[NKW_POSE_FLOATS(17)], floats[2] = {7, 7};
     nkw_clip *clip = build(&source, &bytes);
@@ -401,7 +401,7 @@ static void compact_rotations_are_unit_between_far_keys_too(void **state)
         put_quat(values + 4 * k, nkw_quat_normalize(keys[k]));
     const nkw_track track = {times, values, 2, 4, NKW_TRACK_ROTATION, NKW_INTERPOLATION_LINEAR, NULL};
     const nkw_clip_track rotation = {NKW_CLIP_ROTATION, 0, track};
-    nkw_clip_source source = {&rotation, 1, 1, 0, {NULL, 0}, NULL, NKW_CLIP_UNORM16};
+    nkw_clip_source source = {&rotation, 1, 1, 0, {NULL, 0}, NULL, NKW_CLIP_UNORM16, NULL};
     nkw_clip *clip = build(&source, &bytes);
     nkw_clip_sample(clip, 0x1.ffffb6p-2f, NULL, pose_span(pose, nkw_clip_joint_count(clip)), NULL);
     expect_near(nkw_quat_length(nkw_pose_get(pose_view(pose, 1), 0).rotation), 1.0, 7e-7);

@@ -64,7 +64,7 @@ static int draw(void **state)
 
 static nkw_clip_source source_of(const nkw_clip_track *tracks, nkw_clip_format format)
 {
-    nkw_clip_source source = {tracks, TRACKS, JOINTS, 0, {NULL, 0}, NULL, format};
+    nkw_clip_source source = {tracks, TRACKS, JOINTS, 0, {NULL, 0}, NULL, format, NULL};
     return source;
 }
 
@@ -130,7 +130,7 @@ static void nearly_even_times_give_the_bits_of_tracks(void **state)
         nkw_clip_track track = taken.tracks[1];
         track.index = 0;
         track.track.times = times;
-        nkw_clip_source source = {&track, 1, 1, 0, {NULL, 0}, NULL, NKW_CLIP_FLOAT32};
+        nkw_clip_source source = {&track, 1, 1, 0, {NULL, 0}, NULL, NKW_CLIP_FLOAT32, NULL};
         size_t bytes;
         nkw_clip *clip = clip_build(&source, work, &bytes);
         for (int i = 0; i < 2000; i++, time += 0.0025f) {

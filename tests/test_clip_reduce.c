@@ -64,7 +64,7 @@ static int draw(void **state)
     }
     for (size_t j = 0; j < JOINTS; j++)
         drawn.parents[j] = j % 10 == 0 ? NKW_NO_JOINT : (int32_t)j - 1;
-    const nkw_clip_source source = {drawn.tracks, TRACKS, JOINTS, FLOATS, {NULL, 0}, NULL, NKW_CLIP_FLOAT32};
+    const nkw_clip_source source = {drawn.tracks, TRACKS, JOINTS, FLOATS, {NULL, 0}, NULL, NKW_CLIP_FLOAT32, NULL};
     drawn.source = source;
     return 0;
 }

@@ -51,7 +51,7 @@ static void cubic_rotations_that_stay_are_constants(void **state)
             memcpy(values + 12 * k + 4, &q, sizeof q);
         nkw_track_kind kind = i % 2 ? NKW_TRACK_ROTATION_NORMALIZED : NKW_TRACK_ROTATION;
         nkw_clip_track t = {NKW_CLIP_ROTATION, 0, {at, values, 3, 4, kind, NKW_INTERPOLATION_CUBICSPLINE, NULL}};
-        nkw_clip_source source = {&t, 1, 1, 0, {NULL, 0}, NULL, NKW_CLIP_FLOAT32};
+        nkw_clip_source source = {&t, 1, 1, 0, {NULL, 0}, NULL, NKW_CLIP_FLOAT32, NULL};
         nkw_clip *clip = build(&source, &bytes);
         found += nkw_clip_cursor_count(clip) == 0;
         for (float time = 0; time <= 2; time += 0.25f) {
@@ -72,7 +72,7 @@ static void cubics_over_an_endless_duration_are_no_constants(void **state)
     const float at[2] = {-3e38f, 3e38f}, values[24] = {0, 0, 0, 0, 0, 0, 0, 1, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 1};
     nkw_clip_track t = {
         NKW_CLIP_ROTATION, 0, {at, values, 2, 4, NKW_TRACK_ROTATION, NKW_INTERPOLATION_CUBICSPLINE, NULL}};
-    nkw_clip_source source = {&t, 1, 1, 0, {NULL, 0}, NULL, NKW_CLIP_FLOAT32};
+    nkw_clip_source source = {&t, 1, 1, 0, {NULL, 0}, NULL, NKW_CLIP_FLOAT32, NULL};
     float pose[NKW_POSE_FLOATS(1)], want[4];
     size_t bytes;
     nkw_clip *clip = build(&source, &bytes);
@@ -303,7 +303,7 @@ static void a_clip_that_lasts_longer_is_compared_while_the_tracks_last(void **st
         NKW_CLIP_TRANSLATION, 0, {own, longer, 4, 3, NKW_TRACK_FLOATS, NKW_INTERPOLATION_LINEAR, NULL}};
     nkw_clip_track track = {
         NKW_CLIP_TRANSLATION, 0, {at, longer + 3, 2, 3, NKW_TRACK_FLOATS, NKW_INTERPOLATION_LINEAR, NULL}};
-    nkw_clip_source of_made = {&made, 1, 1, 0, {NULL, 0}, NULL, NKW_CLIP_FLOAT32}, source = of_made;
+    nkw_clip_source of_made = {&made, 1, 1, 0, {NULL, 0}, NULL, NKW_CLIP_FLOAT32, NULL}, source = of_made;
     size_t bytes;
     float floats[NKW_POSE_FLOATS(1)];
     nkw_clip_error error;
@@ -320,7 +320,7 @@ static void compact_steps_hold_their_key(void **state)
     const float at[3] = {0, 1, 2}, values[9] = {0, 0, 0, 1, 2, 3, 4, 5, 6};
     nkw_clip_track track = {
         NKW_CLIP_TRANSLATION, 0, {at, values, 3, 3, NKW_TRACK_FLOATS, NKW_INTERPOLATION_STEP, NULL}};
-    nkw_clip_source source = {&track, 1, 1, 0, {NULL, 0}, NULL, NKW_CLIP_UNORM16};
+    nkw_clip_source source = {&track, 1, 1, 0, {NULL, 0}, NULL, NKW_CLIP_UNORM16, NULL};
     size_t bytes;
     float pose[NKW_POSE_FLOATS(1)];
     nkw_clip *clip = build(&source, &bytes);
@@ -345,7 +345,7 @@ static void compact_steps_of_rotations_have_the_same_bits_until_the_next_key(voi
         }
         nkw_clip_track track = {
             NKW_CLIP_ROTATION, 0, {at, values, 3, 4, NKW_TRACK_ROTATION, NKW_INTERPOLATION_STEP, NULL}};
-        nkw_clip_source source = {&track, 1, 1, 0, {NULL, 0}, NULL, NKW_CLIP_UNORM16};
+        nkw_clip_source source = {&track, 1, 1, 0, {NULL, 0}, NULL, NKW_CLIP_UNORM16, NULL};
         size_t bytes;
         nkw_clip *clip = build(&source, &bytes);
         nkw_clip_sample(clip, 1.0f, NULL, pose_span(first, 1), NULL);
@@ -376,7 +376,7 @@ static void noise_in_rotations_makes_no_subnormal_products(void **state)
                                       : random_between(&r, -1, 1) * powf(10, random_between(&r, -29, -23));
         tracks[j] = t;
     }
-    nkw_clip_source source = {tracks, JOINTS, JOINTS, 0, {NULL, 0}, NULL, NKW_CLIP_FLOAT32};
+    nkw_clip_source source = {tracks, JOINTS, JOINTS, 0, {NULL, 0}, NULL, NKW_CLIP_FLOAT32, NULL};
     nkw_clip *clip = build(&source, &bytes);
     feclearexcept(FE_UNDERFLOW);
     for (float time = 0; time < 1; time += 0.0625f)

@@ -27,7 +27,7 @@ static double work[NKW_CLIP_REDUCE_WORK(TRACKS, JOINTS, FLOATS)], block[1 << 15]
 static int draw(void **state)
 {
     (void)state;
-    const nkw_clip_source source = {drawn.tracks, TRACKS, JOINTS, FLOATS, {NULL, 0}, NULL, NKW_CLIP_FLOAT32};
+    const nkw_clip_source source = {drawn.tracks, TRACKS, JOINTS, FLOATS, {NULL, 0}, NULL, NKW_CLIP_FLOAT32, NULL};
     for (size_t k = 0; k < KEYS; k++)
         drawn.times[k] = nkw_segment_uniform_time(0.0f, 30.0f, k);
     for (size_t i = 0; i < TRACKS; i++) {
@@ -249,7 +249,7 @@ static void wrong_sources_and_too_little_memory_are_refused(void **state)
 static void a_clip_without_tracks_has_none(void **state)
 {
     (void)state;
-    const nkw_clip_source nothing = {NULL, 0, 1, 0, {NULL, 0}, NULL, NKW_CLIP_FLOAT32};
+    const nkw_clip_source nothing = {NULL, 0, 1, 0, {NULL, 0}, NULL, NKW_CLIP_FLOAT32, NULL};
     const nkw_clip_reduction r = {NULL, 1.0f, 1.0f, NULL, NULL, 1.0f};
     const nkw_clip_memory memory = {block, sizeof block, work, sizeof work / sizeof *work};
     nkw_clip_source out;

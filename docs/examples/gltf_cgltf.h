@@ -81,8 +81,8 @@ static inline nkw_result gltf_load_clip(const cgltf_data *data, size_t animation
     }
     size_t bytes, n = (size_t)(to - tracks), joints = c->rest.joint_count;
     uint32_t *work = (uint32_t *)c->take(NKW_CLIP_WORK(n), sizeof *work);
-    nkw_clip_source source = {tracks,          n, joints, c->float_count, {c->rest.data, joints}, c->rest_floats,
-                              NKW_CLIP_FLOAT32};
+    nkw_clip_source source = {tracks,           n,   joints, c->float_count, {c->rest.data, joints}, c->rest_floats,
+                              NKW_CLIP_FLOAT32, NULL};
     nkw_result result = nkw_clip_measure(&source, &bytes, bad, work, NKW_CLIP_WORK(n));
     if (result == NKW_OK)
         nkw_clip_build(&source, c->clips[animation] = (nkw_clip *)c->take(bytes, 1), bytes, bad, work,

@@ -92,7 +92,7 @@ static const char *build_clip(rig *r, const float *rest)
     keys k;
     nkw_clip_track tracks[TRACKS];
     uint32_t work[NKW_CLIP_WORK(TRACKS)];
-    const nkw_clip_source source = {tracks, TRACKS, RIG_JOINTS, 0, {rest, RIG_JOINTS}, NULL, NKW_CLIP_FLOAT32};
+    const nkw_clip_source source = {tracks, TRACKS, RIG_JOINTS, 0, {rest, RIG_JOINTS}, NULL, NKW_CLIP_FLOAT32, NULL};
     size_t bytes;
     set_keys(r, &k);
     set_tracks(&k, tracks);

@@ -75,7 +75,7 @@ static void set_keys(size_t joints, float *times, float *rotations, nkw_clip_tra
 
 static const char *build_clip(troupe *t, const nkw_clip_track *tracks, const float *rest, uint32_t *work)
 {
-    const nkw_clip_source source = {tracks, t->joints, t->joints, 0, {rest, t->joints}, NULL, NKW_CLIP_FLOAT32};
+    const nkw_clip_source source = {tracks, t->joints, t->joints, 0, {rest, t->joints}, NULL, NKW_CLIP_FLOAT32, NULL};
     size_t bytes;
     nkw_result result = nkw_clip_measure(&source, &bytes, NULL, work, NKW_CLIP_WORK(source.track_count));
     if (result == NKW_OK) {

@@ -16,13 +16,15 @@
  * Share key times between tracks, as exporters do. A track with separate key times needs a separate search and more
  * memory than its keys: a clip of such tracks is no faster than the tracks. Resample them at one rate.
  *
- * A block has the byte order of the machine that built it. Machines of the same byte order build the same bytes.
+ * A block has the byte order of the machine that built it. Machines of the same byte order build the same bytes, and
+ * nkw_clip_convert opens a block of the other byte order.
  */
 #ifndef NAKAWARI_CLIP_H
 #define NAKAWARI_CLIP_H
 
 #include <stdint.h>
 
+#include "edit.h"
 #include "pose.h"
 #include "track.h"
 
@@ -93,6 +95,12 @@ typedef enum nkw_clip_format {
     NKW_CLIP_UNORM16
 } nkw_clip_format;
 
+/** The names that a clip stores: UTF-8 texts that end with a NUL. NULL is the empty text. */
+typedef struct nkw_clip_names {
+    const char *clip;
+    const char *const *joints; /**< NULL, or joint_count texts */
+} nkw_clip_names;
+
 /** The input of a clip. Joints and floats without a track keep their rest values. */
 typedef struct nkw_clip_source {
     const nkw_clip_track *tracks; /**< in any order */
@@ -102,6 +110,7 @@ typedef struct nkw_clip_source {
     nkw_pose_view rest; /**< a pose of joint_count joints; if data is NULL, every joint is the identity */
     const float *rest_floats; /**< float_count floats; if NULL, zeros */
     nkw_clip_format format;
+    const nkw_clip_names *names; /**< NULL: no names, and no memory for them */
 } nkw_clip_source;
 
 /** The header of the block of a clip. */
@@ -161,6 +170,16 @@ NKW_API nkw_result nkw_clip_build(const nkw_clip_source *source, void *block, si
  */
 NKW_API nkw_result nkw_clip_open(const void *block, size_t bytes, const nkw_clip **clip);
 
+/**
+ * Copies a block of either byte order to `out`, in the byte order of this machine, and opens it. It is the block that
+ * this machine builds from the same source, byte for byte.
+ *
+ * block    bytes bytes, of any alignment
+ * out      bytes bytes, aligned for float; may be `block`
+ * Returns  as nkw_clip_open; NKW_NOT_A_CLIP also if `out` is not aligned
+ */
+NKW_API nkw_result nkw_clip_convert(const void *block, size_t bytes, void *out, const nkw_clip **clip);
+
 /** The number of joints of the poses, of separate floats, and of bytes of the block. */
 NKW_API size_t nkw_clip_joint_count(const nkw_clip *clip);
 NKW_API size_t nkw_clip_float_count(const nkw_clip *clip);
@@ -169,6 +188,42 @@ NKW_API size_t nkw_clip_bytes(const nkw_clip *clip);
 /** The earliest and the latest key time in seconds, of all tracks, including constant ones; 0 and 0 without tracks. */
 NKW_API float nkw_clip_start(const nkw_clip *clip);
 NKW_API float nkw_clip_end(const nkw_clip *clip);
+
+/** The name of the clip, and of a joint; the empty text if there is none. They are in the block. */
+NKW_API const char *nkw_clip_name(const nkw_clip *clip);
+NKW_API const char *nkw_clip_joint_name(const nkw_clip *clip, size_t joint);
+
+/**
+ * The number of tracks whose values change. Tracks with one value are not stored as tracks: the values of all other
+ * properties are those that nkw_clip_sample returns at any time. Each separate float is a track of width 1.
+ */
+NKW_API size_t nkw_clip_track_count(const nkw_clip *clip);
+
+/**
+ * What track `index` animates: its target, kind, width, interpolation, number of keys and their times, which are in the
+ * block. `values` and `key_interpolation` are NULL: nkw_clip_track_get writes them. The order of tracks is that of the
+ * block, not that of the source.
+ *
+ * Returns  NKW_OK; NKW_OUT_OF_RANGE after the last track: `out` is unchanged
+ */
+NKW_API nkw_result nkw_clip_track_shape(const nkw_clip *clip, size_t index, nkw_clip_track *out);
+
+/** The number of floats of working memory of nkw_clip_track_get. */
+#define NKW_CLIP_TRACK_WORK(joint_count, float_count) (NKW_POSE_FLOATS(joint_count) + (float_count))
+
+/**
+ * Takes track `index` out of a clip again. A clip that is built from these tracks, with a sample as the rest pose,
+ * returns the same samples. Keys of FLOAT32 clips have the bits of the source, except that LINEAR keys of
+ * NKW_TRACK_ROTATION_NORMALIZED are normalised and the track is then an NKW_TRACK_ROTATION.
+ *
+ * memory   for the keys of nkw_clip_track_shape
+ * out      receives the track, which refers to `memory`; unchanged after an error
+ * work     work_count floats, at least NKW_CLIP_TRACK_WORK of the clip's joints and floats
+ * Returns  NKW_OK; NKW_OUT_OF_RANGE after the last track, and for a track whose parts are not together; NKW_TOO_SMALL
+ *          for too little memory
+ */
+NKW_API nkw_result nkw_clip_track_get(const nkw_clip *clip, size_t index, const nkw_edit_memory *memory,
+                                      nkw_clip_track *out, float *work, size_t work_count);
 
 /** The number of cursors of nkw_clip_sample: one for each timeline. */
 NKW_API size_t nkw_clip_cursor_count(const nkw_clip *clip);
@@ -206,8 +261,8 @@ NKW_API nkw_result nkw_clip_sample_cached(const nkw_clip *clip, float time, nkw_
 /** The largest differences between a clip and its tracks. */
 typedef struct nkw_clip_error {
     float translation; /**< of a component */
-    float rotation;    /**< radians, the angle between the two rotations */
-    float scale;       /**< of a component */
+    float rotation; /**< radians, the angle between the two rotations */
+    float scale; /**< of a component */
     float floats;
 } nkw_clip_error;
 

@@ -38,7 +38,7 @@ static size_t share(const nkw_clip_source *source, nkw_clip_format format)
 clip_size size_of_channel(const nkw_document *d, size_t animation, size_t track)
 {
     nkw_clip_track copies[COPIES];
-    nkw_clip_source source = {copies, COPIES, COPIES, 0, {NULL, COPIES}, NULL, NKW_CLIP_FLOAT32};
+    nkw_clip_source source = {copies, COPIES, COPIES, 0, {NULL, COPIES}, NULL, NKW_CLIP_FLOAT32, NULL};
     for (uint32_t i = 0; i < COPIES; i++) {
         copies[i] = d->animations[animation].tracks[track];
         copies[i].index = i;

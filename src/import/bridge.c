@@ -13,7 +13,8 @@
 nkw_clip_source nkw_document_clip_source(const nkw_document *document, size_t animation, nkw_clip_format format)
 {
     nkw_clip_source source = {
-        NULL, 0, document->skeleton.joint_count, document->float_count, document->rest, document->rest_floats, format};
+        NULL,   0,   document->skeleton.joint_count, document->float_count, document->rest, document->rest_floats,
+        format, NULL};
     if (animation < document->animation_count) {
         source.tracks = document->animations[animation].tracks;
         source.track_count = document->animations[animation].track_count;

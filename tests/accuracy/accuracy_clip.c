@@ -50,7 +50,7 @@ static int sample(drawn *d, int is_rotation, float time, float *pose)
                        NKW_INTERPOLATION_LINEAR,
                        NULL};
     nkw_clip_track placed = {is_rotation ? NKW_CLIP_ROTATION : NKW_CLIP_TRANSLATION, 0, track};
-    nkw_clip_source source = {&d->track, 1, 1, 0, {NULL, 0}, NULL, NKW_CLIP_UNORM16};
+    nkw_clip_source source = {&d->track, 1, 1, 0, {NULL, 0}, NULL, NKW_CLIP_UNORM16, NULL};
     size_t bad;
     d->track = placed;
     d->track.track.times = d->times;

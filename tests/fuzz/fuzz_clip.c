@@ -33,15 +33,49 @@ static void sample(fuzz *f, const nkw_clip *clip)
     }
 }
 
+/* Some tracks of a clip, taken out, and its names. */
+static void list(fuzz *f, const nkw_clip *clip)
+{
+    size_t joints = nkw_clip_joint_count(clip), floats = nkw_clip_float_count(clip), any = fuzz_huge(f);
+    size_t count = nkw_clip_track_count(clip), work_count = NKW_CLIP_TRACK_WORK(joints, floats);
+    float *work = fuzz_room(f, work_count);
+    for (size_t i = 0; i < 3 && i < count; i++) {
+        nkw_clip_track shape, out;
+        FUZZ_CHECK(nkw_clip_track_shape(clip, i * (count / 3), &shape) == NKW_OK);
+        size_t keys = shape.track.count, capacity = keys - (fuzz_byte(f) % 8 == 0);
+        nkw_edit_memory m = {fuzz_room(f, capacity), fuzz_room(f, 3 * capacity * shape.track.width),
+                             fuzz_block(f, capacity), capacity};
+        nkw_result result = nkw_clip_track_get(clip, i * (count / 3), &m, &out, work, work_count);
+        FUZZ_CHECK((result == NKW_TOO_SMALL) == (capacity < keys) || result == NKW_OUT_OF_RANGE);
+    }
+    FUZZ_CHECK(strlen(nkw_clip_name(clip)) + strlen(nkw_clip_joint_name(clip, any)) <= nkw_clip_bytes(clip));
+}
+
+/* A block in any byte order, at any address. */
+static void convert(fuzz *f, const void *block, size_t bytes)
+{
+    const nkw_clip *clip, *same;
+    unsigned char *out = fuzz_block(f, bytes), *again = fuzz_block(f, bytes), *other = fuzz_block(f, bytes);
+    for (size_t i = 0; i < bytes; i++)
+        other[i] = ((const unsigned char *)block)[(i ^ 3) < bytes ? (i ^ 3) : i];
+    nkw_clip_convert(other, bytes, out, &clip);
+    if (nkw_clip_convert(block, bytes, out, &clip) != NKW_OK)
+        return;
+    FUZZ_CHECK(nkw_clip_convert(out, bytes, again, &same) == NKW_OK && memcmp(out, again, bytes) == 0);
+    list(f, clip);
+}
+
 static void open_and_sample(fuzz *f, const void *block, size_t bytes)
 {
     const nkw_clip *clip;
+    convert(f, block, bytes);
     nkw_result result = nkw_clip_open(block, bytes, &clip);
     FUZZ_CHECK((result == NKW_OK) == (clip != NULL));
     if (!clip)
         return;
     FUZZ_CHECK((const void *)clip == block && nkw_clip_bytes(clip) <= bytes);
     sample(f, clip);
+    list(f, clip);
 }
 
 /* What is in the block the tracks gave: the same bits, while nothing of them is off. */
@@ -171,8 +205,8 @@ static void reduce_keys(fuzz *f, const random_clip *c)
 /* Counts alone: those that a clip may have, and none of those beyond. */
 static void counts(fuzz *f)
 {
-    nkw_clip_source source = {
-        NULL, 0, fuzz_huge(f), fuzz_huge(f), {NULL, 0}, NULL, (nkw_clip_format)(fuzz_byte(f) % 2)};
+    nkw_clip_source source = {NULL, 0, fuzz_huge(f), fuzz_huge(f), {NULL, 0}, NULL, (nkw_clip_format)(fuzz_byte(f) % 2),
+                              NULL};
     size_t bytes = 0, bad;
     if (source.joint_count > 4096 && source.joint_count < (size_t)1 << 27)
         source.joint_count %= 4096;

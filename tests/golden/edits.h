@@ -41,7 +41,7 @@ static void fit_track(float *o, const float *x, float tolerance)
     double work[NKW_FIT_WORK(16, 1)];
     for (unsigned k = 0; k < 16; k++) {
         times[k] = 0.25f * (float)k;
-        values[k] = x[k % 8] * times[k] + x[(3 * k) % 8];
+        values[k] = x[(3 * k) % 8];
     }
     nkw_track track = {times, values, 16, 1, NKW_TRACK_FLOATS, NKW_INTERPOLATION_LINEAR, NULL}, out;
     nkw_fit_memory memory = {made_times, made, 16, work, NKW_FIT_WORK(16, 1)};

@@ -246,7 +246,7 @@ static void reduce_track(float *o, const input *i, nkw_track_kind kind, nkw_inte
     for (unsigned k = 0; k < 9; k++) {
         const float t = (float)k / 8.0f;
         nkw_quat q = nkw_quat_slerp(i->q[0], nkw_quat_slerp(i->q[1], i->q[2], t), t);
-        times[k] = i->times[0] + (i->times[3] - i->times[0]) * t;
+        times[k] = nkw_lerp(i->times[0], i->times[3], t);
         for (unsigned part = 0; part < parts; part++)
             memcpy(values + 4 * (parts * k + part), &q, sizeof q);
     }
@@ -279,7 +279,7 @@ static void reduce_clip(float *o, const input *i)
             times[k] = (float)k;
         }
     }
-    const nkw_clip_source source = {tracks, 2, 2, 0, {NULL, 0}, NULL, NKW_CLIP_FLOAT32};
+    const nkw_clip_source source = {tracks, 2, 2, 0, {NULL, 0}, NULL, NKW_CLIP_FLOAT32, NULL};
     const nkw_clip_memory memory = {block, sizeof block, work, sizeof work / sizeof *work};
     nkw_clip_source out;
     nkw_reduced reduced = {0, 0, 0.0f, 0.0f, 0.0f};

@@ -86,8 +86,8 @@ static void add_track(random_source *r, random_clip *c, nkw_clip_target target, 
 void random_clip_draw(random_source *r, size_t joints, int variety, random_clip *c)
 {
     nkw_clip_source source = {
-        c->tracks,       0, joints, variety == 2 ? RANDOM_CLIP_FLOATS : 0, {c->rest, joints}, c->rest_floats,
-        NKW_CLIP_FLOAT32};
+        c->tracks,        0,   joints, variety == 2 ? RANDOM_CLIP_FLOATS : 0, {c->rest, joints}, c->rest_floats,
+        NKW_CLIP_FLOAT32, NULL};
     c->source = source;
     draw_times(r, c);
     for (size_t j = 0; j < joints; j++) {

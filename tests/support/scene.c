@@ -222,7 +222,7 @@ nkw_clip *scene_clip(const scene *s, int anim, nkw_clip_format format, const flo
             assert_true(count < SCENE_TRACKS);
             tracks[count++] = s->channel[i].track;
         }
-    nkw_clip_source from = {tracks, count, (size_t)s->nodes, s->floats, {rest, (size_t)s->nodes}, NULL, format};
+    nkw_clip_source from = {tracks, count, (size_t)s->nodes, s->floats, {rest, (size_t)s->nodes}, NULL, format, NULL};
     *source = from;
     return clip_build(source, work, &bytes);
 }

@@ -1,0 +1,112 @@
+/* SPDX-License-Identifier: MIT */
+/*
+ * Clips of both byte orders: each file was written by a machine of that order, and must be converted on every machine
+ * to the blocks that this one builds, byte for byte.
+ *
+ *     byte_order DIR            compares DIR/clips.little and DIR/clips.big; exit status 1 if a byte differs
+ *     byte_order DIR --write    writes the file of this machine's order
+ */
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include <nakawari/nakawari.h>
+
+#include "../support/random_clip.h"
+
+enum { JOINTS = 5, CLIPS = 3, MOST = 1 << 16 };
+
+/* The clips one after another, each in MOST bytes at most; as words, for their alignment. */
+typedef struct blocks {
+    size_t bytes[CLIPS];
+    uint32_t words[CLIPS][MOST / 4];
+} blocks;
+
+static const char *const joint_names[JOINTS] = {"root", "spine", "", "左手", "right hand"};
+static const nkw_clip_names names = {"walk", joint_names};
+
+/* Clip 0 of floats, 1 compact, 2 reduced. Returns 0 after an error. */
+static int build(int index, blocks *out)
+{
+    static double work[NKW_CLIP_REDUCE_WORK(RANDOM_CLIP_TRACKS, RANDOM_CLIP_JOINTS, RANDOM_CLIP_FLOATS)];
+    static random_clip drawn;
+    random_source r = random_from(7);
+    size_t bad, tracks;
+    random_clip_draw(&r, JOINTS, index == 2 ? 0 : 2, &drawn);
+    drawn.source.names = &names;
+    drawn.source.format = index == 1 ? NKW_CLIP_UNORM16 : NKW_CLIP_FLOAT32;
+    tracks = drawn.source.track_count;
+    if (index < 2) {
+        uint32_t *order = (uint32_t *)(void *)work;
+        return nkw_clip_measure(&drawn.source, &out->bytes[index], &bad, order, NKW_CLIP_WORK(tracks)) == NKW_OK &&
+               nkw_clip_build(&drawn.source, out->words[index], MOST, &bad, order, NKW_CLIP_WORK(tracks)) == NKW_OK;
+    }
+    const nkw_clip_reduction reduction = {NULL, 0.01f, 0.1f, NULL, NULL, 0.01f};
+    const nkw_clip_memory memory = {out->words[index], MOST, work, sizeof work / sizeof work[0]};
+    nkw_clip_reduced reduced;
+    nkw_result result = nkw_clip_reduce(&drawn.source, &reduction, &memory, &reduced, &bad);
+    out->bytes[index] = reduced.bytes;
+    return result == NKW_OK && reduced.packed_count > 0;
+}
+
+static int is_little(void)
+{
+    const uint32_t one = 1;
+    return *(const unsigned char *)&one == 1;
+}
+
+static FILE *open_file(const char *folder, int little, const char *mode)
+{
+    char path[1024];
+    if (strlen(folder) + 20 > sizeof path)
+        return NULL;
+    sprintf(path, "%s/clips.%s", folder, little ? "little" : "big");
+    return fopen(path, mode);
+}
+
+static int write_file(const char *folder, const blocks *b)
+{
+    FILE *f = open_file(folder, is_little(), "wb");
+    int is_written = f != NULL;
+    for (int i = 0; is_written && i < CLIPS; i++)
+        is_written = fwrite(b->words[i], 1, b->bytes[i], f) == b->bytes[i];
+    return f && fclose(f) == 0 && is_written;
+}
+
+/* Reads the clips of a file one after another, as large as this machine's, converts and compares them. */
+static int compare_file(const char *folder, int little, const blocks *b)
+{
+    static uint32_t read[MOST / 4], converted[MOST / 4];
+    FILE *f = open_file(folder, little, "rb");
+    int is_same = f != NULL;
+    for (int i = 0; is_same && i < CLIPS; i++) {
+        const nkw_clip *clip;
+        is_same = fread(read, 1, b->bytes[i], f) == b->bytes[i] &&
+                  (nkw_clip_open(read, b->bytes[i], &clip) == NKW_OK) == (little == is_little()) &&
+                  nkw_clip_convert(read, b->bytes[i], converted, &clip) == NKW_OK &&
+                  memcmp(converted, b->words[i], b->bytes[i]) == 0 && strcmp(nkw_clip_joint_name(clip, 3), "左手") == 0;
+        if (!is_same)
+            printf("clips.%s: clip %d differs\n", little ? "little" : "big", i);
+    }
+    if (!f)
+        printf("clips.%s: cannot be read\n", little ? "little" : "big");
+    else
+        fclose(f);
+    return is_same;
+}
+
+int main(int argc, char **argv)
+{
+    static blocks b;
+    if (argc < 2)
+        return 2;
+    for (int i = 0; i < CLIPS; i++)
+        if (!build(i, &b)) {
+            printf("clip %d is not built\n", i);
+            return 1;
+        }
+    if (argc > 2)
+        return strcmp(argv[2], "--write") == 0 ? !write_file(argv[1], &b) : 2;
+    int little = compare_file(argv[1], 1, &b), big = compare_file(argv[1], 0, &b);
+    return little && big ? 0 : 1;
+}
