@@ -392,6 +392,7 @@ static void scenes_are_checked(void **state)
         {"arm.md5mesh", "tri 0 0 2 1", "tri 0 0 2 9", "line 28"},
         {"arm.md5mesh", "weight 3 1 1", "weight 3 7 1", "line 27"},
         {"arm.md5mesh", "vert 2 ( 0 1 ) 3 1", "vert 2 ( 0 1 ) 3 2", "line 28"},
+        {"arm.md5mesh", "numtris 1\n", "numtris 2\n", "line 28"},
         {"arm.md5mesh", "\"arm\"\t0", "\"arm\"\t1", "line 9"},
         {"arm.md5anim", "\"arm\"\t0 56 1", "\"arm\"\t0 63 1", "line 27"},
         {"arm.md5anim", "\t2 0 0.6 0\n}", "\t2 0 0.6 0\n", "line 36"},

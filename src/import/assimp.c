@@ -103,11 +103,28 @@ static struct aiPropertyStore *settings(void)
     return store;
 }
 
-/* Polygons become triangles, and meshes of several shapes several meshes. Both read indices that were checked. */
+/* Whether a mesh has polygons, or faces of several shapes. */
+static int is_mixed(const struct aiMesh *m)
+{
+    for (size_t f = 0; f < m->mNumFaces; f++)
+        if (m->mFaces[f].mNumIndices > 3 || m->mFaces[f].mNumIndices != m->mFaces[0].mNumIndices)
+            return 1;
+    return 0;
+}
+
+/*
+ * Polygons become triangles, and meshes of several shapes several meshes. Both read indices that were checked. Only
+ * where it is needed: a scene without faces is an error in Assimp 5.2, after which it frees the scene twice.
+ */
 static int process(nkwi_assimp *a)
 {
     const unsigned steps = aiProcess_Triangulate | aiProcess_SortByPType;
-    if (a->scene->mNumMeshes > 0 && !aiApplyPostProcessing(a->scene, steps)) {
+    size_t i = 0;
+    while (i < a->scene->mNumMeshes && !is_mixed(a->scene->mMeshes[i]))
+        i++;
+    if (i == a->scene->mNumMeshes)
+        return 1;
+    if (!aiApplyPostProcessing(a->scene, steps)) {
         a->scene = NULL;
         return nkwi_fail(a->error, NULL, NKW_IMPORT_INVALID, "Assimp: %s", aiGetErrorString());
     }

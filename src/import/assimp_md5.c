@@ -19,6 +19,7 @@ typedef struct md5 {
     section in;
     unsigned long joints, base_frames; /* lines of these sections */
     unsigned long vertices, triangles, weights; /* of the mesh, as stated */
+    unsigned long vertex_lines, triangle_lines, weight_lines;
     unsigned long first_most, vertex_most; /* 1 more than the largest weight and vertex that the mesh names */
     unsigned long values, values_most; /* of the frame, and 1 more than the largest of the hierarchy */
 } md5;
@@ -110,17 +111,17 @@ static int mesh_line(md5 *m)
             a > 100000000 || b > 100000000)
             return 0;
         m->first_most = most_of(m->first_most, a + b);
-        return i < m->vertices;
+        return i == m->vertex_lines++;
     }
     if (is_word(m, "tri")) {
         if (sscanf(m->line, "tri %lu %lu %lu %lu", &i, &a, &b, &c) != 4)
             return 0;
         m->vertex_most = most_of(m->vertex_most, most_of(a, most_of(b, c)));
-        return i < m->triangles;
+        return i == m->triangle_lines++;
     }
     if (is_word(m, "weight"))
-        return sscanf(m->line, "weight %lu %lu", &i, &a) == 2 && strchr(m->line, '(') && close && i < m->weights &&
-               a < m->joints;
+        return sscanf(m->line, "weight %lu %lu", &i, &a) == 2 && strchr(m->line, '(') && close &&
+               i == m->weight_lines++ && a < m->joints;
     return sscanf(m->line, "numverts %lu", &m->vertices) == 1 || sscanf(m->line, "numtris %lu", &m->triangles) == 1 ||
            sscanf(m->line, "numweights %lu", &m->weights) == 1 || m->line[0] == '/';
 }
@@ -132,11 +133,12 @@ static int frame_line(md5 *m)
     return 1;
 }
 
-/* What a section states holds, and the memory that it states is in the file. */
+/* What a section states is there. */
 static int end_section(md5 *m)
 {
     if (m->in == MESH)
-        return m->first_most <= m->weights && (m->triangles == 0 || m->vertex_most < m->vertices);
+        return m->vertex_lines == m->vertices && m->triangle_lines == m->triangles && m->weight_lines == m->weights &&
+               m->first_most <= m->weights && (m->triangles == 0 || m->vertex_most < m->vertices);
     return m->in != FRAME || m->values == 0 || m->values >= m->values_most;
 }
 
@@ -158,6 +160,7 @@ static int global_line(md5 *m)
     if (is_word(m, "commandline") || !strchr(m->line, '{'))
         return m->line[0] != '}';
     m->in = section_of(m);
+    m->vertex_lines = m->triangle_lines = m->weight_lines = 0;
     m->vertices = m->triangles = m->weights = m->first_most = m->vertex_most = m->values = 0;
     return 1;
 }
