@@ -39,14 +39,24 @@ static double angle2(const float *a, const float *b)
     return sine == 0.0 && cosine == 0.0 ? 0.0 : POLAR_ANGLE * lane_atan2_64(sine, cosine);
 }
 
+/* The weight of a sample against another: 1 - (p - a).(b - a) / |b - a|^2. Samples at one place do not compete. */
+static double weight_in(band r)
+{
+    return r.n2 > 0.0 ? 1.0 - r.dot / r.n2 : 1.0;
+}
+
 /* In the plane of relative length and angle, seen from a: twice the differences of lengths over the sum of a's and b's. */
-static band polar_band(const float *p, const float *a, const float *b)
+static double polar_weight(const float *p, const float *a, const float *b)
 {
     double la = length2(a), lb = length2(b), mean = 0.5 * (la + lb);
     double to_length = mean > 0.0 ? (lb - la) / mean : 0.0, to_angle = angle2(a, b);
     double length = mean > 0.0 ? (length2(p) - la) / mean : 0.0, angle = angle2(a, p);
-    band r = {length * to_length + angle * to_angle, to_length * to_length + to_angle * to_angle};
-    return r;
+    double round = to_angle - lane_copysign64(2.0 * LANE_PI * POLAR_ANGLE, to_angle);
+    band one_way = {length * to_length + angle * to_angle, to_length * to_length + to_angle * to_angle};
+    band other_way = {length * to_length + angle * round, to_length * to_length + round * round};
+    double h = weight_in(one_way), other = weight_in(other_way);
+    /* A sample that is more than a quarter turn away is seen both ways round. */
+    return lane_abs64(to_angle) >= LANE_HALF_PI * POLAR_ANGLE && other < h ? other : h;
 }
 
 static int is_polar(const nkw_blendspace *space)
@@ -77,8 +87,8 @@ static double influence_of(const nkw_blendspace *space, const float *point, size
         const float *b = sample_at(space, j);
         if (j == i || !are_finite(b, space->dimension))
             continue;
-        band r = is_polar(space) ? polar_band(point, a, b) : cartesian_band(point, a, b, space->dimension);
-        double h = r.n2 > 0.0 ? 1.0 - r.dot / r.n2 : 1.0;
+        double h =
+            is_polar(space) ? polar_weight(point, a, b) : weight_in(cartesian_band(point, a, b, space->dimension));
         least = h < least ? h : least;
     }
     return least > 0.0 ? least : 0.0;

@@ -99,6 +99,12 @@ static void polar_weights_keep_the_speed(void **state)
     expect_near(weights[0], 0, 1e-6);
     expect_near(weights[1], 0.5, 1e-6);
     expect_near(weights[2], 0.5, 1e-6);
+    /* Behind two opposite samples: by the angle to each. */
+    const float sides[4] = {2, 0, -2, 0}, behind[2] = {1, -1.7320508f};
+    nkw_blendspace opposite = space_of(sides, 2, 2, NKW_BLENDSPACE_POLAR);
+    nkw_blendspace_weights(&opposite, behind, weights);
+    expect_near(weights[0], 2.0 / 3, 1e-6);
+    expect_near(weights[1], 1.0 / 3, 1e-6);
     nkw_blendspace plain = space_of(samples, 3, 2, (nkw_blendspace_kind)7);
     const float inner[2] = {1, 1};
     nkw_blendspace_weights(&plain, inner, weights);
