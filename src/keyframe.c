@@ -7,6 +7,7 @@
 #include <nakawari/quat.h>
 #include <nakawari/rotation.h>
 #include <nakawari/scalar.h>
+#include <nakawari/spline.h>
 #include <nakawari/vec.h>
 
 #include "lane/scalar.h"
@@ -74,20 +75,6 @@ static nkw_vec3 heading(const nkw_keyframe *key)
 {
     nkw_mat3 m = nkw_mat3_from_quat(key->orientation);
     return nkw_vec3_negate(nkw_mat3_column(&m, 2));
-}
-
-static nkw_vec3 hermite(const sampler *s, float t)
-{
-    const nkw_keyframe *a = &s->keys[s->from], *b = &s->keys[s->to];
-    nkw_vec3 v0 = heading(a), v1 = heading(b);
-    if (s->trace) {
-        nkw_weights k = nkw_cubic_weights(NKW_CUBIC_HERMITE, 0, t);
-        control_point(s, 0, s->from, k.w[0]);
-        control(s, 1, s->from, v0, k.w[1]);
-        control_point(s, 2, s->to, k.w[2]);
-        control(s, 3, s->to, v1, k.w[3]);
-    }
-    return nkw_vec3_hermite(a->position, v0, b->position, v1, t);
 }
 
 /*
@@ -161,6 +148,65 @@ static nkw_vec3 catmull_rom(const sampler *s, float t)
                                            key[3]->position, t);
 }
 
+/* The key that STEP_NEXT returns: the second of the segment; the first at its own time. */
+static size_t key_next(const sampler *s)
+{
+    return s->segment.t > 0.0f ? s->to : s->from;
+}
+
+/* Tangents per segment. */
+static nkw_vec3 hermite_of(const sampler *s, nkw_vec3 v0, nkw_vec3 v1, float t)
+{
+    if (s->trace) {
+        nkw_weights k = nkw_cubic_weights(NKW_CUBIC_HERMITE, 0, t);
+        control_point(s, 0, s->from, k.w[0]);
+        control(s, 1, s->from, v0, k.w[1]);
+        control_point(s, 2, s->to, k.w[2]);
+        control(s, 3, s->to, v1, k.w[3]);
+    }
+    return nkw_vec3_hermite(s->keys[s->from].position, v0, s->keys[s->to].position, v1, t);
+}
+
+static nkw_vec3 hermite(const sampler *s, float t)
+{
+    return hermite_of(s, heading(&s->keys[s->from]), heading(&s->keys[s->to]), t);
+}
+
+/* The tangent of a key of the segment, `duration` times per second. */
+static nkw_vec3 scaled_tangent(const float *tangents, size_t key, float duration)
+{
+    const float *v = tangents + 3 * key;
+    nkw_vec3 r = {duration * v[0], duration * v[1], duration * v[2]};
+    return r;
+}
+
+/*
+ * The keys up to two before and two after the segment determine the tangents of its keys. Keys that are refused have
+ * the tangent 0.
+ */
+static nkw_vec3 smooth(const sampler *s, float t, nkw_spline_method method)
+{
+    size_t first = s->from > 2 ? s->from - 2 : 0, last = s->count - 1 - s->to < 2 ? s->count - 1 : s->to + 2;
+    float times[6] = {0.0f}, in[18] = {0.0f}, out[18] = {0.0f};
+    for (size_t k = first; k <= last; k++)
+        times[k - first] = s->keys[k].time;
+    nkw_spline spline = {times,
+                         &s->keys[first].position.x,
+                         last - first + 1,
+                         3,
+                         sizeof(nkw_keyframe) / sizeof(float),
+                         method,
+                         NKW_SPLINE_ENDS_FREE,
+                         0.0f,
+                         NULL,
+                         NULL};
+    nkw_tangent_span tangents = {in, out, 3};
+    nkw_spline_tangents(&spline, tangents, NULL, NULL, 0);
+    float duration = s->keys[s->to].time - s->keys[s->from].time;
+    return hermite_of(s, scaled_tangent(out, s->from - first, duration), scaled_tangent(in, s->to - first, duration),
+                      t);
+}
+
 static nkw_vec3 position_at(const sampler *s, nkw_position_method method)
 {
     float t = s->segment.t;
@@ -175,6 +221,16 @@ static nkw_vec3 position_at(const sampler *s, nkw_position_method method)
         return bspline(s, t);
     case NKW_POSITION_CATMULL_ROM:
         return catmull_rom(s, t);
+    case NKW_POSITION_STEP_NEXT:
+        return hold(s, key_next(s));
+    case NKW_POSITION_CENTRIPETAL:
+        return smooth(s, t, NKW_SPLINE_CENTRIPETAL);
+    case NKW_POSITION_PCHIP:
+        return smooth(s, t, NKW_SPLINE_PCHIP);
+    case NKW_POSITION_AKIMA:
+        return smooth(s, t, NKW_SPLINE_AKIMA);
+    case NKW_POSITION_MAKIMA:
+        return smooth(s, t, NKW_SPLINE_MAKIMA);
     case NKW_POSITION_STEP:
         break;
     }
@@ -317,7 +373,7 @@ static nkw_result sampler_at(const nkw_keyframe *keys, size_t count, float time,
 {
     if (count == 0)
         return NKW_EMPTY;
-    if ((unsigned)position > NKW_POSITION_STEP || (unsigned)orientation > NKW_ORIENTATION_BSPLINE)
+    if ((unsigned)position > NKW_POSITION_MAKIMA || (unsigned)orientation > NKW_ORIENTATION_BSPLINE)
         return NKW_BAD_METHOD;
     segment_times times = {(const char *)&keys[0].time, sizeof keys[0], count};
     nkw_segment segment = segment_find(times, time);

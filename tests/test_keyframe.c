@@ -150,7 +150,7 @@ static void outside_the_keys_every_method_clamps(void **state)
     (void)state;
     nkw_keyframe keys[7];
     scene_1(keys);
-    for (int p = NKW_POSITION_LINEAR; p <= NKW_POSITION_STEP; p++) {
+    for (int p = NKW_POSITION_LINEAR; p <= NKW_POSITION_MAKIMA; p++) {
         for (int o = NKW_ORIENTATION_STEP; o <= NKW_ORIENTATION_BSPLINE; o++) {
             static const float outside[4] = {-1e30f, -0.5f, 6.5f, INFINITY};
             for (int i = 0; i < 4; i++) {
@@ -213,7 +213,7 @@ static void one_key_is_itself_and_none_is_an_error(void **state)
     nkw_keyframe keys[7];
     nkw_mat4 m = nkw_mat4_identity(), untouched = m;
     scene_1(keys);
-    for (int p = NKW_POSITION_LINEAR; p <= NKW_POSITION_STEP; p++)
+    for (int p = NKW_POSITION_LINEAR; p <= NKW_POSITION_MAKIMA; p++)
         for (int o = NKW_ORIENTATION_STEP; o <= NKW_ORIENTATION_BSPLINE; o++) {
             m = untouched;
             assert_int_equal(nkw_keyframes_sample(keys, 0, 1, (nkw_position_method)p, (nkw_orientation_method)o, &m),
@@ -233,8 +233,9 @@ static void unknown_methods_are_refused(void **state)
     nkw_keyframe keys[7];
     nkw_mat4 m = nkw_mat4_identity(), untouched = m;
     scene_1(keys);
-    assert_int_equal(nkw_keyframes_sample(keys, 7, 1, (nkw_position_method)6, NKW_ORIENTATION_STEP, &m),
-                     NKW_BAD_METHOD);
+    assert_int_equal(
+        nkw_keyframes_sample(keys, 7, 1, (nkw_position_method)(NKW_POSITION_MAKIMA + 1), NKW_ORIENTATION_STEP, &m),
+        NKW_BAD_METHOD);
     assert_int_equal(nkw_keyframes_sample(keys, 7, 1, (nkw_position_method)-1, NKW_ORIENTATION_STEP, &m),
                      NKW_BAD_METHOD);
     assert_int_equal(nkw_keyframes_sample(keys, 7, 1, NKW_POSITION_STEP, (nkw_orientation_method)8, &m),
@@ -247,7 +248,7 @@ static void trace_says_what_sample_did(void **state)
     (void)state;
     nkw_keyframe keys[7];
     scene_1(keys);
-    for (int p = NKW_POSITION_LINEAR; p <= NKW_POSITION_STEP; p++) {
+    for (int p = NKW_POSITION_LINEAR; p <= NKW_POSITION_MAKIMA; p++) {
         for (int o = NKW_ORIENTATION_STEP; o <= NKW_ORIENTATION_BSPLINE; o++) {
             for (float time = -0.5f; time < 7.0f; time += 0.07f) {
                 nkw_mat4 m;

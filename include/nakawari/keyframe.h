@@ -47,7 +47,18 @@ typedef enum nkw_position_method {
     /** Passes through every key; its tangent is that of the parabola through the key and its two neighbours. */
     NKW_POSITION_CATMULL_ROM,
     /** The position of the first key of the segment; from the last key on, that of the last key. */
-    NKW_POSITION_STEP
+    NKW_POSITION_STEP,
+    /** The position of the next key; at the time of a key, that of the key. Before the first key, that of the first. */
+    NKW_POSITION_STEP_NEXT,
+    /**
+     * The methods of spline.h that need the neighbouring keys only: passes through every key, with the tangents of
+     * NKW_SPLINE_CENTRIPETAL, _PCHIP, _AKIMA or _MAKIMA and free ends. The position has the bits of a CUBICSPLINE track
+     * of all keys.
+     */
+    NKW_POSITION_CENTRIPETAL,
+    NKW_POSITION_PCHIP,
+    NKW_POSITION_AKIMA,
+    NKW_POSITION_MAKIMA
 } nkw_position_method;
 
 /** How the orientation is interpolated. */
@@ -110,7 +121,7 @@ NKW_API nkw_result nkw_keyframes_validate(const nkw_keyframe *keys, size_t count
  * out      receives the matrix; after an error it is unchanged
  * Returns  NKW_OK; NKW_EMPTY without keys; NKW_BAD_METHOD for an unknown method
  *
- * At the time of a key, linear, Hermite, Catmull-Rom and step return the position of the key bit for bit; step, slerp,
+ * At the time of a key, all methods but Bezier and B-spline return the position of the key bit for bit; step, slerp,
  * squad and Catmull-Rom return the matrix of its orientation.
  */
 NKW_API nkw_result nkw_keyframes_sample(const nkw_keyframe *keys, size_t count, float time,

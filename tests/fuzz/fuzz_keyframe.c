@@ -36,8 +36,8 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
     nkw_result sound = nkw_keyframes_validate(keys, count, &bad);
     FUZZ_CHECK(bad < count || bad == 0);
     for (int i = 0; i < 12; i++) {
-        nkw_position_method position = (nkw_position_method)fuzz_choice(&f, 5);
-        nkw_orientation_method orientation = (nkw_orientation_method)fuzz_choice(&f, 4);
+        nkw_position_method position = (nkw_position_method)fuzz_choice(&f, NKW_POSITION_MAKIMA);
+        nkw_orientation_method orientation = (nkw_orientation_method)fuzz_choice(&f, NKW_ORIENTATION_BSPLINE);
         float time = fuzz_float(&f);
         nkw_mat4 out = nkw_mat4_identity();
         nkw_keyframe_trace trace;
