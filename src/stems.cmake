@@ -32,6 +32,8 @@ set(NKW_FLOOR_4
   segment
   fcurve
   spline
+  nurbs
+  polycurve
   keyframe
   track
   dialect

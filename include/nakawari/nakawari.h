@@ -37,6 +37,8 @@
 #include "segment.h"
 #include "fcurve.h"
 #include "spline.h"
+#include "nurbs.h"
+#include "polycurve.h"
 #include "keyframe.h"
 #include "track.h"
 #include "dialect.h"

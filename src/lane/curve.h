@@ -143,14 +143,6 @@ static inline lane_f64_cubic lane_bezier_from_bspline(lane_f64_cubic d)
     return r;
 }
 
-/* Catmull-Rom: tangents (c2 - c0)/2 and (c3 - c1)/2. */
-static inline lane_f64_cubic lane_bezier_from_catmull_rom(lane_f64_cubic p)
-{
-    const double *c = p.c;
-    lane_f64_cubic r = {{c[1], c[1] + (c[2] - c[0]) / 6.0, c[2] - (c[3] - c[1]) / 6.0, c[2]}};
-    return r;
-}
-
 /* The differences that determine a cubic segment but for its place: p(1) - p(0), and the tangents at its ends. */
 typedef struct lane_f64_slopes {
     double f, v0, v1;

@@ -29,7 +29,9 @@
     X(blendspace) \
     X(morph) \
     X(bounds) \
-    X(transition)
+    X(transition) \
+    X(nurbs) \
+    X(polycurve)
 
 #ifdef __cplusplus
 extern "C" {

@@ -40,6 +40,31 @@ static uint64_t hash_spline(uint64_t hash, const nkw_spline *s, random_source *r
     return hash;
 }
 
+/* A curve of three components of each degree. */
+uint64_t data_nurbs(void)
+{
+    random_source r = random_from(0x6e7572);
+    uint64_t hash = HASH_START;
+    for (unsigned round = 0; round < 160; round++) {
+        float knots[NKW_NURBS_KNOTS(20, NKW_NURBS_DEGREE)], points[60], weights[20], at[9];
+        size_t degree = round % (NKW_NURBS_DEGREE + 1), count = degree + 1 + round % 5;
+        nkw_nurbs c = {points, round % 3 ? weights : NULL, knots, count, degree, 3, 3};
+        nkw_nurbs_make_knots((nkw_nurbs_knots_kind)(round % 2), count, degree, -1.0f, 2.5f, knots);
+        for (size_t k = degree + 1; round % 4 > 1 && k < count; k++)
+            knots[k] = nkw_lerp(knots[k], knots[k - 1], random_unit(&r));
+        for (size_t i = 0; i < 3 * count; i++)
+            points[i] = random_between(&r, -4.0f, 4.0f);
+        for (size_t i = 0; i < count; i++)
+            weights[i] = random_between(&r, 0.25f, 4.0f);
+        for (size_t i = 0; i < 8; i++) {
+            nkw_nurbs_sample(&c, random_between(&r, -1.25f, 2.75f), at, at + 3, at + 6);
+            hash = hash_floats(hash, at, 9);
+        }
+        hash = hash_floats(hash, knots, NKW_NURBS_KNOTS(count, degree));
+    }
+    return hash;
+}
+
 uint64_t data_spline(void)
 {
     random_source r = random_from(0x73706c);

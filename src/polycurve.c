@@ -1,0 +1,143 @@
+/* SPDX-License-Identifier: MIT */
+#include "polycurve_slopes.h"
+
+#include "lane/scalar.h"
+
+/* Intervals of 2^-POLYCURVE_LEVELS are not halved: kinks of |p'| at a cusp are integrated to within their square. */
+#define POLYCURVE_LEVELS 22
+/* The halves of an interval agree with the whole to within this part of largest_length. */
+#define POLYCURVE_TOLERANCE 0x1p-44
+/* Steps of Newton's method or of bisection: enough for bisection alone. */
+#define POLYCURVE_STEPS 48
+
+/* |p'(t)|. */
+static double speed(const polycurve_slopes *a, double t)
+{
+    return lane_f64_vec3_length(polycurve_first(a, t));
+}
+
+/* The integral of |p'| from a to b by 8 points: exact for polynomials of degree 15. */
+static double gauss(const polycurve_slopes *c, double a, double b)
+{
+    static const double at[4] = {0.18343464249564980494, 0.52553240991632898582, 0.79666647741362673959,
+                                 0.96028985649753623168};
+    static const double weight[4] = {0.36268378337836198297, 0.31370664587788728734, 0.22238103445337447054,
+                                     0.10122853629037625915};
+    double middle = 0.5 * (a + b), half = 0.5 * (b - a), sum = 0.0;
+    for (size_t i = 4; i-- > 0;)
+        sum += weight[i] * (speed(c, middle - half * at[i]) + speed(c, middle + half * at[i]));
+    return half * sum;
+}
+
+/* A length that the one from a to b does not exceed by much, for the size of rounding errors: |p'| grows like t^2. */
+static double largest_length(const polycurve_slopes *c, double a, double b)
+{
+    lane_f64_vec3 f = {c->x.f, c->y.f, c->z.f}, v0 = {c->x.v0, c->y.v0, c->z.v0}, v1 = {c->x.v1, c->y.v1, c->z.v1};
+    double slope = (lane_f64_vec3_length(f) + lane_f64_vec3_length(v0)) + lane_f64_vec3_length(v1);
+    double reach = 1.0 + (lane_abs64(a) + lane_abs64(b));
+    return slope * (reach * reach) * lane_abs64(b - a);
+}
+
+/*
+ * The length from a to b. Interval i of level l is [i, i + 1] 2^-l of the whole; an interval that is done is followed by
+ * the next one, at the level of which it is the start.
+ */
+static double arc(const polycurve_slopes *c, double a, double b)
+{
+    double sum = 0.0, width = b - a, most = POLYCURVE_TOLERANCE * largest_length(c, a, b);
+    unsigned level = 0, i = 0;
+    do {
+        double low = a + width * (double)i, high = a + width * ((double)i + 1.0), middle = 0.5 * (low + high);
+        double halves = gauss(c, low, middle) + gauss(c, middle, high);
+        if (level < POLYCURVE_LEVELS && lane_abs64(halves - gauss(c, low, high)) > most) {
+            level++;
+            i *= 2;
+            width *= 0.5;
+            continue;
+        }
+        sum += halves;
+        i++;
+        while (level > 0 && i % 2 == 0) {
+            level--;
+            i /= 2;
+            width *= 2.0;
+        }
+    } while (level > 0);
+    return sum;
+}
+
+float nkw_vec3_cubic_length(nkw_cubic_kind kind, const nkw_vec3_cubic *cubic, float from, float to)
+{
+    polycurve_slopes c = polycurve_slopes_of(kind, cubic);
+    return (float)arc(&c, from, to);
+}
+
+nkw_vec3_curve_point nkw_polycurve_point(const nkw_polycurve *curve, nkw_segment at)
+{
+    const nkw_vec3_curve_point none = {{0.0f, 0.0f, 0.0f}, {0.0f, 0.0f, 0.0f}, {0.0f, 0.0f, 0.0f}};
+    size_t last = curve->count - 1;
+    if (curve->count == 0)
+        return none;
+    return nkw_vec3_cubic_point(curve->kind, &curve->cubics[at.index < last ? at.index : last], at.t);
+}
+
+nkw_result nkw_polycurve_measure(const nkw_polycurve *curve, size_t steps, float *lengths, size_t length_count)
+{
+    if (curve->count == 0 || steps == 0)
+        return NKW_EMPTY;
+    if (length_count == 0 || (length_count - 1) / steps < curve->count)
+        return NKW_TOO_SMALL;
+    nkw_result result = NKW_OK;
+    double sum = 0.0;
+    lengths[0] = 0.0f;
+    for (size_t k = 0; k < curve->count; k++) {
+        polycurve_slopes c = polycurve_slopes_of(curve->kind, &curve->cubics[k]);
+        for (size_t i = 0; i < steps; i++) {
+            if (result == NKW_OK)
+                sum += arc(&c, (double)i / (double)steps, (double)(i + 1) / (double)steps);
+            if (!(sum <= (double)FLT_MAX))
+                result = NKW_NOT_FINITE;
+            lengths[k * steps + i + 1] = result == NKW_OK ? (float)sum : lengths[k * steps + i];
+        }
+    }
+    return result;
+}
+
+/* The t in low..high with L(t) - L(low) = length, from a first guess; within `most`, or to 2^-40 of the bracket. */
+static double at_length(const polycurve_slopes *c, double low, double high, double guess, double length, double most)
+{
+    double start = low, t = guess;
+    for (int i = 0; i < POLYCURVE_STEPS && high - low > 0x1p-40; i++) {
+        double error = arc(c, start, t) - length, next = t - error / speed(c, t);
+        if (lane_abs64(error) <= most)
+            break;
+        if (error > 0.0)
+            high = t;
+        else
+            low = t;
+        t = next > low && next < high ? next : 0.5 * (low + high);
+    }
+    return t;
+}
+
+nkw_segment nkw_polycurve_at_length(const nkw_polycurve *curve, const float *lengths, size_t steps, float length)
+{
+    nkw_segment at = {0, 0.0f};
+    if (curve->count == 0 || steps == 0)
+        return at;
+    size_t count = curve->count * steps;
+    nkw_segment found = nkw_segment_find(lengths, count + 1, length);
+    at.index = found.index / steps;
+    at.t = found.t;
+    if (found.t > 0.0f || found.index % steps > 0) {
+        polycurve_slopes c = polycurve_slopes_of(curve->kind, &curve->cubics[at.index]);
+        double low = (double)(found.index % steps) / (double)steps,
+               high = (double)(found.index % steps + 1) / (double)steps;
+        double guess = low + (double)found.t * (high - low), most = 0x1p-28 * (double)lengths[count];
+        double rest = (double)length - (double)lengths[found.index];
+        if (found.t > 0.0f && found.t < 1.0f)
+            guess = at_length(&c, low, high, guess, rest, most);
+        at.t = (float)guess;
+    }
+    return at;
+}

@@ -1,0 +1,66 @@
+/* SPDX-License-Identifier: MIT */
+#include "data.h"
+#include "hash.h"
+#include "put.h"
+#include "random.h"
+
+#define SEGMENTS 4
+#define STEPS    3
+#define ENTRIES  NKW_POLYCURVE_LENGTHS(SEGMENTS, STEPS)
+#define POINTS   400
+
+static nkw_vec3_cubic cubics[SEGMENTS];
+static nkw_vec3 points[POINTS];
+
+static uint64_t hash_vec3(uint64_t hash, nkw_vec3 v)
+{
+    float x[3];
+    put_vec3(x, v);
+    return hash_floats(hash, x, 3);
+}
+
+static uint64_t hash_frame(uint64_t hash, nkw_curve_frame f)
+{
+    return hash_vec3(hash_vec3(hash_vec3(hash, f.tangent), f.normal), f.binormal);
+}
+
+static uint64_t hash_places(uint64_t hash, const nkw_polycurve *curve, random_source *r)
+{
+    float lengths[ENTRIES];
+    nkw_polycurve_measure(curve, STEPS, lengths, ENTRIES);
+    hash = hash_floats(hash, lengths, ENTRIES);
+    for (int i = 0; i < 8; i++) {
+        float length = lengths[ENTRIES - 1] * random_unit(r);
+        nkw_segment at = nkw_polycurve_at_length(curve, lengths, STEPS, length);
+        float place[2] = {(float)at.index, at.t};
+        nkw_vec3_curve_point p = nkw_polycurve_point(curve, at);
+        hash = hash_floats(hash, place, 2);
+        hash = hash_frame(hash, nkw_curve_frame_frenet(&p, random_vec3(r, -1.0f, 1.0f)));
+    }
+    return hash;
+}
+
+uint64_t data_polycurve(void)
+{
+    random_source r = random_from(0x706f6c79);
+    uint64_t hash = HASH_START;
+    for (int round = 0; round < 80; round++) {
+        nkw_curve_frame frames[ENTRIES];
+        nkw_polycurve curve = {cubics, SEGMENTS, (nkw_cubic_kind)(round % 4)};
+        float from = random_between(&r, -0.5f, 1.0f), to = random_between(&r, 0.0f, 1.5f);
+        size_t count;
+        for (size_t i = 0; i < 4 * SEGMENTS; i++)
+            cubics[i / 4].c[i % 4] = random_vec3(&r, -2.0f, 2.0f);
+        float length = nkw_vec3_cubic_length(curve.kind, cubics, from, to);
+        hash = hash_floats(hash, &length, 1);
+        hash = hash_places(hash, &curve, &r);
+        nkw_polycurve_frames(&curve, STEPS, (nkw_polycurve_ends)(round / 4 % 2), random_vec3(&r, -1.0f, 1.0f), frames,
+                             ENTRIES);
+        for (size_t i = 0; i < ENTRIES; i++)
+            hash = hash_frame(hash, frames[i]);
+        nkw_polycurve_flatten(&curve, 0.01f, points, &count, POINTS);
+        for (size_t i = 0; i < count && i < POINTS; i++)
+            hash = hash_vec3(hash, points[i]);
+    }
+    return hash;
+}
