@@ -6,6 +6,7 @@
 #include <nakawari/clip.h>
 #include <nakawari/pose.h>
 #include <nakawari/scalar.h>
+#include <nakawari/segment.h>
 
 #include "clip_reduce.h"
 #include "clip_tracks.h"
@@ -171,12 +172,11 @@ static int is_first_of_timeline(const nkw_clip_source *s, size_t i)
     return 1;
 }
 
-/* All key times, and the times that divide each segment into equal parts. */
-static void add_times(const nkw_clip_source *s, const nkw_clip_reduction *r, const reduce_made *made, reduce_errors *e)
+/* All key times, and the times that divide each segment of a track into equal parts. Packed clips depend on them. */
+static void add_track_times(const nkw_clip_source *s, const nkw_clip_reduction *r, const reduce_made *made,
+                            reduce_errors *e)
 {
-    const int parts = made ? made->parts : 1;
-    set_rest(s, &e->want);
-    set_rest(s, &e->got);
+    const int parts = made->parts;
     for (size_t i = 0; i < s->track_count; i++) {
         const nkw_track *t = &s->tracks[i].track;
         const size_t count = is_first_of_timeline(s, i) ? t->count : 0;
@@ -186,6 +186,48 @@ static void add_times(const nkw_clip_source *s, const nkw_clip_reduction *r, con
                 add_time(s, r, made, nkw_lerp(t->times[k], t->times[k + 1], (float)part / (float)parts), e);
         }
     }
+}
+
+/* The first key time of all tracks that is later than `after`. Returns 0 if there is none. */
+static int next_time(const nkw_clip_source *s, float after, float *next)
+{
+    const float *searched = NULL;
+    int found = 0;
+    for (size_t i = 0; i < s->track_count; i++) {
+        const nkw_track *t = &s->tracks[i].track;
+        if (t->times == searched || !(after < t->times[t->count - 1]))
+            continue;
+        searched = t->times;
+        size_t k = after < t->times[0] ? 0 : nkw_segment_find(t->times, t->count, after).index + 1;
+        if (!found || t->times[k] < *next)
+            *next = t->times[k];
+        found = 1;
+    }
+    return found;
+}
+
+/* The key times of all tracks, and the times that divide the segment between two of them into equal parts. */
+static void add_all_times(const nkw_clip_source *s, const nkw_clip_reduction *r, const reduce_made *made,
+                          reduce_errors *e)
+{
+    const int parts = made ? made->parts : 1;
+    float time, next;
+    for (int more = next_time(s, -INFINITY, &time); more; time = next) {
+        add_time(s, r, made, time, e);
+        more = next_time(s, time, &next);
+        for (int part = 1; part < parts && more; part++)
+            add_time(s, r, made, nkw_lerp(time, next, (float)part / (float)parts), e);
+    }
+}
+
+static void add_times(const nkw_clip_source *s, const nkw_clip_reduction *r, const reduce_made *made, reduce_errors *e)
+{
+    set_rest(s, &e->want);
+    set_rest(s, &e->got);
+    if (made && made->clip)
+        add_track_times(s, r, made, e);
+    else
+        add_all_times(s, r, made, e);
 }
 
 void nkwi_reduce_reach(const nkw_clip_source *source, const nkw_clip_reduction *r, reduce_errors *e)

@@ -83,7 +83,7 @@ NKW_API nkw_result nkw_clip_source_reduce_measure(const nkw_clip_source *source,
  * of a chain of joints add up. The distance of a joint is the largest of four: of its position, and of the three points
  * at `distance` along its axes, as of nkw_clip_reduce. The tolerance of each track is found by trials: all tracks are
  * reduced, sampled and compared with the source, until no joint exceeds its tolerance and no trial has fewer keys. They
- * are compared at all keys of the source and at 1/4, 1/2 and 3/4 between two keys of a track.
+ * are compared at the key times of all tracks of the source and at 1/4, 1/2 and 3/4 between two of these times.
  *
  * If the trials do not reach the tolerance, all tracks are reduced losslessly. If the rounding of samples is still larger
  * than the tolerance, `out` is the source.
