@@ -3,6 +3,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "inplace.h"
 #include "progress.h"
 #include "reframe.h"
 
@@ -14,21 +15,25 @@ static const options_text text = {
     "largest distance to the original are printed for each clip.\n\n"
     "--axes A:B converts from the axes of A to those of B: a tool (gltf, maya, vrm, blender, max, opengl, unity,\n"
     "directx, unreal), or the axes that point right, up and forward, such as x,z,-y. --up z:y is --axes blender:gltf,\n"
-    "--up y:z the reverse. --scale multiplies lengths.\n\n"
+    "--up y:z the reverse. --scale multiplies lengths. --in-place removes the motion of the root joint, about the up "
+    "axis\n"
+    "of A or y, so that the character stays in its place.\n\n"
     "Of a glTF file everything else is kept, unless --axes, --up or --scale changes its meshes: then only what is "
     "read\n"
     "is written, without textures, cameras, lights and extensions.\n",
     "  nakawari convert keys.csv -o keys.glb\n"
     "  nakawari convert fox.glb --rate 30 --tolerance 0.1 -o fox30.glb\n"
     "  nakawari convert zup.glb --up z:y --scale 0.01 -o yup.glb\n"
+    "  nakawari convert walk.bvh --rate 30 --in-place plane,yaw -o walk.glb\n"
     "  nakawari convert fox.glb --axes gltf:unity --form embedded -o - | less\n",
     1, 0};
 
 typedef struct request {
-    char *clip, *output, *form, *axes, *up;
+    char *clip, *output, *form, *axes, *up, *in_place, *root;
     float rate, tolerance, scale;
     int reframes;
     nkw_axes_map map;
+    nkw_root_rule rule; /* of --in-place */
 } request;
 
 static int change_clip(model *m, size_t animation, const request *r, const extent *e, FILE *report)
@@ -43,6 +48,15 @@ static int change_clip(model *m, size_t animation, const request *r, const exten
         return 0;
     model_report(report, m->original, animation, &change);
     return 1;
+}
+
+static int stay_in_place(model *m, const request *r)
+{
+    const size_t first = (size_t)(m->document.animations - m->animations);
+    int fine = 1;
+    for (size_t i = 0; fine && r->in_place && i < m->document.animation_count; i++)
+        fine = inplace_clip(m, first + i, r->root, &r->rule);
+    return fine;
 }
 
 /* Leaves one clip, if one is chosen. */
@@ -86,7 +100,7 @@ static int run(const model_source *source, const request *r)
     fine = extent_open(&e, source->document) && fine;
     if (fine && is_gltf && !keeps)
         fputs("note: only what is read is written: no textures, cameras, lights, extensions\n", stderr);
-    fine = fine && choose_clips(&m, r) && change_clips(&m, r, &e, report) &&
+    fine = fine && choose_clips(&m, r) && change_clips(&m, r, &e, report) && stay_in_place(&m, r) &&
            (!r->reframes || reframe(&m, r->map, r->scale)) &&
            model_write(&m, keeps ? source : NULL, r->output, (nkw_gltf_form)model_form(r->form, r->output), &bytes);
     if (fine)
@@ -97,19 +111,19 @@ static int run(const model_source *source, const request *r)
 }
 
 /* "A:B" */
-static int read_axes(const char *axes, nkw_axes_map *map)
+static int read_axes(const char *axes, nkw_axes *from, nkw_axes_map *map)
 {
     char first[64];
-    nkw_axes from, to;
+    nkw_axes to;
     const char *colon = strchr(axes, ':');
     const size_t length = colon ? (size_t)(colon - axes) : sizeof first;
     if (length >= sizeof first)
         return 0;
     memcpy(first, axes, length);
     first[length] = 0;
-    if (!reframe_axes(first, &from) || !reframe_axes(colon + 1, &to))
+    if (!reframe_axes(first, from) || !reframe_axes(colon + 1, &to))
         return 0;
-    *map = nkw_axes_map_from_axes(from, to);
+    *map = nkw_axes_map_from_axes(*from, to);
     return 1;
 }
 
@@ -121,11 +135,18 @@ static int check_axes(const options *o, request *r)
         return options_misuse(o, "--up", "not with --axes");
     if (r->up && up < 0)
         return options_misuse(o, r->up, "not z:y or y:z");
+    static const nkw_vec3 y = {0.0f, 1.0f, 0.0f}, z = {0.0f, 0.0f, 1.0f};
+    nkw_axes from = NKW_AXES_GLTF;
     const char *axes = up == 0 ? "blender:gltf" : up == 1 ? "gltf:blender" : r->axes;
     r->map = nkw_axes_map_identity();
-    if (axes && !read_axes(axes, &r->map))
+    if (axes && !read_axes(axes, &from, &r->map))
         return options_misuse(o, axes, "not two tools or triples of axes: FROM:TO");
     r->reframes = axes || r->scale != 1.0f;
+    r->rule.up = from.up == NKW_AXIS_Z || from.up == NKW_AXIS_NEGATIVE_Z ? z : y;
+    if (r->in_place && !inplace_parts(r->in_place, &r->rule.parts))
+        return options_misuse(o, r->in_place, "not plane, height, yaw or rotation, separated by commas");
+    if (r->root && !r->in_place)
+        return options_misuse(o, "--root", "only with --in-place");
     return COMMAND_FINE;
 }
 
@@ -144,7 +165,19 @@ static int check_request(const options *o, request *r)
 
 int command_convert(int argc, const char **argv)
 {
-    request r = {NULL, NULL, NULL, NULL, NULL, 0.0f, -1.0f, 1.0f, 0, {NKW_AXIS_X, NKW_AXIS_Y, NKW_AXIS_Z}};
+    request r = {NULL,
+                 NULL,
+                 NULL,
+                 NULL,
+                 NULL,
+                 NULL,
+                 NULL,
+                 0.0f,
+                 -1.0f,
+                 1.0f,
+                 0,
+                 {NKW_AXIS_X, NKW_AXIS_Y, NKW_AXIS_Z},
+                 {{0.0f, 1.0f, 0.0f}, 0}};
     const struct poptOption known[] = {
         {"clip", 'c', POPT_ARG_STRING, &r.clip, 0, "number or name of one clip, or rest (default: all)", "N"},
         {"rate", 'r', POPT_ARG_FLOAT, &r.rate, 0, "resample at R keys per second", "R"},
@@ -152,6 +185,10 @@ int command_convert(int argc, const char **argv)
         {"axes", 'a', POPT_ARG_STRING, &r.axes, 0, "convert axes, such as blender:gltf or x,z,-y:-x,y,z", "A:B"},
         {"up", 'u', POPT_ARG_STRING, &r.up, 0, "z:y from Z-up to Y-up, y:z from Y-up to Z-up", "A:B"},
         {"scale", 's', POPT_ARG_FLOAT, &r.scale, 0, "multiply lengths: 0.01 from centimetres to metres", "F"},
+        {"in-place", 'i', POPT_ARG_STRING, &r.in_place, 0,
+         "remove root motion: plane, height, yaw, rotation, separated by commas", "PARTS"},
+        {"root", 0, POPT_ARG_STRING, &r.root, 0,
+         "the joint of --in-place (default: the first with an animated translation)", "NAME"},
         {"form", 'f', POPT_ARG_STRING, &r.form, 0,
          "glb, gltf (with FILE.bin) or embedded (default: by the name of the output)", "FORM"},
         {"output", 'o', POPT_ARG_STRING, &r.output, 0, "write to FILE, not to the standard output", "FILE"},
@@ -171,5 +208,7 @@ int command_convert(int argc, const char **argv)
     free(r.form);
     free(r.axes);
     free(r.up);
+    free(r.in_place);
+    free(r.root);
     return code;
 }

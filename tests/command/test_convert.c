@@ -130,6 +130,28 @@ static void one_clip_can_be_chosen(void **state)
     program_says(0, "0 clips", "info --clips rest.glb");
 }
 
+/* The walk of a point along z that turns: in place only its height remains. */
+static void root_motion_is_removed(void **state)
+{
+    (void)state;
+    FILE *f = fopen("walk.csv", "wb");
+    assert_non_null(f);
+    fputs("name,time,tx,ty,tz,yaw,pitch,roll\nhips,0,1,1,0,20,0,0\nhips,1,2,1.5,3,40,0,0\nhips,2,3,1,6,90,0,0\n", f);
+    assert_int_equal(fclose(f), 0);
+    free(program_run(NULL, "convert walk.csv --in-place plane,yaw -o still.glb"));
+    char *said = program_run(NULL, "sample still.glb --at 0,1,2 --what local");
+    assert_int_equal(lines_with(said, ",hips,0,1,0,"), 2);
+    assert_int_equal(lines_with(said, ",hips,0,1.5,0,"), 1);
+    free(said);
+    free(program_run(NULL, "convert walk.csv --in-place plane --root hips -o turning.glb"));
+    said = program_run(NULL, "sample turning.glb --at 0 --what local");
+    assert_int_equal(lines_with(said, ",hips,0,1,0,0,0.173648"), 1);
+    free(said);
+    program_says(1, "no such joint", "convert walk.csv --in-place plane --root tail -o x.glb");
+    program_says(2, "not plane, height", "convert walk.csv --in-place all -o x.glb");
+    program_says(2, "only with --in-place", "convert walk.csv --root hips -o x.glb");
+}
+
 static void misuse_is_reported(void **state)
 {
     (void)state;
@@ -153,6 +175,7 @@ int main(void)
         cmocka_unit_test(keys_of_ones_own_become_a_model),
         cmocka_unit_test(resampled_clips_are_measured),
         cmocka_unit_test(one_clip_can_be_chosen),
+        cmocka_unit_test(root_motion_is_removed),
         cmocka_unit_test(misuse_is_reported),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
