@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /*
- * The bridge to Assimp: small files of each format, tests/data/import, whose values follow from their texts; and captured
- * motion against tables of an independent implementation, where it is at hand.
+ * The bridge to Assimp: small files of each format, tests/data/import, whose values follow from their texts; and
+ * captured motion against tables of an independent implementation, where it is at hand.
  */
 #include <math.h>
 #include <stdio.h>
@@ -243,7 +243,7 @@ static void md5_has_the_frame_rate_of_its_animation(void **state)
     expect_vec3_near(local(m, "base").translation, at(2, 0, 0), 0);
     expect_rotation_near(local(m, "arm").rotation, last, 3e-7);
     expect_vec3_near(local(m, "arm").translation, at(0, 0, 2), 0);
-    /* Vertex 1: a quarter of 0 1 2 of the base, three quarters of 0 1 0 of the arm, which turns by -60 degrees about z */
+    /* Vertex 1: a quarter of 0 1 2 of the base, three quarters of 0 1 0 of the arm, turned by -60 degrees about z. */
     nkw_vec3 far = nkw_quat_rotate(rest, at(0, 1, 0));
     size_t v = vertex_at(m, at(0.75f * far.x, 0.25f + 0.75f * far.y, 0.5f + 0.75f * (2 + far.z)));
     expect_near(weight(m, v, "arm"), 0.75, 0);
@@ -379,7 +379,7 @@ static void files_of_no_format_are_refused(void **state)
     }
 }
 
-/* What Assimp reads and returns is checked: a bone without a node, a matrix that is not finite, a vertex that does not exist. */
+/* What Assimp reads and returns is checked: a bone without a node, a matrix that is not finite, a missing vertex. */
 static void scenes_are_checked(void **state)
 {
     (void)state;

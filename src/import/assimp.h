@@ -87,8 +87,8 @@ const char *nkwi_assimp_name(nkwi_assimp *a, const struct aiString *name, const 
 int32_t nkwi_assimp_find(const nkwi_assimp *a, const char *name);
 
 /*
- * Of several nodes with this name the first, in the next call the second, and so on, in the order of the tree; after the
- * last the first. uses: node_count numbers, zeros before the first call.
+ * Of several nodes with this name the first, in the next call the second, and so on, in the order of the tree; after
+ * the last the first. uses: node_count numbers, zeros before the first call.
  */
 int32_t nkwi_assimp_find_nth(const nkwi_assimp *a, const char *name, uint32_t *uses);
 

@@ -87,8 +87,8 @@ static void close_stream(struct aiFileIO *io, struct aiFile *file)
 }
 
 /*
- * Assimp 5.2 plays every .md5anim at 24 frames per second. The line of the file is "frameRate 30". Returns 0 if there is
- * none.
+ * Assimp 5.2 plays every .md5anim at 24 frames per second. The line of the file is "frameRate 30". Returns 0 if there
+ * is none.
  */
 static double frame_rate_of(const stream *s)
 {

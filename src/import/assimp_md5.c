@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /*
- * MD5 files are checked before Assimp reads them: Assimp 5.2 reads out of bounds where a file is cut, or names a joint, a
- * weight, a vertex or a value that it does not have.
+ * MD5 files are checked before Assimp reads them: Assimp 5.2 reads out of bounds where a file is cut, or names a joint,
+ * a weight, a vertex or a value that it does not have.
  */
 #include <stdio.h>
 #include <string.h>

@@ -132,7 +132,7 @@ int nkwi_assimp_tree(nkwi_assimp *a)
     return done;
 }
 
-/* Whether the matrix is a translation, a rotation and a scale, but for rounding. */
+/* Whether the matrix is a translation, a rotation and a scale, except for rounding. */
 static int is_trs(const nkw_mat4 *matrix, const nkw_trs *trs)
 {
     const nkw_mat4 again = nkw_mat4_from_trs(trs);
