@@ -1,9 +1,9 @@
 /* SPDX-License-Identifier: MIT */
 /*
  * FBX has a transform of up to 14 factors: translation, offsets, pivots, rotations before and after, scale. Assimp
- * makes a node of each that is not the identity, NAME_$AssimpFbx$_Rotation and so on, and animates these. Such a chain is one
- * node again where this is exact: T * A * R * B * S with constant A and B, of which B has no translation. A rotation
- * about another point moves the node on an arc, which no keys of a translation are: then the nodes stay.
+ * makes a node of each that is not the identity, NAME_$AssimpFbx$_Rotation and so on, and animates these. Such a chain
+ * is one node again where this is exact: T * A * R * B * S with constant A and B, of which B has no translation. A
+ * rotation about another point moves the node on an arc, which no keys of a translation are: then the nodes stay.
  */
 #include <string.h>
 
