@@ -20,7 +20,7 @@ static const options_text text = {
     "of A or y, so that the character stays in its place.\n\n"
     "Of a glTF file everything else is kept, unless --axes, --up or --scale changes its meshes: then only what is "
     "read\n"
-    "is written, without textures, cameras, lights and extensions.\n",
+    "is written: no cameras, lights, extensions; of textures only base colours.\n",
     "  nakawari convert keys.csv -o keys.glb\n"
     "  nakawari convert fox.glb --rate 30 --tolerance 0.1 -o fox30.glb\n"
     "  nakawari convert zup.glb --up z:y --scale 0.01 -o yup.glb\n"
@@ -99,7 +99,8 @@ static int run(const model_source *source, const request *r)
     int fine = model_open(&m, source->document);
     fine = extent_open(&e, source->document) && fine;
     if (fine && is_gltf && !keeps)
-        fputs("note: only what is read is written: no textures, cameras, lights, extensions\n", stderr);
+        fputs("note: only what is read is written: no cameras, lights, extensions; of textures only base colours\n",
+              stderr);
     fine = fine && choose_clips(&m, r) && change_clips(&m, r, &e, report) && stay_in_place(&m, r) &&
            (!r->reframes || reframe(&m, r->map, r->scale)) &&
            model_write(&m, keeps ? source : NULL, r->output, (nkw_gltf_form)model_form(r->form, r->output), &bytes);

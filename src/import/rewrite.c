@@ -419,13 +419,6 @@ static int copy_buffers(rewriter *r)
 
 /* ---- images ---- */
 
-static const char *type_of(const unsigned char *data, size_t bytes)
-{
-    return bytes > 3 && memcmp(data, "\xff\xd8\xff", 3) == 0 ? "image/jpeg"
-           : bytes > 8 && memcmp(data, "\x89PNG", 4) == 0    ? "image/png"
-                                                             : NULL;
-}
-
 /* An outer image becomes a view. One that cannot be read, or is of another type, remains a name. */
 static void embed_image(rewriter *r, json_t *image)
 {
@@ -437,7 +430,7 @@ static void embed_image(rewriter *r, json_t *image)
         return;
     size_t bytes = r->g.memory->reader(r->g.memory->user, path, NULL, 0);
     unsigned char *data = bytes < NKWI_BYTES_MOST ? (unsigned char *)nkwi_take(&r->sink.scratch, bytes + 1, 1) : NULL;
-    if (!data || r->g.memory->reader(r->g.memory->user, path, data, bytes) == SIZE_MAX || !type_of(data, bytes))
+    if (!data || r->g.memory->reader(r->g.memory->user, path, data, bytes) == SIZE_MAX || !nkwi_image_type(data, bytes))
         return;
     json_t *view = json_object();
     nkwi_set(&r->sink, view, "buffer", json_integer(0));
@@ -445,7 +438,7 @@ static void embed_image(rewriter *r, json_t *image)
     nkwi_set(&r->sink, view, "byteLength", json_integer((json_int_t)bytes));
     nkwi_set(&r->sink, view, "new", json_true());
     nkwi_set(&r->sink, image, "bufferView", json_integer((json_int_t)json_array_size(r->sink.views)));
-    nkwi_set(&r->sink, image, "mimeType", json_string(type_of(data, bytes)));
+    nkwi_set(&r->sink, image, "mimeType", json_string(nkwi_image_type(data, bytes)));
     nkwi_put(&r->sink, r->sink.views, view);
     json_object_del(image, "uri");
 }

@@ -178,6 +178,20 @@ size_t nkwi_sink_numbers(nkwi_sink *s, const nkwi_numbers *n)
     return index;
 }
 
+size_t nkwi_sink_bytes(nkwi_sink *s, const void *data, size_t bytes)
+{
+    const size_t view = json_array_size(s->views), at = nkwi_sink_append(s, data, bytes);
+    nkwi_put(s, s->views, view_of(s, at, bytes, 0));
+    return view;
+}
+
+const char *nkwi_image_type(const void *data, size_t bytes)
+{
+    return bytes > 3 && memcmp(data, "\xff\xd8\xff", 3) == 0 ? "image/jpeg"
+           : bytes > 8 && memcmp(data, "\x89PNG", 4) == 0    ? "image/png"
+                                                             : NULL;
+}
+
 void nkwi_sink_begin_keys(nkwi_sink *s)
 {
     s->view_index = json_array_size(s->views);

@@ -52,6 +52,12 @@ void nkwi_sink_end_keys(nkwi_sink *s);
  */
 json_t *nkwi_sink_sampler(nkwi_sink *s, const nkw_clip_track *track, const nkwi_place *place, nkwi_component component);
 
+/* A view of bytes, appended. Returns its index. */
+size_t nkwi_sink_bytes(nkwi_sink *s, const void *data, size_t bytes);
+
+/* The media type of a picture that glTF allows: PNG or JPEG; NULL for any other. */
+const char *nkwi_image_type(const void *data, size_t bytes);
+
 /* The file of the tree, whose buffer is that of the sink. `precision`: significant digits of numbers. */
 int nkwi_sink_write(nkwi_sink *s, json_t *root, nkw_gltf_form form, const char *uri, size_t precision,
                     nkw_gltf_file *file);

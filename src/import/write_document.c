@@ -282,6 +282,40 @@ static void write_meshes(writer *w)
     }
 }
 
+/* An image of the file, or the name of an outer one. */
+static int is_written(const nkw_document_image *image)
+{
+    return (image->data && nkwi_image_type(image->data, image->bytes)) || image->path;
+}
+
+/* How many of the first images are written: the number of the texture of the next one. */
+static size_t count_images(const nkw_document *d, size_t images)
+{
+    size_t number = 0;
+    for (size_t i = 0; i < images; i++)
+        number += (size_t)is_written(&d->images[i]);
+    return number;
+}
+
+static void write_images(writer *w)
+{
+    const nkw_document *d = w->document;
+    const size_t count = count_images(d, d->image_count);
+    json_t *images = add_list(w, "images", count), *textures = add_list(w, "textures", count);
+    for (size_t i = 0, number = 0; i < d->image_count; i++) {
+        const nkw_document_image *image = &d->images[i];
+        if (!is_written(image))
+            continue;
+        json_t *object = add_object(w, images, image->name);
+        if (image->data) {
+            set_index(w, object, "bufferView", nkwi_sink_bytes(&w->sink, image->data, image->bytes));
+            nkwi_set(&w->sink, object, "mimeType", json_string(nkwi_image_type(image->data, image->bytes)));
+        } else
+            nkwi_set(&w->sink, object, "uri", nkwi_string(&w->sink, image->path));
+        set_index(w, add_object(w, textures, NULL), "source", number++);
+    }
+}
+
 static void write_materials(writer *w)
 {
     const nkw_document *d = w->document;
@@ -290,6 +324,10 @@ static void write_materials(writer *w)
         json_t *object = add_object(w, list, d->materials[i].name), *look = json_object();
         nkwi_set(&w->sink, look, "baseColorFactor", nkwi_floats_of(&w->sink, d->materials[i].color, 4));
         nkwi_set(&w->sink, look, "metallicFactor", json_integer(0));
+        if (d->materials[i].image && is_written(d->materials[i].image))
+            nkwi_set(
+                &w->sink, look, "baseColorTexture",
+                json_pack("{s:I}", "index", (json_int_t)count_images(d, (size_t)(d->materials[i].image - d->images))));
         nkwi_set(&w->sink, object, "pbrMetallicRoughness", look);
         if (d->materials[i].color[3] < 1.0f)
             nkwi_set(&w->sink, object, "alphaMode", json_string("BLEND"));
@@ -353,6 +391,7 @@ static int write_parts(writer *w, nkw_gltf_form form, const char *uri, nkw_gltf_
     nkwi_set(&w->sink, w->root, "asset", json_pack("{s:s,s:s}", "version", "2.0", "generator", "nakawari"));
     write_scenes(w);
     write_nodes(w);
+    write_images(w);
     write_materials(w);
     write_meshes(w);
     write_skins(w);

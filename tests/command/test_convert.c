@@ -57,6 +57,26 @@ static void real_files_are_written_as_they_are_read(void **state)
     globfree(&found);
 }
 
+/* A PNG of eight bytes and more is a picture to the writer. */
+static void pictures_of_base_colours_are_written(void **state)
+{
+    (void)state;
+    FILE *f = fopen("picture.gltf", "wb");
+    assert_non_null(f);
+    fputs("{\"asset\":{\"version\":\"2.0\"},\"nodes\":[{}],\"images\":[{\"uri\":\"unused.png\"},{\"name\":\"coat\","
+          "\"uri\":\"data:image/png;base64,iVBORw0KGgoAAAAN\"},{\"uri\":\"outer.jpg\"}],\"textures\":[{\"source\":1},"
+          "{\"source\":2}],\"materials\":[{\"pbrMetallicRoughness\":{\"baseColorTexture\":{\"index\":1}}},"
+          "{\"pbrMetallicRoughness\":{\"baseColorTexture\":{\"index\":0}}}]}",
+          f);
+    assert_int_equal(fclose(f), 0);
+    char *said = program_run(NULL, "convert picture.gltf " WRITTEN " --form embedded");
+    assert_non_null(strstr(said, "\"images\":[{\"name\":\"coat\",\"bufferView\":0,\"mimeType\":\"image/png\"},"
+                                 "{\"name\":\"image_2\",\"uri\":\"outer.jpg\"}]"));
+    assert_non_null(strstr(said, "\"baseColorTexture\":{\"index\":1}"));
+    assert_non_null(strstr(said, "\"baseColorTexture\":{\"index\":0}"));
+    free(said);
+}
+
 /* There and back, through a mirror: every byte. */
 static void axes_convert_there_and_back_exactly(void **state)
 {
@@ -170,6 +190,7 @@ int main(void)
         cmocka_unit_test(a_written_document_is_the_one_that_was_read),
         cmocka_unit_test(the_forms_of_a_file_have_the_same_content),
         cmocka_unit_test(real_files_are_written_as_they_are_read),
+        cmocka_unit_test(pictures_of_base_colours_are_written),
         cmocka_unit_test(axes_convert_there_and_back_exactly),
         cmocka_unit_test(up_and_scale_move_vertices),
         cmocka_unit_test(keys_of_ones_own_become_a_model),

@@ -12,8 +12,8 @@
  * the fields only. The same document is written with the same bytes everywhere.
  *
  * glTF has no two keys at one time and no interpolation per key. A jump becomes two keys whose times differ by one ULP.
- * STEP segments between LINEAR or CUBICSPLINE ones become a key more, one ULP before the next. LINEAR segments of numbers
- * between CUBICSPLINE ones become cubics of the same values; such a rotation is an error: resample it first.
+ * STEP segments between LINEAR or CUBICSPLINE ones become a key more, one ULP before the next. LINEAR segments of
+ * numbers between CUBICSPLINE ones become cubics of the same values; such a rotation is an error: resample it first.
  *
  * docs/import.md states what is written.
  */
@@ -42,9 +42,9 @@ typedef struct nkw_gltf_file {
 } nkw_gltf_file;
 
 /**
- * Writes a document: nodes, skins, meshes with all that is read of them, morph targets, the names and base colours of
- * materials, scenes, animations. Nodes have the numbers of the file. Nothing else of the file is written: no textures,
- * cameras, lights, extensions, extras.
+ * Writes a document: nodes, skins, meshes with all that is read of them, morph targets, the names, base colours and
+ * pictures of materials, scenes, animations. Nodes have the numbers of the file. Nothing else of the file is written:
+ * no other textures, cameras, lights, extensions, extras. Pictures are PNG or JPEG; an outer one remains a name.
  *
  * uri      of NKW_GLTF_OUTER: the name of the outer file; otherwise not read
  * file     receives the bytes; zeros after an error
