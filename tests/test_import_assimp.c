@@ -379,6 +379,55 @@ static void files_of_no_format_are_refused(void **state)
     }
 }
 
+static void channels_of_one_name_belong_to_the_nodes_in_their_order(void **state)
+{
+    (void)state;
+    static const char text[] = "HIERARCHY\nROOT a\n{\nOFFSET 0 0 0\nCHANNELS 3 Xrotation Yrotation Zrotation\n"
+                               "JOINT b\n{\nOFFSET 1 0 0\nCHANNELS 3 Xrotation Yrotation Zrotation\n}\n"
+                               "JOINT b\n{\nOFFSET 2 0 0\nCHANNELS 3 Xrotation Yrotation Zrotation\n}\n}\n"
+                               "MOTION\nFrames: 2\nFrame Time: 1\n0 0 0 10 0 0 20 0 0\n0 0 0 30 0 0 40 0 0\n";
+    nkw_document *d;
+    nkw_import_error error;
+    nkw_clip *clip;
+    float pose[NKW_POSE_FLOATS(3)];
+    assert_int_equal(open_bytes(text, "-", &d, &error), NKW_IMPORT_OK);
+    assert_int_equal(d->skeleton.joint_count, 3);
+    assert_int_equal(nkw_document_clip(d, 0, NKW_CLIP_FLOAT32, &clip, &error), NKW_IMPORT_OK);
+    assert_int_equal(nkw_clip_sample(clip, 1.0f, NULL, pose_span(pose, 3), NULL), NKW_OK);
+    for (size_t j = 1; j < 3; j++) {
+        const nkw_trs joint = nkw_pose_get(pose_view(pose, 3), j);
+        expect_vec3_near(joint.translation, at((float)j, 0, 0), 0);
+        expect_rotation_near(joint.rotation, turn('x', j == 1 ? 30 : 40), 3e-7);
+    }
+    nkw_import_free(clip);
+    nkw_document_close(d);
+}
+
+static void vertices_without_weights_move_with_the_node_of_the_mesh(void **state)
+{
+    (void)state;
+    nkw_document *d;
+    nkw_import_error error;
+    char *text = edited(FILES "arm.x", "    2;\n    2,3;\n    0.75,1.0;", "    1;\n    2;\n    0.75;");
+    assert_int_equal(open_bytes(text, "-", &d, &error), NKW_IMPORT_OK);
+    assert_int_equal(nkw_document_validate(d, &error), NKW_IMPORT_OK);
+    const nkw_document_primitive *p = &d->meshes[0].primitives[0];
+    const nkw_document_skin *skin = &d->skins[0];
+    assert_int_equal(skin->joint_count, 3);
+    assert_string_equal(d->nodes[skin->joints[2]].name, "body");
+    expect_near(skin->inverse_bind[2].m[0], 1, 0);
+    int found = 0;
+    for (size_t v = 0; v < p->vertex_count; v++)
+        if (nkw_vec3_distance(p->positions[v], at(1, 3, -0.25f)) < 1e-6f) {
+            found++;
+            assert_int_equal(p->joints[v * p->influence_count], 2);
+            expect_near(p->weights[v * p->influence_count], 1, 0);
+        }
+    assert_int_equal(found, 1);
+    nkw_document_close(d);
+    free(text);
+}
+
 /* What Assimp reads and returns is checked: a bone without a node, a matrix that is not finite, a missing vertex. */
 static void scenes_are_checked(void **state)
 {
@@ -511,6 +560,8 @@ int main(void)
         cmocka_unit_test(fbx_angles_of_each_frame_do_not_spin),
         cmocka_unit_test(formats_are_known_by_their_content),
         cmocka_unit_test(files_of_no_format_are_refused),
+        cmocka_unit_test(channels_of_one_name_belong_to_the_nodes_in_their_order),
+        cmocka_unit_test(vertices_without_weights_move_with_the_node_of_the_mesh),
         cmocka_unit_test(scenes_are_checked),
         cmocka_unit_test(outer_files_are_those_of_the_folder),
         cmocka_unit_test(captured_motion_is_that_of_an_independent_implementation),
