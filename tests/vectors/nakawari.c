@@ -405,6 +405,71 @@ static void damper(const value *in, value *out)
     put_number(out, nkw_damper_step(number(in), number(in + 1), number(in + 2), number(in + 3)));
 }
 
+/* ---- tracks ---- */
+
+static void rotation_track(const float *values, nkw_interpolation interpolation, const value *times, float time,
+                           value *out)
+{
+    float t[2], q[4];
+    floats(times, t);
+    nkw_track track = {t, values, 2, 4, NKW_TRACK_ROTATION, interpolation, NULL};
+    nkw_track_sample(&track, time, q);
+    put(out, q, 4);
+}
+
+static void gltf_rotation_linear(const value *in, value *out)
+{
+    float values[8];
+    floats(in + 1, values);
+    floats(in + 2, values + 4);
+    rotation_track(values, NKW_INTERPOLATION_LINEAR, in, number(in + 3), out);
+}
+
+static void gltf_rotation_cubicspline(const value *in, value *out)
+{
+    float values[24] = {0};
+    for (int i = 0; i < 4; i++)
+        floats(in + 1 + i, values + 4 + 4 * i);
+    rotation_track(values, NKW_INTERPOLATION_CUBICSPLINE, in, number(in + 5), out);
+}
+
+static void handles(const value *in, value *out)
+{
+    float t[4], v[4];
+    floats(in, t);
+    floats(in + 1, v);
+    nkw_handle_segment s = {t[0], v[0], {t[1] - t[0], v[1] - v[0]}, {t[2] - t[3], v[2] - v[3]}, t[3], v[3]};
+    put_number(out, nkw_handle_point(&s, number(in + 2)).value);
+}
+
+static void tangents(nkw_spline_method method, const value *in, value *out)
+{
+    float times[VECTORS_NUMBERS], values[VECTORS_NUMBERS], v[VECTORS_NUMBERS], after[VECTORS_NUMBERS];
+    double work[NKW_SPLINE_WORK(VECTORS_NUMBERS)];
+    size_t count = (size_t)in[0].count;
+    floats(in, times);
+    floats(in + 1, values);
+    nkw_spline spline = {times, values, count, 1, 1, method, NKW_SPLINE_ENDS_FREE, 0.0f, NULL, NULL};
+    nkw_tangent_span span = {v, after, 1};
+    nkw_spline_tangents(&spline, span, NULL, work, NKW_SPLINE_WORK(count));
+    put(out, v, (int)count);
+}
+
+static void pchip(const value *in, value *out)
+{
+    tangents(NKW_SPLINE_PCHIP, in, out);
+}
+
+static void akima(const value *in, value *out)
+{
+    tangents(NKW_SPLINE_AKIMA, in, out);
+}
+
+static void natural(const value *in, value *out)
+{
+    tangents(NKW_SPLINE_C2, in, out);
+}
+
 #define A(name)                                                                                                        \
     {                                                                                                                  \
 #name, name                                                                                                    \
@@ -452,6 +517,12 @@ static const struct {
     A(skin_dual_quat),
     A(spring),
     A(damper),
+    A(gltf_rotation_linear),
+    A(gltf_rotation_cubicspline),
+    A(handles),
+    A(pchip),
+    A(akima),
+    A(natural),
 };
 
 int vectors_answer(const char *group, const vectors_value *in, vectors_value *out)

@@ -171,6 +171,7 @@ int main(int argc, char **argv)
     truth_poses(argv[1]);
     truth_skinning(argv[1]);
     truth_motion(argv[1]);
+    truth_tracks(argv[1]);
     return 0;
 }
 

@@ -49,6 +49,7 @@ void truth_time(const char *folder);
 void truth_poses(const char *folder);
 void truth_skinning(const char *folder);
 void truth_motion(const char *folder);
+void truth_tracks(const char *folder);
 
 #endif
 #endif

@@ -79,20 +79,21 @@ static void segment_group(void)
     segment("hostile", "late-times", late, 2, 100.25f);
 }
 
-/* Every passing times[k] + n duration in (from, to], in order of time. */
+/* Every passing times[k] + n duration in (from, to], in order of time; backwards in [to, from), the latest first. */
 static void passed(const char *kind, const char *name, const float *times, int count, float duration, float from,
                    float to)
 {
     wide keys[64], total = 0;
-    int n = 0;
-    int first = duration > 0 ? (int)floorf((from - times[count - 1]) / duration) - 1 : 0;
-    int last = duration > 0 ? (int)ceilf((to - times[0]) / duration) + 1 : 0;
-    for (int cycle = first; cycle <= last; cycle++)
-        for (int k = 0; k < count; k++) {
-            wide at = times[k] + (wide)cycle * duration;
-            if (at > from && at <= to)
-                keys[n++] = k;
-        }
+    int n = 0, back = to < from;
+    float low = back ? to : from, high = back ? from : to;
+    int first = duration > 0 ? (int)floorf((low - times[count - 1]) / duration) - 1 : 0;
+    int last = duration > 0 ? (int)ceilf((high - times[0]) / duration) + 1 : 0;
+    for (int i = 0; i < (last - first + 1) * count; i++) {
+        int j = back ? (last - first + 1) * count - 1 - i : i, k = j % count;
+        wide at = times[k] + (wide)(first + j / count) * duration;
+        if (back ? at >= low && at < high : at > low && at <= high)
+            keys[n++] = k;
+    }
     total = n;
     truth_case(kind, name, NULL);
     truth_in("times", times, count);
@@ -120,6 +121,7 @@ void truth_time(const char *folder)
         "Events: the keys that a step of the running time passes, (from, to]: `from` is excluded, `to` included.",
         "A clip of `duration` seconds repeats for ever in both directions: key k is passed at times[k] + n duration.",
         "Duration 0: the clip does not repeat. Steps that follow one another report each passing once.",
+        "to < from plays backwards: the keys in [to, from), the latest first.",
         NULL,
     };
     static const char *const lines[] = {"in times n",        "in duration 1",    "in from 1", "in to 1",
@@ -137,7 +139,9 @@ void truth_time(const char *folder)
     passed("boundary", "no-step", times, 3, 1.0f, 0.25f, 0.25f);
     passed("hostile", "before-the-first-loop", times, 3, 1.0f, -2.5f, -1.0f);
     passed("hostile", "far-in-time", times, 3, 1.0f, 100000.125f, 100001.125f);
-    passed("hostile", "backwards-in-time-passes-nothing", times, 3, 1.0f, 1.0f, 0.0f);
+    passed("ordinary", "backwards", times, 3, 1.0f, 0.875f, 0.125f);
+    passed("boundary", "backwards-from-is-excluded-to-is-included", times, 3, 1.0f, 0.75f, 0.25f);
+    passed("hostile", "backwards-across-the-start", times, 3, 1.0f, 0.5f, -1.5f);
     truth_close();
 }
 
