@@ -88,6 +88,18 @@ static void slope_segment(const nkw_slope_key *s, nkw_weight_unit unit, nkw_fcur
     keys[k].in = reversed(sloped(s[k].in_slope, s[k].in_weight, in, unit, h));
 }
 
+/* The handles before the first and after the last key, of a third of the segment at that end, or of a second. */
+static void outer_handles(const nkw_slope_key *s, nkw_fcurve_key *keys, size_t count)
+{
+    size_t last = count - 1;
+    double h0 = last > 0 ? (double)s[1].time - (double)s[0].time : 3.0;
+    double h1 = last > 0 ? (double)s[last].time - (double)s[last - 1].time : 3.0;
+    if (lane_is_finite(s[0].in_slope))
+        keys[0].in = reversed(third_of(h0, (double)s[0].in_slope));
+    if (lane_is_finite(s[last].out_slope))
+        keys[last].out = third_of(h1, (double)s[last].out_slope);
+}
+
 nkw_result nkw_fcurve_keys_from_slopes(const nkw_slope_key *slopes, size_t count, nkw_weight_unit unit,
                                        nkw_fcurve_key *keys, size_t *bad_key)
 {
@@ -101,6 +113,7 @@ nkw_result nkw_fcurve_keys_from_slopes(const nkw_slope_key *slopes, size_t count
         if (k > 0)
             slope_segment(slopes, unit, keys, k);
     }
+    outer_handles(slopes, keys, count);
     return report(NKW_OK, 0, bad_key);
 }
 
@@ -156,6 +169,9 @@ nkw_result nkw_slopes_from_fcurve_keys(const nkw_fcurve_key *keys, size_t count,
         if (!slopes_of_segment(keys + k, unit, slopes + k))
             return report(NKW_OUT_OF_RANGE, k, bad_key);
     }
+    const nkw_handle in = keys[0].in, out = keys[count - 1].out;
+    slopes[0].in_slope = in.time != 0.0f ? (float)((double)in.value / (double)in.time) : 0.0f;
+    slopes[count - 1].out_slope = out.time != 0.0f ? (float)((double)out.value / (double)out.time) : 0.0f;
     return report(NKW_OK, 0, bad_key);
 }
 

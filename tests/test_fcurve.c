@@ -161,6 +161,26 @@ static void hold_and_linear_continue_each_end_by_itself(void **state)
     expect_bits(value(&c, -10), 1);
 }
 
+/* As in Maya and Blender: the handles before the first and after the last key. */
+static void linear_follows_the_outer_handles(void **state)
+{
+    (void)state;
+    nkw_fcurve_key keys[3];
+    nkw_fcurve c = curve_of(keys, 3, NKW_FCURVE_OUTSIDE_LINEAR);
+    memcpy(keys, three, sizeof keys);
+    keys[0].in.time = -0.5f;
+    keys[0].in.value = 0.25f;
+    keys[2].out.time = 0.25f;
+    keys[2].out.value = 1.0f;
+    expect_bits(value(&c, -2), 2);
+    expect_bits(nkw_fcurve_sample(&c, -2).first, -0.5f);
+    expect_bits(value(&c, 6), 10);
+    keys[2].kind = NKW_FCURVE_LINEAR;
+    expect_near(value(&c, 10), 2 - 6.0 / 3, 1e-5);
+    keys[0].in.time = 0.0f;
+    expect_near(value(&c, -2), 1 - 2 * 2, 1e-6);
+}
+
 static void a_vertical_end_is_held(void **state)
 {
     (void)state;
@@ -346,6 +366,7 @@ int main(void)
         cmocka_unit_test(equal_times_are_a_jump),
         cmocka_unit_test(the_policy_limits_each_segment),
         cmocka_unit_test(hold_and_linear_continue_each_end_by_itself),
+        cmocka_unit_test(linear_follows_the_outer_handles),
         cmocka_unit_test(a_vertical_end_is_held),
         cmocka_unit_test(cycles_repeat_offset_and_oscillate),
         cmocka_unit_test(before_and_after_are_apart),

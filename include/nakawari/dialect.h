@@ -58,7 +58,7 @@ typedef struct nkw_slope_key {
  *     value of the handle    slope times its time
  *
  * A BEZIER segment with an infinite slope becomes CONSTANT, as in Unity. Handles before the first and after the last
- * key become {0, 0}.
+ * key only state a slope: their length is a third of the segment beside them, for one key 1 s.
  *
  * keys     receives `count` keys
  * bad_key  receives the index of the first key with an error, 0 if there is none; may be NULL
@@ -173,7 +173,8 @@ NKW_API nkw_result nkw_fcurve_keys_from_track(const nkw_track *track, size_t com
  * Converts `width` fcurves to one CUBICSPLINE track of that width, from the first key of all to the last: for glTF, for
  * clips, and for tools without handles in time. Each segment begins as the Hermite segment of the values and slopes at
  * its ends, and is halved while the curve is more than `tolerance` from it at one of 31 times between. Key times
- * ascend strictly. A jump takes two keys at neighbouring floats, so that no float time lies within it.
+ * ascend strictly. A jump takes two keys at neighbouring floats, so that no float time lies within it. If all segments
+ * are CONSTANT, as of booleans and integers, the track is STEP and exact.
  *
  * memory   key_capacity keys of 3 * width values; `work` is not used
  * out      receives the track, which refers to `memory`; without keys after an error

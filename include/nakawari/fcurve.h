@@ -18,7 +18,8 @@
  * the value outside the keys is
  *
  *     HOLD            that of the nearest key
- *     LINEAR          the line through the nearest key with the slope of the curve there; an infinite slope holds
+ *     LINEAR          the line through the nearest key, along its handle that points outwards if the key is BEZIER and
+ *                     that handle has a time, otherwise with the slope of the curve there; an infinite slope holds
  *     CYCLE           that at time - n d
  *     CYCLE_OFFSET    that at time - n d, plus n (value of the last key - value of the first)
  *     OSCILLATE       that at time - n d for even n, at the mirrored time for odd n
@@ -52,7 +53,7 @@ typedef enum nkw_fcurve_kind {
 /** The behaviour before the first or after the last key. Any other number is read as NKW_FCURVE_OUTSIDE_HOLD. */
 typedef enum nkw_fcurve_outside {
     NKW_FCURVE_OUTSIDE_HOLD, /**< constant */
-    NKW_FCURVE_OUTSIDE_LINEAR, /**< along the slope of the curve at its end */
+    NKW_FCURVE_OUTSIDE_LINEAR, /**< a line, see above */
     NKW_FCURVE_OUTSIDE_CYCLE, /**< repeats (loop) */
     NKW_FCURVE_OUTSIDE_CYCLE_OFFSET, /**< repeats, each cycle from the value where the one before ended */
     NKW_FCURVE_OUTSIDE_OSCILLATE /**< repeats, every other cycle backwards (ping-pong) */
