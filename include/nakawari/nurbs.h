@@ -11,8 +11,8 @@
  *     Ni of degree d      (u - u[i])/(u[i + d] - u[i]) Ni  +  (u[i + d + 1] - u)/(u[i + d + 1] - u[i + 1]) N(i + 1)
  *                           of degree d - 1, where 0/0 counts as 0
  *
- * The curve is degree - m times continuously differentiable at a knot that is stored m times. A knot stored degree times
- * is a corner at a control point, and degree + 1 times a jump. Without weights it is the B-spline.
+ * The curve is degree - m times continuously differentiable at a knot that is stored m times. A knot stored degree
+ * times is a corner at a control point, and degree + 1 times a jump. Without weights it is the B-spline.
  *
  * Computed in binary64; each number is rounded once.
  *
@@ -85,7 +85,7 @@ NKW_API nkw_result nkw_nurbs_validate(const nkw_nurbs *curve, size_t *bad);
 NKW_API void nkw_nurbs_sample(const nkw_nurbs *curve, float u, float *value, float *first, float *second);
 
 /**
- * Writes NKW_NURBS_KNOTS(count, degree) knots, whose domain begins at `from` and ends at `to`. The inner knots are even:
+ * Writes NKW_NURBS_KNOTS(count, degree) knots, whose domain begins at `from` and ends at `to`. Inner knots are even:
  * knot degree + i is from + i (to - from)/(count - degree), rounded once.
  *
  * kind     any other number is read as NKW_NURBS_KNOTS_CLAMPED

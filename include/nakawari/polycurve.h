@@ -35,8 +35,7 @@ typedef struct nkw_polycurve {
 /**
  * The length of a cubic segment from parameter `from` to `to`; negative if to < from.
  *
- * Returns the length; NaN if a control value or a parameter is not finite. With the lengths beyond the largest float,
- *         infinity
+ * Returns  the length; infinity beyond the largest float; NaN if a control value or a parameter is not finite
  *
  * Error  1.0 u of the length, or, where it is larger, 2^-16 u of the length of the control polygon.
  */
@@ -68,8 +67,8 @@ NKW_API nkw_result nkw_polycurve_measure(const nkw_polycurve *curve, size_t step
  * lengths  the table of nkw_polycurve_measure for this curve and these steps. With other numbers the place has no
  *          meaning, but is a place of the curve
  *
- * Error  1.5 u of the length of the whole curve: the difference of the length at the place and `length`, where the curve
- *        does not stand still; the parameter is rounded to a float, which adds half an ULP of t times |p'(t)|.
+ * Error  1.5 u of the length of the whole curve: the difference of the length at the place and `length`, where the
+ *        curve does not stand still; the parameter is rounded to a float, which adds half an ULP of t times |p'(t)|.
  */
 NKW_API nkw_segment nkw_polycurve_at_length(const nkw_polycurve *curve, const float *lengths, size_t steps,
                                             float length);
@@ -86,8 +85,8 @@ typedef struct nkw_curve_frame {
  *
  * The frame is not defined where p' and p'' are parallel (straight lines, inflections), and turns by half a turn across
  * an inflection. There, where |p' x p''| <= 2^-20 |p'||p''|, the normal is the part of `before` perpendicular to the
- * tangent; if that is 0 too, it is nkw_vec3_perpendicular of the tangent. Where p' = 0, the tangent has the direction of
- * p''; if that is 0 too, the tangent is the x axis.
+ * tangent; if that is 0 too, it is nkw_vec3_perpendicular of the tangent. Where p' = 0, the tangent has the direction
+ * of p''; if that is 0 too, the tangent is the x axis.
  *
  * before   the normal of the frame before, or any direction that the normal should be near
  *

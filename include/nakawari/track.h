@@ -134,20 +134,22 @@ NKW_API void nkw_track_sample_segment(const nkw_track *track, nkw_segment segmen
 NKW_API nkw_result nkw_track_convert_axes(const nkw_track *track, nkw_axes_kind kind, nkw_axes_map map, float *values);
 
 /**
- * The value at `time` with its first and second derivative, per second: velocity and acceleration of a track of numbers.
- * The value has the bits of nkw_track_sample. At a key the derivatives are those of the segment that begins there; at
- * the last key, of the segment that ends there. Before the first and after the last key, and for STEP, they are 0. In a
- * segment of the duration h between values a and b, with the parameter t and the tangents v0, v1 per second:
+ * The value at `time`, and its velocity and acceleration: the first and second derivative, per second, of a track of
+ * numbers. The value has the bits of nkw_track_sample. At a key the derivatives are those of the segment that begins
+ * there; at the last key, of the segment that ends there. Before the first and after the last key, and for STEP, they
+ * are 0. In a segment of the duration h between values a and b, with the parameter t, s = 1 - t, and the tangents v0,
+ * v1 per second:
  *
- *     LINEAR         (b - a)/h                                                    0
- *     CUBICSPLINE    6 t s (b - a)/h + s (s - 2t) v0 + t (t - 2s) v1,  s = 1 - t  (6 - 12t)(b - a)/h^2 + ...
+ *     LINEAR        velocity = (b - a)/h                                             acceleration = 0
+ *     CUBICSPLINE   velocity = 6 t s (b - a)/h + s (s - 2t) v0 + t (t - 2s) v1
+ *                   acceleration = ((6 - 12t) (b - a)/h + (6t - 4) v0 + (6t - 2) v1)/h
  *
  * value, velocity, acceleration  receive `width` floats each
  * Returns  NKW_OK; NKW_EMPTY without keys or for width 0; NKW_BAD_METHOD for a rotation; after an error nothing is
  *          written
  *
- * Error  1.0 u of the larger of the derivative and the largest of |b - a|/h, |v0|, |v1|, divided by h for the second; at
- *        the rounded t of the segment.
+ * Error  1.0 u of the larger of the derivative and the largest of |b - a|/h, |v0|, |v1|, divided by h for the second;
+ *        at the rounded t of the segment.
  */
 NKW_API nkw_result nkw_track_sample_derivatives(const nkw_track *track, float time, float *value, float *velocity,
                                                 float *acceleration);
