@@ -139,3 +139,97 @@ int figure_rotation_paths(const char *path)
     legend(&s, 200.0f, 566.0f);
     return svg_close(&s);
 }
+
+/* ---- whole turns: the angle over t ---- */
+
+static const nkw_vec3 y_axis = {0.0f, 1.0f, 0.0f};
+
+static nkw_quat about_y(float degrees)
+{
+    return nkw_quat_from_axis_angle(y_axis, nkw_radians_from_degrees(degrees));
+}
+
+/* The angle about y in degrees, continued from the one before without jumps of more than half a turn. */
+static float angle_after(float before, nkw_quat q)
+{
+    float angle = nkw_quat_twist_angle(q, y_axis);
+    return before + nkw_degrees_from_radians(nkw_angle_difference(nkw_radians_from_degrees(before), angle));
+}
+
+static void path_line(svg *s, const svg_plot *plot, nkw_path path, int turns, svg_colour colour, const char *name)
+{
+    svg_paint paint = svg_stroke(colour, 2.6f, 1.0f);
+    float y[FIGURE_STEPS + 1], angle = 0.0f;
+    for (int i = 0; i <= FIGURE_STEPS; i++) {
+        float t = (float)i / (float)FIGURE_STEPS;
+        angle = angle_after(angle, nkw_quat_slerp_path(about_y(0.0f), about_y(60.0f), t, path, turns));
+        y[i] = angle;
+    }
+    figure_graph(s, plot, y, &paint);
+    svg_point end = svg_plot_at(plot, 1.0f, angle);
+    figure_text(s, end.x + 6.0f, end.y + 4.0f, 12.0f, colour, 's', name);
+}
+
+/* A wheel that turns 1.3 times between two steps of the physics, ever faster. */
+enum { STEPS = 3 };
+
+static float wheel_rate(int step)
+{
+    return 7.0f + 0.8f * (float)step;
+}
+
+static float wheel_angle(int step)
+{
+    return nkw_degrees_from_radians(7.0f * (float)step + 0.4f * (float)(step * step));
+}
+
+static nkw_quat wheel_at(int step, float t, int with_velocity)
+{
+    nkw_quat a = about_y(wheel_angle(step)), b = about_y(wheel_angle(step + 1));
+    nkw_vec3 va = nkw_vec3_scale(y_axis, wheel_rate(step)), vb = nkw_vec3_scale(y_axis, wheel_rate(step + 1));
+    if (!with_velocity)
+        return nkw_quat_slerp(a, b, t);
+    nkw_rotation_segment s = nkw_rotation_hermite(a, va, b, vb, 1.0f);
+    return nkw_rotation_evaluate(&s, t).orientation;
+}
+
+static void wheel_line(svg *s, const svg_plot *plot, int with_velocity, svg_colour colour)
+{
+    svg_point line[FIGURE_STEPS + 1];
+    svg_paint paint = svg_stroke(colour, 2.6f, 1.0f);
+    float angle = 0.0f;
+    for (int i = 0; i <= FIGURE_STEPS; i++) {
+        int step = i * STEPS / FIGURE_STEPS < STEPS ? i * STEPS / FIGURE_STEPS : STEPS - 1;
+        float time = (float)(i * STEPS) / (float)FIGURE_STEPS;
+        angle = angle_after(angle, wheel_at(step, time - (float)step, with_velocity));
+        line[i] = svg_plot_at(plot, time, angle / 360.0f);
+    }
+    svg_polyline(s, line, FIGURE_STEPS + 1, &paint);
+}
+
+int figure_rotation_turns(const char *path)
+{
+    svg s;
+    svg_paint slerp = svg_stroke(FIGURE_PALE, 2.6f, 1.0f), hermite = svg_stroke(FIGURE_HERMITE, 2.6f, 1.0f);
+    svg_plot arcs = {{64.0f, 120.0f, 330.0f, 270.0f},
+                     {0.0f, 1.0f, 0.25f, "t"},
+                     {-720.0f, 900.0f, 180.0f, "degrees turned, from 0 to 60"}};
+    svg_plot wheel = {{580.0f, 120.0f, 370.0f, 270.0f},
+                      {0.0f, 3.0f, 1.0f, "steps of the physics"},
+                      {-1.0f, 4.0f, 1.0f, "turns of the wheel that are shown"}};
+    if (!figure_open(&s, path, 980.0f, 476.0f, "How often, and which way round",
+                     "Left: the path and the whole turns are arguments. Right: the angular velocities state them."))
+        return 0;
+    svg_plot_frame(&s, &arcs);
+    svg_plot_frame(&s, &wheel);
+    path_line(&s, &arcs, NKW_PATH_SHORT, 2, FIGURE_BEZIER, "short, 2 turns");
+    path_line(&s, &arcs, NKW_PATH_SHORT, 1, FIGURE_CATMULL_ROM, "short, 1 turn");
+    path_line(&s, &arcs, NKW_PATH_SHORT, 0, FIGURE_SLERP, "short: 60\302\260");
+    path_line(&s, &arcs, NKW_PATH_LONG, 0, FIGURE_NLERP, "long: -300\302\260");
+    path_line(&s, &arcs, NKW_PATH_LONG, 1, FIGURE_EULER, "long, 1 turn");
+    wheel_line(&s, &wheel, 0, FIGURE_PALE);
+    wheel_line(&s, &wheel, 1, FIGURE_HERMITE);
+    figure_legend(&s, 600.0f, 452.0f, &slerp, "nkw_quat_slerp");
+    figure_legend(&s, 770.0f, 452.0f, &hermite, "nkw_rotation_hermite");
+    return svg_close(&s);
+}
