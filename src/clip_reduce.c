@@ -112,6 +112,7 @@ nkw_result nkw_clip_reduce(const nkw_clip_source *source, const nkw_clip_reducti
     memset(&r, 0, sizeof r);
     r.block = memory->block, r.bytes = memory->bytes;
     r.trials.source = source, r.trials.reduction = reduction, r.trials.make = make, r.trials.user = &r;
+    r.trials.limit = 1.0;
     set_memory(&r, memory->work);
     result = nkwi_reduce_search(&r.trials, offender);
     r.reached.distance = (float)r.trials.errors.distance;

@@ -71,6 +71,8 @@ typedef struct reduce_trials {
     double *shares, *best, *worst;
     reduce_errors errors;
     double share; /* the largest of the errors */
+    double
+        limit; /* the largest share that is accepted: less than 1 where errors between measured times may be larger */
     /* Reduces with the current shares and sets what was made, which is then measured, and its size. */
     nkw_result (*make)(void *user, reduce_made *made, size_t *size, size_t *bad);
     void *user;

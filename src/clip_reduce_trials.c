@@ -111,9 +111,9 @@ static void change_shares(reduce_trials *r, int only_reduce)
 {
     set_worst(r);
     for (size_t i = 0; i < r->source->joint_count + r->source->track_count; i++) {
-        double e = r->worst[i] / AIM, root = lane_sqrt64(e);
+        double e = r->worst[i] / (AIM * r->limit), root = lane_sqrt64(e);
         double growth = e > 1.0 ? 1.0 / (root * lane_sqrt64(root)) : root > 2.0 / 3.0 ? 1.0 / root : 1.5;
-        if (!only_reduce || r->worst[i] > 1.0)
+        if (!only_reduce || r->worst[i] > r->limit)
             r->shares[i] *= only_reduce ? AIM * growth : growth;
     }
 }
@@ -126,7 +126,7 @@ nkw_result nkwi_reduce_search(reduce_trials *r, size_t *bad)
         nkw_result result = try_shares(r, &size, bad);
         if (result != NKW_OK)
             return result;
-        if ((float)r->share <= 1.0f && (least == 0 || size < least)) {
+        if ((float)r->share <= (float)r->limit && (least == 0 || size < least)) {
             least = size;
             memcpy(r->best, r->shares, count * sizeof *r->best);
         }

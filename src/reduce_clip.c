@@ -9,8 +9,9 @@
 #include "clip_reduce.h"
 
 #define QUARTERS 4
+#define LIMIT    0.98 /* a margin: at 64 times of a segment errors were at most 1e-5 larger than at these four */
 
-/* The block: the tracks, then times and values of each track with as many keys as its source, then the modes per key. */
+/* The block: the tracks; times and values of each track, with as many keys as its source; the modes per key. */
 typedef struct key_reducer {
     nkw_clip_track *tracks;
     float *floats;
@@ -102,6 +103,7 @@ static nkw_result reduce(const nkw_clip_source *source, const nkw_clip_reduction
     r->made = *source;
     r->made.tracks = r->tracks;
     r->trials.source = source, r->trials.reduction = reduction, r->trials.make = make, r->trials.user = r;
+    r->trials.limit = LIMIT;
     nkwi_reduce_begin(&r->trials, &work);
     return nkwi_reduce_search(&r->trials, bad);
 }

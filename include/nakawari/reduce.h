@@ -14,17 +14,17 @@
  * From each kept key the longest segment within the tolerance is searched: its length is doubled while it is within the
  * tolerance, then bisected.
  *
- * Turns. Let q[a] ... q[b] be the keys from one kept key to the next, each multiplied by 1 or -1 so that the dot product
- * with the previous one is not negative (LINEAR), or as stored (CUBICSPLINE, which does not choose the shorter arc). Keys
- * are removed only if
+ * Turns. Let q[a] ... q[b] be the keys from one kept key to the next, each multiplied by 1 or -1 so that the dot
+ * product with the previous one is not negative (LINEAR), or as stored (CUBICSPLINE, which does not choose the shorter
+ * arc). Keys are removed only if
  *
  *     q[a] . q[k] > 1/1000 for a < k <= b
  *
  * so the new segment turns by less than half a turn, in the direction of the source: 360 degrees in four keys remain
  * 360 degrees for every tolerance.
  *
- * A tolerance of 0 is lossless: a key is removed only if the values of its neighbours equal its own, for CUBICSPLINE with
- * tangents of 0 between them. Samples are then equal at all times; those of CUBICSPLINE are to the rounding of the
+ * A tolerance of 0 is lossless: a key is removed only if the values of its neighbours equal its own, for CUBICSPLINE
+ * with tangents of 0 between them. Samples are then equal at all times; those of CUBICSPLINE are to the rounding of the
  * weights, and a zero may change its sign.
  *
  * The tangents of CUBICSPLINE are those of the source, per second, so they have the correct unit in longer segments.
@@ -85,8 +85,9 @@ NKW_API nkw_result nkw_clip_source_reduce_measure(const nkw_clip_source *source,
  * reduced, sampled and compared with the source, until no joint exceeds its tolerance and no trial has fewer keys. They
  * are compared at the key times of all tracks of the source and at 1/4, 1/2 and 3/4 between two of these times.
  *
- * If the trials do not reach the tolerance, all tracks are reduced losslessly. If the rounding of samples is still larger
- * than the tolerance, `out` is the source.
+ * Between these times the distance may be larger: it is kept within 0.98 of the tolerance. If the trials do not reach
+ * that, all tracks are reduced losslessly. If the rounding of samples is still larger than the tolerance, `out` is the
+ * source.
  *
  * memory   block: aligned for pointers, of at least nkw_clip_source_reduce_measure bytes; work: as there
  * out      receives the source with the reduced tracks, which are in the block; its other fields are those of `source`;
@@ -102,8 +103,8 @@ NKW_API nkw_result nkw_clip_source_reduce(const nkw_clip_source *source, const n
                                           size_t *bad_track);
 
 /**
- * The largest differences of other tracks from those of a clip, in model space, as nkw_clip_source_reduce measures them;
- * also at the keys of the other tracks and between them. For tracks that were edited, resampled or read again.
+ * The largest differences of other tracks from those of a clip, in model space, as nkw_clip_source_reduce measures
+ * them; also at the keys of the other tracks and between them. For tracks that were edited, resampled or read again.
  *
  * source, other  with the same number of joints and floats
  * reduction      as above; its tolerances determine `share`, which may be larger than 1

@@ -11,7 +11,7 @@
 int inplace_parts(const char *text, unsigned *parts);
 
 /**
- * Removes the motion from the joint of that name in every clip of the model; NULL: from the first joint whose translation
+ * Removes the motion from the joint of that name in a clip of the model; NULL: from the first joint whose translation
  * is animated. Its tracks become LINEAR, with keys at the key times of both. Returns 0 and reports if there is no such
  * joint, if a track is CUBICSPLINE, or without memory.
  */

@@ -16,7 +16,7 @@ typedef struct model_source {
     nkw_document *document;
 } model_source;
 
-/** Opens a file, or the standard input for "-". Reports an error and returns 0. model_source_close is due either way. */
+/** Opens a file, or the standard input for "-". Reports errors and returns 0. model_source_close is due either way. */
 int model_source_open(model_source *s, const char *path);
 void model_source_close(model_source *s);
 
@@ -62,7 +62,7 @@ int model_form(const char *form, const char *path);
  */
 int model_write(const model *m, const model_source *source, const char *path, nkw_gltf_form form, size_t *bytes);
 
-/** One line for each clip: keys, bytes and error; then the bytes of the file. `f`: stdout, or stderr if a file is there. */
+/** One line for each clip: keys, bytes and error. `f`: stdout, or stderr if a file is written to stdout. */
 void model_report_head(FILE *f, const nkw_document *d);
 void model_report(FILE *f, const nkw_document *d, size_t animation, const model_change *c);
 
