@@ -113,8 +113,10 @@ static frame first_frame(const nkw_polycurve *curve, size_t steps, nkw_vec3 up)
     return frame_from(direction(lane_f64_vec3_from(a.first), step_between(&a, &b)), lane_f64_vec3_from(up));
 }
 
-/* Stores the frames, each turned by angle * (length so far) about its tangent. Returns the frame after the last step
- * without a turn; *length receives the sum of the steps. */
+/*
+ * Stores the frames, each turned by angle * (length so far) about its tangent. Returns the last frame without a turn;
+ * *length receives the sum of the steps.
+ */
 static frame along(const nkw_polycurve *curve, size_t steps, frame f, double angle, nkw_curve_frame *frames,
                    double *length)
 {

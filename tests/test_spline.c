@@ -461,6 +461,36 @@ static void tangents_beyond_floats_are_the_largest(void **state)
     }
 }
 
+static void times_one_ulp_apart_have_the_slope_between_them(void **state)
+{
+    (void)state;
+    const float t[3] = {1, nextafterf(1, 2), nextafterf(nextafterf(1, 2), 2)}, v[3] = {0, 0.5f, 1};
+    for (int method = 0; method < METHODS; method++) {
+        nkw_spline s = numbers(t, v, 3, (nkw_spline_method)method);
+        static const double slope[3] = {0x1p22, 0x1p22, 0x1p22};
+        expect_tangents(&s, slope);
+    }
+}
+
+/* Of a parabola, which each tangent of a clamped C2 spline has exactly. */
+static void ten_thousand_keys_are_solved(void **state)
+{
+    (void)state;
+    enum { MANY = 10000 };
+    static float t[MANY], v[MANY], in[MANY];
+    static double work[NKW_SPLINE_WORK(MANY)];
+    const float ends[2] = {0, 2};
+    for (size_t k = 0; k < MANY; k++) {
+        t[k] = (float)k / (MANY - 1);
+        v[k] = (float)((double)t[k] * (double)t[k]);
+    }
+    nkw_spline s = {t, v, MANY, 1, 1, NKW_SPLINE_C2, NKW_SPLINE_ENDS_CLAMPED, 0, NULL, ends};
+    nkw_tangent_span to = {in, in, 1};
+    assert_int_equal(nkw_spline_tangents(&s, to, NULL, work, NKW_SPLINE_WORK(MANY)), NKW_OK);
+    for (size_t k = 0; k < MANY; k++)
+        expect_near(in[k], 2 * (double)t[k], 2e-3); /* values are rounded, durations are 1e-4 */
+}
+
 /* What a spline of two keys of two numbers answers; the tangents must stay as they were. */
 static void expect_refused(const nkw_spline *s, size_t stride, size_t work_count, nkw_result result, size_t bad)
 {
@@ -543,6 +573,8 @@ int main(void)
         cmocka_unit_test(coincident_points_have_finite_tangents),
         cmocka_unit_test(vectors_go_by_component_and_stride),
         cmocka_unit_test(tangents_beyond_floats_are_the_largest),
+        cmocka_unit_test(times_one_ulp_apart_have_the_slope_between_them),
+        cmocka_unit_test(ten_thousand_keys_are_solved),
         cmocka_unit_test(shapes_are_checked),
         cmocka_unit_test(keys_are_checked),
     };

@@ -41,8 +41,10 @@ typedef struct nkw_polycurve {
  */
 NKW_API float nkw_vec3_cubic_length(nkw_cubic_kind kind, const nkw_vec3_cubic *cubic, float from, float to);
 
-/** The point of a polycurve at a place, by nkw_vec3_cubic_point. An index beyond the last segment is the last one; an
- * empty polycurve has the point 0. */
+/**
+ * The point of a polycurve at a place, by nkw_vec3_cubic_point. An index beyond the last segment is the last one; an
+ * empty polycurve has the point 0.
+ */
 NKW_API nkw_vec3_curve_point nkw_polycurve_point(const nkw_polycurve *curve, nkw_segment at);
 
 /** The number of floats in a table of lengths: one at each of the even parameters 0, 1/steps .. 1 of each segment. */
