@@ -470,6 +470,19 @@ static void natural(const value *in, value *out)
     tangents(NKW_SPLINE_C2, in, out);
 }
 
+/* ---- easing ---- */
+
+static void ease(const value *in, value *out)
+{
+    nkw_ease_kind kind = (nkw_ease_kind)(NKW_EASE_SINE_IN + 3 * (int)in[0].x[0] + (int)in[1].x[0]);
+    put_number(out, nkw_ease(kind, number(in + 2)));
+}
+
+static void steps(const value *in, value *out)
+{
+    put_number(out, nkw_ease_steps((int)in[0].x[0], (nkw_ease_jump)(int)in[1].x[0], number(in + 2)));
+}
+
 #define A(name)                                                                                                        \
     {                                                                                                                  \
 #name, name                                                                                                    \
@@ -523,6 +536,8 @@ static const struct {
     A(pchip),
     A(akima),
     A(natural),
+    A(ease),
+    A(steps),
 };
 
 int vectors_answer(const char *group, const vectors_value *in, vectors_value *out)

@@ -172,6 +172,7 @@ int main(int argc, char **argv)
     truth_skinning(argv[1]);
     truth_motion(argv[1]);
     truth_tracks(argv[1]);
+    truth_ease(argv[1]);
     return 0;
 }
 

@@ -50,6 +50,7 @@ void truth_poses(const char *folder);
 void truth_skinning(const char *folder);
 void truth_motion(const char *folder);
 void truth_tracks(const char *folder);
+void truth_ease(const char *folder);
 
 #endif
 #endif
