@@ -277,7 +277,6 @@ static int make_file(const model *m, const model_source *source, const char *pat
                      nkw_gltf_form form, nkw_gltf_file *file)
 {
     nkw_import_error error;
-    /* A URI: blanks and % are escaped by no program that wrote `path`; the name is written as it is. */
     const char *uri = outer ? name_of(outer) : NULL;
     if (source) {
         const nkw_gltf_rewriting r = {&source->memory, m->original, &m->document,

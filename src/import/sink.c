@@ -48,6 +48,24 @@ json_t *nkwi_string(nkwi_sink *s, const char *text)
     return copy ? json_string(copy) : string;
 }
 
+json_t *nkwi_uri(nkwi_sink *s, const char *path)
+{
+    static const char plain[] = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789-_.~/";
+    static const char digits[] = "0123456789ABCDEF";
+    char *uri = (char *)nkwi_take(&s->scratch, 3 * strlen(path) + 1, 1), *to = uri;
+    for (; uri && *path; path++) {
+        const unsigned char c = (unsigned char)*path;
+        if (strchr(plain, c)) {
+            *to++ = (char)c;
+            continue;
+        }
+        *to++ = '%';
+        *to++ = digits[c >> 4];
+        *to++ = digits[c & 15];
+    }
+    return uri ? json_string(uri) : NULL;
+}
+
 json_t *nkwi_floats_of(nkwi_sink *s, const float *values, size_t count)
 {
     json_t *list = json_array();

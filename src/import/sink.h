@@ -68,6 +68,8 @@ void nkwi_put(nkwi_sink *s, json_t *array, json_t *value);
 /* A number, 0 in place of one that is not finite; a text, ? in place of bytes that are not UTF-8. */
 json_t *nkwi_real(double number);
 json_t *nkwi_string(nkwi_sink *s, const char *text);
+/* A path as a URI: bytes that a URI has not, in hexadecimal digits after %. */
+json_t *nkwi_uri(nkwi_sink *s, const char *path);
 json_t *nkwi_floats_of(nkwi_sink *s, const float *values, size_t count);
 
 #endif

@@ -76,7 +76,7 @@ static void set_buffer(nkwi_sink *s, json_t *root, nkw_gltf_form form, const cha
     if (form == NKW_GLTF_TEXT)
         nkwi_set(s, buffer, "uri", json_string(data ? data : ""));
     if (form == NKW_GLTF_OUTER)
-        nkwi_set(s, buffer, "uri", nkwi_string(s, uri));
+        nkwi_set(s, buffer, "uri", nkwi_uri(s, uri));
     s->failed = s->failed || (form == NKW_GLTF_TEXT && !data);
     free(data);
     nkwi_put(s, buffers, buffer);

@@ -282,10 +282,25 @@ static void write_meshes(writer *w)
     }
 }
 
-/* An image of the file, or the name of an outer one. */
+/* A path of a PNG or JPEG file by its end, in any case. */
+static int is_picture(const char *path)
+{
+    static const char *const ends[] = {"png", "jpg", "jpeg"};
+    const char *end = strrchr(path, '.');
+    for (size_t i = 0; end && i < 3; i++) {
+        size_t k = 0;
+        while (ends[i][k] && (end[k + 1] | 32) == ends[i][k])
+            k++;
+        if (!ends[i][k] && !end[k + 1])
+            return 1;
+    }
+    return 0;
+}
+
+/* A picture of the file, or the name of an outer one. */
 static int is_written(const nkw_document_image *image)
 {
-    return (image->data && nkwi_image_type(image->data, image->bytes)) || image->path;
+    return image->data ? nkwi_image_type(image->data, image->bytes) != NULL : image->path && is_picture(image->path);
 }
 
 /* How many of the first images are written: the number of the texture of the next one. */
@@ -311,7 +326,7 @@ static void write_images(writer *w)
             set_index(w, object, "bufferView", nkwi_sink_bytes(&w->sink, image->data, image->bytes));
             nkwi_set(&w->sink, object, "mimeType", json_string(nkwi_image_type(image->data, image->bytes)));
         } else
-            nkwi_set(&w->sink, object, "uri", nkwi_string(&w->sink, image->path));
+            nkwi_set(&w->sink, object, "uri", nkwi_uri(&w->sink, image->path));
         set_index(w, add_object(w, textures, NULL), "source", number++);
     }
 }

@@ -57,6 +57,22 @@ static void real_files_are_written_as_they_are_read(void **state)
     globfree(&found);
 }
 
+/* Files of other formats, where the program reads them. */
+static void files_of_other_formats_are_written_as_they_are_read(void **state)
+{
+    (void)state;
+    const char *const names[] = {"arm.bvh", "arm.dae", "arm.fbx", "arm.md5mesh", "arm.x", "bar.obj"};
+    for (int i = 0; i < 6; i++) {
+        int code;
+        free(program_run(&code, "info '" NKW_FIGURES "/../../tests/data/import/%s' >/dev/null 2>&1", names[i]));
+        if (code != 0)
+            continue;
+        free(program_run(NULL, "convert '" NKW_FIGURES "/../../tests/data/import/%s' -o 'of other format.gltf'",
+                         names[i]));
+        free(program_run(NULL, "diff '" NKW_FIGURES "/../../tests/data/import/%s' 'of other format.gltf'", names[i]));
+    }
+}
+
 /* A PNG of eight bytes and more is a picture to the writer. */
 static void pictures_of_base_colours_are_written(void **state)
 {
@@ -190,6 +206,7 @@ int main(void)
         cmocka_unit_test(a_written_document_is_the_one_that_was_read),
         cmocka_unit_test(the_forms_of_a_file_have_the_same_content),
         cmocka_unit_test(real_files_are_written_as_they_are_read),
+        cmocka_unit_test(files_of_other_formats_are_written_as_they_are_read),
         cmocka_unit_test(pictures_of_base_colours_are_written),
         cmocka_unit_test(axes_convert_there_and_back_exactly),
         cmocka_unit_test(up_and_scale_move_vertices),

@@ -46,7 +46,7 @@ typedef struct nkw_gltf_file {
  * pictures of materials, scenes, animations. Nodes have the numbers of the file. Nothing else of the file is written:
  * no other textures, cameras, lights, extensions, extras. Pictures are PNG or JPEG; an outer one remains a name.
  *
- * uri      of NKW_GLTF_OUTER: the name of the outer file; otherwise not read
+ * uri      of NKW_GLTF_OUTER: the path of the outer file, relative to the first; otherwise not read
  * file     receives the bytes; zeros after an error
  * error    receives what went wrong; its place is that of the part; may be NULL
  * Returns  error->code: NKW_IMPORT_UNSUPPORTED for tracks that glTF does not have, NKW_IMPORT_TOO_LARGE for 4 GiB
