@@ -53,7 +53,7 @@ static inline nkw_vec3 lane_inertia_value_vec3(nkw_vec3 to, nkw_vec3 offset, flo
     return r;
 }
 
-static inline nkw_quat lane_inertia_value_quat(nkw_quat to, nkw_vec3 offset, float u)
+LANE_FLAT static inline nkw_quat lane_inertia_value_quat(nkw_quat to, nkw_vec3 offset, float u)
 {
     lane_f64_quat turn = lane_f64_quat_exp_near(lane_f64_vec3_from(offset));
     nkw_quat r = lane_quat_from_f64(lane_f64_quat_mul(turn, lane_f64_quat_from(to)));
@@ -179,7 +179,7 @@ static inline nkw_vec3 lane_dead_value_vec3(nkw_vec3 x, nkw_vec3 v, nkw_vec3 to,
 }
 
 /* The old rotation now. The angle that it has turned is limited as that of inertialisation. */
-static inline lane_f64_quat lane_dead_old_quat(nkw_quat from, nkw_vec3 w, double carried)
+LANE_FLAT static inline lane_f64_quat lane_dead_old_quat(nkw_quat from, nkw_vec3 w, double carried)
 {
     lane_f64_vec3 half = lane_f64_vec3_scale(lane_f64_vec3_from(w), 0.5 * carried);
     double pass = lane_f64_vec3_length(half);
@@ -189,7 +189,7 @@ static inline lane_f64_quat lane_dead_old_quat(nkw_quat from, nkw_vec3 w, double
 }
 
 /* old to^-1 with the sign that continues the last difference; none, a zero quaternion, is the shorter arc. */
-static inline lane_f64_quat lane_dead_difference(lane_f64_quat old, nkw_quat to, nkw_quat last)
+LANE_FLAT static inline lane_f64_quat lane_dead_difference(lane_f64_quat old, nkw_quat to, nkw_quat last)
 {
     lane_f64_quat b = lane_f64_quat_normalize(lane_f64_quat_from(to)), l = lane_f64_quat_from(last);
     lane_f64_quat d = lane_f64_quat_mul(old, lane_f64_quat_conjugate(b)), identity = {0.0, 0.0, 0.0, 1.0};
@@ -198,7 +198,7 @@ static inline lane_f64_quat lane_dead_difference(lane_f64_quat old, nkw_quat to,
 }
 
 /* exp((1 - s) log d) to; exactly `to` at s = 1. */
-static inline nkw_quat lane_dead_value_quat(lane_f64_quat d, nkw_quat to, float s)
+LANE_FLAT static inline nkw_quat lane_dead_value_quat(lane_f64_quat d, nkw_quat to, float s)
 {
     lane_f64_vec3 part = lane_f64_vec3_scale(lane_f64_quat_log(d), 1.0 - (double)s);
     lane_f64_quat q = lane_f64_quat_mul(lane_f64_quat_exp_near(part), lane_f64_quat_from(to));
