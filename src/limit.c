@@ -41,9 +41,9 @@ static swing_plane plane_of(nkw_vec3 axis, nkw_vec3 side)
     return plane;
 }
 
-static swing_point point_of(const swing_plane *plane, nkw_quat swing)
+static swing_point point_of(const swing_plane *plane, lane_f64_quat swing)
 {
-    lane_f64_vec3 s = lane_f64_vec3_scale(lane_f64_quat_log(lane_f64_quat_from(swing)), 2.0);
+    lane_f64_vec3 s = lane_f64_vec3_scale(lane_f64_quat_log(swing), 2.0);
     swing_point p = {lane_f64_vec3_dot(s, plane->side), lane_f64_vec3_dot(s, plane->across)};
     return p;
 }
@@ -105,39 +105,48 @@ static int is_inside(double a, double b, swing_point p)
     return (p.x / a) * (p.x / a) + (p.y / b) * (p.y / b) <= 1.0;
 }
 
-/* The limited swing in *out and 1, or 0 if the swing stays. */
-static int limit_swing(nkw_quat swing, const swing_plane *plane, double a, double b, lane_f64_quat *out)
+/* Limits a swing. Returns 0 if it stays. */
+static int limit_swing(lane_f64_quat *swing, const swing_plane *plane, double a, double b)
 {
-    swing_point p = point_of(plane, swing), nearest;
+    swing_point p = point_of(plane, *swing);
     if (is_inside(a, b, p))
         return 0;
-    nearest = nearest_of_ellipse(a, b, p);
+    swing_point nearest = nearest_of_ellipse(a, b, p);
     double dx = nearest.x - p.x, dy = nearest.y - p.y;
     if (!(dx * dx + dy * dy > LIMIT_SLACK * LIMIT_SLACK))
         return 0;
-    *out = swing_of(plane, nearest);
+    *swing = swing_of(plane, nearest);
     return 1;
 }
 
-/* The limited twist about the unit axis in *out and 1, or 0 if the twist stays. */
-static int limit_twist(nkw_quat twist, lane_f64_vec3 axis, float low, float high, lane_f64_quat *out)
+/* Limits a twist about the unit axis. Returns 0 if it stays. */
+static int limit_twist(lane_f64_quat *twist, lane_f64_vec3 axis, float low, float high)
 {
     double half = 0.5 * ((double)high - (double)low), middle = 0.5 * ((double)low + (double)high);
     half = half < 0.0 ? 0.0 : half;
     if (!(half < LANE_PI))
         return 0;
-    lane_f64_vec3 v = {twist.x, twist.y, twist.z};
-    double along = lane_f64_vec3_dot(v, axis), flip = twist.w < 0.0f ? -1.0 : 1.0;
-    double angle = 2.0 * lane_atan2_64(flip * along, flip * (double)twist.w);
+    lane_f64_vec3 v = {twist->x, twist->y, twist->z};
+    double along = lane_f64_vec3_dot(v, axis), flip = twist->w < 0.0 ? -1.0 : 1.0;
+    double angle = 2.0 * lane_atan2_64(flip * along, flip * twist->w);
     /* From the middle of the range, in -pi..pi. */
     double turns = (angle - middle) * (0.5 / LANE_PI);
     double off = (angle - middle) - 2.0 * LANE_PI * ((turns + LANE_ROUND) - LANE_ROUND);
-    double outside = lane_abs64(off) - half;
-    if (!(outside > LIMIT_SLACK))
+    if (!(lane_abs64(off) - half > LIMIT_SLACK))
         return 0;
     double limited = 0.5 * (middle + lane_copysign64(half, off));
-    *out = lane_f64_quat_from_axis_half(axis, lane_turn64(limited));
+    *twist = lane_f64_quat_from_axis_half(axis, lane_turn64(limited));
     return 1;
+}
+
+static nkw_quat joined(const lane_f64_swing_twist *parts)
+{
+    return lane_quat_from_f64(lane_f64_quat_mul(parts->swing, parts->twist));
+}
+
+static lane_f64_vec3 unit_axis(nkw_vec3 axis)
+{
+    return lane_f64_vec3_normalize(lane_f64_vec3_from(axis));
 }
 
 static int is_limited(nkw_quat q, nkw_vec3 axis)
@@ -150,12 +159,9 @@ nkw_quat nkw_quat_limit_ellipse(nkw_quat q, nkw_vec3 axis, nkw_vec3 side, float 
 {
     if (!is_limited(q, axis))
         return q;
-    nkw_swing_twist parts = nkw_quat_swing_twist(q, axis);
+    lane_f64_swing_twist parts = lane_f64_quat_swing_twist(lane_f64_quat_from(q), unit_axis(axis));
     swing_plane plane = plane_of(axis, side);
-    lane_f64_quat swing;
-    if (!limit_swing(parts.swing, &plane, limit_angle(a), limit_angle(b), &swing))
-        return q;
-    return lane_quat_from_f64(lane_f64_quat_mul(swing, lane_f64_quat_from(parts.twist)));
+    return limit_swing(&parts.swing, &plane, limit_angle(a), limit_angle(b)) ? joined(&parts) : q;
 }
 
 nkw_quat nkw_quat_limit_cone(nkw_quat q, nkw_vec3 axis, float angle)
@@ -167,11 +173,8 @@ nkw_quat nkw_quat_limit_twist(nkw_quat q, nkw_vec3 axis, float low, float high)
 {
     if (!is_limited(q, axis))
         return q;
-    nkw_swing_twist parts = nkw_quat_swing_twist(q, axis);
-    lane_f64_quat twist;
-    if (!limit_twist(parts.twist, lane_f64_vec3_normalize(lane_f64_vec3_from(axis)), low, high, &twist))
-        return q;
-    return lane_quat_from_f64(lane_f64_quat_mul(lane_f64_quat_from(parts.swing), twist));
+    lane_f64_swing_twist parts = lane_f64_quat_swing_twist(lane_f64_quat_from(q), unit_axis(axis));
+    return limit_twist(&parts.twist, unit_axis(axis), low, high) ? joined(&parts) : q;
 }
 
 nkw_quat nkw_limit_apply(const nkw_limit *limit, nkw_quat q)
@@ -180,14 +183,12 @@ nkw_quat nkw_limit_apply(const nkw_limit *limit, nkw_quat q)
         return q;
     lane_f64_quat rest = lane_f64_quat_normalize(lane_f64_quat_from(limit->rest));
     lane_f64_quat off = lane_f64_quat_mul(lane_f64_quat_conjugate(rest), lane_f64_quat_from(q));
-    nkw_swing_twist parts = nkw_quat_swing_twist(lane_quat_from_f64(off), limit->axis);
+    lane_f64_swing_twist parts = lane_f64_quat_swing_twist(off, unit_axis(limit->axis));
     swing_plane plane = plane_of(limit->axis, limit->side);
-    lane_f64_quat swing = lane_f64_quat_from(parts.swing), twist = lane_f64_quat_from(parts.twist);
-    lane_f64_vec3 axis = lane_f64_vec3_normalize(lane_f64_vec3_from(limit->axis));
     double a = limit_angle(limit->swing_side), b = limit_angle(limit->swing_across);
-    int swings = limit_swing(parts.swing, &plane, a, b, &swing);
-    int twists = limit_twist(parts.twist, axis, limit->twist_low, limit->twist_high, &twist);
+    int swings = limit_swing(&parts.swing, &plane, a, b);
+    int twists = limit_twist(&parts.twist, unit_axis(limit->axis), limit->twist_low, limit->twist_high);
     if (!swings && !twists)
         return q;
-    return lane_quat_from_f64(lane_f64_quat_mul(rest, lane_f64_quat_mul(swing, twist)));
+    return lane_quat_from_f64(lane_f64_quat_mul(rest, lane_f64_quat_mul(parts.swing, parts.twist)));
 }

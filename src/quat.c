@@ -96,37 +96,18 @@ float nkw_quat_angle(nkw_quat a, nkw_quat b)
     return (float)lane_f64_quat_angle(lane_f64_quat_from(a), lane_f64_quat_from(b));
 }
 
-/* The part of q along the unit axis a, and w; not unit. Zero where q rotates the axis to its opposite. */
-typedef struct twist_part {
-    lane_f64_vec3 axis;
-    double along, w;
-    int is_none;
-} twist_part;
-
-static twist_part twist_of(lane_f64_quat q, nkw_vec3 axis)
-{
-    lane_f64_vec3 v = {q.x, q.y, q.z}, a = lane_f64_vec3_normalize(lane_f64_vec3_from(axis));
-    twist_part p = {a, lane_f64_vec3_dot(v, a), q.w, 0};
-    p.is_none = p.along * p.along + p.w * p.w < 0x1p-96 * lane_f64_quat_dot(q, q) || lane_f64_vec3_dot(a, a) == 0.0;
-    return p;
-}
-
 nkw_swing_twist nkw_quat_swing_twist(nkw_quat q, nkw_vec3 axis)
 {
-    const lane_f64_quat identity = {0.0, 0.0, 0.0, 1.0};
-    lane_f64_quat u = lane_f64_quat_normalize(lane_f64_quat_from(q));
-    twist_part p = twist_of(u, axis);
-    lane_f64_vec3 along = lane_f64_vec3_scale(p.axis, p.along);
-    lane_f64_quat part = {along.x, along.y, along.z, p.w};
-    lane_f64_quat twist = p.is_none ? identity : lane_f64_quat_normalize(part);
-    lane_f64_quat swing = lane_f64_quat_mul(u, lane_f64_quat_conjugate(twist));
-    nkw_swing_twist r = {lane_quat_from_f64(swing), lane_quat_from_f64(twist)};
+    lane_f64_vec3 unit = lane_f64_vec3_normalize(lane_f64_vec3_from(axis));
+    lane_f64_swing_twist parts = lane_f64_quat_swing_twist(lane_f64_quat_from(q), unit);
+    nkw_swing_twist r = {lane_quat_from_f64(parts.swing), lane_quat_from_f64(parts.twist)};
     return r;
 }
 
 float nkw_quat_twist_angle(nkw_quat q, nkw_vec3 axis)
 {
-    twist_part p = twist_of(lane_f64_quat_from(q), axis);
+    lane_f64_vec3 unit = lane_f64_vec3_normalize(lane_f64_vec3_from(axis));
+    lane_twist_part p = lane_twist_part_of(lane_f64_quat_from(q), unit);
     double sign = p.w < 0.0 ? -1.0 : 1.0;
     return p.is_none ? 0.0f : (float)(2.0 * lane_atan2_64(sign * p.along, sign * p.w));
 }

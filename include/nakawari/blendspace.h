@@ -51,7 +51,7 @@ typedef struct nkw_blendspace {
  *          Samples that are not finite have the weight 0 and no effect on others. If the point is not finite, or the
  *          dimension is 0, all finite samples have the same weight
  *
- * Error  2.0 u of 1, for samples that are at least 2^-20 of their magnitude apart.
+ * Error  1.0 u of 1, for samples whose distances are not small against their magnitude.
  */
 NKW_API void nkw_blendspace_weights(const nkw_blendspace *space, const float *point, float *weights);
 

@@ -79,8 +79,7 @@ typedef struct nkw_ik_two_bone_solution {
  *     both of length zero         identities; the error is the distance of the target
  *     pole along the target line  no rotation about the line
  *
- * Error  2.0 u of a + b between the error returned and the distance that is left in exact arithmetic, plus the rounding
- *        of the rotations: a target within reach is reached to 4 u of a + b.
+ * Error  2.5 u of a + b: the distance of the end from a target within reach, by the rounded rotations.
  * Source Holden, Simple Two Joint IK, 2017; Nicholas, Soft IK, xsi-blog.com, article 108, 2007 (soft reach).
  */
 NKW_API nkw_ik_two_bone_solution nkw_ik_two_bone_solve(const nkw_ik_two_bone *limb);
@@ -118,7 +117,8 @@ typedef struct nkw_ik_aim_solution {
  *     target at the joint         no rotation, except into the cone
  *     forward zero                no rotation; the error is 0
  *
- * Error  1.5 u of the rotation, if offset is zero; more where d is near h, as the square root does.
+ * Error  2.0 u of 1 rad: the angle that the ray misses by the rounded rotation, if offset is zero. With an offset more
+ *        where d is near h, as the square root has.
  * Source Guillaume Blanc, ozz-animation, ik_aim_job (the sphere and the pole), 2019.
  */
 NKW_API nkw_ik_aim_solution nkw_ik_aim_solve(const nkw_ik_aim *aim);

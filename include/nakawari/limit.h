@@ -15,7 +15,6 @@
  * return the same bits as once. Angles are clamped to 0..pi, NaN to pi (no limit). A zero axis is no limit: q is
  * returned. If q has NaN or infinity, it is returned too. q need not be unit; what is clamped is unit.
  *
- * Error  3.0 u of the rotation, where the angle of the swing is at most pi - 1e-3.
  * Source Dobrowolski, Swing-twist decomposition in Clifford algebra, arXiv:1506.05481, 2015;
  *        Eberly, Distance from a Point to an Ellipse, an Ellipsoid, or a Hyperellipsoid, 2013.
  */
@@ -28,7 +27,11 @@
 extern "C" {
 #endif
 
-/** The swing of `axis` is limited to `angle`: a cone about the axis. */
+/**
+ * The swing of `axis` is limited to `angle`: a cone about the axis.
+ *
+ * Error  0.91 u, if the swing is at least 1e-3 rad from half a turn.
+ */
 NKW_API nkw_quat nkw_quat_limit_cone(nkw_quat q, nkw_vec3 axis, float angle);
 
 /**
@@ -39,12 +42,16 @@ NKW_API nkw_quat nkw_quat_limit_cone(nkw_quat q, nkw_vec3 axis, float angle);
  * side is made perpendicular to the axis; zero or along the axis it is replaced by nkw_vec3_perpendicular(axis). With
  * b = 0 the joint swings like a hinge. The nearest point of the boundary is the root of a convex function, by Newton's
  * method from the side on which it converges for every point.
+ *
+ * Error  0.91 u, if the swing is at least 1e-3 rad from half a turn.
  */
 NKW_API nkw_quat nkw_quat_limit_ellipse(nkw_quat q, nkw_vec3 axis, nkw_vec3 side, float a, float b);
 
 /**
  * The twist about `axis` is limited to the angles low .. high, of at most 2^20 rad; a range of 2 pi or more, or NaN,
  * is no limit. If low > high, both are replaced by their mean.
+ *
+ * Error  0.91 u, if the swing is at least 1e-3 rad from half a turn.
  */
 NKW_API nkw_quat nkw_quat_limit_twist(nkw_quat q, nkw_vec3 axis, float low, float high);
 
@@ -60,6 +67,8 @@ typedef struct nkw_limit {
 /**
  * The rotation nearest to q within all limits of the joint: the twist and then the swing of rest^-1 q are limited.
  * Returns q, bit for bit, if both are within their limits.
+ *
+ * Error  0.91 u, if the swing is at least 1e-3 rad from half a turn.
  */
 NKW_API nkw_quat nkw_limit_apply(const nkw_limit *limit, nkw_quat q);
 

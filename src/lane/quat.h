@@ -319,6 +319,37 @@ static inline lane_f64_quat lane_f64_quat_from_vectors(lane_f64_vec3 from, lane_
     return lane_f64_quat_select(opposite, half_turn, lane_f64_quat_normalize(q));
 }
 
+/* The part of q along the unit axis a, and w; not unit. None where q rotates the axis to its opposite, or a is zero. */
+typedef struct lane_twist_part {
+    double along, w;
+    int is_none;
+} lane_twist_part;
+
+static inline lane_twist_part lane_twist_part_of(lane_f64_quat q, lane_f64_vec3 a)
+{
+    lane_f64_vec3 v = {q.x, q.y, q.z};
+    lane_twist_part p = {lane_f64_vec3_dot(v, a), q.w, 0};
+    p.is_none = p.along * p.along + p.w * p.w < 0x1p-96 * lane_f64_quat_dot(q, q) || lane_f64_vec3_dot(a, a) == 0.0;
+    return p;
+}
+
+/* q/|q| = swing twist about the unit axis a; see nkw_quat_swing_twist. */
+typedef struct lane_f64_swing_twist {
+    lane_f64_quat swing, twist;
+} lane_f64_swing_twist;
+
+static inline lane_f64_swing_twist lane_f64_quat_swing_twist(lane_f64_quat q, lane_f64_vec3 a)
+{
+    const lane_f64_quat identity = {0.0, 0.0, 0.0, 1.0};
+    lane_f64_quat u = lane_f64_quat_normalize(q);
+    lane_twist_part p = lane_twist_part_of(u, a);
+    lane_f64_vec3 along = lane_f64_vec3_scale(a, p.along);
+    lane_f64_quat part = {along.x, along.y, along.z, p.w};
+    lane_f64_quat twist = p.is_none ? identity : lane_f64_quat_normalize(part);
+    lane_f64_swing_twist r = {lane_f64_quat_mul(u, lane_f64_quat_conjugate(twist)), twist};
+    return r;
+}
+
 /* The turn between two quaternions, 0..pi, of the nearer signs; their lengths cancel. */
 static inline double lane_f64_quat_angle(lane_f64_quat a, lane_f64_quat b)
 {
