@@ -41,7 +41,7 @@ static int is_cubic_at(const nkw_track *track, size_t k)
 
 size_t nkw_track_long_arc(const nkw_track *track, size_t first)
 {
-    if (!is_rotation(track) || track->width != 4)
+    if (track->count == 0 || !is_rotation(track) || track->width != 4)
         return track->count;
     rotation_keys keys = keys_of(track, track->values);
     for (size_t k = first; k < track->count && k + 1 < track->count; k++) {

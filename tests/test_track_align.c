@@ -148,6 +148,8 @@ static void other_tracks_are_copied_or_refused(void **state)
     assert_int_equal(negated, 0);
     assert_int_equal(nkw_track_long_arc(&t, 0), 2);
     t.count = 0;
+    t.values = NULL;
+    assert_int_equal(nkw_track_long_arc(&t, 0), 0);
     assert_int_equal(nkw_track_align(&t, out, NULL), NKW_EMPTY);
     expect_bits(out[0], 9.0f);
 }
