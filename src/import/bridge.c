@@ -18,6 +18,7 @@ nkw_clip_source nkw_document_clip_source(const nkw_document *document, size_t an
     if (animation < document->animation_count) {
         source.tracks = document->animations[animation].tracks;
         source.track_count = document->animations[animation].track_count;
+        source.names = document->clip_names + animation;
     }
     return source;
 }

@@ -86,15 +86,26 @@ int nkwi_document_nodes(nkwi_document *d, nkw_import_error *error, const nkwi_pl
     return place_weights(d, error, place);
 }
 
-static int read_document(nkwi_document *d, const nkw_import_memory *memory, nkw_import_error *error)
+/* The names that clips store. */
+static int name_clips(nkwi_document *d, nkw_import_error *error)
 {
-    d->memory.most = NKWI_MEMORY_MOST(memory->bytes);
-    d->all.bytes = memory->bytes;
-    d->all.scene = NKW_NO_JOINT;
-    d->all.file = nkwi_document_text(d, error, memory->file ? memory->file : "");
-    d->all.generator = "";
-    if (!d->all.file)
+    const size_t joints = d->all.skeleton.joint_count, count = d->all.animation_count;
+    const char **names = (const char **)nkwi_document_take(d, error, NULL, joints, sizeof *names);
+    nkw_clip_names *clips = (nkw_clip_names *)nkwi_document_take(d, error, NULL, count, sizeof *clips);
+    if (!names || !clips)
         return 0;
+    for (size_t j = 0; j < joints; j++)
+        names[j] = d->nodes[j].name;
+    for (size_t i = 0; i < count; i++) {
+        clips[i].clip = d->all.animations[i].name;
+        clips[i].joints = names;
+    }
+    d->all.clip_names = clips;
+    return 1;
+}
+
+static int read_format(nkwi_document *d, const nkw_import_memory *memory, nkw_import_error *error)
+{
     if (nkwi_gltf_is(memory->data, memory->bytes))
         return nkwi_gltf_read(d, memory, error);
     if (nkwi_keys_is(memory->data, memory->bytes))
@@ -104,6 +115,18 @@ static int read_document(nkwi_document *d, const nkw_import_memory *memory, nkw_
         return nkwi_assimp_read(d, memory, error);
 #endif
     return nkwi_fail(error, NULL, NKW_IMPORT_UNKNOWN, memory->bytes ? "no format that is read" : "the file is empty");
+}
+
+static int read_document(nkwi_document *d, const nkw_import_memory *memory, nkw_import_error *error)
+{
+    d->memory.most = NKWI_MEMORY_MOST(memory->bytes);
+    d->all.bytes = memory->bytes;
+    d->all.scene = NKW_NO_JOINT;
+    d->all.file = nkwi_document_text(d, error, memory->file ? memory->file : "");
+    d->all.generator = "";
+    if (!d->all.file)
+        return 0;
+    return read_format(d, memory, error) && name_clips(d, error);
 }
 
 static nkw_import_result open_document(const nkw_import_memory *memory, nkw_document **document,

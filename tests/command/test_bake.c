@@ -110,6 +110,9 @@ static void clips_map_back(void **state)
             assert_int_equal(nkw_clip_open(file.bytes, bytes, &clip), NKW_OK);
             assert_int_equal(nkw_clip_bytes(clip), bytes);
             assert_int_equal(nkw_clip_joint_count(clip), JOINTS);
+            assert_string_equal(nkw_clip_name(clip), d->animations[n].name);
+            for (size_t j = 0; j < JOINTS; j++)
+                assert_string_equal(nkw_clip_joint_name(clip, j), d->nodes[j].name);
             assert_int_equal(nkw_document_clip(d, n, NKW_CLIP_FLOAT32, &want, NULL), NKW_IMPORT_OK);
             expect_bits(nkw_clip_start(clip), nkw_clip_start(want));
             expect_bits(nkw_clip_end(clip), nkw_clip_end(want));

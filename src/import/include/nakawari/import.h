@@ -177,6 +177,7 @@ typedef struct nkw_document {
     const nkw_document_image *images; /**< only those of base colours have data or a path */
     size_t image_count;
     const nkw_document_animation *animations;
+    const nkw_clip_names *clip_names; /**< animation_count: the names of each animation's clip and of its joints */
     size_t animation_count;
     const nkw_document_scene *scenes;
     size_t scene_count;
@@ -225,7 +226,7 @@ NKW_API void nkw_document_close(nkw_document *document);
 /* ---- From a document to the library ---- */
 
 /**
- * The source of the clip of an animation: its tracks, the rest pose and the rest morph weights. An animation that is
+ * The source of the clip of an animation: its tracks, its names, the rest pose and the rest morph weights. An animation that is
  * not less than animation_count has no tracks: its clip is the rest pose. The document must outlive the source.
  */
 NKW_API nkw_clip_source nkw_document_clip_source(const nkw_document *document, size_t animation,
