@@ -319,8 +319,8 @@ static void scale_tangents(nkw_fcurve_key *keys, size_t count)
     }
 }
 
-nkw_result nkw_fcurve_keys_from_spline(const nkw_spline *spline, size_t component, nkw_fcurve_key *keys, double *work,
-                                       size_t work_count, size_t *bad_key)
+nkw_result nkw_fcurve_keys_from_spline(const nkw_spline *spline, size_t component, nkw_fcurve_key *keys,
+                                       size_t *bad_key, double *work, size_t work_count)
 {
     nkw_spline one = *spline;
     float ends[2];

@@ -157,6 +157,46 @@ void nkw_fcurve_limit(const nkw_fcurve_key *keys, size_t count, nkw_handle_polic
     }
 }
 
+/* The new key, and the changed handles of its neighbours. */
+static nkw_fcurve_key split_segment(nkw_fcurve_key around[2], nkw_handle_policy policy, float time)
+{
+    nkw_fcurve_key key = {time, 0.0f, {0.0f, 0.0f}, {0.0f, 0.0f}, around->kind, around->ease};
+    nkw_handle_segment whole = fcurve_handles(around), left, right;
+    key.value = (float)fcurve_point(around, policy, (double)time - (double)around->time).value;
+    if (around->kind != NKW_FCURVE_BEZIER)
+        return key;
+    whole = nkw_handle_limit(&whole, policy);
+    nkw_handle_split(&whole, time, &left, &right);
+    around[0].out = left.out;
+    key.in = left.in;
+    key.out = right.out;
+    around[1].in = right.in;
+    return key;
+}
+
+nkw_result nkw_fcurve_insert(const nkw_fcurve *curve, float time, nkw_fcurve_key *out, size_t *index)
+{
+    size_t count = curve->key_count;
+    if (count < 2)
+        return NKW_OUT_OF_RANGE;
+    segment_times times = {(const char *)&curve->keys->time, sizeof *curve->keys, count};
+    size_t k = segment_find(times, time).index;
+    if (!(time > curve->keys[k].time && time < curve->keys[k + 1].time))
+        return NKW_OUT_OF_RANGE;
+    nkw_fcurve_key around[2] = {curve->keys[k], curve->keys[k + 1]};
+    if (around->kind == NKW_FCURVE_EASE)
+        return NKW_BAD_METHOD;
+    for (size_t i = count; i > k + 1; i--)
+        out[i] = curve->keys[i - 1];
+    for (size_t i = 0; i < k && out != curve->keys; i++)
+        out[i] = curve->keys[i];
+    out[k + 1] = split_segment(around, curve->policy, time);
+    out[k] = around[0];
+    out[k + 2] = around[1];
+    *index = k + 1;
+    return NKW_OK;
+}
+
 size_t nkw_fcurve_find_regression(const nkw_fcurve_key *keys, size_t count)
 {
     for (size_t k = 0; k + 1 < count; k++) {

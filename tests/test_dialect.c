@@ -311,7 +311,7 @@ static void tcb_keys_are_those_of_the_spline(void **state)
     nkw_tangent_span span = {in, out, 2};
     nkw_fcurve_key keys[4];
     assert_int_equal(nkw_spline_tangents(&spline, span, NULL, NULL, 0), NKW_OK);
-    assert_int_equal(nkw_fcurve_keys_from_spline(&spline, 0, keys, NULL, 0, NULL), NKW_OK);
+    assert_int_equal(nkw_fcurve_keys_from_spline(&spline, 0, keys, NULL, NULL, 0), NKW_OK);
     nkw_fcurve c = curve_of(keys, 4);
     for (int k = 0; k < 3; k++)
         for (int i = 0; i <= 16; i++) {
@@ -319,9 +319,9 @@ static void tcb_keys_are_those_of_the_spline(void **state)
             float want = nkw_hermite(values[2 * k], h * out[2 * k], values[2 * k + 2], h * in[2 * k + 2], t);
             expect_near(nkw_fcurve_sample(&c, times[k] + t * h).value, want, 2e-6);
         }
-    assert_int_equal(nkw_fcurve_keys_from_spline(&spline, 2, keys, NULL, 0, NULL), NKW_OUT_OF_RANGE);
+    assert_int_equal(nkw_fcurve_keys_from_spline(&spline, 2, keys, NULL, NULL, 0), NKW_OUT_OF_RANGE);
     spline.count = 0;
-    assert_int_equal(nkw_fcurve_keys_from_spline(&spline, 0, keys, NULL, 0, NULL), NKW_EMPTY);
+    assert_int_equal(nkw_fcurve_keys_from_spline(&spline, 0, keys, NULL, NULL, 0), NKW_EMPTY);
 }
 
 static void components_of_tracks_are_fcurves(void **state)

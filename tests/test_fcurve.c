@@ -144,6 +144,51 @@ static void the_policy_limits_each_segment(void **state)
     }
 }
 
+static void inserted_keys_change_nothing(void **state)
+{
+    (void)state;
+    random_source r = random_from(3);
+    for (int round = 0; round < 400; round++) {
+        nkw_fcurve_key keys[5], more[6];
+        for (int k = 0; k < 4; k++) {
+            nkw_handle in = {-0.5f * random_unit(&r), random_between(&r, -1, 1)};
+            nkw_handle out = {0.5f * random_unit(&r), random_between(&r, -1, 1)};
+            keys[k] = bezier((float)k, random_between(&r, -5, 5), in, out);
+            keys[k].kind = (nkw_fcurve_kind)(random_bits(&r) % 4);
+        }
+        nkw_fcurve c = curve_of(keys, 4, NKW_FCURVE_OUTSIDE_HOLD), d = curve_of(more, 5, NKW_FCURVE_OUTSIDE_HOLD);
+        c.policy = (nkw_handle_policy)(round % 4);
+        float time = random_between(&r, 0.01f, 2.99f);
+        size_t index = 9;
+        assert_int_equal(nkw_fcurve_insert(&c, time, more, &index), NKW_OK);
+        assert_true(index == 1 + (size_t)time && more[index].time == time);
+        expect_bits(more[index].value, value(&c, time));
+        for (int i = 0; i <= 300; i++) {
+            nkw_curve_point p = nkw_fcurve_sample(&c, 0.01f * (float)i);
+            expect_near(value(&d, 0.01f * (float)i), p.value, 1e-5 + 1e-6 * fabs(p.first));
+        }
+        assert_int_equal(nkw_fcurve_insert(&c, time, keys, &index), NKW_OK);
+        assert_memory_equal(keys, more, 5 * sizeof keys[0]);
+    }
+}
+
+static void keys_are_inserted_only_between_keys(void **state)
+{
+    (void)state;
+    nkw_fcurve_key keys[4];
+    nkw_fcurve c = curve_of(keys, 3, NKW_FCURVE_OUTSIDE_HOLD);
+    const float times[5] = {-1, 0, 1, 4, NAN};
+    size_t index = 9;
+    memcpy(keys, three, sizeof three);
+    for (int i = 0; i < 5; i++)
+        assert_int_equal(nkw_fcurve_insert(&c, times[i], keys, &index), NKW_OUT_OF_RANGE);
+    keys[0].kind = NKW_FCURVE_EASE;
+    assert_int_equal(nkw_fcurve_insert(&c, 0.5f, keys, &index), NKW_BAD_METHOD);
+    c.key_count = 1;
+    assert_int_equal(nkw_fcurve_insert(&c, 0.5f, keys, &index), NKW_OUT_OF_RANGE);
+    assert_int_equal(index, 9);
+}
+
 /* ---- Outside ---- */
 
 static void hold_and_linear_continue_each_end_by_itself(void **state)
@@ -365,6 +410,8 @@ int main(void)
         cmocka_unit_test(a_cursor_changes_no_bits),
         cmocka_unit_test(equal_times_are_a_jump),
         cmocka_unit_test(the_policy_limits_each_segment),
+        cmocka_unit_test(inserted_keys_change_nothing),
+        cmocka_unit_test(keys_are_inserted_only_between_keys),
         cmocka_unit_test(hold_and_linear_continue_each_end_by_itself),
         cmocka_unit_test(linear_follows_the_outer_handles),
         cmocka_unit_test(a_vertical_end_is_held),

@@ -115,6 +115,17 @@ NKW_API nkw_curve_point nkw_fcurve_sample_cursor(const nkw_fcurve *curve, float 
  */
 NKW_API void nkw_fcurve_limit(const nkw_fcurve_key *keys, size_t count, nkw_handle_policy policy, nkw_fcurve_key *out);
 
+/**
+ * Inserts a key without changing the curve. A CONSTANT or LINEAR segment becomes two of its kind, a BEZIER segment is
+ * split by nkw_handle_split, after `policy` has shortened its handles.
+ *
+ * time     later than a key and earlier than the next one
+ * out      receives key_count + 1 keys; may be the array of the curve, if it has room
+ * index    receives the index of the new key; unchanged after an error
+ * Returns  NKW_OK; NKW_OUT_OF_RANGE for another time; NKW_BAD_METHOD for an EASE segment; nothing is then written
+ */
+NKW_API nkw_result nkw_fcurve_insert(const nkw_fcurve *curve, float time, nkw_fcurve_key *out, size_t *index);
+
 /** The index of the first BEZIER segment that runs back in time without a policy, or count if there is none. */
 NKW_API size_t nkw_fcurve_find_regression(const nkw_fcurve_key *keys, size_t count);
 

@@ -115,6 +115,10 @@ static void fcurves(fuzz *f)
         FUZZ_CHECK(result != NKW_OK || fuzz_same(&a.value, &b.value, 3));
         FUZZ_CHECK(result != NKW_OK || !fuzz_finite(times + i, 1) || a.value == a.value);
     }
+    nkw_fcurve_key *more = fuzz_block(f, (count + 1) * sizeof *more);
+    size_t index = 0;
+    if (nkw_fcurve_insert(&c, times[0], more, &index) == NKW_OK)
+        FUZZ_CHECK(index > 0 && index < count);
     nkw_fcurve_find_regression(keys, count);
     nkw_fcurve_limit(keys, count, NKW_HANDLE_KEEP_RATIO, keys);
     FUZZ_CHECK(result != NKW_OK || nkw_fcurve_find_regression(keys, count) == count);

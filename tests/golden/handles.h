@@ -81,6 +81,23 @@ static void sample_fcurve(float *o, const nkw_keyframe *from, const float s[8], 
     put_tool_point(o + 12, nkw_fcurve_sample(&curve, -0x1p20f * nkw_abs(s[2])));
 }
 
+static void insert_key(float *o, const nkw_keyframe *from, const float s[8], unsigned some, float t)
+{
+    nkw_fcurve_key keys[3], more[4];
+    size_t index = 0;
+    for (unsigned k = 0; k < 3; k++) {
+        nkw_handle in = {-nkw_abs(s[k]), s[k + 1]}, out = {nkw_abs(s[k + 1]), s[k + 2]};
+        nkw_fcurve_key key = {from[k].time, from[k].position.x, in, out, NKW_FCURVE_BEZIER, NKW_EASE_LINEAR};
+        keys[k] = key;
+    }
+    nkw_fcurve curve = {keys, 3, NKW_FCURVE_OUTSIDE_HOLD, NKW_FCURVE_OUTSIDE_HOLD, 0, 0, (nkw_handle_policy)(some % 4)};
+    if (nkw_fcurve_insert(&curve, nkw_lerp(from[0].time, from[2].time, t), more, &index) != NKW_OK)
+        return;
+    put_handles(o, more[index - 1].out, more[index].in);
+    put_handles(o + 4, more[index].out, more[index + 1].in);
+    o[8] = more[index].value;
+}
+
 /* Handles of all types. */
 static void auto_handles(float *o, const nkw_keyframe *from, unsigned some)
 {
