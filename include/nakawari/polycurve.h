@@ -69,7 +69,7 @@ NKW_API nkw_result nkw_polycurve_measure(const nkw_polycurve *curve, size_t step
  * lengths  the table of nkw_polycurve_measure for this curve and these steps. With other numbers the place has no
  *          meaning, but is a place of the curve
  *
- * Error  1.5 u of the length of the whole curve: the difference of the length at the place and `length`, where the
+ * Error  1.0 u of the length of the whole curve: the difference of the length at the place and `length`, where the
  *        curve does not stand still; the parameter is rounded to a float, which adds half an ULP of t times |p'(t)|.
  */
 NKW_API nkw_segment nkw_polycurve_at_length(const nkw_polycurve *curve, const float *lengths, size_t steps,

@@ -133,7 +133,7 @@ NKW_API nkw_result nkw_spline_tangents(const nkw_spline *spline, nkw_tangent_spa
  *
  * knots    receives count numbers
  *
- * Error  2.0 u of the last knot, for alpha = 0, 1/2 and 1.
+ * Error  1.0 u of the last knot, for alpha = 0, 1/2 and 1.
  */
 NKW_API void nkw_spline_knots(const nkw_spline *spline, float alpha, float *knots);
 
