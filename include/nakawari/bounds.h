@@ -9,7 +9,7 @@
  *
  *     box = union over j of M_j B_j        M_j the joint matrix of the palette
  *
- * The boxes of the joints are made once. A pose then costs about 5 ns for each joint. Rounding of skinning is included,
+ * The boxes of the joints are made once. A pose then costs about 40 ns for each joint. Rounding of skinning is included,
  * as a margin of 2^-19 of the largest magnitude.
  *
  * Not contained are vertices whose weights are negative or do not sum to 1 (nkw_skin_normalize_weights), and vertices

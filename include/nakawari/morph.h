@@ -51,7 +51,7 @@ typedef struct nkw_morph {
  * in       the vectors without morphing; a vector that is NULL in `in` or `out` is skipped
  * out      may be the same streams as `in`, or share no vector with them, nor with the targets
  *
- * Dense targets take 0.1 to 0.3 ns for a vector and a target in a near cache if all strides are 0 or 12; targets of
+ * Dense targets take 0.2 to 0.3 ns for a vector and a target in a near cache if all strides are 0 or 12; targets of
  * weight 0 take none. For many characters call it for each: the vertices of one are already many lanes.
  *
  * Rounding: one product and one sum for each target; the error of a component is at most 1.0 u of |v| + the sum of |w d|

@@ -1,0 +1,420 @@
+/* SPDX-License-Identifier: MIT */
+/* Inverse kinematics of chains, and on poses. */
+#include <math.h>
+
+#include "random.h"
+#include "support/expect.h"
+#include "support/views.h"
+
+static const nkw_quat identity = {0, 0, 0, 1};
+static const nkw_vec3 none = {0, 0, 0};
+
+static nkw_vec3 vec(float x, float y, float z)
+{
+    nkw_vec3 r = {x, y, z};
+    return r;
+}
+
+/* ---- Chains ---- */
+
+enum { LINKS = 6 };
+
+typedef struct chain_case {
+    nkw_ik_chain chain;
+    nkw_vec3 offsets[LINKS], work[LINKS];
+    nkw_quat rotations[LINKS];
+    nkw_limit limits[LINKS];
+} chain_case;
+
+static void draw_chain(random_source *r, chain_case *c)
+{
+    c->chain.position = random_vec3(r, -1, 1);
+    c->chain.rotation = random_rotation(r);
+    c->chain.offsets = c->offsets;
+    c->chain.limits = NULL;
+    c->chain.count = LINKS;
+    for (int k = 0; k < LINKS; k++) {
+        c->offsets[k] = nkw_vec3_scale(random_direction(r), random_between(r, 0.2f, 1));
+        c->rotations[k] = random_rotation(r);
+    }
+}
+
+static nkw_vec3 end_of(const chain_case *c)
+{
+    nkw_quat q = c->chain.rotation;
+    nkw_vec3 p = c->chain.position;
+    for (size_t k = 0; k < c->chain.count; k++) {
+        q = nkw_quat_mul(q, c->rotations[k]);
+        p = nkw_vec3_add(p, nkw_quat_rotate(q, c->offsets[k]));
+    }
+    return p;
+}
+
+static nkw_ik_chain_result solve(chain_case *c, const nkw_ik_goal *goal, int ccd)
+{
+    return ccd ? nkw_ik_ccd_solve(&c->chain, goal, c->rotations)
+               : nkw_ik_fabrik_solve(&c->chain, goal, c->rotations, c->work, LINKS);
+}
+
+static float reach_of(const chain_case *c)
+{
+    float sum = 0;
+    for (size_t k = 0; k < c->chain.count; k++)
+        sum += nkw_vec3_length(c->offsets[k]);
+    return sum;
+}
+
+static void chains_reach_what_they_can(void **state)
+{
+    (void)state;
+    random_source r = random_from(10);
+    int missed = 0;
+    for (int i = 0; i < 2000; i++) {
+        chain_case c;
+        draw_chain(&r, &c);
+        float reach = reach_of(&c) * random_between(&r, 0.3f, i % 2 ? 0.6f : 0.9f);
+        nkw_ik_goal goal = {nkw_vec3_add_scaled(c.chain.position, random_direction(&r), reach), 1e-4f, 100};
+        nkw_ik_chain_result s = solve(&c, &goal, i % 2);
+        missed += s.error > 1e-4f;
+
+        expect_near(s.error, nkw_vec3_distance(end_of(&c), goal.target), 3e-6);
+        assert_true(s.iterations <= 100);
+        for (int k = 0; k < LINKS; k++)
+            expect_near(nkw_quat_length(c.rotations[k]), 1.0, 3e-7);
+    }
+    assert_true(missed <= 10);
+}
+
+static void chains_stretch_to_a_far_target(void **state)
+{
+    (void)state;
+    random_source r = random_from(11);
+    for (int i = 0; i < 500; i++) {
+        chain_case c;
+        draw_chain(&r, &c);
+        nkw_ik_goal goal = {nkw_vec3_add_scaled(c.chain.position, random_direction(&r), 2 * reach_of(&c)), 0, 1};
+        nkw_ik_chain_result s = solve(&c, &goal, 0);
+        expect_near(s.error, reach_of(&c), 3e-6);
+        assert_int_equal(s.iterations, 1);
+        draw_chain(&r, &c);
+        goal.target = nkw_vec3_add_scaled(c.chain.position, random_direction(&r), 2 * reach_of(&c));
+        goal.iterations = 300;
+        s = solve(&c, &goal, 1);
+        expect_near(s.error, reach_of(&c), 2e-3 * (double)reach_of(&c));
+    }
+}
+
+static void descent_never_goes_up(void **state)
+{
+    (void)state;
+    random_source r = random_from(12);
+    for (int i = 0; i < 300; i++) {
+        chain_case c;
+        draw_chain(&r, &c);
+        nkw_ik_goal goal = {random_vec3(&r, -3, 3), 0, 1};
+        float before = nkw_vec3_distance(end_of(&c), goal.target);
+        for (int k = 0; k < 30; k++) {
+            float now = solve(&c, &goal, 1).error;
+            assert_true(now <= before + 2e-6f);
+            before = now;
+        }
+    }
+}
+
+static void a_chain_at_its_target_does_not_move(void **state)
+{
+    (void)state;
+    random_source r = random_from(13);
+    for (int i = 0; i < 200; i++) {
+        chain_case c;
+        draw_chain(&r, &c);
+        nkw_quat before[LINKS];
+        memcpy(before, c.rotations, sizeof before);
+        nkw_ik_goal goal = {end_of(&c), 1e-5f, 10};
+        nkw_ik_chain_result s = solve(&c, &goal, i % 2);
+        assert_int_equal(s.iterations, 0);
+        expect_floats_bits(&c.rotations[0].x, &before[0].x, 4 * LINKS);
+        goal.target = none;
+        goal.iterations = 0;
+        s = solve(&c, &goal, i % 2);
+        expect_near(s.error, nkw_vec3_length(end_of(&c)), 3e-6);
+        expect_floats_bits(&c.rotations[0].x, &before[0].x, 4 * LINKS);
+    }
+}
+
+static void a_straight_chain_leaves_its_line(void **state)
+{
+    (void)state;
+    for (int ccd = 0; ccd < 2; ccd++)
+        for (int k = -1; k < 6; k++) {
+            chain_case c;
+            random_source r = random_from(14);
+            draw_chain(&r, &c);
+            for (int i = 0; i < LINKS; i++) {
+                c.offsets[i] = vec(0, 0.5f, 0);
+                c.rotations[i] = identity;
+            }
+            c.chain.rotation = identity;
+            c.chain.position = none;
+            nkw_ik_goal goal = {vec(0, 0.45f * (float)k, 0), 1e-4f, 200};
+            nkw_ik_chain_result s = solve(&c, &goal, ccd);
+            assert_true(s.error <= 1e-4f);
+        }
+}
+
+static void short_chains_are_answered(void **state)
+{
+    (void)state;
+    for (int ccd = 0; ccd < 2; ccd++) {
+        chain_case c;
+        random_source r = random_from(15);
+        draw_chain(&r, &c);
+        c.chain.count = 0;
+        nkw_ik_goal goal = {nkw_vec3_add(c.chain.position, vec(3, 0, 0)), 0, 5};
+        expect_near(solve(&c, &goal, ccd).error, 3, 1e-6);
+        c.chain.count = 1;
+        nkw_ik_chain_result s = solve(&c, &goal, ccd);
+        expect_near(s.error, 3 - (double)nkw_vec3_length(c.offsets[0]), 1e-6);
+        goal.target = c.chain.position;
+        s = solve(&c, &goal, ccd);
+        expect_near(s.error, nkw_vec3_length(c.offsets[0]), 1e-6);
+        /* All bones of length zero. */
+        c.chain.count = LINKS;
+        for (int i = 0; i < LINKS; i++)
+            c.offsets[i] = none;
+        goal.target = nkw_vec3_add(c.chain.position, vec(0, 2, 0));
+        s = solve(&c, &goal, ccd);
+        expect_near(s.error, 2, 1e-6);
+        expect_near(nkw_quat_length(c.rotations[3]), 1.0, 3e-7);
+    }
+}
+
+static void joints_stay_within_their_limits(void **state)
+{
+    (void)state;
+    random_source r = random_from(16);
+    int reached = 0;
+    for (int i = 0; i < 600; i++) {
+        chain_case c, wanted;
+        draw_chain(&r, &c);
+        for (int k = 0; k < LINKS; k++) {
+            nkw_limit limit = {random_rotation(&r), c.offsets[k], random_direction(&r), 0.9f, 0.5f, -0.3f, 0.3f};
+            c.limits[k] = limit;
+        }
+        c.chain.limits = c.limits;
+        /* A target that limited rotations reach. */
+        wanted = c;
+        for (int k = 0; k < LINKS; k++)
+            wanted.rotations[k] = nkw_limit_apply(&c.limits[k], random_rotation(&r));
+        nkw_ik_goal goal = {end_of(&wanted), 1e-3f, 200};
+        nkw_ik_chain_result s = solve(&c, &goal, i % 2);
+        expect_near(s.error, nkw_vec3_distance(end_of(&c), goal.target), 3e-6);
+        reached += s.error <= 1e-3f;
+        for (int k = 0; k < LINKS; k++)
+            expect_quat_bits(nkw_limit_apply(&c.limits[k], c.rotations[k]), c.rotations[k]);
+    }
+    assert_true(reached > 300);
+}
+
+static void chains_of_numbers_that_are_not_finite_stay(void **state)
+{
+    (void)state;
+    random_source r = random_from(17);
+    for (int i = 0; i < 40; i++) {
+        chain_case c, before;
+        draw_chain(&r, &c);
+        nkw_ik_goal goal = {vec(1, 1, 1), NAN, 5};
+        float bad = i % 2 ? NAN : -INFINITY;
+        *(i % 5 == 0   ? &c.chain.position.y
+          : i % 5 == 1 ? &c.chain.rotation.w
+          : i % 5 == 2 ? &c.offsets[3].z
+          : i % 5 == 3 ? &c.rotations[5].x
+                       : &goal.target.x) = bad;
+        before = c;
+        nkw_ik_chain_result s = solve(&c, &goal, i % 2);
+        expect_bits(s.error, INFINITY);
+        expect_floats_bits(&c.rotations[0].x, &before.rotations[0].x, 4 * LINKS);
+    }
+    chain_case c;
+    draw_chain(&r, &c);
+    nkw_ik_goal goal = {vec(1, 1, 1), 0, 5};
+    expect_bits(nkw_ik_fabrik_solve(&c.chain, &goal, c.rotations, c.work, LINKS - 1).error, INFINITY);
+    /* Zero rotations count as identities. */
+    memset(c.rotations, 0, sizeof c.rotations);
+    assert_true(nkw_ik_fabrik_solve(&c.chain, &goal, c.rotations, c.work, LINKS).error < 10);
+}
+
+/* ---- Poses ---- */
+
+enum { JOINTS = 8 };
+
+/* A trunk, a leg of hip, twist joint, knee, ankle, toe, and a head. */
+static const int32_t parents[JOINTS] = {-1, 0, 1, 2, 3, 4, 0, 6};
+
+typedef struct body {
+    nkw_skeleton skeleton;
+    nkw_mat4 models[JOINTS], root;
+    float pose[NKW_POSE_FLOATS(JOINTS)];
+    nkw_ik_pose ik;
+} body;
+
+static void update(body *b)
+{
+    nkw_models_from_pose(&b->skeleton, pose_view(b->pose, JOINTS), &b->root, NULL, b->models);
+}
+
+/* `mirror` scales the root by -1 in one axis. */
+static void draw_body(random_source *r, body *b, int mirror)
+{
+    nkw_skeleton skeleton = {parents, JOINTS};
+    nkw_trs trs[JOINTS], root = {random_vec3(r, -1, 1), random_rotation(r), {1.5f, 1.5f, 1.5f}};
+    root.scale.y *= mirror ? -1.0f : 1.0f;
+    for (int j = 0; j < JOINTS; j++) {
+        float s = random_between(r, 0.8f, 1.25f);
+        nkw_trs t = {nkw_vec3_scale(random_direction(r), 0.5f), random_rotation(r), {s, s, s}};
+        trs[j] = t;
+    }
+    nkw_pose_from_trs(trs, pose_span(b->pose, JOINTS));
+    b->skeleton = skeleton;
+    b->root = nkw_mat4_from_trs(&root);
+    nkw_ik_pose ik = {skeleton, b->models, &b->root, pose_span(b->pose, JOINTS)};
+    b->ik = ik;
+    update(b);
+}
+
+static nkw_vec3 place(const body *b, size_t joint)
+{
+    return nkw_mat4_translation(&b->models[joint]);
+}
+
+static void limbs_of_poses_reach_their_targets(void **state)
+{
+    (void)state;
+    random_source r = random_from(18);
+    for (int i = 0; i < 4000; i++) {
+        body b;
+        draw_body(&r, &b, i % 2);
+        nkw_ik_limb limb = {1, 3, 4, random_vec3(&r, -2, 2), random_direction(&r), {0, 0, 0}, 0, 1};
+        float error;
+        assert_int_equal(nkw_ik_pose_two_bone(&b.ik, &limb, &error), NKW_OK);
+        update(&b);
+        expect_near(nkw_vec3_distance(place(&b, 4), limb.target), error, 2e-5);
+        nkw_vec3 line = nkw_vec3_normalize(nkw_vec3_sub(limb.target, place(&b, 1)));
+        nkw_vec3 knee = nkw_vec3_reject(nkw_vec3_sub(place(&b, 3), place(&b, 1)), line);
+        nkw_vec3 side = nkw_vec3_reject(limb.pole, line);
+        if (nkw_vec3_length(knee) > 0.05f && nkw_vec3_length(side) > 0.05f)
+            expect_near(nkw_vec3_angle(knee, side), 0, 1e-3);
+    }
+}
+
+static void joints_of_poses_aim(void **state)
+{
+    (void)state;
+    random_source r = random_from(19);
+    for (int i = 0; i < 4000; i++) {
+        body b;
+        draw_body(&r, &b, i % 2);
+        nkw_ik_look look = {i % 3 ? 6 : 0,
+                            random_vec3(&r, -9, 9),
+                            random_direction(&r),
+                            random_vec3(&r, -0.1f, 0.1f),
+                            random_direction(&r),
+                            random_direction(&r),
+                            {0, 0, 0},
+                            0.5f,
+                            1};
+        look.limit_axis = i % 4 ? none : random_direction(&r);
+        float error;
+        assert_int_equal(nkw_ik_pose_aim(&b.ik, &look, &error), NKW_OK);
+        update(&b);
+        const nkw_mat4 *m = &b.models[look.joint];
+        nkw_vec3 start = nkw_mat4_transform_point(m, look.offset);
+        nkw_vec3 ray = nkw_mat4_transform_direction(m, look.forward);
+        expect_near(nkw_vec3_angle(ray, nkw_vec3_sub(look.target, start)), error, 3e-5);
+        assert_true(i % 4 == 0 || error < 1e-4f || nkw_vec3_distance(look.target, start) < 1.0f);
+    }
+}
+
+static void chains_of_poses_reach_their_targets(void **state)
+{
+    (void)state;
+    random_source r = random_from(20);
+    float work[NKW_IK_CHAIN_WORK(4)];
+    int reached = 0;
+    for (int i = 0; i < 1000; i++) {
+        body b;
+        draw_body(&r, &b, i % 2);
+        nkw_ik_reach reach = {5, 4, {{0, 0, 0}, 1e-4f, 100}, NULL, i % 3 ? NKW_IK_FABRIK : NKW_IK_CCD, 1};
+        reach.goal.target = nkw_vec3_add(place(&b, 1), random_vec3(&r, -0.7f, 0.7f));
+        nkw_ik_chain_result result;
+        assert_int_equal(nkw_ik_pose_chain(&b.ik, &reach, &result, work, NKW_IK_CHAIN_WORK(4)), NKW_OK);
+        update(&b);
+        expect_near(nkw_vec3_distance(place(&b, 5), reach.goal.target), result.error, 2e-5);
+        reached += result.error <= 1e-4f;
+        /* At weight 0 the pose stays; at one half the error is that of the pose. */
+        reach.goal.target = random_vec3(&r, -1, 1);
+        reach.weight = 0;
+        body same = b;
+        same.ik = b.ik;
+        nkw_ik_pose_chain(&b.ik, &reach, &result, work, NKW_IK_CHAIN_WORK(4));
+        expect_floats_bits(b.pose, same.pose, NKW_POSE_FLOATS(JOINTS));
+        reach.weight = 0.5f;
+        nkw_ik_pose_chain(&b.ik, &reach, &result, work, NKW_IK_CHAIN_WORK(4));
+        update(&b);
+        expect_near(nkw_vec3_distance(place(&b, 5), reach.goal.target), result.error, 2e-5);
+    }
+    assert_true(reached > 900);
+}
+
+static void joints_that_do_not_fit_change_nothing(void **state)
+{
+    (void)state;
+    random_source r = random_from(21);
+    body b, same;
+    draw_body(&r, &b, 0);
+    same = b;
+    float error = 0, work[NKW_IK_CHAIN_WORK(4)];
+    nkw_ik_limb limb = {1, 3, 4, {1, 1, 1}, {0, 0, 0}, {0, 0, 0}, 0, 1}, odd = limb;
+    odd.end = JOINTS;
+    assert_int_equal(nkw_ik_pose_two_bone(&b.ik, &odd, &error), NKW_OUT_OF_RANGE);
+    expect_bits(error, INFINITY);
+    odd.end = 7;
+    assert_int_equal(nkw_ik_pose_two_bone(&b.ik, &odd, NULL), NKW_NOT_ORDERED);
+    odd = limb;
+    odd.mid = 1;
+    assert_int_equal(nkw_ik_pose_two_bone(&b.ik, &odd, &error), NKW_NOT_ORDERED);
+    nkw_ik_look look = {JOINTS, {1, 1, 1}, {0, 0, 1}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, 0, 1};
+    assert_int_equal(nkw_ik_pose_aim(&b.ik, &look, &error), NKW_OUT_OF_RANGE);
+    nkw_ik_reach reach = {5, 4, {{1, 1, 1}, 0, 9}, NULL, NKW_IK_CCD, 1};
+    nkw_ik_chain_result result;
+    assert_int_equal(nkw_ik_pose_chain(&b.ik, &reach, &result, work, NKW_IK_CHAIN_WORK(4) - 1), NKW_TOO_SMALL);
+    expect_bits(result.error, INFINITY);
+    reach.joint_count = 6;
+    assert_int_equal(nkw_ik_pose_chain(&b.ik, &reach, NULL, work, SIZE_MAX), NKW_OUT_OF_RANGE);
+    reach.joint_count = 0;
+    assert_int_equal(nkw_ik_pose_chain(&b.ik, &reach, &result, work, 0), NKW_EMPTY);
+    b.ik.pose.joint_count = JOINTS - 1;
+    assert_int_equal(nkw_ik_pose_two_bone(&b.ik, &limb, &error), NKW_MISMATCHED);
+    assert_int_equal(nkw_ik_pose_aim(&b.ik, &look, &error), NKW_MISMATCHED);
+    assert_int_equal(nkw_ik_pose_chain(&b.ik, &reach, &result, work, 0), NKW_MISMATCHED);
+    expect_floats_bits(b.pose, same.pose, NKW_POSE_FLOATS(JOINTS));
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(chains_reach_what_they_can),
+        cmocka_unit_test(chains_stretch_to_a_far_target),
+        cmocka_unit_test(descent_never_goes_up),
+        cmocka_unit_test(a_chain_at_its_target_does_not_move),
+        cmocka_unit_test(a_straight_chain_leaves_its_line),
+        cmocka_unit_test(short_chains_are_answered),
+        cmocka_unit_test(joints_stay_within_their_limits),
+        cmocka_unit_test(chains_of_numbers_that_are_not_finite_stay),
+        cmocka_unit_test(limbs_of_poses_reach_their_targets),
+        cmocka_unit_test(joints_of_poses_aim),
+        cmocka_unit_test(chains_of_poses_reach_their_targets),
+        cmocka_unit_test(joints_that_do_not_fit_change_nothing),
+    };
+    return cmocka_run_group_tests_name("ik_chain", tests, NULL, NULL);
+}
