@@ -2,7 +2,7 @@
 /* Handles in time, the behaviour outside the keys, and easing. */
 #include "figure.h"
 
-#include <nakawari/fcurve.h>
+#include <nakawari/dialect.h>
 
 enum { STEPS = 240 };
 
@@ -161,5 +161,51 @@ int figure_ease_kinds(const char *path)
         return 0;
     for (int i = 0; i < 10; i++)
         ease_panel(&s, i, names[i]);
+    return svg_close(&s);
+}
+
+/* ---- To a CUBICSPLINE track ---- */
+
+static void track_panel(svg *s, float x, float tolerance, const char *name)
+{
+    static const nkw_fcurve_key keys[3] = {{0, 0, {0, 0}, {0.95f, 0.1f}, NKW_FCURVE_BEZIER, NKW_EASE_LINEAR},
+                                           {1, 1, {-0.8f, 0}, {0.1f, 0}, NKW_FCURVE_BEZIER, NKW_EASE_LINEAR},
+                                           {2, 0.3f, {-0.8f, 0.4f}, {0, 0}, NKW_FCURVE_BEZIER, NKW_EASE_LINEAR}};
+    float times[64], values[192], error;
+    nkw_fcurve curve = {keys, 3, NKW_FCURVE_OUTSIDE_HOLD, NKW_FCURVE_OUTSIDE_HOLD, 0, 0, NKW_HANDLE_NONE};
+    nkw_track_memory memory = {times, values, 64, NULL, 0};
+    nkw_track track;
+    svg_plot plot = {{x, 150.0f, 400.0f, 250.0f}, {-0.1f, 2.1f, 0.5f, "time, s"}, {-0.15f, 1.2f, 0.5f, ""}};
+    svg_paint exact = svg_stroke(FIGURE_BEZIER, 5.0f, 0.35f), made = svg_stroke(FIGURE_HERMITE, 1.8f, 1.0f);
+    svg_point line[STEPS + 1], fitted[STEPS + 1];
+    char text[2][SVG_DIGITS];
+    figure_bold(s, x, 120.0f, 15.0f, FIGURE_INK, 's', name);
+    if (nkw_track_from_fcurves(&curve, 1, tolerance, &memory, &track, &error) != NKW_OK)
+        return;
+    svg_plot_frame(s, &plot);
+    for (int i = 0; i <= STEPS; i++) {
+        float time = 2.0f * (float)i / (float)STEPS, value;
+        nkw_track_sample(&track, time, &value);
+        line[i] = svg_plot_at(&plot, time, nkw_fcurve_sample(&curve, time).value);
+        fitted[i] = svg_plot_at(&plot, time, value);
+    }
+    svg_polyline(s, line, STEPS + 1, &exact);
+    svg_polyline(s, fitted, STEPS + 1, &made);
+    for (size_t k = 0; k < track.count; k++)
+        figure_key(s, svg_plot_at(&plot, times[k], values[3 * k + 1]));
+    figure_text(s, x, 140.0f, 13.0f, 0x2b2b30, 's', svg_number(text[0], (float)track.count, 0));
+    figure_text(s, x + 20.0f, 140.0f, 13.0f, 0x2b2b30, 's', "keys, largest difference in 1/1000:");
+    figure_text(s, x + 250.0f, 140.0f, 13.0f, 0x2b2b30, 's', svg_number(text[1], 1000.0f * error, 2));
+}
+
+int figure_dialect_track(const char *path)
+{
+    svg s;
+    if (!figure_open(&s, path, 960.0f, 460.0f, "Handles in time as CUBICSPLINE keys",
+                     "Purple: three keys with handles in time. Orange: the track that nkw_track_from_fcurves makes of "
+                     "them, with its keys (circles)."))
+        return 0;
+    track_panel(&s, 50.0f, 0.05f, "tolerance 0.05");
+    track_panel(&s, 530.0f, 0.001f, "tolerance 0.001");
     return svg_close(&s);
 }
