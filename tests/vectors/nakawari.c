@@ -237,6 +237,28 @@ static void rotation_hermite(const value *in, value *out)
     put_state(out, &s, number(in + 5));
 }
 
+/* From the keys and times of `in`; its last value is t. */
+static void keyed(const value *in, value *out, int has_tcb)
+{
+    const nkw_quat keys[4] = {quat(in), quat(in + 1), quat(in + 2), quat(in + 3)};
+    float times[4], t[6] = {0};
+    floats(in + 4, times);
+    floats(in + 5, t);
+    const nkw_tcb tcb[2] = {{t[0], t[1], t[2]}, {t[3], t[4], t[5]}};
+    nkw_rotation_segment s = has_tcb ? nkw_rotation_tcb(keys, times, tcb) : nkw_rotation_catmull_rom(keys, times);
+    put_state(out, &s, number(in + 5 + has_tcb));
+}
+
+static void rotation_catmull_rom(const value *in, value *out)
+{
+    keyed(in, out, 0);
+}
+
+static void rotation_tcb(const value *in, value *out)
+{
+    keyed(in, out, 1);
+}
+
 /* ---- euler ---- */
 
 static void quat_from_euler(const value *in, value *out)
@@ -538,6 +560,8 @@ static const struct {
     A(natural),
     A(ease),
     A(steps),
+    A(rotation_catmull_rom),
+    A(rotation_tcb),
 };
 
 int vectors_answer(const char *group, const vectors_value *in, vectors_value *out)

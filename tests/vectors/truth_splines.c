@@ -255,6 +255,109 @@ static void hermite_group(void)
     hermite_case("hostile", "two-whole-turns-between-equal-keys", k, whole, 1.0f, 0.25f);
 }
 
+/* ---- Velocities from the chords of four keys ---- */
+
+/* 2 log(b a^-1)/h in the outer frame. */
+static void chord_velocity(const wide a[4], const wide b[4], wide h, wide v[3])
+{
+    wide back[4], turn[4];
+    truth_inverse(a, back);
+    wide_quat_mul(b, back, turn);
+    wide_scale(turn, turn[3] < 0 ? -1 : 1, 4);
+    wide_quat_log(turn, v);
+    wide_scale(v, 2 / h, 3);
+}
+
+/* The velocities at keys 1 and 2: tcb NULL is Catmull-Rom. */
+static void velocities_of(spline *s, const wide h[3], const float *tcb)
+{
+    wide w[3][3];
+    for (int i = 0; i < 3; i++)
+        chord_velocity(s->q[i], s->q[i + 1], h[i], w[i]);
+    for (int end = 0; end < 2; end++) {
+        wide h0 = h[end], h1 = h[end + 1], k0 = h1, k1 = h0;
+        if (tcb) {
+            wide t = 1 - (wide)tcb[3 * end], c = tcb[3 * end + 1] * (end ? -1 : 1), b = tcb[3 * end + 2];
+            k0 = t * (1 + c) * (1 + b) * h0;
+            k1 = t * (1 - c) * (1 - b) * h1;
+        }
+        for (int i = 0; i < 3; i++)
+            s->v[end][i] = (k0 * w[end][i] + k1 * w[end + 1][i]) / (h0 + h1);
+    }
+}
+
+static void keyed_case(const char *kind, const char *name, const float k[16], const float times[4], const float *tcb,
+                       float t)
+{
+    spline s = {.duration = (wide)times[2] - times[1]};
+    wide h[3];
+    for (int i = 0; i < 4; i++)
+        normalized(k + 4 * i, s.q[i]);
+    for (int i = 0; i < 3; i++)
+        h[i] = (wide)times[i + 1] - times[i];
+    velocities_of(&s, h, tcb);
+    double angle = (double)(s.duration * fmaxq(wide_length(s.v[0], 3), wide_length(s.v[1], 3)));
+    memcpy(s.q[0], s.q[1], sizeof s.q[0]);
+    memcpy(s.q[1], s.q[2], sizeof s.q[1]);
+    truth_case(kind, name, NULL);
+    put_sizes(4.0 + angle, (double)s.duration);
+    truth_in("q0", k, 4);
+    truth_in("q1", k + 4, 4);
+    truth_in("q2", k + 8, 4);
+    truth_in("q3", k + 12, 4);
+    truth_in("times", times, 4);
+    if (tcb)
+        truth_in("tcb", tcb, 6);
+    truth_in("t", &t, 1);
+    outputs(hermite, &s, t);
+}
+
+static void keyed_group(int has_tcb)
+{
+    static const char *const plain[] = {"in q0 4",
+                                        "in q1 4",
+                                        "in q2 4",
+                                        "in q3 4",
+                                        "in times 4",
+                                        "in t 1",
+                                        "out q 4 sign",
+                                        "out velocity 3 near",
+                                        "out acceleration 3 near",
+                                        NULL};
+    static const char *const with[] = {"in q0 4",
+                                       "in q1 4",
+                                       "in q2 4",
+                                       "in q3 4",
+                                       "in times 4",
+                                       "in tcb 6",
+                                       "in t 1",
+                                       "out q 4 sign",
+                                       "out velocity 3 near",
+                                       "out acceleration 3 near",
+                                       NULL};
+    const float even[4] = {0, 1, 2, 3}, uneven[4] = {0, 0.25f, 1.25f, 4.25f}, tense[6] = {1, 0, 0, 1, 0, 0};
+    float k[16], tcb[6] = {0};
+    truth_group(has_tcb ? "rotation_tcb" : "rotation_catmull_rom", has_tcb ? with : plain, 8.0,
+                "as rotation_hermite, with the velocities rounded");
+    for (int i = 0; i < 8; i++) {
+        float times[4] = {0};
+        draw_keys(k, 0.4f);
+        for (int j = 1; j < 4; j++)
+            times[j] = times[j - 1] + random_between(truth_random(), 0.5f, 1.5f);
+        for (int j = 0; j < 6; j++)
+            tcb[j] = random_between(truth_random(), -1.0f, 1.0f);
+        keyed_case("ordinary", "random", k, times, has_tcb ? tcb : NULL, random_unit(truth_random()));
+    }
+    keyed_case("boundary", "even-times", k, even, has_tcb ? tcb : NULL, 0.5f);
+    keyed_case("boundary", "t-is-0", k, even, has_tcb ? tcb : NULL, 0.0f);
+    if (has_tcb)
+        keyed_case("boundary", "tension-1-rests-at-the-keys", k, even, tense, 0.25f);
+    keyed_case("hostile", "uneven-times", k, uneven, has_tcb ? tcb : NULL, 0.75f);
+    for (int i = 4; i < 8; i++)
+        k[i] = -k[i];
+    keyed_case("hostile", "one-key-negated-is-the-same", k, uneven, has_tcb ? tcb : NULL, 0.75f);
+}
+
 void truth_splines(const char *folder)
 {
     static const char *const about[] = {
@@ -267,6 +370,11 @@ void truth_splines(const char *folder)
         "(Kim, Kim, Shin 1995). rotation_hermite: a exp(b1 u) exp(b2 m) exp(b2 r) exp(b3 w), b1 = 1-(1-t)^3,",
         "b2 = 3t^2-2t^3, b3 = t^3; u, w = duration/6 velocity in the frame of the end, m = (u+w)/2, r closes the "
         "curve.",
+        "rotation_catmull_rom, rotation_tcb: rotation_hermite from q1 to q2 with velocities from the chords w = 2 "
+        "log(b a^-1)/h",
+        "of the segments: (w0 h1 + w1 h0)/(h0 + h1); Kochanek, Bartels 1984 with tension, continuity, bias of q1, then "
+        "of q2:",
+        "after q1 (1-T)((1+C)(1+B) w0 h0 + (1-C)(1-B) w1 h1)/(h0 + h1), before q2 the same with -C.",
         "Neighbouring control values are taken with the nearer sign.",
         NULL,
     };
@@ -274,6 +382,8 @@ void truth_splines(const char *folder)
     four_group("squad", squad);
     four_group("rotation_bspline", bspline);
     hermite_group();
+    keyed_group(0);
+    keyed_group(1);
     truth_close();
 }
 
