@@ -213,7 +213,7 @@ static double start_error(const float *x)
     wide p = e.p / e.h, q = e.q / e.h, square = p * (4 - 3 * p), middle = (2 - p) / 2;
     if (!nkw_handle_runs_back(&s))
         return lengths_error(&limited, p, q, e.h);
-    if (square <= 0)
+    if (3 * p >= 4)
         return lengths_error(&limited, (wide)4 / 3, (wide)1 / 3, e.h);
     wide half = sqrtq(square) / 2;
     return lengths_error(&limited, p, q > middle ? middle + half : middle - half, e.h);
