@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: MIT */
 /**
  * @file
- * Floor 3: transitions from one motion to another without a jump of the value or of its velocity, and the motion between
- * two steps of physics.
+ * Floor 3: transitions from one motion to another without a jump of the value or of its velocity, and the motion
+ * between two steps of physics.
  *
  * Inertialisation stores the offset between the old and the new motion when the new one begins, and reduces it to 0 by
  * a quintic. Only the new motion is evaluated from then on:
@@ -53,7 +53,7 @@ typedef struct nkw_inertia_vec3 {
  *
  * duration  seconds. A duration that is not positive and finite ends the transition at once
  *
- * Error  1.0 u of the norm of the coefficients.
+ * Error  1.01 u of the norm of the coefficients.
  * Source Bollo, Inertialization: High-Performance Animation Transitions in Gears of War, GDC 2018.
  */
 NKW_API nkw_inertia nkw_inertia_begin(nkw_motion from, nkw_motion to, float duration);
@@ -145,7 +145,8 @@ NKW_API nkw_motion_vec3 nkw_vec3_dead_blend_evaluate(const nkw_dead_blend_vec3 *
  *     result = exp((1 - s) log(difference)) to,      difference = +-old to^-1
  *
  * The sign of the difference is that for which it continues the one of the last evaluation. So the arc does not change
- * where the motions pass half a turn from each other, as the shorter arc would; it changes where they pass a whole turn.
+ * where the motions pass half a turn from each other, as the shorter arc would; it changes where they pass a whole
+ * turn.
  * Evaluate in the order of time, in steps in which the difference turns by less than a turn.
  *
  * blend  difference receives the difference
@@ -181,7 +182,8 @@ typedef struct nkw_body_motion {
  * duration  seconds between them. If it is not positive and finite, the velocities of the ends count as 0, and those of
  *           the result are 0
  * alpha     0 at a, 1 at b; outside, the curve continues
- * Returns   exactly the place and the rotation of a at alpha = 0; those of b at alpha = 1, the rotation possibly negated
+ * Returns   exactly the place and the rotation of a at alpha = 0; those of b at alpha = 1, where the rotation may be
+ *           negated
  *
  * Error  as nkw_vec3_cubic_point and nkw_rotation_evaluate.
  */

@@ -109,14 +109,14 @@ NKW_API nkw_play_head_f64 nkw_playback_head_f64(const nkw_playback_range *range,
  * value, first, last  the value now, at the first key and at the last
  * cycle               of a play head; any number. 0 returns the value bit for bit
  *
- * Error  1.0 u of |value| + |cycle (last - first)|.
+ * Error  1.01 u of |value| + |cycle (last - first)|.
  */
 NKW_API float nkw_playback_offset(float value, float first, float last, double cycle);
 /** The same of a vector: each component with the bits of nkw_playback_offset. */
 NKW_API nkw_vec3 nkw_vec3_playback_offset(nkw_vec3 value, nkw_vec3 first, nkw_vec3 last, double cycle);
 /**
- * The same of a rotation: C^cycle value, C = last first^-1 along the shorter arc. The power is computed by its angle, not
- * by repeated products, so it does not drift.
+ * The same of a rotation: C^cycle value, C = last first^-1 along the shorter arc. The power is computed by its angle,
+ * not by repeated products, so it does not drift.
  *
  * Error  3.0 u, for |cycle| below 10^7.
  */

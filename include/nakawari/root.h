@@ -47,7 +47,8 @@ typedef struct nkw_root_rule {
  * nkw_root_place do.
  *
  * root     translation and rotation; the scale is not read
- * Returns  a transform of scale 1. The rotation is unit. A rotation by half a turn about a horizontal axis has no yaw: 0
+ * Returns  a transform of scale 1. The rotation is unit. A rotation by half a turn about a horizontal axis has no
+ *          yaw: the identity
  *
  * Error  1.0 u of the translation.
  */
@@ -56,7 +57,7 @@ NKW_API nkw_trs nkw_root_extract(const nkw_trs *root, const nkw_root_rule *rule)
 /**
  * What remains of a root transform without its motion: motion^-1 root. The scale is that of root.
  *
- * Error  1.5 u of the rotation; 1.0 u of the translation, relative to |root| + |motion|.
+ * Error  1.7 u of the rotation; 1.0 u of the translation, relative to |root| + |motion|.
  */
 NKW_API nkw_trs nkw_root_remove(const nkw_trs *root, const nkw_trs *motion);
 
@@ -99,7 +100,7 @@ typedef struct nkw_root_cycle {
  *
  * The rotation of C is taken along the shorter arc: a clip that turns by more than half a turn is divided.
  *
- * Error  1.0 u of the rotation; 1.0 u of the translation, relative to itself plus 2^-10 of the ways of all cycles
+ * Error  1.0 u of the rotation; 1.0 u of the translation, relative to itself plus 2^-10 of the ways of all cycles.
  */
 NKW_API nkw_trs nkw_root_delta(const nkw_root_cycle *cycle, const nkw_trs *from, const nkw_trs *to, double cycles);
 

@@ -42,7 +42,7 @@ typedef struct nkw_motion_vec3 {
     nkw_vec3 value, velocity;
 } nkw_motion_vec3;
 
-/** A unit quaternion and its angular velocity in radians per second, in the outer frame, as nkw_quat_integrate has it. */
+/** A unit quaternion and its angular velocity in radians per second, in the outer frame, as for nkw_quat_integrate. */
 typedef struct nkw_motion_quat {
     nkw_quat value;
     nkw_vec3 velocity;
@@ -65,7 +65,7 @@ typedef struct nkw_spring {
  * damping_ratio  zeta, 1 for critical damping; negative numbers count as 0, numbers above 2^20 as 2^20
  * Returns        NaN constants if an argument is NaN
  *
- * Error  1.0 u of each constant.
+ * Error  1.01 u of each constant.
  */
 NKW_API nkw_spring nkw_spring_from_half_life(float half_life, float damping_ratio);
 
@@ -76,21 +76,21 @@ NKW_API nkw_spring nkw_spring_from_half_life(float half_life, float damping_rati
  * frequency      Hz; negative numbers count as 0, numbers above 2^60 as 2^60
  * damping_ratio  as above
  *
- * Error  1.0 u of each constant.
+ * Error  1.01 u of each constant.
  */
 NKW_API nkw_spring nkw_spring_from_frequency(float frequency, float damping_ratio);
 
 /**
  * The frequency sqrt(stiffness) / (2 pi) in Hz, the inverse of nkw_spring_from_frequency.
  *
- * Error  1.0 u.
+ * Error  1.01 u.
  */
 NKW_API float nkw_spring_frequency(nkw_spring spring);
 
 /**
  * The damping ratio damping / (2 sqrt(stiffness)). 0 for no damping, infinity for drag alone.
  *
- * Error  1.0 u.
+ * Error  1.01 u.
  */
 NKW_API float nkw_spring_damping_ratio(nkw_spring spring);
 
@@ -98,7 +98,7 @@ NKW_API float nkw_spring_damping_ratio(nkw_spring spring);
  * The time in seconds in which the deviation from the goal, from rest, is halved for the first time: the inverse of
  * nkw_spring_from_half_life. Infinity without stiffness.
  *
- * Error  1.0 u.
+ * Error  1.01 u.
  */
 NKW_API float nkw_spring_half_life(nkw_spring spring);
 
@@ -111,7 +111,7 @@ NKW_API float nkw_spring_half_life(nkw_spring spring);
  * Returns  the motion after h seconds; NaN if an argument is NaN. A value at its goal, with the goal's velocity, stays
  *          there. Where the oscillation turns by 2^50 rad or more in one step, its phase is rounded.
  *
- * Error  1.0 u of the value, relative to the sum of the magnitudes |g(h)| + |m11 (x - g)| + |m12 (x' - g')| that it
+ * Error  1.01 u of the value, relative to the sum of the magnitudes |g(h)| + |m11 (x - g)| + |m12 (x' - g')| that it
  *        consists of, and the same of the velocity; two steps of h differ from the exact step of 2h by at most 2.0 u
  *        of those of both steps.
  */
@@ -135,7 +135,7 @@ NKW_API nkw_motion_vec3 nkw_vec3_spring_step(nkw_spring spring, const nkw_motion
  * h           as above
  * Returns     a unit quaternion; `from` bit for bit for h <= 0
  *
- * Error  1.0 u of the quaternion, for |r| and the angle that it passes below 10 rad.
+ * Error  1.01 u of the quaternion, for |r| and the angle that it passes below 10 rad.
  */
 NKW_API nkw_motion_quat nkw_quat_spring_step(nkw_spring spring, const nkw_motion_quat *from,
                                              const nkw_motion_quat *goal, float h);
@@ -150,7 +150,7 @@ NKW_API nkw_motion_quat nkw_quat_spring_step(nkw_spring spring, const nkw_motion
  * half_life  seconds; 0 and negative numbers return the goal, infinity returns `from`
  * h          seconds; 0 and negative numbers return `from` bit for bit, whatever the half-life
  *
- * Error  1.0 u of |g| + |x - g|; two steps of h differ from the exact step of 2h by at most 2.0 u of it.
+ * Error  1.01 u of |g| + |x - g|; two steps of h differ from the exact step of 2h by at most 2.0 u of it.
  */
 NKW_API float nkw_damper_step(float from, float goal, float half_life, float h);
 /** The same of a vector: each component with the bits of nkw_damper_step. */
@@ -159,14 +159,14 @@ NKW_API nkw_vec3 nkw_vec3_damper_step(nkw_vec3 from, nkw_vec3 goal, float half_l
  * The same of a rotation: the angle of the shorter arc to the goal is halved every half_life seconds. The result has
  * the sign of `from`; where the decay rounds to 0 it is the goal, or its negative.
  *
- * Error  1.0 u.
+ * Error  1.5 u.
  */
 NKW_API nkw_quat nkw_quat_damper_step(nkw_quat from, nkw_quat goal, float half_life, float h);
 
 /**
- * A spring that arrives at a time: it follows a point that moves to the goal at constant velocity. The point leaves for
- * the goal damping / stiffness seconds before the time: from there on the spring slows down as it would with the goal at
- * rest, and its acceleration is continuous. The rest of the deviation decays as that of any spring.
+ * A spring that arrives at a time: it follows a point that moves to the goal at constant velocity. The point jumps to
+ * the goal damping / stiffness seconds before the time: from there on the spring slows down as it would with the goal
+ * at rest, and its acceleration is continuous. The rest of the deviation decays as that of any spring.
  */
 typedef struct nkw_spring_timed {
     nkw_spring spring;
@@ -174,7 +174,7 @@ typedef struct nkw_spring_timed {
 } nkw_spring_timed;
 
 /**
- * One step of a spring that arrives at a time. The step is divided where the point leaves for the goal, so a step of 2h
+ * One step of a spring that arrives at a time. The step is divided where the point jumps to the goal, so a step of 2h
  * equals two of h, except for rounding.
  *
  * timed   receives time_left - h, at least 0. Without time left, the spring follows the goal as nkw_spring_step

@@ -4,8 +4,8 @@
  * Floor 4: whole frames and ticks at rational rates, their conversion into each other and into seconds, and timecode.
  *
  * A film has 24 frames a second, television of the NTSC countries 30000/1001; FBX files count 46186158000 ticks a
- * second, USD stages and BVH files whatever they state. A count of frames or ticks is a whole number: it adds up without
- * rounding, for hours, at every rate. Seconds do not: 1001/30000 is no binary number. Convert to seconds last.
+ * second, USD stages and BVH files any number that they state. A count of frames or ticks is a whole number: it adds up
+ * without rounding, for hours, at every rate. Seconds do not: 1001/30000 is no binary number. Convert to seconds last.
  *
  * All arithmetic is in integers of 128 bits: every result is the exact quotient, rounded once.
  */

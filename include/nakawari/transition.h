@@ -21,8 +21,8 @@ extern "C" {
 #endif
 
 /**
- * Floats in the velocities of a pose: nine arrays of NKW_POSE_STRIDE(joint_count): of the translation x y z, the angular
- * velocity x y z in the frame of the parent, the scale x y z. For arrays on the stack.
+ * Floats in the velocities of a pose: nine arrays of NKW_POSE_STRIDE(joint_count), for the translation x y z, the
+ * angular velocity x y z in the frame of the parent, and the scale x y z. For arrays on the stack.
  */
 #define NKW_POSE_VELOCITY_FLOATS(joint_count) (9 * NKW_POSE_STRIDE(joint_count))
 
