@@ -209,8 +209,8 @@ static void pass(const nkw_playback_step_f64 *s, double low, double high, passed
 
 /*
  * The keys of `cycles` cycles from `first` on, in the direction of play. All cycles except some at either end
- * contain every key. When `out` is full, they are counted by one multiplication, so that the time does not depend on the
- * number of cycles.
+ * contain every key. When `out` is full, they are counted by one multiplication, so that the time does not depend on
+ * the number of cycles.
  */
 static void passes(const nkw_playback_step_f64 *s, double first, double cycles, passed *p)
 {

@@ -83,8 +83,8 @@ static flow flow_after(nkw_spring spring, double h)
 /* ---- The constants ---- */
 
 /*
- * The time in which a spring of omega = 1 at rest halves its deviation, by bisection and Newton's method: the first root
- * of xx(h) = 1/2. It is at least pi/3, where there is no damping, and at most pi/3 + 2 ln 2 zeta.
+ * The time in which a spring of omega = 1 at rest halves its deviation, by bisection and Newton's method: the first
+ * root of xx(h) = 1/2. It is at least pi/3, where there is no damping, and at most pi/3 + 2 ln 2 zeta.
  */
 static double half_time(double ratio)
 {

@@ -43,8 +43,8 @@ static uint64_t magnitude(int64_t x)
 }
 
 /*
- * Stores +-(q + f), 0 <= f < 1, rounded: `half` is -1, 0 or 1 as f is below, at or above 1/2, and `some` says that it is
- * not 0. NKW_OUT_OF_RANGE beyond 63 bits.
+ * Stores +-(q + f), 0 <= f < 1, rounded: `half` is -1, 0 or 1 as f is below, at or above 1/2, and `some` says that it
+ * is not 0. NKW_OUT_OF_RANGE beyond 63 bits.
  */
 static nkw_result rounded(wide q, int half, int some, int negative, nkw_round round, int64_t *out)
 {
