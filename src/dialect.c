@@ -308,7 +308,7 @@ nkw_result nkw_css_from_fcurve_keys(const nkw_fcurve_key keys[2], float css[4])
 
 /* ---- Hermite tangents ---- */
 
-/* Handles of h/3 from the tangents per second that stand in handle.value. */
+/* Handles of h/3 from the tangents per second in handle.value. */
 static void scale_tangents(nkw_fcurve_key *keys, size_t count)
 {
     for (size_t k = 0; k < count; k++) {

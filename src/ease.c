@@ -136,7 +136,7 @@ static handle_point penner_point(int index, double t)
     return r;
 }
 
-/* Finite control points (x1, y1) and (x2, y2), at t. Outside 0..1 along the tangent of the end, unless it is vertical. */
+/* Finite control points (x1, y1) and (x2, y2), at t. Outside 0..1 along the tangent of the end, if not vertical. */
 static handle_point css_point(const float c[4], double t)
 {
     handle_cubic curve = {1.0, (double)c[0], 1.0 - (double)c[2], 0.0, 1.0, (double)c[1], 1.0 - (double)c[3]};

@@ -62,8 +62,8 @@ typedef struct nkw_slope_key {
  *
  * keys     receives `count` keys
  * bad_key  receives the index of the first key with an error, 0 if there is none; may be NULL
- * Returns  NKW_OK; NKW_EMPTY; NKW_BAD_METHOD for an unknown kind, unit or `weighted`, and for EASE; NKW_NOT_FINITE for a
- *          time, value or weight that is not finite, and a slope that is NaN; NKW_NOT_ASCENDING. Keys before the
+ * Returns  NKW_OK; NKW_EMPTY; NKW_BAD_METHOD for an unknown kind, unit or `weighted`, and for EASE; NKW_NOT_FINITE for
+ *          a time, value or weight that is not finite, and a slope that is NaN; NKW_NOT_ASCENDING. Keys before the
  *          offender are written
  *
  * Error  1.1 u of the number, for handles.
@@ -92,8 +92,8 @@ typedef struct nkw_blender_key {
  * Converts keys of Blender. Its evaluation is that of the policy NKW_HANDLE_CONTAIN. Its behaviour outside: `extend`
  * constant and linear are HOLD and LINEAR; the modifier Cycles repeats as CYCLE, CYCLE_OFFSET, OSCILLATE.
  *
- * Returns  NKW_OK; NKW_EMPTY; NKW_NOT_FINITE; NKW_NOT_ASCENDING; NKW_BAD_METHOD for unknown numbers, and for elastic and
- *          expo, whose formulas differ from Penner's: period in frames, and a scale by 1/(1 - 2^-10). Back has
+ * Returns  NKW_OK; NKW_EMPTY; NKW_NOT_FINITE; NKW_NOT_ASCENDING; NKW_BAD_METHOD for unknown numbers, and for elastic
+ *          and expo, whose formulas differ from Penner's: period in frames, and a scale by 1/(1 - 2^-10). Back has
  *          Blender's default overshoot
  *
  * Error  2.0 u of the larger of the coordinates of handle and key.
@@ -109,7 +109,7 @@ NKW_API nkw_result nkw_blender_keys_from_fcurve(const nkw_fcurve_key *keys, size
 typedef enum nkw_handle_type {
     NKW_HANDLE_FREE, /**< stays */
     NKW_HANDLE_ALIGNED, /**< keeps its time, and takes the slope of the other handle */
-    NKW_HANDLE_VECTOR, /**< a third of the way to the neighbouring key */
+    NKW_HANDLE_VECTOR, /**< points to the neighbouring key, a third of the distance */
     NKW_HANDLE_AUTO, /**< the mean of the slopes to both neighbours */
     NKW_HANDLE_AUTO_CLAMPED /**< the same, level at extremes, and never beyond the value of the neighbour */
 } nkw_handle_type;
@@ -188,9 +188,9 @@ NKW_API nkw_result nkw_track_from_fcurves(const nkw_fcurve *curves, size_t width
                                           const nkw_track_memory *memory, nkw_track *out, float *error);
 
 /**
- * Converts three fcurves of Euler angles to one track of rotations, NKW_TRACK_ROTATION and CUBICSPLINE, for glTF and for
- * clips. The track follows the angles through any number of turns: keys are added until it does. Their signs are those
- * for which the cubic takes the way of the angles.
+ * Converts three fcurves of Euler angles to one track of rotations, NKW_TRACK_ROTATION and CUBICSPLINE, for glTF and
+ * for clips. The track follows the angles through any number of turns: keys are added until it does. Their signs are
+ * those for which the cubic follows the angles.
  *
  * angles     about x, y and z, in radians, at any number of turns
  * order      of the product; any other number is read as NKW_EULER_XYZ

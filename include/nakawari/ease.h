@@ -93,7 +93,7 @@ typedef enum nkw_ease_kind {
     NKW_EASE_COUNT
 } nkw_ease_kind;
 
-/** The position of the jumps of steps(): at the start or at the end of each step, at neither or at both ends of 0..1. */
+/** The position of the jumps of steps(): at the start or at the end of each step, at neither or both ends of 0..1. */
 typedef enum nkw_ease_jump {
     NKW_EASE_JUMP_START, /**< 1/n, 2/n ... 1 */
     NKW_EASE_JUMP_END, /**< 0, 1/n ... (n - 1)/n; and any other number */
@@ -121,8 +121,8 @@ NKW_API float nkw_ease(nkw_ease_kind kind, float t);
  * (x1, y1) and (x2, y2).
  *
  * x1, x2   0..1 in CSS; otherwise the curve can run back, and its first value counts, as in handle.h
- * t        outside 0..1 the curve continues along its tangent there, `second` 0; where the tangent is vertical, it holds
- *          the end
+ * t        outside 0..1 the curve continues along its tangent there, `second` 0; where the tangent is vertical, it
+ *          holds the end
  *
  * Error  1.1 u of the largest of 1, |y1| and |y2|, for t in 0..1 and the value, relative to the exact curve at some
  *        time within 2^-48 of t, or of the largest handle, if that is longer than 1.

@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: MIT */
 /**
  * @file
- * Floor 4: curves of animation tools: keys with handles, an interpolation for each key, and a behaviour before the first
- * and after the last key.
+ * Floor 4: curves of animation tools: keys with handles, an interpolation for each key, and a behaviour before the
+ * first and after the last key.
  *
  * An fcurve is a view of the caller's array of keys, in ascending order of time; two equal times are a jump. The
  * segment from key k to k + 1 is half open, as in segment.h, and interpolated by the kind of key k, with

@@ -3,8 +3,8 @@
  * @file
  * Floor 3: cubic Bezier segments whose handles have a time and a value.
  *
- * The curve editors of Blender, Maya, Unity, Unreal, FBX and OpenUSD, and the cubic-bezier() of CSS, draw a curve in the
- * plane of time and value. Its parameter s is not the time:
+ * The curve editors of Blender, Maya, Unity, Unreal, FBX and OpenUSD, and the cubic-bezier() of CSS, draw a curve in
+ * the plane of time and value. Its parameter s is not the time:
  *
  *     time(s)  = time0 r^3 + 3 (time0 + out.time) s r^2 + 3 (time1 + in.time) s^2 r + time1 s^3,       r = 1 - s
  *     value(s) = the same of values

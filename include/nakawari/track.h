@@ -18,8 +18,8 @@
  *     LINEAR        nkw_lerp of each component; slerp for rotations
  *     CUBICSPLINE   the Hermite curve of value[k], d out[k], value[k+1], d in[k+1]; rotations are then normalised
  *
- * Booleans and integers are STEP tracks of NKW_TRACK_FLOATS: every value is a stored one, bit for bit. A float has every
- * integer up to 2^24. Rotations as Euler angles, with any number of turns, become rotation tracks by
+ * Booleans and integers are STEP tracks of NKW_TRACK_FLOATS: every value is a stored one, bit for bit. A float has
+ * every integer up to 2^24. Rotations as Euler angles, with any number of turns, become rotation tracks by
  * nkw_track_from_euler_fcurves (dialect.h).
  *
  * Rotations are x, y, z, w and should be unit. Stored values are used unchanged:
