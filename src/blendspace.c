@@ -52,10 +52,10 @@ static double polar_weight(const float *p, const float *a, const float *b)
     double to_length = mean > 0.0 ? (lb - la) / mean : 0.0, to_angle = angle2(a, b);
     double length = mean > 0.0 ? (length2(p) - la) / mean : 0.0, angle = angle2(a, p);
     double round = to_angle - lane_copysign64(2.0 * LANE_PI * POLAR_ANGLE, to_angle);
-    band one_way = {length * to_length + angle * to_angle, to_length * to_length + to_angle * to_angle};
-    band other_way = {length * to_length + angle * round, to_length * to_length + round * round};
-    double h = weight_in(one_way), other = weight_in(other_way);
-    /* A sample that is more than a quarter turn away is seen both ways round. */
+    band near_side = {length * to_length + angle * to_angle, to_length * to_length + to_angle * to_angle};
+    band far_side = {length * to_length + angle * round, to_length * to_length + round * round};
+    double h = weight_in(near_side), other = weight_in(far_side);
+    /* A sample a quarter turn or more away counts in both directions around the circle. */
     return lane_abs64(to_angle) >= LANE_HALF_PI * POLAR_ANGLE && other < h ? other : h;
 }
 

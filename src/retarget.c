@@ -192,9 +192,24 @@ nkw_result nkw_retarget_map_chain(const nkw_retarget *r, const int32_t *source_c
     return NKW_OK;
 }
 
+static float scale_of(double to, double from)
+{
+    float scale = (float)(to / from);
+    return scale > 0.0f && scale < INFINITY ? scale : 1.0f;
+}
+
+float nkw_retarget_chain_scale(const nkw_retarget *r, const int32_t *source_chain, size_t source_count,
+                               const int32_t *target_chain, size_t target_count)
+{
+    if (source_count == 0 || target_count == 0 || !are_joints(source_chain, source_count, r->source_rest.joint_count) ||
+        !are_joints(target_chain, target_count, r->target_rest.joint_count))
+        return 1.0f;
+    return scale_of(length_to(r->target_rest, target_chain, target_count - 1),
+                    length_to(r->source_rest, source_chain, source_count - 1));
+}
+
 float nkw_retarget_scale(const nkw_mat4 *source, const nkw_mat4 *target, nkw_vec3 up)
 {
     float from = nkw_vec3_dot(up, nkw_mat4_translation(source)), to = nkw_vec3_dot(up, nkw_mat4_translation(target));
-    float scale = to / from;
-    return scale > 0.0f && scale < INFINITY ? scale : 1.0f;
+    return scale_of((double)to, (double)from);
 }

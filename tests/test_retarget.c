@@ -284,6 +284,28 @@ static void chains_of_other_lengths_are_mapped_by_length(void **state)
     assert_int_equal(nkw_retarget_map_chain(&p.retarget, from, 1, bad, 1, p.joints), NKW_OUT_OF_RANGE);
 }
 
+static void the_chain_scale_is_the_ratio_of_lengths(void **state)
+{
+    (void)state;
+    random_source r = random_from(10);
+    pair p;
+    draw_figure(&r, &p.source);
+    draw_figure(&r, &p.target);
+    map_equal(&p);
+    pair_up(&p);
+    const int32_t from[3] = {0, 1, 2}, to[2] = {3, 4}, bad[1] = {JOINTS};
+    double length = (double)nkw_vec3_length(get_joint(p.source.rest, JOINTS, 1).translation) +
+                    (double)nkw_vec3_length(get_joint(p.source.rest, JOINTS, 2).translation);
+    double other = (double)nkw_vec3_length(get_joint(p.target.rest, JOINTS, 4).translation);
+    expect_near(nkw_retarget_chain_scale(&p.retarget, from, 3, to, 2), other / length, 1e-6);
+    expect_bits(nkw_retarget_chain_scale(&p.retarget, from, 3, to, 1), 1.0f);
+    expect_bits(nkw_retarget_chain_scale(&p.retarget, from, 1, to, 2), 1.0f);
+    expect_bits(nkw_retarget_chain_scale(&p.retarget, from, 0, to, 2), 1.0f);
+    expect_bits(nkw_retarget_chain_scale(&p.retarget, from, 3, bad, 1), 1.0f);
+    p.target.rest[4] = INFINITY;
+    expect_bits(nkw_retarget_chain_scale(&p.retarget, from, 3, to, 2), 1.0f);
+}
+
 static void the_scale_is_the_ratio_of_heights(void **state)
 {
     (void)state;
@@ -357,6 +379,7 @@ int main(void)
         cmocka_unit_test(translations_are_scaled),
         cmocka_unit_test(align_turns_the_model_spaces),
         cmocka_unit_test(chains_of_other_lengths_are_mapped_by_length),
+        cmocka_unit_test(the_chain_scale_is_the_ratio_of_lengths),
         cmocka_unit_test(the_scale_is_the_ratio_of_heights),
         cmocka_unit_test(validate_names_the_first_offender),
         cmocka_unit_test(counts_that_do_not_fit_write_nothing),

@@ -8,7 +8,7 @@
  * matrix A of a transform becomes P A P^T, so
  *
  *     translation     P t
- *     rotation        (det P) P q.xyz, q.w     a mirrored rotation turns the other way round
+ *     rotation        (det P) P q.xyz, q.w     a mirrored rotation turns in the opposite direction
  *     scale           |P| s                    exchanged, signs unchanged
  *
  * Models, rest poses, tracks and inverse bind matrices that are all converted by one P show the same motion, seen from

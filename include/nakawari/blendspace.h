@@ -30,7 +30,7 @@ typedef enum nkw_blendspace_kind {
     /**
      * Two parameters that are a velocity: by the difference of the lengths, relative to their mean, and by the angle
      * between the directions times 2. A jog to the left is between a jog ahead and a walk to the left. For a sample or a
-     * point at the origin the angle counts as 0. A sample a quarter turn or more away is seen both ways round.
+     * point at the origin the angle counts as 0. A sample a quarter turn or more away counts in both directions around the circle.
      */
     NKW_BLENDSPACE_POLAR
 } nkw_blendspace_kind;

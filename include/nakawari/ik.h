@@ -232,7 +232,7 @@ typedef struct nkw_ik_reach {
     nkw_ik_goal goal; /**< the target is in the space of the models */
     const nkw_limit *limits; /**< NULL, or joint_count limits, from the ancestor nearest to the root on */
     nkw_ik_method method;
-    float weight; /**< 0..1; at weights between, limits are kept to rounding if they are convex */
+    float weight; /**< 0..1; between, the rotations may leave their limits a little */
 } nkw_ik_reach;
 
 /** The number of floats of working memory of nkw_ik_pose_chain. */

@@ -111,6 +111,15 @@ NKW_API nkw_result nkw_retarget_map_chain(const nkw_retarget *retarget, const in
  */
 NKW_API float nkw_retarget_scale(const nkw_mat4 *source, const nkw_mat4 *target, nkw_vec3 up);
 
+/**
+ * The ratio of the lengths of two chains in the rest poses, such as legs: the sum of |rest translation| of all joints of
+ * the target's chain except the first, divided by that of the source's. For skeletons whose rest poses do not stand.
+ *
+ * Returns  1 if a joint is out of range, or if the quotient is not positive and finite
+ */
+NKW_API float nkw_retarget_chain_scale(const nkw_retarget *retarget, const int32_t *source_chain, size_t source_count,
+                                       const int32_t *target_chain, size_t target_count);
+
 #ifdef __cplusplus
 }
 #endif

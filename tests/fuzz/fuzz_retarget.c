@@ -45,7 +45,9 @@ static void retargets(fuzz *f, int wild)
     nkw_result result = nkw_pose_retarget(&r, pose_view(fuzz_pose(f, m, wild), m), out, fuzz_room(f, room), room);
     FUZZ_CHECK((result == NKW_OK) == (room >= NKW_RETARGET_WORK(m, n)));
     size_t a = fuzz_upto(f, 6), b = fuzz_upto(f, 6);
-    nkw_retarget_map_chain(&r, fuzz_links(f, a, m, wild), a, fuzz_links(f, b, n, wild), b, joints);
+    const int32_t *source_chain = fuzz_links(f, a, m, wild), *target_chain = fuzz_links(f, b, n, wild);
+    nkw_retarget_map_chain(&r, source_chain, a, target_chain, b, joints);
+    FUZZ_CHECK(nkw_retarget_chain_scale(&r, source_chain, a, target_chain, b) > 0.0f);
 }
 
 static void spaces(fuzz *f, int wild)
