@@ -6,9 +6,10 @@
 #include "lane/orient.h"
 #include "lane/scalar.h"
 
-/* The bounds of what springs are made from. */
-#define MOST_FREQUENCY 0x1p62
-#define MOST_RATIO     0x1p20
+/* The bounds of what springs are made from. Slower ones would have a damping, but no stiffness that a float can show. */
+#define LEAST_FREQUENCY 0x1p-62
+#define MOST_FREQUENCY  0x1p62
+#define MOST_RATIO      0x1p20
 
 /* max(x, 0), at most the largest float; NaN stays. -0 becomes 0. */
 static double bounded(float x)
@@ -103,7 +104,8 @@ static double half_time(double ratio)
 
 static nkw_spring spring_of(double omega, double ratio)
 {
-    double w = omega < MOST_FREQUENCY ? omega : omega == omega ? MOST_FREQUENCY : omega;
+    double known = omega < LEAST_FREQUENCY ? 0.0 : omega;
+    double w = known < MOST_FREQUENCY ? known : known == known ? MOST_FREQUENCY : known;
     nkw_spring spring = {(float)(w * w), (float)(2.0 * w * ratio)};
     return spring;
 }

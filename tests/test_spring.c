@@ -227,6 +227,22 @@ static void from_rest_the_deviation_is_halved_in_the_half_life(void **state)
     expect_near(nkw_damper_step(8, 0, 0.75f, 1.5f), 2, 2e-7);
 }
 
+static void half_lives_are_exact_for_any_damping_and_scale(void **state)
+{
+    (void)state;
+    const float ratios[] = {0, 1e-6f, 0.3f, 1, 30, 1e3f, 1e6f, 1e9f, INFINITY},
+                times[] = {1e-10f, 1e-3f, 1, 1e3f, 1e10f};
+    for (int i = 0; i < 9; i++) {
+        for (int k = 0; k < 5; k++) {
+            nkw_spring s = nkw_spring_from_half_life(times[k], ratios[i]);
+            expect_near(nkw_spring_step(s, motion(1, 0), motion(0, 0), times[k]).value, 0.5, 1e-6);
+        }
+        nkw_spring none = nkw_spring_from_half_life(1e30f, ratios[i]);
+        expect_bits(none.stiffness, 0);
+        expect_bits(none.damping, 0);
+    }
+}
+
 static void only_underdamped_springs_pass_the_goal(void **state)
 {
     (void)state;
@@ -447,6 +463,7 @@ int main(void)
         cmocka_unit_test(nan_stays_nan),
         cmocka_unit_test(constants_convert_into_each_other),
         cmocka_unit_test(from_rest_the_deviation_is_halved_in_the_half_life),
+        cmocka_unit_test(half_lives_are_exact_for_any_damping_and_scale),
         cmocka_unit_test(only_underdamped_springs_pass_the_goal),
         cmocka_unit_test(an_undamped_spring_keeps_its_energy),
         cmocka_unit_test(vectors_follow_component_by_component),

@@ -61,7 +61,8 @@ typedef struct nkw_spring {
  * The spring whose deviation from the goal, from rest, is halved for the first time after `half_life` seconds. The half
  * of the deviation is exact for every damping ratio; for the critically damped spring, omega = 1.6783 / half_life.
  *
- * half_life      seconds; 0 and negative numbers count as 2^-62 s, which is a jump to the goal; infinity is no spring
+ * half_life      seconds; 0 and negative numbers are a jump to the goal: omega is at most 2^62 per second. Infinity is
+ *                no spring, as is every omega below 2^-62 per second
  * damping_ratio  zeta, 1 for critical damping; negative numbers count as 0, numbers above 2^20 as 2^20
  * Returns        NaN constants if an argument is NaN
  *
