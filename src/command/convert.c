@@ -87,8 +87,9 @@ static int change_clips(model *m, const request *r, const extent *e, FILE *repor
     return fine;
 }
 
-static int run(const model_source *source, const request *r)
+static int run(const model_source *source, void *of)
 {
+    const request *r = of;
     const int to_stdout = !r->output || strcmp(r->output, "-") == 0;
     const int is_gltf = strcmp(source->document->format, "glTF 2.0") == 0;
     const int keeps = is_gltf && !r->reframes && !r->clip;
@@ -151,8 +152,9 @@ static int check_axes(const options *o, request *r)
     return COMMAND_FINE;
 }
 
-static int check_request(const options *o, request *r)
+static int check_request(const options *o, void *of)
 {
+    request *r = of;
     if (!(r->tolerance == -1.0f || (r->tolerance >= 0.0f && r->tolerance < 1e30f)))
         return options_misuse(o, "--tolerance", "not a distance");
     if (!(r->rate >= 0.0f && r->rate <= 1e6f))
@@ -194,16 +196,8 @@ int command_convert(int argc, const char **argv)
          "glb, gltf (with FILE.bin) or embedded (default: by the name of the output)", "FORM"},
         {"output", 'o', POPT_ARG_STRING, &r.output, 0, "write to FILE, not to the standard output", "FILE"},
         OPTIONS_END};
-    options o;
-    model_source source;
-    int code;
-    if (!options_read(&o, &text, known, argc, argv))
-        code = o.code;
-    else if ((code = check_request(&o, &r)) == COMMAND_FINE) {
-        code = model_source_open(&source, o.files[0]) && run(&source, &r) ? COMMAND_FINE : COMMAND_FINDINGS;
-        model_source_close(&source);
-    }
-    options_close(&o);
+    static const model_steps steps = {check_request, run};
+    const int code = model_run(&text, known, argc, argv, &steps, &r);
     free(r.clip);
     free(r.output);
     free(r.form);

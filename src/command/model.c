@@ -46,6 +46,23 @@ void model_source_close(model_source *s)
     free(s->folder);
 }
 
+int model_run(const options_text *text, const struct poptOption *table, int argc, const char **argv,
+              const model_steps *steps, void *request)
+{
+    options o;
+    model_source source;
+    int code;
+    if (!options_read(&o, text, table, argc, argv))
+        code = o.code;
+    else if ((code = steps->check(&o, request)) == COMMAND_FINE) {
+        const int done = model_source_open(&source, o.files[0]) && steps->work(&source, request);
+        code = done ? COMMAND_FINE : COMMAND_FINDINGS;
+        model_source_close(&source);
+    }
+    options_close(&o);
+    return code;
+}
+
 /* ---- the model ---- */
 
 static int no_memory(void)

@@ -6,6 +6,7 @@
 #include <nakawari/export.h>
 #include <nakawari/reduce.h>
 
+#include "command.h"
 #include "extent.h"
 
 /** A file that is kept, because it is written again with other animations. */
@@ -19,6 +20,16 @@ typedef struct model_source {
 /** Opens a file, or the standard input for "-". Reports errors and returns 0. model_source_close is due either way. */
 int model_source_open(model_source *s, const char *path);
 void model_source_close(model_source *s);
+
+/** What a subcommand does with such a file: as command_steps. */
+typedef struct model_steps {
+    int (*check)(const options *o, void *request);
+    int (*work)(const model_source *source, void *request);
+} model_steps;
+
+/** command_run for files that are kept. */
+int model_run(const options_text *text, const struct poptOption *table, int argc, const char **argv,
+              const model_steps *steps, void *request);
 
 typedef struct model {
     nkw_document document; /**< a copy of the original, whose arrays are replaced */

@@ -181,19 +181,6 @@ static int read_scene(nkwi_assimp *a)
     return scene->name != NULL;
 }
 
-/* The morph weights of nodes at rest: those of their meshes. */
-static int rest_weights(nkwi_assimp *a)
-{
-    nkw_document *d = &a->document->all;
-    float *floats = (float *)nkwi_assimp_take(a, "nodes", d->float_count, sizeof *floats);
-    for (size_t j = 0; floats && j < d->skeleton.joint_count; j++)
-        if (d->nodes[j].float_count > 0)
-            memcpy(floats + d->nodes[j].float_first, d->meshes[d->nodes[j].mesh].weights,
-                   d->nodes[j].float_count * sizeof *floats);
-    d->rest_floats = floats;
-    return floats != NULL;
-}
-
 int nkwi_assimp_nodes(nkwi_assimp *a)
 {
     static const nkwi_place root = {NULL, NULL, 0}, place = {&root, "nodes", 0};
@@ -214,5 +201,5 @@ int nkwi_assimp_nodes(nkwi_assimp *a)
             return 0;
     }
     return nkwi_assimp_instances(a, list) && nkwi_document_nodes(a->document, a->error, &place, list, parents, count) &&
-           rest_weights(a) && nkwi_assimp_skins(a) && read_scene(a);
+           nkwi_assimp_skins(a) && read_scene(a);
 }

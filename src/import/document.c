@@ -39,7 +39,7 @@ const char *nkwi_document_name(nkwi_document *document, nkw_import_error *error,
     return nkwi_document_text(document, error, made);
 }
 
-/* The morph weights of each joint, after those of the joints before it. */
+/* The places of the morph weights of each joint, after those of the joints before it. */
 static int place_weights(nkwi_document *d, nkw_import_error *error, const nkwi_place *place)
 {
     static const uint32_t most = (uint32_t)1 << 29; /* of nkw_clip_measure */
@@ -54,6 +54,17 @@ static int place_weights(nkwi_document *d, nkw_import_error *error, const nkwi_p
         d->all.float_count += count;
     }
     return 1;
+}
+
+static int copy_weights(nkwi_document *d, nkw_import_error *error, const nkwi_place *place)
+{
+    float *floats = (float *)nkwi_document_take(d, error, place, d->all.float_count, sizeof *floats);
+    for (size_t j = 0; floats && j < d->all.skeleton.joint_count; j++)
+        if (d->nodes[j].float_count > 0)
+            memcpy(floats + d->nodes[j].float_first, d->all.meshes[d->nodes[j].mesh].weights,
+                   d->nodes[j].float_count * sizeof *floats);
+    d->all.rest_floats = d->rest_floats = floats;
+    return floats != NULL;
 }
 
 int nkwi_document_nodes(nkwi_document *d, nkw_import_error *error, const nkwi_place *place,
@@ -83,7 +94,7 @@ int nkwi_document_nodes(nkwi_document *d, nkw_import_error *error, const nkwi_pl
     d->all.skeleton.parents = parents;
     d->all.skeleton.joint_count = count;
     d->all.rest = nkw_pose_view_from_span(pose);
-    return place_weights(d, error, place);
+    return place_weights(d, error, place) && copy_weights(d, error, place);
 }
 
 /* The names that clips store. */

@@ -11,6 +11,7 @@ typedef struct nkwi_document {
     nkw_document all;
     nkwi_memory memory;
     nkw_document_node *nodes; /* all.nodes, to be completed */
+    float *rest_floats; /* all.rest_floats, the same */
 } nkwi_document;
 
 /* The most bytes that a document of `bytes` bytes of files may allocate. No valid file is known that needs more. */
@@ -28,7 +29,7 @@ const char *nkwi_document_name(nkwi_document *document, nkw_import_error *error,
                                size_t number);
 
 /*
- * The skeleton, the rest pose and the morph weights of `count` nodes. `list` and `node_parents` are in the order of the
+ * The skeleton, the rest pose and the morph weights of `count` nodes: those of their meshes. `list` and `node_parents` are in the order of the
  * file; the nodes of the document are sorted. The skin of a node is that of the file. Places of errors are below
  * `place`.
  */

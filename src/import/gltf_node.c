@@ -1,6 +1,5 @@
 /* SPDX-License-Identifier: MIT */
 /* glTF 2.0, 3.5 and 3.7.3: nodes, skins and scenes. */
-#include <string.h>
 
 #include <nakawari/transform.h>
 
@@ -57,20 +56,14 @@ static int read_node(nkwi_gltf *g, const nkwi_value *object, nkw_document_node *
 /* After the nodes are sorted. */
 static int read_weights(nkwi_gltf *g, const nkwi_value *list)
 {
-    const nkw_document *document = &g->document->all;
-    float *floats = (float *)nkwi_gltf_take(g, list, document->float_count, sizeof *floats);
-    if (!floats)
-        return 0;
-    for (size_t j = 0; j < document->skeleton.joint_count; j++) {
+    const nkwi_document *document = g->document;
+    for (size_t j = 0; j < document->all.skeleton.joint_count; j++) {
         const nkw_document_node *node = &document->nodes[j];
         nkwi_value object = nkwi_element(list, node->number);
-        if (node->float_count == 0)
-            continue;
-        memcpy(floats + node->float_first, document->meshes[node->mesh].weights, node->float_count * sizeof *floats);
-        if (!nkwi_floats(g->error, &object, "weights", floats + node->float_first, node->float_count))
+        if (node->float_count > 0 &&
+            !nkwi_floats(g->error, &object, "weights", document->rest_floats + node->float_first, node->float_count))
             return 0;
     }
-    g->document->all.rest_floats = floats;
     return 1;
 }
 

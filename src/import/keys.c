@@ -164,19 +164,6 @@ static int make_meshes(nkwi_keys *k, nkw_document_node *nodes, size_t node_count
     return 1;
 }
 
-/* After the nodes are sorted. */
-static int rest_weights(nkwi_keys *k)
-{
-    nkw_document *d = &k->document->all;
-    float *floats = (float *)nkwi_document_take(k->document, k->error, NULL, d->float_count, sizeof *floats);
-    for (size_t j = 0; floats && j < d->skeleton.joint_count; j++)
-        if (d->nodes[j].float_count > 0)
-            memcpy(floats + d->nodes[j].float_first, d->meshes[d->nodes[j].mesh].weights,
-                   d->nodes[j].float_count * sizeof *floats);
-    d->rest_floats = floats;
-    return floats != NULL;
-}
-
 /* Rows of a clip, then of a node, then as in the file. */
 static int compare_rows(const void *left, const void *right)
 {
@@ -200,7 +187,7 @@ static int make_nodes(nkwi_keys *k)
         memcpy(&nodes[k->rows[i].node].rest, k->numbers + k->rows[i].numbers, sizeof(nkw_trs));
     qsort(k->rows, k->row_count, sizeof *k->rows, compare_rows);
     good = good && make_meshes(k, nodes, count) &&
-           nkwi_document_nodes(k->document, k->error, &place, nodes, parents, count) && rest_weights(k);
+           nkwi_document_nodes(k->document, k->error, &place, nodes, parents, count);
     free(nodes);
     free(parents);
     return good;

@@ -18,6 +18,16 @@ void planted_turn(planted *p, int key, double degrees)
     q[3] = (float)cos(degrees / 114.59155902616465);
 }
 
+planted planted_cubic(void)
+{
+    planted p = planted_clean();
+    p.cubic = 1;
+    memset(p.rotations, 0, sizeof p.rotations);
+    for (int k = 0; k < PLANTED_KEYS; k++)
+        planted_turn(&p, k, 10.0 * k);
+    return p;
+}
+
 planted planted_clean(void)
 {
     static const double turns[PLANTED_KEYS] = {0.0, 40.0, 10.0, 60.0, 0.0};

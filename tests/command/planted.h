@@ -22,6 +22,8 @@ typedef struct planted {
 
 /** A file without a fault: the joint turns by 0, 40, 10, 60 and 0 degrees, moves and grows, and returns. */
 planted planted_clean(void);
+/** The same with CUBICSPLINE rotations that turn by 10 degrees from key to key, with zero tangents. */
+planted planted_cubic(void);
 /** The rotation of a key by degrees about z. */
 void planted_turn(planted *p, int key, double degrees);
 /** Writes the file and its buffer, NAME.gltf and NAME.bin, into the current folder. */

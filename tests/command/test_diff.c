@@ -72,11 +72,7 @@ static void a_turn_counts_at_the_distance_of_the_skin(void **state)
 static void times_between_keys_are_compared(void **state)
 {
     (void)state;
-    planted p = planted_clean();
-    p.cubic = 1;
-    memset(p.rotations, 0, sizeof p.rotations);
-    for (int k = 0; k < PLANTED_KEYS; k++)
-        planted_turn(&p, k, 10.0 * k);
+    planted p = planted_cubic();
     planted_write(&p, "diff_a");
     p.rotations[3 * 1 + 2][2] = 0.5f; /* the out-tangent of key 1 */
     planted_write(&p, "diff_b");

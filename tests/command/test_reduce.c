@@ -69,11 +69,7 @@ static void lossless_reduction_has_no_difference(void **state)
 static void keys_of_cubic_curves_keep_their_tangents(void **state)
 {
     (void)state;
-    planted p = planted_clean();
-    p.cubic = 1;
-    memset(p.rotations, 0, sizeof p.rotations);
-    for (int k = 0; k < PLANTED_KEYS; k++)
-        planted_turn(&p, k, 10.0 * k);
+    planted p = planted_cubic();
     planted_write(&p, "cubic");
     char *said = program_run(NULL, "reduce cubic.gltf --tolerance 0.5 -o cubic.glb");
     assert_true(report_of(said, 0).distance <= 0.5);
