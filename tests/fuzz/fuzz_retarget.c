@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* Feet, retargeting, blend spaces: in bounds for any indices and counts, and weights that are weights. */
+/* Feet, retargeting, axes of poses, blend spaces: in bounds for any indices and counts, and weights that are weights. */
 #include "fuzz.h"
 #include "../support/views.h"
 
@@ -50,6 +50,19 @@ static void retargets(fuzz *f, int wild)
     FUZZ_CHECK(nkw_retarget_chain_scale(&r, source_chain, a, target_chain, b) > 0.0f);
 }
 
+static void axes(fuzz *f, int wild)
+{
+    size_t n = fuzz_upto(f, JOINTS);
+    const nkw_axes from = NKW_AXES_BLENDER, to = NKW_AXES_UNREAL;
+    nkw_axes_map map = nkw_axes_map_from_axes(from, to);
+    const float *pose = fuzz_pose(f, n, wild);
+    nkw_pose_span out = {fuzz_room(f, NKW_POSE_FLOATS(n)), n};
+    FUZZ_CHECK(nkw_pose_convert_axes(pose_view(pose, n), map, out) == NKW_OK);
+    nkw_pose_convert_axes(nkw_pose_view_from_span(out), nkw_axes_map_inverse(map), out);
+    for (size_t c = 0; n && c < 10; c++)
+        FUZZ_CHECK(fuzz_same(out.data + c * NKW_POSE_STRIDE(n), pose + c * NKW_POSE_STRIDE(n), n));
+}
+
 static void spaces(fuzz *f, int wild)
 {
     size_t count = fuzz_upto(f, 12), dimension = fuzz_upto(f, 4), bad;
@@ -72,6 +85,7 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
     int wild = fuzz_byte(&f) % 2;
     feet(&f);
     retargets(&f, wild);
+    axes(&f, wild);
     spaces(&f, wild);
     return fuzz_end(&f);
 }

@@ -147,6 +147,24 @@ static void fit(fuzz *f, const nkw_track *t)
     FUZZ_CHECK(out.count == 0 || !(tolerance >= 0.0f) || error <= tolerance || out.count == t->count);
 }
 
+/* There and back are the same bits. */
+static void convert(fuzz *f, const nkw_track *t)
+{
+    nkw_axes_map map = {(nkw_axis)(fuzz_choice(f, 6) - 3), (nkw_axis)(fuzz_choice(f, 6) - 3),
+                        (nkw_axis)(fuzz_choice(f, 6) - 3)};
+    nkw_clip_track c = {(nkw_clip_target)fuzz_choice(f, 3), 0, *t};
+    size_t count = nkw_track_value_count(t);
+    float *values = fuzz_room(f, count);
+    nkw_track_convert_axes(t, (nkw_axes_kind)fuzz_choice(f, 3), map, values);
+    if (nkw_clip_track_convert_axes(&c, map, values) != NKW_OK)
+        return;
+    c.track.values = values;
+    if (nkw_axes_map_is_valid(map)) {
+        nkw_clip_track_convert_axes(&c, nkw_axes_map_inverse(map), values);
+        FUZZ_CHECK(fuzz_same(values, t->values, count));
+    }
+}
+
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
 {
     fuzz f = fuzz_begin(data, size);
@@ -158,5 +176,6 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
     edit(&f, &t, &other);
     reduce(&f, &t);
     fit(&f, &t);
+    convert(&f, &t);
     return fuzz_end(&f);
 }
