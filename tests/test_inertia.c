@@ -4,30 +4,7 @@
 
 #include "random.h"
 #include "support/expect.h"
-
-static nkw_motion motion(float value, float velocity)
-{
-    nkw_motion m = {value, velocity};
-    return m;
-}
-
-static nkw_vec3 vec(float x, float y, float z)
-{
-    nkw_vec3 v = {x, y, z};
-    return v;
-}
-
-static nkw_motion_vec3 moving(nkw_vec3 value, nkw_vec3 velocity)
-{
-    nkw_motion_vec3 m = {value, velocity};
-    return m;
-}
-
-static nkw_motion_quat rotating(nkw_quat value, nkw_vec3 velocity)
-{
-    nkw_motion_quat m = {value, velocity};
-    return m;
-}
+#include "support/motions.h"
 
 static nkw_motion some_motion(random_source *r)
 {

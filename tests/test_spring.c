@@ -4,26 +4,9 @@
 
 #include "random.h"
 #include "support/expect.h"
+#include "support/motions.h"
 
 #define U 0x1p-24
-
-static nkw_motion motion(float value, float velocity)
-{
-    nkw_motion m = {value, velocity};
-    return m;
-}
-
-static nkw_vec3 vec(float x, float y, float z)
-{
-    nkw_vec3 v = {x, y, z};
-    return v;
-}
-
-static nkw_motion_quat rotating(nkw_quat value, nkw_vec3 velocity)
-{
-    nkw_motion_quat m = {value, velocity};
-    return m;
-}
 
 static nkw_motion_quat still(nkw_quat value)
 {

@@ -1,6 +1,5 @@
 /* SPDX-License-Identifier: MIT */
 /* glTF 2.0, 3.5 and 3.7.3: nodes, skins and scenes. */
-
 #include <nakawari/transform.h>
 
 #include "gltf.h"
