@@ -7,6 +7,7 @@
 #include <nakawari/track.h>
 
 #include "lane/quat.h"
+#include "track_keys.h"
 
 /* Where the value of key k begins, and the floats of a key. */
 typedef struct rotation_keys {
@@ -16,8 +17,7 @@ typedef struct rotation_keys {
 
 static rotation_keys keys_of(const nkw_track *track, const float *values)
 {
-    int cubic = track->interpolation == NKW_INTERPOLATION_CUBICSPLINE;
-    rotation_keys k = {values + (cubic ? 4 : 0), cubic ? 12 : 4};
+    rotation_keys k = {values + (track_is_cubic(track) ? 4 : 0), track_key_size(track)};
     return k;
 }
 
@@ -28,20 +28,14 @@ static int are_opposed(const float *a, const float *b)
     return lane_f64_quat_dot(p, q) < 0.0;
 }
 
-static int is_rotation(const nkw_track *track)
-{
-    return track->kind == NKW_TRACK_ROTATION || track->kind == NKW_TRACK_ROTATION_NORMALIZED;
-}
-
 static int is_cubic_at(const nkw_track *track, size_t k)
 {
-    return track->interpolation == NKW_INTERPOLATION_CUBICSPLINE &&
-           (!track->key_interpolation || track->key_interpolation[k] == NKW_INTERPOLATION_CUBICSPLINE);
+    return track_is_cubic(track) && track_interpolation_at(track, k) == NKW_INTERPOLATION_CUBICSPLINE;
 }
 
 size_t nkw_track_long_arc(const nkw_track *track, size_t first)
 {
-    if (track->count == 0 || !is_rotation(track) || track->width != 4)
+    if (track->count == 0 || !track_is_rotation(track) || track->width != 4)
         return track->count;
     rotation_keys keys = keys_of(track, track->values);
     for (size_t k = first; k < track->count && k + 1 < track->count; k++) {
@@ -65,12 +59,12 @@ nkw_result nkw_track_align(const nkw_track *track, float *values, size_t *negate
         *negated = 0;
     if (track->count == 0 || track->width == 0)
         return NKW_EMPTY;
-    if (is_rotation(track) && track->width != 4)
+    if (track_is_rotation(track) && track->width != 4)
         return NKW_BAD_WIDTH;
     if (values != track->values)
         memcpy(values, track->values, nkw_track_value_count(track) * sizeof *values);
     rotation_keys keys = keys_of(track, values);
-    for (size_t k = 1; is_rotation(track) && k < track->count; k++) {
+    for (size_t k = 1; track_is_rotation(track) && k < track->count; k++) {
         const float *value = keys.first + k * keys.stride;
         if (are_opposed(value - keys.stride, value)) {
             negate(values + k * keys.stride, keys.stride);

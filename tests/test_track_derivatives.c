@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 #include <math.h>
+#include <string.h>
 
 #include "four_keys.h"
 #include "random.h"
@@ -133,6 +134,135 @@ static void rotations_and_empty_tracks_are_refused(void **state)
         assert_true(at[i] == 9 && velocity[i] == 9 && acceleration[i] == 9);
 }
 
+/* Four unit keys, each at most 1 rad from the one before, with tangents for CUBICSPLINE: 48 or 16 floats. */
+static void draw_rotations(random_source *r, int cubic, float *v)
+{
+    nkw_quat q = random_rotation(r);
+    for (int k = 0; k < 4; k++, q = random_near(r, q, random_between(r, 0.1f, 0.5f))) {
+        float *key = v + (cubic ? 12 * k : 4 * k);
+        for (int i = 0; i < 12 && cubic; i++)
+            key[i] = random_between(r, -1, 1);
+        memcpy(key + (cubic ? 4 : 0), &q, sizeof q);
+    }
+}
+
+static nkw_rotation_state rotation_at(const nkw_track *track, float time)
+{
+    nkw_rotation_state s;
+    assert_int_equal(nkw_track_sample_rotation(track, time, &s), NKW_OK);
+    return s;
+}
+
+static void orientation_has_the_bits_of_the_sample(void **state)
+{
+    (void)state;
+    random_source r = random_from(3);
+    for (int i = 0; i < 3000; i++) {
+        float v[48], want[4], time = random_between(&r, 0, 3);
+        draw_rotations(&r, i % 3 == NKW_INTERPOLATION_CUBICSPLINE, v);
+        nkw_track track = rotations(v, (nkw_interpolation)(i % 3));
+        track.kind = i % 2 ? NKW_TRACK_ROTATION_NORMALIZED : NKW_TRACK_ROTATION;
+        nkw_rotation_state s = rotation_at(&track, time);
+        nkw_track_sample(&track, time, want);
+        expect_floats_bits(&s.orientation.x, want, 4);
+    }
+}
+
+static void velocity_and_acceleration_are_those_of_neighbouring_samples(void **state)
+{
+    (void)state;
+    random_source r = random_from(4);
+    const float h = 0x1p-7f;
+    for (int i = 0; i < 3000; i++) {
+        float v[48];
+        nkw_interpolation mode = i % 2 ? NKW_INTERPOLATION_CUBICSPLINE : NKW_INTERPOLATION_LINEAR;
+        draw_rotations(&r, i % 2, v);
+        nkw_track track = rotations(v, mode);
+        int k = i % 3;
+        float time = random_between(&r, times4[k] + 2 * h, times4[k + 1] - 2 * h);
+        nkw_rotation_state low = rotation_at(&track, time - h), at = rotation_at(&track, time),
+                           high = rotation_at(&track, time + h);
+        nkw_vec3 velocity = nkw_quat_angular_velocity(low.orientation, high.orientation, 2 * h);
+        nkw_vec3 acceleration = nkw_vec3_scale(nkw_vec3_sub(high.velocity, low.velocity), 1 / (2 * h));
+        expect_vec3_near(at.velocity, velocity, 0.02);
+        expect_vec3_near(at.acceleration, acceleration, 0.1 + 0.02 * nkw_vec3_length(at.acceleration));
+    }
+}
+
+static void a_slerp_turns_at_constant_velocity_along_the_shorter_arc(void **state)
+{
+    (void)state;
+    const float c = 0.70710678f;
+    float v[16] = {0, 0, 0, 1, 0, 0, 0, 1, 0, 0, c, c, 0, 0, -c, -c};
+    nkw_track track = rotations(v, NKW_INTERPOLATION_LINEAR);
+    const nkw_vec3 quarter = {0, 0, 1.57079633f}, none = {0, 0, 0};
+    for (int i = 0; i < 2; i++) {
+        nkw_rotation_state s = rotation_at(&track, i ? 1.0f : 1.25f); /* a quarter turn from 1 s to 2 s */
+        expect_vec3_near(s.velocity, quarter, 1e-6);
+        expect_vec3_bits(s.acceleration, none);
+        expect_vec3_near(rotation_at(&track, 2.25f).velocity, none, 1e-6); /* to the same rotation, negated */
+        for (int k = 8; k < 12; k++)
+            v[k] = -v[k];
+    }
+}
+
+static void a_key_has_the_angular_velocity_of_its_tangent(void **state)
+{
+    (void)state;
+    random_source r = random_from(5);
+    for (int i = 0; i < 300; i++) {
+        float v[48];
+        draw_rotations(&r, 1, v);
+        nkw_track track = rotations(v, NKW_INTERPOLATION_CUBICSPLINE);
+        int k = i % 3;
+        nkw_quat q, tangent;
+        nkw_vec3 w = random_vec3(&r, -3, 3);
+        memcpy(&q, v + 12 * k + 4, sizeof q);
+        nkw_quat half = {0.5f * w.x, 0.5f * w.y, 0.5f * w.z, 0};
+        tangent = nkw_quat_mul(half, q); /* q' = w/2 q */
+        memcpy(v + 12 * k + 8, &tangent, sizeof tangent);
+        expect_vec3_near(rotation_at(&track, times4[k]).velocity, w, 4e-6);
+    }
+}
+
+static void rotations_that_stand_still_have_no_velocity(void **state)
+{
+    (void)state;
+    random_source r = random_from(6);
+    const nkw_vec3 none = {0, 0, 0};
+    float v[48];
+    draw_rotations(&r, 1, v);
+    nkw_track track = rotations(v, NKW_INTERPOLATION_CUBICSPLINE);
+    const float times[5] = {0, 0.4375f, 2.5625f, INFINITY, NAN};
+    for (int i = 0; i < 5; i++) {
+        expect_vec3_bits(rotation_at(&track, times[i]).velocity, none);
+        expect_vec3_bits(rotation_at(&track, times[i]).acceleration, none);
+    }
+    track.interpolation = NKW_INTERPOLATION_STEP;
+    expect_vec3_bits(rotation_at(&track, 1.5f).velocity, none);
+    memset(v, 0, sizeof v); /* no direction */
+    track.interpolation = NKW_INTERPOLATION_CUBICSPLINE;
+    expect_vec3_bits(rotation_at(&track, 1.5f).velocity, none);
+    track.interpolation = NKW_INTERPOLATION_LINEAR;
+    expect_vec3_bits(rotation_at(&track, 1.5f).velocity, none);
+}
+
+static void numbers_and_empty_tracks_have_no_rotation(void **state)
+{
+    (void)state;
+    static const float v[16] = {0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1};
+    nkw_track numbers = floats(v, 4, NKW_INTERPOLATION_LINEAR), empty = rotations(v, NKW_INTERPOLATION_LINEAR),
+              narrow = rotations(v, NKW_INTERPOLATION_LINEAR);
+    const nkw_rotation_state untouched = {{9, 9, 9, 9}, {9, 9, 9}, {9, 9, 9}};
+    nkw_rotation_state s = untouched;
+    empty.count = 0;
+    narrow.width = 3;
+    assert_int_equal(nkw_track_sample_rotation(&numbers, 1, &s), NKW_BAD_METHOD);
+    assert_int_equal(nkw_track_sample_rotation(&empty, 1, &s), NKW_EMPTY);
+    assert_int_equal(nkw_track_sample_rotation(&narrow, 1, &s), NKW_BAD_WIDTH);
+    assert_memory_equal(&s, &untouched, sizeof s);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -143,6 +273,12 @@ int main(void)
         cmocka_unit_test(an_empty_segment_has_no_velocity),
         cmocka_unit_test(each_key_may_choose_its_interpolation),
         cmocka_unit_test(rotations_and_empty_tracks_are_refused),
+        cmocka_unit_test(orientation_has_the_bits_of_the_sample),
+        cmocka_unit_test(velocity_and_acceleration_are_those_of_neighbouring_samples),
+        cmocka_unit_test(a_slerp_turns_at_constant_velocity_along_the_shorter_arc),
+        cmocka_unit_test(a_key_has_the_angular_velocity_of_its_tangent),
+        cmocka_unit_test(rotations_that_stand_still_have_no_velocity),
+        cmocka_unit_test(numbers_and_empty_tracks_have_no_rotation),
     };
     return cmocka_run_group_tests_name("track_derivatives", tests, NULL, NULL);
 }

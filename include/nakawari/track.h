@@ -39,6 +39,7 @@
 #include <stdint.h>
 
 #include "axes.h"
+#include "rotation.h"
 #include "segment.h"
 #include "types.h"
 
@@ -145,14 +146,33 @@ NKW_API nkw_result nkw_track_convert_axes(const nkw_track *track, nkw_axes_kind 
  *                   acceleration = ((6 - 12t) (b - a)/h + (6t - 4) v0 + (6t - 2) v1)/h
  *
  * value, velocity, acceleration  receive `width` floats each
- * Returns  NKW_OK; NKW_EMPTY without keys or for width 0; NKW_BAD_METHOD for a rotation; after an error nothing is
- *          written
+ * Returns  NKW_OK; NKW_EMPTY without keys or for width 0; NKW_BAD_METHOD for a rotation (nkw_track_sample_rotation);
+ *          after an error nothing is written
  *
  * Error  1.0 u of the larger of the derivative and the largest of |b - a|/h, |v0|, |v1|, divided by h for the second;
  *        at the rounded t of the segment.
  */
 NKW_API nkw_result nkw_track_sample_derivatives(const nkw_track *track, float time, float *value, float *velocity,
                                                 float *acceleration);
+
+/**
+ * The orientation at `time`, and its angular velocity and acceleration in the outer frame, of a track of rotations. The
+ * orientation has the bits of nkw_track_sample. Velocity and acceleration are 0 where those of
+ * nkw_track_sample_derivatives are, and at a key they are those of the same segment. With the four numbers p of the
+ * Hermite curve, whose direction is the orientation, and p* the conjugate:
+ *
+ *     LINEAR        velocity = 2 log(b a^-1)/h along the shorter arc           acceleration = 0
+ *     CUBICSPLINE   velocity = 2 Im(p' p*)/|p|^2                               Im: the vector part
+ *                   acceleration = 2 Im(p'' p*)/|p|^2 - 2 (p.p')/|p|^2 velocity
+ *
+ * out      receives the state; where p is 0, velocity and acceleration are 0
+ * Returns  NKW_OK; NKW_EMPTY without keys or for width 0; NKW_BAD_WIDTH for a width other than 4; NKW_BAD_METHOD for a
+ *          track of numbers; after an error nothing is written
+ *
+ * Error  1.0 u of the velocity, of its length for LINEAR, of S = 2 |p'|/|p| for CUBICSPLINE; 1.0 u of the acceleration,
+ *        of 2 |p''|/|p| + S^2; for keys up to 1 rad apart and at the rounded t of the segment.
+ */
+NKW_API nkw_result nkw_track_sample_rotation(const nkw_track *track, float time, nkw_rotation_state *out);
 
 /**
  * The warning that nkw_track_validate does not give: the index of the first key, from `first` on, from which a

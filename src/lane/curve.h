@@ -161,6 +161,13 @@ static inline lane_f64_slopes lane_slopes_of(nkw_cubic_kind kind, const float c[
                                            : hermite;
 }
 
+/* The value, from p(0) = from. */
+static inline double lane_f64_value(double from, lane_f64_slopes a, double t)
+{
+    double s = 1.0 - t;
+    return from + (((t * t) * (3.0 - 2.0 * t)) * a.f + ((t * (s * s)) * a.v0 - ((t * t) * s) * a.v1));
+}
+
 /* The first and second derivative by t; see nkw_cubic_point. */
 static inline double lane_f64_first(lane_f64_slopes a, double t)
 {

@@ -5,6 +5,7 @@
 #if WIDE_AVAILABLE
 
 #include <math.h>
+#include <quadmath.h>
 
 #define SAMPLES 15000u
 
@@ -81,6 +82,79 @@ static double rates_error(const float *x)
     wide speed = velocity > size ? velocity : -velocity > size ? -velocity : size;
     wide bend = acceleration * h > size ? acceleration * h : -acceleration * h > size ? -acceleration * h : size;
     return fmax(wide_error_of(got, &velocity, 1, speed), wide_error_of(got + 1, &acceleration, 1, bend / h));
+}
+
+/* 2 Im(a b*). */
+static void twice_over(const wide a[4], const wide b[4], wide out[4])
+{
+    wide conjugate[4] = {-b[0], -b[1], -b[2], b[3]};
+    wide_quat_mul(a, conjugate, out);
+    wide_scale(out, 2, 4);
+}
+
+/*
+ * Angular velocity and acceleration at the rounded t, keys up to 1 rad apart: of S = 2|p'|/|p|, and of
+ * 2|p''|/|p| + S^2.
+ */
+static double cubic_spin_error(const float *x)
+{
+    random_source r = wide_source(x);
+    segment s;
+    nkw_rotation_state got;
+    begin(&s, &r, 4, NKW_TRACK_ROTATION, NKW_INTERPOLATION_CUBICSPLINE);
+    float most = 0.5f / (s.times[1] - s.times[0]);
+    for (int i = 0; i < 24; i++)
+        s.values[i] = random_between(&r, -most, most);
+    nkw_quat a = random_unit_quat(&r);
+    put_quat(s.values + 4, a);
+    put_quat(s.values + 16, random_unit_near(&r, a, 0.5f * random_unit(&r)));
+    if (nkw_track_sample_rotation(&s.track, s.time, &got) != NKW_OK)
+        return HUGE_VAL;
+    wide h = duration_of(&s), t = nkw_segment_find(s.times, 2, s.time).t, u = 1 - t, p[3][4], w[4], e[4];
+    for (int i = 0; i < 4; i++) {
+        wide c[4] = {s.values[4 + i], h * s.values[8 + i], s.values[16 + i], h * s.values[12 + i]};
+        wide k[3][4] = {
+            {(1 + 2 * t) * u * u, t * u * u, t * t * (3 - 2 * t), -t * t * u},
+            {-6 * t * u / h, u * (u - 2 * t) / h, 6 * t * u / h, t * (t - 2 * u) / h},
+            {(12 * t - 6) / h / h, (6 * t - 4) / h / h, (6 - 12 * t) / h / h, (6 * t - 2) / h / h},
+        };
+        for (int d = 0; d < 3; d++)
+            p[d][i] = wide_dot(c, k[d], 4);
+    }
+    wide n = wide_dot(p[0], p[0], 4), speed = 2 * sqrtq(wide_dot(p[1], p[1], 4) / n);
+    twice_over(p[1], p[0], w);
+    twice_over(p[2], p[0], e);
+    for (int i = 0; i < 3; i++) {
+        w[i] /= n;
+        e[i] = e[i] / n - 2 * wide_dot(p[0], p[1], 4) / n * w[i];
+    }
+    wide bend = 2 * sqrtq(wide_dot(p[2], p[2], 4) / n) + speed * speed;
+    return fmax(wide_error_of(&got.velocity.x, w, 3, speed), wide_error_of(&got.acceleration.x, e, 3, bend));
+}
+
+/* The velocity of a slerp, of its length. */
+static double slerp_spin_error(const float *x)
+{
+    random_source r = wide_source(x);
+    segment s;
+    nkw_rotation_state got;
+    wide a[4], b[4], exact[4];
+    begin(&s, &r, 4, NKW_TRACK_ROTATION, NKW_INTERPOLATION_LINEAR);
+    nkw_quat q = random_unit_quat(&r);
+    put_quat(s.values, q);
+    put_quat(s.values + 4, random_unit_near(&r, q, 1.5f * random_unit(&r)));
+    if (nkw_track_sample_rotation(&s.track, s.time, &got) != NKW_OK)
+        return HUGE_VAL;
+    wide_from(s.values, a, 4);
+    wide_from(s.values + 4, b, 4);
+    wide_normalize(a, 4);
+    wide_normalize(b, 4);
+    twice_over(b, a, exact);
+    wide_scale(exact, (wide)0.5, 4);
+    wide v[3];
+    wide_quat_log(exact, v);
+    wide_scale(v, 2 / duration_of(&s), 3);
+    return wide_error_of(&got.velocity.x, v, 3, sqrtq(wide_dot(v, v, 3)));
 }
 
 /* Keys of any sign up to `angle` apart, tangents of up to that length in a segment. */
@@ -166,6 +240,8 @@ static const wide_case cases[] = {
     {SAMPLE, "CUBICSPLINE, rotations 0.25 apart", wide_seed, cubic_turn_small, 2, WIDE_CHECKED},
     {SAMPLE, "CUBICSPLINE, rotations 1 rad apart", wide_seed, cubic_turn_large, 2, WIDE_CHECKED},
     {"nkw_track_sample_derivatives", "CUBICSPLINE", wide_seed, rates_error, 2, WIDE_CHECKED},
+    {"nkw_track_sample_rotation", "CUBICSPLINE, 1 rad apart", wide_seed, cubic_spin_error, 2, WIDE_CHECKED},
+    {"nkw_track_sample_rotation", "LINEAR", wide_seed, slerp_spin_error, 2, WIDE_CHECKED},
     {SAMPLE, "LINEAR, numbers", wide_seed, linear_any, 2, WIDE_CHECKED},
     {SAMPLE, "LINEAR, nearly opposite keys, middle", wide_seed, linear_opposite, 2, WIDE_CHECKED},
     {SAMPLE, "LINEAR, rotations", wide_seed, slerp_error, 2, WIDE_CHECKED},

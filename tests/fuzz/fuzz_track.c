@@ -107,6 +107,17 @@ static void align(fuzz *f, const nkw_track *t)
     }
 }
 
+/* The orientation is the sample. */
+static void turn(fuzz *f, const nkw_track *t)
+{
+    nkw_rotation_state state;
+    float time = fuzz_float(f), *plain = fuzz_room(f, t->width);
+    if (nkw_track_sample_rotation(t, time, &state) == NKW_OK) {
+        nkw_track_sample(t, time, plain);
+        FUZZ_CHECK(fuzz_same(plain, &state.orientation.x, 4));
+    }
+}
+
 static void edit(fuzz *f, const nkw_track *t, const nkw_track *other)
 {
     size_t capacity = fuzz_upto(f, 2 * KEYS);
@@ -173,6 +184,7 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
     finite(&f, &t);
     bake(&f, &t, &other);
     align(&f, &t);
+    turn(&f, &t);
     edit(&f, &t, &other);
     reduce(&f, &t);
     fit(&f, &t);

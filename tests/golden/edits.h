@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* Edits of a track of three keys, hashed by one of its samples. */
+/* Edits and rates of a track of three keys. */
 #ifndef NAKAWARI_TESTS_GOLDEN_EDITS_H
 #define NAKAWARI_TESTS_GOLDEN_EDITS_H
 
@@ -32,6 +32,18 @@ static void edit_track(float *o, const float *times, const nkw_quat *q, const fl
     size_t size = mode == NKW_INTERPOLATION_CUBICSPLINE ? 12 : 4;
     o[1] = out.times[out.count - 1];
     memcpy(o + 2, out.values + size * (out.count - 1), size * sizeof(float));
+}
+
+/* Orientation, angular velocity and angular acceleration of a track of three keys: 10 floats. */
+static void turn_track(float *o, const float *times, const nkw_quat *q, float time, nkw_interpolation mode)
+{
+    float values[36];
+    for (unsigned k = 0; k < 9; k++)
+        memcpy(values + 4 * k, &q[k % 4], 4 * sizeof(float));
+    nkw_track track = {times, values, 3, 4, NKW_TRACK_ROTATION, mode, NULL};
+    nkw_rotation_state state;
+    nkw_track_sample_rotation(&track, time, &state);
+    memcpy(o, &state, sizeof state);
 }
 
 /* A fit of 16 samples; its error is a part of the hash. */

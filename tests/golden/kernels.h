@@ -206,6 +206,8 @@ K(keyframes_bspline_bspline, 16, sample(o, i, NKW_POSITION_BSPLINE, NKW_ORIENTAT
 K(track_floats, 4, sample_track(o, i, NKW_TRACK_FLOATS, NKW_INTERPOLATION_LINEAR))
 K(track_slerp, 4, sample_track(o, i, NKW_TRACK_ROTATION_NORMALIZED, NKW_INTERPOLATION_LINEAR))
 K(track_cubic, 4, sample_track(o, i, NKW_TRACK_ROTATION, NKW_INTERPOLATION_CUBICSPLINE))
+K(track_turn_slerp, 10, turn_track(o, i->times, i->q, i->s[0], NKW_INTERPOLATION_LINEAR))
+K(track_turn_cubic, 10, turn_track(o, i->times, i->q, i->s[0], NKW_INTERPOLATION_CUBICSPLINE))
 K(track_align, 8, align_track(o, i))
 K(track_resample_linear, 7, resample_track(o, i, NKW_INTERPOLATION_LINEAR))
 K(track_resample_cubic, 7, resample_track(o, i, NKW_INTERPOLATION_CUBICSPLINE))
