@@ -248,7 +248,7 @@ static int put_blender_kind(const nkw_fcurve_key *key, nkw_blender_key *b)
     return 0;
 }
 
-nkw_result nkw_blender_keys_from_fcurve(const nkw_fcurve_key *keys, size_t count, nkw_blender_key *blender,
+nkw_result nkw_blender_from_fcurve_keys(const nkw_fcurve_key *keys, size_t count, nkw_blender_key *blender,
                                         size_t *bad_key)
 {
     nkw_result result = check_keys(keys, count, bad_key);

@@ -322,7 +322,7 @@ static nkw_result check_curves(const nkw_fcurve *curves, size_t width, float *fi
     return width > 0 ? NKW_OK : NKW_EMPTY;
 }
 
-static nkw_result write_track(writer *w, nkw_track *out, float *error)
+static nkw_result write_track(writer *w, nkw_track *out, float *difference)
 {
     const nkw_track_memory *memory = w->memory;
     float first, last;
@@ -336,21 +336,21 @@ static nkw_result write_track(writer *w, nkw_track *out, float *error)
     nkw_interpolation mode = steps ? NKW_INTERPOLATION_STEP : NKW_INTERPOLATION_CUBICSPLINE;
     nkw_track made = {memory->times, memory->values, count, w->width, w->kind, mode, NULL};
     *out = made;
-    if (error)
-        *error = result == NKW_OK ? w->error : INFINITY;
+    if (difference)
+        *difference = result == NKW_OK ? w->error : INFINITY;
     return result;
 }
 
 nkw_result nkw_track_from_fcurves(const nkw_fcurve *curves, size_t width, float tolerance,
-                                  const nkw_track_memory *memory, nkw_track *out, float *error)
+                                  const nkw_track_memory *memory, nkw_track *out, float *difference)
 {
     writer w = {curves, width, NKW_TRACK_FLOATS, NKW_EULER_XYZ, width, tolerance, memory, 0, 0.0f};
-    return write_track(&w, out, error);
+    return write_track(&w, out, difference);
 }
 
 nkw_result nkw_track_from_euler_fcurves(const nkw_fcurve angles[3], nkw_euler_order order, float tolerance,
-                                        const nkw_track_memory *memory, nkw_track *out, float *error)
+                                        const nkw_track_memory *memory, nkw_track *out, float *difference)
 {
     writer w = {angles, 3, NKW_TRACK_ROTATION, order, 4, tolerance, memory, 0, 0.0f};
-    return write_track(&w, out, error);
+    return write_track(&w, out, difference);
 }

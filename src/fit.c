@@ -230,7 +230,7 @@ static nkw_result check(const nkw_track *track, const nkw_fit_memory *memory)
 }
 
 nkw_result nkw_track_fit(const nkw_track *track, float tolerance, const nkw_fit_memory *memory, nkw_track *out,
-                         float *error)
+                         float *difference)
 {
     const size_t count = track->count;
     double *work = memory->work;
@@ -254,8 +254,8 @@ nkw_result nkw_track_fit(const nkw_track *track, float tolerance, const nkw_fit_
         float *room = (float *)(void *)(f.right + count * track->width); /* width floats */
         worst = fit_within(&f, tolerance, room);
     }
-    if (error)
-        *error = worst;
+    if (difference)
+        *difference = worst;
     *out = f.out;
     return result;
 }

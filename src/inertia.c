@@ -22,19 +22,19 @@ nkw_inertia nkw_inertia_begin(nkw_motion from, nkw_motion to, float duration)
     return r;
 }
 
-static nkw_inertia_vec3 inertia_of(lane_inertia_c i)
+static nkw_vec3_inertia inertia_of(lane_inertia_c i)
 {
-    nkw_inertia_vec3 r = {{i.c0, i.c1, i.c2}, i.duration};
+    nkw_vec3_inertia r = {{i.c0, i.c1, i.c2}, i.duration};
     return r;
 }
 
-nkw_inertia_vec3 nkw_vec3_inertia_begin(const nkw_motion_vec3 *from, const nkw_motion_vec3 *to, float duration)
+nkw_vec3_inertia nkw_vec3_inertia_begin(const nkw_vec3_motion *from, const nkw_vec3_motion *to, float duration)
 {
     lane_f64_vec3 x = difference_of(from->value, to->value), v = difference_of(from->velocity, to->velocity);
     return inertia_of(lane_inertia_begin(x, v, duration));
 }
 
-nkw_inertia_vec3 nkw_quat_inertia_begin(const nkw_motion_quat *from, const nkw_motion_quat *to, float duration)
+nkw_vec3_inertia nkw_quat_inertia_begin(const nkw_quat_motion *from, const nkw_quat_motion *to, float duration)
 {
     lane_rotation_offset x = lane_rotation_offset_of(from->value, from->velocity, to->value, to->velocity);
     return inertia_of(lane_inertia_begin_quat(x, duration));
@@ -47,7 +47,7 @@ static float offset_rate(float c0, float c1, float c2, float u, float duration)
     return (w * w) * (w * slope - 3.0f * p) / duration;
 }
 
-static nkw_vec3 offset_rate_vec3(const nkw_inertia_vec3 *i, float u)
+static nkw_vec3 offset_rate_vec3(const nkw_vec3_inertia *i, float u)
 {
     nkw_vec3 r = {
         offset_rate(i->c[0].x, i->c[1].x, i->c[2].x, u, i->duration),
@@ -67,11 +67,11 @@ nkw_motion nkw_inertia_evaluate(nkw_inertia inertia, nkw_motion to, float t)
     return r;
 }
 
-nkw_motion_vec3 nkw_vec3_inertia_evaluate(const nkw_inertia_vec3 *inertia, const nkw_motion_vec3 *to, float t)
+nkw_vec3_motion nkw_vec3_inertia_evaluate(const nkw_vec3_inertia *inertia, const nkw_vec3_motion *to, float t)
 {
     float u = lane_inertia_time(t, inertia->duration);
     nkw_vec3 offset = lane_inertia_offset_vec3(inertia->c[0], inertia->c[1], inertia->c[2], u);
-    nkw_motion_vec3 r = {
+    nkw_vec3_motion r = {
         lane_inertia_value_vec3(to->value, offset, u),
         lane_inertia_value_vec3(to->velocity, offset_rate_vec3(inertia, u), u),
     };
@@ -89,14 +89,14 @@ static nkw_vec3 velocity_of(lane_f64_vec3 half, lane_f64_vec3 rate, nkw_vec3 to)
     return lane_vec3_from_f64(lane_f64_vec3_add_scaled(own, carried, 1.0));
 }
 
-nkw_motion_quat nkw_quat_inertia_evaluate(const nkw_inertia_vec3 *inertia, const nkw_motion_quat *to, float t)
+nkw_quat_motion nkw_quat_inertia_evaluate(const nkw_vec3_inertia *inertia, const nkw_quat_motion *to, float t)
 {
     float u = lane_inertia_time(t, inertia->duration);
     if (!(u < 1.0f))
         return *to;
     nkw_vec3 offset = lane_inertia_offset_vec3(inertia->c[0], inertia->c[1], inertia->c[2], u);
     lane_f64_vec3 rate = lane_f64_vec3_from(offset_rate_vec3(inertia, u));
-    nkw_motion_quat r = {
+    nkw_quat_motion r = {
         lane_inertia_value_quat(to->value, offset, u),
         velocity_of(lane_f64_vec3_from(offset), rate, to->velocity),
     };
@@ -130,18 +130,18 @@ static nkw_motion motion_of(float value, float velocity)
     return m;
 }
 
-nkw_motion_vec3 nkw_vec3_dead_blend_evaluate(const nkw_dead_blend_vec3 *blend, const nkw_motion_vec3 *to, float t)
+nkw_vec3_motion nkw_vec3_dead_blend_evaluate(const nkw_vec3_dead_blend *blend, const nkw_vec3_motion *to, float t)
 {
     lane_dead_time at = lane_dead_time_at(blend->half_life, blend->duration, t);
-    const nkw_motion_vec3 *a = &blend->from;
+    const nkw_vec3_motion *a = &blend->from;
     nkw_motion x = dead_blend(motion_of(a->value.x, a->velocity.x), motion_of(to->value.x, to->velocity.x), &at);
     nkw_motion y = dead_blend(motion_of(a->value.y, a->velocity.y), motion_of(to->value.y, to->velocity.y), &at);
     nkw_motion z = dead_blend(motion_of(a->value.z, a->velocity.z), motion_of(to->value.z, to->velocity.z), &at);
-    nkw_motion_vec3 r = {{x.value, y.value, z.value}, {x.velocity, y.velocity, z.velocity}};
+    nkw_vec3_motion r = {{x.value, y.value, z.value}, {x.velocity, y.velocity, z.velocity}};
     return r;
 }
 
-nkw_motion_quat nkw_quat_dead_blend_evaluate(nkw_dead_blend_quat *blend, const nkw_motion_quat *to, float t)
+nkw_quat_motion nkw_quat_dead_blend_evaluate(nkw_quat_dead_blend *blend, const nkw_quat_motion *to, float t)
 {
     lane_dead_time at = lane_dead_time_at(blend->half_life, blend->duration, t);
     lane_f64_quat old = lane_dead_old_quat(blend->from.value, blend->from.velocity, at.carried);
@@ -150,7 +150,7 @@ nkw_motion_quat nkw_quat_dead_blend_evaluate(nkw_dead_blend_quat *blend, const n
     double s = (double)at.s, left = (double)at.left;
     lane_f64_vec3 rate = lane_difference_rate(d, half, lane_f64_vec3_scale(w, left), lane_f64_vec3_from(to->velocity));
     rate = lane_f64_vec3_add_scaled(lane_f64_vec3_scale(rate, 1.0 - s), half, -(double)at.rate);
-    nkw_motion_quat r = {
+    nkw_quat_motion r = {
         lane_dead_value_quat(d, to->value, at.s),
         velocity_of(lane_f64_vec3_scale(half, 1.0 - s), rate, to->velocity),
     };
@@ -165,21 +165,21 @@ float nkw_dead_blend_half_life(nkw_motion from, float to, float half_life, float
     return from.velocity != 0.0f && least_or_more < most ? least_or_more : most;
 }
 
-nkw_body_motion nkw_body_motion_between(const nkw_body_motion *a, const nkw_body_motion *b, float duration, float alpha)
+nkw_body_motion nkw_body_motion_between(const nkw_body_motion *a, const nkw_body_motion *b, float duration, float t)
 {
     float h = duration > 0.0f && duration < INFINITY ? duration : 0.0f;
     nkw_vec3 none = {0.0f, 0.0f, 0.0f};
-    nkw_vec3_cubic cubic = {{a->place.value, none, b->place.value, none}};
+    nkw_vec3_cubic cubic = {{a->position.value, none, b->position.value, none}};
     if (h > 0.0f) {
-        cubic.c[1] = nkw_vec3_scale(a->place.velocity, h);
-        cubic.c[3] = nkw_vec3_scale(b->place.velocity, h);
+        cubic.c[1] = nkw_vec3_scale(a->position.velocity, h);
+        cubic.c[3] = nkw_vec3_scale(b->position.velocity, h);
     }
-    nkw_vec3_curve_point place = nkw_vec3_cubic_point(NKW_CUBIC_HERMITE, &cubic, alpha);
+    nkw_vec3_curve_point position = nkw_vec3_cubic_point(NKW_CUBIC_HERMITE, &cubic, t);
     nkw_rotation_segment segment =
         nkw_rotation_hermite(a->rotation.value, a->rotation.velocity, b->rotation.value, b->rotation.velocity, h);
-    nkw_rotation_state rotation = nkw_rotation_evaluate(&segment, alpha);
+    nkw_rotation_state rotation = nkw_rotation_evaluate(&segment, t);
     nkw_body_motion r = {
-        {place.value, h > 0.0f ? nkw_vec3_scale(place.first, 1.0f / h) : none},
+        {position.value, h > 0.0f ? nkw_vec3_scale(position.first, 1.0f / h) : none},
         {rotation.orientation, rotation.velocity},
     };
     return r;

@@ -129,7 +129,7 @@ nkw_play_head_f64 nkw_playback_head_f64(const nkw_playback_range *range, double 
         return head_in(range, NKW_PLAYBACK_CLAMP, x, 0.0);
     if (mode != NKW_PLAYBACK_LOOP && mode != NKW_PLAYBACK_PING_PONG)
         return head_in(range, mode, x < 0.0 ? 0.0 : range->duration, 0.0);
-    return repeated(range, mode, x, limit_of(x < 0.0 ? range->before_count : range->after_count));
+    return repeated(range, mode, x, limit_of(x < 0.0 ? range->before_cycles : range->after_cycles));
 }
 
 /* ---- Values that continue ---- */

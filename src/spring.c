@@ -177,7 +177,7 @@ static nkw_motion motion_of(float value, float velocity)
 
 #define MOTION_AT(m, c) motion_of((m)->value.c, (m)->velocity.c)
 
-nkw_motion_vec3 nkw_vec3_spring_step(nkw_spring spring, const nkw_motion_vec3 *from, const nkw_motion_vec3 *goal,
+nkw_vec3_motion nkw_vec3_spring_step(nkw_spring spring, const nkw_vec3_motion *from, const nkw_vec3_motion *goal,
                                      float h)
 {
     double seconds = bounded(h);
@@ -185,7 +185,7 @@ nkw_motion_vec3 nkw_vec3_spring_step(nkw_spring spring, const nkw_motion_vec3 *f
     nkw_motion x = step_of(&m, MOTION_AT(from, x), MOTION_AT(goal, x), seconds);
     nkw_motion y = step_of(&m, MOTION_AT(from, y), MOTION_AT(goal, y), seconds);
     nkw_motion z = step_of(&m, MOTION_AT(from, z), MOTION_AT(goal, z), seconds);
-    nkw_motion_vec3 r = {{x.value, y.value, z.value}, {x.velocity, y.velocity, z.velocity}};
+    nkw_vec3_motion r = {{x.value, y.value, z.value}, {x.velocity, y.velocity, z.velocity}};
     return is_none(h) ? *from : r;
 }
 
@@ -214,7 +214,7 @@ static lane_f64_vec3 combined(lane_f64_vec3 a, double s, lane_f64_vec3 b, double
     return lane_f64_vec3_add_scaled(lane_f64_vec3_scale(a, s), b, t);
 }
 
-nkw_motion_quat nkw_quat_spring_step(nkw_spring spring, const nkw_motion_quat *from, const nkw_motion_quat *goal,
+nkw_quat_motion nkw_quat_spring_step(nkw_spring spring, const nkw_quat_motion *from, const nkw_quat_motion *goal,
                                      float h)
 {
     double seconds = bounded(h);
@@ -230,7 +230,7 @@ nkw_motion_quat nkw_quat_spring_step(nkw_spring spring, const nkw_motion_quat *f
     g = lane_f64_quat_mul(exp_of(lane_f64_vec3_scale(turn, 0.5 * seconds), &unused), g);
     x = lane_f64_quat_mul(e, g);
     spin = lane_f64_vec3_add_scaled(lane_f64_rotation_velocity(r, angle, v), lane_f64_quat_rotate(e, turn), 1.0);
-    nkw_motion_quat out = {lane_quat_from_f64(x), lane_vec3_from_f64(spin)};
+    nkw_quat_motion out = {lane_quat_from_f64(x), lane_vec3_from_f64(spin)};
     return is_none(h) ? *from : out;
 }
 
@@ -310,7 +310,7 @@ void nkw_spring_timed_step(nkw_spring_timed *timed, nkw_motion *motion, nkw_moti
     timed_step(timed->spring, &p, motion, point, goal);
 }
 
-void nkw_vec3_spring_timed_step(nkw_spring_timed *timed, nkw_motion_vec3 *motion, nkw_motion_vec3 *point, nkw_vec3 goal,
+void nkw_vec3_spring_timed_step(nkw_spring_timed *timed, nkw_vec3_motion *motion, nkw_vec3_motion *point, nkw_vec3 goal,
                                 float h)
 {
     if (is_none(h))
@@ -321,13 +321,13 @@ void nkw_vec3_spring_timed_step(nkw_spring_timed *timed, nkw_motion_vec3 *motion
     timed_step(timed->spring, &p, &x, &px, goal.x);
     timed_step(timed->spring, &p, &y, &py, goal.y);
     timed_step(timed->spring, &p, &z, &pz, goal.z);
-    nkw_motion_vec3 to = {{x.value, y.value, z.value}, {x.velocity, y.velocity, z.velocity}};
-    nkw_motion_vec3 at = {{px.value, py.value, pz.value}, {px.velocity, py.velocity, pz.velocity}};
+    nkw_vec3_motion to = {{x.value, y.value, z.value}, {x.velocity, y.velocity, z.velocity}};
+    nkw_vec3_motion at = {{px.value, py.value, pz.value}, {px.velocity, py.velocity, pz.velocity}};
     *motion = to;
     *point = at;
 }
 
-void nkw_quat_spring_timed_step(nkw_spring_timed *timed, nkw_motion_quat *motion, nkw_motion_quat *point, nkw_quat goal,
+void nkw_quat_spring_timed_step(nkw_spring_timed *timed, nkw_quat_motion *motion, nkw_quat_motion *point, nkw_quat goal,
                                 float h)
 {
     if (is_none(h))
@@ -342,7 +342,7 @@ void nkw_quat_spring_timed_step(nkw_spring_timed *timed, nkw_motion_quat *motion
         point->value = lane_quat_from_f64(lane_f64_quat_mul(way, begin));
     }
     if (p.resting != 0.0f) {
-        nkw_motion_quat at = {lane_quat_from_f64(end), {0.0f, 0.0f, 0.0f}};
+        nkw_quat_motion at = {lane_quat_from_f64(end), {0.0f, 0.0f, 0.0f}};
         *point = at;
         *motion = nkw_quat_spring_step(timed->spring, motion, point, p.resting);
     }

@@ -48,20 +48,20 @@ static nkw_vec3 rate_of(nkw_vec3 before, nkw_vec3 now, double rate)
     return lane_vec3_from_f64(lane_f64_vec3_scale(d, rate));
 }
 
-nkw_result nkw_pose_velocity_from_poses(nkw_pose_view before, nkw_pose_view now, float seconds,
+nkw_result nkw_pose_velocity_from_poses(nkw_pose_view before, nkw_pose_view now, float duration,
                                         nkw_pose_velocity_span out)
 {
     size_t joints = out.joint_count, stride = NKW_POSE_STRIDE(joints);
     if (before.joint_count != joints || now.joint_count != joints)
         return NKW_MISMATCHED;
-    int some = seconds == seconds && seconds != 0.0f;
-    double rate = some ? 1.0 / (double)seconds : 0.0;
+    int some = duration == duration && duration != 0.0f;
+    double rate = some ? 1.0 / (double)duration : 0.0;
     if (joints > 0)
         memset(out.data, 0, NKW_POSE_VELOCITY_FLOATS(joints) * sizeof *out.data);
     for (size_t j = 0; j < joints && some; j++) {
         nkw_trs a = nkw_pose_get(before, j), b = nkw_pose_get(now, j);
         put_vec3(rows_span(out.data, TRANSLATION, stride), j, rate_of(a.translation, b.translation, rate));
-        put_vec3(rows_span(out.data, ROTATION, stride), j, nkw_quat_angular_velocity(a.rotation, b.rotation, seconds));
+        put_vec3(rows_span(out.data, ROTATION, stride), j, nkw_quat_angular_velocity(a.rotation, b.rotation, duration));
         put_vec3(rows_span(out.data, SCALE, stride), j, rate_of(a.scale, b.scale, rate));
     }
     return NKW_OK;
@@ -107,16 +107,16 @@ static transition_offsets offsets_of(nkw_pose_inertia inertia, size_t vector)
 
 static lane_inertia_c begin_vec3(nkw_vec3 from, nkw_vec3 v, nkw_vec3 to, nkw_vec3 w, float duration)
 {
-    nkw_motion_vec3 a = {from, v}, b = {to, w};
-    nkw_inertia_vec3 i = nkw_vec3_inertia_begin(&a, &b, duration);
+    nkw_vec3_motion a = {from, v}, b = {to, w};
+    nkw_vec3_inertia i = nkw_vec3_inertia_begin(&a, &b, duration);
     lane_inertia_c c = {i.c[0], i.c[1], i.c[2], i.duration};
     return c;
 }
 
 static lane_inertia_c begin_quat(nkw_quat from, nkw_vec3 v, nkw_quat to, nkw_vec3 w, float duration)
 {
-    nkw_motion_quat a = {from, v}, b = {to, w};
-    nkw_inertia_vec3 i = nkw_quat_inertia_begin(&a, &b, duration);
+    nkw_quat_motion a = {from, v}, b = {to, w};
+    nkw_vec3_inertia i = nkw_quat_inertia_begin(&a, &b, duration);
     lane_inertia_c c = {i.c[0], i.c[1], i.c[2], i.duration};
     return c;
 }

@@ -151,7 +151,7 @@ static void blender_keys_come_back(void **state)
         draw_keys(&r, keys, KEYS, 0x15);
         for (int k = 0; k < KEYS; k++)
             keys[k].ease = (nkw_ease_kind)(NKW_EASE_SINE_IN + (int)(random_bits(&r) % 15));
-        assert_int_equal(nkw_blender_keys_from_fcurve(keys, KEYS, blender, NULL), NKW_OK);
+        assert_int_equal(nkw_blender_from_fcurve_keys(keys, KEYS, blender, NULL), NKW_OK);
         assert_int_equal(nkw_fcurve_keys_from_blender(blender, KEYS, back, NULL), NKW_OK);
         expect_same_curve(keys, back, KEYS, 1e-4);
         for (int k = 0; k < KEYS; k++)
@@ -179,7 +179,7 @@ static void blender_easing_auto_depends_on_the_family(void **state)
     assert_int_equal(nkw_fcurve_keys_from_blender(&b, 1, &key, &bad), NKW_BAD_METHOD);
     assert_int_equal(nkw_fcurve_keys_from_blender(&b, 0, &key, &bad), NKW_EMPTY);
     key.kind = NKW_FCURVE_CONSTANT_NEXT;
-    assert_int_equal(nkw_blender_keys_from_fcurve(&key, 1, &b, &bad), NKW_BAD_METHOD);
+    assert_int_equal(nkw_blender_from_fcurve_keys(&key, 1, &b, &bad), NKW_BAD_METHOD);
 }
 
 /* ---- Types of handles ---- */

@@ -101,12 +101,12 @@ static void bad_durations_end_the_transition_at_once(void **state)
 {
     (void)state;
     const float bad[] = {0, -0.0f, -1, NAN, INFINITY, -INFINITY};
-    nkw_motion_quat a = rotating(nkw_quat_identity(), vec(1, 2, 3)),
+    nkw_quat_motion a = rotating(nkw_quat_identity(), vec(1, 2, 3)),
                     b = rotating(random_rotation(&(random_source){{1, 2, 3, 4}, NULL, 0}), vec(0, 0, 1));
-    nkw_motion_vec3 v = moving(vec(1, 2, 3), vec(4, 5, 6)), w = moving(vec(-1, 0, 0), vec(0, 0, 0));
+    nkw_vec3_motion v = moving(vec(1, 2, 3), vec(4, 5, 6)), w = moving(vec(-1, 0, 0), vec(0, 0, 0));
     for (int i = 0; i < 6; i++) {
         nkw_inertia x = nkw_inertia_begin(motion(1, 2), motion(3, 4), bad[i]);
-        nkw_inertia_vec3 y = nkw_vec3_inertia_begin(&v, &w, bad[i]), z = nkw_quat_inertia_begin(&a, &b, bad[i]);
+        nkw_vec3_inertia y = nkw_vec3_inertia_begin(&v, &w, bad[i]), z = nkw_quat_inertia_begin(&a, &b, bad[i]);
         expect_motion(nkw_inertia_evaluate(x, motion(3, 4), 0), motion(3, 4));
         expect_vec3_bits(nkw_vec3_inertia_evaluate(&y, &w, 0).value, w.value);
         expect_quat_bits(nkw_quat_inertia_evaluate(&z, &b, 0).value, b.value);
@@ -114,7 +114,7 @@ static void bad_durations_end_the_transition_at_once(void **state)
         if (i == 4)
             continue;
         nkw_dead_blend d = {motion(1, 2), 0.1f, bad[i]};
-        nkw_dead_blend_quat q = {a, 0.1f, bad[i], {0, 0, 0, 0}};
+        nkw_quat_dead_blend q = {a, 0.1f, bad[i], {0, 0, 0, 0}};
         expect_motion(nkw_dead_blend_evaluate(&d, motion(3, 4), 0), motion(3, 4));
         expect_quat_bits(nkw_quat_dead_blend_evaluate(&q, &b, 0).value, b.value);
     }
@@ -142,11 +142,11 @@ static void vectors_along_one_axis_are_numbers(void **state)
     random_source r = random_from(5);
     for (int i = 0; i < 500; i++) {
         nkw_motion a = some_motion(&r), b = some_motion(&r);
-        nkw_motion_vec3 from = moving(vec(0, a.value, 0), vec(0, a.velocity, 0)),
+        nkw_vec3_motion from = moving(vec(0, a.value, 0), vec(0, a.velocity, 0)),
                         to = moving(vec(0, b.value, 0), vec(0, b.velocity, 0));
-        nkw_inertia_vec3 v = nkw_vec3_inertia_begin(&from, &to, 0.5f);
+        nkw_vec3_inertia v = nkw_vec3_inertia_begin(&from, &to, 0.5f);
         nkw_motion want = nkw_inertia_evaluate(nkw_inertia_begin(a, b, 0.5f), b, 0.1f);
-        nkw_motion_vec3 got = nkw_vec3_inertia_evaluate(&v, &to, 0.1f);
+        nkw_vec3_motion got = nkw_vec3_inertia_evaluate(&v, &to, 0.1f);
         expect_bits(got.value.y, want.value);
         expect_bits(got.velocity.y, want.velocity);
         expect_bits(got.value.x, 0);
@@ -159,13 +159,13 @@ static void vectors_are_continuous_and_do_not_depend_on_the_axes(void **state)
     (void)state;
     random_source r = random_from(6);
     for (int i = 0; i < 5000; i++) {
-        nkw_motion_vec3 from = moving(random_vec3(&r, -3, 3), random_vec3(&r, -3, 3)),
+        nkw_vec3_motion from = moving(random_vec3(&r, -3, 3), random_vec3(&r, -3, 3)),
                         to = moving(random_vec3(&r, -3, 3), random_vec3(&r, -3, 3));
         nkw_quat q = random_rotation(&r);
-        nkw_motion_vec3 from_q = moving(nkw_quat_rotate(q, from.value), nkw_quat_rotate(q, from.velocity)),
+        nkw_vec3_motion from_q = moving(nkw_quat_rotate(q, from.value), nkw_quat_rotate(q, from.velocity)),
                         to_q = moving(nkw_quat_rotate(q, to.value), nkw_quat_rotate(q, to.velocity));
-        nkw_inertia_vec3 v = nkw_vec3_inertia_begin(&from, &to, 1), vq = nkw_vec3_inertia_begin(&from_q, &to_q, 1);
-        nkw_motion_vec3 begin = nkw_vec3_inertia_evaluate(&v, &to, 0);
+        nkw_vec3_inertia v = nkw_vec3_inertia_begin(&from, &to, 1), vq = nkw_vec3_inertia_begin(&from_q, &to_q, 1);
+        nkw_vec3_motion begin = nkw_vec3_inertia_evaluate(&v, &to, 0);
         expect_vec3_near(begin.value, from.value, 2e-6);
         expect_vec3_near(begin.velocity, from.velocity, 1e-5);
         float t = random_unit(&r);
@@ -179,12 +179,12 @@ static void rotations_begin_with_rotation_and_velocity_of_the_old_motion(void **
     (void)state;
     random_source r = random_from(7);
     for (int i = 0; i < 20000; i++) {
-        nkw_motion_quat from = rotating(random_rotation(&r), random_vec3(&r, -3, 3)),
+        nkw_quat_motion from = rotating(random_rotation(&r), random_vec3(&r, -3, 3)),
                         to = rotating(random_rotation(&r), random_vec3(&r, -3, 3));
         if (i % 4 == 0)
             to.value = random_near(&r, from.value, 1.5707f);
-        nkw_inertia_vec3 x = nkw_quat_inertia_begin(&from, &to, 0.5f);
-        nkw_motion_quat begin = nkw_quat_inertia_evaluate(&x, &to, 0);
+        nkw_vec3_inertia x = nkw_quat_inertia_begin(&from, &to, 0.5f);
+        nkw_quat_motion begin = nkw_quat_inertia_evaluate(&x, &to, 0);
         expect_rotation_near(begin.value, from.value, 6e-7);
         expect_vec3_near(begin.velocity, from.velocity, 2e-5);
         expect_quat_bits(nkw_quat_inertia_evaluate(&x, &to, 0.5f).value, to.value);
@@ -197,14 +197,14 @@ static void rotations_do_not_snap_at_half_a_turn(void **state)
 {
     (void)state;
     nkw_vec3 z = vec(0, 0, 1), y = vec(0, 1, 0);
-    nkw_motion_quat from = rotating(nkw_quat_from_axis_angle(y, 0.1f), vec(0, 0, -1)),
+    nkw_quat_motion from = rotating(nkw_quat_from_axis_angle(y, 0.1f), vec(0, 0, -1)),
                     to = rotating(nkw_quat_from_axis_angle(z, 3), vec(0, 0, 2)), last = from, dead_last = from;
-    nkw_inertia_vec3 x = nkw_quat_inertia_begin(&from, &to, 1);
-    nkw_dead_blend_quat dead = {from, 0.3f, 1, {0, 0, 0, 0}};
+    nkw_vec3_inertia x = nkw_quat_inertia_begin(&from, &to, 1);
+    nkw_quat_dead_blend dead = {from, 0.3f, 1, {0, 0, 0, 0}};
     for (int i = 0; i <= 1000; i++) {
         float t = 0.001f * (float)i;
         to.value = nkw_quat_from_axis_angle(z, 3 + 2 * t);
-        nkw_motion_quat got = nkw_quat_inertia_evaluate(&x, &to, t),
+        nkw_quat_motion got = nkw_quat_inertia_evaluate(&x, &to, t),
                         blended = nkw_quat_dead_blend_evaluate(&dead, &to, t);
         assert_true(nkw_quat_angle(last.value, got.value) < 0.012f);
         assert_true(nkw_quat_angle(dead_last.value, blended.value) < 0.012f);
@@ -226,13 +226,13 @@ static void a_second_transition_continues_the_first(void **state)
     (void)state;
     random_source r = random_from(8);
     for (int i = 0; i < 2000; i++) {
-        nkw_motion_quat from = rotating(random_rotation(&r), random_vec3(&r, -3, 3)),
+        nkw_quat_motion from = rotating(random_rotation(&r), random_vec3(&r, -3, 3)),
                         a = rotating(random_rotation(&r), random_vec3(&r, -3, 3)),
                         b = rotating(random_rotation(&r), random_vec3(&r, -3, 3));
-        nkw_inertia_vec3 first = nkw_quat_inertia_begin(&from, &a, 0.5f);
-        nkw_motion_quat middle = nkw_quat_inertia_evaluate(&first, &a, 0.2f);
-        nkw_inertia_vec3 second = nkw_quat_inertia_begin(&middle, &b, 0.5f);
-        nkw_motion_quat got = nkw_quat_inertia_evaluate(&second, &b, 0);
+        nkw_vec3_inertia first = nkw_quat_inertia_begin(&from, &a, 0.5f);
+        nkw_quat_motion middle = nkw_quat_inertia_evaluate(&first, &a, 0.2f);
+        nkw_vec3_inertia second = nkw_quat_inertia_begin(&middle, &b, 0.5f);
+        nkw_quat_motion got = nkw_quat_inertia_evaluate(&second, &b, 0);
         expect_rotation_near(got.value, middle.value, 6e-7);
         expect_vec3_near(got.velocity, middle.velocity, 1e-4);
     }
@@ -277,10 +277,10 @@ static void dead_vectors_are_component_by_component(void **state)
     (void)state;
     random_source r = random_from(10);
     for (int i = 0; i < 500; i++) {
-        nkw_dead_blend_vec3 v = {{random_vec3(&r, -1, 1), random_vec3(&r, -1, 1)}, 0.2f, 0.7f};
+        nkw_vec3_dead_blend v = {{random_vec3(&r, -1, 1), random_vec3(&r, -1, 1)}, 0.2f, 0.7f};
         nkw_dead_blend d = {motion(v.from.value.z, v.from.velocity.z), 0.2f, 0.7f};
-        nkw_motion_vec3 to = moving(random_vec3(&r, -1, 1), random_vec3(&r, -1, 1));
-        nkw_motion_vec3 got = nkw_vec3_dead_blend_evaluate(&v, &to, 0.3f);
+        nkw_vec3_motion to = moving(random_vec3(&r, -1, 1), random_vec3(&r, -1, 1));
+        nkw_vec3_motion got = nkw_vec3_dead_blend_evaluate(&v, &to, 0.3f);
         expect_motion(motion(got.value.z, got.velocity.z),
                       nkw_dead_blend_evaluate(&d, motion(to.value.z, to.velocity.z), 0.3f));
     }
@@ -291,10 +291,10 @@ static void dead_rotations_begin_with_the_old_motion(void **state)
     (void)state;
     random_source r = random_from(11);
     for (int i = 0; i < 5000; i++) {
-        nkw_motion_quat from = rotating(random_rotation(&r), random_vec3(&r, -3, 3)),
+        nkw_quat_motion from = rotating(random_rotation(&r), random_vec3(&r, -3, 3)),
                         to = rotating(random_rotation(&r), random_vec3(&r, -3, 3));
-        nkw_dead_blend_quat d = {from, 0.2f, 0.5f, {0, 0, 0, 0}};
-        nkw_motion_quat got = nkw_quat_dead_blend_evaluate(&d, &to, 0);
+        nkw_quat_dead_blend d = {from, 0.2f, 0.5f, {0, 0, 0, 0}};
+        nkw_quat_motion got = nkw_quat_dead_blend_evaluate(&d, &to, 0);
         expect_rotation_near(got.value, from.value, 5e-7);
         expect_vec3_near(got.velocity, from.velocity, 1e-4);
         expect_quat_bits(nkw_quat_dead_blend_evaluate(&d, &to, 0.5f).value, to.value);
@@ -323,17 +323,17 @@ static void bodies_move_smoothly_between_steps_of_physics(void **state)
                              rotating(random_rotation(&r), random_vec3(&r, -9, 9))};
         const float h = 1 / 30.0f;
         nkw_body_motion first = nkw_body_motion_between(&a, &b, h, 0), last = nkw_body_motion_between(&a, &b, h, 1);
-        expect_vec3_bits(first.place.value, a.place.value);
-        expect_vec3_near(first.place.velocity, a.place.velocity, 1e-6);
-        expect_vec3_bits(last.place.value, b.place.value);
-        expect_vec3_near(last.place.velocity, b.place.velocity, 1e-6);
+        expect_vec3_bits(first.position.value, a.position.value);
+        expect_vec3_near(first.position.velocity, a.position.velocity, 1e-6);
+        expect_vec3_bits(last.position.value, b.position.value);
+        expect_vec3_near(last.position.velocity, b.position.velocity, 1e-6);
         expect_quat_bits(first.rotation.value, a.rotation.value);
         expect_rotation_near(last.rotation.value, b.rotation.value, 0);
         expect_vec3_near(first.rotation.velocity, a.rotation.velocity, 1e-5);
         expect_vec3_near(last.rotation.velocity, b.rotation.velocity, 1e-5);
         nkw_body_motion still = nkw_body_motion_between(&a, &b, i & 1 ? NAN : 0, 0.5f);
-        expect_vec3_near(still.place.value, nkw_vec3_lerp(a.place.value, b.place.value, 0.5f), 1e-6);
-        expect_vec3_near(still.place.velocity, vec(0, 0, 0), 0);
+        expect_vec3_near(still.position.value, nkw_vec3_lerp(a.position.value, b.position.value, 0.5f), 1e-6);
+        expect_vec3_near(still.position.velocity, vec(0, 0, 0), 0);
         expect_vec3_near(still.rotation.velocity, vec(0, 0, 0), 0);
     }
 }
@@ -352,7 +352,7 @@ static void fast_wheels_turn_as_often_as_their_velocity_says(void **state)
         nkw_body_motion got = nkw_body_motion_between(&a, &b, h, t);
         expect_rotation_near(got.rotation.value, nkw_quat_integrate(nkw_quat_identity(), w, t * h), 2e-6);
         expect_vec3_near(got.rotation.velocity, w, 1e-3);
-        expect_vec3_near(got.place.value, vec(0.1f * t, 0, 0), 1e-7);
+        expect_vec3_near(got.position.value, vec(0.1f * t, 0, 0), 1e-7);
     }
 }
 

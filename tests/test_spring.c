@@ -8,7 +8,7 @@
 
 #define U 0x1p-24
 
-static nkw_motion_quat still(nkw_quat value)
+static nkw_quat_motion still(nkw_quat value)
 {
     return rotating(value, vec(0, 0, 0));
 }
@@ -256,10 +256,10 @@ static void vectors_follow_component_by_component(void **state)
     random_source r = random_from(5);
     for (int i = 0; i < 500; i++) {
         nkw_spring s = some_spring(&r, i);
-        nkw_motion_vec3 from = {random_vec3(&r, -3, 3), random_vec3(&r, -9, 9)},
+        nkw_vec3_motion from = {random_vec3(&r, -3, 3), random_vec3(&r, -9, 9)},
                         goal = {random_vec3(&r, -3, 3), random_vec3(&r, -1, 1)};
         float h = random_between(&r, 0, 0.5f);
-        nkw_motion_vec3 got = nkw_vec3_spring_step(s, &from, &goal, h);
+        nkw_vec3_motion got = nkw_vec3_spring_step(s, &from, &goal, h);
         nkw_motion y =
             nkw_spring_step(s, motion(from.value.y, from.velocity.y), motion(goal.value.y, goal.velocity.y), h);
         expect_bits(got.value.y, y.value);
@@ -281,9 +281,9 @@ static void rotations_about_one_axis_follow_as_their_angles(void **state)
                    goal = {random_between(&r, -0.1f, 0.1f), random_between(&r, -2, 2)};
         float h = random_between(&r, 0, 0.7f);
         nkw_motion want = nkw_spring_step(s, from, goal, h);
-        nkw_motion_quat q = rotating(nkw_quat_from_axis_angle(axis, from.value), nkw_vec3_scale(axis, from.velocity)),
+        nkw_quat_motion q = rotating(nkw_quat_from_axis_angle(axis, from.value), nkw_vec3_scale(axis, from.velocity)),
                         g = rotating(nkw_quat_from_axis_angle(axis, goal.value), nkw_vec3_scale(axis, goal.velocity));
-        nkw_motion_quat got = nkw_quat_spring_step(s, &q, &g, h);
+        nkw_quat_motion got = nkw_quat_spring_step(s, &q, &g, h);
         expect_rotation_near(got.value, nkw_quat_from_axis_angle(axis, want.value), 2e-6);
         expect_vec3_near(got.velocity, nkw_vec3_scale(axis, want.velocity), 2e-5 * (1 + s.damping + s.stiffness));
     }
@@ -297,11 +297,11 @@ static void rotations_compose_about_changing_axes(void **state)
         nkw_spring s = nkw_spring_from_frequency(random_between(&r, 0.1f, 2), random_between(&r, 0.5f, 2));
         nkw_quat goal = random_rotation(&r);
         nkw_vec3 w = random_vec3(&r, -2, 2);
-        nkw_motion_quat from = rotating(random_near(&r, goal, 0.8f), random_vec3(&r, -3, 3)), g = rotating(goal, w),
+        nkw_quat_motion from = rotating(random_near(&r, goal, 0.8f), random_vec3(&r, -3, 3)), g = rotating(goal, w),
                         then = rotating(nkw_quat_integrate(goal, w, 0.1f), w);
-        nkw_motion_quat once = nkw_quat_spring_step(s, &from, &g, 0.2f),
+        nkw_quat_motion once = nkw_quat_spring_step(s, &from, &g, 0.2f),
                         half = nkw_quat_spring_step(s, &from, &g, 0.1f);
-        nkw_motion_quat twice = nkw_quat_spring_step(s, &half, &then, 0.1f);
+        nkw_quat_motion twice = nkw_quat_spring_step(s, &half, &then, 0.1f);
         expect_rotation_near(twice.value, once.value, 1e-6);
         expect_vec3_near(twice.velocity, once.velocity, 2e-5);
     }
@@ -313,14 +313,14 @@ static void the_velocity_is_the_rate_of_the_rotation(void **state)
     random_source r = random_from(8);
     for (int i = 0; i < 2000; i++) {
         nkw_spring s = nkw_spring_from_frequency(1, 0.7f);
-        nkw_motion_quat from = rotating(random_rotation(&r), random_vec3(&r, -3, 3)),
+        nkw_quat_motion from = rotating(random_rotation(&r), random_vec3(&r, -3, 3)),
                         goal = rotating(random_rotation(&r), random_vec3(&r, -3, 3));
         float h = random_between(&r, 0.01f, 0.5f), d = 1e-3f;
-        nkw_motion_quat a = nkw_quat_spring_step(s, &from, &goal, h - d), b = nkw_quat_spring_step(s, &from, &goal, h),
+        nkw_quat_motion a = nkw_quat_spring_step(s, &from, &goal, h - d), b = nkw_quat_spring_step(s, &from, &goal, h),
                         c = nkw_quat_spring_step(s, &from, &goal, h + d);
         nkw_vec3 w = nkw_quat_angular_velocity(a.value, c.value, (h + d) - (h - d));
         expect_vec3_near(b.velocity, w, 2e-3);
-        nkw_motion_quat first = nkw_quat_spring_step(s, &from, &goal, 1e-6f);
+        nkw_quat_motion first = nkw_quat_spring_step(s, &from, &goal, 1e-6f);
         expect_vec3_near(first.velocity, from.velocity, 1e-3);
     }
 }
@@ -331,9 +331,9 @@ static void nothing_snaps_at_half_a_turn(void **state)
     (void)state;
     nkw_spring s = nkw_spring_from_half_life(0.4f, 1);
     nkw_vec3 z = vec(0, 0, 1);
-    nkw_motion_quat x = still(nkw_quat_identity());
+    nkw_quat_motion x = still(nkw_quat_identity());
     for (int i = 0; i < 200; i++) {
-        nkw_motion_quat goal = still(nkw_quat_from_axis_angle(z, 3.1f + 0.001f * (float)i)), last = x;
+        nkw_quat_motion goal = still(nkw_quat_from_axis_angle(z, 3.1f + 0.001f * (float)i)), last = x;
         x = nkw_quat_spring_step(s, &x, &goal, 1e-3f);
         assert_true(nkw_quat_angle(last.value, x.value) < 0.02f);
         assert_true(nkw_vec3_distance(last.velocity, x.velocity) < 0.2f);
@@ -345,13 +345,13 @@ static void odd_rotations_have_an_answer(void **state)
     (void)state;
     nkw_spring s = nkw_spring_from_half_life(0.1f, 1);
     nkw_quat zero = {0, 0, 0, 0}, half = {1, 0, 0, 0};
-    nkw_motion_quat none = still(zero), one = still(nkw_quat_identity()), opposite = still(half);
+    nkw_quat_motion none = still(zero), one = still(nkw_quat_identity()), opposite = still(half);
     expect_quat_near(nkw_quat_spring_step(s, &none, &one, 1).value, nkw_quat_identity(), 1e-6);
-    nkw_motion_quat got = nkw_quat_spring_step(s, &opposite, &one, 0.1f);
+    nkw_quat_motion got = nkw_quat_spring_step(s, &opposite, &one, 0.1f);
     expect_near(nkw_quat_angle(got.value, nkw_quat_identity()), 0.5 * 3.14159265, 1e-5);
-    nkw_motion_quat fast = rotating(half, vec(1e30f, 0, 1e30f));
+    nkw_quat_motion fast = rotating(half, vec(1e30f, 0, 1e30f));
     expect_near(nkw_quat_length(nkw_quat_spring_step(s, &fast, &one, 0.1f).value), 1, 1e-6);
-    nkw_motion_quat bad = rotating(half, vec(NAN, 0, 0));
+    nkw_quat_motion bad = rotating(half, vec(NAN, 0, 0));
     expect_nan(nkw_quat_spring_step(s, &bad, &one, 0.1f).value.w);
     expect_quat_bits(nkw_quat_spring_step(s, &fast, &one, 0).value, half);
     expect_quat_bits(nkw_quat_damper_step(half, nkw_quat_identity(), 1, -1), half);
@@ -418,8 +418,8 @@ static void timed_vectors_and_rotations_move_as_numbers_do(void **state)
     (void)state;
     nkw_spring_timed a = {nkw_spring_from_half_life(0.1f, 1), 0.6f}, b = a, c = a;
     nkw_motion x = motion(0, 1), p = motion(0, 0);
-    nkw_motion_vec3 v = {vec(0, 5, 0), vec(1, 0, 0)}, pv = {vec(0, 5, 0), vec(0, 0, 0)};
-    nkw_motion_quat q = rotating(nkw_quat_identity(), vec(0, 0, 1)), pq = still(nkw_quat_identity());
+    nkw_vec3_motion v = {vec(0, 5, 0), vec(1, 0, 0)}, pv = {vec(0, 5, 0), vec(0, 0, 0)};
+    nkw_quat_motion q = rotating(nkw_quat_identity(), vec(0, 0, 1)), pq = still(nkw_quat_identity());
     for (int i = 0; i < 30; i++) {
         nkw_spring_timed_step(&a, &x, &p, 2, 0.03f);
         nkw_vec3_spring_timed_step(&b, &v, &pv, vec(2, 5, 0), 0.03f);

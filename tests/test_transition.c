@@ -70,12 +70,12 @@ static void each_joint_is_inertialised_as_its_values_are(void **state)
         assert_int_equal(nkw_pose_inertia_evaluate(inertia, to.pose, t, pose_span(s.out, JOINTS)), NKW_OK);
         for (size_t j = 0; j < JOINTS; j++) {
             nkw_trs a = joint(s.from, j), b = joint(s.to, j);
-            nkw_motion_vec3 p = {a.translation, speed(s.from_velocity, 0, j)},
+            nkw_vec3_motion p = {a.translation, speed(s.from_velocity, 0, j)},
                             q = {b.translation, speed(s.to_velocity, 0, j)},
                             u = {a.scale, speed(s.from_velocity, 6, j)}, v = {b.scale, speed(s.to_velocity, 6, j)};
-            nkw_motion_quat g = {a.rotation, speed(s.from_velocity, 3, j)},
+            nkw_quat_motion g = {a.rotation, speed(s.from_velocity, 3, j)},
                             h = {b.rotation, speed(s.to_velocity, 3, j)};
-            nkw_inertia_vec3 translation = nkw_vec3_inertia_begin(&p, &q, 0.5f),
+            nkw_vec3_inertia translation = nkw_vec3_inertia_begin(&p, &q, 0.5f),
                              rotation = nkw_quat_inertia_begin(&g, &h, 0.5f),
                              scale = nkw_vec3_inertia_begin(&u, &v, 0.5f);
             nkw_trs want = {nkw_vec3_inertia_evaluate(&translation, &q, t).value,
@@ -93,10 +93,10 @@ static void each_joint_is_dead_blended_as_its_values_are(void **state)
     draw(&s);
     nkw_pose_motion from = motion_of(s.from, s.from_velocity);
     nkw_pose_dead_blend dead = {s.dead, JOINTS, 0.2f, 0.5f};
-    nkw_dead_blend_quat quats[JOINTS];
+    nkw_quat_dead_blend quats[JOINTS];
     assert_int_equal(nkw_pose_dead_blend_begin(&from, dead), NKW_OK);
     for (size_t j = 0; j < JOINTS; j++) {
-        nkw_dead_blend_quat d = {{joint(s.from, j).rotation, speed(s.from_velocity, 3, j)}, 0.2f, 0.5f, {0, 0, 0, 0}};
+        nkw_quat_dead_blend d = {{joint(s.from, j).rotation, speed(s.from_velocity, 3, j)}, 0.2f, 0.5f, {0, 0, 0, 0}};
         quats[j] = d;
     }
     for (int i = 0; i < 12; i++) {
@@ -105,10 +105,10 @@ static void each_joint_is_dead_blended_as_its_values_are(void **state)
                          NKW_OK);
         for (size_t j = 0; j < JOINTS; j++) {
             nkw_trs a = joint(s.from, j), b = joint(s.to, j);
-            nkw_dead_blend_vec3 p = {{a.translation, speed(s.from_velocity, 0, j)}, 0.2f, 0.5f},
+            nkw_vec3_dead_blend p = {{a.translation, speed(s.from_velocity, 0, j)}, 0.2f, 0.5f},
                                 u = {{a.scale, speed(s.from_velocity, 6, j)}, 0.2f, 0.5f};
-            nkw_motion_vec3 q = {b.translation, {0, 0, 0}}, v = {b.scale, {0, 0, 0}};
-            nkw_motion_quat h = {b.rotation, {0, 0, 0}};
+            nkw_vec3_motion q = {b.translation, {0, 0, 0}}, v = {b.scale, {0, 0, 0}};
+            nkw_quat_motion h = {b.rotation, {0, 0, 0}};
             nkw_trs want = {nkw_vec3_dead_blend_evaluate(&p, &q, t).value,
                             nkw_quat_dead_blend_evaluate(&quats[j], &h, t).value,
                             nkw_vec3_dead_blend_evaluate(&u, &v, t).value};

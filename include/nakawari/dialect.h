@@ -102,7 +102,7 @@ NKW_API nkw_result nkw_fcurve_keys_from_blender(const nkw_blender_key *blender, 
                                                 size_t *bad_key);
 
 /** The inverse. Returns NKW_BAD_METHOD also for CONSTANT_NEXT, and for an easing of CSS. */
-NKW_API nkw_result nkw_blender_keys_from_fcurve(const nkw_fcurve_key *keys, size_t count, nkw_blender_key *blender,
+NKW_API nkw_result nkw_blender_from_fcurve_keys(const nkw_fcurve_key *keys, size_t count, nkw_blender_key *blender,
                                                 size_t *bad_key);
 
 /** How a handle follows from the keys, with the names of Blender. Any other number is read as NKW_HANDLE_FREE. */
@@ -176,30 +176,30 @@ NKW_API nkw_result nkw_fcurve_keys_from_track(const nkw_track *track, size_t com
  * ascend strictly. A jump takes two keys at neighbouring floats, so that no float time lies within it. If all segments
  * are CONSTANT, as of booleans and integers, the track is STEP and exact.
  *
- * memory   key_capacity keys of 3 * width values; `work` is not used
- * out      receives the track, which refers to `memory`; without keys after an error
- * error    receives the largest difference found at these times; infinity after an error; may be NULL. It is more than
- *          the tolerance only where float times end the division, at vertical tangents
- * Returns  NKW_OK; NKW_EMPTY for width 0; those of nkw_fcurve_validate; NKW_OUT_OF_RANGE for a negative or NaN
- *          tolerance; NKW_BAD_METHOD if a curve whose keys begin later or end earlier than others cycles there;
- *          NKW_TOO_SMALL for too little memory
+ * memory      key_capacity keys of 3 * width values; `work` is not used
+ * out         receives the track, which refers to `memory`; without keys after an error
+ * difference  receives the largest difference found at these times; infinity after an error; may be NULL. It is more
+ *             than the tolerance only where float times end the division, at vertical tangents
+ * Returns     NKW_OK; NKW_EMPTY for width 0; those of nkw_fcurve_validate; NKW_OUT_OF_RANGE for a negative or NaN
+ *             tolerance; NKW_BAD_METHOD if a curve whose keys begin later or end earlier than others cycles there;
+ *             NKW_TOO_SMALL for too little memory
  */
 NKW_API nkw_result nkw_track_from_fcurves(const nkw_fcurve *curves, size_t width, float tolerance,
-                                          const nkw_track_memory *memory, nkw_track *out, float *error);
+                                          const nkw_track_memory *memory, nkw_track *out, float *difference);
 
 /**
  * Converts three fcurves of Euler angles to one track of rotations, NKW_TRACK_ROTATION and CUBICSPLINE, for glTF and
  * for clips. The track follows the angles through any number of turns: keys are added until it does. Their signs are
  * those for which the cubic follows the angles.
  *
- * angles     about x, y and z, in radians, at any number of turns
- * order      of the product; any other number is read as NKW_EULER_XYZ
- * tolerance  radians
- * error      receives the largest angle between track and curves found, as above
- * Returns    those of nkw_track_from_fcurves
+ * angles      about x, y and z, in radians, at any number of turns
+ * order       of the product; any other number is read as NKW_EULER_XYZ
+ * tolerance   radians
+ * difference  receives the largest angle between track and curves found, as above
+ * Returns     those of nkw_track_from_fcurves
  */
 NKW_API nkw_result nkw_track_from_euler_fcurves(const nkw_fcurve angles[3], nkw_euler_order order, float tolerance,
-                                                const nkw_track_memory *memory, nkw_track *out, float *error);
+                                                const nkw_track_memory *memory, nkw_track *out, float *difference);
 
 #ifdef __cplusplus
 }

@@ -46,18 +46,18 @@ typedef struct nkw_fit_memory {
  * Rotations are fitted as four numbers and normalised by the sampler. Each key gets the sign that is nearer to the
  * sample before.
  *
- * tolerance  the largest difference of a component, or, for rotations, of the angle in radians
- * out        receives the track, which refers to `memory`; without keys after an error; may be `track`
- * error      receives the largest difference of a sample, at most `tolerance` if that is not negative; infinity after
- *            an error; may be NULL
- * Returns    NKW_OK; NKW_BAD_METHOD if the track is not LINEAR, or has key_interpolation; NKW_TOO_SMALL for too little
- *            memory; the errors of nkw_track_validate
+ * tolerance   the largest difference of a component, or, for rotations, of the angle in radians
+ * out         receives the track, which refers to `memory`; without keys after an error; may be `track`
+ * difference  receives the largest difference of a sample, at most `tolerance` if that is not negative; infinity after
+ *             an error; may be NULL
+ * Returns     NKW_OK; NKW_BAD_METHOD if the track is not LINEAR, or has key_interpolation; NKW_TOO_SMALL for too little
+ *             memory; the errors of nkw_track_validate
  *
  * Source de Boor, A Practical Guide to Splines, 1978; Schneider, An Algorithm for Automatically Fitting Digitized
  *        Curves, Graphics Gems, 1990.
  */
 NKW_API nkw_result nkw_track_fit(const nkw_track *track, float tolerance, const nkw_fit_memory *memory, nkw_track *out,
-                                 float *error);
+                                 float *difference);
 
 #ifdef __cplusplus
 }

@@ -53,7 +53,7 @@ typedef struct nkw_foot {
     nkw_vec3 animated; /**< the position of the animation at the last update */
     nkw_vec3 locked; /**< where the foot is locked, while in contact */
     nkw_vec3 position; /**< the result of the last update */
-    nkw_inertia_vec3 inertia; /**< the transition in progress */
+    nkw_vec3_inertia inertia; /**< the transition in progress */
     float time; /**< since it began */
     int started, contact;
 } nkw_foot;
@@ -61,24 +61,23 @@ typedef struct nkw_foot {
 /**
  * Updates a foot, and returns the position at which it should be.
  *
- * The velocity of the animation is the difference from the last position, divided by dt. The height is the part of the
+ * The velocity of the animation is the difference from the last position, divided by h. The height is the part of the
  * position along `up`, less `ground`. When contact begins, the foot is locked at the position of the animation. The
  * result blends from the present motion to the lock, and at the end of the contact from the lock to the animation, by
  * nkw_vec3_inertia_begin with rules->duration.
  *
  * animated  the position of the foot in the animation
  * ground    the height of the ground below the foot
- * dt        seconds since the last update
+ * h         seconds since the last update
  * Returns   exactly `animated` if no contact was found yet; exactly the locked position in contact, after `duration`
  *
- * At the first update no velocity is known: the foot is not in contact, and `animated` is returned. If dt is not
- * positive, no time passes and the contact stays. If animated, ground or dt is not finite, the state stays and the last
+ * At the first update no velocity is known: the foot is not in contact, and `animated` is returned. If h is not
+ * positive, no time passes and the contact stays. If animated, ground or h is not finite, the state stays and the last
  * position is returned.
  *
  * Source Holden, Inverse Kinematics and Foot Locking, 2025.
  */
-NKW_API nkw_vec3 nkw_foot_update(nkw_foot *foot, const nkw_foot_rules *rules, nkw_vec3 animated, float ground,
-                                 float dt);
+NKW_API nkw_vec3 nkw_foot_update(nkw_foot *foot, const nkw_foot_rules *rules, nkw_vec3 animated, float ground, float h);
 
 #ifdef __cplusplus
 }

@@ -34,10 +34,10 @@ typedef struct nkw_inertia {
 } nkw_inertia;
 
 /** The same of a vector; of a rotation, half the rotation vector of the offset, in the outer frame. */
-typedef struct nkw_inertia_vec3 {
+typedef struct nkw_vec3_inertia {
     nkw_vec3 c[3];
     float duration;
-} nkw_inertia_vec3;
+} nkw_vec3_inertia;
 
 /**
  * Begins the transition from one motion to another.
@@ -63,7 +63,7 @@ NKW_API nkw_inertia nkw_inertia_begin(nkw_motion from, nkw_motion to, float dura
  * angles to x has no offset to reduce and is kept. So the velocity is continuous in all directions, and the transition
  * does not depend on the axes.
  */
-NKW_API nkw_inertia_vec3 nkw_vec3_inertia_begin(const nkw_motion_vec3 *from, const nkw_motion_vec3 *to, float duration);
+NKW_API nkw_vec3_inertia nkw_vec3_inertia_begin(const nkw_vec3_motion *from, const nkw_vec3_motion *to, float duration);
 
 /**
  * The same of a rotation: x = log(from to^-1) along the shorter arc, and v is its rate, which follows from both angular
@@ -73,7 +73,7 @@ NKW_API nkw_inertia_vec3 nkw_vec3_inertia_begin(const nkw_motion_vec3 *from, con
  * from, to  any lengths but 0; a zero quaternion counts as the identity. A v that passes more than 2^16 rad in T is
  *           reduced to that
  */
-NKW_API nkw_inertia_vec3 nkw_quat_inertia_begin(const nkw_motion_quat *from, const nkw_motion_quat *to, float duration);
+NKW_API nkw_vec3_inertia nkw_quat_inertia_begin(const nkw_quat_motion *from, const nkw_quat_motion *to, float duration);
 
 /**
  * The motion t seconds after the transition began, from the new motion at that time.
@@ -86,13 +86,13 @@ NKW_API nkw_inertia_vec3 nkw_quat_inertia_begin(const nkw_motion_quat *from, con
  */
 NKW_API nkw_motion nkw_inertia_evaluate(nkw_inertia inertia, nkw_motion to, float t);
 /** The same of a vector: each component with the bits of nkw_inertia_evaluate. */
-NKW_API nkw_motion_vec3 nkw_vec3_inertia_evaluate(const nkw_inertia_vec3 *inertia, const nkw_motion_vec3 *to, float t);
+NKW_API nkw_vec3_motion nkw_vec3_inertia_evaluate(const nkw_vec3_inertia *inertia, const nkw_vec3_motion *to, float t);
 /**
  * The same of a rotation: exp(offset) to. The velocity is exact: the derivative of the exponential and of `to`.
  *
  * Error  3.5 u of the quaternion, for offsets below a turn.
  */
-NKW_API nkw_motion_quat nkw_quat_inertia_evaluate(const nkw_inertia_vec3 *inertia, const nkw_motion_quat *to, float t);
+NKW_API nkw_quat_motion nkw_quat_inertia_evaluate(const nkw_vec3_inertia *inertia, const nkw_quat_motion *to, float t);
 
 /**
  * A transition by dead blending: the last state of the old motion, the time in seconds in which its velocity is halved,
@@ -104,20 +104,20 @@ typedef struct nkw_dead_blend {
 } nkw_dead_blend;
 
 /** The same of a vector. */
-typedef struct nkw_dead_blend_vec3 {
-    nkw_motion_vec3 from;
+typedef struct nkw_vec3_dead_blend {
+    nkw_vec3_motion from;
     float half_life, duration;
-} nkw_dead_blend_vec3;
+} nkw_vec3_dead_blend;
 
 /**
  * The same of a rotation. `difference` is the difference of both motions at the last evaluation; {0, 0, 0, 0} at
  * first, which takes the shorter arc.
  */
-typedef struct nkw_dead_blend_quat {
-    nkw_motion_quat from;
+typedef struct nkw_quat_dead_blend {
+    nkw_quat_motion from;
     float half_life, duration;
     nkw_quat difference;
-} nkw_dead_blend_quat;
+} nkw_quat_dead_blend;
 
 /**
  * The motion t seconds after the transition began, from the new motion at that time.
@@ -137,7 +137,7 @@ typedef struct nkw_dead_blend_quat {
  */
 NKW_API nkw_motion nkw_dead_blend_evaluate(const nkw_dead_blend *blend, nkw_motion to, float t);
 /** The same of a vector: each component with the bits of nkw_dead_blend_evaluate. */
-NKW_API nkw_motion_vec3 nkw_vec3_dead_blend_evaluate(const nkw_dead_blend_vec3 *blend, const nkw_motion_vec3 *to,
+NKW_API nkw_vec3_motion nkw_vec3_dead_blend_evaluate(const nkw_vec3_dead_blend *blend, const nkw_vec3_motion *to,
                                                      float t);
 /**
  * The same of a rotation: the old one rotates on with the angular velocity of `from`, decaying, and
@@ -153,7 +153,7 @@ NKW_API nkw_motion_vec3 nkw_vec3_dead_blend_evaluate(const nkw_dead_blend_vec3 *
  *
  * Error  3.5 u of the quaternion, for v h below 10 rad.
  */
-NKW_API nkw_motion_quat nkw_quat_dead_blend_evaluate(nkw_dead_blend_quat *blend, const nkw_motion_quat *to, float t);
+NKW_API nkw_quat_motion nkw_quat_dead_blend_evaluate(nkw_quat_dead_blend *blend, const nkw_quat_motion *to, float t);
 
 /**
  * A half-life for dead blending: long where the old motion moves towards the new value, short where it moves away.
@@ -166,29 +166,29 @@ NKW_API nkw_motion_quat nkw_quat_dead_blend_evaluate(nkw_dead_blend_quat *blend,
  */
 NKW_API float nkw_dead_blend_half_life(nkw_motion from, float to, float half_life, float least, float most);
 
-/** A body between two steps of physics: its place and its rotation, with their velocities. */
+/** A body between two steps of physics: its position and its rotation, with their velocities. */
 typedef struct nkw_body_motion {
-    nkw_motion_vec3 place;
-    nkw_motion_quat rotation;
+    nkw_vec3_motion position;
+    nkw_quat_motion rotation;
 } nkw_body_motion;
 
 /**
- * The motion between two steps of physics, for frames that are drawn between them: the place by the Hermite curve with
- * the velocities of both steps (nkw_vec3_cubic_point), the rotation by that with the angular velocities
+ * The motion between two steps of physics, for frames that are drawn between them: the position by the Hermite curve
+ * with the velocities of both steps (nkw_vec3_cubic_point), the rotation by that with the angular velocities
  * (nkw_rotation_hermite), so that a wheel of several turns in a step turns as often. Value and velocity are continuous
  * from step to step; a lerp has a corner in each.
  *
  * a, b      two consecutive steps
  * duration  seconds between them. If it is not positive and finite, the velocities of the ends count as 0, and those of
  *           the result are 0
- * alpha     0 at a, 1 at b; outside, the curve continues
- * Returns   exactly the place and the rotation of a at alpha = 0; those of b at alpha = 1, where the rotation may be
+ * t         0 at a, 1 at b; outside, the curve continues
+ * Returns   exactly the position and the rotation of a at t = 0; those of b at t = 1, where the rotation may be
  *           negated
  *
  * Error  as nkw_vec3_cubic_point and nkw_rotation_evaluate.
  */
 NKW_API nkw_body_motion nkw_body_motion_between(const nkw_body_motion *a, const nkw_body_motion *b, float duration,
-                                                float alpha);
+                                                float t);
 
 #ifdef __cplusplus
 }

@@ -67,7 +67,7 @@ typedef struct nkw_playback_range {
     double closing;
     nkw_playback before, after; /**< the state before the start and after the end */
     /** Whole cycles before the start and after the end of the clip, then the state stays; 0: without a limit. */
-    double before_count, after_count;
+    double before_cycles, after_cycles;
 } nkw_playback_range;
 
 /** A play head in binary64. */

@@ -38,15 +38,15 @@ typedef struct nkw_motion {
 } nkw_motion;
 
 /** A vector and its rate per second. */
-typedef struct nkw_motion_vec3 {
+typedef struct nkw_vec3_motion {
     nkw_vec3 value, velocity;
-} nkw_motion_vec3;
+} nkw_vec3_motion;
 
 /** A unit quaternion and its angular velocity in radians per second, in the outer frame, as for nkw_quat_integrate. */
-typedef struct nkw_motion_quat {
+typedef struct nkw_quat_motion {
     nkw_quat value;
     nkw_vec3 velocity;
-} nkw_motion_quat;
+} nkw_quat_motion;
 
 /**
  * The constants of a spring: stiffness in 1/s^2, damping in 1/s. Without stiffness it is drag alone, without damping it
@@ -119,8 +119,8 @@ NKW_API float nkw_spring_half_life(nkw_spring spring);
 NKW_API nkw_motion nkw_spring_step(nkw_spring spring, nkw_motion from, nkw_motion goal, float h);
 
 /** The same of a vector: each component with the bits of nkw_spring_step. */
-NKW_API nkw_motion_vec3 nkw_vec3_spring_step(nkw_spring spring, const nkw_motion_vec3 *from,
-                                             const nkw_motion_vec3 *goal, float h);
+NKW_API nkw_vec3_motion nkw_vec3_spring_step(nkw_spring spring, const nkw_vec3_motion *from,
+                                             const nkw_vec3_motion *goal, float h);
 
 /**
  * The same of a rotation: the rotation vector of the error, r = 2 log(from goal^-1) along the shorter arc, is the
@@ -138,8 +138,8 @@ NKW_API nkw_motion_vec3 nkw_vec3_spring_step(nkw_spring spring, const nkw_motion
  *
  * Error  1.01 u of the quaternion, for |r| and the angle that it passes below 10 rad.
  */
-NKW_API nkw_motion_quat nkw_quat_spring_step(nkw_spring spring, const nkw_motion_quat *from,
-                                             const nkw_motion_quat *goal, float h);
+NKW_API nkw_quat_motion nkw_quat_spring_step(nkw_spring spring, const nkw_quat_motion *from,
+                                             const nkw_quat_motion *goal, float h);
 
 /**
  * One step of exponential decay towards a goal at rest: the deviation is halved every half_life seconds.
@@ -187,10 +187,10 @@ typedef struct nkw_spring_timed {
  */
 NKW_API void nkw_spring_timed_step(nkw_spring_timed *timed, nkw_motion *motion, nkw_motion *point, float goal, float h);
 /** The same of a vector: each component with the bits of nkw_spring_timed_step. */
-NKW_API void nkw_vec3_spring_timed_step(nkw_spring_timed *timed, nkw_motion_vec3 *motion, nkw_motion_vec3 *point,
+NKW_API void nkw_vec3_spring_timed_step(nkw_spring_timed *timed, nkw_vec3_motion *motion, nkw_vec3_motion *point,
                                         nkw_vec3 goal, float h);
 /** The same of a rotation, by nkw_quat_spring_step; the point rotates along the shorter arc to the goal. */
-NKW_API void nkw_quat_spring_timed_step(nkw_spring_timed *timed, nkw_motion_quat *motion, nkw_motion_quat *point,
+NKW_API void nkw_quat_spring_timed_step(nkw_spring_timed *timed, nkw_quat_motion *motion, nkw_quat_motion *point,
                                         nkw_quat goal, float h);
 
 #ifdef __cplusplus

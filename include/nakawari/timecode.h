@@ -82,12 +82,12 @@ typedef struct nkw_timecode {
 /**
  * The label of a frame, counted from 00:00:00:00.
  *
- * frame   at least 0; below 2^31 hours
+ * frame       at least 0; below 2^31 hours
  * per_second  frames of the label's second: 24, 25, 30, 60 ...: the rate rounded up; 1 to 1000
- * drop     not 0: drop-frame timecode, of multiples of 30 frames per second
- * out      receives the label; zeros after an error. Hours are not reduced to a day
- * Returns  NKW_OK; NKW_NO_RATE if per_second is out of range, or no multiple of 30 for drop-frame timecode;
- *          NKW_OUT_OF_RANGE if frame is
+ * drop        not 0: drop-frame timecode, of multiples of 30 frames per second
+ * out         receives the label; zeros after an error. Hours are not reduced to a day
+ * Returns     NKW_OK; NKW_NO_RATE if per_second is out of range, or no multiple of 30 for drop-frame timecode;
+ *             NKW_OUT_OF_RANGE if frame is
  */
 NKW_API nkw_result nkw_timecode_from_frame(int64_t frame, int32_t per_second, int drop, nkw_timecode *out);
 

@@ -47,11 +47,11 @@ static inline nkw_pose_velocity_view nkw_pose_velocity_view_from_span(nkw_pose_v
 /**
  * The velocities from two poses: differences divided by the time, and nkw_quat_angular_velocity.
  *
- * seconds  between the poses; 0 and NaN return velocities of 0
+ * duration  seconds between the poses; 0 and NaN return velocities of 0
  *
  * Source Bollo, Inertialization: High-Performance Animation Transitions in Gears of War, GDC 2018.
  */
-NKW_API nkw_result nkw_pose_velocity_from_poses(nkw_pose_view before, nkw_pose_view now, float seconds,
+NKW_API nkw_result nkw_pose_velocity_from_poses(nkw_pose_view before, nkw_pose_view now, float duration,
                                                 nkw_pose_velocity_span out);
 
 /** Floats in the state of an inertialisation: three coefficients and a duration for each of three vectors. */

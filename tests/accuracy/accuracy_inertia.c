@@ -57,8 +57,8 @@ static void offset(random_source *r, float *x)
 
 static double quat_evaluate_error(const float *x)
 {
-    nkw_inertia_vec3 i = {{vec3_at(x), vec3_at(x + 3), vec3_at(x + 6)}, 1.0f};
-    nkw_motion_quat to = {quat_at(x + 9), {0.0f, 0.0f, 0.0f}}, got = nkw_quat_inertia_evaluate(&i, &to, x[13]);
+    nkw_vec3_inertia i = {{vec3_at(x), vec3_at(x + 3), vec3_at(x + 6)}, 1.0f};
+    nkw_quat_motion to = {quat_at(x + 9), {0.0f, 0.0f, 0.0f}}, got = nkw_quat_inertia_evaluate(&i, &to, x[13]);
     wide u = x[13], w = (1 - u) * (1 - u) * (1 - u), v[3], q[4], e[4], want[4];
     for (int k = 0; k < 3; k++)
         v[k] = w * (x[k] + u * (x[3 + k] + u * x[6 + k]));
@@ -92,10 +92,10 @@ static void two_rotations(random_source *r, float *x)
 
 static double quat_dead_error(const float *x)
 {
-    nkw_dead_blend_quat d = {{quat_at(x), vec3_at(x + 4)}, x[13], x[11], {0, 0, 0, 0}};
-    nkw_motion_quat to = {quat_at(x + 7), {0.0f, 0.0f, 0.0f}};
+    nkw_quat_dead_blend d = {{quat_at(x), vec3_at(x + 4)}, x[13], x[11], {0, 0, 0, 0}};
+    nkw_quat_motion to = {quat_at(x + 7), {0.0f, 0.0f, 0.0f}};
     float t = x[12] * x[11];
-    nkw_motion_quat got = nkw_quat_dead_blend_evaluate(&d, &to, t);
+    nkw_quat_motion got = nkw_quat_dead_blend_evaluate(&d, &to, t);
     wide u = (wide)t / x[11], h = x[13] / logq(2), s = u < 1 ? u * u * (3 - 2 * u) : 1, q[4], v[3], e[4], g[4], old[4];
     wide_from(x, q, 4);
     wide_from(x + 4, v, 3);

@@ -245,8 +245,8 @@ static void rotate(const wide q[4], const wide v[3], wide out[3])
 static double quat_spring_error(const float *x)
 {
     nkw_spring s = {x[0], x[1]};
-    nkw_motion_quat from = {quat_at(x + 2), vec3_at(x + 6)}, goal = {quat_at(x + 9), vec3_at(x + 13)};
-    nkw_motion_quat got = nkw_quat_spring_step(s, &from, &goal, x[16]);
+    nkw_quat_motion from = {quat_at(x + 2), vec3_at(x + 6)}, goal = {quat_at(x + 9), vec3_at(x + 13)};
+    nkw_quat_motion got = nkw_quat_spring_step(s, &from, &goal, x[16]);
     wide q[4], g[4], e[4], w[3], turn[3], v[3], rate[3], m[4], want[4];
     wide_from(x + 2, q, 4);
     wide_from(x + 9, g, 4);

@@ -160,7 +160,7 @@ static void dialects(fuzz *f)
         types[k].out = (nkw_handle_type)fuzz_choice(f, 4);
     }
     nkw_fcurve_auto_handles(keys, fuzz_byte(f) % 2 ? count : 0, types);
-    if (nkw_blender_keys_from_fcurve(keys, count, blender, &bad) == NKW_OK && fuzz_byte(f) % 2)
+    if (nkw_blender_from_fcurve_keys(keys, count, blender, &bad) == NKW_OK && fuzz_byte(f) % 2)
         nkw_fcurve_keys_from_blender(blender, count, keys, &bad);
     if (count > 1) {
         nkw_css_from_fcurve_keys(keys, css);

@@ -20,9 +20,9 @@ static nkw_quat draw_quat(fuzz *f)
     return fuzz_byte(f) % 2 ? nkw_quat_normalize(q) : q;
 }
 
-static nkw_motion_quat draw_rotation(fuzz *f)
+static nkw_quat_motion draw_rotation(fuzz *f)
 {
-    nkw_motion_quat m = {draw_quat(f), draw_vec3(f)};
+    nkw_quat_motion m = {draw_quat(f), draw_vec3(f)};
     return m;
 }
 
@@ -32,7 +32,7 @@ static void check_unit(nkw_quat q, int is_finite)
     FUZZ_CHECK((length > 0.99f && length < 1.01f) || !is_finite);
 }
 
-static int finite_rotation(const nkw_motion_quat *m)
+static int finite_rotation(const nkw_quat_motion *m)
 {
     float length = nkw_quat_length(m->value);
     return length > 1e-15f && length < 1e15f && fuzz_finite(&m->velocity.x, 3);
@@ -54,7 +54,7 @@ static void springs(fuzz *f)
     nkw_motion from = draw_motion(f), goal = draw_motion(f), still = from;
     nkw_motion to = nkw_spring_step(s, from, goal, h);
     FUZZ_CHECK(h > 0.0f || h != h || same_motion(from, to));
-    nkw_motion_quat q = draw_rotation(f), g = draw_rotation(f), r = nkw_quat_spring_step(s, &q, &g, h);
+    nkw_quat_motion q = draw_rotation(f), g = draw_rotation(f), r = nkw_quat_spring_step(s, &q, &g, h);
     int known = fuzz_finite(&s.stiffness, 1) && fuzz_finite(&s.damping, 1) && fuzz_finite(&h, 1);
     check_unit(r.value, known && h > 0.0f && finite_rotation(&q) && finite_rotation(&g));
     nkw_spring_timed timed = {s, b}, copy = timed;
@@ -75,20 +75,20 @@ static void transitions(fuzz *f)
     FUZZ_CHECK(x.duration <= duration || x.duration == 0.0f || duration != duration);
     FUZZ_CHECK(t < x.duration || t != t || x.duration != x.duration ||
                same_motion(nkw_inertia_evaluate(x, to, t), to) || t <= 0.0f);
-    nkw_motion_quat q = draw_rotation(f), g = draw_rotation(f);
-    nkw_inertia_vec3 y = nkw_quat_inertia_begin(&q, &g, duration);
-    nkw_motion_quat r = nkw_quat_inertia_evaluate(&y, &g, t);
-    nkw_dead_blend_quat d = {q, fuzz_float(f), duration, draw_quat(f)};
-    nkw_motion_quat blended = nkw_quat_dead_blend_evaluate(&d, &g, t);
+    nkw_quat_motion q = draw_rotation(f), g = draw_rotation(f);
+    nkw_vec3_inertia y = nkw_quat_inertia_begin(&q, &g, duration);
+    nkw_quat_motion r = nkw_quat_inertia_evaluate(&y, &g, t);
+    nkw_quat_dead_blend d = {q, fuzz_float(f), duration, draw_quat(f)};
+    nkw_quat_motion blended = nkw_quat_dead_blend_evaluate(&d, &g, t);
     float length = nkw_quat_length(g.value);
     int known = finite_rotation(&q) && finite_rotation(&g) && length > 0.999f && length < 1.001f;
     check_unit(r.value, known);
     check_unit(blended.value,
                known && fuzz_finite(&d.half_life, 1) && fuzz_finite(&d.difference.x, 4) && fuzz_finite(&t, 1));
-    nkw_motion_vec3 u = {draw_vec3(f), draw_vec3(f)}, v = {draw_vec3(f), draw_vec3(f)};
-    nkw_inertia_vec3 z = nkw_vec3_inertia_begin(&u, &v, duration);
+    nkw_vec3_motion u = {draw_vec3(f), draw_vec3(f)}, v = {draw_vec3(f), draw_vec3(f)};
+    nkw_vec3_inertia z = nkw_vec3_inertia_begin(&u, &v, duration);
     nkw_vec3_inertia_evaluate(&z, &v, t);
-    nkw_dead_blend_vec3 e = {u, fuzz_float(f), duration};
+    nkw_vec3_dead_blend e = {u, fuzz_float(f), duration};
     nkw_vec3_dead_blend_evaluate(&e, &v, t);
     nkw_dead_blend_half_life(from, to.value, t, duration, x.c[0]);
 }

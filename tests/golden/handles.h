@@ -148,7 +148,7 @@ static void dialects(float *o, const nkw_keyframe *from, const float s[8], unsig
     }
     nkw_fcurve_keys_from_slopes(slopes, 4, (nkw_weight_unit)(some % 3), keys, NULL);
     nkw_fcurve curve = {keys, 4, NKW_FCURVE_OUTSIDE_HOLD, NKW_FCURVE_OUTSIDE_HOLD, 0, 0, NKW_HANDLE_KEEP_RATIO};
-    nkw_blender_keys_from_fcurve(keys, 4, blender, NULL);
+    nkw_blender_from_fcurve_keys(keys, 4, blender, NULL);
     put_handles(o, blender[1].left, blender[1].center);
     put_handles(o + 4, blender[1].right, keys[1].in);
     nkw_slopes_from_fcurve_keys(keys, 4, (nkw_weight_unit)((some + 1) % 3), slopes, NULL);

@@ -11,15 +11,15 @@ static nkw_motion motion_at(const input *i, unsigned k)
     return m;
 }
 
-static nkw_motion_vec3 vec3_motion_at(const input *i, unsigned k)
+static nkw_vec3_motion vec3_motion_at(const input *i, unsigned k)
 {
-    nkw_motion_vec3 m = {i->v[k], i->v[k + 1]};
+    nkw_vec3_motion m = {i->v[k], i->v[k + 1]};
     return m;
 }
 
-static nkw_motion_quat quat_motion_at(const input *i, unsigned k)
+static nkw_quat_motion quat_motion_at(const input *i, unsigned k)
 {
-    nkw_motion_quat m = {i->q[k], i->v[k]};
+    nkw_quat_motion m = {i->q[k], i->v[k]};
     return m;
 }
 
@@ -29,7 +29,7 @@ static void put_motion(float *o, nkw_motion m)
     o[1] = m.velocity;
 }
 
-static void put_motion_quat(float *o, nkw_motion_quat m)
+static void put_motion_quat(float *o, nkw_quat_motion m)
 {
     put_quat(o, m.value);
     put_vec3(o + 4, m.velocity);
@@ -47,9 +47,9 @@ static void spring_constants(float *o, float half_life, float ratio)
     o[6] = nkw_spring_half_life(a);
 }
 
-static nkw_motion_quat quat_spring(const input *i)
+static nkw_quat_motion quat_spring(const input *i)
 {
-    nkw_motion_quat from = quat_motion_at(i, 0), goal = quat_motion_at(i, 1);
+    nkw_quat_motion from = quat_motion_at(i, 0), goal = quat_motion_at(i, 1);
     return nkw_quat_spring_step(some_spring(i), &from, &goal, i->t);
 }
 
@@ -66,7 +66,7 @@ static void spring_timed(float *o, const input *i)
 static void quat_spring_timed(float *o, const input *i)
 {
     nkw_spring_timed timed = {some_spring(i), nkw_abs(i->s[4])};
-    nkw_motion_quat m = quat_motion_at(i, 0), point = quat_motion_at(i, 1);
+    nkw_quat_motion m = quat_motion_at(i, 0), point = quat_motion_at(i, 1);
     nkw_quat_spring_timed_step(&timed, &m, &point, i->q[3], i->t);
     put_motion_quat(o, m);
     put_motion_quat(o + 7, point);
@@ -89,9 +89,9 @@ static void inertia(float *o, const input *i)
 
 static void vec3_inertia(float *o, const input *i)
 {
-    nkw_motion_vec3 from = vec3_motion_at(i, 0), to = vec3_motion_at(i, 2);
-    nkw_inertia_vec3 x = nkw_vec3_inertia_begin(&from, &to, nkw_abs(i->s[4]));
-    nkw_motion_vec3 m = nkw_vec3_inertia_evaluate(&x, &to, i->t);
+    nkw_vec3_motion from = vec3_motion_at(i, 0), to = vec3_motion_at(i, 2);
+    nkw_vec3_inertia x = nkw_vec3_inertia_begin(&from, &to, nkw_abs(i->s[4]));
+    nkw_vec3_motion m = nkw_vec3_inertia_evaluate(&x, &to, i->t);
     for (int k = 0; k < 3; k++)
         put_vec3(o + 3 * k, x.c[k]);
     o[9] = x.duration;
@@ -101,8 +101,8 @@ static void vec3_inertia(float *o, const input *i)
 
 static void quat_inertia(float *o, const input *i)
 {
-    nkw_motion_quat from = quat_motion_at(i, 0), to = quat_motion_at(i, 1);
-    nkw_inertia_vec3 x = nkw_quat_inertia_begin(&from, &to, nkw_abs(i->s[4]));
+    nkw_quat_motion from = quat_motion_at(i, 0), to = quat_motion_at(i, 1);
+    nkw_vec3_inertia x = nkw_quat_inertia_begin(&from, &to, nkw_abs(i->s[4]));
     for (int k = 0; k < 3; k++)
         put_vec3(o + 3 * k, x.c[k]);
     put_motion_quat(o + 9, nkw_quat_inertia_evaluate(&x, &to, i->t));
@@ -117,8 +117,8 @@ static void dead_blend(float *o, const input *i)
 
 static void quat_dead_blend(float *o, const input *i)
 {
-    nkw_dead_blend_quat d = {quat_motion_at(i, 0), nkw_abs(i->s[4]), nkw_abs(i->s[5]), i->q[3]};
-    nkw_motion_quat to = quat_motion_at(i, 1);
+    nkw_quat_dead_blend d = {quat_motion_at(i, 0), nkw_abs(i->s[4]), nkw_abs(i->s[5]), i->q[3]};
+    nkw_quat_motion to = quat_motion_at(i, 1);
     put_motion_quat(o, nkw_quat_dead_blend_evaluate(&d, &to, i->t));
     put_quat(o + 7, d.difference);
 }
@@ -213,7 +213,7 @@ static void body_between(float *o, const input *i)
 {
     nkw_body_motion a = {vec3_motion_at(i, 0), quat_motion_at(i, 0)}, b = {vec3_motion_at(i, 2), quat_motion_at(i, 1)};
     nkw_body_motion m = nkw_body_motion_between(&a, &b, nkw_abs(i->s[0]), i->t);
-    put_vec3(o, m.place.value);
-    put_vec3(o + 3, m.place.velocity);
+    put_vec3(o, m.position.value);
+    put_vec3(o + 3, m.position.velocity);
     put_motion_quat(o + 6, m.rotation);
 }

@@ -17,15 +17,15 @@ static inline nkw_vec3 vec(float x, float y, float z)
     return v;
 }
 
-static inline nkw_motion_vec3 moving(nkw_vec3 value, nkw_vec3 velocity)
+static inline nkw_vec3_motion moving(nkw_vec3 value, nkw_vec3 velocity)
 {
-    nkw_motion_vec3 m = {value, velocity};
+    nkw_vec3_motion m = {value, velocity};
     return m;
 }
 
-static inline nkw_motion_quat rotating(nkw_quat value, nkw_vec3 velocity)
+static inline nkw_quat_motion rotating(nkw_quat value, nkw_vec3 velocity)
 {
-    nkw_motion_quat m = {value, velocity};
+    nkw_quat_motion m = {value, velocity};
     return m;
 }
 
