@@ -69,15 +69,17 @@ static void check_skin(check *c, size_t index)
 /* Findings of one kind among the vertices of a primitive: the first vertex, the worst amount. */
 typedef struct vertex_fault {
     size_t count, first;
-    double worst;
+    double worst, badness;
 } vertex_fault;
 
 static void note_fault(vertex_fault *fault, size_t vertex, double amount, double badness)
 {
     if (!fault->count++)
         fault->first = vertex;
-    if (fault->count == 1 || badness > fabs(fault->worst - 1.0))
+    if (fault->count == 1 || badness > fault->badness) {
         fault->worst = amount;
+        fault->badness = badness;
+    }
 }
 
 static void check_sums(const nkw_document_primitive *p, vertex_fault *sums, vertex_fault *negatives)
@@ -85,12 +87,15 @@ static void check_sums(const nkw_document_primitive *p, vertex_fault *sums, vert
     for (size_t v = 0; v < p->vertex_count; v++) {
         const float *w = p->weights + v * p->influence_count;
         double sum = 0.0, least = 0.0;
+        float bad = 0.0f;
         for (size_t i = 0; i < p->influence_count; i++) {
+            const double weight = isfinite(w[i]) ? (double)w[i] : -INFINITY;
             sum += (double)w[i];
-            least = fmin(least, isfinite(w[i]) ? (double)w[i] : -INFINITY);
+            bad = weight < least ? w[i] : bad;
+            least = fmin(least, weight);
         }
         if (least < 0.0)
-            note_fault(negatives, v, least, -least);
+            note_fault(negatives, v, (double)bad, -least);
         else if (fabs(sum - 1.0) > 1e-3)
             note_fault(sums, v, sum, fabs(sum - 1.0));
     }
@@ -119,7 +124,7 @@ static void check_primitive(check *c, const nkw_document_node *node, size_t inde
 {
     const nkw_document_mesh *mesh = &c->document->meshes[node->mesh];
     const nkw_document_primitive *p = &mesh->primitives[index];
-    vertex_fault sums = {0, 0, 0.0}, negatives = sums, used = sums, unused = sums;
+    vertex_fault sums = {0, 0, 0.0, 0.0}, negatives = sums, used = sums, unused = sums;
     if (node->skin < 0 || !p->influence_count)
         return;
     check_sums(p, &sums, &negatives);

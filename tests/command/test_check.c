@@ -131,6 +131,26 @@ static void keys_that_waste_memory(void **state)
     check_finds(&p, 0, 1, "joint knee translation: note: spare-keys: 2 of 5 keys can be dropped");
 }
 
+static void constant_tracks_with_tangents(void **state)
+{
+    (void)state;
+    planted p = planted_clean();
+    p.cubic = 1;
+    memset(p.rotations, 0, sizeof p.rotations);
+    for (int k = 0; k < PLANTED_KEYS; k++)
+        planted_turn(&p, k, 40.0);
+    check_finds(&p, 0, 1, "joint knee rotation: note: constant: 5 keys within a distance of 0: one is enough");
+    p.rotations[3 * 2 + 2][0] = 1.0f; /* the out-tangent of key 2: the values are equal, the curve is not constant */
+    check_finds(&p, 0, 0, "");
+    p.rotations[3 * 2 + 2][0] = 0.0f;
+    p.rotations[3 * 3][0] = 1.0f; /* the in-tangent of key 3 */
+    check_finds(&p, 0, 0, "");
+    p.rotations[3 * 3][0] = 0.0f;
+    p.rotations[0][0] = 1.0f; /* before the first key and after the last one there is no segment */
+    p.rotations[3 * 4 + 2][0] = 1.0f;
+    check_finds(&p, 0, 1, "note: constant");
+}
+
 static void loops(void **state)
 {
     (void)state;
@@ -139,6 +159,11 @@ static void loops(void **state)
     check_finds(&p, 0, 1, "clip 0 kick: joint knee: note: open-loop: the end of the clip is 3 from its start");
     program_says(1, "open-loop", "check --strict planted.gltf");
     program_says(0, "", "check --no-notes --strict planted.gltf");
+    FILE *f = fopen("loop.csv", "wb");
+    assert_non_null(f);
+    fputs("name,parent,time,tx,ty,tz\nhip,,0,0,0,0\nhip,,1,0.1,0.2,0.3\nknee,hip,0,0.7,1.3,0.9\n", f);
+    assert_int_equal(fclose(f), 0);
+    program_says(0, "joint hip: note: open-loop", "check loop.csv"); /* the knee moves with it */
 }
 
 static void vertices(void **state)
@@ -149,7 +174,17 @@ static void vertices(void **state)
     check_finds(&p, 1, 1, "mesh skin: vertex 1: warning: weights-sum: primitive 0, 1 vertices");
     p = planted_clean();
     p.weights[2][0] = -0.75f;
-    check_finds(&p, 1, 1, "mesh skin: vertex 2: error: bad-weight");
+    check_finds(&p, 1, 1,
+                "mesh skin: vertex 2: error: bad-weight: primitive 0, 1 vertices: a weight is negative or "
+                "not finite, the worst -0.75");
+    p.weights[1][0] = -1.5f;
+    check_finds(&p, 1, 1, "not finite, the worst -1.5");
+    p = planted_clean();
+    p.weights[2][0] = -0.75f;
+    p.weights[0][1] = NAN;
+    check_finds(&p, 1, 1,
+                "vertex 0: error: bad-weight: primitive 0, 2 vertices: a weight is negative or not finite, "
+                "the worst nan");
     p = planted_clean();
     p.joints[2][1] = 2;
     check_finds(&p, 1, 1, "mesh skin: vertex 2: error: joint-out-of-range: primitive 0, 1 vertices");
@@ -245,6 +280,7 @@ int main(void)
         cmocka_unit_test(cubic_arcs),
         cmocka_unit_test(scales),
         cmocka_unit_test(keys_that_waste_memory),
+        cmocka_unit_test(constant_tracks_with_tangents),
         cmocka_unit_test(loops),
         cmocka_unit_test(vertices),
         cmocka_unit_test(inverse_bind_matrices),
