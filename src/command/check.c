@@ -109,6 +109,9 @@ static int check_request(const options *o, const request *r)
 {
     if (!(r->tolerance == -1.0f || (r->tolerance >= 0.0f && r->tolerance < 1e30f)))
         return options_misuse(o, "--tolerance", "not a distance");
+    for (int i = 0, inputs = 0; o->files[i]; i++)
+        if (strcmp(o->files[i], "-") == 0 && inputs++)
+            return options_misuse(o, "-", "only one file can be the standard input");
     return r->most < 1 ? options_misuse(o, "--most", "not a positive number") : COMMAND_FINE;
 }
 

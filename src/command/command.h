@@ -72,6 +72,11 @@ int options_word(const char *word, const char *const *words, int count);
 
 /* ---- input.c ---- */
 
+/**
+ * Whether the first `length` characters of `text` name a joint: its name, or, if no node has it as its name, the number
+ * of its node in the file.
+ */
+int input_is_joint(const nkw_document *document, size_t joint, const char *text, size_t length);
 /** Opens a file, or the standard input for "-". An error is reported on stderr; returns NULL. */
 nkw_document *input_open(const char *path);
 /** All bytes of a file, or of the standard input for "-", to be freed. An error is reported; returns NULL. */
@@ -114,6 +119,8 @@ int command_work(const char *path, const command_steps *steps, void *request);
 
 /** The file, or the standard output for NULL and "-". Reports an error on stderr and returns NULL. */
 FILE *output_open(const char *path);
+/** Makes a folder where there is none. Its parent must exist. Returns 0 and reports on stderr if it cannot. */
+int output_folder(const char *path);
 /** Closes it. Returns 0 and reports on stderr if anything could not be written. */
 int output_close(FILE *f, const char *path);
 

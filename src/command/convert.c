@@ -191,7 +191,7 @@ int command_convert(int argc, const char **argv)
         {"in-place", 'i', POPT_ARG_STRING, &r.in_place, 0,
          "remove root motion: plane, height, yaw, rotation, separated by commas", "PARTS"},
         {"root", 0, POPT_ARG_STRING, &r.root, 0,
-         "the joint of --in-place (default: the first with an animated translation)", "NAME"},
+         "name or number of the joint of --in-place (default: the first with an animated translation)", "NAME"},
         {"form", 'f', POPT_ARG_STRING, &r.form, 0,
          "glb, gltf (with FILE.bin) or embedded (default: by the name of the output)", "FORM"},
         {"output", 'o', POPT_ARG_STRING, &r.output, 0, "write to FILE, not to the standard output", "FILE"},

@@ -39,13 +39,13 @@ static int complain(const nkw_document *d, const char *what)
 
 /* ---- the keys ---- */
 
-/* The joint of that name; without one the first that the clip moves or turns. -1 if there is none. */
+/* The joint of that name or number; without one the first that the clip moves or turns. -1 if there is none. */
 static int32_t find_joint(const nkw_document *d, const nkw_document_animation *a, const char *name)
 {
     for (size_t i = 0; i < a->track_count; i++) {
         const int32_t joint = a->channels[i].joint;
         const int moves = a->tracks[i].target == NKW_CLIP_TRANSLATION || a->tracks[i].target == NKW_CLIP_ROTATION;
-        if (moves && (!name || strcmp(d->nodes[joint].name, name) == 0))
+        if (moves && (!name || input_is_joint(d, (size_t)joint, name, strlen(name))))
             return joint;
     }
     return NKW_NO_JOINT;
@@ -131,7 +131,7 @@ static int run(const nkw_document *d, void *data)
                     (nkw_orientation_method)r->orientation_method->method);
     else if (report_rows(&s, &o) > REPORT_ROWS_MAX)
         return complain(d, "more than 1000000 rows: choose a longer --step");
-    else if (!report_write(&s, &o))
+    else if (!output_folder(o.folder) || !report_write(&s, &o))
         return 0;
     return output_close(stdout, NULL);
 }
@@ -160,7 +160,8 @@ int command_exercise(int argc, const char **argv)
     request r = {NULL, NULL, NULL, NULL, NULL, 0, 0.1, 1e30, 0, NULL, NULL};
     const struct poptOption known[] = {
         {"clip", 'c', POPT_ARG_STRING, &r.clip, 0, "number or name of the clip (default: 0)", "N"},
-        {"joint", 'j', POPT_ARG_STRING, &r.joint, 0, "name of the joint (default: the first that moves)", "NAME"},
+        {"joint", 'j', POPT_ARG_STRING, &r.joint, 0, "name or number of the joint (default: the first that moves)",
+         "N"},
         {"keys", 'k', POPT_ARG_LONG, &r.keys, 0, "only the first N keys", "N"},
         {"step", 's', POPT_ARG_DOUBLE, &r.step, 0, "seconds between the rows of the table (default: 0.1)", "S"},
         {"trace", 't', POPT_ARG_DOUBLE, &r.time, 0, "write no file; print the calculation at time T", "T"},
@@ -168,7 +169,8 @@ int command_exercise(int argc, const char **argv)
          "of --trace: linear, hermite (default), bezier, bspline, catmull-rom or step", "METHOD"},
         {"orientation", 'q', POPT_ARG_STRING, &r.orientation, 0,
          "of --trace: none, euler, quat (default), euler-unwrapped or nlerp", "METHOD"},
-        {"output", 'o', POPT_ARG_STRING, &r.output, 0, "write the files to the folder DIR (default: .)", "DIR"},
+        {"output", 'o', POPT_ARG_STRING, &r.output, 0,
+         "write the files to the folder DIR, made if it does not exist (default: .)", "DIR"},
         OPTIONS_END};
     static const command_steps steps = {check_request, run};
     const int code = command_run(&text, known, argc, argv, &steps, &r);

@@ -326,8 +326,8 @@ int command_info(int argc, const char **argv)
     r.tolerance = -1.0f;
     const struct poptOption known[] = {
         {"clips", 'c', POPT_ARG_NONE, &r.clips_only, 0, "print clips without their channels", NULL},
-        {"reduced", 'r', POPT_ARG_NONE, &r.reduced, 0,
-         "print the bytes of reduced clips too; a second for a large clip", NULL},
+        {"reduced", 'r', POPT_ARG_NONE, &r.reduced, 0, "print the bytes of reduced clips too; a second for 100000 keys",
+         NULL},
         {"tolerance", 't', POPT_ARG_FLOAT, &r.tolerance, 0,
          "distance in model space for --reduced (default: 1/10000 of the model's size)", "D"},
         {"json", 0, POPT_ARG_NONE, &r.json, 0, "print JSON", NULL},

@@ -48,7 +48,7 @@ static int32_t find_joint(const model *m, size_t animation, const char *name)
     const nkw_document_animation *a = &m->animations[animation];
     const size_t first = find_track(a, -1, NKW_CLIP_TRANSLATION);
     for (size_t j = 0; name && j < m->document.skeleton.joint_count; j++)
-        if (strcmp(m->document.nodes[j].name, name) == 0)
+        if (input_is_joint(&m->document, j, name, strlen(name)))
             return (int32_t)j;
     return name || first == SIZE_MAX ? NKW_NO_JOINT : a->channels[first].joint;
 }

@@ -94,6 +94,26 @@ nkw_document *input_open(const char *path)
     return document;
 }
 
+static int is_name(const nkw_document *d, size_t joint, const char *text, size_t length)
+{
+    const char *name = d->nodes[joint].name;
+    return strlen(name) == length && memcmp(name, text, length) == 0;
+}
+
+int input_is_joint(const nkw_document *d, size_t joint, const char *text, size_t length)
+{
+    char number[24];
+    const int digits = snprintf(number, sizeof number, "%zu", d->nodes[joint].number);
+    if (is_name(d, joint, text, length))
+        return 1;
+    if ((size_t)digits != length || memcmp(number, text, length) != 0)
+        return 0;
+    for (size_t j = 0; j < d->skeleton.joint_count; j++)
+        if (is_name(d, j, text, length))
+            return 0;
+    return 1;
+}
+
 static int select_name(const nkw_document *d, const char *clip, input_clips *clips)
 {
     for (size_t i = 0; i < d->animation_count; i++)

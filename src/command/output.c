@@ -1,8 +1,12 @@
 /* SPDX-License-Identifier: MIT */
+#if !defined(_POSIX_C_SOURCE)
+#define _POSIX_C_SOURCE 200809L /* mkdir */
+#endif
 #include "command.h"
 
 #include <errno.h>
 #include <string.h>
+#include <sys/stat.h>
 
 static int standard(const char *path)
 {
@@ -24,10 +28,22 @@ FILE *output_open(const char *path)
     return f;
 }
 
+int output_folder(const char *path)
+{
+    if (mkdir(path, 0777) == 0 || errno == EEXIST)
+        return 1;
+    complain(path);
+    return 0;
+}
+
 int output_close(FILE *f, const char *path)
 {
-    errno = EIO;
-    int failed = ferror(f) || fflush(f) != 0;
+    int failed = ferror(f);
+    errno = 0;
+    if (failed) /* the reason is not kept: another byte fails for the same */
+        fputc('\n', f);
+    failed |= fflush(f) != 0;
+    errno = errno ? errno : EIO;
     if (failed)
         complain(path);
     if (!standard(path) && fclose(f) != 0 && !failed) {

@@ -117,13 +117,43 @@ static int put_row(page *p, const nkw_document *d, const plot_request *r, size_t
 
 /* ---- the page ---- */
 
-int plot_names(const plot_request *r, const char *name)
+static int lists(const plot_request *r, const char *name)
 {
     size_t length = strlen(name);
     for (const char *at = r->joints ? strstr(r->joints, name) : NULL; at && length; at = strstr(at + 1, name))
         if ((at == r->joints || at[-1] == ',') && (at[length] == ',' || at[length] == 0))
             return 1;
-    return !r->joints;
+    return 0;
+}
+
+int plot_names(const plot_request *r, const nkw_document *d, size_t joint)
+{
+    if (!r->joints || lists(r, d->nodes[joint].name))
+        return 1;
+    for (const char *at = r->joints; *at;) {
+        const size_t length = strcspn(at, ",");
+        if (input_is_joint(d, joint, at, length))
+            return 1;
+        at += length + (at[length] == ',');
+    }
+    return 0;
+}
+
+/* The first joint of the list that no joint is; NULL if there is none. Names may contain commas: then none is sought. */
+static const char *find_stranger(const plot_request *r, const nkw_document *d, size_t *length)
+{
+    for (size_t j = 0; j < d->skeleton.joint_count; j++)
+        if (strchr(d->nodes[j].name, ',') && lists(r, d->nodes[j].name))
+            return NULL;
+    for (const char *at = r->joints; at && *at; at += *length + (at[*length] == ',')) {
+        size_t j = 0;
+        *length = strcspn(at, ",");
+        while (j < d->skeleton.joint_count && !input_is_joint(d, j, at, *length))
+            j++;
+        if (j == d->skeleton.joint_count)
+            return at;
+    }
+    return NULL;
 }
 
 static int selected(const nkw_document *d, size_t animation, size_t index, const plot_request *r)
@@ -131,7 +161,7 @@ static int selected(const nkw_document *d, size_t animation, size_t index, const
     const nkw_document_animation *a = &d->animations[animation];
     const int target = (int)a->tracks[index].target;
     return (r->target == PLOT_ALL || target == (r->target == PLOT_EULER ? (int)NKW_CLIP_ROTATION : r->target)) &&
-           plot_names(r, d->nodes[a->channels[index].joint].name);
+           plot_names(r, d, (size_t)a->channels[index].joint);
 }
 
 static size_t count_rows(const nkw_document *d, size_t animation, const plot_request *r)
@@ -142,7 +172,7 @@ static size_t count_rows(const nkw_document *d, size_t animation, const plot_req
             rows += (size_t)selected(d, animation, i, r);
     else
         for (size_t j = 0; j < d->skeleton.joint_count; j++)
-            rows += (size_t)plot_names(r, d->nodes[j].name);
+            rows += (size_t)plot_names(r, d, j);
     return rows;
 }
 
@@ -211,8 +241,17 @@ static int put_page(FILE *f, const plot_request *r, moment *m, size_t animation,
 static int complain(const nkw_document *d, const char *what)
 {
     output_text(stderr, d->file);
-    fprintf(stderr, ": %s\n", what);
+    fputs(": ", stderr);
+    output_text(stderr, what);
+    fputc('\n', stderr);
     return 0;
+}
+
+static int complain_of(const nkw_document *d, const char *joint, size_t length)
+{
+    char what[256];
+    snprintf(what, sizeof what, "no joint %.*s", length < 200 ? (int)length : 200, joint);
+    return complain(d, what);
 }
 
 static int plot_document(const nkw_document *d, void *data)
@@ -224,9 +263,13 @@ static int plot_document(const nkw_document *d, void *data)
         return 0;
     if (clips.first == INPUT_REST || clips.count != 1)
         return complain(d, "the rest pose and all clips have no plot: choose a clip");
+    size_t length;
+    const char *stranger = find_stranger(r, d, &length);
+    if (stranger)
+        return complain_of(d, stranger, length);
     const size_t rows = count_rows(d, clips.first, r);
     if (!rows)
-        return complain(d, r->target == PLOT_PATH ? "no joint has such a name"
+        return complain(d, r->target == PLOT_PATH ? "there is no joint"
                                                   : "no channel of the clip is of these joints and this kind");
     FILE *f = NULL;
     int fine = moment_open(&m, d, clips.first) && (f = output_open(r->output)) != NULL &&
@@ -300,7 +343,7 @@ int command_plot(int argc, const char **argv)
     plot_request r = {NULL, NULL, NULL, NULL, NULL, PLOT_ALL, NKW_EULER_XYZ, 16, 0};
     const struct poptOption known[] = {
         {"clip", 'c', POPT_ARG_STRING, &r.clip, 0, "number or name of the clip (default: 0)", "N"},
-        {"joint", 'j', POPT_ARG_STRING, &r.joints, 0, "names of joints (default: all)", "NAME,..."},
+        {"joint", 'j', POPT_ARG_STRING, &r.joints, 0, "names or numbers of joints (default: all)", "NAME,..."},
         {"what", 'w', POPT_ARG_STRING, &r.what, 0,
          "translation, rotation, scale, weights (default: all four), path or euler", "WHAT"},
         {"order", 0, POPT_ARG_STRING, &r.order, 0, "of the angles of --what euler: xyz (default, Rx Ry Rz), yxz ...",

@@ -72,7 +72,7 @@ static int choose(paths *all, const plot_request *r, moment *m)
     const size_t joints = d->skeleton.joint_count, most = (size_t)r->most < JOINTS ? (size_t)r->most : JOINTS;
     for (size_t n = 0; r->joints && n < joints && all->count < most; n++) {
         size_t j = (size_t)d->joint_of_node[n];
-        if (plot_names(r, d->nodes[j].name))
+        if (plot_names(r, d, j))
             all->joints[all->count++] = j;
     }
     if (r->joints)

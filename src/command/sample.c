@@ -25,6 +25,8 @@ typedef struct request {
     sample_what kind;
 } request;
 
+#define NO_RATE (-1e30f) /* without --rate */
+
 static const options_text text = {
     "[OPTION...] FILE",
     "Samples a clip of FILE (- reads the standard input) and prints a line for each node, joint or vertex:\n"
@@ -206,12 +208,14 @@ static int check_request(const options *o, void *data)
     r->kind = (sample_what)kind;
     if (r->json && r->raw)
         return options_misuse(o, "--raw", "not with --json");
-    if (!r->at == !(r->rate != 0.0f))
+    if (!r->at && r->rate == NO_RATE)
         return options_misuse(o, "--at, --rate", "one of them is needed");
+    if (r->at && r->rate != NO_RATE)
+        return options_misuse(o, "--at, --rate", "only one of them");
     if (r->at && !timelist_count(r->at))
         return options_misuse(o, r->at, "not a list of times: 0,0.5,1");
     if (!r->at && !(r->rate > 0.0f && r->rate <= 1e6f))
-        return options_misuse(o, "--rate", "not in 0..1000000");
+        return options_misuse(o, "--rate", "not above 0 and up to 1000000");
     return COMMAND_FINE;
 }
 
@@ -227,7 +231,7 @@ static int run(const nkw_document *d, void *data)
 
 int command_sample(int argc, const char **argv)
 {
-    request r = {NULL, NULL, NULL, NULL, 0.0f, 0, 0, WHAT_LOCAL};
+    request r = {NULL, NULL, NULL, NULL, NO_RATE, 0, 0, WHAT_LOCAL};
     const struct poptOption known[] = {
         {"clip", 'c', POPT_ARG_STRING, &r.clip, 0, "number or name of the clip, all, or rest (default: 0)", "N"},
         {"at", 't', POPT_ARG_STRING, &r.at, 0, "times in seconds", "T,T,..."},

@@ -42,7 +42,7 @@ int nkwi_file_read(nkw_import_error *error, const char *path, void **data, size_
     errno = 0;
     FILE *stream = fopen(path, "rb");
     if (!stream)
-        return nkwi_fail(error, NULL, NKW_IMPORT_UNREADABLE, "cannot be opened: %s", strerror(errno));
+        return nkwi_fail(error, NULL, NKW_IMPORT_UNREADABLE, "cannot be read: %s", strerror(errno));
     int done = read_stream(error, stream, data, bytes);
     fclose(stream);
     if (!done) {

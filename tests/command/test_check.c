@@ -244,6 +244,7 @@ static void many_files_are_checked(void **state)
 static void misuse_and_files_in_error(void **state)
 {
     (void)state;
+    program_says(2, "only one file can be the standard input", "check - - < /dev/null");
     program_says(0, "Usage: nakawari check", "check --help");
     program_says(2, "not a distance", "check --tolerance -3 x");
     program_says(2, "not a positive number", "check --most 0 x");

@@ -88,11 +88,10 @@ static void all_pictures_and_the_page_are_written(void **state)
 {
     (void)state;
     program_says(0, "5 pictures, all on one page: ./index.html", "exercise '" EXAMPLES "flight.csv' -o .");
-    program_says(
-        0, "all of them",
-        "--version >/dev/null; grep -l '</svg>' trajectory-top.svg trajectory-perspective.svg frames.svg "
-        "frames-compare.svg orientation-compare.svg | wc -l | grep -q 5 && grep -q '10 keys' index.html && "
-        "echo all of them");
+    program_says(0, "all of them",
+                 "--version >/dev/null; grep -l '</svg>' trajectory-top.svg trajectory-perspective.svg frames.svg "
+                 "frames-compare.svg orientation-compare.svg | wc -l | grep -q 5 && grep -q '10 keys' index.html && "
+                 "echo all of them");
 }
 
 static void a_trace_explains_one_time(void **state)
@@ -111,6 +110,7 @@ static void joints_of_models_have_keys_too(void **state)
 {
     (void)state;
     program_says(0, "segment 0", "exercise '" NKW_CHARACTER "' --clip hop --joint hips --trace 0.05");
+    program_says(0, "segment 0", "exercise '" NKW_CHARACTER "' --clip hop --joint 3 --trace 0.05");
     program_says(1, "does not move that joint", "exercise '" NKW_CHARACTER "' --joint tail --trace 0");
     program_says(1, "choose one clip", "exercise '" NKW_CHARACTER "' --clip all --trace 0");
     program_says(1, "has no clip", "exercise '" NKW_CHARACTER "' --clip rest --trace 0");
@@ -130,7 +130,10 @@ static void too_many_keys_and_misuse_are_reported(void **state)
     program_says(2, "not none, euler", "exercise long.csv --trace 0 -q squad");
     program_says(2, "not in 0.0001..1000", "exercise long.csv --step 0");
     program_says(2, "not 2 or more", "exercise long.csv --keys 1");
-    program_says(1, "cannot write", "exercise '" EXAMPLES "flight.csv' -o no/such/folder");
+    program_says(1, "no/such/folder: cannot be written: ", "exercise '" EXAMPLES "flight.csv' -o no/such/folder");
+    program_says(1, "cannot write", "exercise '" EXAMPLES "flight.csv' -o long.csv");
+    program_says(0, "made/index.html", "exercise '" EXAMPLES "flight.csv' -o made");
+    program_says(0, "made/index.html", "exercise '" EXAMPLES "flight.csv' -o made");
 }
 
 int main(void)

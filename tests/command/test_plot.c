@@ -121,7 +121,7 @@ static void without_a_list_the_longest_paths_are_drawn(void **state)
     svg = program_run(NULL, CHARACTER "--clip walk --what path --joint head,hips");
     assert_int_equal(lines_with(svg, "<polyline"), 4 * 2);
     free(svg);
-    program_says(1, "no joint has such a name", CHARACTER "--what path --joint elbow");
+    program_says(1, "no joint elbow", CHARACTER "--what path --joint elbow");
 }
 
 /* ---- Euler angles ---- */
@@ -239,7 +239,11 @@ static void misuse_and_files_in_error(void **state)
     program_says(2, "only with --what euler", CHARACTER "--order xyz");
     program_says(2, "only with --output", CHARACTER "--watch");
     program_says(2, "not with the standard input", "plot - --watch -o x.svg");
-    program_says(1, "no channel of the clip", CHARACTER "--joint elbow");
+    program_says(1, "no joint elbow", CHARACTER "--joint hips,elbow");
+    program_says(1, "no channel of the clip", CHARACTER "--joint hips --what scale");
+    program_says(0, "", CHARACTER "--joint hips > name.svg");
+    program_says(0, "", CHARACTER "--joint 3 | cmp - name.svg");
+    program_says(1, "no joint 200", CHARACTER "--joint 3,200");
     program_says(1, "choose a clip", CHARACTER "--clip rest");
     program_says(1, "/no/such/folder/x: cannot be written", CHARACTER "-o /no/such/folder/x");
     program_says(1, "no-such-file: ", "plot no-such-file");

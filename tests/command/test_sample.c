@@ -95,10 +95,12 @@ static void misuse_ends_with_2(void **state)
     program_says(2, "FILE: missing", "sample --at 0");
     program_says(2, "one argument too many", "sample a b --at 0");
     program_says(2, "one of them is needed", MODEL);
-    program_says(2, "one of them is needed", MODEL "--at 0 --rate 30");
+    program_says(2, "only one of them", MODEL "--at 0 --rate 30");
     program_says(2, "not a list of times", MODEL "--at 0,,1");
     program_says(2, "not a list of times", MODEL "--at nan");
-    program_says(2, "not in 0..1000000", MODEL "--rate -1");
+    program_says(2, "not above 0 and up to 1000000", MODEL "--rate -1");
+    program_says(2, "not above 0 and up to 1000000", MODEL "--rate 0");
+    program_says(2, "not above 0 and up to 1000000", MODEL "--rate nan");
     program_says(2, "not local, model", MODEL "--at 0 --what pose");
     program_says(2, "not with --json", MODEL "--at 0 --json --raw");
 }
@@ -109,7 +111,8 @@ static void files_that_cannot_be_used_end_with_1(void **state)
     program_says(1, "no-such-file.glb: ", "sample no-such-file.glb --at 0");
     program_says(1, "-: ", "sample - --at 0 < /dev/null");
     program_says(1, "/no/such/folder/x: cannot be written: ", MODEL "--at 0 -o /no/such/folder/x");
-    program_says(1, "/dev/full: cannot be written: ", MODEL "--at 0 -o /dev/full");
+    program_says(1, "/dev/full: cannot be written: No space left on device", MODEL "--at 0 -o /dev/full");
+    program_says(1, "/dev/full: cannot be written: No space left on device", MODEL "--rate 60 --raw -o /dev/full");
 }
 
 /* ---- expected values ---- */
