@@ -40,10 +40,18 @@ set(nowhere "${CMAKE_CURRENT_BINARY_DIR}/no/such/folder")
 example_draws(coursework coursework- FILES scene1.csv index.html PICTURES ${coursework_pictures})
 example_page(coursework coursework matrix --trace 3.25 --position hermite --orientation quat)
 
-# The page's links to lines of the source. Put right by the command in the script's head.
-add_test(NAME example_coursework_lines COMMAND "${CMAKE_COMMAND}" "-DPAGE=${CMAKE_CURRENT_SOURCE_DIR}/coursework.md"
-  "-DROOT=${PROJECT_SOURCE_DIR}" -P "${CMAKE_CURRENT_SOURCE_DIR}/generate/lines.cmake")
-set_tests_properties(example_coursework_lines PROPERTIES LABELS golden)
+# The pages' links to lines of the source. Put right by the command in the script's head.
+foreach(folder IN ITEMS "" ja/)
+  string(REPLACE "/" "_" name "example_${folder}coursework_lines")
+  add_test(NAME ${name} COMMAND "${CMAKE_COMMAND}" "-DPAGE=${CMAKE_CURRENT_SOURCE_DIR}/${folder}coursework.md"
+    "-DROOT=${PROJECT_SOURCE_DIR}" -P "${CMAKE_CURRENT_SOURCE_DIR}/generate/lines.cmake")
+  set_tests_properties(${name} PROPERTIES LABELS golden)
+endforeach()
+
+# The Japanese pages are in step with the English ones.
+add_test(NAME docs/ja COMMAND "${CMAKE_COMMAND}" "-DDOCS=${CMAKE_CURRENT_SOURCE_DIR}"
+  -P "${CMAKE_CURRENT_SOURCE_DIR}/generate/ja.cmake")
+set_tests_properties(docs/ja PROPERTIES LABELS golden)
 
 example_says(coursework help 0 "^usage: nakawari-coursework" --help)
 example_says(coursework trace 0 "segment 1, from key 1 to key 2" --trace 1.25)
