@@ -7,7 +7,7 @@ cmake_minimum_required(VERSION 3.22)
 # after the prefix of ordinals, is a word, as "two" is in English. Links into a page that exists in both languages lead to
 # the same heading of the page in the same language.
 #     cmake -DDOCS=docs -P docs/generate/ja.cmake
-set(counters "つ|本|枚|行|列|点|個|回|秒|番|種|次|語|階|刻|周|乗|段|式|人|体|桁|節|者")
+set(counters "つ|本|枚|行|列|点|個|回|秒|番|種|次|語|階|刻|周|乗|段|フレーム|式|人|体|桁|節|者")
 
 # Reads a page. Characters with a meaning in lists are replaced: [ ] ; and the backslash.
 function(read_page path out)
