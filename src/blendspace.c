@@ -3,6 +3,7 @@
 
 #include <nakawari/blendspace.h>
 
+#include "finite.h"
 #include "lane/f64.h"
 #include "lane/scalar.h"
 #include "report.h"
@@ -45,7 +46,7 @@ static double weight_in(band r)
     return r.n2 > 0.0 ? 1.0 - r.dot / r.n2 : 1.0;
 }
 
-/* In the plane of relative length and angle, seen from a: twice the differences of lengths over the sum of a's and b's. */
+/* In the plane of relative length and angle, seen from a: twice the differences of lengths over the sum of both. */
 static double polar_weight(const float *p, const float *a, const float *b)
 {
     double la = length2(a), lb = length2(b), mean = 0.5 * (la + lb);
@@ -62,14 +63,6 @@ static double polar_weight(const float *p, const float *a, const float *b)
 static int is_polar(const nkw_blendspace *space)
 {
     return space->kind == NKW_BLENDSPACE_POLAR && space->dimension == 2;
-}
-
-static int are_finite(const float *v, size_t dimension)
-{
-    for (size_t k = 0; k < dimension; k++)
-        if (!lane_is_finite(v[k]))
-            return 0;
-    return 1;
 }
 
 static const float *sample_at(const nkw_blendspace *space, size_t i)

@@ -180,8 +180,8 @@ static float worst_of(const fit *f, size_t k, float *room)
 }
 
 /*
- * Adds keys. Of neighbouring segments beyond the tolerance the worst one gets a key in its middle, because that improves
- * the others too. Returns the largest difference of all.
+ * Adds keys. Of neighbouring segments beyond the tolerance the worst one gets a key in its middle, because that
+ * improves the others too. Returns the largest difference of all.
  */
 static float add_keys(fit *f, float tolerance, float *room, size_t *added)
 {

@@ -117,8 +117,8 @@ nkw_ik_two_bone_solution nkw_ik_two_bone_solve(const nkw_ik_two_bone *limb)
     r.mid = ik_weighted(mid, limb->weight);
     r.root = ik_weighted(swing_of(&t, end), limb->weight);
     /* Where the rounded rotations lead. */
-    lane_f64_quat turn = lane_f64_quat_normalize(lane_f64_quat_from(r.root));
-    mid = lane_f64_quat_normalize(lane_f64_quat_from(r.mid));
+    lane_f64_quat turn = lane_f64_quat_unit_from(r.root);
+    mid = lane_f64_quat_unit_from(r.mid);
     end = lane_f64_quat_rotate(turn, lane_f64_vec3_add(t.u, lane_f64_quat_rotate(mid, t.v)));
     lane_f64_vec3 root = lane_f64_vec3_from(limb->root);
     r.mid_position = lane_vec3_from_f64(lane_f64_vec3_add(root, lane_f64_quat_rotate(turn, t.u)));
@@ -186,7 +186,7 @@ nkw_ik_aim_solution nkw_ik_aim_solve(const nkw_ik_aim *aim)
     if (lane_f64_vec3_dot(forward, forward) == 0.0)
         return r;
     r.rotation = ik_weighted(aim_of(aim, forward, target), aim->weight);
-    lane_f64_quat turn = lane_f64_quat_normalize(lane_f64_quat_from(r.rotation));
+    lane_f64_quat turn = lane_f64_quat_unit_from(r.rotation);
     lane_f64_vec3 rest = lane_f64_vec3_sub(target, lane_f64_quat_rotate(turn, offset));
     lane_f64_vec3 ray = lane_f64_quat_rotate(turn, forward);
     double sine = lane_f64_vec3_length(lane_f64_vec3_cross(ray, rest)), cosine = lane_f64_vec3_dot(ray, rest);

@@ -19,11 +19,6 @@ typedef struct chain_frame {
     lane_f64_vec3 position;
 } chain_frame;
 
-static lane_f64_quat unit_of(nkw_quat q)
-{
-    return lane_f64_quat_normalize(lane_f64_quat_from(q));
-}
-
 static lane_f64_vec3 bone_of(const nkw_ik_chain *chain, size_t k, lane_f64_quat rotation)
 {
     return lane_f64_quat_rotate(rotation, lane_f64_vec3_from(chain->offsets[k]));
@@ -31,14 +26,14 @@ static lane_f64_vec3 bone_of(const nkw_ik_chain *chain, size_t k, lane_f64_quat 
 
 static chain_frame base_of(const nkw_ik_chain *chain)
 {
-    chain_frame base = {unit_of(chain->rotation), lane_f64_vec3_from(chain->position)};
+    chain_frame base = {lane_f64_quat_unit_from(chain->rotation), lane_f64_vec3_from(chain->position)};
     return base;
 }
 
 /* From the parent's rotation and the position of joint k to its own rotation and the position of the next joint. */
 static chain_frame advance(const nkw_ik_chain *chain, const nkw_quat *rotations, size_t k, chain_frame f)
 {
-    f.rotation = lane_f64_quat_mul(f.rotation, unit_of(rotations[k]));
+    f.rotation = lane_f64_quat_mul(f.rotation, lane_f64_quat_unit_from(rotations[k]));
     f.position = lane_f64_vec3_add(f.position, bone_of(chain, k, f.rotation));
     return f;
 }
@@ -117,7 +112,7 @@ static void leave_line(const nkw_ik_chain *chain, const nkw_ik_goal *goal, nkw_q
     if (!is_line(chain, rotations, line, length))
         return;
     lane_f64_quat turn = lane_f64_quat_from_axis_half(lane_f64_vec3_perpendicular(line), lane_sincos64(CHAIN_NUDGE));
-    lane_f64_quat own = lane_f64_quat_mul(base.rotation, unit_of(rotations[0]));
+    lane_f64_quat own = lane_f64_quat_mul(base.rotation, lane_f64_quat_unit_from(rotations[0]));
     rotate(chain, rotations, 0, &base.rotation, turn, own);
 }
 
@@ -140,12 +135,13 @@ static void ccd_pass(const nkw_ik_chain *chain, lane_f64_vec3 target, nkw_quat *
     chain_frame f = end_of(chain, rotations);
     lane_f64_vec3 end = f.position, position = end;
     for (size_t k = chain->count; k-- > 0;) {
-        lane_f64_quat parent = lane_f64_quat_mul(f.rotation, lane_f64_quat_conjugate(unit_of(rotations[k])));
+        lane_f64_quat parent =
+            lane_f64_quat_mul(f.rotation, lane_f64_quat_conjugate(lane_f64_quat_unit_from(rotations[k])));
         position = lane_f64_vec3_sub(position, bone_of(chain, k, f.rotation));
         lane_f64_vec3 from = lane_f64_vec3_sub(end, position);
         lane_f64_quat turn = lane_f64_quat_from_vectors(from, lane_f64_vec3_sub(target, position));
         rotate(chain, rotations, k, &parent, turn, f.rotation);
-        lane_f64_quat now = lane_f64_quat_mul(parent, unit_of(rotations[k]));
+        lane_f64_quat now = lane_f64_quat_mul(parent, lane_f64_quat_unit_from(rotations[k]));
         from = lane_f64_quat_rotate(lane_f64_quat_conjugate(f.rotation), from);
         end = lane_f64_vec3_add(position, lane_f64_quat_rotate(now, from));
         f.rotation = parent;
@@ -192,7 +188,7 @@ static void forward(const nkw_ik_chain *chain, lane_f64_vec3 target, const nkw_v
     chain_frame f = base_of(chain);
     for (size_t k = 0; k < chain->count; k++) {
         lane_f64_vec3 aim = places && k + 1 < chain->count ? lane_f64_vec3_from(places[k + 1]) : target;
-        lane_f64_quat own = lane_f64_quat_mul(f.rotation, unit_of(rotations[k]));
+        lane_f64_quat own = lane_f64_quat_mul(f.rotation, lane_f64_quat_unit_from(rotations[k]));
         lane_f64_quat turn = lane_f64_quat_from_vectors(bone_of(chain, k, own), lane_f64_vec3_sub(aim, f.position));
         rotate(chain, rotations, k, &f.rotation, turn, own);
         f = advance(chain, rotations, k, f);

@@ -52,7 +52,7 @@ static parent_axes parent_axes_of(const nkw_ik_pose *pose, size_t joint)
 {
     nkw_mat4 m = parent_matrix(pose, joint);
     nkw_trs trs = nkw_trs_from_mat4(&m);
-    parent_axes axes = {lane_f64_quat_normalize(lane_f64_quat_from(trs.rotation)), trs.scale.x < 0.0f};
+    parent_axes axes = {lane_f64_quat_unit_from(trs.rotation), trs.scale.x < 0.0f};
     return axes;
 }
 
@@ -188,7 +188,7 @@ static nkw_vec3 chain_of(const nkw_ik_pose *pose, const nkw_ik_reach *reach, nkw
     }
     lane_f64_quat rotation = {0.0, 0.0, 0.0, 1.0};
     for (size_t k = 0; k < reach->joint_count; k++) {
-        rotation = lane_f64_quat_mul(rotation, lane_f64_quat_normalize(lane_f64_quat_from(rotations[k])));
+        rotation = lane_f64_quat_mul(rotation, lane_f64_quat_unit_from(rotations[k]));
         lane_f64_quat inverse = lane_f64_quat_conjugate(rotation);
         offsets[k] = lane_vec3_from_f64(lane_f64_quat_rotate(inverse, lane_f64_vec3_from(offsets[k])));
     }

@@ -181,7 +181,7 @@ nkw_quat nkw_limit_apply(const nkw_limit *limit, nkw_quat q)
 {
     if (!is_limited(q, limit->axis) || !nkw_quat_is_finite(limit->rest))
         return q;
-    lane_f64_quat rest = lane_f64_quat_normalize(lane_f64_quat_from(limit->rest));
+    lane_f64_quat rest = lane_f64_quat_unit_from(limit->rest);
     lane_f64_quat off = lane_f64_quat_mul(lane_f64_quat_conjugate(rest), lane_f64_quat_from(q));
     lane_f64_swing_twist parts = lane_f64_quat_swing_twist(off, unit_axis(limit->axis));
     swing_plane plane = plane_of(limit->axis, limit->side);

@@ -39,8 +39,8 @@ static double largest_length(const polycurve_slopes *c, double a, double b)
 }
 
 /*
- * The length from a to b. Interval i of level l is [i, i + 1] 2^-l of the whole; an interval that is done is followed by
- * the next one, at the level of which it is the start.
+ * The length from a to b. Interval i of level l is [i, i + 1] 2^-l of the whole; an interval that is done is followed
+ * by the next one, at the level of which it is the start.
  */
 static double arc(const polycurve_slopes *c, double a, double b)
 {

@@ -15,7 +15,7 @@ typedef struct rigid {
 
 static rigid rigid_from(const nkw_trs *trs)
 {
-    rigid a = {lane_f64_quat_normalize(lane_f64_quat_from(trs->rotation)), lane_f64_vec3_from(trs->translation)};
+    rigid a = {lane_f64_quat_unit_from(trs->rotation), lane_f64_vec3_from(trs->translation)};
     return a;
 }
 
@@ -79,7 +79,7 @@ nkw_trs nkw_root_extract(const nkw_trs *root, const nkw_root_rule *rule)
     if ((rule->parts & NKW_ROOT_PLANE) && (rule->parts & NKW_ROOT_HEIGHT))
         m.t = p;
     if (rule->parts & NKW_ROOT_ROTATION)
-        m.r = lane_f64_quat_normalize(lane_f64_quat_from(root->rotation));
+        m.r = lane_f64_quat_unit_from(root->rotation);
     else if (rule->parts & NKW_ROOT_YAW)
         m.r = lane_f64_quat_from(nkw_quat_swing_twist(root->rotation, lane_vec3_from_f64(up)).twist);
     return trs_from(m);

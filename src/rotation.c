@@ -71,7 +71,7 @@ static factor last_of_hermite(lane_f64_vec3 half, double t)
 
 static lane_f64_quat control_of(const nkw_rotation_segment *s, int i)
 {
-    return lane_f64_quat_normalize(lane_f64_quat_from(s->control[i]));
+    return lane_f64_quat_unit_from(s->control[i]);
 }
 
 /* ---- The kinds at t, derivatives by t. `sign` receives the sign with which the second end is reached ---- */
@@ -265,7 +265,7 @@ nkw_rotation_segment nkw_rotation_tcb(const nkw_quat keys[4], const float times[
 
 nkw_quat nkw_quat_squad_control(nkw_quat before, nkw_quat key, nkw_quat after)
 {
-    lane_f64_quat k = lane_f64_quat_normalize(lane_f64_quat_from(key)), back = lane_f64_quat_conjugate(k);
+    lane_f64_quat k = lane_f64_quat_unit_from(key), back = lane_f64_quat_conjugate(k);
     double sign;
     lane_f64_vec3 on = arc_to(lane_f64_quat_mul(back, lane_f64_quat_from(after)), NKW_PATH_SHORT, 0, &sign);
     lane_f64_vec3 from = arc_to(lane_f64_quat_mul(back, lane_f64_quat_from(before)), NKW_PATH_SHORT, 0, &sign);

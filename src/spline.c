@@ -4,6 +4,7 @@
 #include <nakawari/scalar.h>
 #include <nakawari/spline.h>
 
+#include "finite.h"
 #include "lane/f64.h"
 #include "lane/scalar.h"
 #include "report.h"
@@ -22,14 +23,6 @@ static nkw_result check_shape(const nkw_spline *s, size_t stride, size_t work_co
     if (s->method == NKW_SPLINE_C2 && work_count / 3 < s->count)
         return NKW_TOO_SMALL;
     return s->method == NKW_SPLINE_CARDINAL && !lane_is_finite(s->tension) ? NKW_NOT_FINITE : NKW_OK;
-}
-
-static int are_finite(const float *x, size_t n)
-{
-    for (size_t i = 0; i < n; i++)
-        if (!lane_is_finite(x[i]))
-            return 0;
-    return 1;
 }
 
 /* Whether the parameters and the given tangent of key k are finite. */

@@ -6,7 +6,8 @@
  *
  *     l v(i-1) + 2 v(i) + m v(i+1) = 3 (l d0 + m d1),     l = h1/(h0 + h1),  m = h0/(h0 + h1)
  *
- * with the durations and slopes before (h0, d0) and after (h1, d1) it. At a free end, 2 v0 + v1 = 3 d0: no acceleration.
+ * with the durations and slopes before (h0, d0) and after (h1, d1) it. At a free end, 2 v0 + v1 = 3 d0: no
+ * acceleration.
  */
 typedef struct row {
     double before, diagonal, after, right;

@@ -6,7 +6,7 @@
 #include "lane/orient.h"
 #include "lane/scalar.h"
 
-/* The bounds of what springs are made from. Slower ones would have a damping, but no stiffness that a float can show. */
+/* Bounds of what springs are made from. Slower ones would have a damping, but no stiffness that a float can show. */
 #define LEAST_FREQUENCY 0x1p-62
 #define MOST_FREQUENCY  0x1p62
 #define MOST_RATIO      0x1p20
@@ -196,11 +196,6 @@ static lane_f64_quat exp_of(lane_f64_vec3 half, lane_sincos *turn)
     return lane_f64_quat_from_axis_half(lane_f64_vec3_normalize(half), *turn);
 }
 
-static lane_f64_quat unit_of(nkw_quat q)
-{
-    return lane_f64_quat_normalize(lane_f64_quat_from(q));
-}
-
 /* The rotation vector of the shorter arc from `goal` to `from`, halved. */
 static lane_f64_vec3 error_of(lane_f64_quat from, lane_f64_quat goal, lane_f64_quat *error)
 {
@@ -219,7 +214,7 @@ nkw_quat_motion nkw_quat_spring_step(nkw_spring spring, const nkw_quat_motion *f
 {
     double seconds = bounded(h);
     flow m = flow_after(spring, seconds);
-    lane_f64_quat x = unit_of(from->value), g = unit_of(goal->value), e;
+    lane_f64_quat x = lane_f64_quat_unit_from(from->value), g = lane_f64_quat_unit_from(goal->value), e;
     lane_f64_vec3 spin = lane_f64_vec3_from(from->velocity), turn = lane_f64_vec3_from(goal->velocity);
     lane_f64_vec3 half = error_of(x, g, &e);
     lane_f64_vec3 relative = lane_f64_vec3_sub(spin, lane_f64_quat_rotate(e, turn));
@@ -333,7 +328,7 @@ void nkw_quat_spring_timed_step(nkw_spring_timed *timed, nkw_quat_motion *motion
     if (is_none(h))
         return;
     parts p = parts_of(timed, h);
-    lane_f64_quat end = unit_of(goal), begin = unit_of(point->value), way;
+    lane_f64_quat end = lane_f64_quat_unit_from(goal), begin = lane_f64_quat_unit_from(point->value), way;
     if (p.moving > 0.0f) {
         lane_f64_vec3 half = error_of(end, begin, &way);
         point->velocity = lane_vec3_from_f64(lane_f64_vec3_scale(half, 2.0 * p.rate));

@@ -6,6 +6,7 @@
 #include <nakawari/quat.h>
 #include <nakawari/track.h>
 
+#include "finite.h"
 #include "difference.h"
 #include "lane/orient.h"
 #include "lane/scalar.h"
@@ -115,14 +116,6 @@ static nkw_result check_shape(const nkw_track *track)
     if (result != NKW_OK)
         return result;
     return nkw_track_value_count(track) <= SIZE_MAX / sizeof(float) ? NKW_OK : NKW_TOO_SMALL;
-}
-
-static int are_finite(const float *v, size_t n)
-{
-    for (size_t i = 0; i < n; i++)
-        if (!lane_is_finite(v[i]))
-            return 0;
-    return 1;
 }
 
 static nkw_result check_key(const nkw_track *track, size_t k)

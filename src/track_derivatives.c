@@ -86,8 +86,8 @@ static lane_f64_vec3 vector_of_product(lane_f64_quat a, lane_f64_quat b)
 /* The shorter arc from key k to the next in h seconds, at constant velocity. */
 static lane_f64_vec3 velocity_of_slerp(const nkw_track *track, size_t k, double h)
 {
-    lane_f64_quat a = lane_f64_quat_normalize(lane_f64_quat_from(track_read_quat(track_value_at(track, k))));
-    lane_f64_quat b = lane_f64_quat_normalize(lane_f64_quat_from(track_read_quat(track_value_at(track, k + 1))));
+    lane_f64_quat a = lane_f64_quat_unit_from(track_read_quat(track_value_at(track, k)));
+    lane_f64_quat b = lane_f64_quat_unit_from(track_read_quat(track_value_at(track, k + 1)));
     b = lane_f64_quat_aligned(a, b, NKW_PATH_SHORT);
     lane_f64_vec3 half = lane_f64_quat_log(lane_f64_quat_mul(b, lane_f64_quat_conjugate(a)));
     return lane_f64_vec3_scale(half, 2.0 / h);

@@ -81,7 +81,7 @@ LANE_FLAT nkw_trs nkw_trs_from_mat4(const nkw_mat4 *m)
 float nkw_trs_residual(const nkw_trs *trs, const nkw_mat4 *m)
 {
     lane_f64_mat3 w = lane_f64_mat3_from_mat4(m);
-    lane_f64_mat3 r = lane_f64_mat3_from_f64_quat(lane_f64_quat_normalize(lane_f64_quat_from(trs->rotation)));
+    lane_f64_mat3 r = lane_f64_mat3_from_f64_quat(lane_f64_quat_unit_from(trs->rotation));
     const double s[3] = {trs->scale.x, trs->scale.y, trs->scale.z};
     double longest = 0.0, nothing = 0.0; /* or NaN */
     lane_f64_mat3 difference;

@@ -43,7 +43,7 @@ typedef struct nkw_axes {
     nkw_axis right, up, forward;
 } nkw_axes;
 
-/** Axes of tools, as initialisers: nkw_axes file = NKW_AXES_BLENDER. Forward is the direction that a character faces. */
+/** Axes of tools, as initialisers: nkw_axes file = NKW_AXES_BLENDER. Forward is the direction a character faces. */
 #define NKW_AXES_GLTF                                                                                                  \
     {                                                                                                                  \
         NKW_AXIS_NEGATIVE_X, NKW_AXIS_Y, NKW_AXIS_Z                                                                    \
@@ -65,7 +65,7 @@ typedef struct nkw_axes {
         NKW_AXIS_Y, NKW_AXIS_Z, NKW_AXIS_X                                                                             \
     } /* left-handed */
 
-/** A conversion: component x of the result is the component of the input that .x names, with its sign; y, z likewise. */
+/** A conversion: component x of the result is the input component that .x names, with its sign; y, z likewise. */
 typedef struct nkw_axes_map {
     nkw_axis x, y, z;
 } nkw_axes_map;

@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: MIT */
 /**
  * @file
- * Floor 5: blend spaces: the weights of animations that are samples of one or more parameters, such as the speed and the
- * direction of a walk.
+ * Floor 5: blend spaces: the weights of animations that are samples of one or more parameters, such as the speed and
+ * the direction of a walk.
  *
  * Gradient band interpolation: sample i has the weight
  *
@@ -29,8 +29,9 @@ typedef enum nkw_blendspace_kind {
     NKW_BLENDSPACE_CARTESIAN, /**< by differences of the parameters */
     /**
      * Two parameters that are a velocity: by the difference of the lengths, relative to their mean, and by the angle
-     * between the directions times 2. A jog to the left is between a jog ahead and a walk to the left. For a sample or a
-     * point at the origin the angle counts as 0. A sample a quarter turn or more away counts in both directions around the circle.
+     * between the directions times 2. A jog to the left is between a jog ahead and a walk to the left. For a sample or
+     * a point at the origin the angle counts as 0. A sample a quarter turn or more away counts in both directions
+     * around the circle.
      */
     NKW_BLENDSPACE_POLAR
 } nkw_blendspace_kind;

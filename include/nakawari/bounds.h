@@ -9,8 +9,8 @@
  *
  *     box = union over j of M_j B_j        M_j the joint matrix of the palette
  *
- * The boxes of the joints are made once. A pose then costs about 40 ns for each joint. Rounding of skinning is included,
- * as a margin of 2^-19 of the largest magnitude.
+ * The boxes of the joints are made once. A pose then costs about 40 ns for each joint. Rounding of skinning is
+ * included, as a margin of 2^-19 of the largest magnitude.
  *
  * Not contained are vertices whose weights are negative or do not sum to 1 (nkw_skin_normalize_weights), and vertices
  * of dual quaternion skinning between joints that rotate against each other: they bulge out of the convex hull.
@@ -54,7 +54,8 @@ NKW_API nkw_box nkw_box_transform(const nkw_mat4 *m, const nkw_box *box);
 
 /**
  * The boxes of the joints in the bind pose: box j contains the positions of all vertices that joint j influences with a
- * weight other than 0. The last box, number joint_count, contains the vertices without influence, which skinning copies.
+ * weight other than 0. The last box, number joint_count, contains the vertices without influence, which skinning
+ * copies.
  *
  * positions  of the mesh in the bind pose, skin->vertex_count vectors. For morph targets, add the extent of their
  *            differences to the boxes

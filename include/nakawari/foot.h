@@ -7,8 +7,8 @@
  * While a foot is in contact its position is locked. When it leaves the ground the position returns to that of the
  * animation, without a jump of position or velocity (inertia.h). Solve the leg for the position by ik.h.
  *
- * All functions work on a state of the caller; a state of zeros begins. Positions are in world space, with the motion of
- * the root. Units: metres and seconds; any others, if the rules have the same.
+ * All functions work on a state of the caller; a state of zeros begins. Positions are in world space, with the motion
+ * of the root. Units: metres and seconds; any others, if the rules have the same.
  */
 #ifndef NAKAWARI_FOOT_H
 #define NAKAWARI_FOOT_H

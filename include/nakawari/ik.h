@@ -97,7 +97,7 @@ typedef struct nkw_ik_aim {
     float weight; /**< 0..1 */
 } nkw_ik_aim;
 
-/** The rotation of the joint about its position, and the angle, 0..pi, from the ray to the target, seen from its start. */
+/** The rotation of the joint about its position. The angle, 0..pi, from the ray to the target, seen from its start. */
 typedef struct nkw_ik_aim_solution {
     nkw_quat rotation;
     float error;
@@ -149,9 +149,9 @@ typedef struct nkw_ik_chain_result {
 } nkw_ik_chain_result;
 
 /**
- * Cyclic coordinate descent: from the last joint to the first, each is rotated by the shortest arc that turns the end to
- * the target, and clamped by its limit. Moves the last joints most. Needs no memory. Converges slowly where the chain is
- * nearly straight.
+ * Cyclic coordinate descent: from the last joint to the first, each is rotated by the shortest arc that turns the end
+ * to the target, and clamped by its limit. Moves the last joints most. Needs no memory. Converges slowly where the
+ * chain is nearly straight.
  *
  * rotations  count local rotations, unit; changed in place. Limits also clamp rotations that need not move.
  *
@@ -239,8 +239,8 @@ typedef struct nkw_ik_reach {
 #define NKW_IK_CHAIN_WORK(joint_count) (10 * (joint_count))
 
 /**
- * nkw_ik_fabrik_solve or nkw_ik_ccd_solve on a pose: changes the local rotations of `joint_count` ancestors of the joint
- * `end`. Arguments as nkw_ik_pose_two_bone.
+ * nkw_ik_fabrik_solve or nkw_ik_ccd_solve on a pose: changes the local rotations of `joint_count` ancestors of the
+ * joint `end`. Arguments as nkw_ik_pose_two_bone.
  *
  * result   receives the error, after the weight, and the iterations; may be NULL
  * work     work_count floats, at least NKW_IK_CHAIN_WORK(reach->joint_count)

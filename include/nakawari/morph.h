@@ -54,8 +54,8 @@ typedef struct nkw_morph {
  * Dense targets take 0.2 to 0.3 ns for a vector and a target in a near cache if all strides are 0 or 12; targets of
  * weight 0 take none. For many characters call it for each: the vertices of one are already many lanes.
  *
- * Rounding: one product and one sum for each target; the error of a component is at most 1.0 u of |v| + the sum of |w d|
- * for each target that has a weight.
+ * Rounding: one product and one sum for each target; the error of a component is at most 1.0 u of |v| + the sum of
+ * |w d| for each target that has a weight.
  */
 NKW_API void nkw_morph_apply(const nkw_morph *morph, const float *weights, const nkw_vertices_view *in,
                              const nkw_vertices_span *out);

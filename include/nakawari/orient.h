@@ -22,8 +22,9 @@ extern "C" {
 /**
  * The arc between a and b. Any other number is read as NKW_PATH_SHORT.
  *
- * Functions with a path also take a number of whole turns k: the rotation by the angle g of the arc continues by k whole
- * turns about the same axis, to g + 2 pi k. A negative k turns the other way: the short arc with k = -1 is the long arc.
+ * Functions with a path also take a number of whole turns k: the rotation by the angle g of the arc continues by k
+ * whole turns about the same axis, to g + 2 pi k. A negative k turns the other way: the short arc with k = -1 is the
+ * long arc.
  */
 typedef enum nkw_path {
     NKW_PATH_SHORT,   /**< the arc of at most half a turn: from a to the nearer of b and -b */
@@ -84,8 +85,8 @@ NKW_API nkw_quat nkw_quat_slerp(nkw_quat a, nkw_quat b, float t);
  *          first rounded to a float.
  * turns    any; up to 2^29 the product with t is exact
  * Returns  as nkw_quat_slerp; at t = 1, b with the sign of the arc, negated if turns is odd. If a and b are equal or
- *          opposite to within 2^-48 rad, the arc has no axis: the local z axis is used, through a * (0, 0, 1, 0), for the
- *          arc from a to -a and for whole turns. From 2^-48 to 2^-28 rad, rounding of the inputs decides the axis.
+ *          opposite to within 2^-48 rad, the arc has no axis: the local z axis is used, through a * (0, 0, 1, 0), for
+ *          the arc from a to -a and for whole turns. From 2^-48 to 2^-28 rad, rounding of the inputs decides the axis.
  *
  * Error  1.0 u for t in -2..2 and turns of -1000..1000, if the axis does not depend on rounding: without turns the
  *        ends of the arc are at least 2^-28 rad from opposite, with turns also 2^-28 rad from equal.

@@ -92,8 +92,8 @@ NKW_API nkw_result nkw_retarget_validate(const nkw_retarget *retarget, size_t *b
  * of the body, such as the lowest and the highest joint of the spine. Each is listed from its root on.
  *
  * lengths      of a joint: |rest translation|, of the first one 0. A chain of length 0 counts joints instead
- * Returns      NKW_OK; NKW_EMPTY if a chain has no joints; NKW_OUT_OF_RANGE for a joint that the skeleton does not have;
- *              nothing is then written
+ * Returns      NKW_OK; NKW_EMPTY if a chain has no joints; NKW_OUT_OF_RANGE for a joint that the skeleton does not
+ *              have; nothing is then written
  * joints       the entries of the target's chain are written: from, to and t; translation stays
  */
 NKW_API nkw_result nkw_retarget_map_chain(const nkw_retarget *retarget, const int32_t *source_chain,
@@ -112,8 +112,8 @@ NKW_API nkw_result nkw_retarget_map_chain(const nkw_retarget *retarget, const in
 NKW_API float nkw_retarget_scale(const nkw_mat4 *source, const nkw_mat4 *target, nkw_vec3 up);
 
 /**
- * The ratio of the lengths of two chains in the rest poses, such as legs: the sum of |rest translation| of all joints of
- * the target's chain except the first, divided by that of the source's. For skeletons whose rest poses do not stand.
+ * The ratio of the lengths of two chains in the rest poses, such as legs: the sum of |rest translation| of all joints
+ * of the target's chain except the first, divided by that of the source's. For skeletons whose rest poses do not stand.
  *
  * Returns  1 if a joint is out of range, or if the quotient is not positive and finite
  */

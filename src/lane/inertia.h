@@ -113,8 +113,8 @@ static inline lane_f64_vec3 lane_difference_rate(lane_f64_quat d, lane_f64_vec3 
 
 static inline lane_rotation_offset lane_rotation_offset_of(nkw_quat from, nkw_vec3 w, nkw_quat to, nkw_vec3 v)
 {
-    lane_f64_quat b = lane_f64_quat_normalize(lane_f64_quat_from(to));
-    lane_f64_quat a = lane_f64_quat_aligned(b, lane_f64_quat_normalize(lane_f64_quat_from(from)), NKW_PATH_SHORT);
+    lane_f64_quat b = lane_f64_quat_unit_from(to);
+    lane_f64_quat a = lane_f64_quat_aligned(b, lane_f64_quat_unit_from(from), NKW_PATH_SHORT);
     lane_f64_quat d = lane_f64_quat_mul(a, lane_f64_quat_conjugate(b));
     lane_f64_vec3 half = lane_f64_quat_log(d);
     lane_rotation_offset r = {half, lane_difference_rate(d, half, lane_f64_vec3_from(w), lane_f64_vec3_from(v))};
@@ -185,13 +185,13 @@ LANE_FLAT static inline lane_f64_quat lane_dead_old_quat(nkw_quat from, nkw_vec3
     double pass = lane_f64_vec3_length(half);
     lane_f64_vec3 less = lane_f64_vec3_scale(half, LANE_MOST_HALF_TURN / pass);
     lane_f64_quat turn = lane_f64_quat_exp_near(lane_f64_vec3_select(pass > LANE_MOST_HALF_TURN, less, half));
-    return lane_f64_quat_mul(turn, lane_f64_quat_normalize(lane_f64_quat_from(from)));
+    return lane_f64_quat_mul(turn, lane_f64_quat_unit_from(from));
 }
 
 /* old to^-1 with the sign that continues the last difference; none, a zero quaternion, is the shorter arc. */
 LANE_FLAT static inline lane_f64_quat lane_dead_difference(lane_f64_quat old, nkw_quat to, nkw_quat last)
 {
-    lane_f64_quat b = lane_f64_quat_normalize(lane_f64_quat_from(to)), l = lane_f64_quat_from(last);
+    lane_f64_quat b = lane_f64_quat_unit_from(to), l = lane_f64_quat_from(last);
     lane_f64_quat d = lane_f64_quat_mul(old, lane_f64_quat_conjugate(b)), identity = {0.0, 0.0, 0.0, 1.0};
     int none = lane_f64_quat_dot(l, l) == 0.0;
     return lane_f64_quat_aligned(lane_f64_quat_select(none, identity, l), d, NKW_PATH_SHORT);

@@ -99,6 +99,12 @@ static inline lane_f64_quat lane_f64_quat_normalize(lane_f64_quat q)
     return lane_f64_quat_select(n2 == 0.0, identity, lane_f64_quat_scale(q, lane_rsqrt64(n2)));
 }
 
+/* q normalised, in binary64; the zero quaternion is the identity. */
+static inline lane_f64_quat lane_f64_quat_unit_from(nkw_quat q)
+{
+    return lane_f64_quat_normalize(lane_f64_quat_from(q));
+}
+
 /* The turn about a unit axis, given by sine and cosine of half its angle. */
 static inline lane_f64_quat lane_f64_quat_from_axis_half(lane_f64_vec3 axis, lane_sincos half)
 {
