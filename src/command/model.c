@@ -116,13 +116,20 @@ nkw_clip_track *model_tracks(model *m, size_t animation)
     return (nkw_clip_track *)m->animations[animation].tracks;
 }
 
-static int refuse(const model *m, size_t animation, nkw_result result)
+static int complain(const model *m, size_t animation, const char *what)
 {
     output_text(stderr, m->original->file);
     fputs(": clip ", stderr);
     output_text(stderr, m->original->animations[animation].name);
-    fprintf(stderr, ": %s: see nakawari check\n", nkw_result_text(result));
+    fprintf(stderr, ": %s\n", what);
     return 0;
+}
+
+static int refuse(const model *m, size_t animation, nkw_result result)
+{
+    char what[160];
+    snprintf(what, sizeof what, "%s: see nakawari check", nkw_result_text(result));
+    return complain(m, animation, what);
 }
 
 /* ---- keys ---- */
@@ -211,9 +218,25 @@ static nkw_result resample(model *m, nkw_track *t, float rate)
     return memory.times && memory.values && memory.work ? nkw_track_resample(t, rate, &memory, t, NULL) : NKW_TOO_SMALL;
 }
 
+/* Of a clip; with values of four floats 640 MiB. */
+enum { RESAMPLED_KEYS_MOST = 1 << 25 };
+
+/* The keys of all tracks after resampling, of those that the library accepts; at most a limit. */
+static int is_moderate(const nkw_clip_track *tracks, size_t track_count, float rate)
+{
+    size_t total = 0, count = 0;
+    for (size_t i = 0; i < track_count && total <= RESAMPLED_KEYS_MOST; i++) {
+        const nkw_result result = nkw_track_resample_count(&tracks[i].track, rate, &count);
+        total += result == NKW_TOO_MANY ? RESAMPLED_KEYS_MOST + 1 : result == NKW_OK ? count : 0;
+    }
+    return total <= RESAMPLED_KEYS_MOST;
+}
+
 int model_resample(model *m, size_t animation, float rate)
 {
     nkw_clip_track *tracks = model_tracks(m, animation);
+    if (!is_moderate(tracks, m->animations[animation].track_count, rate))
+        return complain(m, animation, "more than 33554432 keys at this rate: use a lower one");
     for (size_t i = 0; i < m->animations[animation].track_count; i++) {
         nkw_result result = nkw_track_validate(&tracks[i].track, NULL);
         if (result == NKW_OK)

@@ -153,6 +153,13 @@ static void resampled_clips_are_measured(void **state)
     program_says(0, "12/s", "info rate.glb");
     program_says(0, "walk", "diff --clip walk --tolerance 0.1 '" NKW_CHARACTER "' rate.glb");
     program_says(0, "written", "convert '" NKW_CHARACTER "' --rate 60 --tolerance 0.001 -o both.glb");
+    FILE *f = fopen("century.csv", "wb");
+    assert_non_null(f);
+    fputs("name,time,tx,ty,tz\na,0,0,0,0\na,3e9,1,0,0\n", f);
+    assert_int_equal(fclose(f), 0);
+    program_says(1, "clip animation_0: more than 33554432 keys at this rate", "convert century.csv --rate 30 -o x.glb");
+    program_says(1, "more than 33554432 keys at this rate", "convert century.csv --rate 0.02 -o x.glb");
+    program_says(0, "written", "convert century.csv --rate 1e-6 -o x.glb");
     program_says(0, "walk", "diff --clip walk --tolerance 0.05 '" NKW_CHARACTER "' both.glb");
 }
 

@@ -74,13 +74,14 @@ static void bash_completes_commands_and_options(void **state)
 {
     (void)state;
     const char *complete = "--version > /dev/null; command -v bash > /dev/null || { printf \"sample\\n--rate "
-                           "--raw\\n\"; exit; }; bash -c '"
+                           "--raw\\n--what --watch\\n\"; exit; }; bash -c '"
                            "source \"$0/completion/nakawari.bash\";"
                            "COMP_WORDS=(\"$1\" sam); COMP_CWORD=1; _nakawari; echo \"${COMPREPLY[@]}\";"
-                           "COMP_WORDS=(\"$1\" sample --ra); COMP_CWORD=2; _nakawari; echo \"${COMPREPLY[@]}\"' "
+                           "COMP_WORDS=(\"$1\" sample --ra); COMP_CWORD=2; _nakawari; echo \"${COMPREPLY[@]}\";"
+                           "COMP_WORDS=(\"$1\" plot --w); COMP_CWORD=2; _nakawari; echo \"${COMPREPLY[@]}\"' "
                            "'" NKW_COMMAND_SOURCE "' '" NKW_PROGRAM "'";
     char *said = program_run(NULL, "%s", complete);
-    assert_string_equal(said, "sample\n--rate --raw\n");
+    assert_string_equal(said, "sample\n--rate --raw\n--what --watch\n");
     free(said);
 }
 

@@ -8,7 +8,8 @@ _nakawari()
         COMPREPLY=($(compgen -W "$("$program" --help 2>/dev/null | sed -n 's/^  \([a-z]*\) .*/\1/p') --help --version" -- \
             "$current"))
     elif [[ $current == -* ]]; then
-        COMPREPLY=($(compgen -W "$("$program" "$command" --help 2>/dev/null | sed '/^$/,$d' | grep -oE -- '--[a-z-]+')" \
+        COMPREPLY=($(compgen -W "$("$program" "$command" --help 2>/dev/null |
+            sed -nE '/^$/q; s/^  (-., |    )(--[a-z-]+).*/\2/p')" \
             -- "$current"))
     else
         COMPREPLY=($(compgen -f -- "$current"))
