@@ -2,10 +2,12 @@ cmake_minimum_required(VERSION 3.22)
 # Compares each page of docs/ja with the English page of the same name, heading by heading:
 #   - headings: number and levels
 #   - fenced code: byte for byte
+#   - paragraphs and list items: their number
 #   - table rows one by one, and the remaining text of a section: the same code spans, links and numbers, in any order
+# A change of words alone is not found.
 # Numbers are digit sequences with the letters in front of them (p0, 3.25). In Japanese, one digit before a counter, or
-# after the prefix of ordinals, is a word, as "two" is in English. Links into a page that exists in both languages lead to
-# the same heading of the page in the same language.
+# after the prefix of ordinals, is a word, as "two" is in English. Links into a page that exists in both languages lead
+# to the same heading of the page in the same language.
 #     cmake -DDOCS=docs -P docs/generate/ja.cmake
 set(counters "つ|本|枚|行|列|点|個|回|秒|番|種|次|語|階|刻|周|乗|段|フレーム|式|人|体|桁|節|者")
 
@@ -24,11 +26,13 @@ function(read_page path out)
   set(${out} "${text}" PARENT_SCOPE)
 endfunction()
 
-# Sections of a page as PREFIX_level_I, PREFIX_title_I, PREFIX_fences_I, PREFIX_rows_I, PREFIX_text_I.
+# Sections of a page as PREFIX_level_I, PREFIX_title_I, PREFIX_fences_I, PREFIX_rows_I, PREFIX_text_I, and the number of
+# paragraphs and list items PREFIX_blocks_I.
 function(split_page text prefix)
   string(REPLACE "\n" ";" lines "${text}")
   set(section -1)
   set(fenced FALSE)
+  set(blank TRUE)
   foreach(line IN LISTS lines)
     string(REGEX MATCH "^```" fence "${line}")
     if(fenced OR fence)
@@ -47,15 +51,23 @@ function(split_page text prefix)
       set(text_${section} "${title}\n")
       set(rows_${section} "")
       set(fences_${section} "")
+      set(blocks_${section} 0)
     elseif(line MATCHES "^\\|")
       list(APPEND rows_${section} "${line}")
     else()
       string(APPEND text_${section} "${line}\n")
+      if(line MATCHES "^(- |[0-9]+\\. )" OR (blank AND NOT line STREQUAL ""))
+        math(EXPR blocks_${section} "${blocks_${section}} + 1")
+      endif()
+    endif()
+    set(blank FALSE)
+    if(line STREQUAL "")
+      set(blank TRUE)
     endif()
   endforeach()
   math(EXPR count "${section} + 1")
   foreach(i RANGE ${section})
-    foreach(part IN ITEMS fences rows text)
+    foreach(part IN ITEMS fences rows text blocks)
       set(${prefix}_${part}_${i} "${${part}_${i}}" PARENT_SCOPE)
     endforeach()
   endforeach()
@@ -212,6 +224,10 @@ function(compare_pages page)
     endif()
     if(NOT en_fences_${i} STREQUAL ja_fences_${i})
       message(SEND_ERROR "${place}: the code blocks differ")
+    endif()
+    if(NOT en_blocks_${i} EQUAL ja_blocks_${i})
+      set(blocks "${en_blocks_${i}} paragraphs and list items in English, ${ja_blocks_${i}} in Japanese")
+      message(SEND_ERROR "${place}: ${blocks}")
     endif()
     list(LENGTH en_rows_${i} rows)
     list(LENGTH ja_rows_${i} ja_rows)
