@@ -1,6 +1,7 @@
 cmake_minimum_required(VERSION 3.22)
 # A file includes only its own floor and lower ones. The floor of a file is that of its stem; a file without a stem has
-# the highest floor of those that it includes. Above the library: 7 is src/import, 8 src/command.
+# the highest floor of those that it includes. Above the library: 7 is src/import and
+# src/wasm, 8 is src/command.
 include("${SOURCE}/src/stems.cmake")
 foreach(floor RANGE 6)
   foreach(stem IN LISTS NKW_FLOOR_${floor})
@@ -45,7 +46,7 @@ function(floor_of file out)
     nkw_stem_of("${name}" stem)
     if(name IN_LIST tables)
       set(floor -1)
-    elseif(file MATCHES "/src/import/")
+    elseif(file MATCHES "/src/(import|wasm)/")
       set(floor 7)
     elseif(file MATCHES "/src/command/")
       set(floor 8)

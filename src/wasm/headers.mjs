@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: MIT
+// The functions, structs and enumerations of the public headers, read from their texts.
+import { readFileSync } from 'node:fs';
+
+const plain = text => text.replace(/\/\*[\s\S]*?\*\//g, '');
+const number = { float: 1, int: 1, int32_t: 1, uint32_t: 1, unsigned: 1, size_t: 1, double: 1 };
+
+// The first paragraph of a comment, on one line.
+function summary(comment) {
+  const lines = comment.replace(/^\/\*\*+|\*\/$/g, '').split('\n').map(line => line.replace(/^\s*\*? ?/, '').trim());
+  const from = lines.findIndex(line => line !== '' && !line.startsWith('@'));
+  const rest = from < 0 ? [] : lines.slice(from);
+  const to = rest.indexOf('');
+  return (to < 0 ? rest : rest.slice(0, to)).join(' ');
+}
+
+function parameter(text) {
+  const parts = text.trim().match(/^(const )?(\w+) *((?:\* *(?:const *)?)*)(\w+)(?:\[(\d+)\])?$/);
+  if (!parts)
+    throw new Error(`no parameter: ${text}`);
+  const [, constant, type, star, name, length] = parts;
+  const stars = star.replace(/[^*]/g, '').length;
+  return { type, name, constant: !!constant, pointer: stars + (length ? 1 : 0), length: +(length ?? 1) };
+}
+
+export function readHeaders(folder, stems) {
+  const functions = new Map(), structs = new Map(), enums = new Map(), enumStem = new Map();
+  const widths = type => number[type] ?? (enums.has(type) ? 1 : structs.get(type)?.words);
+  for (const stem of stems) {
+    const text = readFileSync(`${folder}/${stem}.h`, 'utf8');
+    for (const [, body, name] of text.matchAll(/typedef enum \w+ \{([\s\S]*?)\} *(\w+);/g)) {
+      let next = 0;
+      const members = [];
+      for (const item of plain(body).split(',').map(s => s.trim()).filter(s => /^NKW_\w+( *=|$)/.test(s))) {
+        const [key, value] = item.split('=').map(s => s.trim());
+        next = value === undefined ? next : Number(value);
+        if (!key.endsWith('_COUNT'))
+          members.push([key.slice(4), next]);
+        next++;
+      }
+      enums.set(name, members);
+      enumStem.set(name, stem);
+    }
+    // Structs of numbers of four bytes only; `words` of others is undefined.
+    for (const [, body, name] of text.matchAll(/typedef struct \w+ \{([\s\S]*?)\} *(\w+);/g)) {
+      let words = 0;
+      for (const field of plain(body).split(';').map(s => s.trim()).filter(Boolean)) {
+        const [, type, rest] = field.match(/^(\w+)\s+([\s\S]*)$/) ?? [];
+        for (const item of (rest ?? '*').split(','))
+          words += /[*]/.test(item) || type === 'double' || type === 'size_t' ? NaN
+            : widths(type) * +(item.match(/\[(\d+)\]/)?.[1] ?? 1);
+      }
+      structs.set(name, { words: Number.isNaN(words) ? undefined : words });
+    }
+    for (const [, comment, before, args] of text.matchAll(
+      /(\/\*\*(?:(?!\*\/)[\s\S])*\*\/\s*)?(?:^NKW_API|^NKW_ALGEBRA\w*)\s+([^;{}()]*?)\(([^;]*?)\);/gm)) {
+      const [, type, star, name] = before.trim().match(/^((?:const )?\w+)\s+(\*?)\s*(\w+)$/);
+      const parameters = args.trim() === 'void' ? [] : args.split(',').map(parameter);
+      const about = comment ? summary(comment.trim()) : '';
+      functions.set(name, { name, stem, type: type + star, parameters, summary: about });
+    }
+  }
+  return { functions, structs, enums, enumStem, widths };
+}

@@ -1,0 +1,27 @@
+/** All intermediate values of one matrix (nkw_keyframe_trace). */
+export interface KeyframeTrace {
+  segment: number;
+  t: number;
+  parameter: number;
+  key: number[];
+  control: number[][];
+  weight: number[];
+  orientation: number[][];
+  angles: number[][];
+  halfAngle: number;
+  orientationWeight: number[];
+  angularVelocity: number[];
+  position: number[];
+  rotation: number[];
+}
+
+/** The keys of the university exercise (keyframe.h): eight floats each, time, position x y z, orientation x y z w. */
+export class Keyframes extends Floats {
+  constructor(keys: ArrayLike<number>);
+  readonly keyCount: number;
+  /** Throws for keys that nkw_keyframes_validate rejects; call it after a change of `array`. */
+  validate(): void;
+  /** The matrix at `time`, 16 floats. */
+  sample<T extends FloatArray>(time: number, position: PositionMethod, orientation: OrientationMethod, out: T): T;
+  trace(time: number, position: PositionMethod, orientation: OrientationMethod): KeyframeTrace;
+}

@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: MIT
+import assert from 'node:assert/strict';
+import { existsSync, readFileSync, readdirSync } from 'node:fs';
+import { test } from 'node:test';
+import { gzipSync, inflateRawSync } from 'node:zlib';
+import { checkList, readAll } from '../../src/wasm/generate.mjs';
+import { excluded, excludedStems, parts } from '../../src/wasm/parts.mjs';
+import { packageFolder, root, text } from './support.mjs';
+
+const headers = readAll(root);
+
+test('every public function is bound or excluded with a reason', () => {
+  const { bound, missing, stale, unknown } = checkList(headers);
+  assert.deepEqual({ missing, stale, unknown }, { missing: [], stale: [], unknown: [] });
+  assert.ok(bound > 250, `${bound}`);
+  for (const [name, reason] of Object.entries({ ...excluded, ...excludedStems }))
+    assert.ok(reason.length > 8, name);
+});
+
+test('the list names stems of the library only', () => {
+  for (const stem of [...parts.flatMap(part => part.stems), ...Object.keys(excludedStems)])
+    assert.ok(headers.stems.includes(stem), stem);
+});
+
+for (const part of parts) {
+  const js = text(`${packageFolder}/${part.name}.js`), ts = text(`${packageFolder}/${part.name}.d.ts`);
+
+  test(`${part.name}: module and script stay under ${part.limit} KB compressed by gzip`, t => {
+    const bytes = ['', 'wasm/'].map(folder =>
+      gzipSync(text(`${packageFolder}/${folder}${part.name}.js`), { level: 9 }).length);
+    t.diagnostic(`${part.name}: ${bytes[0]} + ${bytes[1]} bytes`);
+    assert.ok(bytes[0] + bytes[1] <= 1000 * part.limit, `${bytes[0]} + ${bytes[1]}`);
+  });
+
+  test(`${part.name}: the modules import nothing`, async () => {
+    const of = async name => Buffer.from((await import(`${packageFolder}/wasm/${name}.js`)).default, 'base64');
+    for (const bytes of [inflateRawSync(await of(part.name)), await of(`${part.name}.plain`)])
+      assert.deepEqual(WebAssembly.Module.imports(new WebAssembly.Module(bytes)), []);
+  });
+
+  test(`${part.name}: each exported name has a type, and each type a name`, () => {
+    const names = source => [...source.matchAll(/^export (?:function|class|const) (\w+)/gm)].map(m => m[1]).sort();
+    assert.deepEqual(names(js), names(ts));
+    assert.equal(new Set(names(js)).size, names(js).length);
+  });
+}
+
+test('the package has no dependency, and its files are there', () => {
+  const about = JSON.parse(text(`${packageFolder}/package.json`));
+  assert.equal(about.dependencies, undefined);
+  for (const entry of Object.values(about.exports))
+    for (const file of Object.values(entry))
+      assert.ok(existsSync(`${packageFolder}/${file}`), file);
+  assert.equal(readdirSync(`${packageFolder}/wasm`).length, 2 * parts.length);
+  assert.ok(readFileSync(`${packageFolder}/LICENSE`).length > 0);
+});
