@@ -276,15 +276,16 @@ static int is_stepped(const writer *w)
 {
     for (size_t i = 0; i < w->curve_count; i++)
         for (size_t k = 0; k + 1 < w->curves[i].key_count; k++)
-            if (w->curves[i].keys[k].kind != NKW_FCURVE_CONSTANT)
+            if (w->curves[i].keys[k].kind > NKW_FCURVE_CONSTANT_NEXT)
                 return 0;
     return w->kind == NKW_TRACK_FLOATS;
 }
 
-/* The keys of a STEP track: one value at each time at which a curve has a key. */
+/* The keys of a STEP track: one value at each time at which a curve has a key, or leaves one for the next. */
 static nkw_result write_steps(writer *w, float first, float last)
 {
-    for (float time = first;; time = next_key_of_all(w, time, last)) {
+    w->tolerance = 0.0f; /* the steps are exact */
+    for (float time = first;; time = next_break_of_all(w, time, last)) {
         if (!has_room(w))
             return NKW_TOO_SMALL;
         w->memory->times[w->count] = time;

@@ -423,15 +423,16 @@ static void handles_of_a_third_need_no_more_keys(void **state)
 static void jumps_take_two_keys_at_neighbouring_floats(void **state)
 {
     (void)state;
-    nkw_fcurve_key keys[3] = {{0, 1, {0, 0}, {0, 0}, NKW_FCURVE_CONSTANT, NKW_EASE_LINEAR},
+    nkw_fcurve_key keys[4] = {{0, 1, {0, 0}, {0, 0}, NKW_FCURVE_CONSTANT, NKW_EASE_LINEAR},
                               {1, 2, {0, 0}, {0, 0}, NKW_FCURVE_CONSTANT_NEXT, NKW_EASE_LINEAR},
-                              {2, 5, {0, 0}, {0, 0}, NKW_FCURVE_CONSTANT, NKW_EASE_LINEAR}};
-    nkw_fcurve c = curve_of(keys, 3);
-    nkw_track_memory memory = memory_of(5);
+                              {2, 5, {0, 0}, {0, 0}, NKW_FCURVE_LINEAR, NKW_EASE_LINEAR},
+                              {3, 7, {0, 0}, {0, 0}, NKW_FCURVE_LINEAR, NKW_EASE_LINEAR}};
+    nkw_fcurve c = curve_of(keys, 4);
+    nkw_track_memory memory = memory_of(6);
     nkw_track track;
     float error, got;
     assert_int_equal(nkw_track_from_fcurves(&c, 1, 0.1f, &memory, &track, &error), NKW_OK);
-    assert_int_equal(track.count, 5);
+    assert_int_equal(track.count, 6);
     expect_bits(error, 0);
     const float times[7] = {0, 0.5f, 0x1.fffffep-1f, 1, 0x1.000002p0f, 1.5f, 2};
     for (int i = 0; i < 7; i++) {

@@ -174,7 +174,8 @@ NKW_API nkw_result nkw_fcurve_keys_from_track(const nkw_track *track, size_t com
  * clips, and for tools without handles in time. Each segment begins as the Hermite segment of the values and slopes at
  * its ends, and is halved while the curve is more than `tolerance` from it at one of 31 times between. Key times
  * ascend strictly. A jump takes two keys at neighbouring floats, so that no float time lies within it. If all segments
- * are CONSTANT, as of booleans and integers, the track is STEP and exact.
+ * are CONSTANT or CONSTANT_NEXT, as of booleans and integers, the track is STEP and exact: a step that holds the next
+ * key is a step at the float after its key.
  *
  * memory      key_capacity keys of 3 * width values; `work` is not used
  * out         receives the track, which refers to `memory`; without keys after an error

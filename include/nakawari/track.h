@@ -22,6 +22,9 @@
  * every integer up to 2^24. Rotations as Euler angles, with any number of turns, become rotation tracks by
  * nkw_track_from_euler_fcurves (dialect.h).
  *
+ * A step that holds the next key is a STEP track whose steps are at the float after each key: nkw_track_from_fcurves
+ * makes it of keys of NKW_FCURVE_CONSTANT_NEXT.
+ *
  * Rotations are x, y, z, w and should be unit. Stored values are used unchanged:
  *
  *   - If the mean of the squared lengths of both keys differs from 1 by at most 1e-6, LINEAR is nkw_quat_slerp.
