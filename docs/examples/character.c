@@ -94,7 +94,7 @@ static int fill_arrays(arrays *a, const mesh *m, enum mannequin_part part)
         a->normals[i] = m->vertices[i].normal;
         for (size_t e = 0; e < 4; e++) {
             a->weights[4 * i + e] = m->vertices[i].weights[e];
-            a->joints[4 * i + e] = (uint8_t)(is_face(part) ? 0 : m->vertices[i].joints[e]);
+            a->joints[4 * i + e] = (uint8_t)(is_face(part) || !a->weights[4 * i + e] ? 0 : m->vertices[i].joints[e]);
         }
     }
     for (size_t f = 0; f < m->face_count * 3; f++)

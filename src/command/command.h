@@ -119,6 +119,8 @@ int command_work(const char *path, const command_steps *steps, void *request);
 
 /** The file, or the standard output for NULL and "-". Reports an error on stderr and returns NULL. */
 FILE *output_open(const char *path);
+/** Whether a name ends as those of pictures, films and models that no command writes: .jpg, .fbx and others. */
+int output_is_foreign(const char *path);
 /** Makes a folder where there is none. Its parent must exist. Returns 0 and reports on stderr if it cannot. */
 int output_folder(const char *path);
 /** Closes it. Returns 0 and reports on stderr if anything could not be written. */

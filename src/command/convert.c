@@ -161,6 +161,8 @@ static int check_request(const options *o, void *of)
         return options_misuse(o, "--rate", "not in 0..1000000");
     if (!(r->scale > 0.0f && r->scale < 1e30f))
         return options_misuse(o, "--scale", "not a positive number");
+    if (!r->form && output_is_foreign(r->output))
+        return options_misuse(o, r->output, "only glTF is written: .glb or .gltf");
     if (model_form(r->form, r->output) < 0)
         return options_misuse(o, r->form, "not glb, gltf or embedded");
     return check_axes(o, r);

@@ -28,6 +28,15 @@ FILE *output_open(const char *path)
     return f;
 }
 
+int output_is_foreign(const char *path)
+{
+    static const char *const ends[] = {"abc",  "avi", "blend",   "bmp",  "bvh",  "dae", "fbx", "gif",
+                                       "jpeg", "jpg", "md5anim", "mov",  "mp4",  "obj", "pdf", "tif",
+                                       "tiff", "usd", "usda",    "usdc", "usdz", "webp"};
+    const char *end = path ? strrchr(path, '.') : NULL;
+    return end && options_word(end + 1, ends, sizeof ends / sizeof ends[0]) >= 0;
+}
+
 int output_folder(const char *path)
 {
     if (mkdir(path, 0777) == 0 || errno == EEXIST)

@@ -297,6 +297,8 @@ static int check_request(const options *o, void *data)
         return options_misuse(o, r->order, "not an order: xyz, xzy, yxz, yzx, zxy or zyx");
     if (r->order && r->target != PLOT_EULER)
         return options_misuse(o, "--order", "only with --what euler");
+    if (output_is_foreign(r->output))
+        return options_misuse(o, r->output, "only .svg and .png are written");
 #if !defined(NKW_CAIRO)
     if (page_is_png(r->output))
         return options_misuse(o, r->output, "PNG is not built: it needs cairo");

@@ -79,6 +79,8 @@ static int check_request(const options *o, void *of)
         return options_misuse(o, "--tolerance", "not a distance");
     if (r->lossless && r->tolerance != -1.0f)
         return options_misuse(o, "--lossless", "has no tolerance");
+    if (!r->form && output_is_foreign(r->output))
+        return options_misuse(o, r->output, "only glTF is written: .glb or .gltf");
     if (model_form(r->form, r->output) < 0)
         return options_misuse(o, r->form, "not glb, gltf or embedded");
     return COMMAND_FINE;

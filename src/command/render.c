@@ -288,6 +288,8 @@ static int check_request(const options *o, void *data)
     request *r = data;
     if (!find_form(r))
         return options_misuse(o, r->format, "not png, apng or svg");
+    if (!r->format && output_is_foreign(r->output))
+        return options_misuse(o, r->output, "only .png, .apng and .svg are written");
     if (r->at && !timelist_count(r->at))
         return options_misuse(o, r->at, "not a list of times: 0,0.5,1");
     if (r->rate != 0.0f && !(r->rate > 0.0f && r->rate <= 1e6f))

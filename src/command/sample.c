@@ -206,6 +206,8 @@ static int check_request(const options *o, void *data)
     if (kind < 0)
         return options_misuse(o, r->what, "not local, model, palette, vertices or weights");
     r->kind = (sample_what)kind;
+    const size_t length = r->output ? strlen(r->output) : 0;
+    r->json |= !r->raw && length >= 5 && strcmp(r->output + length - 5, ".json") == 0;
     if (r->json && r->raw)
         return options_misuse(o, "--raw", "not with --json");
     if (!r->at && r->rate == NO_RATE)
@@ -237,7 +239,7 @@ int command_sample(int argc, const char **argv)
         {"at", 't', POPT_ARG_STRING, &r.at, 0, "times in seconds", "T,T,..."},
         {"rate", 'r', POPT_ARG_FLOAT, &r.rate, 0, "samples per second from the start of the clip to its end", "R"},
         {"what", 'w', POPT_ARG_STRING, &r.what, 0, "local (default), model, palette, vertices or weights", "WHAT"},
-        {"json", 0, POPT_ARG_NONE, &r.json, 0, "print JSON in place of CSV", NULL},
+        {"json", 0, POPT_ARG_NONE, &r.json, 0, "print JSON in place of CSV; also if --output ends with .json", NULL},
         {"raw", 0, POPT_ARG_NONE, &r.raw, 0, "write bytes: the header of docs/command.md, then floats", NULL},
         {"output", 'o', POPT_ARG_STRING, &r.output, 0, "write to FILE, not to the standard output", "FILE"},
         OPTIONS_END};

@@ -240,6 +240,7 @@ static void misuse_and_files_in_error(void **state)
     program_says(2, "only with --output", CHARACTER "--watch");
     program_says(2, "not with the standard input", "plot - --watch -o x.svg");
     program_says(1, "no joint elbow", CHARACTER "--joint hips,elbow");
+    program_says(2, "x.pdf: only .svg and .png are written", CHARACTER "-o x.pdf");
     program_says(1, "no channel of the clip", CHARACTER "--joint hips --what scale");
     program_says(0, "", CHARACTER "--joint hips > name.svg");
     program_says(0, "", CHARACTER "--joint 3 | cmp - name.svg");

@@ -461,6 +461,7 @@ static void misuse_and_files_in_error(void **state)
     (void)state;
     program_says(0, "Usage: nakawari render", "render --help");
     program_says(2, "not in 16..4096", CHARACTER "--size 8");
+    program_says(2, "x.jpg: only .png, .apng and .svg are written", CHARACTER "-o x.jpg");
     program_says(2, "not in 0..10000", CHARACTER "--frames -1");
     program_says(2, "only one of them", CHARACTER "--at 0 --rate 3");
     program_says(2, "not a list of times", CHARACTER "--at now");

@@ -112,6 +112,8 @@ static void files_that_cannot_be_used_end_with_1(void **state)
     program_says(1, "-: ", "sample - --at 0 < /dev/null");
     program_says(1, "/no/such/folder/x: cannot be written: ", MODEL "--at 0 -o /no/such/folder/x");
     program_says(1, "/dev/full: cannot be written: No space left on device", MODEL "--at 0 -o /dev/full");
+    program_says(0, "", MODEL "--at 0,1 --json > said.json");
+    program_says(0, "", MODEL "--at 0,1 -o named.json && cmp said.json named.json");
     program_says(1, "/dev/full: cannot be written: No space left on device", MODEL "--rate 60 --raw -o /dev/full");
 }
 
