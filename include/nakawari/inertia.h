@@ -160,7 +160,7 @@ NKW_API nkw_quat_motion nkw_quat_dead_blend_evaluate(nkw_quat_dead_blend *blend,
  *
  *     half_life (to - from.value) / from.velocity,      limited to least .. most
  *
- * For a vector, pass its length along the way to the new value. A velocity of 0 and NaN return `most`.
+ * For a vector, pass its component in the direction of the new value. A velocity of 0 and NaN return `most`.
  *
  * Source Holden, Dead Blending Node in Unreal Engine, 2023.
  */
