@@ -37,7 +37,8 @@ static size_t run_on_terminal(const char *line, char *text, size_t room)
         count += (size_t)got;
     text[count] = 0;
     close(terminal);
-    assert_true(child > 0 && waitpid(child, &status, 0) == child);
+    assert_true(child > 0);
+    assert_int_equal(waitpid(child, &status, 0), child);
     assert_true(WIFEXITED(status) && WEXITSTATUS(status) == 0);
     return count;
 }
