@@ -176,10 +176,10 @@ static void keys_are_inserted_only_between_keys(void **state)
 {
     (void)state;
     nkw_fcurve_key keys[4];
+    memcpy(keys, three, sizeof three);
     nkw_fcurve c = curve_of(keys, 3, NKW_FCURVE_OUTSIDE_HOLD);
     const float times[5] = {-1, 0, 1, 4, NAN};
     size_t index = 9;
-    memcpy(keys, three, sizeof three);
     for (int i = 0; i < 5; i++)
         assert_int_equal(nkw_fcurve_insert(&c, times[i], keys, &index), NKW_OUT_OF_RANGE);
     keys[0].kind = NKW_FCURVE_EASE;
@@ -211,8 +211,8 @@ static void linear_follows_the_outer_handles(void **state)
 {
     (void)state;
     nkw_fcurve_key keys[3];
-    nkw_fcurve c = curve_of(keys, 3, NKW_FCURVE_OUTSIDE_LINEAR);
     memcpy(keys, three, sizeof keys);
+    nkw_fcurve c = curve_of(keys, 3, NKW_FCURVE_OUTSIDE_LINEAR);
     keys[0].in.time = -0.5f;
     keys[0].in.value = 0.25f;
     keys[2].out.time = 0.25f;
@@ -379,9 +379,9 @@ static void validate_names_the_first_offender(void **state)
 {
     (void)state;
     nkw_fcurve_key keys[3];
+    memcpy(keys, three, sizeof keys);
     nkw_fcurve c = curve_of(keys, 3, NKW_FCURVE_OUTSIDE_CYCLE), none = curve_of(keys, 0, NKW_FCURVE_OUTSIDE_HOLD);
     expect_result(&none, NKW_EMPTY, 0);
-    memcpy(keys, three, sizeof keys);
     expect_result(&c, NKW_OK, 0);
     keys[2].in.value = NAN;
     expect_result(&c, NKW_NOT_FINITE, 2);
