@@ -146,6 +146,13 @@ static wide shifted_right(wide q, int shift)
     return r;
 }
 
+/* q 2^shift, for a shift of 1 to 63. */
+static wide shifted_left(wide q, int shift)
+{
+    wide r = {(q.high << shift) | (q.low >> (64 - shift)), q.low << shift};
+    return r;
+}
+
 nkw_result nkw_ticks_from_seconds(double seconds, nkw_rate rate, nkw_round round, int64_t *out)
 {
     int exponent, any, half;
@@ -155,15 +162,12 @@ nkw_result nkw_ticks_from_seconds(double seconds, nkw_rate rate, nkw_round round
         return NKW_NO_RATE;
     if (seconds - seconds != 0.0)
         return NKW_NOT_FINITE;
-    uint64_t m = mantissa_of(seconds, &exponent);
-    wide q = quotient(product(m, (uint64_t)rate.numerator), (uint64_t)rate.denominator, &rest);
-    if (exponent >= 0) {
-        /* The seconds are whole, from 2^52 on. */
-        if (exponent > 10)
-            return NKW_OUT_OF_RANGE;
-        q = quotient(product(m << exponent, (uint64_t)rate.numerator), (uint64_t)rate.denominator, &rest);
+    wide n = product(mantissa_of(seconds, &exponent), (uint64_t)rate.numerator); /* below 2^93 */
+    if (exponent > 33) /* the count is at least 2^52 2^34 / 2^22 */
+        return NKW_OUT_OF_RANGE;
+    wide q = quotient(exponent > 0 ? shifted_left(n, exponent) : n, (uint64_t)rate.denominator, &rest);
+    if (exponent >= 0) /* the seconds are whole */
         return rounded(q, compare_to_half(rest, (uint64_t)rate.denominator), rest != 0, seconds < 0.0, round, out);
-    }
     int shift = -exponent < 127 ? -exponent : 127;
     half = compare_bits_to_half(q, shift, rest != 0, &any);
     return rounded(shifted_right(q, shift), half, any, seconds < 0.0, round, out);

@@ -94,6 +94,12 @@ static void frames_come_back_from_seconds(void **state)
         below += ticks(nkw_seconds_from_ticks(k, rate), rate, NKW_ROUND_DOWN) < k;
     }
     assert_true(below > 0);
+    for (int i = 0; i < 20000; i++) { /* the slowest rates too: seconds beyond 2^63 */
+        int64_t k = (int64_t)(random_bits(&r) >> (13 + random_bits(&r) % 45));
+        nkw_rate rate = {1 + (int64_t)(random_bits(&r) >> (24 + random_bits(&r) % 40)),
+                         1 + (int64_t)(random_bits(&r) >> (42 + random_bits(&r) % 22))};
+        assert_int_equal(ticks(nkw_seconds_from_ticks(k, rate), rate, NKW_ROUND_NEAREST), k);
+    }
     /* 3003/30000 is rounded downwards. */
     assert_int_equal(ticks(nkw_seconds_from_ticks(3, ntsc), ntsc, NKW_ROUND_DOWN), 2);
 }
