@@ -26,7 +26,11 @@ to 2^20 units in the last place, to fewer bits, in one of its highest bits, or t
 if the error does not decrease. After 3000 changes without an increase it starts again from other samples. The columns
 samples and rms do not include the search. Noted rows are not searched.
 ")
-foreach(stem IN ITEMS scalar vec quat mat euler transform dual curve orient rotation track clip skeleton blend palette skin)
+include("${CMAKE_CURRENT_LIST_DIR}/../../src/stems.cmake")
+foreach(stem IN LISTS NKW_STEMS)
+  if(NOT EXISTS "${CMAKE_CURRENT_LIST_DIR}/accuracy_${stem}.c")
+    continue()
+  endif()
   if(NOT EXISTS "${PARTS}/${stem}.md")
     message(FATAL_ERROR "no ${PARTS}/${stem}.md: run the accuracy tests first")
   endif()
