@@ -66,16 +66,7 @@ static double product_error(double a, double b, double p)
 static double remainder_of_f64(double x, double period, double *cycle)
 {
     double n = lane_floor64(x / period), p = n * period;
-    double r = (x - p) - product_error(n, period, p);
-    if (r < 0.0) {
-        n -= 1.0;
-        r += period;
-    } else if (r >= period) {
-        n += 1.0;
-        r -= period;
-    }
-    *cycle = n;
-    return r > 0.0 && r < period ? r : 0.0;
+    return playback_corrected(n, (x - p) - product_error(n, period, p), period, cycle);
 }
 
 /* A count as a number of cycles: infinite without a limit. */

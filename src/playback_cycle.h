@@ -5,12 +5,9 @@
 
 #include "lane/f64.h"
 
-/* x = cycle period + r, returns r, 0 <= r < period. Exact if cycle has at most 29 bits. */
-static inline double playback_remainder(double x, double period, double *cycle)
+/* The remainder r of n periods, where n is a rounded quotient: one too large or too small. 0 <= result < period. */
+static inline double playback_corrected(double n, double r, double period, double *cycle)
 {
-    double n = lane_floor64(x / period);
-    double r = x - n * period;
-    /* x / period may be rounded up or down to a whole number. */
     if (r < 0.0) {
         n -= 1.0;
         r += period;
@@ -20,6 +17,13 @@ static inline double playback_remainder(double x, double period, double *cycle)
     }
     *cycle = n;
     return r > 0.0 && r < period ? r : 0.0;
+}
+
+/* x = cycle period + r, returns r, 0 <= r < period. Exact if cycle has at most 29 bits. */
+static inline double playback_remainder(double x, double period, double *cycle)
+{
+    double n = lane_floor64(x / period);
+    return playback_corrected(n, x - n * period, period, cycle);
 }
 
 #endif
