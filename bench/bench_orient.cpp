@@ -4,6 +4,7 @@
 
 #include "bench.h"
 #include "peers.h"
+#include "textbook.h"
 #include "truth.h"
 
 using namespace bench;
@@ -29,17 +30,7 @@ static reference nlerp_of(const array<nkw_quat> &a, const array<nkw_quat> &b)
 /* The textbook, with the C library's acos and sine: what a user writes. */
 static inline nkw_quat loop_slerp(nkw_quat a, nkw_quat b, float s)
 {
-    float c = a.x * b.x + a.y * b.y + a.z * b.z + a.w * b.w;
-    float sign = c < 0 ? -1.0f : 1.0f;
-    c *= sign;
-    float u = 1 - s, v = s;
-    if (c < 0.9995f) {
-        float angle = acosf(c), inverse = 1 / sinf(angle);
-        u = sinf(u * angle) * inverse;
-        v = sinf(v * angle) * inverse;
-    }
-    v *= sign;
-    return {u * a.x + v * b.x, u * a.y + v * b.y, u * a.z + v * b.z, u * a.w + v * b.w};
+    return to(textbook::slerp(textbook::quat<float>(a), textbook::quat<float>(b), s));
 }
 
 static inline nkw_quat loop_nlerp(nkw_quat a, nkw_quat b, float s)
