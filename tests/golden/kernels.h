@@ -6,6 +6,7 @@
  *     i->x[8]  any finite floats       i->s[8]  floats of moderate size      i->t  0..1, its ends among them
  *     i->v[4]  vectors                 i->q[4]  unit quaternions, some close, equal or opposite to q[0]
  *     i->m, i->n, i->r                 4x4 affine, 4x4 general, 3x3 rotation
+ *     i->is_seldom                     in one round of 16, for functions that take long
  */
 K(abs, 1, o[0] = nkw_abs(i->x[0]))
 K(min, 1, o[0] = nkw_min(i->x[0], i->x[1]))
@@ -218,10 +219,10 @@ K(track_retime_step, 14, edit_track(o, i->times, i->q, i->s, EDIT_RETIME, NKW_IN
 K(track_join_linear, 14, edit_track(o, i->times, i->q, i->s, EDIT_JOIN, NKW_INTERPOLATION_LINEAR))
 K(track_close_linear, 14, edit_track(o, i->times, i->q, i->s, EDIT_CLOSE, NKW_INTERPOLATION_LINEAR))
 K(track_close_cubic, 14, edit_track(o, i->times, i->q, i->s, EDIT_CLOSE, NKW_INTERPOLATION_CUBICSPLINE))
-K(track_reduce_floats, 3, reduce_track(o, i, NKW_TRACK_FLOATS, NKW_INTERPOLATION_LINEAR, 0.1f))
-K(track_reduce_cubic, 3, reduce_track(o, i, NKW_TRACK_FLOATS, NKW_INTERPOLATION_CUBICSPLINE, 0.5f))
-K(track_reduce_turns, 3, reduce_track(o, i, NKW_TRACK_ROTATION_NORMALIZED, NKW_INTERPOLATION_LINEAR, 0.1f))
-K(clip_source_reduce, 2, reduce_clip(o, i))
+K(track_reduce_floats, 3, (i->is_seldom ? reduce_track(o, i, NKW_TRACK_FLOATS, NKW_INTERPOLATION_LINEAR, 0.1f) : (void)0))
+K(track_reduce_cubic, 3, (i->is_seldom ? reduce_track(o, i, NKW_TRACK_FLOATS, NKW_INTERPOLATION_CUBICSPLINE, 0.5f) : (void)0))
+K(track_reduce_turns, 3, (i->is_seldom ? reduce_track(o, i, NKW_TRACK_ROTATION_NORMALIZED, NKW_INTERPOLATION_LINEAR, 0.1f) : (void)0))
+K(clip_source_reduce, 2, (i->is_seldom ? reduce_clip(o, i) : (void)0))
 K(track_fit, 11, fit_track(o, i->s, 0.1f * i->t))
 K(playback_loop, 2, put_head(o, nkw_playback_head(NKW_PLAYBACK_LOOP, i->s[0], i->t + 0.25f, i->s[1])))
 K(playback_head_f64, 6, head_f64(o, i))
