@@ -7,7 +7,7 @@
 #define METHODS (NKW_SPLINE_C2 + 1)
 #define MOST    16
 
-/* Eight keys of one number; the expected tangents are those of SciPy 1.10 but for MAKIMA (of the formula). */
+/* Eight keys of one number; the expected tangents are those of SciPy 1.10 except MAKIMA (of the formula). */
 static const float times8[8] = {0, 0.5f, 1.25f, 2, 2.5f, 4, 4.75f, 6}, values8[8] = {0, 1, 0.5f, 0.5f, 3, 2.75f, -1, 0};
 
 static nkw_spline numbers(const float *times, const float *values, size_t count, nkw_spline_method method)

@@ -29,7 +29,7 @@ enum { REPORT_ROWS_MAX = 1000000 };
 /** The number of rows of the table for one method. */
 long report_rows(const scene *s, const report_options *o);
 
-/** Writes all files and prints the summary. Gives 0, said on stderr, if a file cannot be written. */
+/** Writes all files and prints the summary. Returns 0 and reports on stderr if a file cannot be written. */
 int report_write(const scene *s, const report_options *o);
 
 #endif

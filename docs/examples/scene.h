@@ -24,7 +24,7 @@ int scene_build(int number, size_t keys, scene *out);
 
 /**
  * A scene of own keys, at most SCENE_KEYS_MAX, at most SCENE_SECONDS_MAX seconds; `name` is cut to letters, digits, - and _.
- * The camera is that of scene 1, aimed at the middle of the keys; the unit is a power of ten. Gives 0 for fewer than two
+ * The camera is that of scene 1, aimed at the middle of the keys; the unit is a power of ten. 0 for fewer than two
  * keys, more or longer ones, and for keys that nkw_keyframes_validate refuses.
  */
 int scene_from_keys(const char *name, const nkw_keyframe *keys, size_t count, scene *out);

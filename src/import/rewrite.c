@@ -245,7 +245,7 @@ static int replace_animations(rewriter *r)
 
 /* ---- views ---- */
 
-/* Calls `at` for each member bufferView of an object of the tree, but for those of extras. */
+/* Calls `at` for each member bufferView of an object of the tree, except those of extras. */
 static void each_view(json_t *value, void (*at)(void *user, json_t *object, size_t view), void *user)
 {
     const char *key;

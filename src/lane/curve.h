@@ -143,7 +143,7 @@ static inline lane_f64_cubic lane_bezier_from_bspline(lane_f64_cubic d)
     return r;
 }
 
-/* The differences that determine a cubic segment but for its place: p(1) - p(0), and the tangents at its ends. */
+/* The differences that determine a cubic segment except its place: p(1) - p(0), and the tangents at its ends. */
 typedef struct lane_f64_slopes {
     double f, v0, v1;
 } lane_f64_slopes;
