@@ -5,7 +5,7 @@ import { mkdirSync, readFileSync, writeFileSync, copyFileSync } from 'node:fs';
 import { deflateRawSync } from 'node:zlib';
 import { readHeaders } from './headers.mjs';
 import { scriptName, writeFunction } from './functions.mjs';
-import { excluded, excludedStems, parts, partial } from './parts.mjs';
+import { adapters, excluded, excludedStems, parts, partial } from './parts.mjs';
 
 const here = new URL('.', import.meta.url).pathname;
 
@@ -71,6 +71,12 @@ function writePart(part, headers, out, wasm) {
   writeFileSync(`${out}/wasm/${part.name}.plain.js`, base64(`${part.name}.plain`, b => b));
 }
 
+// Scripts on top of a part, with its memory.
+function writeAdapter(name, out) {
+  writeFileSync(`${out}/${name}.js`, `// SPDX-License-Identifier: MIT\n${short(source(name))}\n`);
+  copyFileSync(`${here}${name}.d.ts`, `${out}/${name}.d.ts`);
+}
+
 function writePackage(root, wasm, out, version) {
   const headers = readAll(root), { missing, stale, unknown } = checkList(headers);
   if (missing.length + stale.length + unknown.length)
@@ -78,12 +84,14 @@ function writePackage(root, wasm, out, version) {
   mkdirSync(`${out}/wasm`, { recursive: true });
   for (const part of parts)
     writePart(part, headers, out, wasm);
+  adapters.forEach(name => writeAdapter(name, out));
   const entry = name => ({ types: `./${name}.d.ts`, default: `./${name}.js` });
   writeFileSync(`${out}/package.json`, JSON.stringify({
     name: 'nakawari', version, license: 'MIT', type: 'module', sideEffects: false,
     description: 'Keyframe interpolation mathematics: the same bits everywhere',
     engines: { node: '>=18' },
-    exports: Object.fromEntries(parts.map(part => [`./${part.name}`, entry(part.name)])),
+    exports: Object.fromEntries(
+      [...parts.map(part => part.name), ...adapters].map(name => [`./${name}`, entry(name)])),
   }, null, 2) + '\n');
   copyFileSync(`${root}/LICENSE`, `${out}/LICENSE`);
   copyFileSync(`${root}/docs/web.md`, `${out}/README.md`);

@@ -19,6 +19,9 @@ export const parts = [
     sources: ['objects', 'clips', 'characters'], limit: 100 },
 ];
 
+// Scripts on top of the part of characters, for the objects of another library.
+export const adapters = ['three'];
+
 const later = 'not bound yet';
 // Public functions without a function in JavaScript, and why: names or whole stems.
 export const excluded = {

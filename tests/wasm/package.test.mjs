@@ -4,7 +4,7 @@ import { existsSync, readFileSync, readdirSync } from 'node:fs';
 import { test } from 'node:test';
 import { gzipSync, inflateRawSync } from 'node:zlib';
 import { checkList, readAll } from '../../src/wasm/generate.mjs';
-import { excluded, excludedStems, parts } from '../../src/wasm/parts.mjs';
+import { adapters, excluded, excludedStems, parts } from '../../src/wasm/parts.mjs';
 import { packageFolder, root, text } from './support.mjs';
 
 const headers = readAll(root);
@@ -23,8 +23,6 @@ test('the list names stems of the library only', () => {
 });
 
 for (const part of parts) {
-  const js = text(`${packageFolder}/${part.name}.js`), ts = text(`${packageFolder}/${part.name}.d.ts`);
-
   test(`${part.name}: module and script stay under ${part.limit} KB compressed by gzip`, t => {
     const bytes = ['', 'wasm/'].map(folder =>
       gzipSync(text(`${packageFolder}/${folder}${part.name}.js`), { level: 9 }).length);
@@ -37,13 +35,21 @@ for (const part of parts) {
     for (const bytes of [inflateRawSync(await of(part.name)), await of(`${part.name}.plain`)])
       assert.deepEqual(WebAssembly.Module.imports(new WebAssembly.Module(bytes)), []);
   });
-
-  test(`${part.name}: each exported name has a type, and each type a name`, () => {
-    const names = source => [...source.matchAll(/^export (?:function|class|const) (\w+)/gm)].map(m => m[1]).sort();
-    assert.deepEqual(names(js), names(ts));
-    assert.equal(new Set(names(js)).size, names(js).length);
-  });
 }
+
+for (const name of [...parts.map(part => part.name), ...adapters])
+  test(`${name}: each exported name has a type, and each type a name`, () => {
+    const names = source => [...source.matchAll(/^export (?:function|class|const) (\w+)/gm)].map(m => m[1]).sort();
+    const [js, ts] = ['js', 'd.ts'].map(end => names(text(`${packageFolder}/${name}.${end}`)));
+    assert.deepEqual(js, ts);
+    assert.equal(new Set(js).size, js.length);
+  });
+
+test('adapters import the part of characters, and nothing else', () => {
+  for (const name of adapters)
+    for (const [, from] of text(`${packageFolder}/${name}.js`).matchAll(/from '(.*)'/g))
+      assert.equal(from, './characters.js');
+});
 
 test('the package has no dependency, and its files are there', () => {
   const about = JSON.parse(text(`${packageFolder}/package.json`));
