@@ -36,7 +36,7 @@
 #define NKW_DECLARE_LOOP(name, parameters, arguments, n) void NKW_JOIN_ISA(name, NKW_ISA) parameters;
 
 /* A part of a kernel to which counts and formats are constants: compilers do not see by themselves that it pays. */
-#if defined(__GNUC__)
+#if defined(__GNUC__) && !defined(NKW_SMALL)
 #define NKW_ALWAYS_INLINE static inline __attribute__((always_inline))
 #else
 #define NKW_ALWAYS_INLINE static inline

@@ -19,13 +19,16 @@
 
 /*
  * Before a single function: all its calls are inlined, so that numbers stay in registers. And before what it seldom
- * calls, which keeps out of the way.
+ * calls, which keeps out of the way. A build that defines NKW_SMALL leaves to the compiler what is inlined.
  */
-#if defined(__GNUC__)
-#define LANE_FLAT   __attribute__((flatten))
-#define LANE_SELDOM __attribute__((noinline, cold))
+#if defined(__GNUC__) && !defined(NKW_SMALL)
+#define LANE_FLAT __attribute__((flatten))
 #else
 #define LANE_FLAT
+#endif
+#if defined(__GNUC__)
+#define LANE_SELDOM __attribute__((noinline, cold))
+#else
 #define LANE_SELDOM
 #endif
 
