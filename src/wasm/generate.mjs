@@ -90,8 +90,8 @@ function writePackage(root, wasm, out, version) {
     name: 'nakawari', version, license: 'MIT', type: 'module', sideEffects: false,
     description: 'Keyframe interpolation mathematics: the same bits everywhere',
     engines: { node: '>=18' },
-    exports: Object.fromEntries(
-      [...parts.map(part => part.name), ...adapters].map(name => [`./${name}`, entry(name)])),
+    exports: { '.': entry('all'), ...Object.fromEntries(
+      [...parts.map(part => part.name), ...adapters].map(name => [`./${name}`, entry(name)])) },
   }, null, 2) + '\n');
   copyFileSync(`${root}/LICENSE`, `${out}/LICENSE`);
   copyFileSync(`${root}/docs/web.md`, `${out}/README.md`);

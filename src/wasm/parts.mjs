@@ -16,7 +16,9 @@ export const parts = [
     batch: true, limit: 100 },
   { name: 'clips', stems: [], enums: ['track', 'clip'], sources: ['objects', 'clips'], limit: 36 },
   { name: 'characters', stems: [], enums: ['track', 'clip', 'blend', 'palette', 'skin'],
-    sources: ['objects', 'clips', 'characters'], limit: 100 },
+    sources: ['objects', 'clips', 'characters'], limit: 75 },
+  { name: 'all', stems: [...values, ...algebra], enums: ['keyframe', 'track', 'clip', 'blend', 'palette', 'skin'],
+    sources: ['objects', 'columns', 'keyframes', 'clips', 'characters'], batch: true, limit: 150 },
 ];
 
 // Scripts on top of the part of characters, for the objects of another library.

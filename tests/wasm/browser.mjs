@@ -9,7 +9,7 @@ import { tmpdir } from 'node:os';
 const { NKW_PACKAGE, NKW_ROOT } = process.env;
 const page = `<!doctype html><meta charset="utf-8"><script type="module">
 try {
-  const [{ compareGolden }, N] = await Promise.all([import('/tests/golden.mjs'), import('/package/math.js')]);
+  const [{ compareGolden }, N] = await Promise.all([import('/tests/golden.mjs'), import('/package/all.js')]);
   const text = path => fetch(path).then(r => r.text());
   await N.ready;
   const result = compareGolden(N, await text('/golden/kernels.h'), await text('/golden/golden.txt'));

@@ -5,7 +5,7 @@ import { bits, both, numbers, rotation } from './support.mjs';
 
 const [[, math]] = await both('math');
 
-for (const [build, n] of await both('characters')) {
+for (const [build, n] of [...await both('characters'), ...await both('all')]) {
   const parents = [-1, 0, 1, 1, 0], joints = [4, 2, 0];
   const next = numbers(5), matrix = () => {
     const q = rotation(next);

@@ -3,7 +3,7 @@ import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { bits, both, numbers, rotation } from './support.mjs';
 
-for (const [build, clips] of await both('clips')) {
+for (const [build, clips] of [...await both('clips'), ...await both('all')]) {
   const { Clip, NakawariError, Pose, Track } = clips;
   const tracks = (next, n = 9) => {
     const times = Float32Array.from({ length: n }, (_, k) => k / 4);
