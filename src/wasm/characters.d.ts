@@ -12,14 +12,21 @@ export class Skeleton extends Owner {
   models(pose: Pose, out: Matrices, root?: ArrayLike<number> | null): Matrices;
 }
 
+/** A weight for each joint (blend.h), 1 at first. */
+export class Mask extends Floats {
+  constructor(jointCount: number);
+  readonly jointCount: number;
+}
+
 /** Poses between two: t = 0 is a, t = 1 is b; nlerp for rotations. */
-export function poseBlend(a: Pose, b: Pose, t: number, out: Pose): Pose;
+export function poseBlend(a: Pose, b: Pose, t: number, out: Pose, mask?: Mask | null): Pose;
 /** The same by slerp. */
-export function poseBlendSlerp(a: Pose, b: Pose, t: number, out: Pose): Pose;
+export function poseBlendSlerp(a: Pose, b: Pose, t: number, out: Pose, mask?: Mask | null): Pose;
 /** The difference of a pose from a reference, for poseAdditiveApply. */
 export function poseAdditiveBuild(a: Pose, reference: Pose, side: Additive, out: Pose): Pose;
 /** A pose with a share of a difference. */
-export function poseAdditiveApply(base: Pose, delta: Pose, side: Additive, weight: number, out: Pose): Pose;
+export function poseAdditiveApply(base: Pose, delta: Pose, side: Additive, weight: number, out: Pose,
+  mask?: Mask | null): Pose;
 
 export interface SkinSource {
   /** The joint of the skeleton of each joint of the skin; without: 0, 1, 2 ... */

@@ -7,13 +7,9 @@ export class Matrices extends Floats {
   }
 }
 
-const need = (what, have, count) => {
-  if (have < count)
-    throw new RangeError(`nakawari: ${have} ${what} instead of ${count}`);
-};
-
 /** The parent of each joint, or -1; a parent comes before its children (skeleton.h). */
 export class Skeleton extends Owner {
+  get _type() { return 'nkw_skeleton'; }
   constructor(parents) {
     super();
     try {
@@ -35,15 +31,26 @@ export class Skeleton extends Owner {
   }
 }
 
+/** A weight for each joint (blend.h), 1 at first. */
+export class Mask extends Floats {
+  constructor(jointCount) {
+    super(16 * Math.ceil(jointCount / 16));
+    this.jointCount = jointCount;
+    this.array.fill(1);
+  }
+}
+
+const maskView = (i, mask) => words(i, addressOf(mask), mask?.jointCount ?? 0);
+
 /** Poses between two: t = 0 is a, t = 1 is b; nlerp for rotations. */
-export function poseBlend(a, b, t, out) {
-  check('nkw_pose_blend', x.nkw_pose_blend(a._view(0), b._view(2), t, words(4, 0, 0), out._view(6)));
+export function poseBlend(a, b, t, out, mask = null) {
+  check('nkw_pose_blend', x.nkw_pose_blend(a._view(0), b._view(2), t, maskView(4, mask), out._view(6)));
   return out;
 }
 
 /** The same by slerp. */
-export function poseBlendSlerp(a, b, t, out) {
-  check('nkw_pose_blend_slerp', x.nkw_pose_blend_slerp(a._view(0), b._view(2), t, words(4, 0, 0), out._view(6)));
+export function poseBlendSlerp(a, b, t, out, mask = null) {
+  check('nkw_pose_blend_slerp', x.nkw_pose_blend_slerp(a._view(0), b._view(2), t, maskView(4, mask), out._view(6)));
   return out;
 }
 
@@ -54,9 +61,9 @@ export function poseAdditiveBuild(a, reference, side, out) {
 }
 
 /** A pose with a share of a difference. */
-export function poseAdditiveApply(base, delta, side, weight, out) {
+export function poseAdditiveApply(base, delta, side, weight, out, mask = null) {
   check('nkw_pose_additive_apply',
-    x.nkw_pose_additive_apply(base._view(0), delta._view(2), side, weight, words(4, 0, 0), out._view(6)));
+    x.nkw_pose_additive_apply(base._view(0), delta._view(2), side, weight, maskView(4, mask), out._view(6)));
   return out;
 }
 

@@ -11,6 +11,11 @@ export class Track extends Owner {
   });
   readonly width: number;
   readonly count: number;
+  readonly kind: TrackKind;
+  readonly interpolation: Interpolation;
+  /** The key times, and the values: not copies. */
+  readonly times: Float32Array;
+  readonly values: Float32Array;
   /** The value at `time`, in the `width` first elements of out. */
   sample<T extends FloatArray>(time: number, out: T): T;
   /** Value, velocity and acceleration at `time`, of a track of numbers. */

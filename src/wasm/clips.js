@@ -1,13 +1,13 @@
 
 /** Key values over time (track.h). The arrays are copied. Throws for keys that nkw_track_validate rejects. */
 export class Track extends Owner {
+  get _type() { return 'nkw_track'; }
   constructor(source) {
     super();
     const { times, values, width = 1, kind = TRACK_FLOATS, interpolation = INTERPOLATION_LINEAR, keyInterpolation } =
       source;
     try {
-      this.width = width;
-      this.count = times.length;
+      Object.assign(this, { width, kind, interpolation, count: times.length });
       const tall = interpolation === INTERPOLATION_CUBICSPLINE ? 3 : 1;
       if (values.length < times.length * width * tall || (keyInterpolation && keyInterpolation.length < times.length))
         throw new RangeError(`nakawari: ${values.length} values for ${times.length} keys of width ${width}`);
@@ -23,6 +23,14 @@ export class Track extends Owner {
       this.dispose();
       throw error;
     }
+  }
+  /** The key times, and the values: not copies. */
+  get times() {
+    return new Float32Array(f32.buffer, this._use()._words[0], this.count);
+  }
+  get values() {
+    const tall = this.interpolation === INTERPOLATION_CUBICSPLINE ? 3 : 1;
+    return new Float32Array(f32.buffer, this._use()._words[1], this.count * this.width * tall);
   }
   /** The value at `time`, in the `width` first elements of out. */
   sample(time, out) {

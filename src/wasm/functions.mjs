@@ -10,8 +10,10 @@
 //     nkw_quat_view q, ..., size_t n         Columns
 //     nkw_result                             nothing; an error is thrown
 
+import { needsRecords, writeWithRecords } from './calls.mjs';
+
 export const scriptName = name => name.slice(4).replace(/_([a-z0-9])/g, (_, c) => c.toUpperCase());
-const safe = name => ({ in: 'input', function: 'f' })[name] ?? scriptName('nkw_' + name);
+export const safe = name => ({ in: 'input', function: 'f' })[name] ?? scriptName('nkw_' + name);
 const numbers = /^(float|double|int|int32_t|uint32_t|size_t|unsigned)$/;
 const views = { nkw_vec3: 3, nkw_quat: 4, nkw_mat3: 9, nkw_mat4: 16, nkw_trs: 10 };
 const columns = type => views[type.match(/^(\w+)_(view|span)$/)?.[1]];
@@ -43,6 +45,10 @@ function shape(p, f, headers, at) {
 
 // The text of one function and of its type, or undefined if it does not fit.
 export function writeFunction(f, headers) {
+  return needsRecords(f, headers) ? writeWithRecords(f, headers) : writePlain(f, headers);
+}
+
+function writePlain(f, headers) {
   const result = headers.structs.has(f.type) ? headers.widths(f.type) : 0;
   const simple = numbers.test(f.type) || /^(void|nkw_result)$/.test(f.type) || headers.enums.has(f.type);
   if (!result && !simple)

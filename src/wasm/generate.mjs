@@ -5,14 +5,15 @@ import { mkdirSync, readFileSync, writeFileSync, copyFileSync } from 'node:fs';
 import { deflateRawSync } from 'node:zlib';
 import { readHeaders } from './headers.mjs';
 import { scriptName, writeFunction } from './functions.mjs';
-import { adapters, excluded, excludedStems, parts, partial } from './parts.mjs';
+import { writeRecords } from './layouts.mjs';
+import { adapters, excluded, excludedStems, objectStems, parts, partial } from './parts.mjs';
 
 const here = new URL('.', import.meta.url).pathname;
 
 export function readAll(root) {
   const cmake = readFileSync(`${root}/src/stems.cmake`, 'utf8');
   const stems = [...cmake.matchAll(/set\(NKW_FLOOR_\d([^)]*)\)/g)].flatMap(m => m[1].trim().split(/\s+/));
-  return { ...readHeaders(`${root}/include/nakawari`, stems), stems };
+  return { ...readHeaders(`${root}/include/nakawari`, stems, objectStems), stems };
 }
 
 const source = name => readFileSync(`${here}${name}.js`, 'utf8');
@@ -20,10 +21,10 @@ const called = part =>
   [...part.sources, 'core'].flatMap(s => [...source(s).matchAll(/\bx\.(nkw_\w+)/g)].map(m => m[1]));
 
 export function functionsOf(part, headers) {
-  const written = [];
+  const written = [], calls = called(part);
   for (const f of headers.functions.values())
     if (part.stems.includes(f.stem) && !(f.name in excluded) && !part.without?.test(f.name) &&
-        (part.batch || !f.name.endsWith('_n'))) {
+        (part.batch || !f.name.endsWith('_n')) && !calls.includes(f.name)) {
       const made = writeFunction(f, headers);
       if (made)
         written.push({ ...f, ...made });
@@ -54,16 +55,17 @@ function writePart(part, headers, out, wasm) {
   const stems = [...part.stems, ...(part.enums ?? [])];
   const enums = [...headers.enums].filter(([name]) => stems.some(s => headers.enumStem.get(name) === s));
   const title = `// SPDX-License-Identifier: MIT\n// nakawari: generated from the headers of the C library.\n`;
-  const js = [source('core').replaceAll('PART', part.name),
-    ...enums.flatMap(([, members]) => members.map(([name, value]) => `export const ${name} = ${value};`)),
-    ...part.sources.map(source), ...functions.map(f => f.code)];
+  const code = [...part.sources.map(source), ...functions.map(f => f.code)].join('\n');
+  const records = writeRecords(code, headers);
+  const js = [source('core').replaceAll('PART', part.name), ...records.map(r => r.code),
+    ...enums.flatMap(([, members]) => members.map(([name, value]) => `export const ${name} = ${value};`)), code];
   const camel = name => scriptName(name).replace(/^./, c => c.toUpperCase());
   const ts = [title, readFileSync(`${here}core.d.ts`, 'utf8'),
     ...part.sources.map(s => readFileSync(`${here}${s}.d.ts`, 'utf8')),
     ...[...headers.enums.keys()].filter(name => functions.some(f => f.type.includes(camel(name))) ||
       enums.some(([e]) => e === name)).map(name => `export type ${camel(name)} = number;`),
     ...enums.flatMap(([, members]) => members.map(([name, value]) => `export const ${name}: ${value};`)),
-    ...functions.map(f => f.type)];
+    ...records.map(r => r.type).filter(Boolean), ...functions.map(f => f.type)];
   writeFileSync(`${out}/${part.name}.js`, title + short(js.join('\n')) + '\n');
   writeFileSync(`${out}/${part.name}.d.ts`, ts.join('\n') + '\n');
   const base64 = (file, pack) => `export default '${pack(readFileSync(`${wasm}/${file}.wasm`)).toString('base64')}';\n`;

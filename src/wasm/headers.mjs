@@ -23,9 +23,22 @@ function parameter(text) {
   return { type, name, constant: !!constant, pointer: stars + (length ? 1 : 0), length: +(length ?? 1) };
 }
 
-export function readHeaders(folder, stems) {
+// The fields of one declaration in a struct: `const float *times`, `nkw_handle in, out`.
+function fieldsOf(text) {
+  const [, type, names] = text.match(/^(?:const )?(unsigned char|\w+)\s*([\s\S]*)$/);
+  return names.split(',').map(item => {
+    const [, stars, name, length] =
+      item.replace(/\bconst\b/g, '').trim().match(/^([*\s]*)(\w+)\s*(?:\[(\d+)\])?$/);
+    return { type, name, pointer: stars.replace(/[^*]/g, '').length, length: +(length ?? 1) };
+  });
+}
+
+// Structs of floats have `words`, except those of the stems `objects`.
+export function readHeaders(folder, stems, objects) {
   const functions = new Map(), structs = new Map(), enums = new Map(), enumStem = new Map();
   const widths = type => number[type] ?? (enums.has(type) ? 1 : structs.get(type)?.words);
+  // Of structs of floats only.
+  const wordsOf = type => type === 'float' ? 1 : structs.get(type)?.words ?? NaN;
   for (const stem of stems) {
     const text = readFileSync(`${folder}/${stem}.h`, 'utf8');
     for (const [, body, name] of text.matchAll(/typedef enum \w+ \{([\s\S]*?)\} *(\w+);/g)) {
@@ -41,16 +54,10 @@ export function readHeaders(folder, stems) {
       enums.set(name, members);
       enumStem.set(name, stem);
     }
-    // Structs of numbers of four bytes only; `words` of others is undefined.
     for (const [, body, name] of text.matchAll(/typedef struct \w+ \{([\s\S]*?)\} *(\w+);/g)) {
-      let words = 0;
-      for (const field of plain(body).split(';').map(s => s.trim()).filter(Boolean)) {
-        const [, type, rest] = field.match(/^(\w+)\s+([\s\S]*)$/) ?? [];
-        for (const item of (rest ?? '*').split(','))
-          words += /[*]/.test(item) || type === 'double' || type === 'size_t' ? NaN
-            : widths(type) * +(item.match(/\[(\d+)\]/)?.[1] ?? 1);
-      }
-      structs.set(name, { words: Number.isNaN(words) ? undefined : words });
+      const fields = plain(body).split(';').map(s => s.trim()).filter(Boolean).flatMap(fieldsOf);
+      const words = fields.reduce((sum, f) => sum + (f.pointer ? NaN : wordsOf(f.type) * f.length), 0);
+      structs.set(name, { fields, stem, words: objects.includes(stem) ? undefined : words || undefined });
     }
     for (const [, comment, before, args] of text.matchAll(
       /(\/\*\*(?:(?!\*\/)[\s\S])*\*\/\s*)?(?:^NKW_API|^NKW_ALGEBRA\w*)\s+([^;{}()]*?)\(([^;]*?)\);/gm)) {

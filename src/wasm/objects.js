@@ -113,3 +113,8 @@ function during(f) {
     owner.dispose();
   }
 }
+
+const need = (what, have, count) => {
+  if (have < count)
+    throw new RangeError(`nakawari: ${have} ${what} instead of ${count}`);
+};

@@ -1,43 +1,132 @@
 // SPDX-License-Identifier: MIT
 // What the package holds. A part has the functions of its stems whose shapes fit (functions.mjs), those that its
-// sources call, and the enumerations of its stems. A new stem is added here; the generator refuses a public function that is
-// neither in a part nor below.
+// sources call, and the enumerations of its stems. A new stem is added here; the generator refuses a public function
+// that is neither in a part nor below.
 const values = ['scalar', 'vec', 'quat', 'orient', 'curve'];
 const algebra = ['mat', 'euler', 'axes', 'transform', 'dual', 'curve_point', 'handle', 'ease', 'rotation', 'limit',
   'spring', 'inertia', 'segment', 'playback', 'root'];
+const curves = ['fcurve', 'spline', 'nurbs', 'polycurve', 'track', 'dialect', 'edit', 'fit', 'reduce', 'timecode'];
+const bodies = ['pose', 'clip', 'skeleton', 'blend', 'transition', 'ik', 'foot', 'retarget', 'blendspace', 'bounds'];
+
+// Structs of these stems are objects, also if they have floats only.
+export const objectStems = ['root', 'polycurve', 'ik', 'foot', 'bounds', 'clip'];
 
 export const parts = [
   {
     name: 'values', stems: values, sources: [], batch: false, limit: 12,
     without: new RegExp('mat[34]|_wxyz|bezier_(split|from)|hermite_from_bezier|' +
-      'quat_(swing|twist|mean|turns|look|pow)|_path$|nonuniform|_from_vectors|perpendicular|integrate|angular_velocity|euler_|nkw_wrap$|nkw_pow'),
+      'quat_(swing|twist|mean|turns|look|pow)|_path$|nonuniform|_from_vectors|perpendicular|integrate|' +
+      'angular_velocity|euler_|nkw_wrap$|nkw_pow'),
   },
-  { name: 'math', stems: [...values, ...algebra], enums: ['keyframe'], sources: ['objects', 'columns', 'keyframes'],
-    batch: true, limit: 100 },
+  { name: 'math', stems: [...values, ...algebra], enums: ['keyframe'],
+    sources: ['objects', 'columns', 'records', 'keyframes'], batch: true, limit: 100, without: /pose_/ },
   { name: 'clips', stems: [], enums: ['track', 'clip'], sources: ['objects', 'clips'], limit: 36 },
   { name: 'characters', stems: [], enums: ['track', 'clip', 'blend', 'palette', 'skin'],
     sources: ['objects', 'clips', 'characters'], limit: 75 },
-  { name: 'all', stems: [...values, ...algebra], enums: ['keyframe', 'track', 'clip', 'blend', 'palette', 'skin'],
-    sources: ['objects', 'columns', 'keyframes', 'clips', 'characters'], batch: true, limit: 150 },
+  { name: 'all', stems: [...values, ...algebra, ...curves, ...bodies], enums: ['keyframe', 'palette', 'skin'],
+    sources: ['objects', 'columns', 'records', 'keyframes', 'clips', 'characters', 'motion'], batch: true, limit: 205 },
 ];
 
 // Scripts on top of the part of characters, for the objects of another library.
 export const adapters = ['three'];
 
+// Of the arrays of a struct how many values they have, and of numbers in a struct what they are by default.
+const stride = '10 * 16 * Math.ceil(jointCount / 16)';
+const joints = { jointCount: 'parents.length', parents: 'jointCount' };
+export const arrays = {
+  nkw_fcurve: { keyCount: 'keys.length', keys: 'keyCount' },
+  nkw_spline: { count: 'times.length', width: '1', stride: 'width', times: 'count',
+    values: '(count - 1) * stride + width', tcb: '3 * count', endTangents: '2 * width' },
+  nkw_nurbs: { width: '1', stride: 'width', count: 'lengthOf(points, width)',
+    points: '(count - 1) * stride + width', weights: 'count', knots: 'count + degree + 1' },
+  nkw_polycurve: { count: 'lengthOf(cubics, 12)', cubics: '12 * count' },
+  nkw_playback_step: { keyCount: 'times.length', times: 'keyCount' },
+  nkw_playback_step_f64: { keyCount: 'times.length', times: 'keyCount' },
+  nkw_track: { count: 'times.length', width: '1', times: 'count', keyInterpolation: 'count',
+    values: 'count * width * (interpolation === INTERPOLATION_CUBICSPLINE ? 3 : 1)' },
+  nkw_skeleton: joints,
+  nkw_pose_view: { data: stride }, nkw_pose_span: { data: stride },
+  nkw_mask_view: { data: stride.slice(5) }, nkw_mask_span: { data: stride.slice(5) },
+  nkw_pose_velocity_view: { data: stride.replace('10', '9') },
+  nkw_pose_velocity_span: { data: stride.replace('10', '9') },
+  nkw_pose_inertia: { data: stride.replace('10', '30') },
+  nkw_pose_dead_blend: { data: stride.replace('10', '23') },
+  nkw_ik_chain: { count: 'lengthOf(offsets, 3)', offsets: '3 * count', limits: '14 * count' },
+  nkw_ik_pose: { models: '16 * pose.jointCount', root: '16' },
+  nkw_ik_reach: { limits: '14 * jointCount' },
+  nkw_retarget: { joints: 'target.jointCount' },
+  nkw_blendspace: { dimension: '1', count: 'lengthOf(samples, dimension)', samples: 'count * dimension' },
+  nkw_palette_view: { data: '0' },
+  nkw_tree: { nodeCount: 'firstChild.length', firstChild: 'nodeCount', nextSibling: 'nodeCount' },
+};
+// Of the arrays of a function how many values they have, where it is not `count` or one.
+const values3 = { value: 'curve.width ?? 1', first: 'curve.width ?? 1', second: 'curve.width ?? 1' };
+export const lengths = {
+  nkw_axes_convert_values: { values: 'count * axesKindWidth(kind)', out: 'count * axesKindWidth(kind)' },
+  nkw_spline_knots: { knots: 'spline.times.length' },
+  nkw_nurbs_sample: values3,
+  nkw_nurbs_make_knots: { knots: 'count + degree + 1' },
+  nkw_polycurve_measure: { lengths: 'lengthCount' },
+  nkw_polycurve_at_length: { lengths: 'lengthOf(curve.cubics, 12) * steps + 1' },
+  nkw_polycurve_frames: { frames: 'frameCount' },
+  nkw_polycurve_flatten: { points: 'capacity', count: '1' },
+  nkw_playback_passed: { keys: 'capacity' }, nkw_playback_passed_f64: { keys: 'capacity' },
+  nkw_track_sample_segment: { out: 'track.width' },
+  nkw_track_convert_axes: { values: 'trackValueCount(track)' },
+  nkw_track_align: { values: 'trackValueCount(track)' },
+  nkw_track_resample_count: { count: '1' },
+  nkw_track_resample: { memory: '[trackKeys(track, rate), track.width]' },
+  nkw_track_resample_within: { memory: '[track.count, track.width]' },
+  nkw_track_trim: { memory: '[track.count + 1, track.width]' },
+  nkw_track_retime: { memory: '[2 * track.count, track.width]' },
+  nkw_track_join: { memory: '[first.count + second.count, first.width]' },
+  nkw_track_close: { memory: '[track.count, track.width]' },
+  nkw_track_fit: { memory: '[track.count, track.width]' },
+  nkw_track_reduce: { memory: '[track.count, track.width]' },
+  nkw_track_from_fcurves: { curves: 'width', memory: '[4096, width]' },
+  nkw_track_from_euler_fcurves: { memory: '[4096, 4]' },
+  nkw_fcurve_keys_from_track: { keys: 'track.count' },
+  nkw_fcurve_keys_from_spline: { keys: 'spline.times.length' },
+  nkw_pose_from_trs: { trs: 'pose.jointCount' }, nkw_trs_from_pose: { out: 'pose.jointCount' },
+  nkw_pose_mirror: { pair: 'pose.jointCount' }, nkw_mirror_validate: { pair: 'jointCount' },
+  nkw_pose_blend_layers: { layers: 'layerCount' }, nkw_pose_layers_validate: { layers: 'layerCount' },
+  nkw_pose_from_models: { models: 'skeleton.jointCount' },
+  nkw_locals_from_models: { models: 'skeleton.jointCount', locals: 'skeleton.jointCount' },
+  nkw_models_from_locals: { locals: 'skeleton.jointCount', models: 'skeleton.jointCount' },
+  nkw_skeleton_order: { node_parents: 'jointCount', joint_of_node: 'jointCount', node_of_joint: 'jointCount',
+    parents: 'jointCount' },
+  nkw_skeleton_from_tree: { joint_of_node: 'tree.firstChild.length', node_of_joint: 'tree.firstChild.length',
+    parents: 'tree.firstChild.length' },
+  nkw_ticks_convert: { out: '1' },
+  nkw_ik_ccd_solve: { rotations: 'lengthOf(chain.offsets, 3)' },
+  nkw_ik_fabrik_solve: { rotations: 'lengthOf(chain.offsets, 3)' },
+  nkw_retarget_map_chain: { source_chain: 'sourceCount', target_chain: 'targetCount',
+    joints: 'retarget.target.jointCount' },
+  nkw_retarget_chain_scale: { source_chain: 'sourceCount', target_chain: 'targetCount' },
+  nkw_blendspace_weights: { point: 'space.dimension ?? 1',
+    weights: 'space.count ?? lengthOf(space.samples, space.dimension ?? 1)' },
+  nkw_bounds_from_palette: { boxes: 'palette.jointCount + 1' },
+};
+// The working memory that a function needs.
+export const work = {
+  nkw_tree_validate: '3 * tree.firstChild.length',
+  nkw_track_difference: '2 * track.width',
+  nkw_fcurve_keys_from_spline: '3 * spline.times.length',
+  nkw_ik_fabrik_solve: 'lengthOf(chain.offsets, 3)',
+  nkw_ik_pose_chain: '10 * reach.jointCount',
+  nkw_pose_retarget: '8 * (source.jointCount + out.jointCount)',
+};
+
 const later = 'not bound yet';
 // Public functions without a function in JavaScript, and why: names or whole stems.
 export const excluded = {
   nkw_version: 'the version is in package.json',
-  nkw_playback_passed: later, nkw_playback_passed_f64: later, nkw_playback_head_f64: later,
-  nkw_pose_root_remove: later, nkw_root_remove_keys: later, nkw_root_delta: later, nkw_root_place: later,
-  nkw_axes_convert_values: later,
+  nkw_root_remove_keys: later, nkw_segment_find_n: 'nkw_segment_find for each time',
+  nkw_fcurve_sample_cursor: 'nkw_fcurve_sample has the same bits',
+  nkw_clip_track_convert_axes: 'nkw_track_convert_axes of its track',
+  nkw_track_sample_cursor: 'nkw_track_sample has the same bits',
+  nkw_bounds_from_skin: later,
 };
-export const excludedStems = {
-  fcurve: later, spline: later, nurbs: later, polycurve: later, dialect: later, edit: later, fit: later,
-  timecode: 'ticks of 64 bits: BigInt; not bound yet', reduce: later, transition: later, ik: later, foot: later,
-  retarget: later, blendspace: later, morph: later, bounds: later, partition: later,
-};
+export const excludedStems = { morph: later, partition: later };
 // Of these stems the sources call what their objects need; the rest is not bound yet.
-export const partial = [
-  'track', 'keyframe', 'pose', 'clip', 'skeleton', 'blend', 'palette', 'skin', 'crowd', 'segment',
-];
+export const partial = ['keyframe', 'track', 'pose', 'clip', 'skeleton', 'blend', 'palette', 'skin', 'crowd', 'reduce'];

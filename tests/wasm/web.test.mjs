@@ -6,17 +6,28 @@ import { tmpdir } from 'node:os';
 import { test } from 'node:test';
 import { packageFolder, root, text } from './support.mjs';
 
-test('the example of docs/web.md runs in a project that has the package', () => {
-  const [, code] = text(`${root}/docs/web.md`).match(/```js\n([\s\S]*?)```/);
+const examples = [...text(`${root}/docs/web.md`).matchAll(/```js\n([\s\S]*?)```/g)].map(m => m[1]);
+const rounded = printed => printed.match(/\[([^\]]*)\]/)[1].split(',').map(x => Math.round(x * 1e6) / 1e6 + 0);
+
+// What an example prints in a project that has the package.
+function run(code) {
   const folder = mkdtempSync(`${tmpdir()}/nakawari-`);
   try {
     mkdirSync(`${folder}/node_modules`);
     symlinkSync(packageFolder, `${folder}/node_modules/nakawari`);
     writeFileSync(`${folder}/example.mjs`, code);
-    const printed = execFileSync(process.execPath, [`${folder}/example.mjs`], { encoding: 'utf8' });
-    const column = printed.match(/\[([^\]]*)\]/)[1].split(',').map(Number);
-    assert.deepEqual(column.map(x => Math.round(x * 1e6) / 1e6 + 0), [0, 1, 0, 0]);
+    return execFileSync(process.execPath, [`${folder}/example.mjs`], { encoding: 'utf8' });
   } finally {
     rmSync(folder, { recursive: true });
   }
+}
+
+test('the first example of docs/web.md prints a column of a matrix', () => {
+  assert.deepEqual(rounded(run(examples[0])), [0, 1, 0, 0]);
+});
+
+test('the example of structs prints a point of a curve, and a limb that reaches', () => {
+  const printed = run(examples.find(code => code.includes('FCurve')));
+  assert.deepEqual(rounded(printed).slice(0, 1), [2]);
+  assert.ok(Number(printed.trim().split('\n').at(-1)) < 1e-6);
 });
