@@ -218,8 +218,16 @@ void nkwi_clip_sample_group(const nkw_clip *clip, const clip_group *g, const cli
         linear(clip, g, p, q, at.t, out, stride);
 }
 
-/* cache: NULL, or the words of a cache (clip_cache.h), whose cursors are then `cursors`. */
-static nkw_result sample(const nkw_clip *clip, float time, uint32_t *cursors, uint32_t *cache, nkw_pose_span pose,
+/* What samples from a cache. Without one it is not linked. */
+typedef struct cached {
+    uint32_t *words; /* of the cache (clip_cache.h), which begin with its cursors */
+    size_t (*kept_floats)(const clip_group *g);
+    int (*sample)(const nkw_clip *clip, const clip_group *g, nkw_segment at, uint32_t *segment, float *kept, float *out,
+                  size_t stride);
+} cached;
+
+/* cache: NULL, or a cache whose cursors are `cursors`. */
+static nkw_result sample(const nkw_clip *clip, float time, uint32_t *cursors, const cached *cache, nkw_pose_span pose,
                          float *floats)
 {
     size_t stride = NKW_POSE_STRIDE((size_t)clip->joints);
@@ -231,17 +239,17 @@ static nkw_result sample(const nkw_clip *clip, float time, uint32_t *cursors, ui
         copy_runs(clip, clip->float_constants, clip->float_constant_count, floats);
     const clip_group *groups = clip_groups(clip);
     nkw_segment at = {0, 0.0f};
-    uint32_t *kept = cache ? cache + clip_cache_head(clip) : NULL;
+    uint32_t *kept = cache ? cache->words + clip_cache_head(clip) : NULL;
     for (uint32_t g = 0; g < clip->group_count; g++) {
         uint32_t i = groups[g].timeline;
         const clip_timeline *line = clip_timelines(clip) + i;
         float *out = groups[g].kind == GROUP_FLOATS ? floats : pose.data;
-        size_t kept_words = cache ? nkwi_clip_kept_floats(&groups[g]) : 0;
+        size_t kept_words = cache ? cache->kept_floats(&groups[g]) : 0;
         if (g == 0 || i != groups[g - 1].timeline) /* groups of one timeline are neighbours: one search */
             at = find(clip, line, time, cursors ? cursors + i : NULL);
         out = out && groups[g].kind == GROUP_ROTATIONS ? out + 3 * stride : out;
-        if (out && (!kept_words || !nkwi_clip_sample_kept(clip, &groups[g], at, cache + clip->timeline_count + g,
-                                                          (float *)(void *)kept, out, stride)))
+        if (out && (!kept_words || !cache->sample(clip, &groups[g], at, cursors + clip->timeline_count + g,
+                                                  (float *)(void *)kept, out, stride)))
             nkwi_clip_sample_group(clip, &groups[g], line, at, out, stride);
         kept = kept ? kept + kept_words : NULL;
     }
@@ -256,6 +264,6 @@ nkw_result nkw_clip_sample(const nkw_clip *clip, float time, uint32_t *cursors, 
 nkw_result nkw_clip_sample_cached(const nkw_clip *clip, float time, nkw_pose_span pose, float *floats, void *cache,
                                   size_t bytes)
 {
-    uint32_t *words = (uint32_t *)cache;
-    return bytes < nkw_clip_cache_bytes(clip) ? NKW_TOO_SMALL : sample(clip, time, words, words, pose, floats);
+    const cached from = {(uint32_t *)cache, nkwi_clip_kept_floats, nkwi_clip_sample_kept};
+    return bytes < nkw_clip_cache_bytes(clip) ? NKW_TOO_SMALL : sample(clip, time, from.words, &from, pose, floats);
 }
