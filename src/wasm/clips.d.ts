@@ -41,6 +41,8 @@ export interface ClipSource {
   rest?: Pose;
   restFloats?: ArrayLike<number>;
   format?: ClipFormat;
+  /** A name for each joint, jointCount of them. */
+  names?: { clip?: string; joints?: ArrayLike<string> };
 }
 
 /** Many tracks, sampled at one time into one pose (clip.h). The tracks may be disposed after the clip is built. */
@@ -53,6 +55,9 @@ export class Clip extends Owner {
   readonly start: number;
   readonly end: number;
   readonly size: number;
+  /** The name of the clip, and of a joint; '' without names. */
+  readonly name: string;
+  jointName(joint: number): string;
   /** The block, not a copy: the same bytes on every machine of this byte order. */
   readonly bytes: Uint8Array;
   /** The pose at `time`, and the separate floats. Either may be null. */

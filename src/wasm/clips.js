@@ -78,16 +78,32 @@ export class Pose extends Floats {
   }
 }
 
+const textAt = (owner, string) => store(owner, new TextEncoder().encode(`${string}\0`), Uint8Array);
+
+function namesAt(owner, { clip = '', joints }, jointCount) {
+  need('names of joints', joints?.length ?? jointCount, jointCount);
+  const each = joints ? store(owner, joints.map(name => textAt(owner, name)), Uint32Array) : 0;
+  return store(owner, [textAt(owner, clip), each], Uint32Array);
+}
+
+// The source of a clip, in memory of `owner`.
+function clipSource(owner, { jointCount = 0, floatCount = 0, tracks = [], rest, restFloats, format, names }) {
+  need('restFloats', restFloats?.length ?? floatCount, floatCount);
+  const list = store(owner, tracks.flatMap(t => [t.target, t.index, ...t.track._use()._words]), Uint32Array);
+  return store(owner, [list, tracks.length, jointCount, floatCount, addressOf(rest), rest?.jointCount ?? 0,
+    store(owner, restFloats), format ?? CLIP_FLOAT32, names ? namesAt(owner, names, jointCount) : 0], Uint32Array);
+}
+
 /** Many tracks, sampled at one time into one pose (clip.h). */
 export class Clip extends Owner {
-  /** Builds a clip: { jointCount, floatCount, tracks: [{ target, index, track }], rest, restFloats, format }. */
+  /** Builds a clip: { jointCount, floatCount, tracks: [{ target, index, track }], rest, restFloats, format, names }. */
   constructor(source) {
     super();
     try {
       if (source instanceof Uint8Array)
         this.#open(source);
       else
-        during(owner => this.#build(source, owner));
+        during(owner => this.#build({ tracks: [], ...source }, owner));
       this.jointCount = x.nkw_clip_joint_count(this._p);
       this.floatCount = x.nkw_clip_float_count(this._p);
       this.start = x.nkw_clip_start(this._p);
@@ -110,17 +126,20 @@ export class Clip extends Owner {
     this.size = bytes.length;
     check('nkw_clip_open', x.nkw_clip_open(this._p, bytes.length, words(0, 0)));
   }
-  #build({ jointCount = 0, floatCount = 0, tracks = [], rest, restFloats, format = CLIP_FLOAT32 }, owner) {
-    if (restFloats && restFloats.length < floatCount)
-      throw new RangeError(`nakawari: ${restFloats.length} restFloats instead of ${floatCount}`);
-    const list = store(owner, tracks.flatMap(t => [t.target, t.index, ...t.track._use()._words]), Uint32Array);
-    const work = owner._take(12 * tracks.length + 4), count = 3 * tracks.length;
-    const from = store(owner, [list, tracks.length, jointCount, floatCount, addressOf(rest), rest?.jointCount ?? 0,
-      store(owner, restFloats), format, 0], Uint32Array);
+  #build(source, owner) {
+    const from = clipSource(owner, source), work = owner._take(12 * source.tracks.length + 4);
+    const count = 3 * source.tracks.length;
     check('nkw_clip_measure', x.nkw_clip_measure(from, words(0, 0), badAt(), work, count), bad);
     this.size = u32[at];
     this._p = this._take(this.size);
     check('nkw_clip_build', x.nkw_clip_build(from, this._p, this.size, badAt(), work, count), bad);
+  }
+  /** The name of the clip, and of a joint; '' without names. */
+  get name() {
+    return text(x.nkw_clip_name(this._use()._p));
+  }
+  jointName(joint) {
+    return text(x.nkw_clip_joint_name(this._use()._p, joint));
   }
   /** The block, not a copy: the same bytes on every machine of this byte order. */
   get bytes() {

@@ -72,7 +72,8 @@ function writeType(type, headers) {
     const name = field(f.name), one = f.kind.length > 1 ? recordType(f.type) : f.kind === 'q' ? 'bigint' : 'number';
     const many = f.pointer || f.n > 1;
     const optional = f.pointer || arrays[type]?.[name] || /^(Mask|PoseVelocity)$/.test(one);
-    return `  ${name}${optional ? '?' : ''}: ${many ? `ArrayLike<${one}>` : one}${f.pointer ? ' | null' : ''};`;
+    const list = f.pointer && one === 'number' ? 'Numbers' : `ArrayLike<${one}>`;
+    return `  ${name}${optional ? '?' : ''}: ${many ? list : one}${f.pointer ? ' | null' : ''};`;
   });
   return `export interface ${recordType(type)} {\n${list.join('\n')}\n}`;
 }

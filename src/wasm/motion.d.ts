@@ -39,3 +39,14 @@ export class PoseDeadBlend extends Floats {
   halfLife: number;
   duration: number;
 }
+
+/** The smallest clip within a tolerance (nkw_clip_reduce). `reduced` receives what it reached. */
+export function clipReduce(source: ClipSource, reduction: ClipReduction, reduced?: Partial<ClipReduced> | null): Clip;
+/** The source of a clip with as few keys as a tolerance permits (nkw_clip_source_reduce), of new tracks. */
+export function clipSourceReduce(source: ClipSource, reduction: ClipReduction, reduced?: Partial<Reduced> | null):
+  ClipSource;
+/** How far the tracks of another source are from those of a source (nkw_clip_source_difference). */
+export function clipSourceDifference(source: ClipSource, other: ClipSource, reduction: ClipReduction,
+  difference: Partial<Reduced>): void;
+/** The tracks that a clip was built from, with its stored values (nkw_clip_track_get), new ones. */
+export function clipTracks(clip: Clip): { target: ClipTarget; index: number; track: Track }[];

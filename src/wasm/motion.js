@@ -104,3 +104,68 @@ export class PoseDeadBlend extends Floats {
     Object.assign(this, { jointCount, halfLife, duration });
   }
 }
+
+const reduceWork = ({ tracks = [], jointCount = 0, floatCount = 0 }) =>
+  24 * tracks.length + 34 * jointCount + 160 * Math.ceil(jointCount / 16) + 4 * floatCount + 16;
+
+// Calls f with the addresses of a source, of a reduction, of working memory for `others` too, and with its size.
+function withReduction(source, reduction, others, f) {
+  return $t(() => during(owner => {
+    for (const name of ['parents', 'tolerances', 'distances'])
+      need(name, reduction[name]?.length ?? Infinity, source.jointCount);
+    const count = Math.max(...[source, ...others].map(reduceWork));
+    return f(owner, clipSource(owner, source), $i($nkw_clip_reduction, reduction), owner._take(8 * count), count);
+  }));
+}
+
+/** The smallest clip within a tolerance (nkw_clip_reduce). `reduced` receives what it reached. */
+export function clipReduce(source, reduction, reduced = null) {
+  return withReduction(source, reduction, [], (owner, from, by, work, count) => {
+    check('nkw_clip_reduce_measure', x.nkw_clip_reduce_measure(from, words(0, 0), badAt(), work, count), bad);
+    const bytes = u32[at], block = owner._take(bytes), to = temporary($nkw_clip_reduced[0]);
+    check('nkw_clip_reduce', x.nkw_clip_reduce(from, by, words(0, block, bytes, work, count), to, badAt()), bad);
+    const made = $g($nkw_clip_reduced, reduced ?? {}, to);
+    return Clip.open(u8.slice(block, block + made.bytes));
+  });
+}
+
+/** The source of a clip with as few keys as a tolerance permits (nkw_clip_source_reduce). */
+export function clipSourceReduce(source, reduction, reduced = null) {
+  return withReduction(source, reduction, [], (owner, from, by, work, count) => {
+    const measured = x.nkw_clip_source_reduce_measure(from, words(0, 0), badAt(), work, count);
+    check('nkw_clip_source_reduce_measure', measured, bad);
+    const bytes = u32[at], block = owner._take(bytes), to = temporary($nkw_reduced[0]), made = temporary(36);
+    check('nkw_clip_source_reduce',
+      x.nkw_clip_source_reduce(from, by, words(0, block, bytes, work, count), made, to, badAt()), bad);
+    $g($nkw_reduced, reduced, to);
+    const list = u32[made >> 2];
+    return { ...source, tracks: source.tracks.map((_, i) => trackOfClip(list + 36 * i)) };
+  });
+}
+
+/** How far the tracks of another source are from those of a source (nkw_clip_source_difference). */
+export function clipSourceDifference(source, other, reduction, difference) {
+  withReduction(source, reduction, [other], (owner, from, by, work, count) => {
+    const to = temporary($nkw_reduced[0]);
+    check('nkw_clip_source_difference',
+      x.nkw_clip_source_difference(from, clipSource(owner, other), by, to, work, count));
+    $g($nkw_reduced, difference, to);
+  });
+}
+
+const trackOfClip = place =>
+  ({ target: u32[place >> 2], index: u32[(place >> 2) + 1], track: trackAt(place + 8) });
+
+/** The tracks that a clip was built from, with its stored values (nkw_clip_track_get). */
+export function clipTracks(clip) {
+  const count = x.nkw_clip_track_count(clip._use()._p);
+  return Array.from({ length: count }, (_, i) => $t(() => {
+    const shape = temporary(36), workCount = 160 * Math.ceil(clip.jointCount / 16) + clip.floatCount;
+    check('nkw_clip_track_shape', x.nkw_clip_track_shape(clip._p, i, shape));
+    const { count: keys, width } = get($nkw_track, shape + 8), work = temporary(4 * workCount + 4);
+    const arrays = [temporary(4 * keys), temporary(12 * keys * width), temporary(keys)], memory = temporary(16);
+    u32.set([...arrays, keys], memory >> 2);
+    check('nkw_clip_track_get', x.nkw_clip_track_get(clip._p, i, memory, shape, work, workCount));
+    return trackOfClip(shape);
+  }));
+}

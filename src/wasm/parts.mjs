@@ -20,11 +20,11 @@ export const parts = [
   },
   { name: 'math', stems: [...values, ...algebra], enums: ['keyframe'],
     sources: ['objects', 'columns', 'records', 'keyframes'], batch: true, limit: 100, without: /pose_/ },
-  { name: 'clips', stems: [], enums: ['track', 'clip'], sources: ['objects', 'clips'], limit: 36 },
+  { name: 'clips', stems: [], enums: ['track', 'clip'], sources: ['objects', 'clips'], limit: 35 },
   { name: 'characters', stems: [], enums: ['track', 'clip', 'blend', 'palette', 'skin'],
-    sources: ['objects', 'clips', 'characters'], limit: 75 },
+    sources: ['objects', 'clips', 'characters'], limit: 68 },
   { name: 'all', stems: [...values, ...algebra, ...curves, ...bodies], enums: ['keyframe', 'palette', 'skin'],
-    sources: ['objects', 'columns', 'records', 'keyframes', 'clips', 'characters', 'motion'], batch: true, limit: 205 },
+    sources: ['objects', 'columns', 'records', 'keyframes', 'clips', 'characters', 'motion'], batch: true, limit: 200 },
 ];
 
 // Scripts on top of the part of characters, for the objects of another library.
@@ -44,6 +44,8 @@ export const arrays = {
   nkw_playback_step_f64: { keyCount: 'times.length', times: 'keyCount' },
   nkw_track: { count: 'times.length', width: '1', times: 'count', keyInterpolation: 'count',
     values: 'count * width * (interpolation === INTERPOLATION_CUBICSPLINE ? 3 : 1)' },
+  nkw_clip_reduction: { parents: '(parents ?? []).length', tolerances: '(tolerances ?? []).length',
+    distances: '(distances ?? []).length', floatTolerance: '0' },
   nkw_skeleton: joints,
   nkw_pose_view: { data: stride }, nkw_pose_span: { data: stride },
   nkw_mask_view: { data: stride.slice(5) }, nkw_mask_span: { data: stride.slice(5) },

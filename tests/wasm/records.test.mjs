@@ -178,6 +178,30 @@ for (const [build, n] of await both('all')) {
     assert.equal(typeof map.x, 'number');
   });
 
+  test(`${build}: names, reduced clips and their tracks`, () => {
+    const times = Array.from({ length: 31 }, (_, k) => k / 30), turn = t => [0, 0, Math.sin(t), Math.cos(t)];
+    const made = (index, values) => ({ target: n.CLIP_ROTATION, index,
+      track: new n.Track({ times, values, width: 4, kind: n.TRACK_ROTATION }) });
+    const tracks = [made(0, times.map(t => turn(t / 3)).flat()), made(1, times.map(t => turn(t * t)).flat())];
+    const rest = new n.Pose(2);
+    rest.set(1, [0, 1, 0, 0, 0, 0, 1, 1, 1, 1]);
+    const source = { jointCount: 2, tracks, rest, names: { clip: 'wave', joints: ['upper', '下'] } };
+    const reduction = { parents: [-1, 0], tolerance: 1e-3, distance: 1 }, [keys, bytes, error] = [{}, {}, {}];
+    const clip = new n.Clip(source), less = n.clipSourceReduce(source, reduction, keys);
+    const small = n.clipReduce(source, reduction, bytes);
+    assert.deepEqual([clip.name, clip.jointName(1), small.jointName(0), clip.jointName(2)], ['wave', '下', 'upper', '']);
+    assert.ok(keys.keyCount < keys.sourceKeyCount && keys.sourceKeyCount === 62 && keys.distance <= 1e-3);
+    assert.equal(less.tracks.reduce((sum, t) => sum + t.track.count, 0), keys.keyCount);
+    assert.ok(bytes.bytes === small.size && small.size < clip.size && bytes.distance <= 1e-3);
+    n.clipSourceDifference(source, less, reduction, error);
+    assert.ok(error.distance > 0 && error.distance <= 1e-3);
+    const again = n.clipTracks(clip);
+    assert.deepEqual(again.map(t => [t.target, t.index, bits(t.track.values)]),
+      tracks.map(t => [t.target, t.index, bits(t.track.values)]));
+    assert.throws(() => n.clipReduce(source, { ...reduction, parents: [-1] }), RangeError);
+    [clip, small, rest, ...[...tracks, ...less.tracks, ...again].map(t => t.track)].forEach(object => object.dispose());
+  });
+
   test(`${build}: large records, and nothing remains`, () => {
     const keys = Array.from({ length: 5000 }, (_, k) =>
       ({ time: k, value: k, in: [0, 0], out: [0, 0], kind: n.FCURVE_LINEAR, ease: 0 }));
