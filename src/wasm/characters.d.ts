@@ -74,6 +74,8 @@ export interface MeshSource {
 export class Mesh extends Owner {
   constructor(source: MeshSource);
   readonly vertexCount: number;
+  /** The vectors of the bind pose, not copies; null where the mesh has none. */
+  readonly vectors: Record<'positions' | 'normals' | 'tangents' | 'bitangents', Float32Array | null>;
   /** The skinned vectors, not copies; null where the mesh has none. */
   readonly skinned: Record<'positions' | 'normals' | 'tangents' | 'bitangents', Float32Array | null>;
   /** Linear blend skinning by a Palette of PALETTE_MAT4. */

@@ -182,17 +182,25 @@ export class Mesh extends Owner {
       }
       const data = array => [store(this, array, array.constructor), 0, formats.get(array.constructor) ?? 99];
       this._skin = store(this, [this.vertexCount, influenceCount, ...data(joints), ...data(weights)], Uint32Array);
-      [this._in, this._to, this._out] = [store(this, from, Uint32Array), to, store(this, to, Uint32Array)];
+      [this._from, this._to] = [from, to];
+      [this._in, this._out] = [store(this, from, Uint32Array), store(this, to, Uint32Array)];
     } catch (error) {
       this.dispose();
       throw error;
     }
   }
-  /** The skinned vectors, not copies: positions, normals, tangents, bitangents; null where the mesh has none. */
-  get skinned() {
+  #vectors(places) {
     this._use();
     return Object.fromEntries(streams.map((name, i) =>
-      [name, this._to[2 * i] ? new Float32Array(f32.buffer, this._to[2 * i], 3 * this.vertexCount) : null]));
+      [name, places[2 * i] ? new Float32Array(f32.buffer, places[2 * i], 3 * this.vertexCount) : null]));
+  }
+  /** The vectors of the bind pose, not copies: positions, normals, tangents, bitangents; null where there are none. */
+  get vectors() {
+    return this.#vectors(this._from);
+  }
+  /** The skinned vectors, not copies; null where the mesh has none. */
+  get skinned() {
+    return this.#vectors(this._to);
   }
   /** Linear blend skinning by a Palette of PALETTE_MAT4. */
   skinLinear(palette) {

@@ -48,5 +48,7 @@ export function clipSourceReduce(source: ClipSource, reduction: ClipReduction, r
 /** How far the tracks of another source are from those of a source (nkw_clip_source_difference). */
 export function clipSourceDifference(source: ClipSource, other: ClipSource, reduction: ClipReduction,
   difference: Partial<Reduced>): void;
+/** How far a clip is from its source (nkw_clip_difference). */
+export function clipDifference(clip: Clip, source: ClipSource, error: Partial<ClipError>): void;
 /** The tracks that a clip was built from, with its stored values (nkw_clip_track_get), new ones. */
 export function clipTracks(clip: Clip): { target: ClipTarget; index: number; track: Track }[];

@@ -153,6 +153,16 @@ export function clipSourceDifference(source, other, reduction, difference) {
   });
 }
 
+/** How far a clip is from its source (nkw_clip_difference): { translation, rotation, scale, floats }. */
+export function clipDifference(clip, source, error) {
+  $t(() => during(owner => {
+    const count = 160 * Math.ceil(clip.jointCount / 16) + 2 * clip.floatCount, to = temporary($nkw_clip_error[0]);
+    check('nkw_clip_difference', x.nkw_clip_difference(clip._use()._p, clipSource(owner, source), to,
+      owner._take(4 * count + 4), count));
+    $g($nkw_clip_error, error, to);
+  }));
+}
+
 const trackOfClip = place =>
   ({ target: u32[place >> 2], index: u32[(place >> 2) + 1], track: trackAt(place + 8) });
 

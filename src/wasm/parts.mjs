@@ -6,7 +6,8 @@ const values = ['scalar', 'vec', 'quat', 'orient', 'curve'];
 const algebra = ['mat', 'euler', 'axes', 'transform', 'dual', 'curve_point', 'handle', 'ease', 'rotation', 'limit',
   'spring', 'inertia', 'segment', 'playback', 'root'];
 const curves = ['fcurve', 'spline', 'nurbs', 'polycurve', 'track', 'dialect', 'edit', 'fit', 'reduce', 'timecode'];
-const bodies = ['pose', 'clip', 'skeleton', 'blend', 'transition', 'ik', 'foot', 'retarget', 'blendspace', 'bounds'];
+const bodies = ['pose', 'clip', 'skeleton', 'blend', 'transition', 'ik', 'foot', 'retarget', 'blendspace', 'bounds',
+  'palette', 'morph', 'partition'];
 
 // Structs of these stems are objects, also if they have floats only.
 export const objectStems = ['root', 'polycurve', 'ik', 'foot', 'bounds', 'clip'];
@@ -24,7 +25,8 @@ export const parts = [
   { name: 'characters', stems: [], enums: ['track', 'clip', 'blend', 'palette', 'skin'],
     sources: ['objects', 'clips', 'characters'], limit: 68 },
   { name: 'all', stems: [...values, ...algebra, ...curves, ...bodies], enums: ['keyframe', 'palette', 'skin'],
-    sources: ['objects', 'columns', 'records', 'keyframes', 'clips', 'characters', 'motion'], batch: true, limit: 200 },
+    sources: ['objects', 'columns', 'records', 'keyframes', 'clips', 'characters', 'motion', 'meshes'],
+    batch: true, limit: 206 },
 ];
 
 // Scripts on top of the part of characters, for the objects of another library.
@@ -44,6 +46,12 @@ export const arrays = {
   nkw_playback_step_f64: { keyCount: 'times.length', times: 'keyCount' },
   nkw_track: { count: 'times.length', width: '1', times: 'count', keyInterpolation: 'count',
     values: 'count * width * (interpolation === INTERPOLATION_CUBICSPLINE ? 3 : 1)' },
+  nkw_partition_mesh: { influenceCount: '4', triangleCount: 'indices.length / 3',
+    vertexCount: 'weights.length / influenceCount', indices: '3 * triangleCount', materials: 'triangleCount',
+    joints: 'vertexCount * influenceCount', weights: 'vertexCount * influenceCount', depths: 'jointCount' },
+  nkw_palette_source: { modelCount: 'lengthOf(models, 16)',
+    jointCount: 'joints?.length ?? (inverseBind ? lengthOf(inverseBind, 16) : modelCount)',
+    models: '16 * modelCount', joints: 'jointCount', inverseBind: '16 * jointCount', globalInverse: '16' },
   nkw_clip_reduction: { parents: '(parents ?? []).length', tolerances: '(tolerances ?? []).length',
     distances: '(distances ?? []).length', floatTolerance: '0' },
   nkw_skeleton: joints,
@@ -107,6 +115,8 @@ export const lengths = {
   nkw_retarget_chain_scale: { source_chain: 'sourceCount', target_chain: 'targetCount' },
   nkw_blendspace_weights: { point: 'space.dimension ?? 1',
     weights: 'space.count ?? lengthOf(space.samples, space.dimension ?? 1)' },
+  nkw_mat4_from_palette: { out: 'palette.jointCount' },
+  nkw_inverse_bind_from_models: { out: 'source.joints?.length ?? lengthOf(source.models, 16)' },
   nkw_bounds_from_palette: { boxes: 'palette.jointCount + 1' },
 };
 // The working memory that a function needs.
@@ -119,16 +129,14 @@ export const work = {
   nkw_pose_retarget: '8 * (source.jointCount + out.jointCount)',
 };
 
-const later = 'not bound yet';
 // Public functions without a function in JavaScript, and why: names or whole stems.
 export const excluded = {
   nkw_version: 'the version is in package.json',
-  nkw_root_remove_keys: later, nkw_segment_find_n: 'nkw_segment_find for each time',
+  nkw_segment_find_n: 'nkw_segment_find for each time',
   nkw_fcurve_sample_cursor: 'nkw_fcurve_sample has the same bits',
   nkw_clip_track_convert_axes: 'nkw_track_convert_axes of its track',
   nkw_track_sample_cursor: 'nkw_track_sample has the same bits',
-  nkw_bounds_from_skin: later,
 };
-export const excludedStems = { morph: later, partition: later };
+export const excludedStems = {};
 // Of these stems the sources call what their objects need; the rest is not bound yet.
 export const partial = ['keyframe', 'track', 'pose', 'clip', 'skeleton', 'blend', 'palette', 'skin', 'crowd', 'reduce'];

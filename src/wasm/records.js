@@ -117,6 +117,8 @@ const $g = (layout, out, at) => out && Object.assign(out, get(layout, at));
 function $o(kind, array, n) {
   if (!array || array instanceof Owner)
     return arrayAt(kind, array, n);
+  if (typeof kind === 'string' && typeof array[0] === 'object')
+    throw new TypeError('nakawari: an array that receives numbers has arrays');
   const block = temporary(n * sizeOf(kind));
   for (let k = 0; k < n; k++)
     putField(block + k * sizeOf(kind), kind, 1, array[k]);

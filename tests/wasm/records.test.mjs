@@ -189,7 +189,9 @@ for (const [build, n] of await both('all')) {
     const reduction = { parents: [-1, 0], tolerance: 1e-3, distance: 1 }, [keys, bytes, error] = [{}, {}, {}];
     const clip = new n.Clip(source), less = n.clipSourceReduce(source, reduction, keys);
     const small = n.clipReduce(source, reduction, bytes);
-    assert.deepEqual([clip.name, clip.jointName(1), small.jointName(0), clip.jointName(2)], ['wave', '下', 'upper', '']);
+    assert.deepEqual([clip.name, ...[0, 1, 2].map(j => small.jointName(j))], ['wave', 'upper', '下', '']);
+    n.clipDifference(clip, source, error);
+    assert.deepEqual(error, { translation: 0, rotation: 0, scale: 0, floats: 0 });
     assert.ok(keys.keyCount < keys.sourceKeyCount && keys.sourceKeyCount === 62 && keys.distance <= 1e-3);
     assert.equal(less.tracks.reduce((sum, t) => sum + t.track.count, 0), keys.keyCount);
     assert.ok(bytes.bytes === small.size && small.size < clip.size && bytes.distance <= 1e-3);
@@ -199,7 +201,37 @@ for (const [build, n] of await both('all')) {
     assert.deepEqual(again.map(t => [t.target, t.index, bits(t.track.values)]),
       tracks.map(t => [t.target, t.index, bits(t.track.values)]));
     assert.throws(() => n.clipReduce(source, { ...reduction, parents: [-1] }), RangeError);
-    [clip, small, rest, ...[...tracks, ...less.tracks, ...again].map(t => t.track)].forEach(object => object.dispose());
+    const used = [...tracks, ...less.tracks, ...again].map(t => t.track);
+    [clip, small, rest, ...used].forEach(object => object.dispose());
+  });
+
+  test(`${build}: morph targets, boxes of joints, parts`, () => {
+    const positions = [0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1], joints = Uint8Array.of(0, 1, 1, 0);
+    const mesh = new n.Mesh({ positions, influenceCount: 1, joints, weights: new Float32Array(4).fill(1) });
+    const dense = { positions: positions.map(() => 1) }, sparse = { positions: [0, 0, 4], indices: [1] };
+    const morph = new n.Morph(mesh, [dense, sparse]), boxes = [];
+    assert.deepEqual([...morph.apply([0.5, 0.25]).mesh.vectors.positions],
+      positions.map((v, k) => v + 0.5 + (k === 5 ? 1 : 0)));
+    morph.apply([0, 0]);
+    assert.deepEqual([...mesh.vectors.positions], positions);
+    n.boundsFromSkin(mesh, boxes, 2);
+    assert.deepEqual(boxes.slice(0, 2), [{ low: [0, 0, 0], high: [0, 0, 1] }, { low: [0, 0, 0], high: [1, 1, 0] }]);
+    assert.equal(n.boxIsEmpty(boxes[2]), 1);
+    const palette = new n.Palette({ jointCount: 2 }), bind = new Float32Array(32), models = new n.Matrices(2), box = {};
+    models.array.set([1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 5, 0, 0, 1]);
+    n.inverseBindFromModels({ models }, bind);
+    near([bind[12], bind[28]], [0, -5], 0);
+    n.boundsFromPalette(palette.update(models), boxes, box);
+    near([...box.low, ...box.high], [0, 0, 0, 6, 1, 1], 1e-4);
+    assert.throws(() => new n.Morph(mesh, [{ ...sparse, indices: [4] }]), { index: 0 });
+    const parts = { indices: [0, 1, 2, 3, 4, 5], influenceCount: 1, joints: [0, 0, 1, 2, 2, 3], jointCount: 4,
+      weights: [1, 1, 1, 1, 1, 1] };
+    const two = n.partitionBuild(parts, 2), none = n.partitionBuild(parts, 1);
+    assert.deepEqual([two.parts.length, two.rejectedCount, none.rejectedCount], [2, 0, 2]);
+    const jointsOf = ({ firstJoint, jointCount }) => [...two.joints.slice(firstJoint, firstJoint + jointCount)];
+    assert.deepEqual(two.parts.map(jointsOf), [[0, 1], [2, 3]]);
+    assert.throws(() => n.partitionBuild({ ...parts, jointCount: 3 }, 2), { index: 1 });
+    [mesh, morph, palette, models].forEach(object => object.dispose());
   });
 
   test(`${build}: large records, and nothing remains`, () => {

@@ -1,0 +1,36 @@
+
+export interface MorphTarget {
+  positions?: ArrayLike<number>;
+  normals?: ArrayLike<number>;
+  tangents?: ArrayLike<number>;
+  bitangents?: ArrayLike<number>;
+  /** The vertices of a sparse target. */
+  indices?: ArrayLike<number>;
+}
+
+/** Morph targets of a mesh (morph.h): differences of its vectors. Make it before the first `apply` of another one. */
+export class Morph extends Owner {
+  constructor(mesh: Mesh, targets: MorphTarget[]);
+  readonly mesh: Mesh;
+  readonly targetCount: number;
+  /** Writes the vectors of the mesh: those it was made of, and the differences by their weights. */
+  apply(weights: ArrayLike<number>): this;
+}
+
+/** The boxes of the joints in the bind pose, and one of the vertices without influence (nkw_bounds_from_skin). */
+export function boundsFromSkin(mesh: Mesh, boxes: Partial<Box>[], jointCount: number): void;
+
+export interface Partition {
+  parts: Part[];
+  joints: Uint16Array;
+  /** The triangles of the mesh by part, then the rejected ones. */
+  triangles: Uint32Array;
+  indices: Uint32Array;
+  vertices: Uint32Array;
+  slots: Uint16Array;
+  weights: Float32Array;
+  rejectedCount: number;
+}
+
+/** Partitions a mesh into parts of at most maxJointCount joints (nkw_partition_build). */
+export function partitionBuild(mesh: PartitionMesh, maxJointCount: number): Partition;
