@@ -53,7 +53,10 @@ function arrayAt(kind, array, n, name = 'array') {
   const flat = typeof kind === 'string' ? flatten(array) : array;
   need(`elements of ${name}`, flat.length, n);
   const block = temporary(n * sizeOf(kind));
-  if (typeof kind === 'string')
+  if (kind === 'f' && n < 64)
+    for (let k = 0; k < n; k++)
+      f32[(block >> 2) + k] = flat[k];
+  else if (typeof kind === 'string')
     new arrayOf[kind](f32.buffer, block, n).set(flat.length === n ? flat : Array.prototype.slice.call(flat, 0, n));
   else
     for (let k = 0; k < n; k++)
@@ -61,13 +64,23 @@ function arrayAt(kind, array, n, name = 'array') {
   return block;
 }
 
-function putField(at, kind, n, value) {
-  if (typeof kind !== 'string')
-    for (let k = 0; k < n; k++)
-      put(kind, at + k * kind[0], n > 1 ? value?.[k] : value);
+function putOne(at, kind, value) {
+  if (kind === 'f')
+    f32[at >> 2] = value ?? 0;
+  else if (kind === 'u' || kind === 'i')
+    u32[at >> 2] = value ?? 0;
+  else if (typeof kind !== 'string')
+    put(kind, at, value);
   else
-    for (let k = 0; k < n; k++)
-      data()[setters[kind]](at + k * sizeOf(kind), (n > 1 ? value?.[k] : value) ?? (kind === 'q' ? 0n : 0), true);
+    data()[setters[kind]](at, value ?? (kind === 'q' ? 0n : 0), true);
+}
+
+function putField(at, kind, n, value) {
+  if (n === 1)
+    return putOne(at, kind, value);
+  const size = sizeOf(kind);
+  for (let k = 0; k < n; k++)
+    putOne(at + k * size, kind, value?.[k]);
 }
 
 // Writes a record. An object of the package has the struct in its memory, or is an array that the struct names.
@@ -78,26 +91,37 @@ function put(layout, at, value) {
     ? { data: value, jointCount: value.jointCount, format: value.format, halfLife: value.halfLife,
       duration: value.duration }
     : { ...value };
-  for (const [name, , , , usual] of layout.slice(2))
-    if (usual)
-      r[name] ??= usual(r);
-  for (const [name, offset, kind, n] of layout.slice(2))
+  for (let k = 2; k < layout.length; k++)
+    if (layout[k][4])
+      r[layout[k][0]] ??= layout[k][4](r);
+  for (let k = 2; k < layout.length; k++) {
+    const [name, offset, kind, n] = layout[k];
     if (typeof n === 'function')
-      putField(at + offset, 'u', 1, arrayAt(kind, r[name], n(r), name));
+      putOne(at + offset, 'u', arrayAt(kind, r[name], n(r), name));
     else
       putField(at + offset, kind, n, r[name]);
+  }
+}
+
+function getOne(at, kind) {
+  return kind === 'f' ? f32[at >> 2] : kind === 'u' ? u32[at >> 2] : typeof kind !== 'string' ? get(kind, at)
+    : data()[setters[kind].replace('set', 'get')](at, true);
 }
 
 function getField(at, kind, n) {
-  const one = k => typeof kind === 'string' ? data()[setters[kind].replace('set', 'get')](at + k * sizeOf(kind), true)
-    : get(kind, at + k * kind[0]);
-  return n > 1 ? Array.from({ length: n }, (_, k) => one(k)) : one(0);
+  const size = sizeOf(kind);
+  return n > 1 ? Array.from({ length: n }, (_, k) => getOne(at + k * size, kind)) : getOne(at, kind);
 }
 
 // The record at an address, without its arrays.
 function get(layout, at) {
-  return Object.fromEntries(layout.slice(2).filter(field => typeof field[3] !== 'function')
-    .map(([name, offset, kind, n]) => [name, getField(at + offset, kind, n)]));
+  const record = {};
+  for (let k = 2; k < layout.length; k++) {
+    const [name, offset, kind, n] = layout[k];
+    if (typeof n !== 'function')
+      record[name] = getField(at + offset, kind, n);
+  }
+  return record;
 }
 
 // For generated functions: the address of a record, of an array, and what they become.
@@ -121,14 +145,14 @@ function $o(kind, array, n) {
     throw new TypeError('nakawari: an array that receives numbers has arrays');
   const block = temporary(n * sizeOf(kind));
   for (let k = 0; k < n; k++)
-    putField(block + k * sizeOf(kind), kind, 1, array[k]);
+    putOne(block + k * sizeOf(kind), kind, array[k]);
   return block;
 }
 function $v(kind, array, at, n) {
   if (array instanceof Owner)
     return;
   for (let k = 0; array && k < n; k++)
-    array[k] = getField(at + k * sizeOf(kind), kind, 1);
+    array[k] = getOne(at + k * sizeOf(kind), kind);
 }
 // The number of elements of n numbers in an array.
 const lengthOf = (array, n) => array instanceof Owner ? array.count / n : Math.floor(flatten(array).length / n);
