@@ -8,10 +8,13 @@ import { lengths, work } from './parts.mjs';
 const isBad = p => p.type === 'size_t' && p.pointer === 1 && /^bad/.test(p.name);
 const isMemory = p => /_memory$/.test(p.type);
 
-export const needsRecords = (f, headers) => f.name in lengths || f.name in work || isRecord(f.type, headers) ||
-  f.parameters.some(p => isRecord(p.type, headers) || isBad(p) || p.type === 'int64_t');
-
+// Results that are one number also in functions with a count.
 const one = /^(index|passed|difference|error|negated|rate|total|cursor)$/;
+
+export const needsRecords = (f, headers) => f.name in lengths || f.name in work || isRecord(f.type, headers) ||
+  f.parameters.some(p => isRecord(p.type, headers) || isBad(p) || p.type === 'int64_t' ||
+    (p.pointer && !p.constant && one.test(p.name)));
+
 function lengthOfParameter(p, f) {
   const text = lengths[f.name]?.[p.name];
   if (text || p.length > 1)
@@ -92,7 +95,7 @@ export function writeWithRecords(f, headers) {
   if (shapes.includes(undefined) || !result)
     return undefined;
   const track = f.parameters.some(isMemory), named = shapes.filter(s => s.name), js = scriptName(f.name);
-  const optional = i => named.slice(i).every(s => / null$/.test(s.type)) ? '?' : '';
+  const optional = i => named.slice(i).every(s => s.after && / null$/.test(s.type)) ? '?' : '';
   const types = named.map((s, i) => `${s.name}${optional(i)}: ${s.type}`), out = result.generic ? ['out'] : [];
   const body = bodyOf(f, shapes, result);
   return {

@@ -199,7 +199,214 @@ const find = f => (N, i, o) => {
   put(o, 0, index, t);
 };
 
+// Springs and transitions, as in motion.h.
+const spring = (N, i) => N.springFromFrequency([], F(4 * i.t + 0.125), abs(i.s[5]));
+const motion = (i, k) => i.s.slice(k, k + 2);
+const vec3Motion = (i, k) => [...i.v[k], ...i.v[k + 1]];
+const quatMotion = (i, k) => [...i.q[k], ...i.v[k]];
+const timed = (N, i) => [...spring(N, i), abs(i.s[4])];
+
+const motionRows = {
+  spring_constants: (N, i, o) => {
+    const [time, ratio] = [F(i.t + 2 ** -6), abs(i.s[0])], a = N.springFromHalfLife([], time, ratio);
+    put(o, 0, a, N.springFromFrequency([], time, ratio), N.springFrequency(a), N.springDampingRatio(a),
+      N.springHalfLife(a));
+  },
+  spring_step: (N, i, o) => N.springStep(o, spring(N, i), motion(i, 0), motion(i, 2), i.t),
+  quat_spring_step: (N, i, o) => N.quatSpringStep(o, spring(N, i), quatMotion(i, 0), quatMotion(i, 1), i.t),
+  spring_timed_step: (N, i, o) => {
+    const [time, from, point] = [timed(N, i), motion(i, 0), motion(i, 2)];
+    N.springTimedStep(time, from, point, i.s[6], i.t);
+    put(o, 0, from, point, time[2]);
+  },
+  quat_spring_timed_step: (N, i, o) => {
+    const [from, point] = [quatMotion(i, 0), quatMotion(i, 1)];
+    N.quatSpringTimedStep(timed(N, i), from, point, i.q[3], i.t);
+    put(o, 0, from, point);
+  },
+  damper_step: (N, i, o) => put(o, 0, N.damperStep(i.s[0], i.s[1], abs(i.s[2]), i.t),
+    N.quatDamperStep([], i.q[0], i.q[1], abs(i.s[2]), i.t)),
+  inertia: (N, i, o) => {
+    const x = N.inertiaBegin([], motion(i, 0), motion(i, 2), abs(i.s[4]));
+    put(o, 0, x, N.inertiaEvaluate([], x, motion(i, 2), i.t));
+  },
+  vec3_inertia: (N, i, o) => {
+    const to = vec3Motion(i, 2), x = N.vec3InertiaBegin([], vec3Motion(i, 0), to, abs(i.s[4]));
+    put(o, 0, x, N.vec3InertiaEvaluate([], x, to, i.t));
+  },
+  quat_inertia: (N, i, o) => {
+    const to = quatMotion(i, 1), x = N.quatInertiaBegin([], quatMotion(i, 0), to, abs(i.s[4]));
+    put(o, 0, x.slice(0, 9), N.quatInertiaEvaluate([], x, to, i.t));
+  },
+  dead_blend: (N, i, o) => put(o, 0,
+    N.deadBlendEvaluate([], [...motion(i, 0), abs(i.s[4]), abs(i.s[5])], motion(i, 2), i.t),
+    N.deadBlendHalfLife(motion(i, 0), i.s[2], 0.5, 0.125, 2)),
+  quat_dead_blend: (N, i, o) => {
+    const blend = [...quatMotion(i, 0), abs(i.s[4]), abs(i.s[5]), ...i.q[3]];
+    put(o, 0, N.quatDeadBlendEvaluate([], blend, quatMotion(i, 1), i.t), blend.slice(9));
+  },
+  body_motion_between: (N, i, o) => N.bodyMotionBetween(o, [...vec3Motion(i, 0), ...quatMotion(i, 0)],
+    [...vec3Motion(i, 2), ...quatMotion(i, 1)], abs(i.s[0]), i.t),
+};
+
+// A cubic of numbers, as the x of one of vectors.
+const cubic = c => c.flatMap(x => [x, 0, 0]), xs = c => [0, 3, 6, 9].map(k => c[k]);
+const converted = name => (N, i, o) => put(o, 0, xs(N[name]([], cubic(i.cubic))));
+const withCubic = name => (N, i, o) => N[name](o, i.v.flat());
+
+function handlePoints(N, i, o) {
+  const c = handles(i), time = handleTime(N, c, i.t), limited = N.handleLimit([], c, N.HANDLE_KEEP_RATIO);
+  put(o, 0, N.handlePoint([], c, time), N.handlePoint([], limited, time), N.handleParameter(c, time),
+    N.handleRunsBack(c));
+}
+
+function resampled(mode) {
+  return (N, i, o) => using(turns(N, i, { interpolation: N[modes[mode]] }), track => {
+    const [rate, count, difference] = [[], [0], []];
+    let made;
+    try {
+      made = N.trackResampleWithin(track, 2, rate);
+    } catch {
+      rate[0] = 0;
+    }
+    try {
+      N.trackResampleCount(track, 17, count);
+    } catch {
+      count[0] = 0;
+    }
+    put(o, 0, rate, count, 0, i.q[0]);
+    if (made)
+      using(made, () => {
+        N.trackDifference(track, made, difference);
+        const at = 4 * Math.floor(made.count / 2);
+        put(o, 2, difference, [...made.values].slice(at, at + 4));
+      });
+  });
+}
+
+function reducedClip(N, i, o, round) {
+  if (round % 16 !== 0)
+    return;
+  const times = Array.from({ length: 9 }, (_, k) => k);
+  const tracks = [0, 1].map(n => ({ target: N.CLIP_ROTATION, index: n, track: new N.Track({ times, width: 4,
+    kind: N.TRACK_ROTATION, values: times.flatMap(k =>
+      N.quatSlerp([], i.q[n], N.quatSlerp([], i.q[1 + n], i.q[2 + n], k / 8), k / 8)) }) }));
+  const result = {}, reduction = { parents: [-1, 0], tolerance: 0.25, distance: 1 };
+  const made = N.clipSourceReduce({ jointCount: 2, tracks }, reduction, result);
+  put(o, 0, result.keyCount, result.distance);
+  [...tracks, ...made.tracks].forEach(t => t.track.dispose());
+}
+
+function traced(position, orientation) {
+  return (N, i, o) => using(new N.Keyframes(i.keys.flat()), keys => {
+    const t = keys.trace(i.s[0], N[position], N[orientation]), padded = a => [...a, 0, 0, 0, 0].slice(0, 4);
+    put(o, 0, padded(t.weight), t.control[1] ?? [0, 0, 0], t.orientation[1], t.angles[0], t.halfAngle,
+      t.orientationWeight[1]);
+  });
+}
+
+// Inputs that random ones never come near.
+function nearlySingular({ n, t, order }) {
+  const m = [...n], part = t < 0.5 ? 2 ** -14 : 2 ** -19;
+  for (let k = 0; k < 4; k++) {
+    m[4 + k] = F(m[k] + F(part * m[4 + k]));
+    m[12 + k] = order % 2 ? F(m[8 + k] + F(part * m[12 + k])) : m[12 + k];
+  }
+  return m;
+}
+
+function sheared(N, i) {
+  const m = [...i.m];
+  for (let k = 0; k < 3; k++) {
+    m[4 + k] = i.path === N.PATH_LONG ? 0 : F(m[k] + F(2 ** -6 * m[4 + k]));
+    m[8 + k] = i.order < 2 ? 0 : m[8 + k];
+  }
+  return m;
+}
+
+function someAxes(N, { order, s }) {
+  const [x, y, z] = [N.AXIS_X, N.AXIS_Y, N.AXIS_Z];
+  const named = [[x, y, z], [x, z, y], [y, x, z], [y, z, x], [z, x, y], [z, y, x]][order];
+  const [a, b, c] = named.map((axis, k) => s[k] < 0 ? -axis : axis);
+  return { x: a, y: b, z: c };
+}
+
+const opposite = (N, i) => N.vec3AddScaled([], N.vec3Negate([], i.v[0]), i.v[1], 2 ** -12);
+
+function atThePole(N, i) {
+  const half = 0x16a09e6 * 2 ** -25, pole = N.quatMul([], [0, 0, F(0.6), F(0.8)], [0, half, 0, half]);
+  pole[0] = F(pole[0] + F(2 ** -20 * i.t));
+  return N.quatNormalize([], pole);
+}
+
+const otherRows = {
+  sincos: (N, i, o) => {
+    const [s, c] = [[], []];
+    N.sincos(i.s[0], s, c);
+    put(o, 0, s, c);
+  },
+  euler_filter: (N, i, o) => {
+    const angles = new Float32Array(12);
+    N.eulerFilter(i.v.flat(), i.order, angles, 4);
+    put(o, 0, [...angles.slice(9)]);
+  },
+  bezier_from_hermite: converted('vec3BezierFromHermite'), hermite_from_bezier: converted('vec3HermiteFromBezier'),
+  bezier_from_bspline: converted('vec3BezierFromBspline'),
+  bezier_split: (N, i, o) => {
+    const [left, right] = [[], []];
+    N.vec3BezierSplit(cubic(i.cubic), i.t, left, right);
+    put(o, 0, xs(left), xs(right));
+  },
+  vec3_bezier_from_hermite: withCubic('vec3BezierFromHermite'),
+  vec3_hermite_from_bezier: withCubic('vec3HermiteFromBezier'),
+  vec3_bezier_from_bspline: withCubic('vec3BezierFromBspline'),
+  vec3_bezier_split: (N, i, o) => {
+    const [left, right] = [[], []];
+    N.vec3BezierSplit(i.v.flat(), i.t, left, right);
+    put(o, 0, right, left.slice(6, 9));
+  },
+  quintic_hermite: (N, i, o) => N.quinticHermite(o, i.s.slice(0, 3), i.s.slice(3, 6), i.t),
+  handle_point: handlePoints,
+  handle_limit: (N, i, o) => ['RATIO', 'START'].map(name => N['HANDLE_KEEP_' + name]).concat(N.HANDLE_CONTAIN)
+    .forEach((policy, k) => put(o, 4 * k, N.handleLimit([], handles(i), policy).slice(2, 6))),
+  ease_point: (N, i, o) => [0, 1, 2, 3].forEach(k =>
+    put(o, 3 * k, N.easePoint([], (10 * k + some(i)) % (N.EASE_CSS_STEP_END + 1), i.t))),
+  segment_uniform_rate: (N, i, o) => {
+    const rate = N.lerp(1, 61, i.t), found = [];
+    N.segmentUniformRate(Array.from({ length: 32 }, (_, k) => N.segmentUniformTime(i.s[0], rate, k)), 32, found);
+    put(o, 0, found);
+  },
+  segment_find_even: (N, i, o) => {
+    const times = [], rate = [], step = N.lerp(F(0.01), F(0.1), i.t);
+    for (let k = 0, time = i.s[0]; k < 32; k++, time = F(time + step))
+      times.push(time);
+    N.segmentEvenRate(times, 32, rate);
+    const { index, t } = N.segmentFindEven({}, times, 32, rate[0], i.s[1]);
+    put(o, 0, index, t, rate);
+  },
+  track_resample_linear: resampled('linear'), track_resample_cubic: resampled('cubic'),
+  clip_source_reduce: reducedClip,
+  playback_offset: (N, i, o) => put(o, 0, N.playbackOffset(i.s[0], i.s[1], i.s[2], 77),
+    N.quatPlaybackOffset([], i.q[0], i.q[1], i.q[2], 1e5 * i.s[0])),
+  keyframes_trace_slerp: traced('POSITION_CATMULL_ROM', 'ORIENTATION_SLERP'),
+  keyframes_trace_euler: traced('POSITION_BSPLINE', 'ORIENTATION_EULER_UNWRAPPED'),
+  keyframes_trace_step: traced('POSITION_BEZIER', 'ORIENTATION_STEP'),
+  mat4_inverse_cancelling: (N, i, o) => N.mat4Inverse(o, nearlySingular(i)),
+  mat3_inverse_cancelling: (N, i, o) => N.mat3Inverse(o, N.mat3FromMat4([], nearlySingular(i))),
+  mat3_orthonormalize_sheared: (N, i, o) => N.mat3Orthonormalize(o, N.mat3FromMat4([], sheared(N, i))),
+  trs_from_mat4_of_trs: (N, i, o) => N.trsFromMat4(o, N.mat4FromTrs([], i.trs)),
+  trs_from_mat4_sheared: (N, i, o) => N.trsFromMat4(o, sheared(N, i)),
+  quat_from_vectors_opposite: (N, i, o) => N.quatFromVectors(o, i.v[0], opposite(N, i)),
+  vec3_angle_opposite: (N, i, o) => put(o, 0, N.vec3Angle(i.v[0], opposite(N, i))),
+  euler_from_quat_pole: (N, i, o) => N.eulerFromQuat(o, atThePole(N, i), i.order),
+  axes_convert_trs: (N, i, o) => N.axesConvertTrs(o, someAxes(N, i), i.trs),
+  axes_convert_mat4: (N, i, o) => N.axesConvertMat4(o, someAxes(N, i), i.n),
+  limit_apply: (N, i, o) => N.limitApply(o, [...i.q[1], ...i.v[1], ...i.v[2], i.t, abs(i.s[0]), -abs(i.s[1]),
+    abs(i.s[2])], i.q[0]),
+};
+
 export const rowsOfFunctions = {
+  ...motionRows, ...otherRows,
   handle_split: (N, i, o) => {
     const c = handles(i), [left, right] = [[], []];
     N.handleSplit(c, handleTime(N, c, i.t), left, right);
