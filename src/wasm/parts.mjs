@@ -9,6 +9,8 @@ const curves = ['fcurve', 'spline', 'nurbs', 'polycurve', 'track', 'dialect', 'e
 const bodies = ['pose', 'clip', 'skeleton', 'blend', 'transition', 'ik', 'foot', 'retarget', 'blendspace', 'bounds',
   'palette', 'morph', 'partition'];
 
+const clips = ['track', 'pose', 'build', 'clip'];
+
 // Structs of these stems are objects, also if they have floats only.
 export const objectStems = ['root', 'polycurve', 'ik', 'foot', 'bounds', 'clip'];
 
@@ -21,11 +23,12 @@ export const parts = [
   },
   { name: 'math', stems: [...values, ...algebra], enums: ['keyframe'],
     sources: ['objects', 'columns', 'records', 'keyframes'], batch: true, limit: 100, without: /pose_/ },
-  { name: 'clips', stems: [], enums: ['track', 'clip'], sources: ['objects', 'clips'], limit: 35 },
+  { name: 'player', stems: [], sources: ['objects', 'pose', 'player', 'clip'], limit: 25 },
+  { name: 'clips', stems: [], enums: ['track', 'clip'], sources: ['objects', ...clips], limit: 35 },
   { name: 'characters', stems: [], enums: ['track', 'clip', 'blend', 'palette', 'skin'],
-    sources: ['objects', 'clips', 'characters'], limit: 68 },
+    sources: ['objects', ...clips, 'characters'], limit: 68 },
   { name: 'all', stems: [...values, ...algebra, ...curves, ...bodies], enums: ['keyframe', 'palette', 'skin'],
-    sources: ['objects', 'columns', 'records', 'keyframes', 'clips', 'characters', 'motion', 'meshes'],
+    sources: ['objects', 'columns', 'records', 'keyframes', ...clips, 'characters', 'motion', 'meshes'],
     batch: true, limit: 206 },
 ];
 

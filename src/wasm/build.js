@@ -1,0 +1,24 @@
+
+const textAt = (owner, string) => store(owner, new TextEncoder().encode(`${string}\0`), Uint8Array);
+
+function namesAt(owner, { clip = '', joints }, jointCount) {
+  need('names of joints', joints?.length ?? jointCount, jointCount);
+  const each = joints ? store(owner, joints.map(name => textAt(owner, name)), Uint32Array) : 0;
+  return store(owner, [textAt(owner, clip), each], Uint32Array);
+}
+
+// The source of a clip, in memory of `owner`.
+function clipSource(owner, { jointCount = 0, floatCount = 0, tracks = [], rest, restFloats, format, names }) {
+  need('restFloats', restFloats?.length ?? floatCount, floatCount);
+  const list = store(owner, tracks.flatMap(t => [t.target, t.index, ...t.track._use()._words]), Uint32Array);
+  return store(owner, [list, tracks.length, jointCount, floatCount, addressOf(rest), rest?.jointCount ?? 0,
+    store(owner, restFloats), format ?? CLIP_FLOAT32, names ? namesAt(owner, names, jointCount) : 0], Uint32Array);
+}
+
+function buildClip(clip, source, owner) {
+  const from = clipSource(owner, source), count = 3 * source.tracks.length, work = owner._take(4 * count + 4);
+  check('nkw_clip_measure', x.nkw_clip_measure(from, words(0, 0), badAt(), work, count), bad);
+  clip.size = u32[at];
+  clip._p = clip._take(clip.size);
+  check('nkw_clip_build', x.nkw_clip_build(from, clip._p, clip.size, badAt(), work, count), bad);
+}

@@ -1,0 +1,52 @@
+
+/** Many tracks, sampled at one time into one pose (clip.h). */
+export class Clip extends Owner {
+  /** Builds a clip: { jointCount, floatCount, tracks: [{ target, index, track }], rest, restFloats, format, names }. */
+  constructor(source) {
+    super();
+    try {
+      if (source instanceof Uint8Array)
+        this.#open(source);
+      else
+        during(owner => buildClip(this, { tracks: [], ...source }, owner));
+      this.jointCount = x.nkw_clip_joint_count(this._p);
+      this.floatCount = x.nkw_clip_float_count(this._p);
+      this.start = x.nkw_clip_start(this._p);
+      this.end = x.nkw_clip_end(this._p);
+      this.cursorCount = x.nkw_clip_cursor_count(this._p);
+      /** @internal */
+      this._floats = this._take(4 * this.floatCount);
+    } catch (error) {
+      this.dispose();
+      throw error;
+    }
+  }
+  /** Opens a block that nkw_clip_build made, in C or here. The bytes are copied and checked. */
+  static open(bytes) {
+    return new Clip(bytes);
+  }
+  #open(bytes) {
+    /** @internal */
+    this._p = store(this, bytes, Uint8Array);
+    this.size = bytes.length;
+    check('nkw_clip_open', x.nkw_clip_open(this._p, bytes.length, words(0, 0)));
+  }
+  /** The name of the clip, and of a joint; '' without names. */
+  get name() {
+    return text(x.nkw_clip_name(this._use()._p));
+  }
+  jointName(joint) {
+    return text(x.nkw_clip_joint_name(this._use()._p, joint));
+  }
+  /** The block, not a copy: the same bytes on every machine of this byte order. */
+  get bytes() {
+    return new Uint8Array(f32.buffer, this._use()._p, this.size);
+  }
+  /** The pose at `time`, and the separate floats. Either may be null. */
+  sample(time, pose, floats = null) {
+    const span = words(0, addressOf(pose), pose?.jointCount ?? 0);
+    check('nkw_clip_sample', x.nkw_clip_sample(this._use()._p, time, 0, span, floats ? this._floats : 0));
+    for (let k = 0, from = this._floats >> 2; floats && k < this.floatCount; k++)
+      floats[k] = f32[from + k];
+  }
+}

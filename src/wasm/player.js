@@ -1,0 +1,4 @@
+
+function buildClip() {
+  throw new Error('nakawari/player opens clips only: nakawari/clips builds them');
+}
