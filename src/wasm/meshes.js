@@ -35,6 +35,40 @@ export class Morph extends Owner {
   }
 }
 
+// A typed array of n joints or weights as nkw_skin_view, and what reads it back.
+function skinView(array, n) {
+  need('joints or weights', array.length, n);
+  const block = temporary(n * array.BYTES_PER_ELEMENT), place = temporary(12);
+  const copy = () => new array.constructor(f32.buffer, block, n);
+  copy().set(array.subarray(0, n));
+  u32.set([block, 0, formats.get(array.constructor) ?? 99], place >> 2);
+  return { place, read: () => array.set(copy()) };
+}
+
+/** Checks the joints and weights of a mesh: the index of the error is a vertex (nkw_skin_validate). */
+export function skinValidate(mesh, jointCount) {
+  check('nkw_skin_validate', x.nkw_skin_validate(mesh._use()._skin, jointCount, badAt()), bad);
+}
+
+/** Weights that sum to 1 exactly (nkw_skin_normalize_weights), from and to Uint8Array, Uint16Array or Float32Array. */
+export function skinNormalizeWeights(weights, out, influenceCount, vertexCount) {
+  $t(() => {
+    const n = influenceCount * vertexCount, from = skinView(weights, n), to = skinView(out, n);
+    check('nkw_skin_normalize_weights',
+      x.nkw_skin_normalize_weights(from.place, to.place, influenceCount, vertexCount));
+    to.read();
+  });
+}
+
+/** The keepCount largest weights of each vertex of a mesh, and their joints (nkw_skin_prune). */
+export function skinPrune(mesh, keepCount, joints, weights) {
+  $t(() => {
+    const n = keepCount * mesh.vertexCount, to = [skinView(joints, n), skinView(weights, n)];
+    check('nkw_skin_prune', x.nkw_skin_prune(mesh._use()._skin, keepCount, to[0].place, to[1].place));
+    to.forEach(view => view.read());
+  });
+}
+
 /** The boxes of the joints in the bind pose, and one of the vertices without influence (nkw_bounds_from_skin). */
 export function boundsFromSkin(mesh, boxes, jointCount) {
   $t(() => {

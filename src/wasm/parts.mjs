@@ -29,7 +29,7 @@ export const parts = [
     sources: ['objects', ...clips, 'characters'], limit: 68 },
   { name: 'all', stems: [...values, ...algebra, ...curves, ...bodies], enums: ['keyframe', 'palette', 'skin'],
     sources: ['objects', 'columns', 'records', 'keyframes', ...clips, 'characters', 'motion', 'meshes'],
-    batch: true, limit: 206 },
+    batch: true, limit: 220 },
 ];
 
 // Scripts on top of the part of characters, for the objects of another library.

@@ -339,7 +339,14 @@ function atThePole(N, i) {
   return N.quatNormalize([], pole);
 }
 
+const normalized = Format => (N, i, o) => {
+  const out = new Format(8);
+  N.skinNormalizeWeights(Float32Array.from(i.s, abs), out, 4, 2);
+  put(o, 0, [...out]);
+};
+
 const otherRows = {
+  skin_normalize_floats: normalized(Float32Array), skin_normalize_u16: normalized(Uint16Array),
   sincos: (N, i, o) => {
     const [s, c] = [[], []];
     N.sincos(i.s[0], s, c);

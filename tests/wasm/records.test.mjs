@@ -224,6 +224,11 @@ for (const [build, n] of await both('all')) {
     n.boundsFromPalette(palette.update(models), boxes, box);
     near([...box.low, ...box.high], [0, 0, 0, 6, 1, 1], 1e-4);
     assert.throws(() => new n.Morph(mesh, [{ ...sparse, indices: [4] }]), { index: 0 });
+    n.skinValidate(mesh, 2);
+    assert.throws(() => n.skinValidate(mesh, 1), { index: 1 });
+    const kept = [new Uint16Array(8), new Uint8Array(8)];
+    n.skinPrune(mesh, 2, ...kept);
+    assert.deepEqual(kept.map(a => [...a]), [[0, 0, 1, 0, 1, 0, 0, 0], [255, 0, 255, 0, 255, 0, 255, 0]]);
     const parts = { indices: [0, 1, 2, 3, 4, 5], influenceCount: 1, joints: [0, 0, 1, 2, 2, 3], jointCount: 4,
       weights: [1, 1, 1, 1, 1, 1] };
     const two = n.partitionBuild(parts, 2), none = n.partitionBuild(parts, 1);
