@@ -23,11 +23,14 @@ test('the list names stems of the library only', () => {
 });
 
 for (const part of parts) {
-  test(`${part.name}: module and script stay under ${part.limit} KB compressed by gzip`, t => {
+  test(`${part.name}: at most ${part.limit} KB of module and script compressed by gzip, about as docs/web.md states`, t => {
     const bytes = ['', 'wasm/'].map(folder =>
       gzipSync(text(`${packageFolder}/${folder}${part.name}.js`), { level: 9 }).length);
     t.diagnostic(`${part.name}: ${bytes[0]} + ${bytes[1]} bytes`);
     assert.ok(bytes[0] + bytes[1] <= 1000 * part.limit, `${bytes[0]} + ${bytes[1]}`);
+    const row = new RegExp(`^\\| .nakawari/${part.name}\\b.* (\\d+) \\|$`, 'm');
+    const [, stated] = text(`${root}/docs/web.md`).match(row);
+    assert.ok(Math.abs(bytes[0] + bytes[1] - 1000 * stated) < 80 * stated, `docs/web.md states ${stated}`);
   });
 
   test(`${part.name}: the modules import nothing`, async () => {
