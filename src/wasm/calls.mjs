@@ -47,7 +47,7 @@ function shape(p, f, headers) {
   }
   const n = value ? '1' : lengthOfParameter(p, f), type = recordType(p.type);
   if (record && n === '1' && (value || p.constant))
-    return { name, type, pass: `$i(${of.kind}, ${name}${value ? ' ?? {}' : ''})` };
+    return { name, type, pass: `$i(${of.kind}, ${name})` };
   if (record && n === '1')
     return { name, type: `Partial<${type}> | null`, before: `const ${name}At = ${name} ? $i(${of.kind}, ${name}) : 0;`,
       pass: `${name}At`, after: `$g(${of.kind}, ${name}, ${name}At);` };
@@ -63,9 +63,9 @@ function shape(p, f, headers) {
 // The result: what JavaScript receives, and the memory of a struct; undefined if it does not fit.
 function resultOf(f, headers) {
   if (!headers.structs.has(f.type)) {
-    const void0 = /^(void|nkw_result)$/.test(f.type);
+    const nothing = /^(void|nkw_result)$/.test(f.type);
     return f.type.includes('*') ? undefined
-      : { type: void0 ? 'void' : f.type === 'int64_t' ? 'bigint' : 'number', back: void0 ? '' : 'return y;' };
+      : { type: nothing ? 'void' : f.type === 'int64_t' ? 'bigint' : 'number', back: nothing ? '' : 'return y;' };
   }
   const { kind, words } = kindOf(f.type, headers);
   if (isRecord(f.type, headers))

@@ -5,7 +5,7 @@ import { mkdirSync, readFileSync, writeFileSync, copyFileSync } from 'node:fs';
 import { deflateRawSync } from 'node:zlib';
 import { readHeaders } from './headers.mjs';
 import { scriptName, writeFunction } from './functions.mjs';
-import { writeRecords } from './layouts.mjs';
+import { writeConstants, writeRecords } from './layouts.mjs';
 import { adapters, excluded, excludedStems, objectStems, parts, partial } from './parts.mjs';
 
 const here = new URL('.', import.meta.url).pathname;
@@ -56,16 +56,17 @@ function writePart(part, headers, out, wasm) {
   const enums = [...headers.enums].filter(([name]) => stems.some(s => headers.enumStem.get(name) === s));
   const title = `// SPDX-License-Identifier: MIT\n// nakawari: generated from the headers of the C library.\n`;
   const code = [...part.sources.map(source), ...functions.map(f => f.code)].join('\n');
-  const records = writeRecords(code, headers);
+  const records = writeRecords(code, headers), constants = writeConstants(stems, headers);
   const js = [source('core').replaceAll('PART', part.name), ...records.map(r => r.code),
-    ...enums.flatMap(([, members]) => members.map(([name, value]) => `export const ${name} = ${value};`)), code];
+    ...enums.flatMap(([, members]) => members.map(([name, value]) => `export const ${name} = ${value};`)),
+    ...constants.map(c => c.code), code];
   const camel = name => scriptName(name).replace(/^./, c => c.toUpperCase());
   const ts = [title, readFileSync(`${here}core.d.ts`, 'utf8'),
     ...part.sources.map(s => readFileSync(`${here}${s}.d.ts`, 'utf8')),
     ...[...headers.enums.keys()].filter(name => functions.some(f => f.type.includes(camel(name))) ||
       enums.some(([e]) => e === name)).map(name => `export type ${camel(name)} = number;`),
     ...enums.flatMap(([, members]) => members.map(([name, value]) => `export const ${name}: ${value};`)),
-    ...records.map(r => r.type).filter(Boolean), ...functions.map(f => f.type)];
+    ...constants.map(c => c.type), ...records.map(r => r.type).filter(Boolean), ...functions.map(f => f.type)];
   writeFileSync(`${out}/${part.name}.js`, title + short(js.join('\n')) + '\n');
   writeFileSync(`${out}/${part.name}.d.ts`, ts.join('\n') + '\n');
   const base64 = (file, pack) => `export default '${pack(readFileSync(`${wasm}/${file}.wasm`)).toString('base64')}';\n`;

@@ -35,7 +35,7 @@ function fieldsOf(text) {
 
 // Structs of floats have `words`, except those of the stems `objects`.
 export function readHeaders(folder, stems, objects) {
-  const functions = new Map(), structs = new Map(), enums = new Map(), enumStem = new Map();
+  const functions = new Map(), structs = new Map(), enums = new Map(), enumStem = new Map(), constants = [];
   const widths = type => number[type] ?? (enums.has(type) ? 1 : structs.get(type)?.words);
   // Of structs of floats only.
   const wordsOf = type => type === 'float' ? 1 : structs.get(type)?.words ?? NaN;
@@ -59,6 +59,9 @@ export function readHeaders(folder, stems, objects) {
       const words = fields.reduce((sum, f) => sum + (f.pointer ? NaN : wordsOf(f.type) * f.length), 0);
       structs.set(name, { fields, stem, words: objects.includes(stem) ? undefined : words || undefined });
     }
+    // Macros that are an initialiser of names of enumerations, or a number: NKW_AXES_GLTF, NKW_NO_JOINT.
+    for (const [, name, body] of text.matchAll(/^#define (NKW_\w+)[\s\\]*(\{[^{}]*\}|\(-?\d+\))/gm))
+      constants.push({ name, stem, body: body.replace(/[\\\s{}()]/g, '') });
     for (const [, comment, before, args] of text.matchAll(
       /(\/\*\*(?:(?!\*\/)[\s\S])*\*\/\s*)?(?:^NKW_API|^NKW_ALGEBRA\w*)\s+([^;{}()]*?)\(([^;]*?)\);/gm)) {
       const [, type, star, name] = before.trim().match(/^((?:const )?\w+)\s+(\*?)\s*(\w+)$/);
@@ -67,5 +70,5 @@ export function readHeaders(folder, stems, objects) {
       functions.set(name, { name, stem, type: type + star, parameters, summary: about });
     }
   }
-  return { functions, structs, enums, enumStem, widths };
+  return { functions, structs, enums, enumStem, constants, widths };
 }

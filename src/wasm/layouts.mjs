@@ -26,7 +26,7 @@ export function kindOf(type, headers) {
     const { bytes, align } = layoutOf(type, headers);
     return { kind: '$' + type, bytes, align, words: 1 };
   }
-  const [kind, bytes] = headers.enums.has(type) ? ['u', 4] : kinds[type] ?? [];
+  const [kind, bytes] = headers.enums.has(type) ? ['i', 4] : kinds[type] ?? [];
   return kind && { kind, bytes, align: bytes, words: 1 };
 }
 
@@ -89,4 +89,17 @@ export function writeRecords(js, headers) {
   };
   [...js.matchAll(/\$(nkw_\w+)/g)].forEach(m => visit(m[1]));
   return [...found.values()];
+}
+
+// The constants of stems: a number, or an object of the struct whose name begins that of the constant.
+export function writeConstants(stems, headers) {
+  const numberOf = new Map([...headers.enums.values()].flat());
+  return headers.constants.filter(c => stems.includes(c.stem)).map(({ name, body }) => {
+    const type = [...headers.structs.keys()].find(struct => name.toLowerCase().startsWith(`${struct}_`));
+    const numbers = body.split(',').map(item => numberOf.get(item.slice(4)) ?? Number(item));
+    const js = name.slice(4), fields = headers.structs.get(type)?.fields ?? [];
+    const record = `{ ${fields.map((f, k) => `${field(f.name)}: ${numbers[k]}`).join(', ')} }`;
+    return { code: `export const ${js} = ${type ? record : numbers[0]};`,
+      type: `export const ${js}: ${type ? recordType(type) : numbers[0]};` };
+  });
 }

@@ -68,7 +68,7 @@ function putOne(at, kind, value) {
   if (kind === 'f')
     f32[at >> 2] = value ?? 0;
   else if (kind === 'u' || kind === 'i')
-    u32[at >> 2] = value ?? 0;
+    u32[at >> 2] = value ?? 0; // modulo 2^32
   else if (typeof kind !== 'string')
     put(kind, at, value);
   else
@@ -104,7 +104,8 @@ function put(layout, at, value) {
 }
 
 function getOne(at, kind) {
-  return kind === 'f' ? f32[at >> 2] : kind === 'u' ? u32[at >> 2] : typeof kind !== 'string' ? get(kind, at)
+  return kind === 'f' ? f32[at >> 2] : kind === 'u' ? u32[at >> 2] : kind === 'i' ? u32[at >> 2] | 0
+    : typeof kind !== 'string' ? get(kind, at)
     : data()[setters[kind].replace('set', 'get')](at, true);
 }
 
@@ -126,7 +127,9 @@ function get(layout, at) {
 
 // For generated functions: the address of a record, of an array, and what they become.
 function $i(layout, value) {
-  if (!value)
+  if (value === undefined)
+    throw new TypeError(`nakawari: no ${layout[1].slice(4)}`);
+  if (value === null)
     return 0;
   if (value instanceof Owner && value._type === layout[1])
     return value._use()._p;
@@ -134,7 +137,11 @@ function $i(layout, value) {
   put(layout, block, value);
   return block;
 }
-const $a = arrayAt;
+function $a(kind, array, n, name) {
+  if (array === undefined)
+    throw new TypeError(`nakawari: no ${name}`);
+  return arrayAt(kind, array, n, name);
+}
 const $m = layout => temporary(layout[0]);
 const $g = (layout, out, at) => out && Object.assign(out, get(layout, at));
 // The address of an array that receives n values, with its present ones; then $v reads them back.

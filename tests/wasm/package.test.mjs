@@ -23,7 +23,7 @@ test('the list names stems of the library only', () => {
 });
 
 for (const part of parts) {
-  test(`${part.name}: at most ${part.limit} KB of module and script compressed by gzip, about as docs/web.md states`, t => {
+  test(`${part.name}: at most ${part.limit} KB of module and script after gzip, about as docs/web.md states`, t => {
     const bytes = ['', 'wasm/'].map(folder =>
       gzipSync(text(`${packageFolder}/${folder}${part.name}.js`), { level: 9 }).length);
     t.diagnostic(`${part.name}: ${bytes[0]} + ${bytes[1]} bytes`);

@@ -175,7 +175,10 @@ for (const [build, n] of await both('all')) {
     n.timecodeFromFrame(1800, 30, 1, clock);
     assert.deepEqual(clock, { hours: 0, minutes: 1, seconds: 0, frames: 2 });
     const map = n.axesMapFromAxes({}, n.AXES_BLENDER, n.AXES_GLTF);
-    assert.equal(typeof map.x, 'number');
+    assert.deepEqual(map, { x: n.AXIS_X, y: n.AXIS_Z, z: n.AXIS_NEGATIVE_Y });
+    assert.deepEqual(n.axesConvertVec3([], map, [1, 2, 3]), [1, 3, -2]);
+    assert.throws(() => n.axesConvertVec3([], undefined, [1, 2, 3]), /no axes_map/);
+    assert.throws(() => n.axesConvertVec3([], map), /no v/);
   });
 
   test(`${build}: names, reduced clips and their tracks`, () => {
