@@ -1,6 +1,6 @@
 
 function take(bytes) {
-  const block = x.take(bytes);
+  const block = bytes >= 0 && bytes < 2 ** 31 ? x.take(bytes) : 0;
   look();
   if (!block)
     throw new RangeError(`nakawari: no memory for ${bytes} bytes`);

@@ -14,7 +14,7 @@ let arena = 0, used = 0, view;
 function temporary(bytes) {
   arena ||= take(arenaBytes);
   const place = used, end = used + Math.ceil(bytes / 8) * 8;
-  if (end <= arenaBytes) {
+  if (bytes >= 0 && end <= arenaBytes) {
     used = end;
     return arena + place;
   }
@@ -138,7 +138,7 @@ function $i(layout, value) {
   return block;
 }
 function $a(kind, array, n, name) {
-  if (array === undefined)
+  if (array === undefined || (array === null && typeof kind !== 'string'))
     throw new TypeError(`nakawari: no ${name}`);
   return arrayAt(kind, array, n, name);
 }

@@ -247,6 +247,9 @@ for (const [build, n] of await both('all')) {
       ({ time: k, value: k, in: [0, 0], out: [0, 0], kind: n.FCURVE_LINEAR, ease: 0 }));
     assert.equal(n.fcurveFindRegression(keys, 5000), 5000);
     assert.throws(() => n.fcurveFindRegression(keys, 5001), RangeError);
+    assert.throws(() => n.fcurveFindRegression(null, 4), /no keys/);
+    for (const count of [1e9, NaN])
+      assert.throws(() => new n.Pose(count), RangeError, `${count}`);
     const big = new n.FCurve({ keys });
     assert.equal(big.sample(4711.5, [])[0], 4711.5);
     big.dispose();
