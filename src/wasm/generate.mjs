@@ -2,6 +2,7 @@
 // node generate.mjs exports ROOT PART            the linker's --export options of a part
 // node generate.mjs package ROOT WASM OUT VERSION    the package, from WASM/PART.wasm and WASM/PART.plain.wasm
 import { mkdirSync, readFileSync, writeFileSync, copyFileSync } from 'node:fs';
+import { dirname } from 'node:path';
 import { deflateRawSync } from 'node:zlib';
 import { readHeaders } from './headers.mjs';
 import { scriptName, writeFunction } from './functions.mjs';
@@ -74,10 +75,13 @@ function writePart(part, headers, out, wasm) {
   writeFileSync(`${out}/wasm/${part.name}.plain.js`, base64(`${part.name}.plain`, b => b));
 }
 
-// Scripts on top of a part, with its memory.
-function writeAdapter(name, out) {
-  writeFileSync(`${out}/${name}.js`, `// SPDX-License-Identifier: MIT\n${short(source(name))}\n`);
-  copyFileSync(`${here}${name}.d.ts`, `${out}/${name}.d.ts`);
+// A script on top of a part: an import of the part of characters becomes one of its own part.
+function writeAdapter([name, part], out) {
+  const file = name.split('/').at(-1), to = `'${name.includes('/') ? '..' : '.'}/${part}.js'`;
+  const over = text => text.replaceAll("'./characters.js'", to);
+  mkdirSync(dirname(`${out}/${name}`), { recursive: true });
+  writeFileSync(`${out}/${name}.js`, `// SPDX-License-Identifier: MIT\n${over(short(source(file)))}\n`);
+  writeFileSync(`${out}/${name}.d.ts`, over(readFileSync(`${here}${file}.d.ts`, 'utf8')));
 }
 
 function writePackage(root, wasm, out, version) {
@@ -87,14 +91,14 @@ function writePackage(root, wasm, out, version) {
   mkdirSync(`${out}/wasm`, { recursive: true });
   for (const part of parts)
     writePart(part, headers, out, wasm);
-  adapters.forEach(name => writeAdapter(name, out));
+  Object.entries(adapters).forEach(adapter => writeAdapter(adapter, out));
   const entry = name => ({ types: `./${name}.d.ts`, default: `./${name}.js` });
   writeFileSync(`${out}/package.json`, JSON.stringify({
     name: 'nakawari', version, license: 'MIT', type: 'module', sideEffects: false,
     description: 'Keyframe interpolation mathematics: the same bits everywhere',
     engines: { node: '>=18' },
     exports: { '.': entry('all'), ...Object.fromEntries(
-      [...parts.map(part => part.name), ...adapters].map(name => [`./${name}`, entry(name)])) },
+      [...parts.map(part => part.name), ...Object.keys(adapters)].map(name => [`./${name}`, entry(name)])) },
   }, null, 2) + '\n');
   copyFileSync(`${root}/LICENSE`, `${out}/LICENSE`);
   copyFileSync(`${root}/docs/web.md`, `${out}/README.md`);

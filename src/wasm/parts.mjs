@@ -32,8 +32,8 @@ export const parts = [
     batch: true, limit: 220 },
 ];
 
-// Scripts on top of the part of characters, for the objects of another library.
-export const adapters = ['three'];
+// Scripts for the objects of another library, and the part on top of which each is: its memory is that of this part.
+export const adapters = { three: 'characters', 'all/three': 'all' };
 
 // Of the arrays of a struct how many values they have, and of numbers in a struct what they are by default.
 const stride = '10 * 16 * Math.ceil(jointCount / 16)';

@@ -69,12 +69,12 @@ export function poseToObjects(rig: Rig, pose: Pose): void;
 /** Writes the separate floats of a clip into the morph target influences. */
 export function floatsToObjects(rig: Rig, floats: FloatArray): void;
 /** Fills the bone matrices of a three.js Skeleton with a Palette. Its bones have no effect on them from here on. */
-export function fillSkeleton(skeleton: SkeletonLike, palette: Palette): void;
+export function fillSkeleton(skeleton: SkeletonLike, palette: Pick<Palette, 'array'>): void;
 /**
  * Gives a three.js Skeleton a bone texture with the matrices of all characters of a Crowd, a row each: the memory of
  * the crowd, not a copy. Call it after each Crowd.play. For a SkinnedMesh with an InstancedBufferGeometry and a
  * material of instanceMaterial.
  */
-export function fillInstances(skeleton: SkeletonLike, crowd: Crowd): void;
+export function fillInstances(skeleton: SkeletonLike, crowd: Pick<Crowd, 'array' | 'jointCount' | 'count'>): void;
 /** Lets a material of the WebGLRenderer, also one for shadows, take the matrices of fillInstances. */
 export function instanceMaterial<T extends MaterialLike>(material: T): T;

@@ -8,8 +8,12 @@ import { numbers, packageFolder, root, rotation } from './support.mjs';
 const three = process.env.NKW_THREE;
 const THREE = await import(`${three}/build/three.module.js`);
 const { GLTFLoader } = await import(`${three}/examples/jsm/loaders/GLTFLoader.js`);
-const n = await import(`${packageFolder}/characters.js`), adapter = await import(`${packageFolder}/three.js`);
-await n.ready;
+const over = async (part, name) => {
+  const [n, adapter] = [await import(`${packageFolder}/${part}.js`), await import(`${packageFolder}/${name}.js`)];
+  await n.ready;
+  return { n, adapter };
+};
+const { n, adapter } = await over('characters', 'three');
 
 async function character() {
   const bytes = Uint8Array.from(readFileSync(`${root}/docs/examples/character.glb`));
@@ -58,6 +62,13 @@ test('a crowd of a file has the matrices of the mixer, for LINEAR, STEP and CUBI
   });
   t.diagnostic(`largest difference of an element: ${worst}`);
   assert.ok(worst < 1e-5, `${worst}`);
+});
+
+test('the adapter of the part all makes objects of that part', async () => {
+  const all = await over('all', 'all/three'), { scene, animations } = await character();
+  const rig = all.adapter.rigFromObject(scene), clip = all.adapter.clipFromAnimation(rig, animations[0]);
+  assert.ok(clip instanceof all.n.Clip && !(clip instanceof n.Clip));
+  assert.deepEqual([...clip.bytes], [...adapter.clipFromAnimation(adapter.rigFromObject(scene), animations[0]).bytes]);
 });
 
 test('a pose written into objects gives the matrices that a palette fills in', async () => {
