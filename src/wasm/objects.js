@@ -77,7 +77,7 @@ export class Floats extends Owner {
     super();
     this.count = count;
     /** @internal */
-    this._p = this._take(4 * count || 4);
+    this._p = this._take(count === 0 ? 4 : 4 * count);
   }
   /** The floats themselves, not a copy. Read it again after an object was made: the memory may have moved. */
   get array() {
