@@ -39,6 +39,8 @@ export interface MaterialLike {
 /** A tree of objects as a skeleton: joint i is objects[i], parents first. */
 export interface Rig {
   readonly objects: ObjectLike[];
+  /** the joint above each joint, -1 for the first */
+  readonly parents: number[];
   readonly jointOf: Map<ObjectLike, number>;
   /** by uuid and by name */
   readonly named: Map<string, ObjectLike>;

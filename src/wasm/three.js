@@ -29,13 +29,13 @@ export function rigFromObject(root, wanted) {
     }
   });
   const jointOf = new Map(objects.map((object, i) => [object, i]));
-  const skeleton = new Skeleton(objects.map((object, i) => i ? jointOf.get(object.parent) : -1));
+  const parents = objects.map((object, i) => i ? jointOf.get(object.parent) : -1), skeleton = new Skeleton(parents);
   const rest = new Pose(objects.length);
   objects.forEach((o, i) => rest.set(i, [...o.position.toArray(), ...o.quaternion.toArray(), ...o.scale.toArray()]));
   const named = new Map();
   for (const object of [...objects, ...morphs.map(m => m.object)].reverse())
     named.set(object.uuid, object).set(object.name, object);
-  return { objects, jointOf, named, skeleton, rest, morphs, restFloats, floatCount: restFloats.length };
+  return { objects, parents, jointOf, named, skeleton, rest, morphs, restFloats, floatCount: restFloats.length };
 }
 
 const targets = { position: CLIP_TRANSLATION, quaternion: CLIP_ROTATION, scale: CLIP_SCALE };

@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: MIT
+// The channels of an animation: their keys as they are in the file, and the track that the library makes of them.
+import type { Track } from 'nakawari/all';
+import { type KeyframesLike, type Rig, trackFromKeyframes } from 'nakawari/all/three';
+import { componentBytes, type Json, type Loaded } from './read';
+
+export interface Channel {
+  name: string;
+  property: string;
+  mode: 'LINEAR' | 'STEP' | 'CUBICSPLINE';
+  times: Float32Array;
+  /** As in the file: with tangents for CUBICSPLINE. */
+  values: Float32Array;
+  width: number;
+  /** Bytes of a component in the file. */
+  componentBytes: number;
+  /** The value of a key, without tangents. */
+  value(key: number): Float32Array;
+  /** null where the library refuses it (error), or where it animates nothing (unused). */
+  track: Track | null;
+  error: unknown;
+  unused: boolean;
+}
+
+const paths: Record<string, string> =
+  { position: 'translation', quaternion: 'rotation', scale: 'scale', morphTargetInfluences: 'weights' };
+
+function bytesOf(json: Json, animation: number, node: number | undefined, property: string) {
+  const { channels, samplers } = json.animations![animation];
+  const channel = channels.find(c => c.target.node === node && c.target.path === paths[property]);
+  const accessor = channel && json.accessors![samplers[channel.sampler].output];
+  return accessor ? componentBytes(accessor) : 4;
+}
+
+function channelOf(rig: Rig, from: KeyframesLike, bytes: (object: string, property: string) => number): Channel {
+  const [, name, property] = from.name.match(/^(.*)\.(\w+)$/)!, object = rig.named.get(name);
+  const cubic = (from.createInterpolant as { isInterpolantFactoryMethodGLTFCubicSpline?: true } | undefined)
+    ?.isInterpolantFactoryMethodGLTFCubicSpline;
+  const mode = cubic ? 'CUBICSPLINE' : from.getInterpolation() === 2300 ? 'STEP' : 'LINEAR';
+  const times = Float32Array.from(from.times), values = Float32Array.from(from.values);
+  const width = values.length / times.length / (cubic ? 3 : 1), step = cubic ? 3 * width : width;
+  const made: Channel = {
+    name: object?.name || name, property, mode, times, values, width, componentBytes: bytes(name, property),
+    value: key => values.subarray(step * key + (cubic ? width : 0), step * key + (cubic ? 2 * width : width)),
+    track: null, error: null, unused: false,
+  };
+  try {
+    const found = trackFromKeyframes(rig, from);
+    made.track = found?.track ?? null;
+    made.unused = !found;
+  } catch (error) {
+    made.error = error;
+  }
+  return made;
+}
+
+/** The channels of animation `index`. */
+export function channelsOf({ json, gltf }: Loaded, rig: Rig, index: number): Channel[] {
+  const bytes = (name: string, property: string) => {
+    const object = rig.named.get(name), found = object && gltf.parser.associations.get(object as never);
+    return bytesOf(json, index, found?.nodes, property);
+  };
+  return gltf.animations[index].tracks.map(track => channelOf(rig, track as unknown as KeyframesLike, bytes));
+}

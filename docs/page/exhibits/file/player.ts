@@ -1,0 +1,122 @@
+// SPDX-License-Identifier: MIT
+// The model of a file, moved by clips of the library.
+import {
+  Clip, CLIP_FLOAT32, CLIP_UNORM16, type ClipFormat, clipReduce, clipSourceReduce, Pose, poseValidate,
+} from 'nakawari/all';
+import {
+  clipFromAnimation, floatsToObjects, type KeyframesLike, poseToObjects, type Rig, rigFromObject, trackFromKeyframes,
+} from 'nakawari/all/three';
+import type * as Three from '../../kit/three';
+import type { Library, View } from '../../kit/view3';
+import { accessorBytes, type Loaded } from './read';
+
+export interface Sizes {
+  /** Bytes of the arrays of the animation in the file. */
+  file: number;
+  float32: number;
+  unorm16: number;
+  /** With as few keys, and packed, as 1/10000 of the model's size permits; NaN for more than `most` keys. */
+  reduced: number;
+}
+const most = 20000;
+
+export interface Player {
+  rig: Rig;
+  /** A clip for each animation, or the error of the library. */
+  clips: (Clip | Error)[];
+  sizes: Sizes[];
+  show(clip: number, time: number): void;
+  dispose(): void;
+}
+
+function fileBytes({ json }: Loaded, index: number) {
+  const samplers = json.animations![index].samplers, used = new Set(samplers.flatMap(s => [s.input, s.output]));
+  return [...used].reduce((sum, accessor) => sum + accessorBytes(json.accessors![accessor]), 0);
+}
+
+function attempt(rig: Rig, animation: Three.AnimationClip, format: ClipFormat): Clip | Error {
+  try {
+    return clipFromAnimation(rig, animation as never, { format });
+  } catch (error) {
+    return error as Error;
+  }
+}
+
+// The packed size; the clip itself is not kept.
+function packed(rig: Rig, animation: Three.AnimationClip) {
+  const clip = attempt(rig, animation, CLIP_UNORM16);
+  if (clip instanceof Error)
+    return NaN;
+  const { size } = clip;
+  clip.dispose();
+  return size;
+}
+
+// `size`: the diagonal of the model; each of the two steps has half of the tolerance. Points of the skin are taken to be within a tenth of it from their joints.
+function reduced(rig: Rig, animation: Three.AnimationClip, size: number) {
+  if (!(size > 0) || animation.tracks.reduce((sum, track) => sum + track.times.length, 0) > most)
+    return NaN;
+  const tracks = animation.tracks.map(track => trackFromKeyframes(rig, track as unknown as KeyframesLike)).filter(t => t !== null);
+  const { rest, restFloats, floatCount, parents } = rig;
+  const source = { jointCount: parents.length, floatCount, tracks, rest, restFloats };
+  const reduction = { parents, tolerance: size / 2e4, distance: size / 10, floatTolerance: 1e-4 };
+  const less = clipSourceReduce(source, reduction), clip = clipReduce(less, reduction), bytes = clip.size;
+  [clip, ...tracks.map(t => t.track), ...less.tracks!.map(t => t.track)].forEach(object => object.dispose());
+  return bytes;
+}
+
+// A group of about two units of height or width, with the model's foot on the floor.
+function frame(three: Library, scene: Three.Group, box: Three.Box3) {
+  const made = new three.Group();
+  made.add(scene);
+  const size = box.getSize(new three.Vector3()), middle = box.getCenter(new three.Vector3());
+  const scale = 2 / Math.max(size.x, size.y, size.z);
+  if (Number.isFinite(scale) && scale > 0) {
+    made.scale.setScalar(scale);
+    made.position.set(-middle.x * scale, -box.min.y * scale, -middle.z * scale);
+  }
+  return made;
+}
+
+function free(scene: Three.Object3D) {
+  scene.traverse(object => {
+    const { geometry, material } = object as Partial<Three.Mesh>;
+    geometry?.dispose();
+    for (const one of material ? [material].flat() : []) {
+      Object.values(one).forEach(value => (value as Three.Texture | null)?.isTexture && (value as Three.Texture).dispose());
+      one.dispose();
+    }
+  });
+}
+
+export function makePlayer(three: Library, view: View, loaded: Loaded): Player {
+  const { scene, animations } = loaded.gltf, rig = rigFromObject(scene);
+  poseValidate(rig.rest);
+  const box = new three.Box3().setFromObject(scene), diagonal = box.getSize(new three.Vector3()).length();
+  const clips = animations.map(animation => attempt(rig, animation, CLIP_FLOAT32));
+  const sizes = animations.map((animation, i) => ({
+    file: fileBytes(loaded, i), unorm16: packed(rig, animation),
+    float32: clips[i] instanceof Clip ? (clips[i] as Clip).size : NaN,
+    reduced: clips[i] instanceof Clip ? reduced(rig, animation, diagonal) : NaN,
+  }));
+  const pose = new Pose(rig.objects.length), floats = new Float32Array(rig.floatCount), group = frame(three, scene, box);
+  view.scene.add(group);
+  scene.traverse(object => { object.frustumCulled = false; });
+  return {
+    rig, clips, sizes,
+    show(index, time) {
+      const clip = clips[index];
+      if (clip instanceof Clip) {
+        clip.sample(time, pose, floats);
+        poseToObjects(rig, pose);
+        floatsToObjects(rig, floats);
+      }
+    },
+    dispose() {
+      group.removeFromParent();
+      free(scene);
+      clips.forEach(clip => clip instanceof Clip && clip.dispose());
+      [pose, rig.rest, rig.skeleton].forEach(object => object.dispose());
+    },
+  };
+}
