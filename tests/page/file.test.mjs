@@ -15,7 +15,8 @@ function changed(edit) {
   edit(json, binary);
   const text = Buffer.from(JSON.stringify(json)), padded = Buffer.concat([text, Buffer.alloc(-text.length & 3, ' ')]);
   const head = Buffer.alloc(20), chunk = Buffer.alloc(8);
-  [0x46546c67, 2, 28 + padded.length + binary.length, padded.length, 0x4e4f534a].forEach((x, i) => head.writeUInt32LE(x, 4 * i));
+  const words = [0x46546c67, 2, 28 + padded.length + binary.length, padded.length, 0x4e4f534a];
+  words.forEach((x, i) => head.writeUInt32LE(x, 4 * i));
   [binary.length, 0x4e4942].forEach((x, i) => chunk.writeUInt32LE(x, 4 * i));
   return Buffer.concat([head, padded, chunk, binary]);
 }
@@ -42,7 +43,8 @@ const findings = tab => tab.evaluate(() => [...document.querySelectorAll('[data-
 test('the example: channels, sizes, no findings; the C program prints the value of the page', async () => {
   const { tab, problems } = await open('file?lang=en&source=example&clip=2&channel=1&time=0.4');
   await tab.waitForSelector('[data-name="value.0"]', { timeout: 60000 });
-  const { 'bytes_file.0': file, 'bytes_float32.0': float32, 'bytes_unorm16.0': unorm16, 'bytes_reduced.0': reduced, ...numbers } = await shown(tab);
+  const { 'bytes_file.0': file, 'bytes_float32.0': float32, 'bytes_unorm16.0': unorm16, 'bytes_reduced.0': reduced,
+    ...numbers } = await shown(tab);
   assert.equal(file, 1000);
   assert.ok(unorm16 < float32 && reduced < float32, `${unorm16} ${reduced} ${float32}`);
   assert.deepEqual(await printed(tab), numbers);

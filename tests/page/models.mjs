@@ -17,8 +17,10 @@ export const close = () => browser.close();
 /** An exhibit by its address; `problems` receives what the console has. */
 export async function open(address, options = {}) {
   const tab = await browser.newPage({ viewport: { width: 1280, height: 800 }, ...options }), problems = [];
-  tab.on('console', message => ['error', 'warning'].includes(message.type()) && !/GL Driver Message|GPU stall/.test(message.text()) &&
-    problems.push(message.text()));
+  tab.on('console', message => {
+    if (/error|warning/.test(message.type()) && !/GL Driver Message|GPU stall/.test(message.text()))
+      problems.push(message.text());
+  });
   tab.on('pageerror', error => problems.push(String(error)));
   await tab.goto(`file://${page}/index.html#${address}`);
   return { tab, problems };

@@ -92,7 +92,8 @@ interface Parts {
   step: number;
 }
 // Which characters play which clip.
-const partsOf = ({ clip }: State): Parts[] => clip === 'mixed' ? clips.map((_, k) => ({ clip: k, from: k, step: clips.length }))
+const partsOf = ({ clip }: State): Parts[] => clip === 'mixed'
+  ? clips.map((_, k) => ({ clip: k, from: k, step: clips.length }))
   : [{ clip: clips.indexOf(clip), from: 0, step: 1 }];
 const partOf = (state: State, character: number) => partsOf(state).find(p => (character - p.from) % p.step === 0)!;
 const chosen = (state: State) => Math.min(state.character, state.count - 1);
@@ -136,14 +137,15 @@ function stageOf(three: Library, view: View, actors: Cast) {
     of(character: number, joint: number) {
       const group = groups.find(g => g.members.includes(character))!, k = group.members.indexOf(character);
       const at = 16 * (k * group.crowd.jointCount + joint);
-      return { time: group.times[k], matrix: group.crowd.array.slice(at, at + 16), root: group.roots.slice(16 * k, 16 * k + 16) };
+      const { times, crowd, roots } = group;
+      return { time: times[k], matrix: crowd.array.slice(at, at + 16), root: roots.slice(16 * k, 16 * k + 16) };
     },
   };
 }
 
 function ring(three: Library) {
   const made = new three.Mesh(new three.RingGeometry(0.36, 0.44, 40).rotateX(-Math.PI / 2),
-    new three.MeshBasicMaterial({ color: 0xe07000 }));
+    new three.MeshBasicMaterial({ color: 0xe07000, depthTest: false, transparent: true }));
   made.position.y = 0.01;
   return made;
 }
@@ -221,14 +223,16 @@ export const crowd: Exhibit<State> = {
   id: 'crowd',
   title: { en: 'A crowd', ja: '群衆' },
   lead: {
-    en: 'A thousand characters, each at its own time and place in a clip. Play, and switch between <code>Crowd</code> ' +
-      'of this library and the <code>AnimationMixer</code> of three.js: the picture stays, the time does not.',
+    en: 'A thousand characters, each at its own time and place in a clip. Play, and switch between ' +
+      '<code>Crowd</code> of this library and the <code>AnimationMixer</code> of three.js: the picture stays, ' +
+      'the time does not.',
     ja: '千人のキャラクターが、それぞれ別の時刻と場所でクリップを再生します。再生しながら、このライブラリの <code>Crowd</code> と ' +
       'three.js の <code>AnimationMixer</code> を切り替えてみてください。絵は変わらず、計算時間だけが変わります。',
   },
   fields: {
-    count: whole(1000, 1, 4000), clip: choice('mixed', [...clips, 'mixed']), by: choice<By>('crowd', ['crowd', 'mixer']),
-    character: whole(0, 0, 3999), joint: whole(0, 0, 17), time: number(0, 0, 20), ...cameraFields(30, 25, 30),
+    count: whole(1000, 1, 4000), clip: choice('mixed', [...clips, 'mixed']),
+    by: choice<By>('crowd', ['crowd', 'mixer']), character: whole(999, 0, 3999), joint: whole(0, 0, 17),
+    time: number(0, 0, 20), ...cameraFields(30, 25, 30),
   },
   range: () => ({ start: 0, end: 20 }),
   mount,

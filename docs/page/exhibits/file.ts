@@ -107,11 +107,13 @@ function tables(room: Room<State>) {
   const value = () => {
     const channel = current && channelOf(room.state, current), out = new Float32Array(channel?.width ?? 0);
     channel?.track?.sample(room.state.time, out);
-    return channel?.track ? [{ name: 'value', label: components(channel).slice(0, 8).join(' '), values: out.slice(0, 8) }] : [];
+    const label = channel ? components(channel).slice(0, 8).join(' ') : '';
+    return channel?.track ? [{ name: 'value', label, values: out.slice(0, 8) }] : [];
   };
   const sizes = () => {
     const found = current?.player.sizes[clipOf(room.state, current)];
-    return found ? sizeRows.filter(({ name }) => Number.isFinite(found[name])).map(({ name, label }) => ({ name: `bytes_${name}`, label, values: [found[name]], digits: 0 })) : [];
+    return !found ? [] : sizeRows.filter(({ name }) => Number.isFinite(found[name])).map(({ name, label }) =>
+      ({ name: `bytes_${name}`, label, values: [found[name]], digits: 0 }));
   };
   numberTable(room, words.value, value);
   numberTable(room, words.sizes, sizes);
@@ -152,12 +154,14 @@ function entrance(room: Room<State>, status: HTMLElement, load: (file: NonNullab
     removeEventListener('drop', drop);
   });
   room.stage.append(element('div', { class: 'entrance' },
-    [element('label', {}, [`${say(words.pick)} `, input]), example, element('p', { class: 'note' }, say(words.private)), status]));
+    [element('label', {}, [`${say(words.pick)} `, input]), example,
+      element('p', { class: 'note' }, say(words.private)), status]));
 }
 
 function mount(room: Room<State>) {
   const status = element('p', { role: 'status' }), box = element('div', { class: 'details' });
-  const plot = element('div', { class: 'curves', role: 'img', 'aria-label': say(words.curve) }), curves = makeCurves(plot);
+  const plot = element('div', { class: 'curves', role: 'img', 'aria-label': say(words.curve) });
+  const curves = makeCurves(plot);
   let view: View | null | undefined, turn = 0, shown = '';
   const close = () => {
     current?.player.dispose();

@@ -51,7 +51,8 @@ export function timeOf(clip: Clip, time: number, i: number) {
 
 /** Translation, heading and size of character i of `count`: a square, one unit apart. */
 export function placeOf(i: number, count: number) {
-  const side = Math.ceil(Math.sqrt(count)), column = i % side, row = (i - column) / side, size = (90 + i * 5 % 11 * 2) / 100;
+  const side = Math.ceil(Math.sqrt(count)), column = i % side, row = (i - column) / side;
+  const size = (90 + i * 5 % 11 * 2) / 100;
   const heading = quatFromAxisAngle([0, 0, 0, 1], [0, 1, 0], (i * 7 % 11 - 5) / 10);
   return mat4FromTrs(new Float32Array(16),
     [column - (side - 1) / 2, 0, row - (side - 1) / 2, ...heading, size, size, size]);

@@ -35,7 +35,8 @@ export interface Shown {
 export function crowdCode(cast: Cast, { clip, from, step, count, character, joint, time }: Shown): string {
   const { skeleton, parents } = cast.rig;
   return program(`
-enum { JOINTS = ${skeleton.jointCount}, SKIN = ${cast.joints.length}, COUNT = ${count}, FROM = ${from}, STEP = ${step} };
+enum { JOINTS = ${skeleton.jointCount}, SKIN = ${cast.joints.length}, COUNT = ${count} };
+enum { FROM = ${from}, STEP = ${step} };
 /* The clip: the bytes that nkw_clip_build wrote. */
 static const uint32_t block[] = {
 ${lines(words(cast.clips[clip].bytes))}

@@ -24,7 +24,8 @@ function bare(cast: Cast) {
   return tree;
 }
 
-function makeActor(three: Library, cast: Cast, tree: Three.Object3D, root: ArrayLike<number>, clip: Three.AnimationClip) {
+function makeActor(three: Library, cast: Cast, tree: Three.Object3D, root: Float32Array,
+  clip: Three.AnimationClip) {
   const place = new three.Group(), body = tree.clone(true), mixer = new three.AnimationMixer(body);
   place.matrixAutoUpdate = false;
   place.matrix.fromArray(Array.from(root));
@@ -37,7 +38,8 @@ function makeActor(three: Library, cast: Cast, tree: Three.Object3D, root: Array
 
 export function makeMixers(three: Library, cast: Cast, group: Group): Mixers {
   const { name, duration, tracks } = cast.animations[group.clip], tree = bare(cast);
-  const clip = new three.AnimationClip(name, duration, tracks.filter(track => !/\.morphTargetInfluences$/.test(track.name)));
+  const clip = new three.AnimationClip(name, duration,
+    tracks.filter(track => !/\.morphTargetInfluences$/.test(track.name)));
   const actors = group.members.map((_, k) =>
     makeActor(three, cast, tree, group.roots.subarray(16 * k, 16 * k + 16), clip));
   const floats = 16 * cast.bones.length, all = new Float32Array(floats * actors.length);

@@ -32,15 +32,22 @@ function bytesOf(json: Json, animation: number, node: number | undefined, proper
   return accessor ? componentBytes(accessor) : 4;
 }
 
-function channelOf(rig: Rig, from: KeyframesLike, bytes: (object: string, property: string) => number): Channel {
+interface Known {
+  node: number | undefined;
+  componentBytes: number;
+}
+
+function channelOf(rig: Rig, from: KeyframesLike, known: (object: string, property: string) => Known): Channel {
   const [, name, property] = from.name.match(/^(.*)\.(\w+)$/)!, object = rig.named.get(name);
   const cubic = (from.createInterpolant as { isInterpolantFactoryMethodGLTFCubicSpline?: true } | undefined)
     ?.isInterpolantFactoryMethodGLTFCubicSpline;
   const mode = cubic ? 'CUBICSPLINE' : from.getInterpolation() === 2300 ? 'STEP' : 'LINEAR';
   const times = Float32Array.from(from.times), values = Float32Array.from(from.values);
   const width = values.length / times.length / (cubic ? 3 : 1), step = cubic ? 3 * width : width;
+  const { node, componentBytes } = known(name, property);
   const made: Channel = {
-    name: object?.name || name, property, mode, times, values, width, componentBytes: bytes(name, property),
+    name: object?.name || (node === undefined ? name : `node ${node}`),
+    property, mode, times, values, width, componentBytes,
     value: key => values.subarray(step * key + (cubic ? width : 0), step * key + (cubic ? 2 * width : width)),
     track: null, error: null, unused: false,
   };
@@ -56,9 +63,9 @@ function channelOf(rig: Rig, from: KeyframesLike, bytes: (object: string, proper
 
 /** The channels of animation `index`. */
 export function channelsOf({ json, gltf }: Loaded, rig: Rig, index: number): Channel[] {
-  const bytes = (name: string, property: string) => {
-    const object = rig.named.get(name), found = object && gltf.parser.associations.get(object as never);
-    return bytesOf(json, index, found?.nodes, property);
+  const known = (name: string, property: string) => {
+    const object = rig.named.get(name), node = object && gltf.parser.associations.get(object as never)?.nodes;
+    return { node, componentBytes: bytesOf(json, index, node, property) };
   };
-  return gltf.animations[index].tracks.map(track => channelOf(rig, track as unknown as KeyframesLike, bytes));
+  return gltf.animations[index].tracks.map(track => channelOf(rig, track as unknown as KeyframesLike, known));
 }

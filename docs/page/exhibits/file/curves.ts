@@ -12,13 +12,14 @@ export const components = ({ property, width }: Channel) => property === 'morphT
 
 // Ascending times without repetition: the keys, and between them where there is a track.
 function timesOf({ times, track }: Channel) {
-  const keys = [...times.subarray(0, most.keys)].filter(Number.isFinite), start = Math.min(...keys), end = Math.max(...keys);
-  const between = track ? Array.from({ length: most.samples }, (_, i) => start + (end - start) * i / (most.samples - 1)) : [];
+  const keys = [...times.subarray(0, most.keys)].filter(Number.isFinite);
+  const start = Math.min(...keys), step = (Math.max(...keys) - start) / (most.samples - 1);
+  const between = track ? Array.from({ length: most.samples }, (_, i) => start + step * i) : [];
   return Float64Array.from(new Set([...keys, ...between])).sort();
 }
 
 function dataOf(channel: Channel): uPlot.AlignedData {
-  const times = timesOf(channel), shown = Math.min(channel.width, most.components), out = new Float32Array(channel.width);
+  const times = timesOf(channel), out = new Float32Array(channel.width), shown = Math.min(out.length, most.components);
   const lines = Array.from({ length: shown }, () => new Array<number | null>(times.length).fill(null));
   const points = lines.map(line => [...line]);
   const keyAt = new Map([...channel.times.subarray(0, most.keys)].map((time, k) => [time, channel.value(k)]));
@@ -46,7 +47,8 @@ export function makeCurves(box: HTMLElement): Curves {
   const series = (channel: Channel): uPlot.Series[] => {
     const names = components(channel).slice(0, most.components);
     const stroke = (c: number) => colour(`c${c % 8}`);
-    return [{ label: 's' }, ...names.map((label, c) => ({ label, stroke: stroke(c), width: 1.5, points: { show: false } })),
+    return [{ label: 's' },
+      ...names.map((label, c) => ({ label, stroke: stroke(c), width: 1.5, points: { show: false } })),
       ...names.map((label, c) => ({ label: `${label} •`, stroke: stroke(c), paths: () => null,
         points: { show: true, size: 6, fill: stroke(c) } }))];
   };

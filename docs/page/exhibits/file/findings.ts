@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The findings of all channels of an animation, as a list.
 import { element } from '../../kit/html';
-import { language, say, type Text } from '../../shell/text';
+import { say, type Text } from '../../shell/text';
 import type { Channel } from './channels';
 import { check, type Finding, type Severity } from './checks';
 
@@ -44,8 +44,10 @@ export const checkAll = (channels: Channel[]): Checked[] => channels.map(channel
 const numberText = (x: number) => Number.isFinite(x) ? String(+x.toPrecision(6)) : String(x);
 
 function item({ channel }: Checked, finding: Finding) {
-  const { severity, what, key, time, amount } = finding, at = key < 0 ? '' : ` ${say(words.key)} ${key}, ${numberText(time)} s:`;
-  return element('li', { class: severity, 'data-finding': what, 'data-key': String(key), 'data-amount': String(amount) },
+  const { severity, what, key, time, amount } = finding;
+  const at = key < 0 ? '' : ` ${say(words.key)} ${key}, ${numberText(time)} s:`;
+  const data = { 'data-finding': what, 'data-key': String(key), 'data-amount': String(amount) };
+  return element('li', { class: severity, ...data },
     [element('strong', {}, say(severities[severity])), ` ${channel.name}.${channel.property}${at} `,
       element('code', {}, what), ` ${say(meanings[what])}`]);
 }
@@ -59,7 +61,8 @@ export function findingList(checked: Checked[], most = 200): HTMLElement[] {
   const counts = (Object.keys(severities) as Severity[]).map(severity =>
     `${all.filter(x => x.finding.severity === severity).length} ${say(severities[severity])}`);
   const shown = all.slice(0, most), left = total - shown.length;
-  const more = left > 0 ? [element('li', {}, language() === 'en' ? `${left} ${words.more.en}` : `${left} ${words.more.ja}`)] : [];
+  const more = left > 0 ? [element('li', {}, `${left} ${say(words.more)}`)] : [];
+  const items = [...shown.map(({ one, finding }) => item(one, finding)), ...more];
   return [element('p', { 'data-total': String(total) }, counts.join(', ')),
-    element('ul', { class: 'findings', tabindex: '0' }, [...shown.map(({ one, finding }) => item(one, finding)), ...more])];
+    element('ul', { class: 'findings', tabindex: '0' }, items)];
 }

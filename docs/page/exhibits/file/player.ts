@@ -52,11 +52,13 @@ function packed(rig: Rig, animation: Three.AnimationClip) {
   return size;
 }
 
-// `size`: the diagonal of the model; each of the two steps has half of the tolerance. Points of the skin are taken to be within a tenth of it from their joints.
+// `size`: the diagonal of the model; each of the two steps has half of the tolerance. Points of the skin are taken to
+// be within a tenth of the diagonal from their joints.
 function reduced(rig: Rig, animation: Three.AnimationClip, size: number) {
   if (!(size > 0) || animation.tracks.reduce((sum, track) => sum + track.times.length, 0) > most)
     return NaN;
-  const tracks = animation.tracks.map(track => trackFromKeyframes(rig, track as unknown as KeyframesLike)).filter(t => t !== null);
+  const tracks = animation.tracks.map(track => trackFromKeyframes(rig, track as unknown as KeyframesLike))
+    .filter(track => track !== null);
   const { rest, restFloats, floatCount, parents } = rig;
   const source = { jointCount: parents.length, floatCount, tracks, rest, restFloats };
   const reduction = { parents, tolerance: size / 2e4, distance: size / 10, floatTolerance: 1e-4 };
@@ -83,7 +85,9 @@ function free(scene: Three.Object3D) {
     const { geometry, material } = object as Partial<Three.Mesh>;
     geometry?.dispose();
     for (const one of material ? [material].flat() : []) {
-      Object.values(one).forEach(value => (value as Three.Texture | null)?.isTexture && (value as Three.Texture).dispose());
+      for (const value of Object.values(one) as (Three.Texture | null)[])
+        if (value?.isTexture)
+          value.dispose();
       one.dispose();
     }
   });
@@ -99,7 +103,8 @@ export function makePlayer(three: Library, view: View, loaded: Loaded): Player {
     float32: clips[i] instanceof Clip ? (clips[i] as Clip).size : NaN,
     reduced: clips[i] instanceof Clip ? reduced(rig, animation, diagonal) : NaN,
   }));
-  const pose = new Pose(rig.objects.length), floats = new Float32Array(rig.floatCount), group = frame(three, scene, box);
+  const pose = new Pose(rig.objects.length), floats = new Float32Array(rig.floatCount);
+  const group = frame(three, scene, box);
   view.scene.add(group);
   scene.traverse(object => { object.frustumCulled = false; });
   return {

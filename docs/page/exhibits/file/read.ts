@@ -24,7 +24,6 @@ export interface Json {
   nodes?: { children?: number[] }[];
   buffers?: { uri?: string; byteLength: number }[];
   bufferViews?: { byteLength: number }[];
-  images?: { uri?: string }[];
   accessors?: Accessor[];
   animations?: { channels: { sampler: number; target: { node?: number; path: string } }[];
     samplers: { input: number; output: number }[] }[];
@@ -115,27 +114,30 @@ function checkAnimations(json: Json) {
   });
 }
 
-// Names in a file are those of the files that were dropped with it; nothing is fetched.
+const fileOf = (uri: string, files: File[]) => {
+  const name = decodeURIComponent(uri.split('/').at(-1)!);
+  return files.find(file => file.name === name);
+};
+const white = 'data:image/svg+xml,<svg xmlns="http://www.w3.org/2000/svg" width="1" height="1">' +
+  '<rect width="1" height="1" fill="white"/></svg>';
+
+// Names in a file are those of the files that were dropped with it; nothing is fetched. A missing image is white.
 function manager(three: Library, files: File[]) {
-  const made = new three.LoadingManager(), urls = new Map<string, string>();
+  const made = new three.LoadingManager(), urls: string[] = [];
   made.setURLModifier(url => {
     if (/^(data|blob):/.test(url))
       return url;
-    const name = decodeURIComponent(url.split('/').at(-1)!), file = files.find(f => f.name === name);
-    if (!file)
-      refuse(`It needs the file ${name}: drop both together.`, `ファイル ${name} が必要です。一緒にドロップしてください。`);
-    if (!urls.has(name))
-      urls.set(name, URL.createObjectURL(file!));
-    return urls.get(name)!;
+    const file = fileOf(url, files);
+    return file ? urls[urls.push(URL.createObjectURL(file)) - 1] : white;
   });
   return { made, free: () => urls.forEach(url => URL.revokeObjectURL(url)) };
 }
 
-// The names of files that the JSON refers to, before anything is loaded.
-function checkFiles(json: Json, files: File[]) {
-  for (const { uri } of [...list(json.buffers, 'buffers'), ...list(json.images, 'images')])
-    if (uri !== undefined && !/^data:/.test(uri) && !files.some(f => f.name === decodeURIComponent(uri.split('/').at(-1)!)))
-      refuse(`It needs the file ${uri}: drop both together.`, `ファイル ${uri} が必要です。一緒にドロップしてください。`);
+function checkBuffers(json: Json, files: File[]) {
+  for (const { uri } of list(json.buffers, 'buffers'))
+    if (uri !== undefined && !/^data:/.test(uri) && !fileOf(uri, files))
+      refuse(`It needs the file ${uri}: drop both together.`,
+        `ファイル ${uri} が必要です。一緒にドロップしてください。`);
 }
 
 const late = (seconds: number) => new Promise<never>((_, reject) => setTimeout(() =>
@@ -149,14 +151,15 @@ export interface Loaded {
 }
 
 /** Reads a .glb or .gltf; `files` has what it may refer to. Throws Refused, or an error of three.js. */
-export async function readModel(three: Library, name: string, bytes: Uint8Array<ArrayBuffer>, files: File[]): Promise<Loaded> {
+export async function readModel(three: Library, name: string, bytes: Uint8Array<ArrayBuffer>,
+  files: File[]): Promise<Loaded> {
   if (bytes.length > most.bytes)
     refuse(`It is larger than ${most.bytes / 1e6} MB.`, `${most.bytes / 1e6} MB を超えています。`);
   const json = jsonOf(bytes);
   checkNodes(json);
   checkAccessors(json);
   checkAnimations(json);
-  checkFiles(json, files);
+  checkBuffers(json, files);
   const { made, free } = manager(three, files);
   try {
     const gltf = await Promise.race([new three.GLTFLoader(made).parseAsync(bytes.buffer, ''), late(most.seconds)]);
