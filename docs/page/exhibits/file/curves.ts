@@ -3,6 +3,7 @@
 import uPlot from 'uplot';
 import 'uplot/dist/uPlot.min.css';
 import { colour } from '../../kit/colours';
+import { element } from '../../kit/html';
 import type { Channel } from './channels';
 
 const most = { samples: 600, keys: 2000, components: 8 };
@@ -62,13 +63,17 @@ export function makeCurves(box: HTMLElement): Curves {
     ctx.stroke();
     ctx.restore();
   };
+  const legend = element('p', { class: 'legend' });
   const make = (channel: Channel, width: number) => {
+    legend.replaceChildren(...components(channel).slice(0, most.components).flatMap((name, c) =>
+      [element('span', { style: `color: ${colour(`c${c % 8}`)}`, 'aria-hidden': 'true' }, '■'), ` ${name}  `]));
     const axis = { stroke: colour('ink'), grid: { stroke: colour('line') }, ticks: { stroke: colour('line') } };
     plot = new uPlot({
       width, height: 220, series: series(channel), axes: [axis, axis], legend: { show: false }, cursor: { show: false },
       scales: { x: { time: false } }, hooks: { draw: [line] },
     }, dataOf(channel), box);
   };
+  box.append(legend);
   return {
     show(channel, time) {
       const width = Math.floor(box.clientWidth), next = `${width} ${colour('ink')}`;
