@@ -139,7 +139,7 @@ function drawGizmo(c: CanvasRenderingContext2D, eye: View, g: Gizmo, active: Han
 
 /** The camera turns one degree a pixel, as in the exercise. */
 function orbit(state: State, dx: number, dy: number): Partial<State> {
-  const yaw = N.wrap(state.yaw - dx, 0, 360);
+  const yaw = N.wrap(state.yaw - dx, 360);
   return { yaw, pitch: Math.min(Math.max(state.pitch - dy, -90), 90) };
 }
 const approach = (state: State, by: number): Partial<State> =>
