@@ -28,7 +28,7 @@ export function keyTable(room: Room<State>) {
     element('caption', {}, say(labels.keys)),
     element('thead', {}, element('tr', {}, [...[labels.key, ...heads].map(h => element('th', { scope: 'col' }, say(h))),
       element('td')])), body]);
-  room.side.append(element('div', { class: 'scroll', style: 'overflow-x: auto' }, list), message);
+  room.side.append(element('div', { class: 'scroll', style: 'overflow-x: auto', tabindex: '0', role: 'group', 'aria-label': say(labels.keys) }, list), message);
 
   const change = (k: number, next: Partial<Key>) => {
     const made = replaceKey(keysOf(room.state), k, next);
@@ -55,7 +55,7 @@ export function keyTable(room: Room<State>) {
       const { orientation } = keysOf(room.state)[k];
       change(k, { orientation: N.quatNegate([0, 0, 0, 0], orientation) });
     });
-    negate.setAttribute('aria-label', `${say(labels.key)} ${k}: ${say(labels.negate)}`);
+    negate.setAttribute('aria-label', `−q ${say(labels.key)} ${k}: ${say(labels.negate)}`);
     return element('tr', {}, [element('th', { scope: 'row' }, choose), ...columns.map((_, i) => field(k, i)),
       element('td', {}, negate)]);
   };

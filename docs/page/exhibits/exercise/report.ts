@@ -81,7 +81,7 @@ export function report(room: Room<State>) {
   const body = element('tbody');
   const table = element('table', { class: 'numbers trace' }, [element('caption', {}, say(labels.trace)), body]);
   const note = element('p', { role: 'note' });
-  room.side.append(element('div', { style: 'overflow-x: auto' }, table), note);
+  room.side.append(element('div', { style: 'overflow-x: auto', tabindex: '0', role: 'group', 'aria-label': say(labels.trace) }, table), note);
   let shape = '';
   room.draw(() => {
     const { state } = room, keys = keysOf(state), t = trace(keys, state.time, state);
