@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: MIT
+// Tables of numbers. Each cell has its exact value in data-value and its name in data-name, as the C program prints them.
+import type { Room } from '../shell/exhibit';
+import { say, type Text } from '../shell/text';
+import { element, html } from './html';
+
+export interface Row {
+  /** The name in the C program; the values are name.0, name.1, ... */
+  name: string;
+  /** HTML. */
+  label: Text | string;
+  values: ArrayLike<number>;
+  digits?: number;
+}
+
+function fill(cell: HTMLElement, row: Row, i: number) {
+  const value = row.values[i], text = value === undefined ? '' : value.toFixed(row.digits ?? 4);
+  cell.dataset.name = `${row.name}.${i}`;
+  cell.dataset.value = String(value);
+  cell.textContent = text.replace(/^-(0\.?0*)$/, '$1').replace('-', '−');
+}
+
+/** A table with a row of values for each name; `rows` is called for each drawing. Returns the table. */
+export function numberTable<S>(room: Room<S>, caption: Text, rows: () => Row[]): HTMLTableElement {
+  const body = element('tbody'), table = element('table', { class: 'numbers' },
+    [html('caption', say(caption)), body]);
+  let shape = '';
+  room.side.append(table);
+  room.draw(() => {
+    const list = rows(), next = JSON.stringify(list.map(r => [r.name, r.label, r.values.length]));
+    if (next !== shape)
+      body.replaceChildren(...list.map(row => element('tr', {}, [html('th', say(row.label), { scope: 'row' }),
+        ...Array.from(row.values, () => element('td'))])));
+    shape = next;
+    list.forEach((row, k) => {
+      for (let i = 0; i < row.values.length; i++)
+        fill(body.rows[k].cells[i + 1], row, i);
+    });
+  });
+  return table;
+}

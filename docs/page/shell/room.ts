@@ -1,0 +1,128 @@
+// SPDX-License-Identifier: MIT
+// The room of one exhibit: its state, its frames, its keys.
+import { element } from '../kit/html';
+import { makeClock } from './clock';
+import type { Exhibit, Room, Shortcut } from './exhibit';
+import { read, show, write } from './state';
+import { language, say, type Text } from './text';
+
+export interface OpenRoom {
+  close(): void;
+  /** Writes the state into the address at once. */
+  keep(): void;
+  code(): string;
+}
+
+/** The milliseconds of work of the last frames, for tests. */
+export const work: number[] = [];
+Object.assign(globalThis, { nakawariWork: work });
+
+const help = { en: 'Keys', ja: 'キー操作' };
+
+// Keys typed into a field are the field's.
+const typing = (target: EventTarget | null) => target instanceof HTMLElement &&
+  (target.isContentEditable || /^(INPUT|SELECT|TEXTAREA)$/.test(target.tagName)) &&
+  !(target instanceof HTMLInputElement && target.type === 'checkbox');
+
+function keyTable(list: Shortcut[]) {
+  const name = (key: string) => key === ' ' ? 'space' : key;
+  return element('details', { class: 'keys' }, [element('summary', {}, say(help)),
+    element('dl', {}, list.flatMap(s => [element('dt', {}, element('kbd', {}, name(s.key))),
+      element('dd', {}, say(s.does))]))]);
+}
+
+export function openRoom<S extends object>(exhibit: Exhibit<S>, main: HTMLElement, query: URLSearchParams): OpenRoom {
+  let state = read(exhibit.fields, query), asked = 0, last = 0;
+  const draws: ((seconds: number) => void)[] = [], always: ((seconds: number) => void)[] = [];
+  const endings: (() => void)[] = [], keys: Shortcut[] = [];
+  const stage = element('section', { id: 'stage', tabindex: '-1', 'aria-label': say(exhibit.title) });
+  const side = element('section', { class: 'side', tabindex: '0', 'aria-label': say({ en: 'Controls and numbers', ja: '操作と数値' }) });
+  const live = element('p', { class: 'live', role: 'status' });
+  const timed = exhibit.range && 'time' in state;
+
+  const toQuery = () => {
+    const made = new URLSearchParams({ lang: language() });
+    write(exhibit.fields, state, made);
+    return made;
+  };
+  const frame = (now: number) => {
+    const seconds = Math.min(Math.max((now - last) / 1000, 0), 0.1), from = performance.now();
+    asked = 0;
+    last = now;
+    if (timed && clock.playing)
+      state = { ...state, time: clock.next((state as { time: number }).time, seconds) };
+    always.forEach(f => f(seconds));
+    if (timed)
+      clock.show((state as { time: number }).time);
+    draws.forEach(f => f(seconds));
+    work.push(performance.now() - from);
+    if (work.length > 600)
+      work.splice(0, 300);
+    if (clock.playing || always.length)
+      ask();
+    main.dataset.drawn = '';
+  };
+  const ask = () => {
+    if (!asked) {
+      asked = requestAnimationFrame(frame);
+      if (!clock.playing && !always.length)
+        last = performance.now();
+    }
+  };
+  const set = (change: Partial<S>) => {
+    state = { ...state, ...change };
+    show(exhibit.id, toQuery);
+    ask();
+  };
+  const { clock, bar } = makeClock(() => exhibit.range!(state), time => set({ time } as unknown as Partial<S>), () => {
+    if (timed)
+      set({});
+  });
+  const room: Room<S> = {
+    get state() { return state; },
+    set, stage, side, clock,
+    refresh: ask,
+    draw: f => { draws.push(f); },
+    always: f => { always.push(f); },
+    shortcuts: list => { keys.push(...list); },
+    closed: f => { endings.push(f); },
+    announce: (text: Text) => { live.textContent = say(text); },
+  };
+
+  const onKey = (event: KeyboardEvent) => {
+    const plain = !event.ctrlKey && !event.metaKey && !event.altKey && !typing(event.target);
+    const onButton = event.key === ' ' && event.target instanceof HTMLElement && /^(BUTTON|SUMMARY|INPUT|A)$/.test(event.target.tagName);
+    const found = plain && !onButton && keys.find(s => s.key === event.key);
+    if (found) {
+      event.preventDefault();
+      found.run();
+    }
+  };
+  addEventListener('keydown', onKey);
+  const colours = () => ask();
+  addEventListener('colours', colours);
+  const sizes = new ResizeObserver(() => ask());
+  sizes.observe(stage);
+
+  main.append(stage, side, live);
+  exhibit.mount(room);
+  if (timed) {
+    stage.append(bar);
+    if (!keys.some(s => s.key === ' '))
+      keys.unshift({ key: ' ', does: { en: 'plays and stops', ja: '再生と停止' }, run: clock.toggle });
+  }
+  if (keys.length)
+    side.append(keyTable(keys));
+  ask();
+  return {
+    close() {
+      cancelAnimationFrame(asked);
+      removeEventListener('keydown', onKey);
+      removeEventListener('colours', colours);
+      sizes.disconnect();
+      endings.forEach(f => f());
+    },
+    keep: () => history.replaceState(null, '', `#${exhibit.id}?${toQuery()}`),
+    code: () => exhibit.code!(state),
+  };
+}

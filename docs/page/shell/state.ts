@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: MIT
+// The state of an exhibit is in the address of the page: #ID?name=value&... A value that equals its default is left out.
+
+/** How a value of the state is written in the address. `read` returns undefined for a text that is not a value. */
+export interface Field<T> {
+  initial: T;
+  read(text: string): T | undefined;
+  write(value: T): string;
+}
+export type Fields<S> = { [K in keyof S]: Field<S[K]> };
+
+/** A number in [least, most]. */
+export const number = (initial: number, least = -Infinity, most = Infinity): Field<number> => ({
+  initial,
+  read: text => {
+    const x = text.trim() === '' ? NaN : Number(text);
+    return Number.isFinite(x) ? Math.min(Math.max(x, least), most) : undefined;
+  },
+  write: x => String(+x.toPrecision(9)),
+});
+
+/** One of a list of words. */
+export const choice = <T extends string>(initial: T, words: readonly T[]): Field<T> => ({
+  initial,
+  read: text => words.find(word => word === text),
+  write: word => word,
+});
+
+export const flag = (initial: boolean): Field<boolean> => ({
+  initial,
+  read: text => text === '1' ? true : text === '0' ? false : undefined,
+  write: on => on ? '1' : '0',
+});
+
+/** A list of numbers; `valid` refuses lists of a wrong shape. */
+export const numbers = (initial: number[], valid: (list: number[]) => boolean = () => true): Field<number[]> => ({
+  initial,
+  read: text => {
+    const list = text === '' ? [] : text.split('_').map(part => part === '' ? NaN : Number(part));
+    return list.every(Number.isFinite) && valid(list) ? list : undefined;
+  },
+  write: list => list.map(x => String(+x.toPrecision(9))).join('_'),
+});
+
+/** The values that `query` has, and the defaults for the rest. */
+export function read<S>(fields: Fields<S>, query: URLSearchParams): S {
+  const one = <K extends keyof S>(name: K): S[K] => {
+    const text = query.get(name as string);
+    return (text === null ? undefined : fields[name].read(text)) ?? fields[name].initial;
+  };
+  return Object.fromEntries((Object.keys(fields) as (keyof S)[]).map(name => [name, one(name)])) as S;
+}
+
+/** Writes the values that are not the defaults into `query`. */
+export function write<S>(fields: Fields<S>, state: S, query: URLSearchParams) {
+  for (const name of Object.keys(fields) as (keyof S)[]) {
+    const field = fields[name], text = field.write(state[name]);
+    if (text !== field.write(field.initial))
+      query.set(name as string, text);
+  }
+}
+
+/** The present address: the exhibit, and what is behind the question mark. */
+export function address(): { id: string; query: URLSearchParams } {
+  const [id, query] = decodeURI(location.hash.slice(1)).split('?');
+  return { id, query: new URLSearchParams(query) };
+}
+
+let waiting = 0;
+/** Shows a state in the address, at most four times a second: browsers refuse more. */
+export function show(id: string, query: () => URLSearchParams) {
+  clearTimeout(waiting);
+  waiting = setTimeout(() => {
+    const text = query().toString();
+    history.replaceState(null, '', `#${id}${text ? `?${text}` : ''}`);
+  }, 250);
+}
