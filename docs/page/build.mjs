@@ -16,7 +16,7 @@ function check() {
   const config = `${build}/tsconfig.json`;
   writeFileSync(config, JSON.stringify({
     extends: `${page}/tsconfig.json`,
-    compilerOptions: { paths: { 'nakawari/*': [`${build}/package/*`], '*': [`${modules}/*`, `${modules}/@types/*`] } },
+    compilerOptions: { paths: { 'nakawari/*': [`${build}/package/*`], '*': [`${modules}/@types/*`, `${modules}/*`] } },
     include: [`${page}/**/*.ts`],
   }));
   execFileSync(process.execPath, [`${modules}/typescript/bin/tsc`, '-p', config], { stdio: 'inherit' });
@@ -49,7 +49,7 @@ const wasm = {
 
 const common = {
   bundle: true, minify: true, format: 'iife', target: 'es2022', nodePaths: [modules], legalComments: 'none',
-  metafile: true, logLevel: 'warning',
+  metafile: true, logLevel: 'warning', loader: { '.glb': 'binary' },
 };
 
 // A script that `part` loads: its exports are a member of the global nakawariParts.
@@ -66,6 +66,7 @@ async function bundle() {
     script('wasm-all', `${build}/package/wasm/all.js`),
     script('wasm-all.plain', `${build}/package/wasm/all.plain.js`),
     script('three', `${page}/kit/three.ts`),
+    script('character', `${page}/kit/character.ts`),
   ]);
   copyFileSync(`${page}/index.html`, `${out}/index.html`);
   return results.flatMap(result => Object.keys(result.metafile.inputs));

@@ -33,11 +33,13 @@ export function makeClock(range: () => { start: number; end: number }, set: (tim
     [0.1, 0.25, 0.5, 1, 2].map(r => element('option', { value: String(r), ...(r === 1 ? { selected: '' } : {}) }, `×${r}`)));
   const toggle = button(say(words.play), () => clock.toggle(), 'play');
   let playing = false;
+  const face = () => {
+    toggle.setAttribute('aria-label', say(playing ? words.stop : words.play));
+    toggle.textContent = playing ? '⏸' : '▶';
+  };
   const turn = (on: boolean) => {
     playing = on;
-    toggle.setAttribute('aria-pressed', String(on));
-    toggle.setAttribute('aria-label', say(on ? words.stop : words.play));
-    toggle.textContent = on ? '⏸' : '▶';
+    face();
     changed();
   };
   const clock: Clock = {
@@ -63,6 +65,6 @@ export function makeClock(range: () => { start: number; end: number }, set: (tim
   };
   slider.addEventListener('input', () => set(Number(slider.value)));
   rates.addEventListener('change', () => { clock.rate = Number(rates.value); });
-  turn(false);
+  face();
   return { clock, bar: element('div', { class: 'bar' }, [toggle, slider, shown, rates]) };
 }

@@ -14,7 +14,6 @@ const words = {
   list: { en: 'Exhibits', ja: '展示' },
   dark: { en: 'Dark or light', ja: '明暗の切り替え' },
   code: { en: 'Copy as C', ja: 'C のコードにする' },
-  keys: { en: 'Keys', ja: 'キー操作' },
   licences: { en: 'Licences', ja: 'ライセンス' },
   skip: { en: 'To the exhibit', ja: '展示へ移動' },
   broken: { en: 'This browser cannot run the library: ', ja: 'このブラウザではライブラリを実行できません: ' },

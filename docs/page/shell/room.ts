@@ -18,6 +18,7 @@ export const work: number[] = [];
 Object.assign(globalThis, { nakawariWork: work });
 
 const help = { en: 'Keys', ja: 'キー操作' };
+const beside = { en: 'Controls and numbers', ja: '操作と数値' };
 
 // Keys typed into a field are the field's.
 const typing = (target: EventTarget | null) => target instanceof HTMLElement &&
@@ -36,7 +37,7 @@ export function openRoom<S extends object>(exhibit: Exhibit<S>, main: HTMLElemen
   const draws: ((seconds: number) => void)[] = [], always: ((seconds: number) => void)[] = [];
   const endings: (() => void)[] = [], keys: Shortcut[] = [];
   const stage = element('section', { id: 'stage', tabindex: '-1', 'aria-label': say(exhibit.title) });
-  const side = element('section', { class: 'side', tabindex: '0', 'aria-label': say({ en: 'Controls and numbers', ja: '操作と数値' }) });
+  const side = element('section', { class: 'side', tabindex: '0', 'aria-label': say(beside) });
   const live = element('p', { class: 'live', role: 'status' });
   const timed = exhibit.range && 'time' in state;
 
@@ -91,7 +92,8 @@ export function openRoom<S extends object>(exhibit: Exhibit<S>, main: HTMLElemen
 
   const onKey = (event: KeyboardEvent) => {
     const plain = !event.ctrlKey && !event.metaKey && !event.altKey && !typing(event.target);
-    const onButton = event.key === ' ' && event.target instanceof HTMLElement && /^(BUTTON|SUMMARY|INPUT|A)$/.test(event.target.tagName);
+    const onButton = event.key === ' ' && event.target instanceof HTMLElement &&
+      /^(BUTTON|SUMMARY|INPUT|A)$/.test(event.target.tagName);
     const found = plain && !onButton && keys.find(s => s.key === event.key);
     if (found) {
       event.preventDefault();

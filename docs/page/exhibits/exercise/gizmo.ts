@@ -1,20 +1,8 @@
 // SPDX-License-Identifier: MIT
 // The handles of a key: three arrows move it along an axis, three squares in a plane, three rings turn it about an axis.
 import * as N from 'nakawari/all';
+import type { Eye, Point, Ray } from '../../kit/eye';
 import { moved, turned, type Key } from './model';
-
-export interface Point { x: number; y: number }
-export interface Ray { origin: number[]; direction: number[] }
-
-/** What the handles need of a camera. */
-export interface Eye {
-  /** The pixel of a point, or undefined behind the eye. */
-  project(p: number[]): Point | undefined;
-  /** The ray through a pixel; the direction is unit. */
-  ray(at: Point): Ray;
-  /** The length at a point that has a size of one pixel. */
-  pixel(p: number[]): number;
-}
 
 export type Kind = 'axis' | 'plane' | 'ring';
 /** The axis, the axis that the plane is normal to, or the axis of the turn: 0 x, 1 y, 2 z. */

@@ -5,10 +5,10 @@ import { colour } from '../../kit/colours';
 import { element } from '../../kit/html';
 import type { Room } from '../../shell/exhibit';
 import { say } from '../../shell/text';
-import { viewOf, type View } from './eye';
-import { drag, gizmoOf, pick, ring, square, tip, type Gizmo, type Handle, type Point, type Ray } from './gizmo';
+import { viewOf, type Point, type Ray, type View } from '../../kit/eye';
+import { drag, gizmoOf, pick, ring, square, tip, type Gizmo, type Handle } from './gizmo';
 import { keysOf, moved, range, replaceKey, turned, type Key, type State } from './model';
-import { axes, dart, dot, floor, line, paintAll, path, shadow, type Shape } from './picture';
+import { axes, dart, dot, floor, line, paintAll, path, shadow, type Shape } from '../../kit/picture';
 import { matrices, matrixOf, timesOf, trace } from './sample';
 
 const words = {

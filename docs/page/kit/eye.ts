@@ -1,8 +1,19 @@
 // SPDX-License-Identifier: MIT
 // The camera of the exercise: T(0, 0, -distance) Rx(-pitch) Ry(-yaw) T(-aim), a perspective of fov degrees.
 import * as N from 'nakawari/all';
-import type { Eye, Point } from './gizmo';
-import type { State } from './model';
+
+export interface Point { x: number; y: number }
+export interface Ray { origin: number[]; direction: number[] }
+
+/** What handles need of a camera. */
+export interface Eye {
+  /** The pixel of a point, or undefined behind the eye. */
+  project(p: number[]): Point | undefined;
+  /** The ray through a pixel; the direction is unit. */
+  ray(at: Point): Ray;
+  /** The length at a point that has a size of one pixel. */
+  pixel(p: number[]): number;
+}
 
 export interface View extends Eye {
   width: number;
@@ -13,7 +24,15 @@ export interface View extends Eye {
   position: number[];
 }
 
-type Camera = Pick<State, 'yaw' | 'pitch' | 'distance' | 'fov' | 'aim' | 'unit'>;
+/** Angles in degrees; the distance and sizes of things in units of `unit`. */
+export interface Camera {
+  yaw: number;
+  pitch: number;
+  distance: number;
+  fov: number;
+  aim: number[];
+  unit: number;
+}
 
 const zeros = (n: number) => Array<number>(n).fill(0);
 

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: MIT
 // The things in space: floor, dart, shadow, axes, lines, painted from far to near.
 import * as N from 'nakawari/all';
-import { colour } from '../../kit/colours';
-import type { Point } from './gizmo';
-import type { View } from './eye';
+import { colour } from './colours';
+import type { Point, View } from './eye';
 
 export interface Shape { distance: number; paint(): void }
 type Context = CanvasRenderingContext2D;
