@@ -13,10 +13,13 @@ export interface Row {
   digits?: number;
 }
 
+/** The text that reads back as the same number, -0 included. */
+export const exact = (value: number) => Object.is(value, -0) ? '-0' : String(value);
+
 function fill(cell: HTMLElement, row: Row, i: number) {
   const value = row.values[i], text = value === undefined ? '' : value.toFixed(row.digits ?? 4);
   cell.dataset.name = `${row.name}.${i}`;
-  cell.dataset.value = String(value);
+  cell.dataset.value = exact(value);
   cell.textContent = text.replace(/^-(0\.?0*)$/, '$1').replace('-', '−');
 }
 

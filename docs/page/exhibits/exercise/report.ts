@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The numbers of the present time: the blanks of the report with their weights, and the trace.
 import { element, html } from '../../kit/html';
+import { exact } from '../../kit/numbers';
 import type { Room } from '../../shell/exhibit';
 import { say, type Text } from '../../shell/text';
 import { keysOf, type State } from './model';
@@ -41,7 +42,7 @@ const slerp = [
 const euler = [
   row('', { en: 'first key: pitch, yaw, roll, radians', ja: '最初のキー：仰角、方位角、旋回角（ラジアン）' }, 'angles0'),
   row('', { en: 'second key', ja: '次のキー' }, 'angles1'),
-  row('', tex`1 - t,\ t`, 'share'),
+  row('', { en: 'weights ' + tex`1 - t,\ t`, ja: '重み ' + tex`1 - t,\ t` }, 'share'),
   row('', { en: 'the angles', ja: '補間した角度' }, 'angles'),
 ];
 
@@ -97,7 +98,7 @@ export function report(room: Room<State>) {
     cells.forEach((list, k) => list.forEach(([name, value], i) => {
       const cell = body.rows[k].cells[i + 1];
       cell.dataset.name = name;
-      cell.dataset.value = String(value);
+      cell.dataset.value = exact(value);
       cell.textContent = text(value);
     }));
   });
