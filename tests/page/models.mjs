@@ -49,6 +49,6 @@ export async function printed(tab) {
 /** The findings of axe. */
 export async function axe(tab) {
   await tab.addScriptTag({ content: readFileSync(require.resolve('axe-core/axe.min.js'), 'utf8') });
-  const { violations } = await tab.evaluate(() => globalThis.axe.run());
+  const { violations } = await tab.evaluate(() => globalThis.axe.run(document, { preload: false })); // a file cannot fetch the style sheet
   return violations.map(v => `${v.id}: ${v.nodes.map(n => n.target).join(' ')}`);
 }

@@ -6,6 +6,8 @@ export function literal(x: number): string {
   if (!Number.isFinite(x))
     return Number.isNaN(x) ? '(0.0f / 0.0f)' : x > 0 ? '(1.0f / 0.0f)' : '(-1.0f / 0.0f)';
   const f = Math.fround(x);
+  if (Object.is(f, -0))
+    return '-0.0f';
   let text = String(f);
   for (let digits = 1; digits <= 9; digits++) {
     text = String(+f.toPrecision(digits));
