@@ -4,9 +4,11 @@ import type { Exhibit } from '../shell/exhibit';
 import { crowd } from './crowd';
 import { exercise } from './exercise';
 import { file } from './file';
+import { rotations } from './rotations';
 
 export const exhibits = [
   exercise,
+  rotations,
   crowd,
   file,
 ] as unknown as Exhibit<never>[];
