@@ -27,6 +27,7 @@ static const char usage[] =
     "  --out DIR          an existing folder for the files (default .)\n"
     "  --joints           index.html shows the pictures of nakawari-joints too, from the same folder\n"
     "  --character        and those of a character, by nakawari render: walk.apng, wave.apng, hop.apng, sheet.png\n"
+    "  --page LINK        and a link to the page of exhibits\n"
     "  --trace TIME       write no file; print the calculation at TIME step by step, with\n"
     "  --position P       linear, hermite (default), bezier, bspline, catmull-rom or step, and\n"
     "  --orientation O    none, euler, quat (default), euler-unwrapped or nlerp\n"
@@ -60,6 +61,7 @@ static int read_options(int argc, char **argv, options *o)
                             {"--out", OPTION_TEXT, &o->report.folder, 0, 0, NULL},
                             {"--joints", OPTION_FLAG, &o->report.joints, 0, 0, NULL},
                             {"--character", OPTION_FLAG, &o->report.character, 0, 0, NULL},
+                            {"--page", OPTION_TEXT, &o->report.page, 0, 0, NULL},
                             {"--trace", OPTION_NUMBER, &o->time, -1e6, 1e6, &o->trace},
                             {"--position", OPTION_TEXT, &position, 0, 0, NULL},
                             {"--orientation", OPTION_TEXT, &orientation, 0, 0, NULL}};

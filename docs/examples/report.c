@@ -181,6 +181,9 @@ static int write_index(const scene *s, const report_options *o, const char *path
           f);
     fprintf(f, "<p>%u keys%s. The numbers: <a href=\"%s.csv\">%s.csv</a>.</p>\n", (unsigned)s->count,
             s->own ? "" : ", one per second", s->name, s->name);
+    if (o->page)
+        fprintf(f, "<p><a href=\"%s\">The page of exhibits</a> has the same keys, to be moved and turned by hand. "
+                "<code>cmake --workflow --preset page</code> builds it.</p>\n", o->page);
     fputs("<details><summary>A table to compare with</summary><pre>\n", f);
     summary_print(f, s);
     fputs("</pre></details>\n", f);

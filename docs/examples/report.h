@@ -21,6 +21,7 @@ typedef struct report_options {
     const char *program; /**< for messages */
     const char *folder; /**< exists; at most 4000 characters */
     double step; /**< seconds between the rows of the table */
+    const char *page; /**< a link to the page of exhibits, or NULL */
     int joints, character; /**< whether the page shows the pictures of nakawari-joints, of nakawari render */
 } report_options;
 
