@@ -122,7 +122,7 @@ static int read_scene(const nkw_document *d, const request *r, scene *s)
 static int run(const nkw_document *d, void *data)
 {
     const request *r = data;
-    const report_options o = {"nakawari exercise", r->output ? r->output : ".", r->step, 0, 0};
+    const report_options o = {"nakawari exercise", r->output ? r->output : ".", r->step, NULL, 0, 0};
     scene s;
     if (!read_scene(d, r, &s))
         return 0;
