@@ -57,6 +57,11 @@ for (const id of ids.filter(name => !own.includes(name))) {
     await drawn(tab);
     if (await tab.$('.play'))
       await tab.click('.play');
+    else
+      await tab.evaluate(() => { // a drawing in each frame
+        const again = () => { dispatchEvent(new Event('colours')); requestAnimationFrame(again); };
+        again();
+      });
     await tab.waitForTimeout(1500);
     const work = await tab.evaluate(() => [...globalThis.nakawariWork].sort((a, b) => a - b));
     const median = work[work.length >> 1];

@@ -4,11 +4,13 @@ import type { Exhibit } from '../shell/exhibit';
 import { crowd } from './crowd';
 import { exercise } from './exercise';
 import { file } from './file';
+import { loop } from './loop';
 import { rotations } from './rotations';
 
 export const exhibits = [
   exercise,
   rotations,
+  loop,
   crowd,
   file,
 ] as unknown as Exhibit<never>[];
