@@ -91,7 +91,7 @@ static int run(const options *o)
 
 int main(int argc, char **argv)
 {
-    options o = {1, 0, 0.0, {program, ".", 0.1, 0, 0}, 0, 0, report_find("hermite", report_positions),
+    options o = {1, 0, 0.0, {program, ".", 0.1, NULL, 0, 0}, 0, 0, report_find("hermite", report_positions),
                  report_find("quat", report_orientations)};
     int code = DONE;
     if (!read_options(argc, argv, &o))
