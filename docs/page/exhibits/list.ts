@@ -4,11 +4,13 @@ import type { Exhibit } from '../shell/exhibit';
 import { crowd } from './crowd';
 import { exercise } from './exercise';
 import { file } from './file';
+import { keys } from './keys';
 import { loop } from './loop';
 import { rotations } from './rotations';
 
 export const exhibits = [
   exercise,
+  keys,
   rotations,
   loop,
   crowd,
