@@ -6,12 +6,14 @@ import { exercise } from './exercise';
 import { file } from './file';
 import { keys } from './keys';
 import { loop } from './loop';
+import { pole } from './pole';
 import { rotations } from './rotations';
 
 export const exhibits = [
   exercise,
   keys,
   rotations,
+  pole,
   loop,
   crowd,
   file,

@@ -231,7 +231,7 @@ export const rotations: Exhibit<State> = {
   },
   fields: {
     method: choice<Method>('slerp', names), turns: whole(1, -3, 3), flip: flag(false),
-    ax: angle(65), ay: angle(-70), az: angle(0), bx: angle(55), by: angle(80), bz: angle(70),
+    ax: angle(65), ay: angle(-70), az: angle(0), bx: angle(40), by: angle(80), bz: angle(-60),
     time: number(0, 0, seconds), ...turnFields(25, -20),
   },
   range: () => ({ start: 0, end: seconds }),

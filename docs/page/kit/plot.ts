@@ -119,6 +119,7 @@ export function plot<S>(room: Room<S>, options: PlotOptions) {
     const x = u.valToPos(options.time(), 'x', true), { ctx, bbox } = u;
     ctx.strokeStyle = colour('ink');
     ctx.lineWidth = devicePixelRatio;
+    ctx.setLineDash([]);
     ctx.beginPath();
     ctx.moveTo(x, bbox.top);
     ctx.lineTo(x, bbox.top + bbox.height);

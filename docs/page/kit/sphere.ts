@@ -6,7 +6,8 @@ import { line, path, type Shape } from './picture';
 
 type Context = CanvasRenderingContext2D;
 
-const ring = (point: (c: number, s: number) => number[]) => Array.from({ length: 73 }, (_, i) =>
+/** A closed curve from the cosine and the sine of 0 to 360 degrees. */
+export const ring = (point: (c: number, s: number) => number[]) => Array.from({ length: 73 }, (_, i) =>
   point(Math.cos((i * Math.PI) / 36), Math.sin((i * Math.PI) / 36)));
 const rings = [ring((c, s) => [c, 0, s]), ring((c, s) => [c, s, 0]), ring((c, s) => [0, c, s])];
 
