@@ -4,6 +4,7 @@ import type { Exhibit } from '../shell/exhibit';
 import { crowd } from './crowd';
 import { exercise } from './exercise';
 import { file } from './file';
+import { jointChain } from './joints';
 import { keys } from './keys';
 import { loop } from './loop';
 import { pole } from './pole';
@@ -14,6 +15,7 @@ export const exhibits = [
   keys,
   rotations,
   pole,
+  jointChain,
   loop,
   crowd,
   file,
