@@ -2,6 +2,7 @@
 // The exhibits, in the order of the list on the page.
 import type { Exhibit } from '../shell/exhibit';
 import { crowd } from './crowd';
+import { bits } from './bits';
 import { exercise } from './exercise';
 import { file } from './file';
 import { jointChain } from './joints';
@@ -18,5 +19,6 @@ export const exhibits = [
   jointChain,
   loop,
   crowd,
+  bits,
   file,
 ] as unknown as Exhibit<never>[];
