@@ -10,10 +10,12 @@ import { keys } from './keys';
 import { loop } from './loop';
 import { pole } from './pole';
 import { rotations } from './rotations';
+import { time } from './time';
 
 export const exhibits = [
   exercise,
   keys,
+  time,
   rotations,
   pole,
   jointChain,
