@@ -108,7 +108,7 @@ export function plot<S>(room: Room<S>, options: PlotOptions) {
   const host = element('div', { role: 'group', 'aria-label': say(options.label) });
   const box = element('div', { class: 'plot' }, host);
   const legend = element('div', { class: 'legend', 'aria-hidden': 'true' }, options.series.map(s => {
-    const mark = element('span', {}, `━ ${say(s.label)}`);
+    const mark = element('span', {}, `${s.dash ? '╍' : '━'} ${say(s.label)}`);
     mark.style.color = `var(--${s.colour})`;
     return mark;
   }));
