@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
 // The exhibits, in the order of the list on the page.
 import type { Exhibit } from '../shell/exhibit';
-import { crowd } from './crowd';
 import { bits } from './bits';
+import { blend } from './blend';
+import { crowd } from './crowd';
 import { exercise } from './exercise';
 import { file } from './file';
 import { jointChain } from './joints';
@@ -19,6 +20,7 @@ export const exhibits = [
   rotations,
   pole,
   jointChain,
+  blend,
   loop,
   crowd,
   bits,
