@@ -12,12 +12,14 @@ import { loop } from './loop';
 import { pole } from './pole';
 import { rotations } from './rotations';
 import { time } from './time';
+import { splines } from './splines';
 
 export const exhibits = [
   exercise,
   keys,
   time,
   rotations,
+  splines,
   pole,
   jointChain,
   blend,

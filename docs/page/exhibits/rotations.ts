@@ -104,7 +104,8 @@ function sphere(room: Room<State>, curves: (state: State) => Curves) {
     const { state } = room, { method, turns, time } = state, keys = keysOf(state), all = curves(state);
     const now = names.map(m => orientation(keys, m, turns, time / seconds)), mine = now[names.indexOf(method)];
     const grip = (name: 'a' | 'b', label: string) => ({
-      label: { en: `${label}: the nose of the key`, ja: `${label}: キーの先端` }, mark: label, colour: 'ink', at: nose(keys[name]),
+      label: { en: `${label}: the nose of the key`, ja: `${label}: キーの先端` }, mark: label, colour: 'ink',
+      at: nose(keys[name]),
       move: (ray: Ray) => room.set(turned(room.state, name, onSphere(ray, nose(keys[name])))),
     });
     show(view, [grip('a', 'A'), grip('b', 'B')]);
@@ -142,7 +143,8 @@ function tables(room: Room<State>) {
         values: [N.degreesFromRadians(N.quatAngle(a, b))], digits: 2 },
     ];
   });
-  numberTable(room, { en: 'Angular speed, °/s, and angle from slerp, °', ja: '角速度の大きさ(°/s)と、slerp との角度の差(°)' },
+  numberTable(room, { en: 'Angular speed, °/s, and angle from slerp, °',
+    ja: '角速度の大きさ(°/s)と、slerp との角度の差(°)' },
     () => numbersOf(room.state).rows.map((values, i) => ({ name: names[i], label: words[names[i]], values, digits: 2 })));
 }
 
