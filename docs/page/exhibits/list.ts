@@ -11,8 +11,9 @@ import { keys } from './keys';
 import { loop } from './loop';
 import { pole } from './pole';
 import { rotations } from './rotations';
-import { time } from './time';
 import { splines } from './splines';
+import { time } from './time';
+import { twist } from './twist';
 
 export const exhibits = [
   exercise,
@@ -22,6 +23,7 @@ export const exhibits = [
   splines,
   pole,
   jointChain,
+  twist,
   blend,
   loop,
   crowd,
