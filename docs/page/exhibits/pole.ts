@@ -73,7 +73,7 @@ function gimbalsOf(angles: number[], order: Order) {
 const letters = ['x', 'y', 'z'] as const;
 const radii = [1, 0.84, 0.68];
 
-/** The angle by which `from` turns about an axis to the place where a ray meets its circle, or 0 if it is seen edge on. */
+/** The angle about an axis from `from` to where a ray meets its plane, or 0 if that is seen edge on. */
 function turnTo({ origin, direction }: Ray, axis: number[], from: number[]): number {
   const slope = N.vec3Dot(direction, axis);
   if (Math.abs(slope) < 0.08)

@@ -228,8 +228,8 @@ export const rotations: Exhibit<State> = {
     en: 'Drag the two noses on the sphere. nlerp follows the arc of slerp at another speed; Euler angles (yaw, pitch, ' +
       'roll) leave the arc. Change the sign of B: the rotation is the same, and only the method that takes the signs ' +
       'as given goes the other way.',
-    ja: '球面上の二つの先端をドラッグしてください。nlerp は slerp と同じ弧を異なる速さで進み、オイラー角(ヨー、ピッチ、ロール)の補間は弧から外れます。' +
-      'B の符号を反転しても回転は同じですが、符号を調整しない方法だけは反対側の弧を通ります。',
+    ja: '球面上の二つの先端をドラッグしてください。nlerp は slerp と同じ弧を異なる速さで進み、' +
+      'オイラー角(ヨー、ピッチ、ロール)の補間は弧から外れます。B の符号を反転しても回転は同じですが、符号を調整しない方法だけは反対側の弧を通ります。',
   },
   fields: {
     method: choice<Method>('slerp', names), turns: whole(1, -3, 3), flip: flag(false),
