@@ -32,8 +32,8 @@ test('blend: both end in the new motion', async () => {
 
 test('blend: a drag of an end of the new motion changes the numbers', async () => {
   const { tab, n } = await numbers('');
+  await tab.hover('[data-handle="0"]'); // waits until the plot has its size
   const box = await (await tab.$('[data-handle="0"]')).boundingBox();
-  await tab.mouse.move(box.x + box.width / 2, box.y + box.height / 2);
   await tab.mouse.down();
   await tab.mouse.move(box.x + box.width / 2, box.y + box.height / 2 + 40, { steps: 4 });
   await tab.mouse.up();

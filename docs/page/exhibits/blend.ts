@@ -18,7 +18,7 @@ const words = {
   from: { en: 'old motion', ja: '元の動き' },
   to: { en: 'new motion', ja: '新しい動き' },
   fade: { en: 'cross-fade', ja: 'クロスフェード' },
-  inertia: { en: 'inertialisation', ja: '慣性化（inertialization）' },
+  inertia: { en: 'inertialisation', ja: '慣性化（inertialisation）' },
   numbers: { en: 'Now: value, velocity', ja: '現在の値と速度' },
   change: { en: 'The change', ja: '切り替え' },
   at: { en: 'begins at (s)', ja: '開始時刻 (s)' },
