@@ -115,7 +115,7 @@ function sliders(room: Room<State>) {
 function mount(room: Room<State>) {
   const skin = skinner(room), formula = element('p', { class: 'formula' }), note = element('p', { class: 'note', role: 'status' });
   const legend = element('div', { class: 'legend', 'aria-hidden': 'true' }, Array.from({ length: joints }, (_, j) =>
-    element('span', {}, [element('span', { style: `background: var(--c${j}); padding: 0 0.5em` }), ` ${say(labels.joint(j))}`])));
+    element('span', {}, [element('span', { style: `background: var(--c${j}); padding: 0 0.5em; margin-right: 0.3em` }), `${say(labels.joint(j))}`])));
   let now: Skinned;
   room.draw(() => {
     const { order, joint } = room.state, text = say(notes[order]);
@@ -125,7 +125,13 @@ function mount(room: Room<State>) {
       note.textContent = text;
   });
   room.stage.append(legend);
-  space(room, { label: labels.picture, distance: 6.5, aim: [0, 1.5, 0], paint: (c, view) => paint(c, view, room.state, now) });
+  const far = () => room.state.order === 'noInverse'; // the parts reach the height 9
+  space(room, {
+    label: labels.picture,
+    get distance() { return far() ? 14 : 6.5; },
+    get aim() { return [0, far() ? 4.5 : 1.5, 0]; },
+    paint: (c, view) => paint(c, view, room.state, now),
+  });
   sliders(room);
   room.side.append(formula, note);
   numberTable(room, labels.matrices, () => matrixRows(room.state, now));
