@@ -139,7 +139,7 @@ function angles(room: Room<State>) {
   const names = { x: 'X', y: 'Y', z: 'Z' };
   plot(room, {
     label: { en: 'Angles while the object passes the pole, degrees', ja: '極のそばを通るときの角度(度)' },
-    x: { en: 'time, seconds', ja: '時刻(秒)' },
+    x: { en: 'time, s', ja: '時刻(秒)' },
     series: [
       ...letters.map(axis => ({ label: names[axis], colour: axis, width: 2 })),
       ...letters.map(axis => ({ label: { en: `${names[axis]}, continued`, ja: `${names[axis]}(連続化)` },

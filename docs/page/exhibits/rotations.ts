@@ -201,7 +201,7 @@ function mount(room: Room<State>) {
   sphere(room, curves);
   plot(room, {
     label: { en: 'Angular speed, degrees per second', ja: '角速度の大きさ(度/秒)' },
-    x: { en: 'time, seconds', ja: '時刻(秒)' },
+    x: { en: 'time, s', ja: '時刻(秒)' },
     series: names.map(m => ({ label: words[m], colour: colours[m], width: 2 })),
     data: () => ({ x: Array.from({ length: 96 }, (_, i) => (i + 0.5) * seconds / 96),
       y: names.map(m => curves(room.state)[m].speeds) }),

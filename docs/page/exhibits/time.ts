@@ -5,7 +5,7 @@ import { list, literal, program } from '../kit/code';
 import { colour } from '../kit/colours';
 import { numberTable, type Row } from '../kit/numbers';
 import { panel } from '../kit/panel';
-import { plot, type Handle } from '../kit/plot';
+import { legend, plot, type Handle } from '../kit/plot';
 import type { Exhibit, Room } from '../shell/exhibit';
 import { choice, number, numbers } from '../shell/state';
 import type { Text } from '../shell/text';
@@ -110,11 +110,11 @@ const series = [
 ];
 
 function plots(room: Room<State>) {
-  const none = x.map(() => NaN);
+  const none = x.map(() => NaN), shared = legend(room, series);
   const rows = (which: 0 | 2) => ({ x, y: [...curves(room.state, which), none] });
-  const values = plot(room, { label: texts.value, series, data: () => rows(0), range: () => [low, high],
+  const values = plot(room, { label: texts.value, series: shared, share: 3, data: () => rows(0), range: () => [low, high],
     time: () => room.state.time, handles: () => handles(room) });
-  const parameters = plot(room, { label: texts.parameter, series, x: texts.time, data: () => rows(2),
+  const parameters = plot(room, { label: texts.parameter, series: shared, x: texts.time, data: () => rows(2),
     range: () => [-0.1, 1.1], time: () => room.state.time });
   values.hooks.draw!.push(u => {
     polyline(u, given(room.state.segment), 'soft', [5, 4]);
@@ -122,9 +122,6 @@ function plots(room: Room<State>) {
     sticks(u, limited(room.state, room.state.policy), 'ink');
   });
   parameters.hooks.draw!.push(u => polyline(u, given(room.state.segment).map(([t, , s]) => [t, s]), 'soft', [5, 4]));
-  values.root.closest<HTMLElement>('.plot')!.style.cssText = 'flex: 2; min-height: 14rem';
-  parameters.root.closest<HTMLElement>('.plot')!.style.minHeight = '9rem';
-  room.stage.querySelectorAll('.legend[aria-hidden]')[1].remove();
 }
 
 /* ---- numbers ---- */

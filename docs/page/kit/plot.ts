@@ -6,147 +6,165 @@ import type { Room } from '../shell/exhibit';
 import { say, type Text } from '../shell/text';
 import { colour } from './colours';
 import { element } from './html';
+import { legend, type Legend, type Series } from './legend';
+import { onDouble, pointLayer, type Handle } from './points';
+import { logTicks, ticks, tickTexts } from './ticks';
 
-export interface Series {
-  label: Text | string;
-  /** A CSS variable: c0 to c7, x, y, z, ink. */
-  colour: string;
-  width?: number;
-  dash?: number[];
-}
-
-export interface Handle {
-  label: Text | string;
-  x: number;
-  y: number;
-  small?: boolean;
-  /** The point after a drag or an arrow key, in the plot's units. Without it the point does not move. */
-  move?(x: number, y: number): void;
-}
+export type { Handle, Series };
+export { legend };
 
 export interface PlotOptions {
   /** What the plot shows, for its title and for screen readers. */
   label: Text;
+  /** The label of the abscissa. Without it, the plot shares the axis of the plot below. */
   x?: Text;
-  series: Series[];
-  /** The abscissae, and for each series its values; null or NaN is a gap. Called for each drawing. */
+  /** The curves, or a legend that several plots share. */
+  series: Series[] | Legend;
+  /** The abscissae, and for each series its values; NaN is a gap. The same object as before: nothing has changed. */
   data(): { x: ArrayLike<number>; y: ArrayLike<number>[] };
-  /** The range of y; else that of the data. */
+  /** The range of y; else that of the curves that are shown. */
   range?(): [number, number];
+  /** The axis of y is logarithmic. */
+  log?: boolean;
   /** Where the vertical line is. */
   time?(): number;
+  /** Thin vertical lines, for instance at the keys. */
+  lines?(): number[];
+  /** Small circles. */
+  marks?(): { x: number; y: number; colour: string }[];
   handles?(): Handle[];
+  /** A double click or a double tap on the plot. */
+  add?(x: number, y: number): void;
   /** In which part of the stage the plot is; else the stage. */
   parent?: HTMLElement;
+  /** Its share of the height; 1 without it. */
+  share?: number;
 }
 
-const gaps = (values: ArrayLike<number>) => Array.from(values, v => Number.isFinite(v) ? v : null);
+/* ---- axes ---- */
 
-function extent(rows: ArrayLike<number>[]): [number, number] {
-  const all = rows.flatMap(row => Array.from(row).filter(Number.isFinite));
-  const least = Math.min(...all), most = Math.max(...all);
-  if (!(most > least))
-    return Number.isFinite(least) ? [least - 1, least + 1] : [0, 1];
-  return [least - 0.06 * (most - least), most + 0.06 * (most - least)];
-}
+const look = {
+  stroke: () => colour('soft'), font: '12px system-ui, "Noto Sans CJK JP", sans-serif', gap: 4,
+  grid: { stroke: () => colour('line'), width: 1 }, ticks: { show: false },
+  filter: (_: uPlot, list: number[]) => list,
+};
 
-// A button above the canvas for each handle: it is dragged by a pointer, and moved by arrow keys.
-function handleLayer(over: HTMLElement, at: () => uPlot, refresh: () => void) {
-  const shown: HTMLButtonElement[] = [];
-  let list: Handle[] = [];
-  const make = (i: number) => {
-    const made = element('button', { type: 'button', class: 'handle', 'data-handle': String(i) });
-    let held: { dx: number; dy: number } | undefined;
-    made.addEventListener('pointerdown', event => {
-      made.setPointerCapture(event.pointerId);
-      const box = over.getBoundingClientRect();
-      held = { dx: event.clientX - box.left - made.offsetLeft, dy: event.clientY - box.top - made.offsetTop };
-    });
-    made.addEventListener('pointermove', event => {
-      if (!held)
-        return;
-      const box = over.getBoundingClientRect(), plot = at();
-      const x = event.clientX - box.left - held.dx + made.offsetWidth / 2;
-      const y = event.clientY - box.top - held.dy + made.offsetHeight / 2;
-      list[i].move?.(plot.posToVal(x, 'x'), plot.posToVal(y, 'y'));
-    });
-    for (const name of ['pointerup', 'pointercancel'])
-      made.addEventListener(name, () => { held = undefined; refresh(); });
-    made.addEventListener('keydown', event => {
-      const step = ({ ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, 1], ArrowDown: [0, -1] } as
-        Record<string, [number, number]>)[event.key];
-      if (!step)
-        return;
-      event.preventDefault();
-      event.stopPropagation();
-      const { scales } = at(), size = event.shiftKey ? 0.05 : 0.01;
-      const unit = (name: 'x' | 'y') => (scales[name].max! - scales[name].min!) * size;
-      list[i].move?.(list[i].x + step[0] * unit('x'), list[i].y + step[1] * unit('y'));
-    });
-    over.append(made);
-    return made;
-  };
+/** The label of the axis has the place of the last tick but one. */
+function abscissa(label?: Text): uPlot.Axis {
+  const texts = (list: number[]) => tickTexts(list).map((text, i) => label && i === list.length - 2 ? say(label) : text);
   return {
-    show(next: Handle[]) {
-      list = next;
-      while (shown.length < next.length)
-        shown.push(make(shown.length));
-      shown.splice(next.length).forEach(extra => extra.remove());
-      next.forEach((handle, i) => {
-        const plot = at();
-        shown[i].setAttribute('aria-label', `${say(handle.label)}: ${handle.x.toFixed(2)}, ${handle.y.toFixed(2)}`);
-        shown[i].classList.toggle('small', !!handle.small);
-        shown[i].style.left = `${plot.valToPos(handle.x, 'x')}px`;
-        shown[i].style.top = `${plot.valToPos(handle.y, 'y')}px`;
-      });
-    },
+    ...look, size: label ? 20 : 0,
+    splits: (u, _, least, most) => ticks(least, most, Math.max(Math.floor(u.width / 100), 3)),
+    values: (_, list) => label ? texts(list) : list.map(() => ''),
   };
 }
 
-/** A plot that follows the state. While a handle is held, the range of the axes stays. */
-export function plot<S>(room: Room<S>, options: PlotOptions) {
-  const host = element('div', { role: 'group', 'aria-label': say(options.label) });
-  const box = element('div', { class: 'plot' }, host);
-  const legend = element('div', { class: 'legend', 'aria-hidden': 'true' }, options.series.map(s => {
-    const mark = element('span', {}, `${s.dash ? '╍' : '━'} ${say(s.label)}`);
-    mark.style.color = `var(--${s.colour})`;
-    return mark;
-  }));
-  (options.parent ?? room.stage).append(element('div', { class: 'legend' }, say(options.label)), legend, box);
-  const line = (u: uPlot) => {
-    if (!options.time)
-      return;
-    const x = u.valToPos(options.time(), 'x', true), { ctx, bbox } = u;
-    ctx.strokeStyle = colour('ink');
-    ctx.lineWidth = devicePixelRatio;
-    ctx.setLineDash([]);
-    ctx.beginPath();
+const ordinate = (log = false): uPlot.Axis => ({
+  ...look, size: 44,
+  splits: (u, _, least, most) => (log ? logTicks : ticks)(least, most, Math.max(Math.floor(u.height / 45), 2)),
+  values: (_, list) => tickTexts(list),
+});
+
+/** The range of the curves that are shown, with a margin. */
+function extent(rows: ArrayLike<number>[], log = false): [number, number] {
+  let [least, most] = [Infinity, -Infinity];
+  for (const row of rows)
+    for (let i = 0; i < row.length; i++)
+      if (Number.isFinite(row[i]) && !(log && row[i] <= 0))
+        [least, most] = [Math.min(least, row[i]), Math.max(most, row[i])];
+  if (!Number.isFinite(least))
+    return log ? [0.1, 10] : [0, 1];
+  if (log)
+    return [least / 1.2, most * 1.2];
+  const margin = 0.06 * (most - least) || 1;
+  return [least - margin, most + margin];
+}
+
+/* ---- what is drawn on the canvas beside the curves ---- */
+
+function paintLines({ ctx, bbox, valToPos }: uPlot, lines: number[]) {
+  ctx.save();
+  ctx.strokeStyle = colour('soft');
+  ctx.lineWidth = devicePixelRatio;
+  ctx.setLineDash([devicePixelRatio, 3 * devicePixelRatio]);
+  ctx.beginPath();
+  for (const x of lines.map(line => valToPos(line, 'x', true))) {
     ctx.moveTo(x, bbox.top);
     ctx.lineTo(x, bbox.top + bbox.height);
-    ctx.stroke();
-  };
-  let range: [number, number] = [0, 1];
-  const axis = (size: number, label?: Text): uPlot.Axis => ({
-    stroke: () => colour('soft'), grid: { stroke: () => colour('line'), width: 1 }, ticks: { show: false }, size,
-    ...(label ? { label: say(label), labelSize: 16 } : {}),
-  });
-  const made = new uPlot({
-    width: 400, height: 120, legend: { show: false }, cursor: { show: false },
-    scales: { x: { time: false }, y: { range: () => range } },
-    axes: [axis(options.x ? 44 : 28, options.x), axis(52)],
-    series: [{}, ...options.series.map(s => ({
+  }
+  ctx.stroke();
+  ctx.restore();
+}
+
+function paintMarks({ ctx, valToPos }: uPlot, marks: { x: number; y: number; colour: string }[]) {
+  ctx.save();
+  for (const mark of marks) {
+    ctx.beginPath();
+    ctx.arc(valToPos(mark.x, 'x', true), valToPos(mark.y, 'y', true), 4 * devicePixelRatio, 0, 2 * Math.PI);
+    ctx.fillStyle = colour(mark.colour);
+    ctx.fill();
+  }
+  ctx.restore();
+}
+
+/* ---- the plot ---- */
+
+/** The title, the legend unless it has another place, and the box of the plot. */
+function frame<S>(room: Room<S>, options: PlotOptions, curves: Legend) {
+  const host = element('div', { role: 'group', 'aria-label': say(options.label) });
+  const box = element('div', { class: 'plot', style: `--share: ${options.share ?? 1}` }, host);
+  const caption = element('div', { class: 'caption' }, say(options.label));
+  if (!curves.element.parentElement)
+    caption.append(curves.element);
+  (options.parent ?? room.stage).append(caption, box);
+  return { host, box };
+}
+
+function make(options: PlotOptions, series: Series[], range: () => [number, number], host: HTMLElement): uPlot {
+  return new uPlot({
+    width: 400, height: 120, legend: { show: false }, cursor: { show: false }, pxAlign: 0,
+    padding: [8, 14, options.x ? 0 : 8, 0],
+    scales: { x: { time: false }, y: { range, distr: options.log ? 3 : 1 } },
+    axes: [abscissa(options.x), ordinate(options.log)],
+    series: [{}, ...series.map(s => ({
       stroke: () => colour(s.colour), width: s.width ?? 1.5, dash: s.dash, points: { show: false } }))],
-    hooks: { draw: [line] },
-  }, [[0, 1], ...options.series.map(() => [0, 0])] as uPlot.AlignedData, host);
-  const handles = handleLayer(made.over, () => made, room.refresh);
+    hooks: { drawAxes: [u => paintLines(u, options.lines?.() ?? [])], draw: [u => paintMarks(u, options.marks?.() ?? [])] },
+  }, [[0, 1], ...series.map(() => [0, 0])] as uPlot.AlignedData, host);
+}
+
+const gaps = (values: ArrayLike<number>, log?: boolean) =>
+  Array.from(values, v => Number.isFinite(v) && !(log && v <= 0) ? v : null);
+
+/** A plot that follows the state. While a handle is held, the range of the axes stays. */
+export function plot<S>(room: Room<S>, options: PlotOptions): uPlot {
+  const curves = Array.isArray(options.series) ? legend(room, options.series) : options.series;
+  const { host, box } = frame(room, options, curves);
+  let range: [number, number] = [0, 1], before: unknown, key = '';
+  const made = make(options, curves.series, () => range, host), points = pointLayer(made, room.refresh);
+  const now = element('div', { class: 'now' });
+  if (options.time)
+    made.over.append(now);
+  if (options.add)
+    onDouble(made.over, (x, y) => options.add?.(made.posToVal(x, 'x'), made.posToVal(y, 'y')));
+  const redraw = (data: { x: ArrayLike<number>; y: ArrayLike<number>[] }, shown: boolean[]) => {
+    made.batch(() => {
+      if (box.clientWidth !== made.width || box.clientHeight !== made.height)
+        made.setSize({ width: box.clientWidth, height: box.clientHeight });
+      shown.forEach((show, i) => made.setSeries(i + 1, { show }));
+      made.setData([Array.from(data.x), ...data.y.map(row => gaps(row, options.log))] as uPlot.AlignedData);
+    });
+  };
   room.draw(() => {
-    const { x, y } = options.data(), held = made.over.querySelector('.handle:active');
-    if (!held)
-      range = options.range?.() ?? extent(y);
-    if (box.clientWidth !== made.width || box.clientHeight !== made.height)
-      made.setSize({ width: box.clientWidth, height: box.clientHeight });
-    made.setData([Array.from(x), ...y.map(gaps)] as uPlot.AlignedData);
-    handles.show(options.handles?.() ?? []);
+    const data = options.data(), shown = curves.series.map((_, i) => curves.shows(i));
+    if (!made.over.querySelector('[data-held]'))
+      range = options.range?.() ?? extent(data.y.filter((_, i) => shown[i]), options.log);
+    const next = JSON.stringify([box.clientWidth, box.clientHeight, colour('ink'), shown, range, options.lines?.(),
+      options.marks?.()]);
+    if (data !== before || next !== key)
+      redraw(data, shown);
+    [before, key] = [data, next];
+    points(options.handles?.() ?? []);
+    now.style.left = `${made.valToPos(options.time?.() ?? 0, 'x')}px`;
   });
   room.closed(() => made.destroy());
   return made;

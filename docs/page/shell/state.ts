@@ -32,6 +32,16 @@ export const flag = (initial: boolean): Field<boolean> => ({
   write: on => on ? '1' : '0',
 });
 
+/** Some words of a list, none of which contains an underscore. */
+export const some = <T extends string>(initial: T[], words: readonly T[]): Field<T[]> => ({
+  initial,
+  read: text => {
+    const list = text.split('_').filter(Boolean) as T[];
+    return list.every(word => words.includes(word)) ? list : undefined;
+  },
+  write: list => list.join('_'),
+});
+
 /** A list of numbers; `valid` refuses lists of a wrong shape. */
 export const numbers = (initial: number[], valid: (list: number[]) => boolean = () => true): Field<number[]> => ({
   initial,

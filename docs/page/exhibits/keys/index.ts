@@ -2,7 +2,7 @@
 // Exhibit 2: one curve through keys that can be dragged, by all methods; value, velocity and acceleration.
 import { numberTable, type Row } from '../../kit/numbers';
 import { panel } from '../../kit/panel';
-import { plot, type Handle } from '../../kit/plot';
+import { legend, plot, type Handle } from '../../kit/plot';
 import type { Exhibit, Room } from '../../shell/exhibit';
 import { curve, fields, methods, tangentsOf, words, type State } from './curves';
 import { code } from './program';
@@ -19,7 +19,7 @@ const steps = 240;
 
 /* ---- samples ---- */
 
-interface Sampled { x: number[]; y: number[][][] }
+type Sampled = { x: number[]; y: number[][] }[];
 
 /** For value, velocity and acceleration the rows of all methods, of the other scale, and of the chosen method. */
 function sample(s: State): Sampled {
@@ -29,7 +29,7 @@ function sample(s: State): Sampled {
   const f = [...methods.map(m => s.all ? curve(s, m) : none),
     tangentsOf(s, s.method) ? curve(s, s.method, other) : none, curve(s, s.method)];
   const points = f.map(one => x.map(one));
-  return { x, y: [0, 1, 2].map(i => points.map(row => row.map(p => p[i]))) };
+  return [0, 1, 2].map(i => ({ x, y: points.map(row => row.map(p => p[i])) }));
 }
 
 /** Samples again only if something else than the time has changed. */
@@ -89,19 +89,13 @@ const series = [
 ];
 
 function plots(room: Room<State>) {
-  const sampled = memory();
-  const made = [texts.value, texts.velocity, texts.acceleration].map((label, i) => plot(room, {
-    label, series, x: i === 2 ? texts.time : undefined,
-    data: () => ({ x: sampled(room.state).x, y: sampled(room.state).y[i] }),
+  const sampled = memory(), curves = legend(room, series);
+  [texts.value, texts.velocity, texts.acceleration].forEach((label, i) => plot(room, {
+    label, series: curves, x: i === 2 ? texts.time : undefined, share: i ? 1 : 2,
+    data: () => sampled(room.state)[i],
     time: () => room.state.time,
     handles: i === 0 ? () => handles(room) : undefined,
   }));
-  const size = (i: number) => i ? 'flex: 1; min-height: 6.5rem' : 'flex: 2; min-height: 9rem';
-  made.forEach(({ root }, i) => { root.closest<HTMLElement>('.plot')!.style.cssText = size(i); });
-  // One legend for the three plots.
-  const legends = [...room.stage.querySelectorAll<HTMLElement>('.legend[aria-hidden]')];
-  legends.splice(1).forEach(legend => legend.remove());
-  legends[0].style.cssText = 'font-size: 0.8rem; gap: 0 0.7rem';
 }
 
 const rows = (s: State): Row[] =>
