@@ -13,8 +13,8 @@ export interface Panel<S> {
   action(label: Text, run: () => void): Controller;
 }
 
-/** A panel beside the exhibit. Its controls follow the state. */
-export function panel<S extends object>(room: Room<S>, title: Text): Panel<S> {
+/** A panel beside the exhibit, open unless it is folded. Its controls follow the state. */
+export function panel<S extends object>(room: Room<S>, title: Text, folded = false): Panel<S> {
   const gui = new GUI({ autoPlace: false, container: room.side, title: say(title), width: 320 });
   const shadow = { ...room.state } as Record<string, unknown>;
   const follow = (name: string, controller: Controller) => {
@@ -30,6 +30,7 @@ export function panel<S extends object>(room: Room<S>, title: Text): Panel<S> {
       }
     }
   });
+  gui.open(!folded);
   room.closed(() => gui.destroy());
   return {
     slider: (name, label, least, most, step) => follow(name, gui.add(shadow, name, least, most, step).name(say(label))),

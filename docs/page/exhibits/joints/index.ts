@@ -1,153 +1,112 @@
 // SPDX-License-Identifier: MIT
-// Exhibit 7: the lesson's capsule on four joints: T J T^-1 in numbers, and the wrong orders of the product.
-import * as N from 'nakawari/all';
-import { colour } from '../../kit/colours';
+// Exhibit 7: the lesson's capsule on four joints: T J T^-1 in numbers, and the classic mistakes.
 import type { View } from '../../kit/eye';
+import { grips } from '../../kit/grips';
 import { element } from '../../kit/html';
-import { numberTable, type Row } from '../../kit/numbers';
-import { panel } from '../../kit/panel';
-import { dot, line, type Shape } from '../../kit/picture';
-import { mix, rgb, skinned, vertex } from '../../kit/skinned';
+import { rampStyle, vertex } from '../../kit/skinned';
 import { space } from '../../kit/space';
 import type { Exhibit, Room } from '../../shell/exhibit';
 import { say } from '../../shell/text';
 import { code } from './code';
-import { faces, front, joints, positions, rings, weightsOf } from './mesh';
-import { chain, factors, fields, heights, row, type Factor, type Joint, type State } from './model';
-import { axisWords, controls, influenceWords, labels, notes, orderWords, paintWords } from './words';
+import { choices, shortcuts, sliders } from './controls';
+import { equation } from './equation';
+import { frames, handles } from './frames';
+import { around, joints } from './mesh';
+import { fields, type Order, type State } from './model';
+import { paint } from './picture';
+import { skinner, type Skinned } from './skin';
+import { labels } from './words';
+import { vertexTable } from './vertex';
 
-function buildMesh(influence: State['influence']) {
-  const weights = weightsOf(influence), count = positions.length / 3;
-  const mesh = new N.Mesh({ positions, weights, influenceCount: joints,
-    joints: Uint16Array.from({ length: count * joints }, (_, i) => i % joints) });
-  return { mesh, weights };
-}
-
-/** The skinned vertices of a state; the meshes, one for each way to weigh, live as long as the exhibit. */
-function skinner(room: Room<State>) {
-  const built = { smooth: buildMesh('smooth'), hard: buildMesh('hard') };
-  const palette = new N.Palette({ jointCount: joints, format: N.PALETTE_MAT4 }), models = new N.Matrices(joints);
-  room.closed(() => [built.smooth.mesh, built.hard.mesh, palette, models].forEach(owner => owner.dispose()));
-  return () => {
-    const list = chain(room.state), { mesh, weights } = built[room.state.influence];
-    models.array.set(list.flatMap(joint => joint.M));
-    return { list, weights, positions: mesh.skinLinear(palette.update(models)).skinned.positions! };
-  };
-}
-
-/* ---- the picture ---- */
-
-type Skinned = ReturnType<ReturnType<typeof skinner>>;
-
-function colours(state: State, weights: Uint16Array): (face: number) => number[] {
-  const of = (face: number) => Array.from({ length: joints }, (_, j) =>
-    faces[face].reduce((sum, v) => sum + weights[v * joints + j], 0) / 65535 / faces[face].length);
-  const bones = Array.from({ length: joints }, (_, j) => rgb(`c${j}`)), pale = rgb('line');
-  return state.paint === 'all' ? face => mix(bones, of(face)) : face => {
-    const share = of(face)[state.joint];
-    return mix([bones[state.joint], pale], [share, 1 - share]);
-  };
-}
-
-/** The joints where their matrices move them, before everything else. */
-function bones(c: CanvasRenderingContext2D, view: View, state: State, list: Joint[]): Shape[] {
-  const at = heights(state).map((h, i) => N.mat4TransformPoint([0, 0, 0], list[i].M, [0, h, 0]));
-  const over = (shape: Shape) => ({ ...shape, distance: -1 });
-  return [
-    ...at.slice(1).map((p, i) => line(c, view, at[i], p, colour('ink'), 2)),
-    ...at.flatMap((p, i) => (['x', 'y', 'z'] as const).map((name, k) => {
-      const tip = N.vec3Add([0, 0, 0], p, N.mat4TransformDirection([0, 0, 0], list[i].M,
-        [0, 1, 2].map(n => n === k ? 0.3 : 0)));
-      return line(c, view, p, tip, colour(name), i === state.joint ? 4 : 2);
-    })),
-    ...at.map(p => dot(c, view, p, colour('ink'))),
-  ].map(over);
-}
-
-function floor(c: CanvasRenderingContext2D, view: View): Shape[] {
-  const lines = [-2, -1, 0, 1, 2].flatMap(k => [[[k, 0, -2], [k, 0, 2]], [[-2, 0, k], [2, 0, k]]]);
-  return lines.map(([a, b]) => ({ ...line(c, view, a, b, colour('line'), 1), distance: 1e6 }));
-}
-
-function paint(c: CanvasRenderingContext2D, view: View, state: State, now: Skinned): Shape[] {
-  const chosen = { ...dot(c, view, vertex(now.positions, front(state.ring)), colour('c6')), distance: -2 };
-  return [...floor(c, view), ...skinned(c, view, now.positions, faces, colours(state, now.weights)),
-    ...bones(c, view, state, now.list), chosen];
-}
-
-/* ---- the numbers ---- */
-
-const symbol: Record<Factor, (i: number) => string> = {
-  P: i => i ? `M<sub>${i - 1}</sub>` : '1', T: i => `T<sub>${i}</sub>`, J: i => `J<sub>${i}</sub>`,
-  I: i => `T<sub>${i}</sub><sup>−1</sup>`,
+/** The distance of the camera and the height of its aim, where the parts leave the place of the capsule. */
+const far: Partial<Record<Order, [number, number]>> = {
+  noInverse: [10, 3.3], noTranslation: [9.5, -0.9], swapped: [7.5, 1.2], origin: [5, 0.7],
 };
 
-function matrixRows(state: State, { list }: Skinned): Row[] {
-  const { joint: i } = state, names = { ...symbol, M: () => `M<sub>${i}</sub>` };
-  return (['P', 'T', 'J', 'I', 'M'] as const).flatMap(name => [0, 1, 2, 3].map(r => ({
-    name: `${name}${r}`, label: r ? labels.row(r) : name === 'P' && !i ? say(labels.noParent) : names[name](i),
-    values: row(list[i][name], r) })));
+/** The ramp of a weight from 0 to 1, or the colours of the joints. */
+function legend(room: Room<State>) {
+  const title = element('span'), ticks = element('div', { class: 'ticks' }, ['0', '¼', '½', '¾', '1'].map(t =>
+    element('span', {}, t)));
+  const one = element('div', {}, [title, element('div', { class: 'ramp', style: `background: ${rampStyle}` }), ticks]);
+  const all = element('div', {}, Array.from({ length: joints }, (_, j) => element('div', {}, [
+    element('span', { class: 'swatch', style: `background: var(--c${j})` }), say(labels.joint(j))])));
+  room.draw(() => {
+    title.textContent = say(labels.weightOf(room.state.joint));
+    one.hidden = room.state.paint !== 'one';
+    all.hidden = !one.hidden;
+  });
+  return element('div', { class: 'corner', 'aria-hidden': 'true' }, [one, all]);
 }
 
-function vertexRows(state: State, now: Skinned): Row[] {
-  const v = front(state.ring);
-  return [
-    { name: 'weights', label: labels.weights, values: now.weights.subarray(v * joints, (v + 1) * joints), digits: 0 },
-    { name: 'vertex', label: labels.vertex, values: vertex(positions, v) },
-    { name: 'moved', label: labels.moved, values: vertex(now.positions, v) },
-  ];
+/** The vertex that a pixel shows: the nearest to the eye of those within 14 pixels. */
+function pick(view: View, now: Skinned, x: number, y: number): number | undefined {
+  const all = Array.from({ length: now.positions.length / 3 }, (_, v) => ({ v, at: vertex(now.positions, v) }));
+  const close = all.filter(({ at }) => {
+    const p = view.project(at);
+    return p && Math.hypot(p.x - x, p.y - y) < 14;
+  });
+  return close.sort((a, b) => view.distance(a.at) - view.distance(b.at))[0]?.v;
 }
 
-/* ---- the exhibit ---- */
+/** A click that is not a drag chooses a vertex. */
+function picking(room: Room<State>, canvas: HTMLCanvasElement, at: (x: number, y: number) => number | undefined) {
+  let from = { x: 0, y: 0 };
+  canvas.addEventListener('pointerdown', event => { from = { x: event.offsetX, y: event.offsetY }; });
+  canvas.addEventListener('click', ({ offsetX: x, offsetY: y }) => {
+    const v = Math.hypot(x - from.x, y - from.y) < 5 ? at(x, y) : undefined;
+    if (v !== undefined)
+      room.set({ ring: Math.floor(v / around), column: v % around });
+  });
+}
 
-function sliders(room: Room<State>) {
-  const ui = panel(room, controls.title);
-  ui.choice('order', controls.order, orderWords);
-  ui.choice('axis', controls.axis, axisWords);
-  ([0, 1, 2, 3] as const).forEach(i => ui.slider(`angle${i}`, controls.angle(i), -3.2, 3.2, 0.01));
-  ([1, 2, 3] as const).forEach(i => ui.slider(`height${i}`, controls.height(i), 0, 3, 0.01));
-  ui.choice('influence', controls.influence, influenceWords);
-  ui.choice('paint', controls.paint, paintWords);
-  ui.slider('joint', controls.joint, 0, joints - 1, 1);
-  ui.slider('ring', controls.ring, 0, rings - 1, 1);
+/** The arrow keys turn the joint of a handle. */
+function keys(host: HTMLElement, step: (joint: number, by: number) => void) {
+  const signs: Record<string, number> = { ArrowLeft: -1, ArrowDown: -1, ArrowRight: 1, ArrowUp: 1 };
+  host.addEventListener('keydown', event => {
+    const { handle } = (event.target as HTMLElement).dataset, by = signs[event.key];
+    if (handle === undefined || !by)
+      return;
+    event.preventDefault();
+    event.stopPropagation();
+    step(Number(handle), by);
+  }, true);
 }
 
 function mount(room: Room<State>) {
-  const skin = skinner(room), formula = element('p', { class: 'formula' }), note = element('p', { class: 'note', role: 'status' });
-  const legend = element('div', { class: 'legend', 'aria-hidden': 'true' }, Array.from({ length: joints }, (_, j) =>
-    element('span', {}, [element('span', { style: `background: var(--c${j}); padding: 0 0.5em; margin-right: 0.3em` }), `${say(labels.joint(j))}`])));
-  let now: Skinned;
-  room.draw(() => {
-    const { order, joint } = room.state, text = say(notes[order]);
-    now = skin();
-    formula.innerHTML = `M<sub>${joint}</sub> = ${factors(order).map(f => symbol[f](joint)).join(' · ')}`;
-    if (note.textContent !== text)
-      note.textContent = text;
+  const skin = skinner(room), host = element('div', { class: 'scene' }, legend(room)), show = grips(host);
+  let now: Skinned, seen: View;
+  room.draw(() => { now = skin(); });
+  room.stage.append(host);
+  const canvas = space(room, {
+    label: labels.picture, parent: host,
+    get distance() { return far[room.state.order]?.[0] ?? 4.7; },
+    get aim() { return [0, far[room.state.order]?.[1] ?? 1.5, 0]; },
+    paint(c, view) {
+      seen = view;
+      show(view, handles(room, frames(room.state, now.list)));
+      return paint(c, view, room.state, now);
+    },
   });
-  room.stage.append(legend);
-  const far = () => room.state.order === 'noInverse'; // the parts reach the height 9
-  space(room, {
-    label: labels.picture,
-    get distance() { return far() ? 14 : 6.5; },
-    get aim() { return [0, far() ? 4.5 : 1.5, 0]; },
-    paint: (c, view) => paint(c, view, room.state, now),
-  });
+  picking(room, canvas, (x, y) => pick(seen, now, x, y));
+  keys(host, (joint, by) => handles(room, frames(room.state, now.list))[joint].step(by));
+  choices(room);
+  vertexTable(room, () => now);
   sliders(room);
-  room.side.append(formula, note);
-  numberTable(room, labels.matrices, () => matrixRows(room.state, now));
-  numberTable(room, labels.vertexTable, () => vertexRows(room.state, now));
+  shortcuts(room);
+  equation(room, () => now);
 }
 
 export const jointChain: Exhibit<State> = {
   id: 'joints',
   title: { en: 'Joints', ja: '関節' },
   lead: {
-    en: 'Turn the joints, and look at the product of a joint: T · J · T⁻¹ behind the matrix of the joint before. Choose ' +
-      'one of the wrong orders to recognise it in a program of your own.',
-    ja: '関節を回して、1つ前の関節の行列に T · J · T⁻¹ を掛けた積を見てください。よくある間違った順序も選べますので、' +
-      '自分のプログラムの表示と見比べることができます。',
+    en: 'Turn the joints by their handles 0 to 3, click a vertex, play the timer of the lesson. The equation below ' +
+      'is the product of the chosen joint. Does your program show something else? Choose a mistake and compare.',
+    ja: '0 から 3 のハンドルで関節を回し、頂点をクリックし、授業のタイマーを再生してみてください。下の式は、' +
+      '選んだ関節の行列の積です。自分のプログラムの表示と違うときは、よくある間違いを選んで見比べてください。',
   },
   fields,
+  range: () => ({ start: 0, end: 4 }),
   mount,
   code,
 };

@@ -2,8 +2,8 @@
 // The lesson's capsule: radius 0.5, from height 0 to 3, and the weights of its vertices on four joints.
 import * as N from 'nakawari/all';
 
-export const joints = 4;
-const around = 16, cap = 4, side = 12, radius = 0.5, straight = 2;
+export const joints = 4, around = 16;
+const cap = 4, side = 12, radius = 0.5, straight = 2;
 export const rings = 2 * cap + side + 1;
 export type Influence = 'smooth' | 'hard';
 
@@ -22,9 +22,6 @@ export const faces = Array.from({ length: rings - 1 }, (_, k) => Array.from({ le
   return k === 0 ? [low, next + around, low + around] : k === rings - 2 ? [low, next, next + around] :
     [low, next, next + around, low + around];
 })).flat();
-
-/** The foremost vertex of a ring. */
-export const front = (k: number) => k * around;
 
 /** Where the B-spline over the joints is at a height: the first of four joints may be -1 or less, t is in [0, 1]. */
 export function place(height: number) {
@@ -48,10 +45,19 @@ function share(height: number, influence: Influence): number[] {
   return out;
 }
 
+/** The two largest weights of each vertex, not normalised again: their sum is less than 65535. */
+function keepTwo(weights: Uint16Array): Uint16Array {
+  return weights.map((w, n) => {
+    const all = weights.subarray(n - n % joints, n - n % joints + joints);
+    const before = all.reduce((sum, other, j) => sum + Number(other > w || (other === w && j < n % joints)), 0);
+    return before < 2 ? w : 0;
+  });
+}
+
 /** The weights of all vertices, of 65535. */
-export function weightsOf(influence: Influence): Uint16Array {
+export function weightsOf(influence: Influence, normalised: boolean): Uint16Array {
   const count = positions.length / 3, out = new Uint16Array(count * joints);
-  const shares = Float32Array.from(Array.from({ length: count }, (_, i) => share(positions[3 * i + 1], influence)).flat());
-  N.skinNormalizeWeights(shares, out, joints, count);
-  return out;
+  const shares = Array.from({ length: count }, (_, i) => share(positions[3 * i + 1], influence));
+  N.skinNormalizeWeights(Float32Array.from(shares.flat()), out, joints, count);
+  return normalised ? out : keepTwo(out);
 }

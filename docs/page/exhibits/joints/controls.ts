@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: MIT
+// What is chosen: product, joint, weights, colours; and, folded away, the sliders.
+import { element } from '../../kit/html';
+import { panel } from '../../kit/panel';
+import type { Room } from '../../shell/exhibit';
+import { say, type Text } from '../../shell/text';
+import { around, joints, rings } from './mesh';
+import { most, orderNames, steps, type Order, type State } from './model';
+import { axisWords, controls, influenceWords, labels, notes, orderWords, paintWords } from './words';
+
+type Words = Record<string, Text>;
+const options = (words: Words) => Object.entries(words).map(([value, text]) => element('option', { value }, say(text)));
+
+/** A list with its label; `content` are its options. */
+function list(room: Room<State>, name: keyof State, label: Text, content: HTMLElement[]) {
+  const made = element('select', {}, content);
+  made.addEventListener('change', () => room.set({
+    [name]: typeof room.state[name] === 'number' ? Number(made.value) : made.value }));
+  room.draw(() => { made.value = String(room.state[name]); });
+  return element('label', { class: 'field' }, [say(label), made]);
+}
+
+function products(room: Room<State>) {
+  const group = (label: Text, names: Order[]) => element('optgroup', { label: say(label) },
+    options(Object.fromEntries(names.map(name => [name, orderWords[name]]))));
+  return list(room, 'order', controls.order, [group(controls.steps, steps),
+    group(controls.mistakes, orderNames.filter(name => !steps.includes(name)))]);
+}
+
+/** What is seen with the product that is chosen. */
+function note(room: Room<State>) {
+  const made = element('p', { class: 'note', role: 'status' });
+  room.draw(() => {
+    const text = say(notes[room.state.order]);
+    if (made.textContent !== text)
+      made.textContent = text;
+  });
+  return made;
+}
+
+export function choices(room: Room<State>) {
+  const bones = Object.fromEntries(Array.from({ length: joints }, (_, j) => [j, labels.joint(j)]));
+  room.side.append(products(room), note(room), element('div', { class: 'fields' }, [
+    list(room, 'joint', controls.joint, options(bones)),
+    list(room, 'paint', controls.paint, options(paintWords)),
+    list(room, 'influence', controls.influence, options(influenceWords)),
+  ]));
+}
+
+export function sliders(room: Room<State>) {
+  const ui = panel(room, controls.title, true);
+  ui.choice('axis', controls.axis, axisWords);
+  ([0, 1, 2, 3] as const).forEach(i => ui.slider(`angle${i}`, controls.angle(i), -most, most, 0.01));
+  ([1, 2, 3] as const).forEach(i => ui.slider(`height${i}`, controls.height(i), 0, 3, 0.01));
+  ui.slider('ring', controls.ring, 0, rings - 1, 1);
+  ui.slider('column', controls.column, 0, around - 1, 1);
+}
+
+export function shortcuts(room: Room<State>) {
+  const next = (i: number, by: number, count: number) => (i + by + count) % count;
+  const ring = (by: number) => () => room.set({ ring: next(room.state.ring, by, rings) });
+  const order = () => room.set({ order: orderNames[next(orderNames.indexOf(room.state.order), 1, orderNames.length)] });
+  room.shortcuts([
+    { key: 'o', does: controls.nextOrder, run: order },
+    { key: 'j', does: controls.nextJoint, run: () => room.set({ joint: next(room.state.joint, 1, joints) }) },
+    { key: 'u', does: controls.up, run: ring(1) },
+    { key: 'd', does: controls.down, run: ring(-1) },
+  ]);
+}
