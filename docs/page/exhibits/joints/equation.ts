@@ -30,6 +30,7 @@ function block(name: Name, joint: number, note: string) {
   })) };
 }
 
+const narrow = matchMedia('(max-width: 30rem)');
 const sign = (text: string) => element('span', { 'aria-hidden': 'true' }, text);
 
 export function equation(room: Room<State>, now: () => Skinned) {
@@ -44,7 +45,7 @@ export function equation(room: Room<State>, now: () => Skinned) {
   };
   room.stage.after(host);
   room.draw(() => {
-    const { state } = room, next = `${state.order} ${state.joint}`, digits = host.clientWidth < 700 ? 2 : 3;
+    const { state } = room, next = `${state.order} ${state.joint}`, digits = narrow.matches ? 2 : 3;
     if (next !== shape)
       build(state);
     shape = next;
