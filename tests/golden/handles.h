@@ -129,8 +129,8 @@ static void tracks_of_fcurves(float *o, const nkw_fcurve *curve, float time)
     nkw_track_sample(&track, time, o + 4);
 }
 
-/* Keys of slopes, of Blender and of CSS; in one round of 18, tracks. */
-static void dialects(float *o, const nkw_keyframe *from, const float s[8], unsigned some, float t)
+/* Keys of slopes, of Blender and of CSS; with_tracks: tracks of them too. */
+static void dialects(float *o, const nkw_keyframe *from, const float s[8], unsigned some, float t, int with_tracks)
 {
     nkw_slope_key slopes[4];
     nkw_fcurve_key keys[4];
@@ -156,7 +156,7 @@ static void dialects(float *o, const nkw_keyframe *from, const float s[8], unsig
     o[9] = slopes[1].out_slope;
     o[10] = slopes[1].in_weight;
     o[11] = slopes[1].out_weight;
-    if (some == 7)
+    if (with_tracks)
         tracks_of_fcurves(o, &curve, nkw_lerp(from[0].time, from[3].time, t));
     nkw_fcurve_keys_from_css(s, keys);
     o[13] = keys[0].out.value;

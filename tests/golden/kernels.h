@@ -183,7 +183,7 @@ K(quat_dead_blend, 11, quat_dead_blend(o, i))
 
 K(fcurve_sample, 15, sample_fcurve(o, i->keys, i->s, some(i), i->t))
 K(fcurve_insert, 9, insert_key(o, i->keys, i->s, some(i), i->t))
-K(dialect, 15, dialects(o, i->keys, i->s, some(i), i->t))
+K(dialect, 15, dialects(o, i->keys, i->s, some(i), i->t, i->is_seldom && some(i) % 6 == 1))
 K(fcurve_auto_handles, 16, auto_handles(o, i->keys, some(i)))
 K(segment_find, 2, put_segment(o, nkw_segment_find(i->times, 4, i->s[0])))
 K(segment_find_from, 2, put_segment(o, nkw_segment_find_hint(i->times, 4, i->s[0], 1)))

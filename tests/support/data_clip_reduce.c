@@ -16,9 +16,9 @@ uint64_t data_clip_reduce(void)
 {
     random_source r = random_from(47);
     uint64_t hash = HASH_START;
-    for (int i = 0; i < 8; i++) {
+    for (int i = 0; i < 4; i++) {
         float pose[NKW_POSE_FLOATS(JOINTS)], floats[RANDOM_CLIP_FLOATS], numbers[4];
-        const nkw_clip_reduction reduction = {parents, i < 4 ? 1e-3f : 1e-1f, 0.5f, NULL, NULL, 1e-3f};
+        const nkw_clip_reduction reduction = {parents, i < 2 ? 1e-3f : 1e-1f, 0.5f, NULL, NULL, 1e-3f};
         const nkw_clip_memory memory = {block, sizeof block, work, sizeof work / sizeof *work};
         nkw_clip_reduced reduced;
         random_clip_draw(&r, JOINTS, i % 4 == 3 ? 2 : i % 2, &drawn);

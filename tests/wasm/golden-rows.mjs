@@ -54,7 +54,7 @@ function autoHandles(N, i, o) {
   put(o, 0, keys.map(key => [key.in, key.out]));
 }
 
-function dialects(N, i, o) {
+function dialects(N, i, o, round) {
   const n = some(i), { s } = i, keys = [], blender = [], slopes = fcurveKeys(N, i, 4, k => ({
     inSlope: s[k], outSlope: s[k + 1], inWeight: abs(s[k + 2]), outWeight: abs(s[k + 3]), weighted: (k + n) % 4 }));
   N.fcurveKeysFromSlopes(slopes, 4, n % 3, keys);
@@ -62,7 +62,7 @@ function dialects(N, i, o) {
   put(o, 0, blender[1].left, blender[1].center, blender[1].right, keys[1].in);
   N.slopesFromFcurveKeys(keys, 4, (n + 1) % 3, slopes);
   put(o, 8, slopes[1].inSlope, slopes[1].outSlope, slopes[1].inWeight, slopes[1].outWeight);
-  if (n === 7)
+  if (round % 16 === 0 && n % 6 === 1)
     tracksOfFcurves(N, o, keys, N.lerp(i.keys[0][0], i.keys[3][0], i.t));
   N.fcurveKeysFromCss(s, keys);
   put(o, 13, keys[0].out[1], keys[1].in[0]);
