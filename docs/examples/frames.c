@@ -92,25 +92,6 @@ static void frame_numbers(svg *out, const scene *s, const svg_camera *camera)
         svg_text(out, picture_outward(s, camera, k, 62.0f), &font, picture_key_name(s, k, text));
 }
 
-void picture_dart_legend(svg *s, svg_point at)
-{
-    static const struct {
-        svg_colour colour;
-        const char *text;
-    } parts[] = {{0xe8304f, "nose (-z)"},
-                 {0xf08a24, "left"},
-                 {0x2f7fd1, "right"},
-                 {0xf4d35e, "fin, on top"},
-                 {0x6a6a78, "underside"}};
-    static const float widths[] = {96.0f, 60.0f, 68.0f, 106.0f, 0.0f};
-    for (int i = 0; i < 5; i++) {
-        svg_paint paint = {parts[i].colour, 0x33333a, 0.6f, 1.0f, NULL};
-        svg_circle(s, svg_at(at.x, at.y), 6.0f, &paint);
-        svg_text(s, svg_at(at.x + 12.0f, at.y + 4.5f), &picture_text, parts[i].text);
-        at.x += widths[i];
-    }
-}
-
 int picture_frames(const scene *s, const char *path)
 {
     svg out;
@@ -121,7 +102,7 @@ int picture_frames(const scene *s, const char *path)
     svg_camera camera = svg_perspective(&s->view, PICTURE_FOV, centre, 448.0f);
     if (!picture_open(&out, path, 1100.0f, 684.0f,
                       "Every frame, 0.2 s apart: position by Hermite, orientation by slerp",
-                      "Between two keys the dart turns evenly about one axis, the shorter way."))
+                      "Between two keys the dart turns about one axis at constant speed, on the shorter path."))
         return 0;
     svg_begin_clip(&out, box);
     space_floor(&out, &camera, box);
@@ -320,7 +301,21 @@ static void close_arc(svg *out, const scene *s, const svg_plot *plot, size_t seg
     svg_text(out, svg_at(top.x, top.y + 22.0f), &label, text);
 }
 
-static void close_angles(svg *out, const scene *s)
+/* The names of the keys at their times. */
+static void close_keys(svg *out, const scene *s, const svg_plot *plot, size_t first)
+{
+    char text[SVG_DIGITS];
+    for (size_t k = 0; k < s->count; k++) {
+        const char anchor = k == 0 ? 's' : k + 1 == s->count ? 'e' : 'm';
+        svg_font font = {13.0f, 0x1d1d22, anchor, 1, 0xffffff};
+        svg_point p = svg_plot_at(plot, s->keys[k].time, plot->y.to);
+        const float aside = anchor == 's' ? 6.0f : anchor == 'e' ? -6.0f : 0.0f;
+        sprintf(text, "key %u", (unsigned)(first + k));
+        svg_text(out, svg_at(p.x + aside, p.y + 17.0f), &font, text);
+    }
+}
+
+static void close_angles(svg *out, const scene *s, size_t first)
 {
     const float span = scene_end(s) - scene_start(s), most = nkw_max(most_different(s), 1.0f);
     svg_plot plot = {{76.0f, 602.0f, 1000.0f, 130.0f},
@@ -337,6 +332,7 @@ static void close_angles(svg *out, const scene *s)
     svg_plot_frame(out, &plot);
     for (size_t k = 0; k + 1 < s->count; k++)
         close_arc(out, s, &plot, k);
+    close_keys(out, s, &plot, first);
 }
 
 int picture_frames_compare(const scene *s, const char *path)
@@ -352,13 +348,13 @@ int picture_frames_compare(const scene *s, const char *path)
     sprintf(title, "Euler angles against slerp, from key %u to key %u", (unsigned)first,
             (unsigned)(first + part.count - 1));
     if (!picture_open(&out, path, 1100.0f, 780.0f, title,
-                      "The same keys, times and places (Hermite), every 0.2 s. Compare the darts between two keys: "
-                      "those of Euler angles sway."))
+                      "The same keys, times and positions (Hermite), every 0.2 s. By Euler angles the darts between "
+                      "two keys swing aside."))
         return 0;
     int ok = close_panel(&out, &part, first, left, NKW_ORIENTATION_EULER) &&
              close_panel(&out, &part, first, right, NKW_ORIENTATION_SLERP);
     picture_dart_legend(&out, svg_at(36.0f, 556.0f));
-    close_angles(&out, &part);
+    close_angles(&out, &part, first);
     return svg_close(&out) && ok;
 }
 
@@ -441,7 +437,7 @@ static void speeds(svg *out, const scene *s)
         plot.x.tick *= 2.0f;
     while (plot.y.to / plot.y.tick > 12.0f)
         plot.y.tick *= 2.0f;
-    svg_text(out, svg_at(526.0f, 452.0f), &heading, "How fast the object turns");
+    svg_text(out, svg_at(526.0f, 452.0f), &heading, "Angular speed of the object");
     svg_plot_frame(out, &plot);
     speed_line(out, s, &plot, NKW_ORIENTATION_EULER, euler_colour);
     speed_line(out, s, &plot, NKW_ORIENTATION_SLERP, slerp_colour);
@@ -463,8 +459,8 @@ int picture_orientation_compare(const scene *s, const char *path)
     char title[96];
     sprintf(title, "Euler angles and slerp between key %u and key %u", (unsigned)segment, (unsigned)segment + 1);
     if (!picture_open(&out, path, 1100.0f, 884.0f, title,
-                      "Same keys, same times. Slerp turns about one axis at one speed; Euler angles make a detour and "
-                      "change their speed."))
+                      "Same keys, same times. Slerp turns about one axis at constant speed. Euler angles take a longer "
+                      "path at varying speed."))
         return 0;
     int ok = strip(&out, s, segment, facing_yaw(s, segment, top));
     sphere(&out, s, segment);

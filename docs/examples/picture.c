@@ -229,9 +229,8 @@ int picture_trajectory_top(const scene *s, const char *path)
         plot.x.name = across;
     float width = plot.box.x + plot.box.width + 216.0f, height = plot.box.y + nkw_max(plot.box.height, 440.0f) + 56.0f;
     if (!picture_open(&out, path, width, height, "Four curves through the same keys, seen from above",
-                      s->own ? "The keys say where the object is at their times; the method decides its way between them."
-                             : "The keys say where the object is once a second; the method decides its way between "
-                               "them."))
+                      s->own ? "The keys fix the position at their times; the method determines the path between them."
+                             : "The keys fix the position once a second; the method determines the path between them."))
         return 0;
     svg_plot_frame(&out, &plot);
     for (int c = 0; c < CURVES; c++)
@@ -325,19 +324,39 @@ static int panel(svg *out, const scene *s, svg_box box, const curve *c)
     return ok;
 }
 
+void picture_dart_legend(svg *s, svg_point at)
+{
+    static const struct {
+        svg_colour colour;
+        const char *text;
+    } parts[] = {{0xe8304f, "nose (-z)"},
+                 {0xf08a24, "left"},
+                 {0x2f7fd1, "right"},
+                 {0xf4d35e, "fin, on top"},
+                 {0x6a6a78, "underside"}};
+    static const float widths[] = {96.0f, 60.0f, 68.0f, 106.0f, 0.0f};
+    for (int i = 0; i < 5; i++) {
+        svg_paint paint = {parts[i].colour, 0x33333a, 0.6f, 1.0f, NULL};
+        svg_circle(s, svg_at(at.x, at.y), 6.0f, &paint);
+        svg_text(s, svg_at(at.x + 12.0f, at.y + 4.5f), &picture_text, parts[i].text);
+        at.x += widths[i];
+    }
+}
+
 int picture_trajectory_perspective(const scene *s, const char *path)
 {
     svg out;
     int ok = 1;
-    if (!picture_open(&out, path, 1080.0f, 780.0f, "The same curves in space, through the exercise's camera",
-                      s->own ? "The darts are the keys. A curtain hangs from each curve to its shadow: its height is the "
-                               "object's."
-                             : "The darts are the keys, numbered by their second. A curtain hangs from each curve to "
-                               "its shadow: its height is the object's."))
+    if (!picture_open(&out, path, 1080.0f, 800.0f, "The same curves in space, through the exercise's camera",
+                      s->own ? "The darts are the keys. The surface between each curve and its shadow shows the "
+                               "height."
+                             : "The darts are the keys, with their times in seconds. The surface between each curve "
+                               "and its shadow shows the height."))
         return 0;
     for (int c = 0; c < CURVES; c++) {
         svg_box box = {24.0f + 520.0f * (float)(c % 2), 84.0f + 340.0f * (float)(c / 2), 512.0f, 332.0f};
         ok &= panel(&out, s, box, &curves[c]);
     }
+    picture_dart_legend(&out, svg_at(36.0f, 779.0f));
     return svg_close(&out) && ok;
 }

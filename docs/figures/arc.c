@@ -75,11 +75,11 @@ int figure_orient_speed(const char *path)
 {
     svg s;
     svg_plot speed = {{64.0f, 120.0f, 400.0f, 270.0f}, {0.0f, 1.0f, 0.25f, "t"},
-                      {0.6f, 1.3f, 0.1f, "speed of turning / mean speed"}};
+                      {0.6f, 1.3f, 0.1f, "angular speed / mean speed"}};
     svg_plot lag = {{550.0f, 120.0f, 400.0f, 270.0f}, {0.0f, 1.0f, 0.25f, "t"},
                     {-9.0f, 9.0f, 3.0f, "nlerp is ahead of slerp by, degrees"}};
-    if (!figure_open(&s, path, 980.0f, 476.0f, "Slerp turns at one speed, nlerp hurries through the middle",
-                     "Same arc, same ends, same middle. The difference grows with about the third power of the turn."))
+    if (!figure_open(&s, path, 980.0f, 476.0f, "Slerp has constant speed, nlerp is faster in the middle",
+                     "Same arc, same ends, same middle. The difference grows with about the third power of the angle."))
         return 0;
     svg_plot_frame(&s, &speed);
     svg_plot_frame(&s, &lag);
@@ -156,11 +156,11 @@ int figure_orient_paths(const char *path)
     svg s;
     svg_paint slerp = svg_stroke(FIGURE_SLERP, 3.2f, 1.0f), nlerp = svg_stroke(FIGURE_NLERP, 3.2f, 1.0f);
     svg_paint other = svg_stroke(0x6a4a9c, 3.2f, 1.0f);
-    if (!figure_open(&s, path, 980.0f, 560.0f, "One great circle, and where on it",
+    if (!figure_open(&s, path, 980.0f, 560.0f, "One great circle: two speeds, two directions",
                      "Where the turned x axis points, a dot every 1/8 of t. A pale line runs behind the sphere."))
         return 0;
-    figure_bold(&s, 40.0f, 98.0f, 15.0f, FIGURE_INK, 's', "150\302\260 apart: the same arc, other places");
-    figure_bold(&s, 530.0f, 98.0f, 15.0f, FIGURE_INK, 's', "110\302\260 apart: the short and the long path");
+    figure_bold(&s, 40.0f, 98.0f, 15.0f, FIGURE_INK, 's', "150\302\260: the same arc, other speeds");
+    figure_bold(&s, 530.0f, 98.0f, 15.0f, FIGURE_INK, 's', "110\302\260: the short and the long path");
     sphere_panel(&s, svg_at(250.0f, 310.0f), 150.0f, nkw_quat_slerp, nkw_quat_nlerp, FIGURE_NLERP);
     sphere_panel(&s, svg_at(740.0f, 310.0f), 110.0f, nkw_quat_slerp, long_way, 0x6a4a9c);
     figure_legend(&s, 110.0f, 538.0f, &slerp, "nkw_quat_slerp");
@@ -243,6 +243,6 @@ int figure_orient_shorter(const char *path)
     quaternion_circle(&s, svg_at(250.0f, 300.0f));
     object_dial(&s, svg_at(730.0f, 300.0f));
     figure_legend(&s, 130.0f, 526.0f, &shorter, "a to -b: NKW_PATH_SHORT, and nkw_quat_slerp");
-    figure_legend(&s, 540.0f, 526.0f, &longer, "a to b as their signs stand: NKW_PATH_AS_GIVEN");
+    figure_legend(&s, 540.0f, 526.0f, &longer, "a to b, signs as given: NKW_PATH_AS_GIVEN");
     return svg_close(&s);
 }

@@ -167,7 +167,7 @@ int figure_blend_poses(const char *path)
 {
     svg s;
     if (!figure_open(
-            &s, path, 1040.0f, 580.0f, "What can be done with poses",
+            &s, path, 1040.0f, 580.0f, "Operations on poses",
             "The limbs of one side are orange, those of the other blue: the mirror does not change which is which."))
         return 0;
     two_poses(&s, 284.0f);

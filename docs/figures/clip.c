@@ -83,20 +83,19 @@ static void reading(svg *s, float x, float y)
     box.x += 330.0f;
     svg_rect(s, box, 2.0f, &arc);
     figure_text(s, x + 352.0f, y, 13.0f, FIGURE_INK, 's',
-                "the arc to the next key, for slerp: worked out when the clip is built");
+                "the arc to the next key, for slerp: computed when the clip is built");
 }
 
 int figure_clip_layout(const char *path)
 {
     svg s;
     if (!figure_open(&s, path, 984.0f, 414.0f, "A sample reads two neighbouring keys as streams",
-                     "One block, in the order of memory. Below, two keys of a group in which 19 joints turn, block "
-                     "after block."))
+                     "One block, in the order of memory. Below, two keys of a group of 19 rotations."))
         return 0;
     section_strip(&s, 24.0f, 100.0f);
     figure_text(
         &s, 24.0f, 180.0f, 13.0f, FIGURE_GREY, 's',
-        "A time between them takes key k with its arcs, and x y z w of key k + 1; white cells fill a block up.");
+        "A sample between them reads key k with its arcs, and x y z w of key k + 1. White cells are padding.");
     key_of_rotations(&s, 60.0f, 232.0f, "key k");
     key_of_rotations(&s, 554.0f, 232.0f, "key k + 1");
     reading(&s, 60.0f, 376.0f);

@@ -47,9 +47,11 @@ int figure_edit_track(const char *path)
     const nkw_track source = {key_times, key_values, KEYS, 1, NKW_TRACK_FLOATS, NKW_INTERPOLATION_CUBICSPLINE, NULL};
     made edited[6];
     if (!figure_open(&s, path, 1000.0f, 600.0f, "Edits of a track",
-                     "Each one writes new keys (circles); tangents follow, so the curve keeps its shape. Grey: the "
-                     "source."))
+                     "Each edit writes new keys. Their tangents change with them, so the curve keeps its shape."))
         return 0;
+    svg_paint grey = svg_stroke(0xc4c6d0, 2.0f, 1.0f), colour = svg_stroke(FIGURE_HERMITE, 2.8f, 1.0f);
+    figure_legend(&s, 60.0f, 94.0f, &grey, "the source");
+    figure_legend(&s, 200.0f, 94.0f, &colour, "the result, with its keys");
     for (int i = 0; i < 6; i++) {
         nkw_edit_memory memory = {edited[i].times, edited[i].values, NULL, ROOM};
         nkw_track *out = &edited[i].track;

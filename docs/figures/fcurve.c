@@ -2,6 +2,8 @@
 /* Handles in time, the behaviour outside the keys, and easing. */
 #include "figure.h"
 
+#include <stdio.h>
+
 #include <nakawari/dialect.h>
 
 enum { STEPS = 240 };
@@ -77,14 +79,20 @@ int figure_fcurve_policies(const char *path)
 {
     svg s;
     if (!figure_open(&s, path, 960.0f, 750.0f, "A handle that runs back in time, under four policies",
-                     "Dashed: the curve of the given handles. Purple: the value at each time. Blue: the handles that "
-                     "the policy leaves."))
+                     "At some times the curve of the given handles has three values. A policy shortens the handles."))
         return 0;
-    policy_panel(&s, 60.0f, 160.0f, NKW_HANDLE_NONE, "NONE", "The first value counts; the curve jumps where it turns.");
+    svg_paint given = svg_stroke(FIGURE_PALE, 1.6f, 1.0f), value = svg_stroke(FIGURE_BEZIER, 3.0f, 1.0f);
+    svg_paint handle = svg_stroke(FIGURE_CATMULL_ROM, 1.4f, 1.0f);
+    given.dash = "5 4";
+    figure_legend(&s, 60.0f, 94.0f, &given, "the curve of the given handles");
+    figure_legend(&s, 340.0f, 94.0f, &value, "the value at each time");
+    figure_legend(&s, 560.0f, 94.0f, &handle, "the handles under the policy");
+    policy_panel(&s, 60.0f, 160.0f, NKW_HANDLE_NONE, "NONE",
+                 "The first value is used; the curve jumps where it runs back.");
     policy_panel(&s, 530.0f, 160.0f, NKW_HANDLE_CONTAIN, "CONTAIN (Blender)", "Each handle ends at the other key.");
     policy_panel(&s, 60.0f, 490.0f, NKW_HANDLE_KEEP_RATIO, "KEEP_RATIO (OpenUSD)", "Both by one factor.");
     policy_panel(&s, 530.0f, 490.0f, NKW_HANDLE_KEEP_START, "KEEP_START (Maya)",
-                 "The end handle yields; 4/3 and 1/3 at most.");
+                 "The end handle is shortened first; 4/3 and 1/3 at most.");
     return svg_close(&s);
 }
 
@@ -125,26 +133,31 @@ int figure_fcurve_outside(const char *path)
 {
     svg s;
     static const char *names[5] = {"HOLD", "LINEAR", "CYCLE", "CYCLE_OFFSET", "OSCILLATE"};
-    if (!figure_open(&s, path, 960.0f, 730.0f, "Before the first and after the last key",
-                     "Purple: the keys from 0 to 1 s. Green: outside, with two cycles at each side, then held."))
+    if (!figure_open(&s, path, 960.0f, 746.0f, "Before the first and after the last key",
+                     "Three keys from 0 to 1 s; two cycles on each side, then the value is held."))
         return 0;
+    svg_paint within = svg_stroke(FIGURE_BEZIER, 3.2f, 1.0f), around = svg_stroke(FIGURE_BSPLINE, 2.0f, 1.0f);
+    figure_legend(&s, 170.0f, 92.0f, &within, "between the keys");
+    figure_legend(&s, 360.0f, 92.0f, &around, "before and after");
     for (int i = 0; i < 5; i++)
-        outside_panel(&s, 105.0f + 122.0f * (float)i, (nkw_fcurve_outside)i, names[i]);
+        outside_panel(&s, 110.0f + 122.0f * (float)i, (nkw_fcurve_outside)i, names[i]);
+    figure_text(&s, 550.0f, 734.0f, 13.0f, 0x2b2b30, 'm', "time, s");
     return svg_close(&s);
 }
 
 /* ---- Easing ---- */
 
+static const svg_colour form_colours[3] = {FIGURE_HERMITE, FIGURE_CATMULL_ROM, FIGURE_BEZIER};
+
 static void ease_panel(svg *s, int family, const char *name)
 {
-    const svg_colour colours[3] = {FIGURE_HERMITE, FIGURE_CATMULL_ROM, FIGURE_BEZIER};
     float x = 40.0f + 186.0f * (float)(family % 5), y = 150.0f + 232.0f * (float)(family / 5);
     svg_plot plot = {{x, y, 150.0f, 170.0f}, {0.0f, 1.0f, 1.0f, ""}, {-0.45f, 1.45f, 1.0f, ""}};
     float values[FIGURE_STEPS + 1];
     svg_plot_frame(s, &plot);
     figure_bold(s, x, y - 9.0f, 13.0f, FIGURE_INK, 's', name);
     for (int form = 0; form < 3; form++) {
-        svg_paint paint = svg_stroke(colours[form], 2.0f, 1.0f);
+        svg_paint paint = svg_stroke(form_colours[form], 2.0f, 1.0f);
         for (int i = 0; i <= FIGURE_STEPS; i++)
             values[i] = nkw_ease((nkw_ease_kind)(NKW_EASE_SINE_IN + 3 * family + form), (float)i / (float)FIGURE_STEPS);
         figure_graph(s, &plot, values, &paint);
@@ -156,9 +169,14 @@ int figure_ease_kinds(const char *path)
     svg s;
     static const char *names[10] = {"SINE", "QUAD", "CUBIC", "QUART",   "QUINT",
                                     "EXPO", "CIRC", "BACK",  "ELASTIC", "BOUNCE"};
-    if (!figure_open(&s, path, 980.0f, 590.0f, "Penner's thirty",
-                     "Orange: in. Blue: out. Purple: in-out. Both axes from 0 to 1; BACK and ELASTIC leave 0..1."))
+    if (!figure_open(&s, path, 980.0f, 590.0f, "Penner's thirty easing functions",
+                     "Both axes from 0 to 1; BACK and ELASTIC leave 0..1."))
         return 0;
+    for (int i = 0; i < 3; i++) {
+        static const char *forms[3] = {"in", "out", "in-out"};
+        svg_paint paint = svg_stroke(form_colours[i], 2.0f, 1.0f);
+        figure_legend(&s, 40.0f + 110.0f * (float)i, 96.0f, &paint, forms[i]);
+    }
     for (int i = 0; i < 10; i++)
         ease_panel(&s, i, names[i]);
     return svg_close(&s);
@@ -178,7 +196,7 @@ static void track_panel(svg *s, float x, float tolerance, const char *name)
     svg_plot plot = {{x, 150.0f, 400.0f, 250.0f}, {-0.1f, 2.1f, 0.5f, "time, s"}, {-0.15f, 1.2f, 0.5f, ""}};
     svg_paint exact = svg_stroke(FIGURE_BEZIER, 5.0f, 0.35f), made = svg_stroke(FIGURE_HERMITE, 1.8f, 1.0f);
     svg_point line[STEPS + 1], fitted[STEPS + 1];
-    char text[2][SVG_DIGITS];
+    char text[80];
     figure_bold(s, x, 120.0f, 15.0f, FIGURE_INK, 's', name);
     if (nkw_track_from_fcurves(&curve, 1, tolerance, &memory, &track, &error) != NKW_OK)
         return;
@@ -193,18 +211,19 @@ static void track_panel(svg *s, float x, float tolerance, const char *name)
     svg_polyline(s, fitted, STEPS + 1, &made);
     for (size_t k = 0; k < track.count; k++)
         figure_key(s, svg_plot_at(&plot, times[k], values[3 * k + 1]));
-    figure_text(s, x, 140.0f, 13.0f, 0x2b2b30, 's', svg_number(text[0], (float)track.count, 0));
-    figure_text(s, x + 20.0f, 140.0f, 13.0f, 0x2b2b30, 's', "keys, largest difference in 1/1000:");
-    figure_text(s, x + 250.0f, 140.0f, 13.0f, 0x2b2b30, 's', svg_number(text[1], 1000.0f * error, 2));
+    sprintf(text, "%u keys, largest difference %.5f", (unsigned)track.count, (double)error);
+    figure_text(s, x, 140.0f, 13.0f, 0x2b2b30, 's', text);
 }
 
 int figure_dialect_track(const char *path)
 {
     svg s;
     if (!figure_open(&s, path, 960.0f, 460.0f, "Handles in time as CUBICSPLINE keys",
-                     "Purple: three keys with handles in time. Orange: the track that nkw_track_from_fcurves makes of "
-                     "them, with its keys (circles)."))
+                     "nkw_track_from_fcurves adds keys until the difference is within the tolerance."))
         return 0;
+    svg_paint exact = svg_stroke(FIGURE_BEZIER, 5.0f, 0.35f), made = svg_stroke(FIGURE_HERMITE, 1.8f, 1.0f);
+    figure_legend(&s, 50.0f, 92.0f, &exact, "three keys with handles in time");
+    figure_legend(&s, 340.0f, 92.0f, &made, "the track and its keys");
     track_panel(&s, 50.0f, 0.05f, "tolerance 0.05");
     track_panel(&s, 530.0f, 0.001f, "tolerance 0.001");
     return svg_close(&s);

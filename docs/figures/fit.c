@@ -2,6 +2,8 @@
 /* Cubic keys fitted to samples. */
 #include "figure.h"
 
+#include <stdio.h>
+
 #include <nakawari/fit.h>
 #include <nakawari/scalar.h>
 
@@ -33,6 +35,7 @@ int figure_fit_samples(const char *path)
     nkw_track track = {times, values, SAMPLES, 1, NKW_TRACK_FLOATS, NKW_INTERPOLATION_LINEAR, NULL}, out;
     nkw_fit_memory memory = {made_times, made, SAMPLES, work, NKW_FIT_WORK(SAMPLES, 1)};
     svg_point line[SAMPLES];
+    char reading[96];
     svg_paint curve = svg_stroke(FIGURE_HERMITE, 2.6f, 1.0f), bound = svg_stroke(FIGURE_PALE, 1.2f, 1.0f);
     svg_plot value = {{70.0f, 120.0f, 900.0f, 260.0f}, {-0.15f, 6.15f, 1.0f, ""}, {-1.1f, 1.1f, 0.5f, "value"}};
     svg_plot rest = {
@@ -42,11 +45,15 @@ int figure_fit_samples(const char *path)
         times[k] = nkw_segment_uniform_time(0.0f, 30.0f, k);
         values[k] = motion(times[k]);
     }
-    if (nkw_track_fit(&track, tolerance, &memory, &out, NULL) != NKW_OK ||
-        !figure_open(&s, path, 1000.0f, 610.0f, "Few keys for many samples",
-                     "Grey: 181 samples. Orange: the cubic through the keys (circles), with the tangents of least "
-                     "squares."))
+    if (nkw_track_fit(&track, tolerance, &memory, &out, NULL) != NKW_OK)
         return 0;
+    sprintf(reading, "%d samples; %u cubic keys within a tolerance of %.2f, tangents by least squares (black).",
+            SAMPLES, (unsigned)out.count, (double)tolerance);
+    if (!figure_open(&s, path, 1000.0f, 610.0f, "Few keys for many samples", reading))
+        return 0;
+    svg_paint samples = svg_stroke(0xb5b8c4, 6.0f, 1.0f);
+    figure_legend(&s, 560.0f, 108.0f, &samples, "the samples");
+    figure_legend(&s, 710.0f, 108.0f, &curve, "the cubics and their keys");
     svg_plot_frame(&s, &value);
     svg_plot_frame(&s, &rest);
     for (size_t k = 0; k < SAMPLES; k++)

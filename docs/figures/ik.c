@@ -59,7 +59,7 @@ int figure_ik_limb(const char *path)
 {
     const nkw_vec3 none = {0, 0, 0}, back = {-1, 0.2f, 0};
     svg s;
-    if (!figure_open(&s, path, 960.0f, 370.0f, "A leg of two bones and its targets",
+    if (!figure_open(&s, path, 960.0f, 382.0f, "A leg and its targets",
                      "Grey: the pose. Blue: solved. The error is the distance of the foot from the target."))
         return 0;
     leg(&s, svg_at(110.0f, 110.0f), at(0.45f, -0.85f, 0), none, "within reach");
@@ -179,8 +179,8 @@ int figure_foot_lock(const char *path)
     nkw_foot foot = {{0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {{{0, 0, 0}, {0, 0, 0}, {0, 0, 0}}, 0.0f}, 0.0f, 0, 0};
     const nkw_foot_rules rules = NKW_FOOT_RULES;
     svg s;
-    if (!figure_open(&s, path, 940.0f, 490.0f, "A foot that slides while it stands, and the locked foot",
-                     "In the blue stretches the foot is in contact: its position is constant. Transitions take 0.2 s."))
+    if (!figure_open(&s, path, 940.0f, 490.0f, "A foot that slides on the ground, and the locked foot",
+                     "Blue: the foot is in contact, and its position is constant. Transitions take 0.2 s."))
         return 0;
     svg_plot_frame(&s, &plot);
     for (int i = 0; i <= FRAMES; i++) {

@@ -22,9 +22,9 @@ typedef struct timeline {
 
 static const timeline timelines[2] = {
     {"times = {0, 1, 2.5, 3}", {0.0f, 1.0f, 2.5f, 3.0f, 0.0f}, 4, 60.0f, 440.0f,
-     {"A key's own time begins the segment after it (full dot);", "only the last segment owns its end as well."}},
+     {"The time of a key is in the segment after it (full dot);", "only the last segment contains its end too."}},
     {"times = {0, 1, 1, 2, 2}", {0.0f, 1.0f, 1.0f, 2.0f, 2.0f}, 5, 568.0f, 370.0f,
-     {"No time lies in segment 1, from 1 to 1: it is passed over.",
+     {"No time is in segment 1, from 1 to 1.",
       "Segment 3, from 2 to 2, is the last: from 2 on index = 3, t = 1."}},
 };
 
@@ -109,9 +109,9 @@ static void timeline_panel(svg *s, const timeline *l)
 int figure_segment_lookup(const char *path)
 {
     svg s;
-    if (!figure_open(&s, path, 1020.0f, 584.0f, "A time lies in exactly one segment",
-                     "t over time as nkw_segment_find gives it, one colour a segment; outside the keys index and t "
-                     "stand still."))
+    if (!figure_open(&s, path, 1020.0f, 584.0f, "A time is in exactly one segment",
+                     "t over time by nkw_segment_find, one colour for each segment. Outside the keys, index and t are "
+                     "clamped."))
         return 0;
     for (int i = 0; i < 2; i++)
         timeline_panel(&s, &timelines[i]);
@@ -165,12 +165,12 @@ static void memory_strip(svg *s, svg_point at)
 static void layout_table(svg *s, svg_point at)
 {
     static const char *const rows[4][3] = {
-        {"columns of column vectors", "OpenGL, glTF, GLM", "as it lies"},
+        {"columns of column vectors", "OpenGL, glTF, GLM", "unchanged"},
         {"rows of row vectors", "D3DX, DirectXMath, XNA", "the same bytes"},
         {"rows of column vectors", "vecmath, NumPy", "transposed"},
         {"columns of row vectors", "(rare)", "transposed"}};
     svg_paint rule = svg_stroke(0xd5d5da, 1.0f, 1.0f);
-    figure_bold(s, at.x, at.y, 14.0f, FIGURE_INK, 's', "The four ways to write it down");
+    figure_bold(s, at.x, at.y, 14.0f, FIGURE_INK, 's', "The four conventions");
     for (int i = 0; i < 4; i++) {
         float y = at.y + 40.0f + 50.0f * (float)i;
         svg_line(s, svg_at(at.x, y - 24.0f), svg_at(at.x + 510.0f, y - 24.0f), &rule);
@@ -183,7 +183,7 @@ static void layout_table(svg *s, svg_point at)
 int figure_mat_layout(const char *path)
 {
     svg s;
-    if (!figure_open(&s, path, 944.0f, 504.0f, "A matrix lies in memory column by column",
+    if (!figure_open(&s, path, 944.0f, 504.0f, "A matrix is stored column by column",
                      "Element (row r, column c) is m[c * 4 + r]. v' = M v; the columns are the images of the axes, the "
                      "last one is the translation."))
         return 0;

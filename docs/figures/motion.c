@@ -245,7 +245,7 @@ int figure_root_loops(const char *path)
     const nkw_root_cycle cycle = {nkw_root_extract(&first, &rule), nkw_root_extract(&last, &rule)};
     svg s;
     if (!figure_open(&s, path, 760.0f, 690.0f, "Three loops of a clip that walks and turns, from above",
-                     "Each loop begins where the one before ends: nkw_root_place with cycle 0, 1 and 2. Arrows look "
+                     "Each loop begins at the end of the last: nkw_root_place with cycle 0, 1 and 2. Arrows look "
                      "ahead."))
         return 0;
     loops(&s, &cycle, &rule);

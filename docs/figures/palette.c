@@ -46,7 +46,7 @@ int figure_palette_layouts(const char *path)
                      "The lowest address first, in vectors of four floats. X, Y, Z: the images of the axes; T: the "
                      "translation."))
         return 0;
-    strip(&s, 116.0f, "nkw_mat4", "columns: mat4 of GLSL, as it lies", matrix, 16);
+    strip(&s, 116.0f, "nkw_mat4", "columns: mat4 of GLSL, unchanged", matrix, 16);
     strip(&s, 206.0f, "nkw_mat3x4",
           "rows: three vec4, p' = (dot(row 0, p), dot(row 1, p), dot(row 2, p)), p = (x, y, z, 1)", rows, 12);
     strip(&s, 296.0f, "nkw_dual_quat", "two vec4, the rotation r and d = (t / 2) r: no scale, no shear", dual, 8);
@@ -89,14 +89,14 @@ int figure_crowd_lanes(const char *path)
 {
     svg s;
     if (!figure_open(&s, path, 1008.0f, 480.0f, "Lanes are joints, or characters",
-                     "One row is one component, 16 floats, one or two or four vectors. Dark: what one joint of one "
-                     "character has."))
+                     "One row is one component: 16 floats in one, two or four vectors. Dark: one joint of one "
+                     "character."))
         return 0;
     figure_bold(&s, 60.0f, 104.0f, 15.0f, FIGURE_INK, 's', "A pose: one character, a lane for each joint");
     component_names(&s, 60.0f, 124.0f, ROWS);
     lanes(&s, 60.0f, 124.0f, ROWS, USED, 3);
     figure_text(&s, 60.0f, 366.0f, 13.0f, FIGURE_GREY, 's', "11 joints, and padding up to 16.");
-    figure_text(&s, 60.0f, 386.0f, 13.0f, FIGURE_GREY, 's', "Joint 3 waits for its parent: lanes do not help.");
+    figure_text(&s, 60.0f, 386.0f, 13.0f, FIGURE_GREY, 's', "Joint 3 needs its parent first: joints are not parallel.");
     figure_bold(&s, 560.0f, 104.0f, 15.0f, FIGURE_INK, 's', "A crowd: one joint, a lane for each character");
     component_names(&s, 560.0f, 124.0f, ROWS);
     lanes(&s, 560.0f, 124.0f, ROWS, LANES, 3);
@@ -105,6 +105,6 @@ int figure_crowd_lanes(const char *path)
     lanes(&s, 560.0f, 364.0f, 3, LANES, 3);
     figure_bold(&s, 560.0f + lane * 17.0f, 396.0f, 13.0f, FIGURE_INK, 's', "joint 1");
     figure_text(&s, 560.0f, 454.0f, 13.0f, FIGURE_GREY, 's',
-                "Ten rows a joint, joint after joint: all go down together.");
+                "Ten rows for each joint. Parents come first; characters are parallel.");
     return svg_close(&s);
 }

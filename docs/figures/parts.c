@@ -83,8 +83,8 @@ int figure_quat_parts(const char *path)
                      {0.0f, 180.0f, 45.0f, "degrees between the two rotations"},
                      {0.0f, 0.3f, 0.05f, "share of the angle, weights 3/4 and 1/4"}};
     if (!figure_open(&s, path, 980.0f, 506.0f, "A rotation in two parts; the mean of two rotations",
-                     "Left: first the twist about the axis, then the swing of the axis. Right: sum and mean leave the "
-                     "arc's quarter."))
+                     "Left: first the twist about the axis, then the swing of the axis. Right: sum and mean leave a "
+                     "quarter of the arc."))
         return 0;
     parts_panel(&s, svg_at(240.0f, 285.0f));
     svg_plot_frame(&s, &plot);

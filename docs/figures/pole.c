@@ -97,9 +97,9 @@ int figure_orient_euler(const char *path)
     nkw_mat4 view = figure_view(0.0f, 0.45f);
     svg_camera camera = svg_orthographic(&view, svg_at(250.0f, 292.0f), 190.0f);
     svg_plot plot = {{560.0f, 132.0f, 380.0f, 340.0f}, {0.0f, 1.0f, 0.25f, "t"},
-                     {0.0f, 180.0f, 30.0f, "speed of turning, degrees per unit of t"}};
+                     {0.0f, 180.0f, 30.0f, "angular speed, degrees per unit of t"}};
     svg_paint euler = svg_stroke(FIGURE_EULER, 3.2f, 1.0f), slerp = svg_stroke(FIGURE_SLERP, 3.2f, 1.0f);
-    if (!figure_open(&s, path, 980.0f, 560.0f, "Three even angles do not add up to an even turn",
+    if (!figure_open(&s, path, 980.0f, 560.0f, "Three angles at constant rates do not turn at constant speed",
                      "Left: where the nose (-z) points, a dot every 1/12 of t. Right: how fast the object turns, roll "
                      "included."))
         return 0;
@@ -183,12 +183,12 @@ int figure_euler_pole(const char *path)
     svg_plot plot = {{700.0f, 138.0f, 330.0f, 240.0f}, {0.0f, 1.0f, 0.25f, "t of the slerp"},
                      {0.0f, 180.0f, 30.0f, "degrees"}};
     if (!figure_open(&s, path, 1060.0f, 480.0f, "At pitch 90\302\260 yaw and roll turn about one axis",
-                     "The pole of NKW_EULER_YXZ: one freedom is lost, so near it a small turn of the object is a large "
-                     "change of two angles."))
+                     "The pole of NKW_EULER_YXZ: one degree of freedom is lost. Near it, a small turn of the "
+                     "object is a large change of two angles."))
         return 0;
-    gimbal(&s, svg_at(170.0f, 258.0f), 20.0f, "pitch 20\302\260", "three axes: any small turn is possible");
-    gimbal(&s, svg_at(500.0f, 258.0f), 90.0f, "pitch 90\302\260", "roll's axis lies along yaw's");
-    figure_bold(&s, 700.0f, 104.0f, 15.0f, FIGURE_INK, 's', "An even turn that passes near the pole");
+    gimbal(&s, svg_at(170.0f, 258.0f), 20.0f, "pitch 20\302\260", "three axes: every small turn is possible");
+    gimbal(&s, svg_at(500.0f, 258.0f), 90.0f, "pitch 90\302\260", "the axes of yaw and roll coincide");
+    figure_bold(&s, 700.0f, 104.0f, 15.0f, FIGURE_INK, 's', "A turn at constant speed near the pole");
     svg_plot_frame(&s, &plot);
     over_the_top(&s, &plot);
     for (int k = 0; k < 3; k++) {

@@ -128,7 +128,7 @@ int figure_rotation_paths(const char *path)
     svg s;
     nkw_mat4 view = figure_view(0.0f, 0.1f);
     svg_camera camera = svg_orthographic(&view, svg_at(490.0f, 320.0f), 210.0f);
-    if (!figure_open(&s, path, 980.0f, 590.0f, "The way of one axis through six orientations",
+    if (!figure_open(&s, path, 980.0f, 590.0f, "The path of one axis through six orientations",
                      "Slerp has a corner at each key. Squad and Catmull-Rom pass through the keys without one."))
         return 0;
     sphere_ball(&s, &camera);
@@ -213,12 +213,12 @@ int figure_rotation_turns(const char *path)
     svg_paint slerp = svg_stroke(FIGURE_PALE, 2.6f, 1.0f), hermite = svg_stroke(FIGURE_HERMITE, 2.6f, 1.0f);
     svg_plot arcs = {{64.0f, 120.0f, 330.0f, 270.0f},
                      {0.0f, 1.0f, 0.25f, "t"},
-                     {-720.0f, 900.0f, 180.0f, "degrees turned, from 0 to 60"}};
+                     {-720.0f, 900.0f, 180.0f, "angle in degrees, from 0 to 60"}};
     svg_plot wheel = {{580.0f, 120.0f, 370.0f, 270.0f},
                       {0.0f, 3.0f, 1.0f, "steps of the physics"},
-                      {-1.0f, 4.0f, 1.0f, "turns of the wheel that are shown"}};
-    if (!figure_open(&s, path, 980.0f, 476.0f, "How often, and which way round",
-                     "Left: the path and the whole turns are arguments. Right: the angular velocities state them."))
+                      {-1.0f, 4.0f, 1.0f, "turns of the wheel, as shown"}};
+    if (!figure_open(&s, path, 980.0f, 476.0f, "Paths and whole turns",
+                     "Left: the path and the whole turns are arguments. Right: the angular velocities determine them."))
         return 0;
     svg_plot_frame(&s, &arcs);
     svg_plot_frame(&s, &wheel);

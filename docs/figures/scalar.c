@@ -62,15 +62,15 @@ static void between_equals(svg *s, const svg_plot *plot)
 int figure_scalar_lerp(const char *path)
 {
     svg s;
-    svg_plot end = {{70.0f, 138.0f, 400.0f, 250.0f}, {-12.5f, 0.5f, 2.0f, "t = 1 + this many steps of 2^-24"},
+    svg_plot end = {{70.0f, 138.0f, 400.0f, 250.0f}, {-12.5f, 0.5f, 2.0f, "n of t = 1 + n 2^-24"},
                     {0.2f, 1.1f, 0.1f, "result, thousandths"}};
     svg_plot equal = {{550.0f, 138.0f, 400.0f, 250.0f}, {-0.02f, 1.02f, 0.25f, "t"},
                       {-1.5f, 1.5f, 0.5f, "result - a, units in the last place"}};
     if (!figure_open(&s, path, 980.0f, 476.0f, "nkw_lerp starts at the nearer end",
-                     "Each textbook form of the straight line loses one thing; from the nearer end both are kept."))
+                     "Each textbook form of lerp loses one property; the form from the nearer end has both."))
         return 0;
-    figure_bold(&s, 70.0f, 104.0f, 15.0f, FIGURE_INK, 's', "Arriving: from -1000 to 0.001");
-    figure_bold(&s, 550.0f, 104.0f, 15.0f, FIGURE_INK, 's', "Standing still: from 0.7 to 0.7");
+    figure_bold(&s, 70.0f, 104.0f, 15.0f, FIGURE_INK, 's', "Near t = 1: from -1000 to 0.001");
+    figure_bold(&s, 550.0f, 104.0f, 15.0f, FIGURE_INK, 's', "Equal ends: from 0.7 to 0.7");
     svg_plot_frame(&s, &end);
     svg_plot_frame(&s, &equal);
     last_steps(&s, &end);

@@ -87,7 +87,7 @@ int figure_skeleton_order(const char *path)
     svg s;
     if (nkw_skeleton_order(file, NODES, to, from, parents, NULL) != NKW_OK ||
         !figure_open(&s, path, 984.0f, 380.0f, "Parents come before their children",
-                     "nkw_skeleton_order numbers the joints of a file anew, depth first. Numbers in the tree and "
+                     "nkw_skeleton_order renumbers the joints of a file, depth first. Numbers in the tree and "
                      "colours are the file's."))
         return 0;
     figure_bold(&s, 24.0f, 104.0f, 15.0f, FIGURE_INK, 's', "In the file: parents anywhere");
@@ -96,8 +96,8 @@ int figure_skeleton_order(const char *path)
     indented_tree(&s, 394.0f, 136.0f, parents, from);
     figure_bold(&s, 672.0f, 104.0f, 15.0f, FIGURE_INK, 's', "The skeleton: every arrow goes left");
     parent_array(&s, 672.0f, 250.0f, parents, from);
-    figure_text(&s, 24.0f, 340.0f, 13.0f, FIGURE_GREY, 's', "the joint's number, in its box its parent's");
-    figure_text(&s, 672.0f, 340.0f, 13.0f, FIGURE_GREY, 's', "one pass finds each parent's matrix ready");
+    figure_text(&s, 24.0f, 340.0f, 13.0f, FIGURE_GREY, 's', "in the box the parent, below it the joint");
+    figure_text(&s, 672.0f, 340.0f, 13.0f, FIGURE_GREY, 's', "in one pass, parents are computed first");
     return svg_close(&s);
 }
 
@@ -176,8 +176,8 @@ int figure_skeleton_models(const char *path)
     nkw_mat4 bind[ARM], now[ARM];
     svg_point left = {48.0f, 400.0f}, right = {510.0f, 400.0f};
     svg s;
-    if (!figure_open(&s, path, 1008.0f, 470.0f, "A child goes where its parent takes it",
-                     "Each local transform is told in the axes of the parent (x red, y green); models are the products "
+    if (!figure_open(&s, path, 1008.0f, 470.0f, "A joint moves its children",
+                     "A local transform is relative to the axes of the parent (x red, y green). Models are products "
                      "along the chain."))
         return 0;
     arm_models(straight, bind);

@@ -278,7 +278,7 @@ int figure_partition_parts(const char *path)
     if (cut(&mesh, &p) != NKW_OK ||
         !figure_open(
             &s, path, 860.0f, 450.0f, "A hand of 13 joints in parts of at most four",
-            "Each part is drawn with a palette of its own; every triangle is in one part, vertices on the seam in "
+            "Each part is drawn with its own palette; every triangle is in one part, vertices on the seam in "
             "both."))
         return 0;
     draw_parts(&s, &h, &p);

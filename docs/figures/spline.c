@@ -63,7 +63,7 @@ static void method_panel(svg *s, svg_box box, const shown_method *m)
 int figure_spline_methods(const char *path)
 {
     svg s;
-    if (!figure_open(&s, path, 1064.0f, 640.0f, "The same keys, four ways to find their tangents",
+    if (!figure_open(&s, path, 1064.0f, 640.0f, "The same keys, four methods for the tangents",
                      "Grey lines: the levels of the plateaus. What is above or below them is overshoot."))
         return 0;
     for (int i = 0; i < 4; i++) {
@@ -159,13 +159,13 @@ static void frames_panel(svg *s, svg_box box, int frenet)
     figure_bold(s, box.x + 16.0f, box.y + 28.0f, 15.0f, colour, 's', frenet ? "Frenet" : "rotation-minimising");
     figure_text(s, box.x + 16.0f, box.y + 48.0f, 12.0f, FIGURE_GREY, 's',
                 frenet ? "to the centre of curvature: turns by half a turn at the inflection"
-                       : "turned about the tangent as little as possible");
+                       : "the least rotation about the tangent");
 }
 
 int figure_polycurve_frames(const char *path)
 {
     svg s;
-    if (!figure_open(&s, path, 1064.0f, 420.0f, "Which way is up along a path",
+    if (!figure_open(&s, path, 1064.0f, 420.0f, "The up direction along a path",
                      "Lines: the normals of the frames. A camera on the left would turn over in the middle."))
         return 0;
     for (int i = 0; i < 2; i++) {

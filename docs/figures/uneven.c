@@ -100,8 +100,8 @@ int figure_curve_uneven(const char *path)
         {70.0f, 420.0f, 900.0f, 220.0f}, {-0.1f, 4.1f, 0.5f, "time, s"}, {-3.3f, 2.3f, 1.0f, "velocity, per second"}};
     svg_paint uniform = dashed(uniform_colour, 2.4f), timed = svg_stroke(timed_colour, 2.6f, 1.0f);
     svg_paint truth = svg_stroke(0xa9adba, 5.0f, 0.6f);
-    if (!figure_open(&s, path, 1000.0f, 724.0f, "Catmull-Rom over uneven keys must know their times",
-                     "The uniform curve takes all segments for equally long: its velocity jumps at the keys, and it "
+    if (!figure_open(&s, path, 1000.0f, 724.0f, "Catmull-Rom over non-uniform keys needs their times",
+                     "The uniform form assumes segments of equal duration: its velocity jumps at the keys, and it "
                      "overshoots in short segments."))
         return 0;
     svg_plot_frame(&s, &value);
@@ -215,11 +215,11 @@ int figure_curve_tangents(const char *path)
     dialect_panel(&s, 60.0f, 0, colours[0]);
     dialect_panel(&s, 414.0f, 1, colours[1]);
     heading_panel(&s, 756.0f, colours[2]);
-    dialect_heading(&s, 60.0f, colours[0], "per segment", "v as it is", "Slope v/duration: 2 before the middle key,",
+    dialect_heading(&s, 60.0f, colours[0], "per segment", "v unchanged", "Slope v/duration: 2 before the middle key,",
                     "0.5 after it. The velocity jumps.");
     dialect_heading(&s, 414.0f, colours[1], "per second (glTF)", "v times the duration of the segment",
                     "Slope 1 on both sides of every key:", "the velocity is continuous.");
     dialect_heading(&s, 756.0f, colours[2], "the exercise", "v = -z of the key's rotation, length 1",
-                    "Neither time nor distance counts: the bend", "depends on how far apart the keys stand.");
+                    "Neither time nor distance is a factor: the bend", "depends on the distance of the keys.");
     return svg_close(&s);
 }
