@@ -142,8 +142,6 @@ function mount(room: Room<State>) {
 const fields = { count: number(1024, 1, 4096), start: number(0.5, -1, 1) };
 
 export const bits: Exhibit<State> = {
-  id: 'bits',
-  title: { en: 'The same bits', ja: 'どこでも同じビット列' },
   lead: {
     en: 'Your browser computes sines, curves, rotations and springs, each from the result before, and hashes all bits. ' +
       'Drag a slider: one other bit gives another hash. The copied C program computes ' +

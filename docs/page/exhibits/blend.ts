@@ -105,8 +105,6 @@ function mount(room: Room<State>) {
 }
 
 export const blend: Exhibit<State> = {
-  id: 'blend',
-  title: { en: 'Blend and change', ja: '動きの切り替え' },
   lead: {
     en: 'Both ways lead from the old motion to the new one. The velocity of the cross-fade jumps at its ends; ' +
       'inertialisation begins with the velocity of the old motion and reduces the difference. Drag the ends of the new motion.',

@@ -220,8 +220,6 @@ function mount(room: Room<State>) {
 }
 
 export const crowd: Exhibit<State> = {
-  id: 'crowd',
-  title: { en: 'A crowd', ja: '群衆' },
   lead: {
     en: 'A thousand characters, each at its own time and place in a clip. Play, and switch between ' +
       '<code>Crowd</code> of this library and the <code>AnimationMixer</code> of three.js: the picture stays, ' +

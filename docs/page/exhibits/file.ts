@@ -225,8 +225,6 @@ const rangeOf = (state: State) => {
 };
 
 export const file: Exhibit<State> = {
-  id: 'file',
-  title: { en: 'Your file', ja: 'あなたのファイル' },
   lead: {
     en: 'Drop a <code>.glb</code>: its curves, what is wrong with its keys, its sizes, and the model, which this ' +
       'library moves.',

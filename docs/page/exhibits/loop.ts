@@ -93,8 +93,6 @@ function mount(room: Room<State>) {
 }
 
 export const loop: Exhibit<State> = {
-  id: 'loop',
-  title: { en: 'Loop and events', ja: 'ループとイベント' },
   lead: {
     en: 'Drag the head around the ring, and let it go while it moves. A step passes the keys after its start up to and ' +
       'including its end, so however the way is divided into steps, each key is passed exactly once. Stop on a key and ' +

@@ -258,8 +258,6 @@ function mount(room: Room<State>) {
 const angle = (initial: number) => number(initial, -360, 360);
 
 export const pole: Exhibit<State> = {
-  id: 'pole',
-  title: { en: 'The pole', ja: '極(ジンバルロック)' },
   lead: {
     en: 'Turn the gimbals by their letters. When the middle angle is ±90°, the outer and the inner axis coincide and ' +
       'only two directions are left. Play: an object that passes near the pole turns evenly, and its angles do not.',

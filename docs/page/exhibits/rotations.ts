@@ -222,8 +222,6 @@ function mount(room: Room<State>) {
 const angle = (initial: number) => number(initial, -360, 360);
 
 export const rotations: Exhibit<State> = {
-  id: 'rotations',
-  title: { en: 'Two rotations', ja: '二つの回転' },
   lead: {
     en: 'Drag the two noses on the sphere. nlerp follows the arc of slerp at another speed; Euler angles (yaw, pitch, ' +
       'roll) leave the arc. Change the sign of B: the rotation is the same, and only the method that takes the signs ' +

@@ -256,8 +256,6 @@ function mount(room: Room<State>) {
 }
 
 export const splines: Exhibit<State> = {
-  id: 'splines',
-  title: { en: 'Many rotations', ja: '多数の回転' },
   lead: {
     en: 'Drag the five noses. slerp turns a corner at each key: its angular velocity jumps. Squad and the B-spline ' +
       'have none while the keys are evenly spaced in time: move the time of key 2. The B-spline passes near its keys.',

@@ -162,8 +162,6 @@ function mount(room: Room<State>) {
 }
 
 export const time: Exhibit<State> = {
-  id: 'time',
-  title: { en: 'Time is not the parameter', ja: '時刻はパラメータではない' },
   lead: {
     en: 'Handles have a time and a value, so the time itself is a cubic of s. Pull a handle far enough and the curve ' +
       'runs back: it has three values at one time. Each tool answers by a policy of its own.',

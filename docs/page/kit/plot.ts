@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Plots by uPlot, in the colours of the page, with a line at the present time and points that can be dragged.
 import uPlot from 'uplot';
-import 'uplot/dist/uPlot.min.css';
 import type { Room } from '../shell/exhibit';
 import { say, type Text } from '../shell/text';
 import { colour } from './colours';

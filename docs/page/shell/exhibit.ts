@@ -4,10 +4,15 @@ import type { Clock } from './clock';
 import type { Fields } from './state';
 import type { Text } from './text';
 
-export interface Exhibit<S> {
+/** An entry of the list of exhibits. */
+export interface Entry {
   /** The name in the address and of its files. */
   id: string;
   title: Text;
+  open(): Promise<Exhibit<object>>;
+}
+
+export interface Exhibit<S> {
   /** One or two sentences: what to try, and what to see. HTML. */
   lead: Text;
   fields: Fields<S>;

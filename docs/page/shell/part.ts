@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Scripts that are loaded when they are needed, from a server or from a file.
+const scope = globalThis as unknown as { nakawariParts?: Record<string, unknown> };
 const loaded = new Map<string, Promise<unknown>>();
 
 /** The exports of the script NAME.js beside the page (build.mjs). */
@@ -8,9 +9,16 @@ export function part<T>(name: string): Promise<T> {
     loaded.set(name, new Promise((resolve, reject) => {
       const script = document.createElement('script');
       script.src = `${name}.js`;
-      script.onload = () => resolve((globalThis as unknown as { nakawariParts: Record<string, T> }).nakawariParts[name]);
+      script.onload = () => resolve(scope.nakawariParts![name]);
       script.onerror = () => reject(new Error(`${name}.js does not load`));
       document.head.append(script);
     }));
   return loaded.get(name) as Promise<T>;
+}
+
+/** A module of the second script (build.mjs), when the library of that script is ready. */
+export async function later(name: string): Promise<unknown> {
+  const all = await part<Record<string, unknown>>('exhibits');
+  await all.ready;
+  return all[name];
 }

@@ -2,8 +2,8 @@
 // The room of one exhibit: its state, its frames, its keys.
 import { element } from '../kit/html';
 import { makeClock } from './clock';
-import type { Exhibit, Room, Shortcut } from './exhibit';
-import { read, show, write } from './state';
+import type { Entry, Exhibit, Room, Shortcut } from './exhibit';
+import { forget, read, show, showLater, write } from './state';
 import { language, say, type Text } from './text';
 
 export interface OpenRoom {
@@ -32,11 +32,12 @@ function keyTable(list: Shortcut[]) {
       element('dd', {}, say(s.does))]))]);
 }
 
-export function openRoom<S extends object>(exhibit: Exhibit<S>, main: HTMLElement, query: URLSearchParams): OpenRoom {
+export function openRoom<S extends object>({ id, title }: Entry, exhibit: Exhibit<S>, main: HTMLElement,
+  query: URLSearchParams): OpenRoom {
   let state = read(exhibit.fields, query), asked = 0, last = 0;
   const draws: ((seconds: number) => void)[] = [], always: ((seconds: number) => void)[] = [];
   const endings: (() => void)[] = [], keys: Shortcut[] = [];
-  const stage = element('section', { id: 'stage', tabindex: '-1', 'aria-label': say(exhibit.title) });
+  const stage = element('section', { id: 'stage', tabindex: '-1', 'aria-label': say(title) });
   const side = element('section', { class: 'side', tabindex: '0', 'aria-label': say(beside) });
   const live = element('p', { class: 'live', role: 'status' });
   const timed = exhibit.range && 'time' in state;
@@ -72,7 +73,7 @@ export function openRoom<S extends object>(exhibit: Exhibit<S>, main: HTMLElemen
   };
   const set = (change: Partial<S>) => {
     state = { ...state, ...change };
-    show(exhibit.id, toQuery);
+    showLater(id, toQuery);
     ask();
   };
   const { clock, bar } = makeClock(() => exhibit.range!(state), time => set({ time } as unknown as Partial<S>), () => {
@@ -118,13 +119,14 @@ export function openRoom<S extends object>(exhibit: Exhibit<S>, main: HTMLElemen
   ask();
   return {
     close() {
+      forget();
       cancelAnimationFrame(asked);
       removeEventListener('keydown', onKey);
       removeEventListener('colours', colours);
       sizes.disconnect();
       endings.forEach(f => f());
     },
-    keep: () => history.replaceState(null, '', `#${exhibit.id}?${toQuery()}`),
+    keep: () => show(id, toQuery()),
     code: () => exhibit.code!(state),
   };
 }

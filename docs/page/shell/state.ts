@@ -77,11 +77,17 @@ export function address(): { id: string; query: URLSearchParams } {
 }
 
 let waiting = 0;
-/** Shows a state in the address, at most four times a second: browsers refuse more. */
-export function show(id: string, query: () => URLSearchParams) {
+/** Shows a state in the address. */
+export function show(id: string, query: URLSearchParams) {
   clearTimeout(waiting);
-  waiting = setTimeout(() => {
-    const text = query().toString();
-    history.replaceState(null, '', `#${id}${text ? `?${text}` : ''}`);
-  }, 250);
+  history.replaceState(null, '', `#${id}?${query}`);
 }
+
+/** The same a quarter of a second after the last change: browsers refuse more. */
+export function showLater(id: string, query: () => URLSearchParams) {
+  clearTimeout(waiting);
+  waiting = setTimeout(() => show(id, query()), 250);
+}
+
+/** The change that waits is not shown. */
+export const forget = () => clearTimeout(waiting);

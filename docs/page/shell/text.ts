@@ -7,13 +7,12 @@ export interface Text {
 export type Language = keyof Text;
 export const languages: Language[] = ['en', 'ja'];
 
-let now: Language = navigator.language.startsWith('ja') ? 'ja' : 'en';
-export const language = () => now;
+/** The language of the document: both scripts of the page read it. */
+export const language = () => document.documentElement.lang as Language;
 
 export function setLanguage(next: Language) {
-  now = next;
   document.documentElement.lang = next;
 }
 
 /** The text in the present language. */
-export const say = (text: Text | string) => typeof text === 'string' ? text : text[now];
+export const say = (text: Text | string) => typeof text === 'string' ? text : text[language()];

@@ -141,8 +141,6 @@ function mount(room: Room<State>) {
 }
 
 export const exercise: Exhibit<State> = {
-  id: 'exercise',
-  title: { en: 'The exercise', ja: 'キーフレームアニメーション演習' },
   lead: {
     en: 'Choose a key, move it by its arrows and squares, turn it by its rings; every number follows. The keyboard is ' +
       'that of the exercise’s program.',

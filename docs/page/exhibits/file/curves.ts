@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The curves of one channel by uPlot: samples of the library's track as lines, the keys as points.
 import uPlot from 'uplot';
-import 'uplot/dist/uPlot.min.css';
 import { colour } from '../../kit/colours';
 import { element } from '../../kit/html';
 import type { Channel } from './channels';

@@ -97,8 +97,6 @@ function mount(room: Room<State>) {
 }
 
 export const jointChain: Exhibit<State> = {
-  id: 'joints',
-  title: { en: 'Joints', ja: '関節' },
   lead: {
     en: 'Turn the joints by their handles 0 to 3, click a vertex, play the timer of the lesson. The equation below ' +
       'is the product of the chosen joint. Does your program show something else? Choose a mistake and compare.',

@@ -126,8 +126,6 @@ function mount(room: Room<State>) {
 }
 
 export const keys: Exhibit<State> = {
-  id: 'keys',
-  title: { en: 'The keys', ja: 'キーと曲線' },
   lead: {
     en: 'Drag the keys and the small dots, which are tangents. The durations differ: read the tangents per segment ' +
       'instead of per second, and the velocity jumps at each key although its tangent is one number.',

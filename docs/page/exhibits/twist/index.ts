@@ -117,8 +117,6 @@ function mount(room: Room<State>) {
 }
 
 export const twist: Exhibit<State> = {
-  id: 'twist',
-  title: { en: 'Twist', ja: 'ねじり' },
   lead: {
     en: 'Drag the point of the plot. Linear blend moves a vertex along a straight line and loses volume; dual ' +
       'quaternions move it on an arc, along the shorter way: past 180° between two joints they turn back. More joints help both.',
