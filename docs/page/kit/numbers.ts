@@ -7,8 +7,8 @@ import { element, html } from './html';
 export interface Row {
   /** The name in the C program; the values are name.0, name.1, ... */
   name: string;
-  /** HTML. */
-  label: Text | string;
+  /** HTML, or an element. */
+  label: Text | string | HTMLElement;
   values: ArrayLike<number>;
   digits?: number;
 }
@@ -23,6 +23,9 @@ function fill(cell: HTMLElement, row: Row, i: number) {
   cell.textContent = text.replace(/^-(0\.?0*)$/, '$1').replace('-', '−');
 }
 
+const heading = (label: Row['label']) => label instanceof HTMLElement
+  ? element('th', { scope: 'row' }, label) : html('th', say(label), { scope: 'row' });
+
 /** A table with a row of values for each name; `rows` is called for each drawing. Returns the table. */
 export function numberTable<S>(room: Room<S>, caption: Text, rows: () => Row[]): HTMLTableElement {
   const body = element('tbody'), table = element('table', { class: 'numbers' },
@@ -32,7 +35,7 @@ export function numberTable<S>(room: Room<S>, caption: Text, rows: () => Row[]):
   room.draw(() => {
     const list = rows(), next = JSON.stringify(list.map(r => [r.name, r.label, r.values.length]));
     if (next !== shape)
-      body.replaceChildren(...list.map(row => element('tr', {}, [html('th', say(row.label), { scope: 'row' }),
+      body.replaceChildren(...list.map(row => element('tr', {}, [heading(row.label),
         ...Array.from(row.values, () => element('td'))])));
     shape = next;
     list.forEach((row, k) => {

@@ -29,7 +29,8 @@ export function floor(c: Context, view: View, aim: number[]) {
   c.fillStyle = colour('line');
   for (let x = at[0] - 12; x < at[0] + 12; x++)
     for (let z = at[1] - 12; z < at[1] + 12; z++) {
-      const corners = [[x, z], [x, z + 1], [x + 1, z + 1], [x + 1, z]].map(([a, b]) => view.project([a * unit, 0, b * unit]));
+      const corners = [[x, z], [x, z + 1], [x + 1, z + 1], [x + 1, z]].map(([a, b]) =>
+        view.project([a * unit, 0, b * unit]));
       const fade = 1.4 - view.distance([x * unit, 0, z * unit]) / unit / 10;
       if ((x + z) % 2 || fade <= 0 || corners.some(p => !p))
         continue;

@@ -12,6 +12,8 @@ import { logTicks, ticks, tickTexts } from './ticks';
 export type { Handle, Series };
 export { legend };
 
+interface Data { x: ArrayLike<number>; y: ArrayLike<number>[] }
+
 export interface PlotOptions {
   /** What the plot shows, for its title and for screen readers. */
   label: Text;
@@ -19,9 +21,11 @@ export interface PlotOptions {
   x?: Text;
   /** The curves, or a legend that several plots share. */
   series: Series[] | Legend;
-  /** The abscissae, and for each series its values; NaN is a gap. The same object as before: nothing has changed. */
-  data(): { x: ArrayLike<number>; y: ArrayLike<number>[] };
-  /** The range of y; else that of the curves that are shown. */
+  /** The abscissae, and for each series its values; NaN is a gap. It is not drawn again if it is the same object. */
+  data(): Data;
+  /** The range of x; else that of the abscissae. */
+  domain?(): [number, number];
+  /** The range of y; else that of the handles and of the curves that are shown. */
   range?(): [number, number];
   /** The axis of y is logarithmic. */
   log?: boolean;
@@ -50,10 +54,11 @@ const look = {
 
 /** The label of the axis has the place of the last tick but one. */
 function abscissa(label?: Text): uPlot.Axis {
-  const texts = (list: number[]) => tickTexts(list).map((text, i) => label && i === list.length - 2 ? say(label) : text);
+  const texts = (list: number[]) => tickTexts(list).map((text, i) =>
+    label && i === list.length - 2 ? say(label) : text);
   return {
     ...look, size: label ? 20 : 0,
-    splits: (u, _, least, most) => ticks(least, most, Math.max(Math.floor(u.width / 100), 3)),
+    splits: (u, _, least, most) => ticks(least, most, Math.max(Math.floor(u.width / 80), 4)),
     values: (_, list) => label ? texts(list) : list.map(() => ''),
   };
 }
@@ -119,50 +124,62 @@ function frame<S>(room: Room<S>, options: PlotOptions, curves: Legend) {
   return { host, box };
 }
 
-function make(options: PlotOptions, series: Series[], range: () => [number, number], host: HTMLElement): uPlot {
+interface Ranges { x: [number, number]; y: [number, number] }
+
+function make(options: PlotOptions, series: Series[], ranges: Ranges, host: HTMLElement): uPlot {
   return new uPlot({
     width: 400, height: 120, legend: { show: false }, cursor: { show: false }, pxAlign: 0,
     padding: [8, 14, options.x ? 0 : 8, 0],
-    scales: { x: { time: false }, y: { range, distr: options.log ? 3 : 1 } },
+    scales: { x: { time: false, range: () => ranges.x }, y: { range: () => ranges.y, distr: options.log ? 3 : 1 } },
     axes: [abscissa(options.x), ordinate(options.log)],
     series: [{}, ...series.map(s => ({
       stroke: () => colour(s.colour), width: s.width ?? 1.5, dash: s.dash, points: { show: false } }))],
-    hooks: { drawAxes: [u => paintLines(u, options.lines?.() ?? [])], draw: [u => paintMarks(u, options.marks?.() ?? [])] },
+    hooks: {
+      drawAxes: [u => paintLines(u, options.lines?.() ?? [])],
+      draw: [u => paintMarks(u, options.marks?.() ?? [])],
+    },
   }, [[0, 1], ...series.map(() => [0, 0])] as uPlot.AlignedData, host);
 }
 
 const gaps = (values: ArrayLike<number>, log?: boolean) =>
   Array.from(values, v => Number.isFinite(v) && !(log && v <= 0) ? v : null);
 
-/** A plot that follows the state. While a handle is held, the range of the axes stays. */
+/** The ranges that show all of the data. */
+function fit(options: PlotOptions, { x, y }: Data, shown: boolean[], handles: Handle[]): Ranges {
+  return {
+    x: options.domain?.() ?? [x[0], x[x.length - 1]],
+    y: options.range?.() ?? extent([...y.filter((_, i) => shown[i]), handles.map(handle => handle.y)], options.log),
+  };
+}
+
+/** A plot that follows the state. While a handle is held, the ranges of the axes stay. */
 export function plot<S>(room: Room<S>, options: PlotOptions): uPlot {
   const curves = Array.isArray(options.series) ? legend(room, options.series) : options.series;
-  const { host, box } = frame(room, options, curves);
-  let range: [number, number] = [0, 1], before: unknown, key = '';
-  const made = make(options, curves.series, () => range, host), points = pointLayer(made, room.refresh);
+  const { host, box } = frame(room, options, curves), ranges: Ranges = { x: [0, 1], y: [0, 1] };
+  const made = make(options, curves.series, ranges, host), points = pointLayer(made, room.refresh);
   const now = element('div', { class: 'now' });
   if (options.time)
     made.over.append(now);
   if (options.add)
     onDouble(made.over, (x, y) => options.add?.(made.posToVal(x, 'x'), made.posToVal(y, 'y')));
-  const redraw = (data: { x: ArrayLike<number>; y: ArrayLike<number>[] }, shown: boolean[]) => {
-    made.batch(() => {
-      if (box.clientWidth !== made.width || box.clientHeight !== made.height)
-        made.setSize({ width: box.clientWidth, height: box.clientHeight });
-      shown.forEach((show, i) => made.setSeries(i + 1, { show }));
-      made.setData([Array.from(data.x), ...data.y.map(row => gaps(row, options.log))] as uPlot.AlignedData);
-    });
-  };
+  const redraw = ({ x, y }: Data, shown: boolean[]) => made.batch(() => {
+    if (box.clientWidth !== made.width || box.clientHeight !== made.height)
+      made.setSize({ width: box.clientWidth, height: box.clientHeight });
+    shown.forEach((show, i) => made.setSeries(i + 1, { show }));
+    made.setData([Array.from(x), ...y.map(row => gaps(row, options.log))] as uPlot.AlignedData);
+  });
+  let before: Data | undefined, key = '';
   room.draw(() => {
-    const data = options.data(), shown = curves.series.map((_, i) => curves.shows(i));
+    const data = options.data(), handles = options.handles?.() ?? [];
+    const shown = curves.series.map((_, i) => curves.shows(i));
     if (!made.over.querySelector('[data-held]'))
-      range = options.range?.() ?? extent(data.y.filter((_, i) => shown[i]), options.log);
-    const next = JSON.stringify([box.clientWidth, box.clientHeight, colour('ink'), shown, range, options.lines?.(),
+      Object.assign(ranges, fit(options, data, shown, handles));
+    const next = JSON.stringify([box.clientWidth, box.clientHeight, colour('ink'), shown, ranges, options.lines?.(),
       options.marks?.()]);
     if (data !== before || next !== key)
       redraw(data, shown);
     [before, key] = [data, next];
-    points(options.handles?.() ?? []);
+    points(handles);
     now.style.left = `${made.valToPos(options.time?.() ?? 0, 'x')}px`;
   });
   room.closed(() => made.destroy());

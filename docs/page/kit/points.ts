@@ -9,6 +9,8 @@ export interface Handle {
   x: number;
   y: number;
   small?: boolean;
+  /** One or two letters on it. */
+  text?: string;
   /** The point after a drag or an arrow key, in the plot's units. Without it the point does not move. */
   move?(x: number, y: number): void;
   /** After the Delete key. */
@@ -75,6 +77,8 @@ export function pointLayer(plot: uPlot, refresh: () => void): (next: Handle[]) =
     next.forEach((handle, i) => {
       shown[i].setAttribute('aria-label', `${say(handle.label)}: ${handle.x.toFixed(2)}, ${handle.y.toFixed(2)}`);
       shown[i].classList.toggle('small', !!handle.small);
+      shown[i].classList.toggle('mark', !!handle.text);
+      shown[i].textContent = handle.text ?? '';
       shown[i].style.left = `${plot.valToPos(handle.x, 'x')}px`;
       shown[i].style.top = `${plot.valToPos(handle.y, 'y')}px`;
     });

@@ -18,7 +18,8 @@ const finite = (list: number[]) => list.filter(Number.isFinite);
 
 /** The curves f(x)[i] from `from` to `to`: `count` equal steps, halved where a curve is not straight. */
 export function samples(f: (x: number) => number[], from: number, to: number, count = 96): Samples {
-  const points = Array.from({ length: count + 1 }, (_, i) => from + (i * (to - from)) / count).map(x => ({ x, y: f(x) }));
+  const at = (i: number) => i === count ? to : from + (i * (to - from)) / count;
+  const points = Array.from({ length: count + 1 }, (_, i) => ({ x: at(i), y: f(at(i)) }));
   const tolerance = points[0].y.map((_, i) => {
     const all = finite(points.map(p => p.y[i]));
     return Math.max(Math.max(...all) - Math.min(...all), 0) / 400;

@@ -1,10 +1,15 @@
 // SPDX-License-Identifier: MIT
 // Exhibit 2: one curve through keys that can be dragged, by all methods; value, velocity and acceleration.
+import { button, element, html } from '../../kit/html';
+import type { Legend } from '../../kit/legend';
 import { numberTable, type Row } from '../../kit/numbers';
 import { panel } from '../../kit/panel';
-import { legend, plot, type Handle } from '../../kit/plot';
-import type { Exhibit, Room } from '../../shell/exhibit';
-import { curve, fields, methods, tangentsOf, words, type State } from './curves';
+import { legend, plot } from '../../kit/plot';
+import { remembered, samples } from '../../kit/samples';
+import type { Exhibit, Room, Shortcut } from '../../shell/exhibit';
+import { say } from '../../shell/text';
+import { curve, fields, joint, keysOf, methods, tangentsOf, velocities, words, type State } from './curves';
+import { add, handles, remove } from './edit';
 import { code } from './program';
 
 const texts = {
@@ -13,127 +18,135 @@ const texts = {
   acceleration: { en: 'acceleration, per second²', ja: '加速度(毎秒²)' },
   time: { en: 'time, s', ja: '時刻(秒)' },
   chosen: { en: 'chosen method', ja: '選んだ方式' },
-  other: { en: 'the same tangents, read the other way', ja: '同じ接線をもう一方の尺度で読んだ曲線' },
+  other: { en: 'its tangents, read the other way', ja: '同じ接線をもう一方の尺度で読んだ曲線' },
+  trap: {
+    en: 'The scaling trap: read per segment, a tangent is divided by the duration of each segment, so one tangent ' +
+      'becomes two velocities wherever the durations differ.',
+    ja: '尺度の取り違え:1区間当たりと読むと、接線は前後の区間の長さでそれぞれ割られるため、' +
+      '区間の長さが異なるキーでは、一つの接線が二つの速度になります。',
+  },
 };
-const steps = 240;
 
-/* ---- samples ---- */
-
-type Sampled = { x: number[]; y: number[][] }[];
-
-/** For value, velocity and acceleration the rows of all methods, of the other scale, and of the chosen method. */
-function sample(s: State): Sampled {
-  const start = s.times[0], step = (s.times[s.times.length - 1] - start) / steps;
-  const x = Array.from({ length: steps + 1 }, (_, i) => start + i * step);
-  const none = () => [NaN, NaN, NaN], other = s.scale === 'second' ? 'segment' : 'second';
-  const f = [...methods.map(m => s.all ? curve(s, m) : none),
-    tangentsOf(s, s.method) ? curve(s, s.method, other) : none, curve(s, s.method)];
-  const points = f.map(one => x.map(one));
-  return [0, 1, 2].map(i => ({ x, y: points.map(row => row.map(p => p[i])) }));
-}
-
-/** Samples again only if something else than the time has changed. */
-function memory(): (s: State) => Sampled {
-  let before = '', kept: Sampled;
-  return s => {
-    const now = JSON.stringify({ ...s, time: 0 });
-    if (now !== before)
-      kept = sample(s);
-    before = now;
-    return kept;
-  };
-}
-
-/* ---- handles ---- */
-
-const arm = 0.2;
-const replaced = (list: ArrayLike<number>, k: number, x: number) => Array.from(list, (old, i) => i === k ? x : old);
-
-function keyHandle(room: Room<State>, k: number): Handle {
-  const { times, values } = room.state;
-  return {
-    label: { en: `key ${k}`, ja: `キー ${k}` }, x: times[k], y: values[k],
-    move(x, y) {
-      const now = room.state, least = (now.times[k - 1] ?? -0.1) + 0.1, most = (now.times[k + 1] ?? 8.1) - 0.1;
-      room.set({ times: replaced(now.times, k, Math.min(Math.max(x, least), most)),
-        values: replaced(now.values, k, y) });
-    },
-  };
-}
-
-/** A drag of a tangent makes the present tangents the reader's own. That of the last key points back. */
-function tangentHandle(room: Room<State>, k: number): Handle {
-  const { state } = room, last = k === state.times.length - 1, side = last ? -1 : 1;
-  const shown = (s: State) => tangentsOf(s, s.method)?.[last ? 'before' : 'after'] ?? s.tangents;
-  return {
-    label: { en: `tangent of key ${k}`, ja: `キー ${k} の接線` }, small: true,
-    x: state.times[k] + side * arm, y: state.values[k] + side * arm * shown(state)[k],
-    move(x, y) {
-      const now = room.state, along = x - now.times[k];
-      if (side * along > 0.02)
-        room.set({ method: 'own', tangents: replaced(shown(now), k, (y - now.values[k]) / along) });
-    },
-  };
-}
-
-const handles = (room: Room<State>) => [keyHandle, tangentHandle].flatMap(make =>
-  room.state.times.map((_, k) => make(room, k)));
-
-/* ---- plots and numbers ---- */
+/* ---- the plots ---- */
 
 const palette = ['c0', 'c1', 'c3', 'c4', 'c5', 'c6', 'c7'];
 const series = [
-  ...methods.map((m, i) => ({ label: words[m], colour: palette[i % 7], width: 1, dash: i < 7 ? undefined : [4, 2] })),
-  { label: texts.other, colour: 'x', width: 2, dash: [7, 4] },
-  { label: texts.chosen, colour: 'ink', width: 2.5 },
+  ...methods.map((name, i) => (
+    { name, label: words[name], colour: palette[i % 7], width: 1, dash: i < 7 ? undefined : [4, 2] })),
+  { name: 'other', label: texts.other, colour: 'x', width: 2, dash: [7, 4] },
+  { name: 'chosen', label: texts.chosen, colour: 'ink', width: 2.5 },
 ];
 
-function plots(room: Room<State>) {
-  const sampled = memory(), curves = legend(room, series);
+/** Value, velocity and acceleration of all curves, each for a plot. */
+function sampled(state: State) {
+  const s = keysOf(state), other = s.scale === 'second' ? 'segment' : 'second', gap = [NaN, NaN, NaN];
+  const f = [...methods.map(m => curve(s, m)), tangentsOf(s) ? curve(s, s.method, other) : () => gap, curve(s, s.method)];
+  const { x, y } = samples(time => f.flatMap(one => one(time)), s.times[0], s.times[s.times.length - 1]);
+  return [0, 1, 2].map(i => ({ x, y: f.map((_, k) => y[3 * k + i]) }));
+}
+
+function plots(room: Room<State>, curves: Legend) {
+  const data = remembered(sampled), lines = () => keysOf(room.state).times;
+  const domain = (): [number, number] => {
+    const times = lines(), [start, end] = [times[0], times[times.length - 1]], margin = (end - start) / 20;
+    return [start - margin, end + margin];
+  };
   [texts.value, texts.velocity, texts.acceleration].forEach((label, i) => plot(room, {
-    label, series: curves, x: i === 2 ? texts.time : undefined, share: i ? 1 : 2,
-    data: () => sampled(room.state)[i],
+    label, series: curves, x: i === 2 ? texts.time : undefined, share: i ? 1 : 1.4, domain, lines,
+    data: () => data(room.state)[i],
     time: () => room.state.time,
-    handles: i === 0 ? () => handles(room) : undefined,
+    ...(i ? {} : { handles: () => handles(room), add: (x, y) => add(room, x, y) }),
   }));
 }
 
-const rows = (s: State): Row[] =>
-  methods.map(m => ({ name: m, label: words[m], values: curve(s, m)(Math.fround(s.time)), digits: 3 }));
+/* ---- numbers ---- */
 
-function keyRows(s: State): Row[] {
-  const tangents = tangentsOf(s, s.method);
-  return tangents ? [
-    { name: 'before', label: { en: 'before', ja: '前' }, values: Float32Array.from(tangents.before), digits: 3 },
-    { name: 'after', label: { en: 'after', ja: '後' }, values: Float32Array.from(tangents.after), digits: 3 },
-  ] : [];
+function trapRows(state: State): Row[] {
+  const s = keysOf(state), k = joint(s), tangents = tangentsOf(s);
+  if (k === undefined)
+    return [];
+  const times = Float32Array.from(s.times), duration = (i: number) => Math.fround(times[i + 1] - times[i]);
+  const row = (name: string, en: string, ja: string, values: number[]) => ({ name, label: { en, ja }, values, digits: 3 });
+  const before = row('duration', 'duration of the segment, s', '区間の長さ(秒)', [duration(k - 1), duration(k)]);
+  return !tangents ? [before, row('velocity', 'velocity', '速度', velocities(s, k, 'second'))] : [
+    before,
+    row('tangent', 'tangent', '接線', [tangents.before[k], tangents.after[k]].map(Math.fround)),
+    row('second', 'velocity, read per second', '速度(1秒当たりと読む)', velocities(s, k, 'second')),
+    row('segment', 'velocity, read per segment', '速度(1区間当たりと読む)', velocities(s, k, 'segment'))];
+}
+
+function trapTable(room: Room<State>) {
+  const table = numberTable(room, { en: 'Key', ja: 'キー' }, () => trapRows(room.state));
+  const note = html('p', say(texts.trap), { class: 'note' });
+  room.side.append(note);
+  room.draw(() => {
+    const s = keysOf(room.state), k = joint(s);
+    table.caption!.textContent = say({ en: `Key ${k}: before and after it`, ja: `キー ${k} の前と後` });
+    table.hidden = k === undefined;
+    note.hidden = k === undefined || !tangentsOf(s);
+  });
+}
+
+function keyRows(state: State): Row[] {
+  const s = keysOf(state), tangents = tangentsOf(s);
+  return s.times.map((t, k) => ({ name: `key${k}`, label: String(k), digits: 3,
+    values: Float32Array.from([t, s.values[k], ...(tangents ? [tangents.before[k], tangents.after[k]] : [])]) }));
+}
+
+function tables(room: Room<State>, curves: Legend) {
+  const at = remembered((state: State) => methods.map(m => curve(keysOf(state), m)));
+  numberTable(room, { en: 'Value, velocity, acceleration at the time', ja: '現在時刻の値・速度・加速度' },
+    () => methods.map((name, i) => (
+      { name, label: curves.entries[i], values: at(room.state)[i](Math.fround(room.state.time)), digits: 3 })));
+  trapTable(room);
+  numberTable(room, { en: 'Keys: time, value, tangents before and after', ja: 'キー:時刻、値、前後の接線' },
+    () => keyRows(room.state));
+}
+
+/* ---- controls ---- */
+
+function tools(room: Room<State>) {
+  const show = (hidden: State['hidden']) => room.set({ hidden });
+  const list: Shortcut[] = [
+    { key: 'a', does: { en: 'adds a key at the time', ja: '現在時刻にキーを追加' }, run: () => add(room, room.state.time) },
+    { key: 'd', does: { en: 'deletes the key nearest to the time', ja: '現在時刻に最も近いキーを削除' },
+      run: () => remove(room) },
+  ];
+  room.shortcuts(list);
+  room.side.append(element('div', { class: 'tools' }, [
+    button(say({ en: 'Add a key', ja: 'キーを追加' }), list[0].run),
+    button(say({ en: 'Delete a key', ja: 'キーを削除' }), list[1].run),
+    button(say({ en: 'Show all', ja: 'すべて表示' }), () => show([])),
+    button(say({ en: 'Hide all', ja: 'すべて隠す' }), () => show([...methods]))]));
 }
 
 function mount(room: Room<State>) {
-  plots(room);
-  const controls = panel(room, { en: 'Curve', ja: '曲線' });
+  const curves = legend(room, series, 'hidden'), controls = panel(room, { en: 'Curve', ja: '曲線' });
   controls.choice('method', texts.chosen, words);
   controls.choice('scale', { en: 'tangents are read', ja: '接線の尺度' }, {
     second: { en: 'per second', ja: '1秒当たり' }, segment: { en: 'per segment', ja: '1区間当たり' } });
-  controls.check('all', { en: 'all methods', ja: 'すべての方式' });
-  controls.slider('tension', { en: 'tension', ja: 'テンション' }, -1, 1, 0.05);
-  controls.slider('continuity', { en: 'continuity', ja: '連続性' }, -1, 1, 0.05);
-  controls.slider('bias', { en: 'bias', ja: 'バイアス' }, -1, 1, 0.05);
-  numberTable(room, { en: 'Value, velocity, acceleration at the time', ja: '現在時刻の値・速度・加速度' },
-    () => rows(room.state));
-  numberTable(room, { en: 'Tangents at keys 0 to 4, chosen method', ja: 'キー0〜4の接線(選んだ方式)' },
-    () => keyRows(room.state));
+  const sliders = [controls.slider('tension', { en: 'tension', ja: 'テンション' }, -1, 1, 0.05),
+    controls.slider('continuity', { en: 'continuity', ja: '連続性' }, -1, 1, 0.05),
+    controls.slider('bias', { en: 'bias', ja: 'バイアス' }, -1, 1, 0.05)];
+  const used = { cardinal: 1, tcb: 3 } as Partial<Record<State['method'], number>>;
+  room.draw(() => sliders.forEach((slider, i) => slider.show(i < (used[room.state.method] ?? 0))));
+  tools(room);
+  tables(room, curves);
+  plots(room, curves);
 }
 
 export const keys: Exhibit<State> = {
   lead: {
-    en: 'Drag the keys and the small dots, which are tangents. The durations differ: read the tangents per segment ' +
-      'instead of per second, and the velocity jumps at each key although its tangent is one number.',
-    ja: 'キーと、接線を表す小さな点をドラッグしてください。キーの間隔は等しくありません。接線を1秒当たりではなく' +
-      '1区間当たりと読むと、接線の数値はキーの前後で同じでも、速度はキーで不連続になります。',
+    en: 'Drag the keys, and the small dots, which are tangents. Press twice on the plot to add a key. The durations ' +
+      'differ: read the tangents per segment instead of per second, and the velocity jumps at each key.',
+    ja: 'キーと、接線を表す小さな点をドラッグしてください。グラフを2回続けて押すと、キーを追加できます。' +
+      'キーの間隔は等しくないため、接線を1秒当たりではなく1区間当たりと読むと、速度が各キーで不連続になります。',
   },
   fields,
-  range: ({ times }) => ({ start: times[0], end: times[times.length - 1] }),
+  range: state => {
+    const { times } = keysOf(state);
+    return { start: times[0], end: times[times.length - 1] };
+  },
   mount,
   code,
 };
