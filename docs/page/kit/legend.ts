@@ -44,6 +44,6 @@ export function legend<S>(room: Room<S>, series: Series[], field?: Lists<S>): Le
   };
   const entries = series.map((s, i) => entry(s, () => toggle(i)));
   room.draw(() => entries.forEach((made, i) => made.setAttribute('aria-pressed', String(shows(i)))));
-  const label = say({ en: 'Curves', ja: '曲線' });
-  return { series, element: element('div', { class: 'legend', role: 'group', 'aria-label': label }, entries), entries, shows };
+  const attributes = { class: 'legend', role: 'group', 'aria-label': say({ en: 'Curves', ja: '曲線' }) };
+  return { series, element: element('div', attributes, entries), entries, shows };
 }

@@ -6,7 +6,8 @@ import { closest, curve, keysOf, most, nearest, tangentsOf, type Keys, type Stat
 
 const arm = 0.2;
 const clamp = (x: number, least: number, greatest: number) => Math.min(Math.max(x, least), greatest);
-const replaced = (list: ArrayLike<number>, k: number, x: number) => Array.from(list, (old, i) => i === k ? x : old);
+const replaced = (list: ArrayLike<number>, k: number, x: number) =>
+  Array.from(list, (old, i) => i === k ? x : old);
 const flat = (times: number[], values: number[], tangents: ArrayLike<number>) =>
   times.flatMap((t, k) => [t, values[k], tangents[k]]);
 

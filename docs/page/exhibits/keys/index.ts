@@ -40,7 +40,8 @@ const series = [
 /** Value, velocity and acceleration of all curves, each for a plot. */
 function sampled(state: State) {
   const s = keysOf(state), other = s.scale === 'second' ? 'segment' : 'second', gap = [NaN, NaN, NaN];
-  const f = [...methods.map(m => curve(s, m)), tangentsOf(s) ? curve(s, s.method, other) : () => gap, curve(s, s.method)];
+  const f = [...methods.map(m => curve(s, m)),
+    tangentsOf(s) ? curve(s, s.method, other) : () => gap, curve(s, s.method)];
   const { x, y } = samples(time => f.flatMap(one => one(time)), s.times[0], s.times[s.times.length - 1]);
   return [0, 1, 2].map(i => ({ x, y: f.map((_, k) => y[3 * k + i]) }));
 }
@@ -66,7 +67,8 @@ function trapRows(state: State): Row[] {
   if (k === undefined)
     return [];
   const times = Float32Array.from(s.times), duration = (i: number) => Math.fround(times[i + 1] - times[i]);
-  const row = (name: string, en: string, ja: string, values: number[]) => ({ name, label: { en, ja }, values, digits: 3 });
+  const row = (name: string, en: string, ja: string, values: number[]) =>
+    ({ name, label: { en, ja }, values, digits: 3 });
   const before = row('duration', 'duration of the segment, s', '区間の長さ(秒)', [duration(k - 1), duration(k)]);
   return !tangents ? [before, row('velocity', 'velocity', '速度', velocities(s, k, 'second'))] : [
     before,
