@@ -155,7 +155,7 @@ function fit(options: PlotOptions, { x, y }: Data, shown: boolean[], handles: Ha
 /** A plot that follows the state. While a handle is held, the ranges of the axes stay. */
 export function plot<S>(room: Room<S>, options: PlotOptions): uPlot {
   const curves = Array.isArray(options.series) ? legend(room, options.series) : options.series;
-  const { host, box } = frame(room, options, curves), ranges: Ranges = { x: [0, 1], y: [0, 1] };
+  const { host, box } = frame(room, options, curves), ranges: Ranges = { x: [0, 1], y: options.log ? [1, 10] : [0, 1] };
   const made = make(options, curves.series, ranges, host), points = pointLayer(made, room.refresh);
   const now = element('div', { class: 'now' });
   if (options.time)
