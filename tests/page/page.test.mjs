@@ -6,7 +6,7 @@ import { after, test } from 'node:test';
 import { axe, close, open, printed, shown } from './models.mjs';
 
 after(close);
-const drawn = tab => tab.waitForSelector('main[data-drawn]', { state: 'attached', timeout: 60000 });
+const drawn = tab => tab.waitForSelector('main[data-drawn]:not(:has([data-loading]))', { state: 'attached', timeout: 60000 });
 const { tab: first } = await open('');
 await drawn(first);
 const ids = await first.$$eval('[data-exhibit]', links => [...new Set(links.map(a => a.dataset.exhibit))]);

@@ -13,7 +13,7 @@ const words = {
   numbers: { en: 'Since the last turn of the head', ja: 'ヘッドが最後に向きを変えてから' },
   step: { en: 'running time, from and to', ja: '経過時間（始め、終わり）' },
   head: { en: 'time in the clip, cycle', ja: 'クリップ内の時刻、周回数' },
-  passed: { en: 'keys passed, in one step', ja: '通過したキーの数（1 ステップで計算）' },
+  passed: { en: 'keys passed, in one step', ja: '通過したキーの数（1ステップで計算）' },
   keys: { en: 'the first of them', ja: 'そのうち最初のもの' },
   frames: { en: 'Keys passed, added up step by step of the screen: ', ja: '画面の更新ごとに数えた、通過したキーの合計：' },
   loop: { en: 'Loop', ja: 'ループ' },
@@ -97,8 +97,8 @@ export const loop: Exhibit<State> = {
     en: 'Drag the head around the ring, and let it go while it moves. A step passes the keys after its start up to and ' +
       'including its end, so however the way is divided into steps, each key is passed exactly once. Stop on a key and ' +
       'turn round: the key is not passed again.',
-    ja: 'ヘッドを輪に沿ってドラッグし、動かしながら離してください。1 回のステップは、始点を含まず終点を含む区間のキーを通過します。' +
-      'そのため、どのようにステップに分けても、各キーはちょうど 1 回ずつ通過します。キーの上で止めて逆向きに動かすと、' +
+    ja: 'ヘッドを輪に沿ってドラッグし、動かしながら離してください。1回のステップは、始点を含まず終点を含む区間のキーを通過します。' +
+      'そのため、どのようにステップに分けても、各キーはちょうど1回ずつ通過します。キーの上で止めて逆向きに動かすと、' +
       'そのキーをもう一度通過することはありません。',
   },
   fields,

@@ -1,0 +1,125 @@
+// SPDX-License-Identifier: MIT
+// Springs that follow a goal: the goal jumps at three times, and each spring is computed exactly.
+import * as N from 'nakawari/all';
+import { list, literal, program } from '../../kit/code';
+import { html } from '../../kit/html';
+import { numberTable } from '../../kit/numbers';
+import { panel } from '../../kit/panel';
+import { legend, plot } from '../../kit/plot';
+import { remembered, samples } from '../../kit/samples';
+import type { Room } from '../../shell/exhibit';
+import { say, type Text } from '../../shell/text';
+import { goalTimes, type ModeOf, type State } from './state';
+import { words } from './words';
+
+const own = {
+  note: {
+    en: 'Drag the points: there the goal jumps, and the velocity does not. A step is the exact solution: steps of ' +
+      '1/30 s and of 1/60 s differ by rounding only.',
+    ja: '点をドラッグしてください。そこで目標は跳びますが、速度は跳びません。1ステップは厳密解なので、1/30秒刻みと1/60秒刻みの違いは丸め誤差だけです。',
+  },
+  goal: { en: 'goal', ja: '目標' },
+  chosen: { en: 'chosen damping ratio', ja: '選んだ減衰比' },
+  critical: { en: 'critically damped, 1', ja: '臨界減衰1' },
+  over: { en: 'overdamped, 2', ja: '過減衰2' },
+  position: { en: 'Position', ja: '位置' },
+  velocity: { en: 'Velocity (1/s)', ja: '速度 (1/s)' },
+  now: { en: 'Now: position, velocity', ja: '現在の位置と速度' },
+  steps: { en: 'Chosen damping ratio, in steps: position, velocity', ja: '選んだ減衰比を刻んで計算：位置と速度' },
+  whole: { en: 'one step for each goal', ja: '目標ごとに1ステップ' },
+  thirty: { en: 'steps of 1/30 s', ja: '1/30秒刻み' },
+  sixty: { en: 'steps of 1/60 s', ja: '1/60秒刻み' },
+  constants: { en: 'Stiffness (1/s²), damping (1/s)', ja: 'ばね定数 (1/s²)、減衰係数 (1/s)' },
+  half: { en: 'half-life (s)', ja: '半減期 (s)' },
+  ratio: { en: 'damping ratio', ja: '減衰比' },
+} satisfies Record<string, Text>;
+const kinds = ['chosen', 'critical', 'over'] as const, colours = ['c0', 'c2', 'c1'], end = 3;
+const F = Math.fround;
+
+const ratios = ({ ratio }: State) => [ratio, 1, 2];
+const springOf = (state: State, kind: number) => N.springFromHalfLife([0, 0], state.half, ratios(state)[kind]);
+
+/** The motion at a time: from rest at 0, in steps of h at most, which end where the goal jumps. */
+function motionAt({ goals }: State, spring: number[], time: number, h: number): number[] {
+  const motion = [0, 0], times = goalTimes(goals);
+  times.forEach((start, k) => {
+    const stop = Math.min(F(time), F(times[k + 1] ?? Infinity));
+    for (let t = F(start); t < stop; t = F(t + F(h)))
+      N.springStep(motion, spring, motion, [goals[2 * k + 1], 0], Math.min(F(h), F(stop - t)));
+  });
+  return motion;
+}
+
+const goalAt = ({ goals }: State, time: number) => goals[2 * goalTimes(goals).filter(t => t <= time).length - 1] ?? 0;
+
+/** Positions and velocities, of the goal and of each spring. */
+const curves = remembered((state: State) => {
+  const all = samples(t => {
+    const motions = kinds.map((_, i) => motionAt(state, springOf(state, i), t, Infinity));
+    return [goalAt(state, t), ...motions.map(m => m[0]), NaN, ...motions.map(m => m[1])];
+  }, 0, end);
+  return { positions: { x: all.x, y: all.y.slice(0, 4) }, velocities: { x: all.x, y: all.y.slice(4) } };
+});
+
+/** The goals with goal k moved. */
+function moved({ goals }: State, k: number, time: number, value: number): Partial<State> {
+  const least = (goals[2 * k - 2] ?? -0.05) + 0.05, most = (goals[2 * k + 2] ?? end + 0.05) - 0.05;
+  const round = (x: number, low: number, high: number) => Math.min(Math.max(Math.round(x * 100) / 100, low), high);
+  const [t, v] = [round(time, least, most), round(value, -2, 2)];
+  return { goals: goals.map((x, i) => i === 2 * k ? t : i === 2 * k + 1 ? v : x) };
+}
+
+function plots(room: Room<State>) {
+  const time = () => room.state.time;
+  const series = legend(room, [{ name: 'goal', label: own.goal, colour: 'soft', dash: [6, 4] },
+    ...kinds.map((name, i) => ({ name, label: own[name], colour: colours[i], width: i ? 1.5 : 2.5 }))], 'hidden');
+  plot(room, {
+    label: own.position, time, series, data: () => curves(room.state).positions,
+    handles: () => goalTimes(room.state.goals).map((x, k) => ({ label: own.goal, x, y: room.state.goals[2 * k + 1],
+      move: (t, value) => room.set(moved(room.state, k, t, value)) })),
+  });
+  plot(room, { label: own.velocity, x: words.seconds, time, series, data: () => curves(room.state).velocities });
+}
+
+const stepsOf = [['whole', Infinity], ['thirty', 1 / 30], ['sixty', 1 / 60]] as const;
+
+function mount(room: Room<State>) {
+  room.stage.append(html('p', say(own.note), { class: 'note' }));
+  plots(room);
+  numberTable(room, own.now, () => kinds.map((name, i) => ({ name, label: own[name],
+    values: motionAt(room.state, springOf(room.state, i), room.state.time, Infinity) })));
+  numberTable(room, own.steps, () => stepsOf.map(([name, h]) => ({ name, label: own[name], digits: 7,
+    values: motionAt(room.state, springOf(room.state, 0), room.state.time, h) })));
+  numberTable(room, own.constants, () => [{ name: 'spring', label: own.chosen, digits: 3,
+    values: springOf(room.state, 0) }]);
+  const made = panel(room, words.springs);
+  made.slider('half', own.half, 0.02, 1, 0.01);
+  made.slider('ratio', own.ratio, 0, 3, 0.05);
+}
+
+const code = (state: State) => program(`
+enum { GOALS = ${state.goals.length / 2} };
+static const float starts[GOALS] = ${list(goalTimes(state.goals))};
+static const float goals[GOALS] = ${list(state.goals.filter((_, i) => i % 2))};
+static const float ratios[] = ${list([...ratios(state), state.ratio, state.ratio, state.ratio])};
+static const float steps[] = {1e9f, 1e9f, 1e9f, 1e9f, 1.0f / 30.0f, 1.0f / 60.0f};
+static const char *const names[] = {"chosen", "critical", "over", "whole", "thirty", "sixty"};
+const float time = ${literal(state.time)}, half_life = ${literal(state.half)};
+for (int i = 0; i < 6; i++) {
+    const nkw_spring spring = nkw_spring_from_half_life(half_life, ratios[i]);
+    nkw_motion motion = {0.0f, 0.0f};
+    for (int k = 0; k < GOALS; k++) {
+        const nkw_motion goal = {goals[k], 0.0f};
+        const float stop = k + 1 < GOALS && starts[k + 1] < time ? starts[k + 1] : time;
+        for (float t = starts[k]; t < stop; t += steps[i])
+            motion = nkw_spring_step(spring, motion, goal, steps[i] < stop - t ? steps[i] : stop - t);
+    }
+    show(names[i], 0, (double)motion.value);
+    show(names[i], 1, (double)motion.velocity);
+}
+const nkw_spring chosen = nkw_spring_from_half_life(half_life, ratios[0]);
+show("spring", 0, (double)chosen.stiffness);
+show("spring", 1, (double)chosen.damping);
+`);
+
+export const springs: ModeOf = { mount, end: () => end, code };
