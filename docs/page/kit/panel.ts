@@ -15,7 +15,7 @@ export interface Panel<S> {
 
 /** A panel beside the exhibit, open unless it is folded. Its controls follow the state. */
 export function panel<S extends object>(room: Room<S>, title: Text, folded = false): Panel<S> {
-  const gui = new GUI({ autoPlace: false, container: room.side, title: say(title), width: 320 });
+  const gui = new GUI({ autoPlace: false, container: room.side, title: say(title) });
   const shadow = { ...room.state } as Record<string, unknown>;
   const follow = (name: string, controller: Controller) => {
     controller.onChange((value: unknown) => room.set({ [name]: value } as Partial<S>));
