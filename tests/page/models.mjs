@@ -30,6 +30,9 @@ export async function open(address, options = {}) {
 export const shown = tab => tab.evaluate(() => Object.fromEntries([...document.querySelectorAll('[data-name]')]
   .map(cell => [cell.dataset.name, Number(cell.dataset.value)])));
 
+// The words of printf for numbers that are not finite.
+const read = text => Number(/nan/.test(text) ? NaN : text.replace('inf', 'Infinity'));
+
 /** What the copied program prints, in the same form. */
 export async function printed(tab) {
   await tab.click('.code');
@@ -40,7 +43,7 @@ export async function printed(tab) {
     execFileSync('cc', ['-std=c99', '-Wall', '-Wextra', '-Werror', `${folder}/program.c`, '-o', `${folder}/program`,
       `-I${root}/include`, ...link.split(' ')]);
     const lines = execFileSync(`${folder}/program`, { encoding: 'utf8' }).trim().split('\n');
-    return Object.fromEntries(lines.map(line => line.split(' ')).map(([name, value]) => [name, Number(value)]));
+    return Object.fromEntries(lines.map(line => line.split(' ')).map(([name, value]) => [name, read(value)]));
   } finally {
     rmSync(folder, { recursive: true });
   }

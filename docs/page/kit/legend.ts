@@ -27,7 +27,7 @@ type Lists<S> = { [K in keyof S]: S[K] extends string[] ? K : never }[keyof S] &
 
 function entry(series: Series, toggle: () => void) {
   const made = button('', toggle, 'curve'), { colour, dash } = series;
-  made.append(element('span', { class: dash ? 'swatch dashed' : 'swatch', style: `color: var(--${colour})` }),
+  made.append(element('span', { class: dash ? 'stroke dashed' : 'stroke', style: `color: var(--${colour})` }),
     say(series.label));
   return made;
 }

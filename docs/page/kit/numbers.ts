@@ -20,7 +20,7 @@ function fill(cell: HTMLElement, row: Row, i: number) {
   const value = row.values[i], text = value === undefined ? '' : value.toFixed(row.digits ?? 4);
   cell.dataset.name = `${row.name}.${i}`;
   cell.dataset.value = exact(value);
-  cell.textContent = text.replace(/^-(0\.?0*)$/, '$1').replace('-', '−');
+  cell.textContent = text.replace(/^-(0\.?0*)$/, '$1').replace('-', '−').replace('Infinity', '∞');
 }
 
 const heading = (label: Row['label']) => label instanceof HTMLElement
