@@ -7,11 +7,12 @@ import { tmpdir } from 'node:os';
 
 // The folder of the page, the build folder with its node_modules, the source folder, flags that link the library.
 const { NKW_PAGE: page, NKW_BUILD: build, NKW_ROOT: root, NKW_CHROMIUM: chromium, NKW_LINK: link } = process.env;
-const require = createRequire(`${build}/`), software = ['--use-gl=angle', '--use-angle=swiftshader'];
+const require = createRequire(`${build}/`);
 export { root };
 
+// Without a GPU, pages are painted by the processor and WebGL by SwiftShader.
 const browser = await require('playwright-core').chromium.launch({
-  executablePath: chromium, args: ['--no-sandbox', ...software, '--enable-unsafe-swiftshader'] });
+  executablePath: chromium, args: ['--no-sandbox', '--disable-gpu', '--enable-unsafe-swiftshader'] });
 export const close = () => browser.close();
 
 /** An exhibit by its address; `problems` receives what the console has. */
