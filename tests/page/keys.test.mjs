@@ -146,12 +146,23 @@ test('a key is added without a change of the curve, and deleted again', async ()
   await tab.close();
 });
 
-test('pressing twice on the plot adds a key there', async () => {
-  const { tab } = await start('keys'), before = await shown(tab), [x, y] = await centre(tab, '[data-handle="1"]');
-  await tab.mouse.dblclick(x + 60, y + 40);
-  const more = await changed(tab, before, 'key2.0');
-  assert.ok(more['key2.0'] > 0.5 && more['key2.0'] < 2 && more['key2.1'] < 1);
-  assert.equal(more['key5.0'], 4);
+for (const [name, press] of [['mouse', (tab, x, y) => tab.mouse.dblclick(x, y)],
+  ['touch', async (tab, x, y) => { await tab.touchscreen.tap(x, y); await tab.touchscreen.tap(x, y); }]])
+  test(`pressing twice on the plot adds a key there, by ${name}`, async () => {
+    const { tab } = await start('keys', { hasTouch: name === 'touch' }), before = await shown(tab);
+    const [x, y] = await centre(tab, '[data-handle="1"]');
+    await press(tab, x + 60, y + 40);
+    const more = await changed(tab, before, 'key2.0');
+    assert.ok(more['key2.0'] > 0.5 && more['key2.0'] < 2 && more['key2.1'] < 1);
+    assert.equal(more['key5.0'], 4);
+    await tab.close();
+  });
+
+test('a key that is too close to another is refused with a message', async () => {
+  const { tab } = await start('keys?time=0.55'), before = await shown(tab);
+  await tab.keyboard.press('a');
+  await tab.waitForFunction(() => document.querySelector('.live').textContent !== '');
+  assert.deepEqual(await shown(tab), before);
   await tab.close();
 });
 
