@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Twist: the volumes against the formula of the sections, against C, and a drag in the plot.
+// Twist: the measures against a skin in binary64 and against C, and drags in the plot by mouse, finger and keys.
 import assert from 'node:assert/strict';
 import { after, test } from 'node:test';
 import { close, open, printed, shown } from './models.mjs';
@@ -7,37 +7,131 @@ import { close, open, printed, shown } from './models.mjs';
 after(close);
 const drawn = tab => tab.waitForSelector('main[data-drawn]', { state: 'attached', timeout: 60000 });
 
-// Linear blend with weights 1 - u and u multiplies a section by (1-u)^2 + u^2 + 2 u (1-u) cos angle: its mean over u.
-const share = degrees => (2 + Math.cos(degrees * Math.PI / 180)) / 3;
+/* ---- the bar in binary64: 24 sections of 8 vertices ---- */
 
-test('volume and thickness, and the C program', async () => {
-  for (const [joints, twist] of [[2, 0], [2, 90], [2, 170], [3, 170], [5, 300]]) {
-    const { tab, problems } = await open(`twist?joints=${joints}&twist=${twist}`);
+const sides = [[0.5, 0.5], [0.5, 0], [0.5, -0.5], [0, -0.5], [-0.5, -0.5], [-0.5, 0], [-0.5, 0.5], [0, 0.5]];
+const sections = Array.from({ length: 25 }, (_, k) => sides.map(([x, z]) => [x, k / 8, z]));
+
+/** Turned by an angle about y, or about z through (0, 1.5, 0). */
+function turned([x, y, z], mode, angle) {
+  const [c, s] = [Math.cos(angle), Math.sin(angle)];
+  return mode === 'twist' ? [c * x + s * z, y, c * z - s * x] : [c * x - s * (y - 1.5), 1.5 + s * x + c * (y - 1.5), z];
+}
+
+function moved(p, mode, dual, joints, angle) {
+  const u = Math.min(Math.max((p[1] - 1.5) / (mode === 'twist' ? 3 : 1.5) + 0.5, 0), 1) * (joints - 1);
+  const k = Math.min(Math.floor(u), joints - 2), part = angle / (joints - 1), t = u - k;
+  if (dual) { // all joints rotate about one point: the mean of the quaternions is a rotation about it
+    const back = Math.cos(part / 2) < 0 ? -1 : 1, first = k * part / 2, next = first + part / 2;
+    return turned(p, mode, 2 * Math.atan2((1 - t) * Math.sin(first) + back * t * Math.sin(next),
+      (1 - t) * Math.cos(first) + back * t * Math.cos(next)));
+  }
+  const [a, b] = [turned(p, mode, k * part), turned(p, mode, (k + 1) * part)];
+  return a.map((x, i) => (1 - t) * x + t * b[i]);
+}
+
+const det = ([a, b, c], [d, e, f], [g, h, i]) => a * (e * i - f * h) - b * (d * i - f * g) + c * (d * h - e * g);
+const fan = points => points.slice(2).reduce((sum, p, i) => sum + det(points[0], points[i + 1], p), 0);
+const both = points => (fan(points) + fan([...points.slice(1), points[0]])) / 12;
+const volume = rows => rows.slice(1).reduce((sum, up, k) => sum + up.reduce((part, _, i) => {
+  const j = (i + 1) % 8;
+  return part + both([rows[k][i], rows[k][j], up[j], up[i]]);
+}, 0), both([...rows[0]].reverse()) + both(rows[24]));
+
+function measured(mode, dual, joints, angle) {
+  const rows = sections.map(row => row.map(p => moved(p, mode, dual, joints, angle)));
+  const [corner, side] = rows[12];
+  return { volume: volume(rows), bulge: Math.max(...rows.slice(0, 13).flat().map(p => p[0])),
+    radius: mode === 'twist' ? Math.hypot(corner[0], corner[2]) : Math.hypot(side[0], side[1] - 1.5, side[2]) };
+}
+
+test('the box of this test has three cubic metres', () =>
+  assert.ok(Math.abs(volume(sections) - 3) < 1e-12));
+
+test('the measures are those of binary64, and the C program prints them', async () => {
+  for (const [mode, degrees, joints] of [['twist', 0, 3], ['twist', 90, 3], ['twist', 170, 5], ['twist', 300, 3],
+    ['bend', 0, 3], ['bend', 60, 5], ['bend', 110, 3], ['bend', 150, 5]]) {
+    const { tab, problems } = await open(`twist?mode=${mode}&${mode}=${degrees}&joints=${joints}`);
     await drawn(tab);
-    const numbers = await shown(tab), part = twist / (joints - 1);
+    const numbers = await shown(tab), angle = degrees * Math.PI / 180, where = `${mode} ${degrees} ${joints}`;
     assert.deepEqual(await printed(tab), numbers);
+    const ways = [[false, 2, 0], [false, 2, angle], [true, 2, angle], [false, joints, angle]];
+    ways.map(([dual, n, by]) => measured(mode, dual, n, by)).forEach((wanted, i) => {
+      for (const name of mode === 'bend' ? ['volume', 'radius', 'bulge'] : ['volume', 'radius'])
+        assert.ok(Math.abs(numbers[`${name}.${i}`] - wanted[name]) < 2e-6,
+          `${where}, ${name} ${i}: ${numbers[`${name}.${i}`]} ${wanted[name]}`);
+    });
     assert.equal(numbers['volume.0'], 3);
-    assert.ok(Math.abs(numbers['volume.1'] / 3 - share(part)) < 0.01, `${joints} ${twist}: ${numbers['volume.1']}`);
-    assert.ok(Math.abs(numbers['volume.2'] / 3 - 1) < 0.01, `${joints} ${twist}: ${numbers['volume.2']}`);
-    const half = joints === 2 ? Math.cos(part * Math.PI / 360) : 1;
-    assert.ok(Math.abs(numbers['radius.1'] / Math.SQRT1_2 - half) < 1e-6, `${numbers['radius.1']}`);
-    assert.ok(Math.abs(numbers['radius.2'] / Math.SQRT1_2 - 1) < 1e-6);
     assert.deepEqual(problems, []);
     await tab.close();
   }
 });
 
-test('the point of the plot is dragged to a smaller twist', async () => {
+test('linear blend collapses, dual quaternions keep the distance and bulge, more joints help', async () => {
+  const of = async address => {
+    const { tab } = await open(address);
+    await drawn(tab);
+    const numbers = await shown(tab);
+    await tab.close();
+    return numbers;
+  };
+  const twist = await of('twist?twist=170'), bend = await of('twist?mode=bend&bend=110');
+  assert.ok(Math.abs(twist['radius.1'] / twist['radius.0'] - Math.cos(85 * Math.PI / 180)) < 1e-6);
+  assert.ok(twist['volume.1'] < 1.1 && twist['volume.2'] > 2.98 && twist['volume.3'] > 2);
+  assert.ok(Math.abs(bend['radius.1'] / 0.5 - Math.cos(55 * Math.PI / 180)) < 1e-6);
+  assert.ok(Math.abs(bend['radius.2'] - 0.5) < 1e-6);
+  assert.ok(bend['bulge.2'] > 0.6 && bend['bulge.3'] < bend['bulge.2'] && Math.abs(bend['bulge.1'] - 0.5) < 1e-6);
+  assert.ok(bend['volume.1'] < bend['volume.3'] && bend['volume.3'] < bend['volume.2']);
+});
+
+/* ---- drags ---- */
+
+async function middle(tab) {
+  const { x, y, width, height } = await tab.locator('.handle').boundingBox();
+  return { x: x + width / 2, y: y + height / 2 };
+}
+const more = (tab, before) => tab.waitForFunction(old =>
+  Number(document.querySelector('[data-name="volume.1"]').dataset.value) > old, before['volume.1']);
+
+test('the point of the plot is dragged to a smaller angle', async () => {
+  for (const mode of ['twist', 'bend']) {
+    const { tab } = await open(`twist?lang=en&mode=${mode}`);
+    await drawn(tab);
+    const before = await shown(tab), { x, y } = await middle(tab);
+    await tab.mouse.move(x, y);
+    await tab.mouse.down();
+    await tab.mouse.move(x - 100, y, { steps: 5 });
+    await tab.mouse.up();
+    await more(tab, before);
+    const now = await shown(tab);
+    assert.equal(now['volume.0'], 3);
+    assert.ok(now['volume.1'] > before['volume.1'] + 0.03, `${now['volume.1']}`);
+    await tab.close();
+  }
+});
+
+test('a finger drags the point of the plot', async () => {
+  const { tab } = await open('twist?lang=ja', { hasTouch: true, viewport: { width: 390, height: 844 } });
+  await drawn(tab);
+  await tab.locator('.handle').scrollIntoViewIfNeeded();
+  const before = await shown(tab), { x, y } = await middle(tab), client = await tab.context().newCDPSession(tab);
+  const touch = (type, touchPoints) => client.send('Input.dispatchTouchEvent', { type, touchPoints });
+  await touch('touchStart', [{ x, y }]);
+  for (const step of [10, 30, 50, 70])
+    await touch('touchMove', [{ x: x - step, y }]);
+  await touch('touchEnd', []);
+  await more(tab, before);
+  await tab.close();
+});
+
+test('arrow keys move the point, and a list changes the motion', async () => {
   const { tab } = await open('twist?lang=en');
   await drawn(tab);
-  const before = await shown(tab), { x, y, width, height } = await tab.locator('.handle').boundingBox();
-  await tab.mouse.move(x + width / 2, y + height / 2);
-  await tab.mouse.down();
-  await tab.mouse.move(x + width / 2 - 100, y + height / 2, { steps: 5 });
-  await tab.mouse.up();
-  await tab.waitForFunction(old => Number(document.querySelector('[data-name="volume.1"]').dataset.value) > old, before['volume.1']);
-  const now = await shown(tab);
-  assert.equal(now['volume.0'], before['volume.0']);
-  assert.ok(now['volume.1'] > 1.1 * before['volume.1'], `${now['volume.1']}`);
+  const before = await shown(tab);
+  await tab.focus('.handle');
+  await tab.keyboard.press('ArrowLeft');
+  await more(tab, before);
+  await tab.getByLabel('Motion').selectOption('bend');
+  await tab.waitForSelector('[data-name="bulge.2"]');
   await tab.close();
 });

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // What is chosen: product, joint, weights, colours; and, folded away, the sliders.
+import { field, options } from '../../kit/field';
 import { element } from '../../kit/html';
 import { panel } from '../../kit/panel';
 import type { Room } from '../../shell/exhibit';
@@ -8,22 +9,10 @@ import { around, joints, rings } from './mesh';
 import { most, orderNames, steps, type Order, type State } from './model';
 import { axisWords, controls, influenceWords, labels, notes, orderWords, paintWords } from './words';
 
-type Words = Record<string, Text>;
-const options = (words: Words) => Object.entries(words).map(([value, text]) => element('option', { value }, say(text)));
-
-/** A list with its label; `content` are its options. */
-function list(room: Room<State>, name: keyof State, label: Text, content: HTMLElement[]) {
-  const made = element('select', {}, content);
-  made.addEventListener('change', () => room.set({
-    [name]: typeof room.state[name] === 'number' ? Number(made.value) : made.value }));
-  room.draw(() => { made.value = String(room.state[name]); });
-  return element('label', { class: 'field' }, [say(label), made]);
-}
-
 function products(room: Room<State>) {
   const group = (label: Text, names: Order[]) => element('optgroup', { label: say(label) },
     options(Object.fromEntries(names.map(name => [name, orderWords[name]]))));
-  return list(room, 'order', controls.order, [group(controls.steps, steps),
+  return field(room, 'order', controls.order, [group(controls.steps, steps),
     group(controls.mistakes, orderNames.filter(name => !steps.includes(name)))]);
 }
 
@@ -41,9 +30,9 @@ function note(room: Room<State>) {
 export function choices(room: Room<State>) {
   const bones = Object.fromEntries(Array.from({ length: joints }, (_, j) => [j, labels.joint(j)]));
   room.side.append(products(room), note(room), element('div', { class: 'fields' }, [
-    list(room, 'joint', controls.joint, options(bones)),
-    list(room, 'paint', controls.paint, options(paintWords)),
-    list(room, 'influence', controls.influence, options(influenceWords)),
+    field(room, 'joint', controls.joint, options(bones)),
+    field(room, 'paint', controls.paint, options(paintWords)),
+    field(room, 'influence', controls.influence, options(influenceWords)),
   ]));
 }
 

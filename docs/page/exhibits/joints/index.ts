@@ -20,7 +20,7 @@ import { vertexTable } from './vertex';
 
 /** The distance of the camera and the height of its aim, where the parts leave the place of the capsule. */
 const far: Partial<Record<Order, [number, number]>> = {
-  noInverse: [10, 3.3], noTranslation: [9.5, -0.9], swapped: [7.5, 1.2], origin: [5, 0.7],
+  noInverse: [10, 3.3], noTranslation: [9.5, -0.9], swapped: [6.2, 1.4], origin: [5, 0.7],
 };
 
 /** The ramp of a weight from 0 to 1, or the colours of the joints. */
@@ -29,7 +29,7 @@ function legend(room: Room<State>) {
     element('span', {}, t)));
   const one = element('div', {}, [title, element('div', { class: 'ramp', style: `background: ${rampStyle}` }), ticks]);
   const all = element('div', {}, Array.from({ length: joints }, (_, j) => element('div', {}, [
-    element('span', { class: 'swatch', style: `background: var(--c${j})` }), say(labels.joint(j))])));
+    element('span', { class: 'patch', style: `background: var(--c${j})` }), say(labels.joint(j))])));
   room.draw(() => {
     title.textContent = say(labels.weightOf(room.state.joint));
     one.hidden = room.state.paint !== 'one';

@@ -12,17 +12,18 @@ import { chosen, type Skinned } from './skin';
 
 type Context = CanvasRenderingContext2D;
 
-/** The mean weights of a face. */
-const shares = (weights: Uint16Array, face: number) => Array.from({ length: joints }, (_, j) =>
-  faces[face].reduce((sum, v) => sum + weights[v * joints + j], 0) / 65535 / faces[face].length);
+/** The mean weight of a joint on a face. */
+const share = (weights: Uint16Array, face: number, joint: number) =>
+  faces[face].reduce((sum, v) => sum + weights[v * joints + joint], 0) / 65535 / faces[face].length;
 
 /** The weight of the chosen joint by the ramp, or the joint of the largest weight, paler where others have a share. */
 function colours(state: State, weights: Uint16Array): (face: number) => number[] {
   if (state.paint === 'one')
-    return face => ramp(shares(weights, face)[state.joint]);
-  const own = Array.from({ length: joints }, (_, j) => rgb(`c${j}`)), pale = rgb('paper');
+    return face => ramp(share(weights, face, state.joint));
+  const all = Array.from({ length: joints }, (_, j) => j), own = all.map(j => rgb(`c${j}`)), pale = rgb('paper');
   return face => {
-    const list = shares(weights, face), most = Math.max(...list), strong = Math.min(1.25 * most - 0.2, 1);
+    const list = all.map(j => share(weights, face, j)), most = Math.max(...list);
+    const strong = Math.min(1.25 * most - 0.2, 1);
     return mix([own[list.indexOf(most)], pale], [strong, 1 - strong]);
   };
 }
@@ -31,12 +32,13 @@ const over = (shape: Shape) => ({ ...shape, distance: -1 });
 const add = (p: number[], d: number[], length: number) => N.vec3AddScaled([0, 0, 0], p, d, length);
 
 function bones(c: Context, view: View, state: State, now: Skinned, list: Frame[]): Shape[] {
+  const ink = colour('ink');
   return [
-    ...list.slice(1).map((f, i) => line(c, view, list[i].at, f.at, colour('ink'), 2)),
+    ...list.slice(1).map((f, i) => line(c, view, list[i].at, f.at, ink, 2)),
     ...list.flatMap(({ at }, i) => (['x', 'y', 'z'] as const).map((name, k) => line(c, view, at,
       add(at, N.mat4TransformDirection([0, 0, 0], now.list[i].M, [0, 1, 2].map(n => Number(n === k))), 0.3),
       colour(name), i === state.joint ? 4 : 2))),
-    ...list.map(f => dot(c, view, f.at, colour('ink'))),
+    ...list.map(f => dot(c, view, f.at, ink)),
   ].map(over);
 }
 
@@ -59,7 +61,8 @@ function sector(c: Context, view: View, f: Frame, angle: number, j: number, stro
 
 function floor(c: Context, view: View): Shape[] {
   const lines = [-2, -1, 0, 1, 2].flatMap(k => [[[k, 0, -2], [k, 0, 2]], [[-2, 0, k], [2, 0, k]]]);
-  return lines.map(([a, b]) => ({ ...line(c, view, a, b, colour('line'), 1), distance: 1e6 }));
+  const style = colour('line');
+  return lines.map(([a, b]) => ({ ...line(c, view, a, b, style, 1), distance: 1e6 }));
 }
 
 /** A dot with a rim, before everything else. */

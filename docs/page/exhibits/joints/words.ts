@@ -141,6 +141,6 @@ export const labels = {
   vertexTable: { en: 'Vertex v, weights w, blended: Σ w M v', ja: '頂点 v、影響度 w、変形後：Σ w M v' },
   columns: ['w', 'w / 65535', 'x', 'y', 'z'],
   bind: 'v',
-  moves: (j: number) => `M<sub>${j}</sub> v`,
+  moves: (j: number) => `M<sub>${j}</sub>v`,
   blended: 'Σ',
 };

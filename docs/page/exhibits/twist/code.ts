@@ -1,58 +1,86 @@
 // SPDX-License-Identifier: MIT
-// The C program of a state: the bar, both ways to skin it, its volume and its thickness.
-import { list, program } from '../../kit/code';
-import { angles, around, length, middle, outline, steps } from './bar';
+// The C program of a state: the bar, skinned in three ways, and its measures.
+import { list, literal, program } from '../../kit/code';
+import { around, length, middle, motions, outline, pivot, steps } from './bar';
+import { degreesOf, type State } from './model';
 
 const count = (steps + 1) * around;
 
-const setup = (joints: number, twist: number) => `
-static const float angles[] = ${list(angles(joints, twist))};
+const setup = ({ mode }: State, joints: number) => `
+enum { VERTICES = ${count}, JOINTS = ${joints} };
 static const float outline[${around}][2] = {${outline.map(list).join(', ')}};
-static nkw_vec3 bar[${count}], bent[${count}];
-static uint16_t joints[${count}][${joints}];
-static float weights[${count}][${joints}];
-for (int k = 0; k < ${count}; k++) {
-    bar[k] = (nkw_vec3){outline[k % ${around}][0], ${length}.0f * (float)(k / ${around}) / ${steps}.0f, outline[k % ${around}][1]};
-    for (int j = 0; j < ${joints}; j++) {
-        const double apart = (double)(k / ${around}) / ${steps} * ${joints - 1} - j, share = 1 - (apart < 0 ? -apart : apart);
-        joints[k][j] = (uint16_t)j;
-        weights[k][j] = share > 0 ? (float)share : 0.0f;
+static nkw_vec3 bar[VERTICES], bent[VERTICES];
+static uint16_t joints[VERTICES][JOINTS];
+static float weights[VERTICES][JOINTS];
+const nkw_vec3 bone = {0.0f, 1.0f, 0.0f}, pivot = ${list(pivot)};
+for (int k = 0; k < VERTICES; k++) {
+    const double height = ${length}.0 * (k / ${around}) / ${steps};
+    bar[k] = (nkw_vec3){outline[k % ${around}][0], (float)height, outline[k % ${around}][1]};
+}
+const nkw_quat q = nkw_quat_from_axis_angle((nkw_vec3)${list(motions[mode].axis)}, nkw_radians_from_degrees(angle));
+const nkw_swing_twist parts = nkw_quat_swing_twist(q, bone);
+const nkw_mat3 one = nkw_mat3_identity();
+const nkw_mat4 T = nkw_mat4_from_mat3(&one, pivot), T_inverse = nkw_mat4_inverse_rigid(&T);
+nkw_mat4 models[JOINTS];
+nkw_dual_quat duals[JOINTS];`;
+
+/** One way: `n` joints. */
+const skin = ({ mode }: State) => `
+    const int n = way == 3 ? JOINTS : 2;
+    for (int k = 0; k < VERTICES; k++)
+        for (int j = 0; j < n; j++) {
+            double up = (${length}.0 * (k / ${around}) / ${steps} - 1.5) / ${motions[mode].spread.toFixed(1)} + 0.5;
+            up = up < 0 ? 0 : up > 1 ? 1 : up;
+            double apart = up * (n - 1) - j;
+            apart = apart < 0 ? -apart : apart;
+            joints[k][j] = (uint16_t)j;
+            weights[k][j] = apart < 1 ? (float)(1 - apart) : 0.0f;
+        }
+    for (int j = 0; j < n; j++) {
+        const float share = (float)((double)j / (n - 1));
+        const nkw_quat J = nkw_quat_mul(nkw_quat_pow(parts.swing, share), nkw_quat_pow(parts.twist, share));
+        const nkw_mat4 turn = nkw_mat4_from_quat(J), TJ = nkw_mat4_mul(&T, &turn);
+        models[j] = nkw_mat4_mul(&TJ, &T_inverse);
     }
-}`;
-
-const skin = (joints: number) => `
-nkw_mat4 models[${joints}];
-nkw_dual_quat duals[${joints}];
-for (int j = 0; j < ${joints}; j++)
-    models[j] = nkw_mat4_from_quat(nkw_quat_from_axis_angle((nkw_vec3){0.0f, 1.0f, 0.0f}, nkw_radians_from_degrees(angles[j])));
-const nkw_palette_source source = {.models = models, .model_count = ${joints}, .joint_count = ${joints}};
-nkw_palette_from_models(&source, (nkw_palette_span){duals, ${joints}, NKW_PALETTE_DUAL_QUAT});
-const nkw_skin skin = {${count}, ${joints}, {joints, 0, NKW_SKIN_U16}, {weights, 0, NKW_SKIN_F32}};
-const nkw_skin_palette linear = {{models, ${joints}, NKW_PALETTE_MAT4}, {NULL, 0, NKW_PALETTE_MAT4}, 0};
-const nkw_vertices_view in = {.positions = {bar, 0}};
-const nkw_vertices_span out = {.positions = {bent, 0}};`;
-
-const measure = `
-for (int way = 0; way < 3; way++) {
-    const nkw_vec3 *p = way ? bent : bar;
-    if (way == 1)
-        nkw_skin_linear(&skin, &linear, &in, &out);
+    const nkw_palette_source source = {.models = models, .model_count = (size_t)n, .joint_count = (size_t)n};
+    nkw_palette_from_models(&source, (nkw_palette_span){duals, (size_t)n, NKW_PALETTE_DUAL_QUAT});
+    const nkw_skin skin = {VERTICES, (size_t)n, {joints, sizeof joints[0], NKW_SKIN_U16},
+        {weights, sizeof weights[0], NKW_SKIN_F32}};
+    const nkw_skin_palette linear = {{models, (size_t)n, NKW_PALETTE_MAT4}, {NULL, 0, NKW_PALETTE_MAT4}, 0};
+    const nkw_vertices_view in = {.positions = {bar, 0}};
+    const nkw_vertices_span out = {.positions = {bent, 0}};
     if (way == 2)
-        nkw_skin_dual_quat(&skin, (nkw_palette_view){duals, skin.influence_count, NKW_PALETTE_DUAL_QUAT}, &in, &out);
+        nkw_skin_dual_quat(&skin, (nkw_palette_view){duals, (size_t)n, NKW_PALETTE_DUAL_QUAT}, &in, &out);
+    else
+        nkw_skin_linear(&skin, &linear, &in, &out);
+    const nkw_vec3 *const p = way ? bent : bar;`;
+
+const measureVolume = `
     double sum = 0;
     for (int f = 0; f < ${steps * around + 2}; f++) { /* the lower end, the sides from below, the upper end */
-        const int low = f - 1, next = low / ${around} * ${around} + (low + 1) % ${around}, end = f == 0 || low == ${steps * around};
+        const int low = f - 1, next = low / ${around} * ${around} + (low + 1) % ${around};
+        const int end = f == 0 || low == ${steps * around}, corners = end ? ${around} : 4;
         int face[${around}] = {low, next, next + ${around}, low + ${around}};
-        const int n = end ? ${around} : 4;
-        for (int i = 0; end && i < n; i++)
-            face[i] = f ? low + i : n - 1 - i;
+        for (int i = 0; end && i < corners; i++)
+            face[i] = f ? low + i : corners - 1 - i;
         for (int s = 0; s < 2; s++) /* both ways to divide the face */
-            for (int i = 2; i < n; i++)
-                sum += (double)nkw_vec3_dot(p[face[s]], nkw_vec3_cross(p[face[(s + i - 1) % n]], p[face[(s + i) % n]]));
+            for (int i = 2; i < corners; i++) {
+                const nkw_mat3 m = nkw_mat3_from_columns(p[face[s]], p[face[(s + i - 1) % corners]],
+                    p[face[(s + i) % corners]]);
+                sum += (double)nkw_mat3_determinant(&m);
+            }
     }
-    show("volume", way, sum / 12);
-    show("radius", way, (double)nkw_vec3_length(nkw_vec3_reject(p[${middle}], (nkw_vec3){0.0f, 1.0f, 0.0f})));
-}`;
+    show("volume", way, sum / 12);`;
 
-export const code = ({ joints, twist }: { joints: string; twist: number }) =>
-  program([setup(Number(joints), twist), skin(Number(joints)), measure].join('\n'));
+const measureRadius = ({ mode }: State) => mode === 'twist' ? `
+    show("radius", way, (double)nkw_vec3_length(nkw_vec3_reject(p[${middle}], bone)));` : `
+    show("radius", way, (double)nkw_vec3_length(nkw_vec3_sub(p[${middle + 1}], pivot)));
+    float most = p[0].x;
+    for (int k = 1; k < ${middle + around}; k++)
+        most = p[k].x > most ? p[k].x : most;
+    show("bulge", way, (double)most);`;
+
+export const code = (state: State) => program([
+  `const float angle = ${literal(degreesOf(state))};${setup(state, Number(state.joints))}`,
+  `for (int way = 0; way < 4; way++) { /* bind pose, linear blend, dual quaternions, linear blend of more joints */`,
+  `${skin(state)}${measureVolume}${measureRadius(state)}`, '}'].join('\n'));
