@@ -4,7 +4,7 @@ import * as N from 'nakawari/all';
 import { list, literal, program } from '../kit/code';
 import { colour } from '../kit/colours';
 import type { Ray, View } from '../kit/eye';
-import { gripHost, grips, type Grip } from '../kit/grips';
+import { grips, scene, type Grip } from '../kit/grips';
 import { numberTable } from '../kit/numbers';
 import { panel } from '../kit/panel';
 import { dart, line } from '../kit/picture';
@@ -106,14 +106,13 @@ const circle = (axis: number[], carries: number[], radius: number) => ring((c, s
   N.vec3AddScaled([0, 0, 0], N.vec3Scale([0, 0, 0], axis, radius * c), carries, radius * s));
 
 function gimbals(room: Room<State>) {
-  const host = gripHost(), show = grips(host);
-  room.stage.append(host);
+  const { host } = scene(room.stage), show = grips(host);
   const paint = (c: CanvasRenderingContext2D, view: View) => {
     const { angles, q } = poseOf(room.state), order = axesOf(room.state.order);
     show(view, gripsOf(room));
     return [dart(c, view, matrix(q)), ...gimbalsOf(angles, room.state.order).flatMap(({ axis, carries }, n) => {
       const style = colour(letters[order[n]]), end = (length: number) => N.vec3Scale([0, 0, 0], axis, length);
-      return [...curve(c, view, circle(axis, carries, radii[n]), style, 3),
+      return [...curve(c, view, circle(axis, carries, radii[n]), { style, width: 3, horizon: 0 }),
         ...[1, -1].map(side => line(c, view, end(side * radii[n]), end(side * (radii[n] + 0.16)), style, 6))];
     })];
   };

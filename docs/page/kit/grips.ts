@@ -12,12 +12,22 @@ export interface Grip {
   /** A CSS variable. */
   colour: string;
   at: number[];
+  /** It is behind something, and drawn paler. */
+  behind?: boolean;
+  small?: boolean;
   /** The ray through the place to which the point is dragged. */
   move(ray: Ray): void;
 }
 
-/** The part of a stage that contains a space and its grips. */
-export const gripHost = () => element('div', { style: 'position: relative; flex: 2; display: flex; min-height: 0' });
+/** A part of the stage: on the left a space with its grips, on the right (below in a narrow page) what explains it. */
+export function scene(stage: HTMLElement, share = 3) {
+  const host = element('div', { style: 'position: relative; flex: 99 1 17rem; display: flex; ' +
+    'min-height: 0; overflow: hidden' });
+  const beside = element('div', { style: 'flex: 1 1 12rem; overflow: auto' });
+  stage.append(element('div', { style: `display: flex; flex-wrap: wrap; gap: 0.6rem; flex: ${share}; min-height: 0` },
+    [host, beside]));
+  return { host, beside };
+}
 
 const steps: Record<string, [number, number]> = {
   ArrowLeft: [-6, 0], ArrowRight: [6, 0], ArrowUp: [0, -6], ArrowDown: [0, 6],
@@ -62,7 +72,9 @@ export function grips(host: HTMLElement) {
       shown[i].hidden = !p;
       shown[i].setAttribute('aria-label', say(grip.label));
       shown[i].textContent = grip.mark;
-      Object.assign(shown[i].style, { left: `${p?.x}px`, top: `${p?.y}px`, background: `var(--${grip.colour})` });
+      shown[i].classList.toggle('small', !!grip.small);
+      Object.assign(shown[i].style, { left: `${p?.x}px`, top: `${p?.y}px`, background: `var(--${grip.colour})`,
+        opacity: grip.behind ? '0.7' : '1' });
     });
   };
 }

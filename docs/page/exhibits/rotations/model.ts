@@ -1,0 +1,122 @@
+// SPDX-License-Identifier: MIT
+// The ways from one orientation to another: orientation and angular velocity at each time.
+import * as N from 'nakawari/all';
+import { type Turn } from '../../kit/space';
+
+export const names = ['euler', 'nlerp', 'slerp', 'long', 'turns', 'given'] as const;
+export type Method = typeof names[number];
+
+export interface State extends Turn {
+  method: Method;
+  turns: number;
+  flip: boolean;
+  ax: number; ay: number; az: number;
+  bx: number; by: number; bz: number;
+  /** The methods that are not drawn. */
+  hidden: string[];
+  time: number;
+}
+
+export const words = {
+  euler: { en: 'Euler angles', ja: 'オイラー角' },
+  nlerp: { en: 'nlerp', ja: 'nlerp(正規化線形補間)' },
+  slerp: { en: 'slerp', ja: 'slerp(球面線形補間)' },
+  long: { en: 'slerp, long arc', ja: 'slerp(長い弧)' },
+  turns: { en: 'slerp, k more turns', ja: 'slerp(k 回転を追加)' },
+  given: { en: 'slerp, signs as given', ja: 'slerp(符号を調整しない)' },
+};
+export const colours: Record<Method, string> =
+  { euler: 'c1', nlerp: 'c4', slerp: 'c0', long: 'c3', turns: 'c5', given: 'c6' };
+
+export const seconds = 2, order = N.EULER_YXZ;
+const zeros = (n: number) => Array<number>(n).fill(0);
+
+export function keysOf({ ax, ay, az, bx, by, bz, flip }: State) {
+  const angles = [[ax, ay, az], [bx, by, bz]].map(degrees => degrees.map(N.radiansFromDegrees));
+  const [a, b] = angles.map(e => N.quatFromEuler(zeros(4), e, order));
+  return { angles, a, b: flip ? N.quatNegate(zeros(4), b) : b };
+}
+export type Keys = ReturnType<typeof keysOf>;
+
+/** Orientation x y z w and angular velocity x y z, radians per second. */
+export interface Motion { q: number[]; w: number[] }
+
+const arcs = { slerp: N.PATH_SHORT, long: N.PATH_LONG, turns: N.PATH_SHORT, given: N.PATH_AS_GIVEN };
+
+function alongArc({ a, b }: Keys, method: keyof typeof arcs, turns: number, t: number): Motion {
+  const segment = N.rotationSlerp({}, a, b, arcs[method], method === 'turns' ? turns : 0, seconds);
+  const state = N.rotationEvaluate(zeros(10), segment, t);
+  return { q: state.slice(0, 4), w: state.slice(4, 7) };
+}
+
+/** The angles change evenly. Each rate is about the axis of its gimbal: w = sum of rate times axis. */
+function byEuler({ angles: [a, b] }: Keys, t: number): Motion {
+  const [x, y, z] = N.eulerLerp(zeros(3), a, b, t, N.UNWRAP_NONE);
+  const rates = N.vec3Scale(zeros(3), N.vec3Sub(zeros(3), b, a), 1 / seconds);
+  const pitchAxis = N.quatRotate(zeros(3), N.quatFromEuler(zeros(4), [0, y, 0], order), [1, 0, 0]);
+  const rollAxis = N.quatRotate(zeros(3), N.quatFromEuler(zeros(4), [x, y, 0], order), [0, 0, 1]);
+  const w = N.vec3AddScaled(zeros(3), [0, rates[1], 0], pitchAxis, rates[0]);
+  return { q: N.quatFromEuler(zeros(4), [x, y, z], order), w: N.vec3AddScaled(w, w, rollAxis, rates[2]) };
+}
+
+/** nlerp is the cubic whose tangents are those of the straight line: this track has its angular velocity. */
+function byNlerp({ a, b }: Keys, t: number): Motion {
+  const end = N.quatDot(a, b) < 0 ? N.quatNegate(zeros(4), b) : b;
+  const tangent = N.quatScale(zeros(4), N.quatSub(zeros(4), end, a), 1 / seconds);
+  const values = [...tangent, ...a, ...tangent, ...tangent, ...end, ...tangent];
+  const track = new N.Track({ times: [0, seconds], values,
+    width: 4, kind: N.TRACK_ROTATION, interpolation: N.INTERPOLATION_CUBICSPLINE });
+  const state = new Float32Array(10);
+  N.trackSampleRotation(track, Math.fround(t * seconds), state);
+  track.dispose();
+  return { q: N.quatNlerp(zeros(4), a, b, t), w: Array.from(state.subarray(4, 7)) };
+}
+
+/** The motion of a method at t in 0..1. */
+export function motionOf(keys: Keys, method: Method, turns: number, t: number): Motion {
+  switch (method) {
+    case 'euler': return byEuler(keys, t);
+    case 'nlerp': return byNlerp(keys, t);
+    default: return alongArc(keys, method, turns, t);
+  }
+}
+
+/** Degrees per second. */
+export const speed = ({ w }: Motion) => N.degreesFromRadians(N.vec3Length(w));
+export const nose = (q: number[]) => N.quatRotate(zeros(3), q, [0, 0, -1]);
+
+const steps = 192;
+const times = Array.from({ length: steps + 1 }, (_, i) => (i * seconds) / steps);
+
+/** The curves of a method: its nose on the sphere, and its angular speed. */
+function sampled(keys: Keys, method: Method, turns: number) {
+  const all = Array.from({ length: steps + 1 }, (_, i) => motionOf(keys, method, turns, i / steps));
+  return { points: all.map(motion => nose(motion.q)), speeds: all.map(speed) };
+}
+type Curves = Record<Method, ReturnType<typeof sampled>>;
+
+/** The curves of the present keys, made again when these change. */
+export function curvesOf() {
+  let made = '', curves: Curves, data: { x: number[]; y: number[][] };
+  return (state: State) => {
+    const keys = keysOf(state), next = JSON.stringify([keys, state.turns]);
+    if (next !== made) {
+      curves = Object.fromEntries(names.map(m => [m, sampled(keys, m, state.turns)])) as Curves;
+      data = { x: times, y: names.map(m => curves[m].speeds) };
+    }
+    made = next;
+    return { curves, data };
+  };
+}
+
+/** The key `name` turned by the shortest rotation that brings its nose to p. */
+export function turned(state: State, name: 'a' | 'b', p: number[]): Partial<State> {
+  const { angles, ...keys } = keysOf(state), turn = N.quatFromVectors(zeros(4), nose(keys[name]), p);
+  const found = N.eulerFromQuat(zeros(3), N.quatMul(zeros(4), turn, keys[name]), order).map(N.degreesFromRadians);
+  return Object.fromEntries(['x', 'y', 'z'].map((axis, i) => [name + axis, +found[i].toFixed(2)])) as Partial<State>;
+}
+
+export const shownOf = ({ hidden, method }: State) => names.filter(m => m === method || !hidden.includes(m));
+
+/** The keys' signs differ, and the method that takes them as given goes the long way. */
+export const isWrongWay = ({ a, b }: Keys) => N.quatDot(a, b) < 0;
