@@ -9,108 +9,461 @@ import { close, open, printed, root, shown } from './models.mjs';
 
 after(close);
 const drawn = tab => tab.waitForSelector('main[data-drawn]', { state: 'attached', timeout: 60000 });
-async function exercise(query) {
-  const { tab, problems } = await open(`exercise?${query}`);
+async function exercise(query, options) {
+  const { tab, problems } = await open(`exercise?lang=en&${query}`, options);
   await drawn(tab);
   return { tab, problems, field: name => tab.inputValue(`[data-field=${name}]`) };
 }
 const frame = tab => tab.evaluate(() => new Promise(done => requestAnimationFrame(() => requestAnimationFrame(done))));
+const cell = (tab, key, column) => tab.locator(`[data-key="${key}"][data-column=${column}]`);
+const value = (tab, key, column) => cell(tab, key, column).inputValue().then(Number);
+const count = tab => tab.locator('[data-column=x]').count();
+const text = (tab, selector) => tab.textContent(selector);
+
+/* ---- the numbers ---- */
 
 test('the numbers of docs/coursework.md at 3.25 s', async () => {
   const { tab } = await exercise('scene=1&time=3.25&position=hermite&orientation=quat');
   const numbers = await shown(tab);
-  for (const [name, value] of Object.entries({ 'position.0': 0.1958, 'weight.0': 0.84375, 'theta.0': 0.64,
-    'matrix.0': -0.5881 }))
-    assert.ok(Math.abs(numbers[name] - value) < 1e-4, `${name}: ${numbers[name]}`);
+  for (const [name, expected] of Object.entries({ 'position.0': 0.1958456, 'weight.0': 0.84375, 'weight.3': -0.046875,
+    'dot.0': -0.8020958, 'q1key.0': 0.1055979, 'q1.0': -0.1055979, 'theta.0': 0.64, 'share.0': 0.7732463,
+    'q.1': 0.8908672, 'matrix.0': -0.5881267 }))
+    assert.ok(Math.abs(numbers[name] - expected) < 1e-6, `${name}: ${numbers[name]}`);
+  assert.match(await text(tab, '.place'), /t = \(3\.25 − 3\) \/ \(4 − 3\) = 0\.25/);
   await tab.close();
 });
 
 test('the C program prints the numbers, of every method and of the program of the exercise', async () => {
-  for (const [scene, time, position, orientation, program] of [[1, 3.25, 'hermite', 'quat', 0], [1, 6, 'bezier', 'euler', 1],
-    [4, 3.5, 'bezier', 'quat', 0], [6, 1.7, 'bspline', 'quat', 1], [9, 2, 'linear', 'euler', 0]]) {
+  for (const [scene, time, position, orientation, program] of [[1, 3.25, 'hermite', 'quat', 0],
+    [1, 6, 'bezier', 'euler', 1], [4, 3.5, 'bezier', 'quat', 0], [6, 1.7, 'bspline', 'quat', 1],
+    [9, 2, 'linear', 'euler', 0], [2, 0.3, 'bezier', 'none', 1], [7, 2.4, 'centripetal', 'nlerp', 0]]) {
     const query = `scene=${scene}&time=${time}&position=${position}&orientation=${orientation}&program=${program}`;
-    const { tab } = await exercise(query), numbers = await shown(tab), of = await printed(tab);
-    for (const [name, value] of Object.entries(numbers))
-      assert.ok(Object.is(of[name], value), `${query}: ${name}: ${value}, C prints ${of[name]}`);
+    await prints(query);
+  }
+});
+
+async function prints(query) {
+  const { tab } = await exercise(query), numbers = await shown(tab), of = await printed(tab);
+  assert.ok(Object.keys(numbers).length > 20, query);
+  for (const [name, x] of Object.entries(numbers))
+    assert.ok(Object.is(of[name], x), `${query}: ${name}: ${x}, C prints ${of[name]}`);
+  await tab.close();
+  return numbers;
+}
+
+/** A picture that is drawn fast, for many frames. */
+const small = { viewport: { width: 480, height: 240 } };
+
+/** The rows of the table of the exercise, computed in binary64 by other code (tests/data). */
+const [head, ...lines] = readFileSync(`${root}/tests/data/coursework_expected.csv`, 'utf8').trim().split('\n');
+const columns = head.split(',');
+const table = lines.map(line => line.split(',')).map(row => ({
+  scene: row[0], position: row[2], orientation: row[3], time: Number(row[4]),
+  matrix: row.slice(columns.indexOf('m0')).map(Number),
+}));
+
+/** The matrices that the page shows while its slider is moved through the times. */
+const matrices = (tab, times) => tab.evaluate(async list => {
+  const slider = document.querySelector('.bar .time'), result = [];
+  for (const time of list) {
+    slider.value = time;
+    slider.dispatchEvent(new Event('input'));
+    await new Promise(requestAnimationFrame);
+    result.push(Array.from({ length: 16 }, (_, i) =>
+      Number(document.querySelector(`[data-name="matrix.${i}"]`).dataset.value)));
+  }
+  return result;
+}, times);
+
+const furthest = (a, b) => Math.max(...a.map((x, i) => Math.abs(x - b[i])));
+
+/** The largest difference between the page and the rows; the page has their scene and methods. */
+async function difference(tab, rows) {
+  const got = await matrices(tab, rows.map(row => row.time));
+  return Math.max(...rows.map((row, i) => furthest(row.matrix, got[i])));
+}
+
+/** The rows inside the keys, every 0.3 s. */
+const rowsOf = (scene, position, orientation, end) => table.filter(row => row.scene === scene &&
+  row.position === position && row.orientation === orientation && row.time >= 0 && row.time <= end &&
+  Math.round(10 * row.time) % 3 === 0);
+const curves = ['linear', 'hermite', 'bezier', 'bspline'];
+const methods = [...curves.flatMap(p => [[p, 'euler'], [p, 'quat']]), ['linear', 'none']];
+
+for (const [scene, end] of [[1, 6], [2, 1]])
+  test(`scene ${scene} by every method: an independent table`, async t => {
+    const { tab, problems } = await exercise(`scene=${scene}&view=plain`, small);
+    let worst = 0, compared = 0;
+    for (const program of [false, true]) {
+      await tab.setChecked('[data-field=program]', program);
+      for (const [position, orientation] of methods) {
+        await tab.selectOption('[data-field=position]', position);
+        await tab.selectOption('[data-field=orientation]', orientation);
+        // Without interpolation, the program and the library differ on the keys.
+        const rows = rowsOf(`scene${scene}`, position, orientation, end)
+          .filter(row => program || orientation !== 'none' || row.time % 1 !== 0);
+        const far = await difference(tab, rows);
+        assert.ok(far < 1e-6, `${position}, ${orientation}, program ${program}: ${far}`);
+        [worst, compared] = [Math.max(worst, far), compared + rows.length];
+      }
+    }
+    assert.ok(compared > 50 * end, `${compared}`);
+    t.diagnostic(`${compared} matrices, largest difference of an element ${worst.toExponential(1)}`);
+    assert.deepEqual(problems, []);
+    await tab.close();
+  });
+
+test('the first 3 to 6 keys of scene 1, deleted by d: Bézier as in an independent table', async () => {
+  const { tab } = await exercise('scene=1&view=plain&position=bezier&orientation=quat', small);
+  for (let keys = 6; keys >= 3; keys--) {
+    await tab.keyboard.press('d');
+    await frame(tab);
+    assert.equal(await count(tab), keys);
+    const far = await difference(tab, rowsOf(`scene1_first${keys}`, 'bezier', 'quat', keys - 1));
+    assert.ok(far < 1e-6, `${keys} keys: ${far}`);
+  }
+  await tab.close();
+});
+
+test('outside the keys, the switch gives the numbers of the exercise', async () => {
+  for (const row of table.filter(r => r.scene === 'scene1' && r.orientation === 'euler' &&
+    [-0.5, 6.5].includes(r.time) && r.position.startsWith('bezier'))) {
+    const program = row.position === 'bezier' ? 1 : 0;
+    const { tab } = await exercise(`scene=1&time=${row.time}&position=bezier&orientation=euler&program=${program}`);
+    const numbers = await shown(tab), far = furthest(row.matrix, row.matrix.map((_, i) => numbers[`matrix.${i}`]));
+    assert.ok(far < 1e-6, `${row.position} at ${row.time}: ${far}`);
     await tab.close();
   }
 });
 
-test('the keys of the program: scenes, methods, views, keys, axes, playing', async () => {
+/** R = Ry Rx Rz as a quaternion, angles in degrees, in binary64. */
+function quaternion(...degrees) {
+  const [y, x, z] = degrees.map(d => d * Math.PI / 360), { sin, cos } = Math;
+  return [cos(y) * sin(x) * cos(z) + sin(y) * cos(x) * sin(z), sin(y) * cos(x) * cos(z) - cos(y) * sin(x) * sin(z),
+    cos(y) * cos(x) * sin(z) - sin(y) * sin(x) * cos(z), cos(y) * cos(x) * cos(z) + sin(y) * sin(x) * sin(z)];
+}
+
+test('at a pitch of 90 degrees, the program loses the rotation and the library keeps it', async () => {
+  for (const [pitch, lost] of [[90, true], [-90, true], [80, false]]) {
+    const keys = [0, 0, 0, 0, ...quaternion(30, pitch, 40), 1, 1, 0, 0, ...quaternion(0, 0, 0)].join('_');
+    const query = `keys=${keys}&time=0&orientation=`;
+    const [whole, kept, other] = [await prints(`${query}quat`), await prints(`${query}euler`),
+      await prints(`${query}euler&program=1`)];
+    const of = numbers => Array.from({ length: 16 }, (_, i) => numbers[`matrix.${i}`]);
+    assert.ok(furthest(of(whole), of(kept)) < 1e-6, `${pitch}`);
+    assert.equal(furthest(of(whole), of(other)) > 0.5, lost, `${pitch}: ${furthest(of(whole), of(other))}`);
+  }
+});
+
+/* ---- the blanks of the report ---- */
+
+const blankMethods = [['hermite', 'ABCDE'], ['bezier', 'ABCDE'], ['bspline', 'ABCDE']];
+
+test('every blank has its letter, its number and its code, and the code computes the number', async () => {
+  const { tab } = await exercise('scene=1&time=3.25&orientation=quat');
+  const page = readFileSync(`${root}/docs/coursework.md`, 'utf8');
+  const letters = selector => tab.$$eval(`${selector} tr:has(.blank)`, rows => rows.map(row =>
+    [row.querySelector('.blank').textContent, row.querySelectorAll('[data-name]').length]));
+  for (const [position, names] of blankMethods) {
+    await tab.selectOption('[data-field=position]', position);
+    await frame(tab);
+    const tables = '.report table:nth-of-type';
+    assert.deepEqual((await letters(`${tables}(1)`)).map(([letter]) => letter).join(''), names);
+    assert.deepEqual((await letters(`${tables}(2)`)).map(([letter]) => letter).join(''), 'AABCD');
+    assert.ok((await letters('.report table')).every(([, numbers]) => numbers > 0));
+    const code = (await text(tab, '.answers pre')).split('\n').filter(line => /^[A-E] /.test(line))
+      .map(line => line.slice(3));
+    assert.equal(code.length, 9);
+    for (const line of code.map(line => line.replace(/;$/, '')))
+      assert.ok(page.includes(`\`${line}\``), line);
+    const numbers = await shown(tab), order = position === 'hermite' ? [0, 2, 1, 3] : [0, 1, 2, 3];
+    order.forEach((weight, i) => {
+      const formula = new Function('t', 's', `return ${code[i].split('=')[1]}`);
+      const x = formula(numbers['t.0'], numbers['parameter.0']);
+      assert.ok(Math.abs(x - numbers[`weight.${weight}`]) < 1e-6, `${position} ${code[i]} ${x}`);
+    });
+  }
+  await tab.close();
+});
+
+for (const [lang, width, height] of [['en', 1280, 720], ['ja', 1280, 720], ['ja', 1920, 1080]])
+  test(`the blanks are beside the picture without scrolling, ${lang}, ${width} x ${height}`, async () => {
+    const { tab } = await open(`exercise?lang=${lang}&time=3.25&orientation=quat`, { viewport: { width, height } });
+    await drawn(tab);
+    for (const [position] of blankMethods) {
+      await tab.selectOption('[data-field=position]', position);
+      await frame(tab);
+      const hidden = await tab.evaluate(() => {
+        const side = document.querySelector('.side').getBoundingClientRect();
+        const end = Math.min(side.bottom, innerHeight);
+        const inside = ({ top, bottom, right }) => top >= side.top && bottom <= end && right <= side.right;
+        return [...document.querySelectorAll('.report [data-name], .report th, .reason')]
+          .filter(e => !inside(e.getBoundingClientRect())).map(e => e.textContent);
+      });
+      assert.deepEqual(hidden, [], position);
+      const { width: w, height: h } = await tab.locator('canvas.space').boundingBox();
+      assert.ok(w >= 0.4 * width && h >= 0.5 * height, `the picture has ${w} x ${h}`);
+    }
+    await tab.close();
+  });
+
+/* ---- the keyboard ---- */
+
+test('1 to 9 set a scene; the help has the reason of each', async () => {
   const { tab, problems, field } = await exercise('scene=1');
+  const help = await tab.$$eval('.keys dd', list => list.map(dd => dd.textContent)), reasons = new Set();
+  for (let scene = 9; scene >= 1; scene--) {
+    await tab.keyboard.press(String(scene));
+    await frame(tab);
+    assert.equal(await field('scene'), String(scene));
+    const reason = await text(tab, '.reason');
+    assert.ok(reason.length > 60 && help[scene - 1].endsWith(reason), `${scene}: ${help[scene - 1]}`);
+    reasons.add(reason);
+  }
+  assert.equal(reasons.size, 9);
+  assert.deepEqual(problems, []);
+  await tab.close();
+});
+
+test('p, o, f, t, a, d: methods, views, axes, keys', async () => {
+  const { tab, problems, field } = await exercise('scene=1');
+  const cycle = async (key, name, length) => {
+    const words = [];
+    for (let i = 0; i < length; i++) {
+      await tab.keyboard.press(key);
+      await frame(tab);
+      words.push(await field(name));
+    }
+    return words;
+  };
+  assert.deepEqual(await cycle('p', 'position', 4), ['hermite', 'bezier', 'bspline', 'linear']);
+  assert.deepEqual(await cycle('o', 'orientation', 2), ['quat', 'euler']);
+  assert.deepEqual(await cycle('f', 'view', 3), ['frames', 'plain', 'trajectory']);
+  for (const on of [true, false]) {
+    await tab.keyboard.press('t');
+    await frame(tab);
+    assert.equal(await tab.isChecked('[data-field=axes]'), on);
+  }
+  for (const [key, keys] of [['a', 8], ['a', 9], ['d', 8], ['d', 7], ['d', 6]]) {
+    await tab.keyboard.press(key);
+    await frame(tab);
+    assert.equal(await count(tab), keys);
+  }
+  assert.deepEqual(problems, []);
+  await tab.close();
+});
+
+test('space plays from the start, s stops and resumes', async () => {
+  const { tab, field } = await exercise('scene=1&time=5&view=frames');
+  const time = async () => parseFloat(await text(tab, '.seconds'));
+  const later = than => tab.waitForFunction(x => {
+    const seconds = parseFloat(document.querySelector('.seconds').textContent);
+    return seconds > x && seconds < 5;
+  }, than);
+  await tab.keyboard.press(' ');
+  await later(0.1);
+  assert.equal(await field('view'), 'plain');
+  await tab.keyboard.press('s');
+  await frame(tab);
+  const stopped = await time();
+  await frame(tab);
+  assert.equal(await time(), stopped);
+  await tab.keyboard.press('s');
+  await later(stopped);
+  await tab.keyboard.press(' ');
+  await frame(tab);
+  const again = await time();
+  await frame(tab);
+  assert.equal(await time(), again);
+  await tab.close();
+});
+
+test('the canvas by keyboard alone: a key is chosen, moved, turned, and gets another time', async () => {
+  const { tab, problems } = await exercise('scene=1');
   const press = async (...keys) => {
     for (const key of keys)
       await tab.keyboard.press(key);
     await frame(tab);
   };
-  const before = { position: await field('position'), orientation: await field('orientation'), view: await field('view') };
-  await press('p', 'o', 'f');
-  for (const name of Object.keys(before))
-    assert.notEqual(await field(name), before[name], name);
-  const count = () => tab.locator('[data-column=x]').count(), keys = await count();
-  await press('a');
-  assert.equal(await count(), keys + 1);
-  await press('d', 'd');
-  assert.equal(await count(), keys - 1);
-  await press('t');
-  assert.ok(await tab.isChecked('[data-field=axes]'));
-  await press('2');
-  assert.equal(await field('scene'), '2');
-  const time = () => tab.textContent('.seconds');
-  await press(' ');
-  await tab.waitForFunction(() => parseFloat(document.querySelector('.seconds').textContent) > 0.1);
-  await press('s');
-  const stopped = await time();
-  await tab.waitForTimeout(200);
-  assert.equal(await time(), stopped);
+  const row = () => Promise.all(['time', 'x', 'y', 'z', 'yaw', 'pitch', 'roll'].map(name => value(tab, 5, name)));
+  await tab.focus('canvas.space');
+  await press(...Array(7).fill('Tab'), 'Shift+Tab');
+  assert.equal(await tab.locator('[aria-pressed=true][aria-label="Key 5"]').count(), 1);
+  assert.deepEqual(await row(), [5, 1.5, 0.6, 0, 0, 0, 0]);
+  await press('ArrowRight', 'ArrowRight', 'PageUp', 'ArrowDown');
+  assert.deepEqual(await row(), [5, 1.7, 0.7, 0.1, 0, 0, 0]);
+  await press('ArrowLeft', 'PageDown', 'ArrowUp', 'Shift+ArrowLeft');
+  assert.deepEqual(await row(), [5, 1.6, 0.6, 0, 5, 0, 0]);
+  await press('+', '+', '+', '-');
+  assert.deepEqual(await row(), [5.2, 1.6, 0.6, 0, 5, 0, 0]);
+  for (const [key, seconds] of [['.', 0.1], ['.', 0.2], [',', 0.1], [',', 0], [',', 0]]) {
+    await press(key);
+    assert.equal(parseFloat(await text(tab, '.seconds')), seconds);
+  }
+  await press('Escape', 'Shift+Tab'); // leaves the canvas
+  assert.equal(await tab.evaluate(() => document.activeElement.tagName), 'INPUT');
   assert.deepEqual(problems, []);
   await tab.close();
 });
 
-test('a drag of an arrow moves the key along its axis, and the numbers follow', async () => {
-  const { tab, problems } = await exercise('scene=1&time=3.25&position=hermite&orientation=quat&selected=3');
+/* ---- the handles ---- */
+
+const data = async (tab, name) => JSON.parse(await tab.getAttribute('canvas.space', `data-${name}`));
+
+/** The place on the screen where the page says that a handle is, and no other is nearer. */
+async function gripOf(tab, name) {
   const box = await tab.locator('canvas.space').boundingBox();
-  const data = async name => JSON.parse(await tab.getAttribute('canvas.space', `data-${name}`));
-  const [arrow] = await data('arrows'), key = (await data('keys'))[3];
-  const x = box.x + 0.8 * arrow.x + 0.2 * key.x, y = box.y + 0.8 * arrow.y + 0.2 * key.y;
-  const value = column => tab.inputValue(`[data-key="3"][data-column=${column}]`).then(Number);
-  const [x0, y0, z0] = await Promise.all(['x', 'y', 'z'].map(value)), numbers = await shown(tab);
+  for (const p of (await data(tab, 'grips'))[name].filter(Boolean)) {
+    await tab.mouse.move(box.x + p.x, box.y + p.y);
+    if (await tab.getAttribute('canvas.space', 'data-handle') === name)
+      return { x: box.x + p.x, y: box.y + p.y };
+  }
+  assert.fail(`no place of ${name}`);
+}
+
+async function byMouse(tab, { x, y }, dx, dy) {
   await tab.mouse.move(x, y);
   await tab.mouse.down();
-  await tab.mouse.move(x + 40, y, { steps: 4 });
+  await tab.mouse.move(x + dx, y + dy, { steps: 4 });
   await tab.mouse.up();
+}
+
+async function byTouch(tab, { x, y }, dx, dy) {
+  const session = await tab.context().newCDPSession(tab);
+  const send = (type, points) => session.send('Input.dispatchTouchEvent', { type, touchPoints: points });
+  await send('touchStart', [{ x, y }]);
+  for (const s of [0.25, 0.5, 0.75, 1])
+    await send('touchMove', [{ x: x + s * dx, y: y + s * dy }]);
+  await send('touchEnd', []);
+  await session.detach();
+}
+
+/** Position and rotation (by columns) of key 3 of scene 1, which is at 3 s. */
+async function placement(tab) {
+  const numbers = await shown(tab), m = Array.from({ length: 16 }, (_, i) => numbers[`matrix.${i}`]);
+  return { at: m.slice(12, 15), turn: [0, 4, 8].map(i => m.slice(i, i + 3)) };
+}
+
+/** The axis e of the turn from one rotation to another: the part of `to from^T` that is not symmetric. */
+function axisOf(from, to) {
+  const r = (i, j) => [0, 1, 2].reduce((sum, k) => sum + to[k][i] * from[k][j], 0);
+  const v = [r(2, 1) - r(1, 2), r(0, 2) - r(2, 0), r(1, 0) - r(0, 1)], length = Math.hypot(...v);
+  return length > 1e-3 ? v.map(x => x / length) : undefined;
+}
+
+const handles = ['axis', 'plane', 'ring'].flatMap(kind => [0, 1, 2].map(axis => [kind, axis]));
+
+function changed([kind, axis], before, now) {
+  const by = now.at.map((x, i) => x - before.at[i]), turn = axisOf(before.turn, now.turn);
+  const others = [0, 1, 2].filter(i => i !== axis);
+  if (kind === 'ring')
+    return Math.hypot(...by) === 0 && turn && Math.abs(Math.abs(turn[axis]) - 1) < 1e-5;
+  const still = kind === 'axis' ? others : [axis], moves = kind === 'axis' ? [axis] : others;
+  return !turn && still.every(i => Math.abs(by[i]) < 1e-6) && moves.some(i => Math.abs(by[i]) > 0.01);
+}
+
+for (const [device, drag, options] of [['the mouse', byMouse, {}], ['a finger', byTouch, { hasTouch: true }]])
+  test(`each arrow, square and ring is dragged by ${device}: the key moves or turns about the axis`, async () => {
+    const { tab, problems } = await exercise('scene=1&time=3&orientation=quat&selected=3', options);
+    for (const [kind, axis] of handles) {
+      const before = await placement(tab);
+      await drag(tab, await gripOf(tab, `${kind} ${axis}`), 30, 18);
+      await frame(tab);
+      const now = await placement(tab);
+      assert.ok(changed([kind, axis], before, now), `${kind} ${axis}: ${JSON.stringify([before, now])}`);
+      await tab.keyboard.press('1');
+      await frame(tab);
+      await tab.getByRole('button', { name: 'Key 3', exact: true }).click();
+      await tab.locator('.bar .time').evaluate(slider => {
+        slider.value = 3;
+        slider.dispatchEvent(new Event('input'));
+      });
+      await frame(tab);
+    }
+    assert.deepEqual(problems, []);
+    await tab.close();
+  });
+
+test('with the axes of the object, an arrow moves the key along its own axis', async () => {
+  const { tab } = await exercise('scene=1&time=3&orientation=quat&selected=3&local=1');
+  const before = await placement(tab), axis = before.turn[0];
+  await byMouse(tab, await gripOf(tab, 'axis 0'), 25, -10);
   await frame(tab);
-  assert.ok(Math.abs(await value('x') - x0) > 0.1);
-  assert.deepEqual([await value('y'), await value('z')], [y0, z0]);
-  assert.notEqual((await shown(tab))['position.0'], numbers['position.0']);
-  assert.equal((await shown(tab))['position.1'], numbers['position.1']);
-  assert.deepEqual(problems, []);
+  const by = (await placement(tab)).at.map((x, i) => x - before.at[i]), length = Math.hypot(...by);
+  assert.ok(length > 0.05, `${by}`);
+  assert.ok(Math.abs(Math.abs(by.reduce((sum, x, i) => sum + x * axis[i], 0)) - length) < 1e-5, `${by}, ${axis}`);
   await tab.close();
 });
 
-test('a saved layout is read again, by the page and by the command', async t => {
-  const { tab } = await exercise('scene=6'), folder = mkdtempSync(`${tmpdir()}/nakawari-`);
+test('a click chooses a key, another changes the axes, a drag beside the keys turns the camera', async () => {
+  const { tab, field } = await exercise('scene=1');
+  const box = await tab.locator('canvas.space').boundingBox(), at = (await data(tab, 'keys'))[2];
+  for (const local of [false, true, false]) {
+    await tab.mouse.click(box.x + at.x, box.y + at.y);
+    await frame(tab);
+    assert.equal(await tab.locator('[aria-pressed=true][aria-label="Key 2"]').count(), 1);
+    assert.equal(await tab.isChecked('[data-field=local]'), local);
+  }
+  const yaw = Number(await field('yaw'));
+  await byMouse(tab, { x: box.x + 15, y: box.y + 15 }, 20, 0);
+  await frame(tab);
+  assert.equal(Number(await field('yaw')), (yaw + 340) % 360);
+  await tab.close();
+});
+
+/* ---- times and layouts ---- */
+
+test('a time is edited, and one that does not ascend is refused', async () => {
+  const { tab } = await exercise('scene=1&time=3.25&position=hermite');
+  await cell(tab, 4, 'time').fill('4.5');
+  await cell(tab, 4, 'time').press('Enter');
+  await frame(tab);
+  assert.match(await text(tab, '.place'), /\(3\.25 − 3\) \/ \(4\.5 − 3\)/);
+  assert.ok(Math.abs((await shown(tab))['t.0'] - 0.25 / 1.5) < 1e-6);
+  await cell(tab, 4, 'time').fill('2');
+  await cell(tab, 4, 'time').press('Enter');
+  await frame(tab);
+  assert.equal(await cell(tab, 4, 'time').getAttribute('aria-invalid'), 'true');
+  assert.match(await text(tab, '.keys-message'), /refused/);
+  assert.ok(Math.abs((await shown(tab))['t.0'] - 0.25 / 1.5) < 1e-6);
+  await tab.close();
+});
+
+/** Presses Save, and returns the file's place. */
+async function saved(tab, folder) {
+  const [download] = await Promise.all([tab.waitForEvent('download'),
+    tab.getByRole('button', { name: 'Save', exact: true }).click()]);
+  await download.saveAs(`${folder}/layout.json`);
+  return `${folder}/layout.json`;
+}
+
+test('a changed layout is saved, loaded again, and read by the command with the same numbers', async t => {
+  const { tab } = await exercise('scene=6&position=hermite&orientation=quat');
+  const folder = mkdtempSync(`${tmpdir()}/nakawari-`);
   try {
-    const [download] = await Promise.all([tab.waitForEvent('download'),
-      tab.getByRole('button', { name: 'Save the layout' }).click()]);
-    const file = `${folder}/layout.json`;
-    await download.saveAs(file);
+    await cell(tab, 1, 'x').fill('-1.25');
+    await cell(tab, 1, 'x').press('Enter');
+    await cell(tab, 2, 'time').fill('2.5');
+    await cell(tab, 2, 'time').press('Enter');
+    await frame(tab);
+    const file = await saved(tab, folder);
     const keys = () => tab.$$eval('[data-column]', list => list.map(input => input.value));
-    const saved = await keys();
+    const before = await keys();
+    await tab.keyboard.press('Escape');
+    await tab.locator('h1').click();
     await tab.keyboard.press('1');
     await frame(tab);
-    assert.notDeepEqual(await keys(), saved);
+    assert.notDeepEqual(await keys(), before);
     await tab.setInputFiles('[data-field=load]', file);
-    await tab.waitForFunction(first => [...document.querySelectorAll('[data-column]')].map(i => i.value).join() === first,
-      saved.join());
-    const { scene6 } = JSON.parse(readFileSync(file, 'utf8'));
-    assert.equal(scene6.length, new Set(scene6.map(key => key.time)).size);
-    if (process.env.NKW_COMMAND) {
-      const said = execFileSync(process.env.NKW_COMMAND, ['exercise', file, '--trace', '1.5'], { encoding: 'utf8' });
-      assert.match(said, /1\.5/);
-    } else {
-      t.diagnostic('the command is not built: it did not read the layout');
-    }
+    await tab.waitForFunction(list => [...document.querySelectorAll('[data-column]')].map(i => i.value).join() === list,
+      before.join());
+    assert.equal(JSON.parse(readFileSync(file, 'utf8')).scene6[1].pos[0], -1.25);
+    if (!process.env.NKW_COMMAND)
+      return t.diagnostic('the command is not built: it did not read the layout');
+    const said = execFileSync(process.env.NKW_COMMAND,
+      ['exercise', file, '--trace', '1.5', '--position', 'hermite', '--orientation', 'quat'], { encoding: 'utf8' });
+    const [point] = await matrices(tab, [1.5]), [, list] = said.match(/^ {2}p = \((.*)\)$/m);
+    assert.deepEqual(list.split(', ').map(x => Math.fround(x)), point.slice(12, 15));
   } finally {
     rmSync(folder, { recursive: true });
     await tab.close();
@@ -121,8 +474,9 @@ test('a table of the command is read, and a wrong file is refused with a reason'
   const { tab } = await exercise('scene=1');
   await tab.setInputFiles('[data-field=load]', `${root}/docs/examples/flight.csv`);
   await tab.waitForFunction(() => document.querySelectorAll('[data-column=x]').length === 10);
-  await tab.setInputFiles('[data-field=load]', { name: 'a.json', mimeType: 'application/json', buffer: Buffer.from('{"s": [{}]}') });
-  await tab.waitForFunction(() => [...document.querySelectorAll('.side [role=status]')].some(p => p.textContent !== ''));
-  assert.equal(await tab.locator('[data-column=x]').count(), 10);
+  const buffer = Buffer.from('{"s": [{}]}');
+  await tab.setInputFiles('[data-field=load]', { name: 'a.json', mimeType: 'application/json', buffer });
+  await tab.waitForFunction(() => /a\.json: .*no time or position/.test(document.querySelector('.layout').textContent));
+  assert.equal(await count(tab), 10);
   await tab.close();
 });

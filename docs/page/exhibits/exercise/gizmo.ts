@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
-// The handles of a key: three arrows move it along an axis, three squares in a plane, three rings turn it about an axis.
+// The handles of a key: three arrows move it along an axis, three squares in a plane, three rings turn it about an
+// axis.
 import * as N from 'nakawari/all';
-import type { Eye, Point, Ray } from '../../kit/eye';
-import { moved, turned, type Key } from './model';
+import type { Eye, Point, Ray, View } from '../../kit/eye';
+import { moved, turned, zeros, type Key } from './model';
 
 export type Kind = 'axis' | 'plane' | 'ring';
 /** The axis, the axis that the plane is normal to, or the axis of the turn: 0 x, 1 y, 2 z. */
@@ -10,11 +11,10 @@ export interface Handle { kind: Kind; axis: number }
 
 export interface Gizmo { centre: number[]; axes: number[][]; length: number; local: boolean }
 
-const zero = () => [0, 0, 0];
-const add = (a: number[], b: number[]) => N.vec3Add(zero(), a, b);
-const sub = (a: number[], b: number[]) => N.vec3Sub(zero(), a, b);
-const scale = (a: number[], s: number) => N.vec3Scale(zero(), a, s);
-const cross = (a: number[], b: number[]) => N.vec3Cross(zero(), a, b);
+const add = (a: number[], b: number[]) => N.vec3Add(zeros(3), a, b);
+const sub = (a: number[], b: number[]) => N.vec3Sub(zeros(3), a, b);
+const scale = (a: number[], s: number) => N.vec3Scale(zeros(3), a, s);
+const cross = (a: number[], b: number[]) => N.vec3Cross(zeros(3), a, b);
 const dot = N.vec3Dot;
 const unit = [[1, 0, 0], [0, 1, 0], [0, 0, 1]];
 
@@ -22,7 +22,7 @@ const unit = [[1, 0, 0], [0, 1, 0], [0, 0, 1]];
 export const others = (g: Gizmo, axis: number) => [g.axes[(axis + 1) % 3], g.axes[(axis + 2) % 3]];
 
 export function gizmoOf(key: Key, eye: Eye, local: boolean, pixels: number): Gizmo {
-  const axes = local ? unit.map(v => N.quatRotate(zero(), key.orientation, v)) : unit;
+  const axes = local ? unit.map(v => N.quatRotate(zeros(3), key.orientation, v)) : unit;
   return { centre: key.position, axes, length: pixels * eye.pixel(key.position), local };
 }
 
@@ -51,6 +51,16 @@ export function ring(g: Gizmo, axis: number, eye: number[], count = 48): { at: n
     const at = inPlane(g, axis, shape.ring * Math.cos(angle), shape.ring * Math.sin(angle));
     return { at, front: dot(sub(at, g.centre), look) >= -1e-3 * g.length };
   });
+}
+
+/** Pixels of each handle by its name, `kind axis`: the outer half of an arrow, a square's middle, a ring's front. */
+export function grips(g: Gizmo, eye: View): Record<string, (Point | undefined)[]> {
+  const middle = (shape.square[0] + shape.square[1]) / 2;
+  return Object.fromEntries([0, 1, 2].flatMap(axis => [
+    [`axis ${axis}`, [0.6, 0.8, 0.95].map(s => eye.project(add(g.centre, scale(g.axes[axis], s * g.length))))],
+    [`plane ${axis}`, [eye.project(inPlane(g, axis, middle, middle))]],
+    [`ring ${axis}`, ring(g, axis, eye.position).filter(p => p.front).map(p => eye.project(p.at))],
+  ]));
 }
 
 /* ---- which handle is at a pixel ---- */

@@ -12,6 +12,9 @@ const heads = [labels.time, 'x', 'y', 'z', labels.yaw, labels.pitch, labels.roll
 
 const valuesOf = (key: Key) => [key.time, ...key.position, ...degrees(key)];
 
+/** Angles have four decimals: those of a quaternion are exact to about 1e-5 degrees. */
+const shown = (value: number, column: number) => String(column < 4 ? +value.toPrecision(6) : +value.toFixed(4) + 0);
+
 /** The key with the value of one column changed. */
 function edited(key: Key, column: number, value: number): Partial<Key> {
   if (column === 0)
@@ -24,11 +27,12 @@ function edited(key: Key, column: number, value: number): Partial<Key> {
 
 export function keyTable(room: Room<State>) {
   const message = element('p', { role: 'status', class: 'keys-message' });
-  const body = element('tbody'), list = element('table', { class: 'numbers keys' }, [
+  const body = element('tbody'), list = element('table', { class: 'numbers' }, [
     element('caption', {}, say(labels.keys)),
     element('thead', {}, element('tr', {}, [...[labels.key, ...heads].map(h => element('th', { scope: 'col' }, say(h))),
       element('td')])), body]);
-  room.side.append(element('div', { class: 'scroll', style: 'overflow-x: auto', tabindex: '0', role: 'group', 'aria-label': say(labels.keys) }, list), message);
+  room.side.append(element('div', { class: 'key-table', tabindex: '0', role: 'group', 'aria-label': say(labels.keys) },
+    list), message);
 
   const change = (k: number, next: Partial<Key>) => {
     const made = replaceKey(keysOf(room.state), k, next);
@@ -40,7 +44,7 @@ export function keyTable(room: Room<State>) {
     return !!fits;
   };
   const field = (k: number, i: number) => {
-    const input = element('input', { type: 'number', step: i === 0 || i > 3 ? 'any' : '0.1', style: 'width: 4.6em',
+    const input = element('input', { type: 'number', step: i === 0 || i > 3 ? 'any' : '0.1', 
       'aria-label': `${say(labels.key)} ${k} ${say(heads[i])}`, 'data-key': `${k}`, 'data-column': columns[i] });
     input.addEventListener('change', () => {
       const valid = input.value !== '' && change(k, edited(keysOf(room.state)[k], i, Number(input.value)));
@@ -66,7 +70,7 @@ export function keyTable(room: Room<State>) {
     keys.forEach((key, k) => {
       body.rows[k].querySelector('button')!.setAttribute('aria-pressed', String(k === room.state.selected));
       body.rows[k].querySelectorAll('input').forEach((input, i) => {
-        const text = String(+valuesOf(key)[i].toPrecision(6));
+        const text = shown(valuesOf(key)[i], i);
         if (input !== document.activeElement && input.value !== text)
           input.value = text;
       });

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The state of the exhibit, and what its keys and buttons do with it.
 import * as N from 'nakawari/all';
-import { choice, flag, number, numbers, type Fields } from '../../shell/state';
+import { choice, flag, number, numbers, type Field, type Fields } from '../../shell/state';
 import { scenes, type Placement } from './scenes';
 
 export const positions = ['linear', 'hermite', 'bezier', 'bspline', 'catmull-rom', 'centripetal', 'step'] as const;
@@ -24,9 +24,21 @@ export const orientationMethod: Record<Orientation, number> = {
 };
 
 export interface Key {
-  time: number;
-  position: number[];
-  orientation: number[];
+  readonly time: number;
+  readonly position: number[];
+  readonly orientation: number[];
+}
+
+export const zeros = (count: number) => Array<number>(count).fill(0);
+
+/** f, which keeps its last result until it is called with other arguments. */
+export function remembered<A extends unknown[], R>(f: (...list: A) => R): (...list: A) => R {
+  let last: A | undefined, result: R;
+  return (...list) => {
+    if (!last || list.some((x, i) => !Object.is(x, last![i])))
+      [result, last] = [f(...list), list];
+    return result;
+  };
 }
 
 /** As many as a scene of the command has (docs/command.md#exercise), and as long. */
@@ -58,12 +70,22 @@ export interface State {
 
 const validKeys = (list: number[]) => list.length % 8 === 0 && list.length <= 8 * limits.keys && !problem(unpack(list));
 
+/** A whole number in [least, most]. */
+function whole(initial: number, least: number, most: number): Field<number> {
+  const field = number(initial, least, most);
+  const read = (text: string) => {
+    const x = field.read(text);
+    return x === undefined ? undefined : Math.round(x);
+  };
+  return { ...field, read };
+}
+
 const [first] = scenes;
 const exerciseAim = [-0.5, 0, 0];
 export const fields: Fields<State> = {
-  scene: number(1, 1, scenes.length),
+  scene: whole(1, 1, scenes.length),
   keys: numbers([], list => list.length === 0 || validKeys(list)),
-  selected: number(-1, -1, limits.keys - 1),
+  selected: whole(-1, -1, limits.keys - 1),
   position: choice<Position>('linear', positions),
   orientation: choice<Orientation>('euler', orientations),
   view: choice<View>('trajectory', views),
@@ -83,7 +105,7 @@ export const fields: Fields<State> = {
 
 function keyOf({ time, at, turn, opposite }: Placement): Key {
   const [yaw, pitch, roll] = turn.map(N.radiansFromDegrees);
-  const q = N.quatFromEuler([0, 0, 0, 0], [pitch, yaw, roll], N.EULER_YXZ);
+  const q = N.quatFromEuler(zeros(4), [pitch, yaw, roll], N.EULER_YXZ);
   return { time, position: at.map(Math.fround), orientation: opposite ? N.quatNegate(q, q) : q };
 }
 
@@ -96,10 +118,11 @@ export function unpack(list: number[]): Key[] {
 
 export const pack = (keys: Key[]) => keys.flatMap(key => [key.time, ...key.position, ...key.orientation]);
 
-const sceneAt = (state: Pick<State, 'scene'>) => scenes[Math.round(state.scene) - 1];
+const made = remembered((scene: number, list: number[]): Key[] =>
+  list.length ? unpack(list) : scenes[scene - 1].keys.map(keyOf));
 
-export const keysOf = (state: Pick<State, 'scene' | 'keys'>): Key[] =>
-  state.keys.length ? unpack(state.keys) : sceneAt(state).keys.map(keyOf);
+/** The keys of a state: one array as long as they do not change. */
+export const keysOf = ({ scene, keys }: Pick<State, 'scene' | 'keys'>): Key[] => made(scene, keys);
 
 /** The first key that the library refuses, or undefined. */
 export function problem(keys: Key[]): N.NakawariError | undefined {
@@ -114,7 +137,7 @@ export const range = (keys: Key[]) => ({ start: keys[0].time, end: keys[keys.len
 
 /** The angles of a key in degrees: yaw, pitch, roll. */
 export function degrees(key: Key): number[] {
-  const [pitch, yaw, roll] = N.eulerFromQuat([0, 0, 0], key.orientation, N.EULER_YXZ);
+  const [pitch, yaw, roll] = N.eulerFromQuat(zeros(3), key.orientation, N.EULER_YXZ);
   return [yaw, pitch, roll].map(N.degreesFromRadians);
 }
 
@@ -132,7 +155,7 @@ export function setKeys(keys: Key[]): Change {
   const side = (pick: (...values: number[]) => number) => [0, 1, 2].map(i => pick(...keys.map(key => key.position[i])));
   const [low, high] = [side(Math.min), side(Math.max)], radius = N.vec3Distance(low, high) / 2;
   const unit = radius > 0 ? 10 ** Math.max(Math.ceil(Math.log10(radius / 5)), -6) : 1;
-  const aim = N.vec3Lerp([0, 0, 0], low, high, 0.5);
+  const aim = N.vec3Lerp(zeros(3), low, high, 0.5);
   return {
     keys: pack(keys), selected: -1, time: keys[0].time, aim, unit, yaw: first.camera.yaw, pitch: first.camera.pitch,
     distance: 2 + 2 * radius / unit, fov: first.camera.fov,
@@ -149,8 +172,8 @@ export function replaceKey(keys: Key[], k: number, change: Partial<Key>): Change
 export function addKey(keys: Key[]): Change {
   const last = keys[keys.length - 1], before = keys[keys.length - 2];
   const step = before && last.time > before.time ? last.time - before.time : 1;
-  const nose = N.quatRotate([0, 0, 0], last.orientation, [0, 0, -0.6]);
-  const position = N.vec3Add([0, 0, 0], last.position, nose);
+  const nose = N.quatRotate(zeros(3), last.orientation, [0, 0, -0.6]);
+  const position = N.vec3Add(zeros(3), last.position, nose);
   if (keys.length >= limits.keys || last.time + step - keys[0].time > limits.seconds)
     return {};
   return { keys: pack([...keys, { ...last, time: Math.fround(last.time + step), position }]), selected: keys.length };
@@ -161,19 +184,17 @@ export function deleteKey(keys: Key[], state: State): Change {
   const rest = keys.slice(0, -1);
   if (!rest.length)
     return {};
-  const { start, end } = range(rest);
-  return {
-    keys: pack(rest), selected: Math.min(state.selected, rest.length - 1), time: Math.min(Math.max(state.time, start), end),
-  };
+  const { start, end } = range(rest), selected = Math.min(state.selected, rest.length - 1);
+  return { keys: pack(rest), selected, time: Math.min(Math.max(state.time, start), end) };
 }
 
-export const moved = (key: Key, by: number[]): Partial<Key> => ({ position: N.vec3Add([0, 0, 0], key.position, by) });
+export const moved = (key: Key, by: number[]): Partial<Key> => ({ position: N.vec3Add(zeros(3), key.position, by) });
 
 /** Turned by an angle in radians about an axis of the world, or of the object. */
 export function turned(key: Key, axis: number[], angle: number, local: boolean): Partial<Key> {
-  const turn = N.quatFromAxisAngle([0, 0, 0, 0], axis, angle);
+  const turn = N.quatFromAxisAngle(zeros(4), axis, angle);
   const [a, b] = local ? [key.orientation, turn] : [turn, key.orientation];
-  const q = N.quatMul([0, 0, 0, 0], a, b);
+  const q = N.quatMul(zeros(4), a, b);
   return { orientation: N.quatNormalize(q, q) };
 }
 
@@ -182,4 +203,5 @@ export const fromDegrees = (turn: [number, number, number]): Partial<Key> =>
   ({ orientation: keyOf({ time: 0, at: [0, 0, 0], turn }).orientation });
 
 /** The word after `word`; words that are not in the list are followed by the first. */
-export const nextOf = <T extends string>(list: readonly T[], word: T): T => list[(list.indexOf(word) + 1) % list.length];
+export const nextOf = <T extends string>(list: readonly T[], word: T): T =>
+  list[(list.indexOf(word) + 1) % list.length];

@@ -1,24 +1,24 @@
 // SPDX-License-Identifier: MIT
 // The numbers of the present time by their names in the C program (program.ts).
 import * as N from 'nakawari/all';
-import type { Key, State } from './model';
+import { zeros, type Key, type State } from './model';
 import { matrixOf, type Trace } from './sample';
 
 export type Numbers = Record<string, number[]>;
 
 function ofSlerp(keys: Key[], t: Trace): Numbers {
   const [q0, q1] = t.orientation, [a, b] = t.orientationWeight;
-  const next = keys[Math.min(t.segment + 1, keys.length - 1)];
-  const q = N.quatAdd([0, 0, 0, 0], N.quatScale([0, 0, 0, 0], q0, a), N.quatScale([0, 0, 0, 0], q1, b));
+  const q1key = keys[Math.min(t.segment + 1, keys.length - 1)].orientation;
+  const q = N.quatAdd(zeros(4), N.quatScale(zeros(4), q0, a), N.quatScale(zeros(4), q1, b));
   return {
-    q0, q1, dot: [N.quatDot(q0, next.orientation)], theta: [t.halfAngle], turn: [N.degreesFromRadians(2 * t.halfAngle)],
+    q0, q1key, q1, dot: [N.quatDot(q0, q1key)], theta: [t.halfAngle], turn: [N.degreesFromRadians(2 * t.halfAngle)],
     share: t.orientationWeight, q,
   };
 }
 
 function ofEuler(t: Trace): Numbers {
   const [angles0, angles1] = t.angles;
-  const angles = N.eulerLerp([0, 0, 0], angles0, angles1, t.t, N.UNWRAP_NONE);
+  const angles = N.eulerLerp(zeros(3), angles0, angles1, t.t, N.UNWRAP_NONE);
   return { angles0, angles1, share: t.orientationWeight, angles };
 }
 

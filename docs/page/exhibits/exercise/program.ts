@@ -2,7 +2,7 @@
 // The C program of a state: it prints the numbers of numbers.ts.
 import { list, literal, program } from '../../kit/code';
 import { keysOf, type Orientation, type Position, type State } from './model';
-import { hasProgram } from './sample';
+import { hasProgram } from './rules';
 
 const positionNames: Record<Position, string> = {
   linear: 'LINEAR', hermite: 'HERMITE', bezier: 'BEZIER', bspline: 'BSPLINE', 'catmull-rom': 'CATMULL_ROM',
@@ -26,7 +26,7 @@ if (nkw_keyframes_trace(keys, count, time, NKW_POSITION_${positionNames[position
 
 /* ---- the rules of the exercise's program ---- */
 
-const segment = ({ orientation }: State) => `
+const segment = `
 /* The first segment that contains the time, ends included. */
 size_t k = 0;
 if (time >= keys[0].time)
@@ -35,13 +35,32 @@ if (time >= keys[0].time)
 const int outside = time < keys[0].time || time > keys[count - 1].time;
 const float inside = nkw_inverse_lerp(keys[k].time, keys[k + 1].time, time);
 const float t = outside ? (time < keys[0].time ? 0.0f : 1.0f) : inside;
+`;
 
-/* The orientation is that of the segment alone. */
-if (nkw_keyframes_trace(keys + k, ${orientation === 'none' ? 1 : 2}, time, NKW_POSITION_LINEAR, NKW_ORIENTATION_${orientationNames[orientation]},
-                        &trace) != NKW_OK)
-    return 1;
-trace.segment.index = k;
-trace.segment.t = t;`;
+/** The orientation of the first `count` keys of the segment alone. */
+const alone = (count: number, method: string) => `
+if (nkw_keyframes_trace(keys + k, ${count}, time, NKW_POSITION_LINEAR, NKW_ORIENTATION_${method}, &trace) != NKW_OK)
+    return 1;`;
+
+const euler = `
+/* ConvMatToEuler. At a pitch of 90 or -90 degrees, yaw and roll are atan2 of what rounding leaves. */
+for (size_t i = 0; i < 2; i++) {
+    const nkw_mat3 o = nkw_mat3_from_quat(keys[k + i].orientation);
+    const nkw_vec3 y = nkw_mat3_column(&o, 1), z = nkw_mat3_column(&o, 2);
+    const float xx = z.x * z.x, zz = z.z * z.z;
+    const float yaw = nkw_atan2(z.x, z.z), pitch = nkw_atan2(-z.y, nkw_sqrt(xx + zz));
+    const float yz = nkw_sin(yaw) * y.z, yx = nkw_cos(yaw) * y.x;
+    const nkw_vec3 angles = {pitch, yaw, nkw_atan2(nkw_cos(pitch) * (yz - yx), y.y)};
+    trace.angles[i] = angles;
+}
+/* Only yaw is unwrapped. */
+trace.angles[0] = nkw_euler_lerp(trace.angles[0], trace.angles[1], 0.0f, NKW_UNWRAP_YAW);
+trace.orientation_weight[0] = 1.0f - t;
+trace.orientation_weight[1] = t;
+trace.rotation = nkw_mat3_from_euler(nkw_euler_lerp(trace.angles[0], trace.angles[1], t, NKW_UNWRAP_NONE),
+                                     NKW_EULER_YXZ);`;
+
+const turns: Record<string, string> = { none: alone(1, 'STEP'), quat: alone(2, 'SLERP'), euler };
 
 const linear = `
 const nkw_vec3 p0 = keys[k].position, p1 = keys[k + 1].position;
@@ -103,7 +122,7 @@ const curves: Record<string, string> = { linear, hermite, bezier, bspline };
 
 function exercise(state: State): string {
   const position = state.position === 'bezier' && keysOf(state).length < 4 ? few : curves[state.position];
-  return segment(state) + '\n' + position;
+  return [segment, turns[state.orientation], 'trace.segment.index = k;', 'trace.segment.t = t;', position].join('\n');
 }
 
 /* ---- both ---- */
@@ -114,6 +133,7 @@ const prints: Record<string, string> = {
 const nkw_quat q0 = trace.orientation[0], q1 = trace.orientation[1];
 const size_t next = trace.segment.index + 1 < count ? trace.segment.index + 1 : trace.segment.index;
 show_floats("q0", 4, &q0.x);
+show_floats("q1key", 4, &keys[next].orientation.x);
 show_floats("q1", 4, &q1.x);
 show("dot", 0, (double)nkw_quat_dot(q0, keys[next].orientation));
 show("theta", 0, (double)trace.half_angle);

@@ -1,105 +1,160 @@
 // SPDX-License-Identifier: MIT
-// The numbers of the present time: the blanks of the report with their weights, and the trace.
+// The numbers of the present time, as in the report: segment and parameter, the blanks with their weights, the matrix.
 import { element, html } from '../../kit/html';
 import { exact } from '../../kit/numbers';
 import type { Room } from '../../shell/exhibit';
 import { say, type Text } from '../../shell/text';
-import { keysOf, type State } from './model';
+import { orientationSections, otherPosition, positionSections, type Blank, type Section } from './blanks';
+import { keysOf, type Key, type State } from './model';
 import { numbersOf, type Numbers } from './numbers';
 import { trace } from './sample';
-import { labels } from './words';
+import { labels, orientationWords, positionWords } from './words';
 
-/** A row: the blank, the formula or label (HTML), and the names of the numbers, `name` or `name.index`. */
-interface Row { blank?: string; label: Text | string; names: string[] }
+/* ---- tables ---- */
 
-const row = (blank: string, label: Text | string, ...names: string[]): Row => ({ blank, label, names });
+/** A number by its name, `name.index`, or a text. */
+type Cell = { name: string } | string;
+interface Line { letter: string; label: Text | string; cells: Cell[]; columns?: number }
 
-const hermite = [
-  row('A', tex`a = H_0(t) = 2t^3 - 3t^2 + 1`, 'weight.0'), row('B', tex`b = H_1(t) = -2t^3 + 3t^2`, 'weight.2'),
-  row('C', tex`c = h_0(t) = t^3 - 2t^2 + t`, 'weight.1'), row('D', tex`d = h_1(t) = t^3 - t^2`, 'weight.3'),
-  row('E', tex`p = a\,p_0 + b\,p_1 + c\,v_0 + d\,v_1`, 'position'),
-];
-const sum = row('E', tex`p = a_0 p_0 + a_1 p_1 + a_2 p_2 + a_3 p_3`, 'position');
-const bezier = [
-  row('A', tex`a_0 = (1-s)^3`, 'weight.0'), row('B', tex`a_1 = 3(1-s)^2 s`, 'weight.1'),
-  row('C', tex`a_2 = 3(1-s)s^2`, 'weight.2'), row('D', tex`a_3 = s^3`, 'weight.3'), sum,
-];
-const bspline = [
-  row('A', tex`a_0 = -\tfrac16 t^3 + \tfrac12 t^2 - \tfrac12 t + \tfrac16`, 'weight.0'),
-  row('B', tex`a_1 = \tfrac12 t^3 - t^2 + \tfrac23`, 'weight.1'),
-  row('C', tex`a_2 = -\tfrac12 t^3 + \tfrac12 t^2 + \tfrac12 t + \tfrac16`, 'weight.2'),
-  row('D', tex`a_3 = \tfrac16 t^3`, 'weight.3'), sum,
-];
-const slerp = [
-  row('A', { en: 'q0 of the first key', ja: '最初のキーの四元数 q0' }, 'q0'),
-  row('B', { en: 'q0·q1 of the keys; if negative, q1 = −q1', ja: 'キーの内積 q0·q1。負なら q1 = −q1' }, 'dot'),
-  row('B', { en: 'q1 after it', ja: '処理後の q1' }, 'q1'),
-  row('C', { en: 'θ, radians; the turn 2θ, degrees', ja: 'θ（ラジアン）、回転角 2θ（度）' }, 'theta', 'turn'),
-  row('C', tex`\tfrac{\sin (1-t)\theta}{\sin\theta},\ \tfrac{\sin t\theta}{\sin\theta}`, 'share'),
-  row('C', { en: 'q, the sum', ja: '和 q' }, 'q'),
-  row('D', { en: 'the matrix, below', ja: '下の行列' }),
-];
-const euler = [
-  row('', { en: 'first key: pitch, yaw, roll, radians', ja: '最初のキー：仰角、方位角、旋回角（ラジアン）' }, 'angles0'),
-  row('', { en: 'second key', ja: '次のキー' }, 'angles1'),
-  row('', { en: 'weights ' + tex`1 - t,\ t`, ja: '重み ' + tex`1 - t,\ t` }, 'share'),
-  row('', { en: 'the angles', ja: '補間した角度' }, 'angles'),
-];
+const minus = (digits: string) => digits.replace(/^-(0\.?0*)$/, '$1').replace('-', '−');
+const trimmed = (x: number) => minus(String(+x.toFixed(6)));
+const lengths = /^(control\d|position|matrix\.1[234])/;
 
-function positionRows({ position }: State, numbers: Numbers): Row[] {
-  const four = numbers.weight.length === 4;
-  const found = four ? ({ hermite, bezier, bspline } as Record<string, Row[]>)[position] : undefined;
-  return found ?? [...numbers.weight.map((_, i) => row('', `w${i}`, `weight.${i}`)), row('', 'p', 'position')];
+/** Six decimals of weights, four of other numbers; lengths are of the size of the layout. */
+function text(x: number, name: string, unit: number): string {
+  const digits = lengths.test(name) ? 4 - Math.round(Math.log10(unit)) : name.startsWith('weight') ? 6 : 4;
+  return minus(x.toFixed(Math.min(Math.max(digits, 0), 20)));
 }
 
-function controlRows({ position }: State, numbers: Numbers): Row[] {
-  const names = position === 'hermite' && numbers.key.length === 4 ? ['p0', 'v0', 'p1', 'v1'] : ['p0', 'p1', 'p2', 'p3'];
-  const word = say(labels.key);
-  return numbers.key.map((k, i) => row('', `${names[i]} (${word} ${k})`, `control${i}`));
+function show(cell: HTMLElement, name: string, numbers: Numbers, write: (x: number) => string) {
+  const [group, index] = name.split('.'), value = numbers[group][+index];
+  cell.dataset.name = name;
+  cell.dataset.value = cell.title = exact(value);
+  cell.textContent = write(value);
 }
 
-function rowsOf(state: State, numbers: Numbers): Row[] {
-  const turn = state.orientation === 'quat' || state.orientation === 'nlerp' ? slerp
-    : state.orientation.startsWith('euler') ? euler : [];
-  return [
-    row('', { en: 'segment', ja: '区間' }, 'segment'), row('', 't', 't'),
-    ...(state.position === 'bezier' ? [row('', 's', 'parameter')] : []),
-    ...controlRows(state, numbers), ...positionRows(state, numbers), ...turn,
-    ...[0, 1, 2, 3].map(r => row('', { en: `matrix, row ${r}`, ja: `行列の第 ${r + 1} 行` },
-      ...[0, 1, 2, 3].map(c => `matrix.${4 * c + r}`))),
-  ];
+function heading({ letter, label, columns }: Line) {
+  const name = `${say(labels.blank)} ${letter}`, blank = element('b', { class: 'blank', title: name }, letter);
+  const made = element('th', { scope: 'row' }, [...(letter ? [blank] : []), html('span', say(label))]);
+  made.colSpan = columns ?? 1;
+  return made;
 }
 
-/** The cells of a name: all its numbers, or one. */
-function cellsOf(name: string, numbers: Numbers): [string, number][] {
-  const [group, index] = name.split('.'), values = numbers[group] ?? [];
-  return index === undefined ? values.map((x, i) => [`${group}.${i}`, x]) : [[name, values[+index]]];
+/** A table that is made again when its lines change, and filled at each drawing. */
+function liveTable(head: (string | Text)[] = []) {
+  const caption = element('caption'), body = element('tbody');
+  const cells = [element('td'), ...head.map(h => element('th', { scope: 'col' }, say(h)))];
+  const top = head.length ? [element('thead', {}, element('tr', {}, cells))] : [];
+  const table = element('table', { class: 'numbers trace' }, [caption, ...top, body]);
+  let shape = '';
+  const update = (title: Text, lines: Line[], numbers: Numbers, unit: number) => {
+    const next = JSON.stringify([title, lines]);
+    if (next !== shape) {
+      caption.textContent = say(title);
+      body.replaceChildren(...lines.map(l => element('tr', {}, [heading(l),
+        ...l.cells.map(cell => element('td', {}, typeof cell === 'string' ? cell : ''))])));
+    }
+    shape = next;
+    lines.forEach((l, k) => l.cells.forEach((cell, i) => {
+      if (typeof cell !== 'string')
+        show(body.rows[k].cells[i + 1], cell.name, numbers, x => text(x, cell.name, unit));
+    }));
+  };
+  return { table, update };
 }
 
-const text = (x: number) => String(+(x + 0).toPrecision(9)).replace('-', '−');
+/* ---- lines ---- */
+
+const all = (name: string, numbers: Numbers): Cell[] => numbers[name].map((_, i) => ({ name: `${name}.${i}` }));
+
+/** A weight with the value that it multiplies, or the sum of them under the values. */
+function positionLine(blank: Blank, numbers: Numbers, names: string[]): Line {
+  const i = blank.weight;
+  return i === undefined ? { ...blank, cells: all('position', numbers), columns: 3 }
+    : { ...blank, cells: [{ name: `weight.${i}` }, `${names[i]}: ${numbers.key[i]}`, ...all(`control${i}`, numbers)] };
+}
+
+function sectionOf({ position }: State, { weight }: Numbers): Section {
+  const found = positionSections[position];
+  const fits = found?.blanks.filter(b => b.weight !== undefined).length === weight.length;
+  return fits ? found : otherPosition(weight.length, positionWords[position]);
+}
+
+function positionLines(state: State, numbers: Numbers, { blanks }: Section): Line[] {
+  const hermite = state.position === 'hermite' && numbers.key.length === 4;
+  const names = hermite ? ['p0', 'v0', 'p1', 'v1'] : ['p0', 'p1', 'p2', 'p3'];
+  return blanks.map(blank => positionLine(blank, numbers, names));
+}
+
+const turnSection = ({ orientation }: State): Section =>
+  orientationSections[orientation] ?? { title: orientationWords[orientation], blanks: [], code: [] };
+
+function matrixLines(blankD: boolean): Line[] {
+  return [0, 1, 2, 3].map(r => ({
+    letter: blankD && r === 0 ? 'D' : '', label: { en: `matrix, row ${r}`, ja: `行列の第 ${r + 1} 行` },
+    cells: [0, 1, 2, 3].map(c => ({ name: `matrix.${4 * c + r}` })),
+  }));
+}
+
+const turnLines = (state: State, numbers: Numbers, { blanks }: Section): Line[] => [
+  ...blanks.map(blank => ({ ...blank, cells: blank.names!.flatMap(name => all(name, numbers)) })),
+  ...matrixLines(state.orientation === 'quat'),
+];
+
+/* ---- the segment ---- */
+
+const quotient = (time: number, from: number, to: number) =>
+  ` = (${trimmed(time)} − ${trimmed(from)}) / (${trimmed(to)} − ${trimmed(from)}) = `;
+
+/** `segment 3: t = (3.25 − 3) / (4 − 3) = 0.25`, and the parameter s of a Bézier curve. */
+function place() {
+  const line = element('p', { class: 'place' }), update = (state: State, keys: Key[], numbers: Numbers) => {
+    const output = (name: string) => {
+      const made = element('b');
+      show(made, name, numbers, trimmed);
+      return made;
+    };
+    const [k] = numbers.segment, [first, , , last] = numbers.key, next = keys[k + 1];
+    const of = (a: Key, b?: Key) => b ? quotient(state.time, a.time, b.time) : ' = ';
+    const s = state.position === 'bezier';
+    line.replaceChildren(`${say(labels.segment)} `, output('segment.0'), '　t', of(keys[k], next), output('t.0'),
+      ...(s ? ['　s', of(keys[first], keys[last]), output('parameter.0')] : []));
+  };
+  return { line, update };
+}
+
+/* ---- the code of the blanks ---- */
+
+/** The lines that the report asks for, with vecmath; only for curves and slerp. */
+function answers() {
+  const body = element('pre', { tabindex: '0' });
+  const made = element('details', { class: 'answers' }, [element('summary', {}, say(labels.answers)), body]);
+  const update = (sections: Section[]) => {
+    const lines = sections.filter(s => s.code.length).flatMap(s =>
+      [`// ${say(s.title)}`, ...s.code.map((code, i) => `${'ABCDE'[i]}  ${code};`)]);
+    made.hidden = lines.length === 0;
+    if (body.textContent !== lines.join('\n'))
+      body.textContent = lines.join('\n');
+  };
+  return { made, update };
+}
 
 export function report(room: Room<State>) {
-  const body = element('tbody');
-  const table = element('table', { class: 'numbers trace' }, [element('caption', {}, say(labels.trace)), body]);
-  const note = element('p', { role: 'note' });
-  room.side.append(element('div', { style: 'overflow-x: auto', tabindex: '0', role: 'group', 'aria-label': say(labels.trace) }, table), note);
-  let shape = '';
+  const where = place(), code = answers(), note = element('p', { class: 'note' });
+  const position = liveTable([labels.weight, labels.control, 'x', 'y', 'z']), turn = liveTable();
+  const numbers = element('div', { class: 'report', tabindex: '0', role: 'group', 'aria-label': say(labels.trace) },
+    [where.line, position.table, turn.table]);
+  room.side.append(numbers, note, code.made);
   room.draw(() => {
     const { state } = room, keys = keysOf(state), t = trace(keys, state.time, state);
-    note.textContent = t ? '' : say(labels.one);
-    const numbers = t && numbersOf(keys, t, state), rows = numbers ? rowsOf(state, numbers) : [];
-    const cells = rows.map(r => r.names.flatMap(name => cellsOf(name, numbers!)));
-    const next = JSON.stringify([rows.map(r => [r.blank, r.label]), cells.map(list => list.map(([name]) => name))]);
-    if (next !== shape)
-      body.replaceChildren(...rows.map((r, k) => element('tr', {}, [
-        element('th', { scope: 'row' }, [...(r.blank ? [`${say(labels.blank)} ${r.blank} `] : []), html('span', say(r.label))]),
-        ...cells[k].map(() => element('td'))])));
-    shape = next;
-    cells.forEach((list, k) => list.forEach(([name, value], i) => {
-      const cell = body.rows[k].cells[i + 1];
-      cell.dataset.name = name;
-      cell.dataset.value = exact(value);
-      cell.textContent = text(value);
-    }));
+    note.textContent = !t ? say(labels.one) : state.program ? say(labels.programNote) : '';
+    numbers.hidden = !t;
+    if (!t)
+      return numbers.querySelectorAll('[data-name]').forEach(cell => cell.removeAttribute('data-name'));
+    const of = numbersOf(keys, t, state), curve = sectionOf(state, of), rotation = turnSection(state);
+    where.update(state, keys, of);
+    position.update(curve.title, positionLines(state, of, curve), of, state.unit);
+    turn.update(rotation.title, turnLines(state, of, rotation), of, state.unit);
+    code.update([curve, rotation]);
   });
 }

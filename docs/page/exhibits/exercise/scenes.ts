@@ -23,8 +23,9 @@ const everySecond = (keys: Omit<Placement, 'time'>[]): Placement[] => keys.map((
 const first: Scene = {
   title: { en: 'Scene 1 of the exercise', ja: '演習のシーン 1' },
   reason: {
-    en: 'Seven keys, one a second. All four position curves differ here, most at key 2, and between keys 0 and 2 so do ' +
-      'Euler angles and slerp. Between keys 3 and 4 the dot product of the quaternions is negative: blank B is needed.',
+    en: 'Seven keys, one a second. All four position curves differ here, most at key 2, and between keys 0 and 2 ' +
+      'so do Euler angles and slerp. Between keys 3 and 4 the dot product of the quaternions is negative: blank B ' +
+      'is needed.',
     ja: '1 秒おきの 7 つのキーです。4 つの位置補間はすべて異なり、キー 2 の付近で最も違います。' +
       'キー 0 から 2 の間では、オイラー角補間と球面線形補間も異なります。' +
       'キー 3 と 4 の間では四元数の内積が負になるので、空欄 B の処理が必要です。',
@@ -44,8 +45,8 @@ const first: Scene = {
 const second: Scene = {
   title: { en: 'Scene 2 of the exercise', ja: '演習のシーン 2' },
   reason: {
-    en: 'The first two orientations of scene 1 and one segment. The smallest case for a new program. Bézier needs four ' +
-      'keys: here it stays at key 0.',
+    en: 'The first two orientations of scene 1 and one segment. The smallest case for a new program. Bézier needs ' +
+      'four keys: here it stays at key 0.',
     ja: 'シーン 1 の最初の 2 つの向きと、1 つの区間だけです。プログラムを最初に試すのに向いています。' +
       'Bézier 曲線には 4 つのキーが必要なので、ここではキー 0 の位置にとどまります。',
   },
@@ -59,9 +60,9 @@ const second: Scene = {
 const uneven: Scene = {
   title: { en: 'Uneven times on a straight line', ja: '直線上の不等間隔のキー' },
   reason: {
-    en: 'The keys are on a line, one unit for each second, at the times 0, 0.5, 1, 3 and 4. Linear has constant speed. ' +
-      'Hermite has not: its tangents are 1 per segment, which is 2 units a second in a segment of half a second. ' +
-      'The B-spline takes the keys as even. Compare the dots, one every 0.2 s.',
+    en: 'The keys are on a line, one unit for each second, at the times 0, 0.5, 1, 3 and 4. Linear has constant ' +
+      'speed. Hermite has not: its tangents are 1 per segment, which is 2 units a second in a segment of half a ' +
+      'second. The B-spline takes the keys as even. Compare the dots, one every 0.2 s.',
     ja: 'キーは直線上に、1 秒あたり 1 の間隔で、時刻 0、0.5、1、3、4 に並んでいます。線形補間では等速です。' +
       'Hermite 曲線では等速になりません。接線の長さが区間あたり 1 なので、0.5 秒の区間では毎秒 2 になるからです。' +
       'B スプライン曲線は、キーを等間隔とみなします。0.2 秒おきの点の間隔を比べてください。',
@@ -79,8 +80,8 @@ const uneven: Scene = {
 const groups: Scene = {
   title: { en: 'An incomplete Bézier group', ja: '4 つに足りない Bézier の組' },
   reason: {
-    en: 'Bézier takes keys 0 to 3 as one curve. Keys 4 and 5 do not complete the next group, so it stops at key 3. Add ' +
-      'a key (a): the second curve appears. It joins smoothly, because keys 2, 3 and 4 are on one line.',
+    en: 'Bézier takes keys 0 to 3 as one curve. Keys 4 and 5 do not complete the next group, so it stops at key ' +
+      '3. Add a key (a): the second curve appears. It joins smoothly, because keys 2, 3 and 4 are on one line.',
     ja: 'Bézier 曲線は、キー 0 から 3 を 1 つの曲線として使います。次の組はキー 4 と 5 だけで足りないため、' +
       'キー 3 で止まります。キーを追加すると（a キー）、2 つ目の曲線が現れます。' +
       'キー 2、3、4 が一直線に並んでいるので、2 つの曲線は滑らかにつながります。',
@@ -100,8 +101,8 @@ const turns: Scene = {
   title: { en: 'A turn of more than 180 degrees', ja: '180 度を超える回転' },
   reason: {
     en: 'Key 1 is meant to be 240 degrees to the left of key 0. Both methods turn 120 degrees to the right: two ' +
-      'orientations do not say how one came from one to the other. From key 2 to key 5 the same turn is made of three ' +
-      'turns of 80 degrees, and goes to the left.',
+      'orientations do not say how one came from one to the other. From key 2 to key 5 the same turn is made of ' +
+      'three turns of 80 degrees, and goes to the left.',
     ja: 'キー 1 は、キー 0 から左へ 240 度回った向きのつもりです。しかし、どちらの方法でも右へ 120 度回ります。' +
       '2 つの向きだけでは、どう回ったかは決まらないからです。' +
       'キー 2 から 5 では、同じ回転を 80 度ずつ 3 回に分けてあるので、左へ回ります。',
@@ -137,9 +138,9 @@ const signs: Scene = {
 const pole: Scene = {
   title: { en: 'Through the vertical', ja: '真上を通る宙返り' },
   reason: {
-    en: 'The object pulls up into half a loop. From key 2 to key 3 it turns 30 degrees, through the vertical. Its pitch ' +
-      'is 75 degrees at both keys, and yaw and roll change by 180: Euler angles swing the nose to the side, slerp does ' +
-      'not.',
+    en: 'The object pulls up into half a loop. From key 2 to key 3 it turns 30 degrees, through the vertical. Its ' +
+      'pitch is 75 degrees at both keys, and yaw and roll change by 180: Euler angles swing the nose to the side, ' +
+      'slerp does not.',
     ja: '物体が機首を上げ、宙返りの前半を行います。キー 2 から 3 では、真上を向く姿勢をまたいで 30 度だけ回ります。' +
       'ピッチ角は両方のキーで 75 度ですが、ヨー角とロール角は 180 度変わります。' +
       'そのため、オイラー角補間では機首が横に振れます。球面線形補間では振れません。',
@@ -158,8 +159,8 @@ const lap: Scene = {
   title: { en: 'A lap that ends where it began', ja: '1 周して最初に戻る' },
   reason: {
     en: 'The last key equals the first. Hermite closes; the B-spline does not, because its end keys are repeated. ' +
-      'Playback keeps the rest of the step at the end of a lap; the exercise’s program drops it, and its laps are up to ' +
-      'one step longer.',
+      'Playback keeps the rest of the step at the end of a lap; the exercise’s program drops it, and its laps are ' +
+      'up to one step longer.',
     ja: '最後のキーは最初のキーと同じです。Hermite 曲線は閉じますが、B スプライン曲線は端のキーを 2 回使うため閉じません。' +
       '再生では、1 周の終わりで時間刻みの余りを残します。演習のプログラムは余りを捨てるので、' +
       '1 周が最大で 1 刻み長くなります。',
@@ -179,9 +180,9 @@ const lap: Scene = {
 const cut: Scene = {
   title: { en: 'Two keys at one time', ja: '同じ時刻の 2 つのキー' },
   reason: {
-    en: 'Keys 2 and 3 are both at 2 s: the object jumps. Linear and Hermite use the two keys of a segment only, so both ' +
-      'sides stay as they are. The B-spline and Bézier use keys beyond the jump too. Delete keys (d) until one is ' +
-      'left: nakawari gives that key, and the exercise’s program writes no matrix.',
+    en: 'Keys 2 and 3 are both at 2 s: the object jumps. Linear and Hermite use the two keys of a segment only, ' +
+      'so both sides stay as they are. The B-spline and Bézier use keys beyond the jump too. Delete keys (d) ' +
+      'until one is left: nakawari gives that key, and the exercise’s program writes no matrix.',
     ja: 'キー 2 と 3 はどちらも 2 秒なので、物体は瞬間移動します。線形補間と Hermite 曲線は、区間の両端のキーだけを使うので、' +
       '前後の動きは変わりません。B スプライン曲線と Bézier 曲線は、瞬間移動の向こう側のキーも使います。' +
       'キーを 1 つになるまで削除すると（d キー）、nakawari はそのキーを返し、演習のプログラムは行列に書き込みません。',

@@ -13,9 +13,11 @@ export const positionWords: Record<Position, Text> = {
 };
 export const orientationWords: Record<Orientation, Text> = {
   euler: { en: 'Euler angles', ja: 'オイラー角補間' },
-  quat: { en: 'Quaternions, slerp', ja: '四元数の球面線形補間' },
+  quat: { en: 'Quaternion slerp', ja: '四元数補間' },
   none: { en: 'None', ja: '補間なし' },
-  'euler-unwrapped': { en: 'Euler angles, all unwrapped (not in the exercise)', ja: 'オイラー角補間、3 つの角度を調整（演習にはない）' },
+  'euler-unwrapped': {
+    en: 'Euler angles, all unwrapped (not in the exercise)', ja: 'オイラー角補間、3 つの角度を調整（演習にはない）',
+  },
   nlerp: { en: 'Quaternions, nlerp (not in the exercise)', ja: '四元数の nlerp（演習にはない）' },
   squad: { en: 'Quaternions, squad (not in the exercise)', ja: '四元数の squad（演習にはない）' },
 };
@@ -29,15 +31,21 @@ export const labels = {
   position: { en: 'Position', ja: '位置補間' },
   orientation: { en: 'Orientation', ja: '向き補間' },
   view: { en: 'View', ja: '表示' },
-  play: { en: 'Play from the start', ja: '最初から再生' },
+  play: { en: 'From the start', ja: '最初から再生' },
   stop: { en: 'Stop and resume', ja: '停止・再開' },
-  add: { en: 'Add a key', ja: 'キーを追加' },
-  remove: { en: 'Delete the last key', ja: '最後のキーを削除' },
-  axes: { en: 'Axes through the objects', ja: '軸を物体越しに表示' },
-  local: { en: 'Handles along the axes of the object', ja: '操作軸を物体の座標系にする' },
+  add: { en: 'Add', ja: '追加' },
+  remove: { en: 'Delete', ja: '削除' },
+  earlier: { en: 'The present time, 0.1 s earlier', ja: '現在の時刻を 0.1 秒戻す' },
+  later: { en: 'The present time, 0.1 s later', ja: '現在の時刻を 0.1 秒進める' },
+  keyEarlier: { en: 'The chosen key, 0.1 s earlier', ja: '選んだキーの時刻を 0.1 秒早める' },
+  keyLater: { en: 'The chosen key, 0.1 s later', ja: '選んだキーの時刻を 0.1 秒遅らせる' },
+  axes: { en: 'Axes in front', ja: '軸を手前に表示' },
+  local: { en: 'Object’s axes', ja: '物体の座標系' },
   program: { en: 'The exercise’s own numbers', ja: '演習のプログラムと同じ値' },
-  save: { en: 'Save the layout', ja: '配置を保存' },
-  load: { en: 'Load a layout', ja: '配置を読み込む' },
+  save: { en: 'Save', ja: '保存' },
+  load: { en: 'Load', ja: '読み込み' },
+  changed: { en: 'Keys that you changed.', ja: '変更したキーです。' },
+  space: { en: 'space', ja: 'スペース' },
   camera: { en: 'Camera', ja: 'カメラ' },
   yaw: { en: 'yaw', ja: '方位角' },
   pitch: { en: 'pitch', ja: '仰角' },
@@ -48,16 +56,39 @@ export const labels = {
   key: { en: 'Key', ja: 'キー' },
   keys: { en: 'Keys: seconds, position, degrees', ja: 'キー（秒、位置、度）' },
   negate: { en: 'negate the quaternion', ja: '四元数の符号を反転' },
-  refused: { en: 'refused: times must ascend, within 64 s', ja: '使えない値です。時刻は昇順で、64 秒以内にしてください' },
-  one: { en: 'The exercise’s program writes no matrix for one key.', ja: 'キーが 1 つのとき、演習のプログラムは行列に書き込みません。' },
-  trace: { en: 'The present time by hand', ja: '現在の時刻を手で計算する' },
-  blanks: { en: 'The blanks of the report', ja: 'レポートの空欄' },
+  refused: {
+    en: 'refused: times must ascend, within 64 s', ja: '使えない値です。時刻は昇順で、64 秒以内にしてください',
+  },
+  one: {
+    en: 'The exercise’s program writes no matrix for one key.',
+    ja: 'キーが 1 つのとき、演習のプログラムは行列に書き込みません。',
+  },
+  trace: { en: 'The present time by hand', ja: '現在の時刻の計算' },
+  answers: { en: 'The blanks in code, with vecmath', ja: '空欄のコード（vecmath）' },
+  segment: { en: 'segment', ja: '区間' },
   blank: { en: 'blank', ja: '空欄' },
   weight: { en: 'weight', ja: '係数' },
+  control: { en: 'key', ja: 'キー' },
+  canvas: {
+    en: 'The key frames in space. In the picture, Tab chooses the next key; arrow keys, page up and page down ' +
+      'move it, with Shift they turn it.',
+    ja: '空間のキーフレームです。図の中では、Tab キーで次のキーを選び、矢印キーと PageUp、PageDown で移動します。' +
+      'Shift を加えると回転します。',
+  },
   programNote: {
-    en: 'Segments include both ends, Bézier is not clamped outside the keys, the orientation without interpolation ends ' +
-      'at the second to last key, playback drops the rest of the step, and one key gives no matrix.',
-    ja: '区間は両端を含みます。Bézier 曲線はキーの範囲外でも延長されます。補間なしの向きは、最後から 2 番目のキーで終わります。' +
+    en: 'By the rules of the exercise’s program: segments include both ends, Bézier is not clamped outside the ' +
+      'keys, the orientation without interpolation ends at the second to last key, Euler angles lose roll at a ' +
+      'pitch of 90°, playback drops the rest of the step, and one key gives no matrix.',
+    ja: '演習のプログラムの規則による値です。区間は両端を含みます。Bézier 曲線はキーの範囲外でも延長されます。' +
+      '補間なしの向きは、最後から 2 番目のキーで終わります。オイラー角は、仰角 90° で旋回角が失われます。' +
       '再生では時間刻みの余りを捨て、キーが 1 つのときは行列に書き込みません。',
   },
-} satisfies Record<string, Text>;
+  titles: {
+    add: { en: 'Adds a key behind the last', ja: '末尾にキーを追加します' },
+    remove: { en: 'Deletes the last key', ja: '末尾のキーを削除します' },
+    axes: { en: 'The axes of the keys are drawn through the objects', ja: 'キーの軸を物体越しに表示します' },
+    local: { en: 'Handles along the axes of the object', ja: '操作軸を物体の座標系に合わせます' },
+    save: { en: 'Saves the keys as a file of the command', ja: 'キーの配置をコマンドの形式で保存します' },
+    load: { en: 'Loads keys of a file, .json or .csv', ja: 'キーの配置をファイル（.json、.csv）から読み込みます' },
+  },
+} satisfies Record<string, Text | Record<string, Text>>;
