@@ -118,7 +118,8 @@ test('a finger drags a handle', async () => {
   for (let i = 1; i <= 5; i++)
     await touch('touchMove', [{ x: x + (keyX - x) * i / 5, y }]);
   await touch('touchEnd', []);
-  await tab.waitForFunction(() => Math.abs(document.querySelector('[data-name="none_handles.0"]').dataset.value) < 0.05);
+  await tab.waitForFunction(() =>
+    Number(document.querySelector('[data-name="none_handles.0"]').dataset.value) < 0.05);
   assert.deepEqual(problems, []);
   await tab.close();
 });

@@ -65,7 +65,7 @@ function abscissa(label?: Text): uPlot.Axis {
 
 const ordinate = (log = false): uPlot.Axis => ({
   ...look, size: 44,
-  splits: (u, _, least, most) => (log ? logTicks : ticks)(least, most, Math.max(Math.floor(u.height / 45), 2)),
+  splits: (u, _, least, most) => (log ? logTicks : ticks)(least, most, Math.max(Math.floor(u.height / 36), 2)),
   values: (_, list) => tickTexts(list),
 });
 

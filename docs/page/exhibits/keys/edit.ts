@@ -11,7 +11,7 @@ const replaced = (list: ArrayLike<number>, k: number, x: number) =>
 const flat = (times: number[], values: number[], tangents: ArrayLike<number>) =>
   times.flatMap((t, k) => [t, values[k], tangents[k]]);
 
-/** Adds a key with the slope that the chosen curve has at its time: a Hermite curve per second does not change there. */
+/** Adds a key with the slope that the chosen curve has at its time: a Hermite curve per second does not change. */
 export function add(room: Room<State>, time: number, value?: number) {
   const s = keysOf(room.state), free = s.times.every(t => Math.abs(t - time) >= closest);
   if (s.times.length === most || !free)

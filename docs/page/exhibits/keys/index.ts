@@ -14,15 +14,15 @@ import { code } from './program';
 
 const texts = {
   value: { en: 'value', ja: '値' },
-  velocity: { en: 'velocity, per second', ja: '速度(毎秒)' },
-  acceleration: { en: 'acceleration, per second²', ja: '加速度(毎秒²)' },
-  time: { en: 'time, s', ja: '時刻(秒)' },
+  velocity: { en: 'velocity, per second', ja: '速度（毎秒）' },
+  acceleration: { en: 'acceleration, per second²', ja: '加速度（毎秒²）' },
+  time: { en: 'time, s', ja: '時刻（秒）' },
   chosen: { en: 'chosen method', ja: '選んだ方式' },
   other: { en: 'its tangents, read the other way', ja: '同じ接線をもう一方の尺度で読んだ曲線' },
   trap: {
     en: 'The scaling trap: read per segment, a tangent is divided by the duration of each segment, so one tangent ' +
       'becomes two velocities wherever the durations differ.',
-    ja: '尺度の取り違え:1区間当たりと読むと、接線は前後の区間の長さでそれぞれ割られるため、' +
+    ja: '尺度の取り違え：1区間あたりと読むと、接線は前後の区間の長さでそれぞれ割られるため、' +
       '区間の長さが異なるキーでは、一つの接線が二つの速度になります。',
   },
 };
@@ -69,12 +69,12 @@ function trapRows(state: State): Row[] {
   const times = Float32Array.from(s.times), duration = (i: number) => Math.fround(times[i + 1] - times[i]);
   const row = (name: string, en: string, ja: string, values: number[]) =>
     ({ name, label: { en, ja }, values, digits: 3 });
-  const before = row('duration', 'duration of the segment, s', '区間の長さ(秒)', [duration(k - 1), duration(k)]);
+  const before = row('duration', 'duration of the segment, s', '区間の長さ（秒）', [duration(k - 1), duration(k)]);
   return !tangents ? [before, row('velocity', 'velocity', '速度', velocities(s, k, 'second'))] : [
     before,
     row('tangent', 'tangent', '接線', [tangents.before[k], tangents.after[k]].map(Math.fround)),
-    row('second', 'velocity, read per second', '速度(1秒当たりと読む)', velocities(s, k, 'second')),
-    row('segment', 'velocity, read per segment', '速度(1区間当たりと読む)', velocities(s, k, 'segment'))];
+    row('second', 'velocity, read per second', '速度（1秒あたりと読む）', velocities(s, k, 'second')),
+    row('segment', 'velocity, read per segment', '速度（1区間あたりと読む）', velocities(s, k, 'segment'))];
 }
 
 function trapTable(room: Room<State>) {
@@ -100,8 +100,7 @@ function tables(room: Room<State>, curves: Legend) {
   numberTable(room, { en: 'Value, velocity, acceleration at the time', ja: '現在時刻の値・速度・加速度' },
     () => methods.map((name, i) => (
       { name, label: curves.entries[i], values: at(room.state)[i](Math.fround(room.state.time)), digits: 3 })));
-  trapTable(room);
-  numberTable(room, { en: 'Keys: time, value, tangents before and after', ja: 'キー:時刻、値、前後の接線' },
+  numberTable(room, { en: 'Keys: time, value, tangents before and after', ja: 'キー：時刻、値、前後の接線' },
     () => keyRows(room.state));
 }
 
@@ -126,12 +125,13 @@ function mount(room: Room<State>) {
   const curves = legend(room, series, 'hidden'), controls = panel(room, { en: 'Curve', ja: '曲線' });
   controls.choice('method', texts.chosen, words);
   controls.choice('scale', { en: 'tangents are read', ja: '接線の尺度' }, {
-    second: { en: 'per second', ja: '1秒当たり' }, segment: { en: 'per segment', ja: '1区間当たり' } });
+    second: { en: 'per second', ja: '1秒あたり' }, segment: { en: 'per segment', ja: '1区間あたり' } });
   const sliders = [controls.slider('tension', { en: 'tension', ja: 'テンション' }, -1, 1, 0.05),
     controls.slider('continuity', { en: 'continuity', ja: '連続性' }, -1, 1, 0.05),
     controls.slider('bias', { en: 'bias', ja: 'バイアス' }, -1, 1, 0.05)];
   const used = { cardinal: 1, tcb: 3 } as Partial<Record<State['method'], number>>;
   room.draw(() => sliders.forEach((slider, i) => slider.show(i < (used[room.state.method] ?? 0))));
+  trapTable(room);
   tools(room);
   tables(room, curves);
   plots(room, curves);
@@ -142,7 +142,7 @@ export const keys: Exhibit<State> = {
     en: 'Drag the keys, and the small dots, which are tangents. Press twice on the plot to add a key. The durations ' +
       'differ: read the tangents per segment instead of per second, and the velocity jumps at each key.',
     ja: 'キーと、接線を表す小さな点をドラッグしてください。グラフを2回続けて押すと、キーを追加できます。' +
-      'キーの間隔は等しくないため、接線を1秒当たりではなく1区間当たりと読むと、速度が各キーで不連続になります。',
+      'キーの間隔は等しくないため、接線を1秒あたりではなく1区間あたりと読むと、速度が各キーで不連続になります。',
   },
   fields,
   range: state => {

@@ -11,15 +11,15 @@ import { remembered, samples } from '../../kit/samples';
 import type { Exhibit, Room } from '../../shell/exhibit';
 import { say, type Text } from '../../shell/text';
 import { code } from './program';
-import { back, fields, given, halves, limited, meanings, pointOf, policies, third, words,
+import { back, fields, given, halves, limited, meanings, names, pointOf, policies, third, words,
   type State } from './segment';
 
 const texts = {
   value: { en: 'value over time', ja: '時刻に対する値' },
   parameter: { en: 'parameter s over time', ja: '時刻に対するパラメータ s' },
-  time: { en: 'time, s', ja: '時刻(秒)' },
+  time: { en: 'time, s', ja: '時刻（秒）' },
   chosen: { en: 'chosen policy', ja: '選んだ方針' },
-  given: { en: 'given handles, by s', ja: '元のハンドルの曲線(s による)' },
+  given: { en: 'given handles, by s', ja: '元のハンドルの曲線（s による）' },
 };
 
 /* ---- handles ---- */
@@ -122,9 +122,9 @@ const points = (s: State, curves: Legend): Row[] => policies.map((name, i) => (
   { name, label: curves.entries[i + 1], values: pointOf(limited(s, name), Math.fround(s.time)), digits: 3 }));
 const lengths = (s: State): Row[] => [
   { name: 'runs_back', digits: 0, values: [N.handleRunsBack(s.segment)],
-    label: { en: 'given: runs back (1)', ja: '元のハンドル:逆行する(1)' } },
+    label: { en: 'given: runs back (1)', ja: '元のハンドル：逆行する（1）' } },
   ...policies.map(p => (
-    { name: `${p}_handles`, label: words[p], values: limited(s, p).slice(2, 6), digits: 3 }))];
+    { name: `${p}_handles`, label: names[p], values: limited(s, p).slice(2, 6), digits: 3 }))];
 
 function halfRows(s: State): Row[] {
   const [left, right] = halves(s);
@@ -137,10 +137,10 @@ function halfRows(s: State): Row[] {
 function tables(room: Room<State>, curves: Legend) {
   numberTable(room, { en: 'Value, velocity, s at the time', ja: '現在時刻の値・速度・s' },
     () => points(room.state, curves));
-  numberTable(room, { en: 'Handles: out time, value; in time, value', ja: 'ハンドル:始点の時間・値、終点の時間・値' },
+  numberTable(room, { en: 'Handles: out time, value; in time, value', ja: 'ハンドル：始点の時間・値、終点の時間・値' },
     () => lengths(room.state));
   const split = numberTable(room, { en: 'The split: the curve stays, the handles change',
-    ja: '分割:曲線は変わらず、ハンドルが変わります' }, () => room.state.split ? halfRows(room.state) : []);
+    ja: '分割：曲線は変わらず、ハンドルが変わります' }, () => room.state.split ? halfRows(room.state) : []);
   room.draw(() => { split.hidden = !room.state.split; });
 }
 
@@ -150,7 +150,7 @@ function mount(room: Room<State>) {
   controls.choice('policy', texts.chosen, words);
   controls.check('split', { en: 'split at the time', ja: '現在時刻で分割' });
   controls.action({ en: 'A handle that runs back', ja: '逆行するハンドル' }, () => room.set({ segment: back }));
-  controls.action({ en: 'Handles of a third: s = time', ja: '長さ 1/3 のハンドル:s = 時刻' },
+  controls.action({ en: 'Handles of a third: s = time', ja: '長さ 1/3 のハンドル：s = 時刻' },
     () => room.set({ segment: third }));
   room.shortcuts([{ key: 's', does: { en: 'splits at the time', ja: '現在時刻で分割' }, run: split }]);
   const note = element('p', { class: 'note', 'aria-live': 'polite' });

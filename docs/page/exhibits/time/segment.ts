@@ -7,28 +7,32 @@ import type { Text } from '../../shell/text';
 /** In the order of nkw_handle_policy. */
 export const policies = ['none', 'contain', 'ratio', 'start'] as const;
 export type Policy = typeof policies[number];
-export const words: Record<Policy, Text> = {
-  none: { en: 'none (CSS, Unity)', ja: '制限なし(CSS、Unity)' },
-  contain: { en: 'contain (Blender)', ja: '区間内に収める(Blender)' },
-  ratio: { en: 'keep the ratio (OpenUSD)', ja: '長さの比を保つ(OpenUSD)' },
-  start: { en: 'keep the start (Maya)', ja: '始点側を優先(Maya)' },
+export const names: Record<Policy, Text> = {
+  none: { en: 'none', ja: '制限なし' },
+  contain: { en: 'contain', ja: '区間内に収める' },
+  ratio: { en: 'keep the ratio', ja: '長さの比を保つ' },
+  start: { en: 'keep the start', ja: '始点側を優先' },
 };
+const tools: Record<Policy, string> = { none: 'CSS, Unity', contain: 'Blender', ratio: 'OpenUSD', start: 'Maya' };
+/** The names with the tools that have the policy. */
+export const words = Object.fromEntries(policies.map(p => [p,
+  { en: `${names[p].en} (${tools[p]})`, ja: `${names[p].ja}（${tools[p]}）` }])) as Record<Policy, Text>;
 export const meanings: Record<Policy, Text> = {
   none: {
     en: 'None: the value at a time is the first that the curve reaches; it jumps over the part that runs back.',
-    ja: '制限なし:曲線が最初にその時刻に達したときの値をとります。逆行する部分は飛び越え、値はそこで不連続になります。',
+    ja: '制限なし：曲線が最初にその時刻に達したときの値をとります。逆行する部分は飛び越え、値はそこで不連続になります。',
   },
   contain: {
     en: 'Contain: each handle that is longer than the segment is shortened to its duration, and keeps its slope.',
-    ja: '区間内に収める:区間より長いハンドルを、傾きを保ったまま、それぞれ区間の長さまで縮めます。',
+    ja: '区間内に収める：区間より長いハンドルを、傾きを保ったまま、それぞれ区間の長さまで縮めます。',
   },
   ratio: {
     en: 'Keep the ratio: both handles are shortened by one factor, until the curve is vertical in one point only.',
-    ja: '長さの比を保つ:曲線が1点でだけ垂直になるまで、両方のハンドルを同じ倍率で縮めます。',
+    ja: '長さの比を保つ：曲線が1点でだけ垂直になるまで、両方のハンドルを同じ倍率で縮めます。',
   },
   start: {
     en: 'Keep the start: the handle of the first key stays, up to 4/3 of the duration; that of the last key gives way.',
-    ja: '始点側を優先:始点のハンドルは区間の長さの 4/3 まで保たれ、終点のハンドルの長さを変えて合わせます。',
+    ja: '始点側を優先：始点のハンドルは区間の長さの 4/3 まで保たれ、終点のハンドルの長さを変えて合わせます。',
   },
 };
 
