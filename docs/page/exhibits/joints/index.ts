@@ -20,7 +20,7 @@ import { vertexTable } from './vertex';
 
 /** The distance of the camera and the height of its aim, where the parts leave the place of the capsule. */
 const far: Partial<Record<Order, [number, number]>> = {
-  noInverse: [10, 3.3], noTranslation: [9.5, -0.9], swapped: [6.2, 1.4], origin: [5, 0.7],
+  noInverse: [10, 3.3], noTranslation: [6.6, -1.3], swapped: [6.2, 1.4], origin: [5, 0.7],
 };
 
 /** The ramp of a weight from 0 to 1, or the colours of the joints. */

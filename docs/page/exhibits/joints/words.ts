@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The texts of the exhibit.
+import { degreesFromRadians } from 'nakawari/all';
 import type { Text } from '../../shell/text';
 import type { Factor, Order, State } from './model';
 
@@ -136,7 +137,7 @@ export const labels = {
   weightOf: (j: number): Text => ({ en: `weight of joint ${j}`, ja: `関節 ${j} の影響度` }),
   noParent: { en: 'no parent', ja: '親なし' },
   turned: ({ order, axis }: State, angle: number) =>
-    `${(order === 'degrees' ? angle * 180 / Math.PI : angle).toFixed(2)} rad, ${axis}`.replace('-', '−'),
+    `${(order === 'degrees' ? degreesFromRadians(angle) : angle).toFixed(2)} rad, ${axis}`.replace('-', '−'),
   matrices: { en: 'The matrices of the joint', ja: '関節の行列' },
   vertexTable: { en: 'Vertex v, weights w, blended: Σ w M v', ja: '頂点 v、影響度 w、変形後：Σ w M v' },
   columns: ['w', 'w / 65535', 'x', 'y', 'z'],

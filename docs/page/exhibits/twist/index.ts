@@ -27,7 +27,7 @@ function makeCurves(bars: Bars) {
 }
 
 function curve(room: Room<State>, bars: Bars) {
-  const curves = makeCurves(bars), names = wayWords('n');
+  const curves = makeCurves(bars), names = wayWords();
   const at = () => bars.skin(room.state.mode, 'linear', 2, degreesOf(room.state));
   const parent = element('div', { class: 'volumes' });
   room.stage.append(parent);

@@ -15,15 +15,15 @@ export const colourOf: Record<Way, string> = { linear: 'c1', dual: 'c0', more: '
 
 /** The middle, width and height of what a standing bar can fill, and the place of its label below. */
 const boxes: Record<Mode, { aim: number[]; wide: number; high: number }> = {
-  twist: { aim: [0, 1.5, 0], wide: 1.7, high: 3.5 }, bend: { aim: [-0.5, 1.5, 0], wide: 2.9, high: 3.5 },
+  twist: { aim: [0, 1.5, 0], wide: 1.7, high: 3.5 }, bend: { aim: [-0.5, 1.5, 0], wide: 2.5, high: 3.4 },
 };
 const below = 40;
 
 /** A camera that sees the whole box. */
 function eye({ yaw, pitch, mode }: State, width: number, height: number, lying: boolean): View {
   const { aim, wide, high } = boxes[mode], [w, h] = lying ? [high, wide] : [wide, high];
-  const distance = Math.max(w / width, h / height) * Math.min(width, height) / 0.828 + 0.7;
-  return viewOf({ yaw, pitch, distance, fov: 45, aim: lying ? [0, -aim[0], 0] : aim, unit: 1 }, width, height);
+  const distance = Math.max(w / width, h / height) * Math.min(width, height) / (2 * Math.tan(Math.PI / 18)) + 0.7;
+  return viewOf({ yaw, pitch, distance, fov: 20, aim: lying ? [0, -aim[0], 0] : aim, unit: 1 }, width, height);
 }
 
 const lie = ([x, y, z]: number[]) => [y - length / 2, -x, z];

@@ -8,10 +8,11 @@ export const modeWords: Record<Mode, Text> = {
 };
 export const jointWords = { 3: { en: '3 joints', ja: '関節3個' }, 5: { en: '5 joints', ja: '関節5個' } };
 
-export const wayWords = (joints: string): Record<Way, Text> => ({
+/** Without a number of joints, for a legend. */
+export const wayWords = (joints = ''): Record<Way, Text> => ({
   linear: { en: 'linear blend', ja: '線形ブレンド' },
   dual: { en: 'dual quaternions', ja: 'デュアルクォータニオン' },
-  more: { en: `linear blend, ${joints} joints`, ja: `線形ブレンド、関節${joints}個` },
+  more: { en: `linear blend, ${joints || 'more'} joints`, ja: `線形ブレンド、関節${joints ? `${joints}個` : '追加'}` },
 });
 
 export const words = {
@@ -21,19 +22,18 @@ export const words = {
   angles: { twist: { en: 'twist (degrees)', ja: 'ねじり（度）' }, bend: { en: 'bend (degrees)', ja: '曲げ（度）' } },
   volume: { en: 'Volume (m³)', ja: '体積 (m³)' },
   degrees: { en: 'degrees', ja: '度' },
-  table: { en: 'Measures, half way up', ja: '中央での測定値' },
+  table: { en: 'Measures', ja: '測定値' },
   columns: [{ en: 'bind', ja: '元の形' }, { en: 'linear', ja: '線形' }, { en: 'dual', ja: '双対' },
     { en: 'more', ja: '追加' }],
   volumes: { en: 'volume (m³)', ja: '体積 (m³)' },
   radii: {
-    twist: { en: 'corner to bone (m)', ja: '角とボーンの距離 (m)' },
-    bend: { en: 'outer side to joint (m)', ja: '外側と関節の距離 (m)' },
+    twist: { en: 'corner to bone, half way up (m)', ja: '中央の角とボーンの距離 (m)' },
+    bend: { en: 'outer side to joint, half way up (m)', ja: '中央の外側と関節の距離 (m)' },
   },
-  bulges: { en: 'bulge: to the bone (m)', ja: '膨らみ：ボーンまで (m)' },
+  bulges: { en: 'bulge: outer side to bone, at most (m)', ja: '膨らみ：外側とボーンの最大距離 (m)' },
   formula: {
-    en: ', a, b, c: the corners of each triangle of the surface. A part that is inside twice counts twice. Bulge: ' +
-      'the most on the outer side of the lower half.',
-    ja: '（a、b、c は表面の各三角形の頂点）。2重に囲まれた部分は2回数えます。膨らみは、下半分の外側での最大値です。',
+    en: ', a, b, c: the corners of each triangle of the surface. A part that is inside twice counts twice.',
+    ja: '（a、b、c は表面の各三角形の頂点）。2重に囲まれた部分は2回数えます。',
   },
 };
 
@@ -42,17 +42,18 @@ export const notes: Record<Mode, Text> = {
   twist: {
     en: 'Linear blend moves a vertex straight from one place to the other, so a section half way is smaller by the ' +
       'cosine of half the angle. Dual quaternions move it on an arc, the shorter one: past 180° they turn back. ' +
-      'Twist joints between the ends, each with its share of the twist, let linear blend keep the volume.',
+      'Twist joints between the ends, each with its share of the twist, let linear blend keep more of the volume.',
     ja: '線形ブレンドは頂点を直線に沿って動かすため、中央の断面は、角度の半分の余弦だけ小さくなります。' +
       'デュアルクォータニオンは円弧に沿って動かしますが、短い方の弧を通るので、180° を超えると逆向きになります。' +
-      '両端の間にツイスト関節を置き、ねじりを分担させると、線形ブレンドでも体積が保たれます。',
+      '両端の間にツイスト関節を置き、ねじりを分担させると、線形ブレンドでも体積があまり減りません。',
   },
   bend: {
     en: 'Linear blend moves the outer side of the elbow towards the joint and loses volume. Dual quaternions keep ' +
-      'its distance to the joint, so that the skin beside the elbow bulges beyond the arm. Joints at the same place ' +
-      'with a share of the bend each bring linear blend near to dual quaternions, with less of the bulge.',
+      'its distance to the joint, so that the skin beside the elbow bulges beyond the arm (the table has the most of ' +
+      'the lower half). Joints at the same place with a share of the bend each bring linear blend near to dual ' +
+      'quaternions, with less of the bulge.',
     ja: '線形ブレンドでは、肘の外側が関節に近付き、体積が減ります。デュアルクォータニオンは関節からの距離を保つため、' +
-      '肘の近くで腕より外に膨らみます。同じ位置に関節を加え、曲げを分担させると、' +
+      '肘の近くで腕より外に膨らみます（表は下半分での最大値です）。同じ位置に関節を加え、曲げを分担させると、' +
       '線形ブレンドでもデュアルクォータニオンに近い形になり、膨らみも抑えられます。',
   },
 };
