@@ -66,6 +66,7 @@ test('blend: axe in all modes, which the digits choose', async () => {
   for (const [i, mode] of ['change', 'pair', 'additive', 'springs'].entries()) {
     await tab.keyboard.press(String(i + 1));
     await tab.waitForSelector(`.to-${mode}[aria-pressed=true]`);
+    await tab.waitForFunction(name => location.hash.includes(`mode=${name}`) === (name !== 'change'), mode);
     assert.deepEqual(await axe(tab), [], mode);
   }
   await tab.close();

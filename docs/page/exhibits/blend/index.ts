@@ -48,7 +48,7 @@ function mount(room: Room<State>) {
   const stage = element('div', { class: 'mode' }, status), side = element('div', { class: 'mode' });
   let show = () => {}, left = false;
   const go = (mode: Mode) => {
-    room.set({ mode });
+    room.set({ mode, ...(rig ? { time: Math.min(room.state.time, all[mode].end(room.state, rig)) } : {}) });
     show();
   };
   const buttons = modes.map(mode => button(say(words[mode]), () => go(mode), `to-${mode}`));
