@@ -287,7 +287,8 @@ int film_compare(film *f, const char *path)
     svg out;
     const svg_box left = {60.0f, 92.0f, 300.0f, 330.0f}, right = {400.0f, 92.0f, 300.0f, 330.0f};
     if (!picture_open(&out, path, 760.0f, 540.0f, "A twist of 170 degrees at joint 2",
-                      "Same keys and weights. The mean of two rotation matrices is not a rotation: it shrinks the mesh."))
+                      "Same keys and weights. The mean of two rotation matrices is not a rotation: it shrinks "
+                      "the mesh."))
         return 0;
     move_to(f, RIG_TWIST, 0);
     svg_box extent = around(f);
