@@ -35,12 +35,11 @@ function shade([a, b, d]: number[][], eye: number[]): number {
   return 0.68 + 0.26 * facing + 0.08 * n[1] / (Math.hypot(...n) || 1);
 }
 
-/** The faces of a mesh, each a list of vertices; `paint` gives the colour of face i, `place` where a vertex is. */
+/** The faces of a mesh, each a list of vertices; `paint` gives the colour of face i. */
 export function skinned(c: CanvasRenderingContext2D, view: View, positions: ArrayLike<number>, faces: number[][],
-  paint: (i: number) => number[], place = (p: number[]) => p): Shape[] {
+  paint: (i: number) => number[]): Shape[] {
   return faces.map((face, i) => {
-    const corners = face.map(v => place(vertex(positions, v)));
-    const share = shade(corners, view.position);
+    const corners = face.map(v => vertex(positions, v)), share = shade(corners, view.position);
     const fill = `rgb(${paint(i).map(x => Math.round(Math.min(x * share, 255))).join(' ')})`;
     return polygon(c, view, corners, fill, 'rgb(20 24 36 / 0.35)');
   });

@@ -10,6 +10,7 @@ import type { State } from './model';
 import { chosen, movedBy, type Skinned } from './skin';
 import { labels } from './words';
 
+const narrow = matchMedia('(max-width: 30rem)');
 interface Cell { name: string; value: number; digits: number }
 const cells = (name: string, values: ArrayLike<number>, digits = 4): Cell[] => Array.from(values, (value, i) =>
   ({ name: `${name}.${i}`, value, digits }));
@@ -31,7 +32,7 @@ function fill(td: HTMLElement, cell: Cell | undefined) {
     return;
   td.dataset.name = cell.name;
   td.dataset.value = exact(cell.value);
-  td.textContent = cell.value.toFixed(cell.digits).replace(/^-(0\.?0*)$/, '$1').replace('-', '−');
+  td.textContent = cell.value.toFixed(Math.min(cell.digits, narrow.matches ? 3 : 4)).replace(/^-(0\.?0*)$/, '$1').replace('-', '−');
 }
 
 export function vertexTable(room: Room<State>, now: () => Skinned) {
@@ -40,7 +41,7 @@ export function vertexTable(room: Room<State>, now: () => Skinned) {
     ...labels.columns.map(() => element('td'))])));
   const head = element('tr', {}, [element('td'), ...labels.columns.map(name =>
     html('th', name, { scope: 'col', style: 'text-align: right' }))]);
-  room.side.append(element('table', { class: 'numbers' },
+  room.side.append(element('table', { class: 'numbers vertex' },
     [html('caption', say(labels.vertexTable)), element('thead', {}, head), body]));
   room.draw(() => rows(room.state, now()).forEach((list, r) =>
     list.forEach((cell, k) => fill(body.rows[r].cells[k + 1], cell))));
