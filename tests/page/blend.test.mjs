@@ -51,7 +51,8 @@ const queries = ['mode=change&time=0.7', 'mode=change&time=0.2&smooth=1&from=hop
   'mode=change&time=1.9&joint=forearm.R&duration=0.0625&coast=1',
   'mode=pair&time=0.9&weight=0.3&phase=0.4&joint=shin.L',
   'mode=additive&time=1.1&weight=1.2', 'mode=additive&reference=rest&side=parent&joint=spine&time=0.4',
-  'mode=springs&time=2.3&ratio=1.5', 'mode=springs&time=0.1'];
+  'mode=springs&time=2.3&ratio=1.5',
+  'mode=springs&time=1.2&goals=0.1_1_0.15_0.8_0.3_-1_0.7_0.2_1.9_0', 'mode=springs&time=0.1'];
 for (const query of queries)
   test(`blend: the copied C prints the numbers of the page, ${query}`, async () => {
     const { tab, n, problems } = await exhibit(query), of = await printed(tab);
@@ -215,7 +216,7 @@ test('blend: a drag by the mouse moves the begin of the change', async () => {
 });
 
 test('blend: a drag by a finger moves the goal of the springs', async () => {
-  const { tab } = await exhibit('mode=springs&time=1', { hasTouch: true }), [x, y] = await middle(tab, 0);
+  const { tab } = await exhibit('mode=springs&time=1', { hasTouch: true }), [x, y] = await middle(tab, 1);
   const before = await value(tab, 'critical.0'), session = await tab.context().newCDPSession(tab);
   const touch = (type, points) => session.send('Input.dispatchTouchEvent', { type, touchPoints: points });
   await touch('touchStart', [{ x, y }]);
@@ -224,6 +225,26 @@ test('blend: a drag by a finger moves the goal of the springs', async () => {
   await touch('touchEnd', []);
   await changed(tab, 'critical.0', before);
   assert.ok(Number(await value(tab, 'critical.0')) < Number(before));
+  await tab.close();
+});
+
+test('blend: the goal is dragged while it plays, and what was dragged stays in the address', async () => {
+  const { tab } = await exhibit('mode=springs&time=0.5');
+  const goals = () => tab.evaluate(() =>
+    (new URLSearchParams(location.hash.split('?')[1]).get('goals') ?? '').split('_').length / 2);
+  await tab.selectOption('.bar select', '0.1');
+  await tab.hover('[data-handle="0"]');
+  await tab.click('.play');
+  const box = await (await tab.$('[data-handle="0"]')).boundingBox();
+  const [x, y] = [box.x + box.width / 2, box.y + box.height / 2];
+  await tab.mouse.move(x, y);
+  await tab.mouse.down();
+  for (let i = 0; await goals() < 6; i++) {
+    await tab.mouse.move(x, y + 30 * Math.sin(i + 1));
+    await tab.waitForFunction(before => Math.abs(Number(document.querySelector('.time').value) - before) > 0.02,
+      await tab.$eval('.time', slider => Number(slider.value)));
+  }
+  await tab.mouse.up();
   await tab.close();
 });
 

@@ -37,7 +37,7 @@ function ball(c: CanvasRenderingContext2D, view: View, at: number[], radius: num
 function name(c: CanvasRenderingContext2D, view: View, at: number[], text: string, style: string): Shape {
   const paint = () => {
     const p = view.project(at);
-    c.font = '13px system-ui, sans-serif';
+    c.font = `${Math.min(13, view.width / 27)}px system-ui, sans-serif`;
     c.textAlign = 'center';
     c.fillStyle = style;
     if (p)

@@ -5,20 +5,23 @@ import { list, literal, program } from '../../kit/code';
 import { html } from '../../kit/html';
 import { numberTable } from '../../kit/numbers';
 import { panel } from '../../kit/panel';
-import { legend, plot } from '../../kit/plot';
+import { type Handle, legend, plot } from '../../kit/plot';
 import { remembered, samples } from '../../kit/samples';
 import type { Room } from '../../shell/exhibit';
 import { say, type Text } from '../../shell/text';
-import { goalTimes, type ModeOf, type State } from './state';
+import { fields, goalTimes, type ModeOf, mostGoals, type State } from './state';
 import { words } from './words';
 
 const own = {
   note: {
-    en: 'Drag the points: there the goal jumps, and the velocity does not. A step is the exact solution: steps of ' +
+    en: 'Play and drag the goal up and down, or drag its points: the goal jumps, the velocity does not. Steps of ' +
       '1/30 s and of 1/60 s differ by rounding only.',
-    ja: '点をドラッグしてください。そこで目標は跳びますが、速度は跳びません。1ステップは厳密解なので、1/30秒刻みと1/60秒刻みの違いは丸め誤差だけです。',
+    ja: '再生しながら目標を上下にドラッグするか、各点をドラッグしてください。目標が跳んでも、速度は跳びません。' +
+      '1/30秒刻みと1/60秒刻みの違いは丸め誤差だけです。',
   },
   goal: { en: 'goal', ja: '目標' },
+  goalNow: { en: 'goal from now on', ja: '現在からの目標' },
+  reset: { en: 'Three goals again', ja: '目標を3つに戻す' },
   chosen: { en: 'chosen damping ratio', ja: '選んだ減衰比' },
   critical: { en: 'critically damped, 1', ja: '臨界減衰1' },
   over: { en: 'overdamped, 2', ja: '過減衰2' },
@@ -33,7 +36,7 @@ const own = {
   half: { en: 'half-life (s)', ja: '半減期 (s)' },
   ratio: { en: 'damping ratio', ja: '減衰比' },
 } satisfies Record<string, Text>;
-const kinds = ['chosen', 'critical', 'over'] as const, colours = ['c0', 'c2', 'c1'], end = 3;
+const kinds = ['chosen', 'critical', 'over'] as const, colours = ['c0', 'c2', 'c3'], end = 3;
 const F = Math.fround;
 
 const ratios = ({ ratio }: State) => [ratio, 1, 2];
@@ -69,14 +72,34 @@ function moved({ goals }: State, k: number, time: number, value: number): Partia
   return { goals: goals.map((x, i) => i === 2 * k ? t : i === 2 * k + 1 ? v : x) };
 }
 
+/** The goals with another one from now on. One that is as new as a twenty-fifth of a second is changed instead. */
+function recorded({ goals, time }: State, value: number): Partial<State> {
+  const round = (x: number) => Math.round(x * 100) / 100, starts = goalTimes(goals), now = round(time);
+  const kept = starts.filter(t => t < now - 0.04 || t > now + 0.04);
+  const near = starts.find(t => t >= now - 0.04 && t <= now);
+  if (kept.length >= mostGoals)
+    return {};
+  const all = kept.map(t => [t, goals[2 * starts.indexOf(t) + 1]]);
+  return { goals: [...all, [near ?? now, round(Math.min(Math.max(value, -2), 2))]].sort((a, b) => a[0] - b[0]).flat() };
+}
+
+function goalHandles(room: Room<State>): Handle[] {
+  const { goals, time } = room.state, small = goals.length > 12;
+  const list = goalTimes(goals).map((x, k) => ({ label: own.goal, x, y: goals[2 * k + 1], small,
+    move: (t: number, value: number) => room.set(moved(room.state, k, t, value)) }));
+  return [{ label: own.goalNow, x: time, y: goalAt(room.state, time), small: true,
+    move: (_, value) => room.set(recorded(room.state, value)) }, ...list];
+}
+
 function plots(room: Room<State>) {
   const time = () => room.state.time;
   const series = legend(room, [{ name: 'goal', label: own.goal, colour: 'soft', dash: [6, 4] },
     ...kinds.map((name, i) => ({ name, label: own[name], colour: colours[i], width: i ? 1.5 : 2.5 }))], 'hidden');
   plot(room, {
     label: own.position, time, series, data: () => curves(room.state).positions,
-    handles: () => goalTimes(room.state.goals).map((x, k) => ({ label: own.goal, x, y: room.state.goals[2 * k + 1],
-      move: (t, value) => room.set(moved(room.state, k, t, value)) })),
+    handles: () => goalHandles(room),
+    marks: () => kinds.map((_, i) => ({ x: time(), colour: colours[i],
+      y: motionAt(room.state, springOf(room.state, i), time(), Infinity)[0] })),
   });
   plot(room, { label: own.velocity, x: words.seconds, time, series, data: () => curves(room.state).velocities });
 }
@@ -95,6 +118,7 @@ function mount(room: Room<State>) {
   const made = panel(room, words.springs);
   made.slider('half', own.half, 0.02, 1, 0.01);
   made.slider('ratio', own.ratio, 0, 3, 0.05);
+  made.action(own.reset, () => room.set({ goals: fields.goals.initial }));
 }
 
 const code = (state: State) => program(`

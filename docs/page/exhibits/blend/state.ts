@@ -58,7 +58,8 @@ export const snap = (x: number, least: number, most: number) =>
 
 export const limits = { at: [0.25, 1.25], start: [0, 1], duration: [0.0625, 0.625] } as const;
 export const goalTimes = (goals: number[]) => goals.filter((_, i) => i % 2 === 0);
-const ascending = (goals: number[]) => goals.length === 6 &&
+export const mostGoals = 60;
+const ascending = (goals: number[]) => goals.length > 0 && goals.length % 2 === 0 && goals.length <= 2 * mostGoals &&
   goalTimes(goals).every((t, i, all) => t >= 0 && t <= 3 && !(t <= all[i - 1]));
 
 export const fields = {
