@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The two exhibits that load three.js, in Chromium: the numbers of the page, and what the copied C prints.
+// What the tests of the page share: Chromium, an exhibit by its address, its numbers, what the copied C prints.
 import { execFileSync } from 'node:child_process';
 import { mkdtempSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
 import { createRequire } from 'node:module';
@@ -7,32 +7,60 @@ import { tmpdir } from 'node:os';
 
 // The folder of the page, the build folder with its node_modules, the source folder, flags that link the library.
 const { NKW_PAGE: page, NKW_BUILD: build, NKW_ROOT: root, NKW_CHROMIUM: chromium, NKW_LINK: link } = process.env;
-const require = createRequire(`${build}/`);
-export { root };
+export const require = createRequire(`${build}/`);
+export { page, root };
 
 // Without a GPU, pages are painted by the processor and WebGL by SwiftShader.
 const browser = await require('playwright-core').chromium.launch({
   executablePath: chromium, args: ['--no-sandbox', '--disable-gpu', '--enable-unsafe-swiftshader'] });
 export const close = () => browser.close();
 
-/** An exhibit by its address; `problems` receives what the console has. */
-export async function open(address, options = {}) {
+/** An empty tab; `problems` receives what the console has. */
+export async function blank(options = {}) {
   const tab = await browser.newPage({ viewport: { width: 1280, height: 800 }, ...options }), problems = [];
   tab.on('console', message => {
     if (/error|warning/.test(message.type()) && !/GL Driver Message|GPU stall/.test(message.text()))
       problems.push(message.text());
   });
   tab.on('pageerror', error => problems.push(String(error)));
-  await tab.goto(`file://${page}/index.html#${address}`);
   return { tab, problems };
 }
+
+/** Where an exhibit is. */
+export const url = address => `file://${page}/index.html#${address}`;
+
+/** An exhibit by its address. */
+export async function open(address, options = {}) {
+  const made = await blank(options);
+  await made.tab.goto(url(address));
+  return made;
+}
+
+/** Waits until the exhibit, or the exhibit `id`, is drawn. */
+export const drawn = (tab, id) => tab.waitForSelector(`main${id ? `[data-exhibit="${id}"]` : ''}[data-drawn]`,
+  { state: 'attached', timeout: 60000 });
+
+/** Waits for frames of the browser. */
+export const frames = (tab, count) => tab.evaluate(n => new Promise(resolve => {
+  const next = () => n-- ? requestAnimationFrame(next) : resolve();
+  next();
+}), count);
 
 /** The numbers on the page: { 'x.0': value }. */
 export const shown = tab => tab.evaluate(() => Object.fromEntries([...document.querySelectorAll('[data-name]')]
   .map(cell => [cell.dataset.name, Number(cell.dataset.value)])));
 
-// The words of printf for numbers that are not finite.
-const read = text => Number(/nan/.test(text) ? NaN : text.replace('inf', 'Infinity'));
+/** Drags by a finger from the middle of an element; `path` is a list of [dx, dy] from there, in pixels. */
+export async function touchDrag(tab, element, path) {
+  const { x, y, width, height } = await element.boundingBox(), session = await tab.context().newCDPSession(tab);
+  const send = (type, at) => session.send('Input.dispatchTouchEvent', { type,
+    touchPoints: at ? [{ x: x + width / 2 + at[0], y: y + height / 2 + at[1] }] : [] });
+  await send('touchStart', [0, 0]);
+  for (const at of path)
+    await send('touchMove', at);
+  await send('touchEnd');
+  await session.detach();
+}
 
 /** What the copied program prints, in the same form. */
 export async function printed(tab) {
@@ -44,7 +72,7 @@ export async function printed(tab) {
     execFileSync('cc', ['-std=c99', '-Wall', '-Wextra', '-Werror', `${folder}/program.c`, '-o', `${folder}/program`,
       `-I${root}/include`, ...link.split(' ')]);
     const lines = execFileSync(`${folder}/program`, { encoding: 'utf8' }).trim().split('\n');
-    return Object.fromEntries(lines.map(line => line.split(' ')).map(([name, value]) => [name, read(value)]));
+    return Object.fromEntries(lines.map(line => line.split(' ')).map(([name, value]) => [name, Number(value)]));
   } finally {
     rmSync(folder, { recursive: true });
   }
@@ -53,6 +81,7 @@ export async function printed(tab) {
 /** The findings of axe. */
 export async function axe(tab) {
   await tab.addScriptTag({ content: readFileSync(require.resolve('axe-core/axe.min.js'), 'utf8') });
-  const { violations } = await tab.evaluate(() => globalThis.axe.run(document, { preload: false })); // a file cannot fetch the style sheet
+  // preload: a page that is a file cannot fetch its style sheet
+  const { violations } = await tab.evaluate(() => globalThis.axe.run(document, { preload: false }));
   return violations.map(v => `${v.id}: ${v.nodes.map(n => n.target).join(' ')}`);
 }
