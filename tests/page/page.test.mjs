@@ -48,10 +48,10 @@ async function unreached(tab) {
   return tab.evaluate(() => [...globalThis.missed].map(e => e.outerHTML));
 }
 
-/** Arrow keys on each handle, canvas or slider until one changes the state. */
+/** Arrow keys on each handle, canvas or number until one changes the state. */
 async function moveByArrows(tab) {
   const before = await seen(tab);
-  for (const target of await tab.$$('main .handle, main canvas[tabindex], main .lil-gui input[type=number]'))
+  for (const target of await tab.$$('main .handle, main canvas[tabindex], main .lil-gui input:not([type=checkbox])'))
     for (const key of ['ArrowRight', 'ArrowUp']) {
       await target.focus();
       await tab.keyboard.press(key);

@@ -30,7 +30,8 @@ export function makeClock(range: () => { start: number; end: number }, set: (tim
   const slider = element('input', { type: 'range', step: 'any', 'aria-label': say(words.time), class: 'time' });
   const shown = element('output', { class: 'seconds' });
   const rates = element('select', { 'aria-label': say(words.rate) },
-    [0.1, 0.25, 0.5, 1, 2].map(r => element('option', { value: String(r), ...(r === 1 ? { selected: '' } : {}) }, `×${r}`)));
+    [0.1, 0.25, 0.5, 1, 2].map(r => element('option', { value: String(r) }, `×${r}`)));
+  rates.value = '1';
   const toggle = button(say(words.play), () => clock.toggle(), 'play');
   let playing = false;
   const face = () => {

@@ -135,6 +135,6 @@ function navigate() {
 setLanguage(navigator.language.startsWith('ja') ? 'ja' : 'en');
 followLanguage();
 frame();
-void visit();
 addEventListener('hashchange', navigate);
-addEventListener('load', () => (globalThis.requestIdleCallback ?? setTimeout)(() => exhibits.forEach(e => e.open())));
+visit().then(() => requestAnimationFrame(() => // after the first picture, the second script
+  (globalThis.requestIdleCallback ?? setTimeout)(() => exhibits.forEach(e => e.open().catch(() => {})))));

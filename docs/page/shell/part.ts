@@ -10,7 +10,10 @@ export function part<T>(name: string): Promise<T> {
       const script = document.createElement('script');
       script.src = `${name}.js`;
       script.onload = () => resolve(scope.nakawariParts![name]);
-      script.onerror = () => reject(new Error(`${name}.js does not load`));
+      script.onerror = () => {
+        loaded.delete(name); // the next call tries again
+        reject(new Error(`${name}.js does not load`));
+      };
       document.head.append(script);
     }));
   return loaded.get(name) as Promise<T>;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The state of an exhibit is in the address of the page: #ID?name=value&... A value that equals its default is left out.
+// The state of an exhibit is in the address of the page: #ID?name=value&... A default is left out.
 
 /** How a value of the state is written in the address. `read` returns undefined for a text that is not a value. */
 export interface Field<T> {
