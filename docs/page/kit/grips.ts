@@ -21,11 +21,8 @@ export interface Grip {
 
 /** A part of the stage: on the left a space with its grips, on the right (below in a narrow page) what explains it. */
 export function scene(stage: HTMLElement, share = 3) {
-  const host = element('div', { style: 'position: relative; flex: 99 1 17rem; display: flex; ' +
-    'min-height: 0; overflow: hidden' });
-  const beside = element('div', { style: 'flex: 1 1 12rem; overflow: auto' });
-  stage.append(element('div', { style: `display: flex; flex-wrap: wrap; gap: 0.6rem; flex: ${share}; min-height: 0` },
-    [host, beside]));
+  const host = element('div', { class: 'spot' }), beside = element('div', { class: 'beside' });
+  stage.append(element('div', { class: 'scene', style: `flex: ${share}` }, [host, beside]));
   return { host, beside };
 }
 

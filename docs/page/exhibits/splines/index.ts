@@ -51,7 +51,8 @@ function extent(rows: number[][]): [number, number] {
 function speeds(room: Room<State>, curves: Curves, methods: Legend) {
   const data = dataOf(curves), components = () => room.state.plot === 'components';
   const range = () => extent(data(room.state).y.filter((_, i) => shows(i)));
-  const shows = (i: number) => i < names.length ? !components() && shownOf(room.state).includes(names[i]) : components();
+  const shows = (i: number) => i >= names.length ? components()
+    : !components() && shownOf(room.state).includes(names[i]);
   let held: [number, number] = [0, 1];
   const made = plot(room, {
     label: { en: 'Angular velocity ω: its length or its components, °/s', ja: '角速度 ω の大きさまたは成分(°/s)' },
@@ -122,9 +123,9 @@ const triples = (list: number[]) => list.length === 3 * count;
 
 export const splines: Exhibit<State> = {
   lead: {
-    en: '1. Choose slerp and play: at each key its angular velocity ω jumps. Where the direction of ω changes and not ' +
-      'its length, only the components show it. 2. Drag the time of key 2 in the plot: squad and the B-spline, smooth ' +
-      'for evenly spaced keys, now jump too. 3. Choose Hermite, and drag an arrow: ω of a key is yours.',
+    en: '1. Choose slerp and play: at each key its angular velocity ω jumps. Where the direction of ω changes and ' +
+      'not its length, only the components show it. 2. Drag the time of key 2 in the plot: squad and the B-spline, ' +
+      'smooth for evenly spaced keys, now jump too. 3. Choose Hermite, and drag an arrow: ω of a key is yours.',
     ja: '1. slerp を選んで再生してください。各キーで角速度 ω が不連続になります。大きさが同じで向きだけが変わるときは、' +
       '成分を見ないとわかりません。2. グラフでキー 2 の時刻をドラッグしてください。' +
       'キーが等間隔なら滑らかな squad と B スプラインも不連続になります。' +
