@@ -157,6 +157,42 @@ test('at a pitch of 90 degrees, the program loses the rotation and the library k
 
 /* ---- the blanks of the report ---- */
 
+/** The numbers of a line of the trace in docs/ja/coursework.md. */
+const numbersIn = line => [...line.matchAll(/-?\d+\.\d+|-?\b\d+\b/g)].map(([x]) => Number(x));
+
+test('a student: the trace of docs/ja/coursework.md, number by number, in three steps from the start', async () => {
+  const page = readFileSync(`${root}/docs/ja/coursework.md`, 'utf8').match(/\$ .*--orientation quat\n([^`]*)```/)[1];
+  const lines = page.split('\n').map(line => line.trim());
+  const values = start => numbersIn(lines.find(line => line.startsWith(start)).split('=').slice(1).join());
+  const { tab, field } = await exercise('');
+  await tab.keyboard.press('p');
+  await tab.keyboard.press('o');
+  await tab.fill('[data-field=time]', '3.25');
+  await tab.press('[data-field=time]', 'Enter');
+  await frame(tab);
+  assert.deepEqual([await field('position'), await field('orientation')], ['hermite', 'quat']);
+  const numbers = await shown(tab);
+  const same = (name, list) => list.forEach((x, i) =>
+    assert.ok(Math.abs(numbers[`${name}.${i}`] - x) <= 1e-8 * Math.max(Math.abs(x), 0.1), `${name}.${i}: ${x}`));
+  ['p0', 'v0', 'p1', 'v1'].forEach((name, i) => {
+    const [x, y, z, , weight] = values(`${name} =`);
+    same(`control${i}`, [x, y, z]);
+    assert.ok(Math.abs(numbers[`weight.${i}`] - weight) < 1e-8, name);
+  });
+  same('position', values('p ='));
+  ['q0', 'q1'].forEach((name, i) => {
+    same(name, values(`${name} = `).slice(0, 4));
+    assert.ok(Math.abs(numbers[`share.${i}`] - values(`${name} = `)[4]) < 1e-8, name);
+  });
+  same('dot', values('q0 . q1').slice(0, 1));
+  same('theta', values('theta').slice(0, 1));
+  same('q', values('q  ='));
+  const rows = lines.filter(line => /^( *-?\d\.\d{9}){4}$/.test(line)).map(numbersIn);
+  assert.equal(rows.length, 4);
+  rows.forEach((row, r) => row.forEach((x, c) => assert.ok(Math.abs(numbers[`matrix.${4 * c + r}`] - x) < 1e-8)));
+  await tab.close();
+});
+
 const blankMethods = [['hermite', 'ABCDE'], ['bezier', 'ABCDE'], ['bspline', 'ABCDE']];
 
 test('every blank has its letter, its number and its code, and the code computes the number', async () => {

@@ -27,7 +27,14 @@ interface Choice {
 function select(room: Room<State>, { name, words, change }: Choice) {
   const options = words.map(([word, text]) => element('option', { value: word }, say(text)));
   const made = element('select', { 'data-field': name }, options);
-  made.addEventListener('change', () => room.set(change(made.value)));
+  let byPointer = false;
+  made.addEventListener('pointerdown', () => { byPointer = true; });
+  made.addEventListener('keydown', () => { byPointer = false; });
+  made.addEventListener('change', () => {
+    room.set(change(made.value));
+    if (byPointer)
+      made.blur(); // the next key is one of the exercise again
+  });
   room.draw(() => { made.value = String(room.state[name]); });
   return element('label', {}, [say(labels[name]), made]);
 }
@@ -39,8 +46,8 @@ function check(room: Room<State>, name: 'axes' | 'local' | 'program', title: Tex
   return element('label', { title: say(title) }, [made, ` ${say(labels[name])}`]);
 }
 
-function number(room: Room<State>, name: 'yaw' | 'pitch' | 'distance' | 'fov') {
-  const made = element('input', { type: 'number', step: 'any', 'data-field': name });
+function number(room: Room<State>, name: 'time' | 'yaw' | 'pitch' | 'distance' | 'fov') {
+  const made = element('input', { type: 'number', step: name === 'time' ? '0.05' : 'any', 'data-field': name });
   made.addEventListener('change', () => {
     const value = made.value === '' ? undefined : fields[name].read(made.value);
     if (value !== undefined)
@@ -48,7 +55,7 @@ function number(room: Room<State>, name: 'yaw' | 'pitch' | 'distance' | 'fov') {
   });
   room.draw(() => {
     if (made !== document.activeElement)
-      made.value = String(+room.state[name].toPrecision(4));
+      made.value = String(+room.state[name].toFixed(4));
   });
   return element('label', {}, [`${say(labels[name])} `, made]);
 }
@@ -121,6 +128,7 @@ export function controls(room: Room<State>, list: Shortcut[]) {
       keyed(' ', labels.play), keyed('a', labels.add), keyed('d', labels.remove),
       titled(button(say(labels.save), () => save(room)), titles.save), ...layouts.buttons,
       check(room, 'axes', titles.axes), check(room, 'local', titles.local), check(room, 'program', labels.programNote),
+      titled(number(room, 'time'), titles.time),
     ]));
   room.side.append(layouts.line, reason);
 }

@@ -103,22 +103,28 @@ const turnLines = (state: State, numbers: Numbers, { blanks }: Section): Line[] 
 
 /* ---- the segment ---- */
 
-const quotient = (time: number, from: number, to: number) =>
-  ` = (${trimmed(time)} − ${trimmed(from)}) / (${trimmed(to)} − ${trimmed(from)}) = `;
+/** ` = (3.25 − 3) / (4 − 3) = `, with an arrow if the parameter is held within 0 and 1. */
+function quotient(time: number, from: Key, to: Key | undefined, value: number): string {
+  if (!to)
+    return ' = ';
+  const held = (time < from.time || time > to.time) && value >= 0 && value <= 1;
+  return ` = (${trimmed(time)} − ${trimmed(from.time)}) / (${trimmed(to.time)} − ${trimmed(from.time)}) ` +
+    (held ? '→ ' : '= ');
+}
 
-/** `segment 3: t = (3.25 − 3) / (4 − 3) = 0.25`, and the parameter s of a Bézier curve. */
+/** `segment 3  t = (3.25 − 3) / (4 − 3) = 0.25`, and the parameter s of a Bézier curve. */
 function place() {
-  const line = element('p', { class: 'place' }), update = (state: State, keys: Key[], numbers: Numbers) => {
+  const line = element('p', { class: 'place' });
+  const update = ({ time, position }: State, keys: Key[], numbers: Numbers) => {
     const output = (name: string) => {
       const made = element('b');
       show(made, name, numbers, trimmed);
       return made;
     };
-    const [k] = numbers.segment, [first, , , last] = numbers.key, next = keys[k + 1];
-    const of = (a: Key, b?: Key) => b ? quotient(state.time, a.time, b.time) : ' = ';
-    const s = state.position === 'bezier';
-    line.replaceChildren(`${say(labels.segment)} `, output('segment.0'), '　t', of(keys[k], next), output('t.0'),
-      ...(s ? ['　s', of(keys[first], keys[last]), output('parameter.0')] : []));
+    const { segment: [k], t: [t], parameter: [s], key: [first, , , last] } = numbers;
+    const bezier = ['　s', quotient(time, keys[first], keys[last], s), output('parameter.0')];
+    line.replaceChildren(`${say(labels.segment)} `, output('segment.0'), '　t', quotient(time, keys[k], keys[k + 1], t),
+      output('t.0'), ...(position === 'bezier' ? bezier : []));
   };
   return { line, update };
 }

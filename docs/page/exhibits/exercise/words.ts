@@ -84,6 +84,7 @@ export const labels = {
       '再生では時間刻みの余りを捨て、キーが 1 つのときは行列に書き込みません。',
   },
   titles: {
+    time: { en: 'The present time in seconds, outside the keys too', ja: '現在の時刻（秒）。キーの範囲外も指定できます' },
     add: { en: 'Adds a key behind the last', ja: '末尾にキーを追加します' },
     remove: { en: 'Deletes the last key', ja: '末尾のキーを削除します' },
     axes: { en: 'The axes of the keys are drawn through the objects', ja: 'キーの軸を物体越しに表示します' },
