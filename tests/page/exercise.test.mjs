@@ -342,6 +342,18 @@ test('the canvas by keyboard alone: a key is chosen, moved, turned, and gets ano
   await tab.close();
 });
 
+test('a lecturer: after a choice by the pointer, the keys are those of the exercise again', async () => {
+  const { tab, field } = await exercise('scene=1');
+  await tab.locator('[data-field=scene]').dispatchEvent('pointerdown');
+  await tab.selectOption('[data-field=scene]', '4');
+  for (const [key, name, word] of [['p', 'position', 'hermite'], ['3', 'scene', '3']]) {
+    await tab.keyboard.press(key);
+    await frame(tab);
+    assert.equal(await field(name), word);
+  }
+  await tab.close();
+});
+
 /* ---- the handles ---- */
 
 const data = async (tab, name) => JSON.parse(await tab.getAttribute('canvas.space', `data-${name}`));

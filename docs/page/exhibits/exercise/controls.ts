@@ -55,7 +55,7 @@ function number(room: Room<State>, name: 'time' | 'yaw' | 'pitch' | 'distance' |
   });
   room.draw(() => {
     if (made !== document.activeElement)
-      made.value = String(+room.state[name].toFixed(4));
+      made.value = String(+room.state[name].toFixed(3));
   });
   return element('label', {}, [`${say(labels[name])} `, made]);
 }

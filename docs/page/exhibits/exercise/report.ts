@@ -1,67 +1,14 @@
 // SPDX-License-Identifier: MIT
 // The numbers of the present time, as in the report: segment and parameter, the blanks with their weights, the matrix.
-import { element, html } from '../../kit/html';
-import { exact } from '../../kit/numbers';
+import { element } from '../../kit/html';
 import type { Room } from '../../shell/exhibit';
-import { say, type Text } from '../../shell/text';
+import { say } from '../../shell/text';
 import { orientationSections, otherPosition, positionSections, type Blank, type Section } from './blanks';
 import { keysOf, type Key, type State } from './model';
 import { numbersOf, type Numbers } from './numbers';
 import { trace } from './sample';
+import { liveTable, show, trimmed, type Cell, type Line } from './table';
 import { labels, orientationWords, positionWords } from './words';
-
-/* ---- tables ---- */
-
-/** A number by its name, `name.index`, or a text. */
-type Cell = { name: string } | string;
-interface Line { letter: string; label: Text | string; cells: Cell[]; columns?: number }
-
-const minus = (digits: string) => digits.replace(/^-(0\.?0*)$/, '$1').replace('-', '−');
-const trimmed = (x: number) => minus(String(+x.toFixed(6)));
-const lengths = /^(control\d|position|matrix\.1[234])/;
-
-/** Six decimals of weights, four of other numbers; lengths are of the size of the layout. */
-function text(x: number, name: string, unit: number): string {
-  const digits = lengths.test(name) ? 4 - Math.round(Math.log10(unit)) : name.startsWith('weight') ? 6 : 4;
-  return minus(x.toFixed(Math.min(Math.max(digits, 0), 20)));
-}
-
-function show(cell: HTMLElement, name: string, numbers: Numbers, write: (x: number) => string) {
-  const [group, index] = name.split('.'), value = numbers[group][+index];
-  cell.dataset.name = name;
-  cell.dataset.value = cell.title = exact(value);
-  cell.textContent = write(value);
-}
-
-function heading({ letter, label, columns }: Line) {
-  const name = `${say(labels.blank)} ${letter}`, blank = element('b', { class: 'blank', title: name }, letter);
-  const made = element('th', { scope: 'row' }, [...(letter ? [blank] : []), html('span', say(label))]);
-  made.colSpan = columns ?? 1;
-  return made;
-}
-
-/** A table that is made again when its lines change, and filled at each drawing. */
-function liveTable(head: (string | Text)[] = []) {
-  const caption = element('caption'), body = element('tbody');
-  const cells = [element('td'), ...head.map(h => element('th', { scope: 'col' }, say(h)))];
-  const top = head.length ? [element('thead', {}, element('tr', {}, cells))] : [];
-  const table = element('table', { class: 'numbers trace' }, [caption, ...top, body]);
-  let shape = '';
-  const update = (title: Text, lines: Line[], numbers: Numbers, unit: number) => {
-    const next = JSON.stringify([title, lines]);
-    if (next !== shape) {
-      caption.textContent = say(title);
-      body.replaceChildren(...lines.map(l => element('tr', {}, [heading(l),
-        ...l.cells.map(cell => element('td', {}, typeof cell === 'string' ? cell : ''))])));
-    }
-    shape = next;
-    lines.forEach((l, k) => l.cells.forEach((cell, i) => {
-      if (typeof cell !== 'string')
-        show(body.rows[k].cells[i + 1], cell.name, numbers, x => text(x, cell.name, unit));
-    }));
-  };
-  return { table, update };
-}
 
 /* ---- lines ---- */
 
@@ -133,7 +80,7 @@ function place() {
 
 /** The lines that the report asks for, with vecmath; only for curves and slerp. */
 function answers() {
-  const body = element('pre', { tabindex: '0' });
+  const body = element('pre');
   const made = element('details', { class: 'answers' }, [element('summary', {}, say(labels.answers)), body]);
   const update = (sections: Section[]) => {
     const lines = sections.filter(s => s.code.length).flatMap(s =>
