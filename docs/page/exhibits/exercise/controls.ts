@@ -116,7 +116,7 @@ function keyButton({ key, does, run }: Shortcut, label: Text) {
   return made;
 }
 
-const reasonOf = ({ scene, keys }: State): Text => keys.length ? labels.changed : scenes[scene - 1].reason;
+const reasonOf = ({ scene, loaded }: State): Text => loaded ? labels.loaded : scenes[scene - 1].reason;
 
 export function controls(room: Room<State>, list: Shortcut[]) {
   const keyed = (key: string, label: Text) => keyButton(list.find(s => s.key === key)!, label);

@@ -2,7 +2,7 @@
 // Layouts in the formats of the command: scenes of keys in JSON, and tables of keys in CSV (docs/import.md).
 import * as N from 'nakawari/all';
 import type { Text } from '../../shell/text';
-import { fromDegrees, limits, pack, problem, type Key } from './model';
+import { fromDegrees, limits, problem, type Key } from './model';
 
 export class LayoutError extends Error {
   constructor(readonly text: Text) {
@@ -108,6 +108,3 @@ export function read(text: string): Layout[] {
   layouts.forEach(check);
   return layouts;
 }
-
-/** Whether two lists of keys have the same bits. */
-export const equal = (a: Key[], b: Key[]) => pack(a).join() === pack(b).join();

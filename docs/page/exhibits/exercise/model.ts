@@ -48,6 +48,8 @@ export interface State {
   scene: number;
   /** Eight numbers a key: time, position x y z, orientation x y z w. Empty: the keys of the scene. */
   keys: number[];
+  /** The keys are those of a file. */
+  loaded: boolean;
   selected: number;
   position: Position;
   orientation: Orientation;
@@ -85,6 +87,7 @@ const exerciseAim = [-0.5, 0, 0];
 export const fields: Fields<State> = {
   scene: whole(1, 1, scenes.length),
   keys: numbers([], list => list.length === 0 || validKeys(list)),
+  loaded: flag(false),
   selected: whole(-1, -1, limits.keys - 1),
   position: choice<Position>('linear', positions),
   orientation: choice<Orientation>('euler', orientations),
@@ -147,7 +150,7 @@ type Change = Partial<State>;
 
 export function setScene(scene: number): Change {
   const { camera, keys } = scenes[scene - 1];
-  return { scene, keys: [], selected: -1, time: keys[0].time, aim: exerciseAim, unit: 1, ...camera };
+  return { scene, keys: [], loaded: false, selected: -1, time: keys[0].time, aim: exerciseAim, unit: 1, ...camera };
 }
 
 /** Keys of a file, seen as the command shows them: from the direction of scene 1, aimed at the middle of the keys. */
@@ -155,11 +158,8 @@ export function setKeys(keys: Key[]): Change {
   const side = (pick: (...values: number[]) => number) => [0, 1, 2].map(i => pick(...keys.map(key => key.position[i])));
   const [low, high] = [side(Math.min), side(Math.max)], radius = N.vec3Distance(low, high) / 2;
   const unit = radius > 0 ? 10 ** Math.max(Math.ceil(Math.log10(radius / 5)), -6) : 1;
-  const aim = N.vec3Lerp(zeros(3), low, high, 0.5);
-  return {
-    keys: pack(keys), selected: -1, time: keys[0].time, aim, unit, yaw: first.camera.yaw, pitch: first.camera.pitch,
-    distance: 2 + 2 * radius / unit, fov: first.camera.fov,
-  };
+  const aim = N.vec3Lerp(zeros(3), low, high, 0.5), camera = { ...first.camera, distance: 2 + 2 * radius / unit };
+  return { keys: pack(keys), loaded: true, selected: -1, time: keys[0].time, aim, unit, ...camera };
 }
 
 /** The keys with key k replaced; undefined if the library refuses them. */

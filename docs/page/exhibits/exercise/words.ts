@@ -44,7 +44,7 @@ export const labels = {
   program: { en: 'The exercise’s own numbers', ja: '演習のプログラムと同じ値' },
   save: { en: 'Save', ja: '保存' },
   load: { en: 'Load', ja: '読み込み' },
-  changed: { en: 'Keys that you changed.', ja: '変更したキーです。' },
+  loaded: { en: 'Keys of a file. A digit returns to a scene.', ja: 'ファイルから読み込んだキーです。数字キーでシーンに戻ります。' },
   space: { en: 'space', ja: 'スペース' },
   camera: { en: 'Camera', ja: 'カメラ' },
   yaw: { en: 'yaw', ja: '方位角' },
