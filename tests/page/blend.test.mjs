@@ -215,6 +215,16 @@ test('blend: a drag by the mouse moves the begin of the change', async () => {
   await tab.close();
 });
 
+test('blend: a point at the edge of the plot is dragged by its outer half', async () => {
+  const { tab } = await exhibit('mode=pair'), [x, y] = await middle(tab, 0), before = await value(tab, 'mean.0');
+  await tab.mouse.move(x - 5, y);
+  await tab.mouse.down();
+  await tab.mouse.move(x + 60, y, { steps: 4 });
+  await tab.mouse.up();
+  await changed(tab, 'mean.0', before);
+  await tab.close();
+});
+
 test('blend: a drag by a finger moves the goal of the springs', async () => {
   const { tab } = await exhibit('mode=springs&time=1', { hasTouch: true }), [x, y] = await middle(tab, 1);
   const before = await value(tab, 'critical.0'), session = await tab.context().newCDPSession(tab);

@@ -11,7 +11,7 @@ import type { Room } from '../../shell/exhibit';
 import { say, type Text } from '../../shell/text';
 import { clipControl, jointControls } from './controls';
 import { figures } from './figures';
-import { angles, lengthOf, type Rig, rotationOf, sampleLoop } from './rig';
+import { angles, anglesInC, lengthOf, type Rig, rotationOf, sampleLoop } from './rig';
 import { axisNames, type ModeOf, type State } from './state';
 import { words } from './words';
 
@@ -113,10 +113,7 @@ nkw_pose_additive_build(views[CLIP], views[REFERENCE], side, poses[DIFFERENCE]);
 nkw_pose_additive_apply(views[BASE], views[DIFFERENCE], side, ${literal(state.weight)}, all, poses[SUM]);
 static const char *const names[] = {"base", "clip", "sum", "difference"};
 for (int i = BASE; i <= DIFFERENCE; i++) {
-    const nkw_vec3 half = nkw_quat_log(nkw_pose_get(views[i], 0).rotation);
-    show(names[i], 0, (double)nkw_degrees_from_radians(2.0f * half.x));
-    show(names[i], 1, (double)nkw_degrees_from_radians(2.0f * half.y));
-    show(names[i], 2, (double)nkw_degrees_from_radians(2.0f * half.z));
+    ${anglesInC('nkw_pose_get(views[i], 0).rotation')}
 }
 `);
 }

@@ -11,7 +11,7 @@ import type { Room } from '../../shell/exhibit';
 import { say, type Text } from '../../shell/text';
 import { clipControl, jointControls } from './controls';
 import { figures } from './figures';
-import { angles, type Rig, lengthOf, rotationOf } from './rig';
+import { angles, anglesInC, type Rig, lengthOf, rotationOf } from './rig';
 import { axisNames, type ModeOf, type State } from './state';
 import { words } from './words';
 
@@ -109,10 +109,7 @@ show("times", 2, (double)cycle);
 const nkw_quat shown[3] = {a, nkw_quat_nlerp(a, b, weight), b};
 static const char *const names[3] = {"from", "mean", "to"};
 for (int i = 0; i < 3; i++) {
-    const nkw_vec3 half = nkw_quat_log(shown[i]);
-    show(names[i], 0, (double)nkw_degrees_from_radians(2.0f * half.x));
-    show(names[i], 1, (double)nkw_degrees_from_radians(2.0f * half.y));
-    show(names[i], 2, (double)nkw_degrees_from_radians(2.0f * half.z));
+    ${anglesInC('shown[i]')}
 }
 `);
 }

@@ -93,3 +93,9 @@ export const rotationOf = (pose: N.Pose, joint: number) => [...pose.get(joint, n
 /** The rotation vector in degrees. */
 export const angles = (rotation: number[]) =>
   N.quatLog([0, 0, 0], rotation).map(half => N.degreesFromRadians(2 * half));
+
+/** The same in C: prints it under names[i]. */
+export const anglesInC = (rotation: string) => `const nkw_vec3 half = nkw_quat_log(${rotation});
+    show(names[i], 0, (double)nkw_degrees_from_radians(2.0f * half.x));
+    show(names[i], 1, (double)nkw_degrees_from_radians(2.0f * half.y));
+    show(names[i], 2, (double)nkw_degrees_from_radians(2.0f * half.z));`;

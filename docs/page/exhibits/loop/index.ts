@@ -152,12 +152,13 @@ function mount(room: Room<State>) {
     ['.', 'next', words.next, () => key(1)]]);
   numberTable(room, words.numbers, () => stepRows(room.state));
   sum(room, head);
-  numberTable(room, words.rule, () => ruleRows(room.state));
-  const log = makeLog(room), made = panel(room, words.controls);
+  const made = panel(room, words.controls);
   made.slider('duration', words.duration, 0.25, 8, 0.25);
   made.slider('friction', words.friction, 0.1, 4, 0.1);
   made.action(words.add, () => room.set(withKey(room.state)));
   made.action(words.remove, () => room.set(withoutKey(room.state)));
+  numberTable(room, words.rule, () => ruleRows(room.state));
+  const log = makeLog(room);
 }
 
 export const loop: Exhibit<State> = {
