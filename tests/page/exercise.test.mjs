@@ -456,6 +456,25 @@ test('a click chooses a key, another changes the axes, a drag beside the keys tu
   await byMouse(tab, { x: box.x + 15, y: box.y + 15 }, 20, 0);
   await frame(tab);
   assert.equal(Number(await field('yaw')), (yaw + 340) % 360);
+  const distance = Number(await field('distance'));
+  await tab.mouse.move(box.x + 15, box.y + 15);
+  await tab.mouse.wheel(0, 250);
+  await tab.waitForFunction(x => Number(document.querySelector('[data-field=distance]').value) > x, distance);
+  await tab.close();
+});
+
+test('two fingers that part bring the camera closer', async () => {
+  const { tab, field } = await exercise('scene=1', { hasTouch: true });
+  const { x, y } = await tab.locator('canvas.space').boundingBox(), distance = Number(await field('distance'));
+  const session = await tab.context().newCDPSession(tab);
+  const send = (type, points) => session.send('Input.dispatchTouchEvent', { type, touchPoints: points });
+  const finger = (id, dx) => ({ x: x + 100 + dx, y: y + 30, id });
+  await send('touchStart', [finger(0, 0)]);
+  await send('touchStart', [finger(0, 0), finger(1, 60)]);
+  await send('touchMove', [finger(0, 0), finger(1, 110)]);
+  await send('touchEnd', []);
+  await frame(tab);
+  assert.ok(Math.abs(Number(await field('distance')) - (distance - 1)) < 1e-3, await field('distance'));
   await tab.close();
 });
 

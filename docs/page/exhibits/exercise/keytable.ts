@@ -4,7 +4,7 @@ import * as N from 'nakawari/all';
 import { button, element } from '../../kit/html';
 import type { Room } from '../../shell/exhibit';
 import { say } from '../../shell/text';
-import { degrees, fromDegrees, keysOf, limits, range, replaceKey, type Key, type State } from './model';
+import { degrees, fromDegrees, keysOf, limits, range, replaceKey, zeros, type Key, type State } from './model';
 import { labels } from './words';
 
 const columns = ['time', 'x', 'y', 'z', 'yaw', 'pitch', 'roll'] as const;
@@ -25,55 +25,63 @@ function edited(key: Key, column: number, value: number): Partial<Key> {
   return fromDegrees(turn as [number, number, number]);
 }
 
-export function keyTable(room: Room<State>) {
-  const message = element('p', { role: 'status', class: 'keys-message' });
-  const body = element('tbody'), list = element('table', { class: 'numbers' }, [
-    element('caption', {}, say(labels.keys)),
-    element('thead', {}, element('tr', {}, [...[labels.key, ...heads].map(h => element('th', { scope: 'col' }, say(h))),
-      element('td')])), body]);
-  room.side.append(element('div', { class: 'key-table', tabindex: '0', role: 'group', 'aria-label': say(labels.keys) },
-    list), message);
+type ChangeKey = (k: number, next: Partial<Key>) => boolean;
 
-  const change = (k: number, next: Partial<Key>) => {
-    const made = replaceKey(keysOf(room.state), k, next);
-    const keys = made && keysOf({ ...room.state, ...made });
-    const fits = keys && range(keys).end - range(keys).start <= limits.seconds;
+function numberField(room: Room<State>, k: number, column: number, change: ChangeKey) {
+  const label = `${say(labels.key)} ${k} ${say(heads[column])}`, step = column > 0 && column < 4 ? '0.1' : 'any';
+  const input = element('input',
+    { type: 'number', step, 'aria-label': label, 'data-key': String(k), 'data-column': columns[column] });
+  input.addEventListener('change', () => {
+    const valid = input.value !== '' && change(k, edited(keysOf(room.state)[k], column, Number(input.value)));
+    input.setAttribute('aria-invalid', String(!valid));
+  });
+  return input;
+}
+
+/** A row: the number of the key, which chooses it, its values, and -q for q. */
+function makeRow(room: Room<State>, k: number, change: ChangeKey) {
+  const name = `${say(labels.key)} ${k}`, choose = button(String(k), () => room.set({ selected: k }));
+  choose.setAttribute('aria-label', name);
+  const negate = button('−q', () =>
+    change(k, { orientation: N.quatNegate(zeros(4), keysOf(room.state)[k].orientation) }));
+  negate.setAttribute('aria-label', `−q ${name}: ${say(labels.negate)}`);
+  return element('tr', {}, [element('th', { scope: 'row' }, choose),
+    ...columns.map((_, i) => element('td', {}, numberField(room, k, i, change))), element('td', {}, negate)]);
+}
+
+function fill(row: HTMLTableRowElement, key: Key, chosen: boolean) {
+  row.querySelector('button')!.setAttribute('aria-pressed', String(chosen));
+  row.querySelectorAll('input').forEach((input, i) => {
+    const text = shown(valuesOf(key)[i], i);
+    if (input !== document.activeElement && input.value !== text)
+      input.value = text;
+  });
+}
+
+/** Changes a key if the library takes the keys and they are not too long; says so otherwise. */
+function changer(room: Room<State>, message: HTMLElement): ChangeKey {
+  return (k, next) => {
+    const made = replaceKey(keysOf(room.state), k, next), keys = made && keysOf({ ...room.state, ...made });
+    const fits = !!keys && range(keys).end - range(keys).start <= limits.seconds;
     message.textContent = fits ? '' : say(labels.refused);
     if (fits)
-      room.set(made);
-    return !!fits;
+      room.set(made!);
+    return fits;
   };
-  const field = (k: number, i: number) => {
-    const input = element('input', { type: 'number', step: i === 0 || i > 3 ? 'any' : '0.1', 
-      'aria-label': `${say(labels.key)} ${k} ${say(heads[i])}`, 'data-key': `${k}`, 'data-column': columns[i] });
-    input.addEventListener('change', () => {
-      const valid = input.value !== '' && change(k, edited(keysOf(room.state)[k], i, Number(input.value)));
-      input.setAttribute('aria-invalid', String(!valid));
-    });
-    return element('td', {}, input);
-  };
-  const row = (k: number) => {
-    const choose = button(String(k), () => room.set({ selected: k }));
-    choose.setAttribute('aria-label', `${say(labels.key)} ${k}`);
-    const negate = button('−q', () => {
-      const { orientation } = keysOf(room.state)[k];
-      change(k, { orientation: N.quatNegate([0, 0, 0, 0], orientation) });
-    });
-    negate.setAttribute('aria-label', `−q ${say(labels.key)} ${k}: ${say(labels.negate)}`);
-    return element('tr', {}, [element('th', { scope: 'row' }, choose), ...columns.map((_, i) => field(k, i)),
-      element('td', {}, negate)]);
-  };
+}
+
+export function keyTable(room: Room<State>) {
+  const message = element('p', { role: 'status', class: 'keys-message' }), change = changer(room, message);
+  const head = [labels.key, ...heads].map(h => element('th', { scope: 'col' }, say(h)));
+  const body = element('tbody'), table = element('table', { class: 'numbers' }, [
+    element('caption', {}, say(labels.keys)),
+    element('thead', {}, element('tr', {}, [...head, element('td')])), body]);
+  room.side.append(element('div', { class: 'key-table', tabindex: '0', role: 'group', 'aria-label': say(labels.keys) },
+    table), message);
   room.draw(() => {
     const keys = keysOf(room.state);
     if (body.rows.length !== keys.length)
-      body.replaceChildren(...keys.map((_, k) => row(k)));
-    keys.forEach((key, k) => {
-      body.rows[k].querySelector('button')!.setAttribute('aria-pressed', String(k === room.state.selected));
-      body.rows[k].querySelectorAll('input').forEach((input, i) => {
-        const text = shown(valuesOf(key)[i], i);
-        if (input !== document.activeElement && input.value !== text)
-          input.value = text;
-      });
-    });
+      body.replaceChildren(...keys.map((_, k) => makeRow(room, k, change)));
+    keys.forEach((key, k) => fill(body.rows[k], key, k === room.state.selected));
   });
 }

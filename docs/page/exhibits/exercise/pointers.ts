@@ -62,14 +62,16 @@ function dragged(state: State, { key, gizmo, handle, from }: Grab, to: Ray, snap
 
 /* ---- events ---- */
 
-export function pointers(stage: Stage) {
-  const { room, canvas, view, show } = stage, down = new Map<number, Point>();
+const pixelOf = (canvas: HTMLCanvasElement, e: MouseEvent): Point => {
+  const box = canvas.getBoundingClientRect();
+  return { x: e.clientX - box.left, y: e.clientY - box.top };
+};
+
+/** What the pointers that are down do: `press`, `move` and `release` one of them. */
+function gestures(stage: Stage) {
+  const { room, view, show } = stage, down = new Map<number, Point>();
   let grab: Grab | undefined, button = 0;
-  const at = (e: MouseEvent): Point => {
-    const box = canvas.getBoundingClientRect();
-    return { x: e.clientX - box.left, y: e.clientY - box.top };
-  };
-  const start = (p: Point, touch: boolean) => {
+  const begin = (p: Point, touch: boolean) => {
     const eye = view(), keys = keysOf(room.state), handle = handleAt(stage, p, touch ? 20 : 9);
     if (handle)
       grab = { handle, key: keys[room.state.selected], gizmo: stage.gizmo()!, from: eye.ray(p) };
@@ -84,30 +86,40 @@ export function pointers(stage: Stage) {
       : other ? pinch(room.state, before, p, other)
       : orbit(room.state, p.x - before.x, p.y - before.y);
   };
-  const end = (e: PointerEvent) => {
-    down.delete(e.pointerId);
-    grab = undefined;
-    show(undefined);
+  return {
+    press(e: PointerEvent, p: Point) {
+      down.set(e.pointerId, p);
+      button = e.button;
+      if (down.size > 1)
+        grab = undefined;
+      else if (button === 0)
+        begin(p, e.pointerType === 'touch');
+    },
+    move(e: PointerEvent, p: Point) {
+      const before = down.get(e.pointerId);
+      if (!before)
+        return show(handleAt(stage, p, 9));
+      down.set(e.pointerId, p);
+      room.set(moved(e, before, p));
+    },
+    release(e: PointerEvent) {
+      down.delete(e.pointerId);
+      grab = undefined;
+      show(undefined);
+    },
   };
+}
+
+export function pointers(stage: Stage) {
+  const { room, canvas } = stage, { press, move, release } = gestures(stage);
   canvas.addEventListener('pointerdown', e => {
     canvas.focus();
     canvas.setPointerCapture(e.pointerId);
-    down.set(e.pointerId, at(e));
-    button = e.button;
-    if (down.size > 1)
-      grab = undefined;
-    else if (button === 0)
-      start(at(e), e.pointerType === 'touch');
+    press(e, pixelOf(canvas, e));
   });
-  canvas.addEventListener('pointermove', e => {
-    const before = down.get(e.pointerId), p = at(e);
-    if (!before)
-      return show(handleAt(stage, p, 9));
-    down.set(e.pointerId, p);
-    room.set(moved(e, before, p));
-  });
-  canvas.addEventListener('pointerup', end);
-  canvas.addEventListener('pointercancel', end);
+  canvas.addEventListener('pointermove', e => move(e, pixelOf(canvas, e)));
+  canvas.addEventListener('pointerup', release);
+  canvas.addEventListener('pointercancel', release);
   canvas.addEventListener('contextmenu', e => e.preventDefault());
   canvas.addEventListener('wheel', e => {
     e.preventDefault();
