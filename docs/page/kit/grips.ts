@@ -70,8 +70,9 @@ export function grips(host: HTMLElement) {
       shown[i].setAttribute('aria-label', say(grip.label));
       shown[i].textContent = grip.mark;
       shown[i].classList.toggle('small', !!grip.small);
-      Object.assign(shown[i].style, { left: `${p?.x}px`, top: `${p?.y}px`, background: `var(--${grip.colour})`,
-        opacity: grip.behind ? '0.7' : '1' });
+      const inside = (x: number, size: number) => `${Math.min(Math.max(x, 11), size - 11)}px`; // it can be grasped
+      Object.assign(shown[i].style, { left: inside(p?.x ?? 0, view.width), top: inside(p?.y ?? 0, view.height),
+        background: `var(--${grip.colour})`, opacity: grip.behind ? '0.7' : '1' });
     });
   };
 }

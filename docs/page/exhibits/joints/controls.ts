@@ -52,6 +52,7 @@ export function shortcuts(room: Room<State>) {
   room.shortcuts([
     { key: 'o', does: controls.nextOrder, run: order },
     { key: 'j', does: controls.nextJoint, run: () => room.set({ joint: next(room.state.joint, 1, joints) }) },
+    { key: 'b', does: controls.bindPose, run: () => room.set({ angle0: 0, angle1: 0, angle2: 0, angle3: 0 }) },
     { key: 'u', does: controls.up, run: ring(1) },
     { key: 'd', does: controls.down, run: ring(-1) },
   ]);

@@ -12,17 +12,18 @@ export interface Frame {
   /** Unit vectors: the axis of the rotation, and the direction of the handle at the angle 0. */
   axis: number[];
   zero: number[];
+  /** How far the handle is from the joint. */
+  reach: number;
 }
 
-/** How far a handle is from its joint. */
-export const reach = 0.85;
 const zeroOf: Record<Axis, number[]> = { x: [0, 0, 1], y: [0, 0, 1], z: [1, 0, 0] };
 
 export const frames = (state: State, list: Joint[]): Frame[] => heights(state).map((height, i) => {
   const direction = (d: number[]) =>
     N.vec3Normalize([0, 0, 0], N.mat4TransformDirection([0, 0, 0], list[i].P, d));
   return { at: N.mat4TransformPoint([0, 0, 0], list[i].M, [0, height, 0]),
-    axis: direction(vectors[state.axis]), zero: direction(zeroOf[state.axis]) };
+    axis: direction(vectors[state.axis]), zero: direction(zeroOf[state.axis]),
+    reach: state.order === 'origin' ? 0.6 + 0.25 * i : 0.85 }; // all joints are at the origin
 });
 
 /** The angle of the point where a ray meets the plane of the rotation; undefined if it is seen from its edge. */
@@ -52,7 +53,7 @@ export const handles = (room: Room<State>, list: Frame[]): Handle[] => angles(ro
   const f = list[i], q = N.quatFromAxisAngle([0, 0, 0, 0], f.axis, angle);
   return {
     label: labels.handle(i, angle), mark: String(i), colour: `c${i}`,
-    at: N.vec3AddScaled([0, 0, 0], f.at, N.quatRotate([0, 0, 0], q, f.zero), reach),
+    at: N.vec3AddScaled([0, 0, 0], f.at, N.quatRotate([0, 0, 0], q, f.zero), f.reach),
     move(ray) {
       const to = angleOf(f, ray);
       if (to !== undefined)

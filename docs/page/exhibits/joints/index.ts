@@ -10,18 +10,14 @@ import { say } from '../../shell/text';
 import { code } from './code';
 import { choices, shortcuts, sliders } from './controls';
 import { equation } from './equation';
-import { frames, handles } from './frames';
+import { fitter, type Fit } from './fit';
+import { frames, handles, type Frame } from './frames';
 import { around, joints } from './mesh';
-import { fields, type Order, type State } from './model';
+import { fields, type State } from './model';
 import { paint } from './picture';
 import { skinner, type Skinned } from './skin';
 import { labels } from './words';
 import { vertexTable } from './vertex';
-
-/** The distance of the camera and the height of its aim, where the parts leave the place of the capsule. */
-const far: Partial<Record<Order, [number, number]>> = {
-  noInverse: [10, 3.3], noTranslation: [6.6, -1.3], swapped: [6.2, 1.4], origin: [5, 0.7],
-};
 
 /** The ramp of a weight from 0 to 1, or the colours of the joints. */
 function legend(room: Room<State>) {
@@ -74,21 +70,26 @@ function keys(host: HTMLElement, step: (joint: number, by: number) => void) {
 
 function mount(room: Room<State>) {
   const skin = skinner(room), host = element('div', { class: 'scene' }, legend(room)), show = grips(host);
-  let now: Skinned, seen: View;
-  room.draw(() => { now = skin(); });
+  const fit = fitter(host, room.refresh);
+  let now: Skinned, list: Frame[], camera: Fit, seen: View;
+  room.draw(() => {
+    now = skin();
+    list = frames(room.state, now.list);
+    camera = fit(now, list);
+  });
   room.stage.append(host);
   const canvas = space(room, {
     label: labels.picture, parent: host,
-    get distance() { return far[room.state.order]?.[0] ?? 4.7; },
-    get aim() { return [0, far[room.state.order]?.[1] ?? 1.5, 0]; },
+    get distance() { return camera.distance; },
+    get aim() { return camera.aim; },
     paint(c, view) {
       seen = view;
-      show(view, handles(room, frames(room.state, now.list)));
-      return paint(c, view, room.state, now);
+      show(view, handles(room, list));
+      return paint(c, view, room.state, now, list);
     },
   });
   picking(room, canvas, (x, y) => pick(seen, now, x, y));
-  keys(host, (joint, by) => handles(room, frames(room.state, now.list))[joint].step(by));
+  keys(host, (joint, by) => handles(room, list)[joint].step(by));
   choices(room);
   vertexTable(room, () => now);
   sliders(room);

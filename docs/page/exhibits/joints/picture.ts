@@ -5,7 +5,7 @@ import { colour } from '../../kit/colours';
 import type { View } from '../../kit/eye';
 import { dot, line, path, type Shape } from '../../kit/picture';
 import { mix, ramp, rgb, skinned, vertex } from '../../kit/skinned';
-import { frames, reach, type Frame } from './frames';
+import type { Frame } from './frames';
 import { faces, joints } from './mesh';
 import { angles, type State } from './model';
 import { chosen, type Skinned } from './skin';
@@ -46,7 +46,7 @@ function bones(c: Context, view: View, state: State, now: Skinned, list: Frame[]
 function sector(c: Context, view: View, f: Frame, angle: number, j: number, strong: boolean): Shape {
   const along = (share: number) => {
     const q = N.quatFromAxisAngle([0, 0, 0, 0], f.axis, angle * share);
-    return view.project(add(f.at, N.quatRotate([0, 0, 0], q, f.zero), reach));
+    return view.project(add(f.at, N.quatRotate([0, 0, 0], q, f.zero), f.reach));
   };
   return over({ distance: 0, paint() {
     path(c, [view.project(f.at), ...Array.from({ length: 25 }, (_, i) => along(i / 24))], true);
@@ -81,8 +81,8 @@ function mark(c: Context, view: View, at: number[]): Shape {
   } };
 }
 
-export function paint(c: Context, view: View, state: State, now: Skinned): Shape[] {
-  const list = frames(state, now.list), turns = angles(state);
+export function paint(c: Context, view: View, state: State, now: Skinned, list: Frame[]): Shape[] {
+  const turns = angles(state);
   return [...floor(c, view), ...skinned(c, view, now.positions, faces, colours(state, now.weights)),
     ...list.map((f, j) => sector(c, view, f, turns[j], j, j === state.joint)), ...bones(c, view, state, now, list),
     mark(c, view, vertex(now.positions, chosen(state)))];

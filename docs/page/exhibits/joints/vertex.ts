@@ -32,7 +32,8 @@ function fill(td: HTMLElement, cell: Cell | undefined) {
     return;
   td.dataset.name = cell.name;
   td.dataset.value = exact(cell.value);
-  td.textContent = cell.value.toFixed(Math.min(cell.digits, narrow.matches ? 3 : 4)).replace(/^-(0\.?0*)$/, '$1').replace('-', '−');
+  const digits = Math.min(cell.digits, narrow.matches ? 3 : 4);
+  td.textContent = cell.value.toFixed(digits).replace(/^-(0\.?0*)$/, '$1').replace('-', '−');
 }
 
 export function vertexTable(room: Room<State>, now: () => Skinned) {

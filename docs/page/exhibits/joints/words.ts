@@ -19,6 +19,7 @@ export const controls = {
   column: { en: 'vertex: place in the ring', ja: '頂点の段内の位置' },
   nextOrder: { en: 'next product', ja: '次の積' },
   nextJoint: { en: 'next joint', ja: '次の関節' },
+  bindPose: { en: 'bind pose', ja: 'バインドポーズ' },
   up: { en: 'next vertex above', ja: '1段上の頂点' },
   down: { en: 'next vertex below', ja: '1段下の頂点' },
 };
