@@ -2,11 +2,10 @@
 import assert from 'node:assert/strict';
 import { after, test } from 'node:test';
 import { centre, drag, settled } from './drags.mjs';
-import { close, open, printed, shown } from './models.mjs';
+import { close, drawn, open, printed, shown } from './models.mjs';
 import { degrees, dot, euler, inverse, product, rotated } from './quaternions.mjs';
 
 after(close);
-const drawn = tab => tab.waitForSelector('main[data-drawn]', { state: 'attached', timeout: 60000 });
 const near = (a, b, tolerance, what) => assert.ok(Math.abs(a - b) <= tolerance, `${what}: ${a}, ${b}`);
 const row = (numbers, name, count = 3) => Array.from({ length: count }, (_, i) => numbers[`${name}.${i}`]);
 const orders = ['XYZ', 'XZY', 'YXZ', 'YZX', 'ZXY', 'ZYX'];

@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: MIT
 import assert from 'node:assert/strict';
 import { after, test } from 'node:test';
-import { centre, follows, settled } from './drags.mjs';
-import { close, open, printed, shown } from './models.mjs';
+import { centre, drag, follows, settled } from './drags.mjs';
+import { close, drawn, open, printed, shown } from './models.mjs';
 import { degrees, dot, euler, nearer, slerp, velocity } from './quaternions.mjs';
 
 after(close);
-const drawn = tab => tab.waitForSelector('main[data-drawn]', { state: 'attached', timeout: 60000 });
 const near = (a, b, tolerance, what) => assert.ok(Math.abs(a - b) <= tolerance, `${what}: ${a}, ${b}`);
 const row = (n, name, count) => Array.from({ length: count }, (_, i) => n[`${name}.${i}`]);
 
@@ -107,13 +106,18 @@ test('the arrow keys move a nose, and turn the camera', () => at('', async (tab,
   assert.deepEqual(await shown(tab), numbers);
 }));
 
-test('a drag beside the handles turns the camera alone', () => at('', async (tab, before) => {
-  const from = await centre(tab, '[data-handle="0"]'), { x, y } = await tab.locator('.space').boundingBox();
-  await tab.mouse.move(x + 20, y + 20);
-  await tab.mouse.down();
-  await tab.mouse.move(x + 80, y + 20, { steps: 3 });
-  await tab.mouse.up();
+for (const pointer of ['mouse', 'touch'])
+  test(`a drag of the space by ${pointer} turns the camera alone`, () => at('', async (tab, before) => {
+    const from = await centre(tab, '[data-handle="0"]');
+    await drag(tab, '.space', 60, 0, pointer);
+    assert.ok(Math.abs((await centre(tab, '[data-handle="0"]')).x - from.x) > 5);
+    assert.deepEqual(await shown(tab), before);
+  }, { hasTouch: pointer === 'touch' }));
+
+test('a method that is chosen is no longer hidden', () => at('', async tab => {
+  const entry = tab.getByRole('button', { name: 'slerp, k more turns' });
+  assert.equal(await entry.getAttribute('aria-pressed'), 'false');
+  await tab.getByLabel('the object turns by').selectOption({ label: 'slerp, k more turns' });
   await settled(tab);
-  assert.ok(Math.abs((await centre(tab, '[data-handle="0"]')).x - from.x) > 5);
-  assert.deepEqual(await shown(tab), before);
+  assert.equal(await entry.getAttribute('aria-pressed'), 'true');
 }));

@@ -2,11 +2,10 @@
 import assert from 'node:assert/strict';
 import { after, test } from 'node:test';
 import { centre, drag, follows, settled } from './drags.mjs';
-import { close, open, printed, shown } from './models.mjs';
+import { close, drawn, open, printed, shown } from './models.mjs';
 import { cross, degrees, dot, euler, inverse, log, nearer, product, rotated, scale } from './quaternions.mjs';
 
 after(close);
-const drawn = tab => tab.waitForSelector('main[data-drawn]', { state: 'attached', timeout: 60000 });
 const near = (a, b, tolerance, what) => assert.ok(Math.abs(a - b) <= tolerance, `${what}: ${a}, ${b}`);
 const row = (n, name, count = 3) => Array.from({ length: count }, (_, i) => n[`${name}.${i}`]);
 

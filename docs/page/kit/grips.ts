@@ -53,8 +53,8 @@ export function grips(host: HTMLElement) {
         return;
       event.preventDefault();
       event.stopPropagation();
-      const p = seen.project(list[i].at)!;
-      list[i].move(seen.ray({ x: p.x + step[0], y: p.y + step[1] }));
+      const p = seen.project(list[i].at)!, size = event.shiftKey ? 5 : 1;
+      list[i].move(seen.ray({ x: p.x + size * step[0], y: p.y + size * step[1] }));
     });
     host.append(made);
     return made;

@@ -26,18 +26,20 @@ const keys: Record<string, [number, number]> = {
   ArrowLeft: [-5, 0], ArrowRight: [5, 0], ArrowUp: [0, -5], ArrowDown: [0, 5],
 };
 
-/** The canvas; it is redrawn whenever the state changes. */
-export function space<S extends Turn>(room: Room<S>, options: SpaceOptions): HTMLCanvasElement {
-  const canvas = element('canvas', { class: 'space', tabindex: '0', role: 'application', 'aria-label': say(options.label) });
-  (options.parent ?? room.stage).append(canvas);
-  const c = canvas.getContext('2d')!;
-  const turn = (yaw: number, pitch: number) => room.set({
-    yaw: room.state.yaw + yaw, pitch: Math.min(Math.max(room.state.pitch + pitch, -90), 90) } as Partial<S>);
-  canvas.addEventListener('pointerdown', event => canvas.setPointerCapture(event.pointerId));
-  canvas.addEventListener('pointermove', event => {
-    if (canvas.hasPointerCapture(event.pointerId))
-      turn(-0.4 * event.movementX, -0.4 * event.movementY);
+/** Calls `turn` with degrees for drags and arrow keys. */
+function dragged(canvas: HTMLCanvasElement, turn: (yaw: number, pitch: number) => void) {
+  let last: { x: number; y: number } | undefined;
+  canvas.addEventListener('pointerdown', ({ pointerId, clientX: x, clientY: y }) => {
+    canvas.setPointerCapture(pointerId);
+    last = { x, y };
   });
+  canvas.addEventListener('pointermove', ({ clientX: x, clientY: y }) => {
+    if (last)
+      turn(0.4 * (last.x - x), 0.4 * (last.y - y));
+    last &&= { x, y };
+  });
+  for (const name of ['pointerup', 'pointercancel'])
+    canvas.addEventListener(name, () => { last = undefined; });
   canvas.addEventListener('keydown', event => {
     const step = keys[event.key];
     if (step) {
@@ -45,6 +47,16 @@ export function space<S extends Turn>(room: Room<S>, options: SpaceOptions): HTM
       turn(...step);
     }
   });
+}
+
+/** The canvas; it is redrawn whenever the state changes. */
+export function space<S extends Turn>(room: Room<S>, options: SpaceOptions): HTMLCanvasElement {
+  const canvas = element('canvas',
+    { class: 'space', tabindex: '0', role: 'application', 'aria-label': say(options.label) });
+  (options.parent ?? room.stage).append(canvas);
+  const c = canvas.getContext('2d')!;
+  dragged(canvas, (yaw, pitch) => room.set({
+    yaw: room.state.yaw + yaw, pitch: Math.min(Math.max(room.state.pitch + pitch, -90), 90) } as Partial<S>));
   room.draw(() => {
     const { clientWidth: width, clientHeight: height } = canvas, ratio = devicePixelRatio || 1;
     if (canvas.width !== Math.round(width * ratio) || canvas.height !== Math.round(height * ratio))

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Two rotations: the ways from one to the other, on one object, on the sphere, and their angular velocities.
 import * as N from 'nakawari/all';
+import { choosing, thick } from '../../kit/chosen';
 import { scene } from '../../kit/grips';
 import { element } from '../../kit/html';
 import { legend } from '../../kit/legend';
@@ -50,7 +51,8 @@ function tables(room: Room<State>) {
 
 function controls(room: Room<State>) {
   const box = panel(room, { en: 'From A to B', ja: 'A から B へ' });
-  box.choice('method', { en: 'the object turns by', ja: '物体の補間方法' }, words);
+  box.choice('method', { en: 'the object turns by', ja: '物体の補間方法' }, words)
+    .onChange((method: Method) => room.set(choosing(method, room.state)));
   box.check('flip', { en: 'B with the other sign, −B', ja: 'B の符号を反転(−B)' });
   box.slider('turns', { en: 'k, whole turns', ja: 'k(追加の回転数)' }, -3, 3, 1)
     .onChange((turns: number) => room.set({ turns, hidden: room.state.hidden.filter(m => m !== 'turns') }));
@@ -68,7 +70,7 @@ function mount(room: Room<State>) {
     dash: name === 'given' ? [6, 6] : undefined })), 'hidden');
   beside.append(shown.element, note);
   sphere(room, curves, host);
-  plot(room, {
+  const made = plot(room, {
     label: { en: 'Length of the angular velocity ω at each time, °/s (logarithmic axis)',
       ja: '各時刻の角速度 ω の大きさ(°/s、対数目盛)' },
     x: { en: 'time, s', ja: '時刻(秒)' },
@@ -76,6 +78,7 @@ function mount(room: Room<State>) {
     data: () => curves(room.state).data,
     time: () => room.state.time,
   });
+  thick(room, made, 2, () => names.indexOf(room.state.method));
   room.draw(() => {
     const text = isWrongWay(keysOf(room.state)) ? say(opposite) : '';
     if (note.textContent !== text)

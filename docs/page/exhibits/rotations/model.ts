@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 // The ways from one orientation to another: orientation and angular velocity at each time.
 import * as N from 'nakawari/all';
-import { type Turn } from '../../kit/space';
+import { remembered } from '../../kit/samples';
+import type { Turn } from '../../kit/space';
 
 export const names = ['euler', 'nlerp', 'slerp', 'long', 'turns', 'given'] as const;
 export type Method = typeof names[number];
@@ -95,18 +96,13 @@ function sampled(keys: Keys, method: Method, turns: number) {
 }
 type Curves = Record<Method, ReturnType<typeof sampled>>;
 
-/** The curves of the present keys, made again when these change. */
+/** The curves of the present keys, and their speeds for the plot. */
 export function curvesOf() {
-  let made = '', curves: Curves, data: { x: number[]; y: number[][] };
-  return (state: State) => {
-    const keys = keysOf(state), next = JSON.stringify([keys, state.turns]);
-    if (next !== made) {
-      curves = Object.fromEntries(names.map(m => [m, sampled(keys, m, state.turns)])) as Curves;
-      data = { x: times, y: names.map(m => curves[m].speeds) };
-    }
-    made = next;
-    return { curves, data };
-  };
+  const of = remembered(({ keys, turns }: { keys: Keys; turns: number }) => {
+    const curves = Object.fromEntries(names.map(m => [m, sampled(keys, m, turns)])) as Curves;
+    return { curves, data: { x: times, y: names.map(m => curves[m].speeds) } };
+  });
+  return (state: State) => of({ keys: keysOf(state), turns: state.turns });
 }
 
 /** The key `name` turned by the shortest rotation that brings its nose to p. */
@@ -116,7 +112,7 @@ export function turned(state: State, name: 'a' | 'b', p: number[]): Partial<Stat
   return Object.fromEntries(['x', 'y', 'z'].map((axis, i) => [name + axis, +found[i].toFixed(2)])) as Partial<State>;
 }
 
-export const shownOf = ({ hidden, method }: State) => names.filter(m => m === method || !hidden.includes(m));
+export const shownOf = ({ hidden }: State) => names.filter(m => !hidden.includes(m));
 
 /** The keys' signs differ, and the method that takes them as given goes the long way. */
 export const isWrongWay = ({ a, b }: Keys) => N.quatDot(a, b) < 0;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Many rotations: five curves through or near the same keys, and the corners in their angular velocity.
 import * as N from 'nakawari/all';
+import { choosing, thick } from '../../kit/chosen';
 import { scene } from '../../kit/grips';
 import { element } from '../../kit/html';
 import { legend, type Legend } from '../../kit/legend';
@@ -51,8 +52,7 @@ function extent(rows: number[][]): [number, number] {
 function speeds(room: Room<State>, curves: Curves, methods: Legend) {
   const data = dataOf(curves), components = () => room.state.plot === 'components';
   const range = () => extent(data(room.state).y.filter((_, i) => shows(i)));
-  const shows = (i: number) => i >= names.length ? components()
-    : !components() && shownOf(room.state).includes(names[i]);
+  const shows = (i: number) => i < names.length ? !components() && methods.shows(i) : components();
   let held: [number, number] = [0, 1];
   const made = plot(room, {
     label: { en: 'Angular velocity ω: its length or its components, °/s', ja: '角速度 ω の大きさまたは成分(°/s)' },
@@ -66,10 +66,11 @@ function speeds(room: Room<State>, curves: Curves, methods: Legend) {
     handles: () => {
       held = made.over.querySelector('[data-held]') ? held : range();
       return room.state.times.map((time, k) => ({ label: { en: `time of key ${k}`, ja: `キー ${k} の時刻` },
-        x: time, y: held[0] + 0.09 * (held[1] - held[0]),
+        text: String(k), x: time, y: held[0] + 0.09 * (held[1] - held[0]),
         move: (x: number) => room.set(withTime(room.state, k, x) ?? {}) }));
     },
   });
+  thick(room, made, 2, () => names.indexOf(room.state.method));
 }
 
 /* ---- numbers ---- */
@@ -109,7 +110,8 @@ function mount(room: Room<State>) {
   sphere(room, curves, host);
   speeds(room, curves, methods);
   const controls = panel(room, { en: 'Curves through five keys', ja: '五つのキーを結ぶ曲線' });
-  controls.choice('method', { en: 'the object turns by', ja: '物体の補間方法' }, words);
+  controls.choice('method', { en: 'the object turns by', ja: '物体の補間方法' }, words)
+    .onChange((method: Method) => room.set(choosing(method, room.state)));
   controls.choice('plot', { en: 'the plot shows', ja: 'グラフの内容' }, {
     length: { en: 'the length of ω', ja: 'ω の大きさ' },
     components: { en: 'its components', ja: 'ω の成分' } });

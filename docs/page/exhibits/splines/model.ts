@@ -143,7 +143,7 @@ export function curvesOf() {
 }
 export type Curves = ReturnType<typeof curvesOf>;
 
-export const shownOf = ({ hidden, method }: State) => names.filter(m => m === method || !hidden.includes(m));
+export const shownOf = ({ hidden }: State) => names.filter(m => !hidden.includes(m));
 /** The methods that use the angular velocities of the keys. */
 export const usesOmega = (method: Method) => method === 'hermite' || method === 'gltf';
 
