@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Your file: what it shows of the example, of files with wrong keys, and of files that are none.
 import assert from 'node:assert/strict';
-import { readFileSync } from 'node:fs';
+import { spawnSync } from 'node:child_process';
+import { existsSync, readdirSync, readFileSync } from 'node:fs';
 import { after, test } from 'node:test';
 import { axe, close, open, printed, root, shown } from './models.mjs';
 
@@ -30,10 +31,7 @@ function floats(json, binary, a, k, what) {
 
 async function drop(tab, name, bytes) {
   await tab.setInputFiles('input[type=file]', { name, mimeType: 'model/gltf-binary', buffer: bytes });
-  await tab.waitForFunction(() => {
-    const text = document.querySelector('.entrance [role=status]')?.textContent ?? '';
-    return text !== '' && !/Loading/.test(text);
-  }, null, { timeout: 60000 });
+  await tab.waitForSelector(`.entrance [data-of="${name}"]`, { timeout: 60000 });
   return tab.textContent('.entrance [role=status]');
 }
 
@@ -58,17 +56,51 @@ test('the example: channels, sizes, no findings; the C program prints the value 
 test('the model moves, and each channel has a curve', async () => {
   const { tab, problems } = await open('file?lang=en&source=example');
   await tab.waitForSelector('[data-name="value.0"]', { timeout: 60000 });
-  const before = await tab.locator('.view3').screenshot();
-  for (const pick of await tab.locator('[data-channel]').all()) {
-    await pick.click();
-    assert.equal(await pick.getAttribute('aria-pressed').then(async () => {
-      await tab.waitForTimeout(50);
-      return pick.getAttribute('aria-pressed');
-    }), 'true');
+  const picture = () => tab.evaluate(() => document.querySelector('.view3').toDataURL());
+  const before = await picture();
+  for (const i of (await tab.$$('[data-channel]')).keys()) {
+    await tab.click(`[data-channel="${i}"]`);
+    await tab.waitForSelector(`[data-channel="${i}"][aria-pressed=true]`);
   }
-  await tab.evaluate(() => { location.hash = '#file?source=example&time=0.5'; });
-  await tab.waitForTimeout(1500);
-  assert.notDeepEqual(await tab.locator('.view3').screenshot(), before);
+  assert.equal(await picture(), before);
+  await tab.fill('.time', '0.5');
+  await tab.waitForFunction(first => document.querySelector('.view3').toDataURL() !== first, before);
+  assert.deepEqual(problems, []);
+  await tab.close();
+});
+
+const { NKW_COMMAND: command, NKW_DATA: data } = process.env, folder = `${data}/gltf`;
+const keyFindings = new Set(['unsorted-time', 'duplicate-time', 'short-segment', 'not-finite', 'not-unit',
+  'rounded-unit', 'over-half-turn', 'sign-flip', 'half-turn', 'long-way', 'non-positive-scale']);
+const json = (...words) => JSON.parse(spawnSync(command, [...words, '--json'], { encoding: 'utf8' }).stdout);
+
+// Sizes differ by the joints: objects of three.js on the page, nodes in the command.
+function compareSizes(numbers, clip, where) {
+  for (const [name, size] of [['float32', clip.clip_bytes], ['unorm16', clip.compact_bytes],
+    ['reduced', clip.reduced_bytes]])
+    assert.ok(Math.abs(numbers[`bytes_${name}.0`] - size) < 320 + 0.1 * size, `${where} ${name}: ${size}`);
+  assert.ok(numbers['bytes_file.0'] <= clip.file_bytes, where); // shared arrays once
+}
+
+const skip = !command || !existsSync(folder);
+test('files of the table: channels, findings and sizes are those of the command', { skip }, async () => {
+  const { tab, problems } = await open('file?lang=en');
+  for (const name of readdirSync(folder).filter(file => /\.gl(b|tf)$/.test(file))) {
+    const path = `${folder}/${name}`, bin = path.replace(/gltf$/, 'bin');
+    const others = bin !== path && existsSync(bin) ? [bin] : [];
+    await tab.setInputFiles('input[type=file]', [path, ...others]);
+    await tab.waitForSelector(`.entrance [data-of="${name}"]`);
+    const { clips } = json('info', '--reduced', path), { findings: found } = json('check', path);
+    for (const { clip, channels, ...sizes } of clips) {
+      await tab.selectOption('.details select', String(clip));
+      const rows = channels.map(c => `${c.joint}.${c.target} ${c.mode} ${c.keys}`).sort().join();
+      await tab.waitForFunction(text => text === [...document.querySelectorAll('.details tbody tr')].map(row =>
+        [...row.cells].slice(0, 3).map(cell => cell.textContent).join(' ')).sort().join(), rows);
+      compareSizes(await shown(tab), sizes, `${name} ${clip}`);
+      assert.deepEqual((await findings(tab)).sort(), found.filter(f => f.clip === clip && keyFindings.has(f.what))
+        .map(f => `${f.what} ${f.key}`).sort(), `${name} ${clip}`);
+    }
+  }
   assert.deepEqual(problems, []);
   await tab.close();
 });
@@ -137,9 +169,9 @@ test('files that are none are refused with a reason', async () => {
 });
 
 test('axe, in both languages, with and without a file', async () => {
-  for (const address of ['file?lang=en', 'file?lang=ja&source=example']) {
+  for (const address of ['file?lang=en&source=file', 'file?lang=ja']) {
     const { tab } = await open(address);
-    await tab.waitForSelector(address.includes('source') ? '[data-name="value.0"]' : '.entrance', { timeout: 60000 });
+    await tab.waitForSelector(address.includes('source') ? '.entrance' : '[data-name="value.0"]', { timeout: 60000 });
     assert.deepEqual(await axe(tab), []);
     await tab.close();
   }

@@ -24,12 +24,14 @@ interface State extends Camera {
 }
 
 const words = {
-  pick: { en: 'Choose a file, or drop it here (.glb, or .gltf with its files)',
-    ja: 'ファイルを選ぶか、ここにドロップしてください(.glb、または .gltf と関連ファイル)' },
-  example: { en: 'Load the example character', ja: '例のキャラクターを読み込む' },
+  pick: { en: 'Choose a file', ja: 'ファイルを選ぶ' },
+  drop: { en: 'Or drop it here: .glb, or .gltf with its files. It stays in this browser.',
+    ja: 'ここにドロップもできます(.glb、または .gltf と関連ファイル)。ファイルはこのブラウザの外へ送られません。' },
+  example: { en: 'The example character', ja: '例のキャラクター' },
+  again: { en: 'Choose the file again: the address does not contain it.',
+    ja: 'ファイルをもう一度選んでください。URL にはファイルの内容が含まれません。' },
   loading: { en: 'Loading …', ja: '読み込んでいます…' },
   refused: { en: 'This file is not shown. ', ja: 'このファイルは表示できません。' },
-  private: { en: 'The file stays in this browser.', ja: 'ファイルはこのブラウザの外へ送られません。' },
   none: { en: 'It has no animation.', ja: 'アニメーションがありません。' },
   view: { en: 'The model of the file', ja: 'ファイルのモデル' },
   clip: { en: 'Animation', ja: 'アニメーション' },
@@ -41,6 +43,7 @@ const words = {
   curve: { en: 'Curve of the channel', ja: 'チャンネルの曲線' },
   checks: { en: 'Checks', ja: '検査' },
   sizes: { en: 'Sizes in bytes', ja: '大きさ(バイト)' },
+  missing: { en: 'images not given: ', ja: '見つからない画像: ' },
   value: { en: 'Value now', ja: '現在の値' },
 };
 
@@ -66,7 +69,7 @@ async function openFile(three: Library, view: View, file: NonNullable<typeof kep
 
 function channelTable(room: Room<State>, open: Open) {
   const body = open.checked[clipOf(room.state, open)].map(({ channel, total }, i) => {
-    const pick = button(`${channel.name}.${channel.property}`, () => room.set({ channel: i }), 'pick');
+    const pick = button(`${channel.name}.${channel.path}`, () => room.set({ channel: i }), 'pick');
     pick.dataset.channel = String(i);
     return element('tr', {}, [element('th', { scope: 'row' }, pick), element('td', {}, channel.mode),
       element('td', {}, String(channel.times.length)), element('td', {}, String(total))]);
@@ -97,10 +100,10 @@ function details(room: Room<State>, open: Open, box: HTMLElement) {
 }
 
 const sizeRows: { name: keyof Sizes; label: Text }[] = [
-  { name: 'file', label: { en: 'in the file', ja: 'ファイル内' } },
+  { name: 'file', label: { en: 'in the file, shared arrays once', ja: 'ファイル内(共有する配列は 1 回)' } },
   { name: 'float32', label: { en: 'clip, float32', ja: 'クリップ(float32)' } },
   { name: 'unorm16', label: { en: 'clip, 16 bits', ja: 'クリップ(16 ビット)' } },
-  { name: 'reduced', label: { en: 'reduced, within 1/10000 of the model', ja: '削減後(誤差はモデルの 1/10000 以内)' } },
+  { name: 'reduced', label: { en: 'clip within 1/10000 of the model', ja: 'クリップ(誤差はモデルの 1/10000 以内)' } },
 ];
 
 function tables(room: Room<State>) {
@@ -153,9 +156,9 @@ function entrance(room: Room<State>, status: HTMLElement, load: (file: NonNullab
     removeEventListener('dragover', over);
     removeEventListener('drop', drop);
   });
-  room.stage.append(element('div', { class: 'entrance' },
-    [element('label', {}, [`${say(words.pick)} `, input]), example,
-      element('p', { class: 'note' }, say(words.private)), status]));
+  room.side.append(element('div', { class: 'entrance' }, [
+    element('div', { class: 'tools' }, [element('label', { class: 'pick' }, [say(words.pick), input]), example]),
+    element('p', { class: 'note' }, say(words.drop)), status]));
 }
 
 function mount(room: Room<State>) {
@@ -174,6 +177,7 @@ function mount(room: Room<State>) {
     kept = file;
     close();
     status.textContent = say(words.loading);
+    delete status.dataset.of;
     try {
       const three = await part<Library>('three');
       if (mine !== turn)
@@ -183,13 +187,16 @@ function mount(room: Room<State>) {
       if (!open || mine !== turn)
         return open?.player.dispose();
       current = open;
-      view!.aim(0, 1, 0);
-      status.textContent = file.name;
+      view!.aim(0, open.player.height / 2, 0);
+      const { missing } = open.loaded;
+      status.textContent = file.name + (missing.length ? ` (${say(words.missing)}${missing.join(', ')})` : '');
     } catch (error) {
       const text = error instanceof Refused ? say(error.text) : String(error instanceof Error ? error.message : error);
       if (mine === turn)
         status.textContent = say(words.refused) + text;
     }
+    if (mine === turn)
+      status.dataset.of = file.name;
     room.refresh();
   };
   entrance(room, status, file => void load(file));
@@ -212,9 +219,9 @@ function mount(room: Room<State>) {
     close();
     curves.dispose();
   });
-  if (room.state.source === 'file' && kept)
-    void load(kept);
-  else if (room.state.source === 'example')
+  if (room.state.source === 'file')
+    kept ? void load(kept) : status.textContent = say(words.again);
+  else
     exampleFile().then(load, error => { status.textContent = String(error); });
 }
 
@@ -231,7 +238,7 @@ export const file: Exhibit<State> = {
     ja: '<code>.glb</code> をドロップすると、曲線、キーの問題点、大きさを調べ、このライブラリでモデルを動かします。',
   },
   fields: {
-    source: choice('none', ['none', 'example', 'file']), clip: whole(0, 0, 1e4), channel: whole(0, 0, 1e5),
+    source: choice('example', ['example', 'file']), clip: whole(0, 0, 1e4), channel: whole(0, 0, 1e5),
     time: number(0, 0, 1e6), ...cameraFields(30, 15, 4.5),
   },
   range: rangeOf,

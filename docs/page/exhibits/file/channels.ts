@@ -6,7 +6,9 @@ import { componentBytes, type Json, type Loaded } from './read';
 
 export interface Channel {
   name: string;
+  /** Of three.js, and of glTF. */
   property: string;
+  path: string;
   mode: 'LINEAR' | 'STEP' | 'CUBICSPLINE';
   times: Float32Array;
   /** As in the file: with tangents for CUBICSPLINE. */
@@ -33,21 +35,21 @@ function bytesOf(json: Json, animation: number, node: number | undefined, proper
 }
 
 interface Known {
-  node: number | undefined;
+  /** As the command names it. */
+  name: string;
   componentBytes: number;
 }
 
 function channelOf(rig: Rig, from: KeyframesLike, known: (object: string, property: string) => Known): Channel {
-  const [, name, property] = from.name.match(/^(.*)\.(\w+)$/)!, object = rig.named.get(name);
+  const [, name, property] = from.name.match(/^(.*)\.(\w+)$/)!;
   const cubic = (from.createInterpolant as { isInterpolantFactoryMethodGLTFCubicSpline?: true } | undefined)
     ?.isInterpolantFactoryMethodGLTFCubicSpline;
   const mode = cubic ? 'CUBICSPLINE' : from.getInterpolation() === 2300 ? 'STEP' : 'LINEAR';
   const times = Float32Array.from(from.times), values = Float32Array.from(from.values);
   const width = values.length / times.length / (cubic ? 3 : 1), step = cubic ? 3 * width : width;
-  const { node, componentBytes } = known(name, property);
+  const { name: label, componentBytes } = known(name, property);
   const made: Channel = {
-    name: object?.name || (node === undefined ? name : `node ${node}`),
-    property, mode, times, values, width, componentBytes,
+    name: label, property, path: paths[property] ?? property, mode, times, values, width, componentBytes,
     value: key => values.subarray(step * key + (cubic ? width : 0), step * key + (cubic ? 2 * width : width)),
     track: null, error: null, unused: false,
   };
@@ -65,7 +67,8 @@ function channelOf(rig: Rig, from: KeyframesLike, known: (object: string, proper
 export function channelsOf({ json, gltf }: Loaded, rig: Rig, index: number): Channel[] {
   const known = (name: string, property: string) => {
     const object = rig.named.get(name), node = object && gltf.parser.associations.get(object as never)?.nodes;
-    return { node, componentBytes: bytesOf(json, index, node, property) };
+    const label = node === undefined ? object?.name || name : json.nodes![node].name || `node_${node}`;
+    return { name: label, componentBytes: bytesOf(json, index, node, property) };
   };
   return gltf.animations[index].tracks.map(track => channelOf(rig, track as unknown as KeyframesLike, known));
 }

@@ -6,9 +6,9 @@ import type { Channel } from './channels';
 const most = 20000;
 
 export function fileCode(channel: Channel, time: number): string {
-  const { times, values, width, mode, property, name } = channel;
+  const { times, values, width, mode, property, path, name } = channel;
   if (values.length > most)
-    return `/* ${name}.${property} has ${values.length} numbers: more than ${most} are not copied. */\n`;
+    return `/* ${name}.${path} has ${values.length} numbers: more than ${most} are not copied. */\n`;
   const kind = property === 'quaternion' ? 'NKW_TRACK_ROTATION' : 'NKW_TRACK_FLOATS';
   return program(`
 /* The keys of a channel, as in the file. */

@@ -3,8 +3,10 @@
 import uPlot from 'uplot';
 import { colour } from '../../kit/colours';
 import { element } from '../../kit/html';
+import { say } from '../../shell/text';
 import type { Channel } from './channels';
 
+const seconds = { en: 'time, s', ja: '時刻(秒)' };
 const most = { samples: 600, keys: 2000, components: 8 };
 
 export const components = ({ property, width }: Channel) => property === 'morphTargetInfluences'
@@ -62,27 +64,30 @@ export function makeCurves(box: HTMLElement): Curves {
     ctx.stroke();
     ctx.restore();
   };
-  const legend = element('p', { class: 'legend' });
-  const make = (channel: Channel, width: number) => {
+  const legend = element('p', { class: 'legend' }), host = element('div');
+  const area = element('div', { class: 'plot' }, host);
+  const make = (channel: Channel, width: number, height: number) => {
     legend.replaceChildren(...components(channel).slice(0, most.components).flatMap((name, c) =>
       [element('span', { style: `color: ${colour(`c${c % 8}`)}`, 'aria-hidden': 'true' }, '■'), ` ${name}  `]));
-    const axis = { stroke: colour('ink'), grid: { stroke: colour('line') }, ticks: { stroke: colour('line') } };
+    const axis = { stroke: colour('soft'), grid: { stroke: colour('line'), width: 1 }, ticks: { show: false } };
     plot = new uPlot({
-      width, height: 220, series: series(channel), axes: [axis, axis], legend: { show: false }, cursor: { show: false },
+      width, height, series: series(channel), legend: { show: false }, cursor: { show: false },
+      axes: [{ ...axis, label: say(seconds), labelFont: '12px system-ui', labelSize: 18, labelGap: 0, size: 28 },
+        { ...axis, size: 52 }],
       scales: { x: { time: false } }, hooks: { draw: [line] },
-    }, dataOf(channel), box);
+    }, dataOf(channel), host);
   };
-  box.append(legend);
+  box.append(legend, area);
   return {
     show(channel, time) {
-      const width = Math.floor(box.clientWidth), next = `${width} ${colour('ink')}`;
+      const { clientWidth: width, clientHeight: height } = area, next = `${width} ${height} ${colour('ink')}`;
       now = time;
       if (channel === drawn && look === next)
         return plot?.redraw(false, false);
       plot?.destroy();
       [plot, drawn, look] = [undefined, channel, next];
       if (channel && width > 0)
-        make(channel, width);
+        make(channel, width, height);
     },
     dispose: () => plot?.destroy(),
   };

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The findings of all channels of an animation, as a list.
-import { element } from '../../kit/html';
+import { element, html } from '../../kit/html';
 import { say, type Text } from '../../shell/text';
 import type { Channel } from './channels';
 import { check, type Finding, type Severity } from './checks';
@@ -29,6 +29,10 @@ const severities: Record<Severity, Text> = {
 };
 const words = {
   none: { en: 'No findings in this animation.', ja: 'このアニメーションに問題は見つかりませんでした。' },
+  note: { en: 'These are the findings of <code>nakawari check</code> about single keys. The command also finds ' +
+    'spare keys, constant tracks, open loops and faults of skins.',
+    ja: '<code>nakawari check</code> のうち、個々のキーについての検査です。コマンドでは、不要なキー、一定のトラック、' +
+      'つながらないループ、スキンの誤りも調べられます。' },
   more: { en: 'more', ja: '件は省略' },
   key: { en: 'key', ja: 'キー' },
 };
@@ -48,21 +52,23 @@ function item({ channel }: Checked, finding: Finding) {
   const at = key < 0 ? '' : ` ${say(words.key)} ${key}, ${numberText(time)} s:`;
   const data = { 'data-finding': what, 'data-key': String(key), 'data-amount': String(amount) };
   return element('li', { class: severity, ...data },
-    [element('strong', {}, say(severities[severity])), ` ${channel.name}.${channel.property}${at} `,
+    [element('strong', {}, say(severities[severity])), ` ${channel.name}.${channel.path}${at} `,
       element('code', {}, what), ` ${say(meanings[what])}`]);
 }
+
+const note = () => html('p', say(words.note), { class: 'note' });
 
 /** At most `most` findings as a list, with the counts before it. */
 export function findingList(checked: Checked[], most = 200): HTMLElement[] {
   const all = checked.flatMap(one => one.findings.map(finding => ({ one, finding })));
   const total = checked.reduce((sum, one) => sum + one.total, 0);
   if (total === 0)
-    return [element('p', { 'data-total': '0' }, say(words.none))];
+    return [element('p', { 'data-total': '0' }, say(words.none)), note()];
   const counts = (Object.keys(severities) as Severity[]).map(severity =>
     `${all.filter(x => x.finding.severity === severity).length} ${say(severities[severity])}`);
   const shown = all.slice(0, most), left = total - shown.length;
   const more = left > 0 ? [element('li', {}, `${left} ${say(words.more)}`)] : [];
   const items = [...shown.map(({ one, finding }) => item(one, finding)), ...more];
   return [element('p', { 'data-total': String(total) }, counts.join(', ')),
-    element('ul', { class: 'findings', tabindex: '0' }, items)];
+    element('ul', { class: 'findings', tabindex: '0' }, items), note()];
 }

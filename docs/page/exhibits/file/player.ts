@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The model of a file, moved by clips of the library.
 import {
-  Clip, CLIP_FLOAT32, CLIP_UNORM16, type ClipFormat, clipReduce, clipSourceReduce, Pose, poseValidate,
+  Clip, CLIP_FLOAT32, CLIP_UNORM16, type ClipFormat, clipReduce, mat4TransformPoint, Pose, poseValidate, vec3Length,
 } from 'nakawari/all';
 import {
   clipFromAnimation, floatsToObjects, type KeyframesLike, poseToObjects, type Rig, rigFromObject, trackFromKeyframes,
@@ -15,7 +15,7 @@ export interface Sizes {
   file: number;
   float32: number;
   unorm16: number;
-  /** With as few keys, and packed, as 1/10000 of the model's size permits; NaN for more than `most` keys. */
+  /** Packed as 1/10000 of the model's size permits; NaN for more than `most` keys. */
   reduced: number;
 }
 const most = 20000;
@@ -25,6 +25,8 @@ export interface Player {
   /** A clip for each animation, or the error of the library. */
   clips: (Clip | Error)[];
   sizes: Sizes[];
+  /** Of the model in the view. */
+  height: number;
   show(clip: number, time: number): void;
   dispose(): void;
 }
@@ -52,18 +54,44 @@ function packed(rig: Rig, animation: Three.AnimationClip) {
   return size;
 }
 
-// `size`: the diagonal of the model; each of the two steps has half of the tolerance. Points of the skin are taken to
-// be within a tenth of the diagonal from their joints.
-function reduced(rig: Rig, animation: Three.AnimationClip, size: number) {
+/** How far the vertices that each joint moves are from it. */
+function reachOf(three: Library, rig: Rig, scene: Three.Object3D, size: number) {
+  const reach = new Float32Array(rig.objects.length), at = [0, 0, 0];
+  const joints = new Map<unknown, number>(rig.objects.map((object, i) => [object, i]));
+  const include = (object: Three.Object3D, point: ArrayLike<number>) => {
+    const joint = joints.get(object)!;
+    reach[joint] = Math.max(reach[joint], vec3Length(point));
+  };
+  scene.traverse(object => {
+    const mesh = object as Three.SkinnedMesh, position = mesh.geometry?.getAttribute('position');
+    const place = new three.Vector3();
+    for (let v = 0; v < (position?.count ?? 0); v++) {
+      const point = place.fromBufferAttribute(position, v).toArray();
+      if (!mesh.isSkinnedMesh)
+        include(mesh, point);
+      else
+        for (let k = 0; k < 4; k++)
+          if (mesh.geometry.getAttribute('skinWeight').getComponent(v, k) > 0) {
+            const bone = mesh.geometry.getAttribute('skinIndex').getComponent(v, k);
+            const inverse = mesh.skeleton.boneInverses[bone].elements;
+            include(mesh.skeleton.bones[bone], mat4TransformPoint(at, inverse, point));
+          }
+    }
+  });
+  return reach.map(x => x || size / 100);
+}
+
+// `size`: the diagonal of the model. As `nakawari info --reduced`.
+function reduced(rig: Rig, animation: Three.AnimationClip, size: number, distances: Float32Array) {
   if (!(size > 0) || animation.tracks.reduce((sum, track) => sum + track.times.length, 0) > most)
     return NaN;
   const tracks = animation.tracks.map(track => trackFromKeyframes(rig, track as unknown as KeyframesLike))
     .filter(track => track !== null);
   const { rest, restFloats, floatCount, parents } = rig;
   const source = { jointCount: parents.length, floatCount, tracks, rest, restFloats };
-  const reduction = { parents, tolerance: size / 2e4, distance: size / 10, floatTolerance: 1e-4 };
-  const less = clipSourceReduce(source, reduction), clip = clipReduce(less, reduction), bytes = clip.size;
-  [clip, ...tracks.map(t => t.track), ...less.tracks!.map(t => t.track)].forEach(object => object.dispose());
+  const clip = clipReduce(source, { parents, tolerance: size / 1e4, distance: 0, distances, floatTolerance: 1e-4 });
+  const bytes = clip.size;
+  [clip, ...tracks.map(t => t.track)].forEach(object => object.dispose());
   return bytes;
 }
 
@@ -98,17 +126,18 @@ export function makePlayer(three: Library, view: View, loaded: Loaded): Player {
   poseValidate(rig.rest);
   const box = new three.Box3().setFromObject(scene), diagonal = box.getSize(new three.Vector3()).length();
   const clips = animations.map(animation => attempt(rig, animation, CLIP_FLOAT32));
+  const reach = reachOf(three, rig, scene, diagonal);
   const sizes = animations.map((animation, i) => ({
     file: fileBytes(loaded, i), unorm16: packed(rig, animation),
     float32: clips[i] instanceof Clip ? (clips[i] as Clip).size : NaN,
-    reduced: clips[i] instanceof Clip ? reduced(rig, animation, diagonal) : NaN,
+    reduced: clips[i] instanceof Clip ? reduced(rig, animation, diagonal, reach) : NaN,
   }));
   const pose = new Pose(rig.objects.length), floats = new Float32Array(rig.floatCount);
   const group = frame(three, scene, box);
   view.scene.add(group);
   scene.traverse(object => { object.frustumCulled = false; });
   return {
-    rig, clips, sizes,
+    rig, clips, sizes, height: (box.max.y - box.min.y) * group.scale.y || 0,
     show(index, time) {
       const clip = clips[index];
       if (clip instanceof Clip) {

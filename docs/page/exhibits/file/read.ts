@@ -21,7 +21,7 @@ export interface Accessor {
 }
 export interface Json {
   asset?: { version?: string };
-  nodes?: { children?: number[] }[];
+  nodes?: { children?: number[]; name?: string }[];
   buffers?: { uri?: string; byteLength: number }[];
   bufferViews?: { byteLength: number }[];
   accessors?: Accessor[];
@@ -118,19 +118,22 @@ const fileOf = (uri: string, files: File[]) => {
   const name = decodeURIComponent(uri.split('/').at(-1)!);
   return files.find(file => file.name === name);
 };
-const white = 'data:image/svg+xml,<svg xmlns="http://www.w3.org/2000/svg" width="1" height="1">' +
-  '<rect width="1" height="1" fill="white"/></svg>';
+const white = 'data:image/png;base64,' +
+  'iVBORw0KGgoAAAANSUhEUgAAAAEAAAABCAAAAAA6fptVAAAACklEQVR4nGP4DwABAQEAsTj2FAAAAABJ' +
+  'RU5ErkJggg==';
 
 // Names in a file are those of the files that were dropped with it; nothing is fetched. A missing image is white.
 function manager(three: Library, files: File[]) {
-  const made = new three.LoadingManager(), urls: string[] = [];
+  const made = new three.LoadingManager(), urls: string[] = [], missing = new Set<string>();
   made.setURLModifier(url => {
     if (/^(data|blob):/.test(url))
       return url;
     const file = fileOf(url, files);
+    if (!file)
+      missing.add(url);
     return file ? urls[urls.push(URL.createObjectURL(file)) - 1] : white;
   });
-  return { made, free: () => urls.forEach(url => URL.revokeObjectURL(url)) };
+  return { made, missing, free: () => urls.forEach(url => URL.revokeObjectURL(url)) };
 }
 
 function checkBuffers(json: Json, files: File[]) {
@@ -148,6 +151,8 @@ export interface Loaded {
   name: string;
   json: Json;
   gltf: GLTF;
+  /** Images that were not dropped with it: they are white. */
+  missing: string[];
 }
 
 /** Reads a .glb or .gltf; `files` has what it may refer to. Throws Refused, or an error of three.js. */
@@ -160,12 +165,12 @@ export async function readModel(three: Library, name: string, bytes: Uint8Array<
   checkAccessors(json);
   checkAnimations(json);
   checkBuffers(json, files);
-  const { made, free } = manager(three, files);
+  const { made, missing, free } = manager(three, files);
   try {
     const gltf = await Promise.race([new three.GLTFLoader(made).parseAsync(bytes.buffer, ''), late(most.seconds)]);
     if (!gltf.scene)
       refuse('It has no scene.', 'シーンがありません。');
-    return { name, json, gltf };
+    return { name, json, gltf, missing: [...missing] };
   } finally {
     free();
   }
