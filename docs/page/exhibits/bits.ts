@@ -14,20 +14,20 @@ interface State { count: number; start: number }
 
 const words = {
   hashes: { en: 'FNV-1a over the bits of the results', ja: '計算結果のビット列の FNV-1a ハッシュ値' },
-  sequence: { en: 'The sequence', ja: '計算する列' },
+  sequence: { en: 'The sequence', ja: '計算する数列' },
   count: { en: 'steps', ja: 'ステップ数' },
   start: { en: 'start value', ja: '初期値' },
-  here: { en: 'This browser', ja: 'このブラウザー' },
+  here: { en: 'This browser', ja: 'このブラウザ' },
   same: { en: 'the same bits as the C program on ', ja: '次の環境で実行した C のプログラムと同じビット列です：' },
   other: { en: 'not the bits of the C program', ja: 'C のプログラムと異なるビット列です' },
   open: { en: 'compare with the C program (Copy as C)', ja: 'C のプログラムの出力と比べてください（C のコードにする）' },
   build: { en: 'WebAssembly: ', ja: 'WebAssembly：' },
   table: {
     en: 'Targets on which every function of the library is run and compared with one table of hashes (docs/determinism.md)',
-    ja: 'ライブラリのすべての関数を実行し、1 つのハッシュ表と照合している環境（docs/determinism.md）',
+    ja: 'ライブラリのすべての関数を実行し、1つのハッシュ表と照合している環境（docs/determinism.md）',
   },
   target: { en: 'target', ja: '環境' },
-  compiler: { en: 'compiler', ja: 'コンパイラー' },
+  compiler: { en: 'compiler', ja: 'コンパイラ' },
   runs: { en: 'runs on', ja: '実行' },
   rows: {
     sine: { en: 'sin, each of the last', ja: 'sin（前の値から順に）' },
@@ -146,7 +146,7 @@ export const bits: Exhibit<State> = {
     en: 'Your browser computes sines, curves, rotations and springs, each from the result before, and hashes all bits. ' +
       'Drag a slider: one other bit gives another hash. The copied C program computes ' +
       'the same hashes; the table has the processors on which the library is tested for equal bits.',
-    ja: 'お使いのブラウザーで正弦、曲線、回転、ばねを前の結果から順に計算し、すべてのビットのハッシュ値を求めます。' +
+    ja: 'お使いのブラウザで正弦、曲線、回転、ばねを前の結果から順に計算し、すべてのビットのハッシュ値を求めます。' +
       'スライダーを動かしてください。1 ビットでも異なれば、ハッシュ値も変わります。' +
       'コピーした C のプログラムは同じハッシュ値を計算します。表は、ライブラリの結果がビット単位で一致することを確かめている環境です。',
   },

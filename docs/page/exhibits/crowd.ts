@@ -27,29 +27,29 @@ interface State extends Camera {
 const clips = ['walk', 'wave', 'hop'];
 const words = {
   loading: { en: 'Loading three.js and the character …', ja: 'three.js とキャラクターを読み込んでいます…' },
-  failed: { en: 'The crowd does not load: ', ja: '群衆を読み込めません: ' },
+  failed: { en: 'The crowd does not load: ', ja: '群衆を読み込めません：' },
   view: { en: 'The crowd on a floor', ja: '床の上の群衆' },
   controls: { en: 'Crowd', ja: '群衆' },
-  count: { en: 'characters', ja: '人数' },
+  count: { en: 'characters', ja: 'キャラクター数' },
   clip: { en: 'clip', ja: 'クリップ' },
   by: { en: 'animated by', ja: '計算の方法' },
   character: { en: 'character', ja: 'キャラクター' },
   joint: { en: 'joint', ja: '関節' },
-  crowd: { en: 'Crowd (this library)', ja: 'Crowd(このライブラリ)' },
-  mixer: { en: 'AnimationMixer (three.js)', ja: 'AnimationMixer(three.js)' },
-  cost: { en: 'Time of the animation, median of frames', ja: 'アニメーションの計算時間(フレームの中央値)' },
+  crowd: { en: 'Crowd (this library)', ja: 'Crowd（このライブラリ）' },
+  mixer: { en: 'AnimationMixer (three.js)', ja: 'AnimationMixer（three.js）' },
+  cost: { en: 'Time of the animation, median of frames', ja: 'アニメーションの計算時間（フレームの中央値）' },
   frame: { en: 'ms per frame', ja: 'ミリ秒/フレーム' },
-  each: { en: 'µs per character', ja: 'マイクロ秒/人' },
+  each: { en: 'µs per character', ja: 'マイクロ秒/体' },
   frames: { en: 'frames', ja: 'フレーム数' },
-  unmeasured: { en: 'Choose it and play.', ja: '選んで再生すると測ります。' },
+  unmeasured: { en: 'Choose it and play.', ja: '選んで再生すると測定します。' },
   note: {
     en: 'Measured: sampling, model matrices and joint matrices of all characters. Not measured: times, drawing and ' +
       'textures. With AnimationMixer both are computed, to compare them. A browser’s clock has steps of 5 to 100 µs.',
-    ja: '測るのは、全員のサンプリング、モデル行列、関節行列の計算です。時刻の計算、描画、' +
+    ja: '測定するのは、全キャラクターのサンプリング、モデル行列、関節行列の計算です。時刻の計算、描画、' +
       'テクスチャの更新は含みません。AnimationMixer を選ぶと、比べるために両方を計算します。ブラウザの時計の刻みは 5〜100 マイクロ秒です。',
   },
   numbers: { en: 'Joint matrix of the ringed character', ja: '輪で示したキャラクターの関節行列' },
-  apart: { en: 'largest difference of the two, of any element', ja: '二つの方法の差の最大値(全要素)' },
+  apart: { en: 'largest difference of the two, of any element', ja: '2つの方法の差の最大値（全要素）' },
 };
 
 const median = (list: number[]) => [...list].sort((a, b) => a - b)[list.length >> 1];
@@ -202,7 +202,7 @@ function mount(room: Room<State>) {
   room.stage.append(status);
   room.closed(() => { left = true; });
   const controls = panel(room, words.controls);
-  const names = Object.fromEntries([...clips.map(name => [name, name]), ['mixed', { en: 'all three', ja: '三種類' }]]) as
+  const names = Object.fromEntries([...clips.map(name => [name, name]), ['mixed', { en: 'all three', ja: '3種類' }]]) as
     Record<string, Text>;
   controls.slider('count', words.count, 1, 4000, 1);
   controls.choice('clip', words.clip, names);
@@ -224,8 +224,8 @@ export const crowd: Exhibit<State> = {
     en: 'A thousand characters, each at its own time and place in a clip. Play, and switch between ' +
       '<code>Crowd</code> of this library and the <code>AnimationMixer</code> of three.js: the picture stays, ' +
       'the time does not.',
-    ja: '千人のキャラクターが、それぞれ別の時刻と場所でクリップを再生します。再生しながら、このライブラリの <code>Crowd</code> と ' +
-      'three.js の <code>AnimationMixer</code> を切り替えてみてください。絵は変わらず、計算時間だけが変わります。',
+    ja: '1000 体のキャラクターが、それぞれ別の時刻と場所でクリップを再生します。再生しながら、このライブラリの <code>Crowd</code> と ' +
+      'three.js の <code>AnimationMixer</code> を切り替えてみてください。表示は変わらず、計算時間だけが変わります。',
   },
   fields: {
     count: whole(1000, 1, 4000), clip: choice('mixed', [...clips, 'mixed']),

@@ -21,7 +21,7 @@ export interface Clock {
 const words = {
   play: { en: 'Play', ja: '再生' },
   stop: { en: 'Stop', ja: '停止' },
-  time: { en: 'time, seconds', ja: '時刻(秒)' },
+  time: { en: 'time, seconds', ja: '時刻（秒）' },
   rate: { en: 'speed', ja: '速さ' },
 };
 

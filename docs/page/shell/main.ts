@@ -17,7 +17,7 @@ const words = {
   code: { en: 'Copy as C', ja: 'C のコードにする' },
   licences: { en: 'Licences', ja: 'ライセンス' },
   skip: { en: 'To the exhibit', ja: '展示へ移動' },
-  broken: { en: 'This exhibit does not open: ', ja: 'この展示を開けません: ' },
+  broken: { en: 'This exhibit does not open: ', ja: 'この展示を開けません：' },
 };
 const names: Record<Language, string> = { en: 'English', ja: '日本語' };
 

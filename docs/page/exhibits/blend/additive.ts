@@ -19,10 +19,10 @@ const own = {
   note: {
     en: 'The difference of a clip from a reference is added to the base. From the rest pose it lowers an arm once ' +
       'more, which the base has lowered already.',
-    ja: 'クリップと基準との差を土台に加えます。レストポーズを基準にすると、土台ですでに下ろした腕を、差がもう一度下げてしまいます。',
+    ja: 'クリップと基準ポーズとの差を、ベースのポーズに加えます。レストポーズを基準にすると、ベースですでに下ろした腕を、差がもう一度下げてしまいます。',
   },
-  picture: { en: 'The base, the clip, the sum', ja: '土台、クリップ、和' },
-  base: { en: 'base', ja: '土台' },
+  picture: { en: 'The base, the clip, the sum', ja: 'ベース、クリップ、和' },
+  base: { en: 'base', ja: 'ベース' },
   clip: { en: 'clip', ja: 'クリップ' },
   sum: { en: 'sum', ja: '和' },
   difference: { en: 'difference', ja: '差' },

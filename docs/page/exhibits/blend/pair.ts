@@ -19,13 +19,13 @@ const own = {
   note: {
     en: 'Both clips take the mean of their durations. Drag the point, the start of the second clip: where the clips ' +
       'are out of step, the mean loses their motion.',
-    ja: 'どちらのクリップも、平均した長さで1周します。点（2つめの開始位置）をドラッグしてください。位相がずれると、平均では動きが失われます。',
+    ja: 'どちらのクリップも、平均した長さで1周します。点（2つ目の開始位置）をドラッグしてください。位相がずれると、平均では動きが失われます。',
   },
-  picture: { en: 'The first clip, the mean pose, the second clip', ja: '1つめのクリップ、平均のポーズ、2つめのクリップ' },
+  picture: { en: 'The first clip, the mean pose, the second clip', ja: '1つ目のクリップ、平均のポーズ、2つ目のクリップ' },
   mean: { en: 'mean pose', ja: '平均のポーズ' },
-  phase: { en: 'start of the second clip (cycles)', ja: '2つめの開始位置（周）' },
-  times: { en: 'Time in each clip, duration of the cycle (s)', ja: '各クリップ内の時刻、1周の長さ (s)' },
-  clock: { en: 'first, second, cycle', ja: '1つめ、2つめ、1周' },
+  phase: { en: 'start of the second clip (cycles)', ja: '2つ目の開始位置（周）' },
+  times: { en: 'Time in each clip, duration of the cycle (s)', ja: '各クリップ内の時刻、1周の長さ（秒）' },
+  clock: { en: 'first, second, cycle', ja: '1つ目、2つ目、1周' },
 } satisfies Record<string, Text>;
 const kinds = ['from', 'mean', 'to'] as const, texts = [words.from, own.mean, words.to], colours = ['c2', 'c0', 'c1'];
 const F = Math.fround;

@@ -62,11 +62,11 @@ const evenly = line('', 'w = ' + tex`1 - t,\ t`, 'share');
 const slerp: Section = {
   title: { en: '2.4 Quaternions, slerp', ja: '2.4 四元数の球面線形補間' },
   blanks: [
-    line('A', { en: 'q0 of o0 (x y z w)', ja: 'o0 の四元数 q0 (x y z w)' }, 'q0'),
+    line('A', { en: 'q0 of o0 (x y z w)', ja: 'o0 の四元数 q0（x y z w）' }, 'q0'),
     line('A', { en: 'q1 of o1', ja: 'o1 の四元数 q1' }, 'q1key'),
     line('', { en: 'q0·q1; if &lt; 0, blank B', ja: 'q0·q1（負なら空欄 B）' }, 'dot'),
     line('B', { en: 'q1 after blank B', ja: '空欄 B の後の q1' }, 'q1'),
-    line('', { en: 'θ (rad), turn 2θ (°)', ja: 'θ (rad)、回転角 2θ (°)' }, 'theta', 'turn'),
+    line('', { en: 'θ (rad), turn 2θ (°)', ja: 'θ（rad）、回転角 2θ（°）' }, 'theta', 'turn'),
     line('', '(17) ' + tex`\tfrac{\sin (1-t)\theta}{\sin\theta},\ \tfrac{\sin t\theta}{\sin\theta}`, 'share'),
     line('C', { en: 'q, the sum', ja: '和 q' }, 'q'),
   ],

@@ -26,7 +26,7 @@ const first: Scene = {
     en: 'Seven keys, one a second. All four position curves differ here, most at key 2, and between keys 0 and 2 ' +
       'so do Euler angles and slerp. Between keys 3 and 4 the dot product of the quaternions is negative: blank B ' +
       'is needed.',
-    ja: '1 秒おきの 7 つのキーです。4 つの位置補間はすべて異なり、キー 2 の付近で最も違います。' +
+    ja: '1 秒おきの7つのキーです。4つの位置補間はすべて異なり、キー 2 の付近で最も違います。' +
       'キー 0 から 2 の間では、オイラー角補間と球面線形補間も異なります。' +
       'キー 3 と 4 の間では四元数の内積が負になるので、空欄 B の処理が必要です。',
   },
@@ -47,8 +47,8 @@ const second: Scene = {
   reason: {
     en: 'The first two orientations of scene 1 and one segment. The smallest case for a new program. Bézier needs ' +
       'four keys: here it stays at key 0.',
-    ja: 'シーン 1 の最初の 2 つの向きと、1 つの区間だけです。プログラムを最初に試すのに向いています。' +
-      'Bézier 曲線には 4 つのキーが必要なので、ここではキー 0 の位置にとどまります。',
+    ja: 'シーン 1 の最初の2つの向きと、1つの区間だけです。プログラムを最初に試すのに向いています。' +
+      'Bézier 曲線には4つのキーが必要なので、ここではキー 0 の位置にとどまります。',
   },
   keys: everySecond([
     { at: [-1, 0.5, 0], turn: [108, 0, 0] },
@@ -78,13 +78,13 @@ const uneven: Scene = {
 };
 
 const groups: Scene = {
-  title: { en: 'An incomplete Bézier group', ja: '4 つに足りない Bézier の組' },
+  title: { en: 'An incomplete Bézier group', ja: '4つに足りない Bézier の組' },
   reason: {
     en: 'Bézier takes keys 0 to 3 as one curve. Keys 4 and 5 do not complete the next group, so it stops at key ' +
       '3. Add a key (a): the second curve appears. It joins smoothly, because keys 2, 3 and 4 are on one line.',
-    ja: 'Bézier 曲線は、キー 0 から 3 を 1 つの曲線として使います。次の組はキー 4 と 5 だけで足りないため、' +
-      'キー 3 で止まります。キーを追加すると（a キー）、2 つ目の曲線が現れます。' +
-      'キー 2、3、4 が一直線に並んでいるので、2 つの曲線は滑らかにつながります。',
+    ja: 'Bézier 曲線は、キー 0 から 3 を1つの曲線として使います。次の組はキー 4 と 5 だけで足りないため、' +
+      'キー 3 で止まります。キーを追加すると（a キー）、2つ目の曲線が現れます。' +
+      'キー 2、3、4 が一直線に並んでいるので、2つの曲線は滑らかにつながります。',
   },
   keys: everySecond([
     { at: [-2, 0.5, 1], turn: [-8, 20, 0] },
@@ -104,8 +104,8 @@ const turns: Scene = {
       'orientations do not say how one came from one to the other. From key 2 to key 5 the same turn is made of ' +
       'three turns of 80 degrees, and goes to the left.',
     ja: 'キー 1 は、キー 0 から左へ 240 度回った向きのつもりです。しかし、どちらの方法でも右へ 120 度回ります。' +
-      '2 つの向きだけでは、どう回ったかは決まらないからです。' +
-      'キー 2 から 5 では、同じ回転を 80 度ずつ 3 回に分けてあるので、左へ回ります。',
+      '2つの向きだけでは、どう回ったかは決まらないからです。' +
+      'キー 2 から 5 では、同じ回転を 80 度ずつ3回に分けてあるので、左へ回ります。',
   },
   keys: everySecond([
     { at: [-2.5, 0.5, 0], turn: [0, 0, 0] },
@@ -156,14 +156,14 @@ const pole: Scene = {
 };
 
 const lap: Scene = {
-  title: { en: 'A lap that ends where it began', ja: '1 周して最初に戻る' },
+  title: { en: 'A lap that ends where it began', ja: '1周して最初に戻る' },
   reason: {
     en: 'The last key equals the first. Hermite closes; the B-spline does not, because its end keys are repeated. ' +
       'Playback keeps the rest of the step at the end of a lap; the exercise’s program drops it, and its laps are ' +
       'up to one step longer.',
-    ja: '最後のキーは最初のキーと同じです。Hermite 曲線は閉じますが、B スプライン曲線は端のキーを 2 回使うため閉じません。' +
-      '再生では、1 周の終わりで時間刻みの余りを残します。演習のプログラムは余りを捨てるので、' +
-      '1 周が最大で 1 刻み長くなります。',
+    ja: '最後のキーは最初のキーと同じです。Hermite 曲線は閉じますが、B スプライン曲線は端のキーを2回使うため閉じません。' +
+      '再生では、1周の終わりで時間刻みの余りを残します。演習のプログラムは余りを捨てるので、' +
+      '1周が最大で1刻み長くなります。',
   },
   keys: everySecond([
     { at: [0.7, 0.6, 0], turn: [180, 0, 0] },
@@ -178,14 +178,14 @@ const lap: Scene = {
 };
 
 const cut: Scene = {
-  title: { en: 'Two keys at one time', ja: '同じ時刻の 2 つのキー' },
+  title: { en: 'Two keys at one time', ja: '同じ時刻の2つのキー' },
   reason: {
     en: 'Keys 2 and 3 are both at 2 s: the object jumps. Linear and Hermite use the two keys of a segment only, ' +
       'so both sides stay as they are. The B-spline and Bézier use keys beyond the jump too. Delete keys (d) ' +
       'until one is left: nakawari gives that key, and the exercise’s program writes no matrix.',
     ja: 'キー 2 と 3 はどちらも 2 秒なので、物体は瞬間移動します。線形補間と Hermite 曲線は、区間の両端のキーだけを使うので、' +
       '前後の動きは変わりません。B スプライン曲線と Bézier 曲線は、瞬間移動の向こう側のキーも使います。' +
-      'キーを 1 つになるまで削除すると（d キー）、nakawari はそのキーを返し、演習のプログラムは行列に書き込みません。',
+      'キーを1つになるまで削除すると（d キー）、nakawari はそのキーを返し、演習のプログラムは行列に書き込みません。',
   },
   keys: [
     { time: 0, at: [-2.2, 0.5, -0.5], turn: [-130, 0, 0] },

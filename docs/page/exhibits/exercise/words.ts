@@ -16,7 +16,7 @@ export const orientationWords: Record<Orientation, Text> = {
   quat: { en: 'Quaternion slerp', ja: '四元数補間' },
   none: { en: 'None', ja: '補間なし' },
   'euler-unwrapped': {
-    en: 'Euler angles, all unwrapped (not in the exercise)', ja: 'オイラー角補間、3 つの角度を調整（演習にはない）',
+    en: 'Euler angles, all unwrapped (not in the exercise)', ja: 'オイラー角補間、3つの角度を調整（演習にはない）',
   },
   nlerp: { en: 'Quaternions, nlerp (not in the exercise)', ja: '四元数の nlerp（演習にはない）' },
   squad: { en: 'Quaternions, squad (not in the exercise)', ja: '四元数の squad（演習にはない）' },
@@ -61,7 +61,7 @@ export const labels = {
   },
   one: {
     en: 'The exercise’s program writes no matrix for one key.',
-    ja: 'キーが 1 つのとき、演習のプログラムは行列に書き込みません。',
+    ja: 'キーが1つのとき、演習のプログラムは行列に書き込みません。',
   },
   trace: { en: 'The present time by hand', ja: '現在の時刻の計算' },
   answers: { en: 'The blanks in code, with vecmath', ja: '空欄のコード（vecmath）' },
@@ -80,8 +80,8 @@ export const labels = {
       'keys, the orientation without interpolation ends at the second to last key, Euler angles lose roll at a ' +
       'pitch of 90°, playback drops the rest of the step, and one key gives no matrix.',
     ja: '演習のプログラムの規則による値です。区間は両端を含みます。Bézier 曲線はキーの範囲外でも延長されます。' +
-      '補間なしの向きは、最後から 2 番目のキーで終わります。オイラー角は、仰角 90° で旋回角が失われます。' +
-      '再生では時間刻みの余りを捨て、キーが 1 つのときは行列に書き込みません。',
+      '補間なしの向きは、最後から2番目のキーで終わります。オイラー角は、仰角 90° で旋回角が失われます。' +
+      '再生では時間刻みの余りを捨て、キーが1つのときは行列に書き込みません。',
   },
   titles: {
     time: { en: 'The present time in seconds, outside the keys too', ja: '現在の時刻（秒）。キーの範囲外も指定できます' },

@@ -8,7 +8,7 @@ import { check, type Finding, type Severity } from './checks';
 /** What each finding means; the names are those of the command `nakawari check`. */
 export const meanings: Record<string, Text> = {
   'unsorted-time': { en: 'a key is earlier than the one before it', ja: '前のキーより時刻が早いキー' },
-  'duplicate-time': { en: 'two keys at one time: a jump', ja: '同じ時刻の二つのキー(値が飛びます)' },
+  'duplicate-time': { en: 'two keys at one time: a jump', ja: '同じ時刻の2つのキー（値が不連続に変わります）' },
   'short-segment': { en: 'two times that differ by rounding only', ja: '丸め誤差ほどの差しかない時刻' },
   'not-finite': { en: 'infinite, or not a number', ja: '無限大、または NaN' },
   'not-unit': { en: 'a rotation whose length is not 1', ja: '長さが 1 でない回転' },
@@ -16,11 +16,11 @@ export const meanings: Record<string, Text> = {
   'over-half-turn': { en: 'LINEAR turns back: more than half a turn as given',
     ja: '与えられた値は半回転を超えるため、LINEAR は逆向きに回ります' },
   'sign-flip': { en: 'nearly q and −q: a player that does not negate turns the long way',
-    ja: '符号の反転(ほぼ q と −q)。反転しない再生では遠回りします' },
-  'half-turn': { en: 'half a turn: rounding decides the direction', ja: 'ちょうど半回転で、向きは丸めで決まります' },
+    ja: '符号の反転（ほぼ q と −q）。反転しない再生では遠回りします' },
+  'half-turn': { en: 'half a turn: rounding decides the direction', ja: 'ちょうど半回転で、回る向きは丸め誤差で決まります' },
   'long-way': { en: 'CUBICSPLINE goes the long way', ja: 'CUBICSPLINE が遠回りします' },
   'non-positive-scale': { en: 'a scale that is not positive', ja: '正でないスケール' },
-  unused: { en: 'animates nothing of the scene', ja: 'シーンの何も動かしません' },
+  unused: { en: 'animates nothing of the scene', ja: 'シーン内の何も動かしません' },
   refused: { en: 'the library refuses the track', ja: 'ライブラリがトラックを受け付けません' },
 };
 

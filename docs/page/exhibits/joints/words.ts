@@ -10,7 +10,7 @@ export const controls = {
   steps: { en: 'The steps of the lesson', ja: '授業の各段階' },
   mistakes: { en: 'Mistakes', ja: 'よくある間違い' },
   axis: { en: 'axis', ja: '回転軸' },
-  angle: (i: number): Text => ({ en: `J${i}: angle (rad)`, ja: `J${i} の角度 (rad)` }),
+  angle: (i: number): Text => ({ en: `J${i}: angle (rad)`, ja: `J${i} の角度（rad）` }),
   height: (i: number): Text => ({ en: `T${i}: height`, ja: `T${i} の高さ` }),
   influence: { en: 'Weights', ja: '影響度' },
   paint: { en: 'Colours', ja: '色分け' },
@@ -44,7 +44,7 @@ export const orderWords: Record<Order, Text> = {
   swapped: { en: 'M · T⁻¹ · J · T: T and T⁻¹ exchanged', ja: 'M · T⁻¹ · J · T：T と T⁻¹ が逆' },
   parentLast: { en: 'T · J · T⁻¹ · M: parent on the right', ja: 'T · J · T⁻¹ · M：親が右側' },
   transposed: { en: 'rows and columns exchanged', ja: '行と列の取り違え（転置）' },
-  degrees: { en: 'degrees for radians', ja: 'ラジアンに度を渡す' },
+  degrees: { en: 'degrees for radians', ja: 'ラジアンの引数に度を渡す' },
   unnormalised: { en: 'weights not normalised', ja: '影響度の正規化忘れ' },
 };
 

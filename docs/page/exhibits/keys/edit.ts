@@ -25,7 +25,7 @@ export function add(room: Room<State>, time: number, value?: number) {
 export function remove(room: Room<State>, k = nearest(keysOf(room.state))) {
   const s = keysOf(room.state);
   if (s.times.length === 2)
-    return room.announce({ en: 'A curve needs two keys.', ja: '曲線には二つのキーが必要です。' });
+    return room.announce({ en: 'A curve needs two keys.', ja: '曲線には2つのキーが必要です。' });
   const keys = s.keys.filter((_, i) => Math.floor(i / 3) !== k);
   room.set({ keys, time: clamp(s.time, keys[0], keys[keys.length - 3]) });
   room.announce({ en: `Key ${k} is deleted.`, ja: `キー ${k} を削除しました。` });

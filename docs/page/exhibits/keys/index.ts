@@ -17,13 +17,13 @@ const texts = {
   velocity: { en: 'velocity, per second', ja: '速度（毎秒）' },
   acceleration: { en: 'acceleration, per second²', ja: '加速度（毎秒²）' },
   time: { en: 'time, s', ja: '時刻（秒）' },
-  chosen: { en: 'chosen method', ja: '選んだ方式' },
+  chosen: { en: 'chosen method', ja: '選んだ方法' },
   other: { en: 'its tangents, read the other way', ja: '同じ接線をもう一方の尺度で読んだ曲線' },
   trap: {
     en: 'The scaling trap: read per segment, a tangent is divided by the duration of each segment, so one tangent ' +
       'becomes two velocities wherever the durations differ.',
     ja: '尺度の取り違え：1区間あたりと読むと、接線は前後の区間の長さでそれぞれ割られるため、' +
-      '区間の長さが異なるキーでは、一つの接線が二つの速度になります。',
+      '区間の長さが異なるキーでは、1つの接線が2つの速度になります。',
   },
 };
 

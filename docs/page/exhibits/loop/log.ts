@@ -8,11 +8,11 @@ import type { Passing, State } from './model';
 const words = {
   log: { en: 'The last keys that were passed', ja: '最後に通過したキー' },
   key: { en: 'key', ja: 'キー' },
-  time: { en: 'running time (s)', ja: '経過時間 (s)' },
+  time: { en: 'running time (s)', ja: '経過時間（秒）' },
   way: { en: 'direction', ja: '向き' },
   forwards: { en: 'forwards →', ja: '順方向 →' },
   backwards: { en: 'backwards ←', ja: '逆方向 ←' },
-  rest: { en: 'The head rests. Keys passed: ', ja: 'ヘッドが止まりました。通過したキー：' },
+  rest: { en: 'The head rests. Keys passed: ', ja: '再生ヘッドが止まりました。通過したキー：' },
 };
 const rows = 6, pause = 700, spoken = 12;
 

@@ -66,5 +66,5 @@ export function gimbals(room: Room<State>, host: HTMLElement) {
     }), ...inOrder(q, order).distance < lost ? lostLine(c, view, all[0].axis, all[1].axis) : []];
   };
   space(room, { label: { en: 'An object in three gimbals. Arrow keys turn the camera.',
-    ja: '三重のジンバルの中の物体。矢印キーでカメラが回ります。' }, distance: 3.05, parent: host, paint });
+    ja: '三重のジンバルの中の物体。矢印キーで視点を回します。' }, distance: 3.05, parent: host, paint });
 }

@@ -5,7 +5,7 @@ import type { Room } from '../../shell/exhibit';
 import { say } from '../../shell/text';
 import { inOrder, orders, poseOf, withOrder, type State } from './model';
 
-const title = { en: 'To the pole of each order', ja: '各順序の極までの角度' };
+const title = { en: 'To the pole of each order', ja: '各順序の特異点までの角度' };
 
 export function orderBars(room: Room<State>, parent: HTMLElement) {
   const rows = orders.map(order => {

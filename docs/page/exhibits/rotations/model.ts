@@ -20,11 +20,11 @@ export interface State extends Turn {
 
 export const words = {
   euler: { en: 'Euler angles', ja: 'オイラー角' },
-  nlerp: { en: 'nlerp', ja: 'nlerp(正規化線形補間)' },
-  slerp: { en: 'slerp', ja: 'slerp(球面線形補間)' },
-  long: { en: 'slerp, long arc', ja: 'slerp(長い弧)' },
-  turns: { en: 'slerp, k more turns', ja: 'slerp(k 回転を追加)' },
-  given: { en: 'slerp, signs as given', ja: 'slerp(符号を調整しない)' },
+  nlerp: { en: 'nlerp', ja: 'nlerp（正規化線形補間）' },
+  slerp: { en: 'slerp', ja: 'slerp（球面線形補間）' },
+  long: { en: 'slerp, long arc', ja: 'slerp（長い弧）' },
+  turns: { en: 'slerp, k more turns', ja: 'slerp（k 回転を追加）' },
+  given: { en: 'slerp, signs as given', ja: 'slerp（符号を調整しない）' },
 };
 export const colours: Record<Method, string> =
   { euler: 'c1', nlerp: 'c4', slerp: 'c0', long: 'c3', turns: 'c5', given: 'c6' };

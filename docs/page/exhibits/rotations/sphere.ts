@@ -18,7 +18,7 @@ function gripsOf(room: Room<State>, view: View): Grip[] {
   return (['a', 'b'] as const).map(name => {
     const at = nose(keys[name]), mark = name.toUpperCase();
     return { mark, colour: 'ink', at, behind: isBehind(view, at),
-      label: { en: `${mark}: the nose of the key`, ja: `${mark}: キーの先端` },
+      label: { en: `${mark}: the nose of the key`, ja: `${mark}：キーの機首` },
       move: (ray: Ray) => room.set(turned(room.state, name, onSphere(ray, at))) };
   });
 }
@@ -41,5 +41,5 @@ export function sphere(room: Room<State>, curves: ReturnType<typeof curvesOf>, h
     ];
   };
   space(room, { label: { en: 'The object, and the curves of its nose on the sphere. Arrow keys turn the camera.',
-    ja: '物体と、その先端が球面上に描く曲線。矢印キーでカメラが回ります。' }, distance: 2.75, parent: host, paint });
+    ja: '物体と、その機首が球面上に描く曲線。矢印キーで視点を回します。' }, distance: 2.75, parent: host, paint });
 }

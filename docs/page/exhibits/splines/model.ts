@@ -20,7 +20,7 @@ export interface State extends Turn {
 }
 
 export const words = {
-  slerp: { en: 'slerp', ja: 'slerp(球面線形補間)' },
+  slerp: { en: 'slerp', ja: 'slerp（球面線形補間）' },
   squad: { en: 'squad', ja: 'squad' },
   gltf: { en: 'glTF cubic', ja: 'glTF の CUBICSPLINE' },
   hermite: { en: 'Hermite with ω', ja: 'ω を使う Hermite 補間' },

@@ -37,12 +37,12 @@ function velocityTo({ origin, direction }: Ray, n: number[]): number[] | undefin
 function gripsOf(room: Room<State>, view: View, keys: number[][], omegas: number[][]): Grip[] {
   const noses = keys.map(nose), { state } = room;
   const keyGrips = noses.map((at, k) => ({
-    label: { en: `${k}: the nose of the key`, ja: `${k}: キーの先端` }, mark: String(k), colour: 'ink', at,
+    label: { en: `${k}: the nose of the key`, ja: `${k}：キーの機首` }, mark: String(k), colour: 'ink', at,
     behind: isBehind(view, at),
     move: (ray: Ray) => room.set(turned(room.state, k, onSphere(ray, at))),
   }));
   const tips = noses.map((n, k) => ({
-    label: { en: `${k}: ω of the key`, ja: `${k}: キーの角速度 ω` }, mark: '', colour: colours[state.method],
+    label: { en: `${k}: ω of the key`, ja: `${k}：キーの角速度 ω` }, mark: '', colour: colours[state.method],
     at: tipOf(n, omegas[k]), small: true, behind: isBehind(view, n),
     move: (ray: Ray) => {
       const v = velocityTo(ray, n);
@@ -68,5 +68,5 @@ export function sphere(room: Room<State>, curves: Curves, host: HTMLElement) {
         arrow(c, view, nose(q), tipOf(nose(q), omegas[k]), colour(colours[method]))) : []];
   };
   space(room, { label: { en: 'The object, and the curves of its nose on the sphere. Arrow keys turn the camera.',
-    ja: '物体と、その先端が球面上に描く曲線。矢印キーでカメラが回ります。' }, distance: 2.9, parent: host, paint });
+    ja: '物体と、その機首が球面上に描く曲線。矢印キーで視点を回します。' }, distance: 2.9, parent: host, paint });
 }

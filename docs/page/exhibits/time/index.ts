@@ -18,7 +18,7 @@ const texts = {
   value: { en: 'value over time', ja: '時刻に対する値' },
   parameter: { en: 'parameter s over time', ja: '時刻に対するパラメータ s' },
   time: { en: 'time, s', ja: '時刻（秒）' },
-  chosen: { en: 'chosen policy', ja: '選んだ方針' },
+  chosen: { en: 'chosen policy', ja: '選んだポリシー' },
   given: { en: 'given handles, by s', ja: '元のハンドルの曲線（s による）' },
 };
 
@@ -169,7 +169,7 @@ export const time: Exhibit<State> = {
     en: 'Handles have a time and a value, so the time itself is a cubic of s. Drag the small dots: pull a handle far ' +
       'enough and the curve runs back, with three values at one time. Each tool answers by a policy of its own.',
     ja: 'ハンドルは時間と値を持つので、時刻そのものが s の3次式になります。小さな点をドラッグしてハンドルを長く引くと、' +
-      '曲線は時間を逆行し、一つの時刻に値が三つ生じます。どう扱うかの方針は、ツールごとに異なります。',
+      '曲線は時間を逆行し、1つの時刻に値が3つ生じます。どう扱うかのポリシーは、ツールごとに異なります。',
   },
   fields,
   range: ({ segment }) => ({ start: segment[0], end: segment[6] }),

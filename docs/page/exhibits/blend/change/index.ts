@@ -20,7 +20,7 @@ const own = {
   note: {
     en: 'Drag the points at the begin and the end. The velocity of a straight cross-fade jumps there; the others ' +
       'keep it, and need only the new clip.',
-    ja: '開始と終了の点をドラッグしてください。直線的なクロスフェードの速度はそこで跳びます。ほかの方法では跳ばず、必要なのは新しいクリップだけです。',
+    ja: '開始と終了の点をドラッグしてください。重みを直線的に変えるクロスフェードでは、そこで速度が不連続になります。ほかの方法では連続で、開始後に必要なのは新しいクリップだけです。',
   },
   picture: { en: 'The character by each of the three methods', ja: '3つの方法によるキャラクター' },
   old: { en: 'old clip', ja: '元のクリップ' },
@@ -28,14 +28,14 @@ const own = {
   fade: { en: 'cross-fade', ja: 'クロスフェード' },
   inertia: { en: 'inertialisation', ja: '慣性化' },
   dead: { en: 'dead blending', ja: 'デッドブレンディング' },
-  velocity: { en: 'Angular velocity of the joint about the axis (rad/s)', ja: '関節の軸まわりの角速度 (rad/s)' },
-  now: { en: 'Angular velocity now, x y z (rad/s)', ja: '現在の角速度 x y z (rad/s)' },
-  jumps: { en: 'Jump of the angular velocity at the begin and the end (rad/s)', ja: '開始時と終了時の角速度の跳び (rad/s)' },
-  at: { en: 'begins at (s)', ja: '開始時刻 (s)' },
-  start: { en: 'new clip from (s)', ja: '新しいクリップの開始位置 (s)' },
-  duration: { en: 'duration (s)', ja: '長さ (s)' },
-  coast: { en: 'half-life of the velocity (s)', ja: '速度の半減期 (s)' },
-  smooth: { en: 'smooth weight of the cross-fade', ja: 'クロスフェードの重みを滑らかに' },
+  velocity: { en: 'Angular velocity of the joint about the axis (rad/s)', ja: '関節の軸まわりの角速度（rad/s）' },
+  now: { en: 'Angular velocity now, x y z (rad/s)', ja: '現在の角速度 x y z（rad/s）' },
+  jumps: { en: 'Jump of the angular velocity at the begin and the end (rad/s)', ja: '開始時と終了時の角速度の不連続な変化（rad/s）' },
+  at: { en: 'begins at (s)', ja: '開始時刻（秒）' },
+  start: { en: 'new clip from (s)', ja: '新しいクリップの開始位置（秒）' },
+  duration: { en: 'duration (s)', ja: '長さ（秒）' },
+  coast: { en: 'half-life of the velocity (s)', ja: '速度の半減期（秒）' },
+  smooth: { en: 'smooth weight of the cross-fade', ja: 'クロスフェードの重みを滑らかにする' },
 } satisfies Record<string, Text>;
 const colours = ['soft', 'c2', 'c1', 'c0', 'c4'];
 
