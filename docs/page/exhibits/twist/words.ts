@@ -23,7 +23,7 @@ export const words = {
   volume: { en: 'Volume (m³)', ja: '体積（m³）' },
   degrees: { en: 'degrees', ja: '度' },
   table: { en: 'Measures', ja: '測定値' },
-  columns: [{ en: 'bind', ja: '元の形' }, { en: 'linear', ja: '線形' }, { en: 'dual', ja: 'デュアル' },
+  columns: [{ en: 'bind', ja: '元の形' }, { en: 'linear', ja: '線形' }, { en: 'dual', ja: '双対' },
     { en: 'more', ja: '追加' }],
   volumes: { en: 'volume (m³)', ja: '体積（m³）' },
   radii: {
