@@ -16,8 +16,8 @@ const own = {
   note: {
     en: 'Play and drag the goal up and down, or drag its points: the goal jumps, the velocity does not. Steps of ' +
       '1/30 s and of 1/60 s differ by rounding only.',
-    ja: '再生しながら目標を上下にドラッグするか、各点をドラッグしてください。目標が跳んでも、速度は跳びません。' +
-      '1/30秒刻みと1/60秒刻みの違いは丸め誤差だけです。',
+    ja: '再生しながら目標を上下にドラッグするか、各点をドラッグしてください。目標が不連続に変わっても、速度は連続です。' +
+      '1/30 秒刻みと1/60 秒刻みの違いは丸め誤差だけです。',
   },
   goal: { en: 'goal', ja: '目標' },
   goalNow: { en: 'goal from now on', ja: '現在からの目標' },
@@ -26,14 +26,14 @@ const own = {
   critical: { en: 'critically damped (1)', ja: '臨界減衰（1）' },
   over: { en: 'overdamped (2)', ja: '過減衰（2）' },
   position: { en: 'Position', ja: '位置' },
-  velocity: { en: 'Velocity (1/s)', ja: '速度 (1/s)' },
+  velocity: { en: 'Velocity (1/s)', ja: '速度（1/s）' },
   now: { en: 'Now: position, velocity', ja: '現在の位置と速度' },
-  steps: { en: 'Chosen damping ratio, in steps: position, velocity', ja: '選んだ減衰比を刻んで計算：位置と速度' },
+  steps: { en: 'Chosen damping ratio, in steps: position, velocity', ja: '選んだ減衰比で、刻みごとに計算した位置と速度' },
   whole: { en: 'one step for each goal', ja: '目標ごとに1ステップ' },
-  thirty: { en: 'steps of 1/30 s', ja: '1/30秒刻み' },
-  sixty: { en: 'steps of 1/60 s', ja: '1/60秒刻み' },
-  constants: { en: 'Stiffness (1/s²), damping (1/s)', ja: 'ばね定数 (1/s²)、減衰係数 (1/s)' },
-  half: { en: 'half-life (s)', ja: '半減期 (s)' },
+  thirty: { en: 'steps of 1/30 s', ja: '1/30 秒刻み' },
+  sixty: { en: 'steps of 1/60 s', ja: '1/60 秒刻み' },
+  constants: { en: 'Stiffness (1/s²), damping (1/s)', ja: 'ばね定数（1/s²）、減衰係数（1/s）' },
+  half: { en: 'half-life (s)', ja: '半減期（秒）' },
   ratio: { en: 'damping ratio', ja: '減衰比' },
 } satisfies Record<string, Text>;
 const kinds = ['chosen', 'critical', 'over'] as const, colours = ['c0', 'c2', 'c3'], end = 3;

@@ -34,16 +34,16 @@ function numbersOf(state: State) {
 
 function tables(room: Room<State>) {
   numberTable(room, { en: 'Angular velocity: its length, °/s, and the angle from slerp, °',
-    ja: '角速度の大きさ(°/s)と、slerp との角度の差(°)' },
+    ja: '角速度の大きさ（°/s）と、slerp との角度の差（°）' },
     () => numbersOf(room.state).rows.map((values, i) =>
       ({ name: names[i], label: words[names[i]], values, digits: 2 })));
-  numberTable(room, { en: 'Keys and object: quaternions x y z w', ja: 'キーと物体のクォータニオン(x y z w)' }, () => {
+  numberTable(room, { en: 'Keys and object: quaternions x y z w', ja: 'キーと物体の四元数（x y z w）' }, () => {
     const { keys: { a, b }, mine: { q, w } } = numbersOf(room.state);
     return [
       { name: 'a', label: 'A', values: a }, { name: 'b', label: 'B', values: b },
-      { name: 'q', label: 'q', values: q }, { name: 'w', label: { en: 'ω, rad/s', ja: 'ω(rad/s)' }, values: w },
+      { name: 'q', label: 'q', values: q }, { name: 'w', label: { en: 'ω, rad/s', ja: 'ω（rad/s）' }, values: w },
       { name: 'dot', label: 'A·B', values: [N.quatDot(a, b)] },
-      { name: 'arc', label: { en: 'short arc, °', ja: '短い弧(°)' },
+      { name: 'arc', label: { en: 'short arc, °', ja: '短い弧（°）' },
         values: [N.degreesFromRadians(N.quatAngle(a, b))], digits: 2 },
     ];
   });
@@ -53,14 +53,14 @@ function controls(room: Room<State>) {
   const box = panel(room, { en: 'From A to B', ja: 'A から B へ' });
   box.choice('method', { en: 'the object turns by', ja: '物体の補間方法' }, words)
     .onChange((method: Method) => room.set(choosing(method, room.state)));
-  box.check('flip', { en: 'B with the other sign, −B', ja: 'B の符号を反転(−B)' });
-  box.slider('turns', { en: 'k, whole turns', ja: 'k(追加の回転数)' }, -3, 3, 1)
+  box.check('flip', { en: 'B with the other sign, −B', ja: 'B の符号を反転（−B）' });
+  box.slider('turns', { en: 'k, whole turns', ja: 'k（追加の回転数）' }, -3, 3, 1)
     .onChange((turns: number) => room.set({ turns, hidden: room.state.hidden.filter(m => m !== 'turns') }));
   const axes = { y: { en: 'yaw', ja: 'ヨー' }, x: { en: 'pitch', ja: 'ピッチ' }, z: { en: 'roll', ja: 'ロール' } };
   for (const key of ['a', 'b'] as const)
     for (const axis of ['y', 'x', 'z'] as const)
       box.slider(`${key}${axis}`, { en: `${key.toUpperCase()}: ${axes[axis].en}, °`,
-        ja: `${key.toUpperCase()}: ${axes[axis].ja}(°)` }, -180, 180, 0.5);
+        ja: `${key.toUpperCase()}：${axes[axis].ja}（°）` }, -180, 180, 0.5);
 }
 
 function mount(room: Room<State>) {
@@ -72,8 +72,8 @@ function mount(room: Room<State>) {
   sphere(room, curves, host);
   const made = plot(room, {
     label: { en: 'Length of the angular velocity ω at each time, °/s (logarithmic axis)',
-      ja: '各時刻の角速度 ω の大きさ(°/s、対数目盛)' },
-    x: { en: 'time, s', ja: '時刻(秒)' },
+      ja: '各時刻の角速度 ω の大きさ（°/s、対数目盛）' },
+    x: { en: 'time, s', ja: '時刻（秒）' },
     series: shown, log: true,
     data: () => curves(room.state).data,
     time: () => room.state.time,
@@ -97,7 +97,7 @@ export const rotations: Exhibit<State> = {
       'rotation is the same, but a method that takes the signs as given now turns the long way (pale object).',
     ja: '1. nlerp を選んで再生してください。slerp と同じ弧を通りますが、両端で遅くなります。オイラー角の補間は弧から外れます。' +
       '2. A と B をドラッグしてください。離れているほど違いが大きくなります。' +
-      '3. B の符号を反転してください。回転は同じですが、符号を調整しない方法は長い弧を通ります(淡い色の物体)。',
+      '3. B の符号を反転してください。回転は同じですが、符号を調整しない方法は長い弧を通ります（淡い色の物体）。',
   },
   fields: {
     method: choice<Method>('slerp', names), turns: whole(1, -3, 3), flip: flag(false),

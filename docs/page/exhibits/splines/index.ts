@@ -55,8 +55,8 @@ function speeds(room: Room<State>, curves: Curves, methods: Legend) {
   const shows = (i: number) => i < names.length ? !components() && methods.shows(i) : components();
   let held: [number, number] = [0, 1];
   const made = plot(room, {
-    label: { en: 'Angular velocity ω: its length or its components, °/s', ja: '角速度 ω の大きさまたは成分(°/s)' },
-    x: { en: 'time, s', ja: '時刻(秒)' },
+    label: { en: 'Angular velocity ω: its length or its components, °/s', ja: '角速度 ω の大きさまたは成分（°/s）' },
+    x: { en: 'time, s', ja: '時刻（秒）' },
     series: { ...methods, series: [...methods.series, ...parts], shows },
     data: () => data(room.state),
     range,
@@ -76,10 +76,10 @@ function speeds(room: Room<State>, curves: Curves, methods: Legend) {
 /* ---- numbers ---- */
 
 function tables(room: Room<State>, curves: Curves) {
-  numberTable(room, { en: 'Jump of ω at the keys 1, 2, 3, °/s', ja: 'キー 1、2、3 での ω の不連続量(°/s)' }, () =>
+  numberTable(room, { en: 'Jump of ω at the keys 1, 2, 3, °/s', ja: 'キー 1、2、3 での ω の不連続量（°/s）' }, () =>
     names.map(m => ({ name: `${m}_key`, label: words[m], digits: 2,
       values: curves.of(room.state).corners[m].map(({ jump }) => jump) })));
-  numberTable(room, { en: 'ω now: x y z, rad/s, and its length, °/s', ja: '現在の ω:x y z(rad/s)と大きさ(°/s)' }, () =>
+  numberTable(room, { en: 'ω now: x y z, rad/s, and its length, °/s', ja: '現在の ω：x y z（rad/s）と大きさ（°/s）' }, () =>
     names.map(m => {
       const w = velocity(curves.of(room.state).at(m, room.state.time));
       return { name: m, label: words[m], values: [...w, degrees(N.vec3Length(w))], digits: 2 };
@@ -90,9 +90,9 @@ function tables(room: Room<State>, curves: Curves) {
 
 const notes = {
   omega: { en: 'Arrows: where the nose goes at the ω of its key, the longer the faster. Drag their tips.',
-    ja: '矢印:キーの ω で先端が進む向きです。速いほど長くなります。矢印の先をドラッグできます。' },
+    ja: '矢印：キーの ω で機首が進む向きです。速いほど長くなります。矢印の先をドラッグできます。' },
   circles: { en: 'Circles in the plot: ω before and after a key where it jumps.',
-    ja: 'グラフの丸印:ω が不連続なキーの直前と直後の値です。' },
+    ja: 'グラフの丸印：ω が不連続なキーの直前と直後の値です。' },
 };
 
 function mount(room: Room<State>) {
@@ -109,7 +109,7 @@ function mount(room: Room<State>) {
   });
   sphere(room, curves, host);
   speeds(room, curves, methods);
-  const controls = panel(room, { en: 'Curves through five keys', ja: '五つのキーを結ぶ曲線' });
+  const controls = panel(room, { en: 'Curves through five keys', ja: '5つのキーを結ぶ曲線' });
   controls.choice('method', { en: 'the object turns by', ja: '物体の補間方法' }, words)
     .onChange((method: Method) => room.set(choosing(method, room.state)));
   controls.choice('plot', { en: 'the plot shows', ja: 'グラフの内容' }, {
