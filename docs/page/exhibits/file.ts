@@ -26,7 +26,7 @@ interface State extends Camera {
 const words = {
   pick: { en: 'Choose a file', ja: 'ファイルを選ぶ' },
   drop: { en: 'Or drop it here: .glb, or .gltf with its files. It stays in this browser.',
-    ja: 'ここにドロップもできます(.glb、または .gltf と関連ファイル)。ファイルはこのブラウザの外へ送られません。' },
+    ja: 'ここにドロップもできます（.glb、または .gltf と関連ファイル）。ファイルはこのブラウザの外へ送られません。' },
   example: { en: 'The example character', ja: '例のキャラクター' },
   again: { en: 'Choose the file again: the address does not contain it.',
     ja: 'ファイルをもう一度選んでください。URL にはファイルの内容が含まれません。' },
@@ -42,8 +42,8 @@ const words = {
   findings: { en: 'findings', ja: '検出' },
   curve: { en: 'Curve of the channel', ja: 'チャンネルの曲線' },
   checks: { en: 'Checks', ja: '検査' },
-  sizes: { en: 'Sizes in bytes', ja: '大きさ(バイト)' },
-  missing: { en: 'images not given: ', ja: '見つからない画像: ' },
+  sizes: { en: 'Sizes in bytes', ja: '大きさ（バイト）' },
+  missing: { en: 'images not given: ', ja: '見つからない画像：' },
   value: { en: 'Value now', ja: '現在の値' },
 };
 
@@ -100,10 +100,10 @@ function details(room: Room<State>, open: Open, box: HTMLElement) {
 }
 
 const sizeRows: { name: keyof Sizes; label: Text }[] = [
-  { name: 'file', label: { en: 'in the file, shared arrays once', ja: 'ファイル内(共有する配列は 1 回)' } },
-  { name: 'float32', label: { en: 'clip, float32', ja: 'クリップ(float32)' } },
-  { name: 'unorm16', label: { en: 'clip, 16 bits', ja: 'クリップ(16 ビット)' } },
-  { name: 'reduced', label: { en: 'clip within 1/10000 of the model', ja: 'クリップ(誤差はモデルの 1/10000 以内)' } },
+  { name: 'file', label: { en: 'in the file, shared arrays once', ja: 'ファイル内（共有する配列は1回）' } },
+  { name: 'float32', label: { en: 'clip, float32', ja: 'クリップ（float32）' } },
+  { name: 'unorm16', label: { en: 'clip, 16 bits', ja: 'クリップ（16 ビット）' } },
+  { name: 'reduced', label: { en: 'clip within 1/10000 of the model', ja: 'クリップ（誤差はモデルの 1/10000 以内）' } },
 ];
 
 function tables(room: Room<State>) {
