@@ -59,7 +59,7 @@ function quotient(time: number, from: Key, to: Key | undefined, value: number): 
     (held ? '→ ' : '= ');
 }
 
-/** `segment 3  t = (3.25 − 3) / (4 − 3) = 0.25`, and the parameter s of a Bézier curve. */
+/** `segment 3  t = (3.25 − 3) / (4 − 3) = 0.25`, and in another line the parameter s of a Bézier curve. */
 function place() {
   const line = element('p', { class: 'place' });
   const update = ({ time, position }: State, keys: Key[], numbers: Numbers) => {
@@ -69,7 +69,7 @@ function place() {
       return made;
     };
     const { segment: [k], t: [t], parameter: [s], key: [first, , , last] } = numbers;
-    const bezier = ['　s', quotient(time, keys[first], keys[last], s), output('parameter.0')];
+    const bezier = [element('br'), 's', quotient(time, keys[first], keys[last], s), output('parameter.0')];
     line.replaceChildren(`${say(labels.segment)} `, output('segment.0'), '　t', quotient(time, keys[k], keys[k + 1], t),
       output('t.0'), ...(position === 'bezier' ? bezier : []));
   };
