@@ -3,6 +3,9 @@
 import type { Frame } from './frames';
 import type { Skinned } from './skin';
 
+/** In a narrow picture the legend is above the mesh: pixels. */
+const legendHeight = 70;
+
 export interface Fit { distance: number; aim: number[] }
 
 /** The heights from the lowest to the highest point, and the distance of the farthest one from the axis. */
@@ -26,9 +29,9 @@ export function fitter(host: HTMLElement, refresh: () => void) {
     if (held && done)
       return fit;
     const { low, high, side } = extent(now, list), { clientWidth: width, clientHeight: height } = host;
-    const least = Math.min(width, height);
-    const size = Math.max((high - low + 0.4) / height, (2 * side + 1) / width) * least;
-    fit = { distance: size / 0.828 + 0.8, aim: [0, (low + high) / 2, 0] };
+    const top = width < 480 ? legendHeight : 0, least = Math.min(width, height);
+    const pixel = Math.max((high - low + 0.4) / (height - top), (2 * side + 1) / width);
+    fit = { distance: pixel * least / 0.828 + 0.8, aim: [0, (low + high + pixel * top) / 2, 0] };
     done = true;
     return fit;
   };

@@ -24,7 +24,7 @@ function legend(room: Room<State>) {
   const title = element('span'), ticks = element('div', { class: 'ticks' }, ['0', '¼', '½', '¾', '1'].map(t =>
     element('span', {}, t)));
   const one = element('div', {}, [title, element('div', { class: 'ramp', style: `background: ${rampStyle}` }), ticks]);
-  const all = element('div', {}, Array.from({ length: joints }, (_, j) => element('div', {}, [
+  const all = element('div', { class: 'pairs' }, Array.from({ length: joints }, (_, j) => element('div', {}, [
     element('span', { class: 'patch', style: `background: var(--c${j})` }), say(labels.joint(j))])));
   room.draw(() => {
     title.textContent = say(labels.weightOf(room.state.joint));
