@@ -28,7 +28,7 @@ export interface View {
   render(): void;
 }
 
-const noView = { en: 'This browser shows no WebGL.', ja: 'このブラウザでは WebGL を表示できません。' };
+const noView = { en: 'This browser shows no WebGL.', ja: 'このブラウザでは WebGL を使えません。' };
 const words = {
   turn: { en: 'turns the view', ja: '視点を回します' },
   zoom: { en: 'moves the view nearer or farther', ja: '視点を近づけます・遠ざけます' },

@@ -142,7 +142,7 @@ const pole: Scene = {
       'pitch is 75 degrees at both keys, and yaw and roll change by 180: Euler angles swing the nose to the side, ' +
       'slerp does not.',
     ja: '物体が機首を上げ、宙返りの前半を行います。キー 2 から 3 では、真上を向く姿勢をまたいで 30 度だけ回ります。' +
-      'ピッチ角は両方のキーで 75 度ですが、ヨー角とロール角は 180 度変わります。' +
+      '仰角（ピッチ角）は両方のキーで 75 度ですが、方位角（ヨー角）と旋回角（ロール角）は 180 度変わります。' +
       'そのため、オイラー角補間では機首が横に振れます。球面線形補間では振れません。',
   },
   keys: everySecond([

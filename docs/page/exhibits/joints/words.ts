@@ -52,16 +52,16 @@ export const orderWords: Record<Order, Text> = {
 export const notes: Record<Order, Text> = {
   turn: {
     en: 'You see this when the vertices are only rotated (the lesson, 2.1): all joints rotate about the origin.',
-    ja: '頂点を回転させただけ（授業の 2.1）のとき、このように表示されます。すべての関節が原点を中心に回転します。',
+    ja: '頂点を回転させただけのとき（授業の 2.1）、このように表示されます。すべての関節が原点を中心に回転します。',
   },
   origin: {
     en: 'You see this when T⁻¹ has moved each joint to the origin and T has not yet moved it back (the lesson, 2.2).',
-    ja: 'T⁻¹ で各関節を原点に移し、T でまだ戻していない（授業の 2.2）とき、このように表示されます。',
+    ja: 'T⁻¹ で各関節を原点に移し、T でまだ戻していないとき（授業の 2.2）、このように表示されます。',
   },
   noParent: {
     en: 'You see this when the matrix of the joint before is missing (the lesson, 2.2): a part bends in its place, ' +
       'and the parts behind it do not follow.',
-    ja: '1つ前の関節の行列を掛けていない（授業の 2.2）とき、このように表示されます。各部分がその場で曲がるだけで、' +
+    ja: '1つ前の関節の行列を掛けていないとき（授業の 2.2）、このように表示されます。各部分がその場で曲がるだけで、' +
       '先の部分が付いてきません。',
   },
   right: {

@@ -43,7 +43,7 @@ export const notes: Record<Mode, Text> = {
     en: 'Linear blend moves a vertex straight from one place to the other, so a section half way is smaller by the ' +
       'cosine of half the angle. Dual quaternions move it on an arc, the shorter one: past 180° they turn back. ' +
       'Twist joints between the ends, each with its share of the twist, let linear blend keep more of the volume.',
-    ja: '線形ブレンドは頂点を直線に沿って動かすため、中央の断面は、角度の半分の余弦だけ小さくなります。' +
+    ja: '線形ブレンドは頂点を直線に沿って動かすため、中央の断面は、角度の半分の余弦倍に縮みます。' +
       'デュアルクォータニオンは円弧に沿って動かしますが、短い方の弧を通るので、180° を超えると逆向きになります。' +
       '両端の間にツイスト関節を置き、ねじりを分担させると、線形ブレンドでも体積があまり減りません。',
   },
@@ -52,7 +52,7 @@ export const notes: Record<Mode, Text> = {
       'its distance to the joint, so that the skin beside the elbow bulges beyond the arm (the table has the most of ' +
       'the lower half). Joints at the same place with a share of the bend each bring linear blend near to dual ' +
       'quaternions, with less of the bulge.',
-    ja: '線形ブレンドでは、肘の外側が関節に近付き、体積が減ります。デュアルクォータニオンは関節からの距離を保つため、' +
+    ja: '線形ブレンドでは、肘の外側が関節に近づき、体積が減ります。デュアルクォータニオンは関節からの距離を保つため、' +
       '肘の近くで腕より外に膨らみます（表は下半分での最大値です）。同じ位置に関節を加え、曲げを分担させると、' +
       '線形ブレンドでもデュアルクォータニオンに近い形になり、膨らみも抑えられます。',
   },
