@@ -21,9 +21,8 @@ const words = {
   same: { en: 'the same bits as the C program on ', ja: '次の環境で実行した C のプログラムと同じビット列です：' },
   other: { en: 'not the bits of the C program', ja: 'C のプログラムと異なるビット列です' },
   open: { en: 'compare with the C program (Copy as C)', ja: 'C のプログラムの出力と比べてください（C のコードにする）' },
-  build: { en: 'WebAssembly: ', ja: 'WebAssembly：' },
   table: {
-    en: 'Targets on which every function of the library is run and compared with one table of hashes (docs/determinism.md)',
+    en: 'Targets on which every function is run and compared with one table of hashes (docs/determinism.md)',
     ja: 'ライブラリのすべての関数を実行し、1つのハッシュ表と照合している環境（docs/determinism.md）',
   },
   target: { en: 'target', ja: '環境' },
@@ -105,9 +104,9 @@ show("spring", 0, (double)hashes[3]);
 function processorTable() {
   const head = element('tr', {}, [words.target, words.compiler, words.runs].map(text =>
     element('th', { scope: 'col' }, say(text))));
-  const rows = processors.map(([target, ...rest]) => element('tr', {}, [element('th', { scope: 'row' }, target),
-    ...rest.map(text => element('td', { style: 'text-align: left; white-space: normal' }, text))]));
-  return element('table', { class: 'numbers' }, [html('caption', say(words.table)), element('thead', {}, head),
+  const rows = processors.map(({ target, compilers, on }) => element('tr', {}, [
+    element('th', { scope: 'row' }, say(target)), element('td', {}, compilers), element('td', {}, say(on))]));
+  return element('table', { class: 'numbers words' }, [html('caption', say(words.table)), element('thead', {}, head),
     element('tbody', {}, rows)]);
 }
 
@@ -120,10 +119,8 @@ function mount(room: Room<State>) {
     return values;
   };
   const hash = element('output', { class: 'hash' }), verdict = element('p', { class: 'verdict' });
-  hash.style.cssText = 'font: 600 1.2rem ui-monospace, monospace; overflow-wrap: anywhere';
-  room.stage.append(element('h2', {}, say(words.here)), hash, verdict, element('p', {}, `${say(words.build)}${N.build()}`));
-  const box = element('div', { tabindex: '0', role: 'region', 'aria-label': say(words.table) }, processorTable());
-  box.style.cssText = 'overflow: auto; min-height: 12rem';
+  room.stage.append(element('h2', {}, `${say(words.here)} (WebAssembly, ${N.build()})`), hash, verdict);
+  const box = element('div', { class: 'targets', tabindex: '0', role: 'region', 'aria-label': say(words.table) }, processorTable());
   room.stage.append(box);
   numberTable(room, words.hashes, () => Object.entries(current()).map(([name, value]) =>
     ({ name, label: words.rows[name as keyof typeof words.rows], values: [value], digits: 0 })));

@@ -1,24 +1,30 @@
 // SPDX-License-Identifier: MIT
 // The targets of docs/determinism.md, and the hash that the copied program prints.
+import type { Text } from '../../shell/text';
 
-/** Target, compiler, what it runs on. */
-export const processors = [
-  ['x86-64', 'GCC 12.2', 'AMD EPYC'],
-  ['x86-64', 'Clang 14.0.6', 'AMD EPYC'],
-  ['x86-64, no vectors', 'GCC 12.2', 'AMD EPYC'],
-  ['x86-64, musl 1.2.3', 'GCC 12.2', 'AMD EPYC'],
-  ['i386 with SSE2', 'GCC 12.2', 'AMD EPYC'],
-  ['i386 with SSE2', 'Clang 14.0.6', 'AMD EPYC'],
-  ['AArch64', 'GCC 12.2', 'QEMU'],
-  ['AArch64', 'Clang 14.0.6', 'QEMU'],
-  ['ARMv7, hard float', 'GCC 12.2', 'QEMU'],
-  ['ARMv7, hard float', 'Clang 14.0.6', 'QEMU'],
-  ['RISC-V 64', 'GCC 12.2', 'QEMU'],
-  ['PowerPC 64, little-endian', 'GCC 12.2', 'QEMU'],
-  ['s390x, big-endian', 'GCC 12.2', 'QEMU'],
-  ['Windows x86-64', 'MinGW-w64 GCC 12', 'Wine 8.0'],
-  ['WebAssembly', 'Clang 14.0.6', 'Node 18.20 and 20.20'],
-  ['WebAssembly simd128', 'Clang 14.0.6', 'Node 18.20 and 20.20'],
+const both = (text: string): Text => ({ en: text, ja: text });
+const native = both('AMD EPYC'), emulated = both('QEMU');
+const node: Text = { en: 'Node 18.20 and 20.20', ja: 'Node 18.20 と 20.20' };
+const [gcc, clang] = ['GCC 12.2', 'Clang 14.0.6'];
+
+export interface Processor {
+  target: Text;
+  compilers: string;
+  on: Text;
+}
+export const processors: Processor[] = [
+  { target: both('x86-64'), compilers: `${gcc}, ${clang}`, on: native },
+  { target: { en: 'x86-64, no vectors', ja: 'x86-64（ベクトル命令なし）' }, compilers: gcc, on: native },
+  { target: both('x86-64, musl 1.2.3'), compilers: gcc, on: native },
+  { target: { en: 'i386 with SSE2', ja: 'i386（SSE2 使用）' }, compilers: `${gcc}, ${clang}`, on: native },
+  { target: both('AArch64'), compilers: `${gcc}, ${clang}`, on: emulated },
+  { target: { en: 'ARMv7, hard float', ja: 'ARMv7（ハードウェア浮動小数点）' }, compilers: `${gcc}, ${clang}`, on: emulated },
+  { target: both('RISC-V 64'), compilers: gcc, on: emulated },
+  { target: { en: 'PowerPC 64, little-endian', ja: 'PowerPC 64（リトルエンディアン）' }, compilers: gcc, on: emulated },
+  { target: { en: 's390x, big-endian', ja: 's390x（ビッグエンディアン）' }, compilers: gcc, on: emulated },
+  { target: both('Windows x86-64'), compilers: 'MinGW-w64 GCC 12', on: both('Wine 8.0') },
+  { target: both('WebAssembly'), compilers: clang, on: node },
+  { target: both('WebAssembly simd128'), compilers: clang, on: node },
 ];
 
 /** The hash of the initial state, and where the C program printed it. */

@@ -67,8 +67,6 @@ export function makeCurves(box: HTMLElement): Curves {
   const legend = element('p', { class: 'legend' }), host = element('div');
   const area = element('div', { class: 'plot' }, host);
   const make = (channel: Channel, width: number, height: number) => {
-    legend.replaceChildren(...components(channel).slice(0, most.components).flatMap((name, c) =>
-      [element('span', { style: `color: ${colour(`c${c % 8}`)}`, 'aria-hidden': 'true' }, '■'), ` ${name}  `]));
     const axis = { stroke: colour('soft'), grid: { stroke: colour('line'), width: 1 }, ticks: { show: false } };
     plot = new uPlot({
       width, height, series: series(channel), legend: { show: false }, cursor: { show: false },
@@ -78,8 +76,13 @@ export function makeCurves(box: HTMLElement): Curves {
     }, dataOf(channel), host);
   };
   box.append(legend, area);
+  const explain = (channel: Channel) => legend.replaceChildren(
+    ...components(channel).slice(0, most.components).flatMap((name, c) =>
+      [element('span', { style: `color: var(--c${c % 8})`, 'aria-hidden': 'true' }, '■'), ` ${name}  `]));
   return {
     show(channel, time) {
+      if (channel && channel !== drawn)
+        explain(channel);
       const { clientWidth: width, clientHeight: height } = area, next = `${width} ${height} ${colour('ink')}`;
       now = time;
       if (channel === drawn && look === next)
