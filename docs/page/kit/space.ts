@@ -72,7 +72,8 @@ export function space<S extends Turn>(room: Room<S>, options: SpaceOptions): HTM
 }
 
 /** A polygon in one colour, with an outline. */
-export function polygon(c: CanvasRenderingContext2D, view: View, corners: number[][], fill: string, outline = ''): Shape {
+export function polygon(c: CanvasRenderingContext2D, view: View, corners: number[][], fill: string,
+  outline = ''): Shape {
   const middle = [0, 1, 2].map(i => corners.reduce((sum, p) => sum + p[i], 0) / corners.length);
   const paint = () => {
     const on = corners.map(view.project);

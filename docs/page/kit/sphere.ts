@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: MIT
-// The unit sphere, and curves on it.
+// The unit sphere, curves on it, and the object in it whose nose draws them.
 import * as N from 'nakawari/all';
 import { colour } from './colours';
 import type { View } from './eye';
-import { path, type Shape } from './picture';
+import { dart, path, type Shape } from './picture';
 
 type Context = CanvasRenderingContext2D;
+const zeros = (n: number) => Array<number>(n).fill(0);
 
 export interface Stroke {
   style: string;
@@ -51,6 +52,17 @@ export function globe(c: Context, view: View) {
   for (const points of rings)
     curve(c, view, points, { style: colour('line'), width: 1, horizon: 1 }).forEach(shape => shape.paint());
 }
+
+/** Where the nose of an orientation is. */
+export const nose = (q: number[]) => N.quatRotate(zeros(3), q, [0, 0, -1]);
+
+/** The orientation turned by the shortest rotation that brings its nose to p. */
+export const withNose = (q: number[], p: number[]) =>
+  N.quatMul(zeros(4), N.quatFromVectors(zeros(4), nose(q), p), q);
+
+/** The object in an orientation. */
+export const object = (c: Context, view: View, q: number[], size: number, alpha = 1): Shape =>
+  dart(c, view, N.mat4FromMat3(zeros(16), N.mat3FromQuatScale(zeros(9), q, [size, size, size]), [0, 0, 0]), alpha);
 
 /** A straight arrow with a head of `head` pixels. */
 export function arrow(c: Context, view: View, from: number[], to: number[], style: string, head = 9): Shape {

@@ -4,9 +4,9 @@ import * as N from 'nakawari/all';
 import { colour } from '../../kit/colours';
 import type { Ray, View } from '../../kit/eye';
 import { grips, type Grip } from '../../kit/grips';
-import { dart, line, type Shape } from '../../kit/picture';
+import { line, type Shape } from '../../kit/picture';
 import { space } from '../../kit/space';
-import { curve, isBehind, ring } from '../../kit/sphere';
+import { curve, isBehind, object, ring } from '../../kit/sphere';
 import type { Room } from '../../shell/exhibit';
 import { axesOf, degrees, gimbalsOf, inOrder, letters, poseOf, withAngles, type State } from './model';
 
@@ -40,8 +40,6 @@ function gripsOf(room: Room<State>, view: View): Grip[] {
   });
 }
 
-const matrix = (q: number[]) => N.mat4FromMat3(zeros(16), N.mat3FromQuatScale(zeros(9), q, [0.9, 0.9, 0.9]), [0, 0, 0]);
-
 /** The circle of a gimbal contains its axis and the axis that it carries. */
 const circle = (axis: number[], carries: number[], radius: number) => ring((c, s) =>
   N.vec3AddScaled(zeros(3), N.vec3Scale(zeros(3), axis, radius * c), carries, radius * s));
@@ -59,7 +57,7 @@ export function gimbals(room: Room<State>, host: HTMLElement) {
     const { angles, q } = poseOf(room.state), { order } = room.state, axes = axesOf(order);
     const all = gimbalsOf(angles, order);
     show(view, gripsOf(room, view));
-    return [dart(c, view, matrix(q)), ...all.flatMap(({ axis, carries }, n) => {
+    return [object(c, view, q, 0.9), ...all.flatMap(({ axis, carries }, n) => {
       const style = colour(letters[axes[n]]), end = (length: number) => N.vec3Scale(zeros(3), axis, length);
       return [...curve(c, view, circle(axis, carries, radii[n]), { style, width: widths[n], horizon: 0 }),
         ...[1, -1].map(side => line(c, view, end(side * radii[n]), end(side * (radii[n] + 0.16)), style, 7))];

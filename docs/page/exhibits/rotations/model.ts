@@ -3,6 +3,7 @@
 import * as N from 'nakawari/all';
 import { remembered } from '../../kit/samples';
 import type { Turn } from '../../kit/space';
+import { nose, withNose } from '../../kit/sphere';
 
 export const names = ['euler', 'nlerp', 'slerp', 'long', 'turns', 'given'] as const;
 export type Method = typeof names[number];
@@ -84,7 +85,6 @@ export function motionOf(keys: Keys, method: Method, turns: number, t: number): 
 
 /** Degrees per second. */
 export const speed = ({ w }: Motion) => N.degreesFromRadians(N.vec3Length(w));
-export const nose = (q: number[]) => N.quatRotate(zeros(3), q, [0, 0, -1]);
 
 const steps = 192;
 const times = Array.from({ length: steps + 1 }, (_, i) => (i * seconds) / steps);
@@ -107,8 +107,7 @@ export function curvesOf() {
 
 /** The key `name` turned by the shortest rotation that brings its nose to p. */
 export function turned(state: State, name: 'a' | 'b', p: number[]): Partial<State> {
-  const { angles, ...keys } = keysOf(state), turn = N.quatFromVectors(zeros(4), nose(keys[name]), p);
-  const found = N.eulerFromQuat(zeros(3), N.quatMul(zeros(4), turn, keys[name]), order).map(N.degreesFromRadians);
+  const found = N.eulerFromQuat(zeros(3), withNose(keysOf(state)[name], p), order).map(N.degreesFromRadians);
   return Object.fromEntries(['x', 'y', 'z'].map((axis, i) => [name + axis, +found[i].toFixed(2)])) as Partial<State>;
 }
 

@@ -1,17 +1,15 @@
 // SPDX-License-Identifier: MIT
 // The object, the curves of its nose on the sphere, and two noses that are dragged.
-import * as N from 'nakawari/all';
 import { colour } from '../../kit/colours';
 import type { Ray, View } from '../../kit/eye';
 import { grips, onSphere, type Grip } from '../../kit/grips';
-import { dart, dot, line } from '../../kit/picture';
+import { dot, line } from '../../kit/picture';
 import { space } from '../../kit/space';
-import { curve, globe, isBehind } from '../../kit/sphere';
+import { curve, globe, isBehind, nose, object } from '../../kit/sphere';
 import type { Room } from '../../shell/exhibit';
-import { colours, curvesOf, isWrongWay, keysOf, motionOf, nose, seconds, shownOf, turned, type State } from './model';
+import { colours, curvesOf, isWrongWay, keysOf, motionOf, seconds, shownOf, turned, type State } from './model';
 
-const matrix = (q: number[]) => N.mat4FromMat3(Array<number>(16).fill(0),
-  N.mat3FromQuatScale(Array<number>(9).fill(0), q, [1.6, 1.6, 1.6]), [0, 0, 0]);
+const size = 1.6;
 
 function gripsOf(room: Room<State>, view: View): Grip[] {
   const keys = keysOf(room.state);
@@ -33,8 +31,8 @@ export function sphere(room: Room<State>, curves: ReturnType<typeof curvesOf>, h
     show(view, gripsOf(room, view));
     globe(c, view);
     return [
-      dart(c, view, matrix(mine)), line(c, view, [0, 0, 0], nose(mine), colour('ink'), 1.5),
-      ...ghost ? [dart(c, view, matrix(at('given')), 0.4)] : [],
+      object(c, view, mine, size), line(c, view, [0, 0, 0], nose(mine), colour('ink'), 1.5),
+      ...ghost ? [object(c, view, at('given'), size, 0.4)] : [],
       ...shown.flatMap(m => curve(c, view, all[m].points, { style: colour(colours[m]), width: m === method ? 6 : 2,
         dashed: m === 'given' && m !== method, horizon: 1 })),
       ...shown.map(m => dot(c, view, nose(at(m)), colour(colours[m]))),

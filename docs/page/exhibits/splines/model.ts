@@ -2,6 +2,7 @@
 // Five curves of orientations through or near the same keys, with their angular velocities.
 import * as N from 'nakawari/all';
 import type { Turn } from '../../kit/space';
+import { nose, withNose } from '../../kit/sphere';
 
 export const names = ['slerp', 'squad', 'gltf', 'hermite', 'bspline'] as const;
 export type Method = typeof names[number];
@@ -84,7 +85,7 @@ function trackOf({ keys, times, omegas }: Keys, k: number): N.Track {
 export type Motion = number[];
 export const velocity = (motion: Motion) => motion.slice(4, 7);
 export const degrees = (x: number) => N.degreesFromRadians(x);
-export const nose = (q: number[]) => N.quatRotate(zeros(3), q.slice(0, 4), [0, 0, -1]);
+export const orientation = (motion: Motion) => motion.slice(0, 4);
 
 /** The angular velocity on both sides of key k, and its jump in degrees per second. */
 export interface Corner { k: number; before: number[]; after: number[]; jump: number }
@@ -123,7 +124,8 @@ function samplesOf({ times, within }: ReturnType<typeof motionsOf>) {
     Record<Method, Motion[]>;
   return { x: places.map(place => place.time), motions,
     lengths: names.map(m => motions[m].map(motion => degrees(N.vec3Length(velocity(motion))))),
-    points: Object.fromEntries(names.map(m => [m, motions[m].map(nose)])) as Record<Method, number[][]> };
+    points: Object.fromEntries(names.map(m => [m, motions[m].map(motion => nose(orientation(motion)))])) as
+      Record<Method, number[][]> };
 }
 
 /** The curves of a state, made again when its keys change. */
@@ -151,8 +153,7 @@ export const usesOmega = (method: Method) => method === 'hermite' || method === 
 
 /** Key k turned by the shortest rotation that brings its nose to p. */
 export function turned(state: State, k: number, p: number[]): Partial<State> {
-  const q = keysOf(state)[k], turn = N.quatFromVectors(zeros(4), nose(q), p);
-  const angles = N.eulerFromQuat(zeros(3), N.quatMul(zeros(4), turn, q), N.EULER_YXZ);
+  const angles = N.eulerFromQuat(zeros(3), withNose(keysOf(state)[k], p), N.EULER_YXZ);
   return { keys: state.keys.map((x, i) => Math.floor(i / 3) === k ? +degrees(angles[i % 3]).toFixed(2) : x) };
 }
 

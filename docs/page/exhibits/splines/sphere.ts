@@ -4,20 +4,18 @@ import * as N from 'nakawari/all';
 import { colour } from '../../kit/colours';
 import type { Ray, View } from '../../kit/eye';
 import { grips, onSphere, type Grip } from '../../kit/grips';
-import { dart, dot, line } from '../../kit/picture';
+import { dot, line } from '../../kit/picture';
 import { space } from '../../kit/space';
-import { arrow, curve, globe, isBehind } from '../../kit/sphere';
+import { arrow, curve, globe, isBehind, nose, object } from '../../kit/sphere';
 import type { Room } from '../../shell/exhibit';
-import { colours, nose, omegaFor, shownOf, turned, usesOmega, withOmega, type Curves, type State } from './model';
+import { colours, omegaFor, orientation, shownOf, turned, usesOmega, withOmega, type Curves,
+  type State } from './model';
 
 // The length of the arrow of a speed, less than `longest` radii; and the speed of a length.
 const longest = 0.5, slow = 1;
 const lengthOf = (speed: number) => longest * speed / (slow + speed);
 const speedOf = (length: number) => slow * length / Math.max(longest - length, 0.03);
 const zeros = (n: number) => Array<number>(n).fill(0);
-
-const matrix = (q: number[]) => N.mat4FromMat3(zeros(16), N.mat3FromQuatScale(zeros(9), q.slice(0, 4), [1.6, 1.6, 1.6]),
-  [0, 0, 0]);
 
 function tipOf(n: number[], w: number[]): number[] {
   const v = N.vec3Cross(zeros(3), w, n), speed = N.vec3Length(v);
@@ -57,13 +55,13 @@ export function sphere(room: Room<State>, curves: Curves, host: HTMLElement) {
   const show = grips(host);
   const paint = (c: CanvasRenderingContext2D, view: View) => {
     const { state } = room, { method, time } = state, { keys, omegas, at, points } = curves.of(state);
-    const shown = shownOf(state), mine = at(method, time);
+    const shown = shownOf(state), mine = orientation(at(method, time));
     show(view, gripsOf(room, view, keys, omegas));
     globe(c, view);
-    return [dart(c, view, matrix(mine)), line(c, view, [0, 0, 0], nose(mine), colour('ink'), 1.5),
+    return [object(c, view, mine, 1.6), line(c, view, [0, 0, 0], nose(mine), colour('ink'), 1.5),
       ...shown.flatMap(m =>
         curve(c, view, points[m], { style: colour(colours[m]), width: m === method ? 5 : 2, horizon: 1 })),
-      ...shown.map(m => dot(c, view, nose(at(m, time)), colour(colours[m]))),
+      ...shown.map(m => dot(c, view, nose(orientation(at(m, time))), colour(colours[m]))),
       ...usesOmega(method) ? keys.map((q, k) =>
         arrow(c, view, nose(q), tipOf(nose(q), omegas[k]), colour(colours[method]))) : []];
   };
