@@ -138,7 +138,7 @@ export const splines: Exhibit<State> = {
     keys: numbers([-10, -70, 0, 45, -35, 40, -25, 0, -20, 40, 35, 60, 0, 80, 0], triples),
     omega: numbers([], list => list.length === 0 || triples(list)),
     plot: choice<State['plot']>('length', ['length', 'components']), hidden: some([], names),
-    ...turnFields(180, 10),
+    ...turnFields(180, -12),
   },
   range: ({ times }) => ({ start: times[0], end: times[count - 1] }),
   mount,

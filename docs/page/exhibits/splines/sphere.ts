@@ -12,7 +12,7 @@ import { colours, omegaFor, orientation, shownOf, turned, usesOmega, withOmega, 
   type State } from './model';
 
 // The length of the arrow of a speed, less than `longest` radii; and the speed of a length.
-const longest = 0.5, slow = 1;
+const longest = 0.5, slow = 0.4;
 const lengthOf = (speed: number) => longest * speed / (slow + speed);
 const speedOf = (length: number) => slow * length / Math.max(longest - length, 0.03);
 const zeros = (n: number) => Array<number>(n).fill(0);
