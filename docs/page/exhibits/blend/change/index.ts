@@ -28,7 +28,13 @@ const own = {
   fade: { en: 'cross-fade', ja: 'クロスフェード' },
   inertia: { en: 'inertialisation', ja: '慣性化' },
   dead: { en: 'dead blending', ja: 'デッドブレンディング' },
-  velocity: { en: 'Angular velocity of the joint about the axis (rad/s)', ja: '関節の軸まわりの角速度（rad/s）' },
+  velocity: { en: 'Angular velocity of the joint about the axis (rad/s, differences over 1/128 s)',
+    ja: '関節の軸まわりの角速度（rad/s、1/128 秒ごとの差分）' },
+  differences: {
+    en: 'All velocities are differences over 1/128 s. So a velocity that is continuous has small jumps here, too: ' +
+      'its change within 1/128 s.',
+    ja: '速度はすべて 1/128 秒間の差分です。そのため、連続な速度でも、1/128 秒間の変化が小さな不連続として現れます。',
+  },
   now: { en: 'Angular velocity now, x y z (rad/s)', ja: '現在の角速度 x y z（rad/s）' },
   jumps: { en: 'Jump of the angular velocity at the begin and the end (rad/s)', ja: '開始時と終了時の角速度の不連続な変化（rad/s）' },
   at: { en: 'begins at (s)', ja: '開始時刻（秒）' },
@@ -86,6 +92,7 @@ function mount(room: Room<State>, rig: Rig) {
   const rows = (name: 'jumps' | 'now', prefix: string) => kinds.map((kind, k) =>
     ({ name: `${prefix}_${kind}`, label: own[kind], values: shown[name][k] }));
   numberTable(room, own.jumps, () => rows('jumps', 'jump').filter((_, k) => k !== 1));
+  room.side.append(html('p', say(own.differences), { class: 'note' }));
   numberTable(room, own.now, () => rows('now', 'velocity'));
   controls(room, rig);
 }
