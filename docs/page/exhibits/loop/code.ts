@@ -29,7 +29,7 @@ if (nkw_playback_passed(&step, keys, &passed, ${shownKeys}) != NKW_OK)
 show("step", 0, (double)from);
 show("step", 1, (double)to);
 show("head", 0, head.time);
-show("head", 1, head.cycle);
+show("cycle", 0, head.cycle);
 show("passed", 0, (double)passed);
 for (size_t i = 0; i < passed && i < ${shownKeys}; i++)
     show("key", (int)i, (double)index[keys[i]]);
