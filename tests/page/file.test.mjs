@@ -162,6 +162,9 @@ test('files that are none are refused with a reason', async () => {
     const text = await drop(tab, `${name}.glb`, bytes);
     assert.match(text, /^This file is not shown\. ./, `${name}: ${text}`);
   }
+  assert.match(await drop(tab, 'empty.glb', Buffer.alloc(0)), /It is empty\.$/);
+  assert.equal(await tab.textContent('.curves .legend'), '');
+  assert.equal(await tab.locator('table.numbers:visible').count(), 0);
   assert.deepEqual(asked, []);
   assert.equal(await drop(tab, 'good.glb', example), 'good.glb');
   await tab.waitForSelector('[data-name="value.0"]');

@@ -42,7 +42,7 @@ const words = {
   findings: { en: 'findings', ja: '検出' },
   curve: { en: 'Curve of the channel', ja: 'チャンネルの曲線' },
   checks: { en: 'Checks', ja: '検査' },
-  sizes: { en: 'Sizes in bytes', ja: '大きさ（バイト）' },
+  sizes: { en: 'Sizes in bytes (a clip contains the rest pose)', ja: '大きさ（バイト。クリップはレストポーズを含む）' },
   missing: { en: 'images not given: ', ja: '見つからない画像：' },
   value: { en: 'Value now', ja: '現在の値' },
 };
@@ -118,8 +118,8 @@ function tables(room: Room<State>) {
     return !found ? [] : sizeRows.filter(({ name }) => Number.isFinite(found[name])).map(({ name, label }) =>
       ({ name: `bytes_${name}`, label, values: [found[name]], digits: 0 }));
   };
-  numberTable(room, words.value, value);
-  numberTable(room, words.sizes, sizes);
+  const made = [numberTable(room, words.value, value), numberTable(room, words.sizes, sizes)];
+  room.draw(() => made.forEach(table => { table.hidden = table.rows.length === 0; }));
 }
 
 async function exampleFile() {

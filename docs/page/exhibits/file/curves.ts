@@ -50,7 +50,7 @@ export function makeCurves(box: HTMLElement): Curves {
     const names = components(channel).slice(0, most.components);
     const stroke = (c: number) => colour(`c${c % 8}`);
     return [{ label: 's' },
-      ...names.map((label, c) => ({ label, stroke: stroke(c), width: 1.5, points: { show: false } })),
+      ...names.map((label, c) => ({ label, stroke: stroke(c), width: 1.5, pxAlign: 0, points: { show: false } })),
       ...names.map((label, c) => ({ label: `${label} •`, stroke: stroke(c), paths: () => null,
         points: { show: true, size: 6, fill: stroke(c) } }))];
   };
@@ -76,12 +76,12 @@ export function makeCurves(box: HTMLElement): Curves {
     }, dataOf(channel), host);
   };
   box.append(legend, area);
-  const explain = (channel: Channel) => legend.replaceChildren(
-    ...components(channel).slice(0, most.components).flatMap((name, c) =>
+  const explain = (channel?: Channel) => legend.replaceChildren(
+    ...(channel ? components(channel) : []).slice(0, most.components).flatMap((name, c) =>
       [element('span', { style: `color: var(--c${c % 8})`, 'aria-hidden': 'true' }, '■'), ` ${name}  `]));
   return {
     show(channel, time) {
-      if (channel && channel !== drawn)
+      if (channel !== drawn)
         explain(channel);
       const { clientWidth: width, clientHeight: height } = area, next = `${width} ${height} ${colour('ink')}`;
       now = time;

@@ -65,7 +65,7 @@ export function findingList(checked: Checked[], most = 200): HTMLElement[] {
   if (total === 0)
     return [element('p', { 'data-total': '0' }, say(words.none)), note()];
   const counts = (Object.keys(severities) as Severity[]).map(severity =>
-    `${all.filter(x => x.finding.severity === severity).length} ${say(severities[severity])}`);
+    `${say(severities[severity])}: ${all.filter(x => x.finding.severity === severity).length}`);
   const shown = all.slice(0, most), left = total - shown.length;
   const more = left > 0 ? [element('li', {}, `${left} ${say(words.more)}`)] : [];
   const items = [...shown.map(({ one, finding }) => item(one, finding)), ...more];

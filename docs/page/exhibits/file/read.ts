@@ -40,6 +40,8 @@ export const accessorBytes = (accessor: Accessor) =>
 
 // The JSON of a .gltf, or of the first chunk of a .glb.
 function jsonOf(bytes: Uint8Array): Json {
+  if (bytes.length === 0)
+    refuse('It is empty.', 'ファイルが空です。');
   const view = new DataView(bytes.buffer, bytes.byteOffset, bytes.byteLength);
   let text = bytes;
   if (bytes.length >= 12 && view.getUint32(0, true) === 0x46546c67) {
@@ -56,7 +58,8 @@ function jsonOf(bytes: Uint8Array): Json {
   } catch {
     // below
   }
-  return refuse('This is no glTF file: it has no JSON with a version.', 'glTF ファイルではありません。バージョンを持つ JSON がありません。');
+  return refuse('It is not glTF: choose a .glb or .gltf, as Blender and converters for Maya export it.',
+    'glTF ではありません。Blender などから書き出した .glb または .gltf を選んでください。');
 }
 
 const list = <T>(value: T[] | undefined, what: string): T[] => {
