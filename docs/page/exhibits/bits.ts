@@ -13,7 +13,8 @@ import { processors, reference } from './bits/processors';
 interface State { count: number; start: number }
 
 const words = {
-  hashes: { en: 'FNV-1a over the bits of the results', ja: '計算結果のビット列の FNV-1a ハッシュ値' },
+  hashes: { en: 'FNV-1a over the bits of the results (the same numbers, decimal)',
+    ja: '計算結果のビット列の FNV-1a ハッシュ値（同じ値の10進表記）' },
   sequence: { en: 'The sequence', ja: '計算する数列' },
   count: { en: 'steps', ja: 'ステップ数' },
   start: { en: 'start value', ja: '初期値' },
@@ -141,7 +142,7 @@ const fields = { count: number(1024, 1, 4096), start: number(0.5, -1, 1) };
 export const bits: Exhibit<State> = {
   lead: {
     en: 'Your browser computes sines, curves, rotations and springs, each from the result before, and hashes all bits. ' +
-      'Drag a slider: one other bit gives another hash. The copied C program computes ' +
+      'Drag a slider: if one bit of a result changes, so does the hash. The copied C program computes ' +
       'the same hashes; the table has the processors on which the library is tested for equal bits.',
     ja: 'お使いのブラウザで正弦、曲線、回転、ばねを前の結果から順に計算し、すべてのビットのハッシュ値を求めます。' +
       'スライダーを動かしてください。1 ビットでも異なれば、ハッシュ値も変わります。' +

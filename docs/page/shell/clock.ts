@@ -36,7 +36,7 @@ export function makeClock(range: () => { start: number; end: number }, set: (tim
   let playing = false;
   const face = () => {
     toggle.setAttribute('aria-label', say(playing ? words.stop : words.play));
-    toggle.textContent = playing ? '⏸' : '▶';
+    toggle.textContent = playing ? '❚❚' : '▶';
   };
   const turn = (on: boolean) => {
     playing = on;

@@ -38,7 +38,7 @@ function mount(room: Room<State>) {
 
 export const exercise: Exhibit<State> = {
   lead: {
-    en: 'Move a key by its arrows and squares, turn it by its rings: every number follows. ' +
+    en: 'Choose a key, move it by its arrows and squares, turn it by its rings: every number follows. ' +
       'The keyboard is the exercise’s.',
     ja: 'キーを選び、矢印と四角で移動し、輪で回転してください。数値がすぐに変わります。' +
       'キーボードの操作は演習のプログラムと同じです。',
