@@ -2,6 +2,7 @@
 // Points in a space that are dragged by a pointer and moved by arrow keys: buttons above the canvas.
 import * as N from 'nakawari/all';
 import { say, type Text } from '../shell/text';
+import { onDrag } from './drag';
 import type { Ray, View } from './eye';
 import { element } from './html';
 
@@ -19,16 +20,19 @@ export interface Grip {
   move(ray: Ray): void;
 }
 
-/** A part of the stage: on the left a space with its grips, on the right (below in a narrow page) what explains it. */
-export function scene(stage: HTMLElement, share = 3) {
-  const host = element('div', { class: 'spot' }), beside = element('div', { class: 'beside' });
-  stage.append(element('div', { class: 'scene', style: `flex: ${share}` }, [host, beside]));
-  return { host, beside };
-}
-
 const steps: Record<string, [number, number]> = {
   ArrowLeft: [-6, 0], ArrowRight: [6, 0], ArrowUp: [0, -6], ArrowDown: [0, 6],
 };
+
+function place(made: HTMLElement, grip: Grip, view: View) {
+  const p = view.project(grip.at), inside = (x: number, size: number) => `${Math.min(Math.max(x, 11), size - 11)}px`;
+  made.hidden = !p;
+  made.setAttribute('aria-label', say(grip.label));
+  made.textContent = grip.mark;
+  made.classList.toggle('small', !!grip.small);
+  Object.assign(made.style, { left: inside(p?.x ?? 0, view.width), top: inside(p?.y ?? 0, view.height), // within reach
+    background: `var(--${grip.colour})`, opacity: grip.behind ? '0.7' : '1' });
+}
 
 /** Returns a function that shows the grips; call it for each drawing of the space. */
 export function grips(host: HTMLElement) {
@@ -36,17 +40,10 @@ export function grips(host: HTMLElement) {
   let list: Grip[] = [], seen: View;
   const make = (i: number) => {
     const made = element('button', { type: 'button', class: 'handle mark', 'data-handle': String(i) });
-    let held: { dx: number; dy: number } | undefined;
-    made.addEventListener('pointerdown', event => {
-      made.setPointerCapture(event.pointerId);
-      held = { dx: parseFloat(made.style.left) - event.clientX, dy: parseFloat(made.style.top) - event.clientY };
+    onDrag(made, down => {
+      const dx = parseFloat(made.style.left) - down.clientX, dy = parseFloat(made.style.top) - down.clientY;
+      return event => list[i].move(seen.ray({ x: event.clientX + dx, y: event.clientY + dy }));
     });
-    made.addEventListener('pointermove', event => {
-      if (held)
-        list[i].move(seen.ray({ x: event.clientX + held.dx, y: event.clientY + held.dy }));
-    });
-    for (const name of ['pointerup', 'pointercancel'])
-      made.addEventListener(name, () => { held = undefined; });
     made.addEventListener('keydown', event => {
       const step = steps[event.key];
       if (!step)
@@ -64,16 +61,7 @@ export function grips(host: HTMLElement) {
     while (shown.length < next.length)
       shown.push(make(shown.length));
     shown.splice(next.length).forEach(extra => extra.remove());
-    next.forEach((grip, i) => {
-      const p = view.project(grip.at);
-      shown[i].hidden = !p;
-      shown[i].setAttribute('aria-label', say(grip.label));
-      shown[i].textContent = grip.mark;
-      shown[i].classList.toggle('small', !!grip.small);
-      const inside = (x: number, size: number) => `${Math.min(Math.max(x, 11), size - 11)}px`; // it can be grasped
-      Object.assign(shown[i].style, { left: inside(p?.x ?? 0, view.width), top: inside(p?.y ?? 0, view.height),
-        background: `var(--${grip.colour})`, opacity: grip.behind ? '0.7' : '1' });
-    });
+    next.forEach((grip, i) => place(shown[i], grip, view));
   };
 }
 

@@ -2,6 +2,7 @@
 // Points of a plot that can be dragged: a button above the canvas for each.
 import type uPlot from 'uplot';
 import { say, type Text } from '../shell/text';
+import { onDrag } from './drag';
 import { element } from './html';
 
 export interface Handle {
@@ -19,30 +20,21 @@ export interface Handle {
 
 type Move = (x: number, y: number) => void;
 
-/** Drags by mouse, pen or finger. `move` receives the centre of the button in pixels of the plot. */
+/** `move` receives the centre of the button in pixels of the plot. */
 function dragged(made: HTMLElement, over: HTMLElement, move: Move, end: () => void) {
-  let held: { dx: number; dy: number } | undefined;
   const at = (event: PointerEvent) => {
     const box = over.getBoundingClientRect();
     return { x: event.clientX - box.left, y: event.clientY - box.top };
   };
-  made.addEventListener('pointerdown', event => {
-    made.setPointerCapture(event.pointerId);
-    const { x, y } = at(event);
-    held = { dx: x - made.offsetLeft - made.offsetWidth / 2, dy: y - made.offsetTop - made.offsetHeight / 2 };
+  onDrag(made, down => {
+    const { x, y } = at(down);
+    const dx = x - made.offsetLeft - made.offsetWidth / 2, dy = y - made.offsetTop - made.offsetHeight / 2;
     made.dataset.held = '';
+    return event => move(at(event).x - dx, at(event).y - dy);
+  }, () => {
+    delete made.dataset.held;
+    end();
   });
-  made.addEventListener('pointermove', event => {
-    const { x, y } = at(event);
-    if (held)
-      move(x - held.dx, y - held.dy);
-  });
-  for (const name of ['pointerup', 'pointercancel'])
-    made.addEventListener(name, () => {
-      held = undefined;
-      delete made.dataset.held;
-      end();
-    });
 }
 
 const arrows: Record<string, [number, number]> = {

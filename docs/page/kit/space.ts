@@ -2,7 +2,9 @@
 // A canvas that shows things in space, from a camera that turns by a drag and by arrow keys.
 import type { Room } from '../shell/exhibit';
 import { number } from '../shell/state';
-import { say, type Text } from '../shell/text';
+import type { Text } from '../shell/text';
+import { makeCanvas } from './canvas';
+import { onDrag } from './drag';
 import { viewOf, type View } from './eye';
 import { element } from './html';
 import { paintAll, path, type Shape } from './picture';
@@ -11,7 +13,7 @@ import { paintAll, path, type Shape } from './picture';
 export interface Turn { yaw: number; pitch: number }
 export const turnFields = (yaw: number, pitch: number) => ({ yaw: number(yaw), pitch: number(pitch, -90, 90) });
 
-export interface SpaceOptions {
+interface SpaceOptions {
   /** What it shows, for screen readers. */
   label: Text;
   distance: number;
@@ -28,18 +30,10 @@ const keys: Record<string, [number, number]> = {
 
 /** Calls `turn` with degrees for drags and arrow keys. */
 function dragged(canvas: HTMLCanvasElement, turn: (yaw: number, pitch: number) => void) {
-  let last: { x: number; y: number } | undefined;
-  canvas.addEventListener('pointerdown', ({ pointerId, clientX: x, clientY: y }) => {
-    canvas.setPointerCapture(pointerId);
-    last = { x, y };
+  onDrag(canvas, last => event => {
+    turn(0.4 * (last.clientX - event.clientX), 0.4 * (last.clientY - event.clientY));
+    last = event;
   });
-  canvas.addEventListener('pointermove', ({ clientX: x, clientY: y }) => {
-    if (last)
-      turn(0.4 * (last.x - x), 0.4 * (last.y - y));
-    last &&= { x, y };
-  });
-  for (const name of ['pointerup', 'pointercancel'])
-    canvas.addEventListener(name, () => { last = undefined; });
   canvas.addEventListener('keydown', event => {
     const step = keys[event.key];
     if (step) {
@@ -49,23 +43,22 @@ function dragged(canvas: HTMLCanvasElement, turn: (yaw: number, pitch: number) =
   });
 }
 
+/** A part of the stage: on the left a space, on the right (below in a narrow page) what explains it. */
+export function scene(stage: HTMLElement, share = 3) {
+  const host = element('div', { class: 'spot' }), beside = element('div', { class: 'beside' });
+  stage.append(element('div', { class: 'scene', style: `flex: ${share}` }, [host, beside]));
+  return { host, beside };
+}
+
 /** The canvas; it is redrawn whenever the state changes. */
 export function space<S extends Turn>(room: Room<S>, options: SpaceOptions): HTMLCanvasElement {
-  const canvas = element('canvas',
-    { class: 'space', tabindex: '0', role: 'application', 'aria-label': say(options.label) });
-  (options.parent ?? room.stage).append(canvas);
-  const c = canvas.getContext('2d')!;
+  const { canvas, c, clear } = makeCanvas(options.parent ?? room.stage, options.label);
   dragged(canvas, (yaw, pitch) => room.set({
     yaw: room.state.yaw + yaw, pitch: Math.min(Math.max(room.state.pitch + pitch, -90), 90) } as Partial<S>));
   room.draw(() => {
-    const { clientWidth: width, clientHeight: height } = canvas, ratio = devicePixelRatio || 1;
-    if (canvas.width !== Math.round(width * ratio) || canvas.height !== Math.round(height * ratio))
-      [canvas.width, canvas.height] = [Math.round(width * ratio), Math.round(height * ratio)];
-    c.setTransform(ratio, 0, 0, ratio, 0, 0);
-    c.clearRect(0, 0, width, height);
-    const { yaw, pitch } = room.state;
-    const view = viewOf({ yaw, pitch, distance: options.distance, fov: options.fov ?? 45, aim: options.aim ?? [0, 0, 0],
-      unit: 1 }, width, height);
+    const { yaw, pitch } = room.state, { distance, fov = 45, aim = [0, 0, 0] } = options;
+    clear();
+    const view = viewOf({ yaw, pitch, distance, fov, aim, unit: 1 }, canvas.clientWidth, canvas.clientHeight);
     paintAll(options.paint(c, view));
   });
   return canvas;

@@ -1,25 +1,14 @@
 // SPDX-License-Identifier: MIT
 // The canvas of the exhibit.
+import { makeCanvas } from '../../kit/canvas';
 import { viewOf } from '../../kit/eye';
-import { element } from '../../kit/html';
 import type { Room } from '../../shell/exhibit';
-import { say } from '../../shell/text';
 import { drawGizmo, drawScene } from './draw';
 import { gizmoOf, grips, type Handle } from './gizmo';
 import { canvasKeys } from './keyboard';
 import { keysOf, type State } from './model';
 import { pointers, type Stage } from './pointers';
 import { labels } from './words';
-
-/** Gives the canvas the pixels of the screen. Drawing is in CSS pixels. */
-function fit(canvas: HTMLCanvasElement, c: CanvasRenderingContext2D) {
-  const { clientWidth: width, clientHeight: height } = canvas, ratio = devicePixelRatio || 1;
-  const [w, h] = [Math.round(width * ratio), Math.round(height * ratio)];
-  if (canvas.width !== w || canvas.height !== h)
-    [canvas.width, canvas.height] = [w, h];
-  c.setTransform(ratio, 0, 0, ratio, 0, 0);
-  c.clearRect(0, 0, width, height);
-}
 
 function stageOf(room: Room<State>, canvas: HTMLCanvasElement, show: Stage['show']): Stage {
   const view = () => viewOf(room.state, canvas.clientWidth, canvas.clientHeight);
@@ -32,9 +21,7 @@ function stageOf(room: Room<State>, canvas: HTMLCanvasElement, show: Stage['show
 }
 
 export function stage(room: Room<State>) {
-  const canvas = element('canvas',
-    { class: 'space', tabindex: '0', role: 'application', 'aria-label': say(labels.canvas) });
-  const c = canvas.getContext('2d')!;
+  const { canvas, c, clear } = makeCanvas(room.stage, labels.canvas);
   let active: Handle | undefined;
   const made = stageOf(room, canvas, handle => {
     if (handle?.kind === active?.kind && handle?.axis === active?.axis)
@@ -44,9 +31,8 @@ export function stage(room: Room<State>) {
     canvas.style.cursor = handle ? 'grab' : '';
     room.refresh();
   });
-  room.stage.append(canvas);
   room.draw(() => {
-    fit(canvas, c);
+    clear();
     const eye = made.view(), handles = made.gizmo();
     drawScene(c, eye, room.state, room.clock.playing);
     if (handles)

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 // One period as a ring, clockwise from the top; a clip that ends is an open ring. The head is dragged, and thrown.
 import * as N from 'nakawari/all';
+import { makeCanvas } from '../../kit/canvas';
 import { colour } from '../../kit/colours';
-import { element } from '../../kit/html';
+import { onDrag } from '../../kit/drag';
 import type { Room } from '../../shell/exhibit';
-import { say } from '../../shell/text';
 import { headOf, nearest, timesOf, type State } from './model';
 
 const turn = 2 * Math.PI;
@@ -107,40 +107,31 @@ export interface Head {
 /** The speed at the end of a drag is that of its last fifth of a second. */
 function pointers(canvas: HTMLCanvasElement, place: () => Place, perTurn: () => number, head: Head,
   still: () => boolean) {
-  let angle: number | undefined, past: { since: number; at: number; way: number }[] = [], last = 0;
+  let past: { since: number; at: number; way: number }[] = [];
   const angleOf = (event: PointerEvent) => {
     const box = canvas.getBoundingClientRect(), { x, y } = place();
     return Math.atan2(event.clientX - box.left - x, y - (event.clientY - box.top));
   };
-  canvas.addEventListener('pointerdown', event => {
-    canvas.setPointerCapture(event.pointerId);
+  const recent = (event: PointerEvent) => past.filter(p => p.at > event.timeStamp - 200);
+  onDrag(canvas, down => {
+    let angle = angleOf(down), since = down.timeStamp;
     head.go(0);
-    [angle, past, last] = [angleOf(event), [], event.timeStamp];
-  });
-  canvas.addEventListener('pointermove', event => {
-    if (angle === undefined)
-      return;
-    const next = angleOf(event), way = N.wrapAngle(next - angle) / turn * perTurn();
-    angle = next;
-    past = [...past.filter(p => p.at > event.timeStamp - 200), { since: last, at: event.timeStamp, way }];
-    last = event.timeStamp;
-    head.by(way);
-  });
-  const end = (event: PointerEvent) => {
-    const recent = past.filter(p => p.at > event.timeStamp - 200);
-    const [way, time] = recent.reduce(([w, t], p) => [w + p.way, t + (p.at - p.since) / 1000], [0, 0]);
-    if (angle !== undefined && time > 0 && !still())
+    past = [];
+    return event => {
+      const next = angleOf(event), way = N.wrapAngle(next - angle) / turn * perTurn();
+      past = [...recent(event), { since, at: event.timeStamp, way }];
+      [angle, since] = [next, event.timeStamp];
+      head.by(way);
+    };
+  }, event => {
+    const [way, time] = recent(event).reduce(([w, t], p) => [w + p.way, t + (p.at - p.since) / 1000], [0, 0]);
+    if (time > 0 && !still())
       head.go(Math.min(Math.max(way / time, -40), 40));
-    angle = undefined;
-  };
-  canvas.addEventListener('pointerup', end);
-  canvas.addEventListener('pointercancel', end);
+  });
 }
 
 export function ring(room: Room<State>, head: Head, lit: Map<number, number>, still: () => boolean) {
-  const canvas = element('canvas', { class: 'space', tabindex: '0', role: 'application', 'aria-label': say(label) });
-  room.stage.append(canvas);
-  const c = canvas.getContext('2d')!;
+  const { canvas, c, clear } = makeCanvas(room.stage, label);
   const place = () => {
     const { clientWidth: width, clientHeight: height } = canvas;
     return { x: width / 2, y: height / 2, r: Math.max(Math.min(width, height) / 2 - 40, 40) };
@@ -155,9 +146,7 @@ export function ring(room: Room<State>, head: Head, lit: Map<number, number>, st
     head.to(event.shiftKey ? nearest(room.state, room.state.to, way)?.at ?? room.state.to : room.state.to + way * 0.05);
   });
   room.draw(() => {
-    const { clientWidth, clientHeight } = canvas, ratio = devicePixelRatio || 1;
-    [canvas.width, canvas.height] = [Math.round(clientWidth * ratio), Math.round(clientHeight * ratio)];
-    c.setTransform(ratio, 0, 0, ratio, 0, 0);
+    clear();
     paint(c, place(), room.state, lit);
     canvas.dataset.place = JSON.stringify(place()); // for tests
     if ([...lit.values()].some(time => performance.now() - time < 450))

@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: MIT
 // The pole of Euler angles: three gimbals in the six orders, and an object that passes near the pole.
 import * as N from 'nakawari/all';
-import { scene } from '../../kit/grips';
 import { element } from '../../kit/html';
 import { numberTable } from '../../kit/numbers';
 import { panel } from '../../kit/panel';
 import { plot } from '../../kit/plot';
 import { remembered } from '../../kit/samples';
-import { turnFields } from '../../kit/space';
+import { scene, turnFields } from '../../kit/space';
 import type { Exhibit, Room } from '../../shell/exhibit';
 import { choice, number } from '../../shell/state';
 import { say } from '../../shell/text';

@@ -2,13 +2,12 @@
 // Two rotations: the ways from one to the other, on one object, on the sphere, and their angular velocities.
 import * as N from 'nakawari/all';
 import { choosing, thick } from '../../kit/chosen';
-import { scene } from '../../kit/grips';
 import { element } from '../../kit/html';
 import { legend } from '../../kit/legend';
 import { numberTable } from '../../kit/numbers';
 import { panel } from '../../kit/panel';
 import { plot } from '../../kit/plot';
-import { turnFields } from '../../kit/space';
+import { scene, turnFields } from '../../kit/space';
 import { whole } from '../../kit/whole';
 import type { Exhibit, Room } from '../../shell/exhibit';
 import { choice, flag, number, some } from '../../shell/state';

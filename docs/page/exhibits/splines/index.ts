@@ -2,13 +2,12 @@
 // Many rotations: five curves through or near the same keys, and the corners in their angular velocity.
 import * as N from 'nakawari/all';
 import { choosing, thick } from '../../kit/chosen';
-import { scene } from '../../kit/grips';
 import { element } from '../../kit/html';
 import { legend, type Legend } from '../../kit/legend';
 import { numberTable } from '../../kit/numbers';
 import { panel } from '../../kit/panel';
 import { plot } from '../../kit/plot';
-import { turnFields } from '../../kit/space';
+import { scene, turnFields } from '../../kit/space';
 import type { Exhibit, Room } from '../../shell/exhibit';
 import { choice, number, numbers, some } from '../../shell/state';
 import { say } from '../../shell/text';
