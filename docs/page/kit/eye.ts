@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The camera of the exercise: T(0, 0, -distance) Rx(-pitch) Ry(-yaw) T(-aim), a perspective of fov degrees.
 import * as N from 'nakawari/all';
+import { zeros } from './values';
 
 export interface Point { x: number; y: number }
 export interface Ray { origin: number[]; direction: number[] }
@@ -34,7 +35,6 @@ export interface Camera {
   unit: number;
 }
 
-const zeros = (n: number) => Array<number>(n).fill(0);
 
 function turnOf({ yaw, pitch }: Camera): number[] {
   const about = (axis: number[], degrees: number) =>

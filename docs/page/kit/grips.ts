@@ -5,6 +5,7 @@ import { say, type Text } from '../shell/text';
 import { onDrag } from './drag';
 import type { Ray, View } from './eye';
 import { element } from './html';
+import { clamp } from './values';
 
 export interface Grip {
   label: Text;
@@ -25,7 +26,7 @@ const steps: Record<string, [number, number]> = {
 };
 
 function place(made: HTMLElement, grip: Grip, view: View) {
-  const p = view.project(grip.at), inside = (x: number, size: number) => `${Math.min(Math.max(x, 11), size - 11)}px`;
+  const p = view.project(grip.at), inside = (x: number, size: number) => `${clamp(x, 11, size - 11)}px`;
   made.hidden = !p;
   made.setAttribute('aria-label', say(grip.label));
   made.textContent = grip.mark;

@@ -4,6 +4,7 @@ import { colour } from './colours';
 import type { View } from './eye';
 import type { Shape } from './picture';
 import { polygon } from './space';
+import { clamp } from './values';
 
 /** Vertex i of an array of vectors. */
 export const vertex = (positions: ArrayLike<number>, i: number) => [0, 1, 2].map(k => positions[3 * i + k]);
@@ -23,7 +24,7 @@ const stops = [[84, 48, 140], [58, 88, 150], [38, 140, 142], [98, 196, 108], [25
 export const rampStyle = `linear-gradient(to right, ${stops.map(s => `rgb(${s.join(' ')})`).join(', ')})`;
 
 export function ramp(share: number): number[] {
-  const at = Math.min(Math.max(share, 0), 1) * (stops.length - 1), k = Math.min(Math.floor(at), stops.length - 2);
+  const at = clamp(share, 0, 1) * (stops.length - 1), k = Math.min(Math.floor(at), stops.length - 2);
   return mix([stops[k], stops[k + 1]], [1 - at + k, at - k]);
 }
 

@@ -8,6 +8,7 @@ import { onDrag } from './drag';
 import { viewOf, type View } from './eye';
 import { element } from './html';
 import { paintAll, path, type Shape } from './picture';
+import { clamp } from './values';
 
 /** The fields of the state that a space has: the camera's angles in degrees. */
 export interface Turn { yaw: number; pitch: number }
@@ -54,7 +55,7 @@ export function scene(stage: HTMLElement, share = 3) {
 export function space<S extends Turn>(room: Room<S>, options: SpaceOptions): HTMLCanvasElement {
   const { canvas, c, clear } = makeCanvas(options.parent ?? room.stage, options.label);
   dragged(canvas, (yaw, pitch) => room.set({
-    yaw: room.state.yaw + yaw, pitch: Math.min(Math.max(room.state.pitch + pitch, -90), 90) } as Partial<S>));
+    yaw: room.state.yaw + yaw, pitch: clamp(room.state.pitch + pitch, -90, 90) } as Partial<S>));
   room.draw(() => {
     const { yaw, pitch } = room.state, { distance, fov = 45, aim = [0, 0, 0] } = options;
     clear();

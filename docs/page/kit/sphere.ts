@@ -4,9 +4,9 @@ import * as N from 'nakawari/all';
 import { colour } from './colours';
 import type { View } from './eye';
 import { dart, path, type Shape } from './picture';
+import { zeros } from './values';
 
 type Context = CanvasRenderingContext2D;
-const zeros = (n: number) => Array<number>(n).fill(0);
 
 export interface Stroke {
   style: string;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The ticks of an axis: at least two, at multiples of 1, 2, 2.5 or 5 times a power of ten.
 import { language } from '../shell/text';
+import { clamp } from './values';
 
 const slack = 1e-9;
 
@@ -32,7 +33,7 @@ export function logTicks(least: number, most: number, wanted: number): number[] 
 /** The texts of ticks in the language of the page, with as many decimals as tell them apart. */
 export function tickTexts(list: number[]): string[] {
   const step = Math.min(...list.slice(1).map((x, i) => x - list[i])), size = Math.log10(step);
-  const digits = Number.isFinite(size) ? Math.min(Math.max(1 - Math.floor(size), 0), 12) : 6;
+  const digits = Number.isFinite(size) ? clamp(1 - Math.floor(size), 0, 12) : 6;
   const format = new Intl.NumberFormat(language(), { maximumFractionDigits: digits });
   return list.map(x => format.format(x).replace(/^-(?=0$)/, '').replace('-', '−'));
 }

@@ -6,6 +6,7 @@ import { say, type Text } from '../shell/text';
 import { colour } from './colours';
 import { element } from './html';
 import type * as Three from './three';
+import { clamp } from './values';
 
 export type Library = typeof Three;
 export interface Camera {
@@ -62,7 +63,7 @@ function connect<S extends Camera>(room: Room<S>, three: Library, controls: Thre
 function keys<S extends Camera>(room: Room<S>) {
   const turn = (azimuth: number, elevation: number) => room.set({
     azimuth: (room.state.azimuth + azimuth + 540) % 360 - 180,
-    elevation: Math.min(Math.max(room.state.elevation + elevation, -89), 89),
+    elevation: clamp(room.state.elevation + elevation, -89, 89),
   } as Partial<S>);
   const zoom = (factor: number) => room.set({ distance: room.state.distance * factor } as Partial<S>);
   room.shortcuts([

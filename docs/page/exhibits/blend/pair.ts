@@ -7,6 +7,7 @@ import { numberTable } from '../../kit/numbers';
 import { panel } from '../../kit/panel';
 import { legend, plot } from '../../kit/plot';
 import { remembered, samples } from '../../kit/samples';
+import { clamp } from '../../kit/values';
 import type { Room } from '../../shell/exhibit';
 import { say, type Text } from '../../shell/text';
 import { clipControl, jointControls } from './controls';
@@ -70,7 +71,7 @@ function plotAngles(room: Room<State>, rig: Rig) {
     handles: () => {
       const { phase } = room.state, cycle = cycleOf(room.state, rig);
       return [{ label: own.phase, x: phase * cycle, y: angles(rotationsAt(room.state, rig, phase)[2])[axis(room.state)],
-        move: x => room.set({ phase: Math.min(Math.max(x / cycle, 0), 1) }) }];
+        move: x => room.set({ phase: clamp(x / cycle, 0, 1) }) }];
     },
   });
 }

@@ -7,6 +7,7 @@ import { numberTable } from '../../kit/numbers';
 import { panel } from '../../kit/panel';
 import { type Handle, legend, plot } from '../../kit/plot';
 import { remembered, samples } from '../../kit/samples';
+import { clamp } from '../../kit/values';
 import type { Room } from '../../shell/exhibit';
 import { say, type Text } from '../../shell/text';
 import { fields, goalTimes, type ModeOf, mostGoals, type State } from './state';
@@ -67,7 +68,7 @@ const curves = remembered((state: State) => {
 /** The goals with goal k moved. */
 function moved({ goals }: State, k: number, time: number, value: number): Partial<State> {
   const least = (goals[2 * k - 2] ?? -0.05) + 0.05, most = (goals[2 * k + 2] ?? end + 0.05) - 0.05;
-  const round = (x: number, low: number, high: number) => Math.min(Math.max(Math.round(x * 100) / 100, low), high);
+  const round = (x: number, low: number, high: number) => clamp(Math.round(x * 100) / 100, low, high);
   const [t, v] = [round(time, least, most), round(value, -2, 2)];
   return { goals: goals.map((x, i) => i === 2 * k ? t : i === 2 * k + 1 ? v : x) };
 }
@@ -80,7 +81,7 @@ function recorded({ goals, time }: State, value: number): Partial<State> {
   if (kept.length >= mostGoals)
     return {};
   const all = kept.map(t => [t, goals[2 * starts.indexOf(t) + 1]]);
-  return { goals: [...all, [near ?? now, round(Math.min(Math.max(value, -2), 2))]].sort((a, b) => a[0] - b[0]).flat() };
+  return { goals: [...all, [near ?? now, round(clamp(value, -2, 2))]].sort((a, b) => a[0] - b[0]).flat() };
 }
 
 function goalHandles(room: Room<State>): Handle[] {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The state of the exhibit: one of four modes, and what they show.
 import { turnFields, type Turn } from '../../kit/space';
+import { clamp } from '../../kit/values';
 import type { Room } from '../../shell/exhibit';
 import { choice, flag, number, numbers, some } from '../../shell/state';
 import type { Rig } from './rig';
@@ -54,7 +55,7 @@ export interface ModeOf {
 /** The step of the curves, in seconds: exact in binary. */
 export const step = 1 / 128;
 export const snap = (x: number, least: number, most: number) =>
-  Math.min(Math.max(Math.round(x / step) * step, least), most);
+  clamp(Math.round(x / step) * step, least, most);
 
 export const limits = { at: [0.25, 1.25], start: [0, 1], duration: [0.0625, 0.625] } as const;
 export const goalTimes = (goals: number[]) => goals.filter((_, i) => i % 2 === 0);

@@ -4,8 +4,9 @@ import * as N from 'nakawari/all';
 import { colour } from '../../kit/colours';
 import type { View } from '../../kit/eye';
 import { axes, dart, dot, floor, line, paintAll, path, shadow, type Shape } from '../../kit/picture';
+import { zeros } from '../../kit/values';
 import { ring, square, tip, type Gizmo, type Handle } from './gizmo';
-import { keysOf, range, remembered, zeros, type Key, type State } from './model';
+import { keysOf, range, remembered, type Key, type State } from './model';
 import { matricesOf, matrixOf, trace, type Methods } from './sample';
 
 type Context = CanvasRenderingContext2D;

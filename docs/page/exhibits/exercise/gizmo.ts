@@ -3,7 +3,8 @@
 // axis.
 import * as N from 'nakawari/all';
 import type { Eye, Point, Ray, View } from '../../kit/eye';
-import { moved, turned, zeros, type Key } from './model';
+import { clamp, zeros } from '../../kit/values';
+import { moved, turned, type Key } from './model';
 
 export type Kind = 'axis' | 'plane' | 'ring';
 /** The axis, the axis that the plane is normal to, or the axis of the turn: 0 x, 1 y, 2 z. */
@@ -67,7 +68,7 @@ export function grips(g: Gizmo, eye: View): Record<string, (Point | undefined)[]
 
 function toLine(p: Point, a: Point, b: Point): number {
   const dx = b.x - a.x, dy = b.y - a.y, square = dx * dx + dy * dy;
-  const t = square > 0 ? Math.min(Math.max(((p.x - a.x) * dx + (p.y - a.y) * dy) / square, 0), 1) : 0;
+  const t = square > 0 ? clamp(((p.x - a.x) * dx + (p.y - a.y) * dy) / square, 0, 1) : 0;
   return Math.hypot(p.x - a.x - t * dx, p.y - a.y - t * dy);
 }
 

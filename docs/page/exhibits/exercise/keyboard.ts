@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
 // The keyboard: the keys of the exercise's program for the whole exhibit, and those of the canvas.
 import * as N from 'nakawari/all';
+import { clamp, zeros } from '../../kit/values';
 import type { Room, Shortcut } from '../../shell/exhibit';
 import {
-  addKey, deleteKey, keysOf, moved, nextOf, range, replaceKey, setScene, taught, turned, views, zeros, type State,
+  addKey, deleteKey, keysOf, moved, nextOf, range, replaceKey, setScene, taught, turned, views, type State,
 } from './model';
 import { scenes } from './scenes';
 import { labels } from './words';
@@ -22,7 +23,7 @@ function play({ clock, state, set }: Room<State>) {
 
 function stepTime({ state, set }: Room<State>, by: number) {
   const { start, end } = range(keysOf(state));
-  set({ time: Math.min(Math.max(Math.fround(state.time + by), start), end) });
+  set({ time: clamp(Math.fround(state.time + by), start, end) });
 }
 
 /** The time of the chosen key, in whole steps; the library refuses times that do not ascend. */

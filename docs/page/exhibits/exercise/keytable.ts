@@ -2,9 +2,10 @@
 // The list of keys with a field for each number: what the handles do, for the keyboard and for screen readers.
 import * as N from 'nakawari/all';
 import { button, element } from '../../kit/html';
+import { zeros } from '../../kit/values';
 import type { Room } from '../../shell/exhibit';
 import { say } from '../../shell/text';
-import { degrees, fromDegrees, keysOf, limits, range, replaceKey, zeros, type Key, type State } from './model';
+import { degrees, fromDegrees, keysOf, limits, range, replaceKey, type Key, type State } from './model';
 import { labels } from './words';
 
 const columns = ['time', 'x', 'y', 'z', 'yaw', 'pitch', 'roll'] as const;

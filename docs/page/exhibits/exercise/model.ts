@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: MIT
 // The state of the exhibit, and what its keys and buttons do with it.
 import * as N from 'nakawari/all';
-import { choice, flag, number, numbers, type Field, type Fields } from '../../shell/state';
+import { clamp, zeros } from '../../kit/values';
+import { whole } from '../../kit/whole';
+import { choice, flag, number, numbers, type Fields } from '../../shell/state';
 import { scenes, type Placement } from './scenes';
 
 export const positions = ['linear', 'hermite', 'bezier', 'bspline', 'catmull-rom', 'centripetal', 'step'] as const;
@@ -28,8 +30,6 @@ export interface Key {
   readonly position: number[];
   readonly orientation: number[];
 }
-
-export const zeros = (count: number) => Array<number>(count).fill(0);
 
 /** f, which keeps its last result until it is called with other arguments. */
 export function remembered<A extends unknown[], R>(f: (...list: A) => R): (...list: A) => R {
@@ -71,16 +71,6 @@ export interface State {
 }
 
 const validKeys = (list: number[]) => list.length % 8 === 0 && list.length <= 8 * limits.keys && !problem(unpack(list));
-
-/** A whole number in [least, most]. */
-function whole(initial: number, least: number, most: number): Field<number> {
-  const field = number(initial, least, most);
-  const read = (text: string) => {
-    const x = field.read(text);
-    return x === undefined ? undefined : Math.round(x);
-  };
-  return { ...field, read };
-}
 
 const [first] = scenes;
 const exerciseAim = [-0.5, 0, 0];
@@ -185,7 +175,7 @@ export function deleteKey(keys: Key[], state: State): Change {
   if (!rest.length)
     return {};
   const { start, end } = range(rest), selected = Math.min(state.selected, rest.length - 1);
-  return { keys: pack(rest), selected, time: Math.min(Math.max(state.time, start), end) };
+  return { keys: pack(rest), selected, time: clamp(state.time, start, end) };
 }
 
 export const moved = (key: Key, by: number[]): Partial<Key> => ({ position: N.vec3Add(zeros(3), key.position, by) });

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 // The numbers of the present time by their names in the C program (program.ts).
 import * as N from 'nakawari/all';
-import { zeros, type Key, type State } from './model';
+import { zeros } from '../../kit/values';
+import type { Key, State } from './model';
 import { matrixOf, type Trace } from './sample';
 
 export type Numbers = Record<string, number[]>;

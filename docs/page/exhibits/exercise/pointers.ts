@@ -2,6 +2,7 @@
 // The mouse and fingers on the canvas: they choose a key, drag its handles, and move the camera.
 import * as N from 'nakawari/all';
 import type { Point, Ray, View } from '../../kit/eye';
+import { clamp } from '../../kit/values';
 import type { Room } from '../../shell/exhibit';
 import { drag, pick, type Gizmo, type Handle } from './gizmo';
 import { keysOf, replaceKey, type Key, type State } from './model';
@@ -20,10 +21,10 @@ export interface Stage {
 
 /** One degree a pixel, as in the exercise. */
 const orbit = ({ yaw, pitch }: State, dx: number, dy: number): Partial<State> =>
-  ({ yaw: N.wrap(yaw - dx, 360), pitch: Math.min(Math.max(pitch - dy, -90), 90) });
+  ({ yaw: N.wrap(yaw - dx, 360), pitch: clamp(pitch - dy, -90, 90) });
 
 const approach = ({ distance }: State, by: number): Partial<State> =>
-  ({ distance: Math.min(Math.max(distance + by, 2), 100) });
+  ({ distance: clamp(distance + by, 2, 100) });
 
 /** Two fingers, of which one moves: the camera turns, and comes closer when they part. */
 function pinch(state: State, before: Point, after: Point, other: Point): Partial<State> {

@@ -2,7 +2,8 @@
 // The rules of the exercise's program, with the functions of the library. They differ from the library's where
 // docs/coursework.md says, under "Where this library differs".
 import * as N from 'nakawari/all';
-import { zeros, type Key, type State } from './model';
+import { zeros } from '../../kit/values';
+import type { Key, State } from './model';
 
 export type Trace = N.KeyframeTrace;
 export type Methods = Pick<State, 'position' | 'orientation' | 'program'>;

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 // The numbers of one time: by nkw_keyframes_trace, or by the rules of the exercise's program.
 import * as N from 'nakawari/all';
-import { orientationMethod, pack, positionMethod, remembered, zeros, type Key } from './model';
+import { zeros } from '../../kit/values';
+import { orientationMethod, pack, positionMethod, remembered, type Key } from './model';
 import { curveOf, eulerOf, hasProgram, segmentOf, type Methods, type Trace } from './rules';
 
 export type { Methods, Trace };

@@ -2,6 +2,7 @@
 // Tables of numbers with the letters of the blanks.
 import { element, html } from '../../kit/html';
 import { exact } from '../../kit/numbers';
+import { clamp } from '../../kit/values';
 import { say, type Text } from '../../shell/text';
 import type { Numbers } from './numbers';
 import { labels } from './words';
@@ -25,7 +26,7 @@ const lengths = /^(control\d|position|matrix\.1[234])/;
 /** Six decimals of weights, four of other numbers; lengths are of the size of the layout. */
 function text(x: number, name: string, unit: number): string {
   const digits = lengths.test(name) ? 4 - Math.round(Math.log10(unit)) : name.startsWith('weight') ? 6 : 4;
-  return minus(x.toFixed(Math.min(Math.max(digits, 0), 20)));
+  return minus(x.toFixed(clamp(digits, 0, 20)));
 }
 
 /** Writes a number into an element, with its name and its exact value. */

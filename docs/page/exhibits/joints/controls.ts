@@ -2,6 +2,7 @@
 // What is chosen: product, joint, weights, colours; and, folded away, the sliders.
 import { field, options } from '../../kit/field';
 import { element } from '../../kit/html';
+import { note } from '../../kit/note';
 import { panel } from '../../kit/panel';
 import type { Room } from '../../shell/exhibit';
 import { say, type Text } from '../../shell/text';
@@ -16,20 +17,9 @@ function products(room: Room<State>) {
     group(controls.mistakes, orderNames.filter(name => !steps.includes(name)))]);
 }
 
-/** What is seen with the product that is chosen. */
-function note(room: Room<State>) {
-  const made = element('p', { class: 'note', role: 'status' });
-  room.draw(() => {
-    const text = say(notes[room.state.order]);
-    if (made.textContent !== text)
-      made.textContent = text;
-  });
-  return made;
-}
-
 export function choices(room: Room<State>) {
   const bones = Object.fromEntries(Array.from({ length: joints }, (_, j) => [j, labels.joint(j)]));
-  room.side.append(products(room), note(room), element('div', { class: 'fields' }, [
+  room.side.append(products(room), note(room, state => notes[state.order]), element('div', { class: 'fields' }, [
     field(room, 'joint', controls.joint, options(bones)),
     field(room, 'paint', controls.paint, options(paintWords)),
     field(room, 'influence', controls.influence, options(influenceWords)),

@@ -3,6 +3,7 @@
 import * as N from 'nakawari/all';
 import type { Ray } from '../../kit/eye';
 import type { Grip } from '../../kit/grips';
+import { clamp } from '../../kit/values';
 import type { Room } from '../../shell/exhibit';
 import { angles, heights, most, vectors, type Axis, type Joint, type State } from './model';
 import { labels } from './words';
@@ -39,7 +40,7 @@ function angleOf({ at, axis, zero }: Frame, { origin, direction }: Ray): number 
 /** Sets one angle; the others stay as they are at this time of the play. */
 function turn(room: Room<State>, joint: number, angle: number) {
   const [angle0, angle1, angle2, angle3] = angles(room.state).map((a, j) =>
-    j === joint ? Math.min(Math.max(angle, -most), most) : a);
+    j === joint ? clamp(angle, -most, most) : a);
   if (room.clock.playing)
     room.clock.stop();
   room.set({ joint, time: 0, angle0, angle1, angle2, angle3 });

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The lesson's capsule: radius 0.5, from height 0 to 3, and the weights of its vertices on four joints.
 import * as N from 'nakawari/all';
+import { clamp } from '../../kit/values';
 
 export const joints = 4, around = 16;
 const cap = 4, side = 12, radius = 0.5, straight = 2;
@@ -8,7 +9,7 @@ export const rings = 2 * cap + side + 1;
 export type Influence = 'smooth' | 'hard';
 
 function ring(k: number): number[] {
-  const below = k - cap, above = below - side, share = Math.min(Math.max(below / side, 0), 1);
+  const below = k - cap, above = below - side, share = clamp(below / side, 0, 1);
   const angle = Math.PI / 2 / cap * (above > 0 ? above : Math.min(below, 0));
   return Array.from({ length: around }, (_, i) => {
     const turn = 2 * Math.PI * i / around, wide = radius * Math.cos(angle);
@@ -25,12 +26,12 @@ export const faces = Array.from({ length: rings - 1 }, (_, k) => Array.from({ le
 
 /** Where the B-spline over the joints is at a height: the first of four joints may be -1 or less, t is in [0, 1]. */
 export function place(height: number) {
-  const u = Math.min(Math.max(Math.fround(height - 0.5), -1), joints - 1), k = Math.floor(u);
+  const u = clamp(Math.fround(height - 0.5), -1, joints - 1), k = Math.floor(u);
   return { first: k - 1, t: Math.fround(u - k) };
 }
 
 /** The joint to which each of the four weights belongs: joints beyond the ends count as the end ones. */
-export const clamped = (j: number) => Math.min(Math.max(j, 0), joints - 1);
+export const clamped = (j: number) => clamp(j, 0, joints - 1);
 
 function share(height: number, influence: Influence): number[] {
   const out = Array<number>(joints).fill(0);

@@ -2,6 +2,7 @@
 // The state, and the joint matrices by the product that is chosen.
 import * as N from 'nakawari/all';
 import { turnFields } from '../../kit/space';
+import { zeros } from '../../kit/values';
 import { whole } from '../../kit/whole';
 import { choice, number } from '../../shell/state';
 import { around, joints, rings, type Influence } from './mesh';
@@ -45,7 +46,6 @@ export const angles = (s: State) => [s.angle0, s.angle1, s.angle2, s.angle3].map
 export const heights = (s: State) => [0, s.height1, s.height2, s.height3];
 
 export type Matrix = number[];
-const zeros = (n: number): Matrix => Array<number>(n).fill(0);
 
 /** The factors of joint i, their product, and the matrix of the palette: the same, unless it is transposed. */
 export type Joint = Record<Factor | 'product' | 'M', Matrix>;

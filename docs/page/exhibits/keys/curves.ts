@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The curves through the keys: a track for each method, or cubic segments where no track has the curve.
 import * as N from 'nakawari/all';
+import { clamp } from '../../kit/values';
 import { choice, number, numbers, some } from '../../shell/state';
 import type { Text } from '../../shell/text';
 
@@ -96,7 +97,7 @@ export function curve(s: Keys, method: Method, scale = s.scale, count = s.times.
   const tangents = tangentsOf(s, method), { values } = s;
   if (method === 'bspline')
     return cubic(s, N.CUBIC_BSPLINE, count, k => [k - 1, k, k + 1, k + 2].map(i =>
-      values[Math.min(Math.max(i, 0), values.length - 1)]));
+      values[clamp(i, 0, values.length - 1)]));
   if (tangents && scale === 'segment')
     return cubic(s, N.CUBIC_HERMITE, count, k => [values[k], tangents.after[k], values[k + 1], tangents.before[k + 1]]);
   return track(s, method, count);

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
 // What the plot of values can change: keys and tangents are dragged, keys are added and deleted.
 import type { Handle } from '../../kit/plot';
+import { clamp } from '../../kit/values';
 import type { Room } from '../../shell/exhibit';
 import { closest, curve, keysOf, most, nearest, tangentsOf, type Keys, type State } from './curves';
 
 const arm = 0.2;
-const clamp = (x: number, least: number, greatest: number) => Math.min(Math.max(x, least), greatest);
 const replaced = (list: ArrayLike<number>, k: number, x: number) =>
   Array.from(list, (old, i) => i === k ? x : old);
 const flat = (times: number[], values: number[], tangents: ArrayLike<number>) =>

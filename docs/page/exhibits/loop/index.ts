@@ -5,6 +5,7 @@ import { numberTable, type Row } from '../../kit/numbers';
 import { panel } from '../../kit/panel';
 import { legend, plot } from '../../kit/plot';
 import { remembered, samples } from '../../kit/samples';
+import { clamp } from '../../kit/values';
 import type { Exhibit, Room } from '../../shell/exhibit';
 import { say, type Text } from '../../shell/text';
 import { code } from './code';
@@ -136,8 +137,8 @@ function mount(room: Room<State>) {
   });
   const turnTo = (wrap: Wrap) => {
     head.go(0);
-    const [least, most] = bounds({ ...room.state, wrap }), to = Math.min(Math.max(room.state.to, least), most);
-    room.set({ wrap, to, from: Math.min(Math.max(room.state.from, least), most) });
+    const [least, most] = bounds({ ...room.state, wrap }), to = clamp(room.state.to, least, most);
+    room.set({ wrap, to, from: clamp(room.state.from, least, most) });
   };
   const choices = tools(room, words.wraps, wraps.map((wrap, i) =>
     [String(i + 1), wrap, words[wrap], () => turnTo(wrap)]));

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // A clip with keys that repeats or not, and the running time between the last turn of the play head and now.
 import * as N from 'nakawari/all';
+import { clamp } from '../../kit/values';
 import { choice, number, numbers } from '../../shell/state';
 
 export const wraps = ['once', 'twice', 'loop', 'pingpong'] as const;
@@ -105,7 +106,7 @@ export function bounds({ wrap, duration }: State): [number, number] {
 
 /** The head moves to a time. Where it turns, a new step begins. */
 export function moved(state: State, time: number): Partial<State> {
-  const { from, to } = state, [least, most] = bounds(state), next = Math.fround(Math.min(Math.max(time, least), most));
+  const { from, to } = state, [least, most] = bounds(state), next = Math.fround(clamp(time, least, most));
   return { from: (next - to) * (to - from) < 0 ? to : from, to: next };
 }
 

@@ -4,6 +4,7 @@ import * as N from 'nakawari/all';
 import { makeCanvas } from '../../kit/canvas';
 import { colour } from '../../kit/colours';
 import { onDrag } from '../../kit/drag';
+import { clamp } from '../../kit/values';
 import type { Room } from '../../shell/exhibit';
 import { headOf, nearest, timesOf, type State } from './model';
 
@@ -55,7 +56,7 @@ function arc(c: Context, { x, y, r }: Place, from: number, to: number, style: st
 function trail(state: State): [number, number] {
   const { from, to } = state, end = headPlace(state, to);
   if (closed(state))
-    return [end - Math.min(Math.max((to - from) / seconds(state), -1), 1), end];
+    return [end - clamp((to - from) / seconds(state), -1, 1), end];
   const first = headPlace(state, from);
   if (headOf(state, from).cycle === headOf(state, to).cycle)
     return [first, end];
@@ -126,7 +127,7 @@ function pointers(canvas: HTMLCanvasElement, place: () => Place, perTurn: () => 
   }, event => {
     const [way, time] = recent(event).reduce(([w, t], p) => [w + p.way, t + (p.at - p.since) / 1000], [0, 0]);
     if (time > 0 && !still())
-      head.go(Math.min(Math.max(way / time, -40), 40));
+      head.go(clamp(way / time, -40, 40));
   });
 }
 

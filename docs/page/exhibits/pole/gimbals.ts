@@ -7,11 +7,11 @@ import { grips, type Grip } from '../../kit/grips';
 import { line, type Shape } from '../../kit/picture';
 import { space } from '../../kit/space';
 import { curve, isBehind, object, ring } from '../../kit/sphere';
+import { zeros } from '../../kit/values';
 import type { Room } from '../../shell/exhibit';
 import { axesOf, degrees, gimbalsOf, inOrder, letters, poseOf, withAngles, type State } from './model';
 
 const radii = [1, 0.84, 0.68], widths = [6, 5, 4];
-const zeros = (n: number) => Array<number>(n).fill(0);
 
 /** The outer and the inner axis are this near in degrees when the direction that is lost is shown. */
 export const lost = 5;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The pole of Euler angles: three gimbals in the six orders, and an object that passes near the pole.
 import * as N from 'nakawari/all';
-import { element } from '../../kit/html';
+import { note } from '../../kit/note';
 import { numberTable } from '../../kit/numbers';
 import { panel } from '../../kit/panel';
 import { plot } from '../../kit/plot';
@@ -9,7 +9,7 @@ import { remembered } from '../../kit/samples';
 import { scene, turnFields } from '../../kit/space';
 import type { Exhibit, Room } from '../../shell/exhibit';
 import { choice, number } from '../../shell/state';
-import { say } from '../../shell/text';
+import type { Text } from '../../shell/text';
 import { code } from './code';
 import { gimbals, lost } from './gimbals';
 import { degrees, euler, gimbalsOf, hasSpeeds, inOrder, letters, orders, passOf, passSpeed, poseOf, seconds, speedsOf,
@@ -80,10 +80,10 @@ const notes = {
     ja: '特異点そのものを通るとき、オイラーフィルタで連続化した角度（破線）は一様に変わります。' },
 };
 
-function noteOf(state: State): string {
+function noteOf(state: State): Text | string {
   if (state.by === 'pass')
-    return say(state.miss > 0 ? notes.pass : notes.through);
-  return inOrder(poseOf(state).q, state.order).distance < lost ? say(notes.lost) : '';
+    return state.miss > 0 ? notes.pass : notes.through;
+  return inOrder(poseOf(state).q, state.order).distance < lost ? notes.lost : '';
 }
 
 /** The pass begins when the time changes; during it the angles of the state are those of the pass. */
@@ -118,16 +118,11 @@ function controls(room: Room<State>) {
 }
 
 function mount(room: Room<State>) {
-  const { host, beside } = scene(room.stage), note = element('p', { class: 'note', role: 'status' });
+  const { host, beside } = scene(room.stage);
   gimbals(room, host);
   orderBars(room, beside);
-  beside.append(note);
+  beside.append(note(room, noteOf));
   followTime(room);
-  room.draw(() => {
-    const text = noteOf(room.state);
-    if (note.textContent !== text)
-      note.textContent = text;
-  });
   angles(room);
   controls(room);
   gimbalTable(room);

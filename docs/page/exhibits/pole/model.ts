@@ -2,6 +2,7 @@
 // Three gimbals in the six orders, and an object that passes near the pole of an order.
 import * as N from 'nakawari/all';
 import type { Turn } from '../../kit/space';
+import { zeros } from '../../kit/values';
 
 export const orders = ['XYZ', 'XZY', 'YXZ', 'YZX', 'ZXY', 'ZYX'] as const;
 export type Order = typeof orders[number];
@@ -27,7 +28,6 @@ export const unit = (i: number) => [0, 1, 2].map(k => k === i ? 1 : 0);
 export const axesOf = (order: Order) => [...order].map(letter => 'XYZ'.indexOf(letter));
 export const euler = (order: Order) => orders.indexOf(order) as N.EulerOrder;
 export const degrees = (angles: number[]) => angles.map(N.degreesFromRadians);
-const zeros = (n: number) => Array<number>(n).fill(0);
 const quat = (angles: number[], order: Order) => N.quatFromEuler(zeros(4), angles, euler(order));
 
 /** An orientation of the pass: a turn about the middle axis, after one of `miss` degrees about the outer axis. */

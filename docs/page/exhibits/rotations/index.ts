@@ -2,8 +2,8 @@
 // Two rotations: the ways from one to the other, on one object, on the sphere, and their angular velocities.
 import * as N from 'nakawari/all';
 import { choosing, thick } from '../../kit/chosen';
-import { element } from '../../kit/html';
 import { legend } from '../../kit/legend';
+import { note } from '../../kit/note';
 import { numberTable } from '../../kit/numbers';
 import { panel } from '../../kit/panel';
 import { plot } from '../../kit/plot';
@@ -11,7 +11,6 @@ import { scene, turnFields } from '../../kit/space';
 import { whole } from '../../kit/whole';
 import type { Exhibit, Room } from '../../shell/exhibit';
 import { choice, flag, number, some } from '../../shell/state';
-import { say } from '../../shell/text';
 import { code } from './code';
 import { colours, curvesOf, isWrongWay, keysOf, motionOf, names, seconds, speed, words, type Method,
   type State } from './model';
@@ -64,10 +63,9 @@ function controls(room: Room<State>) {
 
 function mount(room: Room<State>) {
   const curves = curvesOf(), { host, beside } = scene(room.stage);
-  const note = element('p', { class: 'note', role: 'status' });
   const shown = legend(room, names.map(name => ({ name, label: words[name], colour: colours[name], width: 2,
     dash: name === 'given' ? [6, 6] : undefined })), 'hidden');
-  beside.append(shown.element, note);
+  beside.append(shown.element, note(room, state => isWrongWay(keysOf(state)) ? opposite : ''));
   sphere(room, curves, host);
   const made = plot(room, {
     label: { en: 'Length of the angular velocity ω at each time, °/s (logarithmic axis)',
@@ -78,11 +76,6 @@ function mount(room: Room<State>) {
     time: () => room.state.time,
   });
   thick(room, made, 2, () => names.indexOf(room.state.method));
-  room.draw(() => {
-    const text = isWrongWay(keysOf(room.state)) ? say(opposite) : '';
-    if (note.textContent !== text)
-      note.textContent = text;
-  });
   controls(room);
   tables(room);
 }

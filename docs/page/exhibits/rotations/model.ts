@@ -4,6 +4,7 @@ import * as N from 'nakawari/all';
 import { remembered } from '../../kit/samples';
 import type { Turn } from '../../kit/space';
 import { nose, withNose } from '../../kit/sphere';
+import { zeros } from '../../kit/values';
 
 export const names = ['euler', 'nlerp', 'slerp', 'long', 'turns', 'given'] as const;
 export type Method = typeof names[number];
@@ -31,7 +32,6 @@ export const colours: Record<Method, string> =
   { euler: 'c1', nlerp: 'c4', slerp: 'c0', long: 'c3', turns: 'c5', given: 'c6' };
 
 export const seconds = 2, order = N.EULER_YXZ;
-const zeros = (n: number) => Array<number>(n).fill(0);
 
 export function keysOf({ ax, ay, az, bx, by, bz, flip }: State) {
   const angles = [[ax, ay, az], [bx, by, bz]].map(degrees => degrees.map(N.radiansFromDegrees));

@@ -3,6 +3,7 @@
 import * as N from 'nakawari/all';
 import type { Turn } from '../../kit/space';
 import { nose, withNose } from '../../kit/sphere';
+import { clamp, zeros } from '../../kit/values';
 
 export const names = ['slerp', 'squad', 'gltf', 'hermite', 'bspline'] as const;
 export type Method = typeof names[number];
@@ -31,7 +32,6 @@ export const colours: Record<Method, string> =
   { slerp: 'c1', squad: 'c4', gltf: 'c3', hermite: 'c0', bspline: 'c2' };
 
 export const count = 5;
-const zeros = (n: number) => Array<number>(n).fill(0);
 const three = (list: number[], k: number) => list.slice(3 * k, 3 * k + 3);
 const inner = Array.from({ length: count - 2 }, (_, i) => i + 1);
 const segments = Array.from({ length: count - 1 }, (_, k) => k);
@@ -169,7 +169,7 @@ export const omegaFor = (n: number[], v: number[], before: number[]) =>
 /** Key k at another time, at least 0.1 s from its neighbours; undefined if it cannot be there. */
 export function withTime({ times }: State, k: number, time: number): Partial<State> | undefined {
   const least = k > 0 ? times[k - 1] + 0.1 : 0, most = k < count - 1 ? times[k + 1] - 0.1 : 20;
-  const next = +Math.min(Math.max(time, least), most).toFixed(2);
+  const next = +clamp(time, least, most).toFixed(2);
   return Number.isFinite(next) ? { times: times.map((x, i) => i === k ? next : x) } : undefined;
 }
 export const ascending = (times: number[]) => times.length === count && times[0] >= 0 && times[count - 1] <= 20 &&

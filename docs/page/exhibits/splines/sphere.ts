@@ -7,6 +7,7 @@ import { grips, onSphere, type Grip } from '../../kit/grips';
 import { dot, line } from '../../kit/picture';
 import { space } from '../../kit/space';
 import { arrow, curve, globe, isBehind, nose, object } from '../../kit/sphere';
+import { zeros } from '../../kit/values';
 import type { Room } from '../../shell/exhibit';
 import { colours, omegaFor, orientation, shownOf, turned, usesOmega, withOmega, type Curves,
   type State } from './model';
@@ -15,7 +16,6 @@ import { colours, omegaFor, orientation, shownOf, turned, usesOmega, withOmega, 
 const longest = 0.5, slow = 0.4;
 const lengthOf = (speed: number) => longest * speed / (slow + speed);
 const speedOf = (length: number) => slow * length / Math.max(longest - length, 0.03);
-const zeros = (n: number) => Array<number>(n).fill(0);
 
 function tipOf(n: number[], w: number[]): number[] {
   const v = N.vec3Cross(zeros(3), w, n), speed = N.vec3Length(v);

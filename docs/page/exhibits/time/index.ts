@@ -2,14 +2,15 @@
 // Exhibit 3: a Bezier segment whose handles have a time and a value; a handle that runs back, under the policies.
 import * as N from 'nakawari/all';
 import { colour } from '../../kit/colours';
-import { element } from '../../kit/html';
 import type { Legend } from '../../kit/legend';
+import { note } from '../../kit/note';
 import { numberTable, type Row } from '../../kit/numbers';
 import { panel } from '../../kit/panel';
 import { legend, plot, type Handle } from '../../kit/plot';
 import { remembered, samples } from '../../kit/samples';
+import { clamp } from '../../kit/values';
 import type { Exhibit, Room } from '../../shell/exhibit';
-import { say, type Text } from '../../shell/text';
+import type { Text } from '../../shell/text';
 import { code } from './program';
 import { back, fields, given, halves, limited, meanings, names, pointOf, policies, third, words,
   type State } from './segment';
@@ -24,7 +25,6 @@ const texts = {
 
 /* ---- handles ---- */
 
-const clamp = (value: number, from: number, to: number) => Math.min(Math.max(value, from), to);
 // How far keys and the tips of handles can be dragged, for both axes.
 const far = 4, shortest = 0.1;
 
@@ -153,13 +153,7 @@ function mount(room: Room<State>) {
   controls.action({ en: 'Handles of a third: s = time', ja: '長さ 1/3 のハンドル：s = 時刻' },
     () => room.set({ segment: third }));
   room.shortcuts([{ key: 's', does: { en: 'splits at the time', ja: '現在時刻で分割' }, run: split }]);
-  const note = element('p', { class: 'note', 'aria-live': 'polite' });
-  room.side.append(note);
-  room.draw(() => {
-    const text = say(meanings[room.state.policy]);
-    if (note.textContent !== text)
-      note.textContent = text;
-  });
+  room.side.append(note(room, state => meanings[state.policy]));
   tables(room, curves);
   plots(room, curves);
 }

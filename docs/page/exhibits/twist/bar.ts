@@ -2,6 +2,7 @@
 // A bar of one square metre by three, skinned in three ways, and its measures.
 import * as N from 'nakawari/all';
 import { vertex } from '../../kit/skinned';
+import { clamp } from '../../kit/values';
 
 export const steps = 24, around = 8, length = 3;
 /** The corners and middles of the sides of a section, counterclockwise seen from above. */
@@ -34,7 +35,7 @@ export const faces = [section(0).reverse(), ...Array.from({ length: steps }, (_,
 function weights(joints: number, spread: number): Float32Array {
   return Float32Array.from({ length: (steps + 1) * around * joints }, (_, n) => {
     const up = (length * row(Math.floor(n / joints)) / steps - 1.5) / spread + 0.5;
-    return Math.max(0, 1 - Math.abs(Math.min(Math.max(up, 0), 1) * (joints - 1) - n % joints));
+    return Math.max(0, 1 - Math.abs(clamp(up, 0, 1) * (joints - 1) - n % joints));
   });
 }
 

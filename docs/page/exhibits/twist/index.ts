@@ -2,9 +2,11 @@
 // Exhibit 8: a bar that is twisted or bent, by linear blend and by dual quaternions, and its volume.
 import { element, html } from '../../kit/html';
 import { field, options } from '../../kit/field';
+import { note } from '../../kit/note';
 import { panel } from '../../kit/panel';
 import { plot } from '../../kit/plot';
 import { space } from '../../kit/space';
+import { clamp } from '../../kit/values';
 import type { Exhibit, Room } from '../../shell/exhibit';
 import { say } from '../../shell/text';
 import { makeBars, motions, volume, ways, type Bars } from './bar';
@@ -39,20 +41,9 @@ function curve(room: Room<State>, bars: Bars) {
     time: () => degreesOf(room.state),
     handles: () => [{ label: words.angles[room.state.mode], x: degreesOf(room.state), y: volume(at()), move(x) {
       const { mode } = room.state;
-      room.set({ [mode]: Math.min(Math.max(Math.round(x), 0), motions[mode].most) });
+      room.set({ [mode]: clamp(Math.round(x), 0, motions[mode].most) });
     } }],
   });
-}
-
-/** What happens, what helps, and how the volume is computed. */
-function text(room: Room<State>) {
-  const note = element('p', { class: 'note', role: 'status' });
-  room.draw(() => {
-    const now = say(notes[room.state.mode]);
-    if (note.textContent !== now)
-      note.textContent = now;
-  });
-  return [note, html('p', say(help), { class: 'note' })];
 }
 
 function controls(room: Room<State>) {
@@ -75,7 +66,7 @@ function mount(room: Room<State>) {
   controls(room);
   measures(room, bars);
   room.side.append(html('p', tex`V = \frac{1}{6} \sum \det(a, b, c)` + say(words.formula), { class: 'note' }),
-    ...text(room));
+    note(room, state => notes[state.mode]), html('p', say(help), { class: 'note' }));
 }
 
 export const twist: Exhibit<State> = {
