@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Exhibit 2: the Hermite curve by its basis, per second and per segment, and the tangents of PCHIP, both by formulas of
+// The Hermite curve by its basis, per second and per segment, and the tangents of PCHIP, both by formulas of
 // their own; keys and tangents that are dragged, added, deleted, and curves that are hidden.
 import assert from 'node:assert/strict';
 import { after, test } from 'node:test';

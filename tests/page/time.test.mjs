@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Exhibit 3: the value at a time by bisection, the triangle of a split, a vertical curve, the ellipse of the policies,
+// The value at a time by bisection, the triangle of a split, a vertical curve, the ellipse of the policies,
 // and drags that end the regression.
 import assert from 'node:assert/strict';
 import { after, test } from 'node:test';

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The camera of the exercise: T(0, 0, -distance) Rx(-pitch) Ry(-yaw) T(-aim), a perspective of fov degrees.
+// The camera: T(0, 0, -distance) Rx(-pitch) Ry(-yaw) T(-aim), a perspective of fov degrees.
 import * as N from 'nakawari/all';
 import { zeros } from './values';
 

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+// Elements of the page.
 type Content = string | Node | (string | Node)[];
 
 /** An element with attributes and children. Strings are texts, not HTML. */
@@ -12,7 +13,8 @@ export function element<K extends keyof HTMLElementTagNameMap>(name: K, attribut
 }
 
 /** An element whose content is HTML of this page's sources. */
-export function html<K extends keyof HTMLElementTagNameMap>(name: K, text: string, attributes: Record<string, string> = {}) {
+export function html<K extends keyof HTMLElementTagNameMap>(name: K, text: string,
+  attributes: Record<string, string> = {}) {
   const made = element(name, attributes);
   made.innerHTML = text;
   return made;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Tables of numbers. Each cell has its exact value in data-value and its name in data-name, as the C program prints them.
+// Tables of numbers. Each cell has its exact value in data-value and its name in data-name, as C prints them.
 import type { Room } from '../shell/exhibit';
 import { say, type Text } from '../shell/text';
 import { element, html } from './html';

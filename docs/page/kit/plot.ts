@@ -9,12 +9,9 @@ import { legend, type Legend, type Series } from './legend';
 import { onDouble, pointLayer, type Handle } from './points';
 import { logTicks, ticks, tickTexts } from './ticks';
 
-export type { Handle, Series };
-export { legend };
-
 interface Data { x: ArrayLike<number>; y: ArrayLike<number>[] }
 
-export interface PlotOptions {
+interface PlotOptions {
   /** What the plot shows, for its title and for screen readers. */
   label: Text;
   /** The label of the abscissa. Without it, the plot shares the axis of the plot below. */

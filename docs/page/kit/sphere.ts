@@ -8,7 +8,7 @@ import { zeros } from './values';
 
 type Context = CanvasRenderingContext2D;
 
-export interface Stroke {
+interface Stroke {
   style: string;
   width: number;
   dashed?: boolean;

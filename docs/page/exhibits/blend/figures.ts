@@ -10,7 +10,7 @@ import { say, type Text } from '../../shell/text';
 import type { Rig } from './rig';
 import type { State } from './state';
 
-export interface Figure {
+interface Figure {
   pose: N.Pose;
   colour: string;
   label: Text;

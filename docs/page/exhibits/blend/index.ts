@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Exhibit 9: two clips, from one to the other, their mean, their sum; springs.
+// Two clips, from one to the other, their mean, their sum; springs.
 import { button, element } from '../../kit/html';
 import type { Exhibit, Room } from '../../shell/exhibit';
 import { say } from '../../shell/text';

@@ -3,9 +3,10 @@
 import * as N from 'nakawari/all';
 import { html } from '../../kit/html';
 import { list, literal, program } from '../../kit/code';
+import { legend } from '../../kit/legend';
 import { numberTable } from '../../kit/numbers';
 import { panel } from '../../kit/panel';
-import { legend, plot } from '../../kit/plot';
+import { plot } from '../../kit/plot';
 import { remembered, samples } from '../../kit/samples';
 import { clamp } from '../../kit/values';
 import type { Room } from '../../shell/exhibit';

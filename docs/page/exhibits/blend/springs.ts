@@ -3,9 +3,11 @@
 import * as N from 'nakawari/all';
 import { list, literal, program } from '../../kit/code';
 import { html } from '../../kit/html';
+import { legend } from '../../kit/legend';
 import { numberTable } from '../../kit/numbers';
 import { panel } from '../../kit/panel';
-import { type Handle, legend, plot } from '../../kit/plot';
+import { plot } from '../../kit/plot';
+import type { Handle } from '../../kit/points';
 import { remembered, samples } from '../../kit/samples';
 import { clamp } from '../../kit/values';
 import type { Room } from '../../shell/exhibit';

@@ -9,7 +9,7 @@ import type { Rig } from './rig';
 export const modes = ['change', 'pair', 'additive', 'springs'] as const;
 export type Mode = typeof modes[number];
 export const clipNames = ['walk', 'wave', 'hop'] as const;
-export type ClipName = typeof clipNames[number];
+type ClipName = typeof clipNames[number];
 export const axisNames = ['x', 'y', 'z'] as const;
 const jointNames = ['hips', 'spine', 'chest', 'neck', 'head', 'arm.L', 'forearm.L', 'hand.L', 'arm.R', 'forearm.R',
   'hand.R', 'thigh.L', 'shin.L', 'foot.L', 'thigh.R', 'shin.R', 'foot.R'];

@@ -6,7 +6,7 @@ import type { Eye, Point, Ray, View } from '../../kit/eye';
 import { clamp, zeros } from '../../kit/values';
 import { moved, turned, type Key } from './model';
 
-export type Kind = 'axis' | 'plane' | 'ring';
+type Kind = 'axis' | 'plane' | 'ring';
 /** The axis, the axis that the plane is normal to, or the axis of the turn: 0 x, 1 y, 2 z. */
 export interface Handle { kind: Kind; axis: number }
 
@@ -31,7 +31,7 @@ export function gizmoOf(key: Key, eye: Eye, local: boolean, pixels: number): Giz
 export const shape = { square: [0.3, 0.55], ring: 1.2 };
 
 /** A point of the plane of the axis, by parts of the length along the other two axes. */
-export function inPlane(g: Gizmo, axis: number, a: number, b: number): number[] {
+function inPlane(g: Gizmo, axis: number, a: number, b: number): number[] {
   const [u, v] = others(g, axis);
   return add(g.centre, add(scale(u, a * g.length), scale(v, b * g.length)));
 }

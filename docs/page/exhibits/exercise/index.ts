@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Exhibit 1: the exercise, as its program is used.
+// The exercise, as its program is used.
 import { element } from '../../kit/html';
 import type { Exhibit, Room } from '../../shell/exhibit';
 import { say } from '../../shell/text';

@@ -102,7 +102,7 @@ function keyOf({ time, at, turn, opposite }: Placement): Key {
   return { time, position: at.map(Math.fround), orientation: opposite ? N.quatNegate(q, q) : q };
 }
 
-export function unpack(list: number[]): Key[] {
+function unpack(list: number[]): Key[] {
   return Array.from({ length: list.length / 8 }, (_, k) => {
     const [time, ...rest] = list.slice(8 * k, 8 * k + 8).map(Math.fround);
     return { time, position: rest.slice(0, 3), orientation: rest.slice(3) };

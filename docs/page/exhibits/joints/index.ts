@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Exhibit 7: the lesson's capsule on four joints: T J T^-1 in numbers, and the classic mistakes.
+// The lesson's capsule on four joints: T J T^-1 in numbers, and the classic mistakes.
 import type { View } from '../../kit/eye';
 import { grips } from '../../kit/grips';
 import { element } from '../../kit/html';

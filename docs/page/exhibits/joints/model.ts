@@ -45,7 +45,7 @@ const swing = (time: number) => 2 * Math.abs(N.wrap(time / 4, 1) - 0.5);
 export const angles = (s: State) => [s.angle0, s.angle1, s.angle2, s.angle3].map(a => a * swing(s.time));
 export const heights = (s: State) => [0, s.height1, s.height2, s.height3];
 
-export type Matrix = number[];
+type Matrix = number[];
 
 /** The factors of joint i, their product, and the matrix of the palette: the same, unless it is transposed. */
 export type Joint = Record<Factor | 'product' | 'M', Matrix>;

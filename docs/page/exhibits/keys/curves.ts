@@ -11,7 +11,7 @@ export const splines = ['catmull', 'cardinal', 'tcb', 'centripetal', 'chordal', 
 export const methods = ['step', 'linear', 'own', ...splines, 'bspline'] as const;
 export type Method = typeof methods[number];
 export const scales = ['second', 'segment'] as const;
-export type Scale = typeof scales[number];
+type Scale = typeof scales[number];
 
 export const words: Record<Method, Text> = {
   step: { en: 'step', ja: 'ステップ' },

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // What the plot of values can change: keys and tangents are dragged, keys are added and deleted.
-import type { Handle } from '../../kit/plot';
+import type { Handle } from '../../kit/points';
 import { clamp } from '../../kit/values';
 import type { Room } from '../../shell/exhibit';
 import { closest, curve, keysOf, most, nearest, tangentsOf, type Keys, type State } from './curves';

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
-// Exhibit 2: one curve through keys that can be dragged, by all methods; value, velocity and acceleration.
+// One curve through keys that can be dragged, by all methods; value, velocity and acceleration.
 import { button, element, html } from '../../kit/html';
-import type { Legend } from '../../kit/legend';
+import { legend, type Legend } from '../../kit/legend';
 import { numberTable, type Row } from '../../kit/numbers';
 import { panel } from '../../kit/panel';
-import { legend, plot } from '../../kit/plot';
+import { plot } from '../../kit/plot';
 import { remembered, samples } from '../../kit/samples';
 import type { Exhibit, Room, Shortcut } from '../../shell/exhibit';
 import { say } from '../../shell/text';

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
-// Exhibit 10: the keys that a play head passes in a clip that repeats, each exactly once.
+// The keys that a play head passes in a clip that repeats, each exactly once.
 import { button, element } from '../../kit/html';
+import { legend } from '../../kit/legend';
 import { numberTable, type Row } from '../../kit/numbers';
 import { panel } from '../../kit/panel';
-import { legend, plot } from '../../kit/plot';
+import { plot } from '../../kit/plot';
 import { remembered, samples } from '../../kit/samples';
 import { clamp } from '../../kit/values';
 import type { Exhibit, Room } from '../../shell/exhibit';

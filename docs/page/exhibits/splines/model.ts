@@ -88,7 +88,7 @@ export const degrees = (x: number) => N.degreesFromRadians(x);
 export const orientation = (motion: Motion) => motion.slice(0, 4);
 
 /** The angular velocity on both sides of key k, and its jump in degrees per second. */
-export interface Corner { k: number; before: number[]; after: number[]; jump: number }
+interface Corner { k: number; before: number[]; after: number[]; jump: number }
 
 /** The motion of each method in segment k at t in 0..1, and at a time; the inner keys. */
 function motionsOf(state: State) {

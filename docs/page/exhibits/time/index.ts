@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: MIT
-// Exhibit 3: a Bezier segment whose handles have a time and a value; a handle that runs back, under the policies.
+// A Bezier segment whose handles have a time and a value; a handle that runs back, under the policies.
 import * as N from 'nakawari/all';
 import { colour } from '../../kit/colours';
-import type { Legend } from '../../kit/legend';
+import { legend, type Legend } from '../../kit/legend';
 import { note } from '../../kit/note';
 import { numberTable, type Row } from '../../kit/numbers';
 import { panel } from '../../kit/panel';
-import { legend, plot, type Handle } from '../../kit/plot';
+import { plot } from '../../kit/plot';
+import type { Handle } from '../../kit/points';
 import { remembered, samples } from '../../kit/samples';
 import { clamp } from '../../kit/values';
 import type { Exhibit, Room } from '../../shell/exhibit';

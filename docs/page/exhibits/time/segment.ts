@@ -6,7 +6,7 @@ import type { Text } from '../../shell/text';
 
 /** In the order of nkw_handle_policy. */
 export const policies = ['none', 'contain', 'ratio', 'start'] as const;
-export type Policy = typeof policies[number];
+type Policy = typeof policies[number];
 export const names: Record<Policy, Text> = {
   none: { en: 'none', ja: '制限なし' },
   contain: { en: 'contain', ja: '区間内に収める' },

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Exhibit 8: a bar that is twisted or bent, by linear blend and by dual quaternions, and its volume.
+// A bar that is twisted or bent, by linear blend and by dual quaternions, and its volume.
 import { element, html } from '../../kit/html';
 import { field, options } from '../../kit/field';
 import { note } from '../../kit/note';

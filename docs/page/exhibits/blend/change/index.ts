@@ -2,9 +2,10 @@
 // A change from one clip to another: by cross-fade, by inertialisation, by dead blending.
 import type { Pose } from 'nakawari/all';
 import { html } from '../../../kit/html';
+import { legend } from '../../../kit/legend';
 import { numberTable } from '../../../kit/numbers';
 import { panel } from '../../../kit/panel';
-import { legend, plot } from '../../../kit/plot';
+import { plot } from '../../../kit/plot';
 import { remembered } from '../../../kit/samples';
 import type { Room } from '../../../shell/exhibit';
 import { say, type Text } from '../../../shell/text';
