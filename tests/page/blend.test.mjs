@@ -2,7 +2,7 @@
 // Blend and change: the numbers of each mode beside formulas in binary64, the copied C, drags by mouse and finger.
 import assert from 'node:assert/strict';
 import { after, test } from 'node:test';
-import { axe, close, open, printed, shown } from './models.mjs';
+import { axe, close, near, open, printed, row, shown } from './models.mjs';
 
 after(close);
 const drawn = tab =>
@@ -12,8 +12,6 @@ const exhibit = async (query, options) => {
   await drawn(tab);
   return { tab, problems, n: await shown(tab) };
 };
-const near = (a, b, error, name = '') => assert.ok(Math.abs(a - b) <= error, `${name}: ${a}, not ${b}`);
-const row = (n, name, count = 3) => Array.from({ length: count }, (_, i) => n[`${name}.${i}`]);
 
 /* ---- rotations in binary64: x y z w ---- */
 

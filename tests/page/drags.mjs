@@ -6,7 +6,9 @@ import { frames, touchDrag } from './models.mjs';
 /** Waits until what the state says is drawn. */
 export const settled = tab => frames(tab, 3);
 
+/** The middle of the first element of the selector. */
 export async function centre(tab, selector) {
+  await tab.locator(selector).scrollIntoViewIfNeeded();
   const { x, y, width, height } = await tab.locator(selector).boundingBox();
   return { x: x + width / 2, y: y + height / 2 };
 }
@@ -20,7 +22,6 @@ async function byMouse(tab, from, to) {
 
 /** Drags the first element of the selector; returns how far it has moved. */
 export async function drag(tab, selector, dx, dy, pointer = 'mouse') {
-  await tab.locator(selector).scrollIntoViewIfNeeded();
   const from = await centre(tab, selector);
   if (pointer === 'touch')
     await touchDrag(tab, tab.locator(selector), [[dx / 3, dy / 3], [dx / 2, dy / 2], [dx, dy]]);

@@ -5,13 +5,11 @@ import { execFileSync } from 'node:child_process';
 import { mkdtempSync, readFileSync, rmSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import { after, test } from 'node:test';
-import { close, open, printed, root, shown } from './models.mjs';
+import { close, printed, root, shown, start } from './models.mjs';
 
 after(close);
-const drawn = tab => tab.waitForSelector('main[data-drawn]', { state: 'attached', timeout: 60000 });
 async function exercise(query, options) {
-  const { tab, problems } = await open(`exercise?lang=en&${query}`, options);
-  await drawn(tab);
+  const { tab, problems } = await start(`exercise?lang=en&${query}`, options);
   return { tab, problems, field: name => tab.inputValue(`[data-field=${name}]`) };
 }
 const frame = tab => tab.evaluate(() => new Promise(done => requestAnimationFrame(() => requestAnimationFrame(done))));
@@ -224,8 +222,7 @@ test('every blank has its letter, its number and its code, and the code computes
 
 for (const [lang, width, height] of [['en', 1280, 720], ['ja', 1280, 720], ['ja', 1920, 1080]])
   test(`the blanks are beside the picture without scrolling, ${lang}, ${width} x ${height}`, async () => {
-    const { tab } = await open(`exercise?lang=${lang}&time=3.25&orientation=quat`, { viewport: { width, height } });
-    await drawn(tab);
+    const { tab } = await start(`exercise?lang=${lang}&time=3.25&orientation=quat`, { viewport: { width, height } });
     for (const [position] of blankMethods) {
       await tab.selectOption('[data-field=position]', position);
       await frame(tab);

@@ -3,17 +3,16 @@
 import assert from 'node:assert/strict';
 import { readFileSync } from 'node:fs';
 import { after, test } from 'node:test';
-import { close, open, printed, root, shown } from './models.mjs';
+import { centre, drag } from './drags.mjs';
+import { close, printed, root, shown, start } from './models.mjs';
 
 after(close);
-const drawn = tab => tab.waitForSelector('main[data-drawn]', { state: 'attached', timeout: 60000 });
 const orders = ['turn', 'origin', 'noParent', 'right', 'noInverse', 'noTranslation', 'turnFirst', 'swapped',
   'parentLast', 'transposed', 'degrees', 'unnormalised'];
 const heights = [0, 1, 2, 3];
 
 async function numbersOf(address) {
-  const { tab, problems } = await open(address);
-  await drawn(tab);
+  const { tab, problems } = await start(address);
   const numbers = await shown(tab);
   assert.deepEqual(problems, []);
   return { tab, numbers };
@@ -113,18 +112,9 @@ const angleOf = numbers => Math.atan2(numbers['J2.1'], numbers['J1.1']);
 const changed = (tab, name, old) => tab.waitForFunction(([n, before]) =>
   Number(document.querySelector(`[data-name="${n}"]`).dataset.value) !== before, [name, old]);
 
-async function middle(tab, selector) {
-  const { x, y, width, height } = await tab.locator(selector).boundingBox();
-  return { x: x + width / 2, y: y + height / 2 };
-}
-
 test('a handle is dragged: its joint turns, is shown, and the next one follows', async () => {
   const { tab, numbers: before } = await numbersOf('joints?lang=en&joint=2&yaw=90&pitch=0');
-  const { x, y } = await middle(tab, '[data-handle="1"]');
-  await tab.mouse.move(x, y);
-  await tab.mouse.down();
-  await tab.mouse.move(x + 20, y + 60, { steps: 5 });
-  await tab.mouse.up();
+  await drag(tab, '[data-handle="1"]', 20, 60);
   await changed(tab, 'J1.1', before['J1.1']);
   const now = await shown(tab), angle = angleOf(now);
   assert.ok(angle > 0.7, `${angle}`);
@@ -136,16 +126,10 @@ test('a handle is dragged: its joint turns, is shown, and the next one follows',
 });
 
 test('a finger drags a handle', async () => {
-  const { tab } = await open('joints?lang=en&yaw=90&pitch=0',
+  const { tab } = await start('joints?lang=en&yaw=90&pitch=0',
     { hasTouch: true, viewport: { width: 390, height: 844 } });
-  await drawn(tab);
-  const before = await shown(tab), { x, y } = await middle(tab, '[data-handle="1"]');
-  const client = await tab.context().newCDPSession(tab);
-  const touch = (type, touchPoints) => client.send('Input.dispatchTouchEvent', { type, touchPoints });
-  await touch('touchStart', [{ x, y }]);
-  for (const step of [10, 20, 30, 40])
-    await touch('touchMove', [{ x: x + step / 3, y: y + step }]);
-  await touch('touchEnd', []);
+  const before = await shown(tab);
+  await drag(tab, '[data-handle="1"]', 13, 40, 'touch');
   await changed(tab, 'J1.1', before['J1.1']);
   assert.ok(angleOf(await shown(tab)) > 0.7);
   await tab.close();
@@ -162,7 +146,7 @@ test('arrow keys turn the joint of a handle', async () => {
 
 test('a click chooses a vertex, and keys choose others', async () => {
   const { tab, numbers: before } = await numbersOf('joints?lang=en&angle1=0&angle2=0&yaw=0&pitch=0');
-  const { x, y } = await middle(tab, 'canvas.space');
+  const { x, y } = await centre(tab, 'canvas.space');
   await tab.mouse.click(x, y);
   await changed(tab, 'vertex.1', before['vertex.1']);
   const now = await shown(tab);
@@ -174,13 +158,8 @@ test('a click chooses a vertex, and keys choose others', async () => {
 });
 
 test('a drag during the play stops it and keeps the other angles', async () => {
-  const { tab } = await open('joints?lang=en&time=1&joint=2&yaw=90&pitch=0');
-  await drawn(tab);
-  const { x, y } = await middle(tab, '[data-handle="1"]');
-  await tab.mouse.move(x, y);
-  await tab.mouse.down();
-  await tab.mouse.move(x + 10, y + 30, { steps: 3 });
-  await tab.mouse.up();
+  const { tab } = await start('joints?lang=en&time=1&joint=2&yaw=90&pitch=0');
+  await drag(tab, '[data-handle="1"]', 10, 30);
   await tab.waitForFunction(() => document.querySelector('.seconds').textContent === '0.00 s');
   await tab.keyboard.press('j');
   await tab.waitForFunction(() => document.querySelector('.equation').textContent.startsWith('M2'));

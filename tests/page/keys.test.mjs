@@ -3,15 +3,10 @@
 // their own; keys and tangents that are dragged, added, deleted, and curves that are hidden.
 import assert from 'node:assert/strict';
 import { after, test } from 'node:test';
-import { close, open, printed, shown } from './models.mjs';
+import { centre, drag } from './drags.mjs';
+import { close, near, printed, shown, start } from './models.mjs';
 
 after(close);
-const start = async (address, options) => {
-  const { tab, problems } = await open(address, options);
-  await tab.waitForSelector('main[data-drawn]', { state: 'attached' });
-  return { tab, problems };
-};
-const near = (a, b, tolerance = 1e-5) => assert.ok(Math.abs(a - b) < tolerance, `${a} ${b}`);
 /** The numbers after a change of one of them. */
 const changed = async (tab, before, name) => {
   await tab.waitForFunction(([key, value]) => {
@@ -84,27 +79,14 @@ for (const method of ['step', 'linear', 'bspline', 'tcb'])
 
 /* ---- what can be done ---- */
 
-const centre = async (tab, selector) => {
-  await tab.locator(selector).scrollIntoViewIfNeeded();
-  const box = await tab.locator(selector).boundingBox();
-  return [box.x + box.width / 2, box.y + box.height / 2];
-};
-async function drag(tab, handle, dx, dy) {
-  const [x, y] = await centre(tab, `[data-handle="${handle}"]`);
-  await tab.mouse.move(x, y);
-  await tab.mouse.down();
-  await tab.mouse.move(x + dx, y + dy, { steps: 4 });
-  await tab.mouse.up();
-}
-
 test('a drag of a key moves its time and every curve, one of a tangent takes the tangents of the method', async () => {
   const { tab, problems } = await start('keys?time=0.75&method=pchip'), before = await shown(tab);
-  await drag(tab, 1, -20, -20);
+  await drag(tab, '[data-handle="1"]', -20, -20);
   const moved = await changed(tab, before, 'key1.1');
   for (const name of ['step', 'linear', 'catmull', 'pchip', 'c2', 'bspline'])
     assert.ok(moved[`${name}.0`] > before[`${name}.0`], name);
   assert.ok(moved['key1.0'] < before['key1.0']);
-  await drag(tab, 6, 0, -15);
+  await drag(tab, '[data-handle="6"]', 0, -15);
   const turned = await changed(tab, moved, 'key1.3');
   assert.ok(turned['key1.3'] > moved['key1.3']);
   assert.equal(turned['key3.3'], moved['key3.3']);
@@ -116,13 +98,8 @@ test('a drag of a key moves its time and every curve, one of a tangent takes the
 
 test('a finger drags a key', async () => {
   const { tab, problems } = await start('keys', { hasTouch: true, viewport: { width: 390, height: 844 } });
-  const before = await shown(tab), [x, y] = await centre(tab, '[data-handle="2"]');
-  const session = await tab.context().newCDPSession(tab);
-  const touch = (type, points) => session.send('Input.dispatchTouchEvent', { type, touchPoints: points });
-  await touch('touchStart', [{ x, y }]);
-  for (let i = 1; i <= 5; i++)
-    await touch('touchMove', [{ x: x - 2 * i, y: y + 6 * i }]);
-  await touch('touchEnd', []);
+  const before = await shown(tab);
+  await drag(tab, '[data-handle="2"]', -10, 30, 'touch');
   const moved = await changed(tab, before, 'key2.1');
   assert.ok(moved['key2.1'] < before['key2.1'] && moved['key2.0'] < before['key2.0']);
   assert.deepEqual(problems, []);
@@ -150,7 +127,7 @@ for (const [name, press] of [['mouse', (tab, x, y) => tab.mouse.dblclick(x, y)],
   ['touch', async (tab, x, y) => { await tab.touchscreen.tap(x, y); await tab.touchscreen.tap(x, y); }]])
   test(`pressing twice on the plot adds a key there, by ${name}`, async () => {
     const { tab } = await start('keys', { hasTouch: name === 'touch' }), before = await shown(tab);
-    const [x, y] = await centre(tab, '[data-handle="1"]');
+    const { x, y } = await centre(tab, '[data-handle="1"]');
     await press(tab, x + 60, y + 40);
     const more = await changed(tab, before, 'key2.0');
     assert.ok(more['key2.0'] > 0.5 && more['key2.0'] < 2 && more['key2.1'] < 1);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // What the tests of the page share: Chromium, an exhibit by its address, its numbers, what the copied C prints.
+import assert from 'node:assert/strict';
 import { execFileSync } from 'node:child_process';
 import { mkdtempSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
 import { createRequire } from 'node:module';
@@ -40,6 +41,21 @@ export async function open(address, options = {}) {
 export const drawn = (tab, id) => tab.waitForSelector(`main${id ? `[data-exhibit="${id}"]` : ''}[data-drawn]`,
   { state: 'attached', timeout: 60000 });
 
+/** An exhibit by its address, drawn. */
+export async function start(address, options) {
+  const made = await open(address, options);
+  await drawn(made.tab);
+  return made;
+}
+
+/** Calls `use` with a tab and its numbers in an exhibit; the console has nothing to say. */
+export async function within(address, use, options) {
+  const { tab, problems } = await start(address, options);
+  await use(tab, await shown(tab));
+  assert.deepEqual(problems, []);
+  await tab.close();
+}
+
 /** Waits for frames of the browser. */
 export const frames = (tab, count) => tab.evaluate(n => new Promise(resolve => {
   const next = () => n-- ? requestAnimationFrame(next) : resolve();
@@ -49,6 +65,12 @@ export const frames = (tab, count) => tab.evaluate(n => new Promise(resolve => {
 /** The numbers on the page: { 'x.0': value }. */
 export const shown = tab => tab.evaluate(() => Object.fromEntries([...document.querySelectorAll('[data-name]')]
   .map(cell => [cell.dataset.name, Number(cell.dataset.value)])));
+
+/** Numbers name.0, name.1, ... of those shown. */
+export const row = (numbers, name, count = 3) => Array.from({ length: count }, (_, i) => numbers[`${name}.${i}`]);
+
+export const near = (a, b, tolerance = 1e-5, what = '') =>
+  assert.ok(Math.abs(a - b) <= tolerance, `${what}: ${a}, not ${b}`);
 
 /** Drags by a finger from the middle of an element; `path` is a list of [dx, dy] from there, in pixels. */
 export async function touchDrag(tab, element, path) {
@@ -62,6 +84,9 @@ export async function touchDrag(tab, element, path) {
   await session.detach();
 }
 
+// The words of printf for numbers that are not finite.
+const read = text => Number(/nan/.test(text) ? NaN : text.replace('inf', 'Infinity'));
+
 /** What the copied program prints, in the same form. */
 export async function printed(tab) {
   await tab.click('.code');
@@ -72,7 +97,7 @@ export async function printed(tab) {
     execFileSync('cc', ['-std=c99', '-Wall', '-Wextra', '-Werror', `${folder}/program.c`, '-o', `${folder}/program`,
       `-I${root}/include`, ...link.split(' ')]);
     const lines = execFileSync(`${folder}/program`, { encoding: 'utf8' }).trim().split('\n');
-    return Object.fromEntries(lines.map(line => line.split(' ')).map(([name, value]) => [name, Number(value)]));
+    return Object.fromEntries(lines.map(line => line.split(' ')).map(([name, value]) => [name, read(value)]));
   } finally {
     rmSync(folder, { recursive: true });
   }

@@ -2,22 +2,13 @@
 import assert from 'node:assert/strict';
 import { after, test } from 'node:test';
 import { centre, drag, settled } from './drags.mjs';
-import { close, drawn, open, printed, shown } from './models.mjs';
+import { close, near, printed, row, shown, within } from './models.mjs';
 import { degrees, dot, euler, inverse, product, rotated } from './quaternions.mjs';
 
 after(close);
-const near = (a, b, tolerance, what) => assert.ok(Math.abs(a - b) <= tolerance, `${what}: ${a}, ${b}`);
-const row = (numbers, name, count = 3) => Array.from({ length: count }, (_, i) => numbers[`${name}.${i}`]);
 const orders = ['XYZ', 'XZY', 'YXZ', 'YZX', 'ZXY', 'ZYX'];
 const axis = letter => [...'XYZ'].map(l => l === letter ? 1 : 0);
-
-async function at(query, use, options) {
-  const { tab, problems } = await open(`pole?${query}`, options);
-  await drawn(tab);
-  await use(tab, await shown(tab));
-  assert.deepEqual(problems, []);
-  await tab.close();
-}
+const at = (query, use, options) => within(`pole?${query}`, use, options);
 const chosen = tab => tab.$eval('.order[aria-pressed=true] span', span => span.textContent);
 
 /** The sine of the middle angle is, but for its sign, an element of the matrix: outer axis times R times inner axis. */

@@ -2,20 +2,11 @@
 import assert from 'node:assert/strict';
 import { after, test } from 'node:test';
 import { centre, drag, follows, settled } from './drags.mjs';
-import { close, drawn, open, printed, shown } from './models.mjs';
+import { close, near, printed, row, shown, within } from './models.mjs';
 import { degrees, dot, euler, nearer, slerp, velocity } from './quaternions.mjs';
 
 after(close);
-const near = (a, b, tolerance, what) => assert.ok(Math.abs(a - b) <= tolerance, `${what}: ${a}, ${b}`);
-const row = (n, name, count) => Array.from({ length: count }, (_, i) => n[`${name}.${i}`]);
-
-async function at(query, use, options) {
-  const { tab, problems } = await open(`rotations?${query}`, options);
-  await drawn(tab);
-  await use(tab, await shown(tab));
-  assert.deepEqual(problems, []);
-  await tab.close();
-}
+const at = (query, use, options) => within(`rotations?${query}`, use, options);
 
 const [A, B] = [[20, -50, 10], [40, 75, -35]]; // x y z
 const keys = new URLSearchParams({ ax: A[0], ay: A[1], az: A[2], bx: B[0], by: B[1], bz: B[2] });

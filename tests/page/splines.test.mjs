@@ -2,20 +2,11 @@
 import assert from 'node:assert/strict';
 import { after, test } from 'node:test';
 import { centre, drag, follows, settled } from './drags.mjs';
-import { close, drawn, open, printed, shown } from './models.mjs';
+import { close, near, printed, row, shown, within } from './models.mjs';
 import { cross, degrees, dot, euler, inverse, log, nearer, product, rotated, scale } from './quaternions.mjs';
 
 after(close);
-const near = (a, b, tolerance, what) => assert.ok(Math.abs(a - b) <= tolerance, `${what}: ${a}, ${b}`);
-const row = (n, name, count = 3) => Array.from({ length: count }, (_, i) => n[`${name}.${i}`]);
-
-async function at(query, use, options) {
-  const { tab, problems } = await open(`splines?${query}`, options);
-  await drawn(tab);
-  await use(tab, await shown(tab));
-  assert.deepEqual(problems, []);
-  await tab.close();
-}
+const at = (query, use, options) => within(`splines?${query}`, use, options);
 const methods = ['slerp', 'squad', 'gltf', 'hermite', 'bspline'];
 
 /* ---- the formulas ---- */

@@ -3,15 +3,10 @@
 // and drags that end the regression.
 import assert from 'node:assert/strict';
 import { after, test } from 'node:test';
-import { close, open, printed, shown } from './models.mjs';
+import { centre, drag } from './drags.mjs';
+import { close, near, printed, shown, start } from './models.mjs';
 
 after(close);
-const start = async (address, options) => {
-  const { tab, problems } = await open(address, options);
-  await tab.waitForSelector('main[data-drawn]', { state: 'attached' });
-  return { tab, problems };
-};
-const near = (a, b, tolerance = 1e-5) => assert.ok(Math.abs(a - b) < tolerance, `${a} ${b}`);
 const bezier = (a, b, c, d, s) => (1 - s) ** 3 * a + 3 * s * (1 - s) ** 2 * b + 3 * s * s * (1 - s) * c + s ** 3 * d;
 
 /* ---- the numbers ---- */
@@ -81,11 +76,11 @@ test('the policies shorten the handles as they say', async () => {
 
 /* ---- what can be done ---- */
 
-const centre = async (tab, handle) => {
-  await tab.locator(`[data-handle="${handle}"]`).scrollIntoViewIfNeeded();
-  const box = await tab.locator(`[data-handle="${handle}"]`).boundingBox();
-  return [box.x + box.width / 2, box.y + box.height / 2];
-};
+/** Drags a handle until it is above or below another. */
+async function over(tab, handle, target, pointer) {
+  const [from, to] = [handle, target].map(k => `[data-handle="${k}"]`), { x } = await centre(tab, from);
+  await drag(tab, from, (await centre(tab, to)).x - x, 0, pointer);
+}
 const until = (tab, name, value) => tab.waitForFunction(([key, text]) =>
   document.querySelector(`[data-name="${key}"]`)?.dataset.value === text, [name, value]);
 
@@ -97,13 +92,8 @@ function assertEqualCurves(numbers) {
 
 test('drags of the handles end the regression, and every policy then has the same curve', async () => {
   const { tab, problems } = await start('time');
-  for (const [handle, target] of [[2, 0], [3, 1]]) {
-    const [x, y] = await centre(tab, handle), [keyX] = await centre(tab, target);
-    await tab.mouse.move(x, y);
-    await tab.mouse.down();
-    await tab.mouse.move(keyX, y, { steps: 4 });
-    await tab.mouse.up();
-  }
+  await over(tab, 2, 0);
+  await over(tab, 3, 1);
   await until(tab, 'runs_back.0', '0');
   assertEqualCurves(await shown(tab));
   assert.deepEqual(problems, []);
@@ -112,12 +102,7 @@ test('drags of the handles end the regression, and every policy then has the sam
 
 test('a finger drags a handle', async () => {
   const { tab, problems } = await start('time', { hasTouch: true, viewport: { width: 390, height: 844 } });
-  const session = await tab.context().newCDPSession(tab), [x, y] = await centre(tab, 2), [keyX] = await centre(tab, 0);
-  const touch = (type, points) => session.send('Input.dispatchTouchEvent', { type, touchPoints: points });
-  await touch('touchStart', [{ x, y }]);
-  for (let i = 1; i <= 5; i++)
-    await touch('touchMove', [{ x: x + (keyX - x) * i / 5, y }]);
-  await touch('touchEnd', []);
+  await over(tab, 2, 0, 'touch');
   await tab.waitForFunction(() =>
     Number(document.querySelector('[data-name="none_handles.0"]').dataset.value) < 0.05);
   assert.deepEqual(problems, []);

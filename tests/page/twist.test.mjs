@@ -2,10 +2,10 @@
 // Twist: the measures against a skin in binary64 and against C, and drags in the plot by mouse, finger and keys.
 import assert from 'node:assert/strict';
 import { after, test } from 'node:test';
-import { close, open, printed, shown } from './models.mjs';
+import { drag } from './drags.mjs';
+import { close, printed, shown, start } from './models.mjs';
 
 after(close);
-const drawn = tab => tab.waitForSelector('main[data-drawn]', { state: 'attached', timeout: 60000 });
 
 /* ---- the bar in binary64: 24 sections of 8 vertices ---- */
 
@@ -51,8 +51,7 @@ test('the box of this test has three cubic metres', () =>
 test('the measures are those of binary64, and the C program prints them', async () => {
   for (const [mode, degrees, joints] of [['twist', 0, 3], ['twist', 90, 3], ['twist', 170, 5], ['twist', 300, 3],
     ['bend', 0, 3], ['bend', 60, 5], ['bend', 110, 3], ['bend', 150, 5]]) {
-    const { tab, problems } = await open(`twist?mode=${mode}&${mode}=${degrees}&joints=${joints}`);
-    await drawn(tab);
+    const { tab, problems } = await start(`twist?mode=${mode}&${mode}=${degrees}&joints=${joints}`);
     const numbers = await shown(tab), angle = degrees * Math.PI / 180, where = `${mode} ${degrees} ${joints}`;
     assert.deepEqual(await printed(tab), numbers);
     const ways = [[false, 2, 0], [false, 2, angle], [true, 2, angle], [false, joints, angle]];
@@ -69,8 +68,7 @@ test('the measures are those of binary64, and the C program prints them', async 
 
 test('linear blend collapses, dual quaternions keep the distance and bulge, more joints help', async () => {
   const of = async address => {
-    const { tab } = await open(address);
-    await drawn(tab);
+    const { tab } = await start(address);
     const numbers = await shown(tab);
     await tab.close();
     return numbers;
@@ -86,22 +84,14 @@ test('linear blend collapses, dual quaternions keep the distance and bulge, more
 
 /* ---- drags ---- */
 
-async function middle(tab) {
-  const { x, y, width, height } = await tab.locator('.handle').boundingBox();
-  return { x: x + width / 2, y: y + height / 2 };
-}
 const more = (tab, before) => tab.waitForFunction(old =>
   Number(document.querySelector('[data-name="volume.1"]').dataset.value) > old, before['volume.1']);
 
 test('the point of the plot is dragged to a smaller angle', async () => {
   for (const mode of ['twist', 'bend']) {
-    const { tab } = await open(`twist?lang=en&mode=${mode}`);
-    await drawn(tab);
-    const before = await shown(tab), { x, y } = await middle(tab);
-    await tab.mouse.move(x, y);
-    await tab.mouse.down();
-    await tab.mouse.move(x - 100, y, { steps: 5 });
-    await tab.mouse.up();
+    const { tab } = await start(`twist?lang=en&mode=${mode}`);
+    const before = await shown(tab);
+    await drag(tab, '.handle', -100, 0);
     await more(tab, before);
     const now = await shown(tab);
     assert.equal(now['volume.0'], 3);
@@ -111,22 +101,15 @@ test('the point of the plot is dragged to a smaller angle', async () => {
 });
 
 test('a finger drags the point of the plot', async () => {
-  const { tab } = await open('twist?lang=ja', { hasTouch: true, viewport: { width: 390, height: 844 } });
-  await drawn(tab);
-  await tab.locator('.handle').scrollIntoViewIfNeeded();
-  const before = await shown(tab), { x, y } = await middle(tab), client = await tab.context().newCDPSession(tab);
-  const touch = (type, touchPoints) => client.send('Input.dispatchTouchEvent', { type, touchPoints });
-  await touch('touchStart', [{ x, y }]);
-  for (const step of [10, 30, 50, 70])
-    await touch('touchMove', [{ x: x - step, y }]);
-  await touch('touchEnd', []);
+  const { tab } = await start('twist?lang=ja', { hasTouch: true, viewport: { width: 390, height: 844 } });
+  const before = await shown(tab);
+  await drag(tab, '.handle', -70, 0, 'touch');
   await more(tab, before);
   await tab.close();
 });
 
 test('arrow keys move the point, and a list changes the motion', async () => {
-  const { tab } = await open('twist?lang=en');
-  await drawn(tab);
+  const { tab } = await start('twist?lang=en');
   const before = await shown(tab);
   await tab.focus('.handle');
   await tab.keyboard.press('ArrowLeft');
