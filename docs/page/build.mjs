@@ -111,7 +111,7 @@ function sizes() {
   };
   const first = sum('The first picture', ['index.html', 'page.css', 'page.js', 'wasm-math.js']);
   sum('The other exhibits', ['exhibits.js', 'wasm-all.js']);
-  sum('Crowd and file', ['three.js', 'character.js']);
+  sum('Where a model is shown', ['three.js', 'character.js']);
   if (first > 300)
     throw new Error('the first picture needs more than 300 KB');
 }

@@ -21,6 +21,12 @@ export function path(c: Context, points: (Point | undefined)[], closed = false) 
     c.closePath();
 }
 
+/** The path of a circle, in pixels. */
+export function circle(c: Context, { x, y }: Point, radius: number) {
+  c.beginPath();
+  c.arc(x, y, radius, 0, 2 * Math.PI);
+}
+
 /* ---- the floor ---- */
 
 /** Tiles of one unit, paler with the distance. */
@@ -135,17 +141,17 @@ export function axes(c: Context, view: View, m: number[]): Shape[] {
   });
 }
 
-export function dot(c: Context, view: View, at: number[], style: string): Shape {
+/** A disc of `radius` pixels, as if `before` nearer to the eye. */
+export function dot(c: Context, view: View, at: number[], style: string, radius = 3, before = 0.01 * view.unit): Shape {
   const paint = () => {
     const p = view.project(at);
     if (!p)
       return;
+    circle(c, p, radius);
     c.fillStyle = style;
-    c.beginPath();
-    c.arc(p.x, p.y, 3, 0, 2 * Math.PI);
     c.fill();
   };
-  return { distance: view.distance(at) - 0.01 * view.unit, paint };
+  return { distance: view.distance(at) - before, paint };
 }
 
 export const paintAll = (shapes: Shape[]) => shapes.sort((a, b) => b.distance - a.distance).forEach(s => s.paint());

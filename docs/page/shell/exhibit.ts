@@ -30,6 +30,7 @@ export interface Shortcut {
   run(): void;
 }
 
+/** An exhibit that is open: its state, its parts of the page, its frames. */
 export interface Room<S> {
   readonly state: Readonly<S>;
   /** Changes the state: the address follows, and everything is drawn in the next frame. */

@@ -19,6 +19,18 @@ export const number = (initial: number, least = -Infinity, most = Infinity): Fie
   write: x => String(+x.toPrecision(9)),
 });
 
+/** A whole number in [least, most]. */
+export function whole(initial: number, least: number, most: number): Field<number> {
+  const field = number(initial, least, most);
+  return {
+    ...field,
+    read(text) {
+      const x = field.read(text);
+      return x === undefined ? x : Math.round(x);
+    },
+  };
+}
+
 /** One of a list of words. */
 export const choice = <T extends string>(initial: T, words: readonly T[]): Field<T> => ({
   initial,

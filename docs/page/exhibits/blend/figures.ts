@@ -3,7 +3,7 @@
 import * as N from 'nakawari/all';
 import { colour } from '../../kit/colours';
 import type { View } from '../../kit/eye';
-import { floor, line, type Shape } from '../../kit/picture';
+import { dot, floor, line, type Shape } from '../../kit/picture';
 import { space } from '../../kit/space';
 import type { Room } from '../../shell/exhibit';
 import { say, type Text } from '../../shell/text';
@@ -21,18 +21,8 @@ const middle = [0, 0.85, 0];
 // The tips of the bones that no joint ends, in the axes of the joint.
 const tips: Record<string, number[]> = { head: [0, 0.12, 0], 'foot.L': [0, -0.03, 0.14], 'foot.R': [0, -0.03, 0.14] };
 
-function ball(c: CanvasRenderingContext2D, view: View, at: number[], radius: number, style: string): Shape {
-  const paint = () => {
-    const p = view.project(at);
-    if (!p)
-      return;
-    c.fillStyle = style;
-    c.beginPath();
-    c.arc(p.x, p.y, radius / view.pixel(at), 0, 2 * Math.PI);
-    c.fill();
-  };
-  return { distance: view.distance(at) - radius, paint };
-}
+const ball = (c: CanvasRenderingContext2D, view: View, at: number[], radius: number, style: string): Shape =>
+  dot(c, view, at, style, radius / view.pixel(at), radius);
 
 function name(c: CanvasRenderingContext2D, view: View, at: number[], text: string, style: string): Shape {
   const paint = () => {

@@ -2,8 +2,7 @@
 // The state of the exhibit, and what its keys and buttons do with it.
 import * as N from 'nakawari/all';
 import { clamp, zeros } from '../../kit/values';
-import { whole } from '../../kit/whole';
-import { choice, flag, number, numbers, type Fields } from '../../shell/state';
+import { choice, flag, number, numbers, whole, type Fields } from '../../shell/state';
 import { scenes, type Placement } from './scenes';
 
 export const positions = ['linear', 'hermite', 'bezier', 'bspline', 'catmull-rom', 'centripetal', 'step'] as const;

@@ -49,7 +49,7 @@ export function liveTable(head: (string | Text)[] = []) {
   const caption = element('caption'), body = element('tbody');
   const cells = [element('td'), ...head.map(h => element('th', { scope: 'col' }, say(h)))];
   const top = head.length ? [element('thead', {}, element('tr', {}, cells))] : [];
-  const table = element('table', { class: 'numbers trace' }, [caption, ...top, body]);
+  const table = element('table', { class: 'numbers' }, [caption, ...top, body]);
   let shape = '';
   const update = (title: Text, lines: Line[], numbers: Numbers, unit: number) => {
     const next = JSON.stringify([title, lines]);

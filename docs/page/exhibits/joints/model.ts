@@ -3,8 +3,7 @@
 import * as N from 'nakawari/all';
 import { turnFields } from '../../kit/space';
 import { zeros } from '../../kit/values';
-import { whole } from '../../kit/whole';
-import { choice, number } from '../../shell/state';
+import { choice, number, whole } from '../../shell/state';
 import { around, joints, rings, type Influence } from './mesh';
 
 /** P is the joint matrix of the joint before, I is the inverse of T. */

@@ -3,7 +3,7 @@
 import * as N from 'nakawari/all';
 import { colour } from '../../kit/colours';
 import type { View } from '../../kit/eye';
-import { dot, line, path, type Shape } from '../../kit/picture';
+import { circle, dot, line, path, type Shape } from '../../kit/picture';
 import { mix, ramp, rgb, skinned, vertex } from '../../kit/skinned';
 import type { Frame } from './frames';
 import { faces, joints } from './mesh';
@@ -71,8 +71,7 @@ function mark(c: Context, view: View, at: number[]): Shape {
     const p = view.project(at);
     if (!p)
       return;
-    c.beginPath();
-    c.arc(p.x, p.y, 6, 0, 2 * Math.PI);
+    circle(c, p, 6);
     c.fillStyle = colour('c6');
     c.strokeStyle = colour('paper');
     c.lineWidth = 2;

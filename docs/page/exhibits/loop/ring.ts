@@ -4,6 +4,7 @@ import * as N from 'nakawari/all';
 import { makeCanvas } from '../../kit/canvas';
 import { colour } from '../../kit/colours';
 import { onDrag } from '../../kit/drag';
+import { circle, path } from '../../kit/picture';
 import { clamp } from '../../kit/values';
 import type { Room } from '../../shell/exhibit';
 import { headOf, nearest, timesOf, type State } from './model';
@@ -35,12 +36,11 @@ function headPlace(state: State, running: number): number {
 
 type Context = CanvasRenderingContext2D;
 const at = ({ x, y, r }: Place, part: number, out = 0) =>
-  [x + (r + out) * Math.sin(turn * part), y - (r + out) * Math.cos(turn * part)] as const;
+  ({ x: x + (r + out) * Math.sin(turn * part), y: y - (r + out) * Math.cos(turn * part) });
 
 function dot(c: Context, place: Place, part: number, radius: number, style: string) {
+  circle(c, at(place, part), radius);
   c.fillStyle = style;
-  c.beginPath();
-  c.arc(...at(place, part), radius, 0, turn);
   c.fill();
 }
 
@@ -66,9 +66,7 @@ function trail(state: State): [number, number] {
 function hand(c: Context, place: Place, part: number) {
   c.strokeStyle = colour('ink');
   c.lineWidth = 2;
-  c.beginPath();
-  c.moveTo(place.x, place.y);
-  c.lineTo(...at(place, part));
+  path(c, [place, at(place, part)]);
   c.stroke();
   dot(c, place, part, 11, colour('c0'));
 }
@@ -83,7 +81,8 @@ function keys(c: Context, place: Place, state: State, lit: Map<number, number>) 
     for (const part of placesOf(state, time)) {
       dot(c, place, part, 7 + 6 * glow, glow > 0 ? bright : rest);
       c.fillStyle = ink;
-      c.fillText(String(k), ...at(place, part, 26));
+      const { x, y } = at(place, part, 26);
+      c.fillText(String(k), x, y);
     }
   });
 }

@@ -14,7 +14,7 @@ export function orderBars(room: Room<State>, parent: HTMLElement) {
     made.append(element('span', {}, order), element('span', { class: 'track' }, bar), value);
     return { order, made, bar, value };
   });
-  parent.append(element('div', { role: 'group', 'aria-label': say(title), class: 'orders' },
+  parent.append(element('div', { role: 'group', 'aria-label': say(title) },
     [element('div', {}, say(title)), ...rows.map(row => row.made)]));
   room.draw(() => {
     const { q } = poseOf(room.state);

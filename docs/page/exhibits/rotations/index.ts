@@ -8,9 +8,8 @@ import { numberTable } from '../../kit/numbers';
 import { panel } from '../../kit/panel';
 import { plot } from '../../kit/plot';
 import { scene, turnFields } from '../../kit/space';
-import { whole } from '../../kit/whole';
 import type { Exhibit, Room } from '../../shell/exhibit';
-import { choice, flag, number, some } from '../../shell/state';
+import { choice, flag, number, some, whole } from '../../shell/state';
 import { code } from './code';
 import { colours, curvesOf, isWrongWay, keysOf, motionOf, names, seconds, speed, words, type Method,
   type State } from './model';
