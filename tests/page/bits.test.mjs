@@ -32,7 +32,7 @@ test('bits: one step is the hash of four bytes, of another start another hash', 
   await tab.mouse.down();
   await tab.mouse.move(box.x + box.width * 0.8, box.y + box.height / 2, { steps: 4 });
   await tab.mouse.up();
-  await tab.waitForFunction(zero => Number(document.querySelector('[data-name="sine.0"]').dataset.value) !== zero, zero);
+  await tab.waitForFunction(old => Number(document.querySelector('[data-name="sine.0"]').dataset.value) !== old, zero);
   await tab.close();
 });
 
@@ -42,7 +42,8 @@ test('bits: the table is that of docs/determinism.md', async () => {
     .filter(line => /^\| /.test(line) && line.split('|').length === 8).slice(1)
     .map(line => line.split('|').slice(1, 4).map(cell => cell.trim()));
   assert.ok(rows.length > 10);
-  const shownRows = await tab.$$eval('.targets tbody tr', list => list.map(row => [...row.cells].map(c => c.textContent)));
-  assert.deepEqual(shownRows.flatMap(([target, compilers, on]) => compilers.split(', ').map(one => [target, one, on])), rows);
+  const here = await tab.$$eval('.targets tbody tr', list => list.map(row => [...row.cells].map(c => c.textContent)));
+  assert.deepEqual(here.flatMap(([target, compilers, on]) => compilers.split(', ').map(one => [target, one, on])),
+    rows);
   await tab.close();
 });

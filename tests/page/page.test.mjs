@@ -57,7 +57,8 @@ async function unreached(tab) {
 /** Arrow keys on each handle, canvas, number or time until one changes the state. */
 async function moveByArrows(tab) {
   const before = await seen(tab);
-  for (const target of await tab.$$('main .handle, main canvas[tabindex], main .lil-gui input:not([type=checkbox]), .time'))
+  const targets = 'main .handle, main canvas[tabindex], main .lil-gui input:not([type=checkbox]), .time';
+  for (const target of await tab.$$(targets))
     for (const key of ['ArrowRight', 'ArrowUp']) {
       await target.focus();
       await tab.keyboard.press(key);
@@ -108,7 +109,8 @@ for (const id of ids)
     const { tab, problems } = await open(`${addresses[id] ?? `${id}?`}lang=en&time=0.75`);
     await drawn(tab, id);
     await t.test(`${id}: the copied C prints the numbers of the page`, async () => {
-      const of = await printed(tab), numbers = Object.entries(await shown(tab)).filter(([name]) => !/^bytes_/.test(name));
+      const of = await printed(tab);
+      const numbers = Object.entries(await shown(tab)).filter(([name]) => !/^bytes_/.test(name));
       assert.ok(numbers.length > 0);
       for (const [name, value] of numbers)
         assert.ok(Object.is(of[name], value), `${name}: ${value}, C prints ${of[name]}`);

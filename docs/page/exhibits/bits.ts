@@ -121,7 +121,8 @@ function mount(room: Room<State>) {
   };
   const hash = element('output', { class: 'hash' }), verdict = element('p', { class: 'verdict' });
   room.stage.append(element('h2', {}, `${say(words.here)} (WebAssembly, ${N.build()})`), hash, verdict);
-  const box = element('div', { class: 'targets', tabindex: '0', role: 'region', 'aria-label': say(words.table) }, processorTable());
+  const box = element('div', { class: 'targets', tabindex: '0', role: 'region', 'aria-label': say(words.table) },
+    processorTable());
   room.stage.append(box);
   numberTable(room, words.hashes, () => Object.entries(current()).map(([name, value]) =>
     ({ name, label: words.rows[name as keyof typeof words.rows], values: [value], digits: 0 })));
@@ -141,8 +142,8 @@ const fields = { count: number(1024, 1, 4096), start: number(0.5, -1, 1) };
 
 export const bits: Exhibit<State> = {
   lead: {
-    en: 'Your browser computes sines, curves, rotations and springs, each from the result before, and hashes all bits. ' +
-      'Drag a slider: if one bit of a result changes, so does the hash. The copied C program computes ' +
+    en: 'Your browser computes sines, curves, rotations and springs, each from the result before, and hashes all ' +
+      'bits. Drag a slider: if one bit of a result changes, so does the hash. The copied C program computes ' +
       'the same hashes; the table has the processors on which the library is tested for equal bits.',
     ja: 'お使いのブラウザで正弦、曲線、回転、ばねを前の結果から順に計算し、すべてのビットのハッシュ値を求めます。' +
       'スライダーを動かしてください。1 ビットでも異なれば、ハッシュ値も変わります。' +

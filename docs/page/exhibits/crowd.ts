@@ -44,7 +44,8 @@ const words = {
   unmeasured: { en: 'Not measured yet: press “Measure both”.', ja: '未測定です。「両方を60 フレーム測定」を押してください。' },
   note: {
     en: 'Measured: sampling, model matrices and joint matrices of all characters. Not measured: times, drawing and ' +
-      'textures, and both have the same skeleton and clips, without morph targets. A browser’s clock has steps of 5 to 100 µs.',
+      'textures, and both have the same skeleton and clips, without morph targets. A browser’s clock has ' +
+      'steps of 5 to 100 µs.',
     ja: '測定するのは、全キャラクターのサンプリング、モデル行列、関節行列の計算です。時刻の計算、描画、' +
       'テクスチャの更新は含みません。どちらもスケルトンとクリップは同じで、' +
       'モーフターゲットは使いません。ブラウザの時計の刻みは 5〜100 マイクロ秒です。',
@@ -57,8 +58,8 @@ const words = {
 const result = (count: number, crowd: number, mixer: number): Text => {
   const [a, b, ratio] = [1000 * crowd / count, 1000 * mixer / count, mixer / crowd].map(x => x.toPrecision(2));
   return {
-    en: `In this browser, a character takes ${+a} µs by Crowd and ${+b} µs by AnimationMixer: ${+ratio} times as long, ` +
-      `for the same ${count} × 18 joint matrices.`,
+    en: `In this browser, a character takes ${+a} µs by Crowd and ${+b} µs by AnimationMixer: ${+ratio} times ` +
+      `as long, for the same ${count} × 18 joint matrices.`,
     ja: `このブラウザでは、1体あたり Crowd が ${+a} µs、AnimationMixer が ${+b} µs（${+ratio}倍）でした。` +
       `どちらも同じ${count} 体 × 18 関節の関節行列を計算しています。`,
   };
