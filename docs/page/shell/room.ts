@@ -32,9 +32,58 @@ function keyTable(list: Shortcut[]) {
       element('dd', {}, say(s.does))]))]);
 }
 
+/** Calls the function of a key. Buttons and fields keep the space bar. */
+const onKey = (keys: Shortcut[]) => (event: KeyboardEvent) => {
+  const plain = !event.ctrlKey && !event.metaKey && !event.altKey && !typing(event.target);
+  const onButton = event.key === ' ' && event.target instanceof HTMLElement &&
+    /^(BUTTON|SUMMARY|INPUT|A)$/.test(event.target.tagName);
+  const found = plain && !onButton && keys.find(s => s.key === event.key);
+  if (found) {
+    event.preventDefault();
+    found.run();
+  }
+};
+
+/** Listens to keys, colours and the size of the stage; the function that is returned ends this. */
+function listen(stage: HTMLElement, pressed: (event: KeyboardEvent) => void, ask: () => void) {
+  const sizes = new ResizeObserver(ask);
+  sizes.observe(stage);
+  addEventListener('keydown', pressed);
+  addEventListener('colours', ask);
+  return () => {
+    sizes.disconnect();
+    removeEventListener('keydown', pressed);
+    removeEventListener('colours', ask);
+  };
+}
+
+/** Calls `step` with the seconds since the last frame: in the next frame after `ask`, and in each one while it runs. */
+function makeFrames(step: (seconds: number) => void, runs: () => boolean) {
+  let asked = 0, last = 0;
+  const frame = (now: number) => {
+    const seconds = Math.min(Math.max((now - last) / 1000, 0), 0.1), from = performance.now();
+    asked = 0;
+    last = now;
+    step(seconds);
+    work.push(performance.now() - from);
+    if (work.length > 600)
+      work.splice(0, 300);
+    if (runs())
+      ask();
+  };
+  const ask = () => {
+    if (asked)
+      return;
+    asked = requestAnimationFrame(frame);
+    if (!runs())
+      last = performance.now();
+  };
+  return { ask, cancel: () => cancelAnimationFrame(asked) };
+}
+
 export function openRoom<S extends object>({ id, title }: Entry, exhibit: Exhibit<S>, main: HTMLElement,
   query: URLSearchParams): OpenRoom {
-  let state = read(exhibit.fields, query), asked = 0, last = 0;
+  let state = read(exhibit.fields, query);
   const draws: ((seconds: number) => void)[] = [], always: ((seconds: number) => void)[] = [];
   const endings: (() => void)[] = [], keys: Shortcut[] = [];
   const stage = element('section', { id: 'stage', tabindex: '-1', 'aria-label': say(title) });
@@ -47,30 +96,15 @@ export function openRoom<S extends object>({ id, title }: Entry, exhibit: Exhibi
     write(exhibit.fields, state, made);
     return made;
   };
-  const frame = (now: number) => {
-    const seconds = Math.min(Math.max((now - last) / 1000, 0), 0.1), from = performance.now();
-    asked = 0;
-    last = now;
+  const { ask, cancel } = makeFrames(seconds => {
     if (timed && clock.playing)
       state = { ...state, time: clock.next((state as { time: number }).time, seconds) };
     always.forEach(f => f(seconds));
     if (timed)
       clock.show((state as { time: number }).time);
     draws.forEach(f => f(seconds));
-    work.push(performance.now() - from);
-    if (work.length > 600)
-      work.splice(0, 300);
-    if (clock.playing || always.length)
-      ask();
     main.dataset.drawn = '';
-  };
-  const ask = () => {
-    if (!asked) {
-      asked = requestAnimationFrame(frame);
-      if (!clock.playing && !always.length)
-        last = performance.now();
-    }
-  };
+  }, () => clock.playing || always.length > 0);
   const set = (change: Partial<S>) => {
     state = { ...state, ...change };
     showLater(id, toQuery);
@@ -91,23 +125,8 @@ export function openRoom<S extends object>({ id, title }: Entry, exhibit: Exhibi
     announce: (text: Text) => { live.textContent = say(text); },
   };
 
-  const onKey = (event: KeyboardEvent) => {
-    const plain = !event.ctrlKey && !event.metaKey && !event.altKey && !typing(event.target);
-    const onButton = event.key === ' ' && event.target instanceof HTMLElement &&
-      /^(BUTTON|SUMMARY|INPUT|A)$/.test(event.target.tagName);
-    const found = plain && !onButton && keys.find(s => s.key === event.key);
-    if (found) {
-      event.preventDefault();
-      found.run();
-    }
-  };
-  addEventListener('keydown', onKey);
-  const colours = () => ask();
-  addEventListener('colours', colours);
-  const sizes = new ResizeObserver(() => ask());
-  sizes.observe(stage);
-
   main.append(stage, side, live);
+  const unlisten = listen(stage, onKey(keys), ask);
   exhibit.mount(room);
   if (timed) {
     stage.append(bar);
@@ -120,10 +139,8 @@ export function openRoom<S extends object>({ id, title }: Entry, exhibit: Exhibi
   return {
     close() {
       forget();
-      cancelAnimationFrame(asked);
-      removeEventListener('keydown', onKey);
-      removeEventListener('colours', colours);
-      sizes.disconnect();
+      cancel();
+      unlisten();
       endings.forEach(f => f());
     },
     keep: () => show(id, toQuery()),
