@@ -42,8 +42,6 @@ export interface Room<S> {
   draw(f: (seconds: number) => void): void;
   /** Asks for a frame without a change of the state. */
   refresh(): void;
-  /** Calls f in each frame until the exhibit is left, whether the clock runs or not: seconds since the last frame. */
-  always(f: (seconds: number) => void): void;
   shortcuts(list: Shortcut[]): void;
   readonly clock: Clock;
   /** Calls f when the exhibit is left. */

@@ -84,7 +84,7 @@ function makeFrames(step: (seconds: number) => void, runs: () => boolean) {
 export function openRoom<S extends object>({ id, title }: Entry, exhibit: Exhibit<S>, main: HTMLElement,
   query: URLSearchParams): OpenRoom {
   let state = read(exhibit.fields, query);
-  const draws: ((seconds: number) => void)[] = [], always: ((seconds: number) => void)[] = [];
+  const draws: ((seconds: number) => void)[] = [];
   const endings: (() => void)[] = [], keys: Shortcut[] = [];
   const stage = element('section', { id: 'stage', tabindex: '-1', 'aria-label': say(title) });
   const side = element('section', { class: 'side', tabindex: '0', 'aria-label': say(beside) });
@@ -99,12 +99,11 @@ export function openRoom<S extends object>({ id, title }: Entry, exhibit: Exhibi
   const { ask, cancel } = makeFrames(seconds => {
     if (timed && clock.playing)
       state = { ...state, time: clock.next((state as { time: number }).time, seconds) };
-    always.forEach(f => f(seconds));
     if (timed)
       clock.show((state as { time: number }).time);
     draws.forEach(f => f(seconds));
     main.dataset.drawn = '';
-  }, () => clock.playing || always.length > 0);
+  }, () => clock.playing);
   const set = (change: Partial<S>) => {
     state = { ...state, ...change };
     showLater(id, toQuery);
@@ -119,7 +118,6 @@ export function openRoom<S extends object>({ id, title }: Entry, exhibit: Exhibi
     set, stage, side, clock,
     refresh: ask,
     draw: f => { draws.push(f); },
-    always: f => { always.push(f); },
     shortcuts: list => { keys.push(...list); },
     closed: f => { endings.push(f); },
     announce: (text: Text) => { live.textContent = say(text); },
