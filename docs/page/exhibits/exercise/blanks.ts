@@ -84,7 +84,7 @@ const nlerp: Section = {
 const euler: Section = {
   title: { en: '1.9 Euler angles: pitch, yaw, roll (rad)', ja: '1.9 オイラー角補間（仰角、方位角、旋回角、rad）' },
   blanks: [
-    line('', { en: 'angles of o0', ja: 'o0 の角度' }, 'angles0'),
+    line('', { en: 'angles of o0 (± 2π)', ja: 'o0 の角度（±2π）' }, 'angles0'),
     line('', { en: 'angles of o1', ja: 'o1 の角度' }, 'angles1'), evenly,
     line('', { en: 'the sum', ja: '和' }, 'angles'),
   ],

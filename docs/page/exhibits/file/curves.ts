@@ -6,7 +6,7 @@ import { element } from '../../kit/html';
 import { say } from '../../shell/text';
 import type { Channel } from './channels';
 
-const seconds = { en: 'time, s', ja: '時刻（秒）' };
+const seconds = { en: 'time (s)', ja: '時刻（秒）' };
 const most = { samples: 600, keys: 2000, components: 8 };
 
 export const components = ({ property, width }: Channel) => property === 'morphTargetInfluences'

@@ -16,7 +16,7 @@ const texts = {
   value: { en: 'value', ja: '値' },
   velocity: { en: 'velocity, per second', ja: '速度（毎秒）' },
   acceleration: { en: 'acceleration, per second²', ja: '加速度（毎秒²）' },
-  time: { en: 'time, s', ja: '時刻（秒）' },
+  time: { en: 'time (s)', ja: '時刻（秒）' },
   chosen: { en: 'chosen method', ja: '選んだ方法' },
   other: { en: 'its tangents, read the other way', ja: '同じ接線をもう一方の尺度で読んだ曲線' },
   trap: {

@@ -24,8 +24,8 @@ function angles(room: Room<State>) {
   const data = remembered(({ order, miss }: Pick<State, 'order' | 'miss'>) =>
     ({ x: times, y: passOf({ ...room.state, order, miss }) }));
   plot(room, {
-    label: { en: 'Play: the angles while the object passes the pole, °', ja: '再生：特異点の近くを通るときの角度（°）' },
-    x: { en: 'time, s', ja: '時刻（秒）' },
+    label: { en: 'Play: the angles while the object passes the pole (°)', ja: '再生：特異点の近くを通るときの角度（°）' },
+    x: { en: 'time (s)', ja: '時刻（秒）' },
     series: [
       ...letters.map(axis => ({ label: { en: `${names[axis]}, continued`, ja: `${names[axis]}（連続化）` },
         colour: axis, width: 1.5, dash: [5, 4] })),
@@ -43,15 +43,15 @@ function gimbalTable(room: Room<State>) {
     const { state } = room, { order } = state, { angles, q } = poseOf(state);
     const [outer, middle, inner] = gimbalsOf(angles, order);
     return [
-      { name: 'angles', label: { en: 'angles x y z, °', ja: '角度 x y z（°）' }, values: degrees(angles), digits: 2 },
-      ...hasSpeeds(state) ? [{ name: 'speed', label: { en: 'their speeds, °/s', ja: '角度の変化の速さ（°/s）' },
+      { name: 'angles', label: { en: 'angles x y z (°)', ja: '角度 x y z（°）' }, values: degrees(angles), digits: 2 },
+      ...hasSpeeds(state) ? [{ name: 'speed', label: { en: 'their speeds (°/s)', ja: '角度の変化の速さ（°/s）' },
         values: speedsOf(state, angles), digits: 2 }] : [],
-      { name: 'other', label: { en: 'the other angles, °', ja: 'もう一組の角度（°）' },
+      { name: 'other', label: { en: 'the other angles (°)', ja: 'もう一組の角度（°）' },
         values: degrees(N.eulerAlternate([0, 0, 0], angles, euler(order))), digits: 2 },
       { name: 'outer', label: { en: 'outer axis', ja: '外側の軸' }, values: outer.axis },
       { name: 'middle', label: { en: 'middle axis', ja: '中間の軸' }, values: middle.axis },
       { name: 'inner', label: { en: 'inner axis', ja: '内側の軸' }, values: inner.axis },
-      { name: 'between', label: { en: 'outer to inner, °', ja: '外側と内側の軸の角度（°）' },
+      { name: 'between', label: { en: 'outer to inner (°)', ja: '外側と内側の軸の角度（°）' },
         values: [N.degreesFromRadians(N.vec3Angle(outer.axis, inner.axis))], digits: 2 },
       { name: 'q', label: 'q', values: q },
     ];
@@ -59,7 +59,7 @@ function gimbalTable(room: Room<State>) {
 }
 
 const orderTable = (room: Room<State>) => numberTable(room,
-  { en: 'This orientation in the six orders: x y z and the distance to the pole, °',
+  { en: 'This orientation in the six orders: x y z and the distance to the pole (°)',
     ja: 'この向きを6つの順序で表した角度 x y z と、特異点までの角度（°）' }, () => {
     const { q } = poseOf(room.state);
     return orders.map(order => {
@@ -112,9 +112,9 @@ function controls(room: Room<State>) {
   box.choice('by', { en: 'the object is turned by', ja: '物体の動かし方' }, {
     angles: { en: 'the three angles', ja: '3つの角度' }, pass: { en: 'the pass over time', ja: '特異点の近くを通る動き' } });
   for (const axis of letters)
-    box.slider(axis, { en: `${axis}, °`, ja: `${axis}（°）` }, -180, 180, 0.5)
+    box.slider(axis, { en: `${axis} (°)`, ja: `${axis}（°）` }, -180, 180, 0.5)
       .onChange((value: number) => turn({ [axis]: value }));
-  box.slider('miss', { en: 'the pass misses by, °', ja: '特異点との最小の角度（°）' }, 0, 30, 0.1);
+  box.slider('miss', { en: 'the pass misses by (°)', ja: '特異点との最小の角度（°）' }, 0, 30, 0.1);
 }
 
 function mount(room: Room<State>) {

@@ -30,7 +30,7 @@ function numbersOf(state: State) {
 }
 
 function tables(room: Room<State>) {
-  numberTable(room, { en: 'Angular velocity: its length, °/s, and the angle from slerp, °',
+  numberTable(room, { en: 'Angular velocity: its length (°/s), and the angle from slerp (°)',
     ja: '角速度の大きさ（°/s）と、slerp との角度の差（°）' },
     () => numbersOf(room.state).rows.map((values, i) =>
       ({ name: names[i], label: words[names[i]], values, digits: 2 })));
@@ -38,9 +38,9 @@ function tables(room: Room<State>) {
     const { keys: { a, b }, mine: { q, w } } = numbersOf(room.state);
     return [
       { name: 'a', label: 'A', values: a }, { name: 'b', label: 'B', values: b },
-      { name: 'q', label: 'q', values: q }, { name: 'w', label: { en: 'ω, rad/s', ja: 'ω（rad/s）' }, values: w },
+      { name: 'q', label: 'q', values: q }, { name: 'w', label: { en: 'ω (rad/s)', ja: 'ω（rad/s）' }, values: w },
       { name: 'dot', label: 'A·B', values: [N.quatDot(a, b)] },
-      { name: 'arc', label: { en: 'short arc, °', ja: '短い弧（°）' },
+      { name: 'arc', label: { en: 'short arc (°)', ja: '短い弧（°）' },
         values: [N.degreesFromRadians(N.quatAngle(a, b))], digits: 2 },
     ];
   });
@@ -56,7 +56,7 @@ function controls(room: Room<State>) {
   const axes = { y: { en: 'yaw', ja: 'ヨー' }, x: { en: 'pitch', ja: 'ピッチ' }, z: { en: 'roll', ja: 'ロール' } };
   for (const key of ['a', 'b'] as const)
     for (const axis of ['y', 'x', 'z'] as const)
-      box.slider(`${key}${axis}`, { en: `${key.toUpperCase()}: ${axes[axis].en}, °`,
+      box.slider(`${key}${axis}`, { en: `${key.toUpperCase()}: ${axes[axis].en} (°)`,
         ja: `${key.toUpperCase()}：${axes[axis].ja}（°）` }, -180, 180, 0.5);
 }
 
@@ -67,9 +67,9 @@ function mount(room: Room<State>) {
   beside.append(shown.element, note(room, state => isWrongWay(keysOf(state)) ? opposite : ''));
   sphere(room, curves, host);
   const made = plot(room, {
-    label: { en: 'Length of the angular velocity ω at each time, °/s (logarithmic axis)',
+    label: { en: 'Length of the angular velocity ω at each time (°/s, logarithmic axis)',
       ja: '各時刻の角速度 ω の大きさ（°/s、対数目盛）' },
-    x: { en: 'time, s', ja: '時刻（秒）' },
+    x: { en: 'time (s)', ja: '時刻（秒）' },
     series: shown, log: true,
     data: () => curves(room.state).data,
     time: () => room.state.time,

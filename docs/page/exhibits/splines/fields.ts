@@ -5,7 +5,7 @@ import type { Room } from '../../shell/exhibit';
 import { say } from '../../shell/text';
 import { count, withOmega, withTime, type Curves, type State } from './model';
 
-const columns = [{ en: 'time, s', ja: '時刻（秒）' }, 'ω x', 'ω y', 'ω z'];
+const columns = [{ en: 'time (s)', ja: '時刻（秒）' }, 'ω x', 'ω y', 'ω z'];
 const title = { en: 'Keys: time, and ω in rad/s for Hermite and glTF',
   ja: 'キーの時刻と ω（rad/s。Hermite と glTF で使用）' };
 

@@ -54,8 +54,8 @@ function speeds(room: Room<State>, curves: Curves, methods: Legend) {
   const shows = (i: number) => i < names.length ? !components() && methods.shows(i) : components();
   let held: [number, number] = [0, 1];
   const made = plot(room, {
-    label: { en: 'Angular velocity ω: its length or its components, °/s', ja: '角速度 ω の大きさまたは成分（°/s）' },
-    x: { en: 'time, s', ja: '時刻（秒）' },
+    label: { en: 'Angular velocity ω: its length or its components (°/s)', ja: '角速度 ω の大きさまたは成分（°/s）' },
+    x: { en: 'time (s)', ja: '時刻（秒）' },
     series: { ...methods, series: [...methods.series, ...parts], shows },
     data: () => data(room.state),
     range,
@@ -75,10 +75,10 @@ function speeds(room: Room<State>, curves: Curves, methods: Legend) {
 /* ---- numbers ---- */
 
 function tables(room: Room<State>, curves: Curves) {
-  numberTable(room, { en: 'Jump of ω at the keys 1, 2, 3, °/s', ja: 'キー 1、2、3 での ω の不連続量（°/s）' }, () =>
+  numberTable(room, { en: 'Jump of ω at the keys 1, 2, 3 (°/s)', ja: 'キー 1、2、3 での ω の不連続量（°/s）' }, () =>
     names.map(m => ({ name: `${m}_key`, label: words[m], digits: 2,
       values: curves.of(room.state).corners[m].map(({ jump }) => jump) })));
-  numberTable(room, { en: 'ω now: x y z, rad/s, and its length, °/s', ja: '現在の ω：x y z（rad/s）と大きさ（°/s）' }, () =>
+  numberTable(room, { en: 'ω now: x y z (rad/s) and its length (°/s)', ja: '現在の ω：x y z（rad/s）と大きさ（°/s）' }, () =>
     names.map(m => {
       const w = velocity(curves.of(room.state).at(m, room.state.time));
       return { name: m, label: words[m], values: [...w, degrees(N.vec3Length(w))], digits: 2 };

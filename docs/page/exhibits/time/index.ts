@@ -19,7 +19,7 @@ import { back, fields, given, halves, limited, meanings, names, pointOf, policie
 const texts = {
   value: { en: 'value over time', ja: '時刻に対する値' },
   parameter: { en: 'parameter s over time', ja: '時刻に対するパラメータ s' },
-  time: { en: 'time, s', ja: '時刻（秒）' },
+  time: { en: 'time (s)', ja: '時刻（秒）' },
   chosen: { en: 'chosen policy', ja: '選んだポリシー' },
   given: { en: 'given handles, by s', ja: '元のハンドルの曲線（s による）' },
 };
