@@ -15,8 +15,8 @@ static const options_text text = {
     "[OPTION...] FILE",
     "Prints what FILE contains (- reads the standard input): counts, a table of its clips, and a table of the\n"
     "channels of each clip: the joint, what is animated, the interpolation, the number of keys, the first and the\n"
-    "last key time, how the keys are spaced, and the bytes in the file, in a clip of float keys and in a clip of\n"
-    "16-bit keys.\n",
+    "last key time, how the keys are spaced, and the bytes in the file (of a clip: times that channels share once), in\n"
+    "a clip of float keys and in a clip of 16-bit keys.\n",
     "  nakawari info fox.glb\n"
     "  nakawari info --clips --reduced fox.glb\n"
     "  nakawari info --json fox.glb | jq '.clips[].name'\n",
@@ -51,7 +51,10 @@ static totals count_meshes(const nkw_document *d)
     return t;
 }
 
-/* Of an animation: all keys, their bytes in the file, the animated joints, the first and the last key time. */
+/*
+ * Of an animation: all keys, their bytes in the file (times that channels share once), the animated joints, the first
+ * and the last key time.
+ */
 typedef struct clip_totals {
     size_t keys, bytes, joints;
     float start, end;
@@ -70,6 +73,16 @@ static size_t count_joints(const nkw_document *d, const nkw_document_animation *
     return count;
 }
 
+/* Whether a channel before this one has the same accessor of times; formats without accessors have 0 for both. */
+static int shares_times(const nkw_document_animation *a, size_t channel)
+{
+    const nkw_document_channel *c = a->channels;
+    for (size_t i = 0; i < channel; i++)
+        if (c[i].input == c[channel].input && c[i].input != c[i].output)
+            return 1;
+    return 0;
+}
+
 static clip_totals count_clip(const nkw_document *d, size_t animation)
 {
     const nkw_document_animation *a = &d->animations[animation];
@@ -77,7 +90,7 @@ static clip_totals count_clip(const nkw_document *d, size_t animation)
     for (size_t i = 0; i < a->track_count; i++) {
         const nkw_track *track = &a->tracks[i].track;
         t.keys += track->count;
-        t.bytes += a->channels[i].bytes;
+        t.bytes += a->channels[i].bytes - (shares_times(a, i) ? track->count * sizeof *track->times : 0);
         if (!track->count)
             continue;
         float first = track->times[0], last = track->times[track->count - 1];
