@@ -15,8 +15,8 @@ static const options_text text = {
     "[OPTION...] FILE",
     "Prints what FILE contains (- reads the standard input): counts, a table of its clips, and a table of the\n"
     "channels of each clip: the joint, what is animated, the interpolation, the number of keys, the first and the\n"
-    "last key time, how the keys are spaced, and the bytes in the file (of a clip: times that channels share once), in\n"
-    "a clip of float keys and in a clip of 16-bit keys.\n",
+    "last key time, how the keys are spaced, and the bytes in the file, in a clip of float keys and in a clip of\n"
+    "16-bit keys. In the file, key times that channels of a clip share count once for the clip.\n",
     "  nakawari info fox.glb\n"
     "  nakawari info --clips --reduced fox.glb\n"
     "  nakawari info --json fox.glb | jq '.clips[].name'\n",

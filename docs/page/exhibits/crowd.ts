@@ -79,7 +79,7 @@ function meter(room: Room<State>) {
   const verdict = element('p', { role: 'status', class: 'verdict' }, say(words.unmeasured));
   const head = element('tr', {}, [element('td'), ...[words.frame, words.each, words.frames].map(text =>
     element('th', { scope: 'col' }, say(text)))]);
-  room.side.append(element('table', { class: 'numbers cost' }, [element('caption', {}, say(words.cost)),
+  room.side.append(element('table', { class: 'numbers' }, [element('caption', {}, say(words.cost)),
     element('thead', {}, head), element('tbody', {}, [row('crowd'), row('mixer')])]),
   verdict, element('p', { class: 'note' }, say(words.note)));
   return {

@@ -6,7 +6,7 @@ import type { View } from '../../kit/eye';
 import { axes, dart, dot, floor, line, paintAll, path, shadow, type Shape } from '../../kit/picture';
 import { zeros } from '../../kit/values';
 import { ring, square, tip, type Gizmo, type Handle } from './gizmo';
-import { keysOf, range, remembered, type Key, type State } from './model';
+import { keysOf, range, memoized, type Key, type State } from './model';
 import { matricesOf, matrixOf, trace, type Methods } from './sample';
 
 type Context = CanvasRenderingContext2D;
@@ -23,7 +23,7 @@ function timesOf(start: number, end: number, step: number): number[] {
 }
 
 const samples = <R>(f: (keys: Key[], methods: Methods) => R) => {
-  const kept = remembered((keys: Key[], position: Methods['position'], orientation: Methods['orientation'],
+  const kept = memoized((keys: Key[], position: Methods['position'], orientation: Methods['orientation'],
     program: boolean) => f(keys, { position, orientation, program }));
   return (keys: Key[], { position, orientation, program }: Methods) => kept(keys, position, orientation, program);
 };
@@ -41,7 +41,7 @@ const pathOf = samples((keys, methods) => {
   return matricesOf(keys, times, methods).map(m => m.slice(12, 15));
 });
 
-const placesOf = remembered((keys: Key[]) => keys.map(matrixAt));
+const placesOf = memoized((keys: Key[]) => keys.map(matrixAt));
 
 /* ---- the scene ---- */
 

@@ -31,7 +31,7 @@ export interface Key {
 }
 
 /** f, which keeps its last result until it is called with other arguments. */
-export function remembered<A extends unknown[], R>(f: (...list: A) => R): (...list: A) => R {
+export function memoized<A extends unknown[], R>(f: (...list: A) => R): (...list: A) => R {
   let last: A | undefined, result: R;
   return (...list) => {
     if (!last || list.some((x, i) => !Object.is(x, last![i])))
@@ -110,7 +110,7 @@ function unpack(list: number[]): Key[] {
 
 export const pack = (keys: Key[]) => keys.flatMap(key => [key.time, ...key.position, ...key.orientation]);
 
-const made = remembered((scene: number, list: number[]): Key[] =>
+const made = memoized((scene: number, list: number[]): Key[] =>
   list.length ? unpack(list) : scenes[scene - 1].keys.map(keyOf));
 
 /** The keys of a state: one array as long as they do not change. */

@@ -2,14 +2,14 @@
 // The numbers of one time: by nkw_keyframes_trace, or by the rules of the exercise's program.
 import * as N from 'nakawari/all';
 import { zeros } from '../../kit/values';
-import { orientationMethod, pack, positionMethod, remembered, type Key } from './model';
+import { orientationMethod, pack, positionMethod, memoized, type Key } from './model';
 import { curveOf, eulerOf, hasProgram, segmentOf, type Methods, type Trace } from './rules';
 
 export type { Methods, Trace };
 
 /** A copy of the keys in the memory of the library, kept until other keys are asked for. */
 let copy: N.Keyframes | undefined;
-const keyframesOf = remembered((keys: Key[]) => {
+const keyframesOf = memoized((keys: Key[]) => {
   copy?.dispose();
   copy = new N.Keyframes(pack(keys));
   return copy;
@@ -31,7 +31,7 @@ function programTrace(keys: Key[], time: number, { position, orientation }: Meth
   };
 }
 
-const traceAt = remembered((keys: Key[], time: number, position: Methods['position'],
+const traceAt = memoized((keys: Key[], time: number, position: Methods['position'],
   orientation: Methods['orientation'], program: boolean): Trace | undefined => {
   const methods = { position, orientation, program };
   if (!program || !hasProgram(methods))
