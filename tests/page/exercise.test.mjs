@@ -440,19 +440,23 @@ test('with the axes of the object, an arrow moves the key along its own axis', a
   await tab.close();
 });
 
-test('a click chooses a key, another changes the axes, a drag beside the keys turns the camera', async () => {
-  const { tab, field } = await exercise('scene=1');
+test('clicks choose a key, change its axes, choose none; a drag beside the keys turns the camera', async () => {
+  const { tab, field } = await exercise('scene=1'), chosen = '[aria-pressed=true][aria-label="Key 2"]';
   const box = await tab.locator('canvas.space').boundingBox(), at = (await data(tab, 'keys'))[2];
   for (const local of [false, true, false]) {
     await tab.mouse.click(box.x + at.x, box.y + at.y);
     await frame(tab);
-    assert.equal(await tab.locator('[aria-pressed=true][aria-label="Key 2"]').count(), 1);
+    assert.equal(await tab.locator(chosen).count(), 1);
     assert.equal(await tab.isChecked('[data-field=local]'), local);
   }
   const yaw = Number(await field('yaw'));
   await byMouse(tab, { x: box.x + 15, y: box.y + 15 }, 20, 0);
   await frame(tab);
   assert.equal(Number(await field('yaw')), (yaw + 340) % 360);
+  assert.equal(await tab.locator(chosen).count(), 1);
+  await tab.mouse.click(box.x + 15, box.y + 15);
+  await frame(tab);
+  assert.equal(await tab.locator(chosen).count(), 0);
   const distance = Number(await field('distance'));
   await tab.mouse.move(box.x + 15, box.y + 15);
   await tab.mouse.wheel(0, 250);

@@ -71,13 +71,16 @@ const pixelOf = (canvas: HTMLCanvasElement, e: MouseEvent): Point => {
 /** What the pointers that are down do: `press`, `move` and `release` one of them. */
 function gestures(stage: Stage) {
   const { room, view, show } = stage, down = new Map<number, Point>();
-  let grab: Grab | undefined, button = 0;
+  // `beside`: where a press met neither a key nor a handle, until it moves. A click there chooses none.
+  let grab: Grab | undefined, beside: Point | undefined, button = 0;
   const begin = (p: Point, touch: boolean) => {
     const eye = view(), keys = keysOf(room.state), handle = handleAt(stage, p, touch ? 20 : 9);
+    const key = keyAt(keys, p, eye, touch ? 32 : 24);
+    beside = handle || key >= 0 ? undefined : p;
     if (handle)
       grab = { handle, key: keys[room.state.selected], gizmo: stage.gizmo()!, from: eye.ray(p) };
     else
-      room.set(chosen(room.state, keyAt(keys, p, eye, touch ? 32 : 24)));
+      room.set(chosen(room.state, key));
     show(handle);
   };
   const moved = (e: PointerEvent, before: Point, p: Point): Partial<State> => {
@@ -92,7 +95,7 @@ function gestures(stage: Stage) {
       down.set(e.pointerId, p);
       button = e.button;
       if (down.size > 1)
-        grab = undefined;
+        grab = beside = undefined;
       else if (button === 0)
         begin(p, e.pointerType === 'touch');
     },
@@ -101,11 +104,15 @@ function gestures(stage: Stage) {
       if (!before)
         return show(handleAt(stage, p, 9));
       down.set(e.pointerId, p);
+      if (beside && Math.hypot(p.x - beside.x, p.y - beside.y) > 4)
+        beside = undefined;
       room.set(moved(e, before, p));
     },
     release(e: PointerEvent) {
       down.delete(e.pointerId);
-      grab = undefined;
+      if (beside && e.type === 'pointerup')
+        room.set({ selected: -1 });
+      grab = beside = undefined;
       show(undefined);
     },
   };
