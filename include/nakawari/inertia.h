@@ -80,7 +80,7 @@ NKW_API nkw_vec3_inertia nkw_quat_inertia_begin(const nkw_quat_motion *from, con
  *
  * to       value and velocity of the new motion; without interest in the velocity of the result, any
  * t        seconds; negative numbers and NaN count as 0
- * Returns  `from` of the begin at t = 0, to rounding; exactly `to` from t = duration on
+ * Returns  `from` at the start, t = 0, to rounding; exactly `to` from t = duration on
  *
  * Error  2.5 u of the value, relative to |to| + |c[0]| + |c[1]| + |c[2]|.
  */

@@ -203,7 +203,7 @@ async function middle(tab, i) {
   return [box.x + box.width / 2, box.y + box.height / 2];
 }
 
-test('blend: a drag by the mouse moves the begin of the change', async () => {
+test('blend: a drag by the mouse moves the start of the change', async () => {
   const { tab } = await exhibit('mode=change'), [x, y] = await middle(tab, 0), before = await value(tab, 'jump_fade.0');
   await tab.mouse.down();
   await tab.mouse.move(x + 60, y, { steps: 4 });
@@ -256,7 +256,7 @@ test('blend: the goal is dragged while it plays, and what was dragged stays in t
   await tab.close();
 });
 
-test('blend: arrow keys move the begin of the change', async () => {
+test('blend: arrow keys move the start of the change', async () => {
   const { tab } = await exhibit('mode=change'), before = await value(tab, 'jump_fade.0');
   await tab.focus('[data-handle="0"]');
   await tab.keyboard.press('ArrowRight');

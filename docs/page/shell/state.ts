@@ -82,7 +82,7 @@ export function write<S>(fields: Fields<S>, state: S, query: URLSearchParams) {
   }
 }
 
-/** The present address: the exhibit, and what is behind the question mark. */
+/** The present address: the exhibit, and what follows the question mark. */
 export function address(): { id: string; query: URLSearchParams } {
   const [id, query] = location.hash.slice(1).split('?');
   return { id, query: new URLSearchParams(query) };

@@ -157,7 +157,7 @@ export function replaceKey(keys: Key[], k: number, change: Partial<Key>): Change
   return problem(next) ? undefined : { keys: pack(next) };
 }
 
-/** A key behind the last, a segment later and 0.6 along its nose. */
+/** A key after the last, a segment later and 0.6 along its nose. */
 export function addKey(keys: Key[]): Change {
   const last = keys[keys.length - 1], before = keys[keys.length - 2];
   const step = before && last.time > before.time ? last.time - before.time : 1;

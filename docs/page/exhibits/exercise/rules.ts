@@ -50,7 +50,7 @@ function hermite(keys: Key[], k: number, t: number): Curve {
 
 /**
  * The parameter is not clamped: before the first key, and after a last key that ends a group, the curve continues. Keys
- * behind the last complete group have its end.
+ * after the last complete group have its end.
  */
 function bezier(keys: Key[], k: number, time: number): Curve {
   if (keys.length < 4)

@@ -85,7 +85,7 @@ export const labels = {
   },
   titles: {
     time: { en: 'The present time in seconds, outside the keys too', ja: '現在の時刻（秒）。キーの範囲外も指定できます' },
-    add: { en: 'Adds a key behind the last', ja: '末尾にキーを追加します' },
+    add: { en: 'Adds a key after the last', ja: '末尾にキーを追加します' },
     remove: { en: 'Deletes the last key', ja: '末尾のキーを削除します' },
     axes: { en: 'The axes of the keys are drawn through the objects', ja: 'キーの軸を物体越しに表示します' },
     local: { en: 'Handles along the axes of the object', ja: '操作軸を物体の座標系に合わせます' },

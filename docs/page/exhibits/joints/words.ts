@@ -60,12 +60,12 @@ export const notes: Record<Order, Text> = {
   },
   noParent: {
     en: 'You see this when the matrix of the joint before is missing (the lesson, 2.2): a part bends in its place, ' +
-      'and the parts behind it do not follow.',
+      'and the parts after it do not follow.',
     ja: '1つ前の関節の行列を掛けていないとき（授業の 2.2）、このように表示されます。各部分がその場で曲がるだけで、' +
       '先の部分が付いてきません。',
   },
   right: {
-    en: 'Each joint rotates about its own position and moves the joints behind it. The coloured columns of J and M ' +
+    en: 'Each joint rotates about its own position and moves the joints after it. The coloured columns of J and M ' +
       'are the rotated axes.',
     ja: '各関節は自分の位置を中心に回転し、その先の関節を動かします。J と M の色付きの列は、回転後の座標軸です。',
   },

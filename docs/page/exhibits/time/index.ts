@@ -63,7 +63,7 @@ function polyline(u: Plot, points: number[][], style: string, dash: number[] = [
   ctx.restore();
 }
 
-/** The ends of the handles of a segment, each behind its key. */
+/** The ends of the handles of a segment, each after its key. */
 const sticks = ([t0, v0, ot, ov, it, iv, t1, v1]: Float32Array | number[]) =>
   [[[t0, v0], [t0 + ot, v0 + ov]], [[t1, v1], [t1 + it, v1 + iv]]];
 

@@ -19,7 +19,7 @@ import { end, grid, instants, kinds, numbersOf, timesOf, velocities, walk } from
 
 const own = {
   note: {
-    en: 'Drag the points at the begin and the end. The velocity of a straight cross-fade jumps there; the others ' +
+    en: 'Drag the points at the start and the end. The velocity of a straight cross-fade jumps there; the others ' +
       'keep it, and need only the new clip.',
     ja: '開始と終了の点をドラッグしてください。重みを直線的に変えるクロスフェードでは、そこで速度が不連続になります。ほかの方法では連続で、開始後に必要なのは新しいクリップだけです。',
   },
@@ -37,7 +37,7 @@ const own = {
     ja: '速度はすべて 1/128 秒間の差分です。そのため、連続な速度でも、1/128 秒間の変化が小さな不連続として現れます。',
   },
   now: { en: 'Angular velocity now, x y z (rad/s)', ja: '現在の角速度 x y z（rad/s）' },
-  jumps: { en: 'Jump of the angular velocity at the begin and the end (rad/s)', ja: '開始時と終了時の角速度の不連続な変化（rad/s）' },
+  jumps: { en: 'Jump of the angular velocity at the start and the end (rad/s)', ja: '開始時と終了時の角速度の不連続な変化（rad/s）' },
   at: { en: 'begins at (s)', ja: '開始時刻（秒）' },
   start: { en: 'new clip from (s)', ja: '新しいクリップの開始位置（秒）' },
   duration: { en: 'duration (s)', ja: '長さ（秒）' },

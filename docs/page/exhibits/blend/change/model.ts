@@ -63,7 +63,7 @@ export function rotations(state: State, rig: Rig, times: number[]): number[][][]
 
 export const velocity = (before: number[], now: number[]) => N.quatAngularVelocity([0, 0, 0], before, now, step);
 
-/** The times that the numbers need: about the begin, about the end, and now; and which of them these are. */
+/** The times that the numbers need: about the start, about the end, and now; and which of them these are. */
 export function instants(state: State) {
   const { at, duration } = timesOf(state), now = F(state.time), around = (t: number) => [t - step, t, t + step];
   const wanted = [around(at), around(at + duration), [now - step, now]];
@@ -72,7 +72,7 @@ export function instants(state: State) {
   return { times, first, last, here };
 }
 
-/** For each kind the velocity now, and its jumps at the begin and at the end. */
+/** For each kind the velocity now, and its jumps at the start and at the end. */
 export function numbersOf(state: State, rig: Rig) {
   const { times, first, last, here: [before, now] } = instants(state), all = rotations(state, rig, times);
   const rate = (k: number, i: number, j: number) => velocity(all[i][k], all[j][k]);
