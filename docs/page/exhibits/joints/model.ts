@@ -6,7 +6,7 @@ import { zeros } from '../../kit/values';
 import { choice, number, whole } from '../../shell/state';
 import { around, joints, rings, type Influence } from './mesh';
 
-/** P is the joint matrix of the joint before, I is the inverse of T. */
+/** P is the joint matrix of the parent joint, I is the inverse of T. */
 export type Factor = 'P' | 'T' | 'J' | 'I';
 export const orders = {
   turn: 'J', origin: 'JI', noParent: 'TJI', right: 'PTJI',

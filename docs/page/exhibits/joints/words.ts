@@ -59,19 +59,19 @@ export const notes: Record<Order, Text> = {
     ja: 'T⁻¹ で各関節を原点に移し、T でまだ戻していないとき（授業の 2.2）、このように表示されます。',
   },
   noParent: {
-    en: 'You see this when the matrix of the joint before is missing (the lesson, 2.2): a part bends in its place, ' +
-      'and the parts after it do not follow.',
-    ja: '1つ前の関節の行列を掛けていないとき（授業の 2.2）、このように表示されます。各部分がその場で曲がるだけで、' +
+    en: 'You see this when the matrix of the parent joint is missing (the lesson, 2.2): a part bends in its place, ' +
+      'and the parts of its children do not follow.',
+    ja: '親の関節の行列を掛けていないとき（授業の 2.2）、このように表示されます。各部分がその場で曲がるだけで、' +
       '先の部分が付いてきません。',
   },
   right: {
-    en: 'Each joint rotates about its own position and moves the joints after it. The coloured columns of J and M ' +
+    en: 'Each joint rotates about its own position and moves its children. The coloured columns of J and M ' +
       'are the rotated axes.',
     ja: '各関節は自分の位置を中心に回転し、その先の関節を動かします。J と M の色付きの列は、回転後の座標軸です。',
   },
   noInverse: {
     en: 'You see this when the inverse bind matrix is missing: even in the bind pose, each part is too high by the ' +
-      'heights of its joint and of all joints before it.',
+      'heights of its joint and of all its parents.',
     ja: '逆バインドポーズ行列 T⁻¹ を掛け忘れると、このように表示されます。バインドポーズでも、各部分が、' +
       'その関節までの高さの合計だけ上にずれます。',
   },
@@ -93,9 +93,9 @@ export const notes: Record<Order, Text> = {
       'バインドポーズでは正しく見えます。',
   },
   parentLast: {
-    en: 'You see this when the matrix of the joint before is on the right: a joint rotates about its place in the ' +
+    en: 'You see this when the matrix of the parent joint is on the right: a joint rotates about its place in the ' +
       'bind pose, not where its parent has moved it. With one bent joint nothing is wrong.',
-    ja: '1つ前の関節の行列を右から掛けると、このように表示されます。関節が、親によって動かされた位置ではなく、' +
+    ja: '親の関節の行列を右から掛けると、このように表示されます。関節が、親によって動かされた位置ではなく、' +
       'バインドポーズでの位置を中心に回転します。曲げた関節が1つだけなら正しく見えます。',
   },
   transposed: {
@@ -120,7 +120,7 @@ export const notes: Record<Order, Text> = {
 
 export const blockWords: Record<Factor | 'M', Text> = {
   M: { en: 'palette', ja: 'パレット' },
-  P: { en: 'joint before', ja: '1つ前' },
+  P: { en: 'parent joint', ja: '親の関節' },
   T: { en: 'bind pose', ja: 'バインドポーズ' },
   J: { en: '', ja: '' },
   I: { en: 'inverse bind', ja: '逆バインド' },

@@ -139,7 +139,7 @@ function mount(room: Room<State>) {
 
 export const keys: Exhibit<State> = {
   lead: {
-    en: 'Drag the keys, and the small dots, which are tangents. Press twice on the plot to add a key. The durations ' +
+    en: 'Drag the keys, and the small dots, which are tangents. Double-click or double-tap the plot to add a key. The durations ' +
       'differ: read the tangents per segment instead of per second, and the velocity jumps at each key.',
     ja: 'キーと、接線を表す小さな点をドラッグしてください。グラフを2回続けて押すと、キーを追加できます。' +
       'キーの間隔は等しくないため、接線を1秒あたりではなく1区間あたりと読むと、速度が各キーで不連続になります。',
