@@ -74,7 +74,7 @@ static size_t count_joints(const nkw_document *d, const nkw_document_animation *
 }
 
 /* Whether a channel before this one has the same accessor of times; formats without accessors have 0 for both. */
-static int shares_times(const nkw_document_animation *a, size_t channel)
+static int shares_accessor(const nkw_document_animation *a, size_t channel)
 {
     const nkw_document_channel *c = a->channels;
     for (size_t i = 0; i < channel; i++)
@@ -90,7 +90,7 @@ static clip_totals count_clip(const nkw_document *d, size_t animation)
     for (size_t i = 0; i < a->track_count; i++) {
         const nkw_track *track = &a->tracks[i].track;
         t.keys += track->count;
-        t.bytes += a->channels[i].bytes - (shares_times(a, i) ? track->count * sizeof *track->times : 0);
+        t.bytes += a->channels[i].bytes - (shares_accessor(a, i) ? track->count * sizeof *track->times : 0);
         if (!track->count)
             continue;
         float first = track->times[0], last = track->times[track->count - 1];
