@@ -11,7 +11,7 @@ import { scene, turnFields } from '../../kit/space';
 import type { Exhibit, Room } from '../../shell/exhibit';
 import { choice, flag, number, some, whole } from '../../shell/state';
 import { code } from './code';
-import { colours, curvesOf, isWrongWay, keysOf, motionOf, names, seconds, speed, words, type Method,
+import { colours, curvesOf, isWrongWay, keysOf, names, seconds, speed, words, type CurvesOf, type Method,
   type State } from './model';
 import { sphere } from './sphere';
 
@@ -22,20 +22,22 @@ const opposite = {
     '淡い色の物体は符号を調整せずに補間しており、長い弧を通ります。',
 };
 
-function numbersOf(state: State) {
-  const keys = keysOf(state), t = Math.fround(state.time / seconds);
-  const all = names.map(m => motionOf(keys, m, state.turns, t)), slerp = all[names.indexOf('slerp')].q;
+function numbersOf(state: State, curvesAt: CurvesOf) {
+  const { keys, curves } = curvesAt(state), t = Math.fround(state.time / seconds);
+  const all = names.map(m => curves[m].at(t)), slerp = all[names.indexOf('slerp')].q;
   return { keys, mine: all[names.indexOf(state.method)],
     rows: all.map(motion => [speed(motion), N.degreesFromRadians(N.quatAngle(motion.q, slerp))]) };
 }
 
-function tables(room: Room<State>) {
+function tables(room: Room<State>, curves: CurvesOf) {
+  let now: ReturnType<typeof numbersOf>;
+  room.draw(() => { now = numbersOf(room.state, curves); });
   numberTable(room, { en: 'Angular velocity: its length (°/s), and the angle from slerp (°)',
     ja: '角速度の大きさ（°/s）と、slerp との角度の差（°）' },
-    () => numbersOf(room.state).rows.map((values, i) =>
+    () => now.rows.map((values, i) =>
       ({ name: names[i], label: words[names[i]], values, digits: 2 })));
   numberTable(room, { en: 'Keys and object: quaternions x y z w', ja: 'キーと物体の四元数（x y z w）' }, () => {
-    const { keys: { a, b }, mine: { q, w } } = numbersOf(room.state);
+    const { keys: { a, b }, mine: { q, w } } = now;
     return [
       { name: 'a', label: 'A', values: a }, { name: 'b', label: 'B', values: b },
       { name: 'q', label: 'q', values: q }, { name: 'w', label: { en: 'ω (rad/s)', ja: 'ω（rad/s）' }, values: w },
@@ -76,7 +78,7 @@ function mount(room: Room<State>) {
   });
   thick(room, made, 2, () => names.indexOf(room.state.method));
   controls(room);
-  tables(room);
+  tables(room, curves);
 }
 
 const angle = (initial: number) => number(initial, -360, 360);

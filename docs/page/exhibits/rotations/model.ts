@@ -45,41 +45,48 @@ export interface Motion { q: number[]; w: number[] }
 
 const arcs = { slerp: N.PATH_SHORT, long: N.PATH_LONG, turns: N.PATH_SHORT, given: N.PATH_AS_GIVEN };
 
-function alongArc({ a, b }: Keys, method: keyof typeof arcs, turns: number, t: number): Motion {
+/** The motion at t in 0..1. */
+type Way = (t: number) => Motion;
+
+function alongArc({ a, b }: Keys, method: keyof typeof arcs, turns: number): Way {
   const segment = N.rotationSlerp({}, a, b, arcs[method], method === 'turns' ? turns : 0, seconds);
-  const state = N.rotationEvaluate(zeros(10), segment, t);
-  return { q: state.slice(0, 4), w: state.slice(4, 7) };
+  return t => {
+    const state = N.rotationEvaluate(zeros(10), segment, t);
+    return { q: state.slice(0, 4), w: state.slice(4, 7) };
+  };
 }
 
 /** The angles change evenly. Each rate is about the axis of its gimbal: w = sum of rate times axis. */
-function byEuler({ angles: [a, b] }: Keys, t: number): Motion {
-  const [x, y, z] = N.eulerLerp(zeros(3), a, b, t, N.UNWRAP_NONE);
+function byEuler({ angles: [a, b] }: Keys): Way {
   const rates = N.vec3Scale(zeros(3), N.vec3Sub(zeros(3), b, a), 1 / seconds);
-  const pitchAxis = N.quatRotate(zeros(3), N.quatFromEuler(zeros(4), [0, y, 0], order), [1, 0, 0]);
-  const rollAxis = N.quatRotate(zeros(3), N.quatFromEuler(zeros(4), [x, y, 0], order), [0, 0, 1]);
-  const w = N.vec3AddScaled(zeros(3), [0, rates[1], 0], pitchAxis, rates[0]);
-  return { q: N.quatFromEuler(zeros(4), [x, y, z], order), w: N.vec3AddScaled(w, w, rollAxis, rates[2]) };
+  return t => {
+    const [x, y, z] = N.eulerLerp(zeros(3), a, b, t, N.UNWRAP_NONE);
+    const pitchAxis = N.quatRotate(zeros(3), N.quatFromEuler(zeros(4), [0, y, 0], order), [1, 0, 0]);
+    const rollAxis = N.quatRotate(zeros(3), N.quatFromEuler(zeros(4), [x, y, 0], order), [0, 0, 1]);
+    const w = N.vec3AddScaled(zeros(3), [0, rates[1], 0], pitchAxis, rates[0]);
+    return { q: N.quatFromEuler(zeros(4), [x, y, z], order), w: N.vec3AddScaled(w, w, rollAxis, rates[2]) };
+  };
 }
 
 /** nlerp is the cubic whose tangents are those of the straight line: this track has its angular velocity. */
-function byNlerp({ a, b }: Keys, t: number): Motion {
+function byNlerp({ a, b }: Keys): Way {
   const end = N.quatDot(a, b) < 0 ? N.quatNegate(zeros(4), b) : b;
   const tangent = N.quatScale(zeros(4), N.quatSub(zeros(4), end, a), 1 / seconds);
   const values = [...tangent, ...a, ...tangent, ...tangent, ...end, ...tangent];
   const track = new N.Track({ times: [0, seconds], values,
     width: 4, kind: N.TRACK_ROTATION, interpolation: N.INTERPOLATION_CUBICSPLINE });
   const state = new Float32Array(10);
-  N.trackSampleRotation(track, Math.fround(t * seconds), state);
-  track.dispose();
-  return { q: N.quatNlerp(zeros(4), a, b, t), w: Array.from(state.subarray(4, 7)) };
+  return t => {
+    N.trackSampleRotation(track, Math.fround(t * seconds), state);
+    return { q: N.quatNlerp(zeros(4), a, b, t), w: Array.from(state.subarray(4, 7)) };
+  };
 }
 
-/** The motion of a method at t in 0..1. */
-export function motionOf(keys: Keys, method: Method, turns: number, t: number): Motion {
+function wayOf(keys: Keys, method: Method, turns: number): Way {
   switch (method) {
-    case 'euler': return byEuler(keys, t);
-    case 'nlerp': return byNlerp(keys, t);
-    default: return alongArc(keys, method, turns, t);
+    case 'euler': return byEuler(keys);
+    case 'nlerp': return byNlerp(keys);
+    default: return alongArc(keys, method, turns);
   }
 }
 
@@ -89,21 +96,22 @@ export const speed = ({ w }: Motion) => N.degreesFromRadians(N.vec3Length(w));
 const steps = 192;
 const times = Array.from({ length: steps + 1 }, (_, i) => (i * seconds) / steps);
 
-/** The curves of a method: its nose on the sphere, and its angular speed. */
+/** A method between the keys: its motion, its nose on the sphere, and its angular speed. */
 function sampled(keys: Keys, method: Method, turns: number) {
-  const all = Array.from({ length: steps + 1 }, (_, i) => motionOf(keys, method, turns, i / steps));
-  return { points: all.map(motion => nose(motion.q)), speeds: all.map(speed) };
+  const at = wayOf(keys, method, turns), all = Array.from({ length: steps + 1 }, (_, i) => at(i / steps));
+  return { at, points: all.map(motion => nose(motion.q)), speeds: all.map(speed) };
 }
 type Curves = Record<Method, ReturnType<typeof sampled>>;
 
-/** The curves of the present keys, and their speeds for the plot. */
+/** The present keys, the methods between them, and their speeds for the plot. */
 export function curvesOf() {
   const of = remembered(({ keys, turns }: { keys: Keys; turns: number }) => {
     const curves = Object.fromEntries(names.map(m => [m, sampled(keys, m, turns)])) as Curves;
-    return { curves, data: { x: times, y: names.map(m => curves[m].speeds) } };
+    return { keys, curves, data: { x: times, y: names.map(m => curves[m].speeds) } };
   });
   return (state: State) => of({ keys: keysOf(state), turns: state.turns });
 }
+export type CurvesOf = ReturnType<typeof curvesOf>;
 
 /** The key `name` turned by the shortest rotation that brings its nose to p. */
 export function turned(state: State, name: 'a' | 'b', p: number[]): Partial<State> {

@@ -7,7 +7,7 @@ import { dot, line } from '../../kit/picture';
 import { space } from '../../kit/space';
 import { curve, globe, isBehind, nose, object } from '../../kit/sphere';
 import type { Room } from '../../shell/exhibit';
-import { colours, curvesOf, isWrongWay, keysOf, motionOf, seconds, shownOf, turned, type State } from './model';
+import { colours, isWrongWay, keysOf, seconds, shownOf, turned, type CurvesOf, type State } from './model';
 
 const size = 1.6;
 
@@ -21,11 +21,11 @@ function gripsOf(room: Room<State>, view: View): Grip[] {
   });
 }
 
-export function sphere(room: Room<State>, curves: ReturnType<typeof curvesOf>, host: HTMLElement) {
+export function sphere(room: Room<State>, curves: CurvesOf, host: HTMLElement) {
   const show = grips(host);
   const paint = (c: CanvasRenderingContext2D, view: View) => {
-    const { state } = room, { method, turns, time } = state, keys = keysOf(state), all = curves(state).curves;
-    const at = (m: typeof method) => motionOf(keys, m, turns, time / seconds).q, mine = at(method);
+    const { state } = room, { method, time } = state, { keys, curves: all } = curves(state);
+    const at = (m: typeof method) => all[m].at(time / seconds).q, mine = at(method);
     const shown = shownOf(state);
     const ghost = isWrongWay(keys) && method !== 'given' && shown.includes('given');
     show(view, gripsOf(room, view));
