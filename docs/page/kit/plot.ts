@@ -110,12 +110,12 @@ function paintMarks({ ctx, valToPos }: uPlot, marks: { x: number; y: number; col
 
 /* ---- the plot ---- */
 
-/** The title, the legend unless it has another place, and the box of the plot. */
+/** The title, the legend of several curves unless it has another place, and the box of the plot. */
 function frame<S>(room: Room<S>, options: PlotOptions, curves: Legend) {
   const host = element('div', { role: 'group', 'aria-label': say(options.label) });
   const box = element('div', { class: 'plot', style: `--share: ${options.share ?? 1}` }, host);
   const caption = element('div', { class: 'caption' }, say(options.label));
-  if (!curves.element.parentElement)
+  if (curves.series.length > 1 && !curves.element.parentElement)
     caption.append(curves.element);
   (options.parent ?? room.stage).append(caption, box);
   return { host, box };

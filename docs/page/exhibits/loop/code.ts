@@ -8,7 +8,7 @@ const notes = {
   once: 'The clip plays once.',
   loop: 'The clip repeats.',
   twice: 'The clip plays twice: the keys of both times are in the list, which does not repeat.',
-  pingpong: 'The clip alternates: a period has the keys of the way there and of the way back.',
+  pingpong: 'The clip alternates: a period has its keys forwards, then backwards.',
 };
 
 export function code(state: State): string {

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The keys that a play head passes in a clip that repeats, each exactly once.
 import { button, element } from '../../kit/html';
-import { legend } from '../../kit/legend';
 import { numberTable, type Row } from '../../kit/numbers';
 import { panel } from '../../kit/panel';
 import { plot } from '../../kit/plot';
@@ -63,16 +62,12 @@ function windowOf(state: State): [number, number] {
 
 /** The time in the clip over the running time, with all keys that may be passed. */
 function plotHead(room: Room<State>, head: PlayHead) {
-  const curve = remembered(({ from, to, window, ...state }: State & { window: [number, number] }) => {
-    const whole = { ...state, from: 0, to: 0 };
-    return samples(t => [headOf(whole, t).time], ...window, 90);
-  });
+  const curve = remembered(({ window, ...state }: State & { window: [number, number] }) =>
+    samples(t => [headOf(state, t).time], ...window, 90));
   const data = () => curve({ ...room.state, from: 0, to: 0, window: windowOf(room.state) });
-  const one = legend(room, [{ label: say(words.clip), colour: 'c0', width: 2 }]);
-  element('div', {}, one.element); // one curve needs no legend
   plot(room, {
     label: words.clip, x: words.running, share: 0.5, data, time: () => room.state.to,
-    series: one,
+    series: [{ label: words.clip, colour: 'c0', width: 2 }],
     marks: () => {
       const { state } = room, times = timesOf(state), [least, most] = windowOf(state);
       const { list } = passed(state, state.from, state.to), done = new Set(list.map(p => p.at));

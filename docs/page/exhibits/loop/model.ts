@@ -60,15 +60,14 @@ export function unrolled(state: State) {
 /** A passing of entry `entry` of the unrolled keys in period `cycle`. */
 export interface Passing { entry: number; cycle: number; key: number; at: number }
 
-function passing(state: State, entry: number, cycle: number): Passing {
-  const { times, index, period } = unrolled(state);
+function passing({ times, index, period }: ReturnType<typeof unrolled>, entry: number, cycle: number): Passing {
   return { entry, cycle, key: index[entry], at: N.playbackOffset(times[entry], 0, period, cycle) };
 }
 
 /** All passings within a period of a time, or all there are: the nearest first. */
 export function around(state: State, time: number): Passing[] {
-  const { times, period } = unrolled(state), middle = period ? Math.floor(time / period) : 0;
-  const all = (period ? [-1, 0, 1] : [0]).flatMap(n => times.map((_, entry) => passing(state, entry, middle + n)));
+  const keys = unrolled(state), { times, period } = keys, middle = period ? Math.floor(time / period) : 0;
+  const all = (period ? [-1, 0, 1] : [0]).flatMap(n => times.map((_, entry) => passing(keys, entry, middle + n)));
   return all.sort((a, b) => Math.abs(a.at - time) - Math.abs(b.at - time));
 }
 
@@ -78,13 +77,13 @@ export const nearest = (state: State, time: number, way = 0): Passing | undefine
 
 /** The keys that a step passes: their number, and the first of them. */
 export function passed(state: State, from: number, to: number): { count: number; list: Passing[] } {
-  const { times, period } = unrolled(state), room = 64, entries = new Uint32Array(room), count = new Uint32Array(1);
+  const keys = unrolled(state), { times, period } = keys, room = 64, entries = new Uint32Array(room), count = new Uint32Array(1);
   N.playbackPassed({ times, keyCount: times.length, duration: period, from, to }, entries, count, room);
   const way = to < from ? -1 : 1, list: Passing[] = [];
   for (const entry of entries.slice(0, Math.min(count[0], room))) {
     const last = list.at(-1) ?? around(state, from).find(p => p.entry === entry && (p.at - from) * way > 0)!;
     const on = list.length === 0 || (entry - last.entry) * way > 0;
-    list.push(passing(state, entry, last.cycle + (on ? 0 : way)));
+    list.push(passing(keys, entry, last.cycle + (on ? 0 : way)));
   }
   return { count: count[0], list };
 }
