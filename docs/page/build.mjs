@@ -105,8 +105,9 @@ function licences(inputs) {
 function sizes() {
   const kb = name => gzipSync(readFileSync(`${out}/${name}`), { level: 9 }).length / 1024;
   const sum = (what, names) => {
-    const total = names.reduce((all, name) => all + kb(name), 0);
-    console.log(`${what}: ${total.toFixed(1)} KB with gzip (${names.map(n => `${n} ${kb(n).toFixed(1)}`).join(', ')})`);
+    const list = names.map(kb), total = list.reduce((all, size) => all + size, 0);
+    const each = names.map((name, i) => `${name} ${list[i].toFixed(1)}`).join(', ');
+    console.log(`${what}: ${total.toFixed(1)} KB with gzip (${each})`);
     return total;
   };
   const first = sum('The first picture', ['index.html', 'page.css', 'page.js', 'wasm-math.js']);

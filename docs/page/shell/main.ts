@@ -46,11 +46,13 @@ function colourSwitch() {
     root.dataset.theme = isDark() ? 'light' : 'dark';
     dispatchEvent(new Event('colours'));
   });
-  const face = () => made.setAttribute('aria-pressed', String(isDark()));
-  addEventListener('colours', face);
-  face();
+  made.dataset.dark = '';
   return made;
 }
+function showColours() {
+  document.querySelector('[data-dark]')!.setAttribute('aria-pressed', String(isDark()));
+}
+addEventListener('colours', showColours);
 media.addEventListener('change', () => dispatchEvent(new Event('colours')));
 
 function languageSwitch(name: Language) {
@@ -81,6 +83,7 @@ function frame() {
       element('div', { class: 'choices' }, [...languages.map(languageSwitch), colourSwitch()])]),
     element('nav', { 'aria-label': say(words.list) }, list), element('main'),
     element('footer', {}, element('a', { href: 'licences.txt' }, say(words.licences))));
+  showColours();
 }
 
 function mark(shown: Entry) {

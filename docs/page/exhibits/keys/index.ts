@@ -62,10 +62,9 @@ function plots(room: Room<State>, curves: Legend) {
 
 /* ---- numbers ---- */
 
-function trapRows(state: State): Row[] {
-  const s = keysOf(state), k = joint(s), tangents = tangentsOf(s);
-  if (k === undefined)
-    return [];
+/** The rows of key k. */
+function trapRows({ k, ...state }: State & { k: number }): Row[] {
+  const s = keysOf(state), tangents = tangentsOf(s);
   const times = Float32Array.from(s.times), duration = (i: number) => Math.fround(times[i + 1] - times[i]);
   const row = (name: string, en: string, ja: string, values: number[]) =>
     ({ name, label: { en, ja }, values, digits: 3 });
@@ -78,14 +77,18 @@ function trapRows(state: State): Row[] {
 }
 
 function trapTable(room: Room<State>) {
-  const table = numberTable(room, { en: 'Key', ja: 'キー' }, () => trapRows(room.state));
+  const rows = remembered(trapRows), at = () => joint(keysOf(room.state));
+  const table = numberTable(room, { en: 'Key', ja: 'キー' }, () => {
+    const k = at();
+    return k === undefined ? [] : rows({ ...room.state, k });
+  });
   const note = html('p', say(texts.trap), { class: 'note' });
   room.side.append(note);
   room.draw(() => {
-    const s = keysOf(room.state), k = joint(s);
+    const k = at();
     table.caption!.textContent = say({ en: `Key ${k}: before and after it`, ja: `キー ${k} の前と後` });
     table.hidden = k === undefined;
-    note.hidden = k === undefined || !tangentsOf(s);
+    note.hidden = k === undefined || !tangentsOf(keysOf(room.state));
   });
 }
 
@@ -139,8 +142,8 @@ function mount(room: Room<State>) {
 
 export const keys: Exhibit<State> = {
   lead: {
-    en: 'Drag the keys, and the small dots, which are tangents. Double-click or double-tap the plot to add a key. The durations ' +
-      'differ: read the tangents per segment instead of per second, and the velocity jumps at each key.',
+    en: 'Drag the keys, and the small dots, which are tangents. Double-click or double-tap the plot to add a key. ' +
+      'The durations differ: read the tangents per segment instead of per second, and the velocity jumps at each key.',
     ja: 'キーと、接線を表す小さな点をドラッグしてください。グラフを2回続けて押すと、キーを追加できます。' +
       'キーの間隔は等しくないため、接線を1秒あたりではなく1区間あたりと読むと、速度が各キーで不連続になります。',
   },

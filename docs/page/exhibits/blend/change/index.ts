@@ -88,7 +88,7 @@ function mount(room: Room<State>, rig: Rig) {
     return [2, 3, 4].map(k => ({ pose: now[k], colour: colours[k], label: own[kinds[k]] }));
   });
   plotVelocity(room, rig);
-  let shown = numbersOf(room.state, rig);
+  let shown: ReturnType<typeof numbersOf>;
   room.draw(() => { shown = numbersOf(room.state, rig); });
   const rows = (name: 'jumps' | 'now', prefix: string) => kinds.map((kind, k) =>
     ({ name: `${prefix}_${kind}`, label: own[kind], values: shown[name][k] }));
