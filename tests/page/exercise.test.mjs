@@ -123,7 +123,7 @@ test('the first 3 to 6 keys of scene 1, deleted by d: Bézier as in an independe
   await tab.close();
 });
 
-test('outside the keys, the switch gives the numbers of the exercise', async () => {
+test('outside the keys, the numbers with the switch are those of the exercise', async () => {
   for (const row of table.filter(r => r.scene === 'scene1' && r.orientation === 'euler' &&
     [-0.5, 6.5].includes(r.time) && r.position.startsWith('bezier'))) {
     const program = row.position === 'bezier' ? 1 : 0;

@@ -62,7 +62,7 @@ function palette(order, angles) {
   return order === 'transposed' ? product.map(m => m.map((_, r) => m.map(row => row[r]))) : product;
 }
 
-test('each product: C prints the numbers of the page, and binary64 gives the same place of the vertex', async () => {
+test('each product: C prints the numbers of the page, and the vertex is at the same place in binary64', async () => {
   const places = new Map();
   for (const order of orders) {
     const { tab, numbers } = await numbersOf(`joints?order=${order}&joint=2&ring=16&column=3&angle0=0.3&axis=z`);

@@ -23,11 +23,11 @@ async function drawn(tab, id) {
 
 test('there are thirteen exhibits', () => assert.equal(ids.length, 13));
 
-/** The state and the numbers. */
-const seen = tab => tab.evaluate(() => JSON.stringify([...document.querySelectorAll('main [data-value], main input')]
-  .map(e => e.dataset.value ?? e.value)));
-const changed = (tab, before) => tab.waitForFunction(text => text !== JSON.stringify(
-  [...document.querySelectorAll('main [data-value], main input')].map(e => e.dataset.value ?? e.value)), before);
+/** The state and the numbers, in the page. */
+const state = `JSON.stringify([...document.querySelectorAll('main [data-value], main input')]
+  .map(e => e.dataset.value ?? e.value))`;
+const seen = tab => tab.evaluate(state);
+const changed = (tab, before) => tab.waitForFunction(`${state} !== ${JSON.stringify(before)}`);
 
 /** Presses Tab until the focus is on an element that matches; returns the number of presses, or -1 after 120. */
 async function tabTo(tab, selector) {

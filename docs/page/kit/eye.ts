@@ -31,10 +31,10 @@ export interface Camera {
   pitch: number;
   distance: number;
   fov: number;
+  /** The point that the camera looks at, and the length that pictures show as 1. */
   aim: number[];
   unit: number;
 }
-
 
 function turnOf({ yaw, pitch }: Camera): number[] {
   const about = (axis: number[], degrees: number) =>

@@ -16,11 +16,14 @@ export interface Row {
 /** The text that reads back as the same number, -0 included. */
 export const exact = (value: number) => Object.is(value, -0) ? '-0' : String(value);
 
+/** The text of a number with a minus sign, and without one for zero. */
+export const minus = (digits: string) => digits.replace(/^-(0\.?0*)$/, '$1').replace('-', '−');
+
 function fill(cell: HTMLElement, row: Row, i: number) {
   const value = row.values[i], text = value === undefined ? '' : value.toFixed(row.digits ?? 4);
   cell.dataset.name = `${row.name}.${i}`;
   cell.dataset.value = exact(value);
-  cell.textContent = text.replace(/^-(0\.?0*)$/, '$1').replace('-', '−').replace('Infinity', '∞');
+  cell.textContent = minus(text).replace('Infinity', '∞');
 }
 
 const heading = (label: Row['label']) => label instanceof HTMLElement

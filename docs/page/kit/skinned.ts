@@ -36,7 +36,7 @@ function shade([a, b, d]: number[][], eye: number[]): number {
   return 0.68 + 0.26 * facing + 0.08 * n[1] / (Math.hypot(...n) || 1);
 }
 
-/** The faces of a mesh, each a list of vertices; `paint` gives the colour of face i. */
+/** The faces of a mesh, each a list of vertices; `paint` returns the colour of face i. */
 export function skinned(c: CanvasRenderingContext2D, view: View, positions: ArrayLike<number>, faces: number[][],
   paint: (i: number) => number[]): Shape[] {
   return faces.map((face, i) => {

@@ -45,7 +45,7 @@ export interface State extends Turn {
   goals: number[];
 }
 
-/** What a mode is: it mounts itself once, and gives its range of time and its program. */
+/** What a mode is: it mounts itself once, and returns its range of time and its program. */
 export interface ModeOf {
   mount(room: Room<State>, rig: Rig): void;
   end(state: State, rig: Rig): number;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The state of the exhibit, and what its keys and buttons do with it.
 import * as N from 'nakawari/all';
+import type { Camera } from '../../kit/eye';
 import { clamp, zeros } from '../../kit/values';
 import { choice, flag, number, numbers, whole, type Fields } from '../../shell/state';
 import { scenes, type Placement } from './scenes';
@@ -43,7 +44,7 @@ export function memoized<A extends unknown[], R>(f: (...list: A) => R): (...list
 /** As many as a scene of the command has (docs/command.md#exercise), and as long. */
 export const limits = { keys: 64, seconds: 64 };
 
-export interface State {
+export interface State extends Camera {
   scene: number;
   /** Eight numbers a key: time, position x y z, orientation x y z w. Empty: the keys of the scene. */
   keys: number[];
@@ -60,13 +61,6 @@ export interface State {
   axes: boolean;
   /** The handles have the axes of the object. */
   local: boolean;
-  yaw: number;
-  pitch: number;
-  distance: number;
-  fov: number;
-  /** The point that the camera looks at, and the length that pictures show as 1. */
-  aim: number[];
-  unit: number;
 }
 
 const validKeys = (list: number[]) => list.length % 8 === 0 && list.length <= 8 * limits.keys && !problem(unpack(list));

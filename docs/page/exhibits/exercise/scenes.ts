@@ -182,7 +182,7 @@ const cut: Scene = {
   reason: {
     en: 'Keys 2 and 3 are both at 2 s: the object jumps. Linear and Hermite use the two keys of a segment only, ' +
       'so both sides stay as they are. The B-spline and Bézier use keys beyond the jump too. Delete keys (d) ' +
-      'until one is left: nakawari gives that key, and the exercise’s program writes no matrix.',
+      'until one is left: nakawari returns that key, and the exercise’s program writes no matrix.',
     ja: 'キー 2 と 3 はどちらも 2 秒なので、物体は瞬間移動します。線形補間と Hermite 曲線は、区間の両端のキーだけを使うので、' +
       '前後の動きは変わりません。B スプライン曲線と Bézier 曲線は、瞬間移動の向こう側のキーも使います。' +
       'キーを1つになるまで削除すると（d キー）、nakawari はそのキーを返し、演習のプログラムは行列に書き込みません。',

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Tables of numbers with the letters of the blanks.
 import { element, html } from '../../kit/html';
-import { exact } from '../../kit/numbers';
+import { exact, minus } from '../../kit/numbers';
 import { clamp } from '../../kit/values';
 import { say, type Text } from '../../shell/text';
 import type { Numbers } from './numbers';
@@ -18,7 +18,6 @@ export interface Line {
   columns?: number;
 }
 
-const minus = (digits: string) => digits.replace(/^-(0\.?0*)$/, '$1').replace('-', '−');
 /** At most six decimals. */
 export const trimmed = (x: number) => minus(String(+x.toFixed(6)));
 const lengths = /^(control\d|position|matrix\.1[234])/;

@@ -78,7 +78,7 @@ export const labels = {
   programNote: {
     en: 'By the rules of the exercise’s program: segments include both ends, Bézier is not clamped outside the ' +
       'keys, the orientation without interpolation ends at the second to last key, Euler angles lose roll at a ' +
-      'pitch of 90°, playback drops the rest of the step, and one key gives no matrix.',
+      'pitch of 90°, playback drops the rest of the step, and for one key no matrix is written.',
     ja: '演習のプログラムの規則による値です。区間は両端を含みます。Bézier 曲線はキーの範囲外でも延長されます。' +
       '補間なしの向きは、最後から2番目のキーで終わります。オイラー角は、仰角 90° で旋回角が失われます。' +
       '再生では時間刻みの余りを捨て、キーが1つのときは行列に書き込みません。',

@@ -4,6 +4,7 @@ import * as N from 'nakawari/all';
 import { choosing, thick } from '../../kit/chosen';
 import { element } from '../../kit/html';
 import { legend, type Legend } from '../../kit/legend';
+import { note } from '../../kit/note';
 import { numberTable } from '../../kit/numbers';
 import { panel } from '../../kit/panel';
 import { plot } from '../../kit/plot';
@@ -95,17 +96,15 @@ const notes = {
 };
 
 function mount(room: Room<State>) {
-  const curves = curvesOf(), { host, beside } = scene(room.stage, 2), note = element('p', { class: 'note' });
+  const curves = curvesOf(), { host, beside } = scene(room.stage, 2);
   room.closed(curves.dispose);
   const series = names.map(name => ({ name, label: words[name], colour: colours[name], width: 2 }));
   const methods = legend(room, series, 'hidden');
   const components = element('p', { class: 'note' }, parts.flatMap(({ label, colour }) =>
     [element('span', { style: `color: var(--${colour})` }, '━'), ` ${label} `]));
-  beside.append(methods.element, components, element('p', { class: 'note' }, say(notes.circles)), note);
-  room.draw(() => {
-    components.hidden = room.state.plot !== 'components';
-    note.textContent = usesOmega(room.state.method) ? say(notes.omega) : '';
-  });
+  beside.append(methods.element, components, element('p', { class: 'note' }, say(notes.circles)),
+    note(room, state => usesOmega(state.method) ? notes.omega : ''));
+  room.draw(() => { components.hidden = room.state.plot !== 'components'; });
   sphere(room, curves, host);
   speeds(room, curves, methods);
   const controls = panel(room, { en: 'Curves through five keys', ja: '5つのキーを結ぶ曲線' });

@@ -31,7 +31,7 @@ export const meanings: Record<Policy, Text> = {
     ja: '長さの比を保つ：曲線が1点でだけ垂直になるまで、両方のハンドルを同じ倍率で縮めます。',
   },
   start: {
-    en: 'Keep the start: the handle of the first key stays, up to 4/3 of the duration; that of the last key gives way.',
+    en: 'Keep the start: the handle of the first key stays, up to 4/3 of the duration; that of the last key is shortened.',
     ja: '始点側を優先：始点のハンドルは区間の長さの 4/3 まで保たれ、終点のハンドルの長さを変えて合わせます。',
   },
 };

@@ -2,7 +2,7 @@
 // A bar of one square metre by three, skinned in three ways, and its measures.
 import * as N from 'nakawari/all';
 import { vertex } from '../../kit/skinned';
-import { clamp } from '../../kit/values';
+import { clamp, zeros } from '../../kit/values';
 
 export const steps = 24, around = 8, length = 3;
 /** The corners and middles of the sides of a section, counterclockwise seen from above. */
@@ -41,18 +41,16 @@ function weights(joints: number, spread: number): Float32Array {
 
 /* ---- skinning ---- */
 
-const four = () => [0, 0, 0, 0], sixteen = () => Array<number>(16).fill(0);
-
 /** The joint matrix T J T^-1 of the share j / (joints - 1) of the rotation: of its swing and of its twist. */
 function shares(joints: number, axis: number[], degrees: number): number[][] {
-  const q = N.quatFromAxisAngle(four(), axis, N.radiansFromDegrees(degrees));
-  const parts = N.quatSwingTwist([...four(), ...four()], q, bone), swing = parts.slice(0, 4), turn = parts.slice(4);
-  const T = N.mat4FromMat3(sixteen(), N.mat3Identity(Array<number>(9).fill(0)), pivot);
+  const q = N.quatFromAxisAngle(zeros(4), axis, N.radiansFromDegrees(degrees));
+  const parts = N.quatSwingTwist(zeros(8), q, bone), swing = parts.slice(0, 4), turn = parts.slice(4);
+  const T = N.mat4FromMat3(zeros(16), N.mat3Identity(zeros(9)), pivot);
   return Array.from({ length: joints }, (_, j) => {
     const share = Math.fround(j / (joints - 1));
-    const J = N.quatMul(four(), N.quatPow(four(), swing, share), N.quatPow(four(), turn, share));
-    const TJ = N.mat4Mul(sixteen(), T, N.mat4FromQuat(sixteen(), J));
-    return N.mat4Mul(sixteen(), TJ, N.mat4InverseRigid(sixteen(), T));
+    const J = N.quatMul(zeros(4), N.quatPow(zeros(4), swing, share), N.quatPow(zeros(4), turn, share));
+    const TJ = N.mat4Mul(zeros(16), T, N.mat4FromQuat(zeros(16), J));
+    return N.mat4Mul(zeros(16), TJ, N.mat4InverseRigid(zeros(16), T));
   });
 }
 
@@ -101,7 +99,7 @@ export type Bars = ReturnType<typeof makeBars>;
 
 /** One sixth of the sum of det(a, b, c) over triangles: the mean of both ways to divide a face, for it is not flat. */
 function measure(skinned: ArrayLike<number>): number {
-  const m = Array<number>(9);
+  const m = zeros(9);
   let sum = 0;
   for (const face of faces)
     for (const s of [0, 1])
