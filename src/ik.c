@@ -101,7 +101,7 @@ static lane_f64_quat bend_of(const two_bone *t, double r, nkw_vec3 hinge)
 static lane_f64_quat swing_of(const two_bone *t, lane_f64_vec3 end)
 {
     lane_f64_vec3 to = t->d > 0.0 ? t->target : end;
-    lane_f64_quat swing = lane_f64_quat_from_vectors(end, to);
+    lane_f64_quat swing = ik_turn_between(end, to);
     lane_f64_vec3 line = lane_f64_vec3_normalize(to);
     return lane_f64_quat_mul(ik_turn_about(line, lane_f64_quat_rotate(swing, t->u), t->pole, IK_PARALLEL), swing);
 }
@@ -155,17 +155,15 @@ static lane_f64_quat into_cone(lane_f64_vec3 direction, nkw_vec3 given, float an
     double is = lane_atan2_64(lane_f64_vec3_length(across), lane_f64_vec3_dot(axis, direction));
     if (lane_f64_vec3_dot(axis, axis) == 0.0 || angle != angle || !(is > most))
         return identity;
-    lane_f64_vec3 normal = lane_f64_vec3_dot(across, across) < IK_PARALLEL * IK_PARALLEL
-                               ? lane_f64_vec3_perpendicular(direction)
-                               : lane_f64_vec3_normalize(across);
-    return lane_f64_quat_from_axis_half(normal, lane_sincos64(0.5 * (most - is)));
+    lane_f64_vec3 unit = lane_f64_vec3_normalize(direction);
+    return lane_f64_quat_from_axis_half(ik_axis_between(axis, unit), lane_sincos64(0.5 * (most - is)));
 }
 
 static lane_f64_quat aim_of(const nkw_ik_aim *aim, lane_f64_vec3 forward, lane_f64_vec3 target)
 {
     double d = lane_f64_vec3_length(target);
     lane_f64_vec3 meets = meeting_point(lane_f64_vec3_from(aim->offset), forward, d);
-    lane_f64_quat turn = lane_f64_quat_from_vectors(meets, target);
+    lane_f64_quat turn = ik_turn_between(meets, target);
     if (d > 0.0) {
         lane_f64_vec3 up = lane_f64_quat_rotate(turn, lane_f64_vec3_normalize(lane_f64_vec3_from(aim->up)));
         lane_f64_vec3 pole = lane_f64_vec3_normalize(lane_f64_vec3_from(aim->pole));

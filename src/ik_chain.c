@@ -139,7 +139,7 @@ static void ccd_pass(const nkw_ik_chain *chain, lane_f64_vec3 target, nkw_quat *
             lane_f64_quat_mul(f.rotation, lane_f64_quat_conjugate(lane_f64_quat_unit_from(rotations[k])));
         position = lane_f64_vec3_sub(position, bone_of(chain, k, f.rotation));
         lane_f64_vec3 from = lane_f64_vec3_sub(end, position);
-        lane_f64_quat turn = lane_f64_quat_from_vectors(from, lane_f64_vec3_sub(target, position));
+        lane_f64_quat turn = ik_turn_between(from, lane_f64_vec3_sub(target, position));
         rotate(chain, rotations, k, &parent, turn, f.rotation);
         lane_f64_quat now = lane_f64_quat_mul(parent, lane_f64_quat_unit_from(rotations[k]));
         from = lane_f64_quat_rotate(lane_f64_quat_conjugate(f.rotation), from);
@@ -189,7 +189,7 @@ static void forward(const nkw_ik_chain *chain, lane_f64_vec3 target, const nkw_v
     for (size_t k = 0; k < chain->count; k++) {
         lane_f64_vec3 aim = places && k + 1 < chain->count ? lane_f64_vec3_from(places[k + 1]) : target;
         lane_f64_quat own = lane_f64_quat_mul(f.rotation, lane_f64_quat_unit_from(rotations[k]));
-        lane_f64_quat turn = lane_f64_quat_from_vectors(bone_of(chain, k, own), lane_f64_vec3_sub(aim, f.position));
+        lane_f64_quat turn = ik_turn_between(bone_of(chain, k, own), lane_f64_vec3_sub(aim, f.position));
         rotate(chain, rotations, k, &f.rotation, turn, own);
         f = advance(chain, rotations, k, f);
     }

@@ -11,6 +11,37 @@
 
 #include "lane/quat.h"
 
+/* The square of the sine below which unit directions count as parallel: binary64 has rounded them to within 2^-50. */
+#define IK_NOISE 0x1p-96
+
+/*
+ * The unit axis of the shortest rotation from u to v, unit. If they are nearly parallel, u x v is rounding in part: its
+ * component along u is removed, so that a half turn about it does not miss; below IK_NOISE it is any perpendicular.
+ */
+static inline lane_f64_vec3 ik_axis_between(lane_f64_vec3 u, lane_f64_vec3 v)
+{
+    lane_f64_vec3 c = lane_f64_vec3_cross(u, v);
+    c = lane_f64_vec3_add_scaled(c, u, -lane_f64_vec3_dot(c, u));
+    int is_noise = lane_f64_vec3_dot(c, c) < IK_NOISE;
+    return is_noise ? lane_f64_vec3_perpendicular(u) : lane_f64_vec3_normalize(c);
+}
+
+/*
+ * The shortest rotation from one direction to another, of any lengths, that carry the roundings of binary64; the
+ * identity where one is zero. (lane_f64_quat_from_vectors takes its vectors as exact.)
+ *
+ *     tan(angle/2) = |u - v| / |u + v|
+ */
+static inline lane_f64_quat ik_turn_between(lane_f64_vec3 from, lane_f64_vec3 to)
+{
+    const lane_f64_quat identity = {0.0, 0.0, 0.0, 1.0};
+    lane_f64_vec3 u = lane_f64_vec3_normalize(from), v = lane_f64_vec3_normalize(to);
+    if (lane_f64_vec3_dot(u, u) == 0.0 || lane_f64_vec3_dot(v, v) == 0.0)
+        return identity;
+    lane_sincos half = {lane_f64_vec3_length(lane_f64_vec3_sub(u, v)), lane_f64_vec3_length(lane_f64_vec3_add(u, v))};
+    return lane_f64_quat_normalize(lane_f64_quat_from_axis_half(ik_axis_between(u, v), half));
+}
+
 /*
  * The rotation about the unit axis that brings the side of `from` to that of `to`, for unit `to`. With m, w their parts
  * perpendicular to the axis, L = |m| |w|:

@@ -29,7 +29,8 @@ nkw_mat3 nkw_mat3_inverse(const nkw_mat3 *m)
 {
     lane_f64_mat3 w = lane_f64_mat3_from(m);
     lane_f64_mat3 c = lane_f64_mat3_cofactors(&w);
-    double r = lane_reciprocal_or_zero(lane_f64_mat3_determinant(&w, &c));
+    lane_laplace by = lane_f64_mat3_laplace(&w, &c);
+    double r = lane_is_singular(by) ? 0.0 : lane_reciprocal_or_zero(by.determinant);
     lane_f64_mat3 adjugate = lane_f64_mat3_transpose(&c);
     return lane_mat3_from_f64(&adjugate, r);
 }
@@ -39,10 +40,12 @@ nkw_mat3 nkw_mat3_normal(const nkw_mat3 *m)
     return lane_mat3_normal(m);
 }
 
-/* Columns shorter than this part of the longest direction left are rounding, not direction. */
+/* The square of the angle, in rad, below which a column counts as dependent on those before it. */
+#define DEPENDENT 0x1p-60
+
 static lane_f64_vec3 direction_or(lane_f64_vec3 rest, lane_f64_vec3 whole, lane_f64_vec3 otherwise)
 {
-    int lost = lane_f64_vec3_dot(rest, rest) <= 0x1p-60 * lane_f64_vec3_dot(whole, whole);
+    int lost = lane_f64_vec3_dot(rest, rest) <= DEPENDENT * lane_f64_vec3_dot(whole, whole);
     return lane_f64_vec3_normalize(lane_f64_vec3_select(lost, otherwise, rest));
 }
 
@@ -55,7 +58,9 @@ nkw_mat3 nkw_mat3_orthonormalize(const nkw_mat3 *m)
     lane_f64_vec3 rest = lane_f64_vec3_sub(b, lane_f64_vec3_scale(x, lane_f64_vec3_dot(b, x)));
     lane_f64_vec3 y = direction_or(rest, b, direction_or(lane_f64_vec3_cross(c, x), c, lane_f64_vec3_perpendicular(x)));
     lane_f64_vec3 z = lane_f64_vec3_cross(x, y);
-    double along = lane_f64_vec3_dot(z, c), side = along < 0.0 ? -1.0 : along == along ? 1.0 : along;
+    double along = lane_f64_vec3_dot(z, c);
+    int mirrors = along < 0.0 && along * along > DEPENDENT * lane_f64_vec3_dot(c, c);
+    double side = mirrors ? -1.0 : along == along ? 1.0 : along;
     lane_f64_mat3 r = lane_f64_mat3_from_columns(x, y, lane_f64_vec3_scale(z, side));
     return lane_mat3_from_f64(&r, 1.0);
 }
@@ -128,13 +133,13 @@ static int eliminate(const double m[16], double out[16])
     return 1;
 }
 
-/* Cofactors lose log2(magnitude / |det|) bits, of 29 to spare; when 50 are lost the determinant is rounding. */
+/* Cofactors lose log2(magnitude / |det|) bits, of 29 to spare. */
 LANE_SELDOM static nkw_mat4 inverse_of_cancelling(const nkw_mat4 *m, lane_laplace by)
 {
     nkw_mat4 result = {{0.0f}};
     double a[16], inverse[16];
     widen(m, a);
-    if (lane_abs64(by.determinant) <= by.magnitude * 0x1p-50 || !eliminate(a, inverse))
+    if (lane_is_singular(by) || !eliminate(a, inverse))
         return result;
     for (size_t i = 0; i < 16; i++)
         result.m[i] = (float)inverse[i];

@@ -50,7 +50,7 @@ LANE_SELDOM static nkw_trs from_any_affine(const nkw_mat4 *m)
         s[c] = lane_f64_vec3_length(lane_f64_mat3_column(&w, c));
     lane_f64_mat3 unit = directions(&w, s);
     lane_f64_mat3 cofactors = lane_f64_mat3_cofactors(&unit);
-    double side = lane_f64_mat3_determinant(&unit, &cofactors) < 0.0 ? -1.0 : 1.0;
+    double side = lane_f64_mat3_determinant(&unit, &cofactors) < -LANE_LEAST_VOLUME ? -1.0 : 1.0;
     for (size_t i = 0; i < 3; i++)
         unit.m[i] *= side;
     nkw_trs r = {

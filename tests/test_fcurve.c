@@ -172,6 +172,47 @@ static void inserted_keys_change_nothing(void **state)
     }
 }
 
+/* Handles up to the duration, whose parts can be longer than the parts of the segment. */
+static void long_handles_survive_an_insertion(void **state)
+{
+    (void)state;
+    random_source r = random_from(4);
+    int changed = 0;
+    for (int round = 0; round < 600; round++) {
+        nkw_fcurve_key keys[4], more[5];
+        for (int k = 0; k < 4; k++) {
+            nkw_handle in = {-1.2f * random_unit(&r), random_between(&r, -1, 1)};
+            nkw_handle out = {1.2f * random_unit(&r), random_between(&r, -1, 1)};
+            keys[k] = bezier((float)k, random_between(&r, -5, 5), in, out);
+        }
+        nkw_fcurve c = curve_of(keys, 4, NKW_FCURVE_OUTSIDE_HOLD), d = curve_of(more, 5, NKW_FCURVE_OUTSIDE_HOLD);
+        int is_contained = round % 3 == 0;
+        c.policy = round % 3 == 2 ? NKW_HANDLE_KEEP_START : NKW_HANDLE_KEEP_RATIO;
+        d.policy = c.policy;
+        if (is_contained)
+            nkw_fcurve_limit(keys, 4, NKW_HANDLE_CONTAIN, keys);
+        float time = random_between(&r, 1.01f, 1.99f);
+        size_t index;
+        assert_int_equal(nkw_fcurve_insert(&c, time, more, &index), NKW_OK);
+        for (int i = 0; i <= 300; i++) {
+            nkw_curve_point p = nkw_fcurve_sample(&c, 0.01f * (float)i);
+            expect_near(value(&d, 0.01f * (float)i), p.value, 1e-5 + 1e-6 * fabs(p.first));
+        }
+        if (!is_contained)
+            continue;
+        /* CONTAIN itself changes the curve in the split segment at most. */
+        c.policy = d.policy = NKW_HANDLE_CONTAIN;
+        for (int i = 0; i <= 300; i++) {
+            float at = 0.01f * (float)i;
+            nkw_curve_point p = nkw_fcurve_sample(&c, at);
+            double off = fabs((double)value(&d, at) - (double)p.value);
+            changed += off > 1e-3;
+            assert_true((at > 1 && at < 2) || off <= 1e-5 + 1e-6 * fabs(p.first));
+        }
+    }
+    assert_true(changed > 0);
+}
+
 static void keys_are_inserted_only_between_keys(void **state)
 {
     (void)state;
@@ -411,6 +452,7 @@ int main(void)
         cmocka_unit_test(equal_times_are_a_jump),
         cmocka_unit_test(the_policy_limits_each_segment),
         cmocka_unit_test(inserted_keys_change_nothing),
+        cmocka_unit_test(long_handles_survive_an_insertion),
         cmocka_unit_test(keys_are_inserted_only_between_keys),
         cmocka_unit_test(hold_and_linear_continue_each_end_by_itself),
         cmocka_unit_test(linear_follows_the_outer_handles),

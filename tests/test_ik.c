@@ -230,6 +230,24 @@ static void an_opposite_target_is_reached(void **state)
     expect_near(s.error, 0, 3e-7);
 }
 
+/* Opposite to rounding: the cross product of the directions is rounding too. */
+static void a_limb_reaches_a_target_opposite_to_its_end(void **state)
+{
+    (void)state;
+    random_source r = random_from(21);
+    for (int i = 0; i < 20000; i++) {
+        nkw_ik_two_bone leg = draw_limb(&r);
+        leg.root = none;
+        leg.pole = none;
+        leg.mid = nkw_vec3_scale(random_direction(&r), random_between(&r, 0.05f, 1));
+        leg.end = nkw_vec3_add_scaled(leg.mid, random_direction(&r), random_between(&r, 0.05f, 1));
+        leg.target = nkw_vec3_negate(leg.end);
+        nkw_ik_two_bone_solution s = nkw_ik_two_bone_solve(&leg);
+        expect_consistent(&leg, &s);
+        expect_near(s.error, 0, 3e-7 * (double)length_of(&leg));
+    }
+}
+
 static void soft_reach_is_smooth_and_never_complete(void **state)
 {
     (void)state;
@@ -386,6 +404,26 @@ static void the_ray_stays_in_its_cone(void **state)
     }
 }
 
+static void a_joint_points_at_a_target_opposite_to_its_ray(void **state)
+{
+    (void)state;
+    random_source r = random_from(22);
+    for (int i = 0; i < 20000; i++) {
+        nkw_ik_aim aim = {none, none, none, none, none, none, none, 0, 1};
+        aim.forward = random_vec3(&r, -4, 4);
+        aim.target = nkw_vec3_scale(aim.forward, i % 2 ? -2.0f : -random_between(&r, 0.1f, 10));
+        nkw_ik_aim_solution s = nkw_ik_aim_solve(&aim);
+        expect_near(s.error, 0, 3e-7);
+        nkw_vec3 ray = nkw_quat_rotate(s.rotation, aim.forward);
+        expect_near(nkw_vec3_angle(ray, aim.target), 0, 1e-6);
+        /* Into a cone about the opposite direction of the target: the ray ends on its edge. */
+        aim.limit_axis = aim.forward;
+        aim.limit_angle = 0.5f;
+        s = nkw_ik_aim_solve(&aim);
+        expect_near(nkw_vec3_angle(nkw_quat_rotate(s.rotation, aim.forward), aim.forward), 0.5, 1e-6);
+    }
+}
+
 static void odd_aims_are_defined(void **state)
 {
     (void)state;
@@ -437,6 +475,7 @@ int main(void)
         cmocka_unit_test(a_target_at_the_root_folds_the_limb),
         cmocka_unit_test(bones_of_length_zero_are_answered),
         cmocka_unit_test(an_opposite_target_is_reached),
+        cmocka_unit_test(a_limb_reaches_a_target_opposite_to_its_end),
         cmocka_unit_test(soft_reach_is_smooth_and_never_complete),
         cmocka_unit_test(weights_move_a_part),
         cmocka_unit_test(numbers_that_are_not_finite_move_nothing),
@@ -445,6 +484,7 @@ int main(void)
         cmocka_unit_test(a_ray_that_starts_beside_the_joint_meets_the_target),
         cmocka_unit_test(up_turns_to_the_pole),
         cmocka_unit_test(the_ray_stays_in_its_cone),
+        cmocka_unit_test(a_joint_points_at_a_target_opposite_to_its_ray),
         cmocka_unit_test(odd_aims_are_defined),
     };
     return cmocka_run_group_tests_name("ik", tests, NULL, NULL);

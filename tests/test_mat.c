@@ -176,6 +176,49 @@ static void singular_matrices_give_the_zero_matrix(void **state)
     expect_floats_near(got3.m, zero3.m, 9, 0);
 }
 
+/* The third column is the exact sum of the others, whatever the rounding of the determinant. */
+static void exactly_dependent_columns_have_no_inverse(void **state)
+{
+    (void)state;
+    random_source r = random_from(41);
+    for (int i = 0; i < 20000; i++) {
+        nkw_mat3 m;
+        for (int k = 0; k < 3; k++) {
+            do {
+                m.m[k] = random_between(&r, -4, 4);
+                m.m[3 + k] = random_between(&r, -4, 4);
+                m.m[6 + k] = m.m[k] + m.m[3 + k];
+            } while ((double)m.m[6 + k] != (double)m.m[k] + (double)m.m[3 + k]);
+        }
+        nkw_mat4 affine = nkw_mat4_from_mat3(&m, random_vec3(&r, -9, 9)), zero = {{0}};
+        nkw_mat3 a = nkw_mat3_inverse(&m);
+        nkw_mat4 b = nkw_mat4_inverse_affine(&affine), c = nkw_mat4_inverse(&affine);
+        expect_floats_near(a.m, zero.m, 9, 0);
+        expect_floats_near(b.m, zero.m, 16, 0);
+        expect_floats_near(c.m, zero.m, 16, 0);
+    }
+}
+
+/* A translation does not make a matrix singular, nor do small or uneven scales. */
+static void a_far_translation_and_uneven_scales_have_an_inverse(void **state)
+{
+    (void)state;
+    random_source r = random_from(42);
+    for (int i = 0; i < 5000; i++) {
+        float s[3], least = 1e30f;
+        for (int k = 0; k < 3; k++) {
+            s[k] = nkw_abs(random_scaled(&r, -20, 20));
+            least = s[k] < least ? s[k] : least;
+        }
+        nkw_trs t = {{1e9f, -1e9f, 1e9f}, random_rotation(&r), {s[0], s[1], s[2]}};
+        nkw_mat4 m = nkw_mat4_from_trs(&t), a = nkw_mat4_inverse_affine(&m);
+        nkw_mat3 block = nkw_mat3_from_mat4(&m), inverse = nkw_mat3_inverse(&block);
+        for (int k = 0; k < 9; k++)
+            expect_near(inverse.m[k], a.m[k / 3 * 4 + k % 3], 1e-5 / (double)least);
+        assert_true(a.m[15] == 1.0f);
+    }
+}
+
 static void rigid_inverse_is_the_transpose(void **state)
 {
     (void)state;
@@ -209,6 +252,23 @@ static void normal_matrix_survives_a_zero_scale(void **state)
         m.m[k / 2] = k % 2 ? INFINITY : NAN;
         none = nkw_mat3_normal(&m);
         expect_floats_near(none.m, zero.m, 9, 0);
+    }
+}
+
+/* The normal of the plane that A diag(1, 0, 1) B flattens to is A y, on the side that the cofactors have. */
+static void normals_of_a_flat_product_do_not_flip(void **state)
+{
+    (void)state;
+    random_source r = random_from(43);
+    for (int i = 0; i < 5000; i++) {
+        nkw_quat q = random_rotation(&r), p = random_rotation(&r);
+        nkw_mat3 a = nkw_mat3_from_quat(q), b = nkw_mat3_from_quat(p), flat = {{1, 0, 0, 0, 0, 0, 0, 0, 1}};
+        nkw_mat3 m = nkw_mat3_mul(&a, &flat);
+        m = nkw_mat3_mul(&m, &b);
+        nkw_mat3 n = nkw_mat3_normal(&m);
+        nkw_vec3 up = nkw_quat_rotate_inverse(p, (nkw_vec3){0, 1, 0});
+        nkw_vec3 got = nkw_vec3_normalize(nkw_mat3_transform(&n, up));
+        expect_vec3_near(got, nkw_quat_rotate(q, (nkw_vec3){0, 1, 0}), 2e-6);
     }
 }
 
@@ -458,9 +518,12 @@ int main(void)
         cmocka_unit_test(inverse_by_hand),
         cmocka_unit_test(inverse_survives_extreme_scales),
         cmocka_unit_test(singular_matrices_give_the_zero_matrix),
+        cmocka_unit_test(exactly_dependent_columns_have_no_inverse),
+        cmocka_unit_test(a_far_translation_and_uneven_scales_have_an_inverse),
         cmocka_unit_test(rigid_inverse_is_the_transpose),
         cmocka_unit_test(normal_matrix_is_the_inverse_transpose),
         cmocka_unit_test(normal_matrix_survives_a_zero_scale),
+        cmocka_unit_test(normals_of_a_flat_product_do_not_flip),
         cmocka_unit_test(normal_matrix_turns_with_a_mirror),
         cmocka_unit_test(orthonormalize_keeps_x_and_the_side_of_z),
         cmocka_unit_test(orthonormalize_replaces_what_has_no_direction),

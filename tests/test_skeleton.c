@@ -396,6 +396,36 @@ static void below_a_singular_parent_locals_are_zero(void **state)
     expect_vec3_bits(trs.scale, ((nkw_vec3){0, 0, 0}));
 }
 
+/* Under a rotated parent the block of the flat joint is singular to rounding only. */
+static void below_a_flat_joint_of_a_rotated_parent_locals_are_zero(void **state)
+{
+    (void)state;
+    const int32_t parents[3] = {NKW_NO_JOINT, 0, 1};
+    const nkw_skeleton skeleton = {parents, 3};
+    random_source r = random_from(31);
+    for (int i = 0; i < 1000; i++) {
+        nkw_trs t[3] = {{{1, 2, 3}, random_rotation(&r), {1, 1, 1}},
+                        {{0, 1, 0}, random_rotation(&r), {1, 0, 1}},
+                        {{0, 1, 0}, random_rotation(&r), {1, 1, 1}}};
+        nkw_mat4 models[3];
+        for (int j = 0; j < 3; j++) {
+            nkw_mat4 local = nkw_mat4_from_trs(&t[j]);
+            models[j] = j ? nkw_mat4_mul_affine(&models[j - 1], &local) : local;
+        }
+        nkw_mat4 below[2] = {models[2], nkw_mat4_mul_affine(&models[2], &models[0])};
+        float pose[NKW_POSE_FLOATS(2)];
+        const int32_t chain[2] = {NKW_NO_JOINT, 0};
+        const nkw_skeleton pair = {chain, 2};
+        pose_from_models(&pair, below, NULL, pose);
+        nkw_trs got = nkw_pose_get(pose_view(pose, 2), 1);
+        expect_vec3_bits(got.scale, ((nkw_vec3){0, 0, 0}));
+        expect_vec3_bits(got.translation, ((nkw_vec3){0, 0, 0}));
+        nkw_mat4 locals[3];
+        nkw_locals_from_models(&skeleton, models, NULL, locals);
+        expect_floats_near(locals[2].m, (float[12]){0}, 12, 0);
+    }
+}
+
 static void a_model_of_nan_shows_in_what_the_pose_could_not_hold(void **state)
 {
     (void)state;
@@ -449,6 +479,7 @@ int main(void)
         cmocka_unit_test(locals_are_those_of_the_single_functions_at_every_count),
         cmocka_unit_test(models_come_back_from_the_pose_of_models),
         cmocka_unit_test(below_a_singular_parent_locals_are_zero),
+        cmocka_unit_test(below_a_flat_joint_of_a_rotated_parent_locals_are_zero),
         cmocka_unit_test(a_model_of_nan_shows_in_what_the_pose_could_not_hold),
         cmocka_unit_test(validate_names_the_first_offender),
     };

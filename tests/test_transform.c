@@ -62,6 +62,40 @@ static void decomposition_gives_back_what_was_composed(void **state)
     }
 }
 
+/* One column at a time: the threshold to binary64 asks each of them. */
+static void one_column_far_from_the_others_keeps_its_scale(void **state)
+{
+    (void)state;
+    static const float far[] = {0x1p-40f, 0x1p40f, 1e20f, 1e-20f, 0x1p-31f, 0x1p31f, 0x1p-60f, 0x1p60f};
+    random_source r = random_from(15);
+    for (int i = 0; i < 2400; i++) {
+        nkw_vec3 s = random_vec3(&r, 0.5f, 2.0f);
+        (&s.x)[i % 3] *= far[i / 3 % 8];
+        nkw_trs t = trs(vec(1, 2, 3), random_rotation(&r), s);
+        nkw_mat4 m = nkw_mat4_from_trs(&t);
+        nkw_trs got = nkw_trs_from_mat4(&m);
+        expect_rotation_near(got.rotation, t.rotation, 1e-6);
+        expect_ulps(got.scale.x, s.x, 8);
+        expect_ulps(got.scale.y, s.y, 8);
+        expect_ulps(got.scale.z, s.z, 8);
+    }
+}
+
+/* A product with a flat block: its columns are dependent to rounding, so the sign of its determinant is none. */
+static void columns_that_are_dependent_to_rounding_do_not_mirror(void **state)
+{
+    (void)state;
+    random_source r = random_from(16);
+    for (int i = 0; i < 2000; i++) {
+        nkw_mat3 a = nkw_mat3_from_quat(random_rotation(&r)), b = nkw_mat3_from_quat(random_rotation(&r));
+        nkw_mat3 flat = {{1, 0, 0, 0, 0, 0, 0, 0, 1}};
+        flat = nkw_mat3_mul(&a, &flat);
+        flat = nkw_mat3_mul(&flat, &b);
+        nkw_mat4 m = nkw_mat4_from_mat3(&flat, vec(0, 0, 0));
+        assert_true(nkw_trs_from_mat4(&m).scale.x >= 0);
+    }
+}
+
 static void a_rotation_that_is_off_unit_is_taken_as_it_stands(void **state)
 {
     (void)state;
@@ -251,6 +285,8 @@ int main(void)
         cmocka_unit_test(identity_composes_to_the_identity_matrix),
         cmocka_unit_test(scale_comes_first_then_rotation_then_translation),
         cmocka_unit_test(decomposition_gives_back_what_was_composed),
+        cmocka_unit_test(one_column_far_from_the_others_keeps_its_scale),
+        cmocka_unit_test(columns_that_are_dependent_to_rounding_do_not_mirror),
         cmocka_unit_test(a_rotation_that_is_off_unit_is_taken_as_it_stands),
         cmocka_unit_test(mirrors_show_as_a_negative_x_scale),
         cmocka_unit_test(shear_is_left_out_and_reported),

@@ -119,6 +119,11 @@ NKW_API void nkw_fcurve_limit(const nkw_fcurve_key *keys, size_t count, nkw_hand
  * Inserts a key without changing the curve. A CONSTANT or LINEAR segment becomes two of its kind, a BEZIER segment is
  * split by nkw_handle_split, after `policy` has shortened its handles.
  *
+ * Under NKW_HANDLE_CONTAIN the segment with the new key changes, as in Blender, where a handle is longer than its part
+ * of the segment: the policy then shortens it. No insertion is exact there. To leave the curve unchanged, store the
+ * shortened handles by nkw_fcurve_limit and continue with NKW_HANDLE_KEEP_RATIO: it changes no segment whose handles
+ * are within its duration.
+ *
  * time     later than a key and earlier than the next one
  * out      receives key_count + 1 keys; may be the array of the curve, if it has room
  * index    receives the index of the new key; unchanged after an error

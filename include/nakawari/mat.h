@@ -62,8 +62,8 @@ NKW_ALGEBRA nkw_mat3 nkw_mat3_from_quat(nkw_quat q);
 NKW_API float nkw_mat3_determinant(const nkw_mat3 *m);
 
 /**
- * The inverse, by the adjugate in binary64. A singular matrix (determinant exactly 0 in binary64, or not finite)
- * returns the zero matrix.
+ * The inverse, by the adjugate in binary64. Returns the zero matrix if the determinant is not finite, or if m is
+ * singular: its determinant is at most 2^-50 of the terms of its sum, as for nkw_mat4_inverse.
  *
  * Error  1.0 u of the Frobenius norm, up to condition 1e7.
  */
@@ -73,21 +73,24 @@ NKW_API nkw_mat3 nkw_mat3_inverse(const nkw_mat3 *m);
  * The matrix that transforms normals if m transforms positions: the transpose of the inverse of m. Normalise the
  * normals afterwards.
  *
- * A singular m of rank 2 (a scale of zero along one axis) has no inverse, but the direction of the normals is defined.
- * It returns the cofactor matrix, scaled to a largest element of 1. A lower rank, NaN and infinity return the zero
- * matrix.
+ * A matrix of rank 2 (a scale of zero along one axis) has no inverse, but the direction of the normals is defined. In a
+ * product of matrices rounding decides whether the determinant is 0, and its sign. So where its magnitude is at most
+ * 2^-20 of the product of the lengths of the columns, the result is the cofactor matrix (det m times the inverse
+ * transpose), scaled to a largest element of 1; it does not depend on the sign. A rank below 2, NaN and infinity return
+ * the zero matrix.
  *
- * Error  1.0 u of the Frobenius norm, up to condition 1e7.
+ * Error  1.0 u of the Frobenius norm.
  */
 NKW_API nkw_mat3 nkw_mat3_normal(const nkw_mat3 *m);
 
 /**
  * Orthonormal columns by the Gram-Schmidt process. Column x keeps its direction, y its half-plane through x, z its side
- * of the plane x, y, so a matrix that mirrors still mirrors. A column of length zero, or one that depends linearly on
- * the columns before it, is replaced by a unit vector perpendicular to the others. NaN returns NaN in its column and in
- * the columns after it.
+ * of the plane x, y, so a matrix that mirrors still mirrors. A column of length zero, or within 2^-30 rad of the line or
+ * the plane of the columns before it, is replaced by a unit vector perpendicular to the others; z then has the side of
+ * x x y. NaN returns NaN in its column and in the columns after it.
  *
- * Error  0.87 u per column, if the angle between y and x, and y and -x, is 2^-25 rad or more; otherwise up to 8 u.
+ * Error  0.87 u per column, if the angle between y and x, and y and -x, is 2^-25 rad or more; otherwise up to 8 u, down
+ *        to 2^-30 rad.
  */
 NKW_API nkw_mat3 nkw_mat3_orthonormalize(const nkw_mat3 *m);
 
@@ -159,8 +162,8 @@ NKW_API nkw_mat4 nkw_mat4_inverse(const nkw_mat4 *m);
 
 /**
  * The inverse of an affine matrix: A^-1 and -A^-1 t, in binary32 by the cross products of the columns of the 3x3 block
- * A. The last row is not read; the last row of the result is exactly 0 0 0 1. If A is singular or not finite, returns
- * the zero matrix. nkw_mat4_inverse is the exact one.
+ * A. The last row is not read; the last row of the result is exactly 0 0 0 1. If A is not finite, or singular as for
+ * nkw_mat3_inverse, returns the zero matrix; t does not count. nkw_mat4_inverse is the exact one.
  *
  * If the determinant of A is less than half of the product of the lengths of its columns (strong shear), or if this
  * product is not within 2^-30 .. 2^30, the result is computed in binary64 and rounded once.

@@ -80,7 +80,7 @@ typedef struct nkw_palette_source {
  *     NKW_PALETTE_MAT4, _MAT3X4   m[i]
  *     NKW_PALETTE_DUAL_QUAT       nkw_dual_quat_from_mat4(m[i]): scale, shear and mirroring are dropped
  *     NKW_PALETTE_NORMAL_...      nkw_mat3_normal of the 3x3 block of m[i]: the inverse transpose, defined also for a
- *                                 scale of zero; normalise the normals afterwards
+ *                                 scale of zero, under rotated parents too; normalise the normals afterwards
  *
  * With NULL for joints, inverse_bind and global_inverse it converts a palette of 4x4 matrices to any format.
  *
@@ -114,9 +114,10 @@ NKW_API nkw_result nkw_mat4_from_palette(nkw_palette_view palette, nkw_mat4 *out
  *
  *     out[i] = (global_inverse * models[joints[i]])^-1        nkw_mat4_inverse_affine of nkw_mat4_mul_affine
  *
- * so that nkw_palette_from_models of the same pose yields the identity to rounding. The inverse of a singular matrix is
- * zeros; that of an index without a model is the identity, except for the signs of zeros. out has joint_count matrices
- * and may be models if joints is NULL.
+ * so that nkw_palette_from_models of the same pose yields the identity to rounding. The inverse is zeros where the
+ * matrix is flat: its determinant is at most 2^-20 of the product of the lengths of its columns (as in
+ * nkw_locals_from_models). That of an index without a model is the identity, except for the signs of zeros. out has
+ * joint_count matrices and may be models if joints is NULL.
  *
  * Error  9.0 u without global_inverse, of the norms that nkw_mat4_inverse_affine states.
  */

@@ -136,8 +136,9 @@ NKW_API void nkw_models_from_locals(const nkw_skeleton *skeleton, const nkw_mat4
 
 /**
  * Model to local: local[j] = inverse(model[parent j]) model[j]. For a root joint, `root` takes the place of the
- * parent's matrix. If that matrix is singular (a scale of zero), the 3x3 block and the translation of the local matrix
- * are zero, for finite models. `locals` may be `models`.
+ * parent's matrix. If that matrix is flat (a scale of zero there or above), the 3x3 block and the translation of the
+ * local matrix are zero, for finite models. Flat: the determinant is at most 2^-20 of the product of the lengths of the
+ * columns; rounding decides whether it is 0. `locals` may be `models`.
  *
  * Error  3.5 u of the product of the Frobenius norms of the inverse and of the model matrix, so of the local matrix
  *        times the condition of the parent's.

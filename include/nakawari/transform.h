@@ -48,7 +48,8 @@ NKW_ALGEBRA nkw_vec3 nkw_trs_transform_point(const nkw_trs *trs, nkw_vec3 p);
 /**
  * The translation, rotation and scale of an affine matrix. The last row is not read.
  *
- *     scale      the lengths of the columns; scale.x is negative if m mirrors (negative determinant)
+ *     scale      the lengths of the columns; scale.x is negative if m mirrors: its determinant is below -2^-20 of the
+ *                product of these lengths; nearer to 0 its sign is rounding, and m counts as not mirroring
  *     rotation   the rotation nearest to the columns divided by the scale
  *
  * The function has no threshold: every scale from the smallest to the largest float works. A column of length zero

@@ -97,13 +97,13 @@ static inline void matrices_invert_any(const matrices *a, size_t i, matrices *ou
     nkw_mat4 m = nkw_mat4_identity();
     for (size_t k = 0; k < 12; k++)
         m.m[k / 3 * 4 + k % 3] = a->e[k][i];
-    m = lane_inverse_any_affine(&m);
+    m = lane_inverse_any_model(&m);
     for (size_t k = 0; k < 12; k++)
         out->e[k][i] = m.m[k / 3 * 4 + k % 3];
     out->e[12][i] = m.m[15];
 }
 
-/* nkw_mat4_inverse_affine of each. */
+/* nkw_mat4_inverse_affine of each, zeros where it is flat. */
 static inline void matrices_invert(const matrices *a, matrices *out)
 {
     int far = 0;

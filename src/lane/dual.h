@@ -33,7 +33,7 @@ static inline lane_f64_quat lane_f64_quat_from_scaled(const lane_f64_mat3 *m)
                   y = lane_f64_vec3_normalize(lane_f64_mat3_column(m, 1)),
                   z = lane_f64_vec3_normalize(lane_f64_mat3_column(m, 2));
     lane_f64_vec3 yz = lane_f64_vec3_cross(y, z), zx = lane_f64_vec3_cross(z, x), xy = lane_f64_vec3_cross(x, y);
-    double side = lane_f64_vec3_dot(x, yz) < 0.0 ? -1.0 : 1.0;
+    double side = lane_f64_vec3_dot(x, yz) < -LANE_LEAST_VOLUME ? -1.0 : 1.0;
     lane_f64_mat3 unit = lane_f64_mat3_from_columns(lane_f64_vec3_or(x, side, yz), lane_f64_vec3_or(y, side, zx),
                                                     lane_f64_vec3_or(z, side, xy));
     lane_f64_quat q = lane_f64_quat_from_f64_mat3(&unit, LANE_NEAREST_STEPS);

@@ -99,6 +99,47 @@ static inline double lane_f64_mat3_determinant(const lane_f64_mat3 *m, const lan
     return lane_f64_vec3_dot(lane_f64_mat3_column(m, 0), lane_f64_mat3_column(cofactors, 0));
 }
 
+/*
+ * A determinant by the expansion of Laplace, and the sum of the magnitudes of its terms: how much there was to cancel.
+ * Its minors have one rounding each, so its error is at most 2^-51 of the magnitude.
+ */
+typedef struct lane_laplace {
+    double determinant, magnitude;
+} lane_laplace;
+
+static inline lane_laplace lane_f64_mat3_laplace(const lane_f64_mat3 *m, const lane_f64_mat3 *cofactors)
+{
+    const double *a = m->m, *c = cofactors->m;
+    lane_laplace r = {
+        lane_f64_mat3_determinant(m, cofactors),
+        (lane_abs64(a[0] * c[0]) + lane_abs64(a[1] * c[1])) + lane_abs64(a[2] * c[2]),
+    };
+    return r;
+}
+
+/* Whether a determinant of floats is 0, or so near that it may be: or NaN or infinite. */
+static inline int lane_is_singular(lane_laplace by)
+{
+    return !(lane_abs64(by.determinant) > by.magnitude * 0x1p-50);
+}
+
+/*
+ * The volume of the box of three unit vectors from which on they count as independent. The rounding of a product of
+ * matrices moves the volume of columns that are dependent to 2^-22 or so, on either side of 0.
+ */
+#define LANE_LEAST_VOLUME 0x1p-20
+
+/*
+ * Whether the columns of a block that was rounded to floats may be dependent, |det| <= 2^-20 |x| |y| |z|: the sign of
+ * its determinant then depends on roundings. 0 for NaN.
+ */
+static inline int lane_is_flat(const lane_f64_mat3 *m, double det)
+{
+    lane_f64_vec3 x = lane_f64_mat3_column(m, 0), y = lane_f64_mat3_column(m, 1), z = lane_f64_mat3_column(m, 2);
+    double n2 = (lane_f64_vec3_dot(x, x) * lane_f64_vec3_dot(y, y)) * lane_f64_vec3_dot(z, z);
+    return det * det <= (LANE_LEAST_VOLUME * LANE_LEAST_VOLUME) * n2;
+}
+
 /* 1 / det, and 0 for a determinant that has no finite inverse. */
 static inline double lane_reciprocal_or_zero(double det)
 {
@@ -116,14 +157,14 @@ static inline double lane_f64_mat3_largest(const lane_f64_mat3 *m)
     return largest;
 }
 
-/* The inverse transpose; the cofactors over the largest of them where m is singular. */
+/* The inverse transpose; the cofactors over the largest of them where m is flat. */
 static inline nkw_mat3 lane_mat3_normal(const nkw_mat3 *m)
 {
     lane_f64_mat3 w = lane_f64_mat3_from(m);
     lane_f64_mat3 c = lane_f64_mat3_cofactors(&w);
     double det = lane_f64_mat3_determinant(&w, &c), inverse = lane_reciprocal_or_zero(det);
-    double singular = lane_reciprocal_or_zero(lane_f64_mat3_largest(&c));
-    return lane_mat3_from_f64(&c, det == 0.0 ? singular : inverse);
+    double flat = lane_reciprocal_or_zero(lane_f64_mat3_largest(&c));
+    return lane_mat3_from_f64(&c, lane_is_flat(&w, det) ? flat : inverse);
 }
 
 /*
@@ -174,11 +215,6 @@ static inline lane_minors lane_minors_of(const double *p, const double *q)
     };
     return r;
 }
-
-/* A determinant by two lines and two lines (Laplace), and the magnitudes of its terms: how much there was to cancel. */
-typedef struct lane_laplace {
-    double determinant, magnitude;
-} lane_laplace;
 
 static inline lane_laplace lane_minors_determinant(const lane_minors *s, const lane_minors *c)
 {
@@ -244,18 +280,15 @@ static inline lane_affine_inverse lane_inverse_affine(nkw_vec3 x, nkw_vec3 y, nk
     return i;
 }
 
-/* The same of any affine matrix, in binary64; zeros where there is no inverse. */
-static inline nkw_mat4 lane_inverse_any_affine(const nkw_mat4 *m)
+/* The same in binary64: by the cofactors c of the block and the reciprocal r of its determinant, 0 for no inverse. */
+static inline nkw_mat4 lane_inverse_by_cofactors(const nkw_mat4 *m, const lane_f64_mat3 *c, double r)
 {
-    const float *a = m->m;
-    lane_f64_mat3 block = lane_f64_mat3_from_mat4(m), c = lane_f64_mat3_cofactors(&block);
-    lane_f64_vec3 t = {a[12], a[13], a[14]};
-    double r = lane_reciprocal_or_zero(lane_f64_mat3_determinant(&block, &c));
+    lane_f64_vec3 t = {m->m[12], m->m[13], m->m[14]};
     nkw_mat4 out = {{0.0f}};
     if (r == 0.0)
         return out;
     for (size_t i = 0; i < 3; i++) {
-        lane_f64_vec3 row = lane_f64_mat3_column(&c, i);
+        lane_f64_vec3 row = lane_f64_mat3_column(c, i);
         out.m[i] = (float)(row.x * r);
         out.m[4 + i] = (float)(row.y * r);
         out.m[8 + i] = (float)(row.z * r);
@@ -263,6 +296,22 @@ static inline nkw_mat4 lane_inverse_any_affine(const nkw_mat4 *m)
     }
     out.m[15] = 1.0f;
     return out;
+}
+
+/* Of any affine matrix; zeros where it is singular. */
+static inline nkw_mat4 lane_inverse_any_affine(const nkw_mat4 *m)
+{
+    lane_f64_mat3 block = lane_f64_mat3_from_mat4(m), c = lane_f64_mat3_cofactors(&block);
+    lane_laplace by = lane_f64_mat3_laplace(&block, &c);
+    return lane_inverse_by_cofactors(m, &c, lane_is_singular(by) ? 0.0 : lane_reciprocal_or_zero(by.determinant));
+}
+
+/* Of a product of matrices, rounded to floats; zeros where it is flat. */
+static inline nkw_mat4 lane_inverse_any_model(const nkw_mat4 *m)
+{
+    lane_f64_mat3 block = lane_f64_mat3_from_mat4(m), c = lane_f64_mat3_cofactors(&block);
+    double det = lane_f64_mat3_determinant(&block, &c);
+    return lane_inverse_by_cofactors(m, &c, lane_is_flat(&block, det) ? 0.0 : lane_reciprocal_or_zero(det));
 }
 
 #endif

@@ -95,8 +95,8 @@ static inline int f32x4_trs_from_mat4(const float *m, float *trs)
     f32x4_store(trs + 4, F32X4_SHUFFLE(q, F32X4_SHUFFLE(q, scale, 3, 3, 4, 4), 1, 2, 4, 6));
     int64_t rest = ((i64x2)F32X4_SHUFFLE(scale, scale, 1, 2, 1, 2))[0];
     memcpy(trs + 8, &rest, sizeof rest);
-    i64x2 inside = (i64x2)((n2 > LANE_LEAST_SQUARE) & (n2 < LANE_MOST_SQUARE));
-    return (inside[0] & inside[1]) != 0 && (c2[0] + c2[1]) + c2[2] < LANE_LITTLE_SHEAR;
+    i64x2 inside = (i64x2)((n2 > LANE_LEAST_SQUARE) & (n2 < LANE_MOST_SQUARE)); /* all ones: -1 */
+    return (inside[0] & inside[1]) == -1 && (c2[0] + c2[1]) + c2[2] < LANE_LITTLE_SHEAR;
 }
 #endif
 

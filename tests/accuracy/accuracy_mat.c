@@ -246,14 +246,6 @@ static double inverse3_error(const float *x)
     return wide_inverse(m, m, 3) ? wide_error(got.m, m, 9) : HUGE_VAL;
 }
 
-static double normal_error(const float *x)
-{
-    wide m[9];
-    nkw_mat3 f = mat3_at(x), got = nkw_mat3_normal(&f), transposed = nkw_mat3_transpose(&got);
-    wide_from(x, m, 9);
-    return wide_inverse(m, m, 3) ? wide_error(transposed.m, m, 9) : HUGE_VAL;
-}
-
 /* Of the norm of the whole inverse. */
 static double off_inverse(nkw_mat4 got, const float *x)
 {
@@ -554,8 +546,6 @@ static const wide_case cases[] = {
     {"nkw_mat3_inverse", "condition 1e4 .. 1e5", mat3_e4, inverse3_error, 9, WIDE_CHECKED},
     {"nkw_mat3_inverse", "condition 1e5 .. 1e6", mat3_e5, inverse3_error, 9, WIDE_CHECKED},
     {"nkw_mat3_inverse", "condition 1e6 .. 1e7", mat3_e6, inverse3_error, 9, WIDE_CHECKED},
-    {"nkw_mat3_normal", "condition 1e0 .. 1e1", mat3_e0, normal_error, 9, WIDE_CHECKED},
-    {"nkw_mat3_normal", "condition 1e6 .. 1e7", mat3_e6, normal_error, 9, WIDE_CHECKED},
     {"nkw_mat3_orthonormalize", "rotations, noise 1e-3", noisy_rotation, orthonormalize_error, 9, WIDE_CHECKED},
     {"nkw_mat3_orthonormalize", "condition 1e0 .. 1e1", mat3_e0, orthonormalize_error, 9, WIDE_CHECKED},
     {"nkw_mat3_orthonormalize", "condition 1e3 .. 1e4", mat3_e3, orthonormalize_error, 9, WIDE_CHECKED},
@@ -592,6 +582,7 @@ int main(int argc, char **argv)
     wide_search(&a, cases, sizeof cases / sizeof cases[0], SAMPLES);
     wide_search(&a, vectors, sizeof vectors / sizeof vectors[0], FEWER);
     wide_search(&a, costly, sizeof costly / sizeof costly[0], FEWER);
+    mat_more(&a);
     return accuracy_end(&a);
 }
 
