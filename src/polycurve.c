@@ -3,7 +3,7 @@
 
 #include "lane/scalar.h"
 
-/* Intervals of 2^-POLYCURVE_LEVELS are not halved: kinks of |p'| at a cusp are integrated to within their square. */
+/* Intervals of 2^-POLYCURVE_LEVELS are not halved. */
 #define POLYCURVE_LEVELS 22
 /* The halves of an interval agree with the whole to within this part of largest_length. */
 #define POLYCURVE_TOLERANCE 0x1p-44
@@ -39,12 +39,13 @@ static double largest_length(const polycurve_slopes *c, double a, double b)
 }
 
 /*
- * The length from a to b. Interval i of level l is [i, i + 1] 2^-l of the whole; an interval that is done is followed
- * by the next one, at the level of which it is the start.
+ * The length from a to b, to within `most`, where |p'| has no minimum between them. Interval i of level l is
+ * [i, i + 1] 2^-l of the whole; an interval that is done is followed by the next one, at the level of which it is the
+ * start.
  */
-static double arc(const polycurve_slopes *c, double a, double b)
+static double piece(const polycurve_slopes *c, double a, double b, double most)
 {
-    double sum = 0.0, width = b - a, most = POLYCURVE_TOLERANCE * largest_length(c, a, b);
+    double sum = 0.0, width = b - a;
     unsigned level = 0, i = 0;
     do {
         double low = a + width * (double)i, high = a + width * ((double)i + 1.0), middle = 0.5 * (low + high);
@@ -64,6 +65,77 @@ static double arc(const polycurve_slopes *c, double a, double b)
         }
     } while (level > 0);
     return sum;
+}
+
+/* p'.p'', half the derivative of |p'|^2. */
+static double growth(const polycurve_slopes *c, double t)
+{
+    return lane_f64_vec3_dot(polycurve_first(c, t), polycurve_second(c, t));
+}
+
+/* Its derivative |p''|^2 + p'.p'''. */
+static double growth_rate(const polycurve_slopes *c, double t)
+{
+    lane_f64_vec3 second = polycurve_second(c, t);
+    return lane_f64_vec3_dot(second, second) + lane_f64_vec3_dot(polycurve_first(c, t), polycurve_third(c));
+}
+
+/* The zero of a growth that rises from low to high, to 2^-30 of the interval. */
+static double standstill(const polycurve_slopes *c, double low, double high)
+{
+    double t = 0.5 * (low + high), step = high - low, least = 0x1p-30 * step;
+    for (int i = 0; i < POLYCURVE_STEPS && lane_abs64(step) > least; i++) {
+        double g = growth(c, t), next = t - g / growth_rate(c, t);
+        low = g > 0.0 ? low : t;
+        high = g > 0.0 ? t : high;
+        next = next >= low && next <= high ? next : 0.5 * (low + high);
+        step = next - t;
+        t = next;
+    }
+    return t;
+}
+
+/*
+ * The minima of |p'| between low and high, in order; there are two at most. Half the derivative of |p'|^2 is a cubic
+ * whose derivative is a parabola, least at m and negative within w of it:
+ *
+ *     |p''|^2 + p'.p''' = 3/2 |p'''|^2 ((t - m)^2 - w^2),     m = -p''(0).p'''/|p'''|^2
+ *
+ * So the cubic rises up to m - w, and from m + w on, and has at most one zero in each of these intervals.
+ */
+static size_t slowest(const polycurve_slopes *c, double low, double high, double at[2])
+{
+    lane_f64_vec3 third = polycurve_third(c);
+    double n2 = lane_f64_vec3_dot(third, third), m = low, w = 0.0;
+    if (n2 > 0.0) {
+        m = -lane_f64_vec3_dot(polycurve_second(c, 0.0), third) / n2;
+        double w2 = growth_rate(c, m) / (-1.5 * n2);
+        w = w2 > 0.0 ? lane_sqrt64(w2) : 0.0;
+    }
+    double end = m - w < high ? m - w : high, begin = m + w > low ? m + w : low;
+    size_t count = 0;
+    if (low < end && growth(c, low) < 0.0 && growth(c, end) >= 0.0)
+        at[count++] = standstill(c, low, end);
+    if (begin < high && growth(c, begin) < 0.0 && growth(c, high) > 0.0)
+        at[count++] = standstill(c, begin, high);
+    return count;
+}
+
+/*
+ * The length from a to b. |p'| bends sharply only at its minima, near cusps and where the point turns back on a line;
+ * an interval that has one inside may hide it between the 24 points of both rules.
+ */
+static double arc(const polycurve_slopes *c, double a, double b)
+{
+    double low = b < a ? b : a, high = b < a ? a : b, sum = 0.0, at[2];
+    double most = POLYCURVE_TOLERANCE * largest_length(c, low, high);
+    size_t count = slowest(c, low, high, at);
+    for (size_t i = 0; i < count; i++) {
+        sum += piece(c, low, at[i], most);
+        low = at[i];
+    }
+    sum += piece(c, low, high, most);
+    return b < a ? -sum : sum;
 }
 
 float nkw_vec3_cubic_length(nkw_cubic_kind kind, const nkw_vec3_cubic *cubic, float from, float to)

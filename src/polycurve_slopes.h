@@ -36,4 +36,12 @@ static inline lane_f64_vec3 polycurve_second(const polycurve_slopes *a, double t
     return r;
 }
 
+/* The third derivative, the same at every t. */
+static inline lane_f64_vec3 polycurve_third(const polycurve_slopes *a)
+{
+    lane_f64_vec3 r = {6.0 * (a->x.v0 + a->x.v1) - 12.0 * a->x.f, 6.0 * (a->y.v0 + a->y.v1) - 12.0 * a->y.f,
+                       6.0 * (a->z.v0 + a->z.v1) - 12.0 * a->z.f};
+    return r;
+}
+
 #endif

@@ -4,6 +4,7 @@
 #include "random.h"
 #include "support/expect.h"
 
+#define U        0x1p-24
 #define SEGMENTS 5
 #define STEPS    4
 #define ENTRIES  NKW_POLYCURVE_LENGTHS(SEGMENTS, STEPS)
@@ -91,6 +92,77 @@ static void length_is_that_of_many_chords(void **state)
         nkw_cubic_kind kind = (nkw_cubic_kind)(i % 4);
         expect_near(nkw_vec3_cubic_length(kind, &c, 0, 1), chords(kind, &c, 0, 1), 3e-6);
         expect_near(nkw_vec3_cubic_length(kind, &c, 0.125f, 1.5f), chords(kind, &c, 0.125, 1.5), 3e-5);
+    }
+}
+
+/* The ways forward and back of a curve of one component whose slope is a + b t + c t^2, for t in 0..1. */
+static double forward_and_back(double a, double b, double c)
+{
+    double d = b * b - 4 * a * c, q = d > 0 ? -0.5 * (b + copysign(sqrt(d), b)) : 0;
+    double s = fmin(fmax(c != 0 ? q / c : 0, 0), 1), t = fmin(fmax(q != 0 ? a / q : 0, 0), 1);
+    const double at[4] = {0, fmin(s, t), fmax(s, t), 1};
+    double sum = 0, before = 0;
+    for (int i = 1; i < 4; i++) {
+        double x = at[i] * (a + at[i] * (b / 2 + at[i] * c / 3));
+        sum += fabs(x - before);
+        before = x;
+    }
+    return sum;
+}
+
+static nkw_vec3_cubic along(nkw_vec3 direction, const float x[4])
+{
+    return cubic(nkw_vec3_scale(direction, x[0]), nkw_vec3_scale(direction, x[1]), nkw_vec3_scale(direction, x[2]),
+                 nkw_vec3_scale(direction, x[3]));
+}
+
+static void stretches_that_run_back_count(void **state)
+{
+    (void)state;
+    const nkw_vec3 x = {1, 0, 0};
+    const float bezier[4] = {0, 3.5f, -3.5f, 10}, hermite[4] = {0, -0.5f, 10, -0.5f}, equal[4] = {2, 2, 2, 2};
+    nkw_vec3_cubic a = along(x, bezier), b = along(x, hermite), c = along(x, equal);
+    expect_near(nkw_vec3_cubic_length(NKW_CUBIC_BEZIER, &a, 0, 1), 10.01927186, 6e-7);
+    expect_near(nkw_vec3_cubic_length(NKW_CUBIC_HERMITE, &b, 0, 1), 10.00797901, 6e-7);
+    expect_bits(nkw_vec3_cubic_length(NKW_CUBIC_CATMULL_ROM, &c, 0, 1), 0);
+}
+
+/* Of Catmull-Rom segments through round keys on a line, also beside it by less than a ten-thousandth. */
+static void lengths_on_a_line_are_those_of_its_stretches(void **state)
+{
+    (void)state;
+    random_source r = random_from(12);
+    for (int i = 0; i < 4000; i++) {
+        float p[4], beside = i % 2 ? 0x1p-16f : 0, lengths[5];
+        for (int k = 0; k < 4; k++)
+            p[k] = 0.5f * (float)(random_bits(&r) % 16);
+        double v0 = 0.5 * ((double)p[2] - (double)p[0]), v1 = 0.5 * ((double)p[3] - (double)p[1]), f = p[2] - p[1];
+        double want = forward_and_back(v0, 6 * f - 4 * v0 - 2 * v1, 3 * (v0 + v1) - 6 * f);
+        nkw_vec3_cubic c = along(vec3(0, 1, 0), p);
+        c.c[i / 2 % 4].x = beside;
+        nkw_polycurve curve = {&c, 1, NKW_CUBIC_CATMULL_ROM};
+        double near = 1.5 * U * want + 2e-9 + (want > 0 ? 4 * pow((double)beside, 1.5) : 2 * (double)beside);
+        expect_near(nkw_vec3_cubic_length(NKW_CUBIC_CATMULL_ROM, &c, 0, 1), want, near);
+        assert_int_equal(nkw_polycurve_measure(&curve, STEPS, lengths, STEPS + 1), NKW_OK);
+        expect_near(lengths[STEPS], want, near);
+        nkw_segment at = nkw_polycurve_at_length(&curve, lengths, STEPS, 0.75f * lengths[STEPS]);
+        expect_near(nkw_vec3_cubic_length(NKW_CUBIC_CATMULL_ROM, &c, 0, at.t), 0.75 * want, 3 * U * want + near);
+    }
+}
+
+/* p' = (t - s) (a + b t): a cusp at s, from which both sides are smooth. */
+static void a_cusp_anywhere_is_integrated(void **state)
+{
+    (void)state;
+    random_source r = random_from(13);
+    for (int i = 0; i < 100; i++) {
+        nkw_vec3 a = random_vec3(&r, -1, 1), b = random_vec3(&r, -1, 1), zero = {0, 0, 0};
+        float s = i % 2 ? random_between(&r, 0, 0.02f) : random_unit(&r);
+        nkw_vec3 v0 = nkw_vec3_scale(a, -s), v1 = nkw_vec3_scale(nkw_vec3_add(a, b), 1 - s);
+        nkw_vec3 f = nkw_vec3_add(nkw_vec3_scale(a, 0.5f - s), nkw_vec3_scale(b, 1 / 3.0f - 0.5f * s));
+        nkw_vec3_cubic c = cubic(zero, v0, f, v1);
+        double want = chords(NKW_CUBIC_HERMITE, &c, 0, s) + chords(NKW_CUBIC_HERMITE, &c, s, 1);
+        expect_near(nkw_vec3_cubic_length(NKW_CUBIC_HERMITE, &c, 0, 1), want, 2e-7);
     }
 }
 
@@ -361,6 +433,9 @@ int main(void)
         cmocka_unit_test(length_of_a_line_is_its_distance),
         cmocka_unit_test(lengths_in_closed_form_come_out),
         cmocka_unit_test(length_is_that_of_many_chords),
+        cmocka_unit_test(stretches_that_run_back_count),
+        cmocka_unit_test(lengths_on_a_line_are_those_of_its_stretches),
+        cmocka_unit_test(a_cusp_anywhere_is_integrated),
         cmocka_unit_test(lengths_of_parts_add_and_backward_is_negative),
         cmocka_unit_test(length_of_a_point_is_zero_and_of_nan_is_nan),
         cmocka_unit_test(table_has_the_lengths_of_all_parts),

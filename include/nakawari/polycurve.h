@@ -8,9 +8,10 @@
  *
  *     L(t) = integral of |p'(u)| du, u from 0 to t
  *
- * has no closed form. It is integrated by the Gauss-Legendre rule of 8 points, in intervals that are halved until the
- * two halves agree with the whole, in binary64. A place at a length is the root of L(t) = length, by Newton's method
- * within a bracket.
+ * has no closed form. It is integrated by the Gauss-Legendre rule of 8 points, between the minima of |p'|, in intervals
+ * that are halved until the two halves agree with the whole, in binary64. A minimum is a zero of p'.p''; where |p'| has
+ * a corner, at cusps and where the point turns back on a line, it is there. A place at a length is the root of
+ * L(t) = length, by Newton's method within a bracket.
  *
  * Source Eberly, Moving Along a Curve with Specified Speed, 2007.
  *        Wang, Juettler, Zheng, Liu, Computation of Rotation Minimizing Frames, ACM TOG 27(1), 2008.

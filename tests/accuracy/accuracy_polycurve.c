@@ -5,13 +5,24 @@
 #if WIDE_AVAILABLE
 
 #include <math.h>
+#include <quadmath.h>
+#include <stdlib.h>
+#include <string.h>
 
-#define SAMPLES 300u
+#define SAMPLES 100u
 
-/* Intervals of the exact integral. */
-#define PARTS 24
+/* Intervals of the exact integral towards each end, each half of the next; and the steps of Romberg's rule in each. */
+#define PARTS 12
+#define ROWS  5
 
-/* A Bezier segment whose control points advance in x, so that it does not stand still: x[0..11]; and two parameters. */
+/* Two parameters after the control values x[0..11]. */
+static void parameters(random_source *r, float *x)
+{
+    x[12] = random_unit(r);
+    x[13] = random_unit(r);
+}
+
+/* A Bezier segment whose control points advance in x, so that it does not stand still. */
 static void advancing(random_source *r, float *x)
 {
     for (int i = 0; i < 4; i++) {
@@ -19,8 +30,53 @@ static void advancing(random_source *r, float *x)
         x[3 * i + 1] = random_between(r, -1.0f, 1.0f);
         x[3 * i + 2] = random_between(r, -1.0f, 1.0f);
     }
-    x[12] = random_unit(r);
-    x[13] = random_unit(r);
+    parameters(r, x);
+}
+
+/* Control points on a line, in any order. */
+static void on_a_line(random_source *r, float *x)
+{
+    nkw_vec3 axis = {0.0f, 1.0f, 0.0f}, direction = random_unit(r) < 0.5f ? axis : random_direction(r);
+    for (int i = 0; i < 4; i++)
+        put_vec3(x + 3 * i, nkw_vec3_scale(direction, random_between(r, -1.0f, 1.0f)));
+    parameters(r, x);
+}
+
+/* The same with multiples of 1/2, and beside the line by 2^-28 to 1/16. */
+static void beside_a_line(random_source *r, float *x)
+{
+    float beside = random_log(r, 0x1p-28f, 0x1p-4f);
+    for (int i = 0; i < 4; i++) {
+        x[3 * i] = 0.5f * (float)(int)random_between(r, 0.0f, 16.0f);
+        x[3 * i + 1] = random_between(r, -beside, beside);
+        x[3 * i + 2] = 0.0f;
+    }
+    parameters(r, x);
+}
+
+/* p' = (t - s) (a + b t): a cusp. */
+static void with_a_cusp(random_source *r, float *x)
+{
+    nkw_vec3 a = random_vec3(r, -1.0f, 1.0f), b = random_vec3(r, -1.0f, 1.0f), zero = {0.0f, 0.0f, 0.0f};
+    float s = random_unit(r);
+    nkw_vec3 d0 = nkw_vec3_scale(a, -s / 3.0f), d2 = nkw_vec3_scale(nkw_vec3_add(a, b), (1.0f - s) / 3.0f);
+    nkw_vec3 f = nkw_vec3_add(nkw_vec3_scale(a, 0.5f - s), nkw_vec3_scale(b, 1.0f / 3.0f - 0.5f * s));
+    put_vec3(x, zero);
+    put_vec3(x + 3, d0);
+    put_vec3(x + 6, nkw_vec3_sub(f, d2));
+    put_vec3(x + 9, f);
+    parameters(r, x);
+}
+
+/* Equal control points at one end or at both, so that the segment stands still there. */
+static void standing_still(random_source *r, float *x)
+{
+    advancing(r, x);
+    int ends = 1 + (int)(random_bits(r) % 3);
+    for (int i = 0; i < 3; i++) {
+        x[3 + i] = ends & 1 ? x[i] : x[3 + i];
+        x[6 + i] = ends & 2 ? x[9 + i] : x[6 + i];
+    }
 }
 
 static nkw_vec3_cubic cubic_of(const float *x)
@@ -31,22 +87,30 @@ static nkw_vec3_cubic cubic_of(const float *x)
     return c;
 }
 
+/* The differences of the control points of a Bezier segment, a component. */
+static void differences(const float *x, int i, wide d[3])
+{
+    for (int k = 0; k < 3; k++)
+        d[k] = (wide)x[3 * k + 3 + i] - x[3 * k + i];
+}
+
 static wide speed(const float *x, wide t)
 {
     wide s = 1 - t, v[3];
     for (int i = 0; i < 3; i++) {
-        wide d0 = (wide)x[3 + i] - x[i], d1 = (wide)x[6 + i] - x[3 + i], d2 = (wide)x[9 + i] - x[6 + i];
-        v[i] = 3 * (s * s * d0 + 2 * s * t * d1 + t * t * d2);
+        wide d[3];
+        differences(x, i, d);
+        v[i] = 3 * (s * s * d[0] + 2 * s * t * d[1] + t * t * d[2]);
     }
     return wide_length(v, 3);
 }
 
-/* Romberg's extrapolation of the trapezoidal rule, in each of the parts. */
+/* Romberg's extrapolation of the trapezoidal rule. */
 static wide romberg(const float *x, wide a, wide b)
 {
-    wide row[8], h = b - a;
+    wide row[ROWS], h = b - a;
     row[0] = h * (speed(x, a) + speed(x, b)) / 2;
-    for (int n = 1; n < 6; n++) {
+    for (int n = 1; n < ROWS; n++) {
         wide sum = 0, before = row[0], factor = 1;
         int count = 1 << (n - 1);
         for (int i = 0; i < count; i++)
@@ -59,14 +123,68 @@ static wide romberg(const float *x, wide a, wide b)
             before = kept;
         }
     }
-    return row[5];
+    return row[ROWS - 1];
 }
 
+/* In intervals that shrink towards both ends. */
+static wide between(const float *x, wide a, wide b)
+{
+    wide sum = 0, h = (b - a) / 2;
+    for (int i = 0; i < PARTS; i++, h /= 2)
+        sum += romberg(x, a + h / 2, a + h) + romberg(x, b - h, b - h / 2);
+    return sum + romberg(x, a, a + h) + romberg(x, b - h, b);
+}
+
+/* Adds the zeros in low..high of a component of p', and of its derivative, to the places at. Returns their number. */
+static int zeros_of(const wide d[3], wide low, wide high, wide *at)
+{
+    wide a = d[0] - 2 * d[1] + d[2], b = d[1] - d[0], c = d[0], e = b * b - a * c, t[3];
+    wide q = -(b + (b < 0 ? -1 : 1) * sqrtq(e > 0 ? e : 0));
+    int count = 0;
+    t[0] = e >= 0 && a != 0 ? q / a : low;
+    t[1] = e >= 0 && q != 0 ? c / q : low;
+    t[2] = a != 0 ? -b / a : low;
+    for (int i = 0; i < 3; i++)
+        if (t[i] > low && t[i] < high)
+            at[count++] = t[i];
+    return count;
+}
+
+static int ascending(const void *a, const void *b)
+{
+    wide x, y;
+    memcpy(&x, a, sizeof x);
+    memcpy(&y, b, sizeof y);
+    return (x > y) - (x < y);
+}
+
+/* Each component of p' keeps its sign in the intervals that are integrated. */
 static wide exact_length(const float *x, wide from, wide to)
 {
-    wide sum = 0;
-    for (int i = 0; i < PARTS; i++)
-        sum += romberg(x, from + (to - from) * i / PARTS, from + (to - from) * (i + 1) / PARTS);
+    wide at[11], low = from < to ? from : to, high = from < to ? to : from, sum = 0;
+    int count = 0;
+    at[count++] = low;
+    for (int i = 0; i < 3; i++) {
+        wide d[3];
+        differences(x, i, d);
+        count += zeros_of(d, low, high, at + count);
+    }
+    at[count++] = high;
+    qsort(at, (size_t)count, sizeof *at, ascending);
+    for (int i = 0; i + 1 < count; i++)
+        sum += at[i + 1] > at[i] ? between(x, at[i], at[i + 1]) : 0;
+    return from < to ? sum : -sum;
+}
+
+/* The length of the control polygon. */
+static wide polygon(const float *x)
+{
+    wide sum = 0, v[3];
+    for (int k = 0; k < 3; k++) {
+        for (int i = 0; i < 3; i++)
+            v[i] = (wide)x[3 * k + 3 + i] - x[3 * k + i];
+        sum += wide_length(v, 3);
+    }
     return sum;
 }
 
@@ -74,8 +192,8 @@ static double length_error(const float *x)
 {
     nkw_vec3_cubic c = cubic_of(x);
     float got = nkw_vec3_cubic_length(NKW_CUBIC_BEZIER, &c, x[12], x[13]);
-    wide exact = exact_length(x, x[12], x[13]), whole = exact_length(x, 0, 1), size = exact < 0 ? -exact : exact;
-    return wide_error_of(&got, &exact, 1, size > whole * 0x1p-16f ? size : whole * 0x1p-16f);
+    wide exact = exact_length(x, x[12], x[13]), size = fabsq(exact), least = polygon(x) * 0x1p-16f;
+    return wide_error_of(&got, &exact, 1, size > least ? size : least);
 }
 
 /* The difference of lengths, of the whole, without what the rounding of t adds. */
@@ -89,9 +207,8 @@ static double place_error(const float *x)
         return HUGE_VAL;
     float length = x[12] * lengths[steps];
     nkw_segment at = nkw_polycurve_at_length(&curve, lengths, steps, length);
-    wide off = exact_length(x, 0, at.t) - length, whole = exact_length(x, 0, 1);
+    wide off = fabsq(exact_length(x, 0, at.t) - length), whole = exact_length(x, 0, 1);
     wide rounding = speed(x, at.t) * (nextafterf(at.t, 2.0f) - at.t) / 2;
-    off = off < 0 ? -off : off;
     return (double)((off > rounding ? off - rounding : 0) / whole * 0x1p24f);
 }
 
@@ -125,7 +242,13 @@ static double frenet_error(const float *x)
 
 static const wide_case lengths[] = {
     {"nkw_vec3_cubic_length", "Bezier, advancing", advancing, length_error, 14, WIDE_CHECKED},
+    {"nkw_vec3_cubic_length", "Bezier, on a line", on_a_line, length_error, 14, WIDE_CHECKED},
+    {"nkw_vec3_cubic_length", "Bezier, beside a line", beside_a_line, length_error, 14, WIDE_CHECKED},
+    {"nkw_vec3_cubic_length", "Bezier, with a cusp", with_a_cusp, length_error, 14, WIDE_CHECKED},
+    {"nkw_vec3_cubic_length", "Bezier, at rest at an end", standing_still, length_error, 14, WIDE_CHECKED},
     {"nkw_polycurve_at_length", "Bezier, advancing, 1 and 4 steps", advancing, place_error, 14, WIDE_CHECKED},
+    {"nkw_polycurve_at_length", "Bezier, on a line, 1 and 4 steps", on_a_line, place_error, 14, WIDE_CHECKED},
+    {"nkw_polycurve_at_length", "Bezier, with a cusp, 1 and 4 steps", with_a_cusp, place_error, 14, WIDE_CHECKED},
 };
 
 static const wide_case frames[] = {
@@ -136,7 +259,7 @@ int main(int argc, char **argv)
 {
     accuracy a = accuracy_begin("polycurve.h", argc, argv);
     wide_search(&a, lengths, sizeof lengths / sizeof lengths[0], SAMPLES);
-    wide_search(&a, frames, sizeof frames / sizeof frames[0], 100 * SAMPLES);
+    wide_search(&a, frames, sizeof frames / sizeof frames[0], 300 * SAMPLES);
     return accuracy_end(&a);
 }
 

@@ -49,8 +49,12 @@ uint64_t data_polycurve(void)
         nkw_polycurve curve = {cubics, SEGMENTS, (nkw_cubic_kind)(round % 4)};
         float from = random_between(&r, -0.5f, 1.0f), to = random_between(&r, 0.0f, 1.5f);
         size_t count;
+        nkw_vec3 direction = random_direction(&r);
         for (size_t i = 0; i < 4 * SEGMENTS; i++)
             cubics[i / 4].c[i % 4] = random_vec3(&r, -2.0f, 2.0f);
+        /* On a line: segments that turn back. */
+        for (size_t i = 0; i < 4 * SEGMENTS && round % 5 == 4; i++)
+            cubics[i / 4].c[i % 4] = nkw_vec3_scale(direction, 0.25f * (float)(random_bits(&r) % 16));
         float length = nkw_vec3_cubic_length(curve.kind, cubics, from, to);
         hash = hash_floats(hash, &length, 1);
         hash = hash_places(hash, &curve, &r);
