@@ -18,6 +18,8 @@
 #define PACKED_KNOT 0x1p20
 /* The lowest w of a rotation: from here on its three numbers are too large, 4.4 and more. */
 #define PACKED_LOWEST (-0.9)
+/* By how much the squared length of a unit rotation differs from 1 by the rounding of its components, at most. */
+#define PACKED_UNIT 0x1p-22
 
 /* Numbers of keys. */
 
@@ -64,38 +66,43 @@ static void next_numbers(packed_keys *keys, size_t k, double x[3])
     lane_compact_numbers(lane_f64_quat_scale(q, (double)keys->sign), x);
 }
 
-/* Key 0 with the sign that keeps w of all keys as high as it can be. lowest, highest: receive the limits of w. */
-static packed_keys keys_begin(const nkw_clip_track *c, size_t component, double *lowest, double *highest)
-{
-    packed_keys keys = {c, component, 1.0f, {0.0f, 0.0f, 0.0f, 1.0f}};
-    double low = 1.0, high = -1.0;
-    for (size_t k = 0; c->target == NKW_CLIP_ROTATION && k < c->track.count; k++) {
-        double w = (double)next_rotation(&keys, k).w * (double)keys.sign;
-        low = w < low ? w : low;
-        high = w > high ? w : high;
-    }
-    keys.sign = low >= -high ? 1.0f : -1.0f;
-    *lowest = low >= -high ? low : -high;
-    *highest = low >= -high ? high : -low;
-    return keys;
-}
-
 /*
  * The range of each number, and the step. An error e of p rotates by 4 e/(1 + p.p) = 2 (1 + w) e radians: the step of a
  * rotation's numbers is that of its angle, divided by twice 1 + w at the key where it is largest.
  */
 typedef struct packed_range {
     packed_keys keys; /* before key 0 */
-    double low[3], high[3], lowest;
+    double low[3], high[3];
+    double lowest, highest; /* of rotations: the limits of w, and of the squared length */
+    double shortest, longest;
     double step;
 } packed_range;
+
+/* Sets key 0 with the sign that keeps w of all keys as high as it can be, and the limits. */
+static void set_limits(const nkw_clip_track *c, size_t component, packed_range *r)
+{
+    packed_keys keys = {c, component, 1.0f, {0.0f, 0.0f, 0.0f, 1.0f}};
+    double low = 1.0, high = -1.0;
+    r->shortest = r->longest = 1.0;
+    for (size_t k = 0; c->target == NKW_CLIP_ROTATION && k < c->track.count; k++) {
+        lane_f64_quat q = lane_f64_quat_from(next_rotation(&keys, k));
+        double w = q.w * (double)keys.sign, square = lane_f64_quat_dot(q, q);
+        low = w < low ? w : low;
+        high = w > high ? w : high;
+        r->shortest = k == 0 || square < r->shortest ? square : r->shortest;
+        r->longest = k == 0 || square > r->longest ? square : r->longest;
+    }
+    keys.sign = low >= -high ? 1.0f : -1.0f;
+    r->lowest = low >= -high ? low : -high;
+    r->highest = low >= -high ? high : -low;
+    r->keys = keys;
+}
 
 static packed_range range_of(const nkw_clip_track *c, size_t component, float step)
 {
     packed_range r;
-    double highest;
-    r.keys = keys_begin(c, component, &r.lowest, &highest);
-    r.step = c->target == NKW_CLIP_ROTATION ? (double)step / (2.0 * (1.0 + highest)) : (double)step;
+    set_limits(c, component, &r);
+    r.step = c->target == NKW_CLIP_ROTATION ? (double)step / (2.0 * (1.0 + r.highest)) : (double)step;
     packed_keys keys = r.keys;
     for (size_t k = 0; k < c->track.count; k++) {
         double x[3] = {0.0, 0.0, 0.0};
@@ -184,13 +191,31 @@ static void round_residuals(uint32_t n, double x[PACKED_KEYS + 1], packed_residu
         }
 }
 
+/* The largest float that is at most x: no number is below the base, so no knot is negative. */
+static float base_of(double x)
+{
+    float f = (float)x;
+    return (double)f <= x ? f : lane_float(lane_bits(f) + (f > 0.0f ? 0xffffffffu : 1u));
+}
+
 /* Whether all knots, and so all residuals, are within their limits. */
 static int fits(const nkw_clip_track *c, const packed_range *r)
 {
     for (size_t i = 0; i < rows_of(c); i++)
-        if (!((float)r->step > 0.0f) || !((r->high[i] - r->low[i]) / (double)(float)r->step < PACKED_KNOT))
+        if (!((float)r->step > 0.0f) ||
+            !((r->high[i] - (double)base_of(r->low[i])) / (double)(float)r->step < PACKED_KNOT))
             return 0;
     return r->lowest > PACKED_LOWEST;
+}
+
+/*
+ * Whether rotations with the squared lengths of a range may have the square n. A square of 1 + d moves a point as a
+ * rotation by d radians does, and rounding to steps rotates by half a step. Those of unit rotations in floats may.
+ */
+static int are_lengths(const packed_range *r, float step, double n)
+{
+    const double most = 0.5 * (double)step > PACKED_UNIT ? 0.5 * (double)step : PACKED_UNIT;
+    return r->longest - n <= most && n - r->shortest <= most;
 }
 
 packed_survey nkwi_packed_survey(const nkw_clip_track *c, float step, float *middle)
@@ -201,7 +226,9 @@ packed_survey nkwi_packed_survey(const nkw_clip_track *c, float step, float *mid
                             c->track.interpolation != NKW_INTERPOLATION_CUBICSPLINE};
     for (size_t i = 0; i < (is_rotation ? 1 : c->track.width); i++) {
         packed_range r = range_of(c, i, step);
-        result.fits = result.fits && fits(c, &r);
+        const double square = 0.5 * (r.shortest + r.longest);
+        result.fits = result.fits && fits(c, &r) && are_lengths(&r, step, 1.0);
+        result.is_constant = result.is_constant && are_lengths(&r, step, square);
         double p[3] = {0.0, 0.0, 0.0};
         for (size_t row = 0; row < rows_of(c); row++) {
             p[row] = 0.5 * (r.low[row] + r.high[row]);
@@ -211,10 +238,10 @@ packed_survey nkwi_packed_survey(const nkw_clip_track *c, float step, float *mid
             middle[i] = (float)p[0] + 0.0f; /* +0 for -0 */
             continue;
         }
-        double n = (p[0] * p[0] + p[1] * p[1]) + p[2] * p[2], length = 1.0 + n;
+        double n = (p[0] * p[0] + p[1] * p[1]) + p[2] * p[2], scale = lane_sqrt64(square) / (1.0 + n);
         for (size_t row = 0; row < 3; row++)
-            middle[row] = (float)(2.0 * p[row] / length) + 0.0f;
-        middle[3] = (float)((1.0 - n) / length);
+            middle[row] = (float)(2.0 * p[row] * scale) + 0.0f;
+        middle[3] = (float)((1.0 - n) * scale);
     }
     return result;
 }
@@ -249,7 +276,7 @@ static void set_ranges(packer *p, const nkw_clip_track *tracks, const float *ste
         packed_range r = range_of(c, p->lanes->component[lane], steps[c - tracks]);
         for (size_t row = 0; row < clip_rows(p->g); row++) {
             size_t slot = nkwi_clip_lane_at(p->g, clip_rows(p->g), row, lane);
-            p->base[slot] = (float)r.low[row];
+            p->base[slot] = base_of(r.low[row]);
             p->step[slot] = (float)r.step;
             if (nearest((r.high[row] - (double)p->base[slot]) / (double)p->step[slot]) > 65535.0)
                 p->wide |= (uint32_t)1 << slot / PACKED_COLUMNS;

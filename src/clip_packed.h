@@ -105,8 +105,8 @@ typedef struct packed_lanes {
 
 /* What one step makes of a track. */
 typedef struct packed_survey {
-    int fits; /* whether a packed group can store it */
-    int is_constant; /* whether no number leaves the middle of its range by more than half a step */
+    int fits; /* whether a packed group can store it: its rotations are unit */
+    int is_constant; /* whether no number, and no length, leaves the middle of its range by more than half a step */
 } packed_survey;
 
 /*

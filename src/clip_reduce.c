@@ -10,6 +10,15 @@
 #include "clip_reduce.h"
 #include "clip_tracks.h"
 
+/*
+ * A form of the clip. The packed one has the smallest keys, but more around them: a clip of few keys is smaller as
+ * floats or in 16 bits.
+ */
+typedef struct reduce_form {
+    int is_packed, is_exact; /* is_exact: no track becomes constant */
+    nkw_clip_format format;
+} reduce_form;
+
 typedef struct reducer {
     void *block;
     size_t bytes;
@@ -18,6 +27,7 @@ typedef struct reducer {
     float *steps, *values, *times; /* of each track: its step; two values and times, if it is constant */
     uint32_t *order; /* working memory of the builder */
     reduce_trials trials;
+    reduce_form form; /* of the next trial */
     nkw_clip_reduced reached;
 } reducer;
 
@@ -43,11 +53,12 @@ static void set_tracks(reducer *r)
     for (size_t i = 0; i < r->trial.track_count; i++) {
         const nkw_clip_track *c = &r->trials.source->tracks[i];
         const size_t width = c->track.width;
-        float step = nkwi_reduce_step(&r->trials, i), *times = r->times + 2 * i;
-        packed_survey survey = nkwi_packed_survey(c, step, value);
-        survey.is_constant = survey.is_constant && step > 0.0f;
+        float step = r->form.is_exact ? 0.0f : nkwi_reduce_step(&r->trials, i), *times = r->times + 2 * i;
+        packed_survey survey = {0, 0};
+        if (step > 0.0f)
+            survey = nkwi_packed_survey(c, step, value);
         r->tracks[i] = *c;
-        r->steps[i] = survey.fits && !survey.is_constant ? step : 0.0f;
+        r->steps[i] = r->form.is_packed && survey.fits && !survey.is_constant ? step : 0.0f;
         r->reached.packed_count += r->steps[i] > 0.0f;
         r->reached.constant_count += (size_t)survey.is_constant;
         if (survey.is_constant && c->track.count > 1) {
@@ -64,18 +75,56 @@ static void set_tracks(reducer *r)
     }
 }
 
+/* Sets the source of a trial, and the bytes of its clip. */
+static nkw_result measure(reducer *r, size_t *bad)
+{
+    const clip_packing packing = {r->steps};
+    set_tracks(r);
+    r->trial.format = r->form.format;
+    r->reached.bytes = 0;
+    return nkwi_clip_measure(&r->trial, r->form.is_packed ? &packing : NULL, &r->reached.bytes, bad, r->order,
+                             NKW_CLIP_WORK(r->trial.track_count));
+}
+
 /* Builds the clip with the current shares. */
 static nkw_result make(void *user, reduce_made *made, size_t *size, size_t *bad)
 {
     reducer *r = (reducer *)user;
-    set_tracks(r);
     const clip_packing packing = {r->steps};
-    nkw_result result =
-        nkwi_clip_build(&r->trial, &packing, r->block, r->bytes, bad, r->order, NKW_CLIP_WORK(r->trial.track_count));
+    nkw_result result = measure(r, bad);
+    if (result == NKW_OK)
+        result = nkwi_clip_build(&r->trial, r->form.is_packed ? &packing : NULL, r->block, r->bytes, bad, r->order,
+                                 NKW_CLIP_WORK(r->trial.track_count));
     made->clip = (const nkw_clip *)r->block;
     made->parts = 2;
-    *size = r->reached.bytes = result == NKW_OK ? nkw_clip_bytes(made->clip) : 0;
+    *size = r->reached.bytes;
     return result;
+}
+
+/* Builds the smallest form that is within the tolerance, after the search built the smallest packed one. */
+static nkw_result make_smallest(reducer *r, size_t *bad)
+{
+    static const reduce_form forms[] = {
+        {0, 1, NKW_CLIP_FLOAT32}, {0, 0, NKW_CLIP_FLOAT32}, {0, 1, NKW_CLIP_UNORM16}, {0, 0, NKW_CLIP_UNORM16}};
+    const nkw_clip_reduced packed = r->reached;
+    reduce_form best = r->form;
+    size_t least = packed.bytes;
+    int is_built = 1; /* the packed clip is still in the block */
+    for (size_t i = 0; i < sizeof forms / sizeof *forms; i++) {
+        r->form = forms[i];
+        if (measure(r, bad) != NKW_OK || r->reached.bytes >= least)
+            continue;
+        nkw_result result = nkwi_reduce_try(&r->trials, bad);
+        if (result != NKW_OK)
+            return result;
+        is_built = 0;
+        if ((float)r->trials.share <= (float)r->trials.limit)
+            best = r->form, least = r->reached.bytes;
+    }
+    r->form = best;
+    r->reached = packed;
+    *bad = 0;
+    return is_built ? NKW_OK : nkwi_reduce_try(&r->trials, bad);
 }
 
 nkw_result nkw_clip_reduce_measure(const nkw_clip_source *source, size_t *bytes, size_t *bad_track, double *work,
@@ -113,8 +162,11 @@ nkw_result nkw_clip_reduce(const nkw_clip_source *source, const nkw_clip_reducti
     r.block = memory->block, r.bytes = memory->bytes;
     r.trials.source = source, r.trials.reduction = reduction, r.trials.make = make, r.trials.user = &r;
     r.trials.limit = 1.0;
+    r.form.is_packed = 1;
     set_memory(&r, memory->work);
     result = nkwi_reduce_search(&r.trials, offender);
+    if (result == NKW_OK)
+        result = make_smallest(&r, offender);
     r.reached.distance = (float)r.trials.errors.distance;
     r.reached.floats = (float)r.trials.errors.floats;
     r.reached.share = (float)r.trials.share;

@@ -29,11 +29,13 @@ typedef struct reduce_pose {
  * reach        of each joint: by how much a radian of it moves a point of a joint below it, in tolerances
  * tight        of each joint: 1 / the smallest tolerance of the joints below it, itself included
  * scale        of each joint: how much longer its parent's model matrix makes a vector, at most
+ * axes         of each joint: the half axes of the points around it, in its space: its distance, divided by the largest
+ *              length of each column of its model matrix; 3 numbers
  * errors       of each joint, in its tolerances; then of each track of floats
  * distance     the largest of all joints; floats, of all floats
  */
 typedef struct reduce_errors {
-    double *reach, *tight, *scale, *errors;
+    double *reach, *tight, *scale, *axes, *errors;
     double distance, floats;
     reduce_pose want, got;
 } reduce_errors;
@@ -57,7 +59,7 @@ typedef struct reduce_made {
     int parts; /* of each segment between two keys: errors are measured where they begin */
 } reduce_made;
 
-/* Sets reach, tight and scale, from the poses of the tracks of the source. */
+/* Sets reach, tight, scale and axes, from the poses of the tracks of the source. */
 void nkwi_reduce_reach(const nkw_clip_source *source, const nkw_clip_reduction *r, reduce_errors *e);
 
 /* Sets errors, distance and floats, at the times of all keys of the source and between them. */
@@ -71,6 +73,7 @@ typedef struct reduce_trials {
     double *shares, *best, *worst;
     reduce_errors errors;
     double share; /* the largest of the errors */
+    size_t size; /* of what was made */
     double
         limit; /* the largest share that is accepted: less than 1 where errors between measured times may be larger */
     /* Reduces with the current shares and sets what was made, which is then measured, and its size. */
@@ -95,6 +98,9 @@ void nkwi_reduce_begin(reduce_trials *t, double **work);
 
 /* The change of a value by which the share of its joint is used: a distance, radians, or of floats. */
 float nkwi_reduce_step(const reduce_trials *t, size_t track);
+
+/* Makes and measures the result of the current shares: sets errors, share and size. */
+nkw_result nkwi_reduce_try(reduce_trials *t, size_t *bad);
 
 /* The trials; makes the smallest result within the tolerance again at the end. */
 nkw_result nkwi_reduce_search(reduce_trials *t, size_t *bad);

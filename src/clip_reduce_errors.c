@@ -10,6 +10,7 @@
 
 #include "clip_reduce.h"
 #include "clip_tracks.h"
+#include "farthest.h"
 #include "lane/f64.h"
 
 /* a b of matrices of three columns and a position. */
@@ -23,15 +24,17 @@ static void multiply(const double *a, const double *b, double *out)
     }
 }
 
+/* T R S with the R of nkw_mat3_from_quat: |q|^2 times a rotation. */
 static void local_model(const nkw_trs *t, double *out)
 {
     double x = (double)t->rotation.x, y = (double)t->rotation.y, z = (double)t->rotation.z, w = (double)t->rotation.w;
-    double nn = (x * x + y * y) + (z * z + w * w), two = nn > 0.0 ? 2.0 / nn : 0.0;
     const double scale[3] = {(double)t->scale.x, (double)t->scale.y, (double)t->scale.z};
-    const double columns[12] = {1.0 - two * (y * y + z * z), two * (x * y + w * z),       two * (x * z - w * y),
-                                two * (x * y - w * z),       1.0 - two * (x * x + z * z), two * (y * z + w * x),
-                                two * (x * z + w * y),       two * (y * z - w * x),       1.0 - two * (x * x + y * y),
-                                (double)t->translation.x,    (double)t->translation.y,    (double)t->translation.z};
+    const double columns[12] = {(w * w - y * y) + (x * x - z * z), 2.0 * (x * y + w * z),
+                                2.0 * (x * z - w * y),             2.0 * (x * y - w * z),
+                                (w * w - z * z) + (y * y - x * x), 2.0 * (y * z + w * x),
+                                2.0 * (x * z + w * y),             2.0 * (y * z - w * x),
+                                (w * w - x * x) + (z * z - y * y), (double)t->translation.x,
+                                (double)t->translation.y,          (double)t->translation.z};
     for (size_t i = 0; i < 12; i++)
         out[i] = i < 9 ? columns[i] * scale[i / 3] : columns[i];
 }
@@ -82,10 +85,15 @@ static double length(double x, double y, double z)
     return lane_sqrt64((x * x + y * y) + z * z);
 }
 
+static double column_length(const double *m, size_t c)
+{
+    return length(m[3 * c], m[3 * c + 1], m[3 * c + 2]);
+}
+
 /* The longest of the three columns. */
 static double largest_scale(const double *m)
 {
-    return larger(larger(length(m[0], m[1], m[2]), length(m[3], m[4], m[5])), length(m[6], m[7], m[8]));
+    return larger(larger(column_length(m, 0), column_length(m, 1)), column_length(m, 2));
 }
 
 static double tightness(const nkw_clip_reduction *r, size_t joint)
@@ -102,9 +110,11 @@ static void add_reach(const nkw_clip_source *s, const nkw_clip_reduction *r, red
 {
     for (size_t j = 0; j < s->joint_count; j++) {
         const double *m = e->want.models + 12 * j;
-        double skin = distance_of(r, j) * largest_scale(m), tight = tightness(r, j);
+        double skin = distance_of(r, j), tight = tightness(r, j);
         size_t parent = reduce_parent(r, j);
         e->scale[j] = larger(e->scale[j], parent == j ? 1.0 : largest_scale(e->want.models + 12 * parent));
+        for (size_t c = 0; c < 3; c++)
+            e->axes[3 * j + c] = larger(e->axes[3 * j + c], column_length(m, c));
         for (size_t above = j, next = j;; above = next) {
             const double *a = e->want.models + 12 * above;
             double d = length(m[9] - a[9], m[10] - a[10], m[11] - a[11]) + skin;
@@ -117,22 +127,43 @@ static void add_reach(const nkw_clip_source *s, const nkw_clip_reduction *r, red
     }
 }
 
-/* The distance of joint j: of its position, and of the points at `skin` on its axes. */
-static double joint_error(const double *a, const double *b, double skin)
+/* a - b; 0 of equal infinities. */
+static double minus(double a, double b)
 {
-    double d[3] = {a[9] - b[9], a[10] - b[10], a[11] - b[11]}, worst = length(d[0], d[1], d[2]);
-    for (size_t c = 0; c < 9; c += 3)
-        worst = larger(worst, length(d[0] + skin * (a[c] - b[c]), d[1] + skin * (a[c + 1] - b[c + 1]),
-                                     d[2] + skin * (a[c + 2] - b[c + 2])));
-    return worst;
+    return a == b ? 0.0 : a - b;
+}
+
+/*
+ * The largest distance of the points of a joint, of its position and those around it: axes[c] n[c] on its axes, |n| <= 1.
+ *
+ * a, b   the model matrices
+ * known  distances up to this one need not be exact: the result is then at most this
+ */
+static double joint_error(const double *a, const double *b, const double *axes, double known)
+{
+    double d[3], m[9], squares = 0.0;
+    for (size_t i = 0; i < 3; i++)
+        d[i] = minus(a[9 + i], b[9 + i]);
+    for (size_t i = 0; i < 9; i++) {
+        m[i] = minus(a[i], b[i]) * axes[i / 3];
+        squares += m[i] * m[i];
+    }
+    /* (|d| + |m|)^2 <= 2 (|d|^2 + |m|^2) */
+    if (2.0 * (((d[0] * d[0] + d[1] * d[1]) + d[2] * d[2]) + squares) <= known * known)
+        return known;
+    double most = length(d[0], d[1], d[2]) + lane_sqrt64(squares);
+    double found = most <= known ? most : farthest_of(d, m);
+    return found >= 0.0 ? found : INFINITY; /* infinite for NaN */
 }
 
 static void add_errors(const nkw_clip_source *s, const nkw_clip_reduction *r, reduce_errors *e)
 {
     for (size_t j = 0; j < s->joint_count; j++) {
-        double d = joint_error(e->want.models + 12 * j, e->got.models + 12 * j, distance_of(r, j));
+        const double tight = tightness(r, j), own = e->errors[j] / tight;
+        double d = joint_error(e->want.models + 12 * j, e->got.models + 12 * j, e->axes + 3 * j,
+                               own < e->distance ? own : e->distance);
         e->distance = larger(e->distance, d);
-        e->errors[j] = larger(e->errors[j], d * tightness(r, j));
+        e->errors[j] = larger(e->errors[j], d * tight);
     }
     for (size_t i = 0; i < s->track_count; i++) {
         const nkw_clip_track *c = &s->tracks[i];
@@ -234,7 +265,11 @@ void nkwi_reduce_reach(const nkw_clip_source *source, const nkw_clip_reduction *
 {
     for (size_t j = 0; j < source->joint_count; j++)
         e->reach[j] = e->tight[j] = e->scale[j] = 0.0;
+    for (size_t i = 0; i < 3 * source->joint_count; i++)
+        e->axes[i] = 0.0;
     add_times(source, r, NULL, e);
+    for (size_t i = 0; i < 3 * source->joint_count; i++) /* from lengths of columns */
+        e->axes[i] = distance_of(r, i / 3) / (e->axes[i] > 0.0 ? e->axes[i] : 1.0);
 }
 
 void nkwi_reduce_errors(const nkw_clip_source *source, const nkw_clip_reduction *r, const reduce_made *made,

@@ -49,6 +49,7 @@ void nkwi_reduce_begin(reduce_trials *t, double **work)
     t->errors.reach = (double *)reduce_take(work, joints, number);
     t->errors.tight = (double *)reduce_take(work, joints, number);
     t->errors.scale = (double *)reduce_take(work, joints, number);
+    t->errors.axes = (double *)reduce_take(work, 3 * joints, number);
     for (int i = 0; i < 2; i++) {
         reduce_pose *p = i ? &t->errors.got : &t->errors.want;
         p->pose = (float *)reduce_take(work, pose, sizeof(float));
@@ -57,6 +58,20 @@ void nkwi_reduce_begin(reduce_trials *t, double **work)
     }
     nkwi_reduce_reach(t->source, t->reduction, &t->errors);
     set_shares(t);
+}
+
+/* The smallest, not 0, of the largest magnitudes of the components of a track of scales; 1 if all are 0. */
+static double size_of_scales(const nkw_track *t)
+{
+    double largest[3] = {0.0, 0.0, 0.0}, size = 0.0;
+    for (size_t k = 0; k < t->count; k++)
+        for (size_t i = 0; i < 3; i++) {
+            double s = lane_abs64((double)track_value_at(t, k)[i]);
+            largest[i] = s > largest[i] ? s : largest[i];
+        }
+    for (size_t i = 0; i < 3; i++)
+        size = largest[i] > 0.0 && (size == 0.0 || largest[i] < size) ? largest[i] : size;
+    return size > 0.0 ? size : 1.0;
 }
 
 /* A scale moves points relative to itself. */
@@ -72,21 +87,15 @@ float nkwi_reduce_step(const reduce_trials *r, size_t track)
         step = r->shares[j] / (e->tight[j] * (e->scale[j] > 0.0 ? e->scale[j] : 1.0));
     else
         step = r->shares[j] / (e->reach[j] > 1e-30 ? e->reach[j] : 1e-30);
-    if (c->target == NKW_CLIP_SCALE) {
-        const float *s = track_value_at(&c->track, 0);
-        double size = lane_abs64((double)s[0]), y = lane_abs64((double)s[1]), z = lane_abs64((double)s[2]);
-        size = y > size ? y : size;
-        size = z > size ? z : size;
-        step *= size > 0.0 ? size : 1.0;
-    }
+    if (c->target == NKW_CLIP_SCALE)
+        step *= size_of_scales(&c->track);
     return step < 1e30 ? step > 1e-30 ? (float)step : 0.0f : 1e30f;
 }
 
-/* Makes and measures the result of the current shares. */
-static nkw_result try_shares(reduce_trials *r, size_t *size, size_t *bad)
+nkw_result nkwi_reduce_try(reduce_trials *r, size_t *bad)
 {
     reduce_made made = {NULL, NULL, 1};
-    nkw_result result = r->make(r->user, &made, size, bad);
+    nkw_result result = r->make(r->user, &made, &r->size, bad);
     if (result != NKW_OK)
         return result;
     nkwi_reduce_errors(r->source, r->reduction, &made, &r->errors);
@@ -107,36 +116,43 @@ static void set_worst(reduce_trials *r)
     }
 }
 
-static void change_shares(reduce_trials *r, int only_reduce)
+/*
+ * last: 0; in the last trials 1, 2, 3 ...: only shares beyond the tolerance are changed, by a factor that decreases, so
+ * that tracks whose rounding alone exceeds the tolerance soon have too many steps, and are stored as floats.
+ */
+static void change_shares(reduce_trials *r, int last)
 {
+    double factor = AIM;
+    for (int i = 1; i < last; i++)
+        factor *= 0.5;
     set_worst(r);
     for (size_t i = 0; i < r->source->joint_count + r->source->track_count; i++) {
         double e = r->worst[i] / (AIM * r->limit), root = lane_sqrt64(e);
         double growth = e > 1.0 ? 1.0 / (root * lane_sqrt64(root)) : root > 2.0 / 3.0 ? 1.0 / root : 1.5;
-        if (!only_reduce || r->worst[i] > r->limit)
-            r->shares[i] *= only_reduce ? AIM * growth : growth;
+        if (!last || r->worst[i] > r->limit)
+            r->shares[i] *= last ? factor * growth : growth;
     }
 }
 
 nkw_result nkwi_reduce_search(reduce_trials *r, size_t *bad)
 {
     const size_t count = r->source->joint_count + r->source->track_count;
-    size_t least = 0, size = 0; /* the size of the best; 0: none yet */
+    size_t least = 0; /* the size of the best; 0: none yet */
     for (int trial = 0; trial < TRIALS + LAST_TRIALS; trial++) {
-        nkw_result result = try_shares(r, &size, bad);
+        nkw_result result = nkwi_reduce_try(r, bad);
         if (result != NKW_OK)
             return result;
-        if ((float)r->share <= (float)r->limit && (least == 0 || size < least)) {
-            least = size;
+        if ((float)r->share <= (float)r->limit && (least == 0 || r->size < least)) {
+            least = r->size;
             memcpy(r->best, r->shares, count * sizeof *r->best);
         }
         if (trial + 1 >= TRIALS && least > 0)
             break;
-        change_shares(r, trial + 1 >= TRIALS);
+        change_shares(r, trial + 2 > TRIALS ? trial + 2 - TRIALS : 0);
     }
     for (size_t i = 0; i < count; i++)
         r->shares[i] = least > 0 ? r->best[i] : 0.0;
-    return try_shares(r, &size, bad);
+    return nkwi_reduce_try(r, bad);
 }
 
 static int is_tolerance(float x)

@@ -169,6 +169,7 @@ nkw_result nkw_clip_source_difference(const nkw_clip_source *source, const nkw_c
     memset(&trials, 0, sizeof trials);
     trials.source = larger, trials.reduction = reduction;
     nkwi_reduce_begin(&trials, &work);
+    nkwi_reduce_reach(source, reduction, &trials.errors);
     add_difference(source, other, &trials, &d);
     add_difference(other, source, &trials, &d);
     *difference = d;

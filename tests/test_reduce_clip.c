@@ -6,6 +6,7 @@
 
 #include "random.h"
 #include "support/expect.h"
+#include "support/farthest.h"
 #include "support/tracks.h"
 #include "support/views.h"
 
@@ -99,11 +100,7 @@ static void distances(const nkw_clip_source *out, float largest[JOINTS], float *
         models_at(&drawn.source, time, a, x);
         models_at(out, time, b, y);
         for (size_t j = 0; j < JOINTS; j++)
-            for (int axis = 0; axis < 4; axis++) {
-                nkw_vec3 p = {axis == 1 ? SKIN : 0.0f, axis == 2 ? SKIN : 0.0f, axis == 3 ? SKIN : 0.0f};
-                float d = nkw_vec3_distance(nkw_mat4_transform_point(&a[j], p), nkw_mat4_transform_point(&b[j], p));
-                largest[j] = fmaxf(largest[j], d);
-            }
+            largest[j] = fmaxf(largest[j], (float)farthest_distance(&a[j], &b[j], (double)SKIN));
         *of_floats = fmaxf(*of_floats, fmaxf(fabsf(x[0] - y[0]), fabsf(x[1] - y[1])));
     }
 }

@@ -80,8 +80,8 @@ NKW_API nkw_result nkw_clip_source_reduce_measure(const nkw_clip_source *source,
 
 /**
  * Reduces all tracks of a clip, so that no joint is further from its place than a tolerance, in model space: the errors
- * of a chain of joints add up. The distance of a joint is the largest of four: of its position, and of the three points
- * at `distance` along its axes, as of nkw_clip_reduce. The tolerance of each track is found by trials: all tracks are
+ * of a chain of joints add up. The distance of a joint is the largest of its position and of all points around it, as of
+ * nkw_clip_reduce. The tolerance of each track is found by trials: all tracks are
  * reduced, sampled and compared with the source, until no joint exceeds its tolerance and no trial has fewer keys. They
  * are compared at the key times of all tracks of the source and at 1/4, 1/2 and 3/4 between two of these times.
  *
@@ -106,7 +106,7 @@ NKW_API nkw_result nkw_clip_source_reduce(const nkw_clip_source *source, const n
  * The largest differences of other tracks from those of a clip, in model space, as nkw_clip_source_reduce measures
  * them; also at the keys of the other tracks and between them. For tracks that were edited, resampled or read again.
  *
- * source, other  with the same number of joints and floats
+ * source, other  with the same number of joints and floats. The points around a joint are those of `source`
  * reduction      as above; its tolerances determine `share`, which may be larger than 1
  * difference     receives the number of keys of both, and the differences
  * work           as above, for the source with more tracks

@@ -7,7 +7,7 @@
 
 /**
  * The largest distance of four points, each moved by a and by b: the joint's origin, and the points at `reach` along
- * its three axes. The measure of nkw_clip_reduce. NaN counts as infinity; equal bytes are at a distance of 0.
+ * its three axes, as long as they are in its space. NaN counts as infinity; equal bytes are at a distance of 0.
  */
 double matrix_distance(const nkw_mat4 *a, const nkw_mat4 *b, float reach);
 

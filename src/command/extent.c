@@ -91,8 +91,11 @@ static void measure(extent *e, moment *m)
     if (!(e->size > 0.0f && isfinite(e->size)))
         e->size = 1.0f;
     for (size_t j = 0; j < s->joint_count; j++) {
-        e->reach[j] = e->reach[j] > 0.0f ? e->reach[j] : 0.01f * e->size;
-        e->lever[j] = e->reach[j] * stretch_of(&m->models[j]);
+        const float stretch = stretch_of(&m->models[j]);
+        if (!(e->reach[j] > 0.0f))
+            e->reach[j] = 0.01f * e->size / (stretch > 0.0f ? stretch : 1.0f);
+        e->radius[j] = e->reach[j] * (stretch > 0.0f ? stretch : 1.0f);
+        e->lever[j] = e->reach[j] * stretch;
         e->stretch[j] = s->parents[j] < 0 ? 1.0f : stretch_of(&m->models[s->parents[j]]);
     }
     /* Children come after their parents. The way from joint to joint is at least as long as the straight line. */
@@ -111,9 +114,10 @@ int extent_open(extent *e, const nkw_document *d)
     size_t joints = d->skeleton.joint_count;
     memset(e, 0, sizeof *e);
     e->reach = calloc(joints, sizeof *e->reach);
+    e->radius = calloc(joints, sizeof *e->radius);
     e->lever = calloc(joints, sizeof *e->lever);
     e->stretch = calloc(joints, sizeof *e->stretch);
-    int fine = moment_open(&m, d, INPUT_REST) && e->reach && e->lever && e->stretch;
+    int fine = moment_open(&m, d, INPUT_REST) && e->reach && e->radius && e->lever && e->stretch;
     if (fine) {
         moment_at(&m, 0.0f);
         measure(e, &m);
@@ -125,6 +129,7 @@ int extent_open(extent *e, const nkw_document *d)
 void extent_free(extent *e)
 {
     free(e->reach);
+    free(e->radius);
     free(e->lever);
     free(e->stretch);
 }

@@ -8,7 +8,8 @@
 typedef struct extent {
     nkw_vec3 low, high; /**< the box of the joints and vertices in the rest pose */
     float size; /**< its diagonal; 1 if it has none */
-    float *reach; /**< of each joint: the farthest vertex that it moves, in the joint's space; or size / 100 */
+    float *reach; /**< of each joint: the farthest vertex that it moves, in the joint's space */
+    float *radius; /**< the same in model space; size / 100 of a joint without vertices */
     float *lever; /**< at least the farthest point that it or a joint below it moves, in model space */
     float *stretch; /**< the largest column of the parent's matrix: from the joint's translation to model space */
 } extent;

@@ -14,7 +14,7 @@
 
 #include "../support/random_clip.h"
 
-enum { JOINTS = 5, CLIPS = 3, MOST = 1 << 16 };
+enum { JOINTS = 5, CLIPS = 4, MOST = 1 << 16 };
 
 /* The clips one after another, each in MOST bytes at most; as words, for their alignment. */
 typedef struct blocks {
@@ -25,14 +25,33 @@ typedef struct blocks {
 static const char *const joint_names[JOINTS] = {"root", "spine", "", "左手", "right hand"};
 static const nkw_clip_names names = {"walk", joint_names};
 
-/* Clip 0 of floats, 1 compact, 2 reduced. Returns 0 after an error. */
+/* Reduces the motion of each track to 1/1024, about its first key. */
+static void make_small(random_clip *c)
+{
+    for (size_t i = 0; i < c->source.track_count; i++) {
+        const nkw_track *t = &c->tracks[i].track;
+        for (size_t at = t->width; at < t->width * t->count; at++)
+            c->values[i][at] = nkw_lerp(c->values[i][at % t->width], c->values[i][at], 0x1p-10f);
+        for (size_t k = 0; t->kind != NKW_TRACK_FLOATS && k < t->count; k++) {
+            nkw_quat q;
+            memcpy(&q, c->values[i] + 4 * k, sizeof q);
+            q = nkw_quat_normalize(q);
+            memcpy(c->values[i] + 4 * k, &q, sizeof q);
+        }
+    }
+}
+
+/*
+ * Clip 0 of floats, 1 compact, 2 reduced; 3 reduced to the rounding of floats: its steps are smaller than the distance
+ * of its bases to the next floats. Returns 0 after an error.
+ */
 static int build(int index, blocks *out)
 {
     static double work[NKW_CLIP_REDUCE_WORK(RANDOM_CLIP_TRACKS, RANDOM_CLIP_JOINTS, RANDOM_CLIP_FLOATS)];
     static random_clip drawn;
-    random_source r = random_from(7);
+    random_source r = random_from(index == 3 ? 8 : 7);
     size_t bad, tracks;
-    random_clip_draw(&r, JOINTS, index == 2 ? 0 : 2, &drawn);
+    random_clip_draw(&r, JOINTS, index >= 2 ? 0 : 2, &drawn);
     drawn.source.names = &names;
     drawn.source.format = index == 1 ? NKW_CLIP_UNORM16 : NKW_CLIP_FLOAT32;
     tracks = drawn.source.track_count;
@@ -41,7 +60,10 @@ static int build(int index, blocks *out)
         return nkw_clip_measure(&drawn.source, &out->bytes[index], &bad, order, NKW_CLIP_WORK(tracks)) == NKW_OK &&
                nkw_clip_build(&drawn.source, out->words[index], MOST, &bad, order, NKW_CLIP_WORK(tracks)) == NKW_OK;
     }
-    const nkw_clip_reduction reduction = {NULL, 0.01f, 0.1f, NULL, NULL, 0.01f};
+    if (index == 3)
+        make_small(&drawn);
+    const float tolerance = index == 2 ? 0.01f : 3e-8f;
+    const nkw_clip_reduction reduction = {NULL, tolerance, 0.1f, NULL, NULL, tolerance};
     const nkw_clip_memory memory = {out->words[index], MOST, work, sizeof work / sizeof work[0]};
     nkw_clip_reduced reduced;
     nkw_result result = nkw_clip_reduce(&drawn.source, &reduction, &memory, &reduced, &bad);
