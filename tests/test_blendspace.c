@@ -112,6 +112,49 @@ static void polar_weights_keep_the_speed(void **state)
     assert_true(weights[0] >= 0.2f);
 }
 
+/* The weight of sample a against b at p by the definition, in long double: one way around the circle, or both. */
+static long double polar_by_definition(const float *p, const float *a, const float *b)
+{
+    long double mean = (hypotl(a[0], a[1]) + hypotl(b[0], b[1])) / 2, least = 1, whole = acosl(-1) * 4;
+    long double length = (hypotl(b[0], b[1]) - hypotl(a[0], a[1])) / mean;
+    long double from_a = (hypotl(p[0], p[1]) - hypotl(a[0], a[1])) / mean;
+    long double angle = 2 * remainderl(atan2l(b[1], b[0]) - atan2l(a[1], a[0]), whole / 2);
+    long double of_p = 2 * remainderl(atan2l(p[1], p[0]) - atan2l(a[1], a[0]), whole / 2);
+    const long double ways[2] = {angle, angle < 0 ? angle + whole : angle - whole};
+    for (int k = 0; k < (fabsl(angle) >= whole / 4 ? 2 : 1); k++) {
+        long double h = 1 - (from_a * length + of_p * ways[k]) / (length * length + ways[k] * ways[k]);
+        least = h < least ? h : least;
+    }
+    return least > 0 ? least : 0;
+}
+
+static void polar_weights_are_those_of_the_definition(void **state)
+{
+    (void)state;
+    random_source r = random_from(4);
+    for (int i = 0; i < 4000; i++) {
+        enum { FEW = 4 };
+        float samples[2 * FEW], point[2], weights[FEW];
+        long double want[FEW], sum = 0;
+        draw_samples(&r, samples, 2 * FEW);
+        draw_samples(&r, point, 2);
+        for (int k = 0; k < FEW; k++) {
+            want[k] = 1;
+            for (int j = 0; j < FEW; j++) {
+                long double h = j == k ? 1 : polar_by_definition(point, samples + 2 * k, samples + 2 * j);
+                want[k] = h < want[k] ? h : want[k];
+            }
+            sum += want[k];
+        }
+        if (sum < 1e-3L)
+            continue;
+        nkw_blendspace space = space_of(samples, FEW, 2, NKW_BLENDSPACE_POLAR);
+        nkw_blendspace_weights(&space, point, weights);
+        for (int k = 0; k < FEW; k++)
+            expect_near(weights[k], (double)(want[k] / sum), 2e-6);
+    }
+}
+
 static void weights_are_continuous(void **state)
 {
     (void)state;
@@ -203,6 +246,7 @@ int main(void)
         cmocka_unit_test(coincident_samples_share_their_weight),
         cmocka_unit_test(numbers_that_are_not_finite_are_defined),
         cmocka_unit_test(validate_names_the_first_offender),
+        cmocka_unit_test(polar_weights_are_those_of_the_definition),
     };
     return cmocka_run_group_tests_name("blendspace", tests, NULL, NULL);
 }

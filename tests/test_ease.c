@@ -214,6 +214,17 @@ static void cubic_bezier_continues_along_its_tangents(void **state)
     expect_near(nkw_ease_cubic_bezier(1, 1, 1, 1, 2).value, 2, 1e-6);
     expect_near(nkw_ease_cubic_bezier(0, 1, 0.5f, 1, -1).value, 0, 0);
     expect_near(nkw_ease_cubic_bezier(0.5f, 0, 1, 0.5f, 2).value, 1, 0);
+    /* A line has no curvature, and the slope of the curve at its end: y'/x' = 2 at 0, 3 at 1. */
+    for (float far = 0.5f; far < 9; far += 0.5f) {
+        nkw_curve_point before = nkw_ease_cubic_bezier(0.25f, 0.5f, 0.75f, 0.25f, -far);
+        nkw_curve_point after = nkw_ease_cubic_bezier(0.25f, 0.5f, 0.75f, 0.25f, 1 + far);
+        expect_bits(before.value, -2 * far);
+        expect_bits(before.first, 2);
+        expect_bits(before.second, 0);
+        expect_bits(after.value, 1 + 3 * far);
+        expect_bits(after.first, 3);
+        expect_bits(after.second, 0);
+    }
 }
 
 static void steps_have_the_levels_of_css(void **state)

@@ -283,6 +283,34 @@ static void nearest_angles_are_no_farther_than_either_triple(void **state)
     expect_vec3_bits(nkw_euler_nearest(vec(1, 2, 3), vec(1, 2, 3), NKW_EULER_ZYX), vec(1, 2, 3));
 }
 
+/* The other triple of (-0, 0, -0) is (pi, pi, pi), and that of (0, -0, 0) is (-pi, -pi, -pi). */
+static void a_zero_is_turned_by_its_sign(void **state)
+{
+    (void)state;
+    for (int o = 0; o < 6; o++)
+        for (int signs = 0; signs < 8; signs++) {
+            const float zero[2] = {0.0f, -0.0f};
+            nkw_vec3 a = vec(zero[signs & 1], zero[signs >> 1 & 1], zero[signs >> 2]);
+            nkw_vec3 b = nkw_euler_alternate(a, orders[o]);
+            const float in[3] = {a.x, a.y, a.z}, out[3] = {b.x, b.y, b.z};
+            for (int axis = 0; axis < 3; axis++)
+                expect_bits(out[axis], (axis == axes[o][1] - 'x') == !signbit(in[axis]) ? PI : -PI);
+        }
+}
+
+/* Halfway between both triples, exactly: each angle is pi/2 from 0 and from pi. */
+static void of_two_triples_at_one_distance_the_first_is_nearest(void **state)
+{
+    (void)state;
+    for (int o = 0; o < 6; o++) {
+        float a[3] = {-0.0f, -0.0f, -0.0f};
+        a[axes[o][1] - 'x'] = 0.0f;
+        nkw_vec3 first = vec(a[0], a[1], a[2]), halfway = vec(0.5f * PI, 0.5f * PI, 0.5f * PI);
+        expect_vec3_bits(nkw_euler_alternate(first, orders[o]), vec(PI, PI, PI));
+        expect_vec3_bits(nkw_euler_nearest(first, halfway, orders[o]), first);
+    }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -302,6 +330,8 @@ int main(void)
         cmocka_unit_test(alternate_angles_are_the_same_rotation),
         cmocka_unit_test(filtered_angles_pass_through_the_pole),
         cmocka_unit_test(nearest_angles_are_no_farther_than_either_triple),
+        cmocka_unit_test(a_zero_is_turned_by_its_sign),
+        cmocka_unit_test(of_two_triples_at_one_distance_the_first_is_nearest),
     };
     return cmocka_run_group_tests_name("euler", tests, NULL, NULL);
 }

@@ -50,6 +50,18 @@ static nkw_vec3 end_of(const chain_case *c)
     return p;
 }
 
+/* The largest distance of a joint or the end from the line through the base. */
+static float widest_of(const chain_case *c, nkw_vec3 unit_line)
+{
+    float widest = 0;
+    chain_case part = *c;
+    for (part.chain.count = 1; part.chain.count <= c->chain.count; part.chain.count++) {
+        nkw_vec3 from_base = nkw_vec3_sub(end_of(&part), c->chain.position);
+        widest = nkw_max(widest, nkw_vec3_length(nkw_vec3_reject(from_base, unit_line)));
+    }
+    return widest;
+}
+
 static nkw_ik_chain_result solve(chain_case *c, const nkw_ik_goal *goal, int ccd)
 {
     return ccd ? nkw_ik_ccd_solve(&c->chain, goal, c->rotations)
@@ -145,21 +157,48 @@ static void a_chain_at_its_target_does_not_move(void **state)
 static void a_straight_chain_leaves_its_line(void **state)
 {
     (void)state;
-    for (int ccd = 0; ccd < 2; ccd++)
+    const nkw_vec3 lines[4] = {{0, 1, 0}, {1, 0, 0}, {0, 0, -1}, {0.6f, 0, 0.8f}};
+    for (int i = 0; i < 8; i++)
         for (int k = -1; k < 6; k++) {
             chain_case c;
             random_source r = random_from(14);
             draw_chain(&r, &c);
-            for (int i = 0; i < LINKS; i++) {
-                c.offsets[i] = vec(0, 0.5f, 0);
-                c.rotations[i] = identity;
+            for (int j = 0; j < LINKS; j++) {
+                c.offsets[j] = nkw_vec3_scale(lines[i / 2], 0.5f);
+                c.rotations[j] = identity;
             }
             c.chain.rotation = identity;
-            c.chain.position = none;
-            nkw_ik_goal goal = {vec(0, 0.45f * (float)k, 0), 1e-4f, 200};
-            nkw_ik_chain_result s = solve(&c, &goal, ccd);
+            c.chain.position = vec(2, -1, 3);
+            nkw_ik_goal goal = {nkw_vec3_add_scaled(c.chain.position, lines[i / 2], 0.45f * (float)k), 1e-4f, 200};
+            nkw_ik_chain_result s = solve(&c, &goal, i % 2);
             assert_true(s.error <= 1e-4f);
+            assert_true(widest_of(&c, lines[i / 2]) > 0.01f);
         }
+}
+
+/* 0, and what counts as 0: the chain is solved until its error no longer falls, to the rounding of rotations. */
+static void without_tolerance_a_chain_is_solved_to_rounding(void **state)
+{
+    (void)state;
+    const float zeros[4] = {0.0f, -1.0f, -INFINITY, NAN};
+    random_source r = random_from(22);
+    for (int i = 0; i < 200; i++) {
+        chain_case drawn, want;
+        draw_chain(&r, &drawn);
+        float reach = reach_of(&drawn) * random_between(&r, 0.4f, 0.6f);
+        nkw_ik_goal goal = {nkw_vec3_add_scaled(drawn.chain.position, random_direction(&r), reach), 0.0f, 1000};
+        for (int k = 0; k < 4; k++) {
+            chain_case c = drawn;
+            c.chain.offsets = c.offsets;
+            goal.tolerance = zeros[k];
+            nkw_ik_chain_result s = solve(&c, &goal, i % 2);
+            assert_true(s.error <= 2e-6f);
+            assert_true(s.iterations > 0);
+            if (k == 0)
+                want = c;
+            expect_floats_bits(&c.rotations[0].x, &want.rotations[0].x, 4 * LINKS);
+        }
+    }
 }
 
 static void short_chains_are_answered(void **state)
@@ -415,6 +454,7 @@ int main(void)
         cmocka_unit_test(joints_of_poses_aim),
         cmocka_unit_test(chains_of_poses_reach_their_targets),
         cmocka_unit_test(joints_that_do_not_fit_change_nothing),
+        cmocka_unit_test(without_tolerance_a_chain_is_solved_to_rounding),
     };
     return cmocka_run_group_tests_name("ik_chain", tests, NULL, NULL);
 }

@@ -284,6 +284,40 @@ static void chains_of_other_lengths_are_mapped_by_length(void **state)
     assert_int_equal(nkw_retarget_map_chain(&p.retarget, from, 1, bad, 1, p.joints), NKW_OUT_OF_RANGE);
 }
 
+/*
+ * Thirds of a chain are at thirds of an arc: of a spine of 3 joints that bend by 1.2 rad each, the joints of one of 4
+ * have the angles 1.2 (1 + 2 k/3). A linear blend differs from them by 4e-3 rad.
+ */
+static void joints_between_two_lie_on_the_arc(void **state)
+{
+    (void)state;
+    static const int32_t short_spine[3] = {-1, 0, 1}, long_spine[4] = {-1, 0, 1, 2};
+    const nkw_vec3 axis = nkw_vec3_normalize((nkw_vec3){1, -2, 2}), bone = {0.2f, 1, 0.1f};
+    pair p;
+    memset(&p, 0, sizeof p);
+    p.source.skeleton.parents = short_spine;
+    p.source.skeleton.joint_count = 3;
+    p.target.skeleton.parents = long_spine;
+    p.target.skeleton.joint_count = 4;
+    nkw_pose_identity(pose_span(p.source.rest, 3));
+    nkw_pose_identity(pose_span(p.source.pose, 3));
+    nkw_pose_identity(pose_span(p.target.rest, 4));
+    for (size_t j = 0; j < 4; j++) {
+        set_joint(p.target.rest, 4, j, bone, nkw_quat_identity());
+        if (j < 3)
+            set_joint(p.source.rest, 3, j, bone, nkw_quat_identity());
+        if (j < 3)
+            set_joint(p.source.pose, 3, j, bone, nkw_quat_from_axis_angle(axis, 1.2f));
+    }
+    pair_up(&p);
+    const int32_t from[3] = {0, 1, 2}, to[4] = {0, 1, 2, 3};
+    assert_int_equal(nkw_retarget_map_chain(&p.retarget, from, 3, to, 4, p.joints), NKW_OK);
+    apply(&p);
+    for (size_t j = 0; j < 4; j++)
+        expect_rotation_near(nkw_quat_from_mat4(&p.target.models[j]),
+                             nkw_quat_from_axis_angle(axis, (float)(1.2 * (1 + 2.0 * (double)j / 3))), 1e-6);
+}
+
 static void the_chain_scale_is_the_ratio_of_lengths(void **state)
 {
     (void)state;
@@ -383,6 +417,7 @@ int main(void)
         cmocka_unit_test(the_scale_is_the_ratio_of_heights),
         cmocka_unit_test(validate_names_the_first_offender),
         cmocka_unit_test(counts_that_do_not_fit_write_nothing),
+        cmocka_unit_test(joints_between_two_lie_on_the_arc),
     };
     return cmocka_run_group_tests_name("retarget", tests, NULL, NULL);
 }

@@ -288,6 +288,40 @@ static void strides_may_be_shorter_than_a_vector(void **state)
     free(bytes);
 }
 
+/* Of an odd number of joints, where all joints are even: 4 - j has no low bit for those beyond either. */
+static void even_joints_beyond_the_palette_count_as_weight_zero(void **state)
+{
+    (void)state;
+    enum { COUNT = 5 };
+    mesh m = draw(28, 4, 1), without = m;
+    static unsigned char bytes[VERTICES * 4];
+    static uint32_t wide[VERTICES * 4];
+    for (size_t i = 0; i < VERTICES * 4; i++) {
+        const uint16_t even = (uint16_t)(m.joints[i] & ~1u);
+        m.joints[i] = bytes[i] = (unsigned char)even;
+        wide[i] = even;
+        without.joints[i] = even < COUNT ? even : 0;
+        without.weights[i] = even < COUNT ? m.weights[i] : 0;
+    }
+    const nkw_skin_view joints[3] = {{bytes, 0, NKW_SKIN_U8}, {m.joints, 0, NKW_SKIN_U16}, {wide, 0, NKW_SKIN_U32}};
+    for (int dual = 0; dual < 2; dual++)
+        for (int f = 0; f < 3; f++) {
+            float got[VERTICES * FLOATS] = {0}, want[VERTICES * FLOATS] = {0};
+            const nkw_vertices_view in = streams(m.v, FLOATS);
+            const nkw_vertices_span to = spans(got, FLOATS), to_want = spans(want, FLOATS);
+            const nkw_skin_palette palette = palette_of(m.matrices, NULL, COUNT, 0);
+            const nkw_skin skin_want = skin_of(&without, 4), skin = {VERTICES, 4, joints[f], skin_of(&m, 4).weights};
+            if (dual) {
+                nkw_skin_dual_quat(&skin, duals_of(m.duals, COUNT), &in, &to);
+                nkw_skin_dual_quat(&skin_want, duals_of(m.duals, COUNT), &in, &to_want);
+            } else {
+                nkw_skin_linear(&skin, &palette, &in, &to);
+                nkw_skin_linear(&skin_want, &palette, &in, &to_want);
+            }
+            expect_floats_bits(got, want, VERTICES * FLOATS);
+        }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -299,6 +333,7 @@ int main(void)
         cmocka_unit_test(without_influences_their_arrays_may_be_null),
         cmocka_unit_test(a_vertex_is_the_same_alone_by_either_method),
         cmocka_unit_test(strides_may_be_shorter_than_a_vector),
+        cmocka_unit_test(even_joints_beyond_the_palette_count_as_weight_zero),
     };
     return cmocka_run_group_tests_name("skin_layouts", tests, NULL, NULL);
 }

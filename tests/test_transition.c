@@ -198,6 +198,39 @@ static void output_may_be_the_input_and_padding_has_no_effect(void **state)
         expect_trs_bits(joint(in_place, j), joint(s.out, j));
 }
 
+/* Floats at the end of an array of exactly the size of a pose, a state: 16 joints have no padding before them. */
+static void evaluating_writes_the_pose_and_the_state_alone(void **state)
+{
+    (void)state;
+    enum { GUARD = 16 };
+    const float word = -0x1.5a5a5ap119f;
+    static scene s;
+    static float out[FLOATS + GUARD], in_place[FLOATS], dead_data[NKW_POSE_DEAD_BLEND_FLOATS(JOINTS) + GUARD],
+        inertia_data[NKW_POSE_INERTIA_FLOATS(JOINTS) + GUARD];
+    draw(&s);
+    for (size_t joints = 1; joints <= JOINTS; joints++) {
+        float *ends[3] = {out + NKW_POSE_FLOATS(joints), dead_data + NKW_POSE_DEAD_BLEND_FLOATS(joints),
+                          inertia_data + NKW_POSE_INERTIA_FLOATS(joints)};
+        for (size_t k = 0; k < 3 * GUARD; k++)
+            ends[k / GUARD][k % GUARD] = word;
+        const nkw_pose_motion from = {pose_view(s.from, joints), {NULL, 0}}, to = {pose_view(s.to, joints), {NULL, 0}};
+        const nkw_pose_inertia inertia = {inertia_data, joints};
+        const nkw_pose_dead_blend dead = {dead_data, joints, 0.2f, 0.5f};
+        assert_int_equal(nkw_pose_inertia_begin(&from, &to, 0.5f, inertia), NKW_OK);
+        assert_int_equal(nkw_pose_dead_blend_begin(&from, dead), NKW_OK);
+        assert_int_equal(nkw_pose_inertia_evaluate(inertia, to.pose, 0.1f, pose_span(out, joints)), NKW_OK);
+        memcpy(in_place, s.to, sizeof in_place);
+        nkw_pose_inertia_evaluate(inertia, pose_view(in_place, joints), 0.1f, pose_span(in_place, joints));
+        for (size_t j = 0; j < joints; j++)
+            expect_trs_bits(nkw_pose_get(pose_view(in_place, joints), j), nkw_pose_get(pose_view(out, joints), j));
+        for (size_t k = 0; k < 3 * GUARD; k++)
+            expect_bits(ends[k / GUARD][k % GUARD], word);
+        assert_int_equal(nkw_pose_dead_blend_evaluate(dead, to.pose, 0.1f, pose_span(out, joints)), NKW_OK);
+        for (size_t k = 0; k < 3 * GUARD; k++)
+            expect_bits(ends[k / GUARD][k % GUARD], word);
+    }
+}
+
 static void counts_that_differ_are_refused(void **state)
 {
     (void)state;
@@ -233,6 +266,7 @@ int main(void)
         cmocka_unit_test(poses_move_without_a_jump),
         cmocka_unit_test(output_may_be_the_input_and_padding_has_no_effect),
         cmocka_unit_test(counts_that_differ_are_refused),
+        cmocka_unit_test(evaluating_writes_the_pose_and_the_state_alone),
     };
     return cmocka_run_group_tests_name("transition", tests, NULL, NULL);
 }

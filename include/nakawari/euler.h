@@ -102,8 +102,10 @@ NKW_API nkw_vec3 nkw_euler_from_mat3(const nkw_mat3 *m, nkw_euler_order order);
 NKW_API nkw_vec3 nkw_euler_unwrap(nkw_vec3 angles, nkw_vec3 reference);
 
 /**
- * The other three angles of the same rotation, for the order i j k: i and k turned by half a turn towards 0, and pi - j
- * for j >= 0, -pi - j otherwise.
+ * The other three angles of the same rotation, for the order i j k, by the sign of each angle (-0 is negative):
+ *
+ *     of positive angles   i - pi,   pi - j,    k - pi
+ *     of negative angles   i + pi,   -pi - j,   k + pi
  *
  * Error  0.501 ULP of each angle, for angles up to 2^20 rad.
  */
