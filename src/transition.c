@@ -30,7 +30,7 @@ static nkw_vec3 vec3_at(nkw_vec3_view v, size_t i)
     return r;
 }
 
-static void put_vec3(nkw_vec3_span v, size_t i, nkw_vec3 a)
+static void write_vec3(nkw_vec3_span v, size_t i, nkw_vec3 a)
 {
     v.x[i] = a.x;
     v.y[i] = a.y;
@@ -60,9 +60,9 @@ nkw_result nkw_pose_velocity_from_poses(nkw_pose_view before, nkw_pose_view now,
         memset(out.data, 0, NKW_POSE_VELOCITY_FLOATS(joints) * sizeof *out.data);
     for (size_t j = 0; j < joints && some; j++) {
         nkw_trs a = nkw_pose_get(before, j), b = nkw_pose_get(now, j);
-        put_vec3(rows_span(out.data, TRANSLATION, stride), j, rate_of(a.translation, b.translation, rate));
-        put_vec3(rows_span(out.data, ROTATION, stride), j, nkw_quat_angular_velocity(a.rotation, b.rotation, duration));
-        put_vec3(rows_span(out.data, SCALE, stride), j, rate_of(a.scale, b.scale, rate));
+        write_vec3(rows_span(out.data, TRANSLATION, stride), j, rate_of(a.translation, b.translation, rate));
+        write_vec3(rows_span(out.data, ROTATION, stride), j, nkw_quat_angular_velocity(a.rotation, b.rotation, duration));
+        write_vec3(rows_span(out.data, SCALE, stride), j, rate_of(a.scale, b.scale, rate));
     }
     return NKW_OK;
 }
@@ -87,9 +87,9 @@ enum { DURATIONS = 27 };
 static void put_offset(nkw_pose_inertia inertia, size_t vector, size_t j, lane_inertia_c c)
 {
     size_t stride = NKW_POSE_STRIDE(inertia.joint_count), row = 3 * vector;
-    put_vec3(rows_span(inertia.data, row, stride), j, c.c0);
-    put_vec3(rows_span(inertia.data, row + 3, stride), j, c.c1);
-    put_vec3(rows_span(inertia.data, row + 6, stride), j, c.c2);
+    write_vec3(rows_span(inertia.data, row, stride), j, c.c0);
+    write_vec3(rows_span(inertia.data, row + 3, stride), j, c.c1);
+    write_vec3(rows_span(inertia.data, row + 6, stride), j, c.c2);
     inertia.data[(DURATIONS + vector / 3) * stride + j] = c.duration;
 }
 

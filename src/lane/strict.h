@@ -26,6 +26,21 @@
 #pragma GCC optimize("fp-contract=off")
 #endif
 
+/*
+ * GCC 11 and 12 compile (double)(float)x of two doubles side by side to nothing, where the SLP vectoriser joins them.
+ * With any pragma `optimize` and -flto, they take functions that read memory for such as do not (ipa-modref).
+ * algebra.c has no double, and disables pairs by itself where they cost time.
+ */
+#if defined(__GNUC__) && !defined(__clang__) && __GNUC__ >= 11 && (__GNUC__ <= 12 || !defined(__STRICT_ANSI__))
+#pragma GCC optimize("no-ipa-modref")
+#define LANE_NO_PAIRS _Pragma("GCC optimize(\"no-tree-slp-vectorize\")")
+#else
+#define LANE_NO_PAIRS
+#endif
+#ifndef NKW_DEFINE_ALGEBRA
+LANE_NO_PAIRS
+#endif
+
 /* So the headers may inline their small algebra here. */
 #ifndef NKW_CONTRACTION_OFF
 #define NKW_CONTRACTION_OFF

@@ -14,6 +14,12 @@
 
 #include <nakawari/inline/f32x4.h>
 
+#if NKW_F32X4 && defined(__SSE2__)
+#include <emmintrin.h>
+#elif NKW_F32X4 && defined(__aarch64__)
+#include <arm_neon.h>
+#endif
+
 #if NKW_F32X4
 typedef nkw_f32x4 f32x4;
 typedef nkw_i32x4 i32x4;
@@ -89,8 +95,14 @@ static inline f32x4 f32x4_sum(f32x4 a)
 
 static inline f32x4 f32x4_sqrt(f32x4 a)
 {
+#if defined(__SSE2__)
+    return (f32x4)_mm_sqrt_ps((__m128)a);
+#elif defined(__aarch64__)
+    return (f32x4)vsqrtq_f32((float32x4_t)a);
+#else
     f32x4 r = {sqrtf(a[0]), sqrtf(a[1]), sqrtf(a[2]), sqrtf(a[3])};
     return r;
+#endif
 }
 
 /* Rows become columns. */

@@ -1,6 +1,6 @@
 cmake_minimum_required(VERSION 3.22)
-# Compiles the library's sources by CC with STD and FLAGS. Then, for each of DRIVERS, compiles golden.c by it with FLAGS,
-# links, runs, and compares the hashes with TABLE. A driver that is not CC compiles golden.c as C++.
+# Compiles the library's sources (with ONE, joined in one file) by CC with STD and FLAGS. Then, for each of DRIVERS,
+# compiles golden.c by it with FLAGS, links, runs, and compares the hashes with TABLE. A driver that is not CC compiles golden.c as C++.
 # The inputs must not depend on the flags: those files are compiled without contraction. LINK and EMULATOR: another system's.
 file(MAKE_DIRECTORY "${WORK}")
 separate_arguments(flags UNIX_COMMAND "${FLAGS}")
@@ -8,6 +8,11 @@ separate_arguments(link UNIX_COMMAND "${LINK}")
 file(GLOB sources RELATIVE "${SOURCE}" "${SOURCE}/src/*.c" "${SOURCE}/src/batch/*.c" "${SOURCE}/src/simd/*.c")
 file(GLOB inputs RELATIVE "${SOURCE}" "${SOURCE}/tests/support/data_*.c" "${SOURCE}/tests/support/random*.c"
   "${SOURCE}/docs/examples/joint_local.c" "${SOURCE}/docs/examples/matrix_stack.c")
+if(ONE)
+  set(one "${WORK}/one.c")
+  include("${CMAKE_CURRENT_LIST_DIR}/one.cmake")
+  set(sources "${one}")
+endif()
 set(objects "")
 foreach(source IN LISTS sources inputs)
   string(REPLACE "/" "_" name "${source}")
@@ -17,8 +22,8 @@ foreach(source IN LISTS sources inputs)
   if(source IN_LIST inputs)
     set(steady -ffp-contract=off)
   endif()
-  execute_process(COMMAND "${CC}" "-std=${STD}" ${flags} ${steady} -DNKW_BUILD "-I${SOURCE}/include" "-I${SOURCE}/src" -c "${SOURCE}/${source}" -o "${object}"
-    COMMAND_ERROR_IS_FATAL ANY)
+  execute_process(COMMAND "${CC}" "-std=${STD}" ${flags} ${steady} -DNKW_BUILD "-I${SOURCE}/include" "-I${SOURCE}/src" -c "${source}" -o "${object}"
+    WORKING_DIRECTORY "${SOURCE}" COMMAND_ERROR_IS_FATAL ANY)
 endforeach()
 string(REPLACE "," ";" drivers "${DRIVERS}")
 foreach(driver IN LISTS drivers)
