@@ -29,12 +29,18 @@ static void local_model(const nkw_trs *t, double *out)
 {
     double x = (double)t->rotation.x, y = (double)t->rotation.y, z = (double)t->rotation.z, w = (double)t->rotation.w;
     const double scale[3] = {(double)t->scale.x, (double)t->scale.y, (double)t->scale.z};
-    const double columns[12] = {(w * w - y * y) + (x * x - z * z), 2.0 * (x * y + w * z),
-                                2.0 * (x * z - w * y),             2.0 * (x * y - w * z),
-                                (w * w - z * z) + (y * y - x * x), 2.0 * (y * z + w * x),
-                                2.0 * (x * z + w * y),             2.0 * (y * z - w * x),
-                                (w * w - x * x) + (z * z - y * y), (double)t->translation.x,
-                                (double)t->translation.y,          (double)t->translation.z};
+    const double columns[12] = {(w * w - y * y) + (x * x - z * z),
+                                2.0 * (x * y + w * z),
+                                2.0 * (x * z - w * y),
+                                2.0 * (x * y - w * z),
+                                (w * w - z * z) + (y * y - x * x),
+                                2.0 * (y * z + w * x),
+                                2.0 * (x * z + w * y),
+                                2.0 * (y * z - w * x),
+                                (w * w - x * x) + (z * z - y * y),
+                                (double)t->translation.x,
+                                (double)t->translation.y,
+                                (double)t->translation.z};
     for (size_t i = 0; i < 12; i++)
         out[i] = i < 9 ? columns[i] * scale[i / 3] : columns[i];
 }

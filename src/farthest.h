@@ -43,8 +43,7 @@ static inline double farthest_eigenvalue(const farthest_matrix *m)
     const double t = (m->xx + m->yy) + m->zz;
     const double yz = m->yy * m->zz - m->yz * m->yz;
     const double c1 = ((m->xx * m->yy - m->xy * m->xy) + yz) + (m->zz * m->xx - m->zx * m->zx);
-    const double c0 =
-        (m->xx * yz - m->xy * (m->xy * m->zz - m->yz * m->zx)) + m->zx * (m->xy * m->yz - m->yy * m->zx);
+    const double c0 = (m->xx * yz - m->xy * (m->xy * m->zz - m->yz * m->zx)) + m->zx * (m->xy * m->yz - m->yy * m->zx);
     double l = t;
     for (int i = 0; i < FARTHEST_STEPS; i++) {
         double p = ((l - t) * l + c1) * l - c0, p1 = (3.0 * l - 2.0 * t) * l + c1, p2 = 6.0 * l - 2.0 * t;

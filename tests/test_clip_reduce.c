@@ -273,12 +273,15 @@ static void draw_chain(random_source *r, size_t joints, size_t keys, nkw_vec3 sc
     for (size_t k = 0; k < keys; k++)
         out->times[k] = (float)k / 30.0f;
     for (size_t i = 0; i < 3 * joints; i++) {
-        const nkw_clip_track c = {targets[i % 3], (uint32_t)(i / 3), {out->times, out->values[i], keys, i % 3 ? 3 : 4,
-                                  i % 3 ? NKW_TRACK_FLOATS : NKW_TRACK_ROTATION, NKW_INTERPOLATION_LINEAR, NULL}};
+        const nkw_clip_track c = {targets[i % 3],
+                                  (uint32_t)(i / 3),
+                                  {out->times, out->values[i], keys, i % 3 ? 3 : 4,
+                                   i % 3 ? NKW_TRACK_FLOATS : NKW_TRACK_ROTATION, NKW_INTERPOLATION_LINEAR, NULL}};
         out->tracks[i] = c;
         for (size_t k = 0; k < keys; k++) {
             float *v = out->values[i] + c.track.width * k, length = k % 3 == 1 ? 1.0f + off : 1.0f;
-            nkw_vec3 w = {random_between(r, -0.3f, 0.3f), random_between(r, -0.3f, 0.3f), random_between(r, -0.3f, 0.3f)};
+            nkw_vec3 w = {random_between(r, -0.3f, 0.3f), random_between(r, -0.3f, 0.3f),
+                          random_between(r, -0.3f, 0.3f)};
             nkw_quat q = nkw_quat_scale(nkw_quat_exp(w), length);
             if (i % 3 == 0)
                 memcpy(v, &q, sizeof q);

@@ -60,8 +60,9 @@ static void fill(file *f)
     f->times[1] = 2.0f;
     f->turns[3] = f->turns[6] = 1.0f; /* half a turn about z */
     f->morphs[2] = 8.0f;
-    const cgltf_accessor input = {2, f->times, 2}, turn = {2, f->turns, 8}, morph = {4, f->morphs, 4};
-    const cgltf_accessor inverse_bind = {1, f->bind, 16};
+    const cgltf_component_type type = cgltf_component_type_r_32f;
+    const cgltf_accessor input = {2, f->times, 2, type}, turn = {2, f->turns, 8, type}, morph = {4, f->morphs, 4, type};
+    const cgltf_accessor inverse_bind = {1, f->bind, 16, type};
     f->input = input;
     f->turn = turn;
     f->morph = morph;
@@ -116,6 +117,25 @@ static void one_call_loads_a_character(void **state)
     give();
 }
 
+/* Integers are rounded unit quaternions: 90/127 twice has the length 1.0022. */
+static void rotations_of_integers_are_normalised(void **state)
+{
+    (void)state;
+    file f;
+    gltf_character c;
+    size_t bad = 9;
+    float pose[NKW_POSE_FLOATS(3)];
+    fill(&f);
+    f.turns[6] = f.turns[7] = 90.0f / 127.0f;
+    f.turn.component_type = cgltf_component_type_r_8;
+    assert_int_equal(gltf_load(&f.data, take, &c, &bad), NKW_OK);
+    nkw_clip_sample(c.clips[0], 2.0f, NULL, pose_span(pose, 3), NULL);
+    nkw_quat got = nkw_pose_get(pose_view(pose, 3), (size_t)c.joint_of_node[0]).rotation;
+    expect_near(got.z, sqrt(0.5), 1e-7);
+    expect_near(got.w, sqrt(0.5), 1e-7);
+    give();
+}
+
 static void errors_end_the_call(void **state)
 {
     (void)state;
@@ -141,6 +161,7 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(one_call_loads_a_character),
+        cmocka_unit_test(rotations_of_integers_are_normalised),
         cmocka_unit_test(errors_end_the_call),
     };
     return cmocka_run_group_tests_name("gltf_cgltf", tests, NULL, NULL);

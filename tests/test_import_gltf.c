@@ -1,6 +1,10 @@
 /* SPDX-License-Identifier: MIT */
 /* What the reader makes of valid glTF files, feature by feature. */
+#include <math.h>
+
 #include <nakawari/mat.h>
+#include <nakawari/scalar.h>
+#include <nakawari/skeleton.h>
 #include <nakawari/transform.h>
 #include <nakawari/vec.h>
 
@@ -98,6 +102,88 @@ static void integers_are_normalised(void **state)
         expect_floats_bits(d->animations[0].tracks[i].track.values, want[i], 3);
     assert_ptr_equal(d->animations[0].tracks[0].track.times, d->animations[0].tracks[3].track.times);
     nkw_document_close(d);
+}
+
+/* The slerp of unit quaternions along the shorter arc, and its angle from `got`, which need not be unit. */
+static double angle_from_slerp(const double a[4], const double b[4], double t, nkw_quat got)
+{
+    const double q[4] = {(double)got.x, (double)got.y, (double)got.z, (double)got.w};
+    double c = 0.0, dot = 0.0, length = 0.0, want[4], off = 0.0;
+    for (int i = 0; i < 4; i++)
+        c += a[i] * b[i];
+    const double sign = c < 0.0 ? -1.0 : 1.0, angle = acos(fabs(c));
+    for (int i = 0; i < 4; i++) {
+        want[i] = (a[i] * sin((1.0 - t) * angle) + sign * b[i] * sin(t * angle)) / sin(angle);
+        dot += q[i] * want[i];
+        length += q[i] * q[i];
+    }
+    for (int i = 0; i < 4; i++) {
+        double d = q[i] / sqrt(length) - (dot < 0.0 ? -want[i] : want[i]);
+        off += d * d;
+    }
+    return 4.0 * asin(0.5 * sqrt(off));
+}
+
+static nkw_quat rotation_of(const nkw_document *d, float time, nkw_mat4 *model)
+{
+    float pose[NKW_POSE_FLOATS(1)];
+    nkw_import_error error;
+    nkw_clip *clip;
+    assert_int_equal(nkw_document_clip(d, 0, NKW_CLIP_FLOAT32, &clip, &error), NKW_IMPORT_OK);
+    nkw_clip_sample(clip, time, NULL, pose_span(pose, 1), NULL);
+    nkw_models_from_pose(&d->skeleton, pose_view(pose, 1), NULL, NULL, model);
+    nkw_import_free(clip);
+    return nkw_pose_get(pose_view(pose, 1), 0).rotation;
+}
+
+/*
+ * Rotations of integers are rounded unit quaternions: lengths of these keys are off by up to 5e-3 in 8 bits. Between
+ * keys the reference slerps what each key means, in binary64; the matrices are orthonormal.
+ */
+static void rotations_of_integers_are_unit(void **state)
+{
+    (void)state;
+    const int keys[3][4] = {{0, 0, 0, 127}, {-90, 0, 0, 90}, {37, -73, 72, -64}};
+    struct {
+        float times[3];
+        signed char bytes[12];
+        int16_t shorts[12];
+    } data = {{0, 1, 2}, {0}, {0}};
+    double units[3][4];
+    for (int k = 0; k < 3; k++) {
+        double squares = 0.0;
+        for (int i = 0; i < 4; i++)
+            squares += (double)(keys[k][i] * keys[k][i]);
+        for (int i = 0; i < 4; i++) {
+            units[k][i] = keys[k][i] / sqrt(squares);
+            data.bytes[4 * k + i] = (signed char)keys[k][i];
+            data.shorts[4 * k + i] = (int16_t)lround(32767.0 * units[k][i]);
+        }
+    }
+    static const char *const outputs[2] = {"'byteOffset':12,'componentType':5120",
+                                           "'byteOffset':24,'componentType':5122"};
+    for (int kind = 0; kind < 2; kind++) {
+        char text[1000];
+        snprintf(text, sizeof text,
+                 "{" ASSET BUFFER(
+                     48) "'bufferViews':[{'buffer':0,'byteLength':48}],'nodes':[{}],'accessors':["
+                         "{'bufferView':0,'componentType':5126,'count':3,'type':'SCALAR'},"
+                         "{'bufferView':0,%s,'normalized':true,'count':3,'type':'VEC4'}],'animations':[{'samplers':["
+                         "{'input':0,'output':1}],'channels':[{'sampler':0,'target':{'node':0,'path':'rotation'}}]}]}",
+                 outputs[kind]);
+        nkw_document *d = opened(text, &data, sizeof data);
+        for (int i = 0; i < 16; i++) {
+            const int k = i / 8;
+            nkw_mat4 model;
+            nkw_quat got = rotation_of(d, (float)i / 8.0f, &model);
+            assert_true(angle_from_slerp(units[k], units[k + 1], (double)i / 8.0 - k, got) < (kind ? 1e-4 : 1e-6));
+            for (int c = 0; c < 3; c++) {
+                const float *m = model.m + 4 * c;
+                expect_near(nkw_sqrt(m[0] * m[0] + m[1] * m[1] + m[2] * m[2]), 1.0, 5e-7);
+            }
+        }
+        nkw_document_close(d);
+    }
 }
 
 /* A triangle with stride, one sparse position, and modes. */
@@ -408,6 +494,7 @@ int main(void)
         cmocka_unit_test(nodes_are_joints_in_order),
         cmocka_unit_test(matrices_keep_their_shear),
         cmocka_unit_test(integers_are_normalised),
+        cmocka_unit_test(rotations_of_integers_are_unit),
         cmocka_unit_test(accessors_have_strides_and_sparse_elements),
         cmocka_unit_test(influences_are_joined_and_pruned),
         cmocka_unit_test(morph_targets_have_weights),

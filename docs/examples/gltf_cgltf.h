@@ -77,6 +77,8 @@ static inline nkw_result gltf_load_clip(const cgltf_data *data, size_t animation
         to->track.count = from->sampler->input->count;
         to->track.width = is_floats ? gltf_weights(from->target_node) : is_rotation ? 4 : 3;
         to->track.kind = is_rotation ? NKW_TRACK_ROTATION : NKW_TRACK_FLOATS;
+        if (is_rotation && from->sampler->output->component_type != cgltf_component_type_r_32f)
+            to->track.kind = NKW_TRACK_ROTATION_NORMALIZED; /* integers are rounded unit quaternions */
         to++->track.interpolation = (nkw_interpolation)from->sampler->interpolation;
     }
     size_t bytes, n = (size_t)(to - tracks), joints = c->rest.joint_count;

@@ -95,12 +95,8 @@ static double length_bound(const nkw_document_animation *a, size_t index)
     return component_bytes(a, index) < 1.5 ? 1.0 / 127.0 : 1e-3;
 }
 
-/* The length of a unit quaternion: as computed in float, or its components rounded to 16 bits. */
-static double rounding_bound(const nkw_document_animation *a, size_t index)
-{
-    const double bytes = component_bytes(a, index);
-    return bytes > 1.5 && bytes < 2.5 ? 1.0 / 32767.0 : 1e-5;
-}
+/* Differences of lengths from 1 by the rounding of floats. */
+#define ROUNDED_UNIT 1e-5
 
 static void check_units(check *c, size_t animation, size_t index)
 {
@@ -125,7 +121,7 @@ static void check_units(check *c, size_t animation, size_t index)
             at = (long)k;
         }
     }
-    if (worst <= rounding_bound(a, index))
+    if (worst <= ROUNDED_UNIT || track->kind == NKW_TRACK_ROTATION_NORMALIZED)
         return;
     finding f = check_finding(c, animation, index, at, SEVERITY_NOTE, "rounded-unit");
     f.amount = worst;

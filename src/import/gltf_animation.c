@@ -46,6 +46,8 @@ static int read_sampler(nkwi_gltf *g, const nkwi_value *sampler, nkw_clip_track 
     if (values / each != track->count || values % each != 0)
         return nkwi_fail(g->error, &output.place, NKW_IMPORT_INVALID, "%zu values for %zu keys of %zu", values,
                          track->count, each);
+    if (out->target == NKW_CLIP_ROTATION && g->accessors[output_index].component != NKWI_F32)
+        track->kind = NKW_TRACK_ROTATION_NORMALIZED; /* rounded unit quaternions */
     channel->input = (size_t)input_index;
     channel->output = (size_t)output_index;
     channel->bytes = nkwi_gltf_bytes(g, channel->input) + nkwi_gltf_bytes(g, channel->output);

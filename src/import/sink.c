@@ -2,6 +2,8 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include <nakawari/quat.h>
+
 #include "file.h"
 #include "sink.h"
 
@@ -381,6 +383,18 @@ static int encode(const float *values, size_t count, nkwi_component component, u
     return 1;
 }
 
+/* Keys that the track normalises before use: of floats, every reader finds them normalised. */
+static void normalize(const nkw_track *t, const keys *k)
+{
+    const size_t size = t->width * (is_cubic(t) ? 3 : 1), value = is_cubic(t) ? t->width : 0;
+    for (size_t i = 0; i < k->count; i++) {
+        nkw_quat q;
+        memcpy(&q, k->values + size * i + value, sizeof q);
+        q = nkw_quat_normalize(q);
+        memcpy(k->values + size * i + value, &q, sizeof q);
+    }
+}
+
 static size_t values_accessor(nkwi_sink *s, const nkw_track *t, const keys *k, size_t width, nkwi_component component)
 {
     const size_t count = k->count * t->width * (is_cubic(t) ? 3 : 1);
@@ -390,6 +404,8 @@ static size_t values_accessor(nkwi_sink *s, const nkw_track *t, const keys *k, s
         numbers.component = component;
         numbers.normalized = 1;
         numbers.data = codes;
+    } else if (t->kind == NKW_TRACK_ROTATION_NORMALIZED) {
+        normalize(t, k);
     }
     return add_keys(s, &numbers);
 }

@@ -5,10 +5,21 @@
 
 #include <stddef.h>
 
+typedef enum cgltf_component_type {
+    cgltf_component_type_invalid,
+    cgltf_component_type_r_8,
+    cgltf_component_type_r_8u,
+    cgltf_component_type_r_16,
+    cgltf_component_type_r_16u,
+    cgltf_component_type_r_32u,
+    cgltf_component_type_r_32f
+} cgltf_component_type;
+
 typedef struct cgltf_accessor {
     size_t count;
     const float *floats; /* not of cgltf */
     size_t float_count;
+    cgltf_component_type component_type;
 } cgltf_accessor;
 
 typedef struct cgltf_primitive {
