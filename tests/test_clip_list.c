@@ -212,7 +212,7 @@ static uint32_t swapped(uint32_t w)
     return w >> 24 | (w >> 8 & 0xff00u) | (w << 8 & 0xff0000u) | w << 24;
 }
 
-/* Conversions of whole clips are in golden/byte_order. */
+/* Conversions of whole clips are in test_clip_convert.c. */
 static void a_block_of_this_byte_order_is_copied_whatever_its_alignment(void **state)
 {
     (void)state;
