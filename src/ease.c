@@ -41,10 +41,10 @@ static handle_point expo_in(double x)
     return r;
 }
 
-/* 1 - sqrt(1 - x^2) without a difference. */
-static handle_point circ_in(double x)
+/* 1 - sqrt(1 - x^2) without a difference, y = 1 - x. */
+static handle_point circ_in(double x, double y)
 {
-    double root = lane_sqrt64((1.0 - x) * (1.0 + x));
+    double root = lane_sqrt64(y * (1.0 + x));
     handle_point r = {(x * x) / (1.0 + root), x / root, 1.0 / ((root * root) * root)};
     return r;
 }
@@ -80,8 +80,8 @@ static handle_point bounce_in(double x)
 
 typedef enum family { SINE, QUAD, CUBIC, QUART, QUINT, EXPO, CIRC, BACK, ELASTIC, BOUNCE } family;
 
-/* The `in` function of a family; `both` selects the constants of in-out. */
-static handle_point ease_in(family f, double x, int both)
+/* The `in` function of a family at x, y = 1 - x; `both` selects the constants of in-out. */
+static handle_point ease_in(family f, double x, double y, int both)
 {
     switch (f) {
     case SINE:
@@ -89,7 +89,7 @@ static handle_point ease_in(family f, double x, int both)
     case EXPO:
         return expo_in(x);
     case CIRC:
-        return circ_in(x);
+        return circ_in(x, y);
     case BACK:
         return back_in(x, both ? 1.70158 * 1.525 : 1.70158);
     case ELASTIC:
@@ -120,10 +120,11 @@ static handle_point penner(int index, double t)
 {
     family f = (family)(index / 3);
     if (index % 3 == 0)
-        return ease_in(f, t, 0);
+        return ease_in(f, t, 1.0 - t, 0);
     if (index % 3 == 1)
-        return mirrored(ease_in(f, 1.0 - t, 0));
-    return t < 0.5 ? halved(ease_in(f, 2.0 * t, 1)) : mirrored(halved(ease_in(f, 2.0 - 2.0 * t, 1)));
+        return mirrored(ease_in(f, 1.0 - t, t, 0));
+    return t < 0.5 ? halved(ease_in(f, 2.0 * t, 1.0 - 2.0 * t, 1))
+                   : mirrored(halved(ease_in(f, 2.0 - 2.0 * t, 2.0 * t - 1.0, 1)));
 }
 
 static handle_point penner_point(int index, double t)

@@ -54,21 +54,6 @@ nkw_play_head nkw_playback_head(nkw_playback mode, float start, float duration, 
 
 /* ---- Ranges in binary64 ---- */
 
-/* a b = p + e, by Veltkamp's and Dekker's products, for products far from the limits. */
-static double product_error(double a, double b, double p)
-{
-    double ca = 0x1.0000002p27 * a, cb = 0x1.0000002p27 * b;
-    double ah = ca - (ca - a), bh = cb - (cb - b), al = a - ah, bl = b - bh;
-    return ((ah * bh - p) + (ah * bl + al * bh)) + al * bl;
-}
-
-/* The same remainder for a period of 53 bits and |cycle| < 2^51. */
-static double remainder_of_f64(double x, double period, double *cycle)
-{
-    double n = lane_floor64(x / period), p = n * period;
-    return playback_corrected(n, (x - p) - product_error(n, period, p), period, cycle);
-}
-
 /* A count as a number of cycles: infinite without a limit. */
 static double limit_of(double count)
 {
@@ -100,7 +85,7 @@ static nkw_play_head_f64 repeated(const nkw_playback_range *range, nkw_playback 
         return head_in(range, mode, 0.0, -limit);
     if (!(quotient > -0x1p51 && quotient < 0x1p51 && period <= 0x1p900))
         return head;
-    double rest = remainder_of_f64(x, period, &cycle);
+    double rest = playback_remainder(x, period, &cycle);
     head = head_in(range, mode, rest, cycle);
     double end = range->start + range->duration;
     /* Where the sum rounds up to the end of a loop, it is the start of the next cycle. */

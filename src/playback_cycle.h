@@ -19,11 +19,19 @@ static inline double playback_corrected(double n, double r, double period, doubl
     return r > 0.0 && r < period ? r : 0.0;
 }
 
-/* x = cycle period + r, returns r, 0 <= r < period. Exact if cycle has at most 29 bits. */
+/* a b = p + e, by Veltkamp's and Dekker's products, for products far from the limits. */
+static inline double playback_product_error(double a, double b, double p)
+{
+    double ca = 0x1.0000002p27 * a, cb = 0x1.0000002p27 * b;
+    double ah = ca - (ca - a), bh = cb - (cb - b), al = a - ah, bl = b - bh;
+    return ((ah * bh - p) + (ah * bl + al * bh)) + al * bl;
+}
+
+/* x = cycle period + r, returns r, 0 <= r < period, with one rounding for |cycle| < 2^51. */
 static inline double playback_remainder(double x, double period, double *cycle)
 {
-    double n = lane_floor64(x / period);
-    return playback_corrected(n, x - n * period, period, cycle);
+    double n = lane_floor64(x / period), p = n * period;
+    return playback_corrected(n, (x - p) - playback_product_error(n, period, p), period, cycle);
 }
 
 #endif

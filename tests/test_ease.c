@@ -159,6 +159,9 @@ static void only_circ_is_vertical(void **state)
     expect_bits(nkw_ease_point(NKW_EASE_CIRC_IN, 1.0f).first, INFINITY);
     expect_bits(nkw_ease_point(NKW_EASE_CIRC_OUT, 0.0f).first, INFINITY);
     expect_bits(nkw_ease_point(NKW_EASE_CIRC_OUT, 0.0f).second, -INFINITY);
+    /* Next to the vertical: 1/sqrt(2 t), of t as it is, not of 1 - (1 - t). */
+    expect_near(nkw_ease_point(NKW_EASE_CIRC_OUT, 0x1p-55f).first, 0x1p27, 16);
+    expect_near(nkw_ease_point(NKW_EASE_CIRC_OUT, 0x1p-81f).first, 0x1p40, 0x1p17);
     for (int kind = 0; kind < NKW_EASE_COUNT; kind++)
         for (int k = 0; k <= 32; k++) {
             nkw_curve_point p = nkw_ease_point((nkw_ease_kind)kind, (float)k / 32.0f);

@@ -247,6 +247,23 @@ static void hold_and_linear_continue_each_end_by_itself(void **state)
     expect_bits(value(&c, -10), 1);
 }
 
+/* Whole seconds: the time in the cycle by integers. */
+static void far_cycles_are_exact(void **state)
+{
+    (void)state;
+    random_source r = random_from(7);
+    for (int i = 0; i < 20000; i++) {
+        uint64_t period = 1 + random_bits(&r) % 0xFFFFF, cycles = random_bits(&r) >> (24 + random_bits(&r) % 16);
+        nkw_fcurve_key keys[2];
+        memset(keys, 0, sizeof keys);
+        keys[0].kind = NKW_FCURVE_LINEAR;
+        keys[1].time = keys[1].value = (float)period;
+        nkw_fcurve c = curve_of(keys, 2, NKW_FCURVE_OUTSIDE_CYCLE);
+        float time = (float)(cycles % (UINT64_C(1) << 40) * period);
+        expect_near(value(&c, time), (double)((uint64_t)time % period), 1e-7 * (double)period);
+    }
+}
+
 /* As in Maya and Blender: the handles before the first and after the last key. */
 static void linear_follows_the_outer_handles(void **state)
 {
@@ -455,6 +472,7 @@ int main(void)
         cmocka_unit_test(long_handles_survive_an_insertion),
         cmocka_unit_test(keys_are_inserted_only_between_keys),
         cmocka_unit_test(hold_and_linear_continue_each_end_by_itself),
+        cmocka_unit_test(far_cycles_are_exact),
         cmocka_unit_test(linear_follows_the_outer_handles),
         cmocka_unit_test(a_vertical_end_is_held),
         cmocka_unit_test(cycles_repeat_offset_and_oscillate),

@@ -221,16 +221,33 @@ static void a_moment_before_the_start_is_the_start(void **state)
     expect_head(nkw_playback_head(NKW_PLAYBACK_LOOP, 0, 3, -1e-30f), 0, 0, __LINE__);
 }
 
-/* Where cycle times duration is rounded to more than the time, the rest is that of the pass before. */
+/*
+ * Where the quotient is rounded up to a whole number, the rest is that of the pass before; exact, by rational numbers:
+ * time = 0x1.2c34d9a128p+39 durations + 0.702317476272583.
+ */
 static void a_rest_below_nothing_belongs_to_the_pass_before(void **state)
 {
     (void)state;
-    const float duration = 0x1.679bbep-1f, time = 0x1.a5b4cp+38f; /* 0x1.2c34d9a12ap+39 durations less 2^-14 */
-    const float before = (float)((double)duration - 0x1p-14);
-    expect_head(nkw_playback_head(NKW_PLAYBACK_LOOP, 0, duration, time), before, (float)(0x1.2c34d9a12ap+39 - 1),
+    const float duration = 0x1.679bbep-1f, time = 0x1.a5b4cp+38f, before = 0.702317476272583f;
+    expect_head(nkw_playback_head(NKW_PLAYBACK_LOOP, 0, duration, time), before, (float)0x1.2c34d9a128p+39,
                 __LINE__);
-    expect_head(nkw_playback_head(NKW_PLAYBACK_PING_PONG, 0, duration, time), before, (float)(0x1.2c34d9a12ap+39 - 1),
+    expect_head(nkw_playback_head(NKW_PLAYBACK_PING_PONG, 0, duration, time), before, (float)0x1.2c34d9a128p+39,
                 __LINE__);
+}
+
+/* Whole seconds: the remainder by integers. */
+static void the_head_is_exact_in_far_cycles(void **state)
+{
+    (void)state;
+    random_source r = random_from(61);
+    for (int i = 0; i < 100000; i++) {
+        uint64_t period = 1 + random_bits(&r) % 0xFFFFFF, cycles = random_bits(&r) >> (24 + random_bits(&r) % 16);
+        float duration = (float)period, time = (float)(cycles % (UINT64_C(1) << 38) * period);
+        uint64_t whole = (uint64_t)time;
+        nkw_play_head got = nkw_playback_head(NKW_PLAYBACK_LOOP, 0, duration, time);
+        expect_bits(got.time, (float)(whole % period));
+        expect_bits(got.cycle, (float)(whole / period));
+    }
 }
 
 static void any_time_at_all_stays_within_the_pass(void **state)
@@ -481,6 +498,7 @@ int main(void)
         cmocka_unit_test(passes_that_cannot_be_counted_pass_none),
         cmocka_unit_test(a_moment_before_the_start_is_the_start),
         cmocka_unit_test(a_rest_below_nothing_belongs_to_the_pass_before),
+        cmocka_unit_test(the_head_is_exact_in_far_cycles),
         cmocka_unit_test(any_time_at_all_stays_within_the_pass),
         cmocka_unit_test(ping_pong_follows_its_triangle_however_far),
         cmocka_unit_test(steps_backwards_pass_each_key_once_in_reverse),

@@ -95,7 +95,7 @@ typedef struct nkw_pose_layer {
  * The time grows linearly with the number of layers; the sort is quadratic and is noticeable from about 20 layers.
  *
  * Error  9.5 u of rotations, for up to eight layers (5.0 u for up to four); 7.8 u of the largest of the translations or
- *        scales (5.8 u where the rest pose takes no weight).
+ *        scales (7.5 u where the rest pose takes no weight).
  */
 NKW_API nkw_result nkw_pose_blend_layers(const nkw_pose_layer *layers, size_t layer_count, nkw_pose_view rest,
                                          float threshold, nkw_pose_span out);

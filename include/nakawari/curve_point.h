@@ -57,7 +57,7 @@ NKW_API nkw_vec3_curve_point nkw_vec3_cubic_point(nkw_cubic_kind kind, const nkw
  * The point of nkw_catmull_rom_nonuniform at t: its value, bit for bit, and the derivatives by t. `first` and `second`
  * are those of the Hermite segment whose tangents are the rounded tangents of nkw_catmull_rom_tangent.
  *
- * Error  5.0 u for `first`, of the largest of |p2 - p1| and the tangents per segment, for t in 0..1; `value` as its
+ * Error  7.0 u for `first`, of the largest of |p2 - p1| and the tangents per segment, for t in 0..1; `value` as its
  *        function.
  */
 NKW_API nkw_curve_point nkw_catmull_rom_nonuniform_point(const float times[4], float p0, float p1, float p2, float p3,

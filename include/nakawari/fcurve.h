@@ -99,7 +99,9 @@ NKW_API nkw_result nkw_fcurve_validate(const nkw_fcurve *curve, size_t *bad_key)
  *          the cycles, and its line for LINEAR
  *
  * Error  1.1 u of the largest of the result and the values and tips of handles of the segment. BEZIER and EASE by a
- *        keyword of CSS relative to the exact curve at some time near `time`, as in handle.h.
+ *        keyword of CSS relative to the exact curve at some time near `time`, as in handle.h. Outside the keys up to
+ *        2^40 cycles, where differences of times are exact in binary64: they are 0 or within a factor of 2^29 of each
+ *        other.
  */
 NKW_API nkw_curve_point nkw_fcurve_sample(const nkw_fcurve *curve, float time);
 

@@ -79,7 +79,7 @@ typedef struct nkw_ik_two_bone_solution {
  *     both of length zero         identities; the error is the distance of the target
  *     pole along the target line  no rotation about the line
  *
- * Error  2.5 u of a + b: the distance of the end from a target within reach, by the rounded rotations.
+ * Error  2.8 u of a + b: the distance of the end from a target within reach, by the rounded rotations.
  * Source Holden, Simple Two Joint IK, 2017; Nicholas, Soft IK, xsi-blog.com, article 108, 2007 (soft reach).
  */
 NKW_API nkw_ik_two_bone_solution nkw_ik_two_bone_solve(const nkw_ik_two_bone *limb);

@@ -50,7 +50,7 @@ NKW_ALGEBRA nkw_vec3 nkw_mat3_transform(const nkw_mat3 *m, nkw_vec3 v);
  *
  * A q that is not unit returns |q|^2 times the rotation.
  *
- * Error  2.8 u (Frobenius norm / sqrt 3), 3.4 u of the worst element, for q unit to rounding.
+ * Error  3.1 u (Frobenius norm / sqrt 3), 3.4 u of the worst element, for q unit to rounding.
  */
 NKW_ALGEBRA nkw_mat3 nkw_mat3_from_quat(nkw_quat q);
 
@@ -85,9 +85,9 @@ NKW_API nkw_mat3 nkw_mat3_normal(const nkw_mat3 *m);
 
 /**
  * Orthonormal columns by the Gram-Schmidt process. Column x keeps its direction, y its half-plane through x, z its side
- * of the plane x, y, so a matrix that mirrors still mirrors. A column of length zero, or within 2^-30 rad of the line or
- * the plane of the columns before it, is replaced by a unit vector perpendicular to the others; z then has the side of
- * x x y. NaN returns NaN in its column and in the columns after it.
+ * of the plane x, y, so a matrix that mirrors still mirrors. A column of length zero, or within 2^-30 rad of the line
+ * or the plane of the columns before it, is replaced by a unit vector perpendicular to the others; z then has the side
+ * of x x y. NaN returns NaN in its column and in the columns after it.
  *
  * Error  0.87 u per column, if the angle between y and x, and y and -x, is 2^-25 rad or more; otherwise up to 8 u, down
  *        to 2^-30 rad.
@@ -138,8 +138,8 @@ NKW_ALGEBRA nkw_vec3 nkw_mat4_transform_direction(const nkw_mat4 *m, nkw_vec3 d)
  * The point p transformed by any m, with the division by w: q = m (p, 1), r = q.xyz / q.w. A point in the plane w = 0
  * returns infinities or NaN, as the division does.
  *
- * Error  3.0 u of (1 + |r|) |m| |(p, 1)| / |q.w|, |m| the Frobenius norm; 2.5 u of 1 within the view of a perspective
- *        matrix.
+ * Error  3.0 u of (1 + |r|) |m| |(p, 1)| / |q.w|, |m| the Frobenius norm; 4.0 u of 1 within the view of a perspective
+ *        matrix, the norm of the difference.
  */
 NKW_API nkw_vec3 nkw_mat4_project_point(const nkw_mat4 *m, nkw_vec3 p);
 
@@ -168,7 +168,7 @@ NKW_API nkw_mat4 nkw_mat4_inverse(const nkw_mat4 *m);
  * If the determinant of A is less than half of the product of the lengths of its columns (strong shear), or if this
  * product is not within 2^-30 .. 2^30, the result is computed in binary64 and rounded once.
  *
- * Error  9.0 u of |A^-1| in the 3x3 block, and of |A^-1| |t| in the translation, the Frobenius norms, at every ratio of
+ * Error  10.0 u of |A^-1| in the 3x3 block, and of |A^-1| |t| in the translation, the Frobenius norms, at every ratio of
  *        scales; 1.1 u in the root mean square. Of the norm of the whole result it grows with uneven scales: some 11,
  *        19 and 21 u at 10 : 1, 100 : 1 and 1000 : 1.
  */
@@ -179,7 +179,7 @@ NKW_API nkw_mat4 nkw_mat4_inverse_affine(const nkw_mat4 *m);
  * three products remains. m must not scale or shear.
  * The last row is not read; the last row of the result is exactly 0 0 0 1.
  *
- * Error  3.0 u of |t| in the translation; 3.4 u of the Frobenius norm against the inverse of a rounded rotation.
+ * Error  3.0 u of |t| in the translation; 4.0 u of the Frobenius norm against the inverse of a rounded rotation.
  */
 NKW_ALGEBRA nkw_mat4 nkw_mat4_inverse_rigid(const nkw_mat4 *m);
 

@@ -54,8 +54,9 @@ typedef struct nkw_morph {
  * Dense targets take 0.2 to 0.3 ns for a vector and a target in a near cache if all strides are 0 or 12; targets of
  * weight 0 take none. For many characters call it for each: the vertices of one are already many lanes.
  *
- * Rounding: one product and one sum for each target; the error of a component is at most 1.0 u of |v| + the sum of
- * |w d| for each target that has a weight.
+ * Error  1.0 u of |v| + the sum of |w d|, for each component, n + 1 times for n targets that have a weight: one
+ *        rounding of each product and of each sum (2.0 u of one target: v -0x1p+26, d 0x1.000002p+24, w
+ *        -0x1.fffffep+25).
  */
 NKW_API void nkw_morph_apply(const nkw_morph *morph, const float *weights, const nkw_vertices_view *in,
                              const nkw_vertices_span *out);

@@ -78,9 +78,9 @@ NKW_API nkw_result nkw_nurbs_validate(const nkw_nurbs *curve, size_t *bad);
  * An invalid curve returns values without meaning; no points, fewer than degree + 1, or too great a degree write
  * nothing. Nothing is read or written outside the arrays.
  *
- * Error  1.0 u of the largest coordinate for the value, of weights in 2^-10 .. 2^10 and degrees up to 7; the
- *        derivatives the same, of the larger of the derivative and the largest coordinate times d, d^2 for the second,
- *        d = degree over the shortest span that the point depends on.
+ * Error  1.0 u of the largest coordinate of all points for the value, of weights in 2^-10 .. 2^10 and degrees up to 7;
+ *        the derivatives the same, of the larger of the derivative and the largest coordinate times d, d^2 for the
+ *        second, d = degree over the shortest span that the point depends on.
  */
 NKW_API void nkw_nurbs_sample(const nkw_nurbs *curve, float u, float *value, float *first, float *second);
 

@@ -88,23 +88,24 @@ NKW_API nkw_quat nkw_quat_slerp(nkw_quat a, nkw_quat b, float t);
  *          opposite to within 2^-48 rad, the arc has no axis: the local z axis is used, through a * (0, 0, 1, 0), for
  *          the arc from a to -a and for whole turns. From 2^-48 to 2^-28 rad, rounding of the inputs decides the axis.
  *
- * Error  1.0 u for t in -2..2 and turns of -1000..1000, if the axis does not depend on rounding: without turns the
- *        ends of the arc are at least 2^-28 rad from opposite, with turns also 2^-28 rad from equal.
+ * Error  1.2 u for t in -2..2 and turns of -1000..1000, if the axis does not depend on rounding: without turns the
+ *        ends of the arc are at least 2^-26 rad from opposite, with turns also 2^-26 rad from equal (1.6 u at 2^-28
+ *        rad).
  */
 NKW_API nkw_quat nkw_quat_slerp_path(nkw_quat a, nkw_quat b, float t, nkw_path path, int32_t turns);
 
 /**
  * nkw_quat_nlerp along the arc that `path` selects, and `turns` whole turns more, which advance linearly. Computed in
- * binary64 as the angle of the straight line, along the arc of nkw_quat_slerp_path:
+ * binary64 as the angle of the straight line from a to b, along the arc of nkw_quat_slerp_path:
  *
- *     tan(p/2) = t sin h / ((1-t) + t cos h),      q(t) = a turned by p + 2 pi turns t,      h = g/2
+ *     tan(p/2) = t |b| sin h / ((1-t) |a| + t |b| cos h),      q(t) = a turned by p + 2 pi turns t,      h = g/2
  *
  * Without turns it is normalize((1-t) a + t b), b with the sign of the path. The long arc is nearly all in the middle
  * of 0..1, the more so the longer it is: for arcs above half a turn nkw_quat_slerp_path is the better choice.
  *
  * a, b, t, turns, Returns  as nkw_quat_slerp_path
  *
- * Error  1.0 u for t in 0..1, under the condition of nkw_quat_slerp_path, and for arcs of at most 3.1 rad between the
+ * Error  1.2 u for t in 0..1, under the condition of nkw_quat_slerp_path, and for arcs of at most 3.1 rad between the
  *        quaternions.
  */
 NKW_API nkw_quat nkw_quat_nlerp_path(nkw_quat a, nkw_quat b, float t, nkw_path path, int32_t turns);

@@ -119,7 +119,7 @@ NKW_API nkw_result nkw_mat4_from_palette(nkw_palette_view palette, nkw_mat4 *out
  * nkw_locals_from_models). That of an index without a model is the identity, except for the signs of zeros. out has
  * joint_count matrices and may be models if joints is NULL.
  *
- * Error  9.0 u without global_inverse, of the norms that nkw_mat4_inverse_affine states.
+ * Error  10.0 u without global_inverse, of the norms that nkw_mat4_inverse_affine states.
  */
 NKW_API void nkw_inverse_bind_from_models(const nkw_palette_source *source, nkw_mat4 *out);
 

@@ -52,6 +52,10 @@ typedef struct nkw_play_head {
  *
  * Returns  {start, 0} for a duration that is not positive and finite, and for a NaN time. An infinite time returns the
  *          nearer end for CLAMP and {start, 0} otherwise. Above 2^24, `cycle` is rounded; above 2^128 it is infinite.
+ *
+ * The time is exact to one rounding for |cycle| below 2^51, where time - start is exact in binary64: one is 0, or they
+ * differ by less than a factor of 2^29. Beyond 2^51 the time is somewhere in the clip. `time` itself has a resolution
+ * of 7.8 ms after a day.
  */
 NKW_API nkw_play_head nkw_playback_head(nkw_playback mode, float start, float duration, float time);
 
@@ -96,8 +100,9 @@ typedef struct nkw_play_head_f64 {
  * Returns  {start, 0, 0} for a duration outside 2^-900 .. 2^900 and for a NaN time. An infinite time returns the state
  *          beyond the count, without a limit {start, 0, 0}. So does a cycle from 2^51 on.
  *
- * The remainder is exact to one rounding, for every cycle. nkw_playback_head is the same in binary32, for a duration of
- * 24 bits.
+ * time - start and the period are rounded to binary64, then the remainder has one rounding. With start = 0 and closing
+ * = 0 that is one rounding in all, for |cycle| below 2^51. Otherwise `time` is off by up to |time| 2^-52 more, the
+ * rounding of a sum in each period: 1.4e-10 s after a week.
  */
 NKW_API nkw_play_head_f64 nkw_playback_head_f64(const nkw_playback_range *range, double time);
 
@@ -118,7 +123,7 @@ NKW_API nkw_vec3 nkw_vec3_playback_offset(nkw_vec3 value, nkw_vec3 first, nkw_ve
  * The same of a rotation: C^cycle value, C = last first^-1 along the shorter arc. The power is computed by its angle,
  * not by repeated products, so it does not drift.
  *
- * Error  3.0 u, for |cycle| below 10^7.
+ * Error  3.5 u, for |cycle| below 10^7: 115 days of cycles of one second.
  */
 NKW_API nkw_quat nkw_quat_playback_offset(nkw_quat value, nkw_quat first, nkw_quat last, double cycle);
 

@@ -154,7 +154,7 @@ NKW_API nkw_quat nkw_quat_look_rotation(nkw_vec3 forward, nkw_vec3 up);
  * Any other finite matrix returns a unit quaternion, computed in binary64 if its elements are so large that binary32
  * could overflow; NaN returns NaN.
  *
- * Error  3.2 u against the rotation nearest to m; 2.8 u if m is a rotation with each element rounded once.
+ * Error  4.2 u against the rotation nearest to m; 3.4 u if m is a rotation with each element rounded once.
  * Source Bar-Itzhack, New Method for Extracting the Quaternion from a Rotation Matrix, 2000;
  *        Markley, Unit Quaternion from Rotation Matrix, 2008.
  */
@@ -163,7 +163,7 @@ NKW_API nkw_quat nkw_quat_from_mat3(const nkw_mat3 *m);
 /**
  * The rotation of the upper left 3x3 block of m, as nkw_quat_from_mat3.
  *
- * Error  3.2 u against the rotation nearest to m; 2.8 u if m is a rotation with each element rounded once.
+ * Error  4.2 u against the rotation nearest to m; 3.4 u if m is a rotation with each element rounded once.
  */
 NKW_API nkw_quat nkw_quat_from_mat4(const nkw_mat4 *m);
 

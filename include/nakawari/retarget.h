@@ -71,7 +71,8 @@ typedef struct nkw_retarget {
  * Returns  NKW_OK; NKW_MISMATCHED if a pose has another number of joints than its skeleton; NKW_TOO_SMALL for
  *          work_count; nothing is then written. A joint of the map after the last counts as none
  *
- * Error  2.0 u of the local rotation, for each level of both hierarchies.
+ * Error  3.0 u of the local rotation, for each level of both hierarchies: the joints from the root to the source joint,
+ *        and those from the root to the target joint.
  */
 NKW_API nkw_result nkw_pose_retarget(const nkw_retarget *retarget, nkw_pose_view source, nkw_pose_span out, float *work,
                                      size_t work_count);

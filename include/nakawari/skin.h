@@ -130,7 +130,7 @@ NKW_API nkw_result nkw_skin_linear(const nkw_skin *skin, const nkw_skin_palette 
  * nkw_skin_linear. A blend whose rotation cancels to zero is the identity. The length of a blend must be in
  * 1e-19..1e19. Of equal largest weights the first determines the half sphere.
  *
- * Error  10.6 u of normals (8.4 u up to four influences), 2.9 u of their length; of positions 8.8 u of |p| +
+ * Error  10.6 u of normals (8.4 u up to four influences), 3.1 u of their length; of positions 10.5 u of |p| +
  *        |w0| |t0| + |w1| |t1| + ..., t the translations; joints up to 1 rad apart, 1 to 8 influences.
  */
 NKW_API nkw_result nkw_skin_dual_quat(const nkw_skin *skin, nkw_palette_view palette, const nkw_vertices_view *in,

@@ -27,9 +27,10 @@
  *
  * Ends:
  *
- *     FREE       CATMULL_ROM, CARDINAL, TCB and the knots continue the last slope; PCHIP takes the slope of the
- *                parabola through three keys, limited to keep monotone; AKIMA and MAKIMA extrapolate slopes, d(-1) =
- *                2 d0 - d1; C2 has no acceleration at the end (natural spline)
+ *     FREE       CATMULL_ROM and the knots continue the last slope d; the tangent of CARDINAL is (1 - tension) d, that
+ *                of TCB (1 - tension)(1 + bias continuity) d at the first key, 1 - bias continuity at the last; PCHIP
+ *                takes the slope of the parabola through three keys, limited to keep monotone; AKIMA and MAKIMA
+ *                extrapolate slopes, d(-1) = 2 d0 - d1; C2 has no acceleration at the end (natural spline)
  *     CLAMPED    the tangents of the first and last key are given
  *     PERIODIC   the last key is the first one of the next period: their values should be equal
  *

@@ -106,10 +106,10 @@ NKW_API nkw_result nkw_track_validate(const nkw_track *track, size_t *bad_key);
  * nothing. A track that nkw_track_validate rejects returns values without meaning, but nothing is read or written
  * outside its arrays.
  *
- * Error  4.8 u of the largest of the two values and, for CUBICSPLINE, of the tangents per segment (LINEAR at most 3.0
- *        u: 2.0 of nkw_lerp, 1 of t). For rotations LINEAR 3.5 u, with keys up to 1.5 rad apart between the
- *        quaternions, and CUBICSPLINE 3.8 u, up to 1 rad. All are errors relative to the exact value at `time`: they
- *        include the rounding of t and of the duration of the segment.
+ * Error  5.7 u of the largest of the two values and, for CUBICSPLINE, of the tangents per segment (LINEAR at most 3.0
+ *        u: 2.0 of nkw_lerp, 1 of t). For rotations LINEAR 3.9 u, with keys unit to rounding and up to 1.5 rad apart
+ *        between the quaternions (5.7 u with keys unit to 4e-7), and CUBICSPLINE 4.0 u, up to 1 rad. All are errors
+ *        relative to the exact value at `time`: they include the rounding of t and of the duration of the segment.
  */
 NKW_API void nkw_track_sample(const nkw_track *track, float time, float *out);
 

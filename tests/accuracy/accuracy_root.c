@@ -105,14 +105,34 @@ static void step(random_source *r, float *x)
     x[28] = (float)(int)random_between(r, -30.0f, 30.0f);
 }
 
+/* Twelve days of cycles of one second. */
+static void many_steps(random_source *r, float *x)
+{
+    step(r, x);
+    x[28] = (float)(int)(random_sign(r) * random_log(r, 1.0f, 0x1p20f));
+}
+
+/* c^n, by squaring. */
+static rigid power(rigid c, long n)
+{
+    rigid all = {{0, 0, 0, 1}, {0, 0, 0}};
+    if (n < 0)
+        c = inverse(c);
+    for (n = n < 0 ? -n : n; n > 0; n /= 2) {
+        if (n % 2)
+            all = mul(c, all);
+        c = mul(c, c);
+    }
+    return all;
+}
+
 static double delta_error(const float *x)
 {
     nkw_root_cycle cycle = {trs_at(x), trs_at(x + 7)};
     nkw_trs from = trs_at(x + 14), to = trs_at(x + 21);
-    rigid c = mul(rigid_at(x + 7), inverse(rigid_at(x))), want = rigid_at(x + 21);
-    wide size = 12 * (1 + fabsf(x[28]));
-    for (int k = 0; k < (int)fabsf(x[28]); k++)
-        want = mul(x[28] < 0 ? inverse(c) : c, want);
+    rigid c = mul(rigid_at(x + 7), inverse(rigid_at(x)));
+    rigid want = mul(power(c, (long)x[28]), rigid_at(x + 21));
+    wide size = (1 + fabsf(x[28])) * (wide_length(rigid_at(x).t, 3) + wide_length(rigid_at(x + 7).t, 3));
     want = mul(inverse(rigid_at(x + 14)), want);
     return error_of(nkw_root_delta(&cycle, &from, &to, (double)x[28]), want, wide_length(want.t, 3) + size * 0x1p-10);
 }
@@ -121,10 +141,9 @@ static double place_error(const float *x)
 {
     nkw_root_cycle cycle = {trs_at(x), trs_at(x + 7)};
     nkw_trs origin = trs_at(x + 14), now = trs_at(x + 21);
-    rigid c = mul(rigid_at(x + 7), inverse(rigid_at(x))), want = rigid_at(x + 21);
-    wide size = 12 * (1 + fabsf(x[28]));
-    for (int k = 0; k < (int)fabsf(x[28]); k++)
-        want = mul(x[28] < 0 ? inverse(c) : c, want);
+    rigid c = mul(rigid_at(x + 7), inverse(rigid_at(x)));
+    rigid want = mul(power(c, (long)x[28]), rigid_at(x + 21));
+    wide size = (1 + fabsf(x[28])) * (wide_length(rigid_at(x).t, 3) + wide_length(rigid_at(x + 7).t, 3));
     want = mul(rigid_at(x + 14), mul(inverse(rigid_at(x)), want));
     return error_of(nkw_root_place(&origin, &cycle, &now, (double)x[28]), want,
                     wide_length(want.t, 3) + size * 0x1p-10);
@@ -170,6 +189,8 @@ int main(int argc, char **argv)
         {"nkw_root_remove", "any", two, remove_error, 14, WIDE_CHECKED},
         {"nkw_root_delta", "up to 30 loops", step, delta_error, 29, WIDE_CHECKED},
         {"nkw_root_place", "up to 30 loops", step, place_error, 29, WIDE_CHECKED},
+        {"nkw_root_delta", "up to 2^20 loops", many_steps, delta_error, 29, WIDE_CHECKED},
+        {"nkw_root_place", "up to 2^20 loops", many_steps, place_error, 29, WIDE_CHECKED},
         {"nkw_root_blend", "three motions", three, blend_error, 24, WIDE_CHECKED},
     };
     wide_search(&a, cases, sizeof cases / sizeof *cases, 4000);

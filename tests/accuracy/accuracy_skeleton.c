@@ -139,6 +139,54 @@ static double back_error(const float *x, int joints)
     return worst;
 }
 
+/* A parent and a joint, each of its own scales: x, y, z by themselves. */
+static void uneven_pair(random_source *r, float *x)
+{
+    for (int j = 0; j < 2; j++) {
+        put_vec3(x + 10 * j, random_vec3(r, -1.0f, 1.0f));
+        put_quat(x + 10 * j + 3, random_unit_quat(r));
+        for (int i = 0; i < 3; i++)
+            x[10 * j + 7 + i] = nkw_abs(random_scaled(r, -6, 6));
+    }
+}
+
+static void far_pair(random_source *r, float *x)
+{
+    uneven_pair(r, x);
+    for (int i = 0; i < 3; i++) {
+        x[10 + i] *= nkw_abs(random_scaled(r, -20, 20));
+        x[17 + i] *= 0x1p-30f;
+    }
+}
+
+/* The block and the translation of the local matrix, each of its own norms. */
+static double locals_error(const float *x)
+{
+    static const int32_t above[2] = {NKW_NO_JOINT, 0};
+    const nkw_skeleton skeleton = {above, 2};
+    nkw_mat4 pair[2], locals[2];
+    wide parent[16], inverse[16], model[16], want[16], block[9], inverse_block[9], model_block[9];
+    float got[9];
+    for (int j = 0; j < 2; j++) {
+        const float *f = x + 10 * j;
+        nkw_trs trs = {vec3_at(f), quat_at(f + 3), vec3_at(f + 7)};
+        pair[j] = nkw_mat4_from_trs(&trs);
+    }
+    nkw_locals_from_models(&skeleton, pair, NULL, locals);
+    wide_from(pair[0].m, parent, 16);
+    wide_from(pair[1].m, model, 16);
+    wide_inverse(parent, inverse, 4);
+    wide_mat_mul(inverse, model, want, 4);
+    wide_block(want, block);
+    wide_block(inverse, inverse_block);
+    wide_block(model, model_block);
+    for (int i = 0; i < 9; i++)
+        got[i] = locals[1].m[i / 3 * 4 + i % 3];
+    wide size = wide_length(inverse_block, 9), ways = wide_length(parent + 12, 3) + wide_length(model + 12, 3);
+    return fmax(wide_error_of(got, block, 9, size * wide_length(model_block, 9)),
+                wide_error_of(locals[1].m + 12, want + 12, 3, size * ways));
+}
+
 static double body_back(const float *x)
 {
     return back_error(x, 67);
@@ -169,6 +217,11 @@ static const wide_case pair_cases[] = {
     {"nkw_locals_from_models", "2 joints, scales 0.8 .. 1.25", wide_seed, pair_back, 2, WIDE_CHECKED},
 };
 
+static const wide_case uneven_cases[] = {
+    {"nkw_locals_from_models", "scales 2^-6 .. 2^6", uneven_pair, locals_error, 20, WIDE_CHECKED},
+    {"nkw_locals_from_models", "child of any size", far_pair, locals_error, 20, WIDE_CHECKED},
+};
+
 /* How errors grow along chains at random. */
 static const wide_case last_cases[] = {
     {MODELS, "last of a chain of 67, axes", wide_seed, last_axes_67, 2, WIDE_NOTED},
@@ -185,6 +238,7 @@ int main(int argc, char **argv)
     accuracy a = accuracy_begin("skeleton.h", argc, argv);
     wide_search_seeds(&a, cases, sizeof cases / sizeof cases[0], SAMPLES);
     wide_search_seeds(&a, pair_cases, sizeof pair_cases / sizeof pair_cases[0], SAMPLES * 20);
+    wide_search(&a, uneven_cases, sizeof uneven_cases / sizeof uneven_cases[0], SAMPLES * 20);
     wide_run(&a, last_cases, sizeof last_cases / sizeof last_cases[0], SAMPLES);
     wide_run(&a, long_cases, sizeof long_cases / sizeof long_cases[0], SAMPLES / 20);
     return accuracy_end(&a);

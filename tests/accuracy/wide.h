@@ -69,9 +69,10 @@ typedef struct wide_case {
 void wide_run(accuracy *a, const wide_case *cases, size_t size, uint32_t count);
 /*
  * The same, then a search of as many steps for cases that are checked: from the worst of 300 samples on, one of the
- * numbers that the sampler draws is changed, by 1 to 2^20 last places, to fewer bits, in one of its highest bits or to
- * any other, and stays so where the error did not fall; after 3000 changes without gain, from the worst of other
- * samples. So the sample stays in its region. What is found is the case's worst, and its witness.
+ * numbers that the sampler draws is changed, by 1 to 2^20 last places, to fewer bits, in one of its highest bits, to any
+ * other, by whole exponents about the middle of its range, or to one equal or opposite to another, and stays so where
+ * the error did not fall; after 3000 changes without gain, from the worst of other samples. So the sample stays in its
+ * region. What is found is the case's worst, and its witness.
  */
 void wide_search(accuracy *a, const wide_case *cases, size_t size, uint32_t count);
 /* The same for cases that draw from wide_source; their witness is the seed that the climb began from. */

@@ -45,13 +45,34 @@ static double error_on_tape(const wide_case *c, int by_seed, float *x)
     return error_of(c, x);
 }
 
+/* Half a number of the tape, from -2^62 to 2^62: 0 is the middle of the range that is drawn from it. */
+static int64_t about_middle(uint64_t number)
+{
+    return (int64_t)(number >> 1) - (INT64_C(1) << 62);
+}
+
+static uint64_t from_middle(int64_t k)
+{
+    return (uint64_t)(k + (INT64_C(1) << 62)) << 1;
+}
+
+/* The component by whole powers of two: nearer to the middle of its range, or away from it as far as the range goes. */
+static uint64_t by_exponents(random_source *r, uint64_t number)
+{
+    int64_t k = about_middle(number), factor = INT64_C(1) << random_bits(r) % 40;
+    if (random_bits(r) % 4 == 0 && k < (INT64_C(1) << 60) && k > -(INT64_C(1) << 60))
+        return from_middle(k * 4);
+    return from_middle(k / factor);
+}
+
 /*
  * A number of the tape by 1 to 2^20 last places of the float that is made of it, wherever those bits are taken from;
- * with fewer bits; with one of the highest bits the other way round; or another one.
+ * with fewer bits; with one of the highest bits the other way round; another one; by whole exponents; or equal or
+ * opposite to another number, as far as their ranges are alike.
  */
-static uint64_t changed(random_source *r, uint64_t number)
+static uint64_t changed(random_source *r, uint64_t number, size_t used)
 {
-    uint64_t kind = random_bits(r) % 8, place = random_bits(r) % 44;
+    uint64_t kind = random_bits(r) % 11, place = random_bits(r) % 44;
     uint64_t step = (1 + random_bits(r) % (UINT64_C(1) << random_bits(r) % 21)) << place;
     switch (kind) {
     case 5:
@@ -60,6 +81,12 @@ static uint64_t changed(random_source *r, uint64_t number)
         return number ^ UINT64_C(1) << (63 - place / 2);
     case 7:
         return random_bits(r);
+    case 8:
+        return by_exponents(r, number);
+    case 9:
+        return numbers[random_bits(r) % used];
+    case 10:
+        return ~numbers[random_bits(r) % used];
     default:
         return kind % 2 ? number + step : number - step;
     }
@@ -114,9 +141,9 @@ static uint64_t climb(const wide_case *c, int by_seed, random_source *r, uint64_
     float at_worst[WIDE_ARGUMENTS];
     memcpy(at_worst, x, sizeof at_worst);
     for (; step < steps && idle < PATIENCE; step++, idle++) {
-        size_t at = (size_t)(random_bits(r) % (uint64_t)(tape.next - numbers));
+        size_t used = (size_t)(tape.next - numbers), at = (size_t)(random_bits(r) % used);
         uint64_t old = numbers[at];
-        numbers[at] = changed(r, old);
+        numbers[at] = changed(r, old, used);
         double error = error_on_tape(c, by_seed, x);
         idle = error > worst ? 0 : idle;
         if (error >= worst) {
@@ -134,7 +161,7 @@ static uint64_t climb(const wide_case *c, int by_seed, random_source *r, uint64_
 
 /* ---- The same for the components of unit quaternions; a number of the tape changes all four of them ---- */
 
-/* Where x has four numbers that are those of an exactly unit quaternion, rounded: within 2^-25 of unit. */
+/* Where x has four numbers that may be those of an exactly unit quaternion, each rounded: within 2^-24 of unit. */
 static int find_units(const float *x, int arguments, int at[WIDE_ARGUMENTS])
 {
     int count = 0;
@@ -142,7 +169,7 @@ static int find_units(const float *x, int arguments, int at[WIDE_ARGUMENTS])
         double n2 = 0.0;
         for (int k = 0; k < 4; k++)
             n2 += (double)x[i + k] * (double)x[i + k];
-        if (fabs(n2 - 1.0) <= 0x1p-24) {
+        if (fabs(n2 - 1.0) <= 0x1p-23) {
             at[count++] = i;
             i += 3;
         }
@@ -150,15 +177,25 @@ static int find_units(const float *x, int arguments, int at[WIDE_ARGUMENTS])
     return count;
 }
 
-/* One component by some last places, another so that the length stays 1. Returns 0 where that is not possible. */
+/* One component by some last places, or by a power of two. */
+static void change_component(random_source *r, float *x)
+{
+    int32_t bits, step = (int32_t)(1 + random_bits(r) % (UINT64_C(1) << random_bits(r) % 21));
+    if (random_bits(r) % 8 == 0) {
+        *x = ldexpf(*x, (int)(random_bits(r) % 31) - 25);
+        return;
+    }
+    memcpy(&bits, x, sizeof bits);
+    bits += random_bits(r) >> 63 ? step : -step;
+    memcpy(x, &bits, sizeof bits);
+}
+
+/* One component is changed, another so that the length stays 1. Returns 0 where that is not possible. */
 static int change_unit(random_source *r, float *q)
 {
     size_t i = (size_t)(random_bits(r) % 4), j = (i + 1 + (size_t)(random_bits(r) % 3)) % 4;
-    int32_t bits, step = (int32_t)(1 + random_bits(r) % (UINT64_C(1) << random_bits(r) % 21));
     double rest = 1.0;
-    memcpy(&bits, &q[i], sizeof bits);
-    bits += random_bits(r) >> 63 ? step : -step;
-    memcpy(&q[i], &bits, sizeof bits);
+    change_component(r, &q[i]);
     q[i] = random_bits(r) % 64 ? q[i] : -q[i];
     for (size_t k = 0; k < 4; k++)
         rest -= k == j ? 0.0 : (double)q[k] * (double)q[k];
