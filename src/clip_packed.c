@@ -16,6 +16,8 @@
 
 /* Knots are less than this, so that the line between two of them is exact to 1/16 step. */
 #define PACKED_KNOT 0x1p20
+/* A range must be less than this: base + range is then computed without overflow. */
+#define PACKED_RANGE 0x1p127
 /* The lowest w of a rotation: from here on its three numbers are too large, 4.4 and more. */
 #define PACKED_LOWEST (-0.9)
 /* By how much the squared length of a unit rotation differs from 1 by the rounding of its components, at most. */
@@ -198,13 +200,14 @@ static float base_of(double x)
     return (double)f <= x ? f : lane_float(lane_bits(f) + (f > 0.0f ? 0xffffffffu : 1u));
 }
 
-/* Whether all knots, and so all residuals, are within their limits. */
+/* Whether all knots, and so all residuals, are within their limits, and the range is that of a float. */
 static int fits(const nkw_clip_track *c, const packed_range *r)
 {
-    for (size_t i = 0; i < rows_of(c); i++)
-        if (!((float)r->step > 0.0f) ||
-            !((r->high[i] - (double)base_of(r->low[i])) / (double)(float)r->step < PACKED_KNOT))
+    for (size_t i = 0; i < rows_of(c); i++) {
+        const double range = r->high[i] - (double)base_of(r->low[i]);
+        if (!((float)r->step > 0.0f && range / (double)(float)r->step < PACKED_KNOT && range < PACKED_RANGE))
             return 0;
+    }
     return r->lowest > PACKED_LOWEST;
 }
 

@@ -8,6 +8,7 @@
 #include <nakawari/orient.h>
 #include <nakawari/quat.h>
 
+#include "finite.h"
 #include "lane/scalar.h"
 #include "track_keys.h"
 
@@ -51,8 +52,11 @@ static int edit_copy(edit *e, const nkw_track *track, size_t k, float time, nkw_
     return to != NULL;
 }
 
+/* Values and tangents of the result may overflow. */
 static nkw_result edit_end(edit *e, nkw_result result, nkw_track *out)
 {
+    if (result == NKW_OK && !are_finite(e->memory->values, e->size * e->track.count))
+        result = NKW_NOT_FINITE;
     if (result != NKW_OK)
         e->track.count = 0;
     *out = e->track;

@@ -7,6 +7,7 @@
 #include <nakawari/quat.h>
 
 #include "difference.h"
+#include "finite.h"
 #include "track_keys.h"
 
 /*
@@ -253,6 +254,11 @@ nkw_result nkw_track_fit(const nkw_track *track, float tolerance, const nkw_fit_
         f.right = work + 5 * count;
         float *room = (float *)(void *)(f.right + count * track->width); /* width floats */
         worst = fit_within(&f, tolerance, room);
+        if (!are_finite(f.values, 3 * track->width * f.n)) {
+            result = NKW_NOT_FINITE;
+            worst = INFINITY;
+            f.out.count = 0;
+        }
     }
     if (difference)
         *difference = worst;

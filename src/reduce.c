@@ -42,11 +42,13 @@ static double cosine(const float *a, const float *b)
            ((double)a[2] * (double)b[2] + (double)a[3] * (double)b[3]);
 }
 
-/* Whether the keys between a and b may be removed, whatever the tolerance. */
+/* Whether the keys between a and b may be removed, whatever the tolerance. A duration is a float for CUBICSPLINE. */
 static int is_one_way(const nkw_track *t, size_t a, size_t b)
 {
     const nkw_interpolation mode = track_interpolation_at(t, a);
     double sign = 1.0;
+    if (mode == NKW_INTERPOLATION_CUBICSPLINE && !lane_is_finite(t->times[b] - t->times[a]))
+        return 0;
     for (size_t k = a; k < b; k++) {
         const float *q = track_value_at(t, k), *next = track_value_at(t, k + 1);
         if (track_interpolation_at(t, k) != mode || is_jump(t, k))
@@ -149,11 +151,23 @@ static double number_error(const nkw_track *t, const cubic64 *whole, size_t a, s
     return largest_of(&d);
 }
 
+/*
+ * Whether samples of the segment do not overflow. nkw_lerp computes p1 - p0, the Hermite curve up to 6 times the largest
+ * of this and of both tangents.
+ */
+static int is_in_range(const nkw_track *t, const cubic64 *whole)
+{
+    const double most = track_is_cubic(t) ? 0x1p125 : (double)FLT_MAX;
+    return lane_abs64(whole->p1 - whole->p0) <= most && lane_abs64(whole->m0) <= most && lane_abs64(whole->m1) <= most;
+}
+
 static double numbers_error(const nkw_track *t, size_t a, size_t b, double tolerance)
 {
     double largest = 0.0;
     for (size_t i = 0; i < t->width && largest <= tolerance; i++) {
         const cubic64 whole = cubic_of(t, a, b, i);
+        if (!is_in_range(t, &whole))
+            return INFINITY;
         for (size_t k = a; k < b && largest <= tolerance; k++)
             if (t->times[k] < t->times[k + 1])
                 largest = larger(largest, number_error(t, &whole, a, b, k, i));
@@ -193,7 +207,8 @@ static double turn_error(const nkw_track *t, const two_keys *two, size_t k, int 
     nkw_quat got, want;
     nkw_track_sample_segment(&two->track, whole, &got.x);
     nkw_track_sample_segment(t, segment, &want.x);
-    return (double)nkw_quat_angle(got, want);
+    double angle = (double)nkw_quat_angle(got, want);
+    return angle >= 0.0 ? angle : INFINITY; /* infinite for NaN: tangents whose sums overflow */
 }
 
 /* At the keys first: most segments that are too long fail there. */

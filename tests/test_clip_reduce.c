@@ -464,6 +464,34 @@ static void steps_below_the_rounding_of_floats_have_knots(void **state)
     }
 }
 
+/* From -3e38 to 3e38: a range that no float is. */
+static void ranges_that_overflow_are_stored_as_floats(void **state)
+{
+    static chain c;
+    random_source random = random_from(37);
+    const nkw_vec3 one = {1.0f, 1.0f, 1.0f};
+    (void)state;
+    for (int i = 0; i < 8; i++) {
+        nkw_clip_reduced reduced;
+        nkw_pose_span span = {pose, LINKS};
+        draw_chain(&random, LINKS, LINK_KEYS, one, 0.0f, &c);
+        for (size_t k = 0; k < LINK_KEYS; k++)
+            c.values[1][3 * k] = 3e38f * ((float)k / 20.0f - 1.0f);
+        for (size_t k = 0; k < LINK_KEYS && i % 2; k++)
+            c.values[7][3 * k] = 1e38f * (float)(k % 2);
+        const nkw_clip_reduction r = {c.parents, i < 4 ? 1e35f : 1e-3f, 0.1f, NULL, NULL, 0.0f};
+        const nkw_clip_memory memory = {block, sizeof block, work, sizeof work / sizeof *work};
+        assert_int_equal(nkw_clip_reduce(&c.source, &r, &memory, &reduced, NULL), NKW_OK);
+        assert_true(reduced.share <= 1.0f);
+        for (size_t k = 0; k < 2 * LINK_KEYS - 1; k++) {
+            float time = 0.5f * (c.times[k / 2] + c.times[(k + 1) / 2]), want_value[3];
+            nkw_clip_sample((const nkw_clip *)(const void *)block, time, NULL, span, NULL);
+            nkw_track_sample(&c.tracks[1].track, time, want_value);
+            assert_true(fabs((double)pose[0] - (double)want_value[0]) <= (double)r.tolerance);
+        }
+    }
+}
+
 static void wrong_arguments_are_refused(void **state)
 {
     nkw_clip_reduction r = within(1e-3f);
@@ -527,6 +555,7 @@ int main(void)
         cmocka_unit_test(each_axis_has_its_own_scale),
         cmocka_unit_test(a_reduced_clip_is_never_larger_than_one_of_floats_or_16_bits),
         cmocka_unit_test(steps_below_the_rounding_of_floats_have_knots),
+        cmocka_unit_test(ranges_that_overflow_are_stored_as_floats),
         cmocka_unit_test(wrong_arguments_are_refused),
         cmocka_unit_test(a_damaged_reduced_block_is_refused_or_safe),
     };

@@ -398,6 +398,26 @@ static void wrong_arguments_are_refused(void **state)
     expect_floats_bits(out.values, s.values, 4);
 }
 
+static void values_that_overflow_are_refused(void **state)
+{
+    (void)state;
+    const float times[3] = {0, 1, 2}, tangents[9] = {0, 1, 0, 1e20f, 2, 1e20f, 0, 3, 0}, far[3] = {3e38f, 0, -3e38f};
+    const nkw_track cubic = {times, tangents, 3, 1, NKW_TRACK_FLOATS, NKW_INTERPOLATION_CUBICSPLINE, NULL};
+    const nkw_track line = {times, far, 3, 1, NKW_TRACK_FLOATS, NKW_INTERPOLATION_LINEAR, NULL};
+    float made_times[4], made[12];
+    const nkw_edit_memory m = {made_times, made, NULL, 4};
+    nkw_track out;
+    assert_int_equal(nkw_track_retime(&cubic, 1e-30f, 0.0f, &m, &out), NKW_NOT_FINITE);
+    assert_int_equal(out.count, 0);
+    assert_int_equal(nkw_track_retime(&cubic, 1e-10f, 0.0f, &m, &out), NKW_OK);
+    assert_int_equal(nkw_track_close(&line, 0.5f, &m, &out), NKW_OK);
+    assert_int_equal(nkw_track_close(&line, 0.0f, &m, &out), NKW_OK);
+    const float high[3] = {-3e38f, 3e38f, 0}; /* the middle key would rise by 1.5e38 */
+    nkw_track rising = line;
+    rising.values = high;
+    assert_int_equal(nkw_track_close(&rising, 1.0f, &m, &out), NKW_NOT_FINITE);
+}
+
 static void too_little_memory_is_refused_and_not_exceeded(void **state)
 {
     (void)state;
@@ -443,6 +463,7 @@ int main(void)
         cmocka_unit_test(a_closed_cubic_is_the_cubic_plus_a_line),
         cmocka_unit_test(a_closed_turn_about_one_axis_stands),
         cmocka_unit_test(wrong_arguments_are_refused),
+        cmocka_unit_test(values_that_overflow_are_refused),
         cmocka_unit_test(too_little_memory_is_refused_and_not_exceeded),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

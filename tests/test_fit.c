@@ -163,6 +163,21 @@ static void few_samples_are_answered(void **state)
     }
 }
 
+static void tangents_that_overflow_are_refused(void **state)
+{
+    (void)state;
+    sheet *s = begin(5, 1, NKW_TRACK_FLOATS);
+    for (size_t k = 0; k < 5; k++)
+        s->values[k] = k % 2 ? 1e38f : -1e38f; /* 1.2e40 per second */
+    assert_int_equal(fit(s, 1e30f), NKW_NOT_FINITE);
+    assert_int_equal(s->out.count, 0);
+    assert_true(s->error == INFINITY);
+    for (size_t k = 0; k < 5; k++)
+        s->values[k] *= 1e-3f;
+    expect_fit(s, 1e30f);
+    free(s);
+}
+
 static void wrong_tracks_and_too_little_memory_are_refused(void **state)
 {
     (void)state;
@@ -194,6 +209,7 @@ int main(void)
         cmocka_unit_test(noise_takes_as_many_numbers_as_it_has),
         cmocka_unit_test(rotations_are_fitted_whatever_their_signs),
         cmocka_unit_test(few_samples_are_answered),
+        cmocka_unit_test(tangents_that_overflow_are_refused),
         cmocka_unit_test(wrong_tracks_and_too_little_memory_are_refused),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

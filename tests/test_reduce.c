@@ -340,6 +340,36 @@ static void changes_of_the_mode_are_kept(void **state)
     assert_int_equal(out.key_interpolation[1], NKW_INTERPOLATION_LINEAR);
 }
 
+/* 2e38, 0, -2e38: without the middle key the line would need a difference that no float is. */
+static void values_whose_differences_overflow_keep_their_keys(void **state)
+{
+    (void)state;
+    random_source r = random_from(16);
+    for (int i = 0; i < 200; i++) {
+        const int is_cubic = i % 2;
+        const size_t count = i < 2 ? 3 : 12, part = is_cubic ? 3 : 1;
+        float difference, time_scale = i % 4 < 2 ? 1.0f : 1e37f;
+        const nkw_track t =
+            track_of(count, 1, NKW_TRACK_FLOATS, is_cubic ? NKW_INTERPOLATION_CUBICSPLINE : NKW_INTERPOLATION_LINEAR);
+        for (size_t k = 0; k < count; k++) {
+            times[k] = (float)k * time_scale;
+            values[part * k + part / 2] = i < 2 ? 2e38f * (1.0f - (float)k) : 3e38f * (1.0f - (float)k / 5.5f);
+            if (is_cubic)
+                values[3 * k] = values[3 * k + 2] = -(i < 2 ? 2e38f : 3e38f / 5.5f) / time_scale;
+        }
+        const float tolerance = random_between(&r, 0.0f, 1e36f);
+        const nkw_track out = reduced_to(&t, tolerance, &difference);
+        assert_true(difference <= tolerance);
+        for (size_t k = 0; k < 16 * (count - 1); k++) {
+            float want, got, time = nkw_lerp(times[k / 16], times[k / 16 + 1], (float)(k % 16) / 16.0f);
+            nkw_track_sample(&t, time, &want);
+            nkw_track_sample(&out, time, &got);
+            assert_true(isfinite(want) && fabs((double)got - (double)want) <= (double)tolerance + 1e32);
+        }
+        assert_true(i < 2 || is_cubic || out.count < count);
+    }
+}
+
 static void wrong_tracks_and_too_little_memory_are_refused(void **state)
 {
     (void)state;
@@ -393,6 +423,7 @@ int main(void)
         cmocka_unit_test(the_error_does_not_grow_with_time),
         cmocka_unit_test(weights_of_morph_targets_are_reduced_together),
         cmocka_unit_test(changes_of_the_mode_are_kept),
+        cmocka_unit_test(values_whose_differences_overflow_keep_their_keys),
         cmocka_unit_test(wrong_tracks_and_too_little_memory_are_refused),
         cmocka_unit_test(one_key_and_two_keys_are_copied),
     };

@@ -44,8 +44,9 @@ typedef struct nkw_edit_memory {
  * memory   for at most count + 1 keys
  * out      receives the track, which refers to `memory`; without keys after an error; may be `track`
  * Returns  NKW_OK; NKW_EMPTY without keys or for width 0; NKW_BAD_WIDTH for a rotation whose width is not 4;
- *          NKW_NOT_FINITE or NKW_NOT_ASCENDING for from and to; NKW_TOO_SMALL for too little memory; NKW_NOT_UNIT if a
- *          new key of a CUBICSPLINE rotation deviates from length 1 by more than 1e-2: resample such a track
+ *          NKW_NOT_FINITE or NKW_NOT_ASCENDING for from and to; NKW_NOT_FINITE also if a value or a tangent of the
+ *          result exceeds the largest float; NKW_TOO_SMALL for too little memory; NKW_NOT_UNIT if a new key of a
+ *          CUBICSPLINE rotation deviates from length 1 by more than 1e-2: resample such a track
  *
  * Error  7.0 u of a sample of the result, of the largest value and tangent per segment.
  */
@@ -64,7 +65,7 @@ NKW_API nkw_result nkw_track_trim(const nkw_track *track, float from, float to, 
  *          may be those of the track
  * out      as of nkw_track_trim
  * Returns  NKW_OK; NKW_EMPTY, NKW_BAD_WIDTH and NKW_TOO_SMALL as of nkw_track_trim; NKW_OUT_OF_RANGE for a scale that
- *          is 0 or not finite; NKW_NOT_FINITE if the first or the last time of the result is not finite
+ *          is 0 or not finite; NKW_NOT_FINITE if the first or the last time of the result, or a tangent, is not finite
  *
  * Error  1.0 u of each time and tangent.
  */
@@ -79,7 +80,7 @@ NKW_API nkw_result nkw_track_retime(const nkw_track *track, float scale, float o
  * memory   for the keys of both; key_interpolation is needed too if one track is STEP and the other LINEAR
  * out      as of nkw_track_trim
  * Returns  NKW_OK; NKW_EMPTY, NKW_BAD_WIDTH and NKW_TOO_SMALL as of nkw_track_trim; NKW_MISMATCHED if the widths or the
- *          kinds differ, or only one is CUBICSPLINE; NKW_NOT_FINITE if the last time is not finite
+ *          kinds differ, or only one is CUBICSPLINE; NKW_NOT_FINITE if the last time or a value is not finite
  */
 NKW_API nkw_result nkw_track_join(const nkw_track *first, const nkw_track *second, const nkw_edit_memory *memory,
                                   nkw_track *out);
@@ -100,7 +101,8 @@ NKW_API nkw_result nkw_track_join(const nkw_track *first, const nkw_track *secon
  * out      as of nkw_track_trim; the values of its first and its last key have the same bits, except that the last of a
  *          rotation may be negated
  * Returns  NKW_OK; NKW_EMPTY, NKW_BAD_WIDTH and NKW_TOO_SMALL as of nkw_track_trim; NKW_OUT_OF_RANGE for another share;
- *          NKW_NOT_ASCENDING for more than one key without a duration
+ *          NKW_NOT_ASCENDING for more than one key without a duration; NKW_NOT_FINITE if a value or a tangent of the
+ *          result exceeds the largest float
  *
  * Error  6.0 u for rotations; numbers 3.0 u of the largest value.
  * Source Holden, Creating Looping Animations from Motion Capture, 2022.

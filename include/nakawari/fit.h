@@ -51,7 +51,7 @@ typedef struct nkw_fit_memory {
  * difference  receives the largest difference of a sample, at most `tolerance` if that is not negative; infinity after
  *             an error; may be NULL
  * Returns     NKW_OK; NKW_BAD_METHOD if the track is not LINEAR, or has key_interpolation; NKW_TOO_SMALL for too little
- *             memory; the errors of nkw_track_validate
+ *             memory; NKW_NOT_FINITE if a tangent exceeds the largest float; the errors of nkw_track_validate
  *
  * Source de Boor, A Practical Guide to Splines, 1978; Schneider, An Algorithm for Automatically Fitting Digitized
  *        Curves, Graphics Gems, 1990.

@@ -10,6 +10,8 @@
  *     both keys of a jump               two keys with equal times and different values
  *     keys where the mode changes       of tracks with a mode per key
  *     keys that determine the turn      of rotations, see below
+ *     keys whose removal overflows      of numbers: the difference of two values must be a float, and of CUBICSPLINE
+ *                                       this and both tangents per segment at most 2^125
  *
  * From each kept key the longest segment within the tolerance is searched: its length is doubled while it is within the
  * tolerance, then bisected.
