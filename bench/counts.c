@@ -29,7 +29,7 @@ static nkw_vec3 p[4][N];
 static nkw_trs trs[N];
 static nkw_mat3 turn[N];
 static nkw_mat4 ma[N], mb[N];
-static float t[N], x[N], parts[24][N], times[KEYS], values[JOINTS * KEYS * 10], pose[NKW_POSE_FLOATS(JOINTS)];
+static float t[N], x[N], parts[24][N], ends[N], times[KEYS], values[JOINTS * KEYS * 10], pose[NKW_POSE_FLOATS(JOINTS)];
 static nkw_clip_track tracks[3 * JOINTS];
 static uint32_t work[NKW_CLIP_WORK(3 * JOINTS)], cursors[8];
 static float blocks[3][2 * JOINTS * KEYS * 16];
@@ -180,6 +180,37 @@ static void count_data(void)
                                                           (nkw_pose_span){pose, nkw_clip_joint_count(clips[2])}, NULL));
 }
 
+/*
+ * Blends of poses as clips of one model have them: a third of the rotations equal, a fifth the identity; and masks of 0
+ * and 1. One such joint must not take its register, or its block, away from the vectors.
+ */
+static void count_real_blends(void)
+{
+    static nkw_trs joints[2][JOINTS];
+    static float pose_a[NKW_POSE_FLOATS(JOINTS)], pose_b[NKW_POSE_FLOATS(JOINTS)], mask[NKW_POSE_STRIDE(JOINTS)];
+    const nkw_pose_view a = {pose_a, JOINTS}, b = {pose_b, JOINTS};
+    const nkw_mask_view none = {NULL, JOINTS}, upper = {mask, JOINTS};
+    const nkw_pose_span to = {blended, JOINTS};
+    for (size_t j = 0; j < JOINTS; j++) {
+        joints[0][j] = trs[j];
+        joints[1][j] = trs[JOINTS + j];
+        if (j % 5 == 1)
+            joints[0][j].rotation = nkw_quat_identity();
+        if (j % 3 == 0 || j % 5 == 1)
+            joints[1][j].rotation = joints[0][j].rotation;
+        mask[j] = j < 30 ? 0.0f : 1.0f;
+    }
+    nkw_pose_from_trs(joints[0], (nkw_pose_span){pose_a, JOINTS});
+    nkw_pose_from_trs(joints[1], (nkw_pose_span){pose_b, JOINTS});
+    nkw_pose_layer layers[2] = {{a, 0.5f, none}, {b, 0.5f, upper}};
+    COUNT("pose_blend 67 joints, some equal", nkw_pose_blend(a, b, 0.3f, none, to));
+    COUNT("pose_blend 67 joints, mask of 0 and 1", nkw_pose_blend(a, b, 1.0f, upper, to));
+    COUNT("pose_blend_layers 67 joints, 2, mask of 0 and 1", nkw_pose_blend_layers(layers, 2, a, 0.1f, to));
+    COUNT("pose_blend_slerp 67 joints, some equal", nkw_pose_blend_slerp(a, b, 0.3f, none, to));
+    COUNT("pose_additive_apply 67 joints, some equal",
+          nkw_pose_additive_apply(a, b, NKW_ADDITIVE_LOCAL, 0.5f, none, to));
+}
+
 /* These choose their loops by the processor, which under callgrind is one of AVX2 at the most. */
 static void count_character(void)
 {
@@ -198,6 +229,7 @@ static void count_character(void)
                          (nkw_mask_view){NULL, JOINTS}, (nkw_pose_span){blended, JOINTS}));
     COUNT("pose_blend_layers 67 joints, 4 of one weight",
           nkw_pose_blend_layers(layers, 4, (nkw_pose_view){poses[0], JOINTS}, 0.1f, (nkw_pose_span){blended, JOINTS}));
+    count_real_blends();
     COUNT("models_from_pose 67 joints",
           nkw_models_from_pose(&skeleton, (nkw_pose_view){poses[0], skeleton.joint_count}, NULL, NULL, m_out));
     COUNT("palette_from_models 67 joints", palette_from_models(ma, JOINTS, NULL, mb, NULL, JOINTS, m_out));
@@ -238,6 +270,12 @@ static void count_loops(void)
     LOOP(quat_rotate, (a, v[0], s, N));
     LOOP(quat_normalize, (a, q, N));
     LOOP(quat_nlerp, (a, c, t, q, N));
+    memcpy(ends, t, sizeof ends);
+    ends[0] = 0.0f, ends[N / 2] = 1.0f;
+    if (avx2)
+        COUNT("avx2 quat_nlerp, two at an end", nkw_quat_nlerp_n(a, c, ends, q, N));
+    else
+        COUNT("generic quat_nlerp, two at an end", nkw_quat_nlerp_n(a, c, ends, q, N));
     LOOP(quat_slerp, (a, c, t, q, N));
     LOOP(quat_from_euler, (v[0], NKW_EULER_YXZ, q, N));
     LOOP(mat4_from_trs, (place, m, N));

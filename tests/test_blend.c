@@ -92,6 +92,40 @@ static void masks_weigh_joint_by_joint(void **state)
     expect_blend(a, b, NAN, mask);
 }
 
+/* As two clips of one model have them: a third of the rotations equal, some of them negated, a fifth the identity. */
+static void draw_real(random_source *r, float *a, float *b, float *mask)
+{
+    static const float parts[4] = {0.0f, 1.0f, 0.5f, 0.8f}, zeros[2] = {0.0f, -0.0f};
+    draw(r, a);
+    draw(r, b);
+    for (size_t j = 0; j < JOINTS; j++) {
+        nkw_trs p = nkw_pose_get(pose_view(a, JOINTS), j), q = nkw_pose_get(pose_view(b, JOINTS), j);
+        nkw_quat still = {zeros[random_bits(r) % 2], 0.0f, zeros[random_bits(r) % 2], 1.0f};
+        if (random_bits(r) % 5 == 0)
+            p.rotation = still;
+        if (random_bits(r) % 3 == 0)
+            q.rotation = random_bits(r) % 2 ? p.rotation : nkw_quat_negate(p.rotation);
+        if (random_bits(r) % 2)
+            q.translation = p.translation;
+        nkw_pose_set(pose_span(a, JOINTS), j, &p);
+        nkw_pose_set(pose_span(b, JOINTS), j, &q);
+        mask[j] = parts[random_bits(r) % 4];
+    }
+}
+
+static void poses_of_one_model_blend_bit_for_bit_as_each_joint_alone(void **state)
+{
+    (void)state;
+    random_source r = random_from(5);
+    static float a[FLOATS], b[FLOATS], mask[STRIDE];
+    for (int i = 0; i < 500; i++) {
+        draw_real(&r, a, b, mask);
+        expect_blend(a, b, random_unit(&r), NULL);
+        expect_blend(a, b, 1.0f, mask);
+        expect_blend(a, b, random_between(&r, -2.0f, 2.0f), mask);
+    }
+}
+
 static void the_ends_are_the_poses_bit_for_bit(void **state)
 {
     (void)state;
@@ -460,6 +494,7 @@ int main(void)
         cmocka_unit_test(two_poses_blend_as_lerp_nlerp_and_slerp_bit_for_bit),
         cmocka_unit_test(rotations_of_any_length_blend_as_nlerp_too),
         cmocka_unit_test(masks_weigh_joint_by_joint),
+        cmocka_unit_test(poses_of_one_model_blend_bit_for_bit_as_each_joint_alone),
         cmocka_unit_test(the_ends_are_the_poses_bit_for_bit),
         cmocka_unit_test(nothing_is_touched_without_joints),
         cmocka_unit_test(poses_of_different_joints_are_not_blended),

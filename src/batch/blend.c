@@ -13,28 +13,9 @@
 
 NKW_LOOPS_BLEND(NKW_DECLARE_LOOP)
 
-static inline nkw_quat_view rotations_of(blend_rows rows)
-{
-    return block_rows(rows.at + 3 * rows.stride, rows.stride);
-}
-
 static inline nkw_quat_span rotation_span(blend_span rows)
 {
     return block_rows_to(rows.at + 3 * rows.stride, rows.stride);
-}
-
-static inline nkw_vec3_view vectors_of(blend_rows rows, size_t first)
-{
-    const float *x = rows.at + first * rows.stride;
-    nkw_vec3_view v = {x, x + rows.stride, x + 2 * rows.stride};
-    return v;
-}
-
-static inline nkw_vec3_span vector_span(blend_span rows, size_t first)
-{
-    float *x = rows.at + first * rows.stride;
-    nkw_vec3_span s = {x, x + rows.stride, x + 2 * rows.stride};
-    return s;
 }
 
 /*
@@ -44,8 +25,8 @@ static inline nkw_vec3_span vector_span(blend_span rows, size_t first)
  *     3 4 5 6   rotation         nlerp
  *     7 8 9     scale            lerp
  *
- * Joints in whose register all t are inside 0..1 on one side of 1/2, and no two rotations may be equal, are computed on
- * registers; the others by the lanes.
+ * Equal rotations and ends are selected by masks: real poses have them in most registers. `inside`, a constant, states
+ * that all t are inside 0..1.
  */
 
 /* Floats from one component of the sums of a block to the next: a register more than the block has joints. */
@@ -69,27 +50,28 @@ NKW_ALWAYS_INLINE lanes lanes_after(lanes l, size_t n)
     return l;
 }
 
-NKW_ALWAYS_INLINE void lerp_row(lanes l, size_t row, f32xN t, int first)
+NKW_ALWAYS_INLINE void lerp_row(lanes l, size_t row, f32xN_weights at, int inside)
 {
     f32xN a = f32xN_load_once(l.a.at + row * l.a.stride), b = f32xN_load_once(l.b.at + row * l.b.stride);
-    f32xN_store(l.out.at + row * l.out.stride, f32xN_lerp(a, b, t, first));
+    f32xN_store(l.out.at + row * l.out.stride, f32xN_lerp(a, b, at, inside));
 }
 
-NKW_ALWAYS_INLINE void lerp_rows(lanes l, size_t row, f32xN t, int first)
+NKW_ALWAYS_INLINE void lerp_rows(lanes l, size_t row, f32xN_weights at, int inside)
 {
-    lerp_row(l, row, t, first);
-    lerp_row(l, row + 1, t, first);
-    lerp_row(l, row + 2, t, first);
+    lerp_row(l, row, at, inside);
+    lerp_row(l, row + 1, at, inside);
+    lerp_row(l, row + 2, at, inside);
 }
 
-/* The sums and their lengths; or, where `lengths`, a constant, is 0, the sums as large as rotations are. */
-NKW_ALWAYS_INLINE void sum_lanes(lanes l, f32xN_weights at, int lengths)
+NKW_ALWAYS_INLINE f32xN_quat rotation_of(blend_rows rows)
 {
-    f32xN_quat a = f32xN_quat_load(l.a.at + 3 * l.a.stride, l.a.stride),
-               b = f32xN_quat_load(l.b.at + 3 * l.b.stride, l.b.stride), v = f32xN_nlerp_sum(a, b, at);
-    f32xN_quat_store(l.sum, l.sums, lengths ? v : f32xN_quat_scale(v, f32xN_splat(1.0f / NKW_NLERP_SCALE)));
-    if (lengths)
-        f32xN_store(l.length, f32xN_sqrt(f32xN_quat_dot(v, v)));
+    return f32xN_quat_load(rows.at + 3 * rows.stride, rows.stride);
+}
+
+NKW_ALWAYS_INLINE void put_sum(lanes l, f32xN_nlerp r)
+{
+    f32xN_quat_store(l.sum, l.sums, r.v);
+    f32xN_store(l.length, f32xN_sqrt(r.n2));
 }
 
 /* Most poses have one stride. A loop in which it is one variable holds fewer addresses. */
@@ -98,13 +80,14 @@ NKW_ALWAYS_INLINE int have_one_stride(blend_rows a, blend_rows b, blend_span out
     return a.stride == out.stride && b.stride == out.stride;
 }
 
-NKW_ALWAYS_INLINE void sum_joints(lanes l, f32xN t, int first, int n)
+NKW_ALWAYS_INLINE void sum_joints(lanes l, f32xN_weights at, int n)
 {
-    const f32xN_weights at = f32xN_weights_of(t);
+    const f32xN scale = f32xN_splat(1.0f / NKW_NLERP_SCALE);
     for (int i = 0; i < n; i += F32XN, l = lanes_after(l, F32XN)) {
-        lerp_rows(l, 0, t, first);
-        sum_lanes(l, at, 0);
-        lerp_rows(l, 7, t, first);
+        lerp_rows(l, 0, at, 1);
+        const f32xN_parts p = f32xN_parts_of(rotation_of(l.a), rotation_of(l.b), at, 1);
+        f32xN_quat_store(l.sum, l.sums, f32xN_quat_scale(p.sum, scale));
+        lerp_rows(l, 7, at, 1);
     }
 }
 
@@ -112,9 +95,9 @@ NKW_ALWAYS_INLINE void sum_block(blend_rows a, blend_rows b, float t, blend_span
 {
     const lanes l = {a, b, out, out.at + 3 * out.stride, out.at, out.stride};
     if (t < 0.5f)
-        sum_joints(l, f32xN_splat(t), 1, n);
+        sum_joints(l, f32xN_weights_from(t, 1), n);
     else
-        sum_joints(l, f32xN_splat(t), 0, n);
+        sum_joints(l, f32xN_weights_from(t, 0), n);
 }
 
 /* The lerp by a t inside 0..1, rotations as sums. out may be a. */
@@ -136,49 +119,6 @@ NKW_ALWAYS_INLINE void end_sums(lanes l, int used)
     f32xN_store(l.length + used, one);
 }
 
-/* Whether two of the next `left` rotations may be equal. */
-NKW_ALWAYS_INLINE int may_be_equal(lanes l, int left)
-{
-    const f32xN a = f32xN_load_once(l.a.at + 6 * l.a.stride), b = f32xN_load_once(l.b.at + 6 * l.b.stride);
-    const uint32_t same = f32xN_same_size(a, b);
-    return same != 0 && (left >= F32XN || (same & ((UINT32_C(1) << left) - 1)) != 0);
-}
-
-/* The sums of a register of joints by the lanes, which is seldom: by one t, or by one of each. */
-NKW_NOINLINE LANE_FLAT static void sums_by_lanes(lanes l, const float *t, int each)
-{
-    const nkw_quat_view a = rotations_of(l.a), b = rotations_of(l.b);
-    const nkw_quat_span sum = block_rows_to(l.sum, l.sums);
-#pragma omp simd
-    for (size_t i = 0; i < F32XN; i++) {
-        lane_nlerp v = lane_quat_nlerp(at_quat(a, i), at_quat(b, i), t[each ? i : 0], 0);
-        put_quat(sum, i, v.v);
-        l.length[i] = nkw_sqrt(v.n2);
-    }
-}
-
-/* The same of layers. */
-NKW_ALWAYS_INLINE void mixes_by_lanes(lanes l, const float *t, const float *open, int lengths)
-{
-    const nkw_quat_view a = rotations_of(l.a), b = rotations_of(l.b);
-    const nkw_quat_span sum = block_rows_to(l.sum, l.sums);
-#pragma omp simd
-    for (size_t i = 0; i < F32XN; i++) {
-        lane_nlerp v = lane_quat_mix(at_quat(a, i), at_quat(b, i), t[i], open[i] != 0.0f);
-        put_quat(sum, i, lengths ? v.v : lane_mix_sum(v));
-        l.length[i] = nkw_sqrt(v.n2);
-    }
-}
-
-NKW_ALWAYS_INLINE void lerps_by_lanes(lanes l, size_t row, const float *t)
-{
-    const nkw_vec3_view a = vectors_of(l.a, row), b = vectors_of(l.b, row);
-    const nkw_vec3_span out = vector_span(l.out, row);
-#pragma omp simd
-    for (size_t i = 0; i < F32XN; i++)
-        put_vec3(out, i, nkw_vec3_lerp(at_vec3(a, i), at_vec3(b, i), t[i]));
-}
-
 /* Divides the next sums by their lengths. Sets bits 30 or 31 of *far where one is not in 1 .. 2^128. */
 NKW_ALWAYS_INLINE void divide_lanes(lanes l, u32xN *far)
 {
@@ -191,24 +131,19 @@ NKW_ALWAYS_INLINE void divide_lanes(lanes l, u32xN *far)
  * All sums come before all divisions, so that no register waits for the root of the one before. Returns whether a
  * length was far from that of rotations.
  */
-NKW_ALWAYS_INLINE int nlerp_joints(lanes l, float t, int first, int used)
+NKW_ALWAYS_INLINE int nlerp_joints(lanes l, f32xN_weights at, int used)
 {
-    const f32xN all = f32xN_splat(t);
-    const f32xN_weights at = f32xN_weights_of(all);
     u32xN far = u32xN_from_f32xN(f32xN_splat(0.0f));
     lanes from = l;
     for (int i = 0; i < used; i += F32XN, l = lanes_after(l, F32XN)) {
-        if (may_be_equal(l, used - i))
-            sums_by_lanes(l, &t, 0);
-        else
-            sum_lanes(l, at, 1);
-        lerp_rows(l, 0, all, first);
+        put_sum(l, f32xN_nlerp_of(rotation_of(l.a), rotation_of(l.b), at, 1));
+        lerp_rows(l, 0, at, 1);
     }
     l = from;
     end_sums(l, used);
     for (int i = 0; i < used; i += F32XN, l = lanes_after(l, F32XN)) {
         divide_lanes(l, &far);
-        lerp_rows(l, 7, all, first);
+        lerp_rows(l, 7, at, 1);
     }
     return u32xN_any(far) >> 30 != 0;
 }
@@ -224,7 +159,7 @@ NKW_ALWAYS_INLINE void nlerp_block(blend_rows a, blend_rows b, float t, int used
 {
     float sum[5 * SUM_STRIDE];
     const lanes l = {a, b, out, sum, sum + 4 * SUM_STRIDE, SUM_STRIDE};
-    if (t < 0.5f ? nlerp_joints(l, t, 1, used) : nlerp_joints(l, t, 0, used))
+    if (t < 0.5f ? nlerp_joints(l, f32xN_weights_from(t, 1), used) : nlerp_joints(l, f32xN_weights_from(t, 0), used))
         normalize_again(sum, l.length, out, used);
 }
 
@@ -255,48 +190,10 @@ NKW_LOOP(nkwi_blend_weigh)(float weight, const float *mask, int used, float *out
         out[i] = out[used - 1];
 }
 
-/* How a register of joints is computed by a t of each: on registers from either end, by the lanes, or copied. */
-typedef enum how { FROM_A, FROM_B, BY_LANES, ALL_A, ALL_B } how;
-
-NKW_ALWAYS_INLINE how how_at(f32xN t)
+NKW_ALWAYS_INLINE f32xN_nlerp sum_each(lanes l, f32xN_weights at, const float *open)
 {
-    const uint32_t all = (UINT32_C(1) << F32XN) - 1;
-    const f32xN zero = f32xN_splat(0.0f), half = f32xN_splat(0.5f), one = f32xN_splat(1.0f);
-    const uint32_t near = i32xN_bits(f32xN_less(t, half));
-    if (i32xN_bits(f32xN_less(zero, t) & f32xN_less(t, one)) == all)
-        return near == all ? FROM_A : near == 0 ? FROM_B : BY_LANES;
-    if (i32xN_bits(f32xN_equal(t, zero)) == all)
-        return ALL_A;
-    return i32xN_bits(f32xN_equal(t, one)) == all ? ALL_B : BY_LANES;
-}
-
-NKW_ALWAYS_INLINE void copy_row(lanes l, size_t row, blend_rows from)
-{
-    f32xN_store(l.out.at + row * l.out.stride, f32xN_load(from.at + row * from.stride));
-}
-
-NKW_ALWAYS_INLINE void lerps_each(lanes l, size_t row, const float *t, how kind)
-{
-    if (kind == FROM_A)
-        lerp_rows(l, row, f32xN_load(t), 1);
-    else if (kind == FROM_B)
-        lerp_rows(l, row, f32xN_load(t), 0);
-    else if (kind == BY_LANES)
-        lerps_by_lanes(l, row, t);
-    else
-        for (size_t i = row; i < row + 3; i++)
-            copy_row(l, i, kind == ALL_A ? l.a : l.b);
-}
-
-NKW_ALWAYS_INLINE void sums_each(lanes l, const float *t, const float *open, how kind, int left, int lengths)
-{
-    const int is_special = kind > FROM_B || may_be_equal(l, left);
-    if (is_special && open)
-        mixes_by_lanes(l, t, open, lengths);
-    else if (is_special)
-        sums_by_lanes(l, t, 1);
-    else
-        sum_lanes(l, f32xN_weights_of(f32xN_load(t)), lengths);
+    const f32xN_quat a = rotation_of(l.a), b = rotation_of(l.b);
+    return open ? f32xN_mix_of(a, b, at, f32xN_load(open)) : f32xN_nlerp_of(a, b, at, 0);
 }
 
 NKW_ALWAYS_INLINE void each_block(blend_rows a, blend_rows b, const float *t, const float *open, int used,
@@ -305,18 +202,17 @@ NKW_ALWAYS_INLINE void each_block(blend_rows a, blend_rows b, const float *t, co
     float sum[5 * SUM_STRIDE];
     const lanes begin = {a, b, out, sum, sum + 4 * SUM_STRIDE, SUM_STRIDE};
     u32xN far = u32xN_from_f32xN(f32xN_splat(0.0f));
-    how kinds[BLEND_BLOCK / F32XN];
     lanes l = begin;
     for (int i = 0; i < used; i += F32XN, l = lanes_after(l, F32XN)) {
-        const how kind = kinds[i / F32XN] = how_at(f32xN_load(t + i));
-        sums_each(l, t + i, open ? open + i : NULL, kind, used - i, 1);
-        lerps_each(l, 0, t + i, kind);
+        const f32xN_weights at = f32xN_weights_of(f32xN_load(t + i), 0);
+        put_sum(l, sum_each(l, at, open ? open + i : NULL));
+        lerp_rows(l, 0, at, 0);
     }
     l = begin;
     end_sums(l, used);
     for (int i = 0; i < used; i += F32XN, l = lanes_after(l, F32XN)) {
         divide_lanes(l, &far);
-        lerps_each(l, 7, t + i, kinds[i / F32XN]);
+        lerp_rows(l, 7, f32xN_weights_of(f32xN_load(t + i), 0), 0);
     }
     if (u32xN_any(far) >> 30 != 0)
         normalize_again(sum, begin.length, out, used);
@@ -342,13 +238,12 @@ NKW_LOOP(nkwi_blend_each)
  */
 NKW_LOOP(nkwi_blend_mix)(blend_rows a, blend_rows b, const float *t, float *mixed, int used, blend_span out)
 {
-    float length[SUM_STRIDE];
-    lanes l = {a, b, out, out.at + 3 * out.stride, length, out.stride};
+    lanes l = {a, b, out, out.at + 3 * out.stride, out.at, out.stride};
     for (int i = 0; i < used; i += F32XN, l = lanes_after(l, F32XN)) {
-        const how kind = how_at(f32xN_load(t + i));
-        sums_each(l, t + i, mixed + i, kind, used - i, 0);
-        lerps_each(l, 0, t + i, kind);
-        lerps_each(l, 7, t + i, kind);
+        const f32xN_weights at = f32xN_weights_of(f32xN_load(t + i), 0);
+        f32xN_quat_store(l.sum, l.sums, f32xN_mix_sum(sum_each(l, at, mixed + i)));
+        lerp_rows(l, 0, at, 0);
+        lerp_rows(l, 7, at, 0);
     }
 #pragma omp simd
     for (int i = 0; i < used; i++)

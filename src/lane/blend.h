@@ -40,23 +40,6 @@ static inline float lane_ratio(float a, float b)
     return b == 0.0f ? 1.0f : r;
 }
 
-/* nlerp, but b itself, whatever a is, at t = 1. `open`: a is a sum of several, which t = 0 leaves to be normalised. */
-static inline lane_nlerp lane_quat_mix(nkw_quat a, nkw_quat b, float t, int open)
-{
-    lane_nlerp r = lane_quat_nlerp(a, b, t, 0);
-    nkw_quat sum = nkw_quat_scale(a, NKW_NLERP_SCALE);
-    int is_sum = open & (t == 0.0f);
-    r.v = lane_quat_select(t == 1.0f, b, lane_quat_select(is_sum, sum, r.v));
-    r.n2 = is_sum ? nkw_quat_dot(sum, sum) : r.n2;
-    return r;
-}
-
-/* The sum itself, as large as rotations are. */
-static inline nkw_quat lane_mix_sum(lane_nlerp r)
-{
-    return nkw_quat_scale(r.v, r.n2 == 1.0f ? 1.0f : 1.0f / NKW_NLERP_SCALE);
-}
-
 /* ref^-1 a, or a ref^-1 on the parent's side; in binary64, rounded once. A zero ref counts as the identity. */
 static inline nkw_quat lane_quat_delta(nkw_quat a, nkw_quat ref, int parent)
 {

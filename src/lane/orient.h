@@ -44,14 +44,14 @@ typedef struct lane_nlerp {
  */
 static inline lane_nlerp lane_quat_nlerp(nkw_quat a, nkw_quat b, float t, int generic)
 {
-    float s = generic ? NKW_NLERP_SCALE - NKW_NLERP_SCALE * t : nkw_nlerp_weight(t);
+    uint32_t last = generic ? 0u : 0u - (uint32_t)(t == 1.0f);
+    float s = lane_select(last, NKW_NLERP_SCALE, NKW_NLERP_SCALE - NKW_NLERP_SCALE * t);
     nkw_quat part = nkw_quat_scale(a, s);
     float dot = nkw_quat_dot(part, b);
     nkw_quat c = lane_quat_flip(b, (dot < 0.0f) != (s < 0.0f) ? 0x80000000u : 0u);
     nkw_quat v = nkw_quat_add(part, nkw_quat_scale(c, NKW_NLERP_SCALE * t));
     int is_equal = (a.x == c.x) & (a.y == c.y) & (a.z == c.z) & (a.w == c.w);
     uint32_t kept = generic ? 0u : 0u - (uint32_t)nkw_nlerp_is_kept(is_equal, t, dot);
-    uint32_t last = generic ? 0u : 0u - (uint32_t)(t == 1.0f);
     lane_nlerp r = {
         {
             lane_select(kept, lane_select(last, c.x, a.x), v.x),

@@ -11,10 +11,6 @@
 
 #include "pack/f32x4.h"
 
-#if NKW_F32X4 && defined(__SSE2__)
-#include <immintrin.h>
-#endif
-
 #if NKW_F32X4 && defined(__AVX__) && defined(__has_builtin)
 #if __has_builtin(__builtin_shufflevector)
 #define PACK_SHUFFLEVECTOR
@@ -122,36 +118,6 @@ static inline i32xN f32xN_equal(f32xN a, f32xN b)
     return -(a == b);
 #else
     return a == b;
-#endif
-}
-
-/* a == b */
-static inline i32xN i32xN_equal(i32xN a, i32xN b)
-{
-#if F32XN == 1
-    return -(a == b);
-#else
-    return a == b;
-#endif
-}
-
-/* Bit i: whether element i of a mask is set. */
-static inline uint32_t i32xN_bits(i32xN mask)
-{
-#if F32XN == 1
-    return (uint32_t)mask & 1u;
-#elif defined(__AVX512DQ__) && F32XN == 16
-    return _mm512_movepi32_mask((__m512i)mask);
-#elif defined(__AVX__) && F32XN == 8
-    return (uint32_t)_mm256_movemask_ps((__m256)mask);
-#elif defined(__SSE2__) && F32XN == 4
-    return (uint32_t)_mm_movemask_ps((__m128)mask);
-#else
-    uint32_t v[F32XN], bits = 0;
-    memcpy(v, &mask, sizeof v);
-    for (int i = 0; i < F32XN; i++)
-        bits |= (v[i] & 1u) << i;
-    return bits;
 #endif
 }
 
