@@ -41,15 +41,15 @@ nkw_vec3_inertia nkw_quat_inertia_begin(const nkw_quat_motion *from, const nkw_q
 }
 
 /* The rate of the offset: (1 - u)^2 ((1 - u) p' - 3 p) / duration, p = c[0] + c[1] u + c[2] u^2. */
-static float offset_rate(float c0, float c1, float c2, float u, float duration)
+static double offset_rate(float c0, float c1, float c2, double u, float duration)
 {
-    float w = 1.0f - u, p = c0 + u * (c1 + u * c2), slope = c1 + 2.0f * (u * c2);
-    return (w * w) * (w * slope - 3.0f * p) / duration;
+    double w = 1.0 - u, p = (double)c0 + u * ((double)c1 + u * (double)c2), slope = (double)c1 + 2.0 * (u * (double)c2);
+    return (w * w) * (w * slope - 3.0 * p) / (double)duration;
 }
 
-static nkw_vec3 offset_rate_vec3(const nkw_vec3_inertia *i, float u)
+static lane_f64_vec3 offset_rate_vec3(const nkw_vec3_inertia *i, double u)
 {
-    nkw_vec3 r = {
+    lane_f64_vec3 r = {
         offset_rate(i->c[0].x, i->c[1].x, i->c[2].x, u, i->duration),
         offset_rate(i->c[0].y, i->c[1].y, i->c[2].y, u, i->duration),
         offset_rate(i->c[0].z, i->c[1].z, i->c[2].z, u, i->duration),
@@ -59,7 +59,8 @@ static nkw_vec3 offset_rate_vec3(const nkw_vec3_inertia *i, float u)
 
 nkw_motion nkw_inertia_evaluate(nkw_inertia inertia, nkw_motion to, float t)
 {
-    const float *c = inertia.c, u = lane_inertia_time(t, inertia.duration);
+    const float *c = inertia.c;
+    double u = lane_inertia_time(t, inertia.duration);
     nkw_motion r = {
         lane_inertia_value(to.value, lane_inertia_offset(c[0], c[1], c[2], u), u),
         lane_inertia_value(to.velocity, offset_rate(c[0], c[1], c[2], u, inertia.duration), u),
@@ -69,8 +70,8 @@ nkw_motion nkw_inertia_evaluate(nkw_inertia inertia, nkw_motion to, float t)
 
 nkw_vec3_motion nkw_vec3_inertia_evaluate(const nkw_vec3_inertia *inertia, const nkw_vec3_motion *to, float t)
 {
-    float u = lane_inertia_time(t, inertia->duration);
-    nkw_vec3 offset = lane_inertia_offset_vec3(inertia->c[0], inertia->c[1], inertia->c[2], u);
+    double u = lane_inertia_time(t, inertia->duration);
+    lane_f64_vec3 offset = lane_inertia_offset_vec3(inertia->c[0], inertia->c[1], inertia->c[2], u);
     nkw_vec3_motion r = {
         lane_inertia_value_vec3(to->value, offset, u),
         lane_inertia_value_vec3(to->velocity, offset_rate_vec3(inertia, u), u),
@@ -91,30 +92,29 @@ static nkw_vec3 velocity_of(lane_f64_vec3 half, lane_f64_vec3 rate, nkw_vec3 to)
 
 nkw_quat_motion nkw_quat_inertia_evaluate(const nkw_vec3_inertia *inertia, const nkw_quat_motion *to, float t)
 {
-    float u = lane_inertia_time(t, inertia->duration);
-    if (!(u < 1.0f))
+    double u = lane_inertia_time(t, inertia->duration);
+    if (!(u < 1.0))
         return *to;
-    nkw_vec3 offset = lane_inertia_offset_vec3(inertia->c[0], inertia->c[1], inertia->c[2], u);
-    lane_f64_vec3 rate = lane_f64_vec3_from(offset_rate_vec3(inertia, u));
+    lane_f64_vec3 offset = lane_inertia_offset_vec3(inertia->c[0], inertia->c[1], inertia->c[2], u);
     nkw_quat_motion r = {
         lane_inertia_value_quat(to->value, offset, u),
-        velocity_of(lane_f64_vec3_from(offset), rate, to->velocity),
+        velocity_of(offset, offset_rate_vec3(inertia, u), to->velocity),
     };
     return r;
 }
 
 /* The velocity of a blend: of both velocities, and of the weight. */
-static float blended_rate(nkw_motion from, nkw_motion to, const lane_dead_time *at)
+static float blended_rate(nkw_motion from, nkw_motion to, double old, const lane_dead_time *at)
 {
-    float old = lane_dead_old(from.value, from.velocity, at->carried), rate = from.velocity * at->left;
-    float blended = lane_dead_blend(rate, to.velocity, at->s) + at->rate * (to.value - old);
-    return at->s == 1.0f ? to.velocity : at->s == 0.0f ? rate : blended;
+    double rate = (double)from.velocity * at->left, end = (double)to.velocity;
+    double blended = rate + at->s * (end - rate) + at->rate * ((double)to.value - old);
+    return (float)(at->s == 1.0 ? end : at->s == 0.0 ? rate : blended);
 }
 
 static nkw_motion dead_blend(nkw_motion from, nkw_motion to, const lane_dead_time *at)
 {
-    float old = lane_dead_old(from.value, from.velocity, at->carried);
-    nkw_motion r = {lane_dead_blend(old, to.value, at->s), blended_rate(from, to, at)};
+    double old = lane_dead_old(from.value, from.velocity, at->carried);
+    nkw_motion r = {lane_dead_blend(old, to.value, at->s), blended_rate(from, to, old, at)};
     return r;
 }
 
@@ -147,15 +147,15 @@ nkw_quat_motion nkw_quat_dead_blend_evaluate(nkw_quat_dead_blend *blend, const n
     lane_f64_quat old = lane_dead_old_quat(blend->from.value, blend->from.velocity, at.carried);
     lane_f64_quat d = lane_dead_difference(old, to->value, blend->difference);
     lane_f64_vec3 half = lane_f64_quat_log(d), w = lane_f64_vec3_from(blend->from.velocity);
-    double s = (double)at.s, left = (double)at.left;
-    lane_f64_vec3 rate = lane_difference_rate(d, half, lane_f64_vec3_scale(w, left), lane_f64_vec3_from(to->velocity));
-    rate = lane_f64_vec3_add_scaled(lane_f64_vec3_scale(rate, 1.0 - s), half, -(double)at.rate);
+    lane_f64_vec3 left = lane_f64_vec3_scale(w, at.left), to_rate = lane_f64_vec3_from(to->velocity);
+    lane_f64_vec3 rate = lane_difference_rate(d, half, left, to_rate);
+    rate = lane_f64_vec3_add_scaled(lane_f64_vec3_scale(rate, 1.0 - at.s), half, -at.rate);
     nkw_quat_motion r = {
         lane_dead_value_quat(d, to->value, at.s),
-        velocity_of(lane_f64_vec3_scale(half, 1.0 - s), rate, to->velocity),
+        velocity_of(lane_f64_vec3_scale(half, 1.0 - at.s), rate, to->velocity),
     };
     blend->difference = lane_quat_from_f64(d);
-    return at.s == 1.0f ? *to : r;
+    return at.s == 1.0 ? *to : r;
 }
 
 float nkw_dead_blend_half_life(nkw_motion from, float to, float half_life, float least, float most)

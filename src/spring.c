@@ -2,6 +2,7 @@
 #include "lane/strict.h"
 
 #include <nakawari/spring.h>
+#include <nakawari/vec.h>
 
 #include "lane/orient.h"
 #include "lane/scalar.h"
@@ -45,11 +46,35 @@ static lane_sincos near_critical(double z, double h)
     return a;
 }
 
-static lane_sincos underdamped(double q, double h)
+/* 2 pi as a sum: n times the first or the second, of 27 bits, is exact for n < 2^26. */
+#define TURN_HIGH   0x1.921fb54p2
+#define TURN_MIDDLE 0x1.10b461p-28
+#define TURN_LOW    0x1.a62633145c06ep-56
+
+/* The phase w h of an oscillation, and w. */
+typedef struct phase {
+    double w, high, low, rest; /* w h = high + low + rest; high and low are exact products */
+} phase;
+
+/* w^2 = stiffness - y^2 = square + left; w = a + b + more, a of 26 bits, and h is a float. */
+static phase phase_of(double stiffness, double y, double h)
 {
-    double w = lane_sqrt64(-q);
-    lane_sincos a = lane_turn64_long(w * h);
-    a.s = a.s / w;
+    double yy = y * y, square = stiffness - yy, back = square - stiffness;
+    double left = (stiffness - (square - back)) - (yy + back), w = lane_sqrt64(square);
+    double a = lane_double(lane_bits64(w) & ~UINT64_C(0x7FFFFFF)), b = w - a;
+    double more = ((((square - a * a) - 2.0 * a * b) - b * b) + left) / (2.0 * w);
+    phase p = {w + more, a * h, b * h, more * h};
+    return p;
+}
+
+/* sin and cos of the phase without its whole turns, less than 2^26 of them, to 2^-49 rad; beyond, of the rounded one. */
+static lane_sincos underdamped(double stiffness, double y, double h)
+{
+    phase p = phase_of(stiffness, y, h);
+    double n = (p.w * h * (1.0 / LANE_TWO_PI) + LANE_ROUND) - LANE_ROUND;
+    double near = ((p.high - n * TURN_HIGH) + p.low) - n * TURN_MIDDLE;
+    lane_sincos a = n < 0x1p26 ? lane_sincos64(near + (p.rest - n * TURN_LOW)) : lane_turn64_long(p.w * h);
+    a.s = a.s / p.w;
     return a;
 }
 
@@ -73,7 +98,7 @@ static flow flow_of(double stiffness, double damping, double h)
     double y = 0.5 * damping, q = y * y - stiffness, z = q * h * h;
     if (z >= 0.25)
         return overdamped(stiffness, y, q, h);
-    return flow_by(stiffness, y, lane_decay64(y * h), z > -0.25 ? near_critical(z, h) : underdamped(q, h));
+    return flow_by(stiffness, y, lane_decay64(y * h), z > -0.25 ? near_critical(z, h) : underdamped(stiffness, y, h));
 }
 
 static flow flow_after(nkw_spring spring, double h)
@@ -154,11 +179,39 @@ static int is_none(float h)
     return h <= 0.0f;
 }
 
-static nkw_motion step_of(const flow *m, nkw_motion from, nkw_motion goal, double h)
+/* The float next to a finite `from` on the way to another number. */
+static float next_towards(float from, float to)
+{
+    uint32_t bits = lane_bits(from), away = (from < to) == (from > 0.0f);
+    float next = lane_float(away ? bits + 1u : bits - 1u);
+    return from == 0.0f ? lane_float(lane_sign_bit(to) | 1u) : next;
+}
+
+/* `next`, the rounded end of a step; one ULP nearer to the goal where the step rounds to nothing before it. */
+static float kept_moving(float from, float next, float goal)
+{
+    return next == from && goal != from && lane_is_finite(from) ? next_towards(from, goal) : next;
+}
+
+/* How a spring comes to rest at its goal: not at all, by swinging, or with zeta >= 1/2 by settling. */
+typedef enum spring_kind { DRIFTS, SWINGS, SETTLES } spring_kind;
+
+static spring_kind kind_of(nkw_spring spring)
+{
+    double stiffness = bounded(spring.stiffness), damping = bounded(spring.damping);
+    return stiffness > 0.0 && damping > 0.0 ? damping * damping >= stiffness ? SETTLES : SWINGS : DRIFTS;
+}
+
+/* Only on the way to the goal, and what swings not while it is still accelerated. */
+static nkw_motion step_of(const flow *m, nkw_motion from, nkw_motion goal, double h, spring_kind kind)
 {
     double x = (double)from.value - (double)goal.value, v = (double)from.velocity - (double)goal.velocity;
-    double g = (double)goal.value + (double)goal.velocity * h;
+    double g = (double)goal.value + (double)goal.velocity * h, gap = g - (double)from.value;
     nkw_motion r = {(float)(g + (m->xx * x + m->xv * v)), (float)((double)goal.velocity + (m->vx * x + m->vv * v))};
+    double gain = (double)r.velocity - (double)from.velocity;
+    int nears = kind != DRIFTS && (double)from.velocity * gap > 0.0;
+    if (nears && (kind == SETTLES || gain * gap <= 0.0))
+        r.value = kept_moving(from.value, r.value, (float)g);
     return r;
 }
 
@@ -166,7 +219,7 @@ nkw_motion nkw_spring_step(nkw_spring spring, nkw_motion from, nkw_motion goal, 
 {
     double seconds = bounded(h);
     flow m = flow_after(spring, seconds);
-    return is_none(h) ? from : step_of(&m, from, goal, seconds);
+    return is_none(h) ? from : step_of(&m, from, goal, seconds, kind_of(spring));
 }
 
 static nkw_motion motion_of(float value, float velocity)
@@ -182,9 +235,10 @@ nkw_vec3_motion nkw_vec3_spring_step(nkw_spring spring, const nkw_vec3_motion *f
 {
     double seconds = bounded(h);
     flow m = flow_after(spring, seconds);
-    nkw_motion x = step_of(&m, MOTION_AT(from, x), MOTION_AT(goal, x), seconds);
-    nkw_motion y = step_of(&m, MOTION_AT(from, y), MOTION_AT(goal, y), seconds);
-    nkw_motion z = step_of(&m, MOTION_AT(from, z), MOTION_AT(goal, z), seconds);
+    spring_kind kind = kind_of(spring);
+    nkw_motion x = step_of(&m, MOTION_AT(from, x), MOTION_AT(goal, x), seconds, kind);
+    nkw_motion y = step_of(&m, MOTION_AT(from, y), MOTION_AT(goal, y), seconds, kind);
+    nkw_motion z = step_of(&m, MOTION_AT(from, z), MOTION_AT(goal, z), seconds, kind);
     nkw_vec3_motion r = {{x.value, y.value, z.value}, {x.velocity, y.velocity, z.velocity}};
     return is_none(h) ? *from : r;
 }
@@ -209,6 +263,39 @@ static lane_f64_vec3 combined(lane_f64_vec3 a, double s, lane_f64_vec3 b, double
     return lane_f64_vec3_add_scaled(lane_f64_vec3_scale(a, s), b, t);
 }
 
+/* A step of a rotation by this much, in half its angle, is more than its rounding and that of the length. */
+#define LEAST_TURN 0x1.4p-23
+
+/* Half the angle from g to q. */
+static double half_angle(nkw_quat q, lane_f64_quat g)
+{
+    lane_f64_quat e;
+    return lane_f64_vec3_length(error_of(lane_f64_quat_from(q), g, &e));
+}
+
+/* Whether rounding to `next` takes more than half of a step towards g, short, that turns from `before` to `after`. */
+static int is_lost(nkw_quat next, lane_f64_quat g, double before, double after)
+{
+    double way = before - after;
+    return way > 0.0 && way < LEAST_TURN && before - half_angle(next, g) < 0.5 * way;
+}
+
+/*
+ * kept_moving for a rotation: `next`, by the least turn from `from` where the step to half the angle `after` is lost.
+ * `gain` is the change of the angular velocity.
+ */
+static nkw_quat kept_turning(const nkw_quat_motion *from, nkw_quat next, lane_f64_quat g, double after, nkw_vec3 gain,
+                             spring_kind kind)
+{
+    lane_f64_quat e;
+    lane_f64_vec3 half = error_of(lane_f64_quat_unit_from(from->value), g, &e);
+    double n = lane_f64_vec3_length(half), left = n > LEAST_TURN ? 1.0 - LEAST_TURN / n : 0.0;
+    int nears = lane_f64_vec3_dot(half, lane_f64_vec3_from(from->velocity)) < 0.0;
+    int slows = kind == SETTLES || lane_f64_vec3_dot(half, lane_f64_vec3_from(gain)) >= 0.0;
+    nkw_quat moved = lane_quat_from_f64(lane_f64_quat_mul(lane_f64_quat_exp(lane_f64_vec3_scale(half, left)), g));
+    return nears && slows && is_lost(next, g, n, after) ? moved : next;
+}
+
 nkw_quat_motion nkw_quat_spring_step(nkw_spring spring, const nkw_quat_motion *from, const nkw_quat_motion *goal,
                                      float h)
 {
@@ -220,12 +307,16 @@ nkw_quat_motion nkw_quat_spring_step(nkw_spring spring, const nkw_quat_motion *f
     lane_f64_vec3 relative = lane_f64_vec3_sub(spin, lane_f64_quat_rotate(e, turn));
     lane_f64_vec3 rate = lane_f64_rotation_rate(e, half, relative);
     lane_f64_vec3 r = combined(half, 2.0 * m.xx, rate, m.xv), v = combined(half, 2.0 * m.vx, rate, m.vv);
+    double after = 0.5 * lane_f64_vec3_length(r), way = lane_f64_vec3_length(half) - after;
     lane_sincos angle, unused;
     e = exp_of(lane_f64_vec3_scale(r, 0.5), &angle);
     g = lane_f64_quat_mul(exp_of(lane_f64_vec3_scale(turn, 0.5 * seconds), &unused), g);
     x = lane_f64_quat_mul(e, g);
     spin = lane_f64_vec3_add_scaled(lane_f64_rotation_velocity(r, angle, v), lane_f64_quat_rotate(e, turn), 1.0);
     nkw_quat_motion out = {lane_quat_from_f64(x), lane_vec3_from_f64(spin)};
+    if (kind_of(spring) != DRIFTS && lane_abs64(way) < LEAST_TURN)
+        out.value =
+            kept_turning(from, out.value, g, after, nkw_vec3_sub(out.velocity, from->velocity), kind_of(spring));
     return is_none(h) ? *from : out;
 }
 
@@ -238,7 +329,8 @@ static double halves(float half_life, float h)
 
 static float damped(float from, float goal, double kept)
 {
-    return (float)((double)goal + ((double)from - (double)goal) * kept);
+    float next = (float)((double)goal + ((double)from - (double)goal) * kept);
+    return kept == 1.0 && goal - goal == 0.0f ? from : kept_moving(from, next, goal);
 }
 
 float nkw_damper_step(float from, float goal, float half_life, float h)
@@ -258,7 +350,12 @@ nkw_quat nkw_quat_damper_step(nkw_quat from, nkw_quat goal, float half_life, flo
     double kept = halves(half_life, h);
     lane_f64_quat x = lane_f64_quat_from(from);
     lane_f64_quat g = lane_f64_quat_aligned(x, lane_f64_quat_from(goal), NKW_PATH_SHORT);
-    return is_none(h) ? from : lane_quat_from_f64(lane_f64_quat_slerp_turned(x, g, 1.0 - kept, 0.0, 0));
+    lane_f64_arc arc = lane_f64_arc_between(x, g);
+    nkw_quat next = lane_quat_from_f64(lane_f64_arc_at(&arc, (1.0 - kept) * arc.h, 0.0, 0));
+    if (is_lost(next, g, arc.h, kept * arc.h))
+        next = lane_quat_from_f64(lane_f64_arc_at(&arc, arc.h < LEAST_TURN ? arc.h : LEAST_TURN, 0.0, 0));
+    next = lane_quat_select(kept == 0.0, lane_quat_from_f64(g), next);
+    return is_none(h) || kept == 1.0 ? from : next;
 }
 
 /* ---- Springs that arrive at a time ---- */
@@ -279,7 +376,7 @@ static parts parts_of(nkw_spring_timed *timed, float h)
         p.rate = 1.0 / left;
         p.resting = (float)((double)h - (double)p.moving);
     }
-    timed->time_left = after > 0.0 ? (float)after : 0.0f;
+    timed->time_left = after > 0.0 ? kept_moving(timed->time_left, (float)after, 0.0f) : 0.0f;
     return p;
 }
 

@@ -72,6 +72,10 @@ NKW_API nkw_vec3_inertia nkw_vec3_inertia_begin(const nkw_vec3_motion *from, con
  *
  * from, to  any lengths but 0; a zero quaternion counts as the identity. A v that passes more than 2^16 rad in T is
  *           reduced to that
+ *
+ * Error  1.01 u of the norm of the nine coefficients, and of the duration, for rotations of 2^-9 to 3 rad and
+ *        velocities of at most 5 rad/s. Where T is reduced to -5 x/v it has the condition of that quotient: the
+ *        error holds for v within 89.9 degrees of -x.
  */
 NKW_API nkw_vec3_inertia nkw_quat_inertia_begin(const nkw_quat_motion *from, const nkw_quat_motion *to, float duration);
 
@@ -82,7 +86,9 @@ NKW_API nkw_vec3_inertia nkw_quat_inertia_begin(const nkw_quat_motion *from, con
  * t        seconds; negative numbers and NaN count as 0
  * Returns  `from` at the start, t = 0, to rounding; exactly `to` from t = duration on
  *
- * Error  2.5 u of the value, relative to |to| + |c[0]| + |c[1]| + |c[2]|.
+ * Computed in binary64, rounded once.
+ *
+ * Error  1.01 u of the value, relative to |to| + |c[0]| + |c[1]| + |c[2]|.
  */
 NKW_API nkw_motion nkw_inertia_evaluate(nkw_inertia inertia, nkw_motion to, float t);
 /** The same of a vector: each component with the bits of nkw_inertia_evaluate. */
@@ -90,7 +96,8 @@ NKW_API nkw_vec3_motion nkw_vec3_inertia_evaluate(const nkw_vec3_inertia *inerti
 /**
  * The same of a rotation: exp(offset) to. The velocity is exact: the derivative of the exponential and of `to`.
  *
- * Error  3.5 u of the quaternion, for offsets below a turn.
+ * Error  1.01 u of the quaternion, for coefficients to 2^9 rad. With those of nkw_quat_inertia_begin, which are rounded
+ *        to floats, the result from rest to rest is within 2.5 u.
  */
 NKW_API nkw_quat_motion nkw_quat_inertia_evaluate(const nkw_vec3_inertia *inertia, const nkw_quat_motion *to, float t);
 
@@ -132,7 +139,7 @@ typedef struct nkw_quat_dead_blend {
  * t          seconds; negative numbers and NaN count as 0
  * Returns    exactly `from` at t = 0, exactly `to` from t = duration on
  *
- * Error  3.2 u of the value, relative to |x| + |v h (1 - 2^(-t/half_life))| + |to|.
+ * Error  1.01 u of the value, relative to |x| + |v h (1 - 2^(-t/half_life))| + |to|.
  * Source Holden, Dead Blending, 2023.
  */
 NKW_API nkw_motion nkw_dead_blend_evaluate(const nkw_dead_blend *blend, nkw_motion to, float t);
@@ -151,7 +158,7 @@ NKW_API nkw_vec3_motion nkw_vec3_dead_blend_evaluate(const nkw_vec3_dead_blend *
  *
  * blend  difference receives the difference
  *
- * Error  3.5 u of the quaternion, for v h below 10 rad.
+ * Error  1.01 u of the quaternion, for v h below 10 rad.
  */
 NKW_API nkw_quat_motion nkw_quat_dead_blend_evaluate(nkw_quat_dead_blend *blend, const nkw_quat_motion *to, float t);
 

@@ -13,8 +13,8 @@ NKW_LOOP(nkwi_inertia_vec3)
     const transition_offsets o = *offsets;
 #pragma omp simd
     for (size_t i = 0; i < n; i++) {
-        float u = lane_inertia_time(t, o.duration[i]);
-        nkw_vec3 offset = lane_inertia_offset_vec3(at_vec3(o.c0, i), at_vec3(o.c1, i), at_vec3(o.c2, i), u);
+        double u = lane_inertia_time(t, o.duration[i]);
+        lane_f64_vec3 offset = lane_inertia_offset_vec3(at_vec3(o.c0, i), at_vec3(o.c1, i), at_vec3(o.c2, i), u);
         put_vec3(out, i, lane_inertia_value_vec3(at_vec3(to, i), offset, u));
     }
 }
@@ -25,8 +25,8 @@ NKW_LOOP(nkwi_inertia_quat)
     const transition_offsets o = *offsets;
 #pragma omp simd
     for (size_t i = 0; i < n; i++) {
-        float u = lane_inertia_time(t, o.duration[i]);
-        nkw_vec3 offset = lane_inertia_offset_vec3(at_vec3(o.c0, i), at_vec3(o.c1, i), at_vec3(o.c2, i), u);
+        double u = lane_inertia_time(t, o.duration[i]);
+        lane_f64_vec3 offset = lane_inertia_offset_vec3(at_vec3(o.c0, i), at_vec3(o.c1, i), at_vec3(o.c2, i), u);
         put_quat(out, i, lane_inertia_value_quat(at_quat(to, i), offset, u));
     }
 }

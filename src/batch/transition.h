@@ -15,8 +15,7 @@ typedef struct transition_offsets {
 
 /* Of a dead blend at a time: how far velocities have carried, the weight of the new pose. */
 typedef struct transition_time {
-    double carried;
-    float s;
+    double carried, s;
 } transition_time;
 
 /* clang-format off */

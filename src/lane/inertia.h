@@ -15,21 +15,21 @@
 /* ---- Inertialisation: the offset (1 - u)^3 (c[0] + c[1] u + c[2] u^2) ---- */
 
 /* The time in u, 1 from the duration on. */
-static inline float lane_inertia_time(float t, float duration)
+static inline double lane_inertia_time(float t, float duration)
 {
-    float time = t > 0.0f ? t : 0.0f;
-    return time < duration ? time / duration : 1.0f;
+    double all = (double)duration, time = t > 0.0f ? (double)t : 0.0;
+    return time < all ? time / all : 1.0;
 }
 
-static inline float lane_inertia_offset(float c0, float c1, float c2, float u)
+static inline double lane_inertia_offset(float c0, float c1, float c2, double u)
 {
-    float w = 1.0f - u;
-    return (w * w) * (w * (c0 + u * (c1 + u * c2)));
+    double w = 1.0 - u;
+    return (w * w) * (w * ((double)c0 + u * ((double)c1 + u * (double)c2)));
 }
 
-static inline nkw_vec3 lane_inertia_offset_vec3(nkw_vec3 c0, nkw_vec3 c1, nkw_vec3 c2, float u)
+static inline lane_f64_vec3 lane_inertia_offset_vec3(nkw_vec3 c0, nkw_vec3 c1, nkw_vec3 c2, double u)
 {
-    nkw_vec3 r = {
+    lane_f64_vec3 r = {
         lane_inertia_offset(c0.x, c1.x, c2.x, u),
         lane_inertia_offset(c0.y, c1.y, c2.y, u),
         lane_inertia_offset(c0.z, c1.z, c2.z, u),
@@ -38,12 +38,13 @@ static inline nkw_vec3 lane_inertia_offset_vec3(nkw_vec3 c0, nkw_vec3 c1, nkw_ve
 }
 
 /* to + offset; exactly `to` from u = 1 on, also where coefficients are not finite. */
-static inline float lane_inertia_value(float to, float offset, float u)
+static inline float lane_inertia_value(float to, double offset, double u)
 {
-    return u < 1.0f ? to + offset : to;
+    double from = (double)to;
+    return (float)(u < 1.0 ? from + offset : from);
 }
 
-static inline nkw_vec3 lane_inertia_value_vec3(nkw_vec3 to, nkw_vec3 offset, float u)
+static inline nkw_vec3 lane_inertia_value_vec3(nkw_vec3 to, lane_f64_vec3 offset, double u)
 {
     nkw_vec3 r = {
         lane_inertia_value(to.x, offset.x, u),
@@ -53,11 +54,10 @@ static inline nkw_vec3 lane_inertia_value_vec3(nkw_vec3 to, nkw_vec3 offset, flo
     return r;
 }
 
-LANE_FLAT static inline nkw_quat lane_inertia_value_quat(nkw_quat to, nkw_vec3 offset, float u)
+LANE_FLAT static inline nkw_quat lane_inertia_value_quat(nkw_quat to, lane_f64_vec3 offset, double u)
 {
-    lane_f64_quat turn = lane_f64_quat_exp_near(lane_f64_vec3_from(offset));
-    nkw_quat r = lane_quat_from_f64(lane_f64_quat_mul(turn, lane_f64_quat_from(to)));
-    return lane_quat_select(u < 1.0f, r, to);
+    nkw_quat r = lane_quat_from_f64(lane_f64_quat_mul(lane_f64_quat_exp_near(offset), lane_f64_quat_from(to)));
+    return lane_quat_select(u < 1.0, r, to);
 }
 
 /* The part of x that v loses in a second, negative where x shrinks; 0 without x. */
@@ -135,8 +135,7 @@ static inline lane_inertia_c lane_inertia_begin_quat(lane_rotation_offset x, flo
 
 /* What depends on the time alone: how far the old velocity has carried, what is left of it; the weight of the new. */
 typedef struct lane_dead_time {
-    double carried;
-    float left, s, rate;
+    double carried, left, s, rate;
 } lane_dead_time;
 
 static inline lane_dead_time lane_dead_time_at(float half_life, float duration, float t)
@@ -145,30 +144,30 @@ static inline lane_dead_time lane_dead_time_at(float half_life, float duration, 
     double lasting = half_life > 0.0f ? (double)half_life : 0.0, x = time * LANE_LN_2 / lasting;
     int stopped = lasting == 0.0 && time > 0.0;
     double known = lasting == 0.0 ? 0.0 : x;
-    float u = lane_inertia_time(t, duration), w = 1.0f - u;
+    double u = lane_inertia_time(t, duration), w = 1.0 - u;
     lane_dead_time r = {
         lasting == 0.0 ? 0.0 : time * lane_decay_mean64(known),
-        stopped ? 0.0f : (float)lane_decay64(known),
-        u * u * (1.0f + 2.0f * w),
-        u < 1.0f ? 6.0f * (u * w) / duration : 0.0f,
+        stopped ? 0.0 : lane_decay64(known),
+        u * u * (1.0 + 2.0 * w),
+        u < 1.0 ? 6.0 * (u * w) / (double)duration : 0.0,
     };
     return r;
 }
 
-static inline float lane_dead_old(float x, float v, double carried)
+static inline double lane_dead_old(float x, float v, double carried)
 {
-    double old = (double)x + (double)v * carried;
-    return carried > 0.0 ? (float)old : x;
+    double from = (double)x, old = from + (double)v * carried;
+    return carried > 0.0 ? old : from;
 }
 
 /* Exactly `to` at s = 1, exactly old at s = 0. */
-static inline float lane_dead_blend(float old, float to, float s)
+static inline float lane_dead_blend(double old, float to, double s)
 {
-    float inside = lane_lerp_from(s < 0.5f ? old : to, s < 0.5f ? s : s - 1.0f, old, to);
-    return s == 1.0f ? to : s == 0.0f ? old : inside;
+    double end = (double)to, inside = old + s * (end - old);
+    return (float)(s == 1.0 ? end : s == 0.0 ? old : inside);
 }
 
-static inline nkw_vec3 lane_dead_value_vec3(nkw_vec3 x, nkw_vec3 v, nkw_vec3 to, double carried, float s)
+static inline nkw_vec3 lane_dead_value_vec3(nkw_vec3 x, nkw_vec3 v, nkw_vec3 to, double carried, double s)
 {
     nkw_vec3 r = {
         lane_dead_blend(lane_dead_old(x.x, v.x, carried), to.x, s),
@@ -198,11 +197,11 @@ LANE_FLAT static inline lane_f64_quat lane_dead_difference(lane_f64_quat old, nk
 }
 
 /* exp((1 - s) log d) to; exactly `to` at s = 1. */
-LANE_FLAT static inline nkw_quat lane_dead_value_quat(lane_f64_quat d, nkw_quat to, float s)
+LANE_FLAT static inline nkw_quat lane_dead_value_quat(lane_f64_quat d, nkw_quat to, double s)
 {
-    lane_f64_vec3 part = lane_f64_vec3_scale(lane_f64_quat_log(d), 1.0 - (double)s);
+    lane_f64_vec3 part = lane_f64_vec3_scale(lane_f64_quat_log(d), 1.0 - s);
     lane_f64_quat q = lane_f64_quat_mul(lane_f64_quat_exp_near(part), lane_f64_quat_from(to));
-    return lane_quat_select(s == 1.0f, to, lane_quat_from_f64(q));
+    return lane_quat_select(s == 1.0, to, lane_quat_from_f64(q));
 }
 
 #endif

@@ -55,6 +55,15 @@ static void offset(random_source *r, float *x)
     x[13] = random_unit(r);
 }
 
+/* The same with coefficients to 2^10 rad that cancel each other. */
+static void large_offset(random_source *r, float *x)
+{
+    offset(r, x);
+    float size = random_log(r, 0.01f, 0x1p10f);
+    for (int i = 0; i < 9; i++)
+        x[i] *= size;
+}
+
 static double quat_evaluate_error(const float *x)
 {
     nkw_vec3_inertia i = {{vec3_at(x), vec3_at(x + 3), vec3_at(x + 6)}, 1.0f};
@@ -66,6 +75,102 @@ static double quat_evaluate_error(const float *x)
     wide_quat_exp(v, e);
     wide_quat_mul(e, q, want);
     return wide_error(&got.value.x, want, 4);
+}
+
+/* The old rotation and its velocity, the new one and its velocity, the duration. */
+static void two_turning(random_source *r, float *x)
+{
+    nkw_quat q = random_unit_quat(r);
+    put_quat(x, q);
+    put_vec3(x + 4, nkw_vec3_scale(random_direction(r), random_unit(r) < 0.25f ? 0.0f : random_log(r, 0.001f, 5.0f)));
+    put_quat(x + 7, random_unit_near(r, q, random_log(r, 0x1p-10f, 1.5f)));
+    put_vec3(x + 11, nkw_vec3_scale(random_direction(r), random_unit(r) < 0.25f ? 0.0f : random_log(r, 0.001f, 5.0f)));
+    x[14] = random_log(r, 0.05f, 2.0f);
+}
+
+/* The rate of half the rotation vector v = log d for the angular velocity w: (w - r x w / 2 + c r x (r x w)) / 2. */
+static void half_rate(const wide v[3], const wide w[3], wide out[3])
+{
+    wide h = wide_length(v, 3), c = h == 0 ? 1 / (wide)12 : (1 - h / tanq(h)) / (4 * h * h), a[3], b[3], r[3];
+    for (int i = 0; i < 3; i++)
+        r[i] = 2 * v[i];
+    wide_cross(r, w, a);
+    wide_cross(r, a, b);
+    for (int i = 0; i < 3; i++)
+        out[i] = (w[i] - a[i] / 2 + c * b[i]) / 2;
+}
+
+/* x = log(from to^-1) of the shorter arc, and its rate v. */
+static void exact_offset(const float *in, wide x[3], wide v[3])
+{
+    wide q[4], g[4], d[4], w[3], to[3], m[9];
+    wide_from(in, q, 4);
+    wide_from(in + 7, g, 4);
+    wide_from(in + 4, w, 3);
+    wide_from(in + 11, to, 3);
+    wide_normalize(q, 4);
+    wide_normalize(g, 4);
+    wide c[4] = {-g[0], -g[1], -g[2], g[3]};
+    wide_quat_mul(q, c, d);
+    wide_scale(d, d[3] < 0 ? -1 : 1, 4);
+    wide_quat_log(d, x);
+    wide_mat3_from_quat(d, m);
+    for (int i = 0; i < 3; i++)
+        w[i] -= m[i] * to[0] + m[3 + i] * to[1] + m[6 + i] * to[2];
+    half_rate(x, w, v);
+}
+
+/* The coefficients of nkw_vec3_inertia_begin for an offset x of rate v, and the duration. */
+static wide exact_coefficients(const wide x[3], const wide v[3], wide duration, wide c[9])
+{
+    wide xx = wide_dot(x, x, 3), growth = xx > 0 ? wide_dot(x, v, 3) / xx : 0;
+    wide t = duration * growth < -5 ? -5 / growth : duration, a = -8 * growth * t - 20;
+    for (int i = 0; i < 3; i++) {
+        c[i] = x[i];
+        c[3 + i] = v[i] * t + 3 * x[i];
+        c[6 + i] = 3 * v[i] * t + (6 + (a > 0 ? a / 2 : 0)) * x[i];
+    }
+    return t;
+}
+
+static double quat_begin_error(const float *in)
+{
+    nkw_quat_motion from = {quat_at(in), vec3_at(in + 4)}, to = {quat_at(in + 7), vec3_at(in + 11)};
+    nkw_vec3_inertia got = nkw_quat_inertia_begin(&from, &to, in[14]);
+    wide x[3], v[3], c[9];
+    exact_offset(in, x, v);
+    wide t = exact_coefficients(x, v, in[14], c);
+    double direction = (double)fabsq(wide_dot(x, v, 3)), size = (double)(wide_length(x, 3) * wide_length(v, 3));
+    if (t != (wide)in[14] && direction < 0x1p-10 * size)
+        return 0.0;
+    return fmax(wide_error(&got.c[0].x, c, 9), wide_error(&got.duration, &t, 1));
+}
+
+/* Two rotations at rest: x[14] is the duration, x[15] the time in it. */
+static void two_resting(random_source *r, float *x)
+{
+    two_turning(r, x);
+    for (int i = 0; i < 3; i++)
+        x[4 + i] = x[11 + i] = 0.0f;
+    x[15] = random_unit(r);
+}
+
+/* The header states 2.5 u for both functions together: in parts of that, as the line of 1.01 u. */
+static double resting_error(const float *in)
+{
+    nkw_quat_motion from = {quat_at(in), vec3_at(in + 4)}, to = {quat_at(in + 7), vec3_at(in + 11)};
+    nkw_vec3_inertia inertia = nkw_quat_inertia_begin(&from, &to, in[14]);
+    float t = in[14] * in[15];
+    nkw_quat_motion got = nkw_quat_inertia_evaluate(&inertia, &to, t);
+    wide x[3], v[3], c[9], u = (wide)t / in[14], w = (1 - u) * (1 - u) * (1 - u), e[4], g[4], want[4];
+    exact_offset(in, x, v);
+    exact_coefficients(x, v, in[14], c);
+    for (int i = 0; i < 3; i++)
+        v[i] = u < 1 ? w * (c[i] + u * (c[3 + i] + u * c[6 + i])) : 0;
+    wide_from(in + 7, g, 4);
+    wide_quat_exp(v, e);
+    wide_quat_mul(e, g, want);
+    return wide_error(&got.value.x, want, 4) * (1.01 / 2.5);
 }
 
 static double dead_error(const float *x)
@@ -122,6 +227,10 @@ int main(int argc, char **argv)
         {"nkw_inertia_begin", "any", two_motions, begin_error, 5, WIDE_CHECKED},
         {"nkw_inertia_evaluate", "any", two_motions, evaluate_error, 6, WIDE_CHECKED},
         {"nkw_quat_inertia_evaluate", "any", offset, quat_evaluate_error, 14, WIDE_CHECKED},
+        {"nkw_quat_inertia_evaluate", "coefficients to 2^9 rad", large_offset, quat_evaluate_error, 14, WIDE_CHECKED},
+        {"nkw_quat_inertia_begin", "2^-9 to 3 rad", two_turning, quat_begin_error, 15, WIDE_CHECKED},
+        {"nkw_quat_inertia_evaluate", "from rest to rest, its begin too, of 2.5 u", two_resting, resting_error, 16,
+         WIDE_CHECKED},
         {"nkw_dead_blend_evaluate", "any", two_motions, dead_error, 7, WIDE_CHECKED},
         {"nkw_quat_dead_blend_evaluate", "any", two_rotations, quat_dead_error, 14, WIDE_CHECKED},
     };

@@ -31,6 +31,14 @@ static void undamped_spring(random_source *r, float *x)
     x[6] *= 100.0f;
 }
 
+/* Phases to 2^28 rad in a step. */
+static void long_spring(random_source *r, float *x)
+{
+    any_spring(r, x);
+    x[1] = random_unit(r) < 0.5f ? 0.0f : x[1] * 0x1p-40f;
+    x[6] = random_log(r, 1.0f, 0x1p28f) / sqrtf(x[0]);
+}
+
 static void drag(random_source *r, float *x)
 {
     any_spring(r, x);
@@ -55,6 +63,13 @@ static void flow(wide s, wide d, wide h, wide m[4])
     m[2] = -s * m[1];
 }
 
+/* Whether a step that rounds to nothing was made one ULP: the header states that, and tests hold it. */
+static int is_least(float got, float from, wide exact)
+{
+    float next = nextafterf(from, got);
+    return got == next && got != from && fabsq(exact - from) <= fabsq((wide)next - from) / 2;
+}
+
 static double step_error(nkw_motion got, const float *x, wide h)
 {
     wide m[4], e = (wide)x[2] - x[4], v = (wide)x[3] - x[5];
@@ -62,7 +77,8 @@ static double step_error(nkw_motion got, const float *x, wide h)
     wide goal = x[4] + x[5] * h, value = goal + m[0] * e + m[1] * v, rate = x[5] + m[2] * e + m[3] * v;
     wide size = fabsq(goal) + fabsq(m[0] * e) + fabsq(m[1] * v),
          speed = fabsq((wide)x[5]) + fabsq(m[2] * e) + fabsq(m[3] * v);
-    return fmax(wide_error_of(&got.value, &value, 1, size), wide_error_of(&got.velocity, &rate, 1, speed));
+    double error = is_least(got.value, x[2], value) ? 0.0 : wide_error_of(&got.value, &value, 1, size);
+    return fmax(error, wide_error_of(&got.velocity, &rate, 1, speed));
 }
 
 static nkw_motion step(const float *x, nkw_motion from, float h)
@@ -178,7 +194,7 @@ static double damper_error(const float *x)
 {
     wide e = (wide)x[0] - x[1], want = x[1] + e * exp2q(-(wide)x[3] / x[2]);
     float got = nkw_damper_step(x[0], x[1], x[2], x[3]);
-    return wide_error_of(&got, &want, 1, fabsq((wide)x[1]) + fabsq(e));
+    return is_least(got, x[0], want) ? 0.0 : wide_error_of(&got, &want, 1, fabsq((wide)x[1]) + fabsq(e));
 }
 
 static double damper_composition(const float *x)
@@ -198,14 +214,37 @@ static void quat_damper(random_source *r, float *x)
     x[9] = random_log(r, 0.01f, 10.0f);
 }
 
+/* Almost equal to almost opposite, and exactly so. */
+static void wide_quat_damper(random_source *r, float *x)
+{
+    quat_damper(r, x);
+    nkw_quat a = quat_at(x), b = random_unit_near(r, a, random_log(r, 0x1p-30f, 1.5707964f));
+    if (random_unit(r) < 0.125f)
+        b = random_unit(r) < 0.5f ? a : nkw_quat_negate(a);
+    put_quat(x + 4, random_unit(r) < 0.5f ? b : nkw_quat_negate(b));
+}
+
+/* 3.5 u where the exact step is less than the least one. */
+static double turn_error(const float *got, const wide want[4], const wide from[4])
+{
+    wide way[4];
+    for (int i = 0; i < 4; i++)
+        way[i] = want[i] - from[i];
+    double error = wide_error(got, want, 4);
+    return wide_length(way, 4) > 0x1.4p-23f ? error : error > 3.5 ? HUGE_VAL : 0.0;
+}
+
 static double quat_damper_error(const float *x)
 {
     nkw_quat got = nkw_quat_damper_step(quat_at(x), quat_at(x + 4), x[8], x[9]);
     wide a[4], b[4], want[4];
     wide_from(x, a, 4);
     wide_from(x + 4, b, 4);
+    wide_normalize(a, 4);
+    wide_normalize(b, 4);
+    wide_scale(b, wide_dot(a, b, 4) < 0 ? -1 : 1, 4);
     wide_slerp(a, b, 1 - exp2q(-(wide)x[9] / x[8]), want);
-    return wide_error(&got.x, want, 4);
+    return turn_error(&got.x, want, a);
 }
 
 /* Stiffness, damping; from, its velocity; goal, its velocity; h. */
@@ -271,7 +310,11 @@ static double quat_spring_error(const float *x)
     wide_quat_mul(c, g, q);
     wide_quat_exp(v, e);
     wide_quat_mul(e, q, want);
-    return wide_error_either(&got.value.x, want, 4);
+    wide_from(x + 2, q, 4);
+    wide_normalize(q, 4);
+    wide_scale(want, wide_dot(want, (wide[4]){got.value.x, got.value.y, got.value.z, got.value.w}, 4) < 0 ? -1 : 1, 4);
+    wide_scale(q, wide_dot(q, want, 4) < 0 ? -1 : 1, 4);
+    return turn_error(&got.value.x, want, q);
 }
 
 int main(int argc, char **argv)
@@ -288,12 +331,14 @@ int main(int argc, char **argv)
         {"nkw_spring_step", "any damping", any_spring, spring_error, 7, WIDE_CHECKED},
         {"nkw_spring_step", "nearly critical", critical_spring, spring_error, 7, WIDE_CHECKED},
         {"nkw_spring_step", "little damping, long steps", undamped_spring, spring_error, 7, WIDE_CHECKED},
+        {"nkw_spring_step", "no damping, to 2^28 rad", long_spring, spring_error, 7, WIDE_CHECKED},
         {"nkw_spring_step", "drag", drag, spring_error, 7, WIDE_CHECKED},
         {"nkw_spring_step", "two steps of h", still_goal, composition_error, 7, WIDE_NOTED},
         {"nkw_quat_spring_step", "any", quat_spring, quat_spring_error, 17, WIDE_CHECKED},
         {"nkw_damper_step", "any", damper, damper_error, 4, WIDE_CHECKED},
         {"nkw_damper_step", "two steps of h", damper, damper_composition, 4, WIDE_NOTED},
         {"nkw_quat_damper_step", "any", quat_damper, quat_damper_error, 10, WIDE_CHECKED},
+        {"nkw_quat_damper_step", "equal to opposite", wide_quat_damper, quat_damper_error, 10, WIDE_CHECKED},
     };
     wide_search(&a, halves, sizeof halves / sizeof *halves, 1000);
     wide_search(&a, cases, sizeof cases / sizeof *cases, 20000);
