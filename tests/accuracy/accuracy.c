@@ -37,8 +37,8 @@ accuracy accuracy_begin(const char *header, int argc, char **argv)
     for (int i = 1; i < argc; i++) {
         if (strcmp(argv[i], "--exhaustive") == 0) {
             a.exhaustive = 1;
-        } else if (strncmp(argv[i], "--effort=", 9) == 0 && atoi(argv[i] + 9) > 0) {
-            a.effort = (uint32_t)atoi(argv[i] + 9);
+        } else if (strncmp(argv[i], "--effort=", 9) == 0 && atof(argv[i] + 9) > 0) {
+            a.effort = atof(argv[i] + 9);
         } else if (strncmp(argv[i], "--only=", 7) == 0) {
             a.only = argv[i] + 7;
         } else if (strncmp(argv[i], "--out=", 6) == 0 &&

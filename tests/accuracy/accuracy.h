@@ -14,7 +14,7 @@
  *     }
  *
  * Arguments: --exhaustive    every float instead of a stride
- *            --effort=N      N times as many samples and changes in a search
+ *            --effort=N      N times as many samples and changes in a search; N may be a fraction
  *            --only=NAME     one function
  *            --out=FILE      the rows as part of a Markdown table
  *
@@ -35,7 +35,7 @@ typedef struct accuracy {
     const char *only;
     FILE *out;
     int exhaustive;
-    uint32_t effort;
+    double effort;
     int failures;
     int named;
     char names[ACCURACY_NAMES][48]; /* functions that got a row */

@@ -329,9 +329,9 @@ static void run(accuracy *a, const wide_case *cases, size_t size, uint64_t count
     for (const wide_case *c = cases; c < cases + size; c++) {
         if (!accuracy_wants(a, c->function))
             continue;
-        wide_worst w = sampled(c, count * a->effort);
+        wide_worst w = sampled(c, 1 + (uint64_t)((double)count * a->effort));
         if (c->kind != WIDE_NOTED && w.worst > 0.0)
-            search(c, by_seed, steps * a->effort, &w);
+            search(c, by_seed, (uint64_t)((double)steps * a->effort), &w);
         if (c->kind != WIDE_NOTED)
             check(a, c, &w);
         else
