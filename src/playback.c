@@ -61,16 +61,33 @@ static double limit_of(double count)
     return whole >= 1.0 ? whole : (double)INFINITY;
 }
 
+/* Whether a whole number is odd; from 2^53 on all are even. */
+static int is_odd_number(double n)
+{
+    double size = lane_abs64(n), half = 0.5 * (size >= 0x1p52 ? size - 0x1p52 : size);
+    return lane_floor64(half) != half;
+}
+
 /* The state in a cycle, `rest` seconds from its beginning. */
 static nkw_play_head_f64 head_in(const nkw_playback_range *range, nkw_playback mode, double rest, double cycle)
 {
-    double half = 0.5 * cycle, end = range->start + range->duration;
-    int is_odd = mode == NKW_PLAYBACK_PING_PONG && lane_floor64(half) != half, is_closing = rest > range->duration;
+    double end = range->start + range->duration;
+    int is_odd = mode == NKW_PLAYBACK_PING_PONG && is_odd_number(cycle), is_closing = rest > range->duration;
     double place = is_odd ? range->duration - rest : rest, time = range->start + place;
     nkw_play_head_f64 head = {is_closing || time > end ? end : time, cycle, 0.0};
     if (is_closing)
         head.closing = (rest - range->duration) / range->closing;
     return head;
+}
+
+/* The same; where the sum rounds up to the end of a loop, it is the start of the next cycle, if there is one. */
+static nkw_play_head_f64 head_before_end(const nkw_playback_range *range, nkw_playback mode, double rest, double cycle,
+                                         double limit)
+{
+    nkw_play_head_f64 head = head_in(range, mode, rest, cycle);
+    double end = range->start + range->duration;
+    int is_joined = mode == NKW_PLAYBACK_LOOP && !(range->closing > 0.0) && cycle < limit;
+    return is_joined && head.time >= end && end > range->start ? head_in(range, mode, 0.0, cycle + 1.0) : head;
 }
 
 static nkw_play_head_f64 repeated(const nkw_playback_range *range, nkw_playback mode, double x, double limit)
@@ -86,12 +103,10 @@ static nkw_play_head_f64 repeated(const nkw_playback_range *range, nkw_playback 
     if (!(quotient > -0x1p51 && quotient < 0x1p51 && period <= 0x1p900))
         return head;
     double rest = playback_remainder(x, period, &cycle);
-    head = head_in(range, mode, rest, cycle);
-    double end = range->start + range->duration;
-    /* Where the sum rounds up to the end of a loop, it is the start of the next cycle. */
-    if (mode == NKW_PLAYBACK_LOOP && closing == 0.0 && head.time >= end && end > range->start)
-        return head_in(range, mode, 0.0, cycle + 1.0);
-    return head;
+    /* The quotient above is rounded. */
+    if (cycle > limit || (cycle == limit && rest >= range->duration))
+        return head_in(range, mode, range->duration, limit);
+    return head_before_end(range, mode, rest, cycle, limit);
 }
 
 nkw_play_head_f64 nkw_playback_head_f64(const nkw_playback_range *range, double time)
@@ -102,7 +117,7 @@ nkw_play_head_f64 nkw_playback_head_f64(const nkw_playback_range *range, double 
         return head;
     nkw_playback mode = x < 0.0 ? range->before : range->after;
     if (x >= 0.0 && x < range->duration)
-        return head_in(range, NKW_PLAYBACK_CLAMP, x, 0.0);
+        return head_before_end(range, range->after, x, 0.0, limit_of(range->after_cycles));
     if (mode != NKW_PLAYBACK_LOOP && mode != NKW_PLAYBACK_PING_PONG)
         return head_in(range, mode, x < 0.0 ? 0.0 : range->duration, 0.0);
     return repeated(range, mode, x, limit_of(x < 0.0 ? range->before_cycles : range->after_cycles));

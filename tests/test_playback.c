@@ -352,6 +352,51 @@ static void counts_end_the_repetition(void **state)
     expect_wide(head_at(L, L, 0.5, 0, 9.5), 1.5, 4, 0, __LINE__);
 }
 
+/* Whole counts come back as the number of the last cycle, up to 2^53. */
+static void counts_of_any_size_are_kept(void **state)
+{
+    (void)state;
+    const double counts[5] = {0x1p24 + 1, 0x1p51 - 1, 0x1p51 + 1, 0x1p52 + 1, 0x1p53 - 1};
+    for (int i = 0; i < 5; i++) {
+        expect_wide(head_at(L, L, counts[i], 0, INFINITY), 3, counts[i], 0, __LINE__);
+        expect_wide(head_at(L, L, counts[i], 0, -INFINITY), 1, -counts[i], 0, __LINE__);
+        expect_wide(head_at(P, P, counts[i], 0, INFINITY), 1, counts[i], 0, __LINE__);
+        expect_wide(head_at(P, P, counts[i] - 1, 0, INFINITY), 3, counts[i] - 1, 0, __LINE__);
+        expect_wide(head_at(P, P, counts[i], 0, -INFINITY), 3, -counts[i], 0, __LINE__);
+    }
+    expect_wide(head_at(L, L, 0x1p51 - 0.5, 0, INFINITY), 3, 0x1p51 - 1, 0, __LINE__);
+}
+
+/* Just before a seam the sum of start and rest rounds to the end, which is the start of the next cycle. */
+static void a_loop_in_binary64_never_returns_its_end(void **state)
+{
+    (void)state;
+    nkw_playback_range range = {0x1p30, 1, 0, NKW_PLAYBACK_LOOP, NKW_PLAYBACK_LOOP, 0, 0};
+    random_source r = random_from(34);
+    int rounded = 0;
+    for (int i = 0; i < 40000; i++) {
+        range.start = (double)random_between(&r, -1000, 1000);
+        range.duration = (double)random_between(&r, 0.01f, 2) + 1e-9 * (double)random_unit(&r);
+        double cycle = (double)(1 + random_bits(&r) % 50), seam = range.start + cycle * range.duration;
+        double time = i % 2 ? nextafter(seam, -INFINITY) : seam;
+        nkw_play_head_f64 head = nkw_playback_head_f64(&range, time);
+        assert_true(head.time >= range.start && head.time < range.start + range.duration);
+        rounded += head.cycle >= cycle && time < seam;
+        /* At the seam after the last cycle, and a rounding before and after it, there is no next one. */
+        range.after_cycles = cycle;
+        for (int k = -1; k < 2; k++) {
+            head = nkw_playback_head_f64(&range, seam + range.duration + k * 1e-12);
+            assert_true(head.cycle == cycle && head.time > range.start + 0.5 * range.duration);
+        }
+        range.after_cycles = 0;
+    }
+    assert_true(rounded > 0);
+    /* A range that is shorter than the resolution of its start has one time. */
+    range.start = 0x1p60;
+    range.duration = 1;
+    expect_wide(nkw_playback_head_f64(&range, 0x1p60 + 512), 0x1p60, 512, 0, __LINE__);
+}
+
 static void a_closing_segment_joins_the_last_key_to_the_first(void **state)
 {
     (void)state;
@@ -377,6 +422,7 @@ static void odd_ranges_have_an_answer(void **state)
     expect_wide(head_at(NKW_PLAYBACK_LOOP, NKW_PLAYBACK_LOOP, 0, 0, NAN), 1, 0, 0, __LINE__);
     expect_wide(head_at(NKW_PLAYBACK_LOOP, NKW_PLAYBACK_LOOP, 0, 0, INFINITY), 1, 0, 0, __LINE__);
     expect_wide(head_at(NKW_PLAYBACK_LOOP, NKW_PLAYBACK_LOOP, 0, 0, 1e300), 1, 0, 0, __LINE__);
+    expect_wide(head_at(NKW_PLAYBACK_LOOP, NKW_PLAYBACK_LOOP, 0, 0, -1e300), 1, 0, 0, __LINE__);
     expect_wide(head_at(NKW_PLAYBACK_CLAMP, NKW_PLAYBACK_CLAMP, 0, 0, INFINITY), 3, 0, 0, __LINE__);
     expect_wide(head_at(NKW_PLAYBACK_LOOP, NKW_PLAYBACK_LOOP, 0, INFINITY, 9), 1, 0, 0, __LINE__);
 }
@@ -511,6 +557,8 @@ int main(void)
         cmocka_unit_test(a_day_of_playing_keeps_its_place),
         cmocka_unit_test(values_with_offset_continue_at_the_loop),
         cmocka_unit_test(wide_steps_pass_each_key_once),
+        cmocka_unit_test(counts_of_any_size_are_kept),
+        cmocka_unit_test(a_loop_in_binary64_never_returns_its_end),
     };
     return cmocka_run_group_tests_name("playback", tests, NULL, NULL);
 }

@@ -89,7 +89,8 @@ typedef struct nkw_play_head_f64 {
  *     cycle = floor((time - start) / period),     rest = time - start - cycle period
  *
  *     CLAMP       the nearer end; cycle 0
- *     LOOP        start + rest; from duration on the last key, with closing = (rest - duration) / closing
+ *     LOOP        start + rest; from duration on the last key, with closing = (rest - duration) / closing; without a
+ *                 closing segment, if start + rest rounds to the end, start, and cycle + 1
  *     PING_PONG   start + rest in even cycles, start + duration - rest in odd cycles
  *
  * Beyond the counts, the state is that at the end of the last cycle after the clip, at the beginning of the first one
