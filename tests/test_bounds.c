@@ -174,6 +174,46 @@ static void boxes_join_and_grow(void **state)
     assert_int_equal(nkw_box_is_empty(&broken), 1);
 }
 
+/* Each axis by itself: NaN in one coordinate, a side that runs back, an image that leaves the floats. */
+static void each_axis_of_a_box_counts(void **state)
+{
+    (void)state;
+    const nkw_box one = {{1, 1, 1}, {2, 2, 2}};
+    for (int axis = 0; axis < 3; axis++) {
+        nkw_vec3 p = {5, 5, 5};
+        (&p.x)[axis] = NAN;
+        nkw_box same = nkw_box_add_point(&one, p), thin = one, flat = one;
+        expect_floats_bits(&same.low.x, &one.low.x, 6);
+        (&thin.low.x)[axis] = nextafterf(2, 3);
+        assert_int_equal(nkw_box_is_empty(&thin), 1);
+        (&flat.low.x)[axis] = 2;
+        assert_int_equal(nkw_box_is_empty(&flat), 0);
+        (&thin.low.x)[axis] = NAN;
+        assert_int_equal(nkw_box_is_empty(&thin), 1);
+        nkw_mat4 far = nkw_mat4_identity();
+        far.m[12 + axis] = 3e38f;
+        far.m[5 * axis] = 3e38f;
+        nkw_box all = nkw_box_transform(&far, &one);
+        for (int k = 0; k < 3; k++) {
+            expect_bits((&all.low.x)[k], -INFINITY);
+            expect_bits((&all.high.x)[k], INFINITY);
+        }
+        nkw_box empty = nkw_box_transform(&far, &thin);
+        assert_int_equal(nkw_box_is_empty(&empty), 1);
+    }
+}
+
+static void without_positions_all_boxes_are_empty(void **state)
+{
+    (void)state;
+    random_source r = random_from(6);
+    draw_mesh(&r, 0, 1);
+    const nkw_vec3_stream_view none = {NULL, 0};
+    assert_int_equal(nkw_bounds_from_skin(&m.skin, none, m.boxes, JOINTS), NKW_OK);
+    for (int j = 0; j <= JOINTS; j++)
+        assert_int_equal(nkw_box_is_empty(&m.boxes[j]), 1);
+}
+
 static void transformed_boxes_contain_transformed_points(void **state)
 {
     (void)state;
@@ -211,6 +251,8 @@ int main(void)
         cmocka_unit_test(formats_that_do_not_fit_write_nothing),
         cmocka_unit_test(boxes_join_and_grow),
         cmocka_unit_test(transformed_boxes_contain_transformed_points),
+        cmocka_unit_test(each_axis_of_a_box_counts),
+        cmocka_unit_test(without_positions_all_boxes_are_empty),
     };
     return cmocka_run_group_tests_name("bounds", tests, NULL, NULL);
 }

@@ -150,6 +150,8 @@ static void nan_returns_nan_and_unknown_kinds_are_linear(void **state)
     expect_bits(nkw_ease((nkw_ease_kind)99, 0.3f), 0.3f);
     expect_bits(nkw_ease_point((nkw_ease_kind)-7, 0.3f).first, 1.0f);
     expect_nan(nkw_ease_cubic_bezier(NAN, 0, 1, 1, 0.5f).value);
+    expect_nan(nkw_ease_cubic_bezier(0, 0, INFINITY, 1, 0.5f).value);
+    expect_nan(nkw_ease_cubic_bezier(0, 0, 1, 1, NAN).value);
     expect_nan(nkw_ease_steps(3, NKW_EASE_JUMP_END, NAN));
 }
 

@@ -418,6 +418,76 @@ static void values_that_overflow_are_refused(void **state)
     assert_int_equal(nkw_track_close(&rising, 1.0f, &m, &out), NKW_NOT_FINITE);
 }
 
+static nkw_result joined(const nkw_track *a, const nkw_track *b, const nkw_edit_memory *m)
+{
+    nkw_track out;
+    nkw_result result = nkw_track_join(a, b, m, &out);
+    assert_int_equal(out.count, result == NKW_OK ? a->count + b->count : 0);
+    return result;
+}
+
+/* Each reason by itself, in the first and in the second. */
+static void tracks_that_differ_do_not_join(void **state)
+{
+    (void)state;
+    random_source r = random_from(19);
+    static sheet s, t, made;
+    const nkw_edit_memory m = memory_of(&made, ROOM);
+    draw(&r, &s, LINEAR, 1);
+    draw(&r, &t, LINEAR, 1);
+    nkw_track other = t.track;
+    assert_int_equal(joined(&s.track, &t.track, &m), NKW_OK);
+    other.kind = NKW_TRACK_FLOATS;
+    assert_int_equal(joined(&s.track, &other, &m), NKW_MISMATCHED);
+    assert_int_equal(joined(&other, &s.track, &m), NKW_MISMATCHED);
+    other = t.track;
+    other.interpolation = NKW_INTERPOLATION_CUBICSPLINE;
+    assert_int_equal(joined(&s.track, &other, &m), NKW_MISMATCHED);
+    assert_int_equal(joined(&other, &s.track, &m), NKW_MISMATCHED);
+    /* The second of a mode for each key, the first of one mode. */
+    other = t.track;
+    other.interpolation = NKW_INTERPOLATION_STEP;
+    assert_int_equal(joined(&s.track, &other, &m), NKW_OK);
+    assert_int_equal(made.modes[0], NKW_INTERPOLATION_LINEAR);
+    assert_int_equal(made.modes[2 * KEYS - 1], NKW_INTERPOLATION_STEP);
+    other = t.track;
+    other.key_interpolation = t.modes;
+    memset(t.modes, NKW_INTERPOLATION_STEP, sizeof t.modes);
+    assert_int_equal(joined(&s.track, &other, &m), NKW_OK);
+    assert_int_equal(made.modes[2 * KEYS - 2], NKW_INTERPOLATION_STEP);
+    /* The last time: of the first, and of the result. */
+    t.times[KEYS - 1] = 3e38f;
+    s.times[KEYS - 1] = 1e38f;
+    assert_int_equal(joined(&s.track, &t.track, &m), NKW_NOT_FINITE);
+    t.times[KEYS - 1] = 2e38f;
+    assert_int_equal(joined(&s.track, &t.track, &m), NKW_OK);
+    s.times[KEYS - 1] = INFINITY;
+    assert_int_equal(joined(&s.track, &t.track, &m), NKW_NOT_FINITE);
+}
+
+/* The first error counts: an empty track is EMPTY whatever the other arguments are. */
+static void an_empty_track_is_empty_whatever_is_asked(void **state)
+{
+    (void)state;
+    random_source r = random_from(20);
+    static sheet s, made;
+    const nkw_edit_memory m = memory_of(&made, ROOM);
+    nkw_track out;
+    draw(&r, &s, CUBIC, 0);
+    /* Only the first time leaves the floats. */
+    s.times[0] = -3e38f;
+    assert_int_equal(nkw_track_retime(&s.track, 2, 0, &m, &out), NKW_NOT_FINITE);
+    assert_int_equal(nkw_track_retime(&s.track, -2, 0, &m, &out), NKW_NOT_FINITE);
+    assert_int_equal(nkw_track_retime(&s.track, 1, 0, &m, &out), NKW_OK);
+    assert_int_equal(nkw_track_trim(&s.track, 0, INFINITY, &m, &out), NKW_NOT_FINITE);
+    assert_int_equal(nkw_track_trim(&s.track, -INFINITY, 0, &m, &out), NKW_NOT_FINITE);
+    s.track.count = 0;
+    assert_int_equal(nkw_track_retime(&s.track, 0, NAN, &m, &out), NKW_EMPTY);
+    assert_int_equal(nkw_track_retime(&s.track, NAN, 0, &m, &out), NKW_EMPTY);
+    assert_int_equal(nkw_track_trim(&s.track, NAN, 0, &m, &out), NKW_EMPTY);
+    assert_int_equal(nkw_track_close(&s.track, NAN, &m, &out), NKW_EMPTY);
+}
+
 static void too_little_memory_is_refused_and_not_exceeded(void **state)
 {
     (void)state;
@@ -465,6 +535,8 @@ int main(void)
         cmocka_unit_test(wrong_arguments_are_refused),
         cmocka_unit_test(values_that_overflow_are_refused),
         cmocka_unit_test(too_little_memory_is_refused_and_not_exceeded),
+        cmocka_unit_test(tracks_that_differ_do_not_join),
+        cmocka_unit_test(an_empty_track_is_empty_whatever_is_asked),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -460,6 +460,56 @@ static void validate_names_the_first_offender(void **state)
     expect_result(&c, NKW_BAD_METHOD, 0);
 }
 
+/* Each number of each key by itself. */
+static void each_number_of_a_key_is_checked(void **state)
+{
+    (void)state;
+    const float wrong[3] = {NAN, INFINITY, -INFINITY};
+    nkw_fcurve_key keys[3];
+    nkw_fcurve c = curve_of(keys, 3, NKW_FCURVE_OUTSIDE_HOLD);
+    for (size_t i = 0; i < 3 * 3 * 6; i++) {
+        memcpy(keys, three, sizeof keys);
+        nkw_fcurve_key *k = &keys[i % 3];
+        float *numbers[6] = {&k->time, &k->value, &k->in.time, &k->in.value, &k->out.time, &k->out.value};
+        *numbers[i / 9] = wrong[i / 3 % 3];
+        expect_result(&c, NKW_NOT_FINITE, i % 3);
+    }
+    memcpy(keys, three, sizeof keys);
+    c.before = (nkw_fcurve_outside)5;
+    expect_result(&c, NKW_BAD_METHOD, 0);
+    c.before = (nkw_fcurve_outside)-1;
+    expect_result(&c, NKW_BAD_METHOD, 0);
+    c.before = NKW_FCURVE_OUTSIDE_OSCILLATE;
+    expect_result(&c, NKW_OK, 0);
+}
+
+static void an_infinite_time_is_the_nearest_key_of_cycles(void **state)
+{
+    (void)state;
+    for (int mode = NKW_FCURVE_OUTSIDE_CYCLE; mode <= NKW_FCURVE_OUTSIDE_OSCILLATE; mode++) {
+        nkw_fcurve c = curve_of(three, 3, (nkw_fcurve_outside)mode);
+        const nkw_curve_point first = {1, 0, 0}, last = {2, 0, 0};
+        expect_point(nkw_fcurve_sample(&c, -INFINITY), first, 0);
+        expect_point(nkw_fcurve_sample(&c, INFINITY), last, 0);
+        expect_nan(value(&c, NAN));
+    }
+}
+
+/* Handles of other kinds are not used, so they do not run back. */
+static void only_bezier_segments_run_back(void **state)
+{
+    (void)state;
+    nkw_fcurve_key keys[4];
+    for (int k = 0; k < 4; k++) {
+        const nkw_handle in = {-5, 1}, out = {5, 1};
+        keys[k] = bezier((float)k, (float)k, in, out);
+    }
+    for (size_t first = 0; first < 4; first++) {
+        assert_int_equal(nkw_fcurve_find_regression(keys, 4), first < 3 ? first : 4);
+        keys[first].kind = (nkw_fcurve_kind)(first == 0 ? NKW_FCURVE_LINEAR : NKW_FCURVE_CONSTANT);
+    }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -483,6 +533,9 @@ int main(void)
         cmocka_unit_test(cycled_times_are_not_rounded_over_a_key),
         cmocka_unit_test(openusd_two_knot_bezier_has_its_values),
         cmocka_unit_test(validate_names_the_first_offender),
+        cmocka_unit_test(each_number_of_a_key_is_checked),
+        cmocka_unit_test(an_infinite_time_is_the_nearest_key_of_cycles),
+        cmocka_unit_test(only_bezier_segments_run_back),
     };
     return cmocka_run_group_tests_name("fcurve", tests, NULL, NULL);
 }

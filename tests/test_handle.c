@@ -259,6 +259,36 @@ static void nan_and_infinite_times_return_nan(void **state)
     expect_bits(nkw_handle_point(&s, 0.0f).value, 0);
 }
 
+/* Each time of a segment by itself: there is no point, no parameter, no limit, and a split leaves the whole before. */
+static void each_time_of_a_segment_must_be_finite(void **state)
+{
+    (void)state;
+    const float wrong[3] = {NAN, INFINITY, -INFINITY};
+    for (int i = 0; i < 12; i++) {
+        nkw_handle_segment s = unit(2, 0.25f, 2, 0.25f), left, right;
+        assert_int_equal(nkw_handle_runs_back(&s), 1);
+        *(i % 4 == 0 ? &s.time0 : i % 4 == 1 ? &s.time1 : i % 4 == 2 ? &s.out.time : &s.in.time) = wrong[i / 4];
+        expect_nan(nkw_handle_point(&s, 0.5f).value);
+        expect_nan(nkw_handle_parameter(&s, 0.5f));
+        for (int policy = 0; policy < 5; policy++) {
+            nkw_handle_segment same = nkw_handle_limit(&s, (nkw_handle_policy)policy);
+            assert_memory_equal(&same, &s, sizeof s);
+        }
+        nkw_handle_split(&s, 0.5f, &left, &right);
+        expect_bits(left.value0, s.value0);
+        expect_bits(right.value1, s.value1);
+    }
+    nkw_handle_segment s = unit(2, 0.25f, 2, 0.25f), left, right;
+    nkw_handle_split(&s, NAN, &left, &right);
+    expect_bits(left.out.value, s.out.value);
+    expect_bits(left.in.value, s.in.value);
+    s.time1 = s.time0;
+    for (int policy = 0; policy < 5; policy++) {
+        nkw_handle_segment same = nkw_handle_limit(&s, (nkw_handle_policy)policy);
+        assert_memory_equal(&same, &s, sizeof s);
+    }
+}
+
 /* ---- Running back ---- */
 
 /* Where time falls, the first value counts: at the local maximum of time the curve jumps, and never before. */
@@ -444,6 +474,7 @@ int main(void)
         cmocka_unit_test(openusd_shortens_the_same),
         cmocka_unit_test(both_parts_of_a_split_are_the_curve),
         cmocka_unit_test(a_split_outside_leaves_the_whole),
+        cmocka_unit_test(each_time_of_a_segment_must_be_finite),
     };
     return cmocka_run_group_tests_name("handle", tests, NULL, NULL);
 }

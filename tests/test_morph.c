@@ -150,6 +150,43 @@ static void targets_without_weight_are_not_read(void **state)
     nkw_morph_apply(&f.morph, NULL, &in, &to);
 }
 
+/* Sparse targets without weight, or without differences of a stream, and streams with one side only. */
+static void what_is_not_there_has_no_effect(void **state)
+{
+    (void)state;
+    static nkw_vec3 out[VERTICES], out_normals[VERTICES], want[VERTICES], want_normals[VERTICES];
+    random_source r = random_from(5);
+    draw_face(&r, &f);
+    f.targets[2].deltas.normals.data = NULL;
+    f.weights[5] = 0;
+    f.targets[6].deltas.positions.data = NULL;
+    nkw_vertices_view in = {stream(f.base, 0), stream(f.normals, 0), {NULL, 0}, {NULL, 0}};
+    nkw_vertices_span to = {stream_span(out, 0), stream_span(out_normals, 0), {NULL, 0}, {NULL, 0}};
+    nkw_morph_apply(&f.morph, f.weights, &in, &to);
+    for (size_t i = 0; i < VERTICES; i++) {
+        want[i] = f.base[i];
+        want_normals[i] = f.normals[i];
+        for (size_t t = 0; t < TARGETS; t++) {
+            if (t != 2 && t < 5)
+                want[i] = add(want[i], f.weights[t], f.deltas[t][i]);
+            for (size_t k = 0; t == 2 && k < SPARSE; k++)
+                if (f.indices[k] == i)
+                    want[i] = add(want[i], f.weights[t], f.deltas[t][k]);
+            if (t != 2 && t != 5)
+                want_normals[i] = add(want_normals[i], f.weights[t], f.normal_deltas[t][i]);
+        }
+    }
+    expect_floats_bits(&out[0].x, &want[0].x, 3 * VERTICES);
+    expect_floats_bits(&out_normals[0].x, &want_normals[0].x, 3 * VERTICES);
+    /* An input without an output, an output without an input. */
+    to.normals.data = NULL;
+    in.tangents = stream(f.normals, 0);
+    in.positions.data = NULL;
+    out[3].y = 77;
+    nkw_morph_apply(&f.morph, f.weights, &in, &to);
+    expect_bits(out[3].y, 77);
+}
+
 static void indices_after_the_last_are_not_used(void **state)
 {
     (void)state;
@@ -201,6 +238,7 @@ int main(void)
         cmocka_unit_test(targets_without_weight_are_not_read),
         cmocka_unit_test(indices_after_the_last_are_not_used),
         cmocka_unit_test(validate_names_the_first_offender),
+        cmocka_unit_test(what_is_not_there_has_no_effect),
     };
     return cmocka_run_group_tests_name("morph", tests, NULL, NULL);
 }

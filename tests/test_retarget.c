@@ -382,6 +382,95 @@ static void validate_names_the_first_offender(void **state)
     assert_int_equal(nkw_retarget_validate(&p.retarget, &bad), NKW_EMPTY);
 }
 
+/* Each number of each entry by itself. */
+static void each_entry_of_the_map_is_checked(void **state)
+{
+    (void)state;
+    random_source r = random_from(12);
+    pair p;
+    draw_rotated_axes(&r, &p);
+    for (size_t j = 0; j < JOINTS; j++) {
+        const nkw_retarget_joint good = p.joints[j];
+        const int32_t joints[4] = {-2, INT32_MIN, JOINTS, INT32_MAX};
+        const float numbers[3] = {NAN, INFINITY, -INFINITY};
+        size_t bad = 99;
+        for (int i = 0; i < 8; i++) {
+            *(i % 2 ? &p.joints[j].to : &p.joints[j].from) = joints[i / 2];
+            assert_int_equal(nkw_retarget_validate(&p.retarget, &bad), NKW_OUT_OF_RANGE);
+            assert_int_equal(bad, j);
+            p.joints[j] = good;
+        }
+        for (int i = 0; i < 6; i++) {
+            *(i % 2 ? &p.joints[j].t : &p.joints[j].translation) = numbers[i / 2];
+            assert_int_equal(nkw_retarget_validate(&p.retarget, &bad), NKW_NOT_FINITE);
+            assert_int_equal(bad, j);
+            p.joints[j] = good;
+        }
+        p.joints[j].from = p.joints[j].to = NKW_NO_JOINT;
+        assert_int_equal(nkw_retarget_validate(&p.retarget, &bad), NKW_OK);
+        p.joints[j] = good;
+    }
+}
+
+/* An unsorted skeleton is refused by validate; a parent that is not before its joint counts as none. */
+static void a_parent_after_its_joint_counts_as_none(void **state)
+{
+    (void)state;
+    random_source r = random_from(13);
+    pair p, want;
+    draw_rotated_axes(&r, &p);
+    want = p;
+    int32_t late[JOINTS], roots[JOINTS];
+    memcpy(late, parents, sizeof late);
+    memcpy(roots, parents, sizeof roots);
+    late[3] = 3;
+    late[5] = JOINTS - 1;
+    roots[3] = roots[5] = -1;
+    p.source.skeleton.parents = p.target.skeleton.parents = late;
+    want.source.skeleton.parents = want.target.skeleton.parents = roots;
+    pair_up(&p);
+    pair_up(&want);
+    const size_t room = NKW_RETARGET_WORK(JOINTS, JOINTS);
+    size_t bad;
+    assert_int_not_equal(nkw_retarget_validate(&p.retarget, &bad), NKW_OK);
+    assert_int_equal(bad, 3);
+    nkw_pose_retarget(&p.retarget, pose_view(p.source.pose, JOINTS), pose_span(p.target.pose, JOINTS), p.work, room);
+    nkw_pose_retarget(&want.retarget, pose_view(want.source.pose, JOINTS), pose_span(want.target.pose, JOINTS),
+                      want.work, room);
+    for (size_t j = 0; j < JOINTS; j++)
+        expect_quat_bits(get_joint(p.target.pose, JOINTS, j).rotation, get_joint(want.target.pose, JOINTS, j).rotation);
+}
+
+/* Joints count where lengths do not: all bones of length 0, or one that is infinite. */
+static void a_chain_without_a_length_counts_joints(void **state)
+{
+    (void)state;
+    const int32_t from[3] = {0, 1, 2}, to[5] = {4, 5, 6, 7, 8}, none[1] = {-1}, beyond[1] = {JOINTS};
+    const nkw_vec3 zero = {0, 0, 0}, far = {INFINITY, 0, 0};
+    random_source r = random_from(14);
+    for (int i = 0; i < 2; i++) {
+        pair p;
+        draw_rotated_axes(&r, &p);
+        for (size_t j = 0; j < JOINTS; j++) {
+            set_joint(p.source.rest, JOINTS, j, i ? far : zero, nkw_quat_identity());
+            set_joint(p.target.rest, JOINTS, j, i ? far : zero, nkw_quat_identity());
+        }
+        assert_int_equal(nkw_retarget_map_chain(&p.retarget, from, 3, to, 5, p.joints), NKW_OK);
+        for (int k = 0; k < 5; k++) {
+            const float share = 0.5f * (float)k; /* of two bones of the source */
+            assert_int_equal(p.joints[4 + k].from, k < 2 ? 0 : 1);
+            assert_int_equal(p.joints[4 + k].to, k < 2 ? 1 : 2);
+            expect_bits(p.joints[4 + k].t, k < 2 ? share : share - 1);
+        }
+        assert_int_equal(nkw_retarget_map_chain(&p.retarget, from, 3, to, 0, p.joints), NKW_EMPTY);
+        assert_int_equal(nkw_retarget_map_chain(&p.retarget, none, 1, to, 5, p.joints), NKW_OUT_OF_RANGE);
+        assert_int_equal(nkw_retarget_map_chain(&p.retarget, from, 3, none, 1, p.joints), NKW_OUT_OF_RANGE);
+        expect_bits(nkw_retarget_chain_scale(&p.retarget, from, 3, to, 0), 1);
+        expect_bits(nkw_retarget_chain_scale(&p.retarget, beyond, 1, to, 5), 1);
+        expect_bits(nkw_retarget_chain_scale(&p.retarget, from, 3, none, 1), 1);
+    }
+}
+
 static void counts_that_do_not_fit_write_nothing(void **state)
 {
     (void)state;
@@ -393,6 +482,15 @@ static void counts_that_do_not_fit_write_nothing(void **state)
     nkw_pose_span out = pose_span(p.target.pose, JOINTS);
     size_t room = NKW_RETARGET_WORK(JOINTS, JOINTS);
     assert_int_equal(nkw_pose_retarget(&p.retarget, in, out, p.work, room - 1), NKW_TOO_SMALL);
+    assert_int_equal(nkw_pose_retarget(&p.retarget, in, out, p.work, 8 * JOINTS - 1), NKW_TOO_SMALL);
+    assert_int_equal(nkw_pose_retarget(&p.retarget, in, out, NULL, 0), NKW_TOO_SMALL);
+    for (int i = 0; i < 2; i++) {
+        nkw_pose_view *rest = i ? &p.retarget.source_rest : &p.retarget.target_rest;
+        rest->joint_count--;
+        assert_int_equal(nkw_pose_retarget(&p.retarget, in, out, p.work, room), NKW_MISMATCHED);
+        assert_int_equal(nkw_retarget_validate(&p.retarget, NULL), NKW_MISMATCHED);
+        rest->joint_count++;
+    }
     in.joint_count--;
     assert_int_equal(nkw_pose_retarget(&p.retarget, in, out, p.work, room), NKW_MISMATCHED);
     in.joint_count++;
@@ -418,6 +516,9 @@ int main(void)
         cmocka_unit_test(validate_names_the_first_offender),
         cmocka_unit_test(counts_that_do_not_fit_write_nothing),
         cmocka_unit_test(joints_between_two_lie_on_the_arc),
+        cmocka_unit_test(each_entry_of_the_map_is_checked),
+        cmocka_unit_test(a_parent_after_its_joint_counts_as_none),
+        cmocka_unit_test(a_chain_without_a_length_counts_joints),
     };
     return cmocka_run_group_tests_name("retarget", tests, NULL, NULL);
 }
