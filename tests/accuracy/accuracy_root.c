@@ -94,7 +94,7 @@ static double extract_error(const float *x)
     wide along = wide_dot(up, p, 3) / wide_dot(up, up, 3), size = wide_length(p, 3);
     for (int i = 0; i < 3; i++)
         p[i] -= along * up[i];
-    return wide_error_of(&got.translation.x, p, 3, size);
+    return wide_error_of(&got.translation.x, p, 3, wide_length(p, 3) + size * 0x1p-26);
 }
 
 /* First, last, from, to, cycles. */
