@@ -50,41 +50,52 @@ static int change_clip(model *m, size_t animation, const request *r, const exten
     return 1;
 }
 
-static int stay_in_place(model *m, const request *r)
+/* The clips to be converted: one, if it is chosen, otherwise all. */
+static int choose_clips(const model *m, const request *r, input_clips *clips)
 {
-    const size_t first = (size_t)(m->document.animations - m->animations);
-    int fine = 1;
-    for (size_t i = 0; fine && r->in_place && i < m->document.animation_count; i++)
-        fine = inplace_clip(m, first + i, r->root, &r->rule);
-    return fine;
-}
-
-/* Leaves one clip, if one is chosen. */
-static int choose_clips(model *m, const request *r)
-{
-    input_clips clips;
-    if (!r->clip)
-        return 1;
-    if (!input_select(m->original, r->clip, &clips))
+    const input_clips all = {0, m->original->animation_count}, none = {0, 0};
+    *clips = all;
+    if (r->clip && !input_select(m->original, r->clip, clips))
         return 0;
-    m->document.animations = clips.first == INPUT_REST ? NULL : m->animations + clips.first;
-    m->document.animation_count = clips.first == INPUT_REST ? 0 : clips.count;
+    if (clips->first == INPUT_REST)
+        *clips = none;
     return 1;
 }
 
-static int change_clips(model *m, const request *r, const extent *e, FILE *report)
+static int stay_in_place(model *m, const request *r, input_clips clips)
+{
+    int fine = 1;
+    for (size_t i = 0; fine && r->in_place && i < clips.count; i++)
+        fine = inplace_clip(m, clips.first + i, r->root, &r->rule);
+    return fine;
+}
+
+static int change_clips(model *m, const request *r, input_clips clips, const extent *e, FILE *report)
 {
     int fine = 1;
     if (r->rate == 0.0f && r->tolerance < 0.0f)
         return 1;
     model_report_head(report, m->original);
-    progress p = progress_begin("converting clip", m->document.animation_count, report);
-    for (size_t i = 0; fine && i < m->document.animation_count; i++) {
+    progress p = progress_begin("converting clip", clips.count, report);
+    for (size_t i = 0; fine && i < clips.count; i++) {
         progress_at(&p, i);
-        fine = change_clip(m, (size_t)(m->document.animations - m->animations) + i, r, e, report);
+        fine = change_clip(m, clips.first + i, r, e, report);
     }
     progress_end(&p);
     return fine;
+}
+
+/* All changes, which count clips as the file does; then only the chosen ones remain in the document. */
+static int change_model(model *m, const request *r, const extent *e, FILE *report)
+{
+    input_clips clips;
+    if (!choose_clips(m, r, &clips) || !change_clips(m, r, clips, e, report) || !stay_in_place(m, r, clips))
+        return 0;
+    if (r->reframes && !reframe(m, r->map, r->scale))
+        return 0;
+    m->document.animations = clips.count ? m->animations + clips.first : NULL;
+    m->document.animation_count = clips.count;
+    return 1;
 }
 
 static int run(const model_source *source, void *of)
@@ -102,8 +113,7 @@ static int run(const model_source *source, void *of)
     if (fine && is_gltf && !keeps)
         fputs("note: only what is read is written: no cameras, lights, extensions; of textures only base colours\n",
               stderr);
-    fine = fine && choose_clips(&m, r) && change_clips(&m, r, &e, report) && stay_in_place(&m, r) &&
-           (!r->reframes || reframe(&m, r->map, r->scale)) &&
+    fine = fine && change_model(&m, r, &e, report) &&
            model_write(&m, keeps ? source : NULL, r->output, (nkw_gltf_form)model_form(r->form, r->output), &bytes);
     if (fine)
         fprintf(report, "written: %zu bytes\n", bytes);
