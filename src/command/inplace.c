@@ -4,6 +4,10 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include <nakawari/mat.h>
+#include <nakawari/quat.h>
+#include <nakawari/transform.h>
+
 int inplace_parts(const char *text, unsigned *parts)
 {
     static const struct {
@@ -90,6 +94,52 @@ static void sample_all(const nkw_track *t, const float *rest, size_t width, cons
     }
 }
 
+/* The local transform of a joint at a time: its tracks, or its rest. */
+static nkw_trs local_at(const model *m, const nkw_document_animation *a, int32_t joint, float time)
+{
+    nkw_trs local = nkw_pose_get(m->document.rest, (size_t)joint);
+    float *const parts[] = {&local.translation.x, &local.rotation.x, &local.scale.x};
+    const nkw_clip_target targets[] = {NKW_CLIP_TRANSLATION, NKW_CLIP_ROTATION, NKW_CLIP_SCALE};
+    for (size_t i = 0; i < 3; i++) {
+        const size_t track = find_track(a, joint, targets[i]);
+        if (track != SIZE_MAX)
+            nkw_track_sample(&a->tracks[track].track, time, parts[i]);
+    }
+    return local;
+}
+
+/* The space that a joint moves in, in the space of the model. */
+static nkw_mat4 space_above(const model *m, const nkw_document_animation *a, int32_t joint, float time)
+{
+    const int32_t *parents = m->document.skeleton.parents;
+    nkw_mat4 space = nkw_mat4_identity();
+    for (int32_t p = parents[joint]; p >= 0; p = parents[p]) {
+        const nkw_trs local = local_at(m, a, p, time);
+        const nkw_mat4 matrix = nkw_mat4_from_trs(&local);
+        space = nkw_mat4_mul_affine(&matrix, &space);
+    }
+    return space;
+}
+
+/*
+ * Removes the motion that the joint has in the space of the model, where up is up: into it by the space P above the
+ * joint, t' = P t, q' = R q with R the rotation of P; and back.
+ */
+static void remove_motion(const model *m, size_t animation, int32_t joint, const nkw_root_rule *rule,
+                          const float *times, nkw_vec3 *translations, nkw_quat *rotations, size_t count)
+{
+    for (size_t k = 0; k < count; k++) {
+        const nkw_mat4 space = space_above(m, &m->animations[animation], joint, times[k]);
+        const nkw_mat4 back = nkw_mat4_inverse(&space);
+        const nkw_quat turn = nkw_trs_from_mat4(&space).rotation;
+        nkw_vec3 t = nkw_mat4_transform_point(&space, translations[k]);
+        nkw_quat q = nkw_quat_mul(turn, rotations[k]);
+        nkw_root_remove_keys(&t, &q, rule, NULL, 1);
+        translations[k] = nkw_mat4_transform_point(&back, t);
+        rotations[k] = nkw_quat_mul(nkw_quat_conjugate(turn), q);
+    }
+}
+
 static void set_keys(nkw_track *t, const float *times, const float *values, size_t count)
 {
     t->times = times;
@@ -128,7 +178,7 @@ int inplace_clip(model *m, size_t animation, const char *joint, const nkw_root_r
         return 0;
     sample_all(tracks[0], &rest.translation.x, 3, times, count, (float *)translations);
     sample_all(tracks[1], &rest.rotation.x, 4, times, count, (float *)rotations);
-    nkw_root_remove_keys(translations, rotations, rule, NULL, count);
+    remove_motion(m, animation, j, rule, times, translations, rotations, count);
     if (move != SIZE_MAX)
         set_keys(&list[move].track, times, (const float *)translations, count);
     if (turn != SIZE_MAX)

@@ -210,6 +210,32 @@ static void misuse_is_reported(void **state)
     program_says(1, "cannot be", "convert no-such-file.glb -o x.glb");
 }
 
+/* Under an armature of -90 degrees about x and scale 0.01: height y = 1 in the model, a walk along z to 2. */
+static void up_is_that_of_the_model_under_a_rotated_armature(void **state)
+{
+    (void)state;
+    FILE *f = fopen("armature.csv", "wb");
+    assert_non_null(f);
+    fputs("name,time,parent,tx,ty,tz,qx,qy,qz,qw,sx,sy,sz\n"
+          "Armature,0,,,,,-0.70710678,0,0,0.70710678,0.01,0.01,0.01\n"
+          "Hips,0,Armature,0,0,100,,,,,,,\nHips,1,Armature,0,-200,100,,,,,,,\n",
+          f);
+    assert_int_equal(fclose(f), 0);
+    const struct {
+        const char *part;
+        double y, z;
+    } cases[] = {{"plane", 1, 0}, {"height", 0, 2}};
+    for (int i = 0; i < 2; i++) {
+        double y, z;
+        free(program_run(NULL, "convert armature.csv --in-place %s -o still.glb", cases[i].part));
+        char *said = program_run(NULL, "sample still.glb --at 1 --what model | grep Hips | cut -d, -f18,19");
+        assert_int_equal(sscanf(said, "%lf,%lf", &y, &z), 2);
+        expect_near(y, cases[i].y, 1e-6);
+        expect_near(z, cases[i].z, 1e-6);
+        free(said);
+    }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -224,6 +250,7 @@ int main(void)
         cmocka_unit_test(resampled_clips_are_measured),
         cmocka_unit_test(one_clip_can_be_chosen),
         cmocka_unit_test(root_motion_is_removed),
+        cmocka_unit_test(up_is_that_of_the_model_under_a_rotated_armature),
         cmocka_unit_test(misuse_is_reported),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
