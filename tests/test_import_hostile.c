@@ -555,6 +555,26 @@ static void headers_are_checked(void **state)
     }
 }
 
+/* The second chunk ends with the file: one byte more, and it is refused where it begins. */
+static void the_second_chunk_ends_within_the_file(void **state)
+{
+    (void)state;
+    unsigned char bytes[2048];
+    const size_t size = glb(bytes), at = size - 44 - 8;
+    assert_int_equal(use_bytes(bytes, size), NKW_IMPORT_OK);
+    const uint32_t lengths[5] = {45, 44 + (uint32_t)at, 2 * (uint32_t)size, 0x7fffffff, 0xffffffff};
+    for (size_t i = 0; i < 5; i++) {
+        char place[32];
+        nkw_document *document;
+        nkw_import_error error;
+        memcpy(bytes + at, &lengths[i], 4);
+        const nkw_import_memory memory = {bytes, size, "bytes", NULL, NULL, NULL};
+        snprintf(place, sizeof place, "byte %zu", at);
+        assert_int_equal(nkw_document_open_memory(&memory, &document, &error), NKW_IMPORT_INVALID);
+        assert_string_equal(error.place, place);
+    }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -574,6 +594,7 @@ int main(void)
         cmocka_unit_test(cut_files_are_refused),
         cmocka_unit_test(changed_bytes_do_no_harm),
         cmocka_unit_test(headers_are_checked),
+        cmocka_unit_test(the_second_chunk_ends_within_the_file),
     };
     return cmocka_run_group_tests_name("import_hostile", tests, NULL, NULL);
 }

@@ -1,0 +1,233 @@
+/* SPDX-License-Identifier: MIT */
+/* Each allocation of the readers and writers fails in turn. The linker puts the functions below in place of malloc. */
+#include <stdlib.h>
+
+#include <nakawari/export.h>
+
+#include "documents.h"
+#include "views.h"
+
+/* Allocations until one fails (-1: none does), and whether all later ones do; those that did; blocks not freed. */
+static long until_failure = -1, failures, live;
+static int fails_on;
+
+void *__real_malloc(size_t bytes);
+void *__real_calloc(size_t count, size_t bytes);
+void *__real_realloc(void *block, size_t bytes);
+void __real_free(void *block);
+void *__wrap_malloc(size_t bytes);
+void *__wrap_calloc(size_t count, size_t bytes);
+void *__wrap_realloc(void *block, size_t bytes);
+void __wrap_free(void *block);
+struct json_t;
+char *__real_json_dumps(const struct json_t *json, size_t flags);
+char *__wrap_json_dumps(const struct json_t *json, size_t flags);
+
+static int fails(void)
+{
+    if (until_failure < 0)
+        return 0;
+    if (until_failure > 0) {
+        until_failure--;
+        return 0;
+    }
+    until_failure = fails_on ? 0 : -1;
+    failures++;
+    return 1;
+}
+
+void *__wrap_malloc(size_t bytes)
+{
+    void *block = fails() ? NULL : __real_malloc(bytes);
+    live += block != NULL;
+    return block;
+}
+
+void *__wrap_calloc(size_t count, size_t bytes)
+{
+    void *block = fails() ? NULL : __real_calloc(count, bytes);
+    live += block != NULL;
+    return block;
+}
+
+void *__wrap_realloc(void *block, size_t bytes)
+{
+    void *wider = fails() ? NULL : __real_realloc(block, bytes);
+    live += wider != NULL && !block;
+    return wider;
+}
+
+void __wrap_free(void *block)
+{
+    live -= block != NULL;
+    __real_free(block);
+}
+
+/* A text that free() frees. */
+char *__wrap_json_dumps(const struct json_t *json, size_t flags)
+{
+    char *text = fails() ? NULL : __real_json_dumps(json, flags);
+    live += text != NULL;
+    return text;
+}
+
+/* An action returns its result; it leaves nothing behind, except `document` while that is read. */
+typedef nkw_import_result action(void);
+
+static nkw_document *document;
+
+static void expect_end(nkw_import_result result, const nkw_import_error *error, const void *made)
+{
+    assert_int_equal(error->code, result);
+    assert_int_equal(made == NULL, result != NKW_IMPORT_OK);
+    assert_true(result == NKW_IMPORT_OK || error->reason[0] != 0);
+}
+
+static nkw_import_result open_character(void)
+{
+    nkw_document *d;
+    nkw_import_error error;
+    nkw_import_result result = nkw_document_open(NKW_CHARACTER, &d, &error);
+    expect_end(result, &error, d);
+    nkw_document_close(d);
+    return result;
+}
+
+static nkw_import_result open_keys(void)
+{
+    static const char text[] =
+        "{\"columns\":\"tx,ty,tz,qx,qy,qz,qw\",\"rows\":["
+        "{\"name\":\"a\",\"time\":1,\"clip\":3,\"values\":[1,2,3,null,null,null,null]},"
+        "{\"name\":\"b\",\"time\":0.5,\"clip\":\"c\",\"parent\":\"a\",\"values\":[1,2,3,0,0,1,0]}]}";
+    const nkw_import_memory memory = {text, sizeof text - 1, "keys.json", NULL, NULL, NULL};
+    nkw_document *d;
+    nkw_import_error error;
+    nkw_import_result result = nkw_document_open_memory(&memory, &d, &error);
+    expect_end(result, &error, d);
+    nkw_document_close(d);
+    return result;
+}
+
+static nkw_import_result open_outer(void)
+{
+    static const char text[] =
+        "{\"asset\":{\"version\":\"2.0\"},\"buffers\":[{\"uri\":\"data.bin\",\"byteLength\":48}],"
+        "\"bufferViews\":[{\"buffer\":0,\"byteLength\":48}],\"accessors\":[{\"bufferView\":0,\"componentType\":5126,"
+        "\"count\":4,\"type\":\"VEC3\"}],\"nodes\":[{\"mesh\":0,\"children\":[1]},{}],"
+        "\"meshes\":[{\"weights\":[0.5],\"primitives\":[{\"attributes\":{\"POSITION\":0},"
+        "\"targets\":[{\"POSITION\":0}]}]}]}";
+    static const float numbers[12];
+    outer o = {numbers, sizeof numbers};
+    const nkw_import_memory memory = {text, sizeof text - 1, "test.gltf", NULL, read_outer, &o};
+    nkw_document *d;
+    nkw_import_error error;
+    nkw_import_result result = nkw_document_open_memory(&memory, &d, &error);
+    expect_end(result, &error, d);
+    nkw_document_close(d);
+    return result;
+}
+
+static nkw_import_result make_clip(void)
+{
+    nkw_clip *clip;
+    nkw_import_error error;
+    nkw_import_result result = nkw_document_clip(document, 0, NKW_CLIP_FLOAT32, &clip, &error);
+    expect_end(result, &error, clip);
+    nkw_import_free(clip);
+    return result;
+}
+
+/* What is written is the document, also where memory was missing for sharing its keys. */
+static void expect_document(const nkw_gltf_file *file)
+{
+    const long left = until_failure;
+    outer o = {file->outer, file->outer_bytes};
+    const nkw_import_memory memory = {file->data, file->bytes, "written", NULL, read_outer, &o};
+    nkw_document *d;
+    until_failure = -1;
+    assert_int_equal(nkw_document_open_memory(&memory, &d, NULL), NKW_IMPORT_OK);
+    assert_int_equal(nkw_document_validate(d, NULL), NKW_IMPORT_OK);
+    assert_int_equal(d->skeleton.joint_count, document->skeleton.joint_count);
+    for (size_t i = 0; i < document->animation_count; i++)
+        assert_int_equal(d->animations[i].track_count, document->animations[i].track_count);
+    nkw_document_close(d);
+    until_failure = left;
+}
+
+static nkw_import_result write_as(nkw_gltf_form form)
+{
+    nkw_gltf_file file;
+    nkw_import_error error;
+    nkw_import_result result = nkw_document_write(document, form, "data.bin", &file, &error);
+    expect_end(result, &error, file.data);
+    assert_true(result == NKW_IMPORT_OK || (file.bytes == 0 && !file.outer && file.outer_bytes == 0));
+    if (result == NKW_IMPORT_OK)
+        expect_document(&file);
+    nkw_gltf_file_free(&file);
+    return result;
+}
+
+static nkw_import_result write_glb(void)
+{
+    return write_as(NKW_GLTF_BINARY);
+}
+
+static nkw_import_result write_text(void)
+{
+    return write_as(NKW_GLTF_TEXT);
+}
+
+static nkw_import_result write_two(void)
+{
+    return write_as(NKW_GLTF_OUTER);
+}
+
+/*
+ * Every allocation of an action fails once: alone, and with all after it. No block is lost. Returns how many they are.
+ * needs_all: whether the action cannot do without one of them.
+ */
+static long expect_answers(action *run, int needs_all)
+{
+    const long before = live;
+    long n = 0;
+    for (fails_on = 0; fails_on < 2; fails_on++)
+        for (n = 0, failures = 1; failures > 0; n++) {
+            until_failure = n;
+            failures = 0;
+            nkw_import_result result = run();
+            until_failure = -1;
+            assert_int_equal(live, before);
+            assert_int_equal(result, failures > 0 && (needs_all || result != NKW_IMPORT_OK) ? NKW_IMPORT_NO_MEMORY
+                                                                                            : NKW_IMPORT_OK);
+        }
+    return n;
+}
+
+static void readers_answer_each_allocation_that_fails(void **state)
+{
+    (void)state;
+    assert_true(expect_answers(open_character, 1) > 20);
+    assert_true(expect_answers(open_outer, 1) > 10);
+    assert_true(expect_answers(open_keys, 1) > 8);
+}
+
+static void clips_and_writers_answer_each_allocation_that_fails(void **state)
+{
+    (void)state;
+    assert_int_equal(nkw_document_open(NKW_CHARACTER, &document, NULL), NKW_IMPORT_OK);
+    assert_int_equal(expect_answers(make_clip, 1), 3);
+    assert_true(expect_answers(write_glb, 0) > 3);
+    assert_true(expect_answers(write_text, 0) > 3);
+    assert_true(expect_answers(write_two, 0) > 3);
+    nkw_document_close(document);
+    assert_int_equal(live, 0);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(readers_answer_each_allocation_that_fails),
+        cmocka_unit_test(clips_and_writers_answer_each_allocation_that_fails),
+    };
+    return cmocka_run_group_tests_name("import_memory", tests, NULL, NULL);
+}
