@@ -46,6 +46,44 @@ static void nodes_are_joints_in_order(void **state)
     nkw_document_close(d);
 }
 
+static void a_file_may_have_no_nodes(void **state)
+{
+    (void)state;
+    nkw_document *d = opened("{" ASSET "'scenes':[{}],'materials':[{'name':'red'}]}", NULL, 0);
+    assert_int_equal(d->skeleton.joint_count, 0);
+    assert_int_equal(d->material_count, 1);
+    assert_int_equal(d->scene_count, 1);
+    nkw_document_close(d);
+    nkw_document_close(opened("{" ASSET "'nodes':[]}", NULL, 0));
+}
+
+/* Channels that are no tracks are listed with a reason; the others are read. */
+static void channels_that_are_not_read_are_listed(void **state)
+{
+    (void)state;
+    float data[] = {0, 1, 5, 6, 7, 8, 9, 10};
+    nkw_document *d = opened(
+        "{" ASSET BUFFER(
+            32) "'extensionsUsed':['KHR_animation_pointer'],'extensionsRequired':['KHR_animation_pointer'],"
+                "'bufferViews':[{'buffer':0,'byteLength':8},{'buffer':0,'byteOffset':8,'byteLength':24}],"
+                "'accessors':[{'bufferView':0,'componentType':5126,'count':2,'type':'SCALAR'},"
+                "{'bufferView':1,'componentType':5126,'count':2,'type':'VEC3'}],'nodes':[{}],"
+                "'animations':[{'samplers':[{'input':0,'output':1}],'channels':["
+                "{'sampler':0,'target':{'path':'pointer','extensions':{'KHR_animation_pointer':{'pointer':'/a/0/b'}}}},"
+                "{'sampler':0,'target':{'node':0,'path':'scale'}},{'sampler':0,'target':{'path':'scale'}},"
+                "{'sampler':0,'target':{'node':0,'path':'weights'}}]}]}",
+        data, sizeof data);
+    const nkw_document_animation *a = d->animations;
+    assert_int_equal(a->track_count, 1);
+    assert_int_equal(a->channels[0].number, 1);
+    assert_int_equal(a->unread_count, 2);
+    assert_int_equal(a->unread[0].number, 0);
+    assert_string_equal(a->unread[0].reason, "KHR_animation_pointer /a/0/b is not read");
+    assert_int_equal(a->unread[1].number, 3);
+    assert_string_equal(a->unread[1].reason, "weights, but the mesh has no morph targets");
+    nkw_document_close(d);
+}
+
 static void matrices_keep_their_shear(void **state)
 {
     (void)state;
@@ -492,6 +530,8 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(nodes_are_joints_in_order),
+        cmocka_unit_test(a_file_may_have_no_nodes),
+        cmocka_unit_test(channels_that_are_not_read_are_listed),
         cmocka_unit_test(matrices_keep_their_shear),
         cmocka_unit_test(integers_are_normalised),
         cmocka_unit_test(rotations_of_integers_are_unit),

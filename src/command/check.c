@@ -15,7 +15,7 @@ static const options_text text = {
     "severity, what, and how much.\n\n"
     "  error     unsorted-time, not-finite, not-unit, joint-out-of-range, bad-weight, refused\n"
     "  warning   duplicate-time, short-segment, not-unit, over-half-turn, long-way, non-positive-scale (negative),\n"
-    "            weights-sum, unused-joint-out-of-range, singular-matrix\n"
+    "            weights-sum, unused-joint-out-of-range, singular-matrix, unread-channel\n"
     "  note      rounded-unit, sign-flip, half-turn, non-positive-scale (zero), constant, spare-keys, open-loop\n\n"
     "Errors and warnings make the exit code 1, with --strict notes too.\n",
     "  nakawari check fox.glb\n"
@@ -39,10 +39,24 @@ static int check_clip_builds(check *c, size_t animation)
     return 0;
 }
 
+static void check_unread(check *c, size_t animation)
+{
+    const nkw_document_animation *a = &c->document->animations[animation];
+    for (size_t i = 0; i < a->unread_count; i++) {
+        finding f = finding_of(SEVERITY_WARNING, "unread-channel");
+        f.clip = (long)animation;
+        f.number = (long)a->unread[i].number;
+        f.object = "channel";
+        snprintf(f.detail, sizeof f.detail, "%.150s", a->unread[i].reason);
+        findings_add(&c->found, &f);
+    }
+}
+
 static void check_clip(check *c, size_t animation, int notes)
 {
     const nkw_document_animation *a = &c->document->animations[animation];
     size_t errors = c->found.counts[SEVERITY_ERROR];
+    check_unread(c, animation);
     c->found.line = progress_begin("checking channel", a->track_count, NULL);
     for (size_t i = 0; i < a->track_count; i++) {
         progress_at(&c->found.line, i);

@@ -113,6 +113,9 @@ int extent_open(extent *e, const nkw_document *d)
     moment m;
     size_t joints = d->skeleton.joint_count;
     memset(e, 0, sizeof *e);
+    e->size = 1.0f;
+    if (joints == 0)
+        return 1;
     e->reach = calloc(joints, sizeof *e->reach);
     e->radius = calloc(joints, sizeof *e->radius);
     e->lever = calloc(joints, sizeof *e->lever);

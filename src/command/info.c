@@ -221,6 +221,11 @@ static void put_channels(const nkw_document *d, size_t animation)
         put_bytes(size.compact);
         putchar('\n');
     }
+    for (size_t i = 0; i < a->unread_count; i++) {
+        printf("%7zu  ", a->unread[i].number);
+        output_text(stdout, a->unread[i].reason);
+        putchar('\n');
+    }
 }
 
 static void put_text(const nkw_document *d, const request *r)
@@ -278,6 +283,12 @@ static json_t *json_clip(const nkw_document *d, size_t animation, const request 
         json_array_append_new(channels, json_channel(d, animation, i));
     if (channels)
         json_object_set_new(clip, "channels", channels);
+    json_t *unread = a->unread_count ? json_array() : NULL;
+    for (size_t i = 0; unread && i < a->unread_count; i++)
+        json_array_append_new(unread, json_pack("{s:I, s:o}", "channel", (json_int_t)a->unread[i].number, "reason",
+                                                json_text(a->unread[i].reason)));
+    if (unread)
+        json_object_set_new(clip, "unread", unread);
     return clip;
 }
 

@@ -37,6 +37,11 @@ int moment_open(moment *m, const nkw_document *d, size_t animation)
     nkw_import_error error;
     memset(m, 0, sizeof *m);
     m->document = d;
+    if (d->skeleton.joint_count == 0) {
+        output_text(stderr, d->file);
+        fputs(": the file has no nodes\n", stderr);
+        return 0;
+    }
     if (nkw_document_clip(d, animation, NKW_CLIP_FLOAT32, &m->clip, &error) != NKW_IMPORT_OK) {
         input_report(&error);
         return 0;

@@ -73,11 +73,13 @@ int nkwi_document_nodes(nkwi_document *d, nkw_import_error *error, const nkwi_pl
     int32_t *maps = (int32_t *)nkwi_document_take(d, error, place, count, 3 * sizeof *maps);
     d->nodes = (nkw_document_node *)nkwi_document_take(d, error, place, count, sizeof *d->nodes);
     float *rest = (float *)nkwi_document_take(d, error, place, nkw_pose_floats(count), sizeof *rest);
-    size_t bad;
+    size_t bad = 0;
     if (!maps || !d->nodes || !rest)
         return 0;
     int32_t *joint_of_node = maps, *node_of_joint = maps + count, *parents = maps + 2 * count;
-    nkw_result result = nkw_skeleton_order(node_parents, count, joint_of_node, node_of_joint, parents, &bad);
+    /* A file of meshes or materials only has no nodes. */
+    nkw_result result =
+        count ? nkw_skeleton_order(node_parents, count, joint_of_node, node_of_joint, parents, &bad) : NKW_OK;
     const nkwi_place at = {place, NULL, bad};
     if (result != NKW_OK) {
         error->result = result;

@@ -30,7 +30,10 @@ int nkwi_gltf_list(nkwi_gltf *g, const char *key, nkwi_value *list, size_t *coun
     return nkwi_is_array(g->error, list);
 }
 
-/* Extensions without which nodes, meshes, skins and animations are complete: of materials, images, lights, rights. */
+/*
+ * Extensions without which nodes, meshes, skins and animations are complete: of materials, images, lights, rights,
+ * metadata, physics, sound; and pointers, which animations list as not read.
+ */
 static int is_ignorable(const char *extension)
 {
     static const char *const beginnings[] = {"KHR_materials_",
@@ -47,7 +50,20 @@ static int is_ignorable(const char *extension)
                                              "MSFT_lod",
                                              "ADOBE_materials_",
                                              "VRM",
-                                             "EXT_materials_"};
+                                             "EXT_materials_",
+                                             "GOOGLE_texture_",
+                                             "MSFT_packing_",
+                                             "EXT_structural_metadata",
+                                             "EXT_mesh_features",
+                                             "EXT_instance_features",
+                                             "CESIUM_primitive_outline",
+                                             "AGI_",
+                                             "KHR_interactivity",
+                                             "KHR_physics_",
+                                             "OMI_physics_",
+                                             "MSFT_audio_",
+                                             "KHR_audio_",
+                                             "KHR_animation_pointer"};
     for (size_t i = 0; i < sizeof beginnings / sizeof *beginnings; i++)
         if (strncmp(extension, beginnings[i], strlen(beginnings[i])) == 0)
             return 1;

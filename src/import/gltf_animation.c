@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /* glTF 2.0, 3.11: animations. */
+#include <stdio.h>
 #include <string.h>
 
 #include "gltf.h"
@@ -54,6 +55,25 @@ static int read_sampler(nkwi_gltf *g, const nkwi_value *sampler, nkw_clip_track 
     return 1;
 }
 
+/*
+ * Why a channel is no track, or NULL: the pointer of KHR_animation_pointer, weights of a mesh that has none. In
+ * `pointer`, room for a text.
+ */
+static const char *unread_reason(nkwi_gltf *g, const nkwi_value *target, int32_t node, char pointer[256])
+{
+    nkwi_value extensions = nkwi_member(target, "extensions");
+    nkwi_value extension = nkwi_member(&extensions, "KHR_animation_pointer");
+    const char *path = nkwi_text(target, "path", "");
+    if (extension.json || strcmp(path, "pointer") == 0) {
+        snprintf(pointer, 256, "KHR_animation_pointer %.200s is not read", nkwi_text(&extension, "pointer", ""));
+        return pointer;
+    }
+    if (node == NKW_NO_JOINT || strcmp(path, "weights") != 0)
+        return NULL;
+    const nkw_document *d = &g->document->all;
+    return d->nodes[d->joint_of_node[node]].float_count > 0 ? NULL : "weights, but the mesh has no morph targets";
+}
+
 /* What the channel moves: a property of a joint, or the morph weights of its mesh. */
 static int read_target(nkwi_gltf *g, const nkwi_value *target, int32_t joint, nkw_clip_track *out)
 {
@@ -63,8 +83,6 @@ static int read_target(nkwi_gltf *g, const nkwi_value *target, int32_t joint, nk
     int found = target_of(name);
     if (found > NKW_CLIP_FLOATS)
         return nkwi_fail(g->error, &path.place, NKW_IMPORT_INVALID, "\"%s\" is no path", name);
-    if (found == NKW_CLIP_FLOATS && node->float_count == 0)
-        return nkwi_fail(g->error, &path.place, NKW_IMPORT_INVALID, "the mesh of the node has no morph targets");
     out->target = (nkw_clip_target)found;
     out->index = found == NKW_CLIP_FLOATS ? node->float_first : (uint32_t)joint;
     out->track.width = found == NKW_CLIP_FLOATS ? node->float_count : found == NKW_CLIP_ROTATION ? 4 : 3;
@@ -72,17 +90,28 @@ static int read_target(nkwi_gltf *g, const nkwi_value *target, int32_t joint, nk
     return 1;
 }
 
-/* A channel becomes a track, or none where it has no node: *is_track is then 0. */
+/*
+ * A channel becomes a track. *is_track is 0 where it has no node, or is not read: the reason is then in `unread`, NULL
+ * otherwise.
+ */
 static int read_channel(nkwi_gltf *g, const nkwi_value *channel, const nkwi_value *samplers, nkw_clip_track *track,
-                        nkw_document_channel *origin, int *is_track)
+                        nkw_document_channel *origin, nkw_document_unread *unread, int *is_track)
 {
     int32_t node, sampler_index;
+    char pointer[256];
+    unread->reason = NULL;
     nkwi_value target = nkwi_member(channel, "target");
     if (!nkwi_is_object(g->error, channel) || !nkwi_is_object(g->error, &target) ||
         !nkwi_index(g->error, &target, "node", "node", g->node_count, &node) ||
         !nkwi_needed_index(g->error, channel, "sampler", "sampler", nkwi_length(samplers), &sampler_index))
         return 0;
-    *is_track = node != NKW_NO_JOINT;
+    const char *reason = unread_reason(g, &target, node, pointer);
+    *is_track = node != NKW_NO_JOINT && !reason;
+    if (reason) {
+        unread->number = channel->place.index;
+        unread->reason = nkwi_document_text(g->document, g->error, reason);
+        return unread->reason != NULL;
+    }
     if (!*is_track)
         return 1;
     nkwi_value sampler = nkwi_element(samplers, (size_t)sampler_index);
@@ -99,18 +128,22 @@ static int read_animation(nkwi_gltf *g, const nkwi_value *object, nkw_document_a
     size_t count = nkwi_length(&channels);
     nkw_clip_track *tracks = (nkw_clip_track *)nkwi_gltf_take(g, &channels, count, sizeof *tracks);
     nkw_document_channel *origins = (nkw_document_channel *)nkwi_gltf_take(g, &channels, count, sizeof *origins);
+    nkw_document_unread *unread = (nkw_document_unread *)nkwi_gltf_take(g, &channels, count, sizeof *unread);
     animation->name = nkwi_gltf_name(g, object, "animation");
     animation->tracks = tracks;
     animation->channels = origins;
-    if (!animation->name || !tracks || !origins)
+    animation->unread = unread;
+    if (!animation->name || !tracks || !origins || !unread)
         return 0;
     for (size_t i = 0; i < count; i++) {
         nkwi_value channel = nkwi_element(&channels, i);
         size_t k = animation->track_count;
         int is_track;
-        if (!read_channel(g, &channel, &samplers, &tracks[k], &origins[k], &is_track))
+        nkw_document_unread *rest = &unread[animation->unread_count];
+        if (!read_channel(g, &channel, &samplers, &tracks[k], &origins[k], rest, &is_track))
             return 0;
         animation->track_count += is_track ? 1 : 0;
+        animation->unread_count += rest->reason != NULL;
         if (is_track && tracks[k].target != NKW_CLIP_FLOATS)
             g->document->nodes[origins[k].joint].matrix = NULL; /* its keys replace it */
     }

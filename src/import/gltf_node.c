@@ -72,8 +72,6 @@ int nkwi_gltf_nodes(nkwi_gltf *g)
     size_t count;
     if (!nkwi_gltf_list(g, "nodes", &list, &count))
         return 0;
-    if (count == 0)
-        return nkwi_fail(g->error, &list.place, NKW_IMPORT_INVALID, "the file has no nodes");
     if (count > INT32_MAX)
         return nkwi_fail(g->error, &list.place, NKW_IMPORT_TOO_LARGE, "%zu nodes are too many", count);
     nkw_document_node *nodes = (nkw_document_node *)nkwi_gltf_scratch(g, &list, count, sizeof *nodes);

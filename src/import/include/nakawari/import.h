@@ -142,12 +142,20 @@ typedef struct nkw_document_channel {
     size_t bytes; /**< of times and values in the file; in text, as floats */
 } nkw_document_channel;
 
-/** An animation: tracks as in the file, those without a target left out. */
+/** A channel of the file that is no track. */
+typedef struct nkw_document_unread {
+    size_t number; /**< the index of the channel in its animation, in the file */
+    const char *reason; /**< what it animates, and why it is not read */
+} nkw_document_unread;
+
+/** An animation: tracks as in the file. Channels without a target are left out; others that are not read are listed. */
 typedef struct nkw_document_animation {
     const char *name;
     const nkw_clip_track *tracks; /**< track_count */
     const nkw_document_channel *channels; /**< track_count */
     size_t track_count;
+    const nkw_document_unread *unread; /**< unread_count; of glTF: KHR_animation_pointer, weights without morph targets */
+    size_t unread_count;
 } nkw_document_animation;
 
 typedef struct nkw_document_scene {
