@@ -6,6 +6,8 @@
 #include "support/expect.h"
 #include "support/motions.h"
 
+#define U 0x1p-24
+
 static nkw_motion some_motion(random_source *r)
 {
     float value = random_between(r, -3, 3);
@@ -355,6 +357,60 @@ static void fast_wheels_turn_as_often_as_their_velocity_says(void **state)
     }
 }
 
+static double offset_at(const float *c, double u)
+{
+    return (1 - u) * (1 - u) * (1 - u) * ((double)c[0] + u * ((double)c[1] + u * (double)c[2]));
+}
+
+/* Coefficients of another size than the offset, and times whose quotient is no float. */
+static void offsets_and_blends_are_rounded_once(void **state)
+{
+    (void)state;
+    random_source r = random_from(12);
+    nkw_inertia known = {{0x1.044d7cp+9f, 0x1.3d7bc6p+1f, -0x1.06a28p+0f}, 0x1.fd005cp+0f};
+    for (int i = 0; i < 50000; i++) {
+        nkw_inertia x = known;
+        nkw_motion to = some_motion(&r), from = some_motion(&r);
+        for (int k = 0; k < 3 && i > 0; k++)
+            x.c[k] = ldexpf(random_between(&r, -1, 1), (int)(random_bits(&r) % 20) - 10);
+        float t = i ? random_unit(&r) * x.duration : 0x1.1f3dccp-8f;
+        to.value = i ? to.value : 0x1.0003p+1f;
+        double size = fabs(to.value) + fabs(x.c[0]) + fabs(x.c[1]) + fabs(x.c[2]);
+        double want = (double)to.value + offset_at(x.c, (double)t / (double)x.duration);
+        expect_near(nkw_inertia_evaluate(x, to, t).value, want, 1.01 * U * size);
+        nkw_dead_blend d = {from, random_between(&r, 0.001f, 2), x.duration};
+        double h = (double)d.half_life / log(2), carried = (double)from.velocity * h * -expm1(-(double)t / h);
+        double old = (double)from.value + carried, u = (double)t / (double)x.duration;
+        want = old + u * u * (3 - 2 * u) * ((double)to.value - old);
+        size = fabs(from.value) + fabs(carried) + fabs(to.value);
+        expect_near(nkw_dead_blend_evaluate(&d, to, t).value, want, 1.01 * U * size);
+    }
+}
+
+/* The offset of rotations at rest is x (1 - u)^3 (1 + 3 u + 6 u^2), about one axis. */
+static void rotations_from_rest_to_rest_keep_to_the_quintic(void **state)
+{
+    (void)state;
+    const nkw_quat from = {-0x1.77cf74p-2f, 0x1.4a858ap-1f, 0x1.4cfd3ep-1f, -0x1.47a3c6p-3f},
+                   to = {0x1.9a4fc4p-1f, 0x1.199fa8p-7f, 0x1.d95588p-2f, -0x1.84a08cp-2f};
+    const float duration = 0x1.3b0898p-1f, t = 0x1.58af1ap-3f;
+    nkw_quat_motion a = rotating(from, vec(0, 0, 0)), b = rotating(to, vec(0, 0, 0));
+    nkw_vec3_inertia i = nkw_quat_inertia_begin(&a, &b, duration);
+    nkw_quat got = nkw_quat_inertia_evaluate(&i, &b, t).value;
+    double dot = (double)from.x * (double)to.x + (double)from.y * (double)to.y + (double)from.z * (double)to.z +
+                 (double)from.w * (double)to.w;
+    double u = (double)t / (double)duration, angle = acos(fabs(dot)), sign = dot < 0 ? -1 : 1;
+    double part = (1 - u) * (1 - u) * (1 - u) * (1 + 3 * u + 6 * u * u);
+    double p = sin(part * angle) / sin(angle) * sign, q = sin((1 - part) * angle) / sin(angle);
+    const double want[4] = {p * (double)from.x + q * (double)to.x, p * (double)from.y + q * (double)to.y,
+                            p * (double)from.z + q * (double)to.z, p * (double)from.w + q * (double)to.w};
+    const float g[4] = {got.x, got.y, got.z, got.w};
+    double off = 0;
+    for (int k = 0; k < 4; k++)
+        off += ((double)g[k] - want[k]) * ((double)g[k] - want[k]);
+    expect_near(sqrt(off), 0, 2.5 * U);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -377,6 +433,8 @@ int main(void)
         cmocka_unit_test(half_lives_follow_the_way_to_the_new_value),
         cmocka_unit_test(bodies_move_smoothly_between_steps_of_physics),
         cmocka_unit_test(fast_wheels_turn_as_often_as_their_velocity_says),
+        cmocka_unit_test(offsets_and_blends_are_rounded_once),
+        cmocka_unit_test(rotations_from_rest_to_rest_keep_to_the_quintic),
     };
     return cmocka_run_group_tests_name("inertia", tests, NULL, NULL);
 }
