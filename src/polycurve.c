@@ -32,10 +32,8 @@ static double gauss(const polycurve_slopes *c, double a, double b)
 /* A length that the one from a to b does not exceed by much, for the size of rounding errors: |p'| grows like t^2. */
 static double largest_length(const polycurve_slopes *c, double a, double b)
 {
-    lane_f64_vec3 f = {c->x.f, c->y.f, c->z.f}, v0 = {c->x.v0, c->y.v0, c->z.v0}, v1 = {c->x.v1, c->y.v1, c->z.v1};
-    double slope = (lane_f64_vec3_length(f) + lane_f64_vec3_length(v0)) + lane_f64_vec3_length(v1);
     double reach = 1.0 + (lane_abs64(a) + lane_abs64(b));
-    return slope * (reach * reach) * lane_abs64(b - a);
+    return polycurve_size(c) * (reach * reach) * lane_abs64(b - a);
 }
 
 /*

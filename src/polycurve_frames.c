@@ -4,6 +4,9 @@
 /* Below this sine of the angle to the tangent a direction has no part perpendicular to it. */
 #define FRAME_PARALLEL 0x1p-20
 
+/* A derivative below this part of the largest of its terms is none. */
+#define HEADING_NOISE 0x1p-46
+
 /* A frame in binary64; the binormal is t x n. */
 typedef struct frame {
     lane_f64_vec3 t, n;
@@ -50,14 +53,55 @@ static lane_f64_vec3 direction(lane_f64_vec3 a, lane_f64_vec3 b)
     return is_zero(a) ? other : lane_f64_vec3_normalize(a);
 }
 
-nkw_curve_frame nkw_curve_frame_frenet(const nkw_vec3_curve_point *point, nkw_vec3 before)
+static nkw_curve_frame frenet(lane_f64_vec3 v, lane_f64_vec3 a, nkw_vec3 before)
 {
-    lane_f64_vec3 v = lane_f64_vec3_from(point->first), a = lane_f64_vec3_from(point->second);
     lane_f64_vec3 across = lane_f64_vec3_cross(v, a), tangent = direction(v, a);
     if (!(lane_f64_vec3_length(across) > FRAME_PARALLEL * (lane_f64_vec3_length(v) * lane_f64_vec3_length(a))))
         return rounded(frame_from(tangent, lane_f64_vec3_from(before)));
     frame r = {tangent, lane_f64_vec3_cross(lane_f64_vec3_normalize(across), tangent)};
     return rounded(r);
+}
+
+nkw_curve_frame nkw_curve_frame_frenet(const nkw_vec3_curve_point *point, nkw_vec3 before)
+{
+    return frenet(lane_f64_vec3_from(point->first), lane_f64_vec3_from(point->second), before);
+}
+
+/* Two vectors with the directions of p' and p' x p'' next to a place, inside of its segment. */
+typedef struct heading {
+    lane_f64_vec3 v, a;
+} heading;
+
+/*
+ * Where p' = 0 at t, p' = s p'' + s^2/2 p''' at t + s: along p'' after t and against it before the end. Where p'' = 0
+ * too, it is along p'''. What is less than the rounding of its terms counts as 0.
+ */
+static heading heading_at(const nkw_polycurve *curve, nkw_segment at)
+{
+    heading none = {{0.0, 0.0, 0.0}, {0.0, 0.0, 0.0}};
+    if (curve->count == 0)
+        return none;
+    polycurve_slopes c =
+        polycurve_slopes_of(curve->kind, &curve->cubics[at.index < curve->count - 1 ? at.index : curve->count - 1]);
+    double t = (double)at.t, reach = 1.0 + lane_abs64(t), side = t < 1.0 ? 1.0 : -1.0;
+    double noise = HEADING_NOISE * polycurve_size(&c) * (reach * reach);
+    lane_f64_vec3 third = polycurve_third(&c);
+    heading r = {polycurve_first(&c, t), polycurve_second(&c, t)};
+    if (lane_f64_vec3_length(r.v) <= noise) {
+        r.v = lane_f64_vec3_scale(r.a, side);
+        r.a = lane_f64_vec3_scale(third, side);
+    }
+    if (lane_f64_vec3_length(r.v) <= noise) {
+        r.v = third;
+        r.a = none.a;
+    }
+    return r;
+}
+
+nkw_curve_frame nkw_polycurve_frenet(const nkw_polycurve *curve, nkw_segment at, nkw_vec3 before)
+{
+    heading h = heading_at(curve, at);
+    return frenet(h.v, h.a, before);
 }
 
 nkw_curve_frame nkw_curve_frame_from_up(nkw_vec3 tangent, nkw_vec3 up)
@@ -95,22 +139,38 @@ nkw_curve_frame nkw_curve_frame_transport(const nkw_curve_frame *from, nkw_vec3 
     return rounded(transport(f, step, lane_f64_vec3_from(tangent)));
 }
 
-/* The point of even parameter i of a polycurve. */
-static nkw_vec3_curve_point point_at(const nkw_polycurve *curve, size_t steps, size_t i)
+/* Even parameter i of a polycurve. */
+static nkw_segment place_of(const nkw_polycurve *curve, size_t steps, size_t i)
 {
     nkw_segment end = {curve->count - 1, 1.0f}, at = {i / steps, (float)((double)(i % steps) / (double)steps)};
-    return nkw_polycurve_point(curve, i == curve->count * steps ? end : at);
+    return i == curve->count * steps ? end : at;
 }
 
-static lane_f64_vec3 step_between(const nkw_vec3_curve_point *a, const nkw_vec3_curve_point *b)
+/* A point with the direction of p' next to it. */
+typedef struct course {
+    nkw_vec3 at;
+    lane_f64_vec3 tangent;
+} course;
+
+static course course_at(const nkw_polycurve *curve, size_t steps, size_t i)
 {
-    return lane_f64_vec3_sub(lane_f64_vec3_from(b->value), lane_f64_vec3_from(a->value));
+    nkw_segment at = place_of(curve, steps, i);
+    nkw_vec3_curve_point p = nkw_polycurve_point(curve, at);
+    course r = {p.value, lane_f64_vec3_from(p.first)};
+    if (is_zero(r.tangent))
+        r.tangent = heading_at(curve, at).v;
+    return r;
+}
+
+static lane_f64_vec3 step_between(const course *a, const course *b)
+{
+    return lane_f64_vec3_sub(lane_f64_vec3_from(b->at), lane_f64_vec3_from(a->at));
 }
 
 static frame first_frame(const nkw_polycurve *curve, size_t steps, nkw_vec3 up)
 {
-    nkw_vec3_curve_point a = point_at(curve, steps, 0), b = point_at(curve, steps, 1);
-    return frame_from(direction(lane_f64_vec3_from(a.first), step_between(&a, &b)), lane_f64_vec3_from(up));
+    course a = course_at(curve, steps, 0), b = course_at(curve, steps, 1);
+    return frame_from(direction(a.tangent, step_between(&a, &b)), lane_f64_vec3_from(up));
 }
 
 /*
@@ -120,12 +180,12 @@ static frame first_frame(const nkw_polycurve *curve, size_t steps, nkw_vec3 up)
 static frame along(const nkw_polycurve *curve, size_t steps, frame f, double angle, nkw_curve_frame *frames,
                    double *length)
 {
-    nkw_vec3_curve_point before = point_at(curve, steps, 0);
+    course before = course_at(curve, steps, 0);
     *length = 0.0;
     for (size_t i = 0; i <= curve->count * steps; i++) {
-        nkw_vec3_curve_point at = point_at(curve, steps, i);
+        course at = course_at(curve, steps, i);
         lane_f64_vec3 step = step_between(&before, &at);
-        f = i > 0 ? transport(f, step, lane_f64_vec3_from(at.first)) : f;
+        f = i > 0 ? transport(f, step, at.tangent) : f;
         *length += lane_f64_vec3_length(step);
         lane_sincos turn = lane_sincos64_any((double)(float)(angle * *length));
         lane_f64_vec3 across = lane_f64_vec3_cross(f.t, f.n);

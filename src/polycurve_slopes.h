@@ -36,6 +36,13 @@ static inline lane_f64_vec3 polycurve_second(const polycurve_slopes *a, double t
     return r;
 }
 
+/* |f| + |v0| + |v1|: what the derivatives for t in 0..1 do not exceed by much. */
+static inline double polycurve_size(const polycurve_slopes *a)
+{
+    lane_f64_vec3 f = {a->x.f, a->y.f, a->z.f}, v0 = {a->x.v0, a->y.v0, a->z.v0}, v1 = {a->x.v1, a->y.v1, a->z.v1};
+    return (lane_f64_vec3_length(f) + lane_f64_vec3_length(v0)) + lane_f64_vec3_length(v1);
+}
+
 /* The third derivative, the same at every t. */
 static inline lane_f64_vec3 polycurve_third(const polycurve_slopes *a)
 {

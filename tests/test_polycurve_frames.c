@@ -79,6 +79,74 @@ static void frenet_at_an_inflection_keeps_the_normal(void **state)
     expect_vec3_bits(f.normal, vec3(1, 0, 0));
 }
 
+static nkw_vec3 tangent_at(nkw_cubic_kind kind, const nkw_vec3_cubic *c, float t)
+{
+    nkw_polycurve curve = {c, 1, kind};
+    nkw_segment at = {0, t};
+    nkw_curve_frame f = nkw_polycurve_frenet(&curve, at, vec3(0, 1, 0));
+    expect_frame(&f);
+    return f.tangent;
+}
+
+static void a_curve_at_rest_has_its_direction(void **state)
+{
+    (void)state;
+    const nkw_vec3 z = {0, 0, 1}, o = {0, 0, 0}, a = {0, 0, 5}, b = {0, 0, 10};
+    nkw_vec3_cubic end = {{o, a, b, b}}, start = {{o, o, a, b}}, both = {{o, o, b, b}}, half = {{o, b, o, b}};
+    nkw_vec3_cubic cube = {{o, o, o, b}}, slowing = {{b, o, o, o}}, hermite = {{o, a, b, o}}, point = {{a, a, a, a}};
+    expect_vec3_near(tangent_at(NKW_CUBIC_BEZIER, &end, 1), z, 0);
+    expect_vec3_near(tangent_at(NKW_CUBIC_BEZIER, &start, 0), z, 0);
+    expect_vec3_near(tangent_at(NKW_CUBIC_BEZIER, &both, 0), z, 0);
+    expect_vec3_near(tangent_at(NKW_CUBIC_BEZIER, &both, 1), z, 0);
+    expect_vec3_near(tangent_at(NKW_CUBIC_BEZIER, &half, 0.5f), z, 0);
+    expect_vec3_near(tangent_at(NKW_CUBIC_BEZIER, &cube, 0), z, 0);
+    expect_vec3_near(tangent_at(NKW_CUBIC_BEZIER, &slowing, 1), vec3(0, 0, -1), 0);
+    expect_vec3_near(tangent_at(NKW_CUBIC_HERMITE, &hermite, 1), z, 0);
+    expect_vec3_near(tangent_at(NKW_CUBIC_BEZIER, &point, 1), vec3(1, 0, 0), 0);
+    nkw_polycurve none = {&point, 0, NKW_CUBIC_BEZIER}, one = {&end, 1, NKW_CUBIC_BEZIER};
+    nkw_segment at = {7, 1};
+    expect_vec3_near(nkw_polycurve_frenet(&none, at, z).tangent, vec3(1, 0, 0), 0);
+    expect_vec3_near(nkw_polycurve_frenet(&one, at, o).tangent, z, 0);
+}
+
+/* The frame at rest is the limit of those beside it; elsewhere it is that of the derivatives. */
+static void frames_at_rest_are_limits(void **state)
+{
+    (void)state;
+    random_source r = random_from(9);
+    for (int i = 0; i < 2000; i++) {
+        float side = i % 2 ? 1.0f : 0.0f;
+        nkw_vec3 p = random_vec3(&r, -1, 1), q = random_vec3(&r, -1, 1), v = random_vec3(&r, -2, 2), o = {0, 0, 0};
+        nkw_vec3_cubic c = {{p, i % 2 ? v : o, q, i % 2 ? o : v}};
+        nkw_polycurve curve = {&c, 1, NKW_CUBIC_HERMITE};
+        nkw_segment at = {0, side}, beside = {0, i % 2 ? 1 - 0x1p-10f : 0x1p-10f}, inside = {0, random_unit(&r)};
+        nkw_curve_frame f = nkw_polycurve_frenet(&curve, at, o), g = nkw_polycurve_frenet(&curve, beside, o);
+        nkw_vec3_curve_point middle = nkw_polycurve_point(&curve, inside), rest = nkw_polycurve_point(&curve, at);
+        expect_frame(&f);
+        if (nkw_vec3_length(nkw_vec3_cross(rest.second, nkw_vec3_sub(middle.second, rest.second))) < 0.5f)
+            continue;
+        expect_vec3_near(f.tangent, g.tangent, 0.05);
+        expect_vec3_near(f.normal, g.normal, 0.2);
+        f = nkw_polycurve_frenet(&curve, inside, v);
+        g = nkw_curve_frame_frenet(&middle, v);
+        expect_vec3_near(f.tangent, g.tangent, 1e-6);
+    }
+}
+
+/* Not along the chord of the last step. */
+static void frames_follow_a_curve_that_comes_to_rest(void **state)
+{
+    (void)state;
+    nkw_vec3_cubic c = {{{0, 0, 0}, {0, 0, 0}, {1, 1, 0}, {1, 1, 0}}};
+    c.c[1] = vec3(2, -1, 0);
+    nkw_polycurve curve = {&c, 1, NKW_CUBIC_BEZIER};
+    nkw_curve_frame frames[2];
+    nkw_vec3 t = nkw_vec3_normalize(nkw_vec3_sub(c.c[3], c.c[1]));
+    assert_int_equal(nkw_polycurve_frames(&curve, 1, NKW_POLYCURVE_OPEN, vec3(0, 0, 1), frames, 2), NKW_OK);
+    expect_vec3_near(frames[1].tangent, t, 2e-7);
+    expect_vec3_near(frames[1].normal, vec3(0, 0, 1), 2e-7);
+}
+
 static void a_frame_from_up_is_near_up(void **state)
 {
     (void)state;
@@ -259,6 +327,9 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(frenet_of_a_helix_points_to_its_axis),
         cmocka_unit_test(frenet_at_an_inflection_keeps_the_normal),
+        cmocka_unit_test(a_curve_at_rest_has_its_direction),
+        cmocka_unit_test(frames_at_rest_are_limits),
+        cmocka_unit_test(frames_follow_a_curve_that_comes_to_rest),
         cmocka_unit_test(a_frame_from_up_is_near_up),
         cmocka_unit_test(transport_without_a_turn_keeps_the_frame),
         cmocka_unit_test(transport_in_place_is_the_least_rotation),

@@ -89,13 +89,27 @@ typedef struct nkw_curve_frame {
  * The frame is not defined where p' and p'' are parallel (straight lines, inflections), and turns by half a turn across
  * an inflection. There, where |p' x p''| <= 2^-20 |p'||p''|, the normal is the part of `before` perpendicular to the
  * tangent; if that is 0 too, it is nkw_vec3_perpendicular of the tangent. Where p' = 0, the tangent has the direction
- * of p''; if that is 0 too, the tangent is the x axis.
+ * of p'', which is that of the curve after the point; if p'' is 0 too, the tangent is the x axis. At the end of a
+ * segment that comes to rest the curve has the direction of -p'': nkw_polycurve_frenet knows the place and the rest of
+ * the curve.
  *
  * before   the normal of the frame before, or any direction that the normal should be near
  *
  * Error  1.0 u for each vector, where |p' x p''| >= |p'||p''|/8.
  */
 NKW_API nkw_curve_frame nkw_curve_frame_frenet(const nkw_vec3_curve_point *point, nkw_vec3 before);
+
+/**
+ * The Frenet frame of a polycurve at a place, of a curve that may come to rest there: nkw_curve_frame_frenet of its
+ * derivatives. Where p' = 0, the frame is the limit from inside of the segment. The tangent then has the direction of
+ * p'', at the end, t = 1, that of -p''; where p'' = 0 too, that of p'''; where all are 0, it is the x axis. The binormal
+ * has the direction of p'' x p'''.
+ *
+ * before   as above
+ *
+ * Error  1.0 u for each vector, where |p' x p''| >= |p'||p''|/8; where p' = 0, the same of p'' and p'''.
+ */
+NKW_API nkw_curve_frame nkw_polycurve_frenet(const nkw_polycurve *curve, nkw_segment at, nkw_vec3 before);
 
 /**
  * A frame with this tangent whose normal is the part of `up` perpendicular to it; where that is 0, as in
@@ -123,7 +137,7 @@ typedef enum nkw_polycurve_ends {
 
 /**
  * Rotation-minimising frames at the even parameters of nkw_polycurve_measure, frames[0] by nkw_curve_frame_from_up and
- * the others by nkw_curve_frame_transport. CLOSED is for curves whose ends have one point and one tangent; there the
+ * the others by nkw_curve_frame_transport. Where p' = 0, the tangent is that of nkw_polycurve_frenet. CLOSED is for curves whose ends have one point and one tangent; there the
  * last frame has the bits of the first.
  *
  * ends     any other number is read as NKW_POLYCURVE_OPEN

@@ -219,25 +219,57 @@ static void bent(random_source *r, float *x)
     put_vec3(x + 3, random_vec3(r, -1.0f, 1.0f));
 }
 
-static double frenet_error(const float *x)
+/* The largest of the errors of the vectors of a frame for these derivatives; 0 where they are nearly parallel. */
+static double frame_error(const nkw_curve_frame *f, wide v[3], wide a[3])
 {
-    wide v[3], a[3], b[3], n[3];
-    nkw_vec3_curve_point p = {{0, 0, 0}, vec3_at(x), vec3_at(x + 3)};
-    nkw_vec3 up = {0, 0, 1};
-    nkw_curve_frame f = nkw_curve_frame_frenet(&p, up);
-    float got[9];
-    wide_from(x, v, 3);
-    wide_from(x + 3, a, 3);
+    wide b[3], n[3];
     wide_cross(v, a, b);
     if (!(wide_length(b, 3) * 8 >= wide_length(v, 3) * wide_length(a, 3)))
         return 0.0;
-    put_vec3(got, f.tangent);
-    put_vec3(got + 3, f.normal);
-    put_vec3(got + 6, f.binormal);
     wide_normalize(v, 3);
     wide_normalize(b, 3);
     wide_cross(b, v, n);
-    return fmax(wide_error(got, v, 3), fmax(wide_error(got + 3, n, 3), wide_error(got + 6, b, 3)));
+    return fmax(wide_error(&f->tangent.x, v, 3),
+                fmax(wide_error(&f->normal.x, n, 3), wide_error(&f->binormal.x, b, 3)));
+}
+
+static double frenet_error(const float *x)
+{
+    wide v[3], a[3];
+    nkw_vec3_curve_point p = {{0, 0, 0}, vec3_at(x), vec3_at(x + 3)};
+    nkw_vec3 up = {0, 0, 1};
+    nkw_curve_frame f = nkw_curve_frame_frenet(&p, up);
+    wide_from(x, v, 3);
+    wide_from(x + 3, a, 3);
+    return frame_error(&f, v, a);
+}
+
+/* At rest at an end, and there. */
+static void at_rest(random_source *r, float *x)
+{
+    standing_still(r, x);
+    x[12] = x[0] == x[3] && x[1] == x[4] ? 0.0f : 1.0f;
+}
+
+static double place_frame_error(const float *x)
+{
+    nkw_vec3_cubic c = cubic_of(x);
+    nkw_polycurve curve = {&c, 1, NKW_CUBIC_BEZIER};
+    nkw_segment at = {0, x[12]};
+    nkw_vec3 up = {0, 0, 1};
+    nkw_curve_frame f = nkw_polycurve_frenet(&curve, at, up);
+    wide v[3], a[3], third[3], t = x[12], s = 1 - t, side = t < 1 ? 1 : -1;
+    for (int i = 0; i < 3; i++) {
+        wide d[3];
+        differences(x, i, d);
+        v[i] = s * s * d[0] + 2 * s * t * d[1] + t * t * d[2];
+        a[i] = 2 * (s * (d[1] - d[0]) + t * (d[2] - d[1]));
+        third[i] = 2 * side * (d[2] - 2 * d[1] + d[0]);
+    }
+    if (wide_length(v, 3) > 0)
+        return frame_error(&f, v, a);
+    wide_scale(a, side, 3);
+    return frame_error(&f, a, third);
 }
 
 static const wide_case lengths[] = {
@@ -253,6 +285,8 @@ static const wide_case lengths[] = {
 
 static const wide_case frames[] = {
     {"nkw_curve_frame_frenet", "[-1, 1]", bent, frenet_error, 6, WIDE_CHECKED},
+    {"nkw_polycurve_frenet", "Bezier, advancing", advancing, place_frame_error, 13, WIDE_CHECKED},
+    {"nkw_polycurve_frenet", "Bezier, at rest there", at_rest, place_frame_error, 13, WIDE_CHECKED},
 };
 
 int main(int argc, char **argv)

@@ -24,6 +24,7 @@ static void places(fuzz *f, const nkw_polycurve *curve, size_t steps)
         FUZZ_CHECK((at.index < curve->count || at.index == 0) && at.t >= 0.0f && at.t <= 1.0f);
         nkw_vec3_curve_point p = nkw_polycurve_point(curve, at);
         nkw_curve_frame frame = nkw_curve_frame_frenet(&p, draw_vec3(f));
+        nkw_polycurve_frenet(curve, at, draw_vec3(f));
         nkw_curve_frame_transport(&frame, p.value, draw_vec3(f), draw_vec3(f));
     }
 }

@@ -36,6 +36,7 @@ static uint64_t hash_places(uint64_t hash, const nkw_polycurve *curve, random_so
         nkw_vec3_curve_point p = nkw_polycurve_point(curve, at);
         hash = hash_floats(hash, place, 2);
         hash = hash_frame(hash, nkw_curve_frame_frenet(&p, random_vec3(r, -1.0f, 1.0f)));
+        hash = hash_frame(hash, nkw_polycurve_frenet(curve, at, p.second));
     }
     return hash;
 }
@@ -44,6 +45,7 @@ uint64_t data_polycurve(void)
 {
     random_source r = random_from(0x706f6c79);
     uint64_t hash = HASH_START;
+    const nkw_vec3 zero = {0.0f, 0.0f, 0.0f};
     for (int round = 0; round < 80; round++) {
         nkw_curve_frame frames[ENTRIES];
         nkw_polycurve curve = {cubics, SEGMENTS, (nkw_cubic_kind)(round % 4)};
@@ -55,6 +57,10 @@ uint64_t data_polycurve(void)
         /* On a line: segments that turn back. */
         for (size_t i = 0; i < 4 * SEGMENTS && round % 5 == 4; i++)
             cubics[i / 4].c[i % 4] = nkw_vec3_scale(direction, 0.25f * (float)(random_bits(&r) % 16));
+        /* At rest at an end. */
+        if (round % 5 == 3)
+            cubics[round % 4].c[round % 2 ? 1 : 3] =
+                curve.kind == NKW_CUBIC_BEZIER ? cubics[round % 4].c[round % 2 ? 0 : 2] : zero;
         float length = nkw_vec3_cubic_length(curve.kind, cubics, from, to);
         hash = hash_floats(hash, &length, 1);
         hash = hash_places(hash, &curve, &r);
