@@ -57,6 +57,43 @@ static void limits_twice_are_limits_once(void **state)
     }
 }
 
+/* The angle of the swing of q, from |(w, part along the axis)| = cos of its half. */
+static double swing_angle(nkw_quat q, nkw_vec3 axis)
+{
+    const double along = (double)q.x * axis.x + (double)q.y * axis.y + (double)q.z * axis.z;
+    const double cosine = sqrt((double)q.w * q.w + along * along) / (double)nkw_quat_length(q);
+    return 2 * acos(cosine < 1 ? cosine : 1);
+}
+
+/* Swings up to half a turn, and by all but it: each limit is applied once, then again. */
+static void limits_twice_are_limits_once_up_to_a_swing_of_2_9(void **state)
+{
+    (void)state;
+    random_source r = random_from(9);
+    int beyond = 0, within = 0;
+    for (int i = 0; i < 60000; i++) {
+        const nkw_vec3 axis = random_direction(&r), side = random_direction(&r);
+        const float a = random_between(&r, 0, 3.3f), b = random_between(&r, 0, 3.3f);
+        const float ends[2] = {random_between(&r, -3.1f, 3.1f), random_between(&r, -3.1f, 3.1f)};
+        const nkw_quat swing = nkw_quat_from_axis_angle(nkw_vec3_normalize(nkw_vec3_cross(axis, side)),
+                                                        3.14159274f - nkw_abs(random_scaled(&r, -24, 0)));
+        const nkw_quat q = nkw_quat_mul(swing, nkw_quat_from_axis_angle(axis, random_between(&r, -3.1f, 3.1f)));
+        const nkw_limit limit = {nkw_quat_identity(), axis, side, a, b, ends[0], ends[1]};
+        const nkw_quat once[4] = {nkw_quat_limit_cone(q, axis, a), nkw_quat_limit_ellipse(q, axis, side, a, b),
+                                  nkw_quat_limit_twist(q, axis, ends[0], ends[1]), nkw_limit_apply(&limit, q)};
+        const nkw_quat twice[4] = {
+            nkw_quat_limit_cone(once[0], axis, a), nkw_quat_limit_ellipse(once[1], axis, side, a, b),
+            nkw_quat_limit_twist(once[2], axis, ends[0], ends[1]), nkw_limit_apply(&limit, once[3])};
+        for (int k = 0; k < 4; k++) {
+            const int holds = k == 0 || swing_angle(once[k], axis) <= 2.9;
+            *(holds ? &within : &beyond) += 1;
+            if (holds)
+                expect_quat_bits(twice[k], once[k]);
+        }
+    }
+    assert_true(within > 100000 && beyond > 10000);
+}
+
 static void a_cone_keeps_the_direction_of_the_swing_and_the_twist(void **state)
 {
     (void)state;
@@ -211,6 +248,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(rotations_inside_come_back_bit_for_bit),
         cmocka_unit_test(limits_twice_are_limits_once),
+        cmocka_unit_test(limits_twice_are_limits_once_up_to_a_swing_of_2_9),
         cmocka_unit_test(a_cone_keeps_the_direction_of_the_swing_and_the_twist),
         cmocka_unit_test(a_twist_goes_to_the_nearer_end_round_the_circle),
         cmocka_unit_test(a_swing_goes_to_the_nearest_point_of_the_ellipse),

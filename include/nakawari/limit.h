@@ -12,8 +12,11 @@
  * the circle; the swing does not change.
  *
  * Within the limits, or outside by at most 2^-20 rad, q is returned unchanged, bit for bit; so limits applied twice
- * return the same bits as once. Angles are clamped to 0..pi, NaN to pi (no limit). A zero axis is no limit: q is
- * returned. If q has NaN or infinity, it is returned too. q need not be unit; what is clamped is unit.
+ * return the same bits as once: a cone always, the others where the swing of the result is at most 2.9 rad. Nearer to
+ * half a turn, the rounding of q moves its twist and the direction of its swing by more than 2^-20 rad.
+ *
+ * Angles are clamped to 0..pi, NaN to pi (no limit). A zero axis is no limit: q is returned. If q has NaN or infinity,
+ * it is returned too. q need not be unit; what is clamped is unit.
  *
  * Source Dobrowolski, Swing-twist decomposition in Clifford algebra, arXiv:1506.05481, 2015;
  *        Eberly, Distance from a Point to an Ellipse, an Ellipsoid, or a Hyperellipsoid, 2013.
