@@ -33,6 +33,7 @@ typedef struct builder {
     clip_tracks tracks;
     uint32_t *words; /* the block; NULL in pass 1 */
     uint64_t start[SECTIONS], used[SECTIONS]; /* words; in pass 1 they may exceed 2^32, the limit of a block */
+    size_t listed; /* tracks of the lanes so far, as nkw_clip_track_count counts them */
 } builder;
 
 /*
@@ -61,12 +62,13 @@ typedef struct lanes {
     size_t count, blocks; /* lanes so far; the offset of the first block */
     size_t next, length; /* the place after the last lane; how many lanes up to the last have contiguous places */
     uint32_t places[CLIP_BLOCK]; /* of the lanes of the last block */
+    uint32_t starts, first; /* of the last block (batch/block.h) */
     packed_lanes *packed; /* receives the tracks of the lanes of a packed group; otherwise NULL */
 } lanes;
 
 static lanes lanes_begin(builder *b, size_t expected, packed_lanes *packed)
 {
-    lanes l = {b, expected, 0, (size_t)(b->start[BLOCKS] + b->used[BLOCKS]), 0, 0, {0}, packed};
+    lanes l = {b, expected, 0, (size_t)(b->start[BLOCKS] + b->used[BLOCKS]), 0, 0, {0}, 0, 0, packed};
     return l;
 }
 
@@ -79,16 +81,24 @@ static void end_block(lanes *l)
     size_t places = is_contiguous ? 0 : take(l->b, PLACES, count);
     if (!l->b->words)
         return;
-    clip_block block = {(uint32_t)width, (uint32_t)count, (uint32_t)(is_contiguous ? width : 0),
-                        is_contiguous ? l->places[0] : (uint32_t)(places - at)};
+    clip_block block = {(uint32_t)width,
+                        (uint32_t)count,
+                        (uint32_t)(is_contiguous ? width : 0),
+                        is_contiguous ? l->places[0] : (uint32_t)(places - at),
+                        l->starts,
+                        l->first};
     memcpy(l->b->words + at, &block, sizeof block);
     if (!is_contiguous)
         memcpy(l->b->words + places, l->places, count * sizeof *l->places);
 }
 
-/* Adds a lane with the place `to`. Returns its number. */
-static size_t add_lane(lanes *l, size_t to)
+/* Adds a lane with the place `to`. starts: 1 if it is the first of a track, otherwise 0. Returns its number. */
+static size_t add_lane(lanes *l, size_t to, uint32_t starts)
 {
+    if (l->count % CLIP_BLOCK == 0)
+        l->starts = 0, l->first = (uint32_t)l->b->listed;
+    l->starts |= starts << l->count % CLIP_BLOCK;
+    l->b->listed += starts;
     l->length = l->count > 0 && to == l->next ? l->length + 1 : 1;
     l->next = to + 1;
     l->places[l->count % CLIP_BLOCK] = (uint32_t)to;
@@ -112,7 +122,7 @@ static void add_padding(lanes *l, int is_rotation)
     if (l->length < 8 || l->next % stride != joints % stride || wanted > room)
         return;
     for (; wanted > 0; wanted--)
-        add_lane(l, l->next);
+        add_lane(l, l->next, 0);
 }
 
 /* The place of a component: in the pose, in one component array of the rotations, or in the floats. */
@@ -132,7 +142,8 @@ static void emit_track(lanes *l, const clip_group *g, const nkw_clip_track *c, s
     int is_rotation = c->target == NKW_CLIP_ROTATION, floats = c->target == NKW_CLIP_FLOATS;
     size_t first = is_rotation || floats ? 0 : pass, end = floats ? c->track.width : first + 1;
     for (size_t component = first; component < end; component++) {
-        size_t lane = add_lane(l, place_of(l->b, c->target, c->index, component));
+        const int starts = floats ? !nkwi_clip_tracks_is_still(c, component) : pass == 0;
+        size_t lane = add_lane(l, place_of(l->b, c->target, c->index, component), (uint32_t)starts);
         if (l->packed) {
             if (lane < PACKED_SLOTS)
                 l->packed->track[lane] = c, l->packed->component[lane] = (uint32_t)component;
@@ -170,7 +181,7 @@ static void emit_gap(lanes *l, const clip_group *g, const nkw_clip_track *c, siz
         if (!nkwi_clip_tracks_same_group(t, nkwi_clip_tracks_find_gap(t, c->target, joint), c))
             return;
     for (size_t joint = from; joint < to; joint++) {
-        size_t lane = add_lane(l, place_of(l->b, c->target, joint, pass));
+        size_t lane = add_lane(l, place_of(l->b, c->target, joint, pass), 0);
         for (size_t row = 0; l->b->words && row < (is_rotation ? 4u : 1u); row++) {
             float value = constant_value(l->b, c->target, joint, is_rotation ? row : pass);
             size_t at = nkwi_clip_lane_at(g, clip_key_rows(g), row, lane);
@@ -238,14 +249,18 @@ static void join_blocks(clip_block *blocks, size_t count)
             blocks[i - 1].contiguous += blocks[i].contiguous;
 }
 
-/*
- * Whether the keys of the group, stored as floats so far, take less memory as compact keys. With r rows and k keys a
- * lane takes 8 r + 2 r k bytes instead of 4 r k, or of 20 k for LINEAR rotations.
- */
+static uint64_t range_words(const clip_group *g)
+{
+    return round_up(2 * clip_rows(g) * g->lanes, CLIP_ALIGN);
+}
+
+/* Whether the keys of the group, stored as floats so far, take less memory as compact keys with their ranges. */
 static int is_smaller_compact(const clip_group *g, size_t keys)
 {
-    size_t rows = g->kind == GROUP_ROTATIONS ? 3 : 1;
-    return (4 + keys) * rows < 2 * keys * clip_key_rows(g);
+    clip_group compact = *g;
+    compact.ranges = CLIP_ALIGN; /* any value but 0, for clip_rows */
+    return range_words(&compact) + round_up(keys * clip_key_words(&compact), CLIP_ALIGN) <
+           round_up(keys * clip_key_words(g), CLIP_ALIGN);
 }
 
 /* The words of the ranges and keys of a group; then the keys of a packed group, of the tracks of `packed`. */
@@ -256,7 +271,7 @@ static void take_keys(builder *b, clip_group *g, const packed_lanes *packed, siz
     if (packed || (s->format == NKW_CLIP_UNORM16 && g->interpolation != NKW_INTERPOLATION_CUBICSPLINE &&
                    is_smaller_compact(g, key_count))) {
         g->ranges = CLIP_ALIGN; /* any value but 0, for clip_rows: the offset follows from the size */
-        g->ranges = (uint32_t)take(b, VALUES, round_up(2 * clip_rows(g) * g->lanes, CLIP_ALIGN));
+        g->ranges = (uint32_t)take(b, VALUES, range_words(g));
     }
     g->packed = packed != NULL;
     g->key_words = packed ? 0 : (uint32_t)clip_key_words(g);
@@ -516,10 +531,29 @@ static nkw_result plan(builder *b, const nkw_clip_source *source, const clip_pac
         at += b->used[s];
         b->used[s] = 0;
     }
+    b->listed = 0;
     if (at >= UINT32_MAX || at > SIZE_MAX / 4)
         return NKW_OUT_OF_RANGE;
     *bytes = (size_t)at * 4;
     return NKW_OK;
+}
+
+/* The same; a compact clip that is not smaller than one of floats becomes one. source: of the caller, in its format. */
+static nkw_result plan_smaller(builder *b, nkw_clip_source *source, const clip_packing *packing, size_t *bytes,
+                               size_t *bad, uint32_t *work, size_t work_count)
+{
+    size_t floats = 0;
+    if (source->format != NKW_CLIP_UNORM16)
+        return plan(b, source, packing, bytes, bad, work, work_count);
+    source->format = NKW_CLIP_FLOAT32;
+    const nkw_result of_floats = plan(b, source, packing, &floats, bad, work, work_count);
+    source->format = NKW_CLIP_UNORM16;
+    nkw_result result = plan(b, source, packing, bytes, bad, work, work_count);
+    if (result == NKW_OK && of_floats == NKW_OK && floats <= *bytes) {
+        source->format = NKW_CLIP_FLOAT32;
+        result = plan(b, source, packing, bytes, bad, work, work_count);
+    }
+    return result;
 }
 
 nkw_result nkw_clip_measure(const nkw_clip_source *source, size_t *bytes, size_t *bad_track, uint32_t *work,
@@ -532,16 +566,18 @@ nkw_result nkwi_clip_measure(const nkw_clip_source *source, const clip_packing *
                              size_t *bad_track, uint32_t *work, size_t work_count)
 {
     builder b;
+    nkw_clip_source chosen = *source;
     size_t bad = 0;
-    return plan(&b, source, packing, bytes, bad_track ? bad_track : &bad, work, work_count);
+    return plan_smaller(&b, &chosen, packing, bytes, bad_track ? bad_track : &bad, work, work_count);
 }
 
 nkw_result nkwi_clip_build(const nkw_clip_source *source, const clip_packing *packing, void *block, size_t bytes,
                            size_t *bad_track, uint32_t *work, size_t work_count)
 {
     builder b;
+    nkw_clip_source chosen = *source;
     size_t bad = 0, needed = 0;
-    nkw_result result = plan(&b, source, packing, &needed, bad_track ? bad_track : &bad, work, work_count);
+    nkw_result result = plan_smaller(&b, &chosen, packing, &needed, bad_track ? bad_track : &bad, work, work_count);
     if (result != NKW_OK)
         return result;
     if (bytes < needed)

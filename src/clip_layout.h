@@ -6,7 +6,7 @@
  *     header       nkw_clip         17      1
  *     timelines    clip_timeline     4      timeline_count
  *     groups       clip_group       11      group_count
- *     blocks       clip_block        4      (lanes + 15) / 16 of each group
+ *     blocks       clip_block        6      (lanes + 15) / 16 of each group
  *     places       uint32_t          1      count of each block that is not contiguous
  *     runs         clip_run          3      constant_count, then float_constant_count
  *     times        float             1      count of each timeline; then its modes, if any, a word each
@@ -61,7 +61,7 @@
 #include "batch/block.h"
 
 #define CLIP_MAGIC   0x70696c63u /* "clip", lowest byte first */
-#define CLIP_VERSION 7u
+#define CLIP_VERSION 8u
 #define CLIP_STEPS   65535.0f /* steps of a range: the largest 16-bit key */
 #define CLIP_ALIGN   16u /* words: 64 bytes, a cache line */
 
@@ -121,6 +121,15 @@ static inline const clip_group *clip_groups(const nkw_clip *clip)
 static inline const clip_block *clip_blocks(const nkw_clip *clip, const clip_group *g)
 {
     return (const clip_block *)(const void *)(clip_words(clip) + g->blocks);
+}
+
+/* How many tracks begin in a block. */
+static inline uint32_t clip_starts(const clip_block *b)
+{
+    uint32_t count = 0;
+    for (uint32_t starts = b->starts; starts; starts &= starts - 1)
+        count++;
+    return count;
 }
 
 static inline const float *clip_floats(const nkw_clip *clip, uint32_t offset)

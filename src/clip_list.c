@@ -10,6 +10,8 @@
 #include "clip_layout.h"
 #include "clip_sample.h"
 #include "clip_tracks.h"
+#include "lane/clip.h"
+#include "lane/orient.h"
 
 /* A track of a clip: the group of its lanes, and the place of its first number. */
 typedef struct listed {
@@ -39,19 +41,26 @@ static uint32_t place_of(const clip_block *block, uint32_t i)
     return block->contiguous ? block->place + i : block_places(block)[i];
 }
 
-/* The lane of a place; the number of lanes if the group does not write it. */
+/* The lane of a place; the number of lanes if the group does not write it. Places of lanes ascend: by bisection. */
 static size_t lane_of(const nkw_clip *clip, const clip_group *g, size_t place)
 {
-    size_t first = 0;
-    for (const clip_block *b = clip_blocks(clip, g), *end = b + g->block_count; b < end; first += b++->width)
-        for (uint32_t i = 0; i < b->count; i++)
-            if (place_of(b, i) == place)
-                return first + i;
+    const clip_block *blocks = clip_blocks(clip, g);
+    size_t low = 0, high = g->block_count;
+    while (high - low > 1) {
+        size_t middle = low + (high - low) / 2;
+        if (blocks[middle].count > 0 && place_of(&blocks[middle], 0) <= place)
+            low = middle;
+        else
+            high = middle;
+    }
+    for (uint32_t i = 0; i < blocks[low].count; i++)
+        if (place_of(&blocks[low], i) == place)
+            return low * CLIP_BLOCK + i;
     return g->lanes;
 }
 
-/* Whether a place is the first number of a property, and which. Padding of component arrays is none. */
-static int begins_track(const nkw_clip *clip, const clip_group *g, uint32_t place, listed *out)
+/* Sets the property whose first number is at a place. Returns 0 if none is: only in damaged blocks. */
+static int set_target(const nkw_clip *clip, const clip_group *g, uint32_t place, listed *out)
 {
     out->group = g;
     out->place = out->index = place;
@@ -64,55 +73,57 @@ static int begins_track(const nkw_clip *clip, const clip_group *g, uint32_t plac
     return out->index < clip->joints && (array == 0 || (array == 7 && g->kind == GROUP_NUMBERS));
 }
 
-/* Whether a row of a lane has the same bits in all keys, and interpolation returns them: of a gap (clip_tracks.h). */
-static int is_row_constant(const nkw_clip *clip, const listed *t, size_t row, size_t lane)
+/* The last group whose first track is at most `index`; the groups are not none. */
+static const clip_group *group_of(const nkw_clip *clip, size_t index)
 {
-    const clip_group *g = t->group;
-    const char *keys = (const char *)(clip_words(clip) + g->keys);
-    size_t size = g->ranges ? sizeof(uint16_t) : sizeof(float), i = nkwi_clip_lane_at(g, clip_key_rows(g), row, lane);
-    size_t at = size * i;
-    if (!clip_is_invariant(t->target, clip_floats(clip, g->ranges ? g->ranges : g->keys)[i]))
-        return 0;
-    for (uint32_t k = 1; k < timeline_of(clip, g)->count; k++)
-        if (memcmp(keys + at, keys + 4 * (size_t)k * g->key_words + at, size) != 0)
-            return 0;
-    return 1;
+    const clip_group *groups = clip_groups(clip);
+    size_t low = 0, high = clip->group_count;
+    while (high - low > 1) {
+        size_t middle = low + (high - low) / 2;
+        if (clip_blocks(clip, &groups[middle])->first <= index)
+            low = middle;
+        else
+            high = middle;
+    }
+    return groups + low;
 }
 
-/* Groups of CUBICSPLINE and of packed keys have no gaps. */
-static int is_gap(const nkw_clip *clip, const listed *t)
+static const clip_block *block_of(const nkw_clip *clip, const clip_group *g, size_t index)
 {
-    const clip_group *g = t->group;
-    if (is_cubic(g) || g->packed)
-        return 0;
-    for (size_t i = 0; i < (g->kind == GROUP_NUMBERS ? 3u : 1u); i++) {
-        size_t lane = lane_of(clip, g, t->place + i * stride_of(clip));
-        for (size_t row = 0; row < clip_rows(g); row++)
-            if (lane == g->lanes || !is_row_constant(clip, t, row, lane))
-                return 0;
+    const clip_block *blocks = clip_blocks(clip, g);
+    size_t low = 0, high = g->block_count;
+    while (high - low > 1) {
+        size_t middle = low + (high - low) / 2;
+        if (blocks[middle].first <= index)
+            low = middle;
+        else
+            high = middle;
     }
-    return 1;
+    return blocks + low;
 }
 
-/* Finds track `index`. Returns 0 if it does not exist; *found is then the number of tracks. */
-static int find(const nkw_clip *clip, size_t index, listed *out, size_t *found)
+/* Finds track `index`, by bisection. Returns 0 if it does not exist. */
+static int find(const nkw_clip *clip, size_t index, listed *out)
 {
-    *found = 0;
-    for (uint32_t i = 0; i < clip->group_count; i++) {
-        const clip_group *g = clip_groups(clip) + i;
-        for (const clip_block *b = clip_blocks(clip, g), *end = b + g->block_count; b < end; b++)
-            for (uint32_t lane = 0; lane < b->count; lane++)
-                if (begins_track(clip, g, place_of(b, lane), out) && !is_gap(clip, out) && (*found)++ == index)
-                    return 1;
-    }
-    return 0;
+    if (index >= nkw_clip_track_count(clip))
+        return 0;
+    const clip_group *g = group_of(clip, index);
+    const clip_block *b = block_of(clip, g, index);
+    uint32_t lane = 0, starts = b->starts;
+    for (size_t k = b->first; k < index; k++)
+        starts &= starts - 1;
+    while (!(starts >> lane & 1))
+        lane++;
+    return set_target(clip, g, place_of(b, lane), out);
 }
 
 size_t nkw_clip_track_count(const nkw_clip *clip)
 {
-    size_t count;
-    listed unused;
-    return find(clip, SIZE_MAX, &unused, &count) ? 0 : count;
+    if (clip->group_count == 0)
+        return 0;
+    const clip_group *g = clip_groups(clip) + clip->group_count - 1;
+    const clip_block *last = clip_blocks(clip, g) + g->block_count - 1;
+    return last->first + (size_t)clip_starts(last);
 }
 
 static nkw_clip_track shape_of(const nkw_clip *clip, const listed *t)
@@ -135,44 +146,125 @@ static nkw_clip_track shape_of(const nkw_clip *clip, const listed *t)
 nkw_result nkw_clip_track_shape(const nkw_clip *clip, size_t index, nkw_clip_track *out)
 {
     listed t;
-    size_t unused;
-    if (!find(clip, index, &t, &unused))
+    if (!find(clip, index, &t))
         return NKW_OUT_OF_RANGE;
     *out = shape_of(clip, &t);
     return NKW_OK;
 }
 
+/*
+ * Writes key k of a rotation that was rounded. sign: 1, or -1 if slerp in the clip negates q from the key before on; 0
+ * without slerp.
+ *
+ * The slerp of the track computes this sign from the dot product c, of the key before and sign q. Rounding may make c
+ * negative, of keys about half a turn apart. Then q is moved, so that the track turns in the direction of the clip:
+ *
+ *     sign q + (2^-21 - c) a, normalised; its dot product with a is 2^-21
+ *
+ * No clip that was built has a c below -1/2.
+ */
+static void align(float *values, size_t k, nkw_quat q, float sign)
+{
+    const nkw_quat a = k > 0 ? track_read_quat(values + 4 * (k - 1)) : q;
+    const double c = lane_f64_quat_dot(lane_f64_quat_from(a), lane_f64_quat_from(q)) * (double)sign;
+    if (k > 0 && sign != 0.0f && (lane_slerp_cosine(a, q) < 0.0f) != (sign < 0.0f) && c > -0.5) {
+        const double part = (double)sign * (0x1p-21 - c);
+        lane_f64_quat moved = {(double)q.x + part * (double)a.x, (double)q.y + part * (double)a.y,
+                               (double)q.z + part * (double)a.z, (double)q.w + part * (double)a.w};
+        q = lane_quat_from_f64(lane_f64_quat_normalize(moved));
+    }
+    track_write_quat(q, values + 4 * k);
+}
+
+/* The lanes of the numbers of a track: one of a rotation or a float, three of the others. Returns 0 if one is missing. */
+static int find_lanes(const nkw_clip *clip, const listed *t, size_t lanes[3])
+{
+    const size_t count = t->group->kind == GROUP_NUMBERS ? 3 : 1;
+    for (size_t i = 0; i < count; i++) {
+        lanes[i] = lane_of(clip, t->group, t->place + i * stride_of(clip));
+        if (lanes[i] == t->group->lanes)
+            return 0;
+    }
+    return 1;
+}
+
 /* The triples of the keys, from the lanes of a CUBICSPLINE group. */
-static nkw_result get_cubic(const nkw_clip *clip, const listed *t, const nkw_track *shape, float *values)
+static void get_cubic(const nkw_clip *clip, const listed *t, const size_t *lanes, const nkw_track *shape, float *values)
 {
     const clip_group *g = t->group;
     int is_rotation = g->kind == GROUP_ROTATIONS;
     size_t part = clip_rows(g) * g->lanes;
     for (size_t i = 0; i < shape->width; i++) {
-        size_t lane = lane_of(clip, g, t->place + (is_rotation ? 0 : i * stride_of(clip)));
-        if (lane == g->lanes)
-            return NKW_OUT_OF_RANGE;
-        size_t at = nkwi_clip_lane_at(g, clip_rows(g), is_rotation ? i : 0, lane);
+        size_t at = nkwi_clip_lane_at(g, clip_rows(g), is_rotation ? i : 0, lanes[is_rotation ? 0 : i]);
         for (size_t k = 0; k < shape->count; k++)
             for (size_t p = 0; p < 3; p++)
                 values[(3 * k + p) * shape->width + i] = clip_floats(clip, g->keys)[k * g->key_words + p * part + at];
     }
-    return NKW_OK;
 }
 
-/* The values of the keys, by a sample of the group at each. */
-static void get_values(const nkw_clip *clip, const listed *t, const nkw_track *shape, float *values, float *work)
+/* The values of keys of floats. */
+static void get_floats(const nkw_clip *clip, const listed *t, const size_t *lanes, const nkw_track *shape,
+                       float *values)
+{
+    const clip_group *g = t->group;
+    int is_rotation = g->kind == GROUP_ROTATIONS;
+    for (size_t i = 0; i < shape->width; i++) {
+        size_t at = nkwi_clip_lane_at(g, clip_key_rows(g), is_rotation ? i : 0, lanes[is_rotation ? 0 : i]);
+        for (size_t k = 0; k < shape->count; k++)
+            values[k * shape->width + i] = clip_floats(clip, g->keys + (uint32_t)k * g->key_words)[at];
+    }
+}
+
+/* The rotation of a compact key, as a sample at its time has it. negated: the sign bit if the parity of the key is 1. */
+static nkw_quat compact_rotation(nkw_vec3 p, uint32_t negated)
+{
+    const lane_compact_series series = lane_compact_series_at(0.0f);
+    nkw_quat q = lane_compact_quat(p);
+    lane_compact_arc arc = lane_compact_arc_between(q, q, negated);
+    return lane_compact_slerp(q, q, arc.v, arc.scale_a, arc.scale_b, &series);
+}
+
+/* The values of 16-bit keys. */
+static void get_compact(const nkw_clip *clip, const listed *t, const size_t *lanes, const nkw_track *shape,
+                        float *values)
+{
+    const clip_group *g = t->group;
+    const float *base = clip_floats(clip, g->ranges), *step = base + clip_rows(g) * g->lanes;
+    const int is_rotation = g->kind == GROUP_ROTATIONS, is_linear = g->interpolation == NKW_INTERPOLATION_LINEAR;
+    for (size_t k = 0; k < shape->count; k++) {
+        const uint16_t *key = (const uint16_t *)(const void *)(clip_words(clip) + g->keys + k * g->key_words);
+        float x[3] = {0.0f, 0.0f, 0.0f};
+        uint32_t sum = 0;
+        for (size_t i = 0; i < (is_rotation ? 3 : shape->width); i++) {
+            size_t at = nkwi_clip_lane_at(g, clip_rows(g), is_rotation ? i : 0, lanes[is_rotation ? 0 : i]);
+            x[i] = base[at] + step[at] * (float)key[at];
+            sum ^= key[at];
+        }
+        const nkw_vec3 p = {x[0], x[1], x[2]};
+        if (is_rotation)
+            align(values, k, compact_rotation(p, sum << 31), is_linear ? sum & 1 ? -1.0f : 1.0f : 0.0f);
+        else
+            memcpy(values + k * shape->width, x, shape->width * sizeof *x);
+    }
+}
+
+/* The values of packed keys, by a sample of the group, which is small, at each. */
+static void get_packed(const nkw_clip *clip, const listed *t, const nkw_track *shape, float *values, float *work)
 {
     const clip_group *g = t->group;
     size_t stride = stride_of(clip), pose = NKW_POSE_FLOATS((size_t)clip->joints);
     float *out = work + (g->kind == GROUP_FLOATS ? pose : g->kind == GROUP_ROTATIONS ? 3 * stride : 0);
-    memset(work, 0, (pose + clip->floats) * sizeof *work);
     for (size_t k = 0; k < shape->count; k++) {
         int is_last = k + 1 == shape->count && k > 0;
         nkw_segment at = {is_last ? k - 1 : k, is_last ? 1.0f : 0.0f};
         nkwi_clip_sample_group(clip, g, timeline_of(clip, g), at, out, stride);
+        float x[4];
         for (size_t i = 0; i < shape->width; i++)
-            values[k * shape->width + i] = out[t->place + i * stride];
+            x[i] = out[t->place + i * stride];
+        if (g->kind == GROUP_ROTATIONS)
+            align(values, k, track_read_quat(x), 1.0f);
+        else
+            memcpy(values + k * shape->width, x, shape->width * sizeof *x);
     }
 }
 
@@ -180,21 +272,22 @@ nkw_result nkw_clip_track_get(const nkw_clip *clip, size_t index, const nkw_edit
                               float *work, size_t work_count)
 {
     listed t;
-    size_t unused;
-    if (!find(clip, index, &t, &unused))
+    size_t lanes[3];
+    if (!find(clip, index, &t) || !find_lanes(clip, &t, lanes))
         return NKW_OUT_OF_RANGE;
     nkw_clip_track c = shape_of(clip, &t);
     const uint32_t modes = timeline_of(clip, t.group)->modes;
     if (memory->key_capacity < c.track.count || (modes && !memory->key_interpolation) ||
         work_count < NKW_CLIP_TRACK_WORK((size_t)clip->joints, (size_t)clip->floats))
         return NKW_TOO_SMALL;
-    nkw_result result = NKW_OK;
     if (is_cubic(t.group))
-        result = get_cubic(clip, &t, &c.track, memory->values);
+        get_cubic(clip, &t, lanes, &c.track, memory->values);
+    else if (t.group->packed)
+        get_packed(clip, &t, &c.track, memory->values, work);
+    else if (t.group->ranges)
+        get_compact(clip, &t, lanes, &c.track, memory->values);
     else
-        get_values(clip, &t, &c.track, memory->values, work);
-    if (result != NKW_OK)
-        return result;
+        get_floats(clip, &t, lanes, &c.track, memory->values);
     memcpy(memory->times, c.track.times, c.track.count * sizeof(float));
     for (size_t k = 0; modes && k < c.track.count; k++)
         memory->key_interpolation[k] = (unsigned char)clip_words(clip)[modes + k];

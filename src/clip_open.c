@@ -38,12 +38,13 @@
 /*
  * left          words of the block minus the sizes of all parts checked so far. It does not become negative, so the
  *               time of opening and sampling is at most proportional to the size of the block, even if parts overlap.
+ * tracks        of the blocks checked so far
  * pose, floats  numbers that the parts write. A clip may state no more joints and floats than that, so that a caller
  *               does not allocate much more memory than the block has.
  */
 typedef struct checker {
     const nkw_clip *clip;
-    uint64_t left, pose, floats;
+    uint64_t left, tracks, pose, floats;
 } checker;
 
 static void add_written(checker *o, uint32_t kind, uint64_t count)
@@ -80,6 +81,15 @@ static int check_places(checker *o, const clip_group *g, uint32_t i, uint64_t li
     return 1;
 }
 
+/* The index of the first track, and its lanes, which are written. */
+static int check_starts(checker *o, const clip_block *b)
+{
+    if (b->first != o->tracks || (uint64_t)b->starts >> b->count)
+        return 0;
+    o->tracks += clip_starts(b);
+    return 1;
+}
+
 /*
  * All blocks have width 16, except the last. All places, also those of contiguous lanes, are less than the limit.
  * Contiguous lanes end with a block: at a multiple of 16, or with the group.
@@ -97,7 +107,8 @@ static nkw_result check_blocks(checker *o, const clip_group *g)
             return NKW_OUT_OF_RANGE;
         int is_run =
             b->contiguous <= g->lanes - lanes && (b->contiguous % CLIP_BLOCK == 0 || lanes + b->contiguous == g->lanes);
-        if (b->count > b->width || !is_run || (b->contiguous && (uint64_t)b->place + b->contiguous > limit) ||
+        if (b->count > b->width || !is_run || !check_starts(o, b) ||
+            (b->contiguous && (uint64_t)b->place + b->contiguous > limit) ||
             (!b->contiguous && !check_places(o, g, i, limit)))
             return NKW_OUT_OF_RANGE;
         lanes += b->width;
@@ -198,7 +209,7 @@ static int check_names(checker *o)
 
 static nkw_result check_parts(const nkw_clip *clip)
 {
-    checker o = {clip, clip->words, 0, 0};
+    checker o = {clip, clip->words, 0, 0, 0};
     nkw_result result = NKW_OK;
     if (!fits(&o, clip->timelines, clip->timeline_count, sizeof(clip_timeline) / 4) ||
         !fits(&o, clip->groups, clip->group_count, sizeof(clip_group) / 4))

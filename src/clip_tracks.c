@@ -69,6 +69,15 @@ static int is_constant(const nkw_clip_track *c)
     return 1;
 }
 
+int nkwi_clip_tracks_is_still(const nkw_clip_track *c, size_t component)
+{
+    const float first = track_value_at(&c->track, 0)[component];
+    int still = !track_is_cubic(&c->track) && clip_is_invariant(c->target, first);
+    for (size_t k = 1; still && k < c->track.count; k++)
+        still = lane_bits(track_value_at(&c->track, k)[component]) == lane_bits(first);
+    return still;
+}
+
 /* Whether two tracks have the same key times and, if they have modes, the same modes. */
 static int same_timeline(const nkw_track *a, const nkw_track *b)
 {

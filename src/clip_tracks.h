@@ -38,6 +38,12 @@ nkw_result nkwi_clip_tracks_order(const nkw_clip_source *source, const clip_pack
 /* Whether a track is stored in a packed group. */
 int nkwi_clip_tracks_is_packed(const clip_tracks *t, const nkw_clip_track *c);
 
+/*
+ * Whether a component of a track of floats has the same bits in all keys, and interpolation returns them. Such a float
+ * is none of the tracks of a clip, although it has a lane.
+ */
+int nkwi_clip_tracks_is_still(const nkw_clip_track *c, size_t component);
+
 /* nkw_clip_measure and nkw_clip_build, with packed tracks. */
 nkw_result nkwi_clip_measure(const nkw_clip_source *source, const clip_packing *packing, size_t *bytes,
                              size_t *bad_track, uint32_t *work, size_t work_count);

@@ -147,6 +147,218 @@ static void moving_tracks_are_listed_once_and_constant_ones_are_not(void **state
     }
 }
 
+/* The track of one clip of one joint, built as floats. */
+static nkw_clip *rebuilt(const nkw_clip *clip, float *times, float *values, size_t capacity)
+{
+    float work[NKW_CLIP_TRACK_WORK(1, 0)];
+    uint32_t order[NKW_CLIP_WORK(1)];
+    size_t bytes;
+    nkw_clip_track track;
+    const nkw_edit_memory memory = {times, values, NULL, capacity};
+    assert_int_equal(nkw_clip_track_count(clip), 1);
+    assert_int_equal(nkw_clip_track_get(clip, 0, &memory, &track, work, NKW_CLIP_TRACK_WORK(1, 0)), NKW_OK);
+    const nkw_clip_source source = {&track, 1, 1, 0, {NULL, 0}, NULL, NKW_CLIP_FLOAT32, NULL};
+    return clip_build(&source, order, &bytes);
+}
+
+static nkw_quat rotation_at(const nkw_clip *clip, float time)
+{
+    float pose[NKW_POSE_FLOATS(1)];
+    assert_int_equal(nkw_clip_sample(clip, time, NULL, pose_span(pose, 1), NULL), NKW_OK);
+    return nkw_pose_get(pose_view(pose, 1), 0).rotation;
+}
+
+/* A turn that goes on by half a turn for each key, as stored in 16 bits or packed, keeps its direction. */
+static void half_turns_keep_their_direction(void **state)
+{
+    (void)state;
+    const float known[12] = {0, 0, 0, 1, 0, 1, 0, -4.37113883e-08f, 0, 8.74227766e-08f, 0, 1};
+    static float times[20], values[80], got_times[20], got_values[80], block[4096];
+    static double work[NKW_CLIP_REDUCE_WORK(1, 1, 0)];
+    random_source r = random_from(25);
+    for (size_t k = 0; k < 20; k++)
+        times[k] = (float)k;
+    for (int i = 0; i < 300; i++) {
+        const size_t count = i < 2 ? 3 : 20;
+        const nkw_clip_track track = {
+            NKW_CLIP_ROTATION, 0, {times, values, count, 4, NKW_TRACK_ROTATION, NKW_INTERPOLATION_LINEAR, NULL}};
+        nkw_clip_source source = {&track, 1, 1, 0, {NULL, 0}, NULL, NKW_CLIP_UNORM16, NULL};
+        const nkw_quat start = random_rotation(&r);
+        const nkw_vec3 axis = {random_between(&r, -1, 1), random_between(&r, -1, 1), random_between(&r, -1, 1)};
+        for (size_t k = 0; k < count; k++) {
+            float turn = 3.14159265f * (1.0f - (i % 3 ? 1e-6f : 1e-4f) * random_between(&r, 0.0f, 1.0f));
+            nkw_quat q = nkw_quat_mul(nkw_quat_from_axis_angle(nkw_vec3_normalize(axis), turn * (float)(k % 2)), start);
+            memcpy(values + 4 * k, i < 2 ? known + 4 * k : &q.x, sizeof q);
+        }
+        uint32_t order[NKW_CLIP_WORK(1)];
+        size_t bytes;
+        nkw_clip *built = clip_build(&source, order, &bytes);
+        if (i % 2) {
+            const nkw_clip_reduction within = {NULL, 1e-3f, 0.1f, NULL, NULL, 0.0f};
+            const nkw_clip_memory memory = {block, sizeof block, work, sizeof work / sizeof *work};
+            source.format = NKW_CLIP_FLOAT32;
+            assert_int_equal(nkw_clip_reduce(&source, &within, &memory, NULL, NULL), NKW_OK);
+        }
+        const nkw_clip *clip = i % 2 ? (const nkw_clip *)(const void *)block : built;
+        nkw_clip *again = rebuilt(clip, got_times, got_values, 20);
+        for (size_t k = 0; k < 10 * (count - 1); k++) {
+            nkw_quat want = rotation_at(clip, 0.1f * (float)k), got = rotation_at(again, 0.1f * (float)k);
+            assert_true(nkw_quat_angle(want, got) < (i % 2 ? 2e-2f : 2.5e-4f));
+        }
+        free(again);
+        free(built);
+    }
+}
+
+/* What a compact or reduced clip interpolates, and what a clip of floats interpolates between the same keys. */
+static void rebuilt_clips_of_other_formats_differ_by_rounding(void **state)
+{
+    (void)state;
+    random_source r = random_from(26);
+    static random_clip c;
+    static taken t;
+    static uint32_t order[NKW_CLIP_WORK(TRACKS)];
+    static float block[1 << 17], a[NKW_POSE_FLOATS(17)], b[NKW_POSE_FLOATS(17)];
+    static double work[NKW_CLIP_REDUCE_WORK(RANDOM_CLIP_TRACKS, 17, RANDOM_CLIP_FLOATS)];
+    float x[RANDOM_CLIP_FLOATS], y[RANDOM_CLIP_FLOATS];
+    int moved = 0;
+    for (int i = 0; i < 40; i++) {
+        size_t bytes;
+        draw(&r, 17, i % 3, &c);
+        c.source.format = i % 2 ? NKW_CLIP_FLOAT32 : NKW_CLIP_UNORM16;
+        nkw_clip *built = clip_build(&c.source, order, &bytes);
+        const nkw_clip_reduction within = {NULL, 1e-3f, 0.1f, NULL, NULL, 1e-3f};
+        const nkw_clip_memory memory = {block, sizeof block, work, sizeof work / sizeof *work};
+        if (i % 2)
+            assert_int_equal(nkw_clip_reduce(&c.source, &within, &memory, NULL, NULL), NKW_OK);
+        const nkw_clip *clip = i % 2 ? (const nkw_clip *)(const void *)block : built;
+        take(clip, &t);
+        nkw_clip *again = clip_build(&t.source, order, &bytes);
+        for (int k = 0; k < 60; k++) {
+            const float time = random_clip_time(&r, &c, k);
+            nkw_clip_sample(clip, time, NULL, pose_span(a, 17), x);
+            nkw_clip_sample(again, time, NULL, pose_span(b, 17), y);
+            for (size_t j = 0; j < 17; j++) {
+                nkw_trs p = nkw_pose_get(pose_view(a, 17), j), q = nkw_pose_get(pose_view(b, 17), j);
+                const float sign = nkw_quat_dot(p.rotation, q.rotation) < 0.0f ? -1.0f : 1.0f;
+                expect_vec3_near(p.translation, q.translation, 1e-6);
+                expect_vec3_near(p.scale, q.scale, 1e-6);
+                const float d = nkw_quat_length(nkw_quat_sub(p.rotation, nkw_quat_scale(q.rotation, sign)));
+                assert_true(d < 1e-3f);
+                moved += d > 1e-6f; /* between keys half a turn apart */
+            }
+            for (size_t f = 0; f < nkw_clip_float_count(clip); f++)
+                expect_near(x[f], y[f], 1e-6);
+        }
+        free(again);
+        free(built);
+    }
+    assert_true(moved < 10);
+}
+
+static void a_compact_clip_is_never_larger_than_one_of_floats(void **state)
+{
+    (void)state;
+    random_source r = random_from(28);
+    static random_clip c;
+    static uint32_t order[NKW_CLIP_WORK(TRACKS)];
+    size_t smaller = 0;
+    for (int i = 0; i < 600; i++) {
+        size_t floats, compact;
+        draw(&r, 1 + random_bits(&r) % RANDOM_CLIP_JOINTS, i % 5, &c);
+        for (size_t k = 0; k < c.source.track_count; k++)
+            if (c.tracks[k].track.count > 2 + (size_t)i % 7)
+                c.tracks[k].track.count = 2 + (size_t)i % 7;
+        assert_int_equal(nkw_clip_measure(&c.source, &floats, NULL, order, NKW_CLIP_WORK(TRACKS)), NKW_OK);
+        c.source.format = NKW_CLIP_UNORM16;
+        assert_int_equal(nkw_clip_measure(&c.source, &compact, NULL, order, NKW_CLIP_WORK(TRACKS)), NKW_OK);
+        assert_true(compact <= floats);
+        smaller += compact < floats;
+        nkw_clip *clip = clip_build(&c.source, order, &compact); /* as large as measured */
+        free(clip);
+    }
+    assert_true(smaller > 100);
+}
+
+/* The time of a track does not depend on the number of others: in cubic time these were minutes. */
+static void all_tracks_of_thousands_of_joints_are_taken_out(void **state)
+{
+    (void)state;
+    enum { MANY = 4000, COUNT = 3 * MANY };
+    const float times[3] = {0.0f, 0.5f, 1.0f};
+    float *values = (float *)calloc(12 * COUNT, sizeof *values), work_values[12], work_times[3];
+    float *work = (float *)malloc(NKW_CLIP_TRACK_WORK(MANY, 0) * sizeof *work);
+    nkw_clip_track *tracks = (nkw_clip_track *)calloc(COUNT, sizeof *tracks);
+    uint32_t *order = (uint32_t *)malloc(NKW_CLIP_WORK(COUNT) * sizeof *order);
+    unsigned char *seen = (unsigned char *)calloc(COUNT, 1);
+    assert_true(values && work && tracks && order && seen);
+    for (size_t i = 0; i < COUNT; i++) {
+        const int is_rotation = i % 3 == NKW_CLIP_ROTATION;
+        const nkw_track track = {times,
+                                 values + 12 * i,
+                                 3,
+                                 is_rotation ? 4 : 3,
+                                 is_rotation ? NKW_TRACK_ROTATION : NKW_TRACK_FLOATS,
+                                 NKW_INTERPOLATION_LINEAR,
+                                 NULL};
+        const nkw_clip_track c = {(nkw_clip_target)(i % 3), (uint32_t)(i / 3), track};
+        tracks[i] = c;
+        for (size_t k = 0; k < 3; k++)
+            for (size_t n = 0; n < track.width; n++)
+                values[12 * i + k * track.width + n] = is_rotation ? n == (k + i) % 4 : (float)(i + k * n);
+    }
+    for (int format = 0; format < 2; format++) {
+        nkw_clip_source source = {tracks, COUNT, MANY, 0, {NULL, 0}, NULL, (nkw_clip_format)format, NULL};
+        const nkw_edit_memory memory = {work_times, work_values, NULL, 3};
+        size_t bytes;
+        nkw_clip *clip = clip_build(&source, order, &bytes);
+        memset(seen, 0, COUNT);
+        assert_int_equal(nkw_clip_track_count(clip), COUNT);
+        for (size_t i = 0; i < COUNT; i++) {
+            nkw_clip_track got;
+            assert_int_equal(nkw_clip_track_get(clip, i, &memory, &got, work, NKW_CLIP_TRACK_WORK(MANY, 0)), NKW_OK);
+            const size_t at = 3 * (size_t)got.index + (size_t)got.target;
+            if (at >= COUNT || seen[at])
+                fail();
+            seen[at] = 1;
+            if (format == NKW_CLIP_FLOAT32)
+                expect_floats_bits(got.track.values, values + 12 * at, 3 * got.track.width);
+        }
+        free(clip);
+    }
+    free(values), free(work), free(tracks), free(order), free(seen);
+}
+
+/* The indices of tracks in a block are checked: a list has as many as its count says. */
+static void damaged_indices_of_tracks_are_refused(void **state)
+{
+    (void)state;
+    random_source r = random_from(27);
+    static random_clip c;
+    static uint32_t order[NKW_CLIP_WORK(TRACKS)];
+    static float times[RANDOM_CLIP_KEYS], values[12 * RANDOM_CLIP_KEYS],
+        work[NKW_CLIP_TRACK_WORK(9, RANDOM_CLIP_FLOATS)];
+    static unsigned char modes[RANDOM_CLIP_KEYS];
+    size_t bytes, refused = 0;
+    draw(&r, 9, 2, &c);
+    uint32_t *words = (uint32_t *)(void *)clip_build(&c.source, order, &bytes);
+    for (size_t i = 0; i < bytes / 4; i++)
+        for (int bit = 0; bit < 32; bit += 5) {
+            const nkw_edit_memory memory = {times, values, modes, RANDOM_CLIP_KEYS};
+            const nkw_clip *clip;
+            words[i] ^= 1u << bit;
+            if (nkw_clip_open(words, bytes, &clip) != NKW_OK)
+                refused++;
+            for (size_t k = 0; clip && k <= nkw_clip_track_count(clip) && nkw_clip_joint_count(clip) == 9; k++) {
+                nkw_clip_track got;
+                nkw_clip_track_get(clip, k, &memory, &got, work, sizeof work / sizeof *work);
+            }
+            words[i] ^= 1u << bit;
+        }
+    assert_true(refused > 100);
+    free(words);
+}
+
 static void names_come_back(void **state)
 {
     (void)state;
@@ -247,6 +459,11 @@ int main(void)
         cmocka_unit_test(a_clip_of_its_own_tracks_returns_the_same_samples),
         cmocka_unit_test(the_keys_of_compact_clips_are_their_samples),
         cmocka_unit_test(moving_tracks_are_listed_once_and_constant_ones_are_not),
+        cmocka_unit_test(half_turns_keep_their_direction),
+        cmocka_unit_test(rebuilt_clips_of_other_formats_differ_by_rounding),
+        cmocka_unit_test(a_compact_clip_is_never_larger_than_one_of_floats),
+        cmocka_unit_test(all_tracks_of_thousands_of_joints_are_taken_out),
+        cmocka_unit_test(damaged_indices_of_tracks_are_refused),
         cmocka_unit_test(names_come_back),
         cmocka_unit_test(too_little_memory_and_wrong_indices_are_refused),
         cmocka_unit_test(a_block_of_this_byte_order_is_copied_whatever_its_alignment),

@@ -439,6 +439,7 @@ static void a_reduced_clip_is_never_larger_than_one_of_floats_or_16_bits(void **
                 double largest = reduced_chain(&c, tolerances[i], 0.1f, 0.1, &reduced);
                 assert_true(reduced.share <= 1.0f && largest <= (double)tolerances[i] * (1.0 + 1e-4) + 3e-7);
                 assert_true(reduced.bytes <= bytes_of(&c.source, NKW_CLIP_FLOAT32));
+                assert_true(bytes_of(&c.source, NKW_CLIP_UNORM16) <= bytes_of(&c.source, NKW_CLIP_FLOAT32));
                 if (i >= 2) /* 16 bits are within 1e-3 rad of each of three joints */
                     assert_true(reduced.bytes <= bytes_of(&c.source, NKW_CLIP_UNORM16));
             }

@@ -61,9 +61,9 @@ NKW_API nkw_result nkw_clip_track_convert_axes(const nkw_clip_track *track, nkw_
  * The format of stored keys. Bytes of a track of n keys:
  *
  *                                          FLOAT32     UNORM16
- *     each number, LINEAR or STEP          4 n         8 + 2 n, 4 n for up to 4 keys
+ *     each number, LINEAR or STEP          4 n         8 + 2 n
  *     rotation, LINEAR                     20 n        24 + 6 n
- *     rotation, STEP                       16 n        24 + 6 n, 16 n for up to 2 keys
+ *     rotation, STEP                       16 n        24 + 6 n
  *     each number, CUBICSPLINE             12 n        12 n
  *     rotation, CUBICSPLINE                48 n        48 n
  *     constant number, rotation            4, 16       4, 16
@@ -76,8 +76,9 @@ NKW_API nkw_result nkw_clip_track_convert_axes(const nkw_clip_track *track, nkw_
 typedef enum nkw_clip_format {
     NKW_CLIP_FLOAT32, /**< binary32, unchanged: sampling returns the bits of nkw_track_sample */
     /**
-     * 16 bits for each number, linear over the range of that number in all keys of its track. CUBICSPLINE tracks, and
-     * tracks of so few keys that they would take more memory, are stored as FLOAT32. The error of a number is at most
+     * 16 bits for each number, linear over the range of that number in all keys of its track. CUBICSPLINE tracks are
+     * stored as FLOAT32. So are groups of so few keys that they would take more memory, with their padding, and a clip
+     * that is not smaller than its FLOAT32 form: a compact clip is never larger. The error of a number is at most
      * 0.51/65535 of its range plus 3 u of its magnitude, for ranges of 1e-33 to 3e38 and numbers up to 3e38; u = 2^-24.
      *
      * A rotation is stored as three numbers: its axis times the tangent of a quarter of its angle. The error of the
@@ -212,9 +213,18 @@ NKW_API nkw_result nkw_clip_track_shape(const nkw_clip *clip, size_t index, nkw_
 #define NKW_CLIP_TRACK_WORK(joint_count, float_count) (NKW_POSE_FLOATS(joint_count) + (float_count))
 
 /**
- * Takes track `index` out of a clip again. A clip that is built from these tracks, with a sample as the rest pose,
- * returns the same samples. Keys of FLOAT32 clips have the bits of the source, except that LINEAR keys of
- * NKW_TRACK_ROTATION_NORMALIZED are normalised and the track is then an NKW_TRACK_ROTATION.
+ * Takes track `index` out of a clip again, in a time that does not depend on the number of joints.
+ *
+ * A FLOAT32 clip that is built from these tracks, with a sample as the rest pose, returns the samples of the clip:
+ *
+ *     of a FLOAT32 clip              bit for bit. Keys have the bits of the source, except that LINEAR keys of
+ *                                    NKW_TRACK_ROTATION_NORMALIZED are normalised; the track is an NKW_TRACK_ROTATION
+ *     of a compact or reduced one    at a key bit for bit; between keys to rounding: 8 u of the largest value of a
+ *                                    number, 1e-6 of a rotation, which may be negated
+ *
+ * Compact and packed keys about half a turn apart may be more than half a turn apart by the rounding of their format,
+ * and the clip turns by that. No two keys of a track do. So that the track turns in the same direction, its later key
+ * is moved by this rounding, to 1e-6 rad below half a turn.
  *
  * memory   for the keys of nkw_clip_track_shape
  * out      receives the track, which refers to `memory`; unchanged after an error

@@ -22,9 +22,11 @@
  *             stores. They are those of this block, and possibly of following blocks, always of whole blocks.
  * place       of lane 0 if contiguous: its float in the component of the output; otherwise the distance from this block
  *             to the places of its lanes, in words
+ * starts      a bit for each lane: 1 if it is the first of a track (clip_list.c); 0 of other components and of gaps
+ * first       the number of tracks of all blocks before this one: the index of its first track
  */
 typedef struct clip_block {
-    uint32_t width, count, contiguous, place;
+    uint32_t width, count, contiguous, place, starts, first;
 } clip_block;
 
 /* The places of the lanes of a block that is not contiguous. */
