@@ -63,7 +63,7 @@ static void springs_arrive_at_any_frame_rate(void **state)
                 fmax(worst, fabs((double)x.value - (double)goal - e * deviation(omega, ratio, (double)h * (n + 1))));
         }
         expect_bits(x.value, goal);
-        assert_true(worst <= ulp_of(goal) * (1 + fmax(1, 2 * (double)ratio) / (omega * (double)h)));
+        assert_true(worst <= ulp_of(goal) * (1 + fmax(2 * (double)ratio, 1 / (double)ratio) / (omega * (double)h)));
     }
 }
 
@@ -158,6 +158,42 @@ static void long_steps_keep_their_phase(void **state)
     }
 }
 
+static void the_least_step_is_the_next_float(void **state)
+{
+    (void)state;
+    const float least = 0x1p-149f, one = 1, above = 1 + 0x1p-23f, below = 1 - 0x1p-24f;
+    expect_bits(nkw_damper_step(0, least, 1000, 1e-3f), least);
+    expect_bits(nkw_damper_step(0, -least, 1000, 1e-3f), -least);
+    expect_bits(nkw_damper_step(-least, 0, 1000, 1e-3f), -0.0f);
+    expect_bits(nkw_damper_step(one, 1.1f, 1e6f, 1e-3f), above);
+    expect_bits(nkw_damper_step(one, 0.9f, 1e6f, 1e-3f), below);
+    expect_bits(nkw_damper_step(-one, -1.1f, 1e6f, 1e-3f), -above);
+    expect_bits(nkw_damper_step(-one, -0.9f, 1e6f, 1e-3f), -below);
+    expect_bits(nkw_damper_step(one, one, 1e6f, 1e-3f), one);
+    expect_bits(nkw_damper_step(INFINITY, 1, 1e6f, 1e-3f), INFINITY);
+}
+
+static void vectors_arrive_component_by_component(void **state)
+{
+    (void)state;
+    nkw_spring s = nkw_spring_from_half_life(1, 1);
+    nkw_vec3_motion v = moving(vec(9999, -5, 0.75f), vec(0, 0, 0)), goal = moving(vec(10000, -5.001f, 1), vec(0, 0, 0));
+    nkw_motion x = motion(9999, 0), y = motion(-5, 0), z = motion(0.75f, 0);
+    nkw_vec3 d = v.value;
+    for (int i = 0; i < 20000; i++) {
+        nkw_vec3 before = d;
+        v = nkw_vec3_spring_step(s, &v, &goal, 1e-3f);
+        d = nkw_vec3_damper_step(d, goal.value, 1, 1e-3f);
+        x = nkw_spring_step(s, x, motion(10000, 0), 1e-3f);
+        y = nkw_spring_step(s, y, motion(-5.001f, 0), 1e-3f);
+        z = nkw_spring_step(s, z, motion(1, 0), 1e-3f);
+        expect_vec3_bits(v.value, vec(x.value, y.value, z.value));
+        expect_bits(d.y, nkw_damper_step(before.y, goal.value.y, 1, 1e-3f));
+    }
+    expect_vec3_bits(v.value, goal.value);
+    expect_vec3_bits(d, goal.value);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -169,6 +205,8 @@ int main(void)
         cmocka_unit_test(long_times_run_out),
         cmocka_unit_test(an_infinite_half_life_returns_the_value),
         cmocka_unit_test(long_steps_keep_their_phase),
+        cmocka_unit_test(the_least_step_is_the_next_float),
+        cmocka_unit_test(vectors_arrive_component_by_component),
     };
     return cmocka_run_group_tests_name("spring_rest", tests, NULL, NULL);
 }

@@ -22,16 +22,16 @@
  *
  * Frame rates. The state is a float, so what the frame rate changes are the roundings: of each step half an ULP (unit
  * in the last place) of the value. A step towards the goal that would round to nothing moves the value by one ULP, so
- * that it arrives. It then moves linearly, and faster than the exact solution. From that solution a damper deviates by
- * at most
+ * that it arrives. It then moves linearly, and faster than the exact solution. From that solution the value deviates,
+ * in many steps, by less than
  *
- *     ULP / (1 - 2^(-h / half_life)),     and a spring by     ULP (1 + max(1, 2 zeta) / (omega h))
+ *     ULP / (1 - 2^(-h / half_life))   (damper),     ULP (1 + max(2 zeta, 1/zeta) / (omega h))   (spring)
  *
- * At 10,000 (ULP 2^-10) and 1000 steps a second with a half-life of 1 s, that is 1.4 and 0.6. Not moved are springs
- * without damping, drag alone, and with zeta < 1/2 a spring that is still accelerated towards its goal; such a spring
- * may go on around its goal by some ULPs. A rotation has the same rule with a least step of 1.25 * 2^-22 rad: a shorter
- * step of which rounding takes more than half is made that long. Values near 0 have finer floats: store large
- * coordinates relative to a near one.
+ * with the ULP of the largest value on the way, and of the largest velocity / omega. At 10,000 (ULP 2^-10) and 1000
+ * steps a second with a half-life of 1 s, that is 1.4 and 1.2. Not moved are springs without damping, drag alone, and
+ * with zeta < 1/2 a spring that is still accelerated towards its goal; such a spring may go on around its goal by some
+ * ULPs. A rotation has the same rule with a least step of 1.25 * 2^-22 rad: a shorter step of which rounding takes more
+ * than half is made that long. Values near 0 have finer floats: store large coordinates relative to a near one.
  *
  * Source Holden, Spring-It-On: The Game Developer's Spring-Roll-Call, 2021.
  */
