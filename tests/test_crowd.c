@@ -273,6 +273,16 @@ static void counts_that_do_not_match_write_nothing(void **state)
     assert_int_equal(nkw_crowd_models_from_pose(&skeleton, crowd_poses_view(floats, JOINTS),
                                                 crowd_matrices_view(floats, 2), crowd_matrices_span(floats, JOINTS)),
                      NKW_MISMATCHED);
+    /* Each of the three by itself. */
+    assert_int_equal(nkw_crowd_models_from_pose(&skeleton, crowd_poses_view(floats, JOINTS - 1),
+                                                crowd_matrices_view(NULL, 0), crowd_matrices_span(floats, JOINTS)),
+                     NKW_MISMATCHED);
+    assert_int_equal(nkw_crowd_models_from_pose(&skeleton, crowd_poses_view(floats, JOINTS),
+                                                crowd_matrices_view(NULL, 0), crowd_matrices_span(floats, JOINTS - 1)),
+                     NKW_MISMATCHED);
+    assert_int_equal(nkw_crowd_models_from_pose(&skeleton, crowd_poses_view(floats, JOINTS),
+                                                crowd_matrices_view(floats, 0), crowd_matrices_span(floats, JOINTS)),
+                     NKW_MISMATCHED);
     assert_int_equal(nkw_crowd_bake(&source, &thin, NULL, matrices[0], work, sizeof work / sizeof *work),
                      NKW_MISMATCHED);
     assert_int_equal(nkw_crowd_bake(&source, &chunk, NULL, matrices[0], work, sizeof work / sizeof *work - 1),

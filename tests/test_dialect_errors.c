@@ -327,6 +327,93 @@ static void a_curve_of_fewer_keys_may_not_cycle(void **state)
             }
 }
 
+/* The track of a curve; its times ascend strictly. */
+static nkw_track track_of(const nkw_fcurve *curves, size_t width, float tolerance, nkw_track_memory *memory,
+                          float *difference)
+{
+    nkw_track track;
+    assert_int_equal(nkw_track_from_fcurves(curves, width, tolerance, memory, &track, difference), NKW_OK);
+    assert_int_equal(nkw_track_validate(&track, NULL), NKW_OK);
+    for (size_t k = 1; k < track.count; k++)
+        assert_true(track.times[k - 1] < track.times[k]);
+    return track;
+}
+
+/* One key holds its value beside a curve of more. */
+static void a_curve_of_one_key_is_a_constant_component(void **state)
+{
+    (void)state;
+    enum { ROOM = 400 };
+    static float times[ROOM], values[6 * ROOM];
+    nkw_track_memory memory = {times, values, ROOM, NULL, 0};
+    nkw_fcurve_key keys[KEYS], one[1];
+    float difference;
+    make_keys(keys);
+    for (int k = -1; k <= KEYS; k++) {
+        one[0] = keys[1];
+        one[0].time = (float)k;
+        const nkw_fcurve curves[2] = {curve_of(keys, KEYS), curve_of(one, 1)};
+        nkw_track track = track_of(curves, 2, 0.01f, &memory, &difference);
+        for (int i = 0; i <= 60; i++) {
+            float got[2], time = 0.05f * (float)i;
+            nkw_track_sample(&track, time, got);
+            expect_near(got[0], nkw_fcurve_sample(&curves[0], time).value, 0.011);
+            expect_bits(got[1], one[0].value);
+        }
+    }
+}
+
+/* Float times end the division: within eight floats, and at a vertical tangent. The difference says what is left. */
+static void float_times_end_the_division(void **state)
+{
+    (void)state;
+    enum { ROOM = 20000 };
+    static float times[ROOM], values[3 * ROOM];
+    nkw_track_memory memory = {times, values, ROOM, NULL, 0};
+    float difference;
+    for (int floats = 1; floats <= 8; floats++) {
+        const nkw_fcurve_key keys[2] = {
+            {1, 0, {0, 0}, {0, 5}, NKW_FCURVE_BEZIER, NKW_EASE_LINEAR},
+            {1 + 0x1p-23f * (float)floats, 1, {0, -5}, {0, 0}, NKW_FCURVE_BEZIER, NKW_EASE_LINEAR}};
+        const nkw_fcurve c = curve_of(keys, 2);
+        nkw_track track = track_of(&c, 1, 0, &memory, &difference);
+        assert_true(track.count >= 2 && track.count <= 1 + (size_t)floats);
+        assert_true(difference >= 0 && difference < INFINITY);
+        for (size_t k = 0; k < track.count; k++)
+            expect_bits(track.values[3 * k + 1], nkw_fcurve_sample(&c, track.times[k]).value);
+    }
+    const nkw_fcurve_key steep[2] = {{0, 0, {0, 0}, {0, 1}, NKW_FCURVE_BEZIER, NKW_EASE_LINEAR},
+                                     {1, 1, {-0.5f, 0}, {0, 0}, NKW_FCURVE_BEZIER, NKW_EASE_LINEAR}};
+    const nkw_fcurve c = curve_of(steep, 2);
+    nkw_track track = track_of(&c, 1, 1e-6f, &memory, &difference);
+    assert_true(difference < 1e-3f && track.times[1] < 0x1p-20f);
+}
+
+/* Each capacity below the need is TOO_SMALL, before a jump and after it, and nothing beyond it is written. */
+static void too_little_memory_for_a_jump_is_refused(void **state)
+{
+    (void)state;
+    enum { ROOM = 64 };
+    float times[ROOM], values[3 * ROOM];
+    nkw_fcurve_key keys[KEYS];
+    make_keys(keys);
+    keys[1].kind = NKW_FCURVE_CONSTANT;
+    keys[2].time = nextafterf(keys[1].time, 9); /* a step of one float */
+    const nkw_fcurve c = curve_of(keys, KEYS);
+    nkw_track_memory memory = {times, values, ROOM, NULL, 0};
+    float difference;
+    const size_t need = track_of(&c, 1, 0.01f, &memory, &difference).count;
+    for (size_t room = 0; room <= need; room++) {
+        nkw_track track;
+        times[room] = values[3 * room] = 77;
+        memory.key_capacity = room;
+        assert_int_equal(nkw_track_from_fcurves(&c, 1, 0.01f, &memory, &track, &difference),
+                         room < need ? NKW_TOO_SMALL : NKW_OK);
+        assert_true(times[room] == 77 && values[3 * room] == 77);
+        assert_true(room == need || (track.count == 0 && difference == INFINITY));
+    }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -340,6 +427,9 @@ int main(void)
         cmocka_unit_test(a_component_of_a_spline_has_its_own_end_tangents),
         cmocka_unit_test(a_component_of_rotations_is_not_a_curve),
         cmocka_unit_test(a_curve_of_fewer_keys_may_not_cycle),
+        cmocka_unit_test(a_curve_of_one_key_is_a_constant_component),
+        cmocka_unit_test(float_times_end_the_division),
+        cmocka_unit_test(too_little_memory_for_a_jump_is_refused),
     };
     return cmocka_run_group_tests_name("dialect_errors", tests, NULL, NULL);
 }

@@ -185,6 +185,16 @@ static void wrong_tracks_and_too_little_memory_are_refused(void **state)
     s->track.interpolation = NKW_INTERPOLATION_STEP;
     assert_int_equal(fit(s, 1.0f), NKW_BAD_METHOD);
     s->track.interpolation = NKW_INTERPOLATION_LINEAR;
+    const unsigned char modes[10] = {0};
+    s->track.key_interpolation = modes;
+    assert_int_equal(fit(s, 1.0f), NKW_BAD_METHOD);
+    s->track.key_interpolation = NULL;
+    s->memory.work_count -= 10 * 6;
+    assert_int_equal(fit(s, 1.0f), NKW_TOO_SMALL);
+    const size_t room = s->memory.work_count + 10 * 6;
+    s->memory.work_count = 0;
+    assert_int_equal(fit(s, 1.0f), NKW_TOO_SMALL);
+    s->memory.work_count = room;
     s->values[3] = NAN;
     assert_int_equal(fit(s, 1.0f), NKW_NOT_FINITE);
     assert_true(s->out.count == 0 && s->error == INFINITY);

@@ -160,6 +160,28 @@ static void no_time_and_no_numbers_change_nothing(void **state)
     expect_vec3_bits(foot.position, vec(0.002f, 0, 0));
 }
 
+/* Heights are along `up`, of any direction and length: the same walk in other axes has the same contacts. */
+static void the_direction_of_heights_may_be_any(void **state)
+{
+    (void)state;
+    const nkw_vec3 ups[4] = {{0, 0, 0}, {3, 0, 0}, {0, 0, -0.5f}, {0, -2, 0}};
+    for (int k = 0; k < 4; k++) {
+        nkw_foot foot = {0}, plain = {0};
+        nkw_foot_rules turned = rules;
+        int contacts = 0;
+        turned.up = ups[k];
+        for (int i = 0; i < 300; i++) {
+            const nkw_vec3 p = walk((float)i / 60);
+            const nkw_vec3 places[4] = {p, {p.y, p.z, p.x}, {p.x, p.z, -p.y}, {p.x, -p.y, p.z}};
+            nkw_foot_update(&plain, &rules, p, 0, 1.0f / 60);
+            nkw_foot_update(&foot, &turned, places[k], 0, 1.0f / 60);
+            assert_int_equal(foot.contact, plain.contact);
+            contacts += foot.contact;
+        }
+        assert_true(contacts > 50 && contacts < 250);
+    }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -170,6 +192,7 @@ int main(void)
         cmocka_unit_test(a_lock_ends_far_from_the_animation),
         cmocka_unit_test(heights_are_along_up_and_above_the_ground),
         cmocka_unit_test(no_time_and_no_numbers_change_nothing),
+        cmocka_unit_test(the_direction_of_heights_may_be_any),
     };
     return cmocka_run_group_tests_name("foot", tests, NULL, NULL);
 }

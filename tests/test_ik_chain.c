@@ -439,6 +439,28 @@ static void joints_that_do_not_fit_change_nothing(void **state)
     expect_floats_bits(b.pose, same.pose, NKW_POSE_FLOATS(JOINTS));
 }
 
+/* A parent that is not before its joint counts as none, so nothing is an ancestor beyond it. */
+static void chains_of_an_unsorted_skeleton_are_refused(void **state)
+{
+    (void)state;
+    random_source r = random_from(24);
+    body b, same;
+    draw_body(&r, &b, 0);
+    same = b;
+    float error, work[NKW_IK_CHAIN_WORK(4)];
+    nkw_ik_limb limb = {1, 3, 4, {1, 1, 1}, {0, 0, 0}, {0, 0, 0}, 0, 1};
+    nkw_ik_reach reach = {5, 4, {{1, 1, 1}, 0, 9}, NULL, NKW_IK_CCD, 1};
+    for (int32_t wrong = 3; wrong < JOINTS + 2; wrong++) {
+        int32_t late[JOINTS];
+        memcpy(late, parents, sizeof late);
+        late[3] = wrong;
+        b.ik.skeleton.parents = late;
+        assert_int_equal(nkw_ik_pose_two_bone(&b.ik, &limb, &error), NKW_NOT_ORDERED);
+        assert_int_equal(nkw_ik_pose_chain(&b.ik, &reach, NULL, work, NKW_IK_CHAIN_WORK(4)), NKW_OUT_OF_RANGE);
+    }
+    expect_floats_bits(b.pose, same.pose, NKW_POSE_FLOATS(JOINTS));
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -455,6 +477,7 @@ int main(void)
         cmocka_unit_test(chains_of_poses_reach_their_targets),
         cmocka_unit_test(joints_that_do_not_fit_change_nothing),
         cmocka_unit_test(without_tolerance_a_chain_is_solved_to_rounding),
+        cmocka_unit_test(chains_of_an_unsorted_skeleton_are_refused),
     };
     return cmocka_run_group_tests_name("ik_chain", tests, NULL, NULL);
 }

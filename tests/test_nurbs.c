@@ -353,6 +353,8 @@ static void knots_are_even_and_refuse_bad_shapes(void **state)
     assert_int_equal(nkw_nurbs_make_knots(NKW_NURBS_KNOTS_CLAMPED, 5, 16, 1, 4, knots), NKW_TOO_MANY);
     assert_int_equal(nkw_nurbs_make_knots(NKW_NURBS_KNOTS_CLAMPED, 2, 2, 1, 4, knots), NKW_TOO_SMALL);
     assert_int_equal(nkw_nurbs_make_knots(NKW_NURBS_KNOTS_CLAMPED, 5, 2, NAN, 4, knots), NKW_NOT_FINITE);
+    assert_int_equal(nkw_nurbs_make_knots(NKW_NURBS_KNOTS_CLAMPED, 5, 2, 1, INFINITY, knots), NKW_NOT_FINITE);
+    assert_int_equal(nkw_nurbs_make_knots(NKW_NURBS_KNOTS_CLAMPED, 5, 2, 1, NAN, knots), NKW_NOT_FINITE);
     assert_int_equal(nkw_nurbs_make_knots(NKW_NURBS_KNOTS_CLAMPED, 5, 2, 4, 4, knots), NKW_NOT_ASCENDING);
 }
 

@@ -157,6 +157,13 @@ static void tree_validation_names_the_first_offender(void **state)
     expect_tree(child, twice, 4, NKW_NOT_A_TREE, 3);
     expect_tree(child, self, 4, NKW_NOT_A_TREE, 1);
     expect_tree(lone, sibling, 4, NKW_NOT_A_TREE, 1);
+    const nkw_tree tree = {child, sibling, 4};
+    int32_t work[12];
+    size_t bad = 9;
+    assert_int_equal(nkw_tree_validate(&tree, &bad, work, 12), NKW_OK);
+    assert_int_equal(nkw_tree_validate(&tree, &bad, work, 11), NKW_TOO_SMALL);
+    assert_int_equal(bad, 0);
+    assert_int_equal(nkw_tree_validate(&tree, NULL, NULL, 0), NKW_TOO_SMALL);
 }
 
 static void the_matrix_stack_gives_the_bits_of_the_array_form(void **state)

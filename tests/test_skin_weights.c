@@ -280,6 +280,8 @@ static void validate_names_the_first_offender_among_floats(void **state)
     expect_invalid(&skin, NKW_OK, 0);
     m.weights[4 * 90 + 2] += 0.0011f;
     expect_invalid(&skin, NKW_BAD_WEIGHTS, 90);
+    m.weights[4 * 90 + 2] -= 2 * 0.0011f;
+    expect_invalid(&skin, NKW_BAD_WEIGHTS, 90);
     m.weights[4 * 80 + 1] = -m.weights[4 * 80 + 1];
     expect_invalid(&skin, NKW_BAD_WEIGHTS, 80);
     m.weights[4 * 70 + 3] = INFINITY;

@@ -549,6 +549,9 @@ static void keys_are_checked(void **state)
     s.ends = NKW_SPLINE_ENDS_CLAMPED;
     s.end_tangents = ends;
     expect_refused(&s, 1, 0, NKW_NOT_FINITE, 3);
+    static const float first[2] = {INFINITY, 0};
+    s.end_tangents = first;
+    expect_refused(&s, 1, 0, NKW_NOT_FINITE, 0);
 }
 
 int main(void)

@@ -136,6 +136,18 @@ static void what_does_not_fit_is_refused(void **state)
     assert_int_equal(nkw_ticks_from_seconds(0x1p63, seconds, NKW_ROUND_UP, &out), NKW_OUT_OF_RANGE);
     assert_int_equal(nkw_ticks_from_seconds(0x1p62, seconds, NKW_ROUND_UP, &out), NKW_OK);
     assert_true(out == INT64_C(1) << 62);
+    /* Results of 2^63 - 2, 2^63 and nearly 2^65, of either sign. */
+    const nkw_rate half = {1, 2}, one = {1, 1}, quarter = {1, 4};
+    const int64_t fits = INT64_MAX / 2, exceeds = fits + 1;
+    assert_int_equal(nkw_ticks_convert(fits, half, one, NKW_ROUND_UP, &out), NKW_OK);
+    assert_true(out == INT64_MAX - 1);
+    assert_int_equal(nkw_ticks_convert(-fits, half, one, NKW_ROUND_DOWN, &out), NKW_OK);
+    assert_true(out == -(INT64_MAX - 1));
+    assert_int_equal(nkw_ticks_convert(exceeds, half, one, NKW_ROUND_UP, &out), NKW_OUT_OF_RANGE);
+    assert_int_equal(nkw_ticks_convert(-exceeds, half, one, NKW_ROUND_DOWN, &out), NKW_OUT_OF_RANGE);
+    assert_int_equal(nkw_ticks_convert(INT64_MAX, quarter, one, NKW_ROUND_UP, &out), NKW_OUT_OF_RANGE);
+    assert_int_equal(nkw_ticks_convert(-INT64_MAX, quarter, one, NKW_ROUND_DOWN, &out), NKW_OUT_OF_RANGE);
+    assert_int_equal(out, 0);
 }
 
 static void expect_label(int64_t frame, int32_t per_second, int drop, nkw_timecode want, int line)
