@@ -2,7 +2,7 @@
 /**
  * @file
  * Floor 5: root motion: the part of an animation that moves the character, taken from its root joint, and its
- * difference over a step of time, exact over any number of loops.
+ * difference over a step of time, without drift over a million loops.
  *
  * The root transform of a clip is divided into the motion, by which the game moves the character, and the rest, which
  * remains in the pose:
