@@ -8,6 +8,7 @@
 
 #include <nakawari/mat.h>
 #include <nakawari/scalar.h>
+#include <nakawari/skeleton.h>
 #include <nakawari/vec.h>
 
 static void include_point(extent *e, nkw_vec3 p)
@@ -78,6 +79,19 @@ static void reach_mesh(extent *e, moment *m, size_t joint)
     }
 }
 
+/* The radius of a joint without vertices: it may be a socket, an eye, the end of a chain. */
+#define PART 0.0625f
+
+/*
+ * Cameras and lights see as far as the model, and so may a node that has neither parent nor child nor any vertices to
+ * move: 1/10000 of the model is then 0.006 degrees.
+ */
+static int sees_far(const nkw_document *d, size_t joint)
+{
+    const size_t next = nkw_skeleton_subtree_end(&d->skeleton, joint);
+    return d->nodes[joint].is_view || (d->mesh_count == 0 && d->skeleton.parents[joint] < 0 && next == joint + 1);
+}
+
 static void measure(extent *e, moment *m)
 {
     const nkw_skeleton *s = &m->document->skeleton;
@@ -92,10 +106,13 @@ static void measure(extent *e, moment *m)
         e->size = 1.0f;
     for (size_t j = 0; j < s->joint_count; j++) {
         const float stretch = stretch_of(&m->models[j]);
+        const float scale = stretch > 0.0f ? stretch : 1.0f;
+        e->radius[j] = e->reach[j] > 0.0f ? e->reach[j] * scale : PART * e->size;
+        if (sees_far(m->document, j))
+            e->radius[j] = nkw_max(e->radius[j], e->size);
         if (!(e->reach[j] > 0.0f))
-            e->reach[j] = 0.01f * e->size / (stretch > 0.0f ? stretch : 1.0f);
-        e->radius[j] = e->reach[j] * (stretch > 0.0f ? stretch : 1.0f);
-        e->lever[j] = e->reach[j] * stretch;
+            e->reach[j] = 0.01f * e->size / scale;
+        e->lever[j] = e->radius[j] / scale * stretch;
         e->stretch[j] = s->parents[j] < 0 ? 1.0f : stretch_of(&m->models[s->parents[j]]);
     }
     /* Children come after their parents. The way from joint to joint is at least as long as the straight line. */
@@ -120,7 +137,8 @@ int extent_open(extent *e, const nkw_document *d)
     e->radius = calloc(joints, sizeof *e->radius);
     e->lever = calloc(joints, sizeof *e->lever);
     e->stretch = calloc(joints, sizeof *e->stretch);
-    int fine = moment_open(&m, d, INPUT_REST) && e->reach && e->radius && e->lever && e->stretch;
+    e->tolerances = calloc(joints, sizeof *e->tolerances);
+    int fine = moment_open(&m, d, INPUT_REST) && e->reach && e->radius && e->lever && e->stretch && e->tolerances;
     if (fine) {
         moment_at(&m, 0.0f);
         measure(e, &m);
@@ -135,4 +153,12 @@ void extent_free(extent *e)
     free(e->radius);
     free(e->lever);
     free(e->stretch);
+    free(e->tolerances);
+}
+
+const float *extent_tolerances(const extent *e, const nkw_document *d, float tolerance)
+{
+    for (size_t j = 0; j < d->skeleton.joint_count; j++)
+        e->tolerances[j] = nkw_min(tolerance, 0.05f * e->lever[j]);
+    return e->tolerances;
 }

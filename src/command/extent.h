@@ -9,13 +9,20 @@ typedef struct extent {
     nkw_vec3 low, high; /**< the box of the joints and vertices in the rest pose */
     float size; /**< its diagonal; 1 if it has none */
     float *reach; /**< of each joint: the farthest vertex that it moves, in the joint's space */
-    float *radius; /**< the same in model space; size / 100 of a joint without vertices */
+    float *radius; /**< the same in model space; size / 16 of a joint without vertices; the size of what sees far */
     float *lever; /**< at least the farthest point that it or a joint below it moves, in model space */
     float *stretch; /**< the largest column of the parent's matrix: from the joint's translation to model space */
+    float *tolerances; /**< see extent_tolerances */
 } extent;
 
 /** Returns 0 and reports on stderr without memory. extent_free is due in either case. The moment is set to rest. */
 int extent_open(extent *e, const nkw_document *d);
 void extent_free(extent *e);
+
+/**
+ * The tolerance of each joint: `tolerance`, but at most a twentieth of its lever, so that small parts of a large scene
+ * keep their motion. They remain until the next call.
+ */
+const float *extent_tolerances(const extent *e, const nkw_document *d, float tolerance);
 
 #endif

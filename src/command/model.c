@@ -161,7 +161,8 @@ static void count_bytes(const nkw_document_animation *a, size_t *keys, size_t *b
 
 static nkw_clip_reduction reduction_of(const nkw_document *d, const extent *e, float tolerance)
 {
-    const nkw_clip_reduction r = {d->skeleton.parents, tolerance, 0.0f, NULL, e->radius, tolerance / e->size};
+    const nkw_clip_reduction r = {
+        d->skeleton.parents, tolerance, 0.0f, extent_tolerances(e, d, tolerance), e->radius, tolerance / e->size};
     return r;
 }
 

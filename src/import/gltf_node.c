@@ -45,8 +45,10 @@ static int read_node(nkwi_gltf *g, const nkwi_value *object, nkw_document_node *
 {
     if (!nkwi_is_object(g->error, object))
         return 0;
+    nkwi_value extensions = nkwi_member(object, "extensions");
     node->name = nkwi_gltf_name(g, object, "node");
     node->number = object->place.index;
+    node->is_view = nkwi_member(object, "camera").json || nkwi_member(&extensions, "KHR_lights_punctual").json;
     return node->name && read_transform(g, object, node) && read_children(g, object, parents) &&
            nkwi_index(g->error, object, "mesh", "mesh", g->mesh_count, &node->mesh) &&
            nkwi_index(g->error, object, "skin", "skin", g->skin_count, &node->skin);

@@ -6,6 +6,7 @@
 #include "program.h"
 
 #include <glob.h>
+#include <math.h>
 #include <stdlib.h>
 
 #include "planted.h"
@@ -159,9 +160,42 @@ static void misuse_and_missing_files_are_reported(void **state)
     program_says(1, "cannot be written", "reduce '" NKW_CHARACTER "' -o no/such/folder.glb");
 }
 
+/* What sees far: an eased pan of 30 degrees, of a camera that is alone in a file without meshes. */
+static void a_camera_keeps_its_angle(void **state)
+{
+    (void)state;
+    FILE *f = fopen("pan.csv", "wb");
+    assert_non_null(f);
+    fputs("name,time,tx,ty,tz,yaw,pitch,roll\nwall,0,-5,0,0,,,\nwall2,0,5,3,0,,,\n", f);
+    for (int i = 0; i <= 120; i++) {
+        const double t = i / 120.0, yaw = 30.0 * t * t * (3.0 - 2.0 * t);
+        fprintf(f, "Camera,%.9g,0,1,8,%.9g,0,0\n", 4.0 * t, yaw);
+    }
+    assert_int_equal(fclose(f), 0);
+    free(program_run(NULL, "reduce pan.csv -o pan.glb"));
+    char *said = program_run(NULL, "sample pan.glb --rate 50 --what local | grep Camera | cut -d, -f2,8-11");
+    for (const char *line = said; line && *line; line = strchr(line, '\n') ? strchr(line, '\n') + 1 : NULL) {
+        double t, q[4];
+        assert_int_equal(sscanf(line, "%lf,%lf,%lf,%lf,%lf", &t, &q[0], &q[1], &q[2], &q[3]), 5);
+        t /= 4.0;
+        expect_near(2.0 * atan2(q[1], q[3]) * 57.29577951, 30.0 * t * t * (3.0 - 2.0 * t), 0.011);
+    }
+    free(said);
+}
+
+/* A second hand of 8 mm in a hall of 145 m: STEP keys, six degrees each second. */
+static void a_small_part_of_a_large_scene_keeps_its_motion(void **state)
+{
+    (void)state;
+    free(program_run(NULL, "reduce '" NKW_FIGURES "/../../tests/data/reported/watch.gltf' -o watch.glb"));
+    program_says(0, "second_hand  rotation     STEP              61", "info watch.glb");
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
+        cmocka_unit_test(a_camera_keeps_its_angle),
+        cmocka_unit_test(a_small_part_of_a_large_scene_keeps_its_motion),
         cmocka_unit_test(diff_confirms_the_distance_that_was_measured),
         cmocka_unit_test(lossless_reduction_has_no_difference),
         cmocka_unit_test(keys_of_cubic_curves_keep_their_tangents),

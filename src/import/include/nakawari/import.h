@@ -65,6 +65,7 @@ typedef struct nkw_document_node {
     int32_t skin; /**< an index of skins, or NKW_NO_JOINT */
     uint32_t float_first; /**< the first of its morph weights in the floats of clips */
     uint32_t float_count; /**< the number of its morph weights: the targets of its mesh */
+    int is_view; /**< 1 if it has a camera or a light, in glTF */
 } nkw_document_node;
 
 /** Joints and their inverse bind matrices. The joints of vertices are indices of these arrays. */
