@@ -131,24 +131,43 @@ static inline nkw_quat slerp_near(nkw_quat a, nkw_quat b, float t)
     return lane_quat_slerp_turned(a, b, t, NKW_PATH_SHORT, 1);
 }
 
+/* Elements of half a block, side by side. */
+typedef struct slerp_elements {
+    float a[4][ORIENT_BLOCK / 2], b[4][ORIENT_BLOCK / 2], t[ORIENT_BLOCK / 2];
+    uint32_t index[ORIENT_BLOCK / 2];
+    size_t count;
+} slerp_elements;
+
+/* A t that is far is computed here, and then kept by a slerp at 0. */
+static inline void keep_element(slerp_elements *e, nkw_quat a, nkw_quat b, float t, size_t index)
+{
+    const nkw_quat_span to_a = {e->a[0], e->a[1], e->a[2], e->a[3]}, to_b = {e->b[0], e->b[1], e->b[2], e->b[3]};
+    put_quat(to_a, e->count, is_near(t) ? a : nkw_quat_slerp(a, b, t));
+    put_quat(to_b, e->count, b);
+    e->t[e->count] = is_near(t) ? t : 0.0f;
+    e->index[e->count++] = (uint32_t)index;
+}
+
 /*
- * A block with t outside 0..1, which is rare: those elements by the scalar function, before the others overwrite a, b
- * or t, one of which may be out.
+ * Half a block with t outside 0..1: those elements are taken out before the others overwrite a, b or t, one of which may be
+ * out.
  */
 NKW_NOINLINE LANE_FLAT static void slerp_beyond(nkw_quat_view a, nkw_quat_view b, const float *t, nkw_quat_span out,
                                                 size_t from, size_t to)
 {
-    nkw_quat beyond[ORIENT_BLOCK];
-    uint32_t index[ORIENT_BLOCK];
-    size_t count = 0;
+    slerp_elements e;
+    e.count = 0;
     for (size_t i = from; i < to; i++)
-        if (!lane_t_is_inside(t[i])) {
-            beyond[count] = nkw_quat_slerp(at_quat(a, i), at_quat(b, i), t[i]);
-            index[count++] = (uint32_t)(i - from);
-        }
+        if (!lane_t_is_inside(t[i]))
+            keep_element(&e, at_quat(a, i), at_quat(b, i), t[i], i);
     slerp_inside(a, b, t, 0, out, from, to);
-    for (size_t k = 0; k < count; k++)
-        put_quat(out, from + index[k], beyond[k]);
+    const nkw_quat_span r = {e.a[0], e.a[1], e.a[2], e.a[3]};
+    const nkw_quat_view kept_b = {e.b[0], e.b[1], e.b[2], e.b[3]};
+#pragma omp simd
+    for (size_t k = 0; k < e.count; k++)
+        put_quat(r, k, slerp_near(at_quat(r, k), at_quat(kept_b, k), e.t[k]));
+    for (size_t k = 0; k < e.count; k++)
+        put_quat(out, e.index[k], at_quat(r, k));
 }
 
 NKW_ALWAYS_INLINE void slerp_blocks(nkw_quat_view a, nkw_quat_view b, const float *t, nkw_quat_span out, size_t n)
@@ -157,9 +176,11 @@ NKW_ALWAYS_INLINE void slerp_blocks(nkw_quat_view a, nkw_quat_view b, const floa
         size_t end = n - from < ORIENT_BLOCK ? n : from + ORIENT_BLOCK;
         if (end - from == 1)
             put_quat(out, from, nkw_quat_slerp(at_quat(a, from), at_quat(b, from), t[from]));
-        else if (any_outside(t, from, end))
-            slerp_beyond(a, b, t, out, from, end);
-        else if (all_generic(t, from, end))
+        else if (any_outside(t, from, end)) {
+            size_t middle = end - (end - from) / 2; /* ORIENT_BLOCK is even */
+            slerp_beyond(a, b, t, out, from, middle);
+            slerp_beyond(a, b, t, out, middle, end);
+        } else if (all_generic(t, from, end))
             slerp_inside(a, b, t, 1, out, from, end);
         else
             slerp_inside(a, b, t, 0, out, from, end);
