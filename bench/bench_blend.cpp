@@ -10,13 +10,27 @@
 #include "from_trs.h"
 #include "random.h"
 
+#ifdef BENCH_IMPORT
+#include <nakawari/import.h>
+#endif
+
 using namespace bench;
 
 static const size_t most = 8;
 static const float weight = 0.3f;
 
-/* Poses of one character within some 30 degrees of one another, half of their rotations with the other sign. */
+/*
+ * apart        every number differs: the poses are within some 30 degrees of one another, half of the rotations with the
+ *              other sign
+ * even         the same, all of one weight
+ * one_model    as two clips of one model: a third of the rotations is the same in all poses, a fifth the identity, only
+ *              the root moves, and scales are 1. The mask is 0 below the waist and 1 above.
+ */
+enum class kind { apart, even, one_model };
+
 struct poses {
+    kind of;
+    std::string suffix; /* of the names of operations */
     size_t joints;
     std::vector<nkw_trs> trs[most];
     std::vector<float> block[most], mask;
@@ -24,34 +38,95 @@ struct poses {
     float weights[most];
 };
 
-/* even: all of one weight. */
-static std::shared_ptr<poses> draw(size_t joints, bool even)
+/* Blocks, layers and weights of the transforms. */
+static void fill(poses &p)
+{
+    for (size_t k = 0; k < most; k++) {
+        p.block[k].resize(NKW_POSE_FLOATS(p.joints));
+        nkw_pose_from_trs(p.trs[k].data(), nkw_pose_span{p.block[k].data(), p.joints});
+        p.weights[k] = p.of == kind::even ? 0.25f : 0.5f - 0.05f * static_cast<float>(k);
+        p.layers[k] = {{p.block[k].data(), p.joints}, p.weights[k], {nullptr, 0}};
+    }
+}
+
+static std::vector<float> half_mask(size_t joints)
+{
+    std::vector<float> mask(NKW_POSE_STRIDE(joints));
+    std::fill(mask.begin() + static_cast<std::ptrdiff_t>(joints / 2), mask.end(), 1.0f);
+    return mask;
+}
+
+/* What clips of one model share with its first pose. */
+static void share(const poses &p, size_t k, size_t j, nkw_trs &trs)
+{
+    const nkw_quat still = {0, 0, 0, 1};
+    const nkw_trs &first = k == 0 ? trs : p.trs[0][j];
+    trs.scale = {1, 1, 1};
+    trs.translation = j == 0 ? trs.translation : first.translation;
+    trs.rotation = j % 5 == 1 ? still : j % 3 == 0 ? first.rotation : trs.rotation;
+}
+
+static std::shared_ptr<poses> draw(size_t joints, kind of)
 {
     auto p = std::make_shared<poses>();
+    p->of = of;
+    p->suffix = of == kind::one_model ? ", one model" : of == kind::even ? " of one weight" : "";
     p->joints = joints;
-    p->mask.resize(NKW_POSE_STRIDE(joints));
-    std::copy_n(t.at, joints, p->mask.begin());
+    p->mask.assign(t.at, t.at + NKW_POSE_STRIDE(joints));
+    if (of == kind::one_model)
+        p->mask = half_mask(joints);
     for (size_t k = 0; k < most; k++) {
         random_source r = random_from(k);
         for (size_t j = 0; j < joints; j++) {
             nkw_quat q = random_near(&r, unit_a[j], random_between(&r, 0.01f, 0.25f));
             float sign = random_unit(&r) < 0.5f ? -1.0f : 1.0f;
-            p->trs[k].push_back({random_vec3(&r, -1, 1),
-                                 {sign * q.x, sign * q.y, sign * q.z, sign * q.w},
-                                 random_vec3(&r, 0.9f, 1.1f)});
+            nkw_trs trs = {
+                random_vec3(&r, -1, 1), {sign * q.x, sign * q.y, sign * q.z, sign * q.w}, random_vec3(&r, 0.9f, 1.1f)};
+            if (of == kind::one_model)
+                share(*p, k, j, trs);
+            p->trs[k].push_back(trs);
         }
-        p->block[k].resize(NKW_POSE_FLOATS(joints));
-        nkw_pose_from_trs(p->trs[k].data(), nkw_pose_span{p->block[k].data(), joints});
-        p->weights[k] = even ? 0.25f : 0.5f - 0.05f * static_cast<float>(k);
-        p->layers[k] = {{p->block[k].data(), joints}, p->weights[k], {nullptr, 0}};
     }
+    fill(*p);
     return p;
 }
 
-static operation blend_of(const char *name, size_t joints, double bytes, double flops, reference truth)
+#ifdef BENCH_IMPORT
+/* Poses of a file, from its first and its last animation in turn; empty where there is no such file. */
+static std::shared_ptr<poses> read(const char *folder, const char *name)
+{
+    auto p = std::make_shared<poses>();
+    nkw_document *d = nullptr;
+    nkw_import_error error;
+    if (nkw_document_open((std::string(folder) + "/" + name).c_str(), &d, &error) != NKW_IMPORT_OK)
+        return nullptr;
+    p->of = kind::one_model;
+    p->suffix = std::string(", ") + name;
+    p->joints = d->skeleton.joint_count;
+    p->mask = half_mask(p->joints);
+    for (size_t k = 0; k < most; k++) {
+        nkw_clip *clip = nullptr;
+        if (nkw_document_clip(d, k % 2 ? d->animation_count - 1 : 0, NKW_CLIP_FLOAT32, &clip, &error) != NKW_IMPORT_OK)
+            std::abort();
+        std::vector<float> block(NKW_POSE_FLOATS(p->joints)), floats(nkw_clip_float_count(clip) + 1);
+        float start = nkw_clip_start(clip), part = 0.1f + 0.11f * static_cast<float>(k);
+        nkw_clip_sample(clip, start + part * (nkw_clip_end(clip) - start), nullptr, {block.data(), p->joints},
+                        floats.data());
+        p->trs[k].resize(p->joints);
+        nkw_trs_from_pose({block.data(), p->joints}, p->trs[k].data());
+        nkw_import_free(clip);
+    }
+    nkw_document_close(d);
+    fill(*p);
+    return p;
+}
+#endif
+
+static operation blend_of(const std::string &name, size_t joints, double bytes, double flops, reference truth)
 {
     operation op = {"blend", name, 10, bytes, flops, truth, 8, 4096, same::transform};
     op.sizes = {joints};
+    op.elements = joints; /* masks differ between sizes */
     return op;
 }
 
@@ -158,12 +233,12 @@ static nkw_trs eigen_blend(const nkw_trs &a, const nkw_trs &b, float s)
 #endif
 
 /* The same arrays as the library's, in a loop of the user's own. */
-static void loop_blend(const poses &p, bool masked, float *out)
+static void loop_blend(const poses &p, bool masked, float part, float *out)
 {
     size_t n = NKW_POSE_STRIDE(p.joints);
     const float *a = p.block[0].data(), *b = p.block[1].data();
     for (size_t j = 0; j < p.joints; j++) {
-        float s = masked ? weight * p.mask[j] : weight, c = 0, length = 0;
+        float s = masked ? part * p.mask[j] : part, c = 0, length = 0;
         for (size_t k = 3; k < 7; k++)
             c += a[k * n + j] * b[k * n + j];
         for (size_t k = 0; k < 10; k++) {
@@ -179,23 +254,25 @@ static void loop_blend(const poses &p, bool masked, float *out)
 
 static void two(std::shared_ptr<poses> p, bool masked)
 {
-    auto at = [=](size_t j) { return masked ? weight * p->mask[j] : weight; };
+    const float part = masked && p->of == kind::one_model ? 1.0f : weight;
+    auto at = [=](size_t j) { return masked ? part * p->mask[j] : part; };
     const nkw_trs *a = p->trs[0].data(), *b = p->trs[1].data();
-    operation op =
-        blend_of(masked ? "two, masked" : "two", p->joints, masked ? 124 : 120, 67, [=](size_t j, double *out) {
-            double s = static_cast<double>(at(j));
-            lerps(a[j], b[j], s, out);
-            truth::nlerp(truth::quat(a[j].rotation), truth::quat(b[j].rotation), s).put(out + 3);
-        });
+    operation op = blend_of((masked ? "two, masked" : "two") + p->suffix, p->joints, masked ? 124 : 120, 67,
+                            [=](size_t j, double *out) {
+                                double s = static_cast<double>(at(j));
+                                lerps(a[j], b[j], s, out);
+                                truth::nlerp(truth::quat(a[j].rotation), truth::quat(b[j].rotation), s).put(out + 3);
+                            });
     const float *mask = masked ? p->mask.data() : nullptr;
     own(op, "nkw", [=](float *out) {
-        nkw_pose_blend(nkw_pose_view{p->block[0].data(), p->joints}, nkw_pose_view{p->block[1].data(), p->joints},
-                       weight, nkw_mask_view{mask, p->joints}, nkw_pose_span{out, p->joints});
+        nkw_pose_blend(nkw_pose_view{p->block[0].data(), p->joints}, nkw_pose_view{p->block[1].data(), p->joints}, part,
+                       nkw_mask_view{mask, p->joints}, nkw_pose_span{out, p->joints});
     });
     size_t joints = p->joints;
     auto out = std::make_shared<std::vector<float>>(NKW_POSE_FLOATS(joints));
     whole(
-        op, "loop", layout::components, [=] { loop_blend(*p, masked, out->data()); }, [=] { spread(*out, joints); });
+        op, "loop", layout::components, [=] { loop_blend(*p, masked, part, out->data()); },
+        [=] { spread(*out, joints); });
 #ifdef BENCH_CGLM
     peer(op, "cglm", [=](size_t j) { return cglm_blend(a[j], b[j], at(j)); });
 #endif
@@ -210,7 +287,7 @@ static void two(std::shared_ptr<poses> p, bool masked)
 static void two_by_slerp(std::shared_ptr<poses> p)
 {
     const nkw_trs *a = p->trs[0].data(), *b = p->trs[1].data();
-    operation op = blend_of("two by slerp", p->joints, 120, 108, [=](size_t j, double *out) {
+    operation op = blend_of("two by slerp" + p->suffix, p->joints, 120, 108, [=](size_t j, double *out) {
         double s = static_cast<double>(weight);
         lerps(a[j], b[j], s, out);
         truth::slerp(truth::unit(truth::quat(a[j].rotation)), truth::unit(truth::quat(b[j].rotation)), s).put(out + 3);
@@ -242,10 +319,10 @@ static void truth_of_many(const poses &p, size_t count, size_t j, double *out)
         out[c] = sum[c] / total;
 }
 
-static void many(std::shared_ptr<poses> p, size_t count, const char *name)
+static void many(std::shared_ptr<poses> p, size_t count, const std::string &name)
 {
     double n = static_cast<double>(count);
-    operation op = blend_of(name, p->joints, 40 + 40 * n, 30 * n + 20,
+    operation op = blend_of(name + p->suffix, p->joints, 40 + 40 * n, 30 * n + 20,
                             [=](size_t j, double *out) { truth_of_many(*p, count, j, out); });
     own(op, "nkw", [=](float *out) {
         nkw_pose_blend_layers(p->layers, count, nkw_pose_view{p->block[0].data(), p->joints}, 0.1f,
@@ -280,7 +357,7 @@ static void additive(std::shared_ptr<poses> p)
     nkw_pose_additive_build(nkw_pose_view{p->block[1].data(), p->joints}, nkw_pose_view{p->block[2].data(), p->joints},
                             NKW_ADDITIVE_LOCAL, nkw_pose_span{delta->data(), p->joints});
     nkw_trs_from_pose(nkw_pose_view{delta->data(), p->joints}, d->data());
-    operation op = blend_of("additive apply", p->joints, 120, 80, [=](size_t j, double *out) {
+    operation op = blend_of("additive apply" + p->suffix, p->joints, 120, 80, [=](size_t j, double *out) {
         double s = static_cast<double>(weight);
         const nkw_trs &a = base[j], &b = (*d)[j];
         truth::quat part = truth::nlerp(truth::quat(0, 0, 0, 1), truth::quat(b.rotation), s);
@@ -306,15 +383,25 @@ static void additive(std::shared_ptr<poses> p)
 #endif
 }
 
+static void rows(std::shared_ptr<poses> p)
+{
+    two(p, false);
+    two(p, true);
+    two_by_slerp(p);
+    many(p, 4, "four");
+    many(p, 8, "eight");
+    additive(p);
+}
+
 static const suite all([] {
     for (size_t joints : {10u, 67u, 256u, 1000u}) {
-        auto p = draw(joints, false);
-        two(p, false);
-        two(p, true);
-        two_by_slerp(p);
-        many(p, 4, "four");
-        many(p, 8, "eight");
-        many(draw(joints, true), 4, "four of one weight");
-        additive(p);
+        rows(draw(joints, kind::apart));
+        many(draw(joints, kind::even), 4, "four");
+        rows(draw(joints, kind::one_model));
     }
+#ifdef BENCH_IMPORT
+    for (auto p : {read(BENCH_EXAMPLES, "character.glb"), read(BENCH_DATA, "Fox.glb")})
+        if (p)
+            rows(p);
+#endif
 });

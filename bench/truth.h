@@ -57,6 +57,8 @@ inline quat slerp(quat a, quat b, double t)
     double sign = dot(a, b) < 0 ? -1 : 1;
     quat d = sum(b, sign, a, -1), s = sum(b, sign, a, 1);
     double angle = 2 * std::atan2(std::sqrt(dot(d, d)), std::sqrt(dot(s, s)));
+    if (angle < 1e-9)
+        return sum(a, 1 - t, b, sign * t);
     return sum(a, std::sin((1 - t) * angle) / std::sin(angle), b, sign * std::sin(t * angle) / std::sin(angle));
 }
 
