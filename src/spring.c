@@ -280,20 +280,25 @@ static int is_lost(nkw_quat next, lane_f64_quat g, double before, double after)
     return way > 0.0 && way < LEAST_TURN && before - half_angle(next, g) < 0.5 * way;
 }
 
-/*
- * kept_moving for a rotation: `next`, by the least turn from `from` where the step to half the angle `after` is lost.
- * `gain` is the change of the angular velocity.
- */
-static nkw_quat kept_turning(const nkw_quat_motion *from, nkw_quat next, lane_f64_quat g, double after, nkw_vec3 gain,
+/* Whether two unit quaternions may be a short step apart, rounding included. */
+static int is_near(nkw_quat a, nkw_quat b)
+{
+    lane_f64_quat d = lane_f64_quat_sub(lane_f64_quat_from(a), lane_f64_quat_from(b));
+    return lane_f64_quat_dot(d, d) < 0x1p-42;
+}
+
+/* kept_moving for a rotation: the value of `next`, by the least turn from `from` where the step to `after` is lost. */
+static nkw_quat kept_turning(const nkw_quat_motion *from, const nkw_quat_motion *next, lane_f64_quat g, double after,
                              spring_kind kind)
 {
     lane_f64_quat e;
     lane_f64_vec3 half = error_of(lane_f64_quat_unit_from(from->value), g, &e);
+    lane_f64_vec3 spin = lane_f64_vec3_from(from->velocity), then = lane_f64_vec3_from(next->velocity);
     double n = lane_f64_vec3_length(half), left = n > LEAST_TURN ? 1.0 - LEAST_TURN / n : 0.0;
-    int nears = lane_f64_vec3_dot(half, lane_f64_vec3_from(from->velocity)) < 0.0;
-    int slows = kind == SETTLES || lane_f64_vec3_dot(half, lane_f64_vec3_from(gain)) >= 0.0;
+    int nears = lane_f64_vec3_dot(half, spin) < 0.0;
+    int slows = kind == SETTLES || lane_f64_vec3_dot(half, lane_f64_vec3_sub(then, spin)) >= 0.0;
     nkw_quat moved = lane_quat_from_f64(lane_f64_quat_mul(lane_f64_quat_exp(lane_f64_vec3_scale(half, left)), g));
-    return nears && slows && is_lost(next, g, n, after) ? moved : next;
+    return nears && slows && is_lost(next->value, g, n, after) ? moved : next->value;
 }
 
 nkw_quat_motion nkw_quat_spring_step(nkw_spring spring, const nkw_quat_motion *from, const nkw_quat_motion *goal,
@@ -307,16 +312,14 @@ nkw_quat_motion nkw_quat_spring_step(nkw_spring spring, const nkw_quat_motion *f
     lane_f64_vec3 relative = lane_f64_vec3_sub(spin, lane_f64_quat_rotate(e, turn));
     lane_f64_vec3 rate = lane_f64_rotation_rate(e, half, relative);
     lane_f64_vec3 r = combined(half, 2.0 * m.xx, rate, m.xv), v = combined(half, 2.0 * m.vx, rate, m.vv);
-    double after = 0.5 * lane_f64_vec3_length(r), way = lane_f64_vec3_length(half) - after;
     lane_sincos angle, unused;
     e = exp_of(lane_f64_vec3_scale(r, 0.5), &angle);
     g = lane_f64_quat_mul(exp_of(lane_f64_vec3_scale(turn, 0.5 * seconds), &unused), g);
     x = lane_f64_quat_mul(e, g);
     spin = lane_f64_vec3_add_scaled(lane_f64_rotation_velocity(r, angle, v), lane_f64_quat_rotate(e, turn), 1.0);
     nkw_quat_motion out = {lane_quat_from_f64(x), lane_vec3_from_f64(spin)};
-    if (kind_of(spring) != DRIFTS && lane_abs64(way) < LEAST_TURN)
-        out.value =
-            kept_turning(from, out.value, g, after, nkw_vec3_sub(out.velocity, from->velocity), kind_of(spring));
+    if (kind_of(spring) != DRIFTS && is_near(out.value, from->value))
+        out.value = kept_turning(from, &out, g, 0.5 * lane_f64_vec3_length(r), kind_of(spring));
     return is_none(h) ? *from : out;
 }
 

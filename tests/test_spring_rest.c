@@ -158,6 +158,22 @@ static void long_steps_keep_their_phase(void **state)
     }
 }
 
+/* About an axis at 1e-5 rad/s: each step turns by a tenth of the rounding. */
+static void a_moving_rotation_is_reached(void **state)
+{
+    (void)state;
+    nkw_spring s = nkw_spring_from_half_life(1, 1);
+    nkw_vec3 axis = nkw_vec3_normalize(vec(1, 2, -1));
+    nkw_quat_motion x = still(nkw_quat_from_axis_angle(axis, 0.5f));
+    for (int i = 0; i < 40000; i++) {
+        float angle = (float)(1 + 1e-8 * i);
+        nkw_quat_motion goal = rotating(nkw_quat_from_axis_angle(axis, angle), nkw_vec3_scale(axis, 1e-5f));
+        x = nkw_quat_spring_step(s, &x, &goal, 1e-3f);
+        if (i > 30000)
+            expect_near(nkw_quat_angle(x.value, goal.value), 0, 1e-6);
+    }
+}
+
 static void the_least_step_is_the_next_float(void **state)
 {
     (void)state;
@@ -205,6 +221,7 @@ int main(void)
         cmocka_unit_test(long_times_run_out),
         cmocka_unit_test(an_infinite_half_life_returns_the_value),
         cmocka_unit_test(long_steps_keep_their_phase),
+        cmocka_unit_test(a_moving_rotation_is_reached),
         cmocka_unit_test(the_least_step_is_the_next_float),
         cmocka_unit_test(vectors_arrive_component_by_component),
     };
