@@ -8,7 +8,7 @@
 enum { JOINTS = 5, FLOATS = NKW_POSE_FLOATS(JOINTS) };
 
 static float pose[FLOATS], out[FLOATS];
-static const float mask[JOINTS] = {1, 0, 0.5f, 1, 1};
+static const float mask[NKW_POSE_STRIDE(JOINTS)] = {1, 0, 0.5f, 1, 1};
 
 /* All functions of two poses and a mask; none writes. */
 static void expect_mismatch(nkw_pose_view a, nkw_pose_view b, nkw_mask_view m)
@@ -60,7 +60,7 @@ static void numbers_of_layers_and_masks_are_checked(void **state)
     const nkw_pose_view all = pose_view(pose, JOINTS);
     for (size_t i = 0; i < 7; i++)
         for (size_t j = 0; j < JOINTS; j++) {
-            float m[JOINTS];
+            float m[NKW_POSE_STRIDE(JOINTS)];
             size_t bad = 9;
             memcpy(m, mask, sizeof m);
             m[j] = numbers[i];
@@ -111,7 +111,7 @@ static void a_partner_without_a_partner_is_none(void **state)
 static void a_layer_without_weight_has_no_mask(void **state)
 {
     (void)state;
-    const float spoiled[JOINTS] = {NAN, 7, -1, INFINITY, 0};
+    const float spoiled[NKW_POSE_STRIDE(JOINTS)] = {NAN, 7, -1, INFINITY, 0};
     float other[FLOATS], want[FLOATS];
     nkw_pose_identity(pose_span(pose, JOINTS));
     nkw_pose_identity(pose_span(other, JOINTS));
