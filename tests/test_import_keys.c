@@ -164,6 +164,52 @@ static void members_that_are_lists_of_keys_are_scenes(void **state)
     expect_refused("{'a':[{'time':0,'pos':[1,2,3]}],'b':[7]}", NULL, 0, NKW_IMPORT_INVALID, "/b/0");
 }
 
+/* The yaw of a rotation about y, in degrees, nearest to `near`. */
+static double yaw_of(const nkw_track *t, float time, double near)
+{
+    nkw_quat q;
+    nkw_track_sample(t, time, &q.x);
+    double yaw = 2.0 * atan2((double)q.y, (double)q.w) * 57.29577951308232;
+    return yaw + 360.0 * floor((near - yaw) / 360.0 + 0.5);
+}
+
+/* yaw 0 -> 270 -> 630 -> 630 -> -90: at each time that of the line between the angles. */
+static void angles_keep_their_turns(void **state)
+{
+    (void)state;
+    static const char *const texts[] = {
+        "name,time,yaw,pitch,roll\nbox,0,0,0,0\nbox,1,270,0,0\nbox,2,630,0,0\nbox,3,630,0,0\nbox,4,-90,0,0\n",
+        "{'a':[{'time':0,'pos':[0,0,0],'euler_yxz_yaw_pitch_roll':[0,0,0]},"
+        "{'time':1,'pos':[0,0,0],'euler_yxz_yaw_pitch_roll':[4.71238898,0,0]},"
+        "{'time':2,'pos':[0,0,0],'euler_yxz_yaw_pitch_roll':[10.99557429,0,0]},"
+        "{'time':3,'pos':[0,0,0],'euler_yxz_yaw_pitch_roll':[10.99557429,0,0]},"
+        "{'time':4,'pos':[0,0,0],'euler_yxz_yaw_pitch_roll':[-1.57079633,0,0]}]}"};
+    static const double keys[5] = {0, 270, 630, 630, -90};
+    for (int i = 0; i < 2; i++) {
+        nkw_document *d = opened(texts[i], NULL, 0);
+        const nkw_document_animation *a = d->animations;
+        const size_t track = a->track_count - 1;
+        assert_int_equal(a->channels[track].added, 2 + 3 + 7);
+        assert_int_equal(a->tracks[track].track.count, 5 + 12);
+        assert_int_equal(nkw_track_validate(&a->tracks[track].track, NULL), NKW_OK);
+        for (int k = 0; k <= 400; k++) {
+            const int s = k < 400 ? k / 100 : 3;
+            const double t = k / 100.0, want = keys[s] + (keys[s + 1] - keys[s]) * (t - s);
+            expect_near(yaw_of(&a->tracks[track].track, (float)t, want), want, 2e-4);
+        }
+        nkw_document_close(d);
+    }
+    /* Steps jump, and less than half a turn stays the shorter arc of two keys. */
+    nkw_document *d = opened("name,time,interpolation,yaw,pitch,roll\nbox,0,STEP,0,0,0\nbox,1,STEP,270,0,0\n"
+                             "arm,0,LINEAR,0,10,0\narm,1,LINEAR,170,20,30\n",
+                             NULL, 0);
+    for (size_t i = 0; i < 2; i++)
+        assert_true(d->animations->tracks[i].track.count == 2 && d->animations->channels[i].added == 0);
+    nkw_document_close(d);
+    expect_refused("name,time,yaw,pitch,roll\nbox,0,0,0,0\nbox,1,1e9,0,0\n", NULL, 0, NKW_IMPORT_TOO_LARGE,
+                   "line 3, column yaw");
+}
+
 /* The scenes of the exercise, where they are at hand: the quaternions, the angles and the matrices are the same. */
 static void the_keys_of_the_exercise_are_read(void **state)
 {
@@ -262,6 +308,7 @@ int main(void)
         cmocka_unit_test(tangents_are_those_of_cubicspline),
         cmocka_unit_test(rows_of_one_time_are_the_weights_of_a_node),
         cmocka_unit_test(members_that_are_lists_of_keys_are_scenes),
+        cmocka_unit_test(angles_keep_their_turns),
         cmocka_unit_test(the_keys_of_the_exercise_are_read),
         cmocka_unit_test(broken_rows_are_refused),
     };

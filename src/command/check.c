@@ -16,7 +16,8 @@ static const options_text text = {
     "  error     unsorted-time, not-finite, not-unit, joint-out-of-range, bad-weight, refused\n"
     "  warning   duplicate-time, short-segment, not-unit, over-half-turn, long-way, non-positive-scale (negative),\n"
     "            weights-sum, unused-joint-out-of-range, singular-matrix, unread-channel\n"
-    "  note      rounded-unit, sign-flip, half-turn, non-positive-scale (zero), constant, spare-keys, open-loop\n\n"
+    "  note      rounded-unit, sign-flip, half-turn, non-positive-scale (zero), constant, spare-keys, open-loop,\n"
+    "            added-keys\n\n"
     "Errors and warnings make the exit code 1, with --strict notes too.\n",
     "  nakawari check fox.glb\n"
     "  nakawari check --no-notes models/*.glb\n"

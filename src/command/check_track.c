@@ -194,6 +194,17 @@ static void check_scales(check *c, size_t animation, size_t index)
     }
 }
 
+static void check_added(check *c, size_t animation, size_t index)
+{
+    const size_t added = c->document->animations[animation].channels[index].added;
+    if (added == 0)
+        return;
+    finding f = check_finding(c, animation, index, -1, SEVERITY_NOTE, "added-keys");
+    f.amount = (double)added;
+    snprintf(f.detail, sizeof f.detail, "%zu keys between angles that turn by half a turn or more", added);
+    findings_add(&c->found, &f);
+}
+
 void check_track(check *c, size_t animation, size_t index)
 {
     const nkw_clip_track *track = &c->document->animations[animation].tracks[index];
@@ -202,6 +213,7 @@ void check_track(check *c, size_t animation, size_t index)
     check_finite(c, animation, index);
     if (c->found.counts[SEVERITY_ERROR] != errors)
         return;
+    check_added(c, animation, index);
     if (track->target == NKW_CLIP_ROTATION) {
         check_units(c, animation, index);
         check_arcs(c, animation, index);

@@ -60,6 +60,14 @@ static const nkw_track *find_track(const nkw_document_animation *a, int32_t join
     return NULL;
 }
 
+static int has_added(const nkw_document_animation *a, int32_t joint)
+{
+    size_t added = 0;
+    for (size_t i = 0; i < a->track_count; i++)
+        added += a->channels[i].joint == joint ? a->channels[i].added : 0;
+    return added > 0;
+}
+
 /* The earliest key time of both tracks after key k of each; moves on beyond it. Returns 0 after the last. */
 static int next_time(const nkw_track *const tracks[2], size_t k[2], float *time)
 {
@@ -111,6 +119,8 @@ static int read_scene(const nkw_document *d, const request *r, scene *s)
     size_t count = read_keys(d, a, joint, keys);
     if (count > SCENE_KEYS_MAX)
         return complain(d, "the joint has more than 64 keys: see nakawari reduce");
+    if (has_added(a, joint))
+        fputs("note: keys were added where angles turn by half a turn or more: they shape the curve too\n", stderr);
     if (r->keys > 0 && (size_t)r->keys < count)
         count = (size_t)r->keys;
     return scene_from_keys(a->name, keys, count, s) ||

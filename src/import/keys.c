@@ -61,7 +61,7 @@ static int room_for_row(nkwi_keys *k)
 
 int nkwi_keys_add(nkwi_keys *k, const nkwi_entry *e)
 {
-    nkwi_row r = {k->line, 0, 0, e->interpolation, e->has, e->time, k->row_count * k->stride};
+    nkwi_row r = {k->line, 0, 0, e->interpolation, e->has, e->has_angles, e->time, e->angles, k->row_count * k->stride};
     if (!e->name || !e->name[0])
         return nkwi_keys_fail(k, "name", NKW_IMPORT_INVALID, "is empty");
     if (!room_for_row(k) || !index_of(k, k->clips, e->clip ? e->clip : "", &r.clip) ||
@@ -242,17 +242,25 @@ static void copy_keys(const nkwi_keys *k, size_t from, size_t to, nkw_clip_track
     }
 }
 
-/* The keys of a property in rows from .. to - 1 of one clip and node; none: the track stays without keys. */
-static int make_track(nkwi_keys *k, size_t from, size_t to, int property, nkw_clip_track *out)
+/*
+ * The keys of a property in rows from .. to - 1 of one clip and node; none: the track stays without keys. *added: those
+ * that no row has.
+ */
+static int make_track(nkwi_keys *k, size_t from, size_t to, int property, nkw_clip_track *out, size_t *added)
 {
     const nkw_document *d = &k->document->all;
     size_t count = 0, joint = (size_t)d->joint_of_node[k->rows[from].node];
     size_t parts = property == NKW_CLIP_FLOATS ? d->nodes[joint].float_count : 1;
     nkw_interpolation mode = k->rows[from].interpolation;
+    const int turns = property == NKW_CLIP_ROTATION && mode == NKW_INTERPOLATION_LINEAR;
     for (size_t i = from; i < to; i++)
         count += (size_t)has(&k->rows[i], property);
     if (count == 0)
         return 1;
+    if (turns && !nkwi_keys_check_turns(k, from, to))
+        return 0;
+    *added = turns ? nkwi_keys_turns(k, from, to, NULL, NULL) - count : 0;
+    count += *added;
     if (property == NKW_CLIP_FLOATS && !check_weights(k, from, to, parts))
         return 0;
     size_t floats = count * nkwi_keys_width[property] * (mode == NKW_INTERPOLATION_CUBICSPLINE ? 3 : 1);
@@ -270,7 +278,10 @@ static int make_track(nkwi_keys *k, size_t from, size_t to, int property, nkw_cl
     out->target = (nkw_clip_target)property;
     out->index = property == NKW_CLIP_FLOATS ? d->nodes[joint].float_first : (uint32_t)joint;
     out->track = track;
-    copy_keys(k, from, to, out, times, values);
+    if (turns)
+        nkwi_keys_turns(k, from, to, times, values);
+    else
+        copy_keys(k, from, to, out, times, values);
     return 1;
 }
 
@@ -295,7 +306,7 @@ static int make_animation(nkwi_keys *k, size_t from, size_t to, nkw_document_ani
         for (int property = 0; property < 4; property++) {
             nkw_clip_track *track = &tracks[out->track_count];
             nkw_document_channel *channel = &channels[out->track_count];
-            if (!make_track(k, from, end, property, track))
+            if (!make_track(k, from, end, property, track, &channel->added))
                 return 0;
             channel->number = out->track_count;
             channel->joint = k->document->all.joint_of_node[k->rows[from].node];

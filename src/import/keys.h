@@ -18,7 +18,9 @@ typedef struct nkwi_row {
     uint32_t clip, node;
     nkw_interpolation interpolation;
     unsigned has;
+    int has_angles; /* the rotation is that of angles, about Y, X and Z in this order */
     float time;
+    nkw_vec3 angles;
     size_t numbers; /* the first of keys.numbers */
 } nkwi_row;
 
@@ -27,8 +29,13 @@ typedef struct nkwi_entry {
     const char *name, *clip, *parent;
     nkw_interpolation interpolation;
     unsigned has;
+    int has_angles;
+    nkw_vec3 angles;
     float time, numbers[NKWI_NUMBERS];
 } nkwi_entry;
+
+/* The rotation of the angles, which the entry keeps. */
+void nkwi_entry_turn(nkwi_entry *e, nkw_vec3 angles);
 
 typedef struct nkwi_keys {
     nkwi_document *document;
@@ -50,6 +57,15 @@ int nkwi_keys_fail(nkwi_keys *k, const char *column, nkw_import_result code, con
 int nkwi_keys_no_memory(nkwi_keys *k);
 
 int nkwi_keys_add(nkwi_keys *k, const nkwi_entry *e);
+
+/*
+ * LINEAR rotations of the rows from .. to - 1, which are those of one clip and node, to times and values, which may be
+ * NULL; returns their number (keys_turn.c). Where angles of rows that follow each other differ by half a turn or more,
+ * keys are added between them, on the line of the angles.
+ */
+size_t nkwi_keys_turns(const nkwi_keys *k, size_t from, size_t to, float *times, float *values);
+/* Returns 0, and the error, where more keys than a limit would be added between two rows. */
+int nkwi_keys_check_turns(nkwi_keys *k, size_t from, size_t to);
 
 /* The rows of a text, and of the members "columns" and "rows" of JSON (keys_table.c). */
 int nkwi_table_is(const void *data, size_t bytes);

@@ -40,7 +40,8 @@ static int read_orientation(nkwi_keys *k, const nkwi_value *key, nkwi_entry *e)
         if (!nkwi_floats(k->error, key, "euler_yxz_yaw_pitch_roll", numbers, 3))
             return 0;
         const nkw_vec3 angles = {numbers[1], numbers[0], numbers[2]};
-        q = nkw_quat_from_euler(angles, NKW_EULER_YXZ);
+        nkwi_entry_turn(e, angles);
+        return 1;
     } else if (nkwi_member(key, "ori_rows").json) {
         if (!nkwi_floats(k->error, key, "ori_rows", numbers, 9))
             return 0;

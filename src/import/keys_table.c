@@ -170,8 +170,7 @@ static int set_numbers(table *t, nkwi_entry *e)
         const float *v = t->numbers + YAW;
         nkw_vec3 angles = {nkw_radians_from_degrees(v[1]), nkw_radians_from_degrees(v[0]),
                            nkw_radians_from_degrees(v[2])};
-        nkw_quat q = nkw_quat_from_euler(angles, NKW_EULER_YXZ);
-        memcpy(e->numbers + 3, &q, sizeof q);
+        nkwi_entry_turn(e, angles);
     }
     return 1;
 }

@@ -141,6 +141,7 @@ typedef struct nkw_document_channel {
     size_t input; /**< the accessor of the times, in the file; 0 in formats without */
     size_t output; /**< the accessor of the values, in the file; 0 in formats without */
     size_t bytes; /**< of times and values in the file; in text, as floats */
+    size_t added; /**< keys that the file does not have: those between angles that turn by half a turn or more */
 } nkw_document_channel;
 
 /** A channel of the file that is no track. */
