@@ -20,7 +20,7 @@
 
 #include "lane/f64.h"
 
-#define FARTHEST_STEPS 4
+#define FARTHEST_STEPS 8
 
 /* A symmetric matrix. */
 typedef struct farthest_matrix {
@@ -33,24 +33,29 @@ static inline double farthest_dot(const double *a, const double *b)
 }
 
 /*
- * The largest eigenvalue, or up to 1e-7 of the trace t more: Laguerre's method for the characteristic polynomial from t
- * on, which is at least as large. It descends, and is exact in one step for equal eigenvalues.
+ * The largest eigenvalue; up to 1e-7 of the spread of the eigenvalues and 2^-36 of the trace t more. With
+ * M = t/3 + p C, tr C = 0 and tr C^2 = 6,
  *
- *     p = l^3 - t l^2 + c1 l - c0,    l - 3 p/(p' + sqrt(4 p'^2 - 6 p p''))
+ *     u^3 - 3 u - det C = 0,    t/3 + p u
+ *
+ * whose largest root is in 1..2, by Laguerre's method from 2 on, which descends.
  */
 static inline double farthest_eigenvalue(const farthest_matrix *m)
 {
-    const double t = (m->xx + m->yy) + m->zz;
-    const double yz = m->yy * m->zz - m->yz * m->yz;
-    const double c1 = ((m->xx * m->yy - m->xy * m->xy) + yz) + (m->zz * m->xx - m->zx * m->zx);
-    const double c0 = (m->xx * yz - m->xy * (m->xy * m->zz - m->yz * m->zx)) + m->zx * (m->xy * m->yz - m->yy * m->zx);
-    double l = t;
+    const double t = (m->xx + m->yy) + m->zz, x = m->xx - t / 3.0, y = m->yy - t / 3.0, z = m->zz - t / 3.0;
+    const double outside = (m->xy * m->xy + m->yz * m->yz) + m->zx * m->zx;
+    const double p = lane_sqrt64((((x * x + y * y) + z * z) + 2.0 * outside) / 6.0);
+    const double determinant =
+        (x * (y * z - m->yz * m->yz) - m->xy * (m->xy * z - m->yz * m->zx)) + m->zx * (m->xy * m->yz - y * m->zx);
+    const double d = p > 0.0 ? determinant / p / p / p : 0.0;
+    double u = 2.0;
     for (int i = 0; i < FARTHEST_STEPS; i++) {
-        double p = ((l - t) * l + c1) * l - c0, p1 = (3.0 * l - 2.0 * t) * l + c1, p2 = 6.0 * l - 2.0 * t;
-        double under = 4.0 * (p1 * p1) - 6.0 * (p * p2), divisor = p1 + lane_sqrt64(under > 0.0 ? under : 0.0);
-        l = p > 0.0 && divisor > 0.0 ? l - 3.0 * p / divisor : l;
+        double f = (u * u - 3.0) * u - d, f1 = 3.0 * (u * u - 1.0), under = 4.0 * (f1 * f1) - 36.0 * (f * u);
+        double divisor = f1 + lane_sqrt64(under > 0.0 ? under : 0.0);
+        u = f > 0.0 && divisor > 0.0 ? u - 3.0 * f / divisor : u;
+        u = u > 1.0 ? u : 1.0;
     }
-    return l + 1e-7 * t;
+    return (t / 3.0 + p * u) + (1e-7 * p + 0x1p-36 * t);
 }
 
 /* l - M = L diag(a, b, c) L^T; L has ones in its diagonal. */

@@ -219,6 +219,41 @@ static void the_difference_of_reduced_tracks_is_the_error_that_was_reached(void 
     assert_int_equal(nkw_clip_source_difference(&drawn.source, &other, &r, &measured, work, count), NKW_MISMATCHED);
 }
 
+/* An equal change of all three scales moves all points around a joint equally far, in every direction. */
+static void equal_scales_move_all_directions_equally(void **state)
+{
+    (void)state;
+    random_source r = random_from(8);
+    static double room[NKW_CLIP_REDUCE_WORK(2, 1, 0)];
+    const float zero = 0.0f;
+    for (int i = 0; i < 5000; i++) {
+        float scales[2], values[2][3], turn[4] = {0.0f, 0.0f, 0.0f, 1.0f};
+        nkw_quat q = random_rotation(&r);
+        if (i % 2)
+            memcpy(turn, &q, sizeof turn);
+        nkw_clip_track tracks[2][2];
+        nkw_clip_source sources[2];
+        for (int k = 0; k < 2; k++) {
+            scales[k] = random_between(&r, 0.5f, 2.0f);
+            values[k][0] = values[k][1] = values[k][2] = scales[k];
+            const nkw_clip_track scale = {
+                NKW_CLIP_SCALE, 0, {&zero, values[k], 1, 3, NKW_TRACK_FLOATS, NKW_INTERPOLATION_STEP, NULL}};
+            const nkw_clip_track rotation = {
+                NKW_CLIP_ROTATION, 0, {&zero, turn, 1, 4, NKW_TRACK_ROTATION, NKW_INTERPOLATION_STEP, NULL}};
+            tracks[k][0] = scale, tracks[k][1] = rotation;
+            const nkw_clip_source source = {tracks[k], 2, 1, 0, {NULL, 0}, NULL, NKW_CLIP_FLOAT32, NULL};
+            sources[k] = source;
+        }
+        const nkw_clip_reduction reduction = {NULL, 1.0f, 3.0f, NULL, NULL, 0.0f};
+        nkw_reduced d;
+        assert_int_equal(
+            nkw_clip_source_difference(&sources[0], &sources[1], &reduction, &d, room, NKW_CLIP_REDUCE_WORK(2, 1, 0)),
+            NKW_OK);
+        const double want = 3.0 * fabs((double)scales[1] - (double)scales[0]) / (double)scales[0];
+        expect_near(d.distance, want, 2e-6 * want + 1e-6);
+    }
+}
+
 static void wrong_sources_and_too_little_memory_are_refused(void **state)
 {
     (void)state;
@@ -264,6 +299,7 @@ int main(void)
         cmocka_unit_test(each_joint_may_have_its_own_tolerance),
         cmocka_unit_test(a_tolerance_of_zero_is_lossless),
         cmocka_unit_test(the_difference_of_reduced_tracks_is_the_error_that_was_reached),
+        cmocka_unit_test(equal_scales_move_all_directions_equally),
         cmocka_unit_test(wrong_sources_and_too_little_memory_are_refused),
         cmocka_unit_test(a_clip_without_tracks_has_none),
     };

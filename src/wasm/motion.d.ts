@@ -40,7 +40,7 @@ export class PoseDeadBlend extends Floats {
   duration: number;
 }
 
-/** The smallest clip within a tolerance (nkw_clip_reduce). `reduced` receives what it reached. */
+/** A small clip within a tolerance (nkw_clip_reduce). `reduced` receives what it reached. */
 export function clipReduce(source: ClipSource, reduction: ClipReduction, reduced?: Partial<ClipReduced> | null): Clip;
 /** The source of a clip with as few keys as a tolerance permits (nkw_clip_source_reduce), of new tracks. */
 export function clipSourceReduce(source: ClipSource, reduction: ClipReduction, reduced?: Partial<Reduced> | null):

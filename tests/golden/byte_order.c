@@ -62,7 +62,7 @@ static int build(int index, blocks *out)
     }
     if (index == 3)
         make_small(&drawn);
-    const float tolerance = index == 2 ? 0.01f : 3e-8f;
+    const float tolerance = index == 2 ? 0.01f : 4e-8f;
     const nkw_clip_reduction reduction = {NULL, tolerance, 0.1f, NULL, NULL, tolerance};
     const nkw_clip_memory memory = {out->words[index], MOST, work, sizeof work / sizeof work[0]};
     nkw_clip_reduced reduced;
