@@ -93,6 +93,13 @@ static double standstill(const polycurve_slopes *c, double low, double high)
     return t;
 }
 
+/* A segment, and the minima of |p'| in an interval of it, in order. */
+typedef struct divided {
+    polycurve_slopes c;
+    double at[2];
+    size_t count;
+} divided;
+
 /*
  * The minima of |p'| between low and high, in order; there are two at most. Half the derivative of |p'|^2 is a cubic
  * whose derivative is a parabola, least at m and negative within w of it:
@@ -101,8 +108,9 @@ static double standstill(const polycurve_slopes *c, double low, double high)
  *
  * So the cubic rises up to m - w, and from m + w on, and has at most one zero in each of these intervals.
  */
-static size_t slowest(const polycurve_slopes *c, double low, double high, double at[2])
+static divided divided_between(const polycurve_slopes *c, double low, double high)
 {
+    divided r = {*c, {0.0, 0.0}, 0};
     lane_f64_vec3 third = polycurve_third(c);
     double n2 = lane_f64_vec3_dot(third, third), m = low, w = 0.0;
     if (n2 > 0.0) {
@@ -111,35 +119,36 @@ static size_t slowest(const polycurve_slopes *c, double low, double high, double
         w = w2 > 0.0 ? lane_sqrt64(w2) : 0.0;
     }
     double end = m - w < high ? m - w : high, begin = m + w > low ? m + w : low;
-    size_t count = 0;
     if (low < end && growth(c, low) < 0.0 && growth(c, end) >= 0.0)
-        at[count++] = standstill(c, low, end);
+        r.at[r.count++] = standstill(c, low, end);
     if (begin < high && growth(c, begin) < 0.0 && growth(c, high) > 0.0)
-        at[count++] = standstill(c, begin, high);
-    return count;
+        r.at[r.count++] = standstill(c, begin, high);
+    return r;
 }
 
 /*
- * The length from a to b. |p'| bends sharply only at its minima, near cusps and where the point turns back on a line;
- * an interval that has one inside may hide it between the 24 points of both rules.
+ * The length from a to b, which lie in the interval. |p'| bends sharply only at its minima, near cusps and where the
+ * point turns back on a line; an interval that has one inside may hide it between the 24 points of both rules.
  */
-static double arc(const polycurve_slopes *c, double a, double b)
+static double arc(const divided *d, double a, double b)
 {
-    double low = b < a ? b : a, high = b < a ? a : b, sum = 0.0, at[2];
-    double most = POLYCURVE_TOLERANCE * largest_length(c, low, high);
-    size_t count = slowest(c, low, high, at);
-    for (size_t i = 0; i < count; i++) {
-        sum += piece(c, low, at[i], most);
-        low = at[i];
+    double low = b < a ? b : a, high = b < a ? a : b, sum = 0.0;
+    double most = POLYCURVE_TOLERANCE * largest_length(&d->c, low, high);
+    for (size_t i = 0; i < d->count; i++) {
+        if (d->at[i] > low && d->at[i] < high) {
+            sum += piece(&d->c, low, d->at[i], most);
+            low = d->at[i];
+        }
     }
-    sum += piece(c, low, high, most);
+    sum += piece(&d->c, low, high, most);
     return b < a ? -sum : sum;
 }
 
 float nkw_vec3_cubic_length(nkw_cubic_kind kind, const nkw_vec3_cubic *cubic, float from, float to)
 {
     polycurve_slopes c = polycurve_slopes_of(kind, cubic);
-    return (float)arc(&c, from, to);
+    divided d = divided_between(&c, from < to ? from : to, from < to ? to : from);
+    return (float)arc(&d, from, to);
 }
 
 nkw_vec3_curve_point nkw_polycurve_point(const nkw_polycurve *curve, nkw_segment at)
@@ -162,9 +171,10 @@ nkw_result nkw_polycurve_measure(const nkw_polycurve *curve, size_t steps, float
     lengths[0] = 0.0f;
     for (size_t k = 0; k < curve->count; k++) {
         polycurve_slopes c = polycurve_slopes_of(curve->kind, &curve->cubics[k]);
+        divided d = divided_between(&c, 0.0, 1.0);
         for (size_t i = 0; i < steps; i++) {
             if (result == NKW_OK)
-                sum += arc(&c, (double)i / (double)steps, (double)(i + 1) / (double)steps);
+                sum += arc(&d, (double)i / (double)steps, (double)(i + 1) / (double)steps);
             if (!(sum <= (double)FLT_MAX))
                 result = NKW_NOT_FINITE;
             lengths[k * steps + i + 1] = result == NKW_OK ? (float)sum : lengths[k * steps + i];
@@ -176,9 +186,10 @@ nkw_result nkw_polycurve_measure(const nkw_polycurve *curve, size_t steps, float
 /* The t in low..high with L(t) - L(low) = length, from a first guess; within `most`, or to 2^-40 of the bracket. */
 static double at_length(const polycurve_slopes *c, double low, double high, double guess, double length, double most)
 {
+    divided d = divided_between(c, low, high);
     double start = low, t = guess;
     for (int i = 0; i < POLYCURVE_STEPS && high - low > 0x1p-40; i++) {
-        double error = arc(c, start, t) - length, next = t - error / speed(c, t);
+        double error = arc(&d, start, t) - length, next = t - error / speed(c, t);
         if (lane_abs64(error) <= most)
             break;
         if (error > 0.0)
