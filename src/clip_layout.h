@@ -132,6 +132,20 @@ static inline uint32_t clip_starts(const clip_block *b)
     return count;
 }
 
+/* The place of lane i of a block. */
+static inline uint32_t clip_place_of(const clip_block *b, uint32_t i)
+{
+    return b->contiguous ? b->place + i : block_places(b)[i];
+}
+
+/* Whether a place is that of the first number of a property: of a joint, not of padding. */
+static inline int clip_begins(const nkw_clip *clip, uint32_t kind, uint32_t place)
+{
+    const size_t stride = NKW_POSE_STRIDE((size_t)clip->joints);
+    return kind == GROUP_FLOATS ||
+           (place % stride < clip->joints && (place < stride || (kind == GROUP_NUMBERS && place / stride == 7)));
+}
+
 static inline const float *clip_floats(const nkw_clip *clip, uint32_t offset)
 {
     return (const float *)(const void *)(clip_words(clip) + offset);

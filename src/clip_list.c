@@ -35,12 +35,6 @@ static int is_cubic(const clip_group *g)
     return g->interpolation == NKW_INTERPOLATION_CUBICSPLINE;
 }
 
-/* The place of lane i of a block. */
-static uint32_t place_of(const clip_block *block, uint32_t i)
-{
-    return block->contiguous ? block->place + i : block_places(block)[i];
-}
-
 /* The lane of a place; the number of lanes if the group does not write it. Places of lanes ascend: by bisection. */
 static size_t lane_of(const nkw_clip *clip, const clip_group *g, size_t place)
 {
@@ -48,29 +42,28 @@ static size_t lane_of(const nkw_clip *clip, const clip_group *g, size_t place)
     size_t low = 0, high = g->block_count;
     while (high - low > 1) {
         size_t middle = low + (high - low) / 2;
-        if (blocks[middle].count > 0 && place_of(&blocks[middle], 0) <= place)
+        if (blocks[middle].count > 0 && clip_place_of(&blocks[middle], 0) <= place)
             low = middle;
         else
             high = middle;
     }
     for (uint32_t i = 0; i < blocks[low].count; i++)
-        if (place_of(&blocks[low], i) == place)
+        if (clip_place_of(&blocks[low], i) == place)
             return low * CLIP_BLOCK + i;
     return g->lanes;
 }
 
-/* Sets the property whose first number is at a place. Returns 0 if none is: only in damaged blocks. */
-static int set_target(const nkw_clip *clip, const clip_group *g, uint32_t place, listed *out)
+/* The property whose first number is at a place. */
+static listed listed_at(const nkw_clip *clip, const clip_group *g, uint32_t place)
 {
-    out->group = g;
-    out->place = out->index = place;
-    out->target = NKW_CLIP_FLOATS;
+    listed t = {g, NKW_CLIP_FLOATS, place, place};
     if (g->kind == GROUP_FLOATS)
-        return 1;
-    size_t array = place / stride_of(clip); /* joints are not 0, for the pose contains the place */
-    out->index = (uint32_t)(place % stride_of(clip));
-    out->target = g->kind == GROUP_ROTATIONS ? NKW_CLIP_ROTATION : array == 0 ? NKW_CLIP_TRANSLATION : NKW_CLIP_SCALE;
-    return out->index < clip->joints && (array == 0 || (array == 7 && g->kind == GROUP_NUMBERS));
+        return t;
+    t.index = (uint32_t)(place % stride_of(clip));
+    t.target = g->kind == GROUP_ROTATIONS ? NKW_CLIP_ROTATION
+               : place < stride_of(clip)  ? NKW_CLIP_TRANSLATION
+                                          : NKW_CLIP_SCALE;
+    return t;
 }
 
 /* The last group whose first track is at most `index`; the groups are not none. */
@@ -114,7 +107,8 @@ static int find(const nkw_clip *clip, size_t index, listed *out)
         starts &= starts - 1;
     while (!(starts >> lane & 1))
         lane++;
-    return set_target(clip, g, place_of(b, lane), out);
+    *out = listed_at(clip, g, clip_place_of(b, lane));
+    return 1;
 }
 
 size_t nkw_clip_track_count(const nkw_clip *clip)

@@ -81,11 +81,14 @@ static int check_places(checker *o, const clip_group *g, uint32_t i, uint64_t li
     return 1;
 }
 
-/* The index of the first track, and its lanes, which are written. */
-static int check_starts(checker *o, const clip_block *b)
+/* The index of the first track of a block whose places are checked, and the lanes in which tracks begin. */
+static int check_starts(checker *o, const clip_group *g, const clip_block *b)
 {
     if (b->first != o->tracks || (uint64_t)b->starts >> b->count)
         return 0;
+    for (uint32_t i = 0; i < b->count; i++)
+        if (b->starts >> i & 1 && !clip_begins(o->clip, g->kind, clip_place_of(b, i)))
+            return 0;
     o->tracks += clip_starts(b);
     return 1;
 }
@@ -107,9 +110,8 @@ static nkw_result check_blocks(checker *o, const clip_group *g)
             return NKW_OUT_OF_RANGE;
         int is_run =
             b->contiguous <= g->lanes - lanes && (b->contiguous % CLIP_BLOCK == 0 || lanes + b->contiguous == g->lanes);
-        if (b->count > b->width || !is_run || !check_starts(o, b) ||
-            (b->contiguous && (uint64_t)b->place + b->contiguous > limit) ||
-            (!b->contiguous && !check_places(o, g, i, limit)))
+        if (b->count > b->width || !is_run || (b->contiguous && (uint64_t)b->place + b->contiguous > limit) ||
+            (!b->contiguous && !check_places(o, g, i, limit)) || !check_starts(o, g, b))
             return NKW_OUT_OF_RANGE;
         lanes += b->width;
         add_written(o, g->kind, b->count);

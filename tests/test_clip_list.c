@@ -351,6 +351,8 @@ static void damaged_indices_of_tracks_are_refused(void **state)
                 refused++;
             for (size_t k = 0; clip && k <= nkw_clip_track_count(clip) && nkw_clip_joint_count(clip) == 9; k++) {
                 nkw_clip_track got;
+                assert_int_equal(nkw_clip_track_shape(clip, k, &got),
+                                 k < nkw_clip_track_count(clip) ? NKW_OK : NKW_OUT_OF_RANGE);
                 nkw_clip_track_get(clip, k, &memory, &got, work, sizeof work / sizeof *work);
             }
             words[i] ^= 1u << bit;
