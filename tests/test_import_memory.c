@@ -99,7 +99,7 @@ static nkw_import_result open_keys(void)
         "{\"columns\":\"tx,ty,tz,qx,qy,qz,qw\",\"rows\":["
         "{\"name\":\"a\",\"time\":1,\"clip\":3,\"values\":[1,2,3,null,null,null,null]},"
         "{\"name\":\"b\",\"time\":0.5,\"clip\":\"c\",\"parent\":\"a\",\"values\":[1,2,3,0,0,1,0]}]}";
-    const nkw_import_memory memory = {text, sizeof text - 1, "keys.json", NULL, NULL, NULL};
+    const nkw_import_memory memory = {text, sizeof text - 1, "keys.json", NULL, NULL, NULL, 0};
     nkw_document *d;
     nkw_import_error error;
     nkw_import_result result = nkw_document_open_memory(&memory, &d, &error);
@@ -118,7 +118,7 @@ static nkw_import_result open_outer(void)
         "\"targets\":[{\"POSITION\":0}]}]}]}";
     static const float numbers[12];
     outer o = {numbers, sizeof numbers};
-    const nkw_import_memory memory = {text, sizeof text - 1, "test.gltf", NULL, read_outer, &o};
+    const nkw_import_memory memory = {text, sizeof text - 1, "test.gltf", NULL, read_outer, &o, 0};
     nkw_document *d;
     nkw_import_error error;
     nkw_import_result result = nkw_document_open_memory(&memory, &d, &error);
@@ -142,7 +142,7 @@ static void expect_document(const nkw_gltf_file *file)
 {
     const long left = until_failure;
     outer o = {file->outer, file->outer_bytes};
-    const nkw_import_memory memory = {file->data, file->bytes, "written", NULL, read_outer, &o};
+    const nkw_import_memory memory = {file->data, file->bytes, "written", NULL, read_outer, &o, 0};
     nkw_document *d;
     until_failure = -1;
     assert_int_equal(nkw_document_open_memory(&memory, &d, NULL), NKW_IMPORT_OK);

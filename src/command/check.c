@@ -15,7 +15,7 @@ static const options_text text = {
     "severity, what, and how much.\n\n"
     "  error     unsorted-time, not-finite, not-unit, joint-out-of-range, bad-weight, refused\n"
     "  warning   duplicate-time, short-segment, not-unit, over-half-turn, long-way, non-positive-scale (negative),\n"
-    "            weights-sum, unused-joint-out-of-range, singular-matrix, unread-channel\n"
+    "            weights-sum, unused-joint-out-of-range, singular-matrix, unread-channel, as-read\n"
     "  note      rounded-unit, sign-flip, half-turn, non-positive-scale (zero), constant, spare-keys, open-loop,\n"
     "            added-keys\n\n"
     "Errors and warnings make the exit code 1, with --strict notes too.\n",
@@ -75,8 +75,18 @@ static void check_clip(check *c, size_t animation, int notes)
     check_loop(c, animation);
 }
 
+static void check_warnings(check *c)
+{
+    for (size_t i = 0; i < c->document->warning_count; i++) {
+        finding f = finding_of(SEVERITY_WARNING, "as-read");
+        snprintf(f.detail, sizeof f.detail, "%.150s", c->document->warnings[i]);
+        findings_add(&c->found, &f);
+    }
+}
+
 static void check_document(check *c, int notes)
 {
+    check_warnings(c);
     check_model(c);
     for (size_t i = 0; i < c->document->animation_count; i++)
         check_clip(c, i, notes);

@@ -60,7 +60,8 @@ void options_close(options *o);
 int options_misuse(const options *o, const char *which, const char *what);
 
 #define OPTIONS_END                                                                                                    \
-    {"quiet", 0, POPT_ARG_NONE, NULL, 'q', "show no progress of long work", NULL},                                     \
+    {"bvh-offset", 0, POPT_ARG_STRING, NULL, 'b', "of BVH: positions replace OFFSET (default) or add to it", "HABIT"}, \
+        {"quiet", 0, POPT_ARG_NONE, NULL, 'q', "show no progress of long work", NULL},                                 \
         {"help", 'h', POPT_ARG_NONE, NULL, 'h', "print this help", NULL}, POPT_TABLEEND
 
 /** The number of `text`, all of it, finite. Returns 0 if it is none. */
@@ -71,6 +72,14 @@ int options_index(const char *text, size_t *index);
 int options_word(const char *word, const char *const *words, int count);
 
 /* ---- input.c ---- */
+
+/** Whether positions of BVH are added to the OFFSET of their joint: --bvh-offset. */
+void input_set_bvh(int adds_offset);
+int input_bvh_adds(void);
+/** The folder of a path, to be freed; NULL without memory. */
+char *input_folder(const char *path);
+/** Prints the warnings of a document on stderr. */
+void input_warn(const nkw_document *document);
 
 /**
  * Whether the first `length` characters of `text` name a joint: its name, or, if no node has it as its name, the number

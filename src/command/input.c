@@ -9,6 +9,18 @@
 /* The standard input is kept in memory; more is an error. */
 #define STDIN_MOST ((size_t)1 << 31)
 
+static int bvh_adds;
+
+void input_set_bvh(int adds_offset)
+{
+    bvh_adds = adds_offset;
+}
+
+int input_bvh_adds(void)
+{
+    return bvh_adds;
+}
+
 void input_report(const nkw_import_error *error)
 {
     output_text(stderr, error->file);
@@ -67,7 +79,7 @@ unsigned char *input_read(const char *path, size_t *bytes)
 static nkw_document *open_stdin(nkw_import_error *error)
 {
     nkw_document *document = NULL;
-    nkw_import_memory memory = {NULL, 0, "-", ".", NULL, NULL};
+    nkw_import_memory memory = {NULL, 0, "-", ".", NULL, NULL, input_bvh_adds()};
     unsigned char *data = read_all(stdin, &memory.bytes);
     memory.data = data;
     if (data)
@@ -81,15 +93,59 @@ static nkw_document *open_stdin(nkw_import_error *error)
     return document;
 }
 
+/* The folder of a path, with its last separator; "." without one. */
+char *input_folder(const char *path)
+{
+    const char *end = strrchr(path, '/');
+    size_t length = end ? (size_t)(end - path) + 1 : 1;
+    char *folder = malloc(length + 1);
+    if (folder) {
+        memcpy(folder, end ? path : ".", length);
+        folder[length] = 0;
+    }
+    return folder;
+}
+
+/* A file whose reading has options: nkw_document_open has none. */
+static nkw_document *open_with_options(const char *path, nkw_import_error *error)
+{
+    nkw_document *document = NULL;
+    char *folder = input_folder(path);
+    nkw_import_memory memory = {NULL, 0, path, folder, NULL, NULL, input_bvh_adds()};
+    unsigned char *data = folder ? input_read(path, &memory.bytes) : NULL;
+    memset(error, 0, sizeof *error);
+    memory.data = data;
+    if (data && nkw_document_open_memory(&memory, &document, error) != NKW_IMPORT_OK)
+        input_report(error);
+    free(data);
+    free(folder);
+    return document;
+}
+
+void input_warn(const nkw_document *document)
+{
+    for (size_t i = 0; i < document->warning_count; i++) {
+        output_text(stderr, document->file);
+        fputs(": warning: ", stderr);
+        output_text(stderr, document->warnings[i]);
+        fputs("\n", stderr);
+    }
+}
+
 nkw_document *input_open(const char *path)
 {
     nkw_document *document = NULL;
     nkw_import_error error;
-    if (strcmp(path, "-") == 0)
+    const int is_stdin = strcmp(path, "-") == 0;
+    if (is_stdin)
         document = open_stdin(&error);
+    else if (input_bvh_adds())
+        document = open_with_options(path, &error);
     else
         nkw_document_open(path, &document, &error);
-    if (!document)
+    if (document)
+        input_warn(document);
+    else if (is_stdin || !input_bvh_adds())
         input_report(&error);
     return document;
 }

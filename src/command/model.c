@@ -7,27 +7,15 @@
 
 /* ---- the source ---- */
 
-/* The folder of a path, with its last separator; "." without one. */
-static char *folder_of(const char *path)
-{
-    const char *end = strrchr(path, '/');
-    size_t length = end ? (size_t)(end - path) + 1 : 1;
-    char *folder = malloc(length + 1);
-    if (folder) {
-        memcpy(folder, end ? path : ".", length);
-        folder[length] = 0;
-    }
-    return folder;
-}
-
 int model_source_open(model_source *s, const char *path)
 {
     const int is_stdin = strcmp(path, "-") == 0;
     nkw_import_error error;
     memset(s, 0, sizeof *s);
     s->memory.file = path;
-    s->folder = folder_of(is_stdin ? "." : path);
+    s->folder = input_folder(is_stdin ? "." : path);
     s->memory.folder = s->folder;
+    s->memory.bvh_adds_offset = input_bvh_adds();
     s->data = input_read(path, &s->memory.bytes);
     s->memory.data = s->data;
     if (!s->data || !s->folder)
@@ -36,6 +24,8 @@ int model_source_open(model_source *s, const char *path)
         s->document = input_open(path);
     else if (nkw_document_open_memory(&s->memory, &s->document, &error) != NKW_IMPORT_OK)
         input_report(&error);
+    else
+        input_warn(s->document);
     return s->document != NULL;
 }
 
@@ -161,8 +151,8 @@ static void count_bytes(const nkw_document_animation *a, size_t *keys, size_t *b
 
 static nkw_clip_reduction reduction_of(const nkw_document *d, const extent *e, float tolerance)
 {
-    const nkw_clip_reduction r = {
-        d->skeleton.parents, tolerance, 0.0f, extent_tolerances(e, d, tolerance), e->radius, tolerance / e->size};
+    const nkw_clip_reduction r = {d->skeleton.parents, tolerance,          0.0f, extent_tolerances(e, d, tolerance),
+                                  e->radius,           tolerance / e->size};
     return r;
 }
 

@@ -44,6 +44,20 @@ static int take_files(options *o, const options_text *text)
     return 1;
 }
 
+/* --bvh-offset */
+static int read_habit(options *o)
+{
+    static const char *const habits[] = {"replace", "add"};
+    char *text = poptGetOptArg(o->context);
+    const int habit = options_word(text ? text : "", habits, 2);
+    if (habit < 0)
+        o->code = options_misuse(o, "--bvh-offset", "not replace or add");
+    else
+        input_set_bvh(habit);
+    free(text);
+    return habit >= 0;
+}
+
 int options_read(options *o, const options_text *text, const struct poptOption *table, int argc, const char **argv)
 {
     o->context = poptGetContext(argv[0], argc, argv, table, 0);
@@ -58,6 +72,8 @@ int options_read(options *o, const options_text *text, const struct poptOption *
         }
         if (option == 'q')
             progress_silence();
+        if (option == 'b' && !read_habit(o))
+            return 0;
         if (option < -1) {
             o->code = options_misuse(o, poptBadOption(o->context, POPT_BADOPTION_NOALIAS), poptStrerror(option));
             return 0;

@@ -75,19 +75,6 @@ static int is_source(const nkwi_assimp *a, int32_t node, int property)
     return !p || p->sources[property] == node;
 }
 
-/*
- * In BVH the channels of a position are added to the offset of the joint; Assimp keeps the channels only. A joint
- * without such channels has one key, its offset.
- */
-static nkw_vec3 offset_of(const nkwi_assimp *a, int32_t node, const struct aiVectorKey *keys, size_t count)
-{
-    const nkw_vec3 none = {0.0f, 0.0f, 0.0f};
-    const float *m = a->locals[node].m;
-    const nkw_vec3 offset = {m[12], m[13], m[14]};
-    int is_offset = keys->mValue.x == offset.x && keys->mValue.y == offset.y && keys->mValue.z == offset.z;
-    return strstr(a->document->all.format, "BVH") && (count > 1 || !is_offset) ? offset : none;
-}
-
 static int read_vectors(reader *r, size_t number, int32_t node, nkw_clip_target target, const struct aiVectorKey *keys,
                         size_t count)
 {
@@ -99,7 +86,7 @@ static int read_vectors(reader *r, size_t number, int32_t node, nkw_clip_target 
         return fail_channel(r, "channels", number, "the channel has no keys");
     if (!begin_track(r, number, nkwi_assimp_joint(r->a, node), target, 3, count, &times, &values))
         return 0;
-    const nkw_vec3 offset = p ? p->offset : offset_of(r->a, node, keys, count);
+    const nkw_vec3 none = {0.0f, 0.0f, 0.0f}, offset = p ? p->offset : none;
     for (size_t i = 0; i < count; i++) {
         nkw_vec3 v = {keys[i].mValue.x, keys[i].mValue.y, keys[i].mValue.z};
         if (target == NKW_CLIP_TRANSLATION)

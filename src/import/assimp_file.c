@@ -182,8 +182,7 @@ static const char *extension_of_content(const nkw_import_memory *memory)
     static const struct {
         size_t most;
         const char *text, *extension;
-    } marks[] = {{64, "HIERARCHY", ".bvh"},
-                 {4, "xof ", ".x"},
+    } marks[] = {{4, "xof ", ".x"},
                  {32, "Kaydara FBX Binary", ".fbx"},
                  {1024, "FBXHeaderExtension", ".fbx"},
                  {16, "; FBX ", ".fbx"},

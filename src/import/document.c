@@ -3,6 +3,7 @@
 #include "document.h"
 
 #include <stdint.h>
+#include <stdarg.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -37,6 +38,24 @@ const char *nkwi_document_name(nkwi_document *document, nkw_import_error *error,
         return nkwi_document_text(document, error, name);
     snprintf(made, sizeof made, "%s_%zu", kind, number);
     return nkwi_document_text(document, error, made);
+}
+
+int nkwi_document_warn(nkwi_document *d, nkw_import_error *error, const char *format, ...)
+{
+    char text[200];
+    va_list arguments;
+    va_start(arguments, format);
+    vsnprintf(text, sizeof text, format, arguments);
+    va_end(arguments);
+    if (!d->warnings)
+        d->warnings = (const char **)nkwi_document_take(d, error, NULL, NKWI_WARNINGS, sizeof *d->warnings);
+    d->all.warnings = d->warnings;
+    if (!d->warnings || d->all.warning_count == NKWI_WARNINGS)
+        return d->warnings != NULL;
+    const char *copy = nkwi_document_text(d, error, text);
+    if (copy)
+        d->warnings[d->all.warning_count++] = copy;
+    return copy != NULL;
 }
 
 /* The places of the morph weights of each joint, after those of the joints before it. */
@@ -121,6 +140,8 @@ static int read_format(nkwi_document *d, const nkw_import_memory *memory, nkw_im
 {
     if (nkwi_gltf_is(memory->data, memory->bytes))
         return nkwi_gltf_read(d, memory, error);
+    if (nkwi_bvh_is(memory->data, memory->bytes))
+        return nkwi_bvh_read(d, memory, error);
     if (nkwi_keys_is(memory->data, memory->bytes))
         return nkwi_keys_read(d, memory, error);
 #if defined(NKWI_ASSIMP)
@@ -190,7 +211,7 @@ nkw_import_result nkw_document_open_memory(const nkw_import_memory *memory, nkw_
 nkw_import_result nkw_document_open(const char *path, nkw_document **document, nkw_import_error *error)
 {
     nkw_import_error other;
-    nkw_import_memory memory = {NULL, 0, path, NULL, nkwi_folder_reader, NULL};
+    nkw_import_memory memory = {NULL, 0, path, NULL, nkwi_folder_reader, NULL, 0};
     void *data;
     error = error ? error : &other;
     nkwi_fault_none(error, path);

@@ -12,6 +12,7 @@ typedef struct nkwi_document {
     nkwi_memory memory;
     nkw_document_node *nodes; /* all.nodes, to be completed */
     float *rest_floats; /* all.rest_floats, the same */
+    const char **warnings; /* all.warnings, the same */
 } nkwi_document;
 
 /* The most bytes that a document of `bytes` bytes of files may allocate. No valid file is known that needs more. */
@@ -39,9 +40,20 @@ int nkwi_document_nodes(nkwi_document *document, nkw_import_error *error, const 
 /* The folder of the memory as its reader, if it has none. The name of the folder is to be freed. */
 int nkwi_document_reader(nkw_import_memory *memory, char **folder, nkw_import_error *error);
 
+/*
+ * Adds a warning: what is odd in the file, and how it is read. After NKWI_WARNINGS no more are added. Returns 0, and
+ * the error, without memory.
+ */
+enum { NKWI_WARNINGS = 16 };
+int nkwi_document_warn(nkwi_document *document, nkw_import_error *error, const char *format, ...) NKWI_PRINTS(3, 4);
+
 /* glTF 2.0 (gltf.c): whether the first bytes are those of a glTF file, and reading it. */
 int nkwi_gltf_is(const void *data, size_t bytes);
 int nkwi_gltf_read(nkwi_document *document, const nkw_import_memory *memory, nkw_import_error *error);
+
+/* BVH (bvh.c): the same. */
+int nkwi_bvh_is(const void *data, size_t bytes);
+int nkwi_bvh_read(nkwi_document *document, const nkw_import_memory *memory, nkw_import_error *error);
 
 /* Keys in CSV (keys.c): the same. */
 int nkwi_keys_is(const void *data, size_t bytes);

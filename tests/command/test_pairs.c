@@ -103,7 +103,7 @@ static void every_pair_of_options_ends_and_writes_what_is_read(void **state)
 static void every_option_is_paired(void **state)
 {
     (void)state;
-    const char *const others[] = {"--output", "--quiet", "--help", "--watch"};
+    const char *const others[] = {"--output", "--quiet", "--help", "--watch", "--bvh-offset"};
     for (size_t i = 0; i < sizeof subcommands / sizeof *subcommands; i++) {
         const subcommand *s = &subcommands[i];
         char *help = program_run(NULL, "%s --help", s->name);
@@ -116,7 +116,7 @@ static void every_option_is_paired(void **state)
             int found = 0;
             for (int k = 0; k < MOST && s->options[k]; k++)
                 found |= name_length(s->options[k]) == length && strncmp(s->options[k], option, length) == 0;
-            for (int k = 0; k < 4; k++)
+            for (int k = 0; k < 5; k++)
                 found |= strlen(others[k]) == length && strncmp(others[k], option, length) == 0;
             if (!found)
                 fail_msg("%s: %.*s is in no pair", s->name, (int)length, option);

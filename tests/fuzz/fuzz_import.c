@@ -149,7 +149,7 @@ static void read_again(nkw_gltf_file *file, nkw_import_result result, const nkw_
 {
     nkw_document *again = NULL;
     nkw_import_error error;
-    const nkw_import_memory memory = {file->data, file->bytes, "written", NULL, read_data, outer};
+    const nkw_import_memory memory = {file->data, file->bytes, "written", NULL, read_data, outer, 0};
     if (result == NKW_IMPORT_OK) {
         nkw_document_open_memory(&memory, &again, &error);
         FUZZ_CHECK(again && again->skeleton.joint_count == d->skeleton.joint_count);
@@ -194,7 +194,7 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
     void *outer = fuzz_byte(&f) % 2 ? fuzz_bytes(&f, DATA) : (void *)fuzz_floats(&f, DATA / 4, 0);
     for (size_t i = 0; i < edits && length > 0; i++)
         length = edit(&f, text, length);
-    nkw_import_memory memory = {text, length, "fuzz", NULL, read_data, outer};
+    nkw_import_memory memory = {text, length, "fuzz", NULL, read_data, outer, 0};
     for (int raw = 0; raw < 2; raw++) {
         nkw_document *d;
         nkw_import_error error;

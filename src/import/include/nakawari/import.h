@@ -156,7 +156,7 @@ typedef struct nkw_document_animation {
     const nkw_clip_track *tracks; /**< track_count */
     const nkw_document_channel *channels; /**< track_count */
     size_t track_count;
-    const nkw_document_unread *unread; /**< unread_count; of glTF: KHR_animation_pointer, weights without morph targets */
+    const nkw_document_unread *unread; /**< unread_count; of glTF: KHR_animation_pointer, weights without targets */
     size_t unread_count;
 } nkw_document_animation;
 
@@ -192,6 +192,8 @@ typedef struct nkw_document {
     const nkw_document_scene *scenes;
     size_t scene_count;
     int32_t scene; /**< the scene to show, or NKW_NO_JOINT */
+    const char *const *warnings; /**< warning_count: what is odd in the file, and how it was read */
+    size_t warning_count;
 } nkw_document;
 
 /* ---- Reading ---- */
@@ -213,12 +215,13 @@ typedef struct nkw_import_memory {
     const char *folder; /**< the folder of outer files, which end in no other folder; NULL: outer files are errors */
     nkw_import_reader reader; /**< NULL; or reads outer files in place of the folder */
     void *user; /**< for the reader */
+    int bvh_adds_offset; /**< of BVH: 1 if positions are added to the OFFSET of their joint; 0: they replace it */
 } nkw_import_memory;
 
 /**
- * Reads a file: glTF 2.0 as .gltf, .glb or .vrm, or keys in CSV or JSON, recognised by its content; with Assimp FBX,
- * Collada, X, MD5, BVH, OBJ and others, recognised by their content, otherwise by the extension of the file. Outer files
- * are read from its folder and the folders below.
+ * Reads a file: glTF 2.0 as .gltf, .glb or .vrm, BVH, or keys in CSV or JSON, recognised by its content; with Assimp
+ * FBX, Collada, X, MD5, OBJ and others, recognised by their content, otherwise by the extension of the file. Outer
+ * files are read from its folder and the folders below.
  *
  * document  receives the document, to be closed; NULL after an error
  * error     receives what went wrong; code is NKW_IMPORT_OK without an error; may be NULL
