@@ -76,6 +76,9 @@ static void lengths_in_closed_form_come_out(void **state)
     /* A cusp at t = 1/2: 2 sqrt(2) - 1 */
     nkw_vec3_cubic cusp = cubic(vec3(0, 0, 0), vec3(1, 1, 0), vec3(0, 1, 0), vec3(1, 0, 0));
     expect_near(nkw_vec3_cubic_length(NKW_CUBIC_BEZIER, &cusp, 0, 1), 1.8284271247461903, 1e-7);
+    double after = chords(NKW_CUBIC_BEZIER, &cusp, 0.5, 1);
+    expect_near(nkw_vec3_cubic_length(NKW_CUBIC_BEZIER, &cusp, 0.495f, 1),
+                chords(NKW_CUBIC_BEZIER, &cusp, (double)0.495f, 0.5) + after, 1e-7);
     /* x = 6t - 15t^2 + 10t^3 turns at t = (1 -+ sqrt(1/5))/2: 1/sqrt(5) forward, again back, and 1 more */
     nkw_vec3_cubic back = cubic(vec3(0, 0, 0), vec3(2, 0, 0), vec3(-1, 0, 0), vec3(1, 0, 0));
     double low = 0.5 * (1 - sqrt(0.2)), high = 1 - low;
