@@ -234,6 +234,27 @@ static void validate_names_the_first_offender(void **state)
     assert_int_equal(bad, 0);
 }
 
+static void each_part_of_the_shape_is_checked(void **state)
+{
+    (void)state;
+    const float samples[6] = {0, 0, 1, 2, 3, 4};
+    size_t bad = 9;
+    nkw_blendspace space = space_of(samples, 2, 2, NKW_BLENDSPACE_POLAR);
+    assert_int_equal(nkw_blendspace_validate(&space, &bad), NKW_OK);
+    space.dimension = 3;
+    assert_int_equal(nkw_blendspace_validate(&space, &bad), NKW_BAD_METHOD);
+    space.kind = NKW_BLENDSPACE_CARTESIAN;
+    assert_int_equal(nkw_blendspace_validate(&space, &bad), NKW_OK);
+    space.kind = (nkw_blendspace_kind)2;
+    assert_int_equal(nkw_blendspace_validate(&space, &bad), NKW_BAD_METHOD);
+    space.dimension = 0;
+    assert_int_equal(nkw_blendspace_validate(&space, &bad), NKW_EMPTY);
+    space.dimension = 2;
+    space.count = 0;
+    assert_int_equal(nkw_blendspace_validate(&space, &bad), NKW_EMPTY);
+    assert_int_equal(bad, 0);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -247,6 +268,7 @@ int main(void)
         cmocka_unit_test(numbers_that_are_not_finite_are_defined),
         cmocka_unit_test(validate_names_the_first_offender),
         cmocka_unit_test(polar_weights_are_those_of_the_definition),
+        cmocka_unit_test(each_part_of_the_shape_is_checked),
     };
     return cmocka_run_group_tests_name("blendspace", tests, NULL, NULL);
 }

@@ -57,6 +57,24 @@ static void limits_twice_are_limits_once(void **state)
     }
 }
 
+/* A rest rotation that is not finite has no limits; a zero one counts as the identity. */
+static void a_rest_that_is_not_finite_is_no_limit(void **state)
+{
+    (void)state;
+    random_source r = random_from(10);
+    for (int i = 0; i < 12; i++) {
+        const nkw_quat q = random_rotation(&r);
+        nkw_limit limit = {nkw_quat_identity(), random_direction(&r), random_direction(&r), 0.1f, 0.1f, -0.1f, 0.1f};
+        const nkw_quat limited = nkw_limit_apply(&limit, q);
+        assert_true(nkw_quat_angle(limited, q) > 0.01f);
+        memset(&limit.rest, 0, sizeof limit.rest);
+        expect_quat_bits(nkw_limit_apply(&limit, q), limited);
+        limit.rest = nkw_quat_identity();
+        (&limit.rest.x)[i % 4] = i / 4 == 0 ? NAN : i / 4 == 1 ? INFINITY : -INFINITY;
+        expect_quat_bits(nkw_limit_apply(&limit, q), q);
+    }
+}
+
 /* The angle of the swing of q, from |(w, part along the axis)| = cos of its half. */
 static double swing_angle(nkw_quat q, nkw_vec3 axis)
 {
@@ -258,6 +276,7 @@ int main(void)
         cmocka_unit_test(swing_and_twist_are_limited_apart),
         cmocka_unit_test(no_axis_and_no_number_are_no_limit),
         cmocka_unit_test(odd_limits_are_defined),
+        cmocka_unit_test(a_rest_that_is_not_finite_is_no_limit),
     };
     return cmocka_run_group_tests_name("limit", tests, NULL, NULL);
 }

@@ -250,6 +250,9 @@ static void counts_that_differ_are_refused(void **state)
     assert_int_equal(nkw_pose_dead_blend_begin(&fast, dead), NKW_MISMATCHED);
     assert_int_equal(nkw_pose_dead_blend_evaluate(dead, few, 1, pose_span(s.out, JOINTS)), NKW_MISMATCHED);
     assert_int_equal(nkw_pose_velocity_from_poses(view, few, 1, v), NKW_MISMATCHED);
+    assert_int_equal(nkw_pose_velocity_from_poses(few, view, 1, v), NKW_MISMATCHED);
+    dead.joint_count = 3;
+    assert_int_equal(nkw_pose_dead_blend_evaluate(dead, view, 1, pose_span(s.out, JOINTS)), NKW_MISMATCHED);
     assert_int_equal(nkw_pose_inertia_begin(&none, &none, 1, empty), NKW_OK);
     assert_int_equal(nkw_pose_inertia_evaluate(empty, none.pose, 1, pose_span(NULL, 0)), NKW_OK);
     assert_int_equal(nkw_pose_dead_blend_begin(&none, no_dead), NKW_OK);
