@@ -358,6 +358,27 @@ static void turning_back_is_the_opposite_turn(void **state)
     }
 }
 
+/* F is the float nearest to pi, a little more than pi: from F to 0 it is nearer to go on, by 2 pi - F. */
+static void half_turns_are_rounded_for_each_direction(void **state)
+{
+    (void)state;
+    const double pi = 3.14159265358979323846;
+    random_source r = random_from(13);
+    const float f = (float)pi;
+    expect_bits(nkw_angle_difference(0.0f, f), f);
+    expect_bits(nkw_angle_difference(f, 0.0f), (float)(2.0 * pi - (double)f));
+    for (int i = 0; i < COUNT; i++) {
+        float from = random_between(&r, -3.0f, 3.0f), to = from + f;
+        for (int way = 0; way < 2; way++) {
+            double exact = way ? (double)from - (double)to : (double)to - (double)from;
+            exact += exact <= -pi ? 2.0 * pi : exact > pi + 2e-7 ? -2.0 * pi : 0.0;
+            float got = way ? nkw_angle_difference(to, from) : nkw_angle_difference(from, to);
+            double off = fabs((double)got - exact);
+            assert_true(off <= 2e-7 || fabs(off - 2.0 * pi) <= 4e-7);
+        }
+    }
+}
+
 static void smoothstep_is_the_same_from_both_ends(void **state)
 {
     (void)state;
@@ -537,6 +558,7 @@ int main(void)
         cmocka_unit_test(the_cosine_is_even_in_every_bit),
         cmocka_unit_test(atan2_is_odd_in_y_in_every_bit),
         cmocka_unit_test(turning_back_is_the_opposite_turn),
+        cmocka_unit_test(half_turns_are_rounded_for_each_direction),
         cmocka_unit_test(smoothstep_is_the_same_from_both_ends),
         cmocka_unit_test(sin_and_cos_of_hard_arguments_are_known),
         cmocka_unit_test(famous_numbers_are_rounded_correctly),

@@ -326,8 +326,9 @@ NKW_API float nkw_wrap_angle(float angle);
  *
  * from, to  every finite float; each is reduced before the subtraction
  * Returns   the float nearest to the exact difference, to within 2e-15 rad. difference(to, from) is
- *           -difference(from, to), except for half turns: where they round to F or -F, both are F. NaN if either
- *           angle is infinite.
+ *           -difference(from, to), except next to half turns, where both can be positive: with F, the float nearest
+ *           to pi, difference(0, F) is F and difference(F, 0) is 2 pi - F, the float below F. NaN if either angle is
+ *           infinite.
  *
  * Error  0.5001 ULP for differences above 1e-6 (0.500067 at 0x1.1166bp3, 0x1.159728p9); 2e-15 rad
  *        more than rounding below

@@ -20,6 +20,19 @@ foreach(stem IN LISTS NKW_STEMS)
   endif()
 endforeach()
 
+# The page of the floors lists each header under its floor: from the line of the floor to that of the one below.
+file(READ "${SOURCE}/docs/floors/0-base.md" page)
+foreach(floor RANGE 6)
+  string(REGEX MATCH "\n${floor}  [a-z]+ [^`]*" listed "${page}")
+  math(EXPR below "${floor} - 1")
+  string(REGEX REPLACE "\n${below}  .*" "" listed "${listed}")
+  foreach(stem IN LISTS NKW_FLOOR_${floor})
+    if(NOT listed MATCHES "[ ]${stem}([, \n]|$)")
+      message(SEND_ERROR "floors: docs/floors/0-base.md does not list ${stem}.h at floor ${floor}")
+    endif()
+  endforeach()
+endforeach()
+
 # The full name of what a line of `file` includes.
 function(included file line out)
   string(REGEX REPLACE "^#include [\"<]([^\">]+)[\">].*$" "\\1" used "${line}")
