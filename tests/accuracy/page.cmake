@@ -22,9 +22,10 @@ which the search started.
 
 The errors of floors 2 to 6 are the largest that a search found, not proven bounds, unless a header states a bound. The
 search starts at the worst of 300 samples. It changes one of the random numbers that the sample is computed from: by 1
-to 2^20 units in the last place, to fewer bits, in one of its highest bits, or to any other number. It keeps the change
-if the error does not decrease. After 3000 changes without an increase it starts again from other samples. The columns
-samples and rms do not include the search. Noted rows are not searched.
+to 2^20 units in the last place, to fewer bits, in one of its highest bits, by whole exponents about the middle of its
+range, to one equal or opposite to another, or to any other number. It keeps the change if the error does not decrease.
+After 3000 changes without an increase it starts again from other samples. The columns samples and rms do not include
+the search. Noted rows are not searched. A row may be of an earlier run that found more, if the function is the same.
 ")
 include("${CMAKE_CURRENT_LIST_DIR}/../../src/stems.cmake")
 foreach(stem IN LISTS NKW_STEMS)
