@@ -123,6 +123,34 @@ static void strides_alignment_and_place_change_no_bit(void **state)
     assert_int_equal(out[0], 0x5a);
 }
 
+/* Packed vectors at any byte, of the output or of a target; and a target with gaps beside a packed output. */
+static void packed_vectors_may_be_at_odd_addresses(void **state)
+{
+    (void)state;
+    enum { GAP = 16 };
+    static unsigned char out[sizeof(nkw_vec3) * VERTICES + 4], packed[sizeof(nkw_vec3) * VERTICES + 4],
+        wide[GAP * VERTICES];
+    random_source r = random_from(6);
+    draw_face(&r, &f);
+    for (size_t i = 0; i < VERTICES; i++)
+        memcpy(wide + GAP * i, &f.deltas[1][i], sizeof(nkw_vec3));
+    f.targets[1].deltas.positions = stream(wide, GAP);
+    for (size_t odd = 0; odd < 4; odd++) {
+        memcpy(packed + odd, f.deltas[0], sizeof f.deltas[0]);
+        f.targets[0].deltas.positions = stream(packed + odd, 0);
+        for (size_t at = 0; at < 4; at++) {
+            nkw_vertices_view in = {stream(f.base, 0), {NULL, 0}, {NULL, 0}, {NULL, 0}};
+            nkw_vertices_span to = {stream_span(out + at, 0), {NULL, 0}, {NULL, 0}, {NULL, 0}};
+            nkw_morph_apply(&f.morph, f.weights, &in, &to);
+            for (size_t i = 0; i < VERTICES; i++) {
+                nkw_vec3 got;
+                memcpy(&got, out + at + i * sizeof got, sizeof got);
+                expect_vec3_bits(got, expected(&f, i, 0));
+            }
+        }
+    }
+}
+
 static void targets_without_weight_are_not_read(void **state)
 {
     (void)state;
@@ -159,6 +187,8 @@ static void what_is_not_there_has_no_effect(void **state)
     draw_face(&r, &f);
     f.targets[2].deltas.normals.data = NULL;
     f.weights[5] = 0;
+    f.targets[3].indices = f.indices; /* sparse after a sparse one that has weight */
+    f.weights[3] = 0;
     f.targets[6].deltas.positions.data = NULL;
     nkw_vertices_view in = {stream(f.base, 0), stream(f.normals, 0), {NULL, 0}, {NULL, 0}};
     nkw_vertices_span to = {stream_span(out, 0), stream_span(out_normals, 0), {NULL, 0}, {NULL, 0}};
@@ -167,12 +197,12 @@ static void what_is_not_there_has_no_effect(void **state)
         want[i] = f.base[i];
         want_normals[i] = f.normals[i];
         for (size_t t = 0; t < TARGETS; t++) {
-            if (t != 2 && t < 5)
+            if (t != 2 && t != 3 && t < 5)
                 want[i] = add(want[i], f.weights[t], f.deltas[t][i]);
             for (size_t k = 0; t == 2 && k < SPARSE; k++)
                 if (f.indices[k] == i)
                     want[i] = add(want[i], f.weights[t], f.deltas[t][k]);
-            if (t != 2 && t != 5)
+            if (t != 2 && t != 3 && t != 5)
                 want_normals[i] = add(want_normals[i], f.weights[t], f.normal_deltas[t][i]);
         }
     }
@@ -239,6 +269,7 @@ int main(void)
         cmocka_unit_test(indices_after_the_last_are_not_used),
         cmocka_unit_test(validate_names_the_first_offender),
         cmocka_unit_test(what_is_not_there_has_no_effect),
+        cmocka_unit_test(packed_vectors_may_be_at_odd_addresses),
     };
     return cmocka_run_group_tests_name("morph", tests, NULL, NULL);
 }
