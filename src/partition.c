@@ -491,7 +491,7 @@ static void write_vertex(const plan *p, nkw_partition *out, size_t v)
     for (size_t i = 0; i < n; i++) {
         float w = p->mesh->weights[v * n + i];
         out->weights[at * n + i] = w;
-        out->slots[at * n + i] = w != 0.0f ? (uint16_t)p->in_bin[p->mesh->joints[v * n + i]] : 0;
+        out->joint_slots[at * n + i] = w != 0.0f ? (uint16_t)p->in_bin[p->mesh->joints[v * n + i]] : 0;
     }
 }
 

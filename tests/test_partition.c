@@ -129,7 +129,7 @@ static void a_strip_of_six_triangles_comes_out_as_by_hand(void **state)
     assert_memory_equal(p.triangles, triangles, sizeof triangles);
     assert_memory_equal(p.indices, indices, sizeof indices);
     assert_memory_equal(p.vertices, vertices, sizeof vertices);
-    assert_memory_equal(p.slots, slots, sizeof slots);
+    assert_memory_equal(p.joint_slots, slots, sizeof slots);
     partition_free(&p);
 }
 
@@ -186,7 +186,7 @@ static void the_same_mesh_gives_the_same_partition(void **state)
     assert_memory_equal(a.parts, b.parts, a.part_count * sizeof(nkw_part));
     assert_memory_equal(a.joints, b.joints, a.joint_count * sizeof(uint16_t));
     assert_memory_equal(a.triangles, b.triangles, 500 * sizeof(uint32_t));
-    assert_memory_equal(a.slots, b.slots, 4 * a.vertex_count * sizeof(uint16_t));
+    assert_memory_equal(a.joint_slots, b.joint_slots, 4 * a.vertex_count * sizeof(uint16_t));
     partition_free(&a);
     partition_free(&b);
 }

@@ -19,7 +19,7 @@ static void put_weights(const nkw_partition *partition, size_t vertex, size_t in
                         size_t step)
 {
     const float *weights = partition->weights + vertex * influences;
-    const uint16_t *slots = partition->slots + vertex * influences;
+    const uint16_t *slots = partition->joint_slots + vertex * influences;
     for (size_t i = 0; i < influences; i++)
         if (weights[i] != 0.0f && slots[i] < count)
             out[slots[i] * step] += weights[i];

@@ -11,7 +11,7 @@
  *     triangles   the index of the triangle in the mesh; in a part, in the order of the mesh
  *     indices     three vertices for each triangle, counted from the first vertex of the part
  *     vertices    the index of the vertex in the mesh; in a part, in the order of first use
- *     slots       influence_count for each vertex: the index in the joint list of the part
+ *     joint_slots influence_count for each vertex: the index in the joint list of the part
  *     weights     influence_count for each vertex: copied from the mesh
  *
  * A vertex needs the joints whose weight is not zero. If all weights of its vertices are zero, a part has no joints.
@@ -71,7 +71,7 @@ typedef struct nkw_partition {
     uint32_t *triangles; /**< mesh.triangle_count: triangles of the mesh by part, then the rejected ones, ascending */
     uint32_t *indices; /**< 3 * mesh.triangle_count */
     uint32_t *vertices; /**< sizes.vertex_count: vertices of the mesh, in the order of the parts */
-    uint16_t *slots; /**< sizes.vertex_count * influence_count; 0 if the weight is 0 */
+    uint16_t *joint_slots; /**< sizes.vertex_count * influence_count; 0 if the weight is 0 */
     float *weights; /**< sizes.vertex_count * influence_count */
     size_t part_count, joint_count, triangle_count, vertex_count; /**< elements in use */
     size_t rejected_count; /**< triangles that need more than N joints, from triangles[triangle_count] on */

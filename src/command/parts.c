@@ -55,7 +55,7 @@ static void free_cut(cut *c)
     free(c->parts.triangles);
     free(c->parts.indices);
     free(c->parts.vertices);
-    free(c->parts.slots);
+    free(c->parts.joint_slots);
     free(c->parts.weights);
     free(c->indices);
     free(c->materials);
@@ -95,10 +95,10 @@ static nkw_result build(cut *c)
     p->triangles = malloc((c->mesh.triangle_count + 1) * sizeof *p->triangles);
     p->indices = malloc((3 * c->mesh.triangle_count + 1) * sizeof *p->indices);
     p->vertices = malloc((sizes.vertex_count + 1) * sizeof *p->vertices);
-    p->slots = malloc((sizes.vertex_count * influences + 1) * sizeof *p->slots);
+    p->joint_slots = malloc((sizes.vertex_count * influences + 1) * sizeof *p->joint_slots);
     p->weights = malloc((sizes.vertex_count * influences + 1) * sizeof *p->weights);
     nkw_result result = NKW_TOO_SMALL;
-    if (work && p->parts && p->joints && p->triangles && p->indices && p->vertices && p->slots && p->weights)
+    if (work && p->parts && p->joints && p->triangles && p->indices && p->vertices && p->joint_slots && p->weights)
         result = nkw_partition_build(&c->mesh, c->slots, p, NULL, work, sizes.work_count);
     free(work);
     return result == NKW_TOO_MANY ? NKW_OK : result;
@@ -160,7 +160,7 @@ static void bind_vertices(const skinmodel *s, const listed *l, float *out, size_
         float *v = out + i * stride;
         for (size_t k = 0; k < influences; k++)
             if (p->weights[at * influences + k] != 0.0f)
-                v[p->slots[at * influences + k]] += p->weights[at * influences + k];
+                v[p->joint_slots[at * influences + k]] += p->weights[at * influences + k];
         memcpy(v + slots, &s->positions[vertex], sizeof s->positions[vertex]);
         memcpy(v + slots + 3, &s->normals[vertex], sizeof s->normals[vertex]);
     }

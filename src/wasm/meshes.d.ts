@@ -36,7 +36,7 @@ export interface Partition {
   triangles: Uint32Array;
   indices: Uint32Array;
   vertices: Uint32Array;
-  slots: Uint16Array;
+  jointSlots: Uint16Array;
   weights: Float32Array;
   rejectedCount: number;
 }

@@ -80,7 +80,7 @@ export function boundsFromSkin(mesh, boxes, jointCount) {
 
 /**
  * Partitions a mesh into parts of at most maxJointCount joints (nkw_partition_build): { parts, joints, triangles,
- * indices, vertices, slots, weights, rejectedCount }.
+ * indices, vertices, jointSlots, weights, rejectedCount }.
  */
 export function partitionBuild(mesh, maxJointCount) {
   return $t(() => {
@@ -102,7 +102,7 @@ export function partitionBuild(mesh, maxJointCount) {
     const [parts, ...rest] = arrays.map(([kind], i) => typeof kind === 'string'
       ? new arrayOf[kind](f32.buffer, places[i], used[i]).slice()
       : Array.from({ length: used[i] }, (_, k) => get(kind, places[i] + k * kind[0])));
-    const names = ['joints', 'triangles', 'indices', 'vertices', 'slots', 'weights'];
+    const names = ['joints', 'triangles', 'indices', 'vertices', 'jointSlots', 'weights'];
     return { parts, ...Object.fromEntries(names.map((name, i) => [name, rest[i]])), rejectedCount };
   });
 }

@@ -44,7 +44,7 @@ static nkw_partition room_for(fuzz *f, const nkw_partition_mesh *m, const nkw_pa
     p.triangles = fuzz_block(f, m->triangle_count * sizeof *p.triangles);
     p.indices = fuzz_block(f, 3 * m->triangle_count * sizeof *p.indices);
     p.vertices = fuzz_block(f, sizes->vertex_count * sizeof *p.vertices);
-    p.slots = fuzz_block(f, sizes->vertex_count * m->influence_count * sizeof *p.slots);
+    p.joint_slots = fuzz_block(f, sizes->vertex_count * m->influence_count * sizeof *p.joint_slots);
     p.weights = fuzz_block(f, sizes->vertex_count * m->influence_count * sizeof *p.weights);
     return p;
 }
@@ -65,8 +65,8 @@ static void check_part(const nkw_partition_mesh *m, const nkw_partition *p, cons
         size_t at = part->first_vertex * m->influence_count + i;
         size_t from = p->vertices[at / m->influence_count] * m->influence_count + at % m->influence_count;
         FUZZ_CHECK(fuzz_same(p->weights + at, m->weights + from, 1));
-        FUZZ_CHECK(p->weights[at] == 0.0f || (p->slots[at] < part->joint_count &&
-                                              p->joints[part->first_joint + p->slots[at]] == m->joints[from]));
+        FUZZ_CHECK(p->weights[at] == 0.0f || (p->joint_slots[at] < part->joint_count &&
+                                              p->joints[part->first_joint + p->joint_slots[at]] == m->joints[from]));
     }
 }
 
@@ -104,7 +104,7 @@ static void joint_local(fuzz *f, const nkw_partition_mesh *m, nkw_partition *p)
     if (fuzz_byte(f) % 4 == 0 && p->joint_count)
         p->joints[fuzz_upto(f, p->joint_count - 1)] = (uint16_t)fuzz_bits(f);
     if (fuzz_byte(f) % 4 == 0 && p->vertex_count)
-        p->slots[fuzz_upto(f, p->vertex_count - 1)] = (uint16_t)fuzz_bits(f);
+        p->joint_slots[fuzz_upto(f, p->vertex_count - 1)] = (uint16_t)fuzz_bits(f);
     for (size_t part = 0; part <= p->part_count; part++)
         joint_local_vertices(m, p, part, slots, inverse_bind, positions, normals ? positions : NULL, out, stride);
 }

@@ -79,7 +79,7 @@ static uint64_t hash_partition(uint64_t hash, const nkw_partition *p)
     hash = hash_words(hash, p->triangles, TRIANGLES);
     hash = hash_words(hash, p->indices, 3 * p->triangle_count);
     hash = hash_words(hash, p->vertices, p->vertex_count);
-    hash = hash_shorts(hash, p->slots, INFLUENCES * p->vertex_count);
+    hash = hash_shorts(hash, p->joint_slots, INFLUENCES * p->vertex_count);
     return hash_floats(hash, p->weights, INFLUENCES * p->vertex_count);
 }
 

@@ -56,7 +56,7 @@ static nkw_partition alloc_partition(const nkw_partition_mesh *mesh, nkw_partiti
     p.triangles = malloc(mesh->triangle_count * sizeof(uint32_t));
     p.indices = malloc(3 * mesh->triangle_count * sizeof(uint32_t));
     p.vertices = malloc(sizes.vertex_count * sizeof(uint32_t));
-    p.slots = malloc(n * sizeof(uint16_t));
+    p.joint_slots = malloc(n * sizeof(uint16_t));
     p.weights = malloc(n * sizeof(float));
     return p;
 }
@@ -68,7 +68,7 @@ void partition_free(nkw_partition *p)
     free(p->triangles);
     free(p->indices);
     free(p->vertices);
-    free(p->slots);
+    free(p->joint_slots);
     free(p->weights);
 }
 
@@ -167,11 +167,11 @@ static void expect_vertices(const nkw_partition_mesh *m, const nkw_partition *p,
         for (size_t i = 0; i < m->influence_count; i++) {
             size_t at = v * m->influence_count + i, from = p->vertices[v] * m->influence_count + i;
             expect_bits(p->weights[at], m->weights[from]);
-            assert_true(p->slots[at] < part->joint_count || m->weights[from] == 0.0f);
+            assert_true(p->joint_slots[at] < part->joint_count || m->weights[from] == 0.0f);
             if (m->weights[from] != 0.0f)
-                assert_int_equal(p->joints[part->first_joint + p->slots[at]], m->joints[from]);
+                assert_int_equal(p->joints[part->first_joint + p->joint_slots[at]], m->joints[from]);
             else
-                assert_int_equal(p->slots[at], 0);
+                assert_int_equal(p->joint_slots[at], 0);
         }
     }
 }

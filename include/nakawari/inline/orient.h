@@ -47,8 +47,8 @@ NKW_BODY nkw_quat nkw_quat_nlerp(nkw_quat a, nkw_quat b, float t)
     else {
         float n2 = nkw_f32x4_sum(v * v)[0];
         if (!nkw_is_moderate(n2)) {
-            nkw_quat far = {v[0], v[1], v[2], v[3]};
-            return nkw_quat_normalize_any(far, n2, 1.0f);
+            nkw_quat p = {v[0], v[1], v[2], v[3]};
+            return nkw_quat_normalize_any(p, n2, 1.0f);
         }
         v = v / nkw_f32x4_splat(nkw_sqrt(n2));
     }
