@@ -9,7 +9,7 @@
 #include "lane/quat.h"
 #include "lane/scalar.h"
 
-/* Half the angle by which joint 0 of a chain on a line is rotated first, radians; and how exactly it is a line. */
+/* Half the angle by which each joint of a chain on a line is rotated first, radians; and how exactly it is a line. */
 #define CHAIN_NUDGE 0x1p-4
 #define CHAIN_LINE  0x1p-36
 
@@ -84,36 +84,47 @@ static double length_of(const nkw_ik_chain *chain)
     return sum;
 }
 
-/* Whether all joints and the end are on one line with the target. */
-static int is_line(const nkw_ik_chain *chain, const nkw_quat *rotations, lane_f64_vec3 line, double length)
+/* Whether all joints, the end and the target are on one line; `to` is the target from the base. */
+static int is_line(const nkw_ik_chain *chain, const nkw_quat *rotations, lane_f64_vec3 to, lane_f64_vec3 line)
 {
     chain_frame f = base_of(chain);
-    lane_f64_vec3 base = f.position;
-    double most = CHAIN_LINE * (length * length) * lane_f64_vec3_dot(line, line);
-    for (size_t k = 0; k < chain->count; k++) {
+    lane_f64_vec3 base = f.position, across = lane_f64_vec3_cross(to, line);
+    double length = length_of(chain), most = CHAIN_LINE * (length * length) * lane_f64_vec3_dot(line, line);
+    int is_on = lane_f64_vec3_dot(across, across) <= most;
+    for (size_t k = 0; k < chain->count && is_on; k++) {
         f = advance(chain, rotations, k, f);
-        lane_f64_vec3 across = lane_f64_vec3_cross(lane_f64_vec3_sub(f.position, base), line);
-        if (lane_f64_vec3_dot(across, across) > most)
-            return 0;
+        across = lane_f64_vec3_cross(lane_f64_vec3_sub(f.position, base), line);
+        is_on = lane_f64_vec3_dot(across, across) <= most;
     }
-    return 1;
+    return is_on;
 }
 
-/* Rotates joint 0 of a chain that would have to bend, but is on one line with the target. */
+/*
+ * Curls a chain that would have to bend, but is on one line with the target. (If only joint 0 rotates, the chain stays
+ * straight, and on one line with a target at or near joint 0.) The line is the longer of those to the target and to
+ * the end: the other one may have no direction.
+ */
 static void leave_line(const nkw_ik_chain *chain, const nkw_ik_goal *goal, nkw_quat *rotations)
 {
-    chain_frame base = base_of(chain);
-    lane_f64_vec3 line = lane_f64_vec3_sub(lane_f64_vec3_from(goal->target), base.position);
-    double length = length_of(chain), d2 = lane_f64_vec3_dot(line, line);
-    if (chain->count < 2 || d2 >= length * length)
+    chain_frame f = base_of(chain);
+    lane_f64_vec3 to = lane_f64_vec3_sub(lane_f64_vec3_from(goal->target), f.position);
+    lane_f64_vec3 line = lane_f64_vec3_sub(end_of(chain, rotations).position, f.position);
+    double length = length_of(chain), d2 = lane_f64_vec3_dot(to, to);
+    line = d2 > lane_f64_vec3_dot(line, line) ? to : line;
+    if (chain->count < 2 || d2 >= length * length || !is_line(chain, rotations, to, line))
         return;
-    if (d2 == 0.0)
-        line = lane_f64_vec3_sub(end_of(chain, rotations).position, base.position);
-    if (!is_line(chain, rotations, line, length))
-        return;
-    lane_f64_quat turn = lane_f64_quat_from_axis_half(lane_f64_vec3_perpendicular(line), lane_sincos64(CHAIN_NUDGE));
-    lane_f64_quat own = lane_f64_quat_mul(base.rotation, lane_f64_quat_unit_from(rotations[0]));
-    rotate(chain, rotations, 0, &base.rotation, turn, own);
+    double n = (double)chain->count, half = n > 16.0 ? 16.0 * CHAIN_NUDGE / n : CHAIN_NUDGE;
+    lane_f64_quat turn = lane_f64_quat_from_axis_half(lane_f64_vec3_perpendicular(line), lane_sincos64(half));
+    for (size_t k = 0; k < chain->count; k++) {
+        lane_f64_quat own = lane_f64_quat_mul(f.rotation, lane_f64_quat_unit_from(rotations[k]));
+        rotate(chain, rotations, k, &f.rotation, turn, own);
+        f = advance(chain, rotations, k, f);
+    }
+}
+
+static float tolerance_of(const nkw_ik_goal *goal)
+{
+    return goal->tolerance > 0.0f ? goal->tolerance : 0.0f;
 }
 
 /* Limits the rotations, and returns the error; a chain on a line leaves it if it has to move. */
@@ -122,7 +133,7 @@ static float begin(const nkw_ik_chain *chain, const nkw_ik_goal *goal, nkw_quat 
     for (size_t k = 0; k < chain->count; k++)
         store(chain, rotations, k, rotations[k]);
     float error = nkwi_ik_chain_error(chain, rotations, goal->target);
-    if (goal->iterations == 0 || !(error > goal->tolerance))
+    if (goal->iterations == 0 || !(error > tolerance_of(goal)))
         return error;
     leave_line(chain, goal, rotations);
     return nkwi_ik_chain_error(chain, rotations, goal->target);
@@ -154,7 +165,7 @@ nkw_ik_chain_result nkw_ik_ccd_solve(const nkw_ik_chain *chain, const nkw_ik_goa
     if (!chain_is_finite(chain, goal, rotations))
         return r;
     r.error = begin(chain, goal, rotations);
-    float tolerance = goal->tolerance > 0.0f ? goal->tolerance : 0.0f, before = INFINITY;
+    float tolerance = tolerance_of(goal), before = INFINITY;
     while (r.error > tolerance && r.iterations < goal->iterations && r.error != before) {
         before = r.error;
         ccd_pass(chain, lane_f64_vec3_from(goal->target), rotations);
@@ -205,7 +216,7 @@ nkw_ik_chain_result nkw_ik_fabrik_solve(const nkw_ik_chain *chain, const nkw_ik_
     lane_f64_vec3 target = lane_f64_vec3_from(goal->target);
     double length = length_of(chain), d = lane_f64_vec3_length(lane_f64_vec3_sub(target, base_of(chain).position));
     int stretched = !chain->limits && d >= length;
-    float tolerance = goal->tolerance > 0.0f ? goal->tolerance : 0.0f, before = INFINITY;
+    float tolerance = tolerance_of(goal), before = INFINITY;
     while (r.error > tolerance && r.iterations < goal->iterations && r.error != before) {
         before = r.error;
         if (!stretched)

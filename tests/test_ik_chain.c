@@ -186,7 +186,12 @@ static void without_tolerance_a_chain_is_solved_to_rounding(void **state)
         chain_case drawn, want;
         draw_chain(&r, &drawn);
         float reach = reach_of(&drawn) * random_between(&r, 0.4f, 0.6f);
-        nkw_ik_goal goal = {nkw_vec3_add_scaled(drawn.chain.position, random_direction(&r), reach), 0.0f, 1000};
+        nkw_vec3 way = random_direction(&r);
+        for (int k = 0; i % 4 == 0 && k < LINKS; k++) { /* a straight chain, whose target is on its line */
+            drawn.offsets[k] = nkw_vec3_scale(nkw_quat_rotate_inverse(drawn.chain.rotation, way), reach / 3);
+            drawn.rotations[k] = identity;
+        }
+        nkw_ik_goal goal = {nkw_vec3_add_scaled(drawn.chain.position, way, reach), 0.0f, 1000};
         for (int k = 0; k < 4; k++) {
             chain_case c = drawn;
             c.chain.offsets = c.offsets;
@@ -199,6 +204,35 @@ static void without_tolerance_a_chain_is_solved_to_rounding(void **state)
             expect_floats_bits(&c.rotations[0].x, &want.rotations[0].x, 4 * LINKS);
         }
     }
+}
+
+/* Straight chains of random bones along any line, and targets on it within reach: also at and near the base. */
+static void straight_chains_reach_the_targets_on_their_line(void **state)
+{
+    (void)state;
+    random_source r = random_from(25);
+    int missed = 0;
+    for (int i = 0; i < 2000; i++) {
+        chain_case c;
+        draw_chain(&r, &c);
+        const nkw_vec3 line = i % 4 ? random_direction(&r) : vec(0, 1, 0);
+        float longest = 0, length = 0;
+        c.chain.count = 2 + (size_t)i % (LINKS - 1);
+        for (size_t k = 0; k < LINKS; k++) {
+            const float bone = random_between(&r, 0.2f, 1);
+            c.offsets[k] = nkw_vec3_scale(line, bone);
+            c.rotations[k] = identity;
+            length += k < c.chain.count ? bone : 0;
+            longest = nkw_max(longest, k < c.chain.count ? bone : 0);
+        }
+        const float least = nkw_max(2 * longest - length, 0), near_base = nkw_abs(random_scaled(&r, -30, -3)) * length;
+        const float way = i % 3 == 0 && least == 0 ? (i % 2 ? 0 : near_base)
+                                                   : nkw_lerp(least, length, random_between(&r, 0.05f, 0.95f));
+        const nkw_vec3 turned = nkw_quat_rotate(c.chain.rotation, line);
+        nkw_ik_goal goal = {nkw_vec3_add_scaled(c.chain.position, turned, i % 5 ? way : -way), 1e-3f, 300};
+        missed += solve(&c, &goal, i / 12 % 2).error > 1e-3f;
+    }
+    assert_true(missed <= 20);
 }
 
 static void short_chains_are_answered(void **state)
@@ -478,6 +512,7 @@ int main(void)
         cmocka_unit_test(joints_that_do_not_fit_change_nothing),
         cmocka_unit_test(without_tolerance_a_chain_is_solved_to_rounding),
         cmocka_unit_test(chains_of_an_unsorted_skeleton_are_refused),
+        cmocka_unit_test(straight_chains_reach_the_targets_on_their_line),
     };
     return cmocka_run_group_tests_name("ik_chain", tests, NULL, NULL);
 }
