@@ -108,6 +108,22 @@ static nkw_import_result open_keys(void)
     return result;
 }
 
+static nkw_import_result open_table(void)
+{
+    static const char text[] = "name,time,clip,parent,interpolation,tx,ty,tz,yaw,pitch,roll\n"
+                               "root,0,walk,,,0,1,2,,,\n"
+                               "arm,0,walk,root,STEP,,,,90,0,0\n"
+                               "arm,1,walk,,STEP,,,,0,45,0\n"
+                               "hand,0,wave,arm,,7,8,9,0,0,90\n";
+    const nkw_import_memory memory = {text, sizeof text - 1, "keys.csv", NULL, NULL, NULL, 0};
+    nkw_document *d;
+    nkw_import_error error;
+    nkw_import_result result = nkw_document_open_memory(&memory, &d, &error);
+    expect_end(result, &error, d);
+    nkw_document_close(d);
+    return result;
+}
+
 static nkw_import_result open_outer(void)
 {
     static const char text[] =
@@ -209,6 +225,7 @@ static void readers_answer_each_allocation_that_fails(void **state)
     assert_true(expect_answers(open_character, 1) > 20);
     assert_true(expect_answers(open_outer, 1) > 10);
     assert_true(expect_answers(open_keys, 1) > 8);
+    assert_true(expect_answers(open_table, 1) > 8);
 }
 
 static void clips_and_writers_answer_each_allocation_that_fails(void **state)

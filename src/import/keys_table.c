@@ -249,19 +249,25 @@ static int read_object(table *t, const json_t *object)
     return read_interpolation(t, mode, &e.interpolation) && set_numbers(t, &e) && nkwi_keys_add(t->keys, &e);
 }
 
-/* Copies the text, as fields are cut from it. */
-static int begin(table *t, nkwi_keys *k, const void *data, size_t bytes)
+/* Copies the text to bytes + 1 characters, without its byte order mark: fields are cut from the copy. */
+static void begin_in(table *t, nkwi_keys *k, const void *data, size_t bytes, char *copy)
 {
     size_t mark = bytes >= 3 && memcmp(data, "\xef\xbb\xbf", 3) == 0 ? 3 : 0;
     memset(t, 0, sizeof *t);
     t->keys = k;
-    t->text = (char *)malloc(bytes - mark + 1);
+    t->text = t->at = copy;
+    t->end = copy + (bytes - mark);
+    t->next = 1;
+    memcpy(copy, (const char *)data + mark, bytes - mark);
+}
+
+/* The same to memory that is to be freed. */
+static int begin(table *t, nkwi_keys *k, const void *data, size_t bytes)
+{
+    t->text = (char *)malloc(bytes + 1);
     if (!t->text)
         return nkwi_keys_no_memory(k);
-    memcpy(t->text, (const char *)data + mark, bytes - mark);
-    t->at = t->text;
-    t->end = t->text + (bytes - mark);
-    t->next = 1;
+    begin_in(t, k, data, bytes, t->text);
     return 1;
 }
 
@@ -270,19 +276,18 @@ int nkwi_table_is(const void *data, size_t bytes)
     nkwi_keys k;
     table t;
     nkw_import_error error;
-    size_t most = 4096; /* comments and the header */
+    char head[4097]; /* comments and the header; no allocation, which may fail */
+    size_t most = sizeof head - 1;
     int has_name = 0, has_time = 0;
     memset(&k, 0, sizeof k);
     nkwi_fault_none(&error, "");
     k.error = &error;
-    if (!begin(&t, &k, data, bytes < most ? bytes : most))
-        return 0;
+    begin_in(&t, &k, data, bytes < most ? bytes : most, head);
     int found = next_line(&t);
     for (size_t i = 0; found && i < t.field_count; i++) {
         has_name |= strcmp(t.fields[i], "name") == 0;
         has_time |= strcmp(t.fields[i], "time") == 0;
     }
-    free(t.text);
     return has_name && has_time;
 }
 
