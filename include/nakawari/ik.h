@@ -155,11 +155,12 @@ typedef struct nkw_ik_chain_result {
  *
  * rotations  count local rotations, unit; changed in place. Limits also clamp rotations that need not move.
  *
- * If all joints, the end and the target are on one line, no joint has a reason to bend: each joint is then first rotated
- * by 1/8 rad about a perpendicular axis, of more than 16 joints by 2/count rad. Without joints the error is the distance
- * of `position`.
+ * If all joints, the end and the target are on one line, no joint has a reason to bend: each joint is then first
+ * rotated by 1/8 rad about a perpendicular axis, of more than 16 joints by 2/count rad. Without joints the error is the
+ * distance of `position`.
  *
- * Without limits the error never grows. With limits it may stay above the tolerance, although a solution exists.
+ * Without limits the error never grows after that first bend. With limits it may stay above the tolerance, although a
+ * solution exists.
  *
  * Source Wang, Chen, A Combined Optimization Method for Solving the Inverse Kinematics Problem, 1991.
  */
