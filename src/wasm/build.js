@@ -8,10 +8,10 @@ function namesAt(owner, { clip = '', joints }, jointCount) {
 }
 
 // The source of a clip, in memory of `owner`.
-function clipSource(owner, { jointCount = 0, floatCount = 0, tracks = [], rest, restFloats, format, names }) {
+function clipSource(owner, { jointCount = 0, floatCount = 0, tracks = [], rest = null, restFloats, format, names }) {
   need('restFloats', restFloats?.length ?? floatCount, floatCount);
-  const list = store(owner, tracks.flatMap(t => [t.target, t.index, ...t.track._use()._words]), Uint32Array);
-  return store(owner, [list, tracks.length, jointCount, floatCount, addressOf(rest), rest?.jointCount ?? 0,
+  const list = store(owner, tracks.flatMap(t => [t.target, t.index, ...expect(Track, t.track)._words]), Uint32Array);
+  return store(owner, [list, tracks.length, jointCount, floatCount, addressOf(Pose, rest), rest?.jointCount ?? 0,
     store(owner, restFloats), format ?? CLIP_FLOAT32, names ? namesAt(owner, names, jointCount) : 0], Uint32Array);
 }
 

@@ -43,7 +43,7 @@ function shape(p, f, headers) {
   if (value && !headers.structs.has(p.type)) {
     const type = p.type === 'int64_t' ? 'bigint | number'
       : headers.enums.has(p.type) ? scriptName(p.type).replace(/^./, c => c.toUpperCase()) : 'number';
-    return { name, type, pass: p.type === 'int64_t' ? `BigInt(${name})` : name };
+    return { name, type, pass: p.type === 'int64_t' ? `BigInt(${name})` : `$n(${name})` };
   }
   const n = value ? '1' : lengthOfParameter(p, f), type = recordType(p.type);
   if (record && n === '1' && (value || p.constant))

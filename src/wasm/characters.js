@@ -24,15 +24,16 @@ export class Skeleton extends Owner {
   }
   /** Model matrices of a pose; `root`, 16 floats or null, places the whole skeleton. */
   models(pose, out, root = null) {
-    need('matrices', out.matrixCount, this.jointCount);
-    check('nkw_models_from_pose', x.nkw_models_from_pose(this._use()._p, pose._view(0), root ? w(16, root, 16) : 0, 0,
-      addressOf(out)));
+    need('matrices', expect(Matrices, out).matrixCount, this.jointCount);
+    check('nkw_models_from_pose', x.nkw_models_from_pose(this._use()._p, viewOf(0, pose), root ? w(16, root, 16) : 0, 0,
+      out._p));
     return out;
   }
 }
 
 /** A weight for each joint (blend.h), 1 at first. */
 export class Mask extends Floats {
+  get _data() { return 'nkw_mask'; }
   constructor(jointCount) {
     super(16 * Math.ceil(jointCount / 16));
     this.jointCount = jointCount;
@@ -40,30 +41,34 @@ export class Mask extends Floats {
   }
 }
 
-const maskView = (i, mask) => words(i, addressOf(mask), mask?.jointCount ?? 0);
+const viewOf = (i, pose) => expect(Pose, pose)._view(i);
+const maskView = (i, mask) => words(i, addressOf(Mask, mask), mask?.jointCount ?? 0);
 
 /** Poses between two: t = 0 is a, t = 1 is b; nlerp for rotations. */
 export function poseBlend(a, b, t, out, mask = null) {
-  check('nkw_pose_blend', x.nkw_pose_blend(a._view(0), b._view(2), t, maskView(4, mask), out._view(6)));
+  check('nkw_pose_blend', x.nkw_pose_blend(viewOf(0, a), viewOf(2, b), number(t), maskView(4, mask), viewOf(6, out)));
   return out;
 }
 
 /** The same by slerp. */
 export function poseBlendSlerp(a, b, t, out, mask = null) {
-  check('nkw_pose_blend_slerp', x.nkw_pose_blend_slerp(a._view(0), b._view(2), t, maskView(4, mask), out._view(6)));
+  check('nkw_pose_blend_slerp',
+    x.nkw_pose_blend_slerp(viewOf(0, a), viewOf(2, b), number(t), maskView(4, mask), viewOf(6, out)));
   return out;
 }
 
 /** The difference of a pose from a reference, for poseAdditiveApply. */
 export function poseAdditiveBuild(a, reference, side, out) {
-  check('nkw_pose_additive_build', x.nkw_pose_additive_build(a._view(0), reference._view(2), side, out._view(6)));
+  check('nkw_pose_additive_build',
+    x.nkw_pose_additive_build(viewOf(0, a), viewOf(2, reference), number(side), viewOf(6, out)));
   return out;
 }
 
 /** A pose with a share of a difference. */
 export function poseAdditiveApply(base, delta, side, weight, out, mask = null) {
   check('nkw_pose_additive_apply',
-    x.nkw_pose_additive_apply(base._view(0), delta._view(2), side, weight, maskView(4, mask), out._view(6)));
+    x.nkw_pose_additive_apply(viewOf(0, base), viewOf(2, delta), number(side), number(weight), maskView(4, mask),
+      viewOf(6, out)));
   return out;
 }
 
@@ -80,9 +85,11 @@ const elementFloats = [16, 12, 8, 9, 12, 12];
 
 /** The joint matrices of a skin (palette.h): { joints, inverseBind, jointCount, globalInverse, format }. */
 export class Palette extends Owner {
+  get _data() { return 'nkw_palette'; }
   constructor({ format = PALETTE_MAT4, globalInverse, ...skin }) {
     super();
     [this._joints, this._bind, this.jointCount] = skinOf(this, skin);
+    need('floats of globalInverse', globalInverse?.length ?? 16, 16);
     this._global = store(this, globalInverse);
     this.format = format;
     this.floats = (elementFloats[format] ?? 16) * this.jointCount;
@@ -95,8 +102,8 @@ export class Palette extends Owner {
   }
   /** Computes the palette from model matrices. */
   update(models) {
-    check('nkw_palette_from_models', x.nkw_palette_from_models(words(0, addressOf(models), models.matrixCount,
-      this._joints, this._bind, this._global, this.jointCount), this._view(8)));
+    check('nkw_palette_from_models', x.nkw_palette_from_models(words(0, expect(Matrices, models)._p,
+      models.matrixCount, this._joints, this._bind, this._global, this.jointCount), this._view(8)));
     return this;
   }
   /** The elements, not a copy. */
@@ -105,6 +112,9 @@ export class Palette extends Owner {
   }
 }
 
+// The first n values of an array.
+const first = (array, n) => array.length > n ? Array.prototype.slice.call(array, 0, n) : array;
+
 /**
  * `count` characters of one skeleton and skin, each at its own time of one clip. `array` receives 16 floats for each
  * joint of each character, one character after the other.
@@ -112,7 +122,9 @@ export class Palette extends Owner {
 export class Crowd extends Owner {
   constructor({ skeleton, count, ...skin }) {
     super();
-    this.skeleton = skeleton;
+    this.skeleton = expect(Skeleton, skeleton);
+    if (!Number.isInteger(count))
+      throw new RangeError(`nakawari: ${count} characters`);
     this.count = count;
     const n = skeleton.jointCount, stride = Math.ceil(n / 16) * 16;
     [this._joints, this._bind, this.jointCount] = skinOf(this, skin, n);
@@ -134,13 +146,14 @@ export class Crowd extends Owner {
   }
   /** Samples the clip at times[i] for character i. `roots`: 16 floats for each character, or null. */
   play(clip, times, roots = null) {
-    need('times', times.length, this.count);
+    need('times', times?.length, this.count);
     need('floats of roots', roots?.length ?? 16 * this.count, 16 * this.count);
-    f32.set(times.length > this.count ? times.subarray(0, this.count) : times, this._use()._times >> 2);
+    this._use();
+    f32.set(first(times, this.count), this._times >> 2);
     if (roots)
-      f32.set(roots.length > 16 * this.count ? roots.subarray(0, 16 * this.count) : roots, this._from >> 2);
-    for (let first = 0; first < this.count; first += 16)
-      this.#sixteen(clip, first, Math.min(16, this.count - first), roots);
+      f32.set(first(roots, 16 * this.count), this._from >> 2);
+    for (let k = 0; k < this.count; k += 16)
+      this.#sixteen(clip, k, Math.min(16, this.count - k), roots);
     return this;
   }
   #sixteen(clip, first, count, roots) {
@@ -149,10 +162,11 @@ export class Crowd extends Owner {
     const poses = words(4, this._poses, n), models = words(6, this._models, n);
     const palette = words(8, this._palette, this.jointCount), none = words(10, roots ? this._roots : 0, 1);
     const players = words(12, this._times + 4 * first, 0, count);
-    check('nkw_crowd_sample', x.nkw_crowd_sample(addressOf(clip), players, poses, this._work, this._workCount));
+    check('nkw_crowd_sample', x.nkw_crowd_sample(expect(Clip, clip)._p, players, poses, this._work, this._workCount));
     if (roots)
       x.nkw_crowd_from_matrices(lanes(this._from + 64 * first, 64), none);
-    check('nkw_crowd_models_from_pose', x.nkw_crowd_models_from_pose(addressOf(this.skeleton), poses, none, models));
+    check('nkw_crowd_models_from_pose',
+      x.nkw_crowd_models_from_pose(addressOf(Skeleton, this.skeleton), poses, none, models));
     x.nkw_crowd_palette_from_models(models, this._joints, this._bind, palette);
     const step = 64 * this.jointCount;
     x.nkw_matrices_from_crowd(palette, lanes(this._p + step * first, step));
@@ -205,7 +219,7 @@ export class Mesh extends Owner {
   /** Linear blend skinning by a Palette of PALETTE_MAT4. */
   skinLinear(palette) {
     this._use();
-    const by = palette._view(0);
+    const by = expect(Palette, palette)._view(0);
     words(3, 0, 0, 0, 0);
     check('nkw_skin_linear', x.nkw_skin_linear(this._skin, by, this._in, this._out));
     return this;
@@ -213,7 +227,8 @@ export class Mesh extends Owner {
   /** Dual-quaternion skinning by a Palette of PALETTE_DUAL_QUAT. */
   skinDualQuat(palette) {
     this._use();
-    check('nkw_skin_dual_quat', x.nkw_skin_dual_quat(this._skin, palette._view(0), this._in, this._out));
+    check('nkw_skin_dual_quat',
+      x.nkw_skin_dual_quat(this._skin, expect(Palette, palette)._view(0), this._in, this._out));
     return this;
   }
 }

@@ -36,7 +36,7 @@ export class Clip extends Owner {
     return text(x.nkw_clip_name(this._use()._p));
   }
   jointName(joint) {
-    return text(x.nkw_clip_joint_name(this._use()._p, joint));
+    return text(x.nkw_clip_joint_name(this._use()._p, number(joint)));
   }
   /** The block, not a copy: the same bytes on every machine of this byte order. */
   get bytes() {
@@ -44,8 +44,8 @@ export class Clip extends Owner {
   }
   /** The pose at `time`, and the separate floats. Either may be null. */
   sample(time, pose, floats = null) {
-    const span = words(0, addressOf(pose), pose?.jointCount ?? 0);
-    check('nkw_clip_sample', x.nkw_clip_sample(this._use()._p, time, 0, span, floats ? this._floats : 0));
+    const span = words(0, addressOf(Pose, pose), pose?.jointCount ?? 0);
+    check('nkw_clip_sample', x.nkw_clip_sample(this._use()._p, number(time), 0, span, floats ? this._floats : 0));
     for (let k = 0, from = this._floats >> 2; floats && k < this.floatCount; k++)
       floats[k] = f32[from + k];
   }

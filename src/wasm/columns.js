@@ -18,7 +18,7 @@ export class Columns extends Floats {
 
 // The addresses of the components, at word i of the scratch memory.
 function $c(i, columns, width, n) {
-  if (columns._use().width !== width || !(n <= columns.length))
+  if (expect(Columns, columns).width !== width || !(n <= columns.length))
     throw new RangeError(`nakawari: Columns of ${columns.width} x ${columns.length} instead of ${width} x ${n}`);
   for (let k = 0; k < width; k++)
     u32[at + i + k] = columns._p + 4 * k * columns.length;

@@ -1,6 +1,7 @@
 // The module of this part, its memory, and the conversions of values. Functions may be called after `await ready`.
 const X = globalThis.WebAssembly;
-let x, $, p, $p, at, f32, u32, u8;
+let p, $p, at, f32, u32, u8;
+let x = new Proxy({}, { get() { throw new Error('nakawari: await ready first'); } }), $ = x;
 
 /** 1 if this program can run WebAssembly. Without it, `ready` is rejected. */
 export const supported = typeof X === 'object' && typeof X.validate === 'function';
@@ -64,13 +65,24 @@ ready.catch(() => {});
 /** Which build runs: 'simd128' or 'plain'; '' before `ready`. */
 export const build = () => loaded;
 
+function number(value) {
+  if (typeof value !== 'number' && typeof value !== 'boolean')
+    throw new TypeError(`nakawari: ${typeof value} instead of a number`);
+  return value;
+}
+
 // Copies a value of n floats to word i of the scratch memory; returns its address.
 function w(i, a, n) {
+  if (!(a?.length >= n))
+    throw new RangeError(`nakawari: ${a?.length ?? typeof a} instead of ${n} numbers`);
   const s = at + i;
   for (let k = 0; k < n; k++)
     f32[s + k] = a[k];
   return s << 2;
 }
+
+// The same of an array that receives a value: it may be empty, and is 0 then.
+const inOut = (i, a, n) => w(i, a?.length === 0 ? new Float32Array(n) : a, n);
 
 // Copies it back.
 function r(a, i, n) {
@@ -81,4 +93,4 @@ function r(a, i, n) {
 }
 
 // The names that generated functions use; no parameter has them.
-const [$w, $r, $check] = [w, r, check];
+const [$w, $io, $r, $n, $check] = [w, inOut, r, number, check];

@@ -24,7 +24,7 @@ function shape(p, f, headers, at) {
   const batch = f.name.endsWith('_n');
   if (p.pointer === 0 && (headers.enums.has(p.type) || numbers.test(p.type)))
     return { name, type: headers.enums.has(p.type) ? scriptName(p.type).replace(/^./, c => c.toUpperCase()) : 'number',
-      pass: name };
+      pass: `$n(${name})` };
   if (p.pointer === 0 && columns(p.type))
     return { name, type: 'Columns', pass: `$c(${at}, ${name}, ${columns(p.type)}, n)`, words: columns(p.type) };
   if (batch && p.pointer === 1 && p.type === 'float')
@@ -39,7 +39,7 @@ function shape(p, f, headers, at) {
       pass: `${name}At` };
   }
   const width = words * p.length, written = p.pointer === 1 && !p.constant;
-  return { name, type: written ? 'FloatArray' : 'ArrayLike<number>', pass: `$w(${at}, ${name}, ${width})`, words: width,
+  return { name, type: written ? 'FloatArray' : 'ArrayLike<number>', pass: `${written ? '$io' : '$w'}(${at}, ${name}, ${width})`, words: width,
     read: written ? `$r(${name}, ${at}, ${width});` : '' };
 }
 

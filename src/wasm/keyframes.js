@@ -19,13 +19,13 @@ export class Keyframes extends Floats {
   /** The matrix at `time`, 16 floats. */
   sample(time, position, orientation, out) {
     check('nkw_keyframes_sample',
-      x.nkw_keyframes_sample(this._use()._p, this.keyCount, time, position, orientation, p));
+      x.nkw_keyframes_sample(this._use()._p, this.keyCount, number(time), number(position), number(orientation), p));
     return r(out, 0, 16);
   }
   /** All numbers of one matrix, so that a reader can check it by hand (nkw_keyframe_trace). */
   trace(time, position, orientation) {
     check('nkw_keyframes_trace',
-      x.nkw_keyframes_trace(this._use()._p, this.keyCount, time, position, orientation, p));
+      x.nkw_keyframes_trace(this._use()._p, this.keyCount, number(time), number(position), number(orientation), p));
     const f = (i, n) => [...f32.subarray(at + i, at + i + n)], n = u32[at + 3];
     return {
       segment: u32[at], t: f32[at + 1], parameter: f32[at + 2], key: [...u32.subarray(at + 4, at + 4 + n)],

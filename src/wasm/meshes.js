@@ -7,7 +7,7 @@ export class Morph extends Owner {
   constructor(mesh, targets) {
     super();
     try {
-      this.mesh = mesh._use();
+      this.mesh = expect(Mesh, mesh);
       this.targetCount = targets.length;
       const all = targets.flatMap(({ indices, ...deltas }) => {
         const count = indices?.length ?? mesh.vertexCount;
@@ -47,7 +47,7 @@ function skinView(array, n) {
 
 /** Checks the joints and weights of a mesh: the index of the error is a vertex (nkw_skin_validate). */
 export function skinValidate(mesh, jointCount) {
-  check('nkw_skin_validate', x.nkw_skin_validate(mesh._use()._skin, jointCount, badAt()), bad);
+  check('nkw_skin_validate', x.nkw_skin_validate(expect(Mesh, mesh)._skin, number(jointCount), badAt()), bad);
 }
 
 /** Weights that sum to 1 exactly (nkw_skin_normalize_weights), from and to Uint8Array, Uint16Array or Float32Array. */
@@ -64,7 +64,7 @@ export function skinNormalizeWeights(weights, out, influenceCount, vertexCount) 
 export function skinPrune(mesh, keepCount, joints, weights) {
   $t(() => {
     const n = keepCount * mesh.vertexCount, to = [skinView(joints, n), skinView(weights, n)];
-    check('nkw_skin_prune', x.nkw_skin_prune(mesh._use()._skin, keepCount, to[0].place, to[1].place));
+    check('nkw_skin_prune', x.nkw_skin_prune(expect(Mesh, mesh)._skin, keepCount, to[0].place, to[1].place));
     to.forEach(view => view.read());
   });
 }
@@ -73,7 +73,7 @@ export function skinPrune(mesh, keepCount, joints, weights) {
 export function boundsFromSkin(mesh, boxes, jointCount) {
   $t(() => {
     const place = temporary((jointCount + 1) * $nkw_box[0]);
-    check('nkw_bounds_from_skin', x.nkw_bounds_from_skin(mesh._use()._skin, mesh._in, place, jointCount));
+    check('nkw_bounds_from_skin', x.nkw_bounds_from_skin(expect(Mesh, mesh)._skin, mesh._in, place, jointCount));
     $v($nkw_box, boxes, place, jointCount + 1);
   });
 }

@@ -22,7 +22,7 @@ export class FCurve extends Owner {
   }
   /** Value, velocity and acceleration at `time`. */
   sample(time, out) {
-    x.nkw_fcurve_sample(p, this._use()._p, time);
+    x.nkw_fcurve_sample(p, this._use()._p, number(time));
     return r(out, 0, 3);
   }
   /** Copies of the keys. */
@@ -34,7 +34,7 @@ export class FCurve extends Owner {
   insert(time) {
     return $t(() => {
       const n = this.keyCount + 1, size = $nkw_fcurve_key[0], keys = temporary(n * size);
-      check('nkw_fcurve_insert', x.nkw_fcurve_insert(this._use()._p, time, keys, words(0, 0)));
+      check('nkw_fcurve_insert', x.nkw_fcurve_insert(this._use()._p, number(time), keys, words(0, 0)));
       return { index: u32[at], keys: Array.from({ length: n }, (_, i) => get($nkw_fcurve_key, keys + i * size)) };
     });
   }
@@ -83,6 +83,7 @@ function trackAt(place) {
 
 /** The velocities of the joints of a pose (transition.h). */
 export class PoseVelocity extends Floats {
+  get _data() { return 'nkw_pose_velocity'; }
   constructor(jointCount) {
     super(9 * 16 * Math.ceil(jointCount / 16));
     this.jointCount = jointCount;
@@ -91,6 +92,7 @@ export class PoseVelocity extends Floats {
 
 /** The state of a transition by inertialisation (transition.h). */
 export class PoseInertia extends Floats {
+  get _data() { return 'nkw_pose_inertia'; }
   constructor(jointCount) {
     super(30 * 16 * Math.ceil(jointCount / 16));
     this.jointCount = jointCount;
@@ -99,6 +101,7 @@ export class PoseInertia extends Floats {
 
 /** The state of a dead blend (transition.h); its times are in seconds. */
 export class PoseDeadBlend extends Floats {
+  get _data() { return 'nkw_pose_dead_blend'; }
   constructor(jointCount, halfLife, duration) {
     super(23 * 16 * Math.ceil(jointCount / 16));
     Object.assign(this, { jointCount, halfLife, duration });
@@ -112,7 +115,7 @@ const reduceWork = ({ tracks = [], jointCount = 0, floatCount = 0 }) =>
 function withReduction(source, reduction, others, f) {
   return $t(() => during(owner => {
     for (const name of ['parents', 'tolerances', 'distances'])
-      need(name, reduction[name]?.length ?? Infinity, source.jointCount);
+      need(name, reduction[name]?.length ?? Infinity, source.jointCount ?? 0);
     const count = Math.max(...[source, ...others].map(reduceWork));
     return f(owner, clipSource(owner, source), $i($nkw_clip_reduction, reduction), owner._take(8 * count), count);
   }));
@@ -155,9 +158,10 @@ export function clipSourceDifference(source, other, reduction, difference) {
 
 /** How far a clip is from its source (nkw_clip_difference): { translation, rotation, scale, floats }. */
 export function clipDifference(clip, source, error) {
+  expect(Clip, clip);
   $t(() => during(owner => {
     const count = 160 * Math.ceil(clip.jointCount / 16) + 2 * clip.floatCount, to = temporary($nkw_clip_error[0]);
-    check('nkw_clip_difference', x.nkw_clip_difference(clip._use()._p, clipSource(owner, source), to,
+    check('nkw_clip_difference', x.nkw_clip_difference(expect(Clip, clip)._p, clipSource(owner, source), to,
       owner._take(4 * count + 4), count));
     $g($nkw_clip_error, error, to);
   }));
@@ -168,7 +172,7 @@ const trackOfClip = place =>
 
 /** The tracks that a clip was built from, with its stored values (nkw_clip_track_get). */
 export function clipTracks(clip) {
-  const count = x.nkw_clip_track_count(clip._use()._p);
+  const count = x.nkw_clip_track_count(expect(Clip, clip)._p);
   return Array.from({ length: count }, (_, i) => $t(() => {
     const shape = temporary(36), workCount = 160 * Math.ceil(clip.jointCount / 16) + clip.floatCount;
     check('nkw_clip_track_shape', x.nkw_clip_track_shape(clip._p, i, shape));

@@ -11,9 +11,9 @@ function take(bytes) {
 function rows(list, f) {
   const blocks = [];
   try {
-    for (const [array, floats] of list) {
-      if (array && !(array.length >= floats))
-        throw new RangeError(`nakawari: an array of ${array.length} instead of ${floats} numbers`);
+    for (const [array, floats, written] of list) {
+      if (array !== null && !(array?.length >= floats) && !(written && array === undefined))
+        throw new RangeError(`nakawari: ${array?.length ?? typeof array} instead of ${floats} numbers`);
       blocks.push(array ? take(4 * floats) : 0);
       for (let k = 0, s = blocks.at(-1) >> 2; array && k < floats; k++)
         f32[s + k] = array[k];
@@ -44,8 +44,6 @@ export const memory = () => ({ blocks: alive, bytes: x.memory.buffer.byteLength 
 export class Owner {
   #blocks = [];
   constructor() {
-    if (!x)
-      throw new Error('nakawari: await ready first');
     lost.register(this, this.#blocks, this);
   }
   /** @internal */
@@ -93,7 +91,13 @@ function words(i, ...values) {
 }
 const bad = () => u32[at + 255];
 const badAt = () => words(255, 0);
-const addressOf = object => object ? object._use()._p : 0;
+// An object of a class of this part. Those of another part have addresses of another memory.
+function expect(Class, object) {
+  if (!(object instanceof Class))
+    throw new TypeError(`nakawari: ${object?.constructor?.name ?? typeof object} is no ${Class.name} of this part`);
+  return object._use();
+}
+const addressOf = (Class, object) => object === null ? 0 : expect(Class, object)._p;
 
 // A copy of an array in a block of `owner`; 0 for none.
 function store(owner, array, View = Float32Array) {
@@ -115,6 +119,6 @@ function during(f) {
 }
 
 const need = (what, have, count) => {
-  if (have < count)
+  if (!(have >= count))
     throw new RangeError(`nakawari: ${have} ${what} instead of ${count}`);
 };

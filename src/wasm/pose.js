@@ -1,6 +1,7 @@
 
 /** The local transforms of all joints (pose.h): ten component arrays of `stride` floats. It begins as the identity. */
 export class Pose extends Floats {
+  get _data() { return 'nkw_pose'; }
   constructor(jointCount) {
     super(10 * Math.ceil(jointCount / 16) * 16);
     this.jointCount = jointCount;
@@ -17,10 +18,10 @@ export class Pose extends Floats {
   }
   /** The ten floats of a joint: translation x y z, rotation x y z w, scale x y z. */
   get(joint, out) {
-    x.nkw_pose_get(p, this._view(10), joint);
+    x.nkw_pose_get(p, this._view(10), number(joint));
     return r(out, 0, 10);
   }
   set(joint, trs) {
-    check('nkw_pose_set', x.nkw_pose_set(this._view(10), joint, w(0, trs, 10)), () => joint);
+    check('nkw_pose_set', x.nkw_pose_set(this._view(10), number(joint), w(0, trs, 10)), () => joint);
   }
 }

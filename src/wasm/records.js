@@ -37,6 +37,13 @@ function data() {
   return view;
 }
 
+// Throws for an object of another part, and for one of this part that is not a struct of this type.
+function refuse(value, type) {
+  const own = value instanceof Owner;
+  if (typeof value?._use === 'function' && !(own && (!type || type.replace(/_(view|span)$/, '') === value._data)))
+    throw new TypeError(`nakawari: ${value.constructor.name} ${own ? `is no ${type}` : 'of another part'}`);
+}
+
 // Numbers of arrays within arrays.
 const flatten = array => array[0]?.length === undefined ? array : Array.from(array).flatMap(a => [...flatten(a)]);
 
@@ -48,6 +55,7 @@ function arrayAt(kind, array, n, name = 'array') {
     need(`floats of ${name}`, array.count ?? array.floats, n);
     return array._use()._p;
   }
+  refuse(array);
   if (kind === 'v')
     throw new TypeError(`nakawari: ${name} is not of an object of the package`);
   const flat = typeof kind === 'string' ? flatten(array) : array;
@@ -65,6 +73,8 @@ function arrayAt(kind, array, n, name = 'array') {
 }
 
 function putOne(at, kind, value) {
+  if (typeof kind === 'string' && typeof (value ?? 0) === 'object')
+    throw new TypeError('nakawari: an object instead of a number');
   if (kind === 'f')
     f32[at >> 2] = value ?? 0;
   else if (kind === 'u' || kind === 'i')
@@ -79,6 +89,7 @@ function putField(at, kind, n, value) {
   if (n === 1)
     return putOne(at, kind, value);
   const size = sizeOf(kind);
+  need('values of a field', (value ?? { length: n }).length, n);
   for (let k = 0; k < n; k++)
     putOne(at + k * size, kind, value?.[k]);
 }
@@ -87,6 +98,9 @@ function putField(at, kind, n, value) {
 function put(layout, at, value) {
   if (value instanceof Owner && value._type === layout[1])
     return void u8.copyWithin(at, value._use()._p, value._p + layout[0]);
+  refuse(value, layout[1]);
+  if (value !== undefined && value !== null && typeof value !== 'object')
+    throw new TypeError(`nakawari: ${typeof value} instead of ${layout[1]}`);
   const r = value instanceof Owner
     ? { data: value, jointCount: value.jointCount, format: value.format, halfLife: value.halfLife,
       duration: value.duration }
@@ -148,6 +162,7 @@ const $g = (layout, out, at) => out && Object.assign(out, get(layout, at));
 function $o(kind, array, n) {
   if (!array || array instanceof Owner)
     return arrayAt(kind, array, n);
+  refuse(array);
   if (typeof kind === 'string' && typeof array[0] === 'object')
     throw new TypeError('nakawari: an array that receives numbers has arrays');
   const block = temporary(n * sizeOf(kind));

@@ -9,7 +9,7 @@ export class Track extends Owner {
     try {
       Object.assign(this, { width, kind, interpolation, count: times.length });
       const tall = interpolation === INTERPOLATION_CUBICSPLINE ? 3 : 1;
-      if (values.length < times.length * width * tall || (keyInterpolation && keyInterpolation.length < times.length))
+      if (!(values.length >= times.length * width * tall && (keyInterpolation?.length ?? Infinity) >= times.length))
         throw new RangeError(`nakawari: ${values.length} values for ${times.length} keys of width ${width}`);
       /** @internal */
       this._words = [store(this, times), store(this, values), times.length, width, kind, interpolation,
@@ -34,14 +34,14 @@ export class Track extends Owner {
   }
   /** The value at `time`, in the `width` first elements of out. */
   sample(time, out) {
-    x.nkw_track_sample(this._use()._p, time, this._out);
+    x.nkw_track_sample(this._use()._p, number(time), this._out);
     return this.#read(out, 0);
   }
   /** Value, velocity and acceleration at `time`, of a track of numbers. */
   sampleDerivatives(time, value, velocity, acceleration) {
     const o = this._out, step = 4 * this.width;
     check('nkw_track_sample_derivatives',
-      x.nkw_track_sample_derivatives(this._use()._p, time, o, o + step, o + 2 * step));
+      x.nkw_track_sample_derivatives(this._use()._p, number(time), o, o + step, o + 2 * step));
     [value, velocity, acceleration].forEach((out, i) => this.#read(out, i));
   }
   #read(out, i) {

@@ -102,3 +102,53 @@ for (const [build, clips] of [...await both('clips'), ...await both('all')]) {
     assert.equal(clips.memory().blocks, 0);
   });
 }
+
+for (const part of ['player', 'clips', 'characters', 'math', 'all'])
+  for (const [build, n] of await both(part))
+    test(`${part}, ${build}: the play head of a clip that repeats, after a week`, () => {
+      const range = { start: 0.5, duration: 2, after: n.PLAYBACK_LOOP }, week = 604800;
+      assert.deepEqual(n.playbackHeadF64({}, range, week + 0.75), { time: 0.75, cycle: week / 2, closing: 0 });
+      const alternate = { ...range, after: n.PLAYBACK_PING_PONG, afterCycles: 3 };
+      assert.deepEqual(n.playbackHeadF64({}, alternate, 3), { time: 2, cycle: 1, closing: 0 });
+      assert.throws(() => n.playbackHeadF64({}, range), TypeError);
+      assert.throws(() => n.playbackHeadF64({}, undefined, 1), TypeError);
+    });
+
+// 1000 blocks of random sizes, taken and released in random order: each keeps its numbers. A search of all blocks
+// would take minutes for the 160,000 of 40,000 tracks.
+for (const [build, clips] of await both('clips')) {
+  test(`${build}: blocks are apart, and free ones are joined`, () => {
+    const next = numbers(20), held = [], whole = n => Math.floor((next() + 1) / 2 * n), before = clips.memory();
+    const release = ([object, value]) => {
+      assert.ok(object.array.every(x => x === value));
+      object.dispose();
+    };
+    for (let k = 1; k <= 4000; k++) {
+      const object = new clips.Pose(whole(k % 100 ? 60 : 4000));
+      assert.equal(object._p % 64, 0);
+      object.array.fill(k);
+      held.push([object, k]);
+      if (held.length > whole(1000))
+        release(held.splice(whole(held.length), 1)[0]);
+    }
+    held.forEach(release);
+    const { bytes, blocks } = clips.memory();
+    assert.equal(blocks, before.blocks);
+    new clips.Pose(Math.floor((bytes - before.bytes) / 48)).dispose();
+    assert.equal(clips.memory().bytes, bytes);
+  });
+
+  test(`${build}: a track costs the same beside 40,000 others`, t => {
+    const times = [0, 1], values = [0, 1], kept = [], took = [];
+    for (let part = 0; part < 4; part++) {
+      const from = performance.now();
+      for (let k = 0; k < 10000; k++)
+        kept.push(new clips.Track({ times, values }));
+      took.push(performance.now() - from);
+    }
+    t.diagnostic(`milliseconds for 10,000 each: ${took.map(Math.round)}`);
+    assert.ok(took[3] < 5 * took[0] + 100, `${took}`);
+    kept.forEach(track => track.dispose());
+    assert.equal(clips.memory().blocks, 0);
+  });
+}

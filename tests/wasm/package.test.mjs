@@ -8,6 +8,8 @@ import { adapters, excluded, excludedStems, parts } from '../../src/wasm/parts.m
 import { packageFolder, root, text } from './support.mjs';
 
 const headers = readAll(root);
+// The sizes of docs/web.md and the limits are those with wasm-opt. It makes a part up to 8 % smaller.
+const without = process.env.NKW_WASM_OPT ? 1 : 1.08;
 
 test('every public function is bound or excluded with a reason', () => {
   const { bound, missing, stale, unknown } = checkList(headers);
@@ -27,10 +29,10 @@ for (const part of parts) {
     const bytes = ['', 'wasm/'].map(folder =>
       gzipSync(text(`${packageFolder}/${folder}${part.name}.js`), { level: 9 }).length);
     t.diagnostic(`${part.name}: ${bytes[0]} + ${bytes[1]} bytes`);
-    assert.ok(bytes[0] + bytes[1] <= 1000 * part.limit, `${bytes[0]} + ${bytes[1]}`);
+    assert.ok(bytes[0] + bytes[1] <= 1000 * part.limit * without, `${bytes[0]} + ${bytes[1]}`);
     const row = new RegExp(`^\\| .nakawari/${part.name}\\b.* (\\d+) \\|$`, 'm');
     const [, stated] = text(`${root}/docs/web.md`).match(row);
-    assert.ok(Math.abs(bytes[0] + bytes[1] - 1000 * stated) < 80 * stated, `docs/web.md states ${stated}`);
+    assert.ok(Math.abs(bytes[0] + bytes[1] - 1000 * stated * without) < 80 * stated, `docs/web.md states ${stated}`);
   });
 
   test(`${part.name}: the modules import nothing`, async () => {
