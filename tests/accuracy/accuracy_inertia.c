@@ -88,16 +88,11 @@ static void two_turning(random_source *r, float *x)
     x[14] = random_log(r, 0.05f, 2.0f);
 }
 
-/* The rate of half the rotation vector v = log d for the angular velocity w: (w - r x w / 2 + c r x (r x w)) / 2. */
+/* The rate of half the rotation vector v = log d for the angular velocity w. */
 static void half_rate(const wide v[3], const wide w[3], wide out[3])
 {
-    wide h = wide_length(v, 3), c = h == 0 ? 1 / (wide)12 : (1 - h / tanq(h)) / (4 * h * h), a[3], b[3], r[3];
-    for (int i = 0; i < 3; i++)
-        r[i] = 2 * v[i];
-    wide_cross(r, w, a);
-    wide_cross(r, a, b);
-    for (int i = 0; i < 3; i++)
-        out[i] = (w[i] - a[i] / 2 + c * b[i]) / 2;
+    wide_rotation_rate(v, w, out);
+    wide_scale(out, (wide)0.5, 3);
 }
 
 /* x = log(from to^-1) of the shorter arc, and its rate v. */

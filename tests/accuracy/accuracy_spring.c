@@ -270,18 +270,6 @@ static void quat_spring(random_source *r, float *x)
     x[16] = random_log(r, 0.001f, 1.0f);
 }
 
-/* The rate of r = 2 v for the angular velocity w: w - r x w / 2 + c r x (r x w). */
-static void rate_of(const wide v[3], const wide w[3], wide out[3])
-{
-    wide h = wide_length(v, 3), c = h == 0 ? 1 / (wide)12 : (1 - h / tanq(h)) / (4 * h * h), a[3], b[3], r[3];
-    for (int i = 0; i < 3; i++)
-        r[i] = 2 * v[i];
-    wide_cross(r, w, a);
-    wide_cross(r, a, b);
-    for (int i = 0; i < 3; i++)
-        out[i] = w[i] - a[i] / 2 + c * b[i];
-}
-
 static void rotate(const wide q[4], const wide v[3], wide out[3])
 {
     wide m[9];
@@ -309,7 +297,7 @@ static double quat_spring_error(const float *x)
     rotate(e, turn, rate);
     for (int i = 0; i < 3; i++)
         w[i] -= rate[i];
-    rate_of(v, w, rate);
+    wide_rotation_rate(v, w, rate);
     flow(x[0], x[1], x[16], m);
     for (int i = 0; i < 3; i++) {
         v[i] = m[0] * v[i] + m[1] * rate[i] / 2;

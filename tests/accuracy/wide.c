@@ -279,6 +279,17 @@ void wide_quat_log(const wide q[4], wide v[3])
     wide_scale(v, n > 0 ? atan2q(n, q[3]) / n : 0, 3);
 }
 
+void wide_rotation_rate(const wide v[3], const wide w[3], wide out[3])
+{
+    wide h = wide_length(v, 3), c = h == 0 ? 1 / (wide)12 : (1 - h / tanq(h)) / (4 * h * h), a[3], b[3], r[3];
+    for (int i = 0; i < 3; i++)
+        r[i] = 2 * v[i];
+    wide_cross(r, w, a);
+    wide_cross(r, a, b);
+    for (int i = 0; i < 3; i++)
+        out[i] = w[i] - a[i] / 2 + c * b[i];
+}
+
 void wide_quat_exp(const wide v[3], wide q[4])
 {
     wide axis[3] = {v[0], v[1], v[2]};

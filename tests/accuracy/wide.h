@@ -142,6 +142,8 @@ void wide_quat_from_axis(const wide axis[3], wide angle, wide q[4]);
 /* The logarithm of a unit quaternion, half the rotation vector, and its inverse. */
 void wide_quat_log(const wide q[4], wide v[3]);
 void wide_quat_exp(const wide v[3], wide q[4]);
+/* The rate of the rotation vector r = 2 v for the angular velocity w: w - r x w / 2 + c r x (r x w). */
+void wide_rotation_rate(const wide v[3], const wide w[3], wide out[3]);
 /* Angles about x, y, z, of the order R = Ri Rj Rk. */
 void wide_quat_from_euler(const wide angles[3], nkw_euler_order order, wide q[4]);
 /* The arc from a to b as given, angle taken of the directions alone. */

@@ -102,7 +102,7 @@ static nkw_trs decomposed(nkw_mat4 m)
     return nkw_trs_from_mat4(&m);
 }
 
-/* Opposite to v[0] but for 2^-12 of v[1]. */
+/* Opposite to v[0] except for 2^-12 of v[1]. */
 static nkw_vec3 nearly_opposite(const input *i)
 {
     return nkw_vec3_add_scaled(nkw_vec3_negate(i->v[0]), i->v[1], 0x1p-12f);
