@@ -128,6 +128,8 @@ int command_work(const char *path, const command_steps *steps, void *request);
 
 /** The file, or the standard output for NULL and "-". Reports an error on stderr and returns NULL. */
 FILE *output_open(const char *path);
+/** The index of the end of a name, after its last point and in any case, among `count` words; -1 if it is none. */
+int output_ending(const char *path, const char *const *words, int count);
 /** Whether a name ends as those of pictures, films and models that no command writes: .jpg, .fbx and others. */
 int output_is_foreign(const char *path);
 /** Makes a folder where there is none. Its parent must exist. Returns 0 and reports on stderr if it cannot. */

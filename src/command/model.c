@@ -257,18 +257,14 @@ int model_measure(const model *m, size_t animation, const extent *e, float toler
 
 /* ---- the file ---- */
 
-static int ends_with(const char *text, const char *end)
-{
-    size_t length = strlen(text), tail = strlen(end);
-    return length >= tail && strcmp(text + length - tail, end) == 0;
-}
+static const char *const outer_end[] = {"gltf"};
 
 int model_form(const char *form, const char *path)
 {
     static const char *const forms[] = {"glb", "embedded", "gltf"};
     if (form)
         return options_word(form, forms, 3);
-    return path && ends_with(path, ".gltf") ? NKW_GLTF_OUTER : NKW_GLTF_BINARY;
+    return output_ending(path, outer_end, 1) == 0 ? NKW_GLTF_OUTER : NKW_GLTF_BINARY;
 }
 
 static int put_file(const char *path, const void *data, size_t bytes)
@@ -287,7 +283,7 @@ static char *outer_of(const char *path)
     if (!outer)
         return NULL;
     strcpy(outer, path);
-    if (ends_with(outer, ".gltf"))
+    if (output_ending(outer, outer_end, 1) == 0)
         outer[strlen(outer) - 5] = 0;
     return strcat(outer, ".bin");
 }

@@ -4,6 +4,7 @@
 #endif
 #include "command.h"
 
+#include <ctype.h>
 #include <errno.h>
 #include <string.h>
 #include <sys/stat.h>
@@ -28,13 +29,23 @@ FILE *output_open(const char *path)
     return f;
 }
 
+int output_ending(const char *path, const char *const *words, int count)
+{
+    const char *end = path ? strrchr(path, '.') : NULL;
+    char small[16];
+    size_t n = 0;
+    for (; end && end[n + 1] && n + 1 < sizeof small; n++)
+        small[n] = (char)tolower((unsigned char)end[n + 1]);
+    small[n] = 0;
+    return n > 0 && !end[n + 1] ? options_word(small, words, count) : -1;
+}
+
 int output_is_foreign(const char *path)
 {
     static const char *const ends[] = {"abc",  "avi", "blend",   "bmp",  "bvh",  "dae", "fbx", "gif",
                                        "jpeg", "jpg", "md5anim", "mov",  "mp4",  "obj", "pdf", "tif",
                                        "tiff", "usd", "usda",    "usdc", "usdz", "webp"};
-    const char *end = path ? strrchr(path, '.') : NULL;
-    return end && options_word(end + 1, ends, sizeof ends / sizeof ends[0]) >= 0;
+    return output_ending(path, ends, sizeof ends / sizeof ends[0]) >= 0;
 }
 
 int output_folder(const char *path)

@@ -1,13 +1,15 @@
 /* SPDX-License-Identifier: MIT */
 #include "page.h"
 
+#include "command.h"
+
 #include <stdlib.h>
 #include <string.h>
 
 int page_is_png(const char *path)
 {
-    const char *end = path ? strrchr(path, '.') : NULL;
-    return end && strcmp(end, ".png") == 0;
+    static const char *const png[] = {"png"};
+    return output_ending(path, png, 1) == 0;
 }
 
 #if defined(NKW_CAIRO)

@@ -277,8 +277,7 @@ static int render_document(const nkw_document *d, void *data)
 /* The format by its name, or by the end of the output's name. */
 static int find_form(request *r)
 {
-    const char *end = r->output ? strrchr(r->output, '.') : NULL;
-    int found = r->format ? options_word(r->format, forms, FORMS) : end ? options_word(end + 1, forms, FORMS) : -1;
+    int found = r->format ? options_word(r->format, forms, FORMS) : output_ending(r->output, forms, FORMS);
     r->form = found < 0 ? FORM_PNG : (form)found;
     return found >= 0 || !r->format;
 }

@@ -206,8 +206,8 @@ static int check_request(const options *o, void *data)
     if (kind < 0)
         return options_misuse(o, r->what, "not local, model, palette, vertices or weights");
     r->kind = (sample_what)kind;
-    const size_t length = r->output ? strlen(r->output) : 0;
-    r->json |= !r->raw && length >= 5 && strcmp(r->output + length - 5, ".json") == 0;
+    static const char *const end[] = {"json"};
+    r->json |= !r->raw && output_ending(r->output, end, 1) == 0;
     if (r->json && r->raw)
         return options_misuse(o, "--raw", "not with --json");
     if (!r->at && r->rate == NO_RATE)

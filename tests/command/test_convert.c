@@ -163,6 +163,28 @@ static void resampled_clips_are_measured(void **state)
     program_says(0, "walk", "diff --clip walk --tolerance 0.05 '" NKW_CHARACTER "' both.glb");
 }
 
+/* The end of a name selects the form in any case. */
+static void ends_of_names_may_be_in_capitals(void **state)
+{
+    (void)state;
+    free(program_run(NULL, "convert '" NKW_CHARACTER "' -o UPPER.GLTF"));
+    free(program_run(NULL, "convert '" NKW_CHARACTER "' -o upper.gltf"));
+    char *said = program_run(NULL, "info UPPER.GLTF --clips | tail -n +2");
+    char *other = program_run(NULL, "info upper.gltf --clips | tail -n +2");
+    assert_string_equal(said, other);
+    free(said);
+    free(other);
+    FILE *f = fopen("UPPER.GLTF", "rb");
+    assert_non_null(f);
+    assert_int_equal(fgetc(f), '{');
+    fclose(f);
+    free(program_run(NULL, "sample '" NKW_CHARACTER "' --at 0 -o UPPER.JSON"));
+    f = fopen("UPPER.JSON", "rb");
+    assert_non_null(f);
+    assert_int_equal(fgetc(f), '{');
+    fclose(f);
+}
+
 static void one_clip_can_be_chosen(void **state)
 {
     (void)state;
@@ -248,6 +270,7 @@ int main(void)
         cmocka_unit_test(up_and_scale_move_vertices),
         cmocka_unit_test(keys_of_ones_own_become_a_model),
         cmocka_unit_test(resampled_clips_are_measured),
+        cmocka_unit_test(ends_of_names_may_be_in_capitals),
         cmocka_unit_test(one_clip_can_be_chosen),
         cmocka_unit_test(root_motion_is_removed),
         cmocka_unit_test(up_is_that_of_the_model_under_a_rotated_armature),
