@@ -466,6 +466,7 @@ static void each_number_of_a_key_is_checked(void **state)
     (void)state;
     const float wrong[3] = {NAN, INFINITY, -INFINITY};
     nkw_fcurve_key keys[3];
+    memcpy(keys, three, sizeof keys);
     nkw_fcurve c = curve_of(keys, 3, NKW_FCURVE_OUTSIDE_HOLD);
     for (size_t i = 0; i < 3 * 3 * 6; i++) {
         memcpy(keys, three, sizeof keys);

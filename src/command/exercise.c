@@ -90,7 +90,7 @@ static size_t read_keys(const nkw_document *d, const nkw_document_animation *a, 
     const nkw_track *tracks[2] = {find_track(a, joint, NKW_CLIP_TRANSLATION), find_track(a, joint, NKW_CLIP_ROTATION)};
     const nkw_trs rest = nkw_pose_get(d->rest, (size_t)joint);
     size_t k[2] = {0, 0}, count = 0;
-    float time;
+    float time = 0.0f;
     while (next_time(tracks, k, &time)) {
         nkw_keyframe key = {time, rest.translation, rest.rotation};
         if (tracks[0])
