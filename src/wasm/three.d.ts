@@ -5,6 +5,13 @@ import type { ClipFormat, ClipTarget, Crowd, FloatArray, Palette, SkinSource } f
 /** What the adapter takes of objects of three.js. */
 export interface Vector3Like { set(x: number, y: number, z: number): unknown; toArray(): number[] }
 export interface QuaternionLike { set(x: number, y: number, z: number, w: number): unknown; toArray(): number[] }
+export interface Matrix4Like {
+  elements: ArrayLike<number>;
+  clone(): Matrix4Like;
+  compose(position: any, quaternion: any, scale: any): Matrix4Like;
+  multiply(by: any): Matrix4Like;
+  invert(): Matrix4Like;
+}
 export interface ObjectLike {
   uuid: string;
   name: string;
@@ -12,7 +19,11 @@ export interface ObjectLike {
   position: Vector3Like;
   quaternion: QuaternionLike;
   scale: Vector3Like;
+  matrix: Matrix4Like;
+  matrixWorld: Matrix4Like;
   morphTargetInfluences?: number[];
+  morphTargetDictionary?: { [name: string]: number };
+  updateWorldMatrix(parents: boolean, children: boolean): void;
   traverse(callback: (object: any) => void): void;
 }
 export interface KeyframesLike {
@@ -50,6 +61,10 @@ export interface Rig {
   readonly morphs: { object: ObjectLike; first: number }[];
   readonly restFloats: number[];
   readonly floatCount: number;
+  /** the inverse of the root's matrix at rest */
+  readonly restInverse: Matrix4Like;
+  /** whether a clip of the rig, or poseToObjects, has set the root; otherwise the root may be moved */
+  rootIsAnimated: boolean;
 }
 
 /**
@@ -57,20 +72,32 @@ export interface Rig {
  * the objects above them are joints.
  */
 export function rigFromObject(root: ObjectLike, wanted?: ObjectLike[]): Rig;
-/** The track of a KeyframeTrack, for a Clip; null if it animates nothing of the rig. */
-export function trackFromKeyframes(rig: Rig, from: KeyframesLike):
+/**
+ * The track of a KeyframeTrack, for a Clip; null if it animates nothing of the rig. With `additive`, the values are
+ * differences from the rest pose of the rig, and are added to it.
+ */
+export function trackFromKeyframes(rig: Rig, from: KeyframesLike, additive?: boolean):
   { target: ClipTarget; index: number; track: Track } | null;
-/** The clip of an AnimationClip. `skipped` receives the names of the tracks that animate nothing of the rig. */
-export function clipFromAnimation(rig: Rig, animation: { tracks: KeyframesLike[] },
+/**
+ * The clip of an AnimationClip. An additive one is added to the rest pose; poseAdditiveBuild(pose, rig.rest, ...) of its
+ * poses has the differences again. `skipped` receives the names of the tracks that animate nothing of the rig.
+ */
+export function clipFromAnimation(rig: Rig, animation: { tracks: KeyframesLike[]; blendMode?: number },
   options?: { format?: ClipFormat; skipped?: string[] }): Clip;
 /** The skin of a three.js Skeleton, for a Palette or a Crowd. */
 export function skinFromSkeleton(rig: Rig, skeleton: SkeletonLike):
   SkinSource & { joints: number[]; inverseBind: number[] };
-/** Writes a pose into the objects, as an AnimationMixer does; three.js then computes the matrices. */
+/**
+ * Writes a pose into the objects, as an AnimationMixer does; three.js then computes the matrices. A root that no clip
+ * of the rig animates remains where it is.
+ */
 export function poseToObjects(rig: Rig, pose: Pose): void;
 /** Writes the separate floats of a clip into the morph target influences. */
 export function floatsToObjects(rig: Rig, floats: FloatArray): void;
-/** Fills the bone matrices of a three.js Skeleton with a Palette. Its bones have no effect on them from here on. */
+/**
+ * Fills the bone matrices of a three.js Skeleton with a Palette. Its bones have no effect on them from here on. The
+ * figure is where the parents of the rig's root, and the root, are now: call it after they have been moved.
+ */
 export function fillSkeleton(skeleton: SkeletonLike, palette: Pick<Palette, 'array'>): void;
 /**
  * Gives a three.js Skeleton a bone texture with the matrices of all characters of a Crowd, a row each: the memory of

@@ -137,6 +137,119 @@ test('tracks are found by name, uuid and bone; others are named, and smooth ones
   assert.throws(() => adapter.skinFromSkeleton(rig, stranger), /bone 0 is not in the rig/);
 });
 
+// The properties of all objects of a tree at a time, by the mixer, and by a clip of the adapter.
+function byMixer(root, animation, time) {
+  const mixer = new THREE.AnimationMixer(root);
+  mixer.clipAction(animation).play();
+  mixer.setTime(time);
+  return numbersOf(root);
+}
+function byClip(root, animation, time) {
+  const rig = adapter.rigFromObject(root), skipped = [], clip = adapter.clipFromAnimation(rig, animation, { skipped });
+  const pose = new n.Pose(rig.objects.length), floats = new Float32Array(rig.floatCount);
+  clip.sample(time, pose, floats);
+  adapter.poseToObjects(rig, pose);
+  adapter.floatsToObjects(rig, floats);
+  return { ...numbersOf(root), skipped };
+}
+function numbersOf(root) {
+  const values = [];
+  root.traverse(o => values.push(...o.position.toArray(), ...o.quaternion.toArray(), ...o.scale.toArray(),
+    ...o.morphTargetInfluences ?? []));
+  return { values };
+}
+
+function face() {
+  const root = Object.assign(new THREE.Group(), { name: 'root' }), geometry = new THREE.BufferGeometry();
+  geometry.setAttribute('position', new THREE.Float32BufferAttribute(9, 3));
+  geometry.morphAttributes.position = ['smile', 'blink'].map(name =>
+    Object.assign(new THREE.Float32BufferAttribute(9, 3), { name }));
+  const mesh = Object.assign(new THREE.Mesh(geometry), { name: 'face' });
+  mesh.updateMorphTargets();
+  mesh.position.set(1, 3, -2);
+  mesh.rotation.set(0.1, 0.2, 0.5);
+  mesh.scale.set(2, 1, 0.5);
+  mesh.morphTargetInfluences[1] = 0.125;
+  return root.add(mesh);
+}
+
+const turn = angle => new THREE.Quaternion().setFromAxisAngle(new THREE.Vector3(0, 0.6, 0.8), angle).toArray();
+
+test('an additive clip is added to the rest pose, as the mixer plays it', () => {
+  const times = [0, 0.5, 1], make = () => THREE.AnimationUtils.makeClipAdditive(new THREE.AnimationClip('breath', -1, [
+    new THREE.VectorKeyframeTrack('face.position', times, [0, 3, 0, 0, 3.1, 0, 1, 2, 3]),
+    new THREE.QuaternionKeyframeTrack('face.quaternion', times, [0.5, 0.6, -0.4].flatMap(turn)),
+    new THREE.VectorKeyframeTrack('face.scale', times, [1, 1, 1, 1, 2, 1, 3, 1, 1], THREE.InterpolateDiscrete),
+    new THREE.NumberKeyframeTrack('face.morphTargetInfluences[blink]', times, [0.5, 0.25, 1])]));
+  for (const time of [0, 0.2, 0.5, 0.8, 0.99])
+    assert.ok(apart(byClip(face(), make(), time).values, byMixer(face(), make(), time).values) < 1e-6, `${time}`);
+});
+
+test('tracks of single morph targets and paths are read; components are named as skipped', () => {
+  const number = (name, values) => new THREE.NumberKeyframeTrack(name, [0, 1], values);
+  for (const track of [number('face.morphTargetInfluences[smile]', [0, 1]),
+    number('face.morphTargetInfluences[1]', [0, 1]),
+    number('face.morphTargetInfluences', [0, 0, 1, 0.5]),
+    new THREE.VectorKeyframeTrack('root/face.position', [0, 1], [0, 0, 0, 2, 0, 0])]) {
+    const animation = new THREE.AnimationClip('c', -1, [track]), ours = byClip(face(), animation, 0.5);
+    assert.deepEqual(ours.skipped, []);
+    assert.ok(apart(ours.values, byMixer(face(), animation, 0.5).values) < 1e-6, track.name);
+    assert.ok(apart(ours.values, numbersOf(face()).values) > 0.1, track.name);
+  }
+  const others = ['face.position[y]', 'face.rotation[z]', 'face.morphTargetInfluences[wink]',
+    'face.morphTargetInfluences[2]', 'leg.morphTargetInfluences[smile]'].map(name => number(name, [0, 1]));
+  assert.deepEqual(byClip(face(), { tracks: others }, 0.5).skipped, others.map(track => track.name));
+});
+
+test('an attached figure follows its root and the parents of the root', async () => {
+  const model = await character(), [body] = model.meshes, { skeleton } = body, above = new THREE.Group();
+  const top = new THREE.Group();
+  top.add(above.add(model.scene));
+  const rig = adapter.rigFromObject(model.scene, skeleton.bones);
+  const clip = adapter.clipFromAnimation(rig, model.animations[0]);
+  const palette = new n.Palette(adapter.skinFromSkeleton(rig, skeleton)), pose = new n.Pose(rig.objects.length);
+  const models = new n.Matrices(rig.objects.length), update = skeleton.update;
+  clip.sample(0.3, pose);
+  for (const move of [() => {}, () => above.position.set(10, 0, 0), () => model.scene.position.set(3, 0, 5),
+    () => above.rotation.set(0.3, 1, 0), () => top.scale.set(2, 1, 1), () => model.scene.rotation.set(0, 2, 1)]) {
+    move();
+    adapter.fillSkeleton(skeleton, palette.update(rig.skeleton.models(pose, models)));
+    const ours = skeleton.boneMatrices.slice();
+    skeleton.update = update;
+    top.updateMatrixWorld(true);
+    const theirs = play(model, 0, 0.3).matrices;
+    assert.ok(apart(theirs, ours) < 2e-5, `${move}: ${apart(theirs, ours)}`);
+  }
+  const moved = model.scene.position.toArray();
+  adapter.poseToObjects(rig, pose);
+  assert.deepEqual(model.scene.position.toArray(), moved, 'no clip animates the root');
+});
+
+test('a root that a clip animates is where the clip has it', () => {
+  const make = () => {
+    const [parent, root, bone] = [new THREE.Group(), new THREE.Bone(), new THREE.Bone()];
+    parent.add(Object.assign(root, { name: 'hips' }).add(bone));
+    parent.position.set(0, 0, 4);
+    parent.rotation.y = 1;
+    bone.position.y = 1;
+    parent.updateMatrixWorld(true);
+    return { parent, root, skeleton: new THREE.Skeleton([root, bone]) };
+  };
+  const animation = new THREE.AnimationClip('walk', -1,
+    [new THREE.VectorKeyframeTrack('hips.position', [0, 1], [0, 0, 0, 2, 0, 0])]);
+  const theirs = make(), ours = make(), rig = adapter.rigFromObject(ours.root), pose = new n.Pose(2);
+  byMixer(theirs.root, animation, 0.75);
+  theirs.parent.updateMatrixWorld(true);
+  theirs.skeleton.update();
+  const palette = new n.Palette(adapter.skinFromSkeleton(rig, ours.skeleton));
+  adapter.clipFromAnimation(rig, animation).sample(0.75, pose);
+  for (let frame = 0; frame < 2; frame++) {
+    adapter.fillSkeleton(ours.skeleton, palette.update(rig.skeleton.models(pose, new n.Matrices(2))));
+    assert.ok(apart(ours.skeleton.boneMatrices.slice(0, 32), theirs.skeleton.boneMatrices.slice(0, 32)) < 1e-6);
+    adapter.poseToObjects(rig, pose);
+  }
+});
+
 // A tree of 67 bones, each turned by 301 keys.
 function figure(next) {
   const bones = Array.from({ length: 67 }, (_, i) => Object.assign(new THREE.Bone(), { name: `bone${i}` }));
