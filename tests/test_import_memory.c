@@ -143,6 +143,21 @@ static nkw_import_result open_outer(void)
     return result;
 }
 
+static nkw_import_result open_obj(void)
+{
+    static const char text[] = "mtllib data.bin\nmtllib no.mtl\nv 0 0 0 1 1 1\nv 1 0 0 1 1 1\nv 0 1 0 1 1 1\nvt 0 0\n"
+                               "vn 0 0 1\nusemtl m\nf 1/1/1 2/1/1 3/1/1\nf 1 2\no a\nl 1 2 3\nx\n";
+    static const char material[] = "newmtl m\nKd 1 0 x\nmap_Kd a.png\n";
+    outer o = {material, sizeof material - 1};
+    const nkw_import_memory memory = {text, sizeof text - 1, "a.obj", NULL, read_outer, &o, 0};
+    nkw_document *d;
+    nkw_import_error error;
+    nkw_import_result result = nkw_document_open_memory(&memory, &d, &error);
+    expect_end(result, &error, d);
+    nkw_document_close(d);
+    return result;
+}
+
 static nkw_import_result make_clip(void)
 {
     nkw_clip *clip;
@@ -226,6 +241,7 @@ static void readers_answer_each_allocation_that_fails(void **state)
     assert_true(expect_answers(open_outer, 1) > 10);
     assert_true(expect_answers(open_keys, 1) > 8);
     assert_true(expect_answers(open_table, 1) > 8);
+    assert_true(expect_answers(open_obj, 1) > 30);
 }
 
 static void clips_and_writers_answer_each_allocation_that_fails(void **state)

@@ -9,6 +9,7 @@
 #include <assimp/postprocess.h>
 
 #include "file.h"
+#include "utf8.h"
 
 void *nkwi_assimp_take(nkwi_assimp *a, const char *place, size_t count, size_t size)
 {
@@ -27,41 +28,14 @@ void *nkwi_assimp_scratch(nkwi_assimp *a, const char *place, size_t count, size_
     return block;
 }
 
-/* The bytes of the character at `text` in UTF-8, RFC 3629; 0 for what is no character. */
-static size_t character_bytes(const unsigned char *text)
-{
-    static const struct {
-        unsigned char low, high, bytes, least, most; /* of the first byte, and of the second */
-    } rows[] = {{0x01, 0x7f, 1, 0, 0},       {0xc2, 0xdf, 2, 0x80, 0xbf}, {0xe0, 0xe0, 3, 0xa0, 0xbf},
-                {0xe1, 0xec, 3, 0x80, 0xbf}, {0xed, 0xed, 3, 0x80, 0x9f}, {0xee, 0xef, 3, 0x80, 0xbf},
-                {0xf0, 0xf0, 4, 0x90, 0xbf}, {0xf1, 0xf3, 4, 0x80, 0xbf}, {0xf4, 0xf4, 4, 0x80, 0x8f}};
-    for (size_t i = 0; i < sizeof rows / sizeof *rows; i++) {
-        if (text[0] < rows[i].low || text[0] > rows[i].high)
-            continue;
-        if (rows[i].bytes > 1 && (text[1] < rows[i].least || text[1] > rows[i].most))
-            return 0;
-        for (size_t b = 2; b < rows[i].bytes; b++)
-            if ((text[b] & 0xc0) != 0x80)
-                return 0;
-        return rows[i].bytes;
-    }
-    return 0;
-}
-
 const char *nkwi_assimp_name(nkwi_assimp *a, const struct aiString *name, const char *kind, size_t number)
 {
-    unsigned char text[sizeof name->data + 1];
-    size_t length = name->length < sizeof name->data ? name->length : sizeof name->data - 1, step;
+    char text[sizeof name->data + 1];
+    const size_t length = name->length < sizeof name->data ? name->length : sizeof name->data - 1;
     memcpy(text, name->data, length);
     text[length] = 0;
-    for (size_t i = 0; i < length; i += step) {
-        step = character_bytes(text + i);
-        if (step == 0) {
-            text[i] = '?';
-            step = 1;
-        }
-    }
-    return nkwi_document_name(a->document, a->error, (const char *)text, kind, number);
+    nkwi_utf8(text, length);
+    return nkwi_document_name(a->document, a->error, text, kind, number);
 }
 
 nkw_mat4 nkwi_assimp_matrix(const struct aiMatrix4x4 *m)
@@ -177,12 +151,22 @@ static int import(nkwi_assimp *a, const nkw_import_memory *memory, const char *n
     return nkwi_fail(a->error, NULL, NKW_IMPORT_INVALID, "Assimp: %s", reason && *reason ? reason : "cannot be read");
 }
 
+/* Equal in any case; `small` is in small letters. */
+static int is_same(const char *text, const char *small)
+{
+    for (; *small; text++, small++)
+        if ((*text >= 'A' && *text <= 'Z' ? *text - 'A' + 'a' : *text) != *small)
+            return 0;
+    return !*text;
+}
+
+/* Not glTF and OBJ, which have readers of their own, also where their content is of none. */
 int nkwi_assimp_is(const nkw_import_memory *memory)
 {
     const char *extension = nkwi_assimp_extension(memory);
-    static const char *const not [] = {".gltf", ".glb", ".vrm"};
-    for (size_t i = 0; i < sizeof not / sizeof *not ; i++)
-        if (strcmp(extension, not [i]) == 0)
+    static const char *const own[] = {".gltf", ".glb", ".vrm", ".obj"};
+    for (size_t i = 0; i < sizeof own / sizeof *own; i++)
+        if (is_same(extension, own[i]))
             return 0;
     return memory->bytes > 0 && extension[0] && aiIsExtensionSupported(extension);
 }

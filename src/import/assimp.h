@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /*
- * The bridge to Assimp: all formats but glTF and keys. Everything of a scene is checked before it is used: counts,
+ * The bridge to Assimp: all formats except glTF, BVH, OBJ and keys. Everything of a scene is checked before it is used: counts,
  * indices, names. docs/importers.md states what each importer loses.
  */
 #ifndef NAKAWARI_IMPORT_ASSIMP_H

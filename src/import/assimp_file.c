@@ -1,6 +1,5 @@
 /* SPDX-License-Identifier: MIT */
 /* Files for Assimp: the first file from memory, the others from its folder by the reader of the document. */
-#include <ctype.h>
 #include <stdint.h>
 #include <stdlib.h>
 #include <string.h>
@@ -162,20 +161,6 @@ static int has(const nkw_import_memory *memory, size_t most, const char *text)
     return 0;
 }
 
-/* The first word of the first line that is neither empty nor a comment with #. */
-static size_t first_word(const nkw_import_memory *memory, const char **word)
-{
-    const char *at = (const char *)memory->data, *end = at + memory->bytes;
-    size_t length = 0;
-    while (at < end && (isspace((unsigned char)*at) || *at == '#'))
-        if (*at++ == '#')
-            while (at < end && *at != '\n')
-                at++;
-    for (*word = at; at < end && !isspace((unsigned char)*at) && length < 16; at++)
-        length++;
-    return length;
-}
-
 /* Formats whose beginning names them. */
 static const char *extension_of_content(const nkw_import_memory *memory)
 {
@@ -195,17 +180,11 @@ static const char *extension_of_content(const nkw_import_memory *memory)
                  {15, "INTERQUAKEMODEL", ".iqm"},
                  {4, "BB3D", ".b3d"},
                  {10, "MS3D000000", ".ms3d"}};
-    static const char *const obj[] = {"v", "vn", "vt", "f", "o", "g", "s", "mtllib", "usemtl"};
-    const char *word;
     if (has(memory, 10, "MD5Version"))
         return has(memory, 4096, "numFrames") ? ".md5anim" : has(memory, 4096, "numCuts") ? ".md5camera" : ".md5mesh";
     for (size_t i = 0; i < sizeof marks / sizeof *marks; i++)
         if (has(memory, marks[i].most, marks[i].text))
             return marks[i].extension;
-    size_t length = first_word(memory, &word);
-    for (size_t i = 0; i < sizeof obj / sizeof *obj; i++)
-        if (strlen(obj[i]) == length && memcmp(obj[i], word, length) == 0)
-            return ".obj";
     return NULL;
 }
 

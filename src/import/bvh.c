@@ -9,6 +9,9 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "decimal.h"
+#include "utf8.h"
+
 int nkwi_bvh_fail(nkwi_bvh *b, const char *reason)
 {
     char place[40];
@@ -26,6 +29,12 @@ typedef struct word {
 static int is_blank(char c)
 {
     return c == ' ' || c == '\t' || c == '\r';
+}
+
+/* What ends a number. */
+static int is_space(char c)
+{
+    return is_blank(c) || c == '\n' || c == '\f' || c == '\v' || c == '\0';
 }
 
 static char lower(char c)
@@ -75,6 +84,19 @@ static word rest_of_line(nkwi_bvh *b)
     return w;
 }
 
+/* The next number of the text; *found is 0 at its end. Returns 0, and the error, for what is no finite number. */
+static int next_number(nkwi_bvh *b, double *number, int *found)
+{
+    while (b->at < b->end && is_space(*b->at))
+        b->line += *b->at++ == '\n';
+    const char *from = b->at;
+    while (b->at < b->end && !is_space(*b->at))
+        b->at++;
+    *found = b->at > from;
+    const char *reason = *found ? nkwi_decimal(from, (size_t)(b->at - from), number) : NULL;
+    return !reason || nkwi_bvh_fail(b, reason);
+}
+
 static int expect(nkwi_bvh *b, const char *text, const char *reason)
 {
     return is(next_word(b), text) || nkwi_bvh_fail(b, reason);
@@ -90,6 +112,7 @@ static char *name_of(nkwi_bvh *b, word w, const char *before)
         return NULL;
     memcpy(name, before, length);
     memcpy(name + length, w.text, w.length);
+    nkwi_utf8(name, length + w.length);
     return name;
 }
 
@@ -136,7 +159,7 @@ static int read_offset(nkwi_bvh *b, nkwi_bvh_node *node)
     for (int i = 0; i < 3; i++) {
         double number;
         int found;
-        if (!nkwi_bvh_number(b, &number, &found) || (!found && !nkwi_bvh_fail(b, "OFFSET has fewer than 3 numbers")))
+        if (!next_number(b, &number, &found) || (!found && !nkwi_bvh_fail(b, "OFFSET has fewer than 3 numbers")))
             return 0;
         out[i] = (float)number;
     }
@@ -149,7 +172,7 @@ static int read_channels(nkwi_bvh *b, nkwi_bvh_node *node)
                                                     "zrotation", "xscale",    "yscale",    "zscale"};
     double count;
     int found;
-    if (!nkwi_bvh_number(b, &count, &found) || !found || !(count >= 0.0 && count <= BVH_CHANNELS))
+    if (!next_number(b, &count, &found) || !found || !(count >= 0.0 && count <= BVH_CHANNELS))
         return nkwi_bvh_fail(b, "CHANNELS has a number from 0 to 9");
     node->first = b->channel_count;
     for (node->channel_count = 0; node->channel_count < (size_t)count; node->channel_count++) {
@@ -223,17 +246,17 @@ static int read_frames(nkwi_bvh *b)
     double number;
     int found;
     if (!expect(b, "frames", "Frames: is expected") || !expect(b, ":", "Frames: is expected") ||
-        !nkwi_bvh_number(b, &number, &found))
+        !next_number(b, &number, &found))
         return 0;
     if (!found || !(number >= 0.0 && number < 1e9))
         return nkwi_bvh_fail(b, "Frames: has a whole number");
     b->stated = (size_t)number;
     if (!expect(b, "frame", "Frame Time: is expected") || !expect(b, "time", "Frame Time: is expected") ||
-        !expect(b, ":", "Frame Time: is expected") || !nkwi_bvh_number(b, &b->frame_time, &found))
+        !expect(b, ":", "Frame Time: is expected") || !next_number(b, &b->frame_time, &found))
         return 0;
     if (!found)
         return nkwi_bvh_fail(b, "Frame Time: has a number of seconds");
-    while (nkwi_bvh_number(b, &number, &found)) {
+    while (next_number(b, &number, &found)) {
         if (!found)
             return 1;
         if (!add_value(b, number))

@@ -32,8 +32,6 @@ typedef struct nkwi_bvh {
 
 /* The text: hierarchy and frames (bvh.c). */
 int nkwi_bvh_parse(nkwi_bvh *b);
-/* The next number of the text; *found is 0 at its end. Returns 0, and the error, for what is no finite number. */
-int nkwi_bvh_number(nkwi_bvh *b, double *number, int *found);
 /* Nodes and tracks (bvh_document.c). */
 int nkwi_bvh_document(nkwi_bvh *b, int adds_offset);
 

@@ -47,6 +47,7 @@ int nkwi_document_warn(nkwi_document *d, nkw_import_error *error, const char *fo
     va_start(arguments, format);
     vsnprintf(text, sizeof text, format, arguments);
     va_end(arguments);
+    nkwi_tame(text);
     if (!d->warnings)
         d->warnings = (const char **)nkwi_document_take(d, error, NULL, NKWI_WARNINGS, sizeof *d->warnings);
     d->all.warnings = d->warnings;
@@ -142,12 +143,16 @@ static int read_format(nkwi_document *d, const nkw_import_memory *memory, nkw_im
         return nkwi_gltf_read(d, memory, error);
     if (nkwi_bvh_is(memory->data, memory->bytes))
         return nkwi_bvh_read(d, memory, error);
+    if (nkwi_obj_is(memory->data, memory->bytes))
+        return nkwi_obj_read(d, memory, error);
     if (nkwi_keys_is(memory->data, memory->bytes))
         return nkwi_keys_read(d, memory, error);
 #if defined(NKWI_ASSIMP)
     if (nkwi_assimp_is(memory))
         return nkwi_assimp_read(d, memory, error);
 #endif
+    if (memory->bytes > 0 && nkwi_obj_is_named(memory->file))
+        return nkwi_obj_read(d, memory, error);
     return nkwi_fail(error, NULL, NKW_IMPORT_UNKNOWN, memory->bytes ? "no format that is read" : "the file is empty");
 }
 

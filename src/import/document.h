@@ -55,6 +55,11 @@ int nkwi_gltf_read(nkwi_document *document, const nkw_import_memory *memory, nkw
 int nkwi_bvh_is(const void *data, size_t bytes);
 int nkwi_bvh_read(nkwi_document *document, const nkw_import_memory *memory, nkw_import_error *error);
 
+/* OBJ (obj.c): the same; and whether a file without such words is one by its extension. */
+int nkwi_obj_is(const void *data, size_t bytes);
+int nkwi_obj_is_named(const char *file);
+int nkwi_obj_read(nkwi_document *document, const nkw_import_memory *memory, nkw_import_error *error);
+
 /* Keys in CSV (keys.c): the same. */
 int nkwi_keys_is(const void *data, size_t bytes);
 int nkwi_keys_read(nkwi_document *document, const nkw_import_memory *memory, nkw_import_error *error);

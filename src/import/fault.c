@@ -5,6 +5,8 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "utf8.h"
+
 void nkwi_fault_none(nkw_import_error *error, const char *file)
 {
     const nkw_import_error none = {NKW_IMPORT_OK, NKW_OK, "", "", ""};
@@ -13,9 +15,9 @@ void nkwi_fault_none(nkw_import_error *error, const char *file)
     snprintf(error->file, sizeof error->file, "%s", length > most ? file + (length - most) : file);
 }
 
-/* Texts of files must not control the terminal. */
-static void tame(char *text)
+void nkwi_tame(char *text)
 {
+    nkwi_utf8(text, strlen(text));
     for (; *text; text++)
         if ((unsigned char)*text < 0x20 || *text == 0x7f)
             *text = '?';
@@ -25,7 +27,7 @@ static void explain(nkw_import_error *error, nkw_import_result code, const char 
 {
     error->code = code;
     vsnprintf(error->reason, sizeof error->reason, format, arguments);
-    tame(error->reason);
+    nkwi_tame(error->reason);
 }
 
 /* Appends the pointer to what is at `used`, and returns the length so far. */

@@ -21,6 +21,9 @@ typedef struct nkwi_place {
 /* No error yet, of this file. */
 void nkwi_fault_none(nkw_import_error *error, const char *file);
 
+/* Texts of files must not control the terminal: control characters, and bytes that are no UTF-8, become ?. */
+void nkwi_tame(char *text);
+
 /* Records an error and returns 0. place NULL: the place stays as it is. */
 int nkwi_fail(nkw_import_error *error, const nkwi_place *place, nkw_import_result code, const char *format, ...)
     NKWI_PRINTS(4, 5);

@@ -46,6 +46,10 @@ static const char rows[] = "{'columns':'tx,ty,tz,yaw,pitch,roll','rows':[{'name'
                            "10,20,30]},{'name':'b','time':0,'parent':'a','values':[1,2,3,null,null,null]},{'name':'b',"
                            "'interpolation':'STEP','clip':'d','time':0,'values':[null,null,null,1,2,3]}]}";
 
+static const char shapes[] =
+    "mtllib d\no a\nv 0 0 0 1 1 1\nv 1 0 0\nv 1 1 0\nv .2 .4 0\nv 0 1 0\nvt 0 1\nvn 0 0 1\nusemtl m\n"
+    "f 1/1/1 2/1/1 3/1/1 4/1/1 -1/1/1\nf 1 2 3\ng b \\\nc # d\nl 1 2 \\\n 3\np -1 2\n";
+
 static const char *const words[] = {
     "0",    "1", "-1",   "4294967295", "9007199254740992", "1e999", "null", "[", "{", "]", "}", "''", "65536", "0.5",
     "true", ",", "5126", "5121",       "'CUBICSPLINE'",    "7"};
@@ -186,8 +190,9 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
 {
     fuzz f = fuzz_begin(data, size);
     char *text = (char *)fuzz_block(&f, TEXT_MOST);
-    static const char *const texts[8] = {whole, whole, whole, whole, curves, scenes, keys, rows};
-    const char *from = texts[fuzz_byte(&f) % 8];
+    static const char *const texts[10] = {whole,  whole, whole, whole,  curves,
+                                            scenes, keys,  rows,  shapes, shapes};
+    const char *from = texts[fuzz_byte(&f) % 10];
     size_t length = strlen(from), edits = fuzz_upto(&f, EDITS_MOST);
     for (size_t i = 0; i < length; i++)
         text[i] = (char)(from[i] == '\'' ? '"' : from[i]);

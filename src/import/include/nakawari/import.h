@@ -169,7 +169,7 @@ typedef struct nkw_document_scene {
 /** A file that was read. All arrays belong to it and are read-only. */
 typedef struct nkw_document {
     const char *file; /**< as passed to the function that opened it */
-    const char *format; /**< "glTF 2.0", "CSV keys", "JSON keys", or the name of an importer of Assimp */
+    const char *format; /**< "glTF 2.0", "BVH", "OBJ", "CSV keys", "JSON keys", or the name of an importer of Assimp */
     const char *generator; /**< the program that wrote the file; "" if unknown */
     size_t bytes; /**< of all files that were read */
     nkw_skeleton skeleton; /**< all nodes; at least one */
@@ -219,8 +219,8 @@ typedef struct nkw_import_memory {
 } nkw_import_memory;
 
 /**
- * Reads a file: glTF 2.0 as .gltf, .glb or .vrm, BVH, or keys in CSV or JSON, recognised by its content; with Assimp
- * FBX, Collada, X, MD5, OBJ and others, recognised by their content, otherwise by the extension of the file. Outer
+ * Reads a file: glTF 2.0 as .gltf, .glb or .vrm, BVH, OBJ, or keys in CSV or JSON, recognised by its content; with
+ * Assimp FBX, Collada, X, MD5 and others, recognised by their content, otherwise by the extension of the file. Outer
  * files are read from its folder and the folders below.
  *
  * document  receives the document, to be closed; NULL after an error

@@ -1,21 +1,16 @@
 /* SPDX-License-Identifier: MIT */
-/* Numbers of BVH: as programs of every locale write them. */
+#include "decimal.h"
+
 #include <jansson.h>
 #include <math.h>
+#include <stdio.h>
 #include <string.h>
-
-#include "bvh.h"
 
 enum { NUMBER_MOST = 64 };
 
 static int is_digit(char c)
 {
     return c >= '0' && c <= '9';
-}
-
-static int is_space(char c)
-{
-    return c == ' ' || c == '\t' || c == '\r' || c == '\n' || c == '\f' || c == '\v' || c == '\0';
 }
 
 /* The digits of a decimal number, and the power of ten that they are of. */
@@ -79,20 +74,11 @@ static double value_of(const decimal *d)
     return d->is_negative ? -number : number;
 }
 
-int nkwi_bvh_number(nkwi_bvh *b, double *number, int *found)
+const char *nkwi_decimal(const char *text, size_t length, double *number)
 {
     decimal d;
-    while (b->at < b->end && is_space(*b->at))
-        b->line += *b->at++ == '\n';
-    const char *from = b->at;
-    while (b->at < b->end && !is_space(*b->at))
-        b->at++;
-    const size_t length = (size_t)(b->at - from);
-    *found = length > 0;
-    if (!*found)
-        return 1;
-    if (length >= NUMBER_MOST || !take_decimal(from, length, &d))
-        return nkwi_bvh_fail(b, "a number is expected");
+    if (length == 0 || length >= NUMBER_MOST || !take_decimal(text, length, &d))
+        return "a number is expected";
     *number = value_of(&d);
-    return fabs(*number) <= (double)3.4e38f || nkwi_bvh_fail(b, "the number is not finite as a float");
+    return fabs(*number) <= (double)3.4e38f ? NULL : "the number is not finite as a float";
 }
