@@ -18,15 +18,17 @@
 #define NKW_VERSION_PATCH 0
 
 /**
- * NKW_API marks the exported functions. On Windows, users of the shared library need no attribute: their calls go
- * through the import library.
+ * NKW_API precedes the prototype of each function of the library. `extern` also makes a symbol of each inline function
+ * in Clang's MSVC mode, which otherwise drops those that their file does not call. The shared library is built with
+ * NKW_BUILD and NKW_SHARED and exports these functions; a static library is built with NKW_BUILD alone, and what links
+ * it exports none of them. Users define neither: on Windows, calls go through the import library.
  */
 #if defined(NKW_BUILD) && defined(_WIN32) && defined(NKW_SHARED)
-#define NKW_API __declspec(dllexport)
-#elif defined(__GNUC__) && !defined(_WIN32)
-#define NKW_API __attribute__((visibility("default")))
+#define NKW_API extern __declspec(dllexport)
+#elif defined(__GNUC__) && !defined(_WIN32) && (defined(NKW_SHARED) || !defined(NKW_BUILD))
+#define NKW_API extern __attribute__((visibility("default")))
 #else
-#define NKW_API
+#define NKW_API extern
 #endif
 
 /**
@@ -106,7 +108,7 @@
 #else
 #define NKW_BODY inline
 #endif
-#if defined(__GNUC__)
+#if defined(__GNUC__) || defined(__clang__)
 #define NKW_PART extern inline __attribute__((__gnu_inline__, __always_inline__))
 #else
 #define NKW_PART static inline
