@@ -286,6 +286,40 @@ test('p, o, f, t, a, d: methods, views, axes, keys', async () => {
   await tab.close();
 });
 
+test('the keys work after a click on any control; a field of text keeps them', async () => {
+  const { tab, problems, field } = await exercise('scene=1');
+  for (const [selector, act] of [['.time', 'click'], ['[data-field=scene]', 'focus'], ['[data-field=axes]', 'focus'],
+    ['main button', 'focus'], ['.time', 'focus']]) {
+    await tab.locator(selector).first()[act]();
+    const before = await field('position');
+    await tab.keyboard.press('p');
+    await frame(tab);
+    assert.notEqual(await field('position'), before, selector);
+  }
+  await tab.keyboard.press('4');
+  await frame(tab);
+  assert.equal(await field('scene'), '4');
+  const [time, scene] = [await tab.inputValue('.time'), await field('scene')];
+  await tab.keyboard.press('ArrowRight');
+  await frame(tab);
+  assert.notEqual(await tab.inputValue('.time'), time, 'an arrow is the slider\'s');
+  await tab.keyboard.press('P');
+  await tab.keyboard.press(' ');
+  await frame(tab);
+  assert.ok(await tab.evaluate(() => new Promise(done => {
+    const from = document.querySelector('.time').value;
+    setTimeout(() => done(document.querySelector('.time').value !== from), 300);
+  })), 'space plays while the slider has the focus');
+  await tab.keyboard.press('s');
+  await cell(tab, 0, 'x').focus();
+  const before = await field('position');
+  await tab.keyboard.press('p');
+  await frame(tab);
+  assert.deepEqual([await field('position'), await field('scene')], [before, scene]);
+  assert.deepEqual(problems, []);
+  await tab.close();
+});
+
 test('space plays from the start, s stops and resumes', async () => {
   const { tab, field } = await exercise('scene=1&time=5&view=frames');
   const time = async () => parseFloat(await text(tab, '.seconds'));

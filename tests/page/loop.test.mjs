@@ -3,7 +3,7 @@
 // ends of the clip.
 import assert from 'node:assert/strict';
 import { after, test } from 'node:test';
-import { axe, close, open, printed, shown } from './models.mjs';
+import { axe, close, drawn, open, printed, shown } from './models.mjs';
 
 after(close);
 const exhibit = async (query = '', options) => {
@@ -220,5 +220,13 @@ test('loop: the log has the last keys; the live region speaks once, when the hea
   assert.match(rows[0][2], /backwards/);
   assert.match(rows[1][2], /forwards/);
   assert.deepEqual(await axe(tab), []);
+  await tab.close();
+});
+
+test('loop: an address without keys is drawn with the default', async () => {
+  const { tab, problems } = await open('loop?keys=');
+  await drawn(tab);
+  assert.match(await tab.textContent('main'), /0\.500/); // the key at a quarter of 2 s
+  assert.deepEqual(problems, []);
   await tab.close();
 });

@@ -2,7 +2,7 @@
 import assert from 'node:assert/strict';
 import { after, test } from 'node:test';
 import { centre, drag, follows, settled } from './drags.mjs';
-import { close, near, printed, row, shown, within } from './models.mjs';
+import { close, drawn, near, open, printed, row, shown, within } from './models.mjs';
 import { cross, degrees, dot, euler, inverse, log, nearer, product, rotated, scale } from './quaternions.mjs';
 
 after(close);
@@ -137,6 +137,8 @@ test('times and angular velocities can be typed; a time stays between its neighb
   await enter(3, 2, '-1.5');
   assert.equal(await field(3, 2).inputValue(), '-1.5');
   await tab.waitForURL(/times=0_1.9_2_3_6.5.*omega=/);
+  await enter(2, 1, '1e99');
+  assert.equal(await field(2, 1).inputValue(), '1000');
   await tab.getByRole('button', { name: /Catmull-Rom/ }).click();
   await settled(tab);
   assert.notEqual(await field(3, 2).inputValue(), '-1.5');
@@ -148,3 +150,12 @@ test('the components of one method are drawn instead of the lengths of all', () 
   await settled(tab);
   assert.notEqual(await picture(), before);
 }));
+
+test('an address with an infinite angular velocity has the default', async () => {
+  const omega = Array.from({ length: 15 }, (_, i) => i === 4 ? '1e99' : '0').join('_');
+  const { tab, problems } = await open(`splines?method=hermite&omega=${omega}`);
+  await drawn(tab);
+  await settled(tab);
+  assert.deepEqual(problems, []);
+  await tab.close();
+});

@@ -20,10 +20,23 @@ Object.assign(globalThis, { nakawariWork: work });
 const help = { en: 'Keys', ja: 'キー操作' };
 const beside = { en: 'Controls and numbers', ja: '操作と数値' };
 
-// Keys typed into a field are the field's.
-const typing = (target: EventTarget | null) => target instanceof HTMLElement &&
-  (target.isContentEditable || /^(INPUT|SELECT|TEXTAREA)$/.test(target.tagName)) &&
-  !(target instanceof HTMLInputElement && target.type === 'checkbox');
+/** Whether a key is that of the element with the focus: all keys in fields of text, those that operate a control. */
+function isOwn(key: string, target: EventTarget | null) {
+  if (!(target instanceof HTMLElement))
+    return false;
+  if (target instanceof HTMLInputElement && target.type === 'range')
+    return /^(Arrow|Page|Home|End)/.test(key);
+  if (target instanceof HTMLInputElement && !/^(checkbox|radio|button|color|file)$/.test(target.type))
+    return true;
+  if (target instanceof HTMLSelectElement)
+    return /^( |Enter|Arrow|Page|Home|End)/.test(key);
+  return target.isContentEditable || target instanceof HTMLTextAreaElement ||
+    (key === ' ' && /^(BUTTON|SUMMARY|INPUT|A)$/.test(target.tagName));
+}
+
+/** The letter of a key, also while an input method composes, or with capital letters. */
+const letterOf = ({ key, code }: KeyboardEvent) =>
+  key.length === 1 ? key.toLowerCase() : key === 'Process' && code.startsWith('Key') ? code.slice(3).toLowerCase() : key;
 
 function keyTable(list: Shortcut[]) {
   const name = (key: string) => key === ' ' ? 'space' : key;
@@ -32,12 +45,10 @@ function keyTable(list: Shortcut[]) {
       element('dd', {}, say(s.does))]))]);
 }
 
-/** Calls the function of a key. Buttons and fields keep the space bar. */
+/** Calls the function of a key. */
 const onKey = (keys: Shortcut[]) => (event: KeyboardEvent) => {
-  const plain = !event.ctrlKey && !event.metaKey && !event.altKey && !typing(event.target);
-  const onButton = event.key === ' ' && event.target instanceof HTMLElement &&
-    /^(BUTTON|SUMMARY|INPUT|A)$/.test(event.target.tagName);
-  const found = plain && !onButton && keys.find(s => s.key === event.key);
+  const plain = !event.ctrlKey && !event.metaKey && !event.altKey && !isOwn(event.key, event.target);
+  const found = plain && keys.find(s => s.key === letterOf(event));
   if (found) {
     event.preventDefault();
     found.run();

@@ -59,7 +59,7 @@ export const numbers = (initial: number[], valid: (list: number[]) => boolean = 
   initial,
   read: text => {
     const list = text === '' ? [] : text.split('_').map(part => part === '' ? NaN : Number(part));
-    return list.every(Number.isFinite) && valid(list) ? list : undefined;
+    return list.every(x => Math.abs(x) <= 1e6) && valid(list) ? list : undefined;
   },
   write: list => list.map(x => String(+x.toPrecision(9))).join('_'),
 });

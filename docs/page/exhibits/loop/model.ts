@@ -30,7 +30,7 @@ export const fields = {
   duration: { ...durationField, read: (text: string) => to(durationField.read(text) ?? NaN, 4) || undefined },
   keys: { ...keyField, read: (text: string) => {
     const list = keyField.read(text)?.map(x => to(x, 64));
-    return list && ascend(list) ? list : undefined;
+    return list && list.length > 0 && ascend(list) ? list : undefined;
   } },
   friction: number(1, 0.1, 4),
 };

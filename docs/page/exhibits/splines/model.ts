@@ -158,8 +158,9 @@ export function turned(state: State, k: number, p: number[]): Partial<State> {
 }
 
 /** The angular velocities with that of key k changed. */
+const fastest = 1000; // radians per second
 export function withOmega(state: State, k: number, omega: number[]): Partial<State> {
-  return { omega: omegasOf(state, keysOf(state)).flatMap((w, i) => (i === k ? omega : w).map(x => +x.toFixed(3))) };
+  return { omega: omegasOf(state, keysOf(state)).flatMap((w, i) => (i === k ? omega : w).map(x => clamp(+x.toFixed(3), -fastest, fastest))) };
 }
 
 /** The angular velocity for which the nose n moves with the velocity v; the part about the nose stays. */
