@@ -151,7 +151,7 @@ static int make_meshes(nkwi_keys *k, nkw_document_node *nodes, size_t node_count
     nkw_document_mesh *meshes = NULL;
     for (size_t from = 0, end; from < k->row_count; from = end) {
         nkw_document_node *node = &nodes[k->rows[from].node];
-        size_t first, count = count_weights(k, from, end = end_of_run(k, from), &first);
+        size_t first = from, count = count_weights(k, from, end = end_of_run(k, from), &first);
         if (count == 0 || node->mesh != NKW_NO_JOINT)
             continue;
         if (!meshes)
