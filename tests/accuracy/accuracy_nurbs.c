@@ -26,7 +26,9 @@ static void begin(example *e, random_source *r, float base)
     e->knots[0] = random_between(r, -2.0f, 2.0f);
     for (size_t k = 1; k < NKW_NURBS_KNOTS(count, degree); k++)
         e->knots[k] = e->knots[k - 1] + random_log(r, 0.01f, 1.0f);
+    /* Not the end of the domain: the functions of the definition are 0 there. */
     e->u = random_between(r, e->knots[degree], e->knots[count]);
+    e->u = e->u < e->knots[count] ? e->u : e->knots[degree];
 }
 
 /* The recursive definition, with its derivatives: d times the derivative of the functions of degree d - 1. */
