@@ -337,6 +337,23 @@ static void tangents_of_a_parabola_are_its_slope(void **state)
     }
 }
 
+static void curves_go_on_beyond_their_ends(void **state)
+{
+    (void)state;
+    static const float far[] = {-10, -1, -0x1p-24f, 1.0000001f, 2, 7.5f};
+    random_source r = random_from(21);
+    for (int i = 0; i < 6000; i++) {
+        double t = (double)far[i % 6], s = 1 - t, size = 6 * (1 + fabs(t * t * t));
+        float c[4];
+        draw(&r, c);
+        double a = (double)c[0], b = (double)c[1], d = (double)c[2], e = (double)c[3];
+        expect_near(nkw_hermite(c[0], c[1], c[2], c[3], far[i % 6]),
+                    (1 + 2 * t) * s * s * a + t * s * s * b + t * t * (3 - 2 * t) * d - t * t * s * e, 4e-7 * size);
+        expect_near(nkw_bezier(c[0], c[1], c[2], c[3], far[i % 6]),
+                    s * s * s * a + 3 * s * s * t * b + 3 * s * t * t * d + t * t * t * e, 4e-7 * size);
+    }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -358,6 +375,7 @@ int main(void)
         cmocka_unit_test(conversions_go_by_component),
         cmocka_unit_test(split_halves_meet_and_follow_the_whole),
         cmocka_unit_test(tangents_of_a_parabola_are_its_slope),
+        cmocka_unit_test(curves_go_on_beyond_their_ends),
     };
     return cmocka_run_group_tests_name("curve", tests, NULL, NULL);
 }

@@ -529,6 +529,20 @@ static void paths_near_opposite_follow_the_keys(void **state)
                      1e-5);
 }
 
+static void nlerp_goes_on_along_its_line_beyond_the_ends(void **state)
+{
+    (void)state;
+    static const float far[] = {-0x1p-24f, 1.0000001f, -1, 2, -10, 1000, -0x1p60f, 0x1p60f};
+    nkw_quat a = about_z(0.2f), b = about_z(1.4f);
+    for (int i = 0; i < 8; i++) {
+        double t = (double)far[i];
+        double z = (1 - t) * (double)a.z + t * (double)b.z, w = (1 - t) * (double)a.w + t * (double)b.w;
+        double length = sqrt(z * z + w * w);
+        nkw_quat want = {0, 0, (float)(z / length), (float)(w / length)};
+        expect_quat_near(nkw_quat_nlerp(a, b, far[i]), want, 1e-6);
+    }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -562,6 +576,7 @@ int main(void)
         cmocka_unit_test(arrays_of_slerps_at_one_t_are_single_ones),
         cmocka_unit_test(slerp_and_nlerp_are_exact_to_their_bounds),
         cmocka_unit_test(paths_near_opposite_follow_the_keys),
+        cmocka_unit_test(nlerp_goes_on_along_its_line_beyond_the_ends),
     };
     return cmocka_run_group_tests_name("orient", tests, NULL, NULL);
 }

@@ -1,4 +1,5 @@
 /* SPDX-License-Identifier: MIT */
+#include <float.h>
 #include <math.h>
 
 #include "random.h"
@@ -507,6 +508,16 @@ static void mean_of_opposite_halves_is_defined_and_unit(void **state)
     expect_quat_near(nkw_quat_mean(huge, NULL, 2), quat(0.70710678f, 0.70710678f, 0, 0), 1e-7);
 }
 
+static void products_that_overflow_are_not_finite(void **state)
+{
+    (void)state;
+    nkw_quat half_turn = {0, 1, 0, 0};
+    nkw_vec3 v = nkw_quat_rotate(half_turn, vec(2e38f, 0, 0));
+    assert_false(nkw_abs(v.x) <= FLT_MAX);
+    expect_bits(nkw_quat_rotate(half_turn, vec(1e38f, 0, 0)).x, -1e38f);
+    assert_false(nkw_abs(nkw_hermite(-3e38f, 0, 3e38f, 0, 0.5f)) <= FLT_MAX);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -544,6 +555,7 @@ int main(void)
         cmocka_unit_test(mean_ignores_signs_and_order_and_turns_with_the_rotations),
         cmocka_unit_test(mean_has_the_largest_sum_of_squared_products),
         cmocka_unit_test(mean_of_opposite_halves_is_defined_and_unit),
+        cmocka_unit_test(products_that_overflow_are_not_finite),
     };
     return cmocka_run_group_tests_name("quat", tests, NULL, NULL);
 }

@@ -243,6 +243,19 @@ static void blends_are_weighted_means(void **state)
     expect_place(nkw_root_blend(motions, weights, 1), motions[0], 1e-7);
 }
 
+static void parts_of_a_loop_take_the_shorter_arc(void **state)
+{
+    (void)state;
+    const float angle = 3.5f, short_way = angle - 6.28318531f;
+    nkw_trs here = nkw_trs_identity(), loop = place(vec(1, 0, 0), yaw(angle)), sum = loop;
+    nkw_root_cycle cycle = {nkw_trs_identity(), loop};
+    for (int n = 1; n <= 3; n++, sum = mul(sum, loop))
+        expect_place(nkw_root_delta(&cycle, &here, &here, n), sum, 2e-6);
+    nkw_trs half = nkw_root_delta(&cycle, &here, &here, 0.5);
+    expect_rotation_near(half.rotation, yaw(short_way / 2), 1e-6);
+    expect_place(mul(half, half), loop, 1e-6);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -256,6 +269,7 @@ int main(void)
         cmocka_unit_test(a_thousand_loops_do_not_drift),
         cmocka_unit_test(straight_clips_go_straight),
         cmocka_unit_test(blends_are_weighted_means),
+        cmocka_unit_test(parts_of_a_loop_take_the_shorter_arc),
     };
     return cmocka_run_group_tests_name("root", tests, NULL, NULL);
 }

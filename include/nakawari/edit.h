@@ -28,7 +28,7 @@ extern "C" {
 typedef struct nkw_edit_memory {
     float *times;  /**< key_capacity floats */
     float *values; /**< key_capacity * width floats, three times as many for CUBICSPLINE */
-    unsigned char *key_interpolation; /**< key_capacity bytes; may be NULL if no source has key_interpolation */
+    unsigned char *key_interpolation; /**< key_capacity bytes; may be NULL if no source has it and none is STEP joined with LINEAR */
     size_t key_capacity; /**< the greatest number of keys */
 } nkw_edit_memory;
 

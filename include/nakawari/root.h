@@ -98,7 +98,8 @@ typedef struct nkw_root_cycle {
  *           broken number is the part of the screw motion
  * Returns   a transform of scale 1. Not finite if an input is not
  *
- * The rotation of C is taken along the shorter arc: a clip that turns by more than half a turn is divided.
+ * A broken number of cycles takes the rotation of C along the shorter arc: divide a clip that turns by more than half a
+ * turn. Whole numbers of cycles are the same along both arcs.
  *
  * Error  1.2 u of the rotation; 1.0 u of the translation, relative to itself plus 2^-10 of the ways of all cycles,
  *        |cycles| + 1 times the sum of the lengths of the translations of first and last. For |cycles| up to 2^20, 12
