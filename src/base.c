@@ -11,10 +11,9 @@ const char *nkw_result_text(nkw_result result)
         return text;
         NKW_RESULTS(NKW_RESULT_CASE)
 #undef NKW_RESULT_CASE
-    case NKW_RESULT_COUNT:
-        break;
+    default:
+        return "unknown result";
     }
-    return "unknown result";
 }
 
 unsigned nkw_version(void)

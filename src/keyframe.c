@@ -232,9 +232,9 @@ static nkw_vec3 position_at(const sampler *s, nkw_position_method method)
     case NKW_POSITION_MAKIMA:
         return smooth(s, t, NKW_SPLINE_MAKIMA);
     case NKW_POSITION_STEP:
-        break;
+    default:
+        return hold(s, key_held(s));
     }
-    return hold(s, key_held(s));
 }
 
 /* Stores the two blended orientations and their weights in the trace. */
@@ -340,9 +340,9 @@ static nkw_mat3 rotation_at(const sampler *s, nkw_orientation_method method)
     case NKW_ORIENTATION_BSPLINE:
         return rotation_curve(s, t, method);
     case NKW_ORIENTATION_STEP:
-        break;
+    default:
+        return step(s);
     }
-    return step(s);
 }
 
 static nkw_result check_key(const nkw_keyframe *keys, size_t k)

@@ -159,9 +159,9 @@ static motion motion_at(const nkw_rotation_segment *s, double t, double *sign)
     case NKW_ROTATION_BSPLINE:
         return bspline_at(s, t);
     case NKW_ROTATION_SLERP:
-        break;
+    default:
+        return slerp_at(s, t, sign);
     }
-    return slerp_at(s, t, sign);
 }
 
 nkw_rotation_state nkw_rotation_evaluate(const nkw_rotation_segment *segment, float t)

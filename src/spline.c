@@ -233,9 +233,9 @@ static sides tangents_of(const spline_piece *p, size_t k, const stencil *a, size
         return both(akima(a, d, 0.5));
     case NKW_SPLINE_C2:
     case NKW_SPLINE_CATMULL_ROM:
-        break;
+    default:
+        return both(parabola(d[1], d[2], h0, h1));
     }
-    return both(parabola(d[1], d[2], h0, h1));
 }
 
 /* ---- Pieces between jumps ---- */

@@ -35,13 +35,15 @@ typedef enum nkw_axis {
     NKW_AXIS_NEGATIVE_X = -1,
     NKW_AXIS_X = 1,
     NKW_AXIS_Y = 2,
-    NKW_AXIS_Z = 3
+    NKW_AXIS_Z = 3,
+    NKW_AXIS_MAX_ENUM = 0x7fffffff
 } nkw_axis;
 
 /** The axes of a tool: the directions right, up and forward of a character or camera. */
 typedef struct nkw_axes {
     nkw_axis right, up, forward;
 } nkw_axes;
+NKW_SIZE(nkw_axes, 12, 12);
 
 /** Axes of tools, as initialisers: nkw_axes file = NKW_AXES_BLENDER. Forward is the direction a character faces. */
 #define NKW_AXES_GLTF                                                                                                  \
@@ -69,6 +71,7 @@ typedef struct nkw_axes {
 typedef struct nkw_axes_map {
     nkw_axis x, y, z;
 } nkw_axes_map;
+NKW_SIZE(nkw_axes_map, 12, 12);
 
 /** 1 if right, up and forward are three different axes, otherwise 0. */
 NKW_API int nkw_axes_is_valid(nkw_axes axes);
@@ -128,7 +131,8 @@ typedef enum nkw_axes_kind {
     NKW_AXES_ANGULAR, /**< 3 floats, nkw_axes_convert_angular */
     NKW_AXES_SCALE, /**< 3 floats, nkw_axes_convert_scale */
     NKW_AXES_QUAT, /**< 4 floats, nkw_axes_convert_quat */
-    NKW_AXES_KIND_COUNT
+    NKW_AXES_KIND_COUNT,
+    NKW_AXES_KIND_MAX_ENUM = 0x7fffffff
 } nkw_axes_kind;
 
 /** Floats in a value of a kind: 4 for NKW_AXES_QUAT, 3 for the others; 0 for an unknown kind. */

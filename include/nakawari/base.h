@@ -144,6 +144,17 @@
 #define NKW_EXACT
 #endif
 
+/**
+ * The layout of structs and enumerations is the same for every caller. NKW_SIZE follows each struct, with its size in
+ * bytes for pointers of 64 and of 32 bits: a struct that another header packs (`#pragma pack`) does not compile. Each
+ * enumeration ends in a value of 31 bits, NKW_..._MAX_ENUM: it has 32 bits where a compiler makes enumerations short
+ * (-fshort-enums), and in C++ it can hold every number that C code may pass. Functions treat it as any unknown number.
+ */
+#define NKW_SIZE(type, bytes64, bytes32)                                                                               \
+    typedef char nkwi_size_of_##type                                                                                   \
+        [sizeof(void *) == 8 ? (sizeof(type) == (bytes64) ? 1 : -1)                                                    \
+                             : (sizeof(void *) != 4 || sizeof(type) == (bytes32) ? 1 : -1)]
+
 #ifdef __cplusplus
 extern "C" {
 #endif
@@ -178,7 +189,8 @@ typedef enum nkw_result {
 #define NKW_RESULT_NAME(name, text) name,
     NKW_RESULTS(NKW_RESULT_NAME)
 #undef NKW_RESULT_NAME
-        NKW_RESULT_COUNT
+        NKW_RESULT_COUNT,
+    NKW_RESULT_MAX_ENUM = 0x7fffffff
 } nkw_result;
 
 /** Returns the text of a result in English, without a full stop; "unknown result" for any other number. */

@@ -29,11 +29,13 @@ typedef struct nkw_mask_view {
     const float *data;
     size_t joint_count;
 } nkw_mask_view;
+NKW_SIZE(nkw_mask_view, 16, 8);
 /** A mask to write. */
 typedef struct nkw_mask_span {
     float *data;
     size_t joint_count;
 } nkw_mask_span;
+NKW_SIZE(nkw_mask_span, 16, 8);
 
 /** The same mask, to read. */
 static inline nkw_mask_view nkw_mask_view_from_span(nkw_mask_span mask)
@@ -65,6 +67,7 @@ typedef struct nkw_pose_layer {
     float weight; /**< at least 0; the sum may be any. Negative and NaN count as 0, above 2^60 as 2^60 */
     nkw_mask_view mask; /**< the weight of a joint is weight * mask */
 } nkw_pose_layer;
+NKW_SIZE(nkw_pose_layer, 40, 20);
 
 /**
  * The weighted mean of any number of poses, joint by joint. The order of `layers` changes no bit of the result.
@@ -122,7 +125,8 @@ NKW_API nkw_result nkw_pose_layers_validate(const nkw_pose_layer *layers, size_t
 /** The side on which the rotation of an additive pose is multiplied. Any other number is read as NKW_ADDITIVE_LOCAL. */
 typedef enum nkw_additive {
     NKW_ADDITIVE_LOCAL, /**< in the axes of the joint:       base * delta,  delta = ref^-1 a */
-    NKW_ADDITIVE_PARENT /**< in the axes of its parent:      delta * base,  delta = a ref^-1 */
+    NKW_ADDITIVE_PARENT, /**< in the axes of its parent:      delta * base,  delta = a ref^-1 */
+    NKW_ADDITIVE_MAX_ENUM = 0x7fffffff
 } nkw_additive;
 
 /**
@@ -158,7 +162,8 @@ NKW_API nkw_result nkw_pose_additive_apply(nkw_pose_view base, nkw_pose_view del
 typedef enum nkw_mirror {
     NKW_MIRROR_X, /**< the plane x = 0: exchanges left and right of a character that looks along z */
     NKW_MIRROR_Y,
-    NKW_MIRROR_Z
+    NKW_MIRROR_Z,
+    NKW_MIRROR_MAX_ENUM = 0x7fffffff
 } nkw_mirror;
 
 /**

@@ -33,7 +33,8 @@ typedef enum nkw_blendspace_kind {
      * a point at the origin the angle counts as 0. A sample a quarter turn or more away counts in both directions
      * around the circle.
      */
-    NKW_BLENDSPACE_POLAR
+    NKW_BLENDSPACE_POLAR,
+    NKW_BLENDSPACE_KIND_MAX_ENUM = 0x7fffffff
 } nkw_blendspace_kind;
 
 /** The samples of a blend space. */
@@ -43,6 +44,7 @@ typedef struct nkw_blendspace {
     size_t dimension; /**< of a sample and of a point; at least 1 */
     nkw_blendspace_kind kind; /**< POLAR needs dimension 2; others are read as CARTESIAN */
 } nkw_blendspace;
+NKW_SIZE(nkw_blendspace, 32, 16);
 
 /**
  * The weights of a point. Takes time as count^2 * dimension.

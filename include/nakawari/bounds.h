@@ -28,6 +28,7 @@ extern "C" {
 typedef struct nkw_box {
     nkw_vec3 low, high;
 } nkw_box;
+NKW_SIZE(nkw_box, 24, 24);
 
 /** The box without points: low is +infinity, high is -infinity. */
 NKW_API nkw_box nkw_box_empty(void);

@@ -37,7 +37,8 @@ typedef enum nkw_clip_target {
     NKW_CLIP_TRANSLATION, /**< of a joint: width 3 */
     NKW_CLIP_ROTATION, /**< of a joint: a rotation, width 4 */
     NKW_CLIP_SCALE, /**< of a joint: width 3 */
-    NKW_CLIP_FLOATS /**< separate floats, from `index` on: morph weights, any width */
+    NKW_CLIP_FLOATS, /**< separate floats, from `index` on: morph weights, any width */
+    NKW_CLIP_TARGET_MAX_ENUM = 0x7fffffff
 } nkw_clip_target;
 
 /** A track and its target: `index` is the joint, or the first of the floats. */
@@ -46,6 +47,7 @@ typedef struct nkw_clip_track {
     uint32_t index;
     nkw_track track;
 } nkw_clip_track;
+NKW_SIZE(nkw_clip_track, 56, 36);
 
 /**
  * Converts the values of a track to other axes by nkw_track_convert_axes: NKW_CLIP_TRANSLATION as NKW_AXES_VEC3,
@@ -93,7 +95,8 @@ typedef enum nkw_clip_format {
      *
      * nkw_clip_difference measures the error of a clip.
      */
-    NKW_CLIP_UNORM16
+    NKW_CLIP_UNORM16,
+    NKW_CLIP_FORMAT_MAX_ENUM = 0x7fffffff
 } nkw_clip_format;
 
 /** The names that a clip stores: UTF-8 texts that end with a NUL. NULL is the empty text. */
@@ -101,6 +104,7 @@ typedef struct nkw_clip_names {
     const char *clip;
     const char *const *joints; /**< NULL, or joint_count texts */
 } nkw_clip_names;
+NKW_SIZE(nkw_clip_names, 16, 8);
 
 /** The input of a clip. Joints and floats without a track keep their rest values. */
 typedef struct nkw_clip_source {
@@ -113,6 +117,7 @@ typedef struct nkw_clip_source {
     nkw_clip_format format;
     const nkw_clip_names *names; /**< NULL: no names, and no memory for them */
 } nkw_clip_source;
+NKW_SIZE(nkw_clip_source, 72, 36);
 
 /** The header of the block of a clip. */
 typedef struct nkw_clip nkw_clip;
@@ -275,6 +280,7 @@ typedef struct nkw_clip_error {
     float scale; /**< of a component */
     float floats;
 } nkw_clip_error;
+NKW_SIZE(nkw_clip_error, 16, 16);
 
 /** The number of floats of working memory of nkw_clip_difference. */
 #define NKW_CLIP_DIFFERENCE_WORK(joint_count, float_count) (NKW_POSE_FLOATS(joint_count) + 2 * (float_count))
@@ -314,6 +320,7 @@ typedef struct nkw_clip_reduction {
     const float *distances; /**< NULL, or joint_count numbers in place of `distance` */
     float float_tolerance; /**< the largest difference of a separate float */
 } nkw_clip_reduction;
+NKW_SIZE(nkw_clip_reduction, 40, 24);
 
 /** What nkw_clip_reduce reached. */
 typedef struct nkw_clip_reduced {
@@ -324,6 +331,7 @@ typedef struct nkw_clip_reduced {
     float share; /**< the largest distance divided by its tolerance, of all joints and floats */
     float floats; /**< the largest difference of a separate float */
 } nkw_clip_reduced;
+NKW_SIZE(nkw_clip_reduced, 40, 24);
 
 /** The memory of nkw_clip_reduce. */
 typedef struct nkw_clip_memory {
@@ -332,6 +340,7 @@ typedef struct nkw_clip_memory {
     double *work; /**< work_count doubles, at least NKW_CLIP_REDUCE_WORK of the tracks, joints and floats */
     size_t work_count;
 } nkw_clip_memory;
+NKW_SIZE(nkw_clip_memory, 32, 16);
 
 /** The number of doubles of working memory of nkw_clip_reduce_measure and nkw_clip_reduce. */
 #define NKW_CLIP_REDUCE_WORK(track_count, joint_count, float_count)                                                    \

@@ -40,22 +40,26 @@ typedef struct nkw_crowd_poses_view {
     const float *data;
     size_t joint_count;
 } nkw_crowd_poses_view;
+NKW_SIZE(nkw_crowd_poses_view, 16, 8);
 /** Poses of a crowd to write. */
 typedef struct nkw_crowd_poses_span {
     float *data;
     size_t joint_count;
 } nkw_crowd_poses_span;
+NKW_SIZE(nkw_crowd_poses_span, 16, 8);
 
 /** Matrices of a crowd to read: NKW_CROWD_MATRIX_FLOATS(joint_count) floats. */
 typedef struct nkw_crowd_matrices_view {
     const float *data;
     size_t joint_count;
 } nkw_crowd_matrices_view;
+NKW_SIZE(nkw_crowd_matrices_view, 16, 8);
 /** Matrices of a crowd to write. */
 typedef struct nkw_crowd_matrices_span {
     float *data;
     size_t joint_count;
 } nkw_crowd_matrices_span;
+NKW_SIZE(nkw_crowd_matrices_span, 16, 8);
 
 /** The same poses, to read. */
 static inline nkw_crowd_poses_view nkw_crowd_poses_view_from_span(nkw_crowd_poses_span poses)
@@ -134,6 +138,7 @@ typedef struct nkw_crowd_players {
     uint32_t *cursors;
     size_t character_count; /**< clamped to NKW_CROWD; the other lanes become the identity */
 } nkw_crowd_players;
+NKW_SIZE(nkw_crowd_players, 24, 12);
 
 /**
  * Samples one clip at many times: lane i is the clip at times[i], with the bits of nkw_clip_sample. The floats of the
@@ -157,6 +162,7 @@ typedef struct nkw_crowd_source {
     size_t joint_count; /**< joints of the skin */
     float start, rate; /**< frame f is the clip at nkw_segment_uniform_time(start, rate, f) */
 } nkw_crowd_source;
+NKW_SIZE(nkw_crowd_source, 56, 32);
 
 /**
  * Checks a source.

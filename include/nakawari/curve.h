@@ -38,23 +38,27 @@ extern "C" {
 typedef struct nkw_weights {
     float w[4];
 } nkw_weights;
+NKW_SIZE(nkw_weights, 16, 16);
 
 /** The four control points of one cubic segment, in the order of its kind. */
 typedef struct nkw_vec3_cubic {
     nkw_vec3 c[4];
 } nkw_vec3_cubic;
+NKW_SIZE(nkw_vec3_cubic, 48, 48);
 
 /** The parameters of a Kochanek-Bartels key, usually -1..1; all 0 is the cardinal spline of tension 0. */
 typedef struct nkw_tcb {
     float tension, continuity, bias;
 } nkw_tcb;
+NKW_SIZE(nkw_tcb, 12, 12);
 
 /** A kind of cubic curve. Any other number is read as NKW_CUBIC_HERMITE. */
 typedef enum nkw_cubic_kind {
     NKW_CUBIC_HERMITE, /**< control values p0, v0, p1, v1 */
     NKW_CUBIC_BEZIER, /**< p0, p1, p2, p3 */
     NKW_CUBIC_BSPLINE, /**< p0, p1, p2, p3; uniform */
-    NKW_CUBIC_CATMULL_ROM /**< p0, p1, p2, p3; uniform */
+    NKW_CUBIC_CATMULL_ROM, /**< p0, p1, p2, p3; uniform */
+    NKW_CUBIC_KIND_MAX_ENUM = 0x7fffffff
 } nkw_cubic_kind;
 
 /**

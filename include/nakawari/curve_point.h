@@ -20,11 +20,13 @@ extern "C" {
 typedef struct nkw_curve_point {
     float value, first, second;
 } nkw_curve_point;
+NKW_SIZE(nkw_curve_point, 12, 12);
 
 /** The same of a curve of vectors. */
 typedef struct nkw_vec3_curve_point {
     nkw_vec3 value, first, second;
 } nkw_vec3_curve_point;
+NKW_SIZE(nkw_vec3_curve_point, 36, 36);
 
 /**
  * The point of a cubic segment at t: the value, with the bits of the function of its kind, and the first and second

@@ -31,7 +31,8 @@ extern "C" {
 typedef enum nkw_weight_unit {
     NKW_WEIGHT_FRACTION, /**< its time in units of the duration of the segment: Unity, FBX */
     NKW_WEIGHT_SECONDS, /**< its time in seconds: the widths of OpenUSD */
-    NKW_WEIGHT_LENGTH /**< its length in the plane of time and value: Unreal */
+    NKW_WEIGHT_LENGTH, /**< its length in the plane of time and value: Unreal */
+    NKW_WEIGHT_UNIT_MAX_ENUM = 0x7fffffff
 } nkw_weight_unit;
 
 /** Which handles of a key have a length of their own, with the numbers of Unity and Unreal; others are h/3 long. */
@@ -39,7 +40,8 @@ typedef enum nkw_weighted {
     NKW_WEIGHTED_NONE,
     NKW_WEIGHTED_IN, /**< arrive */
     NKW_WEIGHTED_OUT, /**< leave */
-    NKW_WEIGHTED_BOTH
+    NKW_WEIGHTED_BOTH,
+    NKW_WEIGHTED_MAX_ENUM = 0x7fffffff
 } nkw_weighted;
 
 /** A key with slopes, in value per second. */
@@ -50,6 +52,7 @@ typedef struct nkw_slope_key {
     nkw_weighted weighted;
     nkw_fcurve_kind kind; /**< of the segment that the key begins */
 } nkw_slope_key;
+NKW_SIZE(nkw_slope_key, 32, 32);
 
 /**
  * Converts keys with slopes.
@@ -87,6 +90,7 @@ typedef struct nkw_blender_key {
                             quart, quint, sine */
     int easing; /**< 0 auto, 1 in, 2 out, 3 in-out; auto is out for back, bounce, elastic, otherwise in */
 } nkw_blender_key;
+NKW_SIZE(nkw_blender_key, 32, 32);
 
 /**
  * Converts keys of Blender. Its evaluation is that of the policy NKW_HANDLE_CONTAIN. Its behaviour outside: `extend`
@@ -111,13 +115,15 @@ typedef enum nkw_handle_type {
     NKW_HANDLE_ALIGNED, /**< keeps its time, and takes the slope of the other handle */
     NKW_HANDLE_VECTOR, /**< points to the neighbouring key, a third of the distance */
     NKW_HANDLE_AUTO, /**< the mean of the slopes to both neighbours */
-    NKW_HANDLE_AUTO_CLAMPED /**< the same, level at extremes, and never beyond the value of the neighbour */
+    NKW_HANDLE_AUTO_CLAMPED, /**< the same, level at extremes, and never beyond the value of the neighbour */
+    NKW_HANDLE_TYPE_MAX_ENUM = 0x7fffffff
 } nkw_handle_type;
 
 /** The types of both handles of a key. */
 typedef struct nkw_handle_types {
     nkw_handle_type in, out;
 } nkw_handle_types;
+NKW_SIZE(nkw_handle_types, 8, 8);
 
 /**
  * Computes the handles of keys from their types, as Blender does after an edit, with its smoothing `None`. With the

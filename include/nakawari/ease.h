@@ -90,7 +90,8 @@ typedef enum nkw_ease_kind {
     NKW_EASE_CSS_IN_OUT,
     NKW_EASE_CSS_STEP_START,
     NKW_EASE_CSS_STEP_END,
-    NKW_EASE_COUNT
+    NKW_EASE_COUNT,
+    NKW_EASE_KIND_MAX_ENUM = 0x7fffffff
 } nkw_ease_kind;
 
 /** The position of the jumps of steps(): at the start or at the end of each step, at neither or both ends of 0..1. */
@@ -98,7 +99,8 @@ typedef enum nkw_ease_jump {
     NKW_EASE_JUMP_START, /**< 1/n, 2/n ... 1 */
     NKW_EASE_JUMP_END, /**< 0, 1/n ... (n - 1)/n; and any other number */
     NKW_EASE_JUMP_NONE, /**< 0, 1/(n - 1) ... 1 */
-    NKW_EASE_JUMP_BOTH /**< 1/(n + 1), 2/(n + 1) ... n/(n + 1) */
+    NKW_EASE_JUMP_BOTH, /**< 1/(n + 1), 2/(n + 1) ... n/(n + 1) */
+    NKW_EASE_JUMP_MAX_ENUM = 0x7fffffff
 } nkw_ease_jump;
 
 /**

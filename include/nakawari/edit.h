@@ -31,6 +31,7 @@ typedef struct nkw_edit_memory {
     unsigned char *key_interpolation; /**< key_capacity bytes; may be NULL if no source has it and none is STEP joined with LINEAR */
     size_t key_capacity; /**< the greatest number of keys */
 } nkw_edit_memory;
+NKW_SIZE(nkw_edit_memory, 32, 16);
 
 /**
  * The part of a track from time `from` to time `to`. A key is added where an end is between two keys: its value is the

@@ -47,7 +47,8 @@ typedef enum nkw_euler_order {
     NKW_EULER_YXZ,
     NKW_EULER_YZX,
     NKW_EULER_ZXY,
-    NKW_EULER_ZYX
+    NKW_EULER_ZYX,
+    NKW_EULER_ORDER_MAX_ENUM = 0x7fffffff
 } nkw_euler_order;
 
 /**

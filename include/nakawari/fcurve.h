@@ -47,7 +47,8 @@ typedef enum nkw_fcurve_kind {
     NKW_FCURVE_CONSTANT_NEXT, /**< holds the next key (step next) */
     NKW_FCURVE_LINEAR,
     NKW_FCURVE_BEZIER,
-    NKW_FCURVE_EASE
+    NKW_FCURVE_EASE,
+    NKW_FCURVE_KIND_MAX_ENUM = 0x7fffffff
 } nkw_fcurve_kind;
 
 /** The behaviour before the first or after the last key. Any other number is read as NKW_FCURVE_OUTSIDE_HOLD. */
@@ -56,7 +57,8 @@ typedef enum nkw_fcurve_outside {
     NKW_FCURVE_OUTSIDE_LINEAR, /**< a line, see above */
     NKW_FCURVE_OUTSIDE_CYCLE, /**< repeats (loop) */
     NKW_FCURVE_OUTSIDE_CYCLE_OFFSET, /**< repeats, each cycle from the value where the one before ended */
-    NKW_FCURVE_OUTSIDE_OSCILLATE /**< repeats, every other cycle backwards (ping-pong) */
+    NKW_FCURVE_OUTSIDE_OSCILLATE, /**< repeats, every other cycle backwards (ping-pong) */
+    NKW_FCURVE_OUTSIDE_MAX_ENUM = 0x7fffffff
 } nkw_fcurve_outside;
 
 typedef struct nkw_fcurve_key {
@@ -65,6 +67,7 @@ typedef struct nkw_fcurve_key {
     nkw_fcurve_kind kind;
     nkw_ease_kind ease; /**< for NKW_FCURVE_EASE */
 } nkw_fcurve_key;
+NKW_SIZE(nkw_fcurve_key, 32, 32);
 
 /** One number over time. The keys belong to the caller. */
 typedef struct nkw_fcurve {
@@ -74,6 +77,7 @@ typedef struct nkw_fcurve {
     uint32_t before_cycles, after_cycles; /**< the number of cycles outside the keys; 0 repeats without end */
     nkw_handle_policy policy; /**< for BEZIER segments that run back in time */
 } nkw_fcurve;
+NKW_SIZE(nkw_fcurve, 40, 28);
 
 /**
  * Checks an fcurve.

@@ -23,6 +23,7 @@ typedef struct nkw_fit_memory {
     double *work; /**< work_count doubles of working memory, at least NKW_FIT_WORK of the source */
     size_t work_count;
 } nkw_fit_memory;
+NKW_SIZE(nkw_fit_memory, 40, 20);
 
 /** The number of doubles of working memory of nkw_track_fit. */
 #define NKW_FIT_WORK(count, width) ((count) * ((width) + 5) + (width))

@@ -27,6 +27,7 @@ typedef struct nkw_foot_rules {
     float release_distance; /**< from the locked position to that of the animation; the lock ends beyond. 0: never */
     float duration; /**< of the transitions to and from the lock, seconds */
 } nkw_foot_rules;
+NKW_SIZE(nkw_foot_rules, 36, 36);
 
 /**
  * Usual rules in metres and seconds, for the toe or the ball of a foot: contact begins below 5 cm and 0.3 m/s, and ends
@@ -57,6 +58,7 @@ typedef struct nkw_foot {
     float time; /**< since it began */
     int started, contact;
 } nkw_foot;
+NKW_SIZE(nkw_foot, 88, 88);
 
 /**
  * Updates a foot, and returns the position at which it should be.

@@ -29,6 +29,7 @@ extern "C" {
 typedef struct nkw_handle {
     float time, value;
 } nkw_handle;
+NKW_SIZE(nkw_handle, 8, 8);
 
 /** Two keys, the out-handle of the first and the in-handle of the second. */
 typedef struct nkw_handle_segment {
@@ -37,6 +38,7 @@ typedef struct nkw_handle_segment {
     nkw_handle in; /**< in.time is not positive if the handle points into the segment */
     float time1, value1;
 } nkw_handle_segment;
+NKW_SIZE(nkw_handle_segment, 32, 32);
 
 /**
  * How handles are shortened whose curve would run back in time. With the lengths p = out.time and q = -in.time in units
@@ -51,7 +53,8 @@ typedef enum nkw_handle_policy {
     NKW_HANDLE_NONE, /**< handles as they are: CSS, Unity */
     NKW_HANDLE_CONTAIN, /**< p <= 1 and q <= 1, each by itself: Blender */
     NKW_HANDLE_KEEP_RATIO, /**< both by one factor to the ellipse: OpenUSD */
-    NKW_HANDLE_KEEP_START /**< q is moved to the ellipse; from p = 4/3 on, (p, q) is (4/3, 1/3): Maya */
+    NKW_HANDLE_KEEP_START, /**< q is moved to the ellipse; from p = 4/3 on, (p, q) is (4/3, 1/3): Maya */
+    NKW_HANDLE_POLICY_MAX_ENUM = 0x7fffffff
 } nkw_handle_policy;
 
 /**

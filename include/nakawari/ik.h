@@ -51,6 +51,7 @@ typedef struct nkw_ik_two_bone {
     float softness;
     float weight; /**< 0..1 */
 } nkw_ik_two_bone;
+NKW_SIZE(nkw_ik_two_bone, 80, 80);
 
 /** The rotations of the two joints. Apply `mid` first, about the middle joint, then `root` about the root joint. */
 typedef struct nkw_ik_two_bone_solution {
@@ -58,6 +59,7 @@ typedef struct nkw_ik_two_bone_solution {
     nkw_vec3 mid_position, end_position; /**< after both rotations */
     float error; /**< the distance of the end from the target */
 } nkw_ik_two_bone_solution;
+NKW_SIZE(nkw_ik_two_bone_solution, 60, 60);
 
 /**
  * Solves a limb of two bones. With the lengths a, b of the bones and the distance d from root to target:
@@ -96,12 +98,14 @@ typedef struct nkw_ik_aim {
     float limit_angle; /**< the angle between the axis and the edge of the cone, clamped to 0..pi; NaN: no limit */
     float weight; /**< 0..1 */
 } nkw_ik_aim;
+NKW_SIZE(nkw_ik_aim, 92, 92);
 
 /** The rotation of the joint about its position. The angle, 0..pi, from the ray to the target, seen from its start. */
 typedef struct nkw_ik_aim_solution {
     nkw_quat rotation;
     float error;
 } nkw_ik_aim_solution;
+NKW_SIZE(nkw_ik_aim_solution, 20, 20);
 
 /**
  * Aims a joint at a target. The ray from `offset` along f = forward/|forward| meets the sphere about the joint, on
@@ -134,6 +138,7 @@ typedef struct nkw_ik_chain {
     const nkw_limit *limits; /**< NULL, or count limits of the local rotations (limit.h) */
     size_t count; /**< joints that rotate */
 } nkw_ik_chain;
+NKW_SIZE(nkw_ik_chain, 56, 40);
 
 /** When to stop. */
 typedef struct nkw_ik_goal {
@@ -141,12 +146,14 @@ typedef struct nkw_ik_goal {
     float tolerance; /**< the distance at which to stop; negative and NaN count as 0 */
     uint32_t iterations; /**< at most so many; 10 is a usual number */
 } nkw_ik_goal;
+NKW_SIZE(nkw_ik_goal, 20, 20);
 
 /** What a solver of chains reached. */
 typedef struct nkw_ik_chain_result {
     float error; /**< the distance of the end from the target */
     uint32_t iterations; /**< so many were needed */
 } nkw_ik_chain_result;
+NKW_SIZE(nkw_ik_chain_result, 8, 8);
 
 /**
  * Cyclic coordinate descent: from the last joint to the first, each is rotated by the shortest arc that turns the end
@@ -188,6 +195,7 @@ typedef struct nkw_ik_pose {
     const nkw_mat4 *root; /**< the matrix above the root joints; NULL: none */
     nkw_pose_span pose; /**< changed in place */
 } nkw_ik_pose;
+NKW_SIZE(nkw_ik_pose, 48, 24);
 
 /** The joints of a limb; mid is a descendant of root, end of mid. Joints between them, as for twist, move along. */
 typedef struct nkw_ik_limb {
@@ -197,6 +205,7 @@ typedef struct nkw_ik_limb {
     nkw_vec3 hinge; /**< a direction in the space of the middle joint, or zero */
     float softness, weight;
 } nkw_ik_limb;
+NKW_SIZE(nkw_ik_limb, 72, 56);
 
 /**
  * nkw_ik_two_bone_solve on a pose: changes the local rotations of root and mid.
@@ -217,6 +226,7 @@ typedef struct nkw_ik_look {
     nkw_vec3 limit_axis; /**< in the space of the joint's parent, or zero: no limit */
     float limit_angle, weight;
 } nkw_ik_look;
+NKW_SIZE(nkw_ik_look, 88, 84);
 
 /**
  * nkw_ik_aim_solve on a pose: changes the local rotation of one joint. Arguments and results as nkw_ik_pose_two_bone.
@@ -225,7 +235,7 @@ typedef struct nkw_ik_look {
 NKW_API nkw_result nkw_ik_pose_aim(const nkw_ik_pose *pose, const nkw_ik_look *look, float *error);
 
 /** How a chain is solved. Any other number is read as FABRIK. */
-typedef enum nkw_ik_method { NKW_IK_FABRIK, NKW_IK_CCD } nkw_ik_method;
+typedef enum nkw_ik_method { NKW_IK_FABRIK, NKW_IK_CCD, NKW_IK_METHOD_MAX_ENUM = 0x7fffffff } nkw_ik_method;
 
 /** A chain of joints of a skeleton. */
 typedef struct nkw_ik_reach {
@@ -236,6 +246,7 @@ typedef struct nkw_ik_reach {
     nkw_ik_method method;
     float weight; /**< 0..1; between, the rotations may leave their limits a little */
 } nkw_ik_reach;
+NKW_SIZE(nkw_ik_reach, 56, 40);
 
 /** The number of floats of working memory of nkw_ik_pose_chain. */
 #define NKW_IK_CHAIN_WORK(joint_count) (10 * (joint_count))

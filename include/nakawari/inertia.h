@@ -32,12 +32,14 @@ typedef struct nkw_inertia {
     float c[3];
     float duration;
 } nkw_inertia;
+NKW_SIZE(nkw_inertia, 16, 16);
 
 /** The same of a vector; of a rotation, half the rotation vector of the offset, in the outer frame. */
 typedef struct nkw_vec3_inertia {
     nkw_vec3 c[3];
     float duration;
 } nkw_vec3_inertia;
+NKW_SIZE(nkw_vec3_inertia, 40, 40);
 
 /**
  * Begins the transition from one motion to another.
@@ -109,12 +111,14 @@ typedef struct nkw_dead_blend {
     nkw_motion from;
     float half_life, duration;
 } nkw_dead_blend;
+NKW_SIZE(nkw_dead_blend, 16, 16);
 
 /** The same of a vector. */
 typedef struct nkw_vec3_dead_blend {
     nkw_vec3_motion from;
     float half_life, duration;
 } nkw_vec3_dead_blend;
+NKW_SIZE(nkw_vec3_dead_blend, 32, 32);
 
 /**
  * The same of a rotation. `difference` is the difference of both motions at the last evaluation; {0, 0, 0, 0} at
@@ -125,6 +129,7 @@ typedef struct nkw_quat_dead_blend {
     float half_life, duration;
     nkw_quat difference;
 } nkw_quat_dead_blend;
+NKW_SIZE(nkw_quat_dead_blend, 52, 52);
 
 /**
  * The motion t seconds after the transition began, from the new motion at that time.
@@ -178,6 +183,7 @@ typedef struct nkw_body_motion {
     nkw_vec3_motion position;
     nkw_quat_motion rotation;
 } nkw_body_motion;
+NKW_SIZE(nkw_body_motion, 52, 52);
 
 /**
  * The motion between two steps of physics, for frames that are drawn between them: the position by the Hermite curve

@@ -26,6 +26,7 @@ typedef struct nkw_keyframe {
     nkw_vec3 position;
     nkw_quat orientation; /**< unit */
 } nkw_keyframe;
+NKW_SIZE(nkw_keyframe, 32, 32);
 
 /** How the position is interpolated. */
 typedef enum nkw_position_method {
@@ -58,7 +59,8 @@ typedef enum nkw_position_method {
     NKW_POSITION_CENTRIPETAL,
     NKW_POSITION_PCHIP,
     NKW_POSITION_AKIMA,
-    NKW_POSITION_MAKIMA
+    NKW_POSITION_MAKIMA,
+    NKW_POSITION_METHOD_MAX_ENUM = 0x7fffffff
 } nkw_position_method;
 
 /** How the orientation is interpolated. */
@@ -78,7 +80,8 @@ typedef enum nkw_orientation_method {
     /** nkw_rotation_catmull_rom of these keys and their times: the angular velocity is continuous. */
     NKW_ORIENTATION_CATMULL_ROM,
     /** nkw_rotation_bspline of these keys. Passes near them. */
-    NKW_ORIENTATION_BSPLINE
+    NKW_ORIENTATION_BSPLINE,
+    NKW_ORIENTATION_METHOD_MAX_ENUM = 0x7fffffff
 } nkw_orientation_method;
 
 /**
@@ -103,6 +106,7 @@ typedef struct nkw_keyframe_trace {
     nkw_vec3 position;        /**< the translation of the result */
     nkw_mat3 rotation;        /**< the rotation of the result */
 } nkw_keyframe_trace;
+NKW_SIZE(nkw_keyframe_trace, 256, 224);
 
 /**
  * Checks `count` keys. Equal times are valid.

@@ -66,6 +66,7 @@ typedef struct nkw_limit {
     float swing_side, swing_across; /**< half axes a, b of the ellipse, radians; equal for a cone */
     float twist_low, twist_high; /**< radians */
 } nkw_limit;
+NKW_SIZE(nkw_limit, 56, 56);
 
 /**
  * The rotation nearest to q within all limits of the joint: the twist and then the swing of rest^-1 q are limited.

@@ -36,6 +36,7 @@ typedef struct nkw_morph_target {
     const uint32_t *indices; /**< NULL: dense. Otherwise `count` vertices, delta k is of vertex indices[k] */
     size_t count; /**< of a sparse target; not read if dense */
 } nkw_morph_target;
+NKW_SIZE(nkw_morph_target, 80, 40);
 
 /** The targets of a mesh. */
 typedef struct nkw_morph {
@@ -43,6 +44,7 @@ typedef struct nkw_morph {
     size_t target_count;
     size_t vertex_count;
 } nkw_morph;
+NKW_SIZE(nkw_morph, 24, 12);
 
 /**
  * The morphed vectors.

@@ -40,6 +40,7 @@ typedef struct nkw_nurbs {
     size_t width;         /**< floats in a point, at least 1 */
     size_t stride;        /**< floats from a point to the next, at least width */
 } nkw_nurbs;
+NKW_SIZE(nkw_nurbs, 56, 28);
 
 /** The number of knots of a curve. */
 #define NKW_NURBS_KNOTS(count, degree) ((count) + (degree) + 1)
@@ -47,7 +48,8 @@ typedef struct nkw_nurbs {
 /** Knots that need no data. */
 typedef enum nkw_nurbs_knots_kind {
     NKW_NURBS_KNOTS_CLAMPED, /**< degree + 1 equal knots at each end: the curve begins and ends at control points */
-    NKW_NURBS_KNOTS_UNIFORM  /**< even steps: the uniform B-spline; degree 3 is nkw_bspline */
+    NKW_NURBS_KNOTS_UNIFORM,  /**< even steps: the uniform B-spline; degree 3 is nkw_bspline */
+    NKW_NURBS_KNOTS_KIND_MAX_ENUM = 0x7fffffff
 } nkw_nurbs_knots_kind;
 
 /**

@@ -29,7 +29,8 @@ extern "C" {
 typedef enum nkw_path {
     NKW_PATH_SHORT,   /**< the arc of at most half a turn: from a to the nearer of b and -b */
     NKW_PATH_LONG,    /**< the other arc, of at least half a turn */
-    NKW_PATH_AS_GIVEN /**< from a to b, with their signs as given */
+    NKW_PATH_AS_GIVEN, /**< from a to b, with their signs as given */
+    NKW_PATH_MAX_ENUM = 0x7fffffff
 } nkw_path;
 
 /**
@@ -171,7 +172,8 @@ NKW_API nkw_quat nkw_quat_integrate(nkw_quat q, nkw_vec3 angular_velocity, float
 typedef enum nkw_unwrap {
     NKW_UNWRAP_NONE, /**< none: differences of several turns are kept */
     NKW_UNWRAP_YAW,  /**< only the angle about Y, as in the university exercise (keyframe.h) */
-    NKW_UNWRAP_ALL   /**< all three */
+    NKW_UNWRAP_ALL,   /**< all three */
+    NKW_UNWRAP_MAX_ENUM = 0x7fffffff
 } nkw_unwrap;
 
 /**

@@ -35,7 +35,8 @@ typedef enum nkw_palette_format {
     NKW_PALETTE_NORMAL_MAT3,    /**< nkw_mat3, 36 bytes: normal matrices (nkw_mat3_normal of joint matrices) */
     NKW_PALETTE_NORMAL_ROWS,    /**< nkw_mat3x4, 48 bytes: rows of normal matrices, fourth elements 0 */
     NKW_PALETTE_NORMAL_COLUMNS, /**< 12 floats, 48 bytes: columns of normal matrices, each of four floats, the last 0 */
-    NKW_PALETTE_FORMAT_COUNT
+    NKW_PALETTE_FORMAT_COUNT,
+    NKW_PALETTE_FORMAT_MAX_ENUM = 0x7fffffff
 } nkw_palette_format;
 
 /** A palette to read: joint_count contiguous elements of the format. */
@@ -44,12 +45,14 @@ typedef struct nkw_palette_view {
     size_t joint_count;
     nkw_palette_format format;
 } nkw_palette_view;
+NKW_SIZE(nkw_palette_view, 24, 12);
 /** A palette to write. */
 typedef struct nkw_palette_span {
     void *data;
     size_t joint_count;
     nkw_palette_format format;
 } nkw_palette_span;
+NKW_SIZE(nkw_palette_span, 24, 12);
 
 /** The same palette, to read. */
 static inline nkw_palette_view nkw_palette_view_from_span(nkw_palette_span palette)
@@ -71,6 +74,7 @@ typedef struct nkw_palette_source {
     const nkw_mat4 *global_inverse;
     size_t joint_count; /**< joints of the skin */
 } nkw_palette_source;
+NKW_SIZE(nkw_palette_source, 48, 24);
 
 /**
  * The palette of a skin, bit for bit by these formulas. A factor that is NULL is omitted, and its product too.
@@ -152,6 +156,7 @@ typedef struct nkw_palette_chunk {
     size_t joint_count; /**< > 0 */
     size_t first; /**< the position of joint 0 of frame 0, set by nkw_palette_chunks_place */
 } nkw_palette_chunk;
+NKW_SIZE(nkw_palette_chunk, 24, 12);
 
 /**
  * Places `count` chunks in one buffer: sets `first` of each chunk, in order, without overlap.

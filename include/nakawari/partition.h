@@ -55,6 +55,7 @@ typedef struct nkw_partition_mesh {
      */
     const uint16_t *depths;
 } nkw_partition_mesh;
+NKW_SIZE(nkw_partition_mesh, 72, 36);
 
 /** One part: the first element and the count of its ranges in the arrays of nkw_partition. */
 typedef struct nkw_part {
@@ -63,6 +64,7 @@ typedef struct nkw_part {
     uint32_t first_joint, joint_count;
     uint32_t first_vertex, vertex_count;
 } nkw_part;
+NKW_SIZE(nkw_part, 28, 28);
 
 /** The parts of a mesh: arrays of the caller, of the lengths that nkw_partition_bounds returns, and their contents. */
 typedef struct nkw_partition {
@@ -76,12 +78,14 @@ typedef struct nkw_partition {
     size_t part_count, joint_count, triangle_count, vertex_count; /**< elements in use */
     size_t rejected_count; /**< triangles that need more than N joints, from triangles[triangle_count] on */
 } nkw_partition;
+NKW_SIZE(nkw_partition, 96, 48);
 
 /** Array lengths that are sufficient for every mesh of the same counts. */
 typedef struct nkw_partition_sizes {
     size_t part_count, joint_count, vertex_count;
     size_t work_count; /**< uint32_t of working memory */
 } nkw_partition_sizes;
+NKW_SIZE(nkw_partition_sizes, 32, 16);
 
 /**
  * Returns the array lengths for parts of at most max_joint_count joints. Only the counts of the mesh are read. A length

@@ -20,7 +20,8 @@ extern "C" {
 typedef enum nkw_playback {
     NKW_PLAYBACK_CLAMP, /**< the first state before, the last state after */
     NKW_PLAYBACK_LOOP, /**< the clip repeats: time in [start, start + duration) */
-    NKW_PLAYBACK_PING_PONG /**< the clip alternates between forward and backward */
+    NKW_PLAYBACK_PING_PONG, /**< the clip alternates between forward and backward */
+    NKW_PLAYBACK_MAX_ENUM = 0x7fffffff
 } nkw_playback;
 
 /**
@@ -31,6 +32,7 @@ typedef struct nkw_play_head {
     float time;
     float cycle;
 } nkw_play_head;
+NKW_SIZE(nkw_play_head, 8, 8);
 
 /**
  * The play head at the running time `time`; the first loop begins at time = start.
@@ -73,6 +75,7 @@ typedef struct nkw_playback_range {
     /** Whole cycles before the start and after the end of the clip, then the state stays; 0: without a limit. */
     double before_cycles, after_cycles;
 } nkw_playback_range;
+NKW_SIZE(nkw_playback_range, 48, 48);
 
 /** A play head in binary64. */
 typedef struct nkw_play_head_f64 {
@@ -80,6 +83,7 @@ typedef struct nkw_play_head_f64 {
     double cycle; /**< the number of the cycle: 0 within the clip, negative before it */
     double closing; /**< in the closing segment, its parameter in 0..1 from the last key to the first; 0 elsewhere */
 } nkw_play_head_f64;
+NKW_SIZE(nkw_play_head_f64, 24, 24);
 
 /**
  * The play head of a range in binary64: for a running time of hours, where a float has a resolution of milliseconds
@@ -139,6 +143,7 @@ typedef struct nkw_playback_step {
     float duration; /**< of the loop; 0 for a clip that does not loop */
     float from, to; /**< the running time before, exclusive, and after the step, inclusive; to < from plays backwards */
 } nkw_playback_step;
+NKW_SIZE(nkw_playback_step, 32, 20);
 
 /**
  * The keys that a clip passes in a step of the running time:
@@ -164,6 +169,7 @@ typedef struct nkw_playback_step_f64 {
     double duration;
     double from, to;
 } nkw_playback_step_f64;
+NKW_SIZE(nkw_playback_step_f64, 40, 32);
 
 /** nkw_playback_passed for a running time in binary64. */
 NKW_API nkw_result nkw_playback_passed_f64(const nkw_playback_step_f64 *step, size_t *keys, size_t *passed,

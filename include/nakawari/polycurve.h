@@ -32,6 +32,7 @@ typedef struct nkw_polycurve {
     size_t count;
     nkw_cubic_kind kind; /**< of all segments; an unknown kind is read as NKW_CUBIC_HERMITE */
 } nkw_polycurve;
+NKW_SIZE(nkw_polycurve, 24, 12);
 
 /**
  * The length of a cubic segment from parameter `from` to `to`; negative if to < from.
@@ -80,6 +81,7 @@ NKW_API nkw_segment nkw_polycurve_at_length(const nkw_polycurve *curve, const fl
 typedef struct nkw_curve_frame {
     nkw_vec3 tangent, normal, binormal;
 } nkw_curve_frame;
+NKW_SIZE(nkw_curve_frame, 36, 36);
 
 /**
  * The Frenet frame: the normal points to the centre of curvature.
@@ -132,7 +134,8 @@ NKW_API nkw_curve_frame nkw_curve_frame_transport(const nkw_curve_frame *from, n
 /** The turns of the frames of a polycurve about its tangents. */
 typedef enum nkw_polycurve_ends {
     NKW_POLYCURVE_OPEN,  /**< turned as little as possible from the first frame on */
-    NKW_POLYCURVE_CLOSED /**< the last frame is the first: the difference is distributed evenly over the length */
+    NKW_POLYCURVE_CLOSED, /**< the last frame is the first: the difference is distributed evenly over the length */
+    NKW_POLYCURVE_ENDS_MAX_ENUM = 0x7fffffff
 } nkw_polycurve_ends;
 
 /**

@@ -37,11 +37,13 @@ typedef struct nkw_pose_view {
     const float *data;
     size_t joint_count;
 } nkw_pose_view;
+NKW_SIZE(nkw_pose_view, 16, 8);
 /** A pose to write. */
 typedef struct nkw_pose_span {
     float *data;
     size_t joint_count;
 } nkw_pose_span;
+NKW_SIZE(nkw_pose_span, 16, 8);
 
 /** The same pose, to read. */
 static inline nkw_pose_view nkw_pose_view_from_span(nkw_pose_span pose)

@@ -26,11 +26,13 @@ typedef struct nkw_axis_angle {
     nkw_vec3 axis;
     float angle;
 } nkw_axis_angle;
+NKW_SIZE(nkw_axis_angle, 16, 16);
 
 /** A rotation in two parts: q = swing * twist, first about an axis, then of that axis. */
 typedef struct nkw_swing_twist {
     nkw_quat swing, twist;
 } nkw_swing_twist;
+NKW_SIZE(nkw_swing_twist, 32, 32);
 
 /** (0, 0, 0, 1): no rotation. */
 NKW_ALGEBRA nkw_quat nkw_quat_identity(void);

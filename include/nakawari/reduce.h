@@ -70,6 +70,7 @@ typedef struct nkw_reduced {
     float share; /**< the largest distance divided by its tolerance, of all joints and floats: at most 1 */
     float floats; /**< the largest difference of a separate float */
 } nkw_reduced;
+NKW_SIZE(nkw_reduced, 32, 20);
 
 /**
  * Checks a source as nkw_clip_measure does, and computes the number of bytes of the block of nkw_clip_source_reduce.

@@ -46,6 +46,7 @@ typedef struct nkw_retarget_joint {
      */
     float translation;
 } nkw_retarget_joint;
+NKW_SIZE(nkw_retarget_joint, 16, 16);
 
 /** Two skeletons, their rest poses, and the map between them. */
 typedef struct nkw_retarget {
@@ -54,6 +55,7 @@ typedef struct nkw_retarget {
     const nkw_retarget_joint *joints; /**< target.joint_count */
     nkw_quat align; /**< from the source's model space to the target's; zero counts as the identity */
 } nkw_retarget;
+NKW_SIZE(nkw_retarget, 88, 52);
 
 /** Floats of working memory of nkw_pose_retarget. */
 #define NKW_RETARGET_WORK(source_joints, target_joints) (8 * ((source_joints) + (target_joints)))

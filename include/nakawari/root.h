@@ -32,7 +32,8 @@ typedef enum nkw_root_part {
     NKW_ROOT_PLANE = 1, /**< the translation at right angles to up */
     NKW_ROOT_HEIGHT = 2, /**< the translation along up */
     NKW_ROOT_YAW = 4, /**< the rotation about up: the twist of nkw_quat_swing_twist */
-    NKW_ROOT_ROTATION = 8 /**< the whole rotation; YAW has no effect then */
+    NKW_ROOT_ROTATION = 8, /**< the whole rotation; YAW has no effect then */
+    NKW_ROOT_PART_MAX_ENUM = 0x7fffffff
 } nkw_root_part;
 
 /** What becomes motion. */
@@ -40,6 +41,7 @@ typedef struct nkw_root_rule {
     nkw_vec3 up; /**< any length but 0: (0, 1, 0), (0, 0, 1). Zero or not finite: y */
     unsigned parts; /**< of nkw_root_part; 0 is no motion. Other bits have no effect */
 } nkw_root_rule;
+NKW_SIZE(nkw_root_rule, 16, 16);
 
 /**
  * The motion of a root transform: the parts that the rule names; the others are the identity. To place the character
@@ -86,6 +88,7 @@ NKW_API void nkw_root_remove_keys(nkw_vec3 *translations, nkw_quat *rotations, c
 typedef struct nkw_root_cycle {
     nkw_trs first, last;
 } nkw_root_cycle;
+NKW_SIZE(nkw_root_cycle, 80, 80);
 
 /**
  * The motion of a step of time, in the frame of the character before the step: place(after) = place(before) delta.

@@ -53,7 +53,8 @@ typedef enum nkw_rotation_kind {
     NKW_ROTATION_SLERP,
     NKW_ROTATION_HERMITE,
     NKW_ROTATION_SQUAD,
-    NKW_ROTATION_BSPLINE
+    NKW_ROTATION_BSPLINE,
+    NKW_ROTATION_KIND_MAX_ENUM = 0x7fffffff
 } nkw_rotation_kind;
 
 /** A curve of rotations over t = 0..1. Filled by the functions below, or by the caller. */
@@ -65,6 +66,7 @@ typedef struct nkw_rotation_segment {
     nkw_quat control[4]; /**< SLERP, HERMITE: two ends; SQUAD: end, inner, inner, end; BSPLINE: four controls */
     nkw_vec3 velocity[2]; /**< HERMITE: the angular velocities at the ends */
 } nkw_rotation_segment;
+NKW_SIZE(nkw_rotation_segment, 104, 104);
 
 /** An orientation in motion, in the outer frame. */
 typedef struct nkw_rotation_state {
@@ -72,6 +74,7 @@ typedef struct nkw_rotation_state {
     nkw_vec3 velocity; /**< radians per second */
     nkw_vec3 acceleration; /**< radians per second^2 */
 } nkw_rotation_state;
+NKW_SIZE(nkw_rotation_state, 40, 40);
 
 /** The constant rotation from a to b: nkw_quat_slerp_path as a segment. */
 NKW_API nkw_rotation_segment nkw_rotation_slerp(nkw_quat a, nkw_quat b, nkw_path path, int32_t turns, float duration);

@@ -34,6 +34,7 @@ typedef struct nkw_segment {
     size_t index;
     float t;
 } nkw_segment;
+NKW_SIZE(nkw_segment, 16, 8);
 
 /**
  * The segment of `time`, by a search without a branch on a time. Up to 17 keys are all compared; up to 257 keys take

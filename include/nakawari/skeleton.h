@@ -43,6 +43,7 @@ typedef struct nkw_skeleton {
     const int32_t *parents; /**< joint_count indices: the parent, less than the joint's own index, or NKW_NO_JOINT */
     size_t joint_count; /**< at least 1 */
 } nkw_skeleton;
+NKW_SIZE(nkw_skeleton, 16, 8);
 
 /**
  * Checks a skeleton.
@@ -88,6 +89,7 @@ typedef struct nkw_tree {
     const int32_t *next_sibling; /**< node_count nodes or NKW_NO_JOINT */
     size_t node_count; /**< at least 1 */
 } nkw_tree;
+NKW_SIZE(nkw_tree, 24, 12);
 
 /** The number of int32_t that nkw_tree_validate needs as working memory. */
 #define NKW_TREE_WORK(node_count) (3 * (node_count))

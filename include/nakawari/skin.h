@@ -52,7 +52,8 @@ typedef enum nkw_skin_format {
     NKW_SKIN_U8, /**< joints 0..255; weights 0..255 for 0..1 */
     NKW_SKIN_U16, /**< joints 0..65535; weights 0..65535 for 0..1 */
     NKW_SKIN_U32, /**< joints only */
-    NKW_SKIN_F32 /**< weights only */
+    NKW_SKIN_F32, /**< weights only */
+    NKW_SKIN_FORMAT_MAX_ENUM = 0x7fffffff
 } nkw_skin_format;
 
 /**
@@ -64,11 +65,13 @@ typedef struct nkw_skin_view {
     size_t stride; /**< bytes from vertex to vertex, or 0 */
     nkw_skin_format format;
 } nkw_skin_view;
+NKW_SIZE(nkw_skin_view, 24, 12);
 typedef struct nkw_skin_span {
     void *data;
     size_t stride;
     nkw_skin_format format;
 } nkw_skin_span;
+NKW_SIZE(nkw_skin_span, 24, 12);
 
 /** Which joints move which vertices. Nothing is owned. */
 typedef struct nkw_skin {
@@ -77,6 +80,7 @@ typedef struct nkw_skin {
     nkw_skin_view joints;
     nkw_skin_view weights;
 } nkw_skin;
+NKW_SIZE(nkw_skin, 64, 32);
 
 /**
  * One vec3 for each vertex, three floats at data + i * stride: a part of interleaved vertices, or a separate array. Any
@@ -88,18 +92,22 @@ typedef struct nkw_vec3_stream_view {
     const void *data;
     size_t stride; /**< bytes from vertex to vertex, or 0 */
 } nkw_vec3_stream_view;
+NKW_SIZE(nkw_vec3_stream_view, 16, 8);
 typedef struct nkw_vec3_stream_span {
     void *data;
     size_t stride;
 } nkw_vec3_stream_span;
+NKW_SIZE(nkw_vec3_stream_span, 16, 8);
 
 /** The vectors of vertices, as in vertex buffers. A vector that is NULL in the view or in the span is skipped. */
 typedef struct nkw_vertices_view {
     nkw_vec3_stream_view positions, normals, tangents, bitangents;
 } nkw_vertices_view;
+NKW_SIZE(nkw_vertices_view, 64, 32);
 typedef struct nkw_vertices_span {
     nkw_vec3_stream_span positions, normals, tangents, bitangents;
 } nkw_vertices_span;
+NKW_SIZE(nkw_vertices_span, 64, 32);
 
 /** The palettes of linear blend skinning. */
 typedef struct nkw_skin_palette {
@@ -112,6 +120,7 @@ typedef struct nkw_skin_palette {
     nkw_palette_view normals;
     int skip_normalization; /**< 0: directions are M n / |M n|. Otherwise M n, for shaders that normalize them */
 } nkw_skin_palette;
+NKW_SIZE(nkw_skin_palette, 56, 28);
 
 /**
  * Linear blend skinning. `out` may be the same streams as `in`, or share no vector with them. A skin without vertices

@@ -66,14 +66,16 @@ typedef enum nkw_spline_method {
     NKW_SPLINE_PCHIP,
     NKW_SPLINE_AKIMA,
     NKW_SPLINE_MAKIMA,
-    NKW_SPLINE_C2
+    NKW_SPLINE_C2,
+    NKW_SPLINE_METHOD_MAX_ENUM = 0x7fffffff
 } nkw_spline_method;
 
 /** The tangents at the first and the last key. */
 typedef enum nkw_spline_ends {
     NKW_SPLINE_ENDS_FREE,
     NKW_SPLINE_ENDS_CLAMPED,
-    NKW_SPLINE_ENDS_PERIODIC
+    NKW_SPLINE_ENDS_PERIODIC,
+    NKW_SPLINE_ENDS_MAX_ENUM = 0x7fffffff
 } nkw_spline_ends;
 
 /** Keys and a method. The arrays belong to the caller. */
@@ -89,6 +91,7 @@ typedef struct nkw_spline {
     const nkw_tcb *tcb;        /**< TCB: count parameters; NULL: all 0 */
     const float *end_tangents; /**< CLAMPED: width floats of the first key, then of the last; NULL: all 0 */
 } nkw_spline;
+NKW_SIZE(nkw_spline, 72, 40);
 
 /**
  * Where tangents are written: those before and after key k to in[k * stride] and out[k * stride]. Both may be the same
@@ -100,6 +103,7 @@ typedef struct nkw_tangent_span {
     float *in, *out;
     size_t stride; /**< floats, at least the width of the spline */
 } nkw_tangent_span;
+NKW_SIZE(nkw_tangent_span, 24, 12);
 
 /** The number of doubles of working memory for NKW_SPLINE_C2; other methods need none. */
 #define NKW_SPLINE_WORK(count) (3 * (count))

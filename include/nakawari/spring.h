@@ -48,17 +48,20 @@ extern "C" {
 typedef struct nkw_motion {
     float value, velocity;
 } nkw_motion;
+NKW_SIZE(nkw_motion, 8, 8);
 
 /** A vector and its rate per second. */
 typedef struct nkw_vec3_motion {
     nkw_vec3 value, velocity;
 } nkw_vec3_motion;
+NKW_SIZE(nkw_vec3_motion, 24, 24);
 
 /** A unit quaternion and its angular velocity in radians per second, in the outer frame, as for nkw_quat_integrate. */
 typedef struct nkw_quat_motion {
     nkw_quat value;
     nkw_vec3 velocity;
 } nkw_quat_motion;
+NKW_SIZE(nkw_quat_motion, 28, 28);
 
 /**
  * The constants of a spring: stiffness in 1/s^2, damping in 1/s. Without stiffness it is drag alone, without damping it
@@ -68,6 +71,7 @@ typedef struct nkw_quat_motion {
 typedef struct nkw_spring {
     float stiffness, damping;
 } nkw_spring;
+NKW_SIZE(nkw_spring, 8, 8);
 
 /**
  * The spring whose deviation from the goal, from rest, is halved for the first time after `half_life` seconds. The half
@@ -192,6 +196,7 @@ typedef struct nkw_spring_timed {
     nkw_spring spring;
     float time_left; /**< seconds until the arrival */
 } nkw_spring_timed;
+NKW_SIZE(nkw_spring_timed, 12, 12);
 
 /**
  * One step of a spring that arrives at a time. The step is divided where the point jumps to the goal, so a step of 2h

@@ -27,6 +27,7 @@ extern "C" {
 typedef struct nkw_rate {
     int64_t numerator, denominator;
 } nkw_rate;
+NKW_SIZE(nkw_rate, 16, 16);
 
 /** Ticks per second that files and tools count. */
 #define NKW_RATE_FBX       46186158000 /**< FBX: a multiple of the frame rates of film and television */
@@ -39,7 +40,8 @@ typedef struct nkw_rate {
 typedef enum nkw_round {
     NKW_ROUND_NEAREST, /**< to the nearest whole number, halves upwards */
     NKW_ROUND_DOWN, /**< towards minus infinity: the frame that is shown at a time */
-    NKW_ROUND_UP /**< towards plus infinity: the first frame that is not before a time */
+    NKW_ROUND_UP, /**< towards plus infinity: the first frame that is not before a time */
+    NKW_ROUND_MAX_ENUM = 0x7fffffff
 } nkw_round;
 
 /**
@@ -78,6 +80,7 @@ NKW_API nkw_result nkw_ticks_from_seconds(double seconds, nkw_rate rate, nkw_rou
 typedef struct nkw_timecode {
     int32_t hours, minutes, seconds, frames;
 } nkw_timecode;
+NKW_SIZE(nkw_timecode, 16, 16);
 
 /**
  * The label of a frame, counted from 00:00:00:00.

@@ -54,14 +54,16 @@ extern "C" {
 typedef enum nkw_interpolation {
     NKW_INTERPOLATION_LINEAR,
     NKW_INTERPOLATION_STEP,
-    NKW_INTERPOLATION_CUBICSPLINE
+    NKW_INTERPOLATION_CUBICSPLINE,
+    NKW_INTERPOLATION_MAX_ENUM = 0x7fffffff
 } nkw_interpolation;
 
 /** The meaning of the floats of a value. */
 typedef enum nkw_track_kind {
     NKW_TRACK_FLOATS,             /**< `width` separate numbers: a scalar, morph weights, a vector, a scale */
     NKW_TRACK_ROTATION,           /**< a quaternion: width 4 */
-    NKW_TRACK_ROTATION_NORMALIZED /**< a quaternion; keys are normalised before use: width 4 */
+    NKW_TRACK_ROTATION_NORMALIZED, /**< a quaternion; keys are normalised before use: width 4 */
+    NKW_TRACK_KIND_MAX_ENUM = 0x7fffffff
 } nkw_track_kind;
 
 /** One property over time. The arrays belong to the caller and may be in a mapped file. */
@@ -79,6 +81,7 @@ typedef struct nkw_track {
      */
     const unsigned char *key_interpolation;
 } nkw_track;
+NKW_SIZE(nkw_track, 48, 28);
 
 /** The number of floats in `values`; SIZE_MAX if it exceeds size_t. */
 NKW_API size_t nkw_track_value_count(const nkw_track *track);
@@ -237,6 +240,7 @@ typedef struct nkw_track_memory {
     float *work; /**< work_count floats of working memory, at least NKW_TRACK_WORK(width) */
     size_t work_count;
 } nkw_track_memory;
+NKW_SIZE(nkw_track_memory, 40, 20);
 
 /**
  * Resamples (bakes) a track at a uniform rate: its keys are samples of the source. A clip finds the keys of such tracks

@@ -31,11 +31,13 @@ typedef struct nkw_pose_velocity_view {
     const float *data;
     size_t joint_count;
 } nkw_pose_velocity_view;
+NKW_SIZE(nkw_pose_velocity_view, 16, 8);
 /** Velocities of all joints, to write. */
 typedef struct nkw_pose_velocity_span {
     float *data;
     size_t joint_count;
 } nkw_pose_velocity_span;
+NKW_SIZE(nkw_pose_velocity_span, 16, 8);
 
 /** The same velocities, to read. */
 static inline nkw_pose_velocity_view nkw_pose_velocity_view_from_span(nkw_pose_velocity_span velocity)
@@ -62,12 +64,14 @@ typedef struct nkw_pose_inertia {
     float *data;
     size_t joint_count;
 } nkw_pose_inertia;
+NKW_SIZE(nkw_pose_inertia, 16, 8);
 
 /** A pose and its velocities. */
 typedef struct nkw_pose_motion {
     nkw_pose_view pose;
     nkw_pose_velocity_view velocity;
 } nkw_pose_motion;
+NKW_SIZE(nkw_pose_motion, 32, 16);
 
 /**
  * Begins an inertialisation: nkw_vec3_inertia_begin for translations and scales, nkw_quat_inertia_begin for rotations.
@@ -95,6 +99,7 @@ typedef struct nkw_pose_dead_blend {
     size_t joint_count;
     float half_life, duration; /**< as nkw_dead_blend */
 } nkw_pose_dead_blend;
+NKW_SIZE(nkw_pose_dead_blend, 24, 16);
 
 /** Begins a dead blend: copies the pose and its velocities into the state. */
 NKW_API nkw_result nkw_pose_dead_blend_begin(const nkw_pose_motion *from, nkw_pose_dead_blend blend);

@@ -25,11 +25,13 @@ extern "C" {
 typedef struct nkw_vec3 {
     float x, y, z;
 } nkw_vec3;
+NKW_SIZE(nkw_vec3, 12, 12);
 
 /** The quaternion w + x i + y j + z k. A rotation is a unit quaternion; q and -q are the same rotation. */
 typedef struct nkw_quat {
     float x, y, z, w;
 } nkw_quat;
+NKW_SIZE(nkw_quat, 16, 16);
 
 /**
  * A 3x3 matrix in column-major order: element (row r, column c) is m[c * 3 + r].
@@ -41,6 +43,7 @@ typedef struct nkw_quat {
 typedef struct nkw_mat3 {
     float m[9];
 } nkw_mat3;
+NKW_SIZE(nkw_mat3, 36, 36);
 
 /**
  * A 4x4 matrix in column-major order: element (row r, column c) is m[c * 4 + r]; the translation is m[12..14].
@@ -56,6 +59,7 @@ typedef struct nkw_mat3 {
 typedef struct nkw_mat4 {
     float m[16];
 } nkw_mat4;
+NKW_SIZE(nkw_mat4, 64, 64);
 
 /**
  * The first three rows of an affine 4x4 matrix in row-major order: element (row r, column c) is m[r * 4 + c]; 48 bytes.
@@ -64,11 +68,13 @@ typedef struct nkw_mat4 {
 typedef struct nkw_mat3x4 {
     float m[12];
 } nkw_mat3x4;
+NKW_SIZE(nkw_mat3x4, 48, 48);
 
 /** A rotation and a translation t: real + e dual, e e = 0; real is the rotation, dual = (t / 2) real. */
 typedef struct nkw_dual_quat {
     nkw_quat real, dual;
 } nkw_dual_quat;
+NKW_SIZE(nkw_dual_quat, 32, 32);
 
 /** Scale along the axes, then rotate, then translate: M = T R S. The local transform of glTF and FBX. */
 typedef struct nkw_trs {
@@ -76,11 +82,13 @@ typedef struct nkw_trs {
     nkw_quat rotation;
     nkw_vec3 scale;
 } nkw_trs;
+NKW_SIZE(nkw_trs, 40, 40);
 
 /** The elements from .. to - 1. A `to` beyond the last element is the end; an empty range has none. */
 typedef struct nkw_range {
     size_t from, to;
 } nkw_range;
+NKW_SIZE(nkw_range, 16, 8);
 
 /**
  * Component arrays: element i of a vector array is (x[i], y[i], z[i]). A view is read, a span is written.
@@ -98,43 +106,53 @@ typedef struct nkw_range {
 typedef struct nkw_vec3_view {
     const float *x, *y, *z;
 } nkw_vec3_view;
+NKW_SIZE(nkw_vec3_view, 24, 12);
 typedef struct nkw_vec3_span {
     float *x, *y, *z;
 } nkw_vec3_span;
+NKW_SIZE(nkw_vec3_span, 24, 12);
 
 typedef struct nkw_quat_view {
     const float *x, *y, *z, *w;
 } nkw_quat_view;
+NKW_SIZE(nkw_quat_view, 32, 16);
 typedef struct nkw_quat_span {
     float *x, *y, *z, *w;
 } nkw_quat_span;
+NKW_SIZE(nkw_quat_span, 32, 16);
 
 /** One array for each of the nine elements, in the order of nkw_mat3. */
 typedef struct nkw_mat3_view {
     const float *m[9];
 } nkw_mat3_view;
+NKW_SIZE(nkw_mat3_view, 72, 36);
 typedef struct nkw_mat3_span {
     float *m[9];
 } nkw_mat3_span;
+NKW_SIZE(nkw_mat3_span, 72, 36);
 
 /** One array for each of the sixteen elements, in the order of nkw_mat4. */
 typedef struct nkw_mat4_view {
     const float *m[16];
 } nkw_mat4_view;
+NKW_SIZE(nkw_mat4_view, 128, 64);
 typedef struct nkw_mat4_span {
     float *m[16];
 } nkw_mat4_span;
+NKW_SIZE(nkw_mat4_span, 128, 64);
 
 typedef struct nkw_trs_view {
     nkw_vec3_view translation;
     nkw_quat_view rotation;
     nkw_vec3_view scale;
 } nkw_trs_view;
+NKW_SIZE(nkw_trs_view, 80, 40);
 typedef struct nkw_trs_span {
     nkw_vec3_span translation;
     nkw_quat_span rotation;
     nkw_vec3_span scale;
 } nkw_trs_span;
+NKW_SIZE(nkw_trs_span, 80, 40);
 
 #ifdef __cplusplus
 }

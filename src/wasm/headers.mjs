@@ -47,7 +47,7 @@ export function readHeaders(folder, stems, objects) {
       for (const item of plain(body).split(',').map(s => s.trim()).filter(s => /^NKW_\w+( *=|$)/.test(s))) {
         const [key, value] = item.split('=').map(s => s.trim());
         next = value === undefined ? next : Number(value);
-        if (!key.endsWith('_COUNT'))
+        if (!/_(COUNT|MAX_ENUM)$/.test(key))
           members.push([key.slice(4), next]);
         next++;
       }

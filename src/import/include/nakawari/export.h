@@ -30,7 +30,8 @@ extern "C" {
 typedef enum nkw_gltf_form {
     NKW_GLTF_BINARY, /**< .glb */
     NKW_GLTF_TEXT, /**< .gltf, its buffer as a data URI */
-    NKW_GLTF_OUTER /**< .gltf, its buffer in a file of its own */
+    NKW_GLTF_OUTER, /**< .gltf, its buffer in a file of its own */
+    NKW_GLTF_FORM_MAX_ENUM = 0x7fffffff
 } nkw_gltf_form;
 
 /** Bytes to be written, freed by nkw_gltf_file_free. */
@@ -40,6 +41,7 @@ typedef struct nkw_gltf_file {
     unsigned char *outer; /**< of NKW_GLTF_OUTER: the buffer; NULL without one */
     size_t outer_bytes;
 } nkw_gltf_file;
+NKW_SIZE(nkw_gltf_file, 32, 16);
 
 /**
  * Writes a document: nodes, skins, meshes with all that is read of them, morph targets, the names, base colours and
@@ -62,6 +64,7 @@ typedef struct nkw_gltf_rewriting {
     const nkw_document *to; /**< the same with other tracks: as many animations, channels as in `from` */
     int embeds_images; /**< whether outer images become part of the file: if it is written to another folder */
 } nkw_gltf_rewriting;
+NKW_SIZE(nkw_gltf_rewriting, 32, 16);
 
 /**
  * Writes a glTF file with other animations and everything else as it is: materials, textures, cameras, extensions,

@@ -43,7 +43,8 @@ typedef enum nkw_import_result {
     NKW_IMPORT_UNKNOWN, /**< a file of no known format */
     NKW_IMPORT_INVALID, /**< a file that violates its format */
     NKW_IMPORT_UNSUPPORTED, /**< a valid file that needs a version or an extension that is not read */
-    NKW_IMPORT_REFUSED /**< values that a function of the library refuses, as nkw_import_error.result states */
+    NKW_IMPORT_REFUSED, /**< values that a function of the library refuses, as nkw_import_error.result states */
+    NKW_IMPORT_RESULT_MAX_ENUM = 0x7fffffff
 } nkw_import_result;
 
 /** What went wrong, and where. All texts end with 0; a text that is too long is cut. */
@@ -54,6 +55,7 @@ typedef struct nkw_import_error {
     char place[160]; /**< a JSON pointer: /animations/2/samplers/0/input; byte 12; line 3, column 14; or "" */
     char reason[256]; /**< in English, without a full stop */
 } nkw_import_error;
+NKW_SIZE(nkw_import_error, 936, 936);
 
 /** A node of the file, and joint of the skeleton. */
 typedef struct nkw_document_node {
@@ -67,6 +69,7 @@ typedef struct nkw_document_node {
     uint32_t float_count; /**< the number of its morph weights: the targets of its mesh */
     int is_view; /**< 1 if it has a camera or a light, in glTF */
 } nkw_document_node;
+NKW_SIZE(nkw_document_node, 88, 72);
 
 /** Joints and their inverse bind matrices. The joints of vertices are indices of these arrays. */
 typedef struct nkw_document_skin {
@@ -75,17 +78,20 @@ typedef struct nkw_document_skin {
     const nkw_mat4 *inverse_bind; /**< joint_count matrices; NULL if the file has none: identities */
     size_t joint_count;
 } nkw_document_skin;
+NKW_SIZE(nkw_document_skin, 32, 16);
 
 /** Differences of a morph target: vertex_count elements each; NULL: none. */
 typedef struct nkw_document_target {
     const nkw_vec3 *positions, *normals, *tangents;
 } nkw_document_target;
+NKW_SIZE(nkw_document_target, 24, 12);
 
 /** What three indices, two or one of a primitive form. Strips, fans and loops of the file become lists. */
 typedef enum nkw_document_topology {
     NKW_DOCUMENT_POINTS,
     NKW_DOCUMENT_LINES,
-    NKW_DOCUMENT_TRIANGLES
+    NKW_DOCUMENT_TRIANGLES,
+    NKW_DOCUMENT_TOPOLOGY_MAX_ENUM = 0x7fffffff
 } nkw_document_topology;
 
 /** A part of a mesh with one material. Arrays that the file does not have are NULL. */
@@ -110,6 +116,7 @@ typedef struct nkw_document_primitive {
     const nkw_document_target *targets;
     size_t target_count;
 } nkw_document_primitive;
+NKW_SIZE(nkw_document_primitive, 176, 92);
 
 typedef struct nkw_document_mesh {
     const char *name;
@@ -119,6 +126,7 @@ typedef struct nkw_document_mesh {
     const char *const *target_names; /**< target_count names */
     size_t target_count; /**< of every primitive of the mesh */
 } nkw_document_mesh;
+NKW_SIZE(nkw_document_mesh, 48, 24);
 
 /** A picture in a file, or beside it. A picture that cannot be found has neither data nor path. */
 typedef struct nkw_document_image {
@@ -127,12 +135,14 @@ typedef struct nkw_document_image {
     size_t bytes;
     const char *path; /**< of an outer file, relative to the folder of the first file; otherwise NULL */
 } nkw_document_image;
+NKW_SIZE(nkw_document_image, 32, 16);
 
 typedef struct nkw_document_material {
     const char *name;
     float color[4]; /**< base colour: red, green, blue, alpha; linear, 0..1 */
     const nkw_document_image *image; /**< NULL, or the base colour at `texcoords`, to be multiplied; sRGB, repeated */
 } nkw_document_material;
+NKW_SIZE(nkw_document_material, 32, 24);
 
 /** Where a track of an animation is in the file. */
 typedef struct nkw_document_channel {
@@ -143,12 +153,14 @@ typedef struct nkw_document_channel {
     size_t bytes; /**< of times and values in the file; in text, as floats */
     size_t added; /**< keys that the file does not have: those between angles that turn by half a turn or more */
 } nkw_document_channel;
+NKW_SIZE(nkw_document_channel, 48, 24);
 
 /** A channel of the file that is no track. */
 typedef struct nkw_document_unread {
     size_t number; /**< the index of the channel in its animation, in the file */
     const char *reason; /**< what it animates, and why it is not read */
 } nkw_document_unread;
+NKW_SIZE(nkw_document_unread, 16, 8);
 
 /** An animation: tracks as in the file. Channels without a target are left out; others that are not read are listed. */
 typedef struct nkw_document_animation {
@@ -159,12 +171,14 @@ typedef struct nkw_document_animation {
     const nkw_document_unread *unread; /**< unread_count; of glTF: KHR_animation_pointer, weights without targets */
     size_t unread_count;
 } nkw_document_animation;
+NKW_SIZE(nkw_document_animation, 48, 24);
 
 typedef struct nkw_document_scene {
     const char *name;
     const int32_t *roots; /**< root_count joints */
     size_t root_count;
 } nkw_document_scene;
+NKW_SIZE(nkw_document_scene, 24, 12);
 
 /** A file that was read. All arrays belong to it and are read-only. */
 typedef struct nkw_document {
@@ -195,6 +209,7 @@ typedef struct nkw_document {
     const char *const *warnings; /**< warning_count: what is odd in the file, and how it was read */
     size_t warning_count;
 } nkw_document;
+NKW_SIZE(nkw_document, 224, 112);
 
 /* ---- Reading ---- */
 
@@ -217,6 +232,7 @@ typedef struct nkw_import_memory {
     void *user; /**< for the reader */
     int bvh_adds_offset; /**< of BVH: 1 if positions are added to the OFFSET of their joint; 0: they replace it */
 } nkw_import_memory;
+NKW_SIZE(nkw_import_memory, 56, 28);
 
 /**
  * Reads a file: glTF 2.0 as .gltf, .glb or .vrm, BVH, OBJ, or keys in CSV or JSON, recognised by its content; with
@@ -286,6 +302,7 @@ typedef struct nkw_document_vertices_span {
     nkw_vec3 *positions; /**< vertex_count */
     nkw_vec3 *normals; /**< vertex_count, or NULL; zeros if the file has none */
 } nkw_document_vertices_span;
+NKW_SIZE(nkw_document_vertices_span, 16, 8);
 
 /**
  * Morph targets: the positions and normals of a primitive, to each the differences of each target times its weight
