@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* Clips of tracks that are resampled, each at the lowest rate that keeps a tolerance; clips of nearly even times. */
 #include "support/clips.h"
+#include "support/page.h"
 #include "support/tracks.h"
 #include "support/views.h"
 #include "support/resample.h"
@@ -104,9 +105,9 @@ static void fewer_keys_keep_the_tolerance(void **state)
         assert_true(error.translation > 1e-5f && error.translation < TOLERANCE + 5e-6f);
         assert_true(error.rotation > 1e-5f && error.rotation < TOLERANCE + 1.75e-4f);
         assert_true(error.scale > 1e-5f && error.scale < TOLERANCE + 5e-6f);
-        printf("%s: %lu bytes, of fewer keys %lu: off by %.2g, %.2g radians\n", format ? "16 bits" : "floats",
-               (unsigned long)nkw_clip_bytes(whole), (unsigned long)nkw_clip_bytes(own), (double)error.translation,
-               (double)error.rotation);
+        expect_page("floors/4-track.md", "| %s | %lu | %lu | %.4f | %.4f |", format ? "16 bits" : "floats",
+                    (unsigned long)nkw_clip_bytes(whole), (unsigned long)nkw_clip_bytes(own),
+                    (double)error.translation, (double)error.rotation);
         assert_int_equal(nkw_clip_cursor_count(whole), 1);
         assert_true(nkw_clip_cursor_count(own) > 1 && nkw_clip_cursor_count(own) <= 4);
         assert_true(nkw_clip_bytes(own) < nkw_clip_bytes(whole) / 2);

@@ -6,6 +6,7 @@
 #include <nakawari/scalar.h>
 
 #include "documents.h"
+#include "page.h"
 
 #define FILES NKW_TEST_DATA "/reported/bvh/"
 
@@ -302,6 +303,46 @@ static void frames_may_be_missing(void **state)
     nkw_document_close(d);
 }
 
+/* A captured walk in centimetres, within 0.1 mm and 1 mm at 10 cm. */
+static void a_captured_walk_has_the_bytes_of_the_page(void **state)
+{
+    (void)state;
+    const char *path = NKW_DATA_DIR "/motion/cmu_12_01_walk.bvh";
+    FILE *there = fopen(path, "rb");
+    if (!there)
+        skip();
+    fclose(there);
+    nkw_document *d = read_file(path);
+    const nkw_document_animation *a = &d->animations[0];
+    const nkw_clip_source source = {a->tracks, a->track_count, d->skeleton.joint_count, 0, {NULL, 0}, NULL,
+                                    NKW_CLIP_FLOAT32, NULL};
+    size_t count = NKW_CLIP_REDUCE_WORK(a->track_count, source.joint_count, 0), bad;
+    size_t order_count = NKW_CLIP_WORK(a->track_count);
+    double *work = malloc(count * sizeof *work);
+    uint32_t *order = malloc(order_count * sizeof *order);
+    size_t floats, bytes[2];
+    nkw_clip_memory memory = {NULL, 0, work, count};
+    assert_true(work && order);
+    assert_int_equal(nkw_clip_measure(&source, &floats, &bad, order, order_count), NKW_OK);
+    assert_int_equal(nkw_clip_reduce_measure(&source, &memory.bytes, &bad, work, count), NKW_OK);
+    memory.block = malloc(memory.bytes);
+    assert_non_null(memory.block);
+    for (int i = 0; i < 2; i++) {
+        const nkw_clip_reduction reduction = {d->skeleton.parents, i ? 0.1f : 0.01f, 10, NULL, NULL, 1e-3f};
+        nkw_clip_reduced reduced;
+        assert_int_equal(nkw_clip_reduce(&source, &reduction, &memory, &reduced, &bad), NKW_OK);
+        bytes[i] = reduced.bytes;
+    }
+    expect_page("floors/4-track.md", "| a walk of %lu joints, %lu keys at 120 Hz, in centimetres, by "
+                                     "[`nakawari/import.h`](../import.md) | %lu | %lu | %lu |",
+                (unsigned long)source.joint_count, (unsigned long)a->tracks[0].track.count, (unsigned long)floats,
+                (unsigned long)bytes[0], (unsigned long)bytes[1]);
+    free(memory.block);
+    free(order);
+    free(work);
+    nkw_document_close(d);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -314,6 +355,7 @@ int main(void)
         cmocka_unit_test(numbers_of_every_program_are_read),
         cmocka_unit_test(broken_files_are_refused_with_their_line),
         cmocka_unit_test(frames_may_be_missing),
+        cmocka_unit_test(a_captured_walk_has_the_bytes_of_the_page),
     };
     return cmocka_run_group_tests_name("import_bvh", tests, NULL, NULL);
 }

@@ -13,6 +13,7 @@
 
 #include "scene.h"
 #include "support/expect.h"
+#include "support/page.h"
 #include "support/views.h"
 #include "support/resample.h"
 
@@ -267,6 +268,31 @@ static void compact_clips_of_all_scenes_are_within_their_bound(void **state)
     assert_true(each_scene(NKW_CLIP_UNORM16, 1, expect_compact_bound) > 0);
 }
 
+static void the_fox_has_the_bytes_of_the_page(void **state)
+{
+    static played whole, compact;
+    float room[NKW_CLIP_DIFFERENCE_WORK(SCENE_NODES, SCENE_FLOATS)];
+    (void)state;
+    play(NKW_DATA_DIR "/scenes/Fox.scene.txt", 0, NKW_CLIP_FLOAT32, &whole);
+    play(NKW_DATA_DIR "/scenes/Fox.scene.txt", 0, NKW_CLIP_UNORM16, &compact);
+    for (int i = 0; i < whole.scene.anims; i++) {
+        const nkw_clip_source *s = &whole.source[i];
+        size_t keys = 0, floats = s->tracks[0].track.count;
+        nkw_clip_error error;
+        for (size_t t = 0; t < s->track_count; t++) {
+            keys += s->tracks[t].track.count;
+            floats += s->tracks[t].track.count * s->tracks[t].track.width;
+        }
+        assert_int_equal(s->track_count, 21);
+        assert_int_equal(nkw_clip_difference(compact.clip[i], s, &error, room, sizeof room / sizeof *room), NKW_OK);
+        expect_page("floors/4-track.md", "| %d | %lu | %lu | %lu | %lu | %.2e | %.2e |", i, (unsigned long)keys,
+                    (unsigned long)(floats * sizeof(float)), (unsigned long)nkw_clip_bytes(whole.clip[i]),
+                    (unsigned long)nkw_clip_bytes(compact.clip[i]), (double)error.rotation, (double)error.translation);
+    }
+    stop(&whole);
+    stop(&compact);
+}
+
 /* A track baked at its own mean rate or below, within a tolerance, has no more keys and is within it. */
 static void expect_resampled(const played *p)
 {
@@ -297,6 +323,7 @@ int main(void)
         cmocka_unit_test(scenes_are_met),
         cmocka_unit_test(clips_of_all_scenes_give_the_bits_of_their_tracks),
         cmocka_unit_test(compact_clips_of_all_scenes_are_within_their_bound),
+        cmocka_unit_test(the_fox_has_the_bytes_of_the_page),
         cmocka_unit_test(tracks_of_all_scenes_resample_within_a_tolerance),
     };
     if (!scene_folder_is_there())

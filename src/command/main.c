@@ -33,8 +33,8 @@ enum { SUBCOMMANDS = sizeof subcommands / sizeof subcommands[0] };
 
 static void list(FILE *f)
 {
-    fputs("Usage: nakawari COMMAND [OPTION...] FILE\n\nReads animated models: glTF 2.0 (.gltf, .glb, .vrm), keys in "
-          "BVH, OBJ, CSV and JSON, and,\nwhere it is built with Assimp, FBX, Collada, X, MD5 and others.\n\n",
+    fputs("Usage: nakawari COMMAND [OPTION...] FILE\n\nReads animated models: glTF 2.0 (.gltf, .glb, .vrm), BVH, OBJ, "
+          "keys in CSV and JSON, and,\nwhere it is built with Assimp, FBX, Collada, X, MD5 and others.\n\n",
           f);
     for (int i = 0; i < SUBCOMMANDS; i++)
         fprintf(f, "  %-9s %s\n", subcommands[i].name, subcommands[i].about);

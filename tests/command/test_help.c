@@ -70,6 +70,41 @@ static void the_manual_has_all_options(void **state)
     free(manual);
 }
 
+/* The part of docs/command.md before its sections, and the section of the command. */
+static void on_page(const char *word, void *user)
+{
+    const char *const *parts = user;
+    size_t n = strlen(word);
+    for (int i = 0; i < 2; i++)
+        for (const char *at = strstr(parts[i], word); at; at = strstr(at + 1, word))
+            if (!strchr("-abcdefghijklmnopqrstuvwxyz", at[n]))
+                return;
+    fail_msg("docs/command.md has no %s in the section of the command", word);
+}
+
+static void the_page_has_all_commands_and_options(void **state)
+{
+    (void)state;
+    commands all = {{{0}}, 0};
+    each_word(LIST_COMMANDS, add_command, &all);
+    for (size_t i = 0; i < all.count; i++) {
+        char *page = read_file(NKW_PAGE), line[256];
+        snprintf(line, sizeof line, "\n| [`%s`](#%s) |", all.name[i], all.name[i]);
+        assert_non_null(strstr(page, line));
+        snprintf(line, sizeof line, "\n## %s\n", all.name[i]);
+        char *section = strstr(page, line), *end = section ? strstr(section + 1, "\n## ") : NULL;
+        assert_non_null(section);
+        if (end)
+            *end = '\0';
+        *strstr(page, "\n## ") = '\0';
+        const char *parts[2] = {page, section + 1};
+        snprintf(line, sizeof line, "%s --help | sed '/^$/,$d' | grep -oE -- '--[a-z-]+' | grep -vE -- '--help|--quiet' "
+                                    "|| true", all.name[i]);
+        each_word(line, on_page, parts);
+        free(page);
+    }
+}
+
 static void bash_completes_commands_and_options(void **state)
 {
     (void)state;
@@ -89,6 +124,7 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(the_manual_has_all_options),
+        cmocka_unit_test(the_page_has_all_commands_and_options),
         cmocka_unit_test(bash_completes_commands_and_options),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

@@ -5,6 +5,7 @@ import { compareGolden } from './golden.mjs';
 import { both, root, text } from './support.mjs';
 
 const golden = ['kernels.h', 'golden.txt'].map(name => text(`${root}/tests/golden/${name}`));
+const rows = golden[0].match(/^K\(/gm).length;
 
 for (const [part, least] of [['math', 160], ['all', 247]])
   for (const [build, module] of await both(part))
@@ -13,4 +14,6 @@ for (const [part, least] of [['math', 160], ['all', 247]])
       assert.equal(result.build, build);
       assert.deepEqual(result.different, []);
       assert.ok(result.rows >= least, `${result.rows} rows`);
+      if (part === 'all')
+        assert.match(text(`${root}/docs/web.md`), new RegExp(`\\s${result.rows} of its ${rows} rows`));
     });
