@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
 import assert from 'node:assert/strict';
 import { after, test } from 'node:test';
-import { axe, close, open, printed, shown } from './models.mjs';
+import { axe, close, long, open, printed, shown } from './models.mjs';
 
 after(close);
 const drawn = tab => tab.waitForSelector('[data-name="position.2"]', { timeout: 60000 });
 
-test('the C program prints the matrix of the page, of each clip and of all three', async () => {
+test('the C program prints the matrix of the page, of each clip and of all three', long, async () => {
   for (const [clip, character] of [['walk', 0], ['wave', 33], ['hop', 5], ['mixed', 36]]) {
     const { tab, problems } = await open(`crowd?count=37&clip=${clip}&character=${character}&joint=9&time=3.7`);
     await drawn(tab);

@@ -5,7 +5,7 @@ import { execFileSync } from 'node:child_process';
 import { mkdtempSync, readFileSync, rmSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import { after, test } from 'node:test';
-import { close, printed, root, shown, start } from './models.mjs';
+import { close, long, printed, root, shown, start } from './models.mjs';
 
 after(close);
 async function exercise(query, options) {
@@ -31,7 +31,7 @@ test('the numbers of docs/coursework.md at 3.25 s', async () => {
   await tab.close();
 });
 
-test('the C program prints the numbers, of every method and of the program of the exercise', async () => {
+test('the C program prints the numbers, of every method and of the program of the exercise', long, async () => {
   for (const [scene, time, position, orientation, program] of [[1, 3.25, 'hermite', 'quat', 0],
     [1, 6, 'bezier', 'euler', 1], [4, 3.5, 'bezier', 'quat', 0], [6, 1.7, 'bspline', 'quat', 1],
     [9, 2, 'linear', 'euler', 0], [2, 0.3, 'bezier', 'none', 1], [7, 2.4, 'centripetal', 'nlerp', 0]]) {
@@ -141,7 +141,7 @@ function quaternion(...degrees) {
     cos(y) * cos(x) * sin(z) - sin(y) * sin(x) * cos(z), cos(y) * cos(x) * cos(z) + sin(y) * sin(x) * sin(z)];
 }
 
-test('at a pitch of 90 degrees, the program loses the rotation and the library keeps it', async () => {
+test('at a pitch of 90 degrees, the program loses the rotation and the library keeps it', long, async () => {
   for (const [pitch, lost] of [[90, true], [-90, true], [80, false]]) {
     const keys = [0, 0, 0, 0, ...quaternion(30, pitch, 40), 1, 1, 0, 0, ...quaternion(0, 0, 0)].join('_');
     const query = `keys=${keys}&time=0&orientation=`;

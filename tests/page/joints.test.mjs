@@ -4,7 +4,7 @@ import assert from 'node:assert/strict';
 import { readFileSync } from 'node:fs';
 import { after, test } from 'node:test';
 import { centre, drag } from './drags.mjs';
-import { close, printed, root, shown, start } from './models.mjs';
+import { close, long, printed, root, shown, start } from './models.mjs';
 
 after(close);
 const orders = ['turn', 'origin', 'noParent', 'right', 'noInverse', 'noTranslation', 'turnFirst', 'swapped',
@@ -62,7 +62,8 @@ function palette(order, angles) {
   return order === 'transposed' ? product.map(m => m.map((_, r) => m.map(row => row[r]))) : product;
 }
 
-test('each product: C prints the numbers of the page, and the vertex is at the same place in binary64', async () => {
+test('each product: C prints the numbers of the page, and the vertex is at the same place in binary64', long,
+  async () => {
   const places = new Map();
   for (const order of orders) {
     const { tab, numbers } = await numbersOf(`joints?order=${order}&joint=2&ring=16&column=3&angle0=0.3&axis=z`);
@@ -81,7 +82,7 @@ test('each product: C prints the numbers of the page, and the vertex is at the s
   assert.equal(new Set(places.values()).size, orders.length, [...places].join('; '));
 });
 
-test('in the bind pose, some products do not move the mesh', async () => {
+test('in the bind pose, some products do not move the mesh', long, async () => {
   const wrong = ['origin', 'noInverse', 'noTranslation', 'unnormalised'];
   for (const order of orders) {
     const { tab, numbers } = await numbersOf(`joints?order=${order}&angle1=0&angle2=0`);

@@ -3,7 +3,7 @@
 // ends of the clip.
 import assert from 'node:assert/strict';
 import { after, test } from 'node:test';
-import { axe, close, drawn, open, printed, shown } from './models.mjs';
+import { axe, close, drawn, long, open, printed, shown } from './models.mjs';
 
 after(close);
 const exhibit = async (query = '', options) => {
@@ -161,7 +161,8 @@ for (const finger of [false, true])
       await tab.close();
     });
 
-test('loop: the steps of a throw add up to one step, and its friction does not depend on the frames', async () => {
+test('loop: the steps of a throw add up to one step, and its friction does not depend on the frames', long,
+  async () => {
   const tab = await exhibit('friction=0.4');
   for (const [key, way] of [['t', 1], ['b', -1]]) {
     const before = await now(tab);

@@ -6,14 +6,16 @@ import { mkdtempSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
 import { createRequire } from 'node:module';
 import { tmpdir } from 'node:os';
 
-// The folder of the page, the build folder with its node_modules, the source folder, flags that link the library.
-const { NKW_PAGE: page, NKW_BUILD: build, NKW_ROOT: root, NKW_CHROMIUM: chromium, NKW_LINK: link } = process.env;
+// The folder of the page, the build folder with its node_modules, the source folder, flags that link the library, the
+// file with the address of the browser (browser.mjs).
+const { NKW_PAGE: page, NKW_BUILD: build, NKW_ROOT: root, NKW_LINK: link, NKW_BROWSER: address } = process.env;
 export const require = createRequire(`${build}/`);
 export { page, root };
 
-// Without a GPU, pages are painted by the processor and WebGL by SwiftShader.
-const browser = await require('playwright-core').chromium.launch({
-  executablePath: chromium, args: ['--no-sandbox', '--disable-gpu', '--enable-unsafe-swiftshader'] });
+const browser = await require('playwright-core').chromium.connect(readFileSync(address, 'utf8'));
+/** Options of tests that take long: they run at night. */
+export const long = { skip: process.env.NKW_TEST_SET === 'nightly' ? false : 'at night' };
+/** Closes the tabs of this file of tests. */
 export const close = () => browser.close();
 
 /** An empty tab; `problems` receives what the console has. */

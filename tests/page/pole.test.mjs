@@ -2,7 +2,7 @@
 import assert from 'node:assert/strict';
 import { after, test } from 'node:test';
 import { centre, drag, settled } from './drags.mjs';
-import { close, near, printed, row, shown, within } from './models.mjs';
+import { close, long, near, printed, row, shown, within } from './models.mjs';
 import { degrees, dot, euler, inverse, product, rotated } from './quaternions.mjs';
 
 after(close);
@@ -26,7 +26,7 @@ test('the angles of each order are the same orientation, and its pole is as far 
     near(Math.abs(dot(euler('ZXY', row(n, 'other')), q)), 1, 1e-6, 'the other angles');
   }));
 
-test('at a middle angle of 90 degrees the outer and the inner axis coincide, and C prints it', async () => {
+test('at a middle angle of 90 degrees the outer and the inner axis coincide, and C prints it', long, async () => {
   for (const order of orders)
     await at(new URLSearchParams({ order, x: 30, y: 40, z: 20, [order[1].toLowerCase()]: 90 }), async (tab, n) => {
       near(Math.abs(dot(row(n, 'outer'), row(n, 'inner'))), 1, 1e-6, order);
@@ -43,7 +43,7 @@ test('the pass misses the pole by the angle given, and C prints it', () =>
     assert.deepEqual(await printed(tab), n);
   }));
 
-test('the angles turn at the speeds of the formula: beside the pole far faster than the object', async () => {
+test('the angles turn at the speeds of the formula: beside the pole far faster than the object', long, async () => {
   for (const order of orders)
     await at(`order=${order}&by=pass&miss=3&time=1.015625`, async (tab, n) => {
       const h = 1e-5, angles = row(n, 'angles'), [i, j] = [...order].map(letter => 'XYZ'.indexOf(letter));

@@ -3,7 +3,7 @@
 import assert from 'node:assert/strict';
 import { after, test } from 'node:test';
 import { drag } from './drags.mjs';
-import { close, printed, shown, start } from './models.mjs';
+import { close, long, printed, shown, start } from './models.mjs';
 
 after(close);
 
@@ -48,7 +48,7 @@ function measured(mode, dual, joints, angle) {
 test('the box of this test has three cubic metres', () =>
   assert.ok(Math.abs(volume(sections) - 3) < 1e-12));
 
-test('the measures are those of binary64, and the C program prints them', async () => {
+test('the measures are those of binary64, and the C program prints them', long, async () => {
   for (const [mode, degrees, joints] of [['twist', 0, 3], ['twist', 90, 3], ['twist', 170, 5], ['twist', 300, 3],
     ['bend', 0, 3], ['bend', 60, 5], ['bend', 110, 3], ['bend', 150, 5]]) {
     const { tab, problems } = await start(`twist?mode=${mode}&${mode}=${degrees}&joints=${joints}`);
