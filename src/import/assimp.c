@@ -127,15 +127,20 @@ static char *importer_name(const nkw_import_memory *memory)
     return whole;
 }
 
+const struct aiScene *nkwi_assimp_import(const nkw_import_memory *memory, const char *name, nkwi_assimp_files *files)
+{
+    struct aiPropertyStore *store = settings();
+    nkwi_assimp_files_begin(files, memory, name);
+    const struct aiScene *scene = store ? aiImportFileExWithProperties(name, 0, &files->io, store) : NULL;
+    if (store)
+        aiReleasePropertyStore(store);
+    return scene;
+}
+
 static int import(nkwi_assimp *a, const nkw_import_memory *memory, const char *name)
 {
     nkwi_assimp_files files;
-    struct aiPropertyStore *store = settings();
-    nkwi_assimp_files_begin(&files, memory, name);
-    if (!store)
-        return nkwi_fail(a->error, NULL, NKW_IMPORT_NO_MEMORY, "no memory for the settings of Assimp");
-    a->scene = aiImportFileExWithProperties(name, 0, &files.io, store);
-    aiReleasePropertyStore(store);
+    a->scene = nkwi_assimp_import(memory, name, &files);
     a->document->memory.most = a->scratch.most = NKWI_MEMORY_MOST(files.bytes);
     a->document->all.bytes = files.bytes;
     a->frame_rate = files.frame_rate;
@@ -178,7 +183,7 @@ int nkwi_assimp_read(nkwi_document *document, const nkw_import_memory *memory, n
     a.document = document;
     a.error = error;
     char *name = importer_name(memory);
-    int done = name ? import(&a, memory, name) && read_parts(&a)
+    int done = name ? import(&a, memory, name) && read_parts(&a) && nkwi_assimp_collada(&a, memory, name)
                     : nkwi_fail(error, NULL, NKW_IMPORT_NO_MEMORY, "no memory for the name of the file");
     aiReleaseImport(a.scene);
     nkwi_give(&a.scratch);

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /*
- * The bridge to Assimp: all formats except glTF, BVH, OBJ and keys. Everything of a scene is checked before it is used: counts,
- * indices, names. docs/importers.md states what each importer loses.
+ * The bridge to Assimp: all formats except glTF, BVH, OBJ and keys. Everything of a scene is checked before it is used:
+ * counts, indices, names. docs/importers.md states what each importer loses.
  */
 #ifndef NAKAWARI_IMPORT_ASSIMP_H
 #define NAKAWARI_IMPORT_ASSIMP_H
@@ -56,6 +56,7 @@ typedef struct nkwi_assimp {
     double frame_rate; /* as in nkwi_assimp_files */
     int has_meshes; /* not where Assimp adds a picture of the skeleton */
     nkwi_assimp_skin *skins; /* of each skin, as nodes of the tree */
+    uint32_t *uses; /* node_count, for nkwi_assimp_find_nth */
 } nkwi_assimp;
 
 /* The files that an importer asks for (assimp_file.c). */
@@ -67,6 +68,9 @@ typedef struct nkwi_assimp_files {
     size_t fault; /* of MD5: the line of nkwi_assimp_md5_fault of a file that was not opened for it; otherwise 0 */
     double frame_rate; /* of MD5: frameRate of the .md5anim that was opened; otherwise 0 */
 } nkwi_assimp_files;
+
+/* The scene of the first file, whose name for the importer is `name`; NULL, and the reason of Assimp, without one. */
+const struct aiScene *nkwi_assimp_import(const nkw_import_memory *memory, const char *name, nkwi_assimp_files *files);
 
 void nkwi_assimp_files_begin(nkwi_assimp_files *files, const nkw_import_memory *memory, const char *name);
 
@@ -109,6 +113,11 @@ int nkwi_assimp_nodes(nkwi_assimp *a);
 int nkwi_assimp_instances(nkwi_assimp *a, nkw_document_node *list); /* meshes and skins of nodes */
 int nkwi_assimp_skins(nkwi_assimp *a); /* joints of skins, after the nodes are sorted */
 int nkwi_assimp_animations(nkwi_assimp *a);
+/* The animations of a scene as one, except its name; *tracks are those of `out`. */
+int nkwi_assimp_join_animations(nkwi_assimp *a, const struct aiScene *scene, size_t index, nkw_document_animation *out,
+                                nkw_clip_track **tracks);
+/* Names and clips of Collada, after everything else (assimp_collada.c). name: of the first file for the importer. */
+int nkwi_assimp_collada(nkwi_assimp *a, const nkw_import_memory *file, const char *name);
 void nkwi_assimp_drop_added(nkwi_assimp *a, struct aiNodeAnim *c); /* keys of FBX that no file has */
 
 #endif

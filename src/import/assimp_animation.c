@@ -4,6 +4,7 @@
 #include <string.h>
 
 #include <nakawari/quat.h>
+#include <nakawari/scalar.h>
 #include <nakawari/vec.h>
 
 #include "assimp.h"
@@ -17,7 +18,7 @@ typedef struct reader {
     nkw_clip_track *tracks;
     nkw_document_channel *channels;
     size_t count;
-    uint32_t *uses; /* of names: channels of nodes with the same name are in the order of the nodes */
+    int is_warned; /* of rotations that no matrix has */
 } reader;
 
 static int fail_channel(const reader *r, const char *list, size_t channel, const char *reason)
@@ -123,6 +124,41 @@ static int read_rotations(reader *r, size_t number, int32_t node, const struct a
     return 1;
 }
 
+static int is_flat(const struct aiVector3D *s)
+{
+    float x = nkw_abs(s->x), y = nkw_abs(s->y), z = nkw_abs(s->z), least = 1e-7f * nkw_max(nkw_max(x, y), z);
+    return !(x > least && y > least && z > least);
+}
+
+/*
+ * Collada's keys are decomposed from matrices. Where a scale is zero, what Assimp returns as the rotation is none: that
+ * of the key before replaces it, or that of the next.
+ */
+static int mend_rotations(reader *r, struct aiNodeAnim *c)
+{
+    const size_t count = c->mNumRotationKeys;
+    if (!strstr(r->a->document->all.format, "Collada") || count != c->mNumScalingKeys || !c->mRotationKeys ||
+        !c->mScalingKeys)
+        return 1;
+    const struct aiQuaternion identity = {1, 0, 0, 0};
+    size_t first = 0, flat = 0;
+    while (first < count && is_flat(&c->mScalingKeys[first].mValue))
+        first++;
+    struct aiQuaternion last = first < count ? c->mRotationKeys[first].mValue : identity;
+    for (size_t i = 0; i < count; i++) {
+        if (is_flat(&c->mScalingKeys[i].mValue)) {
+            c->mRotationKeys[i].mValue = last;
+            flat++;
+        }
+        last = c->mRotationKeys[i].mValue;
+    }
+    if (flat == 0 || r->is_warned)
+        return 1;
+    r->is_warned = 1;
+    return nkwi_document_warn(r->a->document, r->a->error,
+                              "%s: keys with a scale of 0 have the rotation of the key beside them", c->mNodeName.data);
+}
+
 /* A channel of a node that does not exist is left out. */
 static int read_channel(reader *r, size_t number)
 {
@@ -131,9 +167,11 @@ static int read_channel(reader *r, size_t number)
         return fail_channel(r, "channels", number, "the channel is missing");
     if (strstr(r->a->document->all.format, "FBX"))
         nkwi_assimp_drop_added(r->a, c);
-    int32_t node = nkwi_assimp_find_nth(r->a, c->mNodeName.data, r->uses);
+    /* Channels of nodes with the same name are in the order of the nodes. */
+    int32_t node = nkwi_assimp_find_nth(r->a, c->mNodeName.data, r->a->uses);
     return node == NKW_NO_JOINT ||
-           (read_vectors(r, number, node, NKW_CLIP_TRANSLATION, c->mPositionKeys, c->mNumPositionKeys) &&
+           (mend_rotations(r, c) &&
+            read_vectors(r, number, node, NKW_CLIP_TRANSLATION, c->mPositionKeys, c->mNumPositionKeys) &&
             read_rotations(r, number, node, c->mRotationKeys, c->mNumRotationKeys) &&
             read_vectors(r, number, node, NKW_CLIP_SCALE, c->mScalingKeys, c->mNumScalingKeys));
 }
@@ -178,29 +216,55 @@ static int read_morphs(reader *r, size_t number)
     return 1;
 }
 
-static int read_animation(reader *r, nkw_document_animation *out)
+/* The channels of the animation `from` are added to the tracks. */
+static int read_channels(reader *r)
 {
-    nkwi_assimp *a = r->a;
-    size_t nodes = r->from->mNumChannels, morphs = r->from->mNumMorphMeshChannels, most = 3 * nodes + morphs;
+    size_t nodes = r->from->mNumChannels, morphs = r->from->mNumMorphMeshChannels;
     if ((nodes > 0 && !r->from->mChannels) || (morphs > 0 && !r->from->mMorphMeshChannels))
         return fail_channel(r, "channels", 0, "there are no channels");
-    r->tracks = (nkw_clip_track *)nkwi_assimp_take(a, "animations", most, sizeof *r->tracks);
-    r->channels = (nkw_document_channel *)nkwi_assimp_take(a, "animations", most, sizeof *r->channels);
-    memset(r->uses, 0, a->node_count * sizeof *r->uses);
-    r->ticks = ticks_of(a, r->from);
-    out->name = nkwi_assimp_name(a, &r->from->mName, "animation", r->index);
-    if (!r->tracks || !r->channels || !out->name)
-        return 0;
+    memset(r->a->uses, 0, r->a->node_count * sizeof *r->a->uses);
+    r->ticks = ticks_of(r->a, r->from);
     for (size_t i = 0; i < nodes; i++)
         if (!read_channel(r, i))
             return 0;
     for (size_t i = 0; i < morphs; i++)
         if (!read_morphs(r, i))
             return 0;
+    return 1;
+}
+
+/* `count` animations become one. */
+static int read_animations(reader *r, struct aiAnimation *const *list, size_t count, nkw_document_animation *out)
+{
+    size_t most = 0;
+    for (size_t i = 0; i < count; i++) {
+        if (!list[i])
+            return fail_channel(r, "channels", 0, "the animation is missing");
+        most += 3 * (size_t)list[i]->mNumChannels + list[i]->mNumMorphMeshChannels;
+    }
+    r->tracks = (nkw_clip_track *)nkwi_assimp_take(r->a, "animations", most, sizeof *r->tracks);
+    r->channels = (nkw_document_channel *)nkwi_assimp_take(r->a, "animations", most, sizeof *r->channels);
+    if (!r->tracks || !r->channels)
+        return 0;
+    for (size_t i = 0; i < count; i++) {
+        r->from = list[i];
+        if (!read_channels(r))
+            return 0;
+    }
     out->tracks = r->tracks;
     out->channels = r->channels;
     out->track_count = r->count;
     return 1;
+}
+
+int nkwi_assimp_join_animations(nkwi_assimp *a, const struct aiScene *scene, size_t index, nkw_document_animation *out,
+                                nkw_clip_track **tracks)
+{
+    reader r = {a, NULL, index, 0.0, NULL, NULL, 0, 0};
+    size_t count = scene->mAnimations ? scene->mNumAnimations : 0;
+    int done = read_animations(&r, scene->mAnimations, count, out);
+    *tracks = r.tracks;
+    return done;
 }
 
 int nkwi_assimp_animations(nkwi_assimp *a)
@@ -208,14 +272,15 @@ int nkwi_assimp_animations(nkwi_assimp *a)
     nkw_document *d = &a->document->all;
     size_t count = a->scene->mAnimations ? a->scene->mNumAnimations : 0;
     nkw_document_animation *list = (nkw_document_animation *)nkwi_assimp_take(a, "animations", count, sizeof *list);
-    uint32_t *uses = (uint32_t *)nkwi_assimp_scratch(a, "animations", a->node_count, sizeof *uses);
-    if (!list || !uses)
+    a->uses = (uint32_t *)nkwi_assimp_scratch(a, "animations", a->node_count, sizeof *a->uses);
+    if (!list || !a->uses)
         return 0;
     for (size_t i = 0; i < count; i++) {
-        reader r = {a, a->scene->mAnimations[i], i, 0.0, NULL, NULL, 0, uses};
-        if (!r.from)
-            return fail_channel(&r, "channels", 0, "the animation is missing");
-        if (!read_animation(&r, &list[i]))
+        reader r = {a, NULL, i, 0.0, NULL, NULL, 0, 0};
+        if (!read_animations(&r, &a->scene->mAnimations[i], 1, &list[i]))
+            return 0;
+        list[i].name = nkwi_assimp_name(a, &a->scene->mAnimations[i]->mName, "animation", i);
+        if (!list[i].name)
             return 0;
     }
     d->animations = list;
