@@ -526,6 +526,22 @@ static void documents_without_animations_have_a_rest_clip(void **state)
     nkw_import_free(NULL);
 }
 
+/* Spaces may pad the JSON chunk; some programs write zeros. */
+static void zeros_behind_the_json_of_a_glb_are_read_with_a_warning(void **state)
+{
+    (void)state;
+    static const char json[28] = "{\"asset\":{\"version\":\"2.0\"}}";
+    const uint32_t head[5] = {0x46546c67, 2, 48, 28, 0x4e4f534a};
+    unsigned char bytes[48];
+    nkw_document *d;
+    memcpy(bytes, head, sizeof head);
+    memcpy(bytes + 20, json, sizeof json);
+    const nkw_import_memory memory = {bytes, sizeof bytes, "a.glb", NULL, NULL, NULL, 0};
+    assert_int_equal(nkw_document_open_memory(&memory, &d, NULL), NKW_IMPORT_OK);
+    assert_int_equal(d->warning_count, 1);
+    nkw_document_close(d);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -544,6 +560,7 @@ int main(void)
         cmocka_unit_test(colours_of_vertices_have_alpha),
         cmocka_unit_test(the_character_of_the_examples_is_read),
         cmocka_unit_test(documents_without_animations_have_a_rest_clip),
+        cmocka_unit_test(zeros_behind_the_json_of_a_glb_are_read_with_a_warning),
     };
     return cmocka_run_group_tests_name("import_gltf", tests, NULL, NULL);
 }

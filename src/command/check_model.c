@@ -115,8 +115,8 @@ static void add_fault(check *c, finding f, const vertex_fault *fault, size_t pri
         return;
     f.vertex = (long)fault->first;
     f.amount = fault->worst;
-    snprintf(f.detail, sizeof f.detail, "primitive %zu, %zu vertices: %s, the worst %.6g", primitive, fault->count,
-             text, fault->worst);
+    snprintf(f.detail, sizeof f.detail, "primitive %zu, %zu %s: %s, the worst %.6g", primitive,
+             COUNT(fault->count, "vertex", "vertices"), text, fault->worst);
     findings_add(&c->found, &f);
 }
 

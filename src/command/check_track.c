@@ -155,8 +155,8 @@ static void check_arc(check *c, size_t animation, size_t index, size_t k, int cu
                  360.0 - angle);
     } else if (angle > 269.9) {
         f.level = SEVERITY_NOTE;
-        snprintf(f.detail, sizeof f.detail, "its sign is opposite to the key before it, %.6g degrees away",
-                 360.0 - angle);
+        snprintf(f.detail, sizeof f.detail, "its sign is opposite to the key before it, %.6g %s away", 360.0 - angle,
+                 fabs(359.0 - angle) < 5e-7 ? "degree" : "degrees");
     } else {
         f.what = "over-half-turn";
         snprintf(f.detail, sizeof f.detail, "%.6g degrees from the key before it: LINEAR turns back by %.6g", angle,
@@ -201,7 +201,8 @@ static void check_added(check *c, size_t animation, size_t index)
         return;
     finding f = check_finding(c, animation, index, -1, SEVERITY_NOTE, "added-keys");
     f.amount = (double)added;
-    snprintf(f.detail, sizeof f.detail, "%zu keys between angles that turn by half a turn or more", added);
+    snprintf(f.detail, sizeof f.detail, "%zu %s between angles that turn by half a turn or more",
+             COUNT(added, "key", "keys"));
     findings_add(&c->found, &f);
 }
 

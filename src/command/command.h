@@ -12,6 +12,9 @@
 
 #include <nakawari/import.h>
 
+/** Arguments for "%zu %s": a number and its noun. */
+#define COUNT(n, one, many) (n), (n) == 1 ? (one) : (many)
+
 /** The exit codes. */
 enum command_code {
     COMMAND_FINE,

@@ -96,7 +96,7 @@ static void put_lines(const comparison *c, size_t clip_a, size_t clip_b, size_t 
     output_text(stdout, input_clip_name(c->a, clip_a));
     printf(" and clip %ld ", input_clip_number(clip_b));
     output_text(stdout, input_clip_name(c->b, clip_b));
-    printf(": %zu times\n        distance          time  joint\n", time_count);
+    printf(": %zu %s\n        distance          time  joint\n", COUNT(time_count, "time", "times"));
     size_t equal = 0;
     for (size_t n = 0; n < c->a->skeleton.joint_count; n++) {
         size_t j = (size_t)c->a->joint_of_node[n];
@@ -111,7 +111,7 @@ static void put_lines(const comparison *c, size_t clip_a, size_t clip_b, size_t 
         putchar('\n');
     }
     if (equal)
-        printf("%16d                %zu joints\n", 0, equal);
+        printf("%16d                %zu %s\n", 0, COUNT(equal, "joint", "joints"));
     if (c->a->float_count)
         printf("%16.9g  %12.9g  morph weights\n", c->floats.distance, (double)c->floats.time);
 }

@@ -146,15 +146,17 @@ static void put_file(const nkw_document *d)
         fputs(", by ", stdout);
         output_text(stdout, d->generator);
     }
-    printf("\n  %zu nodes, %zu skins, %zu meshes, %zu materials, %zu clips, %zu morph weights\n",
-           d->skeleton.joint_count, d->skin_count, d->mesh_count, d->material_count, d->animation_count,
-           d->float_count);
-    printf("  %zu primitives: %zu vertices, %zu triangles, %zu morph targets\n", t.primitives, t.vertices, t.triangles,
-           t.targets);
+    printf("\n  %zu %s, %zu %s, %zu %s, %zu %s, %zu %s, %zu morph %s\n",
+           COUNT(d->skeleton.joint_count, "node", "nodes"), COUNT(d->skin_count, "skin", "skins"),
+           COUNT(d->mesh_count, "mesh", "meshes"), COUNT(d->material_count, "material", "materials"),
+           COUNT(d->animation_count, "clip", "clips"), COUNT(d->float_count, "weight", "weights"));
+    printf("  %zu %s: %zu %s, %zu %s, %zu morph %s\n", COUNT(t.primitives, "primitive", "primitives"),
+           COUNT(t.vertices, "vertex", "vertices"), COUNT(t.triangles, "triangle", "triangles"),
+           COUNT(t.targets, "target", "targets"));
     for (size_t i = 0; i < d->skin_count; i++) {
         printf("  skin %zu ", i);
         output_text(stdout, d->skins[i].name);
-        printf(": %zu joints\n", d->skins[i].joint_count);
+        printf(": %zu %s\n", COUNT(d->skins[i].joint_count, "joint", "joints"));
     }
 }
 

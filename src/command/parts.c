@@ -308,8 +308,8 @@ static int run(const nkw_document *d, void *data)
     fine = json_put_lines(f, json_pack("{s:o}", "skin_models", models));
     fine = output_close(f, r->output) && fine;
     if (rejected)
-        fprintf(stderr, "%s: %zu triangles need more than %zu bones and are left out\n", d->file, rejected,
-                r->sizes[r->size_count - 1]);
+        fprintf(stderr, "%s: %zu %s of more than %zu %s: left out\n", d->file, COUNT(rejected, "triangle", "triangles"),
+                COUNT(r->sizes[r->size_count - 1], "bone", "bones"));
     return fine && !rejected;
 }
 

@@ -101,8 +101,8 @@ static int put_row(page *p, const nkw_document *d, const plot_request *r, size_t
     const nkw_clip_track *track = &a->tracks[index];
     char title[256];
     curve c;
-    snprintf(title, sizeof title, "%.160s %s: %s, %zu keys", d->nodes[a->channels[index].joint].name,
-             targets[track->target], modes[track->track.interpolation], track->track.count);
+    snprintf(title, sizeof title, "%.160s %s: %s, %zu %s", d->nodes[a->channels[index].joint].name,
+             targets[track->target], modes[track->track.interpolation], COUNT(track->track.count, "key", "keys"));
     chart_label(p, svg_at(24.0f, y + 16.0f), 's', title, 14.0f, 0x1d1d22);
     if (r->target == PLOT_EULER)
         return plot_euler(p, r, track, time, y);

@@ -218,6 +218,8 @@ json_t *nkwi_gltf_open(nkwi_gltf *g, nkwi_document *document, const nkw_import_m
     g->scratch.most = SIZE_MAX;
     if (is_glb(memory->data, memory->bytes) && !split_glb(g, &text, &bytes))
         return NULL;
+    for (; text != memory->data && bytes > 0 && text[bytes - 1] == 0; bytes--)
+        g->zeros++; /* behind the JSON of a GLB, in place of spaces */
     size_t mark = mark_of(text, bytes);
     json_t *tree = parse(g, text + mark, bytes - mark, flags);
     g->root = nkwi_root(tree);
@@ -232,6 +234,11 @@ int nkwi_gltf_read(nkwi_document *document, const nkw_import_memory *memory, nkw
     if (!tree)
         return 0;
     document->all.format = "glTF 2.0";
+    if (g.zeros && !nkwi_document_warn(document, error, "the JSON chunk ends with %zu zero bytes in place of spaces",
+                                       g.zeros)) {
+        json_decref(tree);
+        return 0;
+    }
     int done = nkwi_keys_are(&g.root) ? nkwi_keys_read_tree(document, &g.root, error) : read_parts(&g);
     nkwi_give(&g.scratch);
     json_decref(tree);

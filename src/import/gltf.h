@@ -54,6 +54,7 @@ typedef struct nkwi_gltf {
     nkwi_value buffer_list, view_list, accessor_list;
     const unsigned char *bin; /* the second chunk of a GLB, or NULL */
     size_t bin_bytes;
+    size_t zeros; /* behind the JSON of a GLB */
     nkwi_buffer *buffers;
     nkwi_accessor *accessors;
     size_t node_count, mesh_count, skin_count, material_count, accessor_count;

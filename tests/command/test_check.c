@@ -83,6 +83,12 @@ static void arcs(void **state)
         p.rotations[1][i] = -p.rotations[1][i];
     check_finds(&p, 0, 2, "note: sign-flip: its sign is opposite");
     p = planted_clean();
+    planted_turn(&p, 1, 0.0);
+    planted_turn(&p, 2, 359.0);
+    planted_turn(&p, 3, 420.0);
+    planted_turn(&p, 4, 360.0);
+    check_finds(&p, 0, 1, "key 2, 1 s: note: sign-flip: its sign is opposite to the key before it, 1 degree away");
+    p = planted_clean();
     planted_turn(&p, 1, 200.0);
     check_finds(&p, 1, 2, "warning: over-half-turn");
     p = planted_clean();
@@ -171,11 +177,11 @@ static void vertices(void **state)
     (void)state;
     planted p = planted_clean();
     p.weights[1][0] = 0.5f;
-    check_finds(&p, 1, 1, "mesh skin: vertex 1: warning: weights-sum: primitive 0, 1 vertices");
+    check_finds(&p, 1, 1, "mesh skin: vertex 1: warning: weights-sum: primitive 0, 1 vertex");
     p = planted_clean();
     p.weights[2][0] = -0.75f;
     check_finds(&p, 1, 1,
-                "mesh skin: vertex 2: error: bad-weight: primitive 0, 1 vertices: a weight is negative or "
+                "mesh skin: vertex 2: error: bad-weight: primitive 0, 1 vertex: a weight is negative or "
                 "not finite, the worst -0.75");
     p.weights[1][0] = -1.5f;
     check_finds(&p, 1, 1, "not finite, the worst -1.5");
@@ -187,7 +193,7 @@ static void vertices(void **state)
                 "the worst nan");
     p = planted_clean();
     p.joints[2][1] = 2;
-    check_finds(&p, 1, 1, "mesh skin: vertex 2: error: joint-out-of-range: primitive 0, 1 vertices");
+    check_finds(&p, 1, 1, "mesh skin: vertex 2: error: joint-out-of-range: primitive 0, 1 vertex");
     p = planted_clean();
     p.joints[0][3] = 9;
     check_finds(&p, 1, 1, "mesh skin: vertex 0: warning: unused-joint-out-of-range");

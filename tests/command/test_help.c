@@ -98,8 +98,8 @@ static void the_page_has_all_commands_and_options(void **state)
             *end = '\0';
         *strstr(page, "\n## ") = '\0';
         const char *parts[2] = {page, section + 1};
-        snprintf(line, sizeof line, "%s --help | sed '/^$/,$d' | grep -oE -- '--[a-z-]+' | grep -vE -- '--help|--quiet' "
-                                    "|| true", all.name[i]);
+        snprintf(line, sizeof line,
+                 "%s --help | sed '/^$/,$d' | grep -oE -- '--[a-z-]+' | grep -vE -- '--help|--quiet' || true", all.name[i]);
         each_word(line, on_page, parts);
         free(page);
     }

@@ -10,7 +10,7 @@ static void each_clip_has_a_line(void **state)
 {
     (void)state;
     char *text = program_run(NULL, CHARACTER "--clips");
-    assert_non_null(strstr(text, "20 nodes, 2 skins, 2 meshes, 4 materials, 3 clips, 1 morph weights\n"));
+    assert_non_null(strstr(text, "20 nodes, 2 skins, 2 meshes, 4 materials, 3 clips, 1 morph weight\n"));
     assert_non_null(strstr(text, "\n   0  walk        10      10       90          0          1       1440"));
     assert_int_equal(lines_with(text, "CUBICSPLINE"), 0);
     free(text);

@@ -45,7 +45,7 @@ static void all_kinds_are_drawn(void **state)
 static void a_track_of_one_key_is_drawn(void **state)
 {
     (void)state;
-    program_says(0, "arm.L rotation: STEP, 1 keys</text>", CHARACTER "--clip wave --joint arm.L");
+    program_says(0, "arm.L rotation: STEP, 1 key</text>", CHARACTER "--clip wave --joint arm.L");
 }
 
 static void output_goes_to_a_file(void **state)
