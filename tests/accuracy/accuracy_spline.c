@@ -122,6 +122,7 @@ static wide exact_tangent(nkw_spline_method method, const segments *s, const flo
     case NKW_SPLINE_CENTRIPETAL:
     case NKW_SPLINE_CHORDAL:
     case NKW_SPLINE_CATMULL_ROM:
+    default:
         break;
     }
     return blend(h[2], d[1], h[1], d[2]);
