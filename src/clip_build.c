@@ -293,8 +293,8 @@ static void emit_group(builder *b, uint32_t timeline, const uint32_t *members, s
     probe.words = NULL;
     memset(&g, 0, sizeof g);
     g.timeline = timeline;
-    g.kind = clip_kind_of(&b->tracks.source->tracks[members[0]]);
-    g.interpolation = clip_interpolation_of(first);
+    g.kind = (uint32_t)clip_kind_of(&b->tracks.source->tracks[members[0]]);
+    g.interpolation = (uint32_t)clip_interpolation_of(first);
     g.normalized = track_is_cubic(first) && clip_is_normalized(first);
     g.lanes = (uint32_t)clip_lanes(emit_lanes(&probe, &g, members, count, packed).count);
     take_keys(b, &g, packed, first->count);

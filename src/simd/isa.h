@@ -5,6 +5,12 @@
 
 #include <stddef.h>
 
+/* A library for several architectures is compiled once for each, with the same macros. */
+#if !(defined(__x86_64__) || defined(_M_X64))
+#undef NKW_HAVE_AVX2
+#undef NKW_HAVE_AVX512
+#endif
+
 /* In ascending order of vector width. The baseline is SSE2 on x86-64, NEON on AArch64, simd128 in WebAssembly. */
 typedef enum nkwi_isa { NKWI_ISA_GENERIC, NKWI_ISA_AVX2, NKWI_ISA_AVX512 } nkwi_isa;
 

@@ -1,0 +1,26 @@
+cmake_minimum_required(VERSION 3.22)
+# Builds and installs the project in parent/, then builds and runs the project in child/ with it.
+file(REMOVE_RECURSE "${WORK}")
+function(run)
+  execute_process(COMMAND ${ARGN} COMMAND_ERROR_IS_FATAL ANY OUTPUT_QUIET)
+endfunction()
+
+set(here "${SOURCE}/tests/consumer")
+set(prefix "${WORK}/installed")
+run("${CMAKE_COMMAND}" -S "${here}/parent" -B "${WORK}/parent" "-DSOURCE=${SOURCE}" "-DCMAKE_C_COMPILER=${CC}"
+  -DCMAKE_BUILD_TYPE=Debug -DNKW_SIMD=generic "-DCMAKE_INSTALL_PREFIX=${prefix}")
+run("${CMAKE_COMMAND}" --build "${WORK}/parent")
+run("${CMAKE_COMMAND}" --install "${WORK}/parent")
+file(GLOB_RECURSE ours "${prefix}/*nakawari*")
+if(ours)
+  message(FATAL_ERROR "parent: its install has files of the library unasked: ${ours}")
+endif()
+run("${CMAKE_COMMAND}" --install "${WORK}/parent" --component nakawari)
+file(GLOB_RECURSE engine "${prefix}/*/engine.cmake")
+file(GLOB_RECURSE pc "${prefix}/*/nakawari.pc")
+cmake_path(GET pc PARENT_PATH pc_folder)
+set(ENV{PKG_CONFIG_PATH} "${pc_folder}")
+run("${CMAKE_COMMAND}" -S "${here}/child" -B "${WORK}/child" "-DENGINE=${engine}" "-DCMAKE_PREFIX_PATH=${prefix}"
+  "-DCMAKE_C_COMPILER=${CC}" -DCMAKE_BUILD_TYPE=Debug)
+run("${CMAKE_COMMAND}" --build "${WORK}/child")
+run("${WORK}/child/child")
