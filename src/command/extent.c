@@ -156,9 +156,10 @@ void extent_free(extent *e)
     free(e->tolerances);
 }
 
-const float *extent_tolerances(const extent *e, const nkw_document *d, float tolerance)
+nkw_clip_reduction extent_reduction(const extent *e, const nkw_document *d, float tolerance)
 {
+    const nkw_clip_reduction r = {d->skeleton.parents, tolerance, 0.0f, e->tolerances, e->radius, tolerance / e->size};
     for (size_t j = 0; j < d->skeleton.joint_count; j++)
         e->tolerances[j] = nkw_min(tolerance, 0.05f * e->lever[j]);
-    return e->tolerances;
+    return r;
 }

@@ -12,7 +12,7 @@ typedef struct extent {
     float *radius; /**< the same in model space; size / 16 of a joint without vertices; the size of what sees far */
     float *lever; /**< at least the farthest point that it or a joint below it moves, in model space */
     float *stretch; /**< the largest column of the parent's matrix: from the joint's translation to model space */
-    float *tolerances; /**< see extent_tolerances */
+    float *tolerances; /**< see extent_reduction */
 } extent;
 
 /** Returns 0 and reports on stderr without memory. extent_free is due in either case. The moment is set to rest. */
@@ -20,9 +20,10 @@ int extent_open(extent *e, const nkw_document *d);
 void extent_free(extent *e);
 
 /**
- * The tolerance of each joint: `tolerance`, but at most a twentieth of its lever, so that small parts of a large scene
- * keep their motion. They remain until the next call.
+ * Within `tolerance` in model space at the farthest vertex of each joint, but of a joint at most a twentieth of its
+ * lever, so that small parts of a large scene keep their motion; of morph weights by the size of the model. Its arrays
+ * remain until the next call.
  */
-const float *extent_tolerances(const extent *e, const nkw_document *d, float tolerance);
+nkw_clip_reduction extent_reduction(const extent *e, const nkw_document *d, float tolerance);
 
 #endif

@@ -149,13 +149,6 @@ static void count_bytes(const nkw_document_animation *a, size_t *keys, size_t *b
     }
 }
 
-static nkw_clip_reduction reduction_of(const nkw_document *d, const extent *e, float tolerance)
-{
-    const nkw_clip_reduction r = {d->skeleton.parents, tolerance,          0.0f, extent_tolerances(e, d, tolerance),
-                                  e->radius,           tolerance / e->size};
-    return r;
-}
-
 static double *work_of(const nkw_clip_source *s, size_t *count)
 {
     *count = NKW_CLIP_REDUCE_WORK(s->track_count, s->joint_count, s->float_count);
@@ -173,7 +166,7 @@ static int is_better(const nkw_document_animation *a, size_t track, const nkw_tr
 int model_reduce(model *m, size_t animation, const extent *e, float tolerance, int fewest)
 {
     const nkw_clip_source source = nkw_document_clip_source(&m->document, animation, NKW_CLIP_FLOAT32);
-    const nkw_clip_reduction reduction = reduction_of(&m->document, e, tolerance);
+    const nkw_clip_reduction reduction = extent_reduction(e, &m->document, tolerance);
     nkw_clip_memory memory = {NULL, 0, NULL, 0};
     nkw_clip_source out;
     memory.work = work_of(&source, &memory.work_count);
@@ -242,7 +235,7 @@ int model_measure(const model *m, size_t animation, const extent *e, float toler
 {
     const nkw_clip_source before = nkw_document_clip_source(m->original, animation, NKW_CLIP_FLOAT32);
     const nkw_clip_source after = nkw_document_clip_source(&m->document, animation, NKW_CLIP_FLOAT32);
-    const nkw_clip_reduction reduction = reduction_of(m->original, e, tolerance);
+    const nkw_clip_reduction reduction = extent_reduction(e, m->original, tolerance);
     size_t count;
     double *work = work_of(&before, &count);
     memset(change, 0, sizeof *change);

@@ -56,8 +56,7 @@ clip_size size_of_channel(const nkw_document *d, size_t animation, size_t track)
 void *reduced_clip(const nkw_document *d, size_t animation, const extent *e, float tolerance, size_t *bytes)
 {
     nkw_clip_source source = nkw_document_clip_source(d, animation, NKW_CLIP_FLOAT32);
-    const nkw_clip_reduction reduction = {
-        d->skeleton.parents, tolerance, 0.0f, extent_tolerances(e, d, tolerance), e->radius, tolerance / e->size};
+    const nkw_clip_reduction reduction = extent_reduction(e, d, tolerance);
     nkw_clip_memory memory = {NULL, 0, NULL, 0};
     nkw_clip_reduced reduced = {SIZE_MAX, 0, 0, 0.0f, 0.0f, 0.0f};
     memory.work_count = NKW_CLIP_REDUCE_WORK(source.track_count, source.joint_count, source.float_count);
