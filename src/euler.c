@@ -6,6 +6,7 @@
 #include "lane/euler.h"
 #include "lane/mat.h"
 #include "pack/angles.h"
+#include "pack/arcs.h"
 #include "pack/quat.h"
 
 /* In binary64, for angles of any size. */
@@ -58,13 +59,41 @@ LANE_SELDOM static lane_f64_quat rescued(lane_f64_quat q)
     return lane_f64_quat_normalize(q);
 }
 
+/*
+ * Sum and difference of the outer angles from the two halves of the quaternion; see nkw_euler_from_quat. With
+ * P = |(w + qj, qi + e qk)|^2 and M = |(w - qj, qi - e qk)|^2
+ *
+ *     sin j : cos j = (P - M)/2 : sqrt(P M),     (P - M)/2 = 2 (w qj + e qi qk),     (P + M)/2 = |q|^2
+ *
+ * so q need not be unit: |q|^2 in 2^-20 .. 2^20. A half that is shorter than the rounding of a unit quaternion of
+ * floats, 2^-24, is the pole.
+ */
+static nkw_vec3 angles_of(lane_f64_quat q, const lane_euler_axes *o)
+{
+    const double v[3] = {q.x, q.y, q.z};
+    double e = (double)o->e, vi = v[o->i], vj = v[o->j], vk = e * v[o->k];
+    double pc = q.w + vj, ps = vi + vk, mc = q.w - vj, ms = vi - vk;
+    double plus = pc * pc + ps * ps, minus = mc * mc + ms * ms;
+    double pole = 0x1p-49 * (plus + minus);
+    const double y[3] = {ps, ms, 2.0 * (q.w * vj + vi * vk)}, x[3] = {pc, mc, lane_sqrt64_near(plus * minus)};
+    double a[3];
+    f64x2_three_arcs(y, x, a);
+    /* At a pole the missing half is taken so that k is 0. */
+    int north = minus < pole, south = plus < pole;
+    double p = south ? a[1] : a[0], m = north ? p : a[1];
+    double j = north ? LANE_HALF_PI : south ? -LANE_HALF_PI : a[2];
+    double k = north || south ? 0.0 : lane_wrap_once(e * (p - m));
+    lane_f64_vec3 r = lane_euler_in_place(lane_wrap_once(p + m), j, k, o);
+    return vec3_result((float)r.x, (float)r.y, (float)r.z);
+}
+
 LANE_FLAT nkw_vec3 nkw_euler_from_quat(nkw_quat q, nkw_euler_order order)
 {
     lane_f64_quat w = lane_f64_quat_from(quat_argument(q));
     double n2 = lane_f64_quat_dot(w, w);
     if (!(n2 > 0x1p-20 && n2 < 0x1p20))
         w = rescued(w);
-    return lane_vec3_from_f64(lane_euler_from_f64_quat(lane_f64_quat_positive(w), lane_euler_axes_of(order)));
+    return angles_of(lane_f64_quat_positive(w), lane_euler_axes_of(order));
 }
 
 LANE_FLAT nkw_vec3 nkw_euler_from_mat3(const nkw_mat3 *m, nkw_euler_order order)
@@ -74,7 +103,7 @@ LANE_FLAT nkw_vec3 nkw_euler_from_mat3(const nkw_mat3 *m, nkw_euler_order order)
     lane_f64_quat q = lane_f64_form_dominant(&k, LANE_NEAREST_STEPS);
     if (!(lane_f64_quat_dot(q, q) < 0x1p20))
         q = rescued(q);
-    return lane_vec3_from_f64(lane_euler_from_f64_quat(q, lane_euler_axes_of(order)));
+    return angles_of(q, lane_euler_axes_of(order));
 }
 
 nkw_vec3 nkw_euler_unwrap(nkw_vec3 angles, nkw_vec3 reference)

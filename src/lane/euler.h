@@ -135,7 +135,7 @@ static inline lane_f64_vec3 lane_euler_in_place(double i, double j, double k, co
 static inline double lane_wrap_once(double angle)
 {
     double turn = lane_copysign64(LANE_TWO_PI, angle);
-    return angle - (lane_abs64(angle) > LANE_PI ? turn : 0.0);
+    return angle - lane_where64(lane_abs64(angle) > LANE_PI, turn);
 }
 
 /* angle moved by whole turns to within half a turn of reference; half a turn itself stays. */
@@ -154,32 +154,6 @@ static inline lane_f64_quat lane_f64_quat_positive(lane_f64_quat q)
 {
     double first = q.w != 0.0 ? q.w : q.x != 0.0 ? q.x : q.y != 0.0 ? q.y : q.z;
     return lane_f64_quat_scale(q, lane_copysign64(1.0, first));
-}
-
-/*
- * Sum and difference of the outer angles from the two halves of the quaternion; see nkw_euler_from_quat. With
- * P = |(w + qj, qi + e qk)|^2 and M = |(w - qj, qi - e qk)|^2
- *
- *     sin j : cos j = (P - M)/2 : sqrt(P M),     (P - M)/2 = 2 (w qj + e qi qk),     (P + M)/2 = |q|^2
- *
- * so q need not be unit: |q|^2 in 2^-20 .. 2^20. A half that is shorter than the rounding of a unit quaternion of
- * floats, 2^-24, is the pole.
- */
-static inline lane_f64_vec3 lane_euler_from_f64_quat(lane_f64_quat q, const lane_euler_axes *o)
-{
-    const double v[3] = {q.x, q.y, q.z};
-    double e = (double)o->e, vi = v[o->i], vj = v[o->j], vk = e * v[o->k];
-    double pc = q.w + vj, ps = vi + vk, mc = q.w - vj, ms = vi - vk;
-    double plus = pc * pc + ps * ps, minus = mc * mc + ms * ms;
-    double pole = 0x1p-49 * (plus + minus);
-    const double y[3] = {ps, ms, 2.0 * (q.w * vj + vi * vk)}, x[3] = {pc, mc, lane_sqrt64_near(plus * minus)};
-    const double a[3] = {lane_atan2_64(y[0], x[0]), lane_atan2_64(y[1], x[1]), lane_atan2_64(y[2], x[2])};
-    /* At a pole the missing half is taken so that k is 0. */
-    int north = minus < pole, south = plus < pole;
-    double p = south ? a[1] : a[0], m = north ? p : a[1];
-    double j = north ? LANE_HALF_PI : south ? -LANE_HALF_PI : a[2];
-    double k = north || south ? 0.0 : lane_wrap_once(e * (p - m));
-    return lane_euler_in_place(lane_wrap_once(p + m), j, k, o);
 }
 
 #endif

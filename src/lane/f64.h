@@ -63,6 +63,12 @@ static inline double lane_copysign64(double magnitude, double sign)
     return lane_double(lane_bits64(magnitude) | (lane_bits64(sign) & LANE_SIGN));
 }
 
+/* a if `holds` is not 0, otherwise 0: by a mask, as nkw_select does. */
+static inline double lane_where64(int holds, double a)
+{
+    return lane_double(lane_bits64(a) & (UINT64_C(0) - (uint64_t)(holds != 0)));
+}
+
 /* floor(x) for |x| < 2^51; x unchanged otherwise. */
 static inline double lane_floor64(double x)
 {

@@ -97,20 +97,30 @@ static inline float lane_slerp_cosine(nkw_quat a, nkw_quat b)
 }
 
 /*
- * v from |a.b| and q. `keys`, a constant: a and b are stored keys. Where (|a|^2 + |b|^2)/2 differs from 1 by more than
- * rounding their angle is acos |a.b|, as in glTF, or 0 where |a.b| > 1: q = 2 (1 - |a.b|). Equal keys have the angle 0.
- *
- * A v below 2^-27, an angle below 8.7e-5 rad, is 0: e is at most v/8, 0.02 u. Products of such an e with components
- * that are noise, as in exported rotations, are subnormal, which takes some processors 150 cycles each.
+ * q of v from |a.b| and q. `keys`, a constant: a and b are stored keys. Where (|a|^2 + |b|^2)/2 differs from 1 by more
+ * than rounding their angle is acos |a.b|, as in glTF, or 0 where |a.b| > 1: q = 2 (1 - |a.b|). Equal keys have the
+ * angle 0.
  */
-static inline float lane_slerp_angle(float cosine, float q, int keys)
+static inline float lane_slerp_square(float cosine, float q, int keys)
 {
     float u = cosine - 1.0f, off = u + 0.5f * q;
     int unit = (off <= 0x1p-20f) & (off >= -0x1p-20f), same = q == 0.0f;
     float stored = u < 0.0f ? -2.0f * u : 0.0f;
-    q = !keys || (unit | same) ? q : stored;
+    return !keys || (unit | same) ? q : stored;
+}
+
+/*
+ * A v below this, an angle below 8.7e-5 rad, is 0: e is at most v/8, 0.02 u. Products of such an e with components that
+ * are noise, as in exported rotations, are subnormal, which takes some processors 150 cycles each.
+ */
+#define LANE_SLERP_LEAST 0x1p-27f
+
+/* v from |a.b| and q. */
+static inline float lane_slerp_angle(float cosine, float q, int keys)
+{
+    q = lane_slerp_square(cosine, q, keys);
     float v = q / (cosine + q * LANE_SLERP_BEND);
-    return v < 0x1p-27f ? 0.0f : v;
+    return v < LANE_SLERP_LEAST ? 0.0f : v;
 }
 
 /* v, with the sign bit set where b is negated. */
@@ -137,7 +147,7 @@ static inline int lane_t_is_generic(float t)
 static inline lane_slerp_time lane_slerp_time_at(float t, int generic)
 {
     t = generic ? t : t + 0.0f;
-    float u = 1.0f - t, s = t < u ? t : u, r = t < u ? u : t, sr = t * u;
+    float u = 1.0f - t, s = t < u ? t : u, r = u < t ? t : u, sr = t * u;
     lane_slerp_time at = {s, r, sr * (1.0f + s), sr * (1.0f + r), 0u - (lane_bits(t - 0.5f) >> 31), 0u, 0u};
     at.half = generic ? 0u : 0u - (uint32_t)(t == 0.5f);
     at.end = generic ? 0u : 0u - (uint32_t)(s == 0.0f);

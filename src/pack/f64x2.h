@@ -12,6 +12,10 @@
 
 #include <nakawari/inline/f32x4.h>
 
+#if NKW_F32X4 && defined(__SSE2__)
+#include <emmintrin.h>
+#endif
+
 #if NKW_F32X4
 typedef double f64x2 __attribute__((vector_size(16)));
 typedef int64_t i64x2 __attribute__((vector_size(16)));
@@ -25,6 +29,37 @@ static inline f64x2 f64x2_of(double a, double b)
 static inline f64x2 f64x2_splat(double a)
 {
     return f64x2_of(a, a);
+}
+
+/* a where the mask is set, otherwise 0. */
+static inline f64x2 f64x2_where(i64x2 mask, f64x2 a)
+{
+    return (f64x2)((i64x2)a & mask);
+}
+
+/* The sign bits of a. */
+static inline i64x2 f64x2_sign(f64x2 a)
+{
+    return (i64x2)a & INT64_MIN;
+}
+
+/* a < b ? a : b and a > b ? a : b */
+static inline f64x2 f64x2_min(f64x2 a, f64x2 b)
+{
+#if defined(__SSE2__)
+    return (f64x2)_mm_min_pd((__m128d)a, (__m128d)b);
+#else
+    return (f64x2)(((i64x2)a & (a < b)) | ((i64x2)b & ~(a < b)));
+#endif
+}
+
+static inline f64x2 f64x2_max(f64x2 a, f64x2 b)
+{
+#if defined(__SSE2__)
+    return (f64x2)_mm_max_pd((__m128d)a, (__m128d)b);
+#else
+    return (f64x2)(((i64x2)a & (a > b)) | ((i64x2)b & ~(a > b)));
+#endif
 }
 #endif
 

@@ -50,6 +50,22 @@ static inline nkw_quat quat_from_f32x4(f32x4 a)
 }
 #endif
 
+/* A result of three floats: the ABI returns x and y as a pair. */
+static inline nkw_vec3 vec3_result(float x, float y, float z)
+{
+#if defined(PACK_QUAT_PAIRS)
+    const f32x4 both = {x, y, 0.0f, 0.0f};
+    nkw_vec3 r;
+    int64_t xy = ((i64x2)both)[0];
+    __asm__("" : "+x"(xy));
+    memcpy(&r.x, &xy, sizeof xy);
+    r.z = z;
+#else
+    nkw_vec3 r = {x, y, z};
+#endif
+    return r;
+}
+
 /* An argument whose components are used one by one. */
 static inline nkw_quat quat_argument(nkw_quat q)
 {
