@@ -109,10 +109,10 @@ static void tangents_are_those_of_cubicspline(void **state)
 static void rows_of_one_time_are_the_weights_of_a_node(void **state)
 {
     (void)state;
-    nkw_document *d = table("clip,time,index,name,weight,in_weight,out_weight,interpolation,tx,ty,tz\n"
-                            "0,0,0,face,0.25,,,,1,2,3\n0,0,1,face,0.5,,,,,,\n0,0,2,tail,1,,,,,,\n"
-                            "0,1,0,face,0.75,,,,,,\n0,1,1,face,1,,,,,,\n"
-                            "1,0,0,face,1,2,3,CUBICSPLINE,,,\n1,0,0,face,4,5,6,CUBICSPLINE,,,\n");
+    nkw_document *d = table("clip,time,index,name,target,weight,in_weight,out_weight,interpolation,tx,ty,tz\n"
+                            "0,0,0,face,puff,0.25,,,,1,2,3\n0,0,1,face,puff,0.5,,,,,,\n0,0,2,tail,,1,,,,,,\n"
+                            "0,1,0,face,puff,0.75,,,,,,\n0,1,1,face,puff,1,,,,,,\n"
+                            "1,0,0,face,puff,1,2,3,CUBICSPLINE,,,\n1,0,0,face,puff,4,5,6,CUBICSPLINE,,,\n");
     const float face[] = {0.25f, 0.5f, 0.75f, 1}, rest[] = {0.25f, 0.5f, 1}, cubic[] = {2, 5, 1, 4, 3, 6};
     const nkw_clip_track *t = d->animations[0].tracks;
     assert_int_equal(d->float_count, 3);

@@ -103,8 +103,11 @@ static void weight_rows(const moment *m, table *t)
     size_t index = 0;
     for (size_t n = 0; n < m->document->skeleton.joint_count; n++) {
         const nkw_document_node *node = &m->document->nodes[m->document->joint_of_node[n]];
-        for (size_t k = 0; k < node->float_count; k++)
+        const nkw_document_mesh *mesh = mesh_of_node(m->document, n);
+        for (size_t k = 0; k < node->float_count; k++) {
+            t->target = mesh && k < mesh->target_count ? mesh->target_names[k] : "";
             table_row(t, index++, node->name, &m->floats[node->float_first + k]);
+        }
     }
 }
 
@@ -179,8 +182,8 @@ static int sample_document(const nkw_document *d, const request *r, FILE *f)
 {
     input_clips clips;
     table_format format = r->json ? TABLE_JSON : r->raw ? TABLE_RAW : TABLE_CSV;
-    table t = {f, format, what_words[r->kind], what_columns[r->kind], (int)r->kind, what_widths[r->kind], 0, 0, 0.0f,
-               0, 0};
+    table t = {f, format, what_words[r->kind], what_columns[r->kind], (int)r->kind, what_widths[r->kind], 0,
+               r->kind == WHAT_WEIGHTS, "", 0, 0.0f, 0, 0};
     if (!input_select(d, r->clip, &clips))
         return 0;
     t.rows_per_time = count_rows(d, r->kind);

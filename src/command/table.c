@@ -9,7 +9,7 @@
 void table_begin(table *t, const char *file)
 {
     if (t->format == TABLE_CSV)
-        fprintf(t->file, "clip,time,index,name,%s\n", t->columns);
+        fprintf(t->file, "clip,time,index,name,%s%s\n", t->has_targets ? "target," : "", t->columns);
     if (t->format == TABLE_JSON) {
         fputs("{\"file\": ", t->file);
         t->failed |= !json_put(t->file, json_text(file));
@@ -50,6 +50,10 @@ static void csv_row(table *t, size_t index, const char *name, const float *numbe
     output_number(t->file, t->time);
     fprintf(t->file, ",%zu,", index);
     output_field(t->file, name);
+    if (t->has_targets) {
+        fputc(',', t->file);
+        output_field(t->file, t->target);
+    }
     for (size_t i = 0; i < t->width; i++) {
         fputc(',', t->file);
         output_number(t->file, numbers[i]);
@@ -64,6 +68,8 @@ static void json_row(table *t, size_t index, const char *name, const float *numb
         json_array_append_new(values, json_number(numbers[i]));
     json_t *row = json_pack("{s:I, s:o, s:I, s:o, s:o}", "clip", (json_int_t)t->clip, "time", json_number(t->time),
                             "index", (json_int_t)index, "name", json_text(name), "values", values);
+    if (t->has_targets)
+        json_object_set_new(row, "target", json_text(t->target));
     fputs(t->row_count ? ",\n  " : "\n  ", t->file);
     t->failed |= !json_put(t->file, row);
 }

@@ -15,6 +15,8 @@ typedef struct table {
     int kind; /**< in the header of raw output */
     size_t width; /**< numbers in a row */
     size_t rows_per_time; /**< for the header of raw output */
+    int has_targets; /**< a column of texts more */
+    const char *target; /**< of the next row */
     long clip;
     float time;
     size_t row_count; /**< so far */

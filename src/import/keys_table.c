@@ -11,7 +11,8 @@
 #include "keys.h"
 
 /* The columns: the numbers of a key, three angles in place of the rotation, and others. */
-enum { YAW = NKWI_NUMBERS, NUMBERS = YAW + 3, NAME = NUMBERS, TIME, CLIP, PARENT, INTERPOLATION, INDEX, COLUMNS };
+enum { YAW = NKWI_NUMBERS, NUMBERS = YAW + 3 };
+enum { NAME = NUMBERS, TIME, CLIP, PARENT, INTERPOLATION, INDEX, TARGET, COLUMNS };
 enum { FIELDS_MOST = 64 };
 
 /* clang-format off */
@@ -19,7 +20,7 @@ static const char *const column_names[COLUMNS] = {
     "tx", "ty", "tz", "qx", "qy", "qz", "qw", "sx", "sy", "sz", "weight",
     "in_tx", "in_ty", "in_tz", "in_qx", "in_qy", "in_qz", "in_qw", "in_sx", "in_sy", "in_sz", "in_weight",
     "out_tx", "out_ty", "out_tz", "out_qx", "out_qy", "out_qz", "out_qw", "out_sx", "out_sy", "out_sz", "out_weight",
-    "yaw", "pitch", "roll", "name", "time", "clip", "parent", "interpolation", "index"};
+    "yaw", "pitch", "roll", "name", "time", "clip", "parent", "interpolation", "index", "target"};
 /* clang-format on */
 
 /* A text whose fields are cut from a copy, or the columns of JSON. */

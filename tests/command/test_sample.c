@@ -61,7 +61,8 @@ static void json_has_the_numbers_of_csv(void **state)
     char *json = program_run(NULL, MODEL "--clip 2 --at 0.5 --what weights --json");
     assert_non_null(strstr(json, "\"what\": \"weights\""));
     assert_non_null(
-        strstr(json, "{\"clip\": 2, \"time\": 0.5, \"index\": 0, \"name\": \"face\", \"values\": [0.825000048]}"));
+        strstr(json, "{\"clip\": 2, \"time\": 0.5, \"index\": 0, \"name\": \"face\", \"values\": [0.825000048], "
+                     "\"target\": \"puff\"}"));
     free(json);
 }
 
