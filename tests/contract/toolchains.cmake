@@ -2,6 +2,7 @@ cmake_minimum_required(VERSION 3.22)
 # Builds for systems that are not here: clang-cl for Windows, and Clang for macOS with one and with two architectures.
 # Three files of each are compiled with the flags that CMake has for them, warnings being errors. Of the C library they
 # need what is written here.
+unset(ENV{CMAKE_C_COMPILER_LAUNCHER}) # ccache does not know the objects of clang-cl
 set(sdk "${WORK}/sdk/usr/include")
 file(MAKE_DIRECTORY "${sdk}" "${WORK}/bin")
 file(WRITE "${sdk}/math.h" "float sqrtf(float);\nfloat fabsf(float);\ndouble sqrt(double);\n"
