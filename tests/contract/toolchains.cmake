@@ -15,7 +15,6 @@ file(WRITE "${sdk}/stdlib.h" "#include <stddef.h>\nvoid *malloc(size_t);\nvoid f
 # Clang joins the objects of two architectures by a program of this name.
 file(CREATE_LINK "${NKW_llvm_lipo}" "${WORK}/bin/lipo" SYMBOLIC)
 set(ENV{PATH} "${WORK}/bin:$ENV{PATH}")
-unset(ENV{CMAKE_C_COMPILER_LAUNCHER}) # ccache loses objects of clang-cl
 
 # Configures with the arguments, and returns the log of compiling the files whose objects match a pattern.
 function(compile name pattern)
