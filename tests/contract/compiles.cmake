@@ -1,0 +1,36 @@
+# Sources that compile as C99, or as C++ of that standard.
+function(nkw_compile name standard)
+  add_library(${name} OBJECT ${ARGN})
+  target_link_libraries(${name} PRIVATE nakawari::nakawari)
+  set_target_properties(${name} PROPERTIES C_STANDARD 99 C_STANDARD_REQUIRED ON C_EXTENSIONS OFF
+    CXX_STANDARD ${standard} CXX_STANDARD_REQUIRED ON CXX_EXTENSIONS OFF)
+  target_compile_options(${name} PRIVATE ${NKW_WARNINGS})
+endfunction()
+
+# Each public header alone, as C and as C++: a part of the build.
+set(include "${PROJECT_SOURCE_DIR}/include")
+file(GLOB headers RELATIVE "${include}" CONFIGURE_DEPENDS "${include}/nakawari/*.h" "${include}/nakawari/inline/*.h")
+set(sources "")
+foreach(header IN LISTS headers)
+  string(MAKE_C_IDENTIFIER "${header}" name)
+  foreach(suffix IN ITEMS c cpp)
+    set(source "${CMAKE_CURRENT_BINARY_DIR}/headers/${name}.${suffix}")
+    file(CONFIGURE OUTPUT "${source}" CONTENT "#include <${header}>\n")
+    list(APPEND sources "${source}")
+  endforeach()
+endforeach()
+nkw_compile(nakawari_headers 11 ${sources})
+include(others.cmake)
+
+# The C of the pages is C++ too.
+include("${PROJECT_SOURCE_DIR}/docs/generate/blocks.cmake")
+set(blocks "")
+foreach(page IN LISTS NKW_PAGES)
+  nkw_page_blocks(${page} "${CMAKE_CURRENT_BINARY_DIR}/pages" blocks)
+endforeach()
+set(sources "")
+foreach(block IN LISTS blocks)
+  file(CONFIGURE OUTPUT "${block}pp" CONTENT "#include \"${block}\"\n" @ONLY)
+  list(APPEND sources "${block}pp")
+endforeach()
+nkw_compile(nakawari_pages_cxx 17 ${sources})
