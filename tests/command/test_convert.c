@@ -49,8 +49,8 @@ static void real_files_are_written_as_they_are_read(void **state)
         skip();
     }
     for (size_t i = 0; i < found.gl_pathc; i++) {
-        free(program_run(NULL, "convert '%s' " WRITTEN " -o real.glb", found.gl_pathv[i]));
-        free(program_run(NULL, "diff '%s' real.glb", found.gl_pathv[i]));
+        free(program_run(NULL, "convert '%s' " WRITTEN " -o convert_real.glb", found.gl_pathv[i]));
+        free(program_run(NULL, "diff '%s' convert_real.glb", found.gl_pathv[i]));
         free(program_run(NULL, "convert '%s' -o real.gltf", found.gl_pathv[i]));
         free(program_run(NULL, "diff '%s' real.gltf", found.gl_pathv[i]));
     }

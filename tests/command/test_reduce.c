@@ -141,10 +141,10 @@ static void real_files_stay_within_the_tolerance(void **state)
         skip();
     }
     for (size_t i = 0; i < found.gl_pathc; i++) {
-        free(program_run(NULL, "reduce '%s' --tolerance 0.01 -o real.glb", found.gl_pathv[i]));
-        free(program_run(NULL, "diff --tolerance 0.0105 '%s' real.glb", found.gl_pathv[i]));
-        free(program_run(NULL, "reduce --lossless '%s' -o real.glb", found.gl_pathv[i]));
-        free(program_run(NULL, "diff --tolerance 1e-6 '%s' real.glb", found.gl_pathv[i]));
+        free(program_run(NULL, "reduce '%s' --tolerance 0.01 -o reduce_real.glb", found.gl_pathv[i]));
+        free(program_run(NULL, "diff --tolerance 0.0105 '%s' reduce_real.glb", found.gl_pathv[i]));
+        free(program_run(NULL, "reduce --lossless '%s' -o reduce_real.glb", found.gl_pathv[i]));
+        free(program_run(NULL, "diff --tolerance 1e-6 '%s' reduce_real.glb", found.gl_pathv[i]));
     }
     globfree(&found);
 }
