@@ -275,7 +275,7 @@ void nkwi_reduce_reach(const nkw_clip_source *source, const nkw_clip_reduction *
         e->axes[i] = 0.0;
     add_times(source, r, NULL, e);
     for (size_t i = 0; i < 3 * source->joint_count; i++) /* from lengths of columns */
-        e->axes[i] = distance_of(r, i / 3) / (e->axes[i] > 0.0 ? e->axes[i] : 1.0);
+        e->axes[i] = distance_of(r, i / 3) / lane_divisor64(e->axes[i]);
 }
 
 void nkwi_reduce_errors(const nkw_clip_source *source, const nkw_clip_reduction *r, const reduce_made *made,

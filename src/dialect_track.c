@@ -96,15 +96,22 @@ static nkw_quat rotation_slope(const nkw_curve_point angle[3], nkw_quat q, nkw_e
     return nkw_quat_scale(nkw_quat_add(sum, nkw_quat_scale(middle, angle[axis[1]].first)), 0.5f);
 }
 
-/* The quaternion of three angles is continuous: it keeps whole turns in its sign. */
+/*
+ * The quaternion of three angles is continuous: it keeps whole turns in its sign. Its slope is infinite where that of
+ * an angle is.
+ */
 static nkw_curve_point rotation_component(const writer *w, size_t i, float time)
 {
     nkw_curve_point angle[3], r = {0.0f, 0.0f, 0.0f};
     for (size_t k = 0; k < 3; k++)
         angle[k] = nkw_fcurve_sample(w->curves + k, time);
     nkw_vec3 angles = {angle[0].value, angle[1].value, angle[2].value};
-    nkw_quat q = nkw_quat_from_euler(angles, w->order), slope = rotation_slope(angle, q, w->order);
+    nkw_quat q = nkw_quat_from_euler(angles, w->order), slope;
     r.value = i == 0 ? q.x : i == 1 ? q.y : i == 2 ? q.z : q.w;
+    r.first = INFINITY;
+    if (!lane_is_finite(angle[0].first) || !lane_is_finite(angle[1].first) || !lane_is_finite(angle[2].first))
+        return r;
+    slope = rotation_slope(angle, q, w->order);
     r.first = i == 0 ? slope.x : i == 1 ? slope.y : i == 2 ? slope.z : slope.w;
     return r;
 }

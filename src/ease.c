@@ -45,7 +45,11 @@ static handle_point expo_in(double x)
 static handle_point circ_in(double x, double y)
 {
     double root = lane_sqrt64(y * (1.0 + x));
-    handle_point r = {(x * x) / (1.0 + root), x / root, 1.0 / ((root * root) * root)};
+    handle_point r = {(x * x) / (1.0 + root), INFINITY, INFINITY}; /* vertical at x = 1 */
+    if (root != 0.0) {
+        r.first = x / root;
+        r.second = 1.0 / ((root * root) * root);
+    }
     return r;
 }
 

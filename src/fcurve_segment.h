@@ -32,11 +32,18 @@ static inline handle_point fcurve_bezier(const nkw_fcurve_key *key, nkw_handle_p
     return handle_point_at(&c, s);
 }
 
+/* The derivative of an ease in `rise`; of none 0, also where the ease is vertical. */
+static inline double fcurve_part(double rise, double slope)
+{
+    return rise == 0.0 ? 0.0 : rise * slope;
+}
+
 static inline handle_point fcurve_ease(const nkw_fcurve_key *key, double x, double h)
 {
     handle_point e = nkwi_ease_point(key->ease, x / h);
     double rise = (double)key[1].value - (double)key[0].value;
-    handle_point r = {(double)key->value + rise * e.value, rise * (e.first / h), rise * ((e.second / h) / h)};
+    handle_point r = {(double)key->value + rise * e.value, fcurve_part(rise, e.first / h),
+                      fcurve_part(rise, (e.second / h) / h)};
     return r;
 }
 

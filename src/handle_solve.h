@@ -134,9 +134,10 @@ static inline double handle_parameter(const handle_cubic *c, double x)
     s = s > k.low && s < k.high ? s : k.low + 0.5 * (k.high - k.low);
     for (int i = 0; i < HANDLE_STEPS; i++) {
         double f = handle_time(c, s) - x;
-        double next = s - f / handle_time_rates(c, s).first;
+        double rate = handle_time_rates(c, s).first;
         if (f == 0.0)
             return s;
+        double next = rate != 0.0 ? s - f / rate : 0.0;
         if (f < 0.0)
             k.low = s;
         else
@@ -150,10 +151,12 @@ static inline double handle_parameter(const handle_cubic *c, double x)
     return s;
 }
 
-/* n/d; 0/0 is 0. */
+/* n/d of d >= 0, with infinities for d = 0; 0/0 is 0. */
 static inline double handle_quotient(double n, double d)
 {
-    return n == 0.0 && d == 0.0 ? 0.0 : n / d;
+    if (d != 0.0)
+        return n / d;
+    return n > 0.0 ? (double)INFINITY : n < 0.0 ? -(double)INFINITY : n == 0.0 ? 0.0 : n;
 }
 
 /*
@@ -168,14 +171,14 @@ static inline void handle_slopes(handle_rates x, handle_rates y, int at_end, dou
 {
     double zero = 0.0;
     if (x.first != 0.0 || y.first != 0.0) {
-        *first = y.first / lane_abs64(x.first);
+        *first = handle_quotient(y.first, lane_abs64(x.first));
         *second = handle_quotient(y.second * x.first - y.first * x.second, lane_abs64((x.first * x.first) * x.first));
     } else if (x.second != 0.0 || y.second != 0.0) {
         double sign = at_end ? -1.0 : 1.0;
-        *first = (sign * y.second) / lane_abs64(x.second);
+        *first = handle_quotient(sign * y.second, lane_abs64(x.second));
         *second = handle_quotient(y.third * x.second - y.second * x.third, zero);
     } else {
-        *first = y.third / x.third;
+        *first = handle_quotient(x.third < 0.0 ? -y.third : y.third, lane_abs64(x.third));
         *second = 0.0;
     }
 }

@@ -160,7 +160,7 @@ nkw_quat_motion nkw_quat_dead_blend_evaluate(nkw_quat_dead_blend *blend, const n
 
 float nkw_dead_blend_half_life(nkw_motion from, float to, float half_life, float least, float most)
 {
-    float way = half_life * ((to - from.value) / from.velocity);
+    float way = half_life * ((to - from.value) / lane_divisor(from.velocity));
     float least_or_more = way < least ? least : way;
     return from.velocity != 0.0f && least_or_more < most ? least_or_more : most;
 }

@@ -118,10 +118,11 @@ static double larger(double a, double b)
     return b > a ? b : a;
 }
 
-/* The magnitude of the cubic at u, if this is in 0..1. */
-static double inner_size(const double c[4], double u)
+/* The magnitude of the cubic at u = n/d, if this is in 0..1. */
+static double inner_size(const double c[4], double n, double d)
 {
-    return u > 0.0 && u < 1.0 ? lane_abs64(value_at(c, u)) : 0.0;
+    const double u = n / lane_divisor64(d);
+    return d != 0.0 && u > 0.0 && u < 1.0 ? lane_abs64(value_at(c, u)) : 0.0;
 }
 
 /*
@@ -137,7 +138,7 @@ static double largest_of(const cubic64 *h)
     if (!(under > 1e-290))
         return largest;
     double s = -(c[2] + lane_copysign64(lane_sqrt64(under), c[2]));
-    return larger(larger(largest, inner_size(c, s / (3.0 * c[3]))), inner_size(c, c[1] / s));
+    return larger(larger(largest, inner_size(c, s, 3.0 * c[3])), inner_size(c, c[1], s));
 }
 
 /* The largest difference of component i in segment k of the source from the segment a..b. */

@@ -41,6 +41,8 @@ static inline float segment_time(segment_times times, size_t k)
  */
 static inline float segment_t(float a, float b, float time)
 {
+    if (!(a < b))
+        return time >= b ? 1.0f : 0.0f;
     float t = (float)(((double)time - (double)a) / ((double)b - (double)a));
     float inside = t > 0.0f ? t : 0.0f;
     float below = inside < 0x1.fffffep-1f ? inside : 0x1.fffffep-1f;

@@ -326,7 +326,7 @@ nkw_quat_motion nkw_quat_spring_step(nkw_spring spring, const nkw_quat_motion *f
 /* 2^(-h / half_life); NaN if either is. */
 static double halves(float half_life, float h)
 {
-    double n = (double)h / (double)half_life, kept = n < 1000.0 ? lane_exp2_64(-n) : n == n ? 0.0 : n;
+    double n = (double)h / lane_divisor64((double)half_life), kept = n < 1000.0 ? lane_exp2_64(-n) : n == n ? 0.0 : n;
     return half_life > 0.0f || half_life != half_life ? kept : h == h ? 0.0 : (double)h;
 }
 

@@ -170,7 +170,7 @@ NKW_ALWAYS_INLINE void transform_lanes(const f32xN m[12], const unsigned char *i
     }
     if (normalized) {
         const f32xN zero = f32xN_splat(0.0f), n2 = (r[0] * r[0] + r[1] * r[1]) + r[2] * r[2];
-        const f32xN scale = f32xN_select(f32xN_equal(n2, zero), zero, f32xN_splat(1.0f) / f32xN_sqrt(n2));
+        const f32xN scale = f32xN_select(f32xN_equal(n2, zero), zero, f32xN_splat(1.0f) / f32xN_sqrt(f32xN_divisor(n2)));
         for (int i = 0; i < 3; i++)
             r[i] = r[i] * scale;
     }

@@ -10,6 +10,7 @@
 
 #include "orient.h"
 #include "quat.h"
+#include "scalar.h"
 
 /* A mask brought into 0..1, NaN to 0. */
 static inline float lane_mask(float mask)
@@ -22,7 +23,8 @@ static inline float lane_mask(float mask)
 static inline float lane_share(float weight, float total)
 {
     float sum = total + weight;
-    return weight > 0.0f ? weight / sum : 0.0f;
+    float share = weight / lane_divisor(sum);
+    return weight > 0.0f ? share : 0.0f;
 }
 
 /* The weights by which a total falls short of the threshold, which may be the most of all; 1 where there is nothing. */
@@ -36,7 +38,7 @@ static inline float lane_missing(double total, float threshold)
 /* a / b, and 1 where b is 0. */
 static inline float lane_ratio(float a, float b)
 {
-    float r = a / b;
+    float r = a / lane_divisor(b);
     return b == 0.0f ? 1.0f : r;
 }
 
@@ -46,7 +48,7 @@ static inline nkw_quat lane_quat_delta(nkw_quat a, nkw_quat ref, int parent)
     lane_f64_quat identity = {0.0, 0.0, 0.0, 1.0};
     lane_f64_quat from = lane_f64_quat_from(ref), to = lane_f64_quat_from(a);
     double n2 = lane_f64_quat_dot(from, from);
-    lane_f64_quat inverse = lane_f64_quat_scale(lane_f64_quat_conjugate(from), 1.0 / n2);
+    lane_f64_quat inverse = lane_f64_quat_scale(lane_f64_quat_conjugate(from), 1.0 / lane_divisor64(n2));
     inverse = lane_f64_quat_select(n2 == 0.0, identity, inverse);
     lane_f64_quat left = lane_f64_quat_select(parent, to, inverse), right = lane_f64_quat_select(parent, inverse, to);
     return lane_quat_from_f64(lane_f64_quat_mul(left, right));

@@ -57,6 +57,17 @@ static inline double lane_abs64(double x)
     return lane_double(lane_bits64(x) & ~LANE_SIGN);
 }
 
+/*
+ * x, and 1 or -1 where x is 0: what is divided by where the quotient by 0 is not used, so that no division by zero is
+ * raised. By the bits of x alone: of a divisor selected by a comparison compilers make two quotients, and may compute
+ * both.
+ */
+static inline double lane_divisor64(double x)
+{
+    const uint64_t bits = lane_bits64(x), some = bits << 1, is_some = (some | (UINT64_C(0) - some)) >> 63;
+    return lane_double(bits | ((is_some - 1) & UINT64_C(0x3FF0000000000000)));
+}
+
 /* magnitude with the sign bit of sign; magnitude must not be negative. */
 static inline double lane_copysign64(double magnitude, double sign)
 {

@@ -18,7 +18,8 @@
 static inline double lane_inertia_time(float t, float duration)
 {
     double all = (double)duration, time = t > 0.0f ? (double)t : 0.0;
-    return time < all ? time / all : 1.0;
+    double part = time / lane_divisor64(all);
+    return time < all ? part : 1.0;
 }
 
 static inline double lane_inertia_offset(float c0, float c1, float c2, double u)
@@ -63,14 +64,14 @@ LANE_FLAT static inline nkw_quat lane_inertia_value_quat(nkw_quat to, lane_f64_v
 /* The part of x that v loses in a second, negative where x shrinks; 0 without x. */
 static inline double lane_inertia_growth(double xv, double xx)
 {
-    return xx > 0.0 ? xv / xx : xx == xx ? 0.0 : xx;
+    return xx > 0.0 ? xv / lane_divisor64(xx) : xx == xx ? 0.0 : xx;
 }
 
 /* -5 x/v where that is shorter than the duration; 0 for a duration that is not positive and finite. */
 static inline double lane_inertia_duration(double growth, float duration)
 {
     double all = duration > 0.0f && duration < INFINITY ? (double)duration : 0.0;
-    return all * growth < -5.0 ? -5.0 / growth : all;
+    return all * growth < -5.0 ? -5.0 / lane_divisor64(growth) : all;
 }
 
 /* What c[2] has of x: 6 + A/2. */
@@ -127,7 +128,7 @@ static inline lane_rotation_offset lane_rotation_offset_of(nkw_quat from, nkw_ve
 static inline lane_inertia_c lane_inertia_begin_quat(lane_rotation_offset x, float duration)
 {
     double pass = lane_f64_vec3_length(x.rate) * (double)duration;
-    lane_f64_vec3 less = lane_f64_vec3_scale(x.rate, LANE_MOST_HALF_TURN / pass);
+    lane_f64_vec3 less = lane_f64_vec3_scale(x.rate, LANE_MOST_HALF_TURN / lane_divisor64(pass));
     return lane_inertia_begin(x.half, lane_f64_vec3_select(pass > LANE_MOST_HALF_TURN, less, x.rate), duration);
 }
 
@@ -141,7 +142,7 @@ typedef struct lane_dead_time {
 static inline lane_dead_time lane_dead_time_at(float half_life, float duration, float t)
 {
     double time = t > 0.0f ? (double)t : 0.0;
-    double lasting = half_life > 0.0f ? (double)half_life : 0.0, x = time * LANE_LN_2 / lasting;
+    double lasting = half_life > 0.0f ? (double)half_life : 0.0, x = time * LANE_LN_2 / lane_divisor64(lasting);
     int stopped = lasting == 0.0 && time > 0.0;
     double known = lasting == 0.0 ? 0.0 : x;
     double u = lane_inertia_time(t, duration), w = 1.0 - u;
@@ -149,7 +150,7 @@ static inline lane_dead_time lane_dead_time_at(float half_life, float duration, 
         lasting == 0.0 ? 0.0 : time * lane_decay_mean64(known),
         stopped ? 0.0 : lane_decay64(known),
         u * u * (1.0 + 2.0 * w),
-        u < 1.0 ? 6.0 * (u * w) / (double)duration : 0.0,
+        u < 1.0 ? 6.0 * (u * w) / lane_divisor64((double)duration) : 0.0,
     };
     return r;
 }
@@ -182,7 +183,7 @@ LANE_FLAT static inline lane_f64_quat lane_dead_old_quat(nkw_quat from, nkw_vec3
 {
     lane_f64_vec3 half = lane_f64_vec3_scale(lane_f64_vec3_from(w), 0.5 * carried);
     double pass = lane_f64_vec3_length(half);
-    lane_f64_vec3 less = lane_f64_vec3_scale(half, LANE_MOST_HALF_TURN / pass);
+    lane_f64_vec3 less = lane_f64_vec3_scale(half, LANE_MOST_HALF_TURN / lane_divisor64(pass));
     lane_f64_quat turn = lane_f64_quat_exp_near(lane_f64_vec3_select(pass > LANE_MOST_HALF_TURN, less, half));
     return lane_f64_quat_mul(turn, lane_f64_quat_unit_from(from));
 }

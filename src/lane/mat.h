@@ -9,6 +9,7 @@
 #include <nakawari/transform.h>
 
 #include "quat.h"
+#include "scalar.h"
 
 /* The sums in the order of nkw_mat4_mul. */
 static inline nkw_mat4 lane_mat4_mul(const nkw_mat4 *a, const nkw_mat4 *b)
@@ -143,8 +144,8 @@ static inline int lane_is_flat(const lane_f64_mat3 *m, double det)
 /* 1 / det, and 0 for a determinant that has no finite inverse. */
 static inline double lane_reciprocal_or_zero(double det)
 {
-    double r = 1.0 / det;
-    return det != 0.0 && r - r == 0.0 ? r : 0.0;
+    double r = 1.0 / lane_divisor64(det);
+    return det != 0.0 && lane_abs64(r) < (double)INFINITY ? r : 0.0;
 }
 
 static inline double lane_f64_mat3_largest(const lane_f64_mat3 *m)
@@ -191,7 +192,7 @@ static inline lane_scaled_rotation lane_scaled_rotation_of(nkw_vec3 x, nkw_vec3 
 {
     float xx = nkw_vec3_dot(x, x), yy = nkw_vec3_dot(y, y), zz = nkw_vec3_dot(z, z);
     nkw_vec3 c = nkw_vec3_cross(x, y), scale = {sqrtf(xx), sqrtf(yy), sqrtf(zz)};
-    float rx = 1.0f / scale.x, ry = 1.0f / scale.y, rz = 1.0f / scale.z;
+    float rx = 1.0f / lane_divisor(scale.x), ry = 1.0f / lane_divisor(scale.y), rz = 1.0f / lane_divisor(scale.z);
     int mirrors = nkw_vec3_dot(c, z) < 0.0f; /* where is_near, whatever the rounding of c */
     scale.x = mirrors ? -scale.x : scale.x;
     nkw_vec3 u = nkw_vec3_scale(x, mirrors ? -rx : rx), v = nkw_vec3_scale(y, ry), n = nkw_vec3_scale(z, rz);
@@ -268,7 +269,7 @@ static inline int lane_is_near_affine(float xx, float yy, float zz, float det)
 static inline lane_affine_inverse lane_inverse_affine(nkw_vec3 x, nkw_vec3 y, nkw_vec3 z, nkw_vec3 t)
 {
     nkw_vec3 u = nkw_vec3_cross(y, z), v = nkw_vec3_cross(z, x), w = nkw_vec3_cross(x, y);
-    float det = nkw_vec3_dot(x, u), r = 1.0f / det;
+    float det = nkw_vec3_dot(x, u), r = 1.0f / lane_divisor(det);
     u = nkw_vec3_scale(u, r), v = nkw_vec3_scale(v, r), w = nkw_vec3_scale(w, r);
     lane_affine_inverse i = {
         {u.x, v.x, w.x},

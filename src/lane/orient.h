@@ -370,7 +370,7 @@ static inline lane_f64_vec3 lane_f64_rotation_rate(lane_f64_quat q, lane_f64_vec
     lane_f64_vec3 axis = {q.x, q.y, q.z};
     double h2 = lane_f64_vec3_dot(half, half), n = lane_f64_vec3_length(axis);
     double series = 1.0 / 12.0 + h2 * (1.0 / 180.0 + h2 * (1.0 / 1890.0 + h2 * (1.0 / 18900.0 + h2 / 187110.0)));
-    double exact = (1.0 - lane_sqrt64(h2) * (q.w / n)) / (4.0 * h2);
+    double exact = (1.0 - lane_sqrt64(h2) * (q.w / lane_divisor64(n))) / (4.0 * lane_divisor64(h2));
     double c = h2 < 0x1p-6 ? series : exact;
     lane_f64_vec3 r = lane_f64_vec3_scale(half, 2.0);
     return lane_f64_vec3_turned(r, w, -0.5, n == 0.0 ? 1.0 / 12.0 : c);

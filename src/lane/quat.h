@@ -145,7 +145,7 @@ static inline lane_f64_vec3 lane_f64_quat_log(lane_f64_quat q)
     lane_f64_vec3 v = {q.x, q.y, q.z};
     double n = lane_f64_vec3_length(v);
     double half = lane_atan2_64(n, q.w + 0.0);
-    lane_f64_vec3 rotation = lane_f64_vec3_scale(v, half / n);
+    lane_f64_vec3 rotation = lane_f64_vec3_scale(v, half / lane_divisor64(n));
     lane_f64_vec3 none = {n == 0.0 ? half : 0.0, 0.0, 0.0};
     return lane_f64_vec3_select(n == 0.0, none, rotation);
 }

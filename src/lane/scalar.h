@@ -27,15 +27,21 @@ static inline float lane_float(uint32_t bits)
     return x;
 }
 
+/* lane_divisor64 of a float. */
+static inline float lane_divisor(float x)
+{
+    const uint32_t bits = lane_bits(x), is_none = (uint32_t)(bits << 1 == 0);
+    return lane_float(bits | ((0u - is_none) & 0x3F800000u));
+}
+
 static inline float lane_abs(float x)
 {
     return lane_float(lane_bits(x) & 0x7FFFFFFFu);
 }
 
-/* x - x is 0 for a finite x, else NaN. */
 static inline int lane_is_finite(float x)
 {
-    return x - x == 0.0f;
+    return (lane_bits(x) & 0x7F800000u) != 0x7F800000u;
 }
 
 /* Whether a quaternion of this length is taken for a rotation by what validates. */
@@ -261,7 +267,7 @@ static inline float lane_excess(float y)
  */
 static inline float lane_pow(float x, float y)
 {
-    double product = (double)y * lane_log2_64(lane_abs64((double)x));
+    double exponent = lane_log2_64(lane_abs64((double)x)), product = (double)y * (y == 0.0f ? 0.0 : exponent);
     float power = (float)lane_exp2_64(lane_limit64(product, -160.0, 160.0));
     float mirrored = lane_abs(lane_excess(0.5f * y)) == 0.5f ? lane_copysign(power, x) : power;
     float broken = lane_excess(y) != 0.0f ? NAN : mirrored;

@@ -122,7 +122,7 @@ static inline float lane_vec3_angle(nkw_vec3 a, nkw_vec3 b)
 static inline lane_f64_vec3 lane_f64_vec3_project(lane_f64_vec3 a, lane_f64_vec3 b)
 {
     double n2 = lane_f64_vec3_dot(b, b);
-    return lane_f64_vec3_scale(b, n2 == 0.0 ? 0.0 : lane_f64_vec3_dot(a, b) / n2);
+    return lane_f64_vec3_scale(b, n2 == 0.0 ? 0.0 : lane_f64_vec3_dot(a, b) / lane_divisor64(n2));
 }
 
 #endif

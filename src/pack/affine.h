@@ -78,12 +78,14 @@ static inline int affine_inverse(const nkw_mat4 *m, affine *out)
     f32x4 a2 = F32X4_SHUFFLE(r[2], r[2], 1, 2, 0, 0), b2 = F32X4_SHUFFLE(r[2], r[2], 2, 0, 1, 1);
     f32x4 x = a1 * b2 - a2 * b1, y = a2 * b0 - a0 * b2, z = a0 * b1 - a1 * b0;
     f32x4 n2 = (r[0] * r[0] + r[1] * r[1]) + r[2] * r[2], det = (r[0] * x + r[1] * y) + r[2] * z;
+    if (!lane_is_near_affine(n2[0], n2[1], n2[2], det[0]))
+        return 0;
     f32x4 reciprocal = f32x4_broadcast(1.0f / det, 0);
     out->c[0] = x * reciprocal;
     out->c[1] = y * reciprocal;
     out->c[2] = z * reciprocal;
     out->c[3] = -((out->c[0] * t[0] + out->c[1] * t[1]) + out->c[2] * t[2]);
-    return lane_is_near_affine(n2[0], n2[1], n2[2], det[0]);
+    return 1;
 }
 
 /* a b, by the sums of nkw_mat4_mul_affine. */

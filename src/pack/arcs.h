@@ -20,7 +20,8 @@ static inline f64x2 f64x2_atan_series(f64x2 z)
 /*
  * Second text of lane_atan2_64; 1.5 times faster.
  *
- * For numbers below 2^1022 and pairs not below 2^-960, to which lane_atan2_64 adds 2^-1022 in vain. NaN for two zeros.
+ * For numbers below 2^1022 and pairs not below 2^-960, to which lane_atan2_64 adds 2^-1022 in vain. Of two zeros the
+ * angle is that of their signs.
  */
 static inline f64x2 f64x2_atan2(f64x2 y, f64x2 x)
 {
@@ -28,7 +29,8 @@ static inline f64x2 f64x2_atan2(f64x2 y, f64x2 x)
     const i64x2 above = (f64x2)ay > (f64x2)ax;
     const f64x2 low = f64x2_min((f64x2)ay, (f64x2)ax), high = f64x2_max((f64x2)ax, (f64x2)ay);
     const i64x2 steep = low > LANE_TAN_EIGHTH_PI * high;
-    const f64x2 q = (low - f64x2_where(steep, high)) / (high + f64x2_where(steep, low)), z = q * q;
+    const f64x2 sum = high + f64x2_where(steep, low), divisor = sum + f64x2_where(sum == 0.0, f64x2_splat(1.0));
+    const f64x2 q = (low - f64x2_where(steep, high)) / divisor, z = q * q;
     f64x2 angle = f64x2_where(steep, f64x2_splat(LANE_QUARTER_PI)) + q * (1.0 + z * f64x2_atan_series(z));
     angle = f64x2_where(above, f64x2_splat(LANE_HALF_PI)) + (f64x2)((i64x2)angle ^ (above << 63));
     angle = f64x2_where((f64x2)(sx | (i64x2)f64x2_splat(1.0)) < 0.0, f64x2_splat(LANE_PI)) + (f64x2)((i64x2)angle ^ sx);

@@ -63,6 +63,17 @@ static inline f32xN f32xN_load_once(const void *from)
     return r;
 }
 
+/*
+ * All bits in the first n floats, none in the others: what f32xN_keep lets through. 0 < n <= 16.
+ */
+static inline i32xN f32xN_first(int n)
+{
+    static const int32_t window[32] = {-1, -1, -1, -1, -1, -1, -1, -1, -1, -1, -1, -1, -1, -1, -1, -1};
+    i32xN r;
+    memcpy(&r, window + 16 - n, sizeof r);
+    return r;
+}
+
 static inline void f32xN_store(void *to, f32xN a)
 {
     memcpy(to, &a, sizeof a);
@@ -101,6 +112,12 @@ static inline f32xN f32xN_from_i32xN(i32xN a)
     return r;
 }
 
+/* a where the mask is set, otherwise 0. */
+static inline f32xN f32xN_keep(i32xN mask, f32xN a)
+{
+    return f32xN_from_i32xN(i32xN_from_f32xN(a) & mask);
+}
+
 /* a < b */
 static inline i32xN f32xN_less(f32xN a, f32xN b)
 {
@@ -126,6 +143,18 @@ static inline f32xN f32xN_select(i32xN mask, f32xN a, f32xN b)
 {
     i32xN x = i32xN_from_f32xN(a), y = i32xN_from_f32xN(b);
     return f32xN_from_i32xN(((x ^ y) & mask) ^ y);
+}
+
+/* lane_divisor, of what is not -0. */
+static inline f32xN f32xN_divisor(f32xN a)
+{
+    const i32xN bits = i32xN_from_f32xN(a);
+#if F32XN == 1
+    const i32xN is_none = -(bits == 0);
+#else
+    const i32xN is_none = bits == 0;
+#endif
+    return f32xN_from_i32xN(bits | (is_none & 0x3F800000));
 }
 
 /* a, negated where the mask is set. */

@@ -78,7 +78,11 @@ static inline int f32x4_trs_from_mat4(const float *m, float *trs)
     f32x4 r[4] = {f32x4_load(m), f32x4_load(m + 4), f32x4_load(m + 8), f32x4_load(m + 8)}; /* lane 3 as lane 2 */
     f32x4_transpose(r);
     const f32x4 x = f32x4_next(r[0]), y = f32x4_next(r[1]), z = f32x4_next(r[2]);
-    f32x4 n2 = (r[0] * r[0] + r[1] * r[1]) + r[2] * r[2], scale = f32x4_sqrt(n2), inverse = 1.0f / scale;
+    const f32x4 n2 = (r[0] * r[0] + r[1] * r[1]) + r[2] * r[2];
+    const i64x2 inside = (i64x2)((n2 > LANE_LEAST_SQUARE) & (n2 < LANE_MOST_SQUARE)); /* all ones: -1 */
+    if ((inside[0] & inside[1]) != -1)
+        return 0;
+    f32x4 scale = f32x4_sqrt(n2), inverse = 1.0f / scale;
     f32x4 cosine = ((r[0] * x + r[1] * y) + r[2] * z) * (inverse * f32x4_next(inverse));
     f32x4 across = (r[1] * z - y * r[2]) * F32X4_SHUFFLE(r[0], r[0], 2, 0, 1, 3);
     f32x4 side = {(across[0] + across[1]) + across[2]}, c2 = cosine * cosine;
@@ -95,8 +99,7 @@ static inline int f32x4_trs_from_mat4(const float *m, float *trs)
     f32x4_store(trs + 4, F32X4_SHUFFLE(q, F32X4_SHUFFLE(q, scale, 3, 3, 4, 4), 1, 2, 4, 6));
     int64_t rest = ((i64x2)F32X4_SHUFFLE(scale, scale, 1, 2, 1, 2))[0];
     memcpy(trs + 8, &rest, sizeof rest);
-    i64x2 inside = (i64x2)((n2 > LANE_LEAST_SQUARE) & (n2 < LANE_MOST_SQUARE)); /* all ones: -1 */
-    return (inside[0] & inside[1]) == -1 && (c2[0] + c2[1]) + c2[2] < LANE_LITTLE_SHEAR;
+    return (c2[0] + c2[1]) + c2[2] < LANE_LITTLE_SHEAR;
 }
 #endif
 

@@ -5,6 +5,7 @@
  *
  *     golden golden.txt          compares; names each function that differs; exit status 1 if any does
  *     golden --write             prints the table
+ *     golden --exceptions        see exceptions.h
  */
 #include <stdint.h>
 #include <stdio.h>
@@ -13,6 +14,7 @@
 #include <nakawari/nakawari.h>
 
 #include "../support/data.h"
+#include "../support/exceptions.h"
 #include "../support/hash.h"
 #include "../support/put.h"
 #include "../support/random.h"
@@ -518,13 +520,17 @@ static int compare_table(const line table[LINES], const char *path)
     return failed > 0;
 }
 
+#include "exceptions.h"
+
 int main(int argc, char **argv)
 {
     static line table[LINES];
     if (argc != 2) {
-        fprintf(stderr, "usage: golden golden.txt | --write\n");
+        fprintf(stderr, "usage: golden golden.txt | --write | --exceptions\n");
         return 2;
     }
+    if (strcmp(argv[1], "--exceptions") == 0)
+        return test_exceptions();
     make_table(table);
     return strcmp(argv[1], "--write") == 0 ? write_table(table) : compare_table(table, argv[1]);
 }

@@ -34,4 +34,8 @@ foreach(driver IN LISTS drivers)
   execute_process(COMMAND "${driver}" ${flags} "-I${SOURCE}/include" ${language} "${SOURCE}/tests/golden/golden.c" -x none
     ${objects} ${link} -lm -o "${WORK}/golden.exe" COMMAND_ERROR_IS_FATAL ANY)
   execute_process(COMMAND ${EMULATOR} "${WORK}/golden.exe" "${TABLE}" COMMAND_ERROR_IS_FATAL ANY)
+  execute_process(COMMAND ${EMULATOR} "${WORK}/golden.exe" --exceptions RESULT_VARIABLE result)
+  if(NOT result MATCHES "^(0|77)$")
+    message(FATAL_ERROR "golden: exceptions")
+  endif()
 endforeach()

@@ -2,7 +2,7 @@
 /*
  * Each batch function, by the loops of each instruction set that this processor has, against the single function: bit
  * for bit, for the lengths 0..67 and some longer, at every alignment, in place and not, with guard words around the
- * outputs.
+ * outputs. None divides by zero.
  *
  * A plain program, so that it also runs where there is no test library: on emulators, under Wine, in WebAssembly.
  */
@@ -12,6 +12,7 @@
 #include <nakawari/nakawari.h>
 
 #include "../support/data.h"
+#include "../support/exceptions.h"
 #include "../support/put.h"
 #include "../support/random.h"
 #include "../support/loops.h"
@@ -134,7 +135,10 @@ static int run(const row *w, const char *isa, size_t n, size_t shift, int in_pla
         in[k] = inputs[k] + start;
         out[k] = (in_place && k < arrays ? inputs[k] : outputs[k]) + start;
     }
+    clear_exceptions();
     w->loop(in, out, n);
+    if (report_exceptions("parity", w->name, isa, raised_exceptions(EXCEPTION_DIVISION)))
+        return 1;
     return compare(w, isa, n, start, arrays, in_place);
 }
 
@@ -184,8 +188,11 @@ static int run_data(nkwi_isa tested, const char *isa)
         loop_isa = NKWI_ISA_GENERIC;                                                                                   \
         uint64_t want = data_##stem();                                                                                 \
         loop_isa = tested;                                                                                             \
+        clear_exceptions();                                                                                            \
         if (data_##stem() != want)                                                                                     \
             failed += fprintf(stderr, "parity: data_" #stem ", %s: differs from generic\n", isa) > 0;                  \
+        failed += report_exceptions("parity", "data_" #stem, isa,                                                      \
+                                    raised_exceptions(EXCEPTIONS & ~defined_exceptions(#stem)));                       \
     }
     DATA_LIST(DATA_COMPARE)
 #undef DATA_COMPARE
