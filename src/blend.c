@@ -84,13 +84,13 @@ static void blend_inside(const float *a, const float *b, size_t joints, float t,
 
 static void blend_at(const float *a, const float *b, size_t joints, float t, int slerp, float *out)
 {
-    size_t stride = NKW_POSE_STRIDE(joints), scales = 7 * stride;
-    nkw_pose_view va = {a, joints}, vb = {b, joints};
-    nkw_pose_span vo = {out, joints};
-    nkw_quat_view qa = nkw_pose_components(va).rotation, qb = nkw_pose_components(vb).rotation;
-    nkwi_lerp_at_n(a, b, t, out, 3 * stride);
-    (slerp ? nkw_quat_slerp_at_n : nkw_quat_nlerp_at_n)(qa, qb, t, nkw_pose_components_span(vo).rotation, stride);
-    nkwi_lerp_at_n(a + scales, b + scales, t, out + scales, 3 * stride);
+    const nkw_pose_view pa = {a, joints}, pb = {b, joints};
+    const nkw_pose_span po = {out, joints};
+    const nkw_trs_view va = nkw_pose_components(pa), vb = nkw_pose_components(pb);
+    const nkw_trs_span vo = nkw_pose_components_span(po);
+    nkw_vec3_lerp_at_n(va.translation, vb.translation, t, vo.translation, joints);
+    (slerp ? nkw_quat_slerp_at_n : nkw_quat_nlerp_at_n)(va.rotation, vb.rotation, t, vo.rotation, joints);
+    nkw_vec3_lerp_at_n(va.scale, vb.scale, t, vo.scale, joints);
 }
 
 /* nkw_pose_blend_slerp by a t for each joint. */
@@ -98,9 +98,9 @@ static void slerp_each(const float *a, const float *b, const float *t, const par
 {
     nkw_trs_view va = view_of(a, p), vb = view_of(b, p);
     nkw_trs_span vo = span_of(out, p);
-    nkw_vec3_lerp_n(va.translation, vb.translation, t, vo.translation, p->n);
-    nkw_quat_slerp_n(va.rotation, vb.rotation, t, vo.rotation, p->n);
-    nkw_vec3_lerp_n(va.scale, vb.scale, t, vo.scale, p->n);
+    nkw_vec3_lerp_n(va.translation, vb.translation, t, vo.translation, p->used);
+    nkw_quat_slerp_n(va.rotation, vb.rotation, t, vo.rotation, p->used);
+    nkw_vec3_lerp_n(va.scale, vb.scale, t, vo.scale, p->used);
 }
 
 static void blend_masked(const float *a, const float *b, size_t joints, float t, const float *mask, int slerp,
@@ -252,7 +252,7 @@ static void add_plain(plain_sum *s, blend_rows rows, float weight, const part *p
     if (t == 0.0f)
         return;
     if (t < 1.0f && s->t > 0.0f) {
-        nkwi_blend_sum(s->sum, s->last, s->t, v, (int)p->n);
+        nkwi_blend_sum(s->sum, s->last, s->t, (int)p->used, v);
         s->sum.at = s->v;
         s->sum.stride = p->n;
     }
@@ -418,7 +418,7 @@ nkw_result nkw_pose_additive_build(nkw_pose_view a, nkw_pose_view ref, nkw_addit
     if (a.joint_count != out.joint_count || ref.joint_count != out.joint_count)
         return NKW_MISMATCHED;
     nkwi_additive_build(nkw_pose_components(a), nkw_pose_components(ref), side == NKW_ADDITIVE_PARENT,
-                        nkw_pose_components_span(out), NKW_POSE_STRIDE(out.joint_count));
+                        nkw_pose_components_span(out), out.joint_count);
     return NKW_OK;
 }
 
@@ -433,7 +433,7 @@ nkw_result nkw_pose_additive_apply(nkw_pose_view base, nkw_pose_view delta, nkw_
         float w[BLEND_BLOCK];
         weigh(weight_of(weight), mask.data, &p, w);
         nkwi_additive_apply(view_of(base.data, &p), view_of(delta.data, &p), w, side == NKW_ADDITIVE_PARENT,
-                            span_of(out.data, &p), p.n);
+                            span_of(out.data, &p), p.used);
     }
     return NKW_OK;
 }

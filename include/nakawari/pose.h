@@ -11,10 +11,9 @@
  *
  *     component c of joint j:  data[c * NKW_POSE_STRIDE(joint_count) + j]
  *
- * The stride is a multiple of 16, so loops of every vector width run without a remainder. Padding may hold any values:
- * they have no effect on joints. Functions that write a whole pose may write padding too. Alignment for float suffices;
- * 64 bytes is fastest. Uninitialised memory may hold subnormal numbers, which slow processors down: call
- * nkw_pose_identity once on a new block.
+ * The stride is a multiple of 16, so loops of every vector width run without a remainder. Padding may hold any values,
+ * or be memory that was never written: no function computes with it. Functions that write a whole pose may write padding
+ * too. Alignment for float suffices; 64 bytes is fastest.
  */
 #ifndef NAKAWARI_POSE_H
 #define NAKAWARI_POSE_H

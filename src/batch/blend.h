@@ -10,7 +10,7 @@
 
 /* clang-format off */
 #define NKW_LOOPS_BLEND(X) \
-    X(nkwi_blend_sum, (blend_rows a, blend_rows b, float t, blend_span out, int n), (a, b, t, out, n), NKW_WIDEST) \
+    X(nkwi_blend_sum, (blend_rows a, blend_rows b, float t, int used, blend_span out), (a, b, t, used, out), NKW_WIDEST) \
     X(nkwi_blend_poses, (const float *a, const float *b, size_t stride, float t, int used, float *out), (a, b, stride, t, used, out), NKW_WIDEST) \
     X(nkwi_blend_nlerp, (blend_rows a, blend_rows b, float t, int used, blend_span out), (a, b, t, used, out), NKW_WIDEST) \
     X(nkwi_blend_weigh, (float weight, const float *mask, int used, float *out, int n), (weight, mask, used, out, n), NKW_WIDEST) \

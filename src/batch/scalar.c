@@ -65,10 +65,3 @@ NKW_LOOP(nkw_sincos_n)(const float *angle, float *sine, float *cosine, size_t n)
             sincos_each(angle + i, sine + i, cosine + i, count);
     }
 }
-
-NKW_LOOP(nkwi_lerp_at_n)(const float *a, const float *b, float t, float *out, size_t n)
-{
-#pragma omp simd
-    for (size_t i = 0; i < n; i++)
-        out[i] = nkw_lerp(a[i], b[i], t);
-}

@@ -7,8 +7,7 @@
 
 /* clang-format off */
 #define NKW_LOOPS_SCALAR(X) \
-    X(nkw_sincos_n, (const float *angle, float *sine, float *cosine, size_t n), (angle, sine, cosine, n), n) \
-    X(nkwi_lerp_at_n, (const float *a, const float *b, float t, float *out, size_t n), (a, b, t, out, n), n)
+    X(nkw_sincos_n, (const float *angle, float *sine, float *cosine, size_t n), (angle, sine, cosine, n), n)
 /* clang-format on */
 
 NKW_LOOPS_SCALAR(NKW_DECLARE)

@@ -3,6 +3,7 @@
 
 #include <nakawari/transform.h>
 
+#include "batch/last.h"
 #include "batch/matrices.h"
 #include "batch/skeleton.h"
 #include "pack/affine.h"
@@ -25,6 +26,15 @@ static inline void make_linear(const float *r, size_t stride, float *linear)
         for (size_t k = 0; k < 9; k++)
             linear[k * MODELS_BLOCK + i] = m.m[k];
     }
+}
+
+/* The same of the last joints, fewer than eight. */
+static inline void make_last_linear(const float *r, size_t stride, size_t joints, float *linear)
+{
+    float rows[7][8];
+    for (size_t k = 0; k < 7; k++)
+        copy_last(r + k * stride, 8, joints, 0.0f, rows[k]);
+    make_linear(rows[0], 8, linear);
 }
 
 /* The address of the parent's matrix, or NULL. A negative parent becomes a large number here. */
@@ -68,8 +78,11 @@ NKW_LOOP(nkwi_models_from_pose)
         float l[9][MODELS_BLOCK];
         const float *t = pose + start;
         size_t end = to - start < MODELS_BLOCK ? to : start + MODELS_BLOCK;
-        for (size_t i = 0; i < end - start; i += 8)
+        size_t last = (end - start) / 8 * 8;
+        for (size_t i = 0; i < last; i += 8)
             make_linear(t + 3 * stride + i, stride, l[0] + i);
+        if (start + last < end)
+            make_last_linear(t + 3 * stride + last, stride, end - start - last, l[0] + last);
         for (; j < end; j++) {
             const size_t i = j - start;
             const affine_arrays local = {l[0] + i, l[3] + i, l[6] + i, t + i, MODELS_BLOCK, stride};
