@@ -24,11 +24,18 @@
  * it exports none of them. Users define neither: on Windows, calls go through the import library.
  */
 #if defined(NKW_BUILD) && defined(_WIN32) && defined(NKW_SHARED)
-#define NKW_API extern __declspec(dllexport)
+#define NKW_API extern __declspec(dllexport) NKW_REALIGN
 #elif defined(__GNUC__) && !defined(_WIN32) && (defined(NKW_SHARED) || !defined(NKW_BUILD))
-#define NKW_API extern __attribute__((visibility("default")))
+#define NKW_API extern __attribute__((visibility("default"))) NKW_REALIGN
 #else
-#define NKW_API extern
+#define NKW_API extern NKW_REALIGN
+#endif
+
+/** 32-bit callers on x86 may align their stack to 4 bytes: a function of the library aligns it to 16 for its vectors. */
+#if defined(NKW_BUILD) && defined(__GNUC__) && defined(__i386__)
+#define NKW_REALIGN __attribute__((force_align_arg_pointer))
+#else
+#define NKW_REALIGN
 #endif
 
 /**

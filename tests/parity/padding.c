@@ -16,7 +16,12 @@
 #include "../support/hash.h"
 #include "../support/random.h"
 #include "../support/random_clip.h"
+#if defined(STACK_PHASES)
+#include "simd/isa.h"
+static nkwi_isa loop_isa; /* the library's own choice */
+#else
 #include "../support/loops.h"
+#endif
 #include "../support/views.h"
 
 enum { MOST = 70, POSES = 3, INFLUENCES = 4, WORDS = 1 << 15 };

@@ -1,0 +1,20 @@
+cmake_minimum_required(VERSION 3.22)
+# LIBRARY and OBJECT, compiled as the library's loops, have no move of a ymm or zmm register that needs memory of its
+# alignment. OBJECT has one that its source says to be such.
+set(aligned "vmov(aps|apd|dqa|dqa32|dqa64)[ \t][^\n]*[(][^\n]*")
+foreach(file IN ITEMS LIBRARY OBJECT)
+  execute_process(COMMAND "${OBJDUMP}" -d --no-show-raw-insn "${${file}}" OUTPUT_VARIABLE code
+    COMMAND_ERROR_IS_FATAL ANY)
+  string(REGEX MATCHALL "vmov[a-z0-9]+[ \t][^\n]*%[yz]mm[^\n]*" moves "${code}")
+  list(LENGTH moves count)
+  set(wrong ${moves})
+  list(FILTER wrong INCLUDE REGEX "${aligned}")
+  list(LENGTH wrong wrongs)
+  message(STATUS "wide_moves: ${count} moves in ${${file}}, ${wrongs} of them aligned")
+  if(count EQUAL 0)
+    message(SEND_ERROR "wide_moves: no move of a wide register in ${${file}}")
+  elseif(wrongs)
+    list(GET wrong 0 first)
+    message(SEND_ERROR "wide_moves: ${wrongs} moves need an aligned stack: ${first}")
+  endif()
+endforeach()
