@@ -44,7 +44,7 @@ nkw_vec3_inertia nkw_quat_inertia_begin(const nkw_quat_motion *from, const nkw_q
 static double offset_rate(float c0, float c1, float c2, double u, float duration)
 {
     double w = 1.0 - u, p = (double)c0 + u * ((double)c1 + u * (double)c2), slope = (double)c1 + 2.0 * (u * (double)c2);
-    return (w * w) * (w * slope - 3.0 * p) / (double)duration;
+    return (w * w) * (w * slope - 3.0 * p) / lane_divisor64((double)duration);
 }
 
 static lane_f64_vec3 offset_rate_vec3(const nkw_vec3_inertia *i, double u)

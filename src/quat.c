@@ -18,7 +18,7 @@ nkw_quat nkw_quat_inverse(nkw_quat q)
 {
     lane_f64_quat w = lane_f64_quat_from(q);
     double n2 = lane_f64_quat_dot(w, w);
-    lane_f64_quat inverse = lane_f64_quat_scale(lane_f64_quat_conjugate(w), 1.0 / n2);
+    lane_f64_quat inverse = lane_f64_quat_scale(lane_f64_quat_conjugate(w), 1.0 / lane_divisor64(n2));
     return n2 == 0.0 ? nkw_quat_identity() : lane_quat_from_f64(inverse);
 }
 

@@ -386,7 +386,8 @@ static inline lane_f64_vec3 lane_f64_rotation_velocity(lane_f64_vec3 r, lane_sin
     double z = lane_f64_vec3_dot(r, r), n = lane_sqrt64(z);
     double a_series = 1.0 / 2.0 - z * (1.0 / 24.0 - z * (1.0 / 720.0 - z * (1.0 / 40320.0 - z / 3628800.0)));
     double b_series = 1.0 / 6.0 - z * (1.0 / 120.0 - z * (1.0 / 5040.0 - z * (1.0 / 362880.0 - z / 39916800.0)));
-    double a = 2.0 * (half.s * half.s) / z, b = (n - 2.0 * (half.s * half.c)) / (z * n);
+    double a = 2.0 * (half.s * half.s) / lane_divisor64(z);
+    double b = (n - 2.0 * (half.s * half.c)) / lane_divisor64(z * n);
     return lane_f64_vec3_turned(r, v, z < 0.25 ? a_series : a, z < 0.25 ? b_series : b);
 }
 
