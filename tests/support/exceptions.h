@@ -13,8 +13,8 @@
 #if defined(FE_DIVBYZERO) && defined(FE_INVALID) && defined(FE_OVERFLOW)
 #define EXCEPTION_DIVISION FE_DIVBYZERO
 #define EXCEPTION_OVERFLOW FE_OVERFLOW
-#if defined(__clang__)
-#define EXCEPTION_INVALID 0 /* it may come from the unused part of a register: the page has the reason */
+#if defined(__clang__) || defined(__aarch64__)
+#define EXCEPTION_INVALID 0 /* of unused parts of registers, and of conversions: the page has the reasons */
 #else
 #define EXCEPTION_INVALID FE_INVALID
 #endif
