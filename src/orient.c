@@ -8,26 +8,10 @@
 #include "pack/sincos.h"
 #include "pack/slerp.h"
 
-#if NKW_F32X4
-LANE_SELDOM static f32x4 slerp_any(f32x4 a, f32x4 b, float t)
-{
-    if (lane_t_is_inside(t))
-        return f32x4_slerp(a, b, t, 0, 0);
-    nkw_quat r = lane_quat_slerp_turned(quat_from_f32x4(a), quat_from_f32x4(b), t, NKW_PATH_SHORT, 0);
-    return f32x4_from_quat(r);
-}
-
 nkw_quat nkw_quat_slerp(nkw_quat a, nkw_quat b, float t)
 {
-    f32x4 from = f32x4_from_quat(a), to = f32x4_from_quat(b);
-    return quat_from_f32x4(lane_t_is_generic(t) ? f32x4_slerp(from, to, t, 1, 0) : slerp_any(from, to, t));
+    return quat_slerp(a, b, t);
 }
-#else
-nkw_quat nkw_quat_slerp(nkw_quat a, nkw_quat b, float t)
-{
-    return lane_quat_slerp_any(a, b, t);
-}
-#endif
 
 nkw_quat nkw_quat_slerp_path(nkw_quat a, nkw_quat b, float t, nkw_path path, int32_t turns)
 {

@@ -17,7 +17,7 @@
 
 #include <stddef.h>
 
-#include "lane/f64.h"
+#include "lane/strict.h"
 
 #ifndef NKW_ISA
 #define NKW_ISA generic

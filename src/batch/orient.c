@@ -8,6 +8,7 @@
 #include "batch/orient.h"
 #include "batch/tail.h"
 #include "lane/orient.h"
+#include "pack/slerp.h"
 #include "sizes.h"
 
 NKW_LOOPS_ORIENT(NKW_DECLARE_LOOP)
@@ -131,6 +132,12 @@ static inline nkw_quat slerp_near(nkw_quat a, nkw_quat b, float t)
     return lane_quat_slerp_turned(a, b, t, NKW_PATH_SHORT, 1);
 }
 
+/* nkw_quat_slerp of one element. */
+NKW_NOINLINE static nkw_quat slerp_one(nkw_quat a, nkw_quat b, float t)
+{
+    return quat_slerp(a, b, t);
+}
+
 /* Elements of half a block, side by side. */
 typedef struct slerp_elements {
     float a[4][ORIENT_BLOCK / 2], b[4][ORIENT_BLOCK / 2], t[ORIENT_BLOCK / 2];
@@ -142,7 +149,7 @@ typedef struct slerp_elements {
 static inline void keep_element(slerp_elements *e, nkw_quat a, nkw_quat b, float t, size_t index)
 {
     const nkw_quat_span to_a = {e->a[0], e->a[1], e->a[2], e->a[3]}, to_b = {e->b[0], e->b[1], e->b[2], e->b[3]};
-    put_quat(to_a, e->count, is_near(t) ? a : nkw_quat_slerp(a, b, t));
+    put_quat(to_a, e->count, is_near(t) ? a : slerp_one(a, b, t));
     put_quat(to_b, e->count, b);
     e->t[e->count] = is_near(t) ? t : 0.0f;
     e->index[e->count++] = (uint32_t)index;
@@ -175,7 +182,7 @@ NKW_ALWAYS_INLINE void slerp_blocks(nkw_quat_view a, nkw_quat_view b, const floa
     for (size_t from = 0; from < n; from += ORIENT_BLOCK) {
         size_t end = n - from < ORIENT_BLOCK ? n : from + ORIENT_BLOCK;
         if (end - from == 1)
-            put_quat(out, from, nkw_quat_slerp(at_quat(a, from), at_quat(b, from), t[from]));
+            put_quat(out, from, slerp_one(at_quat(a, from), at_quat(b, from), t[from]));
         else if (any_outside(t, from, end)) {
             size_t middle = end - (end - from) / 2; /* ORIENT_BLOCK is even */
             slerp_beyond(a, b, t, out, from, middle);
@@ -232,7 +239,7 @@ NKW_LOOP(nkw_quat_slerp_at_n)(nkw_quat_view a, nkw_quat_view b, float t, nkw_qua
 {
     if (n == 1 || !is_near(t)) {
         for (size_t i = 0; i < n; i++)
-            put_quat(out, i, nkw_quat_slerp(at_quat(a, i), at_quat(b, i), t));
+            put_quat(out, i, slerp_one(at_quat(a, i), at_quat(b, i), t));
         return;
     }
     if (!lane_t_is_inside(t)) {

@@ -17,21 +17,6 @@
 
 #include "data/scalar.h"
 
-/*
- * Before a single function: all its calls are inlined, so that numbers stay in registers. And before what it seldom
- * calls, which keeps out of the way. A build that defines NKW_SMALL leaves to the compiler what is inlined.
- */
-#if defined(__GNUC__) && !defined(NKW_SMALL)
-#define LANE_FLAT __attribute__((flatten))
-#else
-#define LANE_FLAT
-#endif
-#if defined(__GNUC__)
-#define LANE_SELDOM __attribute__((noinline, cold))
-#else
-#define LANE_SELDOM
-#endif
-
 /* x + LANE_ROUND holds rint(x) in its low bits for |x| < 2^51; minus LANE_ROUND it is rint(x). */
 #define LANE_ROUND 0x1.8p52
 #define LANE_SIGN  UINT64_C(0x8000000000000000)

@@ -47,6 +47,21 @@ LANE_NO_PAIRS
 #endif
 #define NKW_LIBRARY
 
+/*
+ * Before a single function: all its calls are inlined, so that numbers stay in registers. And before what it seldom
+ * calls, which keeps out of the way. A build that defines NKW_SMALL leaves to the compiler what is inlined.
+ */
+#if defined(__GNUC__) && !defined(NKW_SMALL)
+#define LANE_FLAT __attribute__((flatten))
+#else
+#define LANE_FLAT
+#endif
+#if defined(__GNUC__)
+#define LANE_SELDOM __attribute__((noinline, cold, unused))
+#else
+#define LANE_SELDOM
+#endif
+
 /* 16 means that only _Float16 is widened. */
 #if (defined(FLT_EVAL_METHOD) && FLT_EVAL_METHOD != 0 && FLT_EVAL_METHOD != 16) ||                                     \
     (defined(__i386__) && !defined(__SSE2_MATH__)) || (defined(_M_IX86_FP) && _M_IX86_FP < 2)

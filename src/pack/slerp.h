@@ -64,7 +64,26 @@ static inline f32x4 f32x4_slerp(f32x4 a, f32x4 b, float t, int generic, int keys
     return n - (e * f - w * (f - n));
 }
 
+/* Of t that is 0, 1/2 or 1, outside 0..1, or NaN. */
+LANE_SELDOM static f32x4 f32x4_slerp_any(f32x4 a, f32x4 b, float t)
+{
+    if (lane_t_is_inside(t))
+        return f32x4_slerp(a, b, t, 0, 0);
+    nkw_quat r = lane_quat_slerp_turned(quat_from_f32x4(a), quat_from_f32x4(b), t, NKW_PATH_SHORT, 0);
+    return f32x4_from_quat(r);
+}
 #endif
+
+/* nkw_quat_slerp: lane_quat_slerp_any, for scalar calls. */
+static inline nkw_quat quat_slerp(nkw_quat a, nkw_quat b, float t)
+{
+#if NKW_F32X4
+    const f32x4 from = f32x4_from_quat(a), to = f32x4_from_quat(b);
+    return quat_from_f32x4(lane_t_is_generic(t) ? f32x4_slerp(from, to, t, 1, 0) : f32x4_slerp_any(from, to, t));
+#else
+    return lane_quat_slerp_any(a, b, t);
+#endif
+}
 
 /* lane_quat_slerp of stored keys, for scalar calls. */
 static inline nkw_quat quat_slerp_keys(nkw_quat a, nkw_quat b, float t)
