@@ -203,10 +203,7 @@ void nkw_mat4_to_row_major(const nkw_mat4 *m, float rows[16])
 
 nkw_mat3x4 nkw_mat3x4_from_mat4(const nkw_mat4 *m)
 {
-    nkw_mat3x4 r;
-    for (size_t k = 0; k < 12; k++)
-        r.m[k] = m->m[k % 4 * 4 + k / 4];
-    return r;
+    return lane_mat3x4_from_mat4(m);
 }
 
 nkw_mat4 nkw_mat4_from_mat3x4(const nkw_mat3x4 *m)

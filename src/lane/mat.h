@@ -38,6 +38,15 @@ static inline nkw_mat4 lane_mat4_mul_affine(const nkw_mat4 *a, const nkw_mat4 *b
     return r;
 }
 
+/* Rows of four from columns of four. */
+static inline nkw_mat3x4 lane_mat3x4_from_mat4(const nkw_mat4 *m)
+{
+    nkw_mat3x4 r;
+    for (size_t k = 0; k < 12; k++)
+        r.m[k] = m->m[k % 4 * 4 + k / 4];
+    return r;
+}
+
 static inline nkw_mat4 lane_mat4_from_trs(const nkw_trs *trs)
 {
     nkw_mat3 m = nkw_mat3_from_quat_scale(trs->rotation, trs->scale);

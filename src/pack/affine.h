@@ -130,7 +130,7 @@ static inline void affine_store(const affine *a, nkw_mat4 *out)
 
 static inline void affine_store_rows(const affine *a, nkw_mat3x4 *out)
 {
-    *out = nkw_mat3x4_from_mat4(a);
+    *out = lane_mat3x4_from_mat4(a);
 }
 
 static inline affine affine_mul(const affine *a, const nkw_mat4 *b)
