@@ -1,13 +1,13 @@
 /* SPDX-License-Identifier: MIT */
-/* Reduces a clip: finds the steps of its packed tracks (clip_packed.h) by trials (clip_reduce.h). */
+/* Reduces a clip: finds the steps of its packed tracks (clip_packed.h) by trials (clip_reduction.h). */
 #include "lane/strict.h"
 
 #include <string.h>
 
-#include <nakawari/clip.h>
+#include <nakawari/clip_reduce.h>
 
 #include "clip_packed.h"
-#include "clip_reduce.h"
+#include "clip_reduction.h"
 #include "clip_tracks.h"
 
 /*

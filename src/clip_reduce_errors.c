@@ -3,12 +3,12 @@
 
 #include <string.h>
 
-#include <nakawari/clip.h>
+#include <nakawari/clip_reduce.h>
 #include <nakawari/pose.h>
 #include <nakawari/scalar.h>
 #include <nakawari/segment.h>
 
-#include "clip_reduce.h"
+#include "clip_reduction.h"
 #include "clip_tracks.h"
 #include "farthest.h"
 #include "lane/f64.h"

@@ -1,12 +1,12 @@
 /* SPDX-License-Identifier: MIT */
-/* The search for the shares of joints by trials (clip_reduce.h). */
+/* The search for the shares of joints by trials (clip_reduction.h). */
 #include "lane/strict.h"
 
 #include <string.h>
 
-#include <nakawari/clip.h>
+#include <nakawari/clip_reduce.h>
 
-#include "clip_reduce.h"
+#include "clip_reduction.h"
 #include "lane/f64.h"
 #include "lane/scalar.h"
 #include "track_keys.h"

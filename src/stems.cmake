@@ -16,6 +16,7 @@ set(NKW_FLOOR_2
   axes
   transform
   dual
+  box
 )
 set(NKW_FLOOR_3
   curve
@@ -44,6 +45,7 @@ set(NKW_FLOOR_4
   pose
   clip
   reduce
+  clip_reduce
 )
 set(NKW_FLOOR_5
   skeleton

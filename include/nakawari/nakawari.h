@@ -21,6 +21,7 @@
 #include "axes.h" /* the axes and handedness of other tools */
 #include "transform.h" /* translation, rotation, scale */
 #include "dual.h" /* dual quaternions */
+#include "box.h" /* boxes along the axes */
 
 /* Floor 3, curve and orient: curves on numbers, curves on rotations; what follows a goal. */
 #include "curve.h" /* Hermite, Bezier, B-spline, Catmull-Rom */
@@ -49,6 +50,7 @@
 #include "pose.h" /* the transforms of all joints */
 #include "clip.h" /* many tracks in one block */
 #include "reduce.h" /* fewer keys within a tolerance */
+#include "clip_reduce.h" /* small clips within a tolerance in model space */
 
 /* Floor 5, skeleton: hierarchies, blending of poses. */
 #include "skeleton.h" /* hierarchies, model matrices */

@@ -3,6 +3,8 @@
 #ifndef EXTENT_H
 #define EXTENT_H
 
+#include <nakawari/clip_reduce.h>
+
 #include "moment.h"
 
 typedef struct extent {

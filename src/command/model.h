@@ -4,7 +4,7 @@
 #define MODEL_H
 
 #include <nakawari/export.h>
-#include <nakawari/reduce.h>
+#include <nakawari/clip_reduce.h>
 
 #include "command.h"
 #include "extent.h"

@@ -3,16 +3,17 @@
 // sources call, and the enumerations of its stems. A new stem is added here; the generator refuses a public function
 // that is neither in a part nor below.
 const values = ['scalar', 'vec', 'quat', 'orient', 'curve'];
-const algebra = ['mat', 'euler', 'axes', 'transform', 'dual', 'curve_point', 'handle', 'ease', 'rotation', 'limit',
+const algebra = ['mat', 'euler', 'axes', 'transform', 'dual', 'box', 'curve_point', 'handle', 'ease', 'rotation', 'limit',
   'spring', 'inertia', 'segment', 'playback', 'root'];
-const curves = ['fcurve', 'spline', 'nurbs', 'polycurve', 'track', 'dialect', 'edit', 'fit', 'reduce', 'timecode'];
+const curves = ['fcurve', 'spline', 'nurbs', 'polycurve', 'track', 'dialect', 'edit', 'fit', 'reduce', 'clip_reduce',
+  'timecode'];
 const bodies = ['pose', 'clip', 'skeleton', 'blend', 'transition', 'ik', 'foot', 'retarget', 'blendspace', 'bounds',
   'palette', 'morph', 'partition'];
 
 const clips = ['track', 'pose', 'build', 'clip'];
 
 // Structs of these stems are objects, also if they have floats only.
-export const objectStems = ['root', 'polycurve', 'ik', 'foot', 'bounds', 'clip'];
+export const objectStems = ['root', 'polycurve', 'ik', 'foot', 'box', 'bounds', 'clip', 'clip_reduce'];
 
 export const parts = [
   {
@@ -142,4 +143,5 @@ export const excluded = {
 };
 export const excludedStems = {};
 // Of these stems the sources call what their objects need; the rest is not bound yet.
-export const partial = ['keyframe', 'track', 'pose', 'clip', 'skeleton', 'blend', 'palette', 'skin', 'crowd', 'reduce'];
+export const partial = ['keyframe', 'track', 'pose', 'clip', 'skeleton', 'blend', 'palette', 'skin', 'crowd', 'reduce',
+  'clip_reduce'];

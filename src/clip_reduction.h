@@ -14,10 +14,10 @@
  * So each chain of joints soon reaches the tolerance somewhere. The smallest result within the tolerance is made again
  * at the end. If there is none, shares of joints beyond it are reduced until one is. Otherwise all shares are 0.
  */
-#ifndef NAKAWARI_CLIP_REDUCE_H
-#define NAKAWARI_CLIP_REDUCE_H
+#ifndef NAKAWARI_CLIP_REDUCTION_H
+#define NAKAWARI_CLIP_REDUCTION_H
 
-#include <nakawari/clip.h>
+#include <nakawari/clip_reduce.h>
 
 /* A sampled pose, its floats, and the model matrices of its joints: three columns and the position, 12 numbers each. */
 typedef struct reduce_pose {

@@ -1,12 +1,13 @@
 /* SPDX-License-Identifier: MIT */
-/* Reduces the keys of a clip: finds the tolerances of its tracks by trials (clip_reduce.h). */
+/* Reduces the keys of a clip: finds the tolerances of its tracks by trials (clip_reduction.h). */
 #include "lane/strict.h"
 
 #include <string.h>
 
+#include <nakawari/clip_reduce.h>
 #include <nakawari/reduce.h>
 
-#include "clip_reduce.h"
+#include "clip_reduction.h"
 
 #define QUARTERS 4
 #define LIMIT    0.98 /* a margin: at 64 times of a segment errors were at most 1e-5 larger than at these four */
