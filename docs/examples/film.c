@@ -10,7 +10,6 @@
 #include <nakawari/scalar.h>
 #include <nakawari/vec.h>
 
-#include "picture.h"
 #include "space.h"
 
 static const svg_colour joint_colours[RIG_JOINTS] = {0xd55e00, 0x2f7fd1, 0x2ca05a, 0x9a4fb0};
@@ -204,8 +203,8 @@ int film_frame(film *f, int frame, const char *path)
     if (!svg_open(&out, path, 400.0f, 480.0f, title, skinning(f->dual)))
         return 0;
     int ok = draw(&out, f, film_time(f, frame), f->dual, &camera);
-    svg_text(&out, svg_at(24.0f, 460.0f), &picture_strong, seconds(film_time(f, frame), text));
-    svg_text(&out, svg_at(84.0f, 460.0f), &picture_small, skinning(f->dual));
+    svg_text(&out, svg_at(24.0f, 460.0f), &svg_sheet_strong, seconds(film_time(f, frame), text));
+    svg_text(&out, svg_at(84.0f, 460.0f), &svg_sheet_small, skinning(f->dual));
     return svg_close(&out) && ok;
 }
 
@@ -219,7 +218,7 @@ static void joint_legend(svg *s, svg_point at)
     for (int j = 0; j < RIG_JOINTS; j++) {
         svg_paint paint = svg_fill(joint_colours[j], 1.0f);
         svg_circle(s, at, 6.0f, &paint);
-        svg_text(s, svg_at(at.x + 12.0f, at.y + 4.5f), &picture_text, names[j]);
+        svg_text(s, svg_at(at.x + 12.0f, at.y + 4.5f), &svg_sheet_text, names[j]);
         at.x += 86.0f;
     }
 }
@@ -232,7 +231,7 @@ int film_sheet(film *f, const char *path)
     int rows = (f->frames + COLUMNS - 1) / COLUMNS, ok = 1;
     float bottom = 84.0f + (float)rows * height;
     sprintf(title, "Four joints, %d frames, skinned by %s", f->frames, skinning(f->dual));
-    if (!picture_open(
+    if (!svg_sheet_open(
             &out, path, 1100.0f, bottom + 40.0f, title,
             "Key frames at 0, 1, 2, 3 and 4 s: the lesson's bend and back, a twist of 170 degrees, a hook. Colours are "
             "weights."))
@@ -286,7 +285,7 @@ int film_compare(film *f, const char *path)
 {
     svg out;
     const svg_box left = {60.0f, 92.0f, 300.0f, 330.0f}, right = {400.0f, 92.0f, 300.0f, 330.0f};
-    if (!picture_open(&out, path, 760.0f, 540.0f, "A twist of 170 degrees at joint 2",
+    if (!svg_sheet_open(&out, path, 760.0f, 540.0f, "A twist of 170 degrees at joint 2",
                       "Same keys and weights. The mean of two rotation matrices is not a rotation: it shrinks "
                       "the mesh."))
         return 0;

@@ -100,7 +100,7 @@ int picture_frames(const scene *s, const char *path)
     const float length = 0.42f;
     svg_paint border = svg_stroke(0x9a9aa2, 1.0f, 1.0f);
     svg_camera camera = svg_perspective(&s->view, PICTURE_FOV, centre, 448.0f);
-    if (!picture_open(&out, path, 1100.0f, 684.0f,
+    if (!svg_sheet_open(&out, path, 1100.0f, 684.0f,
                       "Every frame, 0.2 s apart: position by Hermite, orientation by slerp",
                       "Between two keys the dart turns about one axis at constant speed, on the shorter path."))
         return 0;
@@ -204,7 +204,7 @@ static int strip(svg *out, const scene *s, size_t segment, float yaw)
     int ok = 1;
     svg_text(out, svg_at(28.0f, 180.0f), &euler, "Euler angles");
     svg_text(out, svg_at(28.0f, 310.0f), &slerp, "slerp");
-    svg_text(out, svg_at(28.0f, 392.0f), &picture_text, "apart by");
+    svg_text(out, svg_at(28.0f, 392.0f), &svg_sheet_text, "apart by");
     for (int i = 0; i < STRIP; i++) {
         float t = scene_segment_time(s, segment, (float)i / (float)(STRIP - 1)), x = 196.0f + 136.0f * (float)i;
         nkw_mat4 e = turned(s, t, NKW_ORIENTATION_EULER), q = turned(s, t, NKW_ORIENTATION_SLERP);
@@ -347,7 +347,7 @@ int picture_frames_compare(const scene *s, const char *path)
         part.keys[k] = s->keys[first + k];
     sprintf(title, "Euler angles against slerp, from key %u to key %u", (unsigned)first,
             (unsigned)(first + part.count - 1));
-    if (!picture_open(&out, path, 1100.0f, 780.0f, title,
+    if (!svg_sheet_open(&out, path, 1100.0f, 780.0f, title,
                       "The same keys, times and positions (Hermite), every 0.2 s. By Euler angles the darts between "
                       "two keys swing aside."))
         return 0;
@@ -447,9 +447,9 @@ static void method_legend(svg *out, svg_point at)
 {
     svg_paint euler = svg_stroke(euler_colour, 3.2f, 1.0f), slerp = svg_stroke(slerp_colour, 3.2f, 1.0f);
     svg_line(out, at, svg_at(at.x + 30.0f, at.y), &euler);
-    svg_text(out, svg_at(at.x + 38.0f, at.y + 4.5f), &picture_text, "Euler angles");
+    svg_text(out, svg_at(at.x + 38.0f, at.y + 4.5f), &svg_sheet_text, "Euler angles");
     svg_line(out, svg_at(at.x + 140.0f, at.y), svg_at(at.x + 170.0f, at.y), &slerp);
-    svg_text(out, svg_at(at.x + 178.0f, at.y + 4.5f), &picture_text, "slerp");
+    svg_text(out, svg_at(at.x + 178.0f, at.y + 4.5f), &svg_sheet_text, "slerp");
 }
 
 int picture_orientation_compare(const scene *s, const char *path)
@@ -458,7 +458,7 @@ int picture_orientation_compare(const scene *s, const char *path)
     size_t segment = worst_segment(s);
     char title[96];
     sprintf(title, "Euler angles and slerp between key %u and key %u", (unsigned)segment, (unsigned)segment + 1);
-    if (!picture_open(&out, path, 1100.0f, 884.0f, title,
+    if (!svg_sheet_open(&out, path, 1100.0f, 884.0f, title,
                       "Same keys, same times. Slerp turns about one axis at constant speed. Euler angles take a longer "
                       "path at varying speed."))
         return 0;

@@ -8,10 +8,6 @@
 #include <nakawari/scalar.h>
 #include <nakawari/vec.h>
 
-const svg_font picture_text = {13.0f, 0x2b2b30, 's', 0, SVG_NONE};
-const svg_font picture_strong = {13.0f, 0x2b2b30, 's', 1, SVG_NONE};
-const svg_font picture_small = {11.0f, 0x55555c, 's', 0, SVG_NONE};
-
 typedef struct curve {
     nkw_position_method method;
     const char *name, *rule, *where;
@@ -27,16 +23,6 @@ static const curve curves[] = {
 enum { CURVES = sizeof curves / sizeof *curves };
 enum { PER_SECOND = 40, POINTS_MAX = 40 * SCENE_SECONDS_MAX + 2 };
 static const svg_colour axis_colours[3] = {0xd62728, 0x2ca02c, 0x1f5fd0};
-
-int picture_open(svg *s, const char *path, float width, float height, const char *title, const char *lesson)
-{
-    svg_font heading = {20.0f, 0x1d1d22, 's', 1, SVG_NONE}, below = {14.0f, 0x4a4a52, 's', 0, SVG_NONE};
-    if (!svg_open(s, path, width, height, title, lesson))
-        return 0;
-    svg_text(s, svg_at(24.0f, 36.0f), &heading, title);
-    svg_text(s, svg_at(24.0f, 60.0f), &below, lesson);
-    return 1;
-}
 
 const char *picture_key_name(const scene *s, size_t key, char text[SVG_DIGITS])
 {
@@ -195,11 +181,11 @@ static void curve_legend(svg *out, svg_point at)
         svg_paint stroke = svg_stroke(curves[c].colour, 3.0f, 1.0f), dot = svg_fill(curves[c].colour, 1.0f);
         svg_line(out, at, svg_at(at.x + 34.0f, at.y), &stroke);
         svg_circle(out, svg_at(at.x + 17.0f, at.y), 3.4f, &dot);
-        svg_text(out, svg_at(at.x + 44.0f, at.y + 4.5f), &picture_strong, curves[c].name);
-        svg_text(out, svg_at(at.x + 44.0f, at.y + 21.0f), &picture_small, curves[c].rule);
-        svg_text(out, svg_at(at.x + 44.0f, at.y + 35.0f), &picture_small, curves[c].where);
+        svg_text(out, svg_at(at.x + 44.0f, at.y + 4.5f), &svg_sheet_strong, curves[c].name);
+        svg_text(out, svg_at(at.x + 44.0f, at.y + 21.0f), &svg_sheet_small, curves[c].rule);
+        svg_text(out, svg_at(at.x + 44.0f, at.y + 35.0f), &svg_sheet_small, curves[c].where);
     }
-    svg_text(out, at, &picture_small, "One dot every 0.2 s.");
+    svg_text(out, at, &svg_sheet_small, "One dot every 0.2 s.");
 }
 
 static void axes_legend(svg *out, svg_point at)
@@ -209,12 +195,12 @@ static void axes_legend(svg *out, svg_point at)
     for (int i = 0; i < 3; i++, at.y += 22.0f) {
         svg_paint stroke = svg_stroke(axis_colours[i], 2.2f, 1.0f);
         svg_arrow(out, at, svg_at(at.x + 34.0f, at.y), &stroke);
-        svg_text(out, svg_at(at.x + 44.0f, at.y + 4.0f), &picture_small, names[i]);
+        svg_text(out, svg_at(at.x + 44.0f, at.y + 4.0f), &svg_sheet_small, names[i]);
     }
     nose.dash = "4 3";
     svg_arrow(out, at, svg_at(at.x + 34.0f, at.y), &nose);
-    svg_text(out, svg_at(at.x + 44.0f, at.y + 4.0f), &picture_small, "its nose: -z,");
-    svg_text(out, svg_at(at.x + 44.0f, at.y + 18.0f), &picture_small, "Hermite's tangent");
+    svg_text(out, svg_at(at.x + 44.0f, at.y + 4.0f), &svg_sheet_small, "its nose: -z,");
+    svg_text(out, svg_at(at.x + 44.0f, at.y + 18.0f), &svg_sheet_small, "Hermite's tangent");
 }
 
 int picture_trajectory_top(const scene *s, const char *path)
@@ -228,7 +214,7 @@ int picture_trajectory_top(const scene *s, const char *path)
     if (s->unit != 1.0f)
         plot.x.name = across;
     float width = plot.box.x + plot.box.width + 216.0f, height = plot.box.y + nkw_max(plot.box.height, 440.0f) + 56.0f;
-    if (!picture_open(&out, path, width, height, "Four curves through the same keys, seen from above",
+    if (!svg_sheet_open(&out, path, width, height, "Four curves through the same keys, seen from above",
                       s->own ? "The keys fix the position at their times; the method determines the path between them."
                              : "The keys fix the position once a second; the method determines the path between them."))
         return 0;
@@ -338,7 +324,7 @@ void picture_dart_legend(svg *s, svg_point at)
     for (int i = 0; i < 5; i++) {
         svg_paint paint = {parts[i].colour, 0x33333a, 0.6f, 1.0f, NULL};
         svg_circle(s, svg_at(at.x, at.y), 6.0f, &paint);
-        svg_text(s, svg_at(at.x + 12.0f, at.y + 4.5f), &picture_text, parts[i].text);
+        svg_text(s, svg_at(at.x + 12.0f, at.y + 4.5f), &svg_sheet_text, parts[i].text);
         at.x += widths[i];
     }
 }
@@ -347,7 +333,7 @@ int picture_trajectory_perspective(const scene *s, const char *path)
 {
     svg out;
     int ok = 1;
-    if (!picture_open(&out, path, 1080.0f, 800.0f, "The same curves in space, through the exercise's camera",
+    if (!svg_sheet_open(&out, path, 1080.0f, 800.0f, "The same curves in space, through the exercise's camera",
                       s->own ? "The darts are the keys. The surface between each curve and its shadow shows the "
                                "height."
                              : "The darts are the keys, with their times in seconds. The surface between each curve "

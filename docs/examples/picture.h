@@ -26,11 +26,6 @@ int picture_orientation_compare(const scene *s, const char *path);
 /** The exercise's field of view, 45 degrees, in radians. */
 #define PICTURE_FOV 0.785398163f
 
-extern const svg_font picture_text, picture_strong, picture_small;
-
-/** Opens the page and writes its heading: what is seen, and the lesson in one line. */
-int picture_open(svg *s, const char *path, float width, float height, const char *title, const char *lesson);
-
 /** "key 2 (2 s)" */
 const char *picture_key_name(const scene *s, size_t key, char text[SVG_DIGITS]);
 

@@ -354,3 +354,19 @@ float svg_area(const svg_point *points, size_t count)
     }
     return sum;
 }
+
+/* ---- sheets ---- */
+
+const svg_font svg_sheet_text = {13.0f, 0x2b2b30, 's', 0, SVG_NONE};
+const svg_font svg_sheet_strong = {13.0f, 0x2b2b30, 's', 1, SVG_NONE};
+const svg_font svg_sheet_small = {11.0f, 0x55555c, 's', 0, SVG_NONE};
+
+int svg_sheet_open(svg *s, const char *path, float width, float height, const char *title, const char *lesson)
+{
+    svg_font heading = {20.0f, 0x1d1d22, 's', 1, SVG_NONE}, below = {14.0f, 0x4a4a52, 's', 0, SVG_NONE};
+    if (!svg_open(s, path, width, height, title, lesson))
+        return 0;
+    svg_text(s, svg_at(24.0f, 36.0f), &heading, title);
+    svg_text(s, svg_at(24.0f, 60.0f), &below, lesson);
+    return 1;
+}

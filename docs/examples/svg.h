@@ -123,4 +123,12 @@ float svg_depth(const svg_camera *camera, nkw_vec3 p);
 /** Twice the area of a polygon of the page, positive where its corners run counter-clockwise to the eye. */
 float svg_area(const svg_point *points, size_t count);
 
+/* ---- sheets ---- */
+
+/** The fonts of labels on a sheet. */
+extern const svg_font svg_sheet_text, svg_sheet_strong, svg_sheet_small;
+
+/** Opens a sheet and writes its heading: what is seen, and the lesson in one line. 0 after an error, as svg_open. */
+int svg_sheet_open(svg *s, const char *path, float width, float height, const char *title, const char *lesson);
+
 #endif
