@@ -118,6 +118,45 @@ NKW_API nkw_result nkw_partition_validate(const nkw_partition_mesh *mesh, size_t
 NKW_API nkw_result nkw_partition_build(const nkw_partition_mesh *mesh, size_t max_joint_count, nkw_partition *out,
                                        size_t *bad_triangle, uint32_t *work, size_t work_count);
 
+/** What nkw_partition_vertices reads, beside the partition. */
+typedef struct nkw_partition_source {
+    const nkw_partition_mesh *mesh; /**< the mesh that the partition was built from */
+    const nkw_mat4 *inverse_bind; /**< mesh->joint_count affine matrices */
+    const nkw_vec3 *positions; /**< mesh->vertex_count positions in the bind pose */
+    const nkw_vec3 *normals; /**< mesh->vertex_count normals, or NULL */
+} nkw_partition_source;
+NKW_SIZE(nkw_partition_source, 32, 16);
+
+/** The number of floats of a vertex of nkw_partition_vertices: per slot a weight, a position, and a normal if any. */
+#define NKW_PARTITION_FLOATS(slot_count, normals) ((slot_count) * ((normals) ? 7 : 4))
+
+/**
+ * The vertices of a part in the spaces of its joints: for each of the part's joints the weight, and the position and
+ * normal in the space of that joint. A shader then needs the models of the joints only, no inverse bind matrices:
+ *
+ *     weight, x, y, z, nx, ny, nz     for slot 0, then for slot 1, ...
+ *     position(slot) = inverse_bind[joint] (p, 1)      normal(slot) = inverse_bind[joint] (n, 0)
+ *
+ *     p' = sum over slots of weight * model[joint] (position, 1)
+ *
+ * Positions and normals are not weighted. A slot whose joint does not influence the vertex has its position and the
+ * weight 0; slots after the part's joints are 0. A joint that a vertex names twice has the sum of both weights.
+ *
+ * slot_count  slots of a vertex; joints of the part after these are left out
+ * out         receives vertex i of the part from out[i * stride] on
+ * stride      floats from vertex to vertex, at least NKW_PARTITION_FLOATS(slot_count, normals). The floats after these
+ *             are not written: there is room for texture coordinates
+ * Returns     NKW_OK; NKW_OUT_OF_RANGE for an unknown part, and for one with an index outside the partition or the
+ *             mesh; NKW_TOO_SMALL for too small a stride. Nothing is written after an error
+ *
+ * Error   of p' against linear blend skinning, each coordinate: 2e-7 R for rigid joints and weights that sum to 1, R
+ *         the largest distance of vertices and joints from the origin.
+ * Source  the converter of skin models, スキンモデルデータの作成.
+ */
+NKW_API nkw_result nkw_partition_vertices(const nkw_partition *partition, size_t part,
+                                          const nkw_partition_source *source, size_t slot_count, float *out,
+                                          size_t stride);
+
 #ifdef __cplusplus
 }
 #endif

@@ -81,6 +81,21 @@ NKW_API nkw_result nkw_skeleton_order(const int32_t *node_parents, size_t joint_
                                       int32_t *node_of_joint, int32_t *parents, size_t *bad_joint);
 
 /**
+ * The depths of joints in any order, and the joints level by level: roots first, then their children, each level
+ * ascending by index. A parent then precedes its children, whatever the order of the file.
+ *
+ * parents      the parent's index; -1 for a root
+ * joint_count  at most 65536
+ * depths       receives the level of each joint; that of a root is 0
+ * order        receives the joints, joint_count of them; may be NULL
+ * bad_joint    receives the first joint that causes the error; may be NULL
+ * Returns      NKW_OK; NKW_OUT_OF_RANGE for a parent that is neither -1 nor a joint, and for more joints, *bad_joint is
+ *              then 65536; NKW_NOT_A_TREE for a joint that is its own ancestor. `order` is not written after an error
+ */
+NKW_API nkw_result nkw_skeleton_depths(const int32_t *parents, size_t joint_count, uint16_t *depths, uint32_t *order,
+                                       size_t *bad_joint);
+
+/**
  * A hierarchy as in D3DXFRAME: each node has a first child and a next sibling. Node 0 is the first root; its siblings
  * are the other roots.
  */

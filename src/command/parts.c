@@ -5,7 +5,6 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "joint_local.h"
 #include "json.h"
 #include "skinmodel.h"
 
@@ -174,10 +173,12 @@ static json_t *part_vertices(const skinmodel *s, const listed *l, int bind, size
     float *out = calloc(part->vertex_count * stride + 1, sizeof *out);
     if (!out)
         return NULL;
-    if (bind)
+    if (bind) {
         bind_vertices(s, l, out, stride);
-    else
-        joint_local_vertices(&l->from->mesh, p, l->part, slots, s->inverse_bind, s->positions, s->normals, out, stride);
+    } else {
+        const nkw_partition_source source = {&l->from->mesh, s->inverse_bind, s->positions, s->normals};
+        nkw_partition_vertices(p, l->part, &source, slots, out, stride);
+    }
     for (size_t i = 0; s->texcoords && i < part->vertex_count; i++)
         memcpy(out + i * stride + before_uv, s->texcoords + 2 * (size_t)p->vertices[part->first_vertex + i],
                2 * sizeof *out);

@@ -9,7 +9,6 @@
 #include <nakawari/skin.h>
 #include <nakawari/vec.h>
 
-#include "joint_local.h"
 
 static int complain(const nkw_document *d, size_t joint, const char *what)
 {
@@ -45,7 +44,7 @@ static int sort_bones(skinmodel *s, const nkw_document *d, const nkw_document_sk
         index[skin->joints[i]] = (int32_t)i;
     for (size_t i = 0; fine && i < count; i++)
         parents[i] = parent_in_skin(d, index, skin->joints[i]);
-    fine = fine && joints_by_depth(parents, count, depths, order, NULL) == NKW_OK;
+    fine = fine && nkw_skeleton_depths(parents, count, depths, order, NULL) == NKW_OK;
     for (size_t b = 0; fine && b < count; b++)
         rank[order[b]] = (uint16_t)b;
     for (size_t b = 0; fine && b < count; b++) {

@@ -107,6 +107,7 @@ export const lengths = {
   nkw_pose_from_models: { models: 'skeleton.jointCount' },
   nkw_locals_from_models: { models: 'skeleton.jointCount', locals: 'skeleton.jointCount' },
   nkw_models_from_locals: { locals: 'skeleton.jointCount', models: 'skeleton.jointCount' },
+  nkw_skeleton_depths: { parents: 'jointCount', depths: 'jointCount', order: 'jointCount' },
   nkw_skeleton_order: { node_parents: 'jointCount', joint_of_node: 'jointCount', node_of_joint: 'jointCount',
     parents: 'jointCount' },
   nkw_skeleton_from_tree: { joint_of_node: 'tree.firstChild.length', node_of_joint: 'tree.firstChild.length',
@@ -135,6 +136,7 @@ export const work = {
 
 // Public functions without a function in JavaScript, and why: names or whole stems.
 export const excluded = {
+  nkw_partition_vertices: 'it reads a partition, which is not kept: nkw_mat4_transform_point of the bind matrices',
   nkw_version: 'the version is in package.json',
   nkw_segment_find_n: 'nkw_segment_find for each time',
   nkw_fcurve_sample_cursor: 'nkw_fcurve_sample has the same bits',

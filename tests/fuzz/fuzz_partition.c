@@ -1,6 +1,5 @@
 /* SPDX-License-Identifier: MIT */
 #include "fuzz.h"
-#include "../../docs/examples/joint_local.h"
 
 #include <string.h>
 
@@ -88,7 +87,7 @@ static void check_partition(fuzz *f, const nkw_partition_mesh *m, const nkw_part
 }
 
 /* Writes within its rows, whatever the partition says of itself. */
-static void joint_local(fuzz *f, const nkw_partition_mesh *m, nkw_partition *p)
+static void part_vertices(fuzz *f, const nkw_partition_mesh *m, nkw_partition *p)
 {
     int normals = fuzz_byte(f) % 2;
     size_t slots = fuzz_byte(f) % 4 ? fuzz_upto(f, 6) : fuzz_huge(f), stride = fuzz_upto(f, 60);
@@ -105,8 +104,10 @@ static void joint_local(fuzz *f, const nkw_partition_mesh *m, nkw_partition *p)
         p->joints[fuzz_upto(f, p->joint_count - 1)] = (uint16_t)fuzz_bits(f);
     if (fuzz_byte(f) % 4 == 0 && p->vertex_count)
         p->joint_slots[fuzz_upto(f, p->vertex_count - 1)] = (uint16_t)fuzz_bits(f);
+    const nkw_partition_source source = {m, inverse_bind, positions, normals ? positions : NULL};
     for (size_t part = 0; part <= p->part_count; part++)
-        joint_local_vertices(m, p, part, slots, inverse_bind, positions, normals ? positions : NULL, out, stride);
+        nkw_partition_vertices(p, part, &source, slots, out, stride);
+    FUZZ_CHECK(nkw_partition_vertices(p, p->part_count, &source, 0, out, stride) == NKW_OUT_OF_RANGE);
 }
 
 static void build(fuzz *f, const nkw_partition_mesh *m)
@@ -124,7 +125,7 @@ static void build(fuzz *f, const nkw_partition_mesh *m)
     }
     FUZZ_CHECK(result == (p.rejected_count ? NKW_TOO_MANY : NKW_OK));
     check_partition(f, m, &p, max_joint_count);
-    joint_local(f, m, &p);
+    part_vertices(f, m, &p);
     FUZZ_CHECK(!m->triangle_count ||
                nkw_partition_build(m, max_joint_count, &p, NULL, work, sizes.work_count - 1) == NKW_TOO_SMALL);
 }
@@ -147,14 +148,14 @@ static void order(fuzz *f)
     const int32_t *parents = fuzz_byte(f) % 2 ? fuzz_parents(f, n, 1) : fuzz_links(f, n, n, fuzz_byte(f) % 2);
     uint16_t *depths = fuzz_block(f, 2 * n);
     uint32_t *by_depth = fuzz_block(f, 4 * n);
-    nkw_result result = joints_by_depth(parents, n, depths, by_depth, &bad);
+    nkw_result result = nkw_skeleton_depths(parents, n, depths, by_depth, &bad);
     FUZZ_CHECK(bad < n || bad == 0);
     for (size_t i = 0; result == NKW_OK && i < n; i++) {
         FUZZ_CHECK(by_depth[i] < n);
         FUZZ_CHECK(depths[i] == (parents[i] < 0 ? 0 : depths[parents[i]] + 1));
         FUZZ_CHECK(i == 0 || depths[by_depth[i - 1]] <= depths[by_depth[i]]);
     }
-    FUZZ_CHECK(joints_by_depth(parents, 65537, NULL, NULL, NULL) == NKW_OUT_OF_RANGE);
+    FUZZ_CHECK(nkw_skeleton_depths(parents, 65537, NULL, NULL, NULL) == NKW_OUT_OF_RANGE);
 }
 
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)

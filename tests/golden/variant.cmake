@@ -7,7 +7,7 @@ separate_arguments(flags UNIX_COMMAND "${FLAGS}")
 separate_arguments(link UNIX_COMMAND "${LINK}")
 file(GLOB sources RELATIVE "${SOURCE}" "${SOURCE}/src/*.c" "${SOURCE}/src/batch/*.c" "${SOURCE}/src/simd/*.c")
 file(GLOB inputs RELATIVE "${SOURCE}" "${SOURCE}/tests/support/data_*.c" "${SOURCE}/tests/support/random*.c"
-  "${SOURCE}/docs/examples/joint_local.c" "${SOURCE}/docs/examples/matrix_stack.c")
+  "${SOURCE}/docs/examples/matrix_stack.c")
 if(ONE)
   set(one "${WORK}/one.c")
   include("${CMAKE_CURRENT_LIST_DIR}/one.cmake")

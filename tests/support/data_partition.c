@@ -2,7 +2,6 @@
 #include "data.h"
 #include "hash.h"
 #include "random.h"
-#include "../../docs/examples/joint_local.h"
 
 #define TRIANGLES  157
 #define VERTICES   97
@@ -51,7 +50,7 @@ static void draw_joints(random_source *r)
         inverse_bind[b] = nkw_mat4_from_trs(&trs);
         parents[b] = b + 1 < JOINTS ? (int32_t)(b + 1 + random_bits(r) % (JOINTS - 1 - b)) : -1;
     }
-    joints_by_depth(parents, JOINTS, depths, order, NULL);
+    nkw_skeleton_depths(parents, JOINTS, depths, order, NULL);
 }
 
 static uint64_t hash_words(uint64_t hash, const uint32_t *words, size_t n)
@@ -99,12 +98,13 @@ uint64_t data_partition(void)
                                  (uint32_t)out.rejected_count};
         hash = hash_partition(hash_words(hash, head, 4), &out);
     }
+    const nkw_partition_source source = {&mesh, inverse_bind, positions, normals}, bare = {&mesh, inverse_bind, positions, NULL};
     for (size_t k = 0; k < out.part_count; k++) {
         size_t n = out.parts[k].vertex_count;
         memset(local, 0, sizeof local);
-        joint_local_vertices(&mesh, &out, k, SLOTS, inverse_bind, positions, normals, local, STRIDE);
+        nkw_partition_vertices(&out, k, &source, SLOTS, local, STRIDE);
         hash = hash_floats(hash, local, n * STRIDE);
-        joint_local_vertices(&mesh, &out, k, 3, inverse_bind, positions, NULL, local, 12);
+        nkw_partition_vertices(&out, k, &bare, 3, local, 12);
         hash = hash_floats(hash, local, n * 12);
     }
     return hash;

@@ -5,7 +5,6 @@
 #include "random.h"
 #include "support/expect.h"
 #include "support/partition.h"
-#include "../docs/examples/joint_local.h"
 
 static mesh_data data;
 
@@ -29,6 +28,13 @@ static void draw_pose(random_source *r)
         positions[v] = random_vec3(r, -1.5f, 1.5f);
         normals[v] = random_direction(r);
     }
+}
+
+static nkw_result vertices(const nkw_partition *p, size_t part, const nkw_vec3 *with, size_t slots, float *out,
+                           size_t stride)
+{
+    const nkw_partition_source source = {&data.mesh, bind, positions, with};
+    return nkw_partition_vertices(p, part, &source, slots, out, stride);
 }
 
 /* out += weight m (v, w) */
@@ -68,7 +74,7 @@ static void blend_local(const float *vertex, const uint16_t *joints, size_t coun
     }
 }
 
-static void joint_local_vertices_blend_as_linear_blend_skinning_does(void **state)
+static void vertices_blend_as_linear_blend_skinning_does(void **state)
 {
     (void)state;
     random_source r = random_from(7);
@@ -80,7 +86,7 @@ static void joint_local_vertices_blend_as_linear_blend_skinning_does(void **stat
     double worst = 0;
     for (size_t k = 0; k < p.part_count; k++) {
         const nkw_part *part = &p.parts[k];
-        joint_local_vertices(&data.mesh, &p, k, 8, bind, positions, normals, out, 60);
+        vertices(&p, k, normals, 8, out, 60);
         for (size_t i = 0; i < part->vertex_count; i++) {
             double got[6] = {0}, want[6] = {0};
             size_t v = p.vertices[part->first_vertex + i];
@@ -95,7 +101,7 @@ static void joint_local_vertices_blend_as_linear_blend_skinning_does(void **stat
     partition_free(&p);
 }
 
-static void joint_local_vertices_have_every_joint_of_the_part(void **state)
+static void vertices_have_every_joint_of_the_part(void **state)
 {
     (void)state;
     random_source r = random_from(8);
@@ -105,7 +111,7 @@ static void joint_local_vertices_have_every_joint_of_the_part(void **state)
     nkw_partition p = partition_build(&data.mesh, 3, NKW_OK);
     for (size_t i = 0; i < sizeof out / sizeof out[0]; i++)
         out[i] = -77;
-    joint_local_vertices(&data.mesh, &p, 0, 4, bind, positions, normals, out, 32);
+    vertices(&p, 0, normals, 4, out, 32);
     static const float weights[5][3] = {{1, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0.5f, 0.5f}, {0, 0, 1}};
     for (size_t v = 0; v < 5; v++) {
         for (size_t s = 0; s < 3; s++) {
@@ -121,7 +127,7 @@ static void joint_local_vertices_have_every_joint_of_the_part(void **state)
     partition_free(&p);
 }
 
-static void joint_local_vertices_without_normals_have_four_floats_to_a_slot(void **state)
+static void vertices_without_normals_have_four_floats_to_a_slot(void **state)
 {
     (void)state;
     random_source r = random_from(9);
@@ -129,9 +135,9 @@ static void joint_local_vertices_without_normals_have_four_floats_to_a_slot(void
     mesh_strip(&data);
     draw_pose(&r);
     nkw_partition p = partition_build(&data.mesh, 3, NKW_OK);
-    assert_int_equal(JOINT_LOCAL_FLOATS(2, 0), 8);
-    assert_int_equal(JOINT_LOCAL_FLOATS(4, 1), 28);
-    joint_local_vertices(&data.mesh, &p, 0, 2, bind, positions, NULL, out, 8);
+    assert_int_equal(NKW_PARTITION_FLOATS(2, 0), 8);
+    assert_int_equal(NKW_PARTITION_FLOATS(4, 1), 28);
+    vertices(&p, 0, NULL, 2, out, 8);
     nkw_vec3 position = {out[8 * 3 + 5], out[8 * 3 + 6], out[8 * 3 + 7]};
     expect_bits(out[8 * 3 + 0], 0.0f);
     expect_bits(out[8 * 3 + 4], 0.5f);
@@ -150,107 +156,27 @@ static void a_joint_that_is_named_twice_has_both_weights(void **state)
         data.weights[i] = 0.25f;
     bind[0] = nkw_mat4_identity();
     nkw_partition p = partition_build(&data.mesh, 1, NKW_OK);
-    joint_local_vertices(&data.mesh, &p, 0, 1, bind, positions, NULL, out, 4);
+    vertices(&p, 0, NULL, 1, out, 4);
     expect_bits(out[0], 0.5f);
     partition_free(&p);
 }
 
-static void joint_local_writes_nothing_for_no_part_and_for_a_short_stride(void **state)
+static void vertices_write_nothing_for_no_part_and_for_a_short_stride(void **state)
 {
     (void)state;
     float out[4] = {5, 5, 5, 5}, before[4] = {5, 5, 5, 5};
     mesh_strip(&data);
     nkw_partition p = partition_build(&data.mesh, 3, NKW_OK);
-    joint_local_vertices(&data.mesh, &p, 3, 1, bind, positions, NULL, out, 4);
-    joint_local_vertices(&data.mesh, &p, 0, 1, bind, positions, NULL, out, 3);
-    joint_local_vertices(&data.mesh, &p, 0, 1, bind, positions, normals, out, 6);
-    joint_local_vertices(&data.mesh, &p, 0, SIZE_MAX / 4 + 1, bind, positions, NULL, out, 0);
+    assert_int_equal(vertices(&p, 3, NULL, 1, out, 4), NKW_OUT_OF_RANGE);
+    assert_int_equal(vertices(&p, 0, NULL, 1, out, 3), NKW_TOO_SMALL);
+    assert_int_equal(vertices(&p, 0, normals, 1, out, 6), NKW_TOO_SMALL);
+    assert_int_equal(vertices(&p, 0, NULL, SIZE_MAX / 4 + 1, out, 0), NKW_TOO_SMALL);
     expect_floats_bits(out, before, 4);
     partition_free(&p);
 }
 
-static void joints_come_roots_first_and_level_by_level(void **state)
-{
-    (void)state;
-    static const int32_t parents[] = {3, 0, 0, -1, 1, -1, 3};
-    static const uint16_t want_depths[] = {1, 2, 2, 0, 3, 0, 1};
-    static const uint32_t want[] = {3, 5, 0, 6, 1, 2, 4};
-    uint16_t depths[7];
-    uint32_t order[7];
-    size_t bad = 99;
-    assert_int_equal(joints_by_depth(parents, 7, depths, order, &bad), NKW_OK);
-    assert_int_equal(bad, 0);
-    assert_memory_equal(depths, want_depths, sizeof depths);
-    assert_memory_equal(order, want, sizeof order);
-    assert_int_equal(joints_by_depth(parents, 7, depths, NULL, NULL), NKW_OK);
-    assert_int_equal(joints_by_depth(NULL, 0, NULL, NULL, &bad), NKW_OK);
-}
-
-static void a_chain_of_all_joints_is_ordered_either_way(void **state)
-{
-    (void)state;
-    static int32_t parents[65536];
-    static uint16_t depths[65536];
-    static uint32_t order[65536];
-    for (int up = 0; up < 2; up++) {
-        for (int32_t b = 0; b < 65536; b++)
-            parents[b] = up ? b - 1 : b == 65535 ? -1 : b + 1;
-        assert_int_equal(joints_by_depth(parents, 65536, depths, order, NULL), NKW_OK);
-        for (uint32_t b = 0; b < 65536; b++) {
-            assert_int_equal(order[b], up ? b : 65535 - b);
-            assert_int_equal(depths[b], up ? b : 65535 - b);
-        }
-    }
-}
-
-static void random_trees_are_ordered_parents_first(void **state)
-{
-    (void)state;
-    random_source r = random_from(10);
-    for (size_t round = 0; round < 100; round++) {
-        size_t n = 1 + random_bits(&r) % 200, place[200];
-        int32_t parents[200];
-        uint16_t depths[200];
-        uint32_t order[200];
-        /* Tree over i, under the names (i * 7 + 3) mod n where that is one to one. */
-        size_t step = n % 7 ? 7 : 1;
-        for (size_t i = 0; i < n; i++)
-            parents[(i * step + 3) % n] =
-                i == 0 || random_bits(&r) % 20 == 0 ? -1 : (int32_t)((random_bits(&r) % i * step + 3) % n);
-        assert_int_equal(joints_by_depth(parents, n, depths, order, NULL), NKW_OK);
-        for (size_t i = 0; i < n; i++)
-            place[order[i]] = i;
-        for (size_t b = 0; b < n; b++) {
-            assert_int_equal(order[place[b]], b);
-            assert_int_equal(depths[b], parents[b] < 0 ? 0 : depths[parents[b]] + 1);
-            assert_true(parents[b] < 0 || place[parents[b]] < place[b]);
-        }
-    }
-}
-
-static void expect_no_order(const int32_t *parents, size_t joints, nkw_result result, size_t joint)
-{
-    uint16_t depths[8];
-    uint32_t order[8] = {77};
-    size_t bad = 99;
-    assert_int_equal(joints_by_depth(parents, joints, depths, order, &bad), result);
-    assert_int_equal(bad, joint);
-    assert_int_equal(order[0], 77);
-}
-
-static void parents_that_make_no_tree_are_named(void **state)
-{
-    (void)state;
-    static const int32_t below[] = {-1, -2}, beyond[] = {-1, 0, 3}, own[] = {-1, 1}, cycle[] = {-1, 0, 4, 2, 3, 1};
-    expect_no_order(below, 2, NKW_OUT_OF_RANGE, 1);
-    expect_no_order(beyond, 3, NKW_OUT_OF_RANGE, 2);
-    expect_no_order(own, 2, NKW_NOT_A_TREE, 1);
-    expect_no_order(cycle, 6, NKW_NOT_A_TREE, 2);
-    expect_no_order(NULL, 65537, NKW_OUT_OF_RANGE, 65536);
-}
-
 /* Runs that leave the partition, joints and vertices that leave the mesh: one number wrong at a time. */
-static void joint_local_writes_nothing_for_a_partition_that_is_not_sound(void **state)
+static void vertices_write_nothing_for_a_partition_that_is_not_sound(void **state)
 {
     (void)state;
     float out[5 * 12], before[5 * 12];
@@ -280,13 +206,13 @@ static void joint_local_writes_nothing_for_a_partition_that_is_not_sound(void **
             part->joint_count = UINT32_MAX;
         else
             part->vertex_count = UINT32_MAX;
-        joint_local_vertices(&data.mesh, &p, 0, 3, bind, positions, NULL, out, 12);
+        assert_int_equal(vertices(&p, 0, NULL, 3, out, 12), NKW_OUT_OF_RANGE);
         expect_floats_bits(out, before, 60);
         p.joints[whole.first_joint] = joint;
         p.vertices[whole.first_vertex] = vertex;
     }
     *part = whole;
-    joint_local_vertices(&data.mesh, &p, 0, 3, bind, positions, NULL, out, 12);
+    assert_int_equal(vertices(&p, 0, NULL, 3, out, 12), NKW_OK);
     assert_true(out[0] != 5.0f);
     partition_free(&p);
 }
@@ -294,16 +220,12 @@ static void joint_local_writes_nothing_for_a_partition_that_is_not_sound(void **
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(joint_local_vertices_blend_as_linear_blend_skinning_does),
-        cmocka_unit_test(joint_local_vertices_have_every_joint_of_the_part),
-        cmocka_unit_test(joint_local_vertices_without_normals_have_four_floats_to_a_slot),
+        cmocka_unit_test(vertices_blend_as_linear_blend_skinning_does),
+        cmocka_unit_test(vertices_have_every_joint_of_the_part),
+        cmocka_unit_test(vertices_without_normals_have_four_floats_to_a_slot),
         cmocka_unit_test(a_joint_that_is_named_twice_has_both_weights),
-        cmocka_unit_test(joint_local_writes_nothing_for_no_part_and_for_a_short_stride),
-        cmocka_unit_test(joints_come_roots_first_and_level_by_level),
-        cmocka_unit_test(a_chain_of_all_joints_is_ordered_either_way),
-        cmocka_unit_test(random_trees_are_ordered_parents_first),
-        cmocka_unit_test(parents_that_make_no_tree_are_named),
-        cmocka_unit_test(joint_local_writes_nothing_for_a_partition_that_is_not_sound),
+        cmocka_unit_test(vertices_write_nothing_for_no_part_and_for_a_short_stride),
+        cmocka_unit_test(vertices_write_nothing_for_a_partition_that_is_not_sound),
     };
-    return cmocka_run_group_tests_name("partition_joints", tests, NULL, NULL);
+    return cmocka_run_group_tests_name("partition_vertices", tests, NULL, NULL);
 }
