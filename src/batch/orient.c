@@ -127,7 +127,8 @@ static inline int is_near(float t)
     return lane_abs(t) < (float)LANE_T_NEAR;
 }
 
-static inline nkw_quat slerp_near(nkw_quat a, nkw_quat b, float t)
+/* Inlined with what it calls, without which Clang does not vectorise the loops. */
+NKW_ALWAYS_INLINE LANE_FLAT nkw_quat slerp_near(nkw_quat a, nkw_quat b, float t)
 {
     return lane_quat_slerp_turned(a, b, t, NKW_PATH_SHORT, 1);
 }
