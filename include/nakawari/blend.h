@@ -51,12 +51,16 @@ static inline nkw_mask_view nkw_mask_view_from_span(nkw_mask_span mask)
  *          yields infinities and NaN, also where the mask is 0.
  * Returns  the result code. out is exactly a at t = 0 and exactly b at t = 1, except that a rotation of b is negated if
  *          its dot product with that of a is negative.
+ *
+ * Stack  at most 16 KiB.
  */
 NKW_API nkw_result nkw_pose_blend(nkw_pose_view a, nkw_pose_view b, float t, nkw_mask_view mask, nkw_pose_span out);
 
 /**
  * The same with nkw_quat_slerp for the rotations: the angular velocity is constant in t. Rotations must be finite also
  * where the mask is 0.
+ *
+ * Stack  at most 17 KiB.
  */
 NKW_API nkw_result nkw_pose_blend_slerp(nkw_pose_view a, nkw_pose_view b, float t, nkw_mask_view mask,
                                         nkw_pose_span out);
@@ -99,6 +103,7 @@ NKW_SIZE(nkw_pose_layer, 40, 20);
  *
  * Error  9.5 u of rotations, for up to eight layers (5.0 u for up to four); 7.8 u of the largest of the translations or
  *        scales (7.5 u where the rest pose takes no weight).
+ * Stack  at most 13 KiB.
  */
 NKW_API nkw_result nkw_pose_blend_layers(const nkw_pose_layer *layers, size_t layer_count, nkw_pose_view rest,
                                          float threshold, nkw_pose_span out);
@@ -136,6 +141,8 @@ typedef enum nkw_additive {
  *
  * Where a scale of ref is 0, the ratio is 1. Rotations are computed in binary64 and rounded once. The inverse of a
  * rotation of ref is its conjugate divided by its squared length; a zero quaternion counts as no rotation.
+ *
+ * Stack  at most 3 KiB.
  */
 NKW_API nkw_result nkw_pose_additive_build(nkw_pose_view a, nkw_pose_view ref, nkw_additive side, nkw_pose_span out);
 
@@ -154,6 +161,7 @@ NKW_API nkw_result nkw_pose_additive_build(nkw_pose_view a, nkw_pose_view ref, n
  *
  * Error   2.7 u of rotations in apply(build(a, ref), ref) against a; scales 2.0 u of themselves, translations 1.0 u of
  *         |a - ref| + |a|.
+ * Stack  at most 11 KiB.
  */
 NKW_API nkw_result nkw_pose_additive_apply(nkw_pose_view base, nkw_pose_view delta, nkw_additive side, float weight,
                                            nkw_mask_view mask, nkw_pose_span out);

@@ -144,6 +144,8 @@ typedef struct nkw_clip nkw_clip;
  *     NKW_TOO_SMALL     work_count is too small
  *
  * and the errors of nkw_track_validate for each track.
+ *
+ * Stack  at most 16 KiB.
  */
 NKW_API nkw_result nkw_clip_measure(const nkw_clip_source *source, size_t *bytes, size_t *bad_track, uint32_t *work,
                                     size_t work_count);
@@ -153,6 +155,8 @@ NKW_API nkw_result nkw_clip_measure(const nkw_clip_source *source, size_t *bytes
  *
  * block    bytes bytes, at least the size from nkw_clip_measure; aligned for float, 64-byte alignment is fastest
  * Returns  as nkw_clip_measure; NKW_TOO_SMALL also if `bytes` is too small
+ *
+ * Stack  at most 16 KiB.
  */
 NKW_API nkw_result nkw_clip_build(const nkw_clip_source *source, void *block, size_t bytes, size_t *bad_track,
                                   uint32_t *work, size_t work_count);
@@ -236,6 +240,8 @@ NKW_API nkw_result nkw_clip_track_shape(const nkw_clip *clip, size_t index, nkw_
  * work     work_count floats, at least NKW_CLIP_TRACK_WORK of the clip's joints and floats
  * Returns  NKW_OK; NKW_OUT_OF_RANGE after the last track, and for a track whose parts are not together; NKW_TOO_SMALL
  *          for too little memory
+ *
+ * Stack  at most 15 KiB.
  */
 NKW_API nkw_result nkw_clip_track_get(const nkw_clip *clip, size_t index, const nkw_edit_memory *memory,
                                       nkw_clip_track *out, float *work, size_t work_count);
@@ -251,6 +257,8 @@ NKW_API size_t nkw_clip_cursor_count(const nkw_clip *clip);
  * pose     receives all joints; its padding may be written; data may be NULL
  * floats   receives nkw_clip_float_count(clip) floats; may be NULL
  * Returns  NKW_OK; NKW_MISMATCHED for a pose with another number of joints: nothing is written
+ *
+ * Stack  at most 15 KiB.
  */
 NKW_API nkw_result nkw_clip_sample(const nkw_clip *clip, float time, uint32_t *cursors, nkw_pose_span pose,
                                    float *floats);
@@ -269,6 +277,8 @@ NKW_API size_t nkw_clip_cache_bytes(const nkw_clip *clip);
  *          for float, 64-byte alignment is fastest
  * bytes    at least nkw_clip_cache_bytes(clip)
  * Returns  as nkw_clip_sample; NKW_TOO_SMALL if `bytes` is too small: nothing is written
+ *
+ * Stack  at most 15 KiB.
  */
 NKW_API nkw_result nkw_clip_sample_cached(const nkw_clip *clip, float time, nkw_pose_span pose, float *floats,
                                           void *cache, size_t bytes);
@@ -297,6 +307,8 @@ NKW_SIZE(nkw_clip_error, 16, 16);
  * work     work_count floats, at least NKW_CLIP_DIFFERENCE_WORK of the clip's joints and floats
  * Returns  NKW_OK; NKW_MISMATCHED for another number of joints or floats, or for a track without keys or with a
  *          target, kind, width or index that nkw_clip_measure rejects; NKW_TOO_SMALL for too small a work_count
+ *
+ * Stack  at most 15 KiB.
  */
 NKW_API nkw_result nkw_clip_difference(const nkw_clip *clip, const nkw_clip_source *source, nkw_clip_error *error,
                                        float *work, size_t work_count);

@@ -67,6 +67,8 @@ NKW_SIZE(nkw_clip_memory, 32, 16);
 /**
  * Checks a source as nkw_clip_measure does, and computes a bound of the bytes that nkw_clip_reduce needs. The clip that
  * it builds is much smaller: copy its first nkw_clip_reduced.bytes bytes.
+ *
+ * Stack  at most 16 KiB.
  */
 NKW_API nkw_result nkw_clip_reduce_measure(const nkw_clip_source *source, size_t *bytes, size_t *bad_track,
                                            double *work, size_t work_count);
@@ -103,6 +105,8 @@ NKW_API nkw_result nkw_clip_reduce_measure(const nkw_clip_source *source, size_t
  * Where a tolerance is so small that the trials do not reach it, tracks are stored as FLOAT32: `share` is at most 1.
  *
  * Time: 17 to 33 trials. A clip of 67 joints and 301 keys takes 0.4 to 1 s.
+ *
+ * Stack  at most 17 KiB.
  */
 NKW_API nkw_result nkw_clip_reduce(const nkw_clip_source *source, const nkw_clip_reduction *reduction,
                                    const nkw_clip_memory *memory, nkw_clip_reduced *reduced, size_t *bad_track);
@@ -122,6 +126,8 @@ NKW_SIZE(nkw_reduced, 32, 20);
  *
  * work     work_count doubles, at least NKW_CLIP_REDUCE_WORK of the tracks, joints and floats
  * Returns  as nkw_clip_measure; NKW_TOO_SMALL also if the bytes exceed size_t
+ *
+ * Stack  at most 16 KiB.
  */
 NKW_API nkw_result nkw_clip_source_reduce_measure(const nkw_clip_source *source, size_t *bytes, size_t *bad_track,
                                                   double *work, size_t work_count);
@@ -145,6 +151,8 @@ NKW_API nkw_result nkw_clip_source_reduce_measure(const nkw_clip_source *source,
  *          finite; NKW_TOO_SMALL for too little memory
  *
  * Time: at most 29 trials. A clip of 93 tracks and 16,829 keys takes 0.6 s.
+ *
+ * Stack  at most 16 KiB.
  */
 NKW_API nkw_result nkw_clip_source_reduce(const nkw_clip_source *source, const nkw_clip_reduction *reduction,
                                           const nkw_clip_memory *memory, nkw_clip_source *out, nkw_reduced *reduced,
@@ -160,6 +168,8 @@ NKW_API nkw_result nkw_clip_source_reduce(const nkw_clip_source *source, const n
  * work           as above, for the source with more tracks
  * Returns        as nkw_clip_source_reduce_measure for either; NKW_MISMATCHED for another number of joints or floats;
  *                NKW_NOT_FINITE as above
+ *
+ * Stack  at most 16 KiB.
  */
 NKW_API nkw_result nkw_clip_source_difference(const nkw_clip_source *source, const nkw_clip_source *other,
                                               const nkw_clip_reduction *reduction, nkw_reduced *difference,

@@ -121,6 +121,8 @@ NKW_API void nkw_crowd_palette_from_models(nkw_crowd_matrices_view models, const
  *
  * Returns NKW_OK, or NKW_BAD_FORMAT if the joints or the weights have a format that does not fit; all vectors are then
  * copied.
+ *
+ * Stack  at most 14 KiB.
  */
 NKW_API nkw_result nkw_crowd_skin_linear(const nkw_skin *skin, nkw_crowd_matrices_view palette, int skip_normalization,
                                          const nkw_vertices_view *in, const nkw_vertices_span *outs);
@@ -148,6 +150,8 @@ NKW_SIZE(nkw_crowd_players, 24, 12);
  * work     work_count floats, at least NKW_CROWD_SAMPLE_FLOATS(nkw_clip_joint_count(clip)); receives the poses of the
  *          lanes (pose.h), contiguous
  * Returns  NKW_MISMATCHED if crowd has another number of joints than the clip; NKW_TOO_SMALL for work_count
+ *
+ * Stack  at most 15 KiB.
  */
 NKW_API nkw_result nkw_crowd_sample(const nkw_clip *clip, const nkw_crowd_players *players, nkw_crowd_poses_span crowd,
                                     float *work, size_t work_count);
@@ -189,6 +193,8 @@ NKW_API nkw_result nkw_crowd_source_validate(const nkw_crowd_source *source, siz
  * work     work_count floats, at least NKW_CROWD_BAKE_FLOATS(skeleton->joint_count, source->joint_count)
  * Returns  NKW_MISMATCHED if the clip has another number of joints than the skeleton, or the chunk than the skin;
  *          NKW_TOO_SMALL for work_count; nothing is then written
+ *
+ * Stack  at most 17 KiB.
  */
 NKW_API nkw_result nkw_crowd_bake(const nkw_crowd_source *source, const nkw_palette_chunk *chunk,
                                   const nkw_range *frames, nkw_mat4 *buffer, float *work, size_t work_count);

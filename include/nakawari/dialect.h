@@ -161,6 +161,8 @@ NKW_API nkw_result nkw_css_from_fcurve_keys(const nkw_fcurve_key keys[2], float 
  * keys       receives spline->count keys
  * work       as for nkw_spline_tangents
  * Returns    those of nkw_spline_tangents; NKW_OUT_OF_RANGE for the component
+ *
+ * Stack  at most 2 KiB.
  */
 NKW_API nkw_result nkw_fcurve_keys_from_spline(const nkw_spline *spline, size_t component, nkw_fcurve_key *keys,
                                                size_t *bad_key, double *work, size_t work_count);
@@ -190,6 +192,8 @@ NKW_API nkw_result nkw_fcurve_keys_from_track(const nkw_track *track, size_t com
  * Returns     NKW_OK; NKW_EMPTY for width 0; those of nkw_fcurve_validate; NKW_OUT_OF_RANGE for a negative or NaN
  *             tolerance; NKW_BAD_METHOD if a curve whose keys begin later or end earlier than others cycles there;
  *             NKW_TOO_SMALL for too little memory
+ *
+ * Stack  at most 2 KiB.
  */
 NKW_API nkw_result nkw_track_from_fcurves(const nkw_fcurve *curves, size_t width, float tolerance,
                                           const nkw_track_memory *memory, nkw_track *out, float *difference);
@@ -204,6 +208,8 @@ NKW_API nkw_result nkw_track_from_fcurves(const nkw_fcurve *curves, size_t width
  * tolerance   radians
  * difference  receives the largest angle between track and curves found, as above
  * Returns     those of nkw_track_from_fcurves
+ *
+ * Stack  at most 2 KiB.
  */
 NKW_API nkw_result nkw_track_from_euler_fcurves(const nkw_fcurve angles[3], nkw_euler_order order, float tolerance,
                                                 const nkw_track_memory *memory, nkw_track *out, float *difference);

@@ -56,6 +56,7 @@ NKW_SIZE(nkw_fit_memory, 40, 20);
  *
  * Source de Boor, A Practical Guide to Splines, 1978; Schneider, An Algorithm for Automatically Fitting Digitized
  *        Curves, Graphics Gems, 1990.
+ * Stack  at most 2 KiB.
  */
 NKW_API nkw_result nkw_track_fit(const nkw_track *track, float tolerance, const nkw_fit_memory *memory, nkw_track *out,
                                  float *difference);

@@ -83,6 +83,7 @@ NKW_SIZE(nkw_ik_two_bone_solution, 60, 60);
  *
  * Error  2.8 u of a + b: the distance of the end from a target within reach, by the rounded rotations.
  * Source Holden, Simple Two Joint IK, 2017; Nicholas, Soft IK, xsi-blog.com, article 108, 2007 (soft reach).
+ * Stack  at most 2 KiB.
  */
 NKW_API nkw_ik_two_bone_solution nkw_ik_two_bone_solve(const nkw_ik_two_bone *limb);
 
@@ -124,6 +125,7 @@ NKW_SIZE(nkw_ik_aim_solution, 20, 20);
  * Error  2.0 u of 1 rad: the angle that the ray misses by the rounded rotation, if offset is zero. With an offset more
  *        where d is near h, as the square root has.
  * Source Guillaume Blanc, ozz-animation, ik_aim_job (the sphere and the pole), 2019.
+ * Stack  at most 2 KiB.
  */
 NKW_API nkw_ik_aim_solution nkw_ik_aim_solve(const nkw_ik_aim *aim);
 
@@ -170,6 +172,7 @@ NKW_SIZE(nkw_ik_chain_result, 8, 8);
  * solution exists.
  *
  * Source Wang, Chen, A Combined Optimization Method for Solving the Inverse Kinematics Problem, 1991.
+ * Stack  at most 2 KiB.
  */
 NKW_API nkw_ik_chain_result nkw_ik_ccd_solve(const nkw_ik_chain *chain, const nkw_ik_goal *goal, nkw_quat *rotations);
 
@@ -184,6 +187,7 @@ NKW_API nkw_ik_chain_result nkw_ik_ccd_solve(const nkw_ik_chain *chain, const nk
  *            infinite
  *
  * Source Aristidou, Lasenby, FABRIK: A Fast, Iterative Solver for the Inverse Kinematics Problem, 2011.
+ * Stack  at most 2 KiB.
  */
 NKW_API nkw_ik_chain_result nkw_ik_fabrik_solve(const nkw_ik_chain *chain, const nkw_ik_goal *goal, nkw_quat *rotations,
                                                 nkw_vec3 *work, size_t work_count);
@@ -214,6 +218,8 @@ NKW_SIZE(nkw_ik_limb, 72, 56);
  * Returns  NKW_OK; NKW_MISMATCHED if the pose has another number of joints than the skeleton; NKW_OUT_OF_RANGE for a
  *          joint after the last; NKW_NOT_ORDERED if mid is not a descendant of root, or end not of mid; nothing is then
  *          changed
+ *
+ * Stack  at most 2 KiB.
  */
 NKW_API nkw_result nkw_ik_pose_two_bone(const nkw_ik_pose *pose, const nkw_ik_limb *limb, float *error);
 
@@ -231,6 +237,8 @@ NKW_SIZE(nkw_ik_look, 88, 84);
 /**
  * nkw_ik_aim_solve on a pose: changes the local rotation of one joint. Arguments and results as nkw_ik_pose_two_bone.
  * To share a look between spine, neck and head, call it for each with weights, from the spine on, with updated models.
+ *
+ * Stack  at most 2 KiB.
  */
 NKW_API nkw_result nkw_ik_pose_aim(const nkw_ik_pose *pose, const nkw_ik_look *look, float *error);
 
@@ -259,6 +267,8 @@ NKW_SIZE(nkw_ik_reach, 56, 40);
  * work     work_count floats, at least NKW_IK_CHAIN_WORK(reach->joint_count)
  * Returns  as nkw_ik_pose_two_bone; NKW_EMPTY for joint_count 0; NKW_OUT_OF_RANGE if `end` has fewer ancestors;
  *          NKW_TOO_SMALL for work_count
+ *
+ * Stack  at most 3 KiB.
  */
 NKW_API nkw_result nkw_ik_pose_chain(const nkw_ik_pose *pose, const nkw_ik_reach *reach, nkw_ik_chain_result *result,
                                      float *work, size_t work_count);

@@ -199,6 +199,7 @@ NKW_SIZE(nkw_body_motion, 52, 52);
  *           negated
  *
  * Error  as nkw_vec3_cubic_point and nkw_rotation_evaluate.
+ * Stack  at most 3 KiB.
  */
 NKW_API nkw_body_motion nkw_body_motion_between(const nkw_body_motion *a, const nkw_body_motion *b, float duration,
                                                 float t);

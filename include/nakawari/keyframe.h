@@ -127,12 +127,18 @@ NKW_API nkw_result nkw_keyframes_validate(const nkw_keyframe *keys, size_t count
  *
  * At the time of a key, all methods but Bezier and B-spline return the position of the key bit for bit; step, slerp,
  * squad and Catmull-Rom return the matrix of its orientation.
+ *
+ * Stack  at most 3 KiB.
  */
 NKW_API nkw_result nkw_keyframes_sample(const nkw_keyframe *keys, size_t count, float time,
                                         nkw_position_method position, nkw_orientation_method orientation,
                                         nkw_mat4 *out);
 
-/** The same with all intermediate values. trace->position and trace->rotation are those of the matrix. */
+/**
+ * The same with all intermediate values. trace->position and trace->rotation are those of the matrix.
+ *
+ * Stack  at most 4 KiB.
+ */
 NKW_API nkw_result nkw_keyframes_trace(const nkw_keyframe *keys, size_t count, float time,
                                        nkw_position_method position, nkw_orientation_method orientation,
                                        nkw_keyframe_trace *trace);

@@ -193,6 +193,9 @@ NKW_API nkw_vec3 nkw_euler_lerp(nkw_vec3 a, nkw_vec3 b, float t, nkw_unwrap unwr
  * The same functions over component arrays: element i of the result is computed from the elements i, with the bits of
  * the scalar function. The functions in _at_n use one t for all elements. See types.h for the rules of all batch
  * functions.
+ *
+ * Stack  at most 16 KiB in nkw_quat_slerp_n; 9 KiB in nkw_quat_nlerp_n, nkw_quat_nlerp_at_n; 8 KiB in
+ *        nkw_quat_slerp_at_n; 2 KiB in nkw_quat_log_n.
  */
 NKW_API void nkw_quat_nlerp_n(nkw_quat_view a, nkw_quat_view b, const float *t, nkw_quat_span out, size_t n);
 NKW_API void nkw_quat_nlerp_at_n(nkw_quat_view a, nkw_quat_view b, float t, nkw_quat_span out, size_t n);

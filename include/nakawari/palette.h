@@ -104,6 +104,8 @@ NKW_SIZE(nkw_palette_source, 48, 24);
  *                                       rigid joints 1.3
  *     NKW_PALETTE_DUAL_QUAT       1.5   of the rotation, for rigid joints
  *     NKW_PALETTE_NORMAL_...      1.0   of the Frobenius norm, from the joint matrix
+ *
+ * Stack  at most 5 KiB.
  */
 NKW_API nkw_result nkw_palette_from_models(const nkw_palette_source *source, nkw_palette_span out);
 
@@ -124,6 +126,7 @@ NKW_API nkw_result nkw_mat4_from_palette(nkw_palette_view palette, nkw_mat4 *out
  * joint_count matrices and may be models if joints is NULL.
  *
  * Error  10.0 u without global_inverse, of the norms that nkw_mat4_inverse_affine states.
+ * Stack  at most 5 KiB.
  */
 NKW_API void nkw_inverse_bind_from_models(const nkw_palette_source *source, nkw_mat4 *out);
 

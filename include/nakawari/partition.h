@@ -114,6 +114,8 @@ NKW_API nkw_result nkw_partition_validate(const nkw_partition_mesh *mesh, size_t
  *
  * The parts are the same on every target. The time grows linearly with the number of triangles. With more than a few
  * thousand different sets of joints it grows with parts * max_joint_count * (sets that contain the same joint).
+ *
+ * Stack  at most 2 KiB.
  */
 NKW_API nkw_result nkw_partition_build(const nkw_partition_mesh *mesh, size_t max_joint_count, nkw_partition *out,
                                        size_t *bad_triangle, uint32_t *work, size_t work_count);

@@ -147,6 +147,8 @@ typedef enum nkw_polycurve_ends {
  * up       the direction that the first normal should be near
  * Returns  NKW_OK; NKW_EMPTY without segments or for steps 0; NKW_TOO_SMALL if frame_count is less than
  *          NKW_POLYCURVE_LENGTHS(count, steps); after an error nothing is written
+ *
+ * Stack  at most 2 KiB.
  */
 NKW_API nkw_result nkw_polycurve_frames(const nkw_polycurve *curve, size_t steps, nkw_polycurve_ends ends, nkw_vec3 up,
                                         nkw_curve_frame *frames, size_t frame_count);

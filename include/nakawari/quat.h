@@ -231,6 +231,8 @@ NKW_API void nkw_quat_to_wxyz(nkw_quat q, float wxyz[4]);
 /**
  * The same functions over component arrays: element i of the result is computed from the elements i, with the bits of
  * the scalar function. See types.h for the rules of all batch functions.
+ *
+ * Stack  at most 6 KiB in nkw_quat_from_mat3_n; 2 KiB in nkw_quat_normalize_n.
  */
 NKW_API void nkw_quat_mul_n(nkw_quat_view a, nkw_quat_view b, nkw_quat_span out, size_t n);
 NKW_API void nkw_quat_normalize_n(nkw_quat_view q, nkw_quat_span out, size_t n);

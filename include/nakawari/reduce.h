@@ -56,6 +56,8 @@ extern "C" {
  * The difference of numbers is exact at all times, to the rounding of samples: between two keys of the source it is a
  * cubic, whose extremes are computed in binary64. That of rotations is measured at the keys of the source and at 1/4,
  * 1/2 and 3/4 between them, and may be 1/16 larger between these times: it is kept within 16/17 of the tolerance.
+ *
+ * Stack  at most 2 KiB.
  */
 NKW_API nkw_result nkw_track_reduce(const nkw_track *track, float tolerance, const nkw_edit_memory *memory,
                                     nkw_track *out, float *difference);

@@ -124,6 +124,7 @@ NKW_API nkw_trs nkw_root_delta(const nkw_root_cycle *cycle, const nkw_trs *from,
  * After n loops the character is at the same place, to the rounding of this result, as after n times one loop.
  *
  * Error  1.2 u, relative as nkw_root_delta.
+ * Stack  at most 2 KiB.
  */
 NKW_API nkw_trs nkw_root_place(const nkw_trs *origin, const nkw_root_cycle *cycle, const nkw_trs *now, double number);
 

@@ -157,6 +157,7 @@ NKW_API nkw_rotation_segment nkw_rotation_bspline(const nkw_quat controls[4], fl
  * Error  1.1 u of the orientation; 1.0 u of the velocity, of S = the sum of |bi' vi|; 1.0 u of the acceleration, of S^2
  *        + the sum of |bi'' vi|; for t in 0..1, against exact arithmetic on the fields of the segment. For SQUAD S and
  *        the sum are replaced by 4 and 16 times the largest angle between two of its control values, at most 2 rad.
+ * Stack  at most 3 KiB.
  */
 NKW_API nkw_rotation_state nkw_rotation_evaluate(const nkw_rotation_segment *segment, float t);
 

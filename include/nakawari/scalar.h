@@ -337,7 +337,11 @@ NKW_API float nkw_angle_difference(float from, float to);
 
 /* ---- arrays ---- */
 
-/** nkw_sincos of n angles, with the same bits. See types.h for the rules of all batch functions. */
+/**
+ * nkw_sincos of n angles, with the same bits. See types.h for the rules of all batch functions.
+ *
+ * Stack  at most 2 KiB.
+ */
 NKW_API void nkw_sincos_n(const float *angle, float *sine, float *cosine, size_t n);
 
 #ifdef __cplusplus

@@ -130,6 +130,7 @@ NKW_SIZE(nkw_skin_palette, 56, 28);
  * Error  6.2 u of normals, with rigid joints up to 1 rad apart (4.5 u up to four influences), 3.2 u of their length; of
  *        positions 4.8 u of |w0| |M0| |p| + |w1| |M1| |p| + ..., |M| the Frobenius norm of three rows, |p| that of
  *        (p, 1). 1 to 8 influences.
+ * Stack  at most 16 KiB.
  */
 NKW_API nkw_result nkw_skin_linear(const nkw_skin *skin, const nkw_skin_palette *palette, const nkw_vertices_view *in,
                                    const nkw_vertices_span *out);
@@ -141,6 +142,7 @@ NKW_API nkw_result nkw_skin_linear(const nkw_skin *skin, const nkw_skin_palette 
  *
  * Error  10.6 u of normals (8.4 u up to four influences), 3.1 u of their length; of positions 10.5 u of |p| +
  *        |w0| |t0| + |w1| |t1| + ..., t the translations; joints up to 1 rad apart, 1 to 8 influences.
+ * Stack  at most 17 KiB.
  */
 NKW_API nkw_result nkw_skin_dual_quat(const nkw_skin *skin, nkw_palette_view palette, const nkw_vertices_view *in,
                                       const nkw_vertices_span *out);

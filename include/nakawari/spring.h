@@ -214,7 +214,11 @@ NKW_API void nkw_spring_timed_step(nkw_spring_timed *timed, nkw_motion *motion, 
 /** The same of a vector: each component with the bits of nkw_spring_timed_step. */
 NKW_API void nkw_vec3_spring_timed_step(nkw_spring_timed *timed, nkw_vec3_motion *motion, nkw_vec3_motion *point,
                                         nkw_vec3 goal, float h);
-/** The same of a rotation, by nkw_quat_spring_step; the point rotates along the shorter arc to the goal. */
+/**
+ * The same of a rotation, by nkw_quat_spring_step; the point rotates along the shorter arc to the goal.
+ *
+ * Stack  at most 2 KiB.
+ */
 NKW_API void nkw_quat_spring_timed_step(nkw_spring_timed *timed, nkw_quat_motion *motion, nkw_quat_motion *point,
                                         nkw_quat goal, float h);
 

@@ -273,6 +273,8 @@ NKW_API nkw_result nkw_track_resample(const nkw_track *track, float rate, const 
  * memory   for at least as many keys as the source has
  * rate     receives the rate; 0 after an error; 1 for a track of one key or of duration 0, which becomes one key
  * Returns  NKW_OK; NKW_EMPTY, NKW_BAD_WIDTH and NKW_TOO_SMALL as above; NKW_NO_RATE if no rate is within the tolerance
+ *
+ * Stack  at most 2 KiB.
  */
 NKW_API nkw_result nkw_track_resample_within(const nkw_track *track, float tolerance, const nkw_track_memory *memory,
                                              nkw_track *out, float *rate);

@@ -80,6 +80,8 @@ NKW_SIZE(nkw_pose_motion, 32, 16);
  * to        the first pose of the new motion
  * duration  seconds
  * out       receives the offsets
+ *
+ * Stack  at most 2 KiB.
  */
 NKW_API nkw_result nkw_pose_inertia_begin(const nkw_pose_motion *from, const nkw_pose_motion *to, float duration,
                                           nkw_pose_inertia out);
@@ -87,6 +89,8 @@ NKW_API nkw_result nkw_pose_inertia_begin(const nkw_pose_motion *from, const nkw
 /**
  * The pose t seconds after the transition began, from the pose of the new motion at that time. From the duration on it
  * is that pose, bit for bit: then the transition may be dropped.
+ *
+ * Stack  at most 3 KiB.
  */
 NKW_API nkw_result nkw_pose_inertia_evaluate(nkw_pose_inertia inertia, nkw_pose_view to, float t, nkw_pose_span out);
 
@@ -107,6 +111,8 @@ NKW_API nkw_result nkw_pose_dead_blend_begin(const nkw_pose_motion *from, nkw_po
 /**
  * The pose t seconds after the transition began: nkw_vec3_dead_blend_evaluate for translations and scales,
  * nkw_quat_dead_blend_evaluate for rotations. The state receives the differences of the rotations.
+ *
+ * Stack  at most 5 KiB.
  */
 NKW_API nkw_result nkw_pose_dead_blend_evaluate(nkw_pose_dead_blend blend, nkw_pose_view to, float t,
                                                 nkw_pose_span out);

@@ -144,6 +144,8 @@ NKW_ALGEBRA int nkw_vec3_is_finite(nkw_vec3 a);
 /**
  * The same functions over component arrays: element i of the result is computed from the elements i, with the bits of
  * the scalar function. See types.h for the rules of all batch functions.
+ *
+ * Stack  at most 2 KiB in nkw_vec3_normalize_n.
  */
 NKW_API void nkw_vec3_normalize_n(nkw_vec3_view a, nkw_vec3_span out, size_t n);
 NKW_API void nkw_vec3_lerp_n(nkw_vec3_view a, nkw_vec3_view b, const float *t, nkw_vec3_span out, size_t n);
