@@ -12,11 +12,15 @@
 
 #if defined(FE_DIVBYZERO) && defined(FE_INVALID) && defined(FE_OVERFLOW)
 #define EXCEPTION_DIVISION FE_DIVBYZERO
+#if defined(__clang__) /* computes with unused parts of registers: the page has the reason */
+#define EXCEPTION_OVERFLOW 0
+#define EXCEPTION_INVALID  0
+#elif defined(__aarch64__) /* conversions */
 #define EXCEPTION_OVERFLOW FE_OVERFLOW
-#if defined(__clang__) || defined(__aarch64__)
-#define EXCEPTION_INVALID 0 /* of unused parts of registers, and of conversions: the page has the reasons */
+#define EXCEPTION_INVALID  0
 #else
-#define EXCEPTION_INVALID FE_INVALID
+#define EXCEPTION_OVERFLOW FE_OVERFLOW
+#define EXCEPTION_INVALID  FE_INVALID
 #endif
 #define EXCEPTIONS (EXCEPTION_DIVISION | EXCEPTION_INVALID | EXCEPTION_OVERFLOW)
 #else
