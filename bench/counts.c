@@ -8,13 +8,12 @@
 #include <string.h>
 
 #include <nakawari/nakawari.h>
-#include <valgrind/callgrind.h>
 
-#include "random.h"
 #include "loops.h"
 #include "views.h"
+#include "counted.h"
 
-enum { N = 1024, JOINTS = 67, KEYS = 301 };
+enum { JOINTS = 67, KEYS = 301 };
 
 /* What is written has external linkage, so that no compiler drops it. */
 nkw_quat q_out[N];
@@ -24,12 +23,8 @@ nkw_trs trs_out[N];
 nkw_segment segments[N];
 float out[16][N];
 
-static nkw_quat qa[N], qb[N];
-static nkw_vec3 p[4][N];
 static nkw_trs trs[N];
-static nkw_mat3 turn[N];
-static nkw_mat4 ma[N], mb[N];
-static float t[N], x[N], parts[24][N], ends[N], times[KEYS], values[JOINTS * KEYS * 10], pose[NKW_POSE_FLOATS(JOINTS)];
+static float x[N], parts[24][N], ends[N], times[KEYS], values[JOINTS * KEYS * 10], pose[NKW_POSE_FLOATS(JOINTS)];
 static nkw_clip_track tracks[3 * JOINTS];
 static uint32_t work[NKW_CLIP_WORK(3 * JOINTS)], cursors[8];
 static float blocks[3][2 * JOINTS * KEYS * 16];
@@ -40,28 +35,14 @@ static float crowd[NKW_CROWD_POSE_FLOATS(JOINTS)], crowd_models[NKW_CROWD_MATRIX
 static uint16_t skin_joints[4 * N];
 static float skin_weights[4 * N], skinned[6 * N], tangents[3 * N], vertices[6 * N];
 
-/* One count: a name, and the code between. */
-#define COUNT(name, code)                                                                                              \
-    do {                                                                                                               \
-        CALLGRIND_ZERO_STATS;                                                                                          \
-        code;                                                                                                          \
-        CALLGRIND_DUMP_STATS_AT(name);                                                                                 \
-    } while (0)
-#define EACH(name, code) COUNT(name, for (size_t i = 0; i < N; i++) code)
-
 static void draw_values(random_source *r)
 {
     for (size_t i = 0; i < N; i++) {
-        qa[i] = random_rotation(r);
-        qb[i] = random_rotation(r);
-        for (int k = 0; k < 4; k++)
-            p[k][i] = random_vec3(r, -1, 1);
+        draw_element(r, i);
         nkw_trs place = {random_vec3(r, -1, 1), random_rotation(r), random_vec3(r, 0.5f, 2)};
         trs[i] = place;
-        turn[i] = nkw_mat3_from_quat(qb[i]);
         ma[i] = nkw_mat4_from_trs(&place);
-        mb[i] = nkw_mat4_from_mat3(&turn[i], p[0][i]);
-        t[i] = random_unit(r);
+        draw_matrices(r, i);
         x[i] = random_between(r, -1, 1);
         for (int k = 0; k < 24; k++)
             parts[k][i] = k < 4 ? (&qa[i].x)[k] : k < 8 ? (&qb[i].x)[k - 4] : random_between(r, -1, 1);

@@ -4,12 +4,7 @@
  * with fma, where GCC may contract and the headers declare prototypes only. COUNTS_AS is the name before each row.
  * Every t and every rotation is random, so no branch on one can be learnt. Runs under callgrind, as counts.c does.
  */
-#include <nakawari/nakawari.h>
-#include <valgrind/callgrind.h>
-
-#include "random.h"
-
-enum { N = 1024 };
+#include "counted.h"
 
 #ifdef __cplusplus
 extern "C" {
@@ -27,31 +22,12 @@ float f_out[N];
 }
 #endif
 
-static nkw_quat qa[N], qb[N];
-static nkw_vec3 p[4][N];
-static nkw_mat3 turn[N];
-static nkw_mat4 ma[N], mb[N];
-static float t[N];
-
-#define EACH(name, code)                                                                                               \
-    do {                                                                                                               \
-        CALLGRIND_ZERO_STATS;                                                                                          \
-        for (size_t i = 0; i < N; i++)                                                                                 \
-            code;                                                                                                      \
-        CALLGRIND_DUMP_STATS_AT(COUNTS_AS " " name);                                                                   \
-    } while (0)
-
 static void draw_values(random_source *r)
 {
     for (size_t i = 0; i < N; i++) {
-        qa[i] = random_rotation(r);
-        qb[i] = random_rotation(r);
-        for (int k = 0; k < 4; k++)
-            p[k][i] = random_vec3(r, -1, 1);
-        turn[i] = nkw_mat3_from_quat(qb[i]);
+        draw_element(r, i);
         ma[i] = nkw_mat4_from_quat(qa[i]);
-        mb[i] = nkw_mat4_from_mat3(&turn[i], p[0][i]);
-        t[i] = random_unit(r);
+        draw_matrices(r, i);
     }
 }
 

@@ -11,18 +11,15 @@ cmake_minimum_required(VERSION 3.22)
 #     cmake -DDOCS=docs -P docs/generate/ja.cmake
 set(counters "つ|本|枚|行|列|点|個|回|秒|番|種|次|語|階|刻|周|乗|段|フレーム|式|人|体|桁|節|者")
 
-# Reads a page. Characters with a meaning in lists are replaced: [ ] ; and the backslash.
+include("${CMAKE_CURRENT_LIST_DIR}/text.cmake")
+
+# Reads a page; [ ] ; and the backslash are characters that no page has.
 function(read_page path out)
-  file(READ "${path}" text)
   string(ASCII 1 open)
   string(ASCII 2 close)
   string(ASCII 3 semicolon)
   string(ASCII 4 backslash)
-  string(REPLACE "\r\n" "\n" text "${text}")
-  string(REPLACE "[" "${open}" text "${text}")
-  string(REPLACE "]" "${close}" text "${text}")
-  string(REPLACE ";" "${semicolon}" text "${text}")
-  string(REPLACE "\\" "${backslash}" text "${text}")
+  read_text("${path}" "${open}" "${close}" "${semicolon}" "${backslash}" text)
   set(${out} "${text}" PARENT_SCOPE)
 endfunction()
 

@@ -3,16 +3,10 @@ cmake_minimum_required(VERSION 3.22)
 # names its tests has one. Lists that claim all have all. (Computed numbers: tests/support/page.h.)
 set(root "${SOURCE}")
 
-# A text whose lines can be a list: [ ] ; \ are other characters.
-function(read_lines path out)
-  file(READ "${path}" text)
-  string(REPLACE "\r\n" "\n" text "${text}")
-  string(REPLACE "[" "<" text "${text}")
-  string(REPLACE "]" ">" text "${text}")
-  string(REPLACE ";" "," text "${text}")
-  string(REPLACE "\\" "/" text "${text}")
-  set(${out} "${text}" PARENT_SCOPE)
-endfunction()
+include("${root}/docs/generate/text.cmake")
+macro(read_lines path out)
+  read_text("${path}" "<" ">" "," "/" ${out})
+endmacro()
 
 # ---- what there is ----
 

@@ -14,10 +14,10 @@
 
 #include "../support/exceptions.h"
 #include "../support/hash.h"
+#include "../support/isas.h"
 #include "../support/random.h"
 #include "../support/random_clip.h"
 #if defined(STACK_PHASES)
-#include "simd/isa.h"
 static nkwi_isa loop_isa; /* the library's own choice */
 #else
 #include "../support/loops.h"
@@ -333,19 +333,5 @@ static int run_isa(nkwi_isa tested, const char *isa)
 
 int main(void)
 {
-    int failed = run_isa(NKWI_ISA_GENERIC, "generic");
-#if defined(NKW_HAVE_AVX2)
-    if (__builtin_cpu_supports("avx2"))
-        failed += run_isa(NKWI_ISA_AVX2, "avx2");
-    else
-        printf("padding: avx2 skipped, this processor has none\n");
-#endif
-#if defined(NKW_HAVE_AVX512)
-    if (__builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512dq") && __builtin_cpu_supports("avx512vl") &&
-        __builtin_cpu_supports("avx512bw"))
-        failed += run_isa(NKWI_ISA_AVX512, "avx512");
-    else
-        printf("padding: avx512 skipped, this processor has none\n");
-#endif
-    return failed > 0;
+    return run_isas("padding", run_isa) > 0;
 }

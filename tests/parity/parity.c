@@ -13,6 +13,7 @@
 
 #include "../support/data.h"
 #include "../support/exceptions.h"
+#include "../support/isas.h"
 #include "../support/put.h"
 #include "../support/random.h"
 #include "../support/loops.h"
@@ -216,19 +217,5 @@ static int run_isa(nkwi_isa tested, const char *isa)
 
 int main(void)
 {
-    int failed = run_isa(NKWI_ISA_GENERIC, "generic");
-#if defined(NKW_HAVE_AVX2)
-    if (__builtin_cpu_supports("avx2"))
-        failed += run_isa(NKWI_ISA_AVX2, "avx2");
-    else
-        printf("parity: avx2 skipped, this processor has none\n");
-#endif
-#if defined(NKW_HAVE_AVX512)
-    if (__builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512dq") && __builtin_cpu_supports("avx512vl") &&
-        __builtin_cpu_supports("avx512bw"))
-        failed += run_isa(NKWI_ISA_AVX512, "avx512");
-    else
-        printf("parity: avx512 skipped, this processor has none\n");
-#endif
-    return failed > 0;
+    return run_isas("parity", run_isa) > 0;
 }

@@ -1,0 +1,10 @@
+# A text whose lines can be a list of CMake: [ ] ; and the backslash, which have a meaning there, become other characters.
+function(read_text path open close semicolon backslash out)
+  file(READ "${path}" text)
+  string(REPLACE "\r\n" "\n" text "${text}")
+  string(REPLACE "[" "${open}" text "${text}")
+  string(REPLACE "]" "${close}" text "${text}")
+  string(REPLACE ";" "${semicolon}" text "${text}")
+  string(REPLACE "\\" "${backslash}" text "${text}")
+  set(${out} "${text}" PARENT_SCOPE)
+endfunction()
