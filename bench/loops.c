@@ -3,7 +3,7 @@
  * The loops of the library by the instruction set of the build that is measured, BENCH_LOOPS, and not by the widest of
  * the processor. Arrays that are shorter than a vector use a narrower one, as the library chooses.
  */
-#include "simd/isa.h"
+#include "simd/processor.h"
 
 static inline nkwi_isa isa_for(size_t n)
 {

@@ -11,8 +11,8 @@
 #include <nakawari/keyframe.h>
 
 #include "options.h"
-#include "report.h"
-#include "trace.h"
+#include "exercise/write.h"
+#include "exercise/trace.h"
 
 /* Exit codes. */
 enum { DONE, NOT_WRITTEN, MISUSED };

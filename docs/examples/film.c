@@ -10,7 +10,7 @@
 #include <nakawari/scalar.h>
 #include <nakawari/vec.h>
 
-#include "space.h"
+#include "draw/space.h"
 
 static const svg_colour joint_colours[RIG_JOINTS] = {0xd55e00, 0x2f7fd1, 0x2ca05a, 0x9a4fb0};
 

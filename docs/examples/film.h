@@ -8,7 +8,7 @@
 #define FILM_H
 
 #include "rig.h"
-#include "svg.h"
+#include "draw/svg.h"
 
 typedef struct film {
     const rig *rig;

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* Arcs between two rotations: how fast, which way, and whose sign. */
 #include "figure.h"
-#include "sphere.h"
+#include "draw/sphere.h"
 
 #include <stdio.h>
 

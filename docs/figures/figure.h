@@ -7,8 +7,8 @@
 #ifndef FIGURE_H
 #define FIGURE_H
 
-#include "space.h"
-#include "svg.h"
+#include "draw/space.h"
+#include "draw/svg.h"
 
 #define F(name, draw) int draw(const char *path);
 #include "list.h"

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* A rotation in two parts, and the mean of two rotations. */
 #include "figure.h"
-#include "sphere.h"
+#include "draw/sphere.h"
 
 #include <nakawari/orient.h>
 #include <nakawari/quat.h>

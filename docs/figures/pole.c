@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* Euler angles: the detour of their interpolation, and the pole. */
 #include "figure.h"
-#include "sphere.h"
+#include "draw/sphere.h"
 
 #include <stdio.h>
 

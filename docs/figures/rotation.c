@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* Smooth curves through the same rotations: their speed, and their path. */
 #include "figure.h"
-#include "sphere.h"
+#include "draw/sphere.h"
 
 #include <nakawari/rotation.h>
 #include <nakawari/quat.h>

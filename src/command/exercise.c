@@ -6,8 +6,8 @@
 #include <nakawari/pose.h>
 
 #include "command.h"
-#include "report.h"
-#include "trace.h"
+#include "exercise/write.h"
+#include "exercise/trace.h"
 
 static const options_text text = {
     "[OPTION...] SCENE",

@@ -5,7 +5,7 @@
 
 #include <stdio.h>
 
-#include "svg.h"
+#include "draw/svg.h"
 
 /** Pixels of a PNG for one of SVG. */
 enum { PAGE_SCALE = 2 };

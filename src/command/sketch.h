@@ -4,7 +4,7 @@
 #define SKETCH_H
 
 #include "canvas.h"
-#include "svg.h"
+#include "draw/svg.h"
 
 typedef struct sketch_shape {
     canvas_layer layer;

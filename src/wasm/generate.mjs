@@ -12,8 +12,8 @@ import { adapters, excluded, excludedStems, objectStems, parts, partial } from '
 const here = new URL('.', import.meta.url).pathname;
 
 export function readAll(root) {
-  const cmake = readFileSync(`${root}/src/stems.cmake`, 'utf8');
-  const stems = [...cmake.matchAll(/set\(NKW_FLOOR_\d([^)]*)\)/g)].flatMap(m => m[1].trim().split(/\s+/));
+  const cmake = readFileSync(`${root}/src/subjects.cmake`, 'utf8');
+  const stems = [...cmake.matchAll(/set\(NKW_STEMS_\w+ ([^)]*)\)/g)].flatMap(m => m[1].trim().split(/\s+/));
   return { ...readHeaders(`${root}/include/nakawari`, stems, objectStems), stems };
 }
 

@@ -27,7 +27,7 @@ range, to one equal or opposite to another, or to any other number. It keeps the
 After 3000 changes without an increase it starts again from other samples. The columns samples and rms do not include
 the search. Noted rows are not searched. A row may be of an earlier run that found more, if the function is the same.
 ")
-include("${CMAKE_CURRENT_LIST_DIR}/../../src/stems.cmake")
+include("${CMAKE_CURRENT_LIST_DIR}/../../src/subjects.cmake")
 foreach(stem IN LISTS NKW_STEMS)
   if(NOT EXISTS "${CMAKE_CURRENT_LIST_DIR}/accuracy_${stem}.c")
     continue()

@@ -23,7 +23,7 @@ endif()
 foreach(kind IN ITEMS NKW_STATIC NKW_SHARED)
   set(object "${WORK}/${kind}.obj")
   execute_process(COMMAND "${CLANG}" --target=x86_64-pc-windows-msvc -std=c99 -ffreestanding -O2 -Wall -Wextra -Werror
-    -DNKW_BUILD "-D${kind}" "-I${WORK}/include" "-I${SOURCE}/src" "-I${SOURCE}/include" -c "${SOURCE}/src/algebra.c"
+    -DNKW_BUILD "-D${kind}" "-I${WORK}/include" "-I${SOURCE}/src/kernel" "-I${SOURCE}/include" -c "${SOURCE}/src/curve/algebra.c"
     -o "${object}" COMMAND_ERROR_IS_FATAL ANY)
   execute_process(COMMAND "${NM}" -g --defined-only "${object}" OUTPUT_VARIABLE symbols COMMAND_ERROR_IS_FATAL ANY)
   foreach(name IN LISTS declared)

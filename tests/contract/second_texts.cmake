@@ -3,7 +3,7 @@ cmake_minimum_required(VERSION 3.25)
 #
 #     Second text of NAME[ and NAME ...]; GAIN times faster.
 #
-# is in src/pack or include/nakawari/inline, gains at least 1.3, and has a row in the table of docs/simd.md:
+# is in src/kernel/pack or include/nakawari/inline, gains at least 1.3, and has a row in the table of docs/simd.md:
 #
 #     | `NAME`[, `NAME` ...] | `path` | GAIN | how measured |
 file(GLOB_RECURSE files "${SOURCE}/src/*.[ch]" "${SOURCE}/include/*.h")
@@ -23,7 +23,7 @@ foreach(file IN LISTS files)
     set(gain "${CMAKE_MATCH_3}")
     string(REPLACE " and " "," names "${CMAKE_MATCH_1}")
     list(APPEND marks "${names} ${path} ${gain}")
-    if(NOT path MATCHES "^(src/pack|include/nakawari/inline)/")
+    if(NOT path MATCHES "^(src/kernel/pack|include/nakawari/inline)/")
       message(SEND_ERROR "second_texts: ${path} has a second text")
     endif()
     if(gain VERSION_LESS 1.3)

@@ -51,7 +51,7 @@ endfunction()
 
 # The number of lines with 256-bit registers in the part of an object for an architecture.
 function(wide name architecture out)
-  set(object "${WORK}/${name}/src/CMakeFiles/nakawari_avx2.dir/batch/vec.c.o")
+  set(object "${WORK}/${name}/src/CMakeFiles/nakawari_avx2.dir/kernel/batch/vec.c.o")
   execute_process(COMMAND "${NKW_llvm_objdump}" -d "--arch=${architecture}" "${object}" OUTPUT_VARIABLE text
     ERROR_VARIABLE ignored RESULT_VARIABLE result)
   string(REGEX MATCHALL "%ymm[0-9]" found "${text}")

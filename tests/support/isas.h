@@ -5,7 +5,7 @@
 
 #include <stdio.h>
 
-#include "simd/isa.h"
+#include "simd/processor.h"
 
 /* Asks the processor, not nkwi_isa_for. Returns the sum of what `run` returns: what failed. */
 static inline int run_isas(const char *program, int (*run)(nkwi_isa tested, const char *isa))

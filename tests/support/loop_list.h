@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /*
- * LOOPS lists all loops of the library (src/batch/isa.h). A program that defines NKW_ISA_FOR(name, n) and expands
- * LOOPS(NKW_DISPATCH) in one of its files replaces the functions of src/simd: its macro chooses the instruction set. The
+ * LOOPS lists all loops of the library (src/kernel/batch/isa.h). A program that defines NKW_ISA_FOR(name, n) and expands
+ * LOOPS(NKW_DISPATCH) in one of its files replaces the functions of src/kernel/simd: its macro chooses the instruction set. The
  * program links the static library.
  */
 #ifndef NAKAWARI_LOOP_LIST_H

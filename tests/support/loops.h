@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /*
- * The functions of all loops (src/batch/isa.h), in place of the library's in src/simd: by the instruction set
+ * The functions of all loops (src/kernel/batch/isa.h), in place of the library's in src/kernel/simd: by the instruction set
  * `loop_isa`, and counted in `loop_runs`. For one file of a program that is linked with the static library.
  */
 #ifndef NAKAWARI_LOOPS_H

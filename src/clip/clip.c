@@ -1,0 +1,269 @@
+/* SPDX-License-Identifier: MIT */
+#include "lane/strict.h"
+
+#include <string.h>
+
+#include <nakawari/clip.h>
+#include <nakawari/segment.h>
+
+#include "batch/clip.h"
+#include "clip_cache.h"
+#include "clip_layout.h"
+#include "clip_packed.h"
+#include "clip_sample.h"
+#include "lane/orient.h"
+#include "pack/slerp.h"
+#include "curve/segment_search.h"
+
+size_t nkw_clip_joint_count(const nkw_clip *clip)
+{
+    return clip->joints;
+}
+
+size_t nkw_clip_float_count(const nkw_clip *clip)
+{
+    return clip->floats;
+}
+
+size_t nkw_clip_bytes(const nkw_clip *clip)
+{
+    return (size_t)clip->words * 4;
+}
+
+float nkw_clip_start(const nkw_clip *clip)
+{
+    return clip->start;
+}
+
+float nkw_clip_end(const nkw_clip *clip)
+{
+    return clip->end;
+}
+
+const char *nkw_clip_name(const nkw_clip *clip)
+{
+    return clip_name(clip, 0);
+}
+
+const char *nkw_clip_joint_name(const nkw_clip *clip, size_t joint)
+{
+    return joint < clip->joints ? clip_name(clip, 1 + joint) : "";
+}
+
+size_t nkw_clip_cursor_count(const nkw_clip *clip)
+{
+    return clip->timeline_count;
+}
+
+/* Copies the runs at `at`: the constants, and zeros of short gaps, which the groups then overwrite. */
+static void copy_runs(const nkw_clip *clip, uint32_t at, uint32_t count, float *out)
+{
+    const clip_run *runs = (const clip_run *)(const void *)(clip_words(clip) + at);
+    for (uint32_t r = 0; r < count; r++)
+        memcpy(out + runs[r].to, clip_floats(clip, runs[r].values), runs[r].count * sizeof(float));
+}
+
+/*
+ * The segment of the time: that of the cursor or a neighbour of it, the one by the rate, or by a search of all keys,
+ * all with the same result. The cursor is a hint only: any number is safe. Its segment is tried first, because the rest
+ * of the sample then does not wait for the conversion of the time to an index.
+ */
+static nkw_segment find(const nkw_clip *clip, const clip_timeline *line, float time, uint32_t *cursor)
+{
+    const float *times = clip_floats(clip, line->times);
+    const segment_times all = segment_times_of(times, line->count);
+    nkw_segment segment;
+    size_t k;
+    if (cursor && line->count > 1 && segment_is_near(all, time, *cursor, &k))
+        segment = segment_at(all, time, k);
+    else if (line->rate > 0.0f)
+        segment = nkw_segment_find_even(times, line->count, line->rate, time);
+    else
+        segment = nkw_segment_find(times, line->count, time);
+    if (cursor)
+        *cursor = (uint32_t)segment.index;
+    return segment;
+}
+
+/* The first value of a key: at its start; in CUBICSPLINE keys after the in-tangents of all lanes. */
+static const float *values_of(const clip_group *g, const float *key)
+{
+    return key + (g->interpolation == NKW_INTERPOLATION_CUBICSPLINE ? clip_rows(g) * g->lanes : 0);
+}
+
+/* The values of one key: STEP, and at the time of a key. CUBICSPLINE rotations have 4 rows in a value, LINEAR 5. */
+static void hold(const nkw_clip *clip, const clip_group *g, const float *key, float *out, size_t stride)
+{
+    int is_cubic = g->interpolation == NKW_INTERPOLATION_CUBICSPLINE;
+    const float *values = values_of(g, key);
+    const clip_block *blocks = clip_blocks(clip, g);
+    if (g->kind == GROUP_ROTATIONS)
+        nkwi_clip_quat_hold(values, is_cubic ? clip_rows(g) : clip_key_rows(g), (int)g->normalized, blocks,
+                            g->block_count, out, stride);
+    else
+        nkwi_clip_hold(values, blocks, g->block_count, out);
+}
+
+/* Hermite between the keys a and b. duration: seconds from a to b. */
+static void cubic(const nkw_clip *clip, const clip_group *g, const float *a, const float *b, float duration, float t,
+                  float *out, size_t stride)
+{
+    size_t words = clip_rows(g) * g->lanes;
+    const clip_block *blocks = clip_blocks(clip, g);
+    if (g->kind == GROUP_ROTATIONS)
+        nkwi_clip_quat_hermite(a, b, words, duration, t, blocks, g->block_count, out, stride);
+    else
+        nkwi_clip_hermite(a, b, words, duration, t, blocks, g->block_count, out);
+}
+
+/* A LINEAR segment of rotations that are stored as CUBICSPLINE: they have no arcs, so slerp computes them. */
+static void slerp_values(const nkw_clip *clip, const clip_group *g, const float *a, const float *b, float t, float *out,
+                         size_t stride)
+{
+    const clip_block *block = clip_blocks(clip, g), *end = block + g->block_count;
+    for (; block < end; a += 4 * CLIP_BLOCK, b += 4 * CLIP_BLOCK, block++) {
+        const size_t n = block->width;
+        float unit[8 * CLIP_BLOCK];
+        nkw_quat_view from = block_rows(a, n), to = block_rows(b, n);
+        if (g->normalized) {
+            nkw_quat_normalize_n(from, block_rows_to(unit, n), n);
+            nkw_quat_normalize_n(to, block_rows_to(unit + 4 * n, n), n);
+            from = block_rows(unit, n), to = block_rows(unit + 4 * n, n);
+        }
+        for (size_t i = 0; i < block->count; i++) {
+            nkw_quat p = {from.x[i], from.y[i], from.z[i], from.w[i]}, q = {to.x[i], to.y[i], to.z[i], to.w[i]};
+            nkw_quat r = quat_slerp_keys(p, q, t);
+            float *o = out + (block->contiguous ? block->place + i : block_places(block)[i]);
+            o[0] = r.x, o[stride] = r.y, o[2 * stride] = r.z, o[3 * stride] = r.w;
+        }
+    }
+}
+
+/* Lerp or slerp between the keys a and b. */
+static void linear(const nkw_clip *clip, const clip_group *g, const float *a, const float *b, float t, float *out,
+                   size_t stride)
+{
+    const clip_block *blocks = clip_blocks(clip, g);
+    if (g->kind != GROUP_ROTATIONS)
+        nkwi_clip_lerp(values_of(g, a), values_of(g, b), t, blocks, g->block_count, out);
+    else if (g->interpolation == NKW_INTERPOLATION_CUBICSPLINE)
+        slerp_values(clip, g, values_of(g, a), values_of(g, b), t, out, stride);
+    else
+        nkwi_clip_slerp(a, b, t, blocks, g->block_count, out, stride);
+}
+
+/* Lerp or slerp between the compact keys a and b. If one key is held, a == b and t = 0. */
+static void compact(const nkw_clip *clip, const clip_group *g, const uint16_t *a, const uint16_t *b, float t,
+                    float *out, size_t stride)
+{
+    const clip_block *blocks = clip_blocks(clip, g);
+    const float *base = clip_floats(clip, g->ranges), *step = base + clip_rows(g) * g->lanes;
+    if (g->kind == GROUP_ROTATIONS)
+        nkwi_clip_slerp16(a, b, base, step, t, blocks, g->block_count, out, stride);
+    else
+        nkwi_clip_lerp16(a, b, base, step, t, blocks, g->block_count, out);
+}
+
+/* Lerp or slerp between the packed keys k and k + 1 of `count` keys, or the value of one of them at its time. */
+static void packed(const nkw_clip *clip, const clip_group *g, uint32_t count, uint32_t k, float t, float *out,
+                   size_t stride)
+{
+    const packed_at p = packed_at_key(clip, g, count, k);
+    const clip_block *blocks = clip_blocks(clip, g);
+    const int held = t == 1.0f;
+    float kept[CLIP_KEPT_ROWS * (PACKED_SLOTS / 3 + CLIP_BLOCK)];
+    if (g->kind == GROUP_ROTATIONS) {
+        nkwi_clip_keep_packed_rotations(&p, held, blocks, g->block_count, kept);
+        nkwi_clip_kept_slerp16(kept, held ? 0.0f : t, blocks, g->block_count, out, stride);
+    } else {
+        nkwi_clip_keep_packed(&p, held, kept);
+        nkwi_clip_kept_lerp16(kept, p.numbers, p.base, p.step, held ? 0.0f : t, blocks, g->block_count, out);
+    }
+}
+
+/*
+ * One group at one segment: the cases of nkw_track_sample_segment, in the same order.
+ *
+ *     last key, or t = 0     hold key k
+ *     t = 1                  hold key k + 1
+ *     STEP                   hold key k
+ *     CUBICSPLINE, LINEAR    interpolate keys k and k + 1
+ *
+ * a is key k. b is key k + 1, or key k if key k is held, so that no key after the last is read.
+ * stride: the distance of the component arrays of rotations, in floats.
+ */
+void nkwi_clip_sample_group(const nkw_clip *clip, const clip_group *g, const clip_timeline *line, nkw_segment at,
+                            float *out, size_t stride)
+{
+    size_t last = line->count - 1, k = at.index < last ? at.index : last;
+    if (g->packed) { /* at least two keys, so at.index < last */
+        packed(clip, g, line->count, (uint32_t)at.index, at.t, out, stride);
+        return;
+    }
+    const float *times = clip_floats(clip, line->times);
+    const uint32_t *a = clip_words(clip) + g->keys + k * g->key_words;
+    uint32_t mode = line->modes ? clip_words(clip)[line->modes + k] : g->interpolation;
+    int at_end = k < last && at.t == 1.0f,
+        at_key = k == last || at.t == 0.0f || at_end || mode == NKW_INTERPOLATION_STEP;
+    const uint32_t *b = at_key && !at_end ? a : a + g->key_words;
+    const float *p = (const float *)(const void *)a, *q = (const float *)(const void *)b;
+    if (g->ranges)
+        compact(clip, g, (const uint16_t *)(const void *)(at_end ? b : a), (const uint16_t *)(const void *)b,
+                at_key ? 0.0f : at.t, out, stride);
+    else if (at_key)
+        hold(clip, g, q, out, stride);
+    else if (mode == NKW_INTERPOLATION_CUBICSPLINE)
+        cubic(clip, g, p, q, times[k + 1] - times[k], at.t, out, stride);
+    else
+        linear(clip, g, p, q, at.t, out, stride);
+}
+
+/* What samples from a cache. Without one it is not linked. */
+typedef struct cached {
+    uint32_t *words; /* of the cache (clip_cache.h), which begin with its cursors */
+    size_t (*kept_floats)(const clip_group *g);
+    int (*sample)(const nkw_clip *clip, const clip_group *g, nkw_segment at, uint32_t *segment, float *kept, float *out,
+                  size_t stride);
+} cached;
+
+/* cache: NULL, or a cache whose cursors are `cursors`. */
+static nkw_result sample(const nkw_clip *clip, float time, uint32_t *cursors, const cached *cache, nkw_pose_span pose,
+                         float *floats)
+{
+    size_t stride = NKW_POSE_STRIDE((size_t)clip->joints);
+    if (pose.data && pose.joint_count != clip->joints)
+        return NKW_MISMATCHED;
+    if (pose.data)
+        copy_runs(clip, clip->constants, clip->constant_count, pose.data);
+    if (floats)
+        copy_runs(clip, clip->float_constants, clip->float_constant_count, floats);
+    const clip_group *groups = clip_groups(clip);
+    nkw_segment at = {0, 0.0f};
+    uint32_t *kept = cache ? cache->words + clip_cache_head(clip) : NULL;
+    for (uint32_t g = 0; g < clip->group_count; g++) {
+        uint32_t i = groups[g].timeline;
+        const clip_timeline *line = clip_timelines(clip) + i;
+        float *out = groups[g].kind == GROUP_FLOATS ? floats : pose.data;
+        size_t kept_words = cache ? cache->kept_floats(&groups[g]) : 0;
+        if (g == 0 || i != groups[g - 1].timeline) /* groups of one timeline are neighbours: one search */
+            at = find(clip, line, time, cursors ? cursors + i : NULL);
+        out = out && groups[g].kind == GROUP_ROTATIONS ? out + 3 * stride : out;
+        if (out && (!kept_words || !cache->sample(clip, &groups[g], at, cursors + clip->timeline_count + g,
+                                                  (float *)(void *)kept, out, stride)))
+            nkwi_clip_sample_group(clip, &groups[g], line, at, out, stride);
+        kept = kept ? kept + kept_words : NULL;
+    }
+    return NKW_OK;
+}
+
+nkw_result nkw_clip_sample(const nkw_clip *clip, float time, uint32_t *cursors, nkw_pose_span pose, float *floats)
+{
+    return sample(clip, time, cursors, NULL, pose, floats);
+}
+
+nkw_result nkw_clip_sample_cached(const nkw_clip *clip, float time, nkw_pose_span pose, float *floats, void *cache,
+                                  size_t bytes)
+{
+    const cached from = {(uint32_t *)cache, nkwi_clip_kept_floats, nkwi_clip_sample_kept};
+    return bytes < nkw_clip_cache_bytes(clip) ? NKW_TOO_SMALL : sample(clip, time, from.words, &from, pose, floats);
+}

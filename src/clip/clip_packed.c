@@ -1,0 +1,527 @@
+/* SPDX-License-Identifier: MIT */
+/* Encodes the keys of packed groups (clip_packed.h). All sums are in binary64. */
+#include "lane/strict.h"
+
+#include <string.h>
+
+#include <nakawari/clip.h>
+
+#include "clip_keys.h"
+#include "clip_packed.h"
+#include "clip_tracks.h"
+#include "lane/compact.h"
+#include "lane/f64.h"
+#include "lane/orient.h"
+#include "sort.h"
+
+/* Knots are less than this, so that the line between two of them is exact to 1/16 step. */
+#define PACKED_KNOT 0x1p20
+/* A range must be less than this: base + range is then computed without overflow. */
+#define PACKED_RANGE 0x1p127
+/* The lowest w of a rotation: from here on its three numbers are too large, 4.4 and more. */
+#define PACKED_LOWEST (-0.9)
+/* By how much the squared length of a unit rotation differs from 1 by the rounding of its components, at most. */
+#define PACKED_UNIT 0x1p-22
+
+/* Numbers of keys. */
+
+/* The keys of a lane, in ascending order: the sign that the last rotation was multiplied by. */
+typedef struct packed_keys {
+    const nkw_clip_track *c;
+    size_t component;
+    float sign;
+    nkw_quat last;
+} packed_keys;
+
+static nkw_quat rotation_of(const nkw_clip_track *c, size_t k)
+{
+    nkw_segment at = {k, 0.0f};
+    float v[4];
+    nkw_track_sample_segment(&c->track, at, v);
+    nkw_quat q = {v[0], v[1], v[2], v[3]};
+    return q;
+}
+
+/* The rotation of key k, with the sign that makes its dot product with the one before positive, as slerp takes it. */
+static nkw_quat next_rotation(packed_keys *keys, size_t k)
+{
+    nkw_quat q = rotation_of(keys->c, k);
+    if (k > 0 && lane_slerp_cosine(keys->last, q) < 0.0f)
+        keys->sign = -keys->sign;
+    keys->last = q;
+    return q;
+}
+
+static size_t rows_of(const nkw_clip_track *c)
+{
+    return c->target == NKW_CLIP_ROTATION ? 3 : 1;
+}
+
+/* The numbers of key k; call it for k = 0, 1, 2 ... in this order. */
+static void next_numbers(packed_keys *keys, size_t k, double x[3])
+{
+    if (keys->c->target != NKW_CLIP_ROTATION) {
+        x[0] = (double)track_value_at(&keys->c->track, k)[keys->component];
+        return;
+    }
+    lane_f64_quat q = lane_f64_quat_from(next_rotation(keys, k));
+    lane_compact_numbers(lane_f64_quat_scale(q, (double)keys->sign), x);
+}
+
+/*
+ * The range of each number, and the step. An error e of p rotates by 4 e/(1 + p.p) = 2 (1 + w) e radians: the step of a
+ * rotation's numbers is that of its angle, divided by twice 1 + w at the key where it is largest.
+ */
+typedef struct packed_range {
+    packed_keys keys; /* before key 0 */
+    double low[3], high[3];
+    double lowest, highest; /* of rotations: the limits of w, and of the squared length */
+    double shortest, longest;
+    double step;
+} packed_range;
+
+/* Sets key 0 with the sign that keeps w of all keys as high as it can be, and the limits. */
+static void set_limits(const nkw_clip_track *c, size_t component, packed_range *r)
+{
+    packed_keys keys = {c, component, 1.0f, {0.0f, 0.0f, 0.0f, 1.0f}};
+    double low = 1.0, high = -1.0;
+    r->shortest = r->longest = 1.0;
+    for (size_t k = 0; c->target == NKW_CLIP_ROTATION && k < c->track.count; k++) {
+        lane_f64_quat q = lane_f64_quat_from(next_rotation(&keys, k));
+        double w = q.w * (double)keys.sign, square = lane_f64_quat_dot(q, q);
+        low = w < low ? w : low;
+        high = w > high ? w : high;
+        r->shortest = k == 0 || square < r->shortest ? square : r->shortest;
+        r->longest = k == 0 || square > r->longest ? square : r->longest;
+    }
+    keys.sign = low >= -high ? 1.0f : -1.0f;
+    r->lowest = low >= -high ? low : -high;
+    r->highest = low >= -high ? high : -low;
+    r->keys = keys;
+}
+
+static packed_range range_of(const nkw_clip_track *c, size_t component, float step)
+{
+    packed_range r;
+    set_limits(c, component, &r);
+    r.step = c->target == NKW_CLIP_ROTATION ? (double)step / (2.0 * (1.0 + r.highest)) : (double)step;
+    packed_keys keys = r.keys;
+    for (size_t k = 0; k < c->track.count; k++) {
+        double x[3] = {0.0, 0.0, 0.0};
+        next_numbers(&keys, k, x);
+        for (size_t i = 0; i < rows_of(c); i++) {
+            r.low[i] = k == 0 || x[i] < r.low[i] ? x[i] : r.low[i];
+            r.high[i] = k == 0 || x[i] > r.high[i] ? x[i] : r.high[i];
+        }
+    }
+    return r;
+}
+
+/* Segments. */
+
+/* The keys of one segment of a lane, in units of the step from the base on. */
+typedef struct packed_segment {
+    uint32_t n; /* intervals */
+    double x[3][PACKED_KEYS + 1];
+} packed_segment;
+
+/* To the nearest whole number, for |x| < 2^51. */
+static double nearest(double x)
+{
+    return (x + LANE_ROUND) - LANE_ROUND;
+}
+
+/* `keys` is before the first key of the segment, and is left before its last. */
+static packed_segment segment_of(packed_keys *keys, size_t first, uint32_t n, const float *base, const float *step)
+{
+    packed_segment s;
+    s.n = n;
+    for (uint32_t k = 0; k <= n; k++) {
+        packed_keys next = *keys;
+        double x[3] = {0.0, 0.0, 0.0};
+        next_numbers(&next, first + k, x);
+        for (size_t r = 0; r < rows_of(keys->c); r++)
+            s.x[r][k] = step[r] > 0.0f ? (x[r] - (double)base[r]) / (double)step[r] : 0.0;
+        if (k < n)
+            *keys = next;
+    }
+    return s;
+}
+
+/* The bits of a number that is not negative. */
+static uint8_t bits_of(uint32_t x)
+{
+    uint8_t bits = 0;
+    while (x >> bits)
+        bits++;
+    return bits;
+}
+
+/* The residuals of a slot, level after level; and the widths of its levels: the widest r, -2^(w-1) <= r < 2^(w-1). */
+typedef struct packed_residuals {
+    int32_t r[PACKED_KEYS - 1];
+    uint8_t widths[PACKED_LEVELS];
+} packed_residuals;
+
+/* The part of a segment of n intervals that the residual `index` of a level halves. */
+static packed_part part_of(uint32_t n, uint32_t level, uint32_t index)
+{
+    packed_part part = packed_part_of(0, n);
+    for (uint32_t i = level; i-- > 0;)
+        part = index >> i & 1 ? packed_part_of(part.middle, part.hi) : packed_part_of(part.lo, part.middle);
+    return part;
+}
+
+/* Rounds the keys of a row to knots and residuals, from the coarsest level to the finest. x: as in packed_segment. */
+static void round_residuals(uint32_t n, double x[PACKED_KEYS + 1], packed_residuals *out)
+{
+    size_t at = 0;
+    memset(out, 0, sizeof *out);
+    x[0] = nearest(x[0]);
+    x[n] = nearest(x[n]);
+    for (uint32_t level = 0; level < packed_levels(n); level++)
+        for (uint32_t i = 0; i < (uint32_t)1 << level; i++, at++) {
+            const packed_part p = part_of(n, level, i);
+            if (p.middle == p.lo)
+                continue;
+            double place = (double)(p.middle - p.lo) / (double)(p.hi - p.lo);
+            double line = x[p.lo] + place * (x[p.hi] - x[p.lo]), r = nearest(x[p.middle] - line);
+            int32_t code = out->r[at] = (int32_t)r;
+            uint8_t width = (uint8_t)(code == 0 ? 0 : bits_of((uint32_t)(code < 0 ? ~code : code)) + 1);
+            out->widths[level] = width > out->widths[level] ? width : out->widths[level];
+            x[p.middle] = line + r;
+        }
+}
+
+/* The largest float that is at most x: no number is below the base, so no knot is negative. */
+static float base_of(double x)
+{
+    float f = (float)x;
+    return (double)f <= x ? f : lane_float(lane_bits(f) + (f > 0.0f ? 0xffffffffu : 1u));
+}
+
+/* Whether all knots, and so all residuals, are within their limits, and the range is that of a float. */
+static int fits(const nkw_clip_track *c, const packed_range *r)
+{
+    for (size_t i = 0; i < rows_of(c); i++) {
+        const double range = r->high[i] - (double)base_of(r->low[i]);
+        if (!((float)r->step > 0.0f && range / (double)(float)r->step < PACKED_KNOT && range < PACKED_RANGE))
+            return 0;
+    }
+    return r->lowest > PACKED_LOWEST;
+}
+
+/*
+ * Whether rotations with the squared lengths of a range may have the square n. A square of 1 + d moves a point as a
+ * rotation by d radians does, and rounding to steps rotates by half a step. Those of unit rotations in floats may.
+ */
+static int are_lengths(const packed_range *r, float step, double n)
+{
+    const double most = 0.5 * (double)step > PACKED_UNIT ? 0.5 * (double)step : PACKED_UNIT;
+    return r->longest - n <= most && n - r->shortest <= most;
+}
+
+packed_survey nkwi_packed_survey(const nkw_clip_track *c, float step, float *middle)
+{
+    const int is_rotation = c->target == NKW_CLIP_ROTATION;
+    packed_survey result = {c->track.count > 1 && c->track.interpolation == NKW_INTERPOLATION_LINEAR &&
+                                !c->track.key_interpolation && 3 * c->track.width <= PACKED_SLOTS,
+                            c->track.interpolation != NKW_INTERPOLATION_CUBICSPLINE};
+    for (size_t i = 0; i < (is_rotation ? 1 : c->track.width); i++) {
+        packed_range r = range_of(c, i, step);
+        const double square = 0.5 * (r.shortest + r.longest);
+        result.fits = result.fits && fits(c, &r) && are_lengths(&r, step, 1.0);
+        result.is_constant = result.is_constant && are_lengths(&r, step, square);
+        double p[3] = {0.0, 0.0, 0.0};
+        for (size_t row = 0; row < rows_of(c); row++) {
+            p[row] = 0.5 * (r.low[row] + r.high[row]);
+            result.is_constant = result.is_constant && r.high[row] - r.low[row] <= r.step;
+        }
+        if (!is_rotation) {
+            middle[i] = (float)p[0] + 0.0f; /* +0 for -0 */
+            continue;
+        }
+        double n = (p[0] * p[0] + p[1] * p[1]) + p[2] * p[2], scale = lane_sqrt64(square) / (1.0 + n);
+        for (size_t row = 0; row < 3; row++)
+            middle[row] = (float)(2.0 * p[row] * scale) + 0.0f;
+        middle[3] = (float)((1.0 - n) * scale);
+    }
+    return result;
+}
+
+/* Groups. */
+
+typedef struct packer {
+    uint32_t *words; /* from the keys of the group on; NULL: only counted */
+    const clip_group *g;
+    const packed_lanes *lanes;
+    uint32_t count; /* keys */
+    size_t numbers; /* slots */
+    float base[PACKED_SLOTS], step[PACKED_SLOTS];
+    float signs[PACKED_SLOTS / 3]; /* of lanes of rotations: before this segment */
+    uint32_t wide; /* a bit for each 8 slots */
+    /* The stream of this segment: of each slot the widths of its levels and their bits; the slots of the columns. */
+    uint8_t widths[PACKED_SLOTS][PACKED_LEVELS];
+    uint16_t bits[PACKED_SLOTS];
+    uint32_t order[PACKED_SLOTS], columns;
+} packer;
+
+/* The ranges of all slots, and whether their knots are wide. */
+static void set_ranges(packer *p, const nkw_clip_track *tracks, const float *steps)
+{
+    memset(p->base, 0, sizeof p->base);
+    memset(p->step, 0, sizeof p->step);
+    p->wide = 0;
+    for (size_t lane = 0; lane < p->g->lanes; lane++) {
+        const nkw_clip_track *c = p->lanes->track[lane];
+        if (!c)
+            continue;
+        packed_range r = range_of(c, p->lanes->component[lane], steps[c - tracks]);
+        for (size_t row = 0; row < clip_rows(p->g); row++) {
+            size_t slot = nkwi_clip_lane_at(p->g, clip_rows(p->g), row, lane);
+            p->base[slot] = base_of(r.low[row]);
+            p->step[slot] = (float)r.step;
+            if (nearest((r.high[row] - (double)p->base[slot]) / (double)p->step[slot]) > 65535.0)
+                p->wide |= (uint32_t)1 << slot / PACKED_COLUMNS;
+        }
+        if (p->g->kind == GROUP_ROTATIONS)
+            p->signs[lane] = r.keys.sign;
+    }
+}
+
+/* The keys of a lane in segment s, and its slots. Returns the sign of the key before the next segment. */
+static float lane_segment(const packer *p, size_t lane, uint32_t s, packed_segment *out, size_t slots[3])
+{
+    const nkw_clip_track *c = p->lanes->track[lane];
+    const size_t rows = clip_rows(p->g), first = (size_t)s * PACKED_KEYS;
+    packed_keys keys = {c, p->lanes->component[lane], 1.0f, {0.0f, 0.0f, 0.0f, 1.0f}};
+    float base[3] = {0.0f, 0.0f, 0.0f}, step[3] = {0.0f, 0.0f, 0.0f};
+    for (size_t row = 0; row < rows; row++) {
+        slots[row] = nkwi_clip_lane_at(p->g, rows, row, lane);
+        base[row] = p->base[slots[row]], step[row] = p->step[slots[row]];
+    }
+    if (rows == 3) {
+        keys.sign = p->signs[lane];
+        keys.last = first > 0 ? rotation_of(c, first - 1) : keys.last;
+    }
+    *out = segment_of(&keys, first, packed_intervals(p->count, s), base, step);
+    return keys.sign;
+}
+
+/* Adds the low `width` bits of a field to column `column` of rows, at bit `bit`. */
+static void add_field(uint32_t *rows, size_t columns, size_t column, size_t bit, uint32_t width, uint32_t field)
+{
+    uint64_t shifted = (uint64_t)(field & (((uint32_t)1 << width) - 1)) << bit % 32;
+    uint32_t *low = rows + bit / 32 * columns + column;
+    low[0] |= (uint32_t)shifted;
+    if (shifted >> 32)
+        low[columns] |= (uint32_t)(shifted >> 32);
+}
+
+static void write_knot(const packer *p, size_t slot, uint32_t knot, double number)
+{
+    uint32_t *words = p->words + packed_knots(p->count) + knot * packed_knot_words(p->numbers, p->wide);
+    const uint32_t code = (uint32_t)number, block = (uint32_t)slot / PACKED_COLUMNS;
+    ((uint16_t *)(void *)words)[slot] = (uint16_t)code;
+    words += packed_knot_words(p->numbers, p->wide & (((uint32_t)1 << block) - 1));
+    if (p->wide >> block & 1)
+        ((uint8_t *)words)[slot % PACKED_COLUMNS] = (uint8_t)(code >> 16);
+}
+
+static int before_by_bits(const void *context, uint32_t a, uint32_t b)
+{
+    const packer *p = (const packer *)context;
+    return p->bits[a] != p->bits[b] ? p->bits[a] < p->bits[b] : a < b;
+}
+
+/* Rounds all slots of a segment, writes their knots, and sets their widths and the order of the columns. */
+static void set_columns(packer *p, uint32_t s)
+{
+    p->columns = 0;
+    memset(p->bits, 0, sizeof p->bits);
+    for (size_t lane = 0; lane < p->g->lanes; lane++) {
+        packed_segment part;
+        size_t slots[3] = {0, 0, 0};
+        if (!p->lanes->track[lane])
+            continue;
+        lane_segment(p, lane, s, &part, slots);
+        for (size_t row = 0; row < clip_rows(p->g); row++) {
+            packed_residuals r;
+            round_residuals(part.n, part.x[row], &r);
+            for (size_t level = 0; level < PACKED_LEVELS; level++) {
+                p->widths[slots[row]][level] = r.widths[level];
+                p->bits[slots[row]] = (uint16_t)(p->bits[slots[row]] + ((uint32_t)r.widths[level] << level));
+            }
+            if (p->words) {
+                write_knot(p, slots[row], s, part.x[row][0]);
+                if (s + 1 == packed_segments(p->count))
+                    write_knot(p, slots[row], s + 1, part.x[row][part.n]);
+            }
+        }
+    }
+    for (uint32_t slot = 0; slot < p->numbers; slot++)
+        if (p->bits[slot] > 0)
+            p->order[p->columns++] = slot;
+    sort_indices(p->order, p->columns, before_by_bits, p);
+}
+
+/* The widest of a level in the 8 columns from `first` on. */
+static uint32_t widest(const packer *p, uint32_t first, size_t level)
+{
+    uint32_t width = 0;
+    for (uint32_t i = first; i < first + PACKED_COLUMNS && i < p->columns; i++)
+        width = p->widths[p->order[i]][level] > width ? p->widths[p->order[i]][level] : width;
+    return width;
+}
+
+/* Writes the residuals of a slot to a column of the rows of a stream. */
+static void write_column(const uint32_t *stream, uint32_t *rows, uint32_t column, uint32_t levels,
+                         const packed_residuals *r)
+{
+    const uint8_t *widths = packed_widths(stream);
+    const size_t block = column / PACKED_COLUMNS;
+    size_t bit = 0, at = 0;
+    for (size_t level = 0; level < levels; level++) {
+        size_t sum = 0, before = 0;
+        uint32_t width = widths[block * PACKED_LEVELS + level];
+        for (size_t k = 0; k < packed_blocks(stream); k++) {
+            before += k < block ? widths[k * PACKED_LEVELS + level] : 0;
+            sum += widths[k * PACKED_LEVELS + level];
+        }
+        for (size_t i = 0; i < (size_t)1 << level; i++)
+            add_field(rows, PACKED_COLUMNS, column % PACKED_COLUMNS, bit + i * sum + before, width,
+                      (uint32_t)r->r[at++] + ((uint32_t)1 << width >> 1));
+        bit += sum << level;
+    }
+}
+
+/* Writes the rows of a stream, whose head is written, and advances the signs to the next segment. */
+static void write_rows(packer *p, uint32_t s, const uint32_t *stream, uint32_t *rows)
+{
+    uint8_t column[PACKED_SLOTS];
+    for (uint32_t i = 0; i < p->columns; i++)
+        column[p->order[i]] = (uint8_t)i;
+    for (size_t lane = 0; lane < p->g->lanes; lane++) {
+        packed_segment part;
+        size_t slots[3] = {0, 0, 0};
+        if (!p->lanes->track[lane])
+            continue;
+        float sign = lane_segment(p, lane, s, &part, slots);
+        for (size_t row = 0; row < clip_rows(p->g); row++) {
+            packed_residuals r;
+            round_residuals(part.n, part.x[row], &r);
+            if (rows && p->bits[slots[row]] > 0)
+                write_column(stream, rows, column[slots[row]], packed_levels(part.n), &r);
+        }
+        if (p->g->kind == GROUP_ROTATIONS)
+            p->signs[lane] = sign;
+    }
+}
+
+/* The stream of a segment, at word `to` of the keys. Returns its words. */
+static uint64_t write_stream(packer *p, uint32_t s, uint64_t to)
+{
+    set_columns(p, s);
+    size_t bits = 0;
+    for (uint32_t i = 0; i < p->columns; i += PACKED_COLUMNS)
+        for (size_t level = 0; level < PACKED_LEVELS; level++)
+            bits += widest(p, i, level) << level;
+    const uint32_t head[1] = {p->columns};
+    const size_t rows = (size_t)(packed_rows(head) - head);
+    uint32_t *stream = p->words ? p->words + to : NULL;
+    if (stream) {
+        stream[0] = p->columns;
+        uint8_t *widths = (uint8_t *)(stream + 1), *slots = widths + packed_blocks(stream) * PACKED_LEVELS;
+        for (uint32_t i = 0; i < p->columns; i += PACKED_COLUMNS)
+            for (size_t level = 0; level < PACKED_LEVELS; level++)
+                *widths++ = (uint8_t)widest(p, i, level);
+        for (uint32_t i = 0; i < p->columns; i++)
+            slots[i] = (uint8_t)p->order[i];
+    }
+    write_rows(p, s, stream, stream ? stream + rows : NULL);
+    return rows + packed_words(PACKED_COLUMNS, bits);
+}
+
+/* The most words of a group: every number has the largest width. */
+static uint64_t most_words(uint32_t count, size_t numbers)
+{
+    uint64_t segments = packed_segments(count);
+    const uint32_t head[1] = {(uint32_t)numbers};
+    uint64_t knots = packed_knot_words(numbers, (uint32_t)-1) * (segments + 1);
+    uint64_t stream = (uint64_t)(packed_rows(head) - head) +
+                      packed_words(PACKED_COLUMNS, (PACKED_KEYS - 1) * PACKED_WIDTH * packed_blocks(head));
+    return packed_knots(count) + knots + segments * stream + PACKED_PADDING;
+}
+
+uint64_t nkwi_packed_fill(uint32_t *words, const clip_group *g, const packed_lanes *lanes, const nkw_clip_track *tracks,
+                          const clip_packing *packing)
+{
+    packer p;
+    p.words = words ? words + g->keys : NULL;
+    p.g = g, p.lanes = lanes;
+    p.count = (uint32_t)lanes->track[0]->track.count;
+    p.numbers = clip_rows(g) * g->lanes;
+    if (!packing->steps)
+        return most_words(p.count, p.numbers);
+    set_ranges(&p, tracks, packing->steps);
+    uint64_t at = packed_knots(p.count) + (packed_segments(p.count) + 1) * packed_knot_words(p.numbers, p.wide);
+    if (words) {
+        memcpy(words + g->ranges, p.base, p.numbers * sizeof(float));
+        memcpy(words + g->ranges + p.numbers, p.step, p.numbers * sizeof(float));
+        p.words[packed_segments(p.count)] = p.wide;
+    }
+    for (uint32_t s = 0; s < packed_segments(p.count); s++) {
+        if (words)
+            p.words[s] = (uint32_t)at;
+        at += write_stream(&p, s, at);
+    }
+    return at + PACKED_PADDING;
+}
+
+/* Checks. */
+
+/* The words of a stream, of at most `left`; 0 if it is longer, or a slot or a width is out of range. */
+static uint64_t stream_words(const uint32_t *stream, uint64_t left, size_t numbers, uint32_t levels)
+{
+    if (left < 1 || stream[0] > numbers)
+        return 0;
+    uint64_t words = (uint64_t)(packed_rows(stream) - stream);
+    size_t bits = 0;
+    if (words > left)
+        return 0;
+    for (size_t i = 0; i < stream[0]; i++)
+        if (packed_slots(stream)[i] >= numbers)
+            return 0;
+    for (size_t k = 0; k < packed_blocks(stream) * PACKED_LEVELS; k++) {
+        if (packed_widths(stream)[k] > PACKED_WIDTH)
+            return 0;
+        bits += k % PACKED_LEVELS < levels ? (size_t)packed_widths(stream)[k] << k % PACKED_LEVELS : 0;
+    }
+    words += packed_words(PACKED_COLUMNS, bits);
+    return words <= left ? words : 0;
+}
+
+/* Padding follows the words: unpacking reads the row after the last bit, and two rows of a width of 0. */
+int nkwi_packed_check(const nkw_clip *clip, const clip_group *g, uint32_t count, uint64_t *words)
+{
+    const uint64_t numbers = clip_rows(g) * (uint64_t)g->lanes, all = clip->words;
+    if (numbers > PACKED_SLOTS || g->keys + (uint64_t)packed_knots(count) > all)
+        return 0;
+    const uint32_t *keys = clip_words(clip) + g->keys, wide = keys[packed_segments(count)];
+    if (wide >> (numbers + PACKED_COLUMNS - 1) / PACKED_COLUMNS)
+        return 0;
+    *words = packed_knots(count) + ((uint64_t)packed_segments(count) + 1) * packed_knot_words((size_t)numbers, wide);
+    if (g->keys + *words + PACKED_PADDING > all)
+        return 0;
+    for (uint32_t s = 0; s < packed_segments(count); s++) {
+        uint64_t at = (uint64_t)g->keys + keys[s], end = all - PACKED_PADDING;
+        uint64_t taken = at < end ? stream_words(clip_words(clip) + at, end - at, (size_t)numbers,
+                                                 packed_levels(packed_intervals(count, s)))
+                                  : 0;
+        if (taken == 0)
+            return 0;
+        *words += taken;
+    }
+    *words += PACKED_PADDING;
+    return 1;
+}

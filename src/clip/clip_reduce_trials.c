@@ -1,0 +1,182 @@
+/* SPDX-License-Identifier: MIT */
+/* The search for the shares of joints by trials (clip_reduction.h). */
+#include "lane/strict.h"
+
+#include <string.h>
+
+#include <nakawari/clip_reduce.h>
+
+#include "clip_reduction.h"
+#include "lane/f64.h"
+#include "lane/scalar.h"
+#include "track/track_keys.h"
+
+#define TRIALS      16
+#define LAST_TRIALS 12 /* in which shares are only reduced */
+#define AIM         0.97
+
+/* The largest number of joints in a chain through each joint. At first a joint has the same share as its chain. */
+static void set_shares(reduce_trials *r)
+{
+    const size_t joints = r->source->joint_count;
+    for (size_t j = 0; j < joints; j++)
+        r->worst[j] = 0.0;
+    for (size_t j = 0; j < joints; j++) {
+        double depth = 1.0;
+        for (size_t k = j; reduce_parent(r->reduction, k) != k; k = reduce_parent(r->reduction, k))
+            depth += 1.0;
+        for (size_t k = j, next = j;; k = next) {
+            r->worst[k] = depth > r->worst[k] ? depth : r->worst[k];
+            next = reduce_parent(r->reduction, k);
+            if (next == k)
+                break;
+        }
+    }
+    for (size_t j = 0; j < joints; j++)
+        r->shares[j] = 1.0 / lane_sqrt64(r->worst[j]);
+    for (size_t i = 0; i < r->source->track_count; i++)
+        r->shares[joints + i] = 1.0;
+}
+
+void nkwi_reduce_begin(reduce_trials *t, double **work)
+{
+    const size_t tracks = t->source->track_count, joints = t->source->joint_count, floats = t->source->float_count;
+    const size_t pose = NKW_POSE_FLOATS(joints), number = sizeof(double);
+    t->shares = (double *)reduce_take(work, joints + tracks, number);
+    t->best = (double *)reduce_take(work, joints + tracks, number);
+    t->worst = (double *)reduce_take(work, joints + tracks, number);
+    t->errors.errors = (double *)reduce_take(work, joints + tracks, number);
+    t->errors.reach = (double *)reduce_take(work, joints, number);
+    t->errors.tight = (double *)reduce_take(work, joints, number);
+    t->errors.scale = (double *)reduce_take(work, joints, number);
+    t->errors.axes = (double *)reduce_take(work, 3 * joints, number);
+    for (int i = 0; i < 2; i++) {
+        reduce_pose *p = i ? &t->errors.got : &t->errors.want;
+        p->pose = (float *)reduce_take(work, pose, sizeof(float));
+        p->floats = (float *)reduce_take(work, floats, sizeof(float));
+        p->models = (double *)reduce_take(work, 12 * joints, number);
+    }
+    nkwi_reduce_reach(t->source, t->reduction, &t->errors);
+    set_shares(t);
+}
+
+/* The smallest, not 0, of the largest magnitudes of the components of a track of scales; 1 if all are 0. */
+static double size_of_scales(const nkw_track *t)
+{
+    double largest[3] = {0.0, 0.0, 0.0}, size = 0.0;
+    for (size_t k = 0; k < t->count; k++)
+        for (size_t i = 0; i < 3; i++) {
+            double s = lane_abs64((double)track_value_at(t, k)[i]);
+            largest[i] = s > largest[i] ? s : largest[i];
+        }
+    for (size_t i = 0; i < 3; i++)
+        size = largest[i] > 0.0 && (size == 0.0 || largest[i] < size) ? largest[i] : size;
+    return size > 0.0 ? size : 1.0;
+}
+
+/* A scale moves points relative to itself. */
+float nkwi_reduce_step(const reduce_trials *r, size_t track)
+{
+    const nkw_clip_track *c = &r->source->tracks[track];
+    const reduce_errors *e = &r->errors;
+    size_t j = c->index;
+    double step = 0.0;
+    if (c->target == NKW_CLIP_FLOATS)
+        step = r->shares[r->source->joint_count + track] * (double)r->reduction->float_tolerance;
+    else if (c->target == NKW_CLIP_TRANSLATION)
+        step = r->shares[j] / (e->tight[j] * (e->scale[j] > 0.0 ? e->scale[j] : 1.0));
+    else
+        step = r->shares[j] / (e->reach[j] > 1e-30 ? e->reach[j] : 1e-30);
+    if (c->target == NKW_CLIP_SCALE)
+        step *= size_of_scales(&c->track);
+    return step < 1e30 ? step > 1e-30 ? (float)step : 0.0f : 1e30f;
+}
+
+nkw_result nkwi_reduce_try(reduce_trials *r, size_t *bad)
+{
+    reduce_made made = {NULL, NULL, 1};
+    nkw_result result = r->make(r->user, &made, &r->size, bad);
+    if (result != NKW_OK)
+        return result;
+    nkwi_reduce_errors(r->source, r->reduction, &made, &r->errors);
+    r->share = 0.0;
+    for (size_t i = 0; i < r->source->joint_count + r->source->track_count; i++)
+        r->share = r->errors.errors[i] > r->share ? r->errors.errors[i] : r->share;
+    return NKW_OK;
+}
+
+/* The errors of the joints below each joint, and of the tracks of floats. */
+static void set_worst(reduce_trials *r)
+{
+    const size_t joints = r->source->joint_count;
+    memcpy(r->worst, r->errors.errors, (joints + r->source->track_count) * sizeof *r->worst);
+    for (size_t j = joints; j-- > 0;) {
+        size_t parent = reduce_parent(r->reduction, j);
+        r->worst[parent] = r->worst[j] > r->worst[parent] ? r->worst[j] : r->worst[parent];
+    }
+}
+
+/*
+ * last: 0; in the last trials 1, 2, 3 ...: only shares beyond the tolerance are changed, by a factor that decreases, so
+ * that tracks whose rounding alone exceeds the tolerance soon have too many steps, and are stored as floats.
+ */
+static void change_shares(reduce_trials *r, int last)
+{
+    double factor = AIM;
+    for (int i = 1; i < last; i++)
+        factor *= 0.5;
+    set_worst(r);
+    for (size_t i = 0; i < r->source->joint_count + r->source->track_count; i++) {
+        double e = r->worst[i] / (AIM * r->limit), root = lane_sqrt64(e);
+        double growth = e > 1.0 ? 1.0 / (root * lane_sqrt64(root)) : root > 2.0 / 3.0 ? 1.0 / root : 1.5;
+        if (!last || r->worst[i] > r->limit)
+            r->shares[i] *= last ? factor * growth : growth;
+    }
+}
+
+nkw_result nkwi_reduce_search(reduce_trials *r, size_t *bad)
+{
+    const size_t count = r->source->joint_count + r->source->track_count;
+    size_t least = 0; /* the size of the best; 0: none yet */
+    for (int trial = 0; trial < TRIALS + LAST_TRIALS; trial++) {
+        nkw_result result = nkwi_reduce_try(r, bad);
+        if (result != NKW_OK)
+            return result;
+        if ((float)r->share <= (float)r->limit && (least == 0 || r->size < least)) {
+            least = r->size;
+            memcpy(r->best, r->shares, count * sizeof *r->best);
+        }
+        if (trial + 1 >= TRIALS && least > 0)
+            break;
+        change_shares(r, trial + 2 > TRIALS ? trial + 2 - TRIALS : 0);
+    }
+    for (size_t i = 0; i < count; i++)
+        r->shares[i] = least > 0 ? r->best[i] : 0.0;
+    return nkwi_reduce_try(r, bad);
+}
+
+static int is_tolerance(float x)
+{
+    return lane_is_finite(x) && x >= 0.0f;
+}
+
+static int is_valid(const nkw_clip_reduction *r, size_t joints)
+{
+    int valid = is_tolerance(r->tolerance) && is_tolerance(r->distance) && is_tolerance(r->float_tolerance);
+    for (size_t j = 0; j < joints; j++)
+        valid = valid && (!r->tolerances || is_tolerance(r->tolerances[j])) &&
+                (!r->distances || is_tolerance(r->distances[j]));
+    return valid;
+}
+
+nkw_result nkwi_reduce_check(const nkw_clip_source *source, const nkw_clip_reduction *reduction)
+{
+    return is_valid(reduction, source->joint_count) ? NKW_OK : NKW_NOT_FINITE;
+}
+
+int nkwi_reduce_has_work(const nkw_clip_source *s, size_t work_count)
+{
+    const size_t most = (size_t)-1 / 4096;
+    return s->track_count < most && s->joint_count < most && s->float_count < most &&
+           work_count >= NKW_CLIP_REDUCE_WORK(s->track_count, s->joint_count, s->float_count);
+}

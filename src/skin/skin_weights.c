@@ -1,0 +1,239 @@
+/* SPDX-License-Identifier: MIT */
+/* Skins once, after loading: weights normalized, influences pruned, everything checked. */
+#include "lane/strict.h"
+
+#include <nakawari/skin.h>
+
+#include "lane/scalar.h"
+#include "report.h"
+#include "batch/skin_format.h"
+
+/* The influences of one vertex. */
+typedef struct held {
+    float weight[NKW_SKIN_INFLUENCES];
+    uint32_t joint[NKW_SKIN_INFLUENCES];
+} held;
+
+static const unsigned char *vertex_at(const nkw_skin_view *v, size_t influences, size_t i)
+{
+    return (const unsigned char *)v->data + i * skin_stride(v->stride, v->format, influences);
+}
+
+static unsigned char *vertex_of(const nkw_skin_span *v, size_t influences, size_t i)
+{
+    return (unsigned char *)v->data + i * skin_stride(v->stride, v->format, influences);
+}
+
+static void read_weights(const nkw_skin_view *v, size_t k, size_t i, float *out)
+{
+    const unsigned char *p = vertex_at(v, k, i);
+    for (size_t e = 0; e < k; e++)
+        out[e] = skin_weight(p + e * skin_format_size(v->format), v->format);
+}
+
+static void read_joints(const nkw_skin_view *v, size_t k, size_t i, uint32_t *out)
+{
+    const unsigned char *p = vertex_at(v, k, i);
+    for (size_t e = 0; e < k; e++)
+        out[e] = skin_joint(p + e * skin_format_size(v->format), v->format);
+}
+
+/* The whole of a format: what weights of 1 sum to. */
+static uint32_t total_of(nkw_skin_format format)
+{
+    return format == NKW_SKIN_U8 ? 255 : format == NKW_SKIN_U16 ? 65535 : 1u << 24;
+}
+
+/* A weight of any scale, 0 if it cannot be used: whole numbers as they are, so that equal parts of them are equal. */
+static float part_at(const unsigned char *p, nkw_skin_format format)
+{
+    float weight = format == NKW_SKIN_F32 ? skin_weight(p, format) : (float)skin_joint(p, format);
+    return weight > 0.0f && lane_is_finite(weight) ? weight : 0.0f;
+}
+
+static void give_rest(const double *rest, size_t k, uint32_t missing, uint32_t *n)
+{
+    unsigned given = 0;
+    for (; missing > 0; missing--) {
+        size_t most = k;
+        for (size_t e = 0; e < k; e++)
+            if (!(given >> e & 1) && (most == k || rest[e] > rest[most]))
+                most = e;
+        given |= 1u << most;
+        n[most]++;
+    }
+}
+
+/* Largest remainder. The floors miss less than k, because the quotas sum to the total to within 1e-8. */
+static void apportion(const float *weight, size_t k, uint32_t total, uint32_t *n)
+{
+    double sum = 0.0, rest[NKW_SKIN_INFLUENCES];
+    uint32_t missing = total;
+    for (size_t e = 0; e < k; e++)
+        sum += (double)weight[e];
+    for (size_t e = 0; e < k; e++) {
+        double share = (double)weight[e] * (double)total;
+        n[e] = sum > 0.0 ? (uint32_t)(share / sum) : 0;
+        rest[e] = share - (double)n[e] * sum;
+        missing -= n[e];
+    }
+    if (sum > 0.0)
+        give_rest(rest, k, missing, n);
+}
+
+static void write_number(unsigned char *p, nkw_skin_format format, uint32_t n)
+{
+    uint16_t wide = (uint16_t)n;
+    if (format == NKW_SKIN_U8)
+        *p = (unsigned char)n;
+    else if (format == NKW_SKIN_U16)
+        memcpy(p, &wide, sizeof wide);
+    else
+        memcpy(p, &n, sizeof n);
+}
+
+/* `k` weights normalised, then zeros up to `width`. */
+static void write_weights(const float *weight, size_t k, size_t width, unsigned char *p, nkw_skin_format format)
+{
+    uint32_t n[NKW_SKIN_INFLUENCES];
+    apportion(weight, k, total_of(format), n);
+    for (size_t e = 0; e < width; e++) {
+        uint32_t value = e < k ? n[e] : 0;
+        unsigned char *at = p + e * skin_format_size(format);
+        write_number(at, format, format == NKW_SKIN_F32 ? lane_bits((float)value * 0x1p-24f) : value);
+    }
+}
+
+static nkw_result check_count(size_t influence_count)
+{
+    return influence_count == 0 ? NKW_EMPTY : influence_count > NKW_SKIN_INFLUENCES ? NKW_TOO_MANY : NKW_OK;
+}
+
+nkw_result nkw_skin_normalize_weights(nkw_skin_view in, nkw_skin_span out, size_t influence_count, size_t vertex_count)
+{
+    float weight[NKW_SKIN_INFLUENCES];
+    if (check_count(influence_count) != NKW_OK)
+        return check_count(influence_count);
+    if (!skin_format_is_weight(in.format) || !skin_format_is_weight(out.format))
+        return NKW_BAD_FORMAT;
+    for (size_t i = 0; i < vertex_count; i++) {
+        const unsigned char *p = vertex_at(&in, influence_count, i);
+        for (size_t e = 0; e < influence_count; e++)
+            weight[e] = part_at(p + e * skin_format_size(in.format), in.format);
+        write_weights(weight, influence_count, influence_count, vertex_of(&out, influence_count, i), out.format);
+    }
+    return NKW_OK;
+}
+
+static uint32_t largest_joint(nkw_skin_format format)
+{
+    return format == NKW_SKIN_U8 ? 255 : format == NKW_SKIN_U16 ? 65535 : UINT32_MAX;
+}
+
+/* The smallest weight, the last of equals. */
+static size_t smallest_of(const held *v, size_t k)
+{
+    size_t least = 0;
+    for (size_t e = 1; e < k; e++)
+        least = v->weight[e] <= v->weight[least] ? e : least;
+    return least;
+}
+
+static void drop(held *v, size_t k, size_t e)
+{
+    memmove(v->weight + e, v->weight + e + 1, (k - e - 1) * sizeof *v->weight);
+    memmove(v->joint + e, v->joint + e + 1, (k - e - 1) * sizeof *v->joint);
+}
+
+/* The `keep` largest of vertex i, in their order. Returns their number. Joints above `most` have no weight. */
+static size_t keep_largest(const nkw_skin *skin, size_t i, size_t keep, uint32_t most, held *v)
+{
+    const unsigned char *joints = vertex_at(&skin->joints, skin->influence_count, i);
+    const unsigned char *weights = vertex_at(&skin->weights, skin->influence_count, i);
+    size_t kept = 0;
+    for (size_t e = 0; e < skin->influence_count; e++) {
+        nkw_skin_format of_joints = skin->joints.format, of_weights = skin->weights.format;
+        uint32_t joint = skin_joint(joints + e * skin_format_size(of_joints), of_joints);
+        float weight = part_at(weights + e * skin_format_size(of_weights), of_weights);
+        weight = joint <= most ? weight : 0.0f;
+        size_t least = kept == keep ? smallest_of(v, kept) : 0;
+        if (kept == keep && !(weight > v->weight[least]))
+            continue;
+        if (kept == keep)
+            drop(v, kept--, least);
+        v->weight[kept] = weight;
+        v->joint[kept++] = joint <= most ? joint : 0;
+    }
+    return kept;
+}
+
+static void write_joints(const uint32_t *joint, size_t k, size_t width, unsigned char *p, nkw_skin_format format)
+{
+    for (size_t e = 0; e < width; e++)
+        write_number(p + e * skin_format_size(format), format, e < k ? joint[e] : 0);
+}
+
+nkw_result nkw_skin_prune(const nkw_skin *skin, size_t keep_count, nkw_skin_span joints, nkw_skin_span weights)
+{
+    if (skin->influence_count == 0 || check_count(keep_count) != NKW_OK)
+        return skin->influence_count == 0 ? NKW_EMPTY : check_count(keep_count);
+    if (!skin_format_is_joint(skin->joints.format) || !skin_format_is_weight(skin->weights.format) ||
+        !skin_format_is_joint(joints.format) || !skin_format_is_weight(weights.format))
+        return NKW_BAD_FORMAT;
+    for (size_t i = 0; i < skin->vertex_count; i++) {
+        held v;
+        size_t kept = keep_largest(skin, i, keep_count, largest_joint(joints.format), &v);
+        write_joints(v.joint, kept, keep_count, vertex_of(&joints, keep_count, i), joints.format);
+        write_weights(v.weight, kept, keep_count, vertex_of(&weights, keep_count, i), weights.format);
+    }
+    return NKW_OK;
+}
+
+static nkw_result check_shape(const nkw_skin *skin)
+{
+    if (check_count(skin->influence_count) != NKW_OK)
+        return check_count(skin->influence_count);
+    return skin_format_is_joint(skin->joints.format) && skin_format_is_weight(skin->weights.format) ? NKW_OK
+                                                                                                    : NKW_BAD_FORMAT;
+}
+
+/* Whole numbers sum to the whole exactly; w / 65535 times 65535 is within 1e-2 of w. */
+static int is_sum(double sum, nkw_skin_format format)
+{
+    double total = (double)total_of(format);
+    double off = format == NKW_SKIN_F32 ? (sum - 1.0) * 1e3 : (sum - 1.0) * total * 2.0;
+    return sum == 0.0 || (off >= -1.0 && off <= 1.0);
+}
+
+static nkw_result check_vertex(const nkw_skin *skin, size_t joint_count, size_t i)
+{
+    held v;
+    double sum = 0.0;
+    nkw_result result = NKW_OK;
+    read_joints(&skin->joints, skin->influence_count, i, v.joint);
+    read_weights(&skin->weights, skin->influence_count, i, v.weight);
+    for (size_t e = 0; e < skin->influence_count; e++) {
+        if (!lane_is_finite(v.weight[e]))
+            return NKW_NOT_FINITE;
+        if (v.weight[e] < 0.0f)
+            result = NKW_BAD_WEIGHTS;
+        sum += (double)v.weight[e];
+    }
+    if (result != NKW_OK || !is_sum(sum, skin->weights.format))
+        return NKW_BAD_WEIGHTS;
+    for (size_t e = 0; e < skin->influence_count; e++)
+        if (v.joint[e] >= joint_count)
+            return NKW_OUT_OF_RANGE;
+    return NKW_OK;
+}
+
+nkw_result nkw_skin_validate(const nkw_skin *skin, size_t joint_count, size_t *bad_vertex)
+{
+    nkw_result result = check_shape(skin);
+    size_t bad = 0;
+    for (size_t i = 0; result == NKW_OK && i < skin->vertex_count; i++) {
+        result = check_vertex(skin, joint_count, i);
+        bad = i;
+    }
+    return report(result, bad, bad_vertex);
+}

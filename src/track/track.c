@@ -1,0 +1,326 @@
+/* SPDX-License-Identifier: MIT */
+#include "lane/strict.h"
+
+#include <nakawari/curve.h>
+#include <nakawari/orient.h>
+#include <nakawari/quat.h>
+#include <nakawari/track.h>
+
+#include "finite.h"
+#include "difference.h"
+#include "lane/orient.h"
+#include "lane/scalar.h"
+#include "curve/segment_search.h"
+#include "pack/slerp.h"
+#include "report.h"
+#include "track_keys.h"
+
+size_t nkw_track_value_count(const nkw_track *track)
+{
+    size_t most = SIZE_MAX / (track_is_cubic(track) ? 3 : 1);
+    if (track->count == 0 || track->width == 0)
+        return 0;
+    return track->count <= most / track->width ? track->count * track_key_size(track) : SIZE_MAX;
+}
+
+static nkw_quat rotation_at(const nkw_track *track, size_t k)
+{
+    nkw_quat q = track_read_quat(track_value_at(track, k));
+    return track->kind == NKW_TRACK_ROTATION_NORMALIZED ? nkw_quat_normalize(q) : q;
+}
+
+static void hold(const nkw_track *track, size_t k, float *out)
+{
+    const float *v = track_value_at(track, k);
+    if (track_is_rotation(track))
+        track_write_quat(rotation_at(track, k), out);
+    else
+        for (size_t i = 0; i < track->width; i++)
+            out[i] = v[i];
+}
+
+/*
+ * t other than 0 and 1. Interpolates from the nearer key, a or b. It is selected by arithmetic: a branch on t would be
+ * mispredicted.
+ */
+static void lerp(const float *a, const float *b, float t, float *out, size_t n)
+{
+    size_t last = t < 0.5f ? 0u : 1u;
+    const float *nearer = a + last * (size_t)(b - a);
+    float x = t - (float)last;
+    for (size_t i = 0; i < n; i++)
+        out[i] = lane_lerp_from(nearer[i], x, a[i], b[i]);
+}
+
+static nkw_quat slerp(nkw_quat a, nkw_quat b, float t)
+{
+    return lane_t_is_inside(t) ? quat_slerp_keys(a, b, t) : nkw_quat_slerp(a, b, t);
+}
+
+static void linear(const nkw_track *track, size_t k, float t, float *out)
+{
+    if (track_is_rotation(track))
+        track_write_quat(slerp(rotation_at(track, k), rotation_at(track, k + 1), t), out);
+    else
+        lerp(track_value_at(track, k), track_value_at(track, k + 1), t, out, track->width);
+}
+
+/* Tangents are per second. Times the duration of the segment they are per segment. */
+static void cubic(const nkw_track *track, size_t k, float t, float *out)
+{
+    const float *a = track_value_at(track, k), *b = track_value_at(track, k + 1);
+    const float *leaving = a + track->width, *arriving = b - track->width;
+    float duration = track->times[k + 1] - track->times[k];
+    for (size_t i = 0; i < track->width; i++)
+        out[i] = nkw_hermite(a[i], duration * leaving[i], b[i], duration * arriving[i], t);
+    if (track_is_rotation(track))
+        track_write_quat(nkw_quat_normalize(track_read_quat(out)), out);
+}
+
+void nkw_track_sample_segment(const nkw_track *track, nkw_segment segment, float *out)
+{
+    if (!track_is_readable(track))
+        return;
+    size_t last = track->count - 1;
+    size_t k = segment.index < last ? segment.index : last;
+    if (k == last || segment.t == 0.0f)
+        hold(track, k, out);
+    else if (segment.t == 1.0f)
+        hold(track, k + 1, out);
+    else if (track_interpolation_at(track, k) == NKW_INTERPOLATION_CUBICSPLINE && track_is_cubic(track))
+        cubic(track, k, segment.t, out);
+    else if (track_interpolation_at(track, k) == NKW_INTERPOLATION_LINEAR)
+        linear(track, k, segment.t, out);
+    else
+        hold(track, k, out);
+}
+
+void nkw_track_sample(const nkw_track *track, float time, float *out)
+{
+    nkw_track_sample_segment(track, nkw_segment_find(track->times, track->count, time), out);
+}
+
+void nkw_track_sample_cursor(const nkw_track *track, float time, uint32_t *cursor, float *out)
+{
+    nkw_segment segment = segment_find_hint(segment_times_of(track->times, track->count), time, *cursor);
+    *cursor = (uint32_t)segment.index;
+    nkw_track_sample_segment(track, segment, out);
+}
+
+static nkw_result check_shape(const nkw_track *track)
+{
+    if ((unsigned)track->kind > NKW_TRACK_ROTATION_NORMALIZED ||
+        (unsigned)track->interpolation > NKW_INTERPOLATION_CUBICSPLINE)
+        return NKW_BAD_METHOD;
+    nkw_result result = track_check_readable(track);
+    if (result != NKW_OK)
+        return result;
+    return nkw_track_value_count(track) <= SIZE_MAX / sizeof(float) ? NKW_OK : NKW_TOO_SMALL;
+}
+
+static nkw_result check_key(const nkw_track *track, size_t k)
+{
+    unsigned most = track_is_cubic(track) ? NKW_INTERPOLATION_CUBICSPLINE : NKW_INTERPOLATION_STEP;
+    if (track->key_interpolation && track->key_interpolation[k] > most)
+        return NKW_BAD_METHOD;
+    if (!lane_is_finite(track->times[k]) || !are_finite(track_key_at(track, k), track_key_size(track)))
+        return NKW_NOT_FINITE;
+    if (k > 0 && track->times[k] < track->times[k - 1])
+        return NKW_NOT_ASCENDING;
+    float length = track_is_rotation(track) ? nkw_quat_length(track_read_quat(track_value_at(track, k))) : 1.0f;
+    return lane_is_unit_length(length) ? NKW_OK : NKW_NOT_UNIT;
+}
+
+nkw_result nkw_track_validate(const nkw_track *track, size_t *bad_key)
+{
+    nkw_result result = check_shape(track);
+    size_t bad = 0;
+    for (size_t k = 0; result == NKW_OK && k < track->count; k++) {
+        result = check_key(track, k);
+        bad = k;
+    }
+    return report(result, bad, bad_key);
+}
+
+/* Resampling. */
+
+#define TRACK_MOST_STEPS 0x7fffffffu
+
+/* The least k with start + k / rate >= end; at most TRACK_MOST_STEPS. By bisection. */
+static size_t steps_until(float start, float rate, float end)
+{
+    size_t low = 0, high = TRACK_MOST_STEPS;
+    while (low < high) {
+        size_t middle = low + (high - low) / 2;
+        if (nkw_segment_uniform_time(start, rate, middle) < end)
+            low = middle + 1;
+        else
+            high = middle;
+    }
+    return low;
+}
+
+nkw_result nkw_track_resample_count(const nkw_track *track, float rate, size_t *count)
+{
+    nkw_result result = track_check_readable(track);
+    *count = 0;
+    if (result != NKW_OK)
+        return result;
+    if (!(rate > 0.0f) || !lane_is_finite(rate))
+        return NKW_OUT_OF_RANGE;
+    float first = track->times[0], last = track->times[track->count - 1];
+    size_t steps = steps_until(first, rate, last);
+    if (!lane_is_finite(last) || !lane_is_finite(nkw_segment_uniform_time(first, rate, steps)))
+        return NKW_NOT_FINITE;
+    if (steps >= TRACK_MOST_STEPS)
+        return NKW_TOO_MANY;
+    *count = steps + 1;
+    return NKW_OK;
+}
+
+/* Whether all segments are STEP. */
+static int is_step(const nkw_track *track)
+{
+    for (size_t k = 0; track->key_interpolation && k + 1 < track->count; k++)
+        if (track->key_interpolation[k] != NKW_INTERPOLATION_STEP)
+            return 0;
+    return track->key_interpolation || track->interpolation == NKW_INTERPOLATION_STEP;
+}
+
+/* Samples of normalised rotations are unit, so the resampled track is not normalised again. */
+static nkw_track resampled(const nkw_track *track, const float *times, const float *values, size_t count)
+{
+    nkw_track r = {times, values, count, track->width, NKW_TRACK_FLOATS, NKW_INTERPOLATION_LINEAR, NULL};
+    r.kind = track_is_rotation(track) ? NKW_TRACK_ROTATION : NKW_TRACK_FLOATS;
+    r.interpolation = is_step(track) ? NKW_INTERPOLATION_STEP : NKW_INTERPOLATION_LINEAR;
+    return r;
+}
+
+/* The largest difference at the keys of `along` and at the quarters between them, while `track` has keys. */
+static float difference_along(const nkw_track *along, const nkw_track *track, const nkw_track *other, float *work)
+{
+    uint32_t here = 0, there = 0;
+    float *a = work, *b = work + track->width, largest = 0.0f;
+    for (size_t k = 0; k < along->count; k++)
+        for (int quarter = 0; quarter < DIFFERENCE_QUARTERS; quarter++) {
+            float time = difference_time(along, k, quarter);
+            if (time < track->times[0] || time > track->times[track->count - 1])
+                continue;
+            nkw_track_sample_cursor(track, time, &here, a);
+            nkw_track_sample_cursor(other, time, &there, b);
+            largest = difference_worse(largest, track_is_rotation(track)
+                                                    ? nkw_quat_angle(track_read_quat(a), track_read_quat(b))
+                                                    : difference_largest(a, b, track->width));
+        }
+    return largest;
+}
+
+static float difference_of(const nkw_track *track, const nkw_track *other, float *work)
+{
+    return difference_worse(difference_along(track, track, other, work), difference_along(other, track, other, work));
+}
+
+nkw_result nkw_track_difference(const nkw_track *track, const nkw_track *other, float *difference, float *work,
+                                size_t work_count)
+{
+    nkw_result result = track_check_readable(track);
+    *difference = INFINITY;
+    if (result == NKW_OK)
+        result = track_check_readable(other);
+    if (result != NKW_OK)
+        return result;
+    if (track->width != other->width || track_is_rotation(track) != track_is_rotation(other))
+        return NKW_MISMATCHED;
+    if (work_count / 2 < track->width)
+        return NKW_TOO_SMALL;
+    *difference = difference_of(track, other, work);
+    return NKW_OK;
+}
+
+static nkw_result check_memory(const nkw_track *track, const nkw_track_memory *memory, size_t count)
+{
+    return memory->key_capacity >= count && memory->work_count / 2 >= track->width ? NKW_OK : NKW_TOO_SMALL;
+}
+
+/* Samples `count` keys from the time of the first key on. Returns the difference from the source. */
+static float resample(const nkw_track *track, float rate, const nkw_track_memory *memory, size_t count, nkw_track *out)
+{
+    uint32_t cursor = 0;
+    for (size_t k = 0; k < count; k++) {
+        memory->times[k] = nkw_segment_uniform_time(track->times[0], rate, k);
+        nkw_track_sample_cursor(track, memory->times[k], &cursor, memory->values + k * track->width);
+    }
+    *out = resampled(track, memory->times, memory->values, count);
+    return difference_of(track, out, memory->work);
+}
+
+nkw_result nkw_track_resample(const nkw_track *track, float rate, const nkw_track_memory *memory, nkw_track *out,
+                              float *difference)
+{
+    const nkw_track source = *track;
+    size_t count;
+    nkw_result result = nkw_track_resample_count(&source, rate, &count);
+    if (result == NKW_OK)
+        result = check_memory(&source, memory, count);
+    float worst = INFINITY;
+    if (result == NKW_OK)
+        worst = resample(&source, rate, memory, count, out);
+    else
+        *out = resampled(&source, memory->times, memory->values, 0);
+    if (difference)
+        *difference = worst;
+    return result;
+}
+
+/*
+ * The rate with `segments` segments from the first key to the last: the mean rate times segments / (count - 1).
+ * Decreased by ULPs until the last time is not before the last key. 1 without a duration; 0 if the mean rate overflows.
+ */
+static float rate_over(const nkw_track *track, size_t segments)
+{
+    float first = track->times[0], last = track->times[track->count - 1];
+    if (track->count < 2 || !(first < last))
+        return 1.0f;
+    float even;
+    double all = (double)(track->count - 1);
+    int is_even = nkw_segment_uniform_rate(track->times, track->count, &even) == NKW_OK;
+    double mean = is_even ? (double)even : all / ((double)last - (double)first);
+    if (!(mean <= (double)FLT_MAX))
+        return 0.0f;
+    float rate = (float)(mean * ((double)segments / all));
+    while (nkw_segment_uniform_time(first, rate, segments) < last)
+        rate = lane_float(lane_bits(rate) - 1);
+    return rate;
+}
+
+/*
+ * Tries rates in ascending order: (count - 1) / parts segments, rounded up, for parts = 2^n, ..., 4, 2, 1. Returns the
+ * first whose error is at most the tolerance; 0 if there is none.
+ */
+static float lowest_rate(const nkw_track *track, float tolerance, const nkw_track_memory *memory, nkw_track *out)
+{
+    size_t segments = track->count - 1, parts = 1;
+    while (parts < segments)
+        parts *= 2;
+    for (; parts > 0; parts /= 2) {
+        float difference, rate = rate_over(track, (segments + parts - 1) / parts);
+        if (nkw_track_resample(track, rate, memory, out, &difference) == NKW_OK && difference <= tolerance)
+            return rate;
+    }
+    return 0.0f;
+}
+
+nkw_result nkw_track_resample_within(const nkw_track *track, float tolerance, const nkw_track_memory *memory,
+                                     nkw_track *out, float *rate)
+{
+    const nkw_track source = *track;
+    nkw_result result = track_check_readable(&source);
+    if (result == NKW_OK)
+        result = check_memory(&source, memory, source.count);
+    *rate = result == NKW_OK ? lowest_rate(&source, tolerance, memory, out) : 0.0f;
+    if (result == NKW_OK && *rate == 0.0f)
+        result = NKW_NO_RATE;
+    if (result != NKW_OK)
+        *out = resampled(&source, memory->times, memory->values, 0);
+    return result;
+}

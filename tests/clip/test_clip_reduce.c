@@ -1,0 +1,568 @@
+/* SPDX-License-Identifier: MIT */
+/* Clips that are reduced to a tolerance. */
+#include "support/clips.h"
+#include "support/farthest.h"
+#include "support/page.h"
+#include "support/tracks.h"
+#include "support/views.h"
+#include "support/random_clip.h"
+
+#define JOINTS 90 /* more rotations, and more numbers, than a packed group has */
+#define KEYS   61
+#define TRACKS (3 * JOINTS + 1)
+#define FLOATS 3
+
+static struct {
+    float times[KEYS], values[TRACKS][4 * KEYS];
+    int32_t parents[JOINTS];
+    nkw_clip_track tracks[TRACKS];
+    nkw_clip_source source;
+} drawn;
+static double work[NKW_CLIP_REDUCE_WORK(TRACKS, JOINTS, FLOATS)];
+static float block[1 << 19], pose[NKW_POSE_FLOATS(JOINTS)], wanted[NKW_POSE_FLOATS(JOINTS)], floats[FLOATS];
+
+/*
+ * Chains of ten joints of length 0.1. All rotate, the roots also translate; scales and other translations stay within
+ * 1e-7 of their first key. Whole periods: the last key equals the first. The floats are a wave.
+ */
+static float wave(size_t track, size_t k, size_t component)
+{
+    float turns = (float)(1 + (track + component) % 3), phase = 0.7f * (float)track + (float)component;
+    return nkw_sin(6.2831853f * turns * (float)(k % (KEYS - 1)) / (float)(KEYS - 1) + phase);
+}
+
+static void draw_key(size_t track, size_t k, float *v)
+{
+    nkw_vec3 turn = {0.3f * wave(track, k, 0), 0.2f * wave(track, k, 1), 0.1f * wave(track, k, 2)};
+    nkw_quat q = nkw_quat_exp(turn);
+    float still = 1e-7f * wave(track, k, 0), moving = track % 30 == 0 ? 0.5f * wave(track, k, 0) : still;
+    if (track == TRACKS - 1)
+        v[0] = wave(0, k, 0), v[1] = 0.25f, v[2] = 100.0f * wave(2, k, 0);
+    else if (track % 3 == 1)
+        memcpy(v, &q, sizeof q);
+    else
+        v[0] = track % 3 == 2 ? 1.0f + still : 0.1f + moving, v[1] = track % 3 == 2 ? 1.0f : still, v[2] = v[1];
+}
+
+static int draw(void **state)
+{
+    (void)state;
+    for (size_t k = 0; k < KEYS; k++)
+        drawn.times[k] = nkw_segment_uniform_time(0.5f, 30.0f, k);
+    for (size_t i = 0; i < TRACKS; i++) {
+        const nkw_clip_target target = i == TRACKS - 1 ? NKW_CLIP_FLOATS : (nkw_clip_target)(i % 3);
+        const size_t width = target == NKW_CLIP_ROTATION ? 4 : 3;
+        const nkw_track track = {drawn.times,
+                                 drawn.values[i],
+                                 KEYS,
+                                 width,
+                                 target == NKW_CLIP_ROTATION ? NKW_TRACK_ROTATION : NKW_TRACK_FLOATS,
+                                 NKW_INTERPOLATION_LINEAR,
+                                 NULL};
+        const nkw_clip_track whole = {target, i == TRACKS - 1 ? 0 : (uint32_t)(i / 3), track};
+        drawn.tracks[i] = whole;
+        for (size_t k = 0; k < KEYS; k++)
+            draw_key(i, k, drawn.values[i] + width * k);
+    }
+    for (size_t j = 0; j < JOINTS; j++)
+        drawn.parents[j] = j % 10 == 0 ? NKW_NO_JOINT : (int32_t)j - 1;
+    const nkw_clip_source source = {drawn.tracks, TRACKS, JOINTS, FLOATS, {NULL, 0}, NULL, NKW_CLIP_FLOAT32, NULL};
+    drawn.source = source;
+    return 0;
+}
+
+static nkw_clip_reduction within(float tolerance)
+{
+    const nkw_clip_reduction r = {drawn.parents, tolerance, 0.1f, NULL, NULL, 1e-3f};
+    return r;
+}
+
+static nkw_result reduce_to(const nkw_clip_reduction *r, nkw_clip_reduced *reduced)
+{
+    size_t bad;
+    const nkw_clip_memory memory = {block, sizeof block, work, sizeof work / sizeof *work};
+    return nkw_clip_reduce(&drawn.source, r, &memory, reduced, &bad);
+}
+
+static const nkw_clip *reduced_clip(const nkw_clip_reduction *r, nkw_clip_reduced *reduced)
+{
+    const nkw_clip *clip = NULL;
+    assert_int_equal(reduce_to(r, reduced), NKW_OK);
+    assert_int_equal(nkw_clip_open(block, reduced->bytes, &clip), NKW_OK);
+    assert_int_equal(nkw_clip_bytes(clip), reduced->bytes);
+    return clip;
+}
+
+static void want(float time)
+{
+    nkw_pose_identity(pose_span(wanted, JOINTS));
+    for (size_t i = 0; i < TRACKS; i++)
+        track_sample_to(&drawn.tracks[i], time, JOINTS, wanted, floats);
+}
+
+/* The largest distance in model space of the points within 0.1 of a joint. */
+static float distance_at(const nkw_clip *clip, float time)
+{
+    static nkw_mat4 got_models[JOINTS], want_models[JOINTS];
+    const nkw_skeleton skeleton = {drawn.parents, JOINTS};
+    float largest = 0.0f;
+    want(time);
+    nkw_clip_sample(clip, time, NULL, pose_span(pose, JOINTS), floats);
+    nkw_models_from_pose(&skeleton, pose_view(pose, JOINTS), NULL, NULL, got_models);
+    nkw_models_from_pose(&skeleton, pose_view(wanted, JOINTS), NULL, NULL, want_models);
+    for (size_t j = 0; j < JOINTS; j++) {
+        float d = (float)farthest_distance(&got_models[j], &want_models[j], 0.1);
+        largest = d > largest ? d : largest;
+    }
+    return largest;
+}
+
+static void a_reduced_clip_is_small_and_within_the_tolerance(void **state)
+{
+    const float tolerances[3] = {1e-4f, 1e-3f, 1e-2f};
+    size_t before = 0, bytes = 0, bad, all[3];
+    uint32_t order[NKW_CLIP_WORK(TRACKS)];
+    (void)state;
+    assert_int_equal(nkw_clip_measure(&drawn.source, &before, &bad, order, NKW_CLIP_WORK(TRACKS)), NKW_OK);
+    for (int i = 0; i < 3; i++) {
+        const nkw_clip_reduction r = within(tolerances[i]);
+        nkw_clip_reduced reduced;
+        const nkw_clip *clip = reduced_clip(&r, &reduced);
+        float largest = 0.0f;
+        for (size_t k = 0; k < 2 * KEYS - 1; k++) {
+            float d = distance_at(clip, 0.5f + (float)k / 60.0f);
+            largest = d > largest ? d : largest;
+        }
+        assert_true(reduced.share <= 1.0f && reduced.distance <= tolerances[i] && reduced.floats <= 1e-3f);
+        assert_true(largest <= tolerances[i] + 1e-5f && largest >= reduced.distance - 1e-5f);
+        assert_true(reduced.bytes * 4 < before && (bytes == 0 || reduced.bytes < bytes));
+        bytes = all[i] = reduced.bytes;
+    }
+    expect_page("floors/4-track.md", "| %d joints, %d keys, 100 of %d tracks move ([`tests/clip/test_clip_reduce.c`]"
+                                     "(../../tests/clip/test_clip_reduce.c)) | %lu | %lu | %lu |",
+                JOINTS, KEYS, TRACKS, (unsigned long)before, (unsigned long)all[0], (unsigned long)all[1]);
+}
+
+static void tracks_within_the_tolerance_become_constant(void **state)
+{
+    const nkw_clip_reduction r = within(1e-3f);
+    nkw_clip_reduced reduced;
+    (void)state;
+    reduced_clip(&r, &reduced);
+    assert_int_equal(reduced.constant_count, JOINTS + JOINTS - JOINTS / 10);
+    assert_int_equal(reduced.packed_count, TRACKS - reduced.constant_count);
+}
+
+static void a_loop_stays_closed(void **state)
+{
+    const nkw_clip_reduction r = within(1e-3f);
+    nkw_clip_reduced reduced;
+    float first[NKW_POSE_FLOATS(JOINTS)];
+    (void)state;
+    const nkw_clip *clip = reduced_clip(&r, &reduced);
+    nkw_clip_sample(clip, nkw_clip_start(clip), NULL, pose_span(first, JOINTS), NULL);
+    nkw_clip_sample(clip, nkw_clip_end(clip), NULL, pose_span(pose, JOINTS), NULL);
+    for (size_t c = 0; c < 10; c++)
+        for (size_t j = 0; j < JOINTS; j++)
+            assert_true(first[c * NKW_POSE_STRIDE(JOINTS) + j] == pose[c * NKW_POSE_STRIDE(JOINTS) + j]);
+    assert_true(nkw_clip_start(clip) == drawn.times[0] && nkw_clip_end(clip) == drawn.times[KEYS - 1]);
+}
+
+/* Every joint has its own tolerance: that of an odd chain is 100 times that of an even one. */
+static void each_joint_keeps_its_own_tolerance(void **state)
+{
+    float tolerances[JOINTS], distances[JOINTS];
+    nkw_clip_reduction r = within(0.0f);
+    nkw_clip_reduced own, strict;
+    (void)state;
+    for (size_t j = 0; j < JOINTS; j++) {
+        tolerances[j] = j / 10 % 2 ? 1e-2f : 1e-4f;
+        distances[j] = 0.05f;
+    }
+    r.tolerances = tolerances, r.distances = distances;
+    reduced_clip(&r, &own);
+    assert_true(own.share <= 1.0f && own.distance > 1e-4f && own.distance <= 1e-2f);
+    for (size_t j = 0; j < JOINTS; j++)
+        tolerances[j] = 1e-4f;
+    reduced_clip(&r, &strict);
+    assert_true(strict.share <= 1.0f && strict.distance <= 1e-4f && own.bytes < strict.bytes);
+}
+
+static void a_tolerance_of_zero_keeps_the_bits_of_the_tracks(void **state)
+{
+    nkw_clip_reduction r = within(0.0f);
+    nkw_clip_reduced reduced;
+    (void)state;
+    r.float_tolerance = 0.0f;
+    const nkw_clip *clip = reduced_clip(&r, &reduced);
+    assert_true(reduced.share == 0.0f && reduced.packed_count == 0);
+    for (size_t k = 0; k < 100; k++) {
+        float time = 0.4f + 0.023f * (float)k;
+        want(time);
+        nkw_clip_sample(clip, time, NULL, pose_span(pose, JOINTS), NULL);
+        for (size_t c = 0; c < 10; c++)
+            assert_memory_equal(pose + c * NKW_POSE_STRIDE(JOINTS), wanted + c * NKW_POSE_STRIDE(JOINTS),
+                                JOINTS * sizeof *pose);
+    }
+}
+
+/* A joint that turns round and round, one that jumps far, steps, and cubics. */
+static void tracks_that_cannot_be_packed_keep_their_bits(void **state)
+{
+    const nkw_clip_reduction r = within(1e-4f);
+    nkw_clip_reduced reduced;
+    (void)state;
+    for (size_t k = 0; k < KEYS; k++) {
+        nkw_vec3 up = {0.0f, 1.0f, 0.0f};
+        nkw_quat q = nkw_quat_from_axis_angle(up, 0.4f * (float)k);
+        memcpy(drawn.values[1] + 4 * k, &q, sizeof q);
+        drawn.values[30][3 * k] = k < 20 ? 0.0f : 1e4f;
+    }
+    drawn.tracks[61].track.interpolation = NKW_INTERPOLATION_STEP;
+    drawn.tracks[60].track.interpolation = NKW_INTERPOLATION_CUBICSPLINE;
+    drawn.tracks[60].track.count = KEYS / 3;
+    const nkw_clip *clip = reduced_clip(&r, &reduced);
+    assert_true(reduced.share <= 1.0f);
+    for (size_t k = 0; k < 100; k++) {
+        float time = 0.4f + 0.023f * (float)k;
+        want(time);
+        nkw_clip_sample(clip, time, NULL, pose_span(pose, JOINTS), NULL);
+        for (size_t c = 0; c < 10; c++) {
+            size_t at = c * NKW_POSE_STRIDE(JOINTS);
+            if (c >= 3 && c < 7) /* the rotations of joints 0 and 20 */
+                assert_true(pose[at] == wanted[at] && pose[at + 20] == wanted[at + 20]);
+            else if (c < 3) /* the translations of joints 10 and 20 */
+                assert_true(pose[at + 10] == wanted[at + 10] && pose[at + 20] == wanted[at + 20]);
+        }
+    }
+    draw(state);
+}
+
+static void a_cache_returns_the_same_bits(void **state)
+{
+    static float cache[1 << 14], again[NKW_POSE_FLOATS(JOINTS)];
+    const nkw_clip_reduction r = within(1e-3f);
+    nkw_clip_reduced reduced;
+    (void)state;
+    const nkw_clip *clip = reduced_clip(&r, &reduced);
+    assert_true(nkw_clip_cache_bytes(clip) <= sizeof cache);
+    memset(cache, 0, sizeof cache);
+    for (size_t k = 0; k < 300; k++) {
+        float time = k < 250 ? 0.45f + 0.01f * (float)k : 0.5f + (float)(k * 7 % 11) / 30.0f;
+        float twice[2][FLOATS];
+        nkw_clip_sample(clip, time, NULL, pose_span(pose, JOINTS), twice[0]);
+        assert_int_equal(nkw_clip_sample_cached(clip, time, pose_span(again, JOINTS), twice[1], cache, sizeof cache),
+                         NKW_OK);
+        assert_memory_equal(twice[0], twice[1], sizeof twice[0]);
+        for (size_t c = 0; c < 10; c++)
+            assert_memory_equal(pose + c * NKW_POSE_STRIDE(JOINTS), again + c * NKW_POSE_STRIDE(JOINTS),
+                                JOINTS * sizeof *pose);
+    }
+}
+
+/* A chain of a few joints: rotations, translations and scales of each, in this order, with the same keys. */
+enum { LINKS = 3, LINK_TRACKS = 3 * LINKS, LINK_KEYS = 40 };
+typedef struct chain {
+    float times[LINK_KEYS], values[LINK_TRACKS][4 * LINK_KEYS];
+    int32_t parents[LINKS];
+    nkw_clip_track tracks[LINK_TRACKS];
+    nkw_clip_source source;
+} chain;
+
+/* A waving chain with the scale `scale` of its root; lengths of rotations are 1 + `off` at every third key. */
+static void draw_chain(random_source *r, size_t joints, size_t keys, nkw_vec3 scale, float off, chain *out)
+{
+    static const nkw_clip_target targets[3] = {NKW_CLIP_ROTATION, NKW_CLIP_TRANSLATION, NKW_CLIP_SCALE};
+    const nkw_clip_source source = {out->tracks, 3 * joints, joints, 0, {NULL, 0}, NULL, NKW_CLIP_FLOAT32, NULL};
+    for (size_t k = 0; k < keys; k++)
+        out->times[k] = (float)k / 30.0f;
+    for (size_t i = 0; i < 3 * joints; i++) {
+        const nkw_clip_track c = {targets[i % 3],
+                                  (uint32_t)(i / 3),
+                                  {out->times, out->values[i], keys, i % 3 ? 3 : 4,
+                                   i % 3 ? NKW_TRACK_FLOATS : NKW_TRACK_ROTATION, NKW_INTERPOLATION_LINEAR, NULL}};
+        out->tracks[i] = c;
+        for (size_t k = 0; k < keys; k++) {
+            float *v = out->values[i] + c.track.width * k, length = k % 3 == 1 ? 1.0f + off : 1.0f;
+            nkw_vec3 w = {random_between(r, -0.3f, 0.3f), random_between(r, -0.3f, 0.3f),
+                          random_between(r, -0.3f, 0.3f)};
+            nkw_quat q = nkw_quat_scale(nkw_quat_exp(w), length);
+            if (i % 3 == 0)
+                memcpy(v, &q, sizeof q);
+            else if (i % 3 == 1)
+                v[0] = 1.0f + 0.01f * w.x, v[1] = 0.01f * w.y, v[2] = 0.01f * w.z;
+            else
+                v[0] = (i < 3 ? scale.x : 1.0f), v[1] = i < 3 ? scale.y : 1.0f, v[2] = i < 3 ? scale.z : 1.0f;
+        }
+        out->parents[i / 3] = (int32_t)(i / 3) - 1;
+    }
+    out->source = source;
+}
+
+static void chain_models(const chain *c, const nkw_clip *clip, float time, nkw_mat4 *models)
+{
+    const size_t joints = c->source.joint_count;
+    const nkw_skeleton skeleton = {c->parents, joints};
+    float sampled[NKW_POSE_FLOATS(LINKS)], none;
+    nkw_pose_identity(pose_span(sampled, joints));
+    for (size_t i = 0; !clip && i < 3 * joints; i++)
+        track_sample_to(&c->tracks[i], time, joints, sampled, &none);
+    if (clip)
+        assert_int_equal(nkw_clip_sample(clip, time, NULL, pose_span(sampled, joints), NULL), NKW_OK);
+    nkw_models_from_pose(&skeleton, pose_view(sampled, joints), NULL, NULL, models);
+}
+
+/* Reduces a chain; the largest distance of points at `reach` in the space of the joints, at keys and half-way. */
+static double reduced_chain(const chain *c, float tolerance, float distance, double reach, nkw_clip_reduced *reduced)
+{
+    const nkw_clip_reduction r = {c->parents, tolerance, distance, NULL, NULL, 0.0f};
+    const nkw_clip_memory memory = {block, sizeof block, work, sizeof work / sizeof *work};
+    const size_t keys = c->tracks[0].track.count;
+    double largest = 0.0;
+    assert_int_equal(nkw_clip_reduce(&c->source, &r, &memory, reduced, NULL), NKW_OK);
+    for (size_t k = 0; k < 2 * keys - 1; k++) {
+        float time = k % 2 ? nkw_lerp(c->times[k / 2], c->times[k / 2 + 1], 0.5f) : c->times[k / 2];
+        nkw_mat4 got[LINKS], wanted_models[LINKS];
+        chain_models(c, (const nkw_clip *)(const void *)block, time, got);
+        chain_models(c, NULL, time, wanted_models);
+        for (size_t j = 0; j < c->source.joint_count; j++)
+            largest = fmax(largest, farthest_distance(&got[j], &wanted_models[j], reach));
+    }
+    return largest;
+}
+
+/* Keys of 1e-3 off unit are |q|^2 times a rotation in model space; they are stored as they are where that is seen. */
+static void lengths_of_rotations_count(void **state)
+{
+    static chain c;
+    random_source random = random_from(31);
+    const nkw_vec3 one = {1.0f, 1.0f, 1.0f};
+    const float known[12] = {0, 0, 0, 1, 0, 0.7087f, 0, 0.7087f, 0, 0, 0, 1};
+    nkw_clip_reduced reduced;
+    (void)state;
+    draw_chain(&random, 1, 3, one, 0.0f, &c);
+    memcpy(c.values[0], known, sizeof known);
+    assert_true(reduced_chain(&c, 1e-4f, 0.1f, 0.1, &reduced) <= 1e-4 * (1.0 + 1e-4));
+    for (int i = 0; i < 20; i++) {
+        const float tolerance = i % 2 ? 1e-4f : 3e-3f;
+        draw_chain(&random, LINKS, LINK_KEYS, one, i < 10 ? 1e-3f : 9e-3f, &c);
+        double largest = reduced_chain(&c, tolerance, 0.1f, 0.1, &reduced);
+        assert_true(largest <= (double)tolerance + 1e-6 && largest >= (double)reduced.distance - 1e-6);
+    }
+    draw_chain(&random, LINKS, LINK_KEYS, one, 1e-3f, &c); /* at this tolerance it is not seen */
+    reduced_chain(&c, 0.05f, 0.1f, 0.1, &reduced);
+    assert_int_equal(reduced.packed_count + reduced.constant_count, LINK_TRACKS);
+}
+
+/* Constant keys keep their length, too. */
+static void a_constant_rotation_keeps_its_length(void **state)
+{
+    static chain c;
+    random_source random = random_from(32);
+    const nkw_vec3 one = {1.0f, 1.0f, 1.0f};
+    const nkw_quat q = {0.0f, 0.7087f, 1e-7f, 0.7087f};
+    nkw_clip_reduced reduced;
+    (void)state;
+    draw_chain(&random, LINKS, LINK_KEYS, one, 0.0f, &c);
+    for (size_t k = 0; k < LINK_KEYS; k++) {
+        const nkw_quat noisy = {q.x, q.y, k % 2 ? q.z : 0.0f, q.w};
+        memcpy(c.values[0] + 4 * k, &noisy, sizeof noisy);
+    }
+    assert_true(reduced_chain(&c, 1e-3f, 0.1f, 0.1, &reduced) <= 1e-3 + 1e-6);
+    nkw_clip_sample((const nkw_clip *)(const void *)block, 0.5f, NULL, pose_span(pose, LINKS), NULL);
+    nkw_quat got = nkw_pose_get(pose_view(pose, LINKS), 0).rotation;
+    assert_true(fabsf(nkw_quat_length(got) - nkw_quat_length(q)) < 1e-6f);
+    assert_int_equal(reduced.constant_count, LINKS + 1);
+}
+
+/* The unit of `distance` is that of the translations: an armature of scale 0.01 has its points at 100 times `distance`. */
+static void the_distance_is_in_model_space_whatever_the_scale(void **state)
+{
+    static chain c;
+    random_source random = random_from(33);
+    const float scales[4] = {0.01f, 0.1f, 1.0f, 30.0f};
+    (void)state;
+    for (int i = 0; i < 20; i++) {
+        const float s = scales[i % 4], tolerance = (i < 10 ? 1e-3f : 1e-4f) * (s > 1.0f ? s : 1.0f);
+        const nkw_vec3 scale = {s, s, s};
+        nkw_clip_reduced reduced;
+        draw_chain(&random, LINKS, LINK_KEYS, scale, 0.0f, &c);
+        double largest = reduced_chain(&c, tolerance, 0.3f, 0.3 / (double)s, &reduced);
+        assert_true(largest <= (double)tolerance * (1.0 + 1e-3) && largest >= 0.99 * (double)reduced.distance);
+    }
+}
+
+/* Points n[c] distance/s[c] of a joint of scale s: those of the unit sphere n in a joint whose scale is 1. */
+static void each_axis_has_its_own_scale(void **state)
+{
+    static chain c;
+    random_source random = random_from(34);
+    (void)state;
+    for (int i = 0; i < 10; i++) {
+        const nkw_vec3 scale = {0.01f, 1.0f, i < 5 ? 5.0f : 0.0f};
+        const nkw_mat4 unit = {{100.0f, 0, 0, 0, 0, 1.0f, 0, 0, 0, 0, i < 5 ? 0.2f : 1.0f, 0, 0, 0, 0, 1.0f}};
+        nkw_clip_reduced reduced;
+        draw_chain(&random, 1, LINK_KEYS, scale, 0.0f, &c);
+        reduced_chain(&c, 1e-3f, 0.3f, 0.3, &reduced);
+        double largest = 0.0;
+        for (size_t k = 0; k < 2 * LINK_KEYS - 1; k++) {
+            float time = k % 2 ? nkw_lerp(c.times[k / 2], c.times[k / 2 + 1], 0.5f) : c.times[k / 2];
+            nkw_mat4 a, b;
+            chain_models(&c, (const nkw_clip *)(const void *)block, time, &a);
+            chain_models(&c, NULL, time, &b);
+            a = nkw_mat4_mul(&a, &unit), b = nkw_mat4_mul(&b, &unit);
+            largest = fmax(largest, farthest_distance(&a, &b, 0.3));
+        }
+        assert_true(largest <= 1e-3 + 1e-6 && largest >= 0.99 * (double)reduced.distance);
+    }
+}
+
+static size_t bytes_of(const nkw_clip_source *source, nkw_clip_format format)
+{
+    static uint32_t order[NKW_CLIP_WORK(LINK_TRACKS)];
+    nkw_clip_source s = *source;
+    size_t bytes = 0;
+    s.format = format;
+    assert_int_equal(nkw_clip_measure(&s, &bytes, NULL, order, NKW_CLIP_WORK(LINK_TRACKS)), NKW_OK);
+    return bytes;
+}
+
+/* A clip of few keys is smaller as floats, or in 16 bits where their error is within the tolerance. */
+static void a_reduced_clip_is_never_larger_than_one_of_floats_or_16_bits(void **state)
+{
+    static chain c;
+    random_source random = random_from(35);
+    const nkw_vec3 one = {1.0f, 1.0f, 1.0f};
+    (void)state;
+    for (size_t joints = 1; joints <= LINKS; joints++)
+        for (size_t keys = 1; keys <= LINK_KEYS; keys += keys < 10 ? 1 : 10)
+            for (int i = 0; i < 4; i++) {
+                const float tolerances[4] = {1e-8f, 1e-4f, 1e-2f, 0.3f};
+                nkw_clip_reduced reduced;
+                draw_chain(&random, joints, keys, one, 0.0f, &c);
+                double largest = reduced_chain(&c, tolerances[i], 0.1f, 0.1, &reduced);
+                assert_true(reduced.share <= 1.0f && largest <= (double)tolerances[i] * (1.0 + 1e-4) + 3e-7);
+                assert_true(reduced.bytes <= bytes_of(&c.source, NKW_CLIP_FLOAT32));
+                assert_true(bytes_of(&c.source, NKW_CLIP_UNORM16) <= bytes_of(&c.source, NKW_CLIP_FLOAT32));
+                if (i >= 2) /* 16 bits are within 1e-3 rad of each of three joints */
+                    assert_true(reduced.bytes <= bytes_of(&c.source, NKW_CLIP_UNORM16));
+            }
+}
+
+/* Steps below the rounding of the base: a knot may not be -1, which no unsigned number is. */
+static void steps_below_the_rounding_of_floats_have_knots(void **state)
+{
+    static chain c;
+    random_source random = random_from(36);
+    const nkw_vec3 one = {1.0f, 1.0f, 1.0f};
+    const float known[12] = {0.392556012f, 0.6094625f,   0.430625021f, 0.537603259f, 0.363504171f, 0.622943103f,
+                             0.450217247f, 0.526413381f, 0.385836065f, 0.606550872f, 0.456118762f, 0.524578154f};
+    nkw_clip_reduced reduced;
+    (void)state;
+    draw_chain(&random, 1, 3, one, 0.0f, &c);
+    memcpy(c.values[0], known, sizeof known);
+    assert_true(reduced_chain(&c, 5.81872825e-08f, 1.0f, 1.0, &reduced) < 3e-7);
+    for (int i = 0; i < 50; i++) {
+        draw_chain(&random, LINKS, LINK_KEYS, one, 0.0f, &c);
+        assert_true(reduced_chain(&c, random_between(&random, 1e-8f, 1e-6f), 1.0f, 1.0, &reduced) < 4e-6);
+        assert_true(reduced.share <= 1.0f);
+    }
+}
+
+/* From -3e38 to 3e38: a range that no float is. */
+static void ranges_that_overflow_are_stored_as_floats(void **state)
+{
+    static chain c;
+    random_source random = random_from(37);
+    const nkw_vec3 one = {1.0f, 1.0f, 1.0f};
+    (void)state;
+    for (int i = 0; i < 8; i++) {
+        nkw_clip_reduced reduced;
+        nkw_pose_span span = {pose, LINKS};
+        draw_chain(&random, LINKS, LINK_KEYS, one, 0.0f, &c);
+        for (size_t k = 0; k < LINK_KEYS; k++)
+            c.values[1][3 * k] = 3e38f * ((float)k / 20.0f - 1.0f);
+        for (size_t k = 0; k < LINK_KEYS && i % 2; k++)
+            c.values[7][3 * k] = 1e38f * (float)(k % 2);
+        const nkw_clip_reduction r = {c.parents, i < 4 ? 1e35f : 1e-3f, 0.1f, NULL, NULL, 0.0f};
+        const nkw_clip_memory memory = {block, sizeof block, work, sizeof work / sizeof *work};
+        assert_int_equal(nkw_clip_reduce(&c.source, &r, &memory, &reduced, NULL), NKW_OK);
+        assert_true(reduced.share <= 1.0f);
+        for (size_t k = 0; k < 2 * LINK_KEYS - 1; k++) {
+            float time = 0.5f * (c.times[k / 2] + c.times[(k + 1) / 2]), want_value[3];
+            nkw_clip_sample((const nkw_clip *)(const void *)block, time, NULL, span, NULL);
+            nkw_track_sample(&c.tracks[1].track, time, want_value);
+            assert_true(fabs((double)pose[0] - (double)want_value[0]) <= (double)r.tolerance);
+        }
+    }
+}
+
+static void wrong_arguments_are_refused(void **state)
+{
+    nkw_clip_reduction r = within(1e-3f);
+    size_t bytes, bad, count = sizeof work / sizeof *work;
+    (void)state;
+    assert_int_equal(nkw_clip_reduce_measure(&drawn.source, &bytes, &bad, work, count), NKW_OK);
+    assert_true(bytes <= sizeof block);
+    const nkw_clip_memory small = {block, bytes - 1, work, count}, little = {block, bytes, work, count - 1};
+    assert_int_equal(nkw_clip_reduce(&drawn.source, &r, &small, NULL, &bad), NKW_TOO_SMALL);
+    assert_int_equal(nkw_clip_reduce(&drawn.source, &r, &little, NULL, &bad), NKW_TOO_SMALL);
+    assert_int_equal(nkw_clip_reduce_measure(&drawn.source, &bytes, &bad, work, count - 1), NKW_TOO_SMALL);
+    r.distance = -1.0f;
+    assert_int_equal(reduce_to(&r, NULL), NKW_NOT_FINITE);
+    r = within(NAN);
+    assert_int_equal(reduce_to(&r, NULL), NKW_NOT_FINITE);
+    r = within(1e-3f);
+    drawn.source.format = NKW_CLIP_UNORM16;
+    assert_int_equal(reduce_to(&r, NULL), NKW_BAD_FORMAT);
+    drawn.source.format = NKW_CLIP_FLOAT32;
+    drawn.tracks[7].index = 0;
+    assert_int_equal(reduce_to(&r, NULL), NKW_REPEATED);
+    draw(state);
+}
+
+/* A change of any word of the block: refused, or sampled without an access outside (sanitizers). */
+static void a_damaged_reduced_block_is_refused_or_safe(void **state)
+{
+    const nkw_clip_reduction r = within(1e-3f);
+    nkw_clip_reduced reduced;
+    random_source random = random_from(3);
+    uint32_t *words = (uint32_t *)(void *)block;
+    (void)state;
+    reduced_clip(&r, &reduced);
+    for (size_t i = 0; i < reduced.bytes / 4; i += i < 3000 ? 1 : 61) {
+        const uint32_t kept = words[i];
+        const nkw_clip *clip;
+        words[i] = i % 3 == 0 ? (uint32_t)random_bits(&random) : i % 3 == 1 ? kept + 1 : kept ^ 1u << i % 32;
+        if (nkw_clip_open(block, reduced.bytes, &clip) == NKW_OK && nkw_clip_joint_count(clip) == JOINTS &&
+            nkw_clip_float_count(clip) == FLOATS)
+            for (int k = 0; k < 3; k++)
+                nkw_clip_sample(clip, 0.5f + (float)k, NULL, pose_span(pose, JOINTS), floats);
+        words[i] = kept;
+    }
+    const nkw_clip *clip;
+    assert_int_equal(nkw_clip_open(block, reduced.bytes - 4, &clip), NKW_TOO_SMALL);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(a_reduced_clip_is_small_and_within_the_tolerance),
+        cmocka_unit_test(tracks_within_the_tolerance_become_constant),
+        cmocka_unit_test(a_loop_stays_closed),
+        cmocka_unit_test(each_joint_keeps_its_own_tolerance),
+        cmocka_unit_test(a_tolerance_of_zero_keeps_the_bits_of_the_tracks),
+        cmocka_unit_test(tracks_that_cannot_be_packed_keep_their_bits),
+        cmocka_unit_test(a_cache_returns_the_same_bits),
+        cmocka_unit_test(lengths_of_rotations_count),
+        cmocka_unit_test(a_constant_rotation_keeps_its_length),
+        cmocka_unit_test(the_distance_is_in_model_space_whatever_the_scale),
+        cmocka_unit_test(each_axis_has_its_own_scale),
+        cmocka_unit_test(a_reduced_clip_is_never_larger_than_one_of_floats_or_16_bits),
+        cmocka_unit_test(steps_below_the_rounding_of_floats_have_knots),
+        cmocka_unit_test(ranges_that_overflow_are_stored_as_floats),
+        cmocka_unit_test(wrong_arguments_are_refused),
+        cmocka_unit_test(a_damaged_reduced_block_is_refused_or_safe),
+    };
+    return cmocka_run_group_tests(tests, draw, NULL);
+}
