@@ -81,6 +81,10 @@ void input_set_bvh(int adds_offset);
 int input_bvh_adds(void);
 /** The folder of a path, to be freed; NULL without memory. */
 char *input_folder(const char *path);
+/** The path of a file in the folder of a document, to be freed; NULL without memory. */
+char *input_beside(const nkw_document *d, const char *path);
+/** All bytes of such a file, to be freed; NULL if it cannot be read, which is not reported. */
+unsigned char *input_read_beside(const nkw_document *d, const char *path, size_t *bytes);
 /** Prints the warnings of a document on stderr. */
 void input_warn(const nkw_document *document);
 

@@ -106,6 +106,29 @@ char *input_folder(const char *path)
     return folder;
 }
 
+char *input_beside(const nkw_document *d, const char *path)
+{
+    const char *slash = strrchr(d->file, '/');
+    const size_t folder = slash ? (size_t)(slash - d->file) + 1 : 0;
+    char *name = malloc(folder + strlen(path) + 1);
+    if (name) {
+        memcpy(name, d->file, folder);
+        strcpy(name + folder, path);
+    }
+    return name;
+}
+
+unsigned char *input_read_beside(const nkw_document *d, const char *path, size_t *bytes)
+{
+    char *name = input_beside(d, path);
+    FILE *f = name ? fopen(name, "rb") : NULL;
+    unsigned char *data = f ? read_all(f, bytes) : NULL;
+    if (f)
+        fclose(f);
+    free(name);
+    return data;
+}
+
 /* A file whose reading has options: nkw_document_open has none. */
 static nkw_document *open_with_options(const char *path, nkw_import_error *error)
 {

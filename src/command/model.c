@@ -61,17 +61,24 @@ static int no_memory(void)
     return 0;
 }
 
-void *model_take(model *m, size_t count, size_t size)
+/* Memory that the model frees; frees it without a place to note it. */
+static int model_keep(model *m, void *block)
 {
     void **blocks = realloc(m->blocks, (m->block_count + 1) * sizeof *blocks);
-    void *block = blocks ? calloc(count ? count : 1, size) : NULL;
-    m->blocks = blocks ? blocks : m->blocks;
-    if (!block) {
-        no_memory();
-        return NULL;
+    if (!blocks || !block) {
+        free(block);
+        m->blocks = blocks ? blocks : m->blocks;
+        return no_memory();
     }
+    m->blocks = blocks;
     m->blocks[m->block_count++] = block;
-    return block;
+    return 1;
+}
+
+void *model_take(model *m, size_t count, size_t size)
+{
+    void *block = calloc(count ? count : 1, size);
+    return model_keep(m, block) ? block : NULL;
 }
 
 int model_open(model *m, const nkw_document *d)
@@ -293,25 +300,78 @@ static int same_folder(const char *a, const char *b)
     return x == y && memcmp(a, b, x) == 0;
 }
 
-static int make_file(const model *m, const model_source *source, const char *path, const char *outer,
-                     nkw_gltf_form form, nkw_gltf_file *file)
+/* Outer pictures that can be read become part of a copy of the document. `images` and `materials` are its lists. */
+static void read_images(model *m, nkw_document *d, nkw_document_image *images, nkw_document_material *materials)
+{
+    for (size_t i = 0; i < d->image_count; i++) {
+        size_t bytes = 0;
+        images[i] = d->images[i];
+        unsigned char *data = images[i].path && !images[i].data ? input_read_beside(d, images[i].path, &bytes) : NULL;
+        if (data && model_keep(m, data)) {
+            images[i].data = data;
+            images[i].bytes = bytes;
+        }
+    }
+    for (size_t i = 0; i < d->material_count; i++) {
+        materials[i] = d->materials[i];
+        if (materials[i].image)
+            materials[i].image = images + (materials[i].image - d->images);
+    }
+    d->images = images;
+    d->materials = materials;
+}
+
+static nkw_import_result write_document(model *m, int embeds, nkw_gltf_form form, const char *uri, nkw_gltf_file *file,
+                                        nkw_import_error *error)
+{
+    nkw_document d = m->document;
+    if (embeds && d.image_count > 0) {
+        nkw_document_image *images = model_take(m, d.image_count, sizeof *images);
+        nkw_document_material *materials = model_take(m, d.material_count, sizeof *materials);
+        if (images && materials)
+            read_images(m, &d, images, materials);
+    }
+    return nkw_document_write(&d, form, uri, file, error);
+}
+
+/* Outer pictures that should have become part of the file. */
+static void warn_of_images(const nkw_document *d, const nkw_gltf_file *file)
+{
+    const nkw_document_image *first = d->images + file->outer_image;
+    if (file->outer_images == 0)
+        return;
+    output_text(stderr, d->file);
+    fputs(": warning: ", stderr);
+    output_text(stderr, first->path ? first->path : first->name);
+    if (file->outer_images > 1)
+        fprintf(stderr, " and %zu more are", file->outer_images - 1);
+    else
+        fputs(" is", stderr);
+    fputs(" not in the file, which names the path: cannot be read, or is no PNG or JPEG\n", stderr);
+}
+
+/* A GLB has its images, and so has a file in another folder, where paths lead elsewhere. */
+static int make_file(model *m, const model_source *source, const char *path, const char *outer, nkw_gltf_form form,
+                     nkw_gltf_file *file)
 {
     nkw_import_error error;
     const char *uri = outer ? name_of(outer) : NULL;
+    const int embeds = form == NKW_GLTF_BINARY || !path || !same_folder(path, m->original->file);
     if (source) {
-        const nkw_gltf_rewriting r = {&source->memory, m->original, &m->document,
-                                      !path || !same_folder(path, source->memory.file)};
+        const nkw_gltf_rewriting r = {&source->memory, m->original, &m->document, embeds};
         nkw_gltf_rewrite(&r, form, uri, file, &error);
     } else
-        nkw_document_write(&m->document, form, uri, file, &error);
+        write_document(m, embeds, form, uri, file, &error);
+    if (error.code == NKW_IMPORT_OK && embeds)
+        warn_of_images(m->original, file);
     if (error.code != NKW_IMPORT_OK)
         input_report(&error);
     return error.code == NKW_IMPORT_OK;
 }
 
-int model_write(const model *m, const model_source *source, const char *path, nkw_gltf_form form, size_t *bytes)
+int model_write(model *m, const model_source *source, const char *path, nkw_gltf_form form, size_t *bytes)
 {
-    nkw_gltf_file file = {NULL, 0, NULL, 0};
+    nkw_gltf_file file = {NULL, 0, NULL, 0, 0, 0};
     const int names = path && strcmp(path, "-") != 0;
     char *outer = names && form == NKW_GLTF_OUTER ? outer_of(path) : NULL;
     form = form == NKW_GLTF_OUTER && !outer ? NKW_GLTF_TEXT : form;

@@ -10,6 +10,7 @@
 #include <nakawari/vec.h>
 
 #include "canvas.h"
+#include "command.h"
 #include "image.h"
 
 /* The largest width and height. */
@@ -18,15 +19,8 @@ enum { SIDE_MOST = 1 << (TEXTURE_LEVELS - 1) };
 /* An outer file beside the document. */
 static unsigned char *read_outer(const nkw_document *d, const char *path, size_t *width, size_t *height)
 {
-    const char *slash = strrchr(d->file, '/');
-    size_t folder = slash ? (size_t)(slash - d->file) + 1 : 0, room = folder + strlen(path) + 1;
-    char *name = (char *)malloc(room);
-    unsigned char *pixels = NULL;
-    if (name) {
-        memcpy(name, d->file, folder);
-        strcpy(name + folder, path);
-        pixels = image_read_png_file(name, SIDE_MOST, width, height);
-    }
+    char *name = input_beside(d, path);
+    unsigned char *pixels = name ? image_read_png_file(name, SIDE_MOST, width, height) : NULL;
     free(name);
     return pixels;
 }

@@ -419,18 +419,35 @@ static int copy_buffers(rewriter *r)
 
 /* ---- images ---- */
 
+/* The types of core glTF, EXT_texture_webp and KHR_texture_basisu; NULL for another. */
+static const char *type_of(const unsigned char *data, size_t bytes)
+{
+    if (bytes > 12 && memcmp(data, "RIFF", 4) == 0 && memcmp(data + 8, "WEBP", 4) == 0)
+        return "image/webp";
+    if (bytes > 12 && memcmp(data, "\xabKTX 20\xbb\r\n\x1a\n", 12) == 0)
+        return "image/ktx2";
+    return nkwi_image_type(data, bytes);
+}
+
+/* The path of an outer image; NULL of others. */
+static const char *outer_of(const json_t *image)
+{
+    const char *uri = json_string_value(json_object_get(image, "uri"));
+    return uri && strncmp(uri, "data:", 5) != 0 ? uri : NULL;
+}
+
 /* An outer image becomes a view. One that cannot be read, or is of another type, remains a name. */
 static void embed_image(rewriter *r, json_t *image)
 {
-    const char *uri = json_string_value(json_object_get(image, "uri"));
-    if (!uri || strncmp(uri, "data:", 5) == 0 || !r->g.memory->reader)
+    const char *uri = outer_of(image);
+    if (!uri || !r->g.memory->reader)
         return;
     char *path = (char *)nkwi_take(&r->sink.scratch, strlen(uri) + 1, 1);
     if (!path || nkwi_path_from_uri(uri, path))
         return;
     size_t bytes = r->g.memory->reader(r->g.memory->user, path, NULL, 0);
     unsigned char *data = bytes < NKWI_BYTES_MOST ? (unsigned char *)nkwi_take(&r->sink.scratch, bytes + 1, 1) : NULL;
-    if (!data || r->g.memory->reader(r->g.memory->user, path, data, bytes) == SIZE_MAX || !nkwi_image_type(data, bytes))
+    if (!data || r->g.memory->reader(r->g.memory->user, path, data, bytes) == SIZE_MAX || !type_of(data, bytes))
         return;
     json_t *view = json_object();
     nkwi_set(&r->sink, view, "buffer", json_integer(0));
@@ -438,16 +455,21 @@ static void embed_image(rewriter *r, json_t *image)
     nkwi_set(&r->sink, view, "byteLength", json_integer((json_int_t)bytes));
     nkwi_set(&r->sink, view, "new", json_true());
     nkwi_set(&r->sink, image, "bufferView", json_integer((json_int_t)json_array_size(r->sink.views)));
-    nkwi_set(&r->sink, image, "mimeType", json_string(nkwi_image_type(data, bytes)));
+    nkwi_set(&r->sink, image, "mimeType", json_string(type_of(data, bytes)));
     nkwi_put(&r->sink, r->sink.views, view);
     json_object_del(image, "uri");
 }
 
-static void embed_images(rewriter *r)
+static void embed_images(rewriter *r, nkw_gltf_file *file)
 {
     json_t *images = json_object_get(r->root, "images");
-    for (size_t i = 0; r->rewriting->embeds_images && i < json_array_size(images); i++)
-        embed_image(r, json_array_get(images, i));
+    for (size_t i = 0; i < json_array_size(images); i++) {
+        json_t *image = json_array_get(images, i);
+        if (r->rewriting->embeds_images)
+            embed_image(r, image);
+        if (outer_of(image))
+            file->outer_image = file->outer_images++ ? file->outer_image : i;
+    }
 }
 
 /* ---- the file ---- */
@@ -504,7 +526,7 @@ static int rewrite(rewriter *r, nkw_gltf_form form, const char *uri, nkw_gltf_fi
     nkwi_sink_end_keys(&r->sink);
     if (!done)
         return 0;
-    embed_images(r);
+    embed_images(r, file);
     return drop_views(r) && copy_buffers(r) &&
            nkwi_sink_write(&r->sink, r->root, form, uri, are_short(r->root) ? 9 : 17, file);
 }
@@ -512,7 +534,7 @@ static int rewrite(rewriter *r, nkw_gltf_form form, const char *uri, nkw_gltf_fi
 nkw_import_result nkw_gltf_rewrite(const nkw_gltf_rewriting *rewriting, nkw_gltf_form form, const char *uri,
                                    nkw_gltf_file *file, nkw_import_error *error)
 {
-    const nkw_gltf_file none = {NULL, 0, NULL, 0};
+    const nkw_gltf_file none = {NULL, 0, NULL, 0, 0, 0};
     nkw_import_memory memory = *rewriting->source;
     nkw_import_error own;
     char *folder = NULL;

@@ -8,7 +8,7 @@
 
 void nkw_gltf_file_free(nkw_gltf_file *file)
 {
-    const nkw_gltf_file none = {NULL, 0, NULL, 0};
+    const nkw_gltf_file none = {NULL, 0, NULL, 0, 0, 0};
     free(file->data);
     free(file->outer);
     *file = none;

@@ -297,10 +297,16 @@ static int is_picture(const char *path)
     return 0;
 }
 
+/* The type of a picture whose bytes are there; NULL of others. */
+static const char *type_of(const nkw_document_image *image)
+{
+    return image->data ? nkwi_image_type(image->data, image->bytes) : NULL;
+}
+
 /* A picture of the file, or the name of an outer one. */
 static int is_written(const nkw_document_image *image)
 {
-    return image->data ? nkwi_image_type(image->data, image->bytes) != NULL : image->path && is_picture(image->path);
+    return type_of(image) || (image->path && is_picture(image->path));
 }
 
 /* How many of the first images are written: the number of the texture of the next one. */
@@ -312,7 +318,13 @@ static size_t count_images(const nkw_document *d, size_t images)
     return number;
 }
 
-static void write_images(writer *w)
+static void name_outer(writer *w, json_t *object, size_t image, nkw_gltf_file *file)
+{
+    nkwi_set(&w->sink, object, "uri", nkwi_uri(&w->sink, w->document->images[image].path));
+    file->outer_image = file->outer_images++ ? file->outer_image : image;
+}
+
+static void write_images(writer *w, nkw_gltf_file *file)
 {
     const nkw_document *d = w->document;
     const size_t count = count_images(d, d->image_count);
@@ -322,11 +334,11 @@ static void write_images(writer *w)
         if (!is_written(image))
             continue;
         json_t *object = add_object(w, images, image->name);
-        if (image->data) {
+        if (type_of(image)) {
             set_index(w, object, "bufferView", nkwi_sink_bytes(&w->sink, image->data, image->bytes));
-            nkwi_set(&w->sink, object, "mimeType", json_string(nkwi_image_type(image->data, image->bytes)));
+            nkwi_set(&w->sink, object, "mimeType", json_string(type_of(image)));
         } else
-            nkwi_set(&w->sink, object, "uri", nkwi_uri(&w->sink, image->path));
+            name_outer(w, object, i, file);
         set_index(w, add_object(w, textures, NULL), "source", number++);
     }
 }
@@ -406,7 +418,7 @@ static int write_parts(writer *w, nkw_gltf_form form, const char *uri, nkw_gltf_
     nkwi_set(&w->sink, w->root, "asset", json_pack("{s:s,s:s}", "version", "2.0", "generator", "nakawari"));
     write_scenes(w);
     write_nodes(w);
-    write_images(w);
+    write_images(w, file);
     write_materials(w);
     write_meshes(w);
     write_skins(w);
@@ -420,7 +432,7 @@ static int write_parts(writer *w, nkw_gltf_form form, const char *uri, nkw_gltf_
 nkw_import_result nkw_document_write(const nkw_document *document, nkw_gltf_form form, const char *uri,
                                      nkw_gltf_file *file, nkw_import_error *error)
 {
-    const nkw_gltf_file none = {NULL, 0, NULL, 0};
+    const nkw_gltf_file none = {NULL, 0, NULL, 0, 0, 0};
     nkw_import_error own;
     writer w;
     error = error ? error : &own;

@@ -7,6 +7,7 @@
 
 #include <glob.h>
 #include <stdlib.h>
+#include <sys/stat.h>
 
 #include "planted.h"
 
@@ -91,6 +92,101 @@ static void pictures_of_base_colours_are_written(void **state)
     assert_non_null(strstr(said, "\"baseColorTexture\":{\"index\":1}"));
     assert_non_null(strstr(said, "\"baseColorTexture\":{\"index\":0}"));
     free(said);
+}
+
+/* ---- outer images ---- */
+
+static void put_file(const char *path, const char *data, size_t bytes)
+{
+    FILE *f = fopen(path, "wb");
+    assert_non_null(f);
+    assert_int_equal(fwrite(data, 1, bytes, f), bytes);
+    assert_int_equal(fclose(f), 0);
+}
+
+#define PNG  "\x89PNG\r\n\x1a\none"
+#define JPEG "\xff\xd8\xfftwo"
+#define WEBP "RIFF\x04\0\0\0WEBPthree"
+#define KTX2 "\xabKTX 20\xbb\r\n\x1a\nfour"
+
+/* Two base colours, a normal map, two pictures of extensions, one that is missing and one that is none. */
+static void put_pictures(void)
+{
+    static const char text[] =
+        "{\"asset\":{\"version\":\"2.0\"},\"nodes\":[{}],\"images\":[{\"uri\":\"in/a%20b.png\"},{\"uri\":\"c.jpg\"},"
+        "{\"uri\":\"d.webp\"},{\"uri\":\"e.ktx2\"},{\"uri\":\"missing.png\"},{\"uri\":\"text.png\"}],\"textures\":["
+        "{\"source\":0},{\"source\":1},{\"source\":4},{\"source\":5}],\"materials\":[{\"pbrMetallicRoughness\":{"
+        "\"baseColorTexture\":{\"index\":0}},\"normalTexture\":{\"index\":1}},{\"pbrMetallicRoughness\":{"
+        "\"baseColorTexture\":{\"index\":2}}},{\"pbrMetallicRoughness\":{\"baseColorTexture\":{\"index\":3}}}]}";
+    mkdir("pictures", 0777);
+    mkdir("pictures/in", 0777);
+    mkdir("pictures/sub", 0777);
+    put_file("pictures/a.gltf", text, sizeof text - 1);
+    put_file("pictures/in/a b.png", PNG, sizeof PNG - 1);
+    put_file("pictures/c.jpg", JPEG, sizeof JPEG - 1);
+    put_file("pictures/d.webp", WEBP, sizeof WEBP - 1);
+    put_file("pictures/e.ktx2", KTX2, sizeof KTX2 - 1);
+    put_file("pictures/text.png", "text", 4);
+}
+
+/* The two that cannot be embedded are named, and nothing else; a second conversion changes nothing. */
+static void a_glb_has_its_images(void **state)
+{
+    (void)state;
+    put_pictures();
+    free(program_run(NULL, "--version; rm -f pictures/*.glb pictures/sub/*"));
+    const char *const written[] = {"pictures/a.glb", "pictures/sub/a.glb", "pictures/sub/a.gltf --form embedded"};
+    for (int i = 0; i < 3; i++) {
+        char *said = program_run(NULL, "convert pictures/a.gltf -o %s 2>&1", written[i]);
+        assert_non_null(strstr(said, "a.gltf: warning: missing.png and 1 more are not in the file"));
+        free(said);
+        said = program_run(NULL, "--version; cat %.*s | tr -d '\\0'", (int)strcspn(written[i], " "), written[i]);
+        assert_non_null(strstr(said, "\"mimeType\":\"image/png\""));
+        assert_non_null(strstr(said, "\"mimeType\":\"image/jpeg\""));
+        assert_non_null(strstr(said, "\"mimeType\":\"image/webp\""));
+        assert_non_null(strstr(said, "\"mimeType\":\"image/ktx2\""));
+        assert_non_null(strstr(said, "{\"uri\":\"missing.png\"},{\"uri\":\"text.png\"}]"));
+        assert_true(i == 2 || (strstr(said, PNG) && strstr(said, JPEG)));
+        assert_null(strstr(said, "c.jpg"));
+        assert_null(strstr(said, "a%20b"));
+        free(said);
+    }
+    free(program_run(NULL, "convert pictures/sub/a.glb -o pictures/again.glb"));
+    program_says(0, "same", "--version >/dev/null && cmp pictures/a.glb pictures/again.glb && echo same");
+}
+
+/* What is written from the document: base colours. */
+static void a_new_glb_has_its_base_colours(void **state)
+{
+    (void)state;
+    put_pictures();
+    char *said = program_run(NULL, "convert pictures/a.gltf " WRITTEN " -o pictures/new.glb 2>&1");
+    assert_non_null(strstr(said, "a.gltf: warning: missing.png and 1 more are not in the file"));
+    free(said);
+    said = program_run(NULL, "--version; cat pictures/new.glb | tr -d '\\0'");
+    assert_non_null(strstr(said, "\"bufferView\":0,\"mimeType\":\"image/png\"},"));
+    assert_non_null(strstr(said, "\"uri\":\"missing.png\"}"));
+    assert_non_null(strstr(said, "\"uri\":\"text.png\"}]"));
+    assert_non_null(strstr(said, PNG));
+    assert_null(strstr(said, "a%20b"));
+    free(said);
+}
+
+/* Beside the images, a .gltf names them; no picture is warned of that nothing embeds. */
+static void a_gltf_beside_its_images_names_them(void **state)
+{
+    (void)state;
+    put_pictures();
+    const char *const how[] = {"", WRITTEN};
+    for (int i = 0; i < 2; i++) {
+        char *said = program_run(NULL, "convert pictures/a.gltf %s -o pictures/b.gltf 2>&1", how[i]);
+        assert_null(strstr(said, "warning"));
+        free(said);
+        said = program_run(NULL, "--version; cat pictures/b.gltf");
+        assert_non_null(strstr(said, "\"uri\":\"in/a%20b.png\"}"));
+        assert_null(strstr(said, "mimeType"));
+        free(said);
+    }
 }
 
 /* There and back, through a mirror: every byte. */
@@ -266,6 +362,9 @@ int main(void)
         cmocka_unit_test(real_files_are_written_as_they_are_read),
         cmocka_unit_test(files_of_other_formats_are_written_as_they_are_read),
         cmocka_unit_test(pictures_of_base_colours_are_written),
+        cmocka_unit_test(a_glb_has_its_images),
+        cmocka_unit_test(a_new_glb_has_its_base_colours),
+        cmocka_unit_test(a_gltf_beside_its_images_names_them),
         cmocka_unit_test(axes_convert_there_and_back_exactly),
         cmocka_unit_test(up_and_scale_move_vertices),
         cmocka_unit_test(keys_of_ones_own_become_a_model),

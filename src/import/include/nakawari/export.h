@@ -40,8 +40,10 @@ typedef struct nkw_gltf_file {
     size_t bytes;
     unsigned char *outer; /**< of NKW_GLTF_OUTER: the buffer; NULL without one */
     size_t outer_bytes;
+    size_t outer_images; /**< how many images are files of their own, which this one names */
+    size_t outer_image; /**< the number of the first of these in the document */
 } nkw_gltf_file;
-NKW_SIZE(nkw_gltf_file, 32, 16);
+NKW_SIZE(nkw_gltf_file, 48, 24);
 
 /**
  * Writes a document: nodes, skins, meshes with all that is read of them, morph targets, the names, base colours and
@@ -62,7 +64,8 @@ typedef struct nkw_gltf_rewriting {
         *source; /**< the bytes of the file; outer files are read as nkw_document_open_memory does */
     const nkw_document *from; /**< the document of these bytes */
     const nkw_document *to; /**< the same with other tracks: as many animations, channels as in `from` */
-    int embeds_images; /**< whether outer images become part of the file: if it is written to another folder */
+    int embeds_images; /**< whether outer images become part of the file, as of a GLB, or in another folder: those that
+                            can be read and are PNG, JPEG, WebP or KTX2 */
 } nkw_gltf_rewriting;
 NKW_SIZE(nkw_gltf_rewriting, 32, 16);
 
