@@ -93,6 +93,11 @@ static void draw_points(cairo_t *c, const svg_point *points, size_t count)
         cairo_line_to(c, (double)points[i].x, (double)points[i].y);
 }
 
+static void draw_move(cairo_t *c)
+{
+    cairo_new_sub_path(c);
+}
+
 static void draw_circle(cairo_t *c, svg_point centre, float radius)
 {
     cairo_arc(c, (double)centre.x, (double)centre.y, (double)radius, 0.0, 6.283185307179586);
@@ -141,6 +146,11 @@ static void paint_path(cairo_t *c, const svg_paint *paint)
 static void draw_points(cairo_t *c, const svg_point *points, size_t count)
 {
     (void)c, (void)points, (void)count;
+}
+
+static void draw_move(cairo_t *c)
+{
+    (void)c;
 }
 
 static void draw_circle(cairo_t *c, svg_point centre, float radius)
@@ -197,6 +207,30 @@ void page_polyline(page *p, const svg_point *points, size_t count, const svg_pai
     }
     draw_points(p->cairo, points, count);
     paint_path(p->cairo, paint);
+}
+
+void page_path_begin(page *p)
+{
+    if (!p->cairo)
+        svg_path_begin(&p->path, &p->svg);
+}
+
+void page_path_lines(page *p, const svg_point *points, size_t count)
+{
+    if (!p->cairo) {
+        svg_path_lines(&p->path, points, count);
+        return;
+    }
+    draw_move(p->cairo);
+    draw_points(p->cairo, points, count);
+}
+
+void page_path_end(page *p, const svg_paint *paint)
+{
+    if (p->cairo)
+        paint_path(p->cairo, paint);
+    else
+        svg_path_end(&p->path, paint);
 }
 
 void page_circle(page *p, svg_point centre, float radius, const svg_paint *paint)

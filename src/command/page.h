@@ -12,6 +12,7 @@ enum { PAGE_SCALE = 2 };
 
 typedef struct page {
     svg svg;
+    svg_path path;
     void *surface, *cairo; /**< of PNG; otherwise NULL */
 } page;
 
@@ -26,6 +27,9 @@ int page_finish(page *p);
 /** As the functions svg_...; corners of rectangles are square. */
 void page_line(page *p, svg_point a, svg_point b, const svg_paint *paint);
 void page_polyline(page *p, const svg_point *points, size_t count, const svg_paint *paint);
+void page_path_begin(page *p);
+void page_path_lines(page *p, const svg_point *points, size_t count);
+void page_path_end(page *p, const svg_paint *paint);
 void page_circle(page *p, svg_point centre, float radius, const svg_paint *paint);
 void page_rect(page *p, svg_box box, const svg_paint *paint);
 void page_text(page *p, svg_point at, const svg_font *font, const char *text);

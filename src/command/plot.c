@@ -57,13 +57,15 @@ static void put_curve(page *p, const svg_plot *plot, const curve *c, int velocit
 {
     svg_paint paint = svg_stroke(chart_colours[component], 1.6f, 1.0f);
     svg_point *points = calloc(c->point_count + 1, sizeof *points);
+    page_path_begin(p);
     for (size_t r = 0; points && r < c->run_count; r++) {
         size_t count = c->runs[r].count - (size_t)velocity, first = c->runs[r].first;
         for (size_t i = 0; i < count; i++)
             points[i] = svg_plot_at(plot, (velocity ? c->middles : c->times)[first + i],
                                     (velocity ? c->velocities : c->values)[first + i][component]);
-        page_polyline(p, points, count, &paint);
+        page_path_lines(p, points, count);
     }
+    page_path_end(p, &paint);
     free(points);
 }
 

@@ -71,14 +71,16 @@ static void put_curve(page *p, const svg_plot *plot, const angles *a, const floa
 {
     svg_point points[POINTS];
     size_t count = 0;
+    page_path_begin(p);
     for (size_t i = 0; i < POINTS; i++) {
         if (i && fabsf(values[i * stride] - values[(i - 1) * stride]) > 170.0f) {
-            page_polyline(p, points, count, paint);
+            page_path_lines(p, points, count);
             count = 0;
         }
         points[count++] = svg_plot_at(plot, a->times[i], values[i * stride]);
     }
-    page_polyline(p, points, count, paint);
+    page_path_lines(p, points, count);
+    page_path_end(p, paint);
 }
 
 static void put_angles(page *p, const angles *a, const nkw_track *track, svg_axis time, float y)

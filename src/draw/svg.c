@@ -47,11 +47,9 @@ static long scaled(float value, long unit)
     return (long)(x < 0.0 ? x - 0.5 : x + 0.5);
 }
 
-const char *svg_number(char text[SVG_DIGITS], float value, int decimals)
+/* n / unit. */
+static const char *fraction(char text[SVG_DIGITS], long n, long unit)
 {
-    static const long units[] = {1, 10, 100, 1000};
-    long unit = units[decimals < 0 ? 0 : decimals > 3 ? 3 : decimals];
-    long n = scaled(value, unit);
     while (unit > 1 && n % 10 == 0) {
         n /= 10;
         unit /= 10;
@@ -64,6 +62,13 @@ const char *svg_number(char text[SVG_DIGITS], float value, int decimals)
     else
         sprintf(text, "%s%ld", sign, n);
     return text;
+}
+
+const char *svg_number(char text[SVG_DIGITS], float value, int decimals)
+{
+    static const long units[] = {1, 10, 100, 1000};
+    long unit = units[decimals < 0 ? 0 : decimals > 3 ? 3 : decimals];
+    return fraction(text, scaled(value, unit), unit);
 }
 
 static void put(svg *s, const char *text)
@@ -223,6 +228,69 @@ void svg_polyline(svg *s, const svg_point *points, size_t count, const svg_paint
 void svg_polygon(svg *s, const svg_point *points, size_t count, const svg_paint *paint)
 {
     shape(s, "polygon", points, count, paint);
+}
+
+void svg_path_begin(svg_path *p, svg *s)
+{
+    const svg_path none = {s, 0, 0, 0, 0, 0, 0};
+    *p = none;
+    put(s, "<path d=\"");
+}
+
+/* A step in hundredths, from where the path is. */
+static void put_step(const svg_path *p, const char *before, long dx, long dy)
+{
+    char x[SVG_DIGITS], y[SVG_DIGITS];
+    fprintf(p->svg->file, "%s%s,%s", before, fraction(x, dx, 100), fraction(y, dy, 100));
+}
+
+/* The line that is not written yet, because the next may go on in its direction. */
+static void put_pending(svg_path *p)
+{
+    if (p->dx || p->dy)
+        put_step(p, p->lines++ ? " " : "l", p->dx, p->dy);
+    p->x += p->dx, p->y += p->dy;
+    p->dx = p->dy = 0;
+}
+
+static void go_to(svg_path *p, long x, long y)
+{
+    long dx = x - p->x - p->dx, dy = y - p->y - p->dy;
+    if (p->dx * dy != p->dy * dx || p->dx * dx + p->dy * dy < 0)
+        put_pending(p);
+    p->dx += dx, p->dy += dy;
+}
+
+/* A line of no length is a dot. */
+static void end_line(svg_path *p)
+{
+    put_pending(p);
+    if (p->points > 1 && !p->lines)
+        put_step(p, "l", 0, 0);
+}
+
+void svg_path_lines(svg_path *p, const svg_point *points, size_t count)
+{
+    for (size_t i = 0; i < count; i++) {
+        long x = scaled(points[i].x, 100), y = scaled(points[i].y, 100);
+        if (i > 0 || (p->points && x == p->x + p->dx && y == p->y + p->dy)) {
+            go_to(p, x, y);
+            p->points++;
+            continue;
+        }
+        end_line(p);
+        put_step(p, "m", x - p->x, y - p->y);
+        p->x = x, p->y = y;
+        p->points = 1;
+        p->lines = 0;
+    }
+}
+
+void svg_path_end(svg_path *p, const svg_paint *paint)
+{
+    end_line(p);
+    put(p->svg, "\"");
+    finish(p->svg, paint);
 }
 
 void svg_circle(svg *s, svg_point centre, float radius, const svg_paint *paint)

@@ -51,6 +51,14 @@ typedef struct svg {
     int clips; /* clip paths written so far: they need names */
 } svg;
 
+/** A path that is being written; coordinates in hundredths. */
+typedef struct svg_path {
+    svg *svg;
+    long x, y; /* where it is */
+    long dx, dy; /* the line from there that is not written yet */
+    size_t points, lines; /* since the last move; lines that are written */
+} svg_path;
+
 svg_paint svg_fill(svg_colour fill, float opacity);
 svg_paint svg_stroke(svg_colour stroke, float width, float opacity);
 svg_point svg_at(float x, float y);
@@ -75,6 +83,13 @@ void svg_end(svg *s);
 void svg_line(svg *s, svg_point a, svg_point b, const svg_paint *paint);
 void svg_arrow(svg *s, svg_point a, svg_point b, const svg_paint *paint);
 void svg_polyline(svg *s, const svg_point *points, size_t count, const svg_paint *paint);
+/**
+ * Many polylines as one element. One that begins where the last ended continues it: with round joins and caps, and an
+ * opacity of 1, the picture is that of separate ones. A point between two others on a line is left out.
+ */
+void svg_path_begin(svg_path *p, svg *s);
+void svg_path_lines(svg_path *p, const svg_point *points, size_t count);
+void svg_path_end(svg_path *p, const svg_paint *paint);
 void svg_polygon(svg *s, const svg_point *points, size_t count, const svg_paint *paint);
 void svg_circle(svg *s, svg_point centre, float radius, const svg_paint *paint);
 void svg_rect(svg *s, svg_box box, float corner, const svg_paint *paint);

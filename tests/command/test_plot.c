@@ -14,6 +14,38 @@
 
 #define CHARACTER "plot '" NKW_CHARACTER "' "
 
+/* How often the pen is set down in the curve that moves most of the first four, w, z, y and x of a rotation. */
+static int moves_of(const char *svg)
+{
+    int most = 0;
+    for (int i = 0; i < 4; i++) {
+        int moves = 0;
+        svg = strstr(svg + 1, "<path d=\"");
+        assert_non_null(svg);
+        for (const char *at = svg + strlen("<path d=\""); *at != '"'; at++)
+            moves += *at == 'm';
+        most = moves > most ? moves : most;
+    }
+    return most;
+}
+
+/* 601 keys that move, too many for dots: one path for each component, of some 20 bytes between two keys. */
+static void a_curve_is_one_path(void **state)
+{
+    (void)state;
+    FILE *f = fopen("long.csv", "wb");
+    assert_non_null(f);
+    fputs("name,time,tx,ty,tz\n", f);
+    for (int k = 0; k <= 600; k++)
+        fprintf(f, "box,%d,%d,%d,0\n", k, k % 7, k * k % 11);
+    assert_int_equal(fclose(f), 0);
+    char *svg = program_run(NULL, "plot long.csv");
+    assert_int_equal(lines_with(svg, "<path"), 2 * 3);
+    assert_int_equal(lines_with(svg, "<polyline"), 0);
+    assert_true(strlen(svg) < 100000);
+    free(svg);
+}
+
 static void each_channel_is_a_row_with_its_keys(void **state)
 {
     (void)state;
@@ -23,8 +55,10 @@ static void each_channel_is_a_row_with_its_keys(void **state)
     assert_int_equal(lines_with(svg, " rotation: "), 2);
     assert_int_equal(lines_with(svg, "<circle"), 2 * 5 * 4);
     assert_int_equal(lines_with(svg, ">angular velocity, rad/s<"), 2);
-    /* four segments, of seven components each */
-    assert_int_equal(lines_with(svg, "<polyline"), 2 * 4 * 7);
+    /* four values and three velocities each. A curve is interrupted where it jumps: STEP at the three keys within */
+    assert_int_equal(lines_with(svg, "<path d=\"m"), 2 * 7);
+    assert_int_equal(moves_of(strstr(svg, "head rotation")), 4);
+    assert_int_equal(moves_of(strstr(svg, "thigh.L rotation")), 1);
     assert_string_equal(svg + strlen(svg) - 7, "</svg>\n");
     free(svg);
 }
@@ -132,7 +166,7 @@ static void interpolated_angles_leave_the_arc(void **state)
     (void)state;
     char *svg = program_run(NULL, "plot '" NKW_KEYS "' --what euler --order yxz");
     assert_non_null(strstr(svg, "at most 20.6 at 0.5 s"));
-    assert_int_equal(lines_with(svg, "<polyline points"), 3 + 3 + 1);
+    assert_int_equal(lines_with(svg, "<path d=\"m"), 3 + 3 + 1);
     assert_int_equal(lines_with(svg, "<circle"), 3 * 7);
     free(svg);
 }
@@ -146,7 +180,7 @@ static void angles_about_one_axis_are_the_arc(void **state)
     const char *at = strstr(svg, "at most ");
     assert_non_null(at);
     assert_true(strtod(at + 8, NULL) < 1e-4);
-    assert_int_equal(lines_with(svg, "<polyline points"), 3 + 3 + 1); /* none is interrupted */
+    assert_int_equal(lines_with(svg, "<path d=\"m"), 3 + 3 + 1); /* none is interrupted */
     assert_non_null(strstr(svg, ">300<"));
     free(svg);
 }
@@ -253,6 +287,7 @@ static void misuse_and_files_in_error(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
+        cmocka_unit_test(a_curve_is_one_path),
         cmocka_unit_test(each_channel_is_a_row_with_its_keys),
         cmocka_unit_test(all_kinds_are_drawn),
         cmocka_unit_test(a_track_of_one_key_is_drawn),
