@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /*
- * What the benches of floors 4 to 6 play: a skeleton and a clip in which every joint has keys for its translation,
+ * What the benches of tracks, poses and skins play: a skeleton and a clip in which every joint has keys for its translation,
  * rotation and scale, 1/30 s apart.
  */
 #ifndef NAKAWARI_BENCH_SCENE_H

@@ -3,7 +3,7 @@
  * @file
  * nakawari-crowd: many characters on many threads, without a lock: every thread works on characters of its own and
  * writes their joint matrices to their own part of one buffer. Measures how that scales, and checks that the bits do
- * not know of threads or lanes. See docs/floors/6-crowd.md.
+ * not know of threads or lanes. See docs/subjects/skin/crowd.md.
  */
 #define _POSIX_C_SOURCE 200809L
 #include "thread.h"

@@ -18,7 +18,7 @@ typedef enum stack_convention {
 /**
  * The model matrices of a tree by the matrix stack, the method of D3DX. Each node's local matrix is multiplied with the
  * matrix on top of the stack. Descending to a child pushes the product, returning pops it; siblings share the top. The
- * results have the bits of nkw_models_from_locals in both conventions; docs/floors/5-skeleton.md explains why.
+ * results have the bits of nkw_models_from_locals in both conventions; docs/subjects/pose/skeleton.md explains why.
  *
  * locals   node_count matrices in the layout of the convention (columns for column vectors, rows for row vectors)
  * root     the first matrix on the stack; NULL: none

@@ -1,7 +1,7 @@
 # The C blocks of the pages. Each ```c block becomes a separate file; the blocks of a page that is one program become
 # one file.
 set(NKW_DOCS "${CMAKE_CURRENT_LIST_DIR}/..")
-file(GLOB NKW_PAGES RELATIVE "${NKW_DOCS}" CONFIGURE_DEPENDS "${NKW_DOCS}/floors/*.md")
+file(GLOB NKW_PAGES RELATIVE "${NKW_DOCS}" CONFIGURE_DEPENDS "${NKW_DOCS}/subjects/*/*.md")
 list(TRANSFORM NKW_PAGES REPLACE "\\.md$" "")
 list(APPEND NKW_PAGES ../README README conventions formats character)
 set(NKW_PAGES_OF_ONE_PROGRAM character)

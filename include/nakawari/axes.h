@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /**
  * @file
- * Floor 2: the axes and the handedness of tools, and the conversion between them.
+ * The axes and the handedness of tools, and the conversion between them.
  *
  * Tools differ in the axis that points up, the axis that points forward, and in handedness. A conversion is a matrix P
  * whose rows are unit axes with signs: it exchanges components and negates some of them. A point p becomes P p. The

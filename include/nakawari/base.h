@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /**
  * @file
- * Floor 0: the version, the linkage macros and the list of results.
+ * The version, the linkage macros and the list of results.
  *
  * The library reads and writes only the memory that the caller passes. It allocates nothing, keeps no state, and uses
  * no errno, no locale and no file. Every function may be called from any thread.
@@ -167,7 +167,7 @@ extern "C" {
 #endif
 
 /**
- * Every result that a function of floors 4 to 6 can return, with its text.
+ * Every result that a function on sets of data can return, with its text.
  * Scalar functions are total and return no result code: each states its degenerate cases.
  */
 #define NKW_RESULTS(X)                                                                                                 \
@@ -191,7 +191,7 @@ extern "C" {
     X(NKW_MISMATCHED, "two arguments differ in kind, in width or in a count")                                          \
     X(NKW_NO_RATE, "no rate has these key times, or none is within the tolerance")
 
-/** The result of a function of floors 4 to 6. NKW_OK is 0; every other value names an error. */
+/** The result of a function on sets of data. NKW_OK is 0; every other value names an error. */
 typedef enum nkw_result {
 #define NKW_RESULT_NAME(name, text) name,
     NKW_RESULTS(NKW_RESULT_NAME)

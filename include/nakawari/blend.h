@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /**
  * @file
- * Floor 5: blending of poses: two poses by a parameter, any number of poses by weights, additive poses, mirroring.
+ * Blending of poses: two poses by a parameter, any number of poses by weights, additive poses, mirroring.
  *
  * All poses and masks of a call have the same joint_count; otherwise the result is NKW_MISMATCHED and nothing is
  * written. A mask has one float for each joint, by which the weight is multiplied: 0 excludes the joint, 1 applies the
@@ -181,7 +181,7 @@ typedef enum nkw_mirror {
  *
  * Only signs change, so applying it twice restores the original bits. The result is the mirrored figure if the mirrored
  * bind pose is the bind pose. In some rigs this holds, in one of the planes, only for the joints below the hip;
- * docs/floors/5-blend.md shows how to correct the hip and the joints above it.
+ * docs/subjects/pose/blend.md shows how to correct the hip and the joints above it.
  *
  * pair   joint_count partners: the left hand has the index of the right hand and vice versa, the head its own index. If
  *        pair[j] is out of range or pair[pair[j]] is not j, joint j is its own partner.

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /**
  * @file
- * Floor 5: blend spaces: the weights of animations that are samples of one or more parameters, such as the speed and
+ * Blend spaces: the weights of animations that are samples of one or more parameters, such as the speed and
  * the direction of a walk.
  *
  * Gradient band interpolation: sample i has the weight

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /**
  * @file
- * Floor 6: bounds of skinned meshes, from one box for each joint, without skinning a vertex.
+ * Bounds of skinned meshes, from one box for each joint, without skinning a vertex.
  *
  * Linear blend skinning moves a vertex v to the mean of M_j v by its weights, which are not negative and sum to 1. So
  * with B_j a box of all vertices that joint j influences, the vertex is in the convex hull of the boxes M_j B_j, and

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /**
  * @file
- * Floor 2: boxes along the axes: union, points, affine images.
+ * Boxes along the axes: union, points, affine images.
  */
 #ifndef NAKAWARI_BOX_H
 #define NAKAWARI_BOX_H

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /**
  * @file
- * Floor 4: clips: one call samples many tracks at one time into one pose.
+ * Clips: one call samples many tracks at one time into one pose.
  *
  * A clip is built from tracks into one block of memory of the caller. It contains no pointer, so it may be copied,
  * written to a file and mapped. nkw_clip_open checks a block before its first use. Sampling returns the same bits as

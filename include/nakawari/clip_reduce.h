@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /**
  * @file
- * Floor 4: clips that are as small as a tolerance permits: packed keys in the clip's block (nkw_clip_reduce), or fewer
+ * Clips that are as small as a tolerance permits: packed keys in the clip's block (nkw_clip_reduce), or fewer
  * keys in its tracks (nkw_clip_source_reduce). The error is the largest distance in model space of the points that a
  * joint carries, so errors of a chain of joints add up.
  *

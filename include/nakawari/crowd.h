@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /**
  * @file
- * Floor 6: a crowd: sixteen characters of one skeleton, interleaved so that each is one lane of a vector. The joints of
+ * A crowd: sixteen characters of one skeleton, interleaved so that each is one lane of a vector. The joints of
  * one character cannot fill a vector, because a joint needs the matrix of its parent; the same joint of sixteen
  * characters can.
  *

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /**
  * @file
- * Floor 3: cubic curves on numbers and on vectors.
+ * Cubic curves on numbers and on vectors.
  *
  * A cubic segment is the sum of four control values, weighted by four basis weights of t:
  *

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /**
  * @file
- * Floor 3: points of curves: the value with its first and second derivative, in one call; the quintic Hermite curve,
+ * Points of curves: the value with its first and second derivative, in one call; the quintic Hermite curve,
  * whose control values are such points.
  *
  * Derivatives are by the parameter t, which is 0..1 in a segment. In a segment of h seconds, the velocity is first/h

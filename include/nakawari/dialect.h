@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /**
  * @file
- * Floor 4: curves of tools and files to and from fcurves (fcurve.h).
+ * Curves of tools and files to and from fcurves (fcurve.h).
  *
  * The same cubic curve is written in five ways. h is the duration of the segment, in seconds:
  *

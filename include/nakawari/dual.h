@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /**
  * @file
- * Floor 2: dual quaternions: a rotation and a translation in eight floats, which can be blended.
+ * Dual quaternions: a rotation and a translation in eight floats, which can be blended.
  *
  *     d = real + e dual,   e e = 0;   real = rotation,   dual = (t / 2) real      t = (x, y, z, 0), the translation
  *

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /**
  * @file
- * Floor 3: easing: functions that map the progress of a transition, 0 to 1, to the progress of its value.
+ * Easing: functions that map the progress of a transition, 0 to 1, to the progress of its value.
  *
  * Penner's thirty and the functions of CSS. Multiply by the change of the value:
  *

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /**
  * @file
- * Floor 4: edits of tracks: cut, shift, stretch, reverse, join, close a loop.
+ * Edits of tracks: cut, shift, stretch, reverse, join, close a loop.
  *
  * Each function reads a track and writes another one into arrays of the caller. The edit of a clip is the same edit of
  * each of its tracks.

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /**
  * @file
- * Floor 2: Euler angles, in the six Tait-Bryan orders.
+ * Euler angles, in the six Tait-Bryan orders.
  *
  * An nkw_vec3 contains three angles in radians: .x about X, .y about Y, .z about Z, in every order. The order is always
  * an argument. NKW_EULER_YXZ is

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /**
  * @file
- * Floor 4: curves of animation tools: keys with handles, an interpolation for each key, and a behaviour before the
+ * Curves of animation tools: keys with handles, an interpolation for each key, and a behaviour before the
  * first and after the last key.
  *
  * An fcurve is a view of the caller's array of keys, in ascending order of time; two equal times are a jump. The

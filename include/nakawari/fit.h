@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /**
  * @file
- * Floor 4: few cubic keys for many samples.
+ * Few cubic keys for many samples.
  *
  * A recorded or baked track has a key for each frame. nkw_track_fit replaces it by a CUBICSPLINE track, whose keys are
  * some of the samples, so that an animator can edit it again.

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /**
  * @file
- * Floor 5: contacts of feet with the ground, and feet that are locked while they are in contact.
+ * Contacts of feet with the ground, and feet that are locked while they are in contact.
  *
  * A foot of an animation slides a little while it stands, because the character moves at another speed than the clip.
  * While a foot is in contact its position is locked. When it leaves the ground the position returns to that of the

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /**
  * @file
- * Floor 3: cubic Bezier segments whose handles have a time and a value.
+ * Cubic Bezier segments whose handles have a time and a value.
  *
  * The curve editors of Blender, Maya, Unity, Unreal, FBX and OpenUSD, and the cubic-bezier() of CSS, draw a curve in
  * the plane of time and value. Its parameter s is not the time:

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /**
  * @file
- * Floor 5: inverse kinematics: rotations of joints so that a limb, a head or a chain reaches a target.
+ * Inverse kinematics: rotations of joints so that a limb, a head or a chain reaches a target.
  *
  * Each solver has two forms. The geometric form takes positions and directions, all in one space, and returns rotations
  * in that space. The form for poses takes joints of a skeleton with their model matrices, and changes the local

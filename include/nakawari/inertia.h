@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /**
  * @file
- * Floor 3: transitions from one motion to another without a jump of the value or of its velocity, and the motion
+ * Transitions from one motion to another without a jump of the value or of its velocity, and the motion
  * between two steps of physics.
  *
  * Inertialisation stores the offset between the old and the new motion when the new one begins, and reduces it to 0 by

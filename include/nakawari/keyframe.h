@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /**
  * @file
- * Floor 4: the key-frame sampler: the matrix of an object at any time, from keys with a position and an orientation.
+ * The key-frame sampler: the matrix of an object at any time, from keys with a position and an orientation.
  *
  * It covers the university exercise on key-frame animation from which the library started (Oshita, Keyframe Animation,
  * Kyushu Institute of Technology): four position curves, Euler angles or quaternions, and the matrix of the object.

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /**
  * @file
- * Floor 3: limits of joints: the nearest rotation within a cone, an ellipse, a range of twist.
+ * Limits of joints: the nearest rotation within a cone, an ellipse, a range of twist.
  *
  * A rotation is split into a twist about an axis of the joint and a swing of this axis (nkw_quat_swing_twist):
  *

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /**
  * @file
- * Floor 2: 3x3 and 4x4 matrices on column vectors, column-major (see types.h).
+ * 3x3 and 4x4 matrices on column vectors, column-major (see types.h).
  *
  * The product A B applies B first, then A. Functions that run for each joint and frame (products, transforms, the
  * matrix of a quaternion, rigid and affine inverses) compute in binary32. Determinants, the other inverses and

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /**
  * @file
- * Floor 6: morph targets (blend shapes): vectors of vertices moved by a weighted sum of differences, before skinning.
+ * Morph targets (blend shapes): vectors of vertices moved by a weighted sum of differences, before skinning.
  *
  *     v' = ((v + w0 d0) + w1 d1) + ...        summed in the order of the targets; one product, one sum each
  *

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /**
  * @file
- * Floor 4: B-splines of any degree up to 15, with weights (NURBS): curves of CAD and camera tools, exact circles.
+ * B-splines of any degree up to 15, with weights (NURBS): curves of CAD and camera tools, exact circles.
  *
  * `count` control points p, their weights w and count + degree + 1 ascending knots u determine the curve
  *

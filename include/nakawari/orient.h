@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /**
  * @file
- * Floor 3: curves on rotations.
+ * Curves on rotations.
  *
  * q and -q are the same rotation, so two arcs join two rotations. The shorter arc rotates by at most pi. If a.b is
  * negative, the shorter arc ends at -b: b is *negated*, not conjugated, because the conjugate is another rotation.

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /**
  * @file
- * Floor 6: palettes: the joint matrices of a skin, from model matrices, for skinning and shaders.
+ * Palettes: the joint matrices of a skin, from model matrices, for skinning and shaders.
  *
  *     joint matrix = (global inverse * model) * inverse bind
  *

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /**
  * @file
- * Floor 6: partitions a skinned mesh into parts of at most N joints, for shaders with a palette of N joints.
+ * Partitions a skinned mesh into parts of at most N joints, for shaders with a palette of N joints.
  *
  * A part has triangles of one material and a list of at most N joints. Its vertices name their joints by the index in
  * that list, the slot. Every triangle is in exactly one part, except triangles whose three vertices need more than N

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /**
  * @file
- * Floor 4: the time in a clip from the running time of a program, the keys that were passed in a step of it, and values
+ * The time in a clip from the running time of a program, the keys that were passed in a step of it, and values
  * that continue from one loop to the next.
  *
  * A clip covers [start, start + duration]. Its play head is computed in binary64 from the running time, not

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /**
  * @file
- * Floor 4: a pose: the local transforms of all joints at one time, in component arrays.
+ * A pose: the local transforms of all joints at one time, in component arrays.
  *
  * The data of a pose are one block of NKW_POSE_FLOATS(joint_count) floats: ten arrays of NKW_POSE_STRIDE(joint_count)
  * floats. The first joint_count floats of an array belong to the joints, the rest is padding.

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /**
  * @file
- * Floor 2: quaternions as rotations.
+ * Quaternions as rotations.
  *
  * Components are stored as x, y, z, w; q = w + x i + y j + z k. A rotation by `angle` about the unit `axis`:
  *

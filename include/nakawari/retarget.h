@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /**
  * @file
- * Floor 5: retargeting: a pose of one skeleton on another, whose joints have other axes, lengths or numbers.
+ * Retargeting: a pose of one skeleton on another, whose joints have other axes, lengths or numbers.
  *
  * A rotation means something only relative to the rest pose. With the model-space rotations W of the rest poses and G
  * of the pose, each target joint t takes over how far its source joint s is rotated from rest in model space:

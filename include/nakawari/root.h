@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /**
  * @file
- * Floor 5: root motion: the part of an animation that moves the character, taken from its root joint, and its
+ * Root motion: the part of an animation that moves the character, taken from its root joint, and its
  * difference over a step of time, without drift over a million loops.
  *
  * The root transform of a clip is divided into the motion, by which the game moves the character, and the rest, which

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /**
  * @file
- * Floor 3: smooth curves on rotations, with angular velocity and angular acceleration.
+ * Smooth curves on rotations, with angular velocity and angular acceleration.
  *
  * Every kind of curve fills an nkw_rotation_segment; nkw_rotation_evaluate returns the orientation, the angular
  * velocity and the angular acceleration at a parameter t, 0 at the beginning of the segment and 1 at its end:

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /**
  * @file
- * Floor 1: numbers: small arithmetic, angles, periods and elementary functions.
+ * Numbers: small arithmetic, angles, periods and elementary functions.
  *
  * The elementary functions of the C library differ between systems; those of this header return the same bits on every
  * target. They compute in binary64 and round once to binary32. The result is the float nearest to the exact value,

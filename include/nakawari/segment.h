@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /**
  * @file
- * Floor 4: the segment of a time: the two keys around it, and the parameter between them.
+ * The segment of a time: the two keys around it, and the parameter between them.
  *
  * `count` ascending key times are the bounds of count - 1 segments. The segment of a time is the k with
  *

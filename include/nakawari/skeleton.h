@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /**
  * @file
- * Floor 5: a skeleton: the parent of each joint; model matrices from local transforms, and the inverse.
+ * A skeleton: the parent of each joint; model matrices from local transforms, and the inverse.
  *
  * Every joint has one parent, except root joints. Joints are numbered so that a parent comes before its children, and
  * one pass over the array computes all model matrices:

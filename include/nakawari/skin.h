@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /**
  * @file
- * Floor 6: skinning: the vectors of vertices transformed by a weighted sum of joint matrices.
+ * Skinning: the vectors of vertices transformed by a weighted sum of joint matrices.
  *
  * A vertex has 1 to 8 influences, each a joint index and a weight. The palette (palette.h) holds the joint matrix of
  * each joint, from the bind pose to the current pose. Last rows are 0 0 0 1.

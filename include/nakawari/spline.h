@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /**
  * @file
- * Floor 4: smooth curves through many keys.
+ * Smooth curves through many keys.
  *
  * All methods have one form: a tangent before and a tangent after each key, per second. The curve between two keys is
  * the cubic Hermite segment of their values and tangents. A CUBICSPLINE track (track.h) stores exactly these numbers:

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /**
  * @file
- * Floor 3: springs and dampers in closed form: a value follows a goal.
+ * Springs and dampers in closed form: a value follows a goal.
  *
  * A spring accelerates a value x towards its goal g, which moves with constant velocity during a step:
  *

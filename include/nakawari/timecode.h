@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /**
  * @file
- * Floor 4: whole frames and ticks at rational rates, their conversion into each other and into seconds, and timecode.
+ * Whole frames and ticks at rational rates, their conversion into each other and into seconds, and timecode.
  *
  * A film has 24 frames a second, television of the NTSC countries 30000/1001; FBX files count 46186158000 ticks a
  * second, USD stages and BVH files any number that they state. A count of frames or ticks is a whole number: it adds up

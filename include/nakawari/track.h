@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /**
  * @file
- * Floor 4: tracks: the keys of one property, as animation files contain them.
+ * Tracks: the keys of one property, as animation files contain them.
  *
  * A track is a view of the caller's arrays, in the layout of glTF 2.0 accessors: `count` ascending key times in
  * seconds, and the values of the keys, contiguous, `width` floats each.

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /**
  * @file
- * Floor 2: translation, rotation and scale, and their matrix M = T R S.
+ * Translation, rotation and scale, and their matrix M = T R S.
  *
  * Composition and decomposition compute in binary32. Only the decomposition of matrices that shear, or whose columns
  * are very long or short, computes in binary64.

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /**
  * @file
- * Floor 2: the value types of the library, and the rules of its batch functions.
+ * The value types of the library, and the rules of its batch functions.
  *
  * All values are structs of floats without padding. They may be copied, compared byte by byte, written to a file or
  * passed to a GPU unchanged. Functions take values of up to 16 bytes by value and larger ones by `const *`. Views and

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /**
  * @file
- * Floor 2: vectors of three floats.
+ * Vectors of three floats.
  *
  * A vector is a column. Positions, directions, scales and Euler angles share the type; the name of the argument states
  * the meaning. Sums of three products are evaluated as (x + y) + z.

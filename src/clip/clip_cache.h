@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /*
- * Floor 4: what is kept of two neighbouring compact keys between samples.
+ * What is kept of two neighbouring compact keys between samples.
  *
  *     section      element     number
  *     cursors      uint32_t    1 of each timeline

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* Floor 3: nkw_ease_point before its rounding, and the keywords of CSS. */
+/* Nkw_ease_point before its rounding, and the keywords of CSS. */
 #ifndef NAKAWARI_EASE_POINT_H
 #define NAKAWARI_EASE_POINT_H
 

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* Floor 3: a cubic Bezier segment in the plane of time and value, in binary64. */
+/* A cubic Bezier segment in the plane of time and value, in binary64. */
 #ifndef NAKAWARI_HANDLE_SOLVE_H
 #define NAKAWARI_HANDLE_SOLVE_H
 

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* Floor 4: a cubic segment of vectors in binary64. */
+/* A cubic segment of vectors in binary64. */
 #ifndef NAKAWARI_POLYCURVE_SLOPES_H
 #define NAKAWARI_POLYCURVE_SLOPES_H
 

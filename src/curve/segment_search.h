@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* Floor 4: segment lookup in key times at a distance of `stride` bytes. */
+/* Segment lookup in key times at a distance of `stride` bytes. */
 #ifndef NAKAWARI_SEGMENT_SEARCH_H
 #define NAKAWARI_SEGMENT_SEARCH_H
 

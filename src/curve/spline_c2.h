@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* Floor 4: the keys of a spline as numbers in binary64, and the tangents with continuous acceleration. */
+/* The keys of a spline as numbers in binary64, and the tangents with continuous acceleration. */
 #ifndef NAKAWARI_SPLINE_C2_H
 #define NAKAWARI_SPLINE_C2_H
 

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* Floor 0: a sort of indices that needs no memory. */
+/* A sort of indices that needs no memory. */
 #ifndef NAKAWARI_SORT_H
 #define NAKAWARI_SORT_H
 

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* Floor 4: one segment of an fcurve, in binary64. */
+/* One segment of an fcurve, in binary64. */
 #ifndef NAKAWARI_FCURVE_SEGMENT_H
 #define NAKAWARI_FCURVE_SEGMENT_H
 

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* Floor 4: the cycle of a time, and the time within it. */
+/* The cycle of a time, and the time within it. */
 #ifndef NAKAWARI_PLAYBACK_CYCLE_H
 #define NAKAWARI_PLAYBACK_CYCLE_H
 

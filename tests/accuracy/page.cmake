@@ -15,12 +15,12 @@ Functions without a row:
 
 Units: 1 ULP is the distance of neighbouring floats at the exact result, so 0.5 ULP is correct rounding. 1 u is 2^-24 of
 the magnitude that the header names: the norm of a vector, quaternion or matrix, the product of the norms for sums of
-products, or the largest control value of a curve. The reference is binary64 functions of the C library for floor 1, and
-binary128 for floors 2 to 6. A row marked *noted* has another measure than the header's line, or arguments outside its
+products, or the largest control value of a curve. The reference is binary64 functions of the C library for `scalar.h`, and
+binary128 for the others. A row marked *noted* has another measure than the header's line, or arguments outside its
 range. The witness is the input with the largest error. Two integers are a seed: of the random case, or of the case from
 which the search started.
 
-The errors of floors 2 to 6 are the largest that a search found, not proven bounds, unless a header states a bound. The
+The errors of the others are the largest that a search found, not proven bounds, unless a header states a bound. The
 search starts at the worst of 300 samples. It changes one of the random numbers that the sample is computed from: by 1
 to 2^20 units in the last place, to fewer bits, in one of its highest bits, by whole exponents about the middle of its
 range, to one equal or opposite to another, or to any other number. It keeps the change if the error does not decrease.

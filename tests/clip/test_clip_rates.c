@@ -105,7 +105,7 @@ static void fewer_keys_keep_the_tolerance(void **state)
         assert_true(error.translation > 1e-5f && error.translation < TOLERANCE + 5e-6f);
         assert_true(error.rotation > 1e-5f && error.rotation < TOLERANCE + 1.75e-4f);
         assert_true(error.scale > 1e-5f && error.scale < TOLERANCE + 5e-6f);
-        expect_page("floors/4-track.md", "| %s | %lu | %lu | %.4f | %.4f |", format ? "16 bits" : "floats",
+        expect_page("subjects/clip/clip.md", "| %s | %lu | %lu | %.4f | %.4f |", format ? "16 bits" : "floats",
                     (unsigned long)nkw_clip_bytes(whole), (unsigned long)nkw_clip_bytes(own),
                     (double)error.translation, (double)error.rotation);
         assert_int_equal(nkw_clip_cursor_count(whole), 1);

@@ -138,7 +138,7 @@ static void a_reduced_clip_is_small_and_within_the_tolerance(void **state)
         assert_true(reduced.bytes * 4 < before && (bytes == 0 || reduced.bytes < bytes));
         bytes = all[i] = reduced.bytes;
     }
-    expect_page("floors/4-track.md", "| %d joints, %d keys, 100 of %d tracks move ([`tests/clip/test_clip_reduce.c`]"
+    expect_page("subjects/clip/clip.md", "| %d joints, %d keys, 100 of %d tracks move ([`tests/clip/test_clip_reduce.c`]"
                                      "(../../tests/clip/test_clip_reduce.c)) | %lu | %lu | %lu |",
                 JOINTS, KEYS, TRACKS, (unsigned long)before, (unsigned long)all[0], (unsigned long)all[1]);
 }

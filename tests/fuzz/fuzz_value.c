@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* The value floors: total on any floats and enumerators, and what is promised of the results. */
+/* Single values: total on any floats and enumerators, and what is promised of the results. */
 #include "fuzz.h"
 
 #include <string.h>

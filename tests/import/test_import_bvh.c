@@ -333,7 +333,7 @@ static void a_captured_walk_has_the_bytes_of_the_page(void **state)
         assert_int_equal(nkw_clip_reduce(&source, &reduction, &memory, &reduced, &bad), NKW_OK);
         bytes[i] = reduced.bytes;
     }
-    expect_page("floors/4-track.md", "| a walk of %lu joints, %lu keys at 120 Hz, in centimetres, by "
+    expect_page("subjects/clip/clip.md", "| a walk of %lu joints, %lu keys at 120 Hz, in centimetres, by "
                                      "[`nakawari/import.h`](../import.md) | %lu | %lu | %lu |",
                 (unsigned long)source.joint_count, (unsigned long)a->tracks[0].track.count, (unsigned long)floats,
                 (unsigned long)bytes[0], (unsigned long)bytes[1]);

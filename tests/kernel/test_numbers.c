@@ -29,11 +29,11 @@ static double largest_lag(double degrees)
 static void nlerp_lags_behind_slerp(void **state)
 {
     (void)state;
-    expect_page("floors/3-curve.md",
+    expect_page("subjects/curve/curve.md",
                 "The largest difference is %.1f° for a rotation of 45° between the keys, %.1f° for 90°, "
                 "%.0f° for 180°.",
                 largest_lag(45), largest_lag(90), largest_lag(179.999));
-    expect_page("floors/5-blend.md", "For a quarter turn nlerp differs from it by at most %.2f degrees.",
+    expect_page("subjects/pose/blend.md", "For a quarter turn nlerp differs from it by at most %.2f degrees.",
                 largest_lag(90));
 }
 
@@ -54,7 +54,7 @@ static double sum_from_mean(double degrees)
 static void the_sum_of_two_rotations_leaves_their_mean(void **state)
 {
     (void)state;
-    expect_page("floors/2-value.md",
+    expect_page("subjects/math/value.md",
                 "| largest angle between sum and mean | %.3f° | %.2f° | %.2f° | %.2f° | %.1f° | %.1f° | %.1f° |",
                 sum_from_mean(10), sum_from_mean(30), sum_from_mean(45), sum_from_mean(60), sum_from_mean(90),
                 sum_from_mean(120), sum_from_mean(150));
@@ -90,7 +90,7 @@ static void play_heads_lose_their_place(void **state)
                 worst[2] = fmax(worst[2], lost(nkw_playback_head_f64(&range, time).time, frame));
             }
         }
-        expect_page("floors/4-track.md", "| %s | %.*f ms | %.*f ms | %.0e s |", names[i], i == 0, 1000 * worst[0],
+        expect_page("subjects/track/track.md", "| %s | %.*f ms | %.*f ms | %.0e s |", names[i], i == 0, 1000 * worst[0],
                     i < 3, 1000 * worst[1], worst[2]);
     }
 }
@@ -112,7 +112,7 @@ static void rounded_seconds_are_the_frame_before(void **state)
 {
     (void)state;
     const nkw_rate ntsc = {30000, 1001}, pal = {25, 1};
-    expect_page("floors/4-track.md", "is the frame before for %d of the first 1999 frames at 30000/1001, and for %d of "
+    expect_page("subjects/track/track.md", "is the frame before for %d of the first 1999 frames at 30000/1001, and for %d of "
                                      "those at 25.", frames_before(ntsc), frames_before(pal));
 }
 
@@ -137,27 +137,27 @@ static void steps_of_springs_are_off(void **state)
 {
     (void)state;
     nkw_spring s = nkw_spring_from_half_life(0.15f, 1.0f);
-    expect_page("floors/3-spring.md", "is up to %.2f off at 60 frames per second, %.2f at 30, and it diverges at 10",
+    expect_page("subjects/motion/spring.md", "is up to %.2f off at 60 frames per second, %.2f at 30, and it diverges at 10",
                 step_off(s, 60, 0), step_off(s, 30, 0));
     assert_true(step_off(s, 10, 0) > 100);
     assert_true(step_off(s, 60, 1) < 3e-7);
     /* omega of a half-life of 1 s, critical damping; the deviation after 2 ln 2 / omega. */
     nkw_spring unit = nkw_spring_from_half_life(1, 1);
     double omega = sqrt((double)unit.stiffness), other = 2 * log(2.0);
-    expect_page("floors/3-spring.md", "%.4f/omega. Other libraries call %.3f/omega (2 ln 2) a half-life; the deviation "
+    expect_page("subjects/motion/spring.md", "%.4f/omega. Other libraries call %.3f/omega (2 ln 2) a half-life; the deviation "
                                       "is then %.3f, not 0.5: multiply their number by %.4f.",
                 omega, other, (1 + other) * exp(-other), omega / other);
-    expect_page("floors/3-spring.md", "A wheel of 100 rad/s turns by %.0f° in a step of 1/30 s", 100.0 / 30 * DEGREES);
+    expect_page("subjects/motion/spring.md", "A wheel of 100 rad/s turns by %.0f° in a step of 1/30 s", 100.0 / 30 * DEGREES);
 }
 
 static void poses_have_as_many_arrays_as_the_page_states(void **state)
 {
     (void)state;
-    expect_page("floors/5-transition.md", "| `nkw_pose_velocity_span` | `NKW_POSE_VELOCITY_FLOATS`, %d arrays |",
+    expect_page("subjects/pose/transition.md", "| `nkw_pose_velocity_span` | `NKW_POSE_VELOCITY_FLOATS`, %d arrays |",
                 (int)NKW_POSE_VELOCITY_FLOATS(16) / 16);
-    expect_page("floors/5-transition.md", "| `nkw_pose_inertia` | `NKW_POSE_INERTIA_FLOATS`, %d arrays |",
+    expect_page("subjects/pose/transition.md", "| `nkw_pose_inertia` | `NKW_POSE_INERTIA_FLOATS`, %d arrays |",
                 (int)NKW_POSE_INERTIA_FLOATS(16) / 16);
-    expect_page("floors/5-transition.md", "| `nkw_pose_dead_blend` | `NKW_POSE_DEAD_BLEND_FLOATS`, %d arrays |",
+    expect_page("subjects/pose/transition.md", "| `nkw_pose_dead_blend` | `NKW_POSE_DEAD_BLEND_FLOATS`, %d arrays |",
                 (int)NKW_POSE_DEAD_BLEND_FLOATS(16) / 16);
     assert_int_equal(NKW_POSE_FLOATS(16), 10 * 16);
 }
@@ -166,7 +166,7 @@ static void palettes_have_the_bytes_of_the_pages(void **state)
 {
     (void)state;
     const int m44 = (int)sizeof(nkw_mat4), m34 = (int)sizeof(nkw_mat3x4), dual = (int)sizeof(nkw_dual_quat);
-    const char *formats = "formats.md", *palette = "floors/6-palette.md";
+    const char *formats = "formats.md", *palette = "subjects/skin/palette.md";
     expect_page(formats, "| `nkw_mat4` | %d |", m44);
     expect_page(formats, "| `nkw_mat3x4` | %d |", m34);
     expect_page(formats, "| `nkw_dual_quat` | %d |", dual);
@@ -178,7 +178,7 @@ static void palettes_have_the_bytes_of_the_pages(void **state)
     expect_page(palette, "| `nkw_mat3x4`, three rows | %d |", m34);
     expect_page(palette, "| `nkw_dual_quat` | %d |", dual);
     expect_page("character.md", "[%d bytes per joint]", m34);
-    expect_page("floors/6-crowd.md", "(10 j + c) %d + i", (int)NKW_CROWD);
+    expect_page("subjects/skin/crowd.md", "(10 j + c) %d + i", (int)NKW_CROWD);
 }
 
 int main(void)

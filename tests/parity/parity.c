@@ -179,7 +179,7 @@ static int run_packs(const char *isa)
     return 0;
 }
 
-/* The data floors by the loops of an instruction set, against the same by the baseline's; every loop is run. */
+/* The functions on sets of data by the loops of an instruction set, against the same by the baseline's; every loop is run. */
 static int run_data(nkwi_isa tested, const char *isa)
 {
     int failed = 0;

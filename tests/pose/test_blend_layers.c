@@ -424,7 +424,7 @@ static void validate_names_the_first_bad_layer(void **state)
     expect_layers(b, LAYERS, JOINTS, NKW_EMPTY, 0);
 }
 
-/* Two rotations 90 degrees apart are farthest, 3.2 degrees (docs/floors/2-value.md); four random ones are nearer. */
+/* Two rotations 90 degrees apart are farthest, 3.2 degrees (docs/subjects/math/value.md); four random ones are nearer. */
 static void layers_are_near_the_mean_of_their_rotations(void **state)
 {
     (void)state;

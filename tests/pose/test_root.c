@@ -216,7 +216,7 @@ static void a_thousand_loops_do_not_drift(void **state)
     there = nkw_root_place(&origin, &by_axis, &start, 1000), summed = origin;
     for (int i = 0; i < 1000; i++)
         summed = mul(summed, nkw_root_delta(&by_axis, &start, &start, 1));
-    expect_page("floors/5-root.md", "the sum is %.0f mm off, or %.0f mm with the quaternion of", 1000 * off,
+    expect_page("subjects/pose/root.md", "the sum is %.0f mm off, or %.0f mm with the quaternion of", 1000 * off,
                 1000 * (double)nkw_vec3_distance(summed.translation, there.translation));
     for (int n = -1000000; n <= 1000000; n += 250000) {
         nkw_trs far = nkw_root_place(&origin, &cycle, &start, n);

@@ -173,7 +173,7 @@ static void child_frames_add_to_those_of_their_parents(void **state)
     expect_bits(models[1].m[12], 7);
 }
 
-/* docs/floors/5-skeleton.md */
+/* docs/subjects/pose/skeleton.md */
 static void the_four_joints_of_the_page_have_its_numbers(void **state)
 {
     (void)state;

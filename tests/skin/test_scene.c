@@ -285,7 +285,7 @@ static void the_fox_has_the_bytes_of_the_page(void **state)
         }
         assert_int_equal(s->track_count, 21);
         assert_int_equal(nkw_clip_difference(compact.clip[i], s, &error, room, sizeof room / sizeof *room), NKW_OK);
-        expect_page("floors/4-track.md", "| %d | %lu | %lu | %lu | %lu | %.2e | %.2e |", i, (unsigned long)keys,
+        expect_page("subjects/clip/clip.md", "| %d | %lu | %lu | %lu | %lu | %.2e | %.2e |", i, (unsigned long)keys,
                     (unsigned long)(floats * sizeof(float)), (unsigned long)nkw_clip_bytes(whole.clip[i]),
                     (unsigned long)nkw_clip_bytes(compact.clip[i]), (double)error.rotation, (double)error.translation);
     }

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /*
- * The data floors on fixed inputs: data_<stem>() in data_<stem>.c calls the stem's functions and returns one hash
+ * The functions on sets of data on fixed inputs: data_<stem>() in data_<stem>.c calls the stem's functions and returns one hash
  * of all results. `golden` compares the hashes with its table, `parity` those of each instruction set with the
  * baseline's.
  */

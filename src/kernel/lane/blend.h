@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* Floor 5: the formulas of blend.h beyond those of rotations. */
+/* The formulas of blend.h beyond those of rotations. */
 #ifndef NAKAWARI_LANE_BLEND_H
 #define NAKAWARI_LANE_BLEND_H
 

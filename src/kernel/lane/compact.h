@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* Floor 4: the rotations of compact clips. */
+/* The rotations of compact clips. */
 #ifndef NAKAWARI_LANE_COMPACT_H
 #define NAKAWARI_LANE_COMPACT_H
 

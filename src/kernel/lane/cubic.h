@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* Floor 3: cubic curves on one component. */
+/* Cubic curves on one component. */
 #ifndef NAKAWARI_LANE_CUBIC_H
 #define NAKAWARI_LANE_CUBIC_H
 

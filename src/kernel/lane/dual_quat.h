@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* Floor 2: the formulas of dual.h that loops need. In binary64. */
+/* The formulas of dual.h that loops need. In binary64. */
 #ifndef NAKAWARI_LANE_DUAL_QUAT_H
 #define NAKAWARI_LANE_DUAL_QUAT_H
 

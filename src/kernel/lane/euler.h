@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* Floor 2: Euler angles and rotations. */
+/* Euler angles and rotations. */
 #ifndef NAKAWARI_LANE_EULER_H
 #define NAKAWARI_LANE_EULER_H
 

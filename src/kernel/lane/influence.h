@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* Floor 6: the rigid transform of a blended dual quaternion (skin.h). */
+/* The rigid transform of a blended dual quaternion (skin.h). */
 #ifndef NAKAWARI_LANE_INFLUENCE_H
 #define NAKAWARI_LANE_INFLUENCE_H
 

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* Floor 2: the formulas of mat.h and transform.h beyond the small algebra. */
+/* The formulas of mat.h and transform.h beyond the small algebra. */
 #ifndef NAKAWARI_LANE_MAT_H
 #define NAKAWARI_LANE_MAT_H
 

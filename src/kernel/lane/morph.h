@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* Floor 6: the formula of morph.h. */
+/* The formula of morph.h. */
 #ifndef NAKAWARI_LANE_MORPH_H
 #define NAKAWARI_LANE_MORPH_H
 

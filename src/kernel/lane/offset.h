@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* Floor 3: the formulas of inertia.h. */
+/* The formulas of inertia.h. */
 #ifndef NAKAWARI_LANE_OFFSET_H
 #define NAKAWARI_LANE_OFFSET_H
 

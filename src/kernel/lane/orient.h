@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* Floor 3: curves on rotations. */
+/* Curves on rotations. */
 #ifndef NAKAWARI_LANE_ORIENT_H
 #define NAKAWARI_LANE_ORIENT_H
 

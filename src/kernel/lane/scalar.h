@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /*
- * Floor 1, every formula once: binary64 inside, one rounding to float at the end.
+ * Every formula once: binary64 inside, one rounding to float at the end.
  *
  * <nakawari/scalar.h> states the result, the degenerate cases and the measured error of each function.
  * The angle functions come twice: the near one for |x| < LANE_NEAR, the far one for every float, four

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* Floor 2: the formulas of vec.h beyond the small algebra. */
+/* The formulas of vec.h beyond the small algebra. */
 #ifndef NAKAWARI_LANE_VEC_H
 #define NAKAWARI_LANE_VEC_H
 
