@@ -139,7 +139,7 @@ static void a_reduced_clip_is_small_and_within_the_tolerance(void **state)
         bytes = all[i] = reduced.bytes;
     }
     expect_page("subjects/clip/clip.md", "| %d joints, %d keys, 100 of %d tracks move ([`tests/clip/test_clip_reduce.c`]"
-                                     "(../../tests/clip/test_clip_reduce.c)) | %lu | %lu | %lu |",
+                                     "(../../../tests/clip/test_clip_reduce.c)) | %lu | %lu | %lu |",
                 JOINTS, KEYS, TRACKS, (unsigned long)before, (unsigned long)all[0], (unsigned long)all[1]);
 }
 

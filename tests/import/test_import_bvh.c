@@ -334,7 +334,7 @@ static void a_captured_walk_has_the_bytes_of_the_page(void **state)
         bytes[i] = reduced.bytes;
     }
     expect_page("subjects/clip/clip.md", "| a walk of %lu joints, %lu keys at 120 Hz, in centimetres, by "
-                                     "[`nakawari/import.h`](../import.md) | %lu | %lu | %lu |",
+                                     "[`nakawari/import.h`](../../import.md) | %lu | %lu | %lu |",
                 (unsigned long)source.joint_count, (unsigned long)a->tracks[0].track.count, (unsigned long)floats,
                 (unsigned long)bytes[0], (unsigned long)bytes[1]);
     free(memory.block);
