@@ -11,7 +11,9 @@ list(APPEND sources ${dispatch} ${loops})
 list(TRANSFORM sources PREPEND "src/")
 file(GLOB inputs RELATIVE "${SOURCE}" "${SOURCE}/tests/support/data_*.c" "${SOURCE}/tests/support/random*.c"
   "${SOURCE}/docs/examples/matrix_stack.c")
+set(folders "")
 if(ONE)
+  list(TRANSFORM NKW_SUBJECTS REPLACE "(.+)" "-I${SOURCE}/src/\\1" OUTPUT_VARIABLE folders) # a header beside its source
   set(one "${WORK}/one.c")
   include("${CMAKE_CURRENT_LIST_DIR}/one.cmake")
   set(sources "${one}")
@@ -25,7 +27,7 @@ foreach(source IN LISTS sources inputs)
   if(source IN_LIST inputs)
     set(steady -ffp-contract=off)
   endif()
-  execute_process(COMMAND "${CC}" "-std=${STD}" ${flags} ${steady} -DNKW_BUILD "-I${SOURCE}/include" "-I${SOURCE}/src/kernel" "-I${SOURCE}/src" -c "${source}" -o "${object}"
+  execute_process(COMMAND "${CC}" "-std=${STD}" ${flags} ${steady} -DNKW_BUILD "-I${SOURCE}/include" "-I${SOURCE}/src/kernel" "-I${SOURCE}/src" ${folders} -c "${source}" -o "${object}"
     WORKING_DIRECTORY "${SOURCE}" COMMAND_ERROR_IS_FATAL ANY)
 endforeach()
 string(REPLACE "," ";" drivers "${DRIVERS}")
