@@ -1,8 +1,9 @@
 /* SPDX-License-Identifier: MIT */
 /*
  * The small algebra as callers compile it: one source, compiled with -O2 as C99, and as GNU C99 and C++ for processors
- * with fma, where GCC may contract and the headers declare prototypes only. COUNTS_AS is the name before each row.
- * Every t and every rotation is random, so no branch on one can be learnt. Runs under callgrind, as counts.c does.
+ * with fma, where GCC may contract and the headers compute products otherwise (NKW_FMA). COUNTS_AS is the name before
+ * each row. Every t and every rotation is random, so no branch on one can be learnt. Runs under callgrind, as counts.c
+ * does.
  */
 #include "counted.h"
 

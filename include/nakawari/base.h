@@ -39,13 +39,31 @@
 #endif
 
 /**
+ * In GNU mode and C++, GCC fuses a * b + c into one rounding if the target has fast fma. NKW_FMA is 1 there on x86 and
+ * AArch64, and the small algebra computes its products so that GCC cannot fuse them (inline/product.h); otherwise 0.
+ * NKW_FUSES is 1 on other targets, and where another compiler that defines __GNUC__ may fuse.
+ */
+#if !defined(__GNUC__) || defined(__clang__) || !(defined(__FP_FAST_FMAF) || defined(__FP_FAST_FMA)) ||                \
+    defined(NKW_CONTRACTION_OFF) || (defined(__STRICT_ANSI__) && !defined(__cplusplus))
+#define NKW_FMA   0
+#define NKW_FUSES 0
+#elif defined(__CUDACC__) || defined(__EDG__) || defined(__INTEL_COMPILER) || defined(__NVCOMPILER) ||                 \
+    !defined(__FP_FAST_FMAF) || !(defined(__SSE2__) || defined(__aarch64__))
+#define NKW_FMA   0
+#define NKW_FUSES 1
+#else
+#define NKW_FMA   1
+#define NKW_FUSES 0
+#endif
+
+/**
  * The small algebra (sums, products, rotations, transforms) is inlined into the caller from the headers in `inline/`,
  * except where the caller's compiler could change its bits. There the headers declare prototypes only, and the caller
  * calls the same functions in the library: the bits are the same, at the cost of a call. A compiler could change bits
  *
  *   - under -ffast-math or one of its parts;
  *   - where it evaluates float in a wider format (x87, s390x in ISO mode);
- *   - where it may fuse a * b + c into one rounding: GCC in GNU mode or C++ on a target with fast fma.
+ *   - where it may fuse a * b + c into one rounding (NKW_FUSES).
  *
  * No macro reports two of these cases. Define NKW_NO_INLINE there:
  *
@@ -56,7 +74,7 @@
  * A program defines
  *
  *     NKW_NO_INLINE         to disable inlining; it changes no result
- *     NKW_CONTRACTION_OFF   if GCC compiles it with -ffp-contract=off; this allows inlining in GNU mode too
+ *     NKW_CONTRACTION_OFF   if GCC compiles it with -ffp-contract=off: products are then a * b
  *
  * NKW_INLINE is 1 where the definitions are inlined, otherwise 0.
  */
@@ -71,8 +89,7 @@
 #define NKW_INLINE 0
 #elif (defined(__i386__) && !defined(__SSE2_MATH__)) || (defined(_M_IX86_FP) && _M_IX86_FP < 2)
 #define NKW_INLINE 0 /* Clang reports 0 above where float is computed by SSE, but double by x87 */
-#elif defined(__GNUC__) && !defined(__clang__) && (defined(__FP_FAST_FMAF) || defined(__FP_FAST_FMA)) &&               \
-    !defined(NKW_CONTRACTION_OFF) && (!defined(__STRICT_ANSI__) || defined(__cplusplus))
+#elif NKW_FUSES
 #define NKW_INLINE 0
 #else
 #define NKW_INLINE 1
@@ -106,11 +123,12 @@
 /**
  * NKW_BODY precedes each body of the small algebra. A call that the compiler does not inline calls the library's
  * symbol. In C this follows from the rules of C99 for inline functions. C++ would emit a weak copy, compiled with this
- * file's -march, and the linker could choose that copy for the whole program; gnu_inline prevents this.
+ * file's -march, and the linker could choose that copy for the whole program; gnu_inline prevents this. With it GCC also
+ * inlines the larger bodies, which it would leave out as too large, in C too.
  *
  * NKW_PART precedes a step that several bodies share. It is always inlined and has no symbol.
  */
-#if defined(__cplusplus) && defined(__GNUC__)
+#if defined(__GNUC__) && !defined(NKW_DEFINE_ALGEBRA)
 #define NKW_BODY extern inline __attribute__((__gnu_inline__))
 #else
 #define NKW_BODY inline

@@ -1,7 +1,8 @@
 /* SPDX-License-Identifier: MIT */
 /*
  * Small algebra one upon the other, as C and as C++: compiled once inlined, under flags that may fuse, and once with
- * NKW_NO_INLINE. golden.c has each function alone; here a product of one function goes into the sum of the next.
+ * NKW_NO_INLINE. golden.c has each function alone; here a product of one function goes into the sum of the next, and a
+ * sum of each takes a product.
  */
 #if defined(FUSED)
 #pragma clang fp contract(fast)
@@ -13,11 +14,7 @@
 #define RESULT(name) called_##name
 #else
 #define RESULT(name) inlined_##name
-#if defined(__GNUC__) && !defined(__clang__) && defined(__FP_FAST_FMAF) && (!defined(__STRICT_ANSI__) || defined(__cplusplus))
-#if NKW_INLINE
-#error "GCC may fuse here: the small algebra is inlined"
-#endif
-#elif !NKW_INLINE
+#if !NKW_INLINE
 #error "the small algebra is not inlined"
 #endif
 #endif
@@ -29,6 +26,8 @@ void RESULT(vectors)(const float *in, float *out);
 void RESULT(quats)(const float *in, float *out);
 void RESULT(matrices)(const float *in, float *out);
 void RESULT(curves)(const float *in, float *out);
+void RESULT(scalars)(const float *in, float *out);
+void RESULT(rotations)(const float *in, float *out);
 void RESULT(many)(const float *in, float *out, size_t n);
 #ifdef __cplusplus
 }
@@ -109,6 +108,44 @@ void RESULT(curves)(const float *in, float *out)
     put_vec3(out + 3, nkw_vec3_bezier(h, b, nkw_vec3_mul(c, a), d, in[0]));
     put_vec3(out + 6, nkw_vec3_bspline(a, h, c, nkw_vec3_mul(d, b), in[0]));
     put_vec3(out + 9, nkw_vec3_add(a, nkw_vec3_catmull_rom(a, b, h, nkw_vec3_scale(d, in[1]), in[0])));
+}
+
+void RESULT(scalars)(const float *in, float *out)
+{
+    float a = in[0], b = in[1], c = in[2], d = in[3], t = nkw_saturate(in[4]);
+    out[0] = nkw_hermite(a, b, c, d, t);
+    out[1] = nkw_bezier(a, b, c, d, t);
+    out[2] = nkw_bspline(a, b, c, d, t);
+    out[3] = nkw_catmull_rom(a, b, c, d, t);
+    out[4] = nkw_lerp(nkw_lerp(a, b, t), nkw_lerp(c, d, t), t);
+    out[5] = nkw_smoothstep(t) + nkw_inverse_lerp(a, b, c);
+    out[6] = nkw_lerp(a, b, in[5]) - nkw_hermite(a, b, c, d, in[5]);
+    out[7] = nkw_vec3_dot(vec3_at(in), vec3_at(in + 3)) + nkw_quat_dot(quat_at(in), quat_at(in + 4));
+}
+
+void RESULT(rotations)(const float *in, float *out)
+{
+    nkw_quat q = quat_at(in), p = quat_at(in + 4);
+    nkw_vec3 v = vec3_at(in + 8), w = nkw_quat_rotate_inverse(q, nkw_vec3_add_scaled(v, vec3_at(in), in[11]));
+    nkw_mat3 a = nkw_mat3_from_quat(q), b = nkw_mat3_from_quat_scale(p, v), c = nkw_mat3_mul(&a, &b);
+    nkw_mat4 d = nkw_mat4_from_quat(p), e = nkw_mat4_from_mat3(&c, w), f = nkw_mat4_mul(&e, &d);
+    nkw_mat4 g = nkw_mat4_inverse_rigid(&e), h = nkw_mat4_mul_affine(&e, &g), k, l;
+    put_vec3(out, nkw_vec3_add(nkw_mat3_transform(&c, w), nkw_mat4_transform_direction(&f, v)));
+    put_vec3(out + 3, nkw_vec3_sub(nkw_mat4_transform_point(&h, w), nkw_vec3_normalize(nkw_vec3_scale(v, in[12]))));
+    put_quat(out + 6, nkw_quat_nlerp(q, p, nkw_saturate(in[13])));
+    for (size_t i = 0; i < 9; i++)
+        out[10 + i] = a.m[i] + b.m[i];
+    for (size_t i = 0; i < 16; i++)
+        out[19 + i] = d.m[i] + g.m[i];
+    for (size_t i = 0; i < 16; i++)
+        out[35 + i] = f.m[i] - h.m[i];
+    for (size_t i = 0; i < 16; i++) {
+        k.m[i] = in[14 + i];
+        l.m[i] = in[30 + i];
+    }
+    d = nkw_mat4_mul(&k, &l);
+    for (size_t i = 0; i < 16; i++)
+        out[51 + i] = d.m[i];
 }
 
 /* A loop, which compilers make vectors of. */

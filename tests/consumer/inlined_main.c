@@ -8,8 +8,8 @@
 #define FLOATS 67
 
 typedef void part(const float *in, float *out);
-part inlined_vectors, inlined_quats, inlined_matrices, inlined_curves;
-part called_vectors, called_quats, called_matrices, called_curves;
+part inlined_vectors, inlined_quats, inlined_matrices, inlined_curves, inlined_scalars, inlined_rotations;
+part called_vectors, called_quats, called_matrices, called_curves, called_scalars, called_rotations;
 void inlined_many(const float *in, float *out, size_t n);
 void called_many(const float *in, float *out, size_t n);
 
@@ -29,6 +29,7 @@ static const struct {
 } parts[] = {
     {"vectors", inlined_vectors, called_vectors},    {"quats", inlined_quats, called_quats},
     {"matrices", inlined_matrices, called_matrices}, {"curves", inlined_curves, called_curves},
+    {"scalars", inlined_scalars, called_scalars},    {"rotations", inlined_rotations, called_rotations},
     {"a loop", inlined_loop, called_loop},
 };
 

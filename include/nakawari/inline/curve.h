@@ -13,6 +13,7 @@
 #include "../scalar.h"
 #include "../vec.h"
 #include "f32x3.h"
+#include "product.h"
 
 #ifdef __cplusplus
 extern "C" {
@@ -26,10 +27,10 @@ extern "C" {
 NKW_PART float nkw_hermite_from(int first, int inside, float p0, float v0, float p1, float v1, float t)
 {
     NKW_EXACT
-    float s = 1.0f - t, f = p1 - p0, k = s * (v0 - f) - t * (v1 - f);
+    float s = 1.0f - t, f = p1 - p0, k = nkw_mul(s, v0 - f) - nkw_mul(t, v1 - f);
     float end = nkw_select(first, p0, p1), back = nkw_select(first, 0.0f, 1.0f) - t;
     float onward = nkw_select(first, 1.0f, 0.0f) - t; /* from t to the other end */
-    float step = back * (f + onward * k);
+    float step = nkw_mul(back, f + nkw_mul(onward, k));
     return end - (inside ? step : nkw_select(back == 0.0f, 0.0f, step));
 }
 
@@ -38,7 +39,7 @@ NKW_BODY float nkw_hermite(float p0, float v0, float p1, float v1, float t)
     return nkw_hermite_from(t < 0.5f, 0, p0, v0, p1, v1, t);
 }
 
-/* Bernstein: s^3, 3 s^2 t, 3 s t^2, t^3,  s = 1 - t. At t = 0 and t = 1 one weight is 1, the others are 0. */
+/* Bernstein: s^3, 3 s^2 t, 3 s t^2, t^3,  s = 1 - t: factors. At t = 0 and t = 1 one is 1, the others are 0. */
 NKW_PART nkw_weights nkw_bezier_weights(float t)
 {
     NKW_EXACT
@@ -51,7 +52,7 @@ NKW_BODY float nkw_bezier(float p0, float p1, float p2, float p3, float t)
 {
     NKW_EXACT
     nkw_weights k = nkw_bezier_weights(t);
-    return (k.w[0] * p0 + k.w[1] * p1) + (k.w[2] * p2 + k.w[3] * p3);
+    return (nkw_mul(k.w[0], p0) + nkw_mul(k.w[1], p1)) + (nkw_mul(k.w[2], p2) + nkw_mul(k.w[3], p3));
 }
 
 /*
@@ -65,11 +66,11 @@ NKW_BODY float nkw_bspline(float p0, float p1, float p2, float p3, float t)
     NKW_EXACT
     int first = t < 0.5f; /* p1 is nearer to t than p2 */
     float s = 1.0f - t, f = p2 - p1, h = f + (p0 - p1), m = (p3 - p2) - f;
-    float x = nkw_select(first, t, s), xx = x * x, yy = (1.0f - (x + x)) + xx;
+    float x = nkw_select(first, t, s), xx = nkw_mul(x, x), yy = (1.0f - (x + x)) + xx;
     float ss = nkw_select(first, yy, xx), tt = nkw_select(first, xx, yy);
-    float bend = ((ss * s) * h + (tt * t) * m) / 6.0f;
+    float bend = (nkw_mul(ss * s, h) + nkw_mul(tt * t, m)) / 6.0f;
     float end = nkw_select(first, p1, p2), back = nkw_select(first, 0.0f, 1.0f) - t;
-    return end + (bend - back * f);
+    return end + (bend - nkw_mul(back, f));
 }
 
 /*
@@ -81,10 +82,11 @@ NKW_BODY float nkw_catmull_rom(float p0, float p1, float p2, float p3, float t)
 {
     NKW_EXACT
     int first = t < 0.5f; /* p1 is nearer to t than p2 */
-    float s = 1.0f - t, f = p2 - p1, h = f + (p0 - p1), m = (p3 - p2) - f, k = s * h + t * m;
+    float s = 1.0f - t, f = p2 - p1, h = f + (p0 - p1), m = (p3 - p2) - f;
+    float k = nkw_mul(s, h) + nkw_mul(t, m);
     float end = nkw_select(first, p1, p2), back = nkw_select(first, 0.0f, 1.0f) - t;
     float onward = nkw_select(first, 1.0f, 0.0f) - t;
-    return end - nkw_select(back == 0.0f, 0.0f, back * (f - (0.5f * onward) * k));
+    return end - nkw_select(back == 0.0f, 0.0f, nkw_mul(back, f - nkw_mul(0.5f * onward, k)));
 }
 
 NKW_BODY nkw_vec3 nkw_vec3_bezier(nkw_vec3 p0, nkw_vec3 p1, nkw_vec3 p2, nkw_vec3 p3, float t)

@@ -21,6 +21,8 @@
 #include <stdint.h>
 #include <string.h>
 
+#include "product.h"
+
 #if NKW_F32X4
 typedef float nkw_f32x4 __attribute__((vector_size(16)));
 typedef int32_t nkw_i32x4 __attribute__((vector_size(16)));
@@ -41,6 +43,23 @@ NKW_PART void nkw_f32x4_store(void *to, nkw_f32x4 a)
 NKW_PART nkw_f32x4 nkw_f32x4_splat(float x)
 {
     nkw_f32x4 r = {x, x, x, x};
+    return r;
+}
+
+/* nkw_product of each float. */
+NKW_PART nkw_f32x4 nkw_f32x4_mul(nkw_f32x4 a, nkw_f32x4 b)
+{
+    NKW_EXACT
+    nkw_f32x4 r = a * b;
+    NKW_OPAQUE(r);
+    return r;
+}
+
+NKW_PART nkw_f32x4 nkw_f32x4_scale(nkw_f32x4 a, float s)
+{
+    NKW_EXACT
+    nkw_f32x4 r = a * s;
+    NKW_OPAQUE(r);
     return r;
 }
 
@@ -102,6 +121,14 @@ NKW_PART nkw_f32x8 nkw_f32x8_load(const void *from)
 NKW_PART void nkw_f32x8_store(void *to, nkw_f32x8 a)
 {
     memcpy(to, &a, sizeof a);
+}
+
+NKW_PART nkw_f32x8 nkw_f32x8_mul(nkw_f32x8 a, nkw_f32x8 b)
+{
+    NKW_EXACT
+    nkw_f32x8 r = a * b;
+    NKW_OPAQUE(r);
+    return r;
 }
 
 /* Four floats, twice. */

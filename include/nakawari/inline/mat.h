@@ -5,6 +5,7 @@
 
 #include "../mat.h"
 #include "f32x4.h"
+#include "product.h"
 
 #ifdef __cplusplus
 extern "C" {
@@ -51,7 +52,7 @@ NKW_BODY nkw_mat3 nkw_mat3_mul(const nkw_mat3 *a, const nkw_mat3 *b)
     for (size_t c = 0; c < 9; c += 3) {
         float u = b->m[c], v = b->m[c + 1], w = b->m[c + 2];
         for (size_t i = 0; i < 3; i++)
-            r.m[c + i] = (p[i] * u + (p[3 + i]) * v) + (p[6 + i]) * w;
+            r.m[c + i] = (nkw_mul(p[i], u) + nkw_mul(p[3 + i], v)) + nkw_mul(p[6 + i], w);
     }
     return r;
 }
@@ -61,9 +62,9 @@ NKW_BODY nkw_vec3 nkw_mat3_transform(const nkw_mat3 *m, nkw_vec3 v)
     NKW_EXACT
     const float *a = m->m;
     nkw_vec3 r = {
-        (a[0] * v.x + a[3] * v.y) + a[6] * v.z,
-        (a[1] * v.x + a[4] * v.y) + a[7] * v.z,
-        (a[2] * v.x + a[5] * v.y) + a[8] * v.z,
+        (nkw_mul(a[0], v.x) + nkw_mul(a[3], v.y)) + nkw_mul(a[6], v.z),
+        (nkw_mul(a[1], v.x) + nkw_mul(a[4], v.y)) + nkw_mul(a[7], v.z),
+        (nkw_mul(a[2], v.x) + nkw_mul(a[5], v.y)) + nkw_mul(a[8], v.z),
     };
     return r;
 }
@@ -72,9 +73,9 @@ NKW_BODY nkw_mat3 nkw_mat3_from_quat(nkw_quat q)
 {
     NKW_EXACT
     float x2 = q.x + q.x, y2 = q.y + q.y, z2 = q.z + q.z;
-    float xx = q.x * q.x, yy = q.y * q.y, zz = q.z * q.z, ww = q.w * q.w;
-    float xy = q.x * y2, yz = q.y * z2, zx = q.z * x2;
-    float wx = q.w * x2, wy = q.w * y2, wz = q.w * z2;
+    float xx = nkw_mul(q.x, q.x), yy = nkw_mul(q.y, q.y), zz = nkw_mul(q.z, q.z), ww = nkw_mul(q.w, q.w);
+    float xy = nkw_mul(q.x, y2), yz = nkw_mul(q.y, z2), zx = nkw_mul(q.z, x2);
+    float wx = nkw_mul(q.w, x2), wy = nkw_mul(q.w, y2), wz = nkw_mul(q.w, z2);
     nkw_mat3 r = {{
         (ww - yy) + (xx - zz),
         xy + wz,
@@ -116,9 +117,10 @@ NKW_BODY nkw_mat4 nkw_mat4_from_mat3(const nkw_mat3 *m, nkw_vec3 translation)
 NKW_PART void nkw_f32x4_rotation(nkw_f32x4 q, nkw_f32x4 r[3])
 {
     NKW_EXACT
-    nkw_f32x4 q2 = q + q, qq = q * q, w = NKW_SHUFFLE(q, q, 3, 3, 3, 3);
-    nkw_f32x4 yzx = q * NKW_SHUFFLE(q2, q2, 1, 2, 0, 3), zxy = w * NKW_SHUFFLE(q2, q2, 2, 0, 1, 3);
-    r[0] = (w * w - NKW_SHUFFLE(qq, qq, 1, 2, 0, 3)) + (qq - NKW_SHUFFLE(qq, qq, 2, 0, 1, 3));
+    nkw_f32x4 q2 = q + q, qq = nkw_f32x4_mul(q, q), w = NKW_SHUFFLE(q, q, 3, 3, 3, 3);
+    nkw_f32x4 yzx = nkw_f32x4_mul(q, NKW_SHUFFLE(q2, q2, 1, 2, 0, 3));
+    nkw_f32x4 zxy = nkw_f32x4_mul(w, NKW_SHUFFLE(q2, q2, 2, 0, 1, 3));
+    r[0] = (nkw_f32x4_mul(w, w) - NKW_SHUFFLE(qq, qq, 1, 2, 0, 3)) + (qq - NKW_SHUFFLE(qq, qq, 2, 0, 1, 3));
     r[1] = yzx + zxy;
     r[2] = yzx - zxy;
 }
@@ -175,14 +177,16 @@ NKW_BODY nkw_mat4 nkw_mat4_transpose(const nkw_mat4 *m)
 NKW_PART nkw_f32x4 nkw_f32x4_direction(const nkw_f32x4 m[3], const float *k, size_t step)
 {
     NKW_EXACT
-    return (m[0] * k[0] + m[1] * k[step]) + m[2] * k[2 * step];
+    const nkw_f32x4 xy = nkw_f32x4_scale(m[0], k[0]) + nkw_f32x4_scale(m[1], k[step]);
+    return xy + nkw_f32x4_scale(m[2], k[2 * step]);
 }
 
 /* x k[0] + y k[1] + z k[2] + t */
 NKW_PART nkw_f32x4 nkw_f32x4_point(const nkw_f32x4 m[4], const float *k, size_t step)
 {
     NKW_EXACT
-    return (m[0] * k[0] + m[1] * k[step]) + (m[2] * k[2 * step] + m[3]);
+    const nkw_f32x4 xy = nkw_f32x4_scale(m[0], k[0]) + nkw_f32x4_scale(m[1], k[step]);
+    return xy + (nkw_f32x4_scale(m[2], k[2 * step]) + m[3]);
 }
 
 /*
@@ -196,29 +200,42 @@ NKW_PART nkw_f32x4 nkw_f32x4_point(const nkw_f32x4 m[4], const float *k, size_t 
 /* Element i of each four floats, in all four; a constant. */
 #define NKW_BOTH(a, i) __builtin_shufflevector(a, a, i, i, i, i, 4 + (i), 4 + (i), 4 + (i), 4 + (i))
 
-NKW_BODY nkw_mat4 nkw_mat4_mul(const nkw_mat4 *a, const nkw_mat4 *b)
+/* x k[0] + y k[1] + z k[2] + t k[3] of each four floats. */
+NKW_PART nkw_f32x8 nkw_f32x8_columns(const nkw_f32x8 m[4], nkw_f32x8 k)
 {
     NKW_EXACT
-    const nkw_f32x8 x = nkw_f32x8_twice(a->m), y = nkw_f32x8_twice(a->m + 4);
-    const nkw_f32x8 z = nkw_f32x8_twice(a->m + 8), t = nkw_f32x8_twice(a->m + 12);
+    const nkw_f32x8 xy = nkw_f32x8_mul(m[0], NKW_BOTH(k, 0)) + nkw_f32x8_mul(m[1], NKW_BOTH(k, 1));
+    return xy + (nkw_f32x8_mul(m[2], NKW_BOTH(k, 2)) + nkw_f32x8_mul(m[3], NKW_BOTH(k, 3)));
+}
+
+NKW_BODY nkw_mat4 nkw_mat4_mul(const nkw_mat4 *a, const nkw_mat4 *b)
+{
+    const nkw_f32x8 m[4] = {nkw_f32x8_twice(a->m), nkw_f32x8_twice(a->m + 4), nkw_f32x8_twice(a->m + 8),
+                            nkw_f32x8_twice(a->m + 12)};
     const nkw_f32x8 k = nkw_f32x8_load(b->m), l = nkw_f32x8_load(b->m + 8);
     nkw_mat4 r;
-    nkw_f32x8_store(r.m, (x * NKW_BOTH(k, 0) + y * NKW_BOTH(k, 1)) + (z * NKW_BOTH(k, 2) + t * NKW_BOTH(k, 3)));
-    nkw_f32x8_store(r.m + 8, (x * NKW_BOTH(l, 0) + y * NKW_BOTH(l, 1)) + (z * NKW_BOTH(l, 2) + t * NKW_BOTH(l, 3)));
+    nkw_f32x8_store(r.m, nkw_f32x8_columns(m, k));
+    nkw_f32x8_store(r.m + 8, nkw_f32x8_columns(m, l));
     return r;
 }
 #else
-NKW_BODY nkw_mat4 nkw_mat4_mul(const nkw_mat4 *a, const nkw_mat4 *b)
+/* x k[0] + y k[1] + z k[2] + t k[3] */
+NKW_PART nkw_f32x4 nkw_f32x4_columns(const nkw_f32x4 m[4], const float *k)
 {
     NKW_EXACT
-    const nkw_f32x4 x = nkw_f32x4_load(a->m), y = nkw_f32x4_load(a->m + 4);
-    const nkw_f32x4 z = nkw_f32x4_load(a->m + 8), t = nkw_f32x4_load(a->m + 12);
-    const float *k = b->m;
+    const nkw_f32x4 xy = nkw_f32x4_scale(m[0], k[0]) + nkw_f32x4_scale(m[1], k[1]);
+    return xy + (nkw_f32x4_scale(m[2], k[2]) + nkw_f32x4_scale(m[3], k[3]));
+}
+
+NKW_BODY nkw_mat4 nkw_mat4_mul(const nkw_mat4 *a, const nkw_mat4 *b)
+{
+    const nkw_f32x4 m[4] = {nkw_f32x4_load(a->m), nkw_f32x4_load(a->m + 4), nkw_f32x4_load(a->m + 8),
+                            nkw_f32x4_load(a->m + 12)};
     nkw_mat4 r;
-    nkw_f32x4_store(r.m, (x * k[0] + y * k[1]) + (z * k[2] + t * k[3]));
-    nkw_f32x4_store(r.m + 4, (x * k[4] + y * k[5]) + (z * k[6] + t * k[7]));
-    nkw_f32x4_store(r.m + 8, (x * k[8] + y * k[9]) + (z * k[10] + t * k[11]));
-    nkw_f32x4_store(r.m + 12, (x * k[12] + y * k[13]) + (z * k[14] + t * k[15]));
+    nkw_f32x4_store(r.m, nkw_f32x4_columns(m, b->m));
+    nkw_f32x4_store(r.m + 4, nkw_f32x4_columns(m, b->m + 4));
+    nkw_f32x4_store(r.m + 8, nkw_f32x4_columns(m, b->m + 8));
+    nkw_f32x4_store(r.m + 12, nkw_f32x4_columns(m, b->m + 12));
     return r;
 }
 #endif
@@ -261,8 +278,11 @@ NKW_BODY nkw_mat4 nkw_mat4_inverse_rigid(const nkw_mat4 *m)
     NKW_EXACT
     const float *a = m->m;
     float x = a[12], y = a[13], z = a[14];
-    nkw_vec3 p = {-((a[0] * x + a[1] * y) + a[2] * z), -((a[4] * x + a[5] * y) + a[6] * z),
-                  -((a[8] * x + a[9] * y) + a[10] * z)};
+    nkw_vec3 p = {
+        -((nkw_mul(a[0], x) + nkw_mul(a[1], y)) + nkw_mul(a[2], z)),
+        -((nkw_mul(a[4], x) + nkw_mul(a[5], y)) + nkw_mul(a[6], z)),
+        -((nkw_mul(a[8], x) + nkw_mul(a[9], y)) + nkw_mul(a[10], z)),
+    };
     nkw_mat4 r = {{a[0], a[4], a[8], 0.0f, a[1], a[5], a[9], 0.0f, a[2], a[6], a[10], 0.0f, p.x, p.y, p.z, 1.0f}};
     return r;
 }
@@ -273,9 +293,9 @@ NKW_BODY nkw_vec3 nkw_mat4_transform_point(const nkw_mat4 *m, nkw_vec3 p)
     NKW_EXACT
     const float *a = m->m;
     nkw_vec3 r = {
-        (a[0] * p.x + a[4] * p.y) + (a[8] * p.z + a[12]),
-        (a[1] * p.x + a[5] * p.y) + (a[9] * p.z + a[13]),
-        (a[2] * p.x + a[6] * p.y) + (a[10] * p.z + a[14]),
+        (nkw_mul(a[0], p.x) + nkw_mul(a[4], p.y)) + (nkw_mul(a[8], p.z) + a[12]),
+        (nkw_mul(a[1], p.x) + nkw_mul(a[5], p.y)) + (nkw_mul(a[9], p.z) + a[13]),
+        (nkw_mul(a[2], p.x) + nkw_mul(a[6], p.y)) + (nkw_mul(a[10], p.z) + a[14]),
     };
     return r;
 }
@@ -285,9 +305,9 @@ NKW_BODY nkw_vec3 nkw_mat4_transform_direction(const nkw_mat4 *m, nkw_vec3 d)
     NKW_EXACT
     const float *a = m->m;
     nkw_vec3 r = {
-        (a[0] * d.x + a[4] * d.y) + a[8] * d.z,
-        (a[1] * d.x + a[5] * d.y) + a[9] * d.z,
-        (a[2] * d.x + a[6] * d.y) + a[10] * d.z,
+        (nkw_mul(a[0], d.x) + nkw_mul(a[4], d.y)) + nkw_mul(a[8], d.z),
+        (nkw_mul(a[1], d.x) + nkw_mul(a[5], d.y)) + nkw_mul(a[9], d.z),
+        (nkw_mul(a[2], d.x) + nkw_mul(a[6], d.y)) + nkw_mul(a[10], d.z),
     };
     return r;
 }

@@ -41,6 +41,21 @@ NKW_PART float nkw_normal_scale(float n2, float usual)
     return usual;
 }
 
+/* a s, q s, of which the caller only takes products and quotients. */
+NKW_PART nkw_vec3 nkw_vec3_times(nkw_vec3 a, float s)
+{
+    NKW_EXACT
+    nkw_vec3 r = {a.x * s, a.y * s, a.z * s};
+    return r;
+}
+
+NKW_PART nkw_quat nkw_quat_times(nkw_quat q, float s)
+{
+    NKW_EXACT
+    nkw_quat r = {q.x * s, q.y * s, q.z * s, q.w * s};
+    return r;
+}
+
 NKW_PART nkw_vec3 nkw_vec3_over_each(nkw_vec3 a, float n)
 {
     NKW_EXACT

@@ -7,6 +7,7 @@
 #include "../quat.h"
 #include "../scalar.h"
 #include "f32x4.h"
+#include "product.h"
 
 #ifdef __cplusplus
 extern "C" {
@@ -22,7 +23,7 @@ extern "C" {
 NKW_PART float nkw_nlerp_weight(float t)
 {
     NKW_EXACT
-    return t == 1.0f ? NKW_NLERP_SCALE : NKW_NLERP_SCALE - NKW_NLERP_SCALE * t;
+    return t == 1.0f ? NKW_NLERP_SCALE : NKW_NLERP_SCALE - nkw_mul(NKW_NLERP_SCALE, t);
 }
 
 /* Whether nlerp returns a or +-b as it is: at t = 0 and 1, and where a = +-b is not zero. */
@@ -39,13 +40,14 @@ NKW_BODY nkw_quat nkw_quat_nlerp(nkw_quat a, nkw_quat b, float t)
     NKW_EXACT
     float s = nkw_nlerp_weight(t), u = NKW_NLERP_SCALE * t;
     nkw_f32x4 from = {a.x, a.y, a.z, a.w}, to = {b.x, b.y, b.z, b.w}, weight = nkw_f32x4_splat(s);
-    nkw_f32x4 part = weight * from, dot = nkw_f32x4_sum(part * to), zero = nkw_f32x4_splat(0.0f);
+    nkw_f32x4 part = nkw_f32x4_mul(weight, from), dot = nkw_f32x4_sum(nkw_f32x4_mul(part, to));
+    nkw_f32x4 zero = nkw_f32x4_splat(0.0f);
     to = (nkw_f32x4)((nkw_i32x4)to ^ (((dot < zero) ^ (weight < zero)) & INT32_MIN));
-    nkw_f32x4 v = part + nkw_f32x4_splat(u) * to;
+    nkw_f32x4 v = part + nkw_f32x4_scale(to, u);
     if (t == 0.0f || t == 1.0f || (nkw_f32x4_equal(from, to) && dot[0] != 0.0f)) /* nkw_nlerp_is_kept */
         v = t == 1.0f ? to : from;
     else {
-        float n2 = nkw_f32x4_sum(v * v)[0];
+        float n2 = nkw_f32x4_sum(nkw_f32x4_mul(v, v))[0];
         if (!nkw_is_moderate(n2)) {
             nkw_quat p = {v[0], v[1], v[2], v[3]};
             return nkw_quat_normalize_any(p, n2, 1.0f);

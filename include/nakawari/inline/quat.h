@@ -7,6 +7,7 @@
 #include "../scalar.h"
 #include "../vec.h"
 #include "normal.h"
+#include "product.h"
 
 #ifdef __cplusplus
 extern "C" {
@@ -33,7 +34,7 @@ NKW_BODY nkw_quat nkw_quat_sub(nkw_quat a, nkw_quat b)
 NKW_BODY nkw_quat nkw_quat_scale(nkw_quat a, float s)
 {
     NKW_EXACT
-    nkw_quat r = {a.x * s, a.y * s, a.z * s, a.w * s};
+    nkw_quat r = {nkw_product(a.x, s), nkw_product(a.y, s), nkw_product(a.z, s), nkw_product(a.w, s)};
     return r;
 }
 
@@ -54,7 +55,7 @@ NKW_BODY nkw_quat nkw_quat_conjugate(nkw_quat q)
 NKW_BODY float nkw_quat_dot(nkw_quat a, nkw_quat b)
 {
     NKW_EXACT
-    return (a.x * b.x + a.y * b.y) + (a.z * b.z + a.w * b.w);
+    return (nkw_mul(a.x, b.x) + nkw_mul(a.y, b.y)) + (nkw_mul(a.z, b.z) + nkw_mul(a.w, b.w));
 }
 
 #if NKW_ROOT
@@ -65,7 +66,7 @@ NKW_BODY float nkw_quat_dot(nkw_quat a, nkw_quat b)
 NKW_PART nkw_quat nkw_quat_normalize_any(nkw_quat q, float n2, float usual)
 {
     NKW_EXACT
-    q = nkw_quat_scale(q, nkw_normal_scale(n2, usual));
+    q = nkw_quat_times(q, nkw_normal_scale(n2, usual));
     float square = nkw_quat_dot(q, q);
     q.w = square == 0.0f ? 1.0842022e-19f : q.w;
     return nkw_quat_over(q, nkw_sqrt(square + FLT_MIN));
@@ -73,7 +74,7 @@ NKW_PART nkw_quat nkw_quat_normalize_any(nkw_quat q, float n2, float usual)
 
 NKW_BODY nkw_quat nkw_quat_normalize(nkw_quat q)
 {
-    nkw_quat p = nkw_quat_scale(q, NKW_NORMAL_SCALE);
+    nkw_quat p = nkw_quat_times(q, NKW_NORMAL_SCALE);
     float n2 = nkw_quat_dot(p, p);
     return nkw_is_moderate(n2) ? nkw_quat_over(p, nkw_sqrt(n2)) : nkw_quat_normalize_any(q, n2, NKW_NORMAL_SCALE);
 }
@@ -89,10 +90,10 @@ NKW_BODY nkw_quat nkw_quat_mul(nkw_quat a, nkw_quat b)
 {
     NKW_EXACT
     nkw_quat r = {
-        (a.x * b.w - a.z * b.y) + (a.y * b.z + a.w * b.x),
-        (a.y * b.w - a.x * b.z) + (a.z * b.x + a.w * b.y),
-        (a.z * b.w - a.y * b.x) + (a.x * b.y + a.w * b.z),
-        (a.w * b.w - a.x * b.x) - (a.z * b.z + a.y * b.y),
+        (nkw_mul(a.x, b.w) - nkw_mul(a.z, b.y)) + (nkw_mul(a.y, b.z) + nkw_mul(a.w, b.x)),
+        (nkw_mul(a.y, b.w) - nkw_mul(a.x, b.z)) + (nkw_mul(a.z, b.x) + nkw_mul(a.w, b.y)),
+        (nkw_mul(a.z, b.w) - nkw_mul(a.y, b.x)) + (nkw_mul(a.x, b.y) + nkw_mul(a.w, b.z)),
+        (nkw_mul(a.w, b.w) - nkw_mul(a.x, b.x)) - (nkw_mul(a.z, b.z) + nkw_mul(a.y, b.y)),
     };
     return r;
 }
@@ -102,7 +103,7 @@ NKW_BODY nkw_vec3 nkw_quat_rotate(nkw_quat q, nkw_vec3 v)
     nkw_vec3 u = {q.x, q.y, q.z};
     nkw_vec3 c = nkw_vec3_cross(u, v);
     nkw_vec3 d = nkw_vec3_add(c, c);
-    return nkw_vec3_add(v, nkw_vec3_add(nkw_vec3_scale(d, q.w), nkw_vec3_cross(u, d)));
+    return nkw_vec3_add(v, nkw_vec3_add_scaled(nkw_vec3_cross(u, d), d, q.w));
 }
 
 NKW_BODY nkw_vec3 nkw_quat_rotate_inverse(nkw_quat q, nkw_vec3 v)

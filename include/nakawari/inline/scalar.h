@@ -8,6 +8,7 @@
 #include <string.h>
 
 #include "../scalar.h"
+#include "product.h"
 
 #ifdef __cplusplus
 extern "C" {
@@ -80,7 +81,7 @@ NKW_BODY float nkw_saturate(float x)
 NKW_PART float nkw_lerp_from(int first, int inside, float a, float b, float t)
 {
     NKW_EXACT
-    float end = nkw_select(first, a, b), back = nkw_select(first, 0.0f, 1.0f) - t, step = back * (b - a);
+    float end = nkw_select(first, a, b), back = nkw_select(first, 0.0f, 1.0f) - t, step = nkw_mul(back, b - a);
     return end - (inside ? step : nkw_select(back == 0.0f, 0.0f, step));
 }
 
@@ -107,7 +108,7 @@ NKW_BODY float nkw_smoothstep(float t)
     NKW_EXACT
     float s = nkw_saturate(t);
     float u = 1.0f - s;
-    return nkw_select(s < 0.5f, (s * s) * (3.0f - (s + s)), 1.0f - (u * u) * (3.0f - (u + u)));
+    return nkw_select(s < 0.5f, nkw_mul(s * s, 3.0f - (s + s)), 1.0f - nkw_mul(u * u, 3.0f - (u + u)));
 }
 
 /* The suffix L: with -fsingle-precision-constant, GCC rounds a constant without a suffix to float. */

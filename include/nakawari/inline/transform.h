@@ -8,6 +8,7 @@
 #include "../transform.h"
 #include "../vec.h"
 #include "f32x4.h"
+#include "product.h"
 
 #ifdef __cplusplus
 extern "C" {
@@ -24,9 +25,9 @@ NKW_BODY nkw_mat3 nkw_mat3_from_quat_scale(nkw_quat q, nkw_vec3 s)
     NKW_EXACT
     nkw_mat3 r = nkw_mat3_from_quat(q);
     for (size_t i = 0; i < 3; i++) {
-        r.m[i] *= s.x;
-        r.m[3 + i] *= s.y;
-        r.m[6 + i] *= s.z;
+        r.m[i] = nkw_product(r.m[i], s.x);
+        r.m[3 + i] = nkw_product(r.m[3 + i], s.y);
+        r.m[6 + i] = nkw_product(r.m[6 + i], s.z);
     }
     return r;
 }
@@ -39,9 +40,9 @@ NKW_BODY nkw_mat4 nkw_mat4_from_trs(const nkw_trs *trs)
     nkw_f32x4 r[3], s = nkw_f32x4_load((const float *)trs + 6); /* w of the rotation, then the scale */
     nkw_f32x4_rotation(nkw_f32x4_load(&trs->rotation), r);
     s = NKW_SHUFFLE(s, s, 1, 2, 3, 1);
-    r[0] = r[0] * s;
-    r[1] = r[1] * s;
-    r[2] = r[2] * NKW_SHUFFLE(s, s, 1, 2, 0, 3);
+    r[0] = nkw_f32x4_mul(r[0], s);
+    r[1] = nkw_f32x4_mul(r[1], s);
+    r[2] = nkw_f32x4_mul(r[2], NKW_SHUFFLE(s, s, 1, 2, 0, 3));
     return nkw_f32x4_affine(r, nkw_f32x4_load(trs));
 }
 #endif

@@ -7,6 +7,7 @@
 #include "../vec.h"
 #include "f32x3.h"
 #include "normal.h"
+#include "product.h"
 
 #ifdef __cplusplus
 extern "C" {
@@ -40,21 +41,21 @@ NKW_BODY nkw_vec3 nkw_vec3_negate(nkw_vec3 a)
 NKW_BODY nkw_vec3 nkw_vec3_scale(nkw_vec3 a, float s)
 {
     NKW_EXACT
-    nkw_vec3 r = {a.x * s, a.y * s, a.z * s};
+    nkw_vec3 r = {nkw_product(a.x, s), nkw_product(a.y, s), nkw_product(a.z, s)};
     return r;
 }
 
 NKW_BODY nkw_vec3 nkw_vec3_mul(nkw_vec3 a, nkw_vec3 b)
 {
     NKW_EXACT
-    nkw_vec3 r = {a.x * b.x, a.y * b.y, a.z * b.z};
+    nkw_vec3 r = {nkw_product(a.x, b.x), nkw_product(a.y, b.y), nkw_product(a.z, b.z)};
     return r;
 }
 
 NKW_BODY nkw_vec3 nkw_vec3_add_scaled(nkw_vec3 a, nkw_vec3 b, float s)
 {
     NKW_EXACT
-    nkw_vec3 r = {a.x + b.x * s, a.y + b.y * s, a.z + b.z * s};
+    nkw_vec3 r = {a.x + nkw_mul(b.x, s), a.y + nkw_mul(b.y, s), a.z + nkw_mul(b.z, s)};
     return r;
 }
 
@@ -73,16 +74,16 @@ NKW_BODY nkw_vec3 nkw_vec3_max(nkw_vec3 a, nkw_vec3 b)
 NKW_BODY float nkw_vec3_dot(nkw_vec3 a, nkw_vec3 b)
 {
     NKW_EXACT
-    return (a.x * b.x + a.y * b.y) + a.z * b.z;
+    return (nkw_mul(a.x, b.x) + nkw_mul(a.y, b.y)) + nkw_mul(a.z, b.z);
 }
 
 NKW_BODY nkw_vec3 nkw_vec3_cross(nkw_vec3 a, nkw_vec3 b)
 {
     NKW_EXACT
     nkw_vec3 r = {
-        a.y * b.z - a.z * b.y,
-        a.z * b.x - a.x * b.z,
-        a.x * b.y - a.y * b.x,
+        nkw_mul(a.y, b.z) - nkw_mul(a.z, b.y),
+        nkw_mul(a.z, b.x) - nkw_mul(a.x, b.z),
+        nkw_mul(a.x, b.y) - nkw_mul(a.y, b.x),
     };
     return r;
 }
@@ -97,13 +98,13 @@ NKW_BODY float nkw_vec3_length_squared(nkw_vec3 a)
 NKW_PART nkw_vec3 nkw_vec3_normalize_any(nkw_vec3 a, float n2)
 {
     NKW_EXACT
-    a = nkw_vec3_scale(a, nkw_normal_scale(n2, NKW_NORMAL_SCALE));
+    a = nkw_vec3_times(a, nkw_normal_scale(n2, NKW_NORMAL_SCALE));
     return nkw_vec3_over(a, nkw_sqrt(nkw_vec3_dot(a, a) + FLT_MIN));
 }
 
 NKW_BODY nkw_vec3 nkw_vec3_normalize(nkw_vec3 a)
 {
-    nkw_vec3 b = nkw_vec3_scale(a, NKW_NORMAL_SCALE);
+    nkw_vec3 b = nkw_vec3_times(a, NKW_NORMAL_SCALE);
     float n2 = nkw_vec3_dot(b, b);
     return nkw_is_moderate(n2) ? nkw_vec3_over(b, nkw_sqrt(n2)) : nkw_vec3_normalize_any(a, n2);
 }
