@@ -7,7 +7,7 @@
  * Requires a long double with a significand of at least 64 bits, such as the 80-bit type of x86. Runs for two seconds.
  * u = 2^-24.
  *
- * The formula (src/kernel/lane/orient.h):
+ * The formula (src/kernel/lane/slerp.h):
  *
  *     sin(k theta)/sin theta = k - E(k)      E(k) = k (1 - k) (1 + k) v H(v, k^2)
  *
@@ -42,7 +42,7 @@ typedef struct series {
     int degree[POWERS];
 } series;
 
-/* src/kernel/lane/orient.h and src/kernel/lane/compact.h omit the terms that are missing here. Degree -1: no terms. */
+/* src/kernel/lane/slerp.h and src/kernel/lane/compact.h omit the terms that are missing here. Degree -1: no terms. */
 static const series all[] = {
     {"LANE_SLERP_NEARER", "", 0.5L, 4, {0, 1, 2, 3, 0, 2}},
     {"LANE_SLERP_FARTHER", "", 0, 4, {0, 1, 2, 1, 0, 1}},

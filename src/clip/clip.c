@@ -11,9 +11,8 @@
 #include "clip_layout.h"
 #include "clip_packed.h"
 #include "clip_sample.h"
-#include "lane/orient.h"
-#include "pack/slerp.h"
 #include "curve/segment_search.h"
+#include "pack/slerp.h"
 
 size_t nkw_clip_joint_count(const nkw_clip *clip)
 {

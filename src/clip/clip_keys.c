@@ -7,7 +7,7 @@
 #include "clip_keys.h"
 #include "clip_tracks.h"
 #include "lane/compact.h"
-#include "lane/orient.h"
+#include "lane/slerp.h"
 
 float nkwi_clip_value_component(const nkw_clip_track *c, size_t k, size_t component)
 {

@@ -11,7 +11,7 @@
 #include "clip_sample.h"
 #include "clip_tracks.h"
 #include "lane/compact.h"
-#include "lane/orient.h"
+#include "lane/slerp.h"
 
 /* A track of a clip: the group of its lanes, and the place of its first number. */
 typedef struct listed {

@@ -11,7 +11,7 @@
 #include "clip_tracks.h"
 #include "lane/compact.h"
 #include "lane/f64.h"
-#include "lane/orient.h"
+#include "lane/slerp.h"
 #include "sort.h"
 
 /* Knots are less than this, so that the line between two of them is exact to 1/16 step. */

@@ -3,7 +3,8 @@
 
 #include <nakawari/orient.h>
 
-#include "lane/orient.h"
+#include "lane/arc.h"
+#include "lane/euler.h"
 #include "pack/quat.h"
 #include "pack/sincos.h"
 #include "pack/slerp.h"

@@ -3,7 +3,7 @@
 
 #include <nakawari/rotation.h>
 
-#include "lane/orient.h"
+#include "lane/arc.h"
 #include "rotation_squad.h"
 
 static const lane_f64_quat identity = {0.0, 0.0, 0.0, 1.0};

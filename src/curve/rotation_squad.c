@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /* Squad with two derivatives: slerps of constant rotations, and the power of the rotation between them. */
+#include "lane/arc.h"
 #include "rotation_squad.h"
 
 /* A number with its first two derivatives by t. */

@@ -5,7 +5,9 @@
 
 #include "lane/strict.h"
 
-#include "lane/orient.h"
+#include <nakawari/rotation.h>
+
+#include "lane/quat.h"
 
 typedef struct rotation_jet {
     lane_f64_quat q, d, dd;

@@ -4,7 +4,8 @@
 #include <nakawari/spring.h>
 #include <nakawari/vec.h>
 
-#include "lane/orient.h"
+#include "lane/arc.h"
+#include "lane/rotation_vector.h"
 #include "lane/scalar.h"
 
 /* Bounds of what springs are made from. Slower ones would have a damping, but no stiffness that a float can show. */

@@ -5,7 +5,7 @@
 #include <nakawari/root.h>
 #include <nakawari/transform.h>
 
-#include "lane/orient.h"
+#include "lane/arc.h"
 
 /* A rotation, then a translation. */
 typedef struct rigid {

@@ -3,7 +3,7 @@
 
 #include <nakawari/playback.h>
 
-#include "lane/orient.h"
+#include "lane/arc.h"
 #include "lane/scalar.h"
 #include "playback_cycle.h"
 

@@ -6,11 +6,11 @@
 #include <nakawari/quat.h>
 #include <nakawari/track.h>
 
-#include "finite.h"
-#include "difference.h"
-#include "lane/orient.h"
-#include "lane/scalar.h"
 #include "curve/segment_search.h"
+#include "difference.h"
+#include "finite.h"
+#include "lane/scalar.h"
+#include "lane/slerp.h"
 #include "pack/slerp.h"
 #include "report.h"
 #include "track_keys.h"

@@ -3,8 +3,8 @@
 
 #include <nakawari/track.h>
 
+#include "lane/arc.h"
 #include "lane/cubic.h"
-#include "lane/orient.h"
 #include "track_keys.h"
 
 /* Velocity and acceleration of one component. */

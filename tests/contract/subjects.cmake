@@ -9,7 +9,8 @@ cmake_minimum_required(VERSION 3.22)
 # 3. A file of a subject's folder has a stem of that subject.
 # 4. The kernel calls no public function, except those that the headers define inline.
 # 5. Nothing of docs/ is compiled into a product.
-# 6. Two files of the library have the same name only as single call, formula, loop, dispatch and table of one stem.
+# 6. Two files have the same name only as single call, loop and dispatch of one stem, or, in the kernel, as the formula
+#    (lane), the registers (pack) and the table (data) of one function.
 #
 # For its own test: SOURCE may be a copy with a planted fault.
 include("${SOURCE}/src/subjects.cmake")
@@ -24,7 +25,7 @@ set(uses_wasm "wasm")
 set(first base types nakawari inline/f32x3 inline/f32x4 strict isa processor dispatch f32x4 f32xn f64x2 element tail block
   rows columns sizes report sort)
 set(of_math f64 finite normal affine form angles arcs sincos matrices last dual_quat)
-set(of_curve slerp nlerp nlerp_sums cubic)
+set(of_curve slerp nlerp nlerp_sums arc rotation_vector cubic)
 set(of_motion offset)
 set(of_clip compact)
 set(of_skin influence)
@@ -159,7 +160,8 @@ list(FILTER library INCLUDE REGEX "^src/(kernel|math|curve|motion|track|pose|cli
 foreach(path IN LISTS library)
   cmake_path(GET path STEM name)
   nkw_stem_of("${name}" stem)
-  if(stem OR NOT DEFINED file_of_${name} OR path MATCHES "/data/|/pack/slerp")
+  set(levels "^src/kernel/(lane|pack|data)/")
+  if(stem OR NOT DEFINED file_of_${name} OR (path MATCHES "${levels}" AND file_of_${name} MATCHES "${levels}"))
     set(file_of_${name} "${path}")
   else()
     string(REGEX REPLACE "[.][ch]$" "" one "${path}")

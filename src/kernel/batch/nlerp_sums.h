@@ -7,7 +7,7 @@
 
 #include "batch/element.h"
 #include "batch/isa.h"
-#include "lane/orient.h"
+#include "lane/nlerp.h"
 #include "sizes.h"
 
 /* The sums of a block, and their lengths; 1 where the sum is the result as it is. */

@@ -7,7 +7,9 @@
 #include "batch/nlerp_sums.h"
 #include "batch/orient.h"
 #include "batch/tail.h"
-#include "lane/orient.h"
+#include "lane/arc.h"
+#include "lane/nlerp.h"
+#include "lane/slerp.h"
 #include "pack/slerp.h"
 #include "sizes.h"
 

@@ -8,7 +8,6 @@
 #include <nakawari/blend.h>
 #include <nakawari/vec.h>
 
-#include "orient.h"
 #include "quat.h"
 #include "scalar.h"
 

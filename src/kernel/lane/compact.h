@@ -5,7 +5,8 @@
 
 #include "strict.h"
 
-#include "orient.h"
+#include "scalar.h"
+#include "slerp.h"
 
 /*
  * A rotation as three numbers: its axis times the tangent of a quarter of its angle,

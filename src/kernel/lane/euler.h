@@ -156,4 +156,18 @@ static inline lane_f64_quat lane_f64_quat_positive(lane_f64_quat q)
     return lane_f64_quat_scale(q, lane_copysign64(1.0, first));
 }
 
+/* An angle of a within one turn of b's, as NKW_UNWRAP_YAW and _ALL ask. */
+static inline double lane_turned_towards(double a, double b)
+{
+    return a < b - LANE_PI ? a + LANE_TWO_PI : a > b + LANE_PI ? a - LANE_TWO_PI : a;
+}
+
+/* (1 - t) a + t b in binary64: exact ends, one rounding. */
+static inline float lane_angle_lerp(float a, float b, float t, int unwrap)
+{
+    double from = unwrap ? lane_turned_towards(a, b) : (double)a;
+    float inside = (float)((1.0 - (double)t) * from + (double)t * (double)b);
+    return t == 0.0f ? (float)from : t == 1.0f ? b : inside;
+}
+
 #endif

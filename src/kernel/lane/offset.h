@@ -8,8 +8,9 @@
 #include <nakawari/inertia.h>
 #include <nakawari/vec.h>
 
-#include "orient.h"
+#include "arc.h"
 #include "quat.h"
+#include "rotation_vector.h"
 #include "scalar.h"
 
 /* ---- Inertialisation: the offset (1 - u)^3 (c[0] + c[1] u + c[2] u^2) ---- */

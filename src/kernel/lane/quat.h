@@ -9,6 +9,7 @@
 
 #include "vec.h"
 #include "f64.h"
+#include "scalar.h"
 
 /* A quaternion in binary64. */
 typedef struct lane_f64_quat {
@@ -362,6 +363,13 @@ static inline double lane_f64_quat_angle(lane_f64_quat a, lane_f64_quat b)
     lane_f64_quat turn = lane_f64_quat_mul(lane_f64_quat_conjugate(a), b);
     lane_f64_vec3 v = {turn.x, turn.y, turn.z};
     return 2.0 * lane_atan2_64(lane_f64_vec3_length(v), lane_abs64(turn.w));
+}
+
+static inline nkw_quat lane_quat_flip(nkw_quat q, uint32_t sign_bit)
+{
+    nkw_quat r = {lane_flip(q.x, sign_bit), lane_flip(q.y, sign_bit), lane_flip(q.z, sign_bit),
+                  lane_flip(q.w, sign_bit)};
+    return r;
 }
 
 #endif

@@ -388,4 +388,15 @@ static inline float lane_wrap_far(float x, float period)
     return lane_wrap_rest(lane_remainder_far(lane_abs(x), period), x, period);
 }
 
+static inline float lane_flip(float x, uint32_t sign_bit)
+{
+    return lane_float(lane_bits(x) ^ sign_bit);
+}
+
+/* x where mask is all ones, y where it is 0. */
+static inline float lane_select(uint32_t mask, float x, float y)
+{
+    return lane_float(lane_bits(y) ^ ((lane_bits(x) ^ lane_bits(y)) & mask));
+}
+
 #endif

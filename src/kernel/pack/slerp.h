@@ -5,7 +5,8 @@
 
 #include "lane/strict.h"
 
-#include "lane/orient.h"
+#include "lane/arc.h"
+#include "lane/slerp.h"
 #include "pack/f32x4.h"
 #include "pack/quat.h"
 
