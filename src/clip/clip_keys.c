@@ -133,7 +133,8 @@ static void encode(const float base[3], const float step[3], const double x[3], 
     unsigned sum = 0, second = 0;
     for (size_t r = 0; r < rows; r++) {
         double code = quantized(base[r], step[r], x[r]);
-        unsigned nearest = (unsigned)(code + 0.5);
+        double rounded = code > 0.0 ? code + 0.5 : 0.0; /* no NaN is converted */
+        unsigned nearest = (unsigned)rounded;
         double error = code - (double)nearest, magnitude = error < 0.0 ? -error : error;
         double increase = (1.0 - 2.0 * magnitude) * (double)step[r] * (double)step[r];
         if (second_row == rows || increase < least) {

@@ -43,7 +43,8 @@ int32_t nkw_quat_turns(nkw_quat a, nkw_quat b, nkw_path path, nkw_vec3 expected)
     double turns = (beyond / LANE_TWO_PI + LANE_ROUND) - LANE_ROUND;
     if (arc.h == 0.0 || !lane_is_finite(expected.x + expected.y + expected.z) || !(turns == turns))
         return 0;
-    return (int32_t)(turns > MOST_TURNS ? MOST_TURNS : turns < -MOST_TURNS ? -MOST_TURNS : turns);
+    double least = turns > -MOST_TURNS ? turns : -MOST_TURNS, within = least < MOST_TURNS ? least : MOST_TURNS;
+    return (int32_t)within;
 }
 
 nkw_vec3 nkw_quat_log(nkw_quat q)

@@ -148,8 +148,9 @@ static inline nkw_segment segment_find_hint(segment_times times, float time, siz
  */
 static inline size_t segment_even_key(float start, float rate, size_t last, float time)
 {
-    float x = (time - start) * rate + 0.5f, below = x < 0x1p31f ? x : 0x1p31f;
-    size_t k = x >= 1.0f ? (uint32_t)below : 0;
+    float x = (time - start) * rate + 0.5f, above = x > 0.0f ? x : 0.0f;
+    float within = above < 0x1p31f ? above : 0x1p31f; /* a number of its own, so that no other is converted */
+    size_t k = (uint32_t)within;
     return k < last ? k : last;
 }
 

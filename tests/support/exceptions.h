@@ -15,9 +15,6 @@
 #if defined(__clang__) /* computes with unused parts of registers: the page has the reason */
 #define EXCEPTION_OVERFLOW 0
 #define EXCEPTION_INVALID  0
-#elif defined(__aarch64__) /* conversions */
-#define EXCEPTION_OVERFLOW FE_OVERFLOW
-#define EXCEPTION_INVALID  0
 #else
 #define EXCEPTION_OVERFLOW FE_OVERFLOW
 #define EXCEPTION_INVALID  FE_INVALID
