@@ -241,7 +241,7 @@ void svg_path_begin(svg_path *p, svg *s)
 static void put_step(const svg_path *p, const char *before, long dx, long dy)
 {
     char x[SVG_DIGITS], y[SVG_DIGITS];
-    fprintf(p->svg->file, "%s%s,%s", before, fraction(x, dx, 100), fraction(y, dy, 100));
+    fprintf(p->sheet->file, "%s%s,%s", before, fraction(x, dx, 100), fraction(y, dy, 100));
 }
 
 /* The line that is not written yet, because the next may go on in its direction. */
@@ -289,8 +289,8 @@ void svg_path_lines(svg_path *p, const svg_point *points, size_t count)
 void svg_path_end(svg_path *p, const svg_paint *paint)
 {
     end_line(p);
-    put(p->svg, "\"");
-    finish(p->svg, paint);
+    put(p->sheet, "\"");
+    finish(p->sheet, paint);
 }
 
 void svg_circle(svg *s, svg_point centre, float radius, const svg_paint *paint)

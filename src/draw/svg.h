@@ -53,7 +53,7 @@ typedef struct svg {
 
 /** A path that is being written; coordinates in hundredths. */
 typedef struct svg_path {
-    svg *svg;
+    svg *sheet;
     long x, y; /* where it is */
     long dx, dy; /* the line from there that is not written yet */
     size_t points, lines; /* since the last move; lines that are written */
