@@ -1,123 +1,21 @@
 /* SPDX-License-Identifier: MIT */
-/* Encodes the keys of packed groups (clip_packed.h). All sums are in binary64. */
+/*
+ * Writes the keys of packed groups (clip_packed.h).
+ *
+ * A segment is rounded twice, with the same result: once for the widths of its levels and the order of its columns, and
+ * once, when the head of its stream is known, for its rows. Between two segments p->signs has the sign of each rotation's
+ * key before the next one.
+ */
 #include "lane/strict.h"
 
 #include <string.h>
 
-#include <nakawari/clip.h>
-
 #include "clip_keys.h"
 #include "clip_packed.h"
-#include "clip_tracks.h"
-#include "lane/compact.h"
-#include "lane/f64.h"
-#include "lane/slerp.h"
+#include "clip_packed_numbers.h"
 #include "sort.h"
 
-/* Knots are less than this, so that the line between two of them is exact to 1/16 step. */
-#define PACKED_KNOT 0x1p20
-/* A range must be less than this: base + range is then computed without overflow. */
-#define PACKED_RANGE 0x1p127
-/* The lowest w of a rotation: from here on its three numbers are too large, 4.4 and more. */
-#define PACKED_LOWEST (-0.9)
-/* By how much the squared length of a unit rotation differs from 1 by the rounding of its components, at most. */
-#define PACKED_UNIT 0x1p-22
-
-/* Numbers of keys. */
-
-/* The keys of a lane, in ascending order: the sign that the last rotation was multiplied by. */
-typedef struct packed_keys {
-    const nkw_clip_track *c;
-    size_t component;
-    float sign;
-    nkw_quat last;
-} packed_keys;
-
-static nkw_quat rotation_of(const nkw_clip_track *c, size_t k)
-{
-    nkw_segment at = {k, 0.0f};
-    float v[4];
-    nkw_track_sample_segment(&c->track, at, v);
-    nkw_quat q = {v[0], v[1], v[2], v[3]};
-    return q;
-}
-
-/* The rotation of key k, with the sign that makes its dot product with the one before positive, as slerp takes it. */
-static nkw_quat next_rotation(packed_keys *keys, size_t k)
-{
-    nkw_quat q = rotation_of(keys->c, k);
-    if (k > 0 && lane_slerp_cosine(keys->last, q) < 0.0f)
-        keys->sign = -keys->sign;
-    keys->last = q;
-    return q;
-}
-
-static size_t rows_of(const nkw_clip_track *c)
-{
-    return c->target == NKW_CLIP_ROTATION ? 3 : 1;
-}
-
-/* The numbers of key k; call it for k = 0, 1, 2 ... in this order. */
-static void next_numbers(packed_keys *keys, size_t k, double x[3])
-{
-    if (keys->c->target != NKW_CLIP_ROTATION) {
-        x[0] = (double)track_value_at(&keys->c->track, k)[keys->component];
-        return;
-    }
-    lane_f64_quat q = lane_f64_quat_from(next_rotation(keys, k));
-    lane_compact_numbers(lane_f64_quat_scale(q, (double)keys->sign), x);
-}
-
-/*
- * The range of each number, and the step. An error e of p rotates by 4 e/(1 + p.p) = 2 (1 + w) e radians: the step of a
- * rotation's numbers is that of its angle, divided by twice 1 + w at the key where it is largest.
- */
-typedef struct packed_range {
-    packed_keys keys; /* before key 0 */
-    double low[3], high[3];
-    double lowest, highest; /* of rotations: the limits of w, and of the squared length */
-    double shortest, longest;
-    double step;
-} packed_range;
-
-/* Sets key 0 with the sign that keeps w of all keys as high as it can be, and the limits. */
-static void set_limits(const nkw_clip_track *c, size_t component, packed_range *r)
-{
-    packed_keys keys = {c, component, 1.0f, {0.0f, 0.0f, 0.0f, 1.0f}};
-    double low = 1.0, high = -1.0;
-    r->shortest = r->longest = 1.0;
-    for (size_t k = 0; c->target == NKW_CLIP_ROTATION && k < c->track.count; k++) {
-        lane_f64_quat q = lane_f64_quat_from(next_rotation(&keys, k));
-        double w = q.w * (double)keys.sign, square = lane_f64_quat_dot(q, q);
-        low = w < low ? w : low;
-        high = w > high ? w : high;
-        r->shortest = k == 0 || square < r->shortest ? square : r->shortest;
-        r->longest = k == 0 || square > r->longest ? square : r->longest;
-    }
-    keys.sign = low >= -high ? 1.0f : -1.0f;
-    r->lowest = low >= -high ? low : -high;
-    r->highest = low >= -high ? high : -low;
-    r->keys = keys;
-}
-
-static packed_range range_of(const nkw_clip_track *c, size_t component, float step)
-{
-    packed_range r;
-    set_limits(c, component, &r);
-    r.step = c->target == NKW_CLIP_ROTATION ? (double)step / (2.0 * (1.0 + r.highest)) : (double)step;
-    packed_keys keys = r.keys;
-    for (size_t k = 0; k < c->track.count; k++) {
-        double x[3] = {0.0, 0.0, 0.0};
-        next_numbers(&keys, k, x);
-        for (size_t i = 0; i < rows_of(c); i++) {
-            r.low[i] = k == 0 || x[i] < r.low[i] ? x[i] : r.low[i];
-            r.high[i] = k == 0 || x[i] > r.high[i] ? x[i] : r.high[i];
-        }
-    }
-    return r;
-}
-
-/* Segments. */
+/* ---- Segments ---- */
 
 /* The keys of one segment of a lane, in units of the step from the base on. */
 typedef struct packed_segment {
@@ -139,8 +37,8 @@ static packed_segment segment_of(packed_keys *keys, size_t first, uint32_t n, co
     for (uint32_t k = 0; k <= n; k++) {
         packed_keys next = *keys;
         double x[3] = {0.0, 0.0, 0.0};
-        next_numbers(&next, first + k, x);
-        for (size_t r = 0; r < rows_of(keys->c); r++)
+        packed_next_numbers(&next, first + k, x);
+        for (size_t r = 0; r < packed_rows_of(keys->c); r++)
             s.x[r][k] = step[r] > 0.0f ? (x[r] - (double)base[r]) / (double)step[r] : 0.0;
         if (k < n)
             *keys = next;
@@ -193,63 +91,7 @@ static void round_residuals(uint32_t n, double x[PACKED_KEYS + 1], packed_residu
         }
 }
 
-/* The largest float that is at most x: no number is below the base, so no knot is negative. */
-static float base_of(double x)
-{
-    float f = (float)x;
-    return (double)f <= x ? f : lane_float(lane_bits(f) + (f > 0.0f ? 0xffffffffu : 1u));
-}
-
-/* Whether all knots, and so all residuals, are within their limits, and the range is that of a float. */
-static int fits(const nkw_clip_track *c, const packed_range *r)
-{
-    for (size_t i = 0; i < rows_of(c); i++) {
-        const double range = r->high[i] - (double)base_of(r->low[i]);
-        if (!((float)r->step > 0.0f && range / (double)(float)r->step < PACKED_KNOT && range < PACKED_RANGE))
-            return 0;
-    }
-    return r->lowest > PACKED_LOWEST;
-}
-
-/*
- * Whether rotations with the squared lengths of a range may have the square n. A square of 1 + d moves a point as a
- * rotation by d radians does, and rounding to steps rotates by half a step. Those of unit rotations in floats may.
- */
-static int are_lengths(const packed_range *r, float step, double n)
-{
-    const double most = 0.5 * (double)step > PACKED_UNIT ? 0.5 * (double)step : PACKED_UNIT;
-    return r->longest - n <= most && n - r->shortest <= most;
-}
-
-packed_survey nkwi_packed_survey(const nkw_clip_track *c, float step, float *middle)
-{
-    const int is_rotation = c->target == NKW_CLIP_ROTATION;
-    packed_survey result = {c->track.count > 1 && c->track.interpolation == NKW_INTERPOLATION_LINEAR &&
-                                !c->track.key_interpolation && 3 * c->track.width <= PACKED_SLOTS,
-                            c->track.interpolation != NKW_INTERPOLATION_CUBICSPLINE};
-    for (size_t i = 0; i < (is_rotation ? 1 : c->track.width); i++) {
-        packed_range r = range_of(c, i, step);
-        const double square = 0.5 * (r.shortest + r.longest);
-        result.fits = result.fits && fits(c, &r) && are_lengths(&r, step, 1.0);
-        result.is_constant = result.is_constant && are_lengths(&r, step, square);
-        double p[3] = {0.0, 0.0, 0.0};
-        for (size_t row = 0; row < rows_of(c); row++) {
-            p[row] = 0.5 * (r.low[row] + r.high[row]);
-            result.is_constant = result.is_constant && r.high[row] - r.low[row] <= r.step;
-        }
-        if (!is_rotation) {
-            middle[i] = (float)p[0] + 0.0f; /* +0 for -0 */
-            continue;
-        }
-        double n = (p[0] * p[0] + p[1] * p[1]) + p[2] * p[2], scale = lane_sqrt64(square) / (1.0 + n);
-        for (size_t row = 0; row < 3; row++)
-            middle[row] = (float)(2.0 * p[row] * scale) + 0.0f;
-        middle[3] = (float)((1.0 - n) * scale);
-    }
-    return result;
-}
-
-/* Groups. */
+/* ---- Groups ---- */
 
 typedef struct packer {
     uint32_t *words; /* from the keys of the group on; NULL: only counted */
@@ -276,10 +118,10 @@ static void set_ranges(packer *p, const nkw_clip_track *tracks, const float *ste
         const nkw_clip_track *c = p->lanes->track[lane];
         if (!c)
             continue;
-        packed_range r = range_of(c, p->lanes->component[lane], steps[c - tracks]);
+        packed_range r = nkwi_packed_range(c, p->lanes->component[lane], steps[c - tracks]);
         for (size_t row = 0; row < clip_rows(p->g); row++) {
             size_t slot = nkwi_clip_lane_at(p->g, clip_rows(p->g), row, lane);
-            p->base[slot] = base_of(r.low[row]);
+            p->base[slot] = nkwi_packed_base(r.low[row]);
             p->step[slot] = (float)r.step;
             if (nearest((r.high[row] - (double)p->base[slot]) / (double)p->step[slot]) > 65535.0)
                 p->wide |= (uint32_t)1 << slot / PACKED_COLUMNS;
@@ -302,7 +144,7 @@ static float lane_segment(const packer *p, size_t lane, uint32_t s, packed_segme
     }
     if (rows == 3) {
         keys.sign = p->signs[lane];
-        keys.last = first > 0 ? rotation_of(c, first - 1) : keys.last;
+        keys.last = first > 0 ? packed_rotation(c, first - 1) : keys.last;
     }
     *out = segment_of(&keys, first, packed_intervals(p->count, s), base, step);
     return keys.sign;
@@ -476,52 +318,4 @@ uint64_t nkwi_packed_fill(uint32_t *words, const clip_group *g, const packed_lan
         at += write_stream(&p, s, at);
     }
     return at + PACKED_PADDING;
-}
-
-/* Checks. */
-
-/* The words of a stream, of at most `left`; 0 if it is longer, or a slot or a width is out of range. */
-static uint64_t stream_words(const uint32_t *stream, uint64_t left, size_t numbers, uint32_t levels)
-{
-    if (left < 1 || stream[0] > numbers)
-        return 0;
-    uint64_t words = (uint64_t)(packed_rows(stream) - stream);
-    size_t bits = 0;
-    if (words > left)
-        return 0;
-    for (size_t i = 0; i < stream[0]; i++)
-        if (packed_slots(stream)[i] >= numbers)
-            return 0;
-    for (size_t k = 0; k < packed_blocks(stream) * PACKED_LEVELS; k++) {
-        if (packed_widths(stream)[k] > PACKED_WIDTH)
-            return 0;
-        bits += k % PACKED_LEVELS < levels ? (size_t)packed_widths(stream)[k] << k % PACKED_LEVELS : 0;
-    }
-    words += packed_words(PACKED_COLUMNS, bits);
-    return words <= left ? words : 0;
-}
-
-/* Padding follows the words: unpacking reads the row after the last bit, and two rows of a width of 0. */
-int nkwi_packed_check(const nkw_clip *clip, const clip_group *g, uint32_t count, uint64_t *words)
-{
-    const uint64_t numbers = clip_rows(g) * (uint64_t)g->lanes, all = clip->words;
-    if (numbers > PACKED_SLOTS || g->keys + (uint64_t)packed_knots(count) > all)
-        return 0;
-    const uint32_t *keys = clip_words(clip) + g->keys, wide = keys[packed_segments(count)];
-    if (wide >> (numbers + PACKED_COLUMNS - 1) / PACKED_COLUMNS)
-        return 0;
-    *words = packed_knots(count) + ((uint64_t)packed_segments(count) + 1) * packed_knot_words((size_t)numbers, wide);
-    if (g->keys + *words + PACKED_PADDING > all)
-        return 0;
-    for (uint32_t s = 0; s < packed_segments(count); s++) {
-        uint64_t at = (uint64_t)g->keys + keys[s], end = all - PACKED_PADDING;
-        uint64_t taken = at < end ? stream_words(clip_words(clip) + at, end - at, (size_t)numbers,
-                                                 packed_levels(packed_intervals(count, s)))
-                                  : 0;
-        if (taken == 0)
-            return 0;
-        *words += taken;
-    }
-    *words += PACKED_PADDING;
-    return 1;
 }
