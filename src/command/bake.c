@@ -146,7 +146,7 @@ static int bake(const nkw_document *d, void *data)
 static int check_request(const options *o, void *data)
 {
     request *r = data;
-    int form = r->as ? options_word(r->as, forms, FORMS) : FORM_CLIP;
+    int form = r->as ? words_find(r->as, forms, FORMS) : FORM_CLIP;
     if (form < 0)
         return options_misuse(o, r->as, "not clip, compact, reduced or palette");
     r->form = (bake_form)form;

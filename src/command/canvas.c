@@ -51,9 +51,3 @@ unsigned char canvas_byte(float share)
 {
     return (unsigned char)(255.0f * nkw_sqrt(nkw_saturate(share)) + 0.5f);
 }
-
-float canvas_share(unsigned char byte)
-{
-    float root = (float)byte / 255.0f;
-    return root * root;
-}

@@ -39,8 +39,7 @@ int canvas_finite(const canvas_corner corner[3]);
 float canvas_area(nkw_vec3 a, nkw_vec3 b, float x, float y);
 /** The level of a texture for a triangle. */
 int canvas_texture_level(const canvas_corner corner[3], const texture *image);
-/** A linear share as a byte of sRGB, by a square root; and back. */
+/** A linear share as a byte of sRGB, by a square root (texture_share is its inverse). */
 unsigned char canvas_byte(float share);
-float canvas_share(unsigned char byte);
 
 #endif

@@ -71,8 +71,11 @@ int options_misuse(const options *o, const char *which, const char *what);
 int options_number(const char *text, float *number);
 /** The whole number of `text`, 0..SIZE_MAX - 1. Returns 0 if it is none. */
 int options_index(const char *text, size_t *index);
+
+/* ---- words.c ---- */
+
 /** The index of `word` among `count` words, -1 if it is none of them. */
-int options_word(const char *word, const char *const *words, int count);
+int words_find(const char *word, const char *const *words, int count);
 
 /* ---- input.c ---- */
 

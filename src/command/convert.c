@@ -142,7 +142,7 @@ static int read_axes(const char *axes, nkw_axes *from, nkw_axes_map *map)
 static int check_axes(const options *o, request *r)
 {
     static const char *const ups[] = {"z:y", "y:z"};
-    const int up = r->up ? options_word(r->up, ups, 2) : -1;
+    const int up = r->up ? words_find(r->up, ups, 2) : -1;
     if (r->up && r->axes)
         return options_misuse(o, "--up", "not with --axes");
     if (r->up && up < 0)

@@ -263,7 +263,7 @@ int model_form(const char *form, const char *path)
 {
     static const char *const forms[] = {"glb", "embedded", "gltf"};
     if (form)
-        return options_word(form, forms, 3);
+        return words_find(form, forms, 3);
     return output_ending(path, outer_end, 1) == 0 ? NKW_GLTF_OUTER : NKW_GLTF_BINARY;
 }
 

@@ -49,7 +49,7 @@ static int read_habit(options *o)
 {
     static const char *const habits[] = {"replace", "add"};
     char *text = poptGetOptArg(o->context);
-    const int habit = options_word(text ? text : "", habits, 2);
+    const int habit = words_find(text ? text : "", habits, 2);
     if (habit < 0)
         o->code = options_misuse(o, "--bvh-offset", "not replace or add");
     else
@@ -103,12 +103,4 @@ int options_index(const char *text, size_t *index)
     unsigned long long value = strtoull(text, &end, 10);
     *index = (size_t)value;
     return text[0] >= '0' && text[0] <= '9' && *end == 0 && errno == 0 && value < SIZE_MAX;
-}
-
-int options_word(const char *word, const char *const *words, int count)
-{
-    for (int i = 0; i < count; i++)
-        if (strcmp(word, words[i]) == 0)
-            return i;
-    return -1;
 }

@@ -37,7 +37,7 @@ int output_ending(const char *path, const char *const *words, int count)
     for (; end && end[n + 1] && n + 1 < sizeof small; n++)
         small[n] = (char)tolower((unsigned char)end[n + 1]);
     small[n] = 0;
-    return n > 0 && !end[n + 1] ? options_word(small, words, count) : -1;
+    return n > 0 && !end[n + 1] ? words_find(small, words, count) : -1;
 }
 
 int output_is_foreign(const char *path)

@@ -341,7 +341,7 @@ static int check_request(const options *o, void *data)
 {
     request *r = data;
     static const char *const spaces[] = {"bone", "bind"};
-    int space = r->space ? options_word(r->space, spaces, 2) : 0;
+    int space = r->space ? words_find(r->space, spaces, 2) : 0;
     if (space < 0)
         return options_misuse(o, r->space, "not bone or bind");
     r->bind = space;

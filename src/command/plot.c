@@ -29,13 +29,6 @@ static const char *const targets[] = {"translation", "rotation", "scale", "weigh
 static const char *const orders[] = {"xyz", "xzy", "yxz", "yzx", "zxy", "zyx"};
 static const char *const modes[] = {"LINEAR", "STEP", "CUBICSPLINE"};
 
-svg_box plot_panel(float y, int right)
-{
-    svg_box box = {60.0f, y + 44.0f, PLOT_PANEL_WIDTH, PLOT_PANEL_HEIGHT};
-    box.x += right ? PLOT_PANEL_WIDTH + 70.0f : 0.0f;
-    return box;
-}
-
 /* ---- curves ---- */
 
 static void bounds_of(const curve *c, int velocity, float *low, float *high)
@@ -119,33 +112,11 @@ static int put_row(page *p, const nkw_document *d, const plot_request *r, size_t
 
 /* ---- the page ---- */
 
-static int lists(const plot_request *r, const char *name)
-{
-    size_t length = strlen(name);
-    for (const char *at = r->joints ? strstr(r->joints, name) : NULL; at && length; at = strstr(at + 1, name))
-        if ((at == r->joints || at[-1] == ',') && (at[length] == ',' || at[length] == 0))
-            return 1;
-    return 0;
-}
-
-int plot_names(const plot_request *r, const nkw_document *d, size_t joint)
-{
-    if (!r->joints || lists(r, d->nodes[joint].name))
-        return 1;
-    for (const char *at = r->joints; *at;) {
-        const size_t length = strcspn(at, ",");
-        if (input_is_joint(d, joint, at, length))
-            return 1;
-        at += length + (at[length] == ',');
-    }
-    return 0;
-}
-
 /* The first joint of the list that no joint is; NULL if there is none. Names may contain commas: then none is sought. */
 static const char *find_stranger(const plot_request *r, const nkw_document *d, size_t *length)
 {
     for (size_t j = 0; j < d->skeleton.joint_count; j++)
-        if (strchr(d->nodes[j].name, ',') && lists(r, d->nodes[j].name))
+        if (strchr(d->nodes[j].name, ',') && plot_lists(r, d->nodes[j].name))
             return NULL;
     for (const char *at = r->joints; at && *at; at += *length + (at[*length] == ',')) {
         size_t j = 0;
@@ -290,8 +261,8 @@ static int check_watch(const options *o, const plot_request *r)
 static int check_request(const options *o, void *data)
 {
     plot_request *r = data;
-    int order = r->order ? options_word(r->order, orders, 6) : NKW_EULER_XYZ;
-    r->target = r->what ? options_word(r->what, targets, 6) : PLOT_ALL;
+    int order = r->order ? words_find(r->order, orders, 6) : NKW_EULER_XYZ;
+    r->target = r->what ? words_find(r->what, targets, 6) : PLOT_ALL;
     r->euler = (nkw_euler_order)order;
     if (r->what && r->target < 0)
         return options_misuse(o, r->what, "not translation, rotation, scale, weights, path or euler");

@@ -21,6 +21,8 @@ typedef struct plot_request {
 
 enum { PLOT_TOP = 70, PLOT_ROW = 210, PLOT_PANEL_WIDTH = 470, PLOT_PANEL_HEIGHT = 130 };
 
+/** Whether the list of joints has a name as it is, commas included. */
+int plot_lists(const plot_request *r, const char *name);
 /** Whether the list of joints has the name or the number of a joint; every one if there is no list. */
 int plot_names(const plot_request *r, const nkw_document *document, size_t joint);
 

@@ -277,7 +277,7 @@ static int render_document(const nkw_document *d, void *data)
 /* The format by its name, or by the end of the output's name. */
 static int find_form(request *r)
 {
-    int found = r->format ? options_word(r->format, forms, FORMS) : output_ending(r->output, forms, FORMS);
+    int found = r->format ? words_find(r->format, forms, FORMS) : output_ending(r->output, forms, FORMS);
     r->form = found < 0 ? FORM_PNG : (form)found;
     return found >= 0 || !r->format;
 }

@@ -205,7 +205,7 @@ static int sample_document(const nkw_document *d, const request *r, FILE *f)
 static int check_request(const options *o, void *data)
 {
     request *r = data;
-    int kind = r->what ? options_word(r->what, what_words, WHATS) : WHAT_LOCAL;
+    int kind = r->what ? words_find(r->what, what_words, WHATS) : WHAT_LOCAL;
     if (kind < 0)
         return options_misuse(o, r->what, "not local, model, palette, vertices or weights");
     r->kind = (sample_what)kind;

@@ -9,7 +9,6 @@
 #include <nakawari/scalar.h>
 #include <nakawari/vec.h>
 
-#include "canvas.h"
 #include "command.h"
 #include "image.h"
 
@@ -25,13 +24,19 @@ static unsigned char *read_outer(const nkw_document *d, const char *path, size_t
     return pixels;
 }
 
+float texture_share(unsigned char byte)
+{
+    const float root = (float)byte / 255.0f;
+    return root * root;
+}
+
 static int to_linear(texture *t, const unsigned char *pixels)
 {
     const size_t count = t->widths[0] * t->heights[0];
     t->levels[0] = (nkw_vec3 *)malloc(count * sizeof *t->levels[0]);
     for (size_t i = 0; t->levels[0] && i < count; i++) {
         const unsigned char *p = pixels + 3 * i;
-        nkw_vec3 c = {canvas_share(p[0]), canvas_share(p[1]), canvas_share(p[2])};
+        nkw_vec3 c = {texture_share(p[0]), texture_share(p[1]), texture_share(p[2])};
         t->levels[0][i] = c;
     }
     return t->levels[0] != NULL;

@@ -20,6 +20,9 @@ typedef struct texture {
 void texture_open(texture *t, const nkw_document *d, const nkw_document_image *image);
 void texture_free(texture *t);
 
+/** The linear share of a byte of sRGB, by a square. */
+float texture_share(unsigned char byte);
+
 /** The level of which a texel covers about a point, if `texels` texels of level 0 are drawn on `points` points. */
 int texture_level(const texture *t, float texels, float points);
 /** The colour at a place, between four texels; the picture repeats. */
