@@ -8,24 +8,17 @@
 nkw_weights nkw_cubic_weights(nkw_cubic_kind kind, int derivative, float t)
 {
     switch (kind) {
-    case NKW_CUBIC_BEZIER:
-        return derivative == 1   ? lane_bezier_velocity_weights(t)
-               : derivative == 2 ? lane_bezier_acceleration_weights(t)
-                                 : nkw_bezier_weights(t);
-    case NKW_CUBIC_BSPLINE:
-        return derivative == 1   ? lane_bspline_velocity_weights(t)
-               : derivative == 2 ? lane_bspline_acceleration_weights(t)
-                                 : lane_bspline_weights(t);
-    case NKW_CUBIC_CATMULL_ROM:
-        return derivative == 1   ? lane_catmull_rom_velocity_weights(t)
-               : derivative == 2 ? lane_catmull_rom_acceleration_weights(t)
-                                 : lane_catmull_rom_weights(t);
-    case NKW_CUBIC_HERMITE:
-    default:
-        return derivative == 1   ? lane_hermite_velocity_weights(t)
-               : derivative == 2 ? lane_hermite_acceleration_weights(t)
-                                 : lane_hermite_weights(t);
+#define WEIGHTS(KIND, name, first, last)                                                                               \
+    case NKW_CUBIC_##KIND:                                                                                             \
+        return derivative == 1   ? lane_##name##_velocity_weights(t)                                                   \
+               : derivative == 2 ? lane_##name##_acceleration_weights(t)                                               \
+                                 : lane_##name##_weights(t);
+        LANE_CUBICS(WEIGHTS)
+#undef WEIGHTS
+    case NKW_CUBIC_KIND_MAX_ENUM:
+        break;
     }
+    return nkw_cubic_weights(NKW_CUBIC_HERMITE, derivative, t);
 }
 
 float nkw_weighted_sum(nkw_weights weights, float c0, float c1, float c2, float c3)
@@ -77,61 +70,51 @@ nkw_vec3 nkw_vec3_catmull_rom_nonuniform(const float times[4], nkw_vec3 p0, nkw_
     return r;
 }
 
-/* The components of four control points. */
-static lane_f64_cubic component_x(const nkw_vec3_cubic *a)
+/* Component k of four control points: vectors are contiguous floats. */
+static lane_f64_cubic component(const nkw_vec3_cubic *a, size_t k)
 {
-    lane_f64_cubic r = {{a->c[0].x, a->c[1].x, a->c[2].x, a->c[3].x}};
+    const float *c = (const float *)(const void *)a + k;
+    lane_f64_cubic r = {{c[0], c[3], c[6], c[9]}};
     return r;
 }
 
-static lane_f64_cubic component_y(const nkw_vec3_cubic *a)
+static void set_component(nkw_vec3_cubic *a, size_t k, lane_f64_cubic x)
 {
-    lane_f64_cubic r = {{a->c[0].y, a->c[1].y, a->c[2].y, a->c[3].y}};
-    return r;
+    float *c = (float *)(void *)a + k;
+    for (size_t i = 0; i < 4; i++)
+        c[3 * i] = (float)x.c[i];
 }
 
-static lane_f64_cubic component_z(const nkw_vec3_cubic *a)
-{
-    lane_f64_cubic r = {{a->c[0].z, a->c[1].z, a->c[2].z, a->c[3].z}};
-    return r;
-}
-
-static nkw_vec3_cubic from_components(lane_f64_cubic x, lane_f64_cubic y, lane_f64_cubic z)
+static nkw_vec3_cubic converted(const nkw_vec3_cubic *a, lane_f64_cubic (*convert)(lane_f64_cubic))
 {
     nkw_vec3_cubic r;
-    for (size_t i = 0; i < 4; i++) {
-        nkw_vec3 c = {(float)x.c[i], (float)y.c[i], (float)z.c[i]};
-        r.c[i] = c;
-    }
+    for (size_t k = 0; k < 3; k++)
+        set_component(&r, k, convert(component(a, k)));
     return r;
 }
 
 nkw_vec3_cubic nkw_vec3_bezier_from_hermite(const nkw_vec3_cubic *hermite)
 {
-    return from_components(lane_bezier_from_hermite(component_x(hermite)),
-                           lane_bezier_from_hermite(component_y(hermite)),
-                           lane_bezier_from_hermite(component_z(hermite)));
+    return converted(hermite, lane_bezier_from_hermite);
 }
 
 nkw_vec3_cubic nkw_vec3_hermite_from_bezier(const nkw_vec3_cubic *bezier)
 {
-    return from_components(lane_hermite_from_bezier(component_x(bezier)), lane_hermite_from_bezier(component_y(bezier)),
-                           lane_hermite_from_bezier(component_z(bezier)));
+    return converted(bezier, lane_hermite_from_bezier);
 }
 
 nkw_vec3_cubic nkw_vec3_bezier_from_bspline(const nkw_vec3_cubic *bspline)
 {
-    return from_components(lane_bezier_from_bspline(component_x(bspline)),
-                           lane_bezier_from_bspline(component_y(bspline)),
-                           lane_bezier_from_bspline(component_z(bspline)));
+    return converted(bspline, lane_bezier_from_bspline);
 }
 
 void nkw_vec3_bezier_split(const nkw_vec3_cubic *bezier, float t, nkw_vec3_cubic *left, nkw_vec3_cubic *right)
 {
-    lane_f64_cubic x[2], y[2], z[2];
-    lane_bezier_split(component_x(bezier), t, &x[0], &x[1]);
-    lane_bezier_split(component_y(bezier), t, &y[0], &y[1]);
-    lane_bezier_split(component_z(bezier), t, &z[0], &z[1]);
-    *left = from_components(x[0], y[0], z[0]);
-    *right = from_components(x[1], y[1], z[1]);
+    const nkw_vec3_cubic whole = *bezier;
+    for (size_t k = 0; k < 3; k++) {
+        lane_f64_cubic before, after;
+        lane_bezier_split(component(&whole, k), t, &before, &after);
+        set_component(left, k, before);
+        set_component(right, k, after);
+    }
 }

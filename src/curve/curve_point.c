@@ -8,16 +8,15 @@
 static float value_of(nkw_cubic_kind kind, const float c[4], float t)
 {
     switch (kind) {
-    case NKW_CUBIC_BEZIER:
-        return nkw_bezier(c[0], c[1], c[2], c[3], t);
-    case NKW_CUBIC_BSPLINE:
-        return nkw_bspline(c[0], c[1], c[2], c[3], t);
-    case NKW_CUBIC_CATMULL_ROM:
-        return nkw_catmull_rom(c[0], c[1], c[2], c[3], t);
-    case NKW_CUBIC_HERMITE:
-    default:
-        return nkw_hermite(c[0], c[1], c[2], c[3], t);
+#define VALUE(KIND, name, first, last)                                                                                 \
+    case NKW_CUBIC_##KIND:                                                                                             \
+        return nkw_##name(c[0], c[1], c[2], c[3], t);
+        LANE_CUBICS(VALUE)
+#undef VALUE
+    case NKW_CUBIC_KIND_MAX_ENUM:
+        break;
     }
+    return nkw_hermite(c[0], c[1], c[2], c[3], t);
 }
 
 nkw_curve_point nkw_cubic_point(nkw_cubic_kind kind, const float c[4], float t)
@@ -27,22 +26,30 @@ nkw_curve_point nkw_cubic_point(nkw_cubic_kind kind, const float c[4], float t)
     return r;
 }
 
-static nkw_vec3_curve_point from_components(nkw_curve_point x, nkw_curve_point y, nkw_curve_point z)
+/* Component k of a point: vectors are contiguous floats. */
+static nkw_curve_point component(const nkw_vec3_curve_point *p, size_t k)
 {
-    nkw_vec3_curve_point r = {
-        {x.value, y.value, z.value},
-        {x.first, y.first, z.first},
-        {x.second, y.second, z.second},
-    };
+    const float *c = (const float *)(const void *)p + k;
+    nkw_curve_point r = {c[0], c[3], c[6]};
     return r;
+}
+
+static void set_component(nkw_vec3_curve_point *p, size_t k, nkw_curve_point x)
+{
+    float *c = (float *)(void *)p + k;
+    c[0] = x.value;
+    c[3] = x.first;
+    c[6] = x.second;
 }
 
 nkw_vec3_curve_point nkw_vec3_cubic_point(nkw_cubic_kind kind, const nkw_vec3_cubic *cubic, float t)
 {
-    const nkw_vec3 *c = cubic->c;
-    const float x[4] = {c[0].x, c[1].x, c[2].x, c[3].x}, y[4] = {c[0].y, c[1].y, c[2].y, c[3].y},
-                z[4] = {c[0].z, c[1].z, c[2].z, c[3].z};
-    return from_components(nkw_cubic_point(kind, x, t), nkw_cubic_point(kind, y, t), nkw_cubic_point(kind, z, t));
+    nkw_vec3_curve_point r;
+    for (size_t k = 0; k < 3; k++) {
+        const float *c = (const float *)(const void *)cubic + k, of[4] = {c[0], c[3], c[6], c[9]};
+        set_component(&r, k, nkw_cubic_point(kind, of, t));
+    }
+    return r;
 }
 
 nkw_curve_point nkw_catmull_rom_nonuniform_point(const float times[4], float p0, float p1, float p2, float p3, float t)
@@ -56,9 +63,11 @@ nkw_curve_point nkw_catmull_rom_nonuniform_point(const float times[4], float p0,
 nkw_vec3_curve_point nkw_vec3_catmull_rom_nonuniform_point(const float times[4], nkw_vec3 p0, nkw_vec3 p1, nkw_vec3 p2,
                                                            nkw_vec3 p3, float t)
 {
-    return from_components(nkw_catmull_rom_nonuniform_point(times, p0.x, p1.x, p2.x, p3.x, t),
-                           nkw_catmull_rom_nonuniform_point(times, p0.y, p1.y, p2.y, p3.y, t),
-                           nkw_catmull_rom_nonuniform_point(times, p0.z, p1.z, p2.z, p3.z, t));
+    nkw_vec3_curve_point r;
+    set_component(&r, 0, nkw_catmull_rom_nonuniform_point(times, p0.x, p1.x, p2.x, p3.x, t));
+    set_component(&r, 1, nkw_catmull_rom_nonuniform_point(times, p0.y, p1.y, p2.y, p3.y, t));
+    set_component(&r, 2, nkw_catmull_rom_nonuniform_point(times, p0.z, p1.z, p2.z, p3.z, t));
+    return r;
 }
 
 /* The value less that of the end nearer to t, which is p0 if `near` is 0; see nkw_quintic_hermite. */
@@ -98,28 +107,10 @@ nkw_curve_point nkw_quintic_hermite(nkw_curve_point p0, nkw_curve_point p1, floa
     return r;
 }
 
-/* The x, y and z of a point. */
-static nkw_curve_point component_x(const nkw_vec3_curve_point *p)
-{
-    nkw_curve_point r = {p->value.x, p->first.x, p->second.x};
-    return r;
-}
-
-static nkw_curve_point component_y(const nkw_vec3_curve_point *p)
-{
-    nkw_curve_point r = {p->value.y, p->first.y, p->second.y};
-    return r;
-}
-
-static nkw_curve_point component_z(const nkw_vec3_curve_point *p)
-{
-    nkw_curve_point r = {p->value.z, p->first.z, p->second.z};
-    return r;
-}
-
 nkw_vec3_curve_point nkw_vec3_quintic_hermite(const nkw_vec3_curve_point *p0, const nkw_vec3_curve_point *p1, float t)
 {
-    return from_components(nkw_quintic_hermite(component_x(p0), component_x(p1), t),
-                           nkw_quintic_hermite(component_y(p0), component_y(p1), t),
-                           nkw_quintic_hermite(component_z(p0), component_z(p1), t));
+    nkw_vec3_curve_point r;
+    for (size_t k = 0; k < 3; k++)
+        set_component(&r, k, nkw_quintic_hermite(component(p0, k), component(p1, k), t));
+    return r;
 }

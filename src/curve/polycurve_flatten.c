@@ -21,13 +21,6 @@ static void add(polyline *line, nkw_vec3 p)
     line->last = p;
 }
 
-/* A point of a cubic from its ends, in binary64: p0 + t k, p1 - s (2 f - k), k = f + s (s (v0 - f) - t (v1 - f)). */
-static double value_at(lane_f64_slopes a, double p0, double p1, double t)
-{
-    double s = 1.0 - t, bend = s * (a.v0 - a.f) - t * (a.v1 - a.f);
-    return t < 0.5 ? p0 + t * (a.f + s * bend) : p1 - s * (a.f - t * bend);
-}
-
 /* (a + 4 b + c)/6. */
 static lane_f64_vec3 knot(nkw_vec3 a, nkw_vec3 b, nkw_vec3 c)
 {
@@ -40,11 +33,14 @@ static lane_f64_vec3 knot(nkw_vec3 a, nkw_vec3 b, nkw_vec3 c)
 /* The start (end 0) or the end (end 1) of a segment. Neighbours in a B-spline compute theirs by the same sum. */
 static lane_f64_vec3 end_of(nkw_cubic_kind kind, const nkw_vec3 *c, size_t end)
 {
-    if (kind == NKW_CUBIC_BSPLINE)
-        return knot(c[end], c[end + 1], c[end + 2]);
-    size_t first = kind == NKW_CUBIC_CATMULL_ROM ? 1 : 0;
-    size_t last = kind == NKW_CUBIC_BEZIER ? 3 : 2;
-    return lane_f64_vec3_from(c[end ? last : first]);
+    static const unsigned char ends[][2] = {
+#define ENDS(KIND, name, first, last) [NKW_CUBIC_##KIND] = {first, last},
+        LANE_CUBICS(ENDS)
+#undef ENDS
+    };
+    const unsigned known = (unsigned)kind < sizeof ends / sizeof ends[0] ? (unsigned)kind : NKW_CUBIC_HERMITE;
+    const nkw_vec3 *at = &c[ends[known][end]];
+    return kind == NKW_CUBIC_BSPLINE ? knot(at[0], at[1], at[2]) : lane_f64_vec3_from(*at);
 }
 
 /* Adds the ends of the intervals of a segment. Returns 0 if they become too small. */
@@ -68,8 +64,9 @@ static int add_segment(polyline *line, nkw_cubic_kind kind, const nkw_vec3_cubic
             width *= 0.5;
             continue;
         }
-        lane_f64_vec3 p = {value_at(c.x, start.x, end.x, high), value_at(c.y, start.y, end.y, high),
-                           value_at(c.z, start.z, end.z, high)};
+        lane_f64_vec3 p = {lane_f64_value_between(start.x, end.x, c.x, high),
+                           lane_f64_value_between(start.y, end.y, c.y, high),
+                           lane_f64_value_between(start.z, end.z, c.z, high)};
         add(line, lane_vec3_from_f64(p));
         for (i++; level > 0 && i % 2 == 0; i /= 2) {
             level--;

@@ -7,6 +7,19 @@
 
 #include <nakawari/curve.h>
 
+/*
+ * The kinds of cubics, a row each: the name in nkw_cubic_kind, the name in its formulas, and which control values are its
+ * ends at t = 0 and 1 (of a B-spline none: they are means of three, and these are the first of them).
+ *
+ * A new kind is an enumerator, a row, nkw_NAME of one number, and here lane_NAME_weights, _velocity_weights,
+ * _acceleration_weights and _slopes. A switch over the rows without a `default` does not compile without its row.
+ */
+#define LANE_CUBICS(X)                                                                                                 \
+    X(HERMITE, hermite, 0, 2)                                                                                          \
+    X(BEZIER, bezier, 0, 3)                                                                                            \
+    X(BSPLINE, bspline, 0, 1)                                                                                          \
+    X(CATMULL_ROM, catmull_rom, 1, 2)
+
 static inline nkw_weights lane_hermite_weights(float t)
 {
     float s = 1.0f - t;
@@ -25,6 +38,11 @@ static inline nkw_weights lane_hermite_acceleration_weights(float t)
 {
     nkw_weights r = {{12.0f * t - 6.0f, 6.0f * t - 4.0f, 6.0f - 12.0f * t, 6.0f * t - 2.0f}};
     return r;
+}
+
+static inline nkw_weights lane_bezier_weights(float t)
+{
+    return nkw_bezier_weights(t);
 }
 
 static inline nkw_weights lane_bezier_velocity_weights(float t)
@@ -148,17 +166,45 @@ typedef struct lane_f64_slopes {
     double f, v0, v1;
 } lane_f64_slopes;
 
-static inline lane_f64_slopes lane_slopes_of(nkw_cubic_kind kind, const float c[4])
+static inline lane_f64_slopes lane_hermite_slopes(const float c[4])
+{
+    lane_f64_slopes r = {(double)c[2] - (double)c[0], c[1], c[3]};
+    return r;
+}
+
+static inline lane_f64_slopes lane_bezier_slopes(const float c[4])
+{
+    lane_f64_slopes r = {(double)c[3] - (double)c[0], 3.0 * ((double)c[1] - (double)c[0]),
+                         3.0 * ((double)c[3] - (double)c[2])};
+    return r;
+}
+
+static inline lane_f64_slopes lane_bspline_slopes(const float c[4])
 {
     double d0 = (double)c[1] - (double)c[0], d1 = (double)c[2] - (double)c[1], d2 = (double)c[3] - (double)c[2];
-    double in = 0.5 * (d0 + d1), out = 0.5 * (d1 + d2);
-    lane_f64_slopes hermite = {(double)c[2] - (double)c[0], c[1], c[3]};
-    lane_f64_slopes bezier = {(double)c[3] - (double)c[0], 3.0 * d0, 3.0 * d2};
-    lane_f64_slopes bspline = {((d0 + 4.0 * d1) + d2) / 6.0, in, out}, catmull_rom = {d1, in, out};
-    return kind == NKW_CUBIC_BEZIER        ? bezier
-           : kind == NKW_CUBIC_BSPLINE     ? bspline
-           : kind == NKW_CUBIC_CATMULL_ROM ? catmull_rom
-                                           : hermite;
+    lane_f64_slopes r = {((d0 + 4.0 * d1) + d2) / 6.0, 0.5 * (d0 + d1), 0.5 * (d1 + d2)};
+    return r;
+}
+
+static inline lane_f64_slopes lane_catmull_rom_slopes(const float c[4])
+{
+    double d0 = (double)c[1] - (double)c[0], d1 = (double)c[2] - (double)c[1], d2 = (double)c[3] - (double)c[2];
+    lane_f64_slopes r = {d1, 0.5 * (d0 + d1), 0.5 * (d1 + d2)};
+    return r;
+}
+
+static inline lane_f64_slopes lane_slopes_of(nkw_cubic_kind kind, const float c[4])
+{
+    switch (kind) {
+#define LANE_SLOPES(KIND, name, first, last)                                                                           \
+    case NKW_CUBIC_##KIND:                                                                                             \
+        return lane_##name##_slopes(c);
+        LANE_CUBICS(LANE_SLOPES)
+#undef LANE_SLOPES
+    case NKW_CUBIC_KIND_MAX_ENUM:
+        break;
+    }
+    return lane_hermite_slopes(c);
 }
 
 /* The value, from p(0) = from. */
@@ -166,6 +212,13 @@ static inline double lane_f64_value(double from, lane_f64_slopes a, double t)
 {
     double s = 1.0 - t;
     return from + (((t * t) * (3.0 - 2.0 * t)) * a.f + ((t * (s * s)) * a.v0 - ((t * t) * s) * a.v1));
+}
+
+/* The same from the nearer end: p0 + t k, p1 - s (2 f - k), k = f + s (s (v0 - f) - t (v1 - f)). */
+static inline double lane_f64_value_between(double p0, double p1, lane_f64_slopes a, double t)
+{
+    double s = 1.0 - t, bend = s * (a.v0 - a.f) - t * (a.v1 - a.f);
+    return t < 0.5 ? p0 + t * (a.f + s * bend) : p1 - s * (a.f - t * bend);
 }
 
 /* The first and second derivative by t; see nkw_cubic_point. */
