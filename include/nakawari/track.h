@@ -124,6 +124,7 @@ NKW_API void nkw_track_sample_cursor(const nkw_track *track, float time, uint32_
 
 /**
  * The same for a known segment: the result of nkw_segment_find for track->times. For tracks that share their key times.
+ * Any other t is clamped to 0..1, and a NaN counts as 0.
  */
 NKW_API void nkw_track_sample_segment(const nkw_track *track, nkw_segment segment, float *out);
 

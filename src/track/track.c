@@ -2,7 +2,6 @@
 #include "lane/strict.h"
 
 #include <nakawari/curve.h>
-#include <nakawari/orient.h>
 #include <nakawari/quat.h>
 #include <nakawari/track.h>
 
@@ -10,7 +9,6 @@
 #include "difference.h"
 #include "finite.h"
 #include "lane/scalar.h"
-#include "lane/slerp.h"
 #include "pack/slerp.h"
 #include "report.h"
 #include "track_keys.h"
@@ -52,15 +50,10 @@ static void lerp(const float *a, const float *b, float t, float *out, size_t n)
         out[i] = lane_lerp_from(nearer[i], x, a[i], b[i]);
 }
 
-static nkw_quat slerp(nkw_quat a, nkw_quat b, float t)
-{
-    return lane_t_is_inside(t) ? quat_slerp_keys(a, b, t) : nkw_quat_slerp(a, b, t);
-}
-
 static void linear(const nkw_track *track, size_t k, float t, float *out)
 {
     if (track_is_rotation(track))
-        track_write_quat(slerp(rotation_at(track, k), rotation_at(track, k + 1), t), out);
+        track_write_quat(quat_slerp_keys(rotation_at(track, k), rotation_at(track, k + 1), t), out);
     else
         lerp(track_value_at(track, k), track_value_at(track, k + 1), t, out, track->width);
 }
@@ -83,14 +76,15 @@ void nkw_track_sample_segment(const nkw_track *track, nkw_segment segment, float
         return;
     size_t last = track->count - 1;
     size_t k = segment.index < last ? segment.index : last;
-    if (k == last || segment.t == 0.0f)
+    float t = segment.t > 0.0f ? segment.t : 0.0f;
+    if (k == last || t == 0.0f)
         hold(track, k, out);
-    else if (segment.t == 1.0f)
+    else if (t >= 1.0f)
         hold(track, k + 1, out);
     else if (track_interpolation_at(track, k) == NKW_INTERPOLATION_CUBICSPLINE && track_is_cubic(track))
-        cubic(track, k, segment.t, out);
+        cubic(track, k, t, out);
     else if (track_interpolation_at(track, k) == NKW_INTERPOLATION_LINEAR)
-        linear(track, k, segment.t, out);
+        linear(track, k, t, out);
     else
         hold(track, k, out);
 }

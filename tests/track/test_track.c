@@ -205,6 +205,25 @@ static void cursor_and_shared_segment_give_the_same_bits(void **state)
     }
 }
 
+static void a_t_outside_of_its_segment_is_clamped(void **state)
+{
+    (void)state;
+    random_source r = random_from(31);
+    float values[48];
+    for (int i = 0; i < 48; i++)
+        values[i] = random_between(&r, -1, 1);
+    static const float outside[] = {-0.0f, -0.25f, -3e38f, -INFINITY, NAN, 1.25f, 3e38f, INFINITY};
+    for (int i = 0; i < 6 * 8; i++) {
+        nkw_track t = floats(values, 4, (nkw_interpolation)(i % 3));
+        t.kind = i / 3 % 2 ? NKW_TRACK_ROTATION : NKW_TRACK_FLOATS;
+        float got[4], want[4], at = outside[i / 6];
+        const nkw_segment given = {1, at}, clamped = {1, at > 0.0f ? 1.0f : 0.0f};
+        nkw_track_sample_segment(&t, given, got);
+        nkw_track_sample_segment(&t, clamped, want);
+        expect_floats_bits(got, want, 4);
+    }
+}
+
 /* glTF 2.0, appendix C.4, in binary64, with the keys as given. */
 static void textbook_slerp(const float *a, const float *b, double t, double out[4])
 {
@@ -358,6 +377,7 @@ static void anything_at_all_stays_within_its_arrays(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
+        cmocka_unit_test(a_t_outside_of_its_segment_is_clamped),
         cmocka_unit_test(keys_come_back_bit_for_bit_at_their_own_time),
         cmocka_unit_test(outside_the_keys_the_ends_hold),
         cmocka_unit_test(step_holds_linear_blends),
