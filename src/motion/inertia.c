@@ -7,6 +7,7 @@
 #include <nakawari/vec.h>
 
 #include "lane/offset.h"
+#include "motion_component.h"
 
 static lane_f64_vec3 difference_of(nkw_vec3 a, nkw_vec3 b)
 {
@@ -124,19 +125,13 @@ nkw_motion nkw_dead_blend_evaluate(const nkw_dead_blend *blend, nkw_motion to, f
     return dead_blend(blend->from, to, &at);
 }
 
-static nkw_motion motion_of(float value, float velocity)
-{
-    nkw_motion m = {value, velocity};
-    return m;
-}
-
 nkw_vec3_motion nkw_vec3_dead_blend_evaluate(const nkw_vec3_dead_blend *blend, const nkw_vec3_motion *to, float t)
 {
     lane_dead_time at = lane_dead_time_at(blend->half_life, blend->duration, t);
     const nkw_vec3_motion *a = &blend->from;
-    nkw_motion x = dead_blend(motion_of(a->value.x, a->velocity.x), motion_of(to->value.x, to->velocity.x), &at);
-    nkw_motion y = dead_blend(motion_of(a->value.y, a->velocity.y), motion_of(to->value.y, to->velocity.y), &at);
-    nkw_motion z = dead_blend(motion_of(a->value.z, a->velocity.z), motion_of(to->value.z, to->velocity.z), &at);
+    nkw_motion x = dead_blend(motion_component(a, 0), motion_component(to, 0), &at);
+    nkw_motion y = dead_blend(motion_component(a, 1), motion_component(to, 1), &at);
+    nkw_motion z = dead_blend(motion_component(a, 2), motion_component(to, 2), &at);
     nkw_vec3_motion r = {{x.value, y.value, z.value}, {x.velocity, y.velocity, z.velocity}};
     return r;
 }

@@ -7,6 +7,7 @@
 #include "lane/arc.h"
 #include "lane/rotation_vector.h"
 #include "lane/scalar.h"
+#include "motion_component.h"
 
 /* Bounds of what springs are made from. Slower ones would have a damping, but no stiffness that a float can show. */
 #define LEAST_FREQUENCY 0x1p-62
@@ -223,23 +224,15 @@ nkw_motion nkw_spring_step(nkw_spring spring, nkw_motion from, nkw_motion goal, 
     return is_none(h) ? from : step_of(&m, from, goal, seconds, kind_of(spring));
 }
 
-static nkw_motion motion_of(float value, float velocity)
-{
-    nkw_motion m = {value, velocity};
-    return m;
-}
-
-#define MOTION_AT(m, c) motion_of((m)->value.c, (m)->velocity.c)
-
 nkw_vec3_motion nkw_vec3_spring_step(nkw_spring spring, const nkw_vec3_motion *from, const nkw_vec3_motion *goal,
                                      float h)
 {
     double seconds = bounded(h);
     flow m = flow_after(spring, seconds);
     spring_kind kind = kind_of(spring);
-    nkw_motion x = step_of(&m, MOTION_AT(from, x), MOTION_AT(goal, x), seconds, kind);
-    nkw_motion y = step_of(&m, MOTION_AT(from, y), MOTION_AT(goal, y), seconds, kind);
-    nkw_motion z = step_of(&m, MOTION_AT(from, z), MOTION_AT(goal, z), seconds, kind);
+    nkw_motion x = step_of(&m, motion_component(from, 0), motion_component(goal, 0), seconds, kind);
+    nkw_motion y = step_of(&m, motion_component(from, 1), motion_component(goal, 1), seconds, kind);
+    nkw_motion z = step_of(&m, motion_component(from, 2), motion_component(goal, 2), seconds, kind);
     nkw_vec3_motion r = {{x.value, y.value, z.value}, {x.velocity, y.velocity, z.velocity}};
     return is_none(h) ? *from : r;
 }
@@ -393,7 +386,8 @@ static void timed_step(nkw_spring spring, const parts *p, nkw_motion *motion, nk
         point->value = (float)((double)point->value + rate * (double)p->moving);
     }
     if (p->resting != 0.0f) {
-        *point = motion_of(goal, 0.0f);
+        const nkw_motion still = {goal, 0.0f};
+        *point = still;
         *motion = nkw_spring_step(spring, *motion, *point, p->resting);
     }
 }
@@ -412,8 +406,8 @@ void nkw_vec3_spring_timed_step(nkw_spring_timed *timed, nkw_vec3_motion *motion
     if (is_none(h))
         return;
     parts p = parts_of(timed, h);
-    nkw_motion x = MOTION_AT(motion, x), y = MOTION_AT(motion, y), z = MOTION_AT(motion, z);
-    nkw_motion px = MOTION_AT(point, x), py = MOTION_AT(point, y), pz = MOTION_AT(point, z);
+    nkw_motion x = motion_component(motion, 0), y = motion_component(motion, 1), z = motion_component(motion, 2);
+    nkw_motion px = motion_component(point, 0), py = motion_component(point, 1), pz = motion_component(point, 2);
     timed_step(timed->spring, &p, &x, &px, goal.x);
     timed_step(timed->spring, &p, &y, &py, goal.y);
     timed_step(timed->spring, &p, &z, &pz, goal.z);

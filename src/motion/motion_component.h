@@ -1,0 +1,17 @@
+/* SPDX-License-Identifier: MIT */
+/* A component of a moving vector: its value and velocity are contiguous floats. */
+#ifndef NAKAWARI_MOTION_COMPONENT_H
+#define NAKAWARI_MOTION_COMPONENT_H
+
+#include "lane/strict.h"
+
+#include <nakawari/spring.h>
+
+static inline nkw_motion motion_component(const nkw_vec3_motion *m, size_t k)
+{
+    const float *c = (const float *)(const void *)m + k;
+    nkw_motion r = {c[0], c[3]};
+    return r;
+}
+
+#endif
