@@ -9,6 +9,7 @@
 #include <nakawari/quat.h>
 
 #include "fcurve_segment.h"
+#include "lane/euler.h"
 #include "lane/scalar.h"
 #include "curve/segment_search.h"
 #include "track_keys.h"
@@ -85,15 +86,14 @@ static nkw_quat axis_of(unsigned axis)
  */
 static nkw_quat rotation_slope(const nkw_curve_point angle[3], nkw_quat q, nkw_euler_order order)
 {
-    static const unsigned char axes[6][3] = {{0, 1, 2}, {0, 2, 1}, {1, 0, 2}, {1, 2, 0}, {2, 0, 1}, {2, 1, 0}};
-    const unsigned char *axis = axes[(unsigned)order < 6 ? (unsigned)order : 0];
-    nkw_quat ei = axis_of(axis[0]), ej = axis_of(axis[1]), ek = axis_of(axis[2]);
+    const lane_euler_axes *o = lane_euler_axes_of(order);
+    nkw_quat ei = axis_of(o->i), ej = axis_of(o->j), ek = axis_of(o->k);
     nkw_vec3 about = {ei.x, ei.y, ei.z};
-    nkw_quat qi = nkw_quat_from_axis_angle(about, angle[axis[0]].value);
+    nkw_quat qi = nkw_quat_from_axis_angle(about, angle[o->i].value);
     nkw_quat middle = nkw_quat_mul(nkw_quat_mul(qi, ej), nkw_quat_mul(nkw_quat_conjugate(qi), q));
-    nkw_quat sum = nkw_quat_add(nkw_quat_scale(nkw_quat_mul(ei, q), angle[axis[0]].first),
-                                nkw_quat_scale(nkw_quat_mul(q, ek), angle[axis[2]].first));
-    return nkw_quat_scale(nkw_quat_add(sum, nkw_quat_scale(middle, angle[axis[1]].first)), 0.5f);
+    nkw_quat sum = nkw_quat_add(nkw_quat_scale(nkw_quat_mul(ei, q), angle[o->i].first),
+                                nkw_quat_scale(nkw_quat_mul(q, ek), angle[o->k].first));
+    return nkw_quat_scale(nkw_quat_add(sum, nkw_quat_scale(middle, angle[o->j].first)), 0.5f);
 }
 
 /*
