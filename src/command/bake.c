@@ -34,13 +34,6 @@ typedef struct request {
     bake_form form;
 } request;
 
-static int complain(const nkw_document *d, const char *what)
-{
-    output_text(stderr, d->file);
-    fprintf(stderr, ": %s\n", what);
-    return 0;
-}
-
 /* ---- clips ---- */
 
 static int write_block(const char *path, const void *block, size_t bytes)
@@ -75,7 +68,7 @@ static int bake_reduced(const nkw_document *d, size_t animation, const request *
     if (fine)
         block = reduced_clip(d, animation, &e, r->tolerance >= 0.0f ? r->tolerance : 1e-4f * e.size, &bytes);
     fine = block ? write_block(r->output, block, bytes)
-                 : complain(d, "the clip cannot be reduced: see nakawari check; or there is no memory");
+                 : output_complain(d, NULL, "the clip cannot be reduced: see nakawari check; or there is no memory");
     free(block);
     extent_free(&e);
     return fine;
@@ -106,12 +99,12 @@ static int bake_palette(const nkw_document *d, size_t animation, const request *
     moment m;
     FILE *f = NULL;
     if ((size_t)r->skin >= d->skin_count)
-        return complain(d, "no such skin");
+        return output_complain(d, NULL, "no such skin");
     const size_t skin = (size_t)r->skin, joints = d->skins[skin].joint_count;
     int fine = moment_open(&m, d, animation);
     size_t frames = fine ? moment_rate_count(&m, r->rate) : 0;
     if (fine && frames > INT32_MAX)
-        fine = complain(d, "too many frames at this rate");
+        fine = output_complain(d, NULL, "too many frames at this rate");
     fine = fine && (f = output_open(r->output)) != NULL;
     if (fine)
         put_header(f, &m, r, joints, frames);
@@ -137,7 +130,7 @@ static int bake(const nkw_document *d, void *data)
     if (!input_select(d, r->clip, &clips))
         return 0;
     if (clips.count != 1)
-        return complain(d, "choose one clip");
+        return output_complain(d, NULL, "choose one clip");
     if (r->form == FORM_PALETTE)
         return bake_palette(d, clips.first, r);
     return r->form == FORM_REDUCED ? bake_reduced(d, clips.first, r) : bake_clip(d, clips.first, r);

@@ -147,6 +147,9 @@ int output_folder(const char *path);
 /** Closes it. Returns 0 and reports on stderr if anything could not be written. */
 int output_close(FILE *f, const char *path);
 
+/** Reports on stderr what a document, or one of its animations, lacks: "FILE: clip NAME: WHAT". Returns 0. */
+int output_complain(const nkw_document *d, const nkw_document_animation *animation, const char *what);
+
 /** A number with nine significant digits, which determine a float; "nan" without a sign. */
 void output_number(FILE *f, float number);
 /** A field of CSV, in quotes if it contains a comma, a quote or a line end. */

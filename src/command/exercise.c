@@ -30,13 +30,6 @@ typedef struct request {
     const report_method *position_method, *orientation_method;
 } request;
 
-static int complain(const nkw_document *d, const char *what)
-{
-    output_text(stderr, d->file);
-    fprintf(stderr, ": %s\n", what);
-    return 0;
-}
-
 /* ---- the keys ---- */
 
 /* The joint of that name or number; without one the first that the clip moves or turns. -1 if there is none. */
@@ -111,20 +104,20 @@ static int read_scene(const nkw_document *d, const request *r, scene *s)
     if (!input_select(d, r->clip, &clips))
         return 0;
     if (clips.first == INPUT_REST || clips.count != 1)
-        return complain(d, clips.count > 1 ? "choose one clip" : "has no clip");
+        return output_complain(d, NULL, clips.count > 1 ? "choose one clip" : "has no clip");
     const nkw_document_animation *a = &d->animations[clips.first];
     const int32_t joint = find_joint(d, a, r->joint);
     if (joint == NKW_NO_JOINT)
-        return complain(d, r->joint ? "the clip does not move that joint" : "the clip moves no joint");
+        return output_complain(d, NULL, r->joint ? "the clip does not move that joint" : "the clip moves no joint");
     size_t count = read_keys(d, a, joint, keys);
     if (count > SCENE_KEYS_MAX)
-        return complain(d, "the joint has more than 64 keys: see nakawari reduce");
+        return output_complain(d, NULL, "the joint has more than 64 keys: see nakawari reduce");
     if (has_added(a, joint))
         fputs("note: keys were added where angles turn by half a turn or more: they shape the curve too\n", stderr);
     if (r->keys > 0 && (size_t)r->keys < count)
         count = (size_t)r->keys;
     return scene_from_keys(a->name, keys, count, s) ||
-           complain(d, "the keys are not valid, fewer than 2, or longer than 64 seconds: see nakawari check");
+           output_complain(d, NULL, "the keys are not valid, fewer than 2, or longer than 64 seconds: see nakawari check");
 }
 
 /* ---- the command ---- */
@@ -140,7 +133,7 @@ static int run(const nkw_document *d, void *data)
         trace_print(stdout, &s, (float)r->time, (nkw_position_method)r->position_method->method,
                     (nkw_orientation_method)r->orientation_method->method);
     else if (report_rows(&s, &o) > REPORT_ROWS_MAX)
-        return complain(d, "more than 1000000 rows: choose a longer --step");
+        return output_complain(d, NULL, "more than 1000000 rows: choose a longer --step");
     else if (!output_folder(o.folder) || !report_write(&s, &o))
         return 0;
     return output_close(stdout, NULL);

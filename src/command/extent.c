@@ -15,14 +15,8 @@ static void include_point(extent *e, nkw_vec3 p)
 {
     if (!isfinite(p.x) || !isfinite(p.y) || !isfinite(p.z))
         return;
-    e->low.x = nkw_min(e->low.x, p.x), e->low.y = nkw_min(e->low.y, p.y), e->low.z = nkw_min(e->low.z, p.z);
-    e->high.x = nkw_max(e->high.x, p.x), e->high.y = nkw_max(e->high.y, p.y), e->high.z = nkw_max(e->high.z, p.z);
-}
-
-static nkw_vec3 place_of(const nkw_mat4 *m)
-{
-    nkw_vec3 p = {m->m[12], m->m[13], m->m[14]};
-    return p;
+    e->low = nkw_vec3_min(e->low, p);
+    e->high = nkw_vec3_max(e->high, p);
 }
 
 /* The largest length of the three axes of a matrix. */
@@ -95,9 +89,9 @@ static int sees_far(const nkw_document *d, size_t joint)
 static void measure(extent *e, moment *m)
 {
     const nkw_skeleton *s = &m->document->skeleton;
-    e->low = e->high = place_of(&m->models[0]);
+    e->low = e->high = nkw_mat4_translation(&m->models[0]);
     for (size_t j = 0; j < s->joint_count; j++) {
-        include_point(e, place_of(&m->models[j]));
+        include_point(e, nkw_mat4_translation(&m->models[j]));
         if (m->document->nodes[j].mesh >= 0)
             reach_mesh(e, m, j);
     }
@@ -120,7 +114,7 @@ static void measure(extent *e, moment *m)
         int32_t parent = s->parents[j];
         if (parent < 0)
             continue;
-        nkw_vec3 bone = nkw_vec3_sub(place_of(&m->models[j]), place_of(&m->models[parent]));
+        nkw_vec3 bone = nkw_vec3_sub(nkw_mat4_translation(&m->models[j]), nkw_mat4_translation(&m->models[parent]));
         e->lever[parent] = nkw_max(e->lever[parent], nkw_vec3_length(bone) + e->lever[j]);
     }
 }

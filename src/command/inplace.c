@@ -29,15 +29,6 @@ int inplace_parts(const char *text, unsigned *parts)
     return *parts != 0;
 }
 
-static int complain(const model *m, size_t animation, const char *what)
-{
-    output_text(stderr, m->original->file);
-    fputs(": clip ", stderr);
-    output_text(stderr, m->original->animations[animation].name);
-    fprintf(stderr, ": %s\n", what);
-    return 0;
-}
-
 /* The track of a joint; of any joint for -1. SIZE_MAX if there is none. */
 static size_t find_track(const nkw_document_animation *a, int32_t joint, nkw_clip_target target)
 {
@@ -164,11 +155,11 @@ int inplace_clip(model *m, size_t animation, const char *joint, const nkw_root_r
     const int32_t j = find_joint(m, animation, joint);
     int fine = 1;
     if (j == NKW_NO_JOINT)
-        return complain(m, animation, joint ? "has no such joint" : "no joint has an animated translation");
+        return model_complain(m, animation, joint ? "has no such joint" : "no joint has an animated translation");
     const size_t move = find_track(a, j, NKW_CLIP_TRANSLATION), turn = find_track(a, j, NKW_CLIP_ROTATION);
     const nkw_track *tracks[2] = {linear_track(a, move, &fine), linear_track(a, turn, &fine)};
     if (!fine)
-        return complain(m, animation, "the joint has CUBICSPLINE keys: use --rate; or keys that check refuses");
+        return model_complain(m, animation, "the joint has CUBICSPLINE keys: use --rate; or keys that check refuses");
     size_t count;
     float *times = merge_times(m, tracks, &count);
     const nkw_trs rest = nkw_pose_get(m->document.rest, (size_t)j);

@@ -113,20 +113,16 @@ nkw_clip_track *model_tracks(model *m, size_t animation)
     return (nkw_clip_track *)m->animations[animation].tracks;
 }
 
-static int complain(const model *m, size_t animation, const char *what)
+int model_complain(const model *m, size_t animation, const char *what)
 {
-    output_text(stderr, m->original->file);
-    fputs(": clip ", stderr);
-    output_text(stderr, m->original->animations[animation].name);
-    fprintf(stderr, ": %s\n", what);
-    return 0;
+    return output_complain(m->original, &m->original->animations[animation], what);
 }
 
 static int refuse(const model *m, size_t animation, nkw_result result)
 {
     char what[160];
     snprintf(what, sizeof what, "%s: see nakawari check", nkw_result_text(result));
-    return complain(m, animation, what);
+    return model_complain(m, animation, what);
 }
 
 /* ---- keys ---- */
@@ -227,7 +223,7 @@ int model_resample(model *m, size_t animation, float rate)
 {
     nkw_clip_track *tracks = model_tracks(m, animation);
     if (!is_moderate(tracks, m->animations[animation].track_count, rate))
-        return complain(m, animation, "more than 33554432 keys at this rate: use a lower one");
+        return model_complain(m, animation, "more than 33554432 keys at this rate: use a lower one");
     for (size_t i = 0; i < m->animations[animation].track_count; i++) {
         nkw_result result = nkw_track_validate(&tracks[i].track, NULL);
         if (result == NKW_OK)

@@ -78,4 +78,7 @@ int model_write(model *m, const model_source *source, const char *path, nkw_gltf
 void model_report_head(FILE *f, const nkw_document *d);
 void model_report(FILE *f, const nkw_document *d, size_t animation, const model_change *c);
 
+/** Reports what an animation lacks. Returns 0. */
+int model_complain(const model *m, size_t animation, const char *what);
+
 #endif

@@ -73,6 +73,17 @@ int output_close(FILE *f, const char *path)
     return !failed;
 }
 
+int output_complain(const nkw_document *d, const nkw_document_animation *animation, const char *what)
+{
+    output_text(stderr, d->file);
+    if (animation) {
+        fputs(": clip ", stderr);
+        output_text(stderr, animation->name);
+    }
+    fprintf(stderr, ": %s\n", what);
+    return 0;
+}
+
 void output_number(FILE *f, float number)
 {
     if (number != number)

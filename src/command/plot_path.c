@@ -25,13 +25,6 @@ static float time_of(const paths *all, size_t i)
     return all->start + (all->end - all->start) * ((float)i / (float)(POINTS - 1));
 }
 
-static nkw_vec3 origin_of(const moment *m, size_t joint)
-{
-    const float *f = m->models[joint].m;
-    nkw_vec3 p = {f[12], f[13], f[14]};
-    return p;
-}
-
 /* ---- which joints ---- */
 
 /* The lengths of the paths of all joints; NULL without memory. */
@@ -43,7 +36,7 @@ static float *lengths_of(const paths *all, moment *m)
     for (size_t i = 0; before && lengths && i < POINTS; i++) {
         moment_at(m, time_of(all, i));
         for (size_t j = 0; j < joints; j++) {
-            nkw_vec3 p = origin_of(m, j);
+            nkw_vec3 p = nkw_mat4_translation(&m->models[j]);
             if (i)
                 lengths[j] += nkw_vec3_length(nkw_vec3_sub(p, before[j]));
             before[j] = p;
@@ -90,7 +83,7 @@ static int sample_all(paths *all, moment *m)
     for (size_t i = 0; all->points && i < POINTS; i++) {
         moment_at(m, time_of(all, i));
         for (size_t k = 0; k < all->count; k++)
-            all->points[k][i] = origin_of(m, all->joints[k]);
+            all->points[k][i] = nkw_mat4_translation(&m->models[all->joints[k]]);
     }
     return all->points != NULL;
 }

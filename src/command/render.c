@@ -137,13 +137,6 @@ static void draw_frame(picture *p, size_t k, unsigned char *out, size_t stride)
     raster_resolve(&p->cell, out, stride);
 }
 
-static int complain(const nkw_document *d, const char *what)
-{
-    output_text(stderr, d->file);
-    fprintf(stderr, ": %s\n", what);
-    return 0;
-}
-
 /* ---- the files ---- */
 
 static int write_png(picture *p, FILE *f, size_t first, size_t count)
@@ -170,7 +163,7 @@ static int write_svg(picture *p, FILE *f, size_t first, size_t count)
         svg_box box = {size * (float)(k % columns), size * (float)(k / columns), size, size};
         sketch_begin(&s, &page, box, view_paper());
         draw_on(p, first + k, &s.canvas);
-        fine = sketch_end(&s) || complain(p->moment->document, "no memory");
+        fine = sketch_end(&s) || output_complain(p->moment->document, NULL, "no memory");
     }
     svg_finish(&page);
     return fine;
@@ -180,7 +173,7 @@ static int write_apng(picture *p, FILE *f, size_t first, size_t count)
 {
     image_film film;
     size_t size = (size_t)p->request->size;
-    int fine = image_film_open(&film, f, size, size, count) || complain(p->moment->document, "no memory");
+    int fine = image_film_open(&film, f, size, size, count) || output_complain(p->moment->document, NULL, "no memory");
     for (size_t k = 0; k < count && fine; k++) {
         draw_frame(p, first + k, p->pixels, 3 * size);
         fine = image_film_add(&film, p->pixels, frame_seconds(p, first + k));
@@ -220,18 +213,18 @@ static int plan(picture *p, const request *r)
     const int single = r->sequence || r->form == FORM_APNG;
     p->frame_count = count_frames(p->moment, r);
     if (p->frame_count > FRAMES_MOST)
-        return complain(p->moment->document, "more than 10000 frames: use a lower rate");
+        return output_complain(p->moment->document, NULL, "more than 10000 frames: use a lower rate");
     size_t columns = single ? 1 : (size_t)r->columns;
     p->columns = p->frame_count < columns ? p->frame_count : columns;
     p->rows = single ? 1 : (p->frame_count + p->columns - 1) / p->columns;
     if (p->columns * (size_t)r->size > SHEET_MOST || p->rows * (size_t)r->size > SHEET_MOST)
-        return complain(p->moment->document,
+        return output_complain(p->moment->document, NULL,
                         "the sheet exceeds 16384 pixels: use fewer frames, a --size or --sequence");
     if (r->form == FORM_SVG)
         return 1;
     p->pixels = malloc(3 * p->columns * p->rows * (size_t)r->size * (size_t)r->size);
     return (p->pixels && raster_open(&p->cell, (size_t)r->size, (size_t)r->size)) ||
-           complain(p->moment->document, "no memory");
+           output_complain(p->moment->document, NULL, "no memory");
 }
 
 /* 8 frames of a sheet; of an animation 25 a second, 48 if the clip has no length. */
@@ -254,7 +247,7 @@ static int render_document(const nkw_document *d, void *data)
     if (!input_select(d, r->clip, &clips))
         return 0;
     if (clips.count != 1)
-        return complain(d, "choose one clip");
+        return output_complain(d, NULL, "choose one clip");
     p.request = r;
     p.moment = &m;
     int fine = moment_open(&m, d, clips.first) && view_open(&p.view, d);

@@ -80,34 +80,16 @@ void view_turn(view *v, nkw_vec3 origin, float yaw, float pitch)
     v->box = empty_box;
 }
 
-static nkw_vec3 lower(nkw_vec3 a, nkw_vec3 b)
-{
-    nkw_vec3 c = {nkw_min(a.x, b.x), nkw_min(a.y, b.y), nkw_min(a.z, b.z)};
-    return c;
-}
-
-static nkw_vec3 upper(nkw_vec3 a, nkw_vec3 b)
-{
-    nkw_vec3 c = {nkw_max(a.x, b.x), nkw_max(a.y, b.y), nkw_max(a.z, b.z)};
-    return c;
-}
-
 static void include_point(view *v, nkw_vec3 world)
 {
     nkw_vec3 p = nkw_mat4_transform_point(&v->eye, world);
     if (!isfinite(p.x) || !isfinite(p.y) || !isfinite(p.z))
         return;
-    v->box.low = lower(v->box.low, p);
-    v->box.high = upper(v->box.high, p);
-    v->box.least = lower(v->box.least, nkw_vec3_sub(world, v->origin));
-    v->box.most = upper(v->box.most, nkw_vec3_sub(world, v->origin));
+    v->box.low = nkw_vec3_min(v->box.low, p);
+    v->box.high = nkw_vec3_max(v->box.high, p);
+    v->box.least = nkw_vec3_min(v->box.least, nkw_vec3_sub(world, v->origin));
+    v->box.most = nkw_vec3_max(v->box.most, nkw_vec3_sub(world, v->origin));
     v->box.sole = nkw_min(v->box.sole, p.y - world.y * v->eye.m[5]);
-}
-
-static nkw_vec3 origin_of(const nkw_mat4 *m)
-{
-    nkw_vec3 p = {m->m[12], m->m[13], m->m[14]};
-    return p;
 }
 
 nkw_vec3 view_middle(const view *v, const moment *m)
@@ -116,7 +98,7 @@ nkw_vec3 view_middle(const view *v, const moment *m)
     size_t count = 0;
     for (size_t j = 0; j < m->document->skeleton.joint_count; j++)
         if (v->shown[j] && v->bones[j]) {
-            sum = nkw_vec3_add(sum, origin_of(&m->models[j]));
+            sum = nkw_vec3_add(sum, nkw_mat4_translation(&m->models[j]));
             count++;
         }
     nkw_vec3 mean = nkw_vec3_scale(sum, 1.0f / (float)(count ? count : 1));
@@ -155,16 +137,16 @@ void view_include(view *v, moment *m)
 {
     for (size_t j = 0; j < m->document->skeleton.joint_count; j++)
         if (v->frames_bones && v->shown[j] && v->bones[j])
-            include_point(v, origin_of(&m->models[j]));
+            include_point(v, nkw_mat4_translation(&m->models[j]));
     visit_primitives(v, m, include_vertices, v);
 }
 
 void view_join(view_box *box, const view_box *other)
 {
-    box->low = lower(box->low, other->low);
-    box->high = upper(box->high, other->high);
-    box->least = lower(box->least, other->least);
-    box->most = upper(box->most, other->most);
+    box->low = nkw_vec3_min(box->low, other->low);
+    box->high = nkw_vec3_max(box->high, other->high);
+    box->least = nkw_vec3_min(box->least, other->least);
+    box->most = nkw_vec3_max(box->most, other->most);
     box->sole = nkw_min(box->sole, other->sole);
 }
 
@@ -354,13 +336,13 @@ static void draw_bones(const frame *f, const moment *m)
         for (size_t j = 0; j < m->document->skeleton.joint_count; j++) {
             if (!v->shown[j] || !v->bones[j])
                 continue;
-            nkw_vec3 ends[2] = {to_canvas(f, origin_of(&m->models[j])), to_canvas(f, origin_of(&m->models[j]))};
+            nkw_vec3 ends[2] = {to_canvas(f, nkw_mat4_translation(&m->models[j])), to_canvas(f, nkw_mat4_translation(&m->models[j]))};
             if (pass >= 2)
                 c->line(c, CANVAS_OVER, ends, pass == 2 ? 1.9f * width + edge : 1.9f * width - edge,
                         pass == 2 ? rim : joint);
             if (pass >= 2 || parents[j] < 0 || !v->bones[parents[j]])
                 continue;
-            ends[0] = to_canvas(f, origin_of(&m->models[parents[j]]));
+            ends[0] = to_canvas(f, nkw_mat4_translation(&m->models[parents[j]]));
             c->line(c, CANVAS_OVER, ends, pass == 0 ? width + 2.0f * edge : width, pass == 0 ? rim : bone);
         }
 }
