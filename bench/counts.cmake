@@ -1,7 +1,8 @@
 cmake_minimum_required(VERSION 3.22)
 # Counts the instructions and the mispredicted branches of programs under callgrind, and fails where one of them is too
 # far from counts.txt: instructions by more than 3 %, branches by more than 3 % and 32, of 1024 elements: the simulated
-# predictor goes by addresses, and the same code at another address has up to 20 more. A count above is a loss; one below is a gain, which the next loss could use up unseen until it is in the table.
+# predictor goes by addresses, and the same code at another address has up to 20 more. A count above is a loss; one below
+# is a gain, which the next loss could use up unseen until it is in the table.
 #
 #     cmake "-DPROGRAMS=a|b" -DVALGRIND=... -DCOMPILER="GNU 12.2.0 Release" -DTABLE=bench/counts.txt -DWORK=folder
 #           [-DWRITE=1] -P counts.cmake

@@ -98,7 +98,8 @@ uint64_t data_partition(void)
                                  (uint32_t)out.rejected_count};
         hash = hash_partition(hash_words(hash, head, 4), &out);
     }
-    const nkw_partition_source source = {&mesh, inverse_bind, positions, normals}, bare = {&mesh, inverse_bind, positions, NULL};
+    const nkw_partition_source source = {&mesh, inverse_bind, positions, normals};
+    const nkw_partition_source bare = {&mesh, inverse_bind, positions, NULL};
     for (size_t k = 0; k < out.part_count; k++) {
         size_t n = out.parts[k].vertex_count;
         memset(local, 0, sizeof local);
