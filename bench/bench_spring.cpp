@@ -10,9 +10,9 @@ using textbook::quat;
 using textbook::vec;
 
 static const float step = 1.0f / 60;
-static array<nkw_motion> moving, goal;
-static array<nkw_vec3_motion> moving3, goal3;
-static array<nkw_quat_motion> turning, turning_to;
+static array<nkw_state> moving, goal;
+static array<nkw_vec3_state> moving3, goal3;
+static array<nkw_quat_state> turning, turning_to;
 
 /* The deviation y and its rate v after h: m = {m11, m12, m21, m22}. */
 template <class T> static void matrix_of(nkw_spring s, T h, T *m)
@@ -39,7 +39,7 @@ template <class T> static void textbook_step(nkw_spring s, const float *from, co
 }
 
 template <class T>
-static quat<T> textbook_turn(nkw_spring s, const nkw_quat_motion &from, const nkw_quat_motion &to, vec<T> *velocity)
+static quat<T> textbook_turn(nkw_spring s, const nkw_quat_state &from, const nkw_quat_state &to, vec<T> *velocity)
 {
     T h = static_cast<T>(step), m[4];
     matrix_of(s, h, m);
@@ -70,12 +70,12 @@ static void rows(const char *name, nkw_spring s, const array<M> &from, const arr
     });
 }
 
-static nkw_motion number_step(nkw_spring s, const nkw_motion &x, const nkw_motion &to)
+static nkw_state number_step(nkw_spring s, const nkw_state &x, const nkw_state &to)
 {
     return nkw_spring_step(s, x, to, step);
 }
 
-static nkw_vec3_motion vector_step(nkw_spring s, const nkw_vec3_motion &x, const nkw_vec3_motion &to)
+static nkw_vec3_state vector_step(nkw_spring s, const nkw_vec3_state &x, const nkw_vec3_state &to)
 {
     return nkw_vec3_spring_step(s, &x, &to, step);
 }
@@ -92,7 +92,7 @@ static void rotations(nkw_spring s)
     single(op, "loop", [=](size_t i) {
         vec<float> v(0, 0, 0);
         quat<float> q = textbook_turn(s, turning[i], turning_to[i], &v);
-        return nkw_quat_motion{to(q), to(v)};
+        return nkw_quat_state{to(q), to(v)};
     });
 }
 

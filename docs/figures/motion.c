@@ -10,9 +10,9 @@
 #include <nakawari/transform.h>
 #include <nakawari/vec.h>
 
-static nkw_motion motion(float value, float velocity)
+static nkw_state motion(float value, float velocity)
 {
-    nkw_motion m = {value, velocity};
+    nkw_state m = {value, velocity};
     return m;
 }
 
@@ -63,7 +63,7 @@ static void steps(svg *s, const svg_plot *plot)
     const nkw_spring spring = nkw_spring_from_half_life(half_life, 1.0f);
     svg_paint curve = svg_stroke(FIGURE_CATMULL_ROM, 2.6f, 1.0f), line = svg_stroke(FIGURE_NLERP, 1.6f, 1.0f);
     svg_point points[11];
-    nkw_motion exact = {0.0f, 0.0f}, euler = exact;
+    nkw_state exact = {0.0f, 0.0f}, euler = exact;
     const float h = 0.1f;
     svg_plot_frame(s, plot);
     response(s, plot, 1.0f, &curve);
@@ -100,12 +100,12 @@ int figure_spring_families(const char *path)
 /* ---- transitions ---- */
 
 /* The old motion and the new one. */
-static nkw_motion old_motion(float time)
+static nkw_state old_motion(float time)
 {
     return motion(0.7f * nkw_sin(7.0f * time), 4.9f * nkw_cos(7.0f * time));
 }
 
-static nkw_motion new_motion(float time)
+static nkw_state new_motion(float time)
 {
     return motion(1.6f + 0.25f * nkw_sin(5.0f * time), 1.25f * nkw_cos(5.0f * time));
 }
@@ -115,15 +115,15 @@ enum { CROSS_FADE, INERTIA, DEAD };
 static const float begin = 0.72f, duration = 0.45f;
 
 /* A cross-fade by a straight weight, as `animation time / duration` is; its velocity is that of the sum. */
-static nkw_motion cross_fade(float time)
+static nkw_state cross_fade(float time)
 {
     float w = nkw_saturate((time - begin) / duration);
-    nkw_motion a = old_motion(time), b = new_motion(time);
+    nkw_state a = old_motion(time), b = new_motion(time);
     float rate = w > 0.0f && w < 1.0f ? (b.value - a.value) / duration : 0.0f;
     return motion(nkw_lerp(a.value, b.value, w), nkw_lerp(a.velocity, b.velocity, w) + rate);
 }
 
-static nkw_motion shown(int kind, float time)
+static nkw_state shown(int kind, float time)
 {
     const nkw_inertia inertia = nkw_inertia_begin(old_motion(begin), new_motion(begin), duration);
     const nkw_dead_blend dead = {old_motion(begin), 0.08f, duration};
@@ -141,7 +141,7 @@ static void transition_line(svg *s, const svg_plot *plot, int kind, int velocity
     svg_point line[FINE + 1];
     for (int i = 0; i <= FINE; i++) {
         float time = plot->x.to * (float)i / (float)FINE;
-        nkw_motion m = kind < 0 ? new_motion(time) : shown(kind, time);
+        nkw_state m = kind < 0 ? new_motion(time) : shown(kind, time);
         line[i] = svg_plot_at(plot, time, velocity ? m.velocity : m.value);
     }
     svg_begin_clip(s, plot->box);

@@ -41,7 +41,7 @@ static nkw_rotation_segment segment(int method, size_t k)
 
 enum { PER_SEGMENT = 32, SAMPLES = (KEYS - 1) * (PER_SEGMENT + 1) };
 
-static nkw_rotation_state state_at(int method, size_t sample)
+static nkw_quat_motion state_at(int method, size_t sample)
 {
     nkw_rotation_segment s = segment(method, sample / (PER_SEGMENT + 1));
     return nkw_rotation_evaluate(&s, (float)(sample % (PER_SEGMENT + 1)) / (float)PER_SEGMENT);
@@ -59,7 +59,7 @@ static void magnitude_line(svg *s, const svg_plot *plot, int method, int is_acce
     svg_point line[SAMPLES];
     svg_paint paint = svg_stroke(colours[method], method ? 2.4f : 3.4f, 1.0f);
     for (size_t i = 0; i < SAMPLES; i++) {
-        nkw_rotation_state at = state_at(method, i);
+        nkw_quat_motion at = state_at(method, i);
         nkw_vec3 v = is_acceleration ? at.acceleration : at.velocity;
         float y = nkw_degrees_from_radians(nkw_vec3_length(v));
         line[i] = svg_plot_at(plot, time_at(i), nkw_min(y, plot->y.to));
@@ -119,7 +119,7 @@ static void sphere_path(svg *s, const svg_camera *camera, int method)
 {
     nkw_vec3 points[SAMPLES];
     for (size_t i = 0; i < SAMPLES; i++)
-        points[i] = tip(state_at(method, i).orientation);
+        points[i] = tip(state_at(method, i).value);
     sphere_line(s, camera, points, SAMPLES, svg_stroke(colours[method], method ? 2.6f : 3.6f, 1.0f));
 }
 
@@ -190,7 +190,7 @@ static nkw_quat wheel_at(int step, float t, int with_velocity)
     if (!with_velocity)
         return nkw_quat_slerp(a, b, t);
     nkw_rotation_segment s = nkw_rotation_hermite(a, va, b, vb, 1.0f);
-    return nkw_rotation_evaluate(&s, t).orientation;
+    return nkw_rotation_evaluate(&s, t).value;
 }
 
 static void wheel_line(svg *s, const svg_plot *plot, int with_velocity, svg_colour colour)

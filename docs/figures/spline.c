@@ -150,7 +150,7 @@ static void frames_panel(svg *s, svg_box box, int frenet)
     svg_rect(s, box, 6.0f, &border);
     for (int i = 0; i <= STEPS; i++) {
         nkw_segment at = {0, (float)i / (float)STEPS};
-        nkw_vec3_curve_point p = nkw_polycurve_point(&curve, at);
+        nkw_vec3_motion p = nkw_polycurve_point(&curve, at);
         nkw_curve_frame f = frenet ? nkw_curve_frame_frenet(&p, up) : frames[i];
         line[i] = on_path(box, p.value);
         svg_line(s, line[i], on_path(box, nkw_vec3_add_scaled(p.value, f.normal, 0.55f)), &normal);

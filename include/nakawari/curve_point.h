@@ -16,21 +16,9 @@
 extern "C" {
 #endif
 
-/** A point of a curve of numbers: the value, and its first and second derivative by the parameter. */
-typedef struct nkw_curve_point {
-    float value, first, second;
-} nkw_curve_point;
-NKW_SIZE(nkw_curve_point, 12, 12);
-
-/** The same of a curve of vectors. */
-typedef struct nkw_vec3_curve_point {
-    nkw_vec3 value, first, second;
-} nkw_vec3_curve_point;
-NKW_SIZE(nkw_vec3_curve_point, 36, 36);
-
 /**
  * The point of a cubic segment at t: the value, with the bits of the function of its kind, and the first and second
- * derivative by t. For a segment of h seconds, divide `first` by h and `second` by h^2. With f = p(1) - p(0) and the
+ * derivative by t. For a segment of h seconds, divide `velocity` by h and `acceleration` by h^2. With f = p(1) - p(0) and the
  * tangents v0, v1 at the ends:
  *
  *     first  = 6 t s f + s (s - 2t) v0 + t (t - 2s) v1,          s = 1 - t
@@ -48,24 +36,24 @@ NKW_SIZE(nkw_vec3_curve_point, 36, 36);
  * kind   any other number is read as NKW_CUBIC_HERMITE
  * c      the four control values, in the order of the kind
  *
- * Error  1.0 u for `first` and `second`, of the larger of the derivative and the largest of |f|, |v0|, |v1|, for t in
+ * Error  1.0 u for `velocity` and `acceleration`, of the larger of the derivative and the largest of |f|, |v0|, |v1|, for t in
  *        0..1; `value` as its function.
  */
-NKW_API nkw_curve_point nkw_cubic_point(nkw_cubic_kind kind, const float c[4], float t);
+NKW_API nkw_motion nkw_cubic_point(nkw_cubic_kind kind, const float c[4], float t);
 /** The point of a segment of vectors, by nkw_cubic_point for each component. */
-NKW_API nkw_vec3_curve_point nkw_vec3_cubic_point(nkw_cubic_kind kind, const nkw_vec3_cubic *cubic, float t);
+NKW_API nkw_vec3_motion nkw_vec3_cubic_point(nkw_cubic_kind kind, const nkw_vec3_cubic *cubic, float t);
 
 /**
- * The point of nkw_catmull_rom_nonuniform at t: its value, bit for bit, and the derivatives by t. `first` and `second`
+ * The point of nkw_catmull_rom_nonuniform at t: its value, bit for bit, and the derivatives by t. `velocity` and `acceleration`
  * are those of the Hermite segment whose tangents are the rounded tangents of nkw_catmull_rom_tangent.
  *
- * Error  7.0 u for `first`, of the largest of |p2 - p1| and the tangents per segment, for t in 0..1; `value` as its
+ * Error  7.0 u for `velocity`, of the largest of |p2 - p1| and the tangents per segment, for t in 0..1; `value` as its
  *        function.
  */
-NKW_API nkw_curve_point nkw_catmull_rom_nonuniform_point(const float times[4], float p0, float p1, float p2, float p3,
+NKW_API nkw_motion nkw_catmull_rom_nonuniform_point(const float times[4], float p0, float p1, float p2, float p3,
                                                          float t);
 /** The point of vectors, by nkw_catmull_rom_nonuniform_point for each component. */
-NKW_API nkw_vec3_curve_point nkw_vec3_catmull_rom_nonuniform_point(const float times[4], nkw_vec3 p0, nkw_vec3 p1,
+NKW_API nkw_vec3_motion nkw_vec3_catmull_rom_nonuniform_point(const float times[4], nkw_vec3 p0, nkw_vec3 p1,
                                                                    nkw_vec3 p2, nkw_vec3 p3, float t);
 
 /**
@@ -84,9 +72,9 @@ NKW_API nkw_vec3_curve_point nkw_vec3_catmull_rom_nonuniform_point(const float t
  *        ends, for t in 0..1.
  * Source Farin, Curves and Surfaces for CAGD, 5th edition, 2002, section 7.6 (quintic Hermite interpolation).
  */
-NKW_API nkw_curve_point nkw_quintic_hermite(nkw_curve_point p0, nkw_curve_point p1, float t);
+NKW_API nkw_motion nkw_quintic_hermite(nkw_motion p0, nkw_motion p1, float t);
 /** The quintic Hermite curve of vectors, by nkw_quintic_hermite for each component. */
-NKW_API nkw_vec3_curve_point nkw_vec3_quintic_hermite(const nkw_vec3_curve_point *p0, const nkw_vec3_curve_point *p1,
+NKW_API nkw_vec3_motion nkw_vec3_quintic_hermite(const nkw_vec3_motion *p0, const nkw_vec3_motion *p1,
                                                       float t);
 
 #ifdef __cplusplus

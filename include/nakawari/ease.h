@@ -8,7 +8,7 @@
  *     value = start + (end - start) ease(t),      t = elapsed / duration
  *
  * All is computed in binary64 and rounded once. Each function returns value, first and second derivative by t; divide
- * `first` by the duration and `second` by its square. The value is exactly 0 at t = 0 and exactly 1 at t = 1, except
+ * `velocity` by the duration and `acceleration` by its square. The value is exactly 0 at t = 0 and exactly 1 at t = 1, except
  * those of steps and linear() that CSS defines otherwise.
  */
 #ifndef NAKAWARI_EASE_H
@@ -114,7 +114,7 @@ typedef enum nkw_ease_jump {
  * Error  1.1 u of the larger of 1 and the result, for each of the three.
  * Source Penner, Programming Macromedia Flash MX, chapter 7, 2002; CSS Easing Functions Level 2, W3C, 2024.
  */
-NKW_API nkw_curve_point nkw_ease_point(nkw_ease_kind kind, float t);
+NKW_API nkw_motion nkw_ease_point(nkw_ease_kind kind, float t);
 /** The value of nkw_ease_point. */
 NKW_API float nkw_ease(nkw_ease_kind kind, float t);
 
@@ -123,14 +123,14 @@ NKW_API float nkw_ease(nkw_ease_kind kind, float t);
  * (x1, y1) and (x2, y2).
  *
  * x1, x2   0..1 in CSS; otherwise the curve can run back, and its first value counts, as in handle.h
- * t        outside 0..1 the curve continues along its tangent there, `second` 0; where the tangent is vertical, it
+ * t        outside 0..1 the curve continues along its tangent there, `acceleration` 0; where the tangent is vertical, it
  *          holds the end
  *
  * Error  1.1 u of the largest of 1, |y1| and |y2|, for t in 0..1 and the value, relative to the exact curve at some
  *        time within 2^-48 of t, or of the largest handle, if that is longer than 1.
  * Source CSS Easing Functions Level 2, W3C, 2024, section 2.2.
  */
-NKW_API nkw_curve_point nkw_ease_cubic_bezier(float x1, float y1, float x2, float y2, float t);
+NKW_API nkw_motion nkw_ease_cubic_bezier(float x1, float y1, float x2, float y2, float t);
 
 /**
  * steps(count, jump) of CSS at t: with n = count and m = n, n, n - 1, n + 1 jumps,
@@ -152,14 +152,14 @@ NKW_API float nkw_ease_steps(int count, nkw_ease_jump jump, float t);
  * have, the last of them counts. Outside, the first and the last line continue.
  *
  * inputs   ascending; nkw_ease_linear_inputs computes those that CSS lets an author omit
- * Returns  0 for no points, outputs[0] for one; at a jump `first` is the slope to its right. If the first or last two
+ * Returns  0 for no points, outputs[0] for one; at a jump `velocity` is the slope to its right. If the first or last two
  *          points have one input, the value outside is that of the first or last. NaN for a NaN t. Any inputs are
  *          answered
  *
  * Error  1.1 u of the larger of the result and the two outputs, for the value.
  * Source CSS Easing Functions Level 2, W3C, 2024, section 2.1.
  */
-NKW_API nkw_curve_point nkw_ease_linear(const float *inputs, const float *outputs, size_t count, float t);
+NKW_API nkw_motion nkw_ease_linear(const float *inputs, const float *outputs, size_t count, float t);
 
 /**
  * Completes the inputs of linear(), where omitted ones are NaN: the first becomes 0, the last 1, an input that is less

@@ -107,13 +107,13 @@ NKW_API nkw_result nkw_fcurve_validate(const nkw_fcurve *curve, size_t *bad_key)
  *        2^40 cycles, where differences of times are exact in binary64: they are 0 or within a factor of 2^29 of each
  *        other.
  */
-NKW_API nkw_curve_point nkw_fcurve_sample(const nkw_fcurve *curve, float time);
+NKW_API nkw_motion nkw_fcurve_sample(const nkw_fcurve *curve, float time);
 
 /**
  * The same with a cursor: the search begins at segment *cursor, and *cursor receives the segment found. Any number is a
  * valid cursor. The result has the same bits.
  */
-NKW_API nkw_curve_point nkw_fcurve_sample_cursor(const nkw_fcurve *curve, float time, uint32_t *cursor);
+NKW_API nkw_motion nkw_fcurve_sample_cursor(const nkw_fcurve *curve, float time, uint32_t *cursor);
 
 /**
  * Shortens the handles of all BEZIER segments by a policy, as nkw_handle_limit, so that no tool sees a curve that runs

@@ -65,16 +65,16 @@ typedef enum nkw_handle_policy {
  * time     before the segment: value0, derivatives 0; after it: value1, derivatives 0. At time0 and time1 the value is
  *          value0 and value1, bit for bit, and the derivatives are those of the segment
  * Returns  NaN for a NaN time or segment time, and where a value that counts is NaN. A segment without a duration
- *          returns value0 before time1 and value1 from time1 on, derivatives 0. Where the curve is vertical, `first` is
- *          infinite with the sign of the value's change. Where a handle has length 0 in time and value, `first` is the
- *          slope to the next control point that differs, and `second` is 0 or infinite
+ *          returns value0 before time1 and value1 from time1 on, derivatives 0. Where the curve is vertical, `velocity` is
+ *          infinite with the sign of the value's change. Where a handle has length 0 in time and value, `velocity` is the
+ *          slope to the next control point that differs, and `acceleration` is 0 or infinite
  *
  * Error  1.1 u of the largest of |value0|, |value1| and of the values at the tips of the handles, for the value,
  *        relative to the exact curve at some time within 2^-48 of the longest of duration and handles from `time`. The
  *        value moves so far where the curve is steep: up to 2^-16 of a jump at a vertical tangent within the segment.
  * Source OpenUSD, Ts, Regressive Splines in USD, 2024, for the ellipse.
  */
-NKW_API nkw_curve_point nkw_handle_point(const nkw_handle_segment *segment, float time);
+NKW_API nkw_motion nkw_handle_point(const nkw_handle_segment *segment, float time);
 
 /** The parameter s at a time, 0..1; 0 before and 1 after the segment, NaN as for nkw_handle_point. */
 NKW_API float nkw_handle_parameter(const nkw_handle_segment *segment, float time);

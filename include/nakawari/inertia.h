@@ -58,14 +58,14 @@ NKW_SIZE(nkw_vec3_inertia, 40, 40);
  * Error  1.01 u of the norm of the coefficients.
  * Source Bollo, Inertialization: High-Performance Animation Transitions in Gears of War, GDC 2018.
  */
-NKW_API nkw_inertia nkw_inertia_begin(nkw_motion from, nkw_motion to, float duration);
+NKW_API nkw_inertia nkw_inertia_begin(nkw_state from, nkw_state to, float duration);
 
 /**
  * The same of a vector. T and A follow from the part of v along x, with V x / |x|^2 for V/x; the part of v at right
  * angles to x has no offset to reduce and is kept. So the velocity is continuous in all directions, and the transition
  * does not depend on the axes.
  */
-NKW_API nkw_vec3_inertia nkw_vec3_inertia_begin(const nkw_vec3_motion *from, const nkw_vec3_motion *to, float duration);
+NKW_API nkw_vec3_inertia nkw_vec3_inertia_begin(const nkw_vec3_state *from, const nkw_vec3_state *to, float duration);
 
 /**
  * The same of a rotation: x = log(from to^-1) along the shorter arc, and v is its rate, which follows from both angular
@@ -79,7 +79,7 @@ NKW_API nkw_vec3_inertia nkw_vec3_inertia_begin(const nkw_vec3_motion *from, con
  *        velocities of at most 5 rad/s. Where T is reduced to -5 x/v it has the condition of that quotient: the
  *        error holds for v within 89.9 degrees of -x.
  */
-NKW_API nkw_vec3_inertia nkw_quat_inertia_begin(const nkw_quat_motion *from, const nkw_quat_motion *to, float duration);
+NKW_API nkw_vec3_inertia nkw_quat_inertia_begin(const nkw_quat_state *from, const nkw_quat_state *to, float duration);
 
 /**
  * The motion t seconds after the transition began, from the new motion at that time.
@@ -92,30 +92,30 @@ NKW_API nkw_vec3_inertia nkw_quat_inertia_begin(const nkw_quat_motion *from, con
  *
  * Error  1.01 u of the value, relative to |to| + |c[0]| + |c[1]| + |c[2]|.
  */
-NKW_API nkw_motion nkw_inertia_evaluate(nkw_inertia inertia, nkw_motion to, float t);
+NKW_API nkw_state nkw_inertia_evaluate(nkw_inertia inertia, nkw_state to, float t);
 /** The same of a vector: each component with the bits of nkw_inertia_evaluate. */
-NKW_API nkw_vec3_motion nkw_vec3_inertia_evaluate(const nkw_vec3_inertia *inertia, const nkw_vec3_motion *to, float t);
+NKW_API nkw_vec3_state nkw_vec3_inertia_evaluate(const nkw_vec3_inertia *inertia, const nkw_vec3_state *to, float t);
 /**
  * The same of a rotation: exp(offset) to. The velocity is exact: the derivative of the exponential and of `to`.
  *
  * Error  1.01 u of the quaternion, for coefficients to 2^9 rad. With those of nkw_quat_inertia_begin, which are rounded
  *        to floats, the result from rest to rest is within 2.5 u.
  */
-NKW_API nkw_quat_motion nkw_quat_inertia_evaluate(const nkw_vec3_inertia *inertia, const nkw_quat_motion *to, float t);
+NKW_API nkw_quat_state nkw_quat_inertia_evaluate(const nkw_vec3_inertia *inertia, const nkw_quat_state *to, float t);
 
 /**
  * A transition by dead blending: the last state of the old motion, the time in seconds in which its velocity is halved,
  * and the duration of the blend. It needs no begin: fill in the four numbers.
  */
 typedef struct nkw_dead_blend {
-    nkw_motion from;
+    nkw_state from;
     float half_life, duration;
 } nkw_dead_blend;
 NKW_SIZE(nkw_dead_blend, 16, 16);
 
 /** The same of a vector. */
 typedef struct nkw_vec3_dead_blend {
-    nkw_vec3_motion from;
+    nkw_vec3_state from;
     float half_life, duration;
 } nkw_vec3_dead_blend;
 NKW_SIZE(nkw_vec3_dead_blend, 32, 32);
@@ -125,7 +125,7 @@ NKW_SIZE(nkw_vec3_dead_blend, 32, 32);
  * first, which takes the shorter arc.
  */
 typedef struct nkw_quat_dead_blend {
-    nkw_quat_motion from;
+    nkw_quat_state from;
     float half_life, duration;
     nkw_quat difference;
 } nkw_quat_dead_blend;
@@ -147,9 +147,9 @@ NKW_SIZE(nkw_quat_dead_blend, 52, 52);
  * Error  1.01 u of the value, relative to |x| + |v h (1 - 2^(-t/half_life))| + |to|.
  * Source Holden, Dead Blending, 2023.
  */
-NKW_API nkw_motion nkw_dead_blend_evaluate(const nkw_dead_blend *blend, nkw_motion to, float t);
+NKW_API nkw_state nkw_dead_blend_evaluate(const nkw_dead_blend *blend, nkw_state to, float t);
 /** The same of a vector: each component with the bits of nkw_dead_blend_evaluate. */
-NKW_API nkw_vec3_motion nkw_vec3_dead_blend_evaluate(const nkw_vec3_dead_blend *blend, const nkw_vec3_motion *to,
+NKW_API nkw_vec3_state nkw_vec3_dead_blend_evaluate(const nkw_vec3_dead_blend *blend, const nkw_vec3_state *to,
                                                      float t);
 /**
  * The same of a rotation: the old one rotates on with the angular velocity of `from`, decaying, and
@@ -165,7 +165,7 @@ NKW_API nkw_vec3_motion nkw_vec3_dead_blend_evaluate(const nkw_vec3_dead_blend *
  *
  * Error  1.01 u of the quaternion, for v h below 10 rad.
  */
-NKW_API nkw_quat_motion nkw_quat_dead_blend_evaluate(nkw_quat_dead_blend *blend, const nkw_quat_motion *to, float t);
+NKW_API nkw_quat_state nkw_quat_dead_blend_evaluate(nkw_quat_dead_blend *blend, const nkw_quat_state *to, float t);
 
 /**
  * A half-life for dead blending: long where the old motion moves towards the new value, short where it moves away.
@@ -176,12 +176,12 @@ NKW_API nkw_quat_motion nkw_quat_dead_blend_evaluate(nkw_quat_dead_blend *blend,
  *
  * Source Holden, Dead Blending Node in Unreal Engine, 2023.
  */
-NKW_API float nkw_dead_blend_half_life(nkw_motion from, float to, float half_life, float least, float most);
+NKW_API float nkw_dead_blend_half_life(nkw_state from, float to, float half_life, float least, float most);
 
 /** A body between two steps of physics: its position and its rotation, with their velocities. */
 typedef struct nkw_body_motion {
-    nkw_vec3_motion position;
-    nkw_quat_motion rotation;
+    nkw_vec3_state position;
+    nkw_quat_state rotation;
 } nkw_body_motion;
 NKW_SIZE(nkw_body_motion, 52, 52);
 

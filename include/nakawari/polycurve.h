@@ -47,7 +47,7 @@ NKW_API float nkw_vec3_cubic_length(nkw_cubic_kind kind, const nkw_vec3_cubic *c
  * The point of a polycurve at a place, by nkw_vec3_cubic_point. An index beyond the last segment is the last one; an
  * empty polycurve has the point 0.
  */
-NKW_API nkw_vec3_curve_point nkw_polycurve_point(const nkw_polycurve *curve, nkw_segment at);
+NKW_API nkw_vec3_motion nkw_polycurve_point(const nkw_polycurve *curve, nkw_segment at);
 
 /** The number of floats in a table of lengths: one at each of the even parameters 0, 1/steps .. 1 of each segment. */
 #define NKW_POLYCURVE_LENGTHS(count, steps) ((count) * (steps) + 1)
@@ -99,7 +99,7 @@ NKW_SIZE(nkw_curve_frame, 36, 36);
  *
  * Error  1.0 u for each vector, where |p' x p''| >= |p'||p''|/8.
  */
-NKW_API nkw_curve_frame nkw_curve_frame_frenet(const nkw_vec3_curve_point *point, nkw_vec3 before);
+NKW_API nkw_curve_frame nkw_curve_frame_frenet(const nkw_vec3_motion *point, nkw_vec3 before);
 
 /**
  * The Frenet frame of a polycurve at a place, of a curve that may come to rest there: nkw_curve_frame_frenet of its

@@ -68,14 +68,6 @@ typedef struct nkw_rotation_segment {
 } nkw_rotation_segment;
 NKW_SIZE(nkw_rotation_segment, 104, 104);
 
-/** An orientation in motion, in the outer frame. */
-typedef struct nkw_rotation_state {
-    nkw_quat orientation;
-    nkw_vec3 velocity; /**< radians per second */
-    nkw_vec3 acceleration; /**< radians per second^2 */
-} nkw_rotation_state;
-NKW_SIZE(nkw_rotation_state, 40, 40);
-
 /** The constant rotation from a to b: nkw_quat_slerp_path as a segment. */
 NKW_API nkw_rotation_segment nkw_rotation_slerp(nkw_quat a, nkw_quat b, nkw_path path, int32_t turns, float duration);
 
@@ -159,7 +151,7 @@ NKW_API nkw_rotation_segment nkw_rotation_bspline(const nkw_quat controls[4], fl
  *        the sum are replaced by 4 and 16 times the largest angle between two of its control values, at most 2 rad.
  * Stack  at most 3 KiB.
  */
-NKW_API nkw_rotation_state nkw_rotation_evaluate(const nkw_rotation_segment *segment, float t);
+NKW_API nkw_quat_motion nkw_rotation_evaluate(const nkw_rotation_segment *segment, float t);
 
 #ifdef __cplusplus
 }

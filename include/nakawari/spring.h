@@ -44,25 +44,6 @@
 extern "C" {
 #endif
 
-/** A number and its rate per second. */
-typedef struct nkw_motion {
-    float value, velocity;
-} nkw_motion;
-NKW_SIZE(nkw_motion, 8, 8);
-
-/** A vector and its rate per second. */
-typedef struct nkw_vec3_motion {
-    nkw_vec3 value, velocity;
-} nkw_vec3_motion;
-NKW_SIZE(nkw_vec3_motion, 24, 24);
-
-/** A unit quaternion and its angular velocity in radians per second, in the outer frame, as for nkw_quat_integrate. */
-typedef struct nkw_quat_motion {
-    nkw_quat value;
-    nkw_vec3 velocity;
-} nkw_quat_motion;
-NKW_SIZE(nkw_quat_motion, 28, 28);
-
 /**
  * The constants of a spring: stiffness in 1/s^2, damping in 1/s. Without stiffness it is drag alone, without damping it
  * oscillates for ever; with both 0 the value keeps its velocity. A negative constant counts as 0, an infinite one as
@@ -134,11 +115,11 @@ NKW_API float nkw_spring_half_life(nkw_spring spring);
  *        where the step is less than half an ULP. Two steps of h differ from the exact step of 2h by at most 2.0 u of
  *        the magnitudes of both steps, where these are not less than half an ULP.
  */
-NKW_API nkw_motion nkw_spring_step(nkw_spring spring, nkw_motion from, nkw_motion goal, float h);
+NKW_API nkw_state nkw_spring_step(nkw_spring spring, nkw_state from, nkw_state goal, float h);
 
 /** The same of a vector: each component with the bits of nkw_spring_step. */
-NKW_API nkw_vec3_motion nkw_vec3_spring_step(nkw_spring spring, const nkw_vec3_motion *from,
-                                             const nkw_vec3_motion *goal, float h);
+NKW_API nkw_vec3_state nkw_vec3_spring_step(nkw_spring spring, const nkw_vec3_state *from,
+                                             const nkw_vec3_state *goal, float h);
 
 /**
  * The same of a rotation: the rotation vector of the error, r = 2 log(from goal^-1) along the shorter arc, is the
@@ -157,8 +138,8 @@ NKW_API nkw_vec3_motion nkw_vec3_spring_step(nkw_spring spring, const nkw_vec3_m
  * Error  1.01 u of the quaternion, for |r| and the angle that it passes below 10 rad; 3.5 u where the step turns it by
  *        less than 1.25 * 2^-22 rad.
  */
-NKW_API nkw_quat_motion nkw_quat_spring_step(nkw_spring spring, const nkw_quat_motion *from,
-                                             const nkw_quat_motion *goal, float h);
+NKW_API nkw_quat_state nkw_quat_spring_step(nkw_spring spring, const nkw_quat_state *from,
+                                             const nkw_quat_state *goal, float h);
 
 /**
  * One step of exponential decay towards a goal at rest: the deviation is halved every half_life seconds.
@@ -210,16 +191,16 @@ NKW_SIZE(nkw_spring_timed, 12, 12);
  * goal    where to arrive; it may change between steps
  * h       as above; 0 and negative numbers change nothing
  */
-NKW_API void nkw_spring_timed_step(nkw_spring_timed *timed, nkw_motion *motion, nkw_motion *point, float goal, float h);
+NKW_API void nkw_spring_timed_step(nkw_spring_timed *timed, nkw_state *motion, nkw_state *point, float goal, float h);
 /** The same of a vector: each component with the bits of nkw_spring_timed_step. */
-NKW_API void nkw_vec3_spring_timed_step(nkw_spring_timed *timed, nkw_vec3_motion *motion, nkw_vec3_motion *point,
+NKW_API void nkw_vec3_spring_timed_step(nkw_spring_timed *timed, nkw_vec3_state *motion, nkw_vec3_state *point,
                                         nkw_vec3 goal, float h);
 /**
  * The same of a rotation, by nkw_quat_spring_step; the point rotates along the shorter arc to the goal.
  *
  * Stack  at most 2 KiB.
  */
-NKW_API void nkw_quat_spring_timed_step(nkw_spring_timed *timed, nkw_quat_motion *motion, nkw_quat_motion *point,
+NKW_API void nkw_quat_spring_timed_step(nkw_spring_timed *timed, nkw_quat_state *motion, nkw_quat_state *point,
                                         nkw_quat goal, float h);
 
 #ifdef __cplusplus

@@ -179,7 +179,7 @@ NKW_API nkw_result nkw_track_sample_derivatives(const nkw_track *track, float ti
  * Error  1.0 u of the velocity, of its length for LINEAR, of S = 2 |p'|/|p| for CUBICSPLINE; 1.0 u of the acceleration,
  *        of 2 |p''|/|p| + S^2; for keys up to 1 rad apart and at the rounded t of the segment.
  */
-NKW_API nkw_result nkw_track_sample_rotation(const nkw_track *track, float time, nkw_rotation_state *out);
+NKW_API nkw_result nkw_track_sample_rotation(const nkw_track *track, float time, nkw_quat_motion *out);
 
 /**
  * The warning that nkw_track_validate does not give: the index of the first key, from `first` on, from which a

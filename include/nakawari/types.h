@@ -84,11 +84,84 @@ typedef struct nkw_trs {
 } nkw_trs;
 NKW_SIZE(nkw_trs, 40, 40);
 
+/**
+ * What moves: a value with its first and second derivative, per unit of the call that returns it: by seconds where a
+ * function samples at a time, by the parameter where it evaluates at a parameter. Of a segment of h seconds that is
+ * evaluated at its parameter 0..1, the velocity per second is velocity / h, the acceleration is acceleration / h^2.
+ */
+typedef struct nkw_motion {
+    float value, velocity, acceleration;
+} nkw_motion;
+NKW_SIZE(nkw_motion, 12, 12);
+typedef struct nkw_vec3_motion {
+    nkw_vec3 value, velocity, acceleration;
+} nkw_vec3_motion;
+NKW_SIZE(nkw_vec3_motion, 36, 36);
+
+/** A unit quaternion with its angular velocity and acceleration, in radians, in the outer frame. */
+typedef struct nkw_quat_motion {
+    nkw_quat value;
+    nkw_vec3 velocity, acceleration;
+} nkw_quat_motion;
+NKW_SIZE(nkw_quat_motion, 40, 40);
+
+/**
+ * The same of a value of several floats: three arrays of its width, of which any may be NULL if it is not wanted. The
+ * velocity and acceleration of an orientation of 4 floats have 3.
+ */
+typedef struct nkw_motion_span {
+    float *value, *velocity, *acceleration;
+} nkw_motion_span;
+NKW_SIZE(nkw_motion_span, 24, 12);
+
+/** What is stepped (a spring, an offset): a value and its rate per second. */
+typedef struct nkw_state {
+    float value, velocity;
+} nkw_state;
+NKW_SIZE(nkw_state, 8, 8);
+typedef struct nkw_vec3_state {
+    nkw_vec3 value, velocity;
+} nkw_vec3_state;
+NKW_SIZE(nkw_vec3_state, 24, 24);
+
+/** A unit quaternion and its angular velocity in radians per second, in the outer frame, as for nkw_quat_integrate. */
+typedef struct nkw_quat_state {
+    nkw_quat value;
+    nkw_vec3 velocity;
+} nkw_quat_state;
+NKW_SIZE(nkw_quat_state, 28, 28);
+
 /** The elements from .. to - 1. A `to` beyond the last element is the end; an empty range has none. */
 typedef struct nkw_range {
     size_t from, to;
 } nkw_range;
 NKW_SIZE(nkw_range, 16, 8);
+
+/**
+ * Memory that a function uses during the call: `bytes` bytes, aligned to 16. Its content has no meaning before and after
+ * the call. nkw_..._work(...) returns the bytes that a call needs, SIZE_MAX if they exceed size_t; where a stack can hold
+ * them, NKW_..._WORK(...) is a constant that is enough. With less, or at an address that is no multiple of 16, a function
+ * returns NKW_TOO_SMALL and writes nothing.
+ */
+typedef struct nkw_work {
+    void *data;
+    size_t bytes;
+} nkw_work;
+NKW_SIZE(nkw_work, 16, 8);
+
+/** Declares `name`, an nkw_work of `size` bytes on the stack. `size` is a constant. */
+#define NKW_STACK_WORK(name, size)                                                                                     \
+    unsigned char name##_memory[(size) + 15];                                                                          \
+    const nkw_work name = {name##_memory + (16 - (size_t)name##_memory % 16) % 16, (size)}
+
+/**
+ * Numbers of a batch: element i is data[i * stride]. Stride 1 is an array; stride 0 is one number for all elements.
+ */
+typedef struct nkw_floats {
+    const float *data;
+    size_t stride;
+} nkw_floats;
+NKW_SIZE(nkw_floats, 16, 8);
 
 /**
  * Component arrays: element i of a vector array is (x[i], y[i], z[i]). A view is read, a span is written.

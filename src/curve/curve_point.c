@@ -19,32 +19,32 @@ static float value_of(nkw_cubic_kind kind, const float c[4], float t)
     return nkw_hermite(c[0], c[1], c[2], c[3], t);
 }
 
-nkw_curve_point nkw_cubic_point(nkw_cubic_kind kind, const float c[4], float t)
+nkw_motion nkw_cubic_point(nkw_cubic_kind kind, const float c[4], float t)
 {
     lane_f64_slopes slopes = lane_slopes_of(kind, c);
-    nkw_curve_point r = {value_of(kind, c, t), (float)lane_f64_first(slopes, t), (float)lane_f64_second(slopes, t)};
+    nkw_motion r = {value_of(kind, c, t), (float)lane_f64_first(slopes, t), (float)lane_f64_second(slopes, t)};
     return r;
 }
 
 /* Component k of a point: vectors are contiguous floats. */
-static nkw_curve_point component(const nkw_vec3_curve_point *p, size_t k)
+static nkw_motion component(const nkw_vec3_motion *p, size_t k)
 {
     const float *c = (const float *)(const void *)p + k;
-    nkw_curve_point r = {c[0], c[3], c[6]};
+    nkw_motion r = {c[0], c[3], c[6]};
     return r;
 }
 
-static void set_component(nkw_vec3_curve_point *p, size_t k, nkw_curve_point x)
+static void set_component(nkw_vec3_motion *p, size_t k, nkw_motion x)
 {
     float *c = (float *)(void *)p + k;
     c[0] = x.value;
-    c[3] = x.first;
-    c[6] = x.second;
+    c[3] = x.velocity;
+    c[6] = x.acceleration;
 }
 
-nkw_vec3_curve_point nkw_vec3_cubic_point(nkw_cubic_kind kind, const nkw_vec3_cubic *cubic, float t)
+nkw_vec3_motion nkw_vec3_cubic_point(nkw_cubic_kind kind, const nkw_vec3_cubic *cubic, float t)
 {
-    nkw_vec3_curve_point r;
+    nkw_vec3_motion r;
     for (size_t k = 0; k < 3; k++) {
         const float *c = (const float *)(const void *)cubic + k, of[4] = {c[0], c[3], c[6], c[9]};
         set_component(&r, k, nkw_cubic_point(kind, of, t));
@@ -52,7 +52,7 @@ nkw_vec3_curve_point nkw_vec3_cubic_point(nkw_cubic_kind kind, const nkw_vec3_cu
     return r;
 }
 
-nkw_curve_point nkw_catmull_rom_nonuniform_point(const float times[4], float p0, float p1, float p2, float p3, float t)
+nkw_motion nkw_catmull_rom_nonuniform_point(const float times[4], float p0, float p1, float p2, float p3, float t)
 {
     float h0 = times[1] - times[0], h1 = times[2] - times[1], h2 = times[3] - times[2];
     const float c[4] = {p1, lane_catmull_rom_tangent(p0, p1, p2, h0, h1) * h1, p2,
@@ -60,10 +60,10 @@ nkw_curve_point nkw_catmull_rom_nonuniform_point(const float times[4], float p0,
     return nkw_cubic_point(NKW_CUBIC_HERMITE, c, t);
 }
 
-nkw_vec3_curve_point nkw_vec3_catmull_rom_nonuniform_point(const float times[4], nkw_vec3 p0, nkw_vec3 p1, nkw_vec3 p2,
+nkw_vec3_motion nkw_vec3_catmull_rom_nonuniform_point(const float times[4], nkw_vec3 p0, nkw_vec3 p1, nkw_vec3 p2,
                                                            nkw_vec3 p3, float t)
 {
-    nkw_vec3_curve_point r;
+    nkw_vec3_motion r;
     set_component(&r, 0, nkw_catmull_rom_nonuniform_point(times, p0.x, p1.x, p2.x, p3.x, t));
     set_component(&r, 1, nkw_catmull_rom_nonuniform_point(times, p0.y, p1.y, p2.y, p3.y, t));
     set_component(&r, 2, nkw_catmull_rom_nonuniform_point(times, p0.z, p1.z, p2.z, p3.z, t));
@@ -71,45 +71,45 @@ nkw_vec3_curve_point nkw_vec3_catmull_rom_nonuniform_point(const float times[4],
 }
 
 /* The value less that of the end nearer to t, which is p0 if `near` is 0; see nkw_quintic_hermite. */
-static double quintic_value(nkw_curve_point p0, nkw_curve_point p1, double f, double t, int near)
+static double quintic_value(nkw_motion p0, nkw_motion p1, double f, double t, int near)
 {
     double s = 1.0 - t, ss = s * s, tt = t * t;
     double line = near ? -(s * ss) * (10.0 - s * (15.0 - 6.0 * s)) : (t * tt) * (10.0 - t * (15.0 - 6.0 * t));
     double velocity =
-        (t * ss) * (s * (1.0 + 3.0 * t)) * (double)p0.first - (s * tt) * (t * (1.0 + 3.0 * s)) * (double)p1.first;
-    return line * f + (velocity + (0.5 * (tt * ss)) * (s * (double)p0.second + t * (double)p1.second));
+        (t * ss) * (s * (1.0 + 3.0 * t)) * (double)p0.velocity - (s * tt) * (t * (1.0 + 3.0 * s)) * (double)p1.velocity;
+    return line * f + (velocity + (0.5 * (tt * ss)) * (s * (double)p0.acceleration + t * (double)p1.acceleration));
 }
 
-static double quintic_first(nkw_curve_point p0, nkw_curve_point p1, double f, double t)
+static double quintic_first(nkw_motion p0, nkw_motion p1, double f, double t)
 {
     double s = 1.0 - t, ts = t * s;
-    double velocity = (s * s) * (1.0 + t * (2.0 - 15.0 * t)) * (double)p0.first +
-                      (t * t) * (1.0 + s * (2.0 - 15.0 * s)) * (double)p1.first;
-    double acceleration = s * (2.0 - 5.0 * t) * (double)p0.second - t * (2.0 - 5.0 * s) * (double)p1.second;
+    double velocity = (s * s) * (1.0 + t * (2.0 - 15.0 * t)) * (double)p0.velocity +
+                      (t * t) * (1.0 + s * (2.0 - 15.0 * s)) * (double)p1.velocity;
+    double acceleration = s * (2.0 - 5.0 * t) * (double)p0.acceleration - t * (2.0 - 5.0 * s) * (double)p1.acceleration;
     return (30.0 * (ts * ts)) * f + (velocity + (0.5 * ts) * acceleration);
 }
 
-static double quintic_second(nkw_curve_point p0, nkw_curve_point p1, double f, double t)
+static double quintic_second(nkw_motion p0, nkw_motion p1, double f, double t)
 {
     double s = 1.0 - t, ts = t * s;
-    double velocity = (3.0 - 5.0 * t) * (double)p0.first - (3.0 - 5.0 * s) * (double)p1.first;
+    double velocity = (3.0 - 5.0 * t) * (double)p0.velocity - (3.0 - 5.0 * s) * (double)p1.velocity;
     double acceleration =
-        s * (1.0 + t * (10.0 * t - 8.0)) * (double)p0.second + t * (1.0 + s * (10.0 * s - 8.0)) * (double)p1.second;
+        s * (1.0 + t * (10.0 * t - 8.0)) * (double)p0.acceleration + t * (1.0 + s * (10.0 * s - 8.0)) * (double)p1.acceleration;
     return (60.0 * ts) * ((s - t) * f) + (acceleration - (12.0 * ts) * velocity);
 }
 
-nkw_curve_point nkw_quintic_hermite(nkw_curve_point p0, nkw_curve_point p1, float t)
+nkw_motion nkw_quintic_hermite(nkw_motion p0, nkw_motion p1, float t)
 {
     int near = t >= 0.5f;
     double f = (double)p1.value - (double)p0.value, end = near ? p1.value : p0.value;
-    nkw_curve_point r = {(float)(end + quintic_value(p0, p1, f, t, near)), (float)quintic_first(p0, p1, f, t),
+    nkw_motion r = {(float)(end + quintic_value(p0, p1, f, t, near)), (float)quintic_first(p0, p1, f, t),
                          (float)quintic_second(p0, p1, f, t)};
     return r;
 }
 
-nkw_vec3_curve_point nkw_vec3_quintic_hermite(const nkw_vec3_curve_point *p0, const nkw_vec3_curve_point *p1, float t)
+nkw_vec3_motion nkw_vec3_quintic_hermite(const nkw_vec3_motion *p0, const nkw_vec3_motion *p1, float t)
 {
-    nkw_vec3_curve_point r;
+    nkw_vec3_motion r;
     for (size_t k = 0; k < 3; k++)
         set_component(&r, k, nkw_quintic_hermite(component(p0, k), component(p1, k), t));
     return r;

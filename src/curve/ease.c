@@ -157,10 +157,10 @@ static handle_point css_point(const float c[4], double t)
     return r;
 }
 
-nkw_curve_point nkw_ease_cubic_bezier(float x1, float y1, float x2, float y2, float t)
+nkw_motion nkw_ease_cubic_bezier(float x1, float y1, float x2, float y2, float t)
 {
     const float c[4] = {x1, y1, x2, y2};
-    nkw_curve_point none = {NAN, NAN, NAN};
+    nkw_motion none = {NAN, NAN, NAN};
     return t == t && lane_is_finite(x1) && lane_is_finite(x2) ? handle_rounded(css_point(c, (double)t)) : none;
 }
 
@@ -210,7 +210,7 @@ handle_point nkwi_ease_point(nkw_ease_kind kind, double t)
     return step;
 }
 
-nkw_curve_point nkw_ease_point(nkw_ease_kind kind, float t)
+nkw_motion nkw_ease_point(nkw_ease_kind kind, float t)
 {
     return handle_rounded(nkwi_ease_point(kind, (double)t));
 }
@@ -229,9 +229,9 @@ static size_t line_of(const float *inputs, size_t count, float t)
     return k;
 }
 
-nkw_curve_point nkw_ease_linear(const float *inputs, const float *outputs, size_t count, float t)
+nkw_motion nkw_ease_linear(const float *inputs, const float *outputs, size_t count, float t)
 {
-    nkw_curve_point r = {t != t ? NAN : count > 0 ? outputs[0] : 0.0f, 0.0f, 0.0f};
+    nkw_motion r = {t != t ? NAN : count > 0 ? outputs[0] : 0.0f, 0.0f, 0.0f};
     if (count < 2 || t != t)
         return r;
     size_t k = line_of(inputs, count, t);
@@ -241,7 +241,7 @@ nkw_curve_point nkw_ease_linear(const float *inputs, const float *outputs, size_
         return r;
     r.value = (float)((double)outputs[k] + rise * (((double)t - (double)inputs[k]) / width));
     r.value = t == inputs[k + 1] ? outputs[k + 1] : r.value;
-    r.first = (float)(rise / width);
+    r.velocity = (float)(rise / width);
     return r;
 }
 

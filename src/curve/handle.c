@@ -22,10 +22,10 @@ static double parameter_at(const handle_cubic *c, const nkw_handle_segment *s, f
     return time < s->time1 ? handle_parameter(c, (double)time - (double)s->time0) : 1.0;
 }
 
-nkw_curve_point nkw_handle_point(const nkw_handle_segment *segment, float time)
+nkw_motion nkw_handle_point(const nkw_handle_segment *segment, float time)
 {
     handle_cubic c = handle_cubic_of(segment);
-    nkw_curve_point none = {NAN, NAN, NAN},
+    nkw_motion none = {NAN, NAN, NAN},
                     held = {time < segment->time1 ? segment->value0 : segment->value1, 0.0f, 0.0f};
     if (time != time || !has_finite_times(segment))
         return none;

@@ -196,9 +196,9 @@ static inline handle_point handle_point_at(const handle_cubic *c, double s)
     return r;
 }
 
-static inline nkw_curve_point handle_rounded(handle_point p)
+static inline nkw_motion handle_rounded(handle_point p)
 {
-    nkw_curve_point r = {(float)p.value, (float)p.first, (float)p.second};
+    nkw_motion r = {(float)p.value, (float)p.first, (float)p.second};
     return r;
 }
 

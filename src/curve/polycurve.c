@@ -151,9 +151,9 @@ float nkw_vec3_cubic_length(nkw_cubic_kind kind, const nkw_vec3_cubic *cubic, fl
     return (float)arc(&d, from, to);
 }
 
-nkw_vec3_curve_point nkw_polycurve_point(const nkw_polycurve *curve, nkw_segment at)
+nkw_vec3_motion nkw_polycurve_point(const nkw_polycurve *curve, nkw_segment at)
 {
-    const nkw_vec3_curve_point none = {{0.0f, 0.0f, 0.0f}, {0.0f, 0.0f, 0.0f}, {0.0f, 0.0f, 0.0f}};
+    const nkw_vec3_motion none = {{0.0f, 0.0f, 0.0f}, {0.0f, 0.0f, 0.0f}, {0.0f, 0.0f, 0.0f}};
     size_t last = curve->count - 1;
     if (curve->count == 0)
         return none;

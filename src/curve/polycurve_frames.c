@@ -62,9 +62,9 @@ static nkw_curve_frame frenet(lane_f64_vec3 v, lane_f64_vec3 a, nkw_vec3 before)
     return rounded(r);
 }
 
-nkw_curve_frame nkw_curve_frame_frenet(const nkw_vec3_curve_point *point, nkw_vec3 before)
+nkw_curve_frame nkw_curve_frame_frenet(const nkw_vec3_motion *point, nkw_vec3 before)
 {
-    return frenet(lane_f64_vec3_from(point->first), lane_f64_vec3_from(point->second), before);
+    return frenet(lane_f64_vec3_from(point->velocity), lane_f64_vec3_from(point->acceleration), before);
 }
 
 /* Two vectors with the directions of p' and p' x p'' next to a place, inside of its segment. */
@@ -155,8 +155,8 @@ typedef struct course {
 static course course_at(const nkw_polycurve *curve, size_t steps, size_t i)
 {
     nkw_segment at = place_of(curve, steps, i);
-    nkw_vec3_curve_point p = nkw_polycurve_point(curve, at);
-    course r = {p.value, lane_f64_vec3_from(p.first)};
+    nkw_vec3_motion p = nkw_polycurve_point(curve, at);
+    course r = {p.value, lane_f64_vec3_from(p.velocity)};
     if (is_zero(r.tangent))
         r.tangent = heading_at(curve, at).v;
     return r;

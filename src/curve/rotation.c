@@ -164,20 +164,20 @@ static motion motion_at(const nkw_rotation_segment *s, double t, double *sign)
     }
 }
 
-nkw_rotation_state nkw_rotation_evaluate(const nkw_rotation_segment *segment, float t)
+nkw_quat_motion nkw_rotation_evaluate(const nkw_rotation_segment *segment, float t)
 {
     double sign = 1.0, rate = segment->duration > 0.0f ? 1.0 / (double)segment->duration : 0.0;
     motion m = motion_at(segment, (double)t, &sign);
     int last = segment->kind == NKW_ROTATION_SQUAD ? 3 : 1, has_ends = segment->kind != NKW_ROTATION_BSPLINE;
-    nkw_rotation_state r = {
+    nkw_quat_motion r = {
         lane_quat_from_f64(m.q),
         lane_vec3_from_f64(lane_f64_vec3_scale(m.w, rate)),
         lane_vec3_from_f64(lane_f64_vec3_scale(m.a, rate * rate)),
     };
     if (has_ends && t == 0.0f)
-        r.orientation = segment->control[0];
+        r.value = segment->control[0];
     if (has_ends && t == 1.0f)
-        r.orientation = nkw_quat_scale(segment->control[last], (float)sign);
+        r.value = nkw_quat_scale(segment->control[last], (float)sign);
     return r;
 }
 

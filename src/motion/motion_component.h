@@ -7,10 +7,10 @@
 
 #include <nakawari/spring.h>
 
-static inline nkw_motion motion_component(const nkw_vec3_motion *m, size_t k)
+static inline nkw_state motion_component(const nkw_vec3_state *m, size_t k)
 {
     const float *c = (const float *)(const void *)m + k;
-    nkw_motion r = {c[0], c[3]};
+    nkw_state r = {c[0], c[3]};
     return r;
 }
 

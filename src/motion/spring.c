@@ -205,11 +205,11 @@ static spring_kind kind_of(nkw_spring spring)
 }
 
 /* Only on the way to the goal, and what swings not while it is still accelerated. */
-static nkw_motion step_of(const flow *m, nkw_motion from, nkw_motion goal, double h, spring_kind kind)
+static nkw_state step_of(const flow *m, nkw_state from, nkw_state goal, double h, spring_kind kind)
 {
     double x = (double)from.value - (double)goal.value, v = (double)from.velocity - (double)goal.velocity;
     double g = (double)goal.value + (double)goal.velocity * h, gap = g - (double)from.value;
-    nkw_motion r = {(float)(g + (m->xx * x + m->xv * v)), (float)((double)goal.velocity + (m->vx * x + m->vv * v))};
+    nkw_state r = {(float)(g + (m->xx * x + m->xv * v)), (float)((double)goal.velocity + (m->vx * x + m->vv * v))};
     double gain = (double)r.velocity - (double)from.velocity;
     int nears = kind != DRIFTS && (double)from.velocity * gap > 0.0;
     if (nears && (kind == SETTLES || gain * gap <= 0.0))
@@ -217,23 +217,23 @@ static nkw_motion step_of(const flow *m, nkw_motion from, nkw_motion goal, doubl
     return r;
 }
 
-nkw_motion nkw_spring_step(nkw_spring spring, nkw_motion from, nkw_motion goal, float h)
+nkw_state nkw_spring_step(nkw_spring spring, nkw_state from, nkw_state goal, float h)
 {
     double seconds = bounded(h);
     flow m = flow_after(spring, seconds);
     return is_none(h) ? from : step_of(&m, from, goal, seconds, kind_of(spring));
 }
 
-nkw_vec3_motion nkw_vec3_spring_step(nkw_spring spring, const nkw_vec3_motion *from, const nkw_vec3_motion *goal,
+nkw_vec3_state nkw_vec3_spring_step(nkw_spring spring, const nkw_vec3_state *from, const nkw_vec3_state *goal,
                                      float h)
 {
     double seconds = bounded(h);
     flow m = flow_after(spring, seconds);
     spring_kind kind = kind_of(spring);
-    nkw_motion x = step_of(&m, motion_component(from, 0), motion_component(goal, 0), seconds, kind);
-    nkw_motion y = step_of(&m, motion_component(from, 1), motion_component(goal, 1), seconds, kind);
-    nkw_motion z = step_of(&m, motion_component(from, 2), motion_component(goal, 2), seconds, kind);
-    nkw_vec3_motion r = {{x.value, y.value, z.value}, {x.velocity, y.velocity, z.velocity}};
+    nkw_state x = step_of(&m, motion_component(from, 0), motion_component(goal, 0), seconds, kind);
+    nkw_state y = step_of(&m, motion_component(from, 1), motion_component(goal, 1), seconds, kind);
+    nkw_state z = step_of(&m, motion_component(from, 2), motion_component(goal, 2), seconds, kind);
+    nkw_vec3_state r = {{x.value, y.value, z.value}, {x.velocity, y.velocity, z.velocity}};
     return is_none(h) ? *from : r;
 }
 
@@ -282,7 +282,7 @@ static int is_near(nkw_quat a, nkw_quat b)
 }
 
 /* kept_moving for a rotation: the value of `next`, by the least turn from `from` where the step to `after` is lost. */
-static nkw_quat kept_turning(const nkw_quat_motion *from, const nkw_quat_motion *next, lane_f64_quat g, double after,
+static nkw_quat kept_turning(const nkw_quat_state *from, const nkw_quat_state *next, lane_f64_quat g, double after,
                              spring_kind kind)
 {
     lane_f64_quat e;
@@ -295,7 +295,7 @@ static nkw_quat kept_turning(const nkw_quat_motion *from, const nkw_quat_motion 
     return nears && slows && is_lost(next->value, g, n, after) ? moved : next->value;
 }
 
-nkw_quat_motion nkw_quat_spring_step(nkw_spring spring, const nkw_quat_motion *from, const nkw_quat_motion *goal,
+nkw_quat_state nkw_quat_spring_step(nkw_spring spring, const nkw_quat_state *from, const nkw_quat_state *goal,
                                      float h)
 {
     double seconds = bounded(h);
@@ -311,7 +311,7 @@ nkw_quat_motion nkw_quat_spring_step(nkw_spring spring, const nkw_quat_motion *f
     g = lane_f64_quat_mul(exp_of(lane_f64_vec3_scale(turn, 0.5 * seconds), &unused), g);
     x = lane_f64_quat_mul(e, g);
     spin = lane_f64_vec3_add_scaled(lane_f64_rotation_velocity(r, angle, v), lane_f64_quat_rotate(e, turn), 1.0);
-    nkw_quat_motion out = {lane_quat_from_f64(x), lane_vec3_from_f64(spin)};
+    nkw_quat_state out = {lane_quat_from_f64(x), lane_vec3_from_f64(spin)};
     if (kind_of(spring) != DRIFTS && is_near(out.value, from->value))
         out.value = kept_turning(from, &out, g, 0.5 * lane_f64_vec3_length(r), kind_of(spring));
     return is_none(h) ? *from : out;
@@ -377,7 +377,7 @@ static parts parts_of(nkw_spring_timed *timed, float h)
     return p;
 }
 
-static void timed_step(nkw_spring spring, const parts *p, nkw_motion *motion, nkw_motion *point, float goal)
+static void timed_step(nkw_spring spring, const parts *p, nkw_state *motion, nkw_state *point, float goal)
 {
     if (p->moving > 0.0f) {
         double rate = ((double)goal - (double)point->value) * p->rate;
@@ -386,13 +386,13 @@ static void timed_step(nkw_spring spring, const parts *p, nkw_motion *motion, nk
         point->value = (float)((double)point->value + rate * (double)p->moving);
     }
     if (p->resting != 0.0f) {
-        const nkw_motion still = {goal, 0.0f};
+        const nkw_state still = {goal, 0.0f};
         *point = still;
         *motion = nkw_spring_step(spring, *motion, *point, p->resting);
     }
 }
 
-void nkw_spring_timed_step(nkw_spring_timed *timed, nkw_motion *motion, nkw_motion *point, float goal, float h)
+void nkw_spring_timed_step(nkw_spring_timed *timed, nkw_state *motion, nkw_state *point, float goal, float h)
 {
     if (is_none(h))
         return;
@@ -400,24 +400,24 @@ void nkw_spring_timed_step(nkw_spring_timed *timed, nkw_motion *motion, nkw_moti
     timed_step(timed->spring, &p, motion, point, goal);
 }
 
-void nkw_vec3_spring_timed_step(nkw_spring_timed *timed, nkw_vec3_motion *motion, nkw_vec3_motion *point, nkw_vec3 goal,
+void nkw_vec3_spring_timed_step(nkw_spring_timed *timed, nkw_vec3_state *motion, nkw_vec3_state *point, nkw_vec3 goal,
                                 float h)
 {
     if (is_none(h))
         return;
     parts p = parts_of(timed, h);
-    nkw_motion x = motion_component(motion, 0), y = motion_component(motion, 1), z = motion_component(motion, 2);
-    nkw_motion px = motion_component(point, 0), py = motion_component(point, 1), pz = motion_component(point, 2);
+    nkw_state x = motion_component(motion, 0), y = motion_component(motion, 1), z = motion_component(motion, 2);
+    nkw_state px = motion_component(point, 0), py = motion_component(point, 1), pz = motion_component(point, 2);
     timed_step(timed->spring, &p, &x, &px, goal.x);
     timed_step(timed->spring, &p, &y, &py, goal.y);
     timed_step(timed->spring, &p, &z, &pz, goal.z);
-    nkw_vec3_motion to = {{x.value, y.value, z.value}, {x.velocity, y.velocity, z.velocity}};
-    nkw_vec3_motion at = {{px.value, py.value, pz.value}, {px.velocity, py.velocity, pz.velocity}};
+    nkw_vec3_state to = {{x.value, y.value, z.value}, {x.velocity, y.velocity, z.velocity}};
+    nkw_vec3_state at = {{px.value, py.value, pz.value}, {px.velocity, py.velocity, pz.velocity}};
     *motion = to;
     *point = at;
 }
 
-void nkw_quat_spring_timed_step(nkw_spring_timed *timed, nkw_quat_motion *motion, nkw_quat_motion *point, nkw_quat goal,
+void nkw_quat_spring_timed_step(nkw_spring_timed *timed, nkw_quat_state *motion, nkw_quat_state *point, nkw_quat goal,
                                 float h)
 {
     if (is_none(h))
@@ -432,7 +432,7 @@ void nkw_quat_spring_timed_step(nkw_spring_timed *timed, nkw_quat_motion *motion
         point->value = lane_quat_from_f64(lane_f64_quat_mul(way, begin));
     }
     if (p.resting != 0.0f) {
-        nkw_quat_motion at = {lane_quat_from_f64(end), {0.0f, 0.0f, 0.0f}};
+        nkw_quat_state at = {lane_quat_from_f64(end), {0.0f, 0.0f, 0.0f}};
         *point = at;
         *motion = nkw_quat_spring_step(timed->spring, motion, point, p.resting);
     }

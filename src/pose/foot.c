@@ -20,7 +20,7 @@ static float height_of(const nkw_foot_rules *rules, nkw_vec3 position, float gro
     return (is_zero ? position.y : nkw_vec3_dot(up, position)) - ground;
 }
 
-static int next_contact(const nkw_foot *foot, const nkw_foot_rules *rules, const nkw_vec3_motion *animated,
+static int next_contact(const nkw_foot *foot, const nkw_foot_rules *rules, const nkw_vec3_state *animated,
                         float ground)
 {
     float height = height_of(rules, animated->value, ground), speed = nkw_vec3_length(animated->velocity);
@@ -31,19 +31,19 @@ static int next_contact(const nkw_foot *foot, const nkw_foot_rules *rules, const
 }
 
 /* What the foot follows: the lock, or the animation. */
-static nkw_vec3_motion followed(const nkw_foot *foot, const nkw_vec3_motion *animated)
+static nkw_vec3_state followed(const nkw_foot *foot, const nkw_vec3_state *animated)
 {
-    nkw_vec3_motion locked = {foot->locked, {0.0f, 0.0f, 0.0f}};
+    nkw_vec3_state locked = {foot->locked, {0.0f, 0.0f, 0.0f}};
     return foot->contact ? locked : *animated;
 }
 
-static void change_contact(nkw_foot *foot, const nkw_foot_rules *rules, const nkw_vec3_motion *animated,
-                           const nkw_vec3_motion *now)
+static void change_contact(nkw_foot *foot, const nkw_foot_rules *rules, const nkw_vec3_state *animated,
+                           const nkw_vec3_state *now)
 {
     foot->contact = !foot->contact;
     foot->locked = animated->value;
     foot->time = 0.0f;
-    nkw_vec3_motion to = followed(foot, animated);
+    nkw_vec3_state to = followed(foot, animated);
     foot->inertia = nkw_vec3_inertia_begin(now, &to, rules->duration);
 }
 
@@ -52,12 +52,12 @@ nkw_vec3 nkw_foot_update(nkw_foot *foot, const nkw_foot_rules *rules, nkw_vec3 a
     if (!nkw_vec3_is_finite(animated) || !lane_is_finite(ground) || !lane_is_finite(h))
         return foot->position;
     int passes = foot->started && h > 0.0f;
-    nkw_vec3_motion motion = {animated, {0.0f, 0.0f, 0.0f}};
+    nkw_vec3_state motion = {animated, {0.0f, 0.0f, 0.0f}};
     if (passes)
         motion.velocity = nkw_vec3_scale(nkw_vec3_sub(animated, foot->animated), 1.0f / h);
     foot->time = passes ? foot->time + h : foot->time;
-    nkw_vec3_motion to = followed(foot, &motion);
-    nkw_vec3_motion now = nkw_vec3_inertia_evaluate(&foot->inertia, &to, foot->time);
+    nkw_vec3_state to = followed(foot, &motion);
+    nkw_vec3_state now = nkw_vec3_inertia_evaluate(&foot->inertia, &to, foot->time);
     if (passes && next_contact(foot, rules, &motion, ground) != (foot->contact != 0))
         change_contact(foot, rules, &motion, &now);
     foot->started = 1;

@@ -84,40 +84,40 @@ static nkw_quat axis_of(unsigned axis)
  *
  *     2 dq/dt = i' ei q + j' qi ej qi^-1 q + k' q ek
  */
-static nkw_quat rotation_slope(const nkw_curve_point angle[3], nkw_quat q, nkw_euler_order order)
+static nkw_quat rotation_slope(const nkw_motion angle[3], nkw_quat q, nkw_euler_order order)
 {
     const lane_euler_axes *o = lane_euler_axes_of(order);
     nkw_quat ei = axis_of(o->i), ej = axis_of(o->j), ek = axis_of(o->k);
     nkw_vec3 about = {ei.x, ei.y, ei.z};
     nkw_quat qi = nkw_quat_from_axis_angle(about, angle[o->i].value);
     nkw_quat middle = nkw_quat_mul(nkw_quat_mul(qi, ej), nkw_quat_mul(nkw_quat_conjugate(qi), q));
-    nkw_quat sum = nkw_quat_add(nkw_quat_scale(nkw_quat_mul(ei, q), angle[o->i].first),
-                                nkw_quat_scale(nkw_quat_mul(q, ek), angle[o->k].first));
-    return nkw_quat_scale(nkw_quat_add(sum, nkw_quat_scale(middle, angle[o->j].first)), 0.5f);
+    nkw_quat sum = nkw_quat_add(nkw_quat_scale(nkw_quat_mul(ei, q), angle[o->i].velocity),
+                                nkw_quat_scale(nkw_quat_mul(q, ek), angle[o->k].velocity));
+    return nkw_quat_scale(nkw_quat_add(sum, nkw_quat_scale(middle, angle[o->j].velocity)), 0.5f);
 }
 
 /*
  * The quaternion of three angles is continuous: it keeps whole turns in its sign. Its slope is infinite where that of
  * an angle is.
  */
-static nkw_curve_point rotation_component(const writer *w, size_t i, float time)
+static nkw_motion rotation_component(const writer *w, size_t i, float time)
 {
-    nkw_curve_point angle[3], r = {0.0f, 0.0f, 0.0f};
+    nkw_motion angle[3], r = {0.0f, 0.0f, 0.0f};
     for (size_t k = 0; k < 3; k++)
         angle[k] = nkw_fcurve_sample(w->curves + k, time);
     nkw_vec3 angles = {angle[0].value, angle[1].value, angle[2].value};
     nkw_quat q = nkw_quat_from_euler(angles, w->order), slope;
     r.value = i == 0 ? q.x : i == 1 ? q.y : i == 2 ? q.z : q.w;
-    r.first = INFINITY;
-    if (!lane_is_finite(angle[0].first) || !lane_is_finite(angle[1].first) || !lane_is_finite(angle[2].first))
+    r.velocity = INFINITY;
+    if (!lane_is_finite(angle[0].velocity) || !lane_is_finite(angle[1].velocity) || !lane_is_finite(angle[2].velocity))
         return r;
     slope = rotation_slope(angle, q, w->order);
-    r.first = i == 0 ? slope.x : i == 1 ? slope.y : i == 2 ? slope.z : slope.w;
+    r.velocity = i == 0 ? slope.x : i == 1 ? slope.y : i == 2 ? slope.z : slope.w;
     return r;
 }
 
 /* Value and slope of component i of the track. */
-static nkw_curve_point component(const writer *w, size_t i, float time)
+static nkw_motion component(const writer *w, size_t i, float time)
 {
     return w->kind == NKW_TRACK_FLOATS ? nkw_fcurve_sample(w->curves + i, time) : rotation_component(w, i, time);
 }
@@ -188,8 +188,8 @@ static void write_tangents(const writer *w, float a, float b)
     float *v0 = triple(w, w->count - 1), *v1 = triple(w, w->count);
     for (size_t i = 0; i < w->width; i++) {
         float from = v0[w->width + i], to = v1[w->width + i];
-        v0[2 * w->width + i] = slope_or(component(w, i, a).first, from, to, b - a);
-        v1[i] = slope_or(component(w, i, float_before(b)).first, from, to, b - a);
+        v0[2 * w->width + i] = slope_or(component(w, i, a).velocity, from, to, b - a);
+        v1[i] = slope_or(component(w, i, float_before(b)).velocity, from, to, b - a);
     }
 }
 

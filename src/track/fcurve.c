@@ -122,9 +122,9 @@ static handle_point outside(const nkw_fcurve *curve, float time, uint32_t *curso
     return cycled(curve, mode, (double)time - first, d, cursor);
 }
 
-nkw_curve_point nkw_fcurve_sample_cursor(const nkw_fcurve *curve, float time, uint32_t *cursor)
+nkw_motion nkw_fcurve_sample_cursor(const nkw_fcurve *curve, float time, uint32_t *cursor)
 {
-    nkw_curve_point none = {0.0f, 0.0f, 0.0f};
+    nkw_motion none = {0.0f, 0.0f, 0.0f};
     if (curve->key_count == 0)
         return none;
     if (time != time)
@@ -136,7 +136,7 @@ nkw_curve_point nkw_fcurve_sample_cursor(const nkw_fcurve *curve, float time, ui
     return handle_rounded(outside(curve, time, cursor));
 }
 
-nkw_curve_point nkw_fcurve_sample(const nkw_fcurve *curve, float time)
+nkw_motion nkw_fcurve_sample(const nkw_fcurve *curve, float time)
 {
     uint32_t cursor = 0;
     return nkw_fcurve_sample_cursor(curve, time, &cursor);

@@ -316,11 +316,11 @@ static nkw_rotation_segment rotation_segment(const sampler *s, nkw_orientation_m
 static nkw_mat3 rotation_curve(const sampler *s, float t, nkw_orientation_method method)
 {
     nkw_rotation_segment segment = rotation_segment(s, method);
-    nkw_rotation_state at = nkw_rotation_evaluate(&segment, t);
+    nkw_quat_motion at = nkw_rotation_evaluate(&segment, t);
     orientations(s, s->keys[s->from].orientation, s->keys[s->to].orientation, 0.0f, 0.0f);
     if (s->trace)
         s->trace->angular_velocity = at.velocity;
-    return nkw_mat3_from_quat(at.orientation);
+    return nkw_mat3_from_quat(at.value);
 }
 
 static nkw_mat3 rotation_at(const sampler *s, nkw_orientation_method method)

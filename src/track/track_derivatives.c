@@ -94,7 +94,7 @@ static lane_f64_vec3 velocity_of_slerp(const nkw_track *track, size_t k, double 
 }
 
 /* q = p/|p|: w = 2 Im(p' p*)/|p|^2, a = 2 Im(p'' p*)/|p|^2 - 2 (p.p')/|p|^2 w. */
-static void put_rates_of_cubic(const nkw_track *track, size_t k, double t, double h, nkw_rotation_state *out)
+static void put_rates_of_cubic(const nkw_track *track, size_t k, double t, double h, nkw_quat_motion *out)
 {
     double p[4], p1[4], p2[4];
     for (size_t c = 0; c < 4; c++) {
@@ -113,7 +113,7 @@ static void put_rates_of_cubic(const nkw_track *track, size_t k, double t, doubl
     out->acceleration = lane_vec3_from_f64(lane_f64_vec3_add_scaled(a, w, -2.0 * lane_f64_quat_dot(q, q1) / length2));
 }
 
-nkw_result nkw_track_sample_rotation(const nkw_track *track, float time, nkw_rotation_state *out)
+nkw_result nkw_track_sample_rotation(const nkw_track *track, float time, nkw_quat_motion *out)
 {
     nkw_result result = track_check_readable(track);
     if (result == NKW_OK && !track_is_rotation(track))
@@ -123,7 +123,7 @@ nkw_result nkw_track_sample_rotation(const nkw_track *track, float time, nkw_rot
     float value[4];
     nkw_segment segment = nkw_segment_find(track->times, track->count, time);
     nkw_track_sample_segment(track, segment, value);
-    nkw_rotation_state state = {track_read_quat(value), {0.0f, 0.0f, 0.0f}, {0.0f, 0.0f, 0.0f}};
+    nkw_quat_motion state = {track_read_quat(value), {0.0f, 0.0f, 0.0f}, {0.0f, 0.0f, 0.0f}};
     if (is_moving(track, segment, time)) {
         double h = (double)track->times[segment.index + 1] - (double)track->times[segment.index];
         nkw_interpolation interpolation = interpolation_at(track, segment.index);

@@ -101,7 +101,7 @@ static double point_error(const float *x)
 {
     double worst = 0.0;
     for (int k = 0; k < 4; k++) {
-        nkw_curve_point p = nkw_cubic_point((nkw_cubic_kind)k, x, x[4]);
+        nkw_motion p = nkw_cubic_point((nkw_cubic_kind)k, x, x[4]);
         worst = fmax(worst, slope_error((nkw_cubic_kind)k, x, p.first, 1));
         worst = fmax(worst, slope_error((nkw_cubic_kind)k, x, p.second, 2));
     }
@@ -147,7 +147,7 @@ static double quintic_error(const float *x)
 {
     static const int basis[6][6] = {{2, 0, 0, -20, 30, -12}, {0, 2, 0, -12, 16, -6}, {0, 0, 1, -3, 3, -1},
                                     {0, 0, 0, 20, -30, 12},  {0, 0, 0, -8, 14, -6},  {0, 0, 0, 1, -2, 1}};
-    nkw_curve_point p0 = {x[0], x[1], x[2]}, p1 = {x[3], x[4], x[5]}, p = nkw_quintic_hermite(p0, p1, x[6]);
+    nkw_motion p0 = {x[0], x[1], x[2]}, p1 = {x[3], x[4], x[5]}, p = nkw_quintic_hermite(p0, p1, x[6]);
     const float got[3] = {p.value, p.first, p.second};
     wide ends[6], sum[3] = {0, 0, 0}, t = x[6];
     wide_from(x, ends, 6);

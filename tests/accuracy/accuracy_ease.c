@@ -82,7 +82,7 @@ static void near_the_ends(random_source *r, float *x)
 static double ease_error(const float *x)
 {
     int index = (int)x[1];
-    nkw_curve_point got = nkw_ease_point((nkw_ease_kind)(NKW_EASE_SINE_IN + index), x[0]);
+    nkw_motion got = nkw_ease_point((nkw_ease_kind)(NKW_EASE_SINE_IN + index), x[0]);
     exact e = exact_ease(index, x[0]);
     float of[3] = {got.value, got.first, got.second};
     wide want[3] = {e.v, e.d, e.a};

@@ -29,7 +29,7 @@ static wide quintic(wide x, wide v, wide duration, wide c[3])
 
 static double begin_error(const float *x)
 {
-    nkw_motion from = {x[0], x[1]}, to = {x[2], x[3]};
+    nkw_state from = {x[0], x[1]}, to = {x[2], x[3]};
     nkw_inertia got = nkw_inertia_begin(from, to, x[4]);
     wide c[3], e = (wide)x[0] - x[2], v = (wide)x[1] - x[3], t = quintic(e, v, x[4], c);
     return fmax(wide_error(got.c, c, 3), wide_error(&got.duration, &t, 1));
@@ -37,7 +37,7 @@ static double begin_error(const float *x)
 
 static double evaluate_error(const float *x)
 {
-    nkw_motion from = {x[0], x[1]}, to = {x[2], x[3]};
+    nkw_state from = {x[0], x[1]}, to = {x[2], x[3]};
     nkw_inertia i = nkw_inertia_begin(from, to, x[4]);
     float t = x[5] * i.duration, got = nkw_inertia_evaluate(i, to, t).value;
     wide u = (wide)t / i.duration, w = 1 - u;
@@ -67,7 +67,7 @@ static void large_offset(random_source *r, float *x)
 static double quat_evaluate_error(const float *x)
 {
     nkw_vec3_inertia i = {{vec3_at(x), vec3_at(x + 3), vec3_at(x + 6)}, 1.0f};
-    nkw_quat_motion to = {quat_at(x + 9), {0.0f, 0.0f, 0.0f}}, got = nkw_quat_inertia_evaluate(&i, &to, x[13]);
+    nkw_quat_state to = {quat_at(x + 9), {0.0f, 0.0f, 0.0f}}, got = nkw_quat_inertia_evaluate(&i, &to, x[13]);
     wide u = x[13], w = (1 - u) * (1 - u) * (1 - u), v[3], q[4], e[4], want[4];
     for (int k = 0; k < 3; k++)
         v[k] = w * (x[k] + u * (x[3 + k] + u * x[6 + k]));
@@ -130,7 +130,7 @@ static wide exact_coefficients(const wide x[3], const wide v[3], wide duration, 
 
 static double quat_begin_error(const float *in)
 {
-    nkw_quat_motion from = {quat_at(in), vec3_at(in + 4)}, to = {quat_at(in + 7), vec3_at(in + 11)};
+    nkw_quat_state from = {quat_at(in), vec3_at(in + 4)}, to = {quat_at(in + 7), vec3_at(in + 11)};
     nkw_vec3_inertia got = nkw_quat_inertia_begin(&from, &to, in[14]);
     wide x[3], v[3], c[9];
     exact_offset(in, x, v);
@@ -153,10 +153,10 @@ static void two_resting(random_source *r, float *x)
 /* The header states 2.5 u for both functions together: in parts of that, as the line of 1.01 u. */
 static double resting_error(const float *in)
 {
-    nkw_quat_motion from = {quat_at(in), vec3_at(in + 4)}, to = {quat_at(in + 7), vec3_at(in + 11)};
+    nkw_quat_state from = {quat_at(in), vec3_at(in + 4)}, to = {quat_at(in + 7), vec3_at(in + 11)};
     nkw_vec3_inertia inertia = nkw_quat_inertia_begin(&from, &to, in[14]);
     float t = in[14] * in[15];
-    nkw_quat_motion got = nkw_quat_inertia_evaluate(&inertia, &to, t);
+    nkw_quat_state got = nkw_quat_inertia_evaluate(&inertia, &to, t);
     wide x[3], v[3], c[9], u = (wide)t / in[14], w = (1 - u) * (1 - u) * (1 - u), e[4], g[4], want[4];
     exact_offset(in, x, v);
     exact_coefficients(x, v, in[14], c);
@@ -171,7 +171,7 @@ static double resting_error(const float *in)
 static double dead_error(const float *x)
 {
     nkw_dead_blend d = {{x[0], x[1]}, x[6], x[4]};
-    nkw_motion to = {x[2], x[3]};
+    nkw_state to = {x[2], x[3]};
     float t = x[5] * x[4], got = nkw_dead_blend_evaluate(&d, to, t).value;
     wide u = (wide)t / x[4], h = x[6] / logq(2), carried = x[1] * h * -expm1q(-t / h), old = x[0] + carried;
     wide s = u * u * (3 - 2 * u), want = u < 1 ? old + s * (x[2] - old) : x[2];
@@ -193,9 +193,9 @@ static void two_rotations(random_source *r, float *x)
 static double quat_dead_error(const float *x)
 {
     nkw_quat_dead_blend d = {{quat_at(x), vec3_at(x + 4)}, x[13], x[11], {0, 0, 0, 0}};
-    nkw_quat_motion to = {quat_at(x + 7), {0.0f, 0.0f, 0.0f}};
+    nkw_quat_state to = {quat_at(x + 7), {0.0f, 0.0f, 0.0f}};
     float t = x[12] * x[11];
-    nkw_quat_motion got = nkw_quat_dead_blend_evaluate(&d, &to, t);
+    nkw_quat_state got = nkw_quat_dead_blend_evaluate(&d, &to, t);
     wide u = (wide)t / x[11], h = x[13] / logq(2), s = u < 1 ? u * u * (3 - 2 * u) : 1, q[4], v[3], e[4], g[4], old[4];
     wide_from(x, q, 4);
     wide_from(x + 4, v, 3);

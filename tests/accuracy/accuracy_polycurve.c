@@ -236,7 +236,7 @@ static double frame_error(const nkw_curve_frame *f, wide v[3], wide a[3])
 static double frenet_error(const float *x)
 {
     wide v[3], a[3];
-    nkw_vec3_curve_point p = {{0, 0, 0}, vec3_at(x), vec3_at(x + 3)};
+    nkw_vec3_motion p = {{0, 0, 0}, vec3_at(x), vec3_at(x + 3)};
     nkw_vec3 up = {0, 0, 1};
     nkw_curve_frame f = nkw_curve_frame_frenet(&p, up);
     wide_from(x, v, 3);

@@ -257,7 +257,7 @@ static double evaluate_error(const float *x)
     wide q[4], v[3], a[3], t = x[T], h = x[DURATION], velocity, acceleration;
     float got[10];
     nkw_rotation_segment s = segment_of(x);
-    nkw_rotation_state at = nkw_rotation_evaluate(&s, x[T]);
+    nkw_quat_motion at = nkw_rotation_evaluate(&s, x[T]);
     put_quat(got, at.orientation);
     put_vec3(got + 4, at.velocity);
     put_vec3(got + 7, at.acceleration);

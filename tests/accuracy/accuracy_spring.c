@@ -70,7 +70,7 @@ static int is_least(float got, float from, wide exact)
     return got == next && got != from && fabsq(exact - from) <= fabsq((wide)next - from) / 2;
 }
 
-static double step_error(nkw_motion got, const float *x, wide h)
+static double step_error(nkw_state got, const float *x, wide h)
 {
     wide m[4], e = (wide)x[2] - x[4], v = (wide)x[3] - x[5];
     flow(x[0], x[1], h, m);
@@ -81,16 +81,16 @@ static double step_error(nkw_motion got, const float *x, wide h)
     return fmax(error, wide_error_of(&got.velocity, &rate, 1, speed));
 }
 
-static nkw_motion step(const float *x, nkw_motion from, float h)
+static nkw_state step(const float *x, nkw_state from, float h)
 {
     nkw_spring s = {x[0], x[1]};
-    nkw_motion goal = {x[4], x[5]};
+    nkw_state goal = {x[4], x[5]};
     return nkw_spring_step(s, from, goal, h);
 }
 
 static double spring_error(const float *x)
 {
-    nkw_motion from = {x[2], x[3]};
+    nkw_state from = {x[2], x[3]};
     return step_error(step(x, from, x[6]), x, x[6]);
 }
 
@@ -103,7 +103,7 @@ static int is_one_ulp(float from, float to)
 /* Two steps of h against the exact step of 2h, for a goal at rest; the sum of magnitudes of both steps. */
 static double composition_error(const float *x)
 {
-    nkw_motion from = {x[2], x[3]}, half = step(x, from, x[6]), got = step(x, half, x[6]);
+    nkw_state from = {x[2], x[3]}, half = step(x, from, x[6]), got = step(x, half, x[6]);
     wide m[4], e = (wide)x[2] - x[4], v = (wide)x[3], h = x[6];
     if (is_one_ulp(from.value, half.value) || is_one_ulp(half.value, got.value))
         return 0.0;
@@ -281,8 +281,8 @@ static void rotate(const wide q[4], const wide v[3], wide out[3])
 static double quat_spring_error(const float *x)
 {
     nkw_spring s = {x[0], x[1]};
-    nkw_quat_motion from = {quat_at(x + 2), vec3_at(x + 6)}, goal = {quat_at(x + 9), vec3_at(x + 13)};
-    nkw_quat_motion got = nkw_quat_spring_step(s, &from, &goal, x[16]);
+    nkw_quat_state from = {quat_at(x + 2), vec3_at(x + 6)}, goal = {quat_at(x + 9), vec3_at(x + 13)};
+    nkw_quat_state got = nkw_quat_spring_step(s, &from, &goal, x[16]);
     wide q[4], g[4], e[4], w[3], turn[3], v[3], rate[3], m[4], want[4];
     wide_from(x + 2, q, 4);
     wide_from(x + 9, g, 4);

@@ -100,7 +100,7 @@ static double cubic_spin_error(const float *x)
 {
     random_source r = wide_source(x);
     segment s;
-    nkw_rotation_state got;
+    nkw_quat_motion got;
     begin(&s, &r, 4, NKW_TRACK_ROTATION, NKW_INTERPOLATION_CUBICSPLINE);
     float most = 0.5f / (s.times[1] - s.times[0]);
     for (int i = 0; i < 24; i++)
@@ -137,7 +137,7 @@ static double slerp_spin_error(const float *x)
 {
     random_source r = wide_source(x);
     segment s;
-    nkw_rotation_state got;
+    nkw_quat_motion got;
     wide a[4], b[4], exact[4];
     begin(&s, &r, 4, NKW_TRACK_ROTATION, NKW_INTERPOLATION_LINEAR);
     nkw_quat q = random_unit_quat(&r);

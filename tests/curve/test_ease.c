@@ -100,11 +100,11 @@ static void out_is_in_from_the_other_end(void **state)
     for (int in = NKW_EASE_SINE_IN; in <= NKW_EASE_BOUNCE_IN; in += 3)
         for (int k = 0; k <= 64; k++) {
             float t = (float)k / 64.0f;
-            nkw_curve_point a = nkw_ease_point((nkw_ease_kind)in, t),
+            nkw_motion a = nkw_ease_point((nkw_ease_kind)in, t),
                             b = nkw_ease_point((nkw_ease_kind)(in + 1), 1.0f - t);
             expect_near(b.value, 1.0 - (double)a.value, 6e-8);
-            expect_bits(b.first, a.first);
-            expect_bits(b.second, -a.second);
+            expect_bits(b.velocity, a.velocity);
+            expect_bits(b.acceleration, -a.acceleration);
             float middle = nkw_ease((nkw_ease_kind)(in + 2), t), other = nkw_ease((nkw_ease_kind)(in + 2), 1.0f - t);
             if (k != 32)
                 expect_near(middle + other, 1, 1.2e-7);
@@ -120,9 +120,9 @@ static void derivatives_are_those_of_finite_differences(void **state)
         for (int k = 3; k < 98; k++) {
             double t = (double)(float)(k / 101.0);
             double a = penner(kind, t - e), b = penner(kind, t), c = penner(kind, t + e);
-            nkw_curve_point p = nkw_ease_point((nkw_ease_kind)kind, (float)t);
-            expect_near(p.first, (c - a) / (2 * e), 3e-5);
-            expect_near(p.second, (c - 2 * b + a) / (e * e), 3e-3);
+            nkw_motion p = nkw_ease_point((nkw_ease_kind)kind, (float)t);
+            expect_near(p.velocity, (c - a) / (2 * e), 3e-5);
+            expect_near(p.acceleration, (c - 2 * b + a) / (e * e), 3e-3);
         }
 }
 
@@ -131,7 +131,7 @@ static void outside_penner_holds_its_ends_and_css_continues(void **state)
     (void)state;
     for (int kind = NKW_EASE_SINE_IN; kind <= NKW_EASE_BOUNCE_IN_OUT; kind++) {
         expect_bits(nkw_ease((nkw_ease_kind)kind, -0.25f), 0.0f);
-        expect_bits(nkw_ease_point((nkw_ease_kind)kind, -0.25f).first, 0.0f);
+        expect_bits(nkw_ease_point((nkw_ease_kind)kind, -0.25f).velocity, 0.0f);
         expect_bits(nkw_ease((nkw_ease_kind)kind, INFINITY), 1.0f);
     }
     expect_bits(nkw_ease(NKW_EASE_LINEAR, 1.75f), 1.75f);
@@ -148,7 +148,7 @@ static void nan_returns_nan_and_unknown_kinds_are_linear(void **state)
     for (int kind = -1; kind <= NKW_EASE_COUNT; kind++)
         expect_nan(nkw_ease((nkw_ease_kind)kind, NAN));
     expect_bits(nkw_ease((nkw_ease_kind)99, 0.3f), 0.3f);
-    expect_bits(nkw_ease_point((nkw_ease_kind)-7, 0.3f).first, 1.0f);
+    expect_bits(nkw_ease_point((nkw_ease_kind)-7, 0.3f).velocity, 1.0f);
     expect_nan(nkw_ease_cubic_bezier(NAN, 0, 1, 1, 0.5f).value);
     expect_nan(nkw_ease_cubic_bezier(0, 0, INFINITY, 1, 0.5f).value);
     expect_nan(nkw_ease_cubic_bezier(0, 0, 1, 1, NAN).value);
@@ -158,17 +158,17 @@ static void nan_returns_nan_and_unknown_kinds_are_linear(void **state)
 static void only_circ_is_vertical(void **state)
 {
     (void)state;
-    expect_bits(nkw_ease_point(NKW_EASE_CIRC_IN, 1.0f).first, INFINITY);
-    expect_bits(nkw_ease_point(NKW_EASE_CIRC_OUT, 0.0f).first, INFINITY);
-    expect_bits(nkw_ease_point(NKW_EASE_CIRC_OUT, 0.0f).second, -INFINITY);
+    expect_bits(nkw_ease_point(NKW_EASE_CIRC_IN, 1.0f).velocity, INFINITY);
+    expect_bits(nkw_ease_point(NKW_EASE_CIRC_OUT, 0.0f).velocity, INFINITY);
+    expect_bits(nkw_ease_point(NKW_EASE_CIRC_OUT, 0.0f).acceleration, -INFINITY);
     /* Next to the vertical: 1/sqrt(2 t), of t as it is, not of 1 - (1 - t). */
-    expect_near(nkw_ease_point(NKW_EASE_CIRC_OUT, 0x1p-55f).first, 0x1p27, 16);
-    expect_near(nkw_ease_point(NKW_EASE_CIRC_OUT, 0x1p-81f).first, 0x1p40, 0x1p17);
+    expect_near(nkw_ease_point(NKW_EASE_CIRC_OUT, 0x1p-55f).velocity, 0x1p27, 16);
+    expect_near(nkw_ease_point(NKW_EASE_CIRC_OUT, 0x1p-81f).velocity, 0x1p40, 0x1p17);
     for (int kind = 0; kind < NKW_EASE_COUNT; kind++)
         for (int k = 0; k <= 32; k++) {
-            nkw_curve_point p = nkw_ease_point((nkw_ease_kind)kind, (float)k / 32.0f);
+            nkw_motion p = nkw_ease_point((nkw_ease_kind)kind, (float)k / 32.0f);
             int is_circ = is_penner(kind) && (kind - NKW_EASE_SINE_IN) / 3 == 6;
-            assert_true(is_circ || (isfinite(p.value) && isfinite(p.first) && isfinite(p.second)) || k % 32 == 0);
+            assert_true(is_circ || (isfinite(p.value) && isfinite(p.velocity) && isfinite(p.acceleration)) || k % 32 == 0);
         }
 }
 
@@ -198,7 +198,7 @@ static void cubic_bezier_agrees_with_bisection(void **state)
         float x1 = random_unit(&r), x2 = random_unit(&r), y1 = random_between(&r, -1, 2),
               y2 = random_between(&r, -1, 2);
         float t = random_unit(&r);
-        nkw_curve_point p = nkw_ease_cubic_bezier(x1, y1, x2, y2, t);
+        nkw_motion p = nkw_ease_cubic_bezier(x1, y1, x2, y2, t);
         expect_near(p.value, css(x1, y1, x2, y2, t), 3e-7);
     }
     /* cubic-bezier(0.25, 0.1, 0.25, 1) at 1/4, 1/2, 3/4. */
@@ -221,14 +221,14 @@ static void cubic_bezier_continues_along_its_tangents(void **state)
     expect_near(nkw_ease_cubic_bezier(0.5f, 0, 1, 0.5f, 2).value, 1, 0);
     /* A line has no curvature, and the slope of the curve at its end: y'/x' = 2 at 0, 3 at 1. */
     for (float far = 0.5f; far < 9; far += 0.5f) {
-        nkw_curve_point before = nkw_ease_cubic_bezier(0.25f, 0.5f, 0.75f, 0.25f, -far);
-        nkw_curve_point after = nkw_ease_cubic_bezier(0.25f, 0.5f, 0.75f, 0.25f, 1 + far);
+        nkw_motion before = nkw_ease_cubic_bezier(0.25f, 0.5f, 0.75f, 0.25f, -far);
+        nkw_motion after = nkw_ease_cubic_bezier(0.25f, 0.5f, 0.75f, 0.25f, 1 + far);
         expect_bits(before.value, -2 * far);
-        expect_bits(before.first, 2);
-        expect_bits(before.second, 0);
+        expect_bits(before.velocity, 2);
+        expect_bits(before.acceleration, 0);
         expect_bits(after.value, 1 + 3 * far);
-        expect_bits(after.first, 3);
-        expect_bits(after.second, 0);
+        expect_bits(after.velocity, 3);
+        expect_bits(after.acceleration, 0);
     }
 }
 
@@ -260,7 +260,7 @@ static void linear_passes_through_its_points(void **state)
         expect_bits(nkw_ease_linear(in, out, 4, in[i]).value, out[i]);
     expect_near(nkw_ease_linear(in, out, 4, 0.5f).value, 0.25, 0);
     expect_near(nkw_ease_linear(in, out, 4, 0.875f).value, 0.625, 1e-7);
-    expect_near(nkw_ease_linear(in, out, 4, 0.875f).first, 3, 1e-6);
+    expect_near(nkw_ease_linear(in, out, 4, 0.875f).velocity, 3, 1e-6);
     expect_near(nkw_ease_linear(in, out, 4, -1.0f).value, -1, 1e-6);
     expect_near(nkw_ease_linear(in, out, 4, 2.0f).value, 4, 1e-6);
     const float twice[4] = {0, 0.5f, 0.5f, 1}, jump[4] = {0, 0.25f, 0.75f, 1};

@@ -13,10 +13,10 @@ static nkw_nurbs numbers(const float *points, const float *weights, const float 
     return c;
 }
 
-static nkw_curve_point at(const nkw_nurbs *c, float u)
+static nkw_motion at(const nkw_nurbs *c, float u)
 {
-    nkw_curve_point p = {9, 9, 9};
-    nkw_nurbs_sample(c, u, &p.value, &p.first, &p.second);
+    nkw_motion p = {9, 9, 9};
+    nkw_nurbs_sample(c, u, &p.value, &p.velocity, &p.acceleration);
     return p;
 }
 
@@ -42,8 +42,8 @@ static void one_point_returns_it(void **state)
     nkw_nurbs c = numbers(points, NULL, knots, 1, 0);
     assert_int_equal(nkw_nurbs_validate(&c, NULL), NKW_OK);
     expect_bits(at(&c, 0.5f).value, 3);
-    expect_bits(at(&c, 0.5f).first, 0);
-    expect_bits(at(&c, 0.5f).second, 0);
+    expect_bits(at(&c, 0.5f).velocity, 0);
+    expect_bits(at(&c, 0.5f).acceleration, 0);
 }
 
 static void degree_zero_holds_and_degree_one_is_linear(void **state)
@@ -54,12 +54,12 @@ static void degree_zero_holds_and_degree_one_is_linear(void **state)
     expect_bits(at(&hold, 0.75f).value, 1);
     expect_bits(at(&hold, 1).value, 3);
     expect_bits(at(&hold, 4).value, -1);
-    expect_bits(at(&hold, 3).first, 0);
+    expect_bits(at(&hold, 3).velocity, 0);
     expect_bits(at(&line, 0.5f).value, 2);
     expect_bits(at(&line, 1).value, 3);
     expect_bits(at(&line, 2).value, 1);
-    expect_bits(at(&line, 2).first, -2);
-    expect_bits(at(&line, 2).second, 0);
+    expect_bits(at(&line, 2).velocity, -2);
+    expect_bits(at(&line, 2).acceleration, 0);
 }
 
 static void uniform_knots_of_degree_three_are_the_bspline(void **state)
@@ -73,11 +73,11 @@ static void uniform_knots_of_degree_three_are_the_bspline(void **state)
         nkw_nurbs c = numbers(points, NULL, knots, 7, 3);
         size_t k = random_bits(&r) % 4;
         float t = random_unit(&r);
-        nkw_curve_point p = at(&c, (float)k + t),
+        nkw_motion p = at(&c, (float)k + t),
                         want = nkw_cubic_point(NKW_CUBIC_BSPLINE, points + k, (float)k + t - (float)k);
         expect_near(p.value, want.value, 3e-7);
-        expect_near(p.first, want.first, 3e-6);
-        expect_near(p.second, want.second, 1e-5);
+        expect_near(p.velocity, want.velocity, 3e-6);
+        expect_near(p.acceleration, want.acceleration, 1e-5);
     }
 }
 
@@ -91,10 +91,10 @@ static void clamped_knots_of_four_points_are_the_bezier(void **state)
         draw(&r, points, 4, -1, 1);
         nkw_nurbs c = numbers(points, NULL, knots, 4, 3);
         float t = random_unit(&r);
-        nkw_curve_point p = at(&c, t), want = nkw_cubic_point(NKW_CUBIC_BEZIER, points, t);
+        nkw_motion p = at(&c, t), want = nkw_cubic_point(NKW_CUBIC_BEZIER, points, t);
         expect_near(p.value, want.value, 3e-7);
-        expect_near(p.first, want.first, 1e-6);
-        expect_near(p.second, want.second, 4e-6);
+        expect_near(p.velocity, want.velocity, 1e-6);
+        expect_near(p.acceleration, want.acceleration, 4e-6);
     }
 }
 
@@ -162,16 +162,16 @@ static void values_are_those_of_scipy(void **state)
       };
     nkw_nurbs c = numbers(points, NULL, knots, 10, 5), d = numbers(points2, weights2, knots2, 5, 2);
     for (size_t i = 0; i < sizeof rows / sizeof rows[0]; i++) {
-        nkw_curve_point p = at(&c, (float)rows[i].u);
+        nkw_motion p = at(&c, (float)rows[i].u);
         expect_near(p.value, rows[i].want[0], 2e-7);
-        expect_near(p.first, rows[i].want[1], 2e-6);
-        expect_near(p.second, rows[i].want[2], 2e-5);
+        expect_near(p.velocity, rows[i].want[1], 2e-6);
+        expect_near(p.acceleration, rows[i].want[2], 2e-5);
     }
     for (size_t i = 0; i < sizeof rational / sizeof rational[0]; i++) {
-        nkw_curve_point p = at(&d, (float)rational[i].u);
+        nkw_motion p = at(&d, (float)rational[i].u);
         expect_near(p.value, rational[i].want[0], 2e-7);
-        expect_near(p.first, rational[i].want[1], 2e-6);
-        expect_near(p.second, rational[i].want[2], 2e-5);
+        expect_near(p.velocity, rational[i].want[1], 2e-6);
+        expect_near(p.acceleration, rational[i].want[2], 2e-5);
     }
 }
 
@@ -189,13 +189,13 @@ static void equal_points_are_that_point_and_weights_may_be_scaled(void **state)
             scaled[k] = 8 * weights[k];
         nkw_nurbs c = numbers(points, weights, knots, count, degree), d = numbers(points, scaled, knots, count, degree);
         float u = nkw_lerp(knots[degree], knots[count], random_unit(&r));
-        nkw_curve_point p = at(&c, u), q = at(&d, u);
+        nkw_motion p = at(&c, u), q = at(&d, u);
         expect_bits(p.value, q.value);
-        expect_bits(p.first, q.first);
+        expect_bits(p.velocity, q.velocity);
         for (size_t k = 0; k < count; k++)
             points[k] = 0.625f;
         expect_bits(at(&c, u).value, 0.625f);
-        expect_near(at(&c, u).first, 0, 0);
+        expect_near(at(&c, u).velocity, 0, 0);
     }
 }
 
@@ -213,10 +213,10 @@ static void derivatives_are_slopes(void **state)
             nkw_nurbs_make_knots(NKW_NURBS_KNOTS_CLAMPED, count, degree, 0, (float)(count - degree), knots), NKW_OK);
         nkw_nurbs c = numbers(points, weights, knots, count, degree);
         float u = (float)(random_bits(&r) % (count - degree)) + 0x1p-8f + (float)(random_bits(&r) % 253) / 256;
-        nkw_curve_point p = at(&c, u), before = at(&c, u - h), after = at(&c, u + h);
-        expect_near(p.first, ((double)after.value - (double)before.value) / (2 * (double)h), 1e-2);
-        expect_near(p.second, ((double)after.first - (double)before.first) / (2 * (double)h),
-                    3e-2 + 1e-3 * fabs((double)p.second));
+        nkw_motion p = at(&c, u), before = at(&c, u - h), after = at(&c, u + h);
+        expect_near(p.velocity, ((double)after.value - (double)before.value) / (2 * (double)h), 1e-2);
+        expect_near(p.acceleration, ((double)after.velocity - (double)before.velocity) / (2 * (double)h),
+                    3e-2 + 1e-3 * fabs((double)p.acceleration));
     }
 }
 
@@ -239,10 +239,10 @@ static void mirrored_curves_have_mirrored_points(void **state)
         nkw_nurbs c = numbers(points, weights, knots, count, degree),
                   back = numbers(back_points, back_weights, back_knots, count, degree);
         float u = nkw_lerp(knots[degree], knots[count], 0.999f * random_unit(&r));
-        nkw_curve_point p = at(&c, u), q = at(&back, -u);
+        nkw_motion p = at(&c, u), q = at(&back, -u);
         expect_near(p.value, q.value, 1e-6);
         if (degree > 2)
-            expect_near(p.first, -(double)q.first, 1e-5 * (1 + fabs((double)p.first)));
+            expect_near(p.velocity, -(double)q.velocity, 1e-5 * (1 + fabs((double)p.velocity)));
     }
 }
 
@@ -260,10 +260,10 @@ static void vectors_go_by_component_and_stride(void **state)
         nkw_nurbs c = {points, weights, knots, 7, 3, 3, 4}, one = numbers(y, weights, knots, 7, 3);
         float u = nkw_lerp(knots[3], knots[7], random_unit(&r));
         nkw_nurbs_sample(&c, u, p, v, a);
-        nkw_curve_point want = at(&one, u);
+        nkw_motion want = at(&one, u);
         expect_bits(p[1], want.value);
-        expect_bits(v[1], want.first);
-        expect_bits(a[1], want.second);
+        expect_bits(v[1], want.velocity);
+        expect_bits(a[1], want.acceleration);
         float again[3];
         nkw_nurbs_sample(&c, u, again, NULL, NULL);
         expect_floats_bits(again, p, 3);
@@ -277,7 +277,7 @@ static void a_knot_of_multiplicity_degree_is_a_corner_at_its_point(void **state)
     nkw_nurbs c = numbers(points, NULL, knots, 7, 3);
     assert_int_equal(nkw_nurbs_validate(&c, NULL), NKW_OK);
     expect_bits(at(&c, 1).value, 5);
-    expect_near(at(&c, 1).first, -6, 1e-6); /* of the span that begins there */
+    expect_near(at(&c, 1).velocity, -6, 1e-6); /* of the span that begins there */
 }
 
 static void expect_bad(const nkw_nurbs *c, nkw_result result, size_t bad)

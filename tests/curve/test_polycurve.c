@@ -46,7 +46,7 @@ static double chords(nkw_cubic_kind kind, const nkw_vec3_cubic *c, double from, 
     const int n = 20000;
     for (int i = 0; i < n; i++) {
         double t = from + (to - from) * (i + 0.5) / n;
-        nkw_vec3 v = nkw_vec3_cubic_point(kind, c, (float)t).first;
+        nkw_vec3 v = nkw_vec3_cubic_point(kind, c, (float)t).velocity;
         sum += sqrt((double)v.x * (double)v.x + (double)v.y * (double)v.y + (double)v.z * (double)v.z);
     }
     return sum * (to - from) / n;
@@ -315,8 +315,8 @@ static void points_of_a_polycurve_are_those_of_its_segments(void **state)
     nkw_segment at = {2, 0.25f}, beyond = {99, 0.25f};
     expect_vec3_bits(nkw_polycurve_point(&curve, at).value,
                      nkw_vec3_cubic_point(NKW_CUBIC_BEZIER, &chain[2], 0.25f).value);
-    expect_vec3_bits(nkw_polycurve_point(&curve, beyond).second,
-                     nkw_vec3_cubic_point(NKW_CUBIC_BEZIER, &chain[SEGMENTS - 1], 0.25f).second);
+    expect_vec3_bits(nkw_polycurve_point(&curve, beyond).acceleration,
+                     nkw_vec3_cubic_point(NKW_CUBIC_BEZIER, &chain[SEGMENTS - 1], 0.25f).acceleration);
     expect_vec3_bits(nkw_polycurve_point(&none, at).value, vec3(0, 0, 0));
 }
 

@@ -48,32 +48,32 @@ static void frenet_of_a_helix_points_to_its_axis(void **state)
     (void)state;
     for (int i = 0; i < 100; i++) {
         double a = 0.1 * i;
-        nkw_vec3_curve_point p = {{0, 0, 0}, {0, 0, 0}, {0, 0, 0}};
-        p.first = vec3((float)-sin(a), (float)cos(a), 0.5f);
-        p.second = vec3((float)-cos(a), (float)-sin(a), 0);
+        nkw_vec3_motion p = {{0, 0, 0}, {0, 0, 0}, {0, 0, 0}};
+        p.velocity = vec3((float)-sin(a), (float)cos(a), 0.5f);
+        p.acceleration = vec3((float)-cos(a), (float)-sin(a), 0);
         nkw_curve_frame f = nkw_curve_frame_frenet(&p, vec3(0, 0, 0));
         expect_frame(&f);
-        expect_vec3_near(f.normal, p.second, 3e-7);
+        expect_vec3_near(f.normal, p.acceleration, 3e-7);
     }
 }
 
 static void frenet_at_an_inflection_keeps_the_normal(void **state)
 {
     (void)state;
-    nkw_vec3_curve_point p = {{0, 0, 0}, {2, 0, 0}, {-3, 0, 0}};
+    nkw_vec3_motion p = {{0, 0, 0}, {2, 0, 0}, {-3, 0, 0}};
     nkw_curve_frame f = nkw_curve_frame_frenet(&p, vec3(5, 0, 2));
     expect_frame(&f);
     expect_vec3_bits(f.normal, vec3(0, 0, 1));
     f = nkw_curve_frame_frenet(&p, vec3(7, 0, 0)); /* nothing perpendicular */
     expect_frame(&f);
-    p.second = vec3(0, 0, 0);
+    p.acceleration = vec3(0, 0, 0);
     f = nkw_curve_frame_frenet(&p, vec3(0, -1, 0));
     expect_vec3_bits(f.normal, vec3(0, -1, 0));
-    p.first = vec3(0, 0, 0);
+    p.velocity = vec3(0, 0, 0);
     f = nkw_curve_frame_frenet(&p, vec3(0, 0, 0));
     expect_vec3_bits(f.tangent, vec3(1, 0, 0));
     expect_frame(&f);
-    p.second = vec3(0, 3, 0);
+    p.acceleration = vec3(0, 3, 0);
     f = nkw_curve_frame_frenet(&p, vec3(1, 1, 0));
     expect_vec3_bits(f.tangent, vec3(0, 1, 0));
     expect_vec3_bits(f.normal, vec3(1, 0, 0));
@@ -121,9 +121,9 @@ static void frames_at_rest_are_limits(void **state)
         nkw_polycurve curve = {&c, 1, NKW_CUBIC_HERMITE};
         nkw_segment at = {0, side}, beside = {0, i % 2 ? 1 - 0x1p-10f : 0x1p-10f}, inside = {0, random_unit(&r)};
         nkw_curve_frame f = nkw_polycurve_frenet(&curve, at, o), g = nkw_polycurve_frenet(&curve, beside, o);
-        nkw_vec3_curve_point middle = nkw_polycurve_point(&curve, inside), rest = nkw_polycurve_point(&curve, at);
+        nkw_vec3_motion middle = nkw_polycurve_point(&curve, inside), rest = nkw_polycurve_point(&curve, at);
         expect_frame(&f);
-        if (nkw_vec3_length(nkw_vec3_cross(rest.second, nkw_vec3_sub(middle.second, rest.second))) < 0.5f)
+        if (nkw_vec3_length(nkw_vec3_cross(rest.acceleration, nkw_vec3_sub(middle.acceleration, rest.acceleration))) < 0.5f)
             continue;
         expect_vec3_near(f.tangent, g.tangent, 0.05);
         expect_vec3_near(f.normal, g.normal, 0.2);

@@ -62,12 +62,12 @@ static void ends_are_the_keys_bit_for_bit(void **state)
     random_source r = random_from(1);
     for (int i = 0; i < 6000; i++) {
         nkw_rotation_segment s = draw_segment(&r, i % 3);
-        nkw_quat end = s.control[i % 3 == 2 ? 3 : 1], got = nkw_rotation_evaluate(&s, 1.0f).orientation;
-        expect_quat_bits(nkw_rotation_evaluate(&s, 0.0f).orientation, s.control[0]);
+        nkw_quat end = s.control[i % 3 == 2 ? 3 : 1], got = nkw_rotation_evaluate(&s, 1.0f).value;
+        expect_quat_bits(nkw_rotation_evaluate(&s, 0.0f).value, s.control[0]);
         expect_quat_bits(got, nkw_quat_dot(got, end) < 0 ? nkw_quat_negate(end) : end);
         /* No jump before the end: the sign is that of the curve. */
-        expect_quat_near(nkw_rotation_evaluate(&s, 0x1.fffffep-1f).orientation, got, 1e-5);
-        expect_quat_near(nkw_rotation_evaluate(&s, 0x1p-24f).orientation, s.control[0], 1e-5);
+        expect_quat_near(nkw_rotation_evaluate(&s, 0x1.fffffep-1f).value, got, 1e-5);
+        expect_quat_near(nkw_rotation_evaluate(&s, 0x1p-24f).value, s.control[0], 1e-5);
     }
 }
 
@@ -80,9 +80,9 @@ static void velocity_and_acceleration_are_the_derivatives(void **state)
     for (int i = 0; i < 8000; i++) {
         nkw_rotation_segment s = draw_segment(&r, i % KINDS);
         float t = random_between(&r, 0.1f, 0.9f), h = s.duration;
-        nkw_rotation_state at = nkw_rotation_evaluate(&s, t), low = nkw_rotation_evaluate(&s, t - e),
+        nkw_quat_motion at = nkw_rotation_evaluate(&s, t), low = nkw_rotation_evaluate(&s, t - e),
                            high = nkw_rotation_evaluate(&s, t + e);
-        nkw_vec3 mean = nkw_quat_angular_velocity(low.orientation, high.orientation, 2.0f * e * h);
+        nkw_vec3 mean = nkw_quat_angular_velocity(low.value, high.value, 2.0f * e * h);
         nkw_vec3 change = nkw_vec3_scale(nkw_vec3_sub(high.velocity, low.velocity), 0.5f / (e * h));
         float speed = nkw_vec3_length(at.velocity) + 1.0f / h, size = speed * speed + nkw_vec3_length(at.acceleration);
         expect_vec3_near(at.velocity, mean, 0.01 * (double)(speed + 30.0f / h));
@@ -100,8 +100,8 @@ static void slerp_segment_is_slerp_at_constant_velocity(void **state)
         int32_t turns = (int32_t)(random_bits(&r) % 5) - 2;
         nkw_rotation_segment s = nkw_rotation_slerp(a, b, path, turns, 2.0f);
         float t = random_unit(&r);
-        nkw_rotation_state at = nkw_rotation_evaluate(&s, t), start = nkw_rotation_evaluate(&s, 0.0f);
-        expect_quat_near(at.orientation, nkw_quat_slerp_path(a, b, t, path, turns), 3e-7);
+        nkw_quat_motion at = nkw_rotation_evaluate(&s, t), start = nkw_rotation_evaluate(&s, 0.0f);
+        expect_quat_near(at.value, nkw_quat_slerp_path(a, b, t, path, turns), 3e-7);
         expect_vec3_near(at.velocity, start.velocity, 4e-6);
         expect_vec3_near(at.acceleration, vec(0, 0, 0), 1e-12);
         if (path == NKW_PATH_SHORT && turns == 0)
@@ -128,10 +128,10 @@ static void hermite_at_rest_is_slerp_that_eases(void **state)
         nkw_quat a = some_key(&r), b = some_key(&r);
         nkw_rotation_segment s = nkw_rotation_hermite(a, vec(0, 0, 0), b, vec(0, 0, 0), 1.0f);
         float t = random_unit(&r), eased = t * t * (3.0f - 2.0f * t);
-        expect_quat_near(nkw_rotation_evaluate(&s, t).orientation, nkw_quat_slerp(a, b, eased), 5e-7);
+        expect_quat_near(nkw_rotation_evaluate(&s, t).value, nkw_quat_slerp(a, b, eased), 5e-7);
         s.path = NKW_PATH_LONG;
         s.turns = 2;
-        expect_quat_near(nkw_rotation_evaluate(&s, t).orientation, nkw_quat_slerp_path(a, b, eased, NKW_PATH_LONG, 2),
+        expect_quat_near(nkw_rotation_evaluate(&s, t).value, nkw_quat_slerp_path(a, b, eased, NKW_PATH_LONG, 2),
                          4e-6);
     }
 }
@@ -149,8 +149,8 @@ static void wheels_turn_as_often_as_their_velocity_says(void **state)
         nkw_quat a = some_key(&r), b = nkw_quat_integrate(a, rate, duration);
         b = random_bits(&r) & 1 ? nkw_quat_negate(b) : b;
         nkw_rotation_segment s = nkw_rotation_hermite(a, rate, b, rate, duration);
-        nkw_rotation_state at = nkw_rotation_evaluate(&s, t);
-        expect_rotation_near(at.orientation, nkw_quat_integrate(a, rate, t * duration), 2e-5);
+        nkw_quat_motion at = nkw_rotation_evaluate(&s, t);
+        expect_rotation_near(at.value, nkw_quat_integrate(a, rate, t * duration), 2e-5);
         expect_near(nkw_vec3_distance(at.velocity, rate), 0, 2e-5 * (1.0 + fabs((double)angle)) / (double)duration);
     }
 }
@@ -166,7 +166,7 @@ static void noise_on_a_wheel_stays_noise(void **state)
         nkw_vec3 wobble = random_vec3(&r, -0.01f, 0.01f);
         nkw_rotation_segment s = nkw_rotation_hermite(a, nkw_vec3_add(rate, wobble), b, rate, 1.0f);
         float t = random_unit(&r);
-        expect_rotation_near(nkw_rotation_evaluate(&s, t).orientation, nkw_quat_integrate(a, rate, t), 6e-3);
+        expect_rotation_near(nkw_rotation_evaluate(&s, t).value, nkw_quat_integrate(a, rate, t), 6e-3);
     }
 }
 
@@ -185,8 +185,8 @@ static void signs_of_the_keys_do_not_matter(void **state)
                                      nkw_rotation_catmull_rom(k, times)};
         nkw_rotation_segment b[3] = {nkw_rotation_squad(n, 1), nkw_rotation_bspline(n, 1),
                                      nkw_rotation_catmull_rom(n, times)};
-        nkw_rotation_state p = nkw_rotation_evaluate(&a[i % 3], t), q = nkw_rotation_evaluate(&b[i % 3], t);
-        expect_rotation_near(p.orientation, q.orientation, 2e-7);
+        nkw_quat_motion p = nkw_rotation_evaluate(&a[i % 3], t), q = nkw_rotation_evaluate(&b[i % 3], t);
+        expect_rotation_near(p.value, q.value, 2e-7);
         expect_vec3_near(p.velocity, q.velocity, 1e-5);
     }
 }
@@ -204,9 +204,9 @@ static void turned_keys_turn_the_curve(void **state)
         for (int j = 0; j < 2; j++)
             turned.velocity[j] = nkw_quat_rotate(g, s.velocity[j]);
         float t = random_unit(&r);
-        nkw_rotation_state a = nkw_rotation_evaluate(&s, t), b = nkw_rotation_evaluate(&turned, t);
+        nkw_quat_motion a = nkw_rotation_evaluate(&s, t), b = nkw_rotation_evaluate(&turned, t);
         double rate = 1.0 / (double)(s.duration * s.duration);
-        expect_rotation_near(nkw_quat_mul(g, a.orientation), b.orientation, 6e-6);
+        expect_rotation_near(nkw_quat_mul(g, a.value), b.value, 6e-6);
         expect_vec3_near(nkw_quat_rotate(g, a.velocity), b.velocity, 3e-4 * (1.0 + rate));
         expect_vec3_near(nkw_quat_rotate(g, a.acceleration), b.acceleration, 3e-3 * (1.0 + rate));
     }
@@ -228,26 +228,26 @@ static void about_one_axis_they_are_the_curves_of_numbers(void **state)
         float v0 = random_between(&r, -1.5f, 1.5f), v1 = random_between(&r, -1.5f, 1.5f);
         nkw_rotation_segment hermite =
             nkw_rotation_hermite(k[0], nkw_vec3_scale(axis, v0), k[1], nkw_vec3_scale(axis, v1), 1.0f);
-        expect_rotation_near(nkw_rotation_evaluate(&hermite, t).orientation,
+        expect_rotation_near(nkw_rotation_evaluate(&hermite, t).value,
                              about(axis, nkw_hermite(a[0], v0, a[1], v1, t)), 2e-6);
         nkw_rotation_segment bspline = nkw_rotation_bspline(k, 1.0f);
-        expect_rotation_near(nkw_rotation_evaluate(&bspline, t).orientation,
+        expect_rotation_near(nkw_rotation_evaluate(&bspline, t).value,
                              about(axis, nkw_bspline(a[0], a[1], a[2], a[3], t)), 2e-6);
         nkw_rotation_segment squad = nkw_rotation_squad(k, 1.0f);
         float s1 = a[1] - 0.25f * (a[2] + a[0] - 2.0f * a[1]), s2 = a[2] - 0.25f * (a[3] + a[1] - 2.0f * a[2]);
         float angle = nkw_lerp(nkw_lerp(a[1], a[2], t), nkw_lerp(s1, s2, t), 2.0f * t * (1.0f - t));
-        expect_rotation_near(nkw_rotation_evaluate(&squad, t).orientation, about(axis, angle), 2e-6);
+        expect_rotation_near(nkw_rotation_evaluate(&squad, t).value, about(axis, angle), 2e-6);
         const float times[4] = {0.0f, 1.0f, 2.5f, 3.5f};
         nkw_rotation_segment through = nkw_rotation_catmull_rom(k, times);
-        expect_rotation_near(nkw_rotation_evaluate(&through, t).orientation,
+        expect_rotation_near(nkw_rotation_evaluate(&through, t).value,
                              about(axis, nkw_catmull_rom_nonuniform(times, a[0], a[1], a[2], a[3], t)), 3e-6);
     }
 }
 
 static void join(nkw_rotation_segment *a, nkw_rotation_segment *b, int has_acceleration)
 {
-    nkw_rotation_state p = nkw_rotation_evaluate(a, 1.0f), q = nkw_rotation_evaluate(b, 0.0f);
-    expect_rotation_near(p.orientation, q.orientation, 3e-7);
+    nkw_quat_motion p = nkw_rotation_evaluate(a, 1.0f), q = nkw_rotation_evaluate(b, 0.0f);
+    expect_rotation_near(p.value, q.value, 3e-7);
     expect_vec3_near(p.velocity, q.velocity, 3e-5);
     if (has_acceleration)
         expect_vec3_near(p.acceleration, q.acceleration, 1e-4);
@@ -352,8 +352,8 @@ static void without_a_duration_there_is_no_velocity(void **state)
     for (int i = 0; i < 300; i++) {
         nkw_rotation_segment s = draw_segment(&r, i % KINDS);
         s.duration = durations[i % 3];
-        nkw_rotation_state at = nkw_rotation_evaluate(&s, 0.3f);
-        assert_true(nkw_quat_is_finite(at.orientation));
+        nkw_quat_motion at = nkw_rotation_evaluate(&s, 0.3f);
+        assert_true(nkw_quat_is_finite(at.value));
         expect_vec3_near(at.velocity, vec(0, 0, 0), 0);
         expect_vec3_near(at.acceleration, vec(0, 0, 0), 0);
     }
@@ -367,8 +367,8 @@ static void equal_keys_do_not_move(void **state)
         nkw_quat q = some_key(&r), k[4] = {q, nkw_quat_negate(q), q, q};
         nkw_rotation_segment s[3] = {nkw_rotation_slerp(q, k[1], NKW_PATH_SHORT, 0, 1), nkw_rotation_squad(k, 1),
                                      nkw_rotation_bspline(k, 1)};
-        nkw_rotation_state at = nkw_rotation_evaluate(&s[i % 3], random_unit(&r));
-        expect_rotation_near(at.orientation, q, 2e-7);
+        nkw_quat_motion at = nkw_rotation_evaluate(&s[i % 3], random_unit(&r));
+        expect_rotation_near(at.value, q, 2e-7);
         expect_vec3_near(at.velocity, vec(0, 0, 0), 1e-6);
         expect_vec3_near(at.acceleration, vec(0, 0, 0), 2e-6);
     }
@@ -382,19 +382,19 @@ static void zeros_are_identities_and_unknown_kinds_slerp(void **state)
     for (int kind = 0; kind < KINDS; kind++) {
         nkw_rotation_segment s = nkw_rotation_bspline(zeros, 1.0f);
         s.kind = (nkw_rotation_kind)kind;
-        expect_quat_near(nkw_rotation_evaluate(&s, 0.5f).orientation, one, 1e-7);
+        expect_quat_near(nkw_rotation_evaluate(&s, 0.5f).value, one, 1e-7);
         for (int i = 0; i < 4; i++)
             s.control[i] = far[i];
         for (int t = -8; t <= 8; t++) {
-            nkw_rotation_state at = nkw_rotation_evaluate(&s, (float)t / 4.0f);
-            expect_near(nkw_quat_length(at.orientation), 1.0, 1e-6);
+            nkw_quat_motion at = nkw_rotation_evaluate(&s, (float)t / 4.0f);
+            expect_near(nkw_quat_length(at.value), 1.0, 1e-6);
             assert_true(nkw_vec3_is_finite(at.velocity) && nkw_vec3_is_finite(at.acceleration));
         }
-        expect_nan(nkw_rotation_evaluate(&s, NAN).orientation.w);
+        expect_nan(nkw_rotation_evaluate(&s, NAN).value.w);
     }
     nkw_rotation_segment s = nkw_rotation_slerp(one, half_turn, NKW_PATH_SHORT, 0, 1.0f), odd = s;
     odd.kind = (nkw_rotation_kind)77;
-    expect_quat_bits(nkw_rotation_evaluate(&odd, 0.3f).orientation, nkw_rotation_evaluate(&s, 0.3f).orientation);
+    expect_quat_bits(nkw_rotation_evaluate(&odd, 0.3f).value, nkw_rotation_evaluate(&s, 0.3f).value);
 }
 
 int main(void)

@@ -35,7 +35,7 @@ static void handles(fuzz *f)
     nkw_handle_segment s = {fuzz_float(f), fuzz_float(f), draw_handle(f), draw_handle(f), fuzz_float(f), fuzz_float(f)};
     nkw_handle_segment left, right;
     float time = fuzz_byte(f) % 2 ? fuzz_float(f) : nkw_lerp(s.time0, s.time1, (float)fuzz_byte(f) / 255.0f);
-    nkw_curve_point p = nkw_handle_point(&s, time);
+    nkw_motion p = nkw_handle_point(&s, time);
     float t = nkw_handle_parameter(&s, time);
     FUZZ_CHECK(t != t || (t >= 0.0f && t <= 1.0f));
     if (is_finite(&s) && fuzz_finite(&time, 1)) {
@@ -54,7 +54,7 @@ static void eases(fuzz *f)
 {
     float t = fuzz_float(f), inputs[STOPS], outputs[STOPS];
     nkw_ease_kind kind = (nkw_ease_kind)fuzz_choice(f, NKW_EASE_COUNT - 1);
-    nkw_curve_point p = nkw_ease_point(kind, t);
+    nkw_motion p = nkw_ease_point(kind, t);
     FUZZ_CHECK(!(t >= 0.0f && t <= 1.0f) || (p.value > -0.5f && p.value < 1.5f));
     nkw_ease_cubic_bezier(fuzz_float(f), fuzz_float(f), fuzz_float(f), fuzz_float(f), t);
     nkw_ease_steps((int)fuzz_bits(f), (nkw_ease_jump)fuzz_choice(f, 3), t);
@@ -111,7 +111,7 @@ static void fcurves(fuzz *f)
     const float *times = fuzz_floats(f, TIMES, 1);
     uint32_t cursor = fuzz_bits(f);
     for (size_t i = 0; i < TIMES; i++) {
-        nkw_curve_point a = nkw_fcurve_sample(&c, times[i]), b = nkw_fcurve_sample_cursor(&c, times[i], &cursor);
+        nkw_motion a = nkw_fcurve_sample(&c, times[i]), b = nkw_fcurve_sample_cursor(&c, times[i], &cursor);
         FUZZ_CHECK(result != NKW_OK || fuzz_same(&a.value, &b.value, 3));
         FUZZ_CHECK(result != NKW_OK || !fuzz_finite(times + i, 1) || a.value == a.value);
     }

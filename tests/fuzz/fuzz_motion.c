@@ -2,9 +2,9 @@
 /* The motion kit: springs, transitions, play heads, timecode. Total on any floats; unit rotations of finite ones. */
 #include "fuzz.h"
 
-static nkw_motion draw_motion(fuzz *f)
+static nkw_state draw_motion(fuzz *f)
 {
-    nkw_motion m = {fuzz_float(f), fuzz_float(f)};
+    nkw_state m = {fuzz_float(f), fuzz_float(f)};
     return m;
 }
 
@@ -20,9 +20,9 @@ static nkw_quat draw_quat(fuzz *f)
     return fuzz_byte(f) % 2 ? nkw_quat_normalize(q) : q;
 }
 
-static nkw_quat_motion draw_rotation(fuzz *f)
+static nkw_quat_state draw_rotation(fuzz *f)
 {
-    nkw_quat_motion m = {draw_quat(f), draw_vec3(f)};
+    nkw_quat_state m = {draw_quat(f), draw_vec3(f)};
     return m;
 }
 
@@ -32,13 +32,13 @@ static void check_unit(nkw_quat q, int is_finite)
     FUZZ_CHECK((length > 0.99f && length < 1.01f) || !is_finite);
 }
 
-static int finite_rotation(const nkw_quat_motion *m)
+static int finite_rotation(const nkw_quat_state *m)
 {
     float length = nkw_quat_length(m->value);
     return length > 1e-15f && length < 1e15f && fuzz_finite(&m->velocity.x, 3);
 }
 
-static int same_motion(nkw_motion a, nkw_motion b)
+static int same_motion(nkw_state a, nkw_state b)
 {
     return fuzz_same(&a.value, &b.value, 1) && fuzz_same(&a.velocity, &b.velocity, 1);
 }
@@ -51,10 +51,10 @@ static void springs(fuzz *f)
         s = fuzz_byte(f) % 2 ? nkw_spring_from_half_life(a, b) : nkw_spring_from_frequency(a, b);
     FUZZ_CHECK(!(nkw_spring_frequency(s) < 0.0f) && !(nkw_spring_half_life(s) < 0.0f));
     FUZZ_CHECK(!(nkw_spring_damping_ratio(s) < 0.0f));
-    nkw_motion from = draw_motion(f), goal = draw_motion(f), still = from;
-    nkw_motion to = nkw_spring_step(s, from, goal, h);
+    nkw_state from = draw_motion(f), goal = draw_motion(f), still = from;
+    nkw_state to = nkw_spring_step(s, from, goal, h);
     FUZZ_CHECK(h > 0.0f || h != h || same_motion(from, to));
-    nkw_quat_motion q = draw_rotation(f), g = draw_rotation(f), r = nkw_quat_spring_step(s, &q, &g, h);
+    nkw_quat_state q = draw_rotation(f), g = draw_rotation(f), r = nkw_quat_spring_step(s, &q, &g, h);
     int known = fuzz_finite(&s.stiffness, 1) && fuzz_finite(&s.damping, 1) && fuzz_finite(&h, 1);
     check_unit(r.value, known && h > 0.0f && finite_rotation(&q) && finite_rotation(&g));
     nkw_spring_timed timed = {s, b}, copy = timed;
@@ -69,23 +69,23 @@ static void springs(fuzz *f)
 static void transitions(fuzz *f)
 {
     float duration = fuzz_float(f), t = fuzz_float(f);
-    nkw_motion from = draw_motion(f), to = draw_motion(f);
+    nkw_state from = draw_motion(f), to = draw_motion(f);
     nkw_inertia x = nkw_inertia_begin(from, to, duration);
     FUZZ_CHECK(x.duration >= 0.0f || x.duration != x.duration);
     FUZZ_CHECK(x.duration <= duration || x.duration == 0.0f || duration != duration);
     FUZZ_CHECK(t < x.duration || t != t || x.duration != x.duration ||
                same_motion(nkw_inertia_evaluate(x, to, t), to) || t <= 0.0f);
-    nkw_quat_motion q = draw_rotation(f), g = draw_rotation(f);
+    nkw_quat_state q = draw_rotation(f), g = draw_rotation(f);
     nkw_vec3_inertia y = nkw_quat_inertia_begin(&q, &g, duration);
-    nkw_quat_motion r = nkw_quat_inertia_evaluate(&y, &g, t);
+    nkw_quat_state r = nkw_quat_inertia_evaluate(&y, &g, t);
     nkw_quat_dead_blend d = {q, fuzz_float(f), duration, draw_quat(f)};
-    nkw_quat_motion blended = nkw_quat_dead_blend_evaluate(&d, &g, t);
+    nkw_quat_state blended = nkw_quat_dead_blend_evaluate(&d, &g, t);
     float length = nkw_quat_length(g.value);
     int known = finite_rotation(&q) && finite_rotation(&g) && length > 0.999f && length < 1.001f;
     check_unit(r.value, known);
     check_unit(blended.value,
                known && fuzz_finite(&d.half_life, 1) && fuzz_finite(&d.difference.x, 4) && fuzz_finite(&t, 1));
-    nkw_vec3_motion u = {draw_vec3(f), draw_vec3(f)}, v = {draw_vec3(f), draw_vec3(f)};
+    nkw_vec3_state u = {draw_vec3(f), draw_vec3(f)}, v = {draw_vec3(f), draw_vec3(f)};
     nkw_vec3_inertia z = nkw_vec3_inertia_begin(&u, &v, duration);
     nkw_vec3_inertia_evaluate(&z, &v, t);
     nkw_vec3_dead_blend e = {u, fuzz_float(f), duration};

@@ -22,7 +22,7 @@ static void places(fuzz *f, const nkw_polycurve *curve, size_t steps)
     for (int i = 0; i < 3; i++) {
         nkw_segment at = nkw_polycurve_at_length(curve, lengths, steps, fuzz_float(f));
         FUZZ_CHECK((at.index < curve->count || at.index == 0) && at.t >= 0.0f && at.t <= 1.0f);
-        nkw_vec3_curve_point p = nkw_polycurve_point(curve, at);
+        nkw_vec3_motion p = nkw_polycurve_point(curve, at);
         nkw_curve_frame frame = nkw_curve_frame_frenet(&p, draw_vec3(f));
         nkw_polycurve_frenet(curve, at, draw_vec3(f));
         nkw_curve_frame_transport(&frame, p.value, draw_vec3(f), draw_vec3(f));

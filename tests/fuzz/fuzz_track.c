@@ -110,7 +110,7 @@ static void align(fuzz *f, const nkw_track *t)
 /* The orientation is the sample. */
 static void turn(fuzz *f, const nkw_track *t)
 {
-    nkw_rotation_state state;
+    nkw_quat_motion state;
     float time = fuzz_float(f), *plain = fuzz_room(f, t->width);
     if (nkw_track_sample_rotation(t, time, &state) == NKW_OK) {
         nkw_track_sample(t, time, plain);

@@ -153,7 +153,7 @@ static void rotation(const any *a, nkw_path path, int32_t turns)
         nkw_rotation_bspline(keys, a->f[1]),
     };
     for (int i = 0; i < 6; i++) {
-        nkw_rotation_state at = nkw_rotation_evaluate(&s[i], a->f[0]);
+        nkw_quat_motion at = nkw_rotation_evaluate(&s[i], a->f[0]);
         int is_finite = nkw_quat_is_finite(at.orientation);
         FUZZ_CHECK(!is_finite || a->f[0] == 0.0f || a->f[0] == 1.0f || nkw_quat_length(at.orientation) < 1.0001f);
     }
@@ -216,7 +216,7 @@ static void curve(const any *a)
     nkw_catmull_rom_tangent(f[0], f[1], f[2], f[3], f[4]), nkw_vec3_catmull_rom_tangent(v[0], v[1], v[2], f[3], f[4]);
     nkw_catmull_rom_nonuniform(w, f[0], f[1], f[2], f[3], t),
         nkw_vec3_catmull_rom_nonuniform(w, v[0], v[1], v[2], v[3], t);
-    nkw_vec3_curve_point from = {v[0], v[1], v[2]}, to = {v[3], v[0], v[1]};
+    nkw_vec3_motion from = {v[0], v[1], v[2]}, to = {v[3], v[0], v[1]};
     nkw_vec3_catmull_rom_nonuniform_point(w, v[0], v[1], v[2], v[3], t), nkw_vec3_quintic_hermite(&from, &to, t);
     for (int kind = -1; kind <= 4; kind++)
         nkw_vec3_cubic_point((nkw_cubic_kind)kind, &a->cubics, t);

@@ -41,7 +41,7 @@ static void turn_track(float *o, const float *times, const nkw_quat *q, float ti
     for (unsigned k = 0; k < 9; k++)
         memcpy(values + 4 * k, &q[k % 4], 4 * sizeof(float));
     nkw_track track = {times, values, 3, 4, NKW_TRACK_ROTATION, mode, NULL};
-    nkw_rotation_state state;
+    nkw_quat_motion state;
     nkw_track_sample_rotation(&track, time, &state);
     memcpy(o, &state, sizeof state);
 }

@@ -123,14 +123,14 @@ static void put_cubic(float *o, const nkw_vec3_cubic *c)
         o[k] = c->c[k].x;
 }
 
-static void put_point(float *o, nkw_curve_point p)
+static void put_point(float *o, nkw_motion p)
 {
     memcpy(o, &p, sizeof p);
 }
 
-static nkw_curve_point point_of(const float s[3])
+static nkw_motion point_of(const float s[3])
 {
-    nkw_curve_point p = {s[0], s[1], s[2]};
+    nkw_motion p = {s[0], s[1], s[2]};
     return p;
 }
 
@@ -178,7 +178,7 @@ static nkw_rotation_segment rotation_of(const input *i, int kind)
 static void rotate_along(float *o, const input *i, int kind)
 {
     nkw_rotation_segment s = rotation_of(i, kind);
-    nkw_rotation_state at = nkw_rotation_evaluate(&s, i->t);
+    nkw_quat_motion at = nkw_rotation_evaluate(&s, i->t);
     memcpy(o, &at, sizeof at);
 }
 

@@ -7,7 +7,7 @@
 
 #include <nakawari/nakawari.h>
 
-static void put_tool_point(float *o, nkw_curve_point p)
+static void put_tool_point(float *o, nkw_motion p)
 {
     memcpy(o, &p, sizeof p);
 }

@@ -5,31 +5,31 @@ static nkw_spring some_spring(const input *i)
     return nkw_spring_from_frequency(4.0f * i->t + 0.125f, nkw_abs(i->s[5]));
 }
 
-static nkw_motion motion_at(const input *i, unsigned k)
+static nkw_state motion_at(const input *i, unsigned k)
 {
-    nkw_motion m = {i->s[k], i->s[k + 1]};
+    nkw_state m = {i->s[k], i->s[k + 1]};
     return m;
 }
 
-static nkw_vec3_motion vec3_motion_at(const input *i, unsigned k)
+static nkw_vec3_state vec3_motion_at(const input *i, unsigned k)
 {
-    nkw_vec3_motion m = {i->v[k], i->v[k + 1]};
+    nkw_vec3_state m = {i->v[k], i->v[k + 1]};
     return m;
 }
 
-static nkw_quat_motion quat_motion_at(const input *i, unsigned k)
+static nkw_quat_state quat_motion_at(const input *i, unsigned k)
 {
-    nkw_quat_motion m = {i->q[k], i->v[k]};
+    nkw_quat_state m = {i->q[k], i->v[k]};
     return m;
 }
 
-static void put_motion(float *o, nkw_motion m)
+static void put_motion(float *o, nkw_state m)
 {
     o[0] = m.value;
     o[1] = m.velocity;
 }
 
-static void put_motion_quat(float *o, nkw_quat_motion m)
+static void put_motion_quat(float *o, nkw_quat_state m)
 {
     put_quat(o, m.value);
     put_vec3(o + 4, m.velocity);
@@ -47,16 +47,16 @@ static void spring_constants(float *o, float half_life, float ratio)
     o[6] = nkw_spring_half_life(a);
 }
 
-static nkw_quat_motion quat_spring(const input *i)
+static nkw_quat_state quat_spring(const input *i)
 {
-    nkw_quat_motion from = quat_motion_at(i, 0), goal = quat_motion_at(i, 1);
+    nkw_quat_state from = quat_motion_at(i, 0), goal = quat_motion_at(i, 1);
     return nkw_quat_spring_step(some_spring(i), &from, &goal, i->t);
 }
 
 static void spring_timed(float *o, const input *i)
 {
     nkw_spring_timed timed = {some_spring(i), nkw_abs(i->s[4])};
-    nkw_motion m = motion_at(i, 0), point = motion_at(i, 2);
+    nkw_state m = motion_at(i, 0), point = motion_at(i, 2);
     nkw_spring_timed_step(&timed, &m, &point, i->s[6], i->t);
     put_motion(o, m);
     put_motion(o + 2, point);
@@ -66,7 +66,7 @@ static void spring_timed(float *o, const input *i)
 static void quat_spring_timed(float *o, const input *i)
 {
     nkw_spring_timed timed = {some_spring(i), nkw_abs(i->s[4])};
-    nkw_quat_motion m = quat_motion_at(i, 0), point = quat_motion_at(i, 1);
+    nkw_quat_state m = quat_motion_at(i, 0), point = quat_motion_at(i, 1);
     nkw_quat_spring_timed_step(&timed, &m, &point, i->q[3], i->t);
     put_motion_quat(o, m);
     put_motion_quat(o + 7, point);
@@ -89,9 +89,9 @@ static void inertia(float *o, const input *i)
 
 static void vec3_inertia(float *o, const input *i)
 {
-    nkw_vec3_motion from = vec3_motion_at(i, 0), to = vec3_motion_at(i, 2);
+    nkw_vec3_state from = vec3_motion_at(i, 0), to = vec3_motion_at(i, 2);
     nkw_vec3_inertia x = nkw_vec3_inertia_begin(&from, &to, nkw_abs(i->s[4]));
-    nkw_vec3_motion m = nkw_vec3_inertia_evaluate(&x, &to, i->t);
+    nkw_vec3_state m = nkw_vec3_inertia_evaluate(&x, &to, i->t);
     for (int k = 0; k < 3; k++)
         put_vec3(o + 3 * k, x.c[k]);
     o[9] = x.duration;
@@ -101,7 +101,7 @@ static void vec3_inertia(float *o, const input *i)
 
 static void quat_inertia(float *o, const input *i)
 {
-    nkw_quat_motion from = quat_motion_at(i, 0), to = quat_motion_at(i, 1);
+    nkw_quat_state from = quat_motion_at(i, 0), to = quat_motion_at(i, 1);
     nkw_vec3_inertia x = nkw_quat_inertia_begin(&from, &to, nkw_abs(i->s[4]));
     for (int k = 0; k < 3; k++)
         put_vec3(o + 3 * k, x.c[k]);
@@ -118,7 +118,7 @@ static void dead_blend(float *o, const input *i)
 static void quat_dead_blend(float *o, const input *i)
 {
     nkw_quat_dead_blend d = {quat_motion_at(i, 0), nkw_abs(i->s[4]), nkw_abs(i->s[5]), i->q[3]};
-    nkw_quat_motion to = quat_motion_at(i, 1);
+    nkw_quat_state to = quat_motion_at(i, 1);
     put_motion_quat(o, nkw_quat_dead_blend_evaluate(&d, &to, i->t));
     put_quat(o + 7, d.difference);
 }

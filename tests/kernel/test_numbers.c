@@ -120,8 +120,8 @@ static void rounded_seconds_are_the_frame_before(void **state)
 static double step_off(nkw_spring s, int per_second, int closed)
 {
     const float h = 1.0f / (float)per_second;
-    const nkw_motion start = {0, 0}, goal = {1, 0};
-    nkw_motion m = start;
+    const nkw_state start = {0, 0}, goal = {1, 0};
+    nkw_state m = start;
     double x = 0, v = 0, largest = 0;
     for (int i = 1; i <= 2 * per_second; i++) {
         v += (double)h * ((double)s.stiffness * (1 - x) - (double)s.damping * v);

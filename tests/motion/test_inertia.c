@@ -8,13 +8,13 @@
 
 #define U 0x1p-24
 
-static nkw_motion some_motion(random_source *r)
+static nkw_state some_motion(random_source *r)
 {
     float value = random_between(r, -3, 3);
     return motion(value, random_between(r, -10, 10));
 }
 
-static void expect_motion(nkw_motion got, nkw_motion want)
+static void expect_motion(nkw_state got, nkw_state want)
 {
     expect_bits(got.value, want.value);
     expect_bits(got.velocity, want.velocity);
@@ -25,11 +25,11 @@ static void value_and_velocity_are_continuous_at_both_ends(void **state)
     (void)state;
     random_source r = random_from(1);
     for (int i = 0; i < 20000; i++) {
-        nkw_motion from = some_motion(&r), to = some_motion(&r);
+        nkw_state from = some_motion(&r), to = some_motion(&r);
         float duration = random_between(&r, 0.05f, 2);
         nkw_inertia x = nkw_inertia_begin(from, to, duration);
         assert_true(x.duration > 0 && x.duration <= duration);
-        nkw_motion begin = nkw_inertia_evaluate(x, to, 0), end = nkw_inertia_evaluate(x, to, 0.9999f * x.duration);
+        nkw_state begin = nkw_inertia_evaluate(x, to, 0), end = nkw_inertia_evaluate(x, to, 0.9999f * x.duration);
         expect_near(begin.value, from.value, 1e-6);
         /* c[1] = V + 3 x is rounded to a float. */
         double size = fabs(from.value - to.value) + fabs(from.velocity - to.velocity) * x.duration;
@@ -46,7 +46,7 @@ static void the_velocity_is_the_rate_of_the_value(void **state)
     (void)state;
     random_source r = random_from(2);
     for (int i = 0; i < 5000; i++) {
-        nkw_motion from = some_motion(&r), to = motion(0, 0);
+        nkw_state from = some_motion(&r), to = motion(0, 0);
         nkw_inertia x = nkw_inertia_begin(from, to, 1);
         float d = 1e-3f * x.duration, t = random_between(&r, 2 * d, x.duration - 2 * d);
         double rate = ((double)nkw_inertia_evaluate(x, to, t + d).value - nkw_inertia_evaluate(x, to, t - d).value) /
@@ -103,9 +103,9 @@ static void bad_durations_end_the_transition_at_once(void **state)
 {
     (void)state;
     const float bad[] = {0, -0.0f, -1, NAN, INFINITY, -INFINITY};
-    nkw_quat_motion a = rotating(nkw_quat_identity(), vec(1, 2, 3)),
+    nkw_quat_state a = rotating(nkw_quat_identity(), vec(1, 2, 3)),
                     b = rotating(random_rotation(&(random_source){{1, 2, 3, 4}, NULL, 0}), vec(0, 0, 1));
-    nkw_vec3_motion v = moving(vec(1, 2, 3), vec(4, 5, 6)), w = moving(vec(-1, 0, 0), vec(0, 0, 0));
+    nkw_vec3_state v = moving(vec(1, 2, 3), vec(4, 5, 6)), w = moving(vec(-1, 0, 0), vec(0, 0, 0));
     for (int i = 0; i < 6; i++) {
         nkw_inertia x = nkw_inertia_begin(motion(1, 2), motion(3, 4), bad[i]);
         nkw_vec3_inertia y = nkw_vec3_inertia_begin(&v, &w, bad[i]), z = nkw_quat_inertia_begin(&a, &b, bad[i]);
@@ -143,12 +143,12 @@ static void vectors_along_one_axis_are_numbers(void **state)
     (void)state;
     random_source r = random_from(5);
     for (int i = 0; i < 500; i++) {
-        nkw_motion a = some_motion(&r), b = some_motion(&r);
-        nkw_vec3_motion from = moving(vec(0, a.value, 0), vec(0, a.velocity, 0)),
+        nkw_state a = some_motion(&r), b = some_motion(&r);
+        nkw_vec3_state from = moving(vec(0, a.value, 0), vec(0, a.velocity, 0)),
                         to = moving(vec(0, b.value, 0), vec(0, b.velocity, 0));
         nkw_vec3_inertia v = nkw_vec3_inertia_begin(&from, &to, 0.5f);
-        nkw_motion want = nkw_inertia_evaluate(nkw_inertia_begin(a, b, 0.5f), b, 0.1f);
-        nkw_vec3_motion got = nkw_vec3_inertia_evaluate(&v, &to, 0.1f);
+        nkw_state want = nkw_inertia_evaluate(nkw_inertia_begin(a, b, 0.5f), b, 0.1f);
+        nkw_vec3_state got = nkw_vec3_inertia_evaluate(&v, &to, 0.1f);
         expect_bits(got.value.y, want.value);
         expect_bits(got.velocity.y, want.velocity);
         expect_bits(got.value.x, 0);
@@ -161,13 +161,13 @@ static void vectors_are_continuous_and_do_not_depend_on_the_axes(void **state)
     (void)state;
     random_source r = random_from(6);
     for (int i = 0; i < 5000; i++) {
-        nkw_vec3_motion from = moving(random_vec3(&r, -3, 3), random_vec3(&r, -3, 3)),
+        nkw_vec3_state from = moving(random_vec3(&r, -3, 3), random_vec3(&r, -3, 3)),
                         to = moving(random_vec3(&r, -3, 3), random_vec3(&r, -3, 3));
         nkw_quat q = random_rotation(&r);
-        nkw_vec3_motion from_q = moving(nkw_quat_rotate(q, from.value), nkw_quat_rotate(q, from.velocity)),
+        nkw_vec3_state from_q = moving(nkw_quat_rotate(q, from.value), nkw_quat_rotate(q, from.velocity)),
                         to_q = moving(nkw_quat_rotate(q, to.value), nkw_quat_rotate(q, to.velocity));
         nkw_vec3_inertia v = nkw_vec3_inertia_begin(&from, &to, 1), vq = nkw_vec3_inertia_begin(&from_q, &to_q, 1);
-        nkw_vec3_motion begin = nkw_vec3_inertia_evaluate(&v, &to, 0);
+        nkw_vec3_state begin = nkw_vec3_inertia_evaluate(&v, &to, 0);
         expect_vec3_near(begin.value, from.value, 2e-6);
         expect_vec3_near(begin.velocity, from.velocity, 1e-5);
         float t = random_unit(&r);
@@ -181,12 +181,12 @@ static void rotations_begin_with_rotation_and_velocity_of_the_old_motion(void **
     (void)state;
     random_source r = random_from(7);
     for (int i = 0; i < 20000; i++) {
-        nkw_quat_motion from = rotating(random_rotation(&r), random_vec3(&r, -3, 3)),
+        nkw_quat_state from = rotating(random_rotation(&r), random_vec3(&r, -3, 3)),
                         to = rotating(random_rotation(&r), random_vec3(&r, -3, 3));
         if (i % 4 == 0)
             to.value = random_near(&r, from.value, 1.5707f);
         nkw_vec3_inertia x = nkw_quat_inertia_begin(&from, &to, 0.5f);
-        nkw_quat_motion begin = nkw_quat_inertia_evaluate(&x, &to, 0);
+        nkw_quat_state begin = nkw_quat_inertia_evaluate(&x, &to, 0);
         expect_rotation_near(begin.value, from.value, 6e-7);
         expect_vec3_near(begin.velocity, from.velocity, 2e-5);
         expect_quat_bits(nkw_quat_inertia_evaluate(&x, &to, 0.5f).value, to.value);
@@ -199,14 +199,14 @@ static void rotations_do_not_snap_at_half_a_turn(void **state)
 {
     (void)state;
     nkw_vec3 z = vec(0, 0, 1), y = vec(0, 1, 0);
-    nkw_quat_motion from = rotating(nkw_quat_from_axis_angle(y, 0.1f), vec(0, 0, -1)),
+    nkw_quat_state from = rotating(nkw_quat_from_axis_angle(y, 0.1f), vec(0, 0, -1)),
                     to = rotating(nkw_quat_from_axis_angle(z, 3), vec(0, 0, 2)), last = from, dead_last = from;
     nkw_vec3_inertia x = nkw_quat_inertia_begin(&from, &to, 1);
     nkw_quat_dead_blend dead = {from, 0.3f, 1, {0, 0, 0, 0}};
     for (int i = 0; i <= 1000; i++) {
         float t = 0.001f * (float)i;
         to.value = nkw_quat_from_axis_angle(z, 3 + 2 * t);
-        nkw_quat_motion got = nkw_quat_inertia_evaluate(&x, &to, t),
+        nkw_quat_state got = nkw_quat_inertia_evaluate(&x, &to, t),
                         blended = nkw_quat_dead_blend_evaluate(&dead, &to, t);
         assert_true(nkw_quat_angle(last.value, got.value) < 0.012f);
         assert_true(nkw_quat_angle(dead_last.value, blended.value) < 0.012f);
@@ -228,13 +228,13 @@ static void a_second_transition_continues_the_first(void **state)
     (void)state;
     random_source r = random_from(8);
     for (int i = 0; i < 2000; i++) {
-        nkw_quat_motion from = rotating(random_rotation(&r), random_vec3(&r, -3, 3)),
+        nkw_quat_state from = rotating(random_rotation(&r), random_vec3(&r, -3, 3)),
                         a = rotating(random_rotation(&r), random_vec3(&r, -3, 3)),
                         b = rotating(random_rotation(&r), random_vec3(&r, -3, 3));
         nkw_vec3_inertia first = nkw_quat_inertia_begin(&from, &a, 0.5f);
-        nkw_quat_motion middle = nkw_quat_inertia_evaluate(&first, &a, 0.2f);
+        nkw_quat_state middle = nkw_quat_inertia_evaluate(&first, &a, 0.2f);
         nkw_vec3_inertia second = nkw_quat_inertia_begin(&middle, &b, 0.5f);
-        nkw_quat_motion got = nkw_quat_inertia_evaluate(&second, &b, 0);
+        nkw_quat_state got = nkw_quat_inertia_evaluate(&second, &b, 0);
         expect_rotation_near(got.value, middle.value, 6e-7);
         expect_vec3_near(got.velocity, middle.velocity, 1e-4);
     }
@@ -245,7 +245,7 @@ static void dead_blends_begin_with_the_old_and_end_with_the_new(void **state)
     (void)state;
     random_source r = random_from(9);
     for (int i = 0; i < 5000; i++) {
-        nkw_motion from = some_motion(&r), to = some_motion(&r);
+        nkw_state from = some_motion(&r), to = some_motion(&r);
         float half_life = random_between(&r, 0.01f, 1), duration = random_between(&r, 0.1f, 1);
         nkw_dead_blend d = {from, half_life, duration};
         expect_motion(nkw_dead_blend_evaluate(&d, to, 0), from);
@@ -280,8 +280,8 @@ static void dead_vectors_are_component_by_component(void **state)
     for (int i = 0; i < 500; i++) {
         nkw_vec3_dead_blend v = {{random_vec3(&r, -1, 1), random_vec3(&r, -1, 1)}, 0.2f, 0.7f};
         nkw_dead_blend d = {motion(v.from.value.z, v.from.velocity.z), 0.2f, 0.7f};
-        nkw_vec3_motion to = moving(random_vec3(&r, -1, 1), random_vec3(&r, -1, 1));
-        nkw_vec3_motion got = nkw_vec3_dead_blend_evaluate(&v, &to, 0.3f);
+        nkw_vec3_state to = moving(random_vec3(&r, -1, 1), random_vec3(&r, -1, 1));
+        nkw_vec3_state got = nkw_vec3_dead_blend_evaluate(&v, &to, 0.3f);
         expect_motion(motion(got.value.z, got.velocity.z),
                       nkw_dead_blend_evaluate(&d, motion(to.value.z, to.velocity.z), 0.3f));
     }
@@ -292,10 +292,10 @@ static void dead_rotations_begin_with_the_old_motion(void **state)
     (void)state;
     random_source r = random_from(11);
     for (int i = 0; i < 5000; i++) {
-        nkw_quat_motion from = rotating(random_rotation(&r), random_vec3(&r, -3, 3)),
+        nkw_quat_state from = rotating(random_rotation(&r), random_vec3(&r, -3, 3)),
                         to = rotating(random_rotation(&r), random_vec3(&r, -3, 3));
         nkw_quat_dead_blend d = {from, 0.2f, 0.5f, {0, 0, 0, 0}};
-        nkw_quat_motion got = nkw_quat_dead_blend_evaluate(&d, &to, 0);
+        nkw_quat_state got = nkw_quat_dead_blend_evaluate(&d, &to, 0);
         expect_rotation_near(got.value, from.value, 5e-7);
         expect_vec3_near(got.velocity, from.velocity, 1e-4);
         expect_quat_bits(nkw_quat_dead_blend_evaluate(&d, &to, 0.5f).value, to.value);
@@ -370,7 +370,7 @@ static void offsets_and_blends_are_rounded_once(void **state)
     nkw_inertia known = {{0x1.044d7cp+9f, 0x1.3d7bc6p+1f, -0x1.06a28p+0f}, 0x1.fd005cp+0f};
     for (int i = 0; i < 50000; i++) {
         nkw_inertia x = known;
-        nkw_motion to = some_motion(&r), from = some_motion(&r);
+        nkw_state to = some_motion(&r), from = some_motion(&r);
         for (int k = 0; k < 3 && i > 0; k++)
             x.c[k] = ldexpf(random_between(&r, -1, 1), (int)(random_bits(&r) % 20) - 10);
         float t = i ? random_unit(&r) * x.duration : 0x1.1f3dccp-8f;
@@ -394,7 +394,7 @@ static void rotations_from_rest_to_rest_keep_to_the_quintic(void **state)
     const nkw_quat from = {-0x1.77cf74p-2f, 0x1.4a858ap-1f, 0x1.4cfd3ep-1f, -0x1.47a3c6p-3f},
                    to = {0x1.9a4fc4p-1f, 0x1.199fa8p-7f, 0x1.d95588p-2f, -0x1.84a08cp-2f};
     const float duration = 0x1.3b0898p-1f, t = 0x1.58af1ap-3f;
-    nkw_quat_motion a = rotating(from, vec(0, 0, 0)), b = rotating(to, vec(0, 0, 0));
+    nkw_quat_state a = rotating(from, vec(0, 0, 0)), b = rotating(to, vec(0, 0, 0));
     nkw_vec3_inertia i = nkw_quat_inertia_begin(&a, &b, duration);
     nkw_quat got = nkw_quat_inertia_evaluate(&i, &b, t).value;
     double dot = (double)from.x * (double)to.x + (double)from.y * (double)to.y + (double)from.z * (double)to.z +

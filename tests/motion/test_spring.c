@@ -8,7 +8,7 @@
 
 #define U 0x1p-24
 
-static nkw_quat_motion still(nkw_quat value)
+static nkw_quat_state still(nkw_quat value)
 {
     return rotating(value, vec(0, 0, 0));
 }
@@ -25,14 +25,14 @@ static nkw_spring some_spring(random_source *r, int i)
     return nkw_spring_from_frequency(random_between(r, 0.05f, 5), ratios[i % 9]);
 }
 
-static nkw_motion some_motion(random_source *r)
+static nkw_state some_motion(random_source *r)
 {
     float value = random_between(r, -3, 3);
     return motion(value, random_between(r, -10, 10));
 }
 
 /* The equation in binary64 by Runge and Kutta's method. */
-static void integrate(nkw_spring s, double *x, double *v, nkw_motion goal, double h)
+static void integrate(nkw_spring s, double *x, double *v, nkw_state goal, double h)
 {
     const int steps = 4000;
     double dt = h / steps, g;
@@ -56,11 +56,11 @@ static void steps_solve_the_equation_of_motion(void **state)
     random_source r = random_from(1);
     for (int i = 0; i < 90; i++) {
         nkw_spring s = some_spring(&r, i);
-        nkw_motion from = some_motion(&r), goal = some_motion(&r);
+        nkw_state from = some_motion(&r), goal = some_motion(&r);
         float h = random_between(&r, 0, 0.25f);
         double x = from.value, v = from.velocity;
         integrate(s, &x, &v, goal, h);
-        nkw_motion got = nkw_spring_step(s, from, goal, h);
+        nkw_state got = nkw_spring_step(s, from, goal, h);
         double size = fabs(x) + fabs(goal.value) + 1, speed = fabs(v) + 1;
         expect_near(got.value, x, 4e-7 * size);
         expect_near(got.velocity, v, 4e-7 * (speed + s.damping * size));
@@ -74,11 +74,11 @@ static void one_step_of_2h_equals_two_of_h(void **state)
     double worst = 0;
     for (int i = 0; i < 200000; i++) {
         nkw_spring s = some_spring(&r, i);
-        nkw_motion from = some_motion(&r), goal = some_motion(&r);
+        nkw_state from = some_motion(&r), goal = some_motion(&r);
         float h = ldexpf(random_unit(&r), (int)(random_bits(&r) % 6) - 4);
-        nkw_motion then = {goal.value + goal.velocity * h, goal.velocity};
-        nkw_motion once = nkw_spring_step(s, from, goal, 2 * h);
-        nkw_motion half = nkw_spring_step(s, from, goal, h), twice = nkw_spring_step(s, half, then, h);
+        nkw_state then = {goal.value + goal.velocity * h, goal.velocity};
+        nkw_state once = nkw_spring_step(s, from, goal, 2 * h);
+        nkw_state half = nkw_spring_step(s, from, goal, h), twice = nkw_spring_step(s, half, then, h);
         double omega = sqrt(s.stiffness) + s.damping, x = fabs(from.value - goal.value),
                v = fabs(from.velocity - goal.velocity);
         double size = fabs(goal.value) + fabs(goal.velocity) * 2 * h + x + fmin(v * 2 * h, v / (omega + 1e-30));
@@ -93,10 +93,10 @@ static void a_long_step_equals_ten_thousand_short_ones(void **state)
 {
     (void)state;
     nkw_spring s = nkw_spring_from_half_life(0.5f, 0.3f);
-    nkw_motion goal = motion(2, 0), x = motion(-1, 3);
+    nkw_state goal = motion(2, 0), x = motion(-1, 3);
     for (int i = 0; i < 10240; i++)
         x = nkw_spring_step(s, x, goal, 0x1p-12f);
-    nkw_motion once = nkw_spring_step(s, motion(-1, 3), goal, 2.5f);
+    nkw_state once = nkw_spring_step(s, motion(-1, 3), goal, 2.5f);
     expect_near(x.value, once.value, 2e-5);
     expect_near(x.velocity, once.velocity, 1e-4);
 }
@@ -107,10 +107,10 @@ static void no_time_changes_nothing(void **state)
     random_source r = random_from(3);
     for (int i = 0; i < 200; i++) {
         nkw_spring s = some_spring(&r, i);
-        nkw_motion from = {random_finite(&r), random_finite(&r)}, goal = some_motion(&r);
+        nkw_state from = {random_finite(&r), random_finite(&r)}, goal = some_motion(&r);
         for (int k = 0; k < 3; k++) {
             float h = k == 0 ? 0.0f : k == 1 ? -0.0f : -1e9f;
-            nkw_motion got = nkw_spring_step(s, from, goal, h);
+            nkw_state got = nkw_spring_step(s, from, goal, h);
             expect_bits(got.value, from.value);
             expect_bits(got.velocity, from.velocity);
             expect_bits(nkw_damper_step(from.value, goal.value, 0, h), from.value);
@@ -123,12 +123,12 @@ static void a_goal_is_reached_and_not_left(void **state)
     (void)state;
     const float far[] = {1e9f, FLT_MAX, INFINITY};
     for (int i = 0; i < 3; i++) {
-        nkw_motion got = nkw_spring_step(nkw_spring_from_half_life(0.1f, 1), motion(5, -7), motion(2, 0), far[i]);
+        nkw_state got = nkw_spring_step(nkw_spring_from_half_life(0.1f, 1), motion(5, -7), motion(2, 0), far[i]);
         expect_bits(got.value, 2);
         expect_near(got.velocity, 0, 0);
         expect_bits(nkw_damper_step(5, 2, 0.1f, far[i]), 2);
     }
-    nkw_motion stays = nkw_spring_step(nkw_spring_from_half_life(0.1f, 0.2f), motion(3, 0), motion(3, 0), 0.01f);
+    nkw_state stays = nkw_spring_step(nkw_spring_from_half_life(0.1f, 0.2f), motion(3, 0), motion(3, 0), 0.01f);
     expect_bits(stays.value, 3);
     expect_bits(stays.velocity, 0);
 }
@@ -137,7 +137,7 @@ static void a_moving_goal_is_followed_without_a_lag(void **state)
 {
     (void)state;
     nkw_spring s = nkw_spring_from_half_life(0.05f, 1);
-    nkw_motion x = motion(0, 0), goal = motion(1, 4);
+    nkw_state x = motion(0, 0), goal = motion(1, 4);
     for (int i = 0; i < 120; i++, goal.value += 4 / 60.0f)
         x = nkw_spring_step(s, x, goal, 1 / 60.0f);
     expect_near(x.value, goal.value, 1e-6);
@@ -147,10 +147,10 @@ static void a_moving_goal_is_followed_without_a_lag(void **state)
 static void half_life_zero_jumps_and_infinite_drifts(void **state)
 {
     (void)state;
-    nkw_motion jumped = nkw_spring_step(nkw_spring_from_half_life(0, 1), motion(1, 5), motion(2, 0), 1e-6f);
+    nkw_state jumped = nkw_spring_step(nkw_spring_from_half_life(0, 1), motion(1, 5), motion(2, 0), 1e-6f);
     expect_bits(jumped.value, 2);
     expect_near(jumped.velocity, 0, 0);
-    nkw_motion drifted = nkw_spring_step(nkw_spring_from_half_life(INFINITY, 1), motion(1, 5), motion(2, 0), 2);
+    nkw_state drifted = nkw_spring_step(nkw_spring_from_half_life(INFINITY, 1), motion(1, 5), motion(2, 0), 2);
     expect_bits(drifted.value, 11);
     expect_bits(drifted.velocity, 5);
     expect_bits(nkw_damper_step(1, 2, 0, 1e-6f), 2);
@@ -204,7 +204,7 @@ static void from_rest_the_deviation_is_halved_in_the_half_life(void **state)
     expect_near(nkw_spring_from_half_life(1, 1).damping, 2 * 1.678346990016661, 3e-7);
     for (int i = 0; i <= 40; i++) {
         nkw_spring s = nkw_spring_from_half_life(0.75f, 0.1f * (float)i);
-        nkw_motion got = nkw_spring_step(s, motion(8, 0), motion(0, 0), 0.75f);
+        nkw_state got = nkw_spring_step(s, motion(8, 0), motion(0, 0), 0.75f);
         expect_near(got.value, 4, 3e-6);
     }
     expect_near(nkw_damper_step(8, 0, 0.75f, 1.5f), 2, 2e-7);
@@ -244,7 +244,7 @@ static void an_undamped_spring_keeps_its_energy(void **state)
     (void)state;
     nkw_spring s = {9, 0};
     for (int i = 1; i < 100; i++) {
-        nkw_motion got = nkw_spring_step(s, motion(2, 0), motion(0, 0), 1e3f * (float)i);
+        nkw_state got = nkw_spring_step(s, motion(2, 0), motion(0, 0), 1e3f * (float)i);
         expect_near(got.value * got.value + got.velocity * got.velocity / 9, 4, 2e-6);
         expect_near(got.value, 2 * cos(3.0 * 1e3 * i), 1e-6);
     }
@@ -256,11 +256,11 @@ static void vectors_follow_component_by_component(void **state)
     random_source r = random_from(5);
     for (int i = 0; i < 500; i++) {
         nkw_spring s = some_spring(&r, i);
-        nkw_vec3_motion from = {random_vec3(&r, -3, 3), random_vec3(&r, -9, 9)},
+        nkw_vec3_state from = {random_vec3(&r, -3, 3), random_vec3(&r, -9, 9)},
                         goal = {random_vec3(&r, -3, 3), random_vec3(&r, -1, 1)};
         float h = random_between(&r, 0, 0.5f);
-        nkw_vec3_motion got = nkw_vec3_spring_step(s, &from, &goal, h);
-        nkw_motion y =
+        nkw_vec3_state got = nkw_vec3_spring_step(s, &from, &goal, h);
+        nkw_state y =
             nkw_spring_step(s, motion(from.value.y, from.velocity.y), motion(goal.value.y, goal.velocity.y), h);
         expect_bits(got.value.y, y.value);
         expect_bits(got.velocity.y, y.velocity);
@@ -277,13 +277,13 @@ static void rotations_about_one_axis_follow_as_their_angles(void **state)
     for (int i = 0; i < 2000; i++) {
         nkw_spring s = some_spring(&r, i);
         nkw_vec3 axis = random_direction(&r);
-        nkw_motion from = {random_between(&r, -3, 0), random_between(&r, -2, 2)},
+        nkw_state from = {random_between(&r, -3, 0), random_between(&r, -2, 2)},
                    goal = {random_between(&r, -0.1f, 0.1f), random_between(&r, -2, 2)};
         float h = random_between(&r, 0, 0.7f);
-        nkw_motion want = nkw_spring_step(s, from, goal, h);
-        nkw_quat_motion q = rotating(nkw_quat_from_axis_angle(axis, from.value), nkw_vec3_scale(axis, from.velocity)),
+        nkw_state want = nkw_spring_step(s, from, goal, h);
+        nkw_quat_state q = rotating(nkw_quat_from_axis_angle(axis, from.value), nkw_vec3_scale(axis, from.velocity)),
                         g = rotating(nkw_quat_from_axis_angle(axis, goal.value), nkw_vec3_scale(axis, goal.velocity));
-        nkw_quat_motion got = nkw_quat_spring_step(s, &q, &g, h);
+        nkw_quat_state got = nkw_quat_spring_step(s, &q, &g, h);
         expect_rotation_near(got.value, nkw_quat_from_axis_angle(axis, want.value), 2e-6);
         expect_vec3_near(got.velocity, nkw_vec3_scale(axis, want.velocity), 2e-5 * (1 + s.damping + s.stiffness));
     }
@@ -297,11 +297,11 @@ static void rotations_compose_about_changing_axes(void **state)
         nkw_spring s = nkw_spring_from_frequency(random_between(&r, 0.1f, 2), random_between(&r, 0.5f, 2));
         nkw_quat goal = random_rotation(&r);
         nkw_vec3 w = random_vec3(&r, -2, 2);
-        nkw_quat_motion from = rotating(random_near(&r, goal, 0.8f), random_vec3(&r, -3, 3)), g = rotating(goal, w),
+        nkw_quat_state from = rotating(random_near(&r, goal, 0.8f), random_vec3(&r, -3, 3)), g = rotating(goal, w),
                         then = rotating(nkw_quat_integrate(goal, w, 0.1f), w);
-        nkw_quat_motion once = nkw_quat_spring_step(s, &from, &g, 0.2f),
+        nkw_quat_state once = nkw_quat_spring_step(s, &from, &g, 0.2f),
                         half = nkw_quat_spring_step(s, &from, &g, 0.1f);
-        nkw_quat_motion twice = nkw_quat_spring_step(s, &half, &then, 0.1f);
+        nkw_quat_state twice = nkw_quat_spring_step(s, &half, &then, 0.1f);
         expect_rotation_near(twice.value, once.value, 1e-6);
         expect_vec3_near(twice.velocity, once.velocity, 2e-5);
     }
@@ -313,14 +313,14 @@ static void the_velocity_is_the_rate_of_the_rotation(void **state)
     random_source r = random_from(8);
     for (int i = 0; i < 2000; i++) {
         nkw_spring s = nkw_spring_from_frequency(1, 0.7f);
-        nkw_quat_motion from = rotating(random_rotation(&r), random_vec3(&r, -3, 3)),
+        nkw_quat_state from = rotating(random_rotation(&r), random_vec3(&r, -3, 3)),
                         goal = rotating(random_rotation(&r), random_vec3(&r, -3, 3));
         float h = random_between(&r, 0.01f, 0.5f), d = 1e-3f;
-        nkw_quat_motion a = nkw_quat_spring_step(s, &from, &goal, h - d), b = nkw_quat_spring_step(s, &from, &goal, h),
+        nkw_quat_state a = nkw_quat_spring_step(s, &from, &goal, h - d), b = nkw_quat_spring_step(s, &from, &goal, h),
                         c = nkw_quat_spring_step(s, &from, &goal, h + d);
         nkw_vec3 w = nkw_quat_angular_velocity(a.value, c.value, (h + d) - (h - d));
         expect_vec3_near(b.velocity, w, 2e-3);
-        nkw_quat_motion first = nkw_quat_spring_step(s, &from, &goal, 1e-6f);
+        nkw_quat_state first = nkw_quat_spring_step(s, &from, &goal, 1e-6f);
         expect_vec3_near(first.velocity, from.velocity, 1e-3);
     }
 }
@@ -331,9 +331,9 @@ static void nothing_snaps_at_half_a_turn(void **state)
     (void)state;
     nkw_spring s = nkw_spring_from_half_life(0.4f, 1);
     nkw_vec3 z = vec(0, 0, 1);
-    nkw_quat_motion x = still(nkw_quat_identity());
+    nkw_quat_state x = still(nkw_quat_identity());
     for (int i = 0; i < 200; i++) {
-        nkw_quat_motion goal = still(nkw_quat_from_axis_angle(z, 3.1f + 0.001f * (float)i)), last = x;
+        nkw_quat_state goal = still(nkw_quat_from_axis_angle(z, 3.1f + 0.001f * (float)i)), last = x;
         x = nkw_quat_spring_step(s, &x, &goal, 1e-3f);
         assert_true(nkw_quat_angle(last.value, x.value) < 0.02f);
         assert_true(nkw_vec3_distance(last.velocity, x.velocity) < 0.2f);
@@ -345,13 +345,13 @@ static void odd_rotations_have_an_answer(void **state)
     (void)state;
     nkw_spring s = nkw_spring_from_half_life(0.1f, 1);
     nkw_quat zero = {0, 0, 0, 0}, half = {1, 0, 0, 0};
-    nkw_quat_motion none = still(zero), one = still(nkw_quat_identity()), opposite = still(half);
+    nkw_quat_state none = still(zero), one = still(nkw_quat_identity()), opposite = still(half);
     expect_quat_near(nkw_quat_spring_step(s, &none, &one, 1).value, nkw_quat_identity(), 1e-6);
-    nkw_quat_motion got = nkw_quat_spring_step(s, &opposite, &one, 0.1f);
+    nkw_quat_state got = nkw_quat_spring_step(s, &opposite, &one, 0.1f);
     expect_near(nkw_quat_angle(got.value, nkw_quat_identity()), 0.5 * 3.14159265, 1e-5);
-    nkw_quat_motion fast = rotating(half, vec(1e30f, 0, 1e30f));
+    nkw_quat_state fast = rotating(half, vec(1e30f, 0, 1e30f));
     expect_near(nkw_quat_length(nkw_quat_spring_step(s, &fast, &one, 0.1f).value), 1, 1e-6);
-    nkw_quat_motion bad = rotating(half, vec(NAN, 0, 0));
+    nkw_quat_state bad = rotating(half, vec(NAN, 0, 0));
     expect_nan(nkw_quat_spring_step(s, &bad, &one, 0.1f).value.w);
     expect_quat_bits(nkw_quat_spring_step(s, &fast, &one, 0).value, half);
     expect_quat_bits(nkw_quat_damper_step(half, nkw_quat_identity(), 1, -1), half);
@@ -379,7 +379,7 @@ static void timed_springs_arrive_at_their_time(void **state)
     (void)state;
     for (int i = 0; i < 4; i++) {
         nkw_spring_timed timed = {nkw_spring_from_half_life(0.02f, i == 3 ? 0.7f : 1), 1};
-        nkw_motion x = motion(1, i == 2 ? 5.0f : 0.0f), point = motion(1, 0);
+        nkw_state x = motion(1, i == 2 ? 5.0f : 0.0f), point = motion(1, 0);
         float h = i == 1 ? 1 / 7.0f : 1 / 64.0f, last = x.value, before = 0;
         for (float t = 0; t < 1.1f; t += h) {
             nkw_spring_timed_step(&timed, &x, &point, 3, h);
@@ -402,7 +402,7 @@ static void timed_steps_compose(void **state)
         float time = random_between(&r, 0.01f, 1), h = random_between(&r, 0.01f, 0.5f);
         nkw_spring s = nkw_spring_from_half_life(random_between(&r, 0.01f, 0.3f), random_between(&r, 0.3f, 2));
         nkw_spring_timed once = {s, time}, twice = once;
-        nkw_motion x = some_motion(&r), y = x, p = motion(x.value, 0), q = p;
+        nkw_state x = some_motion(&r), y = x, p = motion(x.value, 0), q = p;
         nkw_spring_timed_step(&once, &x, &p, 2, 2 * h);
         nkw_spring_timed_step(&twice, &y, &q, 2, h);
         nkw_spring_timed_step(&twice, &y, &q, 2, h);
@@ -417,9 +417,9 @@ static void timed_vectors_and_rotations_move_as_numbers_do(void **state)
 {
     (void)state;
     nkw_spring_timed a = {nkw_spring_from_half_life(0.1f, 1), 0.6f}, b = a, c = a;
-    nkw_motion x = motion(0, 1), p = motion(0, 0);
-    nkw_vec3_motion v = {vec(0, 5, 0), vec(1, 0, 0)}, pv = {vec(0, 5, 0), vec(0, 0, 0)};
-    nkw_quat_motion q = rotating(nkw_quat_identity(), vec(0, 0, 1)), pq = still(nkw_quat_identity());
+    nkw_state x = motion(0, 1), p = motion(0, 0);
+    nkw_vec3_state v = {vec(0, 5, 0), vec(1, 0, 0)}, pv = {vec(0, 5, 0), vec(0, 0, 0)};
+    nkw_quat_state q = rotating(nkw_quat_identity(), vec(0, 0, 1)), pq = still(nkw_quat_identity());
     for (int i = 0; i < 30; i++) {
         nkw_spring_timed_step(&a, &x, &p, 2, 0.03f);
         nkw_vec3_spring_timed_step(&b, &v, &pv, vec(2, 5, 0), 0.03f);

@@ -6,7 +6,7 @@
 #include "support/expect.h"
 #include "support/motions.h"
 
-static nkw_quat_motion still(nkw_quat value)
+static nkw_quat_state still(nkw_quat value)
 {
     return rotating(value, vec(0, 0, 0));
 }
@@ -53,7 +53,7 @@ static void springs_arrive_at_any_frame_rate(void **state)
     for (int i = 0; i < 144; i++) {
         float h = 1 / rates[i % 4], goal = goals[i / 12 % 4], ratio = ratios[i / 48];
         nkw_spring s = nkw_spring_from_half_life(halves[i / 4 % 3], ratio);
-        nkw_motion x = motion(0.99f * goal, 0);
+        nkw_state x = motion(0.99f * goal, 0);
         double e = (double)x.value - (double)goal, omega = sqrt((double)s.stiffness), worst = 0;
         int n = 0, rest = 0;
         for (; n < 1000000 && rest < 1000; n++) {
@@ -74,7 +74,7 @@ static void rotations_arrive_at_any_frame_rate(void **state)
     for (int i = 0; i < 24; i++) {
         float h = 1 / rates[i % 4], half = halves[i / 4 % 3];
         nkw_quat goal = random_rotation(&r), x = random_near(&r, goal, 0.1f);
-        nkw_quat_motion m = still(x), g = still(goal);
+        nkw_quat_state m = still(x), g = still(goal);
         nkw_spring s = nkw_spring_from_half_life(half, 1);
         for (int n = 0; n < 80000; n++) {
             x = nkw_quat_damper_step(x, goal, half, h);
@@ -91,8 +91,8 @@ static void what_oscillates_or_drifts_is_not_drawn_to_the_goal(void **state)
 {
     (void)state;
     nkw_spring swing = {1, 0}, drag = {0, 1}, none = {0, 0}, slow = {1, 1e-4f};
-    nkw_motion x = motion(1001, 0), y = motion(10, 1e-9f), z = y, w = x;
-    nkw_quat_motion q = rotating(nkw_quat_identity(), vec(1e-9f, 0, 0)), g = still(nkw_quat_identity());
+    nkw_state x = motion(1001, 0), y = motion(10, 1e-9f), z = y, w = x;
+    nkw_quat_state q = rotating(nkw_quat_identity(), vec(1e-9f, 0, 0)), g = still(nkw_quat_identity());
     q.value = nkw_quat_normalize(nkw_quat_from_axis_angle(vec(0.6f, 0.8f, 0), 1));
     g.value = nkw_quat_normalize(nkw_quat_from_axis_angle(vec(0.6f, 0.8f, 0), 1.5f));
     nkw_quat start = q.value;
@@ -117,9 +117,9 @@ static void a_moving_goal_is_reached_at_any_frame_rate(void **state)
 {
     (void)state;
     nkw_spring s = nkw_spring_from_half_life(1, 1);
-    nkw_motion x = motion(10000, 0);
+    nkw_state x = motion(10000, 0);
     for (int i = 0; i < 100000; i++) {
-        nkw_motion goal = motion((float)(10010 + 0.1 * i * 1e-3), 0.1f);
+        nkw_state goal = motion((float)(10010 + 0.1 * i * 1e-3), 0.1f);
         x = nkw_spring_step(s, x, goal, 1e-3f);
         if (i > 40000)
             expect_near(x.value, goal.value, 8 * ulp_of(10000));
@@ -130,7 +130,7 @@ static void long_times_run_out(void **state)
 {
     (void)state;
     nkw_spring_timed timed = {nkw_spring_from_half_life(1, 1), 0x1p20f};
-    nkw_motion x = motion(0, 0), point = x;
+    nkw_state x = motion(0, 0), point = x;
     for (int i = 0; i < 1000; i++) {
         float before = timed.time_left;
         nkw_spring_timed_step(&timed, &x, &point, 3, 1e-3f);
@@ -161,7 +161,7 @@ static void long_steps_keep_their_phase(void **state)
     const float week = 604800;
     for (int i = 1; i < 20; i++) {
         nkw_spring whole = {(float)(i * i), 0};
-        nkw_motion got = nkw_spring_step(whole, motion(2, 0), motion(0, 0), week);
+        nkw_state got = nkw_spring_step(whole, motion(2, 0), motion(0, 0), week);
         expect_near(got.value, 2 * cos((double)i * (double)week), 3e-7);
         expect_near(got.velocity, -2 * i * sin((double)i * (double)week), 3e-7 * i);
     }
@@ -173,10 +173,10 @@ static void a_moving_rotation_is_reached(void **state)
     (void)state;
     nkw_spring s = nkw_spring_from_half_life(1, 1);
     nkw_vec3 axis = nkw_vec3_normalize(vec(1, 2, -1));
-    nkw_quat_motion x = still(nkw_quat_from_axis_angle(axis, 0.5f));
+    nkw_quat_state x = still(nkw_quat_from_axis_angle(axis, 0.5f));
     for (int i = 0; i < 40000; i++) {
         float angle = (float)(1 + 1e-8 * i);
-        nkw_quat_motion goal = rotating(nkw_quat_from_axis_angle(axis, angle), nkw_vec3_scale(axis, 1e-5f));
+        nkw_quat_state goal = rotating(nkw_quat_from_axis_angle(axis, angle), nkw_vec3_scale(axis, 1e-5f));
         x = nkw_quat_spring_step(s, &x, &goal, 1e-3f);
         if (i > 30000)
             expect_near(nkw_quat_angle(x.value, goal.value), 0, 1e-6);
@@ -202,8 +202,8 @@ static void vectors_arrive_component_by_component(void **state)
 {
     (void)state;
     nkw_spring s = nkw_spring_from_half_life(1, 1);
-    nkw_vec3_motion v = moving(vec(9999, -5, 0.75f), vec(0, 0, 0)), goal = moving(vec(10000, -5.001f, 1), vec(0, 0, 0));
-    nkw_motion x = motion(9999, 0), y = motion(-5, 0), z = motion(0.75f, 0);
+    nkw_vec3_state v = moving(vec(9999, -5, 0.75f), vec(0, 0, 0)), goal = moving(vec(10000, -5.001f, 1), vec(0, 0, 0));
+    nkw_state x = motion(9999, 0), y = motion(-5, 0), z = motion(0.75f, 0);
     nkw_vec3 d = v.value;
     for (int i = 0; i < 20000; i++) {
         nkw_vec3 before = d;

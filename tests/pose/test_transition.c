@@ -70,10 +70,10 @@ static void each_joint_is_inertialised_as_its_values_are(void **state)
         assert_int_equal(nkw_pose_inertia_evaluate(inertia, to.pose, t, pose_span(s.out, JOINTS)), NKW_OK);
         for (size_t j = 0; j < JOINTS; j++) {
             nkw_trs a = joint(s.from, j), b = joint(s.to, j);
-            nkw_vec3_motion p = {a.translation, speed(s.from_velocity, 0, j)},
+            nkw_vec3_state p = {a.translation, speed(s.from_velocity, 0, j)},
                             q = {b.translation, speed(s.to_velocity, 0, j)},
                             u = {a.scale, speed(s.from_velocity, 6, j)}, v = {b.scale, speed(s.to_velocity, 6, j)};
-            nkw_quat_motion g = {a.rotation, speed(s.from_velocity, 3, j)},
+            nkw_quat_state g = {a.rotation, speed(s.from_velocity, 3, j)},
                             h = {b.rotation, speed(s.to_velocity, 3, j)};
             nkw_vec3_inertia translation = nkw_vec3_inertia_begin(&p, &q, 0.5f),
                              rotation = nkw_quat_inertia_begin(&g, &h, 0.5f),
@@ -107,8 +107,8 @@ static void each_joint_is_dead_blended_as_its_values_are(void **state)
             nkw_trs a = joint(s.from, j), b = joint(s.to, j);
             nkw_vec3_dead_blend p = {{a.translation, speed(s.from_velocity, 0, j)}, 0.2f, 0.5f},
                                 u = {{a.scale, speed(s.from_velocity, 6, j)}, 0.2f, 0.5f};
-            nkw_vec3_motion q = {b.translation, {0, 0, 0}}, v = {b.scale, {0, 0, 0}};
-            nkw_quat_motion h = {b.rotation, {0, 0, 0}};
+            nkw_vec3_state q = {b.translation, {0, 0, 0}}, v = {b.scale, {0, 0, 0}};
+            nkw_quat_state h = {b.rotation, {0, 0, 0}};
             nkw_trs want = {nkw_vec3_dead_blend_evaluate(&p, &q, t).value,
                             nkw_quat_dead_blend_evaluate(&quats[j], &h, t).value,
                             nkw_vec3_dead_blend_evaluate(&u, &v, t).value};

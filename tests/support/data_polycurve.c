@@ -33,10 +33,10 @@ static uint64_t hash_places(uint64_t hash, const nkw_polycurve *curve, random_so
         float length = lengths[ENTRIES - 1] * random_unit(r);
         nkw_segment at = nkw_polycurve_at_length(curve, lengths, STEPS, length);
         float place[2] = {(float)at.index, at.t};
-        nkw_vec3_curve_point p = nkw_polycurve_point(curve, at);
+        nkw_vec3_motion p = nkw_polycurve_point(curve, at);
         hash = hash_floats(hash, place, 2);
         hash = hash_frame(hash, nkw_curve_frame_frenet(&p, random_vec3(r, -1.0f, 1.0f)));
-        hash = hash_frame(hash, nkw_polycurve_frenet(curve, at, p.second));
+        hash = hash_frame(hash, nkw_polycurve_frenet(curve, at, p.acceleration));
     }
     return hash;
 }

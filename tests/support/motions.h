@@ -5,9 +5,9 @@
 
 #include <nakawari/spring.h>
 
-static inline nkw_motion motion(float value, float velocity)
+static inline nkw_state motion(float value, float velocity)
 {
-    nkw_motion m = {value, velocity};
+    nkw_state m = {value, velocity};
     return m;
 }
 
@@ -17,15 +17,15 @@ static inline nkw_vec3 vec(float x, float y, float z)
     return v;
 }
 
-static inline nkw_vec3_motion moving(nkw_vec3 value, nkw_vec3 velocity)
+static inline nkw_vec3_state moving(nkw_vec3 value, nkw_vec3 velocity)
 {
-    nkw_vec3_motion m = {value, velocity};
+    nkw_vec3_state m = {value, velocity};
     return m;
 }
 
-static inline nkw_quat_motion rotating(nkw_quat value, nkw_vec3 velocity)
+static inline nkw_quat_state rotating(nkw_quat value, nkw_vec3 velocity)
 {
-    nkw_quat_motion m = {value, velocity};
+    nkw_quat_state m = {value, velocity};
     return m;
 }
 

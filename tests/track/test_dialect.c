@@ -265,9 +265,9 @@ static void css_curves_come_back(void **state)
         nkw_fcurve_keys_from_css(css, keys);
         nkw_fcurve c = curve_of(keys, 2);
         float t = random_unit(&r), h = keys[1].time - keys[0].time, time = keys[0].time + t * h;
-        nkw_curve_point p = nkw_fcurve_sample(&c, time), e = nkw_ease_cubic_bezier(css[0], css[1], css[2], css[3], t);
+        nkw_motion p = nkw_fcurve_sample(&c, time), e = nkw_ease_cubic_bezier(css[0], css[1], css[2], css[3], t);
         double rise = (double)keys[1].value - keys[0].value;
-        expect_near(p.value, keys[0].value + rise * e.value, 1e-5 + 1e-6 * fabs(rise * e.first));
+        expect_near(p.value, keys[0].value + rise * e.value, 1e-5 + 1e-6 * fabs(rise * e.velocity));
         if (fabs(rise) < 0.01)
             continue;
         assert_int_equal(nkw_css_from_fcurve_keys(keys, back), NKW_OK);

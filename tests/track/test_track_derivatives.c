@@ -146,9 +146,9 @@ static void draw_rotations(random_source *r, int cubic, float *v)
     }
 }
 
-static nkw_rotation_state rotation_at(const nkw_track *track, float time)
+static nkw_quat_motion rotation_at(const nkw_track *track, float time)
 {
-    nkw_rotation_state s;
+    nkw_quat_motion s;
     assert_int_equal(nkw_track_sample_rotation(track, time, &s), NKW_OK);
     return s;
 }
@@ -162,9 +162,9 @@ static void orientation_has_the_bits_of_the_sample(void **state)
         draw_rotations(&r, i % 3 == NKW_INTERPOLATION_CUBICSPLINE, v);
         nkw_track track = rotations(v, (nkw_interpolation)(i % 3));
         track.kind = i % 2 ? NKW_TRACK_ROTATION_NORMALIZED : NKW_TRACK_ROTATION;
-        nkw_rotation_state s = rotation_at(&track, time);
+        nkw_quat_motion s = rotation_at(&track, time);
         nkw_track_sample(&track, time, want);
-        expect_floats_bits(&s.orientation.x, want, 4);
+        expect_floats_bits(&s.value.x, want, 4);
     }
 }
 
@@ -180,9 +180,9 @@ static void velocity_and_acceleration_are_those_of_neighbouring_samples(void **s
         nkw_track track = rotations(v, mode);
         int k = i % 3;
         float time = random_between(&r, times4[k] + 2 * h, times4[k + 1] - 2 * h);
-        nkw_rotation_state low = rotation_at(&track, time - h), at = rotation_at(&track, time),
+        nkw_quat_motion low = rotation_at(&track, time - h), at = rotation_at(&track, time),
                            high = rotation_at(&track, time + h);
-        nkw_vec3 velocity = nkw_quat_angular_velocity(low.orientation, high.orientation, 2 * h);
+        nkw_vec3 velocity = nkw_quat_angular_velocity(low.value, high.value, 2 * h);
         nkw_vec3 acceleration = nkw_vec3_scale(nkw_vec3_sub(high.velocity, low.velocity), 1 / (2 * h));
         expect_vec3_near(at.velocity, velocity, 0.02);
         expect_vec3_near(at.acceleration, acceleration, 0.1 + 0.02 * nkw_vec3_length(at.acceleration));
@@ -197,7 +197,7 @@ static void a_slerp_turns_at_constant_velocity_along_the_shorter_arc(void **stat
     nkw_track track = rotations(v, NKW_INTERPOLATION_LINEAR);
     const nkw_vec3 quarter = {0, 0, 1.57079633f}, none = {0, 0, 0};
     for (int i = 0; i < 2; i++) {
-        nkw_rotation_state s = rotation_at(&track, i ? 1.0f : 1.25f); /* a quarter turn from 1 s to 2 s */
+        nkw_quat_motion s = rotation_at(&track, i ? 1.0f : 1.25f); /* a quarter turn from 1 s to 2 s */
         expect_vec3_near(s.velocity, quarter, 1e-6);
         expect_vec3_bits(s.acceleration, none);
         expect_vec3_near(rotation_at(&track, 2.25f).velocity, none, 1e-6); /* to the same rotation, negated */
@@ -253,8 +253,8 @@ static void numbers_and_empty_tracks_have_no_rotation(void **state)
     static const float v[16] = {0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1};
     nkw_track numbers = floats(v, 4, NKW_INTERPOLATION_LINEAR), empty = rotations(v, NKW_INTERPOLATION_LINEAR),
               narrow = rotations(v, NKW_INTERPOLATION_LINEAR);
-    const nkw_rotation_state untouched = {{9, 9, 9, 9}, {9, 9, 9}, {9, 9, 9}};
-    nkw_rotation_state s = untouched;
+    const nkw_quat_motion untouched = {{9, 9, 9, 9}, {9, 9, 9}, {9, 9, 9}};
+    nkw_quat_motion s = untouched;
     empty.count = 0;
     narrow.width = 3;
     assert_int_equal(nkw_track_sample_rotation(&numbers, 1, &s), NKW_BAD_METHOD);

@@ -128,7 +128,7 @@ static void tcb_tangents(const value *in, value *out)
 
 static void cubic_bezier(const value *in, value *out)
 {
-    nkw_curve_point p =
+    nkw_motion p =
         nkw_ease_cubic_bezier(number(in), number(in + 1), number(in + 2), number(in + 3), number(in + 4));
     put_number(out, p.value);
 }
@@ -211,7 +211,7 @@ static void angular_velocity(const value *in, value *out)
 
 static void put_state(value *out, const nkw_rotation_segment *s, float t)
 {
-    nkw_rotation_state at = nkw_rotation_evaluate(s, t);
+    nkw_quat_motion at = nkw_rotation_evaluate(s, t);
     put_quat(out, at.orientation);
     put_vec3(out + 1, at.velocity);
     put_vec3(out + 2, at.acceleration);
@@ -416,8 +416,8 @@ static void skin_dual_quat(const value *in, value *out)
 static void spring(const value *in, value *out)
 {
     nkw_spring s = {number(in), number(in + 1)};
-    nkw_motion from = {number(in + 2), number(in + 3)}, goal = {number(in + 4), 0.0f};
-    nkw_motion r = nkw_spring_step(s, from, goal, number(in + 5));
+    nkw_state from = {number(in + 2), number(in + 3)}, goal = {number(in + 4), 0.0f};
+    nkw_state r = nkw_spring_step(s, from, goal, number(in + 5));
     put_number(out, r.value);
     put_number(out + 1, r.velocity);
 }

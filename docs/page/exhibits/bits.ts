@@ -78,7 +78,7 @@ const code = ({ count, start }: State) => program(`
 const nkw_spring constants = nkw_spring_from_half_life(0.25f, 0.5f);
 float x = ${literal(start)};
 nkw_quat q = {0.0f, 0.0f, 0.0f, 1.0f};
-nkw_motion motion = {x, 0.0f};
+nkw_state motion = {x, 0.0f};
 unsigned long hashes[4] = {0x811c9dc5, 0x811c9dc5, 0x811c9dc5, 0x811c9dc5};
 for (int i = 0; i < ${count}; i++) {
     const float t = (float)(i % 64) / 64.0f;
@@ -86,7 +86,7 @@ for (int i = 0; i < ${count}; i++) {
     const float p = nkw_hermite(x, 1.0f, t, -2.0f, t);
     const nkw_vec3 v = {x, p, t};
     q = nkw_quat_slerp(q, nkw_quat_exp(v), t);
-    const nkw_motion goal = {p, 0.0f};
+    const nkw_state goal = {p, 0.0f};
     motion = nkw_spring_step(constants, motion, goal, 0.015625f);
     const float values[8] = {x, p, q.x, q.y, q.z, q.w, motion.value, motion.velocity};
     const int of[8] = {0, 1, 2, 2, 2, 2, 3, 3};

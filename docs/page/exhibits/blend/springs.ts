@@ -134,9 +134,9 @@ static const char *const names[] = {"chosen", "critical", "over", "whole", "thir
 const float time = ${literal(state.time)}, half_life = ${literal(state.half)};
 for (int i = 0; i < 6; i++) {
     const nkw_spring spring = nkw_spring_from_half_life(half_life, ratios[i]);
-    nkw_motion motion = {0.0f, 0.0f};
+    nkw_state motion = {0.0f, 0.0f};
     for (int k = 0; k < GOALS; k++) {
-        const nkw_motion goal = {goals[k], 0.0f};
+        const nkw_state goal = {goals[k], 0.0f};
         const float stop = k + 1 < GOALS && starts[k + 1] < time ? starts[k + 1] : time;
         for (float t = starts[k]; t < stop; t += steps[i])
             motion = nkw_spring_step(spring, motion, goal, steps[i] < stop - t ? steps[i] : stop - t);

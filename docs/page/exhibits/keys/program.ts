@@ -44,8 +44,8 @@ show_floats("${name}", 3, p);${s.method === name && j !== undefined ? ofTrack('v
 
 const point = `
 show(name, 0, (double)point.value);
-show(name, 1, (double)point.first / (double)h);
-show(name, 2, (double)point.second / ((double)h * (double)h));`;
+show(name, 1, (double)point.velocity / (double)h);
+show(name, 2, (double)point.acceleration / ((double)h * (double)h));`;
 
 const own = `
 float triples[3 * COUNT];
@@ -63,7 +63,7 @@ show_floats(name, 3, p);`;
 const bySegment = `
 /* The tangents are read as tangents per segment. */
 const float control[4] = {values[k], after[k], values[k + 1], before[k + 1]};
-const nkw_curve_point point = nkw_cubic_point(NKW_CUBIC_HERMITE, control, t);${point}`;
+const nkw_motion point = nkw_cubic_point(NKW_CUBIC_HERMITE, control, t);${point}`;
 
 const atJoint = (j: number) => `
 show("tangent", 0, (double)before[${j}]);
@@ -71,7 +71,7 @@ show("tangent", 1, (double)after[${j}]);${ofTrack('second', j)}
 const float ends[2][4] = {{values[${j - 1}], after[${j - 1}], values[${j}], before[${j}]},
                           {values[${j}], after[${j}], values[${j + 1}], before[${j + 1}]}};
 for (int i = 0; i < 2; i++)
-    show("segment", i, (double)nkw_cubic_point(NKW_CUBIC_HERMITE, ends[i], i ? 0.0f : 1.0f).first /
+    show("segment", i, (double)nkw_cubic_point(NKW_CUBIC_HERMITE, ends[i], i ? 0.0f : 1.0f).velocity /
                            (double)(times[${j} + i] - times[${j - 1} + i]));`;
 
 const chosen = (s: Keys, j?: number) => `
@@ -109,10 +109,10 @@ for (int i = 0; i < COUNT - 1; i++)
         const int key = i + c - 1 < 0 ? 0 : i + c - 1;
         control[i][c] = values[key < COUNT ? key : COUNT - 1];
     }
-const nkw_curve_point point = nkw_cubic_point(NKW_CUBIC_BSPLINE, control[k], t);${point}${
+const nkw_motion point = nkw_cubic_point(NKW_CUBIC_BSPLINE, control[k], t);${point}${
   s.method !== 'bspline' || j === undefined ? '' : `
 for (int i = 0; i < 2; i++)
-    show("velocity", i, (double)nkw_cubic_point(NKW_CUBIC_BSPLINE, control[${j - 1} + i], i ? 0.0f : 1.0f).first /
+    show("velocity", i, (double)nkw_cubic_point(NKW_CUBIC_BSPLINE, control[${j - 1} + i], i ? 0.0f : 1.0f).velocity /
                             (double)(times[${j} + i] - times[${j - 1} + i]));`}`;
 
 export function code(state: State): string {

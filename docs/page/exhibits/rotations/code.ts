@@ -36,7 +36,7 @@ const nkw_quat tangent = nkw_quat_scale(nkw_quat_sub(end, a), 1.0f / seconds);
 const nkw_quat values[] = {tangent, a, tangent, tangent, end, tangent};
 const float times[] = {0.0f, seconds};
 const nkw_track track = {times, &values[0].x, 2, 4, NKW_TRACK_ROTATION, NKW_INTERPOLATION_CUBICSPLINE, NULL};
-nkw_rotation_state state;
+nkw_quat_motion state;
 if (nkw_track_sample_rotation(&track, t * seconds, &state) != NKW_OK)
     return 1;
 q[NLERP] = nkw_quat_nlerp(a, b, t);
@@ -47,7 +47,7 @@ const nkw_path paths[] = {NKW_PATH_SHORT, NKW_PATH_LONG, NKW_PATH_SHORT, NKW_PAT
 for (int m = SLERP; m < METHODS; m++) {
     const nkw_rotation_segment segment = nkw_rotation_slerp(a, b, paths[m - SLERP], m == TURNS ? ${turns} : 0, seconds);
     state = nkw_rotation_evaluate(&segment, t);
-    q[m] = state.orientation;
+    q[m] = state.value;
     w[m] = state.velocity;
 }
 

@@ -58,7 +58,7 @@ for (int k = 0; k + 1 < COUNT; k++) {
 const nkw_segment now = nkw_segment_find(times, COUNT, time);
 const size_t k = now.index < COUNT - 1 ? now.index : COUNT - 2;
 for (int m = 0; m < METHODS; m++) {
-    nkw_rotation_state at = nkw_rotation_evaluate(&segments[m][k], now.index > k ? 1.0f : now.t);
+    nkw_quat_motion at = nkw_rotation_evaluate(&segments[m][k], now.index > k ? 1.0f : now.t);
     if (m == GLTF && nkw_track_sample_rotation(&tracks[k], time, &at) != NKW_OK)
         return 1;
     show(names[m], 0, at.velocity.x);
@@ -66,8 +66,8 @@ for (int m = 0; m < METHODS; m++) {
     show(names[m], 2, at.velocity.z);
     show(names[m], 3, nkw_degrees_from_radians(nkw_vec3_length(at.velocity)));
     for (int key = 1; key + 1 < COUNT; key++) { /* the jump of the angular velocity */
-        nkw_rotation_state before = nkw_rotation_evaluate(&segments[m][key - 1], 1.0f);
-        nkw_rotation_state after = nkw_rotation_evaluate(&segments[m][key], 0.0f);
+        nkw_quat_motion before = nkw_rotation_evaluate(&segments[m][key - 1], 1.0f);
+        nkw_quat_motion after = nkw_rotation_evaluate(&segments[m][key], 0.0f);
         if (m == GLTF && (nkw_track_sample_rotation(&tracks[key - 1], times[key], &before) != NKW_OK ||
                           nkw_track_sample_rotation(&tracks[key], times[key], &after) != NKW_OK))
             return 1;

@@ -28,13 +28,13 @@ ${quats('b', all.map(q => q[1]))}
 static const char *const velocities[KINDS] = {${names('velocity')}};
 static const char *const jumps[KINDS] = {${names('jump')}};
 const float step = ${literal(step)}, duration = ${literal(duration)};
-const nkw_quat_motion from = ${motion('a', first)};
-const nkw_quat_motion to = ${motion('b', first)};
+const nkw_quat_state from = ${motion('a', first)};
+const nkw_quat_state to = ${motion('b', first)};
 const nkw_vec3_inertia offset = nkw_quat_inertia_begin(&from, &to, duration);
 nkw_quat_dead_blend blend = {from, ${literal(state.coast)}, duration, {0.0f, 0.0f, 0.0f, 0.0f}};
 nkw_quat q[KINDS][COUNT];
 for (int i = 0; i < COUNT; i++) {
-    const nkw_quat_motion next = {b[i], {0.0f, 0.0f, 0.0f}};
+    const nkw_quat_state next = {b[i], {0.0f, 0.0f, 0.0f}};
     const float part = nkw_saturate(since[i] / duration);
     q[0][i] = a[i];
     q[1][i] = b[i];
