@@ -210,7 +210,7 @@ void rig_skin(const rig_state *state, const mesh *m, int dual, nkw_vec3 *positio
     const nkw_palette_source joint_matrices = {state->palette, RIG_JOINTS, NULL, NULL, NULL, RIG_JOINTS};
     nkw_palette_from_models(&joint_matrices, dual_quats);
     if (dual)
-        nkw_skin_dual_quat(&skin, nkw_palette_view_from_span(dual_quats), &in, &out);
+        nkw_skin_dual_quat(&skin, NKW_VIEW(nkw_palette, dual_quats), &in, &out);
     else
         nkw_skin_linear(&skin, &matrices, &in, &out);
 }

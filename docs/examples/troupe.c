@@ -258,7 +258,7 @@ void troupe_do(const troupe *t, troupe_task task, troupe_step step, size_t piece
     else if (step == TROUPE_LANE_MODELS)
         nkw_crowd_models_from_pose(&t->skeleton, poses, no_roots, matrices);
     else if (step == TROUPE_LANE_PALETTE)
-        nkw_crowd_palette_from_models(nkw_crowd_matrices_view_from_span(matrices), NULL, t->inverse_bind, matrices);
+        nkw_crowd_palette_from_models(NKW_VIEW(nkw_crowd_matrices, matrices), NULL, t->inverse_bind, matrices);
     else if (step == TROUPE_LEAVE)
         leave(t, task, first, end, s);
     else

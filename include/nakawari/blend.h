@@ -37,13 +37,6 @@ typedef struct nkw_mask_span {
 } nkw_mask_span;
 NKW_SIZE(nkw_mask_span, 16, 8);
 
-/** The same mask, to read. */
-static inline nkw_mask_view nkw_mask_view_from_span(nkw_mask_span mask)
-{
-    nkw_mask_view view = {mask.data, mask.joint_count};
-    return view;
-}
-
 /**
  * Interpolates from pose a to pose b: translations and scales by nkw_lerp, rotations by nkw_quat_nlerp, bit for bit.
  *

@@ -61,20 +61,6 @@ typedef struct nkw_crowd_matrices_span {
 } nkw_crowd_matrices_span;
 NKW_SIZE(nkw_crowd_matrices_span, 16, 8);
 
-/** The same poses, to read. */
-static inline nkw_crowd_poses_view nkw_crowd_poses_view_from_span(nkw_crowd_poses_span poses)
-{
-    nkw_crowd_poses_view view = {poses.data, poses.joint_count};
-    return view;
-}
-
-/** The same matrices, to read. */
-static inline nkw_crowd_matrices_view nkw_crowd_matrices_view_from_span(nkw_crowd_matrices_span matrices)
-{
-    nkw_crowd_matrices_view view = {matrices.data, matrices.joint_count};
-    return view;
-}
-
 /**
  * Copies poses (pose.h) into the lanes of a crowd: poses[i] into lane i, for the NKW_CROWD elements of `poses`. If the
  * data of a pose are NULL, its lane becomes the identity for every joint. Returns NKW_MISMATCHED if a pose has another

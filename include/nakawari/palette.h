@@ -54,13 +54,6 @@ typedef struct nkw_palette_span {
 } nkw_palette_span;
 NKW_SIZE(nkw_palette_span, 24, 12);
 
-/** The same palette, to read. */
-static inline nkw_palette_view nkw_palette_view_from_span(nkw_palette_span palette)
-{
-    nkw_palette_view view = {palette.data, palette.joint_count, palette.format};
-    return view;
-}
-
 /** The inputs of a palette. */
 typedef struct nkw_palette_source {
     const nkw_mat4 *models; /**< model_count matrices of the skeleton's joints */

@@ -44,13 +44,6 @@ typedef struct nkw_pose_span {
 } nkw_pose_span;
 NKW_SIZE(nkw_pose_span, 16, 8);
 
-/** The same pose, to read. */
-static inline nkw_pose_view nkw_pose_view_from_span(nkw_pose_span pose)
-{
-    nkw_pose_view view = {pose.data, pose.joint_count};
-    return view;
-}
-
 /** NKW_POSE_FLOATS as a function, for languages without the macro; SIZE_MAX if size_t cannot hold the number. */
 NKW_API size_t nkw_pose_floats(size_t joint_count);
 

@@ -39,13 +39,6 @@ typedef struct nkw_pose_velocity_span {
 } nkw_pose_velocity_span;
 NKW_SIZE(nkw_pose_velocity_span, 16, 8);
 
-/** The same velocities, to read. */
-static inline nkw_pose_velocity_view nkw_pose_velocity_view_from_span(nkw_pose_velocity_span velocity)
-{
-    nkw_pose_velocity_view view = {velocity.data, velocity.joint_count};
-    return view;
-}
-
 /**
  * The velocities from two poses: differences divided by the time, and nkw_quat_angular_velocity.
  *

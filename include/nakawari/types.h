@@ -18,6 +18,18 @@
 #include "base.h"
 
 #ifdef __cplusplus
+#include <string.h>
+
+extern "C++" {
+/* The text of NKW_VIEW in C++. */
+template <typename View, typename Span> static inline View nkwi_view(Span span)
+{
+    View view;
+    memcpy(&view, &span, sizeof view);
+    return view;
+}
+}
+
 extern "C" {
 #endif
 
@@ -193,6 +205,21 @@ typedef struct nkw_quat_span {
     float *x, *y, *z, *w;
 } nkw_quat_span;
 NKW_SIZE(nkw_quat_span, 32, 16);
+
+/**
+ * The view of a span: NKW_VIEW(nkw_pose, span) is an nkw_pose_view of the data of an nkw_pose_span. `type` is the name of
+ * both without _view and _span, of any pair of the library; a span of another type does not compile.
+ */
+#ifdef __cplusplus
+#define NKW_VIEW(type, object) nkwi_view<type##_view, type##_span>(object)
+#else
+#define NKW_VIEW(type, object)                                                                                         \
+    (((union {                                                                                                         \
+         type##_span span;                                                                                             \
+         type##_view view;                                                                                             \
+     }){object})                                                                                                       \
+         .view)
+#endif
 
 /** One array for each of the nine elements, in the order of nkw_mat3. */
 typedef struct nkw_mat3_view {

@@ -105,7 +105,7 @@ static void change_nodes(frame *f)
         nkw_pose_set(pose, j, &t);
     }
     d->nodes = nodes;
-    d->rest = nkw_pose_view_from_span(pose);
+    d->rest = NKW_VIEW(nkw_pose, pose);
 }
 
 static void change_skins(frame *f)

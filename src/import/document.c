@@ -115,7 +115,7 @@ int nkwi_document_nodes(nkwi_document *d, nkw_import_error *error, const nkwi_pl
     d->all.joint_of_node = joint_of_node;
     d->all.skeleton.parents = parents;
     d->all.skeleton.joint_count = count;
-    d->all.rest = nkw_pose_view_from_span(pose);
+    d->all.rest = NKW_VIEW(nkw_pose, pose);
     return place_weights(d, error, place) && copy_weights(d, error, place);
 }
 

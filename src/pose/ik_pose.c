@@ -76,7 +76,7 @@ static lane_f64_quat turn_to_parent(const parent_axes *axes, nkw_quat turn)
 /* Rotates a joint by a rotation of the models' space. */
 static void turn_joint(const nkw_ik_pose *pose, size_t joint, nkw_quat turn)
 {
-    nkw_trs local = nkw_pose_get(nkw_pose_view_from_span(pose->pose), joint);
+    nkw_trs local = nkw_pose_get(NKW_VIEW(nkw_pose, pose->pose), joint);
     parent_axes axes = parent_axes_of(pose, joint);
     lane_f64_quat q = lane_f64_quat_mul(turn_to_parent(&axes, turn), lane_f64_quat_from(local.rotation));
     local.rotation = lane_quat_from_f64(lane_f64_quat_normalize(q));
@@ -183,7 +183,7 @@ static nkw_vec3 chain_of(const nkw_ik_pose *pose, const nkw_ik_reach *reach, nkw
         lane_f64_vec3 bone =
             lane_f64_vec3_sub(lane_f64_vec3_from(position_of(pose, at)), lane_f64_vec3_from(position_of(pose, parent)));
         offsets[k] = lane_vec3_from_f64(vec_to_parent(&axes, bone));
-        rotations[k] = nkw_pose_get(nkw_pose_view_from_span(pose->pose), parent).rotation;
+        rotations[k] = nkw_pose_get(NKW_VIEW(nkw_pose, pose->pose), parent).rotation;
         at = parent;
     }
     lane_f64_quat rotation = {0.0, 0.0, 0.0, 1.0};
@@ -203,7 +203,7 @@ static void store_chain(const nkw_ik_pose *pose, const nkw_ik_reach *reach, nkw_
     size_t at = reach->end;
     for (size_t k = reach->joint_count; k-- > 0;) {
         at = (size_t)parent_of(&pose->skeleton, at);
-        nkw_trs local = nkw_pose_get(nkw_pose_view_from_span(pose->pose), at);
+        nkw_trs local = nkw_pose_get(NKW_VIEW(nkw_pose, pose->pose), at);
         local.rotation = share == 1.0f ? rotations[k] : nkw_quat_slerp(local.rotation, rotations[k], share);
         rotations[k] = local.rotation;
         nkw_pose_set(pose->pose, at, &local);

@@ -100,7 +100,7 @@ nkw_result nkw_pose_root_remove(nkw_pose_span pose, size_t joint, const nkw_root
     *motion = nkw_trs_identity();
     if (joint >= pose.joint_count)
         return NKW_OUT_OF_RANGE;
-    nkw_trs root = nkw_pose_get(nkw_pose_view_from_span(pose), joint);
+    nkw_trs root = nkw_pose_get(NKW_VIEW(nkw_pose, pose), joint);
     *motion = nkw_root_extract(&root, rule);
     root = nkw_root_remove(&root, motion);
     return nkw_pose_set(pose, joint, &root);

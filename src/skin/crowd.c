@@ -116,7 +116,7 @@ nkw_result nkw_crowd_sample(const nkw_clip *clip, const nkw_crowd_players *playe
     for (size_t i = 0; i < players->character_count && i < NKW_CROWD; i++) {
         nkw_pose_span pose = {joints ? work + i * NKW_POSE_FLOATS(joints) : work, joints};
         nkw_clip_sample(clip, players->times[i], players->cursors ? players->cursors + i * step : NULL, pose, NULL);
-        poses[i] = nkw_pose_view_from_span(pose);
+        poses[i] = NKW_VIEW(nkw_pose, pose);
     }
     return nkw_crowd_from_poses(poses, crowd);
 }
@@ -177,10 +177,10 @@ static void bake_lanes(const nkw_crowd_source *source, const nkw_palette_chunk *
         out[i] = buffer + nkw_palette_chunk_index(chunk, frame + i, 0);
     }
     nkw_crowd_sample(source->clip, &players, w->crowd, w->poses, w->pose_floats);
-    nkw_crowd_models_from_pose(source->skeleton, nkw_crowd_poses_view_from_span(w->crowd), roots, w->models);
-    nkw_crowd_palette_from_models(nkw_crowd_matrices_view_from_span(w->models), source->joints, source->inverse_bind,
+    nkw_crowd_models_from_pose(source->skeleton, NKW_VIEW(nkw_crowd_poses, w->crowd), roots, w->models);
+    nkw_crowd_palette_from_models(NKW_VIEW(nkw_crowd_matrices, w->models), source->joints, source->inverse_bind,
                                   w->palette);
-    nkw_matrices_from_crowd(nkw_crowd_matrices_view_from_span(w->palette), out);
+    nkw_matrices_from_crowd(NKW_VIEW(nkw_crowd_matrices, w->palette), out);
 }
 
 static nkw_result check_bake(const nkw_crowd_source *source, const nkw_palette_chunk *chunk, size_t work_count)

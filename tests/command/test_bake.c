@@ -50,7 +50,7 @@ static void sample(const nkw_document *d, const nkw_clip *clip, float time, mome
 {
     const nkw_pose_span pose = {m->pose, JOINTS};
     assert_int_equal(nkw_clip_sample(clip, time, NULL, pose, m->floats), NKW_OK);
-    assert_int_equal(nkw_document_models(d, nkw_pose_view_from_span(pose), NULL, m->models), NKW_OK);
+    assert_int_equal(nkw_document_models(d, NKW_VIEW(nkw_pose, pose), NULL, m->models), NKW_OK);
 }
 
 /* The largest distance of an origin, and of a point `reach` away on an axis, in the space of the model. */

@@ -131,7 +131,7 @@ static void play(fuzz *f, const nkw_document *d)
             continue;
         }
         FUZZ_CHECK(nkw_clip_sample(clip, fuzz_float(f), NULL, pose, floats) == NKW_OK);
-        FUZZ_CHECK(nkw_document_models(d, nkw_pose_view_from_span(pose), NULL, models) == NKW_OK);
+        FUZZ_CHECK(nkw_document_models(d, NKW_VIEW(nkw_pose, pose), NULL, models) == NKW_OK);
         nkw_import_free(clip);
     }
     for (size_t j = 0; j < joints && j < 16; j++) {

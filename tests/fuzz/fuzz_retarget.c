@@ -58,7 +58,7 @@ static void axes(fuzz *f, int wild)
     const float *pose = fuzz_pose(f, n, wild);
     nkw_pose_span out = {fuzz_room(f, NKW_POSE_FLOATS(n)), n};
     FUZZ_CHECK(nkw_pose_convert_axes(pose_view(pose, n), map, out) == NKW_OK);
-    nkw_pose_convert_axes(nkw_pose_view_from_span(out), nkw_axes_map_inverse(map), out);
+    nkw_pose_convert_axes(NKW_VIEW(nkw_pose, out), nkw_axes_map_inverse(map), out);
     for (size_t c = 0; n && c < 10; c++)
         FUZZ_CHECK(fuzz_same(out.data + c * NKW_POSE_STRIDE(n), pose + c * NKW_POSE_STRIDE(n), n));
 }

@@ -34,7 +34,7 @@ static void make(nkw_clip_target target, nkw_interpolation interpolation, size_t
     nkw_pose_identity(pose);
     one.parent = one.node.mesh = one.node.skin = NKW_NO_JOINT;
     one.node.name = one.animation.name = "a \"name\", \xc3\xa9 and \xff";
-    one.node.rest = nkw_pose_get(nkw_pose_view_from_span(pose), 0);
+    one.node.rest = nkw_pose_get(NKW_VIEW(nkw_pose, pose), 0);
     one.track = track;
     one.animation.tracks = &one.track;
     one.animation.channels = &one.channel;
@@ -45,7 +45,7 @@ static void make(nkw_clip_target target, nkw_interpolation interpolation, size_t
     one.document.skeleton.joint_count = 1;
     one.document.nodes = &one.node;
     one.document.joint_of_node = &one.joint;
-    one.document.rest = nkw_pose_view_from_span(pose);
+    one.document.rest = NKW_VIEW(nkw_pose, pose);
     one.document.animations = &one.animation;
     one.document.animation_count = 1;
     one.document.scene = NKW_NO_JOINT;

@@ -187,7 +187,7 @@ static uint64_t hash_transitions(const scene *s)
 {
     float *v = floats(NKW_POSE_VELOCITY_FLOATS(s->joints));
     const nkw_pose_velocity_span velocity = {v, s->joints};
-    const nkw_pose_motion from = {pose_of(s, 0), nkw_pose_velocity_view_from_span(velocity)},
+    const nkw_pose_motion from = {pose_of(s, 0), NKW_VIEW(nkw_pose_velocity, velocity)},
                           to = {pose_of(s, 1), {NULL, 0}};
     const nkw_pose_inertia inertia = {s->inertia, s->joints};
     const nkw_pose_dead_blend dead = {s->dead, s->joints, 0.25f, 0.75f};

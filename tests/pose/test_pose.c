@@ -75,7 +75,7 @@ static void views_and_spans_are_the_arrays_in_their_order(void **state)
     (void)state;
     float pose[NKW_POSE_FLOATS(JOINTS)] = {0};
     nkw_pose_span whole = {pose, JOINTS};
-    nkw_trs_view view = nkw_pose_components(nkw_pose_view_from_span(whole));
+    nkw_trs_view view = nkw_pose_components(NKW_VIEW(nkw_pose, whole));
     nkw_trs_span span = nkw_pose_components_span(whole);
     const float *read[10] = {view.translation.x, view.translation.y, view.translation.z, view.rotation.x,
                              view.rotation.y,    view.rotation.z,    view.rotation.w,    view.scale.x,

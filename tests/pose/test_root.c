@@ -125,8 +125,8 @@ static void poses_and_keys_lose_their_motion(void **state)
     nkw_pose_set(pose, 1, &root);
     nkw_pose_set(pose, 4, &other);
     assert_int_equal(nkw_pose_root_remove(pose, 1, &rule, &motion), NKW_OK);
-    nkw_trs rest = nkw_pose_get(nkw_pose_view_from_span(pose), 1),
-            kept = nkw_pose_get(nkw_pose_view_from_span(pose), 4);
+    nkw_trs rest = nkw_pose_get(NKW_VIEW(nkw_pose, pose), 1),
+            kept = nkw_pose_get(NKW_VIEW(nkw_pose, pose), 4);
     expect_place(mul(motion, rest), root, 2e-6);
     expect_place(kept, other, 0);
     expect_bits(rest.translation.x, 0);

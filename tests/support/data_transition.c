@@ -37,7 +37,7 @@ static nkw_pose_motion motion_of(scene *s, size_t k)
     nkw_pose_velocity_span v = {s->velocities[k], JOINTS};
     nkw_pose_velocity_from_poses(pose_view(s->poses[2 * k], JOINTS), pose_view(s->poses[2 * k + 1], JOINTS), 0.0625f,
                                  v);
-    nkw_pose_motion m = {pose_view(s->poses[2 * k + 1], JOINTS), nkw_pose_velocity_view_from_span(v)};
+    nkw_pose_motion m = {pose_view(s->poses[2 * k + 1], JOINTS), NKW_VIEW(nkw_pose_velocity, v)};
     return m;
 }
 

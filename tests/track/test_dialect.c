@@ -534,7 +534,7 @@ static void fcurves_drive_the_joint_of_a_clip(void **state)
     for (int i = 0; i <= 1000; i++) {
         float time = 2.5f * (float)i / 1000.0f;
         assert_int_equal(nkw_clip_sample(clip, time, NULL, pose, &flag), NKW_OK);
-        nkw_trs joint = nkw_pose_get(nkw_pose_view_from_span(pose), 0);
+        nkw_trs joint = nkw_pose_get(NKW_VIEW(nkw_pose, pose), 0);
         expect_near(joint.translation.x, nkw_fcurve_sample(curves, time).value, 1.2e-3);
         expect_near(joint.translation.z, nkw_fcurve_sample(curves + 2, time).value, 1.2e-3);
         expect_near(nkw_quat_angle(joint.rotation, rotation_of(curves + 3, NKW_EULER_ZXY, time)), 0, 1.5e-3);

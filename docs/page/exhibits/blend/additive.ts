@@ -103,7 +103,7 @@ nkw_pose_view views[COUNT];
 for (int i = 0; i < COUNT; i++) {
     poses[i] = (nkw_pose_span){floats[i], 1};
     nkw_pose_identity(poses[i]);
-    views[i] = nkw_pose_view_from_span(poses[i]);
+    views[i] = NKW_VIEW(nkw_pose, poses[i]);
 }
 nkw_pose_set(poses[BASE], 0, &joint[0]);
 nkw_pose_set(poses[CLIP], 0, &joint[1]);

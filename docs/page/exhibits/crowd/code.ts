@@ -80,10 +80,10 @@ for (int first = FROM; first < COUNT; first += STEP * NKW_CROWD) {
     const nkw_crowd_players players = {times, NULL, (size_t)lanes};
     nkw_crowd_sample(clip, &players, poses, work, sizeof work / sizeof *work);
     nkw_crowd_from_matrices(in, roots);
-    nkw_crowd_models_from_pose(&skeleton, nkw_crowd_poses_view_from_span(poses),
-                               nkw_crowd_matrices_view_from_span(roots), models);
-    nkw_crowd_palette_from_models(nkw_crowd_matrices_view_from_span(models), joints, inverse_bind, palette);
-    nkw_matrices_from_crowd(nkw_crowd_matrices_view_from_span(palette), out);
+    nkw_crowd_models_from_pose(&skeleton, NKW_VIEW(nkw_crowd_poses, poses),
+                               NKW_VIEW(nkw_crowd_matrices, roots), models);
+    nkw_crowd_palette_from_models(NKW_VIEW(nkw_crowd_matrices, models), joints, inverse_bind, palette);
+    nkw_matrices_from_crowd(NKW_VIEW(nkw_crowd_matrices, palette), out);
     const int lane = (${character} - first) / STEP;
     if (${character} >= first && lane < lanes) {
         show("time", 0, (double)times[lane]);
