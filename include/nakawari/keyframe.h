@@ -85,6 +85,30 @@ typedef enum nkw_orientation_method {
 } nkw_orientation_method;
 
 /**
+ * What the sampler does where the exercise states no rule, but its program has one (docs/coursework.md):
+ *
+ *     time at an inner key     EXERCISE: the segment that ends there, t = 1; LIBRARY: the one that begins there, t = 0
+ *     STEP from the last key   EXERCISE: the key before it; LIBRARY: the last key
+ *     BEZIER beyond the keys   EXERCISE: the curve continues, if the end key ends a group of four; LIBRARY: clamps
+ *     EULER, pitch of a key    EXERCISE: ConvMatToEuler, which loses part of the rotation at 90 degrees; LIBRARY:
+ *                              nkw_euler_from_quat
+ *     one key                  EXERCISE: NKW_EMPTY; LIBRARY: that key
+ */
+typedef enum nkw_keyframe_rule {
+    NKW_KEYFRAME_RULE_LIBRARY,
+    NKW_KEYFRAME_RULE_EXERCISE,
+    NKW_KEYFRAME_RULE_MAX_ENUM = 0x7fffffff
+} nkw_keyframe_rule;
+
+/** How nkw_keyframes_sample_as samples. Zero is linear, step, by the library's rule. */
+typedef struct nkw_keyframe_options {
+    nkw_position_method position;
+    nkw_orientation_method orientation;
+    nkw_keyframe_rule rule;
+} nkw_keyframe_options;
+NKW_SIZE(nkw_keyframe_options, 12, 12);
+
+/**
  * All intermediate values of one matrix, so that a reader can check it by hand. To rounding,
  *
  *     position = weight[0] control[0] + ... + weight[control_count - 1] control[control_count - 1]
@@ -135,13 +159,22 @@ NKW_API nkw_result nkw_keyframes_sample(const nkw_keyframe *keys, size_t count, 
                                         nkw_mat4 *out);
 
 /**
+ * nkw_keyframes_sample with the methods and the rule of `options`.
+ *
+ * Returns  NKW_BAD_METHOD also for an unknown rule; NKW_EMPTY also for one key by the rule of the exercise
+ *
+ * Stack  at most 3 KiB.
+ */
+NKW_API nkw_result nkw_keyframes_sample_as(const nkw_keyframe *keys, size_t count, float time,
+                                           const nkw_keyframe_options *options, nkw_mat4 *out);
+
+/**
  * The same with all intermediate values. trace->position and trace->rotation are those of the matrix.
  *
  * Stack  at most 4 KiB.
  */
 NKW_API nkw_result nkw_keyframes_trace(const nkw_keyframe *keys, size_t count, float time,
-                                       nkw_position_method position, nkw_orientation_method orientation,
-                                       nkw_keyframe_trace *trace);
+                                       const nkw_keyframe_options *options, nkw_keyframe_trace *trace);
 
 #ifdef __cplusplus
 }

@@ -199,6 +199,90 @@ NKW_API void nkw_mat4_to_row_major(const nkw_mat4 *m, float rows[16]);
 NKW_API nkw_mat3x4 nkw_mat3x4_from_mat4(const nkw_mat4 *m);
 NKW_API nkw_mat4 nkw_mat4_from_mat3x4(const nkw_mat3x4 *m);
 
+/** Moves by t. */
+NKW_API nkw_mat4 nkw_mat4_from_translation(nkw_vec3 t);
+/** Scales by s.x, s.y, s.z along the axes. */
+NKW_API nkw_mat4 nkw_mat4_from_scale(nkw_vec3 s);
+/**
+ * Rotates by `angle` radians about `axis`, counter-clockwise seen from its tip: nkw_mat3_from_quat of
+ * nkw_quat_from_axis_angle. The axis need not be unit; a zero axis returns the identity.
+ */
+NKW_API nkw_mat4 nkw_mat4_from_axis_angle(nkw_vec3 axis, float angle);
+
+/**
+ * The view matrix of a camera at `eye` that looks at `target` with `up` above (lookAt, gluLookAt): it transforms points
+ * of the world to the camera's space, where x is to the right, y up, and the camera looks along -z.
+ *
+ *     R = nkw_mat3_from_quat(nkw_quat_look_rotation(target - eye, up)),     V = R^T T(-eye)
+ *
+ * A target at the eye and an `up` that is 0 or parallel to the direction have the results of nkw_quat_look_rotation.
+ *
+ * Error  4.0 u of 1 in the 3x3 block, of |eye| in the translation, if target - eye is exact.
+ */
+NKW_API nkw_mat4 nkw_mat4_look_at(nkw_vec3 eye, nkw_vec3 target, nkw_vec3 up);
+
+/**
+ * The clip space of a graphics interface. In all of them, x is to the right and -w <= x, y <= w is visible.
+ *
+ *     NKW_GRAPHICS_GL        y up,    -w <= z <= w    OpenGL, OpenGL ES, WebGL
+ *     NKW_GRAPHICS_D3D       y up,     0 <= z <= w    Direct3D, Metal, WebGPU; OpenGL with GL_ZERO_TO_ONE
+ *     NKW_GRAPHICS_VULKAN    y down,   0 <= z <= w    Vulkan
+ */
+typedef enum nkw_graphics {
+    NKW_GRAPHICS_GL,
+    NKW_GRAPHICS_D3D,
+    NKW_GRAPHICS_VULKAN,
+    NKW_GRAPHICS_MAX_ENUM = 0x7fffffff
+} nkw_graphics;
+
+/** A perspective camera that looks along -z. */
+typedef struct nkw_perspective {
+    float angle;  /**< the vertical field of view in radians, between 0 and pi */
+    float aspect; /**< width / height of the image */
+    float near_z; /**< the distance of the nearest visible plane, greater than 0 */
+    float far_z;  /**< of the farthest, greater than near_z; INFINITY has no farthest plane */
+    nkw_graphics graphics;
+    int reversed_z; /**< not 0: the depth of the nearest plane is the greatest, of the farthest the least */
+} nkw_perspective;
+NKW_SIZE(nkw_perspective, 24, 24);
+
+/**
+ * The projection of a perspective camera. With n, f the nearest and farthest plane, dn and df their depths (GL: -1, 1;
+ * otherwise 0, 1; exchanged by reversed_z), r = n / f and c = cot(angle / 2), negative in the second row for Vulkan:
+ *
+ *     c / aspect   0    0                       0
+ *     0            c    0                       0
+ *     0            0    (dn r - df) / (1 - r)   n (dn - df) / (1 - r)
+ *     0            0    -1                      0
+ *
+ * A struct outside these ranges, an unknown interface and NaN return the zero matrix. Reversed z with an interface
+ * whose depth is 0 .. 1 and a floating-point depth buffer has the smallest error of depth over all distances.
+ *
+ * Error  0.60 ULP of each element.
+ */
+NKW_API nkw_mat4 nkw_mat4_from_perspective(const nkw_perspective *camera);
+
+/** A camera without perspective that looks along -z; the sides of the visible box in the camera's space. */
+typedef struct nkw_orthographic {
+    float left, right, bottom, top; /**< x of the left and right side, y of the lower and upper; not equal */
+    float near_z, far_z;            /**< distances along -z, not equal; may be 0 or negative */
+    nkw_graphics graphics;
+    int reversed_z; /**< as in nkw_perspective */
+} nkw_orthographic;
+NKW_SIZE(nkw_orthographic, 32, 32);
+
+/**
+ * The projection of a camera without perspective. x = left has the x -1, x = right has 1; y the same, exchanged for
+ * Vulkan; the depth of z = -near_z is dn, that of z = -far_z is df, as in nkw_mat4_from_perspective.
+ * Equal sides, an unknown interface and what is not finite return the zero matrix.
+ *
+ * Error  0.60 ULP of each element.
+ */
+NKW_API nkw_mat4 nkw_mat4_from_orthographic(const nkw_orthographic *camera);
+
+/** 1 if no two elements differ by more than `tolerance`, otherwise 0, also for NaN. Equal infinities do not differ. */
+NKW_API int nkw_mat4_equal_within(const nkw_mat4 *a, const nkw_mat4 *b, float tolerance);
+
 /**
  * The same functions over component arrays: element i of the result is computed from the elements i, with the bits of
  * the scalar function. See types.h for the rules of all batch functions.

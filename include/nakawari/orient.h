@@ -77,6 +77,12 @@ NKW_ALGEBRA_ROOT nkw_quat nkw_quat_nlerp(nkw_quat a, nkw_quat b, float t);
 NKW_API nkw_quat nkw_quat_slerp(nkw_quat a, nkw_quat b, float t);
 
 /**
+ * `from`, rotated towards `to` along the shorter arc by at most `angle` radians: `to` itself within that angle,
+ * otherwise nkw_quat_slerp(from, to, angle / nkw_quat_angle(from, to)). A negative angle counts as 0. NaN returns NaN.
+ */
+NKW_API nkw_quat nkw_quat_rotate_towards(nkw_quat from, nkw_quat to, float angle);
+
+/**
  * Spherical interpolation along the arc that `path` selects, and `turns` whole turns more. Computed in binary64.
  *
  *     q(t) = a turned by t (g + 2 pi turns) about the axis of the arc,      g the angle of the arc, 0..2 pi

@@ -177,6 +177,9 @@ NKW_API nkw_quat nkw_quat_from_mat4(const nkw_mat4 *m);
  */
 NKW_API float nkw_quat_angle(nkw_quat a, nkw_quat b);
 
+/** 1 if a and b are the same rotation to within `angle` radians, q and -q being equal; otherwise 0, also for NaN. */
+NKW_API int nkw_quat_equal_within(nkw_quat a, nkw_quat b, float angle);
+
 /**
  * Swing and twist: the twist is a rotation about `axis`, and the swing, applied after it, rotates the axis by the
  * shortest arc to where q rotates it. With a = axis/|axis| and q = (v, w):

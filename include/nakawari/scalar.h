@@ -113,6 +113,15 @@ NKW_ALGEBRA float nkw_inverse_lerp(float a, float b, float x);
  */
 NKW_ALGEBRA float nkw_remap(float x, float a, float b, float c, float d);
 
+/** 1 if a and b differ by at most `tolerance`, otherwise 0, also for NaN. Equal infinities do not differ. */
+NKW_API int nkw_equal_within(float a, float b, float tolerance);
+
+/**
+ * `from`, moved towards `to` by at most `step`: `to` itself within that distance, otherwise from + step or from - step.
+ * A negative step counts as 0. NaN returns NaN.
+ */
+NKW_API float nkw_move_towards(float from, float to, float step);
+
 /**
  * The smooth step from 0 to 1, with derivative 0 at both ends.
  *

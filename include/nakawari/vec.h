@@ -141,6 +141,17 @@ NKW_API nkw_vec3 nkw_vec3_perpendicular(nkw_vec3 a);
 /** 1 if all three components are finite, otherwise 0. */
 NKW_ALGEBRA int nkw_vec3_is_finite(nkw_vec3 a);
 
+/** 1 if no component of a and b differs by more than `tolerance`, otherwise 0, also for NaN. */
+NKW_API int nkw_vec3_equal_within(nkw_vec3 a, nkw_vec3 b, float tolerance);
+
+/**
+ * `from`, moved on the straight line towards `to` by at most `step`: `to` itself within that distance. A negative step
+ * counts as 0. NaN returns NaN.
+ *
+ *     from + (to - from) step / |to - from|
+ */
+NKW_API nkw_vec3 nkw_vec3_move_towards(nkw_vec3 from, nkw_vec3 to, float step);
+
 /**
  * The same functions over component arrays: element i of the result is computed from the elements i, with the bits of
  * the scalar function. See types.h for the rules of all batch functions.

@@ -89,3 +89,9 @@ nkw_vec3 nkw_euler_lerp(nkw_vec3 a, nkw_vec3 b, float t, nkw_unwrap unwrap)
     };
     return r;
 }
+
+nkw_quat nkw_quat_rotate_towards(nkw_quat from, nkw_quat to, float angle)
+{
+    float whole = nkw_quat_angle(from, to), part = angle < 0.0f ? 0.0f : angle;
+    return whole <= part ? to : nkw_quat_slerp(from, to, part / whole);
+}

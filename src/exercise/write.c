@@ -74,7 +74,8 @@ static void write_row(FILE *f, const scene *s, float time, const report_method *
     nkw_position_method p = (nkw_position_method)position->method;
     nkw_orientation_method o = (nkw_orientation_method)orientation->method;
     nkw_mat4 m = scene_sample(s, time, p, o);
-    (void)nkw_keyframes_trace(s->keys, s->count, time, p, o, &trace);
+    nkw_keyframe_options options = {p, o, NKW_KEYFRAME_RULE_LIBRARY};
+    (void)nkw_keyframes_trace(s->keys, s->count, time, &options, &trace);
     fprintf(f, "%s,%u,%s,%s,%.9g,%u,%.9g", s->name, (unsigned)s->count, position->name, orientation->name, (double)time,
             (unsigned)trace.segment.index, (double)trace.segment.t);
     for (int i = 0; i < 16; i++)

@@ -125,3 +125,8 @@ void nkw_quat_to_wxyz(nkw_quat q, float wxyz[4])
     wxyz[2] = q.y;
     wxyz[3] = q.z;
 }
+
+int nkw_quat_equal_within(nkw_quat a, nkw_quat b, float angle)
+{
+    return nkw_quat_angle(a, b) <= angle;
+}

@@ -78,3 +78,16 @@ float nkw_angle_difference(float from, float to)
     int far = lane_angle_is_far(from) | lane_angle_is_far(to);
     return far ? lane_angle_difference_far(from, to) : lane_angle_difference(from, to);
 }
+
+int nkw_equal_within(float a, float b, float tolerance)
+{
+    return nkw_abs(a - b) <= tolerance || a == b;
+}
+
+float nkw_move_towards(float from, float to, float step)
+{
+    float d = to - from, s = step < 0.0f ? 0.0f : step;
+    if (nkw_abs(d) <= s)
+        return to;
+    return d < 0.0f ? from - s : d > 0.0f ? from + s : d;
+}

@@ -21,6 +21,7 @@ typedef struct sampler {
     float time;
     nkw_segment segment;
     size_t from, to; /* the keys of the segment; equal if there is only one key */
+    nkw_keyframe_rule rule;
     nkw_keyframe_trace *trace;
 } sampler;
 
@@ -34,10 +35,10 @@ static size_t key_after(const sampler *s)
     return s->to + 1 < s->count ? s->to + 1 : s->to;
 }
 
-/* The key that STEP returns: the first of the segment; the last key from its time on. */
+/* The key that STEP returns: the first of the segment; the last key from its time on, but not in the exercise. */
 static size_t key_held(const sampler *s)
 {
-    return s->segment.t < 1.0f ? s->from : s->to;
+    return s->segment.t < 1.0f || s->rule == NKW_KEYFRAME_RULE_EXERCISE ? s->from : s->to;
 }
 
 /* Stores control value i in the trace: `value` of key `key`, and its weight. */
@@ -89,7 +90,8 @@ static nkw_vec3 bezier(const sampler *s)
     if (first + 3 >= s->count)
         return hold(s, first);
     const nkw_keyframe *key = &s->keys[first];
-    float u = segment_t(key[0].time, key[3].time, s->time);
+    float u = s->rule == NKW_KEYFRAME_RULE_EXERCISE ? nkw_inverse_lerp(key[0].time, key[3].time, s->time)
+                                                    : segment_t(key[0].time, key[3].time, s->time);
     if (s->trace) {
         nkw_weights k = nkw_cubic_weights(NKW_CUBIC_BEZIER, 0, u);
         for (size_t i = 0; i < 4; i++)
@@ -255,11 +257,29 @@ static nkw_mat3 step(const sampler *s)
     return nkw_mat3_from_quat(q);
 }
 
+/*
+ * The angles of ConvMatToEuler of the exercise. At a pitch of 90 or -90 degrees the third column is (0, -1, 0) or
+ * (0, 1, 0): yaw and roll are atan2 of what rounding leaves, and part of the rotation is lost.
+ */
+static nkw_vec3 exercise_angles(nkw_quat q)
+{
+    nkw_mat3 m = nkw_mat3_from_quat(q);
+    nkw_vec3 y = nkw_mat3_column(&m, 1), z = nkw_mat3_column(&m, 2);
+    float yaw = nkw_atan2(z.x, z.z), pitch = nkw_atan2(-z.y, nkw_sqrt(z.x * z.x + z.z * z.z));
+    float side = nkw_sin(yaw) * y.z - nkw_cos(yaw) * y.x;
+    nkw_vec3 angles = {pitch, yaw, nkw_atan2(nkw_cos(pitch) * side, y.y)};
+    return angles;
+}
+
+static nkw_vec3 angles_of(const sampler *s, nkw_quat q)
+{
+    return s->rule == NKW_KEYFRAME_RULE_EXERCISE ? exercise_angles(q) : nkw_euler_from_quat(q, NKW_EULER_YXZ);
+}
+
 static nkw_mat3 euler(const sampler *s, float t, nkw_unwrap unwrap)
 {
     nkw_quat a = s->keys[s->from].orientation, b = s->keys[s->to].orientation;
-    nkw_vec3 to = nkw_euler_from_quat(b, NKW_EULER_YXZ);
-    nkw_vec3 from = nkw_euler_lerp(nkw_euler_from_quat(a, NKW_EULER_YXZ), to, 0.0f, unwrap);
+    nkw_vec3 to = angles_of(s, b), from = nkw_euler_lerp(angles_of(s, a), to, 0.0f, unwrap);
     orientations(s, a, b, 1.0f - t, t);
     if (s->trace) {
         s->trace->angles[0] = from;
@@ -367,47 +387,67 @@ nkw_result nkw_keyframes_validate(const nkw_keyframe *keys, size_t count, size_t
     return report(result, bad, bad_key);
 }
 
-/* Sets the sampler to `time`. Returns NKW_OK or the error. */
-static nkw_result sampler_at(const nkw_keyframe *keys, size_t count, float time, nkw_position_method position,
-                             nkw_orientation_method orientation, sampler *s)
+/* The first segment that contains the time, ends included: where a key begins a segment, the one that ends there. */
+static nkw_segment closed_segment(const nkw_keyframe *keys, nkw_segment at, float time)
 {
-    if (count == 0)
+    while (at.index > 0 && keys[at.index].time >= time) {
+        at.index--;
+        at.t = 1.0f;
+    }
+    return at;
+}
+
+/* Sets the sampler to `time`. Returns NKW_OK or the error. */
+static nkw_result sampler_at(const nkw_keyframe *keys, size_t count, float time, const nkw_keyframe_options *options,
+                             sampler *s)
+{
+    if (count == 0 || (count == 1 && options->rule == NKW_KEYFRAME_RULE_EXERCISE))
         return NKW_EMPTY;
-    if ((unsigned)position > NKW_POSITION_MAKIMA || (unsigned)orientation > NKW_ORIENTATION_BSPLINE)
+    if ((unsigned)options->position > NKW_POSITION_MAKIMA || (unsigned)options->orientation > NKW_ORIENTATION_BSPLINE ||
+        (unsigned)options->rule > NKW_KEYFRAME_RULE_EXERCISE)
         return NKW_BAD_METHOD;
     segment_times times = {(const char *)&keys[0].time, sizeof keys[0], count};
     nkw_segment segment = segment_find(times, time);
-    sampler found = {keys, count, time, segment, segment.index, segment.index, NULL};
+    if (options->rule == NKW_KEYFRAME_RULE_EXERCISE)
+        segment = closed_segment(keys, segment, time);
+    sampler found = {keys, count, time, segment, segment.index, segment.index, options->rule, NULL};
     found.to += segment.index + 1 < count;
     *s = found;
+    return NKW_OK;
+}
+
+nkw_result nkw_keyframes_sample_as(const nkw_keyframe *keys, size_t count, float time,
+                                   const nkw_keyframe_options *options, nkw_mat4 *out)
+{
+    sampler s;
+    nkw_result result = sampler_at(keys, count, time, options, &s);
+    if (result != NKW_OK)
+        return result;
+    nkw_mat3 rotation = rotation_at(&s, options->orientation);
+    *out = nkw_mat4_from_mat3(&rotation, position_at(&s, options->position));
     return NKW_OK;
 }
 
 nkw_result nkw_keyframes_sample(const nkw_keyframe *keys, size_t count, float time, nkw_position_method position,
                                 nkw_orientation_method orientation, nkw_mat4 *out)
 {
-    sampler s;
-    nkw_result result = sampler_at(keys, count, time, position, orientation, &s);
-    if (result != NKW_OK)
-        return result;
-    nkw_mat3 rotation = rotation_at(&s, orientation);
-    *out = nkw_mat4_from_mat3(&rotation, position_at(&s, position));
-    return NKW_OK;
+    nkw_keyframe_options options = {position, orientation, NKW_KEYFRAME_RULE_LIBRARY};
+    return nkw_keyframes_sample_as(keys, count, time, &options, out);
 }
 
-nkw_result nkw_keyframes_trace(const nkw_keyframe *keys, size_t count, float time, nkw_position_method position,
-                               nkw_orientation_method orientation, nkw_keyframe_trace *trace)
+nkw_result nkw_keyframes_trace(const nkw_keyframe *keys, size_t count, float time, const nkw_keyframe_options *options,
+                               nkw_keyframe_trace *trace)
 {
     const nkw_keyframe_trace nothing = {0};
     sampler s;
-    nkw_result result = sampler_at(keys, count, time, position, orientation, &s);
+    nkw_result result = sampler_at(keys, count, time, options, &s);
     if (result != NKW_OK)
         return result;
     *trace = nothing;
     trace->segment = s.segment;
     trace->parameter = s.segment.t;
     s.trace = trace;
-    trace->position = position_at(&s, position);
-    trace->rotation = rotation_at(&s, orientation);
+    trace->position = position_at(&s, options->position);
+    trace->rotation = rotation_at(&s, options->orientation);
     return NKW_OK;
 }

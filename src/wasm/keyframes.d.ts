@@ -15,6 +15,13 @@ export interface KeyframeTrace {
   rotation: number[];
 }
 
+/** nkw_keyframe_options: linear, step, by the rule of the library, unless stated. */
+export interface KeyframeOptions {
+  position?: PositionMethod;
+  orientation?: OrientationMethod;
+  rule?: KeyframeRule;
+}
+
 /** The keys of the university exercise (keyframe.h): eight floats each, time, position x y z, orientation x y z w. */
 export class Keyframes extends Floats {
   constructor(keys: ArrayLike<number>);
@@ -23,5 +30,7 @@ export class Keyframes extends Floats {
   validate(): void;
   /** The matrix at `time`, 16 floats. */
   sample<T extends FloatArray>(time: number, position: PositionMethod, orientation: OrientationMethod, out: T): T;
-  trace(time: number, position: PositionMethod, orientation: OrientationMethod): KeyframeTrace;
+  /** The same by the methods and the rule of `options`; by the exercise's rule, one key alone throws. */
+  sampleAs<T extends FloatArray>(time: number, options: KeyframeOptions, out: T): T;
+  trace(time: number, options: KeyframeOptions): KeyframeTrace;
 }

@@ -1,4 +1,8 @@
 
+// nkw_keyframe_options behind the results.
+const keyframeOptions = ({ position = 0, orientation = 0, rule = 0 }) =>
+  words(128, number(position), number(orientation), number(rule));
+
 /** The keys of the university exercise (keyframe.h): eight floats each, time, position x y z, orientation x y z w. */
 export class Keyframes extends Floats {
   constructor(keys) {
@@ -22,10 +26,16 @@ export class Keyframes extends Floats {
       x.nkw_keyframes_sample(this._use()._p, this.keyCount, number(time), number(position), number(orientation), p));
     return r(out, 0, 16);
   }
+  /** The matrix at `time` by the methods and the rule of nkw_keyframe_options. */
+  sampleAs(time, options, out) {
+    check('nkw_keyframes_sample_as',
+      x.nkw_keyframes_sample_as(this._use()._p, this.keyCount, number(time), keyframeOptions(options), p));
+    return r(out, 0, 16);
+  }
   /** All numbers of one matrix, so that a reader can check it by hand (nkw_keyframe_trace). */
-  trace(time, position, orientation) {
+  trace(time, options) {
     check('nkw_keyframes_trace',
-      x.nkw_keyframes_trace(this._use()._p, this.keyCount, number(time), number(position), number(orientation), p));
+      x.nkw_keyframes_trace(this._use()._p, this.keyCount, number(time), keyframeOptions(options), p));
     const f = (i, n) => [...f32.subarray(at + i, at + i + n)], n = u32[at + 3];
     return {
       segment: u32[at], t: f32[at + 1], parameter: f32[at + 2], key: [...u32.subarray(at + 4, at + 4 + n)],

@@ -543,6 +543,23 @@ static void nlerp_goes_on_along_its_line_beyond_the_ends(void **state)
     }
 }
 
+/* A quarter turn about z, in steps of 0.5 radians; the goal as q and as -q. */
+static void a_rotation_towards_turns_by_its_angle(void **state)
+{
+    (void)state;
+    nkw_vec3 z = {0, 0, 1};
+    nkw_quat from = nkw_quat_from_axis_angle(z, 0.25f), to = nkw_quat_from_axis_angle(z, 1.75f);
+    for (int side = 0; side < 2; side++) {
+        nkw_quat goal = side ? nkw_quat_negate(to) : to, step = nkw_quat_rotate_towards(from, goal, 0.5f);
+        assert_true(nkw_quat_equal_within(step, nkw_quat_from_axis_angle(z, 0.75f), 1e-6f));
+        nkw_quat end = nkw_quat_rotate_towards(from, goal, 2.0f), none = nkw_quat_rotate_towards(from, goal, -1.0f);
+        assert_memory_equal(&end, &goal, sizeof goal);
+        assert_true(nkw_quat_equal_within(none, from, 0.0f));
+        assert_false(nkw_quat_equal_within(none, goal, 1.4f));
+    }
+    assert_false(nkw_quat_is_finite(nkw_quat_rotate_towards(from, to, NAN)));
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -577,6 +594,7 @@ int main(void)
         cmocka_unit_test(slerp_and_nlerp_are_exact_to_their_bounds),
         cmocka_unit_test(paths_near_opposite_follow_the_keys),
         cmocka_unit_test(nlerp_goes_on_along_its_line_beyond_the_ends),
+        cmocka_unit_test(a_rotation_towards_turns_by_its_angle),
     };
     return cmocka_run_group_tests_name("orient", tests, NULL, NULL);
 }

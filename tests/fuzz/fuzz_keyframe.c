@@ -39,12 +39,16 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
         nkw_position_method position = (nkw_position_method)fuzz_choice(&f, NKW_POSITION_MAKIMA);
         nkw_orientation_method orientation = (nkw_orientation_method)fuzz_choice(&f, NKW_ORIENTATION_BSPLINE);
         float time = fuzz_float(&f);
-        nkw_mat4 out = nkw_mat4_identity();
+        nkw_mat4 out = nkw_mat4_identity(), again;
         nkw_keyframe_trace trace;
-        nkw_result result = nkw_keyframes_sample(keys, count, time, position, orientation, &out);
-        FUZZ_CHECK(result == nkw_keyframes_trace(keys, count, time, position, orientation, &trace));
+        nkw_keyframe_options options = {position, orientation,
+                                        (nkw_keyframe_rule)fuzz_choice(&f, NKW_KEYFRAME_RULE_EXERCISE)};
+        nkw_result result = nkw_keyframes_sample_as(keys, count, time, &options, &out);
+        FUZZ_CHECK(result == nkw_keyframes_trace(keys, count, time, &options, &trace));
+        FUZZ_CHECK(options.rule != NKW_KEYFRAME_RULE_LIBRARY ||
+                   result == nkw_keyframes_sample(keys, count, time, position, orientation, &again));
         FUZZ_CHECK(fuzz_affine(&out, 1));
-        FUZZ_CHECK(count > 0 || result == NKW_EMPTY || result == NKW_BAD_METHOD);
+        FUZZ_CHECK(count > 0 || result == NKW_EMPTY);
         if (result != NKW_OK)
             continue;
         check_trace(&trace, count);

@@ -394,8 +394,9 @@ static void weights_of_four(float *o, const input *i, nkw_skin_format format)
 
 static void trace(float *o, const input *i, nkw_position_method position, nkw_orientation_method orientation)
 {
+    nkw_keyframe_options options = {position, orientation, NKW_KEYFRAME_RULE_LIBRARY};
     nkw_keyframe_trace t;
-    if (nkw_keyframes_trace(i->keys, 5, i->s[0], position, orientation, &t) != NKW_OK)
+    if (nkw_keyframes_trace(i->keys, 5, i->s[0], &options, &t) != NKW_OK)
         return;
     memcpy(o, t.weight, sizeof t.weight);
     put_vec3(o + 4, t.control[1]);

@@ -527,6 +527,28 @@ static void an_angle_plus_the_difference_points_the_other_way(void **state)
     }
 }
 
+static void moves_end_at_the_goal(void **state)
+{
+    (void)state;
+    expect_bits(nkw_move_towards(1.0f, 4.0f, 2.0f), 3.0f);
+    expect_bits(nkw_move_towards(1.0f, -4.0f, 2.0f), -1.0f);
+    expect_bits(nkw_move_towards(1.0f, 4.0f, 3.0f), 4.0f);
+    expect_bits(nkw_move_towards(1.0f, 0.1f, INFINITY), 0.1f);
+    expect_bits(nkw_move_towards(1.0f, 4.0f, -2.0f), 1.0f);
+    assert_true(isnan(nkw_move_towards(1.0f, NAN, 1.0f)));
+    assert_true(isnan(nkw_move_towards(1.0f, 2.0f, NAN)));
+}
+
+static void equal_within_includes_the_tolerance(void **state)
+{
+    (void)state;
+    assert_true(nkw_equal_within(1.0f, 1.5f, 0.5f));
+    assert_false(nkw_equal_within(1.0f, 1.5f, 0.4f));
+    assert_true(nkw_equal_within(INFINITY, INFINITY, 0.0f));
+    assert_false(nkw_equal_within(INFINITY, -INFINITY, 1.0f));
+    assert_false(nkw_equal_within(NAN, NAN, INFINITY));
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -570,6 +592,8 @@ int main(void)
         cmocka_unit_test(wrapped_numbers_lie_within_the_period),
         cmocka_unit_test(wrapped_angles_point_the_same_way),
         cmocka_unit_test(an_angle_plus_the_difference_points_the_other_way),
+        cmocka_unit_test(moves_end_at_the_goal),
+        cmocka_unit_test(equal_within_includes_the_tolerance),
     };
     return cmocka_run_group_tests_name("scalar", tests, NULL, NULL);
 }

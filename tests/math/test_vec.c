@@ -197,6 +197,18 @@ static void normalize_and_length_are_exact_to_their_bound(void **state)
     }
 }
 
+static void a_move_is_as_long_as_its_step(void **state)
+{
+    (void)state;
+    nkw_vec3 from = {1, 2, 3}, to = {1, 5, 7}, back = nkw_vec3_move_towards(from, to, -1.0f);
+    nkw_vec3 some = nkw_vec3_move_towards(from, to, 2.5f), all = nkw_vec3_move_towards(from, to, 5.0f);
+    nkw_vec3 half = {1, 3.5f, 5};
+    assert_true(nkw_vec3_equal_within(some, half, 0.0f));
+    assert_memory_equal(&all, &to, sizeof to);
+    assert_memory_equal(&back, &from, sizeof from);
+    assert_false(nkw_vec3_is_finite(nkw_vec3_move_towards(from, to, NAN)));
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -215,6 +227,7 @@ int main(void)
         cmocka_unit_test(is_finite_sees_each_component),
         cmocka_unit_test(products_are_rounded_before_they_are_summed),
         cmocka_unit_test(normalize_and_length_are_exact_to_their_bound),
+        cmocka_unit_test(a_move_is_as_long_as_its_step),
     };
     return cmocka_run_group_tests_name("vec", tests, NULL, NULL);
 }

@@ -7,6 +7,13 @@
 
 #define PI 3.14159265358979323846
 
+static nkw_result trace_of(const nkw_keyframe *keys, size_t count, float time, nkw_position_method position,
+                           nkw_orientation_method orientation, nkw_keyframe_trace *trace)
+{
+    nkw_keyframe_options options = {position, orientation, NKW_KEYFRAME_RULE_LIBRARY};
+    return nkw_keyframes_trace(keys, count, time, &options, trace);
+}
+
 static nkw_quat yaw_pitch_roll(double yaw, double pitch, double roll)
 {
     nkw_vec3 angles = {(float)pitch, (float)yaw, (float)roll};
@@ -70,7 +77,7 @@ static nkw_orientation_method orientation_of(const row *r)
                                                  : NKW_ORIENTATION_STEP;
 }
 
-/* The two conventions that this library has otherwise: it clamps Bezier too, and its steps are half open. */
+/* Where the two rules agree: the library clamps Bezier too (the rows bezier_clamped), and its steps are half open. */
 static int is_ours(const row *r, const nkw_keyframe *keys)
 {
     float first = keys[0].time, last = keys[r->count - 1].time;
@@ -89,7 +96,7 @@ static void every_row_of_the_exercise_is_met(void **state)
 {
     (void)state;
     nkw_keyframe one[7], two[2];
-    int rows = 0, compared = 0;
+    int rows = 0, compared = 0, programs = 0;
     row r;
     scene_1(one);
     scene_2(two);
@@ -102,14 +109,72 @@ static void every_row_of_the_exercise_is_met(void **state)
         rows++;
         assert_int_equal(nkw_keyframes_sample(keys, (size_t)r.count, r.time, position_of(&r), orientation_of(&r), &m),
                          NKW_OK);
-        if (!is_ours(&r, keys))
+        if (is_ours(&r, keys)) {
+            expect_floats_near(m.m, r.m, 16, 2e-6);
+            compared++;
+        }
+        if (strcmp(r.position, "bezier_clamped") == 0)
             continue;
+        nkw_keyframe_options exercise = {position_of(&r), orientation_of(&r), NKW_KEYFRAME_RULE_EXERCISE};
+        assert_int_equal(nkw_keyframes_sample_as(keys, (size_t)r.count, r.time, &exercise, &m), NKW_OK);
         expect_floats_near(m.m, r.m, 16, 2e-6);
-        compared++;
+        programs++;
     }
     fclose(file);
     assert_int_equal(rows, 2760);
     assert_int_equal(compared, 2589);
+    assert_int_equal(programs, 2760 - 276);
+}
+
+/* docs/coursework.md, "Where this library differs". */
+static void the_rule_of_the_exercise_is_an_option(void **state)
+{
+    (void)state;
+    nkw_keyframe keys[7];
+    nkw_keyframe_options options = {NKW_POSITION_STEP, NKW_ORIENTATION_STEP, NKW_KEYFRAME_RULE_EXERCISE};
+    nkw_keyframe_trace trace;
+    nkw_mat4 m = nkw_mat4_identity();
+    scene_1(keys);
+    for (int k = 0; k < 7; k++) {
+        size_t segment = k > 0 ? (size_t)k - 1 : 0;
+        assert_int_equal(nkw_keyframes_trace(keys, 7, (float)k, &options, &trace), NKW_OK);
+        assert_int_equal(trace.segment.index, segment);
+        expect_bits(trace.segment.t, k > 0 ? 1.0f : 0.0f);
+        expect_vec3_bits(trace.position, keys[segment].position);
+    }
+    assert_int_equal(nkw_keyframes_sample_as(keys, 1, 0.0f, &options, &m), NKW_EMPTY);
+    options.rule = (nkw_keyframe_rule)2;
+    assert_int_equal(nkw_keyframes_sample_as(keys, 7, 0.0f, &options, &m), NKW_BAD_METHOD);
+    nkw_mat4 identity = nkw_mat4_identity();
+    expect_floats_bits(m.m, identity.m, 16);
+}
+
+/* Three keys at one time: the first segment that contains it. */
+static void the_exercise_takes_the_first_of_segments_of_one_time(void **state)
+{
+    (void)state;
+    nkw_keyframe keys[7];
+    nkw_keyframe_options options = {NKW_POSITION_LINEAR, NKW_ORIENTATION_STEP, NKW_KEYFRAME_RULE_EXERCISE};
+    nkw_keyframe_trace trace;
+    scene_1(keys);
+    keys[3].time = keys[4].time = 2.0f;
+    assert_int_equal(nkw_keyframes_trace(keys, 7, 2.0f, &options, &trace), NKW_OK);
+    assert_int_equal(trace.segment.index, 1);
+    expect_vec3_bits(trace.position, keys[2].position);
+}
+
+/* At a pitch of 90 degrees, ConvMatToEuler loses roll. */
+static void the_exercise_loses_roll_at_the_pole(void **state)
+{
+    (void)state;
+    nkw_keyframe keys[2] = {{0, {0, 0, 0}, yaw_pitch_roll(0.5, PI / 2, 0.75)}, {1, {0, 0, 0}, yaw_pitch_roll(0, 0, 0)}};
+    nkw_keyframe_options options = {NKW_POSITION_LINEAR, NKW_ORIENTATION_EULER, NKW_KEYFRAME_RULE_LIBRARY};
+    nkw_mat4 ours, theirs, key = nkw_mat4_from_quat(keys[0].orientation);
+    assert_int_equal(nkw_keyframes_sample_as(keys, 2, 0.0f, &options, &ours), NKW_OK);
+    options.rule = NKW_KEYFRAME_RULE_EXERCISE;
+    assert_int_equal(nkw_keyframes_sample_as(keys, 2, 0.0f, &options, &theirs), NKW_OK);
+    assert_true(nkw_mat4_equal_within(&ours, &key, 1e-6f));
+    assert_false(nkw_mat4_equal_within(&theirs, &key, 0.1f));
 }
 
 static void step_begins_at_its_key_and_holds_the_last(void **state)
@@ -202,7 +267,7 @@ static void uneven_times_move_the_bezier_parameter_by_time(void **state)
     scene_1(keys);
     keys[1].time = 0.1f;
     keys[3].time = 4.0f;
-    assert_int_equal(nkw_keyframes_trace(keys, 4, 1.0f, NKW_POSITION_BEZIER, NKW_ORIENTATION_SLERP, &trace), NKW_OK);
+    assert_int_equal(trace_of(keys, 4, 1.0f, NKW_POSITION_BEZIER, NKW_ORIENTATION_SLERP, &trace), NKW_OK);
     expect_bits(trace.parameter, 0.25f);
     assert_int_equal(trace.segment.index, 1);
 }
@@ -254,7 +319,7 @@ static void trace_says_what_sample_did(void **state)
                 nkw_mat4 m;
                 nkw_keyframe_trace trace;
                 nkw_keyframes_sample(keys, 7, time, (nkw_position_method)p, (nkw_orientation_method)o, &m);
-                nkw_keyframes_trace(keys, 7, time, (nkw_position_method)p, (nkw_orientation_method)o, &trace);
+                trace_of(keys, 7, time, (nkw_position_method)p, (nkw_orientation_method)o, &trace);
                 nkw_mat4 same = nkw_mat4_from_mat3(&trace.rotation, trace.position);
                 expect_floats_bits(same.m, m.m, 16);
                 nkw_vec3 sum = {0, 0, 0};
@@ -272,7 +337,7 @@ static void trace_of_slerp_has_the_textbook_weights(void **state)
     nkw_keyframe keys[7];
     nkw_keyframe_trace trace;
     scene_1(keys);
-    nkw_keyframes_trace(keys, 7, 0.3f, NKW_POSITION_LINEAR, NKW_ORIENTATION_SLERP, &trace);
+    trace_of(keys, 7, 0.3f, NKW_POSITION_LINEAR, NKW_ORIENTATION_SLERP, &trace);
     nkw_quat a = nkw_quat_scale(trace.orientation[0], trace.orientation_weight[0]);
     nkw_quat b = nkw_quat_scale(trace.orientation[1], trace.orientation_weight[1]);
     expect_quat_near(nkw_quat_add(a, b), nkw_quat_slerp(keys[0].orientation, keys[1].orientation, 0.3f), 5e-7);
@@ -286,7 +351,7 @@ static void trace_of_euler_shows_the_unwrapped_yaw(void **state)
     nkw_keyframe keys[2];
     nkw_keyframe_trace trace;
     scene_2(keys);
-    nkw_keyframes_trace(keys, 2, 0.5f, NKW_POSITION_LINEAR, NKW_ORIENTATION_EULER, &trace);
+    trace_of(keys, 2, 0.5f, NKW_POSITION_LINEAR, NKW_ORIENTATION_EULER, &trace);
     /* 108 degrees becomes -252, next to -144. */
     expect_near(trace.angles[0].y, -252 * PI / 180, 1e-6);
     expect_near(trace.angles[1].y, -144 * PI / 180, 1e-6);
@@ -364,7 +429,7 @@ static void anything_at_all_is_sampled_within_the_keys(void **state)
         nkw_keyframe_trace trace;
         nkw_position_method p = (nkw_position_method)(random_bits(&r) % 6);
         nkw_orientation_method o = (nkw_orientation_method)(random_bits(&r) % 5);
-        assert_int_equal(nkw_keyframes_trace(exact, count, float_of((uint32_t)random_bits(&r)), p, o, &trace), NKW_OK);
+        assert_int_equal(trace_of(exact, count, float_of((uint32_t)random_bits(&r)), p, o, &trace), NKW_OK);
         for (size_t k = 0; k < trace.control_count; k++)
             assert_true(trace.key[k] < count);
         free(exact);
@@ -378,7 +443,7 @@ static void trace_of_step_names_the_key_it_holds(void **state)
     nkw_keyframe_trace trace;
     scene_1(keys);
     for (int k = 0; k < 7; k++) {
-        nkw_keyframes_trace(keys, 7, (float)k + 0.75f, NKW_POSITION_STEP, NKW_ORIENTATION_STEP, &trace);
+        trace_of(keys, 7, (float)k + 0.75f, NKW_POSITION_STEP, NKW_ORIENTATION_STEP, &trace);
         for (int i = 0; i < 2; i++) {
             expect_quat_bits(trace.orientation[i], keys[k].orientation);
             expect_bits(trace.orientation_weight[i], i == 0 ? 1.0f : 0.0f);
@@ -394,7 +459,7 @@ static void trace_of_every_method_names_both_orientations(void **state)
     nkw_keyframe_trace trace;
     scene_1(keys);
     for (int o = NKW_ORIENTATION_EULER; o <= NKW_ORIENTATION_NLERP; o++) {
-        nkw_keyframes_trace(keys, 7, 2.25f, NKW_POSITION_LINEAR, (nkw_orientation_method)o, &trace);
+        trace_of(keys, 7, 2.25f, NKW_POSITION_LINEAR, (nkw_orientation_method)o, &trace);
         expect_rotation_near(trace.orientation[0], keys[2].orientation, 0);
         expect_rotation_near(trace.orientation[1], keys[3].orientation, 0);
         if (o != NKW_ORIENTATION_SLERP) {
@@ -414,8 +479,8 @@ static void curves_of_four_keys_pass_with_a_continuous_velocity(void **state)
     for (int o = NKW_ORIENTATION_SQUAD; o <= NKW_ORIENTATION_BSPLINE; o++)
         for (size_t k = 1; k + 1 < 7; k++) {
             float time = keys[k].time;
-            nkw_keyframes_trace(keys, 7, time - 0x1p-16f, NKW_POSITION_LINEAR, (nkw_orientation_method)o, &before);
-            nkw_keyframes_trace(keys, 7, time, NKW_POSITION_LINEAR, (nkw_orientation_method)o, &after);
+            trace_of(keys, 7, time - 0x1p-16f, NKW_POSITION_LINEAR, (nkw_orientation_method)o, &before);
+            trace_of(keys, 7, time, NKW_POSITION_LINEAR, (nkw_orientation_method)o, &after);
             expect_vec3_near(before.angular_velocity, after.angular_velocity, 1e-3);
             expect_floats_near(before.rotation.m, after.rotation.m, 9, 1e-4);
             nkw_mat3 want = nkw_mat3_from_quat(keys[k].orientation);
@@ -447,6 +512,9 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(every_row_of_the_exercise_is_met),
+        cmocka_unit_test(the_rule_of_the_exercise_is_an_option),
+        cmocka_unit_test(the_exercise_takes_the_first_of_segments_of_one_time),
+        cmocka_unit_test(the_exercise_loses_roll_at_the_pole),
         cmocka_unit_test(step_begins_at_its_key_and_holds_the_last),
         cmocka_unit_test(keys_come_back_bit_for_bit_at_their_own_time),
         cmocka_unit_test(outside_the_keys_every_method_clamps),

@@ -6,6 +6,13 @@
 
 #define KEYS 9
 
+static nkw_result trace_of(const nkw_keyframe *keys, size_t count, float time, nkw_position_method position,
+                           nkw_orientation_method orientation, nkw_keyframe_trace *trace)
+{
+    nkw_keyframe_options options = {position, orientation, NKW_KEYFRAME_RULE_LIBRARY};
+    return nkw_keyframes_trace(keys, count, time, &options, trace);
+}
+
 static const struct {
     nkw_position_method position;
     nkw_spline_method spline;
@@ -91,7 +98,7 @@ static void step_next_holds_the_key_that_comes(void **state)
     for (size_t k = 0; k + 1 < KEYS; k++) {
         float within = 0.5f * (keys[k].time + keys[k + 1].time);
         expect_vec3_bits(position(keys, KEYS, within, NKW_POSITION_STEP_NEXT), keys[k + 1].position);
-        nkw_keyframes_trace(keys, KEYS, within, NKW_POSITION_STEP_NEXT, NKW_ORIENTATION_STEP, &trace);
+        trace_of(keys, KEYS, within, NKW_POSITION_STEP_NEXT, NKW_ORIENTATION_STEP, &trace);
         assert_int_equal(trace.control_count, 1);
         assert_int_equal(trace.key[0], k + 1);
     }

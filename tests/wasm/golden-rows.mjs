@@ -299,7 +299,7 @@ function reducedClip(N, i, o, round) {
 
 function traced(position, orientation) {
   return (N, i, o) => using(new N.Keyframes(i.keys.flat()), keys => {
-    const t = keys.trace(i.s[0], N[position], N[orientation]), padded = a => [...a, 0, 0, 0, 0].slice(0, 4);
+    const t = keys.trace(i.s[0], { position: N[position], orientation: N[orientation] }), padded = a => [...a, 0, 0, 0, 0].slice(0, 4);
     put(o, 0, padded(t.weight), t.control[1] ?? [0, 0, 0], t.orientation[1], t.angles[0], t.halfAngle,
       t.orientationWeight[1]);
   });

@@ -56,10 +56,11 @@ for (const [build, math] of await both('math')) {
     const keys = new math.Keyframes([0, 1, 2, 3, 0, 0, 0, 1, 2, 3, 2, 3, 0, 1, 0, 0]);
     const m = keys.sample(1, math.POSITION_LINEAR, math.ORIENTATION_SLERP, []);
     assert.deepEqual(m.slice(12), [2, 2, 3, 1]);
-    const trace = keys.trace(1, math.POSITION_LINEAR, math.ORIENTATION_SLERP);
+    const trace = keys.trace(1, { orientation: math.ORIENTATION_SLERP });
     assert.deepEqual([trace.segment, trace.t, trace.key, trace.weight], [0, 0.5, [0, 1], [0.5, 0.5]]);
     assert.deepEqual(trace.position, [2, 2, 3]);
     assert.deepEqual(trace.rotation, [0, 1, 2, 4, 5, 6, 8, 9, 10].map(k => m[k]));
+    assert.deepEqual([0, 1].map(rule => keys.sampleAs(2, { position: math.POSITION_STEP, rule }, [])[12]), [3, 1]);
     assert.throws(() => new math.Keyframes([0, 0, 0, 0, 0, 0, 0, 2]), error => error instanceof math.NakawariError);
     keys.dispose();
     assert.equal(math.memory().blocks, 0);

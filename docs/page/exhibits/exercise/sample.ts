@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
-// The numbers of one time: by nkw_keyframes_trace, or by the rules of the exercise's program.
+// The numbers of one time, by the rule of the library or of the exercise's program (nkw_keyframe_rule).
 import * as N from 'nakawari/all';
 import { zeros } from '../../kit/values';
-import { orientationMethod, pack, positionMethod, memoized, type Key } from './model';
-import { curveOf, eulerOf, hasProgram, segmentOf, type Methods, type Trace } from './rules';
+import { memoized, orientationMethod, pack, positionMethod, type Key, type State } from './model';
 
-export type { Methods, Trace };
+export type Trace = N.KeyframeTrace;
+export type Methods = Pick<State, 'position' | 'orientation' | 'program'>;
 
 /** A copy of the keys in the memory of the library, kept until other keys are asked for. */
 let copy: N.Keyframes | undefined;
@@ -15,28 +15,18 @@ const keyframesOf = memoized((keys: Key[]) => {
   return copy;
 });
 
-const libraryTrace = (keys: Key[], time: number, { position, orientation }: Methods): Trace =>
-  keyframesOf(keys).trace(time, positionMethod[position], orientationMethod[orientation]);
+const optionsOf = ({ position, orientation, program }: Methods): N.KeyframeOptions => ({
+  position: positionMethod[position], orientation: orientationMethod[orientation],
+  rule: program ? N.KEYFRAME_RULE_EXERCISE : N.KEYFRAME_RULE_LIBRARY,
+});
 
-/** The library's trace of the segment alone has the orientation of the program; without interpolation, of its start. */
-function turnOf(keys: Key[], k: number, time: number, orientation: Methods['orientation']): Trace {
-  const pair = keys.slice(k, k + (orientation === 'none' ? 1 : 2));
-  return libraryTrace(pair, time, { position: 'linear', orientation, program: false });
-}
-
-function programTrace(keys: Key[], time: number, { position, orientation }: Methods): Trace {
-  const { k, t } = segmentOf(keys, time), euler = orientation === 'euler' ? eulerOf(keys[k], keys[k + 1], t) : {};
-  return {
-    ...turnOf(keys, k, time, orientation), ...euler, ...curveOf(keys, k, t, time, position), segment: k, t,
-  };
-}
+/** The exercise's program writes no matrix for one key. */
+const isWritten = (keys: Key[], { program }: Methods) => keys.length > (program ? 1 : 0);
 
 const traceAt = memoized((keys: Key[], time: number, position: Methods['position'],
   orientation: Methods['orientation'], program: boolean): Trace | undefined => {
   const methods = { position, orientation, program };
-  if (!program || !hasProgram(methods))
-    return libraryTrace(keys, time, methods);
-  return keys.length > 1 ? programTrace(keys, time, methods) : undefined;
+  return isWritten(keys, methods) ? keyframesOf(keys).trace(time, optionsOf(methods)) : undefined;
 });
 
 /** Undefined where the exercise's program writes no matrix. */
@@ -48,8 +38,8 @@ export const matrixOf = ({ rotation, position }: Trace): number[] => N.mat4FromM
 
 /** The matrices at each of the times. */
 export function matricesOf(keys: Key[], times: number[], methods: Methods): number[][] {
-  if (methods.program && hasProgram(methods))
-    return times.map(time => trace(keys, time, methods)).filter(t => t !== undefined).map(matrixOf);
-  const all = keyframesOf(keys), { position, orientation } = methods;
-  return times.map(time => all.sample(time, positionMethod[position], orientationMethod[orientation], zeros(16)));
+  if (!isWritten(keys, methods))
+    return [];
+  const all = keyframesOf(keys), options = optionsOf(methods);
+  return times.map(time => all.sampleAs(time, options, zeros(16)));
 }
