@@ -108,9 +108,9 @@ static std::shared_ptr<poses> read(const char *folder, const char *name)
         nkw_clip *clip = nullptr;
         if (nkw_document_clip(d, k % 2 ? d->animation_count - 1 : 0, NKW_CLIP_FLOAT32, &clip, &error) != NKW_IMPORT_OK)
             std::abort();
-        std::vector<float> block(NKW_POSE_FLOATS(p->joints)), floats(nkw_clip_float_count(clip) + 1);
-        float start = nkw_clip_start(clip), part = 0.1f + 0.11f * static_cast<float>(k);
-        nkw_clip_sample(clip, start + part * (nkw_clip_end(clip) - start), nullptr, {block.data(), p->joints},
+        std::vector<float> block(NKW_POSE_FLOATS(p->joints)), floats(nkw_clip_describe(clip).float_count + 1);
+        float start = nkw_clip_describe(clip).start, part = 0.1f + 0.11f * static_cast<float>(k);
+        nkw_clip_sample(clip, start + part * (nkw_clip_describe(clip).end - start), nullptr, {block.data(), p->joints},
                         floats.data());
         p->trs[k].resize(p->joints);
         nkw_trs_from_pose({block.data(), p->joints}, p->trs[k].data());

@@ -88,12 +88,12 @@ static void rows(const char *name, std::shared_ptr<scene> s, size_t size, asking
     operation op = posing(named(name, how), s, size, playing{how, s->times.back(), 0, false}.checked());
     row(op, "nkw", s, how, [](scene &x, float time) {
         nkw_clip_sample(x.clip(0), time, x.cursors.data(),
-                        nkw_pose_span{x.pose.data(), nkw_clip_joint_count(x.clip(0))}, nullptr);
+                        nkw_pose_span{x.pose.data(), nkw_clip_describe(x.clip(0)).joint_count}, nullptr);
     });
     if (s->mode == NKW_INTERPOLATION_LINEAR)
         row(op, "nkw 16 bits", s, how, [](scene &x, float time) {
             nkw_clip_sample(x.clip(1), time, x.cursors.data(),
-                            nkw_pose_span{x.pose.data(), nkw_clip_joint_count(x.clip(1))}, nullptr);
+                            nkw_pose_span{x.pose.data(), nkw_clip_describe(x.clip(1)).joint_count}, nullptr);
         });
     /* Track by track, each with its own search: the reference, not a rival. */
     row(op, "nkw tracks", s, how, [](scene &x, float time) {
@@ -115,7 +115,8 @@ static void slow_rows(std::shared_ptr<scene> s)
     operation op =
         posing("pose in slow motion", s, s->joints, playing{asking::onward, s->times.back(), 0, true}.checked());
     for (int format = 0; format < 2; format++) {
-        auto cache = std::make_shared<std::vector<float>>(nkw_clip_cache_bytes(s->clip(format)) / sizeof(float));
+        const size_t bytes = nkw_clip_describe(s->clip(format)).cache_bytes;
+        auto cache = std::make_shared<std::vector<float>>(bytes / sizeof(float));
         row(
             op, format ? "nkw 16 bits" : "nkw", s, asking::onward,
             [=](scene &x, float time) {
@@ -126,8 +127,8 @@ static void slow_rows(std::shared_ptr<scene> s)
         row(
             op, format ? "nkw 16 bits _cached" : "nkw _cached", s, asking::onward,
             [=](scene &x, float time) {
-                nkw_clip_sample_cached(x.clip(format), time, nkw_pose_span{x.pose.data(), x.joints}, nullptr,
-                                       cache->data(), cache->size() * sizeof(float));
+                nkw_clip_sample_cached(x.clip(format), time, nkw_bytes_span{cache->data(), bytes},
+                                       nkw_pose_span{x.pose.data(), x.joints}, nullptr);
             },
             true);
     }

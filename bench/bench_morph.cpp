@@ -63,7 +63,7 @@ static void dense(const char *name, size_t count)
             nkw_vertices_span out = {};
             in.positions = {point[0].at, 0};
             out.positions = {reinterpret_cast<nkw_vec3 *>(answer.at), 0};
-            nkw_morph_apply(&morph, m->weights.data(), &in, &out);
+            nkw_morph_apply(&morph, m->weights.data(), in, out);
         });
         whole(op, "loop", layout::structs, [=] { loop_morph(*m, n, reinterpret_cast<float *>(answer.at)); });
     }

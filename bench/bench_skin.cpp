@@ -67,9 +67,9 @@ static std::shared_ptr<weighted> draw_weights(size_t influences)
         w->weight[i] = random_between(&r, 0.1f, 1);
     }
     nkw_skin_view from = {w->weight.data(), 0, NKW_SKIN_F32};
-    nkw_skin_normalize_weights(from, {w->weight8.data(), 0, NKW_SKIN_U8}, influences, pool);
-    nkw_skin_normalize_weights(from, {w->weight16.data(), 0, NKW_SKIN_U16}, influences, pool);
-    nkw_skin_normalize_weights(from, {w->weight.data(), 0, NKW_SKIN_F32}, influences, pool);
+    nkw_skin_normalize_weights(from, influences, pool, {w->weight8.data(), 0, NKW_SKIN_U8});
+    nkw_skin_normalize_weights(from, influences, pool, {w->weight16.data(), 0, NKW_SKIN_U16});
+    nkw_skin_normalize_weights(from, influences, pool, {w->weight.data(), 0, NKW_SKIN_F32});
     return w;
 }
 
@@ -186,13 +186,13 @@ static void own(const operation &all, std::shared_ptr<weighted> w, kind sort, bo
         if (directed)
             whole(op, "nkw interleaved", layout::structs, [=] {
                 streams s = interleaved();
-                nkw_skin_linear(&skin, &p, &s.in, &s.out);
+                nkw_skin_linear(&skin, &p, s.in, s.out);
             });
         whole(
             op, "nkw separate", layout::structs,
             [=] {
                 streams s = separate(directed);
-                nkw_skin_linear(&skin, &p, &s.in, &s.out);
+                nkw_skin_linear(&skin, &p, s.in, s.out);
             },
             [=] { show_separate(n, directed); });
     }
@@ -305,8 +305,8 @@ static void two_passes(const operation &all, std::shared_ptr<weighted> w)
             nkw_skin_palette p = palette_of(nullptr, false);
             streams first = interleaved(), second = first;
             first.in.normals = second.in.positions = {};
-            nkw_skin_linear(&skin, &p, &first.in, &first.out);
-            nkw_skin_linear(&skin, &p, &second.in, &second.out);
+            nkw_skin_linear(&skin, &p, first.in, first.out);
+            nkw_skin_linear(&skin, &p, second.in, second.out);
         });
     }
 }
@@ -323,7 +323,7 @@ static void with_tangents(std::shared_ptr<weighted> w)
             nkw_skin_palette p = palette_of(nullptr, false);
             streams s = interleaved();
             s.in.tangents = {positions.data(), 0}, s.out.tangents = {tangents.data(), 0};
-            nkw_skin_linear(&skin, &p, &s.in, &s.out);
+            nkw_skin_linear(&skin, &p, s.in, s.out);
         });
 #ifdef BENCH_GLM
         whole(op, "glm", layout::structs, [=] {
@@ -389,7 +389,7 @@ static void formats(std::shared_ptr<weighted> w)
             nkw_skin_palette p = palette_of(normals, false);
             nkw_skin skin = skin_of(*w, kind::f32, n);
             streams s = interleaved();
-            nkw_skin_linear(&skin, &p, &s.in, &s.out);
+            nkw_skin_linear(&skin, &p, s.in, s.out);
         });
     }
 }
@@ -455,7 +455,7 @@ static void dual(std::shared_ptr<weighted> w)
         nkw_skin skin = skin_of(*w, kind::f32, n);
         whole(op, "nkw interleaved", layout::structs, [=] {
             streams s = interleaved();
-            nkw_skin_dual_quat(&skin, {duals, joints, NKW_PALETTE_DUAL_QUAT}, &s.in, &s.out);
+            nkw_skin_dual_quat(&skin, {duals, joints, NKW_PALETTE_DUAL_QUAT}, s.in, s.out);
         });
     }
 #ifdef BENCH_GLM

@@ -26,7 +26,7 @@ float out[16][N];
 static nkw_trs trs[N];
 static float x[N], parts[24][N], ends[N], times[KEYS], values[JOINTS * KEYS * 10], pose[NKW_POSE_FLOATS(JOINTS)];
 static nkw_clip_track tracks[3 * JOINTS];
-static uint32_t work[NKW_CLIP_WORK(3 * JOINTS)], cursors[8];
+static uint32_t cursors[8];
 static float blocks[3][2 * JOINTS * KEYS * 16];
 static const nkw_clip *clips[3];
 static int32_t parents[JOINTS];
@@ -54,10 +54,11 @@ static void draw_values(random_source *r)
 static void build_clip(nkw_clip_format format, size_t i)
 {
     nkw_clip_source source = {tracks, 3 * JOINTS, JOINTS, 0, {NULL, 0}, NULL, format, NULL};
+    NKW_STACK_WORK(work, NKW_CLIP_BUILD_WORK(3 * JOINTS));
+    const nkw_bytes_span block = {blocks[i], sizeof blocks[i]};
     size_t bytes = 0;
-    if (nkw_clip_build(&source, blocks[i], sizeof blocks[i], NULL, work, NKW_CLIP_WORK(source.track_count)) != NKW_OK ||
-        nkw_clip_open(blocks[i], sizeof blocks[i], &clips[i]) != NKW_OK ||
-        nkw_clip_measure(&source, &bytes, NULL, work, NKW_CLIP_WORK(source.track_count)) != NKW_OK)
+    if (nkw_clip_build(&source, block, &bytes, NULL, work) != NKW_OK ||
+        nkw_clip_open(block.data, block.bytes, &clips[i]) != NKW_OK)
         exit(1);
 }
 
@@ -105,7 +106,7 @@ static void draw_character(random_source *r)
         vertices[i] = random_between(r, -1, 1);
     nkw_skin_view in = {skin_weights, 0, NKW_SKIN_F32};
     nkw_skin_span out_weights = {skin_weights, 0, NKW_SKIN_F32};
-    nkw_skin_normalize_weights(in, out_weights, 4, N);
+    nkw_skin_normalize_weights(in, 4, N, out_weights);
 }
 
 static void count_singles(void)
@@ -151,14 +152,14 @@ static void count_data(void)
     EACH("track_sample vec3", nkw_track_sample(&tracks[0].track, 10 * t[i], &v_out[i].x));
     EACH("track_sample rotation", nkw_track_sample(&tracks[1].track, 10 * t[i], &q_out[i].x));
     COUNT("clip_sample 67 joints",
-          for (size_t i = 0; i < 16; i++) nkw_clip_sample(clips[0], 10 * t[i], cursors,
-                                                          (nkw_pose_span){pose, nkw_clip_joint_count(clips[0])}, NULL));
+          for (size_t i = 0; i < 16; i++) nkw_clip_sample(
+              clips[0], 10 * t[i], cursors, (nkw_pose_span){pose, nkw_clip_describe(clips[0]).joint_count}, NULL));
     COUNT("clip_sample 67 joints, 16 bits",
-          for (size_t i = 0; i < 16; i++) nkw_clip_sample(clips[1], 10 * t[i], cursors,
-                                                          (nkw_pose_span){pose, nkw_clip_joint_count(clips[1])}, NULL));
+          for (size_t i = 0; i < 16; i++) nkw_clip_sample(
+              clips[1], 10 * t[i], cursors, (nkw_pose_span){pose, nkw_clip_describe(clips[1]).joint_count}, NULL));
     COUNT("clip_sample 67 joints, CUBICSPLINE",
-          for (size_t i = 0; i < 16; i++) nkw_clip_sample(clips[2], 3 * t[i], cursors,
-                                                          (nkw_pose_span){pose, nkw_clip_joint_count(clips[2])}, NULL));
+          for (size_t i = 0; i < 16; i++) nkw_clip_sample(
+              clips[2], 3 * t[i], cursors, (nkw_pose_span){pose, nkw_clip_describe(clips[2]).joint_count}, NULL));
 }
 
 /*
@@ -214,9 +215,9 @@ static void count_character(void)
     COUNT("models_from_pose 67 joints",
           nkw_models_from_pose(&skeleton, (nkw_pose_view){poses[0], skeleton.joint_count}, NULL, NULL, m_out));
     COUNT("palette_from_models 67 joints", palette_from_models(ma, JOINTS, NULL, mb, NULL, JOINTS, m_out));
-    COUNT("skin_linear 1024 vertices, 4 influences", nkw_skin_linear(&skin, &palette, &from, &to));
+    COUNT("skin_linear 1024 vertices, 4 influences", nkw_skin_linear(&skin, &palette, from, to));
     from.tangents.data = vertices, to.tangents.data = tangents;
-    COUNT("skin_linear 1024 vertices, 4 influences, tangents", nkw_skin_linear(&skin, &palette, &from, &to));
+    COUNT("skin_linear 1024 vertices, 4 influences, tangents", nkw_skin_linear(&skin, &palette, from, to));
     COUNT("crowd 16 of 67 joints to palettes", {
         crowd_models_from_pose(&skeleton, crowd, NULL, crowd_models);
         crowd_palette_from_models(crowd_models, JOINTS, NULL, mb, JOINTS, crowd_models);

@@ -84,7 +84,8 @@ static void make_noisy(scene &s, size_t noisy)
 
 static void build(scene &s)
 {
-    std::vector<uint32_t> work(NKW_CLIP_WORK(s.tracks.size()));
+    std::vector<uint32_t> memory(NKW_CLIP_BUILD_WORK(s.tracks.size()) / sizeof(uint32_t));
+    const nkw_work work = {memory.data(), NKW_CLIP_BUILD_WORK(s.tracks.size())};
     for (int format = 0; format < 2; format++) {
         nkw_clip_source source = {s.tracks.data(),
                                   s.tracks.size(),
@@ -95,12 +96,11 @@ static void build(scene &s)
                                   format ? NKW_CLIP_UNORM16 : NKW_CLIP_FLOAT32,
                                   NULL};
         size_t bytes = 0;
-        nkw_clip_measure(&source, &bytes, nullptr, work.data(), NKW_CLIP_WORK(source.track_count));
+        nkw_clip_build(&source, nkw_bytes_span{nullptr, 0}, &bytes, nullptr, work);
         s.blocks[format].resize(bytes / sizeof(float) + 1);
-        nkw_clip_build(&source, s.blocks[format].data(), bytes, nullptr, work.data(),
-                       NKW_CLIP_WORK(source.track_count));
+        nkw_clip_build(&source, nkw_bytes_span{s.blocks[format].data(), bytes}, &bytes, nullptr, work);
     }
-    s.cursors.resize(nkw_clip_cursor_count(s.clip(0)));
+    s.cursors.resize(nkw_clip_describe(s.clip(0)).cursor_count);
     s.pose.resize(NKW_POSE_FLOATS(s.joints));
 }
 

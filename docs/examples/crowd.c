@@ -159,7 +159,7 @@ static void print_buffer(const troupe *t)
     printf("%lu characters of %lu joints, a clip of %lu baked frames, one buffer of %lu matrices\n",
            (unsigned long)t->characters, (unsigned long)t->joints, (unsigned long)t->frames, (unsigned long)t->total);
     printf("  baked frame f begins at matrix %lu + %lu f, the last at %lu\n", (unsigned long)baked->first,
-           (unsigned long)baked->joint_count, (unsigned long)nkw_palette_chunk_index(baked, t->frames - 1, 0));
+           (unsigned long)baked->joint_count, (unsigned long)(baked->first + (t->frames - 1) * baked->joint_count));
     printf("  character 0 begins at matrix %lu, the last at %lu\n\n", (unsigned long)t->chunks[1].first,
            (unsigned long)last->first);
 }

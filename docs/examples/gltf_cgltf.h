@@ -82,14 +82,16 @@ static inline nkw_result gltf_load_clip(const cgltf_data *data, size_t animation
         to++->track.interpolation = (nkw_interpolation)from->sampler->interpolation;
     }
     size_t bytes, n = (size_t)(to - tracks), joints = c->rest.joint_count;
-    uint32_t *work = (uint32_t *)c->take(NKW_CLIP_WORK(n), sizeof *work);
+    const nkw_work work = {c->take(NKW_CLIP_BUILD_WORK(n), 1), NKW_CLIP_BUILD_WORK(n)};
+    nkw_bytes_span block = {NULL, 0};
     nkw_clip_source source = {tracks,           n,   joints, c->float_count, {c->rest.data, joints}, c->rest_floats,
                               NKW_CLIP_FLOAT32, NULL};
-    nkw_result result = nkw_clip_measure(&source, &bytes, bad, work, NKW_CLIP_WORK(n));
-    if (result == NKW_OK)
-        nkw_clip_build(&source, c->clips[animation] = (nkw_clip *)c->take(bytes, 1), bytes, bad, work,
-                       NKW_CLIP_WORK(n));
-    return result;
+    nkw_result result = nkw_clip_build(&source, block, &block.bytes, bad, work);
+    if (!block.bytes)
+        return result;
+    block.data = c->take(block.bytes, 1);
+    c->clips[animation] = (nkw_clip *)block.data;
+    return nkw_clip_build(&source, block, &bytes, bad, work);
 }
 
 /* After cgltf_load_buffers and cgltf_validate. Ends at the first error; *bad is its node, or its track with a node. */

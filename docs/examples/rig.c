@@ -91,18 +91,18 @@ static const char *build_clip(rig *r, const float *rest)
 {
     keys k;
     nkw_clip_track tracks[TRACKS];
-    uint32_t work[NKW_CLIP_WORK(TRACKS)];
+    NKW_STACK_WORK(work, NKW_CLIP_BUILD_WORK(TRACKS));
     const nkw_clip_source source = {tracks, TRACKS, RIG_JOINTS, 0, {rest, RIG_JOINTS}, NULL, NKW_CLIP_FLOAT32, NULL};
     size_t bytes;
     set_keys(r, &k);
     set_tracks(&k, tracks);
-    nkw_result result = nkw_clip_measure(&source, &bytes, NULL, work, NKW_CLIP_WORK(source.track_count));
-    if (result != NKW_OK)
+    nkw_result result = nkw_clip_build(&source, (nkw_bytes_span){NULL, 0}, &bytes, NULL, work);
+    if (bytes == 0)
         return nkw_result_text(result);
     r->clip = malloc(bytes);
     if (!r->clip)
         return "not enough memory";
-    result = nkw_clip_build(&source, r->clip, bytes, NULL, work, NKW_CLIP_WORK(source.track_count));
+    result = nkw_clip_build(&source, (nkw_bytes_span){r->clip, bytes}, &bytes, NULL, work);
     return result == NKW_OK ? NULL : nkw_result_text(result);
 }
 
@@ -133,7 +133,7 @@ static void hang(const rig *r, mesh *m)
         const nkw_skin_view in = {weights, 0, NKW_SKIN_F32};
         const nkw_skin_span out = {v->weights, 0, NKW_SKIN_U16};
         set_weights(r, v->position.y, weights);
-        nkw_skin_normalize_weights(in, out, RIG_JOINTS, 1);
+        nkw_skin_normalize_weights(in, RIG_JOINTS, 1, out);
         for (uint16_t j = 0; j < RIG_JOINTS; j++)
             v->joints[j] = j;
     }
@@ -170,7 +170,7 @@ const char *rig_build(rig *r, mesh *m)
     bind_pose(r, rest);
     nkw_models_from_pose(&r->skeleton, (nkw_pose_view){rest, r->skeleton.joint_count}, NULL, NULL, bind);
     const nkw_palette_source bound = {bind, RIG_JOINTS, NULL, NULL, NULL, RIG_JOINTS};
-    nkw_inverse_bind_from_models(&bound, r->inverse_bind);
+    nkw_palette_inverse_bind(&bound, r->inverse_bind);
     nkw_result result = nkw_skin_validate(&skin, RIG_JOINTS, NULL);
     return result == NKW_OK ? build_clip(r, rest) : nkw_result_text(result);
 }
@@ -185,7 +185,7 @@ rig_state rig_at(const rig *r, float time)
 {
     rig_state s;
     float pose[NKW_POSE_FLOATS(RIG_JOINTS)];
-    nkw_clip_sample(r->clip, time, NULL, (nkw_pose_span){pose, nkw_clip_joint_count(r->clip)}, NULL);
+    nkw_clip_sample(r->clip, time, NULL, (nkw_pose_span){pose, nkw_clip_describe(r->clip).joint_count}, NULL);
     for (size_t j = 0; j < RIG_JOINTS; j++) {
         nkw_trs trs = nkw_pose_get((nkw_pose_view){pose, RIG_JOINTS}, j);
         s.local[j] = nkw_mat4_from_trs(&trs);
@@ -210,7 +210,7 @@ void rig_skin(const rig_state *state, const mesh *m, int dual, nkw_vec3 *positio
     const nkw_palette_source joint_matrices = {state->palette, RIG_JOINTS, NULL, NULL, NULL, RIG_JOINTS};
     nkw_palette_from_models(&joint_matrices, dual_quats);
     if (dual)
-        nkw_skin_dual_quat(&skin, NKW_VIEW(nkw_palette, dual_quats), &in, &out);
+        nkw_skin_dual_quat(&skin, NKW_VIEW(nkw_palette, dual_quats), in, out);
     else
-        nkw_skin_linear(&skin, &matrices, &in, &out);
+        nkw_skin_linear(&skin, &matrices, in, out);
 }

@@ -73,16 +73,16 @@ static void set_keys(size_t joints, float *times, float *rotations, nkw_clip_tra
     }
 }
 
-static const char *build_clip(troupe *t, const nkw_clip_track *tracks, const float *rest, uint32_t *work)
+static const char *build_clip(troupe *t, const nkw_clip_track *tracks, const float *rest, nkw_work work)
 {
     const nkw_clip_source source = {tracks, t->joints, t->joints, 0, {rest, t->joints}, NULL, NKW_CLIP_FLOAT32, NULL};
     size_t bytes;
-    nkw_result result = nkw_clip_measure(&source, &bytes, NULL, work, NKW_CLIP_WORK(source.track_count));
-    if (result == NKW_OK) {
+    nkw_result result = nkw_clip_build(&source, (nkw_bytes_span){NULL, 0}, &bytes, NULL, work);
+    if (bytes > 0) {
         t->clip = malloc(bytes);
         if (!t->clip)
             return no_memory;
-        result = nkw_clip_build(&source, t->clip, bytes, NULL, work, NKW_CLIP_WORK(source.track_count));
+        result = nkw_clip_build(&source, (nkw_bytes_span){t->clip, bytes}, &bytes, NULL, work);
     }
     return result == NKW_OK ? NULL : nkw_result_text(result);
 }
@@ -94,11 +94,11 @@ static const char *build_motion(troupe *t)
     float times[KEYS], *rotations = malloc(joints * KEYS * 4 * sizeof *rotations);
     float *rest = malloc(nkw_pose_floats(joints) * sizeof *rest);
     nkw_clip_track *tracks = malloc(joints * sizeof *tracks);
-    uint32_t *work = malloc(NKW_CLIP_WORK(joints) * sizeof *work);
+    const nkw_work work = {malloc(NKW_CLIP_BUILD_WORK(joints)), NKW_CLIP_BUILD_WORK(joints)};
     const char *wrong = no_memory;
     t->parents = malloc(joints * sizeof *t->parents);
     t->inverse_bind = malloc(joints * sizeof *t->inverse_bind);
-    if (rotations && rest && tracks && work && t->parents && t->inverse_bind) {
+    if (rotations && rest && tracks && work.data && t->parents && t->inverse_bind) {
         set_parents(t);
         set_keys(joints, times, rotations, tracks);
         rest_pose(joints, rest);
@@ -106,20 +106,20 @@ static const char *build_motion(troupe *t)
         t->skeleton.joint_count = joints;
         nkw_models_from_pose(&t->skeleton, (nkw_pose_view){rest, t->skeleton.joint_count}, NULL, NULL, t->inverse_bind);
         const nkw_palette_source bound = {t->inverse_bind, joints, NULL, NULL, NULL, joints};
-        nkw_inverse_bind_from_models(&bound, t->inverse_bind);
+        nkw_palette_inverse_bind(&bound, t->inverse_bind);
         wrong = build_clip(t, tracks, rest, work);
     }
     free(rotations);
     free(rest);
     free(tracks);
-    free(work);
+    free(work.data);
     return wrong;
 }
 
 /* One buffer: the baked frames first, then a chunk of one frame for each character, each at a multiple of 256 bytes. */
 static const char *build_buffer(troupe *t)
 {
-    size_t cursors = nkw_clip_cursor_count(t->clip);
+    size_t cursors = nkw_clip_describe(t->clip).cursor_count;
     t->chunks = malloc((1 + t->characters) * sizeof *t->chunks);
     t->cursors = calloc(t->characters * cursors + 1, sizeof *t->cursors);
     if (!t->chunks || !t->cursors)
@@ -188,8 +188,8 @@ size_t troupe_pieces(const troupe *t, troupe_task task)
 /* Where the matrices of a character or frame belong. */
 static nkw_mat4 *place(const troupe *t, troupe_task task, size_t i)
 {
-    return t->buffer + (task == TROUPE_FRAMES ? nkw_palette_chunk_index(&t->chunks[0], i, 0)
-                                              : nkw_palette_chunk_index(&t->chunks[1 + i], 0, 0));
+    const nkw_palette_chunk *frames = &t->chunks[0];
+    return t->buffer + (task == TROUPE_FRAMES ? frames->first + i * frames->joint_count : t->chunks[1 + i].first);
 }
 
 /* A character is ahead of the one before it by a part of the clip that never meets the keys' rate. */
@@ -202,9 +202,8 @@ static float clip_time(troupe_task task, size_t i, float time)
 
 static void sample(const troupe *t, troupe_task task, size_t i, float time, float *pose)
 {
-    uint32_t *cursors = task == TROUPE_FRAMES ? NULL : t->cursors + i * nkw_clip_cursor_count(t->clip);
-    nkw_clip_sample(t->clip, clip_time(task, i, time), cursors, (nkw_pose_span){pose, nkw_clip_joint_count(t->clip)},
-                    NULL);
+    uint32_t *cursors = task == TROUPE_FRAMES ? NULL : t->cursors + i * nkw_clip_describe(t->clip).cursor_count;
+    nkw_clip_sample(t->clip, clip_time(task, i, time), cursors, (nkw_pose_span){pose, t->joints}, NULL);
 }
 
 /* The steps of the lanes: `first` is the piece's first character or frame, `end` the end of its last. */
@@ -223,7 +222,7 @@ static void leave(const troupe *t, troupe_task task, size_t first, size_t end, t
     nkw_mat4 *out[NKW_CROWD];
     for (size_t i = 0; i < NKW_CROWD; i++)
         out[i] = first + i < end ? place(t, task, first + i) : NULL;
-    nkw_matrices_from_crowd((nkw_crowd_matrices_view){s->lane_matrices, t->joints}, out);
+    nkw_crowd_to_matrices((nkw_crowd_matrices_view){s->lane_matrices, t->joints}, out);
 }
 
 static void make_palette(const troupe *t, const nkw_mat4 *models, nkw_mat4 *out)

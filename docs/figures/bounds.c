@@ -35,7 +35,7 @@ static void face(svg *s, float x, const float weights[2], const char *name)
     nkw_morph morph = {targets, 2, OUTLINE};
     nkw_vertices_view in = {{base, 0}, {NULL, 0}, {NULL, 0}, {NULL, 0}};
     nkw_vertices_span to = {{out, 0}, {NULL, 0}, {NULL, 0}, {NULL, 0}};
-    nkw_morph_apply(&morph, weights, &in, &to);
+    nkw_morph_apply(&morph, weights, in, to);
     for (int i = 0; i < OUTLINE; i++) {
         page[i] = svg_at(x + 62.0f * out[i].x, 170.0f - 62.0f * out[i].y);
         rest[i] = svg_at(x + 62.0f * base[i].x, 170.0f - 62.0f * base[i].y);
@@ -121,9 +121,9 @@ static void bent_tube(svg *s, svg_point origin, float angle)
     nkw_vertices_view in = {{t.bind, 0}, {NULL, 0}, {NULL, 0}, {NULL, 0}};
     nkw_vertices_span out = {{t.skinned, 0}, {NULL, 0}, {NULL, 0}, {NULL, 0}};
     nkw_box box;
-    nkw_skin_linear(&skin, &matrices, &in, &out);
-    nkw_bounds_from_skin(&skin, in.positions, t.boxes, TUBE_JOINTS);
-    nkw_bounds_from_palette(palette, t.boxes, &box);
+    nkw_skin_linear(&skin, &matrices, in, out);
+    nkw_box_from_skin(&skin, in.positions, t.boxes, TUBE_JOINTS);
+    nkw_box_from_palette(palette, t.boxes, &box);
     for (int j = 0; j < TUBE_JOINTS; j++) {
         nkw_box moved = nkw_box_transform(&t.palette[j], &t.boxes[j]);
         svg_paint pale = {colours[j], colours[j], 1.4f, 0.28f, NULL};

@@ -54,8 +54,8 @@ static void twist_tube(tube *t)
     nkw_vertices_view in = {{t->bind, 0}, {NULL, 0}, {NULL, 0}, {NULL, 0}};
     nkw_vertices_span linear = {{t->linear, 0}, {NULL, 0}, {NULL, 0}, {NULL, 0}};
     nkw_vertices_span dual = {{t->dual, 0}, {NULL, 0}, {NULL, 0}, {NULL, 0}};
-    nkw_skin_linear(&skin, &palette, &in, &linear);
-    nkw_skin_dual_quat(&skin, dual_palette, &in, &dual);
+    nkw_skin_linear(&skin, &palette, in, linear);
+    nkw_skin_dual_quat(&skin, dual_palette, in, dual);
 }
 
 /* Two of every five stripes along the tube are dark: they show how it turns. light: 1 towards the eye, -1 away. */
@@ -257,14 +257,15 @@ static nkw_result cut(const nkw_partition_mesh *mesh, nkw_partition *p)
 {
     static nkw_part parts[HAND_TRIANGLES];
     static uint16_t bones[MOST * HAND_TRIANGLES], slots[6 * HAND_TRIANGLES];
-    static uint32_t triangles[HAND_TRIANGLES], indices[3 * HAND_TRIANGLES], vertices[3 * HAND_TRIANGLES], work[65536];
+    static uint32_t triangles[HAND_TRIANGLES], indices[3 * HAND_TRIANGLES], vertices[3 * HAND_TRIANGLES];
     static float weights[6 * HAND_TRIANGLES];
+    NKW_STACK_WORK(work, 1 << 18);
     nkw_partition arrays = {parts, bones, triangles, indices, vertices, slots, weights, 0, 0, 0, 0, 0};
     nkw_partition_sizes sizes = nkw_partition_bounds(mesh, MOST);
     *p = arrays;
     if (sizes.joint_count > MOST * HAND_TRIANGLES || sizes.vertex_count > 3 * HAND_TRIANGLES)
         return NKW_TOO_SMALL;
-    return nkw_partition_build(mesh, MOST, p, NULL, work, sizeof work / sizeof *work);
+    return nkw_partition_build(mesh, MOST, p, NULL, work);
 }
 
 int figure_partition_parts(const char *path)

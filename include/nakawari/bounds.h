@@ -35,18 +35,18 @@ extern "C" {
  * boxes      receives joint_count + 1 boxes; empty where there are no vertices
  * Returns    NKW_OK; NKW_BAD_FORMAT for formats that are not for joints and weights; nothing is then written
  */
-NKW_API nkw_result nkw_bounds_from_skin(const nkw_skin *skin, nkw_vec3_stream_view positions, nkw_box *boxes,
-                                        size_t joint_count);
+NKW_API nkw_result nkw_box_from_skin(const nkw_skin *skin, nkw_vec3_stream_view positions, nkw_box *boxes,
+                                     size_t joint_count);
 
 /**
  * The box of a pose: the union of nkw_box_transform of the boxes by the joint matrices, and of the last box.
  *
  * palette  joint matrices, NKW_PALETTE_MAT4 or NKW_PALETTE_MAT3X4; the box is in the space that the palette leads to
- * boxes    palette.joint_count + 1 boxes of nkw_bounds_from_skin
+ * boxes    palette.joint_count + 1 boxes of nkw_box_from_skin
  * box      receives the box; empty if all boxes are
  * Returns  NKW_OK; NKW_BAD_FORMAT for another format; nothing is then written
  */
-NKW_API nkw_result nkw_bounds_from_palette(nkw_palette_view palette, const nkw_box *boxes, nkw_box *box);
+NKW_API nkw_result nkw_box_from_palette(nkw_palette_view palette, const nkw_box *boxes, nkw_box *box);
 
 #ifdef __cplusplus
 }

@@ -50,14 +50,12 @@ typedef struct nkw_clip_track {
 NKW_SIZE(nkw_clip_track, 56, 36);
 
 /**
- * Converts the values of a track to other axes by nkw_track_convert_axes: NKW_CLIP_TRANSLATION as NKW_AXES_VEC3,
- * _ROTATION as _QUAT, _SCALE as _SCALE. Values of NKW_CLIP_FLOATS have no axes and are copied. Convert all tracks of a
- * source and its rest pose (nkw_pose_convert_axes) before nkw_clip_build.
- *
- * values   receives nkw_track_value_count floats; may be the values of the track
- * Returns  as nkw_track_convert_axes; NKW_BAD_METHOD for an unknown target
+ * The kind of the values of a target, for nkw_track_convert_axes (track.h). Values of NKW_CLIP_FLOATS have no axes: do
+ * not convert them. Convert all other tracks of a source and its rest pose (nkw_pose_convert_axes) before
+ * nkw_clip_build.
  */
-NKW_API nkw_result nkw_clip_track_convert_axes(const nkw_clip_track *track, nkw_axes_map map, float *values);
+#define NKW_CLIP_AXES(target)                                                                                          \
+    ((target) == NKW_CLIP_ROTATION ? NKW_AXES_QUAT : (target) == NKW_CLIP_SCALE ? NKW_AXES_SCALE : NKW_AXES_VEC3)
 
 /**
  * The format of stored keys. Bytes of a track of n keys:
@@ -122,44 +120,35 @@ NKW_SIZE(nkw_clip_source, 72, 36);
 /** The header of the block of a clip. */
 typedef struct nkw_clip nkw_clip;
 
-/** The number of uint32_t of working memory of nkw_clip_measure and nkw_clip_build. */
-#define NKW_CLIP_WORK(track_count) (3 * (track_count))
+/** The bytes of working memory of nkw_clip_build. */
+#define NKW_CLIP_BUILD_WORK(track_count) (12 * (track_count))
 
 /**
- * Checks the source and computes the size of its clip. Each track is checked separately, then each pair.
+ * Checks the source, each track and then each pair, and builds its clip into a block. The block may then be sampled as
+ * (const nkw_clip *)block.data.
  *
- * bytes      receives the size of the block
- * bad_track  receives the index of the first track with an error, 0 if there is none; may be NULL
- * work       work_count numbers, at least NKW_CLIP_WORK(source->track_count)
+ * block    aligned for float, 64-byte alignment is fastest. data NULL asks for the size
+ * bytes    receives the size of the clip; 0 after every error but a block that is too small
+ * bad      receives the index of the first track with an error, 0 if there is none; may be NULL
+ * work     NKW_CLIP_BUILD_WORK(source->track_count) bytes
  * Returns
  *
  *     NKW_OK            no error
  *     NKW_EMPTY         no joints and no floats
- *     NKW_BAD_METHOD    an unknown target; a track whose kind does not match its target
+ *     NKW_BAD_METHOD    an unknown target
  *     NKW_BAD_WIDTH     a track whose width does not match its target
  *     NKW_BAD_FORMAT    an unknown format
- *     NKW_MISMATCHED    a rest pose with another number of joints
+ *     NKW_MISMATCHED    a rest pose with another number of joints; a track whose kind does not match its target
  *     NKW_OUT_OF_RANGE  a joint or float after the last; more than 2^26 joints, 2^29 floats or 2^32 words in the block
- *     NKW_REPEATED      two tracks that animate the same property; bad_track is the later one
- *     NKW_TOO_SMALL     work_count is too small
+ *     NKW_REPEATED      two tracks that animate the same property; bad is the later one
+ *     NKW_TOO_SMALL     too little working memory, or too small a block: *bytes is then its size
  *
  * and the errors of nkw_track_validate for each track.
  *
  * Stack  at most 16 KiB.
  */
-NKW_API nkw_result nkw_clip_measure(const nkw_clip_source *source, size_t *bytes, size_t *bad_track, uint32_t *work,
-                                    size_t work_count);
-
-/**
- * Builds a clip into `block`. The block may then be sampled as (const nkw_clip *)block.
- *
- * block    bytes bytes, at least the size from nkw_clip_measure; aligned for float, 64-byte alignment is fastest
- * Returns  as nkw_clip_measure; NKW_TOO_SMALL also if `bytes` is too small
- *
- * Stack  at most 16 KiB.
- */
-NKW_API nkw_result nkw_clip_build(const nkw_clip_source *source, void *block, size_t bytes, size_t *bad_track,
-                                  uint32_t *work, size_t work_count);
+NKW_API nkw_result nkw_clip_build(const nkw_clip_source *source, nkw_bytes_span block, size_t *bytes, size_t *bad,
+                                  nkw_work work);
 
 /**
  * Checks a block that was read or mapped. A clip that this function accepts is safe to sample; a clip that it rejects
@@ -190,39 +179,36 @@ NKW_API nkw_result nkw_clip_open(const void *block, size_t bytes, const nkw_clip
  */
 NKW_API nkw_result nkw_clip_convert(const void *block, size_t bytes, void *out, const nkw_clip **clip);
 
-/** The number of joints of the poses, of separate floats, and of bytes of the block. */
-NKW_API size_t nkw_clip_joint_count(const nkw_clip *clip);
-NKW_API size_t nkw_clip_float_count(const nkw_clip *clip);
-NKW_API size_t nkw_clip_bytes(const nkw_clip *clip);
+/** What a clip contains. */
+typedef struct nkw_clip_description {
+    size_t joint_count; /**< of the poses */
+    size_t float_count; /**< separate floats */
+    /**
+     * The tracks whose values change. Tracks with one value are not stored as tracks: the values of all other
+     * properties are those that nkw_clip_sample returns at any time. Each separate float is a track of width 1.
+     */
+    size_t track_count;
+    size_t cursor_count; /**< of nkw_clip_sample: one for each timeline */
+    size_t cache_bytes; /**< of nkw_clip_sample_cached: about 68 for each animated joint of a compact clip */
+    size_t bytes; /**< of the block */
+    float start,
+        end; /**< the earliest and latest key time of all tracks, also constant ones, seconds; 0, 0: no tracks */
+    const char *name; /**< in the block; the empty text if there is none */
+} nkw_clip_description;
+NKW_SIZE(nkw_clip_description, 64, 36);
 
-/** The earliest and the latest key time in seconds, of all tracks, including constant ones; 0 and 0 without tracks. */
-NKW_API float nkw_clip_start(const nkw_clip *clip);
-NKW_API float nkw_clip_end(const nkw_clip *clip);
+/** Describes a clip. The cache is a sum over the groups of tracks with the same key times: describe a clip once. */
+NKW_API nkw_clip_description nkw_clip_describe(const nkw_clip *clip);
 
-/** The name of the clip, and of a joint; the empty text if there is none. They are in the block. */
-NKW_API const char *nkw_clip_name(const nkw_clip *clip);
+/** The name of a joint, in the block; the empty text if there is none. */
 NKW_API const char *nkw_clip_joint_name(const nkw_clip *clip, size_t joint);
 
-/**
- * The number of tracks whose values change. Tracks with one value are not stored as tracks: the values of all other
- * properties are those that nkw_clip_sample returns at any time. Each separate float is a track of width 1.
- */
-NKW_API size_t nkw_clip_track_count(const nkw_clip *clip);
+/** The bytes of working memory of nkw_clip_track_get. */
+#define NKW_CLIP_TRACK_GET_WORK(joint_count, float_count) (4 * (NKW_POSE_FLOATS(joint_count) + (float_count)))
 
 /**
- * What track `index` animates: its target, kind, width, interpolation, number of keys and their times, which are in the
- * block. `values` and `key_interpolation` are NULL: nkw_clip_track_get writes them. The order of tracks is that of the
- * block, not that of the source.
- *
- * Returns  NKW_OK; NKW_OUT_OF_RANGE after the last track: `out` is unchanged
- */
-NKW_API nkw_result nkw_clip_track_shape(const nkw_clip *clip, size_t index, nkw_clip_track *out);
-
-/** The number of floats of working memory of nkw_clip_track_get. */
-#define NKW_CLIP_TRACK_WORK(joint_count, float_count) (NKW_POSE_FLOATS(joint_count) + (float_count))
-
-/**
- * Takes track `index` out of a clip again, in a time that does not depend on the number of joints.
+ * Takes track `index` out of a clip again, in a time that does not depend on the number of joints. The order of tracks
+ * is that of the block, not that of the source.
  *
  * A FLOAT32 clip that is built from these tracks, with a sample as the rest pose, returns the samples of the clip:
  *
@@ -235,36 +221,32 @@ NKW_API nkw_result nkw_clip_track_shape(const nkw_clip *clip, size_t index, nkw_
  * and the clip turns by that. No two keys of a track do. So that the track turns in the same direction, its later key
  * is moved by this rounding, to 1e-6 rad below half a turn.
  *
- * memory   for the keys of nkw_clip_track_shape
- * out      receives the track, which refers to `memory`; unchanged after an error
- * work     work_count floats, at least NKW_CLIP_TRACK_WORK of the clip's joints and floats
+ * memory   for the keys of the track; NULL asks for its shape: no working memory is needed
+ * out      receives the track, which refers to `memory`. After NKW_TOO_SMALL it is the shape: target, kind, width,
+ *          interpolation, number of keys and their times, which are in the block; `values` and `key_interpolation` are
+ *          NULL. Unchanged after other errors
+ * work     NKW_CLIP_TRACK_GET_WORK of the clip's joints and floats
  * Returns  NKW_OK; NKW_OUT_OF_RANGE after the last track, and for a track whose parts are not together; NKW_TOO_SMALL
  *          for too little memory
  *
  * Stack  at most 15 KiB.
  */
 NKW_API nkw_result nkw_clip_track_get(const nkw_clip *clip, size_t index, const nkw_edit_memory *memory,
-                                      nkw_clip_track *out, float *work, size_t work_count);
-
-/** The number of cursors of nkw_clip_sample: one for each timeline. */
-NKW_API size_t nkw_clip_cursor_count(const nkw_clip *clip);
+                                      nkw_clip_track *out, nkw_work work);
 
 /**
  * Samples the clip at `time`.
  *
- * cursors  NULL, or nkw_clip_cursor_count(clip) numbers of any initial value, separate for each playing instance: each
- *          search then begins where the last one ended. The bits of the result do not depend on them.
+ * cursors  NULL, or cursor_count numbers (nkw_clip_describe) of any initial value, separate for each playing instance:
+ *          each search then begins where the last one ended. The bits of the result do not depend on them.
  * pose     receives all joints; its padding may be written; data may be NULL
- * floats   receives nkw_clip_float_count(clip) floats; may be NULL
+ * floats   receives the separate floats; may be NULL
  * Returns  NKW_OK; NKW_MISMATCHED for a pose with another number of joints: nothing is written
  *
  * Stack  at most 15 KiB.
  */
 NKW_API nkw_result nkw_clip_sample(const nkw_clip *clip, float time, uint32_t *cursors, nkw_pose_span pose,
                                    float *floats);
-
-/** The number of bytes of the cache of nkw_clip_sample_cached: about 68 for each animated joint of a compact clip. */
-NKW_API size_t nkw_clip_cache_bytes(const nkw_clip *clip);
 
 /**
  * Samples the clip at `time`, for steps of time much smaller than the distance of the keys: slow motion, steps of a
@@ -273,15 +255,14 @@ NKW_API size_t nkw_clip_cache_bytes(const nkw_clip *clip);
  * the first one after that takes a third longer. Float clips store their arcs, so for them the cache has cursors only.
  * The pose and the floats are those of nkw_clip_sample, bit for bit.
  *
- * cache    separate for each playing instance; zeros before its first use and before its use for another clip. Aligned
- *          for float, 64-byte alignment is fastest
- * bytes    at least nkw_clip_cache_bytes(clip)
- * Returns  as nkw_clip_sample; NKW_TOO_SMALL if `bytes` is too small: nothing is written
+ * cache    cache_bytes (nkw_clip_describe), separate for each playing instance; zeros before its first use and before
+ *          its use for another clip. Aligned for float, 64-byte alignment is fastest
+ * Returns  as nkw_clip_sample; NKW_TOO_SMALL for too small a cache: nothing is written
  *
  * Stack  at most 15 KiB.
  */
-NKW_API nkw_result nkw_clip_sample_cached(const nkw_clip *clip, float time, nkw_pose_span pose, float *floats,
-                                          void *cache, size_t bytes);
+NKW_API nkw_result nkw_clip_sample_cached(const nkw_clip *clip, float time, nkw_bytes_span cache, nkw_pose_span pose,
+                                          float *floats);
 
 /** The largest differences between a clip and its tracks. */
 typedef struct nkw_clip_error {
@@ -292,8 +273,8 @@ typedef struct nkw_clip_error {
 } nkw_clip_error;
 NKW_SIZE(nkw_clip_error, 16, 16);
 
-/** The number of floats of working memory of nkw_clip_difference. */
-#define NKW_CLIP_DIFFERENCE_WORK(joint_count, float_count) (NKW_POSE_FLOATS(joint_count) + 2 * (float_count))
+/** The bytes of working memory of nkw_clip_difference. */
+#define NKW_CLIP_DIFFERENCE_WORK(joint_count, float_count) (4 * (NKW_POSE_FLOATS(joint_count) + 2 * (float_count)))
 
 /**
  * The largest differences between the samples of a clip and those of its tracks.
@@ -303,15 +284,16 @@ NKW_SIZE(nkw_clip_error, 16, 16);
  *     the same of a timeline of the clip that no track has            all tracks, from first to last key
  *
  * source   the source of the clip, or the tracks from which it was made, for example before resampling
- * error    receives the differences; infinities after an error
- * work     work_count floats, at least NKW_CLIP_DIFFERENCE_WORK of the clip's joints and floats
+ * error    receives the differences
+ * work     NKW_CLIP_DIFFERENCE_WORK of the clip's joints and floats
  * Returns  NKW_OK; NKW_MISMATCHED for another number of joints or floats, or for a track without keys or with a
- *          target, kind, width or index that nkw_clip_measure rejects; NKW_TOO_SMALL for too small a work_count
+ *          target, kind, width or index that nkw_clip_build rejects; NKW_TOO_SMALL for too little working memory;
+ *          nothing is then written
  *
  * Stack  at most 15 KiB.
  */
 NKW_API nkw_result nkw_clip_difference(const nkw_clip *clip, const nkw_clip_source *source, nkw_clip_error *error,
-                                       float *work, size_t work_count);
+                                       nkw_work work);
 
 #ifdef __cplusplus
 }

@@ -42,7 +42,7 @@ NKW_SIZE(nkw_clip_reduction, 40, 24);
 
 /** What nkw_clip_reduce reached. */
 typedef struct nkw_clip_reduced {
-    size_t bytes; /**< of the clip */
+    size_t bytes; /**< of the clip; without a block, the bytes that it needs */
     size_t constant_count; /**< tracks that are constant within the tolerance */
     size_t packed_count; /**< tracks with packed keys; 0: the keys of all are in FLOAT32 or in UNORM16 */
     float distance; /**< the largest distance in model space, to 1e-6 of it too large */
@@ -51,27 +51,9 @@ typedef struct nkw_clip_reduced {
 } nkw_clip_reduced;
 NKW_SIZE(nkw_clip_reduced, 40, 24);
 
-/** The memory of nkw_clip_reduce. */
-typedef struct nkw_clip_memory {
-    void *block; /**< receives the clip; aligned for float */
-    size_t bytes; /**< of the block, at least the bound of nkw_clip_reduce_measure */
-    double *work; /**< work_count doubles, at least NKW_CLIP_REDUCE_WORK of the tracks, joints and floats */
-    size_t work_count;
-} nkw_clip_memory;
-NKW_SIZE(nkw_clip_memory, 32, 16);
-
-/** The number of doubles of working memory of nkw_clip_reduce_measure and nkw_clip_reduce. */
+/** The bytes of working memory of nkw_clip_reduce, nkw_clip_source_reduce and nkw_clip_source_difference. */
 #define NKW_CLIP_REDUCE_WORK(track_count, joint_count, float_count)                                                    \
-    (24 * (track_count) + 34 * (joint_count) + NKW_POSE_FLOATS(joint_count) + 4 * (float_count) + 16)
-
-/**
- * Checks a source as nkw_clip_measure does, and computes a bound of the bytes that nkw_clip_reduce needs. The clip that
- * it builds is much smaller: copy its first nkw_clip_reduced.bytes bytes.
- *
- * Stack  at most 16 KiB.
- */
-NKW_API nkw_result nkw_clip_reduce_measure(const nkw_clip_source *source, size_t *bytes, size_t *bad_track,
-                                           double *work, size_t work_count);
+    (8 * (24 * (track_count) + 34 * (joint_count) + NKW_POSE_FLOATS(joint_count) + 4 * (float_count) + 16))
 
 /**
  * Builds a clip that is as small as a tolerance permits. `format` of the source must be FLOAT32.
@@ -98,9 +80,14 @@ NKW_API nkw_result nkw_clip_reduce_measure(const nkw_clip_source *source, size_t
  * as long as that of a FLOAT32 clip in a near cache: 8 to 10 ns for each moving track with AVX2, 11 to 15 ns with SSE2.
  * nkw_clip_sample_cached decodes each pair of keys once: half of that at 60 samples per second of keys at 30 Hz.
  *
- * reduced  receives the result; may be NULL
- * Returns  as nkw_clip_measure; NKW_BAD_FORMAT for another format than FLOAT32; NKW_NOT_FINITE for a tolerance or
- *          distance that is negative or not finite; NKW_TOO_SMALL for too little memory
+ * block    aligned for float; NULL asks for a bound of its bytes. The clip is much smaller: copy its first
+ *          reduced->bytes bytes
+ * reduced  receives the result. If the block is too small its `bytes` are those that the block needs, otherwise 0 after
+ *          an error
+ * bad      receives the index of the first track with an error, 0 if there is none; may be NULL
+ * work     NKW_CLIP_REDUCE_WORK of the tracks, joints and floats
+ * Returns  as nkw_clip_build; NKW_BAD_FORMAT for another format than FLOAT32; NKW_NOT_FINITE for a tolerance or a
+ *          distance that is not finite, NKW_OUT_OF_RANGE for a negative one; NKW_TOO_SMALL for too little memory
  *
  * Where a tolerance is so small that the trials do not reach it, tracks are stored as FLOAT32: `share` is at most 1.
  *
@@ -109,9 +96,9 @@ NKW_API nkw_result nkw_clip_reduce_measure(const nkw_clip_source *source, size_t
  * Stack  at most 17 KiB.
  */
 NKW_API nkw_result nkw_clip_reduce(const nkw_clip_source *source, const nkw_clip_reduction *reduction,
-                                   const nkw_clip_memory *memory, nkw_clip_reduced *reduced, size_t *bad_track);
+                                   nkw_bytes_span block, nkw_clip_reduced *reduced, size_t *bad, nkw_work work);
 
-/** What nkw_clip_source_reduce reached. */
+/** How far reduced or other tracks are from those of a source. */
 typedef struct nkw_reduced {
     size_t source_key_count; /**< of all tracks of the source */
     size_t key_count; /**< of all reduced tracks */
@@ -121,42 +108,40 @@ typedef struct nkw_reduced {
 } nkw_reduced;
 NKW_SIZE(nkw_reduced, 32, 20);
 
-/**
- * Checks a source as nkw_clip_measure does, and computes the number of bytes of the block of nkw_clip_source_reduce.
- *
- * work     work_count doubles, at least NKW_CLIP_REDUCE_WORK of the tracks, joints and floats
- * Returns  as nkw_clip_measure; NKW_TOO_SMALL also if the bytes exceed size_t
- *
- * Stack  at most 16 KiB.
- */
-NKW_API nkw_result nkw_clip_source_reduce_measure(const nkw_clip_source *source, size_t *bytes, size_t *bad_track,
-                                                  double *work, size_t work_count);
+/** What nkw_clip_source_reduce made. */
+typedef struct nkw_clip_source_reduced {
+    nkw_clip_source source; /**< with the reduced tracks, which are in the block; without tracks after an error */
+    nkw_reduced reached;
+    size_t bytes; /**< that the block needs */
+} nkw_clip_source_reduced;
+NKW_SIZE(nkw_clip_source_reduced, 112, 60);
 
 /**
  * Reduces all tracks of a clip, so that no joint is further from its place than a tolerance, in model space: the errors
- * of a chain of joints add up. The distance of a joint is the largest of its position and of all points around it, as of
- * nkw_clip_reduce. The tolerance of each track is found by trials: all tracks are
- * reduced, sampled and compared with the source, until no joint exceeds its tolerance and no trial has fewer keys. They
- * are compared at the key times of all tracks of the source and at 1/4, 1/2 and 3/4 between two of these times.
+ * of a chain of joints add up. The distance of a joint is the largest of its position and of all points around it, as
+ * of nkw_clip_reduce. The tolerance of each track is found by trials: all tracks are reduced, sampled and compared with
+ * the source, until no joint exceeds its tolerance and no trial has fewer keys. They are compared at the key times of
+ * all tracks of the source and at 1/4, 1/2 and 3/4 between two of these times.
  *
  * Between these times the distance may be larger: it is kept within 0.98 of the tolerance. If the trials do not reach
- * that, all tracks are reduced losslessly. If the rounding of samples is still larger than the tolerance, `out` is the
- * source.
+ * that, all tracks are reduced losslessly. If the rounding of samples is still larger than the tolerance, the result is
+ * the source.
  *
- * memory   block: aligned for pointers, of at least nkw_clip_source_reduce_measure bytes; work: as there
- * out      receives the source with the reduced tracks, which are in the block; its other fields are those of `source`;
- *          without tracks after an error. May be `source`
- * reduced  receives the result; may be NULL
- * Returns  as nkw_clip_source_reduce_measure; NKW_NOT_FINITE also for a tolerance or distance that is negative or not
- *          finite; NKW_TOO_SMALL for too little memory
+ * block    aligned for pointers; NULL asks for its bytes
+ * reduced  receives the result; its other fields are those of `source`. If the block is too small, its `bytes` are
+ *          those that the block needs, otherwise 0 after an error
+ * bad      as of nkw_clip_reduce
+ * work     NKW_CLIP_REDUCE_WORK of the tracks, joints and floats
+ * Returns  as nkw_clip_build; NKW_NOT_FINITE and NKW_OUT_OF_RANGE for tolerances and distances as of nkw_clip_reduce;
+ *          NKW_TOO_SMALL for too little memory, and if the bytes exceed size_t
  *
  * Time: at most 29 trials. A clip of 93 tracks and 16,829 keys takes 0.6 s.
  *
  * Stack  at most 16 KiB.
  */
 NKW_API nkw_result nkw_clip_source_reduce(const nkw_clip_source *source, const nkw_clip_reduction *reduction,
-                                          const nkw_clip_memory *memory, nkw_clip_source *out, nkw_reduced *reduced,
-                                          size_t *bad_track);
+                                          nkw_bytes_span block, nkw_clip_source_reduced *reduced, size_t *bad,
+                                          nkw_work work);
 
 /**
  * The largest differences of other tracks from those of a clip, in model space, as nkw_clip_source_reduce measures
@@ -165,15 +150,15 @@ NKW_API nkw_result nkw_clip_source_reduce(const nkw_clip_source *source, const n
  * source, other  with the same number of joints and floats. The points around a joint are those of `source`
  * reduction      as above; its tolerances determine `share`, which may be larger than 1
  * difference     receives the number of keys of both, and the differences
- * work           as above, for the source with more tracks
- * Returns        as nkw_clip_source_reduce_measure for either; NKW_MISMATCHED for another number of joints or floats;
- *                NKW_NOT_FINITE as above
+ * work           NKW_CLIP_REDUCE_WORK of the joints, floats and the larger number of tracks
+ * Returns        as nkw_clip_source_reduce for either; NKW_MISMATCHED for another number of joints or floats. Nothing
+ *                is written after an error
  *
  * Stack  at most 16 KiB.
  */
 NKW_API nkw_result nkw_clip_source_difference(const nkw_clip_source *source, const nkw_clip_source *other,
                                               const nkw_clip_reduction *reduction, nkw_reduced *difference,
-                                              double *work, size_t work_count);
+                                              nkw_work work);
 
 #ifdef __cplusplus
 }

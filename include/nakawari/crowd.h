@@ -72,7 +72,7 @@ NKW_API nkw_result nkw_crowd_from_poses(const nkw_pose_view *poses, nkw_crowd_po
 NKW_API void nkw_crowd_from_matrices(const nkw_mat4 *const *matrices, nkw_crowd_matrices_span crowd);
 
 /** Copies matrices out of the lanes: matrices[i][j] from joint j of lane i. Lanes whose pointer is NULL are skipped. */
-NKW_API void nkw_matrices_from_crowd(nkw_crowd_matrices_view crowd, nkw_mat4 *const *matrices);
+NKW_API void nkw_crowd_to_matrices(nkw_crowd_matrices_view crowd, nkw_mat4 *const *matrices);
 
 /**
  * Local to model, as nkw_models_from_pose: for each joint, the model matrix of its parent times its local matrix.
@@ -101,27 +101,28 @@ NKW_API void nkw_crowd_palette_from_models(nkw_crowd_matrices_view models, const
  * read once for sixteen characters, and no palette leaves the lanes. The vertices of lane i have the bits of
  * nkw_skin_linear with the matrices of lane i and without normal matrices.
  *
- * in    the vertices of the skin
- * outs  the vertices of each lane, NKW_CROWD elements; vectors that are NULL are skipped. They share no vector with
- *       `in` or with each other
+ * in           the vertices of the skin
+ * keep_length  as of nkw_skin_palette
+ * outs         the vertices of each lane, NKW_CROWD elements; vectors that are NULL are skipped. They share no vector
+ *              with `in` or with each other
  *
  * Returns NKW_OK, or NKW_BAD_FORMAT if the joints or the weights have a format that does not fit; all vectors are then
  * copied.
  *
  * Stack  at most 14 KiB.
  */
-NKW_API nkw_result nkw_crowd_skin_linear(const nkw_skin *skin, nkw_crowd_matrices_view palette, int skip_normalization,
-                                         const nkw_vertices_view *in, const nkw_vertices_span *outs);
+NKW_API nkw_result nkw_crowd_skin(nkw_crowd_matrices_view palette, const nkw_skin *skin, nkw_vertices_view in,
+                                  int keep_length, const nkw_vertices_span *outs);
 
-/** The number of floats that nkw_crowd_sample needs as working memory: a pose for each lane. */
-#define NKW_CROWD_SAMPLE_FLOATS(joint_count) (NKW_CROWD * NKW_POSE_FLOATS(joint_count))
+/** The bytes of working memory of nkw_crowd_sample: a pose for each lane. */
+#define NKW_CROWD_SAMPLE_WORK(joint_count) (4 * NKW_CROWD * NKW_POSE_FLOATS(joint_count))
 
 /** The characters that play one clip, each at its own time. */
 typedef struct nkw_crowd_players {
     const float *times; /**< one for each character, seconds */
     /**
-     * nkw_clip_cursor_count(clip) numbers for each character, contiguous, in the order of the characters; NULL: none.
-     * Any values yield the same bits, but a search is short only from the cursors of the same character
+     * cursor_count (nkw_clip_describe) numbers for each character, contiguous, in the order of the characters; NULL:
+     * none. Any values yield the same bits, but a search is short only from the cursors of the same character
      */
     uint32_t *cursors;
     size_t character_count; /**< clamped to NKW_CROWD; the other lanes become the identity */
@@ -133,14 +134,13 @@ NKW_SIZE(nkw_crowd_players, 24, 12);
  * clip (morph weights) are not sampled: call nkw_clip_sample without a pose for each character.
  *
  * crowd    receives the poses
- * work     work_count floats, at least NKW_CROWD_SAMPLE_FLOATS(nkw_clip_joint_count(clip)); receives the poses of the
- *          lanes (pose.h), contiguous
- * Returns  NKW_MISMATCHED if crowd has another number of joints than the clip; NKW_TOO_SMALL for work_count
+ * work     NKW_CROWD_SAMPLE_WORK of the clip's joints; receives the poses of the lanes (pose.h), contiguous
+ * Returns  NKW_MISMATCHED if crowd has another number of joints than the clip; NKW_TOO_SMALL for too little memory
  *
  * Stack  at most 15 KiB.
  */
-NKW_API nkw_result nkw_crowd_sample(const nkw_clip *clip, const nkw_crowd_players *players, nkw_crowd_poses_span crowd,
-                                    float *work, size_t work_count);
+NKW_API nkw_result nkw_crowd_sample(const nkw_crowd_players *players, const nkw_clip *clip, nkw_crowd_poses_span crowd,
+                                    nkw_work work);
 
 /** The inputs of baking: a clip, its skeleton and a skin. */
 typedef struct nkw_crowd_source {
@@ -154,20 +154,11 @@ typedef struct nkw_crowd_source {
 } nkw_crowd_source;
 NKW_SIZE(nkw_crowd_source, 56, 32);
 
-/**
- * Checks a source.
- *
- * Returns  the result of nkw_skeleton_validate; NKW_MISMATCHED if the clip has another number of joints than the
- *          skeleton; NKW_NOT_FINITE if start, rate or one of the first three rows of root is not finite;
- *          NKW_OUT_OF_RANGE for a rate of 0; the result of nkw_palette_source_validate for the skin. *bad_joint becomes
- *          the first offending joint of the skeleton or of the skin, 0 for any other error; it may be NULL.
- */
-NKW_API nkw_result nkw_crowd_source_validate(const nkw_crowd_source *source, size_t *bad_joint);
-
-/** The number of floats that nkw_crowd_bake needs as working memory, for a skeleton and a skin. */
-#define NKW_CROWD_BAKE_FLOATS(joint_count, skin_joint_count)                                                           \
-    (NKW_CROWD_SAMPLE_FLOATS(joint_count) + NKW_CROWD_POSE_FLOATS(joint_count) +                                       \
-     NKW_CROWD_MATRIX_FLOATS(joint_count) + NKW_CROWD_MATRIX_FLOATS(skin_joint_count))
+/** The bytes of working memory of nkw_crowd_bake, for a skeleton and a skin. */
+#define NKW_CROWD_BAKE_WORK(joint_count, skin_joint_count)                                                             \
+    (NKW_CROWD_SAMPLE_WORK(joint_count) +                                                                              \
+     4 * (NKW_CROWD_POSE_FLOATS(joint_count) + NKW_CROWD_MATRIX_FLOATS(joint_count) +                                  \
+          NKW_CROWD_MATRIX_FLOATS(skin_joint_count)))
 
 /**
  * Bakes frames of a clip into a chunk of a buffer of palettes (palette.h), sixteen frames at once. Each frame has the
@@ -175,15 +166,18 @@ NKW_API nkw_result nkw_crowd_source_validate(const nkw_crowd_source *source, siz
  *
  * chunk    the position in the buffer; has as many joints as the skin
  * frames   NULL: all frames of the chunk. Otherwise only these; different threads may bake different frames
- * buffer   receives the matrices, from nkw_palette_chunk_index(chunk, frame, 0) on for each frame
- * work     work_count floats, at least NKW_CROWD_BAKE_FLOATS(skeleton->joint_count, source->joint_count)
- * Returns  NKW_MISMATCHED if the clip has another number of joints than the skeleton, or the chunk than the skin;
- *          NKW_TOO_SMALL for work_count; nothing is then written
+ * buffer   receives the matrices of each frame at its position in the chunk
+ * bad      receives the first offending joint of the skeleton or of the skin, 0 if there is none; may be NULL
+ * work     NKW_CROWD_BAKE_WORK(source->skeleton->joint_count, source->joint_count) bytes
+ * Returns  the result of nkw_skeleton_validate; NKW_MISMATCHED if the clip has another number of joints than the
+ *          skeleton, or the chunk than the skin; NKW_NOT_FINITE if start, rate or one of the first three rows of root
+ *          is not finite; NKW_OUT_OF_RANGE for a rate of 0; the result of nkw_palette_source_validate for the skin;
+ *          NKW_TOO_SMALL for too little memory; nothing is then written
  *
  * Stack  at most 17 KiB.
  */
 NKW_API nkw_result nkw_crowd_bake(const nkw_crowd_source *source, const nkw_palette_chunk *chunk,
-                                  const nkw_range *frames, nkw_mat4 *buffer, float *work, size_t work_count);
+                                  const nkw_range *frames, nkw_mat4 *buffer, size_t *bad, nkw_work work);
 
 #ifdef __cplusplus
 }

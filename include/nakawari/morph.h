@@ -60,17 +60,16 @@ NKW_SIZE(nkw_morph, 24, 12);
  *        rounding of each product and of each sum (2.0 u of one target: v -0x1p+26, d 0x1.000002p+24, w
  *        -0x1.fffffep+25).
  */
-NKW_API void nkw_morph_apply(const nkw_morph *morph, const float *weights, const nkw_vertices_view *in,
-                             const nkw_vertices_span *out);
+NKW_API void nkw_morph_apply(const nkw_morph *morph, const float *weights, nkw_vertices_view in, nkw_vertices_span out);
 
 /**
  * Checks targets.
  *
  * Returns  NKW_EMPTY without vertices; NKW_OUT_OF_RANGE for an index that is not less than vertex_count; NKW_NOT_FINITE
- *          for a difference that is not finite. *bad_target becomes the first offending target, 0 if there is none; it
+ *          for a difference that is not finite. *bad becomes the first offending target, 0 if there is none; it
  *          may be NULL
  */
-NKW_API nkw_result nkw_morph_validate(const nkw_morph *morph, size_t *bad_target);
+NKW_API nkw_result nkw_morph_validate(const nkw_morph *morph, size_t *bad);
 
 #ifdef __cplusplus
 }

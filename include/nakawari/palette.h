@@ -106,7 +106,7 @@ NKW_API nkw_result nkw_palette_from_models(const nkw_palette_source *source, nkw
  * Converts a palette to 4x4 matrices: a copy, nkw_mat4_from_mat3x4 or nkw_mat4_from_dual_quat of each element. out must
  * not overlap the palette. Returns NKW_BAD_FORMAT for normal matrices and unknown formats; nothing is then written.
  */
-NKW_API nkw_result nkw_mat4_from_palette(nkw_palette_view palette, nkw_mat4 *out);
+NKW_API nkw_result nkw_palette_to_mat4(nkw_palette_view palette, nkw_mat4 *out);
 
 /**
  * The inverse bind matrices of a skin from the model matrices of the bind pose; source->inverse_bind is not read:
@@ -121,31 +121,38 @@ NKW_API nkw_result nkw_mat4_from_palette(nkw_palette_view palette, nkw_mat4 *out
  * Error  10.0 u without global_inverse, of the norms that nkw_mat4_inverse_affine states.
  * Stack  at most 5 KiB.
  */
-NKW_API void nkw_inverse_bind_from_models(const nkw_palette_source *source, nkw_mat4 *out);
+NKW_API void nkw_palette_inverse_bind(const nkw_palette_source *source, nkw_mat4 *out);
 
 /**
  * Checks the inputs of a palette. Models are not read.
  *
  * Returns  NKW_EMPTY without joints; NKW_OUT_OF_RANGE if an index of a joint is negative or not less than model_count;
- *          NKW_NOT_FINITE if an inverse bind matrix has an infinite or NaN element in its first three rows. *bad_joint
+ *          NKW_NOT_FINITE if an inverse bind matrix has an infinite or NaN element in its first three rows. *bad
  *          becomes the first offending joint of the skin, 0 if there is none; it may be NULL.
  */
-NKW_API nkw_result nkw_palette_source_validate(const nkw_palette_source *source, size_t *bad_joint);
+NKW_API nkw_result nkw_palette_source_validate(const nkw_palette_source *source, size_t *bad);
 
 /**
  * Checks a palette.
  *
  * Returns  NKW_BAD_FORMAT for an unknown format; NKW_EMPTY without joints; NKW_NOT_FINITE if a number is not finite,
  *          except in the last rows of 4x4 matrices; NKW_NOT_UNIT if the length of the real part of a dual quaternion
- *          differs from 1 by more than 1e-2. *bad_joint becomes the first offending joint, 0 if there is none; it may
+ *          differs from 1 by more than 1e-2. *bad becomes the first offending joint, 0 if there is none; it may
  *          be NULL.
  */
-NKW_API nkw_result nkw_palette_validate(nkw_palette_view palette, size_t *bad_joint);
+NKW_API nkw_result nkw_palette_validate(nkw_palette_view palette, size_t *bad);
 
 /**
  * A section of a buffer that contains many palettes: frame_count contiguous frames of joint_count matrices. A baked
  * clip has one palette for each frame; a character whose palette is computed every frame has one. Positions are counted
- * from the start of the buffer in its elements (nkw_mat4, nkw_mat3x4 or nkw_dual_quat).
+ * from the start of the buffer in its elements (nkw_mat4, nkw_mat3x4 or nkw_dual_quat):
+ *
+ *     position of joint j of frame f = first + f joint_count + j
+ *
+ * This writes frame f of a chunk of `buffer`; different threads may write different frames and chunks:
+ *
+ *     nkw_palette_span out = {buffer + chunk.first + f * chunk.joint_count, chunk.joint_count, NKW_PALETTE_MAT4};
+ *     nkw_palette_from_models(&source, out);
  */
 typedef struct nkw_palette_chunk {
     size_t frame_count; /**< > 0 */
@@ -161,32 +168,21 @@ NKW_SIZE(nkw_palette_chunk, 24, 12);
  *            of 256 bytes: 4 nkw_mat4, 8 nkw_dual_quat, 16 nkw_mat3x4
  * total      *total becomes the number of elements of the buffer
  * Returns    NKW_EMPTY if a chunk has no frames or no joints; NKW_TOO_SMALL if size_t cannot hold the size of the
- *            buffer in bytes, at 64 bytes an element. Then *bad_chunk, which may be NULL, becomes the chunk, and *total
+ *            buffer in bytes, at 64 bytes an element. Then *bad, which may be NULL, becomes the chunk, and *total
  *            the number of elements before it.
  */
 NKW_API nkw_result nkw_palette_chunks_place(nkw_palette_chunk *chunks, size_t count, size_t alignment, size_t *total,
-                                            size_t *bad_chunk);
+                                            size_t *bad);
 
 /**
  * Checks chunks of a buffer of `total` elements, for positions that nkw_palette_chunks_place did not set.
  *
  * Returns  NKW_EMPTY if a chunk has no frames or no joints; NKW_OUT_OF_RANGE if it is not inside the buffer;
- *          NKW_REPEATED if it begins before the end of the previous chunk. *bad_chunk becomes the first offending
+ *          NKW_REPEATED if it begins before the end of the previous chunk. *bad becomes the first offending
  *          chunk, 0 if there is none; it may be NULL.
  */
 NKW_API nkw_result nkw_palette_chunks_validate(const nkw_palette_chunk *chunks, size_t count, size_t total,
-                                               size_t *bad_chunk);
-
-/**
- * Returns the position of a joint in a frame: first + frame * joint_count + joint. frame and joint are clamped to the
- * last, so the position is always inside the chunk. For a chunk without frames or joints it is `first`.
- *
- * This writes frame f of a chunk of buffer; different threads may write different frames and chunks:
- *
- *     nkw_palette_span out = {buffer + nkw_palette_chunk_index(&chunk, f, 0), chunk.joint_count, NKW_PALETTE_MAT4};
- *     nkw_palette_from_models(&source, out);
- */
-NKW_API size_t nkw_palette_chunk_index(const nkw_palette_chunk *chunk, size_t frame, size_t joint);
+                                               size_t *bad);
 
 #ifdef __cplusplus
 }

@@ -83,7 +83,7 @@ NKW_SIZE(nkw_partition, 96, 48);
 /** Array lengths that are sufficient for every mesh of the same counts. */
 typedef struct nkw_partition_sizes {
     size_t part_count, joint_count, vertex_count;
-    size_t work_count; /**< uint32_t of working memory */
+    size_t work_bytes; /**< of working memory */
 } nkw_partition_sizes;
 NKW_SIZE(nkw_partition_sizes, 32, 16);
 
@@ -94,23 +94,23 @@ NKW_SIZE(nkw_partition_sizes, 32, 16);
 NKW_API nkw_partition_sizes nkw_partition_bounds(const nkw_partition_mesh *mesh, size_t max_joint_count);
 
 /**
- * Checks a mesh. Vertices that no triangle uses are not read.
- *
- * Returns  NKW_OUT_OF_RANGE if a count is out of the range stated above (*bad_triangle is then 0), a vertex index is
- *          not less than vertex_count, or a joint with a weight is not less than joint_count; NKW_NOT_FINITE if a
- *          weight is not finite; NKW_BAD_WEIGHTS if one is negative. *bad_triangle becomes the first offending
- *          triangle, 0 if there is none; it may be NULL.
- */
-NKW_API nkw_result nkw_partition_validate(const nkw_partition_mesh *mesh, size_t *bad_triangle);
-
-/**
  * Partitions the mesh into parts of at most max_joint_count joints.
  *
- * out      its arrays are the caller's; the function writes their elements and the counts
- * work     work_count numbers, at least the work_count of nkw_partition_bounds
- * Returns  the error of nkw_partition_validate, or NKW_TOO_SMALL for work_count; all counts are then 0. NKW_TOO_MANY if
- *          triangles are rejected: *bad_triangle is the first of them, and all others are in parts. Without triangles
- *          there are no parts.
+ * Checks the mesh first. Vertices that no triangle uses are not read.
+ *
+ * out      its arrays are the caller's; the function writes their elements and the counts, which are 0 after an error
+ *          other than NKW_TOO_MANY
+ * bad      receives the first offending triangle, 0 if there is none; may be NULL
+ * work     work_bytes of nkw_partition_bounds
+ * Returns
+ *
+ *     NKW_OK            no error; without triangles there are no parts
+ *     NKW_OUT_OF_RANGE  a count is out of the range stated above (*bad is then 0), a vertex index is not less than
+ *                       vertex_count, or a joint with a weight is not less than joint_count
+ *     NKW_NOT_FINITE    a weight is not finite
+ *     NKW_BAD_WEIGHTS   a weight is negative
+ *     NKW_TOO_SMALL     too little working memory; none is needed to check a mesh
+ *     NKW_TOO_MANY      triangles are rejected: *bad is the first of them, and all others are in parts
  *
  * The parts are the same on every target. The time grows linearly with the number of triangles. With more than a few
  * thousand different sets of joints it grows with parts * max_joint_count * (sets that contain the same joint).
@@ -118,7 +118,7 @@ NKW_API nkw_result nkw_partition_validate(const nkw_partition_mesh *mesh, size_t
  * Stack  at most 2 KiB.
  */
 NKW_API nkw_result nkw_partition_build(const nkw_partition_mesh *mesh, size_t max_joint_count, nkw_partition *out,
-                                       size_t *bad_triangle, uint32_t *work, size_t work_count);
+                                       size_t *bad, nkw_work work);
 
 /** What nkw_partition_vertices reads, beside the partition. */
 typedef struct nkw_partition_source {

@@ -118,7 +118,7 @@ typedef struct nkw_skin_palette {
      * limits the joints of every influence.
      */
     nkw_palette_view normals;
-    int skip_normalization; /**< 0: directions are M n / |M n|. Otherwise M n, for shaders that normalize them */
+    int keep_length; /**< 0: directions are M n / |M n|. Otherwise M n, for shaders that normalize them */
 } nkw_skin_palette;
 NKW_SIZE(nkw_skin_palette, 56, 28);
 
@@ -132,8 +132,8 @@ NKW_SIZE(nkw_skin_palette, 56, 28);
  *        (p, 1). 1 to 8 influences.
  * Stack  at most 16 KiB.
  */
-NKW_API nkw_result nkw_skin_linear(const nkw_skin *skin, const nkw_skin_palette *palette, const nkw_vertices_view *in,
-                                   const nkw_vertices_span *out);
+NKW_API nkw_result nkw_skin_linear(const nkw_skin *skin, const nkw_skin_palette *palette, nkw_vertices_view in,
+                                   nkw_vertices_span out);
 
 /**
  * Skinning by unit dual quaternions: palette has the format NKW_PALETTE_DUAL_QUAT. Returns the results of
@@ -144,8 +144,8 @@ NKW_API nkw_result nkw_skin_linear(const nkw_skin *skin, const nkw_skin_palette 
  *        |w0| |t0| + |w1| |t1| + ..., t the translations; joints up to 1 rad apart, 1 to 8 influences.
  * Stack  at most 17 KiB.
  */
-NKW_API nkw_result nkw_skin_dual_quat(const nkw_skin *skin, nkw_palette_view palette, const nkw_vertices_view *in,
-                                      const nkw_vertices_span *out);
+NKW_API nkw_result nkw_skin_dual_quat(const nkw_skin *skin, nkw_palette_view palette, nkw_vertices_view in,
+                                      nkw_vertices_span out);
 
 /**
  * Checks a skin for a palette of joint_count joints.
@@ -153,10 +153,10 @@ NKW_API nkw_result nkw_skin_dual_quat(const nkw_skin *skin, nkw_palette_view pal
  * Returns  NKW_EMPTY without influences; NKW_TOO_MANY with more than 8; NKW_BAD_FORMAT if joints or weights have a
  *          format that does not fit. Then for each vertex: NKW_NOT_FINITE if a weight is not finite; NKW_BAD_WEIGHTS if
  *          one is negative, or if they are not all 0 and do not sum to 255, to 65535, or to within 1e-3 of 1;
- *          NKW_OUT_OF_RANGE if a joint index, of weight 0 too, is not less than joint_count. *bad_vertex becomes the
+ *          NKW_OUT_OF_RANGE if a joint index, of weight 0 too, is not less than joint_count. *bad becomes the
  *          first offending vertex, 0 if there is none; it may be NULL.
  */
-NKW_API nkw_result nkw_skin_validate(const nkw_skin *skin, size_t joint_count, size_t *bad_vertex);
+NKW_API nkw_result nkw_skin_validate(const nkw_skin *skin, size_t joint_count, size_t *bad);
 
 /**
  * Weights that sum to 1 exactly: to 255, to 65535, or, as floats, to 1 in every order of the sum.
@@ -171,8 +171,8 @@ NKW_API nkw_result nkw_skin_validate(const nkw_skin *skin, size_t joint_count, s
  * Returns NKW_OK; or, and then nothing is written: NKW_EMPTY without influences, NKW_TOO_MANY with more than 8,
  * NKW_BAD_FORMAT where a format is not one for weights.
  */
-NKW_API nkw_result nkw_skin_normalize_weights(nkw_skin_view in, nkw_skin_span out, size_t influence_count,
-                                              size_t vertex_count);
+NKW_API nkw_result nkw_skin_normalize_weights(nkw_skin_view in, size_t influence_count, size_t vertex_count,
+                                              nkw_skin_span out);
 
 /**
  * Keeps the keep_count largest weights of each vertex, the first of equals, in their order, and normalizes them as

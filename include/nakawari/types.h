@@ -161,6 +161,13 @@ typedef struct nkw_work {
 } nkw_work;
 NKW_SIZE(nkw_work, 16, 8);
 
+/** Bytes that receive what a function builds: the block of a clip. */
+typedef struct nkw_bytes_span {
+    void *data;
+    size_t bytes;
+} nkw_bytes_span;
+NKW_SIZE(nkw_bytes_span, 16, 8);
+
 /** Declares `name`, an nkw_work of `size` bytes on the stack. `size` is a constant. */
 #define NKW_STACK_WORK(name, size)                                                                                     \
     unsigned char name##_memory[(size) + 15];                                                                          \

@@ -14,44 +14,24 @@
 #include "curve/segment_search.h"
 #include "pack/slerp.h"
 
-size_t nkw_clip_joint_count(const nkw_clip *clip)
+nkw_clip_description nkw_clip_describe(const nkw_clip *clip)
 {
-    return clip->joints;
-}
-
-size_t nkw_clip_float_count(const nkw_clip *clip)
-{
-    return clip->floats;
-}
-
-size_t nkw_clip_bytes(const nkw_clip *clip)
-{
-    return (size_t)clip->words * 4;
-}
-
-float nkw_clip_start(const nkw_clip *clip)
-{
-    return clip->start;
-}
-
-float nkw_clip_end(const nkw_clip *clip)
-{
-    return clip->end;
-}
-
-const char *nkw_clip_name(const nkw_clip *clip)
-{
-    return clip_name(clip, 0);
+    nkw_clip_description d;
+    d.joint_count = clip->joints;
+    d.float_count = clip->floats;
+    d.track_count = clip_track_count(clip);
+    d.cursor_count = clip->timeline_count;
+    d.cache_bytes = clip_cache_bytes(clip);
+    d.bytes = (size_t)clip->words * 4;
+    d.start = clip->start;
+    d.end = clip->end;
+    d.name = clip_name(clip, 0);
+    return d;
 }
 
 const char *nkw_clip_joint_name(const nkw_clip *clip, size_t joint)
 {
     return joint < clip->joints ? clip_name(clip, 1 + joint) : "";
-}
-
-size_t nkw_clip_cursor_count(const nkw_clip *clip)
-{
-    return clip->timeline_count;
 }
 
 /* Copies the runs at `at`: the constants, and zeros of short gaps, which the groups then overwrite. */
@@ -220,7 +200,6 @@ void nkwi_clip_sample_group(const nkw_clip *clip, const clip_group *g, const cli
 /* What samples from a cache. Without one it is not linked. */
 typedef struct cached {
     uint32_t *words; /* of the cache (clip_cache.h), which begin with its cursors */
-    size_t (*kept_floats)(const clip_group *g);
     int (*sample)(const nkw_clip *clip, const clip_group *g, nkw_segment at, uint32_t *segment, float *kept, float *out,
                   size_t stride);
 } cached;
@@ -243,7 +222,7 @@ static nkw_result sample(const nkw_clip *clip, float time, uint32_t *cursors, co
         uint32_t i = groups[g].timeline;
         const clip_timeline *line = clip_timelines(clip) + i;
         float *out = groups[g].kind == GROUP_FLOATS ? floats : pose.data;
-        size_t kept_words = cache ? cache->kept_floats(&groups[g]) : 0;
+        size_t kept_words = cache ? clip_kept_floats(&groups[g]) : 0;
         if (g == 0 || i != groups[g - 1].timeline) /* groups of one timeline are neighbours: one search */
             at = find(clip, line, time, cursors ? cursors + i : NULL);
         out = out && groups[g].kind == GROUP_ROTATIONS ? out + 3 * stride : out;
@@ -260,9 +239,11 @@ nkw_result nkw_clip_sample(const nkw_clip *clip, float time, uint32_t *cursors, 
     return sample(clip, time, cursors, NULL, pose, floats);
 }
 
-nkw_result nkw_clip_sample_cached(const nkw_clip *clip, float time, nkw_pose_span pose, float *floats, void *cache,
-                                  size_t bytes)
+nkw_result nkw_clip_sample_cached(const nkw_clip *clip, float time, nkw_bytes_span cache, nkw_pose_span pose,
+                                  float *floats)
 {
-    const cached from = {(uint32_t *)cache, nkwi_clip_kept_floats, nkwi_clip_sample_kept};
-    return bytes < nkw_clip_cache_bytes(clip) ? NKW_TOO_SMALL : sample(clip, time, from.words, &from, pose, floats);
+    const cached from = {(uint32_t *)cache.data, nkwi_clip_sample_kept};
+    if (!cache.data || cache.bytes < clip_cache_bytes(clip))
+        return NKW_TOO_SMALL;
+    return sample(clip, time, from.words, &from, pose, floats);
 }

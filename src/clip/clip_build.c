@@ -6,7 +6,7 @@
  *     2. build     words is the block: take() returns the offsets at which the elements are written.
  *
  * Both passes must take the same words in the same order, so whether something is taken never depends on `words`.
- * nkw_clip_measure is pass 1 alone.
+ * Without a block, nkw_clip_build is pass 1 alone.
  *
  * Order within the sections:
  *
@@ -33,7 +33,7 @@ typedef struct builder {
     clip_tracks tracks;
     uint32_t *words; /* the block; NULL in pass 1 */
     uint64_t start[SECTIONS], used[SECTIONS]; /* words; in pass 1 they may exceed 2^32, the limit of a block */
-    size_t listed; /* tracks of the lanes so far, as nkw_clip_track_count counts them */
+    size_t listed; /* tracks of the lanes so far, as nkw_clip_describe counts them */
 } builder;
 
 /*
@@ -517,11 +517,11 @@ static void emit_clip(builder *b)
  * A block must have less than 2^32 - 1 words and fit size_t bytes.
  */
 static nkw_result plan(builder *b, const nkw_clip_source *source, const clip_packing *packing, size_t *bytes,
-                       size_t *bad, uint32_t *work, size_t work_count)
+                       size_t *bad, nkw_work work)
 {
     memset(b, 0, sizeof *b);
     b->start[VALUES] = CLIP_ALIGN; /* any value but 0: an offset 0 of ranges means that there are none */
-    nkw_result result = nkwi_clip_tracks_order(source, packing, &b->tracks, bad, work, work_count);
+    nkw_result result = nkwi_clip_tracks_order(source, packing, &b->tracks, bad, work);
     if (result != NKW_OK)
         return result;
     emit_clip(b);
@@ -540,56 +540,43 @@ static nkw_result plan(builder *b, const nkw_clip_source *source, const clip_pac
 
 /* The same; a compact clip that is not smaller than one of floats becomes one. source: of the caller, in its format. */
 static nkw_result plan_smaller(builder *b, nkw_clip_source *source, const clip_packing *packing, size_t *bytes,
-                               size_t *bad, uint32_t *work, size_t work_count)
+                               size_t *bad, nkw_work work)
 {
     size_t floats = 0;
     if (source->format != NKW_CLIP_UNORM16)
-        return plan(b, source, packing, bytes, bad, work, work_count);
+        return plan(b, source, packing, bytes, bad, work);
     source->format = NKW_CLIP_FLOAT32;
-    const nkw_result of_floats = plan(b, source, packing, &floats, bad, work, work_count);
+    const nkw_result of_floats = plan(b, source, packing, &floats, bad, work);
     source->format = NKW_CLIP_UNORM16;
-    nkw_result result = plan(b, source, packing, bytes, bad, work, work_count);
+    nkw_result result = plan(b, source, packing, bytes, bad, work);
     if (result == NKW_OK && of_floats == NKW_OK && floats <= *bytes) {
         source->format = NKW_CLIP_FLOAT32;
-        result = plan(b, source, packing, bytes, bad, work, work_count);
+        result = plan(b, source, packing, bytes, bad, work);
     }
     return result;
 }
 
-nkw_result nkw_clip_measure(const nkw_clip_source *source, size_t *bytes, size_t *bad_track, uint32_t *work,
-                            size_t work_count)
-{
-    return nkwi_clip_measure(source, NULL, bytes, bad_track, work, work_count);
-}
-
-nkw_result nkwi_clip_measure(const nkw_clip_source *source, const clip_packing *packing, size_t *bytes,
-                             size_t *bad_track, uint32_t *work, size_t work_count)
+nkw_result nkwi_clip_build(const nkw_clip_source *source, const clip_packing *packing, nkw_bytes_span block,
+                           size_t *bytes, size_t *bad, nkw_work work)
 {
     builder b;
     nkw_clip_source chosen = *source;
-    size_t bad = 0;
-    return plan_smaller(&b, &chosen, packing, bytes, bad_track ? bad_track : &bad, work, work_count);
-}
-
-nkw_result nkwi_clip_build(const nkw_clip_source *source, const clip_packing *packing, void *block, size_t bytes,
-                           size_t *bad_track, uint32_t *work, size_t work_count)
-{
-    builder b;
-    nkw_clip_source chosen = *source;
-    size_t bad = 0, needed = 0;
-    nkw_result result = plan_smaller(&b, &chosen, packing, &needed, bad_track ? bad_track : &bad, work, work_count);
+    size_t ignored = 0, needed = 0;
+    *bytes = 0;
+    nkw_result result = plan_smaller(&b, &chosen, packing, &needed, bad ? bad : &ignored, work);
     if (result != NKW_OK)
         return result;
-    if (bytes < needed)
+    *bytes = needed;
+    if (!block.data || block.bytes < needed)
         return NKW_TOO_SMALL;
-    memset(block, 0, needed);
-    b.words = (uint32_t *)block;
+    memset(block.data, 0, needed);
+    b.words = (uint32_t *)block.data;
     emit_clip(&b);
     return NKW_OK;
 }
 
-nkw_result nkw_clip_build(const nkw_clip_source *source, void *block, size_t bytes, size_t *bad_track, uint32_t *work,
-                          size_t work_count)
+nkw_result nkw_clip_build(const nkw_clip_source *source, nkw_bytes_span block, size_t *bytes, size_t *bad,
+                          nkw_work work)
 {
-    return nkwi_clip_build(source, NULL, block, bytes, bad_track, work, work_count);
+    return nkwi_clip_build(source, NULL, block, bytes, bad, work);
 }

@@ -7,20 +7,6 @@
 #include "clip_cache.h"
 #include "clip_packed.h"
 
-size_t nkwi_clip_kept_floats(const clip_group *g)
-{
-    size_t floats = (size_t)g->lanes * (g->kind == GROUP_ROTATIONS ? CLIP_KEPT_ROWS : 2);
-    return g->ranges ? (floats + CLIP_ALIGN - 1) / CLIP_ALIGN * CLIP_ALIGN : 0;
-}
-
-size_t nkw_clip_cache_bytes(const nkw_clip *clip)
-{
-    uint64_t words = clip_cache_head(clip);
-    for (uint32_t g = 0; g < clip->group_count; g++)
-        words += nkwi_clip_kept_floats(&clip_groups(clip)[g]);
-    return words > SIZE_MAX / 4 ? SIZE_MAX : (size_t)words * 4;
-}
-
 /* Computes what is kept of the keys k and k + 1. */
 static void keep(const nkw_clip *clip, const clip_group *g, size_t k, float *kept)
 {

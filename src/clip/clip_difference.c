@@ -11,6 +11,7 @@
 #include "clip_tracks.h"
 #include "track/difference.h"
 #include "lane/scalar.h"
+#include "work.h"
 
 static float largest(nkw_vec3 got, const float want[3])
 {
@@ -23,9 +24,9 @@ static void compare(const nkw_clip *clip, const nkw_clip_track *c, nkw_segment s
                     float *floats, nkw_clip_error *error)
 {
     /* floats: the sample of the clip, then room for the sample of the track */
-    float *of_floats = floats ? floats + nkw_clip_float_count(clip) : NULL, of_joint[4] = {0.0f, 0.0f, 0.0f, 0.0f};
+    float *of_floats = floats ? floats + clip->floats : NULL, of_joint[4] = {0.0f, 0.0f, 0.0f, 0.0f};
     nkw_track_sample_segment(&c->track, segment, c->target == NKW_CLIP_FLOATS ? of_floats : of_joint);
-    const nkw_pose_view whole = {pose, nkw_clip_joint_count(clip)};
+    const nkw_pose_view whole = {pose, clip->joints};
     nkw_trs got = nkw_pose_get(whole, c->index);
     nkw_quat rotation = {of_joint[0], of_joint[1], of_joint[2], of_joint[3]};
     if (c->target == NKW_CLIP_TRANSLATION)
@@ -68,7 +69,7 @@ static int covers(const nkw_track *t, float time)
 static void compare_at(const nkw_clip *clip, const nkw_clip_source *source, const nkw_track *keys, int own, float time,
                        float *pose, float *floats, nkw_clip_error *error)
 {
-    nkw_pose_span span = {pose, nkw_clip_joint_count(clip)};
+    nkw_pose_span span = {pose, clip->joints};
     nkw_clip_sample(clip, time, NULL, span, floats);
     for (size_t i = 0; i < source->track_count; i++) {
         const nkw_track *t = &source->tracks[i].track;
@@ -88,7 +89,7 @@ static void compare_along(const nkw_clip *clip, const nkw_clip_source *source, c
 /* Whether the clip can have been built from these tracks: equal counts, and valid targets. */
 static int is_match(const nkw_clip *clip, const nkw_clip_source *source)
 {
-    int match = source->joint_count == nkw_clip_joint_count(clip) && source->float_count == nkw_clip_float_count(clip);
+    int match = source->joint_count == clip->joints && source->float_count == clip->floats;
     for (size_t i = 0; match && i < source->track_count; i++)
         match = nkw_track_value_count(&source->tracks[i].track) > 0 &&
                 nkwi_clip_tracks_check_target(source, &source->tracks[i]) == NKW_OK;
@@ -108,17 +109,17 @@ static void compare_all(const nkw_clip *clip, const nkw_clip_source *source, flo
     }
 }
 
-nkw_result nkw_clip_difference(const nkw_clip *clip, const nkw_clip_source *source, nkw_clip_error *error, float *work,
-                               size_t work_count)
+nkw_result nkw_clip_difference(const nkw_clip *clip, const nkw_clip_source *source, nkw_clip_error *error,
+                               nkw_work work)
 {
-    const nkw_clip_error none = {0.0f, 0.0f, 0.0f, 0.0f}, unlike = {INFINITY, INFINITY, INFINITY, INFINITY};
-    size_t joint_count = nkw_clip_joint_count(clip), float_count = nkw_clip_float_count(clip);
-    *error = unlike;
+    const nkw_clip_error none = {0.0f, 0.0f, 0.0f, 0.0f};
+    size_t joint_count = clip->joints, float_count = clip->floats;
+    float *pose = (float *)work.data;
     if (!is_match(clip, source))
         return NKW_MISMATCHED;
-    if (work_count < NKW_CLIP_DIFFERENCE_WORK(joint_count, float_count))
+    if (!work_fits(work, NKW_CLIP_DIFFERENCE_WORK(joint_count, float_count)))
         return NKW_TOO_SMALL;
     *error = none;
-    compare_all(clip, source, work, float_count ? work + NKW_POSE_FLOATS(joint_count) : NULL, error);
+    compare_all(clip, source, pose, float_count ? pose + NKW_POSE_FLOATS(joint_count) : NULL, error);
     return NKW_OK;
 }

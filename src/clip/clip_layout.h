@@ -158,6 +158,16 @@ static inline const char *clip_name(const nkw_clip *clip, size_t k)
     return clip->name_words ? (const char *)names + names[k] : "";
 }
 
+/* The number of listed tracks: those that begin in all lanes. */
+static inline size_t clip_track_count(const nkw_clip *clip)
+{
+    if (clip->group_count == 0)
+        return 0;
+    const clip_group *g = clip_groups(clip) + clip->group_count - 1;
+    const clip_block *last = clip_blocks(clip, g) + g->block_count - 1;
+    return last->first + (size_t)clip_starts(last);
+}
+
 /* The lanes of the blocks that contain `count` lanes: `count` rounded up so that the last block has 4, 8 or 16. */
 static inline size_t clip_lanes(size_t count)
 {

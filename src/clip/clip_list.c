@@ -12,6 +12,7 @@
 #include "clip_tracks.h"
 #include "lane/compact.h"
 #include "lane/slerp.h"
+#include "work.h"
 
 /* A track of a clip: the group of its lanes, and the place of its first number. */
 typedef struct listed {
@@ -98,7 +99,7 @@ static const clip_block *block_of(const nkw_clip *clip, const clip_group *g, siz
 /* Finds track `index`, by bisection. Returns 0 if it does not exist. */
 static int find(const nkw_clip *clip, size_t index, listed *out)
 {
-    if (index >= nkw_clip_track_count(clip))
+    if (index >= clip_track_count(clip))
         return 0;
     const clip_group *g = group_of(clip, index);
     const clip_block *b = block_of(clip, g, index);
@@ -109,15 +110,6 @@ static int find(const nkw_clip *clip, size_t index, listed *out)
         lane++;
     *out = listed_at(clip, g, clip_place_of(b, lane));
     return 1;
-}
-
-size_t nkw_clip_track_count(const nkw_clip *clip)
-{
-    if (clip->group_count == 0)
-        return 0;
-    const clip_group *g = clip_groups(clip) + clip->group_count - 1;
-    const clip_block *last = clip_blocks(clip, g) + g->block_count - 1;
-    return last->first + (size_t)clip_starts(last);
 }
 
 static nkw_clip_track shape_of(const nkw_clip *clip, const listed *t)
@@ -135,15 +127,6 @@ static nkw_clip_track shape_of(const nkw_clip *clip, const listed *t)
                                                   : NKW_TRACK_ROTATION;
     c.track.interpolation = (nkw_interpolation)t->group->interpolation;
     return c;
-}
-
-nkw_result nkw_clip_track_shape(const nkw_clip *clip, size_t index, nkw_clip_track *out)
-{
-    listed t;
-    if (!find(clip, index, &t))
-        return NKW_OUT_OF_RANGE;
-    *out = shape_of(clip, &t);
-    return NKW_OK;
 }
 
 /*
@@ -263,7 +246,7 @@ static void get_packed(const nkw_clip *clip, const listed *t, const nkw_track *s
 }
 
 nkw_result nkw_clip_track_get(const nkw_clip *clip, size_t index, const nkw_edit_memory *memory, nkw_clip_track *out,
-                              float *work, size_t work_count)
+                              nkw_work work)
 {
     listed t;
     size_t lanes[3];
@@ -271,13 +254,14 @@ nkw_result nkw_clip_track_get(const nkw_clip *clip, size_t index, const nkw_edit
         return NKW_OUT_OF_RANGE;
     nkw_clip_track c = shape_of(clip, &t);
     const uint32_t modes = timeline_of(clip, t.group)->modes;
-    if (memory->key_capacity < c.track.count || (modes && !memory->key_interpolation) ||
-        work_count < NKW_CLIP_TRACK_WORK((size_t)clip->joints, (size_t)clip->floats))
+    *out = c;
+    if (!memory || memory->key_capacity < c.track.count || (modes && !memory->key_interpolation) ||
+        !work_fits(work, NKW_CLIP_TRACK_GET_WORK((size_t)clip->joints, (size_t)clip->floats)))
         return NKW_TOO_SMALL;
     if (is_cubic(t.group))
         get_cubic(clip, &t, lanes, &c.track, memory->values);
     else if (t.group->packed)
-        get_packed(clip, &t, &c.track, memory->values, work);
+        get_packed(clip, &t, &c.track, memory->values, (float *)work.data);
     else if (t.group->ranges)
         get_compact(clip, &t, lanes, &c.track, memory->values);
     else
@@ -285,9 +269,8 @@ nkw_result nkw_clip_track_get(const nkw_clip *clip, size_t index, const nkw_edit
     memcpy(memory->times, c.track.times, c.track.count * sizeof(float));
     for (size_t k = 0; modes && k < c.track.count; k++)
         memory->key_interpolation[k] = (unsigned char)clip_words(clip)[modes + k];
-    c.track.times = memory->times;
-    c.track.values = memory->values;
-    c.track.key_interpolation = modes ? memory->key_interpolation : NULL;
-    *out = c;
+    out->track.times = memory->times;
+    out->track.values = memory->values;
+    out->track.key_interpolation = modes ? memory->key_interpolation : NULL;
     return NKW_OK;
 }

@@ -20,26 +20,27 @@ typedef struct reduce_form {
 } reduce_form;
 
 typedef struct reducer {
-    void *block;
-    size_t bytes;
+    nkw_bytes_span block;
     nkw_clip_source trial; /* the tracks of this trial: constant ones have two equal keys */
     nkw_clip_track *tracks;
     float *steps, *values, *times; /* of each track: its step; two values and times, if it is constant */
-    uint32_t *order; /* working memory of the builder */
+    nkw_work order; /* of the builder */
     reduce_trials trials;
     reduce_form form; /* of the next trial */
     nkw_clip_reduced reached;
 } reducer;
 
+/* The memory of the builder is first, because it is aligned to 16 bytes. */
 static void set_memory(reducer *r, double *work)
 {
     const nkw_clip_source *s = r->trials.source;
     const size_t tracks = s->track_count;
+    r->order.bytes = NKW_CLIP_BUILD_WORK(tracks);
+    r->order.data = reduce_take(&work, r->order.bytes, 1);
     r->tracks = (nkw_clip_track *)reduce_take(&work, tracks, sizeof *r->tracks);
     r->steps = (float *)reduce_take(&work, tracks, sizeof(float));
     r->values = (float *)reduce_take(&work, 2 * (4 * tracks + s->float_count), sizeof(float));
     r->times = (float *)reduce_take(&work, 2 * tracks, sizeof(float));
-    r->order = (uint32_t *)reduce_take(&work, NKW_CLIP_WORK(tracks), sizeof(uint32_t));
     r->trial = *s;
     r->trial.tracks = r->tracks;
     nkwi_reduce_begin(&r->trials, &work);
@@ -75,30 +76,32 @@ static void set_tracks(reducer *r)
     }
 }
 
-/* Sets the source of a trial, and the bytes of its clip. */
-static nkw_result measure(reducer *r, size_t *bad)
+/* Builds a trial into the block and sets the bytes of its clip; without a block it sets the bytes only. */
+static nkw_result build(reducer *r, nkw_bytes_span block, size_t *bad)
 {
     const clip_packing packing = {r->steps};
     set_tracks(r);
     r->trial.format = r->form.format;
-    r->reached.bytes = 0;
-    return nkwi_clip_measure(&r->trial, r->form.is_packed ? &packing : NULL, &r->reached.bytes, bad, r->order,
-                             NKW_CLIP_WORK(r->trial.track_count));
+    return nkwi_clip_build(&r->trial, r->form.is_packed ? &packing : NULL, block, &r->reached.bytes, bad, r->order);
 }
 
 /* Builds the clip with the current shares. */
 static nkw_result make(void *user, reduce_made *made, size_t *size, size_t *bad)
 {
     reducer *r = (reducer *)user;
-    const clip_packing packing = {r->steps};
-    nkw_result result = measure(r, bad);
-    if (result == NKW_OK)
-        result = nkwi_clip_build(&r->trial, r->form.is_packed ? &packing : NULL, r->block, r->bytes, bad, r->order,
-                                 NKW_CLIP_WORK(r->trial.track_count));
-    made->clip = (const nkw_clip *)r->block;
+    nkw_result result = build(r, r->block, bad);
+    made->clip = (const nkw_clip *)r->block.data;
     made->parts = 2;
     *size = r->reached.bytes;
     return result;
+}
+
+/* Whether the clip of the current form has less than `least` bytes. */
+static int is_smaller(reducer *r, size_t least, size_t *bad)
+{
+    const nkw_bytes_span none = {NULL, 0};
+    (void)build(r, none, bad);
+    return r->reached.bytes > 0 && r->reached.bytes < least;
 }
 
 /* Builds the smallest form that is within the tolerance, after the search built the smallest packed one. */
@@ -112,7 +115,7 @@ static nkw_result make_smallest(reducer *r, size_t *bad)
     int is_built = 1; /* the packed clip is still in the block */
     for (size_t i = 0; i < sizeof forms / sizeof *forms; i++) {
         r->form = forms[i];
-        if (measure(r, bad) != NKW_OK || r->reached.bytes >= least)
+        if (!is_smaller(r, least, bad))
             continue;
         nkw_result result = nkwi_reduce_try(&r->trials, bad);
         if (result != NKW_OK)
@@ -127,50 +130,55 @@ static nkw_result make_smallest(reducer *r, size_t *bad)
     return is_built ? NKW_OK : nkwi_reduce_try(&r->trials, bad);
 }
 
-nkw_result nkw_clip_reduce_measure(const nkw_clip_source *source, size_t *bytes, size_t *bad_track, double *work,
-                                   size_t work_count)
+/* A bound of the bytes of all trials; 0 after an error. */
+static nkw_result bound(const nkw_clip_source *source, size_t *bytes, size_t *bad, nkw_work work)
 {
     const clip_packing packing = {NULL};
-    size_t packed = 0, count = NKW_CLIP_WORK(source->track_count);
-    uint32_t *order = (uint32_t *)(void *)work;
+    const nkw_bytes_span none = {NULL, 0};
+    size_t floats = 0, packed = 0;
+    *bytes = 0;
     if (source->format != NKW_CLIP_FLOAT32)
         return NKW_BAD_FORMAT;
-    if (!nkwi_reduce_has_work(source, work_count))
+    if (!nkwi_reduce_has_work(source, work))
         return NKW_TOO_SMALL;
-    nkw_result result = nkw_clip_measure(source, bytes, bad_track, order, count);
-    if (result == NKW_OK)
-        result = nkwi_clip_measure(source, &packing, &packed, bad_track, order, count);
-    if (result == NKW_OK)
-        *bytes = *bytes <= (size_t)-1 - packed ? *bytes + packed : (size_t)-1;
-    return result;
+    nkw_result result = nkw_clip_build(source, none, &floats, bad, work);
+    if (floats)
+        result = nkwi_clip_build(source, &packing, none, &packed, bad, work);
+    if (!packed)
+        return result;
+    *bytes = floats <= SIZE_MAX - packed ? floats + packed : SIZE_MAX;
+    return NKW_OK;
 }
 
-nkw_result nkw_clip_reduce(const nkw_clip_source *source, const nkw_clip_reduction *reduction,
-                           const nkw_clip_memory *memory, nkw_clip_reduced *reduced, size_t *bad_track)
+nkw_result nkw_clip_reduce(const nkw_clip_source *source, const nkw_clip_reduction *reduction, nkw_bytes_span block,
+                           nkw_clip_reduced *reduced, size_t *bad, nkw_work work)
 {
+    const nkw_clip_reduced none = {0, 0, 0, 0.0f, 0.0f, 0.0f};
     reducer r;
-    size_t bound = 0, bad = 0, *offender = bad_track ? bad_track : &bad;
-    nkw_result result = nkw_clip_reduce_measure(source, &bound, offender, memory->work, memory->work_count);
+    size_t needed = 0, ignored = 0, *offender = bad ? bad : &ignored;
+    *reduced = none;
+    nkw_result result = bound(source, &needed, offender, work);
+    if (result == NKW_OK)
+        result = nkwi_reduce_check(source, reduction);
     if (result != NKW_OK)
         return result;
-    result = nkwi_reduce_check(source, reduction);
-    if (result == NKW_OK && memory->bytes < bound)
-        result = NKW_TOO_SMALL;
-    if (result != NKW_OK)
-        return result;
+    reduced->bytes = needed;
+    if (!block.data || block.bytes < needed)
+        return NKW_TOO_SMALL;
+    reduced->bytes = 0;
     memset(&r, 0, sizeof r);
-    r.block = memory->block, r.bytes = memory->bytes;
+    r.block = block;
     r.trials.source = source, r.trials.reduction = reduction, r.trials.make = make, r.trials.user = &r;
     r.trials.limit = 1.0;
     r.form.is_packed = 1;
-    set_memory(&r, memory->work);
+    set_memory(&r, (double *)work.data);
     result = nkwi_reduce_search(&r.trials, offender);
     if (result == NKW_OK)
         result = make_smallest(&r, offender);
     r.reached.distance = (float)r.trials.errors.distance;
     r.reached.floats = (float)r.trials.errors.floats;
     r.reached.share = (float)r.trials.share;
-    if (result == NKW_OK && reduced)
+    if (result == NKW_OK)
         *reduced = r.reached;
     return result;
 }

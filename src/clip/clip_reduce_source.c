@@ -48,15 +48,15 @@ static size_t count_floats(const nkw_clip_source *s, size_t *modes)
     return floats;
 }
 
-nkw_result nkw_clip_source_reduce_measure(const nkw_clip_source *source, size_t *bytes, size_t *bad_track, double *work,
-                                          size_t work_count)
+/* Checks the source, and computes the bytes of its block. */
+static nkw_result measure(const nkw_clip_source *source, size_t *bytes, size_t *bad, nkw_work work)
 {
+    const nkw_bytes_span none = {NULL, 0};
     size_t clip_bytes = 0, modes, most = SIZE_MAX / 16;
-    uint32_t *order = (uint32_t *)(void *)work;
-    if (!nkwi_reduce_has_work(source, work_count))
+    if (!nkwi_reduce_has_work(source, work))
         return NKW_TOO_SMALL;
-    nkw_result result = nkw_clip_measure(source, &clip_bytes, bad_track, order, NKW_CLIP_WORK(source->track_count));
-    if (result != NKW_OK)
+    nkw_result result = nkw_clip_build(source, none, &clip_bytes, bad, work);
+    if (!clip_bytes)
         return result;
     const size_t floats = count_floats(source, &modes);
     if (floats > most || modes > most || source->track_count > most / sizeof *source->tracks)
@@ -92,13 +92,12 @@ static nkw_result make(void *user, reduce_made *made, size_t *size, size_t *bad)
     return NKW_OK;
 }
 
-static nkw_result reduce(const nkw_clip_source *source, const nkw_clip_reduction *reduction,
-                         const nkw_clip_memory *memory, key_reducer *r, size_t *bad)
+static nkw_result reduce(const nkw_clip_source *source, const nkw_clip_reduction *reduction, void *block,
+                         key_reducer *r, size_t *bad, double *work)
 {
-    double *work = memory->work;
     size_t modes, floats = count_floats(source, &modes);
     memset(r, 0, sizeof *r);
-    r->tracks = (nkw_clip_track *)memory->block;
+    r->tracks = (nkw_clip_track *)block;
     r->floats = (float *)(void *)(r->tracks + source->track_count);
     r->modes = (unsigned char *)(void *)(r->floats + floats);
     r->made = *source;
@@ -110,30 +109,36 @@ static nkw_result reduce(const nkw_clip_source *source, const nkw_clip_reduction
 }
 
 nkw_result nkw_clip_source_reduce(const nkw_clip_source *source, const nkw_clip_reduction *reduction,
-                                  const nkw_clip_memory *memory, nkw_clip_source *out, nkw_reduced *reduced,
-                                  size_t *bad_track)
+                                  nkw_bytes_span block, nkw_clip_source_reduced *reduced, size_t *bad, nkw_work work)
 {
-    const nkw_clip_source from = *source;
+    const nkw_reduced none = {0, 0, 0.0f, 0.0f, 0.0f};
+    const nkw_clip_source from = *source; /* `source` may be that of `reduced` */
     key_reducer r;
-    size_t bytes = 0, bad = 0, *offender = bad_track ? bad_track : &bad;
-    *out = from;
-    out->track_count = 0;
-    nkw_result result = nkw_clip_source_reduce_measure(&from, &bytes, offender, memory->work, memory->work_count);
+    size_t bytes = 0, ignored = 0, *offender = bad ? bad : &ignored;
+    reduced->source = from;
+    reduced->source.track_count = 0;
+    reduced->reached = none;
+    reduced->bytes = 0;
+    nkw_result result = measure(&from, &bytes, offender, work);
     if (result == NKW_OK)
         result = nkwi_reduce_check(&from, reduction);
-    if (result == NKW_OK && memory->bytes < bytes)
-        result = NKW_TOO_SMALL;
-    if (result == NKW_OK)
-        result = reduce(&from, reduction, memory, &r, offender);
     if (result != NKW_OK)
         return result;
-    const nkw_reduced reached = {count_keys(&from), r.key_count, (float)r.trials.errors.distance, (float)r.trials.share,
+    reduced->bytes = bytes;
+    if (!block.data || block.bytes < bytes)
+        return NKW_TOO_SMALL;
+    result = reduce(&from, reduction, block.data, &r, offender, (double *)work.data);
+    if (result != NKW_OK) {
+        reduced->bytes = 0;
+        return result;
+    }
+    const size_t count = count_keys(&from);
+    const nkw_reduced reached = {count, r.key_count, (float)r.trials.errors.distance, (float)r.trials.share,
                                  (float)r.trials.errors.floats};
-    const nkw_reduced unchanged = {reached.source_key_count, reached.source_key_count, 0.0f, 0.0f, 0.0f};
+    const nkw_reduced unchanged = {count, count, 0.0f, 0.0f, 0.0f};
     const int is_within = r.trials.share <= 1.0;
-    *out = is_within ? r.made : from;
-    if (reduced)
-        *reduced = is_within ? reached : unchanged;
+    reduced->source = is_within ? r.made : from;
+    reduced->reached = is_within ? reached : unchanged;
     return NKW_OK;
 }
 
@@ -151,16 +156,16 @@ static void add_difference(const nkw_clip_source *source, const nkw_clip_source 
 }
 
 nkw_result nkw_clip_source_difference(const nkw_clip_source *source, const nkw_clip_source *other,
-                                      const nkw_clip_reduction *reduction, nkw_reduced *difference, double *work,
-                                      size_t work_count)
+                                      const nkw_clip_reduction *reduction, nkw_reduced *difference, nkw_work work)
 {
     const nkw_clip_source *larger = source->track_count < other->track_count ? other : source;
     nkw_reduced d = {count_keys(source), count_keys(other), 0.0f, 0.0f, 0.0f};
     reduce_trials trials;
+    double *memory = (double *)work.data;
     size_t bytes;
-    nkw_result result = nkw_clip_source_reduce_measure(source, &bytes, NULL, work, work_count);
+    nkw_result result = measure(source, &bytes, NULL, work);
     if (result == NKW_OK)
-        result = nkw_clip_source_reduce_measure(other, &bytes, NULL, work, work_count);
+        result = measure(other, &bytes, NULL, work);
     if (result == NKW_OK && (source->joint_count != other->joint_count || source->float_count != other->float_count))
         result = NKW_MISMATCHED;
     if (result == NKW_OK)
@@ -169,7 +174,7 @@ nkw_result nkw_clip_source_difference(const nkw_clip_source *source, const nkw_c
         return result;
     memset(&trials, 0, sizeof trials);
     trials.source = larger, trials.reduction = reduction;
-    nkwi_reduce_begin(&trials, &work);
+    nkwi_reduce_begin(&trials, &memory);
     nkwi_reduce_reach(source, reduction, &trials.errors);
     add_difference(source, other, &trials, &d);
     add_difference(other, source, &trials, &d);

@@ -10,6 +10,7 @@
 #include "lane/f64.h"
 #include "lane/scalar.h"
 #include "track/track_keys.h"
+#include "work.h"
 
 #define TRIALS      16
 #define LAST_TRIALS 12 /* in which shares are only reduced */
@@ -155,28 +156,28 @@ nkw_result nkwi_reduce_search(reduce_trials *r, size_t *bad)
     return nkwi_reduce_try(r, bad);
 }
 
-static int is_tolerance(float x)
+static nkw_result check_number(float x)
 {
-    return lane_is_finite(x) && x >= 0.0f;
+    return !lane_is_finite(x) ? NKW_NOT_FINITE : x < 0.0f ? NKW_OUT_OF_RANGE : NKW_OK;
 }
 
-static int is_valid(const nkw_clip_reduction *r, size_t joints)
+nkw_result nkwi_reduce_check(const nkw_clip_source *source, const nkw_clip_reduction *r)
 {
-    int valid = is_tolerance(r->tolerance) && is_tolerance(r->distance) && is_tolerance(r->float_tolerance);
-    for (size_t j = 0; j < joints; j++)
-        valid = valid && (!r->tolerances || is_tolerance(r->tolerances[j])) &&
-                (!r->distances || is_tolerance(r->distances[j]));
-    return valid;
+    const float numbers[3] = {r->tolerance, r->distance, r->float_tolerance};
+    nkw_result result = NKW_OK;
+    for (size_t i = 0; result == NKW_OK && i < 3; i++)
+        result = check_number(numbers[i]);
+    for (size_t j = 0; result == NKW_OK && j < source->joint_count; j++) {
+        result = r->tolerances ? check_number(r->tolerances[j]) : NKW_OK;
+        if (result == NKW_OK && r->distances)
+            result = check_number(r->distances[j]);
+    }
+    return result;
 }
 
-nkw_result nkwi_reduce_check(const nkw_clip_source *source, const nkw_clip_reduction *reduction)
-{
-    return is_valid(reduction, source->joint_count) ? NKW_OK : NKW_NOT_FINITE;
-}
-
-int nkwi_reduce_has_work(const nkw_clip_source *s, size_t work_count)
+int nkwi_reduce_has_work(const nkw_clip_source *s, nkw_work work)
 {
     const size_t most = (size_t)-1 / 4096;
     return s->track_count < most && s->joint_count < most && s->float_count < most &&
-           work_count >= NKW_CLIP_REDUCE_WORK(s->track_count, s->joint_count, s->float_count);
+           work_fits(work, NKW_CLIP_REDUCE_WORK(s->track_count, s->joint_count, s->float_count));
 }

@@ -89,9 +89,9 @@ static inline void *reduce_take(double **work, size_t n, size_t size)
     return at;
 }
 
-/* Checks the reduction, and work_count by NKW_CLIP_REDUCE_WORK. */
+/* Checks the reduction, and the memory by NKW_CLIP_REDUCE_WORK. */
 nkw_result nkwi_reduce_check(const nkw_clip_source *source, const nkw_clip_reduction *reduction);
-int nkwi_reduce_has_work(const nkw_clip_source *source, size_t work_count);
+int nkwi_reduce_has_work(const nkw_clip_source *source, nkw_work work);
 
 /* Takes the memory of the arrays, and sets the first shares. */
 void nkwi_reduce_begin(reduce_trials *t, double **work);

@@ -9,6 +9,7 @@
 #include "lane/scalar.h"
 #include "sort.h"
 #include "sizes.h"
+#include "work.h"
 
 static int same_bits(const float *a, const float *b, size_t n)
 {
@@ -150,8 +151,10 @@ nkw_result nkwi_clip_tracks_check_target(const nkw_clip_source *s, const nkw_cli
     int is_rotation = c->target == NKW_CLIP_ROTATION;
     if (c->track.count >= CLIP_CONSTANT)
         return NKW_OUT_OF_RANGE;
-    if ((unsigned)c->target > NKW_CLIP_FLOATS || (c->track.kind != NKW_TRACK_FLOATS) != is_rotation)
+    if ((unsigned)c->target > NKW_CLIP_FLOATS)
         return NKW_BAD_METHOD;
+    if ((c->track.kind != NKW_TRACK_FLOATS) != is_rotation)
+        return NKW_MISMATCHED;
     if (c->target == NKW_CLIP_FLOATS)
         return c->index <= s->float_count && c->track.width <= s->float_count - c->index ? NKW_OK : NKW_OUT_OF_RANGE;
     if (c->track.width != (is_rotation ? 4u : 3u))
@@ -301,19 +304,20 @@ static void choose_gaps(clip_tracks *t)
 }
 
 nkw_result nkwi_clip_tracks_order(const nkw_clip_source *source, const clip_packing *packing, clip_tracks *out,
-                                  size_t *bad_track, uint32_t *work, size_t work_count)
+                                  size_t *bad, nkw_work work)
 {
-    const size_t n = source->track_count; /* if 0, `work` may be NULL: NULL + n is not computed */
-    clip_tracks tracks = {source, work, n ? work + n : work, n ? work + 2 * n : work, {0, 0, 0}, packing};
+    const size_t n = source->track_count; /* if 0, the memory may be NULL: NULL + n is not computed */
+    uint32_t *order = (uint32_t *)work.data;
+    clip_tracks tracks = {source, order, n ? order + n : order, n ? order + 2 * n : order, {0, 0, 0}, packing};
     *out = tracks;
-    *bad_track = 0;
-    nkw_result result = check_tracks(source, bad_track);
-    if (result == NKW_OK && work_count / 3 < n)
+    *bad = 0;
+    nkw_result result = check_tracks(source, bad);
+    if (result == NKW_OK && (n > SIZE_MAX / NKW_CLIP_BUILD_WORK(1) || !work_fits(work, NKW_CLIP_BUILD_WORK(n))))
         result = NKW_TOO_SMALL;
     if (result != NKW_OK)
         return result;
     sort(out, out->by_place, before_by_place);
-    result = check_repeated(out, bad_track);
+    result = check_repeated(out, bad);
     if (result != NKW_OK)
         return result;
     find_timelines(out);

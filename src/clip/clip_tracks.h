@@ -29,11 +29,11 @@ typedef struct clip_tracks {
 } clip_tracks;
 
 /*
- * Checks the source and sets `out`. Its three arrays are in `work`, at least NKW_CLIP_WORK(track_count) numbers.
+ * Checks the source and sets `out`. Its three arrays are in `work`, NKW_CLIP_BUILD_WORK(track_count) bytes.
  * packing: NULL, or what to pack; clips with packed tracks have no gaps.
  */
 nkw_result nkwi_clip_tracks_order(const nkw_clip_source *source, const clip_packing *packing, clip_tracks *out,
-                                  size_t *bad_track, uint32_t *work, size_t work_count);
+                                  size_t *bad, nkw_work work);
 
 /* Whether a track is stored in a packed group. */
 int nkwi_clip_tracks_is_packed(const clip_tracks *t, const nkw_clip_track *c);
@@ -44,11 +44,9 @@ int nkwi_clip_tracks_is_packed(const clip_tracks *t, const nkw_clip_track *c);
  */
 int nkwi_clip_tracks_is_still(const nkw_clip_track *c, size_t component);
 
-/* nkw_clip_measure and nkw_clip_build, with packed tracks. */
-nkw_result nkwi_clip_measure(const nkw_clip_source *source, const clip_packing *packing, size_t *bytes,
-                             size_t *bad_track, uint32_t *work, size_t work_count);
-nkw_result nkwi_clip_build(const nkw_clip_source *source, const clip_packing *packing, void *block, size_t bytes,
-                           size_t *bad_track, uint32_t *work, size_t work_count);
+/* nkw_clip_build, with packed tracks. */
+nkw_result nkwi_clip_build(const nkw_clip_source *source, const clip_packing *packing, nkw_bytes_span block,
+                           size_t *bytes, size_t *bad, nkw_work work);
 
 /* Checks the target, width, kind and index of track c of the source s. */
 nkw_result nkwi_clip_tracks_check_target(const nkw_clip_source *s, const nkw_clip_track *c);

@@ -54,7 +54,7 @@ static int bake_clip(const nkw_document *d, size_t animation, const request *r)
         input_report(&error);
         return 0;
     }
-    int fine = write_block(r->output, clip, nkw_clip_bytes(clip));
+    int fine = write_block(r->output, clip, nkw_clip_describe(clip).bytes);
     nkw_import_free(clip);
     return fine;
 }
@@ -83,8 +83,8 @@ static void put_header(FILE *f, const moment *m, const request *r, size_t joints
     bytes_put_u32(f, (uint32_t)joints);
     bytes_put_u32(f, (uint32_t)frames);
     bytes_put_f32(f, r->rate);
-    bytes_put_f32(f, nkw_clip_start(m->clip));
-    bytes_put_f32(f, nkw_clip_end(m->clip));
+    bytes_put_f32(f, nkw_clip_describe(m->clip).start);
+    bytes_put_f32(f, nkw_clip_describe(m->clip).end);
 }
 
 static void put_rows(FILE *f, const nkw_mat4 *m)

@@ -139,9 +139,9 @@ static void compare_ends(check *c, size_t animation, moment *m, nkw_mat4 *first)
     const size_t joints = c->document->skeleton.joint_count;
     double worst = 0.0;
     size_t at = 0;
-    moment_at(m, nkw_clip_start(m->clip));
+    moment_at(m, nkw_clip_describe(m->clip).start);
     memcpy(first, m->models, joints * sizeof *first);
-    moment_at(m, nkw_clip_end(m->clip));
+    moment_at(m, nkw_clip_describe(m->clip).end);
     for (size_t j = 0; j < joints; j++) {
         double distance = matrix_distance(&first[j], &m->models[j], c->extent.reach[j]);
         if (distance > worst * (1.0 + 1e-5)) {

@@ -152,10 +152,11 @@ static void count_bytes(const nkw_document_animation *a, size_t *keys, size_t *b
     }
 }
 
-static double *work_of(const nkw_clip_source *s, size_t *count)
+static nkw_work work_of(const nkw_clip_source *s)
 {
-    *count = NKW_CLIP_REDUCE_WORK(s->track_count, s->joint_count, s->float_count);
-    return calloc(*count, sizeof(double));
+    const size_t bytes = NKW_CLIP_REDUCE_WORK(s->track_count, s->joint_count, s->float_count);
+    const nkw_work work = {malloc(bytes), bytes};
+    return work;
 }
 
 /* Whether there are fewer keys, and, unless `fewest`, fewer bytes: the times of the source may be shared. */
@@ -170,22 +171,22 @@ int model_reduce(model *m, size_t animation, const extent *e, float tolerance, i
 {
     const nkw_clip_source source = nkw_document_clip_source(&m->document, animation, NKW_CLIP_FLOAT32);
     const nkw_clip_reduction reduction = extent_reduction(e, &m->document, tolerance);
-    nkw_clip_memory memory = {NULL, 0, NULL, 0};
-    nkw_clip_source out;
-    memory.work = work_of(&source, &memory.work_count);
-    if (!memory.work)
+    const nkw_work work = work_of(&source);
+    nkw_bytes_span block = {NULL, 0};
+    nkw_clip_source_reduced reduced;
+    if (!work.data)
         return no_memory();
-    nkw_result result = nkw_clip_source_reduce_measure(&source, &memory.bytes, NULL, memory.work, memory.work_count);
-    memory.block = result == NKW_OK ? model_take(m, memory.bytes, 1) : NULL;
-    if (result == NKW_OK && !memory.block) {
-        free(memory.work);
+    nkw_result result = nkw_clip_source_reduce(&source, &reduction, block, &reduced, NULL, work);
+    block.bytes = reduced.bytes;
+    block.data = result == NKW_TOO_SMALL && block.bytes ? model_take(m, block.bytes, 1) : NULL;
+    if (block.data)
+        result = nkw_clip_source_reduce(&source, &reduction, block, &reduced, NULL, work);
+    free(work.data);
+    if (block.bytes && !block.data)
         return 0;
-    }
-    if (result == NKW_OK)
-        result = nkw_clip_source_reduce(&source, &reduction, &memory, &out, NULL, NULL);
-    free(memory.work);
     if (result != NKW_OK)
         return refuse(m, animation, result);
+    const nkw_clip_source out = reduced.source;
     nkw_clip_track *tracks = model_tracks(m, animation), *chosen = model_take(m, out.track_count, sizeof *chosen);
     for (size_t i = 0; chosen && i < out.track_count; i++)
         chosen[i] = is_better(&m->animations[animation], i, &out.tracks[i].track, fewest) ? out.tracks[i] : tracks[i];
@@ -239,15 +240,14 @@ int model_measure(const model *m, size_t animation, const extent *e, float toler
     const nkw_clip_source before = nkw_document_clip_source(m->original, animation, NKW_CLIP_FLOAT32);
     const nkw_clip_source after = nkw_document_clip_source(&m->document, animation, NKW_CLIP_FLOAT32);
     const nkw_clip_reduction reduction = extent_reduction(e, m->original, tolerance);
-    size_t count;
-    double *work = work_of(&before, &count);
+    const nkw_work work = work_of(&before);
     memset(change, 0, sizeof *change);
     count_bytes(&m->original->animations[animation], &change->keys_before, &change->bytes_before);
     count_bytes(&m->animations[animation], &change->keys, &change->bytes);
-    if (!work)
+    if (!work.data)
         return no_memory();
-    nkw_result result = nkw_clip_source_difference(&before, &after, &reduction, &change->error, work, count);
-    free(work);
+    nkw_result result = nkw_clip_source_difference(&before, &after, &reduction, &change->error, work);
+    free(work.data);
     return result == NKW_OK || refuse(m, animation, result);
 }
 

@@ -47,7 +47,7 @@ int moment_open(moment *m, const nkw_document *d, size_t animation)
         return 0;
     }
     size_t joints = d->skeleton.joint_count, vertices = largest_primitive(d);
-    m->cursors = zeros(nkw_clip_cursor_count(m->clip), sizeof *m->cursors);
+    m->cursors = zeros(nkw_clip_describe(m->clip).cursor_count, sizeof *m->cursors);
     m->pose = zeros(nkw_pose_floats(joints), sizeof *m->pose);
     m->floats = zeros(d->float_count, sizeof *m->floats);
     m->models = zeros(joints, sizeof *m->models);
@@ -101,18 +101,19 @@ void moment_vertices(moment *m, size_t joint, size_t primitive)
 
 size_t moment_rate_count(const moment *m, float rate)
 {
-    double duration = (double)nkw_clip_end(m->clip) - (double)nkw_clip_start(m->clip);
+    double duration = (double)nkw_clip_describe(m->clip).end - (double)nkw_clip_describe(m->clip).start;
     double steps = duration * (double)rate;
     if (!(steps < 1e9))
         return SIZE_MAX;
     size_t count = (size_t)steps;
-    while (nkw_segment_uniform_time(nkw_clip_start(m->clip), rate, count) < nkw_clip_end(m->clip))
+    while (nkw_segment_uniform_time(nkw_clip_describe(m->clip).start, rate, count) < nkw_clip_describe(m->clip).end)
         count++;
     return count + 1;
 }
 
 float moment_rate_time(const moment *m, float rate, size_t k)
 {
-    float time = nkw_segment_uniform_time(nkw_clip_start(m->clip), rate, k), end = nkw_clip_end(m->clip);
+    float time = nkw_segment_uniform_time(nkw_clip_describe(m->clip).start, rate, k),
+          end = nkw_clip_describe(m->clip).end;
     return time < end ? time : end;
 }

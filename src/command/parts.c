@@ -85,9 +85,9 @@ static nkw_result build(cut *c)
 {
     const nkw_partition_sizes sizes = nkw_partition_bounds(&c->mesh, c->slots);
     const size_t limit = SIZE_MAX / 64, influences = c->mesh.influence_count;
-    if (sizes.part_count > limit || sizes.joint_count > limit || sizes.vertex_count > limit || sizes.work_count > limit)
+    if (sizes.part_count > limit || sizes.joint_count > limit || sizes.vertex_count > limit || sizes.work_bytes > limit)
         return NKW_TOO_SMALL;
-    uint32_t *work = malloc((sizes.work_count + 1) * sizeof *work);
+    const nkw_work work = {malloc(sizes.work_bytes + 1), sizes.work_bytes};
     nkw_partition *p = &c->parts;
     p->parts = malloc((sizes.part_count + 1) * sizeof *p->parts);
     p->joints = malloc((sizes.joint_count + 1) * sizeof *p->joints);
@@ -97,9 +97,9 @@ static nkw_result build(cut *c)
     p->joint_slots = malloc((sizes.vertex_count * influences + 1) * sizeof *p->joint_slots);
     p->weights = malloc((sizes.vertex_count * influences + 1) * sizeof *p->weights);
     nkw_result result = NKW_TOO_SMALL;
-    if (work && p->parts && p->joints && p->triangles && p->indices && p->vertices && p->joint_slots && p->weights)
-        result = nkw_partition_build(&c->mesh, c->slots, p, NULL, work, sizes.work_count);
-    free(work);
+    if (work.data && p->parts && p->joints && p->triangles && p->indices && p->vertices && p->joint_slots && p->weights)
+        result = nkw_partition_build(&c->mesh, c->slots, p, NULL, work);
+    free(work.data);
     return result == NKW_TOO_MANY ? NKW_OK : result;
 }
 

@@ -167,7 +167,7 @@ static void put_legend(page *p, const plot_request *r)
 
 static int put_rows(page *p, const plot_request *r, moment *m, size_t animation, size_t most)
 {
-    const float start = nkw_clip_start(m->clip), end = nkw_clip_end(m->clip);
+    const float start = nkw_clip_describe(m->clip).start, end = nkw_clip_describe(m->clip).end;
     const float span = end > start ? end - start : 1.0f;
     const svg_axis time = {start, start + span, chart_tick(span), "s"};
     int fine = 1;

@@ -213,8 +213,8 @@ int plot_path(page *p, const plot_request *r, moment *m)
     enum { EVERY = (POINTS - 1) / 30 };
     paths all;
     memset(&all, 0, sizeof all);
-    all.start = nkw_clip_start(m->clip);
-    all.end = nkw_clip_end(m->clip);
+    all.start = nkw_clip_describe(m->clip).start;
+    all.end = nkw_clip_describe(m->clip).end;
     int fine = choose(&all, r, m) && sample_all(&all, m);
     for (int i = 0; fine && i < 4; i++) {
         svg_box box = {60.0f + (float)(i % 2) * (PANEL + GAP),

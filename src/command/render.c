@@ -69,7 +69,7 @@ static size_t count_frames(const moment *m, const request *r)
 /* Without a list or a rate: frames evenly from the start of the clip, without its end, which is the start of a loop. */
 static float frame_time(const moment *m, const request *r, size_t count, size_t k)
 {
-    float time = 0.0f, start = nkw_clip_start(m->clip), end = nkw_clip_end(m->clip);
+    float time = 0.0f, start = nkw_clip_describe(m->clip).start, end = nkw_clip_describe(m->clip).end;
     const char *list = r->at;
     if (!r->at)
         return r->rate > 0.0f ? moment_rate_time(m, r->rate, k) : start + (end - start) * ((float)k / (float)count);
@@ -82,7 +82,7 @@ static float frame_time(const moment *m, const request *r, size_t count, size_t 
 static double frame_seconds(const picture *p, size_t k)
 {
     const moment *m = p->moment;
-    const float start = nkw_clip_start(m->clip), end = nkw_clip_end(m->clip);
+    const float start = nkw_clip_describe(m->clip).start, end = nkw_clip_describe(m->clip).end;
     const size_t count = p->frame_count;
     if (!(end > start))
         return 4.0 / (double)count;
@@ -231,7 +231,7 @@ static int plan(picture *p, const request *r)
 static void set_frames(request *r, const moment *m)
 {
     const int film = r->form == FORM_APNG && !r->at && r->rate == 0.0f && !r->frames;
-    if (film && nkw_clip_end(m->clip) > nkw_clip_start(m->clip))
+    if (film && nkw_clip_describe(m->clip).end > nkw_clip_describe(m->clip).start)
         r->rate = 25.0f;
     else if (!r->frames)
         r->frames = film ? 48 : 8;

@@ -6,13 +6,15 @@
 
 static size_t measure(nkw_clip_source source, nkw_clip_format format)
 {
-    size_t count = NKW_CLIP_WORK(source.track_count), bytes;
-    uint32_t *work = calloc(count ? count : 1, sizeof *work);
+    const size_t work_bytes = NKW_CLIP_BUILD_WORK(source.track_count);
+    const nkw_work work = {malloc(work_bytes ? work_bytes : 1), work_bytes};
+    const nkw_bytes_span none = {NULL, 0};
+    size_t bytes = 0;
     source.format = format;
-    if (!work || nkw_clip_measure(&source, &bytes, NULL, work, count) != NKW_OK)
-        bytes = SIZE_MAX;
-    free(work);
-    return bytes;
+    if (work.data)
+        (void)nkw_clip_build(&source, none, &bytes, NULL, work);
+    free(work.data);
+    return bytes ? bytes : SIZE_MAX;
 }
 
 clip_size size_of_clip(const nkw_document *d, size_t animation)
@@ -57,19 +59,21 @@ void *reduced_clip(const nkw_document *d, size_t animation, const extent *e, flo
 {
     nkw_clip_source source = nkw_document_clip_source(d, animation, NKW_CLIP_FLOAT32);
     const nkw_clip_reduction reduction = extent_reduction(e, d, tolerance);
-    nkw_clip_memory memory = {NULL, 0, NULL, 0};
-    nkw_clip_reduced reduced = {SIZE_MAX, 0, 0, 0.0f, 0.0f, 0.0f};
-    memory.work_count = NKW_CLIP_REDUCE_WORK(source.track_count, source.joint_count, source.float_count);
-    memory.work = calloc(memory.work_count, sizeof *memory.work);
-    if (memory.work && nkw_clip_reduce_measure(&source, &memory.bytes, NULL, memory.work, memory.work_count) == NKW_OK)
-        memory.block = malloc(memory.bytes);
-    if (memory.block && nkw_clip_reduce(&source, &reduction, &memory, &reduced, NULL) != NKW_OK) {
-        free(memory.block);
-        memory.block = NULL;
+    const size_t work_bytes = NKW_CLIP_REDUCE_WORK(source.track_count, source.joint_count, source.float_count);
+    const nkw_work work = {malloc(work_bytes), work_bytes};
+    nkw_bytes_span block = {NULL, 0};
+    nkw_clip_reduced reduced = {0, 0, 0, 0.0f, 0.0f, 0.0f};
+    if (work.data)
+        (void)nkw_clip_reduce(&source, &reduction, block, &reduced, NULL, work);
+    block.bytes = reduced.bytes;
+    block.data = block.bytes ? malloc(block.bytes) : NULL;
+    if (block.data && nkw_clip_reduce(&source, &reduction, block, &reduced, NULL, work) != NKW_OK) {
+        free(block.data);
+        block.data = NULL;
     }
-    free(memory.work);
-    *bytes = memory.block ? reduced.bytes : SIZE_MAX;
-    return memory.block;
+    free(work.data);
+    *bytes = block.data ? reduced.bytes : SIZE_MAX;
+    return block.data;
 }
 
 size_t size_of_reduced(const nkw_document *d, size_t animation, const extent *e, float tolerance)

@@ -43,18 +43,20 @@ static void refuse_track(const nkw_document *document, size_t animation, nkw_res
         nkwi_fail(error, &channel, NKW_IMPORT_REFUSED, "%s", nkw_result_text(result));
 }
 
-/* Working memory and the size of the clip; *work is to be freed. */
+/* Working memory and the size of the clip; work->data is to be freed. */
 static int measure(const nkw_document *document, size_t animation, const nkw_clip_source *source, size_t *bytes,
-                   uint32_t **work, nkw_import_error *error)
+                   nkw_work *work, nkw_import_error *error)
 {
-    size_t count = NKW_CLIP_WORK(source->track_count), bad;
-    *work = (uint32_t *)malloc((count + 1) * sizeof **work);
-    if (!*work)
+    const nkw_bytes_span none = {NULL, 0};
+    size_t bad;
+    work->bytes = NKW_CLIP_BUILD_WORK(source->track_count);
+    work->data = malloc(work->bytes + 1);
+    if (!work->data)
         return nkwi_fail(error, NULL, NKW_IMPORT_NO_MEMORY, "no memory for the clip");
-    nkw_result result = nkw_clip_measure(source, bytes, &bad, *work, count);
-    if (result != NKW_OK)
+    nkw_result result = nkw_clip_build(source, none, bytes, &bad, *work);
+    if (*bytes == 0)
         refuse_track(document, animation, result, bad, error);
-    return result == NKW_OK;
+    return *bytes > 0;
 }
 
 nkw_import_result nkw_document_clip(const nkw_document *document, size_t animation, nkw_clip_format format,
@@ -62,20 +64,21 @@ nkw_import_result nkw_document_clip(const nkw_document *document, size_t animati
 {
     nkw_import_error other;
     const nkw_clip_source source = nkw_document_clip_source(document, animation, format);
-    uint32_t *work;
-    size_t bytes, bad;
+    nkw_work work;
+    nkw_bytes_span block = {NULL, 0};
+    size_t bytes;
     error = error ? error : &other;
     nkwi_fault_none(error, document->file);
     *clip = NULL;
-    if (measure(document, animation, &source, &bytes, &work, error)) {
-        void *block = malloc(bytes);
-        if (!block)
-            nkwi_fail(error, NULL, NKW_IMPORT_NO_MEMORY, "no memory for a clip of %zu bytes", bytes);
+    if (measure(document, animation, &source, &block.bytes, &work, error)) {
+        block.data = malloc(block.bytes);
+        if (!block.data)
+            nkwi_fail(error, NULL, NKW_IMPORT_NO_MEMORY, "no memory for a clip of %zu bytes", block.bytes);
         else
-            nkw_clip_build(&source, block, bytes, &bad, work, NKW_CLIP_WORK(source.track_count));
-        *clip = (nkw_clip *)block;
+            nkw_clip_build(&source, block, &bytes, NULL, work);
+        *clip = (nkw_clip *)block.data;
     }
-    free(work);
+    free(work.data);
     return error->code;
 }
 
@@ -155,7 +158,7 @@ static nkw_result move(const nkw_skin *skin, const nkw_mat4 *matrices, size_t ma
         {matrices, matrix_count, NKW_PALETTE_MAT4}, {normals, matrix_count, NKW_PALETTE_NORMAL_MAT3}, 0};
     const nkw_vertices_view from = {{out.positions, 0}, {out.normals, 0}, {NULL, 0}, {NULL, 0}};
     const nkw_vertices_span to = {{out.positions, 0}, {out.normals, 0}, {NULL, 0}, {NULL, 0}};
-    nkw_result result = nkw_skin_linear(skin, &palette, &from, &to);
+    nkw_result result = nkw_skin_linear(skin, &palette, from, to);
     free(normals);
     return result;
 }
@@ -229,10 +232,10 @@ nkw_import_result nkw_document_validate(const nkw_document *document, nkw_import
     nkwi_fault_none(error, document->file);
     for (size_t i = 0; good && i < document->animation_count; i++) {
         const nkw_clip_source source = nkw_document_clip_source(document, i, NKW_CLIP_FLOAT32);
-        uint32_t *work;
+        nkw_work work;
         size_t bytes;
         good = measure(document, i, &source, &bytes, &work, error);
-        free(work);
+        free(work.data);
     }
     for (size_t i = 0; good && i < document->skin_count; i++)
         good = check_skin(document, i, error);

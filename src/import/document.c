@@ -62,7 +62,7 @@ int nkwi_document_warn(nkwi_document *d, nkw_import_error *error, const char *fo
 /* The places of the morph weights of each joint, after those of the joints before it. */
 static int place_weights(nkwi_document *d, nkw_import_error *error, const nkwi_place *place)
 {
-    static const uint32_t most = (uint32_t)1 << 29; /* of nkw_clip_measure */
+    static const uint32_t most = (uint32_t)1 << 29; /* of nkw_clip_build */
     for (size_t j = 0; j < d->all.skeleton.joint_count; j++) {
         nkw_document_node *node = &d->nodes[j];
         size_t count = node->mesh == NKW_NO_JOINT ? 0 : d->all.meshes[node->mesh].target_count;

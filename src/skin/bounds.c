@@ -31,8 +31,7 @@ static void add_vertex(const skin_job *job, const bounds_vertex *v, nkw_box *box
         boxes[joint_count] = nkw_box_add_point(&boxes[joint_count], v->position);
 }
 
-nkw_result nkw_bounds_from_skin(const nkw_skin *skin, nkw_vec3_stream_view positions, nkw_box *boxes,
-                                size_t joint_count)
+nkw_result nkw_box_from_skin(const nkw_skin *skin, nkw_vec3_stream_view positions, nkw_box *boxes, size_t joint_count)
 {
     if (!skin_formats_fit(skin))
         return NKW_BAD_FORMAT;
@@ -57,7 +56,7 @@ static nkw_mat4 matrix_at(nkw_palette_view palette, size_t j)
     return nkw_mat4_from_mat3x4(&((const nkw_mat3x4 *)palette.data)[j]);
 }
 
-nkw_result nkw_bounds_from_palette(nkw_palette_view palette, const nkw_box *boxes, nkw_box *box)
+nkw_result nkw_box_from_palette(nkw_palette_view palette, const nkw_box *boxes, nkw_box *box)
 {
     if (palette.format != NKW_PALETTE_MAT4 && palette.format != NKW_PALETTE_MAT3X4)
         return NKW_BAD_FORMAT;

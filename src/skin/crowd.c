@@ -12,6 +12,7 @@
 #include "lane/scalar.h"
 #include "report.h"
 #include "skin_job.h"
+#include "work.h"
 
 nkw_result nkw_crowd_from_poses(const nkw_pose_view *poses, nkw_crowd_poses_span crowd)
 {
@@ -42,7 +43,7 @@ void nkw_crowd_from_matrices(const nkw_mat4 *const *matrices, nkw_crowd_matrices
     gather(matrices, crowd.joint_count, crowd.data);
 }
 
-void nkw_matrices_from_crowd(nkw_crowd_matrices_view crowd, nkw_mat4 *const *matrices)
+void nkw_crowd_to_matrices(nkw_crowd_matrices_view crowd, nkw_mat4 *const *matrices)
 {
     nkwi_crowd_to_matrices(crowd.data, crowd.joint_count, matrices);
 }
@@ -89,32 +90,34 @@ static crowd_stream stream_of(const nkw_vertices_view *in, const nkw_vertices_sp
     return r;
 }
 
-nkw_result nkw_crowd_skin_linear(const nkw_skin *skin, nkw_crowd_matrices_view palette, int skip_normalization,
-                                 const nkw_vertices_view *in, const nkw_vertices_span *outs)
+nkw_result nkw_crowd_skin(nkw_crowd_matrices_view palette, const nkw_skin *skin, nkw_vertices_view in, int keep_length,
+                          const nkw_vertices_span *outs)
 {
     const int fit = skin_formats_fit(skin);
     skin_job job = skin_job_of(skin, fit ? palette.joint_count : 0);
     crowd_stream streams[SKIN_STREAMS];
     float spare[12];
     job.palette = (const unsigned char *)palette.data;
-    job.skip_normalization = skip_normalization;
+    job.keep_length = keep_length;
     for (size_t v = 0; v < SKIN_STREAMS; v++)
-        streams[v] = stream_of(in, outs, v, spare);
+        streams[v] = stream_of(&in, outs, v, spare);
     nkwi_crowd_skin(&job, streams);
     return fit ? NKW_OK : NKW_BAD_FORMAT;
 }
 
-nkw_result nkw_crowd_sample(const nkw_clip *clip, const nkw_crowd_players *players, nkw_crowd_poses_span crowd,
-                            float *work, size_t work_count)
+nkw_result nkw_crowd_sample(const nkw_crowd_players *players, const nkw_clip *clip, nkw_crowd_poses_span crowd,
+                            nkw_work work)
 {
+    float *lanes = (float *)work.data;
     nkw_pose_view poses[NKW_CROWD] = {{NULL, 0}};
-    size_t joints = nkw_clip_joint_count(clip), step = nkw_clip_cursor_count(clip);
+    const nkw_clip_description described = nkw_clip_describe(clip);
+    size_t joints = described.joint_count, step = described.cursor_count;
     if (crowd.joint_count != joints)
         return NKW_MISMATCHED;
-    if (work_count < NKW_CROWD_SAMPLE_FLOATS(joints))
+    if (!work_fits(work, NKW_CROWD_SAMPLE_WORK(joints)))
         return NKW_TOO_SMALL;
     for (size_t i = 0; i < players->character_count && i < NKW_CROWD; i++) {
-        nkw_pose_span pose = {joints ? work + i * NKW_POSE_FLOATS(joints) : work, joints};
+        nkw_pose_span pose = {joints ? lanes + i * NKW_POSE_FLOATS(joints) : lanes, joints};
         nkw_clip_sample(clip, players->times[i], players->cursors ? players->cursors + i * step : NULL, pose, NULL);
         poses[i] = NKW_VIEW(nkw_pose, pose);
     }
@@ -130,24 +133,21 @@ static nkw_result check_frames(const nkw_crowd_source *source)
     return source->rate == 0.0f ? NKW_OUT_OF_RANGE : NKW_OK;
 }
 
-nkw_result nkw_crowd_source_validate(const nkw_crowd_source *source, size_t *bad_joint)
+static nkw_result check_source(const nkw_crowd_source *source, size_t *bad)
 {
-    size_t bad = 0, joints = source->skeleton->joint_count;
+    size_t joints = source->skeleton->joint_count;
     const nkw_palette_source skin = {NULL, joints, source->joints, source->inverse_bind, NULL, source->joint_count};
-    nkw_result result = nkw_skeleton_validate(source->skeleton, &bad);
-    if (result == NKW_OK && nkw_clip_joint_count(source->clip) != joints)
+    nkw_result result = nkw_skeleton_validate(source->skeleton, bad);
+    if (result == NKW_OK && nkw_clip_describe(source->clip).joint_count != joints)
         result = NKW_MISMATCHED;
     if (result == NKW_OK)
         result = check_frames(source);
-    if (result == NKW_OK)
-        result = nkw_palette_source_validate(&skin, &bad);
-    return report(result, bad, bad_joint);
+    return result == NKW_OK ? nkw_palette_source_validate(&skin, bad) : result;
 }
 
 /* The working memory of nkw_crowd_bake, one section for the output of each step. */
 typedef struct bake_work {
-    float *poses;
-    size_t pose_floats;
+    nkw_work poses;
     nkw_crowd_poses_span crowd;
     nkw_crowd_matrices_span models, palette;
 } bake_work;
@@ -155,9 +155,9 @@ typedef struct bake_work {
 static bake_work bake_work_in(float *work, size_t joints, size_t skin_joints)
 {
     bake_work w;
-    w.poses = work;
-    w.pose_floats = NKW_CROWD_SAMPLE_FLOATS(joints);
-    w.crowd.data = w.poses + w.pose_floats;
+    w.poses.data = work;
+    w.poses.bytes = NKW_CROWD_SAMPLE_WORK(joints);
+    w.crowd.data = work + w.poses.bytes / sizeof *work;
     w.models.data = w.crowd.data + NKW_CROWD_POSE_FLOATS(joints);
     w.palette.data = w.models.data + NKW_CROWD_MATRIX_FLOATS(joints);
     w.crowd.joint_count = w.models.joint_count = joints;
@@ -174,30 +174,33 @@ static void bake_lanes(const nkw_crowd_source *source, const nkw_palette_chunk *
     nkw_mat4 *out[NKW_CROWD] = {NULL};
     for (size_t i = 0; i < count; i++) {
         times[i] = nkw_segment_uniform_time(source->start, source->rate, frame + i);
-        out[i] = buffer + nkw_palette_chunk_index(chunk, frame + i, 0);
+        out[i] = buffer + chunk->first + (frame + i) * chunk->joint_count;
     }
-    nkw_crowd_sample(source->clip, &players, w->crowd, w->poses, w->pose_floats);
+    nkw_crowd_sample(&players, source->clip, w->crowd, w->poses);
     nkw_crowd_models_from_pose(source->skeleton, NKW_VIEW(nkw_crowd_poses, w->crowd), roots, w->models);
     nkw_crowd_palette_from_models(NKW_VIEW(nkw_crowd_matrices, w->models), source->joints, source->inverse_bind,
                                   w->palette);
-    nkw_matrices_from_crowd(NKW_VIEW(nkw_crowd_matrices, w->palette), out);
+    nkw_crowd_to_matrices(NKW_VIEW(nkw_crowd_matrices, w->palette), out);
 }
 
-static nkw_result check_bake(const nkw_crowd_source *source, const nkw_palette_chunk *chunk, size_t work_count)
+static nkw_result check_bake(const nkw_crowd_source *source, const nkw_palette_chunk *chunk, size_t *bad, nkw_work work)
 {
-    size_t joints = source->skeleton->joint_count;
-    if (nkw_clip_joint_count(source->clip) != joints || chunk->joint_count != source->joint_count)
-        return NKW_MISMATCHED;
-    return work_count < NKW_CROWD_BAKE_FLOATS(joints, source->joint_count) ? NKW_TOO_SMALL : NKW_OK;
+    size_t joints = source->skeleton->joint_count, at = 0;
+    nkw_result result = check_source(source, &at);
+    if (result == NKW_OK && chunk->joint_count != source->joint_count)
+        result = NKW_MISMATCHED;
+    if (result == NKW_OK && !work_fits(work, NKW_CROWD_BAKE_WORK(joints, source->joint_count)))
+        result = NKW_TOO_SMALL;
+    return report(result, at, bad);
 }
 
 nkw_result nkw_crowd_bake(const nkw_crowd_source *source, const nkw_palette_chunk *chunk, const nkw_range *frames,
-                          nkw_mat4 *buffer, float *work, size_t work_count)
+                          nkw_mat4 *buffer, size_t *bad, nkw_work work)
 {
-    nkw_result result = check_bake(source, chunk, work_count);
+    nkw_result result = check_bake(source, chunk, bad, work);
     if (result != NKW_OK)
         return result;
-    const bake_work w = bake_work_in(work, source->skeleton->joint_count, source->joint_count);
+    const bake_work w = bake_work_in((float *)work.data, source->skeleton->joint_count, source->joint_count);
     float root_floats[NKW_CROWD_MATRIX_FLOATS(1)];
     const nkw_mat4 *root[NKW_CROWD];
     for (size_t i = 0; i < NKW_CROWD; i++)

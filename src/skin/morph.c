@@ -116,12 +116,11 @@ static void run_stream(const nkw_morph *m, const float *weights, const morph_str
     } while (t < m->target_count);
 }
 
-void nkw_morph_apply(const nkw_morph *morph, const float *weights, const nkw_vertices_view *in,
-                     const nkw_vertices_span *out)
+void nkw_morph_apply(const nkw_morph *morph, const float *weights, nkw_vertices_view in, nkw_vertices_span out)
 {
     for (size_t stream = 0; stream < SKIN_STREAMS; stream++) {
-        const nkw_vec3_stream_view *from = skin_in(in, stream);
-        const nkw_vec3_stream_span *to = skin_out(out, stream);
+        const nkw_vec3_stream_view *from = skin_in(&in, stream);
+        const nkw_vec3_stream_span *to = skin_out(&out, stream);
         morph_stream s = {(const unsigned char *)from->data, (unsigned char *)to->data,
                           skin_vector_stride(from->stride), skin_vector_stride(to->stride)};
         if (s.in && s.out)
@@ -149,11 +148,11 @@ static nkw_result check_target(const nkw_morph *m, const nkw_morph_target *targe
     return deltas_are_finite(m, target) ? NKW_OK : NKW_NOT_FINITE;
 }
 
-nkw_result nkw_morph_validate(const nkw_morph *morph, size_t *bad_target)
+nkw_result nkw_morph_validate(const nkw_morph *morph, size_t *bad)
 {
     nkw_result result = morph->vertex_count == 0 ? NKW_EMPTY : NKW_OK;
     size_t t = 0;
     for (; result == NKW_OK && t < morph->target_count; t++)
         result = check_target(morph, &morph->targets[t]);
-    return report(result, t ? t - 1 : 0, bad_target);
+    return report(result, t ? t - 1 : 0, bad);
 }

@@ -39,7 +39,7 @@ nkw_result nkw_palette_from_models(const nkw_palette_source *source, nkw_palette
     }
 }
 
-nkw_result nkw_mat4_from_palette(nkw_palette_view palette, nkw_mat4 *out)
+nkw_result nkw_palette_to_mat4(nkw_palette_view palette, nkw_mat4 *out)
 {
     const nkw_mat4 *matrices = (const nkw_mat4 *)palette.data;
     const nkw_mat3x4 *rows = (const nkw_mat3x4 *)palette.data;
@@ -53,7 +53,7 @@ nkw_result nkw_mat4_from_palette(nkw_palette_view palette, nkw_mat4 *out)
     return NKW_OK;
 }
 
-void nkw_inverse_bind_from_models(const nkw_palette_source *source, nkw_mat4 *out)
+void nkw_palette_inverse_bind(const nkw_palette_source *source, nkw_mat4 *out)
 {
     nkwi_palette_inverse(source, out);
 }
@@ -67,19 +67,19 @@ static int are_finite(const float *m, size_t count)
     return finite;
 }
 
-nkw_result nkw_palette_source_validate(const nkw_palette_source *source, size_t *bad_joint)
+nkw_result nkw_palette_source_validate(const nkw_palette_source *source, size_t *bad)
 {
     nkw_result result = source->joint_count == 0 ? NKW_EMPTY : NKW_OK;
-    size_t bad = 0;
+    size_t at = 0;
     for (size_t i = 0; result == NKW_OK && i < source->joint_count; i++) {
         size_t j = source->joints ? (size_t)source->joints[i] : i;
         if (j >= source->model_count)
             result = NKW_OUT_OF_RANGE;
         else if (source->inverse_bind && !are_finite(source->inverse_bind[i].m, 16))
             result = NKW_NOT_FINITE;
-        bad = i;
+        at = i;
     }
-    return report(result, bad, bad_joint);
+    return report(result, at, bad);
 }
 
 static int is_unit(const nkw_dual_quat *d)
@@ -87,12 +87,12 @@ static int is_unit(const nkw_dual_quat *d)
     return lane_is_unit_length(nkw_quat_length(d->real));
 }
 
-nkw_result nkw_palette_validate(nkw_palette_view palette, size_t *bad_joint)
+nkw_result nkw_palette_validate(nkw_palette_view palette, size_t *bad)
 {
     static const unsigned char sizes[NKW_PALETTE_FORMAT_COUNT] = {16, 12, 8, 9, 12, 12};
-    size_t bad = 0;
+    size_t at = 0;
     if ((unsigned)palette.format >= NKW_PALETTE_FORMAT_COUNT)
-        return report(NKW_BAD_FORMAT, 0, bad_joint);
+        return report(NKW_BAD_FORMAT, 0, bad);
     size_t size = sizes[palette.format];
     nkw_result result = palette.joint_count == 0 ? NKW_EMPTY : NKW_OK;
     for (size_t i = 0; result == NKW_OK && i < palette.joint_count; i++) {
@@ -101,9 +101,9 @@ nkw_result nkw_palette_validate(nkw_palette_view palette, size_t *bad_joint)
             result = NKW_NOT_FINITE;
         else if (palette.format == NKW_PALETTE_DUAL_QUAT && !is_unit((const nkw_dual_quat *)palette.data + i))
             result = NKW_NOT_UNIT;
-        bad = i;
+        at = i;
     }
-    return report(result, bad, bad_joint);
+    return report(result, at, bad);
 }
 
 /* The number of nkw_mat4 whose size in bytes size_t can hold. */
@@ -118,10 +118,10 @@ static size_t aligned(size_t place, size_t alignment)
 }
 
 nkw_result nkw_palette_chunks_place(nkw_palette_chunk *chunks, size_t count, size_t alignment, size_t *total,
-                                    size_t *bad_chunk)
+                                    size_t *bad)
 {
     nkw_result result = NKW_OK;
-    size_t end = 0, bad = 0;
+    size_t end = 0, at = 0;
     for (size_t i = 0; result == NKW_OK && i < count; i++) {
         size_t frames = chunks[i].frame_count, joints = chunks[i].joint_count, first = aligned(end, alignment);
         if (frames == 0 || joints == 0)
@@ -130,16 +130,16 @@ nkw_result nkw_palette_chunks_place(nkw_palette_chunk *chunks, size_t count, siz
             result = NKW_TOO_SMALL;
         else
             chunks[i].first = first, end = first + frames * joints;
-        bad = i;
+        at = i;
     }
     *total = end;
-    return report(result, bad, bad_chunk);
+    return report(result, at, bad);
 }
 
-nkw_result nkw_palette_chunks_validate(const nkw_palette_chunk *chunks, size_t count, size_t total, size_t *bad_chunk)
+nkw_result nkw_palette_chunks_validate(const nkw_palette_chunk *chunks, size_t count, size_t total, size_t *bad)
 {
     nkw_result result = NKW_OK;
-    size_t end = 0, bad = 0;
+    size_t end = 0, at = 0;
     for (size_t i = 0; result == NKW_OK && i < count; i++) {
         size_t frames = chunks[i].frame_count, joints = chunks[i].joint_count, first = chunks[i].first;
         if (frames == 0 || joints == 0)
@@ -150,16 +150,7 @@ nkw_result nkw_palette_chunks_validate(const nkw_palette_chunk *chunks, size_t c
             result = NKW_REPEATED;
         else
             end = first + frames * joints;
-        bad = i;
+        at = i;
     }
-    return report(result, bad, bad_chunk);
-}
-
-size_t nkw_palette_chunk_index(const nkw_palette_chunk *chunk, size_t frame, size_t joint)
-{
-    if (chunk->frame_count == 0 || chunk->joint_count == 0)
-        return chunk->first;
-    size_t f = frame < chunk->frame_count ? frame : chunk->frame_count - 1;
-    size_t j = joint < chunk->joint_count ? joint : chunk->joint_count - 1;
-    return chunk->first + f * chunk->joint_count + j;
+    return report(result, at, bad);
 }

@@ -8,6 +8,7 @@
 #include "lane/scalar.h"
 #include "partition_plan.h"
 #include "report.h"
+#include "work.h"
 
 /* ---- Validation ---- */
 
@@ -41,15 +42,15 @@ static nkw_result check_triangle(const nkw_partition_mesh *mesh, size_t t)
     return result;
 }
 
-nkw_result nkw_partition_validate(const nkw_partition_mesh *mesh, size_t *bad_triangle)
+static nkw_result check_mesh(const nkw_partition_mesh *mesh, size_t *bad)
 {
     nkw_result result = counts_are_in_range(mesh) ? NKW_OK : NKW_OUT_OF_RANGE;
-    size_t bad = 0;
+    size_t at = 0;
     for (size_t t = 0; result == NKW_OK && t < mesh->triangle_count; t++) {
         result = check_triangle(mesh, t);
-        bad = t;
+        at = t;
     }
-    return report(result, bad, bad_triangle);
+    return report(result, at, bad);
 }
 
 /* ---- Working memory ---- */
@@ -112,25 +113,25 @@ nkw_partition_sizes nkw_partition_bounds(const nkw_partition_mesh *mesh, size_t 
     sizes.part_count = saturated(t);
     sizes.joint_count = saturated(t * set_limit(mesh, max_joint_count));
     sizes.vertex_count = saturated(3 * t);
-    sizes.work_count = saturated(lay_out(&p, mesh, max_joint_count, NULL));
+    sizes.work_bytes = saturated(sizeof(uint32_t) * lay_out(&p, mesh, max_joint_count, NULL));
     return sizes;
 }
 
-nkw_result nkw_partition_build(const nkw_partition_mesh *mesh, size_t max_joint_count, nkw_partition *out,
-                               size_t *bad_triangle, uint32_t *work, size_t work_count)
+nkw_result nkw_partition_build(const nkw_partition_mesh *mesh, size_t max_joint_count, nkw_partition *out, size_t *bad,
+                               nkw_work work)
 {
     out->part_count = out->joint_count = out->triangle_count = out->vertex_count = out->rejected_count = 0;
-    nkw_result result = nkw_partition_validate(mesh, bad_triangle);
-    if (result == NKW_OK && work_count < nkw_partition_bounds(mesh, max_joint_count).work_count)
+    nkw_result result = check_mesh(mesh, bad);
+    if (result == NKW_OK && !work_fits(work, nkw_partition_bounds(mesh, max_joint_count).work_bytes))
         result = NKW_TOO_SMALL;
     if (result != NKW_OK || mesh->triangle_count == 0)
         return result;
     partition_plan p = {0};
-    lay_out(&p, mesh, max_joint_count, work);
+    lay_out(&p, mesh, max_joint_count, (uint32_t *)work.data);
     nkwi_partition_group(&p);
     nkwi_partition_pack(&p);
     nkwi_partition_write(&p, out);
     if (out->rejected_count == 0)
         return NKW_OK;
-    return report(NKW_TOO_MANY, out->triangles[out->triangle_count], bad_triangle);
+    return report(NKW_TOO_MANY, out->triangles[out->triangle_count], bad);
 }

@@ -26,8 +26,8 @@ static nkw_result check_formats(const nkw_skin *skin, nkw_palette_view palette, 
     return palette.format == format && skin_formats_fit(skin) ? NKW_OK : NKW_BAD_FORMAT;
 }
 
-nkw_result nkw_skin_linear(const nkw_skin *skin, const nkw_skin_palette *palette, const nkw_vertices_view *in,
-                           const nkw_vertices_span *out)
+nkw_result nkw_skin_linear(const nkw_skin *skin, const nkw_skin_palette *palette, nkw_vertices_view in,
+                           nkw_vertices_span out)
 {
     const nkw_palette_view normals = palette->normals;
     nkw_result result = check_formats(skin, palette->matrices, NKW_PALETTE_MAT4);
@@ -36,19 +36,19 @@ nkw_result nkw_skin_linear(const nkw_skin *skin, const nkw_skin_palette *palette
         joint_count = normals.joint_count;
     if (normals.data && normals.format != NKW_PALETTE_NORMAL_MAT3)
         result = NKW_BAD_FORMAT;
-    skin_job job = job_of(skin, result == NKW_OK ? joint_count : 0, in, out);
+    skin_job job = job_of(skin, result == NKW_OK ? joint_count : 0, &in, &out);
     job.palette = (const unsigned char *)palette->matrices.data;
     job.normals = (const unsigned char *)normals.data;
-    job.skip_normalization = palette->skip_normalization;
+    job.keep_length = palette->keep_length;
     nkwi_skin_linear(&job);
     return result;
 }
 
-nkw_result nkw_skin_dual_quat(const nkw_skin *skin, nkw_palette_view palette, const nkw_vertices_view *in,
-                              const nkw_vertices_span *out)
+nkw_result nkw_skin_dual_quat(const nkw_skin *skin, nkw_palette_view palette, nkw_vertices_view in,
+                              nkw_vertices_span out)
 {
     nkw_result result = check_formats(skin, palette, NKW_PALETTE_DUAL_QUAT);
-    skin_job job = job_of(skin, result == NKW_OK ? palette.joint_count : 0, in, out);
+    skin_job job = job_of(skin, result == NKW_OK ? palette.joint_count : 0, &in, &out);
     job.palette = (const unsigned char *)palette.data;
     nkwi_skin_dual_quat(&job);
     return result;

@@ -109,7 +109,7 @@ static nkw_result check_count(size_t influence_count)
     return influence_count == 0 ? NKW_EMPTY : influence_count > NKW_SKIN_INFLUENCES ? NKW_TOO_MANY : NKW_OK;
 }
 
-nkw_result nkw_skin_normalize_weights(nkw_skin_view in, nkw_skin_span out, size_t influence_count, size_t vertex_count)
+nkw_result nkw_skin_normalize_weights(nkw_skin_view in, size_t influence_count, size_t vertex_count, nkw_skin_span out)
 {
     float weight[NKW_SKIN_INFLUENCES];
     if (check_count(influence_count) != NKW_OK)
@@ -227,13 +227,13 @@ static nkw_result check_vertex(const nkw_skin *skin, size_t joint_count, size_t 
     return NKW_OK;
 }
 
-nkw_result nkw_skin_validate(const nkw_skin *skin, size_t joint_count, size_t *bad_vertex)
+nkw_result nkw_skin_validate(const nkw_skin *skin, size_t joint_count, size_t *bad)
 {
     nkw_result result = check_shape(skin);
-    size_t bad = 0;
+    size_t at = 0;
     for (size_t i = 0; result == NKW_OK && i < skin->vertex_count; i++) {
         result = check_vertex(skin, joint_count, i);
-        bad = i;
+        at = i;
     }
-    return report(result, bad, bad_vertex);
+    return report(result, at, bad);
 }

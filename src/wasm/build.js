@@ -16,9 +16,13 @@ function clipSource(owner, { jointCount = 0, floatCount = 0, tracks = [], rest =
 }
 
 function buildClip(clip, source, owner) {
-  const from = clipSource(owner, source), count = 3 * source.tracks.length, work = owner._take(4 * count + 4);
-  check('nkw_clip_measure', x.nkw_clip_measure(from, words(0, 0), badAt(), work, count), bad);
+  const from = clipSource(owner, source), count = 12 * source.tracks.length, work = owner._take(count + 16);
+  const build = () => x.nkw_clip_build(from, words(1, clip._p ?? 0, clip.size ?? 0), words(0, 0), badAt(),
+    words(3, work, count));
+  const asked = build();
+  if (!u32[at])
+    check('nkw_clip_build', asked, bad);
   clip.size = u32[at];
   clip._p = clip._take(clip.size);
-  check('nkw_clip_build', x.nkw_clip_build(from, clip._p, clip.size, badAt(), work, count), bad);
+  check('nkw_clip_build', build(), bad);
 }

@@ -132,8 +132,7 @@ export class Crowd extends Owner {
     this._models = this._take(768 * n);
     this._palette = this._take(768 * this.jointCount);
     this._roots = this._take(768);
-    this._workCount = 160 * stride;
-    this._work = this._take(4 * this._workCount);
+    this._work = store(this, [this._take(640 * stride || 16), 640 * stride], Uint32Array);
     this._times = this._take(4 * count || 4);
     this._from = this._take(64 * count || 4);
     this._cursors = { clip: null, block: 0, count: 0 };
@@ -162,14 +161,14 @@ export class Crowd extends Owner {
     const poses = words(4, this._poses, n), models = words(6, this._models, n);
     const palette = words(8, this._palette, this.jointCount), none = words(10, roots ? this._roots : 0, 1);
     const players = words(12, this._times + 4 * first, 0, count);
-    check('nkw_crowd_sample', x.nkw_crowd_sample(expect(Clip, clip)._p, players, poses, this._work, this._workCount));
+    check('nkw_crowd_sample', x.nkw_crowd_sample(players, expect(Clip, clip)._p, poses, this._work));
     if (roots)
       x.nkw_crowd_from_matrices(lanes(this._from + 64 * first, 64), none);
     check('nkw_crowd_models_from_pose',
       x.nkw_crowd_models_from_pose(addressOf(Skeleton, this.skeleton), poses, none, models));
     x.nkw_crowd_palette_from_models(models, this._joints, this._bind, palette);
     const step = 64 * this.jointCount;
-    x.nkw_matrices_from_crowd(palette, lanes(this._p + step * first, step));
+    x.nkw_crowd_to_matrices(palette, lanes(this._p + step * first, step));
   }
 }
 

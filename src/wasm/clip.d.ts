@@ -5,6 +5,8 @@ export class Clip extends Owner {
   static open(bytes: Uint8Array): Clip;
   readonly jointCount: number;
   readonly floatCount: number;
+  /** The tracks whose values change. */
+  readonly trackCount: number;
   readonly start: number;
   readonly end: number;
   readonly size: number;

@@ -9,11 +9,10 @@ export class Clip extends Owner {
         this.#open(source);
       else
         during(owner => buildClip(this, { tracks: [], ...source }, owner));
-      this.jointCount = x.nkw_clip_joint_count(this._p);
-      this.floatCount = x.nkw_clip_float_count(this._p);
-      this.start = x.nkw_clip_start(this._p);
-      this.end = x.nkw_clip_end(this._p);
-      this.cursorCount = x.nkw_clip_cursor_count(this._p);
+      x.nkw_clip_describe(words(0), this._p);
+      [this.jointCount, this.floatCount, this.trackCount, this.cursorCount] = u32.subarray(at, at + 4);
+      [this.start, this.end] = f32.subarray(at + 6, at + 8);
+      this.name = text(u32[at + 8]);
       /** @internal */
       this._floats = this._take(4 * this.floatCount);
     } catch (error) {
@@ -31,10 +30,7 @@ export class Clip extends Owner {
     this.size = bytes.length;
     check('nkw_clip_open', x.nkw_clip_open(this._p, bytes.length, words(0, 0)));
   }
-  /** The name of the clip, and of a joint; '' without names. */
-  get name() {
-    return text(x.nkw_clip_name(this._use()._p));
-  }
+  /** The name of a joint; '' without names. */
   jointName(joint) {
     return text(x.nkw_clip_joint_name(this._use()._p, number(joint)));
   }

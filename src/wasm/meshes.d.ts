@@ -26,8 +26,8 @@ export function skinNormalizeWeights(weights: Weights, out: Weights, influenceCo
 export function skinPrune(mesh: Mesh, keepCount: number, joints: Uint8Array | Uint16Array | Uint32Array,
   weights: Weights): void;
 
-/** The boxes of the joints in the bind pose, and one of the vertices without influence (nkw_bounds_from_skin). */
-export function boundsFromSkin(mesh: Mesh, boxes: Partial<Box>[], jointCount: number): void;
+/** The boxes of the joints in the bind pose, and one of the vertices without influence (nkw_box_from_skin). */
+export function boxFromSkin(mesh: Mesh, boxes: Partial<Box>[], jointCount: number): void;
 
 export interface Partition {
   parts: Part[];

@@ -55,7 +55,7 @@ export function skinNormalizeWeights(weights, out, influenceCount, vertexCount) 
   $t(() => {
     const n = influenceCount * vertexCount, from = skinView(weights, n), to = skinView(out, n);
     check('nkw_skin_normalize_weights',
-      x.nkw_skin_normalize_weights(from.place, to.place, influenceCount, vertexCount));
+      x.nkw_skin_normalize_weights(from.place, influenceCount, vertexCount, to.place));
     to.read();
   });
 }
@@ -69,11 +69,11 @@ export function skinPrune(mesh, keepCount, joints, weights) {
   });
 }
 
-/** The boxes of the joints in the bind pose, and one of the vertices without influence (nkw_bounds_from_skin). */
-export function boundsFromSkin(mesh, boxes, jointCount) {
+/** The boxes of the joints in the bind pose, and one of the vertices without influence (nkw_box_from_skin). */
+export function boxFromSkin(mesh, boxes, jointCount) {
   $t(() => {
     const place = temporary((jointCount + 1) * $nkw_box[0]);
-    check('nkw_bounds_from_skin', x.nkw_bounds_from_skin(expect(Mesh, mesh)._skin, mesh._in, place, jointCount));
+    check('nkw_box_from_skin', x.nkw_box_from_skin(expect(Mesh, mesh)._skin, mesh._in, place, jointCount));
     $v($nkw_box, boxes, place, jointCount + 1);
   });
 }
@@ -91,8 +91,8 @@ export function partitionBuild(mesh, maxJointCount) {
       ['u', size.vertexCount], ['h', slots], ['f', slots]];
     const places = arrays.map(([kind, n]) => temporary(n * sizeOf(kind))), out = temporary(48);
     u32.set(places, out >> 2);
-    const result = x.nkw_partition_build(from, maxJointCount, out, badAt(), temporary(4 * size.workCount),
-      size.workCount);
+    const result = x.nkw_partition_build(from, maxJointCount, out, badAt(),
+      words(0, temporary(size.workBytes), size.workBytes));
     const [partCount, jointCount, triangleCount, vertexCount, rejectedCount] =
       u32.slice((out >> 2) + 7, (out >> 2) + 12);
     if (!rejectedCount)

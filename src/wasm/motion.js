@@ -109,24 +109,36 @@ export class PoseDeadBlend extends Floats {
 }
 
 const reduceWork = ({ tracks = [], jointCount = 0, floatCount = 0 }) =>
-  24 * tracks.length + 34 * jointCount + 160 * Math.ceil(jointCount / 16) + 4 * floatCount + 16;
+  8 * (24 * tracks.length + 34 * jointCount + 160 * Math.ceil(jointCount / 16) + 4 * floatCount + 16);
 
-// Calls f with the addresses of a source, of a reduction, of working memory for `others` too, and with its size.
+// Structures of two words, of memory of `owner`: its address and its bytes.
+const memoryOf = (owner, bytes) => store(owner, [owner._take(bytes + 16), bytes], Uint32Array);
+
+// Calls f with the addresses of a source, of a reduction, and of working memory, which is enough for `others` too.
 function withReduction(source, reduction, others, f) {
   return $t(() => during(owner => {
     for (const name of ['parents', 'tolerances', 'distances'])
       need(name, reduction[name]?.length ?? Infinity, source.jointCount ?? 0);
-    const count = Math.max(...[source, ...others].map(reduceWork));
-    return f(owner, clipSource(owner, source), $i($nkw_clip_reduction, reduction), owner._take(8 * count), count);
+    const bytes = Math.max(...[source, ...others].map(reduceWork));
+    return f(owner, clipSource(owner, source), $i($nkw_clip_reduction, reduction), memoryOf(owner, bytes));
   }));
+}
+
+// Calls reduce(block) without a block, which sets the word `bytes`, and with one of as many bytes; returns its address.
+function withBlock(owner, name, bytes, reduce) {
+  const asked = reduce(words(0, 0, 0)), count = u32[bytes >> 2];
+  if (!count)
+    check(name, asked, bad);
+  const block = owner._take(count);
+  check(name, reduce(words(0, block, count)), bad);
+  return block;
 }
 
 /** The smallest clip within a tolerance (nkw_clip_reduce). `reduced` receives what it reached. */
 export function clipReduce(source, reduction, reduced = null) {
-  return withReduction(source, reduction, [], (owner, from, by, work, count) => {
-    check('nkw_clip_reduce_measure', x.nkw_clip_reduce_measure(from, words(0, 0), badAt(), work, count), bad);
-    const bytes = u32[at], block = owner._take(bytes), to = temporary($nkw_clip_reduced[0]);
-    check('nkw_clip_reduce', x.nkw_clip_reduce(from, by, words(0, block, bytes, work, count), to, badAt()), bad);
+  return withReduction(source, reduction, [], (owner, from, by, work) => {
+    const to = temporary($nkw_clip_reduced[0]);
+    const block = withBlock(owner, 'nkw_clip_reduce', to, span => x.nkw_clip_reduce(from, by, span, to, badAt(), work));
     const made = $g($nkw_clip_reduced, reduced ?? {}, to);
     return Clip.open(u8.slice(block, block + made.bytes));
   });
@@ -134,13 +146,11 @@ export function clipReduce(source, reduction, reduced = null) {
 
 /** The source of a clip with as few keys as a tolerance permits (nkw_clip_source_reduce). */
 export function clipSourceReduce(source, reduction, reduced = null) {
-  return withReduction(source, reduction, [], (owner, from, by, work, count) => {
-    const measured = x.nkw_clip_source_reduce_measure(from, words(0, 0), badAt(), work, count);
-    check('nkw_clip_source_reduce_measure', measured, bad);
-    const bytes = u32[at], block = owner._take(bytes), to = temporary($nkw_reduced[0]), made = temporary(36);
-    check('nkw_clip_source_reduce',
-      x.nkw_clip_source_reduce(from, by, words(0, block, bytes, work, count), made, to, badAt()), bad);
-    $g($nkw_reduced, reduced, to);
+  return withReduction(source, reduction, [], (owner, from, by, work) => {
+    const made = temporary(60); // the source, 36 bytes; what was reached, 20; bytes
+    withBlock(owner, 'nkw_clip_source_reduce', made + 56,
+      span => x.nkw_clip_source_reduce(from, by, span, made, badAt(), work));
+    $g($nkw_reduced, reduced, made + 36);
     const list = u32[made >> 2];
     return { ...source, tracks: source.tracks.map((_, i) => trackOfClip(list + 36 * i)) };
   });
@@ -148,10 +158,9 @@ export function clipSourceReduce(source, reduction, reduced = null) {
 
 /** How far the tracks of another source are from those of a source (nkw_clip_source_difference). */
 export function clipSourceDifference(source, other, reduction, difference) {
-  withReduction(source, reduction, [other], (owner, from, by, work, count) => {
+  withReduction(source, reduction, [other], (owner, from, by, work) => {
     const to = temporary($nkw_reduced[0]);
-    check('nkw_clip_source_difference',
-      x.nkw_clip_source_difference(from, clipSource(owner, other), by, to, work, count));
+    check('nkw_clip_source_difference', x.nkw_clip_source_difference(from, clipSource(owner, other), by, to, work));
     $g($nkw_reduced, difference, to);
   });
 }
@@ -162,7 +171,7 @@ export function clipDifference(clip, source, error) {
   $t(() => during(owner => {
     const count = 160 * Math.ceil(clip.jointCount / 16) + 2 * clip.floatCount, to = temporary($nkw_clip_error[0]);
     check('nkw_clip_difference', x.nkw_clip_difference(expect(Clip, clip)._p, clipSource(owner, source), to,
-      owner._take(4 * count + 4), count));
+      memoryOf(owner, 4 * count)));
     $g($nkw_clip_error, error, to);
   }));
 }
@@ -172,14 +181,13 @@ const trackOfClip = place =>
 
 /** The tracks that a clip was built from, with its stored values (nkw_clip_track_get). */
 export function clipTracks(clip) {
-  const count = x.nkw_clip_track_count(expect(Clip, clip)._p);
-  return Array.from({ length: count }, (_, i) => $t(() => {
-    const shape = temporary(36), workCount = 160 * Math.ceil(clip.jointCount / 16) + clip.floatCount;
-    check('nkw_clip_track_shape', x.nkw_clip_track_shape(clip._p, i, shape));
-    const { count: keys, width } = get($nkw_track, shape + 8), work = temporary(4 * workCount + 4);
+  return Array.from({ length: expect(Clip, clip).trackCount }, (_, i) => $t(() => during(owner => {
+    const shape = temporary(36), work = memoryOf(owner, 640 * Math.ceil(clip.jointCount / 16) + 4 * clip.floatCount);
+    x.nkw_clip_track_get(clip._p, i, 0, shape, work); // without memory: the shape
+    const { count: keys, width } = get($nkw_track, shape + 8);
     const arrays = [temporary(4 * keys), temporary(12 * keys * width), temporary(keys)], memory = temporary(16);
     u32.set([...arrays, keys], memory >> 2);
-    check('nkw_clip_track_get', x.nkw_clip_track_get(clip._p, i, memory, shape, work, workCount));
+    check('nkw_clip_track_get', x.nkw_clip_track_get(clip._p, i, memory, shape, work));
     return trackOfClip(shape);
-  }));
+  })));
 }

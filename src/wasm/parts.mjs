@@ -120,9 +120,9 @@ export const lengths = {
   nkw_retarget_chain_scale: { source_chain: 'sourceCount', target_chain: 'targetCount' },
   nkw_blendspace_weights: { point: 'space.dimension ?? 1',
     weights: 'space.count ?? lengthOf(space.samples, space.dimension ?? 1)' },
-  nkw_mat4_from_palette: { out: 'palette.jointCount' },
-  nkw_inverse_bind_from_models: { out: 'source.joints?.length ?? lengthOf(source.models, 16)' },
-  nkw_bounds_from_palette: { boxes: 'palette.jointCount + 1' },
+  nkw_palette_to_mat4: { out: 'palette.jointCount' },
+  nkw_palette_inverse_bind: { out: 'source.joints?.length ?? lengthOf(source.models, 16)' },
+  nkw_box_from_palette: { boxes: 'palette.jointCount + 1' },
 };
 // The working memory that a function needs.
 export const work = {
@@ -140,7 +140,6 @@ export const excluded = {
   nkw_version: 'the version is in package.json',
   nkw_segment_find_n: 'nkw_segment_find for each time',
   nkw_fcurve_sample_cursor: 'nkw_fcurve_sample has the same bits',
-  nkw_clip_track_convert_axes: 'nkw_track_convert_axes of its track',
   nkw_track_sample_cursor: 'nkw_track_sample has the same bits',
 };
 export const excludedStems = {};

@@ -13,7 +13,7 @@ const arenaBytes = 65536, blocks = [];
 let arena = 0, used = 0, view;
 function temporary(bytes) {
   arena ||= take(arenaBytes);
-  const place = used, end = used + Math.ceil(bytes / 8) * 8;
+  const place = used, end = used + Math.ceil(bytes / 16) * 16;
   if (bytes >= 0 && end <= arenaBytes) {
     used = end;
     return arena + place;

@@ -40,7 +40,7 @@ static drawn draw(const float *x, int is_rotation, float angle)
 /* The value of the compact clip of the one track. */
 static int sample(drawn *d, int is_rotation, float time, float *pose)
 {
-    static uint32_t work[NKW_CLIP_WORK(1)];
+    NKW_STACK_WORK(work, NKW_CLIP_BUILD_WORK(1));
     static float block[BYTES / sizeof(float)];
     nkw_track track = {d->times,
                        d->values,
@@ -54,7 +54,7 @@ static int sample(drawn *d, int is_rotation, float time, float *pose)
     size_t bad;
     d->track = placed;
     d->track.track.times = d->times;
-    if (nkw_clip_build(&source, block, sizeof block, &bad, work, NKW_CLIP_WORK(source.track_count)) != NKW_OK)
+    if (nkw_clip_build(&source, bytes_span(block, sizeof block), &bytes, NULL, work) != NKW_OK)
         return 0;
     nkw_clip_sample((const nkw_clip *)(const void *)block, time, NULL, pose_span(pose, 1), NULL);
     return 1;

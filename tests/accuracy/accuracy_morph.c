@@ -45,7 +45,7 @@ static double morph_error(const float *x, size_t count)
     memset(&out, 0, sizeof out);
     in.positions.data = &v.x;
     out.positions.data = &got.x;
-    nkw_morph_apply(&morph, weights, &in, &out);
+    nkw_morph_apply(&morph, weights, in, out);
     return wide_error_of(&got.x, &want, 1, size) / (double)(count + 1);
 }
 

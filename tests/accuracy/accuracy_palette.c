@@ -139,7 +139,7 @@ static const wide_case cases[] = {
     {PALETTE, "matrices, model, inverse bind; scales 0.1 .. 10", wide_seed, scaled, 2, WIDE_CHECKED},
     {PALETTE, "matrices, with a global inverse, scales 0.1 .. 10", wide_seed, with_global, 2, WIDE_CHECKED},
     {PALETTE, "dual quaternions, rotation, rigid", wide_seed, dual_error, 2, WIDE_CHECKED},
-    {"nkw_inverse_bind_from_models", "scales 0.1 .. 10", wide_seed, bind_error, 2, WIDE_CHECKED},
+    {"nkw_palette_inverse_bind", "scales 0.1 .. 10", wide_seed, bind_error, 2, WIDE_CHECKED},
     {PALETTE, "normals, scales 0.1 .. 10", wide_seed, normals, 2, WIDE_CHECKED},
     {PALETTE, "rows of normals, scales 0.1 .. 10", wide_seed, normal_rows, 2, WIDE_CHECKED},
     {PALETTE, "columns of normals, scales 0.1 .. 10", wide_seed, normal_columns, 2, WIDE_CHECKED},

@@ -53,9 +53,9 @@ static void skin(vertex *v, int influences, int is_dual)
     nkw_vertices_view in = {{&v->position, 0}, {&v->normal, 0}, {NULL, 0}, {NULL, 0}};
     nkw_vertices_span out = {{&v->moved, 0}, {&v->turned, 0}, {NULL, 0}, {NULL, 0}};
     if (is_dual)
-        nkw_skin_dual_quat(&s, duals, &in, &out);
+        nkw_skin_dual_quat(&s, duals, in, out);
     else
-        nkw_skin_linear(&s, &palette, &in, &out);
+        nkw_skin_linear(&s, &palette, in, out);
 }
 
 static void transform(const wide m[16], const float p[3], wide w, wide out[3])

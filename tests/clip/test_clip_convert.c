@@ -87,7 +87,7 @@ static void a_block_of_the_other_order_becomes_that_of_this_machine(void **state
         memcpy(out.words, p->other, bytes);
         assert_int_equal(convert(out.words, bytes, &out, &clip), NKW_OK);
         assert_memory_equal(out.words, p->own, bytes);
-        assert_string_equal(nkw_clip_name(clip), "walk");
+        assert_string_equal(nkw_clip_describe(clip).name, "walk");
         /* Once more: it is of this order now. */
         assert_int_equal(convert(out.words, bytes, &out, &clip), NKW_OK);
         assert_memory_equal(out.words, p->own, bytes);
@@ -121,13 +121,14 @@ static void expect_sound(const nkw_clip *clip, size_t bytes)
     static float pose[NKW_POSE_FLOATS(4 * MOST) + 1], floats[4 * MOST + 1];
     static output again;
     const nkw_clip *same;
-    const size_t joints = nkw_clip_joint_count(clip);
-    assert_true(joints + nkw_clip_float_count(clip) < bytes);
+    const size_t joints = nkw_clip_describe(clip).joint_count;
+    assert_true(joints + nkw_clip_describe(clip).float_count < bytes);
     assert_int_equal(convert(clip, bytes, &again, &same), NKW_OK);
     assert_memory_equal(same, clip, bytes);
-    float *pose_end = pose + NKW_POSE_FLOATS(joints), *floats_end = floats + nkw_clip_float_count(clip);
+    float *pose_end = pose + NKW_POSE_FLOATS(joints), *floats_end = floats + nkw_clip_describe(clip).float_count;
     *pose_end = *floats_end = 77.0f;
-    nkw_clip_sample(clip, 0.5f * (nkw_clip_start(clip) + nkw_clip_end(clip)), NULL, pose_span(pose, joints), floats);
+    nkw_clip_sample(clip, 0.5f * (nkw_clip_describe(clip).start + nkw_clip_describe(clip).end), NULL,
+                    pose_span(pose, joints), floats);
     assert_true(*pose_end == 77.0f && *floats_end == 77.0f);
 }
 

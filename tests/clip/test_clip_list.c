@@ -21,18 +21,19 @@ typedef struct taken {
 
 static void take(const nkw_clip *clip, taken *t)
 {
-    static float work[NKW_CLIP_TRACK_WORK(RANDOM_CLIP_JOINTS, RANDOM_CLIP_FLOATS)];
-    const size_t joints = nkw_clip_joint_count(clip), count = nkw_clip_track_count(clip);
-    nkw_clip_source source = {t->tracks,         count,     joints,           nkw_clip_float_count(clip),
+    NKW_STACK_WORK(room, NKW_CLIP_TRACK_GET_WORK(RANDOM_CLIP_JOINTS, RANDOM_CLIP_FLOATS));
+    const nkw_clip_description d = nkw_clip_describe(clip);
+    const size_t joints = d.joint_count, count = d.track_count;
+    const nkw_work work = {room.data, NKW_CLIP_TRACK_GET_WORK(joints, d.float_count)}, none = {NULL, 0};
+    nkw_clip_source source = {t->tracks,         count,     joints,           d.float_count,
                               {t->rest, joints}, t->floats, NKW_CLIP_FLOAT32, NULL};
     assert_true(count <= TRACKS);
     for (size_t i = 0; i < count; i++) {
         nkw_edit_memory memory = {t->times[i], t->values[i], t->modes[i], RANDOM_CLIP_KEYS};
         nkw_clip_track shape;
-        size_t floats = NKW_CLIP_TRACK_WORK(joints, nkw_clip_float_count(clip));
-        assert_int_equal(nkw_clip_track_shape(clip, i, &shape), NKW_OK);
+        assert_int_equal(nkw_clip_track_get(clip, i, NULL, &shape, none), NKW_TOO_SMALL);
         assert_null(shape.track.values);
-        assert_int_equal(nkw_clip_track_get(clip, i, &memory, &t->tracks[i], work, floats), NKW_OK);
+        assert_int_equal(nkw_clip_track_get(clip, i, &memory, &t->tracks[i], work), NKW_OK);
         assert_int_equal(t->tracks[i].target, shape.target);
         assert_int_equal(t->tracks[i].index, shape.index);
         assert_int_equal(t->tracks[i].track.count, shape.track.count);
@@ -60,7 +61,7 @@ static void expect_samples(random_source *r, const random_clip *c, const nkw_cli
         assert_int_equal(nkw_clip_sample(got, time, NULL, pose_span(a, joints), x), NKW_OK);
         assert_int_equal(nkw_clip_sample(want, time, NULL, pose_span(b, joints), y), NKW_OK);
         expect_same_pose(a, b, joints);
-        expect_floats_bits(x, y, nkw_clip_float_count(want));
+        expect_floats_bits(x, y, nkw_clip_describe(want).float_count);
     }
 }
 
@@ -70,13 +71,12 @@ static void a_clip_of_its_own_tracks_returns_the_same_samples(void **state)
     random_source r = random_from(21);
     static random_clip c;
     static taken t;
-    static uint32_t work[NKW_CLIP_WORK(TRACKS)];
     for (int i = 0; i < 40; i++) {
         size_t bytes;
         draw(&r, 1 + random_bits(&r) % RANDOM_CLIP_JOINTS, i % 5, &c);
-        nkw_clip *clip = clip_build(&c.source, work, &bytes);
+        nkw_clip *clip = clip_build(&c.source, &bytes);
         take(clip, &t);
-        nkw_clip *again = clip_build(&t.source, work, &bytes);
+        nkw_clip *again = clip_build(&t.source, &bytes);
         expect_samples(&r, &c, again, clip);
         free(again);
         free(clip);
@@ -89,13 +89,12 @@ static void the_keys_of_compact_clips_are_their_samples(void **state)
     random_source r = random_from(22);
     static random_clip c;
     static taken t;
-    static uint32_t work[NKW_CLIP_WORK(TRACKS)];
     for (int i = 0; i < 10; i++) {
         float pose[NKW_POSE_FLOATS(17)], floats[RANDOM_CLIP_FLOATS];
         size_t bytes;
         draw(&r, 17, i % 3, &c);
         c.source.format = NKW_CLIP_UNORM16;
-        nkw_clip *clip = clip_build(&c.source, work, &bytes);
+        nkw_clip *clip = clip_build(&c.source, &bytes);
         take(clip, &t);
         for (size_t k = 0; k < t.source.track_count; k++) {
             const nkw_clip_track *track = &t.tracks[k];
@@ -128,16 +127,16 @@ static void moving_tracks_are_listed_once_and_constant_ones_are_not(void **state
         nkw_clip_track c = {NKW_CLIP_TRANSLATION, j, j % 4 == 3 ? constant : moving};
         tracks[j] = c;
     }
-    static uint32_t work[NKW_CLIP_WORK(12)];
+    const nkw_work none = {NULL, 0};
     nkw_clip_source source = {tracks, 12, 13, 0, {NULL, 0}, NULL, NKW_CLIP_FLOAT32, NULL};
     for (int format = 0; format < 2; format++) {
         size_t bytes, seen = 0;
         source.format = (nkw_clip_format)format;
-        nkw_clip *clip = clip_build(&source, work, &bytes);
-        assert_int_equal(nkw_clip_track_count(clip), 9);
+        nkw_clip *clip = clip_build(&source, &bytes);
+        assert_int_equal(nkw_clip_describe(clip).track_count, 9);
         for (size_t i = 0; i < 9; i++) {
             nkw_clip_track shape;
-            assert_int_equal(nkw_clip_track_shape(clip, i, &shape), NKW_OK);
+            assert_int_equal(nkw_clip_track_get(clip, i, NULL, &shape, none), NKW_TOO_SMALL);
             assert_int_equal(shape.target, NKW_CLIP_TRANSLATION);
             assert_true(shape.index % 4 != 3 && shape.index < 12);
             seen |= (size_t)1 << shape.index;
@@ -150,15 +149,14 @@ static void moving_tracks_are_listed_once_and_constant_ones_are_not(void **state
 /* The track of one clip of one joint, built as floats. */
 static nkw_clip *rebuilt(const nkw_clip *clip, float *times, float *values, size_t capacity)
 {
-    float work[NKW_CLIP_TRACK_WORK(1, 0)];
-    uint32_t order[NKW_CLIP_WORK(1)];
+    NKW_STACK_WORK(work, NKW_CLIP_TRACK_GET_WORK(1, 0));
     size_t bytes;
     nkw_clip_track track;
     const nkw_edit_memory memory = {times, values, NULL, capacity};
-    assert_int_equal(nkw_clip_track_count(clip), 1);
-    assert_int_equal(nkw_clip_track_get(clip, 0, &memory, &track, work, NKW_CLIP_TRACK_WORK(1, 0)), NKW_OK);
+    assert_int_equal(nkw_clip_describe(clip).track_count, 1);
+    assert_int_equal(nkw_clip_track_get(clip, 0, &memory, &track, work), NKW_OK);
     const nkw_clip_source source = {&track, 1, 1, 0, {NULL, 0}, NULL, NKW_CLIP_FLOAT32, NULL};
-    return clip_build(&source, order, &bytes);
+    return clip_build(&source, &bytes);
 }
 
 static nkw_quat rotation_at(const nkw_clip *clip, float time)
@@ -174,7 +172,7 @@ static void half_turns_keep_their_direction(void **state)
     (void)state;
     const float known[12] = {0, 0, 0, 1, 0, 1, 0, -4.37113883e-08f, 0, 8.74227766e-08f, 0, 1};
     static float times[20], values[80], got_times[20], got_values[80], block[4096];
-    static double work[NKW_CLIP_REDUCE_WORK(1, 1, 0)];
+    static double work[NKW_CLIP_REDUCE_WORK(1, 1, 0) / 8 + 2];
     random_source r = random_from(25);
     for (size_t k = 0; k < 20; k++)
         times[k] = (float)k;
@@ -190,14 +188,15 @@ static void half_turns_keep_their_direction(void **state)
             nkw_quat q = nkw_quat_mul(nkw_quat_from_axis_angle(nkw_vec3_normalize(axis), turn * (float)(k % 2)), start);
             memcpy(values + 4 * k, i < 2 ? known + 4 * k : &q.x, sizeof q);
         }
-        uint32_t order[NKW_CLIP_WORK(1)];
         size_t bytes;
-        nkw_clip *built = clip_build(&source, order, &bytes);
+        nkw_clip *built = clip_build(&source, &bytes);
         if (i % 2) {
             const nkw_clip_reduction within = {NULL, 1e-3f, 0.1f, NULL, NULL, 0.0f};
-            const nkw_clip_memory memory = {block, sizeof block, work, sizeof work / sizeof *work};
+            nkw_clip_reduced reduced;
             source.format = NKW_CLIP_FLOAT32;
-            assert_int_equal(nkw_clip_reduce(&source, &within, &memory, NULL, NULL), NKW_OK);
+            assert_int_equal(nkw_clip_reduce(&source, &within, bytes_span(block, sizeof block), &reduced, NULL,
+                                             work_in(work, sizeof work)),
+                             NKW_OK);
         }
         const nkw_clip *clip = i % 2 ? (const nkw_clip *)(const void *)block : built;
         nkw_clip *again = rebuilt(clip, got_times, got_values, 20);
@@ -217,23 +216,24 @@ static void rebuilt_clips_of_other_formats_differ_by_rounding(void **state)
     random_source r = random_from(26);
     static random_clip c;
     static taken t;
-    static uint32_t order[NKW_CLIP_WORK(TRACKS)];
     static float block[1 << 17], a[NKW_POSE_FLOATS(17)], b[NKW_POSE_FLOATS(17)];
-    static double work[NKW_CLIP_REDUCE_WORK(RANDOM_CLIP_TRACKS, 17, RANDOM_CLIP_FLOATS)];
+    static double work[NKW_CLIP_REDUCE_WORK(RANDOM_CLIP_TRACKS, 17, RANDOM_CLIP_FLOATS) / 8 + 2];
     float x[RANDOM_CLIP_FLOATS], y[RANDOM_CLIP_FLOATS];
     int moved = 0;
     for (int i = 0; i < 40; i++) {
         size_t bytes;
         draw(&r, 17, i % 3, &c);
         c.source.format = i % 2 ? NKW_CLIP_FLOAT32 : NKW_CLIP_UNORM16;
-        nkw_clip *built = clip_build(&c.source, order, &bytes);
+        nkw_clip *built = clip_build(&c.source, &bytes);
         const nkw_clip_reduction within = {NULL, 1e-3f, 0.1f, NULL, NULL, 1e-3f};
-        const nkw_clip_memory memory = {block, sizeof block, work, sizeof work / sizeof *work};
+        nkw_clip_reduced reduced;
         if (i % 2)
-            assert_int_equal(nkw_clip_reduce(&c.source, &within, &memory, NULL, NULL), NKW_OK);
+            assert_int_equal(nkw_clip_reduce(&c.source, &within, bytes_span(block, sizeof block), &reduced, NULL,
+                                             work_in(work, sizeof work)),
+                             NKW_OK);
         const nkw_clip *clip = i % 2 ? (const nkw_clip *)(const void *)block : built;
         take(clip, &t);
-        nkw_clip *again = clip_build(&t.source, order, &bytes);
+        nkw_clip *again = clip_build(&t.source, &bytes);
         for (int k = 0; k < 60; k++) {
             const float time = random_clip_time(&r, &c, k);
             nkw_clip_sample(clip, time, NULL, pose_span(a, 17), x);
@@ -247,7 +247,7 @@ static void rebuilt_clips_of_other_formats_differ_by_rounding(void **state)
                 assert_true(d < 1e-3f);
                 moved += d > 1e-6f; /* between keys half a turn apart */
             }
-            for (size_t f = 0; f < nkw_clip_float_count(clip); f++)
+            for (size_t f = 0; f < nkw_clip_describe(clip).float_count; f++)
                 expect_near(x[f], y[f], 1e-6);
         }
         free(again);
@@ -261,7 +261,6 @@ static void a_compact_clip_is_never_larger_than_one_of_floats(void **state)
     (void)state;
     random_source r = random_from(28);
     static random_clip c;
-    static uint32_t order[NKW_CLIP_WORK(TRACKS)];
     size_t smaller = 0;
     for (int i = 0; i < 600; i++) {
         size_t floats, compact;
@@ -269,12 +268,12 @@ static void a_compact_clip_is_never_larger_than_one_of_floats(void **state)
         for (size_t k = 0; k < c.source.track_count; k++)
             if (c.tracks[k].track.count > 2 + (size_t)i % 7)
                 c.tracks[k].track.count = 2 + (size_t)i % 7;
-        assert_int_equal(nkw_clip_measure(&c.source, &floats, NULL, order, NKW_CLIP_WORK(TRACKS)), NKW_OK);
+        floats = clip_size_of(&c.source);
         c.source.format = NKW_CLIP_UNORM16;
-        assert_int_equal(nkw_clip_measure(&c.source, &compact, NULL, order, NKW_CLIP_WORK(TRACKS)), NKW_OK);
+        compact = clip_size_of(&c.source);
         assert_true(compact <= floats);
         smaller += compact < floats;
-        nkw_clip *clip = clip_build(&c.source, order, &compact); /* as large as measured */
+        nkw_clip *clip = clip_build(&c.source, &compact); /* as large as measured */
         free(clip);
     }
     assert_true(smaller > 100);
@@ -287,11 +286,10 @@ static void all_tracks_of_thousands_of_joints_are_taken_out(void **state)
     enum { MANY = 4000, COUNT = 3 * MANY };
     const float times[3] = {0.0f, 0.5f, 1.0f};
     float *values = (float *)calloc(12 * COUNT, sizeof *values), work_values[12], work_times[3];
-    float *work = (float *)malloc(NKW_CLIP_TRACK_WORK(MANY, 0) * sizeof *work);
+    const nkw_work work = {malloc(NKW_CLIP_TRACK_GET_WORK(MANY, 0)), NKW_CLIP_TRACK_GET_WORK(MANY, 0)};
     nkw_clip_track *tracks = (nkw_clip_track *)calloc(COUNT, sizeof *tracks);
-    uint32_t *order = (uint32_t *)malloc(NKW_CLIP_WORK(COUNT) * sizeof *order);
     unsigned char *seen = (unsigned char *)calloc(COUNT, 1);
-    assert_true(values && work && tracks && order && seen);
+    assert_true(values && work.data && tracks && seen);
     for (size_t i = 0; i < COUNT; i++) {
         const int is_rotation = i % 3 == NKW_CLIP_ROTATION;
         const nkw_track track = {times,
@@ -311,12 +309,12 @@ static void all_tracks_of_thousands_of_joints_are_taken_out(void **state)
         nkw_clip_source source = {tracks, COUNT, MANY, 0, {NULL, 0}, NULL, (nkw_clip_format)format, NULL};
         const nkw_edit_memory memory = {work_times, work_values, NULL, 3};
         size_t bytes;
-        nkw_clip *clip = clip_build(&source, order, &bytes);
+        nkw_clip *clip = clip_build(&source, &bytes);
         memset(seen, 0, COUNT);
-        assert_int_equal(nkw_clip_track_count(clip), COUNT);
+        assert_int_equal(nkw_clip_describe(clip).track_count, COUNT);
         for (size_t i = 0; i < COUNT; i++) {
             nkw_clip_track got;
-            assert_int_equal(nkw_clip_track_get(clip, i, &memory, &got, work, NKW_CLIP_TRACK_WORK(MANY, 0)), NKW_OK);
+            assert_int_equal(nkw_clip_track_get(clip, i, &memory, &got, work), NKW_OK);
             const size_t at = 3 * (size_t)got.index + (size_t)got.target;
             if (at >= COUNT || seen[at])
                 fail();
@@ -326,7 +324,7 @@ static void all_tracks_of_thousands_of_joints_are_taken_out(void **state)
         }
         free(clip);
     }
-    free(values), free(work), free(tracks), free(order), free(seen);
+    free(values), free(work.data), free(tracks), free(seen);
 }
 
 /* The indices of tracks in a block are checked: a list has as many as its count says. */
@@ -335,13 +333,16 @@ static void damaged_indices_of_tracks_are_refused(void **state)
     (void)state;
     random_source r = random_from(27);
     static random_clip c;
-    static uint32_t order[NKW_CLIP_WORK(TRACKS)];
-    static float times[RANDOM_CLIP_KEYS], values[12 * RANDOM_CLIP_KEYS],
-        work[NKW_CLIP_TRACK_WORK(9, RANDOM_CLIP_FLOATS)];
+    static float times[RANDOM_CLIP_KEYS], values[12 * RANDOM_CLIP_KEYS];
+    NKW_STACK_WORK(work, NKW_CLIP_TRACK_GET_WORK(9, RANDOM_CLIP_FLOATS));
+    const nkw_work none = {NULL, 0};
     static unsigned char modes[RANDOM_CLIP_KEYS];
     size_t bytes, refused = 0;
     draw(&r, 9, 2, &c);
-    uint32_t *words = (uint32_t *)(void *)clip_build(&c.source, order, &bytes);
+    nkw_clip *whole = clip_build(&c.source, &bytes), *damaged = (nkw_clip *)malloc(bytes);
+    uint32_t *words = (uint32_t *)(void *)damaged;
+    assert_non_null(words);
+    memcpy(words, whole, bytes);
     for (size_t i = 0; i < bytes / 4; i++)
         for (int bit = 0; bit < 32; bit += 5) {
             const nkw_edit_memory memory = {times, values, modes, RANDOM_CLIP_KEYS};
@@ -349,16 +350,17 @@ static void damaged_indices_of_tracks_are_refused(void **state)
             words[i] ^= 1u << bit;
             if (nkw_clip_open(words, bytes, &clip) != NKW_OK)
                 refused++;
-            for (size_t k = 0; clip && k <= nkw_clip_track_count(clip) && nkw_clip_joint_count(clip) == 9; k++) {
+            const nkw_clip_description d = nkw_clip_describe(clip ? clip : whole);
+            for (size_t k = 0; clip && k <= d.track_count && d.joint_count == 9; k++) {
                 nkw_clip_track got;
-                assert_int_equal(nkw_clip_track_shape(clip, k, &got),
-                                 k < nkw_clip_track_count(clip) ? NKW_OK : NKW_OUT_OF_RANGE);
-                nkw_clip_track_get(clip, k, &memory, &got, work, sizeof work / sizeof *work);
+                nkw_result shape = nkw_clip_track_get(clip, k, NULL, &got, none);
+                assert_true(shape == NKW_OUT_OF_RANGE || (shape == NKW_TOO_SMALL && k < d.track_count));
+                nkw_clip_track_get(clip, k, &memory, &got, work);
             }
             words[i] ^= 1u << bit;
         }
     assert_true(refused > 100);
-    free(words);
+    free(damaged), free(whole);
 }
 
 static void names_come_back(void **state)
@@ -367,28 +369,27 @@ static void names_come_back(void **state)
     const char *const joints[3] = {"hips", NULL, "左手"};
     const nkw_clip_names names = {"walk", joints}, only = {NULL, joints}, own = {"run", NULL};
     nkw_clip_source source = {NULL, 0, 3, 0, {NULL, 0}, NULL, NKW_CLIP_FLOAT32, &names};
-    uint32_t work[1];
     size_t bytes;
-    nkw_clip *clip = clip_build(&source, work, &bytes);
-    assert_string_equal(nkw_clip_name(clip), "walk");
+    nkw_clip *clip = clip_build(&source, &bytes);
+    assert_string_equal(nkw_clip_describe(clip).name, "walk");
     assert_string_equal(nkw_clip_joint_name(clip, 0), "hips");
     assert_string_equal(nkw_clip_joint_name(clip, 1), "");
     assert_string_equal(nkw_clip_joint_name(clip, 2), "左手");
     assert_string_equal(nkw_clip_joint_name(clip, 3), "");
     free(clip);
     source.names = &only;
-    clip = clip_build(&source, work, &bytes);
-    assert_string_equal(nkw_clip_name(clip), "");
+    clip = clip_build(&source, &bytes);
+    assert_string_equal(nkw_clip_describe(clip).name, "");
     assert_string_equal(nkw_clip_joint_name(clip, 2), "左手");
     free(clip);
     source.names = &own;
-    clip = clip_build(&source, work, &bytes);
-    assert_string_equal(nkw_clip_name(clip), "run");
+    clip = clip_build(&source, &bytes);
+    assert_string_equal(nkw_clip_describe(clip).name, "run");
     assert_string_equal(nkw_clip_joint_name(clip, 2), "");
     free(clip);
     source.names = NULL;
-    clip = clip_build(&source, work, &bytes);
-    assert_string_equal(nkw_clip_name(clip), "");
+    clip = clip_build(&source, &bytes);
+    assert_string_equal(nkw_clip_describe(clip).name, "");
     assert_string_equal(nkw_clip_joint_name(clip, SIZE_MAX), "");
     free(clip);
 }
@@ -398,26 +399,29 @@ static void too_little_memory_and_wrong_indices_are_refused(void **state)
     (void)state;
     random_source r = random_from(23);
     static random_clip c;
-    static uint32_t order[NKW_CLIP_WORK(TRACKS)];
     static float times[RANDOM_CLIP_KEYS], values[12 * RANDOM_CLIP_KEYS];
-    static float work[NKW_CLIP_TRACK_WORK(8, 0)];
+    NKW_STACK_WORK(work, NKW_CLIP_TRACK_GET_WORK(8, 0));
+    const nkw_work small = {work.data, work.bytes - 1}, none = {NULL, 0};
+    const nkw_work misaligned = {(unsigned char *)work.data + 4, work.bytes};
     size_t bytes;
     draw(&r, 8, 4, &c);
-    nkw_clip *clip = clip_build(&c.source, order, &bytes);
+    nkw_clip *clip = clip_build(&c.source, &bytes);
     nkw_clip_track out, shape;
     nkw_edit_memory memory = {times, values, NULL, RANDOM_CLIP_KEYS};
-    size_t all = NKW_CLIP_TRACK_WORK(8, 0), count = nkw_clip_track_count(clip);
+    size_t count = nkw_clip_describe(clip).track_count;
     unsigned char modes[RANDOM_CLIP_KEYS];
-    assert_int_equal(nkw_clip_track_shape(clip, count, &shape), NKW_OUT_OF_RANGE);
-    assert_int_equal(nkw_clip_track_shape(clip, SIZE_MAX, &shape), NKW_OUT_OF_RANGE);
-    assert_int_equal(nkw_clip_track_get(clip, count, &memory, &out, work, all), NKW_OUT_OF_RANGE);
-    assert_int_equal(nkw_clip_track_get(clip, 0, &memory, &out, work, all), NKW_TOO_SMALL);
+    assert_int_equal(nkw_clip_track_get(clip, count, NULL, &shape, none), NKW_OUT_OF_RANGE);
+    assert_int_equal(nkw_clip_track_get(clip, SIZE_MAX, NULL, &shape, none), NKW_OUT_OF_RANGE);
+    assert_int_equal(nkw_clip_track_get(clip, count, &memory, &out, work), NKW_OUT_OF_RANGE);
+    assert_int_equal(nkw_clip_track_get(clip, 0, &memory, &out, work), NKW_TOO_SMALL);
     memory.key_interpolation = modes;
-    assert_int_equal(nkw_clip_track_get(clip, 0, &memory, &out, work, all - 1), NKW_TOO_SMALL);
+    assert_int_equal(nkw_clip_track_get(clip, 0, &memory, &out, small), NKW_TOO_SMALL);
+    assert_int_equal(nkw_clip_track_get(clip, 0, &memory, &out, misaligned), NKW_TOO_SMALL);
+    assert_null(out.track.values);
     memory.key_capacity--;
-    assert_int_equal(nkw_clip_track_get(clip, 0, &memory, &out, work, all), NKW_TOO_SMALL);
+    assert_int_equal(nkw_clip_track_get(clip, 0, &memory, &out, work), NKW_TOO_SMALL);
     memory.key_capacity++;
-    assert_int_equal(nkw_clip_track_get(clip, 0, &memory, &out, work, all), NKW_OK);
+    assert_int_equal(nkw_clip_track_get(clip, 0, &memory, &out, work), NKW_OK);
     free(clip);
 }
 
@@ -432,10 +436,9 @@ static void a_block_of_this_byte_order_is_copied_whatever_its_alignment(void **s
     (void)state;
     random_source r = random_from(24);
     static random_clip c;
-    static uint32_t order[NKW_CLIP_WORK(TRACKS)];
     size_t bytes;
     draw(&r, 9, 2, &c);
-    nkw_clip *block = clip_build(&c.source, order, &bytes);
+    nkw_clip *block = clip_build(&c.source, &bytes);
     unsigned char *odd = (unsigned char *)malloc(bytes + 1);
     uint32_t *out = (uint32_t *)malloc(bytes);
     assert_true(odd && out);

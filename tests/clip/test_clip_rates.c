@@ -20,7 +20,6 @@ typedef struct capture {
 } capture;
 
 static capture taken;
-static uint32_t work[NKW_CLIP_WORK(TRACKS)];
 
 /* A wave of 1/2, 1 or 2 turns in the two seconds. Of rotations the angle about y, of numbers each component. */
 static void draw_values(size_t joint, int rotation, float *values)
@@ -73,7 +72,7 @@ static nkw_clip *build(const nkw_clip_track *tracks, nkw_clip_format format)
 {
     nkw_clip_source source = source_of(tracks, format);
     size_t bytes;
-    return clip_build(&source, work, &bytes);
+    return clip_build(&source, &bytes);
 }
 
 static void sampling_gives_the_bits_of_track_by_track(void **state)
@@ -82,7 +81,7 @@ static void sampling_gives_the_bits_of_track_by_track(void **state)
     nkw_clip *clip = build(taken.own, NKW_CLIP_FLOAT32);
     for (float time = -0.1f; time < 2.2f; time += 0.0371f) {
         float got[NKW_POSE_FLOATS(JOINTS)], want[NKW_POSE_FLOATS(JOINTS)];
-        nkw_clip_sample(clip, time, NULL, pose_span(got, nkw_clip_joint_count(clip)), NULL);
+        nkw_clip_sample(clip, time, NULL, pose_span(got, nkw_clip_describe(clip).joint_count), NULL);
         nkw_pose_identity(pose_span(want, JOINTS));
         for (size_t i = 0; i < TRACKS; i++)
             track_sample_to(&taken.own[i], time, JOINTS, want, NULL);
@@ -96,21 +95,22 @@ static void fewer_keys_keep_the_tolerance(void **state)
 {
     (void)state;
     for (int format = NKW_CLIP_FLOAT32; format <= NKW_CLIP_UNORM16; format++) {
-        float room[NKW_CLIP_DIFFERENCE_WORK(JOINTS, 0)];
+        NKW_STACK_WORK(work, NKW_CLIP_DIFFERENCE_WORK(JOINTS, 0));
         nkw_clip *whole = build(taken.tracks, (nkw_clip_format)format);
         nkw_clip *own = build(taken.own, (nkw_clip_format)format);
+        const nkw_clip_description of_whole = nkw_clip_describe(whole), of_own = nkw_clip_describe(own);
         nkw_clip_source source = source_of(taken.tracks, NKW_CLIP_FLOAT32);
         nkw_clip_error error;
-        assert_int_equal(nkw_clip_difference(own, &source, &error, room, sizeof room / sizeof *room), NKW_OK);
+        assert_int_equal(nkw_clip_difference(own, &source, &error, work), NKW_OK);
         assert_true(error.translation > 1e-5f && error.translation < TOLERANCE + 5e-6f);
         assert_true(error.rotation > 1e-5f && error.rotation < TOLERANCE + 1.75e-4f);
         assert_true(error.scale > 1e-5f && error.scale < TOLERANCE + 5e-6f);
         expect_page("subjects/clip/clip.md", "| %s | %lu | %lu | %.4f | %.4f |", format ? "16 bits" : "floats",
-                    (unsigned long)nkw_clip_bytes(whole), (unsigned long)nkw_clip_bytes(own),
-                    (double)error.translation, (double)error.rotation);
-        assert_int_equal(nkw_clip_cursor_count(whole), 1);
-        assert_true(nkw_clip_cursor_count(own) > 1 && nkw_clip_cursor_count(own) <= 4);
-        assert_true(nkw_clip_bytes(own) < nkw_clip_bytes(whole) / 2);
+                    (unsigned long)of_whole.bytes, (unsigned long)of_own.bytes, (double)error.translation,
+                    (double)error.rotation);
+        assert_int_equal(of_whole.cursor_count, 1);
+        assert_true(of_own.cursor_count > 1 && of_own.cursor_count <= 4);
+        assert_true(of_own.bytes < of_whole.bytes / 2);
         free(whole);
         free(own);
     }
@@ -133,7 +133,7 @@ static void nearly_even_times_give_the_bits_of_tracks(void **state)
         track.track.times = times;
         nkw_clip_source source = {&track, 1, 1, 0, {NULL, 0}, NULL, NKW_CLIP_FLOAT32, NULL};
         size_t bytes;
-        nkw_clip *clip = clip_build(&source, work, &bytes);
+        nkw_clip *clip = clip_build(&source, &bytes);
         for (int i = 0; i < 2000; i++, time += 0.0025f) {
             float pose[NKW_POSE_FLOATS(1)], want[4], at = i < (int)KEYS ? times[i] : time;
             nkw_clip_sample(clip, at, NULL, pose_span(pose, 1), NULL);

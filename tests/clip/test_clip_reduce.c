@@ -18,7 +18,7 @@ static struct {
     nkw_clip_track tracks[TRACKS];
     nkw_clip_source source;
 } drawn;
-static double work[NKW_CLIP_REDUCE_WORK(TRACKS, JOINTS, FLOATS)];
+static double work[NKW_CLIP_REDUCE_WORK(TRACKS, JOINTS, FLOATS) / 8 + 2];
 static float block[1 << 19], pose[NKW_POSE_FLOATS(JOINTS)], wanted[NKW_POSE_FLOATS(JOINTS)], floats[FLOATS];
 
 /*
@@ -80,8 +80,8 @@ static nkw_clip_reduction within(float tolerance)
 static nkw_result reduce_to(const nkw_clip_reduction *r, nkw_clip_reduced *reduced)
 {
     size_t bad;
-    const nkw_clip_memory memory = {block, sizeof block, work, sizeof work / sizeof *work};
-    return nkw_clip_reduce(&drawn.source, r, &memory, reduced, &bad);
+    return nkw_clip_reduce(&drawn.source, r, bytes_span(block, sizeof block), reduced, &bad,
+                           work_in(work, sizeof work));
 }
 
 static const nkw_clip *reduced_clip(const nkw_clip_reduction *r, nkw_clip_reduced *reduced)
@@ -89,7 +89,7 @@ static const nkw_clip *reduced_clip(const nkw_clip_reduction *r, nkw_clip_reduce
     const nkw_clip *clip = NULL;
     assert_int_equal(reduce_to(r, reduced), NKW_OK);
     assert_int_equal(nkw_clip_open(block, reduced->bytes, &clip), NKW_OK);
-    assert_int_equal(nkw_clip_bytes(clip), reduced->bytes);
+    assert_int_equal(nkw_clip_describe(clip).bytes, reduced->bytes);
     return clip;
 }
 
@@ -120,10 +120,8 @@ static float distance_at(const nkw_clip *clip, float time)
 static void a_reduced_clip_is_small_and_within_the_tolerance(void **state)
 {
     const float tolerances[3] = {1e-4f, 1e-3f, 1e-2f};
-    size_t before = 0, bytes = 0, bad, all[3];
-    uint32_t order[NKW_CLIP_WORK(TRACKS)];
+    size_t before = clip_size_of(&drawn.source), bytes = 0, all[3];
     (void)state;
-    assert_int_equal(nkw_clip_measure(&drawn.source, &before, &bad, order, NKW_CLIP_WORK(TRACKS)), NKW_OK);
     for (int i = 0; i < 3; i++) {
         const nkw_clip_reduction r = within(tolerances[i]);
         nkw_clip_reduced reduced;
@@ -160,12 +158,13 @@ static void a_loop_stays_closed(void **state)
     float first[NKW_POSE_FLOATS(JOINTS)];
     (void)state;
     const nkw_clip *clip = reduced_clip(&r, &reduced);
-    nkw_clip_sample(clip, nkw_clip_start(clip), NULL, pose_span(first, JOINTS), NULL);
-    nkw_clip_sample(clip, nkw_clip_end(clip), NULL, pose_span(pose, JOINTS), NULL);
+    nkw_clip_sample(clip, nkw_clip_describe(clip).start, NULL, pose_span(first, JOINTS), NULL);
+    nkw_clip_sample(clip, nkw_clip_describe(clip).end, NULL, pose_span(pose, JOINTS), NULL);
     for (size_t c = 0; c < 10; c++)
         for (size_t j = 0; j < JOINTS; j++)
             assert_true(first[c * NKW_POSE_STRIDE(JOINTS) + j] == pose[c * NKW_POSE_STRIDE(JOINTS) + j]);
-    assert_true(nkw_clip_start(clip) == drawn.times[0] && nkw_clip_end(clip) == drawn.times[KEYS - 1]);
+    assert_true(nkw_clip_describe(clip).start == drawn.times[0] &&
+                nkw_clip_describe(clip).end == drawn.times[KEYS - 1]);
 }
 
 /* Every joint has its own tolerance: that of an odd chain is 100 times that of an even one. */
@@ -245,14 +244,15 @@ static void a_cache_returns_the_same_bits(void **state)
     nkw_clip_reduced reduced;
     (void)state;
     const nkw_clip *clip = reduced_clip(&r, &reduced);
-    assert_true(nkw_clip_cache_bytes(clip) <= sizeof cache);
+    assert_true(nkw_clip_describe(clip).cache_bytes <= sizeof cache);
     memset(cache, 0, sizeof cache);
     for (size_t k = 0; k < 300; k++) {
         float time = k < 250 ? 0.45f + 0.01f * (float)k : 0.5f + (float)(k * 7 % 11) / 30.0f;
         float twice[2][FLOATS];
         nkw_clip_sample(clip, time, NULL, pose_span(pose, JOINTS), twice[0]);
-        assert_int_equal(nkw_clip_sample_cached(clip, time, pose_span(again, JOINTS), twice[1], cache, sizeof cache),
-                         NKW_OK);
+        assert_int_equal(
+            nkw_clip_sample_cached(clip, time, bytes_span(cache, sizeof cache), pose_span(again, JOINTS), twice[1]),
+            NKW_OK);
         assert_memory_equal(twice[0], twice[1], sizeof twice[0]);
         for (size_t c = 0; c < 10; c++)
             assert_memory_equal(pose + c * NKW_POSE_STRIDE(JOINTS), again + c * NKW_POSE_STRIDE(JOINTS),
@@ -316,10 +316,11 @@ static void chain_models(const chain *c, const nkw_clip *clip, float time, nkw_m
 static double reduced_chain(const chain *c, float tolerance, float distance, double reach, nkw_clip_reduced *reduced)
 {
     const nkw_clip_reduction r = {c->parents, tolerance, distance, NULL, NULL, 0.0f};
-    const nkw_clip_memory memory = {block, sizeof block, work, sizeof work / sizeof *work};
     const size_t keys = c->tracks[0].track.count;
     double largest = 0.0;
-    assert_int_equal(nkw_clip_reduce(&c->source, &r, &memory, reduced, NULL), NKW_OK);
+    assert_int_equal(
+        nkw_clip_reduce(&c->source, &r, bytes_span(block, sizeof block), reduced, NULL, work_in(work, sizeof work)),
+        NKW_OK);
     for (size_t k = 0; k < 2 * keys - 1; k++) {
         float time = k % 2 ? nkw_lerp(c->times[k / 2], c->times[k / 2 + 1], 0.5f) : c->times[k / 2];
         nkw_mat4 got[LINKS], wanted_models[LINKS];
@@ -419,12 +420,9 @@ static void each_axis_has_its_own_scale(void **state)
 
 static size_t bytes_of(const nkw_clip_source *source, nkw_clip_format format)
 {
-    static uint32_t order[NKW_CLIP_WORK(LINK_TRACKS)];
     nkw_clip_source s = *source;
-    size_t bytes = 0;
     s.format = format;
-    assert_int_equal(nkw_clip_measure(&s, &bytes, NULL, order, NKW_CLIP_WORK(LINK_TRACKS)), NKW_OK);
-    return bytes;
+    return clip_size_of(&s);
 }
 
 /* A clip of few keys is smaller as floats, or in 16 bits where their error is within the tolerance. */
@@ -485,8 +483,9 @@ static void ranges_that_overflow_are_stored_as_floats(void **state)
         for (size_t k = 0; k < LINK_KEYS && i % 2; k++)
             c.values[7][3 * k] = 1e38f * (float)(k % 2);
         const nkw_clip_reduction r = {c.parents, i < 4 ? 1e35f : 1e-3f, 0.1f, NULL, NULL, 0.0f};
-        const nkw_clip_memory memory = {block, sizeof block, work, sizeof work / sizeof *work};
-        assert_int_equal(nkw_clip_reduce(&c.source, &r, &memory, &reduced, NULL), NKW_OK);
+        assert_int_equal(
+            nkw_clip_reduce(&c.source, &r, bytes_span(block, sizeof block), &reduced, NULL, work_in(work, sizeof work)),
+            NKW_OK);
         assert_true(reduced.share <= 1.0f);
         for (size_t k = 0; k < 2 * LINK_KEYS - 1; k++) {
             float time = 0.5f * (c.times[k / 2] + c.times[(k + 1) / 2]), want_value[3];
@@ -500,24 +499,33 @@ static void ranges_that_overflow_are_stored_as_floats(void **state)
 static void wrong_arguments_are_refused(void **state)
 {
     nkw_clip_reduction r = within(1e-3f);
-    size_t bytes, bad, count = sizeof work / sizeof *work;
+    const size_t needed = NKW_CLIP_REDUCE_WORK(TRACKS, JOINTS, FLOATS);
+    const nkw_work room = work_in(work, sizeof work), enough = {room.data, needed}, little = {room.data, needed - 1};
+    const nkw_work misaligned = {(unsigned char *)room.data + 8, needed};
+    nkw_clip_reduced reduced;
+    size_t bad = 9;
     (void)state;
-    assert_int_equal(nkw_clip_reduce_measure(&drawn.source, &bytes, &bad, work, count), NKW_OK);
-    assert_true(bytes <= sizeof block);
-    const nkw_clip_memory small = {block, bytes - 1, work, count}, little = {block, bytes, work, count - 1};
-    assert_int_equal(nkw_clip_reduce(&drawn.source, &r, &small, NULL, &bad), NKW_TOO_SMALL);
-    assert_int_equal(nkw_clip_reduce(&drawn.source, &r, &little, NULL, &bad), NKW_TOO_SMALL);
-    assert_int_equal(nkw_clip_reduce_measure(&drawn.source, &bytes, &bad, work, count - 1), NKW_TOO_SMALL);
+    assert_int_equal(nkw_clip_reduce(&drawn.source, &r, bytes_span(NULL, 0), &reduced, &bad, enough), NKW_TOO_SMALL);
+    const size_t bytes = reduced.bytes;
+    assert_true(bytes > 0 && bytes <= sizeof block && bad == 0);
+    const nkw_bytes_span whole = bytes_span(block, bytes), small = bytes_span(block, bytes - 1);
+    assert_int_equal(nkw_clip_reduce(&drawn.source, &r, small, &reduced, &bad, enough), NKW_TOO_SMALL);
+    assert_int_equal(reduced.bytes, bytes);
+    assert_int_equal(nkw_clip_reduce(&drawn.source, &r, whole, &reduced, &bad, little), NKW_TOO_SMALL);
+    assert_int_equal(reduced.bytes, 0);
+    assert_int_equal(nkw_clip_reduce(&drawn.source, &r, whole, &reduced, &bad, misaligned), NKW_TOO_SMALL);
+    assert_int_equal(reduced.bytes, 0);
     r.distance = -1.0f;
-    assert_int_equal(reduce_to(&r, NULL), NKW_NOT_FINITE);
+    assert_int_equal(reduce_to(&r, &reduced), NKW_OUT_OF_RANGE);
     r = within(NAN);
-    assert_int_equal(reduce_to(&r, NULL), NKW_NOT_FINITE);
+    assert_int_equal(reduce_to(&r, &reduced), NKW_NOT_FINITE);
     r = within(1e-3f);
     drawn.source.format = NKW_CLIP_UNORM16;
-    assert_int_equal(reduce_to(&r, NULL), NKW_BAD_FORMAT);
+    assert_int_equal(reduce_to(&r, &reduced), NKW_BAD_FORMAT);
     drawn.source.format = NKW_CLIP_FLOAT32;
     drawn.tracks[7].index = 0;
-    assert_int_equal(reduce_to(&r, NULL), NKW_REPEATED);
+    assert_int_equal(reduce_to(&r, &reduced), NKW_REPEATED);
+    assert_int_equal(reduced.bytes, 0);
     draw(state);
 }
 
@@ -534,8 +542,8 @@ static void a_damaged_reduced_block_is_refused_or_safe(void **state)
         const uint32_t kept = words[i];
         const nkw_clip *clip;
         words[i] = i % 3 == 0 ? (uint32_t)random_bits(&random) : i % 3 == 1 ? kept + 1 : kept ^ 1u << i % 32;
-        if (nkw_clip_open(block, reduced.bytes, &clip) == NKW_OK && nkw_clip_joint_count(clip) == JOINTS &&
-            nkw_clip_float_count(clip) == FLOATS)
+        if (nkw_clip_open(block, reduced.bytes, &clip) == NKW_OK && nkw_clip_describe(clip).joint_count == JOINTS &&
+            nkw_clip_describe(clip).float_count == FLOATS)
             for (int k = 0; k < 3; k++)
                 nkw_clip_sample(clip, 0.5f + (float)k, NULL, pose_span(pose, JOINTS), floats);
         words[i] = kept;

@@ -22,7 +22,7 @@ static struct {
     nkw_clip_track tracks[TRACKS];
     nkw_clip_source source;
 } drawn;
-static double work[NKW_CLIP_REDUCE_WORK(TRACKS, JOINTS, FLOATS)], block[1 << 15];
+static double work[NKW_CLIP_REDUCE_WORK(TRACKS, JOINTS, FLOATS) / 8 + 2], block[1 << 15];
 
 /* A chain of joints 1 apart. All rotate; the root also moves; the other translations are constant. */
 static int draw(void **state)
@@ -67,15 +67,15 @@ static nkw_clip_reduction within(float tolerance)
 
 static nkw_clip_source reduce(const nkw_clip_reduction *r, nkw_reduced *reduced)
 {
-    const nkw_clip_memory memory = {block, sizeof block, work, sizeof work / sizeof *work};
-    nkw_clip_source out;
-    size_t bad = 9, bytes = 0;
-    assert_int_equal(nkw_clip_source_reduce_measure(&drawn.source, &bytes, &bad, work, sizeof work / sizeof *work),
-                     NKW_OK);
-    assert_true(bytes <= sizeof block);
-    assert_int_equal(nkw_clip_source_reduce(&drawn.source, r, &memory, &out, reduced, &bad), NKW_OK);
+    const nkw_work room = work_in(work, sizeof work);
+    nkw_clip_source_reduced out;
+    size_t bad = 9;
+    assert_int_equal(nkw_clip_source_reduce(&drawn.source, r, bytes_span(NULL, 0), &out, &bad, room), NKW_TOO_SMALL);
+    assert_true(out.bytes > 0 && out.bytes <= sizeof block && out.source.track_count == 0);
+    assert_int_equal(nkw_clip_source_reduce(&drawn.source, r, bytes_span(block, out.bytes), &out, &bad, room), NKW_OK);
     assert_int_equal(bad, 0);
-    return out;
+    *reduced = out.reached;
+    return out.source;
 }
 
 static void models_at(const nkw_clip_source *s, float time, nkw_mat4 *models, float *floats)
@@ -203,20 +203,20 @@ static void the_difference_of_reduced_tracks_is_the_error_that_was_reached(void 
     const nkw_clip_reduction r = within(0.02f);
     nkw_reduced reduced, measured;
     const nkw_clip_source out = reduce(&r, &reduced);
-    const size_t count = sizeof work / sizeof *work;
-    assert_int_equal(nkw_clip_source_difference(&drawn.source, &out, &r, &measured, work, count), NKW_OK);
+    const nkw_work room = work_in(work, sizeof work);
+    assert_int_equal(nkw_clip_source_difference(&drawn.source, &out, &r, &measured, room), NKW_OK);
     expect_bits(measured.distance, reduced.distance);
     expect_bits(measured.share, reduced.share);
     assert_int_equal(measured.key_count, reduced.key_count);
-    assert_int_equal(nkw_clip_source_difference(&drawn.source, &drawn.source, &r, &measured, work, count), NKW_OK);
+    assert_int_equal(nkw_clip_source_difference(&drawn.source, &drawn.source, &r, &measured, room), NKW_OK);
     expect_bits(measured.distance, 0.0f);
     nkw_clip_source other = out;
     other.joint_count++;
-    assert_int_equal(nkw_clip_source_difference(&drawn.source, &other, &r, &measured, work, count), NKW_TOO_SMALL);
+    assert_int_equal(nkw_clip_source_difference(&drawn.source, &other, &r, &measured, room), NKW_TOO_SMALL);
     other.joint_count = JOINTS;
     other.float_count = 0;
     other.track_count--;
-    assert_int_equal(nkw_clip_source_difference(&drawn.source, &other, &r, &measured, work, count), NKW_MISMATCHED);
+    assert_int_equal(nkw_clip_source_difference(&drawn.source, &other, &r, &measured, room), NKW_MISMATCHED);
 }
 
 /* An equal change of all three scales moves all points around a joint equally far, in every direction. */
@@ -224,7 +224,7 @@ static void equal_scales_move_all_directions_equally(void **state)
 {
     (void)state;
     random_source r = random_from(8);
-    static double room[NKW_CLIP_REDUCE_WORK(2, 1, 0)];
+    NKW_STACK_WORK(room, NKW_CLIP_REDUCE_WORK(2, 1, 0));
     const float zero = 0.0f;
     for (int i = 0; i < 5000; i++) {
         float scales[2], values[2][3], turn[4] = {0.0f, 0.0f, 0.0f, 1.0f};
@@ -246,9 +246,7 @@ static void equal_scales_move_all_directions_equally(void **state)
         }
         const nkw_clip_reduction reduction = {NULL, 1.0f, 3.0f, NULL, NULL, 0.0f};
         nkw_reduced d;
-        assert_int_equal(
-            nkw_clip_source_difference(&sources[0], &sources[1], &reduction, &d, room, NKW_CLIP_REDUCE_WORK(2, 1, 0)),
-            NKW_OK);
+        assert_int_equal(nkw_clip_source_difference(&sources[0], &sources[1], &reduction, &d, room), NKW_OK);
         const double want = 3.0 * fabs((double)scales[1] - (double)scales[0]) / (double)scales[0];
         expect_near(d.distance, want, 2e-6 * want + 1e-6);
     }
@@ -258,22 +256,27 @@ static void wrong_sources_and_too_little_memory_are_refused(void **state)
 {
     (void)state;
     nkw_clip_reduction r = within(0.01f);
-    const size_t count = sizeof work / sizeof *work;
-    nkw_clip_memory memory = {block, sizeof block, work, count};
-    nkw_clip_source out, wrong = drawn.source;
-    size_t bytes = 0, bad = 0;
-    assert_int_equal(nkw_clip_source_reduce_measure(&drawn.source, &bytes, NULL, work, count - 1), NKW_TOO_SMALL);
-    assert_int_equal(nkw_clip_source_reduce_measure(&drawn.source, &bytes, NULL, work, count), NKW_OK);
-    memory.bytes = bytes - 1;
-    assert_int_equal(nkw_clip_source_reduce(&drawn.source, &r, &memory, &out, NULL, NULL), NKW_TOO_SMALL);
-    assert_int_equal(out.track_count, 0);
-    memory.bytes = bytes;
-    assert_int_equal(nkw_clip_source_reduce(&drawn.source, &r, &memory, &out, NULL, NULL), NKW_OK);
+    const size_t needed = NKW_CLIP_REDUCE_WORK(TRACKS, JOINTS, FLOATS);
+    const nkw_work room = work_in(work, sizeof work), enough = {room.data, needed}, little = {room.data, needed - 1};
+    nkw_clip_source_reduced out;
+    const nkw_clip_source wrong = drawn.source, *s = &drawn.source;
+    size_t bad = 0;
+    assert_int_equal(nkw_clip_source_reduce(s, &r, bytes_span(NULL, 0), &out, NULL, little), NKW_TOO_SMALL);
+    assert_int_equal(out.bytes, 0);
+    assert_int_equal(nkw_clip_source_reduce(s, &r, bytes_span(NULL, 0), &out, NULL, enough), NKW_TOO_SMALL);
+    const size_t bytes = out.bytes;
+    const nkw_bytes_span whole = bytes_span(block, bytes);
+    assert_int_equal(nkw_clip_source_reduce(s, &r, bytes_span(block, bytes - 1), &out, NULL, enough), NKW_TOO_SMALL);
+    assert_true(out.source.track_count == 0 && out.bytes == bytes);
+    assert_int_equal(nkw_clip_source_reduce(s, &r, whole, &out, NULL, enough), NKW_OK);
     r.tolerance = -1.0f;
-    assert_int_equal(nkw_clip_source_reduce(&drawn.source, &r, &memory, &out, NULL, NULL), NKW_NOT_FINITE);
+    assert_int_equal(nkw_clip_source_reduce(s, &r, whole, &out, NULL, enough), NKW_OUT_OF_RANGE);
+    r.tolerance = INFINITY;
+    assert_int_equal(nkw_clip_source_reduce(s, &r, whole, &out, NULL, enough), NKW_NOT_FINITE);
+    assert_int_equal(out.bytes, 0);
     r = within(0.01f);
     drawn.tracks[4].index = JOINTS;
-    assert_int_equal(nkw_clip_source_reduce(&wrong, &r, &memory, &out, NULL, &bad), NKW_OUT_OF_RANGE);
+    assert_int_equal(nkw_clip_source_reduce(&wrong, &r, whole, &out, &bad, enough), NKW_OUT_OF_RANGE);
     assert_int_equal(bad, 4);
     drawn.tracks[4].index = 2;
 }
@@ -283,12 +286,12 @@ static void a_clip_without_tracks_has_none(void **state)
     (void)state;
     const nkw_clip_source nothing = {NULL, 0, 1, 0, {NULL, 0}, NULL, NKW_CLIP_FLOAT32, NULL};
     const nkw_clip_reduction r = {NULL, 1.0f, 1.0f, NULL, NULL, 1.0f};
-    const nkw_clip_memory memory = {block, sizeof block, work, sizeof work / sizeof *work};
-    nkw_clip_source out;
-    nkw_reduced reduced;
-    assert_int_equal(nkw_clip_source_reduce(&nothing, &r, &memory, &out, &reduced, NULL), NKW_OK);
-    assert_int_equal(reduced.key_count, 0);
-    assert_int_equal(out.track_count, 0);
+    nkw_clip_source_reduced out;
+    assert_int_equal(
+        nkw_clip_source_reduce(&nothing, &r, bytes_span(block, sizeof block), &out, NULL, work_in(work, sizeof work)),
+        NKW_OK);
+    assert_int_equal(out.reached.key_count, 0);
+    assert_int_equal(out.source.track_count, 0);
 }
 
 int main(void)

@@ -9,12 +9,6 @@
 #include "support/views.h"
 
 static random_clip drawn;
-static uint32_t work[NKW_CLIP_WORK(RANDOM_CLIP_TRACKS)];
-
-static nkw_clip *build(const nkw_clip_source *source, size_t *bytes)
-{
-    return clip_build(source, work, bytes);
-}
 
 static void constant_tracks_are_stored_once(void **state)
 {
@@ -26,11 +20,11 @@ static void constant_tracks_are_stored_once(void **state)
         for (size_t k = 1; k < RANDOM_CLIP_KEYS; k++)
             for (size_t c = 0; c < drawn.tracks[i].track.width; c++)
                 drawn.values[i][k * drawn.tracks[i].track.width + c] = drawn.values[i][c] = nkw_abs(drawn.values[i][c]);
-    nkw_clip *clip = build(&drawn.source, &bytes);
-    assert_int_equal(nkw_clip_cursor_count(clip), 0);
+    nkw_clip *clip = clip_build(&drawn.source, &bytes);
+    assert_int_equal(nkw_clip_describe(clip).cursor_count, 0);
     assert_true(bytes < pose_bytes + 512);
-    expect_bits(nkw_clip_start(clip), 0.0f);
-    expect_bits(nkw_clip_end(clip), drawn.times[0][RANDOM_CLIP_KEYS - 1]);
+    expect_bits(nkw_clip_describe(clip).start, 0.0f);
+    expect_bits(nkw_clip_describe(clip).end, drawn.times[0][RANDOM_CLIP_KEYS - 1]);
     free(clip);
 }
 
@@ -52,10 +46,10 @@ static void cubic_rotations_that_stay_are_constants(void **state)
         nkw_track_kind kind = i % 2 ? NKW_TRACK_ROTATION_NORMALIZED : NKW_TRACK_ROTATION;
         nkw_clip_track t = {NKW_CLIP_ROTATION, 0, {at, values, 3, 4, kind, NKW_INTERPOLATION_CUBICSPLINE, NULL}};
         nkw_clip_source source = {&t, 1, 1, 0, {NULL, 0}, NULL, NKW_CLIP_FLOAT32, NULL};
-        nkw_clip *clip = build(&source, &bytes);
-        found += nkw_clip_cursor_count(clip) == 0;
+        nkw_clip *clip = clip_build(&source, &bytes);
+        found += nkw_clip_describe(clip).cursor_count == 0;
         for (float time = 0; time <= 2; time += 0.25f) {
-            nkw_clip_sample(clip, time, NULL, pose_span(pose, nkw_clip_joint_count(clip)), NULL);
+            nkw_clip_sample(clip, time, NULL, pose_span(pose, nkw_clip_describe(clip).joint_count), NULL);
             nkw_track_sample(&t.track, time, want);
             nkw_quat got = nkw_pose_get(pose_view(pose, 1), 0).rotation;
             assert_memory_equal(&got, want, sizeof got);
@@ -75,8 +69,8 @@ static void cubics_over_an_endless_duration_are_no_constants(void **state)
     nkw_clip_source source = {&t, 1, 1, 0, {NULL, 0}, NULL, NKW_CLIP_FLOAT32, NULL};
     float pose[NKW_POSE_FLOATS(1)], want[4];
     size_t bytes;
-    nkw_clip *clip = build(&source, &bytes);
-    nkw_clip_sample(clip, 0.0f, NULL, pose_span(pose, nkw_clip_joint_count(clip)), NULL);
+    nkw_clip *clip = clip_build(&source, &bytes);
+    nkw_clip_sample(clip, 0.0f, NULL, pose_span(pose, nkw_clip_describe(clip).joint_count), NULL);
     nkw_track_sample(&t.track, 0.0f, want);
     expect_nan(want[3]);
     expect_nan(nkw_pose_get(pose_view(pose, 1), 0).rotation.w);
@@ -92,23 +86,23 @@ static void short_gaps_between_joints_are_gone_over(void **state)
     random_source r = random_from(33);
     size_t all, bytes, sparse, left = 0;
     random_clip_draw(&r, JOINTS, 0, &drawn);
-    free(build(&drawn.source, &all));
+    free(clip_build(&drawn.source, &all));
     for (size_t i = 0; i < drawn.source.track_count; i++)
         if (drawn.tracks[i].index % 8 != 4)
             drawn.tracks[left++] = drawn.tracks[i];
     drawn.source.track_count = left;
-    nkw_clip *clip = build(&drawn.source, &bytes);
+    nkw_clip *clip = clip_build(&drawn.source, &bytes);
     assert_in_range(bytes, all - 256, all);
     free(clip);
     for (size_t c = 0; c < 10; c++)
         for (size_t j = 4; j < JOINTS; j += 8)
             drawn.rest[c * NKW_POSE_STRIDE(JOINTS) + j] = odd[(c + j / 8) % 5];
-    clip = build(&drawn.source, &bytes);
+    clip = clip_build(&drawn.source, &bytes);
     for (int i = 0; i < 20; i++) {
         float got[NKW_POSE_FLOATS(JOINTS)], want[NKW_POSE_FLOATS(JOINTS)], time = random_clip_time(&r, &drawn, i);
         float none[1];
         random_clip_sample(&drawn, time, want, none);
-        nkw_clip_sample(clip, time, NULL, pose_span(got, nkw_clip_joint_count(clip)), NULL);
+        nkw_clip_sample(clip, time, NULL, pose_span(got, nkw_clip_describe(clip).joint_count), NULL);
         for (size_t c = 0; c < 10; c++)
             for (size_t j = 0; j < JOINTS; j++) {
                 size_t at = c * NKW_POSE_STRIDE(JOINTS) + j;
@@ -120,10 +114,11 @@ static void short_gaps_between_joints_are_gone_over(void **state)
     }
     free(clip);
     drawn.source.format = NKW_CLIP_UNORM16;
-    clip = build(&drawn.source, &bytes);
+    clip = clip_build(&drawn.source, &bytes);
     for (int i = 4; i < 20; i++) {
         float got[NKW_POSE_FLOATS(JOINTS)];
-        nkw_clip_sample(clip, random_clip_time(&r, &drawn, i), NULL, pose_span(got, nkw_clip_joint_count(clip)), NULL);
+        nkw_clip_sample(clip, random_clip_time(&r, &drawn, i), NULL,
+                        pose_span(got, nkw_clip_describe(clip).joint_count), NULL);
         for (size_t c = 0; c < 10; c++)
             for (size_t j = 4; j < JOINTS; j += 8)
                 if (odd[(c + j / 8) % 5] == odd[(c + j / 8) % 5])
@@ -136,7 +131,7 @@ static void short_gaps_between_joints_are_gone_over(void **state)
         if (drawn.tracks[i].index % 5 == 0)
             drawn.tracks[left++] = drawn.tracks[i];
     drawn.source.track_count = left;
-    free(build(&drawn.source, &sparse));
+    free(clip_build(&drawn.source, &sparse));
     assert_true(sparse < all / 3);
 }
 
@@ -147,13 +142,13 @@ static void the_order_of_tracks_does_not_matter(void **state)
     size_t bytes, again;
     for (int variety = 0; variety < 3; variety++) {
         random_clip_draw(&r, 23, variety, &drawn);
-        nkw_clip *clip = build(&drawn.source, &bytes);
+        nkw_clip *clip = clip_build(&drawn.source, &bytes);
         for (size_t i = 0; i < drawn.source.track_count / 2; i++) {
             nkw_clip_track swap = drawn.tracks[i];
             drawn.tracks[i] = drawn.tracks[drawn.source.track_count - 1 - i];
             drawn.tracks[drawn.source.track_count - 1 - i] = swap;
         }
-        nkw_clip *permuted = build(&drawn.source, &again);
+        nkw_clip *permuted = clip_build(&drawn.source, &again);
         assert_int_equal(again, bytes);
         assert_memory_equal(clip, permuted, bytes);
         free(clip);
@@ -163,17 +158,18 @@ static void the_order_of_tracks_does_not_matter(void **state)
 
 static void expect_refused(nkw_result result, size_t track, int line)
 {
-    size_t bytes = 0, bad = 99;
-    nkw_result got = nkw_clip_measure(&drawn.source, &bytes, &bad, work, NKW_CLIP_WORK(drawn.source.track_count));
-    if (got != result || bad != track) {
+    static uint64_t block[1 << 15];
+    NKW_STACK_WORK(work, NKW_CLIP_BUILD_WORK(RANDOM_CLIP_TRACKS));
+    size_t bytes = 9, bad = 99;
+    nkw_result got = nkw_clip_build(&drawn.source, bytes_span(NULL, 0), &bytes, &bad, work);
+    if (got != result || bad != track || bytes) {
         print_error("got %s at %zu, want %s at %zu\n", nkw_result_text(got), bad, nkw_result_text(result), track);
         _fail(__FILE__, line);
     }
-    assert_int_equal(nkw_clip_build(&drawn.source, NULL, 0, NULL, work, NKW_CLIP_WORK(drawn.source.track_count)),
-                     result);
+    assert_int_equal(nkw_clip_build(&drawn.source, bytes_span(block, sizeof block), &bytes, NULL, work), result);
 }
 
-static void measure_refuses_what_is_no_clip(void **state)
+static void build_refuses_what_is_no_clip(void **state)
 {
     (void)state;
     random_source r = random_from(6);
@@ -184,6 +180,9 @@ static void measure_refuses_what_is_no_clip(void **state)
     *t = kept;
     t->target = (nkw_clip_target)4;
     expect_refused(NKW_BAD_METHOD, 7, __LINE__);
+    *t = kept;
+    t->track.kind = t->track.kind == NKW_TRACK_FLOATS ? NKW_TRACK_ROTATION : NKW_TRACK_FLOATS;
+    expect_refused(t->track.kind == NKW_TRACK_FLOATS ? NKW_MISMATCHED : NKW_BAD_WIDTH, 7, __LINE__);
     *t = kept;
     t->target = NKW_CLIP_FLOATS;
     expect_refused(NKW_OUT_OF_RANGE, 7, __LINE__);
@@ -205,9 +204,11 @@ static void measure_refuses_what_is_no_clip(void **state)
     drawn.source.rest.joint_count++;
     expect_refused(NKW_MISMATCHED, 0, __LINE__);
     drawn.source.rest.joint_count--;
+    NKW_STACK_WORK(work, NKW_CLIP_BUILD_WORK(RANDOM_CLIP_TRACKS));
+    const nkw_work small = {work.data, NKW_CLIP_BUILD_WORK(drawn.source.track_count) - 1};
     size_t bytes;
-    assert_int_equal(nkw_clip_measure(&drawn.source, &bytes, NULL, work, NKW_CLIP_WORK(drawn.source.track_count) - 1),
-                     NKW_TOO_SMALL);
+    assert_int_equal(nkw_clip_build(&drawn.source, bytes_span(NULL, 0), &bytes, NULL, small), NKW_TOO_SMALL);
+    assert_int_equal(bytes, 0);
     drawn.source.track_count = 0;
     drawn.source.joint_count = (1u << 26) + 1;
     expect_refused(NKW_OUT_OF_RANGE, 0, __LINE__);
@@ -263,9 +264,9 @@ static void compact_keys_take_half_the_room_and_less(void **state)
     random_source r = random_from(41);
     size_t floats, compact;
     random_clip_draw(&r, RANDOM_CLIP_JOINTS, 0, &drawn);
-    free(build(&drawn.source, &floats));
+    free(clip_build(&drawn.source, &floats));
     drawn.source.format = NKW_CLIP_UNORM16;
-    free(build(&drawn.source, &compact));
+    free(clip_build(&drawn.source, &compact));
     /* Of 24 keys: 12 words and 2 for the range instead of 24, of rotations 36 and 6 instead of 120. */
     assert_true(2 * compact < floats);
 }
@@ -281,9 +282,9 @@ static void few_keys_do_not_grow(void **state)
         for (size_t i = 0; i < drawn.source.track_count; i++)
             drawn.tracks[i].track.count = keys;
         drawn.source.format = NKW_CLIP_FLOAT32;
-        free(build(&drawn.source, &floats));
+        free(clip_build(&drawn.source, &floats));
         drawn.source.format = NKW_CLIP_UNORM16;
-        nkw_clip *clip = build(&drawn.source, &compact);
+        nkw_clip *clip = clip_build(&drawn.source, &compact);
         assert_true(compact <= floats && compact < raw + raw / 2);
         assert_true(keys < 5 || compact < raw + raw / 8);
         float got[NKW_POSE_FLOATS(RANDOM_CLIP_JOINTS)], want[NKW_POSE_FLOATS(RANDOM_CLIP_JOINTS)], none[1];
@@ -305,11 +306,11 @@ static void a_clip_that_lasts_longer_is_compared_while_the_tracks_last(void **st
         NKW_CLIP_TRANSLATION, 0, {at, longer + 3, 2, 3, NKW_TRACK_FLOATS, NKW_INTERPOLATION_LINEAR, NULL}};
     nkw_clip_source of_made = {&made, 1, 1, 0, {NULL, 0}, NULL, NKW_CLIP_FLOAT32, NULL}, source = of_made;
     size_t bytes;
-    float floats[NKW_POSE_FLOATS(1)];
+    NKW_STACK_WORK(work, NKW_CLIP_DIFFERENCE_WORK(1, 0));
     nkw_clip_error error;
     source.tracks = &track;
-    nkw_clip *clip = build(&of_made, &bytes);
-    assert_int_equal(nkw_clip_difference(clip, &source, &error, floats, NKW_POSE_FLOATS(1)), NKW_OK);
+    nkw_clip *clip = clip_build(&of_made, &bytes);
+    assert_int_equal(nkw_clip_difference(clip, &source, &error, work), NKW_OK);
     expect_bits(error.translation, 0.0f);
     free(clip);
 }
@@ -323,7 +324,7 @@ static void compact_steps_hold_their_key(void **state)
     nkw_clip_source source = {&track, 1, 1, 0, {NULL, 0}, NULL, NKW_CLIP_UNORM16, NULL};
     size_t bytes;
     float pose[NKW_POSE_FLOATS(1)];
-    nkw_clip *clip = build(&source, &bytes);
+    nkw_clip *clip = clip_build(&source, &bytes);
     for (int k = 0; k < 5; k++) {
         nkw_clip_sample(clip, 0.5f * (float)k, NULL, pose_span(pose, 1), NULL);
         nkw_vec3 want = {values[k / 2 * 3], values[k / 2 * 3 + 1], values[k / 2 * 3 + 2]};
@@ -347,7 +348,7 @@ static void compact_steps_of_rotations_have_the_same_bits_until_the_next_key(voi
             NKW_CLIP_ROTATION, 0, {at, values, 3, 4, NKW_TRACK_ROTATION, NKW_INTERPOLATION_STEP, NULL}};
         nkw_clip_source source = {&track, 1, 1, 0, {NULL, 0}, NULL, NKW_CLIP_UNORM16, NULL};
         size_t bytes;
-        nkw_clip *clip = build(&source, &bytes);
+        nkw_clip *clip = clip_build(&source, &bytes);
         nkw_clip_sample(clip, 1.0f, NULL, pose_span(first, 1), NULL);
         nkw_clip_sample(clip, 1.7f, NULL, pose_span(later, 1), NULL);
         expect_quat_bits(nkw_pose_get(pose_view(later, 1), 0).rotation, nkw_pose_get(pose_view(first, 1), 0).rotation);
@@ -377,7 +378,7 @@ static void noise_in_rotations_makes_no_subnormal_products(void **state)
         tracks[j] = t;
     }
     nkw_clip_source source = {tracks, JOINTS, JOINTS, 0, {NULL, 0}, NULL, NKW_CLIP_FLOAT32, NULL};
-    nkw_clip *clip = build(&source, &bytes);
+    nkw_clip *clip = clip_build(&source, &bytes);
     feclearexcept(FE_UNDERFLOW);
     for (float time = 0; time < 1; time += 0.0625f)
         nkw_clip_sample(clip, time, NULL, pose_span(pose, JOINTS), NULL);
@@ -395,8 +396,8 @@ static void a_cache_keeps_the_bits(void **state)
         size_t joints = 1 + (size_t)(random_bits(&r) % RANDOM_CLIP_JOINTS), bytes;
         random_clip_draw(&r, joints, round % 5, &drawn);
         drawn.source.format = round % 4 ? NKW_CLIP_UNORM16 : NKW_CLIP_FLOAT32;
-        nkw_clip *clip = build(&drawn.source, &bytes);
-        size_t cached = nkw_clip_cache_bytes(clip);
+        nkw_clip *clip = clip_build(&drawn.source, &bytes);
+        size_t cached = nkw_clip_describe(clip).cache_bytes;
         void *cache = calloc(1, cached);
         assert_non_null(cache);
         float time = 0, got[NKW_POSE_FLOATS(RANDOM_CLIP_JOINTS)], want[NKW_POSE_FLOATS(RANDOM_CLIP_JOINTS)];
@@ -404,14 +405,17 @@ static void a_cache_keeps_the_bits(void **state)
         for (int i = 0; i < 150; i++) {
             time = i % 25 == 0 ? random_clip_time(&r, &drawn, i / 25) : time + 0.004f;
             assert_int_equal(nkw_clip_sample(clip, time, NULL, pose_span(want, joints), want_floats), NKW_OK);
-            assert_int_equal(nkw_clip_sample_cached(clip, time, pose_span(got, joints), floats, cache, cached), NKW_OK);
+            assert_int_equal(
+                nkw_clip_sample_cached(clip, time, bytes_span(cache, cached), pose_span(got, joints), floats), NKW_OK);
             expect_same_pose(got, want, joints);
             expect_floats_bits(floats, want_floats, drawn.source.float_count);
         }
-        assert_int_equal(nkw_clip_sample_cached(clip, time, pose_span(got, joints), floats, cache, cached - 1),
-                         NKW_TOO_SMALL);
-        assert_int_equal(nkw_clip_sample_cached(clip, time, pose_span(got, joints + 1), floats, cache, cached),
-                         NKW_MISMATCHED);
+        assert_int_equal(
+            nkw_clip_sample_cached(clip, time, bytes_span(cache, cached - 1), pose_span(got, joints), floats),
+            NKW_TOO_SMALL);
+        assert_int_equal(
+            nkw_clip_sample_cached(clip, time, bytes_span(cache, cached), pose_span(got, joints + 1), floats),
+            NKW_MISMATCHED);
         free(cache);
         free(clip);
     }
@@ -425,7 +429,7 @@ int main(void)
         cmocka_unit_test(cubic_rotations_that_stay_are_constants),
         cmocka_unit_test(cubics_over_an_endless_duration_are_no_constants),
         cmocka_unit_test(the_order_of_tracks_does_not_matter),
-        cmocka_unit_test(measure_refuses_what_is_no_clip),
+        cmocka_unit_test(build_refuses_what_is_no_clip),
         cmocka_unit_test(the_first_that_repeats_is_named),
         cmocka_unit_test(floats_that_overlap_are_refused),
         cmocka_unit_test(compact_keys_take_half_the_room_and_less),

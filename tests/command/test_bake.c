@@ -72,7 +72,8 @@ static double largest_distance(const nkw_document *d, const nkw_clip *a, const n
     double most = 0.0;
     *floats = 0.0;
     for (int k = 0; k < TIMES; k++) {
-        float time = nkw_clip_start(a) + (nkw_clip_end(a) - nkw_clip_start(a)) * (float)k / (float)(TIMES - 1);
+        float time = nkw_clip_describe(a).start +
+                     (nkw_clip_describe(a).end - nkw_clip_describe(a).start) * (float)k / (float)(TIMES - 1);
         sample(d, a, time, &x);
         sample(d, b, time, &y);
         for (size_t j = 0; j < JOINTS; j++)
@@ -108,14 +109,14 @@ static void clips_map_back(void **state)
             snprintf(arguments, sizeof arguments, "--clip %s --as %s", d->animations[n].name, forms[i].form);
             size_t bytes = read_baked(arguments);
             assert_int_equal(nkw_clip_open(file.bytes, bytes, &clip), NKW_OK);
-            assert_int_equal(nkw_clip_bytes(clip), bytes);
-            assert_int_equal(nkw_clip_joint_count(clip), JOINTS);
-            assert_string_equal(nkw_clip_name(clip), d->animations[n].name);
+            assert_int_equal(nkw_clip_describe(clip).bytes, bytes);
+            assert_int_equal(nkw_clip_describe(clip).joint_count, JOINTS);
+            assert_string_equal(nkw_clip_describe(clip).name, d->animations[n].name);
             for (size_t j = 0; j < JOINTS; j++)
                 assert_string_equal(nkw_clip_joint_name(clip, j), d->nodes[j].name);
             assert_int_equal(nkw_document_clip(d, n, NKW_CLIP_FLOAT32, &want, NULL), NKW_IMPORT_OK);
-            expect_bits(nkw_clip_start(clip), nkw_clip_start(want));
-            expect_bits(nkw_clip_end(clip), nkw_clip_end(want));
+            expect_bits(nkw_clip_describe(clip).start, nkw_clip_describe(want).start);
+            expect_bits(nkw_clip_describe(clip).end, nkw_clip_describe(want).end);
             double most = largest_distance(d, want, clip, &floats);
             if (!(most <= forms[i].bound) || !(floats <= forms[i].floats))
                 fail_msg("bake %s: distance %g, morph weights %g", arguments, most, floats);

@@ -58,6 +58,13 @@ random_source fuzz_source(fuzz *f);
 /* Holds 0xa5. */
 void *fuzz_block(fuzz *f, size_t bytes);
 float *fuzz_room(fuzz *f, size_t floats);
+
+static inline nkw_work fuzz_work(fuzz *f, size_t bytes)
+{
+    const nkw_work work = {fuzz_block(f, bytes), bytes};
+    return work;
+}
+
 /* Between -4 and 4; wild: now and then anything at all. */
 float *fuzz_floats(fuzz *f, size_t count, int wild);
 void *fuzz_bytes(fuzz *f, size_t bytes);

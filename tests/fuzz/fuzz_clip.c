@@ -11,23 +11,22 @@ enum { MOST_JOINTS = 12 };
 
 static void sample(fuzz *f, const nkw_clip *clip)
 {
-    size_t joints = nkw_clip_joint_count(clip), floats = nkw_clip_float_count(clip);
-    size_t cursors = nkw_clip_cursor_count(clip);
-    FUZZ_CHECK(joints + floats <= nkw_clip_bytes(clip));
+    const nkw_clip_description d = nkw_clip_describe(clip);
+    size_t joints = d.joint_count, floats = d.float_count;
+    FUZZ_CHECK(joints + floats <= d.bytes);
     float *pose = fuzz_room(f, NKW_POSE_FLOATS(joints)), *pose_again = fuzz_room(f, NKW_POSE_FLOATS(joints));
     float *out = fuzz_room(f, floats);
-    uint32_t *cursor = fuzz_block(f, cursors * sizeof *cursor);
-    size_t cached = nkw_clip_cache_bytes(clip);
-    float *cache = fuzz_room(f, cached / sizeof *cache);
-    memset(cache, 0, cached);
-    FUZZ_CHECK(nkw_clip_start(clip) <= nkw_clip_end(clip));
+    uint32_t *cursor = fuzz_block(f, d.cursor_count * sizeof *cursor);
+    const nkw_bytes_span cache = {fuzz_room(f, d.cache_bytes / sizeof(float)), d.cache_bytes};
+    memset(cache.data, 0, cache.bytes);
+    FUZZ_CHECK(d.start <= d.end);
     for (int i = 0; i < 4; i++) {
         float time = fuzz_float(f);
         nkw_clip_sample(clip, time, cursor, pose_span(pose, joints), out);
         nkw_clip_sample(clip, time, NULL, pose_span(pose_again, joints), NULL);
         FUZZ_CHECK(fuzz_same(pose, pose_again, NKW_POSE_FLOATS(joints)));
         for (int again = 0; again < 2; again++) {
-            nkw_clip_sample_cached(clip, time, pose_span(pose_again, joints), out, cache, cached);
+            nkw_clip_sample_cached(clip, time, cache, pose_span(pose_again, joints), out);
             FUZZ_CHECK(fuzz_same(pose, pose_again, NKW_POSE_FLOATS(joints)));
         }
     }
@@ -36,19 +35,19 @@ static void sample(fuzz *f, const nkw_clip *clip)
 /* Some tracks of a clip, taken out, and its names. */
 static void list(fuzz *f, const nkw_clip *clip)
 {
-    size_t joints = nkw_clip_joint_count(clip), floats = nkw_clip_float_count(clip), any = fuzz_huge(f);
-    size_t count = nkw_clip_track_count(clip), work_count = NKW_CLIP_TRACK_WORK(joints, floats);
-    float *work = fuzz_room(f, work_count);
+    const nkw_clip_description d = nkw_clip_describe(clip);
+    const size_t any = fuzz_huge(f), count = d.track_count;
+    const nkw_work work = fuzz_work(f, NKW_CLIP_TRACK_GET_WORK(d.joint_count, d.float_count)), none = {NULL, 0};
     for (size_t i = 0; i < 3 && i < count; i++) {
         nkw_clip_track shape, out;
-        FUZZ_CHECK(nkw_clip_track_shape(clip, i * (count / 3), &shape) == NKW_OK);
+        FUZZ_CHECK(nkw_clip_track_get(clip, i * (count / 3), NULL, &shape, none) != NKW_OK);
         size_t keys = shape.track.count, capacity = keys - (fuzz_byte(f) % 8 == 0);
         nkw_edit_memory m = {fuzz_room(f, capacity), fuzz_room(f, 3 * capacity * shape.track.width),
                              fuzz_block(f, capacity), capacity};
-        nkw_result result = nkw_clip_track_get(clip, i * (count / 3), &m, &out, work, work_count);
+        nkw_result result = nkw_clip_track_get(clip, i * (count / 3), &m, &out, work);
         FUZZ_CHECK((result == NKW_TOO_SMALL) == (capacity < keys) || result == NKW_OUT_OF_RANGE);
     }
-    FUZZ_CHECK(strlen(nkw_clip_name(clip)) + strlen(nkw_clip_joint_name(clip, any)) <= nkw_clip_bytes(clip));
+    FUZZ_CHECK(strlen(d.name) + strlen(nkw_clip_joint_name(clip, any)) <= d.bytes);
 }
 
 /* A block in any byte order, at any address. */
@@ -73,7 +72,7 @@ static void open_and_sample(fuzz *f, const void *block, size_t bytes)
     FUZZ_CHECK((result == NKW_OK) == (clip != NULL));
     if (!clip)
         return;
-    FUZZ_CHECK((const void *)clip == block && nkw_clip_bytes(clip) <= bytes);
+    FUZZ_CHECK((const void *)clip == block && nkw_clip_describe(clip).bytes <= bytes);
     sample(f, clip);
     list(f, clip);
 }
@@ -86,15 +85,15 @@ static void compare(fuzz *f, const random_clip *c, const nkw_clip *clip)
     float *got_floats = fuzz_room(f, floats), *want_floats = fuzz_room(f, floats);
     for (int i = 0; i < 3; i++) {
         float time = fuzz_float(f);
-        nkw_clip_sample(clip, time, NULL, pose_span(got, nkw_clip_joint_count(clip)), got_floats);
+        nkw_clip_sample(clip, time, NULL, pose_span(got, nkw_clip_describe(clip).joint_count), got_floats);
         random_clip_sample(c, time, want, want_floats);
         for (size_t k = 0; k < 10; k++)
             FUZZ_CHECK(fuzz_same(got + k * NKW_POSE_STRIDE(joints), want + k * NKW_POSE_STRIDE(joints), joints));
         FUZZ_CHECK(fuzz_same(got_floats, want_floats, floats));
     }
     nkw_clip_error error;
-    size_t work_count = NKW_CLIP_DIFFERENCE_WORK(nkw_clip_joint_count(clip), floats);
-    FUZZ_CHECK(nkw_clip_difference(clip, &c->source, &error, fuzz_room(f, work_count), work_count) == NKW_OK);
+    const nkw_work work = fuzz_work(f, NKW_CLIP_DIFFERENCE_WORK(joints, floats));
+    FUZZ_CHECK(nkw_clip_difference(clip, &c->source, &error, work) == NKW_OK);
 }
 
 /* Changes words of the block: to anything, by a little, to another of its words. */
@@ -143,36 +142,36 @@ static void spoil(fuzz *f, random_clip *c)
 
 static void *build(fuzz *f, const random_clip *c, size_t *bytes)
 {
-    size_t bad, built, tracks = c->source.track_count;
-    uint32_t *work = fuzz_block(f, NKW_CLIP_WORK(tracks) * sizeof *work);
-    nkw_result result = nkw_clip_measure(&c->source, bytes, &bad, work, NKW_CLIP_WORK(c->source.track_count));
+    size_t bad, again, tracks = c->source.track_count;
+    const nkw_work work = fuzz_work(f, NKW_CLIP_BUILD_WORK(tracks));
+    FUZZ_CHECK(nkw_clip_build(&c->source, bytes_span(NULL, 0), bytes, &bad, work) != NKW_OK);
     FUZZ_CHECK(bad < tracks || bad == 0);
-    if (result != NKW_OK)
+    if (*bytes == 0)
         return NULL;
     void *block = fuzz_block(f, *bytes);
-    FUZZ_CHECK(nkw_clip_build(&c->source, block, *bytes - 1, &built, work, NKW_CLIP_WORK(c->source.track_count)) ==
-               NKW_TOO_SMALL);
-    FUZZ_CHECK(nkw_clip_build(&c->source, block, *bytes, &built, work, NKW_CLIP_WORK(c->source.track_count)) == NKW_OK);
+    FUZZ_CHECK(nkw_clip_build(&c->source, bytes_span(block, *bytes - 1), &again, &bad, work) == NKW_TOO_SMALL);
+    FUZZ_CHECK(nkw_clip_build(&c->source, bytes_span(block, *bytes), &again, &bad, work) == NKW_OK);
+    FUZZ_CHECK(again == *bytes);
     return block;
 }
 
 /* A reduced clip: within any tolerance that is sound; the same with words of the block changed. */
 static void reduce(fuzz *f, const random_clip *c)
 {
-    size_t bytes, bad, joints = c->source.joint_count;
-    size_t count = NKW_CLIP_REDUCE_WORK(c->source.track_count, joints, c->source.float_count);
-    double *work = fuzz_block(f, count * sizeof *work);
+    size_t bad, joints = c->source.joint_count;
+    const nkw_work work = fuzz_work(f, NKW_CLIP_REDUCE_WORK(c->source.track_count, joints, c->source.float_count));
     int32_t *parents = fuzz_block(f, joints * sizeof *parents);
     for (size_t j = 0; j < joints; j++)
         parents[j] = (int32_t)fuzz_byte(f) % 16 - 2;
     const nkw_clip_reduction reduction = {
         fuzz_byte(f) % 4 ? parents : NULL, fuzz_float(f), fuzz_float(f), NULL, NULL, fuzz_float(f)};
     nkw_clip_reduced reduced;
-    if (nkw_clip_reduce_measure(&c->source, &bytes, &bad, work, count) != NKW_OK)
+    FUZZ_CHECK(nkw_clip_reduce(&c->source, &reduction, bytes_span(NULL, 0), &reduced, &bad, work) != NKW_OK);
+    if (reduced.bytes == 0)
         return;
+    const size_t bytes = reduced.bytes;
     void *block = fuzz_block(f, bytes);
-    const nkw_clip_memory memory = {block, bytes, work, count};
-    if (nkw_clip_reduce(&c->source, &reduction, &memory, &reduced, &bad) != NKW_OK)
+    if (nkw_clip_reduce(&c->source, &reduction, bytes_span(block, bytes), &reduced, &bad, work) != NKW_OK)
         return;
     const nkw_clip *clip;
     FUZZ_CHECK(nkw_clip_open(block, reduced.bytes, &clip) == NKW_OK && reduced.bytes <= bytes);
@@ -186,20 +185,18 @@ static void reduce(fuzz *f, const random_clip *c)
 /* Tracks with fewer keys, from which a clip can be built. */
 static void reduce_keys(fuzz *f, const random_clip *c)
 {
-    size_t bytes = 0, bad, joints = c->source.joint_count;
-    size_t count = NKW_CLIP_REDUCE_WORK(c->source.track_count, joints, c->source.float_count);
-    double *work = fuzz_block(f, count * sizeof *work);
+    size_t bytes, bad, joints = c->source.joint_count;
+    const nkw_work work = fuzz_work(f, NKW_CLIP_REDUCE_WORK(c->source.track_count, joints, c->source.float_count));
     const nkw_clip_reduction reduction = {NULL, fuzz_float(f), fuzz_float(f), NULL, NULL, fuzz_float(f)};
-    nkw_reduced reduced;
-    nkw_clip_source out;
-    if (nkw_clip_source_reduce_measure(&c->source, &bytes, &bad, work, count) != NKW_OK)
+    nkw_clip_source_reduced out;
+    nkw_result result = nkw_clip_source_reduce(&c->source, &reduction, bytes_span(NULL, 0), &out, &bad, work);
+    const nkw_bytes_span block = {fuzz_block(f, out.bytes), out.bytes};
+    if (out.bytes)
+        result = nkw_clip_source_reduce(&c->source, &reduction, block, &out, &bad, work);
+    if (result != NKW_OK)
         return;
-    const nkw_clip_memory memory = {fuzz_block(f, bytes), bytes, work, count};
-    if (nkw_clip_source_reduce(&c->source, &reduction, &memory, &out, &reduced, &bad) != NKW_OK)
-        return;
-    FUZZ_CHECK(reduced.key_count <= reduced.source_key_count && reduced.share <= 1.0f);
-    FUZZ_CHECK(nkw_clip_measure(&out, &bytes, &bad, (uint32_t *)(void *)work, NKW_CLIP_WORK(out.track_count)) ==
-               NKW_OK);
+    FUZZ_CHECK(out.reached.key_count <= out.reached.source_key_count && out.reached.share <= 1.0f);
+    FUZZ_CHECK(nkw_clip_build(&out.source, bytes_span(NULL, 0), &bytes, &bad, work) == NKW_TOO_SMALL && bytes > 0);
 }
 
 /* Counts alone: those that a clip may have, and none of those beyond. */
@@ -212,10 +209,10 @@ static void counts(fuzz *f)
         source.joint_count %= 4096;
     if (source.float_count > 4096 && source.float_count < (size_t)1 << 30)
         source.float_count %= 4096;
-    nkw_result result = nkw_clip_measure(&source, &bytes, &bad, NULL, NKW_CLIP_WORK(source.track_count));
-    FUZZ_CHECK(bad == 0);
-    FUZZ_CHECK((result == NKW_OK) == (source.joint_count + source.float_count > 0 && source.joint_count <= 4096 &&
-                                      source.float_count <= 4096));
+    const nkw_work none = {NULL, 0};
+    FUZZ_CHECK(nkw_clip_build(&source, bytes_span(NULL, 0), &bytes, &bad, none) != NKW_OK && bad == 0);
+    FUZZ_CHECK((bytes > 0) == (source.joint_count + source.float_count > 0 && source.joint_count <= 4096 &&
+                               source.float_count <= 4096));
 }
 
 static void any_block(fuzz *f)

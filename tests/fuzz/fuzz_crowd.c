@@ -25,12 +25,12 @@ static const nkw_clip *some_clip(fuzz *f, size_t joints)
     random_source r = fuzz_source(f);
     size_t bytes;
     random_clip_draw(&r, joints, 2, drawn);
-    size_t work_count = NKW_CLIP_WORK(drawn->source.track_count);
-    uint32_t *work = fuzz_block(f, work_count * sizeof *work);
-    if (nkw_clip_measure(&drawn->source, &bytes, NULL, work, work_count) != NKW_OK)
+    const nkw_work work = fuzz_work(f, NKW_CLIP_BUILD_WORK(drawn->source.track_count));
+    nkw_clip_build(&drawn->source, bytes_span(NULL, 0), &bytes, NULL, work);
+    if (bytes == 0)
         return NULL;
     void *block = fuzz_block(f, bytes);
-    FUZZ_CHECK(nkw_clip_build(&drawn->source, block, bytes, NULL, work, work_count) == NKW_OK);
+    FUZZ_CHECK(nkw_clip_build(&drawn->source, bytes_span(block, bytes), &bytes, NULL, work) == NKW_OK);
     return (const nkw_clip *)block;
 }
 
@@ -45,7 +45,7 @@ static void sample(fuzz *f, const nkw_clip *clip, size_t n, size_t characters)
         poses[i] = pose;
     }
     crowd_from_poses(poses, n, want);
-    crowd_sample(clip, times, NULL, characters, fuzz_room(f, NKW_CROWD_SAMPLE_FLOATS(n)), lanes);
+    crowd_sample(clip, times, NULL, characters, fuzz_work(f, NKW_CROWD_SAMPLE_WORK(n)), lanes);
     FUZZ_CHECK(fuzz_same(lanes, want, NKW_CROWD_POSE_FLOATS(n)));
 }
 
@@ -55,17 +55,17 @@ static void bake(fuzz *f, const nkw_crowd_source *source)
     size_t frames = fuzz_upto(f, 40), count = source->joint_count, bad, n = source->skeleton->joint_count;
     const nkw_palette_chunk chunk = {frames, count, 0};
     nkw_mat4 *buffer = fuzz_block(f, frames * count * sizeof *buffer);
-    nkw_crowd_source_validate(source, &bad);
+    const size_t from = fuzz_upto(f, 50);
+    const nkw_range range = {from, fuzz_upto(f, 50)};
+    nkw_crowd_bake(source, &chunk, &range, buffer, &bad, fuzz_work(f, NKW_CROWD_BAKE_WORK(n, count)));
     FUZZ_CHECK(bad < count || bad < n || bad == 0);
-    crowd_bake(source, &chunk, fuzz_upto(f, 50), fuzz_upto(f, 50), fuzz_room(f, NKW_CROWD_BAKE_FLOATS(n, count)),
-               buffer);
 }
 
 /* Any influences: each lane has the bits of its palette alone. */
 static void skin(fuzz *f, const float *lanes, size_t n, const nkw_mat4 *const *palettes)
 {
     const size_t count = fuzz_upto(f, 20), k = fuzz_upto(f, 10);
-    const int skip = fuzz_byte(f) % 2;
+    const int keep = fuzz_byte(f) % 2;
     nkw_skin s = {count, k, {NULL, 0, NKW_SKIN_U8}, {NULL, 0, NKW_SKIN_F32}};
     s.joints.data = fuzz_bytes(f, count * k);
     s.weights.data = fuzz_floats(f, count * k, fuzz_byte(f) % 2);
@@ -79,10 +79,10 @@ static void skin(fuzz *f, const float *lanes, size_t n, const nkw_mat4 *const *p
             continue;
         outs[i].positions.data = fuzz_room(f, 3 * count), outs[i].normals.data = fuzz_room(f, 3 * count);
         alone[i].positions.data = fuzz_room(f, 3 * count), alone[i].normals.data = fuzz_room(f, 3 * count);
-        const nkw_skin_palette p = {{palettes[i], n, NKW_PALETTE_MAT4}, {NULL, 0, NKW_PALETTE_MAT4}, skip};
-        nkw_skin_linear(&s, &p, &vertices, &alone[i]);
+        const nkw_skin_palette p = {{palettes[i], n, NKW_PALETTE_MAT4}, {NULL, 0, NKW_PALETTE_MAT4}, keep};
+        nkw_skin_linear(&s, &p, vertices, alone[i]);
     }
-    nkw_crowd_skin_linear(&s, crowd_matrices_view(lanes, n), skip, &vertices, outs);
+    nkw_crowd_skin(crowd_matrices_view(lanes, n), &s, vertices, keep, outs);
     for (size_t i = 0; i < NKW_CROWD; i++)
         FUZZ_CHECK(!palettes[i] || (fuzz_same(outs[i].positions.data, alone[i].positions.data, 3 * count) &&
                                     fuzz_same(outs[i].normals.data, alone[i].normals.data, 3 * count)));

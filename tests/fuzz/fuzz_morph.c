@@ -21,7 +21,7 @@ static void morphs(fuzz *f, int wild)
     nkw_morph morph = {all, targets, n};
     nkw_vertices_view in = {{fuzz_bytes(f, n * base_stride), base_stride}, {NULL, 0}, {NULL, 0}, {NULL, 0}};
     nkw_vertices_span out = {{fuzz_block(f, n * stride), stride}, {NULL, 0}, {NULL, 0}, {NULL, 0}};
-    nkw_morph_apply(&morph, fuzz_floats(f, targets, wild), &in, &out);
+    nkw_morph_apply(&morph, fuzz_floats(f, targets, wild), in, out);
     nkw_morph_validate(&morph, &bad);
     FUZZ_CHECK(bad == 0 || bad < targets);
 }
@@ -35,11 +35,11 @@ static void bounds(fuzz *f, int wild)
     skin.weights.data = fuzz_bytes(f, 4 * n * influences);
     nkw_vec3_stream_view positions = {fuzz_floats(f, 3 * n, wild), 0};
     nkw_box *boxes = fuzz_block(f, (joints + 1) * sizeof *boxes), box;
-    if (nkw_bounds_from_skin(&skin, positions, boxes, joints) != NKW_OK)
+    if (nkw_box_from_skin(&skin, positions, boxes, joints) != NKW_OK)
         return;
     nkw_mat4 *palette = fuzz_matrices(f, joints, wild);
     nkw_palette_view view = palette_view(NKW_PALETTE_MAT4, palette, joints);
-    FUZZ_CHECK(nkw_bounds_from_palette(view, boxes, &box) == NKW_OK);
+    FUZZ_CHECK(nkw_box_from_palette(view, boxes, &box) == NKW_OK);
     for (size_t j = 0; j < joints; j++) {
         nkw_box moved = nkw_box_transform(&palette[j], &boxes[j]);
         nkw_box joined = nkw_box_union(&box, &moved);

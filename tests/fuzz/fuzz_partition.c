@@ -115,19 +115,19 @@ static void build(fuzz *f, const nkw_partition_mesh *m)
     size_t max_joint_count = fuzz_byte(f) % 8 ? fuzz_upto(f, 30) : fuzz_huge(f), bad = 0, bad_again;
     nkw_partition_sizes sizes = nkw_partition_bounds(m, max_joint_count);
     nkw_partition p = room_for(f, m, &sizes);
-    uint32_t *work = fuzz_block(f, sizes.work_count * sizeof *work);
-    nkw_result sound = nkw_partition_validate(m, &bad);
+    const nkw_work work = fuzz_work(f, sizes.work_bytes), none = {NULL, 0};
+    nkw_result sound = nkw_partition_build(m, max_joint_count, &p, &bad, none);
     FUZZ_CHECK(bad < m->triangle_count || bad == 0);
-    nkw_result result = nkw_partition_build(m, max_joint_count, &p, &bad_again, work, sizes.work_count);
-    if (sound != NKW_OK) {
+    nkw_result result = nkw_partition_build(m, max_joint_count, &p, &bad_again, work);
+    if (sound != NKW_OK && sound != NKW_TOO_SMALL) {
         FUZZ_CHECK(result == sound && bad == bad_again && p.part_count == 0 && p.triangle_count == 0);
         return;
     }
     FUZZ_CHECK(result == (p.rejected_count ? NKW_TOO_MANY : NKW_OK));
     check_partition(f, m, &p, max_joint_count);
     part_vertices(f, m, &p);
-    FUZZ_CHECK(!m->triangle_count ||
-               nkw_partition_build(m, max_joint_count, &p, NULL, work, sizes.work_count - 1) == NKW_TOO_SMALL);
+    const nkw_work less = {work.data, sizes.work_bytes - 1};
+    FUZZ_CHECK(!m->triangle_count || nkw_partition_build(m, max_joint_count, &p, NULL, less) == NKW_TOO_SMALL);
 }
 
 /* Counts alone: lengths hold the mesh, or there are none for it. */
@@ -135,11 +135,13 @@ static void counts(fuzz *f)
 {
     nkw_partition_mesh m = {NULL, NULL, fuzz_huge(f), NULL, NULL, fuzz_huge(f), fuzz_huge(f), fuzz_huge(f), NULL};
     nkw_partition_sizes sizes = nkw_partition_bounds(&m, fuzz_huge(f));
-    FUZZ_CHECK(sizes.work_count == 0 ||
+    const nkw_work none = {NULL, 0};
+    nkw_partition p;
+    FUZZ_CHECK(sizes.work_bytes == 0 ||
                (sizes.part_count == m.triangle_count && sizes.vertex_count >= m.triangle_count));
-    FUZZ_CHECK(sizes.work_count == 0 || sizes.work_count > m.triangle_count);
-    if (sizes.work_count == 0 && m.triangle_count)
-        FUZZ_CHECK(nkw_partition_validate(&m, NULL) == NKW_OUT_OF_RANGE);
+    FUZZ_CHECK(sizes.work_bytes == 0 || sizes.work_bytes > m.triangle_count);
+    if (sizes.work_bytes == 0 && m.triangle_count)
+        FUZZ_CHECK(nkw_partition_build(&m, 4, &p, NULL, none) == NKW_OUT_OF_RANGE);
 }
 
 static void order(fuzz *f)

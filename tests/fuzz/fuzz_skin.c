@@ -123,9 +123,9 @@ static void run(const nkw_skin *s, const palettes *p, int is_dual, const nkw_ver
                 const nkw_vertices_span *out)
 {
     if (is_dual)
-        nkw_skin_dual_quat(s, p->dual, in, out);
+        nkw_skin_dual_quat(s, p->dual, *in, *out);
     else
-        nkw_skin_linear(s, &p->linear, in, out);
+        nkw_skin_linear(s, &p->linear, *in, *out);
 }
 
 /* All vertices together and one by one have the same bits, by matrices and by dual quaternions. */
@@ -175,7 +175,7 @@ static void prepare(fuzz *f, const nkw_skin *s)
     nkw_result result = nkw_skin_validate(s, JOINTS, &bad);
     FUZZ_CHECK(bad < s->vertex_count || bad == 0);
     nkw_skin_span even = draw_span(f, s->vertex_count, s->influence_count);
-    nkw_skin_normalize_weights(s->weights, even, s->influence_count, s->vertex_count);
+    nkw_skin_normalize_weights(s->weights, s->influence_count, s->vertex_count, even);
     nkw_skin_prune(s, keep, joints, weights);
     nkw_skin pruned = {s->vertex_count,
                        keep,

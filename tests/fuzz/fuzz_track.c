@@ -163,15 +163,16 @@ static void convert(fuzz *f, const nkw_track *t)
 {
     nkw_axes_map map = {(nkw_axis)(fuzz_choice(f, 6) - 3), (nkw_axis)(fuzz_choice(f, 6) - 3),
                         (nkw_axis)(fuzz_choice(f, 6) - 3)};
-    nkw_clip_track c = {(nkw_clip_target)fuzz_choice(f, 3), 0, *t};
+    const nkw_axes_kind kind = NKW_CLIP_AXES((nkw_clip_target)fuzz_choice(f, 3));
+    nkw_track c = *t;
     size_t count = nkw_track_value_count(t);
     float *values = fuzz_room(f, count);
     nkw_track_convert_axes(t, (nkw_axes_kind)fuzz_choice(f, 3), map, values);
-    if (nkw_clip_track_convert_axes(&c, map, values) != NKW_OK)
+    if (nkw_track_convert_axes(&c, kind, map, values) != NKW_OK)
         return;
-    c.track.values = values;
+    c.values = values;
     if (nkw_axes_map_is_valid(map)) {
-        nkw_clip_track_convert_axes(&c, nkw_axes_map_inverse(map), values);
+        nkw_track_convert_axes(&c, kind, nkw_axes_map_inverse(map), values);
         FUZZ_CHECK(fuzz_same(values, t->values, count));
     }
 }

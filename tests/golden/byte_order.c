@@ -13,6 +13,7 @@
 #include <nakawari/nakawari.h>
 
 #include "../support/random_clip.h"
+#include "../support/views.h"
 
 enum { JOINTS = 5, CLIPS = 4, MOST = 1 << 16 };
 
@@ -47,26 +48,23 @@ static void make_small(random_clip *c)
  */
 static int build(int index, blocks *out)
 {
-    static double work[NKW_CLIP_REDUCE_WORK(RANDOM_CLIP_TRACKS, RANDOM_CLIP_JOINTS, RANDOM_CLIP_FLOATS)];
+    static double room[NKW_CLIP_REDUCE_WORK(RANDOM_CLIP_TRACKS, RANDOM_CLIP_JOINTS, RANDOM_CLIP_FLOATS) / 8 + 2];
+    const nkw_work work = work_in(room, sizeof room);
+    const nkw_bytes_span block = bytes_span(out->words[index], MOST);
     static random_clip drawn;
     random_source r = random_from(index == 3 ? 8 : 7);
-    size_t bad, tracks;
+    size_t bad;
     random_clip_draw(&r, JOINTS, index >= 2 ? 0 : 2, &drawn);
     drawn.source.names = &names;
     drawn.source.format = index == 1 ? NKW_CLIP_UNORM16 : NKW_CLIP_FLOAT32;
-    tracks = drawn.source.track_count;
-    if (index < 2) {
-        uint32_t *order = (uint32_t *)(void *)work;
-        return nkw_clip_measure(&drawn.source, &out->bytes[index], &bad, order, NKW_CLIP_WORK(tracks)) == NKW_OK &&
-               nkw_clip_build(&drawn.source, out->words[index], MOST, &bad, order, NKW_CLIP_WORK(tracks)) == NKW_OK;
-    }
+    if (index < 2)
+        return nkw_clip_build(&drawn.source, block, &out->bytes[index], &bad, work) == NKW_OK;
     if (index == 3)
         make_small(&drawn);
     const float tolerance = index == 2 ? 0.01f : 4e-8f;
     const nkw_clip_reduction reduction = {NULL, tolerance, 0.1f, NULL, NULL, tolerance};
-    const nkw_clip_memory memory = {out->words[index], MOST, work, sizeof work / sizeof work[0]};
     nkw_clip_reduced reduced;
-    nkw_result result = nkw_clip_reduce(&drawn.source, &reduction, &memory, &reduced, &bad);
+    nkw_result result = nkw_clip_reduce(&drawn.source, &reduction, block, &reduced, &bad, work);
     out->bytes[index] = reduced.bytes;
     return result == NKW_OK && reduced.packed_count > 0;
 }

@@ -269,7 +269,9 @@ static void reduce_clip(float *o, const input *i)
     float values[2][36], times[9];
     const int32_t parents[2] = {-1, 0};
     const nkw_clip_reduction reduction = {parents, 0.25f, 1.0f, NULL, NULL, 0.0f};
-    double block[128], work[NKW_CLIP_REDUCE_WORK(2, 2, 0)];
+    NKW_STACK_WORK(work, NKW_CLIP_REDUCE_WORK(2, 2, 0));
+    double block[128];
+    const nkw_bytes_span span = {block, sizeof block};
     nkw_clip_track tracks[2];
     for (unsigned n = 0; n < 2; n++) {
         const nkw_clip_track track = {
@@ -283,12 +285,10 @@ static void reduce_clip(float *o, const input *i)
         }
     }
     const nkw_clip_source source = {tracks, 2, 2, 0, {NULL, 0}, NULL, NKW_CLIP_FLOAT32, NULL};
-    const nkw_clip_memory memory = {block, sizeof block, work, sizeof work / sizeof *work};
-    nkw_clip_source out;
-    nkw_reduced reduced = {0, 0, 0.0f, 0.0f, 0.0f};
-    nkw_clip_source_reduce(&source, &reduction, &memory, &out, &reduced, NULL);
-    o[0] = (float)reduced.key_count;
-    o[1] = reduced.distance;
+    nkw_clip_source_reduced reduced;
+    nkw_clip_source_reduce(&source, &reduction, span, &reduced, NULL, work);
+    o[0] = (float)reduced.reached.key_count;
+    o[1] = reduced.reached.distance;
 }
 
 static void put_head(float *o, nkw_play_head head)
@@ -387,7 +387,7 @@ static void weights_of_four(float *o, const input *i, nkw_skin_format format)
         weights[k] = nkw_abs(i->s[k]);
     nkw_skin_view in = {weights, 0, NKW_SKIN_F32};
     nkw_skin_span to_floats = {o, 0, format}, to_whole = {whole, 0, format};
-    nkw_skin_normalize_weights(in, format == NKW_SKIN_F32 ? to_floats : to_whole, 4, 2);
+    nkw_skin_normalize_weights(in, 4, 2, format == NKW_SKIN_F32 ? to_floats : to_whole);
     for (unsigned k = 0; k < 8 && format != NKW_SKIN_F32; k++)
         o[k] = (float)whole[k];
 }

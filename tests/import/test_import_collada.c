@@ -27,8 +27,8 @@ static void collada_clips_have_their_names_and_ranges(void **state)
     m = open_file(COLLADA "oneclip_range.dae"); /* from 1 to 2 of x = t, 0 to 4 */
     assert_int_equal(m->d->animation_count, 1);
     assert_string_equal(m->d->animations[0].name, "mid");
-    expect_bits(nkw_clip_start(m->clip), 1.0f);
-    expect_bits(nkw_clip_end(m->clip), 2.0f);
+    expect_bits(nkw_clip_describe(m->clip).start, 1.0f);
+    expect_bits(nkw_clip_describe(m->clip).end, 2.0f);
     play(m, 1.5f);
     expect_vec3_near(local(m, "box").translation, at(1.5f, 2, 3), 1e-6);
     close_file(m);
@@ -86,8 +86,8 @@ static void collada_clips_have_all_of_their_animations(void **state)
     expect_vec3_near(nkw_pose_get(pose_view(m->pose, 3), 2).translation, at(5.5f, 2, 2), 1e-6);
     nkw_import_free(m->clip);
     assert_int_equal(nkw_document_clip(m->d, 1, NKW_CLIP_FLOAT32, &m->clip, NULL), NKW_IMPORT_OK);
-    expect_bits(nkw_clip_start(m->clip), 0.5f);
-    expect_bits(nkw_clip_end(m->clip), 2.0f);
+    expect_bits(nkw_clip_describe(m->clip).start, 0.5f);
+    expect_bits(nkw_clip_describe(m->clip).end, 2.0f);
     play(m, 1.0f);
     expect_vec3_near(nkw_pose_get(pose_view(m->pose, 3), 2).translation, at(6, 2, 3), 1e-6);
     assert_int_equal(m->d->animations[1].track_count, 3); /* of b only */

@@ -481,7 +481,7 @@ static void the_character_of_the_examples_is_read(void **state)
     for (size_t i = 0; i < d->animation_count; i++) {
         nkw_clip *clip;
         assert_int_equal(nkw_document_clip(d, i, NKW_CLIP_FLOAT32, &clip, &error), NKW_IMPORT_OK);
-        float middle = 0.5f * (nkw_clip_start(clip) + nkw_clip_end(clip));
+        float middle = 0.5f * (nkw_clip_describe(clip).start + nkw_clip_describe(clip).end);
         assert_int_equal(nkw_clip_sample(clip, middle, NULL, pose_span(pose, joints), floats), NKW_OK);
         nkw_import_free(clip);
         assert_int_equal(nkw_document_models(d, pose_view(pose, joints), NULL, models), NKW_OK);

@@ -236,10 +236,10 @@ static uint64_t hash_skins(const scene *s)
                                           0};
         for (size_t k = 0; k < 3; k++)
             memcpy(s->skinned[k], s->vectors[k], 3 * s->joints * sizeof(float));
-        nkw_skin_linear(&skin, &palette, &in, &out);
+        nkw_skin_linear(&skin, &palette, in, out);
         for (size_t k = 0; k < 3; k++)
             hash = hash_floats(hash, s->skinned[k], 3 * s->joints);
-        nkw_skin_dual_quat(&skin, palette_view(NKW_PALETTE_DUAL_QUAT, s->duals, s->joints), &in, &out);
+        nkw_skin_dual_quat(&skin, palette_view(NKW_PALETTE_DUAL_QUAT, s->duals, s->joints), in, out);
         for (size_t k = 0; k < 3; k++)
             hash = hash_floats(hash, s->skinned[k], 3 * s->joints);
     }
@@ -265,13 +265,14 @@ static uint64_t hash_clips(const scene *s)
     static random_clip drawn;
     static float block[WORDS];
     random_source r = random_from(s->joints);
-    uint32_t work[NKW_CLIP_WORK(RANDOM_CLIP_TRACKS)];
+    NKW_STACK_WORK(work, NKW_CLIP_BUILD_WORK(RANDOM_CLIP_TRACKS));
+    size_t bytes;
     uint64_t hash = HASH_START;
     if (s->joints > RANDOM_CLIP_JOINTS)
         return hash;
     random_clip_draw(&r, s->joints, (int)(s->joints % 3), &drawn);
     drawn.source.format = s->joints % 2 ? NKW_CLIP_UNORM16 : NKW_CLIP_FLOAT32;
-    if (nkw_clip_build(&drawn.source, block, sizeof block, NULL, work, NKW_CLIP_WORK(drawn.source.track_count)) != NKW_OK)
+    if (nkw_clip_build(&drawn.source, bytes_span(block, sizeof block), &bytes, NULL, work) != NKW_OK)
         abort();
     for (int i = 0; i < 4; i++) {
         float numbers[RANDOM_CLIP_FLOATS];

@@ -45,8 +45,8 @@ static void draw_mesh(random_source *r, int scaled, float size)
     }
     nkw_skin skin = {VERTICES, INFLUENCES, {m.joints, 0, NKW_SKIN_U16}, {m.weights, 0, NKW_SKIN_F32}};
     nkw_skin_span weights = {m.weights, 0, NKW_SKIN_F32}, bytes = {m.bytes, 0, NKW_SKIN_U8};
-    nkw_skin_normalize_weights(skin.weights, bytes, INFLUENCES, VERTICES);
-    nkw_skin_normalize_weights(skin.weights, weights, INFLUENCES, VERTICES);
+    nkw_skin_normalize_weights(skin.weights, INFLUENCES, VERTICES, bytes);
+    nkw_skin_normalize_weights(skin.weights, INFLUENCES, VERTICES, weights);
     m.skin = skin;
 }
 
@@ -55,7 +55,7 @@ static void skin_mesh(void)
     nkw_skin_palette palette = {palette_view(NKW_PALETTE_MAT4, m.palette, JOINTS), {NULL, 0, NKW_PALETTE_MAT4}, 0};
     nkw_vertices_view in = {{m.positions, 0}, {NULL, 0}, {NULL, 0}, {NULL, 0}};
     nkw_vertices_span out = {{m.skinned, 0}, {NULL, 0}, {NULL, 0}, {NULL, 0}};
-    nkw_skin_linear(&m.skin, &palette, &in, &out);
+    nkw_skin_linear(&m.skin, &palette, in, out);
 }
 
 static nkw_vec3_stream_view positions(void)
@@ -77,10 +77,10 @@ static void every_skinned_vertex_is_inside(void **state)
             m.skin.weights = bytes;
         }
         nkw_box box, same;
-        assert_int_equal(nkw_bounds_from_skin(&m.skin, positions(), m.boxes, JOINTS), NKW_OK);
-        assert_int_equal(nkw_bounds_from_palette(palette_view(NKW_PALETTE_MAT4, m.palette, JOINTS), m.boxes, &box),
+        assert_int_equal(nkw_box_from_skin(&m.skin, positions(), m.boxes, JOINTS), NKW_OK);
+        assert_int_equal(nkw_box_from_palette(palette_view(NKW_PALETTE_MAT4, m.palette, JOINTS), m.boxes, &box),
                          NKW_OK);
-        assert_int_equal(nkw_bounds_from_palette(palette_view(NKW_PALETTE_MAT3X4, m.rows, JOINTS), m.boxes, &same),
+        assert_int_equal(nkw_box_from_palette(palette_view(NKW_PALETTE_MAT3X4, m.rows, JOINTS), m.boxes, &same),
                          NKW_OK);
         expect_floats_bits(&same.low.x, &box.low.x, 6);
         skin_mesh();
@@ -103,9 +103,9 @@ static void one_joint_has_the_box_of_its_vertices(void **state)
     draw_mesh(&r, 0, 1);
     for (size_t j = 0; j < JOINTS; j++)
         m.palette[j] = nkw_mat4_identity();
-    nkw_bounds_from_skin(&m.skin, positions(), m.boxes, JOINTS);
+    nkw_box_from_skin(&m.skin, positions(), m.boxes, JOINTS);
     nkw_box box, want = nkw_box_empty();
-    nkw_bounds_from_palette(palette_view(NKW_PALETTE_MAT4, m.palette, JOINTS), m.boxes, &box);
+    nkw_box_from_palette(palette_view(NKW_PALETTE_MAT4, m.palette, JOINTS), m.boxes, &box);
     for (size_t i = 0; i < VERTICES; i++)
         want = nkw_box_add_point(&want, m.positions[i]);
     expect_vec3_near(box.low, want.low, 1e-5);
@@ -122,18 +122,18 @@ static void vertices_without_influence_stay_where_they_are(void **state)
     (void)state;
     random_source r = random_from(3);
     draw_mesh(&r, 0, 1);
-    nkw_bounds_from_skin(&m.skin, positions(), m.boxes, JOINTS);
+    nkw_box_from_skin(&m.skin, positions(), m.boxes, JOINTS);
     assert_true(contains(&m.boxes[JOINTS], m.positions[7]) && contains(&m.boxes[JOINTS], m.positions[57]));
     /* No joints: all vertices. */
-    nkw_bounds_from_skin(&m.skin, positions(), m.boxes, 0);
+    nkw_box_from_skin(&m.skin, positions(), m.boxes, 0);
     nkw_box box;
-    nkw_bounds_from_palette(palette_view(NKW_PALETTE_MAT4, NULL, 0), m.boxes, &box);
+    nkw_box_from_palette(palette_view(NKW_PALETTE_MAT4, NULL, 0), m.boxes, &box);
     for (size_t i = 0; i < VERTICES; i++)
         assert_true(contains(&box, m.positions[i]));
     /* No vertices: nothing. */
     m.skin.vertex_count = 0;
-    nkw_bounds_from_skin(&m.skin, positions(), m.boxes, JOINTS);
-    nkw_bounds_from_palette(palette_view(NKW_PALETTE_MAT4, m.palette, JOINTS), m.boxes, &box);
+    nkw_box_from_skin(&m.skin, positions(), m.boxes, JOINTS);
+    nkw_box_from_palette(palette_view(NKW_PALETTE_MAT4, m.palette, JOINTS), m.boxes, &box);
     assert_int_equal(nkw_box_is_empty(&box), 1);
 }
 
@@ -143,12 +143,12 @@ static void formats_that_do_not_fit_write_nothing(void **state)
     random_source r = random_from(4);
     draw_mesh(&r, 0, 1);
     nkw_box box = {{1, 2, 3}, {4, 5, 6}}, same = box;
-    assert_int_equal(nkw_bounds_from_palette(palette_view(NKW_PALETTE_DUAL_QUAT, m.palette, 1), m.boxes, &box),
+    assert_int_equal(nkw_box_from_palette(palette_view(NKW_PALETTE_DUAL_QUAT, m.palette, 1), m.boxes, &box),
                      NKW_BAD_FORMAT);
     expect_floats_bits(&box.low.x, &same.low.x, 6);
     m.skin.joints.format = NKW_SKIN_F32;
     m.boxes[0] = same;
-    assert_int_equal(nkw_bounds_from_skin(&m.skin, positions(), m.boxes, JOINTS), NKW_BAD_FORMAT);
+    assert_int_equal(nkw_box_from_skin(&m.skin, positions(), m.boxes, JOINTS), NKW_BAD_FORMAT);
     expect_floats_bits(&m.boxes[0].low.x, &same.low.x, 6);
 }
 
@@ -158,7 +158,7 @@ static void without_positions_all_boxes_are_empty(void **state)
     random_source r = random_from(6);
     draw_mesh(&r, 0, 1);
     const nkw_vec3_stream_view none = {NULL, 0};
-    assert_int_equal(nkw_bounds_from_skin(&m.skin, none, m.boxes, JOINTS), NKW_OK);
+    assert_int_equal(nkw_box_from_skin(&m.skin, none, m.boxes, JOINTS), NKW_OK);
     for (int j = 0; j <= JOINTS; j++)
         assert_int_equal(nkw_box_is_empty(&m.boxes[j]), 1);
 }

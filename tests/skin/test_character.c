@@ -97,7 +97,7 @@ static void expect_strip(const character *c, actor *a, float seconds, float fade
     size_t bad;
     assert_int_equal(nkw_skin_validate(&skin, c->skin_count, &bad), NKW_OK);
     animate(c, a, both, fade, NULL);
-    skin_mesh(c, a, &skin, &in, &out);
+    skin_mesh(c, a, &skin, in, out);
     for (int v = 0; v < 4; v++) {
         const nkw_vec3 want = {xy[2 * v], xy[2 * v + 1], 0};
         expect_vec3_near(moved[v], want, 1e-6);

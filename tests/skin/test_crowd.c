@@ -166,16 +166,14 @@ static void nothing_is_written_without_joints(void **state)
 /* A clip of JOINTS joints of every kind of track, to be freed. */
 static nkw_clip *some_clip(random_source *r, random_clip *from)
 {
-    uint32_t work[NKW_CLIP_WORK(RANDOM_CLIP_TRACKS)];
+    NKW_STACK_WORK(work, NKW_CLIP_BUILD_WORK(RANDOM_CLIP_TRACKS));
     size_t bytes;
     const nkw_clip *clip;
     random_clip_draw(r, JOINTS, 2, from);
-    assert_int_equal(nkw_clip_measure(&from->source, &bytes, NULL, work, NKW_CLIP_WORK(from->source.track_count)),
-                     NKW_OK);
+    assert_int_equal(nkw_clip_build(&from->source, bytes_span(NULL, 0), &bytes, NULL, work), NKW_TOO_SMALL);
     void *block = malloc(bytes);
     assert_non_null(block);
-    assert_int_equal(nkw_clip_build(&from->source, block, bytes, NULL, work, NKW_CLIP_WORK(from->source.track_count)),
-                     NKW_OK);
+    assert_int_equal(nkw_clip_build(&from->source, bytes_span(block, bytes), &bytes, NULL, work), NKW_OK);
     assert_int_equal(nkw_clip_open(block, bytes, &clip), NKW_OK);
     return (nkw_clip *)block;
 }
@@ -184,16 +182,17 @@ static void a_clip_at_many_times_is_the_clip_at_each(void **state)
 {
     (void)state;
     static random_clip from;
-    static float work[NKW_CROWD_SAMPLE_FLOATS(JOINTS)], want[NKW_CROWD_POSE_FLOATS(JOINTS)];
+    NKW_STACK_WORK(work, NKW_CROWD_SAMPLE_WORK(JOINTS));
+    static float want[NKW_CROWD_POSE_FLOATS(JOINTS)];
     random_source r = random_from(6);
     nkw_clip *clip = some_clip(&r, &from);
     uint32_t cursors[NKW_CROWD * RANDOM_CLIP_TRACKS] = {0};
     float times[NKW_CROWD];
-    assert_true(nkw_clip_cursor_count(clip) <= RANDOM_CLIP_TRACKS);
+    assert_true(nkw_clip_describe(clip).cursor_count <= RANDOM_CLIP_TRACKS);
     for (size_t characters = 0; characters <= NKW_CROWD; characters++) {
         for (size_t i = 0; i < NKW_CROWD; i++) {
             times[i] = random_between(&r, -1.0f, 5.0f);
-            nkw_clip_sample(clip, times[i], NULL, pose_span(poses[i], nkw_clip_joint_count(clip)), NULL);
+            nkw_clip_sample(clip, times[i], NULL, pose_span(poses[i], nkw_clip_describe(clip).joint_count), NULL);
             in[i] = i < characters ? poses[i] : NULL;
         }
         crowd_from_poses(in, JOINTS, want);
@@ -209,7 +208,7 @@ static void baked_frames_are_palettes_one_by_one(void **state)
     (void)state;
     enum { FRAMES = 21, SKIN = 5, FROM = 3, FIRST = 7, ALL = FIRST + FRAMES * SKIN + 4 };
     static random_clip drawn;
-    static float work[NKW_CROWD_BAKE_FLOATS(JOINTS, SKIN)];
+    NKW_STACK_WORK(work, NKW_CROWD_BAKE_WORK(JOINTS, SKIN));
     static nkw_mat4 buffer[ALL], want[ALL], alone[JOINTS];
     const int32_t joints[SKIN] = {21, 0, 3, 3, 11};
     const nkw_palette_chunk chunk = {FRAMES, SKIN, FIRST};
@@ -221,7 +220,7 @@ static void baked_frames_are_palettes_one_by_one(void **state)
         buffer[i] = want[i] = nkw_mat4_identity();
     for (size_t f = FROM; f < FRAMES; f++) {
         nkw_clip_sample(clip, nkw_segment_uniform_time(0.25f, 24.0f, f), NULL,
-                        pose_span(poses[0], nkw_clip_joint_count(clip)), NULL);
+                        pose_span(poses[0], nkw_clip_describe(clip).joint_count), NULL);
         nkw_models_from_pose(&skeleton, pose_view(poses[0], skeleton.joint_count), &root[0], NULL, alone);
         palette_from_models(alone, JOINTS, joints, bind, NULL, SKIN, want + FIRST + f * SKIN);
     }
@@ -236,8 +235,9 @@ static void a_clip_of_other_joints_is_not_baked(void **state)
 {
     (void)state;
     static random_clip drawn;
-    static float work[NKW_CROWD_BAKE_FLOATS(JOINTS, JOINTS)];
+    NKW_STACK_WORK(work, NKW_CROWD_BAKE_WORK(JOINTS, JOINTS));
     random_source r = random_from(8);
+    draw(&r);
     nkw_clip *clip = some_clip(&r, &drawn);
     const nkw_skeleton shorter = {parents, JOINTS - 1};
     const nkw_crowd_source source = {clip, &shorter, NULL, NULL, NULL, JOINTS - 1, 0.0f, 30.0f};
@@ -252,7 +252,10 @@ static void counts_that_do_not_match_write_nothing(void **state)
 {
     (void)state;
     static random_clip drawn;
-    static float work[NKW_CROWD_BAKE_FLOATS(JOINTS, JOINTS)], floats[NKW_CROWD_POSE_FLOATS(JOINTS)];
+    static float floats[NKW_CROWD_POSE_FLOATS(JOINTS)];
+    NKW_STACK_WORK(work, NKW_CROWD_BAKE_WORK(JOINTS, JOINTS));
+    const nkw_work small = {work.data, NKW_CROWD_SAMPLE_WORK(JOINTS) - 1}, less = {work.data, work.bytes - 1};
+    const nkw_work misaligned = {(unsigned char *)work.data + 4, work.bytes};
     random_source r = random_from(10);
     draw(&r);
     nkw_clip *clip = some_clip(&r, &drawn);
@@ -262,12 +265,10 @@ static void counts_that_do_not_match_write_nothing(void **state)
     const nkw_palette_chunk chunk = {1, JOINTS, 0}, thin = {1, JOINTS - 1, 0};
     nkw_pose_view views[NKW_CROWD] = {{NULL, 0}};
     floats[0] = 7.0f;
-    assert_int_equal(
-        nkw_crowd_sample(clip, &players, crowd_poses_span(floats, JOINTS - 1), work, NKW_CROWD_SAMPLE_FLOATS(JOINTS)),
-        NKW_MISMATCHED);
-    assert_int_equal(
-        nkw_crowd_sample(clip, &players, crowd_poses_span(floats, JOINTS), work, NKW_CROWD_SAMPLE_FLOATS(JOINTS) - 1),
-        NKW_TOO_SMALL);
+    const nkw_crowd_poses_span span = crowd_poses_span(floats, JOINTS);
+    assert_int_equal(nkw_crowd_sample(&players, clip, crowd_poses_span(floats, JOINTS - 1), work), NKW_MISMATCHED);
+    assert_int_equal(nkw_crowd_sample(&players, clip, span, small), NKW_TOO_SMALL);
+    assert_int_equal(nkw_crowd_sample(&players, clip, span, misaligned), NKW_TOO_SMALL);
     views[3] = pose_view(poses[0], JOINTS - 1);
     assert_int_equal(nkw_crowd_from_poses(views, crowd_poses_span(floats, JOINTS)), NKW_MISMATCHED);
     assert_int_equal(nkw_crowd_models_from_pose(&skeleton, crowd_poses_view(floats, JOINTS),
@@ -283,24 +284,28 @@ static void counts_that_do_not_match_write_nothing(void **state)
     assert_int_equal(nkw_crowd_models_from_pose(&skeleton, crowd_poses_view(floats, JOINTS),
                                                 crowd_matrices_view(floats, 0), crowd_matrices_span(floats, JOINTS)),
                      NKW_MISMATCHED);
-    assert_int_equal(nkw_crowd_bake(&source, &thin, NULL, matrices[0], work, sizeof work / sizeof *work),
-                     NKW_MISMATCHED);
-    assert_int_equal(nkw_crowd_bake(&source, &chunk, NULL, matrices[0], work, sizeof work / sizeof *work - 1),
-                     NKW_TOO_SMALL);
-    assert_int_equal(nkw_crowd_bake(&source, &chunk, NULL, matrices[0], work, sizeof work / sizeof *work), NKW_OK);
+    assert_int_equal(nkw_crowd_bake(&source, &thin, NULL, matrices[0], NULL, work), NKW_MISMATCHED);
+    assert_int_equal(nkw_crowd_bake(&source, &chunk, NULL, matrices[0], NULL, less), NKW_TOO_SMALL);
+    assert_int_equal(nkw_crowd_bake(&source, &chunk, NULL, matrices[0], NULL, misaligned), NKW_TOO_SMALL);
+    assert_int_equal(nkw_crowd_bake(&source, &chunk, NULL, matrices[0], NULL, work), NKW_OK);
     expect_bits(floats[0], 7.0f);
     free(clip);
 }
 
 static void expect_invalid(const nkw_crowd_source *source, nkw_result result, size_t joint)
 {
+    NKW_STACK_WORK(work, NKW_CROWD_BAKE_WORK(JOINTS, 3));
+    const nkw_palette_chunk chunk = {1, source->joint_count, 0};
+    const nkw_mat4 before = matrices[0][0] = nkw_mat4_identity();
     size_t bad = 99;
-    assert_int_equal(nkw_crowd_source_validate(source, &bad), result);
+    assert_int_equal(nkw_crowd_bake(source, &chunk, NULL, matrices[0], &bad, work), result);
     assert_int_equal(bad, joint);
-    assert_int_equal(nkw_crowd_source_validate(source, NULL), result);
+    assert_int_equal(nkw_crowd_bake(source, &chunk, NULL, matrices[0], NULL, work), result);
+    if (result != NKW_OK)
+        expect_floats_bits(matrices[0][0].m, before.m, 16);
 }
 
-static void validate_names_the_first_offender(void **state)
+static void bake_names_the_first_offender(void **state)
 {
     (void)state;
     static random_clip drawn;
@@ -372,21 +377,21 @@ static nkw_vertices_span result_streams(int which, size_t lane, int mask, size_t
     return v;
 }
 
-static void compare_skins(const nkw_skin *skin, int skip, int in_mask, int out_mask, size_t stride)
+static void compare_skins(const nkw_skin *skin, int keep, int in_mask, int out_mask, size_t stride)
 {
     const nkw_vertices_view view = bind_streams(in_mask);
     nkw_vertices_span outs[NKW_CROWD];
     memset(results, 0, sizeof results);
     for (size_t i = 0; i < NKW_CROWD; i++) {
         const int mask = i == 6 ? 0 : i == 9 ? out_mask & 2 : out_mask;
-        const nkw_skin_palette palette = {{matrices[i], JOINTS, NKW_PALETTE_MAT4}, {NULL, 0, NKW_PALETTE_MAT4}, skip};
+        const nkw_skin_palette palette = {{matrices[i], JOINTS, NKW_PALETTE_MAT4}, {NULL, 0, NKW_PALETTE_MAT4}, keep};
         /* One lane with another stride, so that not all outputs are contiguous. */
-        const size_t apart = i == 12 && !skip ? 16 : stride;
+        const size_t apart = i == 12 && !keep ? 16 : stride;
         const nkw_vertices_span alone = result_streams(0, i, mask, apart);
         outs[i] = result_streams(1, i, mask, apart);
-        assert_int_equal(nkw_skin_linear(skin, &palette, &view, &alone), NKW_OK);
+        assert_int_equal(nkw_skin_linear(skin, &palette, view, alone), NKW_OK);
     }
-    assert_int_equal(nkw_crowd_skin_linear(skin, crowd_matrices_view(models, JOINTS), skip, &view, outs), NKW_OK);
+    assert_int_equal(nkw_crowd_skin(crowd_matrices_view(models, JOINTS), skin, view, keep, outs), NKW_OK);
     expect_floats_bits(results[1][0][0], results[0][0][0], sizeof results[0] / sizeof(float));
 }
 
@@ -419,7 +424,7 @@ static void a_crowd_is_copied_where_formats_do_not_fit(void **state)
     nkw_vertices_span outs[NKW_CROWD];
     for (size_t i = 0; i < NKW_CROWD; i++)
         outs[i] = result_streams(0, i, 1, 12);
-    assert_int_equal(nkw_crowd_skin_linear(&skin, crowd_matrices_view(models, JOINTS), 0, &view, outs), NKW_BAD_FORMAT);
+    assert_int_equal(nkw_crowd_skin(crowd_matrices_view(models, JOINTS), &skin, view, 0, outs), NKW_BAD_FORMAT);
     for (size_t i = 0; i < NKW_CROWD; i++)
         expect_floats_bits(results[0][i][0], bind_vectors[0], 3 * VERTICES);
 }
@@ -435,7 +440,7 @@ int main(void)
         cmocka_unit_test(baked_frames_are_palettes_one_by_one),
         cmocka_unit_test(a_clip_of_other_joints_is_not_baked),
         cmocka_unit_test(counts_that_do_not_match_write_nothing),
-        cmocka_unit_test(validate_names_the_first_offender),
+        cmocka_unit_test(bake_names_the_first_offender),
         cmocka_unit_test(every_lane_is_skinned_as_its_character_alone),
         cmocka_unit_test(a_crowd_is_copied_where_formats_do_not_fit),
         cmocka_unit_test(any_parents_stay_within_the_arrays),

@@ -85,7 +85,7 @@ static void vectors_are_summed_in_the_order_of_the_targets(void **state)
         f.weights[(size_t)round] = round % 2 ? 0.0f : -0.0f;
         nkw_vertices_view in = {stream(f.base, 0), stream(f.normals, 0), {NULL, 0}, {NULL, 0}};
         nkw_vertices_span out = {stream_span(positions, 12), stream_span(normals, 0), {NULL, 0}, {NULL, 0}};
-        nkw_morph_apply(&f.morph, f.weights, &in, &out);
+        nkw_morph_apply(&f.morph, f.weights, in, out);
         for (size_t i = 0; i < VERTICES; i++) {
             expect_vec3_bits(positions[i], expected(&f, i, 0));
             expect_vec3_bits(normals[i], expected(&f, i, 1));
@@ -107,10 +107,10 @@ static void strides_alignment_and_place_change_no_bit(void **state)
     memcpy(place, f.base, sizeof place);
     nkw_vertices_view from = {stream(in + 1, STRIDE), {NULL, 0}, {NULL, 0}, {NULL, 0}};
     nkw_vertices_span to = {stream_span(out + 1, STRIDE), {NULL, 0}, {NULL, 0}, {NULL, 0}};
-    nkw_morph_apply(&f.morph, f.weights, &from, &to);
+    nkw_morph_apply(&f.morph, f.weights, from, to);
     nkw_vertices_view same = {stream(place, 0), {NULL, 0}, {NULL, 0}, {NULL, 0}};
     nkw_vertices_span same_out = {stream_span(place, 0), {NULL, 0}, {NULL, 0}, {NULL, 0}};
-    nkw_morph_apply(&f.morph, f.weights, &same, &same_out);
+    nkw_morph_apply(&f.morph, f.weights, same, same_out);
     for (size_t i = 0; i < VERTICES; i++) {
         nkw_vec3 got;
         memcpy(&got, out + 1 + i * STRIDE, sizeof got);
@@ -141,7 +141,7 @@ static void packed_vectors_may_be_at_odd_addresses(void **state)
         for (size_t at = 0; at < 4; at++) {
             nkw_vertices_view in = {stream(f.base, 0), {NULL, 0}, {NULL, 0}, {NULL, 0}};
             nkw_vertices_span to = {stream_span(out + at, 0), {NULL, 0}, {NULL, 0}, {NULL, 0}};
-            nkw_morph_apply(&f.morph, f.weights, &in, &to);
+            nkw_morph_apply(&f.morph, f.weights, in, to);
             for (size_t i = 0; i < VERTICES; i++) {
                 nkw_vec3 got;
                 memcpy(&got, out + at + i * sizeof got, sizeof got);
@@ -164,18 +164,18 @@ static void targets_without_weight_are_not_read(void **state)
     }
     nkw_vertices_view in = {stream(f.base, 0), {NULL, 0}, {NULL, 0}, {NULL, 0}};
     nkw_vertices_span to = {stream_span(out, 0), {NULL, 0}, {NULL, 0}, {NULL, 0}};
-    nkw_morph_apply(&f.morph, f.weights, &in, &to);
+    nkw_morph_apply(&f.morph, f.weights, in, to);
     expect_floats_bits(&out[0].x, &f.base[0].x, 3 * VERTICES);
     f.targets[1].deltas.positions.data = NULL;
     f.weights[1] = 1;
-    nkw_morph_apply(&f.morph, f.weights, &in, &to);
+    nkw_morph_apply(&f.morph, f.weights, in, to);
     expect_floats_bits(&out[0].x, &f.base[0].x, 3 * VERTICES);
     f.morph.target_count = 0;
     out[7].y = 99;
-    nkw_morph_apply(&f.morph, NULL, &in, &to);
+    nkw_morph_apply(&f.morph, NULL, in, to);
     expect_floats_bits(&out[0].x, &f.base[0].x, 3 * VERTICES);
     f.morph.vertex_count = 0;
-    nkw_morph_apply(&f.morph, NULL, &in, &to);
+    nkw_morph_apply(&f.morph, NULL, in, to);
 }
 
 /* Sparse targets without weight, or without differences of a stream, and streams with one side only. */
@@ -192,7 +192,7 @@ static void what_is_not_there_has_no_effect(void **state)
     f.targets[6].deltas.positions.data = NULL;
     nkw_vertices_view in = {stream(f.base, 0), stream(f.normals, 0), {NULL, 0}, {NULL, 0}};
     nkw_vertices_span to = {stream_span(out, 0), stream_span(out_normals, 0), {NULL, 0}, {NULL, 0}};
-    nkw_morph_apply(&f.morph, f.weights, &in, &to);
+    nkw_morph_apply(&f.morph, f.weights, in, to);
     for (size_t i = 0; i < VERTICES; i++) {
         want[i] = f.base[i];
         want_normals[i] = f.normals[i];
@@ -213,7 +213,7 @@ static void what_is_not_there_has_no_effect(void **state)
     in.tangents = stream(f.normals, 0);
     in.positions.data = NULL;
     out[3].y = 77;
-    nkw_morph_apply(&f.morph, f.weights, &in, &to);
+    nkw_morph_apply(&f.morph, f.weights, in, to);
     expect_bits(out[3].y, 77);
 }
 
@@ -230,7 +230,7 @@ static void indices_after_the_last_are_not_used(void **state)
     nkw_vertices_view in = {stream(base, 0), {NULL, 0}, {NULL, 0}, {NULL, 0}};
     nkw_vertices_span to = {stream_span(out, 0), {NULL, 0}, {NULL, 0}, {NULL, 0}};
     const float weight = 2;
-    nkw_morph_apply(&morph, &weight, &in, &to);
+    nkw_morph_apply(&morph, &weight, in, to);
     expect_vec3_bits(out[0], base[0]);
     expect_vec3_bits(out[1], moved);
     expect_vec3_bits(out[2], base[2]);

@@ -37,10 +37,10 @@ static void a_mesh_without_triangles_has_no_parts(void **state)
     (void)state;
     nkw_partition_mesh mesh = {NULL, NULL, 0, NULL, NULL, 0, 4, 0, NULL};
     nkw_partition p = unused;
-    uint32_t work[8];
+    NKW_STACK_WORK(work, 32);
     size_t bad = 99;
-    assert_true(nkw_partition_bounds(&mesh, 4).work_count <= 8);
-    assert_int_equal(nkw_partition_build(&mesh, 4, &p, &bad, work, 8), NKW_OK);
+    assert_true(nkw_partition_bounds(&mesh, 4).work_bytes <= 32);
+    assert_int_equal(nkw_partition_build(&mesh, 4, &p, &bad, work), NKW_OK);
     expect_nothing(&p);
     assert_int_equal(bad, 0);
 }
@@ -232,21 +232,17 @@ static void joints_of_a_part_ascend_by_depth_where_depths_are_given(void **state
 
 static void expect_invalid(nkw_result result, size_t triangle)
 {
-    size_t bad = 99;
-    assert_int_equal(nkw_partition_validate(&data.mesh, &bad), result);
-    assert_int_equal(bad, triangle);
-    assert_int_equal(nkw_partition_validate(&data.mesh, NULL), result);
-    if (result == NKW_OK)
-        return;
-    uint32_t work[1];
+    const nkw_work none = {NULL, 0};
     nkw_partition p = unused;
-    bad = 99;
-    assert_int_equal(nkw_partition_build(&data.mesh, 4, &p, &bad, work, 1), result);
+    size_t bad = 99;
+    result = result == NKW_OK ? NKW_TOO_SMALL : result; /* a sound mesh, and no memory for its parts */
+    assert_int_equal(nkw_partition_build(&data.mesh, 4, &p, &bad, none), result);
     assert_int_equal(bad, triangle);
+    assert_int_equal(nkw_partition_build(&data.mesh, 4, &p, NULL, none), result);
     expect_nothing(&p);
 }
 
-static void validate_names_a_vertex_index_out_of_range(void **state)
+static void build_names_a_vertex_index_out_of_range(void **state)
 {
     (void)state;
     mesh_strip(&data);
@@ -257,7 +253,7 @@ static void validate_names_a_vertex_index_out_of_range(void **state)
     expect_invalid(NKW_OUT_OF_RANGE, 2);
 }
 
-static void validate_names_a_joint_out_of_range(void **state)
+static void build_names_a_joint_out_of_range(void **state)
 {
     (void)state;
     mesh_strip(&data);
@@ -267,7 +263,7 @@ static void validate_names_a_joint_out_of_range(void **state)
     expect_invalid(NKW_OK, 0);
 }
 
-static void validate_names_weights_that_are_not_finite_or_negative(void **state)
+static void build_names_weights_that_are_not_finite_or_negative(void **state)
 {
     (void)state;
     static const float bad[] = {NAN, INFINITY, -INFINITY};
@@ -281,7 +277,7 @@ static void validate_names_weights_that_are_not_finite_or_negative(void **state)
     expect_invalid(NKW_BAD_WEIGHTS, 4);
 }
 
-static void validate_does_not_look_at_vertices_that_no_triangle_uses(void **state)
+static void build_does_not_look_at_vertices_that_no_triangle_uses(void **state)
 {
     (void)state;
     mesh_strip(&data);
@@ -290,7 +286,7 @@ static void validate_does_not_look_at_vertices_that_no_triangle_uses(void **stat
     expect_invalid(NKW_OK, 0);
 }
 
-static void validate_names_counts_out_of_range(void **state)
+static void build_names_counts_out_of_range(void **state)
 {
     (void)state;
     mesh_strip(&data);
@@ -307,7 +303,7 @@ static void validate_names_counts_out_of_range(void **state)
     mesh_strip(&data);
     data.mesh.triangle_count = UINT32_MAX / 24 + 1;
     expect_invalid(NKW_OUT_OF_RANGE, 0);
-    assert_int_equal(nkw_partition_bounds(&data.mesh, 4).work_count, 0);
+    assert_int_equal(nkw_partition_bounds(&data.mesh, 4).work_bytes, 0);
 }
 
 static void too_little_working_memory_is_refused(void **state)
@@ -319,10 +315,13 @@ static void too_little_working_memory_is_refused(void **state)
     assert_int_equal(sizes.joint_count, 18);
     assert_int_equal(sizes.vertex_count, 18);
     nkw_partition p = unused;
-    uint32_t *work = malloc(sizes.work_count * sizeof(uint32_t));
-    assert_int_equal(nkw_partition_build(&data.mesh, 3, &p, NULL, work, sizes.work_count - 1), NKW_TOO_SMALL);
+    unsigned char *memory = malloc(sizes.work_bytes + 4);
+    const nkw_work small = {memory, sizes.work_bytes - 1}, misaligned = {memory + 4, sizes.work_bytes};
+    assert_int_equal(nkw_partition_build(&data.mesh, 3, &p, NULL, small), NKW_TOO_SMALL);
     expect_nothing(&p);
-    free(work);
+    assert_int_equal(nkw_partition_build(&data.mesh, 3, &p, NULL, misaligned), NKW_TOO_SMALL);
+    expect_nothing(&p);
+    free(memory);
 }
 
 int main(void)
@@ -340,11 +339,11 @@ int main(void)
         cmocka_unit_test(the_same_mesh_gives_the_same_partition),
         cmocka_unit_test(the_order_of_triangles_does_not_change_the_joints_of_parts),
         cmocka_unit_test(joints_of_a_part_ascend_by_depth_where_depths_are_given),
-        cmocka_unit_test(validate_names_a_vertex_index_out_of_range),
-        cmocka_unit_test(validate_names_a_joint_out_of_range),
-        cmocka_unit_test(validate_names_weights_that_are_not_finite_or_negative),
-        cmocka_unit_test(validate_does_not_look_at_vertices_that_no_triangle_uses),
-        cmocka_unit_test(validate_names_counts_out_of_range),
+        cmocka_unit_test(build_names_a_vertex_index_out_of_range),
+        cmocka_unit_test(build_names_a_joint_out_of_range),
+        cmocka_unit_test(build_names_weights_that_are_not_finite_or_negative),
+        cmocka_unit_test(build_does_not_look_at_vertices_that_no_triangle_uses),
+        cmocka_unit_test(build_names_counts_out_of_range),
         cmocka_unit_test(too_little_working_memory_is_refused),
     };
     return cmocka_run_group_tests_name("partition", tests, NULL, NULL);

@@ -66,7 +66,8 @@ static void sample_both_ways(const played *p, int anim, float time, float *pose,
     float want[NKW_POSE_FLOATS(SCENE_NODES)], want_floats[SCENE_FLOATS];
     size_t joints = (size_t)p->scene.nodes, stride = NKW_POSE_STRIDE(joints);
     scene_sample(&p->scene, anim, time, want, want_floats);
-    nkw_clip_sample(clip_of(p, anim), time, NULL, pose_span(pose, nkw_clip_joint_count(clip_of(p, anim))), floats);
+    nkw_clip_sample(clip_of(p, anim), time, NULL, pose_span(pose, nkw_clip_describe(clip_of(p, anim)).joint_count),
+                    floats);
     for (size_t c = 0; c < 10; c++)
         expect_floats_bits(pose + c * stride, want + c * stride, joints);
     expect_floats_bits(floats, want_floats, p->scene.floats);
@@ -96,7 +97,7 @@ static void play_to(const played *p, int anim, float time, moment *m)
                                     0};
         nkw_vertices_view in = {{mesh->positions, 0}, {NULL, 0}, {NULL, 0}, {NULL, 0}};
         nkw_vertices_span out = {{m->skinned[k], 0}, {NULL, 0}, {NULL, 0}, {NULL, 0}};
-        nkw_skin_linear(&skin, &palette, &in, &out);
+        nkw_skin_linear(&skin, &palette, in, out);
     }
 }
 
@@ -250,11 +251,11 @@ static double compact_bound(const nkw_clip_source *s, nkw_clip_target target)
 
 static void expect_compact_bound(const played *p)
 {
-    float room[NKW_CLIP_DIFFERENCE_WORK(SCENE_NODES, SCENE_FLOATS)];
+    NKW_STACK_WORK(work, NKW_CLIP_DIFFERENCE_WORK(SCENE_NODES, SCENE_FLOATS));
     for (int i = 0; i < p->scene.anims; i++) {
         const nkw_clip_source *s = &p->source[i];
         nkw_clip_error error;
-        assert_int_equal(nkw_clip_difference(p->clip[i], s, &error, room, sizeof room / sizeof *room), NKW_OK);
+        assert_int_equal(nkw_clip_difference(p->clip[i], s, &error, work), NKW_OK);
         assert_true((double)error.translation <= compact_bound(s, NKW_CLIP_TRANSLATION));
         assert_true((double)error.scale <= compact_bound(s, NKW_CLIP_SCALE));
         assert_true((double)error.floats <= compact_bound(s, NKW_CLIP_FLOATS));
@@ -271,7 +272,7 @@ static void compact_clips_of_all_scenes_are_within_their_bound(void **state)
 static void the_fox_has_the_bytes_of_the_page(void **state)
 {
     static played whole, compact;
-    float room[NKW_CLIP_DIFFERENCE_WORK(SCENE_NODES, SCENE_FLOATS)];
+    NKW_STACK_WORK(work, NKW_CLIP_DIFFERENCE_WORK(SCENE_NODES, SCENE_FLOATS));
     (void)state;
     play(NKW_DATA_DIR "/scenes/Fox.scene.txt", 0, NKW_CLIP_FLOAT32, &whole);
     play(NKW_DATA_DIR "/scenes/Fox.scene.txt", 0, NKW_CLIP_UNORM16, &compact);
@@ -284,10 +285,11 @@ static void the_fox_has_the_bytes_of_the_page(void **state)
             floats += s->tracks[t].track.count * s->tracks[t].track.width;
         }
         assert_int_equal(s->track_count, 21);
-        assert_int_equal(nkw_clip_difference(compact.clip[i], s, &error, room, sizeof room / sizeof *room), NKW_OK);
+        assert_int_equal(nkw_clip_difference(compact.clip[i], s, &error, work), NKW_OK);
         expect_page("subjects/clip/clip.md", "| %d | %lu | %lu | %lu | %lu | %.2e | %.2e |", i, (unsigned long)keys,
-                    (unsigned long)(floats * sizeof(float)), (unsigned long)nkw_clip_bytes(whole.clip[i]),
-                    (unsigned long)nkw_clip_bytes(compact.clip[i]), (double)error.rotation, (double)error.translation);
+                    (unsigned long)(floats * sizeof(float)), (unsigned long)nkw_clip_describe(whole.clip[i]).bytes,
+                    (unsigned long)nkw_clip_describe(compact.clip[i]).bytes, (double)error.rotation,
+                    (double)error.translation);
     }
     stop(&whole);
     stop(&compact);

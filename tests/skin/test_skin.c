@@ -15,7 +15,7 @@ static void linear_blend_is_the_weighted_sum_of_matrices_for_every_count(void **
         float out[VERTICES * FLOATS] = {0};
         nkw_vertices_view from = streams(m.v, FLOATS);
         nkw_vertices_span to = spans(out, FLOATS);
-        nkw_skin_linear(&skin, &palette, &from, &to);
+        nkw_skin_linear(&skin, &palette, from, to);
         for (size_t i = 0; i < VERTICES; i++) {
             nkw_mat4 sum;
             const float *v = m.v + i * FLOATS, *got = out + i * FLOATS;
@@ -40,8 +40,8 @@ static void normals_go_by_their_own_palette_where_there_is_one(void **state)
         float out[VERTICES * FLOATS] = {0}, other[VERTICES * FLOATS] = {0};
         nkw_vertices_view from = streams(m.v, FLOATS);
         nkw_vertices_span to = spans(out, FLOATS), to_other = spans(other, FLOATS);
-        nkw_skin_linear(&skin, &palette, &from, &to);
-        nkw_skin_linear(&skin, &plain, &from, &to_other);
+        nkw_skin_linear(&skin, &palette, from, to);
+        nkw_skin_linear(&skin, &plain, from, to_other);
         for (size_t i = 0; i < VERTICES; i++) {
             nkw_mat3 sum;
             const float *got = out + i * FLOATS;
@@ -68,7 +68,7 @@ static void a_normal_stays_at_right_angles_under_uneven_scale_by_its_palette(voi
         v[2] = nkw_vec3_normalize(nkw_vec3_perpendicular(v[1]));
         nkw_vertices_view in = {{&v[0], 0}, {&v[1], 0}, {&v[2], 0}, {NULL, 0}};
         nkw_vertices_span out = {{&v[0], 0}, {&v[1], 0}, {&v[2], 0}, {NULL, 0}};
-        nkw_skin_linear(&skin, &palette, &in, &out);
+        nkw_skin_linear(&skin, &palette, in, out);
         expect_near(nkw_vec3_dot(v[1], v[2]), 0, 2e-6);
         expect_near(nkw_vec3_length(v[1]), 1, 2e-7);
         expect_vec3_near(v[0], trs.translation, 0);
@@ -93,8 +93,8 @@ static void every_layout_gives_the_same_bits(void **state)
                       in_tight = {{tight[0], 0}, {tight[1], 12}, {NULL, 0}, {NULL, 0}};
     nkw_vertices_span out_mixed = spans(mixed, FLOATS),
                       out_tight = {{tight[0], 0}, {tight[1], 12}, {NULL, 0}, {NULL, 0}};
-    assert_int_equal(nkw_skin_linear(&skin, &palette, &in_mixed, &out_mixed), NKW_OK);
-    assert_int_equal(nkw_skin_linear(&skin, &palette, &in_tight, &out_tight), NKW_OK);
+    assert_int_equal(nkw_skin_linear(&skin, &palette, in_mixed, out_mixed), NKW_OK);
+    assert_int_equal(nkw_skin_linear(&skin, &palette, in_tight, out_tight), NKW_OK);
     for (size_t i = 0; i < VERTICES; i++) {
         expect_vec3_bits(tight[0][i], vec3_at(mixed + i * FLOATS));
         expect_vec3_bits(tight[1][i], vec3_at(mixed + i * FLOATS + 3));
@@ -122,7 +122,7 @@ static void zero_and_subnormal_and_negative_weights_and_joints_beyond_the_palett
     nkw_skin_palette palette = palette_of(m.matrices, NULL, JOINTS, 0);
     nkw_vertices_view in = {{position, 0}, {normal, 0}, {NULL, 0}, {NULL, 0}};
     nkw_vertices_span out = {{position, 0}, {normal, 0}, {NULL, 0}, {NULL, 0}};
-    nkw_skin_linear(&skin, &palette, &in, &out);
+    nkw_skin_linear(&skin, &palette, in, out);
     for (size_t i = 0; i < VERTICES; i++) {
         const nkw_vec3 p = vec3_at(m.v + i * FLOATS), n = vec3_at(m.v + i * FLOATS + 3);
         nkw_mat4 sum;
@@ -141,11 +141,11 @@ static void a_vertex_does_not_depend_on_its_neighbours_or_the_count(void **state
     nkw_skin skin = skin_of(&m, 3);
     nkw_vertices_view in = streams(m.v, FLOATS);
     nkw_vertices_span out = spans(whole, FLOATS), out_alone = spans(alone, FLOATS);
-    nkw_skin_linear(&skin, &palette, &in, &out);
+    nkw_skin_linear(&skin, &palette, in, out);
     for (size_t i = 0; i < VERTICES; i++) {
         nkw_skin one = {1, 3, {m.joints + 3 * i, 0, NKW_SKIN_U16}, {m.weights + 3 * i, 0, NKW_SKIN_F32}};
         nkw_vertices_view at = streams(m.v + i * FLOATS, FLOATS);
-        nkw_skin_linear(&one, &palette, &at, &out_alone);
+        nkw_skin_linear(&one, &palette, at, out_alone);
         expect_floats_bits(alone, whole + i * FLOATS, FLOATS);
     }
 }
@@ -187,8 +187,8 @@ static void whole_number_weights_are_their_quotients(void **state)
         {VERTICES, 4, {joints32, 16, NKW_SKIN_U32}, {w8, 16, NKW_SKIN_F32}},
     };
     for (size_t s = 0; s < 4; s += 2) {
-        nkw_skin_linear(&skins[s], &palette, &in, &out_got);
-        nkw_skin_linear(&skins[s + 1], &palette, &in, &out_want);
+        nkw_skin_linear(&skins[s], &palette, in, out_got);
+        nkw_skin_linear(&skins[s + 1], &palette, in, out_want);
         for (size_t i = 0; i < VERTICES; i++)
             expect_vec3_bits(got[i], want[i]);
     }
@@ -210,9 +210,9 @@ static void a_vertex_without_weight_is_not_moved(void **state)
         nkw_vertices_view in = streams(m.v, FLOATS);
         nkw_vertices_span to = spans(out, FLOATS);
         if (dual)
-            nkw_skin_dual_quat(&skin, duals_of(m.duals, JOINTS), &in, &to);
+            nkw_skin_dual_quat(&skin, duals_of(m.duals, JOINTS), in, to);
         else
-            nkw_skin_linear(&skin, &palette, &in, &to);
+            nkw_skin_linear(&skin, &palette, in, to);
         for (size_t i = 0; i < VERTICES; i += 5)
             expect_floats_bits(out + i * FLOATS, m.v + i * FLOATS, FLOATS);
         assert_memory_not_equal(out + FLOATS, m.v + FLOATS, 12);
@@ -231,11 +231,11 @@ static void a_joint_beyond_the_palette_counts_as_weight_zero(void **state)
     nkw_vertices_view in = streams(m.v, FLOATS);
     nkw_vertices_span out = spans(got, FLOATS), out_want = spans(want, FLOATS);
     nkw_skin skin = skin_of(&m, 4);
-    nkw_skin_linear(&skin, &palette, &in, &out);
+    nkw_skin_linear(&skin, &palette, in, out);
     for (size_t i = 0; i < VERTICES * 4; i++)
         if (m.joints[i] >= 5)
             m.joints[i] = 0, m.weights[i] = 0;
-    nkw_skin_linear(&skin, &palette, &in, &out_want);
+    nkw_skin_linear(&skin, &palette, in, out_want);
     expect_floats_bits(got, want, VERTICES * FLOATS);
     test_free(matrices);
 }
@@ -248,8 +248,8 @@ static void expect_not_moved(const nkw_skin *skin, size_t joint_count, const mes
         float out[VERTICES * FLOATS] = {0};
         nkw_vertices_view in = streams(m->v, FLOATS);
         nkw_vertices_span to = spans(out, FLOATS);
-        nkw_result got = dual ? nkw_skin_dual_quat(skin, duals_of(m->duals, joint_count), &in, &to)
-                              : nkw_skin_linear(skin, &palette, &in, &to);
+        nkw_result got = dual ? nkw_skin_dual_quat(skin, duals_of(m->duals, joint_count), in, to)
+                              : nkw_skin_linear(skin, &palette, in, to);
         assert_int_equal(got, result);
         for (size_t i = 0; i < VERTICES; i++)
             expect_floats_bits(out + i * FLOATS, m->v + i * FLOATS, 12);
@@ -287,9 +287,9 @@ static void a_palette_of_another_format_moves_nothing(void **state)
     rows.normals.format = NKW_PALETTE_NORMAL_ROWS;
     for (int which = 0; which < 3; which++) {
         memset(out, 0, sizeof out);
-        assert_int_equal(which == 0   ? nkw_skin_dual_quat(&skin, matrices, &in, &to)
-                         : which == 1 ? nkw_skin_linear(&skin, &duals, &in, &to)
-                                      : nkw_skin_linear(&skin, &rows, &in, &to),
+        assert_int_equal(which == 0   ? nkw_skin_dual_quat(&skin, matrices, in, to)
+                         : which == 1 ? nkw_skin_linear(&skin, &duals, in, to)
+                                      : nkw_skin_linear(&skin, &rows, in, to),
                          NKW_BAD_FORMAT);
         for (size_t i = 0; i < VERTICES; i++)
             expect_floats_bits(out + i * FLOATS, m.v + i * FLOATS, 12);
@@ -308,12 +308,12 @@ static void no_vertices_and_no_vectors_are_allowed(void **state)
     const nkw_vertices_view from = streams(m.v, FLOATS);
     for (int empty = 0; empty < 2; empty++) {
         skin.vertex_count = empty ? 0 : VERTICES;
-        assert_int_equal(nkw_skin_linear(&skin, &palette, &in, &to), NKW_OK);
-        assert_int_equal(nkw_skin_linear(&skin, &palette, &from, &to), NKW_OK);
-        assert_int_equal(nkw_skin_linear(&skin, &palette, &in, &all), NKW_OK);
-        assert_int_equal(nkw_skin_dual_quat(&skin, duals_of(m.duals, JOINTS), &in, &to), NKW_OK);
+        assert_int_equal(nkw_skin_linear(&skin, &palette, in, to), NKW_OK);
+        assert_int_equal(nkw_skin_linear(&skin, &palette, from, to), NKW_OK);
+        assert_int_equal(nkw_skin_linear(&skin, &palette, in, all), NKW_OK);
+        assert_int_equal(nkw_skin_dual_quat(&skin, duals_of(m.duals, JOINTS), in, to), NKW_OK);
     }
-    assert_int_equal(nkw_skin_linear(&skin, &palette, &from, &all), NKW_OK);
+    assert_int_equal(nkw_skin_linear(&skin, &palette, from, all), NKW_OK);
     for (size_t i = 0; i < VERTICES * FLOATS; i++)
         expect_bits(out[i], 0);
 }
@@ -338,11 +338,11 @@ static void joints_from_2_to_the_26_on_count_as_weight_zero(void **state)
         const nkw_skin_palette all = palette_of(m.matrices, NULL, SIZE_MAX, 0),
                                own = palette_of(m.matrices, NULL, JOINTS, 0);
         if (dual) {
-            nkw_skin_dual_quat(&wide, duals_of(m.duals, SIZE_MAX), &in, &to);
-            nkw_skin_dual_quat(&few, duals_of(m.duals, JOINTS), &in, &to_want);
+            nkw_skin_dual_quat(&wide, duals_of(m.duals, SIZE_MAX), in, to);
+            nkw_skin_dual_quat(&few, duals_of(m.duals, JOINTS), in, to_want);
         } else {
-            nkw_skin_linear(&wide, &all, &in, &to);
-            nkw_skin_linear(&few, &own, &in, &to_want);
+            nkw_skin_linear(&wide, &all, in, to);
+            nkw_skin_linear(&few, &own, in, to_want);
         }
         expect_floats_bits(got, want, VERTICES * FLOATS);
     }
@@ -360,8 +360,8 @@ static void the_smaller_palette_limits_the_joints(void **state)
     const nkw_skin skin = skin_of(&m, 4);
     const nkw_vertices_view in = streams(m.v, FLOATS);
     const nkw_vertices_span to = spans(got, FLOATS), to_want = spans(want, FLOATS);
-    nkw_skin_linear(&skin, &few, &in, &to);
-    nkw_skin_linear(&skin, &both, &in, &to_want);
+    nkw_skin_linear(&skin, &few, in, to);
+    nkw_skin_linear(&skin, &both, in, to_want);
     expect_floats_bits(got, want, VERTICES * FLOATS);
     test_free(normals);
 }
@@ -382,9 +382,9 @@ static void a_palette_of_nan_gives_nan_at_weight_zero_too(void **state)
         m.weights[3] = dual ? 0.5f : 0.0f;
         m.joints[3] = 0;
         if (dual)
-            nkw_skin_dual_quat(&skin, duals_of(m.duals, JOINTS), &in, &to);
+            nkw_skin_dual_quat(&skin, duals_of(m.duals, JOINTS), in, to);
         else
-            nkw_skin_linear(&skin, &palette, &in, &to);
+            nkw_skin_linear(&skin, &palette, in, to);
         for (size_t i = 0; i < VERTICES; i++) {
             int is_nan = 0;
             for (size_t e = 0; e < 4; e++)
@@ -408,8 +408,8 @@ static void directions_far_below_the_normal_floats_become_zero(void **state)
     const nkw_vertices_view in = {{NULL, 0}, {n, 0}, {NULL, 0}, {NULL, 0}};
     const nkw_vertices_span out = {{NULL, 0}, {got, 0}, {NULL, 0}, {NULL, 0}},
                             to_same = {{NULL, 0}, {same, 0}, {NULL, 0}, {NULL, 0}};
-    nkw_skin_linear(&skin, &palette, &in, &out);
-    nkw_skin_linear(&skin, &raw, &in, &to_same);
+    nkw_skin_linear(&skin, &palette, in, out);
+    nkw_skin_linear(&skin, &raw, in, to_same);
     for (size_t i = 0; i < 3; i++) {
         expect_vec3_near(got[i], want[i], 2e-7);
         expect_vec3_bits(same[i], n[i]);
@@ -425,9 +425,9 @@ static void influences_beyond_the_eighth_are_not_read(void **state)
     nkw_vertices_view in = streams(m.v, FLOATS);
     nkw_vertices_span out = spans(got, FLOATS), out_want = spans(want, FLOATS);
     nkw_skin skin = {VERTICES / 2, 8, {m.joints, 32, NKW_SKIN_U16}, {m.weights, 64, NKW_SKIN_F32}};
-    nkw_skin_linear(&skin, &palette, &in, &out_want);
+    nkw_skin_linear(&skin, &palette, in, out_want);
     skin.influence_count = 16;
-    nkw_skin_linear(&skin, &palette, &in, &out);
+    nkw_skin_linear(&skin, &palette, in, out);
     expect_floats_bits(got, want, VERTICES * FLOATS);
 }
 
@@ -441,11 +441,11 @@ static void zero_normals_stay_zero_and_nan_stays_in_its_vertex(void **state)
     nkw_skin skin = skin_of(&m, 4);
     nkw_vertices_view in = streams(m.v, FLOATS);
     nkw_vertices_span to = spans(out, FLOATS), to_clean = spans(clean, FLOATS);
-    nkw_skin_linear(&skin, &palette, &in, &to_clean);
+    nkw_skin_linear(&skin, &palette, in, to_clean);
     for (size_t c = 3; c < 6; c++)
         expect_near(clean[c], 0, 0);
     m.weights[4 * 70] = NAN;
-    nkw_skin_linear(&skin, &palette, &in, &to);
+    nkw_skin_linear(&skin, &palette, in, to);
     expect_nan(out[70 * FLOATS]);
     expect_floats_bits(out, clean, 70 * FLOATS);
     expect_floats_bits(out + 71 * FLOATS, clean + 71 * FLOATS, (VERTICES - 71) * FLOATS);
@@ -460,8 +460,8 @@ static void one_rigid_joint_is_the_same_either_way(void **state)
     float linear[VERTICES * FLOATS] = {0}, dual[VERTICES * FLOATS] = {0};
     nkw_vertices_view in = streams(m.v, FLOATS);
     nkw_vertices_span out = spans(linear, FLOATS), out_dual = spans(dual, FLOATS);
-    nkw_skin_linear(&skin, &palette, &in, &out);
-    nkw_skin_dual_quat(&skin, duals_of(m.duals, JOINTS), &in, &out_dual);
+    nkw_skin_linear(&skin, &palette, in, out);
+    nkw_skin_dual_quat(&skin, duals_of(m.duals, JOINTS), in, out_dual);
     expect_floats_near(dual, linear, VERTICES * FLOATS, 2e-6);
 }
 
@@ -479,7 +479,7 @@ static void half_of_a_turn_is_a_turn_by_half_the_angle(void **state)
     nkw_vec3 want = nkw_vec3_add(pivot, nkw_quat_rotate(half, nkw_vec3_sub(p, pivot))), got;
     nkw_vertices_view in = {{&p, 0}, {NULL, 0}, {NULL, 0}, {NULL, 0}};
     nkw_vertices_span out = {{&got, 0}, {NULL, 0}, {NULL, 0}, {NULL, 0}};
-    nkw_skin_dual_quat(&skin, duals_of(palette, 2), &in, &out);
+    nkw_skin_dual_quat(&skin, duals_of(palette, 2), in, out);
     expect_vec3_near(got, want, 5e-7);
 }
 
@@ -493,14 +493,14 @@ static void the_sign_of_a_dual_quaternion_does_not_matter(void **state)
         nkw_skin skin = skin_of(&m, k);
         nkw_vertices_view in = streams(m.v, FLOATS);
         nkw_vertices_span out = spans(want, FLOATS), out_got = spans(got, FLOATS);
-        nkw_skin_dual_quat(&skin, duals_of(m.duals, JOINTS), &in, &out);
+        nkw_skin_dual_quat(&skin, duals_of(m.duals, JOINTS), in, out);
         for (size_t j = 0; j < JOINTS; j++)
             if (random_bits(&r) & 1) {
                 nkw_quat q = m.duals[j].real, d = m.duals[j].dual;
                 nkw_dual_quat negated = {{-q.x, -q.y, -q.z, -q.w}, {-d.x, -d.y, -d.z, -d.w}};
                 m.duals[j] = negated;
             }
-        nkw_skin_dual_quat(&skin, duals_of(m.duals, JOINTS), &in, &out_got);
+        nkw_skin_dual_quat(&skin, duals_of(m.duals, JOINTS), in, out_got);
         expect_floats_bits(got, want, VERTICES * FLOATS);
     }
 }
@@ -514,8 +514,8 @@ static void dual_quaternions_keep_lengths(void **state)
     nkw_vertices_view in = streams(m.v, FLOATS), in_normals = in;
     in_normals.positions = in.normals;
     nkw_vertices_span to = spans(out, FLOATS), to_other = spans(other, FLOATS);
-    nkw_skin_dual_quat(&skin, duals_of(m.duals, JOINTS), &in, &to);
-    nkw_skin_dual_quat(&skin, duals_of(m.duals, JOINTS), &in_normals, &to_other);
+    nkw_skin_dual_quat(&skin, duals_of(m.duals, JOINTS), in, to);
+    nkw_skin_dual_quat(&skin, duals_of(m.duals, JOINTS), in_normals, to_other);
     for (size_t i = 0; i < VERTICES; i++) {
         float before = nkw_vec3_distance(vec3_at(m.v + i * FLOATS), vec3_at(m.v + i * FLOATS + 3));
         float after = nkw_vec3_distance(vec3_at(out + i * FLOATS), vec3_at(other + i * FLOATS));
@@ -532,7 +532,7 @@ static void dual_quaternions_that_cancel_move_nothing(void **state)
     nkw_vec3 p = {1, 2, 3}, want = p;
     nkw_vertices_view in = {{&p, 0}, {NULL, 0}, {NULL, 0}, {NULL, 0}};
     nkw_vertices_span out = {{&p, 0}, {NULL, 0}, {NULL, 0}, {NULL, 0}};
-    nkw_skin_dual_quat(&skin, duals_of(palette, 1), &in, &out);
+    nkw_skin_dual_quat(&skin, duals_of(palette, 1), in, out);
     expect_vec3_bits(p, want);
 }
 

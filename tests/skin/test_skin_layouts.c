@@ -15,9 +15,9 @@ static void directions_are_not_normalized_where_that_is_skipped(void **state)
         float out[VERTICES * FLOATS] = {0}, pair[VERTICES * FLOATS] = {0}, own[VERTICES * FLOATS] = {0};
         nkw_vertices_view from = streams(m.v, FLOATS), two = {from.positions, from.normals, {NULL, 0}, {NULL, 0}};
         nkw_vertices_span to = spans(out, FLOATS), to_pair = spans(pair, FLOATS), to_own = spans(own, FLOATS);
-        nkw_skin_linear(&skin, &palette, &from, &to);
-        nkw_skin_linear(&skin, &palette, &two, &to_pair);
-        nkw_skin_linear(&skin, &exact, &from, &to_own);
+        nkw_skin_linear(&skin, &palette, from, to);
+        nkw_skin_linear(&skin, &palette, two, to_pair);
+        nkw_skin_linear(&skin, &exact, from, to_own);
         for (size_t i = 0; i < VERTICES; i++) {
             nkw_mat4 sum;
             nkw_mat3 normal;
@@ -43,7 +43,7 @@ static void encode(mesh *m, size_t k, const nkw_skin *skin, uint8_t *joints, uin
     const nkw_skin_format j = skin->joints.format, w = skin->weights.format;
     const nkw_skin_view from = {m->weights, 0, NKW_SKIN_F32};
     const nkw_skin_span to = {weights, 0, w};
-    assert_int_equal(nkw_skin_normalize_weights(from, to, k, VERTICES), NKW_OK);
+    assert_int_equal(nkw_skin_normalize_weights(from, k, VERTICES, to), NKW_OK);
     for (size_t i = 0; i < VERTICES * k; i++) {
         const uint8_t u8 = (uint8_t)m->joints[i];
         const uint32_t u32 = m->joints[i];
@@ -62,9 +62,9 @@ static void encode(mesh *m, size_t k, const nkw_skin *skin, uint8_t *joints, uin
 }
 
 /* Positions and normals of `floats` floats a vertex, or separate ones, in place; floats around them are kept. */
-static void expect_by_definition(const mesh *m, const nkw_skin *skin, size_t floats, int skip_normalization)
+static void expect_by_definition(const mesh *m, const nkw_skin *skin, size_t floats, int keep_length)
 {
-    const nkw_skin_palette palette = palette_of(m->matrices, NULL, JOINTS, skip_normalization);
+    const nkw_skin_palette palette = palette_of(m->matrices, NULL, JOINTS, keep_length);
     float got[VERTICES * FLOATS + 2], want[VERTICES * FLOATS + 2];
     const size_t s = floats * sizeof(float), normals = floats == 3 ? 3 * VERTICES : 3;
     memcpy(got + 1, m->v, sizeof m->v);
@@ -79,9 +79,9 @@ static void expect_by_definition(const mesh *m, const nkw_skin *skin, size_t flo
             continue;
         const nkw_vec3 d = nkw_mat4_transform_direction(&sum, vec3_at(n));
         put_vec3(p, nkw_mat4_transform_point(&sum, vec3_at(p)));
-        put_vec3(n, skip_normalization ? d : unit(d));
+        put_vec3(n, keep_length ? d : unit(d));
     }
-    assert_int_equal(nkw_skin_linear(skin, &palette, &in, &out), NKW_OK);
+    assert_int_equal(nkw_skin_linear(skin, &palette, in, out), NKW_OK);
     expect_floats_bits(got, want, VERTICES * FLOATS + 2);
 }
 
@@ -117,7 +117,7 @@ static void positions_and_normals_alone_are_as_together(void **state)
         uint16_t weights[VERTICES * 8];
         nkw_skin_view floats = {m.weights, 0, NKW_SKIN_F32};
         nkw_skin_span whole = {weights, 0, NKW_SKIN_U16};
-        nkw_skin_normalize_weights(floats, whole, k, VERTICES);
+        nkw_skin_normalize_weights(floats, k, VERTICES, whole);
         for (int format = 0; format < 2; format++) {
             float together[VERTICES * FLOATS] = {0}, alone[VERTICES * FLOATS] = {0};
             nkw_skin skin = skin_of(&m, k);
@@ -131,10 +131,10 @@ static void positions_and_normals_alone_are_as_together(void **state)
             positions.positions = in.positions;
             normals.normals = in.normals;
             in.tangents = in.bitangents = none.tangents;
-            nkw_skin_linear(&skin, &palette, &in, &to);
-            nkw_skin_linear(&skin, &palette, &positions, &to_alone);
-            nkw_skin_linear(&skin, &palette, &normals, &to_alone);
-            nkw_skin_linear(&skin, &palette, &in, &nowhere);
+            nkw_skin_linear(&skin, &palette, in, to);
+            nkw_skin_linear(&skin, &palette, positions, to_alone);
+            nkw_skin_linear(&skin, &palette, normals, to_alone);
+            nkw_skin_linear(&skin, &palette, in, nowhere);
             expect_floats_bits(alone, together, VERTICES * FLOATS);
         }
     }
@@ -166,10 +166,10 @@ static void normals_by_their_own_matrices_are_the_same_for_any_number_of_joints(
                 {{few[1], 0}, {few[1] + 3 * VERTICES, 0}, {NULL, 0}, {NULL, 0}},
                 {{many[1], 0}, {many[1] + 3 * VERTICES, 0}, {NULL, 0}, {NULL, 0}},
             };
-            nkw_skin_linear(&skin, &small, &in, &out[0]);
-            nkw_skin_linear(&skin, &large, &in, &out[1]);
-            nkw_skin_linear(&skin, &small, &tight, &out_tight[0]);
-            nkw_skin_linear(&skin, &large, &tight, &out_tight[1]);
+            nkw_skin_linear(&skin, &small, in, out[0]);
+            nkw_skin_linear(&skin, &large, in, out[1]);
+            nkw_skin_linear(&skin, &small, tight, out_tight[0]);
+            nkw_skin_linear(&skin, &large, tight, out_tight[1]);
             expect_floats_bits(few[0], many[0], VERTICES * FLOATS);
             expect_floats_bits(few[1], many[1], VERTICES * FLOATS);
         }
@@ -207,8 +207,8 @@ static void any_number_of_vertices_is_as_the_first_of_many(void **state)
             }
             memcpy(want, m.v, sizeof want);
             few.vertex_count = n, few.weights.data = w;
-            nkw_skin_linear(&many, &palette, &in, &out);
-            nkw_skin_linear(&few, &palette, &in_few, &out_few);
+            nkw_skin_linear(&many, &palette, in, out);
+            nkw_skin_linear(&few, &palette, in_few, out_few);
             expect_floats_bits(all, want, (n - 1) * f + 3);
             free(all), free(w);
         }
@@ -225,9 +225,9 @@ static void without_influences_their_arrays_may_be_null(void **state)
         nkw_vertices_view in = {{m.v, 24}, {m.v + 3, 24}, {NULL, 0}, {NULL, 0}};
         nkw_vertices_span to = {{out, 24}, {out + 3, 24}, {NULL, 0}, {NULL, 0}};
         if (dual)
-            nkw_skin_dual_quat(&skin, duals_of(m.duals, JOINTS), &in, &to);
+            nkw_skin_dual_quat(&skin, duals_of(m.duals, JOINTS), in, to);
         else
-            nkw_skin_linear(&skin, &palette, &in, &to);
+            nkw_skin_linear(&skin, &palette, in, to);
         expect_floats_bits(out, m.v, VERTICES * 6);
     }
 }
@@ -247,17 +247,17 @@ static void a_vertex_is_the_same_alone_by_either_method(void **state)
             const nkw_vertices_view in = streams(m.v, FLOATS);
             const nkw_vertices_span to = spans(all, FLOATS), to_one = spans(one, FLOATS);
             if (method == 2)
-                nkw_skin_dual_quat(&skin, duals_of(m.duals, JOINTS), &in, &to);
+                nkw_skin_dual_quat(&skin, duals_of(m.duals, JOINTS), in, to);
             else
-                nkw_skin_linear(&skin, &palette, &in, &to);
+                nkw_skin_linear(&skin, &palette, in, to);
             for (size_t i = 0; i < VERTICES; i++) {
                 const nkw_skin alone = {
                     1, k, {m.joints + k * i, 0, NKW_SKIN_U16}, {m.weights + k * i, 0, NKW_SKIN_F32}};
                 const nkw_vertices_view at = streams(m.v + i * FLOATS, FLOATS);
                 if (method == 2)
-                    nkw_skin_dual_quat(&alone, duals_of(m.duals, JOINTS), &at, &to_one);
+                    nkw_skin_dual_quat(&alone, duals_of(m.duals, JOINTS), at, to_one);
                 else
-                    nkw_skin_linear(&alone, &palette, &at, &to_one);
+                    nkw_skin_linear(&alone, &palette, at, to_one);
                 expect_floats_bits(one, all + i * FLOATS, 12);
             }
         }
@@ -281,8 +281,8 @@ static void strides_may_be_shorter_than_a_vector(void **state)
                             in_packed = {{packed, 0}, {NULL, 0}, {NULL, 0}, {NULL, 0}};
     const nkw_vertices_span out = {{got, 0}, {NULL, 0}, {NULL, 0}, {NULL, 0}},
                             out_packed = {{want, 0}, {NULL, 0}, {NULL, 0}, {NULL, 0}};
-    nkw_skin_linear(&skin, &palette, &in, &out);
-    nkw_skin_linear(&skin, &palette, &in_packed, &out_packed);
+    nkw_skin_linear(&skin, &palette, in, out);
+    nkw_skin_linear(&skin, &palette, in_packed, out_packed);
     for (size_t i = 0; i < VERTICES; i++)
         expect_vec3_bits(got[i], want[i]);
     free(bytes);
@@ -312,11 +312,11 @@ static void even_joints_beyond_the_palette_count_as_weight_zero(void **state)
             const nkw_skin_palette palette = palette_of(m.matrices, NULL, COUNT, 0);
             const nkw_skin skin_want = skin_of(&without, 4), skin = {VERTICES, 4, joints[f], skin_of(&m, 4).weights};
             if (dual) {
-                nkw_skin_dual_quat(&skin, duals_of(m.duals, COUNT), &in, &to);
-                nkw_skin_dual_quat(&skin_want, duals_of(m.duals, COUNT), &in, &to_want);
+                nkw_skin_dual_quat(&skin, duals_of(m.duals, COUNT), in, to);
+                nkw_skin_dual_quat(&skin_want, duals_of(m.duals, COUNT), in, to_want);
             } else {
-                nkw_skin_linear(&skin, &palette, &in, &to);
-                nkw_skin_linear(&skin_want, &palette, &in, &to_want);
+                nkw_skin_linear(&skin, &palette, in, to);
+                nkw_skin_linear(&skin_want, &palette, in, to_want);
             }
             expect_floats_bits(got, want, VERTICES * FLOATS);
         }

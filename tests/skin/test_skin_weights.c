@@ -21,9 +21,9 @@ static void normalised_weights_sum_exactly(void **state)
         in[0] = in[0] < 0 ? -in[0] : in[0];
         nkw_skin_view view = {in, 0, NKW_SKIN_F32};
         nkw_skin_span to_f = {f, 0, NKW_SKIN_F32}, to_b = {b, 0, NKW_SKIN_U8}, to_s = {s, 0, NKW_SKIN_U16};
-        nkw_skin_normalize_weights(view, to_f, k, 1);
-        nkw_skin_normalize_weights(view, to_b, k, 1);
-        nkw_skin_normalize_weights(view, to_s, k, 1);
+        nkw_skin_normalize_weights(view, k, 1, to_f);
+        nkw_skin_normalize_weights(view, k, 1, to_b);
+        nkw_skin_normalize_weights(view, k, 1, to_s);
         for (size_t e = 0; e < k; e++) {
             sum += f[e];
             back += f[k - 1 - e];
@@ -47,7 +47,7 @@ static void the_largest_remainder_gets_what_is_missing_and_the_first_of_equals(v
     uint8_t got[3][4];
     nkw_skin_view view = {in, 0, NKW_SKIN_F32};
     nkw_skin_span span = {got, 0, NKW_SKIN_U8};
-    assert_int_equal(nkw_skin_normalize_weights(view, span, 4, 3), NKW_OK);
+    assert_int_equal(nkw_skin_normalize_weights(view, 4, 3, span), NKW_OK);
     assert_memory_equal(got, want, sizeof want);
 }
 
@@ -88,9 +88,9 @@ static void whole_numbers_are_shared_out_as_whole_numbers_are(void **state)
         nkw_skin_view view = {w, 0, NKW_SKIN_U8};
         nkw_skin_span to_bytes = {bytes, 0, NKW_SKIN_U8}, to_shorts = {shorts, 0, NKW_SKIN_U16},
                       to_floats = {floats, 0, NKW_SKIN_F32};
-        nkw_skin_normalize_weights(view, to_bytes, k, 1);
-        nkw_skin_normalize_weights(view, to_shorts, k, 1);
-        nkw_skin_normalize_weights(view, to_floats, k, 1);
+        nkw_skin_normalize_weights(view, k, 1, to_bytes);
+        nkw_skin_normalize_weights(view, k, 1, to_shorts);
+        nkw_skin_normalize_weights(view, k, 1, to_floats);
         for (size_t e = 0; e < k; e++) {
             share_out(w, k, 255, n);
             assert_int_equal(bytes[e], n[e]);
@@ -109,7 +109,7 @@ static void weights_that_cannot_be_used_count_as_zero(void **state)
     const float want[3][4] = {{0, 0, 0, 1}, {0, 0, 0, 0}, {0.25f, 0.25f, 0.25f, 0.25f}};
     nkw_skin_view view = {w, 0, NKW_SKIN_F32};
     nkw_skin_span span = {w, 0, NKW_SKIN_F32};
-    assert_int_equal(nkw_skin_normalize_weights(view, span, 4, 3), NKW_OK);
+    assert_int_equal(nkw_skin_normalize_weights(view, 4, 3, span), NKW_OK);
     expect_floats_bits(w[0], want[0], 12);
 }
 
@@ -254,10 +254,10 @@ static void what_cannot_be_pruned_or_normalised_writes_nothing(void **state)
     assert_int_equal(nkw_skin_prune(&skin, 9, to_j, to_w), NKW_TOO_MANY);
     assert_int_equal(nkw_skin_prune(&skin, 2, floats, to_w), NKW_BAD_FORMAT);
     assert_int_equal(nkw_skin_prune(&skin, 2, to_j, wide), NKW_BAD_FORMAT);
-    assert_int_equal(nkw_skin_normalize_weights(skin.weights, to_w, 9, 1), NKW_TOO_MANY);
-    assert_int_equal(nkw_skin_normalize_weights(skin.weights, to_w, 0, 1), NKW_EMPTY);
-    assert_int_equal(nkw_skin_normalize_weights(skin.weights, wide, 4, 1), NKW_BAD_FORMAT);
-    assert_int_equal(nkw_skin_normalize_weights(bad_weights.weights, to_w, 4, 1), NKW_BAD_FORMAT);
+    assert_int_equal(nkw_skin_normalize_weights(skin.weights, 9, 1, to_w), NKW_TOO_MANY);
+    assert_int_equal(nkw_skin_normalize_weights(skin.weights, 0, 1, to_w), NKW_EMPTY);
+    assert_int_equal(nkw_skin_normalize_weights(skin.weights, 4, 1, wide), NKW_BAD_FORMAT);
+    assert_int_equal(nkw_skin_normalize_weights(bad_weights.weights, 4, 1, to_w), NKW_BAD_FORMAT);
     assert_memory_equal(j, nothing, sizeof j);
     assert_memory_equal(w, nothing, sizeof w);
 }
@@ -302,8 +302,8 @@ static void validate_wants_whole_numbers_to_sum_exactly(void **state)
     uint16_t shorts[VERTICES * 8];
     nkw_skin_view from = {m.weights, 0, NKW_SKIN_F32};
     nkw_skin_span to_bytes = {bytes, 0, NKW_SKIN_U8}, to_shorts = {shorts, 0, NKW_SKIN_U16};
-    nkw_skin_normalize_weights(from, to_bytes, 8, VERTICES);
-    nkw_skin_normalize_weights(from, to_shorts, 8, VERTICES);
+    nkw_skin_normalize_weights(from, 8, VERTICES, to_bytes);
+    nkw_skin_normalize_weights(from, 8, VERTICES, to_shorts);
     nkw_skin skin = {VERTICES, 8, {m.joints, 0, NKW_SKIN_U16}, {bytes, 0, NKW_SKIN_U8}};
     expect_invalid(&skin, NKW_OK, 0);
     bytes[8 * 77] ^= 1;

@@ -28,8 +28,8 @@ uint64_t data_bounds(void)
         }
         nkw_skin skin = {VERTICES, 2, {joints, 0, NKW_SKIN_U8}, {weights, 0, NKW_SKIN_U8}};
         nkw_vec3_stream_view stream = {positions, 0};
-        nkw_bounds_from_skin(&skin, stream, boxes, JOINTS);
-        nkw_bounds_from_palette(palette_view(NKW_PALETTE_MAT4, palette, JOINTS), boxes, &box);
+        nkw_box_from_skin(&skin, stream, boxes, JOINTS);
+        nkw_box_from_palette(palette_view(NKW_PALETTE_MAT4, palette, JOINTS), boxes, &box);
         hash = hash_floats(hash, &boxes[0].low.x, 6 * JOINTS);
         hash = hash_floats(hash, &box.low.x, 6);
     }

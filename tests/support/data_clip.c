@@ -21,12 +21,13 @@ static uint64_t hash_pose(uint64_t hash, const float *pose, size_t joints)
 static uint64_t hash_cached(uint64_t hash, const nkw_clip *clip, float time)
 {
     float pose[NKW_POSE_FLOATS(RANDOM_CLIP_JOINTS)], floats[RANDOM_CLIP_FLOATS];
-    size_t joints = nkw_clip_joint_count(clip);
+    size_t joints = nkw_clip_describe(clip).joint_count;
     for (int i = 0; i < 3; i++, time += 0.003f) {
-        if (nkw_clip_sample_cached(clip, time, pose_span(pose, joints), floats, cache, sizeof cache) != NKW_OK)
+        if (nkw_clip_sample_cached(clip, time, bytes_span(cache, sizeof cache), pose_span(pose, joints), floats) !=
+            NKW_OK)
             return 0;
         hash = hash_pose(hash, pose, joints);
-        hash = hash_floats(hash, floats, nkw_clip_float_count(clip));
+        hash = hash_floats(hash, floats, nkw_clip_describe(clip).float_count);
     }
     return hash;
 }
@@ -36,24 +37,23 @@ uint64_t data_clip(void)
     random_source r = random_from(2);
     uint64_t hash = HASH_START;
     for (size_t round = 0; round < 36; round++) {
-        uint32_t work[NKW_CLIP_WORK(RANDOM_CLIP_TRACKS)];
+        NKW_STACK_WORK(work, NKW_CLIP_BUILD_WORK(RANDOM_CLIP_TRACKS));
+        size_t bytes;
         float pose[NKW_POSE_FLOATS(RANDOM_CLIP_JOINTS)], floats[RANDOM_CLIP_FLOATS];
         size_t joints = 1 + round * 39 / 35;
         random_clip_draw(&r, joints, (int)(round % 3), &drawn);
         drawn.source.format = round % 4 == 3 ? NKW_CLIP_UNORM16 : NKW_CLIP_FLOAT32;
-        if (nkw_clip_build(&drawn.source, block, sizeof block, NULL, work, NKW_CLIP_WORK(drawn.source.track_count)) !=
-            NKW_OK)
+        if (nkw_clip_build(&drawn.source, bytes_span(block, sizeof block), &bytes, NULL, work) != NKW_OK)
             return 0;
         const nkw_clip *clip = (const nkw_clip *)(const void *)block;
         /* The block itself, word by word: the same on every machine, but for the order of 16-bit keys in a word. */
         if (drawn.source.format == NKW_CLIP_FLOAT32)
-            hash = hash_floats(hash, block, nkw_clip_bytes(clip) / sizeof *block);
+            hash = hash_floats(hash, block, nkw_clip_describe(clip).bytes / sizeof *block);
         memset(cache, 0, sizeof cache);
         for (int i = 0; i < 20; i++) {
-            nkw_clip_sample(clip, random_between(&r, -0.1f, 1.0f), NULL, pose_span(pose, nkw_clip_joint_count(clip)),
-                            floats);
+            nkw_clip_sample(clip, random_between(&r, -0.1f, 1.0f), NULL, pose_span(pose, joints), floats);
             hash = hash_pose(hash, pose, joints);
-            hash = hash_floats(hash, floats, nkw_clip_float_count(clip));
+            hash = hash_floats(hash, floats, nkw_clip_describe(clip).float_count);
             if (i % 4 == 0)
                 hash = hash_cached(hash, clip, random_between(&r, -0.1f, 1.0f));
         }

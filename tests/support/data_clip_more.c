@@ -12,23 +12,25 @@ static float block[1 << 15];
 
 static const nkw_clip *build(random_source *r, int variety, nkw_clip_format format)
 {
-    uint32_t work[NKW_CLIP_WORK(RANDOM_CLIP_TRACKS)];
+    NKW_STACK_WORK(work, NKW_CLIP_BUILD_WORK(RANDOM_CLIP_TRACKS));
+    size_t bytes;
     random_clip_draw(r, JOINTS, variety, &drawn);
     drawn.source.format = format;
-    return nkw_clip_build(&drawn.source, block, sizeof block, NULL, work, NKW_CLIP_WORK(drawn.source.track_count)) ==
-                   NKW_OK
+    return nkw_clip_build(&drawn.source, bytes_span(block, sizeof block), &bytes, NULL, work) == NKW_OK
                ? (const nkw_clip *)(const void *)block
                : NULL;
 }
 
 uint64_t data_clip_more(void)
 {
-    static float lanes[NKW_CROWD_POSE_FLOATS(JOINTS)], work[NKW_CROWD_SAMPLE_FLOATS(JOINTS)];
+    static float lanes[NKW_CROWD_POSE_FLOATS(JOINTS)];
+    NKW_STACK_WORK(work, NKW_CROWD_SAMPLE_WORK(JOINTS));
     random_source r = random_from(31);
     uint64_t hash = HASH_START;
     for (int i = 0; i < 10; i++) {
         const nkw_clip *clip = build(&r, i % 5, i < 5 ? NKW_CLIP_FLOAT32 : NKW_CLIP_UNORM16);
-        float times[NKW_CROWD], differences[4], room[NKW_POSE_FLOATS(JOINTS) + 2 * RANDOM_CLIP_FLOATS];
+        float times[NKW_CROWD], differences[4];
+        NKW_STACK_WORK(room, NKW_CLIP_DIFFERENCE_WORK(JOINTS, RANDOM_CLIP_FLOATS));
         nkw_clip_error error = {0.0f, 0.0f, 0.0f, 0.0f};
         if (!clip)
             return 0;
@@ -36,9 +38,9 @@ uint64_t data_clip_more(void)
             times[k] = random_between(&r, -0.1f, 1.3f);
         nkw_crowd_players players = {times, NULL, NKW_CROWD};
         nkw_crowd_poses_span crowd = {lanes, JOINTS};
-        nkw_crowd_sample(clip, &players, crowd, work, sizeof work / sizeof *work);
+        nkw_crowd_sample(&players, clip, crowd, work);
         hash = hash_floats(hash, lanes, NKW_CROWD_POSE_FLOATS(JOINTS));
-        nkw_clip_difference(clip, &drawn.source, &error, room, sizeof room / sizeof *room);
+        nkw_clip_difference(clip, &drawn.source, &error, room);
         differences[0] = error.translation, differences[1] = error.rotation;
         differences[2] = error.scale, differences[3] = error.floats;
         hash = hash_floats(hash, differences, 4);

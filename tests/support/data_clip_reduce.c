@@ -9,7 +9,7 @@
 
 static random_clip drawn;
 static float block[1 << 17];
-static double work[NKW_CLIP_REDUCE_WORK(RANDOM_CLIP_TRACKS, JOINTS, RANDOM_CLIP_FLOATS)];
+static double work[NKW_CLIP_REDUCE_WORK(RANDOM_CLIP_TRACKS, JOINTS, RANDOM_CLIP_FLOATS) / 8 + 2];
 static int32_t parents[JOINTS];
 
 uint64_t data_clip_reduce(void)
@@ -19,12 +19,12 @@ uint64_t data_clip_reduce(void)
     for (int i = 0; i < 4; i++) {
         float pose[NKW_POSE_FLOATS(JOINTS)], floats[RANDOM_CLIP_FLOATS], numbers[4];
         const nkw_clip_reduction reduction = {parents, i < 2 ? 1e-3f : 1e-1f, 0.5f, NULL, NULL, 1e-3f};
-        const nkw_clip_memory memory = {block, sizeof block, work, sizeof work / sizeof *work};
+        const nkw_bytes_span span = {block, sizeof block};
         nkw_clip_reduced reduced;
         random_clip_draw(&r, JOINTS, i % 4 == 3 ? 2 : i % 2, &drawn);
         for (size_t j = 0; j < JOINTS; j++)
             parents[j] = j % 8 == 0 ? -1 : (int32_t)j - 1;
-        if (nkw_clip_reduce(&drawn.source, &reduction, &memory, &reduced, NULL) != NKW_OK)
+        if (nkw_clip_reduce(&drawn.source, &reduction, span, &reduced, NULL, work_in(work, sizeof work)) != NKW_OK)
             return 0;
         const nkw_clip *clip = (const nkw_clip *)(const void *)block;
         numbers[0] = reduced.distance, numbers[1] = reduced.share, numbers[2] = reduced.floats;
@@ -34,7 +34,7 @@ uint64_t data_clip_reduce(void)
             nkw_clip_sample(clip, random_clip_time(&r, &drawn, k), NULL, pose_span(pose, JOINTS), floats);
             for (size_t c = 0; c < 10; c++)
                 hash = hash_floats(hash, pose + c * NKW_POSE_STRIDE(JOINTS), JOINTS);
-            hash = hash_floats(hash, floats, nkw_clip_float_count(clip));
+            hash = hash_floats(hash, floats, nkw_clip_describe(clip).float_count);
         }
     }
     return hash;

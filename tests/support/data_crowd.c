@@ -12,13 +12,14 @@ static uint64_t hash_baked(uint64_t hash, random_source *r, const nkw_skeleton *
 {
     enum { FRAMES = 21 };
     static random_clip drawn;
-    static float block[1 << 15], work[NKW_CROWD_BAKE_FLOATS(JOINTS, JOINTS)];
+    static float block[1 << 15];
+    NKW_STACK_WORK(work, NKW_CROWD_BAKE_WORK(JOINTS, JOINTS));
     static nkw_mat4 buffer[FRAMES * JOINTS];
-    uint32_t tracks[NKW_CLIP_WORK(RANDOM_CLIP_TRACKS)];
+    NKW_STACK_WORK(tracks, NKW_CLIP_BUILD_WORK(RANDOM_CLIP_TRACKS));
+    size_t bytes;
     const nkw_palette_chunk chunk = {FRAMES, JOINTS, 0};
     random_clip_draw(r, JOINTS, 0, &drawn);
-    if (nkw_clip_build(&drawn.source, block, sizeof block, NULL, tracks, NKW_CLIP_WORK(drawn.source.track_count)) !=
-        NKW_OK)
+    if (nkw_clip_build(&drawn.source, bytes_span(block, sizeof block), &bytes, NULL, tracks) != NKW_OK)
         return 0;
     const nkw_clip *clip = (const nkw_clip *)(const void *)block;
     const nkw_crowd_source source = {clip, skeleton, &bind[0], NULL, bind, JOINTS, 0.0f, 23.0f};

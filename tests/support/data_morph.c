@@ -33,7 +33,7 @@ uint64_t data_morph(void)
         nkw_morph morph = {targets, TARGETS, VERTICES};
         nkw_vertices_view in = {{base, stride}, none, none, none};
         nkw_vertices_span to = {{out, stride}, none_out, none_out, none_out};
-        nkw_morph_apply(&morph, weights, &in, &to);
+        nkw_morph_apply(&morph, weights, in, to);
         hash = hash_floats(hash, out, 3 * VERTICES);
     }
     return hash;

@@ -65,9 +65,9 @@ uint64_t data_palette(void)
         hash = hash_all(hash, &p, n, NULL, p.inverse_bind, NULL);
         hash = hash_all(hash, &p, n, p.joints, NULL, NULL);
         hash = hash_all(hash, &p, n, NULL, NULL, &g);
-        nkw_mat4_from_palette(palette_view(NKW_PALETTE_DUAL_QUAT, p.duals, n), p.palette);
+        nkw_palette_to_mat4(palette_view(NKW_PALETTE_DUAL_QUAT, p.duals, n), p.palette);
         hash = hash_floats(hash, p.palette[0].m, 16 * n);
-        nkw_mat4_from_palette(palette_view(NKW_PALETTE_MAT3X4, p.rows, n), p.palette);
+        nkw_palette_to_mat4(palette_view(NKW_PALETTE_MAT3X4, p.rows, n), p.palette);
         hash = hash_floats(hash, p.palette[0].m, 16 * n);
     }
     return hash;

@@ -8,11 +8,11 @@
 #define JOINTS     23
 #define INFLUENCES 4
 #define MOST       9
-#define WORK       9000
+#define WORK       36000
 #define SLOTS      10
 #define STRIDE     (7 * SLOTS + 2)
 
-static uint32_t indices[3 * TRIANGLES], materials[TRIANGLES], work[WORK];
+static uint32_t indices[3 * TRIANGLES], materials[TRIANGLES];
 static uint16_t joints[VERTICES * INFLUENCES], depths[JOINTS];
 static float weights[VERTICES * INFLUENCES];
 static nkw_vec3 positions[VERTICES], normals[VERTICES];
@@ -92,8 +92,9 @@ uint64_t data_partition(void)
     nkw_partition out = {parts, part_joints, triangles, part_indices, vertices, slots, part_weights, 0, 0, 0, 0, 0};
     static const size_t most[] = {2, 4, 7, MOST};
     for (size_t i = 0; i < 4; i++) {
+        NKW_STACK_WORK(work, WORK);
         size_t bad;
-        nkw_result result = nkw_partition_build(&mesh, most[i], &out, &bad, work, WORK);
+        nkw_result result = nkw_partition_build(&mesh, most[i], &out, &bad, work);
         const uint32_t head[] = {(uint32_t)result, (uint32_t)bad, (uint32_t)out.part_count,
                                  (uint32_t)out.rejected_count};
         hash = hash_partition(hash_words(hash, head, 4), &out);

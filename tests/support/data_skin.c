@@ -56,11 +56,11 @@ static nkw_vertices_span spans(float *v)
     return r;
 }
 
-static nkw_skin_palette palette_of(const model *m, int with_normals, int skip_normalization)
+static nkw_skin_palette palette_of(const model *m, int with_normals, int keep_length)
 {
     nkw_skin_palette p = {{m->matrices, JOINTS, NKW_PALETTE_MAT4},
                           {with_normals ? m->normals : NULL, JOINTS, NKW_PALETTE_NORMAL_MAT3},
-                          skip_normalization};
+                          keep_length};
     return p;
 }
 
@@ -77,11 +77,11 @@ static uint64_t skin_all(uint64_t hash, const model *m, const nkw_skin *skin)
     nkw_vertices_view in = streams(m->vertices);
     nkw_vertices_span out = spans(v);
     memcpy(v, m->vertices, sizeof v);
-    nkw_skin_linear(skin, &plain, &in, &out);
+    nkw_skin_linear(skin, &plain, in, out);
     hash = hash_floats(hash, v, VERTICES * FLOATS);
-    nkw_skin_linear(skin, &exact, &in, &out);
+    nkw_skin_linear(skin, &exact, in, out);
     hash = hash_floats(hash, v, VERTICES * FLOATS);
-    nkw_skin_dual_quat(skin, duals_of(m), &in, &out);
+    nkw_skin_dual_quat(skin, duals_of(m), in, out);
     return hash_floats(hash, v, VERTICES * FLOATS);
 }
 
@@ -94,7 +94,7 @@ static uint64_t skin_pairs(uint64_t hash, const model *m, const nkw_skin *skin)
         nkw_vertices_view in = {{v, 0}, {v + 3 * VERTICES, 4 * FLOATS / 2}, {NULL, 0}, {NULL, 0}};
         nkw_vertices_span out = {{v, 0}, {v + 3 * VERTICES, 4 * FLOATS / 2}, {NULL, 0}, {NULL, 0}};
         memcpy(v, m->vertices, sizeof v);
-        nkw_skin_linear(skin, &palette, &in, &out);
+        nkw_skin_linear(skin, &palette, in, out);
         hash = hash_floats(hash, v, VERTICES * FLOATS);
     }
     return hash;
@@ -123,9 +123,9 @@ static uint64_t skin_chain(uint64_t hash, const model *m, const nkw_skin *skin)
     nkw_vertices_span out = {{p, 0}, {n, 0}, {NULL, 0}, {NULL, 0}};
     memcpy(v, m->vertices, sizeof v);
     gather(v, p), gather(v + 450, n);
-    nkw_skin_linear(skin, &plain, &in, &out);
-    nkw_skin_linear(skin, &exact, &in, &out);
-    nkw_skin_dual_quat(skin, duals_of(m), &in, &out);
+    nkw_skin_linear(skin, &plain, in, out);
+    nkw_skin_linear(skin, &exact, in, out);
+    nkw_skin_dual_quat(skin, duals_of(m), in, out);
     scatter(p, skin->vertex_count, v), scatter(n, skin->vertex_count, v + 450);
     return hash_floats(hash, v, VERTICES * FLOATS);
 }

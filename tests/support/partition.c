@@ -76,12 +76,12 @@ nkw_partition partition_build(const nkw_partition_mesh *mesh, size_t max_joint_c
 {
     nkw_partition_sizes sizes = nkw_partition_bounds(mesh, max_joint_count);
     nkw_partition p = alloc_partition(mesh, sizes);
-    uint32_t *work = malloc(sizes.work_count * sizeof(uint32_t));
-    memset(work, 0xa5, sizes.work_count * sizeof(uint32_t));
+    const nkw_work work = {malloc(sizes.work_bytes), sizes.work_bytes};
+    memset(work.data, 0xa5, work.bytes);
     size_t bad = 99;
-    assert_int_equal(nkw_partition_build(mesh, max_joint_count, &p, &bad, work, sizes.work_count), want);
+    assert_int_equal(nkw_partition_build(mesh, max_joint_count, &p, &bad, work), want);
     assert_int_equal(bad, want == NKW_TOO_MANY ? p.triangles[p.triangle_count] : 0);
-    free(work);
+    free(work.data);
     return p;
 }
 

@@ -215,7 +215,6 @@ void scene_sample(const scene *s, int anim, float time, float *pose, float *floa
 nkw_clip *scene_clip(const scene *s, int anim, nkw_clip_format format, const float *rest, nkw_clip_track *tracks,
                      nkw_clip_source *source)
 {
-    uint32_t work[NKW_CLIP_WORK(SCENE_TRACKS)];
     size_t bytes, count = 0;
     for (int i = 0; i < s->channels; i++)
         if (s->channel[i].anim == anim) {
@@ -224,7 +223,7 @@ nkw_clip *scene_clip(const scene *s, int anim, nkw_clip_format format, const flo
         }
     nkw_clip_source from = {tracks, count, (size_t)s->nodes, s->floats, {rest, (size_t)s->nodes}, NULL, format, NULL};
     *source = from;
-    return clip_build(source, work, &bytes);
+    return clip_build(source, &bytes);
 }
 
 void scene_models(const scene *s, const float *pose, nkw_mat4 *models)

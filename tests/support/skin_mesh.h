@@ -52,7 +52,7 @@ static inline mesh draw(uint64_t seed, size_t influences, int rigid)
     }
     nkw_skin_view in = {m.weights, 0, NKW_SKIN_F32};
     nkw_skin_span out = {m.weights, 0, NKW_SKIN_F32};
-    nkw_skin_normalize_weights(in, out, influences, VERTICES);
+    nkw_skin_normalize_weights(in, influences, VERTICES, out);
     for (size_t i = 0; i < VERTICES * FLOATS; i++)
         m.v[i] = random_between(&r, -1, 1);
     return m;
@@ -65,10 +65,10 @@ static inline nkw_skin skin_of(const mesh *m, size_t influences)
 }
 
 static inline nkw_skin_palette palette_of(const nkw_mat4 *matrices, const nkw_mat3 *normals, size_t joint_count,
-                                          int skip_normalization)
+                                          int keep_length)
 {
     nkw_skin_palette p = {
-        {matrices, joint_count, NKW_PALETTE_MAT4}, {normals, joint_count, NKW_PALETTE_NORMAL_MAT3}, skip_normalization};
+        {matrices, joint_count, NKW_PALETTE_MAT4}, {normals, joint_count, NKW_PALETTE_NORMAL_MAT3}, keep_length};
     return p;
 }
 

@@ -8,6 +8,20 @@
 
 #include <nakawari/nakawari.h>
 
+static inline nkw_bytes_span bytes_span(void *data, size_t bytes)
+{
+    nkw_bytes_span r = {data, bytes};
+    return r;
+}
+
+/* The part of the memory from a multiple of 16 on. */
+static inline nkw_work work_in(void *data, size_t bytes)
+{
+    const size_t skipped = (16 - (size_t)data % 16) % 16;
+    nkw_work r = {(unsigned char *)data + skipped, bytes - skipped};
+    return r;
+}
+
 static inline nkw_pose_view pose_view(const float *data, size_t joint_count)
 {
     nkw_pose_view r = {data, joint_count};
@@ -154,7 +168,7 @@ static inline void inverse_bind_from_models(const nkw_mat4 *models, size_t model
                                             const nkw_mat4 *global_inverse, size_t count, nkw_mat4 *out)
 {
     const nkw_palette_source s = palette_source(models, model_count, joints, NULL, global_inverse, count);
-    nkw_inverse_bind_from_models(&s, out);
+    nkw_palette_inverse_bind(&s, out);
 }
 
 static inline nkw_result palette_source_validate(size_t model_count, const int32_t *joints,
@@ -179,7 +193,7 @@ static inline void crowd_from_matrices(const nkw_mat4 *const *matrices, size_t j
 
 static inline void matrices_from_crowd(const float *crowd, size_t joint_count, nkw_mat4 *const *matrices)
 {
-    nkw_matrices_from_crowd(crowd_matrices_view(crowd, joint_count), matrices);
+    nkw_crowd_to_matrices(crowd_matrices_view(crowd, joint_count), matrices);
 }
 
 static inline nkw_result crowd_models_from_pose(const nkw_skeleton *skeleton, const float *poses, const float *roots,
@@ -198,19 +212,18 @@ static inline void crowd_palette_from_models(const float *models, size_t model_c
 }
 
 static inline nkw_result crowd_sample(const nkw_clip *clip, const float *times, uint32_t *cursors,
-                                      size_t character_count, float *work, float *crowd)
+                                      size_t character_count, nkw_work work, float *crowd)
 {
-    size_t joints = nkw_clip_joint_count(clip);
+    size_t joints = nkw_clip_describe(clip).joint_count;
     const nkw_crowd_players players = {times, cursors, character_count};
-    return nkw_crowd_sample(clip, &players, crowd_poses_span(crowd, joints), work, NKW_CROWD_SAMPLE_FLOATS(joints));
+    return nkw_crowd_sample(&players, clip, crowd_poses_span(crowd, joints), work);
 }
 
 static inline nkw_result crowd_bake(const nkw_crowd_source *source, const nkw_palette_chunk *chunk, size_t from,
-                                    size_t to, float *work, nkw_mat4 *buffer)
+                                    size_t to, nkw_work work, nkw_mat4 *buffer)
 {
     const nkw_range frames = {from, to};
-    return nkw_crowd_bake(source, chunk, &frames, buffer, work,
-                          NKW_CROWD_BAKE_FLOATS(source->skeleton->joint_count, source->joint_count));
+    return nkw_crowd_bake(source, chunk, &frames, buffer, NULL, work);
 }
 
 #endif

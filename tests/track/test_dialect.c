@@ -526,9 +526,8 @@ static void fcurves_drive_the_joint_of_a_clip(void **state)
     }
     assert_int_equal(tracks[2].track.interpolation, NKW_INTERPOLATION_STEP);
     nkw_clip_source source = {tracks, 3, 1, 1, {NULL, 0}, NULL, NKW_CLIP_FLOAT32, NULL};
-    uint32_t work[NKW_CLIP_WORK(3)];
     size_t bytes;
-    nkw_clip *clip = clip_build(&source, work, &bytes);
+    nkw_clip *clip = clip_build(&source, &bytes);
     float data[NKW_POSE_FLOATS(1)], flag;
     nkw_pose_span pose = {data, 1};
     for (int i = 0; i <= 1000; i++) {

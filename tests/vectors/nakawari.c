@@ -384,9 +384,9 @@ static void skin(const nkw_palette_view *matrices, const value *in, value *out)
     nkw_vertices_span to = {{results, 0}, {results + 3, 0}, {NULL, 0}, {NULL, 0}};
     nkw_skin_palette linear = {*matrices, {NULL, 0, NKW_PALETTE_NORMAL_MAT3}, 0};
     if (matrices->format == NKW_PALETTE_DUAL_QUAT)
-        nkw_skin_dual_quat(&s, *matrices, &from, &to);
+        nkw_skin_dual_quat(&s, *matrices, from, to);
     else
-        nkw_skin_linear(&s, &linear, &from, &to);
+        nkw_skin_linear(&s, &linear, from, to);
     put(out, results, 3);
     put(out + 1, results + 3, 3);
 }

@@ -217,14 +217,14 @@ for (const [build, n] of await both('all')) {
       positions.map((v, k) => v + 0.5 + (k === 5 ? 1 : 0)));
     morph.apply([0, 0]);
     assert.deepEqual([...mesh.vectors.positions], positions);
-    n.boundsFromSkin(mesh, boxes, 2);
+    n.boxFromSkin(mesh, boxes, 2);
     assert.deepEqual(boxes.slice(0, 2), [{ low: [0, 0, 0], high: [0, 0, 1] }, { low: [0, 0, 0], high: [1, 1, 0] }]);
     assert.equal(n.boxIsEmpty(boxes[2]), 1);
     const palette = new n.Palette({ jointCount: 2 }), bind = new Float32Array(32), models = new n.Matrices(2), box = {};
     models.array.set([1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 5, 0, 0, 1]);
-    n.inverseBindFromModels({ models }, bind);
+    n.paletteInverseBind({ models }, bind);
     near([bind[12], bind[28]], [0, -5], 0);
-    n.boundsFromPalette(palette.update(models), boxes, box);
+    n.boxFromPalette(palette.update(models), boxes, box);
     near([...box.low, ...box.high], [0, 0, 0, 6, 1, 1], 1e-4);
     assert.throws(() => new n.Morph(mesh, [{ ...sparse, indices: [4] }]), { index: 0 });
     n.skinValidate(mesh, 2);

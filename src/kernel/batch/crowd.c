@@ -209,7 +209,7 @@ NKW_ALWAYS_INLINE void skin_group(const skin_job *job, const influences *from, s
                 const unsigned char *in = streams[s].in + v * streams[s].in_stride;
                 if (s == SKIN_POSITIONS)
                     transform_lanes(m, in, 1, 0, r[s] + 3 * v);
-                else if (job->skip_normalization)
+                else if (job->keep_length)
                     transform_lanes(m, in, 0, 0, r[s] + 3 * v);
                 else
                     transform_lanes(m, in, 0, 1, r[s] + 3 * v);

@@ -322,7 +322,7 @@ NKW_ALWAYS_INLINE void transform_by_matrices(block *b, kind what, const skin_str
 NKW_NOINLINE static void transform_stream(const skin_job *job, size_t s, size_t from, size_t followed, size_t n,
                                           block *b)
 {
-    const kind what = s == SKIN_POSITIONS ? POINTS : job->skip_normalization ? DIRECTIONS : UNIT_DIRECTIONS;
+    const kind what = s == SKIN_POSITIONS ? POINTS : job->keep_length ? DIRECTIONS : UNIT_DIRECTIONS;
     const skin_stream stream = stream_at(&job->streams[s], from);
     if (!stream.in)
         return;
@@ -447,7 +447,7 @@ static int has_tangents(const skin_job *job)
 static size_t linear_run(const skin_job *job, const influences *f, size_t from, size_t followed, size_t n, block *b)
 {
     const skin_stream none = {NULL, NULL, 0, 0}, normals = stream_at(&job->streams[SKIN_NORMALS], from);
-    const int normalized = !job->skip_normalization && normals.in;
+    const int normalized = !job->keep_length && normals.in;
     task t = {stream_at(&job->streams[SKIN_POSITIONS], from),
               job->normals ? none : normals,
               normalized,

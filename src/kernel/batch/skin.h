@@ -24,7 +24,7 @@ typedef struct skin_job {
     nkw_skin_view joints, weights;
     size_t vertex_count, influence_count;
     uint32_t joint_count;
-    int skip_normalization;
+    int keep_length;
     const unsigned char *palette; /* nkw_mat4 or nkw_dual_quat */
     const unsigned char *normals; /* nkw_mat3, or NULL */
     skin_stream streams[SKIN_STREAMS];

@@ -48,7 +48,7 @@ ${matrices(cast.inverseBind)}
 };
 static float pose_floats[NKW_CROWD_POSE_FLOATS(JOINTS)], model_floats[NKW_CROWD_MATRIX_FLOATS(JOINTS)];
 static float palette_floats[NKW_CROWD_MATRIX_FLOATS(SKIN)], root_floats[NKW_CROWD_MATRIX_FLOATS(1)];
-static float work[NKW_CROWD_SAMPLE_FLOATS(JOINTS)];
+NKW_STACK_WORK(work, NKW_CROWD_SAMPLE_WORK(JOINTS));
 static nkw_mat4 matrices[NKW_CROWD][SKIN];
 const nkw_clip *clip;
 if (nkw_clip_open(block, sizeof block, &clip) != NKW_OK)
@@ -57,7 +57,8 @@ const nkw_skeleton skeleton = {parents, JOINTS};
 const nkw_crowd_poses_span poses = {pose_floats, JOINTS};
 const nkw_crowd_matrices_span models = {model_floats, JOINTS}, palette = {palette_floats, SKIN};
 const nkw_crowd_matrices_span roots = {root_floats, 1};
-const float start = nkw_clip_start(clip), duration = nkw_clip_end(clip) - start;
+const nkw_clip_description described = nkw_clip_describe(clip);
+const float start = described.start, duration = described.end - start;
 const nkw_vec3 up = {0.0f, 1.0f, 0.0f};
 int side = 1;
 while (side * side < COUNT)
@@ -78,12 +79,12 @@ for (int first = FROM; first < COUNT; first += STEP * NKW_CROWD) {
         out[lanes] = matrices[lanes];
     }
     const nkw_crowd_players players = {times, NULL, (size_t)lanes};
-    nkw_crowd_sample(clip, &players, poses, work, sizeof work / sizeof *work);
+    nkw_crowd_sample(&players, clip, poses, work);
     nkw_crowd_from_matrices(in, roots);
     nkw_crowd_models_from_pose(&skeleton, NKW_VIEW(nkw_crowd_poses, poses),
                                NKW_VIEW(nkw_crowd_matrices, roots), models);
     nkw_crowd_palette_from_models(NKW_VIEW(nkw_crowd_matrices, models), joints, inverse_bind, palette);
-    nkw_matrices_from_crowd(NKW_VIEW(nkw_crowd_matrices, palette), out);
+    nkw_crowd_to_matrices(NKW_VIEW(nkw_crowd_matrices, palette), out);
     const int lane = (${character} - first) / STEP;
     if (${character} >= first && lane < lanes) {
         show("time", 0, (double)times[lane]);

@@ -77,7 +77,7 @@ uint16_t weights[${joints}];
 const uint16_t joints[${joints}] = {0, 1, 2, 3};
 ${shares(state)}
 const nkw_skin_view from = {share, 0, NKW_SKIN_F32};
-nkw_skin_normalize_weights(from, (nkw_skin_span){weights, 0, NKW_SKIN_U16}, ${joints}, 1);
+nkw_skin_normalize_weights(from, ${joints}, 1, (nkw_skin_span){weights, 0, NKW_SKIN_U16});
 ${state.order === 'unnormalised' ? keepTwo : ''}
 int sum = 0;
 for (int i = 0; i < ${joints}; i++) {
@@ -100,7 +100,7 @@ const nkw_skin skin = {1, ${joints}, {joints, 0, NKW_SKIN_U16}, {weights, 0, NKW
 const nkw_skin_palette palette = {{M, ${joints}, NKW_PALETTE_MAT4}, {NULL, 0, NKW_PALETTE_MAT4}, 0};
 const nkw_vertices_view in = {.positions = {&vertex, 0}};
 const nkw_vertices_span out = {.positions = {&moved, 0}};
-nkw_skin_linear(&skin, &palette, &in, &out);
+nkw_skin_linear(&skin, &palette, in, out);
 show_floats("vertex", 3, &vertex.x);
 show_floats("moved", 3, &moved.x);`;
 

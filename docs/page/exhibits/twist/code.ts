@@ -50,9 +50,9 @@ const skin = ({ mode }: State) => `
     const nkw_vertices_view in = {.positions = {bar, 0}};
     const nkw_vertices_span out = {.positions = {bent, 0}};
     if (way == 2)
-        nkw_skin_dual_quat(&skin, (nkw_palette_view){duals, (size_t)n, NKW_PALETTE_DUAL_QUAT}, &in, &out);
+        nkw_skin_dual_quat(&skin, (nkw_palette_view){duals, (size_t)n, NKW_PALETTE_DUAL_QUAT}, in, out);
     else
-        nkw_skin_linear(&skin, &linear, &in, &out);
+        nkw_skin_linear(&skin, &linear, in, out);
     const nkw_vec3 *const p = way ? bent : bar;`;
 
 const measureVolume = `

@@ -328,7 +328,7 @@ NKW_API nkw_result nkw_document_vertices(const nkw_document *document, size_t jo
                                          nkw_document_vertices_span out);
 
 /**
- * Checks all values that reading does not: every animation as nkw_clip_measure does, every skin as
+ * Checks all values that reading does not: every animation as nkw_clip_build does, every skin as
  * nkw_palette_source_validate, and every skinned primitive as nkw_skin_validate for the skin of each joint that has its
  * mesh.
  *
