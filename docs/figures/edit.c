@@ -53,20 +53,20 @@ int figure_edit_track(const char *path)
     figure_legend(&s, 60.0f, 94.0f, &grey, "the source");
     figure_legend(&s, 200.0f, 94.0f, &colour, "the result, with its keys");
     for (int i = 0; i < 6; i++) {
-        nkw_edit_memory memory = {edited[i].times, edited[i].values, NULL, ROOM};
+        nkw_track_span span = {edited[i].times, edited[i].values, NULL, ROOM};
         nkw_track *out = &edited[i].track;
         static const char *const names[6] = {"the track",       "trim: from 0.8 to 2.4 s",
                                              "retime: scale 2", "retime: scale -1, offset 3",
                                              "join: to itself", "close: share 1/2"};
         *out = source;
         if (i == 1)
-            nkw_track_trim(&source, 0.8f, 2.4f, &memory, out);
+            nkw_track_trim(&source, 0.8f, 2.4f, span, out);
         else if (i == 2 || i == 3)
-            nkw_track_retime(&source, i == 2 ? 2.0f : -1.0f, i == 2 ? 0.0f : 3.0f, &memory, out);
+            nkw_track_retime(&source, i == 2 ? 2.0f : -1.0f, i == 2 ? 0.0f : 3.0f, span, out);
         else if (i == 4)
-            nkw_track_join(&source, &source, &memory, out);
+            nkw_track_join(&source, &source, span, out);
         else if (i == 5)
-            nkw_track_close(&source, 0.5f, &memory, out);
+            nkw_track_close(&source, 0.5f, span, out);
         panel(&s, i, names[i], &source, out);
     }
     return svg_close(&s);

@@ -191,14 +191,14 @@ static void track_panel(svg *s, float x, float tolerance, const char *name)
                                            {2, 0.3f, {-0.8f, 0.4f}, {0, 0}, NKW_FCURVE_BEZIER, NKW_EASE_LINEAR}};
     float times[64], values[192], error;
     nkw_fcurve curve = {keys, 3, NKW_FCURVE_OUTSIDE_HOLD, NKW_FCURVE_OUTSIDE_HOLD, 0, 0, NKW_HANDLE_NONE};
-    nkw_track_memory memory = {times, values, 64, NULL, 0};
+    nkw_track_span span = {times, values, NULL, 64};
     nkw_track track;
     svg_plot plot = {{x, 150.0f, 400.0f, 250.0f}, {-0.1f, 2.1f, 0.5f, "time, s"}, {-0.15f, 1.2f, 0.5f, ""}};
     svg_paint exact = svg_stroke(FIGURE_BEZIER, 5.0f, 0.35f), made = svg_stroke(FIGURE_HERMITE, 1.8f, 1.0f);
     svg_point line[STEPS + 1], fitted[STEPS + 1];
     char text[80];
     figure_bold(s, x, 120.0f, 15.0f, FIGURE_INK, 's', name);
-    if (nkw_track_from_fcurves(&curve, 1, tolerance, &memory, &track, &error) != NKW_OK)
+    if (nkw_track_from_fcurves(&curve, 1, tolerance, span, &track, &error) != NKW_OK)
         return;
     svg_plot_frame(s, &plot);
     for (int i = 0; i <= STEPS; i++) {

@@ -30,10 +30,10 @@ int figure_fit_samples(const char *path)
 {
     svg s;
     static float times[SAMPLES], values[SAMPLES], made_times[SAMPLES], made[3 * SAMPLES];
-    static double work[NKW_FIT_WORK(SAMPLES, 1)];
+    NKW_STACK_WORK(work, NKW_FIT_WORK(SAMPLES, 1));
     const float tolerance = 0.01f;
     nkw_track track = {times, values, SAMPLES, 1, NKW_TRACK_FLOATS, NKW_INTERPOLATION_LINEAR, NULL}, out;
-    nkw_fit_memory memory = {made_times, made, SAMPLES, work, NKW_FIT_WORK(SAMPLES, 1)};
+    nkw_track_span span = {made_times, made, NULL, SAMPLES};
     svg_point line[SAMPLES];
     char reading[96];
     svg_paint curve = svg_stroke(FIGURE_HERMITE, 2.6f, 1.0f), bound = svg_stroke(FIGURE_PALE, 1.2f, 1.0f);
@@ -45,7 +45,7 @@ int figure_fit_samples(const char *path)
         times[k] = nkw_segment_uniform_time(0.0f, 30.0f, k);
         values[k] = motion(times[k]);
     }
-    if (nkw_track_fit(&track, tolerance, &memory, &out, NULL) != NKW_OK)
+    if (nkw_track_fit(&track, tolerance, span, &out, NULL, work) != NKW_OK)
         return 0;
     sprintf(reading, "%d samples; %u cubic keys within a tolerance of %.2f, tangents by least squares (black).",
             SAMPLES, (unsigned)out.count, (double)tolerance);

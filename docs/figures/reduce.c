@@ -35,12 +35,12 @@ static void panel(svg *s, float y, const nkw_track *track, float tolerance, svg_
 {
     float times[KEYS], values[KEYS], difference;
     char text[96];
-    const nkw_edit_memory memory = {times, values, NULL, KEYS};
+    const nkw_track_span span = {times, values, NULL, KEYS};
     svg_plot plot = {{70.0f, y, 900.0f, 200.0f}, {-0.1f, 4.1f, 0.5f, "time, s"}, {-0.2f, 1.2f, 0.5f, "value"}};
     svg_paint paint = svg_stroke(colour, 2.4f, 1.0f);
     svg_point line[KEYS];
     nkw_track out;
-    nkw_track_reduce(track, tolerance, &memory, &out, &difference);
+    nkw_track_reduce(track, tolerance, span, &out, &difference);
     svg_plot_frame(s, &plot);
     corridor(s, &plot, track, tolerance);
     for (size_t k = 0; k < KEYS; k++)

@@ -24,7 +24,6 @@
 
 #include <stdint.h>
 
-#include "edit.h"
 #include "pose.h"
 #include "track.h"
 
@@ -221,8 +220,8 @@ NKW_API const char *nkw_clip_joint_name(const nkw_clip *clip, size_t joint);
  * and the clip turns by that. No two keys of a track do. So that the track turns in the same direction, its later key
  * is moved by this rounding, to 1e-6 rad below half a turn.
  *
- * memory   for the keys of the track; NULL asks for its shape: no working memory is needed
- * out      receives the track, which refers to `memory`. After NKW_TOO_SMALL it is the shape: target, kind, width,
+ * span     for the keys of the track; without arrays (times NULL) it asks for its shape: no working memory is needed
+ * out      receives the track, which refers to the arrays of `span`. After NKW_TOO_SMALL it is the shape: target, kind, width,
  *          interpolation, number of keys and their times, which are in the block; `values` and `key_interpolation` are
  *          NULL. Unchanged after other errors
  * work     NKW_CLIP_TRACK_GET_WORK of the clip's joints and floats
@@ -231,8 +230,8 @@ NKW_API const char *nkw_clip_joint_name(const nkw_clip *clip, size_t joint);
  *
  * Stack  at most 15 KiB.
  */
-NKW_API nkw_result nkw_clip_track_get(const nkw_clip *clip, size_t index, const nkw_edit_memory *memory,
-                                      nkw_clip_track *out, nkw_work work);
+NKW_API nkw_result nkw_clip_track_get(const nkw_clip *clip, size_t index, nkw_track_span span, nkw_clip_track *out,
+                                      nkw_work work);
 
 /**
  * Samples the clip at `time`.

@@ -178,25 +178,25 @@ NKW_API nkw_result nkw_fcurve_keys_from_track(const nkw_track *track, size_t com
                                               size_t *bad_key);
 
 /**
- * Converts `width` fcurves to one CUBICSPLINE track of that width, from the first key of all to the last: for glTF, for
+ * Converts `count` fcurves to one CUBICSPLINE track of that width, from the first key of all to the last: for glTF, for
  * clips, and for tools without handles in time. Each segment begins as the Hermite segment of the values and slopes at
  * its ends, and is halved while the curve is more than `tolerance` from it at one of 31 times between. Key times
  * ascend strictly. A jump takes two keys at neighbouring floats, so that no float time lies within it. If all segments
  * are CONSTANT or CONSTANT_NEXT, as of booleans and integers, the track is STEP and exact: a step that holds the next
  * key is a step at the float after its key.
  *
- * memory      key_capacity keys of 3 * width values; `work` is not used
- * out         receives the track, which refers to `memory`; without keys after an error
+ * span        for the keys, each of 3 * count values; key_interpolation is not used
+ * out         receives the track, which refers to the arrays of `span`; without keys after an error
  * difference  receives the largest difference found at these times; infinity after an error; may be NULL. It is more
  *             than the tolerance only where float times end the division, at vertical tangents
- * Returns     NKW_OK; NKW_EMPTY for width 0; those of nkw_fcurve_validate; NKW_OUT_OF_RANGE for a negative or NaN
- *             tolerance; NKW_BAD_METHOD if a curve whose keys begin later or end earlier than others cycles there;
- *             NKW_TOO_SMALL for too little memory
+ * Returns     NKW_OK; NKW_EMPTY for count 0; those of nkw_fcurve_validate; NKW_OUT_OF_RANGE for a negative or NaN
+ *             tolerance; NKW_MISMATCHED if a curve whose keys begin later or end earlier than others cycles there;
+ *             NKW_TOO_SMALL for too small arrays
  *
  * Stack  at most 2 KiB.
  */
-NKW_API nkw_result nkw_track_from_fcurves(const nkw_fcurve *curves, size_t width, float tolerance,
-                                          const nkw_track_memory *memory, nkw_track *out, float *difference);
+NKW_API nkw_result nkw_track_from_fcurves(const nkw_fcurve *curves, size_t count, float tolerance, nkw_track_span span,
+                                          nkw_track *out, float *difference);
 
 /**
  * Converts three fcurves of Euler angles to one track of rotations, NKW_TRACK_ROTATION and CUBICSPLINE, for glTF and
@@ -212,7 +212,7 @@ NKW_API nkw_result nkw_track_from_fcurves(const nkw_fcurve *curves, size_t width
  * Stack  at most 2 KiB.
  */
 NKW_API nkw_result nkw_track_from_euler_fcurves(const nkw_fcurve angles[3], nkw_euler_order order, float tolerance,
-                                                const nkw_track_memory *memory, nkw_track *out, float *difference);
+                                                nkw_track_span span, nkw_track *out, float *difference);
 
 #ifdef __cplusplus
 }

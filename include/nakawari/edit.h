@@ -3,8 +3,9 @@
  * @file
  * Edits of tracks: cut, shift, stretch, reverse, join, close a loop.
  *
- * Each function reads a track and writes another one into arrays of the caller. The edit of a clip is the same edit of
- * each of its tracks.
+ * Each function reads a track and writes another one into arrays of the caller: the key capacity and the interpolation for
+ * each key that nkw_track_span (track.h) needs are stated for each. The edit of a clip is the same edit of each of its
+ * tracks.
  *
  *     in seconds          of a track of times T and values V
  *     nkw_track_trim      T within from..to, and keys at both ends
@@ -24,15 +25,6 @@
 extern "C" {
 #endif
 
-/** The arrays that receive a track. They must not overlap those of the source, except where a function permits it. */
-typedef struct nkw_edit_memory {
-    float *times;  /**< key_capacity floats */
-    float *values; /**< key_capacity * width floats, three times as many for CUBICSPLINE */
-    unsigned char *key_interpolation; /**< key_capacity bytes; may be NULL if no source has it and none is STEP joined with LINEAR */
-    size_t key_capacity; /**< the greatest number of keys */
-} nkw_edit_memory;
-NKW_SIZE(nkw_edit_memory, 32, 16);
-
 /**
  * The part of a track from time `from` to time `to`. A key is added where an end is between two keys: its value is the
  * sample there, and its tangents are the derivative of the curve there. Samples of the result are those of the track
@@ -42,17 +34,16 @@ NKW_SIZE(nkw_edit_memory, 32, 16);
  * A cut CUBICSPLINE rotation keeps its curve only if the new key is not normalised. The result is then of the kind
  * NKW_TRACK_ROTATION_NORMALIZED.
  *
- * memory   for at most count + 1 keys
- * out      receives the track, which refers to `memory`; without keys after an error; may be `track`
+ * span     for at most count + 1 keys; with key_interpolation if the track has it
+ * out      receives the track, which refers to the arrays of `span`; without keys after an error; may be `track`
  * Returns  NKW_OK; NKW_EMPTY without keys or for width 0; NKW_BAD_WIDTH for a rotation whose width is not 4;
  *          NKW_NOT_FINITE or NKW_NOT_ASCENDING for from and to; NKW_NOT_FINITE also if a value or a tangent of the
- *          result exceeds the largest float; NKW_TOO_SMALL for too little memory; NKW_NOT_UNIT if a new key of a
+ *          result exceeds the largest float; NKW_TOO_SMALL for too small arrays; NKW_NOT_UNIT if a new key of a
  *          CUBICSPLINE rotation deviates from length 1 by more than 1e-2: resample such a track
  *
  * Error  7.0 u of a sample of the result, of the largest value and tangent per segment.
  */
-NKW_API nkw_result nkw_track_trim(const nkw_track *track, float from, float to, const nkw_edit_memory *memory,
-                                  nkw_track *out);
+NKW_API nkw_result nkw_track_trim(const nkw_track *track, float from, float to, nkw_track_span span, nkw_track *out);
 
 /**
  * The track at the times scale T + offset: shifted for scale 1, stretched for other positive scales, reversed for
@@ -62,7 +53,7 @@ NKW_API nkw_result nkw_track_trim(const nkw_track *track, float from, float to, 
  * one after it, as in every track. So a STEP segment that follows another interpolation begins with two keys at the
  * same time.
  *
- * memory   for at most count keys, 2 count for a reversed track with STEP segments. For a positive scale, its arrays
+ * span     for at most count keys, 2 count for a reversed track with STEP segments. For a positive scale, its arrays
  *          may be those of the track
  * out      as of nkw_track_trim
  * Returns  NKW_OK; NKW_EMPTY, NKW_BAD_WIDTH and NKW_TOO_SMALL as of nkw_track_trim; NKW_OUT_OF_RANGE for a scale that
@@ -70,7 +61,7 @@ NKW_API nkw_result nkw_track_trim(const nkw_track *track, float from, float to, 
  *
  * Error  1.0 u of each time and tangent.
  */
-NKW_API nkw_result nkw_track_retime(const nkw_track *track, float scale, float offset, const nkw_edit_memory *memory,
+NKW_API nkw_result nkw_track_retime(const nkw_track *track, float scale, float offset, nkw_track_span span,
                                     nkw_track *out);
 
 /**
@@ -78,12 +69,12 @@ NKW_API nkw_result nkw_track_retime(const nkw_track *track, float scale, float o
  * both keys there have the same value, bit for bit, they become one key with the in-tangent of the one and the
  * out-tangent of the other. Otherwise both remain: a jump.
  *
- * memory   for the keys of both; key_interpolation is needed too if one track is STEP and the other LINEAR
+ * span     for the keys of both; key_interpolation is needed too if one track is STEP and the other LINEAR
  * out      as of nkw_track_trim
  * Returns  NKW_OK; NKW_EMPTY, NKW_BAD_WIDTH and NKW_TOO_SMALL as of nkw_track_trim; NKW_MISMATCHED if the widths or the
  *          kinds differ, or only one is CUBICSPLINE; NKW_NOT_FINITE if the last time or a value is not finite
  */
-NKW_API nkw_result nkw_track_join(const nkw_track *first, const nkw_track *second, const nkw_edit_memory *memory,
+NKW_API nkw_result nkw_track_join(const nkw_track *first, const nkw_track *second, nkw_track_span span,
                                   nkw_track *out);
 
 /**
@@ -98,7 +89,7 @@ NKW_API nkw_result nkw_track_join(const nkw_track *first, const nkw_track *secon
  *
  * share    0..1: how much of D the first key takes. 0 keeps the first key, 1 the last, to rounding; 1/2
  *          moves both by half
- * memory   for count keys; its arrays may be those of the track
+ * span     for count keys; its arrays may be those of the track
  * out      as of nkw_track_trim; the values of its first and its last key have the same bits, except that the last of a
  *          rotation may be negated
  * Returns  NKW_OK; NKW_EMPTY, NKW_BAD_WIDTH and NKW_TOO_SMALL as of nkw_track_trim; NKW_OUT_OF_RANGE for another share;
@@ -108,7 +99,7 @@ NKW_API nkw_result nkw_track_join(const nkw_track *first, const nkw_track *secon
  * Error  6.0 u for rotations; numbers 3.0 u of the largest value.
  * Source Holden, Creating Looping Animations from Motion Capture, 2022.
  */
-NKW_API nkw_result nkw_track_close(const nkw_track *track, float share, const nkw_edit_memory *memory, nkw_track *out);
+NKW_API nkw_result nkw_track_close(const nkw_track *track, float share, nkw_track_span span, nkw_track *out);
 
 #ifdef __cplusplus
 }

@@ -15,18 +15,8 @@
 extern "C" {
 #endif
 
-/** The memory of nkw_track_fit. It must not overlap the arrays of the source. */
-typedef struct nkw_fit_memory {
-    float *times; /**< key_capacity floats */
-    float *values; /**< key_capacity * 3 * width floats */
-    size_t key_capacity; /**< at least the number of keys of the source */
-    double *work; /**< work_count doubles of working memory, at least NKW_FIT_WORK of the source */
-    size_t work_count;
-} nkw_fit_memory;
-NKW_SIZE(nkw_fit_memory, 40, 20);
-
-/** The number of doubles of working memory of nkw_track_fit. */
-#define NKW_FIT_WORK(count, width) ((count) * ((width) + 5) + (width))
+/** Bytes of working memory of nkw_track_fit, for a source of `count` keys. */
+#define NKW_FIT_WORK(count, width) (((count) * ((width) + 5) + (width)) * sizeof(double))
 
 /**
  * Fits cubic segments to the samples of a LINEAR track.
@@ -48,18 +38,20 @@ NKW_SIZE(nkw_fit_memory, 40, 20);
  * sample before.
  *
  * tolerance   the largest difference of a component, or, for rotations, of the angle in radians
- * out         receives the track, which refers to `memory`; without keys after an error; may be `track`
- * difference  receives the largest difference of a sample, at most `tolerance` if that is not negative; infinity after
- *             an error; may be NULL
- * Returns     NKW_OK; NKW_BAD_METHOD if the track is not LINEAR, or has key_interpolation; NKW_TOO_SMALL for too little
- *             memory; NKW_NOT_FINITE if a tangent exceeds the largest float; the errors of nkw_track_validate
+ * span        for as many CUBICSPLINE keys as the source has. It must not overlap the arrays of the source
+ * out         receives the track, which refers to the arrays of `span`; without keys after an error; may be `track`
+ * difference  receives the largest difference of a sample, at most `tolerance`; infinity after an error; may be NULL
+ * work        at least NKW_FIT_WORK(count, width) of the source
+ * Returns     NKW_OK; NKW_MISMATCHED if the track is not LINEAR, or has key_interpolation; NKW_OUT_OF_RANGE for a
+ *             tolerance that is negative or NaN; NKW_TOO_SMALL for too small arrays or working memory; NKW_NOT_FINITE
+ *             if a tangent exceeds the largest float; the errors of nkw_track_validate
  *
  * Source de Boor, A Practical Guide to Splines, 1978; Schneider, An Algorithm for Automatically Fitting Digitized
  *        Curves, Graphics Gems, 1990.
  * Stack  at most 2 KiB.
  */
-NKW_API nkw_result nkw_track_fit(const nkw_track *track, float tolerance, const nkw_fit_memory *memory, nkw_track *out,
-                                 float *difference);
+NKW_API nkw_result nkw_track_fit(const nkw_track *track, float tolerance, nkw_track_span span, nkw_track *out,
+                                 float *difference, nkw_work work);
 
 #ifdef __cplusplus
 }

@@ -37,7 +37,7 @@
 #ifndef NAKAWARI_REDUCE_H
 #define NAKAWARI_REDUCE_H
 
-#include "edit.h"
+#include "track.h"
 
 #ifdef __cplusplus
 extern "C" {
@@ -47,11 +47,12 @@ extern "C" {
  * Reduces a track.
  *
  * tolerance   the largest difference of a component, or, for rotations, the largest angle in radians
- * memory      for as many keys as the source has. It must not overlap the arrays of the source
- * out         receives the track, which refers to `memory`; without keys after an error; may be `track`
+ * span        for as many keys as the source has; with key_interpolation if it has it. It must not overlap the arrays of
+ *             the source
+ * out         receives the track, which refers to the arrays of `span`; without keys after an error; may be `track`
  * difference  receives the error: the largest difference of the two tracks; infinity after an error; may be NULL
- * Returns     NKW_OK; the errors of nkw_track_validate; NKW_NOT_FINITE also for a tolerance that is negative or not
- *             finite; NKW_TOO_SMALL for too little memory
+ * Returns     NKW_OK; the errors of nkw_track_validate; NKW_OUT_OF_RANGE for a tolerance that is negative or not finite;
+ *             NKW_TOO_SMALL for too small arrays
  *
  * The difference of numbers is exact at all times, to the rounding of samples: between two keys of the source it is a
  * cubic, whose extremes are computed in binary64. That of rotations is measured at the keys of the source and at 1/4,
@@ -59,7 +60,7 @@ extern "C" {
  *
  * Stack  at most 2 KiB.
  */
-NKW_API nkw_result nkw_track_reduce(const nkw_track *track, float tolerance, const nkw_edit_memory *memory,
+NKW_API nkw_result nkw_track_reduce(const nkw_track *track, float tolerance, nkw_track_span span,
                                     nkw_track *out, float *difference);
 
 #ifdef __cplusplus

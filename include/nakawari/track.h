@@ -83,6 +83,19 @@ typedef struct nkw_track {
 } nkw_track;
 NKW_SIZE(nkw_track, 48, 28);
 
+/**
+ * The arrays that receive a track, for every function that writes one. The function returns the track itself in an
+ * nkw_track *out, whose count is the number of keys written. The arrays must not overlap those of the source, except
+ * where a function permits it; `out` may be the source.
+ */
+typedef struct nkw_track_span {
+    float *times;  /**< key_capacity floats */
+    float *values; /**< key_capacity * width floats, three times as many if the track that is written is CUBICSPLINE */
+    unsigned char *key_interpolation; /**< key_capacity bytes; NULL if the track has no interpolation for each key */
+    size_t key_capacity; /**< the greatest number of keys */
+} nkw_track_span;
+NKW_SIZE(nkw_track_span, 32, 16);
+
 /** The number of floats in `values`; SIZE_MAX if it exceeds size_t. */
 NKW_API size_t nkw_track_value_count(const nkw_track *track);
 
@@ -204,8 +217,8 @@ NKW_API size_t nkw_track_long_arc(const nkw_track *track, size_t first);
  */
 NKW_API nkw_result nkw_track_align(const nkw_track *track, float *values, size_t *negated);
 
-/** The number of floats of working memory to compare or resample tracks of this width. */
-#define NKW_TRACK_WORK(width) (2 * (width))
+/** Bytes of working memory to compare tracks of this width. */
+#define NKW_TRACK_WORK(width) (2 * (width) * sizeof(float))
 
 /**
  * The largest difference of two tracks, from the first key of `track` to its last: of a component, or, for rotations,
@@ -213,39 +226,17 @@ NKW_API nkw_result nkw_track_align(const nkw_track *track, float *values, size_t
  * keys. The difference between these times may be larger.
  *
  * difference  receives the result; infinity after an error; NaN if a value is NaN
- * work        work_count floats, at least NKW_TRACK_WORK(width)
+ * work        at least NKW_TRACK_WORK(width)
  * Returns     NKW_OK; NKW_EMPTY without keys or for width 0; NKW_BAD_WIDTH for a rotation whose width is not 4;
- *             NKW_MISMATCHED for different widths, or for a rotation and numbers; NKW_TOO_SMALL for work_count
+ *             NKW_MISMATCHED for different widths, or for a rotation and numbers; NKW_TOO_SMALL for the working memory
  */
-NKW_API nkw_result nkw_track_difference(const nkw_track *track, const nkw_track *other, float *difference, float *work,
-                                        size_t work_count);
-
-/**
- * The number of keys of the track, resampled at a uniform rate: the keys are at nkw_segment_uniform_time(first, rate,
- * k), k = 0, 1, 2 ..., up to the first time that is not less than the last key time. It is 1 for a track of one key or
- * of duration 0.
- *
- * rate     keys per second, positive and finite
- * count    receives the number; 0 after an error
- * Returns  NKW_OK; NKW_EMPTY without keys or for width 0; NKW_BAD_WIDTH for a rotation whose width is not 4;
- *          NKW_OUT_OF_RANGE for an invalid rate; NKW_NOT_FINITE if the first, the last or the resampled last time is
- *          not finite; NKW_TOO_MANY for 2^31 keys or more
- */
-NKW_API nkw_result nkw_track_resample_count(const nkw_track *track, float rate, size_t *count);
-
-/** The memory of a resampled track. It must not overlap the arrays of the source. */
-typedef struct nkw_track_memory {
-    float *times; /**< key_capacity floats */
-    float *values; /**< key_capacity * width floats */
-    size_t key_capacity; /**< the greatest number of keys */
-    float *work; /**< work_count floats of working memory, at least NKW_TRACK_WORK(width) */
-    size_t work_count;
-} nkw_track_memory;
-NKW_SIZE(nkw_track_memory, 40, 20);
+NKW_API nkw_result nkw_track_difference(const nkw_track *track, const nkw_track *other, float *difference,
+                                        nkw_work work);
 
 /**
  * Resamples (bakes) a track at a uniform rate: its keys are samples of the source. A clip finds the keys of such tracks
- * without a search.
+ * without a search. The keys are at nkw_segment_uniform_time(first, rate, k), k = 0, 1, 2 ..., up to the first time that
+ * is not less than the last key time: one key for a track of one key or of duration 0.
  *
  *     source                                                 result
  *     STEP in every segment                                  STEP
@@ -253,32 +244,38 @@ NKW_SIZE(nkw_track_memory, 40, 20);
  *     NKW_TRACK_ROTATION or NKW_TRACK_ROTATION_NORMALIZED    NKW_TRACK_ROTATION
  *
  * If every key of the source is at the time of a new key, the resampled track has the values of the source at all
- * times: for a STEP source, and for a LINEAR source without two keys at the same time. If the duration is not a
- * multiple of 1 / rate, the last key is later than that of the source, by less than 1 / rate. Use the duration of the
- * source for loops.
+ * times: for a STEP source, and for a LINEAR source without two keys at the same time. nkw_track_difference measures
+ * the error of others. If the duration is not a multiple of 1 / rate, the last key is later than that of the source, by
+ * less than 1 / rate. Use the duration of the source for loops.
  *
- * memory      for at least nkw_track_resample_count keys
- * out         receives the track, which refers to `memory`; without keys after an error; may be `track`
- * difference  receives the error: nkw_track_difference from the source; infinity after an error; may be NULL
- * Returns     NKW_OK; the errors of nkw_track_resample_count; NKW_TOO_SMALL for too little memory
+ * rate     keys per second, positive and finite
+ * span     for all keys; values of `width` floats. Without arrays (times NULL) only the keys are counted
+ * out      receives the track, which refers to the arrays of `span`; without keys after an error; may be `track`
+ * count    receives the number of keys that the track has or needs; 0 after an error other than NKW_TOO_SMALL; may be
+ *          NULL
+ * Returns  NKW_OK; NKW_EMPTY without keys or for width 0; NKW_BAD_WIDTH for a rotation whose width is not 4;
+ *          NKW_OUT_OF_RANGE for an invalid rate; NKW_NOT_FINITE if the first, the last or the resampled last time is
+ *          not finite; NKW_TOO_MANY for 2^31 keys or more; NKW_TOO_SMALL without arrays or for too small ones
  */
-NKW_API nkw_result nkw_track_resample(const nkw_track *track, float rate, const nkw_track_memory *memory,
-                                      nkw_track *out, float *difference);
+NKW_API nkw_result nkw_track_resample(const nkw_track *track, float rate, nkw_track_span span, nkw_track *out,
+                                      size_t *count);
 
 /**
- * Resamples a track at the lowest of a few rates whose error is within `tolerance` (radians for rotations), for a
- * smaller clip. The rates are those of n, n/2, n/4 ... 1 segments, rounded up, over the duration, where n is the number
- * of segments of the source; for evenly spaced keys these are rate, rate/2, rate/4 ... The last key is at the end of
- * the source, to rounding.
+ * Resamples a track at the lowest of a few rates whose error, nkw_track_difference, is within `tolerance` (radians for
+ * rotations), for a smaller clip. The rates are those of n, n/2, n/4 ... 1 segments, rounded up, over the duration,
+ * where n is the number of segments of the source; for evenly spaced keys these are rate, rate/2, rate/4 ... The last
+ * key is at the end of the source, to rounding.
  *
- * memory   for at least as many keys as the source has
+ * span     for at least as many keys as the source has
  * rate     receives the rate; 0 after an error; 1 for a track of one key or of duration 0, which becomes one key
- * Returns  NKW_OK; NKW_EMPTY, NKW_BAD_WIDTH and NKW_TOO_SMALL as above; NKW_NO_RATE if no rate is within the tolerance
+ * work     at least NKW_TRACK_WORK(width)
+ * Returns  NKW_OK; NKW_EMPTY and NKW_BAD_WIDTH as above; NKW_OUT_OF_RANGE for a tolerance that is negative or NaN;
+ *          NKW_TOO_SMALL for the arrays or the working memory; NKW_NO_RATE if no rate is within the tolerance
  *
  * Stack  at most 2 KiB.
  */
-NKW_API nkw_result nkw_track_resample_within(const nkw_track *track, float tolerance, const nkw_track_memory *memory,
-                                             nkw_track *out, float *rate);
+NKW_API nkw_result nkw_track_resample_within(const nkw_track *track, float tolerance, nkw_track_span span,
+                                             nkw_track *out, float *rate, nkw_work work);
 
 #ifdef __cplusplus
 }

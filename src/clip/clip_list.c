@@ -245,7 +245,7 @@ static void get_packed(const nkw_clip *clip, const listed *t, const nkw_track *s
     }
 }
 
-nkw_result nkw_clip_track_get(const nkw_clip *clip, size_t index, const nkw_edit_memory *memory, nkw_clip_track *out,
+nkw_result nkw_clip_track_get(const nkw_clip *clip, size_t index, nkw_track_span span, nkw_clip_track *out,
                               nkw_work work)
 {
     listed t;
@@ -255,22 +255,22 @@ nkw_result nkw_clip_track_get(const nkw_clip *clip, size_t index, const nkw_edit
     nkw_clip_track c = shape_of(clip, &t);
     const uint32_t modes = timeline_of(clip, t.group)->modes;
     *out = c;
-    if (!memory || memory->key_capacity < c.track.count || (modes && !memory->key_interpolation) ||
+    if (!span.times || span.key_capacity < c.track.count || (modes && !span.key_interpolation) ||
         !work_fits(work, NKW_CLIP_TRACK_GET_WORK((size_t)clip->joints, (size_t)clip->floats)))
         return NKW_TOO_SMALL;
     if (is_cubic(t.group))
-        get_cubic(clip, &t, lanes, &c.track, memory->values);
+        get_cubic(clip, &t, lanes, &c.track, span.values);
     else if (t.group->packed)
-        get_packed(clip, &t, &c.track, memory->values, (float *)work.data);
+        get_packed(clip, &t, &c.track, span.values, (float *)work.data);
     else if (t.group->ranges)
-        get_compact(clip, &t, lanes, &c.track, memory->values);
+        get_compact(clip, &t, lanes, &c.track, span.values);
     else
-        get_floats(clip, &t, lanes, &c.track, memory->values);
-    memcpy(memory->times, c.track.times, c.track.count * sizeof(float));
+        get_floats(clip, &t, lanes, &c.track, span.values);
+    memcpy(span.times, c.track.times, c.track.count * sizeof(float));
     for (size_t k = 0; modes && k < c.track.count; k++)
-        memory->key_interpolation[k] = (unsigned char)clip_words(clip)[modes + k];
-    out->track.times = memory->times;
-    out->track.values = memory->values;
-    out->track.key_interpolation = modes ? memory->key_interpolation : NULL;
+        span.key_interpolation[k] = (unsigned char)clip_words(clip)[modes + k];
+    out->track.times = span.times;
+    out->track.values = span.values;
+    out->track.key_interpolation = modes ? span.key_interpolation : NULL;
     return NKW_OK;
 }

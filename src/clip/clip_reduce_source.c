@@ -75,9 +75,9 @@ static nkw_result make(void *user, reduce_made *made, size_t *size, size_t *bad)
     r->key_count = 0;
     for (size_t i = 0; i < s->track_count; i++) {
         const nkw_track *t = &s->tracks[i].track;
-        const nkw_edit_memory memory = {floats, floats + t->count, modes, t->count};
+        const nkw_track_span span = {floats, floats + t->count, modes, t->count};
         r->tracks[i] = s->tracks[i];
-        nkw_result result = nkw_track_reduce(t, nkwi_reduce_step(&r->trials, i), &memory, &r->tracks[i].track, NULL);
+        nkw_result result = nkw_track_reduce(t, nkwi_reduce_step(&r->trials, i), span, &r->tracks[i].track, NULL);
         *bad = i;
         if (result != NKW_OK)
             return result;

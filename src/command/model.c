@@ -194,16 +194,24 @@ int model_reduce(model *m, size_t animation, const extent *e, float tolerance, i
     return chosen != NULL;
 }
 
+/* The number of keys of a track at this rate. */
+static nkw_result count_resampled(const nkw_track *t, float rate, size_t *count)
+{
+    const nkw_track_span none = {NULL, NULL, NULL, 0};
+    nkw_track out;
+    const nkw_result result = nkw_track_resample(t, rate, none, &out, count);
+    return result == NKW_TOO_SMALL ? NKW_OK : result;
+}
+
 static nkw_result resample(model *m, nkw_track *t, float rate)
 {
-    nkw_track_memory memory = {NULL, NULL, 0, NULL, NKW_TRACK_WORK(t->width)};
-    nkw_result result = nkw_track_resample_count(t, rate, &memory.key_capacity);
+    nkw_track_span span = {NULL, NULL, NULL, 0};
+    nkw_result result = count_resampled(t, rate, &span.key_capacity);
     if (result != NKW_OK)
         return result;
-    memory.times = model_take(m, memory.key_capacity, sizeof(float));
-    memory.values = model_take(m, memory.key_capacity * t->width, sizeof(float));
-    memory.work = model_take(m, memory.work_count, sizeof(float));
-    return memory.times && memory.values && memory.work ? nkw_track_resample(t, rate, &memory, t, NULL) : NKW_TOO_SMALL;
+    span.times = model_take(m, span.key_capacity, sizeof(float));
+    span.values = model_take(m, span.key_capacity * t->width, sizeof(float));
+    return span.times && span.values ? nkw_track_resample(t, rate, span, t, NULL) : NKW_TOO_SMALL;
 }
 
 /* Of a clip; with values of four floats 640 MiB. */
@@ -214,7 +222,7 @@ static int is_moderate(const nkw_clip_track *tracks, size_t track_count, float r
 {
     size_t total = 0, count = 0;
     for (size_t i = 0; i < track_count && total <= RESAMPLED_KEYS_MOST; i++) {
-        const nkw_result result = nkw_track_resample_count(&tracks[i].track, rate, &count);
+        const nkw_result result = count_resampled(&tracks[i].track, rate, &count);
         total += result == NKW_TOO_MANY ? RESAMPLED_KEYS_MOST + 1 : result == NKW_OK ? count : 0;
     }
     return total <= RESAMPLED_KEYS_MOST;

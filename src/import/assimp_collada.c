@@ -185,13 +185,13 @@ static int trim(nkwi_assimp *a, const nkwi_xml *tag, const nkw_document_animatio
         nkw_track *t = &tracks[i].track;
         float last = has_end ? end : t->times[t->count - 1];
         size_t room = t->count + 1;
-        const nkw_edit_memory memory = {(float *)nkwi_assimp_take(a, "animations", room, sizeof(float)),
-                                        (float *)nkwi_assimp_take(a, "animations", room, t->width * sizeof(float)),
-                                        NULL, room};
-        if (!memory.times || !memory.values)
+        const nkw_track_span span = {(float *)nkwi_assimp_take(a, "animations", room, sizeof(float)),
+                                     (float *)nkwi_assimp_take(a, "animations", room, t->width * sizeof(float)),
+                                     NULL, room};
+        if (!span.times || !span.values)
             return 0;
         if (last >= start)
-            nkw_track_trim(t, start, last, &memory, t); /* a track that is not valid remains, to be reported */
+            nkw_track_trim(t, start, last, span, t); /* a track that is not valid remains, to be reported */
     }
     return 1;
 }

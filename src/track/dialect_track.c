@@ -22,7 +22,7 @@ typedef struct writer {
     nkw_euler_order order;
     size_t width; /* of the track */
     float tolerance;
-    const nkw_track_memory *memory;
+    nkw_track_span span;
     size_t count;
     float error;
 } writer;
@@ -156,19 +156,19 @@ static float next_break_of_all(const writer *w, float time, float end)
 /* In-tangents, values and out-tangents of key k. */
 static float *triple(const writer *w, size_t k)
 {
-    return w->memory->values + 3 * w->width * k;
+    return w->span.values + 3 * w->width * k;
 }
 
 static int has_room(const writer *w)
 {
-    return w->count < w->memory->key_capacity;
+    return w->count < w->span.key_capacity;
 }
 
 /* Begins key w->count at a time, without tangents, and without counting it. */
 static void write_values(const writer *w, float time)
 {
     float *v = triple(w, w->count);
-    w->memory->times[w->count] = time;
+    w->span.times[w->count] = time;
     for (size_t i = 0; i < w->width; i++) {
         v[i] = v[2 * w->width + i] = 0.0f;
         v[w->width + i] = component(w, i, time).value;
@@ -233,7 +233,7 @@ static int write_span(writer *w, float b)
     int depth = 0;
     ends[0] = b;
     while (depth >= 0) {
-        float a = w->memory->times[w->count - 1], end = ends[depth];
+        float a = w->span.times[w->count - 1], end = ends[depth];
         if (!has_room(w))
             return 0;
         write_values(w, end);
@@ -256,7 +256,7 @@ static int write_until(writer *w, float b)
     float before = float_before(b);
     if (!jumps_at(w, b))
         return write_span(w, b);
-    if (before > w->memory->times[w->count - 1] && !write_span(w, before))
+    if (before > w->span.times[w->count - 1] && !write_span(w, before))
         return 0;
     if (!has_room(w))
         return 0;
@@ -295,9 +295,9 @@ static nkw_result write_steps(writer *w, float first, float last)
     for (float time = first;; time = next_break_of_all(w, time, last)) {
         if (!has_room(w))
             return NKW_TOO_SMALL;
-        w->memory->times[w->count] = time;
+        w->span.times[w->count] = time;
         for (size_t i = 0; i < w->width; i++)
-            w->memory->values[w->count * w->width + i] = nkw_fcurve_sample(w->curves + i, time).value;
+            w->span.values[w->count * w->width + i] = nkw_fcurve_sample(w->curves + i, time).value;
         w->count++;
         if (!(time < last))
             return NKW_OK;
@@ -325,14 +325,14 @@ static nkw_result check_curves(const nkw_fcurve *curves, size_t width, float *fi
     for (size_t i = 0; i < width; i++) {
         int early = curves[i].keys[0].time > *first, late = curves[i].keys[curves[i].key_count - 1].time < *last;
         if ((early && is_cycle(curves[i].before)) || (late && is_cycle(curves[i].after)))
-            return NKW_BAD_METHOD;
+            return NKW_MISMATCHED;
     }
     return width > 0 ? NKW_OK : NKW_EMPTY;
 }
 
 static nkw_result write_track(writer *w, nkw_track *out, float *difference)
 {
-    const nkw_track_memory *memory = w->memory;
+    const nkw_track_span span = w->span;
     float first, last;
     nkw_result result = check_curves(w->curves, w->curve_count, &first, &last);
     if (result == NKW_OK && !(w->tolerance >= 0.0f))
@@ -342,23 +342,23 @@ static nkw_result write_track(writer *w, nkw_track *out, float *difference)
         result = steps ? write_steps(w, first, last) : write_all(w, first, last);
     size_t count = result == NKW_OK ? w->count : 0;
     nkw_interpolation mode = steps ? NKW_INTERPOLATION_STEP : NKW_INTERPOLATION_CUBICSPLINE;
-    nkw_track made = {memory->times, memory->values, count, w->width, w->kind, mode, NULL};
+    nkw_track made = {span.times, span.values, count, w->width, w->kind, mode, NULL};
     *out = made;
     if (difference)
         *difference = result == NKW_OK ? w->error : INFINITY;
     return result;
 }
 
-nkw_result nkw_track_from_fcurves(const nkw_fcurve *curves, size_t width, float tolerance,
-                                  const nkw_track_memory *memory, nkw_track *out, float *difference)
+nkw_result nkw_track_from_fcurves(const nkw_fcurve *curves, size_t count, float tolerance, nkw_track_span span,
+                                  nkw_track *out, float *difference)
 {
-    writer w = {curves, width, NKW_TRACK_FLOATS, NKW_EULER_XYZ, width, tolerance, memory, 0, 0.0f};
+    writer w = {curves, count, NKW_TRACK_FLOATS, NKW_EULER_XYZ, count, tolerance, span, 0, 0.0f};
     return write_track(&w, out, difference);
 }
 
 nkw_result nkw_track_from_euler_fcurves(const nkw_fcurve angles[3], nkw_euler_order order, float tolerance,
-                                        const nkw_track_memory *memory, nkw_track *out, float *difference)
+                                        nkw_track_span span, nkw_track *out, float *difference)
 {
-    writer w = {angles, 3, NKW_TRACK_ROTATION, order, 4, tolerance, memory, 0, 0.0f};
+    writer w = {angles, 3, NKW_TRACK_ROTATION, order, 4, tolerance, span, 0, 0.0f};
     return write_track(&w, out, difference);
 }

@@ -14,36 +14,36 @@
 
 /* A track that is written key by key. */
 typedef struct edit {
-    const nkw_edit_memory *memory;
-    nkw_track track; /* refers to the memory; count keys so far */
+    nkw_track_span span;
+    nkw_track track; /* refers to the arrays of the span; count keys so far */
     size_t size; /* floats of a key */
 } edit;
 
 /* has_modes: whether the track has an interpolation for each key. */
-static edit edit_begin(const nkw_track *like, const nkw_edit_memory *memory, int has_modes)
+static edit edit_begin(const nkw_track *like, nkw_track_span span, int has_modes)
 {
-    edit e = {memory, *like, track_key_size(like)};
-    e.track.times = memory->times;
-    e.track.values = memory->values;
-    e.track.key_interpolation = has_modes ? memory->key_interpolation : NULL;
+    edit e = {span, *like, track_key_size(like)};
+    e.track.times = span.times;
+    e.track.values = span.values;
+    e.track.key_interpolation = has_modes ? span.key_interpolation : NULL;
     e.track.count = 0;
     return e;
 }
 
-/* The floats of the next key, or NULL if the memory is full. */
+/* The floats of the next key, or NULL if the arrays are full. */
 static float *edit_add(edit *e, float time, nkw_interpolation mode)
 {
     size_t k = e->track.count;
-    if (k >= e->memory->key_capacity)
+    if (k >= e->span.key_capacity)
         return NULL;
-    e->memory->times[k] = time;
+    e->span.times[k] = time;
     if (e->track.key_interpolation)
-        e->memory->key_interpolation[k] = (unsigned char)mode;
+        e->span.key_interpolation[k] = (unsigned char)mode;
     e->track.count++;
-    return e->memory->values + k * e->size;
+    return e->span.values + k * e->size;
 }
 
-/* Adds key k of a track. Returns 0 if the memory is full. */
+/* Adds key k of a track. Returns 0 if the arrays are full. */
 static int edit_copy(edit *e, const nkw_track *track, size_t k, float time, nkw_interpolation mode)
 {
     float *to = edit_add(e, time, mode);
@@ -55,7 +55,7 @@ static int edit_copy(edit *e, const nkw_track *track, size_t k, float time, nkw_
 /* Values and tangents of the result may overflow. */
 static nkw_result edit_end(edit *e, nkw_result result, nkw_track *out)
 {
-    if (result == NKW_OK && !are_finite(e->memory->values, e->size * e->track.count))
+    if (result == NKW_OK && !are_finite(e->span.values, e->size * e->track.count))
         result = NKW_NOT_FINITE;
     if (result != NKW_OK)
         e->track.count = 0;
@@ -63,10 +63,10 @@ static nkw_result edit_end(edit *e, nkw_result result, nkw_track *out)
     return result;
 }
 
-static nkw_result check(const nkw_track *track, const nkw_edit_memory *memory)
+static nkw_result check(const nkw_track *track, nkw_track_span span)
 {
     nkw_result result = track_check_readable(track);
-    if (result == NKW_OK && track->key_interpolation && !memory->key_interpolation)
+    if (result == NKW_OK && track->key_interpolation && !span.key_interpolation)
         return NKW_TOO_SMALL;
     return result;
 }
@@ -118,11 +118,11 @@ static nkw_result cut(edit *e, const nkw_track *track, float time)
     return NKW_OK;
 }
 
-nkw_result nkw_track_trim(const nkw_track *track, float from, float to, const nkw_edit_memory *memory, nkw_track *out)
+nkw_result nkw_track_trim(const nkw_track *track, float from, float to, nkw_track_span span, nkw_track *out)
 {
     const nkw_track source = *track;
-    edit e = edit_begin(&source, memory, source.key_interpolation != NULL);
-    nkw_result result = check(&source, memory);
+    edit e = edit_begin(&source, span, source.key_interpolation != NULL);
+    nkw_result result = check(&source, span);
     if (result == NKW_OK && (!lane_is_finite(from) || !lane_is_finite(to)))
         result = NKW_NOT_FINITE;
     if (result == NKW_OK && from > to)
@@ -140,7 +140,7 @@ nkw_result nkw_track_trim(const nkw_track *track, float from, float to, const nk
     for (size_t k = first; result == NKW_OK && k < end; k++)
         if (!edit_copy(&e, &source, k, source.times[k], track_interpolation_at(&source, k)))
             result = NKW_TOO_SMALL;
-    if (result == NKW_OK && end > 0 && end < source.count && e.memory->times[e.track.count - 1] < to)
+    if (result == NKW_OK && end > 0 && end < source.count && e.span.times[e.track.count - 1] < to)
         result = cut(&e, &source, to);
     return edit_end(&e, result, out);
 }
@@ -168,7 +168,7 @@ static int add_retimed(edit *e, const nkw_track *track, size_t k, float scale, f
     if (!edit_copy(e, track, k, retimed(track->times[k], scale, offset), mode))
         return 0;
     if (track_is_cubic(track))
-        scale_tangents(e->memory->values + (e->track.count - 1) * e->size, track->width, scale);
+        scale_tangents(e->span.values + (e->track.count - 1) * e->size, track->width, scale);
     return 1;
 }
 
@@ -188,7 +188,7 @@ static int add_reversed(edit *e, const nkw_track *track, float scale, float offs
         if (is_step) {
             if (!add_retimed(e, track, k - 1, scale, offset, mode))
                 return 0;
-            e->memory->times[e->track.count - 1] = retimed(track->times[k], scale, offset);
+            e->span.times[e->track.count - 1] = retimed(track->times[k], scale, offset);
         }
     }
     return 1;
@@ -202,12 +202,12 @@ static int add_all_retimed(edit *e, const nkw_track *track, float scale, float o
     return 1;
 }
 
-nkw_result nkw_track_retime(const nkw_track *track, float scale, float offset, const nkw_edit_memory *memory,
+nkw_result nkw_track_retime(const nkw_track *track, float scale, float offset, nkw_track_span span,
                             nkw_track *out)
 {
     const nkw_track source = *track;
-    edit e = edit_begin(&source, memory, source.key_interpolation != NULL);
-    nkw_result result = check(&source, memory);
+    edit e = edit_begin(&source, span, source.key_interpolation != NULL);
+    nkw_result result = check(&source, span);
     if (result == NKW_OK && (scale == 0.0f || !lane_is_finite(scale)))
         result = NKW_OUT_OF_RANGE;
     if (result == NKW_OK && (!lane_is_finite(retimed(source.times[0], scale, offset)) ||
@@ -221,11 +221,11 @@ nkw_result nkw_track_retime(const nkw_track *track, float scale, float offset, c
 
 /* Join. */
 
-static nkw_result check_join(const nkw_track *a, const nkw_track *b, const nkw_edit_memory *memory, int has_modes)
+static nkw_result check_join(const nkw_track *a, const nkw_track *b, nkw_track_span span, int has_modes)
 {
-    nkw_result result = check(a, memory);
+    nkw_result result = check(a, span);
     if (result == NKW_OK)
-        result = check(b, memory);
+        result = check(b, span);
     if (result != NKW_OK)
         return result;
     if (a->width != b->width || a->kind != b->kind || track_is_cubic(a) != track_is_cubic(b))
@@ -234,16 +234,16 @@ static nkw_result check_join(const nkw_track *a, const nkw_track *b, const nkw_e
           shifted = (float)((double)b->times[b->count - 1] - (double)b->times[0] + (double)last);
     if (!lane_is_finite(last) || !lane_is_finite(shifted))
         return NKW_NOT_FINITE;
-    return has_modes && !memory->key_interpolation ? NKW_TOO_SMALL : NKW_OK;
+    return has_modes && !span.key_interpolation ? NKW_TOO_SMALL : NKW_OK;
 }
 
-nkw_result nkw_track_join(const nkw_track *first, const nkw_track *second, const nkw_edit_memory *memory,
+nkw_result nkw_track_join(const nkw_track *first, const nkw_track *second, nkw_track_span span,
                           nkw_track *out)
 {
     const nkw_track a = *first, b = *second;
     int has_modes = a.key_interpolation || b.key_interpolation || a.interpolation != b.interpolation;
-    edit e = edit_begin(&a, memory, has_modes);
-    nkw_result result = check_join(&a, &b, memory, has_modes);
+    edit e = edit_begin(&a, span, has_modes);
+    nkw_result result = check_join(&a, &b, span, has_modes);
     for (size_t k = 0; result == NKW_OK && k < a.count; k++)
         if (!edit_copy(&e, &a, k, a.times[k], track_interpolation_at(&a, k)))
             result = NKW_TOO_SMALL;
@@ -253,9 +253,9 @@ nkw_result nkw_track_join(const nkw_track *first, const nkw_track *second, const
     const float *end = track_value_at(&a, a.count - 1), *begin = track_value_at(&b, 0);
     size_t next = memcmp(end, begin, a.width * sizeof *end) == 0;
     if (next && track_is_cubic(&a))
-        memcpy(memory->values + (a.count - 1) * e.size + 2 * a.width, begin + a.width, a.width * sizeof *begin);
+        memcpy(span.values + (a.count - 1) * e.size + 2 * a.width, begin + a.width, a.width * sizeof *begin);
     if (next && e.track.key_interpolation)
-        memory->key_interpolation[a.count - 1] = (unsigned char)track_interpolation_at(&b, 0);
+        span.key_interpolation[a.count - 1] = (unsigned char)track_interpolation_at(&b, 0);
     for (size_t k = next; result == NKW_OK && k < b.count; k++)
         if (!edit_copy(&e, &b, k, (float)((double)b.times[k] + shift), track_interpolation_at(&b, k)))
             result = NKW_TOO_SMALL;
@@ -275,7 +275,7 @@ static void close_numbers(const nkw_track *track, float share, const edit *e)
 {
     size_t last = track->count - 1, width = track->width, at = track_is_cubic(track) ? width : 0;
     double duration = (double)track->times[last] - (double)track->times[0];
-    float *keys = e->memory->values;
+    float *keys = e->span.values;
     for (size_t i = at; i < at + width; i++) {
         double d = (double)keys[last * e->size + i] - (double)keys[i];
         for (size_t k = 0; k <= last; k++) {
@@ -300,7 +300,7 @@ static void turn_tangent(float *tangent, nkw_quat turn, nkw_vec3 rate, nkw_quat 
 static void close_rotations(const nkw_track *track, float share, const edit *e)
 {
     size_t last = track->count - 1, at = track_is_cubic(track) ? 4 : 0;
-    float duration = track->times[last] - track->times[0], *keys = e->memory->values + at;
+    float duration = track->times[last] - track->times[0], *keys = e->span.values + at;
     nkw_quat d = nkw_quat_mul(track_read_quat(keys + last * e->size), nkw_quat_conjugate(track_read_quat(keys)));
     nkw_vec3 whole = nkw_quat_log(d.w < 0.0f ? nkw_quat_negate(d) : d);
     nkw_vec3 rate = nkw_vec3_scale(whole, 1.0f / duration);
@@ -316,11 +316,11 @@ static void close_rotations(const nkw_track *track, float share, const edit *e)
     track_write_quat(nkw_quat_dot(begin, end) < 0.0f ? nkw_quat_negate(begin) : begin, keys + last * e->size);
 }
 
-nkw_result nkw_track_close(const nkw_track *track, float share, const nkw_edit_memory *memory, nkw_track *out)
+nkw_result nkw_track_close(const nkw_track *track, float share, nkw_track_span span, nkw_track *out)
 {
     const nkw_track source = *track;
-    edit e = edit_begin(&source, memory, source.key_interpolation != NULL);
-    nkw_result result = check(&source, memory);
+    edit e = edit_begin(&source, span, source.key_interpolation != NULL);
+    nkw_result result = check(&source, span);
     if (result == NKW_OK && !(share >= 0.0f && share <= 1.0f))
         result = NKW_OUT_OF_RANGE;
     if (result == NKW_OK && source.count > 1 && !(source.times[0] < source.times[source.count - 1]))

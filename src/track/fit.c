@@ -9,6 +9,7 @@
 #include "difference.h"
 #include "finite.h"
 #include "track_keys.h"
+#include "work.h"
 
 /*
  * The keys 0..n - 1 of the fit, and the equations of their tangents m:
@@ -217,41 +218,43 @@ static float fit_within(fit *f, float tolerance, float *room)
     return difference;
 }
 
-static nkw_result check(const nkw_track *track, const nkw_fit_memory *memory)
+static nkw_result check(const nkw_track *track, float tolerance, nkw_track_span span, nkw_work work)
 {
     nkw_result result = nkw_track_validate(track, NULL);
     if (result != NKW_OK)
         return result;
     if (track->interpolation != NKW_INTERPOLATION_LINEAR || track->key_interpolation)
-        return NKW_BAD_METHOD;
-    size_t width = track->width, count = track->count;
-    if (memory->key_capacity < count || memory->work_count < width || (memory->work_count - width) / count < width + 5)
+        return NKW_MISMATCHED;
+    if (!(tolerance >= 0.0f))
+        return NKW_OUT_OF_RANGE;
+    size_t width = track->width, count = track->count, most = SIZE_MAX / sizeof(double);
+    if (span.key_capacity < count || width > most - 5 || count > (most - width) / (width + 5))
         return NKW_TOO_SMALL;
-    return NKW_OK;
+    return work_fits(work, NKW_FIT_WORK(count, width)) ? NKW_OK : NKW_TOO_SMALL;
 }
 
-nkw_result nkw_track_fit(const nkw_track *track, float tolerance, const nkw_fit_memory *memory, nkw_track *out,
-                         float *difference)
+nkw_result nkw_track_fit(const nkw_track *track, float tolerance, nkw_track_span span, nkw_track *out, float *difference,
+                         nkw_work work)
 {
     const size_t count = track->count;
-    double *work = memory->work;
+    double *numbers = (double *)work.data;
     float worst = INFINITY;
     fit f;
     memset(&f, 0, sizeof f);
     f.source = f.out = *track;
-    f.out.times = f.times = memory->times;
-    f.out.values = f.values = memory->values;
+    f.out.times = f.times = span.times;
+    f.out.values = f.values = span.values;
     f.out.interpolation = NKW_INTERPOLATION_CUBICSPLINE;
     f.out.key_interpolation = NULL;
     f.out.count = 0;
-    nkw_result result = check(track, memory);
+    nkw_result result = check(track, tolerance, span, work);
     if (result == NKW_OK) {
-        f.is_key = work;
-        f.index = work + count;
-        f.diagonal = work + 2 * count;
-        f.next = work + 3 * count;
-        f.sign = work + 4 * count;
-        f.right = work + 5 * count;
+        f.is_key = numbers;
+        f.index = numbers + count;
+        f.diagonal = numbers + 2 * count;
+        f.next = numbers + 3 * count;
+        f.sign = numbers + 4 * count;
+        f.right = numbers + 5 * count;
         float *room = (float *)(void *)(f.right + count * track->width); /* width floats */
         worst = fit_within(&f, tolerance, room);
         if (!are_finite(f.values, 3 * track->width * f.n)) {

@@ -274,29 +274,29 @@ static size_t next_kept(const nkw_track *t, size_t a, double tolerance, double *
     return good;
 }
 
-static void copy_key(const nkw_track *t, size_t from, const nkw_edit_memory *memory, size_t to)
+static void copy_key(const nkw_track *t, size_t from, nkw_track_span span, size_t to)
 {
     const size_t size = track_key_size(t);
-    memory->times[to] = t->times[from];
-    memcpy(memory->values + size * to, t->values + size * from, size * sizeof(float));
+    span.times[to] = t->times[from];
+    memcpy(span.values + size * to, t->values + size * from, size * sizeof(float));
     if (t->key_interpolation)
-        memory->key_interpolation[to] = t->key_interpolation[from];
+        span.key_interpolation[to] = t->key_interpolation[from];
 }
 
-static double reduce(const nkw_track *t, double tolerance, const nkw_edit_memory *memory, size_t *count)
+static double reduce(const nkw_track *t, double tolerance, nkw_track_span span, size_t *count)
 {
     double largest = 0.0;
     size_t k = 0, n = 0;
-    copy_key(t, 0, memory, n++);
+    copy_key(t, 0, span, n++);
     while (k + 1 < t->count) {
         k = next_kept(t, k, tolerance, &largest);
-        copy_key(t, k, memory, n++);
+        copy_key(t, k, span, n++);
     }
     *count = n;
     return largest;
 }
 
-nkw_result nkw_track_reduce(const nkw_track *track, float tolerance, const nkw_edit_memory *memory, nkw_track *out,
+nkw_result nkw_track_reduce(const nkw_track *track, float tolerance, nkw_track_span span, nkw_track *out,
                             float *difference)
 {
     const nkw_track source = *track;
@@ -304,16 +304,16 @@ nkw_result nkw_track_reduce(const nkw_track *track, float tolerance, const nkw_e
     double worst = INFINITY;
     size_t count = 0;
     if (result == NKW_OK && !(tolerance >= 0.0f && lane_is_finite(tolerance)))
-        result = NKW_NOT_FINITE;
+        result = NKW_OUT_OF_RANGE;
     if (result == NKW_OK &&
-        (memory->key_capacity < source.count || (source.key_interpolation && !memory->key_interpolation)))
+        (span.key_capacity < source.count || (source.key_interpolation && !span.key_interpolation)))
         result = NKW_TOO_SMALL;
     if (result == NKW_OK)
-        worst = reduce(&source, (double)tolerance, memory, &count);
+        worst = reduce(&source, (double)tolerance, span, &count);
     *out = source;
-    out->times = memory->times;
-    out->values = memory->values;
-    out->key_interpolation = source.key_interpolation ? memory->key_interpolation : NULL;
+    out->times = span.times;
+    out->values = span.values;
+    out->key_interpolation = source.key_interpolation ? span.key_interpolation : NULL;
     out->count = count;
     if (difference)
         *difference = (float)worst;

@@ -12,6 +12,7 @@
 #include "pack/slerp.h"
 #include "report.h"
 #include "track_keys.h"
+#include "work.h"
 
 size_t nkw_track_value_count(const nkw_track *track)
 {
@@ -154,7 +155,8 @@ static size_t steps_until(float start, float rate, float end)
     return low;
 }
 
-nkw_result nkw_track_resample_count(const nkw_track *track, float rate, size_t *count)
+/* The number of keys; 0 after an error. */
+static nkw_result count_keys(const nkw_track *track, float rate, size_t *count)
 {
     nkw_result result = track_check_readable(track);
     *count = 0;
@@ -191,10 +193,10 @@ static nkw_track resampled(const nkw_track *track, const float *times, const flo
 }
 
 /* The largest difference at the keys of `along` and at the quarters between them, while `track` has keys. */
-static float difference_along(const nkw_track *along, const nkw_track *track, const nkw_track *other, float *work)
+static float difference_along(const nkw_track *along, const nkw_track *track, const nkw_track *other, nkw_work work)
 {
     uint32_t here = 0, there = 0;
-    float *a = work, *b = work + track->width, largest = 0.0f;
+    float *a = (float *)work.data, *b = a + track->width, largest = 0.0f;
     for (size_t k = 0; k < along->count; k++)
         for (int quarter = 0; quarter < DIFFERENCE_QUARTERS; quarter++) {
             float time = difference_time(along, k, quarter);
@@ -209,13 +211,17 @@ static float difference_along(const nkw_track *along, const nkw_track *track, co
     return largest;
 }
 
-static float difference_of(const nkw_track *track, const nkw_track *other, float *work)
+static int has_work(const nkw_track *track, nkw_work work)
+{
+    return track->width <= SIZE_MAX / NKW_TRACK_WORK(1) && work_fits(work, NKW_TRACK_WORK(track->width));
+}
+
+static float difference_of(const nkw_track *track, const nkw_track *other, nkw_work work)
 {
     return difference_worse(difference_along(track, track, other, work), difference_along(other, track, other, work));
 }
 
-nkw_result nkw_track_difference(const nkw_track *track, const nkw_track *other, float *difference, float *work,
-                                size_t work_count)
+nkw_result nkw_track_difference(const nkw_track *track, const nkw_track *other, float *difference, nkw_work work)
 {
     nkw_result result = track_check_readable(track);
     *difference = INFINITY;
@@ -225,44 +231,33 @@ nkw_result nkw_track_difference(const nkw_track *track, const nkw_track *other, 
         return result;
     if (track->width != other->width || track_is_rotation(track) != track_is_rotation(other))
         return NKW_MISMATCHED;
-    if (work_count / 2 < track->width)
+    if (!has_work(track, work))
         return NKW_TOO_SMALL;
     *difference = difference_of(track, other, work);
     return NKW_OK;
 }
 
-static nkw_result check_memory(const nkw_track *track, const nkw_track_memory *memory, size_t count)
-{
-    return memory->key_capacity >= count && memory->work_count / 2 >= track->width ? NKW_OK : NKW_TOO_SMALL;
-}
-
-/* Samples `count` keys from the time of the first key on. Returns the difference from the source. */
-static float resample(const nkw_track *track, float rate, const nkw_track_memory *memory, size_t count, nkw_track *out)
+/* Samples `count` keys from the time of the first key on. */
+static void resample(const nkw_track *track, float rate, nkw_track_span span, size_t count, nkw_track *out)
 {
     uint32_t cursor = 0;
     for (size_t k = 0; k < count; k++) {
-        memory->times[k] = nkw_segment_uniform_time(track->times[0], rate, k);
-        nkw_track_sample_cursor(track, memory->times[k], &cursor, memory->values + k * track->width);
+        span.times[k] = nkw_segment_uniform_time(track->times[0], rate, k);
+        nkw_track_sample_cursor(track, span.times[k], &cursor, span.values + k * track->width);
     }
-    *out = resampled(track, memory->times, memory->values, count);
-    return difference_of(track, out, memory->work);
+    *out = resampled(track, span.times, span.values, count);
 }
 
-nkw_result nkw_track_resample(const nkw_track *track, float rate, const nkw_track_memory *memory, nkw_track *out,
-                              float *difference)
+nkw_result nkw_track_resample(const nkw_track *track, float rate, nkw_track_span span, nkw_track *out, size_t *count)
 {
     const nkw_track source = *track;
-    size_t count;
-    nkw_result result = nkw_track_resample_count(&source, rate, &count);
-    if (result == NKW_OK)
-        result = check_memory(&source, memory, count);
-    float worst = INFINITY;
-    if (result == NKW_OK)
-        worst = resample(&source, rate, memory, count, out);
-    else
-        *out = resampled(&source, memory->times, memory->values, 0);
-    if (difference)
-        *difference = worst;
+    size_t keys;
+    nkw_result result = count_keys(&source, rate, &keys);
+    if (count)
+        *count = keys;
+    if (result == NKW_OK && (!span.times || span.key_capacity < keys))
+        result = NKW_TOO_SMALL;
+    resample(&source, rate, span, result == NKW_OK ? keys : 0, out);
     return result;
 }
 
@@ -291,30 +286,32 @@ static float rate_over(const nkw_track *track, size_t segments)
  * Tries rates in ascending order: (count - 1) / parts segments, rounded up, for parts = 2^n, ..., 4, 2, 1. Returns the
  * first whose error is at most the tolerance; 0 if there is none.
  */
-static float lowest_rate(const nkw_track *track, float tolerance, const nkw_track_memory *memory, nkw_track *out)
+static float lowest_rate(const nkw_track *track, float tolerance, nkw_track_span span, nkw_track *out, nkw_work work)
 {
     size_t segments = track->count - 1, parts = 1;
     while (parts < segments)
         parts *= 2;
     for (; parts > 0; parts /= 2) {
-        float difference, rate = rate_over(track, (segments + parts - 1) / parts);
-        if (nkw_track_resample(track, rate, memory, out, &difference) == NKW_OK && difference <= tolerance)
+        float rate = rate_over(track, (segments + parts - 1) / parts);
+        if (nkw_track_resample(track, rate, span, out, NULL) == NKW_OK && difference_of(track, out, work) <= tolerance)
             return rate;
     }
     return 0.0f;
 }
 
-nkw_result nkw_track_resample_within(const nkw_track *track, float tolerance, const nkw_track_memory *memory,
-                                     nkw_track *out, float *rate)
+nkw_result nkw_track_resample_within(const nkw_track *track, float tolerance, nkw_track_span span, nkw_track *out,
+                                     float *rate, nkw_work work)
 {
     const nkw_track source = *track;
     nkw_result result = track_check_readable(&source);
-    if (result == NKW_OK)
-        result = check_memory(&source, memory, source.count);
-    *rate = result == NKW_OK ? lowest_rate(&source, tolerance, memory, out) : 0.0f;
+    if (result == NKW_OK && !(tolerance >= 0.0f))
+        result = NKW_OUT_OF_RANGE;
+    if (result == NKW_OK && (span.key_capacity < source.count || !has_work(&source, work)))
+        result = NKW_TOO_SMALL;
+    *rate = result == NKW_OK ? lowest_rate(&source, tolerance, span, out, work) : 0.0f;
     if (result == NKW_OK && *rate == 0.0f)
         result = NKW_NO_RATE;
     if (result != NKW_OK)
-        *out = resampled(&source, memory->times, memory->values, 0);
+        *out = resampled(&source, span.times, span.values, 0);
     return result;
 }

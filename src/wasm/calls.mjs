@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
 // JavaScript for functions with records (layouts.mjs), integers of 64 bits, arrays of a length that the table `lengths`
-// has, working memory, and tracks as results. `bad`, working memory and memory of tracks are no parameters of theirs.
+// has, working memory, and tracks as results. `bad`, working memory and the arrays of tracks are no parameters of theirs.
 import { safe, scriptName } from './functions.mjs';
 import { fits, isRecord, kindOf, recordType } from './layouts.mjs';
 import { lengths, work } from './parts.mjs';
 
 const isBad = p => p.type === 'size_t' && p.pointer === 1 && /^bad/.test(p.name);
-const isMemory = p => /_memory$/.test(p.type);
+const isSpan = p => p.type === 'nkw_track_span';
 
 // Results that are one number also in functions with a count.
 const one = /^(index|passed|difference|error|negated|rate|total|cursor)$/;
@@ -31,12 +31,14 @@ function shape(p, f, headers) {
   const name = safe(p.name), record = isRecord(p.type, headers);
   if (isBad(p))
     return { pass: 'badAt()' };
+  if (p.type === 'nkw_work')
+    return { pass: `$work(${work[f.name]})` };
   if (p.name === 'work' && p.pointer)
     return { pass: `temporary(8 * 3 * ${work[f.name]} + 8)` };
   if (p.name === 'work_count')
     return { pass: work[f.name] };
-  if (isMemory(p) || (p.type === 'nkw_track' && p.pointer && !p.constant))
-    return { pass: isMemory(p) ? '$memory' : '$to' };
+  if (isSpan(p) || (p.type === 'nkw_track' && p.pointer && !p.constant))
+    return { pass: isSpan(p) ? '$span' : '$to' };
   const of = kindOf(p.type, headers), value = p.pointer === 0;
   if (!of || p.pointer > 1 || (record && !fits(p.type, headers, p.pointer && !p.constant)))
     return undefined;
@@ -86,15 +88,14 @@ function bodyOf(f, shapes, result) {
 
 // A function that makes a track.
 function bodyOfTrack(f, body) {
-  const edit = f.parameters.some(p => p.type === 'nkw_edit_memory');
-  return `return trackFrom(${edit}, ${lengths[f.name].memory}, ($memory, $to) => { ${body} });`;
+  return `return trackFrom(${lengths[f.name].span}, ($span, $to) => { ${body} });`;
 }
 
 export function writeWithRecords(f, headers) {
   const shapes = f.parameters.map(p => shape(p, f, headers)), result = resultOf(f, headers);
   if (shapes.includes(undefined) || !result)
     return undefined;
-  const track = f.parameters.some(isMemory), named = shapes.filter(s => s.name), js = scriptName(f.name);
+  const track = f.parameters.some(isSpan), named = shapes.filter(s => s.name), js = scriptName(f.name);
   const optional = i => named.slice(i).every(s => s.after && / null$/.test(s.type)) ? '?' : '';
   const types = named.map((s, i) => `${s.name}${optional(i)}: ${s.type}`), out = result.generic ? ['out'] : [];
   const body = bodyOf(f, shapes, result);

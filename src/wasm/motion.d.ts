@@ -20,6 +20,9 @@ export class FCurve extends Owner {
 /** The tangents of a spline through keys (spline.h), per second: width numbers for each key. */
 export function splineTangents(spline: Spline, tangentsIn: FloatArray | null, tangentsOut: FloatArray | null): void;
 
+/** The track at a uniform rate (nkw_track_resample). */
+export function trackResample(track: Track, rate: number): Track;
+
 /** The velocities of the joints of a pose (transition.h). */
 export class PoseVelocity extends Floats {
   constructor(jointCount: number);

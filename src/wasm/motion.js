@@ -52,20 +52,27 @@ export function splineTangents(spline, tangentsIn, tangentsOut) {
   });
 }
 
-const trackKeys = (track, rate) => {
-  const count = [0];
-  trackResampleCount(track, rate, count);
-  return count[0];
-};
-
-// The track that a function writes, in memory for `count` keys.
-function trackFrom(edit, [count, width], f) {
+/** The track at a uniform rate (nkw_track_resample). */
+export function trackResample(track, rate) {
   return $t(() => {
-    const memory = temporary(20), to = temporary($nkw_track[0]), tall = count * 3 * width;
-    const times = temporary(4 * count), values = temporary(4 * tall), each = temporary(count);
-    const workCount = count * (width + 5) + 2 * width, space = temporary(8 * workCount);
-    u32.set(edit ? [times, values, each, count] : [times, values, count, space, workCount], memory >> 2);
-    f(memory, to);
+    const from = $i($nkw_track, track), to = temporary($nkw_track[0]), sampled = (...span) =>
+      x.nkw_track_resample(from, number(rate), words(0, ...span), to, words(8, 0));
+    let result = sampled(0, 0, 0, 0);
+    const count = u32[at + 8]; // of no arrays
+    if (count > 0)
+      result = sampled(temporary(4 * count), temporary(4 * count * (track.width ?? 1)), 0, count);
+    check('nkw_track_resample', result);
+    return trackAt(to);
+  });
+}
+
+// The track that a function writes, in arrays for `count` keys.
+function trackFrom([count, width], f) {
+  return $t(() => {
+    const span = temporary(16), to = temporary($nkw_track[0]);
+    const arrays = [4 * count, 12 * count * width, count].map(temporary); // may move the memory
+    u32.set([...arrays, count], span >> 2);
+    f(span, to);
     return trackAt(to);
   });
 }
@@ -183,7 +190,7 @@ const trackOfClip = place =>
 export function clipTracks(clip) {
   return Array.from({ length: expect(Clip, clip).trackCount }, (_, i) => $t(() => during(owner => {
     const shape = temporary(36), work = memoryOf(owner, 640 * Math.ceil(clip.jointCount / 16) + 4 * clip.floatCount);
-    x.nkw_clip_track_get(clip._p, i, 0, shape, work); // without memory: the shape
+    x.nkw_clip_track_get(clip._p, i, words(0, 0, 0, 0, 0), shape, work); // without arrays: the shape
     const { count: keys, width } = get($nkw_track, shape + 8);
     const arrays = [temporary(4 * keys), temporary(12 * keys * width), temporary(keys)], memory = temporary(16);
     u32.set([...arrays, keys], memory >> 2);

@@ -21,6 +21,12 @@ function temporary(bytes) {
   blocks.push(take(bytes));
   return blocks.at(-1);
 }
+// Working memory, as an nkw_work, for the time of one call.
+function $work(bytes) {
+  const place = temporary(8), block = temporary(bytes + 16), data = Math.ceil(block / 16) * 16;
+  u32.set([data, bytes], place >> 2);
+  return place;
+}
 function $t(f) {
   const before = used, count = blocks.length;
   try {

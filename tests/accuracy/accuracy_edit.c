@@ -12,14 +12,14 @@
 typedef struct drawn {
     float times[3], values[36], made_times[8], made[96];
     nkw_track track, out;
-    nkw_edit_memory memory;
+    nkw_track_span memory;
 } drawn;
 
 static void begin(drawn *d, random_source *r, size_t width, nkw_interpolation interpolation)
 {
     nkw_track track = {d->times,      d->values, 3, width, width == 4 ? NKW_TRACK_ROTATION : NKW_TRACK_FLOATS,
                        interpolation, NULL};
-    nkw_edit_memory memory = {d->made_times, d->made, NULL, 8};
+    nkw_track_span memory = {d->made_times, d->made, NULL, 8};
     d->track = track;
     d->memory = memory;
     d->times[0] = random_log(r, 1e-2f, 60.0f);
@@ -48,7 +48,7 @@ static double trim_error(const float *x)
     for (int i = 0; i < 9; i++)
         d.values[i] = i % 3 == 1 ? random_between(&r, -1.0f, 1.0f) : random_between(&r, -most, most);
     float at = random_between(&r, d.times[0], d.times[1]), time = random_between(&r, at, d.times[1]);
-    if (nkw_track_trim(&d.track, at, d.times[2], &d.memory, &d.out) != NKW_OK)
+    if (nkw_track_trim(&d.track, at, d.times[2], d.memory, &d.out) != NKW_OK)
         return INFINITY;
     nkw_track_sample(&d.out, time, &got);
     wide largest = 0, exact = hermite(&d, time, &largest);
@@ -63,7 +63,7 @@ static double retime_error(const float *x)
     for (int i = 0; i < 3; i++)
         d.values[i] = 0.0f;
     float scale = random_log(&r, 1e-3f, 1e3f), offset = random_sign(&r) * random_log(&r, 1e-3f, 1e3f);
-    if (nkw_track_retime(&d.track, scale, offset, &d.memory, &d.out) != NKW_OK)
+    if (nkw_track_retime(&d.track, scale, offset, d.memory, &d.out) != NKW_OK)
         return INFINITY;
     wide exact = (wide)scale * d.times[1] + offset;
     return accuracy_units((double)d.out.times[1], (double)exact, fabs((double)exact));
@@ -82,7 +82,7 @@ static double close_error(const float *x)
     for (int i = 0; i < 3; i++)
         d.values[i] = random_between(&r, -1.0f, 1.0f);
     float share = random_unit(&r);
-    if (nkw_track_close(&d.track, share, &d.memory, &d.out) != NKW_OK)
+    if (nkw_track_close(&d.track, share, d.memory, &d.out) != NKW_OK)
         return INFINITY;
     wide exact = d.values[1] + ((wide)share - share_of(&d)) * ((wide)d.values[2] - d.values[0]);
     double largest = fmax(fabs((double)d.values[0]), fmax(fabs((double)d.values[1]), fabs((double)d.values[2])));
@@ -100,7 +100,7 @@ static double close_turn_error(const float *x)
     put_quat(d.values + 4, random_unit_quat(&r));
     put_quat(d.values + 8, random_unit_near(&r, q, 1.5f * random_unit(&r)));
     float share = random_unit(&r);
-    if (nkw_track_close(&d.track, share, &d.memory, &d.out) != NKW_OK)
+    if (nkw_track_close(&d.track, share, d.memory, &d.out) != NKW_OK)
         return INFINITY;
     wide_from(d.values, a, 4);
     wide_from(d.values + 4, b, 4);

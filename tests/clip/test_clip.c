@@ -120,7 +120,8 @@ static void the_difference_of_a_baked_clip_shows_between_its_own_keys(void **sta
 {
     (void)state;
     const float at[2] = {0, 1}, ease[18] = {0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 1, 1, 1, 0, 0, 0};
-    float times[25], made[75], track_work[6];
+    float times[25], made[75];
+    NKW_STACK_WORK(track_work, NKW_TRACK_WORK(3));
     nkw_clip_track track = {
         NKW_CLIP_TRANSLATION, 0, {at, ease, 2, 3, NKW_TRACK_FLOATS, NKW_INTERPOLATION_CUBICSPLINE, NULL}};
     nkw_clip_track baked = track;

@@ -25,15 +25,16 @@ static void take(const nkw_clip *clip, taken *t)
     const nkw_clip_description d = nkw_clip_describe(clip);
     const size_t joints = d.joint_count, count = d.track_count;
     const nkw_work work = {room.data, NKW_CLIP_TRACK_GET_WORK(joints, d.float_count)}, none = {NULL, 0};
+    const nkw_track_span nowhere = {NULL, NULL, NULL, 0};
     nkw_clip_source source = {t->tracks,         count,     joints,           d.float_count,
                               {t->rest, joints}, t->floats, NKW_CLIP_FLOAT32, NULL};
     assert_true(count <= TRACKS);
     for (size_t i = 0; i < count; i++) {
-        nkw_edit_memory memory = {t->times[i], t->values[i], t->modes[i], RANDOM_CLIP_KEYS};
+        nkw_track_span memory = {t->times[i], t->values[i], t->modes[i], RANDOM_CLIP_KEYS};
         nkw_clip_track shape;
-        assert_int_equal(nkw_clip_track_get(clip, i, NULL, &shape, none), NKW_TOO_SMALL);
+        assert_int_equal(nkw_clip_track_get(clip, i, nowhere, &shape, none), NKW_TOO_SMALL);
         assert_null(shape.track.values);
-        assert_int_equal(nkw_clip_track_get(clip, i, &memory, &t->tracks[i], work), NKW_OK);
+        assert_int_equal(nkw_clip_track_get(clip, i, memory, &t->tracks[i], work), NKW_OK);
         assert_int_equal(t->tracks[i].target, shape.target);
         assert_int_equal(t->tracks[i].index, shape.index);
         assert_int_equal(t->tracks[i].track.count, shape.track.count);
@@ -128,6 +129,7 @@ static void moving_tracks_are_listed_once_and_constant_ones_are_not(void **state
         tracks[j] = c;
     }
     const nkw_work none = {NULL, 0};
+    const nkw_track_span nowhere = {NULL, NULL, NULL, 0};
     nkw_clip_source source = {tracks, 12, 13, 0, {NULL, 0}, NULL, NKW_CLIP_FLOAT32, NULL};
     for (int format = 0; format < 2; format++) {
         size_t bytes, seen = 0;
@@ -136,7 +138,7 @@ static void moving_tracks_are_listed_once_and_constant_ones_are_not(void **state
         assert_int_equal(nkw_clip_describe(clip).track_count, 9);
         for (size_t i = 0; i < 9; i++) {
             nkw_clip_track shape;
-            assert_int_equal(nkw_clip_track_get(clip, i, NULL, &shape, none), NKW_TOO_SMALL);
+            assert_int_equal(nkw_clip_track_get(clip, i, nowhere, &shape, none), NKW_TOO_SMALL);
             assert_int_equal(shape.target, NKW_CLIP_TRANSLATION);
             assert_true(shape.index % 4 != 3 && shape.index < 12);
             seen |= (size_t)1 << shape.index;
@@ -152,9 +154,9 @@ static nkw_clip *rebuilt(const nkw_clip *clip, float *times, float *values, size
     NKW_STACK_WORK(work, NKW_CLIP_TRACK_GET_WORK(1, 0));
     size_t bytes;
     nkw_clip_track track;
-    const nkw_edit_memory memory = {times, values, NULL, capacity};
+    const nkw_track_span memory = {times, values, NULL, capacity};
     assert_int_equal(nkw_clip_describe(clip).track_count, 1);
-    assert_int_equal(nkw_clip_track_get(clip, 0, &memory, &track, work), NKW_OK);
+    assert_int_equal(nkw_clip_track_get(clip, 0, memory, &track, work), NKW_OK);
     const nkw_clip_source source = {&track, 1, 1, 0, {NULL, 0}, NULL, NKW_CLIP_FLOAT32, NULL};
     return clip_build(&source, &bytes);
 }
@@ -307,14 +309,14 @@ static void all_tracks_of_thousands_of_joints_are_taken_out(void **state)
     }
     for (int format = 0; format < 2; format++) {
         nkw_clip_source source = {tracks, COUNT, MANY, 0, {NULL, 0}, NULL, (nkw_clip_format)format, NULL};
-        const nkw_edit_memory memory = {work_times, work_values, NULL, 3};
+        const nkw_track_span memory = {work_times, work_values, NULL, 3};
         size_t bytes;
         nkw_clip *clip = clip_build(&source, &bytes);
         memset(seen, 0, COUNT);
         assert_int_equal(nkw_clip_describe(clip).track_count, COUNT);
         for (size_t i = 0; i < COUNT; i++) {
             nkw_clip_track got;
-            assert_int_equal(nkw_clip_track_get(clip, i, &memory, &got, work), NKW_OK);
+            assert_int_equal(nkw_clip_track_get(clip, i, memory, &got, work), NKW_OK);
             const size_t at = 3 * (size_t)got.index + (size_t)got.target;
             if (at >= COUNT || seen[at])
                 fail();
@@ -336,6 +338,7 @@ static void damaged_indices_of_tracks_are_refused(void **state)
     static float times[RANDOM_CLIP_KEYS], values[12 * RANDOM_CLIP_KEYS];
     NKW_STACK_WORK(work, NKW_CLIP_TRACK_GET_WORK(9, RANDOM_CLIP_FLOATS));
     const nkw_work none = {NULL, 0};
+    const nkw_track_span nowhere = {NULL, NULL, NULL, 0};
     static unsigned char modes[RANDOM_CLIP_KEYS];
     size_t bytes, refused = 0;
     draw(&r, 9, 2, &c);
@@ -345,7 +348,7 @@ static void damaged_indices_of_tracks_are_refused(void **state)
     memcpy(words, whole, bytes);
     for (size_t i = 0; i < bytes / 4; i++)
         for (int bit = 0; bit < 32; bit += 5) {
-            const nkw_edit_memory memory = {times, values, modes, RANDOM_CLIP_KEYS};
+            const nkw_track_span memory = {times, values, modes, RANDOM_CLIP_KEYS};
             const nkw_clip *clip;
             words[i] ^= 1u << bit;
             if (nkw_clip_open(words, bytes, &clip) != NKW_OK)
@@ -353,9 +356,9 @@ static void damaged_indices_of_tracks_are_refused(void **state)
             const nkw_clip_description d = nkw_clip_describe(clip ? clip : whole);
             for (size_t k = 0; clip && k <= d.track_count && d.joint_count == 9; k++) {
                 nkw_clip_track got;
-                nkw_result shape = nkw_clip_track_get(clip, k, NULL, &got, none);
+                nkw_result shape = nkw_clip_track_get(clip, k, nowhere, &got, none);
                 assert_true(shape == NKW_OUT_OF_RANGE || (shape == NKW_TOO_SMALL && k < d.track_count));
-                nkw_clip_track_get(clip, k, &memory, &got, work);
+                nkw_clip_track_get(clip, k, memory, &got, work);
             }
             words[i] ^= 1u << bit;
         }
@@ -402,26 +405,27 @@ static void too_little_memory_and_wrong_indices_are_refused(void **state)
     static float times[RANDOM_CLIP_KEYS], values[12 * RANDOM_CLIP_KEYS];
     NKW_STACK_WORK(work, NKW_CLIP_TRACK_GET_WORK(8, 0));
     const nkw_work small = {work.data, work.bytes - 1}, none = {NULL, 0};
+    const nkw_track_span nowhere = {NULL, NULL, NULL, 0};
     const nkw_work misaligned = {(unsigned char *)work.data + 4, work.bytes};
     size_t bytes;
     draw(&r, 8, 4, &c);
     nkw_clip *clip = clip_build(&c.source, &bytes);
     nkw_clip_track out, shape;
-    nkw_edit_memory memory = {times, values, NULL, RANDOM_CLIP_KEYS};
+    nkw_track_span memory = {times, values, NULL, RANDOM_CLIP_KEYS};
     size_t count = nkw_clip_describe(clip).track_count;
     unsigned char modes[RANDOM_CLIP_KEYS];
-    assert_int_equal(nkw_clip_track_get(clip, count, NULL, &shape, none), NKW_OUT_OF_RANGE);
-    assert_int_equal(nkw_clip_track_get(clip, SIZE_MAX, NULL, &shape, none), NKW_OUT_OF_RANGE);
-    assert_int_equal(nkw_clip_track_get(clip, count, &memory, &out, work), NKW_OUT_OF_RANGE);
-    assert_int_equal(nkw_clip_track_get(clip, 0, &memory, &out, work), NKW_TOO_SMALL);
+    assert_int_equal(nkw_clip_track_get(clip, count, nowhere, &shape, none), NKW_OUT_OF_RANGE);
+    assert_int_equal(nkw_clip_track_get(clip, SIZE_MAX, nowhere, &shape, none), NKW_OUT_OF_RANGE);
+    assert_int_equal(nkw_clip_track_get(clip, count, memory, &out, work), NKW_OUT_OF_RANGE);
+    assert_int_equal(nkw_clip_track_get(clip, 0, memory, &out, work), NKW_TOO_SMALL);
     memory.key_interpolation = modes;
-    assert_int_equal(nkw_clip_track_get(clip, 0, &memory, &out, small), NKW_TOO_SMALL);
-    assert_int_equal(nkw_clip_track_get(clip, 0, &memory, &out, misaligned), NKW_TOO_SMALL);
+    assert_int_equal(nkw_clip_track_get(clip, 0, memory, &out, small), NKW_TOO_SMALL);
+    assert_int_equal(nkw_clip_track_get(clip, 0, memory, &out, misaligned), NKW_TOO_SMALL);
     assert_null(out.track.values);
     memory.key_capacity--;
-    assert_int_equal(nkw_clip_track_get(clip, 0, &memory, &out, work), NKW_TOO_SMALL);
+    assert_int_equal(nkw_clip_track_get(clip, 0, memory, &out, work), NKW_TOO_SMALL);
     memory.key_capacity++;
-    assert_int_equal(nkw_clip_track_get(clip, 0, &memory, &out, work), NKW_OK);
+    assert_int_equal(nkw_clip_track_get(clip, 0, memory, &out, work), NKW_OK);
     free(clip);
 }
 

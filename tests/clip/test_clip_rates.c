@@ -53,7 +53,7 @@ static int draw(void **state)
                            NKW_INTERPOLATION_LINEAR,
                            NULL};
         nkw_clip_track whole = {target, (uint32_t)(i / 3), track};
-        float room[8];
+        NKW_STACK_WORK(room, NKW_TRACK_WORK(4));
         draw_values(i / 3, rotation, c->values[i]);
         c->tracks[i] = c->own[i] = whole;
         float rate = resample_within(&track, TOLERANCE, c->own_times[i], c->own_values[i], room, &c->own[i].track);

@@ -38,13 +38,14 @@ static void list(fuzz *f, const nkw_clip *clip)
     const nkw_clip_description d = nkw_clip_describe(clip);
     const size_t any = fuzz_huge(f), count = d.track_count;
     const nkw_work work = fuzz_work(f, NKW_CLIP_TRACK_GET_WORK(d.joint_count, d.float_count)), none = {NULL, 0};
+    const nkw_track_span nowhere = {NULL, NULL, NULL, 0};
     for (size_t i = 0; i < 3 && i < count; i++) {
         nkw_clip_track shape, out;
-        FUZZ_CHECK(nkw_clip_track_get(clip, i * (count / 3), NULL, &shape, none) != NKW_OK);
+        FUZZ_CHECK(nkw_clip_track_get(clip, i * (count / 3), nowhere, &shape, none) != NKW_OK);
         size_t keys = shape.track.count, capacity = keys - (fuzz_byte(f) % 8 == 0);
-        nkw_edit_memory m = {fuzz_room(f, capacity), fuzz_room(f, 3 * capacity * shape.track.width),
+        nkw_track_span m = {fuzz_room(f, capacity), fuzz_room(f, 3 * capacity * shape.track.width),
                              fuzz_block(f, capacity), capacity};
-        nkw_result result = nkw_clip_track_get(clip, i * (count / 3), &m, &out, work);
+        nkw_result result = nkw_clip_track_get(clip, i * (count / 3), m, &out, work);
         FUZZ_CHECK((result == NKW_TOO_SMALL) == (capacity < keys) || result == NKW_OUT_OF_RANGE);
     }
     FUZZ_CHECK(strlen(d.name) + strlen(nkw_clip_joint_name(clip, any)) <= d.bytes);

@@ -170,14 +170,14 @@ static void dialects(fuzz *f)
                         fuzz_bits(f) % 4, fuzz_bits(f) % 4, (nkw_handle_policy)fuzz_choice(f, 3)},
                        {keys, count / 2, NKW_FCURVE_OUTSIDE_LINEAR, NKW_FCURVE_OUTSIDE_HOLD, 0, 0, NKW_HANDLE_CONTAIN}};
     size_t width = 1 + fuzz_byte(f) % 2u;
-    nkw_track_memory memory = {fuzz_room(f, room), fuzz_room(f, 3 * width * room), room, NULL, 0};
+    nkw_track_span memory = {fuzz_room(f, room), fuzz_room(f, 3 * width * room), NULL, room};
     nkw_track track;
-    nkw_result result = nkw_track_from_fcurves(c, width, 0.01f * (float)fuzz_byte(f), &memory, &track, &error);
+    nkw_result result = nkw_track_from_fcurves(c, width, 0.01f * (float)fuzz_byte(f), memory, &track, &error);
     FUZZ_CHECK(track.count <= room && (result == NKW_OK) == (track.count > 0));
     nkw_fcurve angles[3] = {c[0], c[1], c[fuzz_byte(f) % 2]};
-    nkw_track_memory rotations = {fuzz_room(f, room), fuzz_room(f, 12 * room), room, NULL, 0};
+    nkw_track_span rotations = {fuzz_room(f, room), fuzz_room(f, 12 * room), NULL, room};
     nkw_track turns;
-    nkw_track_from_euler_fcurves(angles, (nkw_euler_order)fuzz_choice(f, 5), 0.1f, &rotations, &turns, NULL);
+    nkw_track_from_euler_fcurves(angles, (nkw_euler_order)fuzz_choice(f, 5), 0.1f, rotations, &turns, NULL);
     FUZZ_CHECK(turns.count <= room);
     for (size_t k = 1; k < track.count; k++)
         FUZZ_CHECK(track.times[k - 1] < track.times[k]);

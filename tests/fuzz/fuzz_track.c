@@ -77,7 +77,8 @@ static void finite(fuzz *f, const nkw_track *t)
 
 static void bake(fuzz *f, const nkw_track *t, const nkw_track *other)
 {
-    float *work = fuzz_room(f, 2 * t->width), rate = fuzz_float(f);
+    const nkw_work work = {fuzz_block(f, NKW_TRACK_WORK(t->width)), NKW_TRACK_WORK(t->width)};
+    const float rate = fuzz_float(f);
     size_t count = resample_count(t, rate);
     float far = track_difference(t, other, work);
     FUZZ_CHECK(!(far < 0.0f));
@@ -121,13 +122,13 @@ static void turn(fuzz *f, const nkw_track *t)
 static void edit(fuzz *f, const nkw_track *t, const nkw_track *other)
 {
     size_t capacity = fuzz_upto(f, 2 * KEYS);
-    nkw_edit_memory m = {fuzz_room(f, capacity), fuzz_room(f, capacity * 3 * WIDTH), fuzz_bytes(f, capacity), capacity};
+    nkw_track_span m = {fuzz_room(f, capacity), fuzz_room(f, capacity * 3 * WIDTH), fuzz_bytes(f, capacity), capacity};
     nkw_track out;
-    FUZZ_CHECK((nkw_track_trim(t, fuzz_float(f), fuzz_float(f), &m, &out) == NKW_OK) == (out.count > 0));
+    FUZZ_CHECK((nkw_track_trim(t, fuzz_float(f), fuzz_float(f), m, &out) == NKW_OK) == (out.count > 0));
     FUZZ_CHECK(out.count <= capacity);
-    FUZZ_CHECK((nkw_track_retime(t, fuzz_float(f), fuzz_float(f), &m, &out) == NKW_OK) == (out.count > 0));
-    FUZZ_CHECK((nkw_track_join(t, other, &m, &out) == NKW_OK) == (out.count > 0));
-    FUZZ_CHECK((nkw_track_close(t, fuzz_float(f), &m, &out) == NKW_OK) == (out.count > 0));
+    FUZZ_CHECK((nkw_track_retime(t, fuzz_float(f), fuzz_float(f), m, &out) == NKW_OK) == (out.count > 0));
+    FUZZ_CHECK((nkw_track_join(t, other, m, &out) == NKW_OK) == (out.count > 0));
+    FUZZ_CHECK((nkw_track_close(t, fuzz_float(f), m, &out) == NKW_OK) == (out.count > 0));
     FUZZ_CHECK(out.count <= capacity);
 }
 
@@ -135,10 +136,11 @@ static void edit(fuzz *f, const nkw_track *t, const nkw_track *other)
 static void reduce(fuzz *f, const nkw_track *t)
 {
     const size_t count = nkw_track_value_count(t);
-    const nkw_edit_memory memory = {fuzz_room(f, t->count), fuzz_room(f, count), fuzz_block(f, t->count), t->count};
-    float tolerance = fuzz_byte(f) % 4 ? nkw_abs(fuzz_float(f)) : 0.0f, difference, *work = fuzz_room(f, 2 * t->width);
+    const nkw_track_span memory = {fuzz_room(f, t->count), fuzz_room(f, count), fuzz_block(f, t->count), t->count};
+    float tolerance = fuzz_byte(f) % 4 ? nkw_abs(fuzz_float(f)) : 0.0f, difference;
+    const nkw_work work = {fuzz_block(f, NKW_TRACK_WORK(t->width)), NKW_TRACK_WORK(t->width)};
     nkw_track out;
-    nkw_result result = nkw_track_reduce(t, tolerance, &memory, &out, &difference);
+    nkw_result result = nkw_track_reduce(t, tolerance, memory, &out, &difference);
     FUZZ_CHECK(out.count <= t->count && (result == NKW_OK) == (out.count > 0));
     if (result != NKW_OK)
         return;
@@ -148,14 +150,14 @@ static void reduce(fuzz *f, const nkw_track *t)
 
 static void fit(fuzz *f, const nkw_track *t)
 {
-    size_t count = NKW_FIT_WORK(t->count, t->width);
-    nkw_fit_memory m = {fuzz_room(f, t->count), fuzz_room(f, 3 * t->count * t->width), t->count,
-                        fuzz_block(f, count * sizeof(double)), count};
+    const size_t bytes = NKW_FIT_WORK(t->count, t->width);
+    nkw_track_span m = {fuzz_room(f, t->count), fuzz_room(f, 3 * t->count * t->width), NULL, t->count};
+    nkw_work work = {fuzz_block(f, bytes), bytes};
     nkw_track out;
     float error, tolerance = fuzz_float(f);
-    FUZZ_CHECK((nkw_track_fit(t, tolerance, &m, &out, &error) == NKW_OK) == (out.count > 0));
+    FUZZ_CHECK((nkw_track_fit(t, tolerance, m, &out, &error, work) == NKW_OK) == (out.count > 0));
     FUZZ_CHECK(out.count <= t->count);
-    FUZZ_CHECK(out.count == 0 || !(tolerance >= 0.0f) || error <= tolerance || out.count == t->count);
+    FUZZ_CHECK(out.count == 0 || error <= tolerance || out.count == t->count);
 }
 
 /* There and back are the same bits. */

@@ -17,15 +17,15 @@ static void edit_track(float *o, const float *times, const nkw_quat *q, const fl
     for (unsigned k = 0; k < 9; k++)
         memcpy(values + 4 * k, &q[k % 4], 4 * sizeof(float));
     nkw_track track = {times, values, 3, 4, NKW_TRACK_ROTATION, mode, NULL}, out;
-    nkw_edit_memory memory = {made_times, made, NULL, 8};
+    nkw_track_span memory = {made_times, made, NULL, 8};
     if (kind == EDIT_TRIM)
-        nkw_track_trim(&track, nkw_min(s[0], s[1]), nkw_max(s[0], s[1]), &memory, &out);
+        nkw_track_trim(&track, nkw_min(s[0], s[1]), nkw_max(s[0], s[1]), memory, &out);
     else if (kind == EDIT_RETIME)
-        nkw_track_retime(&track, s[0], s[1], &memory, &out);
+        nkw_track_retime(&track, s[0], s[1], memory, &out);
     else if (kind == EDIT_JOIN)
-        nkw_track_join(&track, &track, &memory, &out);
+        nkw_track_join(&track, &track, memory, &out);
     else
-        nkw_track_close(&track, 0.5f, &memory, &out);
+        nkw_track_close(&track, 0.5f, memory, &out);
     o[0] = (float)out.count;
     if (out.count == 0)
         return;
@@ -50,14 +50,14 @@ static void turn_track(float *o, const float *times, const nkw_quat *q, float ti
 static void fit_track(float *o, const float *x, float tolerance)
 {
     float times[16], values[16], made_times[16], made[48];
-    double work[NKW_FIT_WORK(16, 1)];
+    NKW_STACK_WORK(work, NKW_FIT_WORK(16, 1));
     for (unsigned k = 0; k < 16; k++) {
         times[k] = 0.25f * (float)k;
         values[k] = x[(3 * k) % 8];
     }
     nkw_track track = {times, values, 16, 1, NKW_TRACK_FLOATS, NKW_INTERPOLATION_LINEAR, NULL}, out;
-    nkw_fit_memory memory = {made_times, made, 16, work, NKW_FIT_WORK(16, 1)};
-    nkw_track_fit(&track, tolerance, &memory, &out, &o[0]);
+    nkw_track_span memory = {made_times, made, NULL, 16};
+    nkw_track_fit(&track, tolerance, memory, &out, &o[0], work);
     o[1] = (float)out.count;
     memcpy(o + 2, made, 6 * sizeof(float));
     memcpy(o + 8, made + 3 * (out.count - 1), 3 * sizeof(float));

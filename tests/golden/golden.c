@@ -230,7 +230,8 @@ static void find_even(float *o, float start, float step, float time)
 
 static void resample_track(float *o, const input *i, nkw_interpolation mode)
 {
-    float values[36], times[3], made[12], work[8];
+    float values[36], times[3], made[12];
+    NKW_STACK_WORK(work, NKW_TRACK_WORK(4));
     for (unsigned k = 0; k < 9; k++)
         memcpy(values + 4 * k, &i->q[k % 4], 4 * sizeof(float));
     nkw_track track = {i->times, values, 3, 4, NKW_TRACK_ROTATION, mode, NULL}, out;
@@ -254,10 +255,10 @@ static void reduce_track(float *o, const input *i, nkw_track_kind kind, nkw_inte
             memcpy(values + 4 * (parts * k + part), &q, sizeof q);
     }
     const nkw_track track = {times, values, 9, 4, kind, mode, NULL};
-    const nkw_edit_memory memory = {new_times, made, NULL, 9};
+    const nkw_track_span memory = {new_times, made, NULL, 9};
     nkw_track out;
     float difference;
-    nkw_track_reduce(&track, tolerance, &memory, &out, &difference);
+    nkw_track_reduce(&track, tolerance, memory, &out, &difference);
     o[0] = (float)out.count;
     o[1] = difference;
     o[2] = out.count > 1 ? out.times[1] : 0.0f;

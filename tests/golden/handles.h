@@ -120,12 +120,12 @@ static void tracks_of_fcurves(float *o, const nkw_fcurve *curve, float time)
 {
     float times[300], values[3600];
     nkw_fcurve angles[3] = {curve[0], curve[0], curve[0]};
-    nkw_track_memory memory = {times, values, 300, NULL, 0};
+    nkw_track_span memory = {times, values, NULL, 300};
     nkw_track track;
-    nkw_track_from_fcurves(curve, 1, 0.25f, &memory, &track, o);
+    nkw_track_from_fcurves(curve, 1, 0.25f, memory, &track, o);
     o[1] = (float)track.count;
     nkw_track_sample(&track, time, o + 2);
-    nkw_track_from_euler_fcurves(angles, NKW_EULER_YXZ, 0.25f, &memory, &track, o + 3);
+    nkw_track_from_euler_fcurves(angles, NKW_EULER_YXZ, 0.25f, memory, &track, o + 3);
     nkw_track_sample(&track, time, o + 4);
 }
 

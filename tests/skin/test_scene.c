@@ -301,7 +301,8 @@ static void expect_resampled(const played *p)
     for (int i = 0; i < p->scene.channels; i++) {
         const nkw_track *t = &p->scene.channel[i].track.track;
         nkw_track baked;
-        float work[2 * SCENE_FLOATS], *times = (float *)malloc(t->count * sizeof(float));
+        NKW_STACK_WORK(work, NKW_TRACK_WORK(SCENE_FLOATS));
+        float *times = (float *)malloc(t->count * sizeof(float));
         float *values = (float *)malloc(t->count * t->width * sizeof(float));
         assert_true(times && values);
         float rate = resample_within(t, 1e-3f, times, values, work, &baked);

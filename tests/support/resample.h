@@ -5,38 +5,43 @@
 
 #include <nakawari/track.h>
 
-/* The difference from the source. */
-static inline float resample(const nkw_track *t, float rate, float *times, float *values, float *work, nkw_track *out)
+static inline float track_difference(const nkw_track *t, const nkw_track *other, nkw_work work)
 {
-    nkw_track_memory memory = {times, values, (size_t)-1, work, NKW_TRACK_WORK(t->width)};
     float difference;
-    nkw_result result = nkw_track_resample(t, rate, &memory, out, &difference);
-    return result == NKW_OK || out->count == 0 ? difference : -1.0f;
+    nkw_result result = nkw_track_difference(t, other, &difference, work);
+    return result == NKW_OK || difference > 3e38f ? difference : -1.0f;
+}
+
+/* The difference from the source; infinity after an error. */
+static inline float resample(const nkw_track *t, float rate, float *times, float *values, nkw_work work, nkw_track *out)
+{
+    const nkw_track_span span = {times, values, NULL, (size_t)-1};
+    const nkw_track source = *t;
+    size_t count;
+    nkw_result result = nkw_track_resample(t, rate, span, out, &count);
+    if (count != out->count || (result == NKW_OK) != (count > 0))
+        return -1.0f;
+    return track_difference(&source, out, work);
 }
 
 /* The rate; 0 after an error. */
-static inline float resample_within(const nkw_track *t, float tolerance, float *times, float *values, float *work,
+static inline float resample_within(const nkw_track *t, float tolerance, float *times, float *values, nkw_work work,
                                     nkw_track *out)
 {
-    nkw_track_memory memory = {times, values, t->count, work, NKW_TRACK_WORK(t->width)};
+    const nkw_track_span span = {times, values, NULL, t->count};
     float rate;
-    nkw_result result = nkw_track_resample_within(t, tolerance, &memory, out, &rate);
+    nkw_result result = nkw_track_resample_within(t, tolerance, span, out, &rate, work);
     return (result == NKW_OK) == (rate > 0.0f) ? rate : -1.0f;
-}
-
-static inline float track_difference(const nkw_track *t, const nkw_track *other, float *work)
-{
-    float difference;
-    nkw_result result = nkw_track_difference(t, other, &difference, work, NKW_TRACK_WORK(t->width));
-    return result == NKW_OK || difference > 3e38f ? difference : -1.0f;
 }
 
 /* 0 after an error. */
 static inline size_t resample_count(const nkw_track *t, float rate)
 {
+    const nkw_track_span none = {NULL, NULL, NULL, 0};
+    nkw_track out;
     size_t count;
-    nkw_result result = nkw_track_resample_count(t, rate, &count);
-    return (result == NKW_OK) == (count > 0) ? count : (size_t)-1;
+    nkw_result result = nkw_track_resample(t, rate, none, &out, &count);
+    return (result == NKW_TOO_SMALL) == (count > 0) && out.count == 0 ? count : (size_t)-1;
 }
 
 /* 0 after an error. */

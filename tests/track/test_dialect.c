@@ -358,9 +358,9 @@ static void components_of_tracks_are_fcurves(void **state)
 
 static float room_times[ROOM], room_values[9 * ROOM];
 
-static nkw_track_memory memory_of(size_t keys)
+static nkw_track_span memory_of(size_t keys)
 {
-    nkw_track_memory m = {room_times, room_values, keys, NULL, 0};
+    nkw_track_span m = {room_times, room_values, NULL, keys};
     return m;
 }
 
@@ -386,7 +386,7 @@ static void tracks_are_within_the_tolerance(void **state)
         nkw_fcurve_key keys[3][KEYS];
         nkw_fcurve curves[3];
         nkw_track track;
-        nkw_track_memory memory = memory_of(ROOM);
+        nkw_track_span memory = memory_of(ROOM);
         float tolerance = round % 2 ? 1e-2f : 1e-3f, error;
         for (int c = 0; c < 3; c++) {
             draw_keys(&r, keys[c], KEYS, round % 3 ? 0x1f : 0x8);
@@ -394,7 +394,7 @@ static void tracks_are_within_the_tolerance(void **state)
             curves[c].before = curves[c].after = NKW_FCURVE_OUTSIDE_LINEAR;
         }
         size_t width = 1 + (size_t)round % 3;
-        assert_int_equal(nkw_track_from_fcurves(curves, width, tolerance, &memory, &track, &error), NKW_OK);
+        assert_int_equal(nkw_track_from_fcurves(curves, width, tolerance, memory, &track, &error), NKW_OK);
         assert_true(error <= tolerance && track.width == width);
         assert_int_equal(nkw_track_validate(&track, NULL), NKW_OK);
         expect_within(curves, width, &track, tolerance);
@@ -409,15 +409,15 @@ static void handles_of_a_third_need_no_more_keys(void **state)
                                      {4, 1.5f, 0, 0, 0, 0, NKW_WEIGHTED_NONE, NKW_FCURVE_BEZIER}};
     nkw_fcurve_key keys[3];
     nkw_track track;
-    nkw_track_memory memory = memory_of(4);
+    nkw_track_span memory = memory_of(4);
     float error;
     nkw_fcurve_keys_from_slopes(slopes, 3, NKW_WEIGHT_FRACTION, keys, NULL);
     nkw_fcurve c = curve_of(keys, 3);
-    assert_int_equal(nkw_track_from_fcurves(&c, 1, 1e-5f, &memory, &track, &error), NKW_OK);
+    assert_int_equal(nkw_track_from_fcurves(&c, 1, 1e-5f, memory, &track, &error), NKW_OK);
     assert_int_equal(track.count, 3);
     assert_true(error < 1e-6f);
     expect_near(track.values[3], -1, 1e-6);
-    assert_int_equal(nkw_track_from_fcurves(&c, 1, 1e-5f, &memory, &track, NULL), NKW_OK);
+    assert_int_equal(nkw_track_from_fcurves(&c, 1, 1e-5f, memory, &track, NULL), NKW_OK);
 }
 
 static void jumps_take_two_keys_at_neighbouring_floats(void **state)
@@ -428,10 +428,10 @@ static void jumps_take_two_keys_at_neighbouring_floats(void **state)
                               {2, 5, {0, 0}, {0, 0}, NKW_FCURVE_LINEAR, NKW_EASE_LINEAR},
                               {3, 7, {0, 0}, {0, 0}, NKW_FCURVE_LINEAR, NKW_EASE_LINEAR}};
     nkw_fcurve c = curve_of(keys, 4);
-    nkw_track_memory memory = memory_of(6);
+    nkw_track_span memory = memory_of(6);
     nkw_track track;
     float error, got;
-    assert_int_equal(nkw_track_from_fcurves(&c, 1, 0.1f, &memory, &track, &error), NKW_OK);
+    assert_int_equal(nkw_track_from_fcurves(&c, 1, 0.1f, memory, &track, &error), NKW_OK);
     assert_int_equal(track.count, 6);
     expect_bits(error, 0);
     const float times[7] = {0, 0.5f, 0x1.fffffep-1f, 1, 0x1.000002p0f, 1.5f, 2};
@@ -450,10 +450,10 @@ static void regressive_and_vertical_segments_become_tracks(void **state)
         nkw_fcurve_key keys[2] = {{1, 0, {0, 0}, {lengths[i][0], 0.5f}, NKW_FCURVE_BEZIER, NKW_EASE_LINEAR},
                                   {2, 1, {-lengths[i][1], -0.25f}, {0, 0}, NKW_FCURVE_BEZIER, NKW_EASE_LINEAR}};
         nkw_fcurve c = curve_of(keys, 2);
-        nkw_track_memory memory = memory_of(ROOM);
+        nkw_track_span memory = memory_of(ROOM);
         nkw_track track;
         float error;
-        assert_int_equal(nkw_track_from_fcurves(&c, 1, 2e-3f, &memory, &track, &error), NKW_OK);
+        assert_int_equal(nkw_track_from_fcurves(&c, 1, 2e-3f, memory, &track, &error), NKW_OK);
         assert_true(error <= 2e-3f && track.count < 200);
         expect_within(&c, 1, &track, 2e-3f);
     }
@@ -475,7 +475,7 @@ static void euler_angles_keep_their_turns(void **state)
         nkw_fcurve_key keys[3][4];
         nkw_fcurve angles[3];
         nkw_track track;
-        nkw_track_memory memory = memory_of(1000);
+        nkw_track_span memory = memory_of(1000);
         float error, q[4];
         for (int c = 0; c < 3; c++) {
             draw_keys(&r, keys[c], 4, c == order % 3 ? 0x8 : 0xc);
@@ -486,7 +486,7 @@ static void euler_angles_keep_their_turns(void **state)
         }
         keys[0][2].kind = keys[1][2].kind = keys[2][2].kind = NKW_FCURVE_CONSTANT;
         nkw_result result =
-            nkw_track_from_euler_fcurves(angles, (nkw_euler_order)order, 2e-3f, &memory, &track, &error);
+            nkw_track_from_euler_fcurves(angles, (nkw_euler_order)order, 2e-3f, memory, &track, &error);
         assert_int_equal(result, NKW_OK);
         assert_true(error <= 2e-3f && track.kind == NKW_TRACK_ROTATION && track.count < 300);
         assert_int_equal(nkw_track_validate(&track, NULL), NKW_OK);
@@ -518,10 +518,10 @@ static void fcurves_drive_the_joint_of_a_clip(void **state)
         curves[c].policy = NKW_HANDLE_CONTAIN;
     }
     for (int i = 0; i < 3; i++) {
-        nkw_track_memory memory = {times[i], values[i], 1000, NULL, 0};
+        nkw_track_span memory = {times[i], values[i], NULL, 1000};
         nkw_result result =
-            i == 1 ? nkw_track_from_euler_fcurves(curves + 3, NKW_EULER_ZXY, 1e-3f, &memory, &tracks[1].track, NULL)
-                   : nkw_track_from_fcurves(curves + 3 * i, i ? 1 : 3, 1e-3f, &memory, &tracks[i].track, NULL);
+            i == 1 ? nkw_track_from_euler_fcurves(curves + 3, NKW_EULER_ZXY, 1e-3f, memory, &tracks[1].track, NULL)
+                   : nkw_track_from_fcurves(curves + 3 * i, i ? 1 : 3, 1e-3f, memory, &tracks[i].track, NULL);
         assert_int_equal(result, NKW_OK);
     }
     assert_int_equal(tracks[2].track.interpolation, NKW_INTERPOLATION_STEP);
@@ -549,23 +549,23 @@ static void what_cannot_become_a_track_is_refused(void **state)
                                     {1, 1, {0, 0}, {0, 0}, NKW_FCURVE_LINEAR, NKW_EASE_LINEAR},
                                     {2, 0, {0, 0}, {0, 0}, NKW_FCURVE_LINEAR, NKW_EASE_LINEAR}};
     nkw_fcurve c[2] = {curve_of(keys, 3), curve_of(keys, 2)};
-    nkw_track_memory memory = memory_of(2);
+    nkw_track_span memory = memory_of(2);
     nkw_track track;
     float error;
-    assert_int_equal(nkw_track_from_fcurves(c, 0, 0.1f, &memory, &track, &error), NKW_EMPTY);
-    assert_int_equal(nkw_track_from_fcurves(c, 1, 0.1f, &memory, &track, &error), NKW_TOO_SMALL);
+    assert_int_equal(nkw_track_from_fcurves(c, 0, 0.1f, memory, &track, &error), NKW_EMPTY);
+    assert_int_equal(nkw_track_from_fcurves(c, 1, 0.1f, memory, &track, &error), NKW_TOO_SMALL);
     assert_true(track.count == 0 && error == INFINITY);
     memory.key_capacity = 0;
-    assert_int_equal(nkw_track_from_fcurves(c, 1, 0.1f, &memory, &track, &error), NKW_TOO_SMALL);
+    assert_int_equal(nkw_track_from_fcurves(c, 1, 0.1f, memory, &track, &error), NKW_TOO_SMALL);
     memory.key_capacity = ROOM;
-    assert_int_equal(nkw_track_from_fcurves(c, 1, NAN, &memory, &track, &error), NKW_OUT_OF_RANGE);
-    assert_int_equal(nkw_track_from_fcurves(c, 2, 0.1f, &memory, &track, &error), NKW_OK);
+    assert_int_equal(nkw_track_from_fcurves(c, 1, NAN, memory, &track, &error), NKW_OUT_OF_RANGE);
+    assert_int_equal(nkw_track_from_fcurves(c, 2, 0.1f, memory, &track, &error), NKW_OK);
     c[1].after = NKW_FCURVE_OUTSIDE_CYCLE;
-    assert_int_equal(nkw_track_from_fcurves(c, 2, 0.1f, &memory, &track, &error), NKW_BAD_METHOD);
+    assert_int_equal(nkw_track_from_fcurves(c, 2, 0.1f, memory, &track, &error), NKW_MISMATCHED);
     c[0].after = NKW_FCURVE_OUTSIDE_CYCLE;
-    assert_int_equal(nkw_track_from_fcurves(c, 1, 0.1f, &memory, &track, &error), NKW_OK);
+    assert_int_equal(nkw_track_from_fcurves(c, 1, 0.1f, memory, &track, &error), NKW_OK);
     c[0].key_count = 1;
-    assert_int_equal(nkw_track_from_fcurves(c, 1, 0.1f, &memory, &track, &error), NKW_OK);
+    assert_int_equal(nkw_track_from_fcurves(c, 1, 0.1f, memory, &track, &error), NKW_OK);
     assert_int_equal(track.count, 1);
 }
 

@@ -41,10 +41,10 @@ static void a_step_to_the_next_key_is_a_step_track(void **state)
         draw(&r, keys[0]);
         draw(&r, keys[1]);
         nkw_fcurve curves[2] = {steps(keys[0]), steps(keys[1])};
-        nkw_track_memory memory = {times, values, 4 * KEYS, NULL, 0};
+        nkw_track_span memory = {times, values, NULL, 4 * KEYS};
         nkw_track track;
         size_t width = 1 + (size_t)round % 2;
-        assert_int_equal(nkw_track_from_fcurves(curves, width, 10.0f, &memory, &track, &difference), NKW_OK);
+        assert_int_equal(nkw_track_from_fcurves(curves, width, 10.0f, memory, &track, &difference), NKW_OK);
         assert_int_equal(track.interpolation, NKW_INTERPOLATION_STEP);
         assert_int_equal(nkw_track_validate(&track, NULL), NKW_OK);
         expect_bits(difference, 0);
@@ -69,14 +69,14 @@ static void steps_need_a_key_for_each_jump(void **state)
     }
     nkw_fcurve curve = steps(keys);
     float times[9], values[9], difference;
-    nkw_track_memory memory = {times, values, 9, NULL, 0};
+    nkw_track_span memory = {times, values, NULL, 9};
     nkw_track track;
-    assert_int_equal(nkw_track_from_fcurves(&curve, 1, 0, &memory, &track, NULL), NKW_OK);
+    assert_int_equal(nkw_track_from_fcurves(&curve, 1, 0, memory, &track, NULL), NKW_OK);
     assert_int_equal(track.count, 9); /* a key and the float after it, four times, and the last key */
     expect_bits(track.times[1], 0x1p-149f);
     expect_bits(track.values[1], 1);
     memory.key_capacity = 8;
-    assert_int_equal(nkw_track_from_fcurves(&curve, 1, 0, &memory, &track, &difference), NKW_TOO_SMALL);
+    assert_int_equal(nkw_track_from_fcurves(&curve, 1, 0, memory, &track, &difference), NKW_TOO_SMALL);
     assert_int_equal(track.count, 0);
 }
 

@@ -11,8 +11,9 @@ enum { MOST = 301, WIDTH = 4 };
 /* Samples, and what is fitted to them. */
 typedef struct sheet {
     float times[MOST], values[WIDTH * MOST], made_times[MOST], made[3 * WIDTH * MOST], error;
-    double work[NKW_FIT_WORK(MOST, WIDTH)];
-    nkw_fit_memory memory;
+    nkw_track_span span;
+    unsigned char memory[NKW_FIT_WORK(MOST, WIDTH) + 15];
+    nkw_work work;
     nkw_track track, out;
 } sheet;
 
@@ -21,9 +22,11 @@ static sheet *begin(size_t count, size_t width, nkw_track_kind kind)
     sheet *s = (sheet *)calloc(1, sizeof *s);
     assert_non_null(s);
     nkw_track track = {s->times, s->values, count, width, kind, NKW_INTERPOLATION_LINEAR, NULL};
-    nkw_fit_memory memory = {s->made_times, s->made, count, s->work, NKW_FIT_WORK(count, width)};
+    nkw_track_span span = {s->made_times, s->made, NULL, count};
+    nkw_work work = {s->memory + (16 - (size_t)s->memory % 16) % 16, NKW_FIT_WORK(count, width)};
     s->track = track;
-    s->memory = memory;
+    s->span = span;
+    s->work = work;
     for (size_t k = 0; k < count; k++)
         s->times[k] = nkw_segment_uniform_time(0.0f, 60.0f, k);
     return s;
@@ -31,7 +34,7 @@ static sheet *begin(size_t count, size_t width, nkw_track_kind kind)
 
 static nkw_result fit(sheet *s, float tolerance)
 {
-    return nkw_track_fit(&s->track, tolerance, &s->memory, &s->out, &s->error);
+    return nkw_track_fit(&s->track, tolerance, s->span, &s->out, &s->error, s->work);
 }
 
 /* Within the tolerance, and every key is a sample. */
@@ -40,7 +43,7 @@ static void expect_fit(sheet *s, float tolerance)
     assert_int_equal(fit(s, tolerance), NKW_OK);
     assert_int_equal(nkw_track_validate(&s->out, NULL), NKW_OK);
     assert_int_equal(s->out.interpolation, NKW_INTERPOLATION_CUBICSPLINE);
-    assert_true(s->error <= nkw_max(tolerance, 0.0f));
+    assert_true(s->error <= tolerance);
     size_t width = s->track.width;
     for (size_t k = 0, at = 0; k < s->out.count; k++, at++) {
         while (s->times[at] < s->out.times[k])
@@ -124,7 +127,7 @@ static void noise_takes_as_many_numbers_as_it_has(void **state)
         s->values[k] = random_between(&r, -1.0f, 1.0f);
     expect_fit(s, 1e-6f);
     assert_true(s->out.count >= 32); /* a key has two numbers for each component */
-    expect_fit(s, -1.0f);
+    expect_fit(s, 0.0f);
     assert_int_equal(s->out.count, 64);
     expect_bits(s->error, 0.0f);
     free(s);
@@ -183,26 +186,32 @@ static void wrong_tracks_and_too_little_memory_are_refused(void **state)
     (void)state;
     sheet *s = begin(10, 1, NKW_TRACK_FLOATS);
     s->track.interpolation = NKW_INTERPOLATION_STEP;
-    assert_int_equal(fit(s, 1.0f), NKW_BAD_METHOD);
+    assert_int_equal(fit(s, 1.0f), NKW_MISMATCHED);
     s->track.interpolation = NKW_INTERPOLATION_LINEAR;
     const unsigned char modes[10] = {0};
     s->track.key_interpolation = modes;
-    assert_int_equal(fit(s, 1.0f), NKW_BAD_METHOD);
+    assert_int_equal(fit(s, 1.0f), NKW_MISMATCHED);
     s->track.key_interpolation = NULL;
-    s->memory.work_count -= 10 * 6;
+    const nkw_work work = s->work;
+    s->work.bytes -= 10 * 6 * sizeof(double);
     assert_int_equal(fit(s, 1.0f), NKW_TOO_SMALL);
-    const size_t room = s->memory.work_count + 10 * 6;
-    s->memory.work_count = 0;
+    s->work.bytes = 0;
     assert_int_equal(fit(s, 1.0f), NKW_TOO_SMALL);
-    s->memory.work_count = room;
+    s->work = work;
+    s->work.data = (char *)work.data + 8;
+    assert_int_equal(fit(s, 1.0f), NKW_TOO_SMALL);
+    s->work = work;
+    assert_int_equal(fit(s, -1.0f), NKW_OUT_OF_RANGE);
+    assert_int_equal(fit(s, NAN), NKW_OUT_OF_RANGE);
+    assert_true(s->out.count == 0 && s->error == INFINITY);
     s->values[3] = NAN;
     assert_int_equal(fit(s, 1.0f), NKW_NOT_FINITE);
     assert_true(s->out.count == 0 && s->error == INFINITY);
     s->values[3] = 0.0f;
-    s->memory.key_capacity = 9;
+    s->span.key_capacity = 9;
     assert_int_equal(fit(s, 1.0f), NKW_TOO_SMALL);
-    s->memory.key_capacity = 10;
-    s->memory.work_count--;
+    s->span.key_capacity = 10;
+    s->work.bytes--;
     assert_int_equal(fit(s, 1.0f), NKW_TOO_SMALL);
     s->track.count = 0;
     assert_int_equal(fit(s, 1.0f), NKW_EMPTY);

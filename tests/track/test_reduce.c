@@ -21,9 +21,9 @@ static nkw_track track_of(size_t count, size_t width, nkw_track_kind kind, nkw_i
 
 static nkw_track reduced_to(const nkw_track *t, float tolerance, float *difference)
 {
-    const nkw_edit_memory memory = {new_times, new_values, new_modes, t->count};
+    const nkw_track_span memory = {new_times, new_values, new_modes, t->count};
     nkw_track out;
-    assert_int_equal(nkw_track_reduce(t, tolerance, &memory, &out, difference), NKW_OK);
+    assert_int_equal(nkw_track_reduce(t, tolerance, memory, &out, difference), NKW_OK);
     assert_true(out.count <= t->count);
     assert_int_equal(nkw_track_validate(&out, NULL), NKW_OK);
     expect_bits(out.times[0], t->times[0]);
@@ -375,24 +375,24 @@ static void wrong_tracks_and_too_little_memory_are_refused(void **state)
     (void)state;
     random_source r = random_from(14);
     nkw_track t = draw(&r, 10, 0.0f, 30.0f, NKW_TRACK_FLOATS, NKW_INTERPOLATION_LINEAR), out;
-    const nkw_edit_memory memory = {new_times, new_values, NULL, 9};
-    nkw_edit_memory enough = memory;
+    const nkw_track_span memory = {new_times, new_values, NULL, 9};
+    nkw_track_span enough = memory;
     float difference;
     enough.key_capacity = 10;
-    assert_int_equal(nkw_track_reduce(&t, 1.0f, &memory, &out, &difference), NKW_TOO_SMALL);
+    assert_int_equal(nkw_track_reduce(&t, 1.0f, memory, &out, &difference), NKW_TOO_SMALL);
     assert_int_equal(out.count, 0);
     assert_true(difference > 3e38f);
-    assert_int_equal(nkw_track_reduce(&t, -1.0f, &enough, &out, NULL), NKW_NOT_FINITE);
-    assert_int_equal(nkw_track_reduce(&t, NAN, &enough, &out, NULL), NKW_NOT_FINITE);
-    assert_int_equal(nkw_track_reduce(&t, INFINITY, &enough, &out, NULL), NKW_NOT_FINITE);
+    assert_int_equal(nkw_track_reduce(&t, -1.0f, enough, &out, NULL), NKW_OUT_OF_RANGE);
+    assert_int_equal(nkw_track_reduce(&t, NAN, enough, &out, NULL), NKW_OUT_OF_RANGE);
+    assert_int_equal(nkw_track_reduce(&t, INFINITY, enough, &out, NULL), NKW_OUT_OF_RANGE);
     t.key_interpolation = modes;
     memset(modes, 0, sizeof modes);
-    assert_int_equal(nkw_track_reduce(&t, 1.0f, &enough, &out, NULL), NKW_TOO_SMALL);
+    assert_int_equal(nkw_track_reduce(&t, 1.0f, enough, &out, NULL), NKW_TOO_SMALL);
     t.key_interpolation = NULL;
     times[3] = 0.0f;
-    assert_int_equal(nkw_track_reduce(&t, 1.0f, &enough, &out, NULL), NKW_NOT_ASCENDING);
+    assert_int_equal(nkw_track_reduce(&t, 1.0f, enough, &out, NULL), NKW_NOT_ASCENDING);
     t.count = 0;
-    assert_int_equal(nkw_track_reduce(&t, 1.0f, &enough, &out, NULL), NKW_EMPTY);
+    assert_int_equal(nkw_track_reduce(&t, 1.0f, enough, &out, NULL), NKW_EMPTY);
 }
 
 static void one_key_and_two_keys_are_copied(void **state)

@@ -43,7 +43,8 @@ static void resampling_at_its_own_rate_gives_the_track_back(void **state)
     random_source r = random_from(5);
     const float starts[3] = {0.0f, 7.3f, -2.0f}, rates[4] = {30.0f, 24.0f, 12.5f, 29.97f};
     for (int i = 0; i < 48; i++) {
-        float times[EVEN_KEYS], values[4 * EVEN_KEYS], new_times[EVEN_KEYS], made[4 * EVEN_KEYS], work[8];
+        float times[EVEN_KEYS], values[4 * EVEN_KEYS], new_times[EVEN_KEYS], made[4 * EVEN_KEYS];
+        NKW_STACK_WORK(work, NKW_TRACK_WORK(4));
         float rate = rates[i % 4];
         nkw_track t = even_keys(&r, starts[i % 3], rate, i % 2, times, values), out;
         t.interpolation = i % 8 < 4 ? NKW_INTERPOLATION_LINEAR : NKW_INTERPOLATION_STEP;
@@ -59,7 +60,8 @@ static void resampled_keys_are_samples_until_the_end_is_reached_or_passed(void *
     (void)state;
     random_source r = random_from(6);
     for (int i = 0; i < 600; i++) {
-        float values[48], times[64], made[256], work[8], want[4];
+        float values[48], times[64], made[256], want[4];
+        NKW_STACK_WORK(work, NKW_TRACK_WORK(4));
         for (int v = 0; v < 48; v++)
             values[v] = random_between(&r, -1, 1);
         nkw_track t = floats(values, 4, (nkw_interpolation)(i % 3)), out;
@@ -84,7 +86,8 @@ static void the_error_of_resampling_is_what_was_lost(void **state)
 {
     (void)state;
     const float hat[3] = {0, 3, 0}, line[3] = {0, 1, 2}, steps[3] = {1, 5, 6}, at[3] = {0, 1, 2};
-    float times[9], made[9], work[2];
+    float times[9], made[9];
+    NKW_STACK_WORK(work, NKW_TRACK_WORK(1));
     nkw_track t = {at, hat, 3, 1, NKW_TRACK_FLOATS, NKW_INTERPOLATION_LINEAR, NULL}, out;
     expect_bits(resample(&t, 0.5f, times, made, work, &out), 3.0f);
     assert_int_equal(out.count, 2);
@@ -107,7 +110,8 @@ static void the_error_of_resampling_is_what_was_lost(void **state)
     /* A quarter turn and back, held still: the angle of a quarter turn. */
     const float turns[12] = {0, 0, 0, 1, 0, 0, 0.70710678f, 0.70710678f, 0, 0, 0, 1};
     nkw_track turn = {at, turns, 3, 4, NKW_TRACK_ROTATION, NKW_INTERPOLATION_LINEAR, NULL};
-    float rotations_made[12], rotations_work[8];
+    float rotations_made[12];
+    NKW_STACK_WORK(rotations_work, NKW_TRACK_WORK(4));
     expect_near(resample(&turn, 0.5f, times, rotations_made, rotations_work, &out), 1.57079633, 2e-7);
 }
 
@@ -118,7 +122,8 @@ static void the_error_of_resampling_shows_between_the_new_keys(void **state)
     const float at[4] = {0, 1, 1, 2}, ease[6] = {0, 0, 0, 0, 1, 0}, jump[4] = {0, 0, 10, 10};
     const unsigned char modes[3] = {NKW_INTERPOLATION_STEP, NKW_INTERPOLATION_LINEAR, 0};
     const float thirds[3] = {0, 1, 2}, held[3] = {0, 10, 10};
-    float times[99], made[99], work[2];
+    float times[99], made[99];
+    NKW_STACK_WORK(work, NKW_TRACK_WORK(1));
     nkw_track t = {at, ease, 2, 1, NKW_TRACK_FLOATS, NKW_INTERPOLATION_CUBICSPLINE, NULL}, out;
     /* A parabola over 1/rate: 1/8 of the second derivative, 6 at the ends, times its square. */
     for (float rate = 4; rate <= 24; rate += 4) {
@@ -141,7 +146,8 @@ static void resampling_keeps_step_where_all_is_step(void **state)
     (void)state;
     const float values[4] = {3, 1, 4, 5};
     unsigned char modes[4] = {NKW_INTERPOLATION_STEP, NKW_INTERPOLATION_STEP, NKW_INTERPOLATION_STEP, 0};
-    float times[8], made[8], work[2];
+    float times[8], made[8];
+    NKW_STACK_WORK(work, NKW_TRACK_WORK(1));
     nkw_track t = floats(values, 1, NKW_INTERPOLATION_LINEAR), out;
     t.key_interpolation = modes;
     expect_bits(resample(&t, 2.0f, times, made, work, &out), 0.0f);
@@ -156,7 +162,8 @@ static void resampled_rotations_that_are_normalised_are_stored_unit(void **state
 {
     (void)state;
     const float values[16] = {0, 0, 0, 1, 0.707f, 0, 0, 0.707f, 0, 0, 0, 1, 0.707f, 0, 0, 0.707f};
-    float times[64], made[256], work[8];
+    float times[64], made[256];
+    NKW_STACK_WORK(work, NKW_TRACK_WORK(4));
     nkw_track t = rotations(values, NKW_INTERPOLATION_LINEAR), out;
     t.kind = NKW_TRACK_ROTATION_NORMALIZED;
     assert_true(resample(&t, 30.0f, times, made, work, &out) < 2e-7f);
@@ -171,7 +178,8 @@ static void the_lowest_rate_within_a_tolerance_is_found(void **state)
 {
     (void)state;
     random_source r = random_from(7);
-    float times[EVEN_KEYS], values[4 * EVEN_KEYS], new_times[EVEN_KEYS], made[4 * EVEN_KEYS], work[8];
+    float times[EVEN_KEYS], values[4 * EVEN_KEYS], new_times[EVEN_KEYS], made[4 * EVEN_KEYS];
+    NKW_STACK_WORK(work, NKW_TRACK_WORK(4));
     nkw_track t = even_keys(&r, 0.25f, 30.0f, 0, times, values), out;
     t.width = 1;
     /* Corners at every fourth key: a quarter of the rate is enough. */
@@ -194,7 +202,8 @@ static void no_lower_rate_of_those_tried_is_within_the_tolerance(void **state)
     random_source r = random_from(8);
     for (int i = 0; i < 200; i++) {
         size_t count = 2 + (size_t)(random_bits(&r) % 40);
-        float times[64], values[3 * 64], new_times[64], made[3 * 64], work[6];
+        float times[64], values[3 * 64], new_times[64], made[3 * 64];
+        NKW_STACK_WORK(work, NKW_TRACK_WORK(3));
         for (size_t k = 0; k < count; k++) {
             times[k] = k ? times[k - 1] + random_between(&r, 0.01f, 0.05f) : random_between(&r, -5, 5);
             for (size_t c = 0; c < 3; c++)
@@ -227,7 +236,8 @@ static void resampling_of_nothing_is_defined(void **state)
     (void)state;
     const float values[4] = {3, 1, 4, 5}, same[4] = {1, 1, 1, 1};
     const float bad_rates[4] = {0.0f, -30.0f, NAN, INFINITY};
-    float times[4], made[4], work[8];
+    float times[4], made[4];
+    NKW_STACK_WORK(work, NKW_TRACK_WORK(4));
     nkw_track t = floats(values, 1, NKW_INTERPOLATION_LINEAR), one = t, none = t, still = t, turn = t, out;
     for (int i = 0; i < 4; i++) {
         assert_int_equal(resample_count(&t, bad_rates[i]), 0);
@@ -260,7 +270,8 @@ static void tracks_that_are_not_alike_differ_infinitely(void **state)
 {
     (void)state;
     const float values[16] = {0, 0, 0, 1, 0, 0, 1, 0, 0, 1, 0, 0, 1, 0, 0, 0};
-    float work[8], other[16];
+    NKW_STACK_WORK(work, NKW_TRACK_WORK(4));
+    float other[16];
     memcpy(other, values, sizeof other);
     nkw_track t = floats(values, 4, NKW_INTERPOLATION_LINEAR), thin = t, turn = t, none = t, nan = t;
     thin.width = 3;
@@ -280,35 +291,60 @@ static void results_name_what_keeps_tracks_from_being_resampled(void **state)
 {
     (void)state;
     const float at[3] = {0, 1, 2}, endless[3] = {0, 1, INFINITY}, values[12] = {0};
-    float times[3], made[12], work[8], rate, difference;
+    float times[3], made[12], rate, difference;
+    NKW_STACK_WORK(work, NKW_TRACK_WORK(4));
     nkw_track t = {at, values, 3, 4, NKW_TRACK_FLOATS, NKW_INTERPOLATION_LINEAR, NULL}, none = t, thin = t, out;
-    nkw_track_memory memory = {times, made, 3, work, 8};
+    nkw_track_span span = {times, made, NULL, 3};
     size_t count;
     none.count = 0;
     thin.width = 3;
-    assert_int_equal(nkw_track_resample_count(&t, 1.0f, &count), NKW_OK);
-    assert_int_equal(nkw_track_resample_count(&none, 1.0f, &count), NKW_EMPTY);
-    assert_int_equal(nkw_track_resample_count(&t, 0.0f, &count), NKW_OUT_OF_RANGE);
-    assert_int_equal(nkw_track_resample_count(&t, 2e9f, &count), NKW_TOO_MANY);
-    assert_int_equal(nkw_track_difference(&t, &thin, &difference, work, 8), NKW_MISMATCHED);
-    assert_int_equal(nkw_track_difference(&t, &none, &difference, work, 8), NKW_EMPTY);
-    assert_int_equal(nkw_track_difference(&t, &t, &difference, work, 7), NKW_TOO_SMALL);
-    assert_int_equal(nkw_track_resample(&t, 1.0f, &memory, &out, NULL), NKW_OK);
-    assert_int_equal(out.count, 3);
-    assert_int_equal(nkw_track_resample_within(&t, -1.0f, &memory, &out, &rate), NKW_NO_RATE);
-    memory.key_capacity = 2;
-    assert_int_equal(nkw_track_resample(&t, 1.0f, &memory, &out, &difference), NKW_TOO_SMALL);
+    const nkw_track_span nowhere = {NULL, NULL, NULL, 0};
+    const nkw_work less = {work.data, work.bytes - 1}, shifted = {(char *)work.data + 4, work.bytes};
+    assert_int_equal(nkw_track_resample(&t, 1.0f, nowhere, &out, &count), NKW_TOO_SMALL);
+    assert_int_equal(count, 3);
     assert_int_equal(out.count, 0);
+    assert_int_equal(nkw_track_resample(&none, 1.0f, nowhere, &out, &count), NKW_EMPTY);
+    assert_int_equal(count, 0);
+    assert_int_equal(nkw_track_resample(&t, 0.0f, nowhere, &out, &count), NKW_OUT_OF_RANGE);
+    assert_int_equal(nkw_track_resample(&t, 2e9f, nowhere, &out, NULL), NKW_TOO_MANY);
+    assert_int_equal(nkw_track_difference(&t, &thin, &difference, work), NKW_MISMATCHED);
+    assert_int_equal(nkw_track_difference(&t, &none, &difference, work), NKW_EMPTY);
+    assert_int_equal(nkw_track_difference(&t, &t, &difference, less), NKW_TOO_SMALL);
+    assert_int_equal(nkw_track_difference(&t, &t, &difference, shifted), NKW_TOO_SMALL);
     expect_bits(difference, INFINITY);
-    assert_int_equal(nkw_track_resample_within(&t, 1.0f, &memory, &out, &rate), NKW_TOO_SMALL);
-    memory.key_capacity = 3;
-    memory.work_count = 7;
-    assert_int_equal(nkw_track_resample_within(&t, 1.0f, &memory, &out, &rate), NKW_TOO_SMALL);
+    assert_int_equal(nkw_track_resample(&t, 1.0f, span, &out, NULL), NKW_OK);
+    assert_int_equal(out.count, 3);
+    assert_int_equal(nkw_track_resample_within(&t, -1.0f, span, &out, &rate, work), NKW_OUT_OF_RANGE);
+    span.key_capacity = 2;
+    assert_int_equal(nkw_track_resample(&t, 1.0f, span, &out, &count), NKW_TOO_SMALL);
+    assert_int_equal(out.count, 0);
+    assert_int_equal(count, 3);
+    assert_int_equal(nkw_track_resample_within(&t, 1.0f, span, &out, &rate, work), NKW_TOO_SMALL);
+    span.key_capacity = 3;
+    assert_int_equal(nkw_track_resample_within(&t, 1.0f, span, &out, &rate, less), NKW_TOO_SMALL);
+    assert_int_equal(nkw_track_resample_within(&t, 1.0f, span, &out, &rate, shifted), NKW_TOO_SMALL);
+    expect_bits(rate, 0.0f);
+    assert_int_equal(out.count, 0);
     t.times = endless;
-    assert_int_equal(nkw_track_resample_count(&t, 1.0f, &count), NKW_NOT_FINITE);
+    assert_int_equal(nkw_track_resample(&t, 1.0f, nowhere, &out, &count), NKW_NOT_FINITE);
     thin.kind = NKW_TRACK_ROTATION;
-    assert_int_equal(nkw_track_resample_count(&thin, 1.0f, &count), NKW_BAD_WIDTH);
+    assert_int_equal(nkw_track_resample(&thin, 1.0f, nowhere, &out, &count), NKW_BAD_WIDTH);
     assert_int_equal(nkw_track_validate(&thin, NULL), NKW_BAD_WIDTH);
+}
+
+/* A jump between two keys of equal time is at no rate within a tolerance. */
+static void a_jump_has_no_rate(void **state)
+{
+    (void)state;
+    const float at[3] = {0, 1, 1}, values[3] = {0, 0, 8};
+    float times[3], made[3], rate = 7.0f;
+    NKW_STACK_WORK(work, NKW_TRACK_WORK(1));
+    const nkw_track t = {at, values, 3, 1, NKW_TRACK_FLOATS, NKW_INTERPOLATION_LINEAR, NULL};
+    const nkw_track_span span = {times, made, NULL, 3};
+    nkw_track out;
+    assert_int_equal(nkw_track_resample_within(&t, 0.0f, span, &out, &rate, work), NKW_NO_RATE);
+    expect_bits(rate, 0.0f);
+    assert_int_equal(out.count, 0);
 }
 
 /* The keys that within may write, in arrays of exactly their size. */
@@ -317,7 +353,8 @@ static void resampling_anything_stays_within_its_arrays(void **state)
     (void)state;
     random_source r = random_from(9);
     for (int i = 0; i < 20000; i++) {
-        float times[6], values[3 * 4 * 6], work[8];
+        float times[6], values[3 * 4 * 6];
+        NKW_STACK_WORK(work, NKW_TRACK_WORK(4));
         size_t count = (size_t)(random_bits(&r) % 6), width = 1 + (size_t)(random_bits(&r) % 4);
         for (size_t k = 0; k < 6; k++)
             times[k] = i % 2   ? float_of((uint32_t)random_bits(&r))
@@ -346,7 +383,7 @@ static void tracks_are_compared_while_the_first_lasts(void **state)
 {
     (void)state;
     const float inside[2] = {1, 2}, outside[4] = {0, 1, 2, 3}, same[2] = {5, 6}, far[4] = {90, 5, 6, -90};
-    float work[2];
+    NKW_STACK_WORK(work, NKW_TRACK_WORK(1));
     nkw_track t = {inside, same, 2, 1, NKW_TRACK_FLOATS, NKW_INTERPOLATION_LINEAR, NULL};
     nkw_track longer = {outside, far, 4, 1, NKW_TRACK_FLOATS, NKW_INTERPOLATION_LINEAR, NULL};
     expect_bits(track_difference(&t, &longer, work), 0.0f);
@@ -367,6 +404,7 @@ int main(void)
         cmocka_unit_test(resampling_of_nothing_is_defined),
         cmocka_unit_test(tracks_that_are_not_alike_differ_infinitely),
         cmocka_unit_test(results_name_what_keeps_tracks_from_being_resampled),
+        cmocka_unit_test(a_jump_has_no_rate),
         cmocka_unit_test(resampling_anything_stays_within_its_arrays),
         cmocka_unit_test(tracks_are_compared_while_the_first_lasts),
     };

@@ -270,7 +270,7 @@ function resampled(mode) {
       rate[0] = 0;
     }
     try {
-      N.trackResampleCount(track, 17, count);
+      using(N.trackResample(track, 17), made => count[0] = made.count);
     } catch {
       count[0] = 0;
     }

@@ -59,7 +59,7 @@ for (const [build, n] of await both('all')) {
 
   test(`${build}: a closed loop, a resampled and a reduced track`, () => {
     const times = [0, 1, 2, 3], track = new n.Track({ times, values: [0, 1, 2, 5] }), error = [], rate = [];
-    const less = n.trackReduce(track, 1e-6, error), even = n.trackResample(track, 2, null);
+    const less = n.trackReduce(track, 1e-6, error), even = n.trackResample(track, 2);
     assert.deepEqual([[...less.times], [...even.values]], [[0, 2, 3], [0, 0.5, 1, 1.5, 2, 3.5, 5]]);
     n.trackDifference(track, even, error);
     assert.deepEqual(error, [0]);
@@ -67,6 +67,7 @@ for (const [build, n] of await both('all')) {
     assert.deepEqual([closed.values[0], closed.values[3]], [0, 0]);
     assert.ok(rate[0] > 0 && low.count <= 4);
     assert.throws(() => n.trackTrim(track, 2, 1), /nkw_track_trim/);
+    assert.throws(() => n.trackResample(track, -2), /nkw_track_resample/);
     [track, less, even, closed, low].forEach(object => object.dispose());
   });
 
