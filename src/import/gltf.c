@@ -30,6 +30,20 @@ int nkwi_gltf_list(nkwi_gltf *g, const char *key, nkwi_value *list, size_t *coun
     return nkwi_is_array(g->error, list);
 }
 
+void *nkwi_gltf_each(nkwi_gltf *g, const char *key, size_t size, nkwi_gltf_reader read, size_t *count)
+{
+    nkwi_value list;
+    if (!nkwi_gltf_list(g, key, &list, count))
+        return NULL;
+    unsigned char *elements = (unsigned char *)nkwi_gltf_take(g, &list, *count, size);
+    for (size_t i = 0; elements && i < *count; i++) {
+        nkwi_value object = nkwi_element(&list, i);
+        if (!read(g, &object, elements + i * size))
+            return NULL;
+    }
+    return elements;
+}
+
 /*
  * Extensions without which nodes, meshes, skins and animations are complete: of materials, images, lights, rights,
  * metadata, physics, sound; and pointers, which animations list as not read.

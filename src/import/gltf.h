@@ -80,6 +80,13 @@ const char *nkwi_gltf_name(nkwi_gltf *g, const nkwi_value *object, const char *k
 /* The array `key` of the root, and its length; absent: 0 elements. */
 int nkwi_gltf_list(nkwi_gltf *g, const char *key, nkwi_value *list, size_t *count);
 
+/*
+ * Reads the array `key` of the root: `count` elements of `size` bytes in memory of the document, each by `read`, which
+ * returns 0 after an error. Returns the elements, or NULL after an error.
+ */
+typedef int (*nkwi_gltf_reader)(nkwi_gltf *g, const nkwi_value *object, void *element);
+void *nkwi_gltf_each(nkwi_gltf *g, const char *key, size_t size, nkwi_gltf_reader read, size_t *count);
+
 /* The bytes of a buffer (gltf_buffer.c). */
 int nkwi_gltf_buffer(nkwi_gltf *g, size_t index, nkwi_buffer *out);
 

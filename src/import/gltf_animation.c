@@ -120,8 +120,9 @@ static int read_channel(nkwi_gltf *g, const nkwi_value *channel, const nkwi_valu
     return read_target(g, &target, origin->joint, track) && read_sampler(g, &sampler, track, origin);
 }
 
-static int read_animation(nkwi_gltf *g, const nkwi_value *object, nkw_document_animation *animation)
+static int read_animation(nkwi_gltf *g, const nkwi_value *object, void *element)
 {
+    nkw_document_animation *animation = (nkw_document_animation *)element;
     nkwi_value channels = nkwi_member(object, "channels"), samplers = nkwi_member(object, "samplers");
     if (!nkwi_is_object(g->error, object) || !nkwi_is_array(g->error, &channels) || !nkwi_is_array(g->error, &samplers))
         return 0;
@@ -153,19 +154,7 @@ static int read_animation(nkwi_gltf *g, const nkwi_value *object, nkw_document_a
 int nkwi_gltf_animations(nkwi_gltf *g)
 {
     nkw_document *document = &g->document->all;
-    nkwi_value list;
-    size_t count;
-    if (!nkwi_gltf_list(g, "animations", &list, &count))
-        return 0;
-    nkw_document_animation *animations = (nkw_document_animation *)nkwi_gltf_take(g, &list, count, sizeof *animations);
-    if (!animations)
-        return 0;
-    document->animations = animations;
-    document->animation_count = count;
-    for (size_t i = 0; i < count; i++) {
-        nkwi_value object = nkwi_element(&list, i);
-        if (!read_animation(g, &object, &animations[i]))
-            return 0;
-    }
-    return 1;
+    document->animations = (nkw_document_animation *)nkwi_gltf_each(g, "animations", sizeof *document->animations,
+                                                                    read_animation, &document->animation_count);
+    return document->animations != NULL;
 }

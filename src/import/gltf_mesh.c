@@ -291,8 +291,9 @@ static int name_targets(nkwi_gltf *g, const nkwi_value *object, nkw_document_mes
     return names != NULL;
 }
 
-static int read_mesh(nkwi_gltf *g, const nkwi_value *object, nkw_document_mesh *mesh)
+static int read_mesh(nkwi_gltf *g, const nkwi_value *object, void *element)
 {
+    nkw_document_mesh *mesh = (nkw_document_mesh *)element;
     nkwi_value list = nkwi_member(object, "primitives");
     if (!nkwi_is_object(g->error, object) || !nkwi_is_array(g->error, &list))
         return 0;
@@ -320,43 +321,30 @@ static int read_mesh(nkwi_gltf *g, const nkwi_value *object, nkw_document_mesh *
 
 int nkwi_gltf_meshes(nkwi_gltf *g)
 {
-    nkwi_value list;
-    size_t count;
-    if (!nkwi_gltf_list(g, "meshes", &list, &count))
+    nkw_document *document = &g->document->all;
+    document->meshes =
+        (nkw_document_mesh *)nkwi_gltf_each(g, "meshes", sizeof *document->meshes, read_mesh, &document->mesh_count);
+    return document->meshes != NULL;
+}
+
+static int read_material(nkwi_gltf *g, const nkwi_value *object, void *element)
+{
+    nkw_document_material *material = (nkw_document_material *)element;
+    nkwi_value pbr = nkwi_member(object, "pbrMetallicRoughness");
+    for (int c = 0; c < 4; c++)
+        material->color[c] = 1.0f;
+    material->name = nkwi_gltf_name(g, object, "material");
+    if (!material->name || !nkwi_is_object(g->error, object) ||
+        !nkwi_floats(g->error, &pbr, "baseColorFactor", material->color, 4))
         return 0;
-    nkw_document_mesh *meshes = (nkw_document_mesh *)nkwi_gltf_take(g, &list, count, sizeof *meshes);
-    if (!meshes)
-        return 0;
-    g->document->all.meshes = meshes;
-    g->document->all.mesh_count = count;
-    for (size_t i = 0; i < count; i++) {
-        nkwi_value object = nkwi_element(&list, i);
-        if (!read_mesh(g, &object, &meshes[i]))
-            return 0;
-    }
+    material->image = nkwi_gltf_texture(g, &pbr, "baseColorTexture");
     return 1;
 }
 
 int nkwi_gltf_materials(nkwi_gltf *g)
 {
-    nkwi_value list;
-    size_t count;
-    if (!nkwi_gltf_list(g, "materials", &list, &count))
-        return 0;
-    nkw_document_material *materials = (nkw_document_material *)nkwi_gltf_take(g, &list, count, sizeof *materials);
-    if (!materials)
-        return 0;
-    g->document->all.materials = materials;
-    g->document->all.material_count = count;
-    for (size_t i = 0; i < count; i++) {
-        nkwi_value object = nkwi_element(&list, i), pbr = nkwi_member(&object, "pbrMetallicRoughness");
-        for (int c = 0; c < 4; c++)
-            materials[i].color[c] = 1.0f;
-        materials[i].name = nkwi_gltf_name(g, &object, "material");
-        if (!materials[i].name || !nkwi_is_object(g->error, &object) ||
-            !nkwi_floats(g->error, &pbr, "baseColorFactor", materials[i].color, 4))
-            return 0;
-        materials[i].image = nkwi_gltf_texture(g, &pbr, "baseColorTexture");
-    }
-    return 1;
+    nkw_document *document = &g->document->all;
+    document->materials = (nkw_document_material *)nkwi_gltf_each(g, "materials", sizeof *document->materials,
+                                                                  read_material, &document->material_count);
+    return document->materials != NULL;
 }

@@ -105,8 +105,9 @@ static const int32_t *read_joints(nkwi_gltf *g, const nkwi_value *list)
     return joints;
 }
 
-static int read_skin(nkwi_gltf *g, const nkwi_value *object, nkw_document_skin *skin)
+static int read_skin(nkwi_gltf *g, const nkwi_value *object, void *element)
 {
+    nkw_document_skin *skin = (nkw_document_skin *)element;
     nkwi_value joints = nkwi_member(object, "joints"), matrices = nkwi_member(object, "inverseBindMatrices");
     const float *floats;
     size_t count;
@@ -132,44 +133,29 @@ static int read_skin(nkwi_gltf *g, const nkwi_value *object, nkw_document_skin *
 
 int nkwi_gltf_skins(nkwi_gltf *g)
 {
-    nkwi_value list;
-    size_t count;
-    if (!nkwi_gltf_list(g, "skins", &list, &count))
+    nkw_document *document = &g->document->all;
+    document->skins =
+        (nkw_document_skin *)nkwi_gltf_each(g, "skins", sizeof *document->skins, read_skin, &document->skin_count);
+    return document->skins != NULL;
+}
+
+static int read_scene(nkwi_gltf *g, const nkwi_value *object, void *element)
+{
+    nkw_document_scene *scene = (nkw_document_scene *)element;
+    nkwi_value roots = nkwi_member(object, "nodes");
+    if (!nkwi_is_object(g->error, object) || !nkwi_is_array(g->error, &roots))
         return 0;
-    nkw_document_skin *skins = (nkw_document_skin *)nkwi_gltf_take(g, &list, count, sizeof *skins);
-    if (!skins)
-        return 0;
-    g->document->all.skins = skins;
-    g->document->all.skin_count = count;
-    for (size_t i = 0; i < count; i++) {
-        nkwi_value object = nkwi_element(&list, i);
-        if (!read_skin(g, &object, &skins[i]))
-            return 0;
-    }
-    return 1;
+    scene->name = nkwi_gltf_name(g, object, "scene");
+    scene->root_count = nkwi_length(&roots);
+    scene->roots = read_joints(g, &roots);
+    return scene->name && scene->roots;
 }
 
 int nkwi_gltf_scenes(nkwi_gltf *g)
 {
     nkw_document *document = &g->document->all;
-    nkwi_value list;
-    size_t count;
-    if (!nkwi_gltf_list(g, "scenes", &list, &count))
-        return 0;
-    nkw_document_scene *scenes = (nkw_document_scene *)nkwi_gltf_take(g, &list, count, sizeof *scenes);
-    if (!scenes)
-        return 0;
-    document->scenes = scenes;
-    document->scene_count = count;
-    for (size_t i = 0; i < count; i++) {
-        nkwi_value object = nkwi_element(&list, i), roots = nkwi_member(&object, "nodes");
-        if (!nkwi_is_object(g->error, &object) || !nkwi_is_array(g->error, &roots))
-            return 0;
-        scenes[i].name = nkwi_gltf_name(g, &object, "scene");
-        scenes[i].root_count = nkwi_length(&roots);
-        scenes[i].roots = read_joints(g, &roots);
-        if (!scenes[i].name || !scenes[i].roots)
-            return 0;
-    }
-    return nkwi_index(g->error, &g->root, "scene", "scene", count, &document->scene);
+    document->scenes =
+        (nkw_document_scene *)nkwi_gltf_each(g, "scenes", sizeof *document->scenes, read_scene, &document->scene_count);
+    return document->scenes &&
+           nkwi_index(g->error, &g->root, "scene", "scene", document->scene_count, &document->scene);
 }
