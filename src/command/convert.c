@@ -86,8 +86,9 @@ static int change_clips(model *m, const request *r, input_clips clips, const ext
 }
 
 /* All changes, which count clips as the file does; then only the chosen ones remain in the document. */
-static int change_model(model *m, const request *r, const extent *e, FILE *report)
+static int change_model(model *m, const void *request_of, const extent *e, FILE *report)
 {
+    const request *r = request_of;
     input_clips clips;
     if (!choose_clips(m, r, &clips) || !change_clips(m, r, clips, e, report) || !stay_in_place(m, r, clips))
         return 0;
@@ -101,25 +102,12 @@ static int change_model(model *m, const request *r, const extent *e, FILE *repor
 static int run(const model_source *source, void *of)
 {
     const request *r = of;
-    const int to_stdout = !r->output || strcmp(r->output, "-") == 0;
     const int is_gltf = strcmp(source->document->format, "glTF 2.0") == 0;
     const int keeps = is_gltf && !r->reframes && !r->clip;
-    FILE *report = to_stdout ? stderr : stdout;
-    size_t bytes = 0;
-    model m;
-    extent e;
-    int fine = model_open(&m, source->document);
-    fine = extent_open(&e, source->document) && fine;
-    if (fine && is_gltf && !keeps)
+    if (is_gltf && !keeps)
         fputs("note: only what is read is written: no cameras, lights, extensions; of textures only base colours\n",
               stderr);
-    fine = fine && change_model(&m, r, &e, report) &&
-           model_write(&m, keeps ? source : NULL, r->output, (nkw_gltf_form)model_form(r->form, r->output), &bytes);
-    if (fine)
-        fprintf(report, "written: %zu bytes\n", bytes);
-    extent_free(&e);
-    model_close(&m);
-    return (to_stdout || output_close(stdout, NULL)) && fine;
+    return model_rewrite(source, keeps, r->form, r->output, change_model, r);
 }
 
 /* "A:B" */

@@ -373,7 +373,8 @@ static int make_file(model *m, const model_source *source, const char *path, con
     return error.code == NKW_IMPORT_OK;
 }
 
-int model_write(model *m, const model_source *source, const char *path, nkw_gltf_form form, size_t *bytes)
+/* bytes: receives the bytes of all files. */
+static int model_write(model *m, const model_source *source, const char *path, nkw_gltf_form form, size_t *bytes)
 {
     nkw_gltf_file file = {NULL, 0, NULL, 0, 0, 0};
     const int names = path && strcmp(path, "-") != 0;
@@ -382,8 +383,7 @@ int model_write(model *m, const model_source *source, const char *path, nkw_gltf
     int fine = make_file(m, source, names ? path : NULL, outer, form, &file);
     fine = fine && (!file.outer || put_file(outer, file.outer, file.outer_bytes));
     fine = fine && put_file(path, file.data, file.bytes);
-    if (bytes)
-        *bytes = file.bytes + file.outer_bytes;
+    *bytes = file.bytes + file.outer_bytes;
     nkw_gltf_file_free(&file);
     free(outer);
     return fine;
@@ -404,4 +404,23 @@ void model_report(FILE *f, const nkw_document *d, size_t animation, const model_
             c->bytes, (double)c->error.distance, (double)c->error.floats);
     output_text(f, d->animations[animation].name);
     fputc('\n', f);
+}
+
+int model_rewrite(const model_source *source, int keeps, const char *form, const char *output, model_changer change,
+                  const void *request)
+{
+    const int to_stdout = !output || strcmp(output, "-") == 0;
+    FILE *report = to_stdout ? stderr : stdout;
+    size_t bytes = 0;
+    model m;
+    extent e;
+    int fine = model_open(&m, source->document);
+    fine = extent_open(&e, source->document) && fine;
+    fine = fine && change(&m, request, &e, report) &&
+           model_write(&m, keeps ? source : NULL, output, (nkw_gltf_form)model_form(form, output), &bytes);
+    if (fine)
+        fprintf(report, "written: %zu bytes\n", bytes);
+    extent_free(&e);
+    model_close(&m);
+    return (to_stdout || output_close(stdout, NULL)) && fine;
 }

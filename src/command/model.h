@@ -68,11 +68,14 @@ int model_measure(const model *m, size_t animation, const extent *e, float toler
 /** The form of a file by its name and the option --form; -1 if there is no such form. */
 int model_form(const char *form, const char *path);
 /**
- * Writes the model: with everything else of its source, or, if `source` is NULL, what nkw_document_write writes. Outer
- * images become part of a GLB and of a file in another folder; one that cannot is warned of.
- * bytes: receives the bytes of all files; may be NULL.
+ * Copies the document of `source`, changes the copy by `change`, and writes it: with everything else of the source if
+ * `keeps`, otherwise what nkw_document_write writes. Outer images become part of a GLB and of a file in another folder;
+ * one that cannot is warned of. The report is the standard output unless that receives the file; `form` and `output` are
+ * options of the command line. Returns 0 and reports if a step fails.
  */
-int model_write(model *m, const model_source *source, const char *path, nkw_gltf_form form, size_t *bytes);
+typedef int (*model_changer)(model *m, const void *request, const extent *e, FILE *report);
+int model_rewrite(const model_source *source, int keeps, const char *form, const char *output, model_changer change,
+                  const void *request);
 
 /** One line for each clip: keys, bytes and error. `f`: stdout, or stderr if a file is written to stdout. */
 void model_report_head(FILE *f, const nkw_document *d);

@@ -30,8 +30,9 @@ typedef struct request {
     int lossless, fewest;
 } request;
 
-static int reduce_clips(model *m, const request *r, const extent *e, FILE *report)
+static int reduce_clips(model *m, const void *request_of, const extent *e, FILE *report)
 {
+    const request *r = request_of;
     const nkw_document *d = m->original;
     const float tolerance = r->lossless ? 0.0f : r->tolerance >= 0.0f ? r->tolerance : 1e-4f * e->size;
     input_clips clips = {0, d->animation_count};
@@ -55,21 +56,8 @@ static int reduce_clips(model *m, const request *r, const extent *e, FILE *repor
 static int run(const model_source *source, void *of)
 {
     const request *r = of;
-    const int to_stdout = !r->output || strcmp(r->output, "-") == 0;
     const int is_gltf = strcmp(source->document->format, "glTF 2.0") == 0;
-    FILE *report = to_stdout ? stderr : stdout;
-    size_t bytes = 0;
-    model m;
-    extent e;
-    int fine = model_open(&m, source->document);
-    fine = extent_open(&e, source->document) && fine;
-    fine = fine && reduce_clips(&m, r, &e, report) &&
-           model_write(&m, is_gltf ? source : NULL, r->output, (nkw_gltf_form)model_form(r->form, r->output), &bytes);
-    if (fine)
-        fprintf(report, "written: %zu bytes\n", bytes);
-    extent_free(&e);
-    model_close(&m);
-    return (to_stdout || output_close(stdout, NULL)) && fine;
+    return model_rewrite(source, is_gltf, r->form, r->output, reduce_clips, r);
 }
 
 static int check_request(const options *o, void *of)
