@@ -139,7 +139,7 @@ typedef struct nkw_clip nkw_clip;
  *     NKW_BAD_FORMAT    an unknown format
  *     NKW_MISMATCHED    a rest pose with another number of joints; a track whose kind does not match its target
  *     NKW_OUT_OF_RANGE  a joint or float after the last; more than 2^26 joints, 2^29 floats or 2^32 words in the block
- *     NKW_REPEATED      two tracks that animate the same property; bad is the later one
+ *     NKW_REPEATED      two tracks that animate the same property; *bad is the later one
  *     NKW_TOO_SMALL     too little working memory, or too small a block: *bytes is then its size
  *
  * and the errors of nkw_track_validate for each track.
@@ -190,8 +190,8 @@ typedef struct nkw_clip_description {
     size_t cursor_count; /**< of nkw_clip_sample: one for each timeline */
     size_t cache_bytes; /**< of nkw_clip_sample_cached: about 68 for each animated joint of a compact clip */
     size_t bytes; /**< of the block */
-    float start,
-        end; /**< the earliest and latest key time of all tracks, also constant ones, seconds; 0, 0: no tracks */
+    float start; /**< the earliest key time of all tracks, also constant ones, in seconds; 0 without tracks */
+    float end; /**< the latest */
     const char *name; /**< in the block; the empty text if there is none */
 } nkw_clip_description;
 NKW_SIZE(nkw_clip_description, 64, 36);

@@ -197,15 +197,11 @@ void nkwi_clip_sample_group(const nkw_clip *clip, const clip_group *g, const cli
         linear(clip, g, p, q, at.t, out, stride);
 }
 
-/* What samples from a cache. Without one it is not linked. */
-typedef struct cached {
-    uint32_t *words; /* of the cache (clip_cache.h), which begin with its cursors */
-    int (*sample)(const nkw_clip *clip, const clip_group *g, nkw_segment at, uint32_t *segment, float *kept, float *out,
-                  size_t stride);
-} cached;
+/* nkwi_clip_sample_kept, or NULL: without a cache it is not linked. `cursors` are then the words of a cache. */
+typedef int sample_kept(const nkw_clip *clip, const clip_group *g, nkw_segment at, uint32_t *segment, float *kept,
+                        float *out, size_t stride);
 
-/* cache: NULL, or a cache whose cursors are `cursors`. */
-static nkw_result sample(const nkw_clip *clip, float time, uint32_t *cursors, const cached *cache, nkw_pose_span pose,
+static nkw_result sample(const nkw_clip *clip, float time, uint32_t *cursors, sample_kept *cached, nkw_pose_span pose,
                          float *floats)
 {
     size_t stride = NKW_POSE_STRIDE((size_t)clip->joints);
@@ -217,17 +213,17 @@ static nkw_result sample(const nkw_clip *clip, float time, uint32_t *cursors, co
         copy_runs(clip, clip->float_constants, clip->float_constant_count, floats);
     const clip_group *groups = clip_groups(clip);
     nkw_segment at = {0, 0.0f};
-    uint32_t *kept = cache ? cache->words + clip_cache_head(clip) : NULL;
+    uint32_t *kept = cached ? cursors + clip_cache_head(clip) : NULL;
     for (uint32_t g = 0; g < clip->group_count; g++) {
         uint32_t i = groups[g].timeline;
         const clip_timeline *line = clip_timelines(clip) + i;
         float *out = groups[g].kind == GROUP_FLOATS ? floats : pose.data;
-        size_t kept_words = cache ? clip_kept_floats(&groups[g]) : 0;
+        size_t kept_words = cached ? clip_kept_floats(&groups[g]) : 0;
         if (g == 0 || i != groups[g - 1].timeline) /* groups of one timeline are neighbours: one search */
             at = find(clip, line, time, cursors ? cursors + i : NULL);
         out = out && groups[g].kind == GROUP_ROTATIONS ? out + 3 * stride : out;
-        if (out && (!kept_words || !cache->sample(clip, &groups[g], at, cursors + clip->timeline_count + g,
-                                                  (float *)(void *)kept, out, stride)))
+        if (out && (!kept_words || !cached(clip, &groups[g], at, cursors + clip->timeline_count + g,
+                                           (float *)(void *)kept, out, stride)))
             nkwi_clip_sample_group(clip, &groups[g], line, at, out, stride);
         kept = kept ? kept + kept_words : NULL;
     }
@@ -242,8 +238,7 @@ nkw_result nkw_clip_sample(const nkw_clip *clip, float time, uint32_t *cursors, 
 nkw_result nkw_clip_sample_cached(const nkw_clip *clip, float time, nkw_bytes_span cache, nkw_pose_span pose,
                                   float *floats)
 {
-    const cached from = {(uint32_t *)cache.data, nkwi_clip_sample_kept};
     if (!cache.data || cache.bytes < clip_cache_bytes(clip))
         return NKW_TOO_SMALL;
-    return sample(clip, time, from.words, &from, pose, floats);
+    return sample(clip, time, (uint32_t *)cache.data, nkwi_clip_sample_kept, pose, floats);
 }

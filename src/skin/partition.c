@@ -66,40 +66,30 @@ static size_t saturated(uint64_t n)
     return n > SIZE_MAX ? SIZE_MAX : (size_t)n;
 }
 
-/* Returns the next n words of the block, NULL without a block; adds n to *used. */
-static uint32_t *carve(uint32_t *block, uint64_t *used, uint64_t n)
-{
-    uint32_t *words = block ? block + *used : NULL;
-    *used += n;
-    return words;
-}
-
 /* Divides the block into the arrays of the plan. Returns their size in words; block may be NULL. */
 static uint64_t lay_out(partition_plan *p, const nkw_partition_mesh *mesh, size_t max_joint_count, uint32_t *block)
 {
-    uint64_t t = mesh->triangle_count, sets = t * set_limit(mesh, max_joint_count), used = 0;
+    const uint64_t t = mesh->triangle_count, sets = t * set_limit(mesh, max_joint_count), joints = mesh->joint_count;
+    const struct {
+        uint32_t **array;
+        uint64_t count;
+    } all[] = {{&p->group_of, t},        {&p->table, 2 * t},
+               {&p->set_start, t + 1},   {&p->set_keys, sets},
+               {&p->first, t},           {&p->bin_of, t},
+               {&p->ranked, t},          {&p->missing, t},
+               {&p->touched, t},         {&p->users, sets},
+               {&p->user_start, joints}, {&p->user_count, joints},
+               {&p->in_bin, joints},     {&p->bin_start, t + 1},
+               {&p->bin_keys, sets},     {&p->bin_material, t},
+               {&p->bin_order, t},       {&p->part_of, t},
+               {&p->seen_in, mesh->vertex_count}, {&p->local, mesh->vertex_count}};
+    uint64_t used = 0;
     p->mesh = mesh;
     p->max_joint_count = max_joint_count;
-    p->group_of = carve(block, &used, t);
-    p->table = carve(block, &used, 2 * t);
-    p->set_start = carve(block, &used, t + 1);
-    p->set_keys = carve(block, &used, sets);
-    p->first = carve(block, &used, t);
-    p->bin_of = carve(block, &used, t);
-    p->ranked = carve(block, &used, t);
-    p->missing = carve(block, &used, t);
-    p->touched = carve(block, &used, t);
-    p->users = carve(block, &used, sets);
-    p->user_start = carve(block, &used, mesh->joint_count);
-    p->user_count = carve(block, &used, mesh->joint_count);
-    p->in_bin = carve(block, &used, mesh->joint_count);
-    p->bin_start = carve(block, &used, t + 1);
-    p->bin_keys = carve(block, &used, sets);
-    p->bin_material = carve(block, &used, t);
-    p->bin_order = carve(block, &used, t);
-    p->part_of = carve(block, &used, t);
-    p->seen_in = carve(block, &used, mesh->vertex_count);
-    p->local = carve(block, &used, mesh->vertex_count);
+    for (size_t i = 0; i < sizeof all / sizeof *all; i++) {
+        *all[i].array = block ? block + used : NULL;
+        used += all[i].count;
+    }
     return used;
 }
 
