@@ -87,13 +87,11 @@ static void rows(const char *name, std::shared_ptr<scene> s, size_t size, asking
 {
     operation op = posing(named(name, how), s, size, playing{how, s->times.back(), 0, false}.checked());
     row(op, "nkw", s, how, [](scene &x, float time) {
-        nkw_clip_sample(x.clip(0), time, x.cursors.data(),
-                        nkw_pose_span{x.pose.data(), nkw_clip_describe(x.clip(0)).joint_count}, nullptr);
+        nkw_clip_sample(x.clip(0), time, x.cursors.data(), nkw_pose_span{x.pose.data(), x.joints}, nullptr);
     });
     if (s->mode == NKW_INTERPOLATION_LINEAR)
         row(op, "nkw 16 bits", s, how, [](scene &x, float time) {
-            nkw_clip_sample(x.clip(1), time, x.cursors.data(),
-                            nkw_pose_span{x.pose.data(), nkw_clip_describe(x.clip(1)).joint_count}, nullptr);
+            nkw_clip_sample(x.clip(1), time, x.cursors.data(), nkw_pose_span{x.pose.data(), x.joints}, nullptr);
         });
     /* Track by track, each with its own search: the reference, not a rival. */
     row(op, "nkw tracks", s, how, [](scene &x, float time) {

@@ -84,7 +84,7 @@ static void one_by_one(size_t from, size_t to)
     float pose[NKW_POSE_FLOATS(joints)];
     nkw_mat4 models[joints];
     for (size_t c = from; c < to; c++) {
-        nkw_clip_sample(clip, s.time(c), nullptr, nkw_pose_span{pose, nkw_clip_describe(clip).joint_count}, nullptr);
+        nkw_clip_sample(clip, s.time(c), nullptr, nkw_pose_span{pose, joints}, nullptr);
         nkw_models_from_pose(&skeleton, nkw_pose_view{pose, skeleton.joint_count}, nullptr, nullptr, models);
         palette_from_models(models, joints, nullptr, s.binds(), nullptr, joints, s.palette(c));
     }
@@ -104,8 +104,7 @@ static void sixteen(size_t from, size_t to)
             pose[i] = c + i < to ? poses[i] : nullptr;
             out[i] = c + i < to ? s.palette(c + i) : nullptr;
             if (pose[i])
-                nkw_clip_sample(clip, s.time(c + i), nullptr,
-                                nkw_pose_span{poses[i], nkw_clip_describe(clip).joint_count}, nullptr);
+                nkw_clip_sample(clip, s.time(c + i), nullptr, nkw_pose_span{poses[i], joints}, nullptr);
         }
         crowd_from_poses(pose, joints, crowd);
         crowd_models_from_pose(&skeleton, crowd, nullptr, models);
@@ -217,8 +216,7 @@ static void draw_poses()
     s.trs.resize(most * joints);
     for (size_t c = 0; c < most; c++) {
         float *pose = &s.poses[c * NKW_POSE_FLOATS(joints)];
-        nkw_clip_sample(s.clip->clip(0), s.time(c), nullptr,
-                        nkw_pose_span{pose, nkw_clip_describe(s.clip->clip(0)).joint_count}, nullptr);
+        nkw_clip_sample(s.clip->clip(0), s.time(c), nullptr, nkw_pose_span{pose, joints}, nullptr);
         nkw_trs_from_pose(nkw_pose_view{pose, joints}, &s.trs[c * joints]);
     }
     for (size_t k = 0; k < crowds; k++) {

@@ -151,15 +151,12 @@ static void count_data(void)
     EACH("segment_find_uniform", segments[i] = nkw_segment_find_uniform(0, 30, KEYS, 10 * t[i]));
     EACH("track_sample vec3", nkw_track_sample(&tracks[0].track, 10 * t[i], &v_out[i].x));
     EACH("track_sample rotation", nkw_track_sample(&tracks[1].track, 10 * t[i], &q_out[i].x));
-    COUNT("clip_sample 67 joints",
-          for (size_t i = 0; i < 16; i++) nkw_clip_sample(
-              clips[0], 10 * t[i], cursors, (nkw_pose_span){pose, nkw_clip_describe(clips[0]).joint_count}, NULL));
-    COUNT("clip_sample 67 joints, 16 bits",
-          for (size_t i = 0; i < 16; i++) nkw_clip_sample(
-              clips[1], 10 * t[i], cursors, (nkw_pose_span){pose, nkw_clip_describe(clips[1]).joint_count}, NULL));
-    COUNT("clip_sample 67 joints, CUBICSPLINE",
-          for (size_t i = 0; i < 16; i++) nkw_clip_sample(
-              clips[2], 3 * t[i], cursors, (nkw_pose_span){pose, nkw_clip_describe(clips[2]).joint_count}, NULL));
+    COUNT("clip_sample 67 joints", for (size_t i = 0; i < 16; i++) nkw_clip_sample(
+                                       clips[0], 10 * t[i], cursors, (nkw_pose_span){pose, JOINTS}, NULL));
+    COUNT("clip_sample 67 joints, 16 bits", for (size_t i = 0; i < 16; i++) nkw_clip_sample(
+                                                clips[1], 10 * t[i], cursors, (nkw_pose_span){pose, JOINTS}, NULL));
+    COUNT("clip_sample 67 joints, CUBICSPLINE", for (size_t i = 0; i < 16; i++) nkw_clip_sample(
+                                                    clips[2], 3 * t[i], cursors, (nkw_pose_span){pose, JOINTS}, NULL));
 }
 
 /*
