@@ -38,14 +38,6 @@ nkw_trs_view view(const array<nkw_trs> &a, size_t i)
             {a.part[7] + i, a.part[8] + i, a.part[9] + i}};
 }
 
-nkw_mat3_view view(const array<nkw_mat3> &a, size_t i)
-{
-    nkw_mat3_view v;
-    for (size_t k = 0; k < 9; k++)
-        v.m[k] = a.part[k] + i;
-    return v;
-}
-
 nkw_mat4_view view(const array<nkw_mat4> &a, size_t i)
 {
     nkw_mat4_view v;
@@ -62,14 +54,6 @@ nkw_vec3_span vec3_out(size_t i)
 nkw_quat_span quat_out(size_t i)
 {
     return {answer.part[0] + i, answer.part[1] + i, answer.part[2] + i, answer.part[3] + i};
-}
-
-nkw_mat3_span mat3_out(size_t i)
-{
-    nkw_mat3_span s;
-    for (size_t k = 0; k < 9; k++)
-        s.m[k] = answer.part[k] + i;
-    return s;
 }
 
 nkw_mat4_span mat4_out(size_t i)

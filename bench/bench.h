@@ -87,11 +87,9 @@ template <class T, class U> const T *as(const array<U> &a)
 nkw_vec3_view view(const array<nkw_vec3> &a, size_t from);
 nkw_quat_view view(const array<nkw_quat> &a, size_t from);
 nkw_trs_view view(const array<nkw_trs> &a, size_t from);
-nkw_mat3_view view(const array<nkw_mat3> &a, size_t from);
 nkw_mat4_view view(const array<nkw_mat4> &a, size_t from);
 nkw_vec3_span vec3_out(size_t from);
 nkw_quat_span quat_out(size_t from);
-nkw_mat3_span mat3_out(size_t from);
 nkw_mat4_span mat4_out(size_t from);
 
 /* Which differences count: q and -q are the same as a rotation, and as components 3..6 of a transform. */

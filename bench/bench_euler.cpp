@@ -29,8 +29,6 @@ static void to_quat()
     operation op = {"euler", "quat from euler", 4, 28, 80, by([](size_t i) { return turned[i]; }), 4,
                     64,      same::rotation};
     single(op, "nkw", [](size_t i) { return nkw_quat_from_euler(angles[i], order); });
-    batch(op, "nkw _n",
-          [](size_t from, size_t n) { nkw_quat_from_euler_n(view(angles, from), order, quat_out(from), n); });
     single(op, "loop", [](size_t i) {
         float cx = cosf(angles[i].x / 2), cy = cosf(angles[i].y / 2), cz = cosf(angles[i].z / 2);
         float sx = sinf(angles[i].x / 2), sy = sinf(angles[i].y / 2), sz = sinf(angles[i].z / 2);

@@ -170,7 +170,6 @@ static void from_quat()
                      },
                      6};
     single(op, "nkw", [](size_t i) { return nkw_mat3_from_quat(unit_a[i]); });
-    batch(op, "nkw _n", [](size_t from, size_t n) { nkw_mat3_from_quat_n(view(unit_a, from), mat3_out(from), n); });
     single(op4, "nkw", [](size_t i) { return nkw_mat4_from_quat(unit_a[i]); });
 #ifdef BENCH_CGLM
     struct cg_mat3 {

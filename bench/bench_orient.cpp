@@ -136,10 +136,8 @@ static void log_and_exp()
 {
     operation log = {"orient", "quat log", 3, 28, 40, by([](size_t i) { return nkw_quat_log(unit_a[i]); })};
     single(log, "nkw", [](size_t i) { return nkw_quat_log(unit_a[i]); });
-    batch(log, "nkw _n", [](size_t from, size_t n) { nkw_quat_log_n(view(unit_a, from), vec3_out(from), n); });
     operation exp = {"orient", "quat exp", 4, 28, 40, by([](size_t i) { return nkw_quat_exp(point[0][i]); })};
     single(exp, "nkw", [](size_t i) { return nkw_quat_exp(point[0][i]); });
-    batch(exp, "nkw _n", [](size_t from, size_t n) { nkw_quat_exp_n(view(point[0], from), quat_out(from), n); });
     auto loop_log = [](size_t i) {
         nkw_quat q = unit_a[i];
         float s = sqrtf(q.x * q.x + q.y * q.y + q.z * q.z), k = s > 0 ? atan2f(s, q.w) / s : 0;

@@ -133,7 +133,6 @@ static void from_mat3()
     operation op = {"quat", "from mat3",   4, 52, 60, by([](size_t i) { return nkw_quat_from_mat3(&turn.at[i]); }), 4,
                     64,     same::rotation};
     single(op, "nkw", [](size_t i) { return nkw_quat_from_mat3(&turn.at[i]); });
-    batch(op, "nkw _n", [](size_t from, size_t n) { nkw_quat_from_mat3_n(view(turn, from), quat_out(from), n); });
 #ifdef BENCH_CGLM
     single(op, "cglm", [](size_t i) {
         mat3 m;

@@ -63,9 +63,6 @@ static void sine_and_cosine()
         nkw_sincos(turns[i], &p.s, &p.c);
         return p;
     });
-    batch(op, "nkw _n", [](size_t from, size_t n) {
-        nkw_sincos_n(turns.at + from, answer.part[0] + from, answer.part[1] + from, n);
-    });
     single(op, "C library", [](size_t i) { return pair{sinf(turns[i]), cosf(turns[i])}; });
 #ifdef BENCH_SLEEF
     batch(op, "SLEEF", [](size_t from, size_t n) {

@@ -241,7 +241,6 @@ static void count_loops(void)
         COUNT("avx2 " #name, nkw_##name##_n arguments);                                                                \
     else                                                                                                               \
         COUNT("generic " #name, nkw_##name##_n arguments)
-    LOOP(sincos, (x, out[0], out[1], N));
     LOOP(vec3_normalize, (v[0], s, N));
     LOOP(vec3_lerp, (v[0], v[1], t, s, N));
     LOOP(vec3_hermite, (v[0], v[1], v[2], v[3], t, s, N));
@@ -256,7 +255,6 @@ static void count_loops(void)
     else
         COUNT("generic quat_nlerp, two at an end", nkw_quat_nlerp_n(a, c, ends, q, N));
     LOOP(quat_slerp, (a, c, t, q, N));
-    LOOP(quat_from_euler, (v[0], NKW_EULER_YXZ, q, N));
     LOOP(mat4_from_trs, (place, m, N));
     LOOP(mat4_transform_point, (&ma[0], v[0], s, N));
     LOOP(quat_unpack, (qa, q, N));

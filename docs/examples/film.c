@@ -89,7 +89,7 @@ static svg_colour skin_colour(const mesh *m, const mesh_face *face)
 /* Stripes along y, an eighth of a turn wide, so that a twist is seen. */
 static int striped(const mesh *m, const mesh_face *face)
 {
-    nkw_vec3 sum = nkw_vec3_zero();
+    nkw_vec3 sum = NKW_VEC3_ZERO;
     for (int c = 0; c < face->corners; c++)
         sum = nkw_vec3_add(sum, m->vertices[face->corner[c]].position);
     return (sum.x > 0.0f) ^ (sum.z > 0.0f) ^ (nkw_abs(sum.x) > nkw_abs(sum.z));
@@ -99,7 +99,7 @@ static int striped(const mesh *m, const mesh_face *face)
 static svg_colour lit(const film *f, const mesh_face *face, svg_colour colour)
 {
     const nkw_vec3 lamp = {0.35f, 0.65f, 0.67f};
-    nkw_vec3 normal = nkw_vec3_zero();
+    nkw_vec3 normal = NKW_VEC3_ZERO;
     for (int c = 0; c < face->corners; c++)
         normal = nkw_vec3_add(normal, f->normals[face->corner[c]]);
     float cosine = nkw_vec3_dot(nkw_vec3_normalize(normal), lamp);

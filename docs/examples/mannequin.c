@@ -16,7 +16,7 @@ const mannequin_bone mannequin_bones[MANNEQUIN_JOINTS] = {
 
 nkw_vec3 mannequin_place(int joint)
 {
-    nkw_vec3 at = nkw_vec3_zero();
+    nkw_vec3 at = NKW_VEC3_ZERO;
     for (; joint >= 0; joint = mannequin_bones[joint].parent)
         at = nkw_vec3_add(at, mannequin_bones[joint].translation);
     return at;
@@ -67,7 +67,7 @@ static int add_point(mesh *m, const tube *t, const ring *r, float turn)
     nkw_vec3 at = nkw_vec3_add_scaled(t->origin, t->axis, r->along);
     at = nkw_vec3_add_scaled(at, t->across, r->across * nkw_cos(turn));
     at = nkw_vec3_add_scaled(at, t->deep, r->deep * nkw_sin(turn));
-    if (!mesh_add_vertex(m, at, nkw_vec3_zero()))
+    if (!mesh_add_vertex(m, at, NKW_VEC3_ZERO))
         return 0;
     set_weights(t, r->along, &m->vertices[m->vertex_count - 1]);
     return 1;
@@ -144,7 +144,7 @@ static int add_torso(mesh *m)
                                  {1.42f, 0.16f, 0.09f},  {1.455f, 0.09f, 0.07f}, {1.48f, 0.06f, 0.056f},
                                  {1.55f, 0.05f, 0.05f},  {1.57f, 0, 0}};
     const nkw_vec3 back = nkw_vec3_scale(z, -1.0f);
-    const tube t = {nkw_vec3_zero(),
+    const tube t = {NKW_VEC3_ZERO,
                     y,
                     x,
                     back,

@@ -51,7 +51,7 @@ void mesh_free(mesh *m)
 
 void mesh_box(const mesh *m, nkw_vec3 *low, nkw_vec3 *high)
 {
-    *low = *high = m->vertex_count ? m->vertices[0].position : nkw_vec3_zero();
+    *low = *high = m->vertex_count ? m->vertices[0].position : NKW_VEC3_ZERO;
     for (size_t i = 1; i < m->vertex_count; i++) {
         *low = nkw_vec3_min(*low, m->vertices[i].position);
         *high = nkw_vec3_max(*high, m->vertices[i].position);

@@ -147,7 +147,7 @@ static int read_polygon(const reader *r, const char *text, polygon *p)
 /* Twice the area, along the normal: the sum over the triangles of the fan. */
 static nkw_vec3 polygon_area(const reader *r, const polygon *p)
 {
-    nkw_vec3 first = r->places[p->place[0]].at, sum = nkw_vec3_zero();
+    nkw_vec3 first = r->places[p->place[0]].at, sum = NKW_VEC3_ZERO;
     for (int i = 1; i + 1 < p->corners; i++) {
         nkw_vec3 a = nkw_vec3_sub(r->places[p->place[i]].at, first);
         nkw_vec3 b = nkw_vec3_sub(r->places[p->place[i + 1]].at, first);

@@ -33,7 +33,7 @@ static void tripod(svg *s, const svg_camera *camera, nkw_axes tool)
     static const svg_colour colours[3] = {0xc62828, 0x2e7d32, 0x1f5fd0};
     const nkw_axes gltf = NKW_AXES_GLTF;
     nkw_axes_map map = nkw_axes_map_from_axes(tool, gltf);
-    svg_point origin = svg_project(camera, nkw_vec3_zero());
+    svg_point origin = svg_project(camera, NKW_VEC3_ZERO);
     for (int i = 0; i < 3; i++) {
         nkw_vec3 unit = at(i == 0, i == 1, i == 2);
         svg_paint line = svg_stroke(colours[i], 3.0f, 1.0f);

@@ -125,7 +125,7 @@ static void bent_tube(svg *s, svg_point origin, float angle)
     nkw_box_from_skin(&skin, in.positions, t.boxes, TUBE_JOINTS);
     nkw_box_from_palette(palette, t.boxes, &box);
     for (int j = 0; j < TUBE_JOINTS; j++) {
-        nkw_box moved = nkw_box_transform(&t.palette[j], &t.boxes[j]);
+        nkw_box moved = nkw_box_transform(&t.boxes[j], &t.palette[j]);
         svg_paint pale = {colours[j], colours[j], 1.4f, 0.28f, NULL};
         draw_box(s, origin, &moved, &pale);
     }

@@ -11,7 +11,7 @@ enum { SAMPLES = 181 };
 
 static float motion(float time)
 {
-    return 0.6f * nkw_sin(2.0f * time) + 0.25f * nkw_cos(5.3f * time) * nkw_smoothstep(nkw_saturate(time - 1.0f));
+    return 0.6f * nkw_sin(2.0f * time) + 0.25f * nkw_cos(5.3f * time) * nkw_smoothstep(nkw_clamp(time - 1.0f, 0.0f, 1.0f));
 }
 
 static void draw_tangents(svg *s, const svg_plot *plot, const nkw_track *t)

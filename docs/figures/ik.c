@@ -86,7 +86,7 @@ static void chain(svg *s, svg_point origin, int ccd, uint32_t iterations, nkw_ve
         nkw_ik_ccd_solve(&c, &goal, rotations);
     else
         nkw_ik_fabrik_solve(&c, &goal, rotations, work, LINKS);
-    joints[0] = nkw_vec3_zero();
+    joints[0] = NKW_VEC3_ZERO;
     for (int k = 0; k < LINKS; k++) {
         q = nkw_quat_mul(q, rotations[k]);
         joints[k + 1] = nkw_vec3_add(joints[k], nkw_quat_rotate(q, offsets[k]));
@@ -167,7 +167,7 @@ enum { FRAMES = 180 };
 /* A step of one second: the foot slides while it stands, then swings. */
 static nkw_vec3 foot_at(float time)
 {
-    float step = (float)(int)time, t = time - step, swing = nkw_smoothstep(nkw_saturate((t - 0.5f) * 2.0f));
+    float step = (float)(int)time, t = time - step, swing = nkw_smoothstep(nkw_clamp((t - 0.5f) * 2.0f, 0.0f, 1.0f));
     float sine = t > 0.5f ? nkw_sin(3.14159274f * (2.0f * t - 1.0f)) : 0.0f;
     return at(0.45f * step + 0.6f * swing - 0.3f * nkw_min(t, 0.5f), 0.15f * sine * sine, 0);
 }

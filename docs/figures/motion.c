@@ -117,7 +117,7 @@ static const float begin = 0.72f, duration = 0.45f;
 /* A cross-fade by a straight weight, as `animation time / duration` is; its velocity is that of the sum. */
 static nkw_state cross_fade(float time)
 {
-    float w = nkw_saturate((time - begin) / duration);
+    float w = nkw_clamp((time - begin) / duration, 0.0f, 1.0f);
     nkw_state a = old_motion(time), b = new_motion(time);
     float rate = w > 0.0f && w < 1.0f ? (b.value - a.value) / duration : 0.0f;
     return motion(nkw_lerp(a.value, b.value, w), nkw_lerp(a.velocity, b.velocity, w) + rate);

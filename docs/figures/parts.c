@@ -58,7 +58,7 @@ static float share(float degrees, int is_mean)
 {
     const float weights[2] = {0.75f, 0.25f};
     nkw_quat q[2] = {nkw_quat_identity(), nkw_quat_from_axis_angle(axis, nkw_radians_from_degrees(degrees))};
-    nkw_quat r = is_mean ? nkw_quat_mean(q, weights, 2) : nkw_quat_nlerp(q[0], q[1], 0.25f);
+    nkw_quat r = is_mean ? nkw_quat_mean(q, 2, weights) : nkw_quat_nlerp(q[0], q[1], 0.25f);
     return nkw_degrees_from_radians(nkw_quat_angle(q[0], r)) / degrees;
 }
 

@@ -35,7 +35,7 @@ static void make_tube(tube *t)
             float y = half_length * (2.0f * (float)ring / (float)(RINGS - 1) - 1.0f);
             nkw_vec3 p = {0.5f * nkw_cos(angle), y, 0.5f * nkw_sin(angle)};
             t->bind[v] = p;
-            t->weights[2 * v + 1] = nkw_saturate(0.5f + 0.5f * y);
+            t->weights[2 * v + 1] = nkw_clamp(0.5f + 0.5f * y, 0.0f, 1.0f);
             t->weights[2 * v] = 1.0f - t->weights[2 * v + 1];
             t->joints[2 * v] = 0;
             t->joints[2 * v + 1] = 1;
@@ -47,7 +47,7 @@ static void twist_tube(tube *t)
     const nkw_vec3 y = {0.0f, 1.0f, 0.0f}, none = {0.0f, 0.0f, 0.0f};
     nkw_quat turn = nkw_quat_from_axis_angle(y, twist);
     nkw_mat4 matrices[2] = {nkw_mat4_identity(), nkw_mat4_from_quat(turn)};
-    nkw_dual_quat duals[2] = {nkw_dual_quat_identity(), nkw_dual_quat_from_rigid(turn, none)};
+    nkw_dual_quat duals[2] = {nkw_dual_quat_from_rigid(nkw_quat_identity(), NKW_VEC3_ZERO), nkw_dual_quat_from_rigid(turn, none)};
     nkw_skin skin = {POINTS, 2, {t->joints, 0, NKW_SKIN_U8}, {t->weights, 0, NKW_SKIN_F32}};
     nkw_skin_palette palette = {{matrices, 2, NKW_PALETTE_MAT4}, {NULL, 0, NKW_PALETTE_NORMAL_MAT3}, 0};
     nkw_palette_view dual_palette = {duals, 2, NKW_PALETTE_DUAL_QUAT};
@@ -193,11 +193,11 @@ static void make_hand(hand *h)
             for (int c = 0; c <= WIDE; c++) {
                 float along = 3.0f * (float)(ALONG - r) / (float)ALONG;
                 int bone = along >= 2.5f ? 2 : along >= 0.5f ? (int)(along - 0.5f) : -1;
-                float share = nkw_saturate(2.0f * (along - (float)bone - 0.75f));
+                float share = nkw_clamp(2.0f * (along - (float)bone - 0.75f), 0.0f, 1.0f);
                 int lower = bone < 0 ? 0 : 1 + 3 * f + bone, upper = bone == 2 ? lower : 1 + 3 * f + bone + 1;
                 add_point(h, 53.0f + 78.0f * (float)f + 26.0f * (float)c, 112.0f + 15.0f * (float)r, lower, upper,
                           bone == 2  ? 0.0f
-                          : bone < 0 ? 0.5f + 0.5f * nkw_saturate(2.0f * along)
+                          : bone < 0 ? 0.5f + 0.5f * nkw_clamp(2.0f * along, 0.0f, 1.0f)
                                      : share);
             }
         add_grid(h, first, WIDE, ALONG);

@@ -73,18 +73,16 @@ typedef struct nkw_axes_map {
 } nkw_axes_map;
 NKW_SIZE(nkw_axes_map, 12, 12);
 
-/** 1 if right, up and forward are three different axes, otherwise 0. */
-NKW_API int nkw_axes_is_valid(nkw_axes axes);
-
 /** 1 if x, y and z name three different axes, otherwise 0. Functions accept any map; others have no inverse. */
 NKW_API int nkw_axes_map_is_valid(nkw_axes_map map);
 
-/** {X, Y, Z}: no change. */
-NKW_API nkw_axes_map nkw_axes_map_identity(void);
+/** {X, Y, Z}: no change. As an initialiser and as an argument. */
+#define NKW_AXES_MAP_IDENTITY (NKW_LITERAL(nkw_axes_map){NKW_AXIS_X, NKW_AXIS_Y, NKW_AXIS_Z})
 
 /**
  * The conversion that maps right, up and forward of `from` to those of `to`. From NKW_AXES_BLENDER to NKW_AXES_GLTF it
- * maps (x, y, z) to (x, z, -y). If either is not valid, it is the identity.
+ * maps (x, y, z) to (x, z, -y). If right, up and forward of `from` or of `to` are not three different axes, the result
+ * is {0, 0, 0}, for which nkw_axes_map_is_valid returns 0.
  */
 NKW_API nkw_axes_map nkw_axes_map_from_axes(nkw_axes from, nkw_axes to);
 
@@ -94,17 +92,11 @@ NKW_API nkw_axes_map nkw_axes_map_inverse(nkw_axes_map map);
 /** 1 if the conversion changes handedness, det P = -1, otherwise 0. */
 NKW_API int nkw_axes_map_is_mirror(nkw_axes_map map);
 
-/** The matrix P, for shaders and other libraries: nkw_mat3_transform(P, v) = nkw_axes_convert_vec3(map, v). */
-NKW_API nkw_mat3 nkw_mat3_from_axes_map(nkw_axes_map map);
-
-/** P v: a point, a direction, a velocity, a tangent of a curve, a vertex or a normal. */
+/**
+ * P v: a point, a direction, a velocity, a tangent of a curve, a vertex or a normal. The columns of the matrix P are the
+ * converted unit vectors. Angular velocities and scales: nkw_axes_convert_values.
+ */
 NKW_API nkw_vec3 nkw_axes_convert_vec3(nkw_axes_map map, nkw_vec3 v);
-
-/** (det P) P v: an angular velocity, a torque, an axis times an angle (a rotation vector). */
-NKW_API nkw_vec3 nkw_axes_convert_angular(nkw_axes_map map, nkw_vec3 v);
-
-/** |P| s: a scale. */
-NKW_API nkw_vec3 nkw_axes_convert_scale(nkw_axes_map map, nkw_vec3 scale);
 
 /** ((det P) P q.xyz, q.w): rotate(convert(q), P v) = P rotate(q, v). w does not change, so neither does the path. */
 NKW_API nkw_quat nkw_axes_convert_quat(nkw_axes_map map, nkw_quat q);
@@ -112,38 +104,34 @@ NKW_API nkw_quat nkw_axes_convert_quat(nkw_axes_map map, nkw_quat q);
 /** Translation, rotation and scale, each as above. */
 NKW_API nkw_trs nkw_axes_convert_trs(nkw_axes_map map, const nkw_trs *trs);
 
-/** P M P^T. */
-NKW_API nkw_mat3 nkw_axes_convert_mat3(nkw_axes_map map, const nkw_mat3 *m);
-
 /** P M P^T with P extended by 1: model, local, inverse bind matrices. Row and column 3 are converted as vectors. */
 NKW_API nkw_mat4 nkw_axes_convert_mat4(nkw_axes_map map, const nkw_mat4 *m);
 
 /**
- * Euler angles, as nkw_axes_convert_angular, and their order: the factors keep their places, about other axes. Of a map
- * that is not valid the order does not change; an unknown order is read as NKW_EULER_XYZ.
+ * Euler angles of an order, (det P) P angles, and in `order` the order of the result: the factors keep their places,
+ * about other axes. Of a map that is not valid the order does not change; an unknown order is read as NKW_EULER_XYZ.
  */
-NKW_API nkw_vec3 nkw_axes_convert_euler(nkw_axes_map map, nkw_vec3 angles);
-NKW_API nkw_euler_order nkw_axes_convert_euler_order(nkw_axes_map map, nkw_euler_order order);
+NKW_API nkw_vec3 nkw_axes_convert_euler(nkw_axes_map map, nkw_vec3 angles, nkw_euler_order *order);
 
-/** The meaning of the floats of a value, for arrays of values. */
+/** The meaning of the floats of a value, for arrays of values. Any other number is read as NKW_AXES_VEC3. */
 typedef enum nkw_axes_kind {
-    NKW_AXES_VEC3, /**< 3 floats, nkw_axes_convert_vec3 */
-    NKW_AXES_ANGULAR, /**< 3 floats, nkw_axes_convert_angular */
-    NKW_AXES_SCALE, /**< 3 floats, nkw_axes_convert_scale */
+    NKW_AXES_VEC3, /**< 3 floats, P v as nkw_axes_convert_vec3 */
+    NKW_AXES_ANGULAR, /**< 3 floats, (det P) P v: an angular velocity, a torque, an axis times an angle */
+    NKW_AXES_SCALE, /**< 3 floats, |P| s */
     NKW_AXES_QUAT, /**< 4 floats, nkw_axes_convert_quat */
     NKW_AXES_KIND_COUNT,
     NKW_AXES_KIND_MAX_ENUM = 0x7fffffff
 } nkw_axes_kind;
 
-/** Floats in a value of a kind: 4 for NKW_AXES_QUAT, 3 for the others; 0 for an unknown kind. */
-NKW_API size_t nkw_axes_kind_width(nkw_axes_kind kind);
+/** The floats in a value of a kind. */
+#define NKW_AXES_WIDTH(kind) ((kind) == NKW_AXES_QUAT ? 4u : 3u)
 
 /**
- * Converts `count` contiguous values: the vertices of a mesh, the keys and tangents of a track. `out` may be `values`,
- * and must not overlap it otherwise. For an unknown kind nothing is written.
+ * Converts `count` values of NKW_AXES_WIDTH(kind) contiguous floats: the vertices of a mesh, the keys and tangents of a
+ * track. `out` may be `values`, and must not overlap it otherwise.
  */
-NKW_API void nkw_axes_convert_values(nkw_axes_map map, nkw_axes_kind kind, const float *values, float *out,
-                                     size_t count);
+NKW_API void nkw_axes_convert_values(nkw_axes_map map, const float *values, size_t count, nkw_axes_kind kind,
+                                     float *out);
 
 #ifdef __cplusplus
 }

@@ -95,6 +95,13 @@
 #define NKW_INLINE 1
 #endif
 
+/** NKW_LITERAL(type){...} is a value of a struct type, in C and in C++: NKW_LITERAL(nkw_vec3){1.0f, 2.0f, 3.0f}. */
+#ifdef __cplusplus
+#define NKW_LITERAL(type) type
+#else
+#define NKW_LITERAL(type) (type)
+#endif
+
 /**
  * NKW_F32X4 is 1 where the compiler has a vector type with operators and the target has instructions for it, otherwise
  * 0. If a program defines NKW_PLAIN, it is 0. It changes no result.

@@ -6,6 +6,8 @@
 #ifndef NAKAWARI_BOX_H
 #define NAKAWARI_BOX_H
 
+#include <math.h>
+
 #include "types.h"
 
 #ifdef __cplusplus
@@ -18,20 +20,21 @@ typedef struct nkw_box {
 } nkw_box;
 NKW_SIZE(nkw_box, 24, 24);
 
-/** The box without points: low is +infinity, high is -infinity. */
-NKW_API nkw_box nkw_box_empty(void);
-
-/** 1 if a component of low is greater than that of high, or NaN; otherwise 0. */
-NKW_API int nkw_box_is_empty(const nkw_box *box);
-
-/** The smallest box that contains both, exactly. NaN does not count. */
-NKW_API nkw_box nkw_box_union(const nkw_box *a, const nkw_box *b);
-
-/** The smallest box that contains a box and a point. A point with NaN changes nothing. */
-NKW_API nkw_box nkw_box_add_point(const nkw_box *box, nkw_vec3 p);
+/**
+ * The box without points: low is +infinity, high is -infinity. As an initialiser and as an argument. A box is empty if
+ * not all of low.x <= high.x, low.y <= high.y, low.z <= high.z hold.
+ */
+#define NKW_BOX_EMPTY (NKW_LITERAL(nkw_box){{INFINITY, INFINITY, INFINITY}, {-INFINITY, -INFINITY, -INFINITY}})
 
 /**
- * A box around the affine image of a box: around all M p, also as nkw_mat4_transform_point rounds them.
+ * The smallest box that contains both, exactly. A component that is NaN does not count. A point p is the box {p, p}; the
+ * union with NKW_BOX_EMPTY is the other box.
+ */
+NKW_API nkw_box nkw_box_union(const nkw_box *a, const nkw_box *b);
+
+/**
+ * A box around the image of a box under the affine matrix m: around all M p, also as nkw_mat4_transform_point rounds
+ * them.
  *
  *     centre' = M centre,   half' = |M| half,     and a margin of 2^-19 (|M| |box| + |t|)
  *
@@ -39,7 +42,7 @@ NKW_API nkw_box nkw_box_add_point(const nkw_box *box, nkw_vec3 p);
  *
  * Source Arvo, Transforming Axis-Aligned Bounding Boxes, Graphics Gems, 1990.
  */
-NKW_API nkw_box nkw_box_transform(const nkw_mat4 *m, const nkw_box *box);
+NKW_API nkw_box nkw_box_transform(const nkw_box *box, const nkw_mat4 *m);
 
 #ifdef __cplusplus
 }

@@ -7,7 +7,9 @@
  *
  * d is unit if |real| = 1 and real . dual = 0. Unit dual quaternions are the rigid motions; functions that transform
  * require them. d and -d are the same motion. Dual-quaternion skinning blends by the normalised weighted sum of unit
- * dual quaternions. Align all of them to one of them before the sum (nkw_dual_quat_align).
+ * dual quaternions. Negate those whose real part has a negative dot product with that of the first before the sum.
+ * The inverse of a unit d is {nkw_quat_conjugate(d.real), nkw_quat_conjugate(d.dual)}. A direction is rotated by
+ * nkw_quat_rotate(d.real, v).
  *
  * Source Kavan, Collins, Zara, O'Sullivan, Geometric Skinning with Approximate Dual Quaternion Blending, ACM TOG, 2008.
  */
@@ -19,9 +21,6 @@
 #ifdef __cplusplus
 extern "C" {
 #endif
-
-/** No rotation, no translation. */
-NKW_API nkw_dual_quat nkw_dual_quat_identity(void);
 
 /**
  * The rotation by the unit quaternion `rotation`, then the translation by `translation`. real is a copy of `rotation`;
@@ -55,22 +54,11 @@ NKW_API nkw_dual_quat nkw_dual_quat_from_mat4(const nkw_mat4 *m);
 NKW_API nkw_mat4 nkw_mat4_from_dual_quat(const nkw_dual_quat *d);
 
 /**
- * The translation of a unit d: 2 dual conjugate(real) = 2 (rw dv - dw rv + rv x dv), with (rv, rw) = real and
- * (dv, dw) = dual. Computed in binary32.
- *
- * Error  4.3 u.
- */
-NKW_API nkw_vec3 nkw_dual_quat_translation(const nkw_dual_quat *d);
-
-/**
  * The product a b: b first, then a. real = ar br, dual = ar bd + ad br. Computed in binary32.
  *
  * Error  4.0 u of |a.dual| + |b.dual| in the dual part, 2.8 u in the real part, for unit inputs.
  */
 NKW_API nkw_dual_quat nkw_dual_quat_mul(const nkw_dual_quat *a, const nkw_dual_quat *b);
-
-/** The inverse of a unit d: the conjugates of both parts. */
-NKW_API nkw_dual_quat nkw_dual_quat_conjugate(const nkw_dual_quat *d);
 
 /**
  * The unit dual quaternion of d: d divided by |real|, without the component of dual along real:
@@ -84,24 +72,15 @@ NKW_API nkw_dual_quat nkw_dual_quat_conjugate(const nkw_dual_quat *d);
 NKW_API nkw_dual_quat nkw_dual_quat_normalize(const nkw_dual_quat *d);
 
 /**
- * Returns -d if the dot product of d->real and side->real is negative, otherwise d (also if it is NaN). side->dual is
- *         not
- * read.
- */
-NKW_API nkw_dual_quat nkw_dual_quat_align(const nkw_dual_quat *d, const nkw_dual_quat *side);
-
-/**
- * The point p transformed by the unit d: rotated, then translated. Computed in binary32.
+ * The point p transformed by the unit d: rotated by real, then translated. Computed in binary32.
  *
- * Error  13.0 u of |p| + |t|, t the translation.
+ *     p' = rotate(real, p) + 2 (rw dv - dw rv + rv x dv),       (rv, rw) = real,  (dv, dw) = dual
+ *
+ * Of the point 0 it is the translation.
+ *
+ * Error  13.0 u of |p| + |t|, t the translation; 4.3 u for p = 0.
  */
 NKW_API nkw_vec3 nkw_dual_quat_transform_point(const nkw_dual_quat *d, nkw_vec3 p);
-/**
- * The direction v transformed by the unit d: rotated. Computed in binary32.
- *
- * Error  11.5 u of |v|.
- */
-NKW_API nkw_vec3 nkw_dual_quat_transform_direction(const nkw_dual_quat *d, nkw_vec3 v);
 
 #ifdef __cplusplus
 }

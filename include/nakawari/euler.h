@@ -126,10 +126,28 @@ NKW_API nkw_vec3 nkw_euler_nearest(nkw_vec3 angles, nkw_vec3 reference, nkw_eule
  * The Euler filter: the angles of `count` successive rotations without jumps. The first stays, each following one is
  * nkw_euler_nearest to the result before it. The rotations are unchanged, to rounding. `out` may be `angles`.
  */
-NKW_API void nkw_euler_filter(const nkw_vec3 *angles, nkw_euler_order order, nkw_vec3 *out, size_t count);
+NKW_API void nkw_euler_filter(const nkw_vec3 *angles, size_t count, nkw_euler_order order, nkw_vec3 *out);
 
-/** nkw_quat_from_euler over component arrays, with one order. See types.h for the rules of all batch functions. */
-NKW_API void nkw_quat_from_euler_n(nkw_vec3_view angles, nkw_euler_order order, nkw_quat_span out, size_t n);
+/** The angles that nkw_euler_lerp unwraps. Any other number is read as NONE. */
+typedef enum nkw_unwrap {
+    NKW_UNWRAP_NONE, /**< none: differences of several turns are kept */
+    NKW_UNWRAP_YAW,  /**< only the angle about Y, as in the university exercise (keyframe.h) */
+    NKW_UNWRAP_ALL,   /**< all three */
+    NKW_UNWRAP_MAX_ENUM = 0x7fffffff
+} nkw_unwrap;
+
+/**
+ * Linear interpolation of Euler angles.
+ *
+ * An angle that `unwrap` selects is unwrapped: if the angles of a and b differ by more than pi, the angle of a is first
+ * moved towards that of b by 2 pi. Each unwrapped *angle* then takes its shorter direction, which is not the shorter
+ * arc of the rotation.
+ *
+ * Returns  exactly a (or a as moved) at t = 0, exactly b at t = 1
+ *
+ * Error  1.0 u of the larger of |a|, |b|, for each angle separately, with a as moved, for t in 0..1.
+ */
+NKW_API nkw_vec3 nkw_euler_lerp(nkw_vec3 a, nkw_vec3 b, float t, nkw_unwrap unwrap);
 
 #ifdef __cplusplus
 }

@@ -287,7 +287,6 @@ NKW_API int nkw_mat4_equal_within(const nkw_mat4 *a, const nkw_mat4 *b, float to
  * The same functions over component arrays: element i of the result is computed from the elements i, with the bits of
  * the scalar function. See types.h for the rules of all batch functions.
  */
-NKW_API void nkw_mat3_from_quat_n(nkw_quat_view q, nkw_mat3_span out, size_t n);
 /** In place, out may be a, b or both. */
 NKW_API void nkw_mat4_mul_affine_n(nkw_mat4_view a, nkw_mat4_view b, nkw_mat4_span out, size_t n);
 /** n points, or n directions, transformed by one affine matrix. */

@@ -174,41 +174,18 @@ NKW_API nkw_vec3 nkw_quat_angular_velocity(nkw_quat a, nkw_quat b, float duratio
  */
 NKW_API nkw_quat nkw_quat_integrate(nkw_quat q, nkw_vec3 angular_velocity, float duration);
 
-/** The angles that nkw_euler_lerp unwraps. Any other number is read as NONE. */
-typedef enum nkw_unwrap {
-    NKW_UNWRAP_NONE, /**< none: differences of several turns are kept */
-    NKW_UNWRAP_YAW,  /**< only the angle about Y, as in the university exercise (keyframe.h) */
-    NKW_UNWRAP_ALL,   /**< all three */
-    NKW_UNWRAP_MAX_ENUM = 0x7fffffff
-} nkw_unwrap;
-
-/**
- * Linear interpolation of Euler angles.
- *
- * An angle that `unwrap` selects is unwrapped: if the angles of a and b differ by more than pi, the angle of a is first
- * moved towards that of b by 2 pi. Each unwrapped *angle* then takes its shorter direction, which is not the shorter
- * arc of the rotation.
- *
- * Returns  exactly a (or a as moved) at t = 0, exactly b at t = 1
- *
- * Error  1.0 u of the larger of |a|, |b|, for each angle separately, with a as moved, for t in 0..1.
- */
-NKW_API nkw_vec3 nkw_euler_lerp(nkw_vec3 a, nkw_vec3 b, float t, nkw_unwrap unwrap);
-
 /**
  * The same functions over component arrays: element i of the result is computed from the elements i, with the bits of
  * the scalar function. The functions in _at_n use one t for all elements. See types.h for the rules of all batch
  * functions.
  *
  * Stack  at most 16 KiB in nkw_quat_slerp_n; 9 KiB in nkw_quat_nlerp_n, nkw_quat_nlerp_at_n; 8 KiB in
- *        nkw_quat_slerp_at_n; 2 KiB in nkw_quat_log_n.
+ *        nkw_quat_slerp_at_n.
  */
 NKW_API void nkw_quat_nlerp_n(nkw_quat_view a, nkw_quat_view b, const float *t, nkw_quat_span out, size_t n);
 NKW_API void nkw_quat_nlerp_at_n(nkw_quat_view a, nkw_quat_view b, float t, nkw_quat_span out, size_t n);
 NKW_API void nkw_quat_slerp_n(nkw_quat_view a, nkw_quat_view b, const float *t, nkw_quat_span out, size_t n);
 NKW_API void nkw_quat_slerp_at_n(nkw_quat_view a, nkw_quat_view b, float t, nkw_quat_span out, size_t n);
-NKW_API void nkw_quat_log_n(nkw_quat_view q, nkw_vec3_span out, size_t n);
-NKW_API void nkw_quat_exp_n(nkw_vec3_view v, nkw_quat_span out, size_t n);
 
 #ifdef __cplusplus
 }

@@ -163,13 +163,6 @@ NKW_API nkw_quat nkw_quat_look_rotation(nkw_vec3 forward, nkw_vec3 up);
 NKW_API nkw_quat nkw_quat_from_mat3(const nkw_mat3 *m);
 
 /**
- * The rotation of the upper left 3x3 block of m, as nkw_quat_from_mat3.
- *
- * Error  4.2 u against the rotation nearest to m; 3.4 u if m is a rotation with each element rounded once.
- */
-NKW_API nkw_quat nkw_quat_from_mat4(const nkw_mat4 *m);
-
-/**
  * The angle in radians, 0..pi, of the rotation from a to b: 2 atan2(|v|, |w|) with (v, w) = conjugate(a) b.
  * Neither need be unit; the angle to a zero quaternion is 0.
  *
@@ -217,15 +210,15 @@ NKW_API float nkw_quat_twist_angle(nkw_quat q, nkw_vec3 axis);
  * one with m.q[0] >= 0. If several m have the same sum, as for two rotations by half a turn from each other, it returns
  * one of them, the same on every target.
  *
- * rotations  count quaternions, unit; another length multiplies the weight by its square
- * weights    count weights, or NULL: all equal. A negative weight counts as 0.
+ * rotations  `count` quaternions, unit; another length multiplies the weight by its square
+ * weights    `count` weights, or NULL: all equal. A negative weight counts as 0.
  * Returns    the identity for count 0, or if all weights are 0; NaN for input that is not finite
  *
  * Error  0.91 u, if the two largest eigenvalues differ by at least 2^-20 of their sum.
  * Source Markley, Cheng, Crassidis, Oshman, Averaging Quaternions, Journal of Guidance, Control, and Dynamics 30(4),
  *        2007.
  */
-NKW_API nkw_quat nkw_quat_mean(const nkw_quat *rotations, const float *weights, size_t count);
+NKW_API nkw_quat nkw_quat_mean(const nkw_quat *rotations, size_t count, const float *weights);
 
 /** The quaternion from components stored as w, x, y, z, and back. */
 NKW_API nkw_quat nkw_quat_from_wxyz(const float wxyz[4]);
@@ -235,12 +228,11 @@ NKW_API void nkw_quat_to_wxyz(nkw_quat q, float wxyz[4]);
  * The same functions over component arrays: element i of the result is computed from the elements i, with the bits of
  * the scalar function. See types.h for the rules of all batch functions.
  *
- * Stack  at most 6 KiB in nkw_quat_from_mat3_n; 2 KiB in nkw_quat_normalize_n.
+ * Stack  at most 2 KiB in nkw_quat_normalize_n.
  */
 NKW_API void nkw_quat_mul_n(nkw_quat_view a, nkw_quat_view b, nkw_quat_span out, size_t n);
 NKW_API void nkw_quat_normalize_n(nkw_quat_view q, nkw_quat_span out, size_t n);
 NKW_API void nkw_quat_rotate_n(nkw_quat_view q, nkw_vec3_view v, nkw_vec3_span out, size_t n);
-NKW_API void nkw_quat_from_mat3_n(nkw_mat3_view m, nkw_quat_span out, size_t n);
 /** Copy an array of quaternions to component arrays, and back. The arrays must not overlap. */
 NKW_API void nkw_quat_unpack_n(const nkw_quat *in, nkw_quat_span out, size_t n);
 NKW_API void nkw_quat_pack_n(nkw_quat_view in, nkw_quat *out, size_t n);

@@ -65,13 +65,6 @@ NKW_ALGEBRA float nkw_max(float a, float b);
 NKW_ALGEBRA float nkw_clamp(float x, float low, float high);
 
 /**
- * x clamped to [0, 1]. NaN returns 0.
- *
- * Error  exact
- */
-NKW_ALGEBRA float nkw_saturate(float x);
-
-/**
  * The number at t on the straight line from a (t = 0) to b (t = 1).
  *
  *     a + t (b - a)            t < 1/2
@@ -100,18 +93,6 @@ NKW_ALGEBRA float nkw_lerp(float a, float b, float t);
  * Error  3.0 ULP (2.49 at 0x1.9b7b88p0, 0x1.34c4e4p3, 0x1.34a41ep3)
  */
 NKW_ALGEBRA float nkw_inverse_lerp(float a, float b, float x);
-
-/**
- * x mapped linearly from the range a, b to the range c, d.
- *
- *     lerp(c, d, inverse_lerp(a, b, x))
- *
- * Returns  c at x = a, d at x = b; beyond the ends the line continues; c for a = b. Ranges may descend.
- *
- * Error  6.0 u of max(|c|, |d|), x between a and b (5.64 at -0x1.567a14p1, 0x1.5db564p0,
- *        -0x1.5bc718p1, 0x1.0d9b48p3, -0x1.06a81cp3)
- */
-NKW_ALGEBRA float nkw_remap(float x, float a, float b, float c, float d);
 
 /** 1 if a and b differ by at most `tolerance`, otherwise 0, also for NaN. Equal infinities do not differ. */
 NKW_API int nkw_equal_within(float a, float b, float tolerance);
@@ -343,15 +324,6 @@ NKW_API float nkw_wrap_angle(float angle);
  *        more than rounding below
  */
 NKW_API float nkw_angle_difference(float from, float to);
-
-/* ---- arrays ---- */
-
-/**
- * nkw_sincos of n angles, with the same bits. See types.h for the rules of all batch functions.
- *
- * Stack  at most 2 KiB.
- */
-NKW_API void nkw_sincos_n(const float *angle, float *sine, float *cosine, size_t n);
 
 #ifdef __cplusplus
 }

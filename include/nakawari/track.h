@@ -148,7 +148,7 @@ NKW_API void nkw_track_sample_segment(const nkw_track *track, nkw_segment segmen
  *
  * kind     what the values are: a translation is NKW_AXES_VEC3
  * values   receives nkw_track_value_count(track) floats; may be track->values
- * Returns  NKW_OK; NKW_BAD_METHOD for an unknown kind; NKW_BAD_WIDTH if the width is not nkw_axes_kind_width(kind);
+ * Returns  NKW_OK; NKW_BAD_METHOD for an unknown kind; NKW_BAD_WIDTH if the width is not NKW_AXES_WIDTH(kind);
  *          NKW_OUT_OF_RANGE for a map that is not valid; NKW_TOO_SMALL if the number of floats exceeds size_t; nothing
  *          is then written
  */

@@ -228,16 +228,6 @@ NKW_SIZE(nkw_quat_span, 32, 16);
          .view)
 #endif
 
-/** One array for each of the nine elements, in the order of nkw_mat3. */
-typedef struct nkw_mat3_view {
-    const float *m[9];
-} nkw_mat3_view;
-NKW_SIZE(nkw_mat3_view, 72, 36);
-typedef struct nkw_mat3_span {
-    float *m[9];
-} nkw_mat3_span;
-NKW_SIZE(nkw_mat3_span, 72, 36);
-
 /** One array for each of the sixteen elements, in the order of nkw_mat4. */
 typedef struct nkw_mat4_view {
     const float *m[16];

@@ -18,8 +18,9 @@
 extern "C" {
 #endif
 
-/** (0, 0, 0). */
-NKW_ALGEBRA nkw_vec3 nkw_vec3_zero(void);
+/** (0, 0, 0), as an initialiser and as an argument. */
+#define NKW_VEC3_ZERO (NKW_LITERAL(nkw_vec3){0.0f, 0.0f, 0.0f})
+
 /** a + b. */
 NKW_ALGEBRA nkw_vec3 nkw_vec3_add(nkw_vec3 a, nkw_vec3 b);
 /** a - b. */
@@ -54,13 +55,6 @@ NKW_ALGEBRA float nkw_vec3_dot(nkw_vec3 a, nkw_vec3 b);
  * Error  2.0 u of |a| |b|.
  */
 NKW_ALGEBRA nkw_vec3 nkw_vec3_cross(nkw_vec3 a, nkw_vec3 b);
-
-/**
- * a.a, computed in binary32. It overflows for lengths above 1.8e19; nkw_vec3_length does not.
- *
- * Error  3.0 u.
- */
-NKW_ALGEBRA float nkw_vec3_length_squared(nkw_vec3 a);
 
 /**
  * Linear interpolation of each component by nkw_lerp: exactly a at t = 0, exactly b at t = 1, and exactly a if a = b.

@@ -49,5 +49,5 @@ int canvas_texture_level(const canvas_corner corner[3], const texture *image)
 
 unsigned char canvas_byte(float share)
 {
-    return (unsigned char)(255.0f * nkw_sqrt(nkw_saturate(share)) + 0.5f);
+    return (unsigned char)(255.0f * nkw_sqrt(nkw_clamp(share, 0.0f, 1.0f)) + 0.5f);
 }

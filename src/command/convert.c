@@ -138,7 +138,7 @@ static int check_axes(const options *o, request *r)
     static const nkw_vec3 y = {0.0f, 1.0f, 0.0f}, z = {0.0f, 0.0f, 1.0f};
     nkw_axes from = NKW_AXES_GLTF;
     const char *axes = up == 0 ? "blender:gltf" : up == 1 ? "gltf:blender" : r->axes;
-    r->map = nkw_axes_map_identity();
+    r->map = NKW_AXES_MAP_IDENTITY;
     if (axes && !read_axes(axes, &from, &r->map))
         return options_misuse(o, axes, "not two tools or triples of axes: FROM:TO");
     r->reframes = axes || r->scale != 1.0f;

@@ -35,7 +35,7 @@ static int find_keys(angles *a, const nkw_track *track, nkw_euler_order order)
         a->keys[k] = nkw_euler_from_quat(nkw_quat_normalize(q), order);
     }
     if (a->keys)
-        nkw_euler_filter(a->keys, order, a->keys, track->count);
+        nkw_euler_filter(a->keys, track->count, order, a->keys);
     return a->keys != NULL;
 }
 

@@ -132,7 +132,7 @@ static svg_plot plot_of(const paths *all, const nkw_mat4 *eye, svg_box box)
             high.x = nkw_max(high.x, p.x), high.y = nkw_max(high.y, p.y);
         }
     if (!(low.x <= high.x))
-        low = high = nkw_vec3_zero();
+        low = high = NKW_VEC3_ZERO;
     float width = nkw_max(nkw_max(high.x - low.x, high.y - low.y), 1e-6f), half = 0.56f * width;
     float x = 0.5f * (low.x + high.x), y = 0.5f * (low.y + high.y);
     svg_plot plot = {box, {x - half, x + half, chart_tick(width), ""}, {y - half, y + half, chart_tick(width), ""}};

@@ -111,7 +111,7 @@ static void draw_shadow(canvas *c, const nkw_vec3 place[3], nkw_vec3 colour)
 static float nearest(nkw_vec3 a, nkw_vec3 b, float x, float y, float *squared)
 {
     float dx = b.x - a.x, dy = b.y - a.y, length = dx * dx + dy * dy;
-    float t = length > 0.0f ? nkw_saturate(((x - a.x) * dx + (y - a.y) * dy) / length) : 0.0f;
+    float t = length > 0.0f ? nkw_clamp(((x - a.x) * dx + (y - a.y) * dy) / length, 0.0f, 1.0f) : 0.0f;
     float ex = a.x + t * dx - x, ey = a.y + t * dy - y;
     *squared = ex * ex + ey * ey;
     return t;
@@ -123,8 +123,8 @@ static void columns_of(nkw_vec3 a, nkw_vec3 b, float half, float y, float *low, 
     float rise = b.y - a.y, from = 0.0f, to = 1.0f;
     if (fabsf(rise) > 0.0f) {
         float s = (y - half - 1.0f - a.y) / rise, t = (y + half + 1.0f - a.y) / rise;
-        from = nkw_saturate(nkw_min(s, t));
-        to = nkw_saturate(nkw_max(s, t));
+        from = nkw_clamp(nkw_min(s, t), 0.0f, 1.0f);
+        to = nkw_clamp(nkw_max(s, t), 0.0f, 1.0f);
     }
     float x0 = nkw_lerp(a.x, b.x, from), x1 = nkw_lerp(a.x, b.x, to);
     *low = nkw_min(x0, x1) - half;
@@ -191,7 +191,7 @@ void raster_resolve(const raster *r, unsigned char *out, size_t stride)
     const float each = 1.0f / (float)(RASTER_SAMPLES * RASTER_SAMPLES);
     for (size_t y = 0; y < r->height / RASTER_SAMPLES; y++)
         for (size_t x = 0; x < r->width / RASTER_SAMPLES; x++) {
-            nkw_vec3 sum = nkw_vec3_zero();
+            nkw_vec3 sum = NKW_VEC3_ZERO;
             for (size_t i = 0; i < RASTER_SAMPLES * RASTER_SAMPLES; i++) {
                 size_t row = y * RASTER_SAMPLES + i / RASTER_SAMPLES, column = x * RASTER_SAMPLES + i % RASTER_SAMPLES;
                 sum = nkw_vec3_add(sum, r->colour[row * r->width + column]);

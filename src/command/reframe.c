@@ -43,7 +43,8 @@ int reframe_axes(const char *text, nkw_axes *axes)
             return 1;
         }
     return read_axis(&text, &axes->right) && read_comma(&text) && read_axis(&text, &axes->up) && read_comma(&text) &&
-           read_axis(&text, &axes->forward) && *text == 0 && nkw_axes_is_valid(*axes);
+           read_axis(&text, &axes->forward) && *text == 0 &&
+           nkw_axes_map_is_valid(nkw_axes_map_from_axes(*axes, *axes));
 }
 
 /* ---- the parts ---- */
@@ -199,7 +200,7 @@ static void change_track(frame *f, nkw_clip_track *track)
     f->failed |= !out;
     if (!out)
         return;
-    nkw_axes_convert_values(f->map, kinds[track->target], t->values, out, count / t->width);
+    nkw_axes_convert_values(f->map, t->values, count / t->width, kinds[track->target], out);
     for (size_t i = 0; track->target == NKW_CLIP_TRANSLATION && i < count; i++)
         out[i] *= f->scale;
     t->values = out;

@@ -97,7 +97,7 @@ static void go_to(picture *p, size_t k)
     const float degree = 0.0174532925f;
     float turn = p->request->turntable ? 360.0f * ((float)k / (float)p->frame_count) : 0.0f;
     moment_at(p->moment, frame_time(p->moment, p->request, p->frame_count, k));
-    nkw_vec3 origin = p->request->follow ? view_middle(&p->view, p->moment) : nkw_vec3_zero();
+    nkw_vec3 origin = p->request->follow ? view_middle(&p->view, p->moment) : NKW_VEC3_ZERO;
     view_turn(&p->view, origin, (p->request->yaw + turn) * degree, p->request->pitch * degree);
 }
 
@@ -117,7 +117,7 @@ static void frame_all(picture *p)
         view_include_shadow(&p->view, &p->box);
     if (p->box.low.x <= p->box.high.x)
         return;
-    p->box.low = p->box.high = p->box.least = p->box.most = nkw_vec3_zero();
+    p->box.low = p->box.high = p->box.least = p->box.most = NKW_VEC3_ZERO;
 }
 
 static void draw_on(picture *p, size_t k, canvas *c)

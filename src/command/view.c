@@ -49,7 +49,7 @@ int view_open(view *v, const nkw_document *d)
         if (d->materials[i].image)
             texture_open(&v->textures[i], d, d->materials[i].image);
     v->frames_bones = d->skin_count > 0 || d->mesh_count == 0;
-    view_turn(v, nkw_vec3_zero(), 0.0f, 0.0f);
+    view_turn(v, NKW_VEC3_ZERO, 0.0f, 0.0f);
     return 1;
 }
 
@@ -94,7 +94,7 @@ static void include_point(view *v, nkw_vec3 world)
 
 nkw_vec3 view_middle(const view *v, const moment *m)
 {
-    nkw_vec3 sum = nkw_vec3_zero();
+    nkw_vec3 sum = NKW_VEC3_ZERO;
     size_t count = 0;
     for (size_t j = 0; j < m->document->skeleton.joint_count; j++)
         if (v->shown[j] && v->bones[j]) {
@@ -103,7 +103,7 @@ nkw_vec3 view_middle(const view *v, const moment *m)
         }
     nkw_vec3 mean = nkw_vec3_scale(sum, 1.0f / (float)(count ? count : 1));
     mean.y = 0.0f;
-    return isfinite(mean.x) && isfinite(mean.z) ? mean : nkw_vec3_zero();
+    return isfinite(mean.x) && isfinite(mean.z) ? mean : NKW_VEC3_ZERO;
 }
 
 static const nkw_document_mesh *mesh_of(const view *v, const nkw_document *d, size_t joint)
@@ -267,12 +267,12 @@ static nkw_vec3 colour_at(const nkw_document *d, const nkw_document_primitive *p
     nkw_vec3 colour = {0.62f, 0.62f, 0.64f};
     if (p->material >= 0) {
         const float *c = d->materials[p->material].color;
-        nkw_vec3 own = {nkw_saturate(c[0]), nkw_saturate(c[1]), nkw_saturate(c[2])};
+        nkw_vec3 own = {nkw_clamp(c[0], 0.0f, 1.0f), nkw_clamp(c[1], 0.0f, 1.0f), nkw_clamp(c[2], 0.0f, 1.0f)};
         colour = own;
     }
     if (p->colors) {
         const float *c = p->colors + 4 * vertex;
-        nkw_vec3 times = {nkw_saturate(c[0]), nkw_saturate(c[1]), nkw_saturate(c[2])};
+        nkw_vec3 times = {nkw_clamp(c[0], 0.0f, 1.0f), nkw_clamp(c[1], 0.0f, 1.0f), nkw_clamp(c[2], 0.0f, 1.0f)};
         colour.x *= times.x, colour.y *= times.y, colour.z *= times.z;
     }
     return colour;

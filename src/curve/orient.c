@@ -79,17 +79,6 @@ nkw_quat nkw_quat_integrate(nkw_quat q, nkw_vec3 angular_velocity, float duratio
     return lane_quat_from_f64(lane_f64_quat_mul(lane_f64_quat_exp(half), lane_f64_quat_from(q)));
 }
 
-nkw_vec3 nkw_euler_lerp(nkw_vec3 a, nkw_vec3 b, float t, nkw_unwrap unwrap)
-{
-    int all = unwrap == NKW_UNWRAP_ALL;
-    nkw_vec3 r = {
-        lane_angle_lerp(a.x, b.x, t, all),
-        lane_angle_lerp(a.y, b.y, t, all || unwrap == NKW_UNWRAP_YAW),
-        lane_angle_lerp(a.z, b.z, t, all),
-    };
-    return r;
-}
-
 nkw_quat nkw_quat_rotate_towards(nkw_quat from, nkw_quat to, float angle)
 {
     float whole = nkw_quat_angle(from, to), part = angle < 0.0f ? 0.0f : angle;

@@ -105,7 +105,7 @@ static void tile(svg *s, const svg_camera *camera, svg_box box, float x, float z
             return;
         p[i] = svg_project(camera, corner[i]);
     }
-    float fade = nkw_remap(svg_depth(camera, corner[0]), 4.0f, 14.0f, 0.0f, 1.0f);
+    float fade = nkw_lerp(0.0f, 1.0f, nkw_inverse_lerp(4.0f, 14.0f, svg_depth(camera, corner[0])));
     svg_paint paint = svg_fill(svg_mix(0xe9ecf2, 0xffffff, fade), 1.0f);
     if (fade < 1.0f && overlaps(p, 4, box))
         svg_polygon(s, p, 4, &paint);

@@ -39,7 +39,7 @@ void sphere_ball(svg *s, const svg_camera *camera)
     for (int i = 0; i < 6; i++) {
         float angle = 0.523598776f * (float)i;
         nkw_vec3 side = {nkw_sin(angle), 0.0f, nkw_cos(angle)};
-        circle(s, camera, side, up, nkw_vec3_zero());
+        circle(s, camera, side, up, NKW_VEC3_ZERO);
     }
     for (int i = -2; i <= 2; i++) {
         float angle = 0.523598776f * (float)i, r = nkw_cos(angle);

@@ -34,7 +34,7 @@ static long channel(svg_colour a, svg_colour b, int shift, float share)
 
 svg_colour svg_mix(svg_colour a, svg_colour b, float share)
 {
-    float k = nkw_saturate(share);
+    float k = nkw_clamp(share, 0.0f, 1.0f);
     return channel(a, b, 16, k) | channel(a, b, 8, k) | channel(a, b, 0, k);
 }
 

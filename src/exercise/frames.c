@@ -122,11 +122,17 @@ static nkw_mat4 turned(const scene *s, float time, nkw_orientation_method method
     return scene_sample(s, time, NKW_POSITION_LINEAR, method);
 }
 
+static nkw_quat rotation_of(const nkw_mat4 *m)
+{
+    const nkw_mat3 block = nkw_mat3_from_mat4(m);
+    return nkw_quat_from_mat3(&block);
+}
+
 /* The angle between the two methods at a time, radians. */
 static float difference(const scene *s, float time)
 {
     nkw_mat4 e = turned(s, time, NKW_ORIENTATION_EULER), q = turned(s, time, NKW_ORIENTATION_SLERP);
-    return nkw_quat_angle(nkw_quat_from_mat4(&e), nkw_quat_from_mat4(&q));
+    return nkw_quat_angle(rotation_of(&e), rotation_of(&q));
 }
 
 /* Sample i: SAMPLES in each segment between two keys. */
@@ -176,7 +182,7 @@ static nkw_vec3 top(const scene *s, float time, nkw_orientation_method method)
 /* The yaw of the eye that an axis of the object, on the mean over a segment, points to. */
 static float facing_yaw(const scene *s, size_t segment, nkw_vec3 (*axis)(const scene *, float, nkw_orientation_method))
 {
-    nkw_vec3 sum = nkw_vec3_zero();
+    nkw_vec3 sum = NKW_VEC3_ZERO;
     for (int i = 0; i <= 8; i++) {
         sum = nkw_vec3_add(sum, axis(s, scene_segment_time(s, segment, 0.125f * (float)i), NKW_ORIENTATION_EULER));
         sum = nkw_vec3_add(sum, axis(s, scene_segment_time(s, segment, 0.125f * (float)i), NKW_ORIENTATION_SLERP));
@@ -402,7 +408,7 @@ static float turning_speed(const scene *s, size_t i, nkw_orientation_method meth
 {
     const float from = sample_time(s, i), to = sample_time(s, i + 1);
     nkw_mat4 a = turned(s, from, method), b = turned(s, to, method);
-    const float angle = nkw_quat_angle(nkw_quat_from_mat4(&a), nkw_quat_from_mat4(&b));
+    const float angle = nkw_quat_angle(rotation_of(&a), rotation_of(&b));
     return to > from ? angle / (to - from) : 0.0f;
 }
 

@@ -10,20 +10,14 @@
 
 /* ---- Loops over elements ---- */
 
-/* Angles (scalar, euler): a block has one test for angles from 2^20 on, whose elements are computed again. */
-#define ANGLE_BLOCK 256
-/* Angles: a block with fewer is left to the scalar function, which takes less time than a remainder of a loop. */
-#define ANGLE_FEW 8
 /* Normalisation: lengths of a block in the first-level cache. */
 #define NORMALIZE_BLOCK 256
-/* Rotations (slerp, nlerp, exp): lengths and roots of a block in the first-level cache, 5 arrays of 1 KiB. */
+/* Rotations (slerp, nlerp): lengths and roots of a block in the first-level cache, 5 arrays of 1 KiB. */
 #define ORIENT_BLOCK 256
 /*
  * Slerp, nlerp: so many elements after the last whole register are computed as a register; one takes less time alone.
  */
 #define TAIL_LEAST 2
-/* Rotations nearest to matrices: 5 arrays of 512 bytes, until all matrices of the block have been read. */
-#define NEAREST_BLOCK 128
 /* Matrices that are transposed to component arrays: the floats of the widest register. */
 #define MATRIX_BLOCK 16
 /* Lanes of a crowd in one loop. GCC holds the address of each array in a loop of two iterations, and runs out. */

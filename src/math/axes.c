@@ -47,27 +47,16 @@ static nkw_axis source_of(nkw_axes_map map, size_t place)
     return axes[place];
 }
 
-int nkw_axes_is_valid(nkw_axes axes)
-{
-    return are_different(axes.right, axes.up, axes.forward);
-}
-
 int nkw_axes_map_is_valid(nkw_axes_map map)
 {
     return are_different(map.x, map.y, map.z);
 }
 
-nkw_axes_map nkw_axes_map_identity(void)
-{
-    nkw_axes_map map = {NKW_AXIS_X, NKW_AXIS_Y, NKW_AXIS_Z};
-    return map;
-}
-
 nkw_axes_map nkw_axes_map_from_axes(nkw_axes from, nkw_axes to)
 {
     const nkw_axis sources[3] = {from.right, from.up, from.forward}, targets[3] = {to.right, to.up, to.forward};
-    nkw_axis named[3] = {NKW_AXIS_X, NKW_AXIS_Y, NKW_AXIS_Z};
-    if (nkw_axes_is_valid(from) && nkw_axes_is_valid(to))
+    nkw_axis named[3] = {(nkw_axis)0, (nkw_axis)0, (nkw_axis)0};
+    if (are_different(from.right, from.up, from.forward) && are_different(to.right, to.up, to.forward))
         for (size_t k = 0; k < 3; k++)
             named[place_of(targets[k])] =
                 axis_at(place_of(sources[k]), is_negative(sources[k]) != is_negative(targets[k]));
@@ -93,29 +82,19 @@ int nkw_axes_map_is_mirror(nkw_axes_map map)
     return nkw_axes_map_is_valid(map) && (odd + signs) % 2 == 1;
 }
 
-nkw_mat3 nkw_mat3_from_axes_map(nkw_axes_map map)
-{
-    nkw_mat3 m = {{0.0f}};
-    for (size_t row = 0; row < 3; row++) {
-        nkw_axis source = source_of(map, row);
-        m.m[place_of(source) * 3 + row] = is_negative(source) ? -1.0f : 1.0f;
-    }
-    return m;
-}
-
 nkw_vec3 nkw_axes_convert_vec3(nkw_axes_map map, nkw_vec3 v)
 {
     nkw_vec3 r = {pick(map.x, v), pick(map.y, v), pick(map.z, v)};
     return r;
 }
 
-nkw_vec3 nkw_axes_convert_angular(nkw_axes_map map, nkw_vec3 v)
+static nkw_vec3 convert_angular(nkw_axes_map map, nkw_vec3 v)
 {
     nkw_vec3 r = nkw_axes_convert_vec3(map, v);
     return nkw_axes_map_is_mirror(map) ? nkw_vec3_negate(r) : r;
 }
 
-nkw_vec3 nkw_axes_convert_scale(nkw_axes_map map, nkw_vec3 scale)
+static nkw_vec3 convert_scale(nkw_axes_map map, nkw_vec3 scale)
 {
     const float c[3] = {scale.x, scale.y, scale.z};
     nkw_vec3 r = {c[place_of(map.x)], c[place_of(map.y)], c[place_of(map.z)]};
@@ -125,7 +104,7 @@ nkw_vec3 nkw_axes_convert_scale(nkw_axes_map map, nkw_vec3 scale)
 nkw_quat nkw_axes_convert_quat(nkw_axes_map map, nkw_quat q)
 {
     nkw_vec3 v = {q.x, q.y, q.z};
-    v = nkw_axes_convert_angular(map, v);
+    v = convert_angular(map, v);
     nkw_quat r = {v.x, v.y, v.z, q.w};
     return r;
 }
@@ -135,46 +114,33 @@ nkw_trs nkw_axes_convert_trs(nkw_axes_map map, const nkw_trs *trs)
     nkw_trs r = {
         nkw_axes_convert_vec3(map, trs->translation),
         nkw_axes_convert_quat(map, trs->rotation),
-        nkw_axes_convert_scale(map, trs->scale),
+        convert_scale(map, trs->scale),
     };
     return r;
 }
 
-/* The element of P M P^T in a row and a column; row and column 3 of a 4x4 matrix stay in their places. */
-static float element(nkw_axes_map map, const float *m, size_t size, size_t row, size_t column)
+/* The element of P M P^T in a row and a column; row and column 3 stay in their places. */
+static float element(nkw_axes_map map, const nkw_mat4 *m, size_t row, size_t column)
 {
     size_t r = row < 3 ? place_of(source_of(map, row)) : row,
            c = column < 3 ? place_of(source_of(map, column)) : column;
     int negative_row = row < 3 && is_negative(source_of(map, row));
     int negative_column = column < 3 && is_negative(source_of(map, column));
-    return flip_if(negative_row != negative_column, m[c * size + r]);
-}
-
-nkw_mat3 nkw_axes_convert_mat3(nkw_axes_map map, const nkw_mat3 *m)
-{
-    nkw_mat3 out;
-    for (size_t i = 0; i < 9; i++)
-        out.m[i] = element(map, m->m, 3, i % 3, i / 3);
-    return out;
+    return flip_if(negative_row != negative_column, m->m[c * 4 + r]);
 }
 
 nkw_mat4 nkw_axes_convert_mat4(nkw_axes_map map, const nkw_mat4 *m)
 {
     nkw_mat4 out;
     for (size_t i = 0; i < 16; i++)
-        out.m[i] = element(map, m->m, 4, i % 4, i / 4);
+        out.m[i] = element(map, m, i % 4, i / 4);
     return out;
-}
-
-nkw_vec3 nkw_axes_convert_euler(nkw_axes_map map, nkw_vec3 angles)
-{
-    return nkw_axes_convert_angular(map, angles);
 }
 
 /* The places of the axes of an order, from left to right; the third is the remaining one. */
 static const unsigned char first_axis[6] = {0, 0, 1, 1, 2, 2}, second_axis[6] = {1, 2, 0, 2, 0, 1};
 
-nkw_euler_order nkw_axes_convert_euler_order(nkw_axes_map map, nkw_euler_order order)
+static nkw_euler_order convert_order(nkw_axes_map map, nkw_euler_order order)
 {
     nkw_axes_map inverse = nkw_axes_map_inverse(map);
     size_t known = (int)order > 0 && (int)order < 6 ? (size_t)order : 0;
@@ -186,21 +152,20 @@ nkw_euler_order nkw_axes_convert_euler_order(nkw_axes_map map, nkw_euler_order o
     return NKW_EULER_XYZ;
 }
 
-size_t nkw_axes_kind_width(nkw_axes_kind kind)
+nkw_vec3 nkw_axes_convert_euler(nkw_axes_map map, nkw_vec3 angles, nkw_euler_order *order)
 {
-    if (kind == NKW_AXES_QUAT)
-        return 4;
-    return kind == NKW_AXES_VEC3 || kind == NKW_AXES_ANGULAR || kind == NKW_AXES_SCALE ? 3 : 0;
+    *order = convert_order(map, *order);
+    return convert_angular(map, angles);
 }
 
-void nkw_axes_convert_values(nkw_axes_map map, nkw_axes_kind kind, const float *values, float *out, size_t count)
+void nkw_axes_convert_values(nkw_axes_map map, const float *values, size_t count, nkw_axes_kind kind, float *out)
 {
-    size_t width = nkw_axes_kind_width(kind);
-    for (size_t i = 0; width && i < count; i++, values += width, out += width) {
+    const size_t width = NKW_AXES_WIDTH(kind);
+    for (size_t i = 0; i < count; i++, values += width, out += width) {
         nkw_vec3 v = {values[0], values[1], values[2]};
-        nkw_vec3 r = kind == NKW_AXES_VEC3    ? nkw_axes_convert_vec3(map, v)
-                     : kind == NKW_AXES_SCALE ? nkw_axes_convert_scale(map, v)
-                                              : nkw_axes_convert_angular(map, v);
+        nkw_vec3 r = kind == NKW_AXES_SCALE                              ? convert_scale(map, v)
+                     : kind == NKW_AXES_ANGULAR || kind == NKW_AXES_QUAT ? convert_angular(map, v)
+                                                                         : nkw_axes_convert_vec3(map, v);
         if (width == 4)
             out[3] = values[3];
         out[0] = r.x;

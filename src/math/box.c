@@ -9,13 +9,7 @@
 /* More than the rounding of a blend of eight matrices and of a product: about 20 u. */
 #define BOX_MARGIN 0x1p-19
 
-nkw_box nkw_box_empty(void)
-{
-    nkw_box box = {{INFINITY, INFINITY, INFINITY}, {-INFINITY, -INFINITY, -INFINITY}};
-    return box;
-}
-
-int nkw_box_is_empty(const nkw_box *box)
+static int is_empty(const nkw_box *box)
 {
     return !(box->low.x <= box->high.x && box->low.y <= box->high.y && box->low.z <= box->high.z);
 }
@@ -40,14 +34,9 @@ static nkw_box join(const nkw_box *a, nkw_vec3 low, nkw_vec3 high)
 
 nkw_box nkw_box_union(const nkw_box *a, const nkw_box *b)
 {
-    nkw_box box = nkw_box_empty();
+    nkw_box box = NKW_BOX_EMPTY;
     box = join(&box, a->low, a->high);
     return join(&box, b->low, b->high);
-}
-
-nkw_box nkw_box_add_point(const nkw_box *box, nkw_vec3 p)
-{
-    return p.x == p.x && p.y == p.y && p.z == p.z ? join(box, p, p) : *box;
 }
 
 /* One row of the image: centre and half length, in binary64, which is exact to far less than the margin. */
@@ -67,12 +56,12 @@ static void transform_row(const nkw_mat4 *m, const nkw_box *box, size_t row, flo
     *high = (float)(centre + half);
 }
 
-nkw_box nkw_box_transform(const nkw_mat4 *m, const nkw_box *box)
+nkw_box nkw_box_transform(const nkw_box *box, const nkw_mat4 *m)
 {
     const nkw_box all = {{-INFINITY, -INFINITY, -INFINITY}, {INFINITY, INFINITY, INFINITY}};
     nkw_box r;
-    if (nkw_box_is_empty(box))
-        return nkw_box_empty();
+    if (is_empty(box))
+        return NKW_BOX_EMPTY;
     transform_row(m, box, 0, &r.low.x, &r.high.x);
     transform_row(m, box, 1, &r.low.y, &r.high.y);
     transform_row(m, box, 2, &r.low.z, &r.high.z);

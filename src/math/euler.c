@@ -145,8 +145,19 @@ nkw_vec3 nkw_euler_nearest(nkw_vec3 angles, nkw_vec3 reference, nkw_euler_order 
     return squared_distance(second, reference) < squared_distance(first, reference) ? second : first;
 }
 
-void nkw_euler_filter(const nkw_vec3 *angles, nkw_euler_order order, nkw_vec3 *out, size_t count)
+void nkw_euler_filter(const nkw_vec3 *angles, size_t count, nkw_euler_order order, nkw_vec3 *out)
 {
     for (size_t i = 0; i < count; i++)
         out[i] = i > 0 ? nkw_euler_nearest(angles[i], out[i - 1], order) : angles[i];
+}
+
+nkw_vec3 nkw_euler_lerp(nkw_vec3 a, nkw_vec3 b, float t, nkw_unwrap unwrap)
+{
+    int all = unwrap == NKW_UNWRAP_ALL;
+    nkw_vec3 r = {
+        lane_angle_lerp(a.x, b.x, t, all),
+        lane_angle_lerp(a.y, b.y, t, all || unwrap == NKW_UNWRAP_YAW),
+        lane_angle_lerp(a.z, b.z, t, all),
+    };
+    return r;
 }

@@ -79,18 +79,6 @@ nkw_quat nkw_quat_from_mat3(const nkw_mat3 *m)
     return r.n2 < LANE_NEAREST_FAR ? r.q : from_any_matrix(a, a + 3, a + 6);
 }
 
-nkw_quat nkw_quat_from_mat4(const nkw_mat4 *m)
-{
-#if NKW_F32X4
-    const float *a = m->m;
-    lane_nearest r = f32x4_quat_from_columns(f32x4_load(a), f32x4_load(a + 4), f32x4_load(a + 8));
-    return r.n2 < LANE_NEAREST_FAR ? r.q : from_any_matrix(a, a + 4, a + 8);
-#else
-    nkw_mat3 block = nkw_mat3_from_mat4(m);
-    return nkw_quat_from_mat3(&block);
-#endif
-}
-
 float nkw_quat_angle(nkw_quat a, nkw_quat b)
 {
     return (float)lane_f64_quat_angle(lane_f64_quat_from(a), lane_f64_quat_from(b));

@@ -49,7 +49,7 @@ static lane_f64_form squared(const lane_f64_form *m)
     return r;
 }
 
-nkw_quat nkw_quat_mean(const nkw_quat *rotations, const float *weights, size_t count)
+nkw_quat nkw_quat_mean(const nkw_quat *rotations, size_t count, const float *weights)
 {
     lane_f64_form m = {{0.0, 0.0, 0.0, 0.0}, {0.0, 0.0, 0.0, 0.0}, {0.0, 0.0, 0.0, 0.0}, {0.0, 0.0, 0.0, 0.0}};
     for (size_t i = 0; i < count; i++) {

@@ -7,7 +7,6 @@
 
 #include "batch/blend.h"
 #include "batch/orient.h"
-#include "batch/scalar.h"
 #include "batch/vec.h"
 #include "lane/blend.h"
 #include "lane/scalar.h"

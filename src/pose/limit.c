@@ -166,7 +166,7 @@ nkw_quat nkw_quat_limit_ellipse(nkw_quat q, nkw_vec3 axis, nkw_vec3 side, float 
 
 nkw_quat nkw_quat_limit_cone(nkw_quat q, nkw_vec3 axis, float angle)
 {
-    return nkw_quat_limit_ellipse(q, axis, nkw_vec3_zero(), angle, angle);
+    return nkw_quat_limit_ellipse(q, axis, NKW_VEC3_ZERO, angle, angle);
 }
 
 nkw_quat nkw_quat_limit_twist(nkw_quat q, nkw_vec3 axis, float low, float high)

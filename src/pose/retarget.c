@@ -58,7 +58,7 @@ static nkw_quat rotation_from_rest(const nkw_retarget *r, const rotations *sourc
 static nkw_quat rotation_of(const nkw_retarget *r, const rotations *source, const nkw_retarget_joint *map)
 {
     nkw_quat from = rotation_from_rest(r, source, map->from);
-    float t = nkw_saturate(map->t);
+    float t = nkw_clamp(map->t, 0.0f, 1.0f);
     if (!is_joint(r, map->to) || !(t > 0.0f))
         return from;
     nkw_quat to = rotation_from_rest(r, source, map->to);
@@ -187,7 +187,7 @@ nkw_result nkw_retarget_map_chain(const nkw_retarget *r, const int32_t *source_c
         double width = share_at(r->source_rest, source_chain, source_count, next) - low;
         map->from = source_chain[s];
         map->to = source_chain[next];
-        map->t = width > 0.0 ? nkw_saturate((float)((x - low) / width)) : 0.0f;
+        map->t = width > 0.0 ? nkw_clamp((float)((x - low) / width), 0.0f, 1.0f) : 0.0f;
     }
     return NKW_OK;
 }

@@ -14,6 +14,12 @@ typedef struct bounds_vertex {
     nkw_vec3 position;
 } bounds_vertex;
 
+static nkw_box with_point(const nkw_box *box, nkw_vec3 p)
+{
+    const nkw_box point = {p, p};
+    return nkw_box_union(box, &point);
+}
+
 /* Adds a vertex to the boxes of its joints, or to the last one if it has none. */
 static void add_vertex(const skin_job *job, const bounds_vertex *v, nkw_box *boxes, size_t joint_count)
 {
@@ -24,11 +30,11 @@ static void add_vertex(const skin_job *job, const bounds_vertex *v, nkw_box *box
         float weight = skin_weight(v->weights + k * skin_format_size(job->weights.format), job->weights.format);
         if (weight == 0.0f || joint >= job->joint_count)
             continue;
-        boxes[joint] = nkw_box_add_point(&boxes[joint], v->position);
+        boxes[joint] = with_point(&boxes[joint], v->position);
         has_joint = 1;
     }
     if (!has_joint)
-        boxes[joint_count] = nkw_box_add_point(&boxes[joint_count], v->position);
+        boxes[joint_count] = with_point(&boxes[joint_count], v->position);
 }
 
 nkw_result nkw_box_from_skin(const nkw_skin *skin, nkw_vec3_stream_view positions, nkw_box *boxes, size_t joint_count)
@@ -38,7 +44,7 @@ nkw_result nkw_box_from_skin(const nkw_skin *skin, nkw_vec3_stream_view position
     const skin_job job = skin_job_of(skin, joint_count);
     const unsigned char *at = (const unsigned char *)positions.data;
     for (size_t j = 0; j <= joint_count; j++)
-        boxes[j] = nkw_box_empty();
+        boxes[j] = NKW_BOX_EMPTY;
     for (size_t i = 0; at && i < skin->vertex_count; i++) {
         bounds_vertex v = {(const unsigned char *)job.joints.data + i * job.joints.stride,
                            (const unsigned char *)job.weights.data + i * job.weights.stride,
@@ -60,13 +66,11 @@ nkw_result nkw_box_from_palette(nkw_palette_view palette, const nkw_box *boxes, 
 {
     if (palette.format != NKW_PALETTE_MAT4 && palette.format != NKW_PALETTE_MAT3X4)
         return NKW_BAD_FORMAT;
-    nkw_box sum = nkw_box_empty();
+    nkw_box sum = NKW_BOX_EMPTY;
     sum = nkw_box_union(&sum, &boxes[palette.joint_count]);
     for (size_t j = 0; j < palette.joint_count; j++) {
-        if (nkw_box_is_empty(&boxes[j]))
-            continue;
         nkw_mat4 m = matrix_at(palette, j);
-        nkw_box moved = nkw_box_transform(&m, &boxes[j]);
+        nkw_box moved = nkw_box_transform(&boxes[j], &m);
         sum = nkw_box_union(&sum, &moved);
     }
     *box = sum;

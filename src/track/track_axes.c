@@ -5,8 +5,8 @@
 
 nkw_result nkw_track_convert_axes(const nkw_track *track, nkw_axes_kind kind, nkw_axes_map map, float *values)
 {
-    size_t width = nkw_axes_kind_width(kind), count = nkw_track_value_count(track);
-    if (width == 0)
+    size_t width = NKW_AXES_WIDTH(kind), count = nkw_track_value_count(track);
+    if ((int)kind < 0 || kind >= NKW_AXES_KIND_COUNT)
         return NKW_BAD_METHOD;
     if (track->width != width)
         return NKW_BAD_WIDTH;
@@ -14,6 +14,6 @@ nkw_result nkw_track_convert_axes(const nkw_track *track, nkw_axes_kind kind, nk
         return NKW_OUT_OF_RANGE;
     if (count == SIZE_MAX)
         return NKW_TOO_SMALL;
-    nkw_axes_convert_values(map, kind, track->values, values, count / width);
+    nkw_axes_convert_values(map, track->values, count / width, kind, values);
     return NKW_OK;
 }

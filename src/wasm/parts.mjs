@@ -76,7 +76,7 @@ export const arrays = {
 // Of the arrays of a function how many values they have, where it is not `count` or one.
 const values3 = { value: 'curve.width ?? 1', first: 'curve.width ?? 1', second: 'curve.width ?? 1' };
 export const lengths = {
-  nkw_axes_convert_values: { values: 'count * axesKindWidth(kind)', out: 'count * axesKindWidth(kind)' },
+  nkw_axes_convert_values: { values: 'count * (kind === AXES_QUAT ? 4 : 3)', out: 'count * (kind === AXES_QUAT ? 4 : 3)' },
   nkw_spline_knots: { knots: 'spline.times.length' },
   nkw_nurbs_sample: values3,
   nkw_nurbs_make_knots: { knots: 'count + degree + 1' },

@@ -298,6 +298,65 @@ static double alternate_error(const float *x)
     return worst;
 }
 
+/* ---- Euler angles: a, b, t, what is unwrapped ---- */
+
+static void two_angles(random_source *r, float *x, float size)
+{
+    for (int i = 0; i < 6; i++)
+        x[i] = random_between(r, -size, size);
+    x[6] = random_unit(r);
+    x[7] = (float)(random_bits(r) % 3);
+}
+
+static void one_turn(random_source *r, float *x)
+{
+    two_angles(r, x, PI);
+}
+
+static void some_turns(random_source *r, float *x)
+{
+    two_angles(r, x, 20.0f);
+}
+
+static void near_angles(random_source *r, float *x)
+{
+    two_angles(r, x, PI);
+    for (int i = 0; i < 3; i++)
+        x[3 + i] = x[i] + random_scaled(r, -24, -4);
+}
+
+static void fine_angles(random_source *r, float *x)
+{
+    two_angles(r, x, PI);
+    x[6] = fabsf(random_scaled(r, -30, 0));
+}
+
+/* Of the larger of a as moved and b, each angle for itself. */
+static double euler_lerp_error(const float *x)
+{
+    float got[3];
+    double worst = 0.0;
+    put_vec3(got, nkw_euler_lerp(vec3_at(x), vec3_at(x + 3), x[6], (nkw_unwrap)x[7]));
+    for (int i = 0; i < 3; i++) {
+        wide a = x[i], b = x[3 + i];
+        int moves = x[7] == (float)NKW_UNWRAP_ALL || (x[7] == (float)NKW_UNWRAP_YAW && i == 1);
+        if (moves && fabsq(b - a) > wide_pi())
+            a += (a < b ? 2 : -2) * wide_pi();
+        wide exact = (1 - (wide)x[6]) * a + (wide)x[6] * b;
+        worst = fmax(worst, wide_error_of(got + i, &exact, 1, fmaxq(fabsq(a), fabsq(b))));
+    }
+    return worst;
+}
+
+#define ANGLES "nkw_euler_lerp"
+
+static const wide_case lerps[] = {
+    {ANGLES, "+-pi", one_turn, euler_lerp_error, 8, WIDE_CHECKED},
+    {ANGLES, "+-pi, t in 2^-30 .. 1", fine_angles, euler_lerp_error, 8, WIDE_CHECKED},
+    {ANGLES, "+-20", some_turns, euler_lerp_error, 8, WIDE_CHECKED},
+    {ANGLES, "nearly equal", near_angles, euler_lerp_error, 8, WIDE_CHECKED},
+};
+
 static const wide_case cases[] = {
     {"nkw_euler_alternate", "+-pi", uniform_angles, alternate_error, 4, WIDE_CHECKED},
     {"nkw_euler_alternate", "1e-6 .. 1e-2", small_angles, alternate_error, 4, WIDE_CHECKED},
@@ -340,6 +399,7 @@ int main(int argc, char **argv)
     accuracy a = accuracy_begin("euler.h", argc, argv);
     wide_search(&a, cases, sizeof cases / sizeof cases[0], SAMPLES);
     wide_search(&a, unwraps, sizeof unwraps / sizeof unwraps[0], SAMPLES);
+    wide_search(&a, lerps, sizeof lerps / sizeof lerps[0], SAMPLES);
     return accuracy_end(&a);
 }
 

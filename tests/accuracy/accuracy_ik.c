@@ -23,7 +23,7 @@ static void limb_with(random_source *r, float *x, float low, float high)
     put_vec3(x + 3, mid);
     put_vec3(x + 6, end);
     put_vec3(x + 9, nkw_vec3_add_scaled(root, random_direction(r), reach));
-    put_vec3(x + 12, random_bits(r) % 2 ? random_direction(r) : nkw_vec3_zero());
+    put_vec3(x + 12, random_bits(r) % 2 ? random_direction(r) : NKW_VEC3_ZERO);
 }
 
 static void inside(random_source *r, float *x)
@@ -79,7 +79,7 @@ static void aimed(random_source *r, float *x)
     put_vec3(x + 3, random_direction(r));
     put_vec3(x + 6, random_vec3(r, -5, 5));
     put_vec3(x + 9, random_direction(r));
-    put_vec3(x + 12, random_bits(r) % 2 ? random_direction(r) : nkw_vec3_zero());
+    put_vec3(x + 12, random_bits(r) % 2 ? random_direction(r) : NKW_VEC3_ZERO);
 }
 
 /* The angle between the rotated ray and the target in u. */

@@ -468,65 +468,6 @@ static double integrate_error(const float *x)
 #define ARC   "nkw_quat_slerp_path"
 #define OMEGA "nkw_quat_angular_velocity"
 
-/* ---- Euler angles: a, b, t, what is unwrapped ---- */
-
-static void two_angles(random_source *r, float *x, float size)
-{
-    for (int i = 0; i < 6; i++)
-        x[i] = random_between(r, -size, size);
-    x[6] = random_unit(r);
-    x[7] = (float)(random_bits(r) % 3);
-}
-
-static void one_turn(random_source *r, float *x)
-{
-    two_angles(r, x, PI);
-}
-
-static void some_turns(random_source *r, float *x)
-{
-    two_angles(r, x, 20.0f);
-}
-
-static void near_angles(random_source *r, float *x)
-{
-    two_angles(r, x, PI);
-    for (int i = 0; i < 3; i++)
-        x[3 + i] = x[i] + random_scaled(r, -24, -4);
-}
-
-static void fine_angles(random_source *r, float *x)
-{
-    two_angles(r, x, PI);
-    x[6] = fabsf(random_scaled(r, -30, 0));
-}
-
-/* Of the larger of a as moved and b, each angle for itself. */
-static double euler_lerp_error(const float *x)
-{
-    float got[3];
-    double worst = 0.0;
-    put_vec3(got, nkw_euler_lerp(vec3_at(x), vec3_at(x + 3), x[6], (nkw_unwrap)x[7]));
-    for (int i = 0; i < 3; i++) {
-        wide a = x[i], b = x[3 + i];
-        int moves = x[7] == (float)NKW_UNWRAP_ALL || (x[7] == (float)NKW_UNWRAP_YAW && i == 1);
-        if (moves && fabsq(b - a) > wide_pi())
-            a += (a < b ? 2 : -2) * wide_pi();
-        wide exact = (1 - (wide)x[6]) * a + (wide)x[6] * b;
-        worst = fmax(worst, wide_error_of(got + i, &exact, 1, fmaxq(fabsq(a), fabsq(b))));
-    }
-    return worst;
-}
-
-#define ANGLES "nkw_euler_lerp"
-
-static const wide_case angles[] = {
-    {ANGLES, "+-pi", one_turn, euler_lerp_error, 8, WIDE_CHECKED},
-    {ANGLES, "+-pi, t in 2^-30 .. 1", fine_angles, euler_lerp_error, 8, WIDE_CHECKED},
-    {ANGLES, "+-20", some_turns, euler_lerp_error, 8, WIDE_CHECKED},
-    {ANGLES, "nearly equal", near_angles, euler_lerp_error, 8, WIDE_CHECKED},
-};
-
 static const wide_case cases[] = {
     {SLERP, "uniform", uniform_pair, slerp_error, 9, WIDE_UNITS},
     {SLERP, "uniform, t in 2^-30 .. 1", fine_t, slerp_error, 9, WIDE_UNITS},
@@ -588,7 +529,6 @@ int main(int argc, char **argv)
 {
     accuracy a = accuracy_begin("orient.h", argc, argv);
     wide_search(&a, cases, sizeof cases / sizeof cases[0], SAMPLES);
-    wide_search(&a, angles, sizeof angles / sizeof angles[0], SAMPLES);
     orient_more(&a);
     return accuracy_end(&a);
 }

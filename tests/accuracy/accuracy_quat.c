@@ -450,12 +450,6 @@ static double nearest_error(const float *x)
     return off_nearest(from_matrix(x), x);
 }
 
-static double nearest4_error(const float *x)
-{
-    nkw_mat4 m = {{x[0], x[1], x[2], 0.0f, x[3], x[4], x[5], 0.0f, x[6], x[7], x[8], 0.0f, 9.0f, 9.0f, 9.0f, 1.0f}};
-    return off_nearest(nkw_quat_from_mat4(&m), x);
-}
-
 static double generating_error(const float *x)
 {
     wide q[4];
@@ -527,8 +521,6 @@ static const wide_case products[] = {
     {BACK, "unit", turned_vector, rotate_inverse_error, 7, WIDE_CHECKED},
     {BACK, "near half turns", half_turned_vector, rotate_inverse_error, 7, WIDE_CHECKED},
     {BACK, "near half turns, q normalised", half_turned_by_normalised, rotate_inverse_error, 7, WIDE_CHECKED},
-    {"nkw_quat_from_mat4", "uniform", uniform_matrix, nearest4_error, 13, WIDE_CHECKED},
-    {"nkw_quat_from_mat4", "half turns", half_turn_matrix, nearest4_error, 13, WIDE_CHECKED},
 };
 
 static const wide_case cases[] = {

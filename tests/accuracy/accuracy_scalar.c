@@ -276,22 +276,6 @@ static void three_numbers(random_source *r, float *x)
         x[i] = random_between(r, -10.0f, 10.0f);
 }
 
-static double remap_error(const float *x)
-{
-    double a = (double)x[1], b = (double)x[2], c = (double)x[3], d = (double)x[4];
-    double t = a == b ? 0.0 : ((double)x[0] - a) / (b - a);
-    double got = (double)nkw_remap(x[0], x[1], x[2], x[3], x[4]);
-    return accuracy_units(got, c + t * (d - c), fmax(fabs(c), fabs(d)));
-}
-
-static void two_ranges(random_source *r, float *x)
-{
-    for (int i = 1; i < 5; i++)
-        x[i] = random_between(r, -10.0f, 10.0f);
-    x[0] =
-        nkw_clamp(nkw_lerp(x[1], x[2], random_unit(r)), nkw_min(x[1], x[2]), nkw_max(x[1], x[2]));
-}
-
 /* ---- periods ---- */
 
 static double wrap_error(const float *x)
@@ -368,7 +352,6 @@ static void measure_lines(accuracy *a)
     measure_samples(a, "nkw_lerp", "a, b in [1, 4]", keyframe_line, lerp_error, 3);
     measure_samples(a, "nkw_lerp", "opposite signs", crossing_line, lerp_error, 3);
     measure_samples(a, "nkw_inverse_lerp", "[-10, 10]", three_numbers, inverse_error, 3);
-    measure_samples(a, "nkw_remap", "ranges in [-10, 10]", two_ranges, remap_error, 5);
 }
 
 static void measure_periods(accuracy *a)

@@ -286,15 +286,6 @@ static double dot_error(const float *x)
     return wide_error_of(&got, &exact, 1, wide_lengths(x));
 }
 
-static double length_squared_error(const float *x)
-{
-    wide a[3];
-    wide_from(x, a, 3);
-    wide exact = wide_dot(a, a, 3);
-    float got = nkw_vec3_length_squared(vec3_at(x));
-    return wide_error(&got, &exact, 1);
-}
-
 static double cross_error(const float *x)
 {
     wide a[3], b[3], exact[3];
@@ -428,8 +419,6 @@ static const wide_case sums[] = {
     {"nkw_vec3_cross", "nearly along", near_pair, cross_error, 6, WIDE_CHECKED},
     {"nkw_vec3_cross", "1e-7 .. 0.1 from right angles", crossed_pair, cross_error, 6, WIDE_CHECKED},
     {"nkw_vec3_cross", "2^-30 .. 2^30 mixed", scattered_pair, cross_error, 6, WIDE_CHECKED},
-    {"nkw_vec3_length_squared", "1e-3 .. 1e3", any_vector, length_squared_error, 3, WIDE_CHECKED},
-    {"nkw_vec3_length_squared", "2^-30 .. 2^30 mixed", scattered_vector, length_squared_error, 3, WIDE_CHECKED},
     {"nkw_vec3_reflect", "n rounded once", mirrored_by_rounded, reflect_error, 6, WIDE_CHECKED},
     {"nkw_vec3_reflect", "n normalised", mirrored_by_normalised, reflect_error, 6, WIDE_CHECKED},
     {"nkw_vec3_reflect", "n normalised, a nearly along", mirrored_along_normal, reflect_error, 6, WIDE_CHECKED},

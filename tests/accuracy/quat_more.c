@@ -140,7 +140,7 @@ static double mean_error(const float *x)
         best = k[i * 5] > k[best * 5] ? i : best;
     memcpy(mean, k + 4 * best, sizeof mean);
     wide_normalize(mean, 4);
-    put_quat(got, nkw_quat_mean(q, x + 16, 4));
+    put_quat(got, nkw_quat_mean(q, 4, x + 16));
     return is_decided(m, mean) ? wide_error_either(got, mean, 4) : 0.0;
 }
 

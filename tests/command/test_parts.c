@@ -66,7 +66,7 @@ static void check_vertex(json_t *part, json_t *bound, size_t v, const nkw_mat4 *
     json_t *bones = json_object_get(part, "bone"), *vertex = json_object_get(part, "vertex");
     size_t slots = json_array_size(bones), at = v * whole(part, "vertexStride");
     size_t other = v * whole(bound, "vertexStride");
-    nkw_vec3 sum = nkw_vec3_zero();
+    nkw_vec3 sum = NKW_VEC3_ZERO;
     float weights = 0.0f;
     for (size_t s = 0; s < slots; s++, at += 7) {
         nkw_vec3 p = {number(vertex, at + 1), number(vertex, at + 2), number(vertex, at + 3)};

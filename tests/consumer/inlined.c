@@ -68,8 +68,8 @@ void RESULT(vectors)(const float *in, float *out)
     put_vec3(out + 3, nkw_vec3_sub(nkw_vec3_cross(a, b), nkw_vec3_scale(c, nkw_vec3_dot(a, b))));
     put_vec3(out + 6, nkw_vec3_negate(nkw_vec3_scale(a, s)));
     put_vec3(out + 9, nkw_vec3_reflect(nkw_vec3_lerp(a, b, s), nkw_vec3_negate(nkw_vec3_mul(a, c))));
-    out[12] = nkw_radians_from_degrees(nkw_smoothstep(s)) + nkw_vec3_length_squared(a);
-    out[13] = nkw_degrees_from_radians(nkw_remap(s, in[0], in[1], in[2], in[3]));
+    out[12] = nkw_radians_from_degrees(nkw_smoothstep(s)) + nkw_vec3_dot(a, a);
+    out[13] = nkw_degrees_from_radians(nkw_lerp(in[2], in[3], nkw_inverse_lerp(in[0], in[1], s)));
     put_vec3(out + 14, nkw_vec3_normalize(nkw_vec3_sub(nkw_vec3_mul(a, b), nkw_vec3_scale(c, nkw_sqrt(nkw_abs(s))))));
 }
 
@@ -112,7 +112,7 @@ void RESULT(curves)(const float *in, float *out)
 
 void RESULT(scalars)(const float *in, float *out)
 {
-    float a = in[0], b = in[1], c = in[2], d = in[3], t = nkw_saturate(in[4]);
+    float a = in[0], b = in[1], c = in[2], d = in[3], t = nkw_clamp(in[4], 0.0f, 1.0f);
     out[0] = nkw_hermite(a, b, c, d, t);
     out[1] = nkw_bezier(a, b, c, d, t);
     out[2] = nkw_bspline(a, b, c, d, t);
@@ -132,7 +132,7 @@ void RESULT(rotations)(const float *in, float *out)
     nkw_mat4 g = nkw_mat4_inverse_rigid(&e), h = nkw_mat4_mul_affine(&e, &g), k, l;
     put_vec3(out, nkw_vec3_add(nkw_mat3_transform(&c, w), nkw_mat4_transform_direction(&f, v)));
     put_vec3(out + 3, nkw_vec3_sub(nkw_mat4_transform_point(&h, w), nkw_vec3_normalize(nkw_vec3_scale(v, in[12]))));
-    put_quat(out + 6, nkw_quat_nlerp(q, p, nkw_saturate(in[13])));
+    put_quat(out + 6, nkw_quat_nlerp(q, p, nkw_clamp(in[13], 0.0f, 1.0f)));
     for (size_t i = 0; i < 9; i++)
         out[10 + i] = a.m[i] + b.m[i];
     for (size_t i = 0; i < 16; i++)

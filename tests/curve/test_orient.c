@@ -364,29 +364,6 @@ static void angular_velocity_stands_in_the_outer_frame(void **state)
     expect_vec3_near(nkw_quat_angular_velocity(side, nkw_quat_negate(side), 1.0f), vec(0, 0, 0), 0);
 }
 
-static void euler_lerp_unwraps_what_it_is_told_to(void **state)
-{
-    (void)state;
-    nkw_vec3 a = vec(3, 3, 3), b = vec(-3, -3, -3);
-    expect_vec3_near(nkw_euler_lerp(a, b, 0.5f, NKW_UNWRAP_NONE), vec(0, 0, 0), 0);
-    expect_vec3_near(nkw_euler_lerp(a, b, 0.5f, NKW_UNWRAP_YAW), vec(0, -PI, 0), 3e-7);
-    expect_vec3_near(nkw_euler_lerp(a, b, 0.5f, NKW_UNWRAP_ALL), vec(-PI, -PI, -PI), 3e-7);
-    expect_vec3_bits(nkw_euler_lerp(a, b, 0.0f, NKW_UNWRAP_NONE), a);
-    expect_vec3_bits(nkw_euler_lerp(a, b, 1.0f, NKW_UNWRAP_ALL), b);
-    nkw_vec3 odd = vec(-0.0f, 1, 1e38f), far = vec(1, -0.0f, INFINITY);
-    expect_vec3_bits(nkw_euler_lerp(odd, far, 0.0f, NKW_UNWRAP_NONE), odd);
-    expect_vec3_bits(nkw_euler_lerp(far, odd, 1.0f, NKW_UNWRAP_NONE), odd);
-    expect_vec3_bits(nkw_euler_lerp(a, b, 0.25f, (nkw_unwrap)7), nkw_euler_lerp(a, b, 0.25f, NKW_UNWRAP_NONE));
-}
-
-static void euler_lerp_unwraps_only_beyond_half_a_turn(void **state)
-{
-    (void)state;
-    nkw_vec3 a = vec(0, 0, 0), less = vec(0, 3.1415925f, 0), more = vec(0, 3.1415930f, 0);
-    expect_near(nkw_euler_lerp(a, less, 0.5f, NKW_UNWRAP_YAW).y, 0.5 * 3.1415925, 1e-6);
-    expect_near(nkw_euler_lerp(a, more, 0.5f, NKW_UNWRAP_YAW).y, 1.5 * 3.14159265, 1e-6);
-}
-
 /* None, one, half or all of t beyond 0..1, some far; the result over each of the nine inputs. */
 static void arrays_of_slerps_beyond_their_ends_are_single_ones(void **state)
 {
@@ -587,8 +564,6 @@ int main(void)
         cmocka_unit_test(powers_add_up),
         cmocka_unit_test(angular_velocity_and_integrate_undo_each_other),
         cmocka_unit_test(angular_velocity_stands_in_the_outer_frame),
-        cmocka_unit_test(euler_lerp_unwraps_what_it_is_told_to),
-        cmocka_unit_test(euler_lerp_unwraps_only_beyond_half_a_turn),
         cmocka_unit_test(orthogonal_keys_keep_their_signs),
         cmocka_unit_test(arrays_of_slerps_at_one_t_are_single_ones),
         cmocka_unit_test(slerp_and_nlerp_are_exact_to_their_bounds),

@@ -333,7 +333,7 @@ static double farthest(const nkw_polycurve *curve, const nkw_vec3 *points, size_
             /* The chords only advance. */
             for (size_t c = chord; c + 1 < count && c < chord + 3; c++) {
                 nkw_vec3 a = points[c], ab = nkw_vec3_sub(points[c + 1], a), ap = nkw_vec3_sub(p, a);
-                float n = nkw_vec3_dot(ab, ab), s = n > 0 ? nkw_saturate(nkw_vec3_dot(ap, ab) / n) : 0;
+                float n = nkw_vec3_dot(ab, ab), s = n > 0 ? nkw_clamp(nkw_vec3_dot(ap, ab) / n, 0.0f, 1.0f) : 0;
                 double d = nkw_vec3_distance(p, nkw_vec3_add_scaled(a, ab, s));
                 if (d < best) {
                     best = d;

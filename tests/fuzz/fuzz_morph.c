@@ -41,7 +41,7 @@ static void bounds(fuzz *f, int wild)
     nkw_palette_view view = palette_view(NKW_PALETTE_MAT4, palette, joints);
     FUZZ_CHECK(nkw_box_from_palette(view, boxes, &box) == NKW_OK);
     for (size_t j = 0; j < joints; j++) {
-        nkw_box moved = nkw_box_transform(&palette[j], &boxes[j]);
+        nkw_box moved = nkw_box_transform(&boxes[j], &palette[j]);
         nkw_box joined = nkw_box_union(&box, &moved);
         FUZZ_CHECK(fuzz_same(&joined.low.x, &box.low.x, 6));
     }

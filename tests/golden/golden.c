@@ -152,7 +152,7 @@ static void put_swing_twist(float *o, nkw_swing_twist s)
 static void filter_angles(float *o, const input *i)
 {
     nkw_vec3 angles[4];
-    nkw_euler_filter(i->v, i->order, angles, 4);
+    nkw_euler_filter(i->v, 4, i->order, angles);
     put_vec3(o, angles[3]);
 }
 

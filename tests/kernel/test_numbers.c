@@ -45,7 +45,7 @@ static double sum_from_mean(double degrees)
     for (int i = 1; i < 1000; i++) {
         float weights[2] = {1 - (float)i / 1000, (float)i / 1000};
         nkw_quat sum = nkw_quat_nlerp(q[0], q[1], weights[1]);
-        float angle = nkw_quat_angle(nkw_quat_mean(q, weights, 2), sum);
+        float angle = nkw_quat_angle(nkw_quat_mean(q, 2, weights), sum);
         largest = fmax(largest, DEGREES * (double)angle);
     }
     return largest;

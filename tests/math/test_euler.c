@@ -210,28 +210,6 @@ static void angles_do_not_depend_on_the_length(void **state)
 }
 
 /* Angles on both sides of the length from which they are computed in binary64. */
-static void arrays_have_the_bits_of_the_single_function_at_any_size(void **state)
-{
-    (void)state;
-    enum { COUNT = 300 };
-    static float x[COUNT], y[COUNT], z[COUNT], q[4][COUNT];
-    const nkw_vec3_view angles = {x, y, z};
-    const nkw_quat_span out = {q[0], q[1], q[2], q[3]};
-    random_source r = random_from(21);
-    for (int o = 0; o < 6; o++) {
-        for (int i = 0; i < COUNT; i++) {
-            float length = i % 3 ? 8192.0f : random_scaled(&r, -20, 100);
-            nkw_vec3 a = nkw_vec3_scale(random_direction(&r), length);
-            x[i] = a.x, y[i] = a.y, z[i] = a.z;
-        }
-        nkw_quat_from_euler_n(angles, orders[o], out, COUNT);
-        for (int i = 0; i < COUNT; i++) {
-            nkw_quat got = {q[0][i], q[1][i], q[2][i], q[3][i]};
-            expect_quat_bits(got, nkw_quat_from_euler(vec(x[i], y[i], z[i]), orders[o]));
-        }
-    }
-}
-
 static void alternate_angles_are_the_same_rotation(void **state)
 {
     (void)state;
@@ -258,12 +236,12 @@ static void filtered_angles_pass_through_the_pole(void **state)
         jump = k ? nkw_max(jump, nkw_vec3_distance(angles[k], angles[k - 1])) : jump;
     }
     assert_true(jump > 3.0f);
-    nkw_euler_filter(angles, NKW_EULER_YXZ, filtered, KEYS);
+    nkw_euler_filter(angles, KEYS, NKW_EULER_YXZ, filtered);
     for (int k = 0; k < KEYS; k++)
         expect_vec3_near(filtered[k], vec(0.1f * (float)k, 0.3f, 0.2f), 3e-5);
-    nkw_euler_filter(angles, NKW_EULER_YXZ, angles, KEYS);
+    nkw_euler_filter(angles, KEYS, NKW_EULER_YXZ, angles);
     assert_memory_equal(angles, filtered, sizeof angles);
-    nkw_euler_filter(angles, NKW_EULER_YXZ, angles, 0);
+    nkw_euler_filter(angles, 0, NKW_EULER_YXZ, angles);
 }
 
 static void nearest_angles_are_no_farther_than_either_triple(void **state)
@@ -311,6 +289,29 @@ static void of_two_triples_at_one_distance_the_first_is_nearest(void **state)
     }
 }
 
+static void euler_lerp_unwraps_what_it_is_told_to(void **state)
+{
+    (void)state;
+    nkw_vec3 a = vec(3, 3, 3), b = vec(-3, -3, -3);
+    expect_vec3_near(nkw_euler_lerp(a, b, 0.5f, NKW_UNWRAP_NONE), vec(0, 0, 0), 0);
+    expect_vec3_near(nkw_euler_lerp(a, b, 0.5f, NKW_UNWRAP_YAW), vec(0, -PI, 0), 3e-7);
+    expect_vec3_near(nkw_euler_lerp(a, b, 0.5f, NKW_UNWRAP_ALL), vec(-PI, -PI, -PI), 3e-7);
+    expect_vec3_bits(nkw_euler_lerp(a, b, 0.0f, NKW_UNWRAP_NONE), a);
+    expect_vec3_bits(nkw_euler_lerp(a, b, 1.0f, NKW_UNWRAP_ALL), b);
+    nkw_vec3 odd = vec(-0.0f, 1, 1e38f), far = vec(1, -0.0f, INFINITY);
+    expect_vec3_bits(nkw_euler_lerp(odd, far, 0.0f, NKW_UNWRAP_NONE), odd);
+    expect_vec3_bits(nkw_euler_lerp(far, odd, 1.0f, NKW_UNWRAP_NONE), odd);
+    expect_vec3_bits(nkw_euler_lerp(a, b, 0.25f, (nkw_unwrap)7), nkw_euler_lerp(a, b, 0.25f, NKW_UNWRAP_NONE));
+}
+
+static void euler_lerp_unwraps_only_beyond_half_a_turn(void **state)
+{
+    (void)state;
+    nkw_vec3 a = vec(0, 0, 0), less = vec(0, 3.1415925f, 0), more = vec(0, 3.1415930f, 0);
+    expect_near(nkw_euler_lerp(a, less, 0.5f, NKW_UNWRAP_YAW).y, 0.5 * 3.1415925, 1e-6);
+    expect_near(nkw_euler_lerp(a, more, 0.5f, NKW_UNWRAP_YAW).y, 1.5 * 3.14159265, 1e-6);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -326,11 +327,12 @@ int main(void)
         cmocka_unit_test(opposite_quaternions_have_the_same_angles),
         cmocka_unit_test(unwrap_moves_by_whole_turns_to_the_reference),
         cmocka_unit_test(angles_do_not_depend_on_the_length),
-        cmocka_unit_test(arrays_have_the_bits_of_the_single_function_at_any_size),
         cmocka_unit_test(alternate_angles_are_the_same_rotation),
         cmocka_unit_test(filtered_angles_pass_through_the_pole),
         cmocka_unit_test(nearest_angles_are_no_farther_than_either_triple),
         cmocka_unit_test(a_zero_is_turned_by_its_sign),
+        cmocka_unit_test(euler_lerp_unwraps_what_it_is_told_to),
+        cmocka_unit_test(euler_lerp_unwraps_only_beyond_half_a_turn),
         cmocka_unit_test(of_two_triples_at_one_distance_the_first_is_nearest),
     };
     return cmocka_run_group_tests_name("euler", tests, NULL, NULL);

@@ -346,19 +346,6 @@ static void from_vectors_is_exact_at_every_angle(void **state)
     }
 }
 
-static void from_mat4_takes_the_block_alone(void **state)
-{
-    (void)state;
-    random_source r = random_from(34);
-    for (int i = 0; i < 1000; i++) {
-        nkw_quat q = random_rotation(&r);
-        nkw_mat3 block = nkw_mat3_from_quat(q);
-        nkw_mat4 m = nkw_mat4_from_mat3(&block, random_vec3(&r, -9, 9));
-        m.m[3] = m.m[7] = m.m[11] = 5.0f;
-        expect_quat_bits(nkw_quat_from_mat4(&m), nkw_quat_from_mat3(&block));
-    }
-}
-
 static void axis_and_angle_are_those_of_either_sign(void **state)
 {
     (void)state;
@@ -426,12 +413,12 @@ static void mean_of_equal_rotations_is_that_rotation(void **state)
     for (int i = 0; i < 2000; i++) {
         nkw_quat q = nkw_quat_normalize(random_rotation(&r));
         nkw_quat same[3] = {q, nkw_quat_negate(q), q};
-        expect_quat_near(nkw_quat_mean(same, NULL, 3), q, 2e-7);
-        expect_quat_near(nkw_quat_mean(&q, NULL, 1), q, 2e-7);
+        expect_quat_near(nkw_quat_mean(same, 3, NULL), q, 2e-7);
+        expect_quat_near(nkw_quat_mean(&q, 1, NULL), q, 2e-7);
     }
-    expect_quat_bits(nkw_quat_mean(NULL, NULL, 0), identity);
+    expect_quat_bits(nkw_quat_mean(NULL, 0, NULL), identity);
     nkw_quat zero = {0, 0, 0, 0};
-    expect_quat_bits(nkw_quat_mean(&zero, NULL, 1), identity);
+    expect_quat_bits(nkw_quat_mean(&zero, 1, NULL), identity);
 }
 
 /* Of two rotations of equal weight the mean is half-way, as slerp has it. */
@@ -442,7 +429,7 @@ static void mean_of_two_is_half_way(void **state)
     for (int i = 0; i < 5000; i++) {
         nkw_quat q[2] = {random_rotation(&r), identity};
         q[1] = random_near(&r, q[0], random_between(&r, 0.0f, 1.4f));
-        expect_quat_near(nkw_quat_mean(q, NULL, 2), nkw_quat_slerp(q[0], q[1], 0.5f), 5e-7);
+        expect_quat_near(nkw_quat_mean(q, 2, NULL), nkw_quat_slerp(q[0], q[1], 0.5f), 5e-7);
     }
 }
 
@@ -461,9 +448,9 @@ static void mean_ignores_signs_and_order_and_turns_with_the_rotations(void **sta
             other[3 - k] = random_bits(&r) & 1 ? nkw_quat_negate(q[k]) : q[k];
             turned[k] = nkw_quat_mul(turn, q[k]);
         }
-        nkw_quat mean = nkw_quat_mean(q, weights, 4);
-        expect_rotation_near(nkw_quat_mean(other, reversed, 4), mean, 3e-7);
-        expect_rotation_near(nkw_quat_mean(turned, weights, 4), nkw_quat_mul(turn, mean), 1e-6);
+        nkw_quat mean = nkw_quat_mean(q, 4, weights);
+        expect_rotation_near(nkw_quat_mean(other, 4, reversed), mean, 3e-7);
+        expect_rotation_near(nkw_quat_mean(turned, 4, weights), nkw_quat_mul(turn, mean), 1e-6);
         assert_true(nkw_quat_dot(mean, q[0]) >= 0.0f);
     }
 }
@@ -480,7 +467,7 @@ static void mean_has_the_largest_sum_of_squared_products(void **state)
             q[k] = random_rotation(&r);
             weights[k] = random_between(&r, -0.2f, 1.0f);
         }
-        nkw_quat mean = nkw_quat_mean(q, weights, 5);
+        nkw_quat mean = nkw_quat_mean(q, 5, weights);
         double best = 0.0;
         for (int trial = -1; trial < 200; trial++) {
             nkw_quat m = trial < 0 ? mean : random_near(&r, mean, random_between(&r, 0.01f, 1.5f));
@@ -499,13 +486,13 @@ static void mean_of_opposite_halves_is_defined_and_unit(void **state)
 {
     (void)state;
     const nkw_quat apart[2] = {{0, 0, 0, 1}, {1, 0, 0, 0}};
-    nkw_quat mean = nkw_quat_mean(apart, NULL, 2);
+    nkw_quat mean = nkw_quat_mean(apart, 2, NULL);
     expect_near(nkw_quat_length(mean), 1.0, 1e-7);
     assert_true(mean.y == 0.0f && mean.z == 0.0f);
     const nkw_quat odd[2] = {{0, 0, 0, NAN}, {1, 0, 0, 0}};
-    assert_false(nkw_quat_is_finite(nkw_quat_mean(odd, NULL, 2)));
+    assert_false(nkw_quat_is_finite(nkw_quat_mean(odd, 2, NULL)));
     const nkw_quat huge[2] = {{3e38f, 3e38f, 0, 0}, {3e38f, 3e38f, 0, 0}};
-    expect_quat_near(nkw_quat_mean(huge, NULL, 2), quat(0.70710678f, 0.70710678f, 0, 0), 1e-7);
+    expect_quat_near(nkw_quat_mean(huge, 2, NULL), quat(0.70710678f, 0.70710678f, 0, 0), 1e-7);
 }
 
 static void products_that_overflow_are_not_finite(void **state)
@@ -545,7 +532,6 @@ int main(void)
         cmocka_unit_test(product_is_exact_to_its_bound),
         cmocka_unit_test(normalize_and_inverse_are_exact_to_their_bound),
         cmocka_unit_test(from_vectors_is_exact_at_every_angle),
-        cmocka_unit_test(from_mat4_takes_the_block_alone),
         cmocka_unit_test(axis_and_angle_are_those_of_either_sign),
         cmocka_unit_test(swing_after_twist_is_the_rotation),
         cmocka_unit_test(twist_angle_is_the_angle_about_the_axis),

@@ -33,31 +33,15 @@ static const void *aos(const float *const *in, size_t width, size_t n)
 #define v(k)   ((nkw_vec3){x[k], x[(k) + 1], x[(k) + 2]})
 #define q(k)   ((nkw_quat){x[k], x[(k) + 1], x[(k) + 2], x[(k) + 3]})
 #define trs(k) ((nkw_trs){v(k), q((k) + 3), v((k) + 7)})
-#define M3(k)  view9(in + (k))
 #define M4(k)  view16(in + (k))
-#define MS3(k) span9(out + (k))
 #define MS4(k) span16(out + (k))
 #define m3(k)  (*(const nkw_mat3 *)(const void *)(x + (k)))
 #define m4(k)  (*(const nkw_mat4 *)(const void *)(x + (k)))
-
-static nkw_mat3_view view9(const float *const *in)
-{
-    nkw_mat3_view r;
-    memcpy(r.m, in, sizeof r.m);
-    return r;
-}
 
 static nkw_mat4_view view16(const float *const *in)
 {
     nkw_mat4_view r;
     memcpy(r.m, in, sizeof r.m);
-    return r;
-}
-
-static nkw_mat3_span span9(float *const *out)
-{
-    nkw_mat3_span r;
-    memcpy(r.m, out, sizeof r.m);
     return r;
 }
 

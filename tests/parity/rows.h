@@ -9,7 +9,6 @@
  * MS4 spans. In the single call x[k] are the inputs of one element and v q make values of those from k on; o is
  * written. PX is P for functions that may not work in place.
  */
-P(sincos, "f", 2, (in[0], out[0], out[1], n), nkw_sincos(x[0], &o[0], &o[1]))
 
 P(vec3_normalize, "v", 3, (V(0), VS(0), n), put_vec3(o, nkw_vec3_normalize(v(0))))
 P(vec3_lerp, "vvt", 3, (V(0), V(3), in[6], VS(0), n), put_vec3(o, nkw_vec3_lerp(v(0), v(3), x[6])))
@@ -18,16 +17,11 @@ P(vec3_lerp_at, "vv", 3, (V(0), V(3), 0.7f, VS(0), n), put_vec3(o, nkw_vec3_lerp
 P(quat_mul, "qq", 4, (Q(0), Q(4), QS(0), n), put_quat(o, nkw_quat_mul(q(0), q(4))))
 P(quat_normalize, "vf", 4, (Q(0), QS(0), n), put_quat(o, nkw_quat_normalize(q(0))))
 P(quat_rotate, "qv", 3, (Q(0), V(4), VS(0), n), put_vec3(o, nkw_quat_rotate(q(0), v(4))))
-P(quat_from_mat3, "m", 4, (M3(0), QS(0), n), put_quat(o, nkw_quat_from_mat3(&m3(0))))
-P(quat_from_euler, "v", 4, (V(0), NKW_EULER_YXZ, QS(0), n), put_quat(o, nkw_quat_from_euler(v(0), NKW_EULER_YXZ)))
-P(quat_log, "q", 3, (Q(0), VS(0), n), put_vec3(o, nkw_quat_log(q(0))))
-P(quat_exp, "v", 4, (V(0), QS(0), n), put_quat(o, nkw_quat_exp(v(0))))
 P(quat_nlerp, "qqt", 4, (Q(0), Q(4), in[8], QS(0), n), put_quat(o, nkw_quat_nlerp(q(0), q(4), x[8])))
 P(quat_nlerp_at, "qq", 4, (Q(0), Q(4), 0.7f, QS(0), n), put_quat(o, nkw_quat_nlerp(q(0), q(4), 0.7f)))
 P(quat_slerp, "qqt", 4, (Q(0), Q(4), in[8], QS(0), n), put_quat(o, nkw_quat_slerp(q(0), q(4), x[8])))
 P(quat_slerp_at, "qq", 4, (Q(0), Q(4), 0.3f, QS(0), n), put_quat(o, nkw_quat_slerp(q(0), q(4), 0.3f)))
 
-P(mat3_from_quat, "q", 9, (Q(0), MS3(0), n), put_mat3(o, nkw_mat3_from_quat(q(0))))
 P(mat4_mul_affine, "MM", 16, (M4(0), M4(16), MS4(0), n), put_mat4(o, nkw_mat4_mul_affine(&m4(0), &m4(16))))
 P(mat4_transform_point, "v", 3, (&some_matrix, V(0), VS(0), n), put_vec3(o, nkw_mat4_transform_point(&some_matrix, v(0))))
 P(mat4_transform_direction, "v", 3, (&some_matrix, V(0), VS(0), n), put_vec3(o, nkw_mat4_transform_direction(&some_matrix, v(0))))

@@ -19,7 +19,7 @@ static void expect_blend(const float *a, const float *b, float t, const float *m
                          pose_span(got[1], JOINTS));
     for (int slerp = 0; slerp < 2; slerp++)
         for (size_t j = 0; j < JOINTS; j++) {
-            float m = mask ? nkw_saturate(mask[j] == mask[j] ? mask[j] : 0.0f) : 1.0f;
+            float m = mask ? nkw_clamp(mask[j] == mask[j] ? mask[j] : 0.0f, 0.0f, 1.0f) : 1.0f;
             nkw_trs want = expected_blend(a, b, j, t == t ? t * m : 0.0f, slerp),
                     is = nkw_pose_get(pose_view(got[slerp], JOINTS), j);
             expect_floats_bits(&is.translation.x, &want.translation.x, 10);

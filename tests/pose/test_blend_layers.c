@@ -452,7 +452,7 @@ static void layers_are_near_the_mean_of_their_rotations(void **state)
         for (size_t j = 0; j < JOINTS; j++) {
             nkw_quat keys[4] = {q[0][j], q[1][j], q[2][j], q[3][j]};
             nkw_quat got = nkw_pose_get(pose_view(out, JOINTS), j).rotation;
-            assert_true(nkw_quat_angle(got, nkw_quat_mean(keys, weights, 4)) < nkw_radians_from_degrees(2.9f));
+            assert_true(nkw_quat_angle(got, nkw_quat_mean(keys, 4, weights)) < nkw_radians_from_degrees(2.9f));
         }
     }
 }

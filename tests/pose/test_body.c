@@ -16,6 +16,12 @@ typedef struct body {
     nkw_mat4 models[JOINTS];
 } body;
 
+static nkw_box with_point(const nkw_box *box, nkw_vec3 p)
+{
+    const nkw_box point = {p, p};
+    return nkw_box_union(box, &point);
+}
+
 static mannequin_clip clips[MANNEQUIN_CLIPS];
 
 static void make_body(body *b)
@@ -220,9 +226,9 @@ static void the_skin_is_inside_its_bounds_in_every_frame(void **state)
         nkw_skin_palette matrices = {NKW_VIEW(nkw_palette, to), {NULL, 0, NKW_PALETTE_NORMAL_MAT3}, 0};
         nkw_skin_linear(&skin, &matrices, in, out);
         nkw_box_from_palette(NKW_VIEW(nkw_palette, to), boxes, &box);
-        nkw_box tight = nkw_box_empty();
+        nkw_box tight = NKW_BOX_EMPTY;
         for (size_t v = 0; v < m.vertex_count; v++)
-            tight = nkw_box_add_point(&tight, skinned[v]);
+            tight = with_point(&tight, skinned[v]);
         nkw_box both = nkw_box_union(&box, &tight);
         expect_floats_bits(&both.low.x, &box.low.x, 6);
         /* At most 15 cm larger than the tightest box, on each side. */

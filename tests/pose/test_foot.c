@@ -35,7 +35,7 @@ static void contact_has_hysteresis(void **state)
 /* A walk on the spot of 1 s a step: the foot stands, sliding by 4 cm, then swings 0.6 m ahead and 0.2 m up. */
 static nkw_vec3 walk(float time)
 {
-    float step = (float)(int)time, t = time - step, swing = nkw_smoothstep(nkw_saturate((t - 0.5f) * 2));
+    float step = (float)(int)time, t = time - step, swing = nkw_smoothstep(nkw_clamp((t - 0.5f) * 2, 0.0f, 1.0f));
     float sine = t > 0.5f ? nkw_sin(3.14159274f * (2 * t - 1)) : 0.0f, up = 0.2f * sine * sine;
     return vec(0.56f * step + 0.6f * swing - 0.08f * nkw_min(t, 0.5f), up, 0);
 }

@@ -13,12 +13,10 @@
 #include "batch/clip.h"
 #include "batch/crowd.h"
 #include "batch/curve.h"
-#include "batch/euler.h"
 #include "batch/mat.h"
 #include "batch/orient.h"
 #include "batch/palette.h"
 #include "batch/quat.h"
-#include "batch/scalar.h"
 #include "batch/skeleton.h"
 #include "batch/skin.h"
 #include "batch/transform.h"
@@ -31,12 +29,10 @@
     NKW_LOOPS_CLIP(X) \
     NKW_LOOPS_CROWD(X) \
     NKW_LOOPS_CURVE(X) \
-    NKW_LOOPS_EULER(X) \
     NKW_LOOPS_MAT(X) \
     NKW_LOOPS_ORIENT(X) \
     NKW_LOOPS_PALETTE(X) \
     NKW_LOOPS_QUAT(X) \
-    NKW_LOOPS_SCALAR(X) \
     NKW_LOOPS_SKELETON(X) \
     NKW_LOOPS_SKIN(X) \
     NKW_LOOPS_TRANSFORM(X) \

@@ -177,7 +177,7 @@ static void quat_mean(const value *in, value *out)
     floats(in + 1, weights);
     for (int i = 0; i < in[1].count; i++)
         q[i] = quat_from(in[0].x + 4 * i);
-    put_quat(out, nkw_quat_mean(q, weights, (size_t)in[1].count));
+    put_quat(out, nkw_quat_mean(q, (size_t)in[1].count, weights));
 }
 
 /* ---- paths and splines of rotations ---- */

@@ -354,7 +354,7 @@ const otherRows = {
   },
   euler_filter: (N, i, o) => {
     const angles = new Float32Array(12);
-    N.eulerFilter(i.v.flat(), i.order, angles, 4);
+    N.eulerFilter(i.v.flat(), 4, i.order, angles);
     put(o, 0, [...angles.slice(9)]);
   },
   bezier_from_hermite: converted('vec3BezierFromHermite'), hermite_from_bezier: converted('vec3HermiteFromBezier'),

@@ -69,7 +69,7 @@ export function grips(host: HTMLElement) {
 /** The point of the unit sphere on a ray, on the side of `before`; beside the sphere, the nearest one. */
 export function onSphere({ origin, direction }: Ray, before: number[]): number[] {
   const along = -N.vec3Dot(origin, direction), foot = N.vec3AddScaled([0, 0, 0], origin, direction, along);
-  const half = Math.sqrt(Math.max(1 - N.vec3LengthSquared(foot), 0));
+  const half = Math.sqrt(Math.max(1 - N.vec3Dot(foot, foot), 0));
   const side = N.vec3Dot(before, direction) > 0 ? half : -half;
   return N.vec3Normalize([0, 0, 0], N.vec3AddScaled([0, 0, 0], foot, direction, side));
 }

@@ -66,12 +66,6 @@ NKW_BODY float nkw_clamp(float x, float low, float high)
     return nkw_min(nkw_max(x, low), high);
 }
 
-NKW_BODY float nkw_saturate(float x)
-{
-    NKW_EXACT
-    return nkw_clamp(x, 0.0f, 1.0f);
-}
-
 /*
  *     p = a + t (b - a) = b - (1 - t) (b - a)
  *
@@ -97,16 +91,10 @@ NKW_BODY float nkw_inverse_lerp(float a, float b, float x)
     return a == b ? 0.0f : (x - a) / d;
 }
 
-NKW_BODY float nkw_remap(float x, float a, float b, float c, float d)
-{
-    NKW_EXACT
-    return nkw_lerp(c, d, nkw_inverse_lerp(a, b, x));
-}
-
 NKW_BODY float nkw_smoothstep(float t)
 {
     NKW_EXACT
-    float s = nkw_saturate(t);
+    float s = nkw_clamp(t, 0.0f, 1.0f);
     float u = 1.0f - s;
     return nkw_select(s < 0.5f, nkw_mul(s * s, 3.0f - (s + s)), 1.0f - nkw_mul(u * u, 3.0f - (u + u)));
 }

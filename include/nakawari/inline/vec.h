@@ -13,12 +13,6 @@
 extern "C" {
 #endif
 
-NKW_BODY nkw_vec3 nkw_vec3_zero(void)
-{
-    nkw_vec3 r = {0.0f, 0.0f, 0.0f};
-    return r;
-}
-
 NKW_BODY nkw_vec3 nkw_vec3_add(nkw_vec3 a, nkw_vec3 b)
 {
     nkw_vec3 r = {a.x + b.x, a.y + b.y, a.z + b.z};
@@ -86,11 +80,6 @@ NKW_BODY nkw_vec3 nkw_vec3_cross(nkw_vec3 a, nkw_vec3 b)
         nkw_mul(a.x, b.y) - nkw_mul(a.y, b.x),
     };
     return r;
-}
-
-NKW_BODY float nkw_vec3_length_squared(nkw_vec3 a)
-{
-    return nkw_vec3_dot(a, a);
 }
 
 #if NKW_ROOT

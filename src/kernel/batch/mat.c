@@ -9,16 +9,6 @@
 
 NKW_LOOPS_MAT(NKW_DECLARE_LOOP)
 
-NKW_LOOP(nkw_mat3_from_quat_n)(nkw_quat_view q, nkw_mat3_span out, size_t n)
-{
-#pragma omp simd
-    for (size_t i = 0; i < n; i++) {
-        nkw_mat3 m = nkw_mat3_from_quat(at_quat(q, i));
-        for (size_t k = 0; k < 9; k++)
-            out.m[k][i] = m.m[k];
-    }
-}
-
 /* A separate function: GCC keeps a matrix whose address is taken in the loop in memory, and does not vectorise. */
 static inline void mul_affine(const nkw_mat4_view *a, const nkw_mat4_view *b, const nkw_mat4_span *out, size_t i)
 {

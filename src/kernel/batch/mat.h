@@ -9,7 +9,6 @@
 
 /* clang-format off */
 #define NKW_LOOPS_MAT(X) \
-    X(nkw_mat3_from_quat_n, (nkw_quat_view q, nkw_mat3_span out, size_t n), (q, out, n), n) \
     X(nkw_mat4_mul_affine_n, (nkw_mat4_view a, nkw_mat4_view b, nkw_mat4_span out, size_t n), (a, b, out, n), n) \
     X(nkw_mat4_transform_point_n, (const nkw_mat4 *m, nkw_vec3_view p, nkw_vec3_span out, size_t n), (m, p, out, n), n) \
     X(nkw_mat4_transform_direction_n, (const nkw_mat4 *m, nkw_vec3_view d, nkw_vec3_span out, size_t n), (m, d, out, n), n) \

@@ -12,9 +12,7 @@
     X(nkw_quat_nlerp_n, (nkw_quat_view a, nkw_quat_view b, const float *t, nkw_quat_span out, size_t n), (a, b, t, out, n), n) \
     X(nkw_quat_nlerp_at_n, (nkw_quat_view a, nkw_quat_view b, float t, nkw_quat_span out, size_t n), (a, b, t, out, n), n) \
     X(nkw_quat_slerp_n, (nkw_quat_view a, nkw_quat_view b, const float *t, nkw_quat_span out, size_t n), (a, b, t, out, n), n) \
-    X(nkw_quat_slerp_at_n, (nkw_quat_view a, nkw_quat_view b, float t, nkw_quat_span out, size_t n), (a, b, t, out, n), n) \
-    X(nkw_quat_log_n, (nkw_quat_view q, nkw_vec3_span out, size_t n), (q, out, n), n) \
-    X(nkw_quat_exp_n, (nkw_vec3_view v, nkw_quat_span out, size_t n), (v, out, n), n)
+    X(nkw_quat_slerp_at_n, (nkw_quat_view a, nkw_quat_view b, float t, nkw_quat_span out, size_t n), (a, b, t, out, n), n)
 /* clang-format on */
 
 NKW_LOOPS_ORIENT(NKW_DECLARE)

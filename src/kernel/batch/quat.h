@@ -12,7 +12,6 @@
     X(nkw_quat_mul_n, (nkw_quat_view a, nkw_quat_view b, nkw_quat_span out, size_t n), (a, b, out, n), n) \
     X(nkw_quat_normalize_n, (nkw_quat_view q, nkw_quat_span out, size_t n), (q, out, n), n) \
     X(nkw_quat_rotate_n, (nkw_quat_view q, nkw_vec3_view v, nkw_vec3_span out, size_t n), (q, v, out, n), n) \
-    X(nkw_quat_from_mat3_n, (nkw_mat3_view m, nkw_quat_span out, size_t n), (m, out, n), n) \
     X(nkw_quat_unpack_n, (const nkw_quat *in, nkw_quat_span out, size_t n), (in, out, n), n) \
     X(nkw_quat_pack_n, (nkw_quat_view in, nkw_quat *out, size_t n), (in, out, n), n)
 /* clang-format on */

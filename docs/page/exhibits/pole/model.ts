@@ -89,7 +89,7 @@ export const times = Array.from({ length: steps + 1 }, (_, i) => (seconds * i) /
 export function passOf(state: State): number[][] {
   const all = times.flatMap(time => N.eulerFromQuat(zeros(3), passing(state, time), euler(state.order)));
   const filtered = zeros(all.length);
-  N.eulerFilter(all, euler(state.order), filtered, times.length);
+  N.eulerFilter(all, times.length, euler(state.order), filtered);
   return [filtered, all].flatMap(angles =>
     [0, 1, 2].map(axis => times.map((_, i) => N.degreesFromRadians(angles[3 * i + axis]))));
 }

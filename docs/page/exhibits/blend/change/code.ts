@@ -35,7 +35,7 @@ nkw_quat_dead_blend blend = {from, ${literal(state.coast)}, duration, {0.0f, 0.0
 nkw_quat q[KINDS][COUNT];
 for (int i = 0; i < COUNT; i++) {
     const nkw_quat_state next = {b[i], {0.0f, 0.0f, 0.0f}};
-    const float part = nkw_saturate(since[i] / duration);
+    const float part = nkw_clamp(since[i] / duration, 0.0f, 1.0f);
     q[0][i] = a[i];
     q[1][i] = b[i];
     q[2][i] = nkw_quat_nlerp(a[i], b[i], ${state.smooth ? 'nkw_smoothstep(part)' : 'part'});

@@ -42,7 +42,7 @@ export function walk(state: State, rig: Rig, times: number[], each: (poses: N.Po
   const { at, start, duration } = timesOf(state), { shown, offset, blend } = begin(state, rig);
   const [a, b, fade, inertia, dead] = shown;
   for (const t of times) {
-    const since = t - at, part = N.saturate(F(F(since) / F(duration)));
+    const since = t - at, part = N.clamp(F(F(since) / F(duration)), 0, 1);
     sampleLoop(rig.clips[state.from], t, a);
     sampleLoop(rig.clips[state.to], since + start, b);
     N.poseBlend(a, b, state.smooth ? N.smoothstep(part) : part, fade);
