@@ -88,7 +88,7 @@ NKW_SIZE(nkw_palette_source, 48, 24);
  *
  * Dual quaternions have real.w >= 0, so the identity of the bind pose is 1 and not -1. Joints that differ by more than
  * half a turn can have different signs: skinning therefore aligns the influences of a vertex with that of the largest
- * weight (nkw_dual_quat_align) before it sums them.
+ * weight before it sums them: both parts of one with a negative dot product are negated.
  *
  * Error  1.0 u of the number in this table:
  *
