@@ -12,7 +12,7 @@ static const float pi = 3.14159265f;
 static void kind(const char *name, nkw_ease_kind k, double flops, float (*loop)(float), double (*truth)(double))
 {
     operation op = {"ease", name, 1, 8, flops, [=](size_t i, double *out) { *out = truth(static_cast<double>(t[i])); }};
-    single(op, "nkw", [=](size_t i) { return nkw_ease(k, t[i]); });
+    single(op, "nkw", [=](size_t i) { return nkw_ease_evaluate(k, t[i]).value; });
     single(op, "loop", [=](size_t i) { return loop(t[i]); });
 }
 
@@ -34,12 +34,14 @@ static float back(float x)
 
 static void bezier()
 {
+    static const nkw_easing css = {
+        NKW_EASING_CUBIC_BEZIER, {0.25f, 0.1f, 0.25f, 1}, NKW_EASE_JUMP_END, 0, nullptr, nullptr};
     static const newton::cubic x = {0, 0.25f, 0.25f, 1}, y = {0, 0.1f, 1, 1};
     reference truth = [](size_t i, double *out) {
         *out = newton::at(y, newton::bisected(x, static_cast<double>(t[i])));
     };
     operation op = {"ease", "cubic-bezier", 1, 8, 80, truth};
-    single(op, "nkw", [](size_t i) { return nkw_ease_cubic_bezier(0.25f, 0.1f, 0.25f, 1, t[i]).value; });
+    single(op, "nkw", [](size_t i) { return nkw_easing_evaluate(&css, t[i]).value; });
     single(op, "loop", [](size_t i) { return newton::at(y, newton::solved(x, t[i], t[i])); });
 }
 

@@ -34,6 +34,6 @@ static const suite all([] {
         *out = newton::at(values(i), newton::bisected(times(i), static_cast<double>(t[i])));
     };
     operation op = {"handle", "value at a time", 1, 40, 90, truth};
-    single(op, "nkw", [](size_t i) { return nkw_handle_point(&segment[i], t[i]).value; });
+    single(op, "nkw", [](size_t i) { return nkw_handle_sample(&segment[i], t[i]).value; });
     single(op, "loop", [](size_t i) { return newton::at(values(i), newton::solved(times(i), t[i], t[i])); });
 });

@@ -66,7 +66,7 @@ static void rows(const char *name, const std::vector<nkw_rotation_segment> &s, d
 {
     reference truth = [&s, exact](size_t i, double *out) { put(unit(exact(s[i], static_cast<double>(t[i]))), out); };
     operation op = {"rotation", name, 4, 120, flops, truth, 4, 4096, same::rotation};
-    single(op, "nkw", [&s](size_t i) { return nkw_rotation_evaluate(&s[i], t[i]).orientation; });
+    single(op, "nkw", [&s](size_t i) { return nkw_rotation_evaluate(&s[i], t[i]).value; });
     single(op, "loop", [&s, loop](size_t i) { return to(loop(s[i], t[i])); });
 }
 
@@ -79,9 +79,9 @@ static void draw()
         for (size_t k = 1; k < 4; k++)
             keys[k] = random_near(&r, keys[k - 1], random_between(&r, 0.09f, 0.5f));
         const float times[4] = {0, 0.1f, 0.2f, 0.3f};
-        hermite.push_back(nkw_rotation_catmull_rom(keys, times));
-        squad.push_back(nkw_rotation_squad(keys, 0.1f));
-        bspline.push_back(nkw_rotation_bspline(keys, 0.1f));
+        hermite.push_back(nkw_rotation_from_catmull_rom(keys, times));
+        squad.push_back(nkw_rotation_from_squad(keys, 0.1f));
+        bspline.push_back(nkw_rotation_from_bspline(keys, 0.1f));
     }
 }
 

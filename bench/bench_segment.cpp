@@ -22,7 +22,7 @@ static std::shared_ptr<timeline> line(size_t count, asking how)
     auto l = std::make_shared<timeline>();
     l->rate = 32;
     for (size_t k = 0; k < count; k++)
-        l->keys.push_back(nkw_segment_uniform_time(0, l->rate, k));
+        l->keys.push_back(nkw_timeline_time(nkw_timeline{0, l->rate, 0}, k));
     for (size_t i = 0; i < (how == asking::random ? pool : near); i++)
         l->ask.push_back(time_at(how, i, l->keys.back()));
     return l;
@@ -112,11 +112,7 @@ static void uniform_rows(std::shared_ptr<timeline> l, asking how)
     operation op = finding(named("find at a rate", how), l, 6);
     batch(op, "nkw", [=](size_t, size_t n) {
         for (size_t i = 0; i < n; i++)
-            put(i, nkw_segment_find_uniform(0, l->rate, l->keys.size(), l->ask[i]));
-    });
-    batch(op, "nkw _even", [=](size_t, size_t n) {
-        for (size_t i = 0; i < n; i++)
-            put(i, nkw_segment_find_even(l->keys.data(), l->keys.size(), l->rate, l->ask[i]));
+            put(i, nkw_timeline_find(nkw_timeline{0, l->rate, l->keys.size()}, l->ask[i]));
     });
     batch(op, "loop", [=](size_t, size_t n) {
         for (size_t i = 0; i < n; i++)

@@ -48,7 +48,7 @@ static void draw_values(random_source *r)
             parts[k][i] = k < 4 ? (&qa[i].x)[k] : k < 8 ? (&qb[i].x)[k - 4] : random_between(r, -1, 1);
     }
     for (size_t k = 0; k < KEYS; k++)
-        times[k] = nkw_segment_uniform_time(0, 30, k);
+        times[k] = nkw_timeline_time((nkw_timeline){0, 30, 0}, k);
 }
 
 static void build_clip(nkw_clip_format format, size_t i)
@@ -148,7 +148,7 @@ static void count_data(void)
     EACH("segment_find", segments[i] = nkw_segment_find(times, KEYS, 10 * t[i]));
     EACH("segment_find_from",
          segments[i] = nkw_segment_find_hint(times, KEYS, 10.0f * (float)i / N, segments[i ? i - 1 : 0].index));
-    EACH("segment_find_uniform", segments[i] = nkw_segment_find_uniform(0, 30, KEYS, 10 * t[i]));
+    EACH("timeline_find", segments[i] = nkw_timeline_find((nkw_timeline){0, 30, KEYS}, 10 * t[i]));
     EACH("track_sample vec3", nkw_track_sample(&tracks[0].track, 10 * t[i], &v_out[i].x));
     EACH("track_sample rotation", nkw_track_sample(&tracks[1].track, 10 * t[i], &q_out[i].x));
     COUNT("clip_sample 67 joints", for (size_t i = 0; i < 16; i++) nkw_clip_sample(

@@ -4,7 +4,7 @@
 # (accuracy_) and bench (bench_).
 set(NKW_SUBJECTS math curve motion track pose clip skin)
 set(NKW_STEMS_math base types scalar vec quat mat euler axes transform dual box)
-set(NKW_STEMS_curve curve curve_point handle ease orient rotation segment spline nurbs polycurve)
+set(NKW_STEMS_curve curve handle ease orient rotation segment spline nurbs polycurve)
 set(NKW_STEMS_motion spring inertia)
 set(NKW_STEMS_track playback timecode keyframe track fcurve dialect edit fit reduce)
 set(NKW_STEMS_pose pose skeleton blend transition root limit ik foot retarget blendspace)

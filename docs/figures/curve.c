@@ -147,7 +147,8 @@ static void tangents(svg *s, svg_box box, int k)
     for (int end = 0; end < 2; end++) {
         float t = (float)end;
         nkw_weights w = nkw_cubic_weights(kinds[k].kind, 1, t);
-        nkw_vec3 v = nkw_vec3_weighted_sum(w, c[0], c[1], c[2], c[3]);
+        const nkw_vec3_cubic cubic = {{c[0], c[1], c[2], c[3]}};
+        nkw_vec3 v = nkw_vec3_cubic_sum(&cubic, w);
         nkw_vec3 p = curve_at(k, t), from = nkw_vec3_add_scaled(p, v, -t / 3.0f);
         svg_arrow(s, on_panel(box, from), on_panel(box, nkw_vec3_add_scaled(from, v, 1.0f / 3.0f)), &paint);
     }

@@ -49,7 +49,7 @@ static void draw_values(svg *s, const svg_plot *plot, const nkw_handle_segment *
     float before = c->value0;
     for (int i = 0; i <= 4 * STEPS; i++) {
         float time = nkw_lerp(c->time0, c->time1, (float)i / (float)(4 * STEPS)),
-              value = nkw_handle_point(c, time).value;
+              value = nkw_handle_sample(c, time).value;
         if (value - before > 0.2f) {
             svg_polyline(s, line, n, paint);
             n = 0;
@@ -159,7 +159,9 @@ static void ease_panel(svg *s, int family, const char *name)
     for (int form = 0; form < 3; form++) {
         svg_paint paint = svg_stroke(form_colours[form], 2.0f, 1.0f);
         for (int i = 0; i <= FIGURE_STEPS; i++)
-            values[i] = nkw_ease((nkw_ease_kind)(NKW_EASE_SINE_IN + 3 * family + form), (float)i / (float)FIGURE_STEPS);
+            values[i] =
+                nkw_ease_evaluate((nkw_ease_kind)(NKW_EASE_SINE_IN + 3 * family + form), (float)i / (float)FIGURE_STEPS)
+                    .value;
         figure_graph(s, &plot, values, &paint);
     }
 }

@@ -11,7 +11,8 @@ enum { SAMPLES = 181 };
 
 static float motion(float time)
 {
-    return 0.6f * nkw_sin(2.0f * time) + 0.25f * nkw_cos(5.3f * time) * nkw_smoothstep(nkw_clamp(time - 1.0f, 0.0f, 1.0f));
+    return 0.6f * nkw_sin(2.0f * time) +
+           0.25f * nkw_cos(5.3f * time) * nkw_smoothstep(nkw_clamp(time - 1.0f, 0.0f, 1.0f));
 }
 
 static void draw_tangents(svg *s, const svg_plot *plot, const nkw_track *t)
@@ -42,7 +43,7 @@ int figure_fit_samples(const char *path)
         {70.0f, 430.0f, 900.0f, 120.0f}, {-0.15f, 6.15f, 1.0f, "time, s"}, {-0.0125f, 0.0125f, 0.01f, "difference"}};
     bound.dash = "5 4";
     for (size_t k = 0; k < SAMPLES; k++) {
-        times[k] = nkw_segment_uniform_time(0.0f, 30.0f, k);
+        times[k] = nkw_timeline_time((nkw_timeline){0.0f, 30.0f, 0}, k);
         values[k] = motion(times[k]);
     }
     if (nkw_track_fit(&track, tolerance, span, &out, NULL, work) != NKW_OK)

@@ -30,13 +30,13 @@ static nkw_rotation_segment segment(int method, size_t k)
     float times[4] = {(float)first, (float)k, (float)(k + 1), (float)last};
     switch (method) {
     case 0:
-        return nkw_rotation_slerp(keys[1], keys[2], NKW_PATH_SHORT, 0, 1.0f);
+        return nkw_rotation_from_slerp(keys[1], keys[2], 1.0f, NKW_PATH_SHORT, 0);
     case 1:
-        return nkw_rotation_squad(keys, 1.0f);
+        return nkw_rotation_from_squad(keys, 1.0f);
     case 2:
-        return nkw_rotation_catmull_rom(keys, times);
+        return nkw_rotation_from_catmull_rom(keys, times);
     }
-    return nkw_rotation_bspline(keys, 1.0f);
+    return nkw_rotation_from_bspline(keys, 1.0f);
 }
 
 enum { PER_SEGMENT = 32, SAMPLES = (KEYS - 1) * (PER_SEGMENT + 1) };
@@ -189,7 +189,7 @@ static nkw_quat wheel_at(int step, float t, int with_velocity)
     nkw_vec3 va = nkw_vec3_scale(y_axis, wheel_rate(step)), vb = nkw_vec3_scale(y_axis, wheel_rate(step + 1));
     if (!with_velocity)
         return nkw_quat_slerp(a, b, t);
-    nkw_rotation_segment s = nkw_rotation_hermite(a, va, b, vb, 1.0f);
+    nkw_rotation_segment s = nkw_rotation_from_hermite(a, va, b, vb, 1.0f);
     return nkw_rotation_evaluate(&s, t).value;
 }
 
@@ -230,6 +230,6 @@ int figure_rotation_turns(const char *path)
     wheel_line(&s, &wheel, 0, FIGURE_PALE);
     wheel_line(&s, &wheel, 1, FIGURE_HERMITE);
     figure_legend(&s, 600.0f, 452.0f, &slerp, "nkw_quat_slerp");
-    figure_legend(&s, 770.0f, 452.0f, &hermite, "nkw_rotation_hermite");
+    figure_legend(&s, 770.0f, 452.0f, &hermite, "nkw_rotation_from_hermite");
     return svg_close(&s);
 }

@@ -47,7 +47,8 @@ static void twist_tube(tube *t)
     const nkw_vec3 y = {0.0f, 1.0f, 0.0f}, none = {0.0f, 0.0f, 0.0f};
     nkw_quat turn = nkw_quat_from_axis_angle(y, twist);
     nkw_mat4 matrices[2] = {nkw_mat4_identity(), nkw_mat4_from_quat(turn)};
-    nkw_dual_quat duals[2] = {nkw_dual_quat_from_rigid(nkw_quat_identity(), NKW_VEC3_ZERO), nkw_dual_quat_from_rigid(turn, none)};
+    nkw_dual_quat duals[2] = {nkw_dual_quat_from_rigid(nkw_quat_identity(), NKW_VEC3_ZERO),
+                              nkw_dual_quat_from_rigid(turn, none)};
     nkw_skin skin = {POINTS, 2, {t->joints, 0, NKW_SKIN_U8}, {t->weights, 0, NKW_SKIN_F32}};
     nkw_skin_palette palette = {{matrices, 2, NKW_PALETTE_MAT4}, {NULL, 0, NKW_PALETTE_NORMAL_MAT3}, 0};
     nkw_palette_view dual_palette = {duals, 2, NKW_PALETTE_DUAL_QUAT};

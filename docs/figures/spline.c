@@ -28,11 +28,11 @@ static const shown_method methods[4] = {
 /* The CUBICSPLINE track of the keys. */
 static nkw_track track_of(nkw_spline_method method, float triples[3 * KEYS])
 {
-    double work[NKW_SPLINE_WORK(KEYS)];
+    NKW_STACK_WORK(work, NKW_SPLINE_WORK(KEYS));
     nkw_spline spline = {times, values, KEYS, 1, 1, method, NKW_SPLINE_ENDS_FREE, 0.0f, NULL, NULL};
     nkw_tangent_span tangents = {triples, triples + 2, 3};
     nkw_track track = {times, triples, KEYS, 1, NKW_TRACK_FLOATS, NKW_INTERPOLATION_CUBICSPLINE, NULL};
-    nkw_spline_tangents(&spline, tangents, NULL, work, NKW_SPLINE_WORK(KEYS));
+    nkw_spline_tangents(&spline, tangents, NULL, work);
     for (int k = 0; k < KEYS; k++)
         triples[3 * k + 1] = values[k];
     return track;
@@ -92,7 +92,7 @@ static void knots_panel(svg *s, svg_box box, float alpha, svg_colour colour, con
     nkw_tangent_span tangents = {triples, triples + 4, 6};
     nkw_track track = {knots, triples, POINTS, 2, NKW_TRACK_FLOATS, NKW_INTERPOLATION_CUBICSPLINE, NULL};
     nkw_spline_knots(&spline, alpha, knots);
-    nkw_spline_tangents(&spline, tangents, NULL, NULL, 0);
+    nkw_spline_tangents(&spline, tangents, NULL, (nkw_work){NULL, 0});
     for (int k = 0; k < POINTS; k++)
         memcpy(triples + 6 * k + 2, places + 2 * k, 2 * sizeof(float));
     svg_rect(s, box, 6.0f, &border);
@@ -146,11 +146,11 @@ static void frames_panel(svg *s, svg_box box, int frenet)
     svg_colour colour = frenet ? FIGURE_EULER : FIGURE_BSPLINE;
     svg_paint path = svg_stroke(FIGURE_INK, 2.6f, 1.0f), border = svg_stroke(0xd5d5da, 1.0f, 1.0f);
     svg_paint normal = svg_stroke(colour, 1.8f, 0.9f);
-    nkw_polycurve_frames(&curve, STEPS, NKW_POLYCURVE_OPEN, up, frames, STEPS + 1);
+    nkw_polycurve_frames(&curve, STEPS, up, NKW_POLYCURVE_OPEN, frames, STEPS + 1);
     svg_rect(s, box, 6.0f, &border);
     for (int i = 0; i <= STEPS; i++) {
         nkw_segment at = {0, (float)i / (float)STEPS};
-        nkw_vec3_motion p = nkw_polycurve_point(&curve, at);
+        nkw_vec3_motion p = nkw_polycurve_evaluate(&curve, at);
         nkw_curve_frame f = frenet ? nkw_curve_frame_frenet(&p, up) : frames[i];
         line[i] = on_path(box, p.value);
         svg_line(s, line[i], on_path(box, nkw_vec3_add_scaled(p.value, f.normal, 0.55f)), &normal);
@@ -188,7 +188,7 @@ static void speed_row(svg *s, float y, int by_length, svg_colour colour, const c
     nkw_polycurve_measure(&curve, 4, lengths, NKW_POLYCURVE_LENGTHS(1, 4));
     for (int i = 0; i <= FIGURE_STEPS; i++) {
         nkw_segment at = {0, (float)i / (float)FIGURE_STEPS};
-        nkw_vec3 p = nkw_polycurve_point(&curve, at).value;
+        nkw_vec3 p = nkw_polycurve_evaluate(&curve, at).value;
         line[i] = svg_at(60.0f + 104.0f * p.x, y - 90.0f * p.y);
     }
     svg_polyline(s, line, FIGURE_STEPS + 1, &path);
@@ -196,8 +196,8 @@ static void speed_row(svg *s, float y, int by_length, svg_colour colour, const c
         float share = (float)i / 24.0f;
         nkw_segment at = {0, share};
         if (by_length)
-            at = nkw_polycurve_at_length(&curve, lengths, 4, share * lengths[4]);
-        nkw_vec3 p = nkw_polycurve_point(&curve, at).value;
+            at = nkw_polycurve_at_length(&curve, lengths, NKW_POLYCURVE_LENGTHS(curve.count, 4), share * lengths[4]);
+        nkw_vec3 p = nkw_polycurve_evaluate(&curve, at).value;
         figure_dot(s, svg_at(60.0f + 104.0f * p.x, y - 90.0f * p.y), colour);
     }
     figure_bold(s, 300.0f, y - 8.0f, 15.0f, colour, 's', name);

@@ -29,12 +29,20 @@ static void around(size_t k, float time[4], float value[4])
     }
 }
 
+/* The curve of four keys at any times. */
+static float uneven(const float at[4], float p0, float p1, float p2, float p3, float t)
+{
+    const float keys[4] = {p0, p1, p2, p3};
+    float c[4];
+    nkw_cubic_from_catmull_rom(keys, at, c);
+    return nkw_hermite(c[0], c[1], c[2], c[3], t);
+}
+
 static float value_at(size_t k, float t, int timed)
 {
     float h[4], p[4];
     around(k, h, p);
-    return timed ? nkw_catmull_rom_nonuniform(h, p[0], p[1], p[2], p[3], t)
-                 : nkw_catmull_rom(p[0], p[1], p[2], p[3], t);
+    return timed ? uneven(h, p[0], p[1], p[2], p[3], t) : nkw_catmull_rom(p[0], p[1], p[2], p[3], t);
 }
 
 /* Per second. */
@@ -43,13 +51,11 @@ static float velocity_at(size_t k, float t, int timed)
     float h[4], p[4];
     around(k, h, p);
     float duration = h[2] - h[1];
-    float v1 = nkw_catmull_rom_tangent(p[0], p[1], p[2], h[1] - h[0], duration);
-    float v2 = nkw_catmull_rom_tangent(p[1], p[2], p[3], duration, h[3] - h[2]);
-    nkw_weights by_time = nkw_cubic_weights(NKW_CUBIC_HERMITE, 1, t);
-    nkw_weights uniform = nkw_cubic_weights(NKW_CUBIC_CATMULL_ROM, 1, t);
-    float slope = timed ? nkw_weighted_sum(by_time, p[1], v1 * duration, p[2], v2 * duration)
-                        : nkw_weighted_sum(uniform, p[0], p[1], p[2], p[3]);
-    return slope / duration;
+    float c[4];
+    nkw_cubic_from_catmull_rom(p, h, c);
+    return (timed ? nkw_cubic_evaluate(c, t, NKW_CUBIC_HERMITE) : nkw_cubic_evaluate(p, t, NKW_CUBIC_CATMULL_ROM))
+               .velocity /
+           duration;
 }
 
 enum { PER_SEGMENT = 32, SAMPLES = (KEYS - 1) * (PER_SEGMENT + 1) };
@@ -116,7 +122,7 @@ int figure_curve_uneven(const char *path)
     for (int k = 0; k < KEYS; k++)
         figure_key(&s, svg_plot_at(&value, times[k], motion(times[k])));
     figure_legend(&s, 70.0f, 708.0f, &uniform, "nkw_catmull_rom: uniform");
-    figure_legend(&s, 330.0f, 708.0f, &timed, "nkw_catmull_rom_nonuniform");
+    figure_legend(&s, 330.0f, 708.0f, &timed, "nkw_cubic_from_catmull_rom");
     figure_legend(&s, 570.0f, 708.0f, &truth, "the motion the keys were taken from");
     return svg_close(&s);
 }

@@ -93,8 +93,8 @@ NKW_API nkw_axes_map nkw_axes_map_inverse(nkw_axes_map map);
 NKW_API int nkw_axes_map_is_mirror(nkw_axes_map map);
 
 /**
- * P v: a point, a direction, a velocity, a tangent of a curve, a vertex or a normal. The columns of the matrix P are the
- * converted unit vectors. Angular velocities and scales: nkw_axes_convert_values.
+ * P v: a point, a direction, a velocity, a tangent of a curve, a vertex or a normal. The columns of the matrix P are
+ * the converted unit vectors. Angular velocities and scales: nkw_axes_convert_values.
  */
 NKW_API nkw_vec3 nkw_axes_convert_vec3(nkw_axes_map map, nkw_vec3 v);
 

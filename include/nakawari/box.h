@@ -27,8 +27,8 @@ NKW_SIZE(nkw_box, 24, 24);
 #define NKW_BOX_EMPTY (NKW_LITERAL(nkw_box){{INFINITY, INFINITY, INFINITY}, {-INFINITY, -INFINITY, -INFINITY}})
 
 /**
- * The smallest box that contains both, exactly. A component that is NaN does not count. A point p is the box {p, p}; the
- * union with NKW_BOX_EMPTY is the other box.
+ * The smallest box that contains both, exactly. A component that is NaN does not count. A point p is the box {p, p};
+ * the union with NKW_BOX_EMPTY is the other box.
  */
 NKW_API nkw_box nkw_box_union(const nkw_box *a, const nkw_box *b);
 

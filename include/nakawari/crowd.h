@@ -150,7 +150,7 @@ typedef struct nkw_crowd_source {
     const int32_t *joints; /**< joint_count indices of joints of the skeleton; NULL: 0, 1, 2 ... */
     const nkw_mat4 *inverse_bind; /**< joint_count matrices; NULL: none */
     size_t joint_count; /**< joints of the skin */
-    float start, rate; /**< frame f is the clip at nkw_segment_uniform_time(start, rate, f) */
+    float start, rate; /**< frame f is the clip at nkw_timeline_time({start, rate}, f) */
 } nkw_crowd_source;
 NKW_SIZE(nkw_crowd_source, 56, 32);
 

@@ -15,7 +15,7 @@
  *     Catmull-Rom   c = p0, p1, p2, p3   passes through p1 and p2, tangents (p2 - p0)/2 and (p3 - p1)/2
  *
  * nkw_cubic_weights returns the weights, or their first or second derivative by t for velocity and acceleration. The
- * weights of one t apply to any number of components: nkw_weighted_sum.
+ * weights of one t apply to any number of components.
  *
  * All curve functions compute in binary32. All except Bezier evaluate the polynomial relative to the end nearer to t.
  * So ends are exact bit for bit, a constant curve is constant, and large coordinates with small differences lose no
@@ -90,13 +90,11 @@ typedef enum nkw_cubic_kind {
 NKW_API nkw_weights nkw_cubic_weights(nkw_cubic_kind kind, int derivative, float t);
 
 /**
- * The weighted sum (w0 c0 + w1 c1) + (w2 c2 + w3 c3).
+ * The weighted sum (w0 c0 + w1 c1) + (w2 c2 + w3 c3) of the control values, for each component.
  *
  * Error  3.0 u of |w0 c0| + |w1 c1| + |w2 c2| + |w3 c3|.
  */
-NKW_API float nkw_weighted_sum(nkw_weights weights, float c0, float c1, float c2, float c3);
-/** The weighted sum of vectors, by nkw_weighted_sum for each component. */
-NKW_API nkw_vec3 nkw_vec3_weighted_sum(nkw_weights weights, nkw_vec3 c0, nkw_vec3 c1, nkw_vec3 c2, nkw_vec3 c3);
+NKW_API nkw_vec3 nkw_vec3_cubic_sum(const nkw_vec3_cubic *cubic, nkw_weights weights);
 
 /**
  * The Hermite curve from p0 to p1 with tangents v0, v1 per segment. Returns exactly p0 at t = 0 and p1 at t = 1.
@@ -114,7 +112,7 @@ NKW_ALGEBRA float nkw_hermite(float p0, float v0, float p1, float v1, float t);
 NKW_ALGEBRA nkw_vec3 nkw_vec3_hermite(nkw_vec3 p0, nkw_vec3 v0, nkw_vec3 p1, nkw_vec3 v1, float t);
 
 /**
- * The cubic Bezier curve: the weighted sum of NKW_CUBIC_BEZIER, with the bits of nkw_weighted_sum. Returns exactly p0
+ * The cubic Bezier curve: the weighted sum of NKW_CUBIC_BEZIER, (w0 p0 + w1 p1) + (w2 p2 + w3 p3). Returns exactly p0
  * at t = 0 and p3 at t = 1, for finite control values, except the sign of a zero. A constant curve is constant to
  * within the error.
  *
@@ -151,51 +149,92 @@ NKW_ALGEBRA float nkw_catmull_rom(float p0, float p1, float p2, float p3, float 
 NKW_ALGEBRA nkw_vec3 nkw_vec3_catmull_rom(nkw_vec3 p0, nkw_vec3 p1, nkw_vec3 p2, nkw_vec3 p3, float t);
 
 /**
- * The Catmull-Rom tangent per second at the middle of three keys with unequal durations: the derivative there of the
- * parabola through the three keys.
+ * The Catmull-Rom segment from keys[1] to keys[2], at times[0..3] that may be unevenly spaced, as Hermite control
+ * values p0, v0, p1, v1: for nkw_hermite and NKW_CUBIC_HERMITE; t in 0..1 corresponds to times[1]..times[2]. The
+ * tangent at a key is the derivative there of the parabola through it and its neighbours:
  *
- *     v = (d0 h1 + d1 h0) / (h0 + h1),     d0 = (p1 - p0)/h0,  d1 = (p2 - p1)/h1
+ *     v = (d0 h1 + d1 h0)/(h0 + h1),     d0, d1 the slopes and h0, h1 the durations before and after the key
  *
- * h0, h1   the durations from p0 to p1 and from p1 to p2, in seconds
- * Returns  the tangent, computed in binary64. If h0 or h1 is not positive, d1 or d0; if both are not positive, 0.
+ * At the ends of a series, repeat the end key and its time: where one duration is not positive, v is the slope of the
+ * other side; where both are not, 0. v per second is computed in binary64 and rounded, then multiplied by the duration
+ * of the segment.
  *
- * Error  1.0 u of the larger of |d0|, |d1|.
+ * times   differences of times, and tangents per second, must be normal floats or 0
+ * cubic   receives p0, v0, p1, v1
+ *
+ * Error  7.0 u of the largest of |p2 - p1| and the tangents per segment, for the velocity of nkw_cubic_evaluate and t
+ *        in 0..1; 4.0 u of the largest of the control values and tangents, for nkw_hermite; 2.1 u of the larger slope
+ *        times the duration, for a tangent.
  * Source Barry, Goldman, A Recursive Evaluation Algorithm for a Class of Catmull-Rom Splines, SIGGRAPH 1988,
  *        whose curve over uneven knots has these tangents.
  */
-NKW_API float nkw_catmull_rom_tangent(float p0, float p1, float p2, float h0, float h1);
-/** The tangent of vectors, by nkw_catmull_rom_tangent for each component. */
-NKW_API nkw_vec3 nkw_vec3_catmull_rom_tangent(nkw_vec3 p0, nkw_vec3 p1, nkw_vec3 p2, float h0, float h1);
+NKW_API void nkw_cubic_from_catmull_rom(const float keys[4], const float times[4], float cubic[4]);
+/** The Catmull-Rom segment of vectors, by nkw_cubic_from_catmull_rom for each component. */
+NKW_API nkw_vec3_cubic nkw_vec3_cubic_from_catmull_rom(const nkw_vec3 keys[4], const float times[4]);
 
 /**
- * The Catmull-Rom segment from p1 to p2 for keys at times[0..3], which may be unevenly spaced: the Hermite curve with
- * the tangents of nkw_catmull_rom_tangent. t in 0..1 corresponds to times[1]..times[2]. At the ends of a series, repeat
- * the end key and its time: the tangent there is then that of the straight line to its neighbour.
+ * The motion on a cubic segment at t: the value, with the bits of the function of its kind, and the first and second
+ * derivative by t. For a segment of h seconds, divide `velocity` by h and `acceleration` by h^2. With f = p(1) - p(0)
+ * and the tangents v0, v1 at the ends:
  *
- * times   differences of times, and tangents per second, must be normal floats or 0
+ *     velocity     = 6 t s f + s (s - 2t) v0 + t (t - 2s) v1,          s = 1 - t
+ *     acceleration = (6 - 12t) f + (6t - 4) v0 + (6t - 2) v1
  *
- * Error  4.0 u of the largest of the control values and tangents per segment, for t in 0..1.
+ *     Hermite       f = p1 - p0                 v0, v1 as stored
+ *     Bezier        f = d0 + d1 + d2            v0 = 3 d0,          v1 = 3 d2
+ *     B-spline      f = (d0 + 4 d1 + d2)/6      v0 = (d0 + d1)/2,   v1 = (d1 + d2)/2
+ *     Catmull-Rom   f = d1                      v0 = (d0 + d1)/2,   v1 = (d1 + d2)/2
+ *
+ * where di = cubic[i + 1] - cubic[i]. The derivatives are computed in binary64 from these differences and rounded once.
+ * So large coordinates with small differences lose no digits. A Hermite segment returns its tangents exactly at t = 0
+ * and t = 1, except the sign of a zero.
+ *
+ * cubic  the four control values, in the order of the kind
+ *
+ * Error  1.0 u for `velocity` and `acceleration`, of the larger of the derivative and the largest of |f|, |v0|, |v1|,
+ *        for t in 0..1; `value` as its function.
  */
-NKW_API float nkw_catmull_rom_nonuniform(const float times[4], float p0, float p1, float p2, float p3, float t);
-/** The non-uniform Catmull-Rom segment of vectors, by nkw_catmull_rom_nonuniform for each component. */
-NKW_API nkw_vec3 nkw_vec3_catmull_rom_nonuniform(const float times[4], nkw_vec3 p0, nkw_vec3 p1, nkw_vec3 p2,
-                                                 nkw_vec3 p3, float t);
+NKW_API nkw_motion nkw_cubic_evaluate(const float cubic[4], float t, nkw_cubic_kind kind);
+/** The motion on a segment of vectors, by nkw_cubic_evaluate for each component. */
+NKW_API nkw_vec3_motion nkw_vec3_cubic_evaluate(const nkw_vec3_cubic *cubic, float t, nkw_cubic_kind kind);
 
 /**
- * The same segment as another kind of curve, for each component separately. With p, v the Hermite, b the Bezier and d
- * the B-spline control values:
+ * The quintic Hermite curve from p0 to p1: value, first and second derivative at both ends are those given. Segments
+ * that share them join with continuous acceleration. Derivatives are by t: multiply a velocity per second by the
+ * duration h of the segment, an acceleration by h^2. With f = p1.value - p0.value, s = 1 - t, vi, ai the derivatives:
  *
- *     b = p0, p0 + v0/3, p1 - v1/3, p1
- *     p = b0, b3,    v = 3 (b1 - b0), 3 (b3 - b2)
- *     b = (d0 + 4 d1 + d2)/6, (2 d1 + d2)/3, (d1 + 2 d2)/3, (d1 + 4 d2 + d3)/6
+ *     p            = p0 + t^3 (10 - 15t + 6t^2) f + t s^3 (1 + 3t) v0 - s t^3 (1 + 3s) v1 + t^2 s^2 (s a0 + t a1)/2
+ *     velocity     = 30 t^2 s^2 f + s^2 (1 + 2t - 15t^2) v0 + t^2 (1 + 2s - 15s^2) v1
+ *                    + t s (s (2 - 5t) a0 - t (2 - 5s) a1)/2
+ *     acceleration = 60 t s (s - t) f - 12 t s ((3 - 5t) v0 - (3 - 5s) v1)
+ *                    + s (1 - 8t + 10t^2) a0 + t (1 - 8s + 10s^2) a1
  *
- * Mathematically exact; computed in binary64, each value rounded once.
+ * Computed in binary64 from the end nearer to t; each number is rounded once. Returns the ends exactly at t = 0 and
+ * t = 1, except the sign of a zero.
+ *
+ * Error  1.0 u of the larger of the exact number and the largest of |p0.value|, |p1.value| and the derivatives at the
+ *        ends, for t in 0..1.
+ * Source Farin, Curves and Surfaces for CAGD, 5th edition, 2002, section 7.6 (quintic Hermite interpolation).
+ */
+NKW_API nkw_motion nkw_quintic_evaluate(nkw_motion p0, nkw_motion p1, float t);
+/** The quintic Hermite curve of vectors, by nkw_quintic_evaluate for each component. */
+NKW_API nkw_vec3_motion nkw_vec3_quintic_evaluate(const nkw_vec3_motion *p0, const nkw_vec3_motion *p1, float t);
+
+/**
+ * The same segment as a curve of another kind, for each component: all kinds span the same cubics. By way of the Bezier
+ * control values b, with p, v the Hermite, d the B-spline and c the Catmull-Rom control values:
+ *
+ *     b = p0, p0 + v0/3, p1 - v1/3, p1                        p = b0, b3,    v = 3 (b1 - b0), 3 (b3 - b2)
+ *     b = (d0 + 4 d1 + d2)/6, (2 d1 + d2)/3,                  d = 6 b0 - 7 b1 + 2 b2, 2 b1 - b2,
+ *         (d1 + 2 d2)/3, (d1 + 4 d2 + d3)/6                       2 b2 - b1, 2 b1 - 7 b2 + 6 b3
+ *     b = c1, c1 + (c2 - c0)/6, c2 - (c3 - c1)/6, c2          c = b3 - 6 (b1 - b0), b0, b3, b0 + 6 (b3 - b2)
+ *
+ * Mathematically exact; computed in binary64, each value rounded once. A segment that has the kind `to` is returned
+ * unchanged.
  *
  * Error  1.0 u of the largest control value of the two segments.
  */
-NKW_API nkw_vec3_cubic nkw_vec3_bezier_from_hermite(const nkw_vec3_cubic *hermite);
-NKW_API nkw_vec3_cubic nkw_vec3_hermite_from_bezier(const nkw_vec3_cubic *bezier);
-NKW_API nkw_vec3_cubic nkw_vec3_bezier_from_bspline(const nkw_vec3_cubic *bspline);
+NKW_API nkw_vec3_cubic nkw_vec3_cubic_convert(const nkw_vec3_cubic *cubic, nkw_cubic_kind from, nkw_cubic_kind to);
 
 /**
  * Splits a Bezier segment at t: into the curve over 0..t and the curve over t..1, each a Bezier segment over 0..1. The

@@ -165,7 +165,7 @@ NKW_API nkw_result nkw_css_from_fcurve_keys(const nkw_fcurve_key keys[2], float 
  * Stack  at most 2 KiB.
  */
 NKW_API nkw_result nkw_fcurve_keys_from_spline(const nkw_spline *spline, size_t component, nkw_fcurve_key *keys,
-                                               size_t *bad_key, double *work, size_t work_count);
+                                               size_t *bad, nkw_work work);
 
 /**
  * The keys of one component of a track: STEP is CONSTANT, CUBICSPLINE is BEZIER with handles of h/3.

@@ -8,15 +8,15 @@
  *     value = start + (end - start) ease(t),      t = elapsed / duration
  *
  * All is computed in binary64 and rounded once. Each function returns value, first and second derivative by t; divide
- * `velocity` by the duration and `acceleration` by its square. The value is exactly 0 at t = 0 and exactly 1 at t = 1, except
- * those of steps and linear() that CSS defines otherwise.
+ * `velocity` by the duration and `acceleration` by its square. The value is exactly 0 at t = 0 and exactly 1 at t = 1,
+ * except those of steps and linear() that CSS defines otherwise.
  */
 #ifndef NAKAWARI_EASE_H
 #define NAKAWARI_EASE_H
 
 #include <stdint.h>
 
-#include "curve_point.h"
+#include "curve.h"
 
 #ifdef __cplusplus
 extern "C" {
@@ -107,65 +107,67 @@ typedef enum nkw_ease_jump {
  * The easing function of a kind at t.
  *
  * t        outside 0..1: Penner's functions return their end, 0 or 1, with derivatives 0; those of CSS as
- *          nkw_ease_cubic_bezier, nkw_ease_steps and, for LINEAR, t itself. NaN returns NaN
+ *          nkw_easing_evaluate and, for LINEAR, t itself. NaN returns NaN
  * Returns  at a corner (BOUNCE, the middle of QUINT_IN_OUT ...) the derivatives to its right; at 0 and 1 those within
  *          0..1; infinity where CIRC is vertical
  *
  * Error  1.1 u of the larger of 1 and the result, for each of the three.
  * Source Penner, Programming Macromedia Flash MX, chapter 7, 2002; CSS Easing Functions Level 2, W3C, 2024.
  */
-NKW_API nkw_motion nkw_ease_point(nkw_ease_kind kind, float t);
-/** The value of nkw_ease_point. */
-NKW_API float nkw_ease(nkw_ease_kind kind, float t);
+NKW_API nkw_motion nkw_ease_evaluate(nkw_ease_kind kind, float t);
+/** What an nkw_easing is. Any other number is read as NKW_EASING_CUBIC_BEZIER. */
+typedef enum nkw_easing_kind {
+    NKW_EASING_CUBIC_BEZIER, /**< cubic-bezier(curve[0], curve[1], curve[2], curve[3]) */
+    NKW_EASING_STEPS, /**< steps(count, jump) */
+    NKW_EASING_LINEAR, /**< linear() of the points (inputs[i], outputs[i]), i < count */
+    NKW_EASING_KIND_MAX_ENUM = 0x7fffffff
+} nkw_easing_kind;
+
+/** An easing function of CSS with its numbers. The fields of other kinds are not read. */
+typedef struct nkw_easing {
+    nkw_easing_kind kind;
+    float curve[4]; /**< x1, y1, x2, y2 */
+    nkw_ease_jump jump;
+    size_t count; /**< of steps, or of points */
+    const float *inputs; /**< ascending; nkw_easing_complete computes those that CSS lets an author omit */
+    const float *outputs;
+} nkw_easing;
+NKW_SIZE(nkw_easing, 48, 36);
 
 /**
- * cubic-bezier(x1, y1, x2, y2) of CSS at t: nkw_handle_point of the segment from (0, 0) to (1, 1) with control points
- * (x1, y1) and (x2, y2).
+ * An easing function of CSS at t: value, first and second derivative by t.
  *
- * x1, x2   0..1 in CSS; otherwise the curve can run back, and its first value counts, as in handle.h
- * t        outside 0..1 the curve continues along its tangent there, `acceleration` 0; where the tangent is vertical, it
- *          holds the end
+ * CUBIC_BEZIER is nkw_handle_sample of the segment from (0, 0) to (1, 1) with control points (x1, y1) and (x2, y2). x1
+ * and x2 are 0..1 in CSS; otherwise the curve can run back, and its first value counts, as in handle.h. For t outside
+ * 0..1 the curve continues along its tangent there, `acceleration` 0; where the tangent is vertical, it holds the end.
+ * Returns NaN if x1 or x2 is not finite.
  *
- * Error  1.1 u of the largest of 1, |y1| and |y2|, for t in 0..1 and the value, relative to the exact curve at some
- *        time within 2^-48 of t, or of the largest handle, if that is longer than 1.
- * Source CSS Easing Functions Level 2, W3C, 2024, section 2.2.
+ * STEPS, with n = count and m = n, n, n - 1, n + 1 jumps:
+ *
+ *     floor(t n)/m for END and NONE,    (floor(t n) + 1)/m for START and BOTH,    derivatives 0
+ *
+ * At the time of a jump the value is that after it, as without the before flag of CSS. t in 0..1 returns 0..1; outside,
+ * the steps continue. The count is at least 1, for NONE 2; a smaller count is read as that.
+ *
+ * LINEAR has straight lines between its points. At an input that several points have, the last of them counts, and
+ * `velocity` is the slope to its right. Outside, the first and the last line continue; if the first or last two points
+ * have one input, the value there is that of the first or last. No points return 0, one point returns its output. Any
+ * inputs are answered.
+ *
+ * Returns  NaN for a NaN t
+ *
+ * Error  1.1 u of the largest of 1, |y1| and |y2|, for CUBIC_BEZIER, t in 0..1 and the value, relative to the exact
+ *        curve at some time within 2^-48 of t, or of the largest handle, if that is longer than 1; 1.0 u of the result,
+ *        for STEPS, if t count < 2^24; 1.1 u of the larger of the result and the two outputs, for the value of LINEAR.
+ * Source CSS Easing Functions Level 2, W3C, 2024, sections 2.1 to 2.3.
  */
-NKW_API nkw_motion nkw_ease_cubic_bezier(float x1, float y1, float x2, float y2, float t);
-
-/**
- * steps(count, jump) of CSS at t: with n = count and m = n, n, n - 1, n + 1 jumps,
- *
- *     floor(t n)/m for END and NONE,    (floor(t n) + 1)/m for START and BOTH
- *
- * At the time of a jump the value is that after it, as without the before flag of CSS. t in 0..1 returns 0..1.
- *
- * count   at least 1, for NONE 2; a smaller count is read as that
- * t       outside 0..1 the steps continue. NaN returns NaN
- *
- * Error  1.0 u of the result, if t count < 2^24.
- * Source CSS Easing Functions Level 2, W3C, 2024, section 2.3.
- */
-NKW_API float nkw_ease_steps(int count, nkw_ease_jump jump, float t);
-
-/**
- * linear() of CSS at t: straight lines between `count` points (inputs[i], outputs[i]). At an input that several points
- * have, the last of them counts. Outside, the first and the last line continue.
- *
- * inputs   ascending; nkw_ease_linear_inputs computes those that CSS lets an author omit
- * Returns  0 for no points, outputs[0] for one; at a jump `velocity` is the slope to its right. If the first or last two
- *          points have one input, the value outside is that of the first or last. NaN for a NaN t. Any inputs are
- *          answered
- *
- * Error  1.1 u of the larger of the result and the two outputs, for the value.
- * Source CSS Easing Functions Level 2, W3C, 2024, section 2.1.
- */
-NKW_API nkw_motion nkw_ease_linear(const float *inputs, const float *outputs, size_t count, float t);
+NKW_API nkw_motion nkw_easing_evaluate(const nkw_easing *easing, float t);
 
 /**
  * Completes the inputs of linear(), where omitted ones are NaN: the first becomes 0, the last 1, an input that is less
  * than one before it becomes the largest of those, and omitted ones between are spaced evenly. In place.
  */
-NKW_API void nkw_ease_linear_inputs(float *inputs, size_t count);
+NKW_API void nkw_easing_complete(float *inputs, size_t count);
 
 #ifdef __cplusplus
 }

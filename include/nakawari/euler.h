@@ -131,8 +131,8 @@ NKW_API void nkw_euler_filter(const nkw_vec3 *angles, size_t count, nkw_euler_or
 /** The angles that nkw_euler_lerp unwraps. Any other number is read as NONE. */
 typedef enum nkw_unwrap {
     NKW_UNWRAP_NONE, /**< none: differences of several turns are kept */
-    NKW_UNWRAP_YAW,  /**< only the angle about Y, as in the university exercise (keyframe.h) */
-    NKW_UNWRAP_ALL,   /**< all three */
+    NKW_UNWRAP_YAW, /**< only the angle about Y, as in the university exercise (keyframe.h) */
+    NKW_UNWRAP_ALL, /**< all three */
     NKW_UNWRAP_MAX_ENUM = 0x7fffffff
 } nkw_unwrap;
 

@@ -11,8 +11,8 @@
  *     CONSTANT        value[k]
  *     CONSTANT_NEXT   value[k + 1]; value[k] only at the time of key k itself
  *     LINEAR          value[k] + x (value[k + 1] - value[k])
- *     BEZIER          nkw_handle_point with the handles key[k].out and key[k + 1].in, shortened by `policy`
- *     EASE            value[k] + nkw_ease(key[k].ease, x) (value[k + 1] - value[k])
+ *     BEZIER          nkw_handle_sample with the handles key[k].out and key[k + 1].in, shortened by `policy`
+ *     EASE            value[k] + nkw_ease_evaluate(key[k].ease, x).value (value[k + 1] - value[k])
  *
  * At the time of a key the value is that of the key, bit for bit. With d = time of the last key - time of the first,
  * the value outside the keys is

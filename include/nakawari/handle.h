@@ -19,7 +19,7 @@
 #ifndef NAKAWARI_HANDLE_H
 #define NAKAWARI_HANDLE_H
 
-#include "curve_point.h"
+#include "curve.h"
 
 #ifdef __cplusplus
 extern "C" {
@@ -65,18 +65,18 @@ typedef enum nkw_handle_policy {
  * time     before the segment: value0, derivatives 0; after it: value1, derivatives 0. At time0 and time1 the value is
  *          value0 and value1, bit for bit, and the derivatives are those of the segment
  * Returns  NaN for a NaN time or segment time, and where a value that counts is NaN. A segment without a duration
- *          returns value0 before time1 and value1 from time1 on, derivatives 0. Where the curve is vertical, `velocity` is
- *          infinite with the sign of the value's change. Where a handle has length 0 in time and value, `velocity` is the
- *          slope to the next control point that differs, and `acceleration` is 0 or infinite
+ *          returns value0 before time1 and value1 from time1 on, derivatives 0. Where the curve is vertical, `velocity`
+ *          is infinite with the sign of the value's change. Where a handle has length 0 in time and value, `velocity`
+ *          is the slope to the next control point that differs, and `acceleration` is 0 or infinite
  *
  * Error  1.1 u of the largest of |value0|, |value1| and of the values at the tips of the handles, for the value,
  *        relative to the exact curve at some time within 2^-48 of the longest of duration and handles from `time`. The
  *        value moves so far where the curve is steep: up to 2^-16 of a jump at a vertical tangent within the segment.
  * Source OpenUSD, Ts, Regressive Splines in USD, 2024, for the ellipse.
  */
-NKW_API nkw_motion nkw_handle_point(const nkw_handle_segment *segment, float time);
+NKW_API nkw_motion nkw_handle_sample(const nkw_handle_segment *segment, float time);
 
-/** The parameter s at a time, 0..1; 0 before and 1 after the segment, NaN as for nkw_handle_point. */
+/** The parameter s at a time, 0..1; 0 before and 1 after the segment, NaN as for nkw_handle_sample. */
 NKW_API float nkw_handle_parameter(const nkw_handle_segment *segment, float time);
 
 /** 1 if time(s) falls for some s in 0..1, otherwise 0. A segment without a duration returns 0. */
@@ -94,7 +94,7 @@ NKW_API nkw_handle_segment nkw_handle_limit(const nkw_handle_segment *segment, n
 
 /**
  * Inserts a key at a time without changing the curve: splits the segment by de Casteljau's triangle at the parameter of
- * the time. The new key has the bits of nkw_handle_point. A time outside the segment is clamped. left and right may be
+ * the time. The new key has the bits of nkw_handle_sample. A time outside the segment is clamped. left and right may be
  * the input.
  */
 NKW_API void nkw_handle_split(const nkw_handle_segment *segment, float time, nkw_handle_segment *left,

@@ -187,8 +187,8 @@ NKW_SIZE(nkw_body_motion, 52, 52);
 
 /**
  * The motion between two steps of physics, for frames that are drawn between them: the position by the Hermite curve
- * with the velocities of both steps (nkw_vec3_cubic_point), the rotation by that with the angular velocities
- * (nkw_rotation_hermite), so that a wheel of several turns in a step turns as often. Value and velocity are continuous
+ * with the velocities of both steps (nkw_vec3_cubic_evaluate), the rotation by that with the angular velocities
+ * (nkw_rotation_from_hermite), so that a wheel of several turns in a step turns as often. Value and velocity are continuous
  * from step to step; a lerp has a corner in each.
  *
  * a, b      two consecutive steps
@@ -198,7 +198,7 @@ NKW_SIZE(nkw_body_motion, 52, 52);
  * Returns   exactly the position and the rotation of a at t = 0; those of b at t = 1, where the rotation may be
  *           negated
  *
- * Error  as nkw_vec3_cubic_point and nkw_rotation_evaluate.
+ * Error  as nkw_vec3_cubic_evaluate and nkw_rotation_evaluate.
  * Stack  at most 3 KiB.
  */
 NKW_API nkw_body_motion nkw_body_motion_between(const nkw_body_motion *a, const nkw_body_motion *b, float duration,

@@ -75,11 +75,11 @@ typedef enum nkw_orientation_method {
     NKW_ORIENTATION_EULER_UNWRAPPED,
     /** nkw_quat_nlerp. */
     NKW_ORIENTATION_NLERP,
-    /** nkw_rotation_squad of the four keys around the segment, the end keys repeated. It does not use the times. */
+    /** nkw_rotation_from_squad of the four keys around the segment, the end keys repeated. It does not use the times. */
     NKW_ORIENTATION_SQUAD,
-    /** nkw_rotation_catmull_rom of these keys and their times: the angular velocity is continuous. */
+    /** nkw_rotation_from_catmull_rom of these keys and their times: the angular velocity is continuous. */
     NKW_ORIENTATION_CATMULL_ROM,
-    /** nkw_rotation_bspline of these keys. Passes near them. */
+    /** nkw_rotation_from_bspline of these keys. Passes near them. */
     NKW_ORIENTATION_BSPLINE,
     NKW_ORIENTATION_METHOD_MAX_ENUM = 0x7fffffff
 } nkw_orientation_method;

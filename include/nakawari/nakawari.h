@@ -21,7 +21,6 @@
 
 /* Curve: a value at a parameter; the piece of a time. */
 #include "curve.h" /* Hermite, Bezier, B-spline, Catmull-Rom */
-#include "curve_point.h" /* value, velocity and acceleration of a cubic; quintic Hermite */
 #include "handle.h" /* Bezier segments with handles in time */
 #include "ease.h" /* easing: Penner, CSS */
 #include "orient.h" /* slerp, nlerp, logarithm and exponential of rotations */

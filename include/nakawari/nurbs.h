@@ -71,20 +71,20 @@ typedef enum nkw_nurbs_knots_kind {
 NKW_API nkw_result nkw_nurbs_validate(const nkw_nurbs *curve, size_t *bad);
 
 /**
- * The point of the curve at u and its first and second derivative by u. u is clamped to the domain u[degree] ..
+ * The point of the curve at u with its first and second derivative by u. u is clamped to the domain u[degree] ..
  * u[count]; NaN counts as its start. At a knot the derivatives are those of the span that begins there; at the end of
  * the domain, of the last span.
  *
- * value, first, second  receive `width` floats each; first and second may be NULL
- *
- * An invalid curve returns values without meaning; no points, fewer than degree + 1, or too great a degree write
- * nothing. Nothing is read or written outside the arrays.
+ * out      each array that is not NULL receives `width` floats
+ * Returns  NKW_OK; the code of nkw_nurbs_validate for a curve without points, of fewer than degree + 1, or of a degree
+ *          or a stride out of range, for which nothing is written. Other errors of a curve return values without
+ *          meaning; nothing is read or written outside the arrays
  *
  * Error  1.0 u of the largest coordinate of all points for the value, of weights in 2^-10 .. 2^10 and degrees up to 7;
  *        the derivatives the same, of the larger of the derivative and the largest coordinate times d, d^2 for the
- *        second, d = degree over the shortest span that the point depends on.
+ *        acceleration, d = degree over the shortest span that the point depends on.
  */
-NKW_API void nkw_nurbs_sample(const nkw_nurbs *curve, float u, float *value, float *first, float *second);
+NKW_API nkw_result nkw_nurbs_evaluate(const nkw_nurbs *curve, float u, nkw_motion_span out);
 
 /**
  * Writes NKW_NURBS_KNOTS(count, degree) knots, whose domain begins at `from` and ends at `to`. Inner knots are even:
@@ -94,7 +94,7 @@ NKW_API void nkw_nurbs_sample(const nkw_nurbs *curve, float u, float *value, flo
  * Returns  NKW_OK; NKW_TOO_MANY for a degree above NKW_NURBS_DEGREE; NKW_TOO_SMALL for fewer than degree + 1 points;
  *          NKW_NOT_FINITE for `from` or `to`; NKW_NOT_ASCENDING if from >= to; after an error nothing is written
  */
-NKW_API nkw_result nkw_nurbs_make_knots(nkw_nurbs_knots_kind kind, size_t count, size_t degree, float from, float to,
+NKW_API nkw_result nkw_nurbs_make_knots(size_t count, size_t degree, float from, float to, nkw_nurbs_knots_kind kind,
                                         float *knots);
 
 #ifdef __cplusplus

@@ -123,7 +123,7 @@ NKW_API nkw_quat nkw_quat_nlerp_path(nkw_quat a, nkw_quat b, float t, nkw_path p
  * angular velocity w is known, expected = w * duration. The smaller |k| of two that are equally near; 0 if a and b are
  * equal, so that the arc has no axis, or if `expected` is not finite. Clamped to -2^29..2^29.
  */
-NKW_API int32_t nkw_quat_turns(nkw_quat a, nkw_quat b, nkw_path path, nkw_vec3 expected);
+NKW_API int32_t nkw_quat_turns(nkw_quat a, nkw_quat b, nkw_vec3 expected, nkw_path path);
 
 /**
  * The logarithm of a unit quaternion: half the rotation vector.

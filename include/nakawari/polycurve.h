@@ -19,7 +19,7 @@
 #ifndef NAKAWARI_POLYCURVE_H
 #define NAKAWARI_POLYCURVE_H
 
-#include "curve_point.h"
+#include "curve.h"
 #include "segment.h"
 
 #ifdef __cplusplus
@@ -41,13 +41,13 @@ NKW_SIZE(nkw_polycurve, 24, 12);
  *
  * Error  1.0 u of the length, or, where it is larger, 2^-16 u of the length of the control polygon.
  */
-NKW_API float nkw_vec3_cubic_length(nkw_cubic_kind kind, const nkw_vec3_cubic *cubic, float from, float to);
+NKW_API float nkw_vec3_cubic_length(const nkw_vec3_cubic *cubic, float from, float to, nkw_cubic_kind kind);
 
 /**
- * The point of a polycurve at a place, by nkw_vec3_cubic_point. An index beyond the last segment is the last one; an
- * empty polycurve has the point 0.
+ * The motion on a polycurve at a place, by the parameter: nkw_vec3_cubic_evaluate. An index beyond the last segment is
+ * the last one; an empty polycurve has the point 0.
  */
-NKW_API nkw_vec3_motion nkw_polycurve_point(const nkw_polycurve *curve, nkw_segment at);
+NKW_API nkw_vec3_motion nkw_polycurve_evaluate(const nkw_polycurve *curve, nkw_segment at);
 
 /** The number of floats in a table of lengths: one at each of the even parameters 0, 1/steps .. 1 of each segment. */
 #define NKW_POLYCURVE_LENGTHS(count, steps) ((count) * (steps) + 1)
@@ -68,13 +68,14 @@ NKW_API nkw_result nkw_polycurve_measure(const nkw_polycurve *curve, size_t step
  * The place at a length from the start, clamped to the curve; NaN counts as 0. Places at equal distances of length run
  * along the curve at constant speed: length = speed * time.
  *
- * lengths  the table of nkw_polycurve_measure for this curve and these steps. With other numbers the place has no
- *          meaning, but is a place of the curve
+ * lengths  the table of nkw_polycurve_measure for this curve: length_count is NKW_POLYCURVE_LENGTHS(count, steps), from
+ *          which the steps follow. With other numbers the place has no meaning, but is a place of the curve; with
+ *          fewer than count + 1 it is the start
  *
  * Error  1.0 u of the length of the whole curve: the difference of the length at the place and `length`, where the
  *        curve does not stand still; the parameter is rounded to a float, which adds half an ULP of t times |p'(t)|.
  */
-NKW_API nkw_segment nkw_polycurve_at_length(const nkw_polycurve *curve, const float *lengths, size_t steps,
+NKW_API nkw_segment nkw_polycurve_at_length(const nkw_polycurve *curve, const float *lengths, size_t length_count,
                                             float length);
 
 /** A right-handed frame on a curve: three unit vectors, binormal = tangent x normal. */
@@ -95,7 +96,9 @@ NKW_SIZE(nkw_curve_frame, 36, 36);
  * segment that comes to rest the curve has the direction of -p'': nkw_polycurve_frenet knows the place and the rest of
  * the curve.
  *
- * before   the normal of the frame before, or any direction that the normal should be near
+ * before   the normal of the frame before, or any direction that the normal should be near. Of a point whose
+ *          acceleration is 0 the normal is the part of `before` perpendicular to the velocity: a frame from a tangent
+ *          and a direction up
  *
  * Error  1.0 u for each vector, where |p' x p''| >= |p'||p''|/8.
  */
@@ -104,20 +107,14 @@ NKW_API nkw_curve_frame nkw_curve_frame_frenet(const nkw_vec3_motion *point, nkw
 /**
  * The Frenet frame of a polycurve at a place, of a curve that may come to rest there: nkw_curve_frame_frenet of its
  * derivatives. Where p' = 0, the frame is the limit from inside of the segment. The tangent then has the direction of
- * p'', at the end, t = 1, that of -p''; where p'' = 0 too, that of p'''; where all are 0, it is the x axis. The binormal
- * has the direction of p'' x p'''.
+ * p'', at the end, t = 1, that of -p''; where p'' = 0 too, that of p'''; where all are 0, it is the x axis. The
+ * binormal has the direction of p'' x p'''.
  *
  * before   as above
  *
  * Error  1.0 u for each vector, where |p' x p''| >= |p'||p''|/8; where p' = 0, the same of p'' and p'''.
  */
 NKW_API nkw_curve_frame nkw_polycurve_frenet(const nkw_polycurve *curve, nkw_segment at, nkw_vec3 before);
-
-/**
- * A frame with this tangent whose normal is the part of `up` perpendicular to it; where that is 0, as in
- * nkw_curve_frame_frenet. `tangent` need not be unit.
- */
-NKW_API nkw_curve_frame nkw_curve_frame_from_up(nkw_vec3 tangent, nkw_vec3 up);
 
 /**
  * The frame at point b after the frame `from` at point a, turned about the tangent as little as possible (double
@@ -139,18 +136,19 @@ typedef enum nkw_polycurve_ends {
 } nkw_polycurve_ends;
 
 /**
- * Rotation-minimising frames at the even parameters of nkw_polycurve_measure, frames[0] by nkw_curve_frame_from_up and
- * the others by nkw_curve_frame_transport. Where p' = 0, the tangent is that of nkw_polycurve_frenet. CLOSED is for curves whose ends have one point and one tangent; there the
- * last frame has the bits of the first.
+ * Rotation-minimising frames at the even parameters of nkw_polycurve_measure: the first normal is the part of `up`
+ * perpendicular to the tangent, the other frames follow by nkw_curve_frame_transport. Where p' = 0, the tangent is that
+ * of nkw_polycurve_frenet. CLOSED is for curves whose ends have one point and one tangent; there the last frame has the
+ * bits of the first.
  *
- * ends     any other number is read as NKW_POLYCURVE_OPEN
  * up       the direction that the first normal should be near
+ * ends     any other number is read as NKW_POLYCURVE_OPEN
  * Returns  NKW_OK; NKW_EMPTY without segments or for steps 0; NKW_TOO_SMALL if frame_count is less than
  *          NKW_POLYCURVE_LENGTHS(count, steps); after an error nothing is written
  *
  * Stack  at most 2 KiB.
  */
-NKW_API nkw_result nkw_polycurve_frames(const nkw_polycurve *curve, size_t steps, nkw_polycurve_ends ends, nkw_vec3 up,
+NKW_API nkw_result nkw_polycurve_frames(const nkw_polycurve *curve, size_t steps, nkw_vec3 up, nkw_polycurve_ends ends,
                                         nkw_curve_frame *frames, size_t frame_count);
 
 /**
@@ -162,14 +160,14 @@ NKW_API nkw_result nkw_polycurve_frames(const nkw_polycurve *curve, size_t steps
  * which bounds the distance between curve and chord at every t. Points are rounded to floats, which adds 1 u of the
  * coordinates. Gaps between segments are joined by a line.
  *
- * points   receives up to `capacity` points
+ * points   receives up to `capacity` points; NULL with capacity 0 asks for the count
  * count    receives the number of points of the whole polyline, also if capacity is less; 0 after other errors
  * Returns  NKW_OK; NKW_TOO_SMALL for capacity; NKW_EMPTY without segments; NKW_OUT_OF_RANGE if tolerance is not
  *          positive; NKW_NOT_FINITE for a control value that is not finite; NKW_TOO_MANY if a segment needs intervals
  *          of less than 2^-20
  */
-NKW_API nkw_result nkw_polycurve_flatten(const nkw_polycurve *curve, float tolerance, nkw_vec3 *points, size_t *count,
-                                         size_t capacity);
+NKW_API nkw_result nkw_polycurve_flatten(const nkw_polycurve *curve, float tolerance, nkw_vec3 *points, size_t capacity,
+                                         size_t *count);
 
 #ifdef __cplusplus
 }

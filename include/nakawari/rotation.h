@@ -60,7 +60,7 @@ typedef enum nkw_rotation_kind {
 /** A curve of rotations over t = 0..1. Filled by the functions below, or by the caller. */
 typedef struct nkw_rotation_segment {
     nkw_rotation_kind kind;
-    nkw_path path; /**< SLERP, HERMITE: the arc; see nkw_rotation_hermite */
+    nkw_path path; /**< SLERP, HERMITE: the arc; see nkw_rotation_from_hermite */
     int32_t turns; /**< SLERP, HERMITE: whole turns more */
     float duration; /**< seconds */
     nkw_quat control[4]; /**< SLERP, HERMITE: two ends; SQUAD: end, inner, inner, end; BSPLINE: four controls */
@@ -69,7 +69,8 @@ typedef struct nkw_rotation_segment {
 NKW_SIZE(nkw_rotation_segment, 104, 104);
 
 /** The constant rotation from a to b: nkw_quat_slerp_path as a segment. */
-NKW_API nkw_rotation_segment nkw_rotation_slerp(nkw_quat a, nkw_quat b, nkw_path path, int32_t turns, float duration);
+NKW_API nkw_rotation_segment nkw_rotation_from_slerp(nkw_quat a, nkw_quat b, float duration, nkw_path path,
+                                                     int32_t turns);
 
 /**
  * The cubic segment from a, with the angular velocity va, to b, with vb: Hermite interpolation of rotations.
@@ -85,7 +86,8 @@ NKW_API nkw_rotation_segment nkw_rotation_slerp(nkw_quat a, nkw_quat b, nkw_path
  * Rotations of more than 2^20 rad are rounded to a float. The segment from b to a with negated velocities is another
  * curve with the same ends: the product is not symmetric.
  */
-NKW_API nkw_rotation_segment nkw_rotation_hermite(nkw_quat a, nkw_vec3 va, nkw_quat b, nkw_vec3 vb, float duration);
+NKW_API nkw_rotation_segment nkw_rotation_from_hermite(nkw_quat a, nkw_vec3 va, nkw_quat b, nkw_vec3 vb,
+                                                       float duration);
 
 /**
  * The segment from keys[1] to keys[2] with the velocities of Catmull-Rom at its ends. With the chords
@@ -93,10 +95,10 @@ NKW_API nkw_rotation_segment nkw_rotation_hermite(nkw_quat a, nkw_vec3 va, nkw_q
  *
  *     v = (w0 h1 + w1 h0)/(h0 + h1)
  *
- * as nkw_vec3_catmull_rom_tangent. At the ends of a series repeat the end key with its time: where a duration is not
+ * as nkw_vec3_cubic_from_catmull_rom. At the ends of a series repeat the end key with its time: where a duration is not
  * positive, the other chord is used.
  */
-NKW_API nkw_rotation_segment nkw_rotation_catmull_rom(const nkw_quat keys[4], const float times[4]);
+NKW_API nkw_rotation_segment nkw_rotation_from_catmull_rom(const nkw_quat keys[4], const float times[4]);
 
 /**
  * The segment from keys[1] to keys[2] with the velocities of Kochanek and Bartels; tcb[0] belongs to keys[1], tcb[1] to
@@ -107,28 +109,22 @@ NKW_API nkw_rotation_segment nkw_rotation_catmull_rom(const nkw_quat keys[4], co
  *
  * Source Kochanek, Bartels, Interpolating Splines with Local Tension, Continuity, and Bias Control, SIGGRAPH 1984.
  */
-NKW_API nkw_rotation_segment nkw_rotation_tcb(const nkw_quat keys[4], const float times[4], const nkw_tcb tcb[2]);
-
-/**
- * The inner control value of squad at `key`, between the keys before and after it:
- *
- *     s = key exp(-(log(key^-1 after) + log(key^-1 before))/4),      after and before nearest to key
- *
- * Error  0.91 u.
- * Source Shoemake, Quaternion Calculus and Fast Animation, SIGGRAPH course notes, 1987.
- */
-NKW_API nkw_quat nkw_quat_squad_control(nkw_quat before, nkw_quat key, nkw_quat after);
+NKW_API nkw_rotation_segment nkw_rotation_from_tcb(const nkw_quat keys[4], const float times[4], const nkw_tcb tcb[2]);
 
 /**
  * Squad from keys[1] to keys[2], with the inner control values s1, s2 of both:
  *
  *     q(t) = slerp(slerp(keys[1], keys[2], t), slerp(s1, s2, t), 2 t (1 - t))
+ *     s    = key exp(-(log(key^-1 after) + log(key^-1 before))/4),      after and before nearest to key
  *
- * Inner control values have the sign nearer to that of their end. At the ends of a series repeat the end key. The
- * velocity at a key is the mean of both chords *per segment*: if the durations of the segments differ, the velocity per
- * second jumps; nkw_rotation_catmull_rom has no such jump.
+ * s1 and s2 are control[1] and control[2] of the segment. Inner control values have the sign nearer to that of their
+ * end. At the ends of a series repeat the end key. The velocity at a key is the mean of both chords *per segment*: if
+ * the durations of the segments differ, the velocity per second jumps; nkw_rotation_from_catmull_rom has no such jump.
+ *
+ * Error  0.91 u of the inner control values.
+ * Source Shoemake, Quaternion Calculus and Fast Animation, SIGGRAPH course notes, 1987.
  */
-NKW_API nkw_rotation_segment nkw_rotation_squad(const nkw_quat keys[4], float duration);
+NKW_API nkw_rotation_segment nkw_rotation_from_squad(const nkw_quat keys[4], float duration);
 
 /**
  * The cumulative cubic B-spline: control values q0 .. q3, each next one taken with the nearer sign.
@@ -138,7 +134,7 @@ NKW_API nkw_rotation_segment nkw_rotation_squad(const nkw_quat keys[4], float du
  *
  * It passes near its control values, not through them, and velocity and acceleration are continuous.
  */
-NKW_API nkw_rotation_segment nkw_rotation_bspline(const nkw_quat controls[4], float duration);
+NKW_API nkw_rotation_segment nkw_rotation_from_bspline(const nkw_quat controls[4], float duration);
 
 /**
  * Orientation, angular velocity and angular acceleration at t.

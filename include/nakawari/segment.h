@@ -51,45 +51,31 @@ NKW_API nkw_segment nkw_segment_find(const float *times, size_t count, float tim
  */
 NKW_API nkw_segment nkw_segment_find_hint(const float *times, size_t count, float time, size_t hint);
 
-/**
- * The time of key k of evenly spaced keys: start + k / rate, rounded once. `rate` is in keys per second.
- */
-NKW_API float nkw_segment_uniform_time(float start, float rate, size_t k);
+/** `count` evenly spaced keys: key k is at start + k / rate. `rate` is in keys per second. */
+typedef struct nkw_timeline {
+    float start, rate;
+    size_t count;
+} nkw_timeline;
+NKW_SIZE(nkw_timeline, 16, 12);
+
+/** The time of key k: start + k / rate, rounded once. k may be beyond the last key. */
+NKW_API float nkw_timeline_time(nkw_timeline timeline, size_t k);
 
 /**
- * Computes the rate of evenly spaced key times: a rate of at most 1e9 for which nkw_segment_uniform_time(times[0],
- * rate, k) is times[k] for every k, bit for bit except the sign of a zero. Each time must be greater than the one
- * before. If an integer is such a rate, the result is an integer.
+ * The timeline of evenly spaced key times: one with a rate of at most 1e9 for which nkw_timeline_time is times[k] for
+ * every k, bit for bit except the sign of a zero. Each time must be greater than the one before. If an integer is such
+ * a rate, the rate is an integer.
  *
- * rate     receives the rate, or 0 after an error
- * Returns  NKW_OK; NKW_EMPTY for fewer than two keys; NKW_NO_RATE if no such rate exists
+ * timeline  receives {times[0], rate, count}; {0, 0, 0} after an error
+ * Returns   NKW_OK; NKW_EMPTY for fewer than two keys; NKW_NO_RATE if no such rate exists
  */
-NKW_API nkw_result nkw_segment_uniform_rate(const float *times, size_t count, float *rate);
+NKW_API nkw_result nkw_timeline_from_times(const float *times, size_t count, nkw_timeline *timeline);
 
 /**
- * The segment among `count` keys at start, start + 1/rate, start + 2/rate ..., without a search. The result is that of
- * nkw_segment_find over the times of nkw_segment_uniform_time, bit for bit, if each of them is greater than the one
- * before. A rate that is not positive and finite returns {0, 0}.
+ * The segment of `time`, without a search. The result is that of nkw_segment_find over the times of nkw_timeline_time,
+ * bit for bit, if each of them is greater than the one before. A rate that is not positive and finite returns {0, 0}.
  */
-NKW_API nkw_segment nkw_segment_find_uniform(float start, float rate, size_t count, float time);
-
-/**
- * Computes the rate of times that are evenly spaced before they are rounded, or nearly so: k times a rounded step, sums
- * of a step, times that begin at any frame. The rate is count - 1 segments over the time from first to last key, and
- * (times[k] - times[0]) rate + 1/2, in binary32, is in k..k + 1 for every k: each key deviates from its even time by
- * less than half a segment.
- *
- * rate     receives the rate in keys per second, or 0 after an error
- * Returns  NKW_OK; NKW_EMPTY for fewer than two keys; NKW_NO_RATE for other times, or more than 2^31 keys
- */
-NKW_API nkw_result nkw_segment_even_rate(const float *times, size_t count, float *rate);
-
-/**
- * The segment of `time`, without a search: the rate determines the nearest even key, and one comparison with the time
- * of that key its segment. The result is that of nkw_segment_find, bit for bit, for a rate from nkw_segment_even_rate.
- * For another rate it is some segment within the array.
- */
-NKW_API nkw_segment nkw_segment_find_even(const float *times, size_t count, float rate, float time);
+NKW_API nkw_segment nkw_timeline_find(nkw_timeline timeline, float time);
 
 /**
  * The segments of n times. The result is that of nkw_segment_find for each, for ascending key times. It is fast for

@@ -105,15 +105,15 @@ typedef struct nkw_tangent_span {
 } nkw_tangent_span;
 NKW_SIZE(nkw_tangent_span, 24, 12);
 
-/** The number of doubles of working memory for NKW_SPLINE_C2; other methods need none. */
-#define NKW_SPLINE_WORK(count) (3 * (count))
+/** The bytes of working memory for NKW_SPLINE_C2; other methods need none. */
+#define NKW_SPLINE_WORK(count) (3 * sizeof(double) * (count))
 
 /**
  * Computes the tangents of all keys, per second. Each key is checked first; after an error nothing is written. The
  * arrays of `tangents` must not overlap the values.
  *
- * bad_key  receives the index of the first key with an error, 0 if there is none; may be NULL
- * work     work_count doubles, at least NKW_SPLINE_WORK(count) for NKW_SPLINE_C2; otherwise NULL is valid
+ * bad      receives the index of the first key with an error, 0 if there is none; may be NULL
+ * work     at least NKW_SPLINE_WORK(count) bytes for NKW_SPLINE_C2; for other methods {NULL, 0} is valid
  * Returns
  *
  *     NKW_OK             no error
@@ -122,25 +122,26 @@ NKW_SIZE(nkw_tangent_span, 24, 12);
  *     NKW_BAD_WIDTH      a stride less than the width
  *     NKW_NOT_FINITE     a time, a value, a parameter or an end tangent that is not finite
  *     NKW_NOT_ASCENDING  a time less than the one before
- *     NKW_TOO_SMALL      work_count
+ *     NKW_TOO_SMALL      work
  *
  * Error  1.0 u of the larger of the tangent and the largest slope that it is computed from (of all slopes for C2), for
  *        |tension|, |T|, |C|, |B| <= 1 and durations between 2^-20 and 2^20 of each other.
  */
-NKW_API nkw_result nkw_spline_tangents(const nkw_spline *spline, nkw_tangent_span tangents, size_t *bad_key,
-                                       double *work, size_t work_count);
+NKW_API nkw_result nkw_spline_tangents(const nkw_spline *spline, nkw_tangent_span tangents, size_t *bad, nkw_work work);
 
 /**
  * Knots from the distances of the keys: 0, then a step of |values[k + 1] - values[k]|^alpha for each segment. As times
  * of a spline, they determine its shape: alpha = 0 is uniform, 1/2 centripetal (without cusps and loops within a
- * segment), 1 chordal. Reads values, count, width and stride only. Coincident values, or alpha not finite, have a step
- * of 0 for alpha > 0; sums beyond the largest float are that float.
+ * segment), 1 chordal. Reads values, count, width and stride only. Coincident values have a step of 0 for alpha > 0;
+ * sums beyond the largest float are that float.
  *
  * knots    receives count numbers
+ * Returns  NKW_OK; NKW_EMPTY without keys or for width 0; NKW_BAD_WIDTH for a stride less than the width;
+ *          NKW_NOT_FINITE for alpha; after an error nothing is written
  *
  * Error  1.0 u of the last knot, for alpha = 0, 1/2 and 1.
  */
-NKW_API void nkw_spline_knots(const nkw_spline *spline, float alpha, float *knots);
+NKW_API nkw_result nkw_spline_knots(const nkw_spline *spline, float alpha, float *knots);
 
 #ifdef __cplusplus
 }

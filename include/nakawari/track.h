@@ -235,7 +235,7 @@ NKW_API nkw_result nkw_track_difference(const nkw_track *track, const nkw_track 
 
 /**
  * Resamples (bakes) a track at a uniform rate: its keys are samples of the source. A clip finds the keys of such tracks
- * without a search. The keys are at nkw_segment_uniform_time(first, rate, k), k = 0, 1, 2 ..., up to the first time that
+ * without a search. The keys are at nkw_timeline_time({first, rate}, k), k = 0, 1, 2 ..., up to the first time that
  * is not less than the last key time: one key for a track of one key or of duration 0.
  *
  *     source                                                 result

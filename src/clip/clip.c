@@ -11,6 +11,7 @@
 #include "clip_layout.h"
 #include "clip_packed.h"
 #include "clip_sample.h"
+#include "curve/segment_even.h"
 #include "curve/segment_search.h"
 #include "pack/slerp.h"
 
@@ -56,7 +57,7 @@ static nkw_segment find(const nkw_clip *clip, const clip_timeline *line, float t
     if (cursor && line->count > 1 && segment_is_near(all, time, *cursor, &k))
         segment = segment_at(all, time, k);
     else if (line->rate > 0.0f)
-        segment = nkw_segment_find_even(times, line->count, line->rate, time);
+        segment = nkwi_segment_find_even(times, line->count, line->rate, time);
     else
         segment = nkw_segment_find(times, line->count, time);
     if (cursor)

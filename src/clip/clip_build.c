@@ -25,6 +25,7 @@
 #include "clip_layout.h"
 #include "clip_packed.h"
 #include "clip_tracks.h"
+#include "curve/segment_even.h"
 #include "sizes.h"
 
 typedef enum section { TIMELINES, GROUPS, BLOCKS, PLACES, RUNS, TIMES, NAMES, VALUES, SECTIONS } section;
@@ -234,7 +235,7 @@ static void emit_timeline(builder *b, const nkw_track *t)
     if (!b->words)
         return;
     clip_timeline line = {(uint32_t)times, (uint32_t)t->count, (uint32_t)modes, 0.0f};
-    (void)nkw_segment_even_rate(t->times, t->count, &line.rate); /* 0 if there is none */
+    (void)nkwi_segment_even_rate(t->times, t->count, &line.rate); /* 0 if there is none */
     memcpy(b->words + at, &line, sizeof line);
     memcpy(b->words + times, t->times, t->count * sizeof(float));
     for (size_t k = 0; modes && k < t->count; k++)

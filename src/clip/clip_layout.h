@@ -88,7 +88,7 @@ struct nkw_clip {
 typedef struct clip_timeline {
     uint32_t times, count;
     uint32_t modes; /* count words, an nkw_interpolation for each segment; 0: all segments have that of the group */
-    float rate; /* nkw_segment_even_rate of the times; 0 if there is none */
+    float rate; /* nkwi_segment_even_rate of the times; 0 if there is none */
 } clip_timeline;
 
 typedef enum clip_kind { GROUP_NUMBERS, GROUP_ROTATIONS, GROUP_FLOATS, GROUP_KINDS } clip_kind;

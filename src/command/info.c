@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /* nakawari info: what a file contains. */
+#include <math.h>
 #include <stdint.h>
 #include <stdlib.h>
 #include <string.h>
@@ -100,18 +101,35 @@ static clip_totals count_clip(const nkw_document *d, size_t animation)
     return t;
 }
 
+/* The rate of keys that deviate from even times by less than half a segment; 0 of others. */
+static float even_rate(const nkw_track *track)
+{
+    const size_t last = track->count - 1;
+    const double rate = (double)last / ((double)track->times[last] - (double)track->times[0]);
+    int even = rate > 0.0 && isfinite(rate);
+    for (size_t k = 0; even && k <= last; k++)
+        even = fabs(((double)track->times[k] - (double)track->times[0]) * rate - (double)k) < 0.5;
+    return even ? (float)rate : 0.0f;
+}
+
+/* The rate of the keys, exact or nearly, or 0; *exact receives which. */
+static float key_rate(const nkw_track *track, int *exact)
+{
+    nkw_timeline timeline;
+    *exact = nkw_timeline_from_times(track->times, track->count, &timeline) == NKW_OK;
+    return *exact ? timeline.rate : track->count > 1 ? even_rate(track) : 0.0f;
+}
+
 /* How the keys are spaced: "24/s", "about 24/s" or "uneven"; "-" for one key. */
 static const char *spacing(const nkw_track *track, char out[48])
 {
-    float rate;
+    int exact;
+    const float rate = key_rate(track, &exact);
     if (track->count < 2)
         return "-";
-    if (nkw_segment_uniform_rate(track->times, track->count, &rate) == NKW_OK)
-        snprintf(out, 48, "%.6g/s", (double)rate);
-    else if (nkw_segment_even_rate(track->times, track->count, &rate) == NKW_OK)
-        snprintf(out, 48, "about %.6g/s", (double)rate);
-    else
+    if (rate == 0.0f)
         return "uneven";
+    snprintf(out, 48, exact ? "%.6g/s" : "about %.6g/s", (double)rate);
     return out;
 }
 
@@ -251,9 +269,9 @@ static json_t *json_channel(const nkw_document *d, size_t animation, size_t i)
     const nkw_document_animation *a = &d->animations[animation];
     const nkw_track *track = &a->tracks[i].track;
     clip_size size = size_of_channel(d, animation, i);
-    float rate = 0.0f;
-    const int exact = nkw_segment_uniform_rate(track->times, track->count, &rate) == NKW_OK;
-    const int even = exact || nkw_segment_even_rate(track->times, track->count, &rate) == NKW_OK;
+    int exact;
+    const float rate = key_rate(track, &exact);
+    const int even = rate > 0.0f;
     return json_pack("{s:I, s:I, s:o, s:s, s:s, s:I, s:o, s:o, s:s, s:o, s:o, s:o, s:o}", "channel",
                      (json_int_t)a->channels[i].number, "node", (json_int_t)d->nodes[a->channels[i].joint].number,
                      "joint", json_text(d->nodes[a->channels[i].joint].name), "target", targets[a->tracks[i].target],

@@ -101,19 +101,20 @@ void moment_vertices(moment *m, size_t joint, size_t primitive)
 
 size_t moment_rate_count(const moment *m, float rate)
 {
-    double duration = (double)nkw_clip_describe(m->clip).end - (double)nkw_clip_describe(m->clip).start;
-    double steps = duration * (double)rate;
+    const nkw_clip_description d = nkw_clip_describe(m->clip);
+    const nkw_timeline line = {d.start, rate, 0};
+    double steps = ((double)d.end - (double)d.start) * (double)rate;
     if (!(steps < 1e9))
         return SIZE_MAX;
     size_t count = (size_t)steps;
-    while (nkw_segment_uniform_time(nkw_clip_describe(m->clip).start, rate, count) < nkw_clip_describe(m->clip).end)
+    while (nkw_timeline_time(line, count) < d.end)
         count++;
     return count + 1;
 }
 
 float moment_rate_time(const moment *m, float rate, size_t k)
 {
-    float time = nkw_segment_uniform_time(nkw_clip_describe(m->clip).start, rate, k),
-          end = nkw_clip_describe(m->clip).end;
-    return time < end ? time : end;
+    const nkw_clip_description d = nkw_clip_describe(m->clip);
+    const float time = nkw_timeline_time((nkw_timeline){d.start, rate, 0}, k);
+    return time < d.end ? time : d.end;
 }

@@ -21,52 +21,37 @@ nkw_weights nkw_cubic_weights(nkw_cubic_kind kind, int derivative, float t)
     return nkw_cubic_weights(NKW_CUBIC_HERMITE, derivative, t);
 }
 
-float nkw_weighted_sum(nkw_weights weights, float c0, float c1, float c2, float c3)
+nkw_vec3 nkw_vec3_cubic_sum(const nkw_vec3_cubic *cubic, nkw_weights weights)
 {
-    return lane_weigh(weights, c0, c1, c2, c3);
-}
-
-nkw_vec3 nkw_vec3_weighted_sum(nkw_weights weights, nkw_vec3 c0, nkw_vec3 c1, nkw_vec3 c2, nkw_vec3 c3)
-{
+    const nkw_vec3 *c = cubic->c;
     nkw_vec3 r = {
-        lane_weigh(weights, c0.x, c1.x, c2.x, c3.x),
-        lane_weigh(weights, c0.y, c1.y, c2.y, c3.y),
-        lane_weigh(weights, c0.z, c1.z, c2.z, c3.z),
+        lane_weigh(weights, c[0].x, c[1].x, c[2].x, c[3].x),
+        lane_weigh(weights, c[0].y, c[1].y, c[2].y, c[3].y),
+        lane_weigh(weights, c[0].z, c[1].z, c[2].z, c[3].z),
     };
     return r;
 }
 
-float nkw_catmull_rom_tangent(float p0, float p1, float p2, float h0, float h1)
+void nkw_cubic_from_catmull_rom(const float keys[4], const float times[4], float cubic[4])
 {
-    return lane_catmull_rom_tangent(p0, p1, p2, h0, h1);
+    const float h0 = times[1] - times[0], h1 = times[2] - times[1], h2 = times[3] - times[2];
+    const float p0 = keys[0], p1 = keys[1], p2 = keys[2], p3 = keys[3];
+    cubic[0] = p1;
+    cubic[1] = lane_catmull_rom_tangent(p0, p1, p2, h0, h1) * h1;
+    cubic[2] = p2;
+    cubic[3] = lane_catmull_rom_tangent(p1, p2, p3, h1, h2) * h1;
 }
 
-nkw_vec3 nkw_vec3_catmull_rom_tangent(nkw_vec3 p0, nkw_vec3 p1, nkw_vec3 p2, float h0, float h1)
+nkw_vec3_cubic nkw_vec3_cubic_from_catmull_rom(const nkw_vec3 keys[4], const float times[4])
 {
-    nkw_vec3 r = {
-        lane_catmull_rom_tangent(p0.x, p1.x, p2.x, h0, h1),
-        lane_catmull_rom_tangent(p0.y, p1.y, p2.y, h0, h1),
-        lane_catmull_rom_tangent(p0.z, p1.z, p2.z, h0, h1),
-    };
-    return r;
-}
-
-float nkw_catmull_rom_nonuniform(const float times[4], float p0, float p1, float p2, float p3, float t)
-{
-    float h0 = times[1] - times[0], h1 = times[2] - times[1], h2 = times[3] - times[2];
-    float v1 = lane_catmull_rom_tangent(p0, p1, p2, h0, h1) * h1;
-    float v2 = lane_catmull_rom_tangent(p1, p2, p3, h1, h2) * h1;
-    return nkw_hermite(p1, v1, p2, v2, t);
-}
-
-nkw_vec3 nkw_vec3_catmull_rom_nonuniform(const float times[4], nkw_vec3 p0, nkw_vec3 p1, nkw_vec3 p2, nkw_vec3 p3,
-                                         float t)
-{
-    nkw_vec3 r = {
-        nkw_catmull_rom_nonuniform(times, p0.x, p1.x, p2.x, p3.x, t),
-        nkw_catmull_rom_nonuniform(times, p0.y, p1.y, p2.y, p3.y, t),
-        nkw_catmull_rom_nonuniform(times, p0.z, p1.z, p2.z, p3.z, t),
-    };
+    nkw_vec3_cubic r;
+    for (size_t k = 0; k < 3; k++) {
+        const float *p = (const float *)(const void *)keys + k, of[4] = {p[0], p[3], p[6], p[9]};
+        float cubic[4], *c = (float *)(void *)&r + k;
+        nkw_cubic_from_catmull_rom(of, times, cubic);
+        for (size_t i = 0; i < 4; i++)
+            c[3 * i] = cubic[i];
+    }
     return r;
 }
 
@@ -85,27 +70,37 @@ static void set_component(nkw_vec3_cubic *a, size_t k, lane_f64_cubic x)
         c[3 * i] = (float)x.c[i];
 }
 
-static nkw_vec3_cubic converted(const nkw_vec3_cubic *a, lane_f64_cubic (*convert)(lane_f64_cubic))
+static lane_f64_cubic to_bezier(lane_f64_cubic c, nkw_cubic_kind from)
 {
-    nkw_vec3_cubic r;
+    return from == NKW_CUBIC_BEZIER        ? c
+           : from == NKW_CUBIC_BSPLINE     ? lane_bezier_from_bspline(c)
+           : from == NKW_CUBIC_CATMULL_ROM ? lane_bezier_from_catmull_rom(c)
+                                           : lane_bezier_from_hermite(c);
+}
+
+static lane_f64_cubic from_bezier(lane_f64_cubic b, nkw_cubic_kind to)
+{
+    return to == NKW_CUBIC_BEZIER        ? b
+           : to == NKW_CUBIC_BSPLINE     ? lane_bspline_from_bezier(b)
+           : to == NKW_CUBIC_CATMULL_ROM ? lane_catmull_rom_from_bezier(b)
+                                         : lane_hermite_from_bezier(b);
+}
+
+/* NKW_CUBIC_HERMITE for a number that is no kind. */
+static nkw_cubic_kind known(nkw_cubic_kind kind)
+{
+    return kind == NKW_CUBIC_BEZIER || kind == NKW_CUBIC_BSPLINE || kind == NKW_CUBIC_CATMULL_ROM ? kind
+                                                                                                  : NKW_CUBIC_HERMITE;
+}
+
+nkw_vec3_cubic nkw_vec3_cubic_convert(const nkw_vec3_cubic *cubic, nkw_cubic_kind from, nkw_cubic_kind to)
+{
+    nkw_vec3_cubic r = *cubic;
+    if (known(from) == known(to))
+        return r;
     for (size_t k = 0; k < 3; k++)
-        set_component(&r, k, convert(component(a, k)));
+        set_component(&r, k, from_bezier(to_bezier(component(cubic, k), from), to));
     return r;
-}
-
-nkw_vec3_cubic nkw_vec3_bezier_from_hermite(const nkw_vec3_cubic *hermite)
-{
-    return converted(hermite, lane_bezier_from_hermite);
-}
-
-nkw_vec3_cubic nkw_vec3_hermite_from_bezier(const nkw_vec3_cubic *bezier)
-{
-    return converted(bezier, lane_hermite_from_bezier);
-}
-
-nkw_vec3_cubic nkw_vec3_bezier_from_bspline(const nkw_vec3_cubic *bspline)
-{
-    return converted(bspline, lane_bezier_from_bspline);
 }
 
 void nkw_vec3_bezier_split(const nkw_vec3_cubic *bezier, float t, nkw_vec3_cubic *left, nkw_vec3_cubic *right)

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 #include "lane/strict.h"
 
-#include <nakawari/curve_point.h>
+#include <nakawari/curve.h>
 
 #include "lane/cubic.h"
 
@@ -19,10 +19,10 @@ static float value_of(nkw_cubic_kind kind, const float c[4], float t)
     return nkw_hermite(c[0], c[1], c[2], c[3], t);
 }
 
-nkw_motion nkw_cubic_point(nkw_cubic_kind kind, const float c[4], float t)
+nkw_motion nkw_cubic_evaluate(const float cubic[4], float t, nkw_cubic_kind kind)
 {
-    lane_f64_slopes slopes = lane_slopes_of(kind, c);
-    nkw_motion r = {value_of(kind, c, t), (float)lane_f64_first(slopes, t), (float)lane_f64_second(slopes, t)};
+    lane_f64_slopes slopes = lane_slopes_of(kind, cubic);
+    nkw_motion r = {value_of(kind, cubic, t), (float)lane_f64_first(slopes, t), (float)lane_f64_second(slopes, t)};
     return r;
 }
 
@@ -42,35 +42,17 @@ static void set_component(nkw_vec3_motion *p, size_t k, nkw_motion x)
     c[6] = x.acceleration;
 }
 
-nkw_vec3_motion nkw_vec3_cubic_point(nkw_cubic_kind kind, const nkw_vec3_cubic *cubic, float t)
+nkw_vec3_motion nkw_vec3_cubic_evaluate(const nkw_vec3_cubic *cubic, float t, nkw_cubic_kind kind)
 {
     nkw_vec3_motion r;
     for (size_t k = 0; k < 3; k++) {
         const float *c = (const float *)(const void *)cubic + k, of[4] = {c[0], c[3], c[6], c[9]};
-        set_component(&r, k, nkw_cubic_point(kind, of, t));
+        set_component(&r, k, nkw_cubic_evaluate(of, t, kind));
     }
     return r;
 }
 
-nkw_motion nkw_catmull_rom_nonuniform_point(const float times[4], float p0, float p1, float p2, float p3, float t)
-{
-    float h0 = times[1] - times[0], h1 = times[2] - times[1], h2 = times[3] - times[2];
-    const float c[4] = {p1, lane_catmull_rom_tangent(p0, p1, p2, h0, h1) * h1, p2,
-                        lane_catmull_rom_tangent(p1, p2, p3, h1, h2) * h1};
-    return nkw_cubic_point(NKW_CUBIC_HERMITE, c, t);
-}
-
-nkw_vec3_motion nkw_vec3_catmull_rom_nonuniform_point(const float times[4], nkw_vec3 p0, nkw_vec3 p1, nkw_vec3 p2,
-                                                           nkw_vec3 p3, float t)
-{
-    nkw_vec3_motion r;
-    set_component(&r, 0, nkw_catmull_rom_nonuniform_point(times, p0.x, p1.x, p2.x, p3.x, t));
-    set_component(&r, 1, nkw_catmull_rom_nonuniform_point(times, p0.y, p1.y, p2.y, p3.y, t));
-    set_component(&r, 2, nkw_catmull_rom_nonuniform_point(times, p0.z, p1.z, p2.z, p3.z, t));
-    return r;
-}
-
-/* The value less that of the end nearer to t, which is p0 if `near` is 0; see nkw_quintic_hermite. */
+/* The value less that of the end nearer to t, which is p0 if `near` is 0; see nkw_quintic_evaluate. */
 static double quintic_value(nkw_motion p0, nkw_motion p1, double f, double t, int near)
 {
     double s = 1.0 - t, ss = s * s, tt = t * t;
@@ -98,7 +80,7 @@ static double quintic_second(nkw_motion p0, nkw_motion p1, double f, double t)
     return (60.0 * ts) * ((s - t) * f) + (acceleration - (12.0 * ts) * velocity);
 }
 
-nkw_motion nkw_quintic_hermite(nkw_motion p0, nkw_motion p1, float t)
+nkw_motion nkw_quintic_evaluate(nkw_motion p0, nkw_motion p1, float t)
 {
     int near = t >= 0.5f;
     double f = (double)p1.value - (double)p0.value, end = near ? p1.value : p0.value;
@@ -107,10 +89,10 @@ nkw_motion nkw_quintic_hermite(nkw_motion p0, nkw_motion p1, float t)
     return r;
 }
 
-nkw_vec3_motion nkw_vec3_quintic_hermite(const nkw_vec3_motion *p0, const nkw_vec3_motion *p1, float t)
+nkw_vec3_motion nkw_vec3_quintic_evaluate(const nkw_vec3_motion *p0, const nkw_vec3_motion *p1, float t)
 {
     nkw_vec3_motion r;
     for (size_t k = 0; k < 3; k++)
-        set_component(&r, k, nkw_quintic_hermite(component(p0, k), component(p1, k), t));
+        set_component(&r, k, nkw_quintic_evaluate(component(p0, k), component(p1, k), t));
     return r;
 }

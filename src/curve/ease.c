@@ -157,28 +157,22 @@ static handle_point css_point(const float c[4], double t)
     return r;
 }
 
-nkw_motion nkw_ease_cubic_bezier(float x1, float y1, float x2, float y2, float t)
+static nkw_motion cubic_bezier(const float c[4], float t)
 {
-    const float c[4] = {x1, y1, x2, y2};
     nkw_motion none = {NAN, NAN, NAN};
-    return t == t && lane_is_finite(x1) && lane_is_finite(x2) ? handle_rounded(css_point(c, (double)t)) : none;
+    return t == t && lane_is_finite(c[0]) && lane_is_finite(c[2]) ? handle_rounded(css_point(c, (double)t)) : none;
 }
 
-static double steps(int count, nkw_ease_jump jump, double t)
+static double steps(size_t count, nkw_ease_jump jump, double t)
 {
-    int least = jump == NKW_EASE_JUMP_NONE ? 2 : 1;
+    size_t least = jump == NKW_EASE_JUMP_NONE ? 2 : 1;
     int starts = jump == NKW_EASE_JUMP_START || jump == NKW_EASE_JUMP_BOTH;
-    double n = count > least ? count : least;
+    double n = (double)(count > least ? count : least);
     double m = jump == NKW_EASE_JUMP_BOTH ? n + 1.0 : jump == NKW_EASE_JUMP_NONE ? n - 1.0 : n;
     double step = lane_floor64(t * n) + (double)starts;
     step = t <= 1.0 && step > m ? m : step;
     step = t >= 0.0 && step < 0.0 ? 0.0 : step;
     return step / m;
-}
-
-float nkw_ease_steps(int count, nkw_ease_jump jump, float t)
-{
-    return (float)steps(count, jump, (double)t);
 }
 
 const float *nkwi_ease_css(nkw_ease_kind kind)
@@ -210,14 +204,9 @@ handle_point nkwi_ease_point(nkw_ease_kind kind, double t)
     return step;
 }
 
-nkw_motion nkw_ease_point(nkw_ease_kind kind, float t)
+nkw_motion nkw_ease_evaluate(nkw_ease_kind kind, float t)
 {
     return handle_rounded(nkwi_ease_point(kind, (double)t));
-}
-
-float nkw_ease(nkw_ease_kind kind, float t)
-{
-    return nkw_ease_point(kind, t).value;
 }
 
 /* The last point, of all but the last, whose input is <= t; 0 if there is none. */
@@ -229,7 +218,7 @@ static size_t line_of(const float *inputs, size_t count, float t)
     return k;
 }
 
-nkw_motion nkw_ease_linear(const float *inputs, const float *outputs, size_t count, float t)
+static nkw_motion linear(const float *inputs, const float *outputs, size_t count, float t)
 {
     nkw_motion r = {t != t ? NAN : count > 0 ? outputs[0] : 0.0f, 0.0f, 0.0f};
     if (count < 2 || t != t)
@@ -245,6 +234,16 @@ nkw_motion nkw_ease_linear(const float *inputs, const float *outputs, size_t cou
     return r;
 }
 
+nkw_motion nkw_easing_evaluate(const nkw_easing *easing, float t)
+{
+    if (easing->kind == NKW_EASING_LINEAR)
+        return linear(easing->inputs, easing->outputs, easing->count, t);
+    if (easing->kind != NKW_EASING_STEPS)
+        return cubic_bezier(easing->curve, t);
+    nkw_motion r = {(float)steps(easing->count, easing->jump, (double)t), 0.0f, 0.0f};
+    return r;
+}
+
 /* Inputs k + 1 .. end - 1, spaced evenly between the inputs k and end. */
 static void space(float *inputs, size_t k, size_t end)
 {
@@ -253,7 +252,7 @@ static void space(float *inputs, size_t k, size_t end)
         inputs[i] = (float)(from + step * (double)(int64_t)(i - k));
 }
 
-void nkw_ease_linear_inputs(float *inputs, size_t count)
+void nkw_easing_complete(float *inputs, size_t count)
 {
     if (count == 0)
         return;

@@ -22,7 +22,7 @@ static double parameter_at(const handle_cubic *c, const nkw_handle_segment *s, f
     return time < s->time1 ? handle_parameter(c, (double)time - (double)s->time0) : 1.0;
 }
 
-nkw_motion nkw_handle_point(const nkw_handle_segment *segment, float time)
+nkw_motion nkw_handle_sample(const nkw_handle_segment *segment, float time)
 {
     handle_cubic c = handle_cubic_of(segment);
     nkw_motion none = {NAN, NAN, NAN},
@@ -169,7 +169,7 @@ void nkw_handle_split(const nkw_handle_segment *segment, float time, nkw_handle_
     split_handles x = split_at(c.h, c.p, c.q, at), y = split_at(c.v1 - c.v0, c.d0, c.d2, at);
     nkw_handle_segment a = s, b = s;
     a.time1 = b.time0 = clamped;
-    a.value1 = b.value0 = nkw_handle_point(&s, clamped).value;
+    a.value1 = b.value0 = nkw_handle_sample(&s, clamped).value;
     a.out = handle_of(x.left_out, y.left_out);
     a.in = handle_of(x.left_in, y.left_in);
     b.out = handle_of(x.right_out, y.right_out);

@@ -171,10 +171,11 @@ static sum quotient(sum a, sum w)
     return r;
 }
 
-void nkw_nurbs_sample(const nkw_nurbs *curve, float u, float *value, float *first, float *second)
+nkw_result nkw_nurbs_evaluate(const nkw_nurbs *curve, float u, nkw_motion_span out)
 {
-    if (check_shape(curve) != NKW_OK)
-        return;
+    const nkw_result result = check_shape(curve);
+    if (result != NKW_OK)
+        return result;
     float low = curve->knots[curve->degree], high = curve->knots[curve->count];
     float at = u > low ? u : low;
     at = at < high ? at : high;
@@ -184,17 +185,19 @@ void nkw_nurbs_sample(const nkw_nurbs *curve, float u, float *value, float *firs
     for (size_t c = 0; c < curve->width; c++) {
         double origin = curve->points[begin * curve->stride + c];
         sum p = quotient(point_at(curve, &b, begin, c, origin), w);
-        value[c] = (float)(origin + p.d[0]);
-        if (first)
-            first[c] = (float)p.d[1];
-        if (second)
-            second[c] = (float)p.d[2];
+        if (out.value)
+            out.value[c] = (float)(origin + p.d[0]);
+        if (out.velocity)
+            out.velocity[c] = (float)p.d[1];
+        if (out.acceleration)
+            out.acceleration[c] = (float)p.d[2];
     }
+    return NKW_OK;
 }
 
 /* ---- Knots ---- */
 
-nkw_result nkw_nurbs_make_knots(nkw_nurbs_knots_kind kind, size_t count, size_t degree, float from, float to,
+nkw_result nkw_nurbs_make_knots(size_t count, size_t degree, float from, float to, nkw_nurbs_knots_kind kind,
                                 float *knots)
 {
     if (degree > NKW_NURBS_DEGREE)

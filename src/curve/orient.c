@@ -33,7 +33,7 @@ nkw_quat nkw_quat_nlerp_path(nkw_quat a, nkw_quat b, float t, nkw_path path, int
 
 #define MOST_TURNS 0x1p29
 
-int32_t nkw_quat_turns(nkw_quat a, nkw_quat b, nkw_path path, nkw_vec3 expected)
+int32_t nkw_quat_turns(nkw_quat a, nkw_quat b, nkw_vec3 expected, nkw_path path)
 {
     lane_f64_quat from = lane_f64_quat_from(a);
     lane_f64_arc arc = lane_f64_arc_between(from, lane_f64_quat_aligned(from, lane_f64_quat_from(b), path));

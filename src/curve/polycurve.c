@@ -144,20 +144,20 @@ static double arc(const divided *d, double a, double b)
     return b < a ? -sum : sum;
 }
 
-float nkw_vec3_cubic_length(nkw_cubic_kind kind, const nkw_vec3_cubic *cubic, float from, float to)
+float nkw_vec3_cubic_length(const nkw_vec3_cubic *cubic, float from, float to, nkw_cubic_kind kind)
 {
     polycurve_slopes c = polycurve_slopes_of(kind, cubic);
     divided d = divided_between(&c, from < to ? from : to, from < to ? to : from);
     return (float)arc(&d, from, to);
 }
 
-nkw_vec3_motion nkw_polycurve_point(const nkw_polycurve *curve, nkw_segment at)
+nkw_vec3_motion nkw_polycurve_evaluate(const nkw_polycurve *curve, nkw_segment at)
 {
     const nkw_vec3_motion none = {{0.0f, 0.0f, 0.0f}, {0.0f, 0.0f, 0.0f}, {0.0f, 0.0f, 0.0f}};
     size_t last = curve->count - 1;
     if (curve->count == 0)
         return none;
-    return nkw_vec3_cubic_point(curve->kind, &curve->cubics[at.index < last ? at.index : last], at.t);
+    return nkw_vec3_cubic_evaluate(&curve->cubics[at.index < last ? at.index : last], at.t, curve->kind);
 }
 
 nkw_result nkw_polycurve_measure(const nkw_polycurve *curve, size_t steps, float *lengths, size_t length_count)
@@ -201,12 +201,12 @@ static double at_length(const polycurve_slopes *c, double low, double high, doub
     return t;
 }
 
-nkw_segment nkw_polycurve_at_length(const nkw_polycurve *curve, const float *lengths, size_t steps, float length)
+nkw_segment nkw_polycurve_at_length(const nkw_polycurve *curve, const float *lengths, size_t length_count, float length)
 {
     nkw_segment at = {0, 0.0f};
-    if (curve->count == 0 || steps == 0)
+    if (curve->count == 0 || length_count <= curve->count)
         return at;
-    size_t count = curve->count * steps;
+    size_t steps = (length_count - 1) / curve->count, count = curve->count * steps;
     nkw_segment found = nkw_segment_find(lengths, count + 1, length);
     at.index = found.index / steps;
     at.t = found.t;

@@ -82,8 +82,8 @@ static int is_finite(const nkw_vec3_cubic *cubic)
            nkw_vec3_is_finite(cubic->c[3]);
 }
 
-nkw_result nkw_polycurve_flatten(const nkw_polycurve *curve, float tolerance, nkw_vec3 *points, size_t *count,
-                                 size_t capacity)
+nkw_result nkw_polycurve_flatten(const nkw_polycurve *curve, float tolerance, nkw_vec3 *points, size_t capacity,
+                                 size_t *count)
 {
     polyline line = {points, 0, capacity, {0.0f, 0.0f, 0.0f}};
     *count = 0;

@@ -104,12 +104,6 @@ nkw_curve_frame nkw_polycurve_frenet(const nkw_polycurve *curve, nkw_segment at,
     return frenet(h.v, h.a, before);
 }
 
-nkw_curve_frame nkw_curve_frame_from_up(nkw_vec3 tangent, nkw_vec3 up)
-{
-    lane_f64_vec3 t = lane_f64_vec3_from(tangent), none = {0.0, 0.0, 0.0};
-    return rounded(frame_from(direction(t, none), lane_f64_vec3_from(up)));
-}
-
 /* Reflected in the plane through the origin perpendicular to v; unchanged for v = 0. */
 static lane_f64_vec3 reflect(lane_f64_vec3 a, lane_f64_vec3 v)
 {
@@ -155,7 +149,7 @@ typedef struct course {
 static course course_at(const nkw_polycurve *curve, size_t steps, size_t i)
 {
     nkw_segment at = place_of(curve, steps, i);
-    nkw_vec3_motion p = nkw_polycurve_point(curve, at);
+    nkw_vec3_motion p = nkw_polycurve_evaluate(curve, at);
     course r = {p.value, lane_f64_vec3_from(p.velocity)};
     if (is_zero(r.tangent))
         r.tangent = heading_at(curve, at).v;
@@ -196,7 +190,7 @@ static frame along(const nkw_polycurve *curve, size_t steps, frame f, double ang
     return f;
 }
 
-nkw_result nkw_polycurve_frames(const nkw_polycurve *curve, size_t steps, nkw_polycurve_ends ends, nkw_vec3 up,
+nkw_result nkw_polycurve_frames(const nkw_polycurve *curve, size_t steps, nkw_vec3 up, nkw_polycurve_ends ends,
                                 nkw_curve_frame *frames, size_t frame_count)
 {
     if (curve->count == 0 || steps == 0)

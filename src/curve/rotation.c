@@ -190,7 +190,7 @@ static nkw_rotation_segment segment_of(nkw_rotation_kind kind, float duration)
     return s;
 }
 
-nkw_rotation_segment nkw_rotation_slerp(nkw_quat a, nkw_quat b, nkw_path path, int32_t turns, float duration)
+nkw_rotation_segment nkw_rotation_from_slerp(nkw_quat a, nkw_quat b, float duration, nkw_path path, int32_t turns)
 {
     nkw_rotation_segment s = segment_of(NKW_ROTATION_SLERP, duration);
     s.path = path;
@@ -200,7 +200,7 @@ nkw_rotation_segment nkw_rotation_slerp(nkw_quat a, nkw_quat b, nkw_path path, i
     return s;
 }
 
-nkw_rotation_segment nkw_rotation_hermite(nkw_quat a, nkw_vec3 va, nkw_quat b, nkw_vec3 vb, float duration)
+nkw_rotation_segment nkw_rotation_from_hermite(nkw_quat a, nkw_vec3 va, nkw_quat b, nkw_vec3 vb, float duration)
 {
     nkw_rotation_segment s = segment_of(NKW_ROTATION_HERMITE, duration);
     s.control[0] = a;
@@ -246,24 +246,25 @@ static nkw_vec3 velocity_of(const chords *c, int i, double k0, double k1)
     return lane_vec3_from_f64(lane_f64_vec3_scale(v, sum > 0.0 ? 1.0 / sum : 0.0));
 }
 
-nkw_rotation_segment nkw_rotation_catmull_rom(const nkw_quat keys[4], const float times[4])
+nkw_rotation_segment nkw_rotation_from_catmull_rom(const nkw_quat keys[4], const float times[4])
 {
     chords c = chords_of(keys, times);
     nkw_vec3 va = velocity_of(&c, 0, c.h[1], c.h[0]), vb = velocity_of(&c, 1, c.h[2], c.h[1]);
-    return nkw_rotation_hermite(keys[1], va, keys[2], vb, times[2] - times[1]);
+    return nkw_rotation_from_hermite(keys[1], va, keys[2], vb, times[2] - times[1]);
 }
 
-nkw_rotation_segment nkw_rotation_tcb(const nkw_quat keys[4], const float times[4], const nkw_tcb tcb[2])
+nkw_rotation_segment nkw_rotation_from_tcb(const nkw_quat keys[4], const float times[4], const nkw_tcb tcb[2])
 {
     chords c = chords_of(keys, times);
     double t0 = 1.0 - (double)tcb[0].tension, c0 = tcb[0].continuity, b0 = tcb[0].bias;
     double t1 = 1.0 - (double)tcb[1].tension, c1 = tcb[1].continuity, b1 = tcb[1].bias;
     nkw_vec3 va = velocity_of(&c, 0, t0 * ((1.0 + c0) * (1.0 + b0)) * c.h[0], t0 * ((1.0 - c0) * (1.0 - b0)) * c.h[1]);
     nkw_vec3 vb = velocity_of(&c, 1, t1 * ((1.0 - c1) * (1.0 + b1)) * c.h[1], t1 * ((1.0 + c1) * (1.0 - b1)) * c.h[2]);
-    return nkw_rotation_hermite(keys[1], va, keys[2], vb, times[2] - times[1]);
+    return nkw_rotation_from_hermite(keys[1], va, keys[2], vb, times[2] - times[1]);
 }
 
-nkw_quat nkw_quat_squad_control(nkw_quat before, nkw_quat key, nkw_quat after)
+/* The inner control value at `key`, see nkw_rotation_from_squad. */
+static nkw_quat squad_control(nkw_quat before, nkw_quat key, nkw_quat after)
 {
     lane_f64_quat k = lane_f64_quat_unit_from(key), back = lane_f64_quat_conjugate(k);
     double sign;
@@ -273,17 +274,17 @@ nkw_quat nkw_quat_squad_control(nkw_quat before, nkw_quat key, nkw_quat after)
     return lane_quat_from_f64(lane_f64_quat_mul(k, lane_f64_quat_exp(bent)));
 }
 
-nkw_rotation_segment nkw_rotation_squad(const nkw_quat keys[4], float duration)
+nkw_rotation_segment nkw_rotation_from_squad(const nkw_quat keys[4], float duration)
 {
     nkw_rotation_segment s = segment_of(NKW_ROTATION_SQUAD, duration);
     s.control[0] = keys[1];
-    s.control[1] = nkw_quat_squad_control(keys[0], keys[1], keys[2]);
-    s.control[2] = nkw_quat_squad_control(keys[1], keys[2], keys[3]);
+    s.control[1] = squad_control(keys[0], keys[1], keys[2]);
+    s.control[2] = squad_control(keys[1], keys[2], keys[3]);
     s.control[3] = keys[2];
     return s;
 }
 
-nkw_rotation_segment nkw_rotation_bspline(const nkw_quat controls[4], float duration)
+nkw_rotation_segment nkw_rotation_from_bspline(const nkw_quat controls[4], float duration)
 {
     nkw_rotation_segment s = segment_of(NKW_ROTATION_BSPLINE, duration);
     for (int i = 0; i < 4; i++)

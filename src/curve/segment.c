@@ -6,6 +6,7 @@
 #include <nakawari/segment.h>
 
 #include "lane/scalar.h"
+#include "segment_even.h"
 #include "segment_search.h"
 #include "sizes.h"
 
@@ -44,16 +45,16 @@ static float uniform_time(float start, float rate, double k)
     return (float)((double)start + k / (double)rate);
 }
 
-float nkw_segment_uniform_time(float start, float rate, size_t k)
+float nkw_timeline_time(nkw_timeline timeline, size_t k)
 {
-    return uniform_time(start, rate, (double)k);
+    return uniform_time(timeline.start, timeline.rate, (double)k);
 }
 
-/* Whether times[k] == nkw_segment_uniform_time(times[0], rate, k) for every k, in strictly ascending order. */
+/* Whether times[k] == times[0] + k / rate, rounded, for every k, in strictly ascending order. */
 static int is_uniform(const float *times, size_t count, float rate)
 {
     for (size_t k = 0; k < count; k++)
-        if (nkw_segment_uniform_time(times[0], rate, k) != times[k] || (k > 0 && !(times[k - 1] < times[k])))
+        if (uniform_time(times[0], rate, (double)k) != times[k] || (k > 0 && !(times[k - 1] < times[k])))
             return 0;
     return rate > 0.0f;
 }
@@ -89,17 +90,26 @@ static float uniform_rate(const float *times, size_t count)
     return is_uniform(times, count, (float)rate) ? (float)rate : 0.0f;
 }
 
-nkw_result nkw_segment_uniform_rate(const float *times, size_t count, float *rate)
+nkw_result nkw_timeline_from_times(const float *times, size_t count, nkw_timeline *timeline)
 {
-    *rate = count > 1 ? uniform_rate(times, count) : 0.0f;
-    return count < 2 ? NKW_EMPTY : *rate > 0.0f ? NKW_OK : NKW_NO_RATE;
+    const nkw_timeline none = {0.0f, 0.0f, 0};
+    const float rate = count > 1 ? uniform_rate(times, count) : 0.0f;
+    *timeline = none;
+    if (!(rate > 0.0f))
+        return count < 2 ? NKW_EMPTY : NKW_NO_RATE;
+    timeline->start = times[0];
+    timeline->rate = rate;
+    timeline->count = count;
+    return NKW_OK;
 }
 
 /* The largest index of a segment: less than 2^53, so that it is exact in binary64, and within size_t. */
 #define SEGMENT_MOST ((size_t)1 << (sizeof(size_t) > 4 ? 52 : 31))
 
-nkw_segment nkw_segment_find_uniform(float start, float rate, size_t count, float time)
+nkw_segment nkw_timeline_find(nkw_timeline timeline, float time)
 {
+    const float start = timeline.start, rate = timeline.rate;
+    const size_t count = timeline.count;
     nkw_segment none = {0, 0.0f};
     if (count < 2 || !(rate > 0.0f) || rate - rate != 0.0f)
         return none;
@@ -121,7 +131,7 @@ nkw_segment nkw_segment_find_uniform(float start, float rate, size_t count, floa
     return r;
 }
 
-nkw_result nkw_segment_even_rate(const float *times, size_t count, float *rate)
+nkw_result nkwi_segment_even_rate(const float *times, size_t count, float *rate)
 {
     *rate = 0.0f;
     if (count < 2)
@@ -133,7 +143,7 @@ nkw_result nkw_segment_even_rate(const float *times, size_t count, float *rate)
     return NKW_OK;
 }
 
-nkw_segment nkw_segment_find_even(const float *times, size_t count, float rate, float time)
+nkw_segment nkwi_segment_find_even(const float *times, size_t count, float rate, float time)
 {
     nkw_segment none = {0, 0.0f};
     if (count < 2)

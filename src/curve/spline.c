@@ -9,10 +9,11 @@
 #include "lane/scalar.h"
 #include "report.h"
 #include "spline_c2.h"
+#include "work.h"
 
 /* ---- Validation ---- */
 
-static nkw_result check_shape(const nkw_spline *s, size_t stride, size_t work_count)
+static nkw_result check_shape(const nkw_spline *s, size_t stride, nkw_work work)
 {
     if (s->count == 0 || s->width == 0)
         return NKW_EMPTY;
@@ -20,7 +21,8 @@ static nkw_result check_shape(const nkw_spline *s, size_t stride, size_t work_co
         return NKW_BAD_METHOD;
     if (s->stride < s->width || stride < s->width)
         return NKW_BAD_WIDTH;
-    if (s->method == NKW_SPLINE_C2 && work_count / 3 < s->count)
+    const size_t most = SIZE_MAX / NKW_SPLINE_WORK(1);
+    if (s->method == NKW_SPLINE_C2 && (s->count > most || !work_fits(work, NKW_SPLINE_WORK(s->count))))
         return NKW_TOO_SMALL;
     return s->method == NKW_SPLINE_CARDINAL && !lane_is_finite(s->tension) ? NKW_NOT_FINITE : NKW_OK;
 }
@@ -59,26 +61,33 @@ static double distance(const nkw_spline *s, size_t k)
     return lane_sqrt64(sum);
 }
 
-/* length^alpha; 0 for a length of 0, or if alpha is not finite. */
+/* length^alpha; 0 for a length of 0. */
 static double knot_step(double length, float alpha)
 {
     if (alpha == 0.0f)
         return 1.0;
-    if (!(length > 0.0) || !lane_is_finite(alpha))
+    if (!(length > 0.0))
         return 0.0;
     if (alpha == 1.0f)
         return length;
     return alpha == 0.5f ? lane_sqrt64(length) : (double)nkw_pow((float)length, alpha);
 }
 
-void nkw_spline_knots(const nkw_spline *spline, float alpha, float *knots)
+nkw_result nkw_spline_knots(const nkw_spline *spline, float alpha, float *knots)
 {
     double sum = 0.0;
+    if (spline->count == 0 || spline->width == 0)
+        return NKW_EMPTY;
+    if (spline->stride < spline->width)
+        return NKW_BAD_WIDTH;
+    if (!lane_is_finite(alpha))
+        return NKW_NOT_FINITE;
     for (size_t k = 0; k < spline->count; k++) {
         knots[k] = spline_rounded(sum);
         if (k + 1 < spline->count)
             sum += knot_step(distance(spline, k), alpha);
     }
+    return NKW_OK;
 }
 
 /* ---- Tangents of one key from its neighbours ---- */
@@ -285,14 +294,13 @@ static size_t piece_end(const nkw_spline *s, size_t first)
     return last;
 }
 
-nkw_result nkw_spline_tangents(const nkw_spline *spline, nkw_tangent_span tangents, size_t *bad_key, double *work,
-                               size_t work_count)
+nkw_result nkw_spline_tangents(const nkw_spline *spline, nkw_tangent_span tangents, size_t *bad, nkw_work work)
 {
-    nkw_result result = check_shape(spline, tangents.stride, work_count);
-    size_t bad = 0;
+    nkw_result result = check_shape(spline, tangents.stride, work);
+    size_t key = 0;
     for (size_t k = 0; k < spline->count && result == NKW_OK; k++) {
         result = check_key(spline, k);
-        bad = k;
+        key = k;
     }
     for (size_t first = 0, last; result == NKW_OK && first < spline->count; first = last + 1) {
         last = piece_end(spline, first);
@@ -301,7 +309,7 @@ nkw_result nkw_spline_tangents(const nkw_spline *spline, nkw_tangent_span tangen
         if (first == last)
             alone(spline, first, tangents);
         else if (spline->method == NKW_SPLINE_C2)
-            c2_piece(&p, tangents, work);
+            c2_piece(&p, tangents, (double *)work.data);
         else
             local_piece(&p, tangents);
     }
@@ -309,5 +317,5 @@ nkw_result nkw_spline_tangents(const nkw_spline *spline, nkw_tangent_span tangen
         clamp_end(spline, 0, 0, tangents);
         clamp_end(spline, spline->count - 1, 1, tangents);
     }
-    return report(result, bad, bad_key);
+    return report(result, key, bad);
 }

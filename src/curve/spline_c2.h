@@ -40,8 +40,8 @@ static inline float spline_rounded(double x)
 }
 
 /*
- * Stores the tangents of one component of the piece in work[0 .. last - first]. work has NKW_SPLINE_WORK(count)
- * doubles.
+ * Stores the tangents of one component of the piece in work[0 .. last - first], the first of NKW_SPLINE_WORK(count)
+ * bytes.
  */
 void nkwi_spline_c2(const spline_piece *p, size_t component, double *work);
 

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 #include "lane/strict.h"
 
-#include <nakawari/curve_point.h>
+#include <nakawari/curve.h>
 #include <nakawari/inertia.h>
 #include <nakawari/rotation.h>
 #include <nakawari/vec.h>
@@ -169,9 +169,9 @@ nkw_body_motion nkw_body_motion_between(const nkw_body_motion *a, const nkw_body
         cubic.c[1] = nkw_vec3_scale(a->position.velocity, h);
         cubic.c[3] = nkw_vec3_scale(b->position.velocity, h);
     }
-    nkw_vec3_motion position = nkw_vec3_cubic_point(NKW_CUBIC_HERMITE, &cubic, t);
+    nkw_vec3_motion position = nkw_vec3_cubic_evaluate(&cubic, t, NKW_CUBIC_HERMITE);
     nkw_rotation_segment segment =
-        nkw_rotation_hermite(a->rotation.value, a->rotation.velocity, b->rotation.value, b->rotation.velocity, h);
+        nkw_rotation_from_hermite(a->rotation.value, a->rotation.velocity, b->rotation.value, b->rotation.velocity, h);
     nkw_quat_motion rotation = nkw_rotation_evaluate(&segment, t);
     nkw_body_motion r = {
         {position.value, h > 0.0f ? nkw_vec3_scale(position.velocity, 1.0f / h) : none},

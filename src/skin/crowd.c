@@ -173,7 +173,7 @@ static void bake_lanes(const nkw_crowd_source *source, const nkw_palette_chunk *
     const nkw_crowd_players players = {times, NULL, count};
     nkw_mat4 *out[NKW_CROWD] = {NULL};
     for (size_t i = 0; i < count; i++) {
-        times[i] = nkw_segment_uniform_time(source->start, source->rate, frame + i);
+        times[i] = nkw_timeline_time((nkw_timeline){source->start, source->rate, 0}, frame + i);
         out[i] = buffer + chunk->first + (frame + i) * chunk->joint_count;
     }
     nkw_crowd_sample(&players, source->clip, w->crowd, w->poses);

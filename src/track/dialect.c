@@ -319,13 +319,13 @@ static void scale_tangents(nkw_fcurve_key *keys, size_t count)
     }
 }
 
-nkw_result nkw_fcurve_keys_from_spline(const nkw_spline *spline, size_t component, nkw_fcurve_key *keys,
-                                       size_t *bad_key, double *work, size_t work_count)
+nkw_result nkw_fcurve_keys_from_spline(const nkw_spline *spline, size_t component, nkw_fcurve_key *keys, size_t *bad,
+                                       nkw_work work)
 {
     nkw_spline one = *spline;
     float ends[2];
     if (component >= spline->width)
-        return report(spline->width == 0 ? NKW_EMPTY : NKW_OUT_OF_RANGE, 0, bad_key);
+        return report(spline->width == 0 ? NKW_EMPTY : NKW_OUT_OF_RANGE, 0, bad);
     if (spline->count > 0 && spline->end_tangents) {
         ends[0] = spline->end_tangents[component];
         ends[1] = spline->end_tangents[spline->width + component];
@@ -334,7 +334,7 @@ nkw_result nkw_fcurve_keys_from_spline(const nkw_spline *spline, size_t componen
     one.values = spline->values + component;
     one.width = 1;
     nkw_tangent_span span = {&keys->in.value, &keys->out.value, sizeof *keys / sizeof(float)};
-    nkw_result result = nkw_spline_tangents(&one, span, bad_key, work, work_count);
+    nkw_result result = nkw_spline_tangents(&one, span, bad, work);
     if (result != NKW_OK)
         return result;
     for (size_t k = 0; k < one.count; k++) {

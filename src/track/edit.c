@@ -9,6 +9,7 @@
 #include <nakawari/quat.h>
 
 #include "finite.h"
+#include "lane/cubic.h"
 #include "lane/scalar.h"
 #include "track_keys.h"
 
@@ -82,7 +83,7 @@ static void cut_cubic(const nkw_track *track, size_t k, float t, float *key)
     nkw_weights slope = nkw_cubic_weights(NKW_CUBIC_HERMITE, 1, t);
     for (size_t i = 0; i < width; i++) {
         float leaving = duration * a[width + i], arriving = duration * (b - width)[i];
-        float tangent = nkw_weighted_sum(slope, a[i], leaving, b[i], arriving) / duration;
+        float tangent = lane_weigh(slope, a[i], leaving, b[i], arriving) / duration;
         key[i] = key[2 * width + i] = tangent;
         key[width + i] = nkw_hermite(a[i], leaving, b[i], arriving, t);
     }

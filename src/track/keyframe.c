@@ -127,14 +127,23 @@ static nkw_vec3 bspline(const sampler *s, float t)
     return nkw_vec3_bspline(k[0]->position, k[1]->position, k[2]->position, k[3]->position, t);
 }
 
+/* The curve of four keys at any times. */
+static float uneven(const float times[4], float p0, float p1, float p2, float p3, float t)
+{
+    const float keys[4] = {p0, p1, p2, p3};
+    float c[4];
+    nkw_cubic_from_catmull_rom(keys, times, c);
+    return nkw_hermite(c[0], c[1], c[2], c[3], t);
+}
+
 /* The curve is linear in its control values: weight i is the curve of control value i = 1 and all others 0. */
 static nkw_weights catmull_rom_weights(const float times[4], float t)
 {
     nkw_weights k = {{
-        nkw_catmull_rom_nonuniform(times, 1.0f, 0.0f, 0.0f, 0.0f, t),
-        nkw_catmull_rom_nonuniform(times, 0.0f, 1.0f, 0.0f, 0.0f, t),
-        nkw_catmull_rom_nonuniform(times, 0.0f, 0.0f, 1.0f, 0.0f, t),
-        nkw_catmull_rom_nonuniform(times, 0.0f, 0.0f, 0.0f, 1.0f, t),
+        uneven(times, 1.0f, 0.0f, 0.0f, 0.0f, t),
+        uneven(times, 0.0f, 1.0f, 0.0f, 0.0f, t),
+        uneven(times, 0.0f, 0.0f, 1.0f, 0.0f, t),
+        uneven(times, 0.0f, 0.0f, 0.0f, 1.0f, t),
     }};
     return k;
 }
@@ -146,8 +155,9 @@ static nkw_vec3 catmull_rom(const sampler *s, float t)
     const float times[4] = {key[0]->time, key[1]->time, key[2]->time, key[3]->time};
     if (s->trace)
         control_neighbours(s, catmull_rom_weights(times, t));
-    return nkw_vec3_catmull_rom_nonuniform(times, key[0]->position, key[1]->position, key[2]->position,
-                                           key[3]->position, t);
+    const nkw_vec3 keys[4] = {key[0]->position, key[1]->position, key[2]->position, key[3]->position};
+    const nkw_vec3_cubic curve = nkw_vec3_cubic_from_catmull_rom(keys, times);
+    return nkw_vec3_hermite(curve.c[0], curve.c[1], curve.c[2], curve.c[3], t);
 }
 
 /* The key that STEP_NEXT returns: the second of the segment; the first at its own time. */
@@ -203,7 +213,7 @@ static nkw_vec3 smooth(const sampler *s, float t, nkw_spline_method method)
                          NULL,
                          NULL};
     nkw_tangent_span tangents = {in, out, 3};
-    nkw_spline_tangents(&spline, tangents, NULL, NULL, 0);
+    nkw_spline_tangents(&spline, tangents, NULL, (nkw_work){NULL, 0});
     float duration = s->keys[s->to].time - s->keys[s->from].time;
     return hermite_of(s, scaled_tangent(out, s->from - first, duration), scaled_tangent(in, s->to - first, duration),
                       t);
@@ -328,9 +338,10 @@ static nkw_rotation_segment rotation_segment(const sampler *s, nkw_orientation_m
     const nkw_quat keys[4] = {k[0]->orientation, k[1]->orientation, k[2]->orientation, k[3]->orientation};
     const float times[4] = {k[0]->time, k[1]->time, k[2]->time, k[3]->time};
     if (method == NKW_ORIENTATION_CATMULL_ROM)
-        return nkw_rotation_catmull_rom(keys, times);
+        return nkw_rotation_from_catmull_rom(keys, times);
     float duration = times[2] - times[1];
-    return method == NKW_ORIENTATION_SQUAD ? nkw_rotation_squad(keys, duration) : nkw_rotation_bspline(keys, duration);
+    return method == NKW_ORIENTATION_SQUAD ? nkw_rotation_from_squad(keys, duration)
+                                           : nkw_rotation_from_bspline(keys, duration);
 }
 
 static nkw_mat3 rotation_curve(const sampler *s, float t, nkw_orientation_method method)

@@ -147,7 +147,7 @@ static size_t steps_until(float start, float rate, float end)
     size_t low = 0, high = TRACK_MOST_STEPS;
     while (low < high) {
         size_t middle = low + (high - low) / 2;
-        if (nkw_segment_uniform_time(start, rate, middle) < end)
+        if (nkw_timeline_time((nkw_timeline){start, rate, 0}, middle) < end)
             low = middle + 1;
         else
             high = middle;
@@ -166,7 +166,7 @@ static nkw_result count_keys(const nkw_track *track, float rate, size_t *count)
         return NKW_OUT_OF_RANGE;
     float first = track->times[0], last = track->times[track->count - 1];
     size_t steps = steps_until(first, rate, last);
-    if (!lane_is_finite(last) || !lane_is_finite(nkw_segment_uniform_time(first, rate, steps)))
+    if (!lane_is_finite(last) || !lane_is_finite(nkw_timeline_time((nkw_timeline){first, rate, 0}, steps)))
         return NKW_NOT_FINITE;
     if (steps >= TRACK_MOST_STEPS)
         return NKW_TOO_MANY;
@@ -242,7 +242,7 @@ static void resample(const nkw_track *track, float rate, nkw_track_span span, si
 {
     uint32_t cursor = 0;
     for (size_t k = 0; k < count; k++) {
-        span.times[k] = nkw_segment_uniform_time(track->times[0], rate, k);
+        span.times[k] = nkw_timeline_time((nkw_timeline){track->times[0], rate, 0}, k);
         nkw_track_sample_cursor(track, span.times[k], &cursor, span.values + k * track->width);
     }
     *out = resampled(track, span.times, span.values, count);
@@ -270,14 +270,14 @@ static float rate_over(const nkw_track *track, size_t segments)
     float first = track->times[0], last = track->times[track->count - 1];
     if (track->count < 2 || !(first < last))
         return 1.0f;
-    float even;
+    nkw_timeline even;
     double all = (double)(track->count - 1);
-    int is_even = nkw_segment_uniform_rate(track->times, track->count, &even) == NKW_OK;
-    double mean = is_even ? (double)even : all / ((double)last - (double)first);
+    int is_even = nkw_timeline_from_times(track->times, track->count, &even) == NKW_OK;
+    double mean = is_even ? (double)even.rate : all / ((double)last - (double)first);
     if (!(mean <= (double)FLT_MAX))
         return 0.0f;
     float rate = (float)(mean * ((double)segments / all));
-    while (nkw_segment_uniform_time(first, rate, segments) < last)
+    while (nkw_timeline_time((nkw_timeline){first, rate, 0}, segments) < last)
         rate = lane_float(lane_bits(rate) - 1);
     return rate;
 }

@@ -26,6 +26,15 @@ const literal = kind => kind.length > 1 ? kind : `'${kind}'`;
 const times = (n, words) =>
   words === 1 ? n : n === '1' ? String(words) : `${/^\w+$/.test(n) ? n : `(${n})`} * ${words}`;
 
+// What moves, as an object of the arrays that are wanted. Orientations have 3 floats of velocity.
+function shapeOfMotion(name, n) {
+  const parts = ['value', 'velocity', 'acceleration'], at = k => `${name}At${k}`;
+  return { name, type: '{ value?: Output | null; velocity?: Output | null; acceleration?: Output | null }',
+    before: parts.map((part, k) => `const ${at(k)} = $o('f', ${name}.${part} ?? null, ${n});`).join(' '),
+    pass: `words(0, ${parts.map((part, k) => at(k)).join(', ')})`,
+    after: parts.map((part, k) => `$v('f', ${name}.${part} ?? null, ${at(k)}, ${n});`).join(' ') };
+}
+
 // One parameter: its name in JavaScript, its type, what is passed, and what is done before and after the call.
 function shape(p, f, headers) {
   const name = safe(p.name), record = isRecord(p.type, headers);
@@ -37,6 +46,8 @@ function shape(p, f, headers) {
     return { pass: `temporary(8 * 3 * ${work[f.name]} + 8)` };
   if (p.name === 'work_count')
     return { pass: work[f.name] };
+  if (p.type === 'nkw_motion_span')
+    return shapeOfMotion(name, lengthOfParameter(p, f));
   if (isSpan(p) || (p.type === 'nkw_track' && p.pointer && !p.constant))
     return { pass: isSpan(p) ? '$span' : '$to' };
   const of = kindOf(p.type, headers), value = p.pointer === 0;

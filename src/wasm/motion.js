@@ -45,8 +45,7 @@ export function splineTangents(spline, tangentsIn, tangentsOut) {
   $t(() => {
     const { count = spline.times.length, width = 1 } = spline, from = $i($nkw_spline, spline);
     const [a, b] = [0, 0].map(() => temporary(4 * count * width));
-    check('nkw_spline_tangents', x.nkw_spline_tangents(from, words(0, a, b, width), badAt(), temporary(24 * count),
-      3 * count), bad);
+    check('nkw_spline_tangents', x.nkw_spline_tangents(from, words(0, a, b, width), badAt(), $work(24 * count)), bad);
     $v('f', tangentsIn, a, count * width);
     $v('f', tangentsOut, b, count * width);
   });

@@ -3,7 +3,7 @@
 // sources call, and the enumerations of its stems. A new stem is added here; the generator refuses a public function
 // that is neither in a part nor below.
 const values = ['scalar', 'vec', 'quat', 'orient', 'curve'];
-const algebra = ['mat', 'euler', 'axes', 'transform', 'dual', 'box', 'curve_point', 'handle', 'ease', 'rotation', 'limit',
+const algebra = ['mat', 'euler', 'axes', 'transform', 'dual', 'box', 'handle', 'ease', 'rotation', 'limit',
   'spring', 'inertia', 'segment', 'playback', 'root'];
 const curves = ['fcurve', 'spline', 'nurbs', 'polycurve', 'track', 'dialect', 'edit', 'fit', 'reduce', 'clip_reduce',
   'timecode'];
@@ -18,8 +18,8 @@ export const objectStems = ['root', 'polycurve', 'ik', 'foot', 'box', 'bounds', 
 export const parts = [
   {
     name: 'values', stems: values, sources: [], batch: false, limit: 12,
-    without: new RegExp('mat[34]|_wxyz|bezier_(split|from)|hermite_from_bezier|' +
-      'quat_(swing|twist|mean|turns|look|pow)|_path$|nonuniform|_from_vectors|perpendicular|integrate|' +
+    without: new RegExp('mat[34]|_wxyz|bezier_split|cubic_convert|' +
+      'quat_(swing|twist|mean|turns|look|pow)|_path$|from_catmull_rom|_from_vectors|perpendicular|integrate|' +
       'angular_velocity|euler_|nkw_wrap$|nkw_pow'),
   },
   { name: 'math', stems: [...values, ...algebra], enums: ['keyframe'],
@@ -46,6 +46,7 @@ export const arrays = {
   nkw_nurbs: { width: '1', stride: 'width', count: 'lengthOf(points, width)',
     points: '(count - 1) * stride + width', weights: 'count', knots: 'count + degree + 1' },
   nkw_polycurve: { count: 'lengthOf(cubics, 12)', cubics: '12 * count' },
+  nkw_easing: { curve: '[0, 0, 0, 0]', count: '(inputs ?? []).length', inputs: 'count', outputs: 'count' },
   nkw_playback_step: { keyCount: 'times.length', times: 'keyCount' },
   nkw_playback_step_f64: { keyCount: 'times.length', times: 'keyCount' },
   nkw_track: { count: 'times.length', width: '1', times: 'count', keyInterpolation: 'count',
@@ -74,14 +75,14 @@ export const arrays = {
   nkw_tree: { nodeCount: 'firstChild.length', firstChild: 'nodeCount', nextSibling: 'nodeCount' },
 };
 // Of the arrays of a function how many values they have, where it is not `count` or one.
-const values3 = { value: 'curve.width ?? 1', first: 'curve.width ?? 1', second: 'curve.width ?? 1' };
 export const lengths = {
   nkw_axes_convert_values: { values: 'count * (kind === AXES_QUAT ? 4 : 3)', out: 'count * (kind === AXES_QUAT ? 4 : 3)' },
   nkw_spline_knots: { knots: 'spline.times.length' },
-  nkw_nurbs_sample: values3,
+  nkw_nurbs_evaluate: { out: 'curve.width ?? 1' },
   nkw_nurbs_make_knots: { knots: 'count + degree + 1' },
+  nkw_timeline_from_times: { timeline: '1' },
   nkw_polycurve_measure: { lengths: 'lengthCount' },
-  nkw_polycurve_at_length: { lengths: 'lengthOf(curve.cubics, 12) * steps + 1' },
+  nkw_polycurve_at_length: { lengths: 'lengthCount' },
   nkw_polycurve_frames: { frames: 'frameCount' },
   nkw_polycurve_flatten: { points: 'capacity', count: '1' },
   nkw_playback_passed: { keys: 'capacity' }, nkw_playback_passed_f64: { keys: 'capacity' },
@@ -128,7 +129,7 @@ export const work = {
   nkw_track_difference: '8 * track.width',
   nkw_track_resample_within: '8 * track.width',
   nkw_track_fit: '8 * (track.count * (track.width + 5) + track.width)',
-  nkw_fcurve_keys_from_spline: '3 * spline.times.length',
+  nkw_fcurve_keys_from_spline: '24 * spline.times.length',
   nkw_ik_fabrik_solve: 'lengthOf(chain.offsets, 3)',
   nkw_ik_pose_chain: '10 * reach.jointCount',
   nkw_pose_retarget: '8 * (source.jointCount + out.jointCount)',

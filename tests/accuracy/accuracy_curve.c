@@ -246,7 +246,9 @@ static double timed_error(const float *x)
     wide_from(x + 5, t, 4);
     wide h0 = t[1] - t[0], h1 = t[2] - t[1], h2 = t[3] - t[2];
     wide c[4] = {p[1], tangent(p[0], p[1], p[2], h0, h1) * h1, p[2], tangent(p[1], p[2], p[3], h1, h2) * h1};
-    float got = nkw_catmull_rom_nonuniform(x + 5, x[0], x[1], x[2], x[3], x[4]),
+    float through[4];
+    nkw_cubic_from_catmull_rom(x, x + 5, through);
+    float got = nkw_hermite(through[0], through[1], through[2], through[3], x[4]),
           tangents[2] = {(float)c[1], (float)c[3]};
     hermite_exact(x[4], w);
     wide exact = wide_dot(w, c, 4), size = largest(x, 4), steep = largest(tangents, 2);
@@ -298,6 +300,13 @@ DERIVATIVE(bezier, NKW_CUBIC_BEZIER)
 DERIVATIVE(bspline, NKW_CUBIC_BSPLINE)
 DERIVATIVE(catmull_rom, NKW_CUBIC_CATMULL_ROM)
 
+/* A cubic of numbers, as the x of one of vectors. */
+static nkw_vec3_cubic cubic_of(const float *x)
+{
+    nkw_vec3_cubic r = {{{x[0], 0, 0}, {x[1], 0, 0}, {x[2], 0, 0}, {x[3], 0, 0}}};
+    return r;
+}
+
 /* ---- The weighted sum: four values, t, four weights ---- */
 
 static void with_weights(float *x)
@@ -330,7 +339,8 @@ static void weighed_scattered(random_source *r, float *x)
 static double weigh_error(const float *x)
 {
     nkw_weights w = {{x[5], x[6], x[7], x[8]}};
-    float got = nkw_weighted_sum(w, x[0], x[1], x[2], x[3]);
+    const nkw_vec3_cubic cubic = cubic_of(x);
+    float got = nkw_vec3_cubic_sum(&cubic, w).x;
     wide exact = 0, size = 0;
     for (int i = 0; i < 4; i++) {
         wide term = (wide)x[i] * x[5 + i];
@@ -374,15 +384,17 @@ static void tangent_level(random_source *r, float *x)
     x[2] = x[0] * (1.0f + random_scaled(r, -24, -4));
 }
 
-/* Of the larger of the slopes of both sides. */
+/* Of the larger of the slopes of both sides, times the duration. */
 static double tangent_error(const float *x)
 {
-    float got = nkw_catmull_rom_tangent(x[0], x[1], x[2], x[3], x[4]);
-    wide exact = tangent(x[0], x[1], x[2], x[3], x[4]);
+    const float keys[4] = {x[0], x[1], x[2], x[2]}, times[4] = {-x[3], 0, x[4], x[4]};
+    float through[4];
+    nkw_cubic_from_catmull_rom(keys, times, through);
+    wide exact = tangent(x[0], x[1], x[2], x[3], x[4]) * x[4];
     wide d0 = ((wide)x[1] - x[0]) / x[3], d1 = ((wide)x[2] - x[1]) / x[4];
     d0 = d0 < 0 ? -d0 : d0;
     d1 = d1 < 0 ? -d1 : d1;
-    return wide_error_of(&got, &exact, 1, d0 > d1 ? d0 : d1);
+    return wide_error_of(through + 1, &exact, 1, (d0 > d1 ? d0 : d1) * x[4]);
 }
 
 /* ---- One kind in the terms of another; the two halves of a Bezier segment ---- */
@@ -411,25 +423,42 @@ static void to_bezier_from_bspline(const wide c[4], wide out[4])
     out[3] = (c[1] + 4 * c[2] + c[3]) / 6;
 }
 
-/* A cubic of numbers, as the x of one of vectors. */
-static nkw_vec3_cubic cubic_of(const float *x)
-{
-    nkw_vec3_cubic r = {{{x[0], 0, 0}, {x[1], 0, 0}, {x[2], 0, 0}, {x[3], 0, 0}}};
-    return r;
-}
-
 static void take_cubic(const nkw_vec3_cubic *from, float to[4])
 {
     for (int i = 0; i < 4; i++)
         to[i] = from->c[i].x;
 }
 
+static void to_bspline_from_bezier(const wide c[4], wide out[4])
+{
+    out[0] = 6 * c[0] - 7 * c[1] + 2 * c[2];
+    out[1] = 2 * c[1] - c[2];
+    out[2] = 2 * c[2] - c[1];
+    out[3] = 2 * c[1] - 7 * c[2] + 6 * c[3];
+}
+
+static void to_catmull_rom_from_bezier(const wide c[4], wide out[4])
+{
+    out[0] = c[3] - 6 * (c[1] - c[0]);
+    out[1] = c[0];
+    out[2] = c[3];
+    out[3] = c[0] + 6 * (c[3] - c[2]);
+}
+
+static void to_bezier_from_catmull_rom(const wide c[4], wide out[4])
+{
+    out[0] = c[1];
+    out[1] = c[1] + (c[2] - c[0]) / 6;
+    out[2] = c[2] - (c[3] - c[1]) / 6;
+    out[3] = c[2];
+}
+
 /* Of the largest control value of the two segments. */
-#define CONVERSION(name)                                                                                               \
+#define CONVERSION(name, FROM, TO)                                                                                     \
     static double name##_error(const float *x)                                                                         \
     {                                                                                                                  \
         float got[4];                                                                                                  \
-        nkw_vec3_cubic from = cubic_of(x), to = nkw_vec3_##name(&from);                                                \
+        nkw_vec3_cubic from = cubic_of(x), to = nkw_vec3_cubic_convert(&from, FROM, TO);                               \
         take_cubic(&to, got);                                                                                          \
         wide c[4], exact[4], size = largest(x, 4), far = largest(got, 4);                                              \
         double worst = 0.0;                                                                                            \
@@ -440,9 +469,12 @@ static void take_cubic(const nkw_vec3_cubic *from, float to[4])
         return worst;                                                                                                  \
     }
 
-CONVERSION(bezier_from_hermite)
-CONVERSION(hermite_from_bezier)
-CONVERSION(bezier_from_bspline)
+CONVERSION(bezier_from_hermite, NKW_CUBIC_HERMITE, NKW_CUBIC_BEZIER)
+CONVERSION(hermite_from_bezier, NKW_CUBIC_BEZIER, NKW_CUBIC_HERMITE)
+CONVERSION(bezier_from_bspline, NKW_CUBIC_BSPLINE, NKW_CUBIC_BEZIER)
+CONVERSION(bspline_from_bezier, NKW_CUBIC_BEZIER, NKW_CUBIC_BSPLINE)
+CONVERSION(bezier_from_catmull_rom, NKW_CUBIC_CATMULL_ROM, NKW_CUBIC_BEZIER)
+CONVERSION(catmull_rom_from_bezier, NKW_CUBIC_BEZIER, NKW_CUBIC_CATMULL_ROM)
 
 static void cut(const wide c[4], wide t, wide left[4], wide right[4])
 {
@@ -496,9 +528,11 @@ static const wide_case cases[] = {
     BLOCKS(bezier, near_base, about_base),
     BLOCKS(bspline, near_base, about_base),
     BLOCKS(catmull_rom, near_base, about_base),
-    {"nkw_catmull_rom_nonuniform", "[-1, 1]", timed, timed_error, 9, WIDE_CHECKED},
-    {"nkw_catmull_rom_nonuniform", "magnitudes 1e-3 .. 1e3", timed_scattered, timed_error, 9, WIDE_CHECKED},
-    {"nkw_catmull_rom_nonuniform", "1e4 .. 1e6 + 1 .. 100", timed_about_base, timed_error, 9, WIDE_CHECKED},
+    {"nkw_cubic_from_catmull_rom", "nkw_hermite of it, [-1, 1]", timed, timed_error, 9, WIDE_CHECKED},
+    {"nkw_cubic_from_catmull_rom", "nkw_hermite of it, magnitudes 1e-3 .. 1e3", timed_scattered, timed_error, 9,
+     WIDE_CHECKED},
+    {"nkw_cubic_from_catmull_rom", "nkw_hermite of it, 1e4 .. 1e6 + 1 .. 100", timed_about_base, timed_error, 9,
+     WIDE_CHECKED},
 };
 
 #define DERIVATIVES(name)                                                                                                \
@@ -513,30 +547,33 @@ static const wide_case cases[] = {
             WIDE_CHECKED                                                                                                 \
     }
 
-#define CONVERSIONS(name)                                                                                              \
-    {"nkw_vec3_" #name, "[-1, 1]", uniform, name##_error, 4, WIDE_CHECKED},                                            \
-        {"nkw_vec3_" #name, "1e4 .. 1e6 + 1e-3 .. 1", near_base, name##_error, 4, WIDE_CHECKED},                       \
+#define CONVERSIONS(name, text)                                                                                        \
+    {"nkw_vec3_cubic_convert", text ", [-1, 1]", uniform, name##_error, 4, WIDE_CHECKED},                              \
+        {"nkw_vec3_cubic_convert", text ", 1e4 .. 1e6 + 1e-3 .. 1", near_base, name##_error, 4, WIDE_CHECKED},         \
     {                                                                                                                  \
-        "nkw_vec3_" #name, "magnitudes 1e-3 .. 1e3", scattered, name##_error, 4, WIDE_CHECKED                          \
+        "nkw_vec3_cubic_convert", text ", magnitudes 1e-3 .. 1e3", scattered, name##_error, 4, WIDE_CHECKED            \
     }
 
-#define TANGENT "nkw_catmull_rom_tangent"
+#define TANGENT "nkw_cubic_from_catmull_rom"
 
 static const wide_case others[] = {
     DERIVATIVES(hermite),
     DERIVATIVES(bezier),
     DERIVATIVES(bspline),
     DERIVATIVES(catmull_rom),
-    {"nkw_weighted_sum", "Catmull-Rom, [-1, 1]", weighed_uniform, weigh_error, 9, WIDE_CHECKED},
-    {"nkw_weighted_sum", "Catmull-Rom, 1e4 .. 1e6 + 1e-3 .. 1", weighed_near_base, weigh_error, 9, WIDE_CHECKED},
-    {"nkw_weighted_sum", "both of magnitudes 1e-3 .. 1e3", weighed_scattered, weigh_error, 9, WIDE_CHECKED},
-    {TANGENT, "[-1, 1], 1e-3 .. 10 s", tangent_uniform, tangent_error, 5, WIDE_CHECKED},
-    {TANGENT, "magnitudes 1e-3 .. 1e3", tangent_scattered, tangent_error, 5, WIDE_CHECKED},
-    {TANGENT, "1e4 .. 1e6 + 1e-3 .. 1", tangent_near_base, tangent_error, 5, WIDE_CHECKED},
-    {TANGENT, "nearly level", tangent_level, tangent_error, 5, WIDE_CHECKED},
-    CONVERSIONS(bezier_from_hermite),
-    CONVERSIONS(hermite_from_bezier),
-    CONVERSIONS(bezier_from_bspline),
+    {"nkw_vec3_cubic_sum", "Catmull-Rom, [-1, 1]", weighed_uniform, weigh_error, 9, WIDE_CHECKED},
+    {"nkw_vec3_cubic_sum", "Catmull-Rom, 1e4 .. 1e6 + 1e-3 .. 1", weighed_near_base, weigh_error, 9, WIDE_CHECKED},
+    {"nkw_vec3_cubic_sum", "both of magnitudes 1e-3 .. 1e3", weighed_scattered, weigh_error, 9, WIDE_CHECKED},
+    {TANGENT, "the tangent, [-1, 1], 1e-3 .. 10 s", tangent_uniform, tangent_error, 5, WIDE_CHECKED},
+    {TANGENT, "the tangent, magnitudes 1e-3 .. 1e3", tangent_scattered, tangent_error, 5, WIDE_CHECKED},
+    {TANGENT, "the tangent, 1e4 .. 1e6 + 1e-3 .. 1", tangent_near_base, tangent_error, 5, WIDE_CHECKED},
+    {TANGENT, "the tangent, nearly level", tangent_level, tangent_error, 5, WIDE_CHECKED},
+    CONVERSIONS(bezier_from_hermite, "Bezier from Hermite"),
+    CONVERSIONS(hermite_from_bezier, "Hermite from Bezier"),
+    CONVERSIONS(bezier_from_bspline, "Bezier from B-spline"),
+    CONVERSIONS(bspline_from_bezier, "B-spline from Bezier"),
+    CONVERSIONS(bezier_from_catmull_rom, "Bezier from Catmull-Rom"),
+    CONVERSIONS(catmull_rom_from_bezier, "Catmull-Rom from Bezier"),
     {"nkw_vec3_bezier_split", "[-1, 1]", uniform, split_error, 5, WIDE_CHECKED},
     {"nkw_vec3_bezier_split", "[-1, 1], t in 2^-30 .. 1", fine_t, split_error, 5, WIDE_CHECKED},
     {"nkw_vec3_bezier_split", "1e4 .. 1e6 + 1e-3 .. 1", near_base, split_error, 5, WIDE_CHECKED},
@@ -548,6 +585,7 @@ int main(int argc, char **argv)
     accuracy a = accuracy_begin("curve.h", argc, argv);
     wide_search(&a, cases, sizeof cases / sizeof cases[0], SAMPLES);
     wide_search(&a, others, sizeof others / sizeof others[0], FEWER);
+    curve_more(&a);
     return accuracy_end(&a);
 }
 

@@ -10,6 +10,7 @@
 #if WIDE_AVAILABLE
 
 #include <math.h>
+#include <quadmath.h>
 #include <string.h>
 
 #define SAMPLES 25000u

@@ -148,7 +148,7 @@ static double point_error(const float *x)
     exact e = exact_of(x);
     wide size = fmaxq(e.h, fmaxq(fabsq(e.p), fabsq(e.q))), time = (wide)x[8] - x[0], off = size * 0x1p-48;
     wide from = first_at(&e, time - off), to = first_at(&e, time + off), low = value_of(&e, from), high = low;
-    float got = nkw_handle_point(&s, x[8]).value;
+    float got = nkw_handle_sample(&s, x[8]).value;
     for (int i = 1; i <= 16; i++) {
         wide v = value_of(&e, from + (to - from) * i / 16);
         low = fminq(low, v);
@@ -163,7 +163,7 @@ static double plain_error(const float *x)
 {
     nkw_handle_segment s = segment_at(x);
     exact e = exact_of(x);
-    float got = nkw_handle_point(&s, x[8]).value;
+    float got = nkw_handle_sample(&s, x[8]).value;
     wide value = value_of(&e, first_at(&e, (wide)x[8] - x[0]));
     return wide_error_of(&got, &value, 1, magnitude(&e));
 }
@@ -178,7 +178,7 @@ static double first_error(const float *x)
     for (int i = 0; i < 3; i++)
         most = fmaxq(most, fabsq(d[i]) / e.h);
     wide want = (d[0] * r * r + 2 * d[1] * r * s + d[2] * s * s) / (e.p * r * r + 2 * b * r * s + e.q * s * s);
-    float got = nkw_handle_point(&c, x[8]).first;
+    float got = nkw_handle_sample(&c, x[8]).velocity;
     return wide_error_of(&got, &want, 1, fmaxq(most, fabsq(want)));
 }
 
@@ -220,13 +220,13 @@ static double start_error(const float *x)
 }
 
 static const wide_case cases[] = {
-    {"nkw_handle_point", "handles within the segment", contained, point_error, 9, WIDE_CHECKED},
-    {"nkw_handle_point", "nearly vertical within the segment", steep, point_error, 9, WIDE_CHECKED},
-    {"nkw_handle_point", "nearly vertical at the ends", short_handles, point_error, 9, WIDE_CHECKED},
-    {"nkw_handle_point", "handles of -2 .. 3 durations", beyond, point_error, 9, WIDE_CHECKED},
-    {"nkw_handle_point", "values 1e4 .. 1e6 + [-1, 1]", about_base, point_error, 9, WIDE_CHECKED},
-    {"nkw_handle_point", "handles within, at the very time", contained, plain_error, 9, WIDE_NOTED},
-    {"nkw_handle_point", "first derivative, handles within", contained, first_error, 9, WIDE_NOTED},
+    {"nkw_handle_sample", "handles within the segment", contained, point_error, 9, WIDE_CHECKED},
+    {"nkw_handle_sample", "nearly vertical within the segment", steep, point_error, 9, WIDE_CHECKED},
+    {"nkw_handle_sample", "nearly vertical at the ends", short_handles, point_error, 9, WIDE_CHECKED},
+    {"nkw_handle_sample", "handles of -2 .. 3 durations", beyond, point_error, 9, WIDE_CHECKED},
+    {"nkw_handle_sample", "values 1e4 .. 1e6 + [-1, 1]", about_base, point_error, 9, WIDE_CHECKED},
+    {"nkw_handle_sample", "handles within, at the very time", contained, plain_error, 9, WIDE_NOTED},
+    {"nkw_handle_sample", "first derivative, handles within", contained, first_error, 9, WIDE_NOTED},
     {"nkw_handle_limit", "KEEP_RATIO", long_handles, ratio_error, 9, WIDE_CHECKED},
     {"nkw_handle_limit", "KEEP_START", long_handles, start_error, 9, WIDE_CHECKED},
 };

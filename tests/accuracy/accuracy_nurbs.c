@@ -70,7 +70,7 @@ static double point_error(const float *x, float base)
     float got[3];
     wide exact[3], size = 0, shortest = 1e30f;
     begin(&e, &r, base);
-    nkw_nurbs_sample(&e.curve, e.u, got, got + 1, got + 2);
+    nkw_nurbs_evaluate(&e.curve, e.u, (nkw_motion_span){got, got + 1, got + 2});
     exact_point(&e, exact);
     for (size_t i = 0; i < e.curve.count; i++)
         size = fabsf(e.points[i]) > size ? fabsf(e.points[i]) : size;
@@ -98,8 +98,8 @@ static double far_away(const float *x)
 }
 
 static const wide_case cases[] = {
-    {"nkw_nurbs_sample", "degrees 1 .. 7, [-1, 1]", wide_seed, near_origin, 2, WIDE_CHECKED},
-    {"nkw_nurbs_sample", "degrees 1 .. 7, 1e5 + [-1, 1]", wide_seed, far_away, 2, WIDE_CHECKED},
+    {"nkw_nurbs_evaluate", "degrees 1 .. 7, [-1, 1]", wide_seed, near_origin, 2, WIDE_CHECKED},
+    {"nkw_nurbs_evaluate", "degrees 1 .. 7, 1e5 + [-1, 1]", wide_seed, far_away, 2, WIDE_CHECKED},
 };
 
 int main(int argc, char **argv)

@@ -191,7 +191,7 @@ static wide polygon(const float *x)
 static double length_error(const float *x)
 {
     nkw_vec3_cubic c = cubic_of(x);
-    float got = nkw_vec3_cubic_length(NKW_CUBIC_BEZIER, &c, x[12], x[13]);
+    float got = nkw_vec3_cubic_length(&c, x[12], x[13], NKW_CUBIC_BEZIER);
     wide exact = exact_length(x, x[12], x[13]), size = fabsq(exact), least = polygon(x) * 0x1p-16f;
     return wide_error_of(&got, &exact, 1, size > least ? size : least);
 }
@@ -206,7 +206,7 @@ static double place_error(const float *x)
     if (nkw_polycurve_measure(&curve, steps, lengths, 5) != NKW_OK)
         return HUGE_VAL;
     float length = x[12] * lengths[steps];
-    nkw_segment at = nkw_polycurve_at_length(&curve, lengths, steps, length);
+    nkw_segment at = nkw_polycurve_at_length(&curve, lengths, NKW_POLYCURVE_LENGTHS(curve.count, steps), length);
     wide off = fabsq(exact_length(x, 0, at.t) - length), whole = exact_length(x, 0, 1);
     wide rounding = speed(x, at.t) * (nextafterf(at.t, 2.0f) - at.t) / 2;
     return (double)((off > rounding ? off - rounding : 0) / whole * 0x1p24f);

@@ -13,7 +13,7 @@
 
 #define SAMPLES 3000u
 #define AT      "nkw_rotation_evaluate"
-#define CONTROL "nkw_quat_squad_control"
+#define CONTROL "nkw_rotation_from_squad"
 
 /* ---- Samples: four quaternions, two velocities, duration, t, kind ---- */
 
@@ -62,8 +62,8 @@ static void wheel_keys(random_source *r, float *x)
 
 static nkw_rotation_segment segment_of(const float *x)
 {
-    nkw_rotation_segment s = nkw_rotation_hermite(quat_at(x), vec3_at(x + VELOCITIES), quat_at(x + 4),
-                                                  vec3_at(x + VELOCITIES + 3), x[DURATION]);
+    nkw_rotation_segment s = nkw_rotation_from_hermite(quat_at(x), vec3_at(x + VELOCITIES), quat_at(x + 4),
+                                                       vec3_at(x + VELOCITIES + 3), x[DURATION]);
     s.kind = (nkw_rotation_kind)x[KIND];
     s.control[2] = quat_at(x + 8);
     s.control[3] = quat_at(x + 12);
@@ -117,7 +117,7 @@ static void half_third(const float *x, int i, const wide q[4], wide out[3])
     memcpy(out, v, 3 * sizeof *v);
 }
 
-/* The halves u, m, r, w of nkw_rotation_hermite. */
+/* The halves u, m, r, w of nkw_rotation_from_hermite. */
 static void hermite_halves(const float *x, wide a[4], wide v[4][3])
 {
     wide c[4][4], left[4], right[4] = {0, 0, 0, 1};
@@ -258,7 +258,7 @@ static double evaluate_error(const float *x)
     float got[10];
     nkw_rotation_segment s = segment_of(x);
     nkw_quat_motion at = nkw_rotation_evaluate(&s, x[T]);
-    put_quat(got, at.orientation);
+    put_quat(got, at.value);
     put_vec3(got + 4, at.velocity);
     put_vec3(got + 7, at.acceleration);
     curve_at(x, t, q);
@@ -283,7 +283,8 @@ static double control_error(const float *x)
     for (int i = 0; i < 3; i++)
         on[i] += from[i];
     append(c[1], on, (wide)-0.25);
-    put_quat(got, nkw_quat_squad_control(quat_at(x), quat_at(x + 4), quat_at(x + 8)));
+    const nkw_quat keys[4] = {quat_at(x), quat_at(x + 4), quat_at(x + 8), quat_at(x + 8)};
+    put_quat(got, nkw_rotation_from_squad(keys, 1.0f).control[1]);
     return wide_error(got, c[1], 4);
 }
 

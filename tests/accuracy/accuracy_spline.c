@@ -132,11 +132,12 @@ static wide exact_tangent(nkw_spline_method method, const segments *s, const flo
 static double tangent_error(nkw_spline_method method, const float *x)
 {
     float in[KEYS], out[KEYS];
-    double work[NKW_SPLINE_WORK(KEYS)], worst = 0.0;
+    NKW_STACK_WORK(work, NKW_SPLINE_WORK(KEYS));
+    double worst = 0.0;
     nkw_tcb keys[KEYS] = {{0, 0, 0}, {0, 0, 0}, {x[10], x[11], x[12]}, {0, 0, 0}, {0, 0, 0}};
     nkw_spline spline = {x + 5, x, KEYS, 1, 1, method, NKW_SPLINE_ENDS_FREE, x[10], keys, NULL};
     nkw_tangent_span to = {in, out, 1};
-    if (nkw_spline_tangents(&spline, to, NULL, work, NKW_SPLINE_WORK(KEYS)) != NKW_OK)
+    if (nkw_spline_tangents(&spline, to, NULL, work) != NKW_OK)
         return HUGE_VAL;
     segments s = segments_of(x);
     int all = method == NKW_SPLINE_C2 || method == NKW_SPLINE_AKIMA || method == NKW_SPLINE_MAKIMA;

@@ -79,6 +79,7 @@ void wide_search(accuracy *a, const wide_case *cases, size_t size, uint32_t coun
 void wide_search_seeds(accuracy *a, const wide_case *cases, size_t size, uint32_t count);
 
 /* The cases of a header that stand in the file STEM_more.c. */
+void curve_more(accuracy *a);
 void mat_more(accuracy *a);
 void quat_more(accuracy *a);
 void orient_more(accuracy *a);

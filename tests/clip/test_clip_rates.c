@@ -41,7 +41,7 @@ static int draw(void **state)
     capture *c = &taken;
     (void)state;
     for (size_t k = 0; k < KEYS; k++)
-        c->times[k] = nkw_segment_uniform_time(0.0f, RATE, k);
+        c->times[k] = nkw_timeline_time((nkw_timeline){0.0f, RATE, 0}, k);
     for (size_t i = 0; i < TRACKS; i++) {
         nkw_clip_target target = (nkw_clip_target)(i % 3);
         int rotation = target == NKW_CLIP_ROTATION;

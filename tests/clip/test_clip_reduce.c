@@ -48,7 +48,7 @@ static int draw(void **state)
 {
     (void)state;
     for (size_t k = 0; k < KEYS; k++)
-        drawn.times[k] = nkw_segment_uniform_time(0.5f, 30.0f, k);
+        drawn.times[k] = nkw_timeline_time((nkw_timeline){0.5f, 30.0f, 0}, k);
     for (size_t i = 0; i < TRACKS; i++) {
         const nkw_clip_target target = i == TRACKS - 1 ? NKW_CLIP_FLOATS : (nkw_clip_target)(i % 3);
         const size_t width = target == NKW_CLIP_ROTATION ? 4 : 3;

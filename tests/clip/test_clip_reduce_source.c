@@ -30,7 +30,7 @@ static int draw(void **state)
     (void)state;
     const nkw_clip_source source = {drawn.tracks, TRACKS, JOINTS, FLOATS, {NULL, 0}, NULL, NKW_CLIP_FLOAT32, NULL};
     for (size_t k = 0; k < KEYS; k++)
-        drawn.times[k] = nkw_segment_uniform_time(0.0f, 30.0f, k);
+        drawn.times[k] = nkw_timeline_time((nkw_timeline){0.0f, 30.0f, 0}, k);
     for (size_t i = 0; i < TRACKS; i++) {
         const nkw_clip_target target = i == TRACKS - 1 ? NKW_CLIP_FLOATS : (nkw_clip_target)(i % 2);
         const size_t width = target == NKW_CLIP_ROTATION ? 4 : target == NKW_CLIP_FLOATS ? FLOATS : 3;

@@ -55,6 +55,12 @@ static void constant_curves_are_constant(void **state)
     }
 }
 
+static float weigh(nkw_weights w, float c0, float c1, float c2, float c3)
+{
+    const nkw_vec3_cubic c = {{{c0, 0.0f, 0.0f}, {c1, 0.0f, 0.0f}, {c2, 0.0f, 0.0f}, {c3, 0.0f, 0.0f}}};
+    return nkw_vec3_cubic_sum(&c, w).x;
+}
+
 static void curve_is_the_weighted_sum(void **state)
 {
     (void)state;
@@ -64,7 +70,7 @@ static void curve_is_the_weighted_sum(void **state)
             float c[4], t = random_unit(&r);
             draw(&r, c);
             expect_near(kinds[k].at(c[0], c[1], c[2], c[3], t),
-                        nkw_weighted_sum(nkw_cubic_weights(kinds[k].kind, 0, t), c[0], c[1], c[2], c[3]), 1e-6);
+                        weigh(nkw_cubic_weights(kinds[k].kind, 0, t), c[0], c[1], c[2], c[3]), 1e-6);
         }
     }
 }
@@ -188,8 +194,18 @@ static void vectors_go_by_component(void **state)
         expect_bits(nkw_vec3_bspline(a, b, c, d, t).z, nkw_bspline(a.z, b.z, c.z, d.z, t));
         expect_bits(nkw_vec3_catmull_rom(a, b, c, d, t).x, nkw_catmull_rom(a.x, b.x, c.x, d.x, t));
         nkw_weights w = nkw_cubic_weights(NKW_CUBIC_BEZIER, 0, t);
-        expect_bits(nkw_vec3_weighted_sum(w, a, b, c, d).z, nkw_weighted_sum(w, a.z, b.z, c.z, d.z));
+        const nkw_vec3_cubic all = {{a, b, c, d}};
+        expect_bits(nkw_vec3_cubic_sum(&all, w).z, weigh(w, a.z, b.z, c.z, d.z));
     }
+}
+
+/* The curve of four keys at any times. */
+static float uneven(const float times[4], float p0, float p1, float p2, float p3, float t)
+{
+    const float keys[4] = {p0, p1, p2, p3};
+    float c[4];
+    nkw_cubic_from_catmull_rom(keys, times, c);
+    return nkw_hermite(c[0], c[1], c[2], c[3], t);
 }
 
 static void nonuniform_catmull_rom_over_even_times_is_the_uniform_one(void **state)
@@ -200,8 +216,7 @@ static void nonuniform_catmull_rom_over_even_times_is_the_uniform_one(void **sta
     for (int i = 0; i < 5000; i++) {
         float c[4], t = random_unit(&r);
         draw(&r, c);
-        expect_near(nkw_catmull_rom_nonuniform(times, c[0], c[1], c[2], c[3], t),
-                    nkw_catmull_rom(c[0], c[1], c[2], c[3], t), 1e-6);
+        expect_near(uneven(times, c[0], c[1], c[2], c[3], t), nkw_catmull_rom(c[0], c[1], c[2], c[3], t), 1e-6);
     }
 }
 
@@ -226,18 +241,29 @@ static void nonuniform_catmull_rom_is_the_pyramid_of_barry_and_goldman(void **st
         for (int k = 1; k < 4; k++)
             times[k] = times[k - 1] + random_between(&r, 0.25f, 1.0f);
         double time = (double)times[1] + (double)t * ((double)times[2] - (double)times[1]);
-        expect_near(nkw_catmull_rom_nonuniform(times, c[0], c[1], c[2], c[3], t), pyramid(times, c, time), 4e-6);
+        expect_near(uneven(times, c[0], c[1], c[2], c[3], t), pyramid(times, c, time), 4e-6);
     }
 }
 
 static void tangent_without_a_duration_takes_the_other_side(void **state)
 {
     (void)state;
-    expect_bits(nkw_catmull_rom_tangent(1, 2, 4, 1, 1), 1.5f);
-    expect_bits(nkw_catmull_rom_tangent(1, 2, 4, 0, 0.5f), 4.0f);
-    expect_bits(nkw_catmull_rom_tangent(1, 2, 4, 0.5f, 0), 2.0f);
-    expect_bits(nkw_catmull_rom_tangent(1, 2, 4, 0, 0), 0.0f);
-    expect_bits(nkw_catmull_rom_tangent(1, 2, 4, -1, NAN), 0.0f);
+    const float keys[4] = {1, 2, 4, 8};
+    const float even[4] = {0, 0.5f, 1, 1.5f}, first[4] = {1, 1, 1.5f, 2}, last[4] = {0, 0.5f, 1, 1},
+                odd[4] = {2, 1, 2, NAN};
+    const float none[4] = {3, 3, 3, 3};
+    const struct {
+        const float *times;
+        float leaving, arriving;
+    } want[5] = {{even, 1.5f, 3}, {first, 2, 3}, {last, 1.5f, 2}, {odd, 2, 2}, {none, 0, 0}};
+    for (int i = 0; i < 5; i++) {
+        float c[4];
+        nkw_cubic_from_catmull_rom(keys, want[i].times, c);
+        expect_bits(c[0], 2);
+        expect_bits(c[1], want[i].leaving);
+        expect_bits(c[2], 4);
+        expect_bits(c[3], want[i].arriving);
+    }
 }
 
 static void draw_cubic(random_source *r, nkw_vec3_cubic *c)
@@ -266,33 +292,46 @@ static void conversions_keep_the_curve(void **state)
         float t = random_unit(&r);
         draw_cubic(&r, &h);
         draw_cubic(&r, &s);
-        nkw_vec3_cubic b = nkw_vec3_bezier_from_hermite(&h), back = nkw_vec3_hermite_from_bezier(&b);
+        nkw_vec3_cubic b = nkw_vec3_cubic_convert(&h, NKW_CUBIC_HERMITE, NKW_CUBIC_BEZIER),
+                       back = nkw_vec3_cubic_convert(&b, NKW_CUBIC_BEZIER, NKW_CUBIC_HERMITE);
         expect_vec3_near(bezier_at(&b, t), nkw_vec3_hermite(h.c[0], h.c[1], h.c[2], h.c[3], t), 1e-6);
         expect_cubics_near(&back, &h, 1e-6);
-        b = nkw_vec3_bezier_from_bspline(&s);
+        b = nkw_vec3_cubic_convert(&s, NKW_CUBIC_BSPLINE, NKW_CUBIC_BEZIER);
         expect_vec3_near(bezier_at(&b, t), nkw_vec3_bspline(s.c[0], s.c[1], s.c[2], s.c[3], t), 1e-6);
     }
 }
 
-static void conversions_go_by_component(void **state)
+static nkw_vec3 turned_round(nkw_vec3 v)
+{
+    nkw_vec3 r = {v.y, v.z, v.x};
+    return r;
+}
+
+static void every_kind_becomes_every_other_and_comes_back(void **state)
 {
     (void)state;
     random_source r = random_from(10);
-    nkw_vec3_cubic v, permuted;
-    draw_cubic(&r, &v);
-    for (int i = 0; i < 4; i++) {
-        nkw_vec3 c = {v.c[i].y, v.c[i].z, v.c[i].x};
-        permuted.c[i] = c;
-    }
-    nkw_vec3_cubic (*const all[3])(const nkw_vec3_cubic *) = {
-        nkw_vec3_bezier_from_hermite, nkw_vec3_hermite_from_bezier, nkw_vec3_bezier_from_bspline};
-    for (int k = 0; k < 3; k++) {
-        nkw_vec3_cubic a = all[k](&v), b = all[k](&permuted);
-        for (int i = 0; i < 4; i++) {
-            nkw_vec3 c = {a.c[i].y, a.c[i].z, a.c[i].x};
-            expect_vec3_bits(b.c[i], c);
-        }
-    }
+    for (int i = 0; i < 2000; i++)
+        for (int from = 0; from < (int)KINDS; from++)
+            for (int to = 0; to < (int)KINDS; to++) {
+                nkw_cubic_kind a = (nkw_cubic_kind)from, b = (nkw_cubic_kind)to;
+                nkw_vec3_cubic c, permuted;
+                float t = random_unit(&r);
+                draw_cubic(&r, &c);
+                nkw_vec3_cubic other = nkw_vec3_cubic_convert(&c, a, b), back = nkw_vec3_cubic_convert(&other, b, a);
+                expect_vec3_near(nkw_vec3_cubic_evaluate(&other, t, b).value, nkw_vec3_cubic_evaluate(&c, t, a).value,
+                                 6e-6);
+                expect_cubics_near(&back, &c, a == b ? 0 : 2e-5);
+                for (int k = 0; k < 4; k++)
+                    permuted.c[k] = turned_round(c.c[k]);
+                permuted = nkw_vec3_cubic_convert(&permuted, a, b);
+                for (int k = 0; k < 4; k++)
+                    expect_vec3_bits(permuted.c[k], turned_round(other.c[k]));
+            }
+    nkw_vec3_cubic c, same;
+    draw_cubic(&r, &c);
+    same = nkw_vec3_cubic_convert(&c, (nkw_cubic_kind)9, NKW_CUBIC_HERMITE);
+    expect_cubics_near(&same, &c, 0);
 }
 
 static void split_halves_meet_and_follow_the_whole(void **state)
@@ -333,7 +372,9 @@ static void tangents_of_a_parabola_are_its_slope(void **state)
         nkw_vec3 c[3] = {random_vec3(&r, -1, 1), random_vec3(&r, -1, 1), random_vec3(&r, -1, 1)};
         float h0 = random_between(&r, 0.25f, 2), h1 = random_between(&r, 0.25f, 2);
         nkw_vec3 before = parabola(c, -(double)h0), after = parabola(c, h1);
-        expect_vec3_near(nkw_vec3_catmull_rom_tangent(before, c[0], after, h0, h1), c[1], 4e-6);
+        const nkw_vec3 keys[4] = {before, c[0], after, after};
+        const float at[4] = {-h0, 0, h1, h1};
+        expect_vec3_near(nkw_vec3_scale(nkw_vec3_cubic_from_catmull_rom(keys, at).c[1], 1 / h1), c[1], 4e-6);
     }
 }
 
@@ -372,7 +413,7 @@ int main(void)
         cmocka_unit_test(nonuniform_catmull_rom_is_the_pyramid_of_barry_and_goldman),
         cmocka_unit_test(tangent_without_a_duration_takes_the_other_side),
         cmocka_unit_test(conversions_keep_the_curve),
-        cmocka_unit_test(conversions_go_by_component),
+        cmocka_unit_test(every_kind_becomes_every_other_and_comes_back),
         cmocka_unit_test(split_halves_meet_and_follow_the_whole),
         cmocka_unit_test(tangents_of_a_parabola_are_its_slope),
         cmocka_unit_test(curves_go_on_beyond_their_ends),

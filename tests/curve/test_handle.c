@@ -5,6 +5,12 @@
 #include "random.h"
 #include "support/expect.h"
 
+static float weigh(nkw_weights w, float c0, float c1, float c2, float c3)
+{
+    const nkw_vec3_cubic c = {{{c0, 0.0f, 0.0f}, {c1, 0.0f, 0.0f}, {c2, 0.0f, 0.0f}, {c3, 0.0f, 0.0f}}};
+    return nkw_vec3_cubic_sum(&c, w).x;
+}
+
 static nkw_handle_segment segment(float t0, float v0, nkw_handle out, nkw_handle in, float t1, float v1)
 {
     nkw_handle_segment s = {t0, v0, out, in, t1, v1};
@@ -72,13 +78,13 @@ static void handles_of_a_third_are_the_hermite_curve(void **state)
         float m0 = random_between(&r, -4, 4), m1 = random_between(&r, -4, 4), t = random_unit(&r);
         nkw_handle out = {h / 3.0f, m0 / 3.0f}, in = {-h / 3.0f, -m1 / 3.0f};
         nkw_handle_segment s = segment(t0, v0, out, in, t0 + h, v1);
-        nkw_motion p = nkw_handle_point(&s, t0 + h * t);
+        nkw_motion p = nkw_handle_sample(&s, t0 + h * t);
         t = ((t0 + h * t) - t0) / h;
         nkw_weights first = nkw_cubic_weights(NKW_CUBIC_HERMITE, 1, t),
                     second = nkw_cubic_weights(NKW_CUBIC_HERMITE, 2, t);
         expect_near(p.value, nkw_hermite(v0, m0, v1, m1, t), 4e-6);
-        expect_near(p.velocity * h, nkw_weighted_sum(first, v0, m0, v1, m1), 2e-5);
-        expect_near(p.acceleration * h * h, nkw_weighted_sum(second, v0, m0, v1, m1), 2e-4);
+        expect_near(p.velocity * h, weigh(first, v0, m0, v1, m1), 2e-5);
+        expect_near(p.acceleration * h * h, weigh(second, v0, m0, v1, m1), 2e-4);
     }
 }
 
@@ -88,13 +94,14 @@ static void keys_come_back_bit_for_bit_at_their_own_time(void **state)
     random_source r = random_from(2);
     for (int i = 0; i < 5000; i++) {
         nkw_handle_segment s = random_segment(&r, 2.0f);
-        expect_bits(nkw_handle_point(&s, s.time0).value, s.value0);
-        expect_bits(nkw_handle_point(&s, s.time1).value, s.value1);
+        expect_bits(nkw_handle_sample(&s, s.time0).value, s.value0);
+        expect_bits(nkw_handle_sample(&s, s.time1).value, s.value1);
         expect_bits(nkw_handle_parameter(&s, s.time0), 0.0f);
         expect_bits(nkw_handle_parameter(&s, s.time1), 1.0f);
-        expect_near(nkw_handle_point(&s, s.time0).velocity, s.out.value / s.out.time,
+        expect_near(nkw_handle_sample(&s, s.time0).velocity, s.out.value / s.out.time,
                     1e-6 * fabsf(s.out.value / s.out.time));
-        expect_near(nkw_handle_point(&s, s.time1).velocity, s.in.value / s.in.time, 1e-6 * fabsf(s.in.value / s.in.time));
+        expect_near(nkw_handle_sample(&s, s.time1).velocity, s.in.value / s.in.time,
+                    1e-6 * fabsf(s.in.value / s.in.time));
     }
 }
 
@@ -106,7 +113,7 @@ static void a_constant_curve_is_constant(void **state)
         nkw_handle_segment s = random_segment(&r, 2.0f);
         s.value1 = s.value0;
         s.out.value = s.in.value = 0.0f;
-        nkw_motion p = nkw_handle_point(&s, random_between(&r, s.time0, s.time1));
+        nkw_motion p = nkw_handle_sample(&s, random_between(&r, s.time0, s.time1));
         expect_bits(p.value, s.value0);
         expect_near(p.velocity, 0.0f, 0.0f);
     }
@@ -121,7 +128,7 @@ static void the_solver_agrees_with_bisection(void **state)
         nkw_handle_segment s = random_segment(&r, i % 2 ? 1.0f : 0.6f);
         float time = random_between(&r, s.time0, s.time1);
         long double at = solved(&s, time);
-        nkw_motion p = nkw_handle_point(&s, time);
+        nkw_motion p = nkw_handle_sample(&s, time);
         expect_near(nkw_handle_parameter(&s, time), (double)at, 1e-6);
         expect_near(p.value, (double)value_of(&s, at), 1e-5);
     }
@@ -138,7 +145,7 @@ static void derivatives_are_those_of_finite_differences(void **state)
         long double at[3], d = e * h;
         for (int k = 0; k < 3; k++)
             at[k] = value_of(&s, solved(&s, time + (k - 1) * d));
-        nkw_motion p = nkw_handle_point(&s, time);
+        nkw_motion p = nkw_handle_sample(&s, time);
         double first = (double)((at[2] - at[0]) / (2 * d)), second = (double)((at[2] - 2 * at[1] + at[0]) / (d * d));
         double size = 9.0 / h;
         expect_near(p.velocity, first, 1e-5 * (size + fabs(first)));
@@ -190,32 +197,32 @@ static void zero_length_handles_have_the_slope_of_the_next_point(void **state)
     (void)state;
     nkw_handle_segment both = unit(0, 0, 0, 0), first = unit(0, 0, 0.25f, 0.5f);
     for (int k = 0; k <= 8; k++) {
-        nkw_motion p = nkw_handle_point(&both, (float)k / 8.0f);
+        nkw_motion p = nkw_handle_sample(&both, (float)k / 8.0f);
         expect_near(p.value, (double)k / 8, 1e-7);
         expect_near(p.velocity, 1, 1e-6);
         expect_near(p.acceleration, 0, 1e-5);
     }
     /* The next control point is (0.75, 0.5). */
-    expect_near(nkw_handle_point(&first, 0.0f).velocity, 0.5f / 0.75f, 1e-6);
-    expect_bits(nkw_handle_point(&first, 0.0f).acceleration, INFINITY);
+    expect_near(nkw_handle_sample(&first, 0.0f).velocity, 0.5f / 0.75f, 1e-6);
+    expect_bits(nkw_handle_sample(&first, 0.0f).acceleration, INFINITY);
     nkw_handle_segment last = unit(0.25f, 0.5f, 0, 0), meet = unit(1, 1, 0, 0);
-    expect_near(nkw_handle_point(&last, 1.0f).velocity, 0.5f / 0.75f, 1e-6);
-    expect_bits(nkw_handle_point(&last, 1.0f).acceleration, -INFINITY);
-    expect_near(nkw_handle_point(&meet, 1.0f).velocity, 1, 1e-6);
+    expect_near(nkw_handle_sample(&last, 1.0f).velocity, 0.5f / 0.75f, 1e-6);
+    expect_bits(nkw_handle_sample(&last, 1.0f).acceleration, -INFINITY);
+    expect_near(nkw_handle_sample(&meet, 1.0f).velocity, 1, 1e-6);
 }
 
 static void vertical_tangents_have_an_infinite_slope(void **state)
 {
     (void)state;
     nkw_handle_segment up = unit(0, 0.5f, 0, 0.5f), down = unit(0, -0.5f, 0, -0.5f), inside = unit(1, 0, 1, 0);
-    expect_bits(nkw_handle_point(&up, 0.0f).velocity, INFINITY);
-    expect_bits(nkw_handle_point(&up, 1.0f).velocity, INFINITY);
-    expect_bits(nkw_handle_point(&down, 0.0f).velocity, -INFINITY);
-    expect_bits(nkw_handle_point(&down, 1.0f).velocity, -INFINITY);
-    nkw_motion middle = nkw_handle_point(&inside, 0.5f);
+    expect_bits(nkw_handle_sample(&up, 0.0f).velocity, INFINITY);
+    expect_bits(nkw_handle_sample(&up, 1.0f).velocity, INFINITY);
+    expect_bits(nkw_handle_sample(&down, 0.0f).velocity, -INFINITY);
+    expect_bits(nkw_handle_sample(&down, 1.0f).velocity, -INFINITY);
+    nkw_motion middle = nkw_handle_sample(&inside, 0.5f);
     expect_bits(middle.value, 0.5f);
     expect_bits(middle.velocity, INFINITY);
-    assert_true(nkw_handle_point(&inside, 0.50001f).velocity > 100.0f);
+    assert_true(nkw_handle_sample(&inside, 0.50001f).velocity > 100.0f);
 }
 
 static void outside_the_segment_it_holds_the_ends(void **state)
@@ -223,7 +230,7 @@ static void outside_the_segment_it_holds_the_ends(void **state)
     (void)state;
     nkw_handle_segment s = unit(0.5f, 2, 0.5f, 3);
     const float before[3] = {0, 0, 0}, after[3] = {1, 0, 0};
-    nkw_motion a = nkw_handle_point(&s, -0.1f), b = nkw_handle_point(&s, 1.1f), c = nkw_handle_point(&s, INFINITY);
+    nkw_motion a = nkw_handle_sample(&s, -0.1f), b = nkw_handle_sample(&s, 1.1f), c = nkw_handle_sample(&s, INFINITY);
     expect_floats_bits(&a.value, before, 3);
     expect_floats_bits(&b.value, after, 3);
     expect_floats_bits(&c.value, after, 3);
@@ -234,10 +241,10 @@ static void a_segment_without_a_duration_is_a_jump(void **state)
     (void)state;
     nkw_handle out = {1, 1}, in = {-1, 1};
     nkw_handle_segment empty = segment(2, 5, out, in, 2, 7), back = segment(3, 5, out, in, 2, 7), halves[2];
-    expect_bits(nkw_handle_point(&empty, 1.9f).value, 5);
-    expect_bits(nkw_handle_point(&empty, 2.0f).value, 7);
-    expect_bits(nkw_handle_point(&empty, 2.0f).velocity, 0);
-    expect_bits(nkw_handle_point(&back, 2.5f).value, 7);
+    expect_bits(nkw_handle_sample(&empty, 1.9f).value, 5);
+    expect_bits(nkw_handle_sample(&empty, 2.0f).value, 7);
+    expect_bits(nkw_handle_sample(&empty, 2.0f).velocity, 0);
+    expect_bits(nkw_handle_sample(&back, 2.5f).value, 7);
     expect_bits(nkw_handle_parameter(&back, 1.0f), 0);
     assert_int_equal(nkw_handle_runs_back(&back), 0);
     nkw_handle_split(&empty, 2.0f, &halves[0], &halves[1]);
@@ -248,15 +255,15 @@ static void nan_and_infinite_times_return_nan(void **state)
 {
     (void)state;
     nkw_handle_segment s = unit(0.5f, 0, 0.5f, 0), nan_handle = unit(NAN, 0, 0.5f, 0), far = unit(0.5f, 0, INFINITY, 0);
-    expect_nan(nkw_handle_point(&s, NAN).value);
+    expect_nan(nkw_handle_sample(&s, NAN).value);
     expect_nan(nkw_handle_parameter(&s, NAN));
-    expect_nan(nkw_handle_point(&nan_handle, 0.5f).value);
-    expect_nan(nkw_handle_point(&far, 0.5f).velocity);
+    expect_nan(nkw_handle_sample(&nan_handle, 0.5f).value);
+    expect_nan(nkw_handle_sample(&far, 0.5f).velocity);
     s.time1 = INFINITY;
-    expect_nan(nkw_handle_point(&s, 0.5f).value);
+    expect_nan(nkw_handle_sample(&s, 0.5f).value);
     s = unit(0.5f, NAN, 0.5f, 0);
-    expect_nan(nkw_handle_point(&s, 0.5f).value);
-    expect_bits(nkw_handle_point(&s, 0.0f).value, 0);
+    expect_nan(nkw_handle_sample(&s, 0.5f).value);
+    expect_bits(nkw_handle_sample(&s, 0.0f).value, 0);
 }
 
 /* Each time of a segment by itself: there is no point, no parameter, no limit, and a split leaves the whole before. */
@@ -268,7 +275,7 @@ static void each_time_of_a_segment_must_be_finite(void **state)
         nkw_handle_segment s = unit(2, 0.25f, 2, 0.25f), left, right;
         assert_int_equal(nkw_handle_runs_back(&s), 1);
         *(i % 4 == 0 ? &s.time0 : i % 4 == 1 ? &s.time1 : i % 4 == 2 ? &s.out.time : &s.in.time) = wrong[i / 4];
-        expect_nan(nkw_handle_point(&s, 0.5f).value);
+        expect_nan(nkw_handle_sample(&s, 0.5f).value);
         expect_nan(nkw_handle_parameter(&s, 0.5f));
         for (int policy = 0; policy < 5; policy++) {
             nkw_handle_segment same = nkw_handle_limit(&s, (nkw_handle_policy)policy);
@@ -300,7 +307,7 @@ static void a_curve_that_runs_back_jumps_where_it_turns(void **state)
     float before = 0.0f;
     int jumps = 0;
     for (int k = 1; k <= 1000; k++) {
-        float value = nkw_handle_point(&s, (float)k / 1000.0f).value;
+        float value = nkw_handle_sample(&s, (float)k / 1000.0f).value;
         assert_true(value > before);
         jumps += value - before > 0.1f;
         before = value;
@@ -397,9 +404,9 @@ static void openusd_shortens_the_same(void **state)
     nkw_handle_segment s = segment(156, 0, out, in, 167, 28.8f), limited = nkw_handle_limit(&s, NKW_HANDLE_KEEP_START);
     expect_near(limited.out.time, 14.666557, 2e-4);
     expect_near(-limited.in.time, 3.666557, 2e-4);
-    expect_near(nkw_handle_point(&limited, 160.049751f).value, -4.041445, 2e-4);
-    expect_near(nkw_handle_point(&limited, 163.004975f).value, -4.130118, 2e-3);
-    expect_near(nkw_handle_point(&limited, 166.507463f).value, 28.210649, 2e-4);
+    expect_near(nkw_handle_sample(&limited, 160.049751f).value, -4.041445, 2e-4);
+    expect_near(nkw_handle_sample(&limited, 163.004975f).value, -4.130118, 2e-3);
+    expect_near(nkw_handle_sample(&limited, 166.507463f).value, 28.210649, 2e-4);
     static const double contained[][2] = {{157.039801, -1.269597},
                                           {159.995025, -3.104126},
                                           {161.417910, 1.743242},
@@ -409,7 +416,7 @@ static void openusd_shortens_the_same(void **state)
     expect_bits(limited.out.time, 11);
     expect_bits(limited.in.time, -11);
     for (int i = 0; i < 5; i++) {
-        nkw_motion p = nkw_handle_point(&limited, (float)contained[i][0]);
+        nkw_motion p = nkw_handle_sample(&limited, (float)contained[i][0]);
         expect_near(p.value, contained[i][1], 2e-6 + 2e-5 * fabs(p.velocity));
     }
 }
@@ -424,7 +431,7 @@ static void both_parts_of_a_split_are_the_curve(void **state)
         nkw_handle_segment s = random_segment(&r, 1.0f), left, right;
         float at = random_between(&r, s.time0, s.time1);
         nkw_handle_split(&s, at, &left, &right);
-        expect_bits(left.value1, nkw_handle_point(&s, at).value);
+        expect_bits(left.value1, nkw_handle_sample(&s, at).value);
         expect_bits(right.value0, left.value1);
         expect_bits(left.time1, at);
         for (int k = 1; k < 8; k++) {
@@ -432,7 +439,7 @@ static void both_parts_of_a_split_are_the_curve(void **state)
             long double whole = value_of(&s, solved(&s, time));
             long double part =
                 time < at ? value_of(&left, solved(&left, time)) : value_of(&right, solved(&right, time));
-            nkw_motion p = nkw_handle_point(&s, time);
+            nkw_motion p = nkw_handle_sample(&s, time);
             /* Handles rounded to float: a time of 2^-24 of a second moves the value by its slope. */
             expect_near((double)part, (double)whole, 1e-5 + 1e-6 * fabs(p.velocity));
         }

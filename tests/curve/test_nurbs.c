@@ -16,7 +16,7 @@ static nkw_nurbs numbers(const float *points, const float *weights, const float 
 static nkw_motion at(const nkw_nurbs *c, float u)
 {
     nkw_motion p = {9, 9, 9};
-    nkw_nurbs_sample(c, u, &p.value, &p.velocity, &p.acceleration);
+    nkw_nurbs_evaluate(c, u, (nkw_motion_span){&p.value, &p.velocity, &p.acceleration});
     return p;
 }
 
@@ -29,7 +29,7 @@ static void draw(random_source *r, float *x, size_t n, float low, float high)
 /* Knots of even steps from 0 to 1, or steps of random length, now and then 0. */
 static void draw_knots(random_source *r, nkw_nurbs_knots_kind kind, size_t count, size_t degree, float *knots)
 {
-    assert_int_equal(nkw_nurbs_make_knots(kind, count, degree, 0, 1, knots), NKW_OK);
+    assert_int_equal(nkw_nurbs_make_knots(count, degree, 0, 1, kind, knots), NKW_OK);
     if (random_bits(r) % 2)
         for (size_t k = 1; k < NKW_NURBS_KNOTS(count, degree); k++)
             knots[k] = knots[k - 1] + random_between(r, 0.25f, 1.0f);
@@ -67,14 +67,14 @@ static void uniform_knots_of_degree_three_are_the_bspline(void **state)
     (void)state;
     random_source r = random_from(1);
     float points[7], knots[11];
-    assert_int_equal(nkw_nurbs_make_knots(NKW_NURBS_KNOTS_UNIFORM, 7, 3, 0, 4, knots), NKW_OK);
+    assert_int_equal(nkw_nurbs_make_knots(7, 3, 0, 4, NKW_NURBS_KNOTS_UNIFORM, knots), NKW_OK);
     for (int i = 0; i < 2000; i++) {
         draw(&r, points, 7, -1, 1);
         nkw_nurbs c = numbers(points, NULL, knots, 7, 3);
         size_t k = random_bits(&r) % 4;
         float t = random_unit(&r);
         nkw_motion p = at(&c, (float)k + t),
-                        want = nkw_cubic_point(NKW_CUBIC_BSPLINE, points + k, (float)k + t - (float)k);
+                   want = nkw_cubic_evaluate(points + k, (float)k + t - (float)k, NKW_CUBIC_BSPLINE);
         expect_near(p.value, want.value, 3e-7);
         expect_near(p.velocity, want.velocity, 3e-6);
         expect_near(p.acceleration, want.acceleration, 1e-5);
@@ -86,12 +86,12 @@ static void clamped_knots_of_four_points_are_the_bezier(void **state)
     (void)state;
     random_source r = random_from(2);
     float points[4], knots[8];
-    assert_int_equal(nkw_nurbs_make_knots(NKW_NURBS_KNOTS_CLAMPED, 4, 3, 0, 1, knots), NKW_OK);
+    assert_int_equal(nkw_nurbs_make_knots(4, 3, 0, 1, NKW_NURBS_KNOTS_CLAMPED, knots), NKW_OK);
     for (int i = 0; i < 2000; i++) {
         draw(&r, points, 4, -1, 1);
         nkw_nurbs c = numbers(points, NULL, knots, 4, 3);
         float t = random_unit(&r);
-        nkw_motion p = at(&c, t), want = nkw_cubic_point(NKW_CUBIC_BEZIER, points, t);
+        nkw_motion p = at(&c, t), want = nkw_cubic_evaluate(points, t, NKW_CUBIC_BEZIER);
         expect_near(p.value, want.value, 3e-7);
         expect_near(p.velocity, want.velocity, 1e-6);
         expect_near(p.acceleration, want.acceleration, 4e-6);
@@ -107,7 +107,7 @@ static void clamped_ends_are_control_points(void **state)
         size_t degree = random_bits(&r) % (NKW_NURBS_DEGREE + 1), count = degree + 1 + random_bits(&r) % 8;
         draw(&r, points, count, -1, 1);
         draw(&r, weights, count, 0.25f, 4);
-        assert_int_equal(nkw_nurbs_make_knots(NKW_NURBS_KNOTS_CLAMPED, count, degree, -2, 3, knots), NKW_OK);
+        assert_int_equal(nkw_nurbs_make_knots(count, degree, -2, 3, NKW_NURBS_KNOTS_CLAMPED, knots), NKW_OK);
         nkw_nurbs c = numbers(points, weights, knots, count, degree);
         assert_int_equal(nkw_nurbs_validate(&c, NULL), NKW_OK);
         expect_bits(at(&c, -2).value, points[0]);
@@ -129,7 +129,7 @@ static void a_circle_is_round(void **state)
     assert_int_equal(nkw_nurbs_validate(&circle, NULL), NKW_OK);
     for (int i = 0; i <= 1000; i++) {
         float u = 4 * (float)i / 1000, p[2], v[2];
-        nkw_nurbs_sample(&circle, u, p, v, NULL);
+        nkw_nurbs_evaluate(&circle, u, (nkw_motion_span){p, v, NULL});
         expect_near(sqrt((double)p[0] * (double)p[0] + (double)p[1] * (double)p[1]), 1, 1.5e-7);
         expect_near((double)p[0] * (double)v[0] + (double)p[1] * (double)v[1], 0, 5e-7);
     }
@@ -210,7 +210,7 @@ static void derivatives_are_slopes(void **state)
         draw(&r, points, count, -1, 1);
         draw(&r, weights, count, 0.5f, 2);
         assert_int_equal(
-            nkw_nurbs_make_knots(NKW_NURBS_KNOTS_CLAMPED, count, degree, 0, (float)(count - degree), knots), NKW_OK);
+            nkw_nurbs_make_knots(count, degree, 0, (float)(count - degree), NKW_NURBS_KNOTS_CLAMPED, knots), NKW_OK);
         nkw_nurbs c = numbers(points, weights, knots, count, degree);
         float u = (float)(random_bits(&r) % (count - degree)) + 0x1p-8f + (float)(random_bits(&r) % 253) / 256;
         nkw_motion p = at(&c, u), before = at(&c, u - h), after = at(&c, u + h);
@@ -259,13 +259,13 @@ static void vectors_go_by_component_and_stride(void **state)
             y[k] = points[4 * k + 1];
         nkw_nurbs c = {points, weights, knots, 7, 3, 3, 4}, one = numbers(y, weights, knots, 7, 3);
         float u = nkw_lerp(knots[3], knots[7], random_unit(&r));
-        nkw_nurbs_sample(&c, u, p, v, a);
+        nkw_nurbs_evaluate(&c, u, (nkw_motion_span){p, v, a});
         nkw_motion want = at(&one, u);
         expect_bits(p[1], want.value);
         expect_bits(v[1], want.velocity);
         expect_bits(a[1], want.acceleration);
         float again[3];
-        nkw_nurbs_sample(&c, u, again, NULL, NULL);
+        nkw_nurbs_evaluate(&c, u, (nkw_motion_span){again, NULL, NULL});
         expect_floats_bits(again, p, 3);
     }
 }
@@ -341,21 +341,21 @@ static void knots_are_even_and_refuse_bad_shapes(void **state)
     (void)state;
     static const float clamped[8] = {1, 1, 1, 2, 3, 4, 4, 4}, uniform[8] = {-1, 0, 1, 2, 3, 4, 5, 6};
     float knots[8];
-    assert_int_equal(nkw_nurbs_make_knots(NKW_NURBS_KNOTS_CLAMPED, 5, 2, 1, 4, knots), NKW_OK);
+    assert_int_equal(nkw_nurbs_make_knots(5, 2, 1, 4, NKW_NURBS_KNOTS_CLAMPED, knots), NKW_OK);
     expect_floats_bits(knots, clamped, 8);
-    assert_int_equal(nkw_nurbs_make_knots((nkw_nurbs_knots_kind)7, 5, 2, 1, 4, knots), NKW_OK);
+    assert_int_equal(nkw_nurbs_make_knots(5, 2, 1, 4, (nkw_nurbs_knots_kind)7, knots), NKW_OK);
     expect_floats_bits(knots, clamped, 8);
-    assert_int_equal(nkw_nurbs_make_knots(NKW_NURBS_KNOTS_UNIFORM, 5, 2, 1, 4, knots), NKW_OK);
+    assert_int_equal(nkw_nurbs_make_knots(5, 2, 1, 4, NKW_NURBS_KNOTS_UNIFORM, knots), NKW_OK);
     expect_floats_bits(knots, uniform, 8);
-    assert_int_equal(nkw_nurbs_make_knots(NKW_NURBS_KNOTS_UNIFORM, 5, 2, -3e38f, 3e38f, knots), NKW_OK);
+    assert_int_equal(nkw_nurbs_make_knots(5, 2, -3e38f, 3e38f, NKW_NURBS_KNOTS_UNIFORM, knots), NKW_OK);
     expect_bits(knots[0], -FLT_MAX);
     expect_bits(knots[7], FLT_MAX);
-    assert_int_equal(nkw_nurbs_make_knots(NKW_NURBS_KNOTS_CLAMPED, 5, 16, 1, 4, knots), NKW_TOO_MANY);
-    assert_int_equal(nkw_nurbs_make_knots(NKW_NURBS_KNOTS_CLAMPED, 2, 2, 1, 4, knots), NKW_TOO_SMALL);
-    assert_int_equal(nkw_nurbs_make_knots(NKW_NURBS_KNOTS_CLAMPED, 5, 2, NAN, 4, knots), NKW_NOT_FINITE);
-    assert_int_equal(nkw_nurbs_make_knots(NKW_NURBS_KNOTS_CLAMPED, 5, 2, 1, INFINITY, knots), NKW_NOT_FINITE);
-    assert_int_equal(nkw_nurbs_make_knots(NKW_NURBS_KNOTS_CLAMPED, 5, 2, 1, NAN, knots), NKW_NOT_FINITE);
-    assert_int_equal(nkw_nurbs_make_knots(NKW_NURBS_KNOTS_CLAMPED, 5, 2, 4, 4, knots), NKW_NOT_ASCENDING);
+    assert_int_equal(nkw_nurbs_make_knots(5, 16, 1, 4, NKW_NURBS_KNOTS_CLAMPED, knots), NKW_TOO_MANY);
+    assert_int_equal(nkw_nurbs_make_knots(2, 2, 1, 4, NKW_NURBS_KNOTS_CLAMPED, knots), NKW_TOO_SMALL);
+    assert_int_equal(nkw_nurbs_make_knots(5, 2, NAN, 4, NKW_NURBS_KNOTS_CLAMPED, knots), NKW_NOT_FINITE);
+    assert_int_equal(nkw_nurbs_make_knots(5, 2, 1, INFINITY, NKW_NURBS_KNOTS_CLAMPED, knots), NKW_NOT_FINITE);
+    assert_int_equal(nkw_nurbs_make_knots(5, 2, 1, NAN, NKW_NURBS_KNOTS_CLAMPED, knots), NKW_NOT_FINITE);
+    assert_int_equal(nkw_nurbs_make_knots(5, 2, 4, 4, NKW_NURBS_KNOTS_CLAMPED, knots), NKW_NOT_ASCENDING);
 }
 
 int main(void)

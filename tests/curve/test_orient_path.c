@@ -125,7 +125,7 @@ static void turns_between_equal_rotations_are_about_local_z(void **state)
         nkw_quat want = nkw_quat_mul(q, about(z, 4.0 * 3.14159265358979 * (double)t));
         expect_rotation_near(nkw_quat_slerp_path(q, q, t, NKW_PATH_SHORT, 2), want, 2e-6);
         expect_rotation_near(nkw_quat_nlerp_path(q, q, t, NKW_PATH_SHORT, 2), want, 2e-6);
-        assert_int_equal(nkw_quat_turns(q, q, NKW_PATH_SHORT, z), 0);
+        assert_int_equal(nkw_quat_turns(q, q, z, NKW_PATH_SHORT), 0);
     }
 }
 
@@ -140,7 +140,7 @@ static void turns_are_those_of_the_expected_rotation(void **state)
         int32_t k = (int32_t)(random_bits(&r) % 41) - 20;
         nkw_quat b = nkw_quat_mul(about(axis, (double)angle), a);
         float total = angle + 2.0f * PI * (float)k + random_between(&r, -2.9f, 2.9f);
-        assert_int_equal(nkw_quat_turns(a, b, NKW_PATH_SHORT, nkw_vec3_scale(axis, total)), k);
+        assert_int_equal(nkw_quat_turns(a, b, nkw_vec3_scale(axis, total), NKW_PATH_SHORT), k);
     }
 }
 
@@ -149,11 +149,11 @@ static void turns_of_anything_are_defined(void **state)
     (void)state;
     const nkw_quat a = {0, 0, 0, 1}, b = {0.6f, 0, 0, 0.8f}, zero = {0, 0, 0, 0};
     const nkw_vec3 far = {3e38f, 0, 0}, back = {-3e38f, 0, 0}, odd = {NAN, 0, 0}, infinite = {INFINITY, 0, 0};
-    assert_int_equal(nkw_quat_turns(a, b, NKW_PATH_SHORT, far), 1 << 29);
-    assert_int_equal(nkw_quat_turns(a, b, NKW_PATH_SHORT, back), -(1 << 29));
-    assert_int_equal(nkw_quat_turns(a, b, NKW_PATH_SHORT, odd), 0);
-    assert_int_equal(nkw_quat_turns(a, b, NKW_PATH_SHORT, infinite), 0);
-    assert_int_equal(nkw_quat_turns(zero, zero, NKW_PATH_SHORT, far), 0);
+    assert_int_equal(nkw_quat_turns(a, b, far, NKW_PATH_SHORT), 1 << 29);
+    assert_int_equal(nkw_quat_turns(a, b, back, NKW_PATH_SHORT), -(1 << 29));
+    assert_int_equal(nkw_quat_turns(a, b, odd, NKW_PATH_SHORT), 0);
+    assert_int_equal(nkw_quat_turns(a, b, infinite, NKW_PATH_SHORT), 0);
+    assert_int_equal(nkw_quat_turns(zero, zero, far, NKW_PATH_SHORT), 0);
 }
 
 int main(void)

@@ -46,7 +46,7 @@ static double chords(nkw_cubic_kind kind, const nkw_vec3_cubic *c, double from, 
     const int n = 20000;
     for (int i = 0; i < n; i++) {
         double t = from + (to - from) * (i + 0.5) / n;
-        nkw_vec3 v = nkw_vec3_cubic_point(kind, c, (float)t).velocity;
+        nkw_vec3 v = nkw_vec3_cubic_evaluate(c, (float)t, kind).velocity;
         sum += sqrt((double)v.x * (double)v.x + (double)v.y * (double)v.y + (double)v.z * (double)v.z);
     }
     return sum * (to - from) / n;
@@ -61,9 +61,9 @@ static void length_of_a_line_is_its_distance(void **state)
         nkw_vec3 a = random_vec3(&r, -9, 9), b = random_vec3(&r, -9, 9), f = nkw_vec3_sub(b, a);
         nkw_vec3_cubic even = cubic(a, f, b, f), resting = cubic(a, zero, b, zero);
         float distance = nkw_vec3_distance(a, b);
-        expect_near(nkw_vec3_cubic_length(NKW_CUBIC_HERMITE, &even, 0, 1), distance, 3e-6);
-        expect_near(nkw_vec3_cubic_length(NKW_CUBIC_HERMITE, &resting, 0, 1), distance, 3e-6);
-        expect_near(nkw_vec3_cubic_length(NKW_CUBIC_HERMITE, &even, 0.25f, 0.75f), distance / 2, 3e-6);
+        expect_near(nkw_vec3_cubic_length(&even, 0, 1, NKW_CUBIC_HERMITE), distance, 3e-6);
+        expect_near(nkw_vec3_cubic_length(&resting, 0, 1, NKW_CUBIC_HERMITE), distance, 3e-6);
+        expect_near(nkw_vec3_cubic_length(&even, 0.25f, 0.75f, NKW_CUBIC_HERMITE), distance / 2, 3e-6);
     }
 }
 
@@ -72,18 +72,18 @@ static void lengths_in_closed_form_come_out(void **state)
     (void)state;
     /* (t, t^2): sqrt(5)/2 + asinh(2)/4 */
     nkw_vec3_cubic parabola = cubic(vec3(0, 0, 0), vec3(1, 0, 0), vec3(1, 1, 0), vec3(1, 2, 0));
-    expect_near(nkw_vec3_cubic_length(NKW_CUBIC_HERMITE, &parabola, 0, 1), 1.4789428575445975, 1e-7);
+    expect_near(nkw_vec3_cubic_length(&parabola, 0, 1, NKW_CUBIC_HERMITE), 1.4789428575445975, 1e-7);
     /* A cusp at t = 1/2: 2 sqrt(2) - 1 */
     nkw_vec3_cubic cusp = cubic(vec3(0, 0, 0), vec3(1, 1, 0), vec3(0, 1, 0), vec3(1, 0, 0));
-    expect_near(nkw_vec3_cubic_length(NKW_CUBIC_BEZIER, &cusp, 0, 1), 1.8284271247461903, 1e-7);
+    expect_near(nkw_vec3_cubic_length(&cusp, 0, 1, NKW_CUBIC_BEZIER), 1.8284271247461903, 1e-7);
     double after = chords(NKW_CUBIC_BEZIER, &cusp, 0.5, 1);
-    expect_near(nkw_vec3_cubic_length(NKW_CUBIC_BEZIER, &cusp, 0.495f, 1),
+    expect_near(nkw_vec3_cubic_length(&cusp, 0.495f, 1, NKW_CUBIC_BEZIER),
                 chords(NKW_CUBIC_BEZIER, &cusp, (double)0.495f, 0.5) + after, 1e-7);
     /* x = 6t - 15t^2 + 10t^3 turns at t = (1 -+ sqrt(1/5))/2: 1/sqrt(5) forward, again back, and 1 more */
     nkw_vec3_cubic back = cubic(vec3(0, 0, 0), vec3(2, 0, 0), vec3(-1, 0, 0), vec3(1, 0, 0));
     double low = 0.5 * (1 - sqrt(0.2)), high = 1 - low;
     double at_low = low * (6 + low * (-15 + 10 * low)), at_high = high * (6 + high * (-15 + 10 * high));
-    expect_near(nkw_vec3_cubic_length(NKW_CUBIC_BEZIER, &back, 0, 1), 2 * (at_low - at_high) + 1, 2e-7);
+    expect_near(nkw_vec3_cubic_length(&back, 0, 1, NKW_CUBIC_BEZIER), 2 * (at_low - at_high) + 1, 2e-7);
 }
 
 static void length_is_that_of_many_chords(void **state)
@@ -93,8 +93,8 @@ static void length_is_that_of_many_chords(void **state)
     for (int i = 0; i < 40; i++) {
         nkw_vec3_cubic c = draw(&r);
         nkw_cubic_kind kind = (nkw_cubic_kind)(i % 4);
-        expect_near(nkw_vec3_cubic_length(kind, &c, 0, 1), chords(kind, &c, 0, 1), 3e-6);
-        expect_near(nkw_vec3_cubic_length(kind, &c, 0.125f, 1.5f), chords(kind, &c, 0.125, 1.5), 3e-5);
+        expect_near(nkw_vec3_cubic_length(&c, 0, 1, kind), chords(kind, &c, 0, 1), 3e-6);
+        expect_near(nkw_vec3_cubic_length(&c, 0.125f, 1.5f, kind), chords(kind, &c, 0.125, 1.5), 3e-5);
     }
 }
 
@@ -125,9 +125,9 @@ static void stretches_that_run_back_count(void **state)
     const nkw_vec3 x = {1, 0, 0};
     const float bezier[4] = {0, 3.5f, -3.5f, 10}, hermite[4] = {0, -0.5f, 10, -0.5f}, equal[4] = {2, 2, 2, 2};
     nkw_vec3_cubic a = along(x, bezier), b = along(x, hermite), c = along(x, equal);
-    expect_near(nkw_vec3_cubic_length(NKW_CUBIC_BEZIER, &a, 0, 1), 10.01927186, 6e-7);
-    expect_near(nkw_vec3_cubic_length(NKW_CUBIC_HERMITE, &b, 0, 1), 10.00797901, 6e-7);
-    expect_bits(nkw_vec3_cubic_length(NKW_CUBIC_CATMULL_ROM, &c, 0, 1), 0);
+    expect_near(nkw_vec3_cubic_length(&a, 0, 1, NKW_CUBIC_BEZIER), 10.01927186, 6e-7);
+    expect_near(nkw_vec3_cubic_length(&b, 0, 1, NKW_CUBIC_HERMITE), 10.00797901, 6e-7);
+    expect_bits(nkw_vec3_cubic_length(&c, 0, 1, NKW_CUBIC_CATMULL_ROM), 0);
 }
 
 /* Of Catmull-Rom segments through round keys on a line, also beside it by less than a ten-thousandth. */
@@ -145,11 +145,12 @@ static void lengths_on_a_line_are_those_of_its_stretches(void **state)
         c.c[i / 2 % 4].x = beside;
         nkw_polycurve curve = {&c, 1, NKW_CUBIC_CATMULL_ROM};
         double near = 1.5 * U * want + 2e-9 + (want > 0 ? 4 * pow((double)beside, 1.5) : 2 * (double)beside);
-        expect_near(nkw_vec3_cubic_length(NKW_CUBIC_CATMULL_ROM, &c, 0, 1), want, near);
+        expect_near(nkw_vec3_cubic_length(&c, 0, 1, NKW_CUBIC_CATMULL_ROM), want, near);
         assert_int_equal(nkw_polycurve_measure(&curve, STEPS, lengths, STEPS + 1), NKW_OK);
         expect_near(lengths[STEPS], want, near);
-        nkw_segment at = nkw_polycurve_at_length(&curve, lengths, STEPS, 0.75f * lengths[STEPS]);
-        expect_near(nkw_vec3_cubic_length(NKW_CUBIC_CATMULL_ROM, &c, 0, at.t), 0.75 * want, 3 * U * want + near);
+        nkw_segment at =
+            nkw_polycurve_at_length(&curve, lengths, NKW_POLYCURVE_LENGTHS(curve.count, STEPS), 0.75f * lengths[STEPS]);
+        expect_near(nkw_vec3_cubic_length(&c, 0, at.t, NKW_CUBIC_CATMULL_ROM), 0.75 * want, 3 * U * want + near);
     }
 }
 
@@ -165,7 +166,7 @@ static void a_cusp_anywhere_is_integrated(void **state)
         nkw_vec3 f = nkw_vec3_add(nkw_vec3_scale(a, 0.5f - s), nkw_vec3_scale(b, 1 / 3.0f - 0.5f * s));
         nkw_vec3_cubic c = cubic(zero, v0, f, v1);
         double want = chords(NKW_CUBIC_HERMITE, &c, 0, s) + chords(NKW_CUBIC_HERMITE, &c, s, 1);
-        expect_near(nkw_vec3_cubic_length(NKW_CUBIC_HERMITE, &c, 0, 1), want, 2e-7);
+        expect_near(nkw_vec3_cubic_length(&c, 0, 1, NKW_CUBIC_HERMITE), want, 2e-7);
     }
 }
 
@@ -175,12 +176,12 @@ static void lengths_of_parts_add_and_backward_is_negative(void **state)
     random_source r = random_from(3);
     for (int i = 0; i < 400; i++) {
         nkw_vec3_cubic c = draw(&r);
-        float t = random_unit(&r), whole = nkw_vec3_cubic_length(NKW_CUBIC_BEZIER, &c, 0, 1);
-        double parts = (double)nkw_vec3_cubic_length(NKW_CUBIC_BEZIER, &c, 0, t) +
-                       (double)nkw_vec3_cubic_length(NKW_CUBIC_BEZIER, &c, t, 1);
+        float t = random_unit(&r), whole = nkw_vec3_cubic_length(&c, 0, 1, NKW_CUBIC_BEZIER);
+        double parts = (double)nkw_vec3_cubic_length(&c, 0, t, NKW_CUBIC_BEZIER) +
+                       (double)nkw_vec3_cubic_length(&c, t, 1, NKW_CUBIC_BEZIER);
         expect_near(whole, parts, 2e-7 * (double)whole);
-        expect_near(nkw_vec3_cubic_length(NKW_CUBIC_BEZIER, &c, 1, 0), -(double)whole, 1e-7 * (double)whole);
-        expect_bits(nkw_vec3_cubic_length(NKW_CUBIC_BEZIER, &c, t, t), 0);
+        expect_near(nkw_vec3_cubic_length(&c, 1, 0, NKW_CUBIC_BEZIER), -(double)whole, 1e-7 * (double)whole);
+        expect_bits(nkw_vec3_cubic_length(&c, t, t, NKW_CUBIC_BEZIER), 0);
     }
 }
 
@@ -190,11 +191,11 @@ static void length_of_a_point_is_zero_and_of_nan_is_nan(void **state)
     nkw_vec3 p = {1, 2, 3};
     nkw_vec3_cubic point = cubic(p, p, p, p), bad = cubic(p, p, vec3(NAN, 0, 0), p),
                    far = cubic(p, p, p, vec3(INFINITY, 0, 0));
-    expect_bits(nkw_vec3_cubic_length(NKW_CUBIC_BEZIER, &point, 0, 1), 0);
-    expect_nan(nkw_vec3_cubic_length(NKW_CUBIC_BEZIER, &bad, 0, 1));
-    expect_nan(nkw_vec3_cubic_length(NKW_CUBIC_BEZIER, &far, 0, 1));
+    expect_bits(nkw_vec3_cubic_length(&point, 0, 1, NKW_CUBIC_BEZIER), 0);
+    expect_nan(nkw_vec3_cubic_length(&bad, 0, 1, NKW_CUBIC_BEZIER));
+    expect_nan(nkw_vec3_cubic_length(&far, 0, 1, NKW_CUBIC_BEZIER));
     bad = cubic(p, p, vec3(1, 0, 0), p);
-    expect_nan(nkw_vec3_cubic_length(NKW_CUBIC_BEZIER, &bad, 0, NAN));
+    expect_nan(nkw_vec3_cubic_length(&bad, 0, NAN, NKW_CUBIC_BEZIER));
 }
 
 static void table_has_the_lengths_of_all_parts(void **state)
@@ -210,7 +211,7 @@ static void table_has_the_lengths_of_all_parts(void **state)
         assert_int_equal(nkw_polycurve_measure(&curve, STEPS, lengths, ENTRIES), NKW_OK);
         expect_bits(lengths[0], 0);
         for (size_t k = 0; k < SEGMENTS; k++) {
-            sum += (double)nkw_vec3_cubic_length(NKW_CUBIC_BEZIER, &chain[k], 0, 1);
+            sum += (double)nkw_vec3_cubic_length(&chain[k], 0, 1, NKW_CUBIC_BEZIER);
             expect_near(lengths[(k + 1) * STEPS], sum, 1e-6 * sum);
         }
     }
@@ -230,10 +231,11 @@ static void places_at_a_length_have_it(void **state)
         float total = lengths[SEGMENTS * steps];
         for (int j = 0; j <= 20; j++) {
             float length = total * (float)j / 20;
-            nkw_segment at = nkw_polycurve_at_length(&curve, lengths, steps, length);
+            nkw_segment at =
+                nkw_polycurve_at_length(&curve, lengths, NKW_POLYCURVE_LENGTHS(curve.count, steps), length);
             assert_true(at.index < SEGMENTS && at.t >= 0 && at.t <= 1);
             double reached = (double)lengths[at.index * steps] +
-                             (double)nkw_vec3_cubic_length(NKW_CUBIC_BEZIER, &chain[at.index], 0, at.t);
+                             (double)nkw_vec3_cubic_length(&chain[at.index], 0, at.t, NKW_CUBIC_BEZIER);
             expect_near(reached, length, 2.5e-7 * (double)total);
         }
     }
@@ -250,21 +252,21 @@ static void ends_and_other_lengths_are_places_of_the_curve(void **state)
     assert_int_equal(nkw_polycurve_measure(&curve, STEPS, lengths, ENTRIES), NKW_OK);
     const float starts[4] = {0, -1, -INFINITY, NAN}, ends[3] = {lengths[ENTRIES - 1], 1e9f, INFINITY};
     for (size_t i = 0; i < 4; i++) {
-        nkw_segment at = nkw_polycurve_at_length(&curve, lengths, STEPS, starts[i]);
+        nkw_segment at = nkw_polycurve_at_length(&curve, lengths, NKW_POLYCURVE_LENGTHS(curve.count, STEPS), starts[i]);
         assert_int_equal(at.index, 0);
         expect_bits(at.t, 0);
     }
     for (size_t i = 0; i < 3; i++) {
-        nkw_segment at = nkw_polycurve_at_length(&curve, lengths, STEPS, ends[i]);
+        nkw_segment at = nkw_polycurve_at_length(&curve, lengths, NKW_POLYCURVE_LENGTHS(curve.count, STEPS), ends[i]);
         assert_int_equal(at.index, SEGMENTS - 1);
         expect_bits(at.t, 1);
     }
-    expect_bits(nkw_polycurve_at_length(&none, lengths, STEPS, 1).t, 0);
-    expect_bits(nkw_polycurve_at_length(&curve, lengths, 0, 1).t, 0);
+    expect_bits(nkw_polycurve_at_length(&none, lengths, NKW_POLYCURVE_LENGTHS(none.count, STEPS), 1).t, 0);
+    expect_bits(nkw_polycurve_at_length(&curve, lengths, NKW_POLYCURVE_LENGTHS(curve.count, 0), 1).t, 0);
     for (size_t i = 0; i < ENTRIES; i++)
         lengths[i] = i % 3 ? (float)i : NAN;
     for (int i = 0; i < 40; i++) {
-        nkw_segment at = nkw_polycurve_at_length(&curve, lengths, STEPS, (float)i);
+        nkw_segment at = nkw_polycurve_at_length(&curve, lengths, NKW_POLYCURVE_LENGTHS(curve.count, STEPS), (float)i);
         assert_true(at.index < SEGMENTS && at.t >= 0 && at.t <= 1);
     }
 }
@@ -278,11 +280,11 @@ static void a_curve_that_stands_still_has_places(void **state)
     nkw_polycurve curve = {still, 3, NKW_CUBIC_BEZIER}, point = {still, 1, NKW_CUBIC_BEZIER};
     assert_int_equal(nkw_polycurve_measure(&curve, 1, lengths, 4), NKW_OK);
     expect_near(lengths[3], 1, 1e-7);
-    nkw_segment at = nkw_polycurve_at_length(&curve, lengths, 1, 0.5f);
+    nkw_segment at = nkw_polycurve_at_length(&curve, lengths, NKW_POLYCURVE_LENGTHS(curve.count, 1), 0.5f);
     assert_int_equal(at.index, 1);
     expect_near(at.t, 0.5, 1e-7);
     assert_int_equal(nkw_polycurve_measure(&point, 1, lengths, 2), NKW_OK);
-    at = nkw_polycurve_at_length(&point, lengths, 1, 0.5f);
+    at = nkw_polycurve_at_length(&point, lengths, NKW_POLYCURVE_LENGTHS(point.count, 1), 0.5f);
     assert_int_equal(at.index, 0);
 }
 
@@ -313,11 +315,11 @@ static void points_of_a_polycurve_are_those_of_its_segments(void **state)
     draw_chain(&r, chain);
     nkw_polycurve curve = {chain, SEGMENTS, NKW_CUBIC_BEZIER}, none = {chain, 0, NKW_CUBIC_BEZIER};
     nkw_segment at = {2, 0.25f}, beyond = {99, 0.25f};
-    expect_vec3_bits(nkw_polycurve_point(&curve, at).value,
-                     nkw_vec3_cubic_point(NKW_CUBIC_BEZIER, &chain[2], 0.25f).value);
-    expect_vec3_bits(nkw_polycurve_point(&curve, beyond).acceleration,
-                     nkw_vec3_cubic_point(NKW_CUBIC_BEZIER, &chain[SEGMENTS - 1], 0.25f).acceleration);
-    expect_vec3_bits(nkw_polycurve_point(&none, at).value, vec3(0, 0, 0));
+    expect_vec3_bits(nkw_polycurve_evaluate(&curve, at).value,
+                     nkw_vec3_cubic_evaluate(&chain[2], 0.25f, NKW_CUBIC_BEZIER).value);
+    expect_vec3_bits(nkw_polycurve_evaluate(&curve, beyond).acceleration,
+                     nkw_vec3_cubic_evaluate(&chain[SEGMENTS - 1], 0.25f, NKW_CUBIC_BEZIER).acceleration);
+    expect_vec3_bits(nkw_polycurve_evaluate(&none, at).value, vec3(0, 0, 0));
 }
 
 /* Sums over the polyline: the distance of each point of the curve to the chord of its interval. */
@@ -328,7 +330,7 @@ static double farthest(const nkw_polycurve *curve, const nkw_vec3 *points, size_
     for (size_t k = 0; k < curve->count; k++)
         for (int i = 0; i <= 2000; i++) {
             nkw_segment at = {k, (float)i / 2000};
-            nkw_vec3 p = nkw_polycurve_point(curve, at).value;
+            nkw_vec3 p = nkw_polycurve_evaluate(curve, at).value;
             double best = 1e30;
             /* The chords only advance. */
             for (size_t c = chord; c + 1 < count && c < chord + 3; c++) {
@@ -358,10 +360,11 @@ static void polylines_stay_within_the_tolerance(void **state)
         size_t count;
         if (curve.kind != NKW_CUBIC_BEZIER)
             curve.count = 1; /* others do not join */
-        assert_int_equal(nkw_polycurve_flatten(&curve, tolerance, points, &count, 4096), NKW_OK);
+        assert_int_equal(nkw_polycurve_flatten(&curve, tolerance, points, 4096, &count), NKW_OK);
         assert_true(farthest(&curve, points, count) <= (double)tolerance + 2e-6);
-        expect_vec3_near(points[0], nkw_vec3_cubic_point(curve.kind, chain, 0).value, 1e-6);
-        expect_vec3_near(points[count - 1], nkw_vec3_cubic_point(curve.kind, chain + curve.count - 1, 1).value, 1e-6);
+        expect_vec3_near(points[0], nkw_vec3_cubic_evaluate(chain, 0, curve.kind).value, 1e-6);
+        expect_vec3_near(points[count - 1], nkw_vec3_cubic_evaluate(chain + curve.count - 1, 1, curve.kind).value,
+                         1e-6);
     }
 }
 
@@ -375,16 +378,16 @@ static void polylines_join_and_count(void **state)
     lines[2] = cubic(p[0], p[1], p[2], p[3]);
     nkw_polycurve curve = {lines, 3, NKW_CUBIC_BEZIER};
     size_t count = 99;
-    assert_int_equal(nkw_polycurve_flatten(&curve, 0.01f, points, &count, 8), NKW_OK);
+    assert_int_equal(nkw_polycurve_flatten(&curve, 0.01f, points, 8, &count), NKW_OK);
     assert_int_equal(count, 5); /* the third begins elsewhere */
     expect_vec3_bits(points[1], p[3]);
     expect_vec3_bits(points[2], vec3(6, 0, 0));
     expect_vec3_bits(points[3], p[0]);
     points[2] = vec3(9, 9, 9);
-    assert_int_equal(nkw_polycurve_flatten(&curve, 0.01f, points, &count, 2), NKW_TOO_SMALL);
+    assert_int_equal(nkw_polycurve_flatten(&curve, 0.01f, points, 2, &count), NKW_TOO_SMALL);
     assert_int_equal(count, 5);
     expect_vec3_bits(points[2], vec3(9, 9, 9));
-    assert_int_equal(nkw_polycurve_flatten(&curve, 0.01f, NULL, &count, 0), NKW_TOO_SMALL);
+    assert_int_equal(nkw_polycurve_flatten(&curve, 0.01f, NULL, 0, &count), NKW_TOO_SMALL);
     assert_int_equal(count, 5);
 }
 
@@ -401,11 +404,11 @@ static void joints_of_bsplines_are_one_point(void **state)
         two[0] = cubic(p[0], p[1], p[2], p[3]);
         two[1] = cubic(p[1], p[2], p[3], p[4]);
         nkw_polycurve curve = {two, 2, i % 2 ? NKW_CUBIC_BSPLINE : NKW_CUBIC_CATMULL_ROM};
-        assert_int_equal(nkw_polycurve_flatten(&curve, 0.01f, points, &whole, 512), NKW_OK);
+        assert_int_equal(nkw_polycurve_flatten(&curve, 0.01f, points, 512, &whole), NKW_OK);
         curve.count = 1;
-        nkw_polycurve_flatten(&curve, 0.01f, points, &first, 512);
+        nkw_polycurve_flatten(&curve, 0.01f, points, 512, &first);
         curve.cubics = two + 1;
-        nkw_polycurve_flatten(&curve, 0.01f, points, &second, 512);
+        nkw_polycurve_flatten(&curve, 0.01f, points, 512, &second);
         assert_int_equal(whole, first + second - 1);
     }
 }
@@ -419,14 +422,14 @@ static void flatten_checks_its_arguments(void **state)
     size_t count = 99;
     draw_chain(&r, chain);
     nkw_polycurve curve = {chain, SEGMENTS, NKW_CUBIC_BEZIER}, none = {chain, 0, NKW_CUBIC_BEZIER};
-    assert_int_equal(nkw_polycurve_flatten(&none, 1, points, &count, 8), NKW_EMPTY);
+    assert_int_equal(nkw_polycurve_flatten(&none, 1, points, 8, &count), NKW_EMPTY);
     assert_int_equal(count, 0);
-    assert_int_equal(nkw_polycurve_flatten(&curve, 0, points, &count, 8), NKW_OUT_OF_RANGE);
-    assert_int_equal(nkw_polycurve_flatten(&curve, NAN, points, &count, 8), NKW_OUT_OF_RANGE);
-    assert_int_equal(nkw_polycurve_flatten(&curve, 1e-20f, points, &count, 8), NKW_TOO_MANY);
+    assert_int_equal(nkw_polycurve_flatten(&curve, 0, points, 8, &count), NKW_OUT_OF_RANGE);
+    assert_int_equal(nkw_polycurve_flatten(&curve, NAN, points, 8, &count), NKW_OUT_OF_RANGE);
+    assert_int_equal(nkw_polycurve_flatten(&curve, 1e-20f, points, 8, &count), NKW_TOO_MANY);
     assert_int_equal(count, 0);
     chain[2].c[2].y = INFINITY;
-    assert_int_equal(nkw_polycurve_flatten(&curve, 1, points, &count, 8), NKW_NOT_FINITE);
+    assert_int_equal(nkw_polycurve_flatten(&curve, 1, points, 8, &count), NKW_NOT_FINITE);
     assert_int_equal(count, 0);
 }
 

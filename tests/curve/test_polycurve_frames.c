@@ -6,6 +6,12 @@
 
 #define MOST 513
 
+static nkw_curve_frame frame_from_up(nkw_vec3 tangent, nkw_vec3 up)
+{
+    const nkw_vec3_motion point = {{0, 0, 0}, tangent, {0, 0, 0}};
+    return nkw_curve_frame_frenet(&point, up);
+}
+
 static nkw_vec3 vec3(float x, float y, float z)
 {
     nkw_vec3 r = {x, y, z};
@@ -121,7 +127,7 @@ static void frames_at_rest_are_limits(void **state)
         nkw_polycurve curve = {&c, 1, NKW_CUBIC_HERMITE};
         nkw_segment at = {0, side}, beside = {0, i % 2 ? 1 - 0x1p-10f : 0x1p-10f}, inside = {0, random_unit(&r)};
         nkw_curve_frame f = nkw_polycurve_frenet(&curve, at, o), g = nkw_polycurve_frenet(&curve, beside, o);
-        nkw_vec3_motion middle = nkw_polycurve_point(&curve, inside), rest = nkw_polycurve_point(&curve, at);
+        nkw_vec3_motion middle = nkw_polycurve_evaluate(&curve, inside), rest = nkw_polycurve_evaluate(&curve, at);
         expect_frame(&f);
         if (nkw_vec3_length(nkw_vec3_cross(rest.acceleration, nkw_vec3_sub(middle.acceleration, rest.acceleration))) < 0.5f)
             continue;
@@ -142,7 +148,7 @@ static void frames_follow_a_curve_that_comes_to_rest(void **state)
     nkw_polycurve curve = {&c, 1, NKW_CUBIC_BEZIER};
     nkw_curve_frame frames[2];
     nkw_vec3 t = nkw_vec3_normalize(nkw_vec3_sub(c.c[3], c.c[1]));
-    assert_int_equal(nkw_polycurve_frames(&curve, 1, NKW_POLYCURVE_OPEN, vec3(0, 0, 1), frames, 2), NKW_OK);
+    assert_int_equal(nkw_polycurve_frames(&curve, 1, vec3(0, 0, 1), NKW_POLYCURVE_OPEN, frames, 2), NKW_OK);
     expect_vec3_near(frames[1].tangent, t, 2e-7);
     expect_vec3_near(frames[1].normal, vec3(0, 0, 1), 2e-7);
 }
@@ -153,13 +159,13 @@ static void a_frame_from_up_is_near_up(void **state)
     random_source r = random_from(1);
     for (int i = 0; i < 1000; i++) {
         nkw_vec3 t = random_vec3(&r, -3, 3), up = random_vec3(&r, -3, 3);
-        nkw_curve_frame f = nkw_curve_frame_from_up(t, up);
+        nkw_curve_frame f = frame_from_up(t, up);
         expect_frame(&f);
         assert_true(nkw_vec3_dot(f.normal, up) >= 0);
         expect_near(nkw_vec3_dot(f.binormal, up), 0, 2e-6);
     }
-    nkw_curve_frame same = nkw_curve_frame_from_up(vec3(0, 0, 2), vec3(0, 0, 1)),
-                    none = nkw_curve_frame_from_up(vec3(0, 0, 0), vec3(0, 0, 0));
+    nkw_curve_frame same = frame_from_up(vec3(0, 0, 2), vec3(0, 0, 1)),
+                    none = frame_from_up(vec3(0, 0, 0), vec3(0, 0, 0));
     expect_frame(&same);
     expect_frame(&none);
 }
@@ -170,7 +176,7 @@ static void transport_without_a_turn_keeps_the_frame(void **state)
     random_source r = random_from(2);
     for (int i = 0; i < 500; i++) {
         nkw_vec3 t = random_direction(&r), a = random_vec3(&r, -3, 3), zero = {0, 0, 0};
-        nkw_curve_frame f = nkw_curve_frame_from_up(t, random_direction(&r));
+        nkw_curve_frame f = frame_from_up(t, random_direction(&r));
         nkw_curve_frame g = nkw_curve_frame_transport(&f, a, nkw_vec3_add(a, random_vec3(&r, -1, 1)), f.tangent);
         expect_frame(&g);
         g = nkw_curve_frame_transport(&f, a, nkw_vec3_add_scaled(a, t, 0.5f), t);
@@ -191,7 +197,7 @@ static void transport_in_place_is_the_least_rotation(void **state)
     random_source r = random_from(3);
     for (int i = 0; i < 500; i++) {
         nkw_vec3 a = random_direction(&r), b = random_direction(&r), zero = {0, 0, 0};
-        nkw_curve_frame f = nkw_curve_frame_from_up(a, random_direction(&r));
+        nkw_curve_frame f = frame_from_up(a, random_direction(&r));
         nkw_curve_frame g = nkw_curve_frame_transport(&f, zero, zero, b);
         if (nkw_vec3_dot(a, b) > -0.99f)
             expect_vec3_near(g.normal, nkw_quat_rotate(nkw_quat_from_vectors(a, b), f.normal), 1e-5);
@@ -204,7 +210,7 @@ static void transported_back_it_is_the_frame_again(void **state)
     random_source r = random_from(4);
     for (int i = 0; i < 500; i++) {
         nkw_vec3 a = random_vec3(&r, -2, 2), b = random_vec3(&r, -2, 2), t = random_direction(&r);
-        nkw_curve_frame f = nkw_curve_frame_from_up(t, random_direction(&r));
+        nkw_curve_frame f = frame_from_up(t, random_direction(&r));
         nkw_curve_frame there = nkw_curve_frame_transport(&f, a, b, random_direction(&r));
         nkw_curve_frame back = nkw_curve_frame_transport(&there, b, a, f.tangent);
         expect_vec3_near(back.normal, f.normal, 2e-5);
@@ -225,7 +231,7 @@ static double helix_error(size_t steps)
     static nkw_curve_frame frames[MOST];
     nkw_polycurve curve = {cubics, 64, NKW_CUBIC_HERMITE};
     helix(cubics, 64, 2);
-    assert_int_equal(nkw_polycurve_frames(&curve, steps, NKW_POLYCURVE_OPEN, vec3(-1, 0, 0), frames, MOST), NKW_OK);
+    assert_int_equal(nkw_polycurve_frames(&curve, steps, vec3(-1, 0, 0), NKW_POLYCURVE_OPEN, frames, MOST), NKW_OK);
     size_t last = 64 * steps;
     for (size_t i = 0; i <= last; i++)
         expect_frame(&frames[i]);
@@ -254,7 +260,7 @@ static void frames_of_a_plane_curve_keep_the_binormal(void **state)
             c[k / 4].c[k % 4].z = 0;
         }
         nkw_polycurve curve = {c, 3, NKW_CUBIC_BEZIER};
-        assert_int_equal(nkw_polycurve_frames(&curve, 8, NKW_POLYCURVE_OPEN, vec3(0, 0, 1), frames, 25), NKW_OK);
+        assert_int_equal(nkw_polycurve_frames(&curve, 8, vec3(0, 0, 1), NKW_POLYCURVE_OPEN, frames, 25), NKW_OK);
         for (int k = 0; k < 25; k++)
             expect_vec3_near(frames[k].normal, vec3(0, 0, 1), 1e-6);
     }
@@ -275,8 +281,8 @@ static void frames_of_a_closed_curve_close(void **state)
         }
         nkw_polycurve curve = {c, 8, NKW_CUBIC_HERMITE};
         nkw_segment before_end = {7, 0.875f};
-        assert_int_equal(nkw_polycurve_frames(&curve, 8, NKW_POLYCURVE_OPEN, vec3(0, 0, 1), open, 65), NKW_OK);
-        assert_int_equal(nkw_polycurve_frames(&curve, 8, NKW_POLYCURVE_CLOSED, vec3(0, 0, 1), closed, 65), NKW_OK);
+        assert_int_equal(nkw_polycurve_frames(&curve, 8, vec3(0, 0, 1), NKW_POLYCURVE_OPEN, open, 65), NKW_OK);
+        assert_int_equal(nkw_polycurve_frames(&curve, 8, vec3(0, 0, 1), NKW_POLYCURVE_CLOSED, closed, 65), NKW_OK);
         expect_vec3_bits(closed[64].normal, closed[0].normal);
         expect_vec3_bits(closed[64].binormal, closed[0].binormal);
         double gap = nkw_vec3_angle(open[64].normal, open[0].normal);
@@ -285,7 +291,7 @@ static void frames_of_a_closed_curve_close(void **state)
             assert_true((double)nkw_vec3_angle(open[k].normal, closed[k].normal) <= gap + 1e-5);
         }
         /* The last step is as small as the others: the frame before the end is turned by nearly all of the gap. */
-        nkw_curve_frame last = nkw_curve_frame_transport(&closed[63], nkw_polycurve_point(&curve, before_end).value,
+        nkw_curve_frame last = nkw_curve_frame_transport(&closed[63], nkw_polycurve_evaluate(&curve, before_end).value,
                                                          c[0].c[0], closed[64].tangent);
         assert_true((double)nkw_vec3_angle(last.normal, closed[64].normal) <= gap / 16 + 1e-5);
     }
@@ -299,7 +305,7 @@ static void a_point_has_frames(void **state)
     nkw_curve_frame frames[5];
     nkw_polycurve curve = {&still, 1, NKW_CUBIC_BEZIER};
     for (int ends = 0; ends < 3; ends++) {
-        assert_int_equal(nkw_polycurve_frames(&curve, 4, (nkw_polycurve_ends)ends, vec3(0, 1, 0), frames, 5), NKW_OK);
+        assert_int_equal(nkw_polycurve_frames(&curve, 4, vec3(0, 1, 0), (nkw_polycurve_ends)ends, frames, 5), NKW_OK);
         for (int i = 0; i < 5; i++) {
             expect_vec3_bits(frames[i].tangent, vec3(1, 0, 0));
             expect_vec3_bits(frames[i].normal, vec3(0, 1, 0));
@@ -315,10 +321,10 @@ static void frames_check_their_arguments(void **state)
     helix(c, 2, 1);
     nkw_polycurve curve = {c, 2, NKW_CUBIC_HERMITE}, none = {c, 0, NKW_CUBIC_HERMITE};
     frames[0].tangent = vec3(9, 9, 9);
-    assert_int_equal(nkw_polycurve_frames(&none, 2, NKW_POLYCURVE_OPEN, vec3(0, 0, 1), frames, 5), NKW_EMPTY);
-    assert_int_equal(nkw_polycurve_frames(&curve, 0, NKW_POLYCURVE_OPEN, vec3(0, 0, 1), frames, 5), NKW_EMPTY);
-    assert_int_equal(nkw_polycurve_frames(&curve, 2, NKW_POLYCURVE_OPEN, vec3(0, 0, 1), frames, 4), NKW_TOO_SMALL);
-    assert_int_equal(nkw_polycurve_frames(&curve, 2, NKW_POLYCURVE_OPEN, vec3(0, 0, 1), frames, 0), NKW_TOO_SMALL);
+    assert_int_equal(nkw_polycurve_frames(&none, 2, vec3(0, 0, 1), NKW_POLYCURVE_OPEN, frames, 5), NKW_EMPTY);
+    assert_int_equal(nkw_polycurve_frames(&curve, 0, vec3(0, 0, 1), NKW_POLYCURVE_OPEN, frames, 5), NKW_EMPTY);
+    assert_int_equal(nkw_polycurve_frames(&curve, 2, vec3(0, 0, 1), NKW_POLYCURVE_OPEN, frames, 4), NKW_TOO_SMALL);
+    assert_int_equal(nkw_polycurve_frames(&curve, 2, vec3(0, 0, 1), NKW_POLYCURVE_OPEN, frames, 0), NKW_TOO_SMALL);
     expect_vec3_bits(frames[0].tangent, vec3(9, 9, 9));
 }
 

@@ -63,9 +63,9 @@ static void fewer_than_two_keys_and_nan_give_the_first_segment(void **state)
     expect_segment(nkw_segment_find_hint(NULL, 0, 1.0f, 7), 0, 0.0f);
     expect_segment(nkw_segment_find_hint(times, 1, 3.0f, 7), 0, 0.0f);
     expect_segment(nkw_segment_find_hint(times, 3, NAN, 2), 0, 0.0f);
-    expect_segment(nkw_segment_find_uniform(0, 30, 0, 1), 0, 0.0f);
-    expect_segment(nkw_segment_find_uniform(0, 30, 1, 1), 0, 0.0f);
-    expect_segment(nkw_segment_find_uniform(0, 30, 9, NAN), 0, 0.0f);
+    expect_segment(nkw_timeline_find((nkw_timeline){0, 30, 0}, 1), 0, 0.0f);
+    expect_segment(nkw_timeline_find((nkw_timeline){0, 30, 1}, 1), 0, 0.0f);
+    expect_segment(nkw_timeline_find((nkw_timeline){0, 30, 9}, NAN), 0, 0.0f);
 }
 
 static void equal_times_make_empty_segments_that_are_passed_over(void **state)
@@ -188,7 +188,7 @@ static void uniform_times_agree_with_a_search_over_them(void **state)
         float start = random_between(&r, -10, 10), rate = rates[random_bits(&r) % 9], times[300];
         size_t count = 2 + (size_t)(random_bits(&r) % 299);
         for (size_t k = 0; k < count; k++)
-            times[k] = nkw_segment_uniform_time(start, rate, k);
+            times[k] = nkw_timeline_time((nkw_timeline){start, rate, 0}, k);
         for (int i = 0; i < 200; i++) {
             float key = times[random_bits(&r) % count];
             float time = i % 4 == 0   ? key
@@ -196,7 +196,7 @@ static void uniform_times_agree_with_a_search_over_them(void **state)
                          : i % 4 == 2 ? float_of(bits_of(key) - 1)
                                       : random_between(&r, start - 1, times[count - 1] + 1);
             nkw_segment want = nkw_segment_find(times, count, time);
-            expect_segment(nkw_segment_find_uniform(start, rate, count, time), want.index, want.t);
+            expect_segment(nkw_timeline_find((nkw_timeline){start, rate, count}, time), want.index, want.t);
         }
     }
 }
@@ -204,13 +204,13 @@ static void uniform_times_agree_with_a_search_over_them(void **state)
 static void uniform_rate_of_nonsense_is_defined(void **state)
 {
     (void)state;
-    expect_segment(nkw_segment_find_uniform(0, 0, 10, 5), 0, 0.0f);
-    expect_segment(nkw_segment_find_uniform(0, -30, 10, 5), 0, 0.0f);
-    expect_segment(nkw_segment_find_uniform(0, INFINITY, 10, 5), 0, 0.0f);
-    expect_segment(nkw_segment_find_uniform(0, NAN, 10, 5), 0, 0.0f);
-    nkw_segment far = nkw_segment_find_uniform(0, 3e38f, SIZE_MAX, 3e38f);
+    expect_segment(nkw_timeline_find((nkw_timeline){0, 0, 10}, 5), 0, 0.0f);
+    expect_segment(nkw_timeline_find((nkw_timeline){0, -30, 10}, 5), 0, 0.0f);
+    expect_segment(nkw_timeline_find((nkw_timeline){0, INFINITY, 10}, 5), 0, 0.0f);
+    expect_segment(nkw_timeline_find((nkw_timeline){0, NAN, 10}, 5), 0, 0.0f);
+    nkw_segment far = nkw_timeline_find((nkw_timeline){0, 3e38f, SIZE_MAX}, 3e38f);
     assert_true(far.index <= SIZE_MAX - 2 && far.t >= 0.0f && far.t <= 1.0f);
-    far = nkw_segment_find_uniform(-INFINITY, 30, 10, 0);
+    far = nkw_timeline_find((nkw_timeline){-INFINITY, 30, 10}, 0);
     assert_true(far.index <= 8 && far.t >= 0.0f && far.t <= 1.0f);
 }
 
@@ -221,12 +221,12 @@ static void the_rate_of_even_times_is_found(void **state)
     float times[200];
     for (int i = 0; i < 18; i++) {
         for (size_t k = 0; k < 200; k++)
-            times[k] = nkw_segment_uniform_time(starts[i % 3], rates[i / 3], k);
+            times[k] = nkw_timeline_time((nkw_timeline){starts[i % 3], rates[i / 3], 0}, k);
         expect_bits(uniform_rate(times, 200), rates[i / 3]);
         for (size_t count = 2; count < 200; count += 13) {
             float rate = uniform_rate(times, count);
             for (size_t k = 0; rate > 0.0f && k < count; k++)
-                expect_bits(nkw_segment_uniform_time(times[0], rate, k), times[k]);
+                expect_bits(nkw_timeline_time((nkw_timeline){times[0], rate, 0}, k), times[k]);
         }
         times[100] += 1e-3f;
         expect_bits(uniform_rate(times, 200), 0.0f);
@@ -242,11 +242,11 @@ static void any_rate_of_even_times_is_found(void **state)
         size_t count = 2 + (size_t)(random_bits(&r) % 126);
         rate = i % 4 < 2 ? (float)(1 + random_bits(&r) % 240) : rate;
         for (size_t k = 0; k < count; k++)
-            times[k] = nkw_segment_uniform_time(start, rate, k);
+            times[k] = nkw_timeline_time((nkw_timeline){start, rate, 0}, k);
         float found = uniform_rate(times, count);
         assert_true(found > 0.0f && (i % 4 >= 2 || found == (float)(uint32_t)found));
         for (size_t k = 0; k < count; k++)
-            expect_bits(nkw_segment_uniform_time(start, found, k), times[k]);
+            expect_bits(nkw_timeline_time((nkw_timeline){start, found, 0}, k), times[k]);
     }
 }
 
@@ -297,11 +297,11 @@ static void expect_even(const float *times, size_t count, float rate)
                      : i % 4 == 2 ? float_of(bits_of(key) + (uint32_t)(random_bits(&r) % 9) - 4)
                                   : random_between(&r, times[0] - 1, times[count - 1] + 1);
         nkw_segment want = by_definition(times, count, time);
-        expect_segment(nkw_segment_find_even(times, count, rate, time), want.index, want.t);
+        expect_segment(nkwi_segment_find_even(times, count, rate, time), want.index, want.t);
     }
-    expect_segment(nkw_segment_find_even(times, count, rate, NAN), 0, 0.0f);
-    expect_segment(nkw_segment_find_even(times, count, rate, INFINITY), count - 2, 1.0f);
-    expect_segment(nkw_segment_find_even(times, count, rate, -INFINITY), 0, 0.0f);
+    expect_segment(nkwi_segment_find_even(times, count, rate, NAN), 0, 0.0f);
+    expect_segment(nkwi_segment_find_even(times, count, rate, INFINITY), count - 2, 1.0f);
+    expect_segment(nkwi_segment_find_even(times, count, rate, -INFINITY), 0, 0.0f);
 }
 
 static void times_that_are_nearly_even_need_no_search(void **state)
@@ -345,7 +345,7 @@ static void no_other_times_are_even(void **state)
     expect_bits(even_rate(jump, 4), 0.0f);
     expect_bits(even_rate(odd, 3), 0.0f);
     expect_bits(even_rate(endless, 3), 0.0f);
-    expect_segment(nkw_segment_find_even(uneven, 1, 1, 3), 0, 0.0f);
+    expect_segment(nkwi_segment_find_even(uneven, 1, 1, 3), 0, 0.0f);
     for (int round = 0; round < 4000; round++) {
         float times[12];
         size_t count = 2 + (size_t)(random_bits(&r) % 11);
@@ -353,7 +353,7 @@ static void no_other_times_are_even(void **state)
         for (size_t k = 1; k < count; k++)
             times[k] = times[k - 1] + random_between(&r, 0.0f, 1.0f);
         float rate = even_rate(times, count), any = float_of((uint32_t)random_bits(&r));
-        assert_true(nkw_segment_find_even(times, count, any, random_between(&r, -9, 9)).index + 1 < count);
+        assert_true(nkwi_segment_find_even(times, count, any, random_between(&r, -9, 9)).index + 1 < count);
         if (rate > 0.0f)
             expect_even(times, count, rate);
     }

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 #include <math.h>
+#include <string.h>
 
 #include "random.h"
 #include "support/expect.h"
@@ -19,10 +20,10 @@ static nkw_spline numbers(const float *times, const float *values, size_t count,
 /* The tangents before and after the keys of a spline that has no error. */
 static void tangents_of(const nkw_spline *s, float *in, float *out)
 {
-    double work[NKW_SPLINE_WORK(3 * MOST)];
+    NKW_STACK_WORK(work, NKW_SPLINE_WORK(3 * MOST));
     nkw_tangent_span to = {in, out, s->width};
     size_t bad = 7;
-    assert_int_equal(nkw_spline_tangents(s, to, &bad, work, NKW_SPLINE_WORK(s->count)), NKW_OK);
+    assert_int_equal(nkw_spline_tangents(s, to, &bad, work), NKW_OK);
     assert_int_equal(bad, 0);
 }
 
@@ -115,6 +116,15 @@ static void a_separate_key_has_no_tangent(void **state)
         }
 }
 
+/* The tangent per segment at the middle of three keys. */
+static float through(const float *v, const float *t)
+{
+    const float keys[4] = {v[0], v[1], v[2], v[2]}, times[4] = {t[0], t[1], t[2], t[2]};
+    float c[4];
+    nkw_cubic_from_catmull_rom(keys, times, c);
+    return c[1];
+}
+
 static void catmull_rom_has_the_tangents_of_the_curve(void **state)
 {
     (void)state;
@@ -125,8 +135,7 @@ static void catmull_rom_has_the_tangents_of_the_curve(void **state)
         nkw_spline s = numbers(t, v, 8, NKW_SPLINE_CATMULL_ROM);
         tangents_of(&s, in, out);
         for (size_t k = 1; k < 7; k++)
-            expect_near(in[k], nkw_catmull_rom_tangent(v[k - 1], v[k], v[k + 1], t[k] - t[k - 1], t[k + 1] - t[k]),
-                        4e-5);
+            expect_near(in[k], through(v + k - 1, t + k - 1) / (t[k + 1] - t[k]), 4e-5);
         expect_near(in[0], ((double)v[1] - (double)v[0]) / ((double)t[1] - (double)t[0]), 4e-6);
     }
 }
@@ -288,11 +297,11 @@ static nkw_track track_of(const nkw_spline *s, float *triples)
 {
     nkw_track track = {s->times, triples, s->count, s->width, NKW_TRACK_FLOATS, NKW_INTERPOLATION_CUBICSPLINE, NULL};
     nkw_tangent_span to = {triples, triples + 2 * s->width, 3 * s->width};
-    double work[NKW_SPLINE_WORK(MOST)];
+    NKW_STACK_WORK(work, NKW_SPLINE_WORK(MOST));
     for (size_t k = 0; k < s->count; k++)
         for (size_t c = 0; c < s->width; c++)
             triples[k * 3 * s->width + s->width + c] = s->values[k * s->stride + c];
-    assert_int_equal(nkw_spline_tangents(s, to, NULL, work, NKW_SPLINE_WORK(s->count)), NKW_OK);
+    assert_int_equal(nkw_spline_tangents(s, to, NULL, work), NKW_OK);
     assert_int_equal(nkw_track_validate(&track, NULL), NKW_OK);
     return track;
 }
@@ -357,17 +366,27 @@ static void knots_are_sums_of_powers_of_distances(void **state)
     nkw_spline s = numbers(NULL, points, 4, NKW_SPLINE_CATMULL_ROM);
     s.width = s.stride = 2;
     static const float uniform[4] = {0, 1, 2, 3}, centripetal[4] = {0, 2.23606798f, 2.23606798f, 5.23606798f},
-                       chordal[4] = {0, 5, 5, 14}, squared[4] = {0, 25, 25, 106}, none[4] = {0, 0, 0, 0};
-    nkw_spline_knots(&s, 0, knots);
+                       chordal[4] = {0, 5, 5, 14}, squared[4] = {0, 25, 25, 106};
+    assert_int_equal(nkw_spline_knots(&s, 0, knots), NKW_OK);
     expect_floats_bits(knots, uniform, 4);
-    nkw_spline_knots(&s, 0.5f, knots);
+    assert_int_equal(nkw_spline_knots(&s, 0.5f, knots), NKW_OK);
     expect_floats_near(knots, centripetal, 4, 5e-7);
-    nkw_spline_knots(&s, 1, knots);
+    assert_int_equal(nkw_spline_knots(&s, 1, knots), NKW_OK);
     expect_floats_bits(knots, chordal, 4);
-    nkw_spline_knots(&s, 2, knots);
+    assert_int_equal(nkw_spline_knots(&s, 2, knots), NKW_OK);
     expect_floats_near(knots, squared, 4, 1e-5);
-    nkw_spline_knots(&s, NAN, knots);
-    expect_floats_bits(knots, none, 4);
+    float kept[4];
+    memcpy(kept, knots, sizeof kept);
+    assert_int_equal(nkw_spline_knots(&s, NAN, knots), NKW_NOT_FINITE);
+    nkw_spline bad = s;
+    bad.stride = 1;
+    assert_int_equal(nkw_spline_knots(&bad, 1, knots), NKW_BAD_WIDTH);
+    bad.width = 0;
+    assert_int_equal(nkw_spline_knots(&bad, 1, knots), NKW_EMPTY);
+    bad = s;
+    bad.count = 0;
+    assert_int_equal(nkw_spline_knots(&bad, 1, knots), NKW_EMPTY);
+    expect_floats_bits(knots, kept, 4);
 }
 
 static void centripetal_over_its_knots_is_catmull_rom(void **state)
@@ -478,7 +497,7 @@ static void ten_thousand_keys_are_solved(void **state)
     (void)state;
     enum { MANY = 10000 };
     static float t[MANY], v[MANY], in[MANY];
-    static double work[NKW_SPLINE_WORK(MANY)];
+    NKW_STACK_WORK(work, NKW_SPLINE_WORK(MANY));
     const float ends[2] = {0, 2};
     for (size_t k = 0; k < MANY; k++) {
         t[k] = (float)k / (MANY - 1);
@@ -486,21 +505,22 @@ static void ten_thousand_keys_are_solved(void **state)
     }
     nkw_spline s = {t, v, MANY, 1, 1, NKW_SPLINE_C2, NKW_SPLINE_ENDS_CLAMPED, 0, NULL, ends};
     nkw_tangent_span to = {in, in, 1};
-    assert_int_equal(nkw_spline_tangents(&s, to, NULL, work, NKW_SPLINE_WORK(MANY)), NKW_OK);
+    assert_int_equal(nkw_spline_tangents(&s, to, NULL, work), NKW_OK);
     for (size_t k = 0; k < MANY; k++)
         expect_near(in[k], 2 * (double)t[k], 2e-3); /* values are rounded, durations are 1e-4 */
 }
 
 /* What a spline of two keys of two numbers answers; the tangents must stay as they were. */
-static void expect_refused(const nkw_spline *s, size_t stride, size_t work_count, nkw_result result, size_t bad)
+static void expect_refused(const nkw_spline *s, size_t stride, size_t bytes, nkw_result result, size_t bad)
 {
     float in[8] = {9, 9, 9, 9, 9, 9, 9, 9}, out[8] = {9, 9, 9, 9, 9, 9, 9, 9};
-    double work[NKW_SPLINE_WORK(8)];
+    NKW_STACK_WORK(all, NKW_SPLINE_WORK(8));
+    const nkw_work work = {all.data, bytes};
     nkw_tangent_span to = {in, out, stride};
     size_t at = 99;
-    assert_int_equal(nkw_spline_tangents(s, to, &at, work, work_count), result);
+    assert_int_equal(nkw_spline_tangents(s, to, &at, work), result);
     assert_int_equal(at, bad);
-    assert_int_equal(nkw_spline_tangents(s, to, NULL, work, work_count), result);
+    assert_int_equal(nkw_spline_tangents(s, to, NULL, work), result);
     for (size_t i = 0; i < 8; i++)
         assert_true(in[i] == 9 && out[i] == 9);
 }
@@ -511,21 +531,31 @@ static void shapes_are_checked(void **state)
     const nkw_spline sound = numbers(times8, values8, 4, NKW_SPLINE_C2);
     nkw_spline s = sound;
     s.count = 0;
-    expect_refused(&s, 1, 24, NKW_EMPTY, 0);
+    expect_refused(&s, 1, NKW_SPLINE_WORK(8), NKW_EMPTY, 0);
     s = sound;
     s.width = 0;
-    expect_refused(&s, 1, 24, NKW_EMPTY, 0);
+    expect_refused(&s, 1, NKW_SPLINE_WORK(8), NKW_EMPTY, 0);
     s = sound;
     s.method = (nkw_spline_method)METHODS;
-    expect_refused(&s, 1, 24, NKW_BAD_METHOD, 0);
+    expect_refused(&s, 1, NKW_SPLINE_WORK(8), NKW_BAD_METHOD, 0);
     s = sound;
     s.ends = (nkw_spline_ends)3;
-    expect_refused(&s, 1, 24, NKW_BAD_METHOD, 0);
+    expect_refused(&s, 1, NKW_SPLINE_WORK(8), NKW_BAD_METHOD, 0);
     s = sound;
     s.stride = 0;
-    expect_refused(&s, 1, 24, NKW_BAD_WIDTH, 0);
-    expect_refused(&sound, 0, 24, NKW_BAD_WIDTH, 0);
+    expect_refused(&s, 1, NKW_SPLINE_WORK(8), NKW_BAD_WIDTH, 0);
+    expect_refused(&sound, 0, NKW_SPLINE_WORK(8), NKW_BAD_WIDTH, 0);
     expect_refused(&sound, 1, NKW_SPLINE_WORK(4) - 1, NKW_TOO_SMALL, 0);
+    float in[4] = {9, 9, 9, 9};
+    NKW_STACK_WORK(work, NKW_SPLINE_WORK(5));
+    const nkw_work odd = {(unsigned char *)work.data + 8, NKW_SPLINE_WORK(4)}, none = {NULL, NKW_SPLINE_WORK(4)};
+    const nkw_tangent_span to = {in, in, 1};
+    assert_int_equal(nkw_spline_tangents(&sound, to, NULL, odd), NKW_TOO_SMALL);
+    assert_int_equal(nkw_spline_tangents(&sound, to, NULL, none), NKW_TOO_SMALL);
+    assert_true(in[0] == 9 && in[3] == 9);
+    nkw_spline huge = sound;
+    huge.count = SIZE_MAX / 8;
+    assert_int_equal(nkw_spline_tangents(&huge, to, NULL, work), NKW_TOO_SMALL);
 }
 
 static void keys_are_checked(void **state)

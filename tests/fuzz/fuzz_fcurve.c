@@ -35,12 +35,12 @@ static void handles(fuzz *f)
     nkw_handle_segment s = {fuzz_float(f), fuzz_float(f), draw_handle(f), draw_handle(f), fuzz_float(f), fuzz_float(f)};
     nkw_handle_segment left, right;
     float time = fuzz_byte(f) % 2 ? fuzz_float(f) : nkw_lerp(s.time0, s.time1, (float)fuzz_byte(f) / 255.0f);
-    nkw_motion p = nkw_handle_point(&s, time);
+    nkw_motion p = nkw_handle_sample(&s, time);
     float t = nkw_handle_parameter(&s, time);
     FUZZ_CHECK(t != t || (t >= 0.0f && t <= 1.0f));
     if (is_finite(&s) && fuzz_finite(&time, 1)) {
         check_value(&s, p.value);
-        FUZZ_CHECK(p.first == p.first && p.second == p.second);
+        FUZZ_CHECK(p.velocity == p.velocity && p.acceleration == p.acceleration);
     }
     nkw_handle_split(&s, time, &left, &right);
     for (int policy = NKW_HANDLE_CONTAIN; policy <= NKW_HANDLE_KEEP_START; policy++) {
@@ -54,20 +54,29 @@ static void eases(fuzz *f)
 {
     float t = fuzz_float(f), inputs[STOPS], outputs[STOPS];
     nkw_ease_kind kind = (nkw_ease_kind)fuzz_choice(f, NKW_EASE_COUNT - 1);
-    nkw_motion p = nkw_ease_point(kind, t);
+    nkw_motion p = nkw_ease_evaluate(kind, t);
     FUZZ_CHECK(!(t >= 0.0f && t <= 1.0f) || (p.value > -0.5f && p.value < 1.5f));
-    nkw_ease_cubic_bezier(fuzz_float(f), fuzz_float(f), fuzz_float(f), fuzz_float(f), t);
-    nkw_ease_steps((int)fuzz_bits(f), (nkw_ease_jump)fuzz_choice(f, 3), t);
+    nkw_easing easing = {NKW_EASING_CUBIC_BEZIER,
+                         {fuzz_float(f), fuzz_float(f), fuzz_float(f), fuzz_float(f)},
+                         (nkw_ease_jump)fuzz_choice(f, 3),
+                         fuzz_bits(f),
+                         inputs,
+                         outputs};
+    nkw_easing_evaluate(&easing, t);
+    easing.kind = NKW_EASING_STEPS;
+    nkw_easing_evaluate(&easing, t);
+    easing.kind = NKW_EASING_LINEAR;
     size_t count = fuzz_upto(f, STOPS);
     for (size_t i = 0; i < count; i++) {
         inputs[i] = fuzz_float(f);
         outputs[i] = fuzz_float(f);
     }
-    nkw_ease_linear(inputs, outputs, count, t);
-    nkw_ease_linear_inputs(inputs, count);
+    easing.count = count;
+    nkw_easing_evaluate(&easing, t);
+    nkw_easing_complete(inputs, count);
     for (size_t i = 1; i < count; i++)
         FUZZ_CHECK(!fuzz_finite(inputs, count) || inputs[i - 1] <= inputs[i]);
-    nkw_ease_linear(inputs, outputs, count, t);
+    nkw_easing_evaluate(&easing, t);
 }
 
 static nkw_fcurve_key *draw_keys(fuzz *f, size_t count, int wild)

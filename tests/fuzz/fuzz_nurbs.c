@@ -25,7 +25,7 @@ static void check_knots(fuzz *f)
     size_t count = fuzz_upto(f, POINTS), degree = fuzz_upto(f, 18), bad;
     float *knots = fuzz_room(f, NKW_NURBS_KNOTS(count, degree)), *points = fuzz_floats(f, count, 0);
     nkw_nurbs_knots_kind kind = (nkw_nurbs_knots_kind)fuzz_choice(f, 1);
-    if (nkw_nurbs_make_knots(kind, count, degree, fuzz_float(f), fuzz_float(f), knots) != NKW_OK)
+    if (nkw_nurbs_make_knots(count, degree, fuzz_float(f), fuzz_float(f), kind, knots) != NKW_OK)
         return;
     nkw_nurbs c = {points, NULL, knots, count, degree, 1, 1};
     nkw_result result = nkw_nurbs_validate(&c, &bad);
@@ -42,7 +42,8 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
     nkw_result result = nkw_nurbs_validate(&c, &bad);
     FUZZ_CHECK(bad < NKW_NURBS_KNOTS(c.count, c.degree));
     for (int i = 0; i < 8; i++) {
-        nkw_nurbs_sample(&c, fuzz_float(&f), at, fuzz_byte(&f) % 2 ? at + c.width : NULL, at + 2 * c.width);
+        nkw_nurbs_evaluate(&c, fuzz_float(&f),
+                           (nkw_motion_span){at, fuzz_byte(&f) % 2 ? at + c.width : NULL, at + 2 * c.width});
         FUZZ_CHECK(result != NKW_OK || wild || fuzz_finite(at, c.width));
     }
     check_knots(&f);

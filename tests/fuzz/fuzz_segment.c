@@ -25,7 +25,7 @@ static float *draw_times(fuzz *f, size_t count)
     float *times = fuzz_floats(f, count, kind == 0), start = fuzz_float(f), rate = fuzz_float(f);
     for (size_t k = 0; k < count; k++)
         if (kind == 1)
-            times[k] = nkw_segment_uniform_time(start, rate, k);
+            times[k] = nkw_timeline_time((nkw_timeline){start, rate, 0}, k);
         else if (kind == 2 && k)
             times[k] = times[k - 1] + (times[k] > 0.0f ? times[k] : 0.0f);
     return times;
@@ -49,17 +49,17 @@ static void segments(fuzz *f, const float *times, size_t count)
         check_segment(all[i], count);
         if (ascending)
             FUZZ_CHECK(s.index == from.index && fuzz_same(&s.t, &from.t, 1) && s.index == all[i].index);
-        nkw_segment by_rate = nkw_segment_find_even(times, count, even > 0.0f ? even : any, time[i]);
+        nkw_segment by_rate = nkwi_segment_find_even(times, count, even > 0.0f ? even : any, time[i]);
         check_segment(by_rate, count);
         if (even > 0.0f)
             FUZZ_CHECK(s.index == by_rate.index && fuzz_same(&s.t, &by_rate.t, 1));
         if (rate <= 0.0f)
             continue;
-        by_rate = nkw_segment_find_uniform(times[0], rate, count, time[i]);
+        by_rate = nkw_timeline_find((nkw_timeline){times[0], rate, count}, time[i]);
         FUZZ_CHECK(s.index == by_rate.index && fuzz_same(&s.t, &by_rate.t, 1));
     }
     size_t huge = fuzz_huge(f);
-    check_segment(nkw_segment_find_uniform(fuzz_float(f), fuzz_float(f), huge, fuzz_float(f)), huge);
+    check_segment(nkw_timeline_find((nkw_timeline){fuzz_float(f), fuzz_float(f), huge}, fuzz_float(f)), huge);
 }
 
 static void playback(fuzz *f, const float *times, size_t count)

@@ -37,12 +37,12 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
 {
     fuzz f = fuzz_begin(data, size);
     const nkw_spline s = draw(&f);
-    size_t bad, work_count = NKW_SPLINE_WORK(s.count) - (fuzz_byte(&f) % 16 == 0 && s.count);
+    size_t bad, bytes = NKW_SPLINE_WORK(s.count) - (fuzz_byte(&f) % 16 == 0 && s.count);
     size_t floats = 3 * s.width * s.count;
-    double *work = fuzz_block(&f, work_count * sizeof *work);
+    const nkw_work work = {fuzz_block(&f, bytes), bytes};
     float *triples = fuzz_floats(&f, floats, 1), *knots = fuzz_room(&f, s.count);
     nkw_tangent_span to = {triples, triples + 2 * s.width, 3 * s.width};
-    nkw_result result = nkw_spline_tangents(&s, to, &bad, work, work_count);
+    nkw_result result = nkw_spline_tangents(&s, to, &bad, work);
     FUZZ_CHECK(bad < s.count || bad == 0);
     for (size_t k = 0; k < s.count && result == NKW_OK; k++) {
         FUZZ_CHECK(fuzz_finite(to.in + k * to.stride, s.width) && fuzz_finite(to.out + k * to.stride, s.width));

@@ -115,7 +115,7 @@ static void turn(fuzz *f, const nkw_track *t)
     float time = fuzz_float(f), *plain = fuzz_room(f, t->width);
     if (nkw_track_sample_rotation(t, time, &state) == NKW_OK) {
         nkw_track_sample(t, time, plain);
-        FUZZ_CHECK(fuzz_same(plain, &state.orientation.x, 4));
+        FUZZ_CHECK(fuzz_same(plain, &state.value.x, 4));
     }
 }
 

@@ -48,7 +48,8 @@ static void scalar(const any *a)
     FUZZ_CHECK(!(nkw_asin(x) > pi) && !(nkw_acos(x) > pi));
     FUZZ_CHECK(!finite(x) || !finite(y) || nkw_min(x, y) <= nkw_max(x, y));
     nkw_tan(x), nkw_log(x), nkw_pow(x, y), nkw_wrap(x, y), nkw_smoothstep(x), nkw_clamp(x, y, a->f[2]);
-    nkw_lerp(x, y, a->f[2]), nkw_inverse_lerp(x, y, a->f[2]), nkw_lerp(a->f[3], a->f[4], nkw_inverse_lerp(y, a->f[2], x));
+    nkw_lerp(x, y, a->f[2]), nkw_inverse_lerp(x, y, a->f[2]),
+        nkw_lerp(a->f[3], a->f[4], nkw_inverse_lerp(y, a->f[2], x));
     nkw_degrees_from_radians(x), nkw_radians_from_degrees(x);
 }
 
@@ -106,7 +107,7 @@ static void orient(const any *a, nkw_path path, nkw_unwrap unwrap)
     nkw_quat_nlerp(p, q, t), nkw_quat_slerp(p, q, t), nkw_quat_slerp_path(p, q, t, path, 0), nkw_quat_log(p);
     nkw_quat_exp(a->v[0]), nkw_quat_pow(p, t), nkw_quat_angular_velocity(p, q, d), nkw_quat_integrate(p, a->v[0], d);
     nkw_euler_lerp(a->v[0], a->v[1], t, unwrap);
-    int32_t turns = nkw_quat_turns(p, q, path, a->v[0]);
+    int32_t turns = nkw_quat_turns(p, q, a->v[0], path);
     FUZZ_CHECK(turns <= 1 << 29 && turns >= -(1 << 29));
     nkw_quat_slerp_path(p, q, t, path, turns), nkw_quat_nlerp_path(p, q, t, path, turns);
     nkw_quat_slerp_path(p, q, t, path, INT32_MIN), nkw_quat_nlerp_path(p, q, t, path, INT32_MAX);
@@ -147,17 +148,17 @@ static void rotation(const any *a, nkw_path path, int32_t turns)
     const nkw_quat keys[4] = {a->q[0], a->q[1], a->trs.rotation, a->d.real};
     const nkw_tcb tcb[2] = {{a->f[0], a->f[1], a->f[2]}, {a->f[3], a->f[4], a->f[5]}};
     nkw_rotation_segment s[6] = {
-        nkw_rotation_slerp(keys[0], keys[1], path, turns, a->f[1]),
-        nkw_rotation_hermite(keys[0], a->v[0], keys[1], a->v[1], a->f[1]),
-        nkw_rotation_catmull_rom(keys, a->times),
-        nkw_rotation_tcb(keys, a->times, tcb),
-        nkw_rotation_squad(keys, a->f[1]),
-        nkw_rotation_bspline(keys, a->f[1]),
+        nkw_rotation_from_slerp(keys[0], keys[1], a->f[1], path, turns),
+        nkw_rotation_from_hermite(keys[0], a->v[0], keys[1], a->v[1], a->f[1]),
+        nkw_rotation_from_catmull_rom(keys, a->times),
+        nkw_rotation_from_tcb(keys, a->times, tcb),
+        nkw_rotation_from_squad(keys, a->f[1]),
+        nkw_rotation_from_bspline(keys, a->f[1]),
     };
     for (int i = 0; i < 6; i++) {
         nkw_quat_motion at = nkw_rotation_evaluate(&s[i], a->f[0]);
-        int is_finite = nkw_quat_is_finite(at.orientation);
-        FUZZ_CHECK(!is_finite || a->f[0] == 0.0f || a->f[0] == 1.0f || nkw_quat_length(at.orientation) < 1.0001f);
+        int is_finite = nkw_quat_is_finite(at.value);
+        FUZZ_CHECK(!is_finite || a->f[0] == 0.0f || a->f[0] == 1.0f || nkw_quat_length(at.value) < 1.0001f);
     }
 }
 
@@ -191,7 +192,8 @@ static void transform(const any *a)
     nkw_dual_quat unit = nkw_dual_quat_normalize(&a->d), of = nkw_dual_quat_from_mat4(&a->m4);
     at_most_unit(unit.real, nkw_quat_is_finite(a->d.real) && nkw_quat_is_finite(a->d.dual));
     at_most_unit(of.real, fuzz_finite(a->m4.m, 16));
-    nkw_dual_quat_from_rigid(a->q[0], a->v[0]), nkw_dual_quat_transform_point(&a->d, NKW_VEC3_ZERO), nkw_dual_quat_mul(&a->d, &a->e);
+    nkw_dual_quat_from_rigid(a->q[0], a->v[0]), nkw_dual_quat_transform_point(&a->d, NKW_VEC3_ZERO),
+        nkw_dual_quat_mul(&a->d, &a->e);
     nkw_dual_quat_transform_point(&a->d, a->v[0]), nkw_quat_rotate(a->d.real, a->v[0]);
 }
 
@@ -208,21 +210,22 @@ static void curve(const any *a)
     const nkw_vec3 *v = a->v;
     nkw_vec3_cubic lefts, rights;
     weights(t);
-    nkw_weighted_sum(nkw_cubic_weights(NKW_CUBIC_BEZIER, 0, t), f[0], f[1], f[2], f[3]);
-    nkw_vec3_weighted_sum(nkw_cubic_weights(NKW_CUBIC_BEZIER, 0, t), v[0], v[1], v[2], v[3]);
+    nkw_vec3_cubic_sum(&a->cubics, nkw_cubic_weights(NKW_CUBIC_BEZIER, 0, t));
     nkw_hermite(f[0], f[1], f[2], f[3], t), nkw_vec3_hermite(v[0], v[1], v[2], v[3], t);
     nkw_bezier(f[0], f[1], f[2], f[3], t), nkw_vec3_bezier(v[0], v[1], v[2], v[3], t);
     nkw_bspline(f[0], f[1], f[2], f[3], t), nkw_vec3_bspline(v[0], v[1], v[2], v[3], t);
     nkw_catmull_rom(f[0], f[1], f[2], f[3], t), nkw_vec3_catmull_rom(v[0], v[1], v[2], v[3], t);
-    nkw_catmull_rom_tangent(f[0], f[1], f[2], f[3], f[4]), nkw_vec3_catmull_rom_tangent(v[0], v[1], v[2], f[3], f[4]);
-    nkw_catmull_rom_nonuniform(w, f[0], f[1], f[2], f[3], t),
-        nkw_vec3_catmull_rom_nonuniform(w, v[0], v[1], v[2], v[3], t);
+    float through[4];
+    nkw_cubic_from_catmull_rom(f, w, through);
+    nkw_vec3_cubic_from_catmull_rom(v, w);
     nkw_vec3_motion from = {v[0], v[1], v[2]}, to = {v[3], v[0], v[1]};
-    nkw_vec3_catmull_rom_nonuniform_point(w, v[0], v[1], v[2], v[3], t), nkw_vec3_quintic_hermite(&from, &to, t);
+    nkw_vec3_quintic_evaluate(&from, &to, t);
     for (int kind = -1; kind <= 4; kind++)
-        nkw_vec3_cubic_point((nkw_cubic_kind)kind, &a->cubics, t);
-    nkw_vec3_bezier_from_hermite(&a->cubics), nkw_vec3_hermite_from_bezier(&a->cubics);
-    nkw_vec3_bezier_from_bspline(&a->cubics), nkw_vec3_bezier_split(&a->cubics, t, &lefts, &rights);
+        nkw_vec3_cubic_evaluate(&a->cubics, t, (nkw_cubic_kind)kind);
+    for (int of = -1; of <= 4; of++)
+        for (int to_kind = -1; to_kind <= 4; to_kind++)
+            nkw_vec3_cubic_convert(&a->cubics, (nkw_cubic_kind)of, (nkw_cubic_kind)to_kind);
+    nkw_vec3_bezier_split(&a->cubics, t, &lefts, &rights);
 }
 
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)

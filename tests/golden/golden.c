@@ -162,17 +162,17 @@ static nkw_rotation_segment rotation_of(const input *i, int kind)
     float duration = i->t + 0.25f;
     switch (kind) {
     case 0:
-        return nkw_rotation_slerp(i->q[0], i->q[1], i->path, (int32_t)i->s[0], duration);
+        return nkw_rotation_from_slerp(i->q[0], i->q[1], duration, i->path, (int32_t)i->s[0]);
     case 1:
-        return nkw_rotation_hermite(i->q[0], i->v[0], i->q[1], i->v[1], duration);
+        return nkw_rotation_from_hermite(i->q[0], i->v[0], i->q[1], i->v[1], duration);
     case 2:
-        return nkw_rotation_catmull_rom(i->q, i->times);
+        return nkw_rotation_from_catmull_rom(i->q, i->times);
     case 3:
-        return nkw_rotation_tcb(i->q, i->times, tcb);
+        return nkw_rotation_from_tcb(i->q, i->times, tcb);
     case 4:
-        return nkw_rotation_squad(i->q, duration);
+        return nkw_rotation_from_squad(i->q, duration);
     }
-    return nkw_rotation_bspline(i->q, duration);
+    return nkw_rotation_from_bspline(i->q, duration);
 }
 
 static void rotate_along(float *o, const input *i, int kind)
@@ -214,7 +214,7 @@ static float find_rate(float start, float rate)
 {
     float times[32];
     for (size_t k = 0; k < 32; k++)
-        times[k] = nkw_segment_uniform_time(start, rate, k);
+        times[k] = nkw_timeline_time((nkw_timeline){start, rate, 0}, k);
     return uniform_rate(times, 32);
 }
 
@@ -225,7 +225,7 @@ static void find_even(float *o, float start, float step, float time)
     for (size_t k = 0; k < 32; k++, start += step)
         times[k] = start;
     o[2] = even_rate(times, 32);
-    put_segment(o, nkw_segment_find_even(times, 32, o[2], time));
+    put_segment(o, nkwi_segment_find_even(times, 32, o[2], time));
 }
 
 static void resample_track(float *o, const input *i, nkw_interpolation mode)
@@ -316,9 +316,25 @@ static void find_many(float *o, const input *i)
     }
 }
 
-static void convert(float *o, nkw_vec3_cubic (*to)(const nkw_vec3_cubic *), const float c[4])
+/* steps() has no derivatives to keep. */
+static void easing(float *o, nkw_easing_kind kind, const input *i)
 {
-    nkw_vec3_cubic from = cubic_of(c), converted = to(&from);
+    const nkw_easing e = {kind,
+                          {nkw_abs(i->s[0]), i->s[1], nkw_abs(i->s[2]), i->s[3]},
+                          (nkw_ease_jump)i->path,
+                          kind == NKW_EASING_STEPS ? 1 + (size_t)i->order : 4,
+                          i->times,
+                          i->s};
+    const float at = kind == NKW_EASING_CUBIC_BEZIER ? i->t : i->s[kind == NKW_EASING_STEPS ? 0 : 5];
+    const nkw_motion p = nkw_easing_evaluate(&e, at);
+    o[0] = p.value;
+    if (kind != NKW_EASING_STEPS)
+        put_point(o, p);
+}
+
+static void convert(float *o, nkw_cubic_kind kind, nkw_cubic_kind to, const float c[4])
+{
+    nkw_vec3_cubic from = cubic_of(c), converted = nkw_vec3_cubic_convert(&from, kind, to);
     put_cubic(o, &converted);
 }
 
@@ -347,10 +363,29 @@ static nkw_vec3_cubic vec3_cubic(const input *i)
     return c;
 }
 
-static void with_cubic(float *o, const input *i, nkw_vec3_cubic (*to)(const nkw_vec3_cubic *))
+static void weigh(float *o, nkw_vec3_cubic c, nkw_weights weights)
+{
+    put_vec3(o, nkw_vec3_cubic_sum(&c, weights));
+}
+
+/* Keys at any times, of vectors and of numbers. */
+static nkw_vec3 through(const input *i)
+{
+    const nkw_vec3_cubic c = nkw_vec3_cubic_from_catmull_rom(i->v, i->times);
+    return nkw_vec3_hermite(c.c[0], c.c[1], c.c[2], c.c[3], i->t);
+}
+
+static nkw_motion timed(const input *i)
+{
+    float c[4];
+    nkw_cubic_from_catmull_rom(i->s, i->times, c);
+    return nkw_cubic_evaluate(c, i->t, NKW_CUBIC_HERMITE);
+}
+
+static void with_cubic(float *o, const input *i, nkw_cubic_kind kind, nkw_cubic_kind to)
 {
     nkw_vec3_cubic from = vec3_cubic(i);
-    put_vec3_cubic(o, to(&from));
+    put_vec3_cubic(o, nkw_vec3_cubic_convert(&from, kind, to));
 }
 
 static void split_right(float *o, const input *i)

@@ -48,8 +48,8 @@ static void handle_points(float *o, const float s[8], float t)
 {
     nkw_handle_segment c = some_handles(s), limited = nkw_handle_limit(&c, NKW_HANDLE_KEEP_RATIO);
     float time = nkw_lerp(c.time0, c.time1, t);
-    put_tool_point(o, nkw_handle_point(&c, time));
-    put_tool_point(o + 3, nkw_handle_point(&limited, time));
+    put_tool_point(o, nkw_handle_sample(&c, time));
+    put_tool_point(o + 3, nkw_handle_sample(&limited, time));
     o[6] = nkw_handle_parameter(&c, time);
     o[7] = (float)nkw_handle_runs_back(&c);
 }
@@ -58,7 +58,7 @@ static void handle_points(float *o, const float s[8], float t)
 static void eases(float *o, unsigned some, float t)
 {
     for (unsigned k = 0; k < 4; k++)
-        put_tool_point(o + 3 * k, nkw_ease_point((nkw_ease_kind)((10 * k + some) % NKW_EASE_COUNT), t));
+        put_tool_point(o + 3 * k, nkw_ease_evaluate((nkw_ease_kind)((10 * k + some) % NKW_EASE_COUNT), t));
 }
 
 /* All kinds of segments and of behaviour outside, chosen by `some`, 0..17, at times far outside too. */

@@ -31,9 +31,9 @@ static uint64_t hash_places(uint64_t hash, const nkw_polycurve *curve, random_so
     hash = hash_floats(hash, lengths, ENTRIES);
     for (int i = 0; i < 8; i++) {
         float length = lengths[ENTRIES - 1] * random_unit(r);
-        nkw_segment at = nkw_polycurve_at_length(curve, lengths, STEPS, length);
+        nkw_segment at = nkw_polycurve_at_length(curve, lengths, NKW_POLYCURVE_LENGTHS(curve->count, STEPS), length);
         float place[2] = {(float)at.index, at.t};
-        nkw_vec3_motion p = nkw_polycurve_point(curve, at);
+        nkw_vec3_motion p = nkw_polycurve_evaluate(curve, at);
         hash = hash_floats(hash, place, 2);
         hash = hash_frame(hash, nkw_curve_frame_frenet(&p, random_vec3(r, -1.0f, 1.0f)));
         hash = hash_frame(hash, nkw_polycurve_frenet(curve, at, p.acceleration));
@@ -61,14 +61,14 @@ uint64_t data_polycurve(void)
         if (round % 5 == 3)
             cubics[round % 4].c[round % 2 ? 1 : 3] =
                 curve.kind == NKW_CUBIC_BEZIER ? cubics[round % 4].c[round % 2 ? 0 : 2] : zero;
-        float length = nkw_vec3_cubic_length(curve.kind, cubics, from, to);
+        float length = nkw_vec3_cubic_length(cubics, from, to, curve.kind);
         hash = hash_floats(hash, &length, 1);
         hash = hash_places(hash, &curve, &r);
-        nkw_polycurve_frames(&curve, STEPS, (nkw_polycurve_ends)(round / 4 % 2), random_vec3(&r, -1.0f, 1.0f), frames,
+        nkw_polycurve_frames(&curve, STEPS, random_vec3(&r, -1.0f, 1.0f), (nkw_polycurve_ends)(round / 4 % 2), frames,
                              ENTRIES);
         for (size_t i = 0; i < ENTRIES; i++)
             hash = hash_frame(hash, frames[i]);
-        nkw_polycurve_flatten(&curve, 0.01f, points, &count, POINTS);
+        nkw_polycurve_flatten(&curve, 0.01f, points, POINTS, &count);
         for (size_t i = 0; i < count && i < POINTS; i++)
             hash = hash_vec3(hash, points[i]);
     }

@@ -22,11 +22,11 @@ static void draw(random_source *r, unsigned round)
 /* The tangents, and the track that they make at some times. */
 static uint64_t hash_spline(uint64_t hash, const nkw_spline *s, random_source *r)
 {
-    double work[NKW_SPLINE_WORK(KEYS)];
+    NKW_STACK_WORK(work, NKW_SPLINE_WORK(KEYS));
     float at[3 * WIDTH];
     nkw_tangent_span to = {triples, triples + 2 * WIDTH, 3 * WIDTH};
     nkw_track track = {times, triples, KEYS, WIDTH, NKW_TRACK_FLOATS, NKW_INTERPOLATION_CUBICSPLINE, NULL};
-    if (nkw_spline_tangents(s, to, NULL, work, NKW_SPLINE_WORK(KEYS)) != NKW_OK)
+    if (nkw_spline_tangents(s, to, NULL, work) != NKW_OK)
         return 0;
     for (size_t k = 0; k < KEYS; k++)
         for (size_t c = 0; c < WIDTH; c++)
@@ -49,7 +49,7 @@ uint64_t data_nurbs(void)
         float knots[NKW_NURBS_KNOTS(20, NKW_NURBS_DEGREE)], points[60], weights[20], at[9];
         size_t degree = round % (NKW_NURBS_DEGREE + 1), count = degree + 1 + round % 5;
         nkw_nurbs c = {points, round % 3 ? weights : NULL, knots, count, degree, 3, 3};
-        nkw_nurbs_make_knots((nkw_nurbs_knots_kind)(round % 2), count, degree, -1.0f, 2.5f, knots);
+        nkw_nurbs_make_knots(count, degree, -1.0f, 2.5f, (nkw_nurbs_knots_kind)(round % 2), knots);
         for (size_t k = degree + 1; round % 4 > 1 && k < count; k++)
             knots[k] = nkw_lerp(knots[k], knots[k - 1], random_unit(&r));
         for (size_t i = 0; i < 3 * count; i++)
@@ -57,7 +57,7 @@ uint64_t data_nurbs(void)
         for (size_t i = 0; i < count; i++)
             weights[i] = random_between(&r, 0.25f, 4.0f);
         for (size_t i = 0; i < 8; i++) {
-            nkw_nurbs_sample(&c, random_between(&r, -1.25f, 2.75f), at, at + 3, at + 6);
+            nkw_nurbs_evaluate(&c, random_between(&r, -1.25f, 2.75f), (nkw_motion_span){at, at + 3, at + 6});
             hash = hash_floats(hash, at, 9);
         }
         hash = hash_floats(hash, knots, NKW_NURBS_KNOTS(count, degree));

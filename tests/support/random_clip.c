@@ -9,7 +9,7 @@
 static void draw_times(random_source *r, random_clip *c)
 {
     for (int k = 0; k < RANDOM_CLIP_KEYS; k++) {
-        c->times[0][k] = nkw_segment_uniform_time(0.0f, 30.0f, (size_t)k);
+        c->times[0][k] = nkw_timeline_time((nkw_timeline){0.0f, 30.0f, 0}, (size_t)k);
         for (int line = 1; line < RANDOM_CLIP_LINES; line++)
             c->times[line][k] =
                 k == 0 ? 0.125f * (float)(line - 1) : c->times[line][k - 1] + 0.01f + 0.05f * random_unit(r);

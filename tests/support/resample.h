@@ -5,6 +5,8 @@
 
 #include <nakawari/track.h>
 
+#include "../../src/curve/segment_even.h"
+
 static inline float track_difference(const nkw_track *t, const nkw_track *other, nkw_work work)
 {
     float difference;
@@ -47,16 +49,18 @@ static inline size_t resample_count(const nkw_track *t, float rate)
 /* 0 after an error. */
 static inline float uniform_rate(const float *times, size_t count)
 {
-    float rate;
-    nkw_result result = nkw_segment_uniform_rate(times, count, &rate);
-    return (result == NKW_OK) == (rate > 0.0f) ? rate : -1.0f;
+    nkw_timeline line;
+    nkw_result result = nkw_timeline_from_times(times, count, &line);
+    int whole =
+        result == NKW_OK ? line.start == times[0] && line.count == count : line.start == 0.0f && line.count == 0;
+    return (result == NKW_OK) == (line.rate > 0.0f) && whole ? line.rate : -1.0f;
 }
 
 /* 0 after an error. */
 static inline float even_rate(const float *times, size_t count)
 {
     float rate;
-    nkw_result result = nkw_segment_even_rate(times, count, &rate);
+    nkw_result result = nkwi_segment_even_rate(times, count, &rate);
     return (result == NKW_OK) == (rate > 0.0f) ? rate : -1.0f;
 }
 

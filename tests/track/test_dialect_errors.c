@@ -267,20 +267,20 @@ static void a_component_of_a_spline_has_its_own_end_tangents(void **state)
     nkw_fcurve_key keys[3];
     size_t bad = 9;
     for (size_t c = 0; c < 2; c++) {
-        assert_int_equal(nkw_fcurve_keys_from_spline(&spline, c, keys, &bad, NULL, 0), NKW_OK);
+        assert_int_equal(nkw_fcurve_keys_from_spline(&spline, c, keys, &bad, (nkw_work){NULL, 0}), NKW_OK);
         expect_near(keys[0].out.value, (double)ends[c] / 3, 1e-7);
         expect_near(keys[2].in.value, -(double)ends[2 + c] * 2 / 3, 1e-6);
         expect_bits(keys[1].value, values[2 + c]);
     }
     spline.end_tangents = NULL;
-    assert_int_equal(nkw_fcurve_keys_from_spline(&spline, 1, keys, &bad, NULL, 0), NKW_OK);
+    assert_int_equal(nkw_fcurve_keys_from_spline(&spline, 1, keys, &bad, (nkw_work){NULL, 0}), NKW_OK);
     expect_bits(keys[0].out.value, 0);
-    assert_int_equal(nkw_fcurve_keys_from_spline(&spline, 2, keys, &bad, NULL, 0), NKW_OUT_OF_RANGE);
+    assert_int_equal(nkw_fcurve_keys_from_spline(&spline, 2, keys, &bad, (nkw_work){NULL, 0}), NKW_OUT_OF_RANGE);
     spline.end_tangents = ends;
     spline.count = 0;
-    assert_int_equal(nkw_fcurve_keys_from_spline(&spline, 0, keys, &bad, NULL, 0), NKW_EMPTY);
+    assert_int_equal(nkw_fcurve_keys_from_spline(&spline, 0, keys, &bad, (nkw_work){NULL, 0}), NKW_EMPTY);
     spline.width = 0;
-    assert_int_equal(nkw_fcurve_keys_from_spline(&spline, 0, keys, &bad, NULL, 0), NKW_EMPTY);
+    assert_int_equal(nkw_fcurve_keys_from_spline(&spline, 0, keys, &bad, (nkw_work){NULL, 0}), NKW_EMPTY);
 }
 
 static void a_component_of_rotations_is_not_a_curve(void **state)

@@ -58,7 +58,7 @@ static void each_kind_interpolates_in_its_way(void **state)
     expect_bits(value(&c, 2.5f), 4);
     expect_bits(value(&c, 4.5f), 5.25f);
     expect_bits(nkw_fcurve_sample(&c, 4.5f).velocity, 2.5f);
-    nkw_motion at = nkw_fcurve_sample(&c, 6.75f), want = nkw_handle_point(&s, 6.75f);
+    nkw_motion at = nkw_fcurve_sample(&c, 6.75f), want = nkw_handle_sample(&s, 6.75f);
     expect_floats_bits(&at.value, &want.value, 3);
     at = nkw_fcurve_sample(&c, 9.0f);
     expect_bits(at.value, 16 + 9 * 0.125f);

@@ -28,7 +28,7 @@ static sheet *begin(size_t count, size_t width, nkw_track_kind kind)
     s->span = span;
     s->work = work;
     for (size_t k = 0; k < count; k++)
-        s->times[k] = nkw_segment_uniform_time(0.0f, 60.0f, k);
+        s->times[k] = nkw_timeline_time((nkw_timeline){0.0f, 60.0f, 0}, k);
     return s;
 }
 

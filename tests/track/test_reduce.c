@@ -87,7 +87,7 @@ static nkw_track draw(random_source *r, size_t count, float start, float rate, n
     const float speed = random_between(r, 0.5f, 4.0f), phase = random_between(r, 0.0f, 6.0f);
     for (size_t k = 0; k < count; k++) {
         float v[4], tangent[4], x = speed * (float)k / rate + phase;
-        times[k] = nkw_segment_uniform_time(start, rate, k);
+        times[k] = nkw_timeline_time((nkw_timeline){start, rate, 0}, k);
         for (size_t i = 0; i < 4; i++) {
             v[i] = sinf(x * (1.0f + 0.5f * (float)i));
             tangent[i] = speed * (1.0f + 0.5f * (float)i) * cosf(x * (1.0f + 0.5f * (float)i));

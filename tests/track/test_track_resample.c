@@ -27,7 +27,7 @@ static nkw_track even_keys(random_source *r, float start, float rate, int turns,
     t.kind = turns ? NKW_TRACK_ROTATION : NKW_TRACK_FLOATS;
     nkw_quat q = random_rotation(r);
     for (size_t k = 0; k < EVEN_KEYS; k++) {
-        times[k] = nkw_segment_uniform_time(start, rate, k);
+        times[k] = nkw_timeline_time((nkw_timeline){start, rate, 0}, k);
         for (size_t i = 0; i < width; i++)
             values[k * width + i] = random_between(r, -3, 3);
         q = random_near(r, q, 0.3f);
@@ -69,8 +69,8 @@ static void resampled_keys_are_samples_until_the_end_is_reached_or_passed(void *
         float rate = random_between(&r, 0.1f, 30.0f);
         size_t count = resample_count(&t, rate);
         assert_in_range(count, 2, 61);
-        assert_true(nkw_segment_uniform_time(0.5f, rate, count - 2) < 2.5f);
-        assert_true(nkw_segment_uniform_time(0.5f, rate, count - 1) >= 2.5f);
+        assert_true(nkw_timeline_time((nkw_timeline){0.5f, rate, 0}, count - 2) < 2.5f);
+        assert_true(nkw_timeline_time((nkw_timeline){0.5f, rate, 0}, count - 1) >= 2.5f);
         float error = resample(&t, rate, times, made, work, &out);
         assert_int_equal(out.count, count);
         assert_int_equal(out.interpolation, i % 3 == 1 ? NKW_INTERPOLATION_STEP : NKW_INTERPOLATION_LINEAR);

@@ -10,6 +10,28 @@ typedef vectors_value value;
 
 /* ---- Between the values of a case and the types ---- */
 
+/* The curve of four keys at any times. */
+static nkw_motion cubic_bezier_of(float x1, float y1, float x2, float y2, float t)
+{
+    const nkw_easing e = {NKW_EASING_CUBIC_BEZIER, {x1, y1, x2, y2}, NKW_EASE_JUMP_END, 0, NULL, NULL};
+    return nkw_easing_evaluate(&e, t);
+}
+
+static float steps_of(size_t count, nkw_ease_jump jump, float t)
+{
+    const nkw_easing e = {NKW_EASING_STEPS, {0, 0, 0, 0}, jump, count, NULL, NULL};
+    const nkw_motion p = nkw_easing_evaluate(&e, t);
+    return p.value;
+}
+
+static float uneven(const float times[4], float p0, float p1, float p2, float p3, float t)
+{
+    const float keys[4] = {p0, p1, p2, p3};
+    float c[4];
+    nkw_cubic_from_catmull_rom(keys, times, c);
+    return nkw_hermite(c[0], c[1], c[2], c[3], t);
+}
+
 static float number(const value *v)
 {
     return (float)v->x[0];
@@ -110,7 +132,7 @@ static void catmull_rom_times(const value *in, value *out)
     float times[4], p[4];
     floats(in, times);
     floats(in + 1, p);
-    put_number(out, nkw_catmull_rom_nonuniform(times, p[0], p[1], p[2], p[3], number(in + 2)));
+    put_number(out, uneven(times, p[0], p[1], p[2], p[3], number(in + 2)));
 }
 
 static void tcb_tangents(const value *in, value *out)
@@ -121,15 +143,14 @@ static void tcb_tangents(const value *in, value *out)
     floats(in + 1, values);
     nkw_spline spline = {times, values, 3, 1, 1, NKW_SPLINE_TCB, NKW_SPLINE_ENDS_FREE, 0, tcb, NULL};
     nkw_tangent_span tangents = {before, after, 1};
-    nkw_spline_tangents(&spline, tangents, NULL, NULL, 0);
+    nkw_spline_tangents(&spline, tangents, NULL, (nkw_work){NULL, 0});
     put_number(out, before[1]);
     put_number(out + 1, after[1]);
 }
 
 static void cubic_bezier(const value *in, value *out)
 {
-    nkw_motion p =
-        nkw_ease_cubic_bezier(number(in), number(in + 1), number(in + 2), number(in + 3), number(in + 4));
+    nkw_motion p = cubic_bezier_of(number(in), number(in + 1), number(in + 2), number(in + 3), number(in + 4));
     put_number(out, p.value);
 }
 
@@ -212,7 +233,7 @@ static void angular_velocity(const value *in, value *out)
 static void put_state(value *out, const nkw_rotation_segment *s, float t)
 {
     nkw_quat_motion at = nkw_rotation_evaluate(s, t);
-    put_quat(out, at.orientation);
+    put_quat(out, at.value);
     put_vec3(out + 1, at.velocity);
     put_vec3(out + 2, at.acceleration);
 }
@@ -220,20 +241,21 @@ static void put_state(value *out, const nkw_rotation_segment *s, float t)
 static void squad(const value *in, value *out)
 {
     const nkw_quat keys[4] = {quat(in), quat(in + 1), quat(in + 2), quat(in + 3)};
-    nkw_rotation_segment s = nkw_rotation_squad(keys, number(in + 4));
+    nkw_rotation_segment s = nkw_rotation_from_squad(keys, number(in + 4));
     put_state(out, &s, number(in + 5));
 }
 
 static void rotation_bspline(const value *in, value *out)
 {
     const nkw_quat keys[4] = {quat(in), quat(in + 1), quat(in + 2), quat(in + 3)};
-    nkw_rotation_segment s = nkw_rotation_bspline(keys, number(in + 4));
+    nkw_rotation_segment s = nkw_rotation_from_bspline(keys, number(in + 4));
     put_state(out, &s, number(in + 5));
 }
 
 static void rotation_hermite(const value *in, value *out)
 {
-    nkw_rotation_segment s = nkw_rotation_hermite(quat(in), vec3(in + 1), quat(in + 2), vec3(in + 3), number(in + 4));
+    nkw_rotation_segment s =
+        nkw_rotation_from_hermite(quat(in), vec3(in + 1), quat(in + 2), vec3(in + 3), number(in + 4));
     put_state(out, &s, number(in + 5));
 }
 
@@ -245,7 +267,8 @@ static void keyed(const value *in, value *out, int has_tcb)
     floats(in + 4, times);
     floats(in + 5, t);
     const nkw_tcb tcb[2] = {{t[0], t[1], t[2]}, {t[3], t[4], t[5]}};
-    nkw_rotation_segment s = has_tcb ? nkw_rotation_tcb(keys, times, tcb) : nkw_rotation_catmull_rom(keys, times);
+    nkw_rotation_segment s =
+        has_tcb ? nkw_rotation_from_tcb(keys, times, tcb) : nkw_rotation_from_catmull_rom(keys, times);
     put_state(out, &s, number(in + 5 + has_tcb));
 }
 
@@ -461,19 +484,19 @@ static void handles(const value *in, value *out)
     floats(in, t);
     floats(in + 1, v);
     nkw_handle_segment s = {t[0], v[0], {t[1] - t[0], v[1] - v[0]}, {t[2] - t[3], v[2] - v[3]}, t[3], v[3]};
-    put_number(out, nkw_handle_point(&s, number(in + 2)).value);
+    put_number(out, nkw_handle_sample(&s, number(in + 2)).value);
 }
 
 static void tangents(nkw_spline_method method, const value *in, value *out)
 {
     float times[VECTORS_NUMBERS], values[VECTORS_NUMBERS], v[VECTORS_NUMBERS], after[VECTORS_NUMBERS];
-    double work[NKW_SPLINE_WORK(VECTORS_NUMBERS)];
+    NKW_STACK_WORK(work, NKW_SPLINE_WORK(VECTORS_NUMBERS));
     size_t count = (size_t)in[0].count;
     floats(in, times);
     floats(in + 1, values);
     nkw_spline spline = {times, values, count, 1, 1, method, NKW_SPLINE_ENDS_FREE, 0.0f, NULL, NULL};
     nkw_tangent_span span = {v, after, 1};
-    nkw_spline_tangents(&spline, span, NULL, work, NKW_SPLINE_WORK(count));
+    nkw_spline_tangents(&spline, span, NULL, work);
     put(out, v, (int)count);
 }
 
@@ -497,12 +520,12 @@ static void natural(const value *in, value *out)
 static void ease(const value *in, value *out)
 {
     nkw_ease_kind kind = (nkw_ease_kind)(NKW_EASE_SINE_IN + 3 * (int)in[0].x[0] + (int)in[1].x[0]);
-    put_number(out, nkw_ease(kind, number(in + 2)));
+    put_number(out, nkw_ease_evaluate(kind, number(in + 2)).value);
 }
 
 static void steps(const value *in, value *out)
 {
-    put_number(out, nkw_ease_steps((int)in[0].x[0], (nkw_ease_jump)(int)in[1].x[0], number(in + 2)));
+    put_number(out, steps_of((size_t)in[0].x[0], (nkw_ease_jump)(int)in[1].x[0], number(in + 2)));
 }
 
 #define A(name)                                                                                                        \

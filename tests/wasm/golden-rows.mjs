@@ -81,12 +81,12 @@ function tracksOfFcurves(N, o, keys, time) {
 }
 
 const rotations = [
-  (N, i, h) => N.rotationSlerp({}, i.q[0], i.q[1], i.path, Math.trunc(i.s[0]), h),
-  (N, i, h) => N.rotationHermite({}, i.q[0], i.v[0], i.q[1], i.v[1], h),
-  (N, i) => N.rotationCatmullRom({}, i.q, i.times),
-  (N, i) => N.rotationTcb({}, i.q, i.times, [i.t, ...i.s.slice(0, 4), i.t]),
-  (N, i, h) => N.rotationSquad({}, i.q, h),
-  (N, i, h) => N.rotationBspline({}, i.q, h),
+  (N, i, h) => N.rotationFromSlerp({}, i.q[0], i.q[1], h, i.path, Math.trunc(i.s[0])),
+  (N, i, h) => N.rotationFromHermite({}, i.q[0], i.v[0], i.q[1], i.v[1], h),
+  (N, i) => N.rotationFromCatmullRom({}, i.q, i.times),
+  (N, i) => N.rotationFromTcb({}, i.q, i.times, [i.t, ...i.s.slice(0, 4), i.t]),
+  (N, i, h) => N.rotationFromSquad({}, i.q, h),
+  (N, i, h) => N.rotationFromBspline({}, i.q, h),
 ];
 const rotate = kind => (N, i, o) => put(o, 0, N.rotationEvaluate([], rotations[kind](N, i, F(i.t + 0.25)), i.t));
 
@@ -251,12 +251,13 @@ const motionRows = {
 
 // A cubic of numbers, as the x of one of vectors.
 const cubic = c => c.flatMap(x => [x, 0, 0]), xs = c => [0, 3, 6, 9].map(k => c[k]);
-const converted = name => (N, i, o) => put(o, 0, xs(N[name]([], cubic(i.cubic))));
-const withCubic = name => (N, i, o) => N[name](o, i.v.flat());
+const converted = (from, to) => (N, i, o) =>
+  put(o, 0, xs(N.vec3CubicConvert([], cubic(i.cubic), N['CUBIC_' + from], N['CUBIC_' + to])));
+const withCubic = (from, to) => (N, i, o) => N.vec3CubicConvert(o, i.v.flat(), N['CUBIC_' + from], N['CUBIC_' + to]);
 
 function handlePoints(N, i, o) {
   const c = handles(i), time = handleTime(N, c, i.t), limited = N.handleLimit([], c, N.HANDLE_KEEP_RATIO);
-  put(o, 0, N.handlePoint([], c, time), N.handlePoint([], limited, time), N.handleParameter(c, time),
+  put(o, 0, N.handleSample([], c, time), N.handleSample([], limited, time), N.handleParameter(c, time),
     N.handleRunsBack(c));
 }
 
@@ -357,39 +358,32 @@ const otherRows = {
     N.eulerFilter(i.v.flat(), 4, i.order, angles);
     put(o, 0, [...angles.slice(9)]);
   },
-  bezier_from_hermite: converted('vec3BezierFromHermite'), hermite_from_bezier: converted('vec3HermiteFromBezier'),
-  bezier_from_bspline: converted('vec3BezierFromBspline'),
+  cubic_convert_hermite_bezier: converted('HERMITE', 'BEZIER'),
+  cubic_convert_bezier_hermite: converted('BEZIER', 'HERMITE'),
+  cubic_convert_bspline_bezier: converted('BSPLINE', 'BEZIER'),
   bezier_split: (N, i, o) => {
     const [left, right] = [[], []];
     N.vec3BezierSplit(cubic(i.cubic), i.t, left, right);
     put(o, 0, xs(left), xs(right));
   },
-  vec3_bezier_from_hermite: withCubic('vec3BezierFromHermite'),
-  vec3_hermite_from_bezier: withCubic('vec3HermiteFromBezier'),
-  vec3_bezier_from_bspline: withCubic('vec3BezierFromBspline'),
+  vec3_cubic_convert_hermite_bezier: withCubic('HERMITE', 'BEZIER'),
+  vec3_cubic_convert_bezier_hermite: withCubic('BEZIER', 'HERMITE'),
+  vec3_cubic_convert_bspline_bezier: withCubic('BSPLINE', 'BEZIER'),
   vec3_bezier_split: (N, i, o) => {
     const [left, right] = [[], []];
     N.vec3BezierSplit(i.v.flat(), i.t, left, right);
     put(o, 0, right, left.slice(6, 9));
   },
-  quintic_hermite: (N, i, o) => N.quinticHermite(o, i.s.slice(0, 3), i.s.slice(3, 6), i.t),
-  handle_point: handlePoints,
+  quintic_evaluate: (N, i, o) => N.quinticEvaluate(o, i.s.slice(0, 3), i.s.slice(3, 6), i.t),
+  handle_sample: handlePoints,
   handle_limit: (N, i, o) => ['RATIO', 'START'].map(name => N['HANDLE_KEEP_' + name]).concat(N.HANDLE_CONTAIN)
     .forEach((policy, k) => put(o, 4 * k, N.handleLimit([], handles(i), policy).slice(2, 6))),
-  ease_point: (N, i, o) => [0, 1, 2, 3].forEach(k =>
-    put(o, 3 * k, N.easePoint([], (10 * k + some(i)) % (N.EASE_CSS_STEP_END + 1), i.t))),
-  segment_uniform_rate: (N, i, o) => {
-    const rate = N.lerp(1, 61, i.t), found = [];
-    N.segmentUniformRate(Array.from({ length: 32 }, (_, k) => N.segmentUniformTime(i.s[0], rate, k)), 32, found);
-    put(o, 0, found);
-  },
-  segment_find_even: (N, i, o) => {
-    const times = [], rate = [], step = N.lerp(F(0.01), F(0.1), i.t);
-    for (let k = 0, time = i.s[0]; k < 32; k++, time = F(time + step))
-      times.push(time);
-    N.segmentEvenRate(times, 32, rate);
-    const { index, t } = N.segmentFindEven({}, times, 32, rate[0], i.s[1]);
-    put(o, 0, index, t, rate);
+  ease_evaluate: (N, i, o) => [0, 1, 2, 3].forEach(k =>
+    put(o, 3 * k, N.easeEvaluate([], (10 * k + some(i)) % (N.EASE_CSS_STEP_END + 1), i.t))),
+  timeline_from_times: (N, i, o) => {
+    const line = { start: i.s[0], rate: N.lerp(1, 61, i.t), count: 32 }, found = {};
+    N.timelineFromTimes(Array.from({ length: 32 }, (_, k) => N.timelineTime(line, k)), 32, found);
+    put(o, 0, found.rate);
   },
   track_resample_linear: resampled('linear'), track_resample_cubic: resampled('cubic'),
   clip_source_reduce: reducedClip,
@@ -423,11 +417,11 @@ export const rowsOfFunctions = {
   fcurve_insert: insertKey,
   fcurve_auto_handles: autoHandles,
   dialect: dialects,
-  rotation_slerp: rotate(0), rotation_hermite: rotate(1), rotation_catmull_rom: rotate(2), rotation_tcb: rotate(3),
-  rotation_squad: rotate(4), rotation_bspline: rotate(5),
+  rotation_from_slerp: rotate(0), rotation_from_hermite: rotate(1), rotation_from_catmull_rom: rotate(2), rotation_from_tcb: rotate(3),
+  rotation_from_squad: rotate(4), rotation_from_bspline: rotate(5),
   segment_find: find((N, i) => N.segmentFind({}, i.times, 4, i.s[0])),
   segment_find_from: find((N, i) => N.segmentFindHint({}, i.times, 4, i.s[0], 1)),
-  segment_find_uniform: find((N, i) => N.segmentFindUniform({}, i.s[1], 30, 100, i.s[0])),
+  timeline_find: find((N, i) => N.timelineFind({}, { start: i.s[1], rate: 30, count: 100 }, i.s[0])),
   track_floats: sampled('TRACK_FLOATS', 'linear'),
   track_cubic: sampled('TRACK_ROTATION', 'cubic'),
   track_slerp: sampled('TRACK_ROTATION_NORMALIZED', 'linear'),

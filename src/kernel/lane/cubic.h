@@ -118,7 +118,7 @@ static inline float lane_weigh(nkw_weights k, float c0, float c1, float c2, floa
     return (k.w[0] * c0 + k.w[1] * c1) + (k.w[2] * c2 + k.w[3] * c3);
 }
 
-/* The slope at p1 of the parabola through three points; see nkw_catmull_rom_tangent. */
+/* The slope at p1 of the parabola through three points; see nkw_cubic_from_catmull_rom. */
 static inline float lane_catmull_rom_tangent(float p0, float p1, float p2, float h0, float h1)
 {
     double a = h0 > 0.0f ? h0 : 0.0, b = h1 > 0.0f ? h1 : 0.0;
@@ -130,7 +130,7 @@ static inline float lane_catmull_rom_tangent(float p0, float p1, float p2, float
     return (float)((d0 * w0 + d1 * w1) / (w0 + w1 > 0.0 ? w0 + w1 : 1.0));
 }
 
-/* Conversions between the kinds, see nkw_vec3_bezier_from_hermite: in binary64, each value rounded once. */
+/* Conversions between the kinds, see nkw_vec3_cubic_convert: in binary64, each value rounded once. */
 typedef struct lane_f64_cubic {
     double c[4];
 } lane_f64_cubic;
@@ -158,6 +158,32 @@ static inline lane_f64_cubic lane_bezier_from_bspline(lane_f64_cubic d)
         (c[1] + 2.0 * c[2]) / 3.0,
         ((c[1] + 4.0 * c[2]) + c[3]) / 6.0,
     }};
+    return r;
+}
+
+static inline lane_f64_cubic lane_bspline_from_bezier(lane_f64_cubic b)
+{
+    const double *c = b.c;
+    lane_f64_cubic r = {{
+        (6.0 * c[0] - 7.0 * c[1]) + 2.0 * c[2],
+        2.0 * c[1] - c[2],
+        2.0 * c[2] - c[1],
+        2.0 * c[1] + (6.0 * c[3] - 7.0 * c[2]),
+    }};
+    return r;
+}
+
+static inline lane_f64_cubic lane_bezier_from_catmull_rom(lane_f64_cubic p)
+{
+    const double *c = p.c;
+    lane_f64_cubic r = {{c[1], c[1] + (c[2] - c[0]) / 6.0, c[2] - (c[3] - c[1]) / 6.0, c[2]}};
+    return r;
+}
+
+static inline lane_f64_cubic lane_catmull_rom_from_bezier(lane_f64_cubic b)
+{
+    const double *c = b.c;
+    lane_f64_cubic r = {{c[3] - 6.0 * (c[1] - c[0]), c[0], c[3], c[0] + 6.0 * (c[3] - c[2])}};
     return r;
 }
 
@@ -221,7 +247,7 @@ static inline double lane_f64_value_between(double p0, double p1, lane_f64_slope
     return t < 0.5 ? p0 + t * (a.f + s * bend) : p1 - s * (a.f - t * bend);
 }
 
-/* The first and second derivative by t; see nkw_cubic_point. */
+/* The first and second derivative by t; see nkw_cubic_evaluate. */
 static inline double lane_f64_first(lane_f64_slopes a, double t)
 {
     double s = 1.0 - t;

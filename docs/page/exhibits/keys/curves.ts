@@ -86,7 +86,7 @@ function cubic(s: Keys, kind: N.CubicKind, count: number, control: (k: number) =
   const times = Float32Array.from(s.times.slice(0, count)), last = count - 2;
   return time => {
     const { index, t } = N.segmentFind({}, times, count, time), k = Math.min(index, last);
-    const [value, first, second] = N.cubicPoint(new Float32Array(3), kind, control(k), index > last ? 1 : t);
+    const [value, first, second] = N.cubicEvaluate(new Float32Array(3), control(k), index > last ? 1 : t, kind);
     const h = Math.fround(times[k + 1] - times[k]);
     return [value, first / h, second / (h * h)];
   };

@@ -63,7 +63,7 @@ show_floats(name, 3, p);`;
 const bySegment = `
 /* The tangents are read as tangents per segment. */
 const float control[4] = {values[k], after[k], values[k + 1], before[k + 1]};
-const nkw_motion point = nkw_cubic_point(NKW_CUBIC_HERMITE, control, t);${point}`;
+const nkw_motion point = nkw_cubic_evaluate(control, t, NKW_CUBIC_HERMITE);${point}`;
 
 const atJoint = (j: number) => `
 show("tangent", 0, (double)before[${j}]);
@@ -71,7 +71,7 @@ show("tangent", 1, (double)after[${j}]);${ofTrack('second', j)}
 const float ends[2][4] = {{values[${j - 1}], after[${j - 1}], values[${j}], before[${j}]},
                           {values[${j}], after[${j}], values[${j + 1}], before[${j + 1}]}};
 for (int i = 0; i < 2; i++)
-    show("segment", i, (double)nkw_cubic_point(NKW_CUBIC_HERMITE, ends[i], i ? 0.0f : 1.0f).velocity /
+    show("segment", i, (double)nkw_cubic_evaluate(ends[i], i ? 0.0f : 1.0f, NKW_CUBIC_HERMITE).velocity /
                            (double)(times[${j} + i] - times[${j - 1} + i]));`;
 
 const chosen = (s: Keys, j?: number) => `
@@ -90,9 +90,9 @@ for (int m = -1; m < ${splines.length}; m++) {
         before[i] = after[i] = own[i];
     const nkw_spline spline = {times, values, COUNT, 1, 1, (nkw_spline_method)(m < 0 ? 0 : m),
                                NKW_SPLINE_ENDS_FREE, ${literal(s.tension)}, tcb, NULL};
-    double work[NKW_SPLINE_WORK(COUNT)];
+    NKW_STACK_WORK(work, NKW_SPLINE_WORK(COUNT));
     const nkw_tangent_span tangents = {before, after, 1};
-    if (m >= 0 && nkw_spline_tangents(&spline, tangents, NULL, work, NKW_SPLINE_WORK(COUNT)) != NKW_OK)
+    if (m >= 0 && nkw_spline_tangents(&spline, tangents, NULL, work) != NKW_OK)
         return 1;${[own, s.scale === 'second' ? bySecond : bySegment, withTangents(s) ? chosen(s, j) : ''].join('')
           .replace(/\n(?=.)/g, '\n    ')}
 }`;
@@ -109,10 +109,10 @@ for (int i = 0; i < COUNT - 1; i++)
         const int key = i + c - 1 < 0 ? 0 : i + c - 1;
         control[i][c] = values[key < COUNT ? key : COUNT - 1];
     }
-const nkw_motion point = nkw_cubic_point(NKW_CUBIC_BSPLINE, control[k], t);${point}${
+const nkw_motion point = nkw_cubic_evaluate(control[k], t, NKW_CUBIC_BSPLINE);${point}${
   s.method !== 'bspline' || j === undefined ? '' : `
 for (int i = 0; i < 2; i++)
-    show("velocity", i, (double)nkw_cubic_point(NKW_CUBIC_BSPLINE, control[${j - 1} + i], i ? 0.0f : 1.0f).velocity /
+    show("velocity", i, (double)nkw_cubic_evaluate(control[${j - 1} + i], i ? 0.0f : 1.0f, NKW_CUBIC_BSPLINE).velocity /
                             (double)(times[${j} + i] - times[${j - 1} + i]));`}`;
 
 export function code(state: State): string {

@@ -45,7 +45,7 @@ w[NLERP] = state.velocity;
 /* slerp: constant angular velocity */
 const nkw_path paths[] = {NKW_PATH_SHORT, NKW_PATH_LONG, NKW_PATH_SHORT, NKW_PATH_AS_GIVEN};
 for (int m = SLERP; m < METHODS; m++) {
-    const nkw_rotation_segment segment = nkw_rotation_slerp(a, b, paths[m - SLERP], m == TURNS ? ${turns} : 0, seconds);
+    const nkw_rotation_segment segment = nkw_rotation_from_slerp(a, b, seconds, paths[m - SLERP], m == TURNS ? ${turns} : 0);
     state = nkw_rotation_evaluate(&segment, t);
     q[m] = state.value;
     w[m] = state.velocity;

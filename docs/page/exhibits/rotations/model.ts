@@ -49,7 +49,7 @@ const arcs = { slerp: N.PATH_SHORT, long: N.PATH_LONG, turns: N.PATH_SHORT, give
 type Way = (t: number) => Motion;
 
 function alongArc({ a, b }: Keys, method: keyof typeof arcs, turns: number): Way {
-  const segment = N.rotationSlerp({}, a, b, arcs[method], method === 'turns' ? turns : 0, seconds);
+  const segment = N.rotationFromSlerp({}, a, b, seconds, arcs[method], method === 'turns' ? turns : 0);
   return t => {
     const state = N.rotationEvaluate(zeros(10), segment, t);
     return { q: state.slice(0, 4), w: state.slice(4, 7) };

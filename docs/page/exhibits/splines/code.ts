@@ -12,7 +12,7 @@ for (int k = 0; k < COUNT; k++) { /* those of Catmull-Rom */
     const int i = k < COUNT - 1 ? k : COUNT - 2, before = i > 0 ? i - 1 : 0, after = i + 2 < COUNT ? i + 2 : COUNT - 1;
     const nkw_quat four[] = {keys[before], keys[i], keys[i + 1], keys[after]};
     const float four_times[] = {times[before], times[i], times[i + 1], times[after]};
-    omegas[k] = nkw_rotation_catmull_rom(four, four_times).velocity[k - i];
+    omegas[k] = nkw_rotation_from_catmull_rom(four, four_times).velocity[k - i];
 }`;
 
 export const code = ({ keys, times, omega, time }: State) => program(`
@@ -35,11 +35,11 @@ nkw_rotation_segment segments[METHODS][COUNT - 1];
 for (int k = 0; k + 1 < COUNT; k++) {
     const nkw_quat four[] = {keys[k > 0 ? k - 1 : 0], keys[k], keys[k + 1], keys[k + 2 < COUNT ? k + 2 : COUNT - 1]};
     const float duration = times[k + 1] - times[k];
-    segments[SLERP][k] = nkw_rotation_slerp(keys[k], keys[k + 1], NKW_PATH_SHORT, 0, duration);
-    segments[SQUAD][k] = nkw_rotation_squad(four, duration);
+    segments[SLERP][k] = nkw_rotation_from_slerp(keys[k], keys[k + 1], duration, NKW_PATH_SHORT, 0);
+    segments[SQUAD][k] = nkw_rotation_from_squad(four, duration);
     segments[GLTF][k] = segments[HERMITE][k] =
-        nkw_rotation_hermite(keys[k], omegas[k], keys[k + 1], omegas[k + 1], duration);
-    segments[BSPLINE][k] = nkw_rotation_bspline(four, duration);
+        nkw_rotation_from_hermite(keys[k], omegas[k], keys[k + 1], omegas[k + 1], duration);
+    segments[BSPLINE][k] = nkw_rotation_from_bspline(four, duration);
 }
 
 /* glTF's cubic: tangent in, value, tangent out, with dq/dt = (w/2) q */

@@ -54,7 +54,7 @@ function omegasOf({ omega, times }: State, keys: number[][]): number[][] {
     if (omega.length)
       return three(omega, k).map(Math.fround);
     const four = around(Math.min(k, count - 2));
-    const { velocity } = N.rotationCatmullRom({}, four.map(i => keys[i]), four.map(i => times[i]));
+    const { velocity } = N.rotationFromCatmullRom({}, four.map(i => keys[i]), four.map(i => times[i]));
     return three(Array.from(velocity), k < count - 1 ? 0 : 1);
   });
 }
@@ -64,10 +64,10 @@ interface Keys { keys: number[][]; times: number[]; omegas: number[][] }
 function segmentOf(method: Exclude<Method, 'gltf'>, { keys, times, omegas }: Keys, k: number): N.RotationSegment {
   const four = around(k).map(i => keys[i]), duration = Math.fround(Math.fround(times[k + 1]) - Math.fround(times[k]));
   switch (method) {
-    case 'slerp': return N.rotationSlerp({}, keys[k], keys[k + 1], N.PATH_SHORT, 0, duration);
-    case 'squad': return N.rotationSquad({}, four, duration);
-    case 'hermite': return N.rotationHermite({}, keys[k], omegas[k], keys[k + 1], omegas[k + 1], duration);
-    case 'bspline': return N.rotationBspline({}, four, duration);
+    case 'slerp': return N.rotationFromSlerp({}, keys[k], keys[k + 1], duration, N.PATH_SHORT, 0);
+    case 'squad': return N.rotationFromSquad({}, four, duration);
+    case 'hermite': return N.rotationFromHermite({}, keys[k], omegas[k], keys[k + 1], omegas[k + 1], duration);
+    case 'bspline': return N.rotationFromBspline({}, four, duration);
   }
 }
 

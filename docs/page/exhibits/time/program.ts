@@ -18,7 +18,7 @@ const float given[8] = ${list(s.segment)}, time = ${literal(s.time)};
 const nkw_handle_segment segment = {given[0], given[1], {given[2], given[3]}, {given[4], given[5]}, given[6], given[7]};
 for (int i = 0; i < 4; i++) {
     const nkw_handle_segment limited = nkw_handle_limit(&segment, (nkw_handle_policy)i);
-    const nkw_motion point = nkw_handle_point(&limited, time);
+    const nkw_motion point = nkw_handle_sample(&limited, time);
     const float shown[3] = {point.value, point.velocity, nkw_handle_parameter(&limited, time)};
     const float lengths[4] = {limited.out.time, limited.out.value, limited.in.time, limited.in.value};
     show_floats(names[i], 3, shown);

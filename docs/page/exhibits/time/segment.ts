@@ -52,7 +52,7 @@ export const limited = (s: State, policy = s.policy): Float32Array =>
 
 /** Value and velocity at a time, and the parameter. */
 export function pointOf(segment: ArrayLike<number>, time: number): number[] {
-  const [value, first] = N.handlePoint(new Float32Array(3), segment, time);
+  const [value, first] = N.handleSample(new Float32Array(3), segment, time);
   return [value, first, N.handleParameter(segment, time)];
 }
 
