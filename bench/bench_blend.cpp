@@ -325,7 +325,7 @@ static void many(std::shared_ptr<poses> p, size_t count, const std::string &name
     operation op = blend_of(name + p->suffix, p->joints, 40 + 40 * n, 30 * n + 20,
                             [=](size_t j, double *out) { truth_of_many(*p, count, j, out); });
     own(op, "nkw", [=](float *out) {
-        nkw_pose_blend_layers(p->layers, count, nkw_pose_view{p->block[0].data(), p->joints}, 0.1f,
+        nkw_pose_layers_blend(p->layers, count, nkw_pose_view{p->block[0].data(), p->joints}, 0.1f,
                               nkw_pose_span{out, p->joints});
     });
 #ifdef BENCH_GLM
@@ -370,7 +370,7 @@ static void additive(std::shared_ptr<poses> p)
     });
     own(op, "nkw", [=](float *out) {
         nkw_pose_additive_apply(nkw_pose_view{p->block[0].data(), p->joints}, nkw_pose_view{delta->data(), p->joints},
-                                NKW_ADDITIVE_LOCAL, weight, nkw_mask_view{nullptr, p->joints},
+                                weight, nkw_mask_view{nullptr, p->joints}, NKW_ADDITIVE_LOCAL,
                                 nkw_pose_span{out, p->joints});
     });
 #ifdef BENCH_GLM

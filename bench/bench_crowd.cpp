@@ -85,7 +85,7 @@ static void one_by_one(size_t from, size_t to)
     nkw_mat4 models[joints];
     for (size_t c = from; c < to; c++) {
         nkw_clip_sample(clip, s.time(c), nullptr, nkw_pose_span{pose, joints}, nullptr);
-        nkw_models_from_pose(&skeleton, nkw_pose_view{pose, skeleton.joint_count}, nullptr, nullptr, models);
+        nkw_skeleton_models_from_pose(&skeleton, nkw_pose_view{pose, skeleton.joint_count}, nullptr, nullptr, models);
         palette_from_models(models, joints, nullptr, s.binds(), nullptr, joints, s.palette(c));
     }
 }
@@ -275,9 +275,9 @@ static void local_to_model()
                 stage &s = the();
                 nkw_skeleton skeleton = s.skeleton();
                 for (size_t c = 0; c < n; c++)
-                    nkw_models_from_pose(&skeleton,
-                                         nkw_pose_view{&s.poses[c * NKW_POSE_FLOATS(joints)], skeleton.joint_count},
-                                         nullptr, nullptr, &s.models[c * joints]);
+                    nkw_skeleton_models_from_pose(
+                        &skeleton, nkw_pose_view{&s.poses[c * NKW_POSE_FLOATS(joints)], skeleton.joint_count}, nullptr,
+                        nullptr, &s.models[c * joints]);
             },
             show);
 #ifdef BENCH_GLM

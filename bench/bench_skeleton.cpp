@@ -63,8 +63,8 @@ static std::shared_ptr<character> draw(size_t joints)
     }
     nkw_pose_from_trs(c->trs.data(), nkw_pose_span{c->pose.data(), joints});
     nkw_skeleton skeleton = c->skeleton();
-    nkw_models_from_pose(&skeleton, nkw_pose_view{c->pose.data(), skeleton.joint_count}, nullptr, nullptr,
-                         c->models.at);
+    nkw_skeleton_models_from_pose(&skeleton, nkw_pose_view{c->pose.data(), skeleton.joint_count}, nullptr, nullptr,
+                                  c->models.at);
     return c;
 }
 
@@ -140,7 +140,7 @@ static void local_to_model(std::shared_ptr<character> c)
     auto row = [&](const char *who, auto f) { whole(op, who, layout::structs, [=] { f(size_t{0}, answer.at); }); };
     row("nkw", [=](size_t, nkw_mat4 *out) {
         nkw_skeleton s = c->skeleton();
-        nkw_models_from_pose(&s, nkw_pose_view{c->pose.data(), s.joint_count}, nullptr, nullptr, out);
+        nkw_skeleton_models_from_pose(&s, nkw_pose_view{c->pose.data(), s.joint_count}, nullptr, nullptr, out);
     });
     row("nkw singles", [=](size_t from, nkw_mat4 *out) {
         down<nkw_mat4>(
@@ -155,7 +155,7 @@ static void of_matrices(std::shared_ptr<character> c)
     auto row = [&](const char *who, auto f) { whole(op, who, layout::structs, [=] { f(size_t{0}, answer.at); }); };
     row("nkw", [=](size_t, nkw_mat4 *out) {
         nkw_skeleton s = c->skeleton();
-        nkw_models_from_locals(&s, c->locals.at, nullptr, nullptr, out);
+        nkw_skeleton_models_from_locals(&s, c->locals.at, nullptr, nullptr, out);
     });
     /* The method of the D3DX days: made to be read, and slower. */
     row("nkw stack", [=](size_t, nkw_mat4 *out) {
@@ -203,7 +203,7 @@ static void model_to_local(std::shared_ptr<character> c)
     op.sizes = {c->joints};
     whole(op, "nkw", layout::structs, [=] {
         nkw_skeleton s = c->skeleton();
-        nkw_locals_from_models(&s, c->models.at, nullptr, answer.at);
+        nkw_skeleton_locals_from_models(&s, c->models.at, nullptr, answer.at);
     });
 #ifdef BENCH_GLM
     whole(op, "glm", layout::structs,

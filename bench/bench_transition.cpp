@@ -55,11 +55,11 @@ static std::shared_ptr<motions> draw(size_t joints)
     }
     nkw_pose_from_trs(m->old.data(), nkw_pose_span{from.data(), joints});
     nkw_pose_from_trs(m->now.data(), nkw_pose_span{m->to.data(), joints});
-    nkw_pose_motion moving = {{from.data(), joints}, {velocity.data(), joints}}, still = moving;
-    nkw_pose_motion target = {{m->to.data(), joints}, {nullptr, joints}};
+    nkw_pose_state moving = {{from.data(), joints}, {velocity.data(), joints}}, still = moving;
+    nkw_pose_state target = {{m->to.data(), joints}, {nullptr, joints}};
     still.velocity.data = nullptr;
-    nkw_pose_inertia_begin(&still, &target, duration, nkw_pose_inertia{m->inertia.data(), joints});
-    nkw_pose_dead_blend_begin(&moving, m->blend());
+    nkw_pose_inertia_begin(nkw_pose_inertia{m->inertia.data(), joints}, &still, &target, duration);
+    nkw_pose_dead_blend_begin(&m->blend(), &moving);
     return m;
 }
 
@@ -123,7 +123,7 @@ static void own_inertia(motions &m, nkw_pose_view to, nkw_pose_span out)
 
 static void own_dead(motions &m, nkw_pose_view to, nkw_pose_span out)
 {
-    nkw_pose_dead_blend_evaluate(m.blend(), to, when, out);
+    nkw_pose_dead_blend_evaluate(&m.blend(), to, when, out);
 }
 
 static const suite all([] {

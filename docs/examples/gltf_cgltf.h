@@ -46,7 +46,7 @@ static inline nkw_result gltf_load_nodes(const cgltf_data *data, gltf_character 
         c->float_of_node[i] = (int32_t)c->float_count;
     }
     c->rest_floats = (float *)c->take(c->float_count, sizeof(float));
-    nkw_result result = nkw_skeleton_order(maps, n, c->joint_of_node, maps + 3 * n, maps + n, bad);
+    nkw_result result = nkw_skeleton_from_parents(maps, n, c->joint_of_node, maps + 3 * n, maps + n, bad);
     for (size_t i = 0; i < n && result == NKW_OK; i++) {
         const cgltf_node *node = &data->nodes[i];
         const float *t = node->translation, *r = node->rotation, *s = node->scale;

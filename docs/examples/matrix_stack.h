@@ -18,7 +18,8 @@ typedef enum stack_convention {
 /**
  * The model matrices of a tree by the matrix stack, the method of D3DX. Each node's local matrix is multiplied with the
  * matrix on top of the stack. Descending to a child pushes the product, returning pops it; siblings share the top. The
- * results have the bits of nkw_models_from_locals in both conventions; docs/subjects/pose/skeleton.md explains why.
+ * results have the bits of nkw_skeleton_models_from_locals in both conventions; docs/subjects/pose/skeleton.md explains
+ * why.
  *
  * locals   node_count matrices in the layout of the convention (columns for column vectors, rows for row vectors)
  * root     the first matrix on the stack; NULL: none
@@ -29,7 +30,7 @@ typedef enum stack_convention {
  *          nodes. *bad_node becomes the node at which the walk stopped, 0 if there is none; it may be NULL.
  *
  * Nothing is written outside the arrays. The models of nodes that the walk does not reach are not written;
- * nkw_tree_validate reports such nodes.
+ * nkw_skeleton_from_tree reports such nodes.
  *
  * Source the matrix stack of ID3DXMatrixStack, Microsoft, DirectX 9 SDK.
  */

@@ -168,7 +168,7 @@ const char *rig_build(rig *r, mesh *m)
     hang(r, m);
     nkw_skin skin = skin_of(m);
     bind_pose(r, rest);
-    nkw_models_from_pose(&r->skeleton, (nkw_pose_view){rest, r->skeleton.joint_count}, NULL, NULL, bind);
+    nkw_skeleton_models_from_pose(&r->skeleton, (nkw_pose_view){rest, r->skeleton.joint_count}, NULL, NULL, bind);
     const nkw_palette_source bound = {bind, RIG_JOINTS, NULL, NULL, NULL, RIG_JOINTS};
     nkw_palette_inverse_bind(&bound, r->inverse_bind);
     nkw_result result = nkw_skin_validate(&skin, RIG_JOINTS, NULL);
@@ -190,7 +190,7 @@ rig_state rig_at(const rig *r, float time)
         nkw_trs trs = nkw_pose_get((nkw_pose_view){pose, RIG_JOINTS}, j);
         s.local[j] = nkw_mat4_from_trs(&trs);
     }
-    nkw_models_from_pose(&r->skeleton, (nkw_pose_view){pose, r->skeleton.joint_count}, NULL, NULL, s.model);
+    nkw_skeleton_models_from_pose(&r->skeleton, (nkw_pose_view){pose, r->skeleton.joint_count}, NULL, NULL, s.model);
     const nkw_palette_source source = {s.model, RIG_JOINTS, NULL, r->inverse_bind, NULL, RIG_JOINTS};
     nkw_palette_from_models(&source, (nkw_palette_span){s.palette, RIG_JOINTS, NKW_PALETTE_MAT4});
     return s;

@@ -104,7 +104,8 @@ static const char *build_motion(troupe *t)
         rest_pose(joints, rest);
         t->skeleton.parents = t->parents;
         t->skeleton.joint_count = joints;
-        nkw_models_from_pose(&t->skeleton, (nkw_pose_view){rest, t->skeleton.joint_count}, NULL, NULL, t->inverse_bind);
+        nkw_skeleton_models_from_pose(&t->skeleton, (nkw_pose_view){rest, t->skeleton.joint_count}, NULL, NULL,
+                                      t->inverse_bind);
         const nkw_palette_source bound = {t->inverse_bind, joints, NULL, NULL, NULL, joints};
         nkw_palette_inverse_bind(&bound, t->inverse_bind);
         wrong = build_clip(t, tracks, rest, work);
@@ -240,7 +241,7 @@ static void single(const troupe *t, troupe_task task, troupe_step step, size_t f
     if (step == TROUPE_SAMPLE)
         sample(t, task, first + i, time, pose);
     else if (step == TROUPE_MODELS)
-        nkw_models_from_pose(&t->skeleton, (nkw_pose_view){pose, t->skeleton.joint_count}, NULL, NULL, models);
+        nkw_skeleton_models_from_pose(&t->skeleton, (nkw_pose_view){pose, t->skeleton.joint_count}, NULL, NULL, models);
     else
         make_palette(t, models, place(t, task, first + i));
 }

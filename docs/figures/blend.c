@@ -72,7 +72,7 @@ static void figure_of(svg *s, svg_point feet, const float *pose, float opacity)
 {
     const nkw_skeleton skeleton = {parents, JOINTS};
     nkw_mat4 models[JOINTS];
-    nkw_models_from_pose(&skeleton, (nkw_pose_view){pose, skeleton.joint_count}, NULL, NULL, models);
+    nkw_skeleton_models_from_pose(&skeleton, (nkw_pose_view){pose, skeleton.joint_count}, NULL, NULL, models);
     svg_begin(s, opacity);
     for (int j = 0; j < JOINTS; j++) {
         svg_point a = on_page(feet, nkw_mat4_translation(&models[j]));
@@ -139,8 +139,8 @@ static void added(svg *s, float x, float y)
     pose_of(lean, a);
     nkw_pose_additive_build((nkw_pose_view){a, JOINTS}, (nkw_pose_view){ref, JOINTS}, NKW_ADDITIVE_LOCAL,
                             (nkw_pose_span){delta, JOINTS});
-    nkw_pose_additive_apply((nkw_pose_view){base, JOINTS}, (nkw_pose_view){delta, JOINTS}, NKW_ADDITIVE_LOCAL, 1.0f,
-                            (nkw_mask_view){NULL, JOINTS}, (nkw_pose_span){out, JOINTS});
+    nkw_pose_additive_apply((nkw_pose_view){base, JOINTS}, (nkw_pose_view){delta, JOINTS}, 1.0f,
+                            (nkw_mask_view){NULL, JOINTS}, NKW_ADDITIVE_LOCAL, (nkw_pose_span){out, JOINTS});
     figure_bold(s, x, y - 190.0f, 15.0f, FIGURE_INK, 's', "A difference: from ref (pale) to a");
     named(s, svg_at(x + 56.0f, y), base, "walk");
     sign(s, x + 116.0f, y - 48.0f, "+");
@@ -156,7 +156,7 @@ static void mirrored(svg *s, float x, float y)
     svg_paint plane = svg_stroke(FIGURE_PALE, 1.4f, 1.0f);
     plane.dash = "5 4";
     pose_of(stride, a);
-    nkw_pose_mirror((nkw_pose_view){a, JOINTS}, pairs, NKW_MIRROR_X, (nkw_pose_span){out, JOINTS});
+    nkw_pose_mirror((nkw_pose_view){a, JOINTS}, pairs, NKW_MIRROR_X, (nkw_pose_span){out, JOINTS}, NULL);
     figure_bold(s, x, y - 190.0f, 15.0f, FIGURE_INK, 's', "The mirror: x = 0");
     named(s, svg_at(x + 60.0f, y), a, "walk");
     svg_line(s, svg_at(x + 124.0f, y - 160.0f), svg_at(x + 124.0f, y + 6.0f), &plane);

@@ -61,7 +61,7 @@ static void draw_doll(svg *s, svg_point feet, const doll *d, const float *pose, 
     nkw_mat4 models[JOINTS];
     svg_paint bone = svg_stroke(colour, 7.0f, 1.0f), head = svg_fill(colour, 1.0f);
     svg_paint axis_x = svg_stroke(0xc62828, 1.6f, 1.0f), axis_y = svg_stroke(0x2e7d32, 1.6f, 1.0f);
-    nkw_models_from_pose(&skeleton, (nkw_pose_view){pose, JOINTS}, NULL, NULL, models);
+    nkw_skeleton_models_from_pose(&skeleton, (nkw_pose_view){pose, JOINTS}, NULL, NULL, models);
     for (int j = 0; j < JOINTS; j++) {
         nkw_vec3 end = nkw_quat_rotate_inverse(d->axes[j], nkw_vec3_scale(tip[j], j == HIPS ? 1.0f : factor(d, j)));
         svg_point a = on_page(feet, nkw_mat4_translation(&models[j]));

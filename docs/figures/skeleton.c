@@ -85,9 +85,9 @@ int figure_skeleton_order(const char *path)
     int32_t to[NODES], from[NODES], parents[NODES];
     static const int32_t same[NODES] = {0, 1, 2, 3, 4, 5};
     svg s;
-    if (nkw_skeleton_order(file, NODES, to, from, parents, NULL) != NKW_OK ||
+    if (nkw_skeleton_from_parents(file, NODES, to, from, parents, NULL) != NKW_OK ||
         !figure_open(&s, path, 984.0f, 380.0f, "Parents come before their children",
-                     "nkw_skeleton_order renumbers the joints of a file, depth first. Numbers in the tree and "
+                     "nkw_skeleton_from_parents renumbers the joints of a file, depth first. Numbers in the tree and "
                      "colours are the file's."))
         return 0;
     figure_bold(&s, 24.0f, 104.0f, 15.0f, FIGURE_INK, 's', "In the file: parents anywhere");
@@ -124,7 +124,7 @@ static void arm_models(const float turns[ARM], nkw_mat4 models[ARM])
         nkw_trs trs = {{bones[j], 0.0f, 0.0f}, nkw_quat_from_axis_angle(z, turns[j]), {1.0f, 1.0f, 1.0f}};
         nkw_pose_set((nkw_pose_span){pose, ARM}, j, &trs);
     }
-    nkw_models_from_pose(&skeleton, (nkw_pose_view){pose, skeleton.joint_count}, NULL, NULL, models);
+    nkw_skeleton_models_from_pose(&skeleton, (nkw_pose_view){pose, skeleton.joint_count}, NULL, NULL, models);
 }
 
 /* A bone from joint j to the next, and the axes of its space. */

@@ -98,29 +98,28 @@ NKW_SIZE(nkw_pose_layer, 40, 20);
  *        scales (7.5 u where the rest pose takes no weight).
  * Stack  at most 13 KiB.
  */
-NKW_API nkw_result nkw_pose_blend_layers(const nkw_pose_layer *layers, size_t layer_count, nkw_pose_view rest,
+NKW_API nkw_result nkw_pose_layers_blend(const nkw_pose_layer *layers, size_t layer_count, nkw_pose_view rest,
                                          float threshold, nkw_pose_span out);
 
 /**
  * Checks a mask.
  *
  * Returns  NKW_EMPTY without joints; NKW_NOT_FINITE if a number is not finite; NKW_BAD_WEIGHTS if one is not in 0..1.
- *          *bad_joint becomes the first offending joint, 0 if there is none; it may be NULL.
+ *          *bad becomes the first offending joint, 0 if there is none; it may be NULL.
  */
-NKW_API nkw_result nkw_mask_validate(nkw_mask_view mask, size_t *bad_joint);
+NKW_API nkw_result nkw_mask_validate(nkw_mask_view mask, size_t *bad);
 
 /**
  * Checks layers; there may be none. The numbers of the poses are not read: nkw_pose_validate checks them.
  *
  * Returns  NKW_EMPTY without joints and for a layer without a pose; NKW_MISMATCHED if a pose or mask has another number
  *          of joints; NKW_NOT_FINITE if a weight is not finite; NKW_BAD_WEIGHTS if one is not in 0..2^60; otherwise the
- *          result of nkw_mask_validate. *bad_layer becomes the first offending layer, 0 if there is none; it may be
- *          NULL.
+ *          result of nkw_mask_validate. *bad becomes the first offending layer, 0 if there is none; it may be NULL.
  */
 NKW_API nkw_result nkw_pose_layers_validate(const nkw_pose_layer *layers, size_t layer_count, size_t joint_count,
-                                            size_t *bad_layer);
+                                            size_t *bad);
 
-/** The side on which the rotation of an additive pose is multiplied. Any other number is read as NKW_ADDITIVE_LOCAL. */
+/** The side on which the rotation of an additive pose is multiplied. */
 typedef enum nkw_additive {
     NKW_ADDITIVE_LOCAL, /**< in the axes of the joint:       base * delta,  delta = ref^-1 a */
     NKW_ADDITIVE_PARENT, /**< in the axes of its parent:      delta * base,  delta = a ref^-1 */
@@ -135,6 +134,8 @@ typedef enum nkw_additive {
  * Where a scale of ref is 0, the ratio is 1. Rotations are computed in binary64 and rounded once. The inverse of a
  * rotation of ref is its conjugate divided by its squared length; a zero quaternion counts as no rotation.
  *
+ * Returns  NKW_BAD_METHOD for an unknown side; nothing is then written.
+ *
  * Stack  at most 3 KiB.
  */
 NKW_API nkw_result nkw_pose_additive_build(nkw_pose_view a, nkw_pose_view ref, nkw_additive side, nkw_pose_span out);
@@ -147,19 +148,20 @@ NKW_API nkw_result nkw_pose_additive_build(nkw_pose_view a, nkw_pose_view ref, n
  *     part = nkw_quat_nlerp(+-1, delta, w), the sign of the identity 1 being that of delta.w
  *
  * weight   at least 0; negative and NaN count as 0, above 2^60 as 2^60. Above 1 it extrapolates.
- * Returns  the result code. out is exactly base at w = 0. With delta built from a and ref, base = ref and w = 1 yield
- *          a, with the signs of its rotations: translations exactly where a and ref have the same sign and differ by at
- *          most a factor of two; scales exactly where the scale of ref is a power of two or equals that of a. Otherwise
- *          see Error. The product of two unit rotations is of unit length to rounding; it is not normalised.
+ * Returns  NKW_BAD_METHOD for an unknown side. out is exactly base at w = 0. With delta built from a and ref, base =
+ *          ref and w = 1 yield a, with the signs of its rotations: translations exactly where a and ref have the same
+ *          sign and differ by at most a factor of two; scales exactly where the scale of ref is a power of two or
+ *          equals that of a. Otherwise see Error. The product of two unit rotations is of unit length to rounding; it
+ *          is not normalised.
  *
  * Error   2.7 u of rotations in apply(build(a, ref), ref) against a; scales 2.0 u of themselves, translations 1.0 u of
  *         |a - ref| + |a|.
  * Stack  at most 11 KiB.
  */
-NKW_API nkw_result nkw_pose_additive_apply(nkw_pose_view base, nkw_pose_view delta, nkw_additive side, float weight,
-                                           nkw_mask_view mask, nkw_pose_span out);
+NKW_API nkw_result nkw_pose_additive_apply(nkw_pose_view base, nkw_pose_view delta, float weight, nkw_mask_view mask,
+                                           nkw_additive side, nkw_pose_span out);
 
-/** The plane of the reflection. Any other number is read as NKW_MIRROR_X. */
+/** The plane of the reflection. */
 typedef enum nkw_mirror {
     NKW_MIRROR_X, /**< the plane x = 0: exchanges left and right of a character that looks along z */
     NKW_MIRROR_Y,
@@ -176,18 +178,13 @@ typedef enum nkw_mirror {
  * bind pose is the bind pose. In some rigs this holds, in one of the planes, only for the joints below the hip;
  * docs/subjects/pose/blend.md shows how to correct the hip and the joints above it.
  *
- * pair   joint_count partners: the left hand has the index of the right hand and vice versa, the head its own index. If
- *        pair[j] is out of range or pair[pair[j]] is not j, joint j is its own partner.
+ * pair     joint_count partners: the left hand has the index of the right hand and vice versa, the head its own index
+ * Returns  NKW_BAD_METHOD for an unknown plane; NKW_OUT_OF_RANGE if a partner is not in 0..joint_count - 1;
+ *          NKW_BAD_MIRROR if pair[pair[j]] is not j; nothing is then written. *bad becomes the first offending joint, 0
+ *          if there is none; it may be NULL
  */
-NKW_API nkw_result nkw_pose_mirror(nkw_pose_view pose, const int32_t *pair, nkw_mirror plane, nkw_pose_span out);
-
-/**
- * Checks a map of partners.
- *
- * Returns  NKW_EMPTY without joints; NKW_OUT_OF_RANGE if a partner is not in 0..joint_count - 1; NKW_BAD_MIRROR if
- *          pair[pair[j]] is not j. *bad_joint becomes the first offending joint, 0 if there is none; it may be NULL.
- */
-NKW_API nkw_result nkw_mirror_validate(const int32_t *pair, size_t joint_count, size_t *bad_joint);
+NKW_API nkw_result nkw_pose_mirror(nkw_pose_view pose, const int32_t *pair, nkw_mirror plane, nkw_pose_span out,
+                                   size_t *bad);
 
 /**
  * The mask of a subtree: 1 for the joint `root` and all its descendants, 0 for the others and in the padding. A parent

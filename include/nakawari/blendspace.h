@@ -11,7 +11,7 @@
  *
  * The weights are continuous, 0..1, sum to 1, and need no triangles. At a sample its own weight is exactly 1. In one
  * dimension they are those of linear interpolation between neighbours. Outside, the nearest samples keep their weights.
- * The layers of nkw_pose_blend_layers take the weights as they are.
+ * The layers of nkw_pose_layers_blend take the weights as they are.
  *
  * Source Johansen, Automated Semi-Procedural Animation for Character Locomotion, Aarhus University, 2009, chapter 6.
  */
@@ -62,10 +62,10 @@ NKW_API void nkw_blendspace_weights(const nkw_blendspace *space, const float *po
  * Checks a blend space.
  *
  * Returns  NKW_EMPTY without samples or for dimension 0; NKW_BAD_METHOD for an unknown kind, or POLAR of another
- *          dimension than 2; NKW_NOT_FINITE; NKW_REPEATED for a sample at the place of an earlier one. *bad_sample
+ *          dimension than 2; NKW_NOT_FINITE; NKW_REPEATED for a sample at the place of an earlier one. *bad
  *          becomes the first offending sample, 0 if there is none; it may be NULL
  */
-NKW_API nkw_result nkw_blendspace_validate(const nkw_blendspace *space, size_t *bad_sample);
+NKW_API nkw_result nkw_blendspace_validate(const nkw_blendspace *space, size_t *bad);
 
 #ifdef __cplusplus
 }

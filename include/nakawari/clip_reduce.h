@@ -70,8 +70,8 @@ NKW_SIZE(nkw_clip_reduced, 40, 24);
  *
  * The steps are found by trials: a clip is built, sampled and compared with the tracks in model space, until no joint
  * exceeds its tolerance and the clip does not become smaller. It is compared at the times of all keys and in the middle
- * between two keys, by the matrices of nkw_models_from_pose in binary64. The distance of a joint is the largest of its
- * position and of all points around it, in every direction.
+ * between two keys, by the matrices of nkw_skeleton_models_from_pose in binary64. The distance of a joint is the
+ * largest of its position and of all points around it, in every direction.
  *
  * The trials find a small clip, not the smallest: with a larger tolerance it is smaller as a rule, but may be larger.
  *

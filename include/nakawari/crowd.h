@@ -75,7 +75,8 @@ NKW_API void nkw_crowd_from_matrices(const nkw_mat4 *const *matrices, nkw_crowd_
 NKW_API void nkw_crowd_to_matrices(nkw_crowd_matrices_view crowd, nkw_mat4 *const *matrices);
 
 /**
- * Local to model, as nkw_models_from_pose: for each joint, the model matrix of its parent times its local matrix.
+ * Local to model, as nkw_skeleton_models_from_pose: for each joint, the model matrix of its parent times its local
+ * matrix.
  *
  * roots    one matrix for each lane (joint_count 1), applied once, to root joints; data NULL: none.
  *          nkw_crowd_from_matrices stores one matrix of each character in this form
@@ -162,7 +163,7 @@ NKW_SIZE(nkw_crowd_source, 56, 32);
 
 /**
  * Bakes frames of a clip into a chunk of a buffer of palettes (palette.h), sixteen frames at once. Each frame has the
- * bits of nkw_clip_sample, nkw_models_from_pose and nkw_palette_from_models, called in this order.
+ * bits of nkw_clip_sample, nkw_skeleton_models_from_pose and nkw_palette_from_models, called in this order.
  *
  * chunk    the position in the buffer; has as many joints as the skin
  * frames   NULL: all frames of the chunk. Otherwise only these; different threads may bake different frames

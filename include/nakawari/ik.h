@@ -5,7 +5,7 @@
  *
  * Each solver has two forms. The geometric form takes positions and directions, all in one space, and returns rotations
  * in that space. The form for poses takes joints of a skeleton with their model matrices, and changes the local
- * rotations of a pose. It does not update the matrices: call nkw_models_from_pose for the subtree afterwards.
+ * rotations of a pose. It does not update the matrices: call nkw_skeleton_models_from_pose for the subtree afterwards.
  *
  * Every solver returns the error that is left after rounding: how far the end is from the target, or the angle that
  * the aim misses. A target that is out of reach is no failure: the result is as near as the joints permit.

@@ -115,8 +115,8 @@ NKW_API nkw_result nkw_palette_to_mat4(nkw_palette_view palette, nkw_mat4 *out);
  *
  * so that nkw_palette_from_models of the same pose yields the identity to rounding. The inverse is zeros where the
  * matrix is flat: its determinant is at most 2^-20 of the product of the lengths of its columns (as in
- * nkw_locals_from_models). That of an index without a model is the identity, except for the signs of zeros. out has
- * joint_count matrices and may be models if joints is NULL.
+ * nkw_skeleton_locals_from_models). That of an index without a model is the identity, except for the signs of zeros.
+ * out has joint_count matrices and may be models if joints is NULL.
  *
  * Error  10.0 u without global_inverse, of the norms that nkw_mat4_inverse_affine states.
  * Stack  at most 5 KiB.

@@ -18,7 +18,6 @@
 #ifndef NAKAWARI_POSE_H
 #define NAKAWARI_POSE_H
 
-#include "axes.h"
 #include "types.h"
 
 #ifdef __cplusplus
@@ -64,19 +63,13 @@ NKW_API void nkw_pose_from_trs(const nkw_trs *trs, nkw_pose_span pose);
 NKW_API void nkw_trs_from_pose(nkw_pose_view pose, nkw_trs *out);
 
 /**
- * Converts a pose to other axes: joint j receives nkw_axes_convert_trs of its transform. The padding becomes that of an
- * identity. `out` may be `pose`. Returns NKW_MISMATCHED if out has another number of joints; nothing is then written.
- */
-NKW_API nkw_result nkw_pose_convert_axes(nkw_pose_view pose, nkw_axes_map map, nkw_pose_span out);
-
-/**
  * Checks a pose.
  *
  * Returns  NKW_EMPTY without joints; NKW_NOT_FINITE if a number is not finite; NKW_NOT_UNIT if the length of a rotation
- *          differs from 1 by more than 1e-2. *bad_joint becomes the first offending joint, 0 if there is none; it may
- *          be NULL.
+ *          differs from 1 by more than 1e-2. *bad becomes the first offending joint, 0 if there is none; it may be
+ *          NULL.
  */
-NKW_API nkw_result nkw_pose_validate(nkw_pose_view pose, size_t *bad_joint);
+NKW_API nkw_result nkw_pose_validate(nkw_pose_view pose, size_t *bad);
 
 #ifdef __cplusplus
 }

@@ -24,6 +24,7 @@
 #ifndef NAKAWARI_RETARGET_H
 #define NAKAWARI_RETARGET_H
 
+#include "axes.h"
 #include "pose.h"
 #include "skeleton.h"
 #include "types.h"
@@ -84,10 +85,10 @@ NKW_API nkw_result nkw_pose_retarget(const nkw_retarget *retarget, nkw_pose_view
  *
  * Returns  the errors of nkw_skeleton_validate of either skeleton and of nkw_pose_validate of either rest pose;
  *          NKW_MISMATCHED for a rest pose of another number of joints; NKW_OUT_OF_RANGE if the map names a joint that
- *          the source does not have; NKW_NOT_FINITE for a t or translation that is not finite. *bad_joint becomes the
+ *          the source does not have; NKW_NOT_FINITE for a t or translation that is not finite. *bad becomes the
  *          first offending joint, 0 if there is none; may be NULL
  */
-NKW_API nkw_result nkw_retarget_validate(const nkw_retarget *retarget, size_t *bad_joint);
+NKW_API nkw_result nkw_retarget_validate(const nkw_retarget *retarget, size_t *bad);
 
 /**
  * Maps a chain of target joints to a chain of source joints by length: joint k of the target, at the share x of the
@@ -122,6 +123,12 @@ NKW_API float nkw_retarget_scale(const nkw_mat4 *source, const nkw_mat4 *target,
  */
 NKW_API float nkw_retarget_chain_scale(const nkw_retarget *retarget, const int32_t *source_chain, size_t source_count,
                                        const int32_t *target_chain, size_t target_count);
+
+/**
+ * Converts a pose to other axes: joint j receives nkw_axes_convert_trs of its transform. The padding becomes that of an
+ * identity. `out` may be `pose`. Returns NKW_MISMATCHED if out has another number of joints; nothing is then written.
+ */
+NKW_API nkw_result nkw_pose_convert_axes(nkw_pose_view pose, nkw_axes_map map, nkw_pose_span out);
 
 #ifdef __cplusplus
 }

@@ -49,10 +49,10 @@ NKW_SIZE(nkw_skeleton, 16, 8);
  * Checks a skeleton.
  *
  * Returns  NKW_EMPTY without joints; NKW_OUT_OF_RANGE if a parent is neither a joint nor NKW_NO_JOINT; NKW_NOT_ORDERED
- *          if a parent does not come before its child, so for every cycle. *bad_joint becomes the first offending
- *          joint, 0 if there is none; it may be NULL.
+ *          if a parent does not come before its child, so for every cycle. *bad becomes the first offending joint, 0
+ *          if there is none; it may be NULL.
  */
-NKW_API nkw_result nkw_skeleton_validate(const nkw_skeleton *skeleton, size_t *bad_joint);
+NKW_API nkw_result nkw_skeleton_validate(const nkw_skeleton *skeleton, size_t *bad);
 
 /**
  * Returns the end of a subtree: `joint` .. end - 1 is the longest range in which every joint except the first has its
@@ -62,9 +62,9 @@ NKW_API nkw_result nkw_skeleton_validate(const nkw_skeleton *skeleton, size_t *b
 NKW_API size_t nkw_skeleton_subtree_end(const nkw_skeleton *skeleton, size_t joint);
 
 /**
- * Sorts the nodes of a file (glTF, Assimp), which may be in any order, into depth-first order: each joint is followed
- * by all its descendants. Children and roots keep their order in the file, so an order that is already depth-first does
- * not change.
+ * The skeleton of the nodes of a file (glTF, Assimp), which may be in any order, in depth-first order: each joint is
+ * followed by all its descendants. Children and roots keep their order in the file, so an order that is already
+ * depth-first does not change.
  *
  * node_parents   joint_count parents, as node indices, before or after their children
  * joint_of_node  receives joint_count numbers: the joint of each node
@@ -72,28 +72,27 @@ NKW_API size_t nkw_skeleton_subtree_end(const nkw_skeleton *skeleton, size_t joi
  * parents        receives joint_count parents, as joint indices: a valid skeleton
  * Returns        NKW_EMPTY without joints; NKW_OUT_OF_RANGE if a parent is neither a node nor NKW_NO_JOINT, or if there
  *                are more than 2^31 - 1 nodes; otherwise NKW_NOT_A_TREE if a node is in a cycle or below one.
- *                *bad_joint becomes the index of the first offending node, 0 if there is none; it may be NULL. The
- *                outputs are undefined after an error
+ *                *bad becomes the index of the first offending node, 0 if there is none; it may be NULL. The outputs
+ *                are undefined after an error
  *
  * The three outputs are also the working memory: no two of the four arrays may be the same.
  */
-NKW_API nkw_result nkw_skeleton_order(const int32_t *node_parents, size_t joint_count, int32_t *joint_of_node,
-                                      int32_t *node_of_joint, int32_t *parents, size_t *bad_joint);
+NKW_API nkw_result nkw_skeleton_from_parents(const int32_t *node_parents, size_t joint_count, int32_t *joint_of_node,
+                                             int32_t *node_of_joint, int32_t *parents, size_t *bad);
 
 /**
- * The depths of joints in any order, and the joints level by level: roots first, then their children, each level
- * ascending by index. A parent then precedes its children, whatever the order of the file.
+ * The depths of the joints of a skeleton whose joints may be in any order, and the joints level by level: roots first,
+ * then their children, each level ascending by index. A parent then precedes its children, whatever the order of the
+ * file.
  *
- * parents      the parent's index; -1 for a root
- * joint_count  at most 65536
- * depths       receives the level of each joint; that of a root is 0
- * order        receives the joints, joint_count of them; may be NULL
- * bad_joint    receives the first joint that causes the error; may be NULL
- * Returns      NKW_OK; NKW_OUT_OF_RANGE for a parent that is neither -1 nor a joint, and for more joints, *bad_joint is
- *              then 65536; NKW_NOT_A_TREE for a joint that is its own ancestor. `order` is not written after an error
+ * skeleton  at most 65536 joints; a parent may come after its child
+ * depths    receives the level of each joint; that of a root is 0
+ * order     receives the joints, joint_count of them; may be NULL
+ * Returns   NKW_OK; NKW_OUT_OF_RANGE for a parent that is neither a joint nor NKW_NO_JOINT, and for more joints, *bad
+ *           is then 65536; NKW_NOT_A_TREE for a joint that is its own ancestor. `order` is not written after an error.
+ *           *bad becomes the first joint that causes the error, 0 if there is none; it may be NULL
  */
-NKW_API nkw_result nkw_skeleton_depths(const int32_t *parents, size_t joint_count, uint16_t *depths, uint32_t *order,
-                                       size_t *bad_joint);
+NKW_API nkw_result nkw_skeleton_depths(const nkw_skeleton *skeleton, uint16_t *depths, uint32_t *order, size_t *bad);
 
 /**
  * A hierarchy as in D3DXFRAME: each node has a first child and a next sibling. Node 0 is the first root; its siblings
@@ -106,26 +105,17 @@ typedef struct nkw_tree {
 } nkw_tree;
 NKW_SIZE(nkw_tree, 24, 12);
 
-/** The number of int32_t that nkw_tree_validate needs as working memory. */
-#define NKW_TREE_WORK(node_count) (3 * (node_count))
-
 /**
- * Checks a tree.
+ * The skeleton of a tree in depth-first order: a node, the subtrees of its children, its siblings. The tree is checked.
+ * The arrays are those of nkw_skeleton_from_parents.
  *
- * work     work_count numbers, at least NKW_TREE_WORK(node_count)
- * Returns  NKW_EMPTY without nodes; NKW_TOO_SMALL for work_count; NKW_OUT_OF_RANGE if a child or sibling is neither a
- *          node nor NKW_NO_JOINT, or if there are more than 2^31 - 1 nodes; NKW_NOT_A_TREE if a node is reached twice,
- *          as in every cycle, or not at all. *bad_node becomes the first offending node of the depth-first walk,
- *          otherwise the first node that the walk does not reach, 0 if there is none; it may be NULL.
- */
-NKW_API nkw_result nkw_tree_validate(const nkw_tree *tree, size_t *bad_node, int32_t *work, size_t work_count);
-
-/**
- * The skeleton of a tree in depth-first order: a node, the subtrees of its children, its siblings. The arrays are those
- * of nkw_skeleton_order; the results are those of nkw_tree_validate, without NKW_TOO_SMALL.
+ * Returns  NKW_EMPTY without nodes; NKW_OUT_OF_RANGE if a child or sibling is neither a node nor NKW_NO_JOINT, or if
+ *          there are more than 2^31 - 1 nodes; NKW_NOT_A_TREE if a node is reached twice, as in every cycle, or not at
+ *          all. *bad becomes the first offending node of the depth-first walk, otherwise the first node that the walk
+ *          does not reach, 0 if there is none; it may be NULL. The outputs are undefined after an error
  */
 NKW_API nkw_result nkw_skeleton_from_tree(const nkw_tree *tree, int32_t *joint_of_node, int32_t *node_of_joint,
-                                          int32_t *parents, size_t *bad_node);
+                                          int32_t *parents, size_t *bad);
 
 /**
  * Local to model: joint_count matrices from a pose (pose.h), or from local matrices.
@@ -145,12 +135,12 @@ NKW_API nkw_result nkw_skeleton_from_tree(const nkw_tree *tree, int32_t *joint_o
  *        uniform scales. This is the worst case of each joint: along random chains errors grow with the square root of
  *        the length, to 9.3 u in the root mean square and 23.3 u in the worst of 1000 chains of 67 joints, 67 u of 1000
  *        joints, and those of the position to 4 u.
- * Stack  at most 3 KiB in nkw_models_from_pose.
+ * Stack  at most 3 KiB in nkw_skeleton_models_from_pose.
  */
-NKW_API nkw_result nkw_models_from_pose(const nkw_skeleton *skeleton, nkw_pose_view pose, const nkw_mat4 *root,
-                                        const nkw_range *range, nkw_mat4 *models);
-NKW_API void nkw_models_from_locals(const nkw_skeleton *skeleton, const nkw_mat4 *locals, const nkw_mat4 *root,
-                                    const nkw_range *range, nkw_mat4 *models);
+NKW_API nkw_result nkw_skeleton_models_from_pose(const nkw_skeleton *skeleton, nkw_pose_view pose, const nkw_mat4 *root,
+                                                 const nkw_range *range, nkw_mat4 *models);
+NKW_API void nkw_skeleton_models_from_locals(const nkw_skeleton *skeleton, const nkw_mat4 *locals, const nkw_mat4 *root,
+                                             const nkw_range *range, nkw_mat4 *models);
 
 /**
  * Model to local: local[j] = inverse(model[parent j]) model[j]. For a root joint, `root` takes the place of the
@@ -163,12 +153,12 @@ NKW_API void nkw_models_from_locals(const nkw_skeleton *skeleton, const nkw_mat4
  *        times the condition of the parent's. 3.5 u for scales of 0.8 to 1.25.
  * Stack  at most 4 KiB.
  */
-NKW_API void nkw_locals_from_models(const nkw_skeleton *skeleton, const nkw_mat4 *models, const nkw_mat4 *root,
-                                    nkw_mat4 *locals);
+NKW_API void nkw_skeleton_locals_from_models(const nkw_skeleton *skeleton, const nkw_mat4 *models, const nkw_mat4 *root,
+                                             nkw_mat4 *locals);
 
 /**
- * Model to pose: the TRS (nkw_trs_from_mat4) of each local matrix of nkw_locals_from_models; the padding becomes the
- * identity. A local matrix of zeros becomes the identity rotation with scale 0.
+ * Model to pose: the TRS (nkw_trs_from_mat4) of each local matrix of nkw_skeleton_locals_from_models; the padding
+ * becomes the identity. A local matrix of zeros becomes the identity rotation with scale 0.
  *
  * residual  becomes the largest nkw_trs_residual: the shear that the pose cannot represent; about 1e-6 without shear,
  *           NaN if one residual is NaN; may be NULL
@@ -176,8 +166,8 @@ NKW_API void nkw_locals_from_models(const nkw_skeleton *skeleton, const nkw_mat4
  *
  * Stack  at most 5 KiB.
  */
-NKW_API nkw_result nkw_pose_from_models(const nkw_skeleton *skeleton, const nkw_mat4 *models, const nkw_mat4 *root,
-                                        nkw_pose_span pose, float *residual);
+NKW_API nkw_result nkw_skeleton_pose_from_models(const nkw_skeleton *skeleton, const nkw_mat4 *models,
+                                                 const nkw_mat4 *root, nkw_pose_span pose, float *residual);
 
 #ifdef __cplusplus
 }

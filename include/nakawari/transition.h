@@ -60,24 +60,24 @@ typedef struct nkw_pose_inertia {
 NKW_SIZE(nkw_pose_inertia, 16, 8);
 
 /** A pose and its velocities. */
-typedef struct nkw_pose_motion {
+typedef struct nkw_pose_state {
     nkw_pose_view pose;
     nkw_pose_velocity_view velocity;
-} nkw_pose_motion;
-NKW_SIZE(nkw_pose_motion, 32, 16);
+} nkw_pose_state;
+NKW_SIZE(nkw_pose_state, 32, 16);
 
 /**
  * Begins an inertialisation: nkw_vec3_inertia_begin for translations and scales, nkw_quat_inertia_begin for rotations.
  *
+ * inertia   receives the offsets
  * from      the last pose that was shown; of a transition that still runs, its result
  * to        the first pose of the new motion
  * duration  seconds
- * out       receives the offsets
  *
  * Stack  at most 2 KiB.
  */
-NKW_API nkw_result nkw_pose_inertia_begin(const nkw_pose_motion *from, const nkw_pose_motion *to, float duration,
-                                          nkw_pose_inertia out);
+NKW_API nkw_result nkw_pose_inertia_begin(nkw_pose_inertia inertia, const nkw_pose_state *from,
+                                          const nkw_pose_state *to, float duration);
 
 /**
  * The pose t seconds after the transition began, from the pose of the new motion at that time. From the duration on it
@@ -99,7 +99,7 @@ typedef struct nkw_pose_dead_blend {
 NKW_SIZE(nkw_pose_dead_blend, 24, 16);
 
 /** Begins a dead blend: copies the pose and its velocities into the state. */
-NKW_API nkw_result nkw_pose_dead_blend_begin(const nkw_pose_motion *from, nkw_pose_dead_blend blend);
+NKW_API nkw_result nkw_pose_dead_blend_begin(const nkw_pose_dead_blend *blend, const nkw_pose_state *from);
 
 /**
  * The pose t seconds after the transition began: nkw_vec3_dead_blend_evaluate for translations and scales,
@@ -107,7 +107,7 @@ NKW_API nkw_result nkw_pose_dead_blend_begin(const nkw_pose_motion *from, nkw_po
  *
  * Stack  at most 5 KiB.
  */
-NKW_API nkw_result nkw_pose_dead_blend_evaluate(nkw_pose_dead_blend blend, nkw_pose_view to, float t,
+NKW_API nkw_result nkw_pose_dead_blend_evaluate(const nkw_pose_dead_blend *blend, nkw_pose_view to, float t,
                                                 nkw_pose_span out);
 
 #ifdef __cplusplus

@@ -44,7 +44,8 @@ static int sort_bones(skinmodel *s, const nkw_document *d, const nkw_document_sk
         index[skin->joints[i]] = (int32_t)i;
     for (size_t i = 0; fine && i < count; i++)
         parents[i] = parent_in_skin(d, index, skin->joints[i]);
-    fine = fine && nkw_skeleton_depths(parents, count, depths, order, NULL) == NKW_OK;
+    const nkw_skeleton bones = {parents, count};
+    fine = fine && nkw_skeleton_depths(&bones, depths, order, NULL) == NKW_OK;
     for (size_t b = 0; fine && b < count; b++)
         rank[order[b]] = (uint16_t)b;
     for (size_t b = 0; fine && b < count; b++) {

@@ -96,7 +96,7 @@ nkw_result nkw_document_models(const nkw_document *document, nkw_pose_view pose,
         nkw_trs local = nkw_pose_get(pose, j);
         models[j] = document->nodes[j].matrix ? *document->nodes[j].matrix : nkw_mat4_from_trs(&local);
     }
-    nkw_models_from_locals(&document->skeleton, models, root, NULL, models);
+    nkw_skeleton_models_from_locals(&document->skeleton, models, root, NULL, models);
     return NKW_OK;
 }
 

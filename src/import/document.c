@@ -99,7 +99,7 @@ int nkwi_document_nodes(nkwi_document *d, nkw_import_error *error, const nkwi_pl
     int32_t *joint_of_node = maps, *node_of_joint = maps + count, *parents = maps + 2 * count;
     /* A file of meshes or materials only has no nodes. */
     nkw_result result =
-        count ? nkw_skeleton_order(node_parents, count, joint_of_node, node_of_joint, parents, &bad) : NKW_OK;
+        count ? nkw_skeleton_from_parents(node_parents, count, joint_of_node, node_of_joint, parents, &bad) : NKW_OK;
     const nkwi_place at = {place, NULL, bad};
     if (result != NKW_OK) {
         error->result = result;

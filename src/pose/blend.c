@@ -352,7 +352,7 @@ static int all_fit(const nkw_pose_layer *layers, size_t count, size_t joint_coun
     return fit;
 }
 
-nkw_result nkw_pose_blend_layers(const nkw_pose_layer *layers, size_t layer_count, nkw_pose_view rest, float threshold,
+nkw_result nkw_pose_layers_blend(const nkw_pose_layer *layers, size_t layer_count, nkw_pose_view rest, float threshold,
                                  nkw_pose_span out)
 {
     size_t joints = out.joint_count;
@@ -377,15 +377,15 @@ static nkw_result check_weight(float weight, float most)
     return weight >= 0.0f && weight <= most ? NKW_OK : NKW_BAD_WEIGHTS;
 }
 
-nkw_result nkw_mask_validate(nkw_mask_view mask, size_t *bad_joint)
+nkw_result nkw_mask_validate(nkw_mask_view mask, size_t *bad)
 {
     nkw_result result = mask.joint_count == 0 ? NKW_EMPTY : NKW_OK;
-    size_t bad = 0;
+    size_t offender = 0;
     for (size_t j = 0; result == NKW_OK && mask.data && j < mask.joint_count; j++) {
         result = check_weight(mask.data[j], 1.0f);
-        bad = j;
+        offender = j;
     }
-    return report(result, bad, bad_joint);
+    return report(result, offender, bad);
 }
 
 static nkw_result check_layer(const nkw_pose_layer *layer, size_t joint_count)
@@ -398,35 +398,43 @@ static nkw_result check_layer(const nkw_pose_layer *layer, size_t joint_count)
     return result == NKW_OK && layer->mask.data ? nkw_mask_validate(layer->mask, NULL) : result;
 }
 
-nkw_result nkw_pose_layers_validate(const nkw_pose_layer *layers, size_t layer_count, size_t joint_count,
-                                    size_t *bad_layer)
+nkw_result nkw_pose_layers_validate(const nkw_pose_layer *layers, size_t layer_count, size_t joint_count, size_t *bad)
 {
     nkw_result result = joint_count == 0 ? NKW_EMPTY : NKW_OK;
-    size_t bad = 0;
+    size_t offender = 0;
     for (size_t i = 0; result == NKW_OK && i < layer_count; i++) {
         result = check_layer(&layers[i], joint_count);
-        bad = i;
+        offender = i;
     }
-    return report(result, bad, bad_layer);
+    return report(result, offender, bad);
 }
 
 /* differences */
+
+static int is_side(nkw_additive side)
+{
+    return side == NKW_ADDITIVE_LOCAL || side == NKW_ADDITIVE_PARENT;
+}
 
 nkw_result nkw_pose_additive_build(nkw_pose_view a, nkw_pose_view ref, nkw_additive side, nkw_pose_span out)
 {
     if (a.joint_count != out.joint_count || ref.joint_count != out.joint_count)
         return NKW_MISMATCHED;
+    if (!is_side(side))
+        return NKW_BAD_METHOD;
     nkwi_additive_build(nkw_pose_components(a), nkw_pose_components(ref), side == NKW_ADDITIVE_PARENT,
                         nkw_pose_components_span(out), out.joint_count);
     return NKW_OK;
 }
 
-nkw_result nkw_pose_additive_apply(nkw_pose_view base, nkw_pose_view delta, nkw_additive side, float weight,
-                                   nkw_mask_view mask, nkw_pose_span out)
+nkw_result nkw_pose_additive_apply(nkw_pose_view base, nkw_pose_view delta, float weight, nkw_mask_view mask,
+                                   nkw_additive side, nkw_pose_span out)
 {
     size_t joints = out.joint_count;
     if (base.joint_count != joints || delta.joint_count != joints || !fits(mask, joints))
         return NKW_MISMATCHED;
+    if (!is_side(side))
+        return NKW_BAD_METHOD;
     for (size_t from = 0; from < NKW_POSE_STRIDE(joints); from += BLEND_BLOCK) {
         part p = part_at(joints, from);
         float w[BLEND_BLOCK];
@@ -454,35 +462,35 @@ static void mirror_pair(const float *pose, size_t stride, size_t j, size_t k, co
     }
 }
 
-nkw_result nkw_pose_mirror(nkw_pose_view pose, const int32_t *pair, nkw_mirror plane, nkw_pose_span out)
+/* Checks the plane and the partners. */
+static nkw_result check_mirror(const int32_t *pair, size_t joints, nkw_mirror plane, size_t *offender)
 {
-    size_t joints = out.joint_count;
-    if (pose.joint_count != joints)
-        return NKW_MISMATCHED;
-    size_t normal = plane == NKW_MIRROR_Y ? 1 : plane == NKW_MIRROR_Z ? 2 : 0;
-    float sign[10] = {1, 1, 1, -1, -1, -1, 1, 1, 1, 1};
-    sign[normal] = -1.0f;
-    sign[3 + normal] = 1.0f;
+    if (plane != NKW_MIRROR_X && plane != NKW_MIRROR_Y && plane != NKW_MIRROR_Z)
+        return NKW_BAD_METHOD;
     for (size_t j = 0; j < joints; j++) {
-        size_t k = is_paired(pair, joints, j) ? (size_t)pair[j] : j;
-        if (j <= k)
-            mirror_pair(pose.data, NKW_POSE_STRIDE(joints), j, k, sign, out.data);
+        *offender = j;
+        if (pair[j] < 0 || (size_t)pair[j] >= joints)
+            return NKW_OUT_OF_RANGE;
+        if (!is_paired(pair, joints, j))
+            return NKW_BAD_MIRROR;
     }
     return NKW_OK;
 }
 
-nkw_result nkw_mirror_validate(const int32_t *pair, size_t joint_count, size_t *bad_joint)
+nkw_result nkw_pose_mirror(nkw_pose_view pose, const int32_t *pair, nkw_mirror plane, nkw_pose_span out, size_t *bad)
 {
-    nkw_result result = joint_count == 0 ? NKW_EMPTY : NKW_OK;
-    size_t bad = 0;
-    for (size_t j = 0; result == NKW_OK && j < joint_count; j++) {
-        if (pair[j] < 0 || (size_t)pair[j] >= joint_count)
-            result = NKW_OUT_OF_RANGE;
-        else if (!is_paired(pair, joint_count, j))
-            result = NKW_BAD_MIRROR;
-        bad = j;
-    }
-    return report(result, bad, bad_joint);
+    size_t joints = out.joint_count, offender = 0;
+    nkw_result result = pose.joint_count == joints ? check_mirror(pair, joints, plane, &offender) : NKW_MISMATCHED;
+    if (result != NKW_OK)
+        return report(result, offender, bad);
+    size_t normal = plane == NKW_MIRROR_Y ? 1 : plane == NKW_MIRROR_Z ? 2 : 0;
+    float sign[10] = {1, 1, 1, -1, -1, -1, 1, 1, 1, 1};
+    sign[normal] = -1.0f;
+    sign[3 + normal] = 1.0f;
+    for (size_t j = 0; j < joints; j++)
+        if (j <= (size_t)pair[j])
+            mirror_pair(pose.data, NKW_POSE_STRIDE(joints), j, (size_t)pair[j], sign, out.data);
+    return report(NKW_OK, 0, bad);
 }
 
 nkw_result nkw_mask_from_subtree(const nkw_skeleton *skeleton, size_t root, nkw_mask_span mask)

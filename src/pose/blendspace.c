@@ -127,7 +127,7 @@ static int is_repeated(const nkw_blendspace *space, size_t i)
     return 0;
 }
 
-nkw_result nkw_blendspace_validate(const nkw_blendspace *space, size_t *bad_sample)
+nkw_result nkw_blendspace_validate(const nkw_blendspace *space, size_t *bad)
 {
     int known = space->kind == NKW_BLENDSPACE_CARTESIAN || is_polar(space);
     nkw_result result = space->count == 0 || space->dimension == 0 ? NKW_EMPTY : known ? NKW_OK : NKW_BAD_METHOD;
@@ -138,5 +138,5 @@ nkw_result nkw_blendspace_validate(const nkw_blendspace *space, size_t *bad_samp
         else if (is_repeated(space, i))
             result = NKW_REPEATED;
     }
-    return report(result, i ? i - 1 : 0, bad_sample);
+    return report(result, i ? i - 1 : 0, bad);
 }

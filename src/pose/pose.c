@@ -108,19 +108,6 @@ void nkw_trs_from_pose(nkw_pose_view pose, nkw_trs *out)
         out[j] = get(pose.data, NKW_POSE_STRIDE(pose.joint_count), j);
 }
 
-nkw_result nkw_pose_convert_axes(nkw_pose_view pose, nkw_axes_map map, nkw_pose_span out)
-{
-    size_t stride = NKW_POSE_STRIDE(pose.joint_count);
-    if (pose.joint_count != out.joint_count)
-        return NKW_MISMATCHED;
-    for (size_t j = 0; j < pose.joint_count; j++) {
-        nkw_trs trs = get(pose.data, stride, j), converted = nkw_axes_convert_trs(map, &trs);
-        put(out.data, stride, j, &converted);
-    }
-    fill(out.data, stride, pose.joint_count);
-    return NKW_OK;
-}
-
 static nkw_result check(const nkw_trs *trs)
 {
     if (!nkw_vec3_is_finite(trs->translation) || !nkw_quat_is_finite(trs->rotation) || !nkw_vec3_is_finite(trs->scale))
@@ -128,14 +115,14 @@ static nkw_result check(const nkw_trs *trs)
     return lane_is_unit_length(nkw_quat_length(trs->rotation)) ? NKW_OK : NKW_NOT_UNIT;
 }
 
-nkw_result nkw_pose_validate(nkw_pose_view pose, size_t *bad_joint)
+nkw_result nkw_pose_validate(nkw_pose_view pose, size_t *bad)
 {
     nkw_result result = pose.joint_count == 0 ? NKW_EMPTY : NKW_OK;
-    size_t bad = 0;
+    size_t offender = 0;
     for (size_t j = 0; result == NKW_OK && j < pose.joint_count; j++) {
         nkw_trs trs = get(pose.data, NKW_POSE_STRIDE(pose.joint_count), j);
         result = check(&trs);
-        bad = j;
+        offender = j;
     }
-    return report(result, bad, bad_joint);
+    return report(result, offender, bad);
 }

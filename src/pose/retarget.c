@@ -5,6 +5,7 @@
 #include <nakawari/orient.h>
 #include <nakawari/quat.h>
 #include <nakawari/retarget.h>
+#include <nakawari/transform.h>
 #include <nakawari/vec.h>
 
 #include "lane/scalar.h"
@@ -117,6 +118,21 @@ nkw_result nkw_pose_retarget(const nkw_retarget *retarget, nkw_pose_view source,
     return NKW_OK;
 }
 
+nkw_result nkw_pose_convert_axes(nkw_pose_view pose, nkw_axes_map map, nkw_pose_span out)
+{
+    const nkw_pose_span padded = {out.data, NKW_POSE_STRIDE(out.joint_count)};
+    const nkw_trs none = nkw_trs_identity();
+    if (pose.joint_count != out.joint_count)
+        return NKW_MISMATCHED;
+    for (size_t j = 0; j < pose.joint_count; j++) {
+        nkw_trs trs = nkw_pose_get(pose, j), converted = nkw_axes_convert_trs(map, &trs);
+        nkw_pose_set(out, j, &converted);
+    }
+    for (size_t j = out.joint_count; j < padded.joint_count; j++)
+        nkw_pose_set(padded, j, &none);
+    return NKW_OK;
+}
+
 static nkw_result check_map(const nkw_retarget *r, const nkw_retarget_joint *map)
 {
     int32_t count = (int32_t)(r->source.joint_count < INT32_MAX ? r->source.joint_count : INT32_MAX);
@@ -125,19 +141,19 @@ static nkw_result check_map(const nkw_retarget *r, const nkw_retarget_joint *map
     return lane_is_finite(map->t) && lane_is_finite(map->translation) ? NKW_OK : NKW_NOT_FINITE;
 }
 
-nkw_result nkw_retarget_validate(const nkw_retarget *r, size_t *bad_joint)
+nkw_result nkw_retarget_validate(const nkw_retarget *r, size_t *bad)
 {
-    size_t bad = 0;
-    nkw_result result = nkw_skeleton_validate(&r->source, &bad);
-    result = result == NKW_OK ? nkw_skeleton_validate(&r->target, &bad) : result;
+    size_t offender = 0;
+    nkw_result result = nkw_skeleton_validate(&r->source, &offender);
+    result = result == NKW_OK ? nkw_skeleton_validate(&r->target, &offender) : result;
     result = result == NKW_OK ? check_counts(r) : result;
-    result = result == NKW_OK ? nkw_pose_validate(r->source_rest, &bad) : result;
-    result = result == NKW_OK ? nkw_pose_validate(r->target_rest, &bad) : result;
+    result = result == NKW_OK ? nkw_pose_validate(r->source_rest, &offender) : result;
+    result = result == NKW_OK ? nkw_pose_validate(r->target_rest, &offender) : result;
     for (size_t j = 0; result == NKW_OK && j < r->target.joint_count; j++) {
         result = check_map(r, &r->joints[j]);
-        bad = j;
+        offender = j;
     }
-    return report(result, bad, bad_joint);
+    return report(result, offender, bad);
 }
 
 /* ---- Chains ---- */

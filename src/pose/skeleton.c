@@ -16,7 +16,7 @@ static int is_root(const nkw_skeleton *skeleton, size_t j)
     return (size_t)(uint32_t)skeleton->parents[j] >= j;
 }
 
-nkw_result nkw_skeleton_validate(const nkw_skeleton *skeleton, size_t *bad_joint)
+nkw_result nkw_skeleton_validate(const nkw_skeleton *skeleton, size_t *bad)
 {
     nkw_result result = skeleton->joint_count == 0 ? NKW_EMPTY : NKW_OK;
     size_t j = 0;
@@ -27,7 +27,7 @@ nkw_result nkw_skeleton_validate(const nkw_skeleton *skeleton, size_t *bad_joint
         else if (parent != NKW_NO_JOINT && is_root(skeleton, j))
             result = NKW_NOT_ORDERED;
     }
-    return report(result, j ? j - 1 : 0, bad_joint);
+    return report(result, j ? j - 1 : 0, bad);
 }
 
 size_t nkw_skeleton_subtree_end(const nkw_skeleton *skeleton, size_t joint)
@@ -47,8 +47,8 @@ static nkw_range joints_of(const nkw_skeleton *skeleton, const nkw_range *range)
     return r;
 }
 
-nkw_result nkw_models_from_pose(const nkw_skeleton *skeleton, nkw_pose_view pose, const nkw_mat4 *root,
-                                const nkw_range *range, nkw_mat4 *models)
+nkw_result nkw_skeleton_models_from_pose(const nkw_skeleton *skeleton, nkw_pose_view pose, const nkw_mat4 *root,
+                                         const nkw_range *range, nkw_mat4 *models)
 {
     const nkw_range r = joints_of(skeleton, range);
     if (pose.joint_count != skeleton->joint_count)
@@ -57,21 +57,21 @@ nkw_result nkw_models_from_pose(const nkw_skeleton *skeleton, nkw_pose_view pose
     return NKW_OK;
 }
 
-void nkw_models_from_locals(const nkw_skeleton *skeleton, const nkw_mat4 *locals, const nkw_mat4 *root,
-                            const nkw_range *range, nkw_mat4 *models)
+void nkw_skeleton_models_from_locals(const nkw_skeleton *skeleton, const nkw_mat4 *locals, const nkw_mat4 *root,
+                                     const nkw_range *range, nkw_mat4 *models)
 {
     const nkw_range r = joints_of(skeleton, range);
     nkwi_models_from_locals(skeleton->parents, locals, root, r.from, r.to, models);
 }
 
-void nkw_locals_from_models(const nkw_skeleton *skeleton, const nkw_mat4 *models, const nkw_mat4 *root,
-                            nkw_mat4 *locals)
+void nkw_skeleton_locals_from_models(const nkw_skeleton *skeleton, const nkw_mat4 *models, const nkw_mat4 *root,
+                                     nkw_mat4 *locals)
 {
     nkwi_locals_from_models(skeleton->parents, models, root, 0, skeleton->joint_count, locals);
 }
 
-nkw_result nkw_pose_from_models(const nkw_skeleton *skeleton, const nkw_mat4 *models, const nkw_mat4 *root,
-                                nkw_pose_span pose, float *residual)
+nkw_result nkw_skeleton_pose_from_models(const nkw_skeleton *skeleton, const nkw_mat4 *models, const nkw_mat4 *root,
+                                         nkw_pose_span pose, float *residual)
 {
     size_t count = skeleton->joint_count;
     float worst = 0.0f;

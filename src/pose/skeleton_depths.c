@@ -26,20 +26,20 @@ static int find_depth(const int32_t *parents, size_t joint_count, size_t joint, 
     return 1;
 }
 
-static nkw_result find_depths(const int32_t *parents, size_t joint_count, uint16_t *depths, size_t *bad)
+static nkw_result find_depths(const int32_t *parents, size_t joint_count, uint16_t *depths, size_t *offender)
 {
-    *bad = MOST_JOINTS;
+    *offender = MOST_JOINTS;
     if (joint_count > MOST_JOINTS)
         return NKW_OUT_OF_RANGE;
-    for (*bad = 0; *bad < joint_count; ++*bad) {
-        if (parents[*bad] < -1 || parents[*bad] >= (int32_t)joint_count)
+    for (*offender = 0; *offender < joint_count; ++*offender) {
+        if (parents[*offender] < -1 || parents[*offender] >= (int32_t)joint_count)
             return NKW_OUT_OF_RANGE;
-        depths[*bad] = UINT16_MAX;
+        depths[*offender] = UINT16_MAX;
     }
-    for (*bad = 0; *bad < joint_count; ++*bad)
-        if (!find_depth(parents, joint_count, *bad, depths))
+    for (*offender = 0; *offender < joint_count; ++*offender)
+        if (!find_depth(parents, joint_count, *offender, depths))
             return NKW_NOT_A_TREE;
-    *bad = 0;
+    *offender = 0;
     return NKW_OK;
 }
 
@@ -50,13 +50,12 @@ static int before_by_depth(const void *context, uint32_t a, uint32_t b)
     return depths[a] != depths[b] ? depths[a] < depths[b] : a < b;
 }
 
-nkw_result nkw_skeleton_depths(const int32_t *parents, size_t joint_count, uint16_t *depths, uint32_t *order,
-                               size_t *bad_joint)
+nkw_result nkw_skeleton_depths(const nkw_skeleton *skeleton, uint16_t *depths, uint32_t *order, size_t *bad)
 {
-    size_t bad;
-    nkw_result result = find_depths(parents, joint_count, depths, &bad);
-    if (bad_joint)
-        *bad_joint = bad;
+    size_t offender, joint_count = skeleton->joint_count;
+    nkw_result result = find_depths(skeleton->parents, joint_count, depths, &offender);
+    if (bad)
+        *bad = offender;
     if (result != NKW_OK || !order)
         return result;
     for (size_t j = 0; j < joint_count; j++)

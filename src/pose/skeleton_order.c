@@ -25,11 +25,11 @@ static void fill(int32_t *a, size_t count)
         a[i] = NKW_NO_JOINT;
 }
 
-static nkw_result check_parents(const int32_t *parents, size_t count, size_t *bad)
+static nkw_result check_parents(const int32_t *parents, size_t count, size_t *offender)
 {
     nkw_result result = check_count(count);
     for (size_t i = 0; result == NKW_OK && i < count; i++) {
-        *bad = i;
+        *offender = i;
         result = is_link(parents[i], count) ? NKW_OK : NKW_OUT_OF_RANGE;
     }
     return result;
@@ -73,13 +73,13 @@ static size_t first_missing(const int32_t *number, size_t count)
     return i;
 }
 
-nkw_result nkw_skeleton_order(const int32_t *node_parents, size_t joint_count, int32_t *joint_of_node,
-                              int32_t *node_of_joint, int32_t *parents, size_t *bad_joint)
+nkw_result nkw_skeleton_from_parents(const int32_t *node_parents, size_t joint_count, int32_t *joint_of_node,
+                                     int32_t *node_of_joint, int32_t *parents, size_t *bad)
 {
-    size_t bad = 0;
-    nkw_result result = check_parents(node_parents, joint_count, &bad);
+    size_t offender = 0;
+    nkw_result result = check_parents(node_parents, joint_count, &offender);
     if (result != NKW_OK)
-        return report(result, bad, bad_joint);
+        return report(result, offender, bad);
     int32_t roots = link_children(node_parents, joint_count, joint_of_node, node_of_joint);
     size_t met = walk_down(roots, node_parents, joint_of_node, node_of_joint, parents);
     fill(joint_of_node, joint_count);
@@ -88,12 +88,12 @@ nkw_result nkw_skeleton_order(const int32_t *node_parents, size_t joint_count, i
         joint_of_node[parents[k]] = (int32_t)k;
     }
     if (met < joint_count)
-        return report(NKW_NOT_A_TREE, first_missing(joint_of_node, joint_count), bad_joint);
+        return report(NKW_NOT_A_TREE, first_missing(joint_of_node, joint_count), bad);
     for (size_t k = 0; k < joint_count; k++) {
         int32_t parent = node_parents[node_of_joint[k]];
         parents[k] = parent == NKW_NO_JOINT ? NKW_NO_JOINT : joint_of_node[parent];
     }
-    return report(NKW_OK, 0, bad_joint);
+    return report(NKW_OK, 0, bad);
 }
 
 /* NKW_NOT_A_TREE if `node` was visited before (it has a number), NKW_OUT_OF_RANGE if one of its links is invalid. */
@@ -107,17 +107,17 @@ static nkw_result check_node(const nkw_tree *tree, int32_t node, const int32_t *
 }
 
 nkw_result nkw_skeleton_from_tree(const nkw_tree *tree, int32_t *joint_of_node, int32_t *node_of_joint,
-                                  int32_t *parents, size_t *bad_node)
+                                  int32_t *parents, size_t *bad)
 {
     nkw_result result = check_count(tree->node_count);
     if (result != NKW_OK)
-        return report(result, 0, bad_node);
+        return report(result, 0, bad);
     fill(joint_of_node, tree->node_count);
     int32_t node = 0, parent = NKW_NO_JOINT, joint = 0;
     for (; node != NKW_NO_JOINT; joint++) {
         result = check_node(tree, node, joint_of_node);
         if (result != NKW_OK)
-            return report(result, (size_t)node, bad_node);
+            return report(result, (size_t)node, bad);
         joint_of_node[node] = joint;
         node_of_joint[joint] = node;
         parents[joint] = parent;
@@ -129,16 +129,5 @@ nkw_result nkw_skeleton_from_tree(const nkw_tree *tree, int32_t *joint_of_node, 
         }
     }
     size_t missing = first_missing(joint_of_node, tree->node_count);
-    return report(missing < tree->node_count ? NKW_NOT_A_TREE : NKW_OK, missing, bad_node);
-}
-
-nkw_result nkw_tree_validate(const nkw_tree *tree, size_t *bad_node, int32_t *work, size_t work_count)
-{
-    size_t n = tree->node_count;
-    nkw_result result = check_count(n);
-    if (result == NKW_OK && work_count / 3 < n)
-        result = NKW_TOO_SMALL;
-    if (result != NKW_OK)
-        return report(result, 0, bad_node);
-    return nkw_skeleton_from_tree(tree, work, work + n, work + 2 * n, bad_node);
+    return report(missing < tree->node_count ? NKW_NOT_A_TREE : NKW_OK, missing, bad);
 }

@@ -74,7 +74,7 @@ static nkw_vec3 velocity_at(nkw_pose_velocity_view v, size_t row, size_t j)
     return v.data ? vec3_at(rows_of(v.data, row, NKW_POSE_STRIDE(v.joint_count)), j) : none;
 }
 
-static int motion_fits(const nkw_pose_motion *motion, size_t joints)
+static int motion_fits(const nkw_pose_state *motion, size_t joints)
 {
     return motion->pose.joint_count == joints && (!motion->velocity.data || motion->velocity.joint_count == joints);
 }
@@ -121,23 +121,23 @@ static lane_inertia_c begin_quat(nkw_quat from, nkw_vec3 v, nkw_quat to, nkw_vec
     return c;
 }
 
-nkw_result nkw_pose_inertia_begin(const nkw_pose_motion *from, const nkw_pose_motion *to, float duration,
-                                  nkw_pose_inertia out)
+nkw_result nkw_pose_inertia_begin(nkw_pose_inertia inertia, const nkw_pose_state *from, const nkw_pose_state *to,
+                                  float duration)
 {
     nkw_pose_velocity_view v = from->velocity, w = to->velocity;
-    if (!motion_fits(from, out.joint_count) || !motion_fits(to, out.joint_count))
+    if (!motion_fits(from, inertia.joint_count) || !motion_fits(to, inertia.joint_count))
         return NKW_MISMATCHED;
-    if (out.joint_count > 0)
-        memset(out.data, 0, NKW_POSE_INERTIA_FLOATS(out.joint_count) * sizeof *out.data);
-    for (size_t j = 0; j < out.joint_count; j++) {
+    if (inertia.joint_count > 0)
+        memset(inertia.data, 0, NKW_POSE_INERTIA_FLOATS(inertia.joint_count) * sizeof *inertia.data);
+    for (size_t j = 0; j < inertia.joint_count; j++) {
         nkw_trs a = nkw_pose_get(from->pose, j), b = nkw_pose_get(to->pose, j);
-        put_offset(out, TRANSLATION, j,
+        put_offset(inertia, TRANSLATION, j,
                    begin_vec3(a.translation, velocity_at(v, TRANSLATION, j), b.translation,
                               velocity_at(w, TRANSLATION, j), duration));
         put_offset(
-            out, ROTATION, j,
+            inertia, ROTATION, j,
             begin_quat(a.rotation, velocity_at(v, ROTATION, j), b.rotation, velocity_at(w, ROTATION, j), duration));
-        put_offset(out, SCALE, j,
+        put_offset(inertia, SCALE, j,
                    begin_vec3(a.scale, velocity_at(v, SCALE, j), b.scale, velocity_at(w, SCALE, j), duration));
     }
     return NKW_OK;
@@ -165,36 +165,36 @@ nkw_result nkw_pose_inertia_evaluate(nkw_pose_inertia inertia, nkw_pose_view to,
 /* The state: the pose, its velocities, the differences of the rotations. */
 enum { VELOCITIES = 10, DIFFERENCES = 19 };
 
-nkw_result nkw_pose_dead_blend_begin(const nkw_pose_motion *from, nkw_pose_dead_blend blend)
+nkw_result nkw_pose_dead_blend_begin(const nkw_pose_dead_blend *blend, const nkw_pose_state *from)
 {
-    size_t joints = blend.joint_count, stride = NKW_POSE_STRIDE(joints);
+    size_t joints = blend->joint_count, stride = NKW_POSE_STRIDE(joints);
     if (!motion_fits(from, joints))
         return NKW_MISMATCHED;
     if (joints == 0)
         return NKW_OK;
-    float *velocities = blend.data + VELOCITIES * stride;
-    memset(blend.data, 0, NKW_POSE_DEAD_BLEND_FLOATS(joints) * sizeof *blend.data);
+    float *velocities = blend->data + VELOCITIES * stride;
+    memset(blend->data, 0, NKW_POSE_DEAD_BLEND_FLOATS(joints) * sizeof *blend->data);
     for (size_t row = 0; row < VELOCITIES; row++)
-        memcpy(blend.data + row * stride, from->pose.data + row * stride, joints * sizeof *blend.data);
+        memcpy(blend->data + row * stride, from->pose.data + row * stride, joints * sizeof *blend->data);
     for (size_t row = 0; row < 9 && from->velocity.data; row++)
         memcpy(velocities + row * stride, from->velocity.data + row * stride, joints * sizeof *velocities);
     return NKW_OK;
 }
 
-nkw_result nkw_pose_dead_blend_evaluate(nkw_pose_dead_blend blend, nkw_pose_view to, float t, nkw_pose_span out)
+nkw_result nkw_pose_dead_blend_evaluate(const nkw_pose_dead_blend *blend, nkw_pose_view to, float t, nkw_pose_span out)
 {
     size_t joints = out.joint_count, stride = NKW_POSE_STRIDE(joints);
-    if (blend.joint_count != joints || to.joint_count != joints)
+    if (blend->joint_count != joints || to.joint_count != joints)
         return NKW_MISMATCHED;
     if (joints == 0)
         return NKW_OK;
-    const lane_dead_time time = lane_dead_time_at(blend.half_life, blend.duration, t);
+    const lane_dead_time time = lane_dead_time_at(blend->half_life, blend->duration, t);
     const transition_time at = {time.carried, time.s};
-    const nkw_pose_view old = {blend.data, joints};
+    const nkw_pose_view old = {blend->data, joints};
     const nkw_trs_view from = nkw_pose_components(old), in = nkw_pose_components(to);
     const nkw_trs_span into = nkw_pose_components_span(out);
-    const float *velocity = blend.data + VELOCITIES * stride;
-    float *d = blend.data + DIFFERENCES * stride;
+    const float *velocity = blend->data + VELOCITIES * stride;
+    float *d = blend->data + DIFFERENCES * stride;
     const nkw_quat_span last = {d, d + stride, d + 2 * stride, d + 3 * stride};
     nkwi_dead_vec3(from.translation, rows_of(velocity, TRANSLATION, stride), in.translation, at, into.translation,
                    joints);

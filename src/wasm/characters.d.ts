@@ -25,7 +25,7 @@ export function poseBlendSlerp(a: Pose, b: Pose, t: number, out: Pose, mask?: Ma
 /** The difference of a pose from a reference, for poseAdditiveApply. */
 export function poseAdditiveBuild(a: Pose, reference: Pose, side: Additive, out: Pose): Pose;
 /** A pose with a share of a difference. */
-export function poseAdditiveApply(base: Pose, delta: Pose, side: Additive, weight: number, out: Pose,
+export function poseAdditiveApply(base: Pose, delta: Pose, weight: number, side: Additive, out: Pose,
   mask?: Mask | null): Pose;
 
 export interface SkinSource {

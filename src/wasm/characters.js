@@ -25,8 +25,9 @@ export class Skeleton extends Owner {
   /** Model matrices of a pose; `root`, 16 floats or null, places the whole skeleton. */
   models(pose, out, root = null) {
     need('matrices', expect(Matrices, out).matrixCount, this.jointCount);
-    check('nkw_models_from_pose', x.nkw_models_from_pose(this._use()._p, viewOf(0, pose), root ? w(16, root, 16) : 0, 0,
-      out._p));
+    check('nkw_skeleton_models_from_pose',
+      x.nkw_skeleton_models_from_pose(this._use()._p, viewOf(0, pose), root ? w(16, root, 16) : 0, 0,
+        out._p));
     return out;
   }
 }
@@ -65,9 +66,9 @@ export function poseAdditiveBuild(a, reference, side, out) {
 }
 
 /** A pose with a share of a difference. */
-export function poseAdditiveApply(base, delta, side, weight, out, mask = null) {
+export function poseAdditiveApply(base, delta, weight, side, out, mask = null) {
   check('nkw_pose_additive_apply',
-    x.nkw_pose_additive_apply(viewOf(0, base), viewOf(2, delta), number(side), number(weight), maskView(4, mask),
+    x.nkw_pose_additive_apply(viewOf(0, base), viewOf(2, delta), number(weight), maskView(4, mask), number(side),
       viewOf(6, out)));
   return out;
 }

@@ -101,13 +101,13 @@ export const lengths = {
   nkw_fcurve_keys_from_track: { keys: 'track.count' },
   nkw_fcurve_keys_from_spline: { keys: 'spline.times.length' },
   nkw_pose_from_trs: { trs: 'pose.jointCount' }, nkw_trs_from_pose: { out: 'pose.jointCount' },
-  nkw_pose_mirror: { pair: 'pose.jointCount' }, nkw_mirror_validate: { pair: 'jointCount' },
-  nkw_pose_blend_layers: { layers: 'layerCount' }, nkw_pose_layers_validate: { layers: 'layerCount' },
-  nkw_pose_from_models: { models: 'skeleton.jointCount' },
-  nkw_locals_from_models: { models: 'skeleton.jointCount', locals: 'skeleton.jointCount' },
-  nkw_models_from_locals: { locals: 'skeleton.jointCount', models: 'skeleton.jointCount' },
-  nkw_skeleton_depths: { parents: 'jointCount', depths: 'jointCount', order: 'jointCount' },
-  nkw_skeleton_order: { node_parents: 'jointCount', joint_of_node: 'jointCount', node_of_joint: 'jointCount',
+  nkw_pose_mirror: { pair: 'pose.jointCount' },
+  nkw_pose_layers_blend: { layers: 'layerCount' }, nkw_pose_layers_validate: { layers: 'layerCount' },
+  nkw_skeleton_pose_from_models: { models: 'skeleton.jointCount' },
+  nkw_skeleton_locals_from_models: { models: 'skeleton.jointCount', locals: 'skeleton.jointCount' },
+  nkw_skeleton_models_from_locals: { locals: 'skeleton.jointCount', models: 'skeleton.jointCount' },
+  nkw_skeleton_depths: { depths: 'skeleton.parents.length', order: 'skeleton.parents.length' },
+  nkw_skeleton_from_parents: { node_parents: 'jointCount', joint_of_node: 'jointCount', node_of_joint: 'jointCount',
     parents: 'jointCount' },
   nkw_skeleton_from_tree: { joint_of_node: 'tree.firstChild.length', node_of_joint: 'tree.firstChild.length',
     parents: 'tree.firstChild.length' },
@@ -125,7 +125,6 @@ export const lengths = {
 };
 // The working memory that a function needs: bytes of an nkw_work, or elements.
 export const work = {
-  nkw_tree_validate: '3 * tree.firstChild.length',
   nkw_track_difference: '8 * track.width',
   nkw_track_resample_within: '8 * track.width',
   nkw_track_fit: '8 * (track.count * (track.width + 5) + track.width)',

@@ -83,7 +83,7 @@ static double layers_error(const float *x, int count, filling how, part judged)
             sum[c] += b.weight[i] * v[c];
         largest = b.weight[i] > 0 ? fmax(largest, fabs((double)v[0])) : largest;
     }
-    nkw_pose_blend_layers(b.layer, (size_t)count, pose_view(b.pose[count], 1), b.threshold, pose_span(out, 1));
+    nkw_pose_layers_blend(b.layer, (size_t)count, pose_view(b.pose[count], 1), b.threshold, pose_span(out, 1));
     numbers_of(out, b.middle, v);
     wide_normalize(sum + 3, 4);
     return judged == TURN ? wide_error(v + 3, sum + 3, 4)
@@ -114,7 +114,7 @@ static double back_error(const float *x, nkw_additive side, part judged)
     nkw_pose_from_trs(&want, pose_span(a, 1));
     nkw_pose_from_trs(&base, pose_span(ref, 1));
     nkw_pose_additive_build(pose_view(a, 1), pose_view(ref, 1), side, pose_span(out, 1));
-    nkw_pose_additive_apply(pose_view(ref, 1), pose_view(out, 1), side, 1.0f, mask_view(NULL, 1), pose_span(out, 1));
+    nkw_pose_additive_apply(pose_view(ref, 1), pose_view(out, 1), 1.0f, mask_view(NULL, 1), side, pose_span(out, 1));
     nkw_trs got = nkw_pose_get(pose_view(out, 1), 0);
     if (judged == TURN) {
         float g[4], w[4];
@@ -150,7 +150,7 @@ static double numbers_back(const float *x)
     return back_error(x, NKW_ADDITIVE_LOCAL, NUMBERS);
 }
 
-#define MEAN  "nkw_pose_blend_layers"
+#define MEAN  "nkw_pose_layers_blend"
 #define APPLY "nkw_pose_additive_apply"
 
 static const wide_case cases[] = {

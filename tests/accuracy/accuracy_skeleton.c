@@ -55,13 +55,13 @@ static double models_error(const float *x, shape form, int joints, float low, pa
     for (int j = 0; j < joints; j++)
         draw_joint(&r, form, j, joints, low);
     if (from == FROM_POSE) {
-        nkw_models_from_pose(&skeleton, pose_view(pose, skeleton.joint_count), NULL, NULL, models);
+        nkw_skeleton_models_from_pose(&skeleton, pose_view(pose, skeleton.joint_count), NULL, NULL, models);
     } else {
         for (int j = 0; j < joints; j++) {
             nkw_trs trs = nkw_pose_get(pose_view(pose, (size_t)joints), (size_t)j);
             models[j] = nkw_mat4_from_trs(&trs);
         }
-        nkw_models_from_locals(&skeleton, models, NULL, NULL, models);
+        nkw_skeleton_models_from_locals(&skeleton, models, NULL, NULL, models);
     }
     for (int j = 0; j < joints; j++) {
         wide want[9];
@@ -126,7 +126,7 @@ static double back_error(const float *x, int joints)
     nkw_skeleton skeleton = {parents, (size_t)joints};
     if (worst != worst)
         return worst;
-    nkw_locals_from_models(&skeleton, models, NULL, locals);
+    nkw_skeleton_locals_from_models(&skeleton, models, NULL, locals);
     worst = 0.0;
     for (int j = 0; j < joints; j++) {
         wide parent[16], inverse[16], model[16], want[16];
@@ -172,7 +172,7 @@ static double locals_error(const float *x)
         nkw_trs trs = {vec3_at(f), quat_at(f + 3), vec3_at(f + 7)};
         pair[j] = nkw_mat4_from_trs(&trs);
     }
-    nkw_locals_from_models(&skeleton, pair, NULL, locals);
+    nkw_skeleton_locals_from_models(&skeleton, pair, NULL, locals);
     wide_from(pair[0].m, parent, 16);
     wide_from(pair[1].m, model, 16);
     wide_inverse(parent, inverse, 4);
@@ -197,7 +197,7 @@ static double pair_back(const float *x)
     return back_error(x, 2);
 }
 
-#define MODELS "nkw_models_from_pose"
+#define MODELS "nkw_skeleton_models_from_pose"
 
 static const wide_case cases[] = {
     {MODELS, "body of 67, axes / depth", wide_seed, body_axes, 2, WIDE_CHECKED},
@@ -206,20 +206,21 @@ static const wide_case cases[] = {
     {MODELS, "body, scales 0.8 .. 1.25, places / depth", wide_seed, scaled_places, 2, WIDE_CHECKED},
     {MODELS, "chain of 67, axes / depth", wide_seed, chain_axes, 2, WIDE_CHECKED},
     {MODELS, "chain of 67, places / depth", wide_seed, chain_places, 2, WIDE_CHECKED},
-    {"nkw_models_from_locals", "body, scales 0.8 .. 1.25, axes / depth", wide_seed, local_axes, 2, WIDE_CHECKED},
-    {"nkw_locals_from_models", "body, scales 0.8 .. 1.25", wide_seed, body_back, 2, WIDE_CHECKED},
+    {"nkw_skeleton_models_from_locals", "body, scales 0.8 .. 1.25, axes / depth", wide_seed, local_axes, 2,
+     WIDE_CHECKED},
+    {"nkw_skeleton_locals_from_models", "body, scales 0.8 .. 1.25", wide_seed, body_back, 2, WIDE_CHECKED},
 };
 
 /* Fewer numbers to search among. */
 static const wide_case pair_cases[] = {
     {MODELS, "2 joints, scales 0.8 .. 1.25, axes / depth", wide_seed, pair_axes, 2, WIDE_CHECKED},
     {MODELS, "2 joints, scales 0.8 .. 1.25, places / depth", wide_seed, pair_places, 2, WIDE_CHECKED},
-    {"nkw_locals_from_models", "2 joints, scales 0.8 .. 1.25", wide_seed, pair_back, 2, WIDE_CHECKED},
+    {"nkw_skeleton_locals_from_models", "2 joints, scales 0.8 .. 1.25", wide_seed, pair_back, 2, WIDE_CHECKED},
 };
 
 static const wide_case uneven_cases[] = {
-    {"nkw_locals_from_models", "scales 2^-6 .. 2^6", uneven_pair, locals_error, 20, WIDE_CHECKED},
-    {"nkw_locals_from_models", "child of any size", far_pair, locals_error, 20, WIDE_CHECKED},
+    {"nkw_skeleton_locals_from_models", "scales 2^-6 .. 2^6", uneven_pair, locals_error, 20, WIDE_CHECKED},
+    {"nkw_skeleton_locals_from_models", "child of any size", far_pair, locals_error, 20, WIDE_CHECKED},
 };
 
 /* How errors grow along chains at random. */

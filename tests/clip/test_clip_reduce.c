@@ -108,8 +108,8 @@ static float distance_at(const nkw_clip *clip, float time)
     float largest = 0.0f;
     want(time);
     nkw_clip_sample(clip, time, NULL, pose_span(pose, JOINTS), floats);
-    nkw_models_from_pose(&skeleton, pose_view(pose, JOINTS), NULL, NULL, got_models);
-    nkw_models_from_pose(&skeleton, pose_view(wanted, JOINTS), NULL, NULL, want_models);
+    nkw_skeleton_models_from_pose(&skeleton, pose_view(pose, JOINTS), NULL, NULL, got_models);
+    nkw_skeleton_models_from_pose(&skeleton, pose_view(wanted, JOINTS), NULL, NULL, want_models);
     for (size_t j = 0; j < JOINTS; j++) {
         float d = (float)farthest_distance(&got_models[j], &want_models[j], 0.1);
         largest = d > largest ? d : largest;
@@ -309,7 +309,7 @@ static void chain_models(const chain *c, const nkw_clip *clip, float time, nkw_m
         track_sample_to(&c->tracks[i], time, joints, sampled, &none);
     if (clip)
         assert_int_equal(nkw_clip_sample(clip, time, NULL, pose_span(sampled, joints), NULL), NKW_OK);
-    nkw_models_from_pose(&skeleton, pose_view(sampled, joints), NULL, NULL, models);
+    nkw_skeleton_models_from_pose(&skeleton, pose_view(sampled, joints), NULL, NULL, models);
 }
 
 /* Reduces a chain; the largest distance of points at `reach` in the space of the joints, at keys and half-way. */

@@ -85,7 +85,7 @@ static void models_at(const nkw_clip_source *s, float time, nkw_mat4 *models, fl
     nkw_pose_identity(pose_span(pose, JOINTS));
     for (size_t i = 0; i < s->track_count; i++)
         track_sample_to(&s->tracks[i], time, JOINTS, pose, floats);
-    nkw_models_from_pose(&skeleton, pose_view(pose, JOINTS), NULL, NULL, models);
+    nkw_skeleton_models_from_pose(&skeleton, pose_view(pose, JOINTS), NULL, NULL, models);
 }
 
 /* The largest distance of each joint at 8 times of each segment. */

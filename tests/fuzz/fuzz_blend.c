@@ -69,8 +69,8 @@ static void many(fuzz *f, size_t n, int wild)
     FUZZ_CHECK(bad < count || bad == 0);
     for (size_t i = 0; i < count; i++)
         FUZZ_CHECK(!layer[i].mask.data || nkw_mask_validate(layer[i].mask, &bad) != NKW_OK || bad == 0);
-    nkw_pose_blend_layers(layer, count, pose_view(rest, n), threshold, pose_span(out, n));
-    nkw_pose_blend_layers(turned, count, pose_view(rest, n), threshold, pose_span(again, n));
+    nkw_pose_layers_blend(layer, count, pose_view(rest, n), threshold, pose_span(out, n));
+    nkw_pose_layers_blend(turned, count, pose_view(rest, n), threshold, pose_span(again, n));
     FUZZ_CHECK(same_pose(out, again, n));
     FUZZ_CHECK(wild || finite_pose(out, n));
 }
@@ -82,10 +82,10 @@ static void additive(fuzz *f, size_t n, int wild)
     nkw_additive side = (nkw_additive)fuzz_choice(f, 1);
     nkw_pose_additive_build(pose_view(a, n), pose_view(ref, n), side, pose_span(delta, n));
     FUZZ_CHECK(wild || finite_pose(delta, n));
-    nkw_pose_additive_apply(pose_view(ref, n), pose_view(delta, n), side, wild ? fuzz_float(f) : 1.0f,
-                            mask_view(mask, n), pose_span(out, n));
+    nkw_pose_additive_apply(pose_view(ref, n), pose_view(delta, n), wild ? fuzz_float(f) : 1.0f, mask_view(mask, n),
+                            side, pose_span(out, n));
     FUZZ_CHECK(wild || finite_pose(out, n));
-    nkw_pose_additive_apply(pose_view(a, n), pose_view(delta, n), side, 0.0f, mask_view(mask, n), pose_span(out, n));
+    nkw_pose_additive_apply(pose_view(a, n), pose_view(delta, n), 0.0f, mask_view(mask, n), side, pose_span(out, n));
     FUZZ_CHECK(same_pose(out, a, n));
 }
 
@@ -97,10 +97,11 @@ static void mirror(fuzz *f, size_t n)
     float *out = fuzz_room(f, NKW_POSE_FLOATS(n));
     nkw_mirror plane = (nkw_mirror)fuzz_choice(f, 2);
     size_t bad;
-    nkw_mirror_validate(pair, n, &bad);
+    nkw_result result = nkw_pose_mirror(pose_view(pose, n), pair, plane, pose_span(out, n), &bad);
     FUZZ_CHECK(bad < n || bad == 0);
-    nkw_pose_mirror(pose_view(pose, n), pair, plane, pose_span(out, n));
-    nkw_pose_mirror(pose_view(out, n), pair, plane, pose_span(out, n));
+    if (result != NKW_OK)
+        return;
+    FUZZ_CHECK(nkw_pose_mirror(pose_view(out, n), pair, plane, pose_span(out, n), NULL) == NKW_OK);
     FUZZ_CHECK(same_pose(out, pose, n));
 }
 

@@ -104,7 +104,7 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
     for (size_t i = 0; i < characters; i++) {
         nkw_mat4 *m = fuzz_block(&f, n * sizeof *m), *p = fuzz_block(&f, count * sizeof *p);
         poses[i] = fuzz_pose(&f, n, wild);
-        nkw_models_from_pose(&s, pose_view(poses[i], s.joint_count), root, NULL, m);
+        nkw_skeleton_models_from_pose(&s, pose_view(poses[i], s.joint_count), root, NULL, m);
         palette_from_models(m, n, joints, inverse_bind, NULL, count, p);
         models[i] = m;
         palettes[i] = p;

@@ -64,7 +64,7 @@ static void poses(fuzz *f, int wild)
     ik.models = models;
     ik.root = fuzz_byte(f) % 2 ? fuzz_matrices(f, 1, wild) : NULL;
     if (fuzz_byte(f) % 2)
-        nkw_models_from_pose(&ik.skeleton, NKW_VIEW(nkw_pose, ik.pose), ik.root, NULL, models);
+        nkw_skeleton_models_from_pose(&ik.skeleton, NKW_VIEW(nkw_pose, ik.pose), ik.root, NULL, models);
     nkw_ik_limb limb = {fuzz_upto(f, n), fuzz_upto(f, n), fuzz_upto(f, n), {1, 1, 1}, {1, 0, 0}, {0, 1, 0}, 0, 1};
     nkw_ik_look look = {fuzz_upto(f, n), {1, 2, 3}, {0, 0, 1}, {0, 1, 0}, {0, 1, 0}, {1, 0, 0}, {0, 0, 0}, 1, 1};
     nkw_ik_reach reach = {fuzz_huge(f), fuzz_huge(f), {{1, 2, 1}, 1e-3f, 6}, NULL, NKW_IK_FABRIK, fuzz_float(f)};

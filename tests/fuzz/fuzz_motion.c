@@ -197,16 +197,16 @@ static void poses(fuzz *f)
     nkw_pose_inertia inertia = {fuzz_room(f, NKW_POSE_INERTIA_FLOATS(joints)), joints};
     nkw_pose_dead_blend dead = {fuzz_room(f, NKW_POSE_DEAD_BLEND_FLOATS(joints)), joints, fuzz_float(f), fuzz_float(f)};
     FUZZ_CHECK(nkw_pose_velocity_from_poses(a, b, fuzz_float(f), v) == NKW_OK);
-    nkw_pose_motion from = {a, NKW_VIEW(nkw_pose_velocity, v)}, to = {b, {NULL, 0}};
+    nkw_pose_state from = {a, NKW_VIEW(nkw_pose_velocity, v)}, to = {b, {NULL, 0}};
     float duration = fuzz_float(f), t = fuzz_float(f);
-    FUZZ_CHECK(nkw_pose_inertia_begin(&from, &to, duration, inertia) == NKW_OK);
+    FUZZ_CHECK(nkw_pose_inertia_begin(inertia, &from, &to, duration) == NKW_OK);
     FUZZ_CHECK(nkw_pose_inertia_evaluate(inertia, b, t, out) == NKW_OK);
     for (size_t j = 0; j < joints && t >= duration; j++) {
         nkw_trs got = nkw_pose_get(NKW_VIEW(nkw_pose, out), j), want = nkw_pose_get(b, j);
         FUZZ_CHECK(fuzz_same(&got.translation.x, &want.translation.x, 10));
     }
-    FUZZ_CHECK(nkw_pose_dead_blend_begin(&from, dead) == NKW_OK);
-    FUZZ_CHECK(nkw_pose_dead_blend_evaluate(dead, b, t, out) == NKW_OK);
+    FUZZ_CHECK(nkw_pose_dead_blend_begin(&dead, &from) == NKW_OK);
+    FUZZ_CHECK(nkw_pose_dead_blend_evaluate(&dead, b, t, out) == NKW_OK);
     FUZZ_CHECK(nkw_pose_inertia_evaluate(inertia, a, t, out) == NKW_OK);
     nkw_body_motion p = {{draw_vec3(f), draw_vec3(f)}, draw_rotation(f)},
                     q = {{draw_vec3(f), draw_vec3(f)}, draw_rotation(f)};

@@ -150,14 +150,15 @@ static void order(fuzz *f)
     const int32_t *parents = fuzz_byte(f) % 2 ? fuzz_parents(f, n, 1) : fuzz_links(f, n, n, fuzz_byte(f) % 2);
     uint16_t *depths = fuzz_block(f, 2 * n);
     uint32_t *by_depth = fuzz_block(f, 4 * n);
-    nkw_result result = nkw_skeleton_depths(parents, n, depths, by_depth, &bad);
+    const nkw_skeleton skeleton = {parents, n}, large = {parents, 65537};
+    nkw_result result = nkw_skeleton_depths(&skeleton, depths, by_depth, &bad);
     FUZZ_CHECK(bad < n || bad == 0);
     for (size_t i = 0; result == NKW_OK && i < n; i++) {
         FUZZ_CHECK(by_depth[i] < n);
         FUZZ_CHECK(depths[i] == (parents[i] < 0 ? 0 : depths[parents[i]] + 1));
         FUZZ_CHECK(i == 0 || depths[by_depth[i - 1]] <= depths[by_depth[i]]);
     }
-    FUZZ_CHECK(nkw_skeleton_depths(parents, 65537, NULL, NULL, NULL) == NKW_OUT_OF_RANGE);
+    FUZZ_CHECK(nkw_skeleton_depths(&large, NULL, NULL, NULL) == NKW_OUT_OF_RANGE);
 }
 
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)

@@ -103,7 +103,7 @@ static void one_call_loads_a_character(void **state)
     assert_int_equal(c.float_count, 2);
     expect_floats_bits(c.rest_floats, f.weights, 2);
     assert_int_equal(nkw_clip_sample(c.clips[0], 1.0f, NULL, pose_span(pose, 3), floats), NKW_OK);
-    assert_int_equal(nkw_models_from_pose(&c.skeleton, pose_view(pose, 3), NULL, NULL, models), NKW_OK);
+    assert_int_equal(nkw_skeleton_models_from_pose(&c.skeleton, pose_view(pose, 3), NULL, NULL, models), NKW_OK);
     nkw_vec3 tip = {models[2].m[12], models[2].m[13], models[2].m[14]}, want = {0, 3 + 5, 0}; /* a quarter turn */
     expect_vec3_near(tip, want, 1e-5);
     expect_floats_bits(floats, f.morphs, 2);

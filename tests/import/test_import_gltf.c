@@ -169,7 +169,7 @@ static nkw_quat rotation_of(const nkw_document *d, float time, nkw_mat4 *model)
     nkw_clip *clip;
     assert_int_equal(nkw_document_clip(d, 0, NKW_CLIP_FLOAT32, &clip, &error), NKW_IMPORT_OK);
     nkw_clip_sample(clip, time, NULL, pose_span(pose, 1), NULL);
-    nkw_models_from_pose(&d->skeleton, pose_view(pose, 1), NULL, NULL, model);
+    nkw_skeleton_models_from_pose(&d->skeleton, pose_view(pose, 1), NULL, NULL, model);
     nkw_import_free(clip);
     return nkw_pose_get(pose_view(pose, 1), 0).rotation;
 }

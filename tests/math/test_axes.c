@@ -253,10 +253,10 @@ static void poses_convert_as_their_models(void **state)
     const nkw_skeleton skeleton = {parents, JOINTS};
     nkw_mat4 models[JOINTS], converted[JOINTS];
     nkw_pose_from_trs(trs, pose_span(pose, JOINTS));
-    nkw_models_from_pose(&skeleton, pose_view(pose, JOINTS), NULL, NULL, models);
+    nkw_skeleton_models_from_pose(&skeleton, pose_view(pose, JOINTS), NULL, NULL, models);
     for (unsigned i = 0; i < MAPS; i++) {
         assert_int_equal(nkw_pose_convert_axes(pose_view(pose, JOINTS), map_at(i), pose_span(other, JOINTS)), NKW_OK);
-        nkw_models_from_pose(&skeleton, pose_view(other, JOINTS), NULL, NULL, converted);
+        nkw_skeleton_models_from_pose(&skeleton, pose_view(other, JOINTS), NULL, NULL, converted);
         for (int j = 0; j < JOINTS; j++) {
             nkw_mat4 want = nkw_axes_convert_mat4(map_at(i), &models[j]);
             expect_floats_near(converted[j].m, want.m, 16, 2e-3);

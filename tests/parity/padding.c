@@ -164,7 +164,7 @@ static uint64_t hash_layers(const scene *s)
             layers[k].weight = i & 1 ? 0.25f : 0.5f - 0.125f * (float)k;
             layers[k].mask = mask_view(i & 2 ? s->masks[k] : NULL, s->joints);
         }
-        nkw_pose_blend_layers(layers, i >> 2, pose_of(s, 2), 0.75f, pose_span(s->out, s->joints));
+        nkw_pose_layers_blend(layers, i >> 2, pose_of(s, 2), 0.75f, pose_span(s->out, s->joints));
         hash = hash_pose(hash, s->out, s->joints);
     }
     return hash;
@@ -176,8 +176,8 @@ static uint64_t hash_differences(const scene *s)
     for (int i = 0; i < 4; i++) {
         const nkw_additive side = i & 1 ? NKW_ADDITIVE_PARENT : NKW_ADDITIVE_LOCAL;
         nkw_pose_additive_build(pose_of(s, 0), pose_of(s, 1), side, pose_span(s->delta, s->joints));
-        nkw_pose_additive_apply(pose_of(s, 2), pose_view(s->delta, s->joints), side, i & 2 ? 1.0f : 0.75f,
-                                mask_view(i & 2 ? s->masks[1] : NULL, s->joints), pose_span(s->out, s->joints));
+        nkw_pose_additive_apply(pose_of(s, 2), pose_view(s->delta, s->joints), i & 2 ? 1.0f : 0.75f,
+                                mask_view(i & 2 ? s->masks[1] : NULL, s->joints), side, pose_span(s->out, s->joints));
         hash = hash_pose(hash_pose(hash, s->delta, s->joints), s->out, s->joints);
     }
     return hash;
@@ -187,18 +187,17 @@ static uint64_t hash_transitions(const scene *s)
 {
     float *v = floats(NKW_POSE_VELOCITY_FLOATS(s->joints));
     const nkw_pose_velocity_span velocity = {v, s->joints};
-    const nkw_pose_motion from = {pose_of(s, 0), NKW_VIEW(nkw_pose_velocity, velocity)},
-                          to = {pose_of(s, 1), {NULL, 0}};
+    const nkw_pose_state from = {pose_of(s, 0), NKW_VIEW(nkw_pose_velocity, velocity)}, to = {pose_of(s, 1), {NULL, 0}};
     const nkw_pose_inertia inertia = {s->inertia, s->joints};
     const nkw_pose_dead_blend dead = {s->dead, s->joints, 0.25f, 0.75f};
     uint64_t hash = HASH_START;
     nkw_pose_velocity_from_poses(pose_of(s, 2), pose_of(s, 0), 0.5f, velocity);
-    nkw_pose_inertia_begin(&from, &to, 0.5f, inertia);
-    nkw_pose_dead_blend_begin(&from, dead);
+    nkw_pose_inertia_begin(inertia, &from, &to, 0.5f);
+    nkw_pose_dead_blend_begin(&dead, &from);
     for (int i = 0; i < 4; i++) {
         nkw_pose_inertia_evaluate(inertia, pose_of(s, 1), 0.25f * (float)i, pose_span(s->out, s->joints));
         hash = hash_pose(hash, s->out, s->joints);
-        nkw_pose_dead_blend_evaluate(dead, pose_of(s, 1), 0.25f * (float)i, pose_span(s->out, s->joints));
+        nkw_pose_dead_blend_evaluate(&dead, pose_of(s, 1), 0.25f * (float)i, pose_span(s->out, s->joints));
         hash = hash_pose(hash, s->out, s->joints);
     }
     free(v);
@@ -211,10 +210,10 @@ static uint64_t hash_models(const scene *s)
     const nkw_palette_source source = {s->models, s->joints, NULL, s->models, NULL, s->joints};
     const nkw_range range = {s->joints / 3, s->joints};
     uint64_t hash = HASH_START;
-    nkw_models_from_pose(&skeleton, pose_of(s, 0), NULL, NULL, s->models);
-    nkw_models_from_pose(&skeleton, pose_of(s, 1), NULL, &range, s->models);
+    nkw_skeleton_models_from_pose(&skeleton, pose_of(s, 0), NULL, NULL, s->models);
+    nkw_skeleton_models_from_pose(&skeleton, pose_of(s, 1), NULL, &range, s->models);
     hash = hash_floats(hash, s->models->m, 16 * s->joints);
-    nkw_pose_from_models(&skeleton, s->models, NULL, pose_span(s->out, s->joints), NULL);
+    nkw_skeleton_pose_from_models(&skeleton, s->models, NULL, pose_span(s->out, s->joints), NULL);
     nkw_palette_from_models(&source, palette_span(NKW_PALETTE_MAT4, s->palette, s->joints));
     nkw_palette_from_models(&source, palette_span(NKW_PALETTE_NORMAL_MAT3, s->normals, s->joints));
     nkw_palette_from_models(&source, palette_span(NKW_PALETTE_DUAL_QUAT, s->duals, s->joints));

@@ -26,7 +26,7 @@ static bed *make_bed(uint64_t seed)
 static void permute_and_compare(bed *b, nkw_pose_layer *layers, size_t fixed)
 {
     if (fixed == LAYERS) {
-        nkw_pose_blend_layers(layers, LAYERS, pose_view(b->rest, JOINTS), 3.5f, pose_span(b->out, JOINTS));
+        nkw_pose_layers_blend(layers, LAYERS, pose_view(b->rest, JOINTS), 3.5f, pose_span(b->out, JOINTS));
         expect_poses_bits(b->out, b->want);
     }
     for (size_t i = fixed; i < LAYERS; i++) {
@@ -40,7 +40,7 @@ static void permute_and_compare(bed *b, nkw_pose_layer *layers, size_t fixed)
 
 static void expect_any_order(bed *b)
 {
-    nkw_pose_blend_layers(b->layers, LAYERS, pose_view(b->rest, JOINTS), 3.5f, pose_span(b->want, JOINTS));
+    nkw_pose_layers_blend(b->layers, LAYERS, pose_view(b->rest, JOINTS), 3.5f, pose_span(b->want, JOINTS));
     permute_and_compare(b, b->layers, 0);
 }
 
@@ -96,12 +96,12 @@ static void many_layers_of_one_weight_may_come_in_any_order(void **state)
             layer.mask = mask_view(masked && i % 3 ? more->masks[i % 5] : NULL, JOINTS);
             layers[i] = layer;
         }
-        nkw_pose_blend_layers(layers, MANY, pose_view(more->rest, JOINTS), 0.1f, pose_span(more->want, JOINTS));
+        nkw_pose_layers_blend(layers, MANY, pose_view(more->rest, JOINTS), 0.1f, pose_span(more->want, JOINTS));
         for (size_t step = 0; step < 2 * MANY; step++) {
             nkw_pose_layer rotated[MANY];
             for (size_t i = 0; i < MANY; i++)
                 rotated[i] = layers[(step < MANY ? i + step : 3 * MANY - i - step) % MANY];
-            nkw_pose_blend_layers(rotated, MANY, pose_view(more->rest, JOINTS), 0.1f, pose_span(more->out, JOINTS));
+            nkw_pose_layers_blend(rotated, MANY, pose_view(more->rest, JOINTS), 0.1f, pose_span(more->out, JOINTS));
             expect_poses_bits(more->out, more->want);
         }
         for (size_t j = 0; j < JOINTS && !masked; j++) {
@@ -126,7 +126,7 @@ static void groups_of_one_weight_give_the_mean(void **state)
         double total = 0;
         for (size_t i = 0; i < LAYERS; i++)
             total += (double)(b->layers[(3 * i) % LAYERS].weight = weights[set][i]);
-        nkw_pose_blend_layers(b->layers, LAYERS, pose_view(b->rest, JOINTS), 0.0f, pose_span(b->out, JOINTS));
+        nkw_pose_layers_blend(b->layers, LAYERS, pose_view(b->rest, JOINTS), 0.0f, pose_span(b->out, JOINTS));
         for (size_t c = 0; c < 10; c += c == 2 ? 5 : 1)
             for (size_t j = 0; j < JOINTS; j++) {
                 double mean = 0;
@@ -146,12 +146,12 @@ static void a_joints_result_depends_on_that_joint_alone(void **state)
     for (int masked = 0; masked < 2; masked++) {
         for (size_t i = 0; i < LAYERS; i++)
             b->layers[i].mask = mask_view(masked ? b->masks[i] : NULL, JOINTS);
-        nkw_pose_blend_layers(b->layers, LAYERS, pose_view(b->rest, JOINTS), 0.1f, pose_span(b->want, JOINTS));
+        nkw_pose_layers_blend(b->layers, LAYERS, pose_view(b->rest, JOINTS), 0.1f, pose_span(b->want, JOINTS));
         for (int round = 0; round < 20; round++) {
             for (size_t i = 0; i < LAYERS * 10 * STRIDE; i++)
                 if (i % STRIDE != 7)
                     b->poses[i / (10 * STRIDE)][i % (10 * STRIDE)] = random_unit(&r);
-            nkw_pose_blend_layers(b->layers, LAYERS, pose_view(b->rest, JOINTS), 0.1f, pose_span(b->out, JOINTS));
+            nkw_pose_layers_blend(b->layers, LAYERS, pose_view(b->rest, JOINTS), 0.1f, pose_span(b->out, JOINTS));
             for (size_t c = 0; c < 10; c++)
                 expect_bits(b->out[c * STRIDE + 7], b->want[c * STRIDE + 7]);
         }
@@ -179,7 +179,7 @@ static void mean_of_joint(const bed *b, const float *w, size_t j, double out[10]
 
 static void expect_mean(bed *b, float threshold)
 {
-    nkw_pose_blend_layers(b->layers, LAYERS, pose_view(b->rest, JOINTS), threshold, pose_span(b->out, JOINTS));
+    nkw_pose_layers_blend(b->layers, LAYERS, pose_view(b->rest, JOINTS), threshold, pose_span(b->out, JOINTS));
     for (size_t j = 0; j < JOINTS; j++) {
         float w[LAYERS + 1], sum = 0;
         double want[10];
@@ -218,7 +218,7 @@ static void two_layers_are_the_blend_of_two_from_the_heavier(void **state)
     bed *b = make_bed(7);
     b->layers[0].weight = 0.3f;
     b->layers[1].weight = 0.6f;
-    nkw_pose_blend_layers(b->layers, 2, pose_view(b->rest, JOINTS), 0.5f, pose_span(b->out, JOINTS));
+    nkw_pose_layers_blend(b->layers, 2, pose_view(b->rest, JOINTS), 0.5f, pose_span(b->out, JOINTS));
     nkw_pose_blend(pose_view(b->poses[1], JOINTS), pose_view(b->poses[0], JOINTS), 0.3f / (0.3f + 0.6f),
                    mask_view(NULL, JOINTS), pose_span(b->want, JOINTS));
     expect_poses_bits(b->out, b->want);
@@ -231,7 +231,7 @@ static void one_layer_alone_is_its_pose_bit_for_bit(void **state)
     b->poses[0][3] = -0.0f;
     b->poses[0][3 * STRIDE + 3] = -0.0f;
     b->layers[0].weight = 0.37f;
-    nkw_pose_blend_layers(b->layers, 1, pose_view(b->rest, JOINTS), 0.1f, pose_span(b->out, JOINTS));
+    nkw_pose_layers_blend(b->layers, 1, pose_view(b->rest, JOINTS), 0.1f, pose_span(b->out, JOINTS));
     expect_poses_bits(b->out, b->poses[0]);
     for (size_t j = 0; j < STRIDE; j++) {
         b->masks[0][j] = j % 2 ? 0.25f : 0.0f;
@@ -240,7 +240,7 @@ static void one_layer_alone_is_its_pose_bit_for_bit(void **state)
     b->layers[0].mask = mask_view(b->masks[0], JOINTS);
     b->layers[1].mask = mask_view(b->masks[1], JOINTS);
     b->poses[1][1] = NAN;
-    nkw_pose_blend_layers(b->layers, 2, pose_view(b->rest, JOINTS), 0.0f, pose_span(b->out, JOINTS));
+    nkw_pose_layers_blend(b->layers, 2, pose_view(b->rest, JOINTS), 0.0f, pose_span(b->out, JOINTS));
     for (size_t i = 0; i < FLOATS; i++)
         if (i % STRIDE < JOINTS)
             expect_bits(b->out[i], b->poses[i % 2 ? 0 : 1][i]);
@@ -255,7 +255,7 @@ static void what_all_layers_share_comes_out_bit_for_bit(void **state)
         memcpy(b->poses[i] + 7 * STRIDE, b->poses[0] + 7 * STRIDE, 3 * STRIDE * sizeof(float));
         b->layers[i].mask = mask_view(i % 2 ? b->masks[i] : NULL, JOINTS);
     }
-    nkw_pose_blend_layers(b->layers, LAYERS, pose_view(b->rest, JOINTS), 0.1f, pose_span(b->out, JOINTS));
+    nkw_pose_layers_blend(b->layers, LAYERS, pose_view(b->rest, JOINTS), 0.1f, pose_span(b->out, JOINTS));
     for (size_t c = 0; c < 10; c = c == 2 ? 7 : c + 1)
         expect_floats_bits(b->out + c * STRIDE, b->poses[0] + c * STRIDE, JOINTS);
 }
@@ -269,15 +269,15 @@ static void the_rest_pose_stands_where_nothing_has_a_weight(void **state)
     for (size_t i = 0; i < LAYERS; i++)
         b->layers[i].weight = none[i];
     for (size_t i = 0; i < 5; i++) {
-        nkw_pose_blend_layers(b->layers, LAYERS, pose_view(b->rest, JOINTS), thresholds[i], pose_span(b->out, JOINTS));
+        nkw_pose_layers_blend(b->layers, LAYERS, pose_view(b->rest, JOINTS), thresholds[i], pose_span(b->out, JOINTS));
         expect_poses_bits(b->out, b->rest);
-        nkw_pose_blend_layers(NULL, 0, pose_view(b->rest, JOINTS), thresholds[i], pose_span(b->out, JOINTS));
+        nkw_pose_layers_blend(NULL, 0, pose_view(b->rest, JOINTS), thresholds[i], pose_span(b->out, JOINTS));
         expect_poses_bits(b->out, b->rest);
     }
     b->layers[0].weight = 1.0f;
     b->layers[0].mask = mask_view(b->masks[0], JOINTS);
     memset(b->masks[0], 0, sizeof b->masks[0]);
-    nkw_pose_blend_layers(b->layers, LAYERS, pose_view(b->rest, JOINTS), 0.0f, pose_span(b->out, JOINTS));
+    nkw_pose_layers_blend(b->layers, LAYERS, pose_view(b->rest, JOINTS), 0.0f, pose_span(b->out, JOINTS));
     expect_poses_bits(b->out, b->rest);
 }
 
@@ -285,10 +285,10 @@ static void negative_and_nan_weights_are_no_layers(void **state)
 {
     (void)state;
     bed *b = make_bed(11);
-    nkw_pose_blend_layers(b->layers + 2, 3, pose_view(b->rest, JOINTS), 0.1f, pose_span(b->want, JOINTS));
+    nkw_pose_layers_blend(b->layers + 2, 3, pose_view(b->rest, JOINTS), 0.1f, pose_span(b->want, JOINTS));
     b->layers[0].weight = -3.0f;
     b->layers[1].weight = NAN;
-    nkw_pose_blend_layers(b->layers, LAYERS, pose_view(b->rest, JOINTS), 0.1f, pose_span(b->out, JOINTS));
+    nkw_pose_layers_blend(b->layers, LAYERS, pose_view(b->rest, JOINTS), 0.1f, pose_span(b->out, JOINTS));
     expect_poses_bits(b->out, b->want);
 }
 
@@ -298,10 +298,10 @@ static void enormous_weights_count_as_two_to_the_sixty(void **state)
     bed *b = make_bed(12);
     b->layers[0].weight = 0x1p60f;
     b->layers[1].weight = 0x1p60f;
-    nkw_pose_blend_layers(b->layers, 2, pose_view(b->rest, JOINTS), 0.1f, pose_span(b->want, JOINTS));
+    nkw_pose_layers_blend(b->layers, 2, pose_view(b->rest, JOINTS), 0.1f, pose_span(b->want, JOINTS));
     b->layers[0].weight = INFINITY;
     b->layers[1].weight = 3e38f;
-    nkw_pose_blend_layers(b->layers, 2, pose_view(b->rest, JOINTS), 0.1f, pose_span(b->out, JOINTS));
+    nkw_pose_layers_blend(b->layers, 2, pose_view(b->rest, JOINTS), 0.1f, pose_span(b->out, JOINTS));
     expect_poses_bits(b->out, b->want);
     for (size_t j = 0; j < JOINTS; j++)
         expect_near(nkw_quat_length(nkw_pose_get(pose_view(b->out, JOINTS), j).rotation), 1, 4 * U);
@@ -322,7 +322,7 @@ static void signs_of_layers_do_not_matter(void **state)
         }
     for (size_t i = 0; i < LAYERS; i++)
         b->layers[i].weight = 0.2f;
-    nkw_pose_blend_layers(b->layers, LAYERS, pose_view(b->rest, JOINTS), 0.1f, pose_span(b->out, JOINTS));
+    nkw_pose_layers_blend(b->layers, LAYERS, pose_view(b->rest, JOINTS), 0.1f, pose_span(b->out, JOINTS));
     nkw_quat want = nkw_quat_from_axis_angle((nkw_vec3){0, 1, 0}, 3.14f);
     for (size_t j = 0; j < JOINTS; j++)
         expect_rotation_near(nkw_pose_get(pose_view(b->out, JOINTS), j).rotation, want, 1e-6);
@@ -336,8 +336,8 @@ static void the_result_may_replace_a_layers_pose(void **state)
             bed *b = make_bed(14);
             for (size_t i = 0; i < LAYERS && even; i++)
                 b->layers[i].weight = 0.25f;
-            nkw_pose_blend_layers(b->layers, LAYERS, pose_view(b->rest, JOINTS), 0.1f, pose_span(b->want, JOINTS));
-            nkw_pose_blend_layers(b->layers, LAYERS, pose_view(b->rest, JOINTS), 0.1f, pose_span(b->poses[k], JOINTS));
+            nkw_pose_layers_blend(b->layers, LAYERS, pose_view(b->rest, JOINTS), 0.1f, pose_span(b->want, JOINTS));
+            nkw_pose_layers_blend(b->layers, LAYERS, pose_view(b->rest, JOINTS), 0.1f, pose_span(b->poses[k], JOINTS));
             expect_poses_bits(b->poses[k], b->want);
         }
 }
@@ -352,12 +352,12 @@ static void the_padding_puts_no_layer_before_another(void **state)
         b->layers[i].weight = 0.25f;
         memcpy(b->poses[i] + 3 * STRIDE, b->poses[0] + 3 * STRIDE, JOINTS * sizeof(float));
     }
-    nkw_pose_blend_layers(b->layers, LAYERS, pose_view(b->rest, JOINTS), 0.1f, pose_span(b->want, JOINTS));
+    nkw_pose_layers_blend(b->layers, LAYERS, pose_view(b->rest, JOINTS), 0.1f, pose_span(b->want, JOINTS));
     for (int round = 0; round < 10; round++) {
         for (size_t i = 0; i < LAYERS * 10 * STRIDE; i++)
             if (i % STRIDE >= JOINTS)
                 b->poses[i / (10 * STRIDE)][i % (10 * STRIDE)] = random_unit(&r);
-        nkw_pose_blend_layers(b->layers, LAYERS, pose_view(b->rest, JOINTS), 0.1f, pose_span(b->out, JOINTS));
+        nkw_pose_layers_blend(b->layers, LAYERS, pose_view(b->rest, JOINTS), 0.1f, pose_span(b->out, JOINTS));
         expect_poses_bits(b->out, b->want);
     }
 }
@@ -418,7 +418,7 @@ static void validate_names_the_first_bad_layer(void **state)
     b->layers[0].pose.joint_count++;
     expect_layers(b, LAYERS, JOINTS, NKW_MISMATCHED, 0);
     assert_int_equal(
-        nkw_pose_blend_layers(b->layers, LAYERS, pose_view(b->rest, JOINTS), 0.1f, pose_span(b->out, JOINTS)),
+        nkw_pose_layers_blend(b->layers, LAYERS, pose_view(b->rest, JOINTS), 0.1f, pose_span(b->out, JOINTS)),
         NKW_MISMATCHED);
     b->layers[0].pose.data = NULL;
     expect_layers(b, LAYERS, JOINTS, NKW_EMPTY, 0);
@@ -448,7 +448,7 @@ static void layers_are_near_the_mean_of_their_rotations(void **state)
             nkw_pose_layer layer = {pose_view(poses[i], JOINTS), weights[i], mask_view(NULL, 0)};
             layers[i] = layer;
         }
-        nkw_pose_blend_layers(layers, 4, pose_view(rest, JOINTS), 0.0f, pose_span(out, JOINTS));
+        nkw_pose_layers_blend(layers, 4, pose_view(rest, JOINTS), 0.0f, pose_span(out, JOINTS));
         for (size_t j = 0; j < JOINTS; j++) {
             nkw_quat keys[4] = {q[0][j], q[1][j], q[2][j], q[3][j]};
             nkw_quat got = nkw_pose_get(pose_view(out, JOINTS), j).rotation;

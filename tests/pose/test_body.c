@@ -38,7 +38,7 @@ static void make_body(body *b)
 
 static void update(body *b)
 {
-    nkw_models_from_pose(&b->skeleton, pose_view(b->pose, JOINTS), NULL, NULL, b->models);
+    nkw_skeleton_models_from_pose(&b->skeleton, pose_view(b->pose, JOINTS), NULL, NULL, b->models);
 }
 
 static nkw_track track_of(const mannequin_channel *c, const float *values)

@@ -333,7 +333,7 @@ typedef struct body {
 
 static void update(body *b)
 {
-    nkw_models_from_pose(&b->skeleton, pose_view(b->pose, JOINTS), &b->root, NULL, b->models);
+    nkw_skeleton_models_from_pose(&b->skeleton, pose_view(b->pose, JOINTS), &b->root, NULL, b->models);
 }
 
 /* `mirror` scales the root by -1 in one axis. */

@@ -137,7 +137,7 @@ static int move_to(const motion *m, float frame, moment *at)
     }
     for (int j = 0; j < m->joints; j++)
         at->models[j] = nkw_mat4_from_trs(&at->locals[j]);
-    nkw_models_from_locals(&skeleton, at->models, NULL, NULL, at->models);
+    nkw_skeleton_models_from_locals(&skeleton, at->models, NULL, NULL, at->models);
     return 1;
 }
 

@@ -42,8 +42,8 @@ static nkw_trs get_joint(const float *pose, size_t count, size_t j)
 static void update(figure *f)
 {
     size_t n = f->skeleton.joint_count;
-    nkw_models_from_pose(&f->skeleton, pose_view(f->pose, n), NULL, NULL, f->models);
-    nkw_models_from_pose(&f->skeleton, pose_view(f->rest, n), NULL, NULL, f->rest_models);
+    nkw_skeleton_models_from_pose(&f->skeleton, pose_view(f->pose, n), NULL, NULL, f->models);
+    nkw_skeleton_models_from_pose(&f->skeleton, pose_view(f->rest, n), NULL, NULL, f->rest_models);
 }
 
 static void draw_figure(random_source *r, figure *f)

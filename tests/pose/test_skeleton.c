@@ -81,12 +81,12 @@ static void models_are_the_products_along_the_chain_bit_for_bit(void **state)
         draw(&r, joints, &c);
         const nkw_mat4 *root = joints % 2 ? &some_root : NULL;
         compose(&c, root, want);
-        nkw_models_from_pose(&c.skeleton, pose_view(c.pose, c.skeleton.joint_count), root, NULL, c.models);
+        nkw_skeleton_models_from_pose(&c.skeleton, pose_view(c.pose, c.skeleton.joint_count), root, NULL, c.models);
         expect_matrices(c.models, want, joints);
         fill(c.models, joints, 9);
-        nkw_models_from_locals(&c.skeleton, c.locals, root, NULL, c.models);
+        nkw_skeleton_models_from_locals(&c.skeleton, c.locals, root, NULL, c.models);
         expect_matrices(c.models, want, joints);
-        nkw_models_from_locals(&c.skeleton, c.locals, root, NULL, c.locals);
+        nkw_skeleton_models_from_locals(&c.skeleton, c.locals, root, NULL, c.locals);
         expect_matrices(c.locals, want, joints);
     }
 }
@@ -101,7 +101,7 @@ static void nothing_is_written_behind_the_last_joint(void **state)
     for (size_t joints = 1; joints < 70; joints++) {
         draw(&r, joints, &c);
         fill(c.models, MOST, 9);
-        nkw_models_from_pose(&c.skeleton, pose_view(c.pose, c.skeleton.joint_count), NULL, NULL, c.models);
+        nkw_skeleton_models_from_pose(&c.skeleton, pose_view(c.pose, c.skeleton.joint_count), NULL, NULL, c.models);
         update_models_from_pose(&c.skeleton, c.pose, NULL, 0, MOST, c.models);
         update_models_from_locals(&c.skeleton, c.locals, NULL, 0, MOST, c.models);
         expect_floats_bits(c.models[joints].m, guard.m, 16);
@@ -117,11 +117,11 @@ static void root_joints_without_a_root_matrix_are_their_local_matrices(void **st
     nkw_mat4 want = nkw_mat4_from_trs(&trs), got, open = want;
     float pose[NKW_POSE_FLOATS(1)];
     nkw_pose_from_trs(&trs, pose_span(pose, 1));
-    nkw_models_from_pose(&skeleton, pose_view(pose, skeleton.joint_count), NULL, NULL, &got);
+    nkw_skeleton_models_from_pose(&skeleton, pose_view(pose, skeleton.joint_count), NULL, NULL, &got);
     expect_floats_bits(got.m, want.m, 16);
     for (size_t i = 3; i < 16; i += 4)
         open.m[i] = NAN;
-    nkw_models_from_locals(&skeleton, &open, NULL, NULL, &got);
+    nkw_skeleton_models_from_locals(&skeleton, &open, NULL, NULL, &got);
     expect_floats_bits(got.m, want.m, 16);
 }
 
@@ -135,10 +135,10 @@ static void last_rows_are_not_read_and_come_out_exact(void **state)
     compose(&c, &some_root, want);
     for (size_t j = 0; j < 40; j++)
         c.locals[j].m[3] = c.locals[j].m[7] = c.locals[j].m[11] = c.locals[j].m[15] = INFINITY;
-    nkw_models_from_locals(&c.skeleton, c.locals, &some_root, NULL, c.models);
+    nkw_skeleton_models_from_locals(&c.skeleton, c.locals, &some_root, NULL, c.models);
     expect_matrices(c.models, want, 40);
     c.pose[0] = INFINITY;
-    nkw_models_from_pose(&c.skeleton, pose_view(c.pose, c.skeleton.joint_count), &some_root, NULL, c.models);
+    nkw_skeleton_models_from_pose(&c.skeleton, pose_view(c.pose, c.skeleton.joint_count), &some_root, NULL, c.models);
     for (size_t j = 0; j < 40; j++)
         for (size_t i = 3; i < 16; i += 4)
             expect_bits(c.models[j].m[i], i == 15 ? 1.0f : 0.0f);
@@ -151,7 +151,7 @@ static void the_root_matrix_is_applied_once(void **state)
     nkw_mat4 locals[7], models[7], root = moved(100, 0, 0);
     for (int j = 0; j < 7; j++)
         locals[j] = moved(0, 1, 0);
-    nkw_models_from_locals(&skeleton, locals, &root, NULL, models);
+    nkw_skeleton_models_from_locals(&skeleton, locals, &root, NULL, models);
     const float heights[7] = {1, 2, 3, 3, 2, 1, 2};
     for (int j = 0; j < 7; j++) {
         expect_bits(models[j].m[12], 100);
@@ -166,9 +166,9 @@ static void child_frames_add_to_those_of_their_parents(void **state)
     const int32_t parents[2] = {NKW_NO_JOINT, 0};
     const nkw_skeleton skeleton = {parents, 2};
     nkw_mat4 locals[2] = {moved(10, 0, 0), moved(7, 0, 0)}, models[2], world = moved(-10, 0, 0);
-    nkw_models_from_locals(&skeleton, locals, NULL, NULL, models);
+    nkw_skeleton_models_from_locals(&skeleton, locals, NULL, NULL, models);
     expect_bits(models[1].m[12], 17);
-    nkw_models_from_locals(&skeleton, locals, &world, NULL, models);
+    nkw_skeleton_models_from_locals(&skeleton, locals, &world, NULL, models);
     expect_bits(models[0].m[12], 0);
     expect_bits(models[1].m[12], 7);
 }
@@ -194,10 +194,10 @@ static void the_four_joints_of_the_page_have_its_numbers(void **state)
     float pose[NKW_POSE_FLOATS(4)];
     nkw_mat4 models[4], root = moved(100, 0, 0);
     nkw_pose_from_trs(trs, pose_span(pose, 4));
-    nkw_models_from_pose(&skeleton, pose_view(pose, skeleton.joint_count), NULL, NULL, models);
+    nkw_skeleton_models_from_pose(&skeleton, pose_view(pose, skeleton.joint_count), NULL, NULL, models);
     for (int j = 0; j < 4; j++)
         expect_floats_near(models[j].m, want[j].m, 16, 4e-7);
-    nkw_models_from_pose(&skeleton, pose_view(pose, skeleton.joint_count), &root, NULL, models);
+    nkw_skeleton_models_from_pose(&skeleton, pose_view(pose, skeleton.joint_count), &root, NULL, models);
     for (int j = 0; j < 4; j++) {
         want[j].m[12] += 100;
         expect_floats_near(models[j].m, want[j].m, 16, 4e-7);
@@ -215,7 +215,7 @@ static void shear_survives(void **state)
     float pose[NKW_POSE_FLOATS(2)];
     nkw_mat4 models[2];
     nkw_pose_from_trs(trs, pose_span(pose, 2));
-    nkw_models_from_pose(&skeleton, pose_view(pose, skeleton.joint_count), NULL, NULL, models);
+    nkw_skeleton_models_from_pose(&skeleton, pose_view(pose, skeleton.joint_count), NULL, NULL, models);
     const float half = 0.70710678f;
     const float want[8] = {2 * half, half, 0, 0, -2 * half, half, 0, 0};
     expect_floats_near(models[1].m, want, 8, 3e-7);
@@ -234,10 +234,11 @@ static void an_update_of_a_subtree_gives_the_whole_again(void **state)
     for (size_t from = 0; from < 90; from++) {
         int32_t to[90], back[90], parents[90];
         draw(&r, 90, &c);
-        assert_int_equal(nkw_skeleton_order(c.parents, 90, to, back, parents, NULL), NKW_OK);
+        assert_int_equal(nkw_skeleton_from_parents(c.parents, 90, to, back, parents, NULL), NKW_OK);
         memcpy(c.parents, parents, sizeof parents);
         size_t end = nkw_skeleton_subtree_end(&c.skeleton, from);
-        nkw_models_from_pose(&c.skeleton, pose_view(c.pose, c.skeleton.joint_count), &some_root, NULL, c.models);
+        nkw_skeleton_models_from_pose(&c.skeleton, pose_view(c.pose, c.skeleton.joint_count), &some_root, NULL,
+                                      c.models);
         c.trs[from].translation.x += 1;
         c.locals[from] = nkw_mat4_from_trs(&c.trs[from]);
         nkw_pose_set(pose_span(c.pose, 90), from, &c.trs[from]);
@@ -296,13 +297,13 @@ static void parents_that_are_not_before_their_joint_make_roots(void **state)
     draw(&r, 6, &c);
     nkw_mat4 got[6], want[6];
     float a[NKW_POSE_FLOATS(6)], b[NKW_POSE_FLOATS(6)];
-    nkw_models_from_pose(&skeleton, pose_view(c.pose, skeleton.joint_count), &some_root, NULL, got);
-    nkw_models_from_pose(&same, pose_view(c.pose, same.joint_count), &some_root, NULL, want);
+    nkw_skeleton_models_from_pose(&skeleton, pose_view(c.pose, skeleton.joint_count), &some_root, NULL, got);
+    nkw_skeleton_models_from_pose(&same, pose_view(c.pose, same.joint_count), &some_root, NULL, want);
     expect_matrices(got, want, 6);
-    nkw_models_from_locals(&skeleton, c.locals, NULL, NULL, got);
+    nkw_skeleton_models_from_locals(&skeleton, c.locals, NULL, NULL, got);
     expect_matrices(got, c.locals, 5);
-    nkw_locals_from_models(&skeleton, c.locals, &some_root, got);
-    nkw_locals_from_models(&same, c.locals, &some_root, want);
+    nkw_skeleton_locals_from_models(&skeleton, c.locals, &some_root, got);
+    nkw_skeleton_locals_from_models(&same, c.locals, &some_root, want);
     expect_matrices(got, want, 6);
     pose_from_models(&skeleton, c.locals, NULL, a);
     pose_from_models(&same, c.locals, NULL, b);
@@ -320,11 +321,11 @@ static void locals_come_back_from_models(void **state)
     for (int k = 0; k < 40; k++) {
         draw(&r, 8, &c);
         const nkw_mat4 *root = k % 2 ? &some_root : NULL;
-        nkw_models_from_pose(&c.skeleton, pose_view(c.pose, c.skeleton.joint_count), root, NULL, c.models);
-        nkw_locals_from_models(&c.skeleton, c.models, root, got);
+        nkw_skeleton_models_from_pose(&c.skeleton, pose_view(c.pose, c.skeleton.joint_count), root, NULL, c.models);
+        nkw_skeleton_locals_from_models(&c.skeleton, c.models, root, got);
         for (size_t j = 0; j < 8; j++)
             expect_floats_near(got[j].m, c.locals[j].m, 16, 2e-3);
-        nkw_locals_from_models(&c.skeleton, c.models, root, c.models);
+        nkw_skeleton_locals_from_models(&c.skeleton, c.models, root, c.models);
         expect_matrices(c.models, got, 8);
     }
 }
@@ -338,13 +339,13 @@ static void locals_are_those_of_the_single_functions_at_every_count(void **state
     for (size_t n = 1; n <= 40; n++) {
         draw(&r, n, &c);
         const nkw_mat4 *root = n % 2 ? &some_root : NULL, guard = moved(7, 7, 7);
-        nkw_models_from_pose(&c.skeleton, pose_view(c.pose, c.skeleton.joint_count), root, NULL, c.models);
+        nkw_skeleton_models_from_pose(&c.skeleton, pose_view(c.pose, c.skeleton.joint_count), root, NULL, c.models);
         for (size_t k = 4; k < 8; k++)
             c.models[n / 3].m[k] *= n % 5 ? 1.0f : 0.0f;
         memcpy(in_place, c.models, n * sizeof *in_place);
         got[n] = guard;
-        nkw_locals_from_models(&c.skeleton, c.models, root, got);
-        nkw_locals_from_models(&c.skeleton, in_place, root, in_place);
+        nkw_skeleton_locals_from_models(&c.skeleton, c.models, root, got);
+        nkw_skeleton_locals_from_models(&c.skeleton, in_place, root, in_place);
         expect_matrices(in_place, got, n);
         expect_matrices(&got[n], &guard, 1);
         for (size_t j = 0; j < n; j++) {
@@ -370,9 +371,9 @@ static void models_come_back_from_the_pose_of_models(void **state)
         for (size_t j = 0; j < 20; j++)
             c.trs[j].scale = (nkw_vec3){1, 1, 1};
         nkw_pose_from_trs(c.trs, pose_span(c.pose, 20));
-        nkw_models_from_pose(&c.skeleton, pose_view(c.pose, c.skeleton.joint_count), NULL, NULL, c.models);
+        nkw_skeleton_models_from_pose(&c.skeleton, pose_view(c.pose, c.skeleton.joint_count), NULL, NULL, c.models);
         assert_true(pose_from_models(&c.skeleton, c.models, NULL, c.pose) < 1e-5f);
-        nkw_models_from_pose(&c.skeleton, pose_view(c.pose, c.skeleton.joint_count), NULL, NULL, got);
+        nkw_skeleton_models_from_pose(&c.skeleton, pose_view(c.pose, c.skeleton.joint_count), NULL, NULL, got);
         for (size_t j = 0; j < 20; j++)
             expect_floats_near(got[j].m, c.models[j].m, 16, 1e-4);
     }
@@ -385,7 +386,7 @@ static void below_a_singular_parent_locals_are_zero(void **state)
     const nkw_skeleton skeleton = {parents, 2};
     nkw_mat4 models[2] = {moved(1, 2, 3), moved(4, 5, 6)}, locals[2];
     models[0].m[5] = 0;
-    nkw_locals_from_models(&skeleton, models, NULL, locals);
+    nkw_skeleton_locals_from_models(&skeleton, models, NULL, locals);
     expect_floats_bits(locals[0].m, models[0].m, 16);
     for (size_t i = 0; i < 16; i++)
         expect_bits(locals[1].m[i], i == 15 ? 1.0f : 0.0f);
@@ -421,7 +422,7 @@ static void below_a_flat_joint_of_a_rotated_parent_locals_are_zero(void **state)
         expect_vec3_bits(got.scale, ((nkw_vec3){0, 0, 0}));
         expect_vec3_bits(got.translation, ((nkw_vec3){0, 0, 0}));
         nkw_mat4 locals[3];
-        nkw_locals_from_models(&skeleton, models, NULL, locals);
+        nkw_skeleton_locals_from_models(&skeleton, models, NULL, locals);
         expect_floats_near(locals[2].m, (float[12]){0}, 12, 0);
     }
 }

@@ -2,6 +2,12 @@
 #include "random.h"
 #include "support/expect.h"
 
+static nkw_result depths_of(const int32_t *parents, size_t joint_count, uint16_t *depths, uint32_t *order, size_t *bad)
+{
+    const nkw_skeleton skeleton = {parents, joint_count};
+    return nkw_skeleton_depths(&skeleton, depths, order, bad);
+}
+
 static void joints_come_roots_first_and_level_by_level(void **state)
 {
     (void)state;
@@ -11,12 +17,12 @@ static void joints_come_roots_first_and_level_by_level(void **state)
     uint16_t depths[7];
     uint32_t order[7];
     size_t bad = 99;
-    assert_int_equal(nkw_skeleton_depths(parents, 7, depths, order, &bad), NKW_OK);
+    assert_int_equal(depths_of(parents, 7, depths, order, &bad), NKW_OK);
     assert_int_equal(bad, 0);
     assert_memory_equal(depths, want_depths, sizeof depths);
     assert_memory_equal(order, want, sizeof order);
-    assert_int_equal(nkw_skeleton_depths(parents, 7, depths, NULL, NULL), NKW_OK);
-    assert_int_equal(nkw_skeleton_depths(NULL, 0, NULL, NULL, &bad), NKW_OK);
+    assert_int_equal(depths_of(parents, 7, depths, NULL, NULL), NKW_OK);
+    assert_int_equal(depths_of(NULL, 0, NULL, NULL, &bad), NKW_OK);
 }
 
 static void a_chain_of_all_joints_is_ordered_either_way(void **state)
@@ -28,7 +34,7 @@ static void a_chain_of_all_joints_is_ordered_either_way(void **state)
     for (int up = 0; up < 2; up++) {
         for (int32_t b = 0; b < 65536; b++)
             parents[b] = up ? b - 1 : b == 65535 ? -1 : b + 1;
-        assert_int_equal(nkw_skeleton_depths(parents, 65536, depths, order, NULL), NKW_OK);
+        assert_int_equal(depths_of(parents, 65536, depths, order, NULL), NKW_OK);
         for (uint32_t b = 0; b < 65536; b++) {
             assert_int_equal(order[b], up ? b : 65535 - b);
             assert_int_equal(depths[b], up ? b : 65535 - b);
@@ -50,7 +56,7 @@ static void random_trees_are_ordered_parents_first(void **state)
         for (size_t i = 0; i < n; i++)
             parents[(i * step + 3) % n] =
                 i == 0 || random_bits(&r) % 20 == 0 ? -1 : (int32_t)((random_bits(&r) % i * step + 3) % n);
-        assert_int_equal(nkw_skeleton_depths(parents, n, depths, order, NULL), NKW_OK);
+        assert_int_equal(depths_of(parents, n, depths, order, NULL), NKW_OK);
         for (size_t i = 0; i < n; i++)
             place[order[i]] = i;
         for (size_t b = 0; b < n; b++) {
@@ -66,7 +72,7 @@ static void expect_no_order(const int32_t *parents, size_t joints, nkw_result re
     uint16_t depths[8];
     uint32_t order[8] = {77};
     size_t bad = 99;
-    assert_int_equal(nkw_skeleton_depths(parents, joints, depths, order, &bad), result);
+    assert_int_equal(depths_of(parents, joints, depths, order, &bad), result);
     assert_int_equal(bad, joint);
     assert_int_equal(order[0], 77);
 }

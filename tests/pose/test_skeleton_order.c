@@ -15,7 +15,7 @@ static void depth_first_files_keep_their_order(void **state)
     (void)state;
     int32_t to[7], from[7], parents[7];
     size_t bad = 99;
-    assert_int_equal(nkw_skeleton_order(small, 7, to, from, parents, &bad), NKW_OK);
+    assert_int_equal(nkw_skeleton_from_parents(small, 7, to, from, parents, &bad), NKW_OK);
     assert_int_equal(bad, 0);
     assert_memory_equal(parents, small, sizeof small);
     for (int32_t j = 0; j < 7; j++) {
@@ -31,7 +31,7 @@ static void children_before_parents_are_put_in_order(void **state)
     const int32_t want_from[6] = {3, 0, 4, 2, 5, 1}, want_to[6] = {1, 5, 3, 0, 2, 4},
                   want_parents[6] = {-1, 0, 1, 0, -1, 4};
     int32_t to[6], from[6], parents[6];
-    assert_int_equal(nkw_skeleton_order(file, 6, to, from, parents, NULL), NKW_OK);
+    assert_int_equal(nkw_skeleton_from_parents(file, 6, to, from, parents, NULL), NKW_OK);
     assert_memory_equal(from, want_from, sizeof from);
     assert_memory_equal(to, want_to, sizeof to);
     assert_memory_equal(parents, want_parents, sizeof parents);
@@ -60,7 +60,7 @@ static void any_order_becomes_depth_first_and_keeps_parents(void **state)
         int32_t file[MOST], to[MOST], from[MOST], parents[MOST];
         shuffle_tree(&r, n, file);
         const nkw_skeleton skeleton = {parents, (size_t)n};
-        assert_int_equal(nkw_skeleton_order(file, (size_t)n, to, from, parents, NULL), NKW_OK);
+        assert_int_equal(nkw_skeleton_from_parents(file, (size_t)n, to, from, parents, NULL), NKW_OK);
         assert_int_equal(nkw_skeleton_validate(&skeleton, NULL), NKW_OK);
         for (int32_t k = 0; k < n; k++) {
             assert_int_equal(to[from[k]], k);
@@ -81,9 +81,9 @@ static void expect_order(const int32_t *file, size_t count, nkw_result result, s
 {
     int32_t to[8], from[8], parents[8];
     size_t bad = 99;
-    assert_int_equal(nkw_skeleton_order(file, count, to, from, parents, &bad), result);
+    assert_int_equal(nkw_skeleton_from_parents(file, count, to, from, parents, &bad), result);
     assert_int_equal(bad, joint);
-    assert_int_equal(nkw_skeleton_order(file, count, to, from, parents, NULL), result);
+    assert_int_equal(nkw_skeleton_from_parents(file, count, to, from, parents, NULL), result);
 }
 
 static void ordering_names_what_cannot_be_ordered(void **state)
@@ -118,15 +118,14 @@ static void trees_become_the_skeletons_of_their_parents(void **state)
     (void)state;
     random_source r = random_from(10);
     for (int32_t n = 1; n <= MOST; n++) {
-        int32_t file[MOST], child[MOST], sibling[MOST], a[3][MOST], b[3][MOST], work[3 * MOST];
+        int32_t file[MOST], child[MOST], sibling[MOST], a[3][MOST], b[3][MOST];
         do
             shuffle_tree(&r, n, file);
         while (file[0] != NKW_NO_JOINT);
         link_tree(file, n, child, sibling);
         const nkw_tree tree = {child, sibling, (size_t)n};
-        assert_int_equal(nkw_skeleton_order(file, (size_t)n, a[0], a[1], a[2], NULL), NKW_OK);
+        assert_int_equal(nkw_skeleton_from_parents(file, (size_t)n, a[0], a[1], a[2], NULL), NKW_OK);
         assert_int_equal(nkw_skeleton_from_tree(&tree, b[0], b[1], b[2], NULL), NKW_OK);
-        assert_int_equal(nkw_tree_validate(&tree, NULL, work, NKW_TREE_WORK(tree.node_count)), NKW_OK);
         for (int k = 0; k < 3; k++)
             assert_memory_equal(a[k], b[k], (size_t)n * sizeof(int32_t));
     }
@@ -135,11 +134,11 @@ static void trees_become_the_skeletons_of_their_parents(void **state)
 static void expect_tree(const int32_t *child, const int32_t *sibling, size_t count, nkw_result result, size_t node)
 {
     const nkw_tree tree = {child, sibling, count};
-    int32_t work[12];
+    int32_t a[3][4];
     size_t bad = 99;
-    assert_int_equal(nkw_tree_validate(&tree, &bad, work, NKW_TREE_WORK(tree.node_count)), result);
+    assert_int_equal(nkw_skeleton_from_tree(&tree, a[0], a[1], a[2], &bad), result);
     assert_int_equal(bad, node);
-    assert_int_equal(nkw_skeleton_from_tree(&tree, work, work + 4, work + 8, NULL), result);
+    assert_int_equal(nkw_skeleton_from_tree(&tree, a[0], a[1], a[2], NULL), result);
 }
 
 static void tree_validation_names_the_first_offender(void **state)
@@ -157,13 +156,6 @@ static void tree_validation_names_the_first_offender(void **state)
     expect_tree(child, twice, 4, NKW_NOT_A_TREE, 3);
     expect_tree(child, self, 4, NKW_NOT_A_TREE, 1);
     expect_tree(lone, sibling, 4, NKW_NOT_A_TREE, 1);
-    const nkw_tree tree = {child, sibling, 4};
-    int32_t work[12];
-    size_t bad = 9;
-    assert_int_equal(nkw_tree_validate(&tree, &bad, work, 12), NKW_OK);
-    assert_int_equal(nkw_tree_validate(&tree, &bad, work, 11), NKW_TOO_SMALL);
-    assert_int_equal(bad, 0);
-    assert_int_equal(nkw_tree_validate(&tree, NULL, NULL, 0), NKW_TOO_SMALL);
 }
 
 static void the_matrix_stack_gives_the_bits_of_the_array_form(void **state)
@@ -190,7 +182,7 @@ static void the_matrix_stack_gives_the_bits_of_the_array_form(void **state)
         assert_int_equal(nkw_skeleton_from_tree(&tree, to, from, parents, NULL), NKW_OK);
         for (int32_t k = 0; k < n; k++)
             models[k] = locals[from[k]];
-        nkw_models_from_locals(&skeleton, models, root, NULL, models);
+        nkw_skeleton_models_from_locals(&skeleton, models, root, NULL, models);
         for (int32_t k = 0; k < n; k++) {
             expect_floats_bits(columns[from[k]].m, models[k].m, 16);
             expect_floats_bits(rows[from[k]].m, models[k].m, 16);

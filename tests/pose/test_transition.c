@@ -32,9 +32,9 @@ static void draw(scene *s)
     }
 }
 
-static nkw_pose_motion motion_of(const float *pose, const float *velocity)
+static nkw_pose_state motion_of(const float *pose, const float *velocity)
 {
-    nkw_pose_motion m = {pose_view(pose, JOINTS), {velocity, JOINTS}};
+    nkw_pose_state m = {pose_view(pose, JOINTS), {velocity, JOINTS}};
     return m;
 }
 
@@ -62,9 +62,9 @@ static void each_joint_is_inertialised_as_its_values_are(void **state)
     (void)state;
     static scene s;
     draw(&s);
-    nkw_pose_motion from = motion_of(s.from, s.from_velocity), to = motion_of(s.to, s.to_velocity);
+    nkw_pose_state from = motion_of(s.from, s.from_velocity), to = motion_of(s.to, s.to_velocity);
     nkw_pose_inertia inertia = {s.inertia, JOINTS};
-    assert_int_equal(nkw_pose_inertia_begin(&from, &to, 0.5f, inertia), NKW_OK);
+    assert_int_equal(nkw_pose_inertia_begin(inertia, &from, &to, 0.5f), NKW_OK);
     for (int i = 0; i < 12; i++) {
         float t = 0.05f * (float)i;
         assert_int_equal(nkw_pose_inertia_evaluate(inertia, to.pose, t, pose_span(s.out, JOINTS)), NKW_OK);
@@ -91,17 +91,17 @@ static void each_joint_is_dead_blended_as_its_values_are(void **state)
     (void)state;
     static scene s;
     draw(&s);
-    nkw_pose_motion from = motion_of(s.from, s.from_velocity);
+    nkw_pose_state from = motion_of(s.from, s.from_velocity);
     nkw_pose_dead_blend dead = {s.dead, JOINTS, 0.2f, 0.5f};
     nkw_quat_dead_blend quats[JOINTS];
-    assert_int_equal(nkw_pose_dead_blend_begin(&from, dead), NKW_OK);
+    assert_int_equal(nkw_pose_dead_blend_begin(&dead, &from), NKW_OK);
     for (size_t j = 0; j < JOINTS; j++) {
         nkw_quat_dead_blend d = {{joint(s.from, j).rotation, speed(s.from_velocity, 3, j)}, 0.2f, 0.5f, {0, 0, 0, 0}};
         quats[j] = d;
     }
     for (int i = 0; i < 12; i++) {
         float t = 0.05f * (float)i;
-        assert_int_equal(nkw_pose_dead_blend_evaluate(dead, pose_view(s.to, JOINTS), t, pose_span(s.out, JOINTS)),
+        assert_int_equal(nkw_pose_dead_blend_evaluate(&dead, pose_view(s.to, JOINTS), t, pose_span(s.out, JOINTS)),
                          NKW_OK);
         for (size_t j = 0; j < JOINTS; j++) {
             nkw_trs a = joint(s.from, j), b = joint(s.to, j);
@@ -160,12 +160,12 @@ static void poses_move_without_a_jump(void **state)
         }
         nkw_pose_velocity_span v = {s.from_velocity, JOINTS};
         nkw_pose_velocity_from_poses(pose_view(before, JOINTS), pose_view(last, JOINTS), h, v);
-        nkw_pose_motion from = motion_of(last, s.from_velocity), to = motion_of(s.to, NULL);
-        assert_int_equal(nkw_pose_inertia_begin(&from, &to, 0.3f, inertia), NKW_OK);
-        assert_int_equal(nkw_pose_dead_blend_begin(&from, dead), NKW_OK);
+        nkw_pose_state from = motion_of(last, s.from_velocity), to = motion_of(s.to, NULL);
+        assert_int_equal(nkw_pose_inertia_begin(inertia, &from, &to, 0.3f), NKW_OK);
+        assert_int_equal(nkw_pose_dead_blend_begin(&dead, &from), NKW_OK);
         for (int i = 0; i <= 80; i++) {
             if (kind)
-                nkw_pose_dead_blend_evaluate(dead, to.pose, h * (float)i, pose_span(s.out, JOINTS));
+                nkw_pose_dead_blend_evaluate(&dead, to.pose, h * (float)i, pose_span(s.out, JOINTS));
             else
                 nkw_pose_inertia_evaluate(inertia, to.pose, h * (float)i, pose_span(s.out, JOINTS));
             for (size_t j = 0; j < JOINTS; j++) {
@@ -185,9 +185,9 @@ static void output_may_be_the_input_and_padding_has_no_effect(void **state)
     static scene s;
     static float in_place[FLOATS];
     draw(&s);
-    nkw_pose_motion from = motion_of(s.from, NULL), to = motion_of(s.to, NULL);
+    nkw_pose_state from = motion_of(s.from, NULL), to = motion_of(s.to, NULL);
     nkw_pose_inertia inertia = {s.inertia, JOINTS};
-    nkw_pose_inertia_begin(&from, &to, 0.5f, inertia);
+    nkw_pose_inertia_begin(inertia, &from, &to, 0.5f);
     nkw_pose_inertia_evaluate(inertia, to.pose, 0.2f, pose_span(s.out, JOINTS));
     memcpy(in_place, s.to, sizeof in_place);
     for (size_t c = 0; c < 10; c++)
@@ -213,11 +213,11 @@ static void evaluating_writes_the_pose_and_the_state_alone(void **state)
                           inertia_data + NKW_POSE_INERTIA_FLOATS(joints)};
         for (size_t k = 0; k < 3 * GUARD; k++)
             ends[k / GUARD][k % GUARD] = word;
-        const nkw_pose_motion from = {pose_view(s.from, joints), {NULL, 0}}, to = {pose_view(s.to, joints), {NULL, 0}};
+        const nkw_pose_state from = {pose_view(s.from, joints), {NULL, 0}}, to = {pose_view(s.to, joints), {NULL, 0}};
         const nkw_pose_inertia inertia = {inertia_data, joints};
         const nkw_pose_dead_blend dead = {dead_data, joints, 0.2f, 0.5f};
-        assert_int_equal(nkw_pose_inertia_begin(&from, &to, 0.5f, inertia), NKW_OK);
-        assert_int_equal(nkw_pose_dead_blend_begin(&from, dead), NKW_OK);
+        assert_int_equal(nkw_pose_inertia_begin(inertia, &from, &to, 0.5f), NKW_OK);
+        assert_int_equal(nkw_pose_dead_blend_begin(&dead, &from), NKW_OK);
         assert_int_equal(nkw_pose_inertia_evaluate(inertia, to.pose, 0.1f, pose_span(out, joints)), NKW_OK);
         memcpy(in_place, s.to, sizeof in_place);
         nkw_pose_inertia_evaluate(inertia, pose_view(in_place, joints), 0.1f, pose_span(in_place, joints));
@@ -225,7 +225,7 @@ static void evaluating_writes_the_pose_and_the_state_alone(void **state)
             expect_trs_bits(nkw_pose_get(pose_view(in_place, joints), j), nkw_pose_get(pose_view(out, joints), j));
         for (size_t k = 0; k < 3 * GUARD; k++)
             expect_bits(ends[k / GUARD][k % GUARD], word);
-        assert_int_equal(nkw_pose_dead_blend_evaluate(dead, to.pose, 0.1f, pose_span(out, joints)), NKW_OK);
+        assert_int_equal(nkw_pose_dead_blend_evaluate(&dead, to.pose, 0.1f, pose_span(out, joints)), NKW_OK);
         for (size_t k = 0; k < 3 * GUARD; k++)
             expect_bits(ends[k / GUARD][k % GUARD], word);
     }
@@ -236,27 +236,27 @@ static void counts_that_differ_are_refused(void **state)
     (void)state;
     static scene s;
     draw(&s);
-    nkw_pose_motion from = motion_of(s.from, s.from_velocity), other = from, fast = from, none = {{NULL, 0}, {NULL, 0}};
+    nkw_pose_state from = motion_of(s.from, s.from_velocity), other = from, fast = from, none = {{NULL, 0}, {NULL, 0}};
     other.pose.joint_count = 3;
     fast.velocity.joint_count = 3;
     nkw_pose_inertia inertia = {s.inertia, JOINTS}, empty = {NULL, 0};
     nkw_pose_dead_blend dead = {s.dead, JOINTS, 1, 1}, no_dead = {NULL, 0, 1, 1};
     nkw_pose_velocity_span v = {s.from_velocity, JOINTS}, no_v = {NULL, 0};
     nkw_pose_view view = pose_view(s.from, JOINTS), few = pose_view(s.from, 3);
-    assert_int_equal(nkw_pose_inertia_begin(&other, &from, 1, inertia), NKW_MISMATCHED);
-    assert_int_equal(nkw_pose_inertia_begin(&from, &fast, 1, inertia), NKW_MISMATCHED);
+    assert_int_equal(nkw_pose_inertia_begin(inertia, &other, &from, 1), NKW_MISMATCHED);
+    assert_int_equal(nkw_pose_inertia_begin(inertia, &from, &fast, 1), NKW_MISMATCHED);
     assert_int_equal(nkw_pose_inertia_evaluate(empty, view, 1, pose_span(s.out, JOINTS)), NKW_MISMATCHED);
     assert_int_equal(nkw_pose_inertia_evaluate(inertia, few, 1, pose_span(s.out, JOINTS)), NKW_MISMATCHED);
-    assert_int_equal(nkw_pose_dead_blend_begin(&fast, dead), NKW_MISMATCHED);
-    assert_int_equal(nkw_pose_dead_blend_evaluate(dead, few, 1, pose_span(s.out, JOINTS)), NKW_MISMATCHED);
+    assert_int_equal(nkw_pose_dead_blend_begin(&dead, &fast), NKW_MISMATCHED);
+    assert_int_equal(nkw_pose_dead_blend_evaluate(&dead, few, 1, pose_span(s.out, JOINTS)), NKW_MISMATCHED);
     assert_int_equal(nkw_pose_velocity_from_poses(view, few, 1, v), NKW_MISMATCHED);
     assert_int_equal(nkw_pose_velocity_from_poses(few, view, 1, v), NKW_MISMATCHED);
     dead.joint_count = 3;
-    assert_int_equal(nkw_pose_dead_blend_evaluate(dead, view, 1, pose_span(s.out, JOINTS)), NKW_MISMATCHED);
-    assert_int_equal(nkw_pose_inertia_begin(&none, &none, 1, empty), NKW_OK);
+    assert_int_equal(nkw_pose_dead_blend_evaluate(&dead, view, 1, pose_span(s.out, JOINTS)), NKW_MISMATCHED);
+    assert_int_equal(nkw_pose_inertia_begin(empty, &none, &none, 1), NKW_OK);
     assert_int_equal(nkw_pose_inertia_evaluate(empty, none.pose, 1, pose_span(NULL, 0)), NKW_OK);
-    assert_int_equal(nkw_pose_dead_blend_begin(&none, no_dead), NKW_OK);
-    assert_int_equal(nkw_pose_dead_blend_evaluate(no_dead, none.pose, 1, pose_span(NULL, 0)), NKW_OK);
+    assert_int_equal(nkw_pose_dead_blend_begin(&no_dead, &none), NKW_OK);
+    assert_int_equal(nkw_pose_dead_blend_evaluate(&no_dead, none.pose, 1, pose_span(NULL, 0)), NKW_OK);
     assert_int_equal(nkw_pose_velocity_from_poses(none.pose, none.pose, 1, no_v), NKW_OK);
 }
 

@@ -221,7 +221,7 @@ static void baked_frames_are_palettes_one_by_one(void **state)
     for (size_t f = FROM; f < FRAMES; f++) {
         nkw_clip_sample(clip, nkw_timeline_time((nkw_timeline){0.25f, 24.0f, 0}, f), NULL,
                         pose_span(poses[0], nkw_clip_describe(clip).joint_count), NULL);
-        nkw_models_from_pose(&skeleton, pose_view(poses[0], skeleton.joint_count), &root[0], NULL, alone);
+        nkw_skeleton_models_from_pose(&skeleton, pose_view(poses[0], skeleton.joint_count), &root[0], NULL, alone);
         palette_from_models(alone, JOINTS, joints, bind, NULL, SKIN, want + FIRST + f * SKIN);
     }
     crowd_bake(&source, &chunk, FROM, FRAMES + 2, work, buffer);

@@ -65,7 +65,7 @@ static uint64_t many_poses(uint64_t hash, scene *s)
             layers[i].weight = k & 1 ? 0.25f : 0.5f - 0.125f * (float)i;
             layers[i].mask = mask_view(k >> 1 & 1 ? s->masks[i] : NULL, JOINTS);
         }
-        nkw_pose_blend_layers(layers, (k >> 2) + 1, pose_view(s->poses[3], JOINTS), 0.75f, pose_span(s->out, JOINTS));
+        nkw_pose_layers_blend(layers, (k >> 2) + 1, pose_view(s->poses[3], JOINTS), 0.75f, pose_span(s->out, JOINTS));
         hash = hash_pose(hash, s->out);
     }
     return hash;
@@ -79,8 +79,8 @@ static uint64_t differences(uint64_t hash, scene *s)
         nkw_pose_additive_build(pose_view(s->poses[0], JOINTS), pose_view(s->poses[1], JOINTS), side,
                                 pose_span(delta, JOINTS));
         hash = hash_pose(hash, delta);
-        nkw_pose_additive_apply(pose_view(s->poses[2], JOINTS), pose_view(delta, JOINTS), side, k & 2 ? 1.0f : 0.75f,
-                                mask_view(k & 2 ? s->masks[1] : NULL, JOINTS), pose_span(s->out, JOINTS));
+        nkw_pose_additive_apply(pose_view(s->poses[2], JOINTS), pose_view(delta, JOINTS), k & 2 ? 1.0f : 0.75f,
+                                mask_view(k & 2 ? s->masks[1] : NULL, JOINTS), side, pose_span(s->out, JOINTS));
         hash = hash_pose(hash, s->out);
     }
     return hash;
@@ -92,7 +92,7 @@ uint64_t data_blend(void)
     random_source r = random_from(5);
     draw(&r, &s);
     uint64_t hash = differences(many_poses(two_poses(HASH_START, &s), &s), &s);
-    nkw_pose_mirror(pose_view(s.poses[0], JOINTS), s.pair, NKW_MIRROR_Z, pose_span(s.out, JOINTS));
+    nkw_pose_mirror(pose_view(s.poses[0], JOINTS), s.pair, NKW_MIRROR_Z, pose_span(s.out, JOINTS), NULL);
     hash = hash_pose(hash, s.out);
     mask_from_subtree(s.parents, JOINTS, 2, s.masks[0]);
     return hash_floats(hash, s.masks[0], NKW_POSE_STRIDE(JOINTS));

@@ -64,7 +64,7 @@ static uint64_t poses(random_source *r, uint64_t hash)
         trs[k] = t;
     }
     nkw_pose_from_trs(trs, pose_span(pose, LINKS));
-    nkw_models_from_pose(&ik.skeleton, pose_view(pose, LINKS), NULL, NULL, models);
+    nkw_skeleton_models_from_pose(&ik.skeleton, pose_view(pose, LINKS), NULL, NULL, models);
     nkw_ik_limb limb = {1, 2, 4, random_vec3(r, -2, 2), random_vec3(r, -1, 1), random_vec3(r, -1, 1), 0.1f, 1.0f};
     nkw_ik_look look = {3,
                         random_vec3(r, -2, 2),

@@ -50,7 +50,8 @@ static void draw_joints(random_source *r)
         inverse_bind[b] = nkw_mat4_from_trs(&trs);
         parents[b] = b + 1 < JOINTS ? (int32_t)(b + 1 + random_bits(r) % (JOINTS - 1 - b)) : -1;
     }
-    nkw_skeleton_depths(parents, JOINTS, depths, order, NULL);
+    const nkw_skeleton skeleton = {parents, JOINTS};
+    nkw_skeleton_depths(&skeleton, depths, order, NULL);
 }
 
 static uint64_t hash_words(uint64_t hash, const uint32_t *words, size_t n)

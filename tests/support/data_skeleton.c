@@ -38,7 +38,7 @@ static uint64_t order(random_source *r, int32_t *parents)
     int32_t file[JOINTS], joint_of_node[JOINTS], node_of_joint[JOINTS];
     for (int k = 0; k < JOINTS; k++)
         file[k * 50 % JOINTS] = k < 3 ? NKW_NO_JOINT : (int32_t)(random_bits(r) % (uint64_t)k) * 50 % JOINTS;
-    nkw_skeleton_order(file, JOINTS, joint_of_node, node_of_joint, parents, NULL);
+    nkw_skeleton_from_parents(file, JOINTS, joint_of_node, node_of_joint, parents, NULL);
     uint64_t hash = hash_numbers(hash_numbers(HASH_START, joint_of_node), node_of_joint);
     return hash_numbers(hash, parents);
 }
@@ -74,13 +74,13 @@ uint64_t data_skeleton(void)
     uint64_t hash = order(&r, parents);
     const nkw_skeleton skeleton = {parents, JOINTS};
     draw_pose(&r, pose);
-    nkw_models_from_pose(&skeleton, pose_view(pose, skeleton.joint_count), NULL, NULL, models);
+    nkw_skeleton_models_from_pose(&skeleton, pose_view(pose, skeleton.joint_count), NULL, NULL, models);
     hash = hash_matrices(hash, models);
     update_models_from_pose(&skeleton, pose, &root, 17, 80, models);
     hash = hash_matrices(hash, models);
-    nkw_locals_from_models(&skeleton, models, &root, locals);
+    nkw_skeleton_locals_from_models(&skeleton, models, &root, locals);
     hash = walk(hash_matrices(hash, locals), parents, locals, &root);
-    nkw_models_from_locals(&skeleton, locals, NULL, NULL, models);
+    nkw_skeleton_models_from_locals(&skeleton, locals, NULL, NULL, models);
     update_models_from_locals(&skeleton, locals, &root, 1, 16, models);
     hash = hash_matrices(hash, models);
     float residual = pose_from_models(&skeleton, models, NULL, pose);

@@ -134,7 +134,8 @@ static void make_skeleton(scene *s)
     for (int i = 0; i < s->nodes; i++)
         parents[i] = s->node[i].parent;
     assert_int_equal(
-        nkw_skeleton_order(parents, (size_t)s->nodes, s->joint_of_node, s->node_of_joint, s->parents, NULL), NKW_OK);
+        nkw_skeleton_from_parents(parents, (size_t)s->nodes, s->joint_of_node, s->node_of_joint, s->parents, NULL),
+        NKW_OK);
     for (int k = 0; k < s->skins; k++)
         for (size_t j = 0; j < s->skin[k].count; j++)
             s->skin[k].joints[j] = s->joint_of_node[s->skin[k].joints[j]];
@@ -234,7 +235,7 @@ void scene_models(const scene *s, const float *pose, nkw_mat4 *models)
         nkw_trs t = nkw_pose_get(pose_view(pose, (size_t)s->nodes), (size_t)node);
         models[j] = s->node[node].is_matrix ? s->node[node].matrix : nkw_mat4_from_trs(&t);
     }
-    nkw_models_from_locals(&skeleton, models, NULL, NULL, models);
+    nkw_skeleton_models_from_locals(&skeleton, models, NULL, NULL, models);
 }
 
 FILE *table_open(const char *path)

@@ -93,7 +93,7 @@ static inline float pose_from_models(const nkw_skeleton *skeleton, const nkw_mat
                                      float *pose)
 {
     float residual = -1.0f;
-    nkw_pose_from_models(skeleton, models, root, pose_span(pose, skeleton->joint_count), &residual);
+    nkw_skeleton_pose_from_models(skeleton, models, root, pose_span(pose, skeleton->joint_count), &residual);
     return residual;
 }
 
@@ -101,14 +101,14 @@ static inline nkw_result update_models_from_pose(const nkw_skeleton *skeleton, c
                                                  size_t from, size_t to, nkw_mat4 *models)
 {
     const nkw_range range = {from, to};
-    return nkw_models_from_pose(skeleton, pose_view(pose, skeleton->joint_count), root, &range, models);
+    return nkw_skeleton_models_from_pose(skeleton, pose_view(pose, skeleton->joint_count), root, &range, models);
 }
 
 static inline void update_models_from_locals(const nkw_skeleton *skeleton, const nkw_mat4 *locals, const nkw_mat4 *root,
                                              size_t from, size_t to, nkw_mat4 *models)
 {
     const nkw_range range = {from, to};
-    nkw_models_from_locals(skeleton, locals, root, &range, models);
+    nkw_skeleton_models_from_locals(skeleton, locals, root, &range, models);
 }
 
 static inline nkw_palette_source palette_source(const nkw_mat4 *models, size_t model_count, const int32_t *joints,

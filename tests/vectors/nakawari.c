@@ -377,7 +377,7 @@ static void models(const value *in, value *out)
         parents[j] = (int32_t)in[0].x[j];
     }
     nkw_skeleton skeleton = {parents, JOINTS};
-    nkw_models_from_pose(&skeleton, from, NULL, NULL, m);
+    nkw_skeleton_models_from_pose(&skeleton, from, NULL, NULL, m);
     put(out, m[0].m, 16 * JOINTS);
 }
 

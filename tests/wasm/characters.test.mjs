@@ -83,7 +83,7 @@ for (const [build, n] of [...await both('characters'), ...await both('all')]) {
         bits(math.quatSlerp([], a.get(j, []).slice(3, 7), b.get(j, []).slice(3, 7), 0.25)));
     assert.deepEqual(bits(n.poseBlend(a, b, 0, out).get(2, [])), bits(a.get(2, [])));
     n.poseAdditiveBuild(b, a, n.ADDITIVE_LOCAL, out);
-    n.poseAdditiveApply(a, out, n.ADDITIVE_LOCAL, 1, out);
+    n.poseAdditiveApply(a, out, 1, n.ADDITIVE_LOCAL, out);
     out.array.forEach((x, k) => assert.ok(Math.abs(Math.abs(x) - Math.abs(b.array[k])) < 1e-5));
     [a, b, out].forEach(object => object.dispose());
   });

@@ -49,7 +49,7 @@ function posesAt(state: State, rig: Rig, time: number): N.Pose[] {
   source.sample(source.start, first);
   const reference = state.reference === 'first' ? first : rig.rest;
   N.poseAdditiveBuild(clip, reference, side, difference);
-  N.poseAdditiveApply(base, difference, side, state.weight, sum);
+  N.poseAdditiveApply(base, difference, state.weight, side, sum);
   return [base, clip, sum, difference, reference];
 }
 const rotationsAt = (state: State, rig: Rig, time: number) =>
@@ -111,7 +111,7 @@ nkw_pose_set(poses[REFERENCE], 0, &joint[2]);
 const nkw_additive side = ${state.side === 'local' ? 'NKW_ADDITIVE_LOCAL' : 'NKW_ADDITIVE_PARENT'};
 const nkw_mask_view all = {NULL, 1};
 nkw_pose_additive_build(views[CLIP], views[REFERENCE], side, poses[DIFFERENCE]);
-nkw_pose_additive_apply(views[BASE], views[DIFFERENCE], side, ${literal(state.weight)}, all, poses[SUM]);
+nkw_pose_additive_apply(views[BASE], views[DIFFERENCE], ${literal(state.weight)}, all, side, poses[SUM]);
 static const char *const names[] = {"base", "clip", "sum", "difference"};
 for (int i = BASE; i <= DIFFERENCE; i++) {
     ${anglesInC('nkw_pose_get(views[i], 0).rotation')}

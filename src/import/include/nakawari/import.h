@@ -15,8 +15,8 @@
  * Then nkw_clip_sample, nkw_document_models and nkw_document_palette compute the pose, the model matrices and the
  * palette at a time, nkw_document_vertices the vertices.
  *
- * All nodes of a file are joints, sorted by nkw_skeleton_order: parents before their children. Every index of a node in
- * a document is an index of a joint; `number` is the index in the file. Indices are valid: reading checks them.
+ * All nodes of a file are joints, sorted by nkw_skeleton_from_parents: parents before their children. Every index of a
+ * node in a document is an index of a joint; `number` is the index in the file. Indices are valid: reading checks them.
  * Values are those of the file: reading does not check key times, keys, weights, or the joint indices of vertices. The
  * functions that build data from them do.
  *
@@ -275,8 +275,8 @@ NKW_API nkw_import_result nkw_document_clip(const nkw_document *document, size_t
 NKW_API void nkw_import_free(void *block);
 
 /**
- * Model matrices from a pose, as nkw_models_from_pose. Joints with a `matrix` use it instead of the pose, so shear is
- * kept.
+ * Model matrices from a pose, as nkw_skeleton_models_from_pose. Joints with a `matrix` use it instead of the pose, so
+ * shear is kept.
  *
  * pose     a pose of all joints
  * models   receives skeleton.joint_count matrices

@@ -31,9 +31,9 @@ function begin(state: State, rig: Rig) {
     step, oldVelocity);
   N.poseVelocityFromPoses(sampleLoop(rig.clips[to], start - step, newBefore), sampleLoop(rig.clips[to], start, newAt),
     step, newVelocity);
-  N.poseInertiaBegin({ pose: oldAt, velocity: oldVelocity }, { pose: newAt, velocity: newVelocity }, duration, offset);
+  N.poseInertiaBegin(offset, { pose: oldAt, velocity: oldVelocity }, { pose: newAt, velocity: newVelocity }, duration);
   Object.assign(blend, { halfLife: state.coast, duration });
-  N.poseDeadBlendBegin({ pose: oldAt, velocity: oldVelocity }, blend);
+  N.poseDeadBlendBegin(blend, { pose: oldAt, velocity: oldVelocity });
   return poses;
 }
 
