@@ -184,7 +184,7 @@ static void count_real_blends(void)
     nkw_pose_layer layers[2] = {{a, 0.5f, none}, {b, 0.5f, upper}};
     COUNT("pose_blend 67 joints, some equal", nkw_pose_blend(a, b, 0.3f, none, to));
     COUNT("pose_blend 67 joints, mask of 0 and 1", nkw_pose_blend(a, b, 1.0f, upper, to));
-    COUNT("pose_blend_layers 67 joints, 2, mask of 0 and 1", nkw_pose_layers_blend(layers, 2, a, 0.1f, to));
+    COUNT("pose_layers_blend 67 joints, 2, mask of 0 and 1", nkw_pose_layers_blend(layers, 2, a, 0.1f, to));
     COUNT("pose_blend_slerp 67 joints, some equal", nkw_pose_blend_slerp(a, b, 0.3f, none, to));
     COUNT("pose_additive_apply 67 joints, some equal",
           nkw_pose_additive_apply(a, b, 0.5f, none, NKW_ADDITIVE_LOCAL, to));
@@ -206,10 +206,10 @@ static void count_character(void)
     COUNT("pose_blend 67 joints",
           nkw_pose_blend((nkw_pose_view){poses[0], JOINTS}, (nkw_pose_view){poses[1], JOINTS}, 0.3f,
                          (nkw_mask_view){NULL, JOINTS}, (nkw_pose_span){blended, JOINTS}));
-    COUNT("pose_blend_layers 67 joints, 4 of one weight",
+    COUNT("pose_layers_blend 67 joints, 4 of one weight",
           nkw_pose_layers_blend(layers, 4, (nkw_pose_view){poses[0], JOINTS}, 0.1f, (nkw_pose_span){blended, JOINTS}));
     count_real_blends();
-    COUNT("models_from_pose 67 joints",
+    COUNT("skeleton_models_from_pose 67 joints",
           nkw_skeleton_models_from_pose(&skeleton, (nkw_pose_view){poses[0], skeleton.joint_count}, NULL, NULL, m_out));
     COUNT("palette_from_models 67 joints", palette_from_models(ma, JOINTS, NULL, mb, NULL, JOINTS, m_out));
     COUNT("skin_linear 1024 vertices, 4 influences", nkw_skin_linear(&skin, &palette, from, to));

@@ -74,7 +74,7 @@ enum { LINKS = 8 };
 
 static void chain(svg *s, svg_point origin, int ccd, uint32_t iterations, nkw_vec3 target)
 {
-    nkw_vec3 offsets[LINKS], work[LINKS], joints[LINKS + 1];
+    nkw_vec3 offsets[LINKS], joints[LINKS + 1];
     nkw_quat rotations[LINKS], q = nkw_quat_identity();
     for (int k = 0; k < LINKS; k++) {
         offsets[k] = at(0.24f, 0, 0);
@@ -82,10 +82,8 @@ static void chain(svg *s, svg_point origin, int ccd, uint32_t iterations, nkw_ve
     }
     nkw_ik_chain c = {{0, 0, 0}, {0, 0, 0, 1}, offsets, NULL, LINKS};
     nkw_ik_goal goal = {target, 1e-3f, iterations};
-    if (ccd)
-        nkw_ik_ccd_solve(&c, &goal, rotations);
-    else
-        nkw_ik_fabrik_solve(&c, &goal, rotations, work, LINKS);
+    NKW_STACK_WORK(work, NKW_IK_CHAIN_WORK(LINKS));
+    nkw_ik_chain_solve(&c, &goal, ccd ? NKW_IK_CCD : NKW_IK_FABRIK, rotations, NULL, work);
     joints[0] = NKW_VEC3_ZERO;
     for (int k = 0; k < LINKS; k++) {
         q = nkw_quat_mul(q, rotations[k]);
@@ -128,7 +126,12 @@ static nkw_vec3 swing_vector(nkw_quat q)
 static svg_point limited(const svg_plot *plot, float x, float y)
 {
     nkw_quat q = nkw_quat_exp(at(0.5f * x, 0.5f * y, 0));
-    nkw_vec3 v = swing_vector(nkw_quat_limit_ellipse(q, at(0, 0, 1), at(1, 0, 0), 1.2f, 0.5f));
+    nkw_limit limit = NKW_LIMIT_NONE;
+    limit.axis = at(0, 0, 1);
+    limit.side = at(1, 0, 0);
+    limit.swing_side = 1.2f;
+    limit.swing_across = 0.5f;
+    nkw_vec3 v = swing_vector(nkw_limit_apply(&limit, q));
     return svg_plot_at(plot, v.x, v.y);
 }
 

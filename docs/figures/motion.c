@@ -222,8 +222,8 @@ static void loops(svg *s, const nkw_root_cycle *cycle, const nkw_root_rule *rule
         svg_point line[FIGURE_STEPS + 1];
         svg_paint paint = svg_stroke(colours[n], 3.0f, 1.0f);
         for (int i = 0; i <= FIGURE_STEPS; i++) {
-            nkw_trs root = root_at((float)i / (float)FIGURE_STEPS), now = nkw_root_extract(&root, rule);
-            nkw_trs place = nkw_root_place(&origin, cycle, &now, n);
+            nkw_trs root = root_at((float)i / (float)FIGURE_STEPS), now = nkw_root_split(rule, &root).motion;
+            nkw_trs place = nkw_root_place(cycle, &origin, &now, n);
             line[i] = on_floor(place.translation);
             if (i % 24 == 12)
                 character(s, &place, colours[n], 1.8f);
@@ -231,7 +231,7 @@ static void loops(svg *s, const nkw_root_cycle *cycle, const nkw_root_rule *rule
         svg_polyline(s, line, FIGURE_STEPS + 1, &paint);
     }
     for (int n = 0; n <= 3; n++) {
-        nkw_trs place = nkw_root_place(&origin, cycle, &cycle->first, n);
+        nkw_trs place = nkw_root_place(cycle, &origin, &cycle->first, n);
         character(s, &place, FIGURE_INK, 2.4f);
         figure_key(s, on_floor(place.translation));
     }
@@ -242,7 +242,7 @@ int figure_root_loops(const char *path)
     static const char *const names[4] = {"origin", "C", "C\xc2\xb2", "C\xc2\xb3"};
     const nkw_root_rule rule = {{0.0f, 1.0f, 0.0f}, NKW_ROOT_PLANE | NKW_ROOT_YAW};
     const nkw_trs first = root_at(0.0f), last = root_at(1.0f), origin = nkw_trs_identity();
-    const nkw_root_cycle cycle = {nkw_root_extract(&first, &rule), nkw_root_extract(&last, &rule)};
+    const nkw_root_cycle cycle = {nkw_root_split(&rule, &first).motion, nkw_root_split(&rule, &last).motion};
     svg s;
     if (!figure_open(&s, path, 760.0f, 690.0f, "Three loops of a clip that walks and turns, from above",
                      "Each loop begins at the end of the last: nkw_root_place with cycle 0, 1 and 2. Arrows look "
@@ -250,7 +250,7 @@ int figure_root_loops(const char *path)
         return 0;
     loops(&s, &cycle, &rule);
     for (int n = 0; n <= 3; n++) {
-        nkw_trs place = nkw_root_place(&origin, &cycle, &cycle.first, n);
+        nkw_trs place = nkw_root_place(&cycle, &origin, &cycle.first, n);
         svg_point p = on_floor(place.translation);
         figure_name(&s, p.x - 14.0f, p.y + 26.0f, FIGURE_INK, 'm', names[n]);
     }

@@ -83,12 +83,11 @@ static void retarget(const doll *source, const float *pose, const doll *target, 
 {
     const nkw_skeleton skeleton = {parents, JOINTS};
     nkw_retarget_joint map[JOINTS];
-    float work[NKW_RETARGET_WORK(JOINTS, JOINTS)];
+    NKW_STACK_WORK(work, NKW_RETARGET_WORK(JOINTS, JOINTS));
     for (int32_t j = 0; j < JOINTS; j++)
         map[j] = (nkw_retarget_joint){j, NKW_NO_JOINT, 0.0f, j == HIPS ? target->legs : 0.0f};
     nkw_retarget r = {skeleton, skeleton, {source->rest, JOINTS}, {target->rest, JOINTS}, map, {0, 0, 0, 1}};
-    nkw_pose_retarget(&r, (nkw_pose_view){pose, JOINTS}, (nkw_pose_span){out, JOINTS}, work,
-                      NKW_RETARGET_WORK(JOINTS, JOINTS));
+    nkw_retarget_apply(&r, (nkw_pose_view){pose, JOINTS}, (nkw_pose_span){out, JOINTS}, work);
 }
 
 int figure_retarget_axes(const char *path)

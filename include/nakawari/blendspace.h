@@ -24,7 +24,7 @@
 extern "C" {
 #endif
 
-/** How distances are measured. Any other number is read as CARTESIAN. */
+/** How distances are measured. */
 typedef enum nkw_blendspace_kind {
     NKW_BLENDSPACE_CARTESIAN, /**< by differences of the parameters */
     /**
@@ -42,7 +42,7 @@ typedef struct nkw_blendspace {
     const float *samples; /**< count * dimension numbers, one sample after the other */
     size_t count;
     size_t dimension; /**< of a sample and of a point; at least 1 */
-    nkw_blendspace_kind kind; /**< POLAR needs dimension 2; others are read as CARTESIAN */
+    nkw_blendspace_kind kind; /**< POLAR needs dimension 2 */
 } nkw_blendspace;
 NKW_SIZE(nkw_blendspace, 32, 16);
 
@@ -51,12 +51,14 @@ NKW_SIZE(nkw_blendspace, 32, 16);
  *
  * point    dimension numbers
  * weights  receives count numbers, 0..1, with the sum 1 to rounding. Samples at the same place share their weight.
- *          Samples that are not finite have the weight 0 and no effect on others. If the point is not finite, or the
- *          dimension is 0, all finite samples have the same weight
+ *          Samples that are not finite have the weight 0 and no effect on others. If the point is not finite, all
+ *          finite samples have the same weight
+ * Returns  NKW_EMPTY without samples or for dimension 0; NKW_BAD_METHOD for an unknown kind, or POLAR of another
+ *          dimension than 2; nothing is then written
  *
  * Error  1.0 u of 1, for samples whose distances are not small against their magnitude.
  */
-NKW_API void nkw_blendspace_weights(const nkw_blendspace *space, const float *point, float *weights);
+NKW_API nkw_result nkw_blendspace_weights(const nkw_blendspace *space, const float *point, float *weights);
 
 /**
  * Checks a blend space.

@@ -38,17 +38,6 @@ NKW_SIZE(nkw_foot_rules, 36, 36);
         {0, 1, 0}, 0.05f, 0.1f, 0.3f, 1.0f, 0.2f, 0.2f                                                                 \
     }
 
-/**
- * Whether a foot is in contact, with hysteresis:
- *
- *     was in contact    unless height > leave_height or speed > leave_speed
- *     was not           if height <= enter_height and speed <= enter_speed
- *
- * contact  whether it was in contact before
- * Returns  1 or 0; 0 if height or speed is NaN
- */
-NKW_API int nkw_foot_contact(const nkw_foot_rules *rules, int contact, float height, float speed);
-
 /** The state of a foot. Zeros: nothing is known yet; set zeros again after a jump of the character. */
 typedef struct nkw_foot {
     nkw_vec3 animated; /**< the position of the animation at the last update */
@@ -64,14 +53,20 @@ NKW_SIZE(nkw_foot, 88, 88);
  * Updates a foot, and returns the position at which it should be.
  *
  * The velocity of the animation is the difference from the last position, divided by h. The height is the part of the
- * position along `up`, less `ground`. When contact begins, the foot is locked at the position of the animation. The
+ * position along `up`, less `ground`. Contact has hysteresis:
+ *
+ *     was in contact    unless height > leave_height or speed > leave_speed
+ *     was not           if height <= enter_height and speed <= enter_speed
+ *
+ * When contact begins, the foot is locked at the position of the animation. The
  * result blends from the present motion to the lock, and at the end of the contact from the lock to the animation, by
  * nkw_vec3_inertia_begin with rules->duration.
  *
  * animated  the position of the foot in the animation
  * ground    the height of the ground below the foot
  * h         seconds since the last update
- * Returns   exactly `animated` if no contact was found yet; exactly the locked position in contact, after `duration`
+ * Returns   the position, and in foot->contact whether it is in contact: exactly `animated` if no contact was found
+ *           yet; exactly the locked position in contact, after `duration`
  *
  * At the first update no velocity is known: the foot is not in contact, and `animated` is returned. If h is not
  * positive, no time passes and the contact stays. If animated, ground or h is not finite, the state stays and the last

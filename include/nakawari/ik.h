@@ -10,9 +10,10 @@
  * Every solver returns the error that is left after rounding: how far the end is from the target, or the angle that
  * the aim misses. A target that is out of reach is no failure: the result is as near as the joints permit.
  *
- * Solvers compute in binary64 and round once. If an input is not finite, the rotations are identities (or unchanged)
- * and the error is infinite; it is never NaN. A weight is clamped to 0..1, NaN to 0. At weight 0 nothing is rotated; at
- * 1 the solution is complete; between, each rotation is the slerp from the identity.
+ * Solvers compute in binary64 and round once. If an input is not finite, the geometric solvers of a limb and an aim
+ * return identities with an infinite error; all others return NKW_NOT_FINITE and change nothing. An error is never NaN.
+ * A weight is clamped to 0..1, NaN to 0. At weight 0 nothing is rotated; at 1 the solution is complete; between, each
+ * rotation is the slerp from the identity.
  *
  * Model matrices may mirror and scale. If a parent's matrix scales unevenly, rotations of a pose are approximate and
  * the error does not include this.
@@ -145,7 +146,7 @@ NKW_SIZE(nkw_ik_chain, 56, 40);
 /** When to stop. */
 typedef struct nkw_ik_goal {
     nkw_vec3 target; /**< where the end of the chain should be */
-    float tolerance; /**< the distance at which to stop; negative and NaN count as 0 */
+    float tolerance; /**< the distance at which to stop; at least 0 */
     uint32_t iterations; /**< at most so many; 10 is a usual number */
 } nkw_ik_goal;
 NKW_SIZE(nkw_ik_goal, 20, 20);
@@ -157,40 +158,50 @@ typedef struct nkw_ik_chain_result {
 } nkw_ik_chain_result;
 NKW_SIZE(nkw_ik_chain_result, 8, 8);
 
+/** How a chain is solved. */
+typedef enum nkw_ik_method {
+    /**
+     * Forward and backward reaching: positions are moved from the end to the root and from the root to the end, each to
+     * the length of its bone; in the second pass each joint is rotated by the shortest arc to its next position, and
+     * clamped by its limit. Bends all joints alike; converges in fewer iterations than cyclic coordinate descent. A
+     * target out of reach is answered in one iteration by a straight chain, without limits.
+     */
+    NKW_IK_FABRIK,
+    /**
+     * Cyclic coordinate descent: from the last joint to the first, each is rotated by the shortest arc that turns the
+     * end to the target, and clamped by its limit. Moves the last joints most. Converges slowly where the chain is
+     * nearly straight. Needs no working memory.
+     */
+    NKW_IK_CCD,
+    NKW_IK_METHOD_MAX_ENUM = 0x7fffffff
+} nkw_ik_method;
+
+/** Bytes of working memory of nkw_ik_chain_solve by NKW_IK_FABRIK. */
+#define NKW_IK_CHAIN_WORK(joint_count) (12 * (joint_count))
+
 /**
- * Cyclic coordinate descent: from the last joint to the first, each is rotated by the shortest arc that turns the end
- * to the target, and clamped by its limit. Moves the last joints most. Needs no memory. Converges slowly where the
- * chain is nearly straight.
+ * Solves a chain. Limits also clamp rotations that need not move.
  *
- * rotations  count local rotations, unit; changed in place. Limits also clamp rotations that need not move.
+ * rotations  count local rotations, unit; changed in place
+ * result     receives the error and the iterations; may be NULL. Not written after an error
+ * work       NKW_IK_CHAIN_WORK(chain->count) bytes by NKW_IK_FABRIK; none by NKW_IK_CCD
+ * Returns    NKW_OK; NKW_BAD_METHOD for an unknown method; NKW_OUT_OF_RANGE for a negative tolerance; NKW_NOT_FINITE if
+ *            the tolerance is NaN, or another number, except those of limits, is not finite; NKW_TOO_SMALL; nothing is
+ *            then changed
  *
  * If all joints, the end and the target are on one line, no joint has a reason to bend: each joint is then first
  * rotated by 1/8 rad about a perpendicular axis, of more than 16 joints by 2/count rad. Without joints the error is the
  * distance of `position`.
  *
- * Without limits the error never grows after that first bend. With limits it may stay above the tolerance, although a
- * solution exists.
+ * Without limits the error of NKW_IK_CCD never grows after that first bend. With limits it may stay above the
+ * tolerance, although a solution exists.
  *
- * Source Wang, Chen, A Combined Optimization Method for Solving the Inverse Kinematics Problem, 1991.
+ * Source Aristidou, Lasenby, FABRIK: A Fast, Iterative Solver for the Inverse Kinematics Problem, 2011;
+ *        Wang, Chen, A Combined Optimization Method for Solving the Inverse Kinematics Problem, 1991.
  * Stack  at most 2 KiB.
  */
-NKW_API nkw_ik_chain_result nkw_ik_ccd_solve(const nkw_ik_chain *chain, const nkw_ik_goal *goal, nkw_quat *rotations);
-
-/**
- * Forward and backward reaching: positions are moved from the end to the root and from the root to the end, each to the
- * length of its bone; in the second pass each joint is rotated by the shortest arc to its next position, and clamped by
- * its limit. Bends all joints alike; converges in fewer iterations than cyclic coordinate descent. A target out of
- * reach is answered in one iteration by a straight chain, without limits.
- *
- * rotations  as above
- * work       chain->count vectors of working memory; if work_count is less, nothing is changed and the error is
- *            infinite
- *
- * Source Aristidou, Lasenby, FABRIK: A Fast, Iterative Solver for the Inverse Kinematics Problem, 2011.
- * Stack  at most 2 KiB.
- */
-NKW_API nkw_ik_chain_result nkw_ik_fabrik_solve(const nkw_ik_chain *chain, const nkw_ik_goal *goal, nkw_quat *rotations,
-                                                nkw_vec3 *work, size_t work_count);
+NKW_API nkw_result nkw_ik_chain_solve(const nkw_ik_chain *chain, const nkw_ik_goal *goal, nkw_ik_method method,
+                                      nkw_quat *rotations, nkw_ik_chain_result *result, nkw_work work);
 
 /** A pose whose rotations are solved. */
 typedef struct nkw_ik_pose {
@@ -214,10 +225,10 @@ NKW_SIZE(nkw_ik_limb, 72, 56);
 /**
  * nkw_ik_two_bone_solve on a pose: changes the local rotations of root and mid.
  *
- * error    receives the error; infinite unless NKW_OK is returned; may be NULL
+ * error    receives the error; may be NULL. Not written after an error
  * Returns  NKW_OK; NKW_MISMATCHED if the pose has another number of joints than the skeleton; NKW_OUT_OF_RANGE for a
- *          joint after the last; NKW_NOT_ORDERED if mid is not a descendant of root, or end not of mid; nothing is then
- *          changed
+ *          joint after the last; NKW_NOT_ORDERED if mid is not a descendant of root, or end not of mid; NKW_NOT_FINITE
+ *          if a number of the limb or of its matrices is not finite; nothing is then changed
  *
  * Stack  at most 2 KiB.
  */
@@ -242,9 +253,6 @@ NKW_SIZE(nkw_ik_look, 88, 84);
  */
 NKW_API nkw_result nkw_ik_pose_aim(const nkw_ik_pose *pose, const nkw_ik_look *look, float *error);
 
-/** How a chain is solved. Any other number is read as FABRIK. */
-typedef enum nkw_ik_method { NKW_IK_FABRIK, NKW_IK_CCD, NKW_IK_METHOD_MAX_ENUM = 0x7fffffff } nkw_ik_method;
-
 /** A chain of joints of a skeleton. */
 typedef struct nkw_ik_reach {
     size_t end; /**< the joint that should be at the target; it is not rotated */
@@ -256,22 +264,22 @@ typedef struct nkw_ik_reach {
 } nkw_ik_reach;
 NKW_SIZE(nkw_ik_reach, 56, 40);
 
-/** The number of floats of working memory of nkw_ik_pose_chain. */
-#define NKW_IK_CHAIN_WORK(joint_count) (10 * (joint_count))
+/** Bytes of working memory of nkw_ik_pose_chain. */
+#define NKW_IK_POSE_CHAIN_WORK(joint_count) (40 * (joint_count))
 
 /**
- * nkw_ik_fabrik_solve or nkw_ik_ccd_solve on a pose: changes the local rotations of `joint_count` ancestors of the
- * joint `end`. Arguments as nkw_ik_pose_two_bone.
+ * nkw_ik_chain_solve on a pose: changes the local rotations of `joint_count` ancestors of the joint `end`. Arguments as
+ * nkw_ik_pose_two_bone.
  *
- * result   receives the error, after the weight, and the iterations; may be NULL
- * work     work_count floats, at least NKW_IK_CHAIN_WORK(reach->joint_count)
- * Returns  as nkw_ik_pose_two_bone; NKW_EMPTY for joint_count 0; NKW_OUT_OF_RANGE if `end` has fewer ancestors;
- *          NKW_TOO_SMALL for work_count
+ * result   receives the error, after the weight, and the iterations; may be NULL. Not written after an error
+ * work     NKW_IK_POSE_CHAIN_WORK(reach->joint_count) bytes
+ * Returns  as nkw_ik_pose_two_bone and nkw_ik_chain_solve; NKW_EMPTY for joint_count 0; NKW_OUT_OF_RANGE if `end` has
+ *          fewer ancestors
  *
  * Stack  at most 3 KiB.
  */
 NKW_API nkw_result nkw_ik_pose_chain(const nkw_ik_pose *pose, const nkw_ik_reach *reach, nkw_ik_chain_result *result,
-                                     float *work, size_t work_count);
+                                     nkw_work work);
 
 #ifdef __cplusplus
 }

@@ -30,34 +30,6 @@
 extern "C" {
 #endif
 
-/**
- * The swing of `axis` is limited to `angle`: a cone about the axis.
- *
- * Error  0.91 u, if the swing is at least 1e-3 rad from half a turn.
- */
-NKW_API nkw_quat nkw_quat_limit_cone(nkw_quat q, nkw_vec3 axis, float angle);
-
-/**
- * The swing is limited to an ellipse with half axes a, b, angles of the swings about `side` and about axis x side:
- *
- *     (s.side / a)^2 + (s.(axis x side) / b)^2 <= 1
- *
- * side is made perpendicular to the axis; zero or along the axis it is replaced by nkw_vec3_perpendicular(axis). With
- * b = 0 the joint swings like a hinge. The nearest point of the boundary is the root of a convex function, by Newton's
- * method from the side on which it converges for every point.
- *
- * Error  0.91 u, if the swing is at least 1e-3 rad from half a turn.
- */
-NKW_API nkw_quat nkw_quat_limit_ellipse(nkw_quat q, nkw_vec3 axis, nkw_vec3 side, float a, float b);
-
-/**
- * The twist about `axis` is limited to the angles low .. high, of at most 2^20 rad; a range of 2 pi or more, or NaN,
- * is no limit. If low > high, both are replaced by their mean.
- *
- * Error  0.91 u, if the swing is at least 1e-3 rad from half a turn.
- */
-NKW_API nkw_quat nkw_quat_limit_twist(nkw_quat q, nkw_vec3 axis, float low, float high);
-
 /** The limits of one joint, measured from a rest rotation. */
 typedef struct nkw_limit {
     nkw_quat rest; /**< the rotation of no swing and no twist; zero counts as the identity */
@@ -69,7 +41,31 @@ typedef struct nkw_limit {
 NKW_SIZE(nkw_limit, 56, 56);
 
 /**
- * The rotation nearest to q within all limits of the joint: the twist and then the swing of rest^-1 q are limited.
+ * No limit. Set the axis and the angles that are limited; a cone of 0.5 rad about z:
+ *
+ *     nkw_limit limit = NKW_LIMIT_NONE;
+ *     limit.axis.z = 1;
+ *     limit.swing_side = limit.swing_across = 0.5f;
+ */
+#define NKW_LIMIT_NONE                                                                                                 \
+    {                                                                                                                  \
+        {0, 0, 0, 1}, {0, 0, 0}, {0, 0, 0}, 3.14159274f, 3.14159274f, -3.14159274f, 3.14159274f                        \
+    }
+
+/**
+ * The rotation nearest to q within all limits of the joint: the twist and the swing of rest^-1 q are limited.
+ *
+ * The swing is limited to an ellipse with half axes a, b, angles of the swings about `side` and about axis x side:
+ *
+ *     (s.side / a)^2 + (s.(axis x side) / b)^2 <= 1
+ *
+ * side is made perpendicular to the axis; zero or along the axis it is replaced by nkw_vec3_perpendicular(axis). With
+ * b = 0 the joint swings like a hinge. The nearest point of the boundary is the root of a convex function, by Newton's
+ * method from the side on which it converges for every point.
+ *
+ * The twist is limited to the angles low .. high, of at most 2^20 rad; a range of 2 pi or more, or NaN, is no limit. If
+ * low > high, both are replaced by their mean.
+ *
  * Returns q, bit for bit, if both are within their limits.
  *
  * Error  0.91 u, if the swing is at least 1e-3 rad from half a turn.

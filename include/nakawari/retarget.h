@@ -43,7 +43,7 @@ typedef struct nkw_retarget_joint {
     float t; /**< 0..1 */
     /**
      * 0: the translation of the rest pose. Otherwise the factor of the difference of the translation of `from` from its
-     * rest, for the hips or the root: nkw_retarget_scale
+     * rest, for the hips or the root: the ratio of the heights of the hips, or nkw_retarget_chain_scale
      */
     float translation;
 } nkw_retarget_joint;
@@ -58,8 +58,8 @@ typedef struct nkw_retarget {
 } nkw_retarget;
 NKW_SIZE(nkw_retarget, 88, 52);
 
-/** Floats of working memory of nkw_pose_retarget. */
-#define NKW_RETARGET_WORK(source_joints, target_joints) (8 * ((source_joints) + (target_joints)))
+/** Bytes of working memory of nkw_retarget_apply. */
+#define NKW_RETARGET_WORK(source_joints, target_joints) (32 * ((source_joints) + (target_joints)))
 
 /**
  * The pose of the target.
@@ -70,15 +70,15 @@ NKW_SIZE(nkw_retarget, 88, 52);
  *
  * source   a pose of the source
  * out      a pose of the target; must not overlap `source`
- * work     work_count floats, at least NKW_RETARGET_WORK of the joints of both
- * Returns  NKW_OK; NKW_MISMATCHED if a pose has another number of joints than its skeleton; NKW_TOO_SMALL for
- *          work_count; nothing is then written. A joint of the map after the last counts as none
+ * work     NKW_RETARGET_WORK bytes of the joints of both
+ * Returns  NKW_OK; NKW_MISMATCHED if a pose has another number of joints than its skeleton; NKW_TOO_SMALL; nothing is
+ *          then written. A joint of the map after the last counts as none
  *
  * Error  3.0 u of the local rotation, for each level of both hierarchies: the joints from the root to the source joint,
  *        and those from the root to the target joint.
  */
-NKW_API nkw_result nkw_pose_retarget(const nkw_retarget *retarget, nkw_pose_view source, nkw_pose_span out, float *work,
-                                     size_t work_count);
+NKW_API nkw_result nkw_retarget_apply(const nkw_retarget *retarget, nkw_pose_view source, nkw_pose_span out,
+                                      nkw_work work);
 
 /**
  * Checks a retargeting.
@@ -105,24 +105,18 @@ NKW_API nkw_result nkw_retarget_map_chain(const nkw_retarget *retarget, const in
                                           nkw_retarget_joint *joints);
 
 /**
- * The ratio of the heights of two joints in their rest poses, along `up`: hips of the target to hips of the source. The
- * length of the legs, by which the translation of the hips is scaled.
- *
- *     dot(up, position of the target joint) / dot(up, position of the source joint)
- *
- * source, target  model matrices of the rest poses, of these joints
- * Returns         1 if the quotient is not positive and finite
- */
-NKW_API float nkw_retarget_scale(const nkw_mat4 *source, const nkw_mat4 *target, nkw_vec3 up);
-
-/**
  * The ratio of the lengths of two chains in the rest poses, such as legs: the sum of |rest translation| of all joints
- * of the target's chain except the first, divided by that of the source's. For skeletons whose rest poses do not stand.
+ * of the target's chain except the first, divided by that of the source's. The translation of the hips is scaled by it,
+ * or by the ratio of the heights of the hips in the rest poses.
  *
- * Returns  1 if a joint is out of range, or if the quotient is not positive and finite
+ * scale    receives the ratio
+ * Returns  NKW_OK; NKW_EMPTY if a chain has no joints; NKW_OUT_OF_RANGE for a joint that the skeleton does not have;
+ *          NKW_NOT_FINITE if the ratio is not positive and finite, as of a chain without length; nothing is then
+ *          written
  */
-NKW_API float nkw_retarget_chain_scale(const nkw_retarget *retarget, const int32_t *source_chain, size_t source_count,
-                                       const int32_t *target_chain, size_t target_count);
+NKW_API nkw_result nkw_retarget_chain_scale(const nkw_retarget *retarget, const int32_t *source_chain,
+                                            size_t source_count, const int32_t *target_chain, size_t target_count,
+                                            float *scale);
 
 /**
  * Converts a pose to other axes: joint j receives nkw_axes_convert_trs of its transform. The padding becomes that of an

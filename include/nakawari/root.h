@@ -43,48 +43,40 @@ typedef struct nkw_root_rule {
 } nkw_root_rule;
 NKW_SIZE(nkw_root_rule, 16, 16);
 
+/** A root transform in two parts: root = motion rest. */
+typedef struct nkw_root_motion {
+    nkw_trs motion; /**< of scale 1 */
+    nkw_trs rest; /**< with the scale of the root transform */
+} nkw_root_motion;
+NKW_SIZE(nkw_root_motion, 80, 80);
+
 /**
- * The motion of a root transform: the parts that the rule names; the others are the identity. To place the character
- * where it is at the beginning of the clip, multiply by the inverse of the motion there; nkw_root_delta and
- * nkw_root_place do.
+ * Splits a root transform: the motion has the parts that the rule names, the others are the identity; the rest is
+ * motion^-1 root. To place the character where it is at the beginning of the clip, multiply by the inverse of the
+ * motion there; nkw_root_delta and nkw_root_place do. To split a joint of a pose, store the rest in it by nkw_pose_set:
+ * a joint without a parent, or with parents that do not move.
  *
- * root     translation and rotation; the scale is not read
- * Returns  a transform of scale 1. The rotation is unit. A rotation by half a turn about a horizontal axis has no
+ * Returns  the motion, whose rotation is unit, and the rest. A rotation by half a turn about a horizontal axis has no
  *          yaw: the identity
  *
- * Error  1.0 u of the translation of the result plus 2^-26 of that of the root, which the parts may cancel.
+ * Error  1.7 u of the rotation of the rest; 1.0 u of its translation, relative to |root| + |motion|; 1.0 u of the
+ *        translation of the motion plus 2^-26 of that of the root, which the parts may cancel.
  */
-NKW_API nkw_trs nkw_root_extract(const nkw_trs *root, const nkw_root_rule *rule);
+NKW_API nkw_root_motion nkw_root_split(const nkw_root_rule *rule, const nkw_trs *root);
 
 /**
- * What remains of a root transform without its motion: motion^-1 root. The scale is that of root.
- *
- * Error  1.7 u of the rotation; 1.0 u of the translation, relative to |root| + |motion|.
- */
-NKW_API nkw_trs nkw_root_remove(const nkw_trs *root, const nkw_trs *motion);
-
-/**
- * Removes the motion from a joint of a pose, in place.
- *
- * pose     changed: the joint `joint`, which has no parent or only parents that do not move
- * motion   receives the motion; the identity after an error
- * Returns  NKW_OK; NKW_OUT_OF_RANGE if joint >= pose.joint_count
- */
-NKW_API nkw_result nkw_pose_root_remove(nkw_pose_span pose, size_t joint, const nkw_root_rule *rule, nkw_trs *motion);
-
-/**
- * Removes the motion from the keys of a root joint, in place: translations and rotations at the same times, as of two
- * tracks with one timeline. At the keys the product of motion and rest is the root. Between keys it differs where the
- * yaw turns, because a straight line about a turning frame is a curve: keep the keys dense there, as resampled tracks
- * are. Keys of CUBICSPLINE tracks are to be resampled first.
+ * Splits the keys of a root joint, in place: translations and rotations at the same times, as of two tracks with one
+ * timeline. At the keys the product of motion and rest is the root. Between keys it differs where the yaw turns,
+ * because a straight line about a turning frame is a curve: keep the keys dense there, as resampled tracks are. Keys of
+ * CUBICSPLINE tracks are to be resampled first.
  *
  * translations, rotations  count keys; receive the rest. NULL: the identity
  * motions                  receives count motions; may be NULL
  */
-NKW_API void nkw_root_remove_keys(nkw_vec3 *translations, nkw_quat *rotations, const nkw_root_rule *rule,
-                                  nkw_trs *motions, size_t count);
+NKW_API void nkw_root_split_keys(const nkw_root_rule *rule, nkw_vec3 *translations, nkw_quat *rotations,
+                                 nkw_trs *motions, size_t count);
 
-/** The motions at the first and the last key of a clip, as nkw_root_extract returns them. */
+/** The motions at the first and the last key of a clip, as nkw_root_split returns them. */
 typedef struct nkw_root_cycle {
     nkw_trs first, last;
 } nkw_root_cycle;
@@ -116,8 +108,8 @@ NKW_API nkw_trs nkw_root_delta(const nkw_root_cycle *cycle, const nkw_trs *from,
  *
  *     place = origin first^-1 C^number now
  *
- * origin  the transform of the character at the first key of cycle 0
  * cycle   of the clip
+ * origin  the transform of the character at the first key of cycle 0
  * now     the motion at the play head
  * number  the cycle of the play head
  *
@@ -126,7 +118,7 @@ NKW_API nkw_trs nkw_root_delta(const nkw_root_cycle *cycle, const nkw_trs *from,
  * Error  1.2 u, relative as nkw_root_delta.
  * Stack  at most 2 KiB.
  */
-NKW_API nkw_trs nkw_root_place(const nkw_trs *origin, const nkw_root_cycle *cycle, const nkw_trs *now, double number);
+NKW_API nkw_trs nkw_root_place(const nkw_root_cycle *cycle, const nkw_trs *origin, const nkw_trs *now, double number);
 
 /**
  * The weighted mean of motions, for clips that are blended: translations by their weighted mean, rotations by that of

@@ -125,7 +125,7 @@ static void remove_motion(const model *m, size_t animation, int32_t joint, const
         const nkw_quat turn = nkw_trs_from_mat4(&space).rotation;
         nkw_vec3 t = nkw_mat4_transform_point(&space, translations[k]);
         nkw_quat q = nkw_quat_mul(turn, rotations[k]);
-        nkw_root_remove_keys(&t, &q, rule, NULL, 1);
+        nkw_root_split_keys(rule, &t, &q, NULL, 1);
         translations[k] = nkw_mat4_transform_point(&back, t);
         rotations[k] = nkw_quat_mul(nkw_quat_conjugate(turn), q);
     }

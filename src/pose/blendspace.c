@@ -87,11 +87,6 @@ static double influence_of(const nkw_blendspace *space, const float *point, size
     return least > 0.0 ? least : 0.0;
 }
 
-static int is_point(const nkw_blendspace *space, const float *point)
-{
-    return space->dimension > 0 && are_finite(point, space->dimension);
-}
-
 static double sum_of(const float *weights, size_t count)
 {
     double sum = 0.0;
@@ -100,9 +95,19 @@ static double sum_of(const float *weights, size_t count)
     return sum;
 }
 
-void nkw_blendspace_weights(const nkw_blendspace *space, const float *point, float *weights)
+static nkw_result check_kind(const nkw_blendspace *space)
 {
-    int known = is_point(space, point);
+    if (space->count == 0 || space->dimension == 0)
+        return NKW_EMPTY;
+    return space->kind == NKW_BLENDSPACE_CARTESIAN || is_polar(space) ? NKW_OK : NKW_BAD_METHOD;
+}
+
+nkw_result nkw_blendspace_weights(const nkw_blendspace *space, const float *point, float *weights)
+{
+    nkw_result result = check_kind(space);
+    if (result != NKW_OK)
+        return result;
+    int known = are_finite(point, space->dimension);
     for (size_t i = 0; i < space->count; i++)
         weights[i] = known ? (float)influence_of(space, point, i) : 0.0f;
     double sum = sum_of(weights, space->count);
@@ -113,6 +118,7 @@ void nkw_blendspace_weights(const nkw_blendspace *space, const float *point, flo
     }
     for (size_t i = 0; sum > 0.0 && i < space->count; i++)
         weights[i] = (float)((double)weights[i] / sum);
+    return NKW_OK;
 }
 
 static int is_repeated(const nkw_blendspace *space, size_t i)
@@ -129,8 +135,7 @@ static int is_repeated(const nkw_blendspace *space, size_t i)
 
 nkw_result nkw_blendspace_validate(const nkw_blendspace *space, size_t *bad)
 {
-    int known = space->kind == NKW_BLENDSPACE_CARTESIAN || is_polar(space);
-    nkw_result result = space->count == 0 || space->dimension == 0 ? NKW_EMPTY : known ? NKW_OK : NKW_BAD_METHOD;
+    nkw_result result = check_kind(space);
     size_t i = 0;
     for (; result == NKW_OK && i < space->count; i++) {
         if (!are_finite(sample_at(space, i), space->dimension))

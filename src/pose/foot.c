@@ -6,7 +6,7 @@
 
 #include "lane/scalar.h"
 
-int nkw_foot_contact(const nkw_foot_rules *rules, int contact, float height, float speed)
+static int is_contact(const nkw_foot_rules *rules, int contact, float height, float speed)
 {
     float highest = contact ? rules->leave_height : rules->enter_height;
     float fastest = contact ? rules->leave_speed : rules->enter_speed;
@@ -27,7 +27,7 @@ static int next_contact(const nkw_foot *foot, const nkw_foot_rules *rules, const
     float away = nkw_vec3_distance(animated->value, foot->locked);
     if (foot->contact && rules->release_distance > 0.0f && away > rules->release_distance)
         return 0;
-    return nkw_foot_contact(rules, foot->contact, height, speed);
+    return is_contact(rules, foot->contact, height, speed);
 }
 
 /* What the foot follows: the lock, or the animation. */

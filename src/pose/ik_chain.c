@@ -8,6 +8,7 @@
 #include "ik_turn.h"
 #include "lane/quat.h"
 #include "lane/scalar.h"
+#include "work.h"
 
 /* Half the angle by which each joint of a chain on a line is rotated first, radians; and how exactly it is a line. */
 #define CHAIN_NUDGE 0x1p-4
@@ -122,18 +123,13 @@ static void leave_line(const nkw_ik_chain *chain, const nkw_ik_goal *goal, nkw_q
     }
 }
 
-static float tolerance_of(const nkw_ik_goal *goal)
-{
-    return goal->tolerance > 0.0f ? goal->tolerance : 0.0f;
-}
-
 /* Limits the rotations, and returns the error; a chain on a line leaves it if it has to move. */
 static float begin(const nkw_ik_chain *chain, const nkw_ik_goal *goal, nkw_quat *rotations)
 {
     for (size_t k = 0; k < chain->count; k++)
         store(chain, rotations, k, rotations[k]);
     float error = nkwi_ik_chain_error(chain, rotations, goal->target);
-    if (goal->iterations == 0 || !(error > tolerance_of(goal)))
+    if (goal->iterations == 0 || !(error > goal->tolerance))
         return error;
     leave_line(chain, goal, rotations);
     return nkwi_ik_chain_error(chain, rotations, goal->target);
@@ -159,13 +155,10 @@ static void ccd_pass(const nkw_ik_chain *chain, lane_f64_vec3 target, nkw_quat *
     }
 }
 
-nkw_ik_chain_result nkw_ik_ccd_solve(const nkw_ik_chain *chain, const nkw_ik_goal *goal, nkw_quat *rotations)
+static nkw_ik_chain_result ccd_solve(const nkw_ik_chain *chain, const nkw_ik_goal *goal, nkw_quat *rotations)
 {
-    nkw_ik_chain_result r = {INFINITY, 0};
-    if (!chain_is_finite(chain, goal, rotations))
-        return r;
-    r.error = begin(chain, goal, rotations);
-    float tolerance = tolerance_of(goal), before = INFINITY;
+    nkw_ik_chain_result r = {begin(chain, goal, rotations), 0};
+    float tolerance = goal->tolerance, before = INFINITY;
     while (r.error > tolerance && r.iterations < goal->iterations && r.error != before) {
         before = r.error;
         ccd_pass(chain, lane_f64_vec3_from(goal->target), rotations);
@@ -206,26 +199,50 @@ static void forward(const nkw_ik_chain *chain, lane_f64_vec3 target, const nkw_v
     }
 }
 
-nkw_ik_chain_result nkw_ik_fabrik_solve(const nkw_ik_chain *chain, const nkw_ik_goal *goal, nkw_quat *rotations,
-                                        nkw_vec3 *work, size_t work_count)
+static nkw_ik_chain_result fabrik_solve(const nkw_ik_chain *chain, const nkw_ik_goal *goal, nkw_quat *rotations,
+                                        nkw_vec3 *places)
 {
-    nkw_ik_chain_result r = {INFINITY, 0};
-    if (work_count < chain->count || !chain_is_finite(chain, goal, rotations))
-        return r;
-    r.error = begin(chain, goal, rotations);
+    nkw_ik_chain_result r = {begin(chain, goal, rotations), 0};
     lane_f64_vec3 target = lane_f64_vec3_from(goal->target);
     double length = length_of(chain), d = lane_f64_vec3_length(lane_f64_vec3_sub(target, base_of(chain).position));
     int stretched = !chain->limits && d >= length;
-    float tolerance = tolerance_of(goal), before = INFINITY;
+    float tolerance = goal->tolerance, before = INFINITY;
     while (r.error > tolerance && r.iterations < goal->iterations && r.error != before) {
         before = r.error;
         if (!stretched)
-            backward(chain, target, rotations, work);
-        forward(chain, target, stretched ? NULL : work, rotations);
+            backward(chain, target, rotations, places);
+        forward(chain, target, stretched ? NULL : places, rotations);
         r.error = nkwi_ik_chain_error(chain, rotations, goal->target);
         r.iterations++;
         if (stretched)
             break;
     }
     return r;
+}
+
+static nkw_result check_goal(const nkw_ik_goal *goal, nkw_ik_method method)
+{
+    if (method != NKW_IK_FABRIK && method != NKW_IK_CCD)
+        return NKW_BAD_METHOD;
+    if (goal->tolerance < 0.0f)
+        return NKW_OUT_OF_RANGE;
+    return goal->tolerance == goal->tolerance ? NKW_OK : NKW_NOT_FINITE;
+}
+
+nkw_result nkw_ik_chain_solve(const nkw_ik_chain *chain, const nkw_ik_goal *goal, nkw_ik_method method,
+                              nkw_quat *rotations, nkw_ik_chain_result *result, nkw_work work)
+{
+    nkw_result status = check_goal(goal, method);
+    if (status != NKW_OK)
+        return status;
+    if (!chain_is_finite(chain, goal, rotations))
+        return NKW_NOT_FINITE;
+    if (method == NKW_IK_FABRIK &&
+        (work.bytes / 12 < chain->count || !work_fits(work, NKW_IK_CHAIN_WORK(chain->count))))
+        return NKW_TOO_SMALL;
+    nkw_ik_chain_result reached =
+        method == NKW_IK_CCD ? ccd_solve(chain, goal, rotations) : fabrik_solve(chain, goal, rotations, work.data);
+    if (result)
+        *result = reached;
+    return NKW_OK;
 }

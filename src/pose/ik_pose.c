@@ -7,14 +7,7 @@
 
 #include "ik_turn.h"
 #include "lane/quat.h"
-
-/* Stores an infinite error, and returns the result. */
-static nkw_result refuse(nkw_result result, float *error)
-{
-    if (error)
-        *error = INFINITY;
-    return result;
-}
+#include "work.h"
 
 /* The parent of a joint, or NKW_NO_JOINT. */
 static int32_t parent_of(const nkw_skeleton *skeleton, size_t joint)
@@ -105,7 +98,7 @@ nkw_result nkw_ik_pose_two_bone(const nkw_ik_pose *pose, const nkw_ik_limb *limb
 {
     nkw_result result = check_limb(pose, limb);
     if (result != NKW_OK)
-        return refuse(result, error);
+        return result;
     nkw_ik_two_bone t;
     t.root = position_of(pose, limb->root);
     t.mid = position_of(pose, limb->mid);
@@ -116,12 +109,12 @@ nkw_result nkw_ik_pose_two_bone(const nkw_ik_pose *pose, const nkw_ik_limb *limb
     t.softness = limb->softness;
     t.weight = limb->weight;
     nkw_ik_two_bone_solution s = nkw_ik_two_bone_solve(&t);
+    if (!(s.error < INFINITY))
+        return NKW_NOT_FINITE;
     if (error)
         *error = s.error;
-    if (s.error < INFINITY) {
-        turn_joint(pose, limb->mid, s.mid);
-        turn_joint(pose, limb->root, s.root);
-    }
+    turn_joint(pose, limb->mid, s.mid);
+    turn_joint(pose, limb->root, s.root);
     return NKW_OK;
 }
 
@@ -129,7 +122,7 @@ nkw_result nkw_ik_pose_aim(const nkw_ik_pose *pose, const nkw_ik_look *look, flo
 {
     nkw_result result = check_joint(pose, look->joint);
     if (result != NKW_OK)
-        return refuse(result, error);
+        return result;
     const nkw_mat4 *model = &pose->models[look->joint];
     nkw_mat4 parent = parent_matrix(pose, look->joint);
     nkw_ik_aim aim;
@@ -143,10 +136,11 @@ nkw_result nkw_ik_pose_aim(const nkw_ik_pose *pose, const nkw_ik_look *look, flo
     aim.limit_angle = look->limit_angle;
     aim.weight = look->weight;
     nkw_ik_aim_solution s = nkw_ik_aim_solve(&aim);
+    if (!(s.error < INFINITY))
+        return NKW_NOT_FINITE;
     if (error)
         *error = s.error;
-    if (s.error < INFINITY)
-        turn_joint(pose, look->joint, s.rotation);
+    turn_joint(pose, look->joint, s.rotation);
     return NKW_OK;
 }
 
@@ -161,7 +155,7 @@ static int32_t first_of(const nkw_skeleton *skeleton, const nkw_ik_reach *reach)
     return at;
 }
 
-static nkw_result check_reach(const nkw_ik_pose *pose, const nkw_ik_reach *reach, size_t work_count)
+static nkw_result check_reach(const nkw_ik_pose *pose, const nkw_ik_reach *reach, nkw_work work)
 {
     nkw_result result = check_joint(pose, reach->end);
     if (result != NKW_OK)
@@ -170,7 +164,8 @@ static nkw_result check_reach(const nkw_ik_pose *pose, const nkw_ik_reach *reach
         return NKW_EMPTY;
     if (first_of(&pose->skeleton, reach) < 0)
         return NKW_OUT_OF_RANGE;
-    return work_count / 10 >= reach->joint_count ? NKW_OK : NKW_TOO_SMALL;
+    int fits = work.bytes / 40 >= reach->joint_count && work_fits(work, NKW_IK_POSE_CHAIN_WORK(reach->joint_count));
+    return fits ? NKW_OK : NKW_TOO_SMALL;
 }
 
 /* The chain in the axes of the parent of its first joint, from its first joint; the target too. */
@@ -211,26 +206,26 @@ static void store_chain(const nkw_ik_pose *pose, const nkw_ik_reach *reach, nkw_
 }
 
 nkw_result nkw_ik_pose_chain(const nkw_ik_pose *pose, const nkw_ik_reach *reach, nkw_ik_chain_result *result,
-                             float *work, size_t work_count)
+                             nkw_work work)
 {
-    nkw_ik_chain_result none = {INFINITY, 0}, reached;
-    nkw_result status = check_reach(pose, reach, work_count);
-    if (result)
-        *result = none;
+    nkw_result status = check_reach(pose, reach, work);
     if (status != NKW_OK)
         return status;
     size_t count = reach->joint_count;
-    nkw_quat *rotations = (nkw_quat *)(void *)work;
-    nkw_vec3 *offsets = (nkw_vec3 *)(void *)(work + 4 * count), *places = (nkw_vec3 *)(void *)(work + 7 * count);
+    nkw_quat *rotations = work.data;
+    nkw_vec3 *offsets = (nkw_vec3 *)(void *)((float *)work.data + 7 * count);
+    const nkw_work places = {rotations + count, NKW_IK_CHAIN_WORK(count)};
     nkw_ik_goal goal = reach->goal;
+    nkw_ik_chain_result reached;
     goal.target = chain_of(pose, reach, rotations, offsets);
     nkw_ik_chain chain = {{0, 0, 0}, {0, 0, 0, 1}, offsets, reach->limits, count};
-    reached = reach->method == NKW_IK_CCD ? nkw_ik_ccd_solve(&chain, &goal, rotations)
-                                          : nkw_ik_fabrik_solve(&chain, &goal, rotations, places, count);
-    if (reached.error < INFINITY) {
-        store_chain(pose, reach, rotations);
-        reached.error = nkwi_ik_chain_error(&chain, rotations, goal.target);
-    }
+    status = nkw_ik_chain_solve(&chain, &goal, reach->method, rotations, &reached, places);
+    if (status != NKW_OK)
+        return status;
+    if (!(reached.error < INFINITY))
+        return NKW_NOT_FINITE;
+    store_chain(pose, reach, rotations);
+    reached.error = nkwi_ik_chain_error(&chain, rotations, goal.target);
     if (result)
         *result = reached;
     return NKW_OK;

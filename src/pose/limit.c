@@ -139,11 +139,6 @@ static int limit_twist(lane_f64_quat *twist, lane_f64_vec3 axis, float low, floa
     return 1;
 }
 
-static nkw_quat joined(const lane_f64_swing_twist *parts)
-{
-    return lane_quat_from_f64(lane_f64_quat_mul(parts->swing, parts->twist));
-}
-
 static lane_f64_vec3 unit_axis(nkw_vec3 axis)
 {
     return lane_f64_vec3_normalize(lane_f64_vec3_from(axis));
@@ -153,28 +148,6 @@ static int is_limited(nkw_quat q, nkw_vec3 axis)
 {
     int has_axis = axis.x != 0.0f || axis.y != 0.0f || axis.z != 0.0f;
     return has_axis && nkw_vec3_is_finite(axis) && nkw_quat_is_finite(q);
-}
-
-nkw_quat nkw_quat_limit_ellipse(nkw_quat q, nkw_vec3 axis, nkw_vec3 side, float a, float b)
-{
-    if (!is_limited(q, axis))
-        return q;
-    lane_f64_swing_twist parts = lane_f64_quat_swing_twist(lane_f64_quat_from(q), unit_axis(axis));
-    swing_plane plane = plane_of(axis, side);
-    return limit_swing(&parts.swing, &plane, limit_angle(a), limit_angle(b)) ? joined(&parts) : q;
-}
-
-nkw_quat nkw_quat_limit_cone(nkw_quat q, nkw_vec3 axis, float angle)
-{
-    return nkw_quat_limit_ellipse(q, axis, NKW_VEC3_ZERO, angle, angle);
-}
-
-nkw_quat nkw_quat_limit_twist(nkw_quat q, nkw_vec3 axis, float low, float high)
-{
-    if (!is_limited(q, axis))
-        return q;
-    lane_f64_swing_twist parts = lane_f64_quat_swing_twist(lane_f64_quat_from(q), unit_axis(axis));
-    return limit_twist(&parts.twist, unit_axis(axis), low, high) ? joined(&parts) : q;
 }
 
 nkw_quat nkw_limit_apply(const nkw_limit *limit, nkw_quat q)

@@ -10,6 +10,7 @@
 
 #include "lane/scalar.h"
 #include "report.h"
+#include "work.h"
 
 /* The model-space rotations of a rest pose, and of a pose, of each joint. */
 typedef struct rotations {
@@ -99,15 +100,14 @@ static nkw_result check_counts(const nkw_retarget *r)
     return fit ? NKW_OK : NKW_MISMATCHED;
 }
 
-nkw_result nkw_pose_retarget(const nkw_retarget *retarget, nkw_pose_view source, nkw_pose_span out, float *work,
-                             size_t work_count)
+nkw_result nkw_retarget_apply(const nkw_retarget *retarget, nkw_pose_view source, nkw_pose_span out, nkw_work work)
 {
     size_t m = retarget->source.joint_count, n = retarget->target.joint_count;
     if (check_counts(retarget) != NKW_OK || source.joint_count != m || out.joint_count != n)
         return NKW_MISMATCHED;
-    if (work_count / 8 < m || work_count / 8 - m < n)
+    if (work.bytes / 32 < m || work.bytes / 32 - m < n || !work_fits(work, NKW_RETARGET_WORK(m, n)))
         return NKW_TOO_SMALL;
-    nkw_quat *quats = (nkw_quat *)(void *)work;
+    nkw_quat *quats = work.data;
     rotations from = {quats, quats + m}, to = {quats + 2 * m, quats + 2 * m + n};
     models_of(&retarget->source, retarget->source_rest, from.rest);
     models_of(&retarget->source, source, from.now);
@@ -185,14 +185,22 @@ static double share_at(nkw_pose_view rest, const int32_t *chain, size_t count, s
                                                    : (double)k / (double)(count - 1);
 }
 
-nkw_result nkw_retarget_map_chain(const nkw_retarget *r, const int32_t *source_chain, size_t source_count,
-                                  const int32_t *target_chain, size_t target_count, nkw_retarget_joint *joints)
+static nkw_result check_chains(const nkw_retarget *r, const int32_t *source_chain, size_t source_count,
+                               const int32_t *target_chain, size_t target_count)
 {
     if (source_count == 0 || target_count == 0)
         return NKW_EMPTY;
-    if (!are_joints(source_chain, source_count, r->source_rest.joint_count) ||
-        !are_joints(target_chain, target_count, r->target_rest.joint_count))
-        return NKW_OUT_OF_RANGE;
+    int known = are_joints(source_chain, source_count, r->source_rest.joint_count) &&
+                are_joints(target_chain, target_count, r->target_rest.joint_count);
+    return known ? NKW_OK : NKW_OUT_OF_RANGE;
+}
+
+nkw_result nkw_retarget_map_chain(const nkw_retarget *r, const int32_t *source_chain, size_t source_count,
+                                  const int32_t *target_chain, size_t target_count, nkw_retarget_joint *joints)
+{
+    nkw_result result = check_chains(r, source_chain, source_count, target_chain, target_count);
+    if (result != NKW_OK)
+        return result;
     for (size_t k = 0, s = 0; k < target_count; k++) {
         double x = share_at(r->target_rest, target_chain, target_count, k);
         while (s + 2 < source_count && share_at(r->source_rest, source_chain, source_count, s + 1) <= x)
@@ -208,24 +216,16 @@ nkw_result nkw_retarget_map_chain(const nkw_retarget *r, const int32_t *source_c
     return NKW_OK;
 }
 
-static float scale_of(double to, double from)
+nkw_result nkw_retarget_chain_scale(const nkw_retarget *r, const int32_t *source_chain, size_t source_count,
+                                    const int32_t *target_chain, size_t target_count, float *scale)
 {
-    float scale = (float)(to / from);
-    return scale > 0.0f && scale < INFINITY ? scale : 1.0f;
-}
-
-float nkw_retarget_chain_scale(const nkw_retarget *r, const int32_t *source_chain, size_t source_count,
-                               const int32_t *target_chain, size_t target_count)
-{
-    if (source_count == 0 || target_count == 0 || !are_joints(source_chain, source_count, r->source_rest.joint_count) ||
-        !are_joints(target_chain, target_count, r->target_rest.joint_count))
-        return 1.0f;
-    return scale_of(length_to(r->target_rest, target_chain, target_count - 1),
-                    length_to(r->source_rest, source_chain, source_count - 1));
-}
-
-float nkw_retarget_scale(const nkw_mat4 *source, const nkw_mat4 *target, nkw_vec3 up)
-{
-    float from = nkw_vec3_dot(up, nkw_mat4_translation(source)), to = nkw_vec3_dot(up, nkw_mat4_translation(target));
-    return scale_of((double)to, (double)from);
+    nkw_result result = check_chains(r, source_chain, source_count, target_chain, target_count);
+    if (result != NKW_OK)
+        return result;
+    float ratio = (float)(length_to(r->target_rest, target_chain, target_count - 1) /
+                          length_to(r->source_rest, source_chain, source_count - 1));
+    if (!(ratio > 0.0f && ratio < INFINITY))
+        return NKW_NOT_FINITE;
+    *scale = ratio;
+    return NKW_OK;
 }

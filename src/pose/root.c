@@ -60,7 +60,7 @@ static rigid rigid_pow(rigid a, double k)
     return c;
 }
 
-/* ---- Extraction ---- */
+/* ---- Motion and rest ---- */
 
 static lane_f64_vec3 up_of(nkw_vec3 up)
 {
@@ -69,7 +69,7 @@ static lane_f64_vec3 up_of(nkw_vec3 up)
     return n2 > 0.0 && n2 - n2 == 0.0 ? lane_f64_vec3_normalize(v) : y;
 }
 
-nkw_trs nkw_root_extract(const nkw_trs *root, const nkw_root_rule *rule)
+static nkw_trs motion_of(const nkw_root_rule *rule, const nkw_trs *root)
 {
     lane_f64_vec3 up = up_of(rule->up), p = lane_f64_vec3_from(root->translation);
     lane_f64_vec3 along = lane_f64_vec3_scale(up, lane_f64_vec3_dot(up, p)), none = {0.0, 0.0, 0.0};
@@ -85,7 +85,7 @@ nkw_trs nkw_root_extract(const nkw_trs *root, const nkw_root_rule *rule)
     return trs_from(m);
 }
 
-nkw_trs nkw_root_remove(const nkw_trs *root, const nkw_trs *motion)
+static nkw_trs rest_of(const nkw_trs *root, const nkw_trs *motion)
 {
     rigid m = rigid_from(motion), r = {lane_f64_quat_from(root->rotation), lane_f64_vec3_from(root->translation)};
     lane_f64_quat back = lane_f64_quat_conjugate(m.r);
@@ -95,19 +95,16 @@ nkw_trs nkw_root_remove(const nkw_trs *root, const nkw_trs *motion)
     return trs;
 }
 
-nkw_result nkw_pose_root_remove(nkw_pose_span pose, size_t joint, const nkw_root_rule *rule, nkw_trs *motion)
+nkw_root_motion nkw_root_split(const nkw_root_rule *rule, const nkw_trs *root)
 {
-    *motion = nkw_trs_identity();
-    if (joint >= pose.joint_count)
-        return NKW_OUT_OF_RANGE;
-    nkw_trs root = nkw_pose_get(NKW_VIEW(nkw_pose, pose), joint);
-    *motion = nkw_root_extract(&root, rule);
-    root = nkw_root_remove(&root, motion);
-    return nkw_pose_set(pose, joint, &root);
+    nkw_root_motion parts;
+    parts.motion = motion_of(rule, root);
+    parts.rest = rest_of(root, &parts.motion);
+    return parts;
 }
 
-void nkw_root_remove_keys(nkw_vec3 *translations, nkw_quat *rotations, const nkw_root_rule *rule, nkw_trs *motions,
-                          size_t count)
+void nkw_root_split_keys(const nkw_root_rule *rule, nkw_vec3 *translations, nkw_quat *rotations, nkw_trs *motions,
+                         size_t count)
 {
     for (size_t k = 0; k < count; k++) {
         nkw_trs root = nkw_trs_identity();
@@ -115,13 +112,13 @@ void nkw_root_remove_keys(nkw_vec3 *translations, nkw_quat *rotations, const nkw
             root.translation = translations[k];
         if (rotations)
             root.rotation = rotations[k];
-        nkw_trs motion = nkw_root_extract(&root, rule), rest = nkw_root_remove(&root, &motion);
+        nkw_root_motion parts = nkw_root_split(rule, &root);
         if (translations)
-            translations[k] = rest.translation;
+            translations[k] = parts.rest.translation;
         if (rotations)
-            rotations[k] = rest.rotation;
+            rotations[k] = parts.rest.rotation;
         if (motions)
-            motions[k] = motion;
+            motions[k] = parts.motion;
     }
 }
 
@@ -139,7 +136,7 @@ nkw_trs nkw_root_delta(const nkw_root_cycle *cycle, const nkw_trs *from, const n
     return trs_from(rigid_mul(back, cycles == 0.0 ? end : rigid_mul(cycles_of(cycle, cycles), end)));
 }
 
-nkw_trs nkw_root_place(const nkw_trs *origin, const nkw_root_cycle *cycle, const nkw_trs *now, double number)
+nkw_trs nkw_root_place(const nkw_root_cycle *cycle, const nkw_trs *origin, const nkw_trs *now, double number)
 {
     rigid end = rigid_from(now), moved = number == 0.0 ? end : rigid_mul(cycles_of(cycle, number), end);
     rigid begin = rigid_mul(rigid_from(origin), rigid_inverse(rigid_from(&cycle->first)));

@@ -112,8 +112,8 @@ export const lengths = {
   nkw_skeleton_from_tree: { joint_of_node: 'tree.firstChild.length', node_of_joint: 'tree.firstChild.length',
     parents: 'tree.firstChild.length' },
   nkw_ticks_convert: { out: '1' },
-  nkw_ik_ccd_solve: { rotations: 'lengthOf(chain.offsets, 3)' },
-  nkw_ik_fabrik_solve: { rotations: 'lengthOf(chain.offsets, 3)' },
+  nkw_root_split_keys: { rule: '1' },
+  nkw_ik_chain_solve: { rotations: 'lengthOf(chain.offsets, 3)' },
   nkw_retarget_map_chain: { source_chain: 'sourceCount', target_chain: 'targetCount',
     joints: 'retarget.target.jointCount' },
   nkw_retarget_chain_scale: { source_chain: 'sourceCount', target_chain: 'targetCount' },
@@ -129,9 +129,9 @@ export const work = {
   nkw_track_resample_within: '8 * track.width',
   nkw_track_fit: '8 * (track.count * (track.width + 5) + track.width)',
   nkw_fcurve_keys_from_spline: '24 * spline.times.length',
-  nkw_ik_fabrik_solve: 'lengthOf(chain.offsets, 3)',
-  nkw_ik_pose_chain: '10 * reach.jointCount',
-  nkw_pose_retarget: '8 * (source.jointCount + out.jointCount)',
+  nkw_ik_chain_solve: '12 * lengthOf(chain.offsets, 3)',
+  nkw_ik_pose_chain: '40 * reach.jointCount',
+  nkw_retarget_apply: '32 * (source.jointCount + out.jointCount)',
 };
 
 // Public functions without a function in JavaScript, and why: names or whole stems.

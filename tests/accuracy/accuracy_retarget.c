@@ -59,7 +59,8 @@ static double chain_error(const float *x, size_t count)
 {
     static const int32_t parents[JOINTS] = {-1, 0, 1, 2, 3, 4, 5, 6};
     float rest[NKW_POSE_FLOATS(JOINTS)], pose[NKW_POSE_FLOATS(JOINTS)], target[NKW_POSE_FLOATS(JOINTS)];
-    float out[NKW_POSE_FLOATS(JOINTS)], work[NKW_RETARGET_WORK(JOINTS, JOINTS)];
+    float out[NKW_POSE_FLOATS(JOINTS)];
+    NKW_STACK_WORK(work, NKW_RETARGET_WORK(JOINTS, JOINTS));
     wide w[JOINTS][4], g[JOINTS][4], v[JOINTS][4], want[JOINTS][4];
     nkw_retarget_joint joints[JOINTS];
     random_source r = wide_source(x);
@@ -78,8 +79,7 @@ static double chain_error(const float *x, size_t count)
     }
     nkw_retarget retarget = {
         {parents, JOINTS}, {parents, JOINTS}, pose_view(rest, JOINTS), pose_view(target, JOINTS), joints, quat_at(align)};
-    nkw_pose_retarget(&retarget, pose_view(pose, JOINTS), pose_span(out, JOINTS), work,
-                      NKW_RETARGET_WORK(JOINTS, JOINTS));
+    nkw_retarget_apply(&retarget, pose_view(pose, JOINTS), pose_span(out, JOINTS), work);
     models(rest, w);
     models(pose, g);
     models(target, v);
@@ -111,8 +111,8 @@ static double first_error(const float *x)
 }
 
 static const wide_case cases[] = {
-    {"nkw_pose_retarget", "chains of 8 joints, per level", wide_seed, all_error, 2, WIDE_CHECKED},
-    {"nkw_pose_retarget", "one joint of each, per level", wide_seed, first_error, 2, WIDE_CHECKED},
+    {"nkw_retarget_apply", "chains of 8 joints, per level", wide_seed, all_error, 2, WIDE_CHECKED},
+    {"nkw_retarget_apply", "one joint of each, per level", wide_seed, first_error, 2, WIDE_CHECKED},
 };
 
 int main(int argc, char **argv)

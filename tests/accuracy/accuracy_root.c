@@ -5,6 +5,7 @@
 #if WIDE_AVAILABLE
 
 #include <math.h>
+#include <string.h>
 #include <quadmath.h>
 
 /* A rotation, then a translation. */
@@ -64,19 +65,6 @@ static double error_of(nkw_trs got, rigid want, wide size)
     return fmax(wide_error_either(&got.rotation.x, want.q, 4), wide_error_of(&got.translation.x, want.t, 3, size));
 }
 
-static void two(random_source *r, float *x)
-{
-    draw(r, x);
-    draw(r, x + 7);
-}
-
-static double remove_error(const float *x)
-{
-    nkw_trs root = trs_at(x), motion = trs_at(x + 7);
-    rigid a = rigid_at(x), want = mul(inverse(rigid_at(x + 7)), a);
-    return error_of(nkw_root_remove(&root, &motion), want, wide_length(a.t, 3) + wide_length(rigid_at(x + 7).t, 3));
-}
-
 /* Up, the root. */
 static void up_and_root(random_source *r, float *x)
 {
@@ -84,10 +72,21 @@ static void up_and_root(random_source *r, float *x)
     put_vec3(x, random_vec3(r, -1.0f, 1.0f));
 }
 
+static double rest_error(const float *x)
+{
+    nkw_root_rule rule = {vec3_at(x), NKW_ROOT_PLANE | NKW_ROOT_YAW};
+    nkw_trs root = trs_at(x + 3);
+    nkw_root_motion got = nkw_root_split(&rule, &root);
+    float m[7];
+    memcpy(m, &got.motion, sizeof m);
+    rigid a = rigid_at(x + 3), b = rigid_at(m);
+    return error_of(got.rest, mul(inverse(b), a), wide_length(a.t, 3) + wide_length(b.t, 3));
+}
+
 static double extract_error(const float *x)
 {
     nkw_root_rule rule = {vec3_at(x), NKW_ROOT_PLANE};
-    nkw_trs root = trs_at(x + 3), got = nkw_root_extract(&root, &rule);
+    nkw_trs root = trs_at(x + 3), got = nkw_root_split(&rule, &root).motion;
     wide up[3], p[3];
     wide_from(x, up, 3);
     wide_from(x + 3, p, 3);
@@ -145,7 +144,7 @@ static double place_error(const float *x)
     rigid want = mul(power(c, (long)x[28]), rigid_at(x + 21));
     wide size = (1 + fabsf(x[28])) * (wide_length(rigid_at(x).t, 3) + wide_length(rigid_at(x + 7).t, 3));
     want = mul(rigid_at(x + 14), mul(inverse(rigid_at(x)), want));
-    return error_of(nkw_root_place(&origin, &cycle, &now, (double)x[28]), want,
+    return error_of(nkw_root_place(&cycle, &origin, &now, (double)x[28]), want,
                     wide_length(want.t, 3) + size * 0x1p-10);
 }
 
@@ -185,8 +184,8 @@ int main(int argc, char **argv)
 {
     accuracy a = accuracy_begin("root.h", argc, argv);
     static const wide_case cases[] = {
-        {"nkw_root_extract", "plane", up_and_root, extract_error, 10, WIDE_CHECKED},
-        {"nkw_root_remove", "any", two, remove_error, 14, WIDE_CHECKED},
+        {"nkw_root_split", "the motion of the plane", up_and_root, extract_error, 10, WIDE_CHECKED},
+        {"nkw_root_split", "the rest of plane and yaw", up_and_root, rest_error, 10, WIDE_CHECKED},
         {"nkw_root_delta", "up to 30 loops", step, delta_error, 29, WIDE_CHECKED},
         {"nkw_root_place", "up to 30 loops", step, place_error, 29, WIDE_CHECKED},
         {"nkw_root_delta", "up to 2^20 loops", many_steps, delta_error, 29, WIDE_CHECKED},

@@ -166,11 +166,10 @@ static void roots(fuzz *f)
     nkw_trs a = draw_place(f), b = draw_place(f);
     nkw_root_rule rule = {draw_vec3(f), fuzz_byte(f)};
     nkw_root_cycle cycle = {draw_place(f), draw_place(f)};
-    nkw_trs motion = nkw_root_extract(&a, &rule);
+    nkw_trs motion = nkw_root_split(&rule, &a).motion;
     FUZZ_CHECK(motion.scale.x == 1.0f && motion.scale.y == 1.0f && motion.scale.z == 1.0f);
-    nkw_root_remove(&a, &motion);
     nkw_root_delta(&cycle, &a, &b, draw_double(f));
-    nkw_root_place(&a, &cycle, &b, draw_double(f));
+    nkw_root_place(&cycle, &a, &b, draw_double(f));
     size_t count = fuzz_upto(f, 6);
     const float *weights = fuzz_floats(f, count, 1);
     nkw_trs *motions = fuzz_block(f, count * sizeof *motions);
@@ -180,12 +179,9 @@ static void roots(fuzz *f)
         translations[i] = draw_vec3(f);
         rotations[i] = draw_quat(f);
     }
-    nkw_root_remove_keys(fuzz_byte(f) % 4 ? translations : NULL, fuzz_byte(f) % 4 ? rotations : NULL, &rule, motions,
-                         count);
+    nkw_root_split_keys(&rule, fuzz_byte(f) % 4 ? translations : NULL, fuzz_byte(f) % 4 ? rotations : NULL, motions,
+                        count);
     nkw_root_blend(motions, weights, count);
-    nkw_pose_span pose = {fuzz_pose(f, count, 1), count};
-    size_t joint = fuzz_upto(f, 8);
-    FUZZ_CHECK((nkw_pose_root_remove(pose, joint, &rule, &motion) == NKW_OK) == (joint < count));
 }
 
 static void poses(fuzz *f)

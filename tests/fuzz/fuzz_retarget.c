@@ -42,12 +42,15 @@ static void retargets(fuzz *f, int wild)
     nkw_retarget_validate(&r, &bad);
     FUZZ_CHECK(bad == 0 || bad < m || bad < n);
     nkw_pose_span out = {fuzz_room(f, NKW_POSE_FLOATS(n)), n};
-    nkw_result result = nkw_pose_retarget(&r, pose_view(fuzz_pose(f, m, wild), m), out, fuzz_room(f, room), room);
+    const nkw_work work = {fuzz_block(f, room), room};
+    nkw_result result = nkw_retarget_apply(&r, pose_view(fuzz_pose(f, m, wild), m), out, work);
     FUZZ_CHECK((result == NKW_OK) == (room >= NKW_RETARGET_WORK(m, n)));
     size_t a = fuzz_upto(f, 6), b = fuzz_upto(f, 6);
     const int32_t *source_chain = fuzz_links(f, a, m, wild), *target_chain = fuzz_links(f, b, n, wild);
     nkw_retarget_map_chain(&r, source_chain, a, target_chain, b, joints);
-    FUZZ_CHECK(nkw_retarget_chain_scale(&r, source_chain, a, target_chain, b) > 0.0f);
+    float scale = 1.0f;
+    nkw_retarget_chain_scale(&r, source_chain, a, target_chain, b, &scale);
+    FUZZ_CHECK(scale > 0.0f);
 }
 
 static void axes(fuzz *f, int wild)

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* Single values: total on any floats and enumerators, and what is promised of the results. */
 #include "fuzz.h"
+#include "../support/joint_limits.h"
 
 #include <string.h>
 
@@ -116,9 +117,9 @@ static void orient(const any *a, nkw_path path, nkw_unwrap unwrap)
 static void limit(const any *a)
 {
     nkw_limit limit = {a->q[1], a->v[0], a->v[1], a->f[0], a->f[1], a->f[2], a->f[3]};
-    nkw_quat q = a->q[0], all = nkw_limit_apply(&limit, q), cone = nkw_quat_limit_cone(q, a->v[0], a->f[0]);
-    nkw_quat ellipse = nkw_quat_limit_ellipse(q, a->v[0], a->v[1], a->f[0], a->f[1]);
-    nkw_quat twist = nkw_quat_limit_twist(q, a->v[0], a->f[0], a->f[1]);
+    nkw_quat q = a->q[0], all = nkw_limit_apply(&limit, q), cone = limit_cone(q, a->v[0], a->f[0]);
+    nkw_quat ellipse = limit_ellipse(q, a->v[0], a->v[1], a->f[0], a->f[1]);
+    nkw_quat twist = limit_twist(q, a->v[0], a->f[0], a->f[1]);
     int is_finite = nkw_quat_is_finite(q);
     FUZZ_CHECK(!is_finite || (nkw_quat_is_finite(all) && nkw_quat_is_finite(cone)));
     FUZZ_CHECK(!is_finite || (nkw_quat_is_finite(ellipse) && nkw_quat_is_finite(twist)));

@@ -16,6 +16,7 @@
 #include "../support/data.h"
 #include "../support/exceptions.h"
 #include "../support/hash.h"
+#include "../support/joint_limits.h"
 #include "../support/put.h"
 #include "../support/random.h"
 #include "../support/resample.h"

@@ -261,12 +261,12 @@ K(playback_ping_pong_far, 2, put_head(o, nkw_playback_head(NKW_PLAYBACK_PING_PON
 K(axes_convert_trs, 10, put_trs(o, nkw_axes_convert_trs(some_axes(i), &i->trs)))
 K(axes_convert_mat4, 16, put_mat4(o, nkw_axes_convert_mat4(some_axes(i), &i->n)))
 
-K(quat_limit_cone, 4, put_quat(o, nkw_quat_limit_cone(i->q[0], i->v[0], i->t)))
-K(quat_limit_ellipse, 4, put_quat(o, nkw_quat_limit_ellipse(i->q[0], i->v[0], i->v[1], i->t, 0.25f)))
-K(quat_limit_twist, 4, put_quat(o, nkw_quat_limit_twist(i->q[0], i->v[0], -i->t, i->s[0])))
+K(limit_cone, 4, put_quat(o, limit_cone(i->q[0], i->v[0], i->t)))
+K(limit_ellipse, 4, put_quat(o, limit_ellipse(i->q[0], i->v[0], i->v[1], i->t, 0.25f)))
+K(limit_twist, 4, put_quat(o, limit_twist(i->q[0], i->v[0], -i->t, i->s[0])))
 K(limit_apply, 4, put_quat(o, limited(i)))
 
-K(root_extract, 14, root_extract(o, i))
+K(root_split, 14, root_split(o, i))
 K(root_delta, 7, put_place(o, root_delta(i)))
 K(root_place, 7, put_place(o, root_place(i)))
 K(root_blend, 7, put_place(o, root_blend(i)))

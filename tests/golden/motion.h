@@ -181,12 +181,13 @@ static void put_place(float *o, nkw_trs t)
     put_quat(o + 3, t.rotation);
 }
 
-static void root_extract(float *o, const input *i)
+static void root_split(float *o, const input *i)
 {
     const nkw_root_rule rule = {i->v[3], NKW_ROOT_PLANE | NKW_ROOT_YAW};
-    nkw_trs root = place_at(i, 0), motion = nkw_root_extract(&root, &rule);
-    put_place(o, motion);
-    put_place(o + 7, nkw_root_remove(&root, &motion));
+    nkw_trs root = place_at(i, 0);
+    nkw_root_motion parts = nkw_root_split(&rule, &root);
+    put_place(o, parts.motion);
+    put_place(o + 7, parts.rest);
 }
 
 static nkw_trs root_delta(const input *i)
@@ -200,7 +201,7 @@ static nkw_trs root_place(const input *i)
 {
     nkw_root_cycle cycle = {place_at(i, 0), place_at(i, 1)};
     nkw_trs origin = place_at(i, 2), now = place_at(i, 3);
-    return nkw_root_place(&origin, &cycle, &now, -(double)(int)(1000.0f * i->t));
+    return nkw_root_place(&cycle, &origin, &now, -(double)(int)(1000.0f * i->t));
 }
 
 static nkw_trs root_blend(const input *i)

@@ -29,8 +29,9 @@ static void weights_sum_to_one_and_stay_within(void **state)
         draw_samples(&r, point, 3);
         for (int k = 0; k < 3; k++)
             point[k] *= i % 4 ? 1.0f : 100.0f;
-        nkw_blendspace space = space_of(samples, count, dimension, (nkw_blendspace_kind)(i % 2));
-        nkw_blendspace_weights(&space, point, weights);
+        nkw_blendspace space = space_of(samples, count, dimension,
+                                        dimension == 2 ? (nkw_blendspace_kind)(i % 2) : NKW_BLENDSPACE_CARTESIAN);
+        assert_int_equal(nkw_blendspace_weights(&space, point, weights), NKW_OK);
         double sum = 0;
         for (size_t k = 0; k < count; k++) {
             assert_true(weights[k] >= 0.0f && weights[k] <= 1.0f);
@@ -105,7 +106,7 @@ static void polar_weights_keep_the_speed(void **state)
     nkw_blendspace_weights(&opposite, behind, weights);
     expect_near(weights[0], 2.0 / 3, 1e-6);
     expect_near(weights[1], 1.0 / 3, 1e-6);
-    nkw_blendspace plain = space_of(samples, 3, 2, (nkw_blendspace_kind)7);
+    nkw_blendspace plain = space_of(samples, 3, 2, NKW_BLENDSPACE_CARTESIAN);
     const float inner[2] = {1, 1};
     nkw_blendspace_weights(&plain, inner, weights);
     expect_near(weights[1], weights[2], 0);
@@ -194,7 +195,7 @@ static void numbers_that_are_not_finite_are_defined(void **state)
 {
     (void)state;
     const float samples[6] = {1, 2, NAN, 2, 3, 3}, odd[2] = {NAN, 0}, endless[2] = {0, INFINITY}, point[2] = {1, 2};
-    const float equal[3] = {0.5f, 0, 0.5f}, first[3] = {1, 0, 0}, thirds[3] = {1.0f / 3, 1.0f / 3, 1.0f / 3};
+    const float equal[3] = {0.5f, 0, 0.5f}, first[3] = {1, 0, 0};
     nkw_blendspace space = space_of(samples, 3, 2, NKW_BLENDSPACE_CARTESIAN);
     float weights[3];
     nkw_blendspace_weights(&space, odd, weights);
@@ -203,11 +204,16 @@ static void numbers_that_are_not_finite_are_defined(void **state)
     expect_floats_bits(weights, equal, 3);
     nkw_blendspace_weights(&space, point, weights);
     expect_floats_bits(weights, first, 3);
+    space.kind = (nkw_blendspace_kind)7;
+    assert_int_equal(nkw_blendspace_weights(&space, point, weights), NKW_BAD_METHOD);
+    space.kind = NKW_BLENDSPACE_POLAR;
+    space.dimension = 3;
+    assert_int_equal(nkw_blendspace_weights(&space, point, weights), NKW_BAD_METHOD);
     space.dimension = 0;
-    nkw_blendspace_weights(&space, point, weights);
-    expect_floats_near(weights, thirds, 3, 1e-7);
-    space.count = 0;
-    nkw_blendspace_weights(&space, point, NULL);
+    assert_int_equal(nkw_blendspace_weights(&space, point, weights), NKW_EMPTY);
+    expect_floats_bits(weights, first, 3);
+    space = space_of(NULL, 0, 2, NKW_BLENDSPACE_CARTESIAN);
+    assert_int_equal(nkw_blendspace_weights(&space, point, NULL), NKW_EMPTY);
     space = space_of(samples + 2, 1, 2, NKW_BLENDSPACE_CARTESIAN);
     nkw_blendspace_weights(&space, point, weights);
     expect_bits(weights[0], 0.0f);

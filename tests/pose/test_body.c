@@ -169,7 +169,7 @@ static void the_walk_moves_a_body_with_other_axes(void **state)
     body b, c;
     nkw_quat axes[JOINTS];
     nkw_retarget_joint map[JOINTS];
-    float work[NKW_RETARGET_WORK(JOINTS, JOINTS)];
+    NKW_STACK_WORK(work, NKW_RETARGET_WORK(JOINTS, JOINTS));
     make_body(&b);
     make_body(&c);
     for (size_t j = 0; j < JOINTS; j++) {
@@ -186,8 +186,7 @@ static void the_walk_moves_a_body_with_other_axes(void **state)
     assert_int_equal(nkw_retarget_validate(&r, NULL), NKW_OK);
     for (int i = 0; i <= FRAMES; i++) {
         play(&b, &clips[0], end_of(&clips[0]) * (float)i / FRAMES);
-        nkw_pose_retarget(&r, pose_view(b.pose, JOINTS), pose_span(c.pose, JOINTS), work,
-                          NKW_RETARGET_WORK(JOINTS, JOINTS));
+        nkw_retarget_apply(&r, pose_view(b.pose, JOINTS), pose_span(c.pose, JOINTS), work);
         update(&c);
         for (size_t j = 0; j < JOINTS; j++)
             expect_vec3_near(place(&c, j), place(&b, j), 3e-6);

@@ -21,7 +21,7 @@ enum { LINKS = 6 };
 
 typedef struct chain_case {
     nkw_ik_chain chain;
-    nkw_vec3 offsets[LINKS], work[LINKS];
+    nkw_vec3 offsets[LINKS];
     nkw_quat rotations[LINKS];
     nkw_limit limits[LINKS];
 } chain_case;
@@ -64,8 +64,10 @@ static float widest_of(const chain_case *c, nkw_vec3 unit_line)
 
 static nkw_ik_chain_result solve(chain_case *c, const nkw_ik_goal *goal, int ccd)
 {
-    return ccd ? nkw_ik_ccd_solve(&c->chain, goal, c->rotations)
-               : nkw_ik_fabrik_solve(&c->chain, goal, c->rotations, c->work, LINKS);
+    nkw_ik_chain_result result = {INFINITY, 0};
+    NKW_STACK_WORK(work, NKW_IK_CHAIN_WORK(LINKS));
+    nkw_ik_chain_solve(&c->chain, goal, ccd ? NKW_IK_CCD : NKW_IK_FABRIK, c->rotations, &result, work);
+    return result;
 }
 
 static float reach_of(const chain_case *c)
@@ -176,14 +178,13 @@ static void a_straight_chain_leaves_its_line(void **state)
         }
 }
 
-/* 0, and what counts as 0: the chain is solved until its error no longer falls, to the rounding of rotations. */
+/* The chain is solved until its error no longer falls, to the rounding of rotations. */
 static void without_tolerance_a_chain_is_solved_to_rounding(void **state)
 {
     (void)state;
-    const float zeros[4] = {0.0f, -1.0f, -INFINITY, NAN};
     random_source r = random_from(22);
     for (int i = 0; i < 200; i++) {
-        chain_case drawn, want;
+        chain_case drawn;
         draw_chain(&r, &drawn);
         float reach = reach_of(&drawn) * random_between(&r, 0.4f, 0.6f);
         nkw_vec3 way = random_direction(&r);
@@ -192,17 +193,10 @@ static void without_tolerance_a_chain_is_solved_to_rounding(void **state)
             drawn.rotations[k] = identity;
         }
         nkw_ik_goal goal = {nkw_vec3_add_scaled(drawn.chain.position, way, reach), 0.0f, 1000};
-        for (int k = 0; k < 4; k++) {
-            chain_case c = drawn;
-            c.chain.offsets = c.offsets;
-            goal.tolerance = zeros[k];
-            nkw_ik_chain_result s = solve(&c, &goal, i % 2);
-            assert_true(s.error <= 2e-6f);
-            assert_true(s.iterations > 0);
-            if (k == 0)
-                want = c;
-            expect_floats_bits(&c.rotations[0].x, &want.rotations[0].x, 4 * LINKS);
-        }
+        drawn.chain.offsets = drawn.offsets;
+        nkw_ik_chain_result s = solve(&drawn, &goal, i % 2);
+        assert_true(s.error <= 2e-6f);
+        assert_true(s.iterations > 0);
     }
 }
 
@@ -296,7 +290,7 @@ static void chains_of_numbers_that_are_not_finite_stay(void **state)
     for (int i = 0; i < 40; i++) {
         chain_case c, before;
         draw_chain(&r, &c);
-        nkw_ik_goal goal = {vec(1, 1, 1), NAN, 5};
+        nkw_ik_goal goal = {vec(1, 1, 1), 0, 5};
         float bad = i % 2 ? NAN : -INFINITY;
         *(i % 5 == 0   ? &c.chain.position.y
           : i % 5 == 1 ? &c.chain.rotation.w
@@ -304,17 +298,46 @@ static void chains_of_numbers_that_are_not_finite_stay(void **state)
           : i % 5 == 3 ? &c.rotations[5].x
                        : &goal.target.x) = bad;
         before = c;
-        nkw_ik_chain_result s = solve(&c, &goal, i % 2);
-        expect_bits(s.error, INFINITY);
+        NKW_STACK_WORK(work, NKW_IK_CHAIN_WORK(LINKS));
+        nkw_ik_method method = i % 2 ? NKW_IK_CCD : NKW_IK_FABRIK;
+        assert_int_equal(nkw_ik_chain_solve(&c.chain, &goal, method, c.rotations, NULL, work), NKW_NOT_FINITE);
         expect_floats_bits(&c.rotations[0].x, &before.rotations[0].x, 4 * LINKS);
     }
     chain_case c;
     draw_chain(&r, &c);
     nkw_ik_goal goal = {vec(1, 1, 1), 0, 5};
-    expect_bits(nkw_ik_fabrik_solve(&c.chain, &goal, c.rotations, c.work, LINKS - 1).error, INFINITY);
     /* Zero rotations count as identities. */
     memset(c.rotations, 0, sizeof c.rotations);
-    assert_true(nkw_ik_fabrik_solve(&c.chain, &goal, c.rotations, c.work, LINKS).error < 10);
+    assert_true(solve(&c, &goal, 0).error < 10);
+}
+
+static void expect_refused(chain_case *c, nkw_ik_goal goal, nkw_ik_method method, nkw_work work, nkw_result want)
+{
+    const chain_case before = *c;
+    nkw_ik_chain_result result = {7, 8};
+    assert_int_equal(nkw_ik_chain_solve(&c->chain, &goal, method, c->rotations, &result, work), want);
+    expect_bits(result.error, 7);
+    assert_int_equal(result.iterations, 8);
+    expect_floats_bits(&c->rotations[0].x, &before.rotations[0].x, 4 * LINKS);
+}
+
+static void goals_methods_and_memory_of_a_chain_are_checked(void **state)
+{
+    (void)state;
+    random_source r = random_from(23);
+    chain_case c;
+    draw_chain(&r, &c);
+    NKW_STACK_WORK(work, NKW_IK_CHAIN_WORK(LINKS) + 16);
+    const nkw_work nothing = {NULL, 0}, less = {work.data, NKW_IK_CHAIN_WORK(LINKS) - 1},
+                   odd = {(char *)work.data + 4, NKW_IK_CHAIN_WORK(LINKS)};
+    const nkw_ik_goal goal = {vec(1, 1, 1), 0, 5}, negative = {vec(1, 1, 1), -1e-9f, 5}, nan = {vec(1, 1, 1), NAN, 5};
+    expect_refused(&c, goal, NKW_IK_FABRIK, less, NKW_TOO_SMALL);
+    expect_refused(&c, goal, NKW_IK_FABRIK, odd, NKW_TOO_SMALL);
+    expect_refused(&c, goal, NKW_IK_FABRIK, nothing, NKW_TOO_SMALL);
+    expect_refused(&c, goal, (nkw_ik_method)2, work, NKW_BAD_METHOD);
+    expect_refused(&c, negative, NKW_IK_CCD, work, NKW_OUT_OF_RANGE);
+    expect_refused(&c, nan, NKW_IK_FABRIK, work, NKW_NOT_FINITE);
+    assert_int_equal(nkw_ik_chain_solve(&c.chain, &goal, NKW_IK_CCD, c.rotations, NULL, nothing), NKW_OK);
 }
 
 /* ---- Poses ---- */
@@ -412,7 +435,7 @@ static void chains_of_poses_reach_their_targets(void **state)
 {
     (void)state;
     random_source r = random_from(20);
-    float work[NKW_IK_CHAIN_WORK(4)];
+    NKW_STACK_WORK(work, NKW_IK_POSE_CHAIN_WORK(4));
     int reached = 0;
     for (int i = 0; i < 1000; i++) {
         body b;
@@ -420,7 +443,7 @@ static void chains_of_poses_reach_their_targets(void **state)
         nkw_ik_reach reach = {5, 4, {{0, 0, 0}, 1e-4f, 100}, NULL, i % 3 ? NKW_IK_FABRIK : NKW_IK_CCD, 1};
         reach.goal.target = nkw_vec3_add(place(&b, 1), random_vec3(&r, -0.7f, 0.7f));
         nkw_ik_chain_result result;
-        assert_int_equal(nkw_ik_pose_chain(&b.ik, &reach, &result, work, NKW_IK_CHAIN_WORK(4)), NKW_OK);
+        assert_int_equal(nkw_ik_pose_chain(&b.ik, &reach, &result, work), NKW_OK);
         update(&b);
         expect_near(nkw_vec3_distance(place(&b, 5), reach.goal.target), result.error, 2e-5);
         reached += result.error <= 1e-4f;
@@ -429,10 +452,10 @@ static void chains_of_poses_reach_their_targets(void **state)
         reach.weight = 0;
         body same = b;
         same.ik = b.ik;
-        nkw_ik_pose_chain(&b.ik, &reach, &result, work, NKW_IK_CHAIN_WORK(4));
+        nkw_ik_pose_chain(&b.ik, &reach, &result, work);
         expect_floats_bits(b.pose, same.pose, NKW_POSE_FLOATS(JOINTS));
         reach.weight = 0.5f;
-        nkw_ik_pose_chain(&b.ik, &reach, &result, work, NKW_IK_CHAIN_WORK(4));
+        nkw_ik_pose_chain(&b.ik, &reach, &result, work);
         update(&b);
         expect_near(nkw_vec3_distance(place(&b, 5), reach.goal.target), result.error, 2e-5);
     }
@@ -446,11 +469,13 @@ static void joints_that_do_not_fit_change_nothing(void **state)
     body b, same;
     draw_body(&r, &b, 0);
     same = b;
-    float error = 0, work[NKW_IK_CHAIN_WORK(4)];
+    float error = 9;
+    NKW_STACK_WORK(work, NKW_IK_POSE_CHAIN_WORK(4));
+    const nkw_work less = {work.data, work.bytes - 1}, nothing = {NULL, 0};
     nkw_ik_limb limb = {1, 3, 4, {1, 1, 1}, {0, 0, 0}, {0, 0, 0}, 0, 1}, odd = limb;
     odd.end = JOINTS;
     assert_int_equal(nkw_ik_pose_two_bone(&b.ik, &odd, &error), NKW_OUT_OF_RANGE);
-    expect_bits(error, INFINITY);
+    expect_bits(error, 9);
     odd.end = 7;
     assert_int_equal(nkw_ik_pose_two_bone(&b.ik, &odd, NULL), NKW_NOT_ORDERED);
     odd = limb;
@@ -459,17 +484,17 @@ static void joints_that_do_not_fit_change_nothing(void **state)
     nkw_ik_look look = {JOINTS, {1, 1, 1}, {0, 0, 1}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, 0, 1};
     assert_int_equal(nkw_ik_pose_aim(&b.ik, &look, &error), NKW_OUT_OF_RANGE);
     nkw_ik_reach reach = {5, 4, {{1, 1, 1}, 0, 9}, NULL, NKW_IK_CCD, 1};
-    nkw_ik_chain_result result;
-    assert_int_equal(nkw_ik_pose_chain(&b.ik, &reach, &result, work, NKW_IK_CHAIN_WORK(4) - 1), NKW_TOO_SMALL);
-    expect_bits(result.error, INFINITY);
+    nkw_ik_chain_result result = {9, 9};
+    assert_int_equal(nkw_ik_pose_chain(&b.ik, &reach, &result, less), NKW_TOO_SMALL);
+    expect_bits(result.error, 9);
     reach.joint_count = 6;
-    assert_int_equal(nkw_ik_pose_chain(&b.ik, &reach, NULL, work, SIZE_MAX), NKW_OUT_OF_RANGE);
+    assert_int_equal(nkw_ik_pose_chain(&b.ik, &reach, NULL, work), NKW_OUT_OF_RANGE);
     reach.joint_count = 0;
-    assert_int_equal(nkw_ik_pose_chain(&b.ik, &reach, &result, work, 0), NKW_EMPTY);
+    assert_int_equal(nkw_ik_pose_chain(&b.ik, &reach, &result, nothing), NKW_EMPTY);
     b.ik.pose.joint_count = JOINTS - 1;
     assert_int_equal(nkw_ik_pose_two_bone(&b.ik, &limb, &error), NKW_MISMATCHED);
     assert_int_equal(nkw_ik_pose_aim(&b.ik, &look, &error), NKW_MISMATCHED);
-    assert_int_equal(nkw_ik_pose_chain(&b.ik, &reach, &result, work, 0), NKW_MISMATCHED);
+    assert_int_equal(nkw_ik_pose_chain(&b.ik, &reach, &result, nothing), NKW_MISMATCHED);
     expect_floats_bits(b.pose, same.pose, NKW_POSE_FLOATS(JOINTS));
 }
 
@@ -481,7 +506,8 @@ static void chains_of_an_unsorted_skeleton_are_refused(void **state)
     body b, same;
     draw_body(&r, &b, 0);
     same = b;
-    float error, work[NKW_IK_CHAIN_WORK(4)];
+    float error;
+    NKW_STACK_WORK(work, NKW_IK_POSE_CHAIN_WORK(4));
     nkw_ik_limb limb = {1, 3, 4, {1, 1, 1}, {0, 0, 0}, {0, 0, 0}, 0, 1};
     nkw_ik_reach reach = {5, 4, {{1, 1, 1}, 0, 9}, NULL, NKW_IK_CCD, 1};
     for (int32_t wrong = 3; wrong < JOINTS + 2; wrong++) {
@@ -490,7 +516,7 @@ static void chains_of_an_unsorted_skeleton_are_refused(void **state)
         late[3] = wrong;
         b.ik.skeleton.parents = late;
         assert_int_equal(nkw_ik_pose_two_bone(&b.ik, &limb, &error), NKW_NOT_ORDERED);
-        assert_int_equal(nkw_ik_pose_chain(&b.ik, &reach, NULL, work, NKW_IK_CHAIN_WORK(4)), NKW_OUT_OF_RANGE);
+        assert_int_equal(nkw_ik_pose_chain(&b.ik, &reach, NULL, work), NKW_OUT_OF_RANGE);
     }
     expect_floats_bits(b.pose, same.pose, NKW_POSE_FLOATS(JOINTS));
 }
@@ -506,6 +532,7 @@ int main(void)
         cmocka_unit_test(short_chains_are_answered),
         cmocka_unit_test(joints_stay_within_their_limits),
         cmocka_unit_test(chains_of_numbers_that_are_not_finite_stay),
+        cmocka_unit_test(goals_methods_and_memory_of_a_chain_are_checked),
         cmocka_unit_test(limbs_of_poses_reach_their_targets),
         cmocka_unit_test(joints_of_poses_aim),
         cmocka_unit_test(chains_of_poses_reach_their_targets),

@@ -3,6 +3,7 @@
 
 #include "random.h"
 #include "support/expect.h"
+#include "support/joint_limits.h"
 
 #define PI 3.14159274f
 
@@ -37,9 +38,9 @@ static void rotations_inside_come_back_bit_for_bit(void **state)
                                  random_between(&r, -0.699f, 1.199f));
         q = i % 2 ? nkw_quat_negate(q) : q;
         expect_quat_bits(nkw_limit_apply(&limit, q), q);
-        expect_quat_bits(nkw_quat_limit_ellipse(q, z, x, 1.0f, 0.5f), q);
-        expect_quat_bits(nkw_quat_limit_cone(q, z, 1.0f), q);
-        expect_quat_bits(nkw_quat_limit_twist(q, z, -0.7f, 1.2f), q);
+        expect_quat_bits(limit_ellipse(q, z, x, 1.0f, 0.5f), q);
+        expect_quat_bits(limit_cone(q, z, 1.0f), q);
+        expect_quat_bits(limit_twist(q, z, -0.7f, 1.2f), q);
     }
 }
 
@@ -97,11 +98,10 @@ static void limits_twice_are_limits_once_up_to_a_swing_of_2_9(void **state)
                                                         3.14159274f - nkw_abs(random_scaled(&r, -24, 0)));
         const nkw_quat q = nkw_quat_mul(swing, nkw_quat_from_axis_angle(axis, random_between(&r, -3.1f, 3.1f)));
         const nkw_limit limit = {nkw_quat_identity(), axis, side, a, b, ends[0], ends[1]};
-        const nkw_quat once[4] = {nkw_quat_limit_cone(q, axis, a), nkw_quat_limit_ellipse(q, axis, side, a, b),
-                                  nkw_quat_limit_twist(q, axis, ends[0], ends[1]), nkw_limit_apply(&limit, q)};
-        const nkw_quat twice[4] = {
-            nkw_quat_limit_cone(once[0], axis, a), nkw_quat_limit_ellipse(once[1], axis, side, a, b),
-            nkw_quat_limit_twist(once[2], axis, ends[0], ends[1]), nkw_limit_apply(&limit, once[3])};
+        const nkw_quat once[4] = {limit_cone(q, axis, a), limit_ellipse(q, axis, side, a, b),
+                                  limit_twist(q, axis, ends[0], ends[1]), nkw_limit_apply(&limit, q)};
+        const nkw_quat twice[4] = {limit_cone(once[0], axis, a), limit_ellipse(once[1], axis, side, a, b),
+                                   limit_twist(once[2], axis, ends[0], ends[1]), nkw_limit_apply(&limit, once[3])};
         for (int k = 0; k < 4; k++) {
             const int holds = k == 0 || swing_angle(once[k], axis) <= 2.9;
             *(holds ? &within : &beyond) += 1;
@@ -119,7 +119,7 @@ static void a_cone_keeps_the_direction_of_the_swing_and_the_twist(void **state)
     for (int i = 0; i < 20000; i++) {
         float angle = random_between(&r, 0, 2 * PI), swing = random_between(&r, 0.5f, 3.0f);
         float twist = random_between(&r, -3, 3), c = nkw_cos(angle), s = nkw_sin(angle);
-        nkw_quat got = nkw_quat_limit_cone(rotation_of(swing * c, swing * s, twist), z, 0.5f);
+        nkw_quat got = limit_cone(rotation_of(swing * c, swing * s, twist), z, 0.5f);
         expect_rotation_near(got, rotation_of(0.5f * c, 0.5f * s, twist), 1e-6);
     }
 }
@@ -127,18 +127,15 @@ static void a_cone_keeps_the_direction_of_the_swing_and_the_twist(void **state)
 static void a_twist_goes_to_the_nearer_end_round_the_circle(void **state)
 {
     (void)state;
-    expect_rotation_near(nkw_quat_limit_twist(rotation_of(0.3f, 0.2f, 1.5f), z, -1, 1), rotation_of(0.3f, 0.2f, 1),
-                         3e-7);
-    expect_rotation_near(nkw_quat_limit_twist(rotation_of(0.3f, 0.2f, -2), z, 0, 1), rotation_of(0.3f, 0.2f, 0), 3e-7);
+    expect_rotation_near(limit_twist(rotation_of(0.3f, 0.2f, 1.5f), z, -1, 1), rotation_of(0.3f, 0.2f, 1), 3e-7);
+    expect_rotation_near(limit_twist(rotation_of(0.3f, 0.2f, -2), z, 0, 1), rotation_of(0.3f, 0.2f, 0), 3e-7);
     /* -3 is 3.28, nearer to 1 than to -1.5. */
-    expect_rotation_near(nkw_quat_limit_twist(rotation_of(0, 0, -3), z, -0.1f, 1), rotation_of(0, 0, 1), 3e-7);
+    expect_rotation_near(limit_twist(rotation_of(0, 0, -3), z, -0.1f, 1), rotation_of(0, 0, 1), 3e-7);
     /* Ranges across half a turn. */
     nkw_quat inside = rotation_of(0.1f, 0, -3.1f);
-    expect_quat_bits(nkw_quat_limit_twist(inside, z, 3.0f, 3.4f), inside);
-    expect_rotation_near(nkw_quat_limit_twist(rotation_of(0.1f, 0, -2.5f), z, 3.0f, 3.4f), rotation_of(0.1f, 0, 3.4f),
-                         4e-7);
-    expect_rotation_near(nkw_quat_limit_twist(rotation_of(0.1f, 0, 2.5f), z, 3.0f, 3.4f), rotation_of(0.1f, 0, 3.0f),
-                         4e-7);
+    expect_quat_bits(limit_twist(inside, z, 3.0f, 3.4f), inside);
+    expect_rotation_near(limit_twist(rotation_of(0.1f, 0, -2.5f), z, 3.0f, 3.4f), rotation_of(0.1f, 0, 3.4f), 4e-7);
+    expect_rotation_near(limit_twist(rotation_of(0.1f, 0, 2.5f), z, 3.0f, 3.4f), rotation_of(0.1f, 0, 3.0f), 4e-7);
 }
 
 /* The nearest of many points of the ellipse, in binary64. */
@@ -165,7 +162,7 @@ static void a_swing_goes_to_the_nearest_point_of_the_ellipse(void **state)
         py = i % 10 == 1 ? 0.0f : py;
         if ((px / a) * (px / a) + (py / b) * (py / b) < 1.001f)
             continue;
-        nkw_vec3 got = swing_of(nkw_quat_limit_ellipse(rotation_of(px, py, 0.4f), z, x, a, b));
+        nkw_vec3 got = swing_of(limit_ellipse(rotation_of(px, py, 0.4f), z, x, a, b));
         double dx = (double)(got.x - px), dy = (double)(got.y - py);
         /* On the boundary, and no point of it is nearer. */
         double along = (double)(got.x / a), across = (double)(got.y / b);
@@ -178,13 +175,13 @@ static void a_swing_goes_to_the_nearest_point_of_the_ellipse(void **state)
 static void an_ellipse_without_width_is_a_hinge(void **state)
 {
     (void)state;
-    nkw_quat got = nkw_quat_limit_ellipse(rotation_of(0.8f, 0.3f, 0.2f), z, x, 2, 0);
+    nkw_quat got = limit_ellipse(rotation_of(0.8f, 0.3f, 0.2f), z, x, 2, 0);
     expect_rotation_near(got, rotation_of(0.8f, 0, 0.2f), 4e-7);
-    got = nkw_quat_limit_ellipse(rotation_of(0.8f, 0.3f, 0.2f), z, x, 0.5f, 0);
+    got = limit_ellipse(rotation_of(0.8f, 0.3f, 0.2f), z, x, 0.5f, 0);
     expect_rotation_near(got, rotation_of(0.5f, 0, 0.2f), 4e-7);
-    got = nkw_quat_limit_ellipse(rotation_of(0.8f, 0.3f, 0.2f), z, x, 0, 0.1f);
+    got = limit_ellipse(rotation_of(0.8f, 0.3f, 0.2f), z, x, 0, 0.1f);
     expect_rotation_near(got, rotation_of(0, 0.1f, 0.2f), 4e-7);
-    got = nkw_quat_limit_ellipse(rotation_of(0.8f, 0.3f, 0.2f), z, x, 0, 0);
+    got = limit_ellipse(rotation_of(0.8f, 0.3f, 0.2f), z, x, 0, 0);
     expect_rotation_near(got, rotation_of(0, 0, 0.2f), 4e-7);
 }
 
@@ -196,8 +193,7 @@ static void equal_half_axes_are_a_cone(void **state)
         nkw_quat q = random_rotation(&r);
         nkw_vec3 axis = random_direction(&r), side = random_direction(&r);
         float angle = random_between(&r, 0, 2.5f);
-        expect_rotation_near(nkw_quat_limit_ellipse(q, axis, side, angle, angle), nkw_quat_limit_cone(q, axis, angle),
-                             1e-6);
+        expect_rotation_near(limit_ellipse(q, axis, side, angle, angle), limit_cone(q, axis, angle), 1e-6);
     }
 }
 
@@ -231,34 +227,34 @@ static void no_axis_and_no_number_are_no_limit(void **state)
     nkw_limit limit = limit_of(0, 0, 0, 0);
     limit.axis = none;
     expect_quat_bits(nkw_limit_apply(&limit, q), q);
-    expect_quat_bits(nkw_quat_limit_cone(q, none, 0), q);
-    expect_quat_bits(nkw_quat_limit_cone(q, odd, 0), q);
-    expect_quat_bits(nkw_quat_limit_cone(q, z, NAN), q);
-    expect_quat_bits(nkw_quat_limit_cone(q, z, 4), q);
-    expect_quat_bits(nkw_quat_limit_twist(q, z, NAN, 1), q);
-    expect_quat_bits(nkw_quat_limit_twist(q, z, -4, 4), q);
-    expect_quat_bits(nkw_quat_limit_twist(q, z, 0, INFINITY), q);
-    expect_quat_bits(nkw_quat_limit_cone(broken, z, 0), broken);
-    expect_quat_bits(nkw_quat_limit_twist(endless, z, 0, 0), endless);
+    expect_quat_bits(limit_cone(q, none, 0), q);
+    expect_quat_bits(limit_cone(q, odd, 0), q);
+    expect_quat_bits(limit_cone(q, z, NAN), q);
+    expect_quat_bits(limit_cone(q, z, 4), q);
+    expect_quat_bits(limit_twist(q, z, NAN, 1), q);
+    expect_quat_bits(limit_twist(q, z, -4, 4), q);
+    expect_quat_bits(limit_twist(q, z, 0, INFINITY), q);
+    expect_quat_bits(limit_cone(broken, z, 0), broken);
+    expect_quat_bits(limit_twist(endless, z, 0, 0), endless);
 }
 
 static void odd_limits_are_defined(void **state)
 {
     (void)state;
     /* Negative angles are 0; a range upside down is its mean. */
-    expect_rotation_near(nkw_quat_limit_cone(rotation_of(1, 0, 0.5f), z, -1), rotation_of(0, 0, 0.5f), 4e-7);
-    expect_rotation_near(nkw_quat_limit_twist(rotation_of(1, 0, 0.5f), z, 0.3f, 0.1f), rotation_of(1, 0, 0.2f), 4e-7);
+    expect_rotation_near(limit_cone(rotation_of(1, 0, 0.5f), z, -1), rotation_of(0, 0, 0.5f), 4e-7);
+    expect_rotation_near(limit_twist(rotation_of(1, 0, 0.5f), z, 0.3f, 0.1f), rotation_of(1, 0, 0.2f), 4e-7);
     /* The side along the axis; the axis swung to its opposite; the zero quaternion. */
     nkw_quat over = {1, 0, 0, 0}, nothing = {0, 0, 0, 0};
-    expect_near(nkw_vec3_length(swing_of(nkw_quat_limit_ellipse(rotation_of(2, 1, 0), z, z, 0.5f, 0.5f))), 0.5, 1e-6);
-    expect_near(nkw_vec3_length(swing_of(nkw_quat_limit_cone(over, z, 0.5f))), 0.5, 1e-6);
-    expect_quat_bits(nkw_quat_limit_cone(nothing, z, 0.5f), nothing);
+    expect_near(nkw_vec3_length(swing_of(limit_ellipse(rotation_of(2, 1, 0), z, z, 0.5f, 0.5f))), 0.5, 1e-6);
+    expect_near(nkw_vec3_length(swing_of(limit_cone(over, z, 0.5f))), 0.5, 1e-6);
+    expect_quat_bits(limit_cone(nothing, z, 0.5f), nothing);
     nkw_limit limit = limit_of(0.5f, 0.5f, -1, 1);
     limit.rest = nothing;
     expect_rotation_near(nkw_limit_apply(&limit, rotation_of(2, 0, 0)), rotation_of(0.5f, 0, 0), 4e-7);
     nkw_quat long_one = nkw_quat_scale(rotation_of(2, 0, 0), 5.0f);
-    expect_rotation_near(nkw_quat_limit_cone(long_one, z, 0.5f), rotation_of(0.5f, 0, 0), 4e-7);
-    expect_rotation_near(nkw_quat_limit_cone(rotation_of(0, 2, 0), y, 0.5f), rotation_of(0, 2, 0), 0);
+    expect_rotation_near(limit_cone(long_one, z, 0.5f), rotation_of(0.5f, 0, 0), 4e-7);
+    expect_rotation_near(limit_cone(rotation_of(0, 2, 0), y, 0.5f), rotation_of(0, 2, 0), 0);
 }
 
 int main(void)

@@ -61,7 +61,8 @@ static void motion_and_rest_make_the_root(void **state)
         nkw_trs root = random_place(&r);
         root.scale = random_vec3(&r, 0.5f, 2);
         nkw_root_rule rule = {random_direction(&r), all_parts[i % 8]};
-        nkw_trs motion = nkw_root_extract(&root, &rule), rest = nkw_root_remove(&root, &motion);
+        nkw_root_motion parts = nkw_root_split(&rule, &root);
+        nkw_trs motion = parts.motion, rest = parts.rest;
         nkw_trs got = mul(motion, rest);
         expect_place(got, root, 2e-6);
         expect_vec3_bits(rest.scale, root.scale);
@@ -77,17 +78,15 @@ static void each_part_moves_what_it_says(void **state)
     nkw_root_rule plane = {vec(0, 5, 0), NKW_ROOT_PLANE}, height = {vec(0, 1, 0), NKW_ROOT_HEIGHT},
                   turn = {vec(0, 1, 0), NKW_ROOT_YAW}, none = {vec(0, 1, 0), 0}, z = {vec(0, 0, 2), NKW_ROOT_PLANE},
                   whole = {vec(0, 1, 0), NKW_ROOT_PLANE | NKW_ROOT_HEIGHT | NKW_ROOT_ROTATION};
-    expect_vec3_bits(nkw_root_extract(&root, &plane).translation, vec(1, 0, 3));
-    expect_quat_bits(nkw_root_extract(&root, &plane).rotation, nkw_quat_identity());
-    expect_vec3_bits(nkw_root_extract(&root, &height).translation, vec(0, 2, 0));
-    expect_vec3_bits(nkw_root_extract(&root, &z).translation, vec(1, 2, 0));
-    expect_vec3_bits(nkw_root_extract(&root, &none).translation, vec(0, 0, 0));
-    expect_quat_near(nkw_root_extract(&root, &turn).rotation, yaw(0.7f), 1e-7);
-    expect_place(nkw_root_extract(&root, &whole), root, 1e-7);
-    nkw_trs motion = nkw_root_extract(&root, &whole);
-    expect_place(nkw_root_remove(&root, &motion), nkw_trs_identity(), 2e-7);
-    motion = nkw_root_extract(&root, &turn);
-    expect_quat_near(nkw_root_remove(&root, &motion).rotation, tilt, 2e-7);
+    expect_vec3_bits(nkw_root_split(&plane, &root).motion.translation, vec(1, 0, 3));
+    expect_quat_bits(nkw_root_split(&plane, &root).motion.rotation, nkw_quat_identity());
+    expect_vec3_bits(nkw_root_split(&height, &root).motion.translation, vec(0, 2, 0));
+    expect_vec3_bits(nkw_root_split(&z, &root).motion.translation, vec(1, 2, 0));
+    expect_vec3_bits(nkw_root_split(&none, &root).motion.translation, vec(0, 0, 0));
+    expect_quat_near(nkw_root_split(&turn, &root).motion.rotation, yaw(0.7f), 1e-7);
+    expect_place(nkw_root_split(&whole, &root).motion, root, 1e-7);
+    expect_place(nkw_root_split(&whole, &root).rest, nkw_trs_identity(), 2e-7);
+    expect_quat_near(nkw_root_split(&turn, &root).rest.rotation, tilt, 2e-7);
 }
 
 static void odd_rules_have_an_answer(void **state)
@@ -97,45 +96,32 @@ static void odd_rules_have_an_answer(void **state)
     const nkw_vec3 ups[] = {vec(0, 0, 0), vec(NAN, 0, 0), vec(INFINITY, 1, 0)};
     for (int i = 0; i < 3; i++) {
         nkw_root_rule rule = {ups[i], 0xfffffff1u};
-        expect_vec3_bits(nkw_root_extract(&root, &rule).translation, vec(1, 0, 3));
+        expect_vec3_bits(nkw_root_split(&rule, &root).motion.translation, vec(1, 0, 3));
     }
     nkw_root_rule turn = {vec(0, 1, 0), NKW_ROOT_YAW};
     nkw_trs fallen = place(vec(0, 0, 0), nkw_quat_from_axis_angle(vec(1, 0, 0), 3.14159274f));
-    expect_rotation_near(nkw_root_extract(&fallen, &turn).rotation, nkw_quat_identity(), 1e-6);
-    float block[NKW_POSE_FLOATS(2)];
-    nkw_pose_span pose = {block, 2};
-    nkw_pose_identity(pose);
+    expect_rotation_near(nkw_root_split(&turn, &fallen).motion.rotation, nkw_quat_identity(), 1e-6);
     nkw_trs motion = root;
-    assert_int_equal(nkw_pose_root_remove(pose, 2, &turn, &motion), NKW_OUT_OF_RANGE);
-    expect_place(motion, nkw_trs_identity(), 0);
-    nkw_root_remove_keys(NULL, NULL, &turn, NULL, 3);
-    nkw_root_remove_keys(NULL, NULL, &turn, &motion, 1);
+    nkw_root_split_keys(&turn, NULL, NULL, NULL, 3);
+    nkw_root_split_keys(&turn, NULL, NULL, &motion, 1);
     expect_place(motion, nkw_trs_identity(), 0);
 }
 
-static void poses_and_keys_lose_their_motion(void **state)
+static void keys_lose_their_motion(void **state)
 {
     (void)state;
     random_source r = random_from(2);
-    float block[NKW_POSE_FLOATS(5)];
-    nkw_pose_span pose = {block, 5};
-    nkw_pose_identity(pose);
     nkw_root_rule rule = {vec(0, 0, 1), NKW_ROOT_PLANE | NKW_ROOT_YAW};
-    nkw_trs root = random_place(&r), other = random_place(&r), motion, motions[1];
-    nkw_pose_set(pose, 1, &root);
-    nkw_pose_set(pose, 4, &other);
-    assert_int_equal(nkw_pose_root_remove(pose, 1, &rule, &motion), NKW_OK);
-    nkw_trs rest = nkw_pose_get(NKW_VIEW(nkw_pose, pose), 1),
-            kept = nkw_pose_get(NKW_VIEW(nkw_pose, pose), 4);
-    expect_place(mul(motion, rest), root, 2e-6);
-    expect_place(kept, other, 0);
-    expect_bits(rest.translation.x, 0);
+    nkw_trs root = random_place(&r), motions[1];
+    nkw_root_motion parts = nkw_root_split(&rule, &root);
+    expect_place(mul(parts.motion, parts.rest), root, 2e-6);
+    expect_bits(parts.rest.translation.x, 0);
     nkw_vec3 translation = root.translation;
     nkw_quat rotation = root.rotation;
-    nkw_root_remove_keys(&translation, &rotation, &rule, motions, 1);
-    expect_vec3_bits(translation, rest.translation);
-    expect_quat_bits(rotation, rest.rotation);
-    expect_vec3_bits(motions[0].translation, motion.translation);
+    nkw_root_split_keys(&rule, &translation, &rotation, motions, 1);
+    expect_vec3_bits(translation, parts.rest.translation);
+    expect_quat_bits(rotation, parts.rest.rotation);
+    expect_vec3_bits(motions[0].translation, parts.motion.translation);
 }
 
 /* The motion of a clip: an arc in the plane. */
@@ -199,7 +185,7 @@ static void a_thousand_loops_do_not_drift(void **state)
     nkw_root_cycle cycle = {nkw_trs_identity(), place(vec(1, 0.25f, 0), eighth)};
     nkw_trs origin = place(vec(5, 0, 5), yaw(1)), start = nkw_trs_identity(), summed = origin;
     double angle = 1000 * 2 * atan2((double)eighth.y, (double)eighth.w);
-    nkw_trs there = nkw_root_place(&origin, &cycle, &start, 1000);
+    nkw_trs there = nkw_root_place(&cycle, &origin, &start, 1000);
     for (int i = 0; i < 1000; i++)
         summed = mul(summed, nkw_root_delta(&cycle, &start, &start, 1));
     expect_near(there.translation.y, 250, 0);
@@ -207,19 +193,19 @@ static void a_thousand_loops_do_not_drift(void **state)
     /* One call has one rounding; a thousand products in binary32 are 3 mm off. */
     nkw_trs in_parts = origin;
     for (int i = 0; i < 10; i++) {
-        in_parts = nkw_root_place(&in_parts, &cycle, &start, 100);
+        in_parts = nkw_root_place(&cycle, &in_parts, &start, 100);
     }
     expect_place(in_parts, there, 5e-6);
     expect_place(summed, there, 2e-2);
     double off = (double)nkw_vec3_distance(summed.translation, there.translation);
     nkw_root_cycle by_axis = {nkw_trs_identity(), place(vec(1, 0.25f, 0), yaw(0.785398163f))};
-    there = nkw_root_place(&origin, &by_axis, &start, 1000), summed = origin;
+    there = nkw_root_place(&by_axis, &origin, &start, 1000), summed = origin;
     for (int i = 0; i < 1000; i++)
         summed = mul(summed, nkw_root_delta(&by_axis, &start, &start, 1));
     expect_page("subjects/pose/root.md", "the sum is %.0f mm off, or %.0f mm with the quaternion of", 1000 * off,
                 1000 * (double)nkw_vec3_distance(summed.translation, there.translation));
     for (int n = -1000000; n <= 1000000; n += 250000) {
-        nkw_trs far = nkw_root_place(&origin, &cycle, &start, n);
+        nkw_trs far = nkw_root_place(&cycle, &origin, &start, n);
         expect_near(far.translation.y, 0.25 * n, 0);
         expect_near(nkw_quat_length(far.rotation), 1, 2e-7);
         assert_true(fabsf(far.translation.x - 5) < 3 && fabsf(far.translation.z - 5) < 3);
@@ -269,7 +255,7 @@ int main(void)
         cmocka_unit_test(motion_and_rest_make_the_root),
         cmocka_unit_test(each_part_moves_what_it_says),
         cmocka_unit_test(odd_rules_have_an_answer),
-        cmocka_unit_test(poses_and_keys_lose_their_motion),
+        cmocka_unit_test(keys_lose_their_motion),
         cmocka_unit_test(steps_within_a_clip_are_the_difference_of_its_motions),
         cmocka_unit_test(a_loop_continues_where_the_clip_ends),
         cmocka_unit_test(n_loops_in_one_step_equal_n_steps),

@@ -16,7 +16,8 @@ uint64_t data_blendspace(void)
             samples[k] = random_between(&r, -4, 4);
         for (int k = 0; k < 3; k++)
             point[k] = random_between(&r, -5, 5);
-        nkw_blendspace space = {samples, SAMPLES, 1 + (size_t)i % 3, (nkw_blendspace_kind)(i / 3 % 2)};
+        const nkw_blendspace_kind kind = i % 3 == 1 ? (nkw_blendspace_kind)(i / 3 % 2) : NKW_BLENDSPACE_CARTESIAN;
+        nkw_blendspace space = {samples, SAMPLES, 1 + (size_t)i % 3, kind};
         nkw_blendspace_weights(&space, i % 7 ? point : samples, weights);
         hash = hash_floats(hash, weights, SAMPLES);
     }

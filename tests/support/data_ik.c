@@ -30,7 +30,8 @@ static uint64_t aims(random_source *r, uint64_t hash)
 
 static uint64_t chains(random_source *r, uint64_t hash)
 {
-    nkw_vec3 offsets[LINKS], work[LINKS];
+    nkw_vec3 offsets[LINKS];
+    NKW_STACK_WORK(work, NKW_IK_CHAIN_WORK(LINKS));
     nkw_quat rotations[LINKS];
     nkw_limit limits[LINKS];
     for (int k = 0; k < LINKS; k++) {
@@ -43,10 +44,11 @@ static uint64_t chains(random_source *r, uint64_t hash)
     nkw_ik_chain chain = {random_vec3(r, -1, 1), random_rotation(r), offsets, NULL, LINKS};
     nkw_ik_goal goal = {random_vec3(r, -2, 2), 1e-4f, 8};
     chain.limits = random_bits(r) % 2 ? limits : NULL;
-    nkw_ik_chain_result a = nkw_ik_ccd_solve(&chain, &goal, rotations);
+    nkw_ik_chain_result a, b;
+    nkw_ik_chain_solve(&chain, &goal, NKW_IK_CCD, rotations, &a, work);
     hash = hash_floats(hash, &rotations[0].x, 4 * LINKS);
     goal.target = random_vec3(r, -2, 2);
-    nkw_ik_chain_result b = nkw_ik_fabrik_solve(&chain, &goal, rotations, work, LINKS);
+    nkw_ik_chain_solve(&chain, &goal, NKW_IK_FABRIK, rotations, &b, work);
     hash = hash_floats(hash, &rotations[0].x, 4 * LINKS);
     hash = hash_floats(hash, &a.error, 1);
     return hash_floats(hash, &b.error, 1);
@@ -56,7 +58,8 @@ static uint64_t poses(random_source *r, uint64_t hash)
 {
     static const int32_t parents[LINKS] = {-1, 0, 1, 2, 3};
     nkw_trs trs[LINKS];
-    float pose[NKW_POSE_FLOATS(LINKS)], work[NKW_IK_CHAIN_WORK(3)], errors[3];
+    float pose[NKW_POSE_FLOATS(LINKS)], errors[3];
+    NKW_STACK_WORK(work, NKW_IK_POSE_CHAIN_WORK(3));
     nkw_mat4 models[LINKS];
     nkw_ik_pose ik = {{parents, LINKS}, models, NULL, pose_span(pose, LINKS)};
     for (int k = 0; k < LINKS; k++) {
@@ -79,7 +82,7 @@ static uint64_t poses(random_source *r, uint64_t hash)
     nkw_ik_chain_result result;
     nkw_ik_pose_two_bone(&ik, &limb, &errors[0]);
     nkw_ik_pose_aim(&ik, &look, &errors[1]);
-    nkw_ik_pose_chain(&ik, &reach, &result, work, NKW_IK_CHAIN_WORK(3));
+    nkw_ik_pose_chain(&ik, &reach, &result, work);
     errors[2] = result.error;
     hash = hash_floats(hash, errors, 3);
     return hash_floats(hash, pose, NKW_POSE_FLOATS(LINKS));

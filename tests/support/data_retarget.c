@@ -21,7 +21,8 @@ uint64_t data_retarget(void)
     uint64_t hash = HASH_START;
     for (int i = 0; i < 200; i++) {
         float rest[NKW_POSE_FLOATS(SOURCE)], pose[NKW_POSE_FLOATS(SOURCE)], target[NKW_POSE_FLOATS(TARGET)];
-        float out[NKW_POSE_FLOATS(TARGET)], work[NKW_RETARGET_WORK(SOURCE, TARGET)];
+        float out[NKW_POSE_FLOATS(TARGET)];
+        NKW_STACK_WORK(work, NKW_RETARGET_WORK(SOURCE, TARGET));
         int32_t parents[TARGET], chain[3] = {1, 2, 4}, other[4] = {2, 3, 5, 6};
         nkw_retarget_joint joints[TARGET];
         draw_pose(&r, rest, SOURCE);
@@ -38,8 +39,7 @@ uint64_t data_retarget(void)
             {parents, SOURCE},  {parents, TARGET}, pose_view(rest, SOURCE), pose_view(target, TARGET), joints,
             random_rotation(&r)};
         nkw_retarget_map_chain(&retarget, chain, 3, other, 4, joints);
-        nkw_pose_retarget(&retarget, pose_view(pose, SOURCE), pose_span(out, TARGET), work,
-                          NKW_RETARGET_WORK(SOURCE, TARGET));
+        nkw_retarget_apply(&retarget, pose_view(pose, SOURCE), pose_span(out, TARGET), work);
         hash = hash_floats(hash, out, NKW_POSE_FLOATS(TARGET));
     }
     return hash;

@@ -188,10 +188,12 @@ function timecode(N, i, o) {
 const place = (i, k) => [...i.v[k], ...i.q[k], 1, 1, 1];
 const cycle = i => ({ first: place(i, 0), last: place(i, 1) });
 
-function rootExtract(N, i, o) {
-  const root = place(i, 0);
-  const motion = N.rootExtract([], root, { up: i.v[3], parts: N.ROOT_PLANE | N.ROOT_YAW });
-  put(o, 0, motion.slice(0, 7), N.rootRemove([], root, motion).slice(0, 7));
+const limitOf = (axis, side, a, b, low = -Math.PI, high = Math.PI) =>
+  [0, 0, 0, 1, ...axis, ...side, a, b, low, high];
+
+function rootSplit(N, i, o) {
+  const { motion, rest } = N.rootSplit({}, { up: i.v[3], parts: N.ROOT_PLANE | N.ROOT_YAW }, place(i, 0));
+  put(o, 0, motion.slice(0, 7), rest.slice(0, 7));
 }
 
 const find = f => (N, i, o) => {
@@ -402,6 +404,9 @@ const otherRows = {
   euler_from_quat_pole: (N, i, o) => N.eulerFromQuat(o, atThePole(N, i), i.order),
   axes_convert_trs: (N, i, o) => N.axesConvertTrs(o, someAxes(N, i), i.trs),
   axes_convert_mat4: (N, i, o) => N.axesConvertMat4(o, someAxes(N, i), i.n),
+  limit_cone: (N, i, o) => N.limitApply(o, limitOf(i.v[0], [0, 0, 0], i.t, i.t), i.q[0]),
+  limit_ellipse: (N, i, o) => N.limitApply(o, limitOf(i.v[0], i.v[1], i.t, 0.25), i.q[0]),
+  limit_twist: (N, i, o) => N.limitApply(o, limitOf(i.v[0], [0, 0, 0], Math.PI, Math.PI, -i.t, i.s[0]), i.q[0]),
   limit_apply: (N, i, o) => N.limitApply(o, [...i.q[1], ...i.v[1], ...i.v[2], i.t, abs(i.s[0]), -abs(i.s[1]),
     abs(i.s[2])], i.q[0]),
 };
@@ -437,10 +442,10 @@ export const rowsOfFunctions = {
   track_fit: fit,
   playback_head_f64: headF64, playback_passed: passed, playback_passed_f64: passedF64,
   timecode,
-  root_extract: rootExtract,
+  root_split: rootSplit,
   root_delta: (N, i, o) =>
     put(o, 0, N.rootDelta([], cycle(i), place(i, 2), place(i, 3), Math.trunc(F(100 * i.t))).slice(0, 7)),
   root_place: (N, i, o) =>
-    put(o, 0, N.rootPlace([], place(i, 2), cycle(i), place(i, 3), -Math.trunc(F(1000 * i.t))).slice(0, 7)),
+    put(o, 0, N.rootPlace([], cycle(i), place(i, 2), place(i, 3), -Math.trunc(F(1000 * i.t))).slice(0, 7)),
   root_blend: (N, i, o) => put(o, 0, N.rootBlend([], [0, 1, 2].flatMap(k => place(i, k)), i.s, 3).slice(0, 7)),
 };

@@ -125,9 +125,11 @@ for (const [build, n] of await both('all')) {
     near(solved.endPosition, limb.target);
     assert.ok(solved.error < 1e-5 && solved.root.length === 4);
     const chain = { position: [0, 0, 0], rotation: [0, 0, 0, 1], offsets: [[1, 0, 0], [1, 0, 0], [1, 0, 0]] };
-    for (const solve of [n.ikCcdSolve, n.ikFabrikSolve]) {
+    for (const method of [n.IK_CCD, n.IK_FABRIK]) {
       const q = [0, 0, 0, 1, 0, 0, 0.0998334, 0.9950042, 0, 0, 0, 1];
-      const { error, iterations } = solve({}, chain, { target: [1, 1, 0.5], tolerance: 1e-4, iterations: 100 }, q);
+      const solved = {}, goal = { target: [1, 1, 0.5], tolerance: 1e-4, iterations: 100 };
+      n.ikChainSolve(chain, goal, method, q, solved);
+      const { error, iterations } = solved;
       assert.ok(error <= 1e-4 && iterations > 0, `${error}`);
     }
     const skeleton = new n.Skeleton([-1, 0, 1]), body = new n.Pose(3), models = new n.Matrices(3);
@@ -152,10 +154,12 @@ for (const [build, n] of await both('all')) {
     const joints = parents.map((_, j) => ({ from: j, to: -1, t: 0, translation: 1 }));
     const map = { source: skeleton, target: skeleton, sourceRest: rest, targetRest: rest, joints, align: [0, 0, 0, 1] };
     n.retargetValidate(map);
-    n.poseRetarget(map, source, out);
+    n.retargetApply(map, source, out);
     parents.forEach((_, j) => near(out.get(j, []).map(Math.abs), source.get(j, []).map(Math.abs), 1e-4));
     assert.throws(() => n.retargetValidate({ ...map, joints: [...joints.slice(1), { from: 7 }] }), { index: 3 });
-    assert.equal(n.retargetChainScale(map, [0, 1], 2, [0, 1], 2), 1);
+    const scale = [0];
+    n.retargetChainScale(map, [0, 1], 2, [0, 1], 2, scale);
+    assert.equal(scale[0], 1);
     const rules = { up: [0, 1, 0], enterHeight: 0.1, leaveHeight: 0.2, enterSpeed: 10, leaveSpeed: 20,
       releaseDistance: 1, duration: 0.2 };
     const foot = {}, at = [0, 0.01].map(x => n.footUpdate([], foot, rules, [x, 0, 0], 0, 0.01));
