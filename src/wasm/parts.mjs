@@ -18,7 +18,7 @@ export const objectStems = ['root', 'polycurve', 'ik', 'foot', 'box', 'bounds', 
 export const parts = [
   {
     name: 'values', stems: values, sources: [], batch: false, limit: 12,
-    without: new RegExp('mat[34]|_wxyz|bezier_split|cubic_convert|' +
+    without: new RegExp('mat[34]|_wxyz|bezier_split|cubic_(convert|evaluate|sum)|quintic|' +
       'quat_(swing|twist|mean|turns|look|pow)|_path$|from_catmull_rom|_from_vectors|perpendicular|integrate|' +
       'angular_velocity|euler_|nkw_wrap$|nkw_pow'),
   },

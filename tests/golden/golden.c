@@ -364,6 +364,11 @@ static nkw_vec3_cubic vec3_cubic(const input *i)
     return c;
 }
 
+static void inner_control(float *o, const input *i)
+{
+    put_quat(o, nkw_rotation_from_squad(i->q, 1.0f).control[1]);
+}
+
 static void weigh(float *o, nkw_vec3_cubic c, nkw_weights weights)
 {
     put_vec3(o, nkw_vec3_cubic_sum(&c, weights));

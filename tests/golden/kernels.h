@@ -162,7 +162,7 @@ K(rotation_from_catmull_rom, 10, rotate_along(o, i, 2))
 K(rotation_from_tcb, 10, rotate_along(o, i, 3))
 K(rotation_from_squad, 10, rotate_along(o, i, 4))
 K(rotation_from_bspline, 10, rotate_along(o, i, 5))
-K(rotation_from_squad_control, 4, put_quat(o, nkw_rotation_from_squad(i->q, 1.0f).control[1]))
+K(rotation_from_squad_control, 4, inner_control(o, i))
 K(euler_lerp, 3, put_vec3(o, nkw_euler_lerp(i->v[0], i->v[1], i->t, i->unwrap)))
 
 K(spring_constants, 7, spring_constants(o, i->t + 0x1p-6f, nkw_abs(i->s[0])))
