@@ -4,6 +4,7 @@
 #include <nakawari/rotation.h>
 
 #include "lane/arc.h"
+#include "lane/cubic.h"
 #include "rotation_squad.h"
 
 static const lane_f64_quat identity = {0.0, 0.0, 0.0, 1.0};
@@ -59,7 +60,7 @@ static factor first_of_hermite(lane_f64_vec3 half, double t)
 
 static factor middle_of_hermite(lane_f64_vec3 half, double t)
 {
-    return factor_of(half, (t * t) * (3.0 - 2.0 * t), 6.0 * t * (1.0 - t), 6.0 - 12.0 * t);
+    return factor_of(half, lane_f64_hermite_weights(t).f, 6.0 * t * (1.0 - t), 6.0 - 12.0 * t);
 }
 
 static factor last_of_hermite(lane_f64_vec3 half, double t)

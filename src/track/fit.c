@@ -8,6 +8,7 @@
 
 #include "difference.h"
 #include "finite.h"
+#include "lane/cubic.h"
 #include "track_keys.h"
 #include "work.h"
 
@@ -95,8 +96,9 @@ static double slope_at(const fit *f, size_t s, size_t i)
 static void add_sample(fit *f, size_t k, size_t s)
 {
     size_t a = sample_of(f, k), b = sample_of(f, k + 1), width = f->source.width;
-    double d = time_of(f, b) - time_of(f, a), u = (time_of(f, s) - time_of(f, a)) / d, v = 1.0 - u;
-    double at_a = d * (u * (v * v)), at_b = -(d * ((u * u) * v)), part = (u * u) * (3.0 - 2.0 * u);
+    double d = time_of(f, b) - time_of(f, a), u = (time_of(f, s) - time_of(f, a)) / d;
+    lane_f64_slopes weights = lane_f64_hermite_weights(u);
+    double at_a = d * weights.v0, at_b = d * weights.v1, part = weights.f;
     f->diagonal[k] += at_a * at_a;
     f->next[k] += at_a * at_b;
     f->diagonal[k + 1] += at_b * at_b;

@@ -233,11 +233,19 @@ static inline lane_f64_slopes lane_slopes_of(nkw_cubic_kind kind, const float c[
     return lane_hermite_slopes(c);
 }
 
+/* The weights of the three at t: what each adds to the value, p(t) - p(0). */
+static inline lane_f64_slopes lane_f64_hermite_weights(double t)
+{
+    double s = 1.0 - t;
+    lane_f64_slopes r = {(t * t) * (3.0 - 2.0 * t), t * (s * s), -((t * t) * s)};
+    return r;
+}
+
 /* The value, from p(0) = from. */
 static inline double lane_f64_value(double from, lane_f64_slopes a, double t)
 {
-    double s = 1.0 - t;
-    return from + (((t * t) * (3.0 - 2.0 * t)) * a.f + ((t * (s * s)) * a.v0 - ((t * t) * s) * a.v1));
+    lane_f64_slopes k = lane_f64_hermite_weights(t);
+    return from + (k.f * a.f + (k.v0 * a.v0 + k.v1 * a.v1));
 }
 
 /* The same from the nearer end: p0 + t k, p1 - s (2 f - k), k = f + s (s (v0 - f) - t (v1 - f)). */
