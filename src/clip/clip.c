@@ -1,4 +1,27 @@
 /* SPDX-License-Identifier: MIT */
+/*
+ * Sampling a clip (clip_layout.h): constants first, then group after group.
+ *
+ * Invariant: a block that nkw_clip_open or nkw_clip_build returned has every index inside itself, so sampling checks
+ * only the size of the pose. Groups come after the constants, so a lane replaces the zero that a run has in its place.
+ *
+ *     time, seconds                       one search for each timeline
+ *       |  find                           nkw_segment: index k, t in 0..1
+ *       v
+ *     key k, key k + 1                    words g->keys + k * g->key_words
+ *       |  hold, linear, cubic,           one loop for each group and mode (batch/clip.c)
+ *       |  compact, packed
+ *       v
+ *     pose, ten component arrays          0      3 s       7 s      10 s         s = stride, in floats
+ *                                         | tx ty tz | rx ry rz rw | sx sy sz |
+ *
+ * Places of numbers count from the beginning of the pose, places of rotations from rx, places of floats from theirs.
+ *
+ *     case          where             stored keys            loop
+ *     float keys    !g->ranges        key_words floats       hold, or linear, or cubic
+ *     compact       g->ranges         2 key_words numbers    compact: 16 bits, also where one key is held
+ *     packed        g->packed         knots, residuals       packed: both keys are decoded, then interpolated
+ */
 #include "lane/strict.h"
 
 #include <string.h>
@@ -35,7 +58,7 @@ const char *nkw_clip_joint_name(const nkw_clip *clip, size_t joint)
     return joint < clip->joints ? clip_name(clip, 1 + joint) : "";
 }
 
-/* Copies the runs at `at`: the constants, and zeros of short gaps, which the groups then overwrite. */
+/* Copies the runs at `at`: the constants, and zeros of short gaps between them, which the groups then overwrite. */
 static void copy_runs(const nkw_clip *clip, uint32_t at, uint32_t count, float *out)
 {
     const clip_run *runs = (const clip_run *)(const void *)(clip_words(clip) + at);
@@ -96,7 +119,10 @@ static void cubic(const nkw_clip *clip, const clip_group *g, const float *a, con
         nkwi_clip_hermite(a, b, words, duration, t, blocks, g->block_count, out);
 }
 
-/* A LINEAR segment of rotations that are stored as CUBICSPLINE: they have no arcs, so slerp computes them. */
+/*
+ * A LINEAR segment of rotations that are stored as CUBICSPLINE: they have no arcs, so slerp computes them. a and b are
+ * values, 4 rows of `width` lanes for each block; `unit` has those of a, then of b, where keys are not of unit length.
+ */
 static void slerp_values(const nkw_clip *clip, const clip_group *g, const float *a, const float *b, float t, float *out,
                          size_t stride)
 {
@@ -132,7 +158,11 @@ static void linear(const nkw_clip *clip, const clip_group *g, const float *a, co
         nkwi_clip_slerp(a, b, t, blocks, g->block_count, out, stride);
 }
 
-/* Lerp or slerp between the compact keys a and b. If one key is held, a == b and t = 0. */
+/*
+ * Lerp or slerp between the compact keys a and b. If one key is held, a == b and t = 0.
+ *
+ *     ranges    base of all rows, then step of all rows: number = base + step key, key in 0..65535
+ */
 static void compact(const nkw_clip *clip, const clip_group *g, const uint16_t *a, const uint16_t *b, float t,
                     float *out, size_t stride)
 {
@@ -144,7 +174,12 @@ static void compact(const nkw_clip *clip, const clip_group *g, const uint16_t *a
         nkwi_clip_lerp16(a, b, base, step, t, blocks, g->block_count, out);
 }
 
-/* Lerp or slerp between the packed keys k and k + 1 of `count` keys, or the value of one of them at its time. */
+/*
+ * Lerp or slerp between the packed keys k and k + 1 of `count` keys, or the value of one of them at its time.
+ *
+ * What a cache would keep is computed on the stack: at most PACKED_SLOTS / 3 rotations, and the padding of a block. At
+ * t = 1 both kept keys are key k + 1 and t becomes 0, which returns it without a rounding of the other key.
+ */
 static void packed(const nkw_clip *clip, const clip_group *g, uint32_t count, uint32_t k, float t, float *out,
                    size_t stride)
 {
@@ -198,7 +233,13 @@ void nkwi_clip_sample_group(const nkw_clip *clip, const clip_group *g, const cli
         linear(clip, g, p, q, at.t, out, stride);
 }
 
-/* nkwi_clip_sample_kept, or NULL: without a cache it is not linked. `cursors` are then the words of a cache. */
+/*
+ * nkwi_clip_sample_kept, or NULL: without a cache it is not linked. `cursors` are then the words of a cache
+ * (clip_cache.h), of which the first timeline_count are the cursors:
+ *
+ *     words    | cursors | segments | padding | kept floats of group 0 | of group 1 | ...
+ *              0         timelines            clip_cache_head           + clip_kept_floats
+ */
 typedef int sample_kept(const nkw_clip *clip, const clip_group *g, nkw_segment at, uint32_t *segment, float *kept,
                         float *out, size_t stride);
 

@@ -5,8 +5,14 @@
  *     1. plan      words == NULL: take() only counts the words of each section. The starts of the sections follow.
  *     2. build     words is the block: take() returns the offsets at which the elements are written.
  *
- * Both passes must take the same words in the same order, so whether something is taken never depends on `words`.
+ * Invariant: both passes take the same words in the same order; whether something is taken never depends on `words`.
  * Without a block, nkw_clip_build is pass 1 alone.
+ *
+ *     pass 1    used     timelines 8   groups 22   blocks 18   places 5   ...          words, counted
+ *     plan      start    17            25          47          65         70 ...       17 words of header first
+ *     pass 2    take()   start + used  -> the offset of the next element, used grows as in pass 1
+ *
+ * A group needs its number of lanes before its blocks: emit_group and fits_packed run emit_lanes on a copy (`probe`).
  *
  * Order within the sections:
  *
@@ -73,7 +79,10 @@ static lanes lanes_begin(builder *b, size_t expected, packed_lanes *packed)
     return l;
 }
 
-/* Takes the block that ends with the last lane. It is contiguous if it is full and its places are. */
+/*
+ * Takes the block that ends with the last lane. It is contiguous if it is full and its places are. The `place` of
+ * another block is the distance from its clip_block to its places, in words (batch/block.h).
+ */
 static void end_block(lanes *l)
 {
     size_t count = (l->count - 1) % CLIP_BLOCK + 1, left = l->expected - (l->count - count);
@@ -362,7 +371,12 @@ static void emit_groups(builder *b)
 
 /* Constants: values of constant tracks, and rest values of joints and floats without a track. */
 
-/* The runs of one output. Each has its values contiguous, because nothing else is emitted meanwhile. */
+/*
+ * The runs of one output. Each has its values contiguous, because nothing else is emitted meanwhile.
+ *
+ *     places    7  8  9  .  .  12 13      .: animated, a gap of at most CLIP_RUN_GAP
+ *     run       to 7, count 7: values c7 c8 c9 0 0 c12 c13; the groups then overwrite the zeros
+ */
 typedef struct constants {
     builder *b;
     size_t at, count; /* the runs */

@@ -1,4 +1,16 @@
 /* SPDX-License-Identifier: MIT */
+/*
+ * Samples from what is kept of two neighbouring keys (clip_cache.h).
+ *
+ * Invariant: where *segment = k + 1, `kept` has what keys k and k + 1 of the group give for every t inside 0..1. So the
+ * samples between two keys decode them once; the result has the bits of a sample without a cache.
+ *
+ *     numbers      key k | key k + 1 - key k                                   2 lanes floats, in steps
+ *     rotations    of each block: x y z w scale of k | the same of k + 1 | v   CLIP_KEPT_ROWS rows
+ *
+ * At t = 1, and at t = 0 of compact keys, the function returns 0: nkwi_clip_sample_group then decodes that key alone. A
+ * packed group takes t = 0 from here, because decoding its first key costs as much as both.
+ */
 #include "lane/strict.h"
 
 #include <nakawari/clip.h>

@@ -6,6 +6,13 @@
  *     high bytes of knots, widths and slots of a stream,     bytes, in the order of the memory
  *     texts of names
  *
+ * Invariant: a word that is read as an offset or a count is in the order of this machine. The header, groups, timelines
+ * and offsets are whole words, right after the first loop; parts are found through them.
+ *
+ *     memory of the other machine     11 22 33 44      a word                   two 16-bit numbers       four bytes
+ *     after the first loop            44 33 22 11      right                    their order is wrong     reversed
+ *     then                                             -                        22 11 44 33: halves      11 22 33 44
+ *
  * The sizes of these parts are those of the block, which is not checked before all are converted. So each part is
  * converted only where it is inside the block, and nkw_clip_open then refuses the block if one was not.
  */

@@ -1,4 +1,14 @@
 /* SPDX-License-Identifier: MIT */
+/*
+ * The largest differences between a clip and the tracks from which it was built.
+ *
+ * Invariant: every key time of a track and of a clip is compared, and DIFFERENCE_QUARTERS - 1 times between neighbours.
+ * Tracks with equal times are compared together: a sample of the clip serves all of them.
+ *
+ *     times of           compared                        at
+ *     the tracks         those that have these times     t0, t0 + d/4, t0 + d/2, t0 + 3 d/4, t1 ...    d = t1 - t0
+ *     the clip only      all that cover the time         the same; a wrong clip may have keys of its own
+ */
 #include "lane/strict.h"
 
 #include <string.h>

@@ -1,4 +1,15 @@
 /* SPDX-License-Identifier: MIT */
+/*
+ * Writes keys into their lanes: floats as they are, compact keys of 16 bits, arcs.
+ *
+ * Invariant: every key that is written reads back as the track's sample at that key: floats with the same bits; compact
+ * numbers to half a step, one of three to a whole step where the parity needs it.
+ *
+ *     lane 18 of a group of 20 rotations, 4 rows: block 1 has width 4, i = 2
+ *
+ *     float   0       16      32      48      64    68    72    76
+ *             | x0..15 | y0..15 | z0..15 | w0..15 | x16..19 | y16.. | z16.. | w16.. |     16 * 4 + row * 4 + 2
+ */
 #include "lane/strict.h"
 
 #include <nakawari/clip.h>
@@ -51,6 +62,13 @@ void nkwi_clip_fill_component(uint32_t *words, const clip_group *g, const nkw_cl
  * q and -q are the same rotation. Which of them is stored determines the three numbers, and the sign of the dot product
  * with the previous key, which slerp needs. The builder computes this sign from the source, where it is exact also near
  * half a turn, and stores it as the parity of the sum of the three numbers.
+ *
+ *     w of the source       0.9    0.2   -0.3   -0.1     0.4        dot products with the key before are positive
+ *     stored, lowest 0      q      q     -q     -q       q
+ *     negated               0      0     1      0        1          parity: slerp from the key before negates this one
+ *
+ * With lowest = -1/2 all five are stored as they are: their numbers are in -sqrt 3..sqrt 3, not in -1..1, but no jump
+ * from q to -q widens their range.
  */
 
 /* The iterator of the keys of a lane: next_key is called for k = 0, 1, 2, ... in this order. */
@@ -89,7 +107,7 @@ static unsigned next_key(compact_keys *keys, size_t k, double numbers[3])
     return negated;
 }
 
-/* The least and greatest of each of the numbers of a lane, and the largest difference of these. */
+/* The least and greatest of each of the numbers of a lane, and the largest difference of the two. */
 typedef struct compact_ranges {
     double low[3], high[3], widest;
 } compact_ranges;
@@ -109,7 +127,7 @@ static compact_ranges ranges_of(compact_keys keys, size_t rows)
     return r;
 }
 
-/* (x - base) / step, clamped to 0..65535; not rounded. */
+/* (x - base) / step, clamped to 0..65535; not rounded. base and step are floats, so x may be just outside. */
 static double quantized(float base, float step, double x)
 {
     double code = step > 0.0f ? (x - (double)base) / (double)step : 0.0;

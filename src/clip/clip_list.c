@@ -1,5 +1,17 @@
 /* SPDX-License-Identifier: MIT */
-/* The tracks of a clip: listed, and taken out again. */
+/*
+ * The tracks of a clip: listed, and taken out again.
+ *
+ * Invariant: tracks are numbered by the lanes in which they begin, in the order of groups and blocks. `first` of
+ * a block counts those of all blocks before it, so a number is found by bisection of groups, then of blocks.
+ *
+ *     block            0                  1                  2
+ *     lanes            t0 t1 t2 . t3 .    . . t4 t5          t6
+ *     starts           1  1  1  0 1  0    0 0 1  1           1       y and z, gaps and padding begin no track
+ *     first            0                  4                  6
+ *
+ * A track's other components are at place + stride and place + 2 stride: its lanes are found by their places.
+ */
 #include "lane/strict.h"
 
 #include <string.h>
@@ -82,6 +94,7 @@ static const clip_group *group_of(const nkw_clip *clip, size_t index)
     return groups + low;
 }
 
+/* The last block of the group whose first track is at most `index`. */
 static const clip_block *block_of(const nkw_clip *clip, const clip_group *g, size_t index)
 {
     const clip_block *blocks = clip_blocks(clip, g);
@@ -165,7 +178,12 @@ static int find_lanes(const nkw_clip *clip, const listed *t, size_t lanes[3])
     return 1;
 }
 
-/* The triples of the keys, from the lanes of a CUBICSPLINE group. */
+/*
+ * The triples of the keys, from the lanes of a CUBICSPLINE group.
+ *
+ *     clip     key k: | in-tangents of all lanes | values | out-tangents |      `part` floats each
+ *     track    key k: | in-tangent, width floats | value  | out-tangent  |
+ */
 static void get_cubic(const nkw_clip *clip, const listed *t, const size_t *lanes, const nkw_track *shape, float *values)
 {
     const clip_group *g = t->group;
@@ -201,7 +219,10 @@ static nkw_quat compact_rotation(nkw_vec3 p, uint32_t negated)
     return lane_compact_slerp(q, q, arc.v, arc.scale_a, arc.scale_b, &series);
 }
 
-/* The values of 16-bit keys. */
+/*
+ * The values of 16-bit keys: base + step key, of a rotation its three numbers. `sum` has the parity of their sum, the
+ * sign by which slerp takes the key (clip_layout.h).
+ */
 static void get_compact(const nkw_clip *clip, const listed *t, const size_t *lanes, const nkw_track *shape,
                         float *values)
 {

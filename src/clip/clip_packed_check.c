@@ -1,5 +1,17 @@
 /* SPDX-License-Identifier: MIT */
-/* Checks packed groups of a block that is opened (clip_packed.h). */
+/*
+ * Checks packed groups of a block that is opened (clip_packed.h).
+ *
+ * Invariant: after the check, unpacking reads no word outside the block and writes no slot outside its arrays, whatever
+ * the other words are. Wrong residuals make wrong rotations, and are not looked for.
+ *
+ *     words of the group, from g->keys on                         checked
+ *     | offsets | wide | knots        | streams ...  | padding |
+ *       each     bits   segments + 1   columns <= slots, widths <= 24, slot < slots, rows end before the padding
+ *
+ * Streams may be anywhere in the block, in any order. `words` is the sum of all of them: nkw_clip_open refuses groups
+ * whose sum exceeds the block, so streams that overlap do not make a short file take long.
+ */
 #include "lane/strict.h"
 
 #include "clip_packed.h"
@@ -25,7 +37,10 @@ static uint64_t stream_words(const uint32_t *stream, uint64_t left, size_t numbe
     return words <= left ? words : 0;
 }
 
-/* Padding follows the words: unpacking reads the row after the last bit, and two rows of a width of 0. */
+/*
+ * Padding follows the words: unpacking reads the row after the last bit, and two rows of a width of 0. All sums are of
+ * 64 bits, so offsets near 2^32 do not wrap round.
+ */
 int nkwi_packed_check(const nkw_clip *clip, const clip_group *g, uint32_t count, uint64_t *words)
 {
     const uint64_t numbers = clip_rows(g) * (uint64_t)g->lanes, all = clip->words;

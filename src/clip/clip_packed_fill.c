@@ -3,8 +3,29 @@
  * Writes the keys of packed groups (clip_packed.h).
  *
  * A segment is rounded twice, with the same result: once for the widths of its levels and the order of its columns, and
- * once, when the head of its stream is known, for its rows. Between two segments p->signs has the sign of each rotation's
- * key before the next one.
+ * once, when the head of its stream is known, for its rows. Between two segments p->signs has the sign of each
+ * rotation's key before the next one.
+ *
+ * Invariant: every key that is read back is within half a step of its track, since a residual is rounded against what
+ * the coarser levels read back as, not against the track: errors do not add up from level to level.
+ *
+ *     one slot, n = 4 intervals, keys in steps     0.2    1.4    4.9    7.7    8.1
+ *     knots                                        0                           8
+ *     level 0: line 4, residual 0.9 -> 1                         5
+ *     level 1: lines 2.5 and 6.5, -1.1 and 1.2            1.5           7.5
+ *     stored                                       knots 0 and 8, residuals 1 | -1 1, widths 2 2
+ *
+ * The order of these numbers in `packed_residuals`, a binary tree by levels, for n = 16:
+ *
+ *     r[]      0    1  2     3  4  5   6     7 ... 14       level L from 2^L - 1 on
+ *     key      8    4  12    2  6  10  14    1 3 5 ... 15
+ *
+ * How a slot becomes a column, and the columns 8 i .. 8 i + 7 a block:
+ *
+ *     slots        3: 40 bits   7: 0 bits   12: 18 bits        bits = sum over levels of 2^level width
+ *     columns      0: slot 12   1: slot 3                       ascending bits; slot 7 is constant, so it has none
+ *     width        of a level: the widest of 8 columns
+ *     rows         8 words of 32 bits: bit b of column c is bit b % 32 of word b / 32 * 8 + c
  */
 #include "lane/strict.h"
 
@@ -23,7 +44,7 @@ typedef struct packed_segment {
     double x[3][PACKED_KEYS + 1];
 } packed_segment;
 
-/* To the nearest whole number, for |x| < 2^51. */
+/* To the nearest whole number, for |x| < 2^51: LANE_ROUND is 1.5 2^52, where neighbouring doubles differ by 1. */
 static double nearest(double x)
 {
     return (x + LANE_ROUND) - LANE_ROUND;
@@ -46,7 +67,7 @@ static packed_segment segment_of(packed_keys *keys, size_t first, uint32_t n, co
     return s;
 }
 
-/* The bits of a number that is not negative. */
+/* The bits of x: 0 for 0, otherwise floor(log2 x) + 1. */
 static uint8_t bits_of(uint32_t x)
 {
     uint8_t bits = 0;
@@ -61,7 +82,10 @@ typedef struct packed_residuals {
     uint8_t widths[PACKED_LEVELS];
 } packed_residuals;
 
-/* The part of a segment of n intervals that the residual `index` of a level halves. */
+/*
+ * The part of a segment of n intervals that the residual `index` of a level halves. The bits of the index, from the
+ * highest on, are the way down from the whole segment: 0 the first half, 1 the second.
+ */
 static packed_part part_of(uint32_t n, uint32_t level, uint32_t index)
 {
     packed_part part = packed_part_of(0, n);
@@ -70,7 +94,10 @@ static packed_part part_of(uint32_t n, uint32_t level, uint32_t index)
     return part;
 }
 
-/* Rounds the keys of a row to knots and residuals, from the coarsest level to the finest. x: as in packed_segment. */
+/*
+ * Rounds the keys of a row to knots and residuals, from the coarsest level to the finest. x: as in packed_segment; it
+ * becomes what is read back, the ends of the parts of the next level. A residual code < 0 needs the bits of ~code.
+ */
 static void round_residuals(uint32_t n, double x[PACKED_KEYS + 1], packed_residuals *out)
 {
     size_t at = 0;
@@ -108,7 +135,10 @@ typedef struct packer {
     uint32_t order[PACKED_SLOTS], columns;
 } packer;
 
-/* The ranges of all slots, and whether their knots are wide. */
+/*
+ * The ranges of all slots, and whether their knots are wide: more than 65535 steps from base to the highest number.
+ * Padding has base 0 and step 0.
+ */
 static void set_ranges(packer *p, const nkw_clip_track *tracks, const float *steps)
 {
     memset(p->base, 0, sizeof p->base);
@@ -150,7 +180,10 @@ static float lane_segment(const packer *p, size_t lane, uint32_t s, packed_segme
     return keys.sign;
 }
 
-/* Adds the low `width` bits of a field to column `column` of rows, at bit `bit`. */
+/*
+ * Adds the low `width` bits of a field to column `column` of rows, at bit `bit`. A field that begins near the end of a
+ * word continues in the same column of the next row; width is at most 24, so two words suffice.
+ */
 static void add_field(uint32_t *rows, size_t columns, size_t column, size_t bit, uint32_t width, uint32_t field)
 {
     uint64_t shifted = (uint64_t)(field & (((uint32_t)1 << width) - 1)) << bit % 32;
@@ -160,6 +193,12 @@ static void add_field(uint32_t *rows, size_t columns, size_t column, size_t bit,
         low[columns] |= (uint32_t)(shifted >> 32);
 }
 
+/*
+ * Knot `knot` of a slot, less than 2^20 steps (clip_packed_survey.c). The upper 8 bits of the wide blocks follow the lower 16 of all slots:
+ *
+ *     words    | lower 16 bits of slots 0 1, 2 3, ...     | upper bits of wide blocks: 8 bytes each |
+ *              0                                          numbers / 2
+ */
 static void write_knot(const packer *p, size_t slot, uint32_t knot, double number)
 {
     uint32_t *words = p->words + packed_knots(p->count) + knot * packed_knot_words(p->numbers, p->wide);
@@ -216,7 +255,14 @@ static uint32_t widest(const packer *p, uint32_t first, size_t level)
     return width;
 }
 
-/* Writes the residuals of a slot to a column of the rows of a stream. */
+/*
+ * Writes the residuals of a slot to a column of the rows of a stream. Blocks share rows, level by level:
+ *
+ *     bits    | level 0: block 0, block 1, ... | level 1, first: block 0, block 1, ... | level 1, second: ... | level 2
+ *             0  width of each                  bit          + sum: the widths of all blocks at this level
+ *
+ * so the residual i of a level begins at bit + i sum + the widths of the blocks before. r is stored as r + 2^(w-1).
+ */
 static void write_column(const uint32_t *stream, uint32_t *rows, uint32_t column, uint32_t levels,
                          const packed_residuals *r)
 {
@@ -260,7 +306,11 @@ static void write_rows(packer *p, uint32_t s, const uint32_t *stream, uint32_t *
     }
 }
 
-/* The stream of a segment, at word `to` of the keys. Returns its words. */
+/*
+ * The stream of a segment, at word `to` of the keys. Returns its words; without a block it is only counted.
+ *
+ *     words    | columns | widths: 4 bytes of each 8 columns | slots: 8 bytes of each 8 columns | rows |
+ */
 static uint64_t write_stream(packer *p, uint32_t s, uint64_t to)
 {
     set_columns(p, s);
@@ -284,7 +334,7 @@ static uint64_t write_stream(packer *p, uint32_t s, uint64_t to)
     return rows + packed_words(PACKED_COLUMNS, bits);
 }
 
-/* The most words of a group: every number has the largest width. */
+/* The most words of a group: every number has a wide knot and PACKED_KEYS - 1 residuals of the largest width. */
 static uint64_t most_words(uint32_t count, size_t numbers)
 {
     uint64_t segments = packed_segments(count);

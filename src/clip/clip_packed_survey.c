@@ -1,5 +1,23 @@
 /* SPDX-License-Identifier: MIT */
-/* Ranges of packed keys, and what one step makes of a track. All sums are in binary64. */
+/*
+ * Ranges of packed keys, and what one step makes of a track. All sums are in binary64.
+ *
+ * Invariant: the knots of a track that fits are whole numbers of steps from 0 to 2^20, so every key that is read back
+ * is within half a step of the track.
+ *
+ *     number of a key    x = low ... high                        in the unit of the track, or tan(angle / 4)
+ *     base               the largest float <= low                so x - base >= 0
+ *     code               (x - base) / step, less than 2^20       a float has 24 bits: 4 remain for fractions
+ *
+ * A rotation, whose three numbers p are those of lane/compact.h, moves by 2 (1 + w) |e| radians for an error e of p. The
+ * angle's step over the largest 2 (1 + w) is therefore the step of p. Of q and -q, the one whose lowest w is higher is
+ * taken for all keys, since |p|^2 = (1 - w)/(1 + w) grows beyond bounds at w = -1:
+ *
+ *     w          1     0     -1/2    -0.9    -1
+ *     |p|        0     1     1.73    4.36    infinite            keys below -0.9 are not packed
+ *
+ * A constant is made where no number leaves the middle of its range by more than half a step.
+ */
 #include "lane/strict.h"
 
 #include "clip_packed.h"
@@ -15,7 +33,10 @@
 /* By how much the squared length of a unit rotation differs from 1 by the rounding of its components, at most. */
 #define PACKED_UNIT 0x1p-22
 
-/* Sets key 0 with the sign that keeps w of all keys as high as it can be, and the limits. */
+/*
+ * Sets key 0 with the sign that keeps w of all keys as high as it can be, and the limits. The other sign exchanges the
+ * limits: -high..-low in place of low..high, so it is better where -high > low.
+ */
 static void set_limits(const nkw_clip_track *c, size_t component, packed_range *r)
 {
     packed_keys keys = {c, component, 1.0f, {0.0f, 0.0f, 0.0f, 1.0f}};
@@ -52,6 +73,7 @@ packed_range nkwi_packed_range(const nkw_clip_track *c, size_t component, float 
     return r;
 }
 
+/* (float)x rounds to nearest; where that is above x, the float before: 1 less of the bits, or 1 more if negative. */
 float nkwi_packed_base(double x)
 {
     float f = (float)x;
@@ -99,6 +121,7 @@ packed_survey nkwi_packed_survey(const nkw_clip_track *c, float step, float *mid
             middle[i] = (float)p[0] + 0.0f; /* +0 for -0 */
             continue;
         }
+        /* q = (2 p, 1 - p.p)/(1 + p.p), times the length of the keys. */
         double n = (p[0] * p[0] + p[1] * p[1]) + p[2] * p[2], scale = lane_sqrt64(square) / (1.0 + n);
         for (size_t row = 0; row < 3; row++)
             middle[row] = (float)(2.0 * p[row] * scale) + 0.0f;

@@ -1,5 +1,18 @@
 /* SPDX-License-Identifier: MIT */
-/* Reduces a clip: finds the steps of its packed tracks (clip_packed.h) by trials (clip_reduction.h). */
+/*
+ * Reduces a clip: finds the steps of its packed tracks (clip_packed.h) by trials (clip_reduction.h).
+ *
+ * Invariant: after the search and after each form the block has a clip whose error was measured. A form is built only
+ * where it is smaller than the best so far; the source as floats is always within the tolerance.
+ *
+ *     form                   1             2            3             4             5
+ *     keys                   packed        floats       floats        16 bits       16 bits
+ *     constant tracks        by tolerance  bit for bit  by tolerance  bit for bit   by tolerance
+ *
+ *     shares -> step of each track -> survey:  constant   two equal keys, from the first time to the last
+ *                                              fits       packed with this step
+ *                                              neither    floats, as they are
+ */
 #include "lane/strict.h"
 
 #include <string.h>
@@ -46,7 +59,10 @@ static void set_memory(reducer *r, double *work)
     nkwi_reduce_begin(&r->trials, &work);
 }
 
-/* Sets the tracks of a trial: constant, packed, or as they are. */
+/*
+ * Sets the tracks of a trial: constant, packed, or as they are. A constant track keeps its first and last time, so the
+ * clip begins and ends where its source does; `value` is its middle, twice, in 2 * width floats of each track.
+ */
 static void set_tracks(reducer *r)
 {
     float *value = r->values;

@@ -1,4 +1,19 @@
 /* SPDX-License-Identifier: MIT */
+/*
+ * The errors of a reduction in model space (clip_reduction.h).
+ *
+ * Invariant: errors[j] is the largest distance, in tolerances of joint j, between a point of j in the source's pose and
+ * the same point in the reduced one, over all times so far.
+ *
+ *     point of j     position + sum over columns c of axes[c] n[c] column c,   |n| <= 1        farthest.h
+ *     axes           distance / the longest that column c becomes: the points are at most `distance` away
+ *
+ *     matrix         columns x 0..2, y 3..5, z 6..8, position 9..11, binary64
+ *     reach[j]       max over joints k below j of (|position k - position j| + distance k) / tolerance k
+ *
+ *     times          a clip: of each track its key times, and parts of its segments; segments of packed clips depend
+ *                    on them. Tracks: the key times of all, merged, and parts between two of them
+ */
 #include "lane/strict.h"
 
 #include <string.h>
@@ -69,6 +84,7 @@ static void set_rest(const nkw_clip_source *s, reduce_pose *p)
         p->floats[i] = s->rest_floats ? s->rest_floats[i] : 0.0f;
 }
 
+/* Sets what the tracks animate; everything else remains at the rest pose, which is set once. */
 static void sample_tracks(const nkw_clip_source *s, float time, reduce_pose *p)
 {
     size_t stride = NKW_POSE_STRIDE(s->joint_count);
@@ -112,6 +128,7 @@ static double distance_of(const nkw_clip_reduction *r, size_t joint)
     return (double)(r->distances ? r->distances[joint] : r->distance);
 }
 
+/* The pose of one time: the largest of all times are collected. `above` goes from joint j to its root. */
 static void add_reach(const nkw_clip_source *s, const nkw_clip_reduction *r, reduce_errors *e)
 {
     for (size_t j = 0; j < s->joint_count; j++) {
@@ -201,6 +218,7 @@ static void add_time(const nkw_clip_source *s, const nkw_clip_reduction *r, cons
     add_errors(s, r, e);
 }
 
+/* Whether no track before has these times: equal times are measured once. */
 static int is_first_of_timeline(const nkw_clip_source *s, size_t i)
 {
     for (size_t k = 0; k < i; k++)

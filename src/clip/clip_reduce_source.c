@@ -1,5 +1,15 @@
 /* SPDX-License-Identifier: MIT */
-/* Reduces the keys of a clip: finds the tolerances of its tracks by trials (clip_reduction.h). */
+/*
+ * Reduces the keys of a clip: finds the tolerances of its tracks by trials (clip_reduction.h).
+ *
+ * Invariant: a track never has more keys than its source, so the block is divided once, and each trial writes its keys
+ * over those of the one before.
+ *
+ *     block    | nkw_clip_track, n of them | times 0 | values 0 | times 1 | values 1 | ... | modes 0 | modes 1 | ... |
+ *                                            count     count * floats of a key               count bytes each, if any
+ *
+ * The result is the source itself where no trial, not even that of shares 0, is within the tolerance.
+ */
 #include "lane/strict.h"
 
 #include <string.h>
@@ -9,7 +19,7 @@
 
 #include "clip_reduction.h"
 
-#define QUARTERS 4
+#define QUARTERS 4 /* errors are measured at the keys and at 3 times between two */
 #define LIMIT    0.98 /* a margin: at 64 times of a segment errors were at most 1e-5 larger than at these four */
 
 /* The block: the tracks; times and values of each track, with as many keys as its source; the modes per key. */
@@ -48,7 +58,7 @@ static size_t count_floats(const nkw_clip_source *s, size_t *modes)
     return floats;
 }
 
-/* Checks the source, and computes the bytes of its block. */
+/* Checks the source, as nkw_clip_build does without a block, and computes the bytes of the block of reduced tracks. */
 static nkw_result measure(const nkw_clip_source *source, size_t *bytes, size_t *bad, nkw_work work)
 {
     const nkw_bytes_span none = {NULL, 0};
@@ -65,7 +75,10 @@ static nkw_result measure(const nkw_clip_source *source, size_t *bytes, size_t *
     return NKW_OK;
 }
 
-/* Reduces all tracks with the current shares. */
+/*
+ * Reduces all tracks with the current shares. The size that the search compares is the number of keys, and one more, so
+ * that it is never 0, which stands for "none yet".
+ */
 static nkw_result make(void *user, reduce_made *made, size_t *size, size_t *bad)
 {
     key_reducer *r = (key_reducer *)user;
@@ -142,7 +155,7 @@ nkw_result nkw_clip_source_reduce(const nkw_clip_source *source, const nkw_clip_
     return NKW_OK;
 }
 
-/* Adds the differences of `other` at the times of the source. */
+/* Adds the differences of `other` at the times of the source; both directions together see the keys of both. */
 static void add_difference(const nkw_clip_source *source, const nkw_clip_source *other, reduce_trials *t,
                            nkw_reduced *d)
 {

@@ -1,5 +1,18 @@
 /* SPDX-License-Identifier: MIT */
-/* The search for the shares of joints by trials (clip_reduction.h). */
+/*
+ * The search for the shares of joints by trials (clip_reduction.h).
+ *
+ * Invariant: `best` has the shares of the smallest result so far whose error is at most `limit`; `least` is its size, 0
+ * while there is none. The result of the last call is made from `best`, or from shares 0.
+ *
+ *     arrays    | joints ...        | tracks ...    |      shares, best, worst, errors; of tracks only those of floats
+ *
+ *     trial     0 .. 15             all shares change towards AIM, both ways
+ *               16 .. 27            only where nothing is within yet: shares beyond it shrink, by AIM / 2^i more
+ *
+ *     error E   4       1.5     1       0.8     1/4       of the joints below a joint, in AIM limits
+ *     share *   0.35    0.74    1       1.12    1.5       E^(-3/4) above 1, E^(-1/2) below, at most 3/2
+ */
 #include "lane/strict.h"
 
 #include <string.h>
@@ -16,7 +29,10 @@
 #define LAST_TRIALS 12 /* in which shares are only reduced */
 #define AIM         0.97
 
-/* The largest number of joints in a chain through each joint. At first a joint has the same share as its chain. */
+/*
+ * Shares to begin with. Errors of the d joints of a chain add up like the steps of a random walk, so each has 1/sqrt d;
+ * d is the largest number of joints in a chain through the joint, kept in `worst` meanwhile.
+ */
 static void set_shares(reduce_trials *r)
 {
     const size_t joints = r->source->joint_count;
@@ -75,7 +91,11 @@ static double size_of_scales(const nkw_track *t)
     return size > 0.0 ? size : 1.0;
 }
 
-/* A scale moves points relative to itself. */
+/*
+ * translation    share / (tight scale)     in the unit of positions; the parent makes it `scale` times longer at most
+ * rotation       share / reach             in radians; one moves a point by `reach` tolerances
+ * scale          share / reach * size      a change d of a scale s moves a point by d/s of its distance
+ */
 float nkwi_reduce_step(const reduce_trials *r, size_t track)
 {
     const nkw_clip_track *c = &r->source->tracks[track];

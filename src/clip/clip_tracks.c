@@ -1,4 +1,18 @@
 /* SPDX-License-Identifier: MIT */
+/*
+ * The tracks of a source in the orders that the builder walks (clip_tracks.h).
+ *
+ * Invariant: the orders depend on targets, indices, key times and modes, not on the order of the source: equal tracks
+ * make equal blocks, bit for bit.
+ *
+ *     source       0: rotation of joint 2    1: translation of joint 0    2: rotation of joint 1    3: constant
+ *                  times A                   times B                      times A                   rotation of joint 0
+ *     by_place     1 3 2 0                   translations first, then rotations by joint
+ *     timeline     of track 0: 2, of 1: 0, of 2: 2, of 3: CLIP_CONSTANT       an index in by_place
+ *     by_group     1 | 2 0 | 3               a group is a run of equal timeline and group number
+ *
+ *     group number    packed * 64 + kind * 16 + interpolation * 2 + normalised CUBICSPLINE
+ */
 #include "lane/strict.h"
 
 #include <string.h>

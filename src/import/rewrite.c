@@ -1,7 +1,23 @@
 /* SPDX-License-Identifier: MIT */
 /*
- * A glTF 2.0 file with other animations. Accessors keep their indices, which extensions may refer to: those of replaced
- * keys get the new keys. Views of replaced keys are dropped: an index of a view is a member named bufferView anywhere.
+ * A glTF 2.0 file with other animations.
+ *
+ * Invariant: an accessor that something other than a sampler may name keeps its index, also where an extension that is
+ * not known here names it. Views may be renumbered: an index of a view is a member named bufferView anywhere.
+ *
+ *     step         the tree                                          the buffer of the sink
+ *     animations   samplers -> new accessors -> one new view         | new keys |
+ *     images       outer files -> new views, if asked                | new keys | images |
+ *     views        those that nothing names are dropped              |
+ *     buffers      old views -> offsets in the one buffer            | new keys | images | parts of old buffers |
+ *
+ * Accessors of a file with n of them, of which 2 and 4 were the keys of samplers only, after four new ones:
+ *
+ *     index        0     1     2     3     4    ...  n - 1  n      n + 1  n + 2  n + 3
+ *     appended     mesh  mesh  old   mesh  old       mesh   key a  key b  key c  key d
+ *     moved        mesh  mesh  key a mesh  key b     mesh   key c  key d
+ *
+ * While this is done a new view has a member "new", which no glTF file may have: its offset is in the sink already.
  */
 #include <stdlib.h>
 #include <string.h>
@@ -9,7 +25,7 @@
 #include "file.h"
 #include "sink.h"
 
-/* A part of a buffer that is needed, and where it is copied to. */
+/* A part: bytes start..end - 1 of an old buffer, which views need, and their place in the sink, `at`. */
 typedef struct part {
     size_t buffer, start, end, at;
 } part;
@@ -49,12 +65,14 @@ static size_t track_of(const nkw_document_animation *a, size_t channel)
     return SIZE_MAX;
 }
 
+/* Arrays are compared by address: `to` names those of `from` where nothing is replaced. */
 static int is_replaced(const nkw_track *from, const nkw_track *to)
 {
     return from->times != to->times || from->values != to->values || from->count != to->count ||
            from->interpolation != to->interpolation || from->key_interpolation != to->key_interpolation;
 }
 
+/* The type of the old values; another than an integer of at most 16 bits counts as float. */
 static nkwi_component component_of(const rewriter *r, size_t accessor)
 {
     size_t type = index_of(json_array_get(r->sink.accessors, accessor), "componentType");
@@ -130,7 +148,10 @@ static int matches(const nkw_gltf_rewriting *w, size_t count)
     return same;
 }
 
-/* Marks, or unmarks, the accessors of all samplers. */
+/*
+ * Marks, or unmarks, the accessors of all samplers. Called with 1 before and with 0 after the channels are replaced, it
+ * leaves marked what the old samplers used and the new ones do not.
+ */
 static void mark_samplers(rewriter *r, unsigned char mark)
 {
     const json_t *animations = json_object_get(r->root, "animations");
@@ -179,7 +200,10 @@ static void keep_others(rewriter *r)
     }
 }
 
-/* An accessor of new keys that was appended moves to a freed index, from the first on. */
+/*
+ * An accessor of new keys that was appended moves to a freed index, from the first on. to[i] is the new index of
+ * accessor accessor_count + i. slot ascends, so the freed indices below it are all in use.
+ */
 static void move_accessors(rewriter *r)
 {
     const json_t *animations = json_object_get(r->root, "animations");
@@ -327,6 +351,7 @@ static int before(const void *a, const void *b)
 /* The bytes of a view of the source. Those of new keys are in the sink already: their buffer is the sink. */
 static part part_of(const json_t *view)
 {
+    /* 3.6.1: byteOffset is optional, and 0 without it. */
     const size_t start = index_of(view, "byteOffset"), from = start == SIZE_MAX ? 0 : start;
     const part p = {index_of(view, "buffer"), from, from + index_of(view, "byteLength"), 0};
     return p;
@@ -337,7 +362,12 @@ static int is_new(const json_t *view)
     return json_object_get(view, "new") != NULL;
 }
 
-/* Overlapping views become one part. Their places keep the remainder modulo 4. */
+/*
+ * Overlapping views become one part. Their places keep the remainder modulo 4, so elements remain aligned (3.6.2.4).
+ *
+ *     views of buffer 0    [8 ... 20)   [12 ...... 40)       [64 ... 70)
+ *     parts                [8 ................... 40)        [64 ... 70)
+ */
 static int collect_parts(rewriter *r)
 {
     size_t n = 0;

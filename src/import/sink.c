@@ -1,4 +1,30 @@
 /* SPDX-License-Identifier: MIT */
+/*
+ * A glTF file while it is written (sink.h): one buffer that only grows, and the lists that point into it.
+ *
+ * Invariant: what is appended begins at a multiple of 4 bytes, the largest component of glTF, and never moves. After a
+ * failure (`failed`, no memory) all functions still return, and the caller tests once at the end.
+ *
+ *     data         | positions | indices | image . | times 0 | values 0 | values 1 | times 2 | ...  |  room |
+ *     views        |  view 0   | view 1  | view 2  | view 3: the keys of all tracks, open           |
+ *     accessors    |    0      |    1    |         |    2    |     3    |    4     |    5    | ...
+ *
+ * Numbers and bytes have a view each, images no accessor. Accessors of keys share one view, and their offsets count
+ * from its start. Tracks whose times are equal share an accessor: here 3 and 4 have the times 2.
+ *
+ * Keys of the library and of glTF (3.11) differ in three ways, which `convert` removes:
+ *
+ *                     library                              glTF
+ *     equal times     allowed: the value jumps             times ascend strictly
+ *     interpolation   one for each segment, if any         one for the sampler
+ *     rotations       may be normalised at use             unit
+ *
+ *     jump at t          ... (t, a) (t, b) ...             (below(t), a) (t, b)
+ *     STEP k..k + 1      (t0, a) (t1, b), sampler LINEAR   (t0, a) (below(t1), a) (t1, b)
+ *     LINEAR k..k + 1    in a sampler of CUBICSPLINE       both tangents (b - a)/(t1 - t0), per second
+ *
+ * below(t) is the float before t, so no time between two floats is lost. Memory: at most two keys for each.
+ */
 #include <stdlib.h>
 #include <string.h>
 
@@ -36,11 +62,13 @@ void nkwi_put(nkwi_sink *s, json_t *array, json_t *value)
         s->failed = 1;
 }
 
+/* JSON has no number for an infinity or NaN: x - x is 0 only of a finite x. */
 json_t *nkwi_real(double number)
 {
     return json_real(number - number == 0.0 ? number : 0.0);
 }
 
+/* Jansson refuses text that is not UTF-8; then each byte from 128 on becomes a question mark. */
 json_t *nkwi_string(nkwi_sink *s, const char *text)
 {
     json_t *string = json_string(text);
@@ -50,6 +78,7 @@ json_t *nkwi_string(nkwi_sink *s, const char *text)
     return copy ? json_string(copy) : string;
 }
 
+/* RFC 3986, 2.3: the unreserved characters, and the separator of a path. A byte becomes at most three. */
 json_t *nkwi_uri(nkwi_sink *s, const char *path)
 {
     static const char plain[] = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789-_.~/";
@@ -76,6 +105,10 @@ json_t *nkwi_floats_of(nkwi_sink *s, const float *values, size_t count)
     return list;
 }
 
+/*
+ * Makes room for `bytes` more, and for padding before them. The room doubles, so a file of n bytes is
+ * copied less than 2 n bytes in all.
+ */
 static int grow(nkwi_sink *s, size_t bytes)
 {
     size_t room = s->room ? s->room : 4096;
@@ -128,6 +161,7 @@ static void to_little_endian(unsigned char *data, size_t size, size_t count)
         }
 }
 
+/* Components of more than a byte are converted where they are appended; the caller's array remains as it is. */
 static size_t append_numbers(nkwi_sink *s, const nkwi_numbers *n)
 {
     const size_t size = size_of(n->component), count = n->width * n->count;
@@ -144,6 +178,7 @@ static double number_at(const nkwi_numbers *n, size_t i)
                                       : (double)((const uint16_t *)n->data)[i];
 }
 
+/* The least and the greatest of each component: required of positions (3.7.2.1) and of key times (3.11). */
 static void set_bounds(nkwi_sink *s, json_t *accessor, const nkwi_numbers *n)
 {
     json_t *low = json_array(), *high = json_array();
@@ -161,6 +196,7 @@ static void set_bounds(nkwi_sink *s, json_t *accessor, const nkwi_numbers *n)
     nkwi_set(s, accessor, "max", high);
 }
 
+/* An accessor of n: `offset` in bytes from the start of the view. types: by the number of components. */
 static json_t *accessor_of(nkwi_sink *s, const nkwi_numbers *n, size_t view, size_t offset)
 {
     static const char *const types[17] = {NULL, "SCALAR", "VEC2", "VEC3", "VEC4", NULL, NULL, NULL,  NULL,
@@ -179,6 +215,7 @@ static json_t *accessor_of(nkwi_sink *s, const nkwi_numbers *n, size_t view, siz
     return a;
 }
 
+/* A view of the one buffer: start and bytes in bytes. target: 34962, 34963 or 0 (sink.h). */
 static json_t *view_of(nkwi_sink *s, size_t start, size_t bytes, int target)
 {
     json_t *view = json_object();
@@ -205,6 +242,7 @@ size_t nkwi_sink_bytes(nkwi_sink *s, const void *data, size_t bytes)
     return view;
 }
 
+/* By the first bytes: JPEG begins with FF D8 and another marker FF, PNG with 89 50 4E 47. */
 const char *nkwi_image_type(const void *data, size_t bytes)
 {
     return bytes > 3 && memcmp(data, "\xff\xd8\xff", 3) == 0 ? "image/jpeg"
@@ -212,6 +250,7 @@ const char *nkwi_image_type(const void *data, size_t bytes)
                                                              : NULL;
 }
 
+/* The view of keys is not in the list before its length is known; its index is that of the next view. */
 void nkwi_sink_begin_keys(nkwi_sink *s)
 {
     s->view_index = json_array_size(s->views);
@@ -225,10 +264,11 @@ void nkwi_sink_end_keys(nkwi_sink *s)
         nkwi_set(s, s->view, "byteLength", json_integer((json_int_t)(s->bytes - s->view_start)));
         nkwi_put(s, s->views, s->view);
     } else
-        json_decref(s->view);
+        json_decref(s->view); /* 3.6.1: a view has at least one byte */
     s->view = NULL;
 }
 
+/* An accessor in the view of keys that is open. Returns its index. */
 static size_t add_keys(nkwi_sink *s, const nkwi_numbers *n)
 {
     size_t index = json_array_size(s->accessors), at = append_numbers(s, n);
@@ -238,12 +278,22 @@ static size_t add_keys(nkwi_sink *s, const nkwi_numbers *n)
 
 /* ---- keys as glTF has them: times that ascend strictly, one interpolation ---- */
 
-/* Accessors of keys that exist already: key times by their numbers, values by the array of the track. */
+/*
+ * Accessors of keys that exist already: key times are the same where their numbers are, values where the track has the
+ * same array. count: keys as written; size: floats of a key, 3 widths of CUBICSPLINE.
+ */
 typedef struct nkwi_known {
     const float *times, *values;
     size_t count, size, time_accessor, value_accessor;
 } nkwi_known;
 
+/*
+ * Keys as glTF has them, in scratch memory for 2 * t->count of them.
+ *
+ *     times     seconds, strictly ascending
+ *     values    of each key `width` floats; of CUBICSPLINE 3 widths: in-tangent, value, out-tangent (per second)
+ *     mode      of the whole sampler
+ */
 typedef struct keys {
     float *times, *values;
     size_t count;
@@ -255,7 +305,10 @@ static nkw_interpolation mode_at(const nkw_track *t, size_t k)
     return t->key_interpolation ? (nkw_interpolation)t->key_interpolation[k] : t->interpolation;
 }
 
-/* The one mode of all segments; otherwise that of the layout, LINEAR for a STEP layout of other modes. */
+/*
+ * The one mode of all segments; otherwise that of the layout, LINEAR for a STEP layout of other modes. A LINEAR sampler
+ * can show STEP segments by a key more, a STEP sampler no LINEAR ones.
+ */
 static nkw_interpolation mode_of(const nkw_track *t)
 {
     int same = 1;
@@ -266,7 +319,7 @@ static nkw_interpolation mode_of(const nkw_track *t)
     return same && t->count > 0 ? mode_at(t, 0) : NKW_INTERPOLATION_LINEAR;
 }
 
-/* The next float below a finite one. */
+/* The next float below a finite one. Bits of positive floats ascend with the number, those of negative ones descend. */
 static float below(float x)
 {
     uint32_t bits;
@@ -295,7 +348,12 @@ static void add_key(keys *out, const nkw_track *t, float time, const float *key)
     out->count++;
 }
 
-/* All keys in their order. Memory for twice as many. */
+/*
+ * All keys in their order, into memory for twice as many: a key adds at most one before the next.
+ *
+ * A STEP segment of CUBICSPLINE keys is a cubic whose ends are equal and whose tangents are 0: the out-tangent of its
+ * first key, from (3 at + 2) widths on, and the in-tangent of the key that was added, the floats after it.
+ */
 static void convert(const nkw_track *t, keys *out)
 {
     const size_t size = t->width * (is_cubic(t) ? 3 : 1);
@@ -314,7 +372,13 @@ static void convert(const nkw_track *t, keys *out)
     }
 }
 
-/* The tangents of lines between cubics of numbers: the slope, after key `at` and before the next. */
+/*
+ * The tangents of lines between cubics of numbers: the slope, after key `at` and before the next. Hermite with both
+ * tangents equal to the chord's slope is the chord itself.
+ *
+ *     floats of keys at, at + 1, in widths     in  value  out | in  value  out
+ *                                              3at        +2    +3
+ */
 static void set_slope(const nkw_track *t, size_t k, keys *out, size_t at)
 {
     const float *a = t->values + (3 * k + 1) * t->width, *b = a + 3 * t->width;
@@ -326,6 +390,7 @@ static void set_slope(const nkw_track *t, size_t k, keys *out, size_t at)
     }
 }
 
+/* k counts keys of the track, at those of the sampler: as many or more, since STEP segments add keys. */
 static void set_slopes(const nkw_track *t, keys *out)
 {
     for (size_t k = 0, at = 0; t->key_interpolation && is_cubic(t) && k + 1 < t->count; k++) {
@@ -336,6 +401,10 @@ static void set_slopes(const nkw_track *t, keys *out)
     }
 }
 
+/*
+ * The keys of a sampler. A rotation between CUBICSPLINE keys is refused where it is LINEAR: its slerp is no Hermite
+ * curve of four numbers, whatever the tangents are.
+ */
 static int prepare(nkwi_sink *s, const nkw_clip_track *track, const nkwi_place *place, keys *out)
 {
     const nkw_track *t = &track->track;
@@ -364,7 +433,13 @@ static int range_of(nkwi_component component, float *low, float *high)
     return component == NKWI_I8 || component == NKWI_U8 || component == NKWI_I16 || component == NKWI_U16;
 }
 
-/* x / high is the value of the integer x, as reading decodes it. Returns 0 if a value is none of them. */
+/*
+ * Integers of values in -1..1 or 0..1, normalised (3.11): x / high is the value of the integer x, as reading decodes
+ * it. Returns 0 if a value is none of them, so nothing is lost: a file that had integers keeps them only where exact.
+ *
+ *     component   I8          U8         I16             U16
+ *     x           -127..127   0..255     -32767..32767   0..65535
+ */
 static int encode(const float *values, size_t count, nkwi_component component, unsigned char *out)
 {
     float low, high;
@@ -383,7 +458,7 @@ static int encode(const float *values, size_t count, nkwi_component component, u
     return 1;
 }
 
-/* Keys that the track normalises before use: of floats, every reader finds them normalised. */
+/* Quaternions that the track normalises before use. Written as floats they are unit for every reader. */
 static void normalize(const nkw_track *t, const keys *k)
 {
     const size_t size = t->width * (is_cubic(t) ? 3 : 1), value = is_cubic(t) ? t->width : 0;
@@ -395,6 +470,10 @@ static void normalize(const nkw_track *t, const keys *k)
     }
 }
 
+/*
+ * The accessor of the values: integers of the type `component` where they are exact, otherwise floats. width: numbers
+ * of an element, 3 or 4, and 1 of morph weights, whose accessor is a list of scalars (3.11).
+ */
 static size_t values_accessor(nkwi_sink *s, const nkw_track *t, const keys *k, size_t width, nkwi_component component)
 {
     const size_t count = k->count * t->width * (is_cubic(t) ? 3 : 1);
@@ -410,6 +489,7 @@ static size_t values_accessor(nkwi_sink *s, const nkw_track *t, const keys *k, s
     return add_keys(s, &numbers);
 }
 
+/* Adds to the list of known accessors, whose room doubles from 64 on. */
 static int remember(nkwi_sink *s, const nkwi_known *known)
 {
     if (s->known_count == s->known_room) {
@@ -424,7 +504,10 @@ static int remember(nkwi_sink *s, const nkwi_known *known)
     return 1;
 }
 
-/* The accessors of the keys, which several tracks may share. */
+/*
+ * The accessors of the keys, which several tracks may share: first known times that are equal byte for byte, and among
+ * them known values of the same array. A linear search: a file has few different arrays of times.
+ */
 static nkwi_known accessors_of(nkwi_sink *s, const nkw_track *t, const keys *k, size_t width, nkwi_component component)
 {
     nkwi_known found = {k->times, t->values, k->count, t->width * (is_cubic(t) ? 3 : 1), SIZE_MAX, SIZE_MAX};

@@ -1,5 +1,22 @@
 /* SPDX-License-Identifier: MIT */
-/* Meshes cut into parts of few joints: the checks, the working memory (partition_plan.h), and the three steps. */
+/*
+ * Meshes cut into parts of few joints: the checks, the working memory (partition_plan.h), and the three steps.
+ *
+ * Invariant: a checked mesh has T triangles, whose sets have at most K joints each, K = set_limit. Every array of the
+ * plan is as long as its index can grow in the worst case, so the three steps do not check lengths.
+ *
+ *     T groups     each triangle alone in its group
+ *     T bins       each group alone in its bin
+ *     T K keys     of all groups together, as of all bins: a bin has at most the joints of its groups together
+ *
+ * The working memory, in words of 4 bytes; J joints, V vertices of the mesh:
+ *
+ *     step      arrays, in words                                                            sum
+ *     groups    group_of T, table 2T, set_start T + 1, set_keys T K, first T                (5 + K) T + 1
+ *     bins      bin_of T, ranked T, missing T, touched T, users T K, user_start J,          (6 + 2K) T + 3J + 1
+ *               user_count J, in_bin J, bin_start T + 1, bin_keys T K, bin_material T
+ *     parts     bin_order T, part_of T, seen_in V, local V                                  2T + 2V
+ */
 #include "lane/strict.h"
 
 #include <nakawari/partition.h>
@@ -12,6 +29,7 @@
 
 /* ---- Validation ---- */
 
+/* T K < 2^32, as PARTITION_MOST_TRIANGLES ensures: all offsets of keys fit a word. Vertex 2^32 - 1 would be NONE. */
 static int counts_are_in_range(const nkw_partition_mesh *mesh)
 {
     return mesh->influence_count >= 1 && mesh->influence_count <= NKW_SKIN_INFLUENCES &&
@@ -19,6 +37,7 @@ static int counts_are_in_range(const nkw_partition_mesh *mesh)
            mesh->vertex_count < UINT32_MAX;
 }
 
+/* A weight that is not 0 needs a joint of the mesh; where the weight is 0, the joint is never read. */
 static nkw_result check_influence(const nkw_partition_mesh *mesh, size_t i)
 {
     float w = mesh->weights[i];
@@ -55,12 +74,14 @@ static nkw_result check_mesh(const nkw_partition_mesh *mesh, size_t *bad)
 
 /* ---- Working memory ---- */
 
+/* K: the joints of a set, at most. Three vertices name 3 * influence_count; sets above max_joint_count are rejected. */
 static size_t set_limit(const nkw_partition_mesh *mesh, size_t max_joint_count)
 {
     size_t most = 3 * (mesh->influence_count < NKW_SKIN_INFLUENCES ? mesh->influence_count : NKW_SKIN_INFLUENCES);
     return max_joint_count < most ? max_joint_count : most;
 }
 
+/* A 32-bit size_t cannot hold every size; SIZE_MAX then fails the test of the memory. */
 static size_t saturated(uint64_t n)
 {
     return n > SIZE_MAX ? SIZE_MAX : (size_t)n;
@@ -123,5 +144,6 @@ nkw_result nkw_partition_build(const nkw_partition_mesh *mesh, size_t max_joint_
     nkwi_partition_write(&p, out);
     if (out->rejected_count == 0)
         return NKW_OK;
+    /* Rejected triangles are after the others, in ascending order: this is the first. */
     return report(NKW_TOO_MANY, out->triangles[out->triangle_count], bad);
 }

@@ -2,16 +2,31 @@
 /*
  * Groups: the joint set of each triangle, found in a hash table of the sets before.
  *
- * The table has two places for each triangle, so it is at most half full. A place has a group or PARTITION_NONE; a set
- * is at the place of its hash or, where that is taken, at the next free one (linear probing).
+ * Invariant: two triangles have the same group where their materials and their sets are equal, and nowhere else.
+ *
+ *     triangle    0        1        2        3             weights that are not 0 belong to
+ *     set         {0 1}    {1 2}    {0 1}    {0 1 2 3}     max_joint_count = 3
+ *     group_of    0        1        0        NONE          a set of more joints is rejected
+ *
+ *     group       0    1    end
+ *     set_start   0    2    4          offsets in set_keys
+ *     set_keys    0 1  1 2             keys: depth << 16 | joint; here all depths are 0
+ *     first       0    1               the triangle by which the material is found
+ *
+ *     table       NONE 1 NONE NONE 0 NONE NONE NONE        2 places for each triangle: at most half full
+ *
+ * A group is at the place of its hash or, where that is taken, at the next free one, the first place after the last
+ * (linear probing). A search therefore ends at the set or at PARTITION_NONE.
  */
 #include "partition_plan.h"
 
+/* Keys ascend by depth, then by joint: the order of the joints in a part. */
 static uint32_t key_of(const nkw_partition_mesh *mesh, uint16_t joint)
 {
     return mesh->depths ? (uint32_t)mesh->depths[joint] << 16 | joint : joint;
 }
 
+/* Writes the keys of the joints that have weight at the three vertices. Returns their number. */
 static size_t triangle_set(const nkw_partition_mesh *mesh, size_t t, uint32_t keys[PARTITION_SET])
 {
     size_t n = 0;
@@ -36,13 +51,15 @@ static uint32_t add_group(partition_plan *p, size_t triangle, joint_set set)
 
 static int is_group(const partition_plan *p, uint32_t group, uint32_t material, joint_set set)
 {
-    return partition_material(p->mesh, p->first[group]) == material && joint_set_compare(partition_group_set(p, group), set) == 0;
+    return partition_material(p->mesh, p->first[group]) == material &&
+           joint_set_compare(partition_group_set(p, group), set) == 0;
 }
 
 static uint32_t find_group(partition_plan *p, size_t triangle, joint_set set)
 {
     size_t size = 2 * p->mesh->triangle_count;
     uint32_t material = partition_material(p->mesh, triangle);
+    /* hash 2^-32 size: from 0 to size - 1, by the upper bits of the hash, without a division. */
     size_t at = (size_t)((uint64_t)joint_set_hash(material, set) * size >> 32);
     while (p->table[at] != PARTITION_NONE && !is_group(p, p->table[at], material, set))
         at = at + 1 < size ? at + 1 : 0;

@@ -10,11 +10,32 @@
  *
  * A joint that enters the bin decrements missing[r] of its users only: users[user_start[j] ..][user_count[j]] are the
  * ranks whose sets contain joint j. So a step costs what shares a joint with it, not all groups.
+ *
+ * Between two bins missing[r] is the size of the set for all ranks not packed yet, touched is empty and in_bin is 0.
+ *
+ * Ranks are groups sorted by material, then from large sets to small ones. Of one material, from..to - 1:
+ *
+ *     rank            4        5        6      7      8         from = 4, to = 9
+ *     set             {0 1 2}  {1 2 3}  {2 3}  {5 6}  {5}
+ *     next[3] = 4, next[2] = 6, next[1] = 8, next[0] = 9        the first rank with at most s joints
+ *
+ * With max_joint_count = 4 a bin is packed in these steps; the joints in brackets enter:
+ *
+ *     step    packs                    missing of 5 6 7 8    touched    room
+ *     1       rank 4 [0 1 2]           1 1 2 1               5 6        1
+ *     2       rank 5 [3]               . 0 2 1               6          0
+ *     3       rank 6, missing 0        . . 2 1                          0     no set fits: the bin is closed
+ *
+ * Bins are contiguous in bin_keys. The open bin is the last one, and grows at its end:
+ *
+ *     bin_keys    | bin 0 | bin 1 | ... | open bin            |  not used yet
+ *     bin_start     0       1             bins     bins + 1
  */
 #include "partition_plan.h"
 
 #include "sort.h"
 
+/* Nothing here depends on the order of the triangles: two groups of one material have different sets. */
 static int before_group(const void *context, uint32_t a, uint32_t b)
 {
     const partition_plan *p = context;
@@ -35,7 +56,14 @@ static int is_packed(const partition_plan *p, size_t rank)
     return p->bin_of[p->ranked[rank]] != PARTITION_NONE;
 }
 
-/* Lists for each joint the ranks of from..to - 1 whose sets contain it: counts, starts, entries. */
+/*
+ * Lists for each joint the ranks of from..to - 1 whose sets contain it, by a counting sort: counts, starts, entries.
+ * Only joints of these sets are written, so many materials do not cost materials * joints.
+ *
+ *     users    | ranks with joint 2 | ranks with joint 0 | ...        lists in the order in which joints are met
+ *
+ * In the last loop PARTITION_NONE marks a joint that is not met yet; its list then begins at the end of the others.
+ */
 static void list_users(partition_plan *p, size_t from, size_t to)
 {
     uint32_t start = 0;
@@ -60,7 +88,10 @@ static void list_users(partition_plan *p, size_t from, size_t to)
         }
 }
 
-/* Adds a joint to the open bin and decrements `missing` of its users. Packed users are removed from the list. */
+/*
+ * Adds a joint to the open bin and decrements `missing` of its users. Packed users are removed from the list, by the
+ * last one in their place: no bin asks for them again. A rank is touched when its first joint enters.
+ */
 static void enter_joint(partition_plan *p, uint32_t key)
 {
     uint32_t joint = joint_of_key(key), *users = p->users + p->user_start[joint];
@@ -88,6 +119,7 @@ static void pack_group(partition_plan *p, size_t rank)
             enter_joint(p, set.keys[i]);
 }
 
+/* How many joints the open bin can still take. */
 static size_t room(const partition_plan *p)
 {
     return p->max_joint_count - (p->bin_start[p->bins + 1] - p->bin_start[p->bins]);
@@ -118,7 +150,10 @@ static uint32_t best_touched(partition_plan *p)
     return best;
 }
 
-/* The largest unpacked set of at most `most` joints. next[s]: no unpacked rank of at most s joints is before it. */
+/*
+ * The largest unpacked set of at most `most` joints. next[s]: no unpacked rank of at most s joints is before it. A
+ * packed rank remains packed, so next[s] only ascends, and all calls together take to - from steps for each s.
+ */
 static uint32_t largest_left(const partition_plan *p, size_t next[PARTITION_SET + 1], size_t most, size_t to)
 {
     size_t s = most < PARTITION_SET ? most : PARTITION_SET;
@@ -127,6 +162,7 @@ static uint32_t largest_left(const partition_plan *p, size_t next[PARTITION_SET 
     return next[s] < to ? (uint32_t)next[s] : PARTITION_NONE;
 }
 
+/* Restores what holds between two bins, at the cost of this bin only; its keys then ascend. */
 static void close_bin(partition_plan *p, uint32_t material)
 {
     uint32_t *keys = p->bin_keys + p->bin_start[p->bins];
@@ -154,6 +190,7 @@ static void pack_material(partition_plan *p, size_t from, size_t to, uint32_t ma
         while (r != PARTITION_NONE) {
             pack_group(p, r);
             r = best_touched(p);
+            /* Sets that share no joint with the bin fill what is left: fewer bins. */
             if (r == PARTITION_NONE)
                 r = largest_left(p, next, room(p), to);
         }

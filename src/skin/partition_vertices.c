@@ -1,4 +1,18 @@
 /* SPDX-License-Identifier: MIT */
+/*
+ * The vertices of a part in the spaces of its joints.
+ *
+ * Invariant: slot s of a vertex belongs to joint s of the part. Positions and normals have no weight in them, so
+ * a shader computes sum over s of weight(s) model(joint s) (x y z 1).
+ *
+ *     float    0  1 2 3  4 5 6      7  8 9 10  11 12 13          ...   stride
+ *              w  x y z  nx ny nz   w  x y z   nx ny nz   0 0 0         of the caller, not written
+ *              |---- slot 0 -----|  |----- slot 1 ------|  slots after the part's joints
+ *
+ *     x y z       inverse_bind[joint] (p, 1), in the unit of the mesh
+ *     nx ny nz    inverse_bind[joint] (n, 0); without normals a slot has the 4 floats w x y z
+ *     w           the sum of the weights by which the vertex names this joint; 0 if it names it nowhere
+ */
 #include "lane/strict.h"
 
 #include <nakawari/mat.h>

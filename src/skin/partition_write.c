@@ -1,5 +1,18 @@
 /* SPDX-License-Identifier: MIT */
-/* The parts: bins sorted by material, then by joints; their triangles in the order of the mesh; their vertices. */
+/*
+ * The parts: bins sorted by material, then by joints; their triangles in the order of the mesh; their vertices.
+ *
+ * Invariant: parts are ranges, one after the other without a gap, of joints, triangles and vertices alike.
+ *
+ *     triangle t -> group_of -> bin_of -> part_of -> part k          part_of is the inverse of bin_order
+ *
+ *     joints       | part 0       | part 1       | ...               first_joint, joint_count
+ *     triangles    | part 0       | part 1       | ... | rejected    first_triangle, triangle_count
+ *     vertices     | part 0       | part 1       | ...               first_vertex, vertex_count
+ *     indices      three for each entry of `triangles`, counted from first_vertex of its part
+ *
+ * A vertex that three parts use is in `vertices` three times, each time with the slots of that part.
+ */
 #include "partition_plan.h"
 
 #include "sort.h"
@@ -34,7 +47,10 @@ static void write_joints(partition_plan *p, nkw_partition *out)
     out->part_count = p->bins;
 }
 
-/* Stable counting sort of the triangles by part; the rejected ones are last. */
+/*
+ * Stable counting sort of the triangles by part; the rejected ones are last. After the first loop triangle_count is the
+ * size of each part; from the second loop on it counts again, as the index of the part's next free place.
+ */
 static void write_triangles(partition_plan *p, nkw_partition *out)
 {
     size_t n = p->mesh->triangle_count;
@@ -65,6 +81,13 @@ static void write_vertex(const partition_plan *p, nkw_partition *out, size_t v)
     }
 }
 
+/*
+ * The vertices of part k, in the order of first use. Parts ascend, so a vertex was met in this part where
+ * seen_in[v] == k, and neither seen_in nor local is cleared between parts.
+ *
+ *     mesh vertices of its corners    7 3 9    3 9 4      at = 3 first_triangle ...
+ *     indices                         0 1 2    1 2 3      local[v]
+ */
 static void write_part(partition_plan *p, nkw_partition *out, uint32_t k)
 {
     nkw_part *part = &out->parts[k];

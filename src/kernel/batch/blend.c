@@ -1,4 +1,21 @@
 /* SPDX-License-Identifier: MIT */
+/*
+ * Blends of poses, a block of at most BLEND_BLOCK joints at a time.
+ *
+ * Invariant: a joint has the bits of the scalar functions, whichever register it is in; joints behind `used` are
+ * written, never computed with; out may be a or b.
+ *
+ *     sum      block -> lerp of all rows, rotations as sums (1 - t) a + t c, c = +-b        nkwi_blend_sum, _mix
+ *     nlerp    block -> sums -> lengths -> sum / length                                     nkwi_blend_nlerp, _each
+ *
+ *     layers   pose 0 --mix t1--> sum --mix t2--> sum ... --each--> pose        t of nkwi_blend_share
+ *
+ * The mean of layers with weights w, one after another: W = w1 + ... + wk, and
+ *
+ *     m(k) = (W - wk)/W m(k - 1) + wk/W x(k) = lerp(m(k - 1), x(k), wk/W)
+ *
+ * so every layer is a lerp by its share, and the sums of rotations are divided by their length only at the end.
+ */
 #include "lane/strict.h"
 
 #include <nakawari/scalar.h>
@@ -30,7 +47,14 @@ static inline nkw_quat_span rotation_span(blend_span rows)
  * that all t are inside 0..1.
  */
 
-/* Floats from one component of the sums of a block to the next: a register more than the block has joints. */
+/*
+ * Floats from one component of the sums of a block to the next: a register more than the block has joints.
+ *
+ *     sum    | x of used joints | 0 | ... | y | 0 | z | 0 | w | 1 | length | 1 |        |0|, |1|: end_sums
+ *            0                        SUM_STRIDE            4 SUM_STRIDE
+ *
+ * The last, masked register divides by these identities: 1/1, no flag of a division is raised.
+ */
 #define SUM_STRIDE (BLEND_BLOCK + F32XN)
 
 /* The next joints of two poses, of the result, and of their sums: components `sums` floats apart; and the lengths. */
@@ -80,8 +104,11 @@ NKW_ALWAYS_INLINE f32xN_quat rotation_of(blend_rows rows, const i32xN *keep)
 }
 
 /*
- * A step, an expression of l and keep, for each register of `used` joints; i is the first of them. No step computes with
- * what is behind the last one: it may be signalling numbers, or memory that was never written.
+ * A step, an expression of l and keep, for each register of `used` joints; i is the first of them. No step computes
+ * with what is behind the last one: it may be signalling numbers, or memory that was never written.
+ *
+ *     used = 19, F32XN = 8    | 0 .. 7 | 8 .. 15 | 16 17 18 0 0 0 0 0 |
+ *     keep                    NULL     NULL       &last: zeros in place of what is behind
  */
 #define FOR_JOINTS(used, l, i, step)                                                                                   \
     do {                                                                                                               \
@@ -150,7 +177,17 @@ NKW_ALWAYS_INLINE void end_sums(lanes l, int used)
     f32xN_store(l.length + used, one);
 }
 
-/* Divides the next sums by their lengths. Sets bits 30 or 31 of *far where one is not in 1 .. 2^128. */
+/*
+ * Divides the next sums by their lengths. Sets bits 30 or 31 of *far where one is not in 1 .. 2^128.
+ *
+ *     n             bits of n - bits of 1
+ *     1 .. 2^128    0 .. 2^30 - 1         exponents 127 .. 254
+ *     inf, NaN      from 2^30 on          exponent 255
+ *     below 1       from 2^31 on          borrows
+ *
+ * Sums are made 2^60 times as long (NKW_NLERP_SCALE): those of two unit rotations along the shorter arc have lengths of
+ * 0.7 to 1 times 2^60. The general formula is right for all lengths, and rarely needed.
+ */
 NKW_ALWAYS_INLINE void divide_lanes(lanes l, u32xN *far)
 {
     const f32xN n = f32xN_load_once(l.length);
@@ -210,7 +247,7 @@ NKW_LOOP(nkwi_blend_nlerp)(blend_rows a, blend_rows b, float t, int used, blend_
         nlerp_block(a, b, t, used, out);
 }
 
-/* The same of whole poses: two strides fewer to pass and to compare are 2 % of a blend of 67 joints. */
+/* nlerp of poses that share a stride: two strides fewer to pass and to compare are 2 % of a blend of 67 joints. */
 NKW_LOOP(nkwi_blend_poses)(const float *a, const float *b, size_t stride, float t, int used, float *out)
 {
     const blend_rows from = {a, stride}, to = {b, stride};
@@ -234,7 +271,10 @@ NKW_ALWAYS_INLINE f32xN_nlerp sum_each(lanes l, f32xN_weights at, const float *o
     return open ? f32xN_mix_of(a, b, at, f32xN_load(open)) : f32xN_nlerp_of(a, b, at, 0);
 }
 
-/* The registers of loops with a t for each joint. */
+/*
+ * The registers of loops with a t for each joint: weights are computed for each register, and masks select the ends, as
+ * t may be 0, 1 or outside. `open` of a joint is not 0 where a is itself a sum of rotations, not of unit length.
+ */
 NKW_ALWAYS_INLINE void nlerp_each(lanes l, const float *t, const float *open, const i32xN *keep)
 {
     const f32xN_weights at = f32xN_weights_of(f32xN_load(t), 0);
@@ -298,7 +338,7 @@ NKW_LOOP(nkwi_blend_mix)(blend_rows a, blend_rows b, const float *t, float *mixe
         mixed[i] = t[i] == 0.0f ? mixed[i] : t[i] == 1.0f ? 0.0f : 1.0f;
 }
 
-/* The part of a pose in the sum of it and those before, t; and the total. */
+/* The share of a pose in the sum of it and those before, t = w/(total + w); adds w to the total, in binary64. */
 NKW_LOOP(nkwi_blend_share)(const float *weight, double *total, float *t, size_t n)
 {
 #pragma omp simd
@@ -309,7 +349,7 @@ NKW_LOOP(nkwi_blend_share)(const float *weight, double *total, float *t, size_t 
     }
 }
 
-/* What the rest pose has to make up for; *any becomes 1 where it is not 0. */
+/* The weight of the rest pose, threshold - total, where the layers of a joint fall short; *any: whether one does. */
 NKW_LOOP(nkwi_blend_missing)(const double *total, float threshold, float *out, int *any, int n)
 {
     int found = 0;
@@ -321,6 +361,13 @@ NKW_LOOP(nkwi_blend_missing)(const double *total, float threshold, float *out, i
     *any = found;
 }
 
+/*
+ * The additive pose a - ref, joint by joint, so that base + 1 (a - ref) is a where base is ref:
+ *
+ *     translation    a - ref
+ *     rotation       ref^-1 a, or a ref^-1 on the parent's side          1 without a difference
+ *     scale          a / ref                                             1 without a difference, and where ref is 0
+ */
 NKW_ALWAYS_INLINE void build_joints(nkw_trs_view a, nkw_trs_view ref, int parent, nkw_trs_span out, size_t n)
 {
 #pragma omp simd
@@ -350,7 +397,7 @@ NKW_LOOP(nkwi_additive_build)(nkw_trs_view a, nkw_trs_view ref, int parent, nkw_
     build_joints(a, ref, parent, trs_span_after(out, whole), LAST_LANES);
 }
 
-/* The parts of the turns delta come before they are added, as nlerps. */
+/* The nlerps from none to the turns `delta` by their weights come first, then base times each, or each times base. */
 NKW_ALWAYS_INLINE void add_turns(nkw_quat_view base, nkw_quat_view delta, const float *weight, int parent,
                                  nkw_quat_span out, size_t n)
 {

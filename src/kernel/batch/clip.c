@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /*
- * Interpolation between two neighbouring keys a and b of a group of a clip. src/clip/clip_layout.h describes the layout.
+ * Interpolation between two neighbouring keys a and b of a group of a clip. src/clip/clip_layout.h has the layout.
  *
  * A loop computes the lanes of one or more blocks row by row, either into the output, if their places are contiguous,
  * or into a buffer on the stack, which is then scattered:
@@ -9,6 +9,18 @@
  *     otherwise     key rows -> vector computation -> buffer -> out[places[i]], i < count
  *
  * Numbers: out is the output. Rotations: component c of the output is at out + c * stride.
+ *
+ * Invariant: a lane of float keys has the bits that nkw_track_sample_segment returns for its track. Padding lanes are
+ * computed, and never written to a place.
+ *
+ *     block         0    1    2    3    4          an example: 72 lanes of numbers
+ *     width         16   16   16   16   8
+ *     contiguous    32   16   0    0    8          lanes from this block on whose places follow one another
+ *     one step      |-------| |-------| |-|        lanes_together: contiguous, or up to CLIP_SCATTER_BLOCKS of 16
+ *     written to    place     buffer    place
+ *     a, b at       0         32        64         times 1 row for numbers, CLIP_SLERP_ROWS or 3 for rotations
+ *
+ * Rotations take one scattered block at a time: four rows of it are as many lanes as four blocks of numbers.
  * Most inner loops take the width as a constant, 16, 8 or 4, and have no remainder.
  */
 #include "lane/strict.h"
@@ -35,7 +47,7 @@ static inline void arcs_of_block(float *a, const float *b, size_t width)
         arcs[i] = lane_slerp_arc(at_quat(from, i), at_quat(to, i), 1);
 }
 
-/* Writes row v of key a: the arcs from key a to key b. */
+/* Writes row v of key a: the arcs from key a to key b. `keys` is 1: their lengths may differ from 1, as in glTF. */
 NKW_LOOP(nkwi_clip_arcs)(float *a, const float *b, const clip_block *blocks, size_t block_count)
 {
     for (size_t k = 0; k < block_count; k++) {
@@ -52,7 +64,11 @@ NKW_ALWAYS_INLINE void lerp_lanes(const float *a, const float *b, float t, int f
         out[i] = nkw_lerp_from(first, 1, a[i], b[i], t);
 }
 
-/* `lanes` lanes: blocks of 16, and at most one of 8 or 4. */
+/*
+ * `lanes` lanes: blocks of 16, and at most one of 8 or 4. `first`, a constant: a is the key nearer to t.
+ *
+ *     a + t (b - a), t < 1/2        b - (1 - t) (b - a) otherwise
+ */
 NKW_ALWAYS_INLINE void lerp_contiguous(const float *a, const float *b, float t, int first, float *out, size_t lanes)
 {
     for (; lanes >= CLIP_BLOCK; lanes -= CLIP_BLOCK, a += CLIP_BLOCK, b += CLIP_BLOCK, out += CLIP_BLOCK)
@@ -63,6 +79,7 @@ NKW_ALWAYS_INLINE void lerp_contiguous(const float *a, const float *b, float t, 
         lerp_lanes(a, b, t, first, out, 4);
 }
 
+/* Steps of the picture above: contiguous lanes go to their places, others by way of the buffer, up to 8 blocks. */
 NKW_ALWAYS_INLINE void lerp_blocks(const float *a, const float *b, float t, int first, const clip_block *blocks,
                                    size_t block_count, float *out)
 {
@@ -87,7 +104,7 @@ NKW_LOOP(nkwi_clip_lerp)
         lerp_blocks(a, b, t, 0, blocks, block_count, out);
 }
 
-/* The values that all slerps at one t share. */
+/* The values that all slerps at one t share: the coefficients of powers of v (lane/slerp.h), once for all lanes. */
 typedef struct slerp_shared {
     lane_slerp_time at;
     lane_slerp_series series;
@@ -120,6 +137,7 @@ NKW_ALWAYS_INLINE void slerp_contiguous(const float *a, const float *b, const sl
         slerp_block(a, b, p, out, stride, 4);
 }
 
+/* A contiguous step may have many blocks; a scattered one has one, of at most 16 lanes and 4 rows. */
 NKW_ALWAYS_INLINE void slerp_blocks(const float *a, const float *b, lane_slerp_time at, const clip_block *blocks,
                                     size_t block_count, float *out, size_t stride)
 {
@@ -157,6 +175,7 @@ NKW_LOOP(nkwi_clip_slerp)
  * Rotations are decoded first.
  */
 
+/* out = base + step (a + t (b - a)), in the unit of the track; a and b are exact as floats. */
 static inline void lerp16_lanes(const uint16_t *a, const uint16_t *b, const float *base, const float *step, float t,
                                 float *out, size_t n)
 {
@@ -198,7 +217,10 @@ static inline void decode(const uint16_t *key, const float *base, const float *s
         decode_lanes(key + i, base + i, step + i, out + i, 4);
 }
 
-/* The sign bit of each lane whose three numbers in b have an odd sum: slerp negates this rotation of b. */
+/*
+ * The sign bit of each lane whose three numbers in b have an odd sum: slerp negates this rotation of b. The lowest bit
+ * of a sum is the exclusive or of the lowest bits; << 31 leaves only it.
+ */
 NKW_ALWAYS_INLINE void negations_of(const uint16_t *b, uint32_t *negated, size_t width)
 {
 #pragma omp simd
@@ -229,7 +251,14 @@ static inline size_t blocks16(size_t block_count)
     return block_count < CLIP_SLERP16_BLOCKS ? block_count : CLIP_SLERP16_BLOCKS;
 }
 
-/* Decodes the numbers of both keys of n blocks; computes w, v and the scales of each block. */
+/*
+ * Decodes the numbers of both keys of n blocks; computes w, v and the scales of each block.
+ *
+ *     a, b, base, step    block i at 3 * 16 i: x y z, `width` of each                 as in the key
+ *     p->a.w, p->v ...    block i at 16 i                                              floats
+ *
+ * The last block may be narrower; the numbers of all blocks are contiguous, so one loop decodes them.
+ */
 NKW_ALWAYS_INLINE void pairs16_of(pairs16 *p, const uint16_t *a, const uint16_t *b, const float *base,
                                   const float *step, const clip_block *blocks, size_t n)
 {
@@ -261,8 +290,13 @@ NKW_LOOP(nkwi_clip_slerp16)
  * Two neighbouring compact keys whose samples are at steps much smaller than the distance of the keys: what does not
  * depend on t is kept (clip_cache.c). Each pair of loops returns the bits of the loop without `kept`.
  *
- *     numbers       key a of each lane as a float, n of them; then b - a
+ *     numbers       key a of each lane as a float, n of them; then b - a: out = base + step (a + t (b - a))
  *     rotations     CLIP_KEPT_ROWS rows of a block: x y z w of a and the factor of its weight; the same of b; v
+ *
+ *     row           0    1    2    3    4         5    6    7    8    9         10
+ *                   x a  y a  z a  w a  scale a   x b  y b  z b  w b  scale b   v         `width` floats each
+ *
+ * Blocks of rotations begin at every CLIP_KEPT_ROWS * 16 floats.
  */
 NKW_LOOP(nkwi_clip_keep_lerp16)(const uint16_t *a, const uint16_t *b, float *kept, size_t n)
 {
@@ -385,6 +419,7 @@ NKW_LOOP(nkwi_clip_hermite)
     }
 }
 
+/* x / |x| of the rows of a block. |x|^2 is that of NKW_NORMAL_SCALE x, as in nkw_quat_normalize. */
 NKW_ALWAYS_INLINE void normalize_block(const float *x, float *out, size_t stride, size_t width)
 {
     nkw_quat_span o = block_rows_to(out, stride);
@@ -396,7 +431,7 @@ NKW_ALWAYS_INLINE void normalize_block(const float *x, float *out, size_t stride
     }
 }
 
-/* Hermite of the four rows of a block, then normalised. */
+/* Hermite of the four rows of a block, 4 * width lanes, then normalised: glTF's CUBICSPLINE of rotations. */
 NKW_ALWAYS_INLINE void quat_hermite_block(const float *a, const float *b, size_t words, float duration, float t,
                                           float *out, size_t stride, size_t width)
 {
@@ -430,6 +465,7 @@ NKW_ALWAYS_INLINE void copy_rows(const float *from, float *out, size_t stride, s
         memcpy(out + row * stride, from + row * width, width * sizeof(float));
 }
 
+/* The four rows at `from`, `width` floats apart, to their places. */
 static inline void place(const clip_block *block, const float *from, float *out, size_t stride)
 {
     const size_t width = block->width;

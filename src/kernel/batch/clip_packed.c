@@ -2,6 +2,27 @@
 /*
  * Two neighbouring keys of packed groups (clip_packed.h): knots and residuals as floats; their sums; for rotations
  * their arcs. The loops of compact groups then interpolate between them.
+ *
+ * Invariant: a key has the same bits as the first of two keys and as the second, so a sample at its time does not
+ * depend on the side it comes from. Knots are below 2^20: lines between them are exact to 1/16 step in binary32.
+ *
+ *     key     16 s        key p->key = 5, and 6            16 (s + 1)
+ *     knot    first                                        second
+ *     level   part        middle   hat at 5    hat at 6
+ *     0       0..16       8        5/8         6/8
+ *     1       0..8        4        3/4         2/4
+ *     2       4..8        6        1/2         1
+ *     3       4..6        5        1           0
+ *
+ *     a = first + 5/16 (second - first) + 5/8 r0 + 3/4 r1 + 1/2 r2 + r3       in steps, of every slot
+ *     b = first + 6/16 (second - first) + 6/8 r0 + 2/4 r1 +     r2
+ *
+ * The way of the data, 8 columns at a time:
+ *
+ *     rows of the stream --(unpack)--> residuals of one level --(sum_levels)--> sums of columns
+ *         --(store_columns)--> sums of slots --(add_lines)--> keys in steps --(scale_all)--> base + step key
+ *
+ * Slots without a column have only a line, and their sums are cleared first.
  */
 #include "lane/strict.h"
 
@@ -22,7 +43,14 @@ static const float packed_halves[PACKED_WIDTH + 1] = {
     256.0f,    512.0f,    1024.0f,   2048.0f,    4096.0f,    8192.0f,    16384.0f,  32768.0f, 65536.0f,
     131072.0f, 262144.0f, 524288.0f, 1048576.0f, 2097152.0f, 4194304.0f, 8388608.0f};
 
-/* The residuals of `width` bits from bit `bit` of 8 columns on. Reads the row after the last bit too. */
+/*
+ * The residuals of `width` bits from bit `bit` of 8 columns on. Reads the row after the last bit too.
+ *
+ *     row bit / 32        | ......xxxxxx |        low >> right: bits 0 .. 31 - right of the field
+ *     row bit / 32 + 1    | xx.......... |        high << (32 - right), in two shifts: << 32 is undefined for right = 0
+ *
+ * width 0 reads bits, and its mask clears them: no branch for levels without residuals.
+ */
 NKW_ALWAYS_INLINE void unpack(const uint32_t *rows, size_t bit, uint32_t width, float *out)
 {
     const uint32_t *low = rows + bit / 32 * PACKED_COLUMNS, *high = low + PACKED_COLUMNS;
@@ -70,7 +98,10 @@ NKW_ALWAYS_INLINE float hat(packed_part part, uint32_t key)
     return part.middle == part.lo ? 0.0f : (float)(int32_t)at / (float)(int32_t)length;
 }
 
-/* The levels of the segment that contain the interval after the key. Returns their number. */
+/*
+ * The levels of the segment that contain the interval after the key. Returns their number. The residual `index` of
+ * a level begins at bit + index * (sum of the widths of all blocks).
+ */
 NKW_ALWAYS_INLINE size_t find_levels(const packed_at *p, packed_level levels[PACKED_LEVELS])
 {
     const uint8_t *widths = packed_widths(p->stream);
@@ -90,6 +121,7 @@ NKW_ALWAYS_INLINE size_t find_levels(const packed_at *p, packed_level levels[PAC
     return level;
 }
 
+/* Columns beyond the last one, up to 8, are computed and not stored. */
 NKW_ALWAYS_INLINE void store_columns(const float *column, const uint8_t *slots, size_t n, float *out)
 {
     if (n == PACKED_COLUMNS)
@@ -201,7 +233,10 @@ NKW_LOOP(nkwi_clip_keep_packed)(const packed_at *p, int held, float *kept)
     }
 }
 
-/* Scales of one key each, so that the rotation at the time of a key does not depend on the other one. */
+/*
+ * 1 / length; the length of lane_compact_quat is 1 - w. Scales of one key each, so that the rotation at the time of
+ * a key does not depend on the other one.
+ */
 NKW_ALWAYS_INLINE void set_scales(key16 *key, size_t at, size_t width)
 {
 #pragma omp simd

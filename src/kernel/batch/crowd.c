@@ -1,5 +1,25 @@
 /* SPDX-License-Identifier: MIT */
-/* Lanes are characters. include/nakawari/crowd.h has the layout. */
+/*
+ * Lanes are characters. include/nakawari/crowd.h has the layout.
+ *
+ * Invariant: no lane reads another, so each has the bits of the functions of one character, whatever the others hold.
+ *
+ *     floats     0 .. 15       16 .. 31      ...                   of one joint
+ *     pose       tx of 16      ty of 16      tz, rx ry rz rw, sx sy sz      10 rows of 16 lanes
+ *     matrix     m00 of 16     m10 of 16     m20, m01 ... m23               12 rows, column by column
+ *
+ *     models     joint after joint, parents first: row k of joint j at (12 j + k) 16
+ *                model(j) = model(parent j) local(j): the parent's rows are in the cache, 16 lanes of each at once
+ *
+ *     poses to lanes: 4 characters, one component of 4 joints, become 4 joints of one row
+ *
+ *         character i      c of j  j+1  j+2  j+3             joint j      c of i  i+1  i+2  i+3
+ *         character i + 1  c of j  j+1  j+2  j+3      ->     joint j + 1  c of i  i+1  i+2  i+3
+ *         ...                                                ...
+ *
+ * Skinning: vertices are the outer loop, so the influences of a vertex are decoded once for 16 characters; F32XN of
+ * them are one register.
+ */
 #include "lane/strict.h"
 
 #include <nakawari/crowd.h>
@@ -32,7 +52,7 @@ static inline void put_matrix(float *m, size_t i, const nkw_mat4 *a)
         m[k * CROWD_LANES + i] = a->m[k / 3 * 4 + k % 3];
 }
 
-/* nkw_mat4_from_trs of a lane. */
+/* nkw_mat4_from_trs of a lane; row k of the pose of its joint is at p + 16 k. */
 static inline nkw_mat4 local_at(const float *p, size_t i)
 {
     const nkw_trs trs = {
@@ -78,6 +98,7 @@ NKW_ALWAYS_INLINE void models_of(const float *parent, const float *pose, float *
         model_of(parent, pose, out, i);
 }
 
+/* A parent that is not before its joint, as -1 is after the conversion to size_t, makes the joint a root. */
 NKW_LOOP(nkwi_crowd_models)
 (const int32_t *parents, size_t joints, const float *crowd, const float *roots, float *models)
 {
@@ -103,7 +124,10 @@ NKW_LOOP(nkwi_crowd_bind)(const float *model, const nkw_mat4 *inverse_bind, floa
         bound_of(model, &bind, out, i);
 }
 
-/* Transposes four floats of four poses to four lanes of four joints. */
+/*
+ * Transposes four floats of four poses to four lanes of four joints. The stride of a pose is a multiple of 16, so four
+ * floats from joint j on are always there; joints from `joints` on are not written.
+ */
 NKW_LOOP(nkwi_crowd_from_poses)(const float *const *poses, size_t joints, size_t stride, float *crowd)
 {
     static const float identity[10][4] = {{0}, {0},          {0},          {0},          {0},
@@ -121,6 +145,7 @@ NKW_LOOP(nkwi_crowd_from_poses)(const float *const *poses, size_t joints, size_t
             }
 }
 
+/* The way back: three rows and the constant last row of a column become the columns of four characters. */
 NKW_LOOP(nkwi_crowd_to_matrices)(const float *crowd, size_t joints, nkw_mat4 *const *matrices)
 {
     static const float last[2][4] = {{0, 0, 0, 0}, {1, 1, 1, 1}};
@@ -154,11 +179,19 @@ NKW_ALWAYS_INLINE void blend_lanes(const influences *f, size_t k, size_t lane, f
     }
 }
 
-enum { GROUP = 4 }; /* vertices whose results are written together */
+/*
+ * Vertices whose results are written together: where the output is packed, 4 vectors of 3 floats are 3 stores of 4
+ * floats for each character.
+ *
+ *     r                  x0 y0 z0 x1 | y1 z1 x2 y2 | z2 x3 y3 z3      12 registers, lane i is character i
+ *     f32xN_scatter      4 registers  | the next 4  | the last 4       to 4 floats at out[i] each
+ */
+enum { GROUP = 4 };
 
 /* One vector of the F32XN lanes of a group: x0 y0 z0 x1 y1 ... */
 typedef f32xN group_vectors[3 * GROUP];
 
+/* M p, M d or M d / |M d| of a vector that all lanes share; 0 where |M d| = 0. The sums are those of skin.c. */
 NKW_ALWAYS_INLINE void transform_lanes(const f32xN m[12], const unsigned char *in, int is_point, int normalized,
                                        f32xN *r)
 {
@@ -176,7 +209,10 @@ NKW_ALWAYS_INLINE void transform_lanes(const f32xN m[12], const unsigned char *i
     }
 }
 
-/* The first n vertices of a group. */
+/*
+ * The first n vertices of a group. Where outputs are not packed, three floats of each vector are written; the fourth
+ * register is there only because a transposition takes four.
+ */
 NKW_ALWAYS_INLINE void write_group(const crowd_stream *s, size_t lane, size_t n, f32xN *r)
 {
     unsigned char *const *out = s->out + lane;
@@ -221,6 +257,7 @@ NKW_ALWAYS_INLINE void skin_group(const skin_job *job, const influences *from, s
     }
 }
 
+/* A vertex without weights is copied to every character, as nkw_skin_linear copies it. */
 static void copy_vertex(const crowd_stream *streams)
 {
     for (size_t v = 0; v < SKIN_STREAMS; v++)
@@ -238,6 +275,7 @@ static void advance(crowd_stream *streams, size_t n)
         }
 }
 
+/* Groups of vertices with weights; a vertex without weights ends a group, and is copied. */
 NKW_LOOP(nkwi_crowd_skin)(const skin_job *job, crowd_stream *streams)
 {
     decoded_influences decoded;

@@ -1,4 +1,18 @@
 /* SPDX-License-Identifier: MIT */
+/*
+ * Local transforms to model matrices, and back.
+ *
+ * Invariant: parents are before their children, so when joint j is computed the matrix of its parent is complete. Any
+ * number that is not less than j, also a negative one, makes j a root.
+ *
+ *     pose, arrays of `stride`    | tx | ty | tz | rx .. rw | sx sy sz |        64 joints from `start` on at a time
+ *     l[9][64], on the stack      R S, column by column: | m00 of 64 | m10 of 64 | m20 | m01 | ...
+ *     joint j, i = j - start      columns l[0], l[3], l[6] + i, and t + i       affine_arrays
+ *     models[j]                   model(parent) (R S, t): 16 floats, the last row 0 0 0 1
+ *
+ * R S of many joints is a vector loop; the products are not, as each needs the one before. From models back to locals
+ * all inverses are independent: local(j) = model(parent)^-1 model(j).
+ */
 #include "lane/strict.h"
 
 #include <nakawari/transform.h>

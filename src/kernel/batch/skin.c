@@ -9,6 +9,17 @@
  * Linear blend: the matrices of a group of vertices stay in registers while they transform positions and normals
  * (blend_groups); they are stored if there are other vectors. Dual quaternions are summed, then converted to matrices
  * in memory.
+ *
+ * Invariant: each vertex is written once, after all of it that is needed has been read, so outputs may be the inputs;
+ * and its bits do not depend on its group, block or run. No byte after the last vertex is read or written.
+ *
+ *     block      SKIN_BLOCK or SKIN_LONG_BLOCK vertices; their influences are decoded together
+ *     run        | w w w w w w w w w w w | 0 | w w w w | 0 0 | w w w     w: a weight is not 0; 0: copied as it is
+ *     group      | G . . | G . . | G . . | p p                           F32XN_GROUP vertices = a register of columns
+ *     part                                 p: fewer vertices than a group, read and written one by one
+ *
+ * `followed`: a vector is 12 bytes, and whole groups read 16 for each. So only vertices before another one may be in
+ * a whole group; the last vertex of an array is always in a part. Packed groups load exactly their own floats.
  */
 #include "lane/strict.h"
 
@@ -35,6 +46,11 @@ typedef struct block {
 /*
  * An entry of `width` floats (16: nkw_mat4, 9: nkw_mat3, 8: nkw_dual_quat) in registers of PART floats; the last one
  * ends with the entry, so it overlaps the one before where PART does not divide the width.
+ *
+ *     F32XN    nkw_mat4                   nkw_mat3           nkw_dual_quat
+ *     4        0-3 4-7 8-11 12-15         0-3 4-7 5-8        0-3 4-7
+ *     8        0-7 8-15                   0-7 1-8            0-7
+ *     16       0-15                       0-7 1-8            0-7
  */
 #define PART(width)       ((width) < F32XN ? 8 : F32XN)
 #define PARTS(width)      (((width) + PART(width) - 1) / PART(width))
@@ -54,7 +70,7 @@ NKW_ALWAYS_INLINE void store_part(float *to, size_t width, size_t a, f32xN part)
         f32xN_store(to + PART_AT(width, a), part);
 }
 
-/* The entry of a joint by the offset of its nkw_mat4. */
+/* The entry of a joint by the offset of its nkw_mat4, 64 joint bytes; of `width` floats, 4 width joint bytes. */
 NKW_ALWAYS_INLINE const unsigned char *entry_at(const unsigned char *palette, size_t width, size_t offset)
 {
     return palette + (width == 16 ? offset : offset / 16 * width);
@@ -142,7 +158,10 @@ NKW_ALWAYS_INLINE int is_packed(const skin_stream *s)
 /* Registers of F32XN vectors. */
 #define SKIN_REGISTERS 4
 
-/* n / |n| of F32XN vectors, four floats of each; 0 where |n| = 0. */
+/*
+ * n / |n| of F32XN vectors, four floats of each; 0 where |n| = 0. Transposed squares are x^2, y^2, z^2 of four vectors
+ * in the same elements, so one root and one division serve four vectors; element i of k is the factor of vector i.
+ */
 NKW_ALWAYS_INLINE void normalize(f32xN n[SKIN_REGISTERS])
 {
     f32xN s[SKIN_REGISTERS];
@@ -157,7 +176,10 @@ NKW_ALWAYS_INLINE void normalize(f32xN n[SKIN_REGISTERS])
     n[3] = n[3] * f32xN_broadcast(k, 3);
 }
 
-/* Normalizes and writes n directions, in groups as transform_group leaves them. */
+/*
+ * Normalizes and writes n directions, in groups as transform_group leaves them: 4 floats for each, of which the fourth
+ * is not used. The floats behind them, up to the 4 F32XN of a step, are set to 0: they may be signalling numbers.
+ */
 NKW_ALWAYS_INLINE void write_unit_directions(f32xN_column *direction, int packed, const skin_stream *stream, size_t n)
 {
     skin_stream s = *stream;
@@ -222,7 +244,10 @@ typedef struct task {
     size_t width, followed;
 } task;
 
-/* Groups from vertex i on, before vertex n, while first weights are usual. Returns their end. */
+/*
+ * Groups from vertex i on, before vertex n, while first weights are usual. Returns their end. width, k and packed are
+ * constants here, and the task's members are copied to locals, so each combination is a loop without tests of them.
+ */
 NKW_ALWAYS_INLINE size_t blend_groups(const influences *from, size_t width, size_t k, const task *t, int packed,
                                       size_t i, size_t n, block *b)
 {
@@ -273,7 +298,11 @@ NKW_NOINLINE static size_t blend_part(const influences *from, const task *t, siz
     return weighted;
 }
 
-/* Returns the number of vertices of the run, at most n. */
+/*
+ * Returns the number of vertices of the run, at most n. Whole groups with usual weights alternate with parts: a group
+ * whose first weight is 0 or subnormal is a part of the full size, after which whole groups go on; a smaller part ends
+ * the run.
+ */
 NKW_ALWAYS_INLINE size_t blend_run_of(const influences *f, size_t width, size_t k, const task *t, int packed, size_t n,
                                       block *b)
 {
@@ -336,14 +365,21 @@ NKW_NOINLINE static void transform_stream(const skin_job *job, size_t s, size_t 
 
 /* ---- Dual quaternions ---- */
 
-/* The four floats of column c of vertex i, and those of i + F32XN_GROUP after 16 F32XN_GROUP floats. */
+/*
+ * The four floats of column c of vertex i, and those of i + F32XN_GROUP after 16 F32XN_GROUP floats. Groups of two:
+ *
+ *     b->matrix    | x0 x1 | y0 y1 | z0 z1 | t0 t1 | x2 x3 | y2 y3 | ...      4 floats each
+ */
 NKW_ALWAYS_INLINE float *column_of(block *b, size_t i, size_t c)
 {
     float *first = (float *)(void *)b->matrix;
     return first + 16 * (i - i % F32XN_GROUP) + 4 * (c * F32XN_GROUP + i % F32XN_GROUP);
 }
 
-/* The weights of a vertex, negated for joints on the other half sphere than the one of the largest, first of equals. */
+/*
+ * The weights of a vertex, negated for joints on the other half sphere than that of the largest, first of equals. q
+ * and -q are the same rotation: a sum of both signs would cancel, or go the long way round.
+ */
 NKW_ALWAYS_INLINE void align_weights(const influences *f, size_t k, size_t i, float *out)
 {
     const uint32_t *offset = f->offset + i * k;
@@ -382,7 +418,14 @@ NKW_NOINLINE static void rigid_matrices(float d[8][SKIN_BLOCK], float m[12][SKIN
     }
 }
 
-/* The n dual quaternions at every 16 floats of b->matrix become matrices, by way of component arrays. n % 4 is 0. */
+/*
+ * The n dual quaternions at every 16 floats of b->matrix become matrices, by way of component arrays. n % 4 is 0.
+ *
+ *     b->matrix    | real x y z w, dual x y z w, 8 floats not used | of the next vertex ...
+ *     d[8][n]      real x of all, y of all, ... dual w of all               transposed, four vertices at a time
+ *     m[12][n]     columns x y z of three rows, then t                      rigid_matrices
+ *     b->matrix    columns as column_of has them                            transposed back
+ */
 static void matrices_from_dual_quats(size_t n, block *b)
 {
     float d[8][SKIN_BLOCK], m[12][SKIN_BLOCK], *dual = (float *)(void *)b->matrix;
@@ -489,7 +532,10 @@ static void copy_vertices(const skin_job *job, size_t from, size_t n)
     }
 }
 
-/* The n vertices of a block: runs, and between them vertices without weights. */
+/*
+ * The n vertices of a block: runs, and between them vertices without weights, one by one. `inside` is what is followed
+ * of the vertices from i on.
+ */
 NKW_ALWAYS_INLINE void transform_block(const skin_job *job, int dual, const influences *all, size_t from,
                                        size_t followed, size_t n, block *b)
 {
@@ -503,7 +549,7 @@ NKW_ALWAYS_INLINE void transform_block(const skin_job *job, int dual, const infl
     }
 }
 
-/* Vectors of four floats can be read where another one follows, unless streams overlap themselves more closely. */
+/* Vectors of four floats can be read where another one follows, unless their stride is less than a float. */
 static int may_read_fours(const skin_job *job)
 {
     for (size_t s = 0; s < SKIN_STREAMS; s++)
