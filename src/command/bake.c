@@ -12,12 +12,12 @@
 static const options_text text = {
     "[OPTION...] FILE",
     "Writes a clip of FILE in a form that needs no reader of models:\n\n"
-    "  clip      the block of nkw_clip_build: map the file, call nkw_clip_open, sample. In the byte order of this "
-    "machine\n"
+    "  clip      the block of nkw_clip_build: map the file, call nkw_clip_open, sample. In the byte order of this\n"
+    "            machine\n"
     "  compact   the same with 16-bit keys\n"
     "  reduced   the same as small as a tolerance permits, by nkw_clip_reduce\n"
-    "  palette   the palette of a skin at a rate, for textures of GPU crowds: a header of 32 bytes, then for each "
-    "frame\n"
+    "  palette   the palette of a skin at a rate, for textures of GPU crowds: a header of 32 bytes, then for each\n"
+    "            frame\n"
     "            and joint the first three rows of the joint matrix: 3 texels of 4 floats, little-endian\n",
     "  nakawari bake fox.glb --clip Run -o run.nkw\n"
     "  nakawari bake fox.glb -c Run --as reduced --tolerance 0.1 -o run.nkw\n"

@@ -10,11 +10,11 @@
 
 static const options_text text = {
     "[OPTION...] FILE...",
-    "Checks each FILE (- reads the standard input) and prints one line for each finding: file, clip, joint, key, "
-    "time,\n"
-    "severity, what, and how much.\n\n"
+    "Checks each FILE (- reads the standard input) and prints one line for each finding: file, clip, joint, key,\n"
+    "time, severity, what, and how much.\n\n"
     "  error     unsorted-time, not-finite, not-unit, joint-out-of-range, bad-weight, refused\n"
-    "  warning   duplicate-time, short-segment, not-unit, over-half-turn, long-way, non-positive-scale (negative),\n"
+    "  warning   duplicate-time, short-segment, not-unit, over-half-turn, long-way, non-positive-scale\n"
+    "            (negative),\n"
     "            weights-sum, unused-joint-out-of-range, singular-matrix, unread-channel, as-read\n"
     "  note      rounded-unit, sign-flip, half-turn, non-positive-scale (zero), constant, spare-keys, open-loop,\n"
     "            added-keys\n\n"

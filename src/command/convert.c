@@ -9,18 +9,15 @@
 
 static const options_text text = {
     "[OPTION...] FILE -o OUT",
-    "Writes FILE, of any format that is read, as glTF 2.0: skeleton, skins, meshes with morph targets, clips. Keys "
-    "are\n"
-    "those of the file, unless --rate resamples them or --tolerance reduces them; then the keys, their bytes and the\n"
-    "largest distance to the original are printed for each clip.\n\n"
+    "Writes FILE, of any format that is read, as glTF 2.0: skeleton, skins, meshes with morph targets, clips.\n"
+    "Keys are those of the file, unless --rate resamples them or --tolerance reduces them; then the keys, their\n"
+    "bytes and the largest distance to the original are printed for each clip.\n\n"
     "--axes A:B converts from the axes of A to those of B: a tool (gltf, maya, vrm, blender, max, opengl, unity,\n"
-    "directx, unreal), or the axes that point right, up and forward, such as x,z,-y. --up z:y is --axes blender:gltf,\n"
-    "--up y:z the reverse. --scale multiplies lengths. --in-place removes the motion of the root joint, about the up "
-    "axis\n"
-    "of A or y, so that the character stays in its place.\n\n"
-    "Of a glTF file everything else is kept, unless --axes, --up or --scale changes its meshes: then only what is "
-    "read\n"
-    "is written: no cameras, lights, extensions; of textures only base colours.\n",
+    "directx, unreal), or the axes that point right, up and forward, such as x,z,-y. --up z:y is --axes\n"
+    "blender:gltf, --up y:z the reverse. --scale multiplies lengths. --in-place removes the motion of the root\n"
+    "joint, about the up axis of A or y, so that the character stays in its place.\n\n"
+    "Of a glTF file everything else is kept, unless --axes, --up or --scale changes its meshes: then only what is\n"
+    "read is written: no cameras, lights, extensions; of textures only base colours.\n",
     "  nakawari convert keys.csv -o keys.glb\n"
     "  nakawari convert fox.glb --rate 30 --tolerance 0.1 -o fox30.glb\n"
     "  nakawari convert zup.glb --up z:y --scale 0.01 -o yup.glb\n"

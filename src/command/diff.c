@@ -14,13 +14,10 @@
 
 static const options_text text = {
     "[OPTION...] A B",
-    "Compares the clips of two files: prints for each joint the largest distance between A and B in model space, and "
-    "the\n"
-    "time of it. The distance is the largest of four points: the joint's origin, and the points on its three axes at "
-    "the\n"
-    "distance of its farthest vertex. It is measured at the times of all keys of both clips and half-way between two "
-    "of\n"
-    "them. Joints and clips are matched by name, those of equal name in their order.\n\n"
+    "Compares the clips of two files: prints for each joint the largest distance between A and B in model space,\n"
+    "and the time of it. The distance is the largest of four points: the joint's origin, and the points on its\n"
+    "three axes at the distance of its farthest vertex. It is measured at the times of all keys of both clips and\n"
+    "half-way between two of them. Joints and clips are matched by name, those of equal name in their order.\n\n"
     "The exit code is 1 if a distance exceeds --tolerance, or if a joint or a clip is in one file only.\n",
     "  nakawari diff fox.glb fox-optimised.glb\n"
     "  nakawari diff --tolerance 0.01 --clip Walk fox.glb fox-optimised.glb\n"

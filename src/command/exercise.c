@@ -11,12 +11,11 @@
 
 static const options_text text = {
     "[OPTION...] SCENE",
-    "Draws the exercise of docs/coursework.md with the keys of SCENE: a table of the object's matrix by every method, "
-    "the\n"
-    "curves from above and in space, all frames, Euler angles against slerp, and one page of all. SCENE is a scene of\n"
-    "keys in JSON, a table of keys in CSV or JSON, or any other file that is read: the keys of one joint of a clip, "
-    "at\n"
-    "most 64 of them in 64 seconds. With --trace it prints the calculation at one time, step by step.\n",
+    "Draws the exercise of docs/coursework.md with the keys of SCENE: a table of the object's matrix by every\n"
+    "method, the curves from above and in space, all frames, Euler angles against slerp, and one page of all.\n"
+    "SCENE is a scene of keys in JSON, a table of keys in CSV or JSON, or any other file that is read: the keys\n"
+    "of one joint of a clip, at most 64 of them in 64 seconds. With --trace it prints the calculation at one\n"
+    "time, step by step.\n",
     "  nakawari exercise docs/examples/scenes.json --clip scene1 -o out\n"
     "  nakawari exercise docs/examples/flight.csv -o out && open out/index.html\n"
     "  nakawari exercise docs/examples/flight.csv --trace 1.25 --position bezier --orientation euler\n",

@@ -11,13 +11,13 @@
 static const options_text text = {
     "[OPTION...] FILE",
     "Cuts the triangles of each skinned mesh into parts of one material and at most N bones, and prints JSON:\n\n"
-    "  skin_models.NAME.bones[]   name, parent (-1: none), matrix (bind pose, relative to the parent); parents first\n"
+    "  skin_models.NAME.bones[]   name, parent (-1: none), matrix (bind pose, relative to the parent); parents\n"
+    "                             first\n"
     "  skin_models.NAME.parts[]   bone (N bones), material (-1: none), vertexStride, vertex, index\n\n"
-    "With --bones 2,4 a triangle is in a part of 2 bones if 2 suffice, otherwise in one of 4. A vertex is, for each "
-    "bone of\n"
-    "the part, its weight, and its position and normal in the space of the bone; then u and v if the mesh has them. "
-    "With\n"
-    "--space bind it is the N weights, then position and normal in the bind pose, then u and v.\n\n"
+    "With --bones 2,4 a triangle is in a part of 2 bones if 2 suffice, otherwise in one of 4. A vertex is, for\n"
+    "each bone of the part, its weight, and its position and normal in the space of the bone; then u and v if the\n"
+    "mesh has them. With --space bind it is the N weights, then position and normal in the bind pose, then u and\n"
+    "v.\n\n"
     "The exit code is 1 if triangles need more bones: they are left out, and their number is reported.\n",
     "  nakawari parts fox.glb -o fox.json\n"
     "  nakawari parts --bones 16 --space bind fox.glb | jq '.skin_models[].parts | length'\n",

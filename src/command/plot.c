@@ -11,13 +11,13 @@
 
 static const options_text text = {
     "[OPTION...] FILE",
-    "Draws the channels of a clip: on the left the values over time with their keys, on the right the velocity, of\n"
-    "rotations the angular velocity in radians per second, in the frame of the parent. x is red, y green, z blue, w\n"
-    "grey; of morph weights the first four are drawn.\n\n"
-    "  --what path    the paths of joints in the space of the model, from four sides; without --joint the five "
-    "longest\n"
-    "  --what euler   the angles of rotations about x, y and z, and those that interpolating the angles of the keys "
-    "results\n"
+    "Draws the channels of a clip: on the left the values over time with their keys, on the right the velocity,\n"
+    "of rotations the angular velocity in radians per second, in the frame of the parent. x is red, y green, z\n"
+    "blue, w grey; of morph weights the first four are drawn.\n\n"
+    "  --what path    the paths of joints in the space of the model, from four sides; without --joint the five\n"
+    "         longest\n"
+    "  --what euler   the angles of rotations about x, y and z, and those that interpolating the angles of the\n"
+    "         keys results\n"
     "                 in (dashed); and the angle between the two\n",
     "  nakawari plot fox.glb --clip Walk --joint b_Head_05 -o head.svg\n"
     "  nakawari plot fox.glb -c 1 -j b_Head_05,b_Neck_04 --what rotation > neck.svg\n"

@@ -8,16 +8,13 @@
 
 static const options_text text = {
     "[OPTION...] FILE -o OUT",
-    "Removes the keys of FILE that are not needed within a distance in model space, and writes the rest as glTF 2.0.\n"
-    "The keys that remain are unchanged. Turns, jumps and changes of the interpolation remain at every tolerance. Of "
-    "a\n"
-    "glTF file everything else is kept: meshes, materials, textures, cameras, extensions.\n\n"
-    "Prints for each clip: keys and their bytes before and after, the largest distance that was measured between "
-    "both,\n"
-    "at the farthest vertex of each joint, and the largest difference of a morph weight. --lossless removes only keys\n"
-    "between equal values. Tracks often share their key times: one whose fewer keys, with times of their own, would "
-    "need\n"
-    "more bytes remains as it is, unless --fewest is used.\n",
+    "Removes the keys of FILE that are not needed within a distance in model space, and writes the rest as glTF\n"
+    "2.0. The keys that remain are unchanged. Turns, jumps and changes of the interpolation remain at every\n"
+    "tolerance. Of a glTF file everything else is kept: meshes, materials, textures, cameras, extensions.\n\n"
+    "Prints for each clip: keys and their bytes before and after, the largest distance that was measured between\n"
+    "both, at the farthest vertex of each joint, and the largest difference of a morph weight. --lossless removes\n"
+    "only keys between equal values. Tracks often share their key times: one whose fewer keys, with times of\n"
+    "their own, would need more bytes remains as it is, unless --fewest is used.\n",
     "  nakawari reduce fox.glb -o small.glb\n"
     "  nakawari reduce fox.glb --tolerance 0.1 -o small.glb\n"
     "  nakawari reduce --lossless robot.gltf -o robot.glb\n"

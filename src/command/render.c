@@ -16,11 +16,10 @@
 
 static const options_text text = {
     "[OPTION...] FILE",
-    "Draws the morphed and skinned meshes of FILE at times of a clip, shaded, with base colour textures in PNG, as a\n"
-    "contact sheet, row by row; with --sequence as numbered files of one frame each; or as an animated PNG. The "
-    "camera is\n"
-    "orthographic and frames the model over all times. With --turntable it turns once around the model, with --follow\n"
-    "it moves with it.\n",
+    "Draws the morphed and skinned meshes of FILE at times of a clip, shaded, with base colour textures in PNG,\n"
+    "as a contact sheet, row by row; with --sequence as numbered files of one frame each; or as an animated PNG.\n"
+    "The camera is orthographic and frames the model over all times. With --turntable it turns once around the\n"
+    "model, with --follow it moves with it.\n",
     "  nakawari render fox.glb --clip Walk -o walk.png\n"
     "  nakawari render fox.glb -c Run -o run.apng\n"
     "  nakawari render fox.glb -c rest --turntable --format apng > fox.png\n"
