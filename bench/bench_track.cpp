@@ -65,7 +65,7 @@ static void rows(const char *name, size_t keys, size_t width, nkw_track_kind kin
                     flops,
                     [=](size_t i, double *to) {
                         float value[4];
-                        nkw_track_sample(&d->track, d->ask[i], value);
+                        nkw_track_sample(&d->track, d->ask[i], NULL, value);
                         for (size_t k = 0; k < width; k++)
                             to[k] = static_cast<double>(value[k]);
                     },
@@ -76,12 +76,12 @@ static void rows(const char *name, size_t keys, size_t width, nkw_track_kind kin
     op.elements = d->ask.size();
     into_structs(op, "nkw", [=](size_t, size_t n) {
         for (size_t i = 0; i < n; i++)
-            nkw_track_sample(&d->track, d->ask[i], out(i, width));
+            nkw_track_sample(&d->track, d->ask[i], NULL, out(i, width));
     });
     into_structs(op, "nkw _from", [=](size_t, size_t n) {
         uint32_t cursor = 0;
         for (size_t i = 0; i < n; i++)
-            nkw_track_sample_cursor(&d->track, d->ask[i], &cursor, out(i, width));
+            nkw_track_sample(&d->track, d->ask[i], &cursor, out(i, width));
     });
     if (interpolation == NKW_INTERPOLATION_LINEAR)
         into_structs(op, width == 3 ? "loop" : "upper_bound, glm", [=](size_t, size_t n) {

@@ -149,8 +149,8 @@ static void count_data(void)
     EACH("segment_find_from",
          segments[i] = nkw_segment_find_hint(times, KEYS, 10.0f * (float)i / N, segments[i ? i - 1 : 0].index));
     EACH("timeline_find", segments[i] = nkw_timeline_find((nkw_timeline){0, 30, KEYS}, 10 * t[i]));
-    EACH("track_sample vec3", nkw_track_sample(&tracks[0].track, 10 * t[i], &v_out[i].x));
-    EACH("track_sample rotation", nkw_track_sample(&tracks[1].track, 10 * t[i], &q_out[i].x));
+    EACH("track_sample vec3", nkw_track_sample(&tracks[0].track, 10 * t[i], NULL, &v_out[i].x));
+    EACH("track_sample rotation", nkw_track_sample(&tracks[1].track, 10 * t[i], NULL, &q_out[i].x));
     COUNT("clip_sample 67 joints", for (size_t i = 0; i < 16; i++) nkw_clip_sample(
                                        clips[0], 10 * t[i], cursors, (nkw_pose_span){pose, JOINTS}, NULL));
     COUNT("clip_sample 67 joints, 16 bits", for (size_t i = 0; i < 16; i++) nkw_clip_sample(

@@ -123,7 +123,7 @@ nkw_trs scene::joint_at(size_t joint, float time) const
 {
     nkw_trs trs;
     for (size_t p = 0; p < 3; p++)
-        nkw_track_sample(&tracks[joint * 3 + p].track, time, &trs.translation.x + first[p]);
+        nkw_track_sample(&tracks[joint * 3 + p].track, time, NULL, &trs.translation.x + first[p]);
     return trs;
 }
 

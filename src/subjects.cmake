@@ -1,15 +1,18 @@
 # The subjects of the library, in their order, and their stems: the one list of them. Each subject uses those before it,
-# and the kernel. A new stem is registered here and in nakawari.h. Files are found by name: include/nakawari/STEM.h;
+# and the kernel. A new stem is registered here and in nakawari.h, one of core also in core.h. Files are found by name: include/nakawari/STEM.h;
 # STEM.c and STEM_*.c in src/SUBJECT, src/kernel/batch, src/kernel/simd, tests/SUBJECT (test_), tests/accuracy
 # (accuracy_) and bench (bench_).
 set(NKW_SUBJECTS math curve motion track pose clip skin)
-set(NKW_STEMS_math base types scalar vec quat mat euler axes transform dual box)
+set(NKW_STEMS_math base types scalar vec quat mat euler axes transform arrays dual box)
 set(NKW_STEMS_curve curve handle ease orient rotation segment spline nurbs polycurve)
 set(NKW_STEMS_motion spring inertia)
 set(NKW_STEMS_track playback timecode keyframe track fcurve dialect edit fit reduce)
 set(NKW_STEMS_pose pose skeleton blend transition root limit ik foot retarget blendspace)
 set(NKW_STEMS_clip clip clip_reduce)
 set(NKW_STEMS_skin palette skin morph bounds partition crowd)
+# Core is from key frames to skinned vertices, and what core.h includes; every other stem is a kit.
+set(NKW_CORE base types scalar vec quat mat euler transform curve orient segment playback keyframe track
+  pose skeleton blend clip palette skin)
 set(NKW_STEMS "")
 foreach(subject IN LISTS NKW_SUBJECTS)
   list(APPEND NKW_STEMS ${NKW_STEMS_${subject}})

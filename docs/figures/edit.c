@@ -32,7 +32,7 @@ static void panel(svg *s, int index, const char *name, const nkw_track *source, 
         float first = t->times[0], last = t->times[t->count - 1];
         for (int k = 0; k <= FIGURE_STEPS; k++) {
             float time = first + (last - first) * (float)k / (float)FIGURE_STEPS, value;
-            nkw_track_sample(t, time, &value);
+            nkw_track_sample(t, time, NULL, &value);
             line[k] = svg_plot_at(&plot, time, value);
         }
         svg_polyline(s, line, FIGURE_STEPS + 1, &paint);

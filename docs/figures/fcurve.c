@@ -110,9 +110,9 @@ static void outside_panel(svg *s, float y, nkw_fcurve_outside outside, const cha
     size_t n = 0;
     svg_plot_frame(s, &plot);
     figure_bold(s, 20.0f, y + 50.0f, 13.0f, FIGURE_INK, 's', name);
-    float before = nkw_fcurve_sample(&curve, -3.2f).value;
+    float before = nkw_fcurve_sample(&curve, -3.2f, NULL).value;
     for (int i = 0; i <= STEPS; i++) {
-        float time = nkw_lerp(-3.2f, 4.2f, (float)i / (float)STEPS), value = nkw_fcurve_sample(&curve, time).value;
+        float time = nkw_lerp(-3.2f, 4.2f, (float)i / (float)STEPS), value = nkw_fcurve_sample(&curve, time, NULL).value;
         if (nkw_abs(value - before) > 0.25f) {
             svg_polyline(s, line, n, &around);
             n = 0;
@@ -123,7 +123,7 @@ static void outside_panel(svg *s, float y, nkw_fcurve_outside outside, const cha
     }
     svg_polyline(s, line, n, &around);
     for (int i = 0; i <= STEPS; i++)
-        line[i] = svg_plot_at(&plot, (float)i / STEPS, nkw_fcurve_sample(&curve, (float)i / STEPS).value);
+        line[i] = svg_plot_at(&plot, (float)i / STEPS, nkw_fcurve_sample(&curve, (float)i / STEPS, NULL).value);
     svg_polyline(s, line, STEPS + 1, &within);
     for (int k = 0; k < 3; k++)
         figure_key(s, svg_plot_at(&plot, keys[k].time, keys[k].value));
@@ -205,8 +205,8 @@ static void track_panel(svg *s, float x, float tolerance, const char *name)
     svg_plot_frame(s, &plot);
     for (int i = 0; i <= STEPS; i++) {
         float time = 2.0f * (float)i / (float)STEPS, value;
-        nkw_track_sample(&track, time, &value);
-        line[i] = svg_plot_at(&plot, time, nkw_fcurve_sample(&curve, time).value);
+        nkw_track_sample(&track, time, NULL, &value);
+        line[i] = svg_plot_at(&plot, time, nkw_fcurve_sample(&curve, time, NULL).value);
         fitted[i] = svg_plot_at(&plot, time, value);
     }
     svg_polyline(s, line, STEPS + 1, &exact);

@@ -61,7 +61,7 @@ int figure_fit_samples(const char *path)
         figure_dot(&s, svg_plot_at(&value, times[k], values[k]), 0xb5b8c4);
     for (size_t k = 0; k < SAMPLES; k++) {
         float fitted;
-        nkw_track_sample(&out, times[k], &fitted);
+        nkw_track_sample(&out, times[k], NULL, &fitted);
         line[k] = svg_plot_at(&value, times[k], fitted);
     }
     svg_polyline(&s, line, SAMPLES, &curve);
@@ -70,7 +70,7 @@ int figure_fit_samples(const char *path)
         figure_key(&s, svg_plot_at(&value, out.times[k], out.values[3 * k + 1]));
     for (size_t k = 0; k < SAMPLES; k++) {
         float fitted;
-        nkw_track_sample(&out, times[k], &fitted);
+        nkw_track_sample(&out, times[k], NULL, &fitted);
         line[k] = svg_plot_at(&rest, times[k], fitted - values[k]);
     }
     svg_polyline(&s, line, SAMPLES, &curve);

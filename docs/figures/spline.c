@@ -50,7 +50,7 @@ static void method_panel(svg *s, svg_box box, const shown_method *m)
     svg_line(s, svg_plot_at(&plot, 0.0f, 0.0f), svg_plot_at(&plot, 7.0f, 0.0f), &level);
     for (int i = 0; i <= 4 * FIGURE_STEPS; i++) {
         float time = 7.0f * (float)i / (float)(4 * FIGURE_STEPS);
-        nkw_track_sample(&track, time, &value);
+        nkw_track_sample(&track, time, NULL, &value);
         line[i] = svg_plot_at(&plot, time, value);
     }
     svg_polyline(s, line, 4 * FIGURE_STEPS + 1, &paint);

@@ -5,6 +5,7 @@ import { execFileSync } from 'node:child_process';
 import { copyFileSync, mkdirSync, readFileSync, readdirSync, realpathSync, rmSync, writeFileSync } from 'node:fs';
 import { createRequire } from 'node:module';
 import { gzipSync } from 'node:zlib';
+import { html, reference } from '../generate/reference.mjs';
 
 const [page, build] = process.argv.slice(2).map(path => realpathSync(path));
 const modules = `${build}/node_modules`, out = `${build}/page`;
@@ -85,6 +86,7 @@ async function bundle() {
     module('character', `${page}/kit/character.ts`),
   ]);
   copyFileSync(`${page}/index.html`, `${out}/index.html`);
+  writeFileSync(`${out}/reference.html`, html(readFileSync(reference, 'utf8')));
   return results.flatMap(result => Object.keys(result.metafile.inputs));
 }
 

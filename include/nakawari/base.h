@@ -5,6 +5,11 @@
  *
  * The library reads and writes only the memory that the caller passes. It allocates nothing, keeps no state, and uses
  * no errno, no locale and no file. Every function may be called from any thread.
+ *
+ * Example  nkw_result result; const char *text; unsigned number;
+ *
+ *     text = nkw_result_text(result);                 the text of an error
+ *     number = nkw_version();                         of the linked library: 10203 is 1.2.3
  */
 #ifndef NAKAWARI_BASE_H
 #define NAKAWARI_BASE_H

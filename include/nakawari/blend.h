@@ -11,6 +11,19 @@
  * Without joints nothing is read or written. `out` may be one of the input poses; otherwise it must not overlap them.
  * Its padding may be written. The result of a joint depends on the inputs of that joint only, except for the order of
  * layers of equal weight.
+ *
+ * Example  nkw_pose_view a, b; nkw_pose_span out; nkw_mask_view mask; nkw_mask_span to; nkw_skeleton skeleton;
+ *          const nkw_pose_layer *layers; const int32_t *pair; float t; size_t bad;
+ *
+ *     nkw_pose_blend(a, b, t, mask, out);                         crossfade: nlerp of all joints
+ *     nkw_pose_blend_slerp(a, b, t, mask, out);                   rotations at constant speed
+ *     nkw_pose_layers_blend(layers, 3, a, 0.1f, out);             many poses by weights
+ *     nkw_mask_validate(mask, &bad);
+ *     nkw_pose_layers_validate(layers, 3, 24, &bad);              which layer is wrong
+ *     nkw_pose_additive_build(a, b, NKW_ADDITIVE_LOCAL, out);     the difference of two poses
+ *     nkw_pose_additive_apply(a, b, t, mask, NKW_ADDITIVE_LOCAL, out);    added to a third
+ *     nkw_pose_mirror(a, pair, NKW_MIRROR_X, out, &bad);          left for right
+ *     nkw_mask_from_subtree(&skeleton, 3, to);                    a joint and all below it
  */
 #ifndef NAKAWARI_BLEND_H
 #define NAKAWARI_BLEND_H

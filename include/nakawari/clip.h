@@ -18,6 +18,20 @@
  *
  * A block has the byte order of the machine that built it. Machines of the same byte order build the same bytes, and
  * nkw_clip_convert opens a block of the other byte order.
+ *
+ * Example  nkw_clip_source source; nkw_bytes_span block, cache; nkw_work work; const nkw_clip *clip;
+ *          float time, *floats; nkw_pose_span pose; uint32_t *cursors; size_t bytes, bad; nkw_clip_description all;
+ *          nkw_clip_error error; nkw_clip_track track; nkw_track_span span; const char *name;
+ *
+ *     nkw_clip_build(&source, block, &bytes, &bad, work);         tracks into one block
+ *     nkw_clip_open(block.data, bytes, &clip);                    checks a block from a file
+ *     nkw_clip_convert(block.data, bytes, block.data, &clip);     a block of the other byte order
+ *     all = nkw_clip_describe(clip);                              times, counts, sizes
+ *     name = nkw_clip_joint_name(clip, 3);                        of a joint
+ *     nkw_clip_track_get(clip, 0, span, &track, work);            one track back
+ *     nkw_clip_sample(clip, time, cursors, pose, floats);         the pose at a time
+ *     nkw_clip_sample_cached(clip, time, cache, pose, floats);    the same, faster in small steps
+ *     nkw_clip_difference(clip, &source, &error, work);           what its format loses
  */
 #ifndef NAKAWARI_CLIP_H
 #define NAKAWARI_CLIP_H
@@ -49,7 +63,7 @@ typedef struct nkw_clip_track {
 NKW_SIZE(nkw_clip_track, 56, 36);
 
 /**
- * The kind of the values of a target, for nkw_track_convert_axes (track.h). Values of NKW_CLIP_FLOATS have no axes: do
+ * The kind of the values of a target, for nkw_track_convert_axes (edit.h). Values of NKW_CLIP_FLOATS have no axes: do
  * not convert them. Convert all other tracks of a source and its rest pose (nkw_pose_convert_axes) before
  * nkw_clip_build.
  */

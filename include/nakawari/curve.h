@@ -24,6 +24,28 @@
  *
  * Tangents are per segment: the derivative of p by t. Multiply a tangent per second (glTF) by the duration of the
  * segment: nkw_vec3_scale(tangent, duration).
+ *
+ * Example  nkw_weights w; nkw_vec3 a, b, c, d, keys[4]; nkw_vec3_cubic p, left, right; float x, t, y[4], times[4];
+ *          nkw_motion m; nkw_vec3_motion v;
+ *
+ *     w = nkw_cubic_weights(NKW_CUBIC_HERMITE, 0, t);             the four weights, or their derivatives
+ *     a = nkw_vec3_cubic_sum(&p, w);                              control values times weights
+ *     x = nkw_hermite(y[0], y[1], y[2], y[3], t);                 value, tangent, value, tangent
+ *     a = nkw_vec3_hermite(a, b, c, d, t);                        tangents per segment
+ *     x = nkw_bezier(y[0], y[1], y[2], y[3], t);
+ *     a = nkw_vec3_bezier(a, b, c, d, t);                         four control points
+ *     x = nkw_bspline(y[0], y[1], y[2], y[3], t);
+ *     a = nkw_vec3_bspline(a, b, c, d, t);                        uniform B-spline: passes near the points
+ *     x = nkw_catmull_rom(y[0], y[1], y[2], y[3], t);
+ *     a = nkw_vec3_catmull_rom(a, b, c, d, t);                    through b and c
+ *     p = nkw_vec3_cubic_from_catmull_rom(keys, times);           the segment between keys 1 and 2 as Hermite
+ *     nkw_cubic_from_catmull_rom(y, times, y);                    of numbers
+ *     m = nkw_cubic_evaluate(y, t, NKW_CUBIC_BEZIER);             value, velocity, acceleration
+ *     v = nkw_vec3_cubic_evaluate(&p, t, NKW_CUBIC_BEZIER);
+ *     m = nkw_quintic_evaluate(m, m, t);                          Hermite of two whole states
+ *     v = nkw_vec3_quintic_evaluate(&v, &v, t);
+ *     p = nkw_vec3_cubic_convert(&p, NKW_CUBIC_BEZIER, NKW_CUBIC_HERMITE);    from kind to kind
+ *     nkw_vec3_bezier_split(&p, t, &left, &right);                de Casteljau
  */
 #ifndef NAKAWARI_CURVE_H
 #define NAKAWARI_CURVE_H
@@ -245,19 +267,6 @@ NKW_API nkw_vec3_cubic nkw_vec3_cubic_convert(const nkw_vec3_cubic *cubic, nkw_c
  * Source de Casteljau, Courbes et surfaces a poles, 1963.
  */
 NKW_API void nkw_vec3_bezier_split(const nkw_vec3_cubic *bezier, float t, nkw_vec3_cubic *left, nkw_vec3_cubic *right);
-
-/**
- * The curves over component arrays: element i of the result is the curve of the elements i at t[i], with the bits of
- * the scalar function. See types.h for the rules of all batch functions.
- */
-NKW_API void nkw_vec3_hermite_n(nkw_vec3_view p0, nkw_vec3_view v0, nkw_vec3_view p1, nkw_vec3_view v1, const float *t,
-                                nkw_vec3_span out, size_t n);
-NKW_API void nkw_vec3_bezier_n(nkw_vec3_view p0, nkw_vec3_view p1, nkw_vec3_view p2, nkw_vec3_view p3, const float *t,
-                               nkw_vec3_span out, size_t n);
-NKW_API void nkw_vec3_bspline_n(nkw_vec3_view p0, nkw_vec3_view p1, nkw_vec3_view p2, nkw_vec3_view p3, const float *t,
-                                nkw_vec3_span out, size_t n);
-NKW_API void nkw_vec3_catmull_rom_n(nkw_vec3_view p0, nkw_vec3_view p1, nkw_vec3_view p2, nkw_vec3_view p3,
-                                    const float *t, nkw_vec3_span out, size_t n);
 
 #ifdef __cplusplus
 }

@@ -64,15 +64,15 @@ NKW_SIZE(nkw_slope_key, 32, 32);
  * key only state a slope: their length is a third of the segment beside them, for one key 1 s.
  *
  * keys     receives `count` keys
- * bad_key  receives the index of the first key with an error, 0 if there is none; may be NULL
+ * bad  receives the index of the first key with an error, 0 if there is none; may be NULL
  * Returns  NKW_OK; NKW_EMPTY; NKW_BAD_METHOD for an unknown kind, unit or `weighted`, and for EASE; NKW_NOT_FINITE for
  *          a time, value or weight that is not finite, and a slope that is NaN; NKW_NOT_ASCENDING. Keys before the
  *          offender are written
  *
  * Error  1.1 u of the number, for handles.
  */
-NKW_API nkw_result nkw_fcurve_keys_from_slopes(const nkw_slope_key *slopes, size_t count, nkw_weight_unit unit,
-                                               nkw_fcurve_key *keys, size_t *bad_key);
+NKW_API nkw_result nkw_fcurve_from_slope_keys(const nkw_slope_key *slopes, size_t count, nkw_weight_unit unit,
+                                               nkw_fcurve_key *keys, size_t *bad);
 
 /**
  * The inverse. A handle of the time (float)(h/3) is written without a weight. LINEAR segments have the slope of the
@@ -80,8 +80,8 @@ NKW_API nkw_result nkw_fcurve_keys_from_slopes(const nkw_slope_key *slopes, size
  *
  * Returns  as above; NKW_BAD_METHOD also for EASE; NKW_OUT_OF_RANGE for a vertical handle, which has no slope
  */
-NKW_API nkw_result nkw_slopes_from_fcurve_keys(const nkw_fcurve_key *keys, size_t count, nkw_weight_unit unit,
-                                               nkw_slope_key *slopes, size_t *bad_key);
+NKW_API nkw_result nkw_slope_keys_from_fcurve(const nkw_fcurve_key *keys, size_t count, nkw_weight_unit unit,
+                                               nkw_slope_key *slopes, size_t *bad);
 
 /** A key of Blender: three points, and its numbers for interpolation (`ipo`) and easing. */
 typedef struct nkw_blender_key {
@@ -102,12 +102,12 @@ NKW_SIZE(nkw_blender_key, 32, 32);
  *
  * Error  2.0 u of the larger of the coordinates of handle and key.
  */
-NKW_API nkw_result nkw_fcurve_keys_from_blender(const nkw_blender_key *blender, size_t count, nkw_fcurve_key *keys,
-                                                size_t *bad_key);
+NKW_API nkw_result nkw_fcurve_from_blender_keys(const nkw_blender_key *blender, size_t count, nkw_fcurve_key *keys,
+                                                size_t *bad);
 
 /** The inverse. Returns NKW_BAD_METHOD also for CONSTANT_NEXT, and for an easing of CSS. */
-NKW_API nkw_result nkw_blender_from_fcurve_keys(const nkw_fcurve_key *keys, size_t count, nkw_blender_key *blender,
-                                                size_t *bad_key);
+NKW_API nkw_result nkw_blender_keys_from_fcurve(const nkw_fcurve_key *keys, size_t count, nkw_blender_key *blender,
+                                                size_t *bad);
 
 /** How a handle follows from the keys, with the names of Blender. Any other number is read as NKW_HANDLE_FREE. */
 typedef enum nkw_handle_type {
@@ -144,7 +144,7 @@ NKW_SIZE(nkw_handle_types, 8, 8);
 NKW_API void nkw_fcurve_auto_handles(nkw_fcurve_key *keys, size_t count, const nkw_handle_types *types);
 
 /** Makes the segment of two keys that of cubic-bezier(css[0], css[1], css[2], css[3]): kind and handles are set. */
-NKW_API void nkw_fcurve_keys_from_css(const float css[4], nkw_fcurve_key keys[2]);
+NKW_API void nkw_fcurve_from_css(const float css[4], nkw_fcurve_key keys[2]);
 
 /**
  * The cubic-bezier() of the segment of two keys: BEZIER, LINEAR, or EASE by a keyword of CSS.
@@ -152,30 +152,18 @@ NKW_API void nkw_fcurve_keys_from_css(const float css[4], nkw_fcurve_key keys[2]
  * Returns  NKW_OK; NKW_BAD_METHOD for other kinds; NKW_OUT_OF_RANGE without a duration, for an x outside 0..1, and for
  *          handles with a value between keys of equal value
  */
-NKW_API nkw_result nkw_css_from_fcurve_keys(const nkw_fcurve_key keys[2], float css[4]);
+NKW_API nkw_result nkw_fcurve_to_css(const nkw_fcurve_key keys[2], float css[4]);
 
 /**
- * The keys of a spline through keys, one component of it: TCB, PCHIP and all methods of spline.h. Handles are h/3 long.
- *
- * component  less than the width of the spline
- * keys       receives spline->count keys
- * work       as for nkw_spline_tangents
- * Returns    those of nkw_spline_tangents; NKW_OUT_OF_RANGE for the component
- *
- * Stack  at most 2 KiB.
- */
-NKW_API nkw_result nkw_fcurve_keys_from_spline(const nkw_spline *spline, size_t component, nkw_fcurve_key *keys,
-                                               size_t *bad, nkw_work work);
-
-/**
- * The keys of one component of a track: STEP is CONSTANT, CUBICSPLINE is BEZIER with handles of h/3.
+ * The keys of one component of a track: STEP is CONSTANT, CUBICSPLINE is BEZIER with handles of h/3. A spline through
+ * keys (TCB, PCHIP and all methods of spline.h) is the CUBICSPLINE track of its values and nkw_spline_tangents.
  *
  * keys     receives track->count keys
  * Returns  those of nkw_track_validate; NKW_MISMATCHED for rotations, whose components are not curves of their own;
  *          NKW_OUT_OF_RANGE for the component
  */
-NKW_API nkw_result nkw_fcurve_keys_from_track(const nkw_track *track, size_t component, nkw_fcurve_key *keys,
-                                              size_t *bad_key);
+NKW_API nkw_result nkw_fcurve_from_track(const nkw_track *track, size_t component, nkw_fcurve_key *keys,
+                                              size_t *bad);
 
 /**
  * Converts `count` fcurves to one CUBICSPLINE track of that width, from the first key of all to the last: for glTF, for

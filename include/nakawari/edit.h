@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /**
  * @file
- * Edits of tracks: cut, shift, stretch, reverse, join, close a loop.
+ * Edits of tracks: cut, shift, stretch, reverse, join, close a loop, convert axes.
  *
  * Each function reads a track and writes another one into arrays of the caller: the key capacity and the interpolation for
  * each key that nkw_track_span (track.h) needs are stated for each. The edit of a clip is the same edit of each of its
@@ -19,6 +19,7 @@
 #ifndef NAKAWARI_EDIT_H
 #define NAKAWARI_EDIT_H
 
+#include "axes.h"
 #include "track.h"
 
 #ifdef __cplusplus
@@ -100,6 +101,19 @@ NKW_API nkw_result nkw_track_join(const nkw_track *first, const nkw_track *secon
  * Source Holden, Creating Looping Animations from Motion Capture, 2022.
  */
 NKW_API nkw_result nkw_track_close(const nkw_track *track, float share, nkw_track_span span, nkw_track *out);
+
+/**
+ * Converts the values and tangents of a track to other axes. Samples of the converted track are the converted samples:
+ * with the same bits, except the signs of zeros; those of rotations to rounding. In place, convert each array once:
+ * tracks may share their values.
+ *
+ * kind     what the values are: a translation is NKW_AXES_VEC3
+ * values   receives nkw_track_value_count(track) floats; may be track->values
+ * Returns  NKW_OK; NKW_BAD_METHOD for an unknown kind; NKW_BAD_WIDTH if the width is not NKW_AXES_WIDTH(kind);
+ *          NKW_OUT_OF_RANGE for a map that is not valid; NKW_TOO_SMALL if the number of floats exceeds size_t; nothing
+ *          is then written
+ */
+NKW_API nkw_result nkw_track_convert_axes(const nkw_track *track, nkw_axes_map map, nkw_axes_kind kind, float *values);
 
 #ifdef __cplusplus
 }

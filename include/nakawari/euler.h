@@ -25,6 +25,18 @@
  *
  * Rotations from angles are computed in binary32 if x^2 + y^2 + z^2 is less than 8192^2, and otherwise in binary64 and
  * rounded once. All other functions compute in binary64 and round once: angles are differences of arcs near a pole.
+ *
+ * Example  nkw_vec3 a, b; nkw_vec3 keys[8]; nkw_quat q; nkw_mat3 m; float t;
+ *
+ *     q = nkw_quat_from_euler(a, NKW_EULER_YXZ);         R = Ry Rx Rz; a.x turns about x
+ *     m = nkw_mat3_from_euler(a, NKW_EULER_YXZ);
+ *     a = nkw_euler_from_quat(q, NKW_EULER_YXZ);
+ *     a = nkw_euler_from_mat3(&m, NKW_EULER_YXZ);
+ *     a = nkw_euler_unwrap(a, b);                        each by whole turns to the nearest of b
+ *     a = nkw_euler_alternate(a, NKW_EULER_YXZ);         the other angles of the rotation
+ *     a = nkw_euler_nearest(a, b, NKW_EULER_YXZ);        the angles nearest to b
+ *     nkw_euler_filter(keys, 8, NKW_EULER_YXZ, keys);    no jumps from key to key
+ *     a = nkw_euler_lerp(a, b, t, NKW_UNWRAP_ALL);
  */
 #ifndef NAKAWARI_EULER_H
 #define NAKAWARI_EULER_H

@@ -82,7 +82,7 @@ NKW_SIZE(nkw_fcurve, 40, 28);
 /**
  * Checks an fcurve.
  *
- * bad_key  receives the index of the first key with an error, 0 if there is none; may be NULL
+ * bad  receives the index of the first key with an error, 0 if there is none; may be NULL
  * Returns
  *
  *     NKW_OK             no error
@@ -93,11 +93,13 @@ NKW_SIZE(nkw_fcurve, 40, 28);
  *
  * Handles that point out of their segment are not an error: the policy, or the solver, answers them.
  */
-NKW_API nkw_result nkw_fcurve_validate(const nkw_fcurve *curve, size_t *bad_key);
+NKW_API nkw_result nkw_fcurve_validate(const nkw_fcurve *curve, size_t *bad);
 
 /**
  * The value at `time`, with its first and second derivative by time.
  *
+ * cursor   NULL, or where the search begins: a segment, which receives the segment found. Any number is a valid cursor.
+ *          The result has the same bits
  * Returns  NaN for a NaN time; 0 for no keys. One key holds its value. A curve that nkw_fcurve_validate rejects returns
  *          values without meaning, but nothing is read outside its keys. An infinite time returns the nearest key for
  *          the cycles, and its line for LINEAR
@@ -107,17 +109,11 @@ NKW_API nkw_result nkw_fcurve_validate(const nkw_fcurve *curve, size_t *bad_key)
  *        2^40 cycles, where differences of times are exact in binary64: they are 0 or within a factor of 2^29 of each
  *        other.
  */
-NKW_API nkw_motion nkw_fcurve_sample(const nkw_fcurve *curve, float time);
-
-/**
- * The same with a cursor: the search begins at segment *cursor, and *cursor receives the segment found. Any number is a
- * valid cursor. The result has the same bits.
- */
-NKW_API nkw_motion nkw_fcurve_sample_cursor(const nkw_fcurve *curve, float time, uint32_t *cursor);
+NKW_API nkw_motion nkw_fcurve_sample(const nkw_fcurve *curve, float time, uint32_t *cursor);
 
 /**
  * Shortens the handles of all BEZIER segments by a policy, as nkw_handle_limit, so that no tool sees a curve that runs
- * back. out receives count keys; it may be `keys`.
+ * back (nkw_handle_runs_back of a segment). out receives count keys; it may be `keys`.
  */
 NKW_API void nkw_fcurve_limit(const nkw_fcurve_key *keys, size_t count, nkw_handle_policy policy, nkw_fcurve_key *out);
 
@@ -136,9 +132,6 @@ NKW_API void nkw_fcurve_limit(const nkw_fcurve_key *keys, size_t count, nkw_hand
  * Returns  NKW_OK; NKW_OUT_OF_RANGE for another time; NKW_BAD_METHOD for an EASE segment; nothing is then written
  */
 NKW_API nkw_result nkw_fcurve_insert(const nkw_fcurve *curve, float time, nkw_fcurve_key *out, size_t *index);
-
-/** The index of the first BEZIER segment that runs back in time without a policy, or count if there is none. */
-NKW_API size_t nkw_fcurve_find_regression(const nkw_fcurve_key *keys, size_t count);
 
 #ifdef __cplusplus
 }

@@ -8,6 +8,14 @@
  * docs/coursework.md links each blank of the exercise to its function.
  *
  * Outside the key times every method clamps: to the state of the first key before, and of the last key after.
+ *
+ * Example  nkw_keyframe keys[2]; float time; nkw_mat4 m; size_t bad; nkw_keyframe_options options;
+ *          nkw_keyframe_trace all;
+ *
+ *     nkw_keyframes_validate(keys, 2, &bad);                      which key is wrong
+ *     nkw_keyframes_sample(keys, 2, time, NKW_POSITION_LINEAR, NKW_ORIENTATION_SLERP, &m);    the matrix at a time
+ *     nkw_keyframes_sample_as(keys, 2, time, &options, &m);       by options, also by the exercise's own rule
+ *     nkw_keyframes_trace(keys, 2, time, &options, &all);         all intermediate numbers
  */
 #ifndef NAKAWARI_KEYFRAME_H
 #define NAKAWARI_KEYFRAME_H
@@ -135,11 +143,11 @@ NKW_SIZE(nkw_keyframe_trace, 256, 224);
 /**
  * Checks `count` keys. Equal times are valid.
  *
- * bad_key  receives the index of the first key with an error, 0 if there is none; may be NULL
+ * bad  receives the index of the first key with an error, 0 if there is none; may be NULL
  * Returns  NKW_OK; NKW_EMPTY without keys; NKW_NOT_FINITE for a number that is not finite; NKW_NOT_ASCENDING for a time
  *          less than the one before; NKW_NOT_UNIT for an orientation whose length differs from 1 by more than 1e-3
  */
-NKW_API nkw_result nkw_keyframes_validate(const nkw_keyframe *keys, size_t count, size_t *bad_key);
+NKW_API nkw_result nkw_keyframes_validate(const nkw_keyframe *keys, size_t count, size_t *bad);
 
 /**
  * The matrix of the object at `time`: rotation in the 3x3 block, position in m[12..14], last row 0 0 0 1.

@@ -6,6 +6,47 @@
  * The product A B applies B first, then A. Functions that run for each joint and frame (products, transforms, the
  * matrix of a quaternion, rigid and affine inverses) compute in binary32. Determinants, the other inverses and
  * orthonormalisation compute in binary64 and round once.
+ *
+ * Example  nkw_mat3 m, k; nkw_mat4 a, b, r; nkw_mat3x4 rows; nkw_quat q; nkw_vec3 x, y, z; float d, f[16];
+ *          nkw_perspective lens; nkw_orthographic flat;
+ *
+ *     m = nkw_mat3_identity();
+ *     m = nkw_mat3_from_columns(x, y, z);         the images of the axes
+ *     x = nkw_mat3_column(&m, 0);
+ *     m = nkw_mat3_from_mat4(&a);                 without translation
+ *     m = nkw_mat3_transpose(&m);
+ *     m = nkw_mat3_mul(&m, &k);                   k first
+ *     x = nkw_mat3_transform(&m, x);
+ *     m = nkw_mat3_from_quat(q);
+ *     d = nkw_mat3_determinant(&m);
+ *     m = nkw_mat3_inverse(&m);                   zero if there is none
+ *     m = nkw_mat3_normal(&m);                    transforms normals: inverse transpose
+ *     m = nkw_mat3_orthonormalize(&m);
+ *     r = nkw_mat4_identity();
+ *     r = nkw_mat4_from_mat3(&m, x);              and a translation
+ *     r = nkw_mat4_from_quat(q);                  a rotation
+ *     x = nkw_mat4_translation(&a);               the fourth column
+ *     r = nkw_mat4_transpose(&a);
+ *     r = nkw_mat4_mul(&a, &b);                   b first
+ *     r = nkw_mat4_mul_affine(&a, &b);            faster: last rows 0 0 0 1
+ *     x = nkw_mat4_transform_point(&a, x);
+ *     x = nkw_mat4_transform_direction(&a, x);    without translation
+ *     x = nkw_mat4_project_point(&a, x);          divides by w
+ *     d = nkw_mat4_determinant(&a);
+ *     r = nkw_mat4_inverse(&a);                   any; zero if there is none
+ *     r = nkw_mat4_inverse_affine(&a);            last row 0 0 0 1
+ *     r = nkw_mat4_inverse_rigid(&a);             rotation and translation
+ *     r = nkw_mat4_from_row_major(f);
+ *     nkw_mat4_to_row_major(&a, f);
+ *     rows = nkw_mat3x4_from_mat4(&a);            three rows, for shaders
+ *     r = nkw_mat4_from_mat3x4(&rows);
+ *     r = nkw_mat4_from_translation(x);
+ *     r = nkw_mat4_from_scale(x);
+ *     r = nkw_mat4_from_axis_angle(x, 1.5f);
+ *     r = nkw_mat4_look_at(x, y, z);              camera at x, looks at y, z is up
+ *     r = nkw_mat4_from_perspective(&lens);       GL, Vulkan, D3D; reversed z; infinite
+ *     r = nkw_mat4_from_orthographic(&flat);
+ *     nkw_mat4_equal_within(&a, &b, 1e-5f);       element by element
  */
 #ifndef NAKAWARI_MAT_H
 #define NAKAWARI_MAT_H
@@ -282,19 +323,6 @@ NKW_API nkw_mat4 nkw_mat4_from_orthographic(const nkw_orthographic *camera);
 
 /** 1 if no two elements differ by more than `tolerance`, otherwise 0, also for NaN. Equal infinities do not differ. */
 NKW_API int nkw_mat4_equal_within(const nkw_mat4 *a, const nkw_mat4 *b, float tolerance);
-
-/**
- * The same functions over component arrays: element i of the result is computed from the elements i, with the bits of
- * the scalar function. See types.h for the rules of all batch functions.
- */
-/** In place, out may be a, b or both. */
-NKW_API void nkw_mat4_mul_affine_n(nkw_mat4_view a, nkw_mat4_view b, nkw_mat4_span out, size_t n);
-/** n points, or n directions, transformed by one affine matrix. */
-NKW_API void nkw_mat4_transform_point_n(const nkw_mat4 *m, nkw_vec3_view p, nkw_vec3_span out, size_t n);
-NKW_API void nkw_mat4_transform_direction_n(const nkw_mat4 *m, nkw_vec3_view d, nkw_vec3_span out, size_t n);
-/** Copy an array of matrices to component arrays, and back. The arrays must not overlap. */
-NKW_API void nkw_mat4_unpack_n(const nkw_mat4 *in, nkw_mat4_span out, size_t n);
-NKW_API void nkw_mat4_pack_n(nkw_mat4_view in, nkw_mat4 *out, size_t n);
 
 #ifdef __cplusplus
 }

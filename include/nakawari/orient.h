@@ -6,6 +6,20 @@
  * q and -q are the same rotation, so two arcs join two rotations. The shorter arc rotates by at most pi. If a.b is
  * negative, the shorter arc ends at -b: b is *negated*, not conjugated, because the conjugate is another rotation.
  * Interpolations of quaternions take the shorter arc, except the functions in _path, where nkw_path selects the arc.
+ *
+ * Example  nkw_quat a, b, q; nkw_vec3 v; float t; int32_t turns;
+ *
+ *     q = nkw_quat_nlerp(a, b, t);                           shorter arc, cheap, speed varies
+ *     q = nkw_quat_slerp(a, b, t);                           shorter arc, constant speed
+ *     q = nkw_quat_rotate_towards(a, b, 0.1f);               by an angle, never beyond
+ *     q = nkw_quat_slerp_path(a, b, t, NKW_PATH_LONG, 0);    longer arc, whole turns
+ *     q = nkw_quat_nlerp_path(a, b, t, NKW_PATH_LONG, 0);
+ *     turns = nkw_quat_turns(a, b, v, NKW_PATH_SHORT);       which arc an angular velocity took
+ *     v = nkw_quat_log(q);                                   half the rotation vector
+ *     q = nkw_quat_exp(v);
+ *     q = nkw_quat_pow(q, t);                                a part of a rotation
+ *     v = nkw_quat_angular_velocity(a, b, 0.1f);             radians per second
+ *     q = nkw_quat_integrate(q, v, 0.1f);                    turns for a time
  */
 #ifndef NAKAWARI_ORIENT_H
 #define NAKAWARI_ORIENT_H
@@ -173,19 +187,6 @@ NKW_API nkw_vec3 nkw_quat_angular_velocity(nkw_quat a, nkw_quat b, float duratio
  * Error  0.91 u, for rotations below 1e5 rad.
  */
 NKW_API nkw_quat nkw_quat_integrate(nkw_quat q, nkw_vec3 angular_velocity, float duration);
-
-/**
- * The same functions over component arrays: element i of the result is computed from the elements i, with the bits of
- * the scalar function. The functions in _at_n use one t for all elements. See types.h for the rules of all batch
- * functions.
- *
- * Stack  at most 16 KiB in nkw_quat_slerp_n; 9 KiB in nkw_quat_nlerp_n, nkw_quat_nlerp_at_n; 8 KiB in
- *        nkw_quat_slerp_at_n.
- */
-NKW_API void nkw_quat_nlerp_n(nkw_quat_view a, nkw_quat_view b, const float *t, nkw_quat_span out, size_t n);
-NKW_API void nkw_quat_nlerp_at_n(nkw_quat_view a, nkw_quat_view b, float t, nkw_quat_span out, size_t n);
-NKW_API void nkw_quat_slerp_n(nkw_quat_view a, nkw_quat_view b, const float *t, nkw_quat_span out, size_t n);
-NKW_API void nkw_quat_slerp_at_n(nkw_quat_view a, nkw_quat_view b, float t, nkw_quat_span out, size_t n);
 
 #ifdef __cplusplus
 }

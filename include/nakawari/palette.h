@@ -15,6 +15,17 @@
  * A skin lists the indices of its joints in the skeleton: joint i of the skin has the model matrix models[joints[i]].
  * joints = NULL: the joints of the skeleton in the same order. If joints[i] is negative or not less than the number of
  * models, nothing is read and the joint matrix is the identity.
+ *
+ * Example  nkw_palette_source source; nkw_palette_span out; nkw_palette_view view; nkw_mat4 *m;
+ *          nkw_palette_chunk chunks[2]; size_t total, bad;
+ *
+ *     nkw_palette_from_models(&source, out);                     joint matrices, for skinning or for a shader
+ *     nkw_palette_to_mat4(view, m);                              of any format, as 4x4 matrices
+ *     nkw_palette_inverse_bind(&source, m);                      from the models of the bind pose
+ *     nkw_palette_source_validate(&source, &bad);                which joint is wrong
+ *     nkw_palette_validate(view, &bad);                          which joint is not finite
+ *     nkw_palette_chunks_place(chunks, 2, 256, &total, &bad);    many palettes in one buffer
+ *     nkw_palette_chunks_validate(chunks, 2, total, &bad);       which chunk overlaps
  */
 #ifndef NAKAWARI_PALETTE_H
 #define NAKAWARI_PALETTE_H

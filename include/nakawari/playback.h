@@ -6,6 +6,16 @@
  *
  * A clip covers [start, start + duration]. Its play head is computed in binary64 from the running time, not
  * accumulated: it does not drift, and equal times return equal bits. All times are in seconds.
+ *
+ * Example  nkw_playback_range range; nkw_playback_step step; nkw_play_head head; nkw_play_head_f64 far;
+ *          nkw_vec3 v, a, b; nkw_quat q, r; float x; size_t keys[8], n;
+ *
+ *     head = nkw_playback_head(NKW_PLAYBACK_LOOP, 0.0f, 2.0f, 12.5f);    the time in the clip: once, loop, ping-pong
+ *     far = nkw_playback_head_f64(&range, 1e6);                   of long times
+ *     x = nkw_playback_offset(x, 0.0f, 1.0f, head.cycle);         a loop that goes on: the value after whole cycles
+ *     v = nkw_vec3_playback_offset(v, a, b, head.cycle);
+ *     q = nkw_quat_playback_offset(q, q, r, head.cycle);
+ *     nkw_playback_passed(&step, keys, 8, &n);                    events between two frames
  */
 #ifndef NAKAWARI_PLAYBACK_H
 #define NAKAWARI_PLAYBACK_H
@@ -140,10 +150,10 @@ typedef struct nkw_playback_step {
      */
     const float *times;
     size_t key_count;
-    float duration; /**< of the loop; 0 for a clip that does not loop */
-    float from, to; /**< the running time before, exclusive, and after the step, inclusive; to < from plays backwards */
+    double duration; /**< of the loop; 0 for a clip that does not loop */
+    double from, to; /**< the running time before, exclusive, and after the step, inclusive; to < from plays backwards */
 } nkw_playback_step;
-NKW_SIZE(nkw_playback_step, 32, 20);
+NKW_SIZE(nkw_playback_step, 40, 32);
 
 /**
  * The keys that a clip passes in a step of the running time:
@@ -155,25 +165,12 @@ NKW_SIZE(nkw_playback_step, 32, 20);
  *
  * keys      receives the indices of the first `capacity` keys in the order in which they are passed; may be NULL if
  *           capacity is 0
- * passed    receives the number of keys passed, which may be greater than capacity; 0 for to = from
+ * count     receives the number of keys passed, which may be greater than capacity; 0 for to = from
  * Returns   NKW_OK; NKW_NOT_FINITE if from, to or duration is not finite; NKW_OUT_OF_RANGE for a negative duration, for
  *           times that span more than the duration, for more than 2^31 loops in one step, and for loop numbers from
- *           2^53 on; *passed is then 0. NKW_TOO_MANY if the number exceeds size_t; *passed is then SIZE_MAX
+ *           2^53 on; *count is then 0. NKW_TOO_MANY if the number exceeds size_t; *count is then SIZE_MAX
  */
-NKW_API nkw_result nkw_playback_passed(const nkw_playback_step *step, size_t *keys, size_t *passed, size_t capacity);
-
-/** The same step with times in binary64. */
-typedef struct nkw_playback_step_f64 {
-    const float *times;
-    size_t key_count;
-    double duration;
-    double from, to;
-} nkw_playback_step_f64;
-NKW_SIZE(nkw_playback_step_f64, 40, 32);
-
-/** nkw_playback_passed for a running time in binary64. */
-NKW_API nkw_result nkw_playback_passed_f64(const nkw_playback_step_f64 *step, size_t *keys, size_t *passed,
-                                           size_t capacity);
+NKW_API nkw_result nkw_playback_passed(const nkw_playback_step *step, size_t *keys, size_t capacity, size_t *count);
 
 #ifdef __cplusplus
 }

@@ -14,6 +14,19 @@
  * The stride is a multiple of 16, so loops of every vector width run without a remainder. Padding may hold any values,
  * or be memory that was never written: no function computes with it. Functions that write a whole pose may write padding
  * too. Alignment for float suffices; 64 bytes is fastest.
+ *
+ * Example  nkw_pose_span pose; nkw_pose_view view; nkw_trs_view in; nkw_trs_span out; nkw_trs p, list[24];
+ *          size_t n, bad;
+ *
+ *     n = nkw_pose_floats(24);                 floats of 24 joints
+ *     in = nkw_pose_components(view);          its component arrays
+ *     out = nkw_pose_components_span(pose);
+ *     nkw_pose_identity(pose);
+ *     p = nkw_pose_get(view, 3);               one joint
+ *     nkw_pose_set(pose, 3, &p);
+ *     nkw_pose_from_trs(list, pose);
+ *     nkw_trs_from_pose(view, list);
+ *     nkw_pose_validate(view, &bad);           which joint is wrong
  */
 #ifndef NAKAWARI_POSE_H
 #define NAKAWARI_POSE_H

@@ -9,6 +9,36 @@
  *
  * Sums of four products are evaluated as (x + y) + (z + w). A quaternion is unit if its length is 1 to within 1e-5; the
  * products below lose far less. Rotations are right-handed: a positive angle about z rotates x towards y.
+ *
+ * Example  nkw_quat a, b, q; nkw_quat *list; nkw_vec3 v, axis, up; nkw_mat3 m; nkw_axis_angle turn;
+ *          nkw_swing_twist parts; float angle, wxyz[4], *weights;
+ *
+ *     q = nkw_quat_identity();                     no rotation
+ *     q = nkw_quat_add(a, b);                      for sums with weights
+ *     q = nkw_quat_sub(a, b);
+ *     q = nkw_quat_scale(a, 0.5f);
+ *     q = nkw_quat_negate(q);                      the same rotation
+ *     q = nkw_quat_conjugate(q);                   the inverse of a unit quaternion
+ *     angle = nkw_quat_dot(a, b);                  negative: the longer arc
+ *     nkw_quat_is_finite(q);
+ *     q = nkw_quat_mul(a, b);                      turns by b, then by a
+ *     v = nkw_quat_rotate(q, v);
+ *     v = nkw_quat_rotate_inverse(q, v);           by the inverse
+ *     angle = nkw_quat_length(q);
+ *     q = nkw_quat_normalize(q);                   zero becomes the identity
+ *     q = nkw_quat_inverse(q);                     of any length
+ *     q = nkw_quat_from_axis_angle(axis, 1.5f);
+ *     turn = nkw_axis_angle_from_quat(q);
+ *     q = nkw_quat_from_vectors(v, axis);          the shortest rotation from v to axis
+ *     q = nkw_quat_look_rotation(v, up);           look at: -z along v
+ *     q = nkw_quat_from_mat3(&m);                  the nearest rotation
+ *     angle = nkw_quat_angle(a, b);                between two rotations
+ *     nkw_quat_equal_within(a, b, 0.001f);         by their angle
+ *     parts = nkw_quat_swing_twist(q, axis);       q = swing twist
+ *     angle = nkw_quat_twist_angle(q, axis);
+ *     q = nkw_quat_mean(list, 3, weights);         of many rotations
+ *     q = nkw_quat_from_wxyz(wxyz);                w first
+ *     nkw_quat_to_wxyz(q, wxyz);
  */
 #ifndef NAKAWARI_QUAT_H
 #define NAKAWARI_QUAT_H
@@ -223,19 +253,6 @@ NKW_API nkw_quat nkw_quat_mean(const nkw_quat *rotations, size_t count, const fl
 /** The quaternion from components stored as w, x, y, z, and back. */
 NKW_API nkw_quat nkw_quat_from_wxyz(const float wxyz[4]);
 NKW_API void nkw_quat_to_wxyz(nkw_quat q, float wxyz[4]);
-
-/**
- * The same functions over component arrays: element i of the result is computed from the elements i, with the bits of
- * the scalar function. See types.h for the rules of all batch functions.
- *
- * Stack  at most 2 KiB in nkw_quat_normalize_n.
- */
-NKW_API void nkw_quat_mul_n(nkw_quat_view a, nkw_quat_view b, nkw_quat_span out, size_t n);
-NKW_API void nkw_quat_normalize_n(nkw_quat_view q, nkw_quat_span out, size_t n);
-NKW_API void nkw_quat_rotate_n(nkw_quat_view q, nkw_vec3_view v, nkw_vec3_span out, size_t n);
-/** Copy an array of quaternions to component arrays, and back. The arrays must not overlap. */
-NKW_API void nkw_quat_unpack_n(const nkw_quat *in, nkw_quat_span out, size_t n);
-NKW_API void nkw_quat_pack_n(nkw_quat_view in, nkw_quat *out, size_t n);
 
 #ifdef __cplusplus
 }

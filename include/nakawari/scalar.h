@@ -16,6 +16,35 @@
  * 2^-24 times the stated magnitude. "exact": the exact result is a float and is returned. "exhaustive": measured over
  * every float, for odd and even functions over every float from 0 on; other figures come from structured random
  * arguments.
+ *
+ * Example  float a, b, t, x, y, s, c;
+ *
+ *     x = nkw_abs(a);                         |a|
+ *     x = nkw_min(a, b);                      b if a is NaN
+ *     x = nkw_max(a, b);
+ *     x = nkw_clamp(a, 0.0f, 1.0f);           into a range
+ *     x = nkw_lerp(a, b, t);                  from a to b, exact at both ends
+ *     t = nkw_inverse_lerp(a, b, x);          where x is between a and b
+ *     nkw_equal_within(a, b, 1e-5f);          1 if they differ by at most that
+ *     x = nkw_move_towards(x, b, 0.1f);       by a step, never beyond
+ *     x = nkw_smoothstep(t);                  0 to 1 with flat ends
+ *     x = nkw_degrees_from_radians(a);
+ *     x = nkw_radians_from_degrees(90.0f);
+ *     x = nkw_sqrt(a);
+ *     x = nkw_sin(a);                         radians; the same bits everywhere
+ *     x = nkw_cos(a);
+ *     nkw_sincos(a, &s, &c);                  both
+ *     x = nkw_tan(a);
+ *     x = nkw_asin(a);
+ *     x = nkw_acos(a);
+ *     x = nkw_atan(a);
+ *     x = nkw_atan2(y, x);                    the angle of (x, y)
+ *     x = nkw_exp(a);
+ *     x = nkw_log(a);
+ *     x = nkw_pow(a, b);
+ *     x = nkw_wrap(a, 2.0f);                  into [0, period)
+ *     x = nkw_wrap_angle(a);                  into (-pi, pi]
+ *     x = nkw_angle_difference(a, b);         from a to b, the shorter way
  */
 #ifndef NAKAWARI_SCALAR_H
 #define NAKAWARI_SCALAR_H

@@ -19,6 +19,15 @@
  *
  * t is computed in binary64 and rounded once. t is 0 at the first key of the segment, and t is 1 only from the last key
  * on.
+ *
+ * Example  nkw_segment s, list[8]; nkw_timeline even; float *times, time, moments[8]; size_t n;
+ *
+ *     s = nkw_segment_find(times, n, time);                  the two keys around a time, and t
+ *     s = nkw_segment_find_hint(times, n, time, s.index);    faster near the last one
+ *     time = nkw_timeline_time(even, 3);                     evenly spaced keys: the time of one
+ *     nkw_timeline_from_times(times, n, &even);              are they evenly spaced?
+ *     s = nkw_timeline_find(even, time);                     without a search
+ *     nkw_segment_find_n(times, n, moments, list, 8);        of many times
  */
 #ifndef NAKAWARI_SEGMENT_H
 #define NAKAWARI_SEGMENT_H

@@ -22,6 +22,19 @@
  * Only the validate functions report it.
  *
  * Source Foley, van Dam, Feiner, Hughes, Computer Graphics: Principles and Practice, chapter 7, 1990.
+ *
+ * Example  nkw_skeleton skeleton; nkw_tree tree; nkw_pose_view view; nkw_pose_span pose; nkw_mat4 *models, *locals;
+ *          int32_t *a, *b, *parents; uint16_t *depths; uint32_t *order; float *error; size_t n, bad;
+ *
+ *     nkw_skeleton_validate(&skeleton, &bad);                     parents come first
+ *     n = nkw_skeleton_subtree_end(&skeleton, 3);                 of joints in depth-first order
+ *     nkw_skeleton_from_parents(a, 24, a, b, parents, &bad);      sorts nodes: parents first
+ *     nkw_skeleton_depths(&skeleton, depths, order, &bad);        joints by depth
+ *     nkw_skeleton_from_tree(&tree, a, b, parents, &bad);         from first children and siblings
+ *     nkw_skeleton_models_from_pose(&skeleton, view, NULL, NULL, models);    forward kinematics
+ *     nkw_skeleton_models_from_locals(&skeleton, locals, NULL, NULL, models);    of matrices
+ *     nkw_skeleton_locals_from_models(&skeleton, models, NULL, locals);    and back
+ *     nkw_skeleton_pose_from_models(&skeleton, models, NULL, pose, error);    decomposes all joints
  */
 #ifndef NAKAWARI_SKELETON_H
 #define NAKAWARI_SKELETON_H

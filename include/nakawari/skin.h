@@ -33,6 +33,15 @@
  *
  * Source Magnenat-Thalmann, Laperriere, Thalmann, Joint-Dependent Local Deformations, 1988 (linear blend);
  *        Kavan, Collins, Zara, O'Sullivan, Skinning with Dual Quaternions, 2007.
+ *
+ * Example  nkw_skin skin; nkw_skin_palette palette; nkw_palette_view dual; nkw_vertices_view in;
+ *          nkw_vertices_span out; nkw_skin_view weights; nkw_skin_span joints, fewer; size_t bad;
+ *
+ *     nkw_skin_linear(&skin, &palette, in, out);             blends joint matrices
+ *     nkw_skin_dual_quat(&skin, dual, in, out);              blends dual quaternions: no collapse at twists
+ *     nkw_skin_validate(&skin, 24, &bad);                    which vertex is wrong
+ *     nkw_skin_normalize_weights(weights, 4, 100, fewer);    sums become 1
+ *     nkw_skin_prune(&skin, 4, joints, fewer);               keeps the heaviest four
  */
 #ifndef NAKAWARI_SKIN_H
 #define NAKAWARI_SKIN_H

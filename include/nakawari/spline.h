@@ -6,7 +6,7 @@
  * All methods have one form: a tangent before and a tangent after each key, per second. The curve between two keys is
  * the cubic Hermite segment of their values and tangents. A CUBICSPLINE track (track.h) stores exactly these numbers:
  * nkw_spline_tangents writes the tangents into its triples, and nkw_track_sample, clips and
- * nkw_track_sample_derivatives evaluate it.
+ * nkw_track_sample_motion evaluate it.
  *
  * With the durations hi = times[i + 1] - times[i] and the slopes di = (values[i + 1] - values[i])/hi, the tangent of
  * key k, between h0 = h(k-1), d0 = d(k-1) and h1 = hk, d1 = dk:

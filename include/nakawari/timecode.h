@@ -55,15 +55,16 @@ NKW_API nkw_result nkw_ticks_convert(int64_t count, nkw_rate from, nkw_rate to, 
 /**
  * The time in seconds of a count: count denominator / numerator, correctly rounded to binary64.
  *
- * Returns  NaN for a rate out of range.
+ * seconds  receives the time; 0 after an error
+ * Returns  NKW_OK; NKW_NO_RATE for a rate out of range
  */
-NKW_API double nkw_seconds_from_ticks(int64_t count, nkw_rate rate);
+NKW_API nkw_result nkw_ticks_to_seconds(int64_t count, nkw_rate rate, double *seconds);
 
 /**
  * The count at a time: seconds numerator / denominator, rounded as `round` says; the exact product of the double, not a
  * rounded one.
  *
- * Seconds that nkw_seconds_from_ticks returned come back as their count with NEAREST, for counts below 2^51. With DOWN
+ * Seconds that nkw_ticks_to_seconds returned come back as their count with NEAREST, for counts below 2^51. With DOWN
  * they may return the frame before, because seconds are rounded: 1023 of the first 1999 frames at 30000/1001 do. Use
  * NEAREST for times of frames, DOWN for times of a clock.
  *
@@ -101,7 +102,7 @@ NKW_API nkw_result nkw_timecode_from_frame(int64_t frame, int32_t per_second, in
  * Returns  as above; NKW_OUT_OF_RANGE if a number of the label is out of range, or if drop-frame timecode has no such
  *          label (00:01:00:00)
  */
-NKW_API nkw_result nkw_frame_from_timecode(const nkw_timecode *timecode, int32_t per_second, int drop, int64_t *out);
+NKW_API nkw_result nkw_timecode_to_frame(nkw_timecode timecode, int32_t per_second, int drop, int64_t *out);
 
 #ifdef __cplusplus
 }

@@ -32,17 +32,28 @@
  *   - NKW_TRACK_ROTATION_NORMALIZED normalises LINEAR and STEP keys before use, and CUBICSPLINE also at the times of
  *     keys. The result at a key is then unit to rounding, not the stored bits.
  *   - CUBICSPLINE does not choose the shorter arc: if a key is q and the next one is close to -q, the curve takes the
- *     longer arc, as in glTF. nkw_track_long_arc finds such keys, nkw_track_align negates them.
+ *     longer arc, as in glTF. nkw_track_align finds and negates such keys.
  *
  * Source Khronos Group, glTF 2.0 Specification, section 3.11 and appendix C, 2021.
+ *
+ * Example  nkw_track track, other, made; nkw_track_span span; nkw_motion_span motion; nkw_segment s; nkw_work work;
+ *          float time, value[4], *values, error, rate; uint32_t cursor; size_t n, bad;
+ *
+ *     n = nkw_track_value_count(&track);                          floats of all keys
+ *     nkw_track_validate(&track, &bad);                           which key is wrong
+ *     nkw_track_sample(&track, time, &cursor, value);             the value at a time
+ *     nkw_track_sample_segment(&track, s, value);                 in a segment that is known
+ *     nkw_track_sample_motion(&track, time, motion);              value, velocity, acceleration
+ *     nkw_track_align(&track, values, &n, &bad);                  rotations to the shorter arcs
+ *     nkw_track_difference(&track, &other, &error, work);         the largest at any time
+ *     nkw_track_resample(&track, 30.0f, span, &made, &n);         keys at a rate
+ *     nkw_track_resample_within(&track, 0.01f, span, &made, &rate, work);    at the lowest rate within a tolerance
  */
 #ifndef NAKAWARI_TRACK_H
 #define NAKAWARI_TRACK_H
 
 #include <stdint.h>
 
-#include "axes.h"
-#include "rotation.h"
 #include "segment.h"
 #include "types.h"
 
@@ -102,7 +113,7 @@ NKW_API size_t nkw_track_value_count(const nkw_track *track);
 /**
  * Checks a track.
  *
- * bad_key  receives the index of the first key with an error, 0 if there is none; may be NULL
+ * bad  receives the index of the first key with an error, 0 if there is none; may be NULL
  * Returns
  *
  *     NKW_OK             no error
@@ -115,107 +126,75 @@ NKW_API size_t nkw_track_value_count(const nkw_track *track);
  *     NKW_NOT_UNIT       a rotation whose length differs from 1 by more than 1e-2
  *     NKW_TOO_SMALL      the bytes of the values exceed size_t
  */
-NKW_API nkw_result nkw_track_validate(const nkw_track *track, size_t *bad_key);
+NKW_API nkw_result nkw_track_validate(const nkw_track *track, size_t *bad);
 
 /**
- * Writes the value at `time` to out: `width` floats. A NaN time counts as before the first key. An empty track writes
- * nothing. A track that nkw_track_validate rejects returns values without meaning, but nothing is read or written
- * outside its arrays.
+ * Writes the value at `time` to out: `width` floats. A NaN time counts as before the first key. A track that
+ * nkw_track_validate rejects returns values without meaning, but nothing is read or written outside its arrays.
+ *
+ * cursor   NULL, or where the search begins: a segment, which receives the segment found. Any number is a valid cursor.
+ *          Fast while the time changes slowly, forward or backward. The result has the same bits
+ * Returns  NKW_OK; NKW_EMPTY without keys or for width 0; NKW_BAD_WIDTH for a rotation whose width is not 4; after an
+ *          error nothing is written to `out`
  *
  * Error  5.7 u of the largest of the two values and, for CUBICSPLINE, of the tangents per segment (LINEAR at most 3.0
  *        u: 2.0 of nkw_lerp, 1 of t). For rotations LINEAR 3.9 u, with keys unit to rounding and up to 1.5 rad apart
  *        between the quaternions (5.7 u with keys unit to 4e-7), and CUBICSPLINE 4.0 u, up to 1 rad. All are errors
  *        relative to the exact value at `time`: they include the rounding of t and of the duration of the segment.
  */
-NKW_API void nkw_track_sample(const nkw_track *track, float time, float *out);
-
-/**
- * The same with a cursor: the search begins at segment *cursor, and *cursor receives the segment found. Any number is a
- * valid cursor. Fast while the time changes slowly, forward or backward. The result has the same bits.
- */
-NKW_API void nkw_track_sample_cursor(const nkw_track *track, float time, uint32_t *cursor, float *out);
+NKW_API nkw_result nkw_track_sample(const nkw_track *track, float time, uint32_t *cursor, float *out);
 
 /**
  * The same for a known segment: the result of nkw_segment_find for track->times. For tracks that share their key times.
  * Any other t is clamped to 0..1, and a NaN counts as 0.
  */
-NKW_API void nkw_track_sample_segment(const nkw_track *track, nkw_segment segment, float *out);
+NKW_API nkw_result nkw_track_sample_segment(const nkw_track *track, nkw_segment segment, float *out);
 
 /**
- * Converts the values and tangents of a track to other axes. Samples of the converted track are the converted samples:
- * with the same bits, except the signs of zeros; those of rotations to rounding. In place, convert each array once:
- * tracks may share their values.
+ * The value at `time`, and its velocity and acceleration. The value has the bits of nkw_track_sample. At a key the
+ * derivatives are those of the segment that begins there; at the last key, of the segment that ends there. Before the
+ * first and after the last key, and for STEP, they are 0.
  *
- * kind     what the values are: a translation is NKW_AXES_VEC3
- * values   receives nkw_track_value_count(track) floats; may be track->values
- * Returns  NKW_OK; NKW_BAD_METHOD for an unknown kind; NKW_BAD_WIDTH if the width is not NKW_AXES_WIDTH(kind);
- *          NKW_OUT_OF_RANGE for a map that is not valid; NKW_TOO_SMALL if the number of floats exceeds size_t; nothing
- *          is then written
- */
-NKW_API nkw_result nkw_track_convert_axes(const nkw_track *track, nkw_axes_kind kind, nkw_axes_map map, float *values);
-
-/**
- * The value at `time`, and its velocity and acceleration: the first and second derivative, per second, of a track of
- * numbers. The value has the bits of nkw_track_sample. At a key the derivatives are those of the segment that begins
- * there; at the last key, of the segment that ends there. Before the first and after the last key, and for STEP, they
- * are 0. In a segment of the duration h between values a and b, with the parameter t, s = 1 - t, and the tangents v0,
- * v1 per second:
+ * Of numbers they are the first and second derivative, per second. In a segment of the duration h between values a and
+ * b, with the parameter t, s = 1 - t, and the tangents v0, v1 per second:
  *
  *     LINEAR        velocity = (b - a)/h                                             acceleration = 0
  *     CUBICSPLINE   velocity = 6 t s (b - a)/h + s (s - 2t) v0 + t (t - 2s) v1
  *                   acceleration = ((6 - 12t) (b - a)/h + (6t - 4) v0 + (6t - 2) v1)/h
  *
- * value, velocity, acceleration  receive `width` floats each
- * Returns  NKW_OK; NKW_EMPTY without keys or for width 0; NKW_BAD_METHOD for a rotation (nkw_track_sample_rotation);
- *          after an error nothing is written
- *
- * Error  1.0 u of the larger of the derivative and the largest of |b - a|/h, |v0|, |v1|, divided by h for the second;
- *        at the rounded t of the segment.
- */
-NKW_API nkw_result nkw_track_sample_derivatives(const nkw_track *track, float time, float *value, float *velocity,
-                                                float *acceleration);
-
-/**
- * The orientation at `time`, and its angular velocity and acceleration in the outer frame, of a track of rotations. The
- * orientation has the bits of nkw_track_sample. Velocity and acceleration are 0 where those of
- * nkw_track_sample_derivatives are, and at a key they are those of the same segment. With the four numbers p of the
- * Hermite curve, whose direction is the orientation, and p* the conjugate:
+ * Of rotations they are the angular velocity and acceleration in the outer frame. With the four numbers p of the
+ * Hermite curve, whose direction is the orientation, and p* the conjugate; 0 where p is 0:
  *
  *     LINEAR        velocity = 2 log(b a^-1)/h along the shorter arc           acceleration = 0
  *     CUBICSPLINE   velocity = 2 Im(p' p*)/|p|^2                               Im: the vector part
  *                   acceleration = 2 Im(p'' p*)/|p|^2 - 2 (p.p')/|p|^2 velocity
  *
- * out      receives the state; where p is 0, velocity and acceleration are 0
- * Returns  NKW_OK; NKW_EMPTY without keys or for width 0; NKW_BAD_WIDTH for a width other than 4; NKW_BAD_METHOD for a
- *          track of numbers; after an error nothing is written
+ * out      receives `width` floats in each of its arrays that is not NULL; of rotations 4, 3 and 3
+ * Returns  as nkw_track_sample
  *
- * Error  1.0 u of the velocity, of its length for LINEAR, of S = 2 |p'|/|p| for CUBICSPLINE; 1.0 u of the acceleration,
- *        of 2 |p''|/|p| + S^2; for keys up to 1 rad apart and at the rounded t of the segment.
+ * Error  of numbers 1.0 u of the larger of the derivative and the largest of |b - a|/h, |v0|, |v1|, divided by h for
+ *        the second. Of rotations 1.0 u of the velocity, of its length for LINEAR, of S = 2 |p'|/|p| for CUBICSPLINE;
+ *        1.0 u of the acceleration, of 2 |p''|/|p| + S^2; for keys up to 1 rad apart. All at the rounded t of the
+ *        segment.
  */
-NKW_API nkw_result nkw_track_sample_rotation(const nkw_track *track, float time, nkw_quat_motion *out);
-
-/**
- * The warning that nkw_track_validate does not give: the index of the first key, from `first` on, from which a
- * CUBICSPLINE rotation goes the long way to the next key: the dot product of the two stored values is negative. glTF's
- * formula does not negate, so the curve between two keys 90 degrees apart, one of them negated, passes through -135
- * degrees: it turns by 270 degrees. Few files intend that; nkw_track_align removes it.
- *
- * Returns  the index; track->count if there is none, for other tracks, and for tracks that nkw_track_validate rejects
- *          for their width
- */
-NKW_API size_t nkw_track_long_arc(const nkw_track *track, size_t first);
+NKW_API nkw_result nkw_track_sample_motion(const nkw_track *track, float time, nkw_motion_span out);
 
 /**
  * Aligns the signs of rotations: each key has a dot product with the key before that is not negative. A key is negated
  * as a whole, with both tangents for CUBICSPLINE. The rotations at the keys and the angular velocities there stay;
  * CUBICSPLINE then takes the shorter arc everywhere, LINEAR and STEP tracks keep their rotations at all times.
  *
- * values   receives the nkw_track_value_count values; may be the array of the track. A track of numbers is copied.
- * negated  receives how many keys were negated; may be NULL
- * Returns  NKW_OK; NKW_EMPTY without keys or for width 0; NKW_BAD_WIDTH for a rotation whose width is not 4; after an
- *          error nothing is written to `values`, and 0 to `negated`
+ * Without values it gives the warning that nkw_track_validate does not give. glTF's formula for CUBICSPLINE does not
+ * negate: the curve between two keys 90 degrees apart, one of them negated, passes through -135 degrees and turns by
+ * 270 degrees. Few files intend that.
+ *
+ * values   receives the nkw_track_value_count values; may be the array of the track. A track of numbers is copied. NULL:
+ *          nothing is written, the keys are only counted
+ * negated  receives how many keys are negated; may be NULL
+ * first    receives the index of the first of them, 0 if there is none; may be NULL
+ * Returns  as nkw_track_sample; after an error nothing is written to `values`, and 0 to the others
  */
-NKW_API nkw_result nkw_track_align(const nkw_track *track, float *values, size_t *negated);
+NKW_API nkw_result nkw_track_align(const nkw_track *track, float *values, size_t *negated, size_t *first);
 
 /** Bytes of working memory to compare tracks of this width. */
 #define NKW_TRACK_WORK(width) (2 * (width) * sizeof(float))

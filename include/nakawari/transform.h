@@ -5,6 +5,16 @@
  *
  * Composition and decomposition compute in binary32. Only the decomposition of matrices that shear, or whose columns
  * are very long or short, computes in binary64.
+ *
+ * Example  nkw_trs p, q; nkw_mat4 m; nkw_mat3 r; nkw_quat turn; nkw_vec3 v; float x;
+ *
+ *     p = nkw_trs_identity();
+ *     r = nkw_mat3_from_quat_scale(turn, v);    R S
+ *     m = nkw_mat4_from_trs(&p);                T R S
+ *     v = nkw_trs_transform_point(&p, v);
+ *     p = nkw_trs_from_mat4(&m);                decomposes
+ *     x = nkw_trs_residual(&p, &m);             what decomposing lost: shear
+ *     p = nkw_trs_mul(&p, &q);                  q first
  */
 #ifndef NAKAWARI_TRANSFORM_H
 #define NAKAWARI_TRANSFORM_H
@@ -84,12 +94,6 @@ NKW_API float nkw_trs_residual(const nkw_trs *trs, const nkw_mat4 *m);
  * Error  20.0 u of the translation, as nkw_trs_transform_point; 2.8 u of the rotation.
  */
 NKW_ALGEBRA nkw_trs nkw_trs_mul(const nkw_trs *a, const nkw_trs *b);
-
-/**
- * nkw_mat4_from_trs over component arrays. See types.h for the rules of all batch functions. In place, only
- * out.m[12..14] may be input arrays, namely those of the translation.
- */
-NKW_API void nkw_mat4_from_trs_n(nkw_trs_view trs, nkw_mat4_span out, size_t n);
 
 #ifdef __cplusplus
 }

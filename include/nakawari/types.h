@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /**
  * @file
- * The value types of the library, and the rules of its batch functions.
+ * The value types of the library.
  *
  * All values are structs of floats without padding. They may be copied, compared byte by byte, written to a file or
  * passed to a GPU unchanged. Functions take values of up to 16 bytes by value and larger ones by `const *`. Views and
@@ -182,19 +182,7 @@ typedef struct nkw_floats {
 } nkw_floats;
 NKW_SIZE(nkw_floats, 16, 8);
 
-/**
- * Component arrays: element i of a vector array is (x[i], y[i], z[i]). A view is read, a span is written.
- *
- * A batch function, with a name in _n, applies a scalar function to n elements, with the same bits:
- *
- *     length     any n, also 0
- *     alignment  that of float
- *     overlap    an output array may be an input array of the same call (in place), unless the function excludes it;
- *                arrays must not overlap otherwise
- *
- * For speed, pad arrays to a multiple of 16 elements. Avoid distances of a multiple of 4096 bytes between the arrays of
- * a matrix: they cause cache-set conflicts.
- */
+/** Component arrays: element i of a vector array is (x[i], y[i], z[i]). A view is read, a span is written. */
 typedef struct nkw_vec3_view {
     const float *x, *y, *z;
 } nkw_vec3_view;

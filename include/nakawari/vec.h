@@ -8,6 +8,31 @@
  *
  * Every function is total: infinities and NaN propagate by the rules of IEEE 754. Statements about zero and subnormal
  * vectors hold for every one of them.
+ *
+ * Example  nkw_vec3 a, b, v, n; float t, x;
+ *
+ *     v = nkw_vec3_add(a, b);
+ *     v = nkw_vec3_sub(a, b);
+ *     v = nkw_vec3_negate(a);
+ *     v = nkw_vec3_scale(a, t);
+ *     v = nkw_vec3_mul(a, b);                   component by component
+ *     v = nkw_vec3_add_scaled(a, b, t);         a + t b
+ *     v = nkw_vec3_min(a, b);                   component by component
+ *     v = nkw_vec3_max(a, b);
+ *     x = nkw_vec3_dot(a, b);                   dot(a, a) is the squared length
+ *     v = nkw_vec3_cross(a, b);
+ *     v = nkw_vec3_lerp(a, b, t);               a straight line
+ *     x = nkw_vec3_length(a);
+ *     x = nkw_vec3_distance(a, b);
+ *     v = nkw_vec3_normalize(a);                zero stays zero
+ *     x = nkw_vec3_angle(a, b);                 0 to pi
+ *     v = nkw_vec3_project(a, b);               the part along b
+ *     v = nkw_vec3_reject(a, b);                the part across b
+ *     v = nkw_vec3_reflect(a, n);               at a plane with the unit normal n
+ *     v = nkw_vec3_perpendicular(a);            any unit vector across a
+ *     nkw_vec3_is_finite(a);
+ *     nkw_vec3_equal_within(a, b, 1e-5f);       component by component
+ *     v = nkw_vec3_move_towards(v, b, 0.1f);    by a step, never beyond
  */
 #ifndef NAKAWARI_VEC_H
 #define NAKAWARI_VEC_H
@@ -145,20 +170,6 @@ NKW_API int nkw_vec3_equal_within(nkw_vec3 a, nkw_vec3 b, float tolerance);
  *     from + (to - from) step / |to - from|
  */
 NKW_API nkw_vec3 nkw_vec3_move_towards(nkw_vec3 from, nkw_vec3 to, float step);
-
-/**
- * The same functions over component arrays: element i of the result is computed from the elements i, with the bits of
- * the scalar function. See types.h for the rules of all batch functions.
- *
- * Stack  at most 2 KiB in nkw_vec3_normalize_n.
- */
-NKW_API void nkw_vec3_normalize_n(nkw_vec3_view a, nkw_vec3_span out, size_t n);
-NKW_API void nkw_vec3_lerp_n(nkw_vec3_view a, nkw_vec3_view b, const float *t, nkw_vec3_span out, size_t n);
-/** All elements at the same t. */
-NKW_API void nkw_vec3_lerp_at_n(nkw_vec3_view a, nkw_vec3_view b, float t, nkw_vec3_span out, size_t n);
-/** Copy an array of vectors to component arrays, and back. The arrays must not overlap. */
-NKW_API void nkw_vec3_unpack_n(const nkw_vec3 *in, nkw_vec3_span out, size_t n);
-NKW_API void nkw_vec3_pack_n(nkw_vec3_view in, nkw_vec3 *out, size_t n);
 
 #ifdef __cplusplus
 }

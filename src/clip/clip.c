@@ -26,6 +26,7 @@
 
 #include <string.h>
 
+#include <nakawari/arrays.h>
 #include <nakawari/clip.h>
 #include <nakawari/segment.h>
 

@@ -91,7 +91,7 @@ static void sample_tracks(const nkw_clip_source *s, float time, reduce_pose *p)
     for (size_t i = 0; i < s->track_count; i++) {
         const nkw_clip_track *c = &s->tracks[i];
         float v[4];
-        nkw_track_sample(&c->track, time, c->target == NKW_CLIP_FLOATS ? p->floats + c->index : v);
+        nkw_track_sample(&c->track, time, NULL, c->target == NKW_CLIP_FLOATS ? p->floats + c->index : v);
         for (size_t k = 0; c->target != NKW_CLIP_FLOATS && k < c->track.width; k++)
             p->pose[clip_array_of(c->target, k) * stride + c->index] = v[k];
     }

@@ -41,7 +41,7 @@ static int spans(const check *c, const nkw_clip_track *track, size_t joint, size
     memcpy(values + width, check_value(&track->track, j), width * sizeof *values);
     pair.times = times, pair.values = values, pair.count = 2;
     for (size_t k = i + 1; k < j; k++) {
-        nkw_track_sample(&pair, track->track.times[k], value);
+        nkw_track_sample(&pair, track->track.times[k], NULL, value);
         if (!(distance_of(c, track, joint, value, check_value(&track->track, k)) <= (double)c->tolerance))
             return 0;
     }

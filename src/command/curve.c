@@ -34,7 +34,7 @@ static size_t find_bounds(const nkw_track *track, float start, float end, float 
 static void sample_point(curve *c, const nkw_clip_track *track, float time, float *value)
 {
     float all[WIDEST]; /* curve_sample rejects wider values */
-    nkw_track_sample(&track->track, time, all);
+    nkw_track_sample(&track->track, time, NULL, all);
     memcpy(value, all, c->component_count * sizeof *value);
 }
 

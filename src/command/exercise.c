@@ -86,9 +86,9 @@ static size_t read_keys(const nkw_document *d, const nkw_document_animation *a, 
     while (next_time(tracks, k, &time)) {
         nkw_keyframe key = {time, rest.translation, rest.rotation};
         if (tracks[0])
-            nkw_track_sample(tracks[0], time, &key.position.x);
+            nkw_track_sample(tracks[0], time, NULL, &key.position.x);
         if (tracks[1])
-            nkw_track_sample(tracks[1], time, &key.orientation.x);
+            nkw_track_sample(tracks[1], time, NULL, &key.orientation.x);
         if (count == SCENE_KEYS_MAX)
             return count + 1;
         keys[count++] = key;

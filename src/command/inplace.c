@@ -81,7 +81,7 @@ static void sample_all(const nkw_track *t, const float *rest, size_t width, cons
     for (size_t k = 0; k < count; k++) {
         memcpy(out + width * k, rest, width * sizeof *rest);
         if (t)
-            nkw_track_sample_cursor(t, times[k], &cursor, out + width * k);
+            nkw_track_sample(t, times[k], &cursor, out + width * k);
     }
 }
 
@@ -94,7 +94,7 @@ static nkw_trs local_at(const model *m, const nkw_document_animation *a, int32_t
     for (size_t i = 0; i < 3; i++) {
         const size_t track = find_track(a, joint, targets[i]);
         if (track != SIZE_MAX)
-            nkw_track_sample(&a->tracks[track].track, time, parts[i]);
+            nkw_track_sample(&a->tracks[track].track, time, NULL, parts[i]);
     }
     return local;
 }

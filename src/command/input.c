@@ -83,7 +83,7 @@ static nkw_document *open_stdin(nkw_import_error *error)
     unsigned char *data = read_all(stdin, &memory.bytes);
     memory.data = data;
     if (data)
-        nkw_document_open_memory(&memory, &document, error);
+        nkw_document_from_memory(&memory, &document, error);
     else {
         memset(error, 0, sizeof *error);
         strcpy(error->file, "-");
@@ -138,7 +138,7 @@ static nkw_document *open_with_options(const char *path, nkw_import_error *error
     unsigned char *data = folder ? input_read(path, &memory.bytes) : NULL;
     memset(error, 0, sizeof *error);
     memory.data = data;
-    if (data && nkw_document_open_memory(&memory, &document, error) != NKW_IMPORT_OK)
+    if (data && nkw_document_from_memory(&memory, &document, error) != NKW_IMPORT_OK)
         input_report(error);
     free(data);
     free(folder);

@@ -22,7 +22,7 @@ int model_source_open(model_source *s, const char *path)
         return 0;
     if (!is_stdin)
         s->document = input_open(path);
-    else if (nkw_document_open_memory(&s->memory, &s->document, &error) != NKW_IMPORT_OK)
+    else if (nkw_document_from_memory(&s->memory, &s->document, &error) != NKW_IMPORT_OK)
         input_report(&error);
     else
         input_warn(s->document);

@@ -96,7 +96,8 @@ void moment_vertices(moment *m, size_t joint, size_t primitive)
     nkw_document_vertices_span out = {m->positions, m->normals};
     if (node->skin >= 0)
         moment_palette(m, (size_t)node->skin);
-    nkw_document_vertices(m->document, joint, primitive, m->models, m->floats, m->palette, out);
+    const nkw_document_moment now = {m->models, m->floats, m->palette};
+    nkw_document_vertices(m->document, joint, primitive, &now, out);
 }
 
 size_t moment_rate_count(const moment *m, float rate)

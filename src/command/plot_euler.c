@@ -50,7 +50,7 @@ static void sample(angles *a, const nkw_track *track, nkw_euler_order order, siz
     nkw_segment s = nkw_segment_find(track->times, track->count, time);
     size_t next = s.index + 1 < track->count ? s.index + 1 : s.index;
     nkw_vec3 linear = nkw_euler_lerp(a->keys[s.index], a->keys[next], s.t, NKW_UNWRAP_NONE);
-    nkw_track_sample(track, time, value);
+    nkw_track_sample(track, time, NULL, value);
     nkw_quat q = {value[0], value[1], value[2], value[3]};
     q = nkw_quat_normalize(q);
     a->times[i] = time;

@@ -163,20 +163,20 @@ static nkw_result move(const nkw_skin *skin, const nkw_mat4 *matrices, size_t ma
     return result;
 }
 
-nkw_result nkw_document_vertices(const nkw_document *document, size_t joint, size_t primitive, const nkw_mat4 *models,
-                                 const float *floats, const nkw_mat4 *palette, nkw_document_vertices_span out)
+nkw_result nkw_document_vertices(const nkw_document *document, size_t joint, size_t primitive,
+                                 const nkw_document_moment *moment, nkw_document_vertices_span out)
 {
     if (joint >= document->skeleton.joint_count || document->nodes[joint].mesh == NKW_NO_JOINT ||
         primitive >= document->meshes[document->nodes[joint].mesh].primitive_count)
         return NKW_OUT_OF_RANGE;
     const nkw_document_node *node = &document->nodes[joint];
     const nkw_document_primitive *from = &document->meshes[node->mesh].primitives[primitive];
-    nkw_document_morph(from, (floats ? floats : document->rest_floats) + node->float_first, out);
+    nkw_document_morph(from, (moment->floats ? moment->floats : document->rest_floats) + node->float_first, out);
     if (node->skin != NKW_NO_JOINT && from->influence_count > 0)
-        return move(&from->skin, palette, document->skins[node->skin].joint_count, out);
+        return move(&from->skin, moment->palette, document->skins[node->skin].joint_count, out);
     for (size_t v = 0; v < from->vertex_count; v++)
-        out.positions[v] = nkw_mat4_transform_point(&models[joint], out.positions[v]);
-    nkw_mat3 linear = nkw_mat3_from_mat4(&models[joint]), normal = nkw_mat3_normal(&linear);
+        out.positions[v] = nkw_mat4_transform_point(&moment->models[joint], out.positions[v]);
+    nkw_mat3 linear = nkw_mat3_from_mat4(&moment->models[joint]), normal = nkw_mat3_normal(&linear);
     for (size_t v = 0; out.normals && v < from->vertex_count; v++)
         out.normals[v] = nkw_vec3_normalize(nkw_mat3_transform(&normal, out.normals[v]));
     return NKW_OK;

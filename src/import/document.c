@@ -198,7 +198,7 @@ int nkwi_document_reader(nkw_import_memory *memory, char **folder, nkw_import_er
     return 1;
 }
 
-nkw_import_result nkw_document_open_memory(const nkw_import_memory *memory, nkw_document **document,
+nkw_import_result nkw_document_from_memory(const nkw_import_memory *memory, nkw_document **document,
                                            nkw_import_error *error)
 {
     nkw_import_error other;

@@ -100,21 +100,21 @@ static void outer_handles(const nkw_slope_key *s, nkw_fcurve_key *keys, size_t c
         keys[last].out = third_of(h1, (double)s[last].out_slope);
 }
 
-nkw_result nkw_fcurve_keys_from_slopes(const nkw_slope_key *slopes, size_t count, nkw_weight_unit unit,
-                                       nkw_fcurve_key *keys, size_t *bad_key)
+nkw_result nkw_fcurve_from_slope_keys(const nkw_slope_key *slopes, size_t count, nkw_weight_unit unit,
+                                       nkw_fcurve_key *keys, size_t *bad)
 {
     if (count == 0 || (unsigned)unit > NKW_WEIGHT_LENGTH)
-        return report(count == 0 ? NKW_EMPTY : NKW_BAD_METHOD, 0, bad_key);
+        return report(count == 0 ? NKW_EMPTY : NKW_BAD_METHOD, 0, bad);
     for (size_t k = 0; k < count; k++) {
         nkw_result result = check_slope_key(slopes + k, k);
         if (result != NKW_OK)
-            return report(result, k, bad_key);
+            return report(result, k, bad);
         keys[k] = key_of(slopes[k].time, slopes[k].value, slopes[k].kind);
         if (k > 0)
             slope_segment(slopes, unit, keys, k);
     }
     outer_handles(slopes, keys, count);
-    return report(NKW_OK, 0, bad_key);
+    return report(NKW_OK, 0, bad);
 }
 
 /* Slope and weight of a handle as a vector into its segment. Returns whether it has a slope. */
@@ -142,24 +142,24 @@ static int slopes_of_segment(const nkw_fcurve_key *keys, nkw_weight_unit unit, n
 }
 
 /* The error of a key before any conversion from keys. */
-static nkw_result check_keys(const nkw_fcurve_key *keys, size_t count, size_t *bad_key)
+static nkw_result check_keys(const nkw_fcurve_key *keys, size_t count, size_t *bad)
 {
     nkw_fcurve curve = {keys, count, NKW_FCURVE_OUTSIDE_HOLD, NKW_FCURVE_OUTSIDE_HOLD, 0, 0, NKW_HANDLE_NONE};
-    return nkw_fcurve_validate(&curve, bad_key);
+    return nkw_fcurve_validate(&curve, bad);
 }
 
-nkw_result nkw_slopes_from_fcurve_keys(const nkw_fcurve_key *keys, size_t count, nkw_weight_unit unit,
-                                       nkw_slope_key *slopes, size_t *bad_key)
+nkw_result nkw_slope_keys_from_fcurve(const nkw_fcurve_key *keys, size_t count, nkw_weight_unit unit,
+                                       nkw_slope_key *slopes, size_t *bad)
 {
-    nkw_result result = check_keys(keys, count, bad_key);
+    nkw_result result = check_keys(keys, count, bad);
     if (result != NKW_OK || (unsigned)unit > NKW_WEIGHT_LENGTH)
-        return result != NKW_OK ? result : report(NKW_BAD_METHOD, 0, bad_key);
+        return result != NKW_OK ? result : report(NKW_BAD_METHOD, 0, bad);
     for (size_t k = 0; k < count; k++) {
         nkw_slope_key s = {keys[k].time, keys[k].value, 0.0f, 0.0f, 0.0f, 0.0f, NKW_WEIGHTED_NONE, keys[k].kind};
         if (k == 0)
             slopes[0] = s;
         if (keys[k].kind == NKW_FCURVE_EASE)
-            return report(NKW_BAD_METHOD, k, bad_key);
+            return report(NKW_BAD_METHOD, k, bad);
         if (k + 1 == count)
             break;
         s.time = keys[k + 1].time;
@@ -167,12 +167,12 @@ nkw_result nkw_slopes_from_fcurve_keys(const nkw_fcurve_key *keys, size_t count,
         s.kind = keys[k + 1].kind;
         slopes[k + 1] = s;
         if (!slopes_of_segment(keys + k, unit, slopes + k))
-            return report(NKW_OUT_OF_RANGE, k, bad_key);
+            return report(NKW_OUT_OF_RANGE, k, bad);
     }
     const nkw_handle in = keys[0].in, out = keys[count - 1].out;
     slopes[0].in_slope = in.time != 0.0f ? (float)((double)in.value / (double)in.time) : 0.0f;
     slopes[count - 1].out_slope = out.time != 0.0f ? (float)((double)out.value / (double)out.time) : 0.0f;
-    return report(NKW_OK, 0, bad_key);
+    return report(NKW_OK, 0, bad);
 }
 
 /* ---- Blender ---- */
@@ -208,8 +208,8 @@ static nkw_handle between(nkw_handle from, nkw_handle to)
     return handle_of((double)to.time - (double)from.time, (double)to.value - (double)from.value);
 }
 
-nkw_result nkw_fcurve_keys_from_blender(const nkw_blender_key *blender, size_t count, nkw_fcurve_key *keys,
-                                        size_t *bad_key)
+nkw_result nkw_fcurve_from_blender_keys(const nkw_blender_key *blender, size_t count, nkw_fcurve_key *keys,
+                                        size_t *bad)
 {
     size_t k = 0;
     int is_known = 1;
@@ -221,8 +221,8 @@ nkw_result nkw_fcurve_keys_from_blender(const nkw_blender_key *blender, size_t c
     }
     if (!is_known)
         keys[k - 1].kind = NKW_FCURVE_CONSTANT;
-    nkw_result result = check_keys(keys, k, bad_key);
-    return is_known || result != NKW_OK ? result : report(NKW_BAD_METHOD, k - 1, bad_key);
+    nkw_result result = check_keys(keys, k, bad);
+    return is_known || result != NKW_OK ? result : report(NKW_BAD_METHOD, k - 1, bad);
 }
 
 /* Blender's numbers of a kind and an ease; 0 if there are none. */
@@ -248,10 +248,10 @@ static int put_blender_kind(const nkw_fcurve_key *key, nkw_blender_key *b)
     return 0;
 }
 
-nkw_result nkw_blender_from_fcurve_keys(const nkw_fcurve_key *keys, size_t count, nkw_blender_key *blender,
-                                        size_t *bad_key)
+nkw_result nkw_blender_keys_from_fcurve(const nkw_fcurve_key *keys, size_t count, nkw_blender_key *blender,
+                                        size_t *bad)
 {
-    nkw_result result = check_keys(keys, count, bad_key);
+    nkw_result result = check_keys(keys, count, bad);
     for (size_t k = 0; k < count && result == NKW_OK; k++) {
         const nkw_fcurve_key *key = keys + k;
         blender[k].center = handle_of((double)key->time, (double)key->value);
@@ -260,14 +260,14 @@ nkw_result nkw_blender_from_fcurve_keys(const nkw_fcurve_key *keys, size_t count
         blender[k].right =
             handle_of((double)key->time + (double)key->out.time, (double)key->value + (double)key->out.value);
         if (!put_blender_kind(key, blender + k))
-            return report(NKW_BAD_METHOD, k, bad_key);
+            return report(NKW_BAD_METHOD, k, bad);
     }
     return result;
 }
 
 /* ---- CSS ---- */
 
-void nkw_fcurve_keys_from_css(const float css[4], nkw_fcurve_key keys[2])
+void nkw_fcurve_from_css(const float css[4], nkw_fcurve_key keys[2])
 {
     double h = (double)keys[1].time - (double)keys[0].time, rise = (double)keys[1].value - (double)keys[0].value;
     keys[0].kind = NKW_FCURVE_BEZIER;
@@ -290,7 +290,7 @@ static nkw_result css_of_handles(const nkw_fcurve_key keys[2], double h, float c
     return css[0] >= 0.0f && css[0] <= 1.0f && css[2] >= 0.0f && css[2] <= 1.0f ? NKW_OK : NKW_OUT_OF_RANGE;
 }
 
-nkw_result nkw_css_from_fcurve_keys(const nkw_fcurve_key keys[2], float css[4])
+nkw_result nkw_fcurve_to_css(const nkw_fcurve_key keys[2], float css[4])
 {
     static const float line[4] = {0.0f, 0.0f, 1.0f, 1.0f};
     double h = (double)keys[1].time - (double)keys[0].time;
@@ -319,42 +319,14 @@ static void scale_tangents(nkw_fcurve_key *keys, size_t count)
     }
 }
 
-nkw_result nkw_fcurve_keys_from_spline(const nkw_spline *spline, size_t component, nkw_fcurve_key *keys, size_t *bad,
-                                       nkw_work work)
-{
-    nkw_spline one = *spline;
-    float ends[2];
-    if (component >= spline->width)
-        return report(spline->width == 0 ? NKW_EMPTY : NKW_OUT_OF_RANGE, 0, bad);
-    if (spline->count > 0 && spline->end_tangents) {
-        ends[0] = spline->end_tangents[component];
-        ends[1] = spline->end_tangents[spline->width + component];
-        one.end_tangents = ends;
-    }
-    one.values = spline->values + component;
-    one.width = 1;
-    nkw_tangent_span span = {&keys->in.value, &keys->out.value, sizeof *keys / sizeof(float)};
-    nkw_result result = nkw_spline_tangents(&one, span, bad, work);
-    if (result != NKW_OK)
-        return result;
-    for (size_t k = 0; k < one.count; k++) {
-        nkw_fcurve_key key = key_of(one.times[k], one.values[k * one.stride], NKW_FCURVE_BEZIER);
-        key.in.value = keys[k].in.value;
-        key.out.value = keys[k].out.value;
-        keys[k] = key;
-    }
-    scale_tangents(keys, one.count);
-    return NKW_OK;
-}
-
-nkw_result nkw_fcurve_keys_from_track(const nkw_track *track, size_t component, nkw_fcurve_key *keys, size_t *bad_key)
+nkw_result nkw_fcurve_from_track(const nkw_track *track, size_t component, nkw_fcurve_key *keys, size_t *bad)
 {
     static const nkw_fcurve_kind kinds[3] = {NKW_FCURVE_LINEAR, NKW_FCURVE_CONSTANT, NKW_FCURVE_BEZIER};
-    nkw_result result = nkw_track_validate(track, bad_key);
+    nkw_result result = nkw_track_validate(track, bad);
     if (result != NKW_OK)
         return result;
     if (track_is_rotation(track) || component >= track->width)
-        return report(track_is_rotation(track) ? NKW_MISMATCHED : NKW_OUT_OF_RANGE, 0, bad_key);
+        return report(track_is_rotation(track) ? NKW_MISMATCHED : NKW_OUT_OF_RANGE, 0, bad);
     for (size_t k = 0; k < track->count; k++) {
         const float *value = track_value_at(track, k) + component;
         keys[k] = key_of(track->times[k], *value, kinds[track_interpolation_at(track, k)]);

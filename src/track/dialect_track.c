@@ -104,7 +104,7 @@ static nkw_motion rotation_component(const writer *w, size_t i, float time)
 {
     nkw_motion angle[3], r = {0.0f, 0.0f, 0.0f};
     for (size_t k = 0; k < 3; k++)
-        angle[k] = nkw_fcurve_sample(w->curves + k, time);
+        angle[k] = nkw_fcurve_sample(w->curves + k, time, NULL);
     nkw_vec3 angles = {angle[0].value, angle[1].value, angle[2].value};
     nkw_quat q = nkw_quat_from_euler(angles, w->order), slope;
     r.value = i == 0 ? q.x : i == 1 ? q.y : i == 2 ? q.z : q.w;
@@ -119,7 +119,7 @@ static nkw_motion rotation_component(const writer *w, size_t i, float time)
 /* Value and slope of component i of the track. */
 static nkw_motion component(const writer *w, size_t i, float time)
 {
-    return w->kind == NKW_TRACK_FLOATS ? nkw_fcurve_sample(w->curves + i, time) : rotation_component(w, i, time);
+    return w->kind == NKW_TRACK_FLOATS ? nkw_fcurve_sample(w->curves + i, time, NULL) : rotation_component(w, i, time);
 }
 
 /* Whether a value at b is more than the tolerance from that at the float before; half of it for quaternions. */
@@ -297,7 +297,7 @@ static nkw_result write_steps(writer *w, float first, float last)
             return NKW_TOO_SMALL;
         w->span.times[w->count] = time;
         for (size_t i = 0; i < w->width; i++)
-            w->span.values[w->count * w->width + i] = nkw_fcurve_sample(w->curves + i, time).value;
+            w->span.values[w->count * w->width + i] = nkw_fcurve_sample(w->curves + i, time, NULL).value;
         w->count++;
         if (!(time < last))
             return NKW_OK;

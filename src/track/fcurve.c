@@ -29,18 +29,18 @@ static nkw_result check_key(const nkw_fcurve *curve, size_t k)
     return k > 0 && key->time < key[-1].time ? NKW_NOT_ASCENDING : NKW_OK;
 }
 
-nkw_result nkw_fcurve_validate(const nkw_fcurve *curve, size_t *bad_key)
+nkw_result nkw_fcurve_validate(const nkw_fcurve *curve, size_t *bad)
 {
     if (curve->key_count == 0)
-        return report(NKW_EMPTY, 0, bad_key);
+        return report(NKW_EMPTY, 0, bad);
     if ((unsigned)curve->before > NKW_FCURVE_OUTSIDE_OSCILLATE ||
         (unsigned)curve->after > NKW_FCURVE_OUTSIDE_OSCILLATE || (unsigned)curve->policy > NKW_HANDLE_KEEP_START)
-        return report(NKW_BAD_METHOD, 0, bad_key);
+        return report(NKW_BAD_METHOD, 0, bad);
     nkw_result result = NKW_OK;
     size_t k = 0;
     while (k < curve->key_count && result == NKW_OK)
         result = check_key(curve, k++);
-    return report(result, k - 1, bad_key);
+    return report(result, k - 1, bad);
 }
 
 static double time_at(const nkw_fcurve *curve, size_t k)
@@ -122,9 +122,10 @@ static handle_point outside(const nkw_fcurve *curve, float time, uint32_t *curso
     return cycled(curve, mode, (double)time - first, d, cursor);
 }
 
-nkw_motion nkw_fcurve_sample_cursor(const nkw_fcurve *curve, float time, uint32_t *cursor)
+nkw_motion nkw_fcurve_sample(const nkw_fcurve *curve, float time, uint32_t *cursor)
 {
-    nkw_motion none = {0.0f, 0.0f, 0.0f};
+    const nkw_motion none = {0.0f, 0.0f, 0.0f};
+    uint32_t own = 0, *at = cursor ? cursor : &own;
     if (curve->key_count == 0)
         return none;
     if (time != time)
@@ -132,14 +133,8 @@ nkw_motion nkw_fcurve_sample_cursor(const nkw_fcurve *curve, float time, uint32_
     if (curve->key_count < 2)
         return handle_rounded(held((double)curve->keys[0].value));
     if (time >= curve->keys[0].time && time <= curve->keys[curve->key_count - 1].time)
-        return handle_rounded(inside(curve, (double)time, cursor));
-    return handle_rounded(outside(curve, time, cursor));
-}
-
-nkw_motion nkw_fcurve_sample(const nkw_fcurve *curve, float time)
-{
-    uint32_t cursor = 0;
-    return nkw_fcurve_sample_cursor(curve, time, &cursor);
+        return handle_rounded(inside(curve, (double)time, at));
+    return handle_rounded(outside(curve, time, at));
 }
 
 void nkw_fcurve_limit(const nkw_fcurve_key *keys, size_t count, nkw_handle_policy policy, nkw_fcurve_key *out)
@@ -195,14 +190,4 @@ nkw_result nkw_fcurve_insert(const nkw_fcurve *curve, float time, nkw_fcurve_key
     out[k + 2] = around[1];
     *index = k + 1;
     return NKW_OK;
-}
-
-size_t nkw_fcurve_find_regression(const nkw_fcurve_key *keys, size_t count)
-{
-    for (size_t k = 0; k + 1 < count; k++) {
-        nkw_handle_segment s = fcurve_handles(keys + k);
-        if (keys[k].kind == NKW_FCURVE_BEZIER && nkw_handle_runs_back(&s))
-            return k;
-    }
-    return count;
 }

@@ -387,15 +387,15 @@ static nkw_result check_key(const nkw_keyframe *keys, size_t k)
     return length >= 0.999f && length <= 1.001f ? NKW_OK : NKW_NOT_UNIT;
 }
 
-nkw_result nkw_keyframes_validate(const nkw_keyframe *keys, size_t count, size_t *bad_key)
+nkw_result nkw_keyframes_validate(const nkw_keyframe *keys, size_t count, size_t *bad)
 {
     nkw_result result = count > 0 ? NKW_OK : NKW_EMPTY;
-    size_t bad = 0;
+    size_t offender = 0;
     for (size_t k = 0; k < count && result == NKW_OK; k++) {
         result = check_key(keys, k);
-        bad = k;
+        offender = k;
     }
-    return report(result, bad, bad_key);
+    return report(result, offender, bad);
 }
 
 /* The first segment that contains the time, ends included: where a key begins a segment, the one that ends there. */

@@ -192,7 +192,7 @@ static size_t keys_until(const float *times, size_t count, double time, int is_b
 }
 
 /* The keys of one cycle in (low, high], backwards in [low, high), both relative to the start of the cycle. */
-static void pass(const nkw_playback_step_f64 *s, double low, double high, passed *p)
+static void pass(const nkw_playback_step *s, double low, double high, passed *p)
 {
     pass_keys(keys_until(s->times, s->key_count, low, p->is_backward),
               keys_until(s->times, s->key_count, high, p->is_backward), p);
@@ -203,7 +203,7 @@ static void pass(const nkw_playback_step_f64 *s, double low, double high, passed
  * contain every key. When `out` is full, they are counted by one multiplication, so that the time does not depend on
  * the number of cycles.
  */
-static void passes(const nkw_playback_step_f64 *s, double first, double cycles, passed *p)
+static void passes(const nkw_playback_step *s, double first, double cycles, passed *p)
 {
     double low = p->is_backward ? s->to : s->from, high = p->is_backward ? s->from : s->to;
     const double part = 2.0 + p->margin;
@@ -221,7 +221,7 @@ static void passes(const nkw_playback_step_f64 *s, double first, double cycles, 
 }
 
 /* Whether the keys span more than one cycle: each key would be counted in several cycles. */
-static int is_too_long(const nkw_playback_step_f64 *s)
+static int is_too_long(const nkw_playback_step *s)
 {
     double first = s->times[0], last = s->times[s->key_count - 1];
     return !(last - first <= s->duration);
@@ -232,7 +232,7 @@ static int is_finite64(double x)
     return x - x == 0.0;
 }
 
-static nkw_result pass_step(const nkw_playback_step_f64 *s, passed *p)
+static nkw_result pass_step(const nkw_playback_step *s, passed *p)
 {
     double low = p->is_backward ? s->to : s->from, high = p->is_backward ? s->from : s->to;
     if (!is_finite64(s->from) || !is_finite64(s->to) || !is_finite64(s->duration))
@@ -257,25 +257,21 @@ static nkw_result pass_step(const nkw_playback_step_f64 *s, passed *p)
     return p->count < SIZE_MAX ? NKW_OK : NKW_TOO_MANY;
 }
 
-static nkw_result passed_in(const nkw_playback_step_f64 *step, double margin, size_t *keys, size_t *passed_count,
-                            size_t capacity)
+static int is_float(double x)
 {
-    passed p = {keys, capacity, 0, step->to < step->from, margin};
-    nkw_result result = pass_step(step, &p);
-    *passed_count = p.count;
-    return result;
-}
-
-nkw_result nkw_playback_passed_f64(const nkw_playback_step_f64 *step, size_t *keys, size_t *passed_count,
-                                   size_t capacity)
-{
-    return passed_in(step, 1.0, keys, passed_count, capacity);
+    return (double)(float)x == x;
 }
 
 /* Products of a duration of 24 bits are exact: no cycle is off. */
-nkw_result nkw_playback_passed(const nkw_playback_step *step, size_t *keys, size_t *passed_count, size_t capacity)
+static double margin_of(const nkw_playback_step *s)
 {
-    const nkw_playback_step_f64 wide = {step->times, step->key_count, (double)step->duration, (double)step->from,
-                                        (double)step->to};
-    return passed_in(&wide, 0.0, keys, passed_count, capacity);
+    return is_float(s->duration) && is_float(s->from) && is_float(s->to) ? 0.0 : 1.0;
+}
+
+nkw_result nkw_playback_passed(const nkw_playback_step *step, size_t *keys, size_t capacity, size_t *count)
+{
+    passed p = {keys, capacity, 0, step->to < step->from, margin_of(step)};
+    nkw_result result = pass_step(step, &p);
+    *count = p.count;
+    return result;
 }

@@ -96,21 +96,23 @@ static double double_of(wide q, int some, int exponent)
     return x * lane_double((uint64_t)(1023 + exponent + drop) << 52);
 }
 
-double nkw_seconds_from_ticks(int64_t count, nkw_rate rate)
+nkw_result nkw_ticks_to_seconds(int64_t count, nkw_rate rate, double *seconds)
 {
     uint64_t rest;
+    *seconds = 0.0;
     if (!is_rate(rate))
-        return (double)NAN;
+        return NKW_NO_RATE;
     if (count == 0)
-        return 0.0;
+        return NKW_OK;
     /* count denominator < 2^86; the shift makes the quotient longer than a double. */
     wide n = product(magnitude(count), (uint64_t)rate.denominator);
     int bits = n.high ? 64 + highest_bit(n.high) : highest_bit(n.low), shift = 124 - bits;
     wide s = {shift >= 64 ? n.low << (shift - 64) : (n.high << shift) | (shift ? n.low >> (64 - shift) : 0),
               shift >= 64 ? 0 : n.low << shift};
     wide q = quotient(s, (uint64_t)rate.numerator, &rest);
-    double seconds = double_of(q, rest != 0, -shift);
-    return count < 0 ? -seconds : seconds;
+    const double size = double_of(q, rest != 0, -shift);
+    *seconds = count < 0 ? -size : size;
+    return NKW_OK;
 }
 
 /* A finite double as m 2^exponent, m < 2^53. */
@@ -207,18 +209,18 @@ nkw_result nkw_timecode_from_frame(int64_t frame, int32_t per_second, int drop, 
     return NKW_OK;
 }
 
-nkw_result nkw_frame_from_timecode(const nkw_timecode *t, int32_t per_second, int drop, int64_t *out)
+nkw_result nkw_timecode_to_frame(nkw_timecode t, int32_t per_second, int drop, int64_t *out)
 {
     *out = 0;
     if (!is_label_rate(per_second, drop))
         return NKW_NO_RATE;
-    if (t->hours < 0 || t->minutes < 0 || t->minutes > 59 || t->seconds < 0 || t->seconds > 59 || t->frames < 0 ||
-        t->frames >= per_second)
+    if (t.hours < 0 || t.minutes < 0 || t.minutes > 59 || t.seconds < 0 || t.seconds > 59 || t.frames < 0 ||
+        t.frames >= per_second)
         return NKW_OUT_OF_RANGE;
     int64_t dropped = dropped_in(per_second, drop);
-    if (t->minutes % 10 != 0 && t->seconds == 0 && t->frames < dropped)
+    if (t.minutes % 10 != 0 && t.seconds == 0 && t.frames < dropped)
         return NKW_OUT_OF_RANGE;
-    int64_t minutes = 60 * (int64_t)t->hours + t->minutes;
-    *out = (minutes * 60 + t->seconds) * per_second + t->frames - dropped * (minutes - minutes / 10);
+    int64_t minutes = 60 * (int64_t)t.hours + t.minutes;
+    *out = (minutes * 60 + t.seconds) * per_second + t.frames - dropped * (minutes - minutes / 10);
     return NKW_OK;
 }

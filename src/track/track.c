@@ -71,10 +71,10 @@ static void cubic(const nkw_track *track, size_t k, float t, float *out)
         track_write_quat(nkw_quat_normalize(track_read_quat(out)), out);
 }
 
-void nkw_track_sample_segment(const nkw_track *track, nkw_segment segment, float *out)
+nkw_result nkw_track_sample_segment(const nkw_track *track, nkw_segment segment, float *out)
 {
     if (!track_is_readable(track))
-        return;
+        return track_check_readable(track);
     size_t last = track->count - 1;
     size_t k = segment.index < last ? segment.index : last;
     float t = segment.t > 0.0f ? segment.t : 0.0f;
@@ -88,18 +88,16 @@ void nkw_track_sample_segment(const nkw_track *track, nkw_segment segment, float
         linear(track, k, t, out);
     else
         hold(track, k, out);
+    return NKW_OK;
 }
 
-void nkw_track_sample(const nkw_track *track, float time, float *out)
+nkw_result nkw_track_sample(const nkw_track *track, float time, uint32_t *cursor, float *out)
 {
-    nkw_track_sample_segment(track, nkw_segment_find(track->times, track->count, time), out);
-}
-
-void nkw_track_sample_cursor(const nkw_track *track, float time, uint32_t *cursor, float *out)
-{
+    if (!cursor)
+        return nkw_track_sample_segment(track, nkw_segment_find(track->times, track->count, time), out);
     nkw_segment segment = segment_find_hint(segment_times_of(track->times, track->count), time, *cursor);
     *cursor = (uint32_t)segment.index;
-    nkw_track_sample_segment(track, segment, out);
+    return nkw_track_sample_segment(track, segment, out);
 }
 
 static nkw_result check_shape(const nkw_track *track)
@@ -126,15 +124,15 @@ static nkw_result check_key(const nkw_track *track, size_t k)
     return lane_is_unit_length(length) ? NKW_OK : NKW_NOT_UNIT;
 }
 
-nkw_result nkw_track_validate(const nkw_track *track, size_t *bad_key)
+nkw_result nkw_track_validate(const nkw_track *track, size_t *bad)
 {
     nkw_result result = check_shape(track);
-    size_t bad = 0;
+    size_t offender = 0;
     for (size_t k = 0; result == NKW_OK && k < track->count; k++) {
         result = check_key(track, k);
-        bad = k;
+        offender = k;
     }
-    return report(result, bad, bad_key);
+    return report(result, offender, bad);
 }
 
 /* Resampling. */
@@ -202,8 +200,8 @@ static float difference_along(const nkw_track *along, const nkw_track *track, co
             float time = difference_time(along, k, quarter);
             if (time < track->times[0] || time > track->times[track->count - 1])
                 continue;
-            nkw_track_sample_cursor(track, time, &here, a);
-            nkw_track_sample_cursor(other, time, &there, b);
+            nkw_track_sample(track, time, &here, a);
+            nkw_track_sample(other, time, &there, b);
             largest = difference_worse(largest, track_is_rotation(track)
                                                     ? nkw_quat_angle(track_read_quat(a), track_read_quat(b))
                                                     : difference_largest(a, b, track->width));
@@ -243,7 +241,7 @@ static void resample(const nkw_track *track, float rate, nkw_track_span span, si
     uint32_t cursor = 0;
     for (size_t k = 0; k < count; k++) {
         span.times[k] = nkw_timeline_time((nkw_timeline){track->times[0], rate, 0}, k);
-        nkw_track_sample_cursor(track, span.times[k], &cursor, span.values + k * track->width);
+        nkw_track_sample(track, span.times[k], &cursor, span.values + k * track->width);
     }
     *out = resampled(track, span.times, span.values, count);
 }

@@ -1,6 +1,8 @@
 /* SPDX-License-Identifier: MIT */
 #include "lane/strict.h"
 
+#include <string.h>
+
 #include <nakawari/track.h>
 
 #include "lane/arc.h"
@@ -52,25 +54,19 @@ static int is_moving(const nkw_track *track, nkw_segment segment, float time)
            times[segment.index] < times[segment.index + 1];
 }
 
-nkw_result nkw_track_sample_derivatives(const nkw_track *track, float time, float *value, float *velocity,
-                                        float *acceleration)
+/* The derivatives of numbers in a segment; 0 where nothing moves. */
+static void put_rates(const nkw_track *track, nkw_segment segment, int moving, nkw_motion_span out)
 {
-    if (track->count == 0 || track->width == 0)
-        return NKW_EMPTY;
-    if (track->kind != NKW_TRACK_FLOATS)
-        return NKW_BAD_METHOD;
-    nkw_segment segment = nkw_segment_find(track->times, track->count, time);
-    int moving = is_moving(track, segment, time);
-    double h = moving ? (double)track->times[segment.index + 1] - (double)track->times[segment.index] : 1.0;
+    const double h = moving ? (double)track->times[segment.index + 1] - (double)track->times[segment.index] : 1.0;
     for (size_t c = 0; c < track->width; c++) {
         rates r = {0.0, 0.0};
         if (moving)
             r = rates_at(track, segment.index, c, segment.t, h);
-        velocity[c] = (float)r.velocity;
-        acceleration[c] = (float)r.acceleration;
+        if (out.velocity)
+            out.velocity[c] = (float)r.velocity;
+        if (out.acceleration)
+            out.acceleration[c] = (float)r.acceleration;
     }
-    nkw_track_sample_segment(track, segment, value);
-    return NKW_OK;
 }
 
 /* ---- Rotations ---- */
@@ -94,7 +90,7 @@ static lane_f64_vec3 velocity_of_slerp(const nkw_track *track, size_t k, double 
 }
 
 /* q = p/|p|: w = 2 Im(p' p*)/|p|^2, a = 2 Im(p'' p*)/|p|^2 - 2 (p.p')/|p|^2 w. */
-static void put_rates_of_cubic(const nkw_track *track, size_t k, double t, double h, nkw_quat_motion *out)
+static void put_rates_of_cubic(const nkw_track *track, size_t k, double t, double h, nkw_vec3 rates_of[2])
 {
     double p[4], p1[4], p2[4];
     for (size_t c = 0; c < 4; c++) {
@@ -109,29 +105,37 @@ static void put_rates_of_cubic(const nkw_track *track, size_t k, double t, doubl
         return;
     lane_f64_vec3 w = lane_f64_vec3_scale(vector_of_product(q1, q), 2.0 / length2);
     lane_f64_vec3 a = lane_f64_vec3_scale(vector_of_product(q2, q), 2.0 / length2);
-    out->velocity = lane_vec3_from_f64(w);
-    out->acceleration = lane_vec3_from_f64(lane_f64_vec3_add_scaled(a, w, -2.0 * lane_f64_quat_dot(q, q1) / length2));
+    rates_of[0] = lane_vec3_from_f64(w);
+    rates_of[1] = lane_vec3_from_f64(lane_f64_vec3_add_scaled(a, w, -2.0 * lane_f64_quat_dot(q, q1) / length2));
 }
 
-nkw_result nkw_track_sample_rotation(const nkw_track *track, float time, nkw_quat_motion *out)
+static void put_turn(const nkw_track *track, nkw_segment segment, int moving, nkw_motion_span out)
 {
-    nkw_result result = track_check_readable(track);
-    if (result == NKW_OK && !track_is_rotation(track))
-        result = NKW_BAD_METHOD;
-    if (result != NKW_OK)
-        return result;
-    float value[4];
-    nkw_segment segment = nkw_segment_find(track->times, track->count, time);
-    nkw_track_sample_segment(track, segment, value);
-    nkw_quat_motion state = {track_read_quat(value), {0.0f, 0.0f, 0.0f}, {0.0f, 0.0f, 0.0f}};
-    if (is_moving(track, segment, time)) {
+    nkw_vec3 turn[2] = {{0.0f, 0.0f, 0.0f}, {0.0f, 0.0f, 0.0f}}; /* velocity, acceleration */
+    if (moving) {
         double h = (double)track->times[segment.index + 1] - (double)track->times[segment.index];
         nkw_interpolation interpolation = interpolation_at(track, segment.index);
         if (interpolation == NKW_INTERPOLATION_LINEAR)
-            state.velocity = lane_vec3_from_f64(velocity_of_slerp(track, segment.index, h));
+            turn[0] = lane_vec3_from_f64(velocity_of_slerp(track, segment.index, h));
         else if (interpolation == NKW_INTERPOLATION_CUBICSPLINE)
-            put_rates_of_cubic(track, segment.index, segment.t, h, &state);
+            put_rates_of_cubic(track, segment.index, segment.t, h, turn);
     }
-    *out = state;
-    return NKW_OK;
+    if (out.velocity)
+        memcpy(out.velocity, &turn[0], sizeof turn[0]);
+    if (out.acceleration)
+        memcpy(out.acceleration, &turn[1], sizeof turn[1]);
+}
+
+nkw_result nkw_track_sample_motion(const nkw_track *track, float time, nkw_motion_span out)
+{
+    const nkw_result result = track_check_readable(track);
+    if (result != NKW_OK)
+        return result;
+    const nkw_segment segment = nkw_segment_find(track->times, track->count, time);
+    const int moving = is_moving(track, segment, time);
+    if (track_is_rotation(track))
+        put_turn(track, segment, moving, out);
+    else
+        put_rates(track, segment, moving, out);
+    return out.value ? nkw_track_sample_segment(track, segment, out.value) : NKW_OK;
 }

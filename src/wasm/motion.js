@@ -22,7 +22,7 @@ export class FCurve extends Owner {
   }
   /** Value, velocity and acceleration at `time`. */
   sample(time, out) {
-    x.nkw_fcurve_sample(p, this._use()._p, number(time));
+    x.nkw_fcurve_sample(p, this._use()._p, number(time), 0);
     return r(out, 0, 3);
   }
   /** Copies of the keys. */

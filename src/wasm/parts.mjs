@@ -3,7 +3,7 @@
 // sources call, and the enumerations of its stems. A new stem is added here; the generator refuses a public function
 // that is neither in a part nor below.
 const values = ['scalar', 'vec', 'quat', 'orient', 'curve'];
-const algebra = ['mat', 'euler', 'axes', 'transform', 'dual', 'box', 'handle', 'ease', 'rotation', 'limit',
+const algebra = ['mat', 'euler', 'axes', 'transform', 'arrays', 'dual', 'box', 'handle', 'ease', 'rotation', 'limit',
   'spring', 'inertia', 'segment', 'playback', 'root'];
 const curves = ['fcurve', 'spline', 'nurbs', 'polycurve', 'track', 'dialect', 'edit', 'fit', 'reduce', 'clip_reduce',
   'timecode'];
@@ -20,7 +20,7 @@ export const parts = [
     name: 'values', stems: values, sources: [], batch: false, limit: 12,
     without: new RegExp('mat[34]|_wxyz|bezier_split|cubic_(convert|evaluate|sum)|quintic|' +
       'quat_(swing|twist|mean|turns|look|pow)|_path$|from_catmull_rom|_from_vectors|perpendicular|integrate|' +
-      'angular_velocity|euler_|nkw_wrap$|nkw_pow'),
+      'angular_velocity|euler_|nkw_wrap$|nkw_pow|equal_within|_towards'),
   },
   { name: 'math', stems: [...values, ...algebra], enums: ['keyframe'],
     sources: ['objects', 'columns', 'records', 'keyframes'], batch: true, limit: 100, without: /pose_/ },
@@ -48,7 +48,6 @@ export const arrays = {
   nkw_polycurve: { count: 'lengthOf(cubics, 12)', cubics: '12 * count' },
   nkw_easing: { curve: '[0, 0, 0, 0]', count: '(inputs ?? []).length', inputs: 'count', outputs: 'count' },
   nkw_playback_step: { keyCount: 'times.length', times: 'keyCount' },
-  nkw_playback_step_f64: { keyCount: 'times.length', times: 'keyCount' },
   nkw_track: { count: 'times.length', width: '1', times: 'count', keyInterpolation: 'count',
     values: 'count * width * (interpolation === INTERPOLATION_CUBICSPLINE ? 3 : 1)' },
   nkw_partition_mesh: { influenceCount: '4', triangleCount: 'indices.length / 3',
@@ -85,7 +84,7 @@ export const lengths = {
   nkw_polycurve_at_length: { lengths: 'lengthCount' },
   nkw_polycurve_frames: { frames: 'frameCount' },
   nkw_polycurve_flatten: { points: 'capacity', count: '1' },
-  nkw_playback_passed: { keys: 'capacity' }, nkw_playback_passed_f64: { keys: 'capacity' },
+  nkw_playback_passed: { keys: 'capacity', count: '1' },
   nkw_track_sample_segment: { out: 'track.width' },
   nkw_track_convert_axes: { values: 'trackValueCount(track)' },
   nkw_track_align: { values: 'trackValueCount(track)' },
@@ -98,8 +97,7 @@ export const lengths = {
   nkw_track_reduce: { span: '[track.count, track.width]' },
   nkw_track_from_fcurves: { span: '[4096, count]' },
   nkw_track_from_euler_fcurves: { span: '[4096, 4]' },
-  nkw_fcurve_keys_from_track: { keys: 'track.count' },
-  nkw_fcurve_keys_from_spline: { keys: 'spline.times.length' },
+  nkw_fcurve_from_track: { keys: 'track.count' },
   nkw_pose_from_trs: { trs: 'pose.jointCount' }, nkw_trs_from_pose: { out: 'pose.jointCount' },
   nkw_pose_mirror: { pair: 'pose.jointCount' },
   nkw_pose_layers_blend: { layers: 'layerCount' }, nkw_pose_layers_validate: { layers: 'layerCount' },
@@ -111,7 +109,7 @@ export const lengths = {
     parents: 'jointCount' },
   nkw_skeleton_from_tree: { joint_of_node: 'tree.firstChild.length', node_of_joint: 'tree.firstChild.length',
     parents: 'tree.firstChild.length' },
-  nkw_ticks_convert: { out: '1' },
+  nkw_ticks_convert: { out: '1' }, nkw_ticks_to_seconds: { seconds: '1' },
   nkw_root_split_keys: { rule: '1' },
   nkw_ik_chain_solve: { rotations: 'lengthOf(chain.offsets, 3)' },
   nkw_retarget_map_chain: { source_chain: 'sourceCount', target_chain: 'targetCount',
@@ -128,7 +126,6 @@ export const work = {
   nkw_track_difference: '8 * track.width',
   nkw_track_resample_within: '8 * track.width',
   nkw_track_fit: '8 * (track.count * (track.width + 5) + track.width)',
-  nkw_fcurve_keys_from_spline: '24 * spline.times.length',
   nkw_ik_chain_solve: '12 * lengthOf(chain.offsets, 3)',
   nkw_ik_pose_chain: '40 * reach.jointCount',
   nkw_retarget_apply: '32 * (source.jointCount + out.jointCount)',
@@ -139,8 +136,6 @@ export const excluded = {
   nkw_partition_vertices: 'it reads a partition, which is not kept: nkw_mat4_transform_point of the bind matrices',
   nkw_version: 'the version is in package.json',
   nkw_segment_find_n: 'nkw_segment_find for each time',
-  nkw_fcurve_sample_cursor: 'nkw_fcurve_sample has the same bits',
-  nkw_track_sample_cursor: 'nkw_track_sample has the same bits',
 };
 export const excludedStems = {};
 // Of these stems the sources call what their objects need; the rest is not bound yet.

@@ -18,7 +18,8 @@ export class Track extends Owner {
   readonly values: Float32Array;
   /** The value at `time`, in the `width` first elements of out. */
   sample<T extends FloatArray>(time: number, out: T): T;
-  /** Value, velocity and acceleration at `time`, of a track of numbers. */
-  sampleDerivatives(time: number, value: FloatArray, velocity: FloatArray, acceleration: FloatArray): void;
+  /** Value, velocity and acceleration at `time`; of a rotation the orientation, and three numbers each. */
+  sampleMotion(time: number, value: FloatArray | null, velocity: FloatArray | null, acceleration: FloatArray | null):
+    void;
 }
 

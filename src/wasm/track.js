@@ -34,19 +34,18 @@ export class Track extends Owner {
   }
   /** The value at `time`, in the `width` first elements of out. */
   sample(time, out) {
-    x.nkw_track_sample(this._use()._p, number(time), this._out);
+    x.nkw_track_sample(this._use()._p, number(time), 0, this._out);
     return this.#read(out, 0);
   }
-  /** Value, velocity and acceleration at `time`, of a track of numbers. */
-  sampleDerivatives(time, value, velocity, acceleration) {
-    const o = this._out, step = 4 * this.width;
-    check('nkw_track_sample_derivatives',
-      x.nkw_track_sample_derivatives(this._use()._p, number(time), o, o + step, o + 2 * step));
-    [value, velocity, acceleration].forEach((out, i) => this.#read(out, i));
+  /** Value, velocity and acceleration at `time`; of a rotation the orientation, and three numbers each. */
+  sampleMotion(time, value, velocity, acceleration) {
+    const o = this._out, step = 4 * this.width, span = words(0, o, o + step, o + 2 * step);
+    check('nkw_track_sample_motion', x.nkw_track_sample_motion(this._use()._p, number(time), span));
+    [value, velocity, acceleration].forEach((out, i) => out && this.#read(out, i));
   }
   #read(out, i) {
-    const from = (this._out >> 2) + i * this.width;
-    for (let k = 0; k < this.width; k++)
+    const from = (this._out >> 2) + i * this.width, length = i && this.kind !== TRACK_FLOATS ? 3 : this.width;
+    for (let k = 0; k < length; k++)
       out[k] = f32[from + k];
     return out;
   }

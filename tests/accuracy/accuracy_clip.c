@@ -77,7 +77,7 @@ static double number_error(const float *x)
     double worst = 0.0;
     if (!sample(&d, 0, d.time, pose))
         return HUGE_VAL;
-    nkw_track_sample(&d.track.track, d.time, want);
+    nkw_track_sample(&d.track.track, d.time, NULL, want);
     for (int c = 0; c < 3; c++) {
         double low = HUGE_VAL, high = -HUGE_VAL, size = 0.0;
         for (int k = 0; k < KEYS; k++) {
@@ -100,7 +100,7 @@ static double turn_error(const float *x, float angle, int at_key, double bound)
     float time = at_key ? d.times[2] : d.time;
     if (!sample(&d, 1, time, pose))
         return HUGE_VAL;
-    nkw_track_sample(&d.track.track, time, want);
+    nkw_track_sample(&d.track.track, time, NULL, want);
     for (int c = 0; c < 4; c++)
         got[c] = pose[(3 + c) * 16];
     wide_from(got, a, 4);

@@ -27,7 +27,7 @@ static double handle_error(const float *x, nkw_weighted weighted, nkw_weight_uni
     wide time = unit == NKW_WEIGHT_FRACTION ? w * h : unit == NKW_WEIGHT_SECONDS ? w : w / sqrtq(1 + m * m);
     time = weighted == NKW_WEIGHTED_NONE ? h / 3 : time;
     wide value = m * time;
-    nkw_fcurve_keys_from_slopes(slopes, 2, unit, keys, NULL);
+    nkw_fcurve_from_slope_keys(slopes, 2, unit, keys, NULL);
     return fmax(wide_error_of(&keys[0].out.time, &time, 1, fabsq(time)),
                 wide_error_of(&keys[0].out.value, &value, 1, fabsq(value)));
 }
@@ -58,7 +58,7 @@ static double blender_error(const float *x)
 {
     nkw_blender_key b = {{x[0], x[1]}, {x[0], x[1]}, {x[2], x[3]}, 2, 0};
     nkw_fcurve_key key;
-    nkw_fcurve_keys_from_blender(&b, 1, &key, NULL);
+    nkw_fcurve_from_blender_keys(&b, 1, &key, NULL);
     wide time = (wide)x[2] - x[0], value = (wide)x[3] - x[1];
     return fmax(wide_error_of(&key.out.time, &time, 1, fmaxq(fabsq(x[0]), fabsq(x[2]))),
                 wide_error_of(&key.out.value, &value, 1, fmaxq(fabsq(x[1]), fabsq(x[3]))));
@@ -92,10 +92,10 @@ static double auto_error(const float *x)
 }
 
 static const wide_case cases[] = {
-    {"nkw_fcurve_keys_from_slopes", "without a weight", slope, third_error, 4, WIDE_CHECKED},
-    {"nkw_fcurve_keys_from_slopes", "FRACTION", slope, fraction_error, 4, WIDE_CHECKED},
-    {"nkw_fcurve_keys_from_slopes", "LENGTH", slope, length_error, 4, WIDE_CHECKED},
-    {"nkw_fcurve_keys_from_blender", "[-10, 10]", points, blender_error, 4, WIDE_CHECKED},
+    {"nkw_fcurve_from_slope_keys", "without a weight", slope, third_error, 4, WIDE_CHECKED},
+    {"nkw_fcurve_from_slope_keys", "FRACTION", slope, fraction_error, 4, WIDE_CHECKED},
+    {"nkw_fcurve_from_slope_keys", "LENGTH", slope, length_error, 4, WIDE_CHECKED},
+    {"nkw_fcurve_from_blender_keys", "[-10, 10]", points, blender_error, 4, WIDE_CHECKED},
     {"nkw_fcurve_auto_handles", "AUTO, VECTOR", three, auto_error, 6, WIDE_CHECKED},
 };
 

@@ -50,7 +50,7 @@ static double trim_error(const float *x)
     float at = random_between(&r, d.times[0], d.times[1]), time = random_between(&r, at, d.times[1]);
     if (nkw_track_trim(&d.track, at, d.times[2], d.memory, &d.out) != NKW_OK)
         return INFINITY;
-    nkw_track_sample(&d.out, time, &got);
+    nkw_track_sample(&d.out, time, NULL, &got);
     wide largest = 0, exact = hermite(&d, time, &largest);
     return accuracy_units((double)got, (double)exact, (double)largest);
 }

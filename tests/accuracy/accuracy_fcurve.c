@@ -31,7 +31,7 @@ static float sampled(const float *x, nkw_fcurve_kind kind, nkw_fcurve_outside ou
     nkw_ease_kind ease = (nkw_ease_kind)(NKW_EASE_QUAD_IN + 3 * ((int)x[5] - 2));
     nkw_fcurve_key keys[2] = {{x[0], x[2], {0, 0}, {0, 0}, kind, ease}, {x[1], x[3], {0, 0}, {0, 0}, kind, ease}};
     nkw_fcurve curve = {keys, 2, outside, outside, 0, 0, NKW_HANDLE_NONE};
-    return nkw_fcurve_sample(&curve, x[4]).value;
+    return nkw_fcurve_sample(&curve, x[4], NULL).value;
 }
 
 static wide progress(const float *x)

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /* Errors of <nakawari/track.h> against binary128: one segment of a track, drawn from its seed. */
+#include "../support/motion_span.h"
 #include "wide.h"
 
 #if WIDE_AVAILABLE
@@ -57,7 +58,7 @@ static double cubic_error(const float *x)
     float most = 1.0f / (s.times[1] - s.times[0]);
     for (int i = 0; i < 6; i++)
         s.values[i] = i % 3 == 1 ? random_between(&r, -1.0f, 1.0f) : random_between(&r, -most, most);
-    nkw_track_sample(&s.track, s.time, &got);
+    nkw_track_sample(&s.track, s.time, NULL, &got);
     wide largest = 0, exact = hermite(&s, 0, &largest);
     return accuracy_units((double)got, (double)exact, (double)largest);
 }
@@ -68,10 +69,11 @@ static double rates_error(const float *x)
     random_source r = wide_source(x);
     segment s;
     float value, got[2];
+    const nkw_motion_span out = {&value, got, got + 1};
     begin(&s, &r, 1, NKW_TRACK_FLOATS, NKW_INTERPOLATION_CUBICSPLINE);
     for (int i = 0; i < 6; i++)
         s.values[i] = random_between(&r, -1.0f, 1.0f);
-    if (nkw_track_sample_derivatives(&s.track, s.time, &value, got, got + 1) != NKW_OK)
+    if (nkw_track_sample_motion(&s.track, s.time, out) != NKW_OK)
         return HUGE_VAL;
     wide h = (wide)s.times[1] - s.times[0], t = nkw_segment_find(s.times, 2, s.time).t, u = 1 - t;
     wide c[3] = {((wide)s.values[4] - s.values[1]) / h, s.values[2], s.values[3]}, size = 0;
@@ -108,7 +110,7 @@ static double cubic_spin_error(const float *x)
     nkw_quat a = random_unit_quat(&r);
     put_quat(s.values + 4, a);
     put_quat(s.values + 16, random_unit_near(&r, a, 0.5f * random_unit(&r)));
-    if (nkw_track_sample_rotation(&s.track, s.time, &got) != NKW_OK)
+    if (nkw_track_sample_motion(&s.track, s.time, quat_motion_span(&got)) != NKW_OK)
         return HUGE_VAL;
     wide h = duration_of(&s), t = nkw_segment_find(s.times, 2, s.time).t, u = 1 - t, p[3][4], w[4], e[4];
     for (int i = 0; i < 4; i++) {
@@ -143,7 +145,7 @@ static double slerp_spin_error(const float *x)
     nkw_quat q = random_unit_quat(&r);
     put_quat(s.values, q);
     put_quat(s.values + 4, random_unit_near(&r, q, 1.5f * random_unit(&r)));
-    if (nkw_track_sample_rotation(&s.track, s.time, &got) != NKW_OK)
+    if (nkw_track_sample_motion(&s.track, s.time, quat_motion_span(&got)) != NKW_OK)
         return HUGE_VAL;
     wide_from(s.values, a, 4);
     wide_from(s.values + 4, b, 4);
@@ -171,7 +173,7 @@ static double cubic_turn_error(const float *x, float angle)
         s.values[i] = random_between(&r, -most, most);
     put_quat(s.values + 4, a);
     put_quat(s.values + 16, b);
-    nkw_track_sample(&s.track, s.time, got);
+    nkw_track_sample(&s.track, s.time, NULL, got);
     for (size_t i = 0; i < 4; i++)
         exact[i] = hermite(&s, i, &largest);
     wide_normalize(exact, 4);
@@ -201,7 +203,7 @@ static double linear_error(const float *x, float spread)
     s.values[1] = random_between(&r, -1.0f, 1.0f);
     if (spread < 1.0f)
         s.values[1] = -s.values[0] * random_between(&r, 1.0f - spread, 1.0f + spread);
-    nkw_track_sample(&s.track, s.time, &got);
+    nkw_track_sample(&s.track, s.time, NULL, &got);
     wide a = s.values[0], b = s.values[1], t = share_of(&s);
     return accuracy_units((double)got, (double)((1 - t) * a + t * b), fmax(fabs((double)a), fabs((double)b)));
 }
@@ -226,7 +228,7 @@ static double slerp_error(const float *x)
     nkw_quat q = random_unit_quat(&r);
     put_quat(s.values, q);
     put_quat(s.values + 4, random_unit_near(&r, q, 1.5f * random_unit(&r)));
-    nkw_track_sample(&s.track, s.time, got);
+    nkw_track_sample(&s.track, s.time, NULL, got);
     wide_from(s.values, a, 4);
     wide_from(s.values + 4, b, 4);
     wide_slerp(a, b, share_of(&s), exact);
@@ -239,9 +241,9 @@ static const wide_case cases[] = {
     {SAMPLE, "CUBICSPLINE, numbers", wide_seed, cubic_error, 2, WIDE_CHECKED},
     {SAMPLE, "CUBICSPLINE, rotations 0.25 apart", wide_seed, cubic_turn_small, 2, WIDE_CHECKED},
     {SAMPLE, "CUBICSPLINE, rotations 1 rad apart", wide_seed, cubic_turn_large, 2, WIDE_CHECKED},
-    {"nkw_track_sample_derivatives", "CUBICSPLINE", wide_seed, rates_error, 2, WIDE_CHECKED},
-    {"nkw_track_sample_rotation", "CUBICSPLINE, 1 rad apart", wide_seed, cubic_spin_error, 2, WIDE_CHECKED},
-    {"nkw_track_sample_rotation", "LINEAR", wide_seed, slerp_spin_error, 2, WIDE_CHECKED},
+    {"nkw_track_sample_motion", "numbers, CUBICSPLINE", wide_seed, rates_error, 2, WIDE_CHECKED},
+    {"nkw_track_sample_motion", "CUBICSPLINE, 1 rad apart", wide_seed, cubic_spin_error, 2, WIDE_CHECKED},
+    {"nkw_track_sample_motion", "LINEAR", wide_seed, slerp_spin_error, 2, WIDE_CHECKED},
     {SAMPLE, "LINEAR, numbers", wide_seed, linear_any, 2, WIDE_CHECKED},
     {SAMPLE, "LINEAR, nearly opposite keys, middle", wide_seed, linear_opposite, 2, WIDE_CHECKED},
     {SAMPLE, "LINEAR, rotations", wide_seed, slerp_error, 2, WIDE_CHECKED},

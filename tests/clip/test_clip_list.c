@@ -105,7 +105,7 @@ static void the_keys_of_compact_clips_are_their_samples(void **state)
             nkw_clip_sample(clip, track->track.times[key], NULL, pose_span(pose, 17), floats);
             float want[4], *out = floats + track->index;
             nkw_trs trs = nkw_pose_get(pose_view(pose, 17), track->target == NKW_CLIP_FLOATS ? 0 : track->index);
-            nkw_track_sample(&track->track, track->track.times[key], want);
+            nkw_track_sample(&track->track, track->track.times[key], NULL, want);
             expect_floats_bits(want,
                                track->target == NKW_CLIP_FLOATS        ? out
                                : track->target == NKW_CLIP_TRANSLATION ? &trs.translation.x

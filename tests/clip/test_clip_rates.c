@@ -137,7 +137,7 @@ static void nearly_even_times_give_the_bits_of_tracks(void **state)
         for (int i = 0; i < 2000; i++, time += 0.0025f) {
             float pose[NKW_POSE_FLOATS(1)], want[4], at = i < (int)KEYS ? times[i] : time;
             nkw_clip_sample(clip, at, NULL, pose_span(pose, 1), NULL);
-            nkw_track_sample(&track.track, at, want);
+            nkw_track_sample(&track.track, at, NULL, want);
             nkw_quat got = nkw_pose_get(pose_view(pose, 1), 0).rotation;
             assert_memory_equal(&got, want, sizeof got);
         }

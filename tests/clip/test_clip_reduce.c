@@ -490,7 +490,7 @@ static void ranges_that_overflow_are_stored_as_floats(void **state)
         for (size_t k = 0; k < 2 * LINK_KEYS - 1; k++) {
             float time = 0.5f * (c.times[k / 2] + c.times[(k + 1) / 2]), want_value[3];
             nkw_clip_sample((const nkw_clip *)(const void *)block, time, NULL, span, NULL);
-            nkw_track_sample(&c.tracks[1].track, time, want_value);
+            nkw_track_sample(&c.tracks[1].track, time, NULL, want_value);
             assert_true(fabs((double)pose[0] - (double)want_value[0]) <= (double)r.tolerance);
         }
     }

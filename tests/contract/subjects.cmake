@@ -8,8 +8,9 @@ cmake_minimum_required(VERSION 3.22)
 #    kernel without a stem is in the lists below.
 # 3. A file of a subject's folder has a stem of that subject.
 # 4. The kernel calls no public function, except those that the headers define inline.
-# 5. Nothing of docs/ is compiled into a product.
-# 6. Two files have the same name only as single call, loop and dispatch of one stem, or, in the kernel, as the formula
+# 5. core.h includes the headers of core, and they include no kit.
+# 6. Nothing of docs/ is compiled into a product.
+# 7. Two files have the same name only as single call, loop and dispatch of one stem, or, in the kernel, as the formula
 #    (lane), the registers (pack) and the table (data) of one function.
 #
 # For its own test: SOURCE may be a copy with a planted fault.
@@ -22,8 +23,8 @@ set(uses_command "command;import;draw;exercise")
 set(uses_wasm "wasm")
 
 # Files of the kernel, and public headers, that are before all subjects; and those whose name is not a stem.
-set(first base types nakawari inline/product inline/f32x3 inline/f32x4 strict isa processor dispatch f32x4 f32xn f64x2 element tail block
-  rows columns columns1 columns4 columns8 columns16 sizes work report sort)
+set(first base types core nakawari inline/product inline/f32x3 inline/f32x4 strict isa processor dispatch f32x4 f32xn f64x2
+  element tail block rows columns columns1 columns4 columns8 columns16 sizes work report sort)
 set(of_math f64 finite normal affine form angles arcs sincos matrices last dual_quat)
 set(of_curve slerp nlerp nlerp_sums arc rotation_vector cubic)
 set(of_motion offset)
@@ -111,7 +112,7 @@ foreach(path IN LISTS files)
       endif()
     elseif("${used_rank}" STREQUAL "")
       message(SEND_ERROR "subjects: ${path} includes ${used}, which is above the library")
-    elseif(used_rank GREATER rank AND NOT path MATCHES "/nakawari[.]h$")
+    elseif(used_rank GREATER rank AND NOT path MATCHES "/(nakawari|core)[.]h$")
       message(SEND_ERROR "subjects: ${path} (${rank}) includes ${used} (${used_rank}), a later subject")
     elseif(path MATCHES "^(include|src/kernel)/" AND used MATCHES "^src/" AND NOT used_folder STREQUAL "kernel")
       message(SEND_ERROR "subjects: ${path} includes ${used}: the kernel uses no subject's folder")
@@ -119,6 +120,25 @@ foreach(path IN LISTS files)
       message(SEND_ERROR "subjects: ${path} includes ${used}, which is private")
     endif()
   endforeach()
+endforeach()
+
+# Core and kits.
+file(READ "${SOURCE}/include/nakawari/core.h" core)
+foreach(stem IN LISTS NKW_STEMS)
+  if(stem IN_LIST NKW_CORE)
+    if(NOT core MATCHES "#include \"${stem}.h\"")
+      message(SEND_ERROR "subjects: core.h does not include ${stem}.h")
+    endif()
+    file(STRINGS "${SOURCE}/include/nakawari/${stem}.h" lines REGEX "^#include \"[a-z_]+[.]h")
+    foreach(line IN LISTS lines)
+      string(REGEX REPLACE "^#include \"([a-z_]+)[.]h.*" "\\1" used "${line}")
+      if(NOT used IN_LIST NKW_CORE)
+        message(SEND_ERROR "subjects: ${stem}.h is core and includes ${used}.h, a kit")
+      endif()
+    endforeach()
+  elseif(core MATCHES "#include \"${stem}.h\"")
+    message(SEND_ERROR "subjects: core.h includes ${stem}.h, a kit")
+  endif()
 endforeach()
 
 # Calls of the kernel.

@@ -319,7 +319,7 @@ static void pchip_does_not_leave_the_values_of_its_keys(void **state)
             float before = v[k], low = fminf(v[k], v[k + 1]), high = fmaxf(v[k], v[k + 1]);
             for (int j = 1; j <= 32; j++) {
                 float at;
-                nkw_track_sample(&track, t[k] + (t[k + 1] - t[k]) * (float)j / 32, &at);
+                nkw_track_sample(&track, t[k] + (t[k + 1] - t[k]) * (float)j / 32, NULL, &at);
                 assert_true(at >= low - 2e-6f && at <= high + 2e-6f);
                 assert_true(v[k] < v[k + 1] ? at >= before - 2e-6f : at <= before + 2e-6f);
                 before = at;
@@ -334,7 +334,8 @@ static void c2_has_a_continuous_acceleration(void **state)
     (void)state;
     random_source r = random_from(8);
     for (int i = 0; i < 300; i++) {
-        float t[8], v[8], triples[24], value, velocity, before, after;
+        float t[8], v[8], triples[24], velocity, before, after;
+        const nkw_motion_span from = {NULL, &velocity, &before}, to = {NULL, &velocity, &after};
         draw_keys(&r, t, v, 8);
         v[7] = v[0];
         nkw_spline s = numbers(t, v, 8, NKW_SPLINE_C2);
@@ -342,13 +343,13 @@ static void c2_has_a_continuous_acceleration(void **state)
         nkw_track track = track_of(&s, triples), first = track, last = track;
         for (size_t k = 1; k < 7; k++) {
             first.count = k + 1; /* ends at key k: the derivative of the segment before */
-            assert_int_equal(nkw_track_sample_derivatives(&first, t[k], &value, &velocity, &before), NKW_OK);
-            assert_int_equal(nkw_track_sample_derivatives(&track, t[k], &value, &velocity, &after), NKW_OK);
+            assert_int_equal(nkw_track_sample_motion(&first, t[k], from), NKW_OK);
+            assert_int_equal(nkw_track_sample_motion(&track, t[k], to), NKW_OK);
             expect_bits(velocity, triples[3 * k + 2]);
             expect_near(before, after, 2e-3);
         }
-        nkw_track_sample_derivatives(&track, t[0], &value, &velocity, &after);
-        nkw_track_sample_derivatives(&last, t[7], &value, &velocity, &before);
+        nkw_track_sample_motion(&track, t[0], to);
+        nkw_track_sample_motion(&last, t[7], from);
         if (s.ends == NKW_SPLINE_ENDS_PERIODIC)
             expect_near(before, after, 2e-3);
         if (s.ends == NKW_SPLINE_ENDS_FREE) {

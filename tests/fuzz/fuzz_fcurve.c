@@ -120,7 +120,7 @@ static void fcurves(fuzz *f)
     const float *times = fuzz_floats(f, TIMES, 1);
     uint32_t cursor = fuzz_bits(f);
     for (size_t i = 0; i < TIMES; i++) {
-        nkw_motion a = nkw_fcurve_sample(&c, times[i]), b = nkw_fcurve_sample_cursor(&c, times[i], &cursor);
+        nkw_motion a = nkw_fcurve_sample(&c, times[i], NULL), b = nkw_fcurve_sample(&c, times[i], &cursor);
         FUZZ_CHECK(result != NKW_OK || fuzz_same(&a.value, &b.value, 3));
         FUZZ_CHECK(result != NKW_OK || !fuzz_finite(times + i, 1) || a.value == a.value);
     }
@@ -128,9 +128,12 @@ static void fcurves(fuzz *f)
     size_t index = 0;
     if (nkw_fcurve_insert(&c, times[0], more, &index) == NKW_OK)
         FUZZ_CHECK(index > 0 && index < count);
-    nkw_fcurve_find_regression(keys, count);
     nkw_fcurve_limit(keys, count, NKW_HANDLE_KEEP_RATIO, keys);
-    FUZZ_CHECK(result != NKW_OK || nkw_fcurve_find_regression(keys, count) == count);
+    for (size_t k = 0; k + 1 < count; k++) {
+        const nkw_handle_segment s = {keys[k].time,   keys[k].value,     keys[k].out,
+                                      keys[k + 1].in, keys[k + 1].time, keys[k + 1].value};
+        FUZZ_CHECK(!nkw_handle_runs_back(&s) || result != NKW_OK || keys[k].kind != NKW_FCURVE_BEZIER);
+    }
 }
 
 static void slopes(fuzz *f, const nkw_fcurve_key *keys, size_t count)
@@ -139,7 +142,7 @@ static void slopes(fuzz *f, const nkw_fcurve_key *keys, size_t count)
     nkw_slope_key *slope = fuzz_block(f, count * sizeof *slope);
     nkw_fcurve_key *back = fuzz_block(f, count * sizeof *back);
     size_t bad;
-    if (nkw_slopes_from_fcurve_keys(keys, count, unit, slope, &bad) != NKW_OK)
+    if (nkw_slope_keys_from_fcurve(keys, count, unit, slope, &bad) != NKW_OK)
         FUZZ_CHECK(count == 0 || bad < count);
     for (size_t k = 0; k < count && fuzz_byte(f) % 2; k++) {
         nkw_slope_key s = {fuzz_float(f),
@@ -152,7 +155,7 @@ static void slopes(fuzz *f, const nkw_fcurve_key *keys, size_t count)
                            (nkw_fcurve_kind)fuzz_choice(f, 4)};
         slope[k] = s;
     }
-    if (nkw_fcurve_keys_from_slopes(slope, count, unit, back, &bad) != NKW_OK)
+    if (nkw_fcurve_from_slope_keys(slope, count, unit, back, &bad) != NKW_OK)
         FUZZ_CHECK(count == 0 || bad < count);
 }
 
@@ -169,11 +172,11 @@ static void dialects(fuzz *f)
         types[k].out = (nkw_handle_type)fuzz_choice(f, 4);
     }
     nkw_fcurve_auto_handles(keys, fuzz_byte(f) % 2 ? count : 0, types);
-    if (nkw_blender_from_fcurve_keys(keys, count, blender, &bad) == NKW_OK && fuzz_byte(f) % 2)
-        nkw_fcurve_keys_from_blender(blender, count, keys, &bad);
+    if (nkw_blender_keys_from_fcurve(keys, count, blender, &bad) == NKW_OK && fuzz_byte(f) % 2)
+        nkw_fcurve_from_blender_keys(blender, count, keys, &bad);
     if (count > 1) {
-        nkw_css_from_fcurve_keys(keys, css);
-        nkw_fcurve_keys_from_css(css, keys);
+        nkw_fcurve_to_css(keys, css);
+        nkw_fcurve_from_css(css, keys);
     }
     nkw_fcurve c[2] = {{keys, count, (nkw_fcurve_outside)fuzz_choice(f, 4), (nkw_fcurve_outside)fuzz_choice(f, 4),
                         fuzz_bits(f) % 4, fuzz_bits(f) % 4, (nkw_handle_policy)fuzz_choice(f, 3)},
@@ -191,7 +194,7 @@ static void dialects(fuzz *f)
     for (size_t k = 1; k < track.count; k++)
         FUZZ_CHECK(track.times[k - 1] < track.times[k]);
     if (track.count > 0 && nkw_track_validate(&track, &bad) == NKW_OK)
-        nkw_fcurve_keys_from_track(&track, 0, fuzz_block(f, track.count * sizeof *keys), &bad);
+        nkw_fcurve_from_track(&track, 0, fuzz_block(f, track.count * sizeof *keys), &bad);
 }
 
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)

@@ -145,7 +145,8 @@ static void play(fuzz *f, const nkw_document *d)
         }
         size_t bytes = d->meshes[n->mesh].primitives[0].vertex_count * sizeof(nkw_vec3);
         const nkw_document_vertices_span out = {(nkw_vec3 *)fuzz_block(f, bytes), (nkw_vec3 *)fuzz_block(f, bytes)};
-        FUZZ_CHECK(nkw_document_vertices(d, j, 0, models, floats, palette, out) == NKW_OK);
+        const nkw_document_moment moment = {models, floats, palette};
+        FUZZ_CHECK(nkw_document_vertices(d, j, 0, &moment, out) == NKW_OK);
     }
 }
 
@@ -155,7 +156,7 @@ static void read_again(nkw_gltf_file *file, nkw_import_result result, const nkw_
     nkw_import_error error;
     const nkw_import_memory memory = {file->data, file->bytes, "written", NULL, read_data, outer, 0};
     if (result == NKW_IMPORT_OK) {
-        nkw_document_open_memory(&memory, &again, &error);
+        nkw_document_from_memory(&memory, &again, &error);
         FUZZ_CHECK(again && again->skeleton.joint_count == d->skeleton.joint_count);
         FUZZ_CHECK(again->mesh_count == d->mesh_count && again->skin_count == d->skin_count);
     }
@@ -203,7 +204,7 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
     for (int raw = 0; raw < 2; raw++) {
         nkw_document *d;
         nkw_import_error error;
-        nkw_import_result result = nkw_document_open_memory(&memory, &d, &error);
+        nkw_import_result result = nkw_document_from_memory(&memory, &d, &error);
         FUZZ_CHECK(result == error.code && (result == NKW_IMPORT_OK) == (d != NULL));
         FUZZ_CHECK(result == NKW_IMPORT_OK || error.reason[0]);
         FUZZ_CHECK(edits > 0 || raw || result == NKW_IMPORT_OK);

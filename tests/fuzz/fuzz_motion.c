@@ -119,9 +119,9 @@ static void heads(fuzz *f)
     (void)r;
     nkw_playback_offset(fuzz_float(f), fuzz_float(f), fuzz_float(f), head.cycle);
     const float *times = fuzz_floats(f, 8, 1);
-    nkw_playback_step_f64 step = {times, fuzz_upto(f, 8), draw_double(f), draw_double(f), draw_double(f)};
+    nkw_playback_step step = {times, fuzz_upto(f, 8), draw_double(f), draw_double(f), draw_double(f)};
     size_t capacity = fuzz_upto(f, 20), *out = fuzz_block(f, capacity * sizeof *out), passed;
-    nkw_playback_passed_f64(&step, out, &passed, capacity);
+    nkw_playback_passed(&step, out, capacity, &passed);
     for (size_t i = 0; i < passed && i < capacity; i++)
         FUZZ_CHECK(out[i] < step.key_count);
 }
@@ -142,7 +142,8 @@ static void counts(fuzz *f)
     if (nkw_ticks_convert(count, a, b, NKW_ROUND_DOWN, &out) == NKW_OK &&
         nkw_ticks_convert(count, a, b, NKW_ROUND_UP, &back) == NKW_OK)
         FUZZ_CHECK(back == out || back == out + 1);
-    double seconds = nkw_seconds_from_ticks(count, a);
+    double seconds;
+    nkw_ticks_to_seconds(count, a, &seconds);
     if (count > -(INT64_C(1) << 51) && count < INT64_C(1) << 51 && seconds == seconds)
         FUZZ_CHECK(nkw_ticks_from_seconds(seconds, a, NKW_ROUND_NEAREST, &back) == NKW_OK && back == count);
     nkw_ticks_from_seconds(draw_double(f), b, round, &out);
@@ -150,9 +151,9 @@ static void counts(fuzz *f)
     int32_t rate = (int32_t)fuzz_bits(f) >> fuzz_byte(f) % 32;
     int drop = fuzz_byte(f) % 2;
     if (nkw_timecode_from_frame(count, rate, drop, &t) == NKW_OK)
-        FUZZ_CHECK(nkw_frame_from_timecode(&t, rate, drop, &back) == NKW_OK && back == count);
+        FUZZ_CHECK(nkw_timecode_to_frame(t, rate, drop, &back) == NKW_OK && back == count);
     nkw_timecode any = {(int32_t)fuzz_bits(f), fuzz_byte(f) % 70, fuzz_byte(f) % 70, (int32_t)fuzz_byte(f)};
-    nkw_frame_from_timecode(&any, rate, drop, &out);
+    nkw_timecode_to_frame(any, rate, drop, &out);
 }
 
 static nkw_trs draw_place(fuzz *f)

@@ -74,10 +74,10 @@ static void playback(fuzz *f, const float *times, size_t count)
     float from = fuzz_float(f), to = fuzz_byte(f) % 2 ? fuzz_float(f) : from + (float)fuzz_byte(f) / 16.0f;
     nkw_playback_step step = {times, count, duration, from, to};
     size_t passed, again;
-    nkw_result result = nkw_playback_passed(&step, out, &passed, capacity);
+    nkw_result result = nkw_playback_passed(&step, out, capacity, &passed);
     for (size_t i = 0; i < passed && i < capacity; i++)
         FUZZ_CHECK(out[i] < count);
-    FUZZ_CHECK(nkw_playback_passed(&step, NULL, &again, 0) == result && passed == again);
+    FUZZ_CHECK(nkw_playback_passed(&step, NULL, 0, &again) == result && passed == again);
     FUZZ_CHECK(result == NKW_OK || passed == (result == NKW_TOO_MANY ? SIZE_MAX : 0));
 }
 

@@ -27,8 +27,9 @@ static nkw_spline draw(fuzz *f)
 static void sample(fuzz *f, const nkw_track *track)
 {
     float *at = fuzz_room(f, 3 * track->width), *plain = fuzz_room(f, track->width), time = fuzz_float(f);
-    nkw_result result = nkw_track_sample_derivatives(track, time, at, at + track->width, at + 2 * track->width);
-    nkw_track_sample(track, time, plain);
+    const nkw_motion_span out = {at, at + track->width, at + 2 * track->width};
+    nkw_result result = nkw_track_sample_motion(track, time, out);
+    nkw_track_sample(track, time, NULL, plain);
     FUZZ_CHECK(result == (track->count && track->width ? NKW_OK : NKW_EMPTY));
     FUZZ_CHECK(result != NKW_OK || fuzz_same(at, plain, track->width));
 }

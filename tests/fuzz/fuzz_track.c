@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 #include "fuzz.h"
+#include "../support/motion_span.h"
 #include "../support/resample.h"
 
 #include <nakawari/reduce.h>
@@ -52,8 +53,8 @@ static void sample(fuzz *f, const nkw_track *t)
         float time = fuzz_float(f);
         nkw_segment any = {fuzz_huge(f), fuzz_float(f)};
         nkw_track_sample_segment(t, any, out);
-        nkw_track_sample(t, time, out);
-        nkw_track_sample_cursor(t, time, &cursor, again);
+        nkw_track_sample(t, time, NULL, out);
+        nkw_track_sample(t, time, &cursor, again);
         FUZZ_CHECK(cursor + 1 < t->count || cursor == 0);
         if (result == NKW_OK)
             FUZZ_CHECK(fuzz_same(out, again, t->width));
@@ -70,7 +71,7 @@ static void finite(fuzz *f, const nkw_track *t)
     if (nkw_track_validate(t, NULL) != NKW_OK || t->times[t->count - 1] - t->times[0] > 1e6f)
         return;
     for (int i = 0; i < 6; i++) {
-        nkw_track_sample(t, fuzz_float(f), out);
+        nkw_track_sample(t, fuzz_float(f), NULL, out);
         FUZZ_CHECK(fuzz_finite(out, t->width));
     }
 }
@@ -93,19 +94,26 @@ static void bake(fuzz *f, const nkw_track *t, const nkw_track *other)
     FUZZ_CHECK(out.count <= t->count && (found > 0.0f) == (out.count > 0));
 }
 
-/* Aligned keys have no long arcs, and are aligned. */
+/* Aligned keys are aligned. */
 static void align(fuzz *f, const nkw_track *t)
 {
-    size_t negated, count = nkw_track_value_count(t), first = nkw_track_long_arc(t, 0);
-    float *values = fuzz_room(f, count);
-    FUZZ_CHECK(first <= t->count);
-    if (nkw_track_align(t, values, &negated) == NKW_OK) {
+    size_t counted, negated, first;
+    float *values = fuzz_room(f, nkw_track_value_count(t));
+    nkw_result result = nkw_track_align(t, NULL, &counted, &first);
+    FUZZ_CHECK(counted < t->count || counted == 0);
+    FUZZ_CHECK((first > 0) == (counted > 0) && (first < t->count || first == 0));
+    FUZZ_CHECK(nkw_track_align(t, values, &negated, NULL) == result && negated == counted);
+    if (result == NKW_OK) {
         nkw_track aligned = *t;
         aligned.values = values;
-        FUZZ_CHECK(nkw_track_long_arc(&aligned, 0) == t->count && (negated > 0 || first == t->count));
-        nkw_track_align(&aligned, values, &negated);
-        FUZZ_CHECK(negated == 0);
+        nkw_track_align(&aligned, values, &negated, &first);
+        FUZZ_CHECK(negated == 0 && first == 0);
     }
+}
+
+static int track_is_turning(const nkw_track *t)
+{
+    return t->kind == NKW_TRACK_ROTATION || t->kind == NKW_TRACK_ROTATION_NORMALIZED;
 }
 
 /* The orientation is the sample. */
@@ -113,8 +121,8 @@ static void turn(fuzz *f, const nkw_track *t)
 {
     nkw_quat_motion state;
     float time = fuzz_float(f), *plain = fuzz_room(f, t->width);
-    if (nkw_track_sample_rotation(t, time, &state) == NKW_OK) {
-        nkw_track_sample(t, time, plain);
+    if (track_is_turning(t) && nkw_track_sample_motion(t, time, quat_motion_span(&state)) == NKW_OK) {
+        nkw_track_sample(t, time, NULL, plain);
         FUZZ_CHECK(fuzz_same(plain, &state.value.x, 4));
     }
 }
@@ -169,12 +177,12 @@ static void convert(fuzz *f, const nkw_track *t)
     nkw_track c = *t;
     size_t count = nkw_track_value_count(t);
     float *values = fuzz_room(f, count);
-    nkw_track_convert_axes(t, (nkw_axes_kind)fuzz_choice(f, 3), map, values);
-    if (nkw_track_convert_axes(&c, kind, map, values) != NKW_OK)
+    nkw_track_convert_axes(t, map, (nkw_axes_kind)fuzz_choice(f, 3), values);
+    if (nkw_track_convert_axes(&c, map, kind, values) != NKW_OK)
         return;
     c.values = values;
     if (nkw_axes_map_is_valid(map)) {
-        nkw_track_convert_axes(&c, kind, nkw_axes_map_inverse(map), values);
+        nkw_track_convert_axes(&c, nkw_axes_map_inverse(map), kind, values);
         FUZZ_CHECK(fuzz_same(values, t->values, count));
     }
 }

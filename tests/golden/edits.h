@@ -42,7 +42,7 @@ static void turn_track(float *o, const float *times, const nkw_quat *q, float ti
         memcpy(values + 4 * k, &q[k % 4], 4 * sizeof(float));
     nkw_track track = {times, values, 3, 4, NKW_TRACK_ROTATION, mode, NULL};
     nkw_quat_motion state;
-    nkw_track_sample_rotation(&track, time, &state);
+    nkw_track_sample_motion(&track, time, quat_motion_span(&state));
     memcpy(o, &state, sizeof state);
 }
 

@@ -19,6 +19,7 @@
 #include "../support/joint_limits.h"
 #include "../support/put.h"
 #include "../support/random.h"
+#include "../support/motion_span.h"
 #include "../support/resample.h"
 #include "edits.h"
 #include "handles.h"
@@ -196,7 +197,7 @@ static void sample_track(float *o, const input *i, nkw_track_kind kind, nkw_inte
     for (unsigned k = 0; k < 9; k++)
         memcpy(values + 4 * k, &i->q[k % 4], 4 * sizeof(float));
     nkw_track track = {i->times, values, 3, 4, kind, mode, NULL};
-    nkw_track_sample(&track, i->s[0], o);
+    nkw_track_sample(&track, i->s[0], NULL, o);
 }
 
 static void align_track(float *o, const input *i)
@@ -206,7 +207,7 @@ static void align_track(float *o, const input *i)
     for (unsigned k = 0; k < 4; k++)
         memcpy(values + 4 * k, &i->q[k], 4 * sizeof(float));
     nkw_track track = {i->times, values, 4, 4, NKW_TRACK_ROTATION, NKW_INTERPOLATION_LINEAR, NULL};
-    nkw_track_align(&track, values, &negated);
+    nkw_track_align(&track, values, &negated, NULL);
     memcpy(o, values + 8, 7 * sizeof(float));
     o[7] = (float)negated;
 }
@@ -303,7 +304,7 @@ static size_t keys_passed(const float *times, size_t count, float duration, floa
 {
     nkw_playback_step step = {times, count, duration, from, to};
     size_t passed;
-    nkw_playback_passed(&step, NULL, &passed, 0);
+    nkw_playback_passed(&step, NULL, 0, &passed);
     return passed;
 }
 

@@ -74,11 +74,11 @@ static void sample_fcurve(float *o, const nkw_keyframe *from, const float s[8], 
     }
     nkw_fcurve_outside before = (nkw_fcurve_outside)(some % 5), after = (nkw_fcurve_outside)((some + 2) % 5);
     nkw_fcurve curve = {keys, 5, before, after, some % 3, some % 2, (nkw_handle_policy)(some % 4)};
-    put_tool_point(o, nkw_fcurve_sample(&curve, nkw_lerp(keys[0].time, keys[4].time, t)));
-    put_tool_point(o + 3, nkw_fcurve_sample(&curve, keys[2].time));
-    put_tool_point(o + 6, nkw_fcurve_sample(&curve, s[0]));
-    put_tool_point(o + 9, nkw_fcurve_sample(&curve, 64.0f * s[1]));
-    put_tool_point(o + 12, nkw_fcurve_sample(&curve, -0x1p20f * nkw_abs(s[2])));
+    put_tool_point(o, nkw_fcurve_sample(&curve, nkw_lerp(keys[0].time, keys[4].time, t), NULL));
+    put_tool_point(o + 3, nkw_fcurve_sample(&curve, keys[2].time, NULL));
+    put_tool_point(o + 6, nkw_fcurve_sample(&curve, s[0], NULL));
+    put_tool_point(o + 9, nkw_fcurve_sample(&curve, 64.0f * s[1], NULL));
+    put_tool_point(o + 12, nkw_fcurve_sample(&curve, -0x1p20f * nkw_abs(s[2]), NULL));
 }
 
 static void insert_key(float *o, const nkw_keyframe *from, const float s[8], unsigned some, float t)
@@ -124,9 +124,9 @@ static void tracks_of_fcurves(float *o, const nkw_fcurve *curve, float time)
     nkw_track track;
     nkw_track_from_fcurves(curve, 1, 0.25f, memory, &track, o);
     o[1] = (float)track.count;
-    nkw_track_sample(&track, time, o + 2);
+    nkw_track_sample(&track, time, NULL, o + 2);
     nkw_track_from_euler_fcurves(angles, NKW_EULER_YXZ, 0.25f, memory, &track, o + 3);
-    nkw_track_sample(&track, time, o + 4);
+    nkw_track_sample(&track, time, NULL, o + 4);
 }
 
 /* Keys of slopes, of Blender and of CSS; with_tracks: tracks of them too. */
@@ -146,19 +146,19 @@ static void dialects(float *o, const nkw_keyframe *from, const float s[8], unsig
                              NKW_FCURVE_BEZIER};
         slopes[k] = key;
     }
-    nkw_fcurve_keys_from_slopes(slopes, 4, (nkw_weight_unit)(some % 3), keys, NULL);
+    nkw_fcurve_from_slope_keys(slopes, 4, (nkw_weight_unit)(some % 3), keys, NULL);
     nkw_fcurve curve = {keys, 4, NKW_FCURVE_OUTSIDE_HOLD, NKW_FCURVE_OUTSIDE_HOLD, 0, 0, NKW_HANDLE_KEEP_RATIO};
-    nkw_blender_from_fcurve_keys(keys, 4, blender, NULL);
+    nkw_blender_keys_from_fcurve(keys, 4, blender, NULL);
     put_handles(o, blender[1].left, blender[1].center);
     put_handles(o + 4, blender[1].right, keys[1].in);
-    nkw_slopes_from_fcurve_keys(keys, 4, (nkw_weight_unit)((some + 1) % 3), slopes, NULL);
+    nkw_slope_keys_from_fcurve(keys, 4, (nkw_weight_unit)((some + 1) % 3), slopes, NULL);
     o[8] = slopes[1].in_slope;
     o[9] = slopes[1].out_slope;
     o[10] = slopes[1].in_weight;
     o[11] = slopes[1].out_weight;
     if (with_tracks)
         tracks_of_fcurves(o, &curve, nkw_lerp(from[0].time, from[3].time, t));
-    nkw_fcurve_keys_from_css(s, keys);
+    nkw_fcurve_from_css(s, keys);
     o[13] = keys[0].out.value;
     o[14] = keys[1].in.time;
 }

@@ -140,12 +140,12 @@ static void head_f64(float *o, const input *i)
     put_f64(o + 4, head.closing);
 }
 
-static void passed_f64(float *o, const input *i)
+static void passed_far(float *o, const input *i)
 {
-    nkw_playback_step_f64 step = {i->times, 4, 4.7, 1e6 * (double)i->s[0],
+    nkw_playback_step step = {i->times, 4, 4.7, 1e6 * (double)i->s[0],
                                   1e6 * (double)i->s[0] + 9.0 * (double)i->s[1]};
     size_t keys[1] = {0}, passed;
-    nkw_playback_passed_f64(&step, keys, &passed, 1);
+    nkw_playback_passed(&step, keys, 1, &passed);
     o[0] = (float)passed;
     o[1] = (float)keys[0];
 }
@@ -160,9 +160,11 @@ static void timecode(float *o, const input *i)
     nkw_ticks_convert(ticks, fbx, ntsc, round, &frames);
     put_f64(o, (double)ticks);
     o[2] = (float)frames;
-    put_f64(o + 3, nkw_seconds_from_ticks(frames, ntsc));
+    double seconds;
+    nkw_ticks_to_seconds(frames, ntsc, &seconds);
+    put_f64(o + 3, seconds);
     nkw_timecode_from_frame(frames < 0 ? -frames : frames, 30, 1, &label);
-    nkw_frame_from_timecode(&label, 30, 1, &frame);
+    nkw_timecode_to_frame(label, 30, 1, &frame);
     o[5] = (float)label.minutes;
     o[6] = (float)label.seconds;
     o[7] = (float)label.frames;

@@ -307,13 +307,14 @@ static void influences_are_joined_and_pruned(void **state)
     assert_int_equal(nkw_document_models(d, d->rest, NULL, models), NKW_OK);
     assert_int_equal(nkw_document_palette(d, 0, models, palette), NKW_OK);
     assert_int_equal(nkw_document_palette(d, 1, models, palette), NKW_OUT_OF_RANGE);
-    assert_int_equal(nkw_document_vertices(d, 0, 1, models, NULL, palette, out), NKW_OK);
+    const nkw_document_moment moment = {models, NULL, palette};
+    assert_int_equal(nkw_document_vertices(d, 0, 1, &moment, out), NKW_OK);
     nkw_vec3 want = {1 + 4, 2 + 12, 3}, none = {0, 0, 0};
     expect_vec3_near(position, want, 1e-5);
     expect_vec3_bits(normal, none);
-    assert_int_equal(nkw_document_vertices(d, 1, 0, models, NULL, palette, out), NKW_OUT_OF_RANGE);
-    assert_int_equal(nkw_document_vertices(d, 0, 2, models, NULL, palette, out), NKW_OUT_OF_RANGE);
-    assert_int_equal(nkw_document_vertices(d, 3, 0, models, NULL, palette, out), NKW_OUT_OF_RANGE);
+    assert_int_equal(nkw_document_vertices(d, 1, 0, &moment, out), NKW_OUT_OF_RANGE);
+    assert_int_equal(nkw_document_vertices(d, 0, 2, &moment, out), NKW_OUT_OF_RANGE);
+    assert_int_equal(nkw_document_vertices(d, 3, 0, &moment, out), NKW_OUT_OF_RANGE);
     nkw_document_close(d);
 }
 
@@ -358,7 +359,8 @@ static void morph_targets_have_weights(void **state)
     const float sampled[] = {0, 2, 1, 2};
     expect_floats_bits(floats, sampled, 4);
     assert_int_equal(nkw_document_models(d, d->rest, NULL, models), NKW_OK);
-    assert_int_equal(nkw_document_vertices(d, 2, 0, models, floats, NULL, out), NKW_OK);
+    const nkw_document_moment moment = {models, floats, NULL};
+    assert_int_equal(nkw_document_vertices(d, 2, 0, &moment, out), NKW_OK);
     nkw_vec3 want = {1, 4 * 2, 6}, up = {0, 0, 1}; /* the normal is 0 0 1 + 0 0 3 */
     expect_vec3_near(position, want, 0);
     expect_vec3_near(normal, up, 1e-7);
@@ -493,7 +495,8 @@ static void the_character_of_the_examples_is_read(void **state)
             assert_non_null(vertices);
             const nkw_document_vertices_span out = {vertices, vertices + count};
             assert_int_equal(nkw_document_palette(d, (size_t)d->nodes[j].skin, models, palette), NKW_OK);
-            assert_int_equal(nkw_document_vertices(d, j, 0, models, floats, palette, out), NKW_OK);
+            const nkw_document_moment moment = {models, floats, palette};
+            assert_int_equal(nkw_document_vertices(d, j, 0, &moment, out), NKW_OK);
             for (size_t v = 0; v < count; v++) {
                 expect_near(nkw_vec3_length(vertices[v]), 0, 10);
                 expect_near(nkw_vec3_length(out.normals[v]), 1, 1e-6);
@@ -537,7 +540,7 @@ static void zeros_behind_the_json_of_a_glb_are_read_with_a_warning(void **state)
     memcpy(bytes, head, sizeof head);
     memcpy(bytes + 20, json, sizeof json);
     const nkw_import_memory memory = {bytes, sizeof bytes, "a.glb", NULL, NULL, NULL, 0};
-    assert_int_equal(nkw_document_open_memory(&memory, &d, NULL), NKW_IMPORT_OK);
+    assert_int_equal(nkw_document_from_memory(&memory, &d, NULL), NKW_IMPORT_OK);
     assert_int_equal(d->warning_count, 1);
     nkw_document_close(d);
 }

@@ -52,7 +52,7 @@ static void columns_become_tracks(void **state)
     nkw_import_error error;
     nkw_clip *clip;
     float pose[NKW_POSE_FLOATS(3)];
-    assert_int_equal(nkw_document_open_memory(&memory, &d, &error), NKW_IMPORT_OK);
+    assert_int_equal(nkw_document_from_memory(&memory, &d, &error), NKW_IMPORT_OK);
     assert_string_equal(kept, text); /* it is not changed */
     expect_document(d);
     assert_int_equal(nkw_document_validate(d, NULL), NKW_IMPORT_OK);
@@ -74,7 +74,7 @@ static nkw_document *table(const char *text)
     const nkw_import_memory memory = {text, strlen(text), "keys.csv", NULL, NULL, NULL, 0};
     nkw_document *d;
     nkw_import_error error;
-    if (nkw_document_open_memory(&memory, &d, &error) != NKW_IMPORT_OK)
+    if (nkw_document_from_memory(&memory, &d, &error) != NKW_IMPORT_OK)
         print_error("%s:%s: %s\n", error.file, error.place, error.reason);
     assert_non_null(d);
     assert_int_equal(nkw_document_validate(d, NULL), NKW_IMPORT_OK);
@@ -168,7 +168,7 @@ static void members_that_are_lists_of_keys_are_scenes(void **state)
 static double yaw_of(const nkw_track *t, float time, double near)
 {
     nkw_quat q;
-    nkw_track_sample(t, time, &q.x);
+    nkw_track_sample(t, time, NULL, &q.x);
     double yaw = 2.0 * atan2((double)q.y, (double)q.w) * 57.29577951308232;
     return yaw + 360.0 * floor((near - yaw) / 360.0 + 0.5);
 }

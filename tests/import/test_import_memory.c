@@ -102,7 +102,7 @@ static nkw_import_result open_keys(void)
     const nkw_import_memory memory = {text, sizeof text - 1, "keys.json", NULL, NULL, NULL, 0};
     nkw_document *d;
     nkw_import_error error;
-    nkw_import_result result = nkw_document_open_memory(&memory, &d, &error);
+    nkw_import_result result = nkw_document_from_memory(&memory, &d, &error);
     expect_end(result, &error, d);
     nkw_document_close(d);
     return result;
@@ -118,7 +118,7 @@ static nkw_import_result open_table(void)
     const nkw_import_memory memory = {text, sizeof text - 1, "keys.csv", NULL, NULL, NULL, 0};
     nkw_document *d;
     nkw_import_error error;
-    nkw_import_result result = nkw_document_open_memory(&memory, &d, &error);
+    nkw_import_result result = nkw_document_from_memory(&memory, &d, &error);
     expect_end(result, &error, d);
     nkw_document_close(d);
     return result;
@@ -137,7 +137,7 @@ static nkw_import_result open_outer(void)
     const nkw_import_memory memory = {text, sizeof text - 1, "test.gltf", NULL, read_outer, &o, 0};
     nkw_document *d;
     nkw_import_error error;
-    nkw_import_result result = nkw_document_open_memory(&memory, &d, &error);
+    nkw_import_result result = nkw_document_from_memory(&memory, &d, &error);
     expect_end(result, &error, d);
     nkw_document_close(d);
     return result;
@@ -152,7 +152,7 @@ static nkw_import_result open_obj(void)
     const nkw_import_memory memory = {text, sizeof text - 1, "a.obj", NULL, read_outer, &o, 0};
     nkw_document *d;
     nkw_import_error error;
-    nkw_import_result result = nkw_document_open_memory(&memory, &d, &error);
+    nkw_import_result result = nkw_document_from_memory(&memory, &d, &error);
     expect_end(result, &error, d);
     nkw_document_close(d);
     return result;
@@ -176,7 +176,7 @@ static void expect_document(const nkw_gltf_file *file)
     const nkw_import_memory memory = {file->data, file->bytes, "written", NULL, read_outer, &o, 0};
     nkw_document *d;
     until_failure = -1;
-    assert_int_equal(nkw_document_open_memory(&memory, &d, NULL), NKW_IMPORT_OK);
+    assert_int_equal(nkw_document_from_memory(&memory, &d, NULL), NKW_IMPORT_OK);
     assert_int_equal(nkw_document_validate(d, NULL), NKW_IMPORT_OK);
     assert_int_equal(d->skeleton.joint_count, document->skeleton.joint_count);
     for (size_t i = 0; i < document->animation_count; i++)

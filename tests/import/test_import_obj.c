@@ -32,7 +32,7 @@ static nkw_document *read_with(const char *text, folder *f)
     nkw_document *d;
     nkw_import_error error;
     const nkw_import_memory memory = {text, strlen(text), "folder/text.obj", NULL, read_named, f, 0};
-    if (nkw_document_open_memory(&memory, &d, &error) != NKW_IMPORT_OK)
+    if (nkw_document_from_memory(&memory, &d, &error) != NKW_IMPORT_OK)
         print_error("%s: %s\n", error.place, error.reason);
     assert_int_equal(error.code, NKW_IMPORT_OK);
     assert_string_equal(d->format, "OBJ");
@@ -403,7 +403,7 @@ static void broken_files_are_refused_with_their_line(void **state)
         nkw_document *d;
         nkw_import_error error;
         const nkw_import_memory memory = {list[i].text, strlen(list[i].text), "text.obj", NULL, NULL, NULL, 0};
-        assert_int_equal(nkw_document_open_memory(&memory, &d, &error), NKW_IMPORT_INVALID);
+        assert_int_equal(nkw_document_from_memory(&memory, &d, &error), NKW_IMPORT_INVALID);
         assert_null(d);
         assert_string_equal(error.place, list[i].place);
         assert_string_equal(error.reason, list[i].reason);
@@ -428,7 +428,7 @@ static void files_are_known_by_their_first_word_or_their_name(void **state)
     for (size_t i = 0; i < sizeof list / sizeof *list; i++) {
         nkw_document *d;
         const nkw_import_memory memory = {list[i].text, strlen(list[i].text), list[i].file, NULL, NULL, NULL, 0};
-        assert_int_equal(nkw_document_open_memory(&memory, &d, NULL), list[i].result);
+        assert_int_equal(nkw_document_from_memory(&memory, &d, NULL), list[i].result);
         nkw_document_close(d);
     }
 }
@@ -471,7 +471,7 @@ static void broken_bytes_are_survived(void **state)
             nkw_document *d;
             nkw_import_error error;
             const nkw_import_memory memory = {exact, length, "a.obj", NULL, read_named, &f, 0};
-            if (nkw_document_open_memory(&memory, &d, &error) != NKW_IMPORT_OK)
+            if (nkw_document_from_memory(&memory, &d, &error) != NKW_IMPORT_OK)
                 assert_true(error.reason[0]);
             else
                 assert_int_equal(nkw_document_validate(d, NULL), NKW_IMPORT_OK);

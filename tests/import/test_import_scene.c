@@ -233,8 +233,9 @@ static void play_to(moment *m, int animation, float time)
     for (size_t j = 0; j < joints; j++) {
         const nkw_document_vertices_span out = {m->vertices[j], NULL};
         const nkw_mat4 *palette = d->nodes[j].skin == NKW_NO_JOINT ? NULL : m->palettes[d->nodes[j].skin];
+        const nkw_document_moment now = {m->models, m->floats, palette};
         if (d->nodes[j].mesh != NKW_NO_JOINT)
-            assert_int_equal(nkw_document_vertices(d, j, 0, m->models, m->floats, palette, out), NKW_OK);
+            assert_int_equal(nkw_document_vertices(d, j, 0, &now, out), NKW_OK);
     }
 }
 

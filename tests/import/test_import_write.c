@@ -61,7 +61,7 @@ static nkw_document *written(nkw_gltf_form form)
     assert_int_equal(nkw_document_write(&one.document, form, "data.bin", &file, &error), NKW_IMPORT_OK);
     outer o = {file.outer, file.outer_bytes};
     const nkw_import_memory memory = {file.data, file.bytes, "written", NULL, read_outer, &o, 0};
-    if (nkw_document_open_memory(&memory, &d, &error) != NKW_IMPORT_OK)
+    if (nkw_document_from_memory(&memory, &d, &error) != NKW_IMPORT_OK)
         fail_msg("%s: %s", error.place, error.reason);
     nkw_gltf_file_free(&file);
     assert_null(file.data);
@@ -75,8 +75,8 @@ static float difference(const nkw_document *d)
     float largest = 0.0f;
     for (int i = 0; i < 4000; i++) {
         float x[4] = {0}, y[4] = {0}, time = 0.00101f * (float)i;
-        nkw_track_sample(a, time, x);
-        nkw_track_sample(b, time, y);
+        nkw_track_sample(a, time, NULL, x);
+        nkw_track_sample(b, time, NULL, y);
         for (int k = 0; k < 4; k++)
             largest = fmaxf(largest, fabsf(x[k] - y[k]));
     }
@@ -193,7 +193,7 @@ static void integers_of_replaced_keys_remain_integers(void **state)
         assert_int_equal(nkw_gltf_rewrite(&rewriting, NKW_GLTF_TEXT, NULL, &file, &error), NKW_IMPORT_OK);
         assert_true((strstr((const char *)file.data, "\"componentType\":5120") == NULL) == i);
         const nkw_import_memory made = {file.data, file.bytes, "made", NULL, NULL, NULL, 0};
-        assert_int_equal(nkw_document_open_memory(&made, &again, &error), NKW_IMPORT_OK);
+        assert_int_equal(nkw_document_from_memory(&made, &again, &error), NKW_IMPORT_OK);
         const nkw_track *got = &again->animations[0].tracks[0].track;
         assert_int_equal(got->kind, i ? NKW_TRACK_ROTATION : NKW_TRACK_ROTATION_NORMALIZED);
         for (size_t k = 0; k < 8; k++)

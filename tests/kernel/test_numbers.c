@@ -101,7 +101,9 @@ static int frames_before(nkw_rate rate)
     int count = 0;
     for (int64_t frame = 1; frame < 2000; frame++) {
         int64_t got;
-        assert_int_equal(nkw_ticks_from_seconds(nkw_seconds_from_ticks(frame, rate), rate, NKW_ROUND_DOWN, &got),
+        double seconds;
+        assert_int_equal(nkw_ticks_to_seconds(frame, rate, &seconds), NKW_OK);
+        assert_int_equal(nkw_ticks_from_seconds(seconds, rate, NKW_ROUND_DOWN, &got),
                          NKW_OK);
         count += got < frame;
     }

@@ -286,11 +286,11 @@ static void samples_of_converted_tracks_are_converted_samples(void **state)
                 size_t width = NKW_AXES_WIDTH((nkw_axes_kind)kind);
                 nkw_track_kind track_kind = width == 4 ? NKW_TRACK_ROTATION : NKW_TRACK_FLOATS;
                 nkw_track track = {times, values, 3, width, track_kind, (nkw_interpolation)mode, NULL}, other = track;
-                assert_int_equal(nkw_track_convert_axes(&track, (nkw_axes_kind)kind, map_at(i), converted), NKW_OK);
+                assert_int_equal(nkw_track_convert_axes(&track, map_at(i), (nkw_axes_kind)kind, converted), NKW_OK);
                 other.values = converted;
                 for (int k = -1; k < 12; k++) {
-                    nkw_track_sample(&track, 0.2f * (float)k, got);
-                    nkw_track_sample(&other, 0.2f * (float)k, want);
+                    nkw_track_sample(&track, 0.2f * (float)k, NULL, got);
+                    nkw_track_sample(&other, 0.2f * (float)k, NULL, want);
                     nkw_axes_convert_values(map_at(i), got, 1, (nkw_axes_kind)kind, got);
                     expect_floats_near(got, want, width, width == 4 ? 5e-7 : 0);
                 }
@@ -304,14 +304,14 @@ static void tracks_that_do_not_fit_are_not_converted(void **state)
     const float nothing[8] = {0};
     nkw_axes_map map = map_at(9), odd = {NKW_AXIS_X, NKW_AXIS_X, NKW_AXIS_Z};
     nkw_clip_track c = {NKW_CLIP_SCALE, 0, {times, values, 2, 3, NKW_TRACK_FLOATS, NKW_INTERPOLATION_STEP, NULL}};
-    assert_int_equal(nkw_track_convert_axes(&c.track, NKW_AXES_QUAT, map, out), NKW_BAD_WIDTH);
-    assert_int_equal(nkw_track_convert_axes(&c.track, (nkw_axes_kind)9, map, out), NKW_BAD_METHOD);
-    assert_int_equal(nkw_track_convert_axes(&c.track, NKW_AXES_SCALE, odd, out), NKW_OUT_OF_RANGE);
+    assert_int_equal(nkw_track_convert_axes(&c.track, map, NKW_AXES_QUAT, out), NKW_BAD_WIDTH);
+    assert_int_equal(nkw_track_convert_axes(&c.track, map, (nkw_axes_kind)9, out), NKW_BAD_METHOD);
+    assert_int_equal(nkw_track_convert_axes(&c.track, odd, NKW_AXES_SCALE, out), NKW_OUT_OF_RANGE);
     nkw_track huge = c.track;
     huge.count = SIZE_MAX;
-    assert_int_equal(nkw_track_convert_axes(&huge, NKW_AXES_SCALE, map, out), NKW_TOO_SMALL);
+    assert_int_equal(nkw_track_convert_axes(&huge, map, NKW_AXES_SCALE, out), NKW_TOO_SMALL);
     c.target = NKW_CLIP_ROTATION;
-    assert_int_equal(nkw_track_convert_axes(&c.track, NKW_CLIP_AXES(c.target), map, out), NKW_BAD_WIDTH);
+    assert_int_equal(nkw_track_convert_axes(&c.track, map, NKW_CLIP_AXES(c.target), out), NKW_BAD_WIDTH);
     expect_floats_bits(out, nothing, 8);
     nkw_axes_convert_values(map, values, 2, (nkw_axes_kind)-1, out);
     nkw_axes_convert_values(map, values, 2, NKW_AXES_VEC3, values);
@@ -330,10 +330,10 @@ static void tracks_of_clips_convert_by_their_target(void **state)
         size_t width = target == NKW_CLIP_ROTATION ? 4 : 3;
         nkw_track_kind kind = width == 4 ? NKW_TRACK_ROTATION : NKW_TRACK_FLOATS;
         nkw_clip_track c = {(nkw_clip_target)target, 0, {times, values, 2, width, kind, NKW_INTERPOLATION_STEP, NULL}};
-        assert_int_equal(nkw_track_convert_axes(&c.track, NKW_CLIP_AXES(c.target), map, out), NKW_OK);
+        assert_int_equal(nkw_track_convert_axes(&c.track, map, NKW_CLIP_AXES(c.target), out), NKW_OK);
         expect_floats_bits(out, want[target], 8);
         c.track.values = out;
-        assert_int_equal(nkw_track_convert_axes(&c.track, NKW_CLIP_AXES(c.target), map, out), NKW_OK);
+        assert_int_equal(nkw_track_convert_axes(&c.track, map, NKW_CLIP_AXES(c.target), out), NKW_OK);
         expect_floats_bits(out, values, 2 * width);
     }
 }

@@ -76,7 +76,7 @@ static void play(body *b, const mannequin_clip *clip, float time)
         nkw_track track = track_of(&clip->channels[i], clip->channels[i].values);
         if (clip->channels[i].path == PATH_PUFF)
             continue;
-        nkw_track_sample(&track, time, v);
+        nkw_track_sample(&track, time, NULL, v);
         set_channel(b->pose, &clip->channels[i], v);
     }
     update(b);
@@ -148,7 +148,7 @@ static void clips_convert_to_other_axes(void **state)
             if (track.target == NKW_CLIP_FLOATS)
                 continue;
             const nkw_axes_kind kind = NKW_CLIP_AXES(track.target);
-            assert_int_equal(nkw_track_convert_axes(&track.track, kind, map, ch->values), NKW_OK);
+            assert_int_equal(nkw_track_convert_axes(&track.track, map, kind, ch->values), NKW_OK);
         }
         for (int i = 0; i <= FRAMES; i++) {
             float time = end_of(&converted) * (float)i / FRAMES;

@@ -34,7 +34,8 @@ static uint64_t hash_spline(uint64_t hash, const nkw_spline *s, random_source *r
     hash = hash_floats(hash, triples, 3 * KEYS * WIDTH);
     for (size_t i = 0; i < 8; i++) {
         float time = nkw_lerp(times[0], times[KEYS - 1], random_unit(r));
-        nkw_track_sample_derivatives(&track, time, at, at + WIDTH, at + 2 * WIDTH);
+        const nkw_motion_span out = {at, at + WIDTH, at + 2 * WIDTH};
+        nkw_track_sample_motion(&track, time, out);
         hash = hash_floats(hash, at, 3 * WIDTH);
     }
     return hash;

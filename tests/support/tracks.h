@@ -10,12 +10,11 @@
 static inline void track_sample_to(const nkw_clip_track *t, float time, size_t joints, float *pose, float *floats)
 {
     if (t->target == NKW_CLIP_FLOATS) {
-        nkw_track_sample(&t->track, time, floats + t->index);
+        nkw_track_sample(&t->track, time, NULL, floats + t->index);
         return;
     }
     nkw_trs trs = nkw_pose_get(pose_view(pose, joints), t->index);
-    nkw_track_sample(&t->track, time,
-                     t->target == NKW_CLIP_TRANSLATION ? &trs.translation.x
+    nkw_track_sample(&t->track, time, NULL, t->target == NKW_CLIP_TRANSLATION ? &trs.translation.x
                      : t->target == NKW_CLIP_ROTATION  ? &trs.rotation.x
                                                        : &trs.scale.x);
     nkw_pose_set(pose_span(pose, joints), t->index, &trs);

@@ -50,7 +50,7 @@ static void expect_same_curve(const nkw_fcurve_key *a, const nkw_fcurve_key *b, 
     nkw_fcurve one = curve_of(a, count), other = curve_of(b, count);
     for (int i = 0; i <= 200; i++) {
         float time = a[0].time + (a[count - 1].time - a[0].time) * (float)i / 200.0f;
-        expect_near(nkw_fcurve_sample(&one, time).value, nkw_fcurve_sample(&other, time).value, bound);
+        expect_near(nkw_fcurve_sample(&one, time, NULL).value, nkw_fcurve_sample(&other, time, NULL).value, bound);
     }
 }
 
@@ -62,10 +62,10 @@ static void unweighted_slopes_are_the_hermite_curve(void **state)
     const nkw_slope_key slopes[2] = {{1, 2, 9, 3, 9, 9, NKW_WEIGHTED_NONE, NKW_FCURVE_BEZIER},
                                      {3, 1, -1, 9, 9, 9, NKW_WEIGHTED_NONE, NKW_FCURVE_BEZIER}};
     nkw_fcurve_key keys[2];
-    assert_int_equal(nkw_fcurve_keys_from_slopes(slopes, 2, NKW_WEIGHT_FRACTION, keys, NULL), NKW_OK);
+    assert_int_equal(nkw_fcurve_from_slope_keys(slopes, 2, NKW_WEIGHT_FRACTION, keys, NULL), NKW_OK);
     nkw_fcurve c = curve_of(keys, 2);
     for (int i = 0; i <= 32; i++)
-        expect_near(nkw_fcurve_sample(&c, 1 + (float)i / 16).value, nkw_hermite(2, 6, 1, -2, (float)i / 32), 1e-6);
+        expect_near(nkw_fcurve_sample(&c, 1 + (float)i / 16, NULL).value, nkw_hermite(2, 6, 1, -2, (float)i / 32), 1e-6);
 }
 
 /* Unreal's formula: the tangent's angle and its length in the plane. */
@@ -76,15 +76,15 @@ static void weights_are_those_of_their_tools(void **state)
                                 {2, 1, -1, 0, 0.25f, 0, NKW_WEIGHTED_IN, NKW_FCURVE_BEZIER}};
     nkw_fcurve_key keys[2];
     double angle = atan(2.0), other = atan(-1.0);
-    nkw_fcurve_keys_from_slopes(s, 2, NKW_WEIGHT_FRACTION, keys, NULL);
+    nkw_fcurve_from_slope_keys(s, 2, NKW_WEIGHT_FRACTION, keys, NULL);
     expect_bits(keys[0].out.time, 1.0f);
     expect_bits(keys[0].out.value, 2.0f);
     expect_bits(keys[1].in.time, -0.5f);
     expect_bits(keys[1].in.value, 0.5f);
-    nkw_fcurve_keys_from_slopes(s, 2, NKW_WEIGHT_SECONDS, keys, NULL);
+    nkw_fcurve_from_slope_keys(s, 2, NKW_WEIGHT_SECONDS, keys, NULL);
     expect_bits(keys[0].out.time, 0.5f);
     expect_bits(keys[1].in.time, -0.25f);
-    nkw_fcurve_keys_from_slopes(s, 2, NKW_WEIGHT_LENGTH, keys, NULL);
+    nkw_fcurve_from_slope_keys(s, 2, NKW_WEIGHT_LENGTH, keys, NULL);
     expect_near(keys[0].out.time, 0.5 * cos(angle), 1e-7);
     expect_near(keys[0].out.value, 0.5 * sin(angle), 1e-7);
     expect_near(keys[1].in.time, -0.25 * cos(other), 1e-7);
@@ -100,10 +100,10 @@ static void slopes_come_back(void **state)
         nkw_slope_key slopes[KEYS];
         nkw_weight_unit unit = (nkw_weight_unit)(i % 3);
         draw_keys(&r, keys, KEYS, 0xf);
-        assert_int_equal(nkw_slopes_from_fcurve_keys(keys, KEYS, unit, slopes, NULL), NKW_OK);
-        assert_int_equal(nkw_fcurve_keys_from_slopes(slopes, KEYS, unit, back, NULL), NKW_OK);
+        assert_int_equal(nkw_slope_keys_from_fcurve(keys, KEYS, unit, slopes, NULL), NKW_OK);
+        assert_int_equal(nkw_fcurve_from_slope_keys(slopes, KEYS, unit, back, NULL), NKW_OK);
         expect_same_curve(keys, back, KEYS, 1e-5);
-        assert_int_equal(nkw_slopes_from_fcurve_keys(back, KEYS, unit, slopes, NULL), NKW_OK);
+        assert_int_equal(nkw_slope_keys_from_fcurve(back, KEYS, unit, slopes, NULL), NKW_OK);
     }
 }
 
@@ -114,7 +114,7 @@ static void infinite_slopes_are_steps(void **state)
                           {1, 2, 0, 1, 0, 0, NKW_WEIGHTED_NONE, NKW_FCURVE_BEZIER},
                           {2, 3, -INFINITY, 0, 0, 0, NKW_WEIGHTED_NONE, NKW_FCURVE_BEZIER}};
     nkw_fcurve_key keys[3];
-    assert_int_equal(nkw_fcurve_keys_from_slopes(s, 3, NKW_WEIGHT_FRACTION, keys, NULL), NKW_OK);
+    assert_int_equal(nkw_fcurve_from_slope_keys(s, 3, NKW_WEIGHT_FRACTION, keys, NULL), NKW_OK);
     assert_int_equal(keys[0].kind, NKW_FCURVE_CONSTANT);
     assert_int_equal(keys[1].kind, NKW_FCURVE_CONSTANT);
 }
@@ -126,23 +126,23 @@ static void slopes_with_errors_are_named(void **state)
                           {1, 2, 0, 0, 0, 0, NKW_WEIGHTED_NONE, NKW_FCURVE_BEZIER}};
     nkw_fcurve_key keys[2];
     size_t bad = 9;
-    assert_int_equal(nkw_fcurve_keys_from_slopes(s, 2, NKW_WEIGHT_FRACTION, keys, &bad), NKW_OK);
-    assert_int_equal(nkw_fcurve_keys_from_slopes(s, 0, NKW_WEIGHT_FRACTION, keys, &bad), NKW_EMPTY);
-    assert_int_equal(nkw_fcurve_keys_from_slopes(s, 2, (nkw_weight_unit)3, keys, &bad), NKW_BAD_METHOD);
+    assert_int_equal(nkw_fcurve_from_slope_keys(s, 2, NKW_WEIGHT_FRACTION, keys, &bad), NKW_OK);
+    assert_int_equal(nkw_fcurve_from_slope_keys(s, 0, NKW_WEIGHT_FRACTION, keys, &bad), NKW_EMPTY);
+    assert_int_equal(nkw_fcurve_from_slope_keys(s, 2, (nkw_weight_unit)3, keys, &bad), NKW_BAD_METHOD);
     s[1].weighted = NKW_WEIGHTED_IN;
     s[1].in_weight = INFINITY;
-    assert_int_equal(nkw_fcurve_keys_from_slopes(s, 2, NKW_WEIGHT_FRACTION, keys, &bad), NKW_NOT_FINITE);
+    assert_int_equal(nkw_fcurve_from_slope_keys(s, 2, NKW_WEIGHT_FRACTION, keys, &bad), NKW_NOT_FINITE);
     assert_int_equal(bad, 1);
     s[1].weighted = NKW_WEIGHTED_NONE;
     s[1].time = -1;
-    assert_int_equal(nkw_fcurve_keys_from_slopes(s, 2, NKW_WEIGHT_FRACTION, keys, &bad), NKW_NOT_ASCENDING);
+    assert_int_equal(nkw_fcurve_from_slope_keys(s, 2, NKW_WEIGHT_FRACTION, keys, &bad), NKW_NOT_ASCENDING);
     s[0].kind = NKW_FCURVE_EASE;
-    assert_int_equal(nkw_fcurve_keys_from_slopes(s, 2, NKW_WEIGHT_FRACTION, keys, &bad), NKW_BAD_METHOD);
+    assert_int_equal(nkw_fcurve_from_slope_keys(s, 2, NKW_WEIGHT_FRACTION, keys, &bad), NKW_BAD_METHOD);
     const nkw_fcurve_key up[2] = {{0, 0, {0, 0}, {0, 1}, NKW_FCURVE_BEZIER, NKW_EASE_LINEAR},
                                   {1, 1, {0, 0}, {0, 0}, NKW_FCURVE_EASE, NKW_EASE_LINEAR}};
-    assert_int_equal(nkw_slopes_from_fcurve_keys(up, 2, NKW_WEIGHT_FRACTION, s, &bad), NKW_OUT_OF_RANGE);
+    assert_int_equal(nkw_slope_keys_from_fcurve(up, 2, NKW_WEIGHT_FRACTION, s, &bad), NKW_OUT_OF_RANGE);
     assert_int_equal(bad, 0);
-    assert_int_equal(nkw_slopes_from_fcurve_keys(up + 1, 1, NKW_WEIGHT_FRACTION, s, &bad), NKW_BAD_METHOD);
+    assert_int_equal(nkw_slope_keys_from_fcurve(up + 1, 1, NKW_WEIGHT_FRACTION, s, &bad), NKW_BAD_METHOD);
 }
 
 /* ---- Blender ---- */
@@ -157,8 +157,8 @@ static void blender_keys_come_back(void **state)
         draw_keys(&r, keys, KEYS, 0x15);
         for (int k = 0; k < KEYS; k++)
             keys[k].ease = (nkw_ease_kind)(NKW_EASE_SINE_IN + (int)(random_bits(&r) % 15));
-        assert_int_equal(nkw_blender_from_fcurve_keys(keys, KEYS, blender, NULL), NKW_OK);
-        assert_int_equal(nkw_fcurve_keys_from_blender(blender, KEYS, back, NULL), NKW_OK);
+        assert_int_equal(nkw_blender_keys_from_fcurve(keys, KEYS, blender, NULL), NKW_OK);
+        assert_int_equal(nkw_fcurve_from_blender_keys(blender, KEYS, back, NULL), NKW_OK);
         expect_same_curve(keys, back, KEYS, 1e-4);
         for (int k = 0; k < KEYS; k++)
             assert_true(back[k].kind == keys[k].kind &&
@@ -177,15 +177,15 @@ static void blender_easing_auto_depends_on_the_family(void **state)
     size_t bad;
     for (int i = 0; i < 10; i++) {
         b.interpolation = 3 + i;
-        nkw_result result = nkw_fcurve_keys_from_blender(&b, 1, &key, &bad);
+        nkw_result result = nkw_fcurve_from_blender_keys(&b, 1, &key, &bad);
         assert_int_equal(result, want[i] == NKW_EASE_COUNT ? NKW_BAD_METHOD : NKW_OK);
         assert_true(result != NKW_OK || key.ease == want[i]);
     }
     b.interpolation = 13;
-    assert_int_equal(nkw_fcurve_keys_from_blender(&b, 1, &key, &bad), NKW_BAD_METHOD);
-    assert_int_equal(nkw_fcurve_keys_from_blender(&b, 0, &key, &bad), NKW_EMPTY);
+    assert_int_equal(nkw_fcurve_from_blender_keys(&b, 1, &key, &bad), NKW_BAD_METHOD);
+    assert_int_equal(nkw_fcurve_from_blender_keys(&b, 0, &key, &bad), NKW_EMPTY);
     key.kind = NKW_FCURVE_CONSTANT_NEXT;
-    assert_int_equal(nkw_blender_from_fcurve_keys(&key, 1, &b, &bad), NKW_BAD_METHOD);
+    assert_int_equal(nkw_blender_keys_from_fcurve(&key, 1, &b, &bad), NKW_BAD_METHOD);
 }
 
 /* ---- Types of handles ---- */
@@ -235,7 +235,7 @@ static void clamped_handles_stay_between_their_keys(void **state)
         nkw_fcurve c = curve_of(keys, KEYS);
         for (int k = 0; k + 1 < KEYS; k++)
             for (int i = 0; i <= 16; i++) {
-                float v = nkw_fcurve_sample(&c, nkw_lerp(keys[k].time, keys[k + 1].time, (float)i / 16.0f)).value;
+                float v = nkw_fcurve_sample(&c, nkw_lerp(keys[k].time, keys[k + 1].time, (float)i / 16.0f), NULL).value;
                 assert_true(v >= nkw_min(keys[k].value, keys[k + 1].value) - 1e-5f);
                 assert_true(v <= nkw_max(keys[k].value, keys[k + 1].value) + 1e-5f);
             }
@@ -268,15 +268,15 @@ static void css_curves_come_back(void **state)
         draw_keys(&r, keys, 2, 0x8);
         for (int k = 0; k < 4; k++)
             css[k] = k % 2 ? random_between(&r, -1, 2) : random_unit(&r);
-        nkw_fcurve_keys_from_css(css, keys);
+        nkw_fcurve_from_css(css, keys);
         nkw_fcurve c = curve_of(keys, 2);
         float t = random_unit(&r), h = keys[1].time - keys[0].time, time = keys[0].time + t * h;
-        nkw_motion p = nkw_fcurve_sample(&c, time), e = cubic_bezier(css[0], css[1], css[2], css[3], t);
+        nkw_motion p = nkw_fcurve_sample(&c, time, NULL), e = cubic_bezier(css[0], css[1], css[2], css[3], t);
         double rise = (double)keys[1].value - keys[0].value;
         expect_near(p.value, keys[0].value + rise * e.value, 1e-5 + 1e-6 * fabs(rise * e.velocity));
         if (fabs(rise) < 0.01)
             continue;
-        assert_int_equal(nkw_css_from_fcurve_keys(keys, back), NKW_OK);
+        assert_int_equal(nkw_fcurve_to_css(keys, back), NKW_OK);
         expect_floats_near(back, css, 4, 1e-6);
     }
 }
@@ -288,21 +288,21 @@ static void css_has_no_other_curves(void **state)
                               {1, 2, {-0.5f, 0}, {0, 0}, NKW_FCURVE_BEZIER, NKW_EASE_LINEAR}};
     float css[4];
     const float line[4] = {0, 0, 1, 1}, ease[4] = {0.25f, 0.1f, 0.25f, 1};
-    assert_int_equal(nkw_css_from_fcurve_keys(keys, css), NKW_OUT_OF_RANGE);
+    assert_int_equal(nkw_fcurve_to_css(keys, css), NKW_OUT_OF_RANGE);
     keys[0].kind = NKW_FCURVE_LINEAR;
-    assert_int_equal(nkw_css_from_fcurve_keys(keys, css), NKW_OK);
+    assert_int_equal(nkw_fcurve_to_css(keys, css), NKW_OK);
     expect_floats_bits(css, line, 4);
     keys[0].kind = NKW_FCURVE_EASE;
-    assert_int_equal(nkw_css_from_fcurve_keys(keys, css), NKW_OK);
+    assert_int_equal(nkw_fcurve_to_css(keys, css), NKW_OK);
     expect_floats_bits(css, ease, 4);
     keys[0].ease = NKW_EASE_SINE_IN;
-    assert_int_equal(nkw_css_from_fcurve_keys(keys, css), NKW_BAD_METHOD);
+    assert_int_equal(nkw_fcurve_to_css(keys, css), NKW_BAD_METHOD);
     keys[0].kind = NKW_FCURVE_BEZIER;
     keys[0].out.time = 0.5f;
     keys[0].value = 2;
-    assert_int_equal(nkw_css_from_fcurve_keys(keys, css), NKW_OUT_OF_RANGE);
+    assert_int_equal(nkw_fcurve_to_css(keys, css), NKW_OUT_OF_RANGE);
     keys[1].time = 0;
-    assert_int_equal(nkw_css_from_fcurve_keys(keys, css), NKW_OUT_OF_RANGE);
+    assert_int_equal(nkw_fcurve_to_css(keys, css), NKW_OUT_OF_RANGE);
 }
 
 /* ---- Splines and tracks ---- */
@@ -313,21 +313,24 @@ static void tcb_keys_are_those_of_the_spline(void **state)
     const float times[4] = {0, 1, 3, 4}, values[8] = {0, 9, 2, 9, 1, 9, 3, 9};
     const nkw_tcb tcb[4] = {{0, 0, 0}, {0.5f, 0.25f, -0.5f}, {-0.5f, 0, 1}, {0, 0, 0}};
     nkw_spline spline = {times, values, 4, 2, 2, NKW_SPLINE_TCB, NKW_SPLINE_ENDS_FREE, 0, tcb, NULL};
-    float in[8], out[8];
+    float in[8], out[8], triples[24];
     nkw_tangent_span span = {in, out, 2};
     nkw_fcurve_key keys[4];
+    const nkw_track track = {times, triples, 4, 2, NKW_TRACK_FLOATS, NKW_INTERPOLATION_CUBICSPLINE, NULL};
     assert_int_equal(nkw_spline_tangents(&spline, span, NULL, (nkw_work){NULL, 0}), NKW_OK);
-    assert_int_equal(nkw_fcurve_keys_from_spline(&spline, 0, keys, NULL, (nkw_work){NULL, 0}), NKW_OK);
+    for (int k = 0; k < 8; k++) {
+        float *triple = triples + 6 * (k / 2) + k % 2;
+        triple[0] = in[k], triple[2] = values[k], triple[4] = out[k];
+    }
+    assert_int_equal(nkw_fcurve_from_track(&track, 0, keys, NULL), NKW_OK);
     nkw_fcurve c = curve_of(keys, 4);
     for (int k = 0; k < 3; k++)
         for (int i = 0; i <= 16; i++) {
             float h = times[k + 1] - times[k], t = (float)i / 16.0f;
             float want = nkw_hermite(values[2 * k], h * out[2 * k], values[2 * k + 2], h * in[2 * k + 2], t);
-            expect_near(nkw_fcurve_sample(&c, times[k] + t * h).value, want, 2e-6);
+            expect_near(nkw_fcurve_sample(&c, times[k] + t * h, NULL).value, want, 2e-6);
         }
-    assert_int_equal(nkw_fcurve_keys_from_spline(&spline, 2, keys, NULL, (nkw_work){NULL, 0}), NKW_OUT_OF_RANGE);
-    spline.count = 0;
-    assert_int_equal(nkw_fcurve_keys_from_spline(&spline, 0, keys, NULL, (nkw_work){NULL, 0}), NKW_EMPTY);
+    assert_int_equal(nkw_fcurve_from_track(&track, 2, keys, NULL), NKW_OUT_OF_RANGE);
 }
 
 static void components_of_tracks_are_fcurves(void **state)
@@ -348,17 +351,17 @@ static void components_of_tracks_are_fcurves(void **state)
             track.key_interpolation = each;
         nkw_fcurve_key keys[2][5];
         for (size_t i = 0; i < 2; i++)
-            assert_int_equal(nkw_fcurve_keys_from_track(&track, i, keys[i], NULL), NKW_OK);
+            assert_int_equal(nkw_fcurve_from_track(&track, i, keys[i], NULL), NKW_OK);
         for (int i = 0; i < 100; i++) {
             float time = random_between(&r, -0.5f, times[4] + 0.5f);
             nkw_fcurve x = curve_of(keys[0], 5), y = curve_of(keys[1], 5);
-            nkw_track_sample(&track, time, got);
-            expect_near(nkw_fcurve_sample(&x, time).value, got[0], 3e-6);
-            expect_near(nkw_fcurve_sample(&y, time).value, got[1], 3e-6);
+            nkw_track_sample(&track, time, NULL, got);
+            expect_near(nkw_fcurve_sample(&x, time, NULL).value, got[0], 3e-6);
+            expect_near(nkw_fcurve_sample(&y, time, NULL).value, got[1], 3e-6);
         }
-        assert_int_equal(nkw_fcurve_keys_from_track(&track, 2, keys[0], NULL), NKW_OUT_OF_RANGE);
+        assert_int_equal(nkw_fcurve_from_track(&track, 2, keys[0], NULL), NKW_OUT_OF_RANGE);
         track.count = 0;
-        assert_int_equal(nkw_fcurve_keys_from_track(&track, 0, keys[0], NULL), NKW_EMPTY);
+        assert_int_equal(nkw_fcurve_from_track(&track, 0, keys[0], NULL), NKW_EMPTY);
     }
 }
 
@@ -376,9 +379,9 @@ static void expect_within(const nkw_fcurve *curves, size_t width, const nkw_trac
     float first = track->times[0], last = track->times[track->count - 1], got[3];
     for (int i = 0; i <= 3000; i++) {
         float time = first + (last - first) * (float)i / 3000.0f;
-        nkw_track_sample(track, time, got);
+        nkw_track_sample(track, time, NULL, got);
         for (size_t c = 0; c < width; c++)
-            expect_near(got[c], nkw_fcurve_sample(curves + c, time).value, 1.1 * error + 2e-6);
+            expect_near(got[c], nkw_fcurve_sample(curves + c, time, NULL).value, 1.1 * error + 2e-6);
     }
     for (size_t k = 1; k < track->count; k++)
         assert_true(track->times[k - 1] < track->times[k]);
@@ -417,7 +420,7 @@ static void handles_of_a_third_need_no_more_keys(void **state)
     nkw_track track;
     nkw_track_span memory = memory_of(4);
     float error;
-    nkw_fcurve_keys_from_slopes(slopes, 3, NKW_WEIGHT_FRACTION, keys, NULL);
+    nkw_fcurve_from_slope_keys(slopes, 3, NKW_WEIGHT_FRACTION, keys, NULL);
     nkw_fcurve c = curve_of(keys, 3);
     assert_int_equal(nkw_track_from_fcurves(&c, 1, 1e-5f, memory, &track, &error), NKW_OK);
     assert_int_equal(track.count, 3);
@@ -442,8 +445,8 @@ static void jumps_take_two_keys_at_neighbouring_floats(void **state)
     expect_bits(error, 0);
     const float times[7] = {0, 0.5f, 0x1.fffffep-1f, 1, 0x1.000002p0f, 1.5f, 2};
     for (int i = 0; i < 7; i++) {
-        nkw_track_sample(&track, times[i], &got);
-        expect_bits(got, nkw_fcurve_sample(&c, times[i]).value);
+        nkw_track_sample(&track, times[i], NULL, &got);
+        expect_bits(got, nkw_fcurve_sample(&c, times[i], NULL).value);
     }
 }
 
@@ -467,8 +470,8 @@ static void regressive_and_vertical_segments_become_tracks(void **state)
 
 static nkw_quat rotation_of(const nkw_fcurve angles[3], nkw_euler_order order, float time)
 {
-    nkw_vec3 a = {nkw_fcurve_sample(angles, time).value, nkw_fcurve_sample(angles + 1, time).value,
-                  nkw_fcurve_sample(angles + 2, time).value};
+    nkw_vec3 a = {nkw_fcurve_sample(angles, time, NULL).value, nkw_fcurve_sample(angles + 1, time, NULL).value,
+                  nkw_fcurve_sample(angles + 2, time, NULL).value};
     return nkw_quat_from_euler(a, order);
 }
 
@@ -498,7 +501,7 @@ static void euler_angles_keep_their_turns(void **state)
         assert_int_equal(nkw_track_validate(&track, NULL), NKW_OK);
         for (int i = 0; i <= 2000; i++) {
             float time = 3.0f * (float)i / 2000.0f;
-            nkw_track_sample(&track, time, q);
+            nkw_track_sample(&track, time, NULL, q);
             nkw_quat got = {q[0], q[1], q[2], q[3]};
             expect_near(nkw_quat_angle(got, rotation_of(angles, (nkw_euler_order)order, time)), 0, 2.2e-3);
         }
@@ -540,10 +543,10 @@ static void fcurves_drive_the_joint_of_a_clip(void **state)
         float time = 2.5f * (float)i / 1000.0f;
         assert_int_equal(nkw_clip_sample(clip, time, NULL, pose, &flag), NKW_OK);
         nkw_trs joint = nkw_pose_get(NKW_VIEW(nkw_pose, pose), 0);
-        expect_near(joint.translation.x, nkw_fcurve_sample(curves, time).value, 1.2e-3);
-        expect_near(joint.translation.z, nkw_fcurve_sample(curves + 2, time).value, 1.2e-3);
+        expect_near(joint.translation.x, nkw_fcurve_sample(curves, time, NULL).value, 1.2e-3);
+        expect_near(joint.translation.z, nkw_fcurve_sample(curves + 2, time, NULL).value, 1.2e-3);
         expect_near(nkw_quat_angle(joint.rotation, rotation_of(curves + 3, NKW_EULER_ZXY, time)), 0, 1.5e-3);
-        expect_bits(flag, nkw_fcurve_sample(curves + 6, time).value);
+        expect_bits(flag, nkw_fcurve_sample(curves + 6, time, NULL).value);
     }
     free(clip);
 }

@@ -40,9 +40,9 @@ static void expect_slopes(const nkw_slope_key *slopes, nkw_result want, size_t b
     size_t got = 99;
     for (int k = 0; k < KEYS; k++)
         keys[k].value = 77;
-    assert_int_equal(nkw_fcurve_keys_from_slopes(slopes, KEYS, NKW_WEIGHT_SECONDS, keys, &got), want);
+    assert_int_equal(nkw_fcurve_from_slope_keys(slopes, KEYS, NKW_WEIGHT_SECONDS, keys, &got), want);
     assert_int_equal(got, want == NKW_OK ? 0 : bad);
-    assert_int_equal(nkw_fcurve_keys_from_slopes(slopes, KEYS, NKW_WEIGHT_SECONDS, keys, NULL), want);
+    assert_int_equal(nkw_fcurve_from_slope_keys(slopes, KEYS, NKW_WEIGHT_SECONDS, keys, NULL), want);
     for (size_t k = 0; k < KEYS; k++)
         expect_bits(keys[k].value, want == NKW_OK || k < bad ? slopes[k].value : 77);
 }
@@ -103,14 +103,14 @@ static void kinds_and_units_of_slopes_are_checked(void **state)
         expect_slopes(slopes, NKW_NOT_ASCENDING, k);
     }
     make_slopes(slopes, NKW_WEIGHTED_BOTH);
-    assert_int_equal(nkw_fcurve_keys_from_slopes(slopes, 0, NKW_WEIGHT_LENGTH, keys, &bad), NKW_EMPTY);
-    assert_int_equal(nkw_fcurve_keys_from_slopes(slopes, KEYS, (nkw_weight_unit)3, keys, &bad), NKW_BAD_METHOD);
+    assert_int_equal(nkw_fcurve_from_slope_keys(slopes, 0, NKW_WEIGHT_LENGTH, keys, &bad), NKW_EMPTY);
+    assert_int_equal(nkw_fcurve_from_slope_keys(slopes, KEYS, (nkw_weight_unit)3, keys, &bad), NKW_BAD_METHOD);
     assert_int_equal(bad, 0);
     make_keys(keys);
-    assert_int_equal(nkw_slopes_from_fcurve_keys(keys, 0, NKW_WEIGHT_LENGTH, slopes, &bad), NKW_EMPTY);
-    assert_int_equal(nkw_slopes_from_fcurve_keys(keys, KEYS, (nkw_weight_unit)3, slopes, &bad), NKW_BAD_METHOD);
+    assert_int_equal(nkw_slope_keys_from_fcurve(keys, 0, NKW_WEIGHT_LENGTH, slopes, &bad), NKW_EMPTY);
+    assert_int_equal(nkw_slope_keys_from_fcurve(keys, KEYS, (nkw_weight_unit)3, slopes, &bad), NKW_BAD_METHOD);
     keys[1].value = NAN;
-    assert_int_equal(nkw_slopes_from_fcurve_keys(keys, KEYS, NKW_WEIGHT_LENGTH, slopes, &bad), NKW_NOT_FINITE);
+    assert_int_equal(nkw_slope_keys_from_fcurve(keys, KEYS, NKW_WEIGHT_LENGTH, slopes, &bad), NKW_NOT_FINITE);
     assert_int_equal(bad, 1);
 }
 
@@ -123,11 +123,11 @@ static void a_line_without_a_duration_is_level(void **state)
     make_keys(keys);
     keys[1].kind = NKW_FCURVE_LINEAR;
     keys[2].time = keys[1].time;
-    assert_int_equal(nkw_slopes_from_fcurve_keys(keys, KEYS, NKW_WEIGHT_FRACTION, slopes, NULL), NKW_OK);
+    assert_int_equal(nkw_slope_keys_from_fcurve(keys, KEYS, NKW_WEIGHT_FRACTION, slopes, NULL), NKW_OK);
     expect_bits(slopes[1].out_slope, 0);
     expect_bits(slopes[2].in_slope, 0);
     keys[2].time = keys[1].time + 0.5f;
-    assert_int_equal(nkw_slopes_from_fcurve_keys(keys, KEYS, NKW_WEIGHT_FRACTION, slopes, NULL), NKW_OK);
+    assert_int_equal(nkw_slope_keys_from_fcurve(keys, KEYS, NKW_WEIGHT_FRACTION, slopes, NULL), NKW_OK);
     expect_bits(slopes[1].out_slope, -4);
     expect_bits(slopes[2].in_slope, -4);
 }
@@ -147,7 +147,7 @@ static void expect_blender(const nkw_blender_key *blender, nkw_result want, size
 {
     nkw_fcurve_key keys[KEYS];
     size_t got = 99;
-    assert_int_equal(nkw_fcurve_keys_from_blender(blender, KEYS, keys, &got), want);
+    assert_int_equal(nkw_fcurve_from_blender_keys(blender, KEYS, keys, &got), want);
     assert_int_equal(got, bad);
 }
 
@@ -188,18 +188,18 @@ static void keys_that_blender_does_not_have_are_refused(void **state)
     for (size_t k = 0; k < KEYS; k++) {
         make_keys(keys);
         keys[k].kind = NKW_FCURVE_CONSTANT_NEXT;
-        assert_int_equal(nkw_blender_from_fcurve_keys(keys, KEYS, blender, &bad), NKW_BAD_METHOD);
+        assert_int_equal(nkw_blender_keys_from_fcurve(keys, KEYS, blender, &bad), NKW_BAD_METHOD);
         assert_int_equal(bad, k);
         keys[k].kind = NKW_FCURVE_EASE;
         keys[k].ease = NKW_EASE_CSS_IN;
-        assert_int_equal(nkw_blender_from_fcurve_keys(keys, KEYS, blender, &bad), NKW_BAD_METHOD);
+        assert_int_equal(nkw_blender_keys_from_fcurve(keys, KEYS, blender, &bad), NKW_BAD_METHOD);
         assert_int_equal(bad, k);
         keys[k].kind = NKW_FCURVE_BEZIER;
         keys[k].out.time = INFINITY;
-        assert_int_equal(nkw_blender_from_fcurve_keys(keys, KEYS, blender, &bad), NKW_NOT_FINITE);
+        assert_int_equal(nkw_blender_keys_from_fcurve(keys, KEYS, blender, &bad), NKW_NOT_FINITE);
         assert_int_equal(bad, k);
     }
-    assert_int_equal(nkw_blender_from_fcurve_keys(keys, 0, blender, &bad), NKW_EMPTY);
+    assert_int_equal(nkw_blender_keys_from_fcurve(keys, 0, blender, &bad), NKW_EMPTY);
 }
 
 /* ---- CSS ---- */
@@ -210,22 +210,22 @@ static void css_needs_handles_within_the_segment(void **state)
     float css[4];
     nkw_fcurve_key keys[KEYS];
     make_keys(keys);
-    assert_int_equal(nkw_css_from_fcurve_keys(keys, css), NKW_OK);
+    assert_int_equal(nkw_fcurve_to_css(keys, css), NKW_OK);
     const float want[4] = {0.25f, 0, 0.75f, 1};
     expect_floats_bits(css, want, 4);
     const float outside[2] = {-0.125f, 1.125f};
     for (int i = 0; i < 2; i++) {
         make_keys(keys);
         keys[0].out.time = outside[i];
-        assert_int_equal(nkw_css_from_fcurve_keys(keys, css), NKW_OUT_OF_RANGE);
+        assert_int_equal(nkw_fcurve_to_css(keys, css), NKW_OUT_OF_RANGE);
         make_keys(keys);
         keys[1].in.time = -outside[i];
-        assert_int_equal(nkw_css_from_fcurve_keys(keys, css), NKW_OUT_OF_RANGE);
+        assert_int_equal(nkw_fcurve_to_css(keys, css), NKW_OUT_OF_RANGE);
         /* The very ends are within. */
         make_keys(keys);
         keys[0].out.time = (float)i;
         keys[1].in.time = -(float)i;
-        assert_int_equal(nkw_css_from_fcurve_keys(keys, css), NKW_OK);
+        assert_int_equal(nkw_fcurve_to_css(keys, css), NKW_OK);
         expect_bits(css[0], (float)i);
         expect_bits(css[2], 1 - (float)i);
     }
@@ -239,49 +239,18 @@ static void css_between_equal_values_must_be_level(void **state)
     nkw_fcurve_key keys[KEYS];
     make_keys(keys);
     keys[1].value = keys[0].value;
-    assert_int_equal(nkw_css_from_fcurve_keys(keys, css), NKW_OK);
+    assert_int_equal(nkw_fcurve_to_css(keys, css), NKW_OK);
     const float want[4] = {0.25f, 0, 0.75f, 1};
     expect_floats_bits(css, want, 4);
     keys[0].out.value = 0.5f;
-    assert_int_equal(nkw_css_from_fcurve_keys(keys, css), NKW_OUT_OF_RANGE);
+    assert_int_equal(nkw_fcurve_to_css(keys, css), NKW_OUT_OF_RANGE);
     keys[1].in.value = 0.5f;
-    assert_int_equal(nkw_css_from_fcurve_keys(keys, css), NKW_OUT_OF_RANGE);
+    assert_int_equal(nkw_fcurve_to_css(keys, css), NKW_OUT_OF_RANGE);
     keys[0].out.value = 0;
-    assert_int_equal(nkw_css_from_fcurve_keys(keys, css), NKW_OUT_OF_RANGE);
+    assert_int_equal(nkw_fcurve_to_css(keys, css), NKW_OUT_OF_RANGE);
 }
 
 /* ---- Splines and tracks ---- */
-
-static void a_component_of_a_spline_has_its_own_end_tangents(void **state)
-{
-    (void)state;
-    const float times[3] = {0, 1, 3}, values[6] = {0, 5, 1, 6, 0, 7}, ends[4] = {0.5f, -3, 2, 4};
-    nkw_spline spline = {.times = times,
-                         .values = values,
-                         .count = 3,
-                         .width = 2,
-                         .stride = 2,
-                         .method = NKW_SPLINE_CATMULL_ROM,
-                         .ends = NKW_SPLINE_ENDS_CLAMPED,
-                         .end_tangents = ends};
-    nkw_fcurve_key keys[3];
-    size_t bad = 9;
-    for (size_t c = 0; c < 2; c++) {
-        assert_int_equal(nkw_fcurve_keys_from_spline(&spline, c, keys, &bad, (nkw_work){NULL, 0}), NKW_OK);
-        expect_near(keys[0].out.value, (double)ends[c] / 3, 1e-7);
-        expect_near(keys[2].in.value, -(double)ends[2 + c] * 2 / 3, 1e-6);
-        expect_bits(keys[1].value, values[2 + c]);
-    }
-    spline.end_tangents = NULL;
-    assert_int_equal(nkw_fcurve_keys_from_spline(&spline, 1, keys, &bad, (nkw_work){NULL, 0}), NKW_OK);
-    expect_bits(keys[0].out.value, 0);
-    assert_int_equal(nkw_fcurve_keys_from_spline(&spline, 2, keys, &bad, (nkw_work){NULL, 0}), NKW_OUT_OF_RANGE);
-    spline.end_tangents = ends;
-    spline.count = 0;
-    assert_int_equal(nkw_fcurve_keys_from_spline(&spline, 0, keys, &bad, (nkw_work){NULL, 0}), NKW_EMPTY);
-    spline.width = 0;
-    assert_int_equal(nkw_fcurve_keys_from_spline(&spline, 0, keys, &bad, (nkw_work){NULL, 0}), NKW_EMPTY);
-}
 
 static void a_component_of_rotations_is_not_a_curve(void **state)
 {
@@ -290,12 +259,12 @@ static void a_component_of_rotations_is_not_a_curve(void **state)
     nkw_track track = {.times = times, .values = values, .count = 2, .width = 4};
     nkw_fcurve_key keys[2];
     size_t bad = 9;
-    assert_int_equal(nkw_fcurve_keys_from_track(&track, 3, keys, &bad), NKW_OK);
+    assert_int_equal(nkw_fcurve_from_track(&track, 3, keys, &bad), NKW_OK);
     expect_bits(keys[0].value, 1);
-    assert_int_equal(nkw_fcurve_keys_from_track(&track, 4, keys, &bad), NKW_OUT_OF_RANGE);
+    assert_int_equal(nkw_fcurve_from_track(&track, 4, keys, &bad), NKW_OUT_OF_RANGE);
     track.kind = NKW_TRACK_ROTATION;
-    assert_int_equal(nkw_fcurve_keys_from_track(&track, 3, keys, &bad), NKW_MISMATCHED);
-    assert_int_equal(nkw_fcurve_keys_from_track(&track, 4, keys, &bad), NKW_MISMATCHED);
+    assert_int_equal(nkw_fcurve_from_track(&track, 3, keys, &bad), NKW_MISMATCHED);
+    assert_int_equal(nkw_fcurve_from_track(&track, 4, keys, &bad), NKW_MISMATCHED);
     assert_int_equal(bad, 0);
 }
 
@@ -356,8 +325,8 @@ static void a_curve_of_one_key_is_a_constant_component(void **state)
         nkw_track track = track_of(curves, 2, 0.01f, memory, &difference);
         for (int i = 0; i <= 60; i++) {
             float got[2], time = 0.05f * (float)i;
-            nkw_track_sample(&track, time, got);
-            expect_near(got[0], nkw_fcurve_sample(&curves[0], time).value, 0.011);
+            nkw_track_sample(&track, time, NULL, got);
+            expect_near(got[0], nkw_fcurve_sample(&curves[0], time, NULL).value, 0.011);
             expect_bits(got[1], one[0].value);
         }
     }
@@ -380,7 +349,7 @@ static void float_times_end_the_division(void **state)
         assert_true(track.count >= 2 && track.count <= 1 + (size_t)floats);
         assert_true(difference >= 0 && difference < INFINITY);
         for (size_t k = 0; k < track.count; k++)
-            expect_bits(track.values[3 * k + 1], nkw_fcurve_sample(&c, track.times[k]).value);
+            expect_bits(track.values[3 * k + 1], nkw_fcurve_sample(&c, track.times[k], NULL).value);
     }
     const nkw_fcurve_key steep[2] = {{0, 0, {0, 0}, {0, 1}, NKW_FCURVE_BEZIER, NKW_EASE_LINEAR},
                                      {1, 1, {-0.5f, 0}, {0, 0}, NKW_FCURVE_BEZIER, NKW_EASE_LINEAR}};
@@ -424,7 +393,6 @@ int main(void)
         cmocka_unit_test(keys_that_blender_does_not_have_are_refused),
         cmocka_unit_test(css_needs_handles_within_the_segment),
         cmocka_unit_test(css_between_equal_values_must_be_level),
-        cmocka_unit_test(a_component_of_a_spline_has_its_own_end_tangents),
         cmocka_unit_test(a_component_of_rotations_is_not_a_curve),
         cmocka_unit_test(a_curve_of_fewer_keys_may_not_cycle),
         cmocka_unit_test(a_curve_of_one_key_is_a_constant_component),

@@ -26,9 +26,9 @@ static void draw(random_source *r, nkw_fcurve_key keys[KEYS])
 static void expect_samples(const nkw_track *track, const nkw_fcurve *curves, size_t width, float time)
 {
     float got[2];
-    nkw_track_sample(track, time, got);
+    nkw_track_sample(track, time, NULL, got);
     for (size_t i = 0; i < width; i++)
-        expect_bits(got[i], nkw_fcurve_sample(curves + i, time).value);
+        expect_bits(got[i], nkw_fcurve_sample(curves + i, time, NULL).value);
 }
 
 static void a_step_to_the_next_key_is_a_step_track(void **state)

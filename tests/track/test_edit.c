@@ -60,8 +60,8 @@ static float time_of(const nkw_track *t, int i, int keys)
 static void expect_sample(const nkw_track *got, float at, const nkw_track *want, float time)
 {
     float a[WIDTH], b[WIDTH];
-    nkw_track_sample(got, at, a);
-    nkw_track_sample(want, time, b);
+    nkw_track_sample(got, at, NULL, a);
+    nkw_track_sample(want, time, NULL, b);
     if (want->kind == NKW_TRACK_FLOATS)
         expect_floats_near(a, b, want->width, 2e-6);
     else {
@@ -300,8 +300,8 @@ static void check_close(random_source *r, const sheet *s)
     assert_int_equal(nkw_track_close(&s->track, share, m, &out), NKW_OK);
     assert_int_equal(out.count, KEYS);
     expect_floats_bits(out.times, s->times, KEYS);
-    nkw_track_sample(&out, -1e3f, a);
-    nkw_track_sample(&out, 1e3f, b);
+    nkw_track_sample(&out, -1e3f, NULL, a);
+    nkw_track_sample(&out, 1e3f, NULL, b);
     float sign = s->track.kind == NKW_TRACK_ROTATION && a[0] * b[0] < 0.0f ? -1.0f : 1.0f;
     for (size_t i = 0; i < s->track.width; i++)
         expect_bits(sign * b[i], a[i]);
@@ -331,8 +331,8 @@ static void a_closed_cubic_is_the_cubic_plus_a_line(void **state)
         for (int k = 0; k < 4 * KEYS - 4; k++) {
             float time = time_of(&s.track, k, 1), a[3], b[3];
             double u = ((double)time - (double)s.times[0]) / ((double)s.times[KEYS - 1] - (double)s.times[0]);
-            nkw_track_sample(&s.track, time, a);
-            nkw_track_sample(&out, time, b);
+            nkw_track_sample(&s.track, time, NULL, a);
+            nkw_track_sample(&out, time, NULL, b);
             for (int c = 0; c < 3; c++) {
                 double d = (double)s.values[9 * (KEYS - 1) + 3 + c] - (double)s.values[3 + c];
                 expect_near((double)b[c], (double)a[c] + (0.5 - u) * d, 1e-6);

@@ -30,7 +30,7 @@ static const nkw_fcurve_key three[3] = {{0, 1, {0, 0}, {0.5f, 1}, NKW_FCURVE_BEZ
 
 static float value(const nkw_fcurve *c, float time)
 {
-    return nkw_fcurve_sample(c, time).value;
+    return nkw_fcurve_sample(c, time, NULL).value;
 }
 
 static void expect_point(nkw_motion got, nkw_motion want, double bound)
@@ -57,10 +57,10 @@ static void each_kind_interpolates_in_its_way(void **state)
     expect_bits(value(&c, 2.0f), 1);
     expect_bits(value(&c, 2.5f), 4);
     expect_bits(value(&c, 4.5f), 5.25f);
-    expect_bits(nkw_fcurve_sample(&c, 4.5f).velocity, 2.5f);
-    nkw_motion at = nkw_fcurve_sample(&c, 6.75f), want = nkw_handle_sample(&s, 6.75f);
+    expect_bits(nkw_fcurve_sample(&c, 4.5f, NULL).velocity, 2.5f);
+    nkw_motion at = nkw_fcurve_sample(&c, 6.75f, NULL), want = nkw_handle_sample(&s, 6.75f);
     expect_floats_bits(&at.value, &want.value, 3);
-    at = nkw_fcurve_sample(&c, 9.0f);
+    at = nkw_fcurve_sample(&c, 9.0f, NULL);
     expect_bits(at.value, 16 + 9 * 0.125f);
     expect_bits(at.velocity, 9 * 0.75f / 2);
     expect_bits(at.acceleration, 9 * 3.0f / 4);
@@ -104,7 +104,7 @@ static void a_cursor_changes_no_bits(void **state)
         for (int i = 0; i < 4000; i++) {
             float time = i % 9 ? (float)i * 0.2f - 200.0f : random_between(&r, -500, 800);
             cursor = i % 100 ? cursor : (uint32_t)random_bits(&r);
-            nkw_motion a = nkw_fcurve_sample_cursor(&c, time, &cursor), b = nkw_fcurve_sample(&c, time);
+            nkw_motion a = nkw_fcurve_sample(&c, time, &cursor), b = nkw_fcurve_sample(&c, time, NULL);
             expect_floats_bits(&a.value, &b.value, 3);
             assert_true(cursor < 499 || outside == NKW_FCURVE_OUTSIDE_HOLD);
         }
@@ -125,6 +125,12 @@ static void equal_times_are_a_jump(void **state)
     expect_bits(value(&last, 3), 5);
 }
 
+static int runs_back(const nkw_fcurve_key *keys)
+{
+    const nkw_handle_segment s = {keys[0].time, keys[0].value, keys[0].out, keys[1].in, keys[1].time, keys[1].value};
+    return nkw_handle_runs_back(&s);
+}
+
 static void the_policy_limits_each_segment(void **state)
 {
     (void)state;
@@ -132,13 +138,13 @@ static void the_policy_limits_each_segment(void **state)
                                     {1, 1, {-2, 0}, {0, 0}, NKW_FCURVE_BEZIER, NKW_EASE_LINEAR}};
     nkw_fcurve_key limited[2];
     nkw_fcurve c = curve_of(keys, 2, NKW_FCURVE_OUTSIDE_HOLD), d = curve_of(limited, 2, NKW_FCURVE_OUTSIDE_HOLD);
-    assert_int_equal(nkw_fcurve_find_regression(keys, 2), 0);
+    assert_true(runs_back(keys));
     for (int policy = 1; policy < 4; policy++) {
         c.policy = (nkw_handle_policy)policy;
         nkw_fcurve_limit(keys, 2, c.policy, limited);
-        assert_int_equal(nkw_fcurve_find_regression(limited, 2), 2);
+        assert_true(!runs_back(limited));
         for (int k = 0; k <= 16; k++) {
-            nkw_motion a = nkw_fcurve_sample(&c, (float)k / 16.0f), b = nkw_fcurve_sample(&d, (float)k / 16.0f);
+            nkw_motion a = nkw_fcurve_sample(&c, (float)k / 16.0f, NULL), b = nkw_fcurve_sample(&d, (float)k / 16.0f, NULL);
             expect_floats_bits(&a.value, &b.value, 3);
         }
     }
@@ -164,7 +170,7 @@ static void inserted_keys_change_nothing(void **state)
         assert_true(index == 1 + (size_t)time && more[index].time == time);
         expect_bits(more[index].value, value(&c, time));
         for (int i = 0; i <= 300; i++) {
-            nkw_motion p = nkw_fcurve_sample(&c, 0.01f * (float)i);
+            nkw_motion p = nkw_fcurve_sample(&c, 0.01f * (float)i, NULL);
             expect_near(value(&d, 0.01f * (float)i), p.value, 1e-5 + 1e-6 * fabs(p.velocity));
         }
         assert_int_equal(nkw_fcurve_insert(&c, time, keys, &index), NKW_OK);
@@ -195,7 +201,7 @@ static void long_handles_survive_an_insertion(void **state)
         size_t index;
         assert_int_equal(nkw_fcurve_insert(&c, time, more, &index), NKW_OK);
         for (int i = 0; i <= 300; i++) {
-            nkw_motion p = nkw_fcurve_sample(&c, 0.01f * (float)i);
+            nkw_motion p = nkw_fcurve_sample(&c, 0.01f * (float)i, NULL);
             expect_near(value(&d, 0.01f * (float)i), p.value, 1e-5 + 1e-6 * fabs(p.velocity));
         }
         if (!is_contained)
@@ -204,7 +210,7 @@ static void long_handles_survive_an_insertion(void **state)
         c.policy = d.policy = NKW_HANDLE_CONTAIN;
         for (int i = 0; i <= 300; i++) {
             float at = 0.01f * (float)i;
-            nkw_motion p = nkw_fcurve_sample(&c, at);
+            nkw_motion p = nkw_fcurve_sample(&c, at, NULL);
             double off = fabs((double)value(&d, at) - (double)p.value);
             changed += off > 1e-3;
             assert_true((at > 1 && at < 2) || off <= 1e-5 + 1e-6 * fabs(p.velocity));
@@ -237,12 +243,12 @@ static void hold_and_linear_continue_each_end_by_itself(void **state)
     (void)state;
     nkw_fcurve c = curve_of(three, 3, NKW_FCURVE_OUTSIDE_LINEAR);
     expect_near(value(&c, -2), 1 - 2 * 2, 1e-6);
-    expect_near(nkw_fcurve_sample(&c, -2).velocity, 2, 1e-6);
+    expect_near(nkw_fcurve_sample(&c, -2, NULL).velocity, 2, 1e-6);
     expect_near(value(&c, 10), 2 - 6.0 / 3, 1e-5);
     expect_bits(value(&c, INFINITY), -INFINITY);
     c.after = NKW_FCURVE_OUTSIDE_HOLD;
     expect_bits(value(&c, 10), 2);
-    expect_bits(nkw_fcurve_sample(&c, 10).velocity, 0);
+    expect_bits(nkw_fcurve_sample(&c, 10, NULL).velocity, 0);
     c.before = (nkw_fcurve_outside)77;
     expect_bits(value(&c, -10), 1);
 }
@@ -276,7 +282,7 @@ static void linear_follows_the_outer_handles(void **state)
     keys[2].out.time = 0.25f;
     keys[2].out.value = 1.0f;
     expect_bits(value(&c, -2), 2);
-    expect_bits(nkw_fcurve_sample(&c, -2).velocity, -0.5f);
+    expect_bits(nkw_fcurve_sample(&c, -2, NULL).velocity, -0.5f);
     expect_bits(value(&c, 6), 10);
     keys[2].kind = NKW_FCURVE_LINEAR;
     expect_near(value(&c, 10), 2 - 6.0 / 3, 1e-5);
@@ -290,7 +296,7 @@ static void a_vertical_end_is_held(void **state)
     const nkw_fcurve_key keys[2] = {{0, 1, {0, 0}, {0, 5}, NKW_FCURVE_BEZIER, NKW_EASE_LINEAR},
                                     {1, 2, {0, 3}, {0, 0}, NKW_FCURVE_BEZIER, NKW_EASE_LINEAR}};
     nkw_fcurve c = curve_of(keys, 2, NKW_FCURVE_OUTSIDE_LINEAR);
-    expect_bits(nkw_fcurve_sample(&c, 0).velocity, INFINITY);
+    expect_bits(nkw_fcurve_sample(&c, 0, NULL).velocity, INFINITY);
     expect_bits(value(&c, -1), 1);
     expect_bits(value(&c, 9), 2);
     expect_bits(value(&c, INFINITY), 2);
@@ -305,12 +311,12 @@ static void cycles_repeat_offset_and_oscillate(void **state)
     for (int n = -5; n <= 5; n++)
         for (int k = 1; k < 32; k++) {
             float rest = (float)k / 8.0f, time = 4.0f * (float)n + rest;
-            nkw_motion p = nkw_fcurve_sample(&cycle, rest), q = p, back = nkw_fcurve_sample(&cycle, 4.0f - rest);
+            nkw_motion p = nkw_fcurve_sample(&cycle, rest, NULL), q = p, back = nkw_fcurve_sample(&cycle, 4.0f - rest, NULL);
             q.value += (float)n;
             back.velocity = -back.velocity;
-            expect_point(nkw_fcurve_sample(&cycle, time), p, 0);
-            expect_point(nkw_fcurve_sample(&offset, time), q, 1e-6);
-            expect_point(nkw_fcurve_sample(&oscillate, time), n % 2 ? back : p, 0);
+            expect_point(nkw_fcurve_sample(&cycle, time, NULL), p, 0);
+            expect_point(nkw_fcurve_sample(&offset, time, NULL), q, 1e-6);
+            expect_point(nkw_fcurve_sample(&oscillate, time, NULL), n % 2 ? back : p, 0);
         }
     /* A cycle begins at its first key; the keys themselves include the last one. */
     expect_bits(value(&cycle, 4), 2);
@@ -340,7 +346,7 @@ static void cycles_end_after_their_number(void **state)
     expect_bits(value(&c, 15.5f), value(&c, 3.5f));
     expect_bits(value(&c, 16.0f), 2);
     expect_bits(value(&c, 99.0f), 2);
-    expect_bits(nkw_fcurve_sample(&c, 99.0f).velocity, 0);
+    expect_bits(nkw_fcurve_sample(&c, 99.0f, NULL).velocity, 0);
     expect_bits(value(&c, -7.5f), value(&c, 0.5f));
     expect_bits(value(&c, -8.0f), 1);
     expect_bits(value(&c, -99.0f), 1);
@@ -364,7 +370,7 @@ static void a_million_cycles_do_not_drift(void **state)
     for (int sign = -1; sign <= 1; sign += 2) {
         float n = (float)sign * 1e6f;
         expect_bits(value(&offset, 4.0f * n + 1.0f), 3.0f + n);
-        expect_near(nkw_fcurve_sample(&offset, 4.0f * n + 1.0f).velocity, 0.5, 1e-6);
+        expect_near(nkw_fcurve_sample(&offset, 4.0f * n + 1.0f, NULL).velocity, 0.5, 1e-6);
     }
 }
 
@@ -490,23 +496,28 @@ static void an_infinite_time_is_the_nearest_key_of_cycles(void **state)
     for (int mode = NKW_FCURVE_OUTSIDE_CYCLE; mode <= NKW_FCURVE_OUTSIDE_OSCILLATE; mode++) {
         nkw_fcurve c = curve_of(three, 3, (nkw_fcurve_outside)mode);
         const nkw_motion first = {1, 0, 0}, last = {2, 0, 0};
-        expect_point(nkw_fcurve_sample(&c, -INFINITY), first, 0);
-        expect_point(nkw_fcurve_sample(&c, INFINITY), last, 0);
+        expect_point(nkw_fcurve_sample(&c, -INFINITY, NULL), first, 0);
+        expect_point(nkw_fcurve_sample(&c, INFINITY, NULL), last, 0);
         expect_nan(value(&c, NAN));
     }
 }
 
-/* Handles of other kinds are not used, so they do not run back. */
-static void only_bezier_segments_run_back(void **state)
+/* Handles of other kinds are not used, so no policy shortens them. */
+static void only_bezier_segments_are_limited(void **state)
 {
     (void)state;
-    nkw_fcurve_key keys[4];
+    nkw_fcurve_key keys[4], limited[4];
     for (int k = 0; k < 4; k++) {
         const nkw_handle in = {-5, 1}, out = {5, 1};
         keys[k] = bezier((float)k, (float)k, in, out);
     }
-    for (size_t first = 0; first < 4; first++) {
-        assert_int_equal(nkw_fcurve_find_regression(keys, 4), first < 3 ? first : 4);
+    for (int first = 0; first < 4; first++) {
+        nkw_fcurve_limit(keys, 4, NKW_HANDLE_KEEP_RATIO, limited);
+        for (int k = 0; k < 3; k++) {
+            assert_int_equal(runs_back(limited + k), k < first);
+            if (k < first)
+                expect_bits(limited[k].out.time, 5);
+        }
         keys[first].kind = (nkw_fcurve_kind)(first == 0 ? NKW_FCURVE_LINEAR : NKW_FCURVE_CONSTANT);
     }
 }
@@ -536,7 +547,7 @@ int main(void)
         cmocka_unit_test(validate_names_the_first_offender),
         cmocka_unit_test(each_number_of_a_key_is_checked),
         cmocka_unit_test(an_infinite_time_is_the_nearest_key_of_cycles),
-        cmocka_unit_test(only_bezier_segments_run_back),
+        cmocka_unit_test(only_bezier_segments_are_limited),
     };
     return cmocka_run_group_tests_name("fcurve", tests, NULL, NULL);
 }

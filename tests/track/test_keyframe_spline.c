@@ -56,7 +56,7 @@ static nkw_vec3 by_track(const nkw_keyframe *keys, size_t count, float time, nkw
         memcpy(triples + 9 * k + 3, &keys[k].position, sizeof keys[k].position);
     }
     assert_int_equal(nkw_spline_tangents(&spline, tangents, NULL, (nkw_work){NULL, 0}), NKW_OK);
-    nkw_track_sample(&track, time, &at.x);
+    nkw_track_sample(&track, time, NULL, &at.x);
     return at;
 }
 

@@ -19,7 +19,7 @@ static size_t keys_passed(const float *times, size_t count, float duration, floa
 {
     nkw_playback_step step = {times, count, duration, from, to};
     size_t passed = 99;
-    nkw_result result = nkw_playback_passed(&step, out, &passed, capacity);
+    nkw_result result = nkw_playback_passed(&step, out, capacity, &passed);
     assert_true(result == NKW_OK || passed == (result == NKW_TOO_MANY ? SIZE_MAX : 0));
     return passed;
 }
@@ -29,7 +29,7 @@ static nkw_result result_of(float duration, float from, float to)
     const float times[2] = {0, 0.5f};
     nkw_playback_step step = {times, 2, duration, from, to};
     size_t passed;
-    return nkw_playback_passed(&step, NULL, &passed, 0);
+    return nkw_playback_passed(&step, NULL, 0, &passed);
 }
 
 static void clamp_holds_both_ends(void **state)
@@ -509,21 +509,21 @@ static void wide_steps_pass_each_key_once(void **state)
     size_t sum = 0, back = 0, out[64], passed = 0;
     for (int i = 0; i < 20000; i++) {
         double next = now + random_unit(&r);
-        nkw_playback_step_f64 step = {times, 4, 1.7, now, next}, reverse = {times, 4, 1.7, next, now};
-        assert_int_equal(nkw_playback_passed_f64(&step, out, &passed, 64), NKW_OK);
+        nkw_playback_step step = {times, 4, 1.7, now, next}, reverse = {times, 4, 1.7, next, now};
+        assert_int_equal(nkw_playback_passed(&step, out, 64, &passed), NKW_OK);
         sum += passed;
-        assert_int_equal(nkw_playback_passed_f64(&reverse, out, &passed, 64), NKW_OK);
+        assert_int_equal(nkw_playback_passed(&reverse, out, 64, &passed), NKW_OK);
         back += passed;
         now = next;
     }
-    nkw_playback_step_f64 all = {times, 4, 1.7, 1e6, now}, whole = {times, 4, 1.7, now, 1e6};
-    assert_int_equal(nkw_playback_passed_f64(&all, NULL, &passed, 0), NKW_OK);
+    nkw_playback_step all = {times, 4, 1.7, 1e6, now}, whole = {times, 4, 1.7, now, 1e6};
+    assert_int_equal(nkw_playback_passed(&all, NULL, 0, &passed), NKW_OK);
     assert_int_equal(passed, sum);
     expect_near((double)sum, 4 * (now - 1e6) / 1.7, 4);
-    assert_int_equal(nkw_playback_passed_f64(&whole, NULL, &passed, 0), NKW_OK);
+    assert_int_equal(nkw_playback_passed(&whole, NULL, 0, &passed), NKW_OK);
     assert_int_equal(passed, back);
-    nkw_playback_step_f64 bad = {times, 4, NAN, 0, 1};
-    assert_int_equal(nkw_playback_passed_f64(&bad, NULL, &passed, 0), NKW_NOT_FINITE);
+    nkw_playback_step bad = {times, 4, NAN, 0, 1};
+    assert_int_equal(nkw_playback_passed(&bad, NULL, 0, &passed), NKW_NOT_FINITE);
 }
 
 int main(void)

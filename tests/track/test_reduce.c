@@ -34,8 +34,8 @@ static nkw_track reduced_to(const nkw_track *t, float tolerance, float *differen
 static float difference_at(const nkw_track *a, const nkw_track *b, float time)
 {
     float x[WIDTH], y[WIDTH], largest = 0.0f;
-    nkw_track_sample(a, time, x);
-    nkw_track_sample(b, time, y);
+    nkw_track_sample(a, time, NULL, x);
+    nkw_track_sample(b, time, NULL, y);
     if (a->kind != NKW_TRACK_FLOATS) {
         nkw_quat p = {x[0], x[1], x[2], x[3]}, q = {y[0], y[1], y[2], y[3]};
         return nkw_quat_angle(p, q);
@@ -277,8 +277,8 @@ static void lossless_reduction_changes_no_sample(void **state)
         expect_bits(difference, 0.0f);
         for (int n = 0; n < 2000; n++) {
             float x[4], y[4], time = n < 200 ? times[n] : random_between(&r, -1.0f, 10.0f);
-            nkw_track_sample(&t, time, x);
-            nkw_track_sample(&out, time, y);
+            nkw_track_sample(&t, time, NULL, x);
+            nkw_track_sample(&out, time, NULL, y);
             expect_floats_bits(x, y, 4);
         }
     }
@@ -362,8 +362,8 @@ static void values_whose_differences_overflow_keep_their_keys(void **state)
         assert_true(difference <= tolerance);
         for (size_t k = 0; k < 16 * (count - 1); k++) {
             float want, got, time = nkw_lerp(times[k / 16], times[k / 16 + 1], (float)(k % 16) / 16.0f);
-            nkw_track_sample(&t, time, &want);
-            nkw_track_sample(&out, time, &got);
+            nkw_track_sample(&t, time, NULL, &want);
+            nkw_track_sample(&out, time, NULL, &got);
             assert_true(isfinite(want) && fabs((double)got - (double)want) <= (double)tolerance + 1e32);
         }
         assert_true(i < 2 || is_cubic || out.count < count);

@@ -9,7 +9,7 @@
 static float sample_float(const nkw_track *track, float time)
 {
     float v = NAN;
-    nkw_track_sample(track, time, &v);
+    nkw_track_sample(track, time, NULL, &v);
     return v;
 }
 
@@ -26,9 +26,9 @@ static void keys_come_back_bit_for_bit_at_their_own_time(void **state)
             nkw_track turns = rotations(values, (nkw_interpolation)mode);
             for (size_t k = 0; k < 4; k++) {
                 const float *want = mode == NKW_INTERPOLATION_CUBICSPLINE ? values + 12 * k + 4 : values + 4 * k;
-                nkw_track_sample(&plain, times4[k], got);
+                nkw_track_sample(&plain, times4[k], NULL, got);
                 expect_floats_bits(got, want, 4);
-                nkw_track_sample(&turns, times4[k], got);
+                nkw_track_sample(&turns, times4[k], NULL, got);
                 expect_floats_bits(got, want, 4);
             }
         }
@@ -93,7 +93,7 @@ static void rotations_take_the_shorter_arc_and_stay_unit(void **state)
         memcpy(values + 4 * k, &q, sizeof q);
     }
     nkw_track t = rotations(values, NKW_INTERPOLATION_LINEAR);
-    nkw_track_sample(&t, 0.75f, got);
+    nkw_track_sample(&t, 0.75f, NULL, got);
     nkw_quat q = {got[0], got[1], got[2], got[3]};
     expect_rotation_near(q, nkw_quat_from_axis_angle(z, 0.5f), 2e-7);
 }
@@ -109,7 +109,7 @@ static void cubic_rotations_are_normalised_between_keys(void **state)
     }
     nkw_track t = rotations(values, NKW_INTERPOLATION_CUBICSPLINE);
     for (float time = 0.51f; time < 2.5f; time += 0.0173f) {
-        nkw_track_sample(&t, time, got);
+        nkw_track_sample(&t, time, NULL, got);
         nkw_quat q = {got[0], got[1], got[2], got[3]};
         expect_near(nkw_quat_length(q), 1.0, 2e-7);
     }
@@ -122,9 +122,9 @@ static void keys_that_are_not_quite_unit_are_normalised_where_asked(void **state
     float got[4];
     nkw_track t = rotations(values, NKW_INTERPOLATION_LINEAR);
     t.kind = NKW_TRACK_ROTATION_NORMALIZED;
-    nkw_track_sample(&t, 1.0f, got);
+    nkw_track_sample(&t, 1.0f, NULL, got);
     expect_near(got[0], 0.70710678, 1e-7);
-    nkw_track_sample(&t, 1.3f, got);
+    nkw_track_sample(&t, 1.3f, NULL, got);
     nkw_quat q = {got[0], got[1], got[2], got[3]};
     expect_near(nkw_quat_length(q), 1.0, 2e-7);
 }
@@ -165,8 +165,8 @@ static void each_key_of_a_cubic_may_choose_its_interpolation(void **state)
             size_t k = nkw_segment_find(times4, 4, time).index;
             like.interpolation = (nkw_interpolation)modes[k];
             like.values = modes[k] == NKW_INTERPOLATION_CUBICSPLINE ? values : keys;
-            nkw_track_sample(&t, time, got);
-            nkw_track_sample(&like, time, want);
+            nkw_track_sample(&t, time, NULL, got);
+            nkw_track_sample(&like, time, NULL, want);
             expect_floats_bits(got, want, 4);
         }
     }
@@ -196,8 +196,8 @@ static void cursor_and_shared_segment_give_the_same_bits(void **state)
         nkw_track t = floats(values, 4, (nkw_interpolation)(i % 3));
         t.kind = i % 2 ? NKW_TRACK_ROTATION : NKW_TRACK_FLOATS;
         float time = random_between(&r, 0, 3), a[4], b[4], c[4];
-        nkw_track_sample(&t, time, a);
-        nkw_track_sample_cursor(&t, time, &cursor, b);
+        nkw_track_sample(&t, time, NULL, a);
+        nkw_track_sample(&t, time, &cursor, b);
         nkw_track_sample_segment(&t, nkw_segment_find(times4, 4, time), c);
         expect_floats_bits(b, a, 4);
         expect_floats_bits(c, a, 4);
@@ -250,11 +250,11 @@ static void keys_that_are_off_unit_are_taken_as_they_stand(void **state)
         for (int k = 0; k < 4; k++)
             memcpy(values + 4 * k, k == 1 ? &a : &b, sizeof a);
         nkw_track track = rotations(values, NKW_INTERPOLATION_LINEAR);
-        nkw_track_sample(&track, time, got);
+        nkw_track_sample(&track, time, NULL, got);
         textbook_slerp(values + 4, values + 8, t, want);
         for (int k = 0; k < 4; k++)
             expect_near(got[k], want[k], 5e-7);
-        nkw_track_sample(&track, 2.2f, got);
+        nkw_track_sample(&track, 2.2f, NULL, got);
         expect_floats_bits(got, values + 12, 4);
     }
 }
@@ -367,7 +367,7 @@ static void anything_at_all_stays_within_its_arrays(void **state)
             values[k] = float_of((uint32_t)random_bits(&r));
         t.times = times;
         t.values = values;
-        nkw_track_sample(&t, float_of((uint32_t)random_bits(&r)), out);
+        nkw_track_sample(&t, float_of((uint32_t)random_bits(&r)), NULL, out);
         nkw_track_validate(&t, NULL);
         free(times);
         free(values);

@@ -30,7 +30,7 @@ static nkw_quat about_z(float degrees)
 static nkw_quat sample(const nkw_track *t, float time)
 {
     float v[4];
-    nkw_track_sample(t, time, v);
+    nkw_track_sample(t, time, NULL, v);
     nkw_quat q = {v[0], v[1], v[2], v[3]};
     return q;
 }
@@ -40,19 +40,20 @@ static void a_negated_key_sends_cubicspline_the_long_way(void **state)
 {
     (void)state;
     float values[2 * TRIPLE] = {0}, aligned[2 * TRIPLE];
-    size_t negated;
+    size_t negated, first;
     put(values + 4, about_z(0));
     put(values + TRIPLE + 4, nkw_quat_negate(about_z(90)));
     nkw_track t = cubic(values, 2);
     assert_int_equal(nkw_track_validate(&t, NULL), NKW_OK);
     expect_rotation_near(sample(&t, 0.5f), about_z(-135), 1e-6);
-    assert_int_equal(nkw_track_long_arc(&t, 0), 0);
-    assert_int_equal(nkw_track_long_arc(&t, 1), 2);
-    assert_int_equal(nkw_track_align(&t, aligned, &negated), NKW_OK);
-    assert_int_equal(negated, 1);
+    assert_int_equal(nkw_track_align(&t, NULL, &negated, &first), NKW_OK);
+    assert_true(negated == 1 && first == 1);
+    assert_int_equal(nkw_track_align(&t, aligned, &negated, &first), NKW_OK);
+    assert_true(negated == 1 && first == 1);
     t.values = aligned;
     expect_rotation_near(sample(&t, 0.5f), about_z(45), 1e-6);
-    assert_int_equal(nkw_track_long_arc(&t, 0), 2);
+    assert_int_equal(nkw_track_align(&t, NULL, &negated, &first), NKW_OK);
+    assert_true(negated == 0 && first == 0);
 }
 
 static void draw(random_source *r, float *values, nkw_quat *keys, int any_sign)
@@ -74,21 +75,24 @@ static void aligned_keys_have_no_long_arcs_and_the_same_rotations(void **state)
     for (int i = 0; i < 2000; i++) {
         float values[KEYS * TRIPLE], original[KEYS * TRIPLE];
         nkw_quat keys[KEYS];
-        size_t negated, opposed = 0;
+        size_t counted, negated, first, opposed = 0;
         draw(&r, values, keys, 1);
         memcpy(original, values, sizeof values);
         nkw_track t = cubic(values, KEYS);
-        assert_int_equal(nkw_track_align(&t, values, &negated), NKW_OK);
-        assert_int_equal(nkw_track_long_arc(&t, 0), KEYS);
+        assert_int_equal(nkw_track_align(&t, NULL, &counted, &first), NKW_OK);
+        assert_memory_equal(values, original, sizeof values);
+        assert_int_equal(nkw_track_align(&t, values, &negated, NULL), NKW_OK);
+        assert_int_equal(counted, negated);
         for (int k = 0; k < KEYS; k++) {
             int flipped = values[TRIPLE * k + 4] != original[TRIPLE * k + 4];
             for (int c = 0; c < TRIPLE; c++)
                 expect_bits(values[TRIPLE * k + c], flipped ? -original[TRIPLE * k + c] : original[TRIPLE * k + c]);
+            assert_int_equal(flipped && opposed == 0 ? k : (int)first, (int)first);
             opposed += (size_t)flipped;
         }
         assert_int_equal(negated, opposed);
-        assert_int_equal(nkw_track_align(&t, values, &negated), NKW_OK);
-        assert_int_equal(negated, 0);
+        assert_int_equal(nkw_track_align(&t, values, &negated, &first), NKW_OK);
+        assert_true(negated == 0 && first == 0);
     }
 }
 
@@ -105,8 +109,8 @@ static void signs_of_triples_do_not_change_the_aligned_curve(void **state)
             for (int c = 0; c < TRIPLE; c++)
                 flipped[TRIPLE * k + c] = (i >> k) & 1 ? -values[TRIPLE * k + c] : values[TRIPLE * k + c];
         nkw_track a = cubic(values, KEYS), b = cubic(flipped, KEYS);
-        nkw_track_align(&a, values, NULL);
-        nkw_track_align(&b, flipped, NULL);
+        nkw_track_align(&a, values, NULL, NULL);
+        nkw_track_align(&b, flipped, NULL, NULL);
         float time = random_between(&r, 0.0f, 4.0f);
         expect_rotation_near(sample(&a, time), sample(&b, time), 0);
     }
@@ -122,8 +126,7 @@ static void linear_tracks_keep_their_rotations(void **state)
             put(values + 4 * k, nkw_quat_normalize(random_rotation(&r)));
         nkw_track t = {times, values, KEYS, 4, NKW_TRACK_ROTATION, NKW_INTERPOLATION_LINEAR, NULL}, u = t;
         u.values = aligned;
-        assert_int_equal(nkw_track_long_arc(&t, 0), KEYS);
-        assert_int_equal(nkw_track_align(&t, aligned, NULL), NKW_OK);
+        assert_int_equal(nkw_track_align(&t, aligned, NULL, NULL), NKW_OK);
         float time = random_between(&r, 0.0f, 4.0f);
         expect_rotation_near(sample(&t, time), sample(&u, time), 0);
     }
@@ -134,28 +137,25 @@ static void other_tracks_are_copied_or_refused(void **state)
     (void)state;
     const float values[8] = {1, 2, 3, 4, -1, -2, -3, -4};
     float out[8] = {0};
-    size_t negated = 7;
+    size_t negated = 7, first = 7;
     nkw_track t = {times, values, 2, 4, NKW_TRACK_FLOATS, NKW_INTERPOLATION_LINEAR, NULL};
-    assert_int_equal(nkw_track_align(&t, out, &negated), NKW_OK);
-    assert_int_equal(negated, 0);
+    assert_int_equal(nkw_track_align(&t, out, &negated, &first), NKW_OK);
+    assert_true(negated == 0 && first == 0);
     assert_memory_equal(out, values, sizeof values);
-    assert_int_equal(nkw_track_long_arc(&t, 0), 2);
     t.kind = NKW_TRACK_ROTATION;
     t.width = 3;
-    negated = 7;
+    negated = first = 7;
     out[0] = 9.0f;
-    assert_int_equal(nkw_track_align(&t, out, &negated), NKW_BAD_WIDTH);
-    assert_int_equal(negated, 0);
-    assert_int_equal(nkw_track_long_arc(&t, 0), 2);
+    assert_int_equal(nkw_track_align(&t, out, &negated, &first), NKW_BAD_WIDTH);
+    assert_true(negated == 0 && first == 0);
     t.count = 0;
     t.values = NULL;
-    assert_int_equal(nkw_track_long_arc(&t, 0), 0);
-    assert_int_equal(nkw_track_align(&t, out, NULL), NKW_EMPTY);
+    assert_int_equal(nkw_track_align(&t, out, NULL, NULL), NKW_EMPTY);
     expect_bits(out[0], 9.0f);
 }
 
-/* The mode of each key decides; a segment that is not CUBICSPLINE goes the short way. */
-static void keys_of_other_modes_have_no_long_arc(void **state)
+/* A key is aligned with the one before, whatever the interpolation between them. */
+static void keys_of_all_modes_are_aligned(void **state)
 {
     (void)state;
     float values[3 * TRIPLE] = {0};
@@ -166,8 +166,9 @@ static void keys_of_other_modes_have_no_long_arc(void **state)
     put(values + 2 * TRIPLE + 4, about_z(100));
     nkw_track t = cubic(values, 3);
     t.key_interpolation = modes;
-    assert_int_equal(nkw_track_long_arc(&t, 0), 1);
-    assert_int_equal(nkw_track_long_arc(&t, SIZE_MAX), 3);
+    size_t negated, first;
+    assert_int_equal(nkw_track_align(&t, NULL, &negated, &first), NKW_OK);
+    assert_true(negated == 1 && first == 1);
 }
 
 int main(void)
@@ -178,7 +179,7 @@ int main(void)
         cmocka_unit_test(signs_of_triples_do_not_change_the_aligned_curve),
         cmocka_unit_test(linear_tracks_keep_their_rotations),
         cmocka_unit_test(other_tracks_are_copied_or_refused),
-        cmocka_unit_test(keys_of_other_modes_have_no_long_arc),
+        cmocka_unit_test(keys_of_all_modes_are_aligned),
     };
     return cmocka_run_group_tests_name("track_align", tests, NULL, NULL);
 }

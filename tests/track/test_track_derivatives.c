@@ -5,6 +5,7 @@
 #include "four_keys.h"
 #include "random.h"
 #include "support/expect.h"
+#include "support/motion_span.h"
 
 /* Four keys of two numbers with their tangents. */
 static void draw(random_source *r, float triples[24])
@@ -15,7 +16,8 @@ static void draw(random_source *r, float triples[24])
 
 static void derivatives(const nkw_track *track, float time, float *value, float *velocity, float *acceleration)
 {
-    assert_int_equal(nkw_track_sample_derivatives(track, time, value, velocity, acceleration), NKW_OK);
+    const nkw_motion_span out = {value, velocity, acceleration};
+    assert_int_equal(nkw_track_sample_motion(track, time, out), NKW_OK);
 }
 
 static void value_has_the_bits_of_the_sample(void **state)
@@ -27,7 +29,7 @@ static void value_has_the_bits_of_the_sample(void **state)
         draw(&r, v);
         nkw_track track = floats(v, 2, (nkw_interpolation)(i % 3));
         derivatives(&track, time, at, velocity, acceleration);
-        nkw_track_sample(&track, time, want);
+        nkw_track_sample(&track, time, NULL, want);
         expect_floats_bits(at, want, 2);
     }
 }
@@ -119,19 +121,46 @@ static void each_key_may_choose_its_interpolation(void **state)
     expect_bits(velocity[1], v[17]);
 }
 
-static void rotations_and_empty_tracks_are_refused(void **state)
+static void tracks_that_cannot_be_read_are_refused(void **state)
 {
     (void)state;
     static const float v[16] = {0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1};
-    nkw_track rotation = rotations(v, NKW_INTERPOLATION_LINEAR), empty = floats(v, 1, NKW_INTERPOLATION_LINEAR),
-              narrow = floats(v, 0, NKW_INTERPOLATION_LINEAR);
+    nkw_track empty = floats(v, 1, NKW_INTERPOLATION_LINEAR), narrow = floats(v, 0, NKW_INTERPOLATION_LINEAR),
+              none = rotations(v, NKW_INTERPOLATION_LINEAR), thin = none;
     float at[4] = {9, 9, 9, 9}, velocity[4] = {9, 9, 9, 9}, acceleration[4] = {9, 9, 9, 9};
-    empty.count = 0;
-    assert_int_equal(nkw_track_sample_derivatives(&rotation, 1, at, velocity, acceleration), NKW_BAD_METHOD);
-    assert_int_equal(nkw_track_sample_derivatives(&empty, 1, at, velocity, acceleration), NKW_EMPTY);
-    assert_int_equal(nkw_track_sample_derivatives(&narrow, 1, at, velocity, acceleration), NKW_EMPTY);
+    const nkw_motion_span out = {at, velocity, acceleration};
+    empty.count = none.count = 0;
+    thin.width = 3;
+    assert_int_equal(nkw_track_sample_motion(&empty, 1, out), NKW_EMPTY);
+    assert_int_equal(nkw_track_sample_motion(&narrow, 1, out), NKW_EMPTY);
+    assert_int_equal(nkw_track_sample_motion(&none, 1, out), NKW_EMPTY);
+    assert_int_equal(nkw_track_sample_motion(&thin, 1, out), NKW_BAD_WIDTH);
+    assert_int_equal(nkw_track_sample(&empty, 1, NULL, at), NKW_EMPTY);
+    assert_int_equal(nkw_track_sample(&thin, 1, NULL, at), NKW_BAD_WIDTH);
     for (int i = 0; i < 4; i++)
         assert_true(at[i] == 9 && velocity[i] == 9 && acceleration[i] == 9);
+}
+
+/* Each of the three may be left out; the others have the same bits. */
+static void what_is_not_wanted_may_be_null(void **state)
+{
+    (void)state;
+    random_source r = random_from(7);
+    for (int i = 0; i < 64; i++) {
+        float v[48], all[3][4] = {{0}}, some[3][4] = {{0}};
+        draw(&r, v);
+        draw(&r, v + 24);
+        nkw_track track = i % 2 ? rotations(v, NKW_INTERPOLATION_CUBICSPLINE) : floats(v, 2, NKW_INTERPOLATION_CUBICSPLINE);
+        const nkw_motion_span whole = {all[0], all[1], all[2]};
+        const nkw_motion_span part = {i & 2 ? some[0] : NULL, i & 4 ? some[1] : NULL, i & 8 ? some[2] : NULL};
+        assert_int_equal(nkw_track_sample_motion(&track, 1.25f, whole), NKW_OK);
+        assert_int_equal(nkw_track_sample_motion(&track, 1.25f, part), NKW_OK);
+        for (int k = 0; k < 3; k++)
+            if (i & (2 << k))
+                expect_floats_bits(some[k], all[k], 4);
+            else
+                expect_bits(some[k][0], 0);
+    }
 }
 
 /* Four unit keys, each at most 1 rad from the one before, with tangents for CUBICSPLINE: 48 or 16 floats. */
@@ -149,7 +178,7 @@ static void draw_rotations(random_source *r, int cubic, float *v)
 static nkw_quat_motion rotation_at(const nkw_track *track, float time)
 {
     nkw_quat_motion s;
-    assert_int_equal(nkw_track_sample_rotation(track, time, &s), NKW_OK);
+    assert_int_equal(nkw_track_sample_motion(track, time, quat_motion_span(&s)), NKW_OK);
     return s;
 }
 
@@ -163,7 +192,7 @@ static void orientation_has_the_bits_of_the_sample(void **state)
         nkw_track track = rotations(v, (nkw_interpolation)(i % 3));
         track.kind = i % 2 ? NKW_TRACK_ROTATION_NORMALIZED : NKW_TRACK_ROTATION;
         nkw_quat_motion s = rotation_at(&track, time);
-        nkw_track_sample(&track, time, want);
+        nkw_track_sample(&track, time, NULL, want);
         expect_floats_bits(&s.value.x, want, 4);
     }
 }
@@ -247,22 +276,6 @@ static void rotations_that_stand_still_have_no_velocity(void **state)
     expect_vec3_bits(rotation_at(&track, 1.5f).velocity, none);
 }
 
-static void numbers_and_empty_tracks_have_no_rotation(void **state)
-{
-    (void)state;
-    static const float v[16] = {0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1};
-    nkw_track numbers = floats(v, 4, NKW_INTERPOLATION_LINEAR), empty = rotations(v, NKW_INTERPOLATION_LINEAR),
-              narrow = rotations(v, NKW_INTERPOLATION_LINEAR);
-    const nkw_quat_motion untouched = {{9, 9, 9, 9}, {9, 9, 9}, {9, 9, 9}};
-    nkw_quat_motion s = untouched;
-    empty.count = 0;
-    narrow.width = 3;
-    assert_int_equal(nkw_track_sample_rotation(&numbers, 1, &s), NKW_BAD_METHOD);
-    assert_int_equal(nkw_track_sample_rotation(&empty, 1, &s), NKW_EMPTY);
-    assert_int_equal(nkw_track_sample_rotation(&narrow, 1, &s), NKW_BAD_WIDTH);
-    assert_memory_equal(&s, &untouched, sizeof s);
-}
-
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -272,13 +285,13 @@ int main(void)
         cmocka_unit_test(derivatives_outside_the_keys_are_zero),
         cmocka_unit_test(an_empty_segment_has_no_velocity),
         cmocka_unit_test(each_key_may_choose_its_interpolation),
-        cmocka_unit_test(rotations_and_empty_tracks_are_refused),
+        cmocka_unit_test(tracks_that_cannot_be_read_are_refused),
+        cmocka_unit_test(what_is_not_wanted_may_be_null),
         cmocka_unit_test(orientation_has_the_bits_of_the_sample),
         cmocka_unit_test(velocity_and_acceleration_are_those_of_neighbouring_samples),
         cmocka_unit_test(a_slerp_turns_at_constant_velocity_along_the_shorter_arc),
         cmocka_unit_test(a_key_has_the_angular_velocity_of_its_tangent),
         cmocka_unit_test(rotations_that_stand_still_have_no_velocity),
-        cmocka_unit_test(numbers_and_empty_tracks_have_no_rotation),
     };
     return cmocka_run_group_tests_name("track_derivatives", tests, NULL, NULL);
 }

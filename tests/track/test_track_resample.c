@@ -76,7 +76,7 @@ static void resampled_keys_are_samples_until_the_end_is_reached_or_passed(void *
         assert_int_equal(out.interpolation, i % 3 == 1 ? NKW_INTERPOLATION_STEP : NKW_INTERPOLATION_LINEAR);
         expect_bits(error, track_difference(&t, &out, work));
         for (size_t k = 0; k < count; k++) {
-            nkw_track_sample(&t, times[k], want);
+            nkw_track_sample(&t, times[k], NULL, want);
             expect_floats_bits(made + 4 * k, want, 4);
         }
     }

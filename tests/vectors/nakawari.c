@@ -123,7 +123,7 @@ static void gltf_cubicspline(const value *in, value *out)
     const float values[6] = {0.0f, number(in + 1), out0, in1, number(in + 4), 0.0f};
     floats(in, times);
     nkw_track track = {times, values, 2, 1, NKW_TRACK_FLOATS, NKW_INTERPOLATION_CUBICSPLINE, NULL};
-    nkw_track_sample(&track, number(in + 5), &x);
+    nkw_track_sample(&track, number(in + 5), NULL, &x);
     put_number(out, x);
 }
 
@@ -330,7 +330,7 @@ static void events_passed(const value *in, value *out)
     size_t keys[VECTORS_NUMBERS], passed;
     floats(in, times);
     nkw_playback_step step = {times, (size_t)in[0].count, number(in + 1), number(in + 2), number(in + 3)};
-    nkw_playback_passed(&step, keys, &passed, VECTORS_NUMBERS);
+    nkw_playback_passed(&step, keys, VECTORS_NUMBERS, &passed);
     put_number(out, (float)passed);
     out[1].count = (int)passed;
     for (size_t i = 0; i < passed; i++)
@@ -458,7 +458,7 @@ static void rotation_track(const float *values, nkw_interpolation interpolation,
     float t[2], q[4];
     floats(times, t);
     nkw_track track = {t, values, 2, 4, NKW_TRACK_ROTATION, interpolation, NULL};
-    nkw_track_sample(&track, time, q);
+    nkw_track_sample(&track, time, NULL, q);
     put(out, q, 4);
 }
 

@@ -57,14 +57,14 @@ function autoHandles(N, i, o) {
 function dialects(N, i, o, round) {
   const n = some(i), { s } = i, keys = [], blender = [], slopes = fcurveKeys(N, i, 4, k => ({
     inSlope: s[k], outSlope: s[k + 1], inWeight: abs(s[k + 2]), outWeight: abs(s[k + 3]), weighted: (k + n) % 4 }));
-  N.fcurveKeysFromSlopes(slopes, 4, n % 3, keys);
-  N.blenderFromFcurveKeys(keys, 4, blender);
+  N.fcurveFromSlopeKeys(slopes, 4, n % 3, keys);
+  N.blenderKeysFromFcurve(keys, 4, blender);
   put(o, 0, blender[1].left, blender[1].center, blender[1].right, keys[1].in);
-  N.slopesFromFcurveKeys(keys, 4, (n + 1) % 3, slopes);
+  N.slopeKeysFromFcurve(keys, 4, (n + 1) % 3, slopes);
   put(o, 8, slopes[1].inSlope, slopes[1].outSlope, slopes[1].inWeight, slopes[1].outWeight);
   if (round % 16 === 0 && n % 6 === 1)
     tracksOfFcurves(N, o, keys, N.lerp(i.keys[0][0], i.keys[3][0], i.t));
-  N.fcurveKeysFromCss(s, keys);
+  N.fcurveFromCss(s, keys);
   put(o, 13, keys[0].out[1], keys[1].in[0]);
 }
 
@@ -100,7 +100,8 @@ const modes = { linear: 'INTERPOLATION_LINEAR', cubic: 'INTERPOLATION_CUBICSPLIN
 const sampled = (kind, mode) => (N, i, o) =>
   using(turns(N, i, { kind: N[kind], interpolation: N[modes[mode]] }), track => track.sample(i.s[0], o));
 const turned = mode => (N, i, o) =>
-  using(turns(N, i, { interpolation: N[modes[mode]] }), track => N.trackSampleRotation(track, i.s[0], o));
+  using(turns(N, i, { interpolation: N[modes[mode]] }), track => 
+    track.sampleMotion(i.s[0], o, o.subarray(4), o.subarray(7)));
 
 const edits = {
   trim: (N, track, s) => N.trackTrim(track, N.min(s[0], s[1]), N.max(s[0], s[1])),
@@ -161,27 +162,28 @@ function headF64(N, i, o) {
 function passed(N, i, o) {
   const number = [];
   try {
-    N.playbackPassed({ times: i.s.slice(0, 4), duration: 10, from: i.s[4], to: F(i.s[4] + 25) }, null, number, 0);
+    N.playbackPassed({ times: i.s.slice(0, 4), duration: 10, from: i.s[4], to: F(i.s[4] + 25) }, null, 0, number);
     put(o, 0, number);
   } catch {
     o[0] = 0;
   }
 }
 
-function passedF64(N, i, o) {
+function passedFar(N, i, o) {
   const keys = [0], number = [], from = 1e6 * i.s[0];
-  N.playbackPassedF64({ times: i.times, duration: 4.7, from, to: from + 9 * i.s[1] }, keys, number, 1);
+  N.playbackPassed({ times: i.times, duration: 4.7, from, to: from + 9 * i.s[1] }, keys, 1, number);
   put(o, 0, number, keys);
 }
 
 function timecode(N, i, o) {
   const ntsc = { numerator: 30000n, denominator: 1001n }, fbx = { numerator: 46186158000n, denominator: 1n };
-  const round = i.s[1] > 0 ? N.ROUND_DOWN : N.ROUND_UP, [ticks, frames, frame, label] = [[], [], [], {}];
+  const round = i.s[1] > 0 ? N.ROUND_DOWN : N.ROUND_UP, [ticks, frames, frame, seconds, label] = [[], [], [], [], {}];
   N.ticksFromSeconds(1e4 * i.s[0], fbx, round, ticks);
   N.ticksConvert(ticks[0], fbx, ntsc, round, frames);
-  put(o, 0, twoFloats(Number(ticks[0])), Number(frames[0]), twoFloats(N.secondsFromTicks(frames[0], ntsc)));
+  N.ticksToSeconds(frames[0], ntsc, seconds);
+  put(o, 0, twoFloats(Number(ticks[0])), Number(frames[0]), twoFloats(seconds[0]));
   N.timecodeFromFrame(frames[0] < 0n ? -frames[0] : frames[0], 30, 1, label);
-  N.frameFromTimecode(label, 30, 1, frame);
+  N.timecodeToFrame(label, 30, 1, frame);
   put(o, 5, label.minutes, label.seconds, label.frames, Number(frame[0]));
 }
 
@@ -440,7 +442,7 @@ export const rowsOfFunctions = {
   track_reduce_cubic: reduced('TRACK_FLOATS', 'cubic', 0.5),
   track_reduce_turns: reduced('TRACK_ROTATION_NORMALIZED', 'linear', 0.1),
   track_fit: fit,
-  playback_head_f64: headF64, playback_passed: passed, playback_passed_f64: passedF64,
+  playback_head_f64: headF64, playback_passed: passed, playback_passed_far: passedFar,
   timecode,
   root_split: rootSplit,
   root_delta: (N, i, o) =>

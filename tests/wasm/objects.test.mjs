@@ -64,7 +64,8 @@ for (const [build, clips] of [...await both('clips'), ...await both('all')]) {
 
   test(`${build}: derivatives of a track`, () => {
     const track = new Track({ times: [0, 2], values: [1, 5] }), [v, d, s] = [[], [], []];
-    track.sampleDerivatives(1, v, d, s);
+    track.sampleMotion(1, v, d, s);
+    track.sampleMotion(1, null, [], null);
     assert.deepEqual([v, d, s], [[3], [2], [0]]);
     track.dispose();
   });

@@ -23,7 +23,6 @@ for (const [build, n] of await both('all')) {
     for (const time of [0.1, 0.4, 0.5, 0.8, 1.5])
       near(before.sample(time, []), after.sample(time, []), 1e-4);
     assert.throws(() => new n.FCurve({ keys: [keys[1], keys[0]] }), { index: 1 });
-    assert.equal(n.fcurveFindRegression(keys, 3), 3);
     [before, after].forEach(object => object.dispose());
   });
 
@@ -178,7 +177,7 @@ for (const [build, n] of await both('all')) {
     assert.deepEqual(box, { low: [0, 0, 3], high: [1, 2, 5] });
     const keys = [], passed = [], clock = {};
     const range = { start: 0, duration: 2, before: n.PLAYBACK_LOOP, after: n.PLAYBACK_LOOP };
-    n.playbackPassed({ times: [0, 1], duration: 2, from: 0.5, to: 4.5 }, keys, passed, 8);
+    n.playbackPassed({ times: [0, 1], duration: 2, from: 0.5, to: 4.5 }, keys, 8, passed);
     assert.deepEqual([passed, keys.slice(0, 4)], [[4], [1, 0, 1, 0]]);
     assert.equal(n.playbackHeadF64({}, range, 1e6 + 0.25).time, 0.25);
     n.timecodeFromFrame(1800, 30, 1, clock);
@@ -254,9 +253,11 @@ for (const [build, n] of await both('all')) {
   test(`${build}: large records, and nothing remains`, () => {
     const keys = Array.from({ length: 5000 }, (_, k) =>
       ({ time: k, value: k, in: [0, 0], out: [0, 0], kind: n.FCURVE_LINEAR, ease: 0 }));
-    assert.equal(n.fcurveFindRegression(keys, 5000), 5000);
-    assert.throws(() => n.fcurveFindRegression(keys, 5001), RangeError);
-    assert.throws(() => n.fcurveFindRegression(null, 4), /no keys/);
+    const limited = [];
+    n.fcurveLimit(keys, 5000, n.HANDLE_KEEP_RATIO, limited);
+    assert.equal(limited.length, 5000);
+    assert.throws(() => n.fcurveLimit(keys, 5001, n.HANDLE_KEEP_RATIO, limited), RangeError);
+    assert.throws(() => n.fcurveLimit(null, 4, n.HANDLE_KEEP_RATIO, limited), /no keys/);
     for (const count of [1e9, NaN])
       assert.throws(() => new n.Pose(count), RangeError, `${count}`);
     const big = new n.FCurve({ keys });

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 #include "lane/strict.h"
 
+#include <nakawari/arrays.h>
 #include <nakawari/orient.h>
 
 #include "batch/orient.h"

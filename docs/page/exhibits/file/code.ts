@@ -16,9 +16,9 @@ static const float times[] = ${list(times)};
 static const float values[] = ${list(values)};
 const nkw_track track = {times, values, ${times.length}, ${width}, ${kind}, NKW_INTERPOLATION_${mode}, NULL};
 float value[${width}] = {0};
-size_t bad_key;
-if (nkw_track_validate(&track, &bad_key) != NKW_OK)
+size_t bad;
+if (nkw_track_validate(&track, &bad) != NKW_OK)
     return 1;
-nkw_track_sample(&track, ${list([time]).slice(1, -1)}, value);
+nkw_track_sample(&track, ${list([time]).slice(1, -1)}, NULL, value);
 show_floats("value", ${width}, value);`);
 }

@@ -76,7 +76,7 @@ function track(s: Keys, method: Method, count: number): Curve {
     interpolation: tangents ? N.INTERPOLATION_CUBICSPLINE
       : method === 'step' ? N.INTERPOLATION_STEP : N.INTERPOLATION_LINEAR });
   return time => {
-    made.sampleDerivatives(time, out[0], out[1], out[2]);
+    made.sampleMotion(time, out[0], out[1], out[2]);
     return out.map(x => x[0]);
   };
 }

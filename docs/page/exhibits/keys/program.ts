@@ -15,6 +15,7 @@ nkw_tcb tcb[COUNT];
 for (int i = 0; i < COUNT; i++)
     tcb[i] = (nkw_tcb){${[s.tension, s.continuity, s.bias].map(literal).join(', ')}};
 float p[3];
+const nkw_motion_span motion = {p, p + 1, p + 2};
 
 /* The segment of the time, for curves by their parameter. */
 const nkw_segment found = nkw_segment_find(times, COUNT, time);
@@ -25,9 +26,9 @@ const float t = found.index < COUNT - 1 ? found.t : 1.0f, h = times[k + 1] - tim
 const ofTrack = (name: string, j: number) => `
 nkw_track part = track;
 part.count = ${j + 1};
-nkw_track_sample_derivatives(&part, times[${j}], p, p + 1, p + 2);
+nkw_track_sample_motion(&part, times[${j}], motion);
 show("${name}", 0, (double)p[1]);
-nkw_track_sample_derivatives(&track, times[${j}], p, p + 1, p + 2);
+nkw_track_sample_motion(&track, times[${j}], motion);
 show("${name}", 1, (double)p[1]);`;
 
 const block = (lines: string) => `\n{${lines.replace(/\n(?=.)/g, '\n    ')}\n}`;
@@ -39,7 +40,7 @@ show("duration", 1, (double)(times[${j + 1}] - times[${j}]));`;
 
 const simple = (s: Keys, j?: number) => ['step', 'linear'].map(name => block(`
 const nkw_track track = {times, values, COUNT, 1, NKW_TRACK_FLOATS, NKW_INTERPOLATION_${name.toUpperCase()}, NULL};
-nkw_track_sample_derivatives(&track, time, p, p + 1, p + 2);
+nkw_track_sample_motion(&track, time, motion);
 show_floats("${name}", 3, p);${s.method === name && j !== undefined ? ofTrack('velocity', j) : ''}`)).join('');
 
 const point = `
@@ -57,7 +58,7 @@ for (int i = 0; i < COUNT; i++) {
 const nkw_track track = {times, triples, COUNT, 1, NKW_TRACK_FLOATS, NKW_INTERPOLATION_CUBICSPLINE, NULL};`;
 
 const bySecond = `
-nkw_track_sample_derivatives(&track, time, p, p + 1, p + 2);
+nkw_track_sample_motion(&track, time, motion);
 show_floats(name, 3, p);`;
 
 const bySegment = `

@@ -24,7 +24,7 @@ const nkw_playback_range range = {
 const nkw_play_head_f64 head = nkw_playback_head_f64(&range, to);
 const nkw_playback_step step = {times, ${times.length}, period, from, to};
 size_t keys[${shownKeys}], passed;
-if (nkw_playback_passed(&step, keys, &passed, ${shownKeys}) != NKW_OK)
+if (nkw_playback_passed(&step, keys, ${shownKeys}, &passed) != NKW_OK)
     return 1;
 show("step", 0, (double)from);
 show("step", 1, (double)to);
@@ -42,7 +42,7 @@ show("nearest", 0, (double)index[${near.entry}]);
 show("at", 0, (double)at);
 for (int i = 0; i < 4; i++) {
     const nkw_playback_step one = {&times[${near.entry}], 1, period, starts[i], stops[i]};
-    if (nkw_playback_passed(&one, NULL, &passed, 0) != NKW_OK)
+    if (nkw_playback_passed(&one, NULL, 0, &passed) != NKW_OK)
         return 1;
     show(names[i], 0, (double)passed);
 }

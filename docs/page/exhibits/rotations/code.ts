@@ -37,7 +37,8 @@ const nkw_quat values[] = {tangent, a, tangent, tangent, end, tangent};
 const float times[] = {0.0f, seconds};
 const nkw_track track = {times, &values[0].x, 2, 4, NKW_TRACK_ROTATION, NKW_INTERPOLATION_CUBICSPLINE, NULL};
 nkw_quat_motion state;
-if (nkw_track_sample_rotation(&track, t * seconds, &state) != NKW_OK)
+const nkw_motion_span out = {&state.value.x, &state.velocity.x, &state.acceleration.x};
+if (nkw_track_sample_motion(&track, t * seconds, out) != NKW_OK)
     return 1;
 q[NLERP] = nkw_quat_nlerp(a, b, t);
 w[NLERP] = state.velocity;

@@ -77,7 +77,7 @@ function byNlerp({ a, b }: Keys): Way {
     width: 4, kind: N.TRACK_ROTATION, interpolation: N.INTERPOLATION_CUBICSPLINE });
   const state = new Float32Array(10);
   return t => {
-    N.trackSampleRotation(track, Math.fround(t * seconds), state);
+    track.sampleMotion(Math.fround(t * seconds), state, state.subarray(4), state.subarray(7));
     return { q: N.quatNlerp(zeros(4), a, b, t), w: Array.from(state.subarray(4, 7)) };
   };
 }

@@ -59,7 +59,8 @@ const nkw_segment now = nkw_segment_find(times, COUNT, time);
 const size_t k = now.index < COUNT - 1 ? now.index : COUNT - 2;
 for (int m = 0; m < METHODS; m++) {
     nkw_quat_motion at = nkw_rotation_evaluate(&segments[m][k], now.index > k ? 1.0f : now.t);
-    if (m == GLTF && nkw_track_sample_rotation(&tracks[k], time, &at) != NKW_OK)
+    const nkw_motion_span to = {&at.value.x, &at.velocity.x, &at.acceleration.x};
+    if (m == GLTF && nkw_track_sample_motion(&tracks[k], time, to) != NKW_OK)
         return 1;
     show(names[m], 0, at.velocity.x);
     show(names[m], 1, at.velocity.y);
@@ -68,8 +69,9 @@ for (int m = 0; m < METHODS; m++) {
     for (int key = 1; key + 1 < COUNT; key++) { /* the jump of the angular velocity */
         nkw_quat_motion before = nkw_rotation_evaluate(&segments[m][key - 1], 1.0f);
         nkw_quat_motion after = nkw_rotation_evaluate(&segments[m][key], 0.0f);
-        if (m == GLTF && (nkw_track_sample_rotation(&tracks[key - 1], times[key], &before) != NKW_OK ||
-                          nkw_track_sample_rotation(&tracks[key], times[key], &after) != NKW_OK))
+        const nkw_motion_span first = {NULL, &before.velocity.x, NULL}, second = {NULL, &after.velocity.x, NULL};
+        if (m == GLTF && (nkw_track_sample_motion(&tracks[key - 1], times[key], first) != NKW_OK ||
+                          nkw_track_sample_motion(&tracks[key], times[key], second) != NKW_OK))
             return 1;
         show(key_names[m], key - 1, nkw_degrees_from_radians(nkw_vec3_distance(before.velocity, after.velocity)));
     }

@@ -100,7 +100,7 @@ function motionsOf(state: State) {
     if (method !== 'gltf')
       return N.rotationEvaluate(zeros(10), made[method][k], t);
     const out = new Float32Array(10);
-    N.trackSampleRotation(tracks[k], time, out);
+    tracks[k].sampleMotion(time, out, out.subarray(4), out.subarray(7));
     return Array.from(out);
   };
   const at = (method: Method, time: number) => {

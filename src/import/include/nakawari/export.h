@@ -61,7 +61,7 @@ NKW_API nkw_import_result nkw_document_write(const nkw_document *document, nkw_g
 /** A glTF file whose animations are replaced. */
 typedef struct nkw_gltf_rewriting {
     const nkw_import_memory
-        *source; /**< the bytes of the file; outer files are read as nkw_document_open_memory does */
+        *source; /**< the bytes of the file; outer files are read as nkw_document_from_memory does */
     const nkw_document *from; /**< the document of these bytes */
     const nkw_document *to; /**< the same with other tracks: as many animations, channels as in `from` */
     int embeds_images; /**< whether outer images become part of the file, as of a GLB, or in another folder: those that

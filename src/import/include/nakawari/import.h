@@ -246,7 +246,7 @@ NKW_SIZE(nkw_import_memory, 56, 28);
 NKW_API nkw_import_result nkw_document_open(const char *path, nkw_document **document, nkw_import_error *error);
 
 /** The same for a file in memory, which is not needed after the call. */
-NKW_API nkw_import_result nkw_document_open_memory(const nkw_import_memory *memory, nkw_document **document,
+NKW_API nkw_import_result nkw_document_from_memory(const nkw_import_memory *memory, nkw_document **document,
                                                    nkw_import_error *error);
 
 /** Frees the document and all that it points to. NULL is allowed. */
@@ -313,19 +313,24 @@ NKW_SIZE(nkw_document_vertices_span, 16, 8);
 NKW_API void nkw_document_morph(const nkw_document_primitive *primitive, const float *weights,
                                 nkw_document_vertices_span out);
 
+/** What moves at one time. */
+typedef struct nkw_document_moment {
+    const nkw_mat4 *models; /**< the model matrices of all joints */
+    const float *floats; /**< float_count morph weights of all joints, as nkw_clip_sample writes them; NULL: rest_floats */
+    const nkw_mat4 *palette; /**< of the joint's skin (nkw_document_palette); not read if it has none */
+} nkw_document_moment;
+NKW_SIZE(nkw_document_moment, 24, 12);
+
 /**
  * The vertices of a primitive of the mesh of a joint, in the space of the models: morphed, then skinned by
  * nkw_skin_linear, or moved by the joint's model matrix if the joint or the primitive has no skin.
  *
  * joint    less than skeleton.joint_count, with a mesh
- * models   of all joints
- * floats   float_count morph weights of all joints, as nkw_clip_sample writes them; NULL: rest_floats
- * palette  of the joint's skin; not read if it has none
+ * moment   see above
  * Returns  NKW_OUT_OF_RANGE if there is no such joint or primitive; nothing is then written
  */
 NKW_API nkw_result nkw_document_vertices(const nkw_document *document, size_t joint, size_t primitive,
-                                         const nkw_mat4 *models, const float *floats, const nkw_mat4 *palette,
-                                         nkw_document_vertices_span out);
+                                         const nkw_document_moment *moment, nkw_document_vertices_span out);
 
 /**
  * Checks all values that reading does not: every animation as nkw_clip_build does, every skin as

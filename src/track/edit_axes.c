@@ -1,9 +1,9 @@
 /* SPDX-License-Identifier: MIT */
 #include "lane/strict.h"
 
-#include <nakawari/track.h>
+#include <nakawari/edit.h>
 
-nkw_result nkw_track_convert_axes(const nkw_track *track, nkw_axes_kind kind, nkw_axes_map map, float *values)
+nkw_result nkw_track_convert_axes(const nkw_track *track, nkw_axes_map map, nkw_axes_kind kind, float *values)
 {
     size_t width = NKW_AXES_WIDTH(kind), count = nkw_track_value_count(track);
     if ((int)kind < 0 || kind >= NKW_AXES_KIND_COUNT)
