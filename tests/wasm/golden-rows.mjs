@@ -257,6 +257,19 @@ const motionRows = {
 const cubic = c => c.flatMap(x => [x, 0, 0]), xs = c => [0, 3, 6, 9].map(k => c[k]);
 const converted = (from, to) => (N, i, o) =>
   put(o, 0, xs(N.vec3CubicConvert([], cubic(i.cubic), N['CUBIC_' + from], N['CUBIC_' + to])));
+function throughKeys(N, i) {
+  const c = new Float32Array(4);
+  N.cubicFromCatmullRom(i.s.slice(0, 4), i.times, c);
+  return N.cubicEvaluate([], c, i.t, N.CUBIC_HERMITE);
+}
+const eased = kind => (N, i, o) => {
+  const steps = kind === 'STEPS', easing = {
+    kind: N['EASING_' + kind], curve: [abs(i.s[0]), i.s[1], abs(i.s[2]), i.s[3]], jump: i.path,
+    count: steps ? 1 + i.order : 4, inputs: steps ? null : i.times, outputs: steps ? null : i.s,
+  };
+  const all = N.easingEvaluate([], easing, kind === 'CUBIC_BEZIER' ? i.t : i.s[steps ? 0 : 5]);
+  put(o, 0, steps ? all.slice(0, 1) : all);
+};
 const withCubic = (from, to) => (N, i, o) => N.vec3CubicConvert(o, i.v.flat(), N['CUBIC_' + from], N['CUBIC_' + to]);
 
 function handlePoints(N, i, o) {
@@ -304,7 +317,8 @@ function reducedClip(N, i, o, round) {
 
 function traced(position, orientation) {
   return (N, i, o) => using(new N.Keyframes(i.keys.flat()), keys => {
-    const t = keys.trace(i.s[0], { position: N[position], orientation: N[orientation] }), padded = a => [...a, 0, 0, 0, 0].slice(0, 4);
+    const t = keys.trace(i.s[0], { position: N[position], orientation: N[orientation] });
+    const padded = a => [...a, 0, 0, 0, 0].slice(0, 4);
     put(o, 0, padded(t.weight), t.control[1] ?? [0, 0, 0], t.orientation[1], t.angles[0], t.halfAngle,
       t.orientationWeight[1]);
   });
@@ -382,6 +396,16 @@ const otherRows = {
   handle_sample: handlePoints,
   handle_limit: (N, i, o) => ['RATIO', 'START'].map(name => N['HANDLE_KEEP_' + name]).concat(N.HANDLE_CONTAIN)
     .forEach((policy, k) => put(o, 4 * k, N.handleLimit([], handles(i), policy).slice(2, 6))),
+  vec3_cubic_sum: (N, i, o) =>
+    N.vec3CubicSum(o, i.v.flat().slice(0, 12), N.cubicWeights([], N.CUBIC_BEZIER, 0, i.t)),
+  vec3_catmull_rom_timed: (N, i, o) => {
+    const c = N.vec3CubicFromCatmullRom([], i.v.flat().slice(0, 12), i.times);
+    N.vec3Hermite(o, ...[0, 3, 6, 9].map(k => c.slice(k, k + 3)), i.t);
+  },
+  catmull_rom_timed: (N, i, o) => put(o, 0, throughKeys(N, i).slice(0, 1)),
+  catmull_rom_timed_motion: (N, i, o) => put(o, 0, throughKeys(N, i)),
+  easing_cubic_bezier: eased('CUBIC_BEZIER'), easing_steps: eased('STEPS'), easing_linear: eased('LINEAR'),
+  rotation_from_squad_control: (N, i, o) => put(o, 0, N.rotationFromSquad({}, i.q.flat().slice(0, 16), 1).control.flat().slice(4, 8)),
   ease_evaluate: (N, i, o) => [0, 1, 2, 3].forEach(k =>
     put(o, 3 * k, N.easeEvaluate([], (10 * k + some(i)) % (N.EASE_CSS_STEP_END + 1), i.t))),
   timeline_from_times: (N, i, o) => {
