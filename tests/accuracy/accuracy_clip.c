@@ -51,7 +51,7 @@ static int sample(drawn *d, int is_rotation, float time, float *pose)
                        NULL};
     nkw_clip_track placed = {is_rotation ? NKW_CLIP_ROTATION : NKW_CLIP_TRANSLATION, 0, track};
     nkw_clip_source source = {&d->track, 1, 1, 0, {NULL, 0}, NULL, NKW_CLIP_UNORM16, NULL};
-    size_t bad;
+    size_t bytes;
     d->track = placed;
     d->track.track.times = d->times;
     if (nkw_clip_build(&source, bytes_span(block, sizeof block), &bytes, NULL, work) != NKW_OK)

@@ -38,7 +38,7 @@ static vertex draw_vertex(const float *x, int influences, float low, float sprea
     }
     nkw_skin_view in = {v.weight, 0, NKW_SKIN_F32};
     nkw_skin_span out = {v.weight, 0, NKW_SKIN_F32};
-    nkw_skin_normalize_weights(in, out, (size_t)influences, 1);
+    nkw_skin_normalize_weights(in, (size_t)influences, 1, out);
     v.position = random_vec3(&r, -2.0f, 2.0f);
     v.normal = random_direction(&r);
     return v;
