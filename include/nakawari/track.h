@@ -172,8 +172,8 @@ NKW_API nkw_result nkw_track_sample_segment(const nkw_track *track, nkw_segment 
  * out      receives `width` floats in each of its arrays that is not NULL; of rotations 4, 3 and 3
  * Returns  as nkw_track_sample
  *
- * Error  of numbers 1.0 u of the larger of the derivative and the largest of |b - a|/h, |v0|, |v1|, divided by h for
- *        the second. Of rotations 1.0 u of the velocity, of its length for LINEAR, of S = 2 |p'|/|p| for CUBICSPLINE;
+ * Error  1.0 u of the larger of the derivative and the largest of |b - a|/h, |v0|, |v1|, divided by h for the second,
+ *        for numbers. Of rotations 1.0 u of the velocity, of its length for LINEAR, of S = 2 |p'|/|p| for CUBICSPLINE;
  *        1.0 u of the acceleration, of 2 |p''|/|p| + S^2; for keys up to 1 rad apart. All at the rounded t of the
  *        segment.
  */

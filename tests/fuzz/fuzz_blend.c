@@ -80,7 +80,10 @@ static void additive(fuzz *f, size_t n, int wild)
     const float *a = fuzz_pose(f, n, wild), *ref = fuzz_pose(f, n, wild), *mask = draw_mask(f, n, wild);
     float *delta = fuzz_room(f, NKW_POSE_FLOATS(n)), *out = fuzz_room(f, NKW_POSE_FLOATS(n));
     nkw_additive side = (nkw_additive)fuzz_choice(f, 1);
-    nkw_pose_additive_build(pose_view(a, n), pose_view(ref, n), side, pose_span(delta, n));
+    nkw_result result = nkw_pose_additive_build(pose_view(a, n), pose_view(ref, n), side, pose_span(delta, n));
+    FUZZ_CHECK(result == ((unsigned)side > 1 ? NKW_BAD_METHOD : NKW_OK));
+    if (result != NKW_OK)
+        return;
     FUZZ_CHECK(wild || finite_pose(delta, n));
     nkw_pose_additive_apply(pose_view(ref, n), pose_view(delta, n), wild ? fuzz_float(f) : 1.0f, mask_view(mask, n),
                             side, pose_span(out, n));

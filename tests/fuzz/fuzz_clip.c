@@ -41,7 +41,10 @@ static void list(fuzz *f, const nkw_clip *clip)
     const nkw_track_span nowhere = {NULL, NULL, NULL, 0};
     for (size_t i = 0; i < 3 && i < count; i++) {
         nkw_clip_track shape, out;
-        FUZZ_CHECK(nkw_clip_track_get(clip, i * (count / 3), nowhere, &shape, none) != NKW_OK);
+        nkw_result asked = nkw_clip_track_get(clip, i * (count / 3), nowhere, &shape, none);
+        FUZZ_CHECK(asked != NKW_OK);
+        if (asked != NKW_TOO_SMALL)
+            continue; /* a damaged clip */
         size_t keys = shape.track.count, capacity = keys - (fuzz_byte(f) % 8 == 0);
         nkw_track_span m = {fuzz_room(f, capacity), fuzz_room(f, 3 * capacity * shape.track.width),
                              fuzz_block(f, capacity), capacity};
@@ -190,6 +193,7 @@ static void reduce_keys(fuzz *f, const random_clip *c)
     const nkw_work work = fuzz_work(f, NKW_CLIP_REDUCE_WORK(c->source.track_count, joints, c->source.float_count));
     const nkw_clip_reduction reduction = {NULL, fuzz_float(f), fuzz_float(f), NULL, NULL, fuzz_float(f)};
     nkw_clip_source_reduced out;
+    out.bytes = 0;
     nkw_result result = nkw_clip_source_reduce(&c->source, &reduction, bytes_span(NULL, 0), &out, &bad, work);
     const nkw_bytes_span block = {fuzz_block(f, out.bytes), out.bytes};
     if (out.bytes)

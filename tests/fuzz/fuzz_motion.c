@@ -143,8 +143,8 @@ static void counts(fuzz *f)
         nkw_ticks_convert(count, a, b, NKW_ROUND_UP, &back) == NKW_OK)
         FUZZ_CHECK(back == out || back == out + 1);
     double seconds;
-    nkw_ticks_to_seconds(count, a, &seconds);
-    if (count > -(INT64_C(1) << 51) && count < INT64_C(1) << 51 && seconds == seconds)
+    nkw_result result = nkw_ticks_to_seconds(count, a, &seconds);
+    if (count > -(INT64_C(1) << 51) && count < INT64_C(1) << 51 && result == NKW_OK)
         FUZZ_CHECK(nkw_ticks_from_seconds(seconds, a, NKW_ROUND_NEAREST, &back) == NKW_OK && back == count);
     nkw_ticks_from_seconds(draw_double(f), b, round, &out);
     nkw_timecode t;

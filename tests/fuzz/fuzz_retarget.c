@@ -72,9 +72,12 @@ static void spaces(fuzz *f, int wild)
     nkw_blendspace space = {fuzz_floats(f, count * dimension, wild), count, dimension, NKW_BLENDSPACE_CARTESIAN};
     space.kind = (nkw_blendspace_kind)fuzz_choice(f, 1);
     float *weights = fuzz_room(f, count), sum = 0.0f;
-    nkw_blendspace_weights(&space, fuzz_floats(f, dimension, wild), weights);
+    nkw_result known = nkw_blendspace_weights(&space, fuzz_floats(f, dimension, wild), weights);
     nkw_result result = nkw_blendspace_validate(&space, &bad);
     FUZZ_CHECK(bad == 0 || bad < count);
+    FUZZ_CHECK(known == NKW_OK || result != NKW_OK);
+    if (known != NKW_OK)
+        return;
     for (size_t i = 0; i < count; i++) {
         FUZZ_CHECK(weights[i] >= 0.0f && weights[i] <= 1.0f);
         sum += weights[i];
