@@ -179,7 +179,7 @@ int figure_foot_lock(const char *path)
 {
     const svg_plot plot = {{70.0f, 90.0f, 820.0f, 330.0f}, {0.0f, 3.0f, 0.5f, "time, s"}, {-0.2f, 1.6f, 0.2f, "x, m"}};
     svg_point animated[FRAMES + 1], shown[FRAMES + 1];
-    nkw_foot foot = {{0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {{{0, 0, 0}, {0, 0, 0}, {0, 0, 0}}, 0.0f}, 0.0f, 0, 0};
+    nkw_foot foot = {0};
     const nkw_foot_rules rules = NKW_FOOT_RULES;
     svg s;
     if (!figure_open(&s, path, 940.0f, 490.0f, "A foot that slides on the ground, and the locked foot",

@@ -125,13 +125,12 @@ static nkw_state cross_fade(float time)
 
 static nkw_state shown(int kind, float time)
 {
-    const nkw_inertia inertia = nkw_inertia_begin(old_motion(begin), new_motion(begin), duration);
-    const nkw_dead_blend dead = {old_motion(begin), 0.08f, duration};
+    const nkw_offset_kind way = kind == DEAD ? NKW_OFFSET_DEAD_BLEND : NKW_OFFSET_INERTIA;
+    nkw_offset offset = {.kind = way, .duration = duration, .half_life = 0.08f};
+    nkw_offset_begin(&offset, old_motion(begin), new_motion(begin));
     if (time < begin)
         return old_motion(time);
-    return kind == CROSS_FADE ? cross_fade(time)
-           : kind == INERTIA  ? nkw_inertia_evaluate(inertia, new_motion(time), time - begin)
-                              : nkw_dead_blend_evaluate(&dead, new_motion(time), time - begin);
+    return kind == CROSS_FADE ? cross_fade(time) : nkw_offset_evaluate(&offset, new_motion(time), time - begin);
 }
 
 enum { FINE = 480 };

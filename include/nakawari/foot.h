@@ -43,11 +43,11 @@ typedef struct nkw_foot {
     nkw_vec3 animated; /**< the position of the animation at the last update */
     nkw_vec3 locked; /**< where the foot is locked, while in contact */
     nkw_vec3 position; /**< the result of the last update */
-    nkw_vec3_inertia inertia; /**< the transition in progress */
+    nkw_vec3_offset offset; /**< the transition in progress, an inertialisation */
     float time; /**< since it began */
     int started, contact;
 } nkw_foot;
-NKW_SIZE(nkw_foot, 88, 88);
+NKW_SIZE(nkw_foot, 124, 124);
 
 /**
  * Updates a foot, and returns the position at which it should be.
@@ -60,7 +60,7 @@ NKW_SIZE(nkw_foot, 88, 88);
  *
  * When contact begins, the foot is locked at the position of the animation. The
  * result blends from the present motion to the lock, and at the end of the contact from the lock to the animation, by
- * nkw_vec3_inertia_begin with rules->duration.
+ * nkw_vec3_offset_begin with rules->duration.
  *
  * animated  the position of the foot in the animation
  * ground    the height of the ground below the foot

@@ -145,7 +145,7 @@ NKW_SIZE(nkw_keyframe_trace, 256, 224);
  *
  * bad  receives the index of the first key with an error, 0 if there is none; may be NULL
  * Returns  NKW_OK; NKW_EMPTY without keys; NKW_NOT_FINITE for a number that is not finite; NKW_NOT_ASCENDING for a time
- *          less than the one before; NKW_NOT_UNIT for an orientation whose length differs from 1 by more than 1e-3
+ *          less than the one before; NKW_NOT_UNIT for an orientation whose length differs from 1 by more than 1e-2
  */
 NKW_API nkw_result nkw_keyframes_validate(const nkw_keyframe *keys, size_t count, size_t *bad);
 

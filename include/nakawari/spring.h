@@ -14,7 +14,7 @@
  *     critically damped   zeta = 1    the fastest spring that does not oscillate
  *     overdamped          zeta > 1    slower, does not oscillate
  *
- * The state of a value is its motion: the value and its rate of change. The goal is a motion too. To follow a goal
+ * The state of a value is the value and its rate of change. The goal has both too. To follow a goal
  * whose velocity is not known, pass 0 for it. If the goal itself moves with its velocity, the spring follows it without
  * a lag, and the goal of the next step is at goal.value + h goal.velocity.
  *
@@ -78,27 +78,24 @@ NKW_API nkw_spring nkw_spring_from_half_life(float half_life, float damping_rati
  */
 NKW_API nkw_spring nkw_spring_from_frequency(float frequency, float damping_ratio);
 
-/**
- * The frequency sqrt(stiffness) / (2 pi) in Hz, the inverse of nkw_spring_from_frequency.
- *
- * Error  1.01 u.
- */
-NKW_API float nkw_spring_frequency(nkw_spring spring);
+/** What a spring does, in the numbers that it can be made from. */
+typedef struct nkw_spring_description {
+    float frequency; /**< sqrt(stiffness) / (2 pi), Hz, as nkw_spring_from_frequency takes it */
+    float damping_ratio; /**< damping / (2 sqrt(stiffness)); 0 for no damping, infinity for drag alone */
+    /**
+     * Seconds in which the deviation from the goal, from rest, is halved for the first time, as
+     * nkw_spring_from_half_life takes it. Infinity without stiffness: the deviation stays.
+     */
+    float half_life;
+} nkw_spring_description;
+NKW_SIZE(nkw_spring_description, 12, 12);
 
 /**
- * The damping ratio damping / (2 sqrt(stiffness)). 0 for no damping, infinity for drag alone.
+ * The inverse of nkw_spring_from_frequency and of nkw_spring_from_half_life.
  *
- * Error  1.01 u.
+ * Error  1.01 u of each number.
  */
-NKW_API float nkw_spring_damping_ratio(nkw_spring spring);
-
-/**
- * The time in seconds in which the deviation from the goal, from rest, is halved for the first time: the inverse of
- * nkw_spring_from_half_life. Infinity without stiffness.
- *
- * Error  1.01 u.
- */
-NKW_API float nkw_spring_half_life(nkw_spring spring);
+NKW_API nkw_spring_description nkw_spring_describe(nkw_spring spring);
 
 /**
  * One step of a spring: the motion after h seconds.
@@ -176,32 +173,45 @@ NKW_API nkw_quat nkw_quat_damper_step(nkw_quat from, nkw_quat goal, float half_l
 typedef struct nkw_spring_timed {
     nkw_spring spring;
     float time_left; /**< seconds until the arrival */
+    nkw_state state; /**< what follows */
+    nkw_state point; /**< what it follows: {state.value, 0} at first. Of it only the value is read */
 } nkw_spring_timed;
-NKW_SIZE(nkw_spring_timed, 12, 12);
+NKW_SIZE(nkw_spring_timed, 28, 28);
+
+/** The same of a vector. */
+typedef struct nkw_vec3_spring_timed {
+    nkw_spring spring;
+    float time_left;
+    nkw_vec3_state state, point;
+} nkw_vec3_spring_timed;
+NKW_SIZE(nkw_vec3_spring_timed, 60, 60);
+
+/** The same of a rotation. */
+typedef struct nkw_quat_spring_timed {
+    nkw_spring spring;
+    float time_left;
+    nkw_quat_state state, point;
+} nkw_quat_spring_timed;
+NKW_SIZE(nkw_quat_spring_timed, 68, 68);
 
 /**
  * One step of a spring that arrives at a time. The step is divided where the point jumps to the goal, so a step of 2h
  * equals two of h, except for rounding.
  *
- * timed   receives time_left - h, rounded, at least one ULP less, and at least 0. Without time left, the spring follows
- *         the goal as nkw_spring_step
- * motion  the motion at the beginning of the step; receives that at its end
- * point   the point that moves to the goal: {motion.value, 0} at first. It receives the point at the end of the step.
- *         Only its value is read
- * goal    where to arrive; it may change between steps
- * h       as above; 0 and negative numbers change nothing
+ * timed  receives state and point at the end of the step, and time_left - h, rounded, at least one ULP less, and at
+ *        least 0. Without time left, the spring follows the goal as nkw_spring_step
+ * goal   where to arrive; it may change between steps
+ * h      as above; 0 and negative numbers change nothing
  */
-NKW_API void nkw_spring_timed_step(nkw_spring_timed *timed, nkw_state *motion, nkw_state *point, float goal, float h);
+NKW_API void nkw_spring_timed_step(nkw_spring_timed *timed, float goal, float h);
 /** The same of a vector: each component with the bits of nkw_spring_timed_step. */
-NKW_API void nkw_vec3_spring_timed_step(nkw_spring_timed *timed, nkw_vec3_state *motion, nkw_vec3_state *point,
-                                        nkw_vec3 goal, float h);
+NKW_API void nkw_vec3_spring_timed_step(nkw_vec3_spring_timed *timed, nkw_vec3 goal, float h);
 /**
  * The same of a rotation, by nkw_quat_spring_step; the point rotates along the shorter arc to the goal.
  *
  * Stack  at most 2 KiB.
  */
-NKW_API void nkw_quat_spring_timed_step(nkw_spring_timed *timed, nkw_quat_state *motion, nkw_quat_state *point,
-                                        nkw_quat goal, float h);
+NKW_API void nkw_quat_spring_timed_step(nkw_quat_spring_timed *timed, nkw_quat goal, float h);
 
 #ifdef __cplusplus
 }

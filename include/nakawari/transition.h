@@ -67,7 +67,7 @@ typedef struct nkw_pose_state {
 NKW_SIZE(nkw_pose_state, 32, 16);
 
 /**
- * Begins an inertialisation: nkw_vec3_inertia_begin for translations and scales, nkw_quat_inertia_begin for rotations.
+ * Begins an inertialisation: nkw_vec3_offset_begin for translations and scales, nkw_quat_offset_begin for rotations.
  *
  * inertia   receives the offsets
  * from      the last pose that was shown; of a transition that still runs, its result
@@ -94,7 +94,7 @@ NKW_API nkw_result nkw_pose_inertia_evaluate(nkw_pose_inertia inertia, nkw_pose_
 typedef struct nkw_pose_dead_blend {
     float *data;
     size_t joint_count;
-    float half_life, duration; /**< as nkw_dead_blend */
+    float half_life, duration; /**< as nkw_offset */
 } nkw_pose_dead_blend;
 NKW_SIZE(nkw_pose_dead_blend, 24, 16);
 
@@ -102,8 +102,8 @@ NKW_SIZE(nkw_pose_dead_blend, 24, 16);
 NKW_API nkw_result nkw_pose_dead_blend_begin(const nkw_pose_dead_blend *blend, const nkw_pose_state *from);
 
 /**
- * The pose t seconds after the transition began: nkw_vec3_dead_blend_evaluate for translations and scales,
- * nkw_quat_dead_blend_evaluate for rotations. The state receives the differences of the rotations.
+ * The pose t seconds after the transition began: nkw_vec3_offset_evaluate for translations and scales,
+ * nkw_quat_offset_evaluate for rotations. The state receives the differences of the rotations.
  *
  * Stack  at most 5 KiB.
  */

@@ -150,27 +150,16 @@ nkw_spring nkw_spring_from_frequency(float frequency, float damping_ratio)
     return spring_of(LANE_TWO_PI * lane_limit64((double)frequency, 0.0, 0x1p60), ratio);
 }
 
-float nkw_spring_frequency(nkw_spring spring)
+nkw_spring_description nkw_spring_describe(nkw_spring spring)
 {
-    return (float)(lane_sqrt64(bounded(spring.stiffness)) / LANE_TWO_PI);
-}
-
-/* 0 for 0/0. */
-static double ratio_of(nkw_spring spring)
-{
-    double damping = bounded(spring.damping);
-    return damping == 0.0 ? 0.0 : damping / (2.0 * lane_sqrt64(bounded(spring.stiffness)));
-}
-
-float nkw_spring_damping_ratio(nkw_spring spring)
-{
-    return (float)ratio_of(spring);
-}
-
-float nkw_spring_half_life(nkw_spring spring)
-{
-    double omega = lane_sqrt64(bounded(spring.stiffness));
-    return omega == 0.0 ? INFINITY : (float)(half_time(ratio_of(spring)) / omega);
+    double omega = lane_sqrt64(bounded(spring.stiffness)), damping = bounded(spring.damping);
+    double ratio = damping == 0.0 ? 0.0 : damping / (2.0 * omega); /* 0 for 0/0 */
+    nkw_spring_description r = {
+        (float)(omega / LANE_TWO_PI),
+        (float)ratio,
+        omega == 0.0 ? INFINITY : (float)(half_time(ratio) / omega),
+    };
+    return r;
 }
 
 /* ---- Steps ---- */
@@ -363,77 +352,78 @@ typedef struct parts {
     double rate; /* the part of the way to the goal that the point moves in a second */
 } parts;
 
-static parts parts_of(nkw_spring_timed *timed, float h)
+/* Of a step of h; `time_left` receives the time after it. */
+static parts parts_of(nkw_spring spring, float *time_left, float h)
 {
-    double left = bounded(timed->time_left), stiffness = bounded(timed->spring.stiffness);
-    double lead = stiffness > 0.0 ? bounded(timed->spring.damping) / stiffness : 0.0;
+    double left = bounded(*time_left), stiffness = bounded(spring.stiffness);
+    double lead = stiffness > 0.0 ? bounded(spring.damping) / stiffness : 0.0;
     double moving = left - lead < (double)h ? left - lead : (double)h, after = left - (double)h;
     parts p = {moving > 0.0 ? (float)moving : 0.0f, h, 0.0};
     if (p.moving > 0.0f) {
         p.rate = 1.0 / left;
         p.resting = (float)((double)h - (double)p.moving);
     }
-    timed->time_left = after > 0.0 ? kept_moving(timed->time_left, (float)after, 0.0f) : 0.0f;
+    *time_left = after > 0.0 ? kept_moving(*time_left, (float)after, 0.0f) : 0.0f;
     return p;
 }
 
-static void timed_step(nkw_spring spring, const parts *p, nkw_state *motion, nkw_state *point, float goal)
+static void timed_step(nkw_spring spring, const parts *p, nkw_state *state, nkw_state *point, float goal)
 {
     if (p->moving > 0.0f) {
         double rate = ((double)goal - (double)point->value) * p->rate;
         point->velocity = (float)rate;
-        *motion = nkw_spring_step(spring, *motion, *point, p->moving);
+        *state = nkw_spring_step(spring, *state, *point, p->moving);
         point->value = (float)((double)point->value + rate * (double)p->moving);
     }
     if (p->resting != 0.0f) {
         const nkw_state still = {goal, 0.0f};
         *point = still;
-        *motion = nkw_spring_step(spring, *motion, *point, p->resting);
+        *state = nkw_spring_step(spring, *state, *point, p->resting);
     }
 }
 
-void nkw_spring_timed_step(nkw_spring_timed *timed, nkw_state *motion, nkw_state *point, float goal, float h)
+void nkw_spring_timed_step(nkw_spring_timed *timed, float goal, float h)
 {
     if (is_none(h))
         return;
-    parts p = parts_of(timed, h);
-    timed_step(timed->spring, &p, motion, point, goal);
+    parts p = parts_of(timed->spring, &timed->time_left, h);
+    timed_step(timed->spring, &p, &timed->state, &timed->point, goal);
 }
 
-void nkw_vec3_spring_timed_step(nkw_spring_timed *timed, nkw_vec3_state *motion, nkw_vec3_state *point, nkw_vec3 goal,
-                                float h)
+void nkw_vec3_spring_timed_step(nkw_vec3_spring_timed *timed, nkw_vec3 goal, float h)
 {
     if (is_none(h))
         return;
-    parts p = parts_of(timed, h);
-    nkw_state x = motion_component(motion, 0), y = motion_component(motion, 1), z = motion_component(motion, 2);
-    nkw_state px = motion_component(point, 0), py = motion_component(point, 1), pz = motion_component(point, 2);
+    parts p = parts_of(timed->spring, &timed->time_left, h);
+    const nkw_vec3_state *from = &timed->state, *way = &timed->point;
+    nkw_state x = motion_component(from, 0), y = motion_component(from, 1), z = motion_component(from, 2);
+    nkw_state px = motion_component(way, 0), py = motion_component(way, 1), pz = motion_component(way, 2);
     timed_step(timed->spring, &p, &x, &px, goal.x);
     timed_step(timed->spring, &p, &y, &py, goal.y);
     timed_step(timed->spring, &p, &z, &pz, goal.z);
     nkw_vec3_state to = {{x.value, y.value, z.value}, {x.velocity, y.velocity, z.velocity}};
     nkw_vec3_state at = {{px.value, py.value, pz.value}, {px.velocity, py.velocity, pz.velocity}};
-    *motion = to;
-    *point = at;
+    timed->state = to;
+    timed->point = at;
 }
 
-void nkw_quat_spring_timed_step(nkw_spring_timed *timed, nkw_quat_state *motion, nkw_quat_state *point, nkw_quat goal,
-                                float h)
+void nkw_quat_spring_timed_step(nkw_quat_spring_timed *timed, nkw_quat goal, float h)
 {
     if (is_none(h))
         return;
-    parts p = parts_of(timed, h);
+    parts p = parts_of(timed->spring, &timed->time_left, h);
+    nkw_quat_state *state = &timed->state, *point = &timed->point;
     lane_f64_quat end = lane_f64_quat_unit_from(goal), begin = lane_f64_quat_unit_from(point->value), way;
     if (p.moving > 0.0f) {
         lane_f64_vec3 half = error_of(end, begin, &way);
         point->velocity = lane_vec3_from_f64(lane_f64_vec3_scale(half, 2.0 * p.rate));
-        *motion = nkw_quat_spring_step(timed->spring, motion, point, p.moving);
+        *state = nkw_quat_spring_step(timed->spring, state, point, p.moving);
         way = lane_f64_quat_exp(lane_f64_vec3_scale(half, p.rate * (double)p.moving));
         point->value = lane_quat_from_f64(lane_f64_quat_mul(way, begin));
     }
     if (p.resting != 0.0f) {
         nkw_quat_state at = {lane_quat_from_f64(end), {0.0f, 0.0f, 0.0f}};
         *point = at;
-        *motion = nkw_quat_spring_step(timed->spring, motion, point, p.resting);
+        *state = nkw_quat_spring_step(timed->spring, state, point, p.resting);
     }
 }

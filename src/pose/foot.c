@@ -44,7 +44,9 @@ static void change_contact(nkw_foot *foot, const nkw_foot_rules *rules, const nk
     foot->locked = animated->value;
     foot->time = 0.0f;
     nkw_vec3_state to = followed(foot, animated);
-    foot->inertia = nkw_vec3_inertia_begin(now, &to, rules->duration);
+    foot->offset.kind = NKW_OFFSET_INERTIA;
+    foot->offset.duration = rules->duration;
+    nkw_vec3_offset_begin(&foot->offset, now, &to);
 }
 
 nkw_vec3 nkw_foot_update(nkw_foot *foot, const nkw_foot_rules *rules, nkw_vec3 animated, float ground, float h)
@@ -57,7 +59,7 @@ nkw_vec3 nkw_foot_update(nkw_foot *foot, const nkw_foot_rules *rules, nkw_vec3 a
         motion.velocity = nkw_vec3_scale(nkw_vec3_sub(animated, foot->animated), 1.0f / h);
     foot->time = passes ? foot->time + h : foot->time;
     nkw_vec3_state to = followed(foot, &motion);
-    nkw_vec3_state now = nkw_vec3_inertia_evaluate(&foot->inertia, &to, foot->time);
+    nkw_vec3_state now = nkw_vec3_offset_evaluate(&foot->offset, &to, foot->time);
     if (passes && next_contact(foot, rules, &motion, ground) != (foot->contact != 0))
         change_contact(foot, rules, &motion, &now);
     foot->started = 1;

@@ -108,16 +108,18 @@ static transition_offsets offsets_of(nkw_pose_inertia inertia, size_t vector)
 static lane_inertia_c begin_vec3(nkw_vec3 from, nkw_vec3 v, nkw_vec3 to, nkw_vec3 w, float duration)
 {
     nkw_vec3_state a = {from, v}, b = {to, w};
-    nkw_vec3_inertia i = nkw_vec3_inertia_begin(&a, &b, duration);
-    lane_inertia_c c = {i.c[0], i.c[1], i.c[2], i.duration};
+    nkw_vec3_offset o = {.kind = NKW_OFFSET_INERTIA, .duration = duration};
+    nkw_vec3_offset_begin(&o, &a, &b);
+    lane_inertia_c c = {o.c[0], o.c[1], o.c[2], o.end};
     return c;
 }
 
 static lane_inertia_c begin_quat(nkw_quat from, nkw_vec3 v, nkw_quat to, nkw_vec3 w, float duration)
 {
     nkw_quat_state a = {from, v}, b = {to, w};
-    nkw_vec3_inertia i = nkw_quat_inertia_begin(&a, &b, duration);
-    lane_inertia_c c = {i.c[0], i.c[1], i.c[2], i.duration};
+    nkw_quat_offset o = {.kind = NKW_OFFSET_INERTIA, .duration = duration};
+    nkw_quat_offset_begin(&o, &a, &b);
+    lane_inertia_c c = {o.c[0], o.c[1], o.c[2], o.end};
     return c;
 }
 

@@ -384,7 +384,7 @@ static nkw_result check_key(const nkw_keyframe *keys, size_t k)
         return NKW_NOT_FINITE;
     if (k > 0 && key->time < keys[k - 1].time)
         return NKW_NOT_ASCENDING;
-    return length >= 0.999f && length <= 1.001f ? NKW_OK : NKW_NOT_UNIT;
+    return lane_is_unit_length(length) ? NKW_OK : NKW_NOT_UNIT;
 }
 
 nkw_result nkw_keyframes_validate(const nkw_keyframe *keys, size_t count, size_t *bad)

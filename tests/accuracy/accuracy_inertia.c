@@ -7,6 +7,8 @@
 #include <math.h>
 #include <quadmath.h>
 
+#include "../support/motions.h"
+
 /* Two motions of a number, the duration, the time as a part of the shortened duration, the half-life. */
 static void two_motions(random_source *r, float *x)
 {
@@ -30,17 +32,17 @@ static wide quintic(wide x, wide v, wide duration, wide c[3])
 static double begin_error(const float *x)
 {
     nkw_state from = {x[0], x[1]}, to = {x[2], x[3]};
-    nkw_inertia got = nkw_inertia_begin(from, to, x[4]);
+    nkw_offset got = inertia_of(from, to, x[4]);
     wide c[3], e = (wide)x[0] - x[2], v = (wide)x[1] - x[3], t = quintic(e, v, x[4], c);
-    return fmax(wide_error(got.c, c, 3), wide_error(&got.duration, &t, 1));
+    return fmax(wide_error(got.c, c, 3), wide_error(&got.end, &t, 1));
 }
 
 static double evaluate_error(const float *x)
 {
     nkw_state from = {x[0], x[1]}, to = {x[2], x[3]};
-    nkw_inertia i = nkw_inertia_begin(from, to, x[4]);
-    float t = x[5] * i.duration, got = nkw_inertia_evaluate(i, to, t).value;
-    wide u = (wide)t / i.duration, w = 1 - u;
+    nkw_offset i = inertia_of(from, to, x[4]);
+    float t = x[5] * i.end, got = nkw_offset_evaluate(&i, to, t).value;
+    wide u = (wide)t / i.end, w = 1 - u;
     wide want = x[2] + (u < 1 ? w * w * w * (i.c[0] + u * (i.c[1] + u * (wide)i.c[2])) : 0);
     float size = fabsf(x[2]) + fabsf(i.c[0]) + fabsf(i.c[1]) + fabsf(i.c[2]);
     return wide_error_of(&got, &want, 1, size);
@@ -66,8 +68,8 @@ static void large_offset(random_source *r, float *x)
 
 static double quat_evaluate_error(const float *x)
 {
-    nkw_vec3_inertia i = {{vec3_at(x), vec3_at(x + 3), vec3_at(x + 6)}, 1.0f};
-    nkw_quat_state to = {quat_at(x + 9), {0.0f, 0.0f, 0.0f}}, got = nkw_quat_inertia_evaluate(&i, &to, x[13]);
+    nkw_quat_offset i = {.end = 1.0f, .c = {vec3_at(x), vec3_at(x + 3), vec3_at(x + 6)}};
+    nkw_quat_state to = {quat_at(x + 9), {0.0f, 0.0f, 0.0f}}, got = nkw_quat_offset_evaluate(&i, &to, x[13]);
     wide u = x[13], w = (1 - u) * (1 - u) * (1 - u), v[3], q[4], e[4], want[4];
     for (int k = 0; k < 3; k++)
         v[k] = w * (x[k] + u * (x[3 + k] + u * x[6 + k]));
@@ -115,7 +117,7 @@ static void exact_offset(const float *in, wide x[3], wide v[3])
     half_rate(x, w, v);
 }
 
-/* The coefficients of nkw_vec3_inertia_begin for an offset x of rate v, and the duration. */
+/* The coefficients of nkw_vec3_offset_begin for an offset x of rate v, and the duration. */
 static wide exact_coefficients(const wide x[3], const wide v[3], wide duration, wide c[9])
 {
     wide xx = wide_dot(x, x, 3), growth = xx > 0 ? wide_dot(x, v, 3) / xx : 0;
@@ -131,14 +133,14 @@ static wide exact_coefficients(const wide x[3], const wide v[3], wide duration, 
 static double quat_begin_error(const float *in)
 {
     nkw_quat_state from = {quat_at(in), vec3_at(in + 4)}, to = {quat_at(in + 7), vec3_at(in + 11)};
-    nkw_vec3_inertia got = nkw_quat_inertia_begin(&from, &to, in[14]);
+    nkw_quat_offset got = inertia_of_quat(&from, &to, in[14]);
     wide x[3], v[3], c[9];
     exact_offset(in, x, v);
     wide t = exact_coefficients(x, v, in[14], c);
     double direction = (double)fabsq(wide_dot(x, v, 3)), size = (double)(wide_length(x, 3) * wide_length(v, 3));
     if (t != (wide)in[14] && direction < 0x1p-10 * size)
         return 0.0;
-    return fmax(wide_error(&got.c[0].x, c, 9), wide_error(&got.duration, &t, 1));
+    return fmax(wide_error(&got.c[0].x, c, 9), wide_error(&got.end, &t, 1));
 }
 
 /* Two rotations at rest: x[14] is the duration, x[15] the time in it. */
@@ -154,9 +156,9 @@ static void two_resting(random_source *r, float *x)
 static double resting_error(const float *in)
 {
     nkw_quat_state from = {quat_at(in), vec3_at(in + 4)}, to = {quat_at(in + 7), vec3_at(in + 11)};
-    nkw_vec3_inertia inertia = nkw_quat_inertia_begin(&from, &to, in[14]);
+    nkw_quat_offset inertia = inertia_of_quat(&from, &to, in[14]);
     float t = in[14] * in[15];
-    nkw_quat_state got = nkw_quat_inertia_evaluate(&inertia, &to, t);
+    nkw_quat_state got = nkw_quat_offset_evaluate(&inertia, &to, t);
     wide x[3], v[3], c[9], u = (wide)t / in[14], w = (1 - u) * (1 - u) * (1 - u), e[4], g[4], want[4];
     exact_offset(in, x, v);
     exact_coefficients(x, v, in[14], c);
@@ -170,9 +172,9 @@ static double resting_error(const float *in)
 
 static double dead_error(const float *x)
 {
-    nkw_dead_blend d = {{x[0], x[1]}, x[6], x[4]};
-    nkw_state to = {x[2], x[3]};
-    float t = x[5] * x[4], got = nkw_dead_blend_evaluate(&d, to, t).value;
+    nkw_state from = {x[0], x[1]}, to = {x[2], x[3]};
+    nkw_offset d = dead_of(from, x[6], x[4]);
+    float t = x[5] * x[4], got = nkw_offset_evaluate(&d, to, t).value;
     wide u = (wide)t / x[4], h = x[6] / logq(2), carried = x[1] * h * -expm1q(-t / h), old = x[0] + carried;
     wide s = u * u * (3 - 2 * u), want = u < 1 ? old + s * (x[2] - old) : x[2];
     return wide_error_of(&got, &want, 1, fabsq((wide)x[0]) + fabsq(carried) + fabsq((wide)x[2]));
@@ -192,10 +194,10 @@ static void two_rotations(random_source *r, float *x)
 
 static double quat_dead_error(const float *x)
 {
-    nkw_quat_dead_blend d = {{quat_at(x), vec3_at(x + 4)}, x[13], x[11], {0, 0, 0, 0}};
-    nkw_quat_state to = {quat_at(x + 7), {0.0f, 0.0f, 0.0f}};
+    nkw_quat_state from = {quat_at(x), vec3_at(x + 4)}, to = {quat_at(x + 7), {0.0f, 0.0f, 0.0f}};
+    nkw_quat_offset d = dead_of_quat(from, x[13], x[11]);
     float t = x[12] * x[11];
-    nkw_quat_state got = nkw_quat_dead_blend_evaluate(&d, &to, t);
+    nkw_quat_state got = nkw_quat_offset_evaluate(&d, &to, t);
     wide u = (wide)t / x[11], h = x[13] / logq(2), s = u < 1 ? u * u * (3 - 2 * u) : 1, q[4], v[3], e[4], g[4], old[4];
     wide_from(x, q, 4);
     wide_from(x + 4, v, 3);
@@ -219,15 +221,15 @@ int main(int argc, char **argv)
 {
     accuracy a = accuracy_begin("inertia.h", argc, argv);
     static const wide_case cases[] = {
-        {"nkw_inertia_begin", "any", two_motions, begin_error, 5, WIDE_CHECKED},
-        {"nkw_inertia_evaluate", "any", two_motions, evaluate_error, 6, WIDE_CHECKED},
-        {"nkw_quat_inertia_evaluate", "any", offset, quat_evaluate_error, 14, WIDE_CHECKED},
-        {"nkw_quat_inertia_evaluate", "coefficients to 2^9 rad", large_offset, quat_evaluate_error, 14, WIDE_CHECKED},
-        {"nkw_quat_inertia_begin", "2^-9 to 3 rad", two_turning, quat_begin_error, 15, WIDE_CHECKED},
-        {"nkw_quat_inertia_evaluate", "from rest to rest, its begin too, of 2.5 u", two_resting, resting_error, 16,
+        {"nkw_offset_begin", "inertialisation", two_motions, begin_error, 5, WIDE_CHECKED},
+        {"nkw_offset_evaluate", "inertialisation", two_motions, evaluate_error, 6, WIDE_CHECKED},
+        {"nkw_quat_offset_evaluate", "inertialisation", offset, quat_evaluate_error, 14, WIDE_CHECKED},
+        {"nkw_quat_offset_evaluate", "coefficients to 2^9 rad", large_offset, quat_evaluate_error, 14, WIDE_CHECKED},
+        {"nkw_quat_offset_begin", "2^-9 to 3 rad", two_turning, quat_begin_error, 15, WIDE_CHECKED},
+        {"nkw_quat_offset_evaluate", "from rest to rest, its begin too, of 2.5 u", two_resting, resting_error, 16,
          WIDE_CHECKED},
-        {"nkw_dead_blend_evaluate", "any", two_motions, dead_error, 7, WIDE_CHECKED},
-        {"nkw_quat_dead_blend_evaluate", "any", two_rotations, quat_dead_error, 14, WIDE_CHECKED},
+        {"nkw_offset_evaluate", "dead blending", two_motions, dead_error, 7, WIDE_CHECKED},
+        {"nkw_quat_offset_evaluate", "dead blending", two_rotations, quat_dead_error, 14, WIDE_CHECKED},
     };
     wide_search(&a, cases, sizeof cases / sizeof *cases, 20000);
     return accuracy_end(&a);

@@ -49,19 +49,20 @@ static void springs(fuzz *f)
     float a = fuzz_float(f), b = fuzz_float(f), h = fuzz_float(f);
     if (fuzz_byte(f) % 2)
         s = fuzz_byte(f) % 2 ? nkw_spring_from_half_life(a, b) : nkw_spring_from_frequency(a, b);
-    FUZZ_CHECK(!(nkw_spring_frequency(s) < 0.0f) && !(nkw_spring_half_life(s) < 0.0f));
-    FUZZ_CHECK(!(nkw_spring_damping_ratio(s) < 0.0f));
-    nkw_state from = draw_motion(f), goal = draw_motion(f), still = from;
+    nkw_spring_description d = nkw_spring_describe(s);
+    FUZZ_CHECK(!(d.frequency < 0.0f) && !(d.damping_ratio < 0.0f) && !(d.half_life < 0.0f));
+    nkw_state from = draw_motion(f), goal = draw_motion(f);
     nkw_state to = nkw_spring_step(s, from, goal, h);
     FUZZ_CHECK(h > 0.0f || h != h || same_motion(from, to));
     nkw_quat_state q = draw_rotation(f), g = draw_rotation(f), r = nkw_quat_spring_step(s, &q, &g, h);
     int known = fuzz_finite(&s.stiffness, 1) && fuzz_finite(&s.damping, 1) && fuzz_finite(&h, 1);
     check_unit(r.value, known && h > 0.0f && finite_rotation(&q) && finite_rotation(&g));
-    nkw_spring_timed timed = {s, b}, copy = timed;
-    nkw_spring_timed_step(&timed, &from, &still, a, h);
-    nkw_quat_spring_timed_step(&copy, &q, &g, draw_quat(f), h);
+    nkw_spring_timed timed = {s, b, from, from};
+    nkw_quat_spring_timed turning = {s, b, q, g};
+    nkw_spring_timed_step(&timed, a, h);
+    nkw_quat_spring_timed_step(&turning, draw_quat(f), h);
     FUZZ_CHECK(timed.time_left >= 0.0f || h <= 0.0f);
-    FUZZ_CHECK(fuzz_same(&timed.time_left, &copy.time_left, 1));
+    FUZZ_CHECK(fuzz_same(&timed.time_left, &turning.time_left, 1));
     nkw_damper_step(a, b, from.value, h);
     nkw_quat_damper_step(q.value, g.value, a, h);
 }
@@ -70,27 +71,28 @@ static void transitions(fuzz *f)
 {
     float duration = fuzz_float(f), t = fuzz_float(f);
     nkw_state from = draw_motion(f), to = draw_motion(f);
-    nkw_inertia x = nkw_inertia_begin(from, to, duration);
-    FUZZ_CHECK(x.duration >= 0.0f || x.duration != x.duration);
-    FUZZ_CHECK(x.duration <= duration || x.duration == 0.0f || duration != duration);
-    FUZZ_CHECK(t < x.duration || t != t || x.duration != x.duration ||
-               same_motion(nkw_inertia_evaluate(x, to, t), to) || t <= 0.0f);
+    nkw_offset x = {.kind = (nkw_offset_kind)fuzz_choice(f, 2), .duration = duration, .half_life = fuzz_float(f)};
+    nkw_offset_begin(&x, from, to);
+    FUZZ_CHECK(x.end >= 0.0f || x.end != x.end);
+    FUZZ_CHECK(x.end <= duration || x.end == 0.0f || duration != duration);
+    FUZZ_CHECK(t < x.end || t != t || x.end != x.end || same_motion(nkw_offset_evaluate(&x, to, t), to) || t <= 0.0f);
     nkw_quat_state q = draw_rotation(f), g = draw_rotation(f);
-    nkw_vec3_inertia y = nkw_quat_inertia_begin(&q, &g, duration);
-    nkw_quat_state r = nkw_quat_inertia_evaluate(&y, &g, t);
-    nkw_quat_dead_blend d = {q, fuzz_float(f), duration, draw_quat(f)};
-    nkw_quat_state blended = nkw_quat_dead_blend_evaluate(&d, &g, t);
+    nkw_quat_offset y = {.duration = duration};
+    nkw_quat_offset_begin(&y, &q, &g);
+    nkw_quat_state r = nkw_quat_offset_evaluate(&y, &g, t);
+    nkw_quat_offset d = {.kind = NKW_OFFSET_DEAD_BLEND, .duration = duration, .half_life = fuzz_float(f)};
+    nkw_quat_offset_begin(&d, &q, &g);
+    d.difference = draw_quat(f);
+    nkw_quat_state blended = nkw_quat_offset_evaluate(&d, &g, t);
     float length = nkw_quat_length(g.value);
     int known = finite_rotation(&q) && finite_rotation(&g) && length > 0.999f && length < 1.001f;
     check_unit(r.value, known);
     check_unit(blended.value,
                known && fuzz_finite(&d.half_life, 1) && fuzz_finite(&d.difference.x, 4) && fuzz_finite(&t, 1));
     nkw_vec3_state u = {draw_vec3(f), draw_vec3(f)}, v = {draw_vec3(f), draw_vec3(f)};
-    nkw_vec3_inertia z = nkw_vec3_inertia_begin(&u, &v, duration);
-    nkw_vec3_inertia_evaluate(&z, &v, t);
-    nkw_vec3_dead_blend e = {u, fuzz_float(f), duration};
-    nkw_vec3_dead_blend_evaluate(&e, &v, t);
-    nkw_dead_blend_half_life(from, to.value, t, duration, x.c[0]);
+    nkw_vec3_offset z = {.kind = x.kind, .duration = duration, .half_life = fuzz_float(f)};
+    nkw_vec3_offset_begin(&z, &u, &v);
+    nkw_vec3_offset_evaluate(&z, &v, t);
 }
 
 static double draw_double(fuzz *f)

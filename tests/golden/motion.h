@@ -42,9 +42,10 @@ static void spring_constants(float *o, float half_life, float ratio)
     o[1] = a.damping;
     o[2] = b.stiffness;
     o[3] = b.damping;
-    o[4] = nkw_spring_frequency(a);
-    o[5] = nkw_spring_damping_ratio(a);
-    o[6] = nkw_spring_half_life(a);
+    nkw_spring_description d = nkw_spring_describe(a);
+    o[4] = d.frequency;
+    o[5] = d.damping_ratio;
+    o[6] = d.half_life;
 }
 
 static nkw_quat_state quat_spring(const input *i)
@@ -55,21 +56,19 @@ static nkw_quat_state quat_spring(const input *i)
 
 static void spring_timed(float *o, const input *i)
 {
-    nkw_spring_timed timed = {some_spring(i), nkw_abs(i->s[4])};
-    nkw_state m = motion_at(i, 0), point = motion_at(i, 2);
-    nkw_spring_timed_step(&timed, &m, &point, i->s[6], i->t);
-    put_motion(o, m);
-    put_motion(o + 2, point);
+    nkw_spring_timed timed = {some_spring(i), nkw_abs(i->s[4]), motion_at(i, 0), motion_at(i, 2)};
+    nkw_spring_timed_step(&timed, i->s[6], i->t);
+    put_motion(o, timed.state);
+    put_motion(o + 2, timed.point);
     o[4] = timed.time_left;
 }
 
 static void quat_spring_timed(float *o, const input *i)
 {
-    nkw_spring_timed timed = {some_spring(i), nkw_abs(i->s[4])};
-    nkw_quat_state m = quat_motion_at(i, 0), point = quat_motion_at(i, 1);
-    nkw_quat_spring_timed_step(&timed, &m, &point, i->q[3], i->t);
-    put_motion_quat(o, m);
-    put_motion_quat(o + 7, point);
+    nkw_quat_spring_timed timed = {some_spring(i), nkw_abs(i->s[4]), quat_motion_at(i, 0), quat_motion_at(i, 1)};
+    nkw_quat_spring_timed_step(&timed, i->q[3], i->t);
+    put_motion_quat(o, timed.state);
+    put_motion_quat(o + 7, timed.point);
 }
 
 static void dampers(float *o, const input *i)
@@ -78,48 +77,74 @@ static void dampers(float *o, const input *i)
     put_quat(o + 1, nkw_quat_damper_step(i->q[0], i->q[1], nkw_abs(i->s[2]), i->t));
 }
 
-static void inertia(float *o, const input *i)
+static nkw_offset offset_of(nkw_offset_kind kind, float duration, float half_life)
 {
-    nkw_inertia x = nkw_inertia_begin(motion_at(i, 0), motion_at(i, 2), nkw_abs(i->s[4]));
-    for (int k = 0; k < 3; k++)
-        o[k] = x.c[k];
-    o[3] = x.duration;
-    put_motion(o + 4, nkw_inertia_evaluate(x, motion_at(i, 2), i->t));
+    nkw_offset o = {kind, duration, half_life, 0.0f, {0.0f, 0.0f}, {0.0f, 0.0f, 0.0f}};
+    return o;
 }
 
-static void vec3_inertia(float *o, const input *i)
+static nkw_quat_offset quat_offset_of(nkw_offset_kind kind, float duration, float half_life)
+{
+    nkw_quat_offset o;
+    memset(&o, 0, sizeof o);
+    o.kind = kind;
+    o.duration = duration;
+    o.half_life = half_life;
+    return o;
+}
+
+static void offset(float *o, const input *i)
+{
+    nkw_offset x = offset_of(NKW_OFFSET_INERTIA, nkw_abs(i->s[4]), 0.0f);
+    nkw_offset_begin(&x, motion_at(i, 0), motion_at(i, 2));
+    for (int k = 0; k < 3; k++)
+        o[k] = x.c[k];
+    o[3] = x.end;
+    put_motion(o + 4, nkw_offset_evaluate(&x, motion_at(i, 2), i->t));
+}
+
+static void vec3_offset(float *o, const input *i)
 {
     nkw_vec3_state from = vec3_motion_at(i, 0), to = vec3_motion_at(i, 2);
-    nkw_vec3_inertia x = nkw_vec3_inertia_begin(&from, &to, nkw_abs(i->s[4]));
-    nkw_vec3_state m = nkw_vec3_inertia_evaluate(&x, &to, i->t);
+    nkw_vec3_offset x;
+    memset(&x, 0, sizeof x);
+    x.duration = nkw_abs(i->s[4]);
+    nkw_vec3_offset_begin(&x, &from, &to);
+    nkw_vec3_state m = nkw_vec3_offset_evaluate(&x, &to, i->t);
     for (int k = 0; k < 3; k++)
         put_vec3(o + 3 * k, x.c[k]);
-    o[9] = x.duration;
+    o[9] = x.end;
     put_vec3(o + 10, m.value);
     put_vec3(o + 13, m.velocity);
 }
 
-static void quat_inertia(float *o, const input *i)
+static void quat_offset(float *o, const input *i)
 {
     nkw_quat_state from = quat_motion_at(i, 0), to = quat_motion_at(i, 1);
-    nkw_vec3_inertia x = nkw_quat_inertia_begin(&from, &to, nkw_abs(i->s[4]));
+    nkw_quat_offset x = quat_offset_of(NKW_OFFSET_INERTIA, nkw_abs(i->s[4]), 0.0f);
+    nkw_quat_offset_begin(&x, &from, &to);
     for (int k = 0; k < 3; k++)
         put_vec3(o + 3 * k, x.c[k]);
-    put_motion_quat(o + 9, nkw_quat_inertia_evaluate(&x, &to, i->t));
+    put_motion_quat(o + 9, nkw_quat_offset_evaluate(&x, &to, i->t));
 }
 
-static void dead_blend(float *o, const input *i)
+/* And the half-life of spring.md. */
+static void offset_dead(float *o, const input *i)
 {
-    nkw_dead_blend d = {motion_at(i, 0), nkw_abs(i->s[4]), nkw_abs(i->s[5])};
-    put_motion(o, nkw_dead_blend_evaluate(&d, motion_at(i, 2), i->t));
-    o[2] = nkw_dead_blend_half_life(motion_at(i, 0), i->s[2], 0.5f, 0.125f, 2.0f);
+    nkw_offset d = offset_of(NKW_OFFSET_DEAD_BLEND, nkw_abs(i->s[5]), nkw_abs(i->s[4]));
+    nkw_offset_begin(&d, motion_at(i, 0), motion_at(i, 2));
+    put_motion(o, nkw_offset_evaluate(&d, motion_at(i, 2), i->t));
+    float v = i->s[1];
+    o[2] = v != 0.0f ? nkw_clamp(0.5f * ((i->s[2] - i->s[0]) / v), 0.125f, 2.0f) : 2.0f;
 }
 
-static void quat_dead_blend(float *o, const input *i)
+static void quat_offset_dead(float *o, const input *i)
 {
-    nkw_quat_dead_blend d = {quat_motion_at(i, 0), nkw_abs(i->s[4]), nkw_abs(i->s[5]), i->q[3]};
-    nkw_quat_state to = quat_motion_at(i, 1);
-    put_motion_quat(o, nkw_quat_dead_blend_evaluate(&d, &to, i->t));
+    nkw_quat_offset d = quat_offset_of(NKW_OFFSET_DEAD_BLEND, nkw_abs(i->s[5]), nkw_abs(i->s[4]));
+    nkw_quat_state from = quat_motion_at(i, 0), to = quat_motion_at(i, 1);
+    nkw_quat_offset_begin(&d, &from, &to);
+    d.difference = i->q[3];
+    put_motion_quat(o, nkw_quat_offset_evaluate(&d, &to, i->t));
     put_quat(o + 7, d.difference);
 }
 

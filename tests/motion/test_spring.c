@@ -182,9 +182,10 @@ static void constants_convert_into_each_other(void **state)
     for (int i = 0; i < 2000; i++) {
         float half = ldexpf(1 + random_unit(&r), (int)(random_bits(&r) % 20) - 10), ratio = random_between(&r, 0, 4);
         nkw_spring s = nkw_spring_from_half_life(half, ratio);
-        expect_near(nkw_spring_half_life(s) / half, 1, 4e-7);
-        expect_near(nkw_spring_damping_ratio(s), ratio, 4e-7 * ratio);
-        nkw_spring f = nkw_spring_from_frequency(nkw_spring_frequency(s), ratio);
+        nkw_spring_description d = nkw_spring_describe(s);
+        expect_near(d.half_life / half, 1, 4e-7);
+        expect_near(d.damping_ratio, ratio, 4e-7 * ratio);
+        nkw_spring f = nkw_spring_from_frequency(d.frequency, ratio);
         expect_near(f.stiffness / s.stiffness, 1, 6e-7);
         expect_near(f.damping, s.damping, 6e-7 * s.damping);
     }
@@ -192,9 +193,10 @@ static void constants_convert_into_each_other(void **state)
     expect_near(one.stiffness, 39.4784176, 2e-6);
     expect_near(one.damping, 6.28318531, 5e-7);
     nkw_spring drag = {0, 3}, none = {0, 0};
-    expect_bits(nkw_spring_damping_ratio(drag), INFINITY);
-    expect_bits(nkw_spring_damping_ratio(none), 0);
-    expect_bits(nkw_spring_half_life(drag), INFINITY);
+    expect_bits(nkw_spring_describe(drag).damping_ratio, INFINITY);
+    expect_bits(nkw_spring_describe(drag).frequency, 0);
+    expect_bits(nkw_spring_describe(none).damping_ratio, 0);
+    expect_bits(nkw_spring_describe(drag).half_life, INFINITY);
 }
 
 /* (1 + z) e^-z = 1/2 at z = 1.678346990016661. */
@@ -378,18 +380,19 @@ static void timed_springs_arrive_at_their_time(void **state)
 {
     (void)state;
     for (int i = 0; i < 4; i++) {
-        nkw_spring_timed timed = {nkw_spring_from_half_life(0.02f, i == 3 ? 0.7f : 1), 1};
-        nkw_state x = motion(1, i == 2 ? 5.0f : 0.0f), point = motion(1, 0);
-        float h = i == 1 ? 1 / 7.0f : 1 / 64.0f, last = x.value, before = 0;
+        nkw_spring_timed timed = {nkw_spring_from_half_life(0.02f, i == 3 ? 0.7f : 1), 1,
+                                  motion(1, i == 2 ? 5.0f : 0.0f), motion(1, 0)};
+        float h = i == 1 ? 1 / 7.0f : 1 / 64.0f, last = timed.state.value, before = 0;
         for (float t = 0; t < 1.1f; t += h) {
-            nkw_spring_timed_step(&timed, &x, &point, 3, h);
-            assert_true(x.value <= 3.0f + 1e-4f || i == 3);
+            nkw_spring_timed_step(&timed, 3, h);
+            float x = timed.state.value;
+            assert_true(x <= 3.0f + 1e-4f || i == 3);
             if (t > 0.3f && t < 0.6f && i != 1)
-                expect_near(x.value - last, 2 * h, 0.01 * h);
-            last = x.value;
+                expect_near(x - last, 2 * h, 0.01 * h);
+            last = x;
             before = timed.time_left;
         }
-        expect_near(x.value, 3, 2e-3);
+        expect_near(last, 3, 2e-3);
         expect_bits(before, 0);
     }
 }
@@ -401,36 +404,37 @@ static void timed_steps_compose(void **state)
     for (int i = 0; i < 5000; i++) {
         float time = random_between(&r, 0.01f, 1), h = random_between(&r, 0.01f, 0.5f);
         nkw_spring s = nkw_spring_from_half_life(random_between(&r, 0.01f, 0.3f), random_between(&r, 0.3f, 2));
-        nkw_spring_timed once = {s, time}, twice = once;
-        nkw_state x = some_motion(&r), y = x, p = motion(x.value, 0), q = p;
-        nkw_spring_timed_step(&once, &x, &p, 2, 2 * h);
-        nkw_spring_timed_step(&twice, &y, &q, 2, h);
-        nkw_spring_timed_step(&twice, &y, &q, 2, h);
-        expect_near(y.value, x.value, 1e-5);
-        expect_near(y.velocity, x.velocity, 5e-4 * (1 + s.damping));
+        nkw_state from = some_motion(&r);
+        nkw_spring_timed once = {s, time, from, motion(from.value, 0)}, twice = once;
+        nkw_spring_timed_step(&once, 2, 2 * h);
+        nkw_spring_timed_step(&twice, 2, h);
+        nkw_spring_timed_step(&twice, 2, h);
+        expect_near(twice.state.value, once.state.value, 1e-5);
+        expect_near(twice.state.velocity, once.state.velocity, 5e-4 * (1 + s.damping));
         expect_near(once.time_left, twice.time_left, 1e-6);
-        expect_near(p.value, q.value, 2e-6);
+        expect_near(once.point.value, twice.point.value, 2e-6);
     }
 }
 
 static void timed_vectors_and_rotations_move_as_numbers_do(void **state)
 {
     (void)state;
-    nkw_spring_timed a = {nkw_spring_from_half_life(0.1f, 1), 0.6f}, b = a, c = a;
-    nkw_state x = motion(0, 1), p = motion(0, 0);
-    nkw_vec3_state v = {vec(0, 5, 0), vec(1, 0, 0)}, pv = {vec(0, 5, 0), vec(0, 0, 0)};
-    nkw_quat_state q = rotating(nkw_quat_identity(), vec(0, 0, 1)), pq = still(nkw_quat_identity());
+    const nkw_spring s = nkw_spring_from_half_life(0.1f, 1);
+    nkw_spring_timed a = {s, 0.6f, motion(0, 1), motion(0, 0)};
+    nkw_vec3_spring_timed b = {s, 0.6f, moving(vec(0, 5, 0), vec(1, 0, 0)), moving(vec(0, 5, 0), vec(0, 0, 0))};
+    nkw_quat_spring_timed c = {s, 0.6f, rotating(nkw_quat_identity(), vec(0, 0, 1)), still(nkw_quat_identity())};
     for (int i = 0; i < 30; i++) {
-        nkw_spring_timed_step(&a, &x, &p, 2, 0.03f);
-        nkw_vec3_spring_timed_step(&b, &v, &pv, vec(2, 5, 0), 0.03f);
-        nkw_quat_spring_timed_step(&c, &q, &pq, nkw_quat_from_axis_angle(vec(0, 0, 1), 2), 0.03f);
-        expect_bits(v.value.x, x.value);
-        expect_bits(v.value.y, 5);
-        expect_rotation_near(q.value, nkw_quat_from_axis_angle(vec(0, 0, 1), x.value), 1e-5);
+        nkw_spring_timed_step(&a, 2, 0.03f);
+        nkw_vec3_spring_timed_step(&b, vec(2, 5, 0), 0.03f);
+        nkw_quat_spring_timed_step(&c, nkw_quat_from_axis_angle(vec(0, 0, 1), 2), 0.03f);
+        expect_bits(b.state.value.x, a.state.value);
+        expect_bits(b.state.value.y, 5);
+        expect_rotation_near(c.state.value, nkw_quat_from_axis_angle(vec(0, 0, 1), a.state.value), 1e-5);
+        expect_bits(b.time_left, a.time_left);
         expect_bits(c.time_left, a.time_left);
     }
-    nkw_spring_timed_step(&a, &x, &p, 9, -1);
-    expect_bits(v.value.x, x.value);
+    nkw_spring_timed_step(&a, 9, -1);
+    expect_bits(b.state.value.x, a.state.value);
 }
 
 int main(void)

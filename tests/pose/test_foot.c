@@ -15,7 +15,7 @@ static nkw_vec3 vec(float x, float y, float z)
 /* Whether a foot is in contact after an update at this height and speed, and was before. */
 static int foot_contact(int contact, float height, float speed)
 {
-    nkw_foot foot = {{0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {{{0, 0, 0}}, 0}, 0, 1, contact};
+    nkw_foot foot = {.started = 1, .contact = contact};
     nkw_foot_rules near_by = rules;
     near_by.release_distance = 0;
     foot.animated.x = -speed;

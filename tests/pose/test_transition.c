@@ -3,6 +3,7 @@
 
 #include "random.h"
 #include "support/expect.h"
+#include "support/motions.h"
 #include "views.h"
 
 enum { JOINTS = 67, FLOATS = NKW_POSE_FLOATS(JOINTS), SPEEDS = NKW_POSE_VELOCITY_FLOATS(JOINTS) };
@@ -75,12 +76,11 @@ static void each_joint_is_inertialised_as_its_values_are(void **state)
                             u = {a.scale, speed(s.from_velocity, 6, j)}, v = {b.scale, speed(s.to_velocity, 6, j)};
             nkw_quat_state g = {a.rotation, speed(s.from_velocity, 3, j)},
                             h = {b.rotation, speed(s.to_velocity, 3, j)};
-            nkw_vec3_inertia translation = nkw_vec3_inertia_begin(&p, &q, 0.5f),
-                             rotation = nkw_quat_inertia_begin(&g, &h, 0.5f),
-                             scale = nkw_vec3_inertia_begin(&u, &v, 0.5f);
-            nkw_trs want = {nkw_vec3_inertia_evaluate(&translation, &q, t).value,
-                            nkw_quat_inertia_evaluate(&rotation, &h, t).value,
-                            nkw_vec3_inertia_evaluate(&scale, &v, t).value};
+            nkw_vec3_offset translation = inertia_of_vec3(&p, &q, 0.5f), scale = inertia_of_vec3(&u, &v, 0.5f);
+            nkw_quat_offset rotation = inertia_of_quat(&g, &h, 0.5f);
+            nkw_trs want = {nkw_vec3_offset_evaluate(&translation, &q, t).value,
+                            nkw_quat_offset_evaluate(&rotation, &h, t).value,
+                            nkw_vec3_offset_evaluate(&scale, &v, t).value};
             expect_trs_bits(joint(s.out, j), want);
         }
     }
@@ -93,25 +93,23 @@ static void each_joint_is_dead_blended_as_its_values_are(void **state)
     draw(&s);
     nkw_pose_state from = motion_of(s.from, s.from_velocity);
     nkw_pose_dead_blend dead = {s.dead, JOINTS, 0.2f, 0.5f};
-    nkw_quat_dead_blend quats[JOINTS];
+    nkw_quat_offset quats[JOINTS];
     assert_int_equal(nkw_pose_dead_blend_begin(&dead, &from), NKW_OK);
-    for (size_t j = 0; j < JOINTS; j++) {
-        nkw_quat_dead_blend d = {{joint(s.from, j).rotation, speed(s.from_velocity, 3, j)}, 0.2f, 0.5f, {0, 0, 0, 0}};
-        quats[j] = d;
-    }
+    for (size_t j = 0; j < JOINTS; j++)
+        quats[j] = dead_of_quat(rotating(joint(s.from, j).rotation, speed(s.from_velocity, 3, j)), 0.2f, 0.5f);
     for (int i = 0; i < 12; i++) {
         float t = 0.05f * (float)i;
         assert_int_equal(nkw_pose_dead_blend_evaluate(&dead, pose_view(s.to, JOINTS), t, pose_span(s.out, JOINTS)),
                          NKW_OK);
         for (size_t j = 0; j < JOINTS; j++) {
             nkw_trs a = joint(s.from, j), b = joint(s.to, j);
-            nkw_vec3_dead_blend p = {{a.translation, speed(s.from_velocity, 0, j)}, 0.2f, 0.5f},
-                                u = {{a.scale, speed(s.from_velocity, 6, j)}, 0.2f, 0.5f};
+            nkw_vec3_offset p = dead_of_vec3(moving(a.translation, speed(s.from_velocity, 0, j)), 0.2f, 0.5f),
+                            u = dead_of_vec3(moving(a.scale, speed(s.from_velocity, 6, j)), 0.2f, 0.5f);
             nkw_vec3_state q = {b.translation, {0, 0, 0}}, v = {b.scale, {0, 0, 0}};
             nkw_quat_state h = {b.rotation, {0, 0, 0}};
-            nkw_trs want = {nkw_vec3_dead_blend_evaluate(&p, &q, t).value,
-                            nkw_quat_dead_blend_evaluate(&quats[j], &h, t).value,
-                            nkw_vec3_dead_blend_evaluate(&u, &v, t).value};
+            nkw_trs want = {nkw_vec3_offset_evaluate(&p, &q, t).value,
+                            nkw_quat_offset_evaluate(&quats[j], &h, t).value,
+                            nkw_vec3_offset_evaluate(&u, &v, t).value};
             expect_trs_bits(joint(s.out, j), want);
         }
     }

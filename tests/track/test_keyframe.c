@@ -404,9 +404,15 @@ static void validate_refuses_orientations_that_are_not_unit(void **state)
     nkw_keyframe keys[7];
     size_t bad = 99;
     scene_1(keys);
-    keys[6].orientation = nkw_quat_scale(keys[6].orientation, 1.002f);
-    assert_int_equal(nkw_keyframes_validate(keys, 7, &bad), NKW_NOT_UNIT);
-    assert_int_equal(bad, 6);
+    nkw_quat unit = keys[6].orientation;
+    const float lengths[2] = {0.985f, 1.015f}, near[2] = {0.995f, 1.005f};
+    for (int i = 0; i < 2; i++) {
+        keys[6].orientation = nkw_quat_scale(unit, lengths[i]);
+        assert_int_equal(nkw_keyframes_validate(keys, 7, &bad), NKW_NOT_UNIT);
+        assert_int_equal(bad, 6);
+        keys[6].orientation = nkw_quat_scale(unit, near[i]);
+        assert_int_equal(nkw_keyframes_validate(keys, 7, &bad), NKW_OK);
+    }
 }
 
 static void anything_at_all_is_sampled_within_the_keys(void **state)

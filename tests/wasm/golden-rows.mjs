@@ -208,46 +208,54 @@ const spring = (N, i) => N.springFromFrequency([], F(4 * i.t + 0.125), abs(i.s[5
 const motion = (i, k) => i.s.slice(k, k + 2);
 const vec3Motion = (i, k) => [...i.v[k], ...i.v[k + 1]];
 const quatMotion = (i, k) => [...i.q[k], ...i.v[k]];
-const timed = (N, i) => [...spring(N, i), abs(i.s[4])];
+const timed = (N, i, state, point) => [...spring(N, i), abs(i.s[4]), ...state, ...point];
+const inertia = i => ({ duration: abs(i.s[4]) });
+const deadBlend = (N, i) => ({ kind: N.OFFSET_DEAD_BLEND, duration: abs(i.s[5]), halfLife: abs(i.s[4]) });
 
 const motionRows = {
   spring_constants: (N, i, o) => {
     const [time, ratio] = [F(i.t + 2 ** -6), abs(i.s[0])], a = N.springFromHalfLife([], time, ratio);
-    put(o, 0, a, N.springFromFrequency([], time, ratio), N.springFrequency(a), N.springDampingRatio(a),
-      N.springHalfLife(a));
+    put(o, 0, a, N.springFromFrequency([], time, ratio), N.springDescribe([], a));
   },
   spring_step: (N, i, o) => N.springStep(o, spring(N, i), motion(i, 0), motion(i, 2), i.t),
   quat_spring_step: (N, i, o) => N.quatSpringStep(o, spring(N, i), quatMotion(i, 0), quatMotion(i, 1), i.t),
   spring_timed_step: (N, i, o) => {
-    const [time, from, point] = [timed(N, i), motion(i, 0), motion(i, 2)];
-    N.springTimedStep(time, from, point, i.s[6], i.t);
-    put(o, 0, from, point, time[2]);
+    const x = timed(N, i, motion(i, 0), motion(i, 2));
+    N.springTimedStep(x, i.s[6], i.t);
+    put(o, 0, x.slice(3), x[2]);
   },
   quat_spring_timed_step: (N, i, o) => {
-    const [from, point] = [quatMotion(i, 0), quatMotion(i, 1)];
-    N.quatSpringTimedStep(timed(N, i), from, point, i.q[3], i.t);
-    put(o, 0, from, point);
+    const x = timed(N, i, quatMotion(i, 0), quatMotion(i, 1));
+    N.quatSpringTimedStep(x, i.q[3], i.t);
+    put(o, 0, x.slice(3));
   },
   damper_step: (N, i, o) => put(o, 0, N.damperStep(i.s[0], i.s[1], abs(i.s[2]), i.t),
     N.quatDamperStep([], i.q[0], i.q[1], abs(i.s[2]), i.t)),
-  inertia: (N, i, o) => {
-    const x = N.inertiaBegin([], motion(i, 0), motion(i, 2), abs(i.s[4]));
-    put(o, 0, x, N.inertiaEvaluate([], x, motion(i, 2), i.t));
+  offset: (N, i, o) => {
+    const x = inertia(i);
+    N.offsetBegin(x, motion(i, 0), motion(i, 2));
+    put(o, 0, x.c, x.end, N.offsetEvaluate([], x, motion(i, 2), i.t));
   },
-  vec3_inertia: (N, i, o) => {
-    const to = vec3Motion(i, 2), x = N.vec3InertiaBegin([], vec3Motion(i, 0), to, abs(i.s[4]));
-    put(o, 0, x, N.vec3InertiaEvaluate([], x, to, i.t));
+  vec3_offset: (N, i, o) => {
+    const to = vec3Motion(i, 2), x = inertia(i);
+    N.vec3OffsetBegin(x, vec3Motion(i, 0), to);
+    put(o, 0, x.c, x.end, N.vec3OffsetEvaluate([], x, to, i.t));
   },
-  quat_inertia: (N, i, o) => {
-    const to = quatMotion(i, 1), x = N.quatInertiaBegin([], quatMotion(i, 0), to, abs(i.s[4]));
-    put(o, 0, x.slice(0, 9), N.quatInertiaEvaluate([], x, to, i.t));
+  quat_offset: (N, i, o) => {
+    const to = quatMotion(i, 1), x = inertia(i);
+    N.quatOffsetBegin(x, quatMotion(i, 0), to);
+    put(o, 0, x.c, N.quatOffsetEvaluate([], x, to, i.t));
   },
-  dead_blend: (N, i, o) => put(o, 0,
-    N.deadBlendEvaluate([], [...motion(i, 0), abs(i.s[4]), abs(i.s[5])], motion(i, 2), i.t),
-    N.deadBlendHalfLife(motion(i, 0), i.s[2], 0.5, 0.125, 2)),
-  quat_dead_blend: (N, i, o) => {
-    const blend = [...quatMotion(i, 0), abs(i.s[4]), abs(i.s[5]), ...i.q[3]];
-    put(o, 0, N.quatDeadBlendEvaluate([], blend, quatMotion(i, 1), i.t), blend.slice(9));
+  offset_dead_blend: (N, i, o) => {
+    const x = deadBlend(N, i), way = F(F(i.s[2] - i.s[0]) / i.s[1]);
+    N.offsetBegin(x, motion(i, 0), motion(i, 2));
+    put(o, 0, N.offsetEvaluate([], x, motion(i, 2), i.t), i.s[1] ? N.clamp(0.5 * way, 0.125, 2) : 2);
+  },
+  quat_offset_dead_blend: (N, i, o) => {
+    const x = deadBlend(N, i), to = quatMotion(i, 1);
+    N.quatOffsetBegin(x, quatMotion(i, 0), to);
+    x.difference = i.q[3];
+    put(o, 0, N.quatOffsetEvaluate([], x, to, i.t), x.difference);
   },
   body_motion_between: (N, i, o) => N.bodyMotionBetween(o, [...vec3Motion(i, 0), ...quatMotion(i, 0)],
     [...vec3Motion(i, 2), ...quatMotion(i, 1)], abs(i.s[0]), i.t),

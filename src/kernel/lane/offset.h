@@ -100,7 +100,7 @@ static inline lane_inertia_c lane_inertia_begin(lane_f64_vec3 x, lane_f64_vec3 v
     return r;
 }
 
-/* x = log(from to^-1) of the shorter arc, and its rate; see nkw_quat_inertia_begin. */
+/* x = log(from to^-1) of the shorter arc, and its rate; see nkw_quat_offset_begin. */
 typedef struct lane_rotation_offset {
     lane_f64_vec3 half, rate;
 } lane_rotation_offset;

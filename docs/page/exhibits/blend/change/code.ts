@@ -30,8 +30,10 @@ static const char *const jumps[KINDS] = {${names('jump')}};
 const float step = ${literal(step)}, duration = ${literal(duration)};
 const nkw_quat_state from = ${motion('a', first)};
 const nkw_quat_state to = ${motion('b', first)};
-const nkw_vec3_inertia offset = nkw_quat_inertia_begin(&from, &to, duration);
-nkw_quat_dead_blend blend = {from, ${literal(state.coast)}, duration, {0.0f, 0.0f, 0.0f, 0.0f}};
+nkw_quat_offset inertia = {.duration = duration};
+nkw_quat_offset dead = {.kind = NKW_OFFSET_DEAD_BLEND, .duration = duration, .half_life = ${literal(state.coast)}};
+nkw_quat_offset_begin(&inertia, &from, &to);
+nkw_quat_offset_begin(&dead, &from, &to);
 nkw_quat q[KINDS][COUNT];
 for (int i = 0; i < COUNT; i++) {
     const nkw_quat_state next = {b[i], {0.0f, 0.0f, 0.0f}};
@@ -39,8 +41,8 @@ for (int i = 0; i < COUNT; i++) {
     q[0][i] = a[i];
     q[1][i] = b[i];
     q[2][i] = nkw_quat_nlerp(a[i], b[i], ${state.smooth ? 'nkw_smoothstep(part)' : 'part'});
-    q[3][i] = since[i] < 0.0f ? a[i] : nkw_quat_inertia_evaluate(&offset, &next, since[i]).value;
-    q[4][i] = since[i] < 0.0f ? a[i] : nkw_quat_dead_blend_evaluate(&blend, &next, since[i]).value;
+    q[3][i] = since[i] < 0.0f ? a[i] : nkw_quat_offset_evaluate(&inertia, &next, since[i]).value;
+    q[4][i] = since[i] < 0.0f ? a[i] : nkw_quat_offset_evaluate(&dead, &next, since[i]).value;
 }
 for (int kind = 0; kind < KINDS; kind++) {
     const nkw_vec3 now = nkw_quat_angular_velocity(q[kind][${before}], q[kind][${now}], step);
