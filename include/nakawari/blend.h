@@ -3,6 +3,10 @@
  * @file
  * Blending of poses: two poses by a parameter, any number of poses by weights, additive poses, mirroring.
  *
+ * A crossfade is nkw_pose_blend by t = elapsed / duration, or by an ease of it (ease.h); transition.h has transitions
+ * that sample the new animation only. A blend tree is a call of these functions for each of its nodes; the weights of
+ * a node that blends by parameters are those of blendspace.h.
+ *
  * All poses and masks of a call have the same joint_count; otherwise the result is NKW_MISMATCHED and nothing is
  * written. A mask has one float for each joint, by which the weight is multiplied: 0 excludes the joint, 1 applies the
  * whole weight. It is padded like one array of a pose: NKW_POSE_STRIDE(joint_count) floats. A mask with NULL data is 1

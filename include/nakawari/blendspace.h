@@ -2,7 +2,7 @@
 /**
  * @file
  * Blend spaces: the weights of animations that are samples of one or more parameters, such as the speed and
- * the direction of a walk.
+ * the direction of a walk: the nodes of a blend tree that blend by parameters.
  *
  * Gradient band interpolation: sample i has the weight
  *

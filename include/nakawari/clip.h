@@ -1,7 +1,8 @@
 /* SPDX-License-Identifier: MIT */
 /**
  * @file
- * Clips: one call samples many tracks at one time into one pose.
+ * Clips: one call samples many tracks at one time into one pose. A clip may be compressed: quantized to 16-bit keys
+ * (NKW_CLIP_UNORM16, *compact*), or reduced by nkw_clip_reduce of clip_reduce.h.
  *
  * A clip is built from tracks into one block of memory of the caller. It contains no pointer, so it may be copied,
  * written to a file and mapped. nkw_clip_open checks a block before its first use. Sampling returns the same bits as
@@ -84,7 +85,7 @@ NKW_SIZE(nkw_clip_track, 56, 36);
  * In addition each timeline takes 16 + 4 n, each group of tracks with the same key times about 100, each number and
  * rotation 1, or 5 if its joint has no animated neighbour. Component arrays of at least 8 neighbouring joints are
  * padded as those of a pose, so that they are written as a whole: 10 joints take the memory of 16. In compact clips a
- * sample takes about twice as long, unless keys are not in a near cache.
+ * sample takes about twice as long where the keys are in the caches of the core.
  */
 typedef enum nkw_clip_format {
     NKW_CLIP_FLOAT32, /**< binary32, unchanged: sampling returns the bits of nkw_track_sample */

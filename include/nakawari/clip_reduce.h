@@ -1,9 +1,10 @@
 /* SPDX-License-Identifier: MIT */
 /**
  * @file
- * Clips that are as small as a tolerance permits: packed keys in the clip's block (nkw_clip_reduce), or fewer
- * keys in its tracks (nkw_clip_source_reduce). The error is the largest distance in model space of the points that a
- * joint carries, so errors of a chain of joints add up.
+ * Compresses animations as far as a tolerance permits: quantizes the keys in the clip's block to as many bits as they
+ * need (nkw_clip_reduce, *packed* keys), or removes keys of all tracks together (nkw_clip_source_reduce, *key
+ * reduction*; reduce.h has that of one track). The error is the largest distance in model space of the points that
+ * a joint carries, so errors of a chain of joints add up.
  *
  * Source Guillaume, ozz-animation, and Frechette, Animation Compression Library: Error metrics, 2017: an error measured
  * in model space at the distance of the skin.
@@ -77,8 +78,9 @@ NKW_SIZE(nkw_clip_reduced, 40, 24);
  *
  * A reduced clip is opened, sampled and copied as every clip. Equal first and last keys return equal bits. A sample
  * decodes two keys from two knots and one segment of 16 intervals, at random times as in order. It takes 4 to 12 times
- * as long as that of a FLOAT32 clip in a near cache: 8 to 10 ns for each moving track with AVX2, 11 to 15 ns with SSE2.
- * nkw_clip_sample_cached decodes each pair of keys once: half of that at 60 samples per second of keys at 30 Hz.
+ * as long as that of a FLOAT32 clip in the first-level cache: 8 to 10 ns for each moving track with AVX2, 11 to 15 ns
+ * with SSE2. nkw_clip_sample_cached decodes each pair of keys once: half of that at 60 samples per second of keys at
+ * 30 Hz.
  *
  * block    aligned for float; NULL asks for a bound of its bytes. The clip is much smaller: copy its first
  *          reduced->bytes bytes

@@ -1,7 +1,8 @@
 /* SPDX-License-Identifier: MIT */
 /**
  * @file
- * Easing: functions that map the progress of a transition, 0 to 1, to the progress of its value.
+ * Easing: functions that map the progress of a transition, 0 to 1, to the progress of its value. They ease in (begin
+ * slowly), ease out (end slowly) or both.
  *
  * Penner's thirty and the functions of CSS. Multiply by the change of the value:
  *

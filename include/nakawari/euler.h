@@ -16,10 +16,10 @@
  *     outer angles i and k   in [-pi, pi]
  *     middle angle j         in [-pi/2, pi/2]
  *
- * At a pole, j = +-pi/2, the outer axes coincide and only i + k or i - k is defined. Within 8.5e-8 rad of a pole, j is
- * exactly the float nearest to +-pi/2, k is 0 and i is the angle of the whole rotation about the common axis. A
- * quaternion rounded from angles at a pole may be 1.2e-7 rad from it, one from nkw_quat_from_euler 4e-7 rad; its three
- * angles are then computed as elsewhere.
+ * At a pole (gimbal lock), j = +-pi/2, the outer axes coincide and only i + k or i - k is defined. Within 8.5e-8 rad of
+ * a pole, j is exactly the float nearest to +-pi/2, k is 0 and i is the angle of the whole rotation about the common
+ * axis. A quaternion rounded from angles at a pole may be 1.2e-7 rad from it, one from nkw_quat_from_euler 4e-7 rad;
+ * its three angles are then computed as elsewhere.
  * At and near a pole the *rotation* of the angles has the same error as elsewhere, but the single angles i and k are
  * ill-conditioned.
  *

@@ -63,7 +63,7 @@ typedef struct nkw_ik_two_bone_solution {
 NKW_SIZE(nkw_ik_two_bone_solution, 60, 60);
 
 /**
- * Solves a limb of two bones. With the lengths a, b of the bones and the distance d from root to target:
+ * Solves a limb of two bones (two-bone IK). With the lengths a, b of the bones and the distance d from root to target:
  *
  *     L = a + b,  s = softness L
  *     reach r = d                                              d <= L - s

@@ -47,11 +47,11 @@ NKW_SIZE(nkw_play_head, 8, 8);
 /**
  * The play head at the running time `time`; the first loop begins at time = start.
  *
- *     cycle = floor((time - start) / duration),     rest = time - start - cycle duration
+ *     cycle = floor((time - start) / duration),     r = time - start - cycle duration
  *
  *     CLAMP       time clamped to [start, start + duration]; cycle 0
- *     LOOP        start + rest; if it rounds to the end, start, and cycle + 1
- *     PING_PONG   start + rest in even cycles, start + duration - rest in odd cycles
+ *     LOOP        start + r; if it rounds to the end, start, and cycle + 1
+ *     PING_PONG   start + r in even cycles, start + duration - r in odd cycles
  *
  * The first key of a clip may be later than 0. For a clip whose first key is at `start` and whose last key is at `end`,
  * `seconds` after it was started:
@@ -100,12 +100,12 @@ NKW_SIZE(nkw_play_head_f64, 24, 24);
  * (0.24 ms after an hour, 7.8 ms after a day).
  *
  *     period = duration + closing for LOOP, duration for PING_PONG
- *     cycle = floor((time - start) / period),     rest = time - start - cycle period
+ *     cycle = floor((time - start) / period),     r = time - start - cycle period
  *
  *     CLAMP       the nearer end; cycle 0
- *     LOOP        start + rest; from duration on the last key, with closing = (rest - duration) / closing; without a
- *                 closing segment, if start + rest rounds to the end, start, and cycle + 1
- *     PING_PONG   start + rest in even cycles, start + duration - rest in odd cycles
+ *     LOOP        start + r; from duration on the last key, with closing = (r - duration) / closing; without a
+ *                 closing segment, if start + r rounds to the end, start, and cycle + 1
+ *     PING_PONG   start + r in even cycles, start + duration - r in odd cycles
  *
  * Beyond the counts, the state is that at the end of the last cycle after the clip, at the beginning of the first one
  * before it, and `cycle` is the number of that cycle.

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /**
  * @file
- * Chains of cubic segments as paths: length, places at a length, constant speed, moving frames, polylines.
+ * Chains of cubic segments as paths: (arc) length, places at a length, constant speed, moving frames, polylines.
  *
  * A polycurve is an array of cubic segments of one kind, each of which usually begins where the one before ends. A
  * place on it is a segment and its parameter, an nkw_segment.

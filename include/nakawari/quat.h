@@ -162,9 +162,10 @@ NKW_API nkw_axis_angle nkw_axis_angle_from_quat(nkw_quat q);
 NKW_API nkw_quat nkw_quat_from_vectors(nkw_vec3 from, nkw_vec3 to);
 
 /**
- * The orientation that looks along `forward` with `up` above. It rotates -z to forward, and +y to the direction
- * perpendicular to forward that is nearest to up. This is the convention of cameras in OpenGL and glTF, and of the key
- * frames in keyframe.h. For an object that faces +z, pass -forward.
+ * The orientation that looks along `forward` with `up` above; to look at a point, forward is the point minus the own
+ * position. It rotates -z to forward, and +y to the direction perpendicular to forward that is nearest to up. This is
+ * the convention of cameras in OpenGL and glTF, and of the key frames in keyframe.h. For an object that faces +z, pass
+ * -forward.
  *
  * forward = 0 returns the identity. If up is 0 or parallel to forward, to within 2^-30 rad, it is replaced by
  * nkw_vec3_perpendicular(-forward).

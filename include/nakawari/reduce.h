@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /**
  * @file
- * Key reduction: the keys of a track that are needed, within a tolerance.
+ * Key reduction (keyframe reduction, decimation): removes keys of a track that are not needed within a tolerance.
  *
  * A reduced track has some of the keys of its source, unchanged: times, values, tangents, modes per key. It never has
  * more keys than the source. These are always kept:

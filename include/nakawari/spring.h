@@ -11,7 +11,7 @@
  * except for rounding, and no step is unstable. With omega^2 = stiffness and zeta = damping / (2 omega), the spring is
  *
  *     underdamped         zeta < 1    passes the goal and oscillates
- *     critically damped   zeta = 1    the fastest spring that does not oscillate
+ *     critically damped   zeta = 1    the fastest spring that does not oscillate (SmoothDamp)
  *     overdamped          zeta > 1    slower, does not oscillate
  *
  * The state of a value is the value and its rate of change. The goal has both too. To follow a goal

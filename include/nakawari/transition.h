@@ -1,7 +1,8 @@
 /* SPDX-License-Identifier: MIT */
 /**
  * @file
- * Transitions of whole poses without a jump: inertialisation and dead blending of all joints.
+ * Transitions of whole poses without a jump: inertialisation and dead blending of all joints. Unlike a crossfade
+ * (nkw_pose_blend of blend.h), they do not sample the old animation any more.
  *
  * The formulas are those of inertia.h, joint by joint and bit for bit: translation and scale as vectors, the rotation
  * as a rotation. The caller keeps the state of a transition in one block of floats. The velocities of the joints, nine

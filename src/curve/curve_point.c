@@ -52,11 +52,11 @@ nkw_vec3_motion nkw_vec3_cubic_evaluate(const nkw_vec3_cubic *cubic, float t, nk
     return r;
 }
 
-/* The value less that of the end nearer to t, which is p0 if `near` is 0; see nkw_quintic_evaluate. */
-static double quintic_value(nkw_motion p0, nkw_motion p1, double f, double t, int near)
+/* The value minus that of the end nearer to t: p1 if `last` is not 0, otherwise p0; see nkw_quintic_evaluate. */
+static double quintic_value(nkw_motion p0, nkw_motion p1, double f, double t, int last)
 {
     double s = 1.0 - t, ss = s * s, tt = t * t;
-    double line = near ? -(s * ss) * (10.0 - s * (15.0 - 6.0 * s)) : (t * tt) * (10.0 - t * (15.0 - 6.0 * t));
+    double line = last ? -(s * ss) * (10.0 - s * (15.0 - 6.0 * s)) : (t * tt) * (10.0 - t * (15.0 - 6.0 * t));
     double velocity =
         (t * ss) * (s * (1.0 + 3.0 * t)) * (double)p0.velocity - (s * tt) * (t * (1.0 + 3.0 * s)) * (double)p1.velocity;
     return line * f + (velocity + (0.5 * (tt * ss)) * (s * (double)p0.acceleration + t * (double)p1.acceleration));
@@ -82,10 +82,10 @@ static double quintic_second(nkw_motion p0, nkw_motion p1, double f, double t)
 
 nkw_motion nkw_quintic_evaluate(nkw_motion p0, nkw_motion p1, float t)
 {
-    int near = t >= 0.5f;
-    double f = (double)p1.value - (double)p0.value, end = near ? p1.value : p0.value;
-    nkw_motion r = {(float)(end + quintic_value(p0, p1, f, t, near)), (float)quintic_first(p0, p1, f, t),
-                         (float)quintic_second(p0, p1, f, t)};
+    int last = t >= 0.5f;
+    double f = (double)p1.value - (double)p0.value, end = last ? p1.value : p0.value;
+    nkw_motion r = {(float)(end + quintic_value(p0, p1, f, t, last)), (float)quintic_first(p0, p1, f, t),
+                    (float)quintic_second(p0, p1, f, t)};
     return r;
 }
 

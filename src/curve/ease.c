@@ -65,8 +65,8 @@ static handle_point elastic_in(double x, double period)
 {
     const double k = 10.0 * LANE_LN_2, w = LANE_TWO_PI / period;
     double u = (x - 1.0) * (2.0 / period), rounded_u = u + LANE_ROUND, power = lane_exp2_64(10.0 * x - 10.0);
-    double rest = u - (rounded_u - LANE_ROUND), sign = (lane_bits64(rounded_u) & 1u) ? -power : power;
-    double c = sign * sine(0.5 - lane_abs64(rest)), s = sign * sine(rest);
+    double remainder = u - (rounded_u - LANE_ROUND), sign = (lane_bits64(rounded_u) & 1u) ? -power : power;
+    double c = sign * sine(0.5 - lane_abs64(remainder)), s = sign * sine(remainder);
     handle_point r = {x > 0.0 ? c : 0.0, k * c - w * s, (k * k - w * w) * c - (2.0 * k * w) * s};
     return r;
 }

@@ -5,7 +5,7 @@
 
 /* Intervals of 2^-POLYCURVE_LEVELS are not halved. */
 #define POLYCURVE_LEVELS 22
-/* The halves of an interval agree with the whole to within this part of largest_length. */
+/* The lengths of both halves and of the whole interval agree to within this times largest_length. */
 #define POLYCURVE_TOLERANCE 0x1p-44
 /* Steps of Newton's method or of bisection: enough for bisection alone. */
 #define POLYCURVE_STEPS 48

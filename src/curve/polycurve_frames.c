@@ -4,7 +4,7 @@
 /* Below this sine of the angle to the tangent a direction has no part perpendicular to it. */
 #define FRAME_PARALLEL 0x1p-20
 
-/* A derivative below this part of the largest of its terms is none. */
+/* A derivative that is less than this times the largest of its terms counts as 0. */
 #define HEADING_NOISE 0x1p-46
 
 /* A frame in binary64; the binormal is t x n. */

@@ -78,10 +78,10 @@ static derivatives angle_over_sine(lane_f64_quat q)
     double s2 = lane_f64_vec3_dot(v, v), least = 0x1p-40;
     derivatives r = {0.0, 0.0, 0.0};
     if (q.w < 0.5) {
-        double held = s2 > least ? s2 : least, sine = lane_sqrt64(held);
+        double bounded = s2 > least ? s2 : least, sine = lane_sqrt64(bounded);
         r.f = lane_atan2_64(sine, q.w) / sine;
-        r.f1 = (q.w * r.f - 1.0) / held;
-        r.f2 = (3.0 * q.w * r.f1 + r.f) / held;
+        r.f1 = (q.w * r.f - 1.0) / bounded;
+        r.f2 = (3.0 * q.w * r.f1 + r.f) / bounded;
         return r;
     }
     double x = s2 / (1.0 + q.w), a[ANGLE_TERMS] = {1.0};

@@ -53,7 +53,7 @@ LANE_FLAT nkw_mat3 nkw_mat3_from_euler(nkw_vec3 angles, nkw_euler_order order)
     return lane_euler_mat3_in_place(&m, o);
 }
 
-/* A length that is far from 1. Zero returns the identity. */
+/* Normalises a quaternion whose length is outside the range of the fast formula. Zero returns the identity. */
 LANE_SELDOM static lane_f64_quat rescued(lane_f64_quat q)
 {
     return lane_f64_quat_normalize(q);

@@ -43,10 +43,10 @@ nkw_mat3 nkw_mat3_normal(const nkw_mat3 *m)
 /* The square of the angle, in rad, below which a column counts as dependent on those before it. */
 #define DEPENDENT 0x1p-60
 
-static lane_f64_vec3 direction_or(lane_f64_vec3 rest, lane_f64_vec3 whole, lane_f64_vec3 otherwise)
+static lane_f64_vec3 direction_or(lane_f64_vec3 remainder, lane_f64_vec3 whole, lane_f64_vec3 otherwise)
 {
-    int lost = lane_f64_vec3_dot(rest, rest) <= DEPENDENT * lane_f64_vec3_dot(whole, whole);
-    return lane_f64_vec3_normalize(lane_f64_vec3_select(lost, otherwise, rest));
+    int lost = lane_f64_vec3_dot(remainder, remainder) <= DEPENDENT * lane_f64_vec3_dot(whole, whole);
+    return lane_f64_vec3_normalize(lane_f64_vec3_select(lost, otherwise, remainder));
 }
 
 nkw_mat3 nkw_mat3_orthonormalize(const nkw_mat3 *m)
@@ -55,8 +55,9 @@ nkw_mat3 nkw_mat3_orthonormalize(const nkw_mat3 *m)
     lane_f64_vec3 a = lane_f64_mat3_column(&w, 0), b = lane_f64_mat3_column(&w, 1), c = lane_f64_mat3_column(&w, 2);
     lane_f64_vec3 across = lane_f64_vec3_cross(b, c);
     lane_f64_vec3 x = direction_or(a, a, direction_or(across, across, lane_f64_vec3_perpendicular(b)));
-    lane_f64_vec3 rest = lane_f64_vec3_sub(b, lane_f64_vec3_scale(x, lane_f64_vec3_dot(b, x)));
-    lane_f64_vec3 y = direction_or(rest, b, direction_or(lane_f64_vec3_cross(c, x), c, lane_f64_vec3_perpendicular(x)));
+    lane_f64_vec3 remainder = lane_f64_vec3_sub(b, lane_f64_vec3_scale(x, lane_f64_vec3_dot(b, x)));
+    lane_f64_vec3 y =
+        direction_or(remainder, b, direction_or(lane_f64_vec3_cross(c, x), c, lane_f64_vec3_perpendicular(x)));
     lane_f64_vec3 z = lane_f64_vec3_cross(x, y);
     double along = lane_f64_vec3_dot(z, c);
     int mirrors = along < 0.0 && along * along > DEPENDENT * lane_f64_vec3_dot(c, c);

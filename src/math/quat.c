@@ -50,7 +50,7 @@ nkw_quat nkw_quat_look_rotation(nkw_vec3 forward, nkw_vec3 up)
     lane_f64_vec3 z = lane_f64_vec3_normalize(lane_f64_vec3_scale(lane_f64_vec3_from(forward), -1.0));
     lane_f64_vec3 u = lane_f64_vec3_normalize(lane_f64_vec3_from(up));
     lane_f64_vec3 side = lane_f64_vec3_cross(u, z);
-    /* Up along forward has no side; then any up will do. */
+    /* If `up` is parallel to forward, they have no common perpendicular; any other `up` is then taken. */
     int parallel = lane_f64_vec3_dot(side, side) < 0x1p-60;
     lane_f64_vec3 x = lane_f64_vec3_normalize(
         lane_f64_vec3_select(parallel, lane_f64_vec3_cross(lane_f64_vec3_perpendicular(z), z), side));

@@ -55,7 +55,7 @@ static lane_sincos near_critical(double z, double h)
 
 /* The phase w h of an oscillation, and w. */
 typedef struct phase {
-    double w, high, low, rest; /* w h = high + low + rest; high and low are exact products */
+    double w, high, low, tail; /* w h = high + low + tail; high and low are exact products */
 } phase;
 
 /* w^2 = stiffness - y^2 = square + left; w = a + b + more, a of 26 bits, and h is a float. */
@@ -74,8 +74,8 @@ static lane_sincos underdamped(double stiffness, double y, double h)
 {
     phase p = phase_of(stiffness, y, h);
     double n = (p.w * h * (1.0 / LANE_TWO_PI) + LANE_ROUND) - LANE_ROUND;
-    double near = ((p.high - n * TURN_HIGH) + p.low) - n * TURN_MIDDLE;
-    lane_sincos a = n < 0x1p26 ? lane_sincos64(near + (p.rest - n * TURN_LOW)) : lane_turn64_long(p.w * h);
+    double reduced = ((p.high - n * TURN_HIGH) + p.low) - n * TURN_MIDDLE;
+    lane_sincos a = n < 0x1p26 ? lane_sincos64(reduced + (p.tail - n * TURN_LOW)) : lane_turn64_long(p.w * h);
     a.s = a.s / p.w;
     return a;
 }
@@ -349,7 +349,7 @@ nkw_quat nkw_quat_damper_step(nkw_quat from, nkw_quat goal, float half_life, flo
 /* A step in two parts: while the point moves, and after it has stopped. */
 typedef struct parts {
     float moving, resting; /* seconds of the step */
-    double rate; /* the part of the way to the goal that the point moves in a second */
+    double rate; /* the share of the way to the goal that the point moves in a second */
 } parts;
 
 /* Of a step of h; `time_left` receives the time after it. */

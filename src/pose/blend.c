@@ -192,7 +192,7 @@ typedef struct queue {
     size_t count, sorted, taken;
 } queue;
 
-/* Finds the first layers after `last`, of all where that is NULL. Apart, for more than BLEND_SORTED layers are few. */
+/* Finds the first layers after `last`; of all if it is NULL. A separate function: the call is rare. */
 NKW_NOINLINE static void sort_layers(queue *q, const nkw_pose_layer *last)
 {
     q->sorted = q->taken = 0;
@@ -233,8 +233,8 @@ static void copy_rows(blend_rows from, size_t rows, blend_span to, size_t n)
 }
 
 /*
- * Layers without masks: sum = lerp(sum, pose, weight / (total + weight)), one pose behind, for with the last one the
- * rotations are normalised in the same loop. The sum begins as the first pose where it lies.
+ * Layers without masks: sum = lerp(sum, pose, weight / (total + weight)). A layer is added when the next one is known,
+ * because the loop of the last one also normalises the rotations. The sum is at first the first pose, not a copy of it.
  */
 typedef struct plain_sum {
     float v[10 * BLEND_BLOCK];
@@ -286,9 +286,9 @@ static void blend_plain(const nkw_pose_layer *layers, size_t count, const float 
 }
 
 /*
- * The same with totals and parts for each joint separately. mixed is 1 where more than one pose has a part in the sum,
- * which is the first pose where it lies, then v. The first pose is taken whole: where it has no weight, the next one's
- * part is 1.
+ * Layers with masks: each joint has its own total and share. mixed is 1 where more than one pose has a share in the
+ * sum. The sum is at first the first pose, not a copy of it, then v. The first pose counts whole: where it has no
+ * weight, the share of the next one is 1.
  */
 typedef struct masked_sum {
     float v[10 * BLEND_BLOCK];

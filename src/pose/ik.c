@@ -116,7 +116,7 @@ nkw_ik_two_bone_solution nkw_ik_two_bone_solve(const nkw_ik_two_bone *limb)
     lane_f64_vec3 end = lane_f64_vec3_add(t.u, lane_f64_quat_rotate(mid, t.v));
     r.mid = ik_weighted(mid, limb->weight);
     r.root = ik_weighted(swing_of(&t, end), limb->weight);
-    /* Where the rounded rotations lead. */
+    /* The positions and the error are those of the rotations as they are rounded. */
     lane_f64_quat turn = lane_f64_quat_unit_from(r.root);
     mid = lane_f64_quat_unit_from(r.mid);
     end = lane_f64_quat_rotate(turn, lane_f64_vec3_add(t.u, lane_f64_quat_rotate(mid, t.v)));

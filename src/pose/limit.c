@@ -57,8 +57,8 @@ static lane_f64_quat swing_of(const swing_plane *plane, swing_point p)
 /*
  * The nearest point of the ellipse x = a cos, y = b sin to a point outside with x, y >= 0, for a >= b > 0:
  *
- *     (u / (s r + 1))^2 + (v / (s + 1))^2 = 1,   u = x/a, v = y/b, r = (b/a)^2,      nearest (x / (s r + 1), y / (s +
- *     1))
+ *     (u / (s r + 1))^2 + (v / (s + 1))^2 = 1,      u = x/a,  v = y/b,  r = (b/a)^2
+ *     nearest = (x / (s r + 1), y / (s + 1))
  *
  * The left side decreases and is convex in s, so Newton's method from a smaller s stays below the root. Each term is at
  * most 1 at the root, which bounds s from below.

@@ -9,10 +9,10 @@
 #include "batch/skin_format.h"
 
 /* The influences of one vertex. */
-typedef struct held {
+typedef struct vertex_influences {
     float weight[NKW_SKIN_INFLUENCES];
     uint32_t joint[NKW_SKIN_INFLUENCES];
-} held;
+} vertex_influences;
 
 static const unsigned char *vertex_at(const nkw_skin_view *v, size_t influences, size_t i)
 {
@@ -51,13 +51,13 @@ static float part_at(const unsigned char *p, nkw_skin_format format)
     return weight > 0.0f && lane_is_finite(weight) ? weight : 0.0f;
 }
 
-static void give_rest(const double *rest, size_t k, uint32_t missing, uint32_t *n)
+static void give_rest(const double *remainder, size_t k, uint32_t missing, uint32_t *n)
 {
     unsigned given = 0;
     for (; missing > 0; missing--) {
         size_t most = k;
         for (size_t e = 0; e < k; e++)
-            if (!(given >> e & 1) && (most == k || rest[e] > rest[most]))
+            if (!(given >> e & 1) && (most == k || remainder[e] > remainder[most]))
                 most = e;
         given |= 1u << most;
         n[most]++;
@@ -67,18 +67,18 @@ static void give_rest(const double *rest, size_t k, uint32_t missing, uint32_t *
 /* Largest remainder. The floors miss less than k, because the quotas sum to the total to within 1e-8. */
 static void apportion(const float *weight, size_t k, uint32_t total, uint32_t *n)
 {
-    double sum = 0.0, rest[NKW_SKIN_INFLUENCES];
+    double sum = 0.0, remainder[NKW_SKIN_INFLUENCES];
     uint32_t missing = total;
     for (size_t e = 0; e < k; e++)
         sum += (double)weight[e];
     for (size_t e = 0; e < k; e++) {
         double share = (double)weight[e] * (double)total;
         n[e] = sum > 0.0 ? (uint32_t)(share / sum) : 0;
-        rest[e] = share - (double)n[e] * sum;
+        remainder[e] = share - (double)n[e] * sum;
         missing -= n[e];
     }
     if (sum > 0.0)
-        give_rest(rest, k, missing, n);
+        give_rest(remainder, k, missing, n);
 }
 
 static void write_number(unsigned char *p, nkw_skin_format format, uint32_t n)
@@ -131,7 +131,7 @@ static uint32_t largest_joint(nkw_skin_format format)
 }
 
 /* The smallest weight, the last of equals. */
-static size_t smallest_of(const held *v, size_t k)
+static size_t smallest_of(const vertex_influences *v, size_t k)
 {
     size_t least = 0;
     for (size_t e = 1; e < k; e++)
@@ -139,14 +139,14 @@ static size_t smallest_of(const held *v, size_t k)
     return least;
 }
 
-static void drop(held *v, size_t k, size_t e)
+static void drop(vertex_influences *v, size_t k, size_t e)
 {
     memmove(v->weight + e, v->weight + e + 1, (k - e - 1) * sizeof *v->weight);
     memmove(v->joint + e, v->joint + e + 1, (k - e - 1) * sizeof *v->joint);
 }
 
 /* The `keep` largest of vertex i, in their order. Returns their number. Joints above `most` have no weight. */
-static size_t keep_largest(const nkw_skin *skin, size_t i, size_t keep, uint32_t most, held *v)
+static size_t keep_largest(const nkw_skin *skin, size_t i, size_t keep, uint32_t most, vertex_influences *v)
 {
     const unsigned char *joints = vertex_at(&skin->joints, skin->influence_count, i);
     const unsigned char *weights = vertex_at(&skin->weights, skin->influence_count, i);
@@ -181,7 +181,7 @@ nkw_result nkw_skin_prune(const nkw_skin *skin, size_t keep_count, nkw_skin_span
         !skin_format_is_joint(joints.format) || !skin_format_is_weight(weights.format))
         return NKW_BAD_FORMAT;
     for (size_t i = 0; i < skin->vertex_count; i++) {
-        held v;
+        vertex_influences v;
         size_t kept = keep_largest(skin, i, keep_count, largest_joint(joints.format), &v);
         write_joints(v.joint, kept, keep_count, vertex_of(&joints, keep_count, i), joints.format);
         write_weights(v.weight, kept, keep_count, vertex_of(&weights, keep_count, i), weights.format);
@@ -207,7 +207,7 @@ static int is_sum(double sum, nkw_skin_format format)
 
 static nkw_result check_vertex(const nkw_skin *skin, size_t joint_count, size_t i)
 {
-    held v;
+    vertex_influences v;
     double sum = 0.0;
     nkw_result result = NKW_OK;
     read_joints(&skin->joints, skin->influence_count, i, v.joint);

@@ -68,23 +68,23 @@ static int is_odd_number(double n)
     return lane_floor64(half) != half;
 }
 
-/* The state in a cycle, `rest` seconds from its beginning. */
-static nkw_play_head_f64 head_in(const nkw_playback_range *range, nkw_playback mode, double rest, double cycle)
+/* The state in a cycle, `remainder` seconds from its beginning. */
+static nkw_play_head_f64 head_in(const nkw_playback_range *range, nkw_playback mode, double remainder, double cycle)
 {
     double end = range->start + range->duration;
-    int is_odd = mode == NKW_PLAYBACK_PING_PONG && is_odd_number(cycle), is_closing = rest > range->duration;
-    double place = is_odd ? range->duration - rest : rest, time = range->start + place;
+    int is_odd = mode == NKW_PLAYBACK_PING_PONG && is_odd_number(cycle), is_closing = remainder > range->duration;
+    double place = is_odd ? range->duration - remainder : remainder, time = range->start + place;
     nkw_play_head_f64 head = {is_closing || time > end ? end : time, cycle, 0.0};
     if (is_closing)
-        head.closing = (rest - range->duration) / range->closing;
+        head.closing = (remainder - range->duration) / range->closing;
     return head;
 }
 
 /* The same; where the sum rounds up to the end of a loop, it is the start of the next cycle, if there is one. */
-static nkw_play_head_f64 head_before_end(const nkw_playback_range *range, nkw_playback mode, double rest, double cycle,
-                                         double limit)
+static nkw_play_head_f64 head_before_end(const nkw_playback_range *range, nkw_playback mode, double remainder,
+                                         double cycle, double limit)
 {
-    nkw_play_head_f64 head = head_in(range, mode, rest, cycle);
+    nkw_play_head_f64 head = head_in(range, mode, remainder, cycle);
     double end = range->start + range->duration;
     int is_joined = mode == NKW_PLAYBACK_LOOP && !(range->closing > 0.0) && cycle < limit;
     return is_joined && head.time >= end && end > range->start ? head_in(range, mode, 0.0, cycle + 1.0) : head;
@@ -102,11 +102,11 @@ static nkw_play_head_f64 repeated(const nkw_playback_range *range, nkw_playback 
         return head_in(range, mode, 0.0, -limit);
     if (!(quotient > -0x1p51 && quotient < 0x1p51 && period <= 0x1p900))
         return head;
-    double rest = playback_remainder(x, period, &cycle);
+    double remainder = playback_remainder(x, period, &cycle);
     /* The quotient above is rounded. */
-    if (cycle > limit || (cycle == limit && rest >= range->duration))
+    if (cycle > limit || (cycle == limit && remainder >= range->duration))
         return head_in(range, mode, range->duration, limit);
-    return head_before_end(range, mode, rest, cycle, limit);
+    return head_before_end(range, mode, remainder, cycle, limit);
 }
 
 nkw_play_head_f64 nkw_playback_head_f64(const nkw_playback_range *range, double time)

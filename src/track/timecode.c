@@ -19,7 +19,7 @@ static wide product(uint64_t a, uint64_t b)
 }
 
 /* n / d for n < 2^127 and 0 < d < 2^63, by long division. */
-static wide quotient(wide n, uint64_t d, uint64_t *rest)
+static wide quotient(wide n, uint64_t d, uint64_t *remainder)
 {
     wide q = {n.high / d, 0};
     uint64_t r = n.high % d;
@@ -28,7 +28,7 @@ static wide quotient(wide n, uint64_t d, uint64_t *rest)
         q.low = (q.low << 1) | (r >= d ? 1u : 0u);
         r -= r >= d ? d : 0;
     }
-    *rest = r;
+    *remainder = r;
     return q;
 }
 
@@ -57,9 +57,9 @@ static nkw_result rounded(wide q, int half, int some, int negative, nkw_round ro
     return NKW_OK;
 }
 
-static int compare_to_half(uint64_t rest, uint64_t d)
+static int compare_to_half(uint64_t remainder, uint64_t d)
 {
-    return rest > d - rest ? 1 : rest == d - rest ? 0 : -1;
+    return remainder > d - remainder ? 1 : remainder == d - remainder ? 0 : -1;
 }
 
 nkw_result nkw_ticks_convert(int64_t count, nkw_rate from, nkw_rate to, nkw_round round, int64_t *out)
@@ -67,10 +67,10 @@ nkw_result nkw_ticks_convert(int64_t count, nkw_rate from, nkw_rate to, nkw_roun
     *out = 0;
     if (!is_rate(from) || !is_rate(to))
         return NKW_NO_RATE;
-    uint64_t rest, d = (uint64_t)from.numerator * (uint64_t)to.denominator;
+    uint64_t remainder, d = (uint64_t)from.numerator * (uint64_t)to.denominator;
     wide n = product(magnitude(count), (uint64_t)to.numerator * (uint64_t)from.denominator);
-    wide q = quotient(n, d, &rest);
-    return rounded(q, compare_to_half(rest, d), rest != 0, count < 0, round, out);
+    wide q = quotient(n, d, &remainder);
+    return rounded(q, compare_to_half(remainder, d), remainder != 0, count < 0, round, out);
 }
 
 /* The position of the highest bit of x, not 0. */
@@ -98,7 +98,7 @@ static double double_of(wide q, int some, int exponent)
 
 nkw_result nkw_ticks_to_seconds(int64_t count, nkw_rate rate, double *seconds)
 {
-    uint64_t rest;
+    uint64_t remainder;
     *seconds = 0.0;
     if (!is_rate(rate))
         return NKW_NO_RATE;
@@ -109,8 +109,8 @@ nkw_result nkw_ticks_to_seconds(int64_t count, nkw_rate rate, double *seconds)
     int bits = n.high ? 64 + highest_bit(n.high) : highest_bit(n.low), shift = 124 - bits;
     wide s = {shift >= 64 ? n.low << (shift - 64) : (n.high << shift) | (shift ? n.low >> (64 - shift) : 0),
               shift >= 64 ? 0 : n.low << shift};
-    wide q = quotient(s, (uint64_t)rate.numerator, &rest);
-    const double size = double_of(q, rest != 0, -shift);
+    wide q = quotient(s, (uint64_t)rate.numerator, &remainder);
+    const double size = double_of(q, remainder != 0, -shift);
     *seconds = count < 0 ? -size : size;
     return NKW_OK;
 }
@@ -158,7 +158,7 @@ static wide shifted_left(wide q, int shift)
 nkw_result nkw_ticks_from_seconds(double seconds, nkw_rate rate, nkw_round round, int64_t *out)
 {
     int exponent, any, half;
-    uint64_t rest;
+    uint64_t remainder;
     *out = 0;
     if (!is_rate(rate))
         return NKW_NO_RATE;
@@ -167,11 +167,12 @@ nkw_result nkw_ticks_from_seconds(double seconds, nkw_rate rate, nkw_round round
     wide n = product(mantissa_of(seconds, &exponent), (uint64_t)rate.numerator); /* below 2^93 */
     if (exponent > 33) /* the count is at least 2^52 2^34 / 2^22 */
         return NKW_OUT_OF_RANGE;
-    wide q = quotient(exponent > 0 ? shifted_left(n, exponent) : n, (uint64_t)rate.denominator, &rest);
+    wide q = quotient(exponent > 0 ? shifted_left(n, exponent) : n, (uint64_t)rate.denominator, &remainder);
     if (exponent >= 0) /* the seconds are whole */
-        return rounded(q, compare_to_half(rest, (uint64_t)rate.denominator), rest != 0, seconds < 0.0, round, out);
+        return rounded(q, compare_to_half(remainder, (uint64_t)rate.denominator), remainder != 0, seconds < 0.0, round,
+                       out);
     int shift = -exponent < 127 ? -exponent : 127;
-    half = compare_bits_to_half(q, shift, rest != 0, &any);
+    half = compare_bits_to_half(q, shift, remainder != 0, &any);
     return rounded(shifted_right(q, shift), half, any, seconds < 0.0, round, out);
 }
 
@@ -197,11 +198,11 @@ nkw_result nkw_timecode_from_frame(int64_t frame, int32_t per_second, int drop, 
     int64_t minute = 60 * (int64_t)per_second, dropped = dropped_in(per_second, drop), ten = 10 * minute - 9 * dropped;
     if (frame < 0 || frame / (6 * ten) > INT32_MAX)
         return NKW_OUT_OF_RANGE;
-    int64_t rest = frame % ten, minutes = 0;
+    int64_t remainder = frame % ten, minutes = 0;
     /* The first minute of ten is complete. */
-    if (rest >= minute)
-        minutes = 1 + (rest - minute) / (minute - dropped);
-    int64_t label = rest + minutes * dropped, tens = frame / ten;
+    if (remainder >= minute)
+        minutes = 1 + (remainder - minute) / (minute - dropped);
+    int64_t label = remainder + minutes * dropped, tens = frame / ten;
     out->hours = (int32_t)(tens / 6);
     out->minutes = (int32_t)(tens % 6 * 10 + label / minute);
     out->seconds = (int32_t)(label % minute / per_second);

@@ -229,12 +229,12 @@ function(formula name)
   set(formulas "${formulas}" PARENT_SCOPE)
 endfunction()
 
-# The library begins at the end nearer to t; `back` and `near` are the distance from it and its value.
+# The library begins at the end nearer to t; `back` and `nearer` are the distance from it and its value.
 formula("Linear interpolation"
   "A + T*(B - A)" "A + (B - A)*T" "(B - A)*T + A" "T*(B - A) + A" "(1 - T)*A + T*B" "(1 - T)*A + B*T" "A*(1 - T) + B*T"
   "A*(1 - T) + T*B" "T*B + (1 - T)*A" "B*T + A*(1 - T)" "S = 1 - T & S*A + T*B" "S = 1 - T & A*S + B*T"
   "add_scaled(A, ~sub(B, A)" "add(~scale(A, 1 - T)" "S = 1 - T & add(~scale(A, S), ~scale(B, T)" "back*(B - A)"
-  "near + T*(B - A)")
+  "nearer + T*(B - A)")
 
 formula("Inverse of linear interpolation" "(T - A)/(B - A)" "D = B - A & (T - A)/D")
 

@@ -23,6 +23,12 @@ extern "C" {
  *     p = p0 + t (f + s k) = p1 - s (f - t k),        f = p1 - p0,  s = 1 - t,  k = s (v0 - f) - t (v1 - f)
  *
  * from the end nearer to t, which is p0 if `first` is not 0. `inside`, a constant, states that t is neither 0 nor 1.
+ *
+ * The textbook's sum, with v = f + (v - f) and p1 = p0 + f, begins with the chord, p0 + t f:
+ *
+ *     (1 + 2 t) s^2 p0 + t s^2 v0 + (1 + 2 s) t^2 p1 - s t^2 v1
+ *         = p0 + (t^2 (3 - 2 t) + t s^2 - s t^2) f + t s^2 (v0 - f) - s t^2 (v1 - f)
+ *         = p0 + t f + t s k,      since t^2 (3 - 2 t) + t s (s - t) = t
  */
 NKW_PART float nkw_hermite_from(int first, int inside, float p0, float v0, float p1, float v1, float t)
 {
@@ -58,7 +64,8 @@ NKW_BODY float nkw_bezier(float p0, float p1, float p2, float p3, float t)
 /*
  *     p = p1 + (bend + t f) = p2 + (bend - s f),        f = p2 - p1,  bend = (s^3 h + t^3 m)/6
  *
- * with the second differences h = p0 - 2 p1 + p2 and m = p1 - 2 p2 + p3. The squares of s and t are x^2 and 1 - 2 x +
+ * with the second differences h = p0 - 2 p1 + p2 and m = p1 - 2 p2 + p3: inserting p0 = h + 2 p1 - p2 and
+ * p3 = m + 2 p2 - p1 into the textbook's sum leaves s p1 + t p2 + bend. The squares of s and t are x^2 and 1 - 2 x +
  * x^2, x the smaller of s and t.
  */
 NKW_BODY float nkw_bspline(float p0, float p1, float p2, float p3, float t)
@@ -74,7 +81,8 @@ NKW_BODY float nkw_bspline(float p0, float p1, float p2, float p3, float t)
 }
 
 /*
- * Hermite with the tangents (p2 - p0)/2 and (p3 - p1)/2. With f, h, m and s of nkw_bspline:
+ * Hermite with the tangents v0 = (p2 - p0)/2 and v1 = (p3 - p1)/2. With f, h, m and s of nkw_bspline, v0 - f = -h/2 and
+ * v1 - f = m/2:
  *
  *     p = p1 + t (f - s k/2) = p2 - s (f + t k/2),        k = s h + t m
  */

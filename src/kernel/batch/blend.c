@@ -326,8 +326,8 @@ NKW_LOOP(nkwi_blend_each)
 }
 
 /*
- * The same, rotations as sums. out may be a. mixed becomes 1 where more than one pose has a part, 0 where one alone has
- * all.
+ * The same, rotations as sums. out may be a. mixed becomes 1 where more than one pose has a share, 0 where one alone
+ * has all.
  */
 NKW_LOOP(nkwi_blend_mix)(blend_rows a, blend_rows b, const float *t, float *mixed, int used, blend_span out)
 {

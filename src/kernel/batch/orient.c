@@ -123,7 +123,7 @@ NKW_ALWAYS_INLINE void slerp_inside(nkw_quat_view a, nkw_quat_view b, const floa
     }
 }
 
-/* Beyond 0..1, as far as needs no branch. */
+/* For t outside 0..1, where slerp needs no branch. */
 static inline int is_near(float t)
 {
     return lane_abs(t) < (float)LANE_T_NEAR;
@@ -148,7 +148,7 @@ typedef struct slerp_elements {
     size_t count;
 } slerp_elements;
 
-/* A t that is far is computed here, and then kept by a slerp at 0. */
+/* The slerp of a far t is computed here, and stored as a: the loop then slerps by t = 0. */
 static inline void keep_element(slerp_elements *e, nkw_quat a, nkw_quat b, float t, size_t index)
 {
     const nkw_quat_span to_a = {e->a[0], e->a[1], e->a[2], e->a[3]}, to_b = {e->b[0], e->b[1], e->b[2], e->b[3]};

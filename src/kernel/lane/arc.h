@@ -49,9 +49,9 @@ static inline lane_f64_arc lane_f64_arc_between(lane_f64_quat a, lane_f64_quat b
 /* The point at the angle x + pi turns. `near`, a constant, says that |x| < LANE_NEAR; then there is no branch. */
 static inline lane_f64_quat lane_f64_arc_at(const lane_f64_arc *arc, double x, double turns, int near)
 {
-    /* Two half turns of a quaternion are none. */
-    double rest = turns - 2.0 * ((0.5 * turns + LANE_ROUND) - LANE_ROUND);
-    double angle = turns == 0.0 ? x : x + LANE_PI * rest;
+    /* A quaternion that is turned by two half turns is the same one. */
+    double remainder = turns - 2.0 * ((0.5 * turns + LANE_ROUND) - LANE_ROUND);
+    double angle = turns == 0.0 ? x : x + LANE_PI * remainder;
     lane_sincos turn = near ? lane_sincos64(angle) : lane_turn64(angle);
     int still = (arc->h == 0.0) & (turns == 0.0);
     return lane_f64_quat_add(lane_f64_quat_scale(arc->u, turn.c), lane_f64_quat_scale(arc->e, still ? 0.0 : turn.s));
@@ -77,7 +77,7 @@ static inline nkw_quat lane_quat_slerp_turned(nkw_quat a, nkw_quat b, float t, n
     return lane_quat_from_f64(lane_f64_quat_slerp_turned(from, to, (double)t, 0.0, near));
 }
 
-/* b with the sign of the path; negated by an odd number of turns. */
+/* Returns b after whole turns of the rotation: an odd number negates the quaternion. */
 static inline lane_f64_quat lane_f64_quat_after(lane_f64_quat b, int32_t turns)
 {
     return lane_f64_quat_scale(b, turns % 2 ? -1.0 : 1.0);

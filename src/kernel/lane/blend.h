@@ -18,7 +18,7 @@ static inline float lane_mask(float mask)
     return m < 1.0f ? m : 1.0f;
 }
 
-/* The part that a weight has in the sum of itself and the weights before; none of nothing. */
+/* Returns weight / (total + weight), the share of a layer in the sum of itself and the layers before; 0 for 0. */
 static inline float lane_share(float weight, float total)
 {
     float sum = total + weight;
@@ -26,7 +26,7 @@ static inline float lane_share(float weight, float total)
     return weight > 0.0f ? share : 0.0f;
 }
 
-/* The weights by which a total falls short of the threshold, which may be the most of all; 1 where there is nothing. */
+/* Returns the weight of the rest pose: what the total lacks to the threshold, 0 if nothing; 1 for a total of 0. */
 static inline float lane_missing(double total, float threshold)
 {
     double limit = (double)threshold;
@@ -53,14 +53,14 @@ static inline nkw_quat lane_quat_delta(nkw_quat a, nkw_quat ref, int parent)
     return lane_quat_from_f64(lane_f64_quat_mul(left, right));
 }
 
-/* 1 or -1, whichever is nearer to delta: nlerp from there to delta by w = 1 is delta with its sign. */
+/* Returns the identity as 1 or -1, with the sign of delta.w, so that nlerp from it to delta keeps the sign of delta. */
 static inline nkw_quat lane_quat_none(nkw_quat delta)
 {
     nkw_quat none = {0.0f, 0.0f, 0.0f, delta.w < 0.0f ? -1.0f : 1.0f};
     return none;
 }
 
-/* base rotated by a part of a delta: the nlerp to the delta by w. */
+/* Returns base rotated by `part`, the nlerp from the identity to the delta by w; base itself for w = 0. */
 static inline nkw_quat lane_quat_add_delta(nkw_quat base, nkw_quat part, float w, int parent)
 {
     nkw_quat left = lane_quat_select(parent, part, base), right = lane_quat_select(parent, base, part);

@@ -33,10 +33,10 @@ static inline nkw_quat lane_compact_quat(nkw_vec3 p)
 static inline void lane_compact_numbers(lane_f64_quat q, double p[3])
 {
     double whole = lane_sqrt64(lane_f64_quat_dot(q, q)) + q.w;
-    double part = whole > 0.0 ? 1.0 / whole : 0.0;
-    p[0] = q.x * part;
-    p[1] = q.y * part;
-    p[2] = q.z * part;
+    double scale = whole > 0.0 ? 1.0 / whole : 0.0;
+    p[0] = q.x * scale;
+    p[1] = q.y * scale;
+    p[2] = q.z * scale;
 }
 
 /* The arc from key a to key b: v, and the factors of the weights of a and b, since both have lengths other than 1. */

@@ -20,6 +20,15 @@
     X(BSPLINE, bspline, 0, 1)                                                                                          \
     X(CATMULL_ROM, catmull_rom, 1, 2)
 
+/*
+ * The weights of p0, v0, p1, v1, s = 1 - t, tangents per segment. The text that computes a value, nkw_hermite_from,
+ * does not multiply p0 and p1 by them, because their sum is 1: with f = p1 - p0 and v = f + (v - f),
+ *
+ *     (1 + 2 t) s^2 p0 + t s^2 v0 + (1 + 2 s) t^2 p1 - s t^2 v1
+ *         = p0 + t^2 (3 - 2 t) f + t s^2 v0 - s t^2 v1
+ *         = p0 + t f + t s k,      k = s (v0 - f) - t (v1 - f)
+ *         = p1 - s f + t s k       by p0 = p1 - f
+ */
 static inline nkw_weights lane_hermite_weights(float t)
 {
     float s = 1.0f - t;
@@ -248,7 +257,7 @@ static inline double lane_f64_value(double from, lane_f64_slopes a, double t)
     return from + (k.f * a.f + (k.v0 * a.v0 + k.v1 * a.v1));
 }
 
-/* The same from the nearer end: p0 + t k, p1 - s (2 f - k), k = f + s (s (v0 - f) - t (v1 - f)). */
+/* The value from the end nearer to t: p0 + t (f + s k) or p1 - s (f - t k), k = s (v0 - f) - t (v1 - f). */
 static inline double lane_f64_value_between(double p0, double p1, lane_f64_slopes a, double t)
 {
     double s = 1.0 - t, bend = s * (a.v0 - a.f) - t * (a.v1 - a.f);

@@ -24,8 +24,8 @@ static inline lane_f64_vec3 lane_f64_vec3_or(lane_f64_vec3 unit, double side, la
 }
 
 /*
- * The rotation nearest to m without its scale and its mirroring, w >= 0. A column of no length is put upright on the
- * others.
+ * Returns the rotation nearest to m without its scale and its mirroring, w >= 0. A column of length 0 is replaced by
+ * the cross product of the two others.
  */
 static inline lane_f64_quat lane_f64_quat_from_scaled(const lane_f64_mat3 *m)
 {

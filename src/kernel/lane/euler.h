@@ -48,20 +48,20 @@ static inline int lane_angles_are_far(float x, float y, float z)
 /*
  * sin x and cos x in binary32 for |x| < LANE_FAR32, error 0.6 ULP of numbers from 1/2 on.
  *
- *     x = n pi/2 + r + rest,     r = ((x - n high) - n middle) - n low,     high + middle + low = pi/2
+ *     x = n pi/2 + r + tail,     r = ((x - n high) - n middle) - n low,     high + middle + low = pi/2
  *
  * n has 13 bits, high 8 and middle 11, so only the last difference is rounded (Cody, Waite, Software Manual for the
- * Elementary Functions, 1980); `rest` and 1 - near - half are what the roundings of r and near left. n odd exchanges
- * sine and cosine; bit 1 of n and of n + 1 are their signs.
+ * Elementary Functions, 1980); `tail` and 1 - leading - half are what the roundings of r and leading lost. n odd
+ * exchanges sine and cosine; bit 1 of n and of n + 1 are their signs.
  */
 static inline lane_sincos32 lane_sincos32_of(float x)
 {
     const float *a = LANE_SIN32, *b = LANE_COS32;
     float rounded = x * LANE_TWO_OVER_PI + 0x1.8p23f, n = rounded - 0x1.8p23f;
     float exact = (x - n * LANE_HALF_PI_HIGH) - n * LANE_HALF_PI_MIDDLE, low = n * LANE_HALF_PI_LOW;
-    float r = exact - low, rest = (exact - r) - low, z = r * r, half = 0.5f * z, near = 1.0f - half;
-    float sine = r + ((r * z) * (a[0] + z * (a[1] + z * a[2])) + rest);
-    float cosine = near + (((1.0f - near) - half) + ((z * z) * (b[0] + z * (b[1] + z * b[2])) - r * rest));
+    float r = exact - low, tail = (exact - r) - low, z = r * r, half = 0.5f * z, leading = 1.0f - half;
+    float sine = r + ((r * z) * (a[0] + z * (a[1] + z * a[2])) + tail);
+    float cosine = leading + (((1.0f - leading) - half) + ((z * z) * (b[0] + z * (b[1] + z * b[2])) - r * tail));
     uint32_t quarters = lane_bits(rounded);
     float s = quarters & 1u ? cosine : sine, c = quarters & 1u ? sine : cosine;
     lane_sincos32 t = {lane_float(lane_bits(s) ^ (quarters << 30 & 0x80000000u)),
@@ -156,7 +156,7 @@ static inline lane_f64_quat lane_f64_quat_positive(lane_f64_quat q)
     return lane_f64_quat_scale(q, lane_copysign64(1.0, first));
 }
 
-/* An angle of a within one turn of b's, as NKW_UNWRAP_YAW and _ALL ask. */
+/* Returns a, or a plus or minus a turn, whichever is within half a turn of b (NKW_UNWRAP_YAW, NKW_UNWRAP_ALL). */
 static inline double lane_turned_towards(double a, double b)
 {
     return a < b - LANE_PI ? a + LANE_TWO_PI : a > b + LANE_PI ? a - LANE_TWO_PI : a;

@@ -43,9 +43,9 @@ static inline double lane_abs64(double x)
 }
 
 /*
- * x, and 1 or -1 where x is 0: what is divided by where the quotient by 0 is not used, so that no division by zero is
- * raised. By the bits of x alone: of a divisor selected by a comparison compilers make two quotients, and may compute
- * both.
+ * Returns x, or 1 or -1 where x is 0: a divisor for quotients that are not used where x is 0, so that no division by
+ * zero is raised. It combines bits of x only: if a comparison selected the divisor, compilers would make two quotients,
+ * and could compute both.
  */
 static inline double lane_divisor64(double x)
 {
@@ -260,7 +260,7 @@ static inline lane_sincos lane_sincos64_far(double x)
     return a;
 }
 
-/* For single calls: in a loop run lane_sincos64 and do the far angles again. */
+/* For single calls. A loop calls lane_sincos64 for all angles, and computes the far ones again. */
 static inline lane_sincos lane_sincos64_any(double x)
 {
     return lane_abs64(x) < LANE_NEAR ? lane_sincos64(x) : lane_sincos64_far(x);
@@ -273,9 +273,8 @@ static inline lane_sincos lane_sincos64_any(double x)
  *     low, high = the smaller and the larger of |x|, |y|
  *
  * then pi/2 - q, pi - q and the sign of y select the octant. Zeros and infinities follow C99 F.9.1.4, except for angles
- * below 2^-800 instead of 0: infinities count as 2^1022, so two of them as equal, and x or y gets 2^-1022 added,
- * the larger, for two zeros. A NaN
- * in either passes through every line.
+ * below 2^-800 instead of 0: infinities count as 2^1022, so two of them are equal. 2^-1022 is added to the larger of
+ * |x| and |y|, so that two zeros have a quotient. A NaN in either passes through every line.
  */
 static inline double lane_atan2_64(double y, double x)
 {

@@ -24,7 +24,7 @@ static inline nkw_mat4 lane_mat4_mul(const nkw_mat4 *a, const nkw_mat4 *b)
     return r;
 }
 
-/* The same where the last row of both is 0 0 0 1. */
+/* Computes the same product where the last row of both is 0 0 0 1. */
 static inline nkw_mat4 lane_mat4_mul_affine(const nkw_mat4 *a, const nkw_mat4 *b)
 {
     const float *x = a->m, *y = x + 4, *z = x + 8, *t = x + 12;
@@ -127,7 +127,7 @@ static inline lane_laplace lane_f64_mat3_laplace(const lane_f64_mat3 *m, const l
     return r;
 }
 
-/* Whether a determinant of floats is 0, or so near that it may be: or NaN or infinite. */
+/* Whether a determinant of floats is 0, may be 0 within its error, or is NaN or infinite. */
 static inline int lane_is_singular(lane_laplace by)
 {
     return !(lane_abs64(by.determinant) > by.magnitude * 0x1p-50);
@@ -308,7 +308,7 @@ static inline nkw_mat4 lane_inverse_by_cofactors(const nkw_mat4 *m, const lane_f
     return out;
 }
 
-/* Of any affine matrix; zeros where it is singular. */
+/* Returns the inverse of any affine matrix; zeros where it is singular. */
 static inline nkw_mat4 lane_inverse_any_affine(const nkw_mat4 *m)
 {
     lane_f64_mat3 block = lane_f64_mat3_from_mat4(m), c = lane_f64_mat3_cofactors(&block);
@@ -316,7 +316,7 @@ static inline nkw_mat4 lane_inverse_any_affine(const nkw_mat4 *m)
     return lane_inverse_by_cofactors(m, &c, lane_is_singular(by) ? 0.0 : lane_reciprocal_or_zero(by.determinant));
 }
 
-/* Of a product of matrices, rounded to floats; zeros where it is flat. */
+/* Returns the inverse of a product of matrices that was rounded to floats; zeros where it is flat. */
 static inline nkw_mat4 lane_inverse_any_model(const nkw_mat4 *m)
 {
     lane_f64_mat3 block = lane_f64_mat3_from_mat4(m), c = lane_f64_mat3_cofactors(&block);

@@ -10,7 +10,7 @@
 #include "quat.h"
 #include "scalar.h"
 
-/* What is divided by the root of n2: a sum, 2^60 times as large, or, where n2 is 1, the result as it is. */
+/* v is divided by sqrt(n2) later. It is the sum of nlerp times 2^60; or the result itself, and n2 is 1. */
 typedef struct lane_nlerp {
     nkw_quat v;
     float n2;
@@ -42,7 +42,7 @@ static inline lane_nlerp lane_quat_nlerp(nkw_quat a, nkw_quat b, float t, int ge
     return r;
 }
 
-/* The quotient for every length n, the root of n2. */
+/* Returns v / |v| for a sum of any length n; v itself for n = 1. */
 static inline nkw_quat lane_nlerp_any(nkw_quat v, float n)
 {
     return lane_quat_select(n == 1.0f, v, nkw_quat_normalize_any(v, nkw_quat_dot(v, v), 1.0f));

@@ -15,7 +15,7 @@
 
 /* ---- Inertialisation: the offset (1 - u)^3 (c[0] + c[1] u + c[2] u^2) ---- */
 
-/* The time in u, 1 from the duration on. */
+/* Returns u = t / duration, clamped to 0..1; 1 also for a duration of 0. */
 static inline double lane_inertia_time(float t, float duration)
 {
     double all = (double)duration, time = t > 0.0f ? (double)t : 0.0;
@@ -62,27 +62,27 @@ LANE_FLAT static inline nkw_quat lane_inertia_value_quat(nkw_quat to, lane_f64_v
     return lane_quat_select(u < 1.0, r, to);
 }
 
-/* The part of x that v loses in a second, negative where x shrinks; 0 without x. */
+/* Returns x.v/|x|^2, the growth of |x| per second in units of |x|: negative where it shrinks; 0 for x = 0. */
 static inline double lane_inertia_growth(double xv, double xx)
 {
     return xx > 0.0 ? xv / lane_divisor64(xx) : xx == xx ? 0.0 : xx;
 }
 
-/* -5 x/v where that is shorter than the duration; 0 for a duration that is not positive and finite. */
+/* Returns the duration, or -5 / growth where that is shorter; 0 for a duration that is not positive and finite. */
 static inline double lane_inertia_duration(double growth, float duration)
 {
     double all = duration > 0.0f && duration < INFINITY ? (double)duration : 0.0;
     return all * growth < -5.0 ? -5.0 / lane_divisor64(growth) : all;
 }
 
-/* What c[2] has of x: 6 + A/2. */
+/* Returns the factor of x in c[2]: 6 + A/2, A = max(0, -8 growth duration - 20). */
 static inline double lane_inertia_curvature(double growth, double duration)
 {
     double a = -8.0 * (growth * duration) - 20.0;
     return 6.0 + 0.5 * (a > 0.0 ? a : 0.0);
 }
 
-/* The coefficients; only where the duration is positive do they matter. */
+/* The coefficients. They are not used where the duration is 0. */
 typedef struct lane_inertia_c {
     nkw_vec3 c0, c1, c2;
     float duration;
@@ -105,7 +105,7 @@ typedef struct lane_rotation_offset {
     lane_f64_vec3 half, rate;
 } lane_rotation_offset;
 
-/* The rate of half the rotation vector of d, d to = from, by the angular velocities of both. */
+/* Returns the rate of half the rotation vector of d, where from = d to, given the angular velocities of both. */
 static inline lane_f64_vec3 lane_difference_rate(lane_f64_quat d, lane_f64_vec3 half, lane_f64_vec3 from,
                                                  lane_f64_vec3 to)
 {
@@ -135,7 +135,13 @@ static inline lane_inertia_c lane_inertia_begin_quat(lane_rotation_offset x, flo
 
 /* ---- Dead blending ---- */
 
-/* What depends on the time alone: how far the old velocity has carried, what is left of it; the weight of the new. */
+/*
+ * What depends on the time alone.
+ *
+ * carried   the distance that the old motion has moved, in seconds of its first velocity
+ * left      the share of the old velocity that remains
+ * s, rate   the weight of the new motion, and its derivative per second
+ */
 typedef struct lane_dead_time {
     double carried, left, s, rate;
 } lane_dead_time;
@@ -179,7 +185,7 @@ static inline nkw_vec3 lane_dead_value_vec3(nkw_vec3 x, nkw_vec3 v, nkw_vec3 to,
     return r;
 }
 
-/* The old rotation now. The angle that it has turned is limited as that of inertialisation. */
+/* Returns the old rotation, continued to this time. Its angle is limited as that of inertialisation is. */
 LANE_FLAT static inline lane_f64_quat lane_dead_old_quat(nkw_quat from, nkw_vec3 w, double carried)
 {
     lane_f64_vec3 half = lane_f64_vec3_scale(lane_f64_vec3_from(w), 0.5 * carried);
@@ -189,7 +195,7 @@ LANE_FLAT static inline lane_f64_quat lane_dead_old_quat(nkw_quat from, nkw_vec3
     return lane_f64_quat_mul(turn, lane_f64_quat_unit_from(from));
 }
 
-/* old to^-1 with the sign that continues the last difference; none, a zero quaternion, is the shorter arc. */
+/* Returns old to^-1 with the sign that continues the last difference; of the shorter arc if `last` is zero. */
 LANE_FLAT static inline lane_f64_quat lane_dead_difference(lane_f64_quat old, nkw_quat to, nkw_quat last)
 {
     lane_f64_quat b = lane_f64_quat_unit_from(to), l = lane_f64_quat_from(last);

@@ -113,15 +113,12 @@ static inline lane_f64_quat lane_f64_quat_from_axis_half(lane_f64_vec3 axis, lan
     return r;
 }
 
-/*
- * sin x, cos x for any x; from 2^20 on x is first rounded to the nearest finite float, which is all that a turn of
- * that size can say.
- */
+/* Returns x; from 2^20 on rounded to the nearest finite float, as lane_sincos64_far takes numbers of 24 bits. */
 static inline double lane_turn_angle64(double x)
 {
     double most = (double)FLT_MAX;
-    double held = x > most ? most : x < -most ? -most : x;
-    return lane_abs64(x) < LANE_NEAR ? x : (double)(float)held;
+    double clamped = x > most ? most : x < -most ? -most : x;
+    return lane_abs64(x) < LANE_NEAR ? x : (double)(float)clamped;
 }
 
 static inline lane_sincos lane_turn64(double x)
@@ -300,7 +297,7 @@ static inline lane_nearest lane_quat_from_columns(nkw_vec3 x, nkw_vec3 y, nkw_ve
     return r;
 }
 
-/* The same of any matrix, in binary64. */
+/* Computes the same for any matrix, in binary64. */
 static inline nkw_quat lane_quat_from_any_columns(nkw_vec3 x, nkw_vec3 y, nkw_vec3 z)
 {
     lane_f64_mat3 m = {{x.x, x.y, x.z, y.x, y.y, y.z, z.x, z.y, z.z}};
@@ -326,7 +323,7 @@ static inline lane_f64_quat lane_f64_quat_from_vectors(lane_f64_vec3 from, lane_
     return lane_f64_quat_select(opposite, half_turn, lane_f64_quat_normalize(q));
 }
 
-/* The part of q along the unit axis a, and w; not unit. None where q rotates the axis to its opposite, or a is zero. */
+/* The part of q along the unit axis a, and w, not unit. is_none: q rotates the axis to its opposite, or a is zero. */
 typedef struct lane_twist_part {
     double along, w;
     int is_none;
@@ -357,7 +354,7 @@ static inline lane_f64_swing_twist lane_f64_quat_swing_twist(lane_f64_quat q, la
     return r;
 }
 
-/* The turn between two quaternions, 0..pi, of the nearer signs; their lengths cancel. */
+/* Returns the angle between two rotations, 0..pi, along the shorter arc. Their lengths cancel. */
 static inline double lane_f64_quat_angle(lane_f64_quat a, lane_f64_quat b)
 {
     lane_f64_quat turn = lane_f64_quat_mul(lane_f64_quat_conjugate(a), b);

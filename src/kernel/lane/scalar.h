@@ -3,8 +3,8 @@
  * Every formula once: binary64 inside, one rounding to float at the end.
  *
  * <nakawari/scalar.h> states the result, the degenerate cases and the measured error of each function.
- * The angle functions come twice: the near one for |x| < LANE_NEAR, the far one for every float, four
- * times slower. Where both hold, the near one is the one that counts.
+ * Each function of an angle exists twice: near, for |x| < LANE_NEAR, and far, for every float, four times slower. For
+ * |x| < LANE_NEAR the near one defines the result.
  */
 #ifndef NAKAWARI_LANE_SCALAR_H
 #define NAKAWARI_LANE_SCALAR_H
@@ -44,7 +44,7 @@ static inline int lane_is_finite(float x)
     return (lane_bits(x) & 0x7F800000u) != 0x7F800000u;
 }
 
-/* Whether a quaternion of this length is taken for a rotation by what validates. */
+/* Returns whether validation accepts a quaternion of this length as a rotation. */
 static inline int lane_is_unit_length(float length)
 {
     return length >= 0.99f && length <= 1.01f;
@@ -61,10 +61,10 @@ static inline float lane_copysign(float magnitude, float sign)
     return lane_float(lane_bits(magnitude) | lane_sign_bit(sign));
 }
 
-/* nkw_lerp for t other than 0 and 1: from the end nearer to t, a by x = t or b by x = t - 1. */
-static inline float lane_lerp_from(float near, float x, float a, float b)
+/* Computes nkw_lerp for t other than 0 and 1 from the end nearer to t: a with x = t, or b with x = t - 1. */
+static inline float lane_lerp_from(float nearer, float x, float a, float b)
 {
-    return near + x * (b - a);
+    return nearer + x * (b - a);
 }
 
 /* sine and cosine */
@@ -234,7 +234,7 @@ static inline lane_logarithm lane_logarithm_of(double x)
     return l;
 }
 
-/* Beyond the positive finite numbers: +inf for itself, -inf for zeros, else NaN. */
+/* ln x; +inf for +inf, -inf for zeros, NaN for negative numbers and NaN. */
 static inline float lane_log(float x)
 {
     lane_logarithm l = lane_logarithm_of((double)x);
@@ -243,7 +243,7 @@ static inline float lane_log(float x)
     return x > 0.0f ? finite : (x == 0.0f ? -INFINITY : NAN);
 }
 
-/* The same beyond them. */
+/* log2 x; the same results for x that is not positive and finite. */
 static inline double lane_log2_64(double x)
 {
     lane_logarithm l = lane_logarithm_of(x);
@@ -261,9 +261,9 @@ static inline float lane_excess(float y)
 }
 
 /*
- * x^y = 2^(y log2 |x|) with the sign of x for odd y, then what C99 F.9.4.4 fixes: NaN for finite x < 0 with a
- * broken y; 1 for y = 0, for x = 1 and for x = -1 with an infinite y. |y log2 |x|| <= 150 carries a relative
- * error of 2^-51, so the power one of 2^-44.
+ * x^y = 2^(y log2 |x|) with the sign of x for odd y, then what C99 F.9.4.4 fixes: NaN for finite x < 0 with a y that is
+ * not whole; 1 for y = 0, for x = 1 and for x = -1 with an infinite y. |y log2 |x|| <= 150 carries a relative error of
+ * 2^-51, so the power one of 2^-44.
  */
 static inline float lane_pow(float x, float y)
 {
@@ -343,8 +343,8 @@ static inline int lane_wrap_is_far(float x, float period)
 static inline double lane_remainder(double magnitude, double period)
 {
     double n = (magnitude / period + LANE_ROUND) - LANE_ROUND;
-    double rest = magnitude - n * period;
-    return rest < 0.0 ? rest + period : rest;
+    double remainder = magnitude - n * period;
+    return remainder < 0.0 ? remainder + period : remainder;
 }
 
 /*
@@ -359,18 +359,18 @@ static inline double lane_remainder_far(float magnitude, float period)
     uint64_t b = (lane_bits(period) & 0x7FFFFFu) | (p > 0 ? 0x800000u : 0u);
     uint32_t shift = (x > 0 ? x : 1) - (p > 0 ? p : 1);
     uint64_t square = 2 % b;
-    uint64_t rest = a % b;
+    uint64_t remainder = a % b;
     for (int i = 0; i < 8; i++) {
-        rest = (shift >> i) & 1u ? rest * square % b : rest;
+        remainder = (shift >> i) & 1u ? remainder * square % b : remainder;
         square = square * square % b;
     }
-    return (double)rest * ((double)period / (double)b);
+    return (double)remainder * ((double)period / (double)b);
 }
 
 /* The remainder of x from that of |x|: mirrored for negative x, rounded, kept below the period. */
-static inline float lane_wrap_rest(double rest, float x, float period)
+static inline float lane_wrap_rest(double remainder, float x, float period)
 {
-    double mirrored = x < 0.0f ? (rest > 0.0 ? (double)period - rest : rest) : rest;
+    double mirrored = x < 0.0f ? (remainder > 0.0 ? (double)period - remainder : remainder) : remainder;
     float rounded = (float)mirrored;
     float below = lane_float(lane_bits(period) - 1u);
     float wrapped = rounded < period ? rounded : below;

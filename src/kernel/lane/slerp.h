@@ -12,20 +12,26 @@
 #include "scalar.h"
 
 /*
- * The nearer end and a small correction.
+ * Slerp without a sine: the nearer end and a small correction.
  *
- * b is negated where a.b < 0; theta is the angle between them, n the end nearer to t, f the other end, s the parameter
- * from n to t and r = 1 - s.
+ * b is negated where a.b < 0; theta is the angle between a and b, n the end nearer to t, f the farther end, s the
+ * parameter from n to t and r = 1 - s. The textbook's weights are k less an excess E(k):
  *
- *     sin(k theta)/sin theta = k - E(k)
- *     slerp = (r - E(r)) n + (s - E(s)) f = n - (e f - w (f - n)),      e = E(s) + E(r),  w = s + E(r)
- *     t = 1/2:  slerp = m - e m,                                        m = (a + b)/2,  e = 2 E(1/2)
+ *     slerp = sin(r theta)/sin theta n + sin(s theta)/sin theta f,       sin(k theta)/sin theta = k - E(k)
+ *           = (r - E(r)) n + (s - E(s)) f
+ *           = n + s (f - n) - E(r) n - E(s) f                            by r = 1 - s
+ *           = n - (e f - w (f - n)),     e = E(s) + E(r),  w = s + E(r)  by n = f - (f - n)
+ *     t = 1/2:  slerp = m - e m,         m = (a + b)/2,    e = 2 E(1/2)
  *
  * Exchanging a and b and t and 1 - t yields the same bits, also at t = 1/2. At t = 0 and 1 e and w are -0, so that the
  * bracket is +0 where n is -0: "n - 0" keeps a -0.
  *
- *     E(k) = k (1 - k^2) v H(v, k^2) = (c v) H,  c = s r (1 + k),    v = q / (|a.b| + q LANE_SLERP_BEND),  q = |b -
- *     a|^2
+ * E is odd in k, even in theta, and 0 at k = 0 and 1 and at theta = 0. So it has the factors k, 1 - k^2 and theta^2;
+ * the last is replaced by a v that needs no arc cosine, and BEND moves the pole of E at theta = pi farther out:
+ *
+ *     E(k) = -k (1 - k^2) theta^2 (1/6 + (7 - 3 k^2) theta^2/360 + ...)
+ *          = k (1 - k^2) v H(v, k^2) = (c v) H,      c = s r (1 + k) for k = s and for k = r
+ *     q = |b - a|^2 = 2 (1 - cos theta),             v = q / (|a.b| + q LANE_SLERP_BEND) = theta^2 + O(theta^4)
  *
  * v measures the angle: q determines small angles, the dot product large ones, and the lengths of a and b cancel. H is
  * a polynomial in v; the coefficient of each power is one in k^2, which slerps at one t share.
@@ -83,7 +89,7 @@ static inline int lane_t_is_inside(float t)
     return t >= 0.0f && t <= 1.0f;
 }
 
-/* Neither 0, 1/2 nor 1: the masks `half` and `end` are 0. */
+/* Whether t is inside 0..1 and not 1/2: the masks `half` and `end` are then 0. */
 static inline int lane_t_is_generic(float t)
 {
     return t > 0.0f && t < 1.0f && t != 0.5f;
@@ -134,7 +140,7 @@ static inline float lane_slerp_excess(const lane_slerp_time *at, int nearer, flo
     return ((nearer ? at->cr : at->cs) * v) * lane_slerp_sum(h[0][0], h1, h2, h3, h[0][4], h5, v);
 }
 
-/* The same by coefficients that are known. */
+/* Computes the same from coefficients that lane_slerp_series_at has computed. */
 static inline float lane_slerp_excess_by(const float h[LANE_SLERP_POWERS], float c, float v)
 {
     return (c * v) * lane_slerp_sum(h[0], h[1], h[2], h[3], h[4], h[5], v);
@@ -171,7 +177,7 @@ static inline lane_slerp_weights lane_slerp_weights_of(const lane_slerp_time *at
     return lane_slerp_weights_by(at, lane_slerp_excess(at, 1, v), lane_slerp_excess(at, 0, v));
 }
 
-/* The same bits, by coefficients that are known. */
+/* Computes the same bits from coefficients that lane_slerp_series_at has computed. */
 static inline lane_slerp_weights lane_slerp_weights_in(const lane_slerp_time *at, const lane_slerp_series *c, float v)
 {
     return lane_slerp_weights_by(at, lane_slerp_excess_by(c->nearer, at->cr, v),

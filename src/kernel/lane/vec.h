@@ -87,7 +87,7 @@ static inline lane_f64_vec3 lane_f64_vec3_normalize(lane_f64_vec3 a)
     return lane_f64_vec3_scale(a, n2 == 0.0 ? 0.0 : lane_rsqrt64(n2));
 }
 
-/* The axis on which a is shortest, crossed with a: not zero unless a is. */
+/* Returns the direction of e x a, where e is the axis of the smallest component of a; the x axis for a = 0. */
 static inline lane_f64_vec3 lane_f64_vec3_perpendicular(lane_f64_vec3 a)
 {
     double x = a.x * a.x, y = a.y * a.y, z = a.z * a.z;

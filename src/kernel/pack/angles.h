@@ -28,10 +28,10 @@ static inline lane_turns32 f32x4_turns(float i, float j, float k)
     const f32x4 x = {i, j, k, 0.0f}, magic = f32x4_three(0x1.8p23f), one = f32x4_three(1.0f);
     f32x4 rounded = x * f32x4_three(LANE_TWO_OVER_PI) + magic, n = rounded - magic;
     f32x4 exact = (x - n * f32x4_three(LANE_HALF_PI_HIGH)) - n * f32x4_three(LANE_HALF_PI_MIDDLE);
-    f32x4 low = n * f32x4_three(LANE_HALF_PI_LOW), r = exact - low, rest = (exact - r) - low;
-    f32x4 z = r * r, half = f32x4_three(0.5f) * z, near = one - half;
-    f32x4 sine = r + ((r * z) * f32x4_three_terms(LANE_SIN32, z) + rest);
-    f32x4 cosine = near + (((one - near) - half) + ((z * z) * f32x4_three_terms(LANE_COS32, z) - r * rest));
+    f32x4 low = n * f32x4_three(LANE_HALF_PI_LOW), r = exact - low, tail = (exact - r) - low;
+    f32x4 z = r * r, half = f32x4_three(0.5f) * z, leading = one - half;
+    f32x4 sine = r + ((r * z) * f32x4_three_terms(LANE_SIN32, z) + tail);
+    f32x4 cosine = leading + (((one - leading) - half) + ((z * z) * f32x4_three_terms(LANE_COS32, z) - r * tail));
     i32x4 quarters = (i32x4)rounded, odd = -(quarters & 1);
     f32x4 s = f32x4_flip(f32x4_select(odd, cosine, sine), quarters << 30);
     f32x4 c = f32x4_flip(f32x4_select(odd, sine, cosine), (quarters + 1) << 30);
