@@ -258,7 +258,7 @@ NKW_API nkw_mat4 nkw_mat4_from_axis_angle(nkw_vec3 axis, float angle);
  *
  * A target at the eye and an `up` that is 0 or parallel to the direction have the results of nkw_quat_look_rotation.
  *
- * Error  4.0 u of 1 in the 3x3 block, of |eye| in the translation, if target - eye is exact.
+ * Error  4.5 u of 1 in the 3x3 block, of |eye| in the translation, if target - eye is exact.
  */
 NKW_API nkw_mat4 nkw_mat4_look_at(nkw_vec3 eye, nkw_vec3 target, nkw_vec3 up);
 
