@@ -5,7 +5,13 @@
 
 #include <nakawari/track.h>
 
+#ifdef __cplusplus
+extern "C" {
+#endif
 #include "../../src/curve/segment_even.h"
+#ifdef __cplusplus
+}
+#endif
 
 static inline float track_difference(const nkw_track *t, const nkw_track *other, nkw_work work)
 {
