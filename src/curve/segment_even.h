@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* Segments of key times that are nearly evenly spaced: of clips. */
+/* Segments of key times that are nearly evenly spaced: of clips. Tests call these functions from any stack. */
 #ifndef NAKAWARI_SEGMENT_EVEN_H
 #define NAKAWARI_SEGMENT_EVEN_H
 
@@ -14,13 +14,13 @@
  * *rate receives the rate in keys per second, or 0 after an error: NKW_EMPTY for fewer than two keys; NKW_NO_RATE for
  * other times, or more than 2^31 keys.
  */
-nkw_result nkwi_segment_even_rate(const float *times, size_t count, float *rate);
+NKW_REALIGN nkw_result nkwi_segment_even_rate(const float *times, size_t count, float *rate);
 
 /*
  * The segment of `time`, without a search: the rate determines the nearest even key, and one comparison with the time
  * of that key its segment. The result is that of nkw_segment_find, bit for bit, for a rate from nkwi_segment_even_rate.
  * For another rate it is some segment within the array.
  */
-nkw_segment nkwi_segment_find_even(const float *times, size_t count, float rate, float time);
+NKW_REALIGN nkw_segment nkwi_segment_find_even(const float *times, size_t count, float rate, float time);
 
 #endif
