@@ -100,9 +100,9 @@ list(LENGTH units unit_count)
 
 # ---- Fingerprints ----
 
-# A fingerprint is an expression of C; several that the code must all have are joined by &. A capital letter stands for
-# any operand, the same one each time; X Y Z W stand for any operands whose names end with x 0, y 1, z 2, w 3; ~ stands
-# for any text within a statement. Factors have the order that is written: other orders are other fingerprints.
+# A fingerprint is an expression of C; several that the code must all have are joined by &. A capital letter is
+# any operand, the same one each time; X Y Z W are any operands whose names end with x 0, y 1, z 2, w 3; ~ is
+# any text within a statement. Factors have the order that is written: other orders are other fingerprints.
 
 # The regular expression of a part, in which each capital letter is a group; the letters in their order.
 function(regex_of part out letters)
