@@ -72,25 +72,44 @@ static void set_component(nkw_vec3_cubic *a, size_t k, lane_f64_cubic x)
 
 static lane_f64_cubic to_bezier(lane_f64_cubic c, nkw_cubic_kind from)
 {
-    return from == NKW_CUBIC_BEZIER        ? c
-           : from == NKW_CUBIC_BSPLINE     ? lane_bezier_from_bspline(c)
-           : from == NKW_CUBIC_CATMULL_ROM ? lane_bezier_from_catmull_rom(c)
-                                           : lane_bezier_from_hermite(c);
+    switch (from) {
+#define TO_BEZIER(KIND, name, first, last)                                                                             \
+    case NKW_CUBIC_##KIND:                                                                                             \
+        return lane_bezier_from_##name(c);
+        LANE_CUBICS(TO_BEZIER)
+#undef TO_BEZIER
+    case NKW_CUBIC_KIND_MAX_ENUM:
+        break;
+    }
+    return lane_bezier_from_hermite(c);
 }
 
 static lane_f64_cubic from_bezier(lane_f64_cubic b, nkw_cubic_kind to)
 {
-    return to == NKW_CUBIC_BEZIER        ? b
-           : to == NKW_CUBIC_BSPLINE     ? lane_bspline_from_bezier(b)
-           : to == NKW_CUBIC_CATMULL_ROM ? lane_catmull_rom_from_bezier(b)
-                                         : lane_hermite_from_bezier(b);
+    switch (to) {
+#define FROM_BEZIER(KIND, name, first, last)                                                                           \
+    case NKW_CUBIC_##KIND:                                                                                             \
+        return lane_##name##_from_bezier(b);
+        LANE_CUBICS(FROM_BEZIER)
+#undef FROM_BEZIER
+    case NKW_CUBIC_KIND_MAX_ENUM:
+        break;
+    }
+    return lane_hermite_from_bezier(b);
 }
 
 /* NKW_CUBIC_HERMITE for a number that is no kind. */
 static nkw_cubic_kind known(nkw_cubic_kind kind)
 {
-    return kind == NKW_CUBIC_BEZIER || kind == NKW_CUBIC_BSPLINE || kind == NKW_CUBIC_CATMULL_ROM ? kind
-                                                                                                  : NKW_CUBIC_HERMITE;
+    switch (kind) {
+#define KNOWN(KIND, name, first, last) case NKW_CUBIC_##KIND:
+        LANE_CUBICS(KNOWN)
+#undef KNOWN
+        return kind;
+    case NKW_CUBIC_KIND_MAX_ENUM:
+        break;
+    }
+    return NKW_CUBIC_HERMITE;
 }
 
 nkw_vec3_cubic nkw_vec3_cubic_convert(const nkw_vec3_cubic *cubic, nkw_cubic_kind from, nkw_cubic_kind to)

@@ -12,7 +12,7 @@
  * ends at t = 0 and 1 (of a B-spline none: they are means of three, and these are the first of them).
  *
  * A new kind is an enumerator, a row, nkw_NAME of one number, and here lane_NAME_weights, _velocity_weights,
- * _acceleration_weights and _slopes. A switch over the rows without a `default` does not compile without its row.
+ * _acceleration_weights, _slopes, lane_bezier_from_NAME and lane_NAME_from_bezier. A switch over the rows without a `default` does not compile without its row.
  */
 #define LANE_CUBICS(X)                                                                                                 \
     X(HERMITE, hermite, 0, 2)                                                                                          \
@@ -143,6 +143,11 @@ static inline float lane_catmull_rom_tangent(float p0, float p1, float p2, float
 typedef struct lane_f64_cubic {
     double c[4];
 } lane_f64_cubic;
+
+static inline lane_f64_cubic lane_bezier_from_bezier(lane_f64_cubic b)
+{
+    return b;
+}
 
 static inline lane_f64_cubic lane_bezier_from_hermite(lane_f64_cubic h)
 {
