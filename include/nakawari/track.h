@@ -184,7 +184,7 @@ NKW_API nkw_result nkw_track_sample_motion(const nkw_track *track, float time, n
  * as a whole, with both tangents for CUBICSPLINE. The rotations at the keys and the angular velocities there stay;
  * CUBICSPLINE then takes the shorter arc everywhere, LINEAR and STEP tracks keep their rotations at all times.
  *
- * Without values it gives the warning that nkw_track_validate does not give. glTF's formula for CUBICSPLINE does not
+ * Without values it counts what nkw_track_validate does not report. glTF's formula for CUBICSPLINE does not
  * negate: the curve between two keys 90 degrees apart, one of them negated, passes through -135 degrees and turns by
  * 270 degrees. Few files intend that.
  *

@@ -77,7 +77,7 @@ static nkw_result measure(const nkw_clip_source *source, size_t *bytes, size_t *
 
 /*
  * Reduces all tracks with the current shares. The size that the search compares is the number of keys, and one more, so
- * that it is never 0, which stands for "none yet".
+ * that it is never 0: a size of 0 means that there is none yet.
  */
 static nkw_result make(void *user, reduce_made *made, size_t *size, size_t *bad)
 {

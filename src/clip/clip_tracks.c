@@ -326,7 +326,7 @@ nkw_result nkwi_clip_tracks_order(const nkw_clip_source *source, const clip_pack
     *out = tracks;
     *bad = 0;
     nkw_result result = check_tracks(source, bad);
-    if (result == NKW_OK && (n > SIZE_MAX / NKW_CLIP_BUILD_WORK(1) || !work_fits(work, NKW_CLIP_BUILD_WORK(n))))
+    if (result == NKW_OK && !work_fits_each(work, n, NKW_CLIP_BUILD_WORK(1)))
         result = NKW_TOO_SMALL;
     if (result != NKW_OK)
         return result;

@@ -21,8 +21,7 @@ static nkw_result check_shape(const nkw_spline *s, size_t stride, nkw_work work)
         return NKW_BAD_METHOD;
     if (s->stride < s->width || stride < s->width)
         return NKW_BAD_WIDTH;
-    const size_t most = SIZE_MAX / NKW_SPLINE_WORK(1);
-    if (s->method == NKW_SPLINE_C2 && (s->count > most || !work_fits(work, NKW_SPLINE_WORK(s->count))))
+    if (s->method == NKW_SPLINE_C2 && !work_fits_each(work, s->count, NKW_SPLINE_WORK(1)))
         return NKW_TOO_SMALL;
     return s->method == NKW_SPLINE_CARDINAL && !lane_is_finite(s->tension) ? NKW_NOT_FINITE : NKW_OK;
 }

@@ -13,4 +13,10 @@ static inline int work_fits(nkw_work work, size_t bytes)
     return work.bytes >= bytes && ((uintptr_t)work.data & 15) == 0 && (work.data || bytes == 0);
 }
 
+/* work_fits for `count` elements of `each` bytes, whose product may exceed size_t: then no memory is enough. */
+static inline int work_fits_each(nkw_work work, size_t count, size_t each)
+{
+    return count <= SIZE_MAX / each && work_fits(work, count * each);
+}
+
 #endif

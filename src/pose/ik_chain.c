@@ -237,8 +237,7 @@ nkw_result nkw_ik_chain_solve(const nkw_ik_chain *chain, const nkw_ik_goal *goal
         return status;
     if (!chain_is_finite(chain, goal, rotations))
         return NKW_NOT_FINITE;
-    if (method == NKW_IK_FABRIK &&
-        (work.bytes / 12 < chain->count || !work_fits(work, NKW_IK_CHAIN_WORK(chain->count))))
+    if (method == NKW_IK_FABRIK && !work_fits_each(work, chain->count, NKW_IK_CHAIN_WORK(1)))
         return NKW_TOO_SMALL;
     nkw_ik_chain_result reached =
         method == NKW_IK_CCD ? ccd_solve(chain, goal, rotations) : fabrik_solve(chain, goal, rotations, work.data);

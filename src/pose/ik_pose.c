@@ -164,7 +164,7 @@ static nkw_result check_reach(const nkw_ik_pose *pose, const nkw_ik_reach *reach
         return NKW_EMPTY;
     if (first_of(&pose->skeleton, reach) < 0)
         return NKW_OUT_OF_RANGE;
-    int fits = work.bytes / 40 >= reach->joint_count && work_fits(work, NKW_IK_POSE_CHAIN_WORK(reach->joint_count));
+    int fits = work_fits_each(work, reach->joint_count, NKW_IK_POSE_CHAIN_WORK(1));
     return fits ? NKW_OK : NKW_TOO_SMALL;
 }
 

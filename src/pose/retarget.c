@@ -105,7 +105,7 @@ nkw_result nkw_retarget_apply(const nkw_retarget *retarget, nkw_pose_view source
     size_t m = retarget->source.joint_count, n = retarget->target.joint_count;
     if (check_counts(retarget) != NKW_OK || source.joint_count != m || out.joint_count != n)
         return NKW_MISMATCHED;
-    if (work.bytes / 32 < m || work.bytes / 32 - m < n || !work_fits(work, NKW_RETARGET_WORK(m, n)))
+    if (m > SIZE_MAX - n || !work_fits_each(work, m + n, NKW_RETARGET_WORK(1, 0)))
         return NKW_TOO_SMALL;
     nkw_quat *quats = work.data;
     rotations from = {quats, quats + m}, to = {quats + 2 * m, quats + 2 * m + n};

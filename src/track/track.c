@@ -211,7 +211,7 @@ static float difference_along(const nkw_track *along, const nkw_track *track, co
 
 static int has_work(const nkw_track *track, nkw_work work)
 {
-    return track->width <= SIZE_MAX / NKW_TRACK_WORK(1) && work_fits(work, NKW_TRACK_WORK(track->width));
+    return work_fits_each(work, track->width, NKW_TRACK_WORK(1));
 }
 
 static float difference_of(const nkw_track *track, const nkw_track *other, nkw_work work)
