@@ -281,30 +281,6 @@ static void css_curves_come_back(void **state)
     }
 }
 
-static void css_has_no_other_curves(void **state)
-{
-    (void)state;
-    nkw_fcurve_key keys[2] = {{0, 1, {0, 0}, {1.5f, 1}, NKW_FCURVE_BEZIER, NKW_EASE_CSS},
-                              {1, 2, {-0.5f, 0}, {0, 0}, NKW_FCURVE_BEZIER, NKW_EASE_LINEAR}};
-    float css[4];
-    const float line[4] = {0, 0, 1, 1}, ease[4] = {0.25f, 0.1f, 0.25f, 1};
-    assert_int_equal(nkw_fcurve_to_css(keys, css), NKW_OUT_OF_RANGE);
-    keys[0].kind = NKW_FCURVE_LINEAR;
-    assert_int_equal(nkw_fcurve_to_css(keys, css), NKW_OK);
-    expect_floats_bits(css, line, 4);
-    keys[0].kind = NKW_FCURVE_EASE;
-    assert_int_equal(nkw_fcurve_to_css(keys, css), NKW_OK);
-    expect_floats_bits(css, ease, 4);
-    keys[0].ease = NKW_EASE_SINE_IN;
-    assert_int_equal(nkw_fcurve_to_css(keys, css), NKW_BAD_METHOD);
-    keys[0].kind = NKW_FCURVE_BEZIER;
-    keys[0].out.time = 0.5f;
-    keys[0].value = 2;
-    assert_int_equal(nkw_fcurve_to_css(keys, css), NKW_OUT_OF_RANGE);
-    keys[1].time = 0;
-    assert_int_equal(nkw_fcurve_to_css(keys, css), NKW_OUT_OF_RANGE);
-}
-
 /* ---- Splines and tracks ---- */
 
 static void tcb_keys_are_those_of_the_spline(void **state)
@@ -592,7 +568,6 @@ int main(void)
         cmocka_unit_test(clamped_handles_stay_between_their_keys),
         cmocka_unit_test(handles_of_one_key_or_no_duration_are_defined),
         cmocka_unit_test(css_curves_come_back),
-        cmocka_unit_test(css_has_no_other_curves),
         cmocka_unit_test(tcb_keys_are_those_of_the_spline),
         cmocka_unit_test(components_of_tracks_are_fcurves),
         cmocka_unit_test(tracks_are_within_the_tolerance),

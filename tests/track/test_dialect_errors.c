@@ -383,6 +383,30 @@ static void too_little_memory_for_a_jump_is_refused(void **state)
     }
 }
 
+static void css_has_no_other_curves(void **state)
+{
+    (void)state;
+    nkw_fcurve_key keys[2] = {{0, 1, {0, 0}, {1.5f, 1}, NKW_FCURVE_BEZIER, NKW_EASE_CSS},
+                              {1, 2, {-0.5f, 0}, {0, 0}, NKW_FCURVE_BEZIER, NKW_EASE_LINEAR}};
+    float css[4];
+    const float line[4] = {0, 0, 1, 1}, ease[4] = {0.25f, 0.1f, 0.25f, 1};
+    assert_int_equal(nkw_fcurve_to_css(keys, css), NKW_OUT_OF_RANGE);
+    keys[0].kind = NKW_FCURVE_LINEAR;
+    assert_int_equal(nkw_fcurve_to_css(keys, css), NKW_OK);
+    expect_floats_bits(css, line, 4);
+    keys[0].kind = NKW_FCURVE_EASE;
+    assert_int_equal(nkw_fcurve_to_css(keys, css), NKW_OK);
+    expect_floats_bits(css, ease, 4);
+    keys[0].ease = NKW_EASE_SINE_IN;
+    assert_int_equal(nkw_fcurve_to_css(keys, css), NKW_BAD_METHOD);
+    keys[0].kind = NKW_FCURVE_BEZIER;
+    keys[0].out.time = 0.5f;
+    keys[0].value = 2;
+    assert_int_equal(nkw_fcurve_to_css(keys, css), NKW_OUT_OF_RANGE);
+    keys[1].time = 0;
+    assert_int_equal(nkw_fcurve_to_css(keys, css), NKW_OUT_OF_RANGE);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -398,6 +422,7 @@ int main(void)
         cmocka_unit_test(a_curve_of_one_key_is_a_constant_component),
         cmocka_unit_test(float_times_end_the_division),
         cmocka_unit_test(too_little_memory_for_a_jump_is_refused),
+        cmocka_unit_test(css_has_no_other_curves),
     };
     return cmocka_run_group_tests_name("dialect_errors", tests, NULL, NULL);
 }
