@@ -229,7 +229,7 @@ int figure_rotation_turns(const char *path)
     path_line(&s, &arcs, NKW_PATH_LONG, 1, FIGURE_EULER, "long, 1 turn");
     wheel_line(&s, &wheel, 0, FIGURE_PALE);
     wheel_line(&s, &wheel, 1, FIGURE_HERMITE);
-    figure_legend(&s, 600.0f, 452.0f, &slerp, "nkw_quat_slerp");
-    figure_legend(&s, 770.0f, 452.0f, &hermite, "nkw_rotation_from_hermite");
+    figure_legend(&s, 550.0f, 452.0f, &slerp, "nkw_quat_slerp");
+    figure_legend(&s, 720.0f, 452.0f, &hermite, "nkw_rotation_from_hermite");
     return svg_close(&s);
 }

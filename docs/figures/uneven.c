@@ -123,7 +123,7 @@ int figure_curve_uneven(const char *path)
         figure_key(&s, svg_plot_at(&value, times[k], motion(times[k])));
     figure_legend(&s, 70.0f, 708.0f, &uniform, "nkw_catmull_rom: uniform");
     figure_legend(&s, 330.0f, 708.0f, &timed, "nkw_cubic_from_catmull_rom");
-    figure_legend(&s, 570.0f, 708.0f, &truth, "the motion the keys were taken from");
+    figure_legend(&s, 590.0f, 708.0f, &truth, "the motion the keys were taken from");
     return svg_close(&s);
 }
 
