@@ -82,6 +82,8 @@ int words_find(const char *word, const char *const *words, int count);
 /** Whether positions of BVH are added to the OFFSET of their joint: --bvh-offset. */
 void input_set_bvh(int adds_offset);
 int input_bvh_adds(void);
+/** The name of a file without its folder: the rest of the path. */
+const char *input_name(const char *path);
 /** The folder of a path, to be freed; NULL without memory. */
 char *input_folder(const char *path);
 /** The path of a file in the folder of a document, to be freed; NULL without memory. */

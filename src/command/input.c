@@ -93,23 +93,27 @@ static nkw_document *open_stdin(nkw_import_error *error)
     return document;
 }
 
+const char *input_name(const char *path)
+{
+    const char *end = strrchr(path, '/');
+    return end ? end + 1 : path;
+}
+
 /* The folder of a path, with its last separator; "." without one. */
 char *input_folder(const char *path)
 {
-    const char *end = strrchr(path, '/');
-    size_t length = end ? (size_t)(end - path) + 1 : 1;
-    char *folder = malloc(length + 1);
+    size_t length = (size_t)(input_name(path) - path);
+    char *folder = malloc(length + 2);
     if (folder) {
-        memcpy(folder, end ? path : ".", length);
-        folder[length] = 0;
+        memcpy(folder, path, length);
+        strcpy(folder + length, length ? "" : ".");
     }
     return folder;
 }
 
 char *input_beside(const nkw_document *d, const char *path)
 {
-    const char *slash = strrchr(d->file, '/');
-    const size_t folder = slash ? (size_t)(slash - d->file) + 1 : 0;
+    const size_t folder = (size_t)(input_name(d->file) - d->file);
     char *name = malloc(folder + strlen(path) + 1);
     if (name) {
         memcpy(name, d->file, folder);

@@ -292,15 +292,9 @@ static char *outer_of(const char *path)
     return strcat(outer, ".bin");
 }
 
-static const char *name_of(const char *path)
-{
-    const char *end = strrchr(path, '/');
-    return end ? end + 1 : path;
-}
-
 static int same_folder(const char *a, const char *b)
 {
-    size_t x = (size_t)(name_of(a) - a), y = (size_t)(name_of(b) - b);
+    size_t x = (size_t)(input_name(a) - a), y = (size_t)(input_name(b) - b);
     return x == y && memcmp(a, b, x) == 0;
 }
 
@@ -359,7 +353,7 @@ static int make_file(model *m, const model_source *source, const char *path, con
                      nkw_gltf_file *file)
 {
     nkw_import_error error;
-    const char *uri = outer ? name_of(outer) : NULL;
+    const char *uri = outer ? input_name(outer) : NULL;
     const int embeds = form == NKW_GLTF_BINARY || !path || !same_folder(path, m->original->file);
     if (source) {
         const nkw_gltf_rewriting r = {&source->memory, m->original, &m->document, embeds};

@@ -153,10 +153,9 @@ static int write_svg(picture *p, FILE *f, size_t first, size_t count)
     svg page;
     size_t columns = count < p->columns ? count : p->columns, rows = (count + columns - 1) / columns;
     float size = (float)p->request->size;
-    const char *title = p->moment->document->file;
     int fine = 1;
-    svg_start(&page, f, size * (float)columns, size * (float)rows,
-              strrchr(title, '/') ? strrchr(title, '/') + 1 : title, "The model at times of a clip");
+    svg_start(&page, f, size * (float)columns, size * (float)rows, input_name(p->moment->document->file),
+              "The model at times of a clip");
     for (size_t k = 0; k < count && fine; k++) {
         sketch s;
         svg_box box = {size * (float)(k % columns), size * (float)(k / columns), size, size};

@@ -139,12 +139,6 @@ nkw_handle_segment nkw_handle_limit(const nkw_handle_segment *segment, nkw_handl
     return s;
 }
 
-static nkw_handle handle_of(double time, double value)
-{
-    nkw_handle r = {(float)time, (float)value};
-    return r;
-}
-
 /* One coordinate, relative to the first key: the handles of both halves, relative to their keys. */
 typedef struct split_handles {
     double left_out, left_in, right_out, right_in;
@@ -170,10 +164,10 @@ void nkw_handle_split(const nkw_handle_segment *segment, float time, nkw_handle_
     nkw_handle_segment a = s, b = s;
     a.time1 = b.time0 = clamped;
     a.value1 = b.value0 = nkw_handle_sample(&s, clamped).value;
-    a.out = handle_of(x.left_out, y.left_out);
-    a.in = handle_of(x.left_in, y.left_in);
-    b.out = handle_of(x.right_out, y.right_out);
-    b.in = handle_of(x.right_in, y.right_in);
+    a.out = handle_from_f64(x.left_out, y.left_out);
+    a.in = handle_from_f64(x.left_in, y.left_in);
+    b.out = handle_from_f64(x.right_out, y.right_out);
+    b.in = handle_from_f64(x.right_in, y.right_in);
     *left = a;
     *right = b;
 }

@@ -35,6 +35,12 @@ static inline handle_cubic handle_cubic_of(const nkw_handle_segment *s)
     return c;
 }
 
+static inline nkw_handle handle_from_f64(double time, double value)
+{
+    nkw_handle r = {(float)time, (float)value};
+    return r;
+}
+
 static inline double handle_time(const handle_cubic *c, double s)
 {
     double r = 1.0 - s;

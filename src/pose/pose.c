@@ -14,39 +14,31 @@ size_t nkw_pose_floats(size_t joint_count)
     return joint_count <= SIZE_MAX / 160 * 16 ? NKW_POSE_FLOATS(joint_count) : SIZE_MAX;
 }
 
-/* Returns pose + floats, or pose unchanged for offset 0, because NULL + 0 is undefined in C99. */
-static const float *behind(const float *pose, size_t floats)
+/* Array k of a pose; for stride 0 the pose unchanged, because NULL + 0 is undefined in C99. */
+static float *array_of(nkw_pose_span pose, size_t stride, size_t k)
 {
-    return floats ? pose + floats : pose;
-}
-
-nkw_trs_view nkw_pose_components(nkw_pose_view pose)
-{
-    size_t s = NKW_POSE_STRIDE(pose.joint_count);
-    const float *rotation = behind(pose.data, 3 * s), *scale = behind(pose.data, 7 * s);
-    nkw_trs_view view = {
-        {pose.data, behind(pose.data, s), behind(pose.data, 2 * s)},
-        {rotation, behind(rotation, s), behind(rotation, 2 * s), behind(rotation, 3 * s)},
-        {scale, behind(scale, s), behind(scale, 2 * s)},
-    };
-    return view;
-}
-
-static float *behind_span(float *pose, size_t floats)
-{
-    return floats ? pose + floats : pose;
+    return stride ? pose.data + k * stride : pose.data;
 }
 
 nkw_trs_span nkw_pose_components_span(nkw_pose_span pose)
 {
     size_t s = NKW_POSE_STRIDE(pose.joint_count);
-    float *rotation = behind_span(pose.data, 3 * s), *scale = behind_span(pose.data, 7 * s);
     nkw_trs_span span = {
-        {pose.data, behind_span(pose.data, s), behind_span(pose.data, 2 * s)},
-        {rotation, behind_span(rotation, s), behind_span(rotation, 2 * s), behind_span(rotation, 3 * s)},
-        {scale, behind_span(scale, s), behind_span(scale, 2 * s)},
+        {array_of(pose, s, 0), array_of(pose, s, 1), array_of(pose, s, 2)},
+        {array_of(pose, s, 3), array_of(pose, s, 4), array_of(pose, s, 5), array_of(pose, s, 6)},
+        {array_of(pose, s, 7), array_of(pose, s, 8), array_of(pose, s, 9)},
     };
     return span;
+}
+
+/* A view and its span have one layout, as in NKW_VIEW; nothing is written by this span. */
+nkw_trs_view nkw_pose_components(nkw_pose_view pose)
+{
+    const union {
+        nkw_pose_view view;
+        nkw_pose_span span;
+    } same = {pose};
+    return NKW_VIEW(nkw_trs, nkw_pose_components_span(same.span));
 }
 
 static void put(float *pose, size_t stride, size_t joint, const nkw_trs *trs)

@@ -10,16 +10,10 @@
 
 static const nkw_handle no_handle = {0.0f, 0.0f};
 
-static nkw_handle handle_of(double time, double value)
-{
-    nkw_handle r = {(float)time, (float)value};
-    return r;
-}
-
 /* A third of h seconds along a slope. */
 static nkw_handle third_of(double h, double slope)
 {
-    return handle_of(h / 3.0, slope * (h / 3.0));
+    return handle_from_f64(h / 3.0, slope * (h / 3.0));
 }
 
 static nkw_handle reversed(nkw_handle h)
@@ -43,7 +37,7 @@ static nkw_handle sloped(float slope, float weight, int has_weight, nkw_weight_u
     if (!has_weight)
         return third_of(h, m);
     double time = unit == NKW_WEIGHT_SECONDS ? w : unit == NKW_WEIGHT_FRACTION ? w * h : w / lane_sqrt64(1.0 + m * m);
-    return handle_of(time, m * time);
+    return handle_from_f64(time, m * time);
 }
 
 /* The weight of a handle that has a slope. */
@@ -205,7 +199,7 @@ static int take_blender_kind(const nkw_blender_key *b, nkw_fcurve_key *key)
 
 static nkw_handle between(nkw_handle from, nkw_handle to)
 {
-    return handle_of((double)to.time - (double)from.time, (double)to.value - (double)from.value);
+    return handle_from_f64((double)to.time - (double)from.time, (double)to.value - (double)from.value);
 }
 
 nkw_result nkw_fcurve_from_blender_keys(const nkw_blender_key *blender, size_t count, nkw_fcurve_key *keys,
@@ -254,11 +248,11 @@ nkw_result nkw_blender_keys_from_fcurve(const nkw_fcurve_key *keys, size_t count
     nkw_result result = check_keys(keys, count, bad);
     for (size_t k = 0; k < count && result == NKW_OK; k++) {
         const nkw_fcurve_key *key = keys + k;
-        blender[k].center = handle_of((double)key->time, (double)key->value);
+        blender[k].center = handle_from_f64((double)key->time, (double)key->value);
         blender[k].left =
-            handle_of((double)key->time + (double)key->in.time, (double)key->value + (double)key->in.value);
+            handle_from_f64((double)key->time + (double)key->in.time, (double)key->value + (double)key->in.value);
         blender[k].right =
-            handle_of((double)key->time + (double)key->out.time, (double)key->value + (double)key->out.value);
+            handle_from_f64((double)key->time + (double)key->out.time, (double)key->value + (double)key->out.value);
         if (!put_blender_kind(key, blender + k))
             return report(NKW_BAD_METHOD, k, bad);
     }
@@ -271,8 +265,8 @@ void nkw_fcurve_from_css(const float css[4], nkw_fcurve_key keys[2])
 {
     double h = (double)keys[1].time - (double)keys[0].time, rise = (double)keys[1].value - (double)keys[0].value;
     keys[0].kind = NKW_FCURVE_BEZIER;
-    keys[0].out = handle_of((double)css[0] * h, (double)css[1] * rise);
-    keys[1].in = handle_of(((double)css[2] - 1.0) * h, ((double)css[3] - 1.0) * rise);
+    keys[0].out = handle_from_f64((double)css[0] * h, (double)css[1] * rise);
+    keys[1].in = handle_from_f64(((double)css[2] - 1.0) * h, ((double)css[3] - 1.0) * rise);
 }
 
 /* The control points of a BEZIER segment of h seconds. */
