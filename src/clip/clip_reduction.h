@@ -19,6 +19,8 @@
 
 #include <nakawari/clip_reduce.h>
 
+#include "lane/skeleton.h"
+
 /* A sampled pose, its floats, and the model matrices of its joints: three columns and the position, 12 numbers each. */
 typedef struct reduce_pose {
     float *pose, *floats;
@@ -40,10 +42,11 @@ typedef struct reduce_errors {
     reduce_pose want, got;
 } reduce_errors;
 
+/* The parent of a joint; of a root, the joint. */
 static inline size_t reduce_parent(const nkw_clip_reduction *r, size_t joint)
 {
-    return r->parents && r->parents[joint] >= 0 && (size_t)r->parents[joint] < joint ? (size_t)r->parents[joint]
-                                                                                     : joint;
+    size_t parent = r->parents ? skeleton_parent(r->parents, joint) : joint;
+    return parent < joint ? parent : joint;
 }
 
 /* 1 / tolerance; a tolerance of 0 is as small as numbers allow. */

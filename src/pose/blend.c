@@ -10,6 +10,7 @@
 #include "batch/vec.h"
 #include "lane/blend.h"
 #include "lane/scalar.h"
+#include "lane/skeleton.h"
 #include "report.h"
 #include "sizes.h"
 
@@ -500,8 +501,9 @@ nkw_result nkw_mask_from_subtree(const nkw_skeleton *skeleton, size_t root, nkw_
     if (skeleton->joint_count != joints)
         return NKW_MISMATCHED;
     for (size_t j = 0; j < NKW_POSE_STRIDE(joints); j++) {
-        int below = j < joints && parents[j] >= 0 && (size_t)parents[j] < j && mask.data[parents[j]] == 1.0f;
-        mask.data[j] = j < joints && (j == root || below) ? 1.0f : 0.0f;
+        size_t parent = j < joints ? skeleton_parent(parents, j) : j;
+        int below = parent < j && mask.data[parent] == 1.0f;
+        mask.data[j] = below || (j == root && j < joints) ? 1.0f : 0.0f;
     }
     return NKW_OK;
 }

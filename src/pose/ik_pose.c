@@ -7,21 +7,17 @@
 
 #include "ik_turn.h"
 #include "lane/quat.h"
+#include "lane/skeleton.h"
 #include "work.h"
-
-/* The parent of a joint, or NKW_NO_JOINT. */
-static int32_t parent_of(const nkw_skeleton *skeleton, size_t joint)
-{
-    int32_t parent = skeleton->parents[joint];
-    return parent >= 0 && (size_t)parent < joint ? parent : NKW_NO_JOINT;
-}
 
 static int is_descendant(const nkw_skeleton *skeleton, size_t joint, size_t ancestor)
 {
-    int32_t at = parent_of(skeleton, joint);
-    while (at >= 0 && (size_t)at != ancestor)
-        at = parent_of(skeleton, (size_t)at);
-    return at >= 0;
+    size_t parent = skeleton_parent(skeleton->parents, joint);
+    while (parent < joint && parent != ancestor) {
+        joint = parent;
+        parent = skeleton_parent(skeleton->parents, joint);
+    }
+    return parent < joint;
 }
 
 static nkw_vec3 position_of(const nkw_ik_pose *pose, size_t joint)
@@ -37,8 +33,8 @@ typedef struct parent_axes {
 
 static nkw_mat4 parent_matrix(const nkw_ik_pose *pose, size_t joint)
 {
-    int32_t parent = parent_of(&pose->skeleton, joint);
-    return parent >= 0 ? pose->models[parent] : pose->root ? *pose->root : nkw_mat4_identity();
+    size_t parent = skeleton_parent(pose->skeleton.parents, joint);
+    return parent < joint ? pose->models[parent] : pose->root ? *pose->root : nkw_mat4_identity();
 }
 
 static parent_axes parent_axes_of(const nkw_ik_pose *pose, size_t joint)
@@ -146,12 +142,16 @@ nkw_result nkw_ik_pose_aim(const nkw_ik_pose *pose, const nkw_ik_look *look, flo
 
 /* ---- Chains ---- */
 
-/* The first joint of a chain, or NKW_NO_JOINT if there are too few ancestors. */
-static int32_t first_of(const nkw_skeleton *skeleton, const nkw_ik_reach *reach)
+/* The first joint of a chain; joint_count of the skeleton if there are too few ancestors. */
+static size_t first_of(const nkw_skeleton *skeleton, const nkw_ik_reach *reach)
 {
-    int32_t at = (int32_t)reach->end;
-    for (size_t k = 0; at >= 0 && k < reach->joint_count; k++)
-        at = parent_of(skeleton, (size_t)at);
+    size_t at = reach->end;
+    for (size_t k = 0; k < reach->joint_count; k++) {
+        size_t parent = skeleton_parent(skeleton->parents, at);
+        if (parent >= at)
+            return skeleton->joint_count;
+        at = parent;
+    }
     return at;
 }
 
@@ -162,7 +162,7 @@ static nkw_result check_reach(const nkw_ik_pose *pose, const nkw_ik_reach *reach
         return result;
     if (reach->joint_count == 0)
         return NKW_EMPTY;
-    if (first_of(&pose->skeleton, reach) < 0)
+    if (first_of(&pose->skeleton, reach) == pose->skeleton.joint_count)
         return NKW_OUT_OF_RANGE;
     int fits = work_fits_each(work, reach->joint_count, NKW_IK_POSE_CHAIN_WORK(1));
     return fits ? NKW_OK : NKW_TOO_SMALL;
@@ -171,10 +171,10 @@ static nkw_result check_reach(const nkw_ik_pose *pose, const nkw_ik_reach *reach
 /* The chain in the axes of the parent of its first joint, from its first joint; the target too. */
 static nkw_vec3 chain_of(const nkw_ik_pose *pose, const nkw_ik_reach *reach, nkw_quat *rotations, nkw_vec3 *offsets)
 {
-    size_t first = (size_t)first_of(&pose->skeleton, reach), at = reach->end;
+    size_t first = first_of(&pose->skeleton, reach), at = reach->end;
     parent_axes axes = parent_axes_of(pose, first);
     for (size_t k = reach->joint_count; k-- > 0;) {
-        size_t parent = (size_t)parent_of(&pose->skeleton, at);
+        size_t parent = skeleton_parent(pose->skeleton.parents, at);
         lane_f64_vec3 bone =
             lane_f64_vec3_sub(lane_f64_vec3_from(position_of(pose, at)), lane_f64_vec3_from(position_of(pose, parent)));
         offsets[k] = lane_vec3_from_f64(vec_to_parent(&axes, bone));
@@ -197,7 +197,7 @@ static void store_chain(const nkw_ik_pose *pose, const nkw_ik_reach *reach, nkw_
     float share = reach->weight > 0.0f ? reach->weight < 1.0f ? reach->weight : 1.0f : 0.0f;
     size_t at = reach->end;
     for (size_t k = reach->joint_count; k-- > 0;) {
-        at = (size_t)parent_of(&pose->skeleton, at);
+        at = skeleton_parent(pose->skeleton.parents, at);
         nkw_trs local = nkw_pose_get(NKW_VIEW(nkw_pose, pose->pose), at);
         local.rotation = share == 1.0f ? rotations[k] : nkw_quat_slerp(local.rotation, rotations[k], share);
         rotations[k] = local.rotation;

@@ -9,6 +9,7 @@
 #include <nakawari/vec.h>
 
 #include "lane/scalar.h"
+#include "lane/skeleton.h"
 #include "report.h"
 #include "work.h"
 
@@ -17,14 +18,10 @@ typedef struct rotations {
     nkw_quat *rest, *now;
 } rotations;
 
-static int has_parent(const nkw_skeleton *skeleton, size_t j)
-{
-    return skeleton->parents[j] >= 0 && (size_t)skeleton->parents[j] < j;
-}
-
 static nkw_quat parent_of(const nkw_skeleton *skeleton, const nkw_quat *models, size_t j)
 {
-    return has_parent(skeleton, j) ? models[skeleton->parents[j]] : nkw_quat_identity();
+    size_t parent = skeleton_parent(skeleton->parents, j);
+    return parent < j ? models[parent] : nkw_quat_identity();
 }
 
 static nkw_quat model_of(const nkw_skeleton *skeleton, const nkw_quat *models, nkw_pose_view pose, size_t j)

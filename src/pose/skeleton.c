@@ -6,15 +6,10 @@
 #include <nakawari/transform.h>
 
 #include "batch/skeleton.h"
+#include "lane/skeleton.h"
 #include "track/difference.h"
 #include "report.h"
 #include "sizes.h"
-
-/* Whether joint j has no parent or an invalid one: a negative parent is at least 2^31 as uint32_t. */
-static int is_root(const nkw_skeleton *skeleton, size_t j)
-{
-    return (size_t)(uint32_t)skeleton->parents[j] >= j;
-}
 
 nkw_result nkw_skeleton_validate(const nkw_skeleton *skeleton, size_t *bad)
 {
@@ -24,7 +19,7 @@ nkw_result nkw_skeleton_validate(const nkw_skeleton *skeleton, size_t *bad)
         int32_t parent = skeleton->parents[j];
         if (parent < NKW_NO_JOINT || (parent >= 0 && (size_t)parent >= skeleton->joint_count))
             result = NKW_OUT_OF_RANGE;
-        else if (parent != NKW_NO_JOINT && is_root(skeleton, j))
+        else if (parent != NKW_NO_JOINT && skeleton_parent(skeleton->parents, j) >= j)
             result = NKW_NOT_ORDERED;
     }
     return report(result, j ? j - 1 : 0, bad);
@@ -33,8 +28,11 @@ nkw_result nkw_skeleton_validate(const nkw_skeleton *skeleton, size_t *bad)
 size_t nkw_skeleton_subtree_end(const nkw_skeleton *skeleton, size_t joint)
 {
     size_t end = joint < skeleton->joint_count ? joint + 1 : skeleton->joint_count;
-    while (end < skeleton->joint_count && !is_root(skeleton, end) && (size_t)skeleton->parents[end] >= joint)
-        end++;
+    for (; end < skeleton->joint_count; end++) {
+        size_t parent = skeleton_parent(skeleton->parents, end);
+        if (parent < joint || parent >= end)
+            break;
+    }
     return end;
 }
 

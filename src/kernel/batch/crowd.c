@@ -29,6 +29,7 @@
 #include "batch/crowd.h"
 #include "batch/skin_decode.h"
 #include "lane/mat.h"
+#include "lane/skeleton.h"
 #include "pack/columns.h"
 #include "sizes.h"
 
@@ -98,14 +99,13 @@ NKW_ALWAYS_INLINE void models_of(const float *parent, const float *pose, float *
         model_of(parent, pose, out, i);
 }
 
-/* A parent that is not before its joint, as -1 is after the conversion to size_t, makes the joint a root. */
 NKW_LOOP(nkwi_crowd_models)
 (const int32_t *parents, size_t joints, const float *crowd, const float *roots, float *models)
 {
     for (size_t j = 0; j < joints; j++) {
         const float *pose = crowd + j * 10 * CROWD_LANES;
         float *model = models + j * 12 * CROWD_LANES;
-        size_t p = (size_t)parents[j];
+        size_t p = skeleton_parent(parents, j);
         const float *parent = p < j ? models + p * 12 * CROWD_LANES : roots;
         if (parent)
             for (size_t i = 0; i < CROWD_LANES; i += CROWD_LOOP)

@@ -20,6 +20,7 @@
 #include "batch/last.h"
 #include "batch/matrices.h"
 #include "batch/skeleton.h"
+#include "lane/skeleton.h"
 #include "pack/affine.h"
 #include "sizes.h"
 
@@ -51,10 +52,10 @@ static inline void make_last_linear(const float *r, size_t stride, size_t joints
     make_linear(rows[0], 8, linear);
 }
 
-/* The address of the parent's matrix, or NULL. A negative parent becomes a large number here. */
+/* The address of the parent's matrix, or NULL. */
 static inline const nkw_mat4 *above(const int32_t *parents, size_t j, const nkw_mat4 *root, const nkw_mat4 *models)
 {
-    size_t p = (uint32_t)parents[j];
+    size_t p = skeleton_parent(parents, j);
     return p < j ? &models[p] : root;
 }
 
@@ -73,7 +74,7 @@ NKW_NOINLINE static void store_root(affine_arrays local, nkw_mat4 *m)
  */
 static inline int follows_parent(const int32_t *parents, size_t j)
 {
-    return (uint64_t)(uint32_t)parents[j] + 1 == j;
+    return (uint64_t)skeleton_parent(parents, j) + 1 == j;
 }
 
 /* The matrix of the joint before the first of from .. to - 1. */
