@@ -19,11 +19,12 @@ enum { DONE, NOT_WRITTEN, MISUSED };
 
 static const char usage[] =
     "usage: nakawari-coursework [options]\n"
-    "Prints the numbers of the exercise's key-frame animation; writes a table and pictures of it.\n"
+    "Prints the numbers of the exercise's key-frame animation; writes tables and pictures of it.\n"
     "\n"
     "  --scene 1|2        which of the exercise's scenes (default 1)\n"
     "  --keys N           only its first N keys, 2 or more (default all)\n"
-    "  --step SECONDS     distance of the table's rows (default 0.1)\n"
+    "  --step SECONDS     distance of the tables' rows (default 0.1)\n"
+    "  --rule R           exercise (default) or library: of what is printed and drawn; there is a table of each\n"
     "  --out DIR          an existing folder for the files (default .)\n"
     "  --joints           index.html shows the pictures of nakawari-joints too, from the same folder\n"
     "  --character        and those of a character, by nakawari render: walk.apng, wave.apng, hop.apng, sheet.png\n"
@@ -38,7 +39,7 @@ typedef struct options {
     double time;
     report_options report;
     int trace, help;
-    const report_method *position, *orientation;
+    const report_method *position, *orientation, *rule;
 } options;
 
 /* ---- the command line ---- */
@@ -54,7 +55,7 @@ static int find_method(const char *text, const report_method *list, const report
 
 static int read_options(int argc, char **argv, options *o)
 {
-    const char *position = NULL, *orientation = NULL;
+    const char *position = NULL, *orientation = NULL, *rule = NULL;
     const option known[] = {{"--scene", OPTION_WHOLE, &o->scene, 1, 2, NULL},
                             {"--keys", OPTION_WHOLE, &o->keys, 2, SCENE_KEYS_MAX, NULL},
                             {"--step", OPTION_NUMBER, &o->report.step, 1e-4, 1e3, NULL},
@@ -64,9 +65,11 @@ static int read_options(int argc, char **argv, options *o)
                             {"--page", OPTION_TEXT, &o->report.page, 0, 0, NULL},
                             {"--trace", OPTION_NUMBER, &o->time, -1e6, 1e6, &o->trace},
                             {"--position", OPTION_TEXT, &position, 0, 0, NULL},
-                            {"--orientation", OPTION_TEXT, &orientation, 0, 0, NULL}};
+                            {"--orientation", OPTION_TEXT, &orientation, 0, 0, NULL},
+                            {"--rule", OPTION_TEXT, &rule, 0, 0, NULL}};
     if (!options_read(program, known, sizeof known / sizeof *known, argc, argv, &o->help) ||
-        !find_method(position, report_positions, &o->position) || !find_method(orientation, report_orientations, &o->orientation))
+        !find_method(position, report_positions, &o->position) ||
+        !find_method(orientation, report_orientations, &o->orientation) || !find_method(rule, report_rules, &o->rule))
         return 0;
     return strlen(o->report.folder) <= 4000 || options_complain(program, "path too long", o->report.folder);
 }
@@ -78,6 +81,7 @@ static int run(const options *o)
         options_complain(program, "the scene has fewer keys", "--keys");
         return MISUSED;
     }
+    s.rule = (nkw_keyframe_rule)o->rule->method;
     if (report_rows(&s, &o->report) > REPORT_ROWS_MAX) {
         options_complain(program, "too many rows", "--step");
         return MISUSED;
@@ -92,7 +96,7 @@ static int run(const options *o)
 int main(int argc, char **argv)
 {
     options o = {1, 0, 0.0, {program, ".", 0.1, NULL, 0, 0}, 0, 0, report_find("hermite", report_positions),
-                 report_find("quat", report_orientations)};
+                 report_find("quat", report_orientations), report_rules};
     int code = DONE;
     if (!read_options(argc, argv, &o))
         return MISUSED;

@@ -37,7 +37,7 @@ set(nowhere "${CMAKE_CURRENT_BINARY_DIR}/no/such/folder")
 
 # ---- nakawari-coursework ----
 
-example_draws(coursework coursework- FILES scene1.csv index.html PICTURES ${coursework_pictures})
+example_draws(coursework coursework- FILES scene1_exercise.csv scene1_library.csv index.html PICTURES ${coursework_pictures})
 example_page(coursework coursework matrix --trace 3.25 --position hermite --orientation quat)
 
 # The pages' links to lines of the source. Put right by the command in the script's head.
@@ -60,8 +60,14 @@ example_says(coursework missing_value 2 "value missing after: --out" --out)
 example_says(coursework bad_number 2 "not a number in range: fast" --step fast)
 example_says(coursework bad_scene 2 "not a number in range: 3" --scene 3)
 example_says(coursework bad_method 2 "no such method: cubic" --trace 1 --position cubic)
+example_says(coursework bad_rule 2 "no such method: mine" --rule mine)
+example_says(coursework rule 0 "segment 2, from key 2 to key 3" --trace 2 --rule library)
+example_says(coursework rule_of_the_exercise 0 "segment 1, from key 1 to key 2" --trace 2)
+# 10 rows of Bezier beyond the keys and 44 on or after keys, 5 in both.
+example_says(coursework tables 0 "69 of their 852 rows differ: .*docs/coursework.md#where-this-library-differs"
+  --out "${CMAKE_CURRENT_BINARY_DIR}")
 example_says(coursework too_many_keys 2 "fewer keys" --scene 2 --keys 3)
-example_says(coursework unwritable_folder 1 "cannot write .*/no/such/folder/scene1.csv" --out "${nowhere}")
+example_says(coursework unwritable_folder 1 "cannot write .*/no/such/folder/scene1_exercise.csv" --out "${nowhere}")
 
 add_test(NAME example_coursework_with_joints COMMAND "${CMAKE_COMMAND}"
   "-DPROGRAM=$<TARGET_FILE:nakawari-coursework>" -DARGUMENTS=--joints

@@ -11,8 +11,8 @@
 
 static const options_text text = {
     "[OPTION...] SCENE",
-    "Draws the exercise of docs/coursework.md with the keys of SCENE: a table of the object's matrix by every\n"
-    "method, the curves from above and in space, all frames, Euler angles against slerp, and one page of all.\n"
+    "Draws the exercise of docs/coursework.md with the keys of SCENE: tables of the object's matrix by every\n"
+    "method and by both rules, the curves from above and in space, all frames, Euler angles against slerp, and one page of all.\n"
     "SCENE is a scene of keys in JSON, a table of keys in CSV or JSON, or any other file that is read: the keys\n"
     "of one joint of a clip, at most 64 of them in 64 seconds. With --trace it prints the calculation at one\n"
     "time, step by step.\n",
@@ -22,11 +22,11 @@ static const options_text text = {
     1, 0};
 
 typedef struct request {
-    char *clip, *joint, *output, *position, *orientation;
+    char *clip, *joint, *output, *position, *orientation, *rule;
     long keys;
     double step, time;
     int traces;
-    const report_method *position_method, *orientation_method;
+    const report_method *position_method, *orientation_method, *sampling_rule;
 } request;
 
 /* ---- the keys ---- */
@@ -128,6 +128,7 @@ static int run(const nkw_document *d, void *data)
     scene s;
     if (!read_scene(d, r, &s))
         return 0;
+    s.rule = (nkw_keyframe_rule)r->sampling_rule->method;
     if (r->traces)
         trace_print(stdout, &s, (float)r->time, (nkw_position_method)r->position_method->method,
                     (nkw_orientation_method)r->orientation_method->method);
@@ -143,6 +144,9 @@ static int check_request(const options *o, void *data)
     request *r = data;
     r->position_method = report_find(r->position ? r->position : "hermite", report_positions);
     r->orientation_method = report_find(r->orientation ? r->orientation : "quat", report_orientations);
+    r->sampling_rule = report_find(r->rule ? r->rule : "exercise", report_rules);
+    if (!r->sampling_rule)
+        return options_misuse(o, r->rule, "not exercise or library");
     if (!r->position_method)
         return options_misuse(o, r->position, "not linear, hermite, bezier, bspline, catmull-rom or step");
     if (!r->orientation_method)
@@ -159,13 +163,15 @@ static int check_request(const options *o, void *data)
 
 int command_exercise(int argc, const char **argv)
 {
-    request r = {NULL, NULL, NULL, NULL, NULL, 0, 0.1, 1e30, 0, NULL, NULL};
+    request r = {NULL, NULL, NULL, NULL, NULL, NULL, 0, 0.1, 1e30, 0, NULL, NULL, NULL};
     const struct poptOption known[] = {
         {"clip", 'c', POPT_ARG_STRING, &r.clip, 0, "number or name of the clip (default: 0)", "N"},
         {"joint", 'j', POPT_ARG_STRING, &r.joint, 0, "name or number of the joint (default: the first that moves)",
          "N"},
         {"keys", 'k', POPT_ARG_LONG, &r.keys, 0, "only the first N keys", "N"},
-        {"step", 's', POPT_ARG_DOUBLE, &r.step, 0, "seconds between the rows of the table (default: 0.1)", "S"},
+        {"step", 's', POPT_ARG_DOUBLE, &r.step, 0, "seconds between the rows of the tables (default: 0.1)", "S"},
+        {"rule", 'r', POPT_ARG_STRING, &r.rule, 0,
+         "exercise (default) or library: of what is printed and drawn", "RULE"},
         {"trace", 't', POPT_ARG_DOUBLE, &r.time, 0, "write no file; print the calculation at time T", "T"},
         {"position", 'p', POPT_ARG_STRING, &r.position, 0,
          "of --trace: linear, hermite (default), bezier, bspline, catmull-rom or step", "METHOD"},
@@ -181,5 +187,6 @@ int command_exercise(int argc, const char **argv)
     free(r.output);
     free(r.position);
     free(r.orientation);
+    free(r.rule);
     return code;
 }

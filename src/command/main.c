@@ -18,7 +18,7 @@ static const subcommand subcommands[] = {
     {"convert", "nakawari convert", command_convert, "any file as glTF: resampled, reduced, with other axes"},
     {"diff", "nakawari diff", command_diff, "the largest difference of each joint between two files"},
     {"exercise", "nakawari exercise", command_exercise,
-     "the key-frame exercise with keys of one's own: table, pictures"},
+     "the key-frame exercise with keys of one's own: tables, pictures"},
     {"info", "nakawari info", command_info, "what a file contains: clips, channels, keys, bytes"},
     {"parts", "nakawari parts", command_parts, "skinned meshes cut into parts of few bones, as JSON"},
     {"plot", "nakawari plot", command_plot, "curves of joints over time, paths, Euler angles: SVG, PNG"},

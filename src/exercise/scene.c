@@ -81,6 +81,7 @@ int scene_build(int number, size_t keys, scene *out)
     out->view = view(s, aim);
     out->unit = 1.0f;
     out->own = 0;
+    out->rule = NKW_KEYFRAME_RULE_EXERCISE;
     if (out->count == s->count)
         sprintf(out->name, "scene%d", number);
     else
@@ -136,6 +137,7 @@ int scene_from_keys(const char *name, const nkw_keyframe *keys, size_t count, sc
     memcpy(out->keys, keys, count * sizeof *keys);
     out->count = count;
     out->own = 1;
+    out->rule = NKW_KEYFRAME_RULE_EXERCISE;
     set_name(out, name);
     nkw_vec3 middle = middle_of(out, &radius);
     out->unit = unit_of(radius);
@@ -157,7 +159,8 @@ float scene_end(const scene *s)
 nkw_mat4 scene_sample(const scene *s, float time, nkw_position_method position, nkw_orientation_method orientation)
 {
     nkw_mat4 m = nkw_mat4_identity();
-    (void)nkw_keyframes_sample(s->keys, s->count, time, position, orientation, &m);
+    nkw_keyframe_options options = {position, orientation, s->rule};
+    (void)nkw_keyframes_sample_as(s->keys, s->count, time, &options, &m);
     return m;
 }
 

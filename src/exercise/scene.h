@@ -17,6 +17,7 @@ typedef struct scene {
     nkw_mat4 view;                     /**< from the pictures' world to the eye of the exercise's camera */
     float unit;                        /**< the length that pictures show as 1: 1 in the exercise */
     int own;                           /**< whether the keys are not those of the exercise */
+    nkw_keyframe_rule rule;            /**< by which it is sampled; that of the exercise until it is set */
 } scene;
 
 /** Scene 1 or 2, cut to its first `keys` keys; 0 keys means all. Gives 0 for a scene or a number it has not. */
@@ -39,7 +40,7 @@ float scene_time(const scene *s, int per_second, size_t i);
 /** The time at t of a segment between two keys. */
 float scene_segment_time(const scene *s, size_t segment, float t);
 
-/** The matrix of the object at a time; the scene's keys are valid, so sampling them cannot fail. */
+/** The matrix of the object at a time by the scene's rule; its keys are valid, so sampling them cannot fail. */
 nkw_mat4 scene_sample(const scene *s, float time, nkw_position_method position, nkw_orientation_method orientation);
 
 /** The same for pictures: the position in units. The position of a key in units. */

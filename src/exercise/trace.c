@@ -115,7 +115,7 @@ static void matrix(FILE *f, const nkw_mat4 *m)
 void trace_print(FILE *f, const scene *s, float time, nkw_position_method position,
                  nkw_orientation_method orientation)
 {
-    nkw_keyframe_options options = {position, orientation, NKW_KEYFRAME_RULE_LIBRARY};
+    nkw_keyframe_options options = {position, orientation, s->rule};
     nkw_keyframe_trace t;
     nkw_mat4 m = scene_sample(s, time, position, orientation);
     if (nkw_keyframes_trace(s->keys, s->count, time, &options, &t) != NKW_OK)

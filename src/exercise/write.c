@@ -6,6 +6,7 @@
 #include <string.h>
 
 #include <nakawari/keyframe.h>
+#include <nakawari/mat.h>
 
 #include "picture.h"
 #include "summary.h"
@@ -24,8 +25,9 @@ const report_method report_orientations[] = {
     {"quat", NKW_ORIENTATION_SLERP},  {"euler-unwrapped", NKW_ORIENTATION_EULER_UNWRAPPED},
     {"nlerp", NKW_ORIENTATION_NLERP}, {NULL, 0},
 };
-enum { NONE, EULER, QUAT }; /* the exercise's, in report_orientations */
-enum { LINEAR, HERMITE, BEZIER, BSPLINE }; /* in report_positions */
+const report_method report_rules[] = {
+    {"exercise", NKW_KEYFRAME_RULE_EXERCISE}, {"library", NKW_KEYFRAME_RULE_LIBRARY}, {NULL, 0}};
+enum { POSITIONS = 4, ORIENTATIONS = 3, RULES = 2 }; /* the exercise's methods are the first of their lists */
 enum { PATH_SIZE = 4096 };
 
 const report_method *report_find(const char *name, const report_method *list)
@@ -52,9 +54,9 @@ static int report(const report_options *o, int ok, const char *path)
     return ok;
 }
 
-/* ---- the table ---- */
+/* ---- the tables ---- */
 
-/* Row k of the table: from half a second before the first key. Rounded once from the decimal step. */
+/* Row k of a table: from half a second before the first key. Rounded once from the decimal step. */
 static float row_time(const scene *s, const report_options *o, long k)
 {
     return (float)((double)s->keys[0].time - 0.5 + (double)k * o->step);
@@ -74,7 +76,7 @@ static void write_row(FILE *f, const scene *s, float time, const report_method *
     nkw_position_method p = (nkw_position_method)position->method;
     nkw_orientation_method o = (nkw_orientation_method)orientation->method;
     nkw_mat4 m = scene_sample(s, time, p, o);
-    nkw_keyframe_options options = {p, o, NKW_KEYFRAME_RULE_LIBRARY};
+    nkw_keyframe_options options = {p, o, s->rule};
     (void)nkw_keyframes_trace(s->keys, s->count, time, &options, &trace);
     fprintf(f, "%s,%u,%s,%s,%.9g,%u,%.9g", s->name, (unsigned)s->count, position->name, orientation->name, (double)time,
             (unsigned)trace.segment.index, (double)trace.segment.t);
@@ -90,6 +92,13 @@ static void write_rows(FILE *f, const scene *s, const report_options *o, int pos
         write_row(f, s, row_time(s, o, k), &report_positions[position], &report_orientations[orientation]);
 }
 
+static scene ruled(const scene *s, int rule)
+{
+    scene copy = *s;
+    copy.rule = (nkw_keyframe_rule)report_rules[rule].method;
+    return copy;
+}
+
 static int write_table(const scene *s, const report_options *o, const char *path)
 {
     FILE *f = fopen(path, "wb");
@@ -99,13 +108,53 @@ static int write_table(const scene *s, const report_options *o, const char *path
     for (int i = 0; i < 16; i++)
         fprintf(f, ",m%d", i);
     fputc('\n', f);
-    for (int position = LINEAR; position <= BSPLINE; position++) {
-        write_rows(f, s, o, position, EULER);
-        write_rows(f, s, o, position, QUAT);
-    }
-    write_rows(f, s, o, LINEAR, NONE);
+    for (int position = 0; position < POSITIONS; position++)
+        for (int orientation = 0; orientation < ORIENTATIONS; orientation++)
+            write_rows(f, s, o, position, orientation);
     int failed = ferror(f);
     return fclose(f) == 0 && !failed;
+}
+
+/* NAME_exercise.csv and NAME_library.csv. */
+static int write_tables(const scene *s, const report_options *o)
+{
+    char path[PATH_SIZE], extension[32];
+    for (int rule = 0; rule < RULES; rule++) {
+        const scene by = ruled(s, rule);
+        sprintf(extension, "_%s.csv", report_rules[rule].name);
+        path_in(o, s->name, extension, path);
+        if (!report(o, write_table(&by, o, path), path))
+            return 0;
+    }
+    return 1;
+}
+
+/* The rows of one pair of methods in which the tables differ by more than rounding. */
+static long differing(const scene *s, const report_options *o, int position, int orientation)
+{
+    const scene a = ruled(s, 0), b = ruled(s, 1);
+    long count = 0;
+    for (long k = 0; k < report_rows(s, o); k++) {
+        const nkw_position_method p = (nkw_position_method)report_positions[position].method;
+        const nkw_orientation_method q = (nkw_orientation_method)report_orientations[orientation].method;
+        nkw_mat4 m = scene_sample(&a, row_time(s, o, k), p, q), n = scene_sample(&b, row_time(s, o, k), p, q);
+        count += !nkw_mat4_equal_within(&m, &n, 1e-5f * s->unit);
+    }
+    return count;
+}
+
+static void print_difference(FILE *f, const scene *s, const report_options *o, const char *reason)
+{
+    long rows = 0, count = 0;
+    for (int position = 0; position < POSITIONS; position++)
+        for (int orientation = 0; orientation < ORIENTATIONS; orientation++) {
+            rows += report_rows(s, o);
+            count += differing(s, o, position, orientation);
+        }
+    fprintf(f,
+            "%ld of their %ld rows differ: by the exercise's rule a segment contains both its ends and Bezier curves "
+            "go on\noutside the keys; the library's segments are half open, and it clamps. Why: %s\n",
+            count, rows, reason);
 }
 
 /* ---- the pictures ---- */
@@ -196,6 +245,15 @@ static void write_door(FILE *f, const report_options *o)
                 o->page);
 }
 
+static void write_links(FILE *f, const scene *s, const report_options *o)
+{
+    fprintf(f,
+            " The numbers by the rule of the exercise's program: <a href=\"%s_exercise.csv\">%s_exercise.csv</a>; by the "
+            "library's: <a href=\"%s_library.csv\">%s_library.csv</a>. ",
+            s->name, s->name, s->name, s->name);
+    print_difference(f, s, o, "<code>docs/coursework.md</code>, <i>Where this library differs</i>.</p>");
+}
+
 static int write_index(const scene *s, const report_options *o, const char *path)
 {
     FILE *f = fopen(path, "wb");
@@ -208,8 +266,8 @@ static int write_index(const scene *s, const report_options *o, const char *path
           "border-radius:6px;background:#1f5fd0;color:#fff}</style>\n"
           "<h1>Key-frame animation, drawn by nakawari</h1>\n",
           f);
-    fprintf(f, "<p>%u keys%s. The numbers: <a href=\"%s.csv\">%s.csv</a>.</p>\n", (unsigned)s->count,
-            s->own ? "" : ", one per second", s->name, s->name);
+    fprintf(f, "<p>%u keys%s.", (unsigned)s->count, s->own ? "" : ", one per second");
+    write_links(f, s, o);
     write_door(f, o);
     fputs("<details><summary>A table to compare with</summary><pre>\n", f);
     summary_print(f, s);
@@ -230,8 +288,7 @@ static int write_index(const scene *s, const report_options *o, const char *path
 int report_write(const scene *s, const report_options *o)
 {
     char path[PATH_SIZE];
-    path_in(o, s->name, ".csv", path);
-    if (!report(o, write_table(s, o, path), path))
+    if (!write_tables(s, o))
         return 0;
     for (int i = 0; i < PICTURE_COUNT; i++) {
         path_in(o, pictures[i].name, ".svg", path);
@@ -242,7 +299,8 @@ int report_write(const scene *s, const report_options *o)
     if (!report(o, write_index(s, o, path), path))
         return 0;
     summary_print(stdout, s);
-    printf("\nwrote the whole table %s/%s.csv\nand %d pictures, all on one page: %s\n", o->folder, s->name,
-           (int)PICTURE_COUNT, path);
+    printf("\nwrote the whole tables %s/%s_exercise.csv and %s_library.csv\n", o->folder, s->name, s->name);
+    print_difference(stdout, s, o, "docs/coursework.md#where-this-library-differs");
+    printf("and %d pictures, all on one page: %s\n", (int)PICTURE_COUNT, path);
     return 1;
 }

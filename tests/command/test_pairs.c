@@ -36,7 +36,7 @@ static const subcommand subcommands[] = {
      NULL,
      "out",
      {"--clip=1", "--clip=2", "--joint=1", "--keys=4", "--keys=1", "--step=0.3", "--trace=0.4", "--position=bspline",
-      "--orientation=euler"}},
+      "--orientation=euler", "--rule=library"}},
     {"info", NULL, NULL, {"--clips", "--reduced", "--tolerance=0.01", "--json"}},
     {"parts", NULL, "out.json", {"--bones=2", "--bones=2,4", "--space=bind"}},
     {"plot",

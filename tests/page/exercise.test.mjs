@@ -123,6 +123,15 @@ test('the first 3 to 6 keys of scene 1, deleted by d: Bézier as in an independe
   await tab.close();
 });
 
+test('at first the rule is that of the exercise: at 2 s, the orientation of key 1', async () => {
+  const { tab } = await exercise('scene=1&time=2&orientation=none'), numbers = await shown(tab);
+  assert.ok(await tab.isChecked('[data-field=program]'));
+  const { matrix } = table.find(row => row.scene === 'scene1' && row.orientation === 'none' && row.time === 2);
+  for (const i of [0, 1, 2, 4, 5, 6, 8, 9, 10])
+    assert.ok(Math.abs(numbers[`matrix.${i}`] - matrix[i]) < 1e-6, `${i}`);
+  await tab.close();
+});
+
 test('outside the keys, the numbers with the switch are those of the exercise', async () => {
   for (const row of table.filter(r => r.scene === 'scene1' && r.orientation === 'euler' &&
     [-0.5, 6.5].includes(r.time) && r.position.startsWith('bezier'))) {
@@ -145,7 +154,7 @@ test('at a pitch of 90 degrees, the program loses the rotation and the library k
   for (const [pitch, lost] of [[90, true], [-90, true], [80, false]]) {
     const keys = [0, 0, 0, 0, ...quaternion(30, pitch, 40), 1, 1, 0, 0, ...quaternion(0, 0, 0)].join('_');
     const query = `keys=${keys}&time=0&orientation=`;
-    const [whole, kept, other] = [await prints(`${query}quat`), await prints(`${query}euler`),
+    const [whole, kept, other] = [await prints(`${query}quat`), await prints(`${query}euler&program=0`),
       await prints(`${query}euler&program=1`)];
     const of = numbers => Array.from({ length: 16 }, (_, i) => numbers[`matrix.${i}`]);
     assert.ok(furthest(of(whole), of(kept)) < 1e-6, `${pitch}`);

@@ -76,7 +76,7 @@ export const fields: Fields<State> = {
   orientation: choice<Orientation>('euler', orientations),
   view: choice<View>('trajectory', views),
   time: number(0),
-  program: flag(false),
+  program: flag(true),
   axes: flag(false),
   local: flag(false),
   yaw: number(first.camera.yaw),
