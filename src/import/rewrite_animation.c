@@ -1,0 +1,127 @@
+/* SPDX-License-Identifier: MIT */
+/*
+ * The animations of a file that is rewritten (rewrite.h).
+ *
+ * Invariant: channels keep their number, target and extensions. Only the member "sampler" of a channel changes, and the
+ * list of samplers.
+ *
+ *     channels    0  1  2  3         track of the caller: 0 -> 0, 1 -> 1, 3 -> 2; channel 2 has none (its target is unknown)
+ *     old         0  1  1  1         channels 1, 2, 3 share a sampler
+ *     replaced    a  b  1  c         one for each channel: a, b, c are new
+ *     shared      0  1  2  3         the list, after equal ones are joined again
+ */
+#include "rewrite.h"
+
+/* The track of a channel of the file; SIZE_MAX if it has none. */
+static size_t track_of(const nkw_document_animation *a, size_t channel)
+{
+    for (size_t i = 0; i < a->track_count; i++)
+        if (a->channels[i].number == channel)
+            return i;
+    return SIZE_MAX;
+}
+
+/* Arrays are compared by address: `to` names those of `from` where nothing is replaced. */
+static int is_replaced(const nkw_track *from, const nkw_track *to)
+{
+    return from->times != to->times || from->values != to->values || from->count != to->count ||
+           from->interpolation != to->interpolation || from->key_interpolation != to->key_interpolation;
+}
+
+/* The type of the old values; another than an integer of at most 16 bits counts as float. */
+static nkwi_component component_of(const nkwi_rewriter *r, size_t accessor)
+{
+    size_t type = nkwi_rewriter_index(json_array_get(r->sink.accessors, accessor), "componentType");
+    return type >= NKWI_I8 && type <= NKWI_U16 ? (nkwi_component)type : NKWI_F32;
+}
+
+/* Channel i of animation a, with a new sampler at the end of the list. */
+static int replace_channel(nkwi_rewriter *r, size_t a, size_t i, const json_t *old, json_t *samplers)
+{
+    const nkw_document_animation *from = &r->rewriting->from->animations[a], *to = &r->rewriting->to->animations[a];
+    json_t *channel =
+        json_array_get(json_object_get(json_array_get(json_object_get(r->root, "animations"), a), "channels"), i);
+    const nkwi_place root = {NULL, NULL, 0}, list = {&root, "animations", 0}, at = {&list, NULL, a};
+    const nkwi_place channels = {&at, "channels", 0}, place = {&channels, NULL, i};
+    const size_t track = track_of(from, i), number = nkwi_rewriter_index(channel, "sampler");
+    json_t *sampler = json_array_get(old, number), *made = NULL;
+    if (track != SIZE_MAX) {
+        made = nkwi_sink_sampler(&r->sink, &to->tracks[track], &place,
+                                 component_of(r, nkwi_rewriter_index(sampler, "output")));
+        if (!made)
+            return r->sink.failed ? nkwi_rewriter_no_memory(r) : 0;
+    }
+    nkwi_set(&r->sink, channel, "sampler", json_integer((json_int_t)json_array_size(samplers)));
+    nkwi_put(&r->sink, samplers, made ? made : json_incref(sampler));
+    return 1;
+}
+
+/* Samplers that several channels share, and that are not replaced, remain shared. */
+static void share_samplers(nkwi_rewriter *r, json_t *channels, json_t *samplers)
+{
+    json_t *list = json_array();
+    for (size_t i = 0; i < json_array_size(channels); i++) {
+        const json_t *sampler = json_array_get(samplers, i);
+        size_t k = 0;
+        while (k < json_array_size(list) && json_array_get(list, k) != sampler)
+            k++;
+        if (k == json_array_size(list))
+            nkwi_put(&r->sink, list, json_incref((json_t *)json_array_get(samplers, i)));
+        nkwi_set(&r->sink, json_array_get(channels, i), "sampler", json_integer((json_int_t)k));
+    }
+    json_array_clear(samplers);
+    json_array_extend(samplers, list);
+    json_decref(list);
+}
+
+static int replace_animation(nkwi_rewriter *r, size_t a)
+{
+    json_t *object = json_array_get(json_object_get(r->root, "animations"), a);
+    json_t *channels = json_object_get(object, "channels"), *old = json_object_get(object, "samplers");
+    json_t *samplers = json_array();
+    int done = 1;
+    for (size_t i = 0; done && i < json_array_size(channels); i++)
+        done = replace_channel(r, a, i, old, samplers);
+    if (done)
+        share_samplers(r, channels, samplers);
+    nkwi_set(&r->sink, object, "samplers", samplers);
+    return done;
+}
+
+static int replaces_any(const nkw_gltf_rewriting *w)
+{
+    for (size_t a = 0; a < w->from->animation_count; a++)
+        for (size_t i = 0; i < w->from->animations[a].track_count; i++)
+            if (is_replaced(&w->from->animations[a].tracks[i].track, &w->to->animations[a].tracks[i].track))
+                return 1;
+    return 0;
+}
+
+static int matches(const nkw_gltf_rewriting *w, size_t count)
+{
+    int same = w->from->animation_count == w->to->animation_count && w->from->animation_count == count;
+    for (size_t a = 0; same && a < count; a++)
+        same = w->from->animations[a].track_count == w->to->animations[a].track_count;
+    return same;
+}
+
+int nkwi_rewriter_animations(nkwi_rewriter *r)
+{
+    const size_t count = json_array_size(json_object_get(r->root, "animations"));
+    if (!matches(r->rewriting, count))
+        return nkwi_fail(r->sink.error, NULL, NKW_IMPORT_REFUSED, "other animations than those of the file");
+    if (!replaces_any(r->rewriting))
+        return 1;
+    r->accessor_count = json_array_size(r->sink.accessors);
+    r->freed = (unsigned char *)nkwi_take(&r->sink.scratch, r->accessor_count, 1);
+    if (!r->freed)
+        return nkwi_rewriter_no_memory(r);
+    nkwi_rewriter_mark_samplers(r, 1);
+    for (size_t a = 0; a < count; a++)
+        if (!replace_animation(r, a))
+            return 0;
+    nkwi_rewriter_mark_samplers(r, 0);
+    nkwi_rewriter_keep_others(r);
+    nkwi_rewriter_move_accessors(r);
+    return !r->sink.failed || nkwi_rewriter_no_memory(r);
+}
