@@ -41,9 +41,9 @@ example_draws(coursework coursework- FILES scene1_exercise.csv scene1_library.cs
 example_page(coursework coursework matrix --trace 3.25 --position hermite --orientation quat)
 
 # The pages' links to lines of the source. Put right by the command in the script's head.
-foreach(folder IN ITEMS "" ja/)
-  string(REPLACE "/" "_" name "example_${folder}coursework_lines")
-  add_test(NAME ${name} COMMAND "${CMAKE_COMMAND}" "-DPAGE=${CMAKE_CURRENT_SOURCE_DIR}/${folder}coursework.md"
+foreach(page IN ITEMS coursework ja/coursework textbook ja/textbook)
+  string(REPLACE "/" "_" name "example_${page}_lines")
+  add_test(NAME ${name} COMMAND "${CMAKE_COMMAND}" "-DPAGE=${CMAKE_CURRENT_SOURCE_DIR}/${page}.md"
     "-DROOT=${PROJECT_SOURCE_DIR}" -P "${CMAKE_CURRENT_SOURCE_DIR}/generate/lines.cmake")
   set_tests_properties(${name} PROPERTIES LABELS golden)
 endforeach()

@@ -393,7 +393,7 @@ static void sphere(svg *out, const scene *s, size_t segment)
     svg_font heading = {14.0f, 0x1d1d22, 's', 1, SVG_NONE};
     nkw_mat4 view = upright_view(facing_yaw(s, segment, nose));
     svg_camera camera = svg_orthographic(&view, svg_at(260.0f, 682.0f), 190.0f);
-    svg_text(out, svg_at(28.0f, 452.0f), &heading, "Where the nose points, on the unit sphere");
+    svg_text(out, svg_at(28.0f, 452.0f), &heading, "Where the nose points, from one key to the next");
     sphere_ball(out, &camera);
     nose_path(out, &camera, s, segment, NKW_ORIENTATION_EULER, euler_colour);
     nose_path(out, &camera, s, segment, NKW_ORIENTATION_SLERP, slerp_colour);
@@ -443,7 +443,7 @@ static void speeds(svg *out, const scene *s)
         plot.x.tick *= 2.0f;
     while (plot.y.to / plot.y.tick > 12.0f)
         plot.y.tick *= 2.0f;
-    svg_text(out, svg_at(526.0f, 452.0f), &heading, "Angular speed of the object");
+    svg_text(out, svg_at(526.0f, 452.0f), &heading, "Angular speed, over all keys");
     svg_plot_frame(out, &plot);
     speed_line(out, s, &plot, NKW_ORIENTATION_EULER, euler_colour);
     speed_line(out, s, &plot, NKW_ORIENTATION_SLERP, slerp_colour);
@@ -463,7 +463,7 @@ int picture_orientation_compare(const scene *s, const char *path)
     svg out;
     size_t segment = worst_segment(s);
     char title[96];
-    sprintf(title, "Euler angles and slerp between key %u and key %u", (unsigned)segment, (unsigned)segment + 1);
+    sprintf(title, "Where the two methods differ most: from key %u to key %u", (unsigned)segment, (unsigned)segment + 1);
     if (!svg_sheet_open(&out, path, 1100.0f, 884.0f, title,
                       "Same keys, same times. Slerp turns about one axis at constant speed. Euler angles take a longer "
                       "path at varying speed."))
