@@ -108,11 +108,8 @@ static const char *build_clip(rig *r, const float *rest)
 
 /* ---- the mesh on its joints ---- */
 
-/*
- * The share of each joint in a vertex at a height: uniform cubic B-splines over the joints, joint j strongest half way
- * between j and j + 1, where the lesson gives it all. Joints beyond the ends count as the end ones.
- */
-static void set_weights(const rig *r, float height, float out[RIG_JOINTS])
+/* Joints beyond the ends count as the end ones. */
+void rig_weights(const rig *r, float height, float out[RIG_JOINTS])
 {
     float u = nkw_clamp((height - r->foot) / r->spacing - 0.5f, -1.0f, (float)RIG_JOINTS - 1.0f);
     int k = (int)(u + 1.0f) - 1;
@@ -132,7 +129,7 @@ static void hang(const rig *r, mesh *m)
         float weights[RIG_JOINTS];
         const nkw_skin_view in = {weights, 0, NKW_SKIN_F32};
         const nkw_skin_span out = {v->weights, 0, NKW_SKIN_U16};
-        set_weights(r, v->position.y, weights);
+        rig_weights(r, v->position.y, weights);
         nkw_skin_normalize_weights(in, RIG_JOINTS, 1, out);
         for (uint16_t j = 0; j < RIG_JOINTS; j++)
             v->joints[j] = j;

@@ -38,6 +38,12 @@ typedef struct rig_state {
 const char *rig_build(rig *r, mesh *m);
 void rig_free(rig *r);
 
+/**
+ * The share of each joint in a vertex at a height: uniform cubic B-splines over the joints, joint j strongest half way
+ * between j and j + 1, where the lesson has weight 1 for it.
+ */
+void rig_weights(const rig *r, float height, float out[RIG_JOINTS]);
+
 rig_state rig_at(const rig *r, float time);
 
 /** The mesh moved by the joint matrices, blended or as dual quaternions: a position and a normal for each vertex. */

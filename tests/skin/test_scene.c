@@ -14,6 +14,7 @@
 #include "scene.h"
 #include "support/expect.h"
 #include "support/page.h"
+#include "support/quantized.h"
 #include "support/views.h"
 #include "support/resample.h"
 
@@ -295,6 +296,77 @@ static void the_fox_has_the_bytes_of_the_page(void **state)
     stop(&compact);
 }
 
+/* ---- vertices in fewer bits, for docs/joints.md ---- */
+
+static nkw_box box_of(const scene_mesh *mesh)
+{
+    nkw_box box = NKW_BOX_EMPTY;
+    for (size_t v = 0; v < mesh->count; v++) {
+        nkw_box point = {mesh->positions[v], mesh->positions[v]};
+        box = nkw_box_union(&box, &point);
+    }
+    return box;
+}
+
+static double longest_side(nkw_box box)
+{
+    nkw_vec3 side = nkw_vec3_sub(box.high, box.low);
+    return (double)nkw_max(side.x, nkw_max(side.y, side.z));
+}
+
+static void round_positions(scene_mesh *mesh, int bits)
+{
+    nkw_box box = box_of(mesh);
+    for (size_t v = 0; v < mesh->count; v++)
+        mesh->positions[v] = quantized_position(mesh->positions[v], &box, bits);
+}
+
+static void round_weights(scene_mesh *mesh, int bits)
+{
+    static uint8_t bytes[SCENE_VERTICES][8];
+    static uint16_t words[SCENE_VERTICES][8];
+    nkw_skin_view weights = {mesh->weights, 0, NKW_SKIN_F32};
+    nkw_skin_span in_bytes = {bytes, 0, NKW_SKIN_U8}, in_words = {words, 0, NKW_SKIN_U16};
+    assert_int_equal(nkw_skin_normalize_weights(weights, 8, mesh->count, bits == 8 ? in_bytes : in_words), NKW_OK);
+    for (size_t v = 0; v < mesh->count; v++)
+        for (int i = 0; i < 8; i++)
+            mesh->weights[v][i] = bits == 8 ? (float)bytes[v][i] / 255.0f : (float)words[v][i] / 65535.0f;
+}
+
+/* The largest distance of a vertex in all clips, in millimetres at a longest side of 2 m. */
+static double worst_of_the_fox(void (*round_mesh)(scene_mesh *mesh, int bits), int bits)
+{
+    enum { TIMES = 41 };
+    static played exact, rounded;
+    static moment a, b;
+    double most = 0.0;
+    play(NKW_DATA_DIR "/scenes/Fox.scene.txt", 0, NKW_CLIP_FLOAT32, &exact);
+    play(NKW_DATA_DIR "/scenes/Fox.scene.txt", 0, NKW_CLIP_FLOAT32, &rounded);
+    scene_mesh *mesh = &rounded.scene.mesh[0];
+    const double scale = 2000.0 / longest_side(box_of(mesh));
+    round_mesh(mesh, bits);
+    for (int i = 0; i < exact.scene.anims * TIMES; i++) {
+        const int anim = i / TIMES;
+        float time = nkw_clip_describe(exact.clip[anim]).end * (float)(i % TIMES) / (float)(TIMES - 1);
+        play_to(&exact, anim, time, &a);
+        play_to(&rounded, anim, time, &b);
+        for (size_t v = 0; v < mesh->count; v++)
+            most = fmax(most, scale * quantized_distance(a.skinned[0][v], b.skinned[0][v]));
+    }
+    stop(&exact);
+    stop(&rounded);
+    return most;
+}
+
+static void the_fox_has_the_errors_of_the_page(void **state)
+{
+    (void)state;
+    expect_page("joints.md", "| positions within the box of the fox | %.3f mm | %.1f mm |",
+                worst_of_the_fox(round_positions, 16), worst_of_the_fox(round_positions, 8));
+    expect_page("joints.md", "| weights of the fox | %.4f mm | %.1f mm |", worst_of_the_fox(round_weights, 16),
+                worst_of_the_fox(round_weights, 8));
+}
+
 /* A track baked at its own mean rate or below, within a tolerance, has no more keys and is within it. */
 static void expect_resampled(const played *p)
 {
@@ -327,6 +399,7 @@ int main(void)
         cmocka_unit_test(clips_of_all_scenes_give_the_bits_of_their_tracks),
         cmocka_unit_test(compact_clips_of_all_scenes_are_within_their_bound),
         cmocka_unit_test(the_fox_has_the_bytes_of_the_page),
+        cmocka_unit_test(the_fox_has_the_errors_of_the_page),
         cmocka_unit_test(tracks_of_all_scenes_resample_within_a_tolerance),
     };
     if (!scene_folder_is_there())
