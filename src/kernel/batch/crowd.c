@@ -27,7 +27,7 @@
 #include <nakawari/transform.h>
 
 #include "batch/crowd.h"
-#include "batch/skin_decode.h"
+#include "batch/skin_sum.h"
 #include "lane/mat.h"
 #include "lane/skeleton.h"
 #include "pack/columns.h"
@@ -163,22 +163,6 @@ NKW_LOOP(nkwi_crowd_to_matrices)(const float *crowd, size_t joints, nkw_mat4 *co
 
 /* ---- Skinning: the lanes of a vertex share its influences and its vectors ---- */
 
-/* Row r, column c of the blended matrices at [3 c + r], as nkw_skin_linear sums them; k at least 1. */
-NKW_ALWAYS_INLINE void blend_lanes(const influences *f, size_t k, size_t lane, f32xN m[12])
-{
-    /* The offset of a nkw_mat4, 64 bytes, becomes that of 12 rows of sixteen floats. */
-    const unsigned char *entry = f->palette + (size_t)f->offset[0] * 12 + lane * sizeof(float);
-    f32xN w = f32xN_splat(load_float(f->weights));
-    for (size_t r = 0; r < 12; r++)
-        m[r] = f32xN_load(entry + r * CROWD_LANES * sizeof(float)) * w;
-    for (size_t e = 1; e < k; e++) {
-        entry = f->palette + (size_t)f->offset[e] * 12 + lane * sizeof(float);
-        w = f32xN_splat(load_float(f->weights + e * sizeof(float)));
-        for (size_t r = 0; r < 12; r++)
-            m[r] = m[r] + f32xN_load(entry + r * CROWD_LANES * sizeof(float)) * w;
-    }
-}
-
 /*
  * Vertices whose results are written together: where the output is packed, 4 vectors of 3 floats are 3 stores of 4
  * floats for each character.
@@ -235,10 +219,11 @@ NKW_ALWAYS_INLINE void skin_group(const skin_job *job, const influences *from, s
 {
     group_vectors r[SKIN_STREAMS];
     for (size_t lane = 0; lane < CROWD_LANES; lane += F32XN) {
+        influences f = *from;
+        f.palette += lane * sizeof(float);
         for (size_t v = 0; v < n; v++) {
-            const influences f = influences_at(from, v);
-            f32xN m[12];
-            blend_lanes(&f, k, lane, m);
+            f32xN m[12]; /* row r, column c at [3 c + r] */
+            weighted_sum(&f, CROWD_WIDTH, k, v, m);
             for (size_t s = 0; s < SKIN_STREAMS; s++) {
                 if (!streams[s].in)
                     continue;

@@ -3,7 +3,7 @@
  * Skinning in one pass over the vertices, a block at a time:
  *
  *     joints, weights as stored  ->  offsets, floats              decode
- *     palette entries            ->  the matrix of each vertex    weighted_sum
+ *     palette entries            ->  the matrix of each vertex    weighted_sum (skin_sum.h)
  *     vectors as stored          ->  M p, M d / |M d|             transform_group, normalize
  *
  * Linear blend: the matrices of a group of vertices stay in registers while they transform positions and normals
@@ -26,7 +26,7 @@
 #include <nakawari/mat.h>
 #include <nakawari/quat.h>
 
-#include "batch/skin_decode.h"
+#include "batch/skin_sum.h"
 #include "lane/influence.h"
 #include "pack/columns.h"
 
@@ -40,57 +40,6 @@ typedef struct block {
     f32xN_columns matrix[SKIN_BLOCK / F32XN_GROUP];
     f32xN_column direction[SKIN_LONG_BLOCK / F32XN_GROUP]; /* M d, to be normalized */
 } block;
-
-/* ---- The weighted sum of palette entries ---- */
-
-/*
- * An entry of `width` floats (16: nkw_mat4, 9: nkw_mat3, 8: nkw_dual_quat) in registers of PART floats; the last one
- * ends with the entry, so it overlaps the one before where PART does not divide the width.
- *
- *     F32XN    nkw_mat4                   nkw_mat3           nkw_dual_quat
- *     4        0-3 4-7 8-11 12-15         0-3 4-7 5-8        0-3 4-7
- *     8        0-7 8-15                   0-7 1-8            0-7
- *     16       0-15                       0-7 1-8            0-7
- */
-#define PART(width)       ((width) < F32XN ? 8 : F32XN)
-#define PARTS(width)      (((width) + PART(width) - 1) / PART(width))
-#define PART_AT(width, a) ((a)*PART(width) + PART(width) > (width) ? (width)-PART(width) : (a)*PART(width))
-
-NKW_ALWAYS_INLINE f32xN load_part(const unsigned char *entry, size_t width, size_t a)
-{
-    const unsigned char *p = entry + PART_AT(width, a) * sizeof(float);
-    return PART(width) < F32XN ? f32xN_load8(p) : f32xN_load(p);
-}
-
-NKW_ALWAYS_INLINE void store_part(float *to, size_t width, size_t a, f32xN part)
-{
-    if (PART(width) < F32XN)
-        f32xN_store8(to + PART_AT(width, a), part);
-    else
-        f32xN_store(to + PART_AT(width, a), part);
-}
-
-/* The entry of a joint by the offset of its nkw_mat4, 64 joint bytes; of `width` floats, 4 width joint bytes. */
-NKW_ALWAYS_INLINE const unsigned char *entry_at(const unsigned char *palette, size_t width, size_t offset)
-{
-    return palette + (width == 16 ? offset : offset / 16 * width);
-}
-
-/* (w0 m0 + w1 m1) + w2 m2 ... of vertex i, k at least 1. */
-NKW_ALWAYS_INLINE void weighted_sum(const influences *f, size_t width, size_t k, size_t i, f32xN *sum)
-{
-    const uint32_t *offset = f->offset + i * k;
-    const unsigned char *weights = f->weights + i * f->weight_stride, *entry = entry_at(f->palette, width, offset[0]);
-    f32xN w = f32xN_splat(load_float(weights));
-    for (size_t a = 0; a < PARTS(width); a++)
-        sum[a] = load_part(entry, width, a) * w;
-    for (size_t e = 1; e < k; e++) {
-        entry = entry_at(f->palette, width, offset[e]);
-        w = f32xN_splat(load_float(weights + e * sizeof(float)));
-        for (size_t a = 0; a < PARTS(width); a++)
-            sum[a] = sum[a] + load_part(entry, width, a) * w;
-    }
-}
 
 /* ---- Vectors ---- */
 
