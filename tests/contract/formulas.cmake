@@ -330,7 +330,7 @@ formula("Matrix product"
 
 formula("Point by a matrix"
   "A[0]*X + A[4]*Y" "A[0]*X + A[3]*Y + A[6]*Z" "A[3]*X + A[7]*Y" "A[I]*x + A[3 + I]*y" "A[I]*x + A[4 + I]*y"
-  "A[0]*X + A[1]*Y + A[2]*Z & A[4]*X + A[5]*Y" "M.x.row[I]*P.x")
+  "A[0]*X + A[1]*Y + A[2]*Z & A[4]*X + A[5]*Y" "x*P.x + y*P.y")
 
 formula("Cofactors"
   "cross(B, C) & cross(C, A) & cross(A, B)" "P[0]*Q[1] - P[1]*Q[0] & P[0]*Q[2]" "a1*b2 - a2*b1" "M[4]*M[8] - M[5]*M[7]"

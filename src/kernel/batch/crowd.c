@@ -175,19 +175,17 @@ enum { GROUP = 4 };
 /* One vector of the F32XN lanes of a group: x0 y0 z0 x1 y1 ... */
 typedef f32xN group_vectors[3 * GROUP];
 
-/* M p, M d or M d / |M d| of a vector that all lanes share; 0 where |M d| = 0. The sums are those of skin.c. */
+/* M p, M d or M d / |M d| of a vector that all lanes share; 0 where |M d| = 0. */
 NKW_ALWAYS_INLINE void transform_lanes(const f32xN m[12], const unsigned char *in, int is_point, int normalized,
                                        f32xN *r)
 {
-    const f32xN x = f32xN_splat(load_float(in)), y = f32xN_splat(load_float(in + sizeof(float))),
-                z = f32xN_splat(load_float(in + 2 * sizeof(float)));
-    for (int i = 0; i < 3; i++) {
-        const f32xN xy = m[i] * x + m[3 + i] * y;
-        r[i] = is_point ? xy + (m[6 + i] * z + m[9 + i]) : xy + m[6 + i] * z;
-    }
+    const f32xN_vectors v = {f32xN_splat(load_float(in)), f32xN_splat(load_float(in + sizeof(float))),
+                             f32xN_splat(load_float(in + 2 * sizeof(float)))};
+    for (int i = 0; i < 3; i++)
+        r[i] = is_point ? f32xN_point(m[i], m[3 + i], m[6 + i], m[9 + i], v)
+                        : f32xN_direction(m[i], m[3 + i], m[6 + i], v);
     if (normalized) {
-        const f32xN zero = f32xN_splat(0.0f), n2 = (r[0] * r[0] + r[1] * r[1]) + r[2] * r[2];
-        const f32xN scale = f32xN_select(f32xN_equal(n2, zero), zero, f32xN_splat(1.0f) / f32xN_sqrt(f32xN_divisor(n2)));
+        const f32xN scale = f32xN_inverse_length((r[0] * r[0] + r[1] * r[1]) + r[2] * r[2]);
         for (int i = 0; i < 3; i++)
             r[i] = r[i] * scale;
     }

@@ -117,8 +117,7 @@ NKW_ALWAYS_INLINE void normalize(f32xN n[SKIN_REGISTERS])
     for (int i = 0; i < SKIN_REGISTERS; i++)
         s[i] = n[i] * n[i];
     f32xN_transpose(s);
-    const f32xN zero = f32xN_splat(0.0f), n2 = (s[0] + s[1]) + s[2];
-    const f32xN k = f32xN_select(f32xN_equal(n2, zero), zero, f32xN_splat(1.0f) / f32xN_sqrt(f32xN_divisor(n2)));
+    const f32xN k = f32xN_inverse_length((s[0] + s[1]) + s[2]);
     n[0] = n[0] * f32xN_broadcast(k, 0);
     n[1] = n[1] * f32xN_broadcast(k, 1);
     n[2] = n[2] * f32xN_broadcast(k, 2);

@@ -81,13 +81,24 @@ static inline f32x4 f32x4_load3(const void *from)
 /*
  * Second text of nkw_mat4_transform_point and nkw_mat4_transform_direction; 3.3 times faster.
  *
- * M p of each matrix and its point.
+ * A row, or parts of columns, of M p and of M d: x y z t are what the matrix has there in its columns.
  */
+static inline f32xN f32xN_point(f32xN x, f32xN y, f32xN z, f32xN t, f32xN_vectors p)
+{
+    return (x * p.x + y * p.y) + (z * p.z + t);
+}
+
+static inline f32xN f32xN_direction(f32xN x, f32xN y, f32xN z, f32xN_vectors d)
+{
+    return (x * d.x + y * d.y) + z * d.z;
+}
+
+/* M p of each matrix and its point. */
 static inline f32xN_column f32xN_transform_point(f32xN_columns m, f32xN_vectors p)
 {
     f32xN_column r;
     for (int i = 0; i < F32XN_ROWS; i++)
-        r.row[i] = (m.x.row[i] * p.x + m.y.row[i] * p.y) + (m.z.row[i] * p.z + m.t.row[i]);
+        r.row[i] = f32xN_point(m.x.row[i], m.y.row[i], m.z.row[i], m.t.row[i], p);
     return r;
 }
 
@@ -96,7 +107,7 @@ static inline f32xN_column f32xN_transform_direction(f32xN_columns m, f32xN_vect
 {
     f32xN_column r;
     for (int i = 0; i < F32XN_ROWS; i++)
-        r.row[i] = (m.x.row[i] * d.x + m.y.row[i] * d.y) + m.z.row[i] * d.z;
+        r.row[i] = f32xN_direction(m.x.row[i], m.y.row[i], m.z.row[i], d);
     return r;
 }
 

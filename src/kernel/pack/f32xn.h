@@ -193,4 +193,11 @@ static inline f32xN f32xN_sqrt(f32xN a)
     return a;
 }
 
+/* 1 / |v| by n2 = v.v; 0 where n2 = 0. */
+static inline f32xN f32xN_inverse_length(f32xN n2)
+{
+    const f32xN zero = f32xN_splat(0.0f);
+    return f32xN_select(f32xN_equal(n2, zero), zero, f32xN_splat(1.0f) / f32xN_sqrt(f32xN_divisor(n2)));
+}
+
 #endif
