@@ -8,7 +8,6 @@
  *     point of j     position + sum over columns c of axes[c] n[c] column c,   |n| <= 1        farthest.h
  *     axes           distance / the longest that column c becomes: the points are at most `distance` away
  *
- *     matrix         columns x 0..2, y 3..5, z 6..8, position 9..11, binary64
  *     reach[j]       max over joints k below j of (|position k - position j| + distance k) / tolerance k
  *
  *     times          a clip: of each track its key times, and parts of its segments; segments of packed clips depend
@@ -26,39 +25,7 @@
 #include "clip_reduction.h"
 #include "clip_tracks.h"
 #include "farthest.h"
-#include "lane/f64.h"
-
-/* a b of matrices of three columns and a position. */
-static void multiply(const double *a, const double *b, double *out)
-{
-    for (size_t c = 0; c < 12; c++) {
-        size_t row = c % 3;
-        const double *column = b + (c - row);
-        double sum = (a[row] * column[0] + a[3 + row] * column[1]) + a[6 + row] * column[2];
-        out[c] = c < 9 ? sum : sum + a[9 + row];
-    }
-}
-
-/* T R S with the R of nkw_mat3_from_quat: |q|^2 times a rotation. */
-static void local_model(const nkw_trs *t, double *out)
-{
-    double x = (double)t->rotation.x, y = (double)t->rotation.y, z = (double)t->rotation.z, w = (double)t->rotation.w;
-    const double scale[3] = {(double)t->scale.x, (double)t->scale.y, (double)t->scale.z};
-    const double columns[12] = {(w * w - y * y) + (x * x - z * z),
-                                2.0 * (x * y + w * z),
-                                2.0 * (x * z - w * y),
-                                2.0 * (x * y - w * z),
-                                (w * w - z * z) + (y * y - x * x),
-                                2.0 * (y * z + w * x),
-                                2.0 * (x * z + w * y),
-                                2.0 * (y * z - w * x),
-                                (w * w - x * x) + (z * z - y * y),
-                                (double)t->translation.x,
-                                (double)t->translation.y,
-                                (double)t->translation.z};
-    for (size_t i = 0; i < 12; i++)
-        out[i] = i < 9 ? columns[i] * scale[i / 3] : columns[i];
-}
+#include "lane/mat.h"
 
 static void models_of(const nkw_clip_reduction *r, size_t joints, reduce_pose *p)
 {
@@ -66,10 +33,8 @@ static void models_of(const nkw_clip_reduction *r, size_t joints, reduce_pose *p
     for (size_t j = 0; j < joints; j++) {
         size_t parent = reduce_parent(r, j);
         nkw_trs trs = nkw_pose_get(view, j);
-        double local[12];
-        local_model(&trs, parent == j ? p->models + 12 * j : local);
-        if (parent != j)
-            multiply(p->models + 12 * parent, local, p->models + 12 * j);
+        const lane_f64_affine local = lane_f64_affine_from_trs(&trs);
+        p->models[j] = parent == j ? local : lane_f64_affine_mul(&p->models[parent], &local);
     }
 }
 
@@ -102,18 +67,13 @@ static double larger(double a, double b)
     return a > b ? a : b;
 }
 
-static double length(double x, double y, double z)
+static double column_length(const lane_f64_affine *m, size_t c)
 {
-    return lane_sqrt64((x * x + y * y) + z * z);
-}
-
-static double column_length(const double *m, size_t c)
-{
-    return length(m[3 * c], m[3 * c + 1], m[3 * c + 2]);
+    return lane_f64_vec3_length(lane_f64_affine_column(m, c));
 }
 
 /* The longest of the three columns. */
-static double largest_scale(const double *m)
+static double largest_scale(const lane_f64_affine *m)
 {
     return larger(larger(column_length(m, 0), column_length(m, 1)), column_length(m, 2));
 }
@@ -132,15 +92,16 @@ static double distance_of(const nkw_clip_reduction *r, size_t joint)
 static void add_reach(const nkw_clip_source *s, const nkw_clip_reduction *r, reduce_errors *e)
 {
     for (size_t j = 0; j < s->joint_count; j++) {
-        const double *m = e->want.models + 12 * j;
+        const lane_f64_affine *m = &e->want.models[j];
         double skin = distance_of(r, j), tight = tightness(r, j);
         size_t parent = reduce_parent(r, j);
-        e->scale[j] = larger(e->scale[j], parent == j ? 1.0 : largest_scale(e->want.models + 12 * parent));
+        e->scale[j] = larger(e->scale[j], parent == j ? 1.0 : largest_scale(&e->want.models[parent]));
         for (size_t c = 0; c < 3; c++)
             e->axes[3 * j + c] = larger(e->axes[3 * j + c], column_length(m, c));
         for (size_t above = j, next = j;; above = next) {
-            const double *a = e->want.models + 12 * above;
-            double d = length(m[9] - a[9], m[10] - a[10], m[11] - a[11]) + skin;
+            lane_f64_vec3 own = lane_f64_affine_column(m, 3);
+            lane_f64_vec3 other = lane_f64_affine_column(&e->want.models[above], 3);
+            double d = lane_f64_vec3_length(lane_f64_vec3_sub(own, other)) + skin;
             e->reach[above] = larger(e->reach[above], d * tight);
             e->tight[above] = larger(e->tight[above], tight);
             next = reduce_parent(r, above);
@@ -162,19 +123,20 @@ static double minus(double a, double b)
  * a, b   the model matrices
  * known  distances up to this one need not be exact: the result is then at most this
  */
-static double joint_error(const double *a, const double *b, const double *axes, double known)
+static double joint_error(const lane_f64_affine *a, const lane_f64_affine *b, const double *axes, double known)
 {
     double d[3], m[9], squares = 0.0;
     for (size_t i = 0; i < 3; i++)
-        d[i] = minus(a[9 + i], b[9 + i]);
+        d[i] = minus(a->m[9 + i], b->m[9 + i]);
     for (size_t i = 0; i < 9; i++) {
-        m[i] = minus(a[i], b[i]) * axes[i / 3];
+        m[i] = minus(a->m[i], b->m[i]) * axes[i / 3];
         squares += m[i] * m[i];
     }
     /* (|d| + |m|)^2 <= 2 (|d|^2 + |m|^2) */
-    if (2.0 * (((d[0] * d[0] + d[1] * d[1]) + d[2] * d[2]) + squares) <= known * known)
+    double moved = (d[0] * d[0] + d[1] * d[1]) + d[2] * d[2];
+    if (2.0 * (moved + squares) <= known * known)
         return known;
-    double most = length(d[0], d[1], d[2]) + lane_sqrt64(squares);
+    double most = lane_sqrt64(moved) + lane_sqrt64(squares);
     double found = most <= known ? most : farthest_of(d, m);
     return found >= 0.0 ? found : INFINITY; /* infinite for NaN */
 }
@@ -183,7 +145,7 @@ static void add_errors(const nkw_clip_source *s, const nkw_clip_reduction *r, re
 {
     for (size_t j = 0; j < s->joint_count; j++) {
         const double tight = tightness(r, j), own = e->errors[j] / tight;
-        double d = joint_error(e->want.models + 12 * j, e->got.models + 12 * j, e->axes + 3 * j,
+        double d = joint_error(&e->want.models[j], &e->got.models[j], e->axes + 3 * j,
                                own < e->distance ? own : e->distance);
         e->distance = larger(e->distance, d);
         e->errors[j] = larger(e->errors[j], d * tight);

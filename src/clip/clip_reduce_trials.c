@@ -71,7 +71,7 @@ void nkwi_reduce_begin(reduce_trials *t, double **work)
         reduce_pose *p = i ? &t->errors.got : &t->errors.want;
         p->pose = (float *)reduce_take(work, pose, sizeof(float));
         p->floats = (float *)reduce_take(work, floats, sizeof(float));
-        p->models = (double *)reduce_take(work, 12 * joints, number);
+        p->models = (lane_f64_affine *)reduce_take(work, joints, sizeof *p->models);
     }
     nkwi_reduce_reach(t->source, t->reduction, &t->errors);
     set_shares(t);

@@ -19,12 +19,13 @@
 
 #include <nakawari/clip_reduce.h>
 
+#include "lane/mat.h"
 #include "lane/skeleton.h"
 
-/* A sampled pose, its floats, and the model matrices of its joints: three columns and the position, 12 numbers each. */
+/* A sampled pose, its floats, and the model matrices of its joints. */
 typedef struct reduce_pose {
     float *pose, *floats;
-    double *models;
+    lane_f64_affine *models;
 } reduce_pose;
 
 /*

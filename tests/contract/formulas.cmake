@@ -341,7 +341,7 @@ formula("TRS to matrix"
 
 # The matrix, or rotation, of the parent times the local one.
 formula("Model matrices of a hierarchy"
-  "parents & mul~(" "parent & mul_affine(" "mul~(parent_of(" "mul~(~models + ~parent" "mul~(parent, local")
+  "parents & mul~(" "parent & mul_affine(" "mul~(parent_of(" "mul~(~models[parent]" "mul~(parent, local")
 
 formula("Weighted sum of joint matrices" "load~(~entry~*w" "M[I] += K*~.m[I]" "M[I] += ~.m[I]*K" "M.m[I] += K*~.m[I]")
 

@@ -69,6 +69,63 @@ static inline lane_f64_mat3 lane_f64_mat3_from_mat4(const nkw_mat4 *m)
     return r;
 }
 
+/* The sums of nkw_mat3_from_quat: |q|^2 times a rotation. */
+static inline lane_f64_mat3 lane_f64_mat3_from_quat(nkw_quat q)
+{
+    double x = (double)q.x, y = (double)q.y, z = (double)q.z, w = (double)q.w;
+    lane_f64_mat3 r = {{
+        (w * w - y * y) + (x * x - z * z),
+        2.0 * (x * y + w * z),
+        2.0 * (x * z - w * y),
+        2.0 * (x * y - w * z),
+        (w * w - z * z) + (y * y - x * x),
+        2.0 * (y * z + w * x),
+        2.0 * (x * z + w * y),
+        2.0 * (y * z - w * x),
+        (w * w - x * x) + (z * z - y * y),
+    }};
+    return r;
+}
+
+/* An affine matrix: the columns x y z and the position, three numbers each. */
+typedef struct lane_f64_affine {
+    double m[12];
+} lane_f64_affine;
+
+static inline lane_f64_vec3 lane_f64_affine_column(const lane_f64_affine *a, size_t c)
+{
+    lane_f64_vec3 r = {a->m[c * 3], a->m[c * 3 + 1], a->m[c * 3 + 2]};
+    return r;
+}
+
+static inline lane_f64_affine lane_f64_affine_from_trs(const nkw_trs *trs)
+{
+    const double scale[3] = {(double)trs->scale.x, (double)trs->scale.y, (double)trs->scale.z};
+    lane_f64_mat3 rotation = lane_f64_mat3_from_quat(trs->rotation);
+    lane_f64_affine r;
+    for (size_t i = 0; i < 9; i++)
+        r.m[i] = rotation.m[i] * scale[i / 3];
+    r.m[9] = (double)trs->translation.x;
+    r.m[10] = (double)trs->translation.y;
+    r.m[11] = (double)trs->translation.z;
+    return r;
+}
+
+/* The position of b is a point, its columns are directions. */
+static inline lane_f64_affine lane_f64_affine_mul(const lane_f64_affine *a, const lane_f64_affine *b)
+{
+    const double *x = a->m, *y = x + 3, *z = x + 6, *t = x + 9;
+    lane_f64_affine r;
+    for (size_t c = 0; c < 12; c += 3) {
+        const double *k = b->m + c;
+        for (size_t i = 0; i < 3; i++) {
+            double sum = (x[i] * k[0] + y[i] * k[1]) + z[i] * k[2];
+            r.m[c + i] = c < 9 ? sum : sum + t[i];
+        }
+    }
+    return r;
+}
+
 /* The scale 0, for a matrix without an inverse, returns 0 for any elements. */
 static inline nkw_mat3 lane_mat3_from_f64(const lane_f64_mat3 *m, double scale)
 {
