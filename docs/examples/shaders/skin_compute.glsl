@@ -1,0 +1,92 @@
+#version 450
+// SPDX-License-Identifier: MIT
+// Made by docs/generate/shaders.cmake; do not edit.
+layout(local_size_x = 64) in;
+layout(std430, binding = 0) readonly buffer Source { float source[]; };
+layout(std430, binding = 1) readonly buffer Weights { float weights[]; };
+layout(std430, binding = 2) readonly buffer Palette { mat4 joint_matrices[]; };
+layout(std430, binding = 3) buffer Destination { float destination[]; };
+layout(std140, binding = 0) uniform Draw {
+    uint source_first;       // floats before the mesh in `source`
+    uint vertex_count;
+    uint weights_first;      // floats before the mesh in `weights`
+    uint matrices_first;     // matrices before the frame: chunk.first + frame * chunk.joint_count
+    uint destination_first;  // floats before the mesh in `destination`
+};
+
+mat4 joint_matrix(uint i)
+{
+    return joint_matrices[i];
+}
+
+vec3 vector_at(uint at)
+{
+    return vec3(source[at], source[at + 1u], source[at + 2u]);
+}
+
+void store(uint at, vec3 v)
+{
+    destination[at] = v.x;
+    destination[at + 1u] = v.y;
+    destination[at + 2u] = v.z;
+}
+
+// M = w0 M0 + w1 M1 + w2 M2 + w3 M3, the joint matrices from the number `first` on.
+mat4 blended(uvec4 joint, vec4 weight, uint first)
+{
+    mat4 two = joint_matrix(first + joint.x) * weight.x + joint_matrix(first + joint.y) * weight.y;
+    mat4 three = two + joint_matrix(first + joint.z) * weight.z;
+    return three + joint_matrix(first + joint.w) * weight.w;
+}
+
+// M p for a point.
+vec3 moved(mat4 m, vec3 p)
+{
+    vec4 q = m * vec4(p, 1.0);
+    return q.xyz;
+}
+
+// v / |v|; 0 stays 0.
+vec3 unit(vec3 v)
+{
+    return v / max(length(v), 1e-30);
+}
+
+// M v, made unit: tangents and bitangents.
+vec3 turned(mat4 m, vec3 v)
+{
+    vec4 q = m * vec4(v, 0.0);
+    return unit(q.xyz);
+}
+
+// (M^-1)^T n, made unit: normals. With the columns a, b, c of the 3x3 block,
+//     (M^-1)^T = (b x c, c x a, a x b) / det,    det = a . (b x c),
+// and only the sign of det counts.
+vec3 turned_normal(mat4 m, vec3 n)
+{
+    vec4 a = m * vec4(1.0, 0.0, 0.0, 0.0);
+    vec4 b = m * vec4(0.0, 1.0, 0.0, 0.0);
+    vec4 c = m * vec4(0.0, 0.0, 1.0, 0.0);
+    vec3 bc = cross(b.xyz, c.xyz);
+    float side = step(0.0, dot(a.xyz, bc)) * 2.0 - 1.0;
+    vec3 r = bc * n.x + cross(c.xyz, a.xyz) * n.y + cross(a.xyz, b.xyz) * n.z;
+    return unit(r * side);
+}
+
+void main()
+{
+    uint i = gl_GlobalInvocationID.x;
+    if (i >= vertex_count)
+        return;
+    uint w = weights_first + 8u * i, s = source_first + 14u * i, d = destination_first + 14u * i;
+    vec4 weight = vec4(weights[w], weights[w + 1u], weights[w + 2u], weights[w + 3u]);
+    uvec4 joint = uvec4(vec4(weights[w + 4u], weights[w + 5u], weights[w + 6u], weights[w + 7u]));
+    mat4 m = blended(joint, weight, matrices_first);
+    float sum = weight.x + weight.y + weight.z + weight.w;
+    store(d, moved(m, vector_at(s)) / sum);
+    store(d + 3u, turned_normal(m, vector_at(s + 3u)));
+    store(d + 6u, turned(m, vector_at(s + 6u)));
+    store(d + 9u, turned(m, vector_at(s + 9u)));
+    destination[d + 12u] = source[s + 12u];
+    destination[d + 13u] = source[s + 13u];
+}
