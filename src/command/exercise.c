@@ -8,6 +8,7 @@
 #include "command.h"
 #include "exercise/write.h"
 #include "exercise/trace.h"
+#include "verdict.h"
 
 static const options_text text = {
     "[OPTION...] SCENE",
@@ -15,17 +16,25 @@ static const options_text text = {
     "method and by both rules, the curves from above and in space, all frames, Euler angles against slerp, and one page of all.\n"
     "SCENE is a scene of keys in JSON, a table of keys in CSV or JSON, or any other file that is read: the keys\n"
     "of one joint of a clip, at most 64 of them in 64 seconds. With --trace it prints the calculation at one\n"
-    "time, step by step.\n",
+    "time, step by step; with --check it\n"
+    "compares the numbers of FILE, and names the mistake that they show. FILE has a line for each time: the time, then\n"
+    "a position (x y z), an orientation (matrix, quaternion x y z w, or yaw pitch roll), or both, under names of\n"
+    "columns or in this order; or it has what the exercise's program prints. The exit code is 0 if all agree, 1 if\n"
+    "rows differ, 2 for a line that cannot be read.\n",
     "  nakawari exercise docs/examples/scenes.json --clip scene1 -o out\n"
     "  nakawari exercise docs/examples/flight.csv -o out && open out/index.html\n"
-    "  nakawari exercise docs/examples/flight.csv --trace 1.25 --position bezier --orientation euler\n",
+    "  nakawari exercise docs/examples/flight.csv --trace 1.25 --position bezier --orientation euler\n"
+    "  nakawari exercise docs/examples/scenes.json --check mine.csv --position bezier --orientation quat\n",
     1, 0};
 
+#define TOLERANCE 0.001
+
 typedef struct request {
-    char *clip, *joint, *output, *position, *orientation, *rule;
+    char *clip, *joint, *output, *position, *orientation, *rule, *checked, *angles, *matrix;
     long keys;
-    double step, time;
-    int traces;
+    double step, time, tolerance;
+    int traces, verdict; /* verdict: the exit code of --check */
+    answers_unit unit;
     const report_method *position_method, *orientation_method, *sampling_rule;
 } request;
 
@@ -121,15 +130,34 @@ static int read_scene(const nkw_document *d, const request *r, scene *s)
 
 /* ---- the command ---- */
 
+static int method_of(const report_method *list, const char *name)
+{
+    return name ? (int)(report_find(name, list) - list) : COMPARE_UNSTATED;
+}
+
+/* Whether the numbers have been read and agree. */
+static int check_numbers(const scene *s, request *r)
+{
+    const answers_options read = {s->name, r->unit, r->matrix && strcmp(r->matrix, "rows") == 0};
+    const compare_options compare = {
+        {method_of(report_positions, r->position), method_of(report_orientations, r->orientation)},
+        (float)r->tolerance};
+    r->verdict = verdict_print(s, r->checked, &read, &compare);
+    return r->verdict == COMMAND_FINE;
+}
+
 static int run(const nkw_document *d, void *data)
 {
-    const request *r = data;
+    request *r = data;
     const report_options o = {"nakawari exercise", r->output ? r->output : ".", r->step, NULL, 0, 0};
     scene s;
     if (!read_scene(d, r, &s))
         return 0;
     s.rule = (nkw_keyframe_rule)r->sampling_rule->method;
-    if (r->traces)
+    if (r->checked) {
+        if (!check_numbers(&s, r))
+            return 0;
+    } else if (r->traces)
         trace_print(stdout, &s, (float)r->time, (nkw_position_method)r->position_method->method,
                     (nkw_orientation_method)r->orientation_method->method);
     else if (report_rows(&s, &o) > REPORT_ROWS_MAX)
@@ -137,6 +165,24 @@ static int run(const nkw_document *d, void *data)
     else if (!output_folder(o.folder) || !report_write(&s, &o))
         return 0;
     return output_close(stdout, NULL);
+}
+
+static int check_comparison(const options *o, request *r)
+{
+    static const char *const units[] = {"radians", "degrees"}, *const orders[] = {"columns", "rows"};
+    const int unit = r->angles ? words_find(r->angles, units, 2) : 0;
+    if (!r->checked && (r->angles || r->matrix || r->tolerance != TOLERANCE))
+        return options_misuse(o, r->angles ? "--angles" : r->matrix ? "--matrix" : "--tolerance", "only with --check");
+    if (unit < 0)
+        return options_misuse(o, r->angles, "not radians or degrees");
+    if (r->matrix && words_find(r->matrix, orders, 2) < 0)
+        return options_misuse(o, r->matrix, "not columns or rows");
+    if (!(r->tolerance >= 0.0 && r->tolerance <= 1e6))
+        return options_misuse(o, "--tolerance", "not in 0..1000000");
+    if (r->checked && r->traces)
+        return options_misuse(o, "--trace", "not with --check");
+    r->unit = !r->angles ? ANSWERS_ANY_UNIT : unit == 0 ? ANSWERS_RADIANS : ANSWERS_DEGREES;
+    return COMMAND_FINE;
 }
 
 static int check_request(const options *o, void *data)
@@ -158,12 +204,15 @@ static int check_request(const options *o, void *data)
     if (r->output && strlen(r->output) > 4000)
         return options_misuse(o, "--output", "too long");
     r->traces = r->time != 1e30;
-    return r->keys == 1 || r->keys < 0 ? options_misuse(o, "--keys", "not 2 or more") : COMMAND_FINE;
+    return r->keys == 1 || r->keys < 0 ? options_misuse(o, "--keys", "not 2 or more") : check_comparison(o, r);
 }
 
 int command_exercise(int argc, const char **argv)
 {
-    request r = {NULL, NULL, NULL, NULL, NULL, NULL, 0, 0.1, 1e30, 0, NULL, NULL, NULL};
+    request r = {0};
+    r.step = 0.1;
+    r.time = 1e30;
+    r.tolerance = TOLERANCE;
     const struct poptOption known[] = {
         {"clip", 'c', POPT_ARG_STRING, &r.clip, 0, "number or name of the clip (default: 0)", "N"},
         {"joint", 'j', POPT_ARG_STRING, &r.joint, 0, "name or number of the joint (default: the first that moves)",
@@ -174,19 +223,29 @@ int command_exercise(int argc, const char **argv)
          "exercise (default) or library: of what is printed and drawn", "RULE"},
         {"trace", 't', POPT_ARG_DOUBLE, &r.time, 0, "write no file; print the calculation at time T", "T"},
         {"position", 'p', POPT_ARG_STRING, &r.position, 0,
-         "of --trace: linear, hermite (default), bezier, bspline, catmull-rom or step", "METHOD"},
+         "of --trace (default: hermite) and --check: linear, hermite, bezier, bspline, catmull-rom, step", "METHOD"},
         {"orientation", 'q', POPT_ARG_STRING, &r.orientation, 0,
-         "of --trace: none, euler, quat (default), euler-unwrapped or nlerp", "METHOD"},
+         "of --trace (default: quat) and --check: none, euler, quat, euler-unwrapped, nlerp", "METHOD"},
+        {"check", 'x', POPT_ARG_STRING, &r.checked, 0, "write no file; compare the numbers of FILE", "FILE"},
+        {"tolerance", 0, POPT_ARG_DOUBLE, &r.tolerance, 0, "of --check: of an element of the matrix (default: 0.001)",
+         "D"},
+        {"angles", 0, POPT_ARG_STRING, &r.angles, 0,
+         "of --check: radians, degrees (default: degrees if one is above 10)", "UNIT"},
+        {"matrix", 0, POPT_ARG_STRING, &r.matrix, 0, "of --check: written by columns (default) or rows", "ORDER"},
         {"output", 'o', POPT_ARG_STRING, &r.output, 0,
          "write the files to the folder DIR, made if it does not exist (default: .)", "DIR"},
         OPTIONS_END};
     static const command_steps steps = {check_request, run};
-    const int code = command_run(&text, known, argc, argv, &steps, &r);
+    int code = command_run(&text, known, argc, argv, &steps, &r);
+    code = r.verdict != COMMAND_FINE ? r.verdict : code;
     free(r.clip);
     free(r.joint);
     free(r.output);
     free(r.position);
     free(r.orientation);
     free(r.rule);
+    free(r.checked);
+    free(r.angles);
+    free(r.matrix);
     return code;
 }
