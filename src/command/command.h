@@ -82,6 +82,11 @@ int words_find(const char *word, const char *const *words, int count);
 /** Whether positions of BVH are added to the OFFSET of their joint: --bvh-offset. */
 void input_set_bvh(int adds_offset);
 int input_bvh_adds(void);
+/** Whether v of texture coordinates is upwards: --v, "down" (default, NULL) or "up". Returns 0 for another text. */
+int input_set_v(const char *direction);
+int input_v_is_up(void);
+#define INPUT_V(text)                                                                                                  \
+    {"v", 0, POPT_ARG_STRING, text, 0, "texture coordinate v: down (default, as glTF) or up", "DIRECTION"}
 /** The name of a file without its folder: the rest of the path. */
 const char *input_name(const char *path);
 /** The folder of a path, to be freed; NULL without memory. */

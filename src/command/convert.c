@@ -16,8 +16,10 @@ static const options_text text = {
     "directx, unreal), or the axes that point right, up and forward, such as x,z,-y. --up z:y is --axes\n"
     "blender:gltf, --up y:z the reverse. --scale multiplies lengths. --in-place removes the motion of the root\n"
     "joint, about the up axis of A or y, so that the character stays in its place.\n\n"
-    "Of a glTF file everything else is kept, unless --axes, --up or --scale changes its meshes: then only what is\n"
-    "read is written: no cameras, lights, extensions; of textures only base colours.\n",
+    "--v up counts the texture coordinate v from the lower edge of a picture, 1 - v, in all sets, for programs\n"
+    "that expect it; a glTF file whose v is upwards is mended by it.\n\n"
+    "Of a glTF file everything else is kept, unless --axes, --up, --v or --scale changes its meshes: then only\n"
+    "what is read is written: no cameras, lights, extensions; of textures only base colours.\n",
     "  nakawari convert keys.csv -o keys.glb\n"
     "  nakawari convert fox.glb --rate 30 --tolerance 0.1 -o fox30.glb\n"
     "  nakawari convert zup.glb --up z:y --scale 0.01 -o yup.glb\n"
@@ -26,7 +28,7 @@ static const options_text text = {
     1, 0};
 
 typedef struct request {
-    char *clip, *output, *form, *axes, *up, *in_place, *root;
+    char *clip, *output, *form, *axes, *up, *v, *in_place, *root;
     float rate, tolerance, scale;
     int reframes;
     nkw_axes_map map;
@@ -100,7 +102,7 @@ static int run(const model_source *source, void *of)
 {
     const request *r = of;
     const int is_gltf = strcmp(source->document->format, "glTF 2.0") == 0;
-    const int keeps = is_gltf && !r->reframes && !r->clip;
+    const int keeps = is_gltf && !r->reframes && !r->clip && !input_v_is_up();
     if (is_gltf && !keeps)
         fputs("note: only what is read is written: no cameras, lights, extensions; of textures only base colours\n",
               stderr);
@@ -160,12 +162,15 @@ static int check_request(const options *o, void *of)
         return options_misuse(o, r->output, "only glTF is written: .glb or .gltf");
     if (model_form(r->form, r->output) < 0)
         return options_misuse(o, r->form, "not glb, gltf or embedded");
+    if (!input_set_v(r->v))
+        return options_misuse(o, r->v, "not down or up");
     return check_axes(o, r);
 }
 
 int command_convert(int argc, const char **argv)
 {
     request r = {NULL,
+                 NULL,
                  NULL,
                  NULL,
                  NULL,
@@ -184,6 +189,7 @@ int command_convert(int argc, const char **argv)
         {"tolerance", 't', POPT_ARG_FLOAT, &r.tolerance, 0, "reduce keys to a distance in model space", "D"},
         {"axes", 'a', POPT_ARG_STRING, &r.axes, 0, "convert axes, such as blender:gltf or x,z,-y:-x,y,z", "A:B"},
         {"up", 'u', POPT_ARG_STRING, &r.up, 0, "z:y from Z-up to Y-up, y:z from Y-up to Z-up", "A:B"},
+        INPUT_V(&r.v),
         {"scale", 's', POPT_ARG_FLOAT, &r.scale, 0, "multiply lengths: 0.01 from centimetres to metres", "F"},
         {"in-place", 'i', POPT_ARG_STRING, &r.in_place, 0,
          "remove root motion: plane, height, yaw, rotation, separated by commas", "PARTS"},
@@ -200,6 +206,7 @@ int command_convert(int argc, const char **argv)
     free(r.form);
     free(r.axes);
     free(r.up);
+    free(r.v);
     free(r.in_place);
     free(r.root);
     return code;

@@ -9,7 +9,7 @@
 /* The standard input is kept in memory; more is an error. */
 #define STDIN_MOST ((size_t)1 << 31)
 
-static int bvh_adds;
+static int bvh_adds, v_is_up;
 
 void input_set_bvh(int adds_offset)
 {
@@ -19,6 +19,24 @@ void input_set_bvh(int adds_offset)
 int input_bvh_adds(void)
 {
     return bvh_adds;
+}
+
+int input_set_v(const char *direction)
+{
+    static const char *const directions[] = {"down", "up"};
+    const int found = direction ? words_find(direction, directions, 2) : 0;
+    v_is_up = found == 1;
+    return found >= 0;
+}
+
+int input_v_is_up(void)
+{
+    return v_is_up;
+}
+
+static int has_options(void)
+{
+    return bvh_adds || v_is_up;
 }
 
 void input_report(const nkw_import_error *error)
@@ -79,7 +97,7 @@ unsigned char *input_read(const char *path, size_t *bytes)
 static nkw_document *open_stdin(nkw_import_error *error)
 {
     nkw_document *document = NULL;
-    nkw_import_memory memory = {NULL, 0, "-", ".", NULL, NULL, input_bvh_adds()};
+    nkw_import_memory memory = {NULL, 0, "-", ".", NULL, NULL, bvh_adds, v_is_up};
     unsigned char *data = read_all(stdin, &memory.bytes);
     memory.data = data;
     if (data)
@@ -138,7 +156,7 @@ static nkw_document *open_with_options(const char *path, nkw_import_error *error
 {
     nkw_document *document = NULL;
     char *folder = input_folder(path);
-    nkw_import_memory memory = {NULL, 0, path, folder, NULL, NULL, input_bvh_adds()};
+    nkw_import_memory memory = {NULL, 0, path, folder, NULL, NULL, bvh_adds, v_is_up};
     unsigned char *data = folder ? input_read(path, &memory.bytes) : NULL;
     memset(error, 0, sizeof *error);
     memory.data = data;
@@ -166,13 +184,13 @@ nkw_document *input_open(const char *path)
     const int is_stdin = strcmp(path, "-") == 0;
     if (is_stdin)
         document = open_stdin(&error);
-    else if (input_bvh_adds())
+    else if (has_options())
         document = open_with_options(path, &error);
     else
         nkw_document_open(path, &document, &error);
     if (document)
         input_warn(document);
-    else if (is_stdin || !input_bvh_adds())
+    else if (is_stdin || !has_options())
         input_report(&error);
     return document;
 }

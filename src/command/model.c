@@ -16,6 +16,7 @@ int model_source_open(model_source *s, const char *path)
     s->folder = input_folder(is_stdin ? "." : path);
     s->memory.folder = s->folder;
     s->memory.bvh_adds_offset = input_bvh_adds();
+    s->memory.v_is_up = input_v_is_up();
     s->data = input_read(path, &s->memory.bytes);
     s->memory.data = s->data;
     if (!s->data || !s->folder)

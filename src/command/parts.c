@@ -15,9 +15,10 @@ static const options_text text = {
     "                             first\n"
     "  skin_models.NAME.parts[]   bone (N bones), material (-1: none), vertexStride, vertex, index\n\n"
     "With --bones 2,4 a triangle is in a part of 2 bones if 2 suffice, otherwise in one of 4. A vertex is, for\n"
-    "each bone of the part, its weight, and its position and normal in the space of the bone; then u and v if the\n"
-    "mesh has them. With --space bind it is the N weights, then position and normal in the bind pose, then u and\n"
-    "v.\n\n"
+    "each bone of the part, its weight, and its position and normal in the space of the bone; then u and v of each\n"
+    "set of texture coordinates of the mesh. With --space bind it is the N weights, then position and normal in\n"
+    "the bind pose, then u and v. v is 0 at the upper edge of a picture, with --v up at the lower edge, as in a\n"
+    "Collada file.\n\n"
     "The exit code is 1 if triangles need more bones: they are left out, and their number is reported.\n",
     "  nakawari parts fox.glb -o fox.json\n"
     "  nakawari parts --bones 16 --space bind fox.glb | jq '.skin_models[].parts | length'\n",
@@ -26,7 +27,7 @@ static const options_text text = {
 enum { SIZES = 8, MOST_BONES = 1024 };
 
 typedef struct request {
-    char *bones, *space, *output;
+    char *bones, *space, *v, *output;
     size_t sizes[SIZES], size_count; /* ascending */
     int bind;
 } request;
@@ -179,9 +180,10 @@ static json_t *part_vertices(const skinmodel *s, const listed *l, int bind, size
         const nkw_partition_source source = {&l->from->mesh, s->inverse_bind, s->positions, s->normals};
         nkw_partition_vertices(p, l->part, &source, slots, out, stride);
     }
-    for (size_t i = 0; s->texcoords && i < part->vertex_count; i++)
-        memcpy(out + i * stride + before_uv, s->texcoords + 2 * (size_t)p->vertices[part->first_vertex + i],
-               2 * sizeof *out);
+    const size_t uv = 2 * s->texcoord_count;
+    for (size_t i = 0; i < part->vertex_count; i++)
+        memcpy(out + i * stride + before_uv, s->texcoords + uv * (size_t)p->vertices[part->first_vertex + i],
+               uv * sizeof *out);
     json_t *list = floats_to_json(out, part->vertex_count * stride);
     free(out);
     return list;
@@ -190,7 +192,7 @@ static json_t *part_vertices(const skinmodel *s, const listed *l, int bind, size
 static json_t *json_part(const skinmodel *s, const listed *l, int bind)
 {
     const nkw_part *part = &l->from->parts.parts[l->part];
-    size_t stride = (bind ? l->from->slots + 6 : 7 * l->from->slots) + (s->texcoords ? 2 : 0);
+    size_t stride = (bind ? l->from->slots + 6 : 7 * l->from->slots) + 2 * s->texcoord_count;
     json_t *index = json_array();
     for (size_t i = 0; i < 3 * (size_t)part->triangle_count; i++)
         json_array_append_new(index, json_integer(l->from->parts.indices[3 * (size_t)part->first_triangle + i]));
@@ -345,6 +347,8 @@ static int check_request(const options *o, void *data)
     if (space < 0)
         return options_misuse(o, r->space, "not bone or bind");
     r->bind = space;
+    if (!input_set_v(r->v))
+        return options_misuse(o, r->v, "not down or up");
     return read_sizes(r) ? COMMAND_FINE : options_misuse(o, "--bones", "not ascending numbers in 1..1024: 2,4");
 }
 
@@ -356,12 +360,14 @@ int command_parts(int argc, const char **argv)
         {"bones", 'b', POPT_ARG_STRING, &r.bones, 0, "the most bones of a part, or ascending numbers (default: 2,4)",
          "N,..."},
         {"space", 0, POPT_ARG_STRING, &r.space, 0, "space of the vertices: bone (default) or bind", "SPACE"},
+        INPUT_V(&r.v),
         {"output", 'o', POPT_ARG_STRING, &r.output, 0, "write to FILE, not to the standard output", "FILE"},
         OPTIONS_END};
     static const command_steps steps = {check_request, run};
     const int code = command_run(&text, known, argc, argv, &steps, &r);
     free(r.bones);
     free(r.space);
+    free(r.v);
     free(r.output);
     return code;
 }

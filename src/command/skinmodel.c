@@ -9,7 +9,6 @@
 #include <nakawari/skin.h>
 #include <nakawari/vec.h>
 
-
 static int complain(const nkw_document *d, size_t joint, const char *what)
 {
     output_text(stderr, d->file);
@@ -80,10 +79,12 @@ static void count_elements(skinmodel *s, const nkw_document_mesh *mesh)
         if (usable(&mesh->primitives[i])) {
             s->mesh.vertex_count += mesh->primitives[i].vertex_count;
             s->mesh.triangle_count += mesh->primitives[i].index_count / 3;
+            if (s->texcoord_count < mesh->primitives[i].texcoord_count)
+                s->texcoord_count = mesh->primitives[i].texcoord_count;
         }
 }
 
-static int allocate(skinmodel *s, const nkw_document_mesh *mesh, size_t influences)
+static int allocate(skinmodel *s, size_t influences)
 {
     const size_t vertices = s->mesh.vertex_count, triangles = s->mesh.triangle_count;
     s->indices = calloc(3 * triangles + 1, sizeof *s->indices);
@@ -95,13 +96,9 @@ static int allocate(skinmodel *s, const nkw_document_mesh *mesh, size_t influenc
     s->joint_of_bone = calloc(s->bone_count, sizeof *s->joint_of_bone);
     s->parents = calloc(s->bone_count, sizeof *s->parents);
     s->inverse_bind = calloc(s->bone_count, sizeof *s->inverse_bind);
-    int textured = 0;
-    for (size_t i = 0; i < mesh->primitive_count; i++)
-        textured |= mesh->primitives[i].texcoords != NULL;
-    if (textured)
-        s->texcoords = calloc(2 * vertices + 1, sizeof *s->texcoords);
+    s->texcoords = calloc(2 * s->texcoord_count * vertices + 1, sizeof *s->texcoords);
     return s->indices && s->materials && s->joints && s->weights && s->positions && s->normals && s->joint_of_bone &&
-           s->parents && s->inverse_bind && (s->texcoords || !textured);
+           s->parents && s->inverse_bind && s->texcoords;
 }
 
 /* Appends a primitive at a vertex and a triangle. */
@@ -114,8 +111,10 @@ static void append(skinmodel *s, const nkw_document_primitive *p, size_t vertex,
     memcpy(s->positions + vertex, p->positions, p->vertex_count * sizeof *p->positions);
     if (p->normals)
         memcpy(s->normals + vertex, p->normals, p->vertex_count * sizeof *p->normals);
-    if (p->texcoords)
-        memcpy(s->texcoords + 2 * vertex, p->texcoords, 2 * p->vertex_count * sizeof *p->texcoords);
+    for (size_t set = 0; set < p->texcoord_count; set++)
+        for (size_t v = 0; v < p->vertex_count; v++)
+            memcpy(s->texcoords + 2 * (s->texcoord_count * (vertex + v) + set), p->texcoords[set] + 2 * v,
+                   2 * sizeof *s->texcoords);
     for (size_t i = 0; i < p->index_count / 3 * 3; i++)
         s->indices[3 * triangle + i] = (uint32_t)vertex + p->indices[i];
     for (size_t i = 0; i < p->index_count / 3; i++)
@@ -142,7 +141,7 @@ int skinmodel_open(skinmodel *s, const nkw_document *d, size_t joint, size_t inf
     s->mesh.influence_count = influences < NKW_SKIN_INFLUENCES ? influences : NKW_SKIN_INFLUENCES;
     count_elements(s, mesh);
     uint16_t *rank = calloc(s->bone_count + 1, sizeof *rank);
-    int fine = rank && s->bone_count <= 65536 && allocate(s, mesh, s->mesh.influence_count);
+    int fine = rank && s->bone_count <= 65536 && allocate(s, s->mesh.influence_count);
     fine = (fine && sort_bones(s, d, skin, rank)) || complain(d, joint, "no memory, or more than 65536 bones");
     if (fine)
         append_all(s, mesh);

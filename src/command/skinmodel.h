@@ -13,7 +13,8 @@ typedef struct skinmodel {
     uint16_t *joints; /**< bones, by rank */
     float *weights;
     nkw_vec3 *positions, *normals;
-    float *texcoords; /**< 2 for each vertex; NULL if no primitive has them */
+    float *texcoords; /**< for each vertex u and v of all sets; zeros of sets that its primitive does not have */
+    size_t texcoord_count; /**< sets: the most of a primitive */
     size_t bone_count;
     int32_t *joint_of_bone; /**< the joint of the skeleton */
     int32_t *parents; /**< of each bone: a bone, or -1; less than the bone */

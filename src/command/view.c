@@ -278,15 +278,23 @@ static nkw_vec3 colour_at(const nkw_document *d, const nkw_document_primitive *p
     return colour;
 }
 
-static const texture *texture_of(const view *v, const nkw_document_primitive *p)
+/* The texture coordinates of the picture of a primitive; NULL without a material, or without its set. */
+static const float *texcoords_of(const nkw_document *d, const nkw_document_primitive *p)
 {
-    const texture *t = p->material >= 0 && p->texcoords ? &v->textures[p->material] : NULL;
+    const size_t set = p->material >= 0 ? d->materials[p->material].image_texcoords : SIZE_MAX;
+    return set < p->texcoord_count ? p->texcoords[set] : NULL;
+}
+
+static const texture *texture_of(const view *v, const nkw_document *document, const nkw_document_primitive *p)
+{
+    const texture *t = texcoords_of(document, p) ? &v->textures[p->material] : NULL;
     return t && t->level_count ? t : NULL;
 }
 
 static void draw_triangles(const frame *f, moment *m, const nkw_document_primitive *p)
 {
-    const texture *t = texture_of(f->view, p);
+    const texture *t = texture_of(f->view, m->document, p);
+    const float *uv = texcoords_of(m->document, p);
     for (size_t k = 0; k + 2 < p->index_count; k += 3) {
         canvas_corner corner[3];
         const uint32_t *index = p->indices + k;
@@ -296,8 +304,8 @@ static void draw_triangles(const frame *f, moment *m, const nkw_document_primiti
             corner[i].place = to_canvas(f, m->positions[index[i]]);
             corner[i].normal = nkw_mat4_transform_direction(&f->view->eye, p->normals ? m->normals[index[i]] : face);
             corner[i].colour = colour_at(m->document, p, index[i]);
-            corner[i].u = t ? p->texcoords[2 * index[i]] : 0.0f;
-            corner[i].v = t ? p->texcoords[2 * index[i] + 1] : 0.0f;
+            corner[i].u = t ? uv[2 * index[i]] : 0.0f;
+            corner[i].v = t ? uv[2 * index[i] + 1] : 0.0f;
         }
         f->canvas->triangle(f->canvas, corner, t);
     }
@@ -336,7 +344,8 @@ static void draw_bones(const frame *f, const moment *m)
         for (size_t j = 0; j < m->document->skeleton.joint_count; j++) {
             if (!v->shown[j] || !v->bones[j])
                 continue;
-            nkw_vec3 ends[2] = {to_canvas(f, nkw_mat4_translation(&m->models[j])), to_canvas(f, nkw_mat4_translation(&m->models[j]))};
+            nkw_vec3 ends[2] = {to_canvas(f, nkw_mat4_translation(&m->models[j])),
+                                to_canvas(f, nkw_mat4_translation(&m->models[j]))};
             if (pass >= 2)
                 c->line(c, CANVAS_OVER, ends, pass == 2 ? 1.9f * width + edge : 1.9f * width - edge,
                         pass == 2 ? rim : joint);

@@ -28,13 +28,14 @@ static void add(attributes *all, const void *data, size_t size)
 static int list_attributes(nkwi_assimp *a, const nkw_document_primitive *p, attributes *all)
 {
     all->count = 0;
-    all->list = (attribute *)nkwi_assimp_scratch(a, "meshes", 7 + 3 * p->target_count, sizeof *all->list);
+    all->list = (attribute *)nkwi_assimp_scratch(a, "meshes", 6 + p->texcoord_count + 3 * p->target_count, sizeof *all->list);
     if (!all->list)
         return 0;
     add(all, p->positions, sizeof *p->positions);
     add(all, p->normals, sizeof *p->normals);
     add(all, p->tangents, 4 * sizeof *p->tangents);
-    add(all, p->texcoords, 2 * sizeof *p->texcoords);
+    for (size_t set = 0; set < p->texcoord_count; set++)
+        add(all, p->texcoords[set], 2 * sizeof(float));
     add(all, p->colors, 4 * sizeof *p->colors);
     add(all, p->joints, p->influence_count * sizeof *p->joints);
     add(all, p->weights, p->influence_count * sizeof *p->weights);

@@ -33,11 +33,13 @@ static int read_image(nkwi_assimp *a, const struct aiMaterial *m, nkw_document_i
     nkw_document *d = &a->document->all;
     enum aiTextureType type =
         aiGetMaterialTextureCount(m, aiTextureType_BASE_COLOR) ? aiTextureType_BASE_COLOR : aiTextureType_DIFFUSE;
-    if (aiGetMaterialTexture(m, type, 0, &name, NULL, NULL, NULL, NULL, NULL, NULL) != aiReturn_SUCCESS || !name.length)
+    unsigned set = 0;
+    if (aiGetMaterialTexture(m, type, 0, &name, NULL, &set, NULL, NULL, NULL, NULL) != aiReturn_SUCCESS || !name.length)
         return 1;
     nkw_document_image *image = &images[d->image_count];
     image->name = nkwi_assimp_name(a, &name, "image", d->image_count++);
     out->image = image;
+    out->image_texcoords = set;
     if (!image->name)
         return 0;
     if (name.data[0] == '*')

@@ -107,24 +107,38 @@ static int read_colors(nkwi_assimp *a, const struct aiMesh *m, nkw_document_prim
     return !from || to;
 }
 
-/* Tangents with the sign of the bitangent, and the first set of texture coordinates. */
+/* All sets of texture coordinates, u and v. Assimp's v is upwards. */
+static int read_texcoords(nkwi_assimp *a, const struct aiMesh *m, nkw_document_primitive *out)
+{
+    const int is_up = a->document->v_is_up;
+    while (out->texcoord_count < AI_MAX_NUMBER_OF_TEXTURECOORDS && m->mTextureCoords[out->texcoord_count])
+        out->texcoord_count++;
+    if (out->texcoord_count == 0)
+        return 1;
+    const float **sets = (const float **)nkwi_assimp_take(a, "meshes", out->texcoord_count, sizeof *sets);
+    out->texcoords = sets;
+    for (size_t set = 0; sets && set < out->texcoord_count; set++) {
+        const struct aiVector3D *from = m->mTextureCoords[set];
+        float *to = (float *)nkwi_assimp_take(a, "meshes", m->mNumVertices, 2 * sizeof *to);
+        if (!to)
+            return 0;
+        for (size_t v = 0; v < m->mNumVertices; v++) {
+            to[2 * v] = from[v].x;
+            to[2 * v + 1] = is_up ? from[v].y : 1.0f - from[v].y;
+        }
+        sets[set] = to;
+    }
+    return sets != NULL;
+}
+
+/* Texture coordinates, colours, and tangents with the sign of the bitangent. */
 static int read_attributes(nkwi_assimp *a, const struct aiMesh *m, nkw_document_primitive *out)
 {
     size_t n = m->mNumVertices;
     out->vertex_count = n;
     if (!read_vectors(a, m->mVertices, n, &out->positions) || !read_vectors(a, m->mNormals, n, &out->normals) ||
-        !read_colors(a, m, out))
+        !read_colors(a, m, out) || !read_texcoords(a, m, out))
         return 0;
-    if (m->mTextureCoords[0]) {
-        float *to = (float *)nkwi_assimp_take(a, "meshes", n, 2 * sizeof *to);
-        for (size_t v = 0; to && v < n; v++) {
-            to[2 * v] = m->mTextureCoords[0][v].x;
-            to[2 * v + 1] = 1.0f - m->mTextureCoords[0][v].y; /* Assimp: up; here, as in glTF: down */
-        }
-        out->texcoords = to;
-        if (!to)
-            return 0;
-    }
     if (!m->mTangents || !m->mBitangents || !m->mNormals)
         return 1;
     float *to = (float *)nkwi_assimp_take(a, "meshes", n, 4 * sizeof *to);

@@ -161,6 +161,7 @@ static int read_document(nkwi_document *d, const nkw_import_memory *memory, nkw_
     d->memory.most = NKWI_MEMORY_MOST(memory->bytes);
     d->all.bytes = memory->bytes;
     d->all.scene = NKW_NO_JOINT;
+    d->v_is_up = memory->v_is_up;
     d->all.file = nkwi_document_text(d, error, memory->file ? memory->file : "");
     d->all.generator = "";
     if (!d->all.file)
@@ -216,7 +217,7 @@ nkw_import_result nkw_document_from_memory(const nkw_import_memory *memory, nkw_
 nkw_import_result nkw_document_open(const char *path, nkw_document **document, nkw_import_error *error)
 {
     nkw_import_error other;
-    nkw_import_memory memory = {NULL, 0, path, NULL, nkwi_folder_reader, NULL, 0};
+    nkw_import_memory memory = {NULL, 0, path, NULL, nkwi_folder_reader, NULL, 0, 0};
     void *data;
     error = error ? error : &other;
     nkwi_fault_none(error, path);

@@ -13,6 +13,7 @@ typedef struct nkwi_document {
     nkw_document_node *nodes; /* all.nodes, to be completed */
     float *rest_floats; /* all.rest_floats, the same */
     const char **warnings; /* all.warnings, the same */
+    int v_is_up; /* nkw_import_memory.v_is_up */
 } nkwi_document;
 
 /* The most bytes that a document of `bytes` bytes of files may allocate. No valid file is known that needs more. */

@@ -43,6 +43,7 @@ typedef struct nkwi_accessor {
     float *floats;
     uint32_t *integers;
     uint16_t *shorts;
+    int v_is_up; /* of floats that are texture coordinates */
 } nkwi_accessor;
 
 typedef struct nkwi_gltf {
@@ -99,6 +100,8 @@ typedef enum nkwi_integers { NKWI_NORMALIZED, NKWI_ANY } nkwi_integers;
  */
 int nkwi_gltf_floats(nkwi_gltf *g, const nkwi_value *object, const char *key, size_t width, nkwi_integers integers,
                      const float **out, size_t *count);
+/* The same of two components: texture coordinates, whose v is turned once if the document wants it upwards: 1 - v. */
+int nkwi_gltf_texcoords(nkwi_gltf *g, const nkwi_value *object, const char *key, const float **out, size_t *count);
 int nkwi_gltf_integers(nkwi_gltf *g, const nkwi_value *object, const char *key, const uint32_t **out, size_t *count);
 int nkwi_gltf_shorts(nkwi_gltf *g, const nkwi_value *object, const char *key, const uint16_t **out, size_t *count);
 
@@ -110,8 +113,11 @@ size_t nkwi_gltf_bytes(const nkwi_gltf *g, size_t accessor);
 
 /* The images, without their data (gltf_image.c). */
 int nkwi_gltf_images(nkwi_gltf *g);
-/* The image of the texture that the member `key` of `object` names, with its data or path; NULL without one. */
-const nkw_document_image *nkwi_gltf_texture(nkwi_gltf *g, const nkwi_value *object, const char *key);
+/*
+ * The image of the texture that the member `key` of `object` names, with its data or path; NULL without one. *set is the
+ * set of texture coordinates.
+ */
+const nkw_document_image *nkwi_gltf_texture(nkwi_gltf *g, const nkwi_value *object, const char *key, size_t *set);
 
 /* The parts of a file (gltf_node.c, gltf_mesh.c, gltf_animation.c), in this order. */
 int nkwi_gltf_materials(nkwi_gltf *g);

@@ -254,6 +254,18 @@ int nkwi_gltf_floats(nkwi_gltf *g, const nkwi_value *object, const char *key, si
     return 1;
 }
 
+int nkwi_gltf_texcoords(nkwi_gltf *g, const nkwi_value *object, const char *key, const float **out, size_t *count)
+{
+    size_t index;
+    nkwi_accessor *a;
+    if (!nkwi_gltf_floats(g, object, key, 2, NKWI_ANY, out, count) || !find_accessor(g, object, key, &index, &a))
+        return 0;
+    for (size_t i = 0; g->document->v_is_up && !a->v_is_up && i < *count; i++)
+        a->floats[2 * i + 1] = 1.0f - a->floats[2 * i + 1];
+    a->v_is_up = g->document->v_is_up;
+    return 1;
+}
+
 /* An accessor of unsigned integers of at most `most` bytes. */
 static int find_integers(nkwi_gltf *g, const nkwi_value *object, const char *key, size_t width, size_t most,
                          size_t *index, nkwi_accessor **a)

@@ -72,26 +72,26 @@ static int read_image(nkwi_gltf *g, const nkwi_value *object, nkw_document_image
     return strncmp(uri, "data:", 5) == 0 ? decode_data(g, object, uri, image) : name_file(g, object, uri, image);
 }
 
-static int find_image(nkwi_gltf *g, const nkwi_value *object, const char *key, int32_t *image)
+static int find_image(nkwi_gltf *g, const nkwi_value *object, const char *key, int32_t *image, size_t *set)
 {
     nkwi_value info = nkwi_member(object, key), textures = nkwi_member(&g->root, "textures");
-    size_t set = 0;
     int32_t texture = NKW_NO_JOINT;
     *image = NKW_NO_JOINT;
     if (!nkwi_index(g->error, &info, "index", "texture", nkwi_length(&textures), &texture) ||
-        !nkwi_count(g->error, &info, "texCoord", 0, &set) || texture == NKW_NO_JOINT || set != 0)
+        !nkwi_count(g->error, &info, "texCoord", 0, set) || texture == NKW_NO_JOINT)
         return 0;
     nkwi_value element = nkwi_element(&textures, (size_t)texture);
     return nkwi_index(g->error, &element, "source", "image", g->document->all.image_count, image) &&
            *image != NKW_NO_JOINT;
 }
 
-const nkw_document_image *nkwi_gltf_texture(nkwi_gltf *g, const nkwi_value *object, const char *key)
+const nkw_document_image *nkwi_gltf_texture(nkwi_gltf *g, const nkwi_value *object, const char *key, size_t *set)
 {
     const nkw_import_error before = *g->error;
     int32_t index;
     nkw_document_image *image = NULL;
-    if (find_image(g, object, key, &index)) {
+    *set = 0;
+    if (find_image(g, object, key, &index, set)) {
         nkwi_value list = nkwi_member(&g->root, "images"), at = nkwi_element(&list, (size_t)index);
         image = &g->images[index];
         if (!g->image_is_read[index])
@@ -99,5 +99,6 @@ const nkw_document_image *nkwi_gltf_texture(nkwi_gltf *g, const nkwi_value *obje
         g->image_is_read[index] = 1;
     }
     *g->error = before;
+    *set = image ? *set : 0;
     return image;
 }

@@ -30,6 +30,46 @@ static int read_vectors(nkwi_gltf *g, const nkwi_value *attributes, const char *
     return done;
 }
 
+/* Sets are numbered from 0 without a gap (3.7.2.1). What comes after a gap is not read, and a warning says so. */
+static int count_texcoords(nkwi_gltf *g, const nkwi_value *attributes, size_t *sets)
+{
+    const char *key;
+    json_t *value;
+    size_t named = 0;
+    char next[32];
+    json_object_foreach((json_t *)attributes->json, key, value) named += strncmp(key, "TEXCOORD_", 9) == 0;
+    for (*sets = 0; *sets <= named; ++*sets) {
+        snprintf(next, sizeof next, "TEXCOORD_%zu", *sets);
+        if (!nkwi_member(attributes, next).json)
+            break;
+    }
+    return *sets == named || nkwi_document_warn(g->document, g->error,
+                                                "a primitive has %zu sets of texture coordinates, "
+                                                "but no %s: %zu are read",
+                                                named, next, *sets);
+}
+
+/* All sets of texture coordinates. */
+static int read_texcoords(nkwi_gltf *g, const nkwi_value *attributes, nkw_document_primitive *out)
+{
+    if (!count_texcoords(g, attributes, &out->texcoord_count) || out->texcoord_count == 0)
+        return out->texcoord_count == 0;
+    const float **sets = (const float **)nkwi_gltf_take(g, attributes, out->texcoord_count, sizeof *sets);
+    out->texcoords = sets;
+    for (size_t set = 0; sets && set < out->texcoord_count; set++) {
+        char key[32];
+        size_t count;
+        snprintf(key, sizeof key, "TEXCOORD_%zu", set);
+        nkwi_value at = nkwi_member(attributes, key);
+        if (!nkwi_gltf_texcoords(g, attributes, key, &sets[set], &count))
+            return 0;
+        if (count != out->vertex_count)
+            return nkwi_fail(g->error, &at.place, NKW_IMPORT_INVALID, "%zu elements for %zu vertices", count,
+                             out->vertex_count);
+    }
+    return sets != NULL;
+}
+
 /* COLOR_0: three components or four; alpha is 1 where there are three. */
 static int read_colors(nkwi_gltf *g, const nkwi_value *attributes, nkw_document_primitive *out)
 {
@@ -271,9 +311,8 @@ static int read_primitive(nkwi_gltf *g, const nkwi_value *object, nkw_document_p
     out->positions = (const nkw_vec3 *)(const void *)positions;
     return read_vectors(g, &attributes, "NORMAL", out->vertex_count, &out->normals) &&
            read_attribute(g, &attributes, "TANGENT", 4, out->vertex_count, &out->tangents) &&
-           read_attribute(g, &attributes, "TEXCOORD_0", 2, out->vertex_count, &out->texcoords) &&
-           read_colors(g, &attributes, out) && read_indices(g, object, out) && read_influences(g, &attributes, out) &&
-           read_targets(g, object, out);
+           read_texcoords(g, &attributes, out) && read_colors(g, &attributes, out) && read_indices(g, object, out) &&
+           read_influences(g, &attributes, out) && read_targets(g, object, out);
 }
 
 /* Names are a convention of exporters: mesh.extras.targetNames. */
@@ -337,7 +376,7 @@ static int read_material(nkwi_gltf *g, const nkwi_value *object, void *element)
     if (!material->name || !nkwi_is_object(g->error, object) ||
         !nkwi_floats(g->error, &pbr, "baseColorFactor", material->color, 4))
         return 0;
-    material->image = nkwi_gltf_texture(g, &pbr, "baseColorTexture");
+    material->image = nkwi_gltf_texture(g, &pbr, "baseColorTexture", &material->image_texcoords);
     return 1;
 }
 

@@ -156,7 +156,7 @@ static int read_texcoord(nkwi_obj *o)
     if (!t)
         return 0;
     t->at[0] = numbers[0];
-    t->at[1] = 1.0f - numbers[1];
+    t->at[1] = o->document->v_is_up ? numbers[1] : 1.0f - numbers[1];
     return 1;
 }
 

@@ -13,6 +13,7 @@ typedef struct shape {
     size_t vertex_count, index_count;
     nkw_vec3 *positions, *normals;
     float *texcoords, *colors;
+    const float **texcoord_sets; /* one: texcoords */
     uint32_t *indices;
     size_t filled; /* indices */
 } shape;
@@ -117,8 +118,13 @@ static int take_arrays(const builder *b, shape *s, uint32_t attributes)
         return 0;
     if (attributes & HAS_NORMALS && !(s->normals = (nkw_vec3 *)take(b, n, sizeof *s->normals)))
         return 0;
-    if (attributes & HAS_TEXCOORDS && !(s->texcoords = (float *)take(b, n, 2 * sizeof *s->texcoords)))
-        return 0;
+    if (attributes & HAS_TEXCOORDS) {
+        s->texcoords = (float *)take(b, n, 2 * sizeof *s->texcoords);
+        s->texcoord_sets = s->texcoords ? (const float **)take(b, 1, sizeof *s->texcoord_sets) : NULL;
+        if (!s->texcoord_sets)
+            return 0;
+        s->texcoord_sets[0] = s->texcoords;
+    }
     return !(attributes & HAS_COLORS) || (s->colors = (float *)take(b, n, 4 * sizeof *s->colors)) != NULL;
 }
 
@@ -185,7 +191,8 @@ static void set_primitive(const shape *s, const nkwi_obj_key *key, nkw_document_
     out->vertex_count = s->vertex_count;
     out->positions = s->positions;
     out->normals = s->normals;
-    out->texcoords = s->texcoords;
+    out->texcoords = s->texcoord_sets;
+    out->texcoord_count = s->texcoord_sets ? 1 : 0;
     out->colors = s->colors;
     out->indices = s->indices;
     out->index_count = s->index_count;

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /* A document as a glTF 2.0 file. */
+#include <stdio.h>
 #include <string.h>
 
 #include "sink.h"
@@ -226,7 +227,11 @@ static void write_primitive(writer *w, json_t *list, const nkw_document_primitiv
     set_floats(w, attributes, "POSITION", p->positions, 3, p->vertex_count);
     set_floats(w, attributes, "NORMAL", p->normals, 3, p->vertex_count);
     set_floats(w, attributes, "TANGENT", p->tangents, 4, p->vertex_count);
-    set_floats(w, attributes, "TEXCOORD_0", p->texcoords, 2, p->vertex_count);
+    for (size_t set = 0; set < p->texcoord_count; set++) {
+        char key[32];
+        snprintf(key, sizeof key, "TEXCOORD_%zu", set);
+        set_floats(w, attributes, key, p->texcoords[set], 2, p->vertex_count);
+    }
     set_floats(w, attributes, "COLOR_0", p->colors, 4, p->vertex_count);
     for (size_t set = 0; 4 * set < p->influence_count; set++)
         set_influences(w, attributes, p, set);
@@ -343,6 +348,15 @@ static void write_images(writer *w, nkw_gltf_file *file)
     }
 }
 
+/* The picture of a material, which is_written; set 0 is not stated. */
+static json_t *texture_of(const nkw_document *d, const nkw_document_material *m)
+{
+    json_t *texture = json_pack("{s:I}", "index", (json_int_t)count_images(d, (size_t)(m->image - d->images)));
+    if (m->image_texcoords > 0)
+        json_object_set_new(texture, "texCoord", json_integer((json_int_t)m->image_texcoords));
+    return texture;
+}
+
 static void write_materials(writer *w)
 {
     const nkw_document *d = w->document;
@@ -352,9 +366,7 @@ static void write_materials(writer *w)
         nkwi_set(&w->sink, look, "baseColorFactor", nkwi_floats_of(&w->sink, d->materials[i].color, 4));
         nkwi_set(&w->sink, look, "metallicFactor", json_integer(0));
         if (d->materials[i].image && is_written(d->materials[i].image))
-            nkwi_set(
-                &w->sink, look, "baseColorTexture",
-                json_pack("{s:I}", "index", (json_int_t)count_images(d, (size_t)(d->materials[i].image - d->images))));
+            nkwi_set(&w->sink, look, "baseColorTexture", texture_of(d, &d->materials[i]));
         nkwi_set(&w->sink, object, "pbrMetallicRoughness", look);
         if (d->materials[i].color[3] < 1.0f)
             nkwi_set(&w->sink, object, "alphaMode", json_string("BLEND"));

@@ -55,10 +55,15 @@ planted planted_clean(void)
     return p;
 }
 
+float planted_texcoord(int set, int vertex, int component)
+{
+    return component == 0 ? 0.25f * (float)vertex + (float)set / 32.0f : 0.25f * (float)vertex + (float)set / 64.0f;
+}
+
 /* A buffer view and its accessor for each array. */
 typedef struct arrays {
     FILE *bin;
-    char views[2048], accessors[2048];
+    char views[4096], accessors[4096];
     size_t offset;
     int count;
 } arrays;
@@ -85,7 +90,10 @@ static void put_json(FILE *f, const planted *p, const arrays *a, const char *nam
             (double)p->rest_scale[0], (double)p->rest_scale[1], (double)p->rest_scale[2]);
     fprintf(f, "\"skins\":[{\"name\":\"bones\",\"joints\":[0,1],\"inverseBindMatrices\":4}],"
                "\"meshes\":[{\"name\":\"skin\",\"primitives\":[{\"attributes\":"
-               "{\"POSITION\":5,\"JOINTS_0\":6,\"WEIGHTS_0\":7}}]}],");
+               "{\"POSITION\":5,\"JOINTS_0\":6,\"WEIGHTS_0\":7");
+    for (int set = 0; set < p->texcoord_count; set++)
+        fprintf(f, ",\"TEXCOORD_%d\":%d", set, 8 + set);
+    fprintf(f, "}}]}],");
     fprintf(f,
             "\"animations\":[{\"name\":\"kick\",\"samplers\":[{\"input\":0,\"output\":1,\"interpolation\":\"%s\"},"
             "{\"input\":0,\"output\":2},{\"input\":0,\"output\":3}],\"channels\":["
@@ -114,6 +122,12 @@ void planted_write(const planted *p, const char *name)
     add(&a, positions, sizeof positions, PLANTED_VERTICES, FLOATS, "VEC3");
     add(&a, p->joints, sizeof p->joints, PLANTED_VERTICES, SHORTS, "VEC4");
     add(&a, p->weights, sizeof p->weights, PLANTED_VERTICES, FLOATS, "VEC4");
+    for (int set = 0; set < p->texcoord_count; set++) {
+        float texcoords[PLANTED_VERTICES][2];
+        for (int i = 0; i < 2 * PLANTED_VERTICES; i++)
+            texcoords[i / 2][i % 2] = planted_texcoord(set, i / 2, i % 2);
+        add(&a, texcoords, sizeof texcoords, PLANTED_VERTICES, FLOATS, "VEC2");
+    }
     assert_int_equal(fclose(a.bin), 0);
     snprintf(path, sizeof path, "%s.gltf", name);
     FILE *f = fopen(path, "wb");

@@ -18,7 +18,11 @@ typedef struct planted {
     float inverse_bind[2][16];
     unsigned short joints[PLANTED_VERTICES][4];
     float weights[PLANTED_VERTICES][4];
+    int texcoord_count; /**< sets of texture coordinates, planted_texcoord */
 } planted;
+
+/** u (component 0) or v (1) of a vertex in a set, exact in binary, in 0..1, and different for each vertex and set. */
+float planted_texcoord(int set, int vertex, int component);
 
 /** A file without a fault: the joint turns by 0, 40, 10, 60 and 0 degrees, moves and grows, and returns. */
 planted planted_clean(void);

@@ -160,6 +160,42 @@ static void triangles_of_too_many_bones_are_reported(void **state)
     program_says(1, "1 triangle of more than 1 bone: left out", "parts --bones 1 planted_parts.gltf");
 }
 
+static void expect_texcoords(const json_t *part, size_t before, int sets, int is_up)
+{
+    json_t *vertex = json_object_get(part, "vertex");
+    const size_t stride = before + 2 * (size_t)sets;
+    assert_int_equal(json_integer_value(json_object_get(part, "vertexStride")), stride);
+    assert_int_equal(json_array_size(vertex), PLANTED_VERTICES * stride);
+    for (int v = 0; v < PLANTED_VERTICES; v++)
+        for (int set = 0; set < sets; set++) {
+            const size_t at = (size_t)v * stride + before + 2 * (size_t)set;
+            const float down = planted_texcoord(set, v, 1);
+            expect_near(number(vertex, at), planted_texcoord(set, v, 0), 0);
+            expect_near(number(vertex, at + 1), is_up ? 1.0f - down : down, 0);
+        }
+}
+
+/* The converter's format: two floats for each set after the bones; none without one. */
+static void vertices_have_all_sets_of_texture_coordinates(void **state)
+{
+    (void)state;
+    static const int counts[] = {0, 1, 2, 8};
+    for (int i = 0; i < 16; i++) {
+        const int sets = counts[i / 4], is_bound = i % 2, is_up = i / 2 % 2;
+        char arguments[128];
+        planted p = planted_clean();
+        p.texcoord_count = sets;
+        planted_write(&p, "planted_texcoords");
+        snprintf(arguments, sizeof arguments, "%s%s planted_texcoords.gltf", is_bound ? "--space bind " : "",
+                 is_up ? "--v up" : i % 3 ? "--v down" : "");
+        json_t *all = convert(arguments);
+        json_t *parts = json_object_get(json_object_get(models_of(all), "leg"), "parts");
+        assert_int_equal(json_array_size(parts), 1);
+        expect_texcoords(json_array_get(parts, 0), is_bound ? 2 + 6 : 2 * 7, sets, is_up);
+        json_decref(all);
+    }
+}
+
 static void misuse_and_files_in_error(void **state)
 {
     (void)state;
@@ -167,6 +203,7 @@ static void misuse_and_files_in_error(void **state)
     program_says(2, "not ascending numbers", "parts --bones 4,2 x");
     program_says(2, "not ascending numbers", "parts --bones 0 x");
     program_says(2, "not ascending numbers", "parts --bones 2, x");
+    program_says(2, "not down or up", "parts --v left x");
     program_says(2, "not bone or bind", "parts --space world x");
     program_says(1, "no-such-file: ", "parts no-such-file");
     planted p = planted_clean();
@@ -181,6 +218,7 @@ int main(void)
         cmocka_unit_test(every_triangle_is_in_one_part),
         cmocka_unit_test(real_files_keep_their_triangles),
         cmocka_unit_test(triangles_of_too_many_bones_are_reported),
+        cmocka_unit_test(vertices_have_all_sets_of_texture_coordinates),
         cmocka_unit_test(misuse_and_files_in_error),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

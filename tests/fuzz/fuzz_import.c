@@ -21,9 +21,10 @@ static const char whole[] =
     "'indices':{'bufferView':2,'componentType':5123},'values':{'bufferView':0,'byteOffset':8}}},{'bufferView':0,"
     "'componentType':5126,'count':4,'type':'SCALAR'},{'bufferView':2,'componentType':5121,'count':4,'type':'SCALAR'},"
     "{'bufferView':2,'byteOffset':16,'componentType':5126,'count':1,'type':'VEC4'},{'bufferView':2,'componentType':"
-    "5126,'count':2,'type':'VEC3','byteOffset':8}],'materials':[{'name':'m','pbrMetallicRoughness':{'baseColorFactor':"
+    "5126,'count':2,'type':'VEC3','byteOffset':8},{'bufferView':0,"
+    "'componentType':5126,'count':6,'type':'VEC2'}],'materials':[{'name':'m','pbrMetallicRoughness':{'baseColorFactor':"
     "[1,1,1,1]}}],'meshes':[{'weights':[0.5,0],'extras':{'targetNames':['a']},'primitives':[{'attributes':{'POSITION':"
-    "1,'NORMAL':5,'JOINTS_0':3,'WEIGHTS_0':2,'JOINTS_1':3,'WEIGHTS_1':2},'indices':7,'mode':5,'material':0,'targets':"
+    "1,'NORMAL':5,'JOINTS_0':3,'WEIGHTS_0':2,'JOINTS_1':3,'WEIGHTS_1':2,'TEXCOORD_0':10,'TEXCOORD_1':10},'indices':7,'mode':5,'material':0,'targets':"
     "[{'POSITION':5},{'NORMAL':1}]}]}],'skins':[{'joints':[1,2],'inverseBindMatrices':4}],'nodes':[{'children':[1,3]},"
     "{'children':[2],'rotation':[0,0,1,0]},{'matrix':[1,0,0,0,0,1,0,0,0,0,1,0,0,0,0,1]},{'mesh':0,'skin':0,'weights':"
     "[1,2]}],'animations':[{'samplers':[{'input':0,'output':9},{'input':0,'output':6,'interpolation':'STEP'},{'input':"
@@ -113,6 +114,7 @@ static void check_indices(const nkw_document *d)
             FUZZ_CHECK(p->index_count % ((size_t)p->topology + 1) == 0);
             for (size_t v = 0; v < p->index_count; v++)
                 FUZZ_CHECK(p->indices[v] < p->vertex_count);
+            FUZZ_CHECK((p->texcoord_count == 0) == (p->texcoords == NULL));
         }
 }
 
@@ -154,7 +156,7 @@ static void read_again(nkw_gltf_file *file, nkw_import_result result, const nkw_
 {
     nkw_document *again = NULL;
     nkw_import_error error;
-    const nkw_import_memory memory = {file->data, file->bytes, "written", NULL, read_data, outer, 0};
+    const nkw_import_memory memory = {file->data, file->bytes, "written", NULL, read_data, outer, 0, 0};
     if (result == NKW_IMPORT_OK) {
         nkw_document_from_memory(&memory, &again, &error);
         FUZZ_CHECK(again && again->skeleton.joint_count == d->skeleton.joint_count);
@@ -200,7 +202,7 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
     void *outer = fuzz_byte(&f) % 2 ? fuzz_bytes(&f, DATA) : (void *)fuzz_floats(&f, DATA / 4, 0);
     for (size_t i = 0; i < edits && length > 0; i++)
         length = edit(&f, text, length);
-    nkw_import_memory memory = {text, length, "fuzz", NULL, read_data, outer, 0};
+    nkw_import_memory memory = {text, length, "fuzz", NULL, read_data, outer, 0, (int)(edits % 2)};
     for (int raw = 0; raw < 2; raw++) {
         nkw_document *d;
         nkw_import_error error;

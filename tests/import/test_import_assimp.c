@@ -111,7 +111,7 @@ static char *edited(const char *path, const char *word, const char *instead)
 
 static nkw_import_result open_bytes(const char *text, const char *name, nkw_document **d, nkw_import_error *error)
 {
-    const nkw_import_memory memory = {text, strlen(text), name, NULL, NULL, NULL, 0};
+    const nkw_import_memory memory = {text, strlen(text), name, NULL, NULL, NULL, 0, 0};
     return nkw_document_from_memory(&memory, d, error);
 }
 
@@ -352,7 +352,7 @@ static void outer_files_are_those_of_the_folder(void **state)
         nkw_document *d;
         nkw_import_error error;
         int questions = 0;
-        const nkw_import_memory memory = {text, strlen(text), names[i], NULL, refuse, &questions, 0};
+        const nkw_import_memory memory = {text, strlen(text), names[i], NULL, refuse, &questions, 0, 0};
         assert_int_equal(nkw_document_from_memory(&memory, &d, &error), NKW_IMPORT_OK);
         assert_int_equal(d->bytes, strlen(text));
         assert_true(questions > 0); /* for arm.md5anim */

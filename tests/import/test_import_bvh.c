@@ -24,7 +24,7 @@ static nkw_document *read_file(const char *path)
 static nkw_document *read_text(const char *text, int adds_offset)
 {
     nkw_document *d;
-    const nkw_import_memory memory = {text, strlen(text), "text.bvh", NULL, NULL, NULL, adds_offset};
+    const nkw_import_memory memory = {text, strlen(text), "text.bvh", NULL, NULL, NULL, adds_offset, 0};
     assert_int_equal(nkw_document_from_memory(&memory, &d, NULL), NKW_IMPORT_OK);
     return d;
 }
@@ -283,7 +283,7 @@ static void broken_files_are_refused_with_their_line(void **state)
     for (size_t i = 0; i < sizeof list / sizeof *list; i++) {
         nkw_document *d;
         nkw_import_error error;
-        const nkw_import_memory memory = {list[i].text, strlen(list[i].text), "text.bvh", NULL, NULL, NULL, 0};
+        const nkw_import_memory memory = {list[i].text, strlen(list[i].text), "text.bvh", NULL, NULL, NULL, 0, 0};
         assert_int_equal(nkw_document_from_memory(&memory, &d, &error), NKW_IMPORT_INVALID);
         assert_null(d);
         assert_string_equal(error.place, list[i].place);

@@ -113,7 +113,7 @@ static void files_that_are_cut_are_refused(void **state)
     char *text = text_of(&bytes);
     for (size_t n = 0; n + 1 < bytes; n++) { /* all but the last line break */
         nkw_document *d;
-        const nkw_import_memory memory = {text, n, "a.dae", NULL, NULL, NULL, 0};
+        const nkw_import_memory memory = {text, n, "a.dae", NULL, NULL, NULL, 0, 0};
         nkw_document_from_memory(&memory, &d, NULL);
         assert_null(d);
     }

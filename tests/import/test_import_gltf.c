@@ -438,7 +438,8 @@ static void images_of_base_colours_are_kept(void **state)
     assert_null(image[2]->data);
     assert_string_equal(image[2]->path, "skins/fox red.png");
     assert_true(!image[3]->data && !image[3]->path && !image[4]->data && !image[4]->path);
-    assert_true(!image[5] && !image[6] && !image[7] && !image[8]);
+    assert_true(!image[5] && image[6] == image[0] && !image[7] && !image[8]);
+    assert_true(d->materials[0].image_texcoords == 0 && d->materials[6].image_texcoords == 1);
     assert_null(d->images[5].data); /* of no material */
     nkw_document_close(d);
 }
@@ -539,7 +540,7 @@ static void zeros_behind_the_json_of_a_glb_are_read_with_a_warning(void **state)
     nkw_document *d;
     memcpy(bytes, head, sizeof head);
     memcpy(bytes + 20, json, sizeof json);
-    const nkw_import_memory memory = {bytes, sizeof bytes, "a.glb", NULL, NULL, NULL, 0};
+    const nkw_import_memory memory = {bytes, sizeof bytes, "a.glb", NULL, NULL, NULL, 0, 0};
     assert_int_equal(nkw_document_from_memory(&memory, &d, NULL), NKW_IMPORT_OK);
     assert_int_equal(d->warning_count, 1);
     nkw_document_close(d);

@@ -186,9 +186,9 @@ static void paths_stay_in_the_folder(void **state)
     nkw_document *document;
     nkw_import_error error;
     char *json = quoted(POSITIONS(DATA, VIEW, FLOATS(1, VEC3)));
-    const nkw_import_memory memory = {json, strlen(json), NULL, NULL, NULL, NULL, 0};
+    const nkw_import_memory memory = {json, strlen(json), NULL, NULL, NULL, NULL, 0, 0};
     assert_int_equal(nkw_document_from_memory(&memory, &document, &error), NKW_IMPORT_UNREADABLE);
-    const nkw_import_memory nowhere = {json, strlen(json), NULL, "/no/such/folder", NULL, NULL, 0};
+    const nkw_import_memory nowhere = {json, strlen(json), NULL, "/no/such/folder", NULL, NULL, 0, 0};
     assert_int_equal(nkw_document_from_memory(&nowhere, &document, NULL), NKW_IMPORT_UNREADABLE);
     free(json);
     assert_int_equal(nkw_document_open("/no/such/file", &document, &error), NKW_IMPORT_UNREADABLE);
@@ -480,7 +480,7 @@ static nkw_import_result use_bytes(const unsigned char *bytes, size_t size)
     unsigned char *copy = (unsigned char *)malloc(size + 1);
     assert_non_null(copy);
     memcpy(copy, bytes, size);
-    const nkw_import_memory memory = {copy, size, "bytes", NULL, NULL, NULL, 0};
+    const nkw_import_memory memory = {copy, size, "bytes", NULL, NULL, NULL, 0, 0};
     nkw_document *d;
     nkw_clip *clip;
     nkw_import_result result = nkw_document_from_memory(&memory, &d, NULL);
@@ -546,7 +546,7 @@ static void headers_are_checked(void **state)
         nkw_document *document;
         nkw_import_error error;
         bytes[list[i].at] = list[i].value;
-        const nkw_import_memory memory = {bytes, size, "bytes", NULL, NULL, NULL, 0};
+        const nkw_import_memory memory = {bytes, size, "bytes", NULL, NULL, NULL, 0, 0};
         assert_int_equal(nkw_document_from_memory(&memory, &document, &error), list[i].code);
         assert_string_equal(error.place, list[i].place);
     }
@@ -565,7 +565,7 @@ static void the_second_chunk_ends_within_the_file(void **state)
         nkw_document *document;
         nkw_import_error error;
         memcpy(bytes + at, &lengths[i], 4);
-        const nkw_import_memory memory = {bytes, size, "bytes", NULL, NULL, NULL, 0};
+        const nkw_import_memory memory = {bytes, size, "bytes", NULL, NULL, NULL, 0, 0};
         snprintf(place, sizeof place, "byte %zu", at);
         assert_int_equal(nkw_document_from_memory(&memory, &document, &error), NKW_IMPORT_INVALID);
         assert_string_equal(error.place, place);

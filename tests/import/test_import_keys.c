@@ -47,7 +47,7 @@ static void columns_become_tracks(void **state)
                              "root,2,walk,,,4,5,6,,,\r\n"
                              "\"hand \"\"l\"\"\",0,wave,\"arm, left\",,7,8,9,0,0,90";
     char *kept = quoted(text);
-    const nkw_import_memory memory = {text, strlen(text), "keys.csv", NULL, NULL, NULL, 0};
+    const nkw_import_memory memory = {text, strlen(text), "keys.csv", NULL, NULL, NULL, 0, 0};
     nkw_document *d;
     nkw_import_error error;
     nkw_clip *clip;
@@ -71,7 +71,7 @@ static void columns_become_tracks(void **state)
 /* A table in memory. */
 static nkw_document *table(const char *text)
 {
-    const nkw_import_memory memory = {text, strlen(text), "keys.csv", NULL, NULL, NULL, 0};
+    const nkw_import_memory memory = {text, strlen(text), "keys.csv", NULL, NULL, NULL, 0, 0};
     nkw_document *d;
     nkw_import_error error;
     if (nkw_document_from_memory(&memory, &d, &error) != NKW_IMPORT_OK)

@@ -99,7 +99,7 @@ static nkw_import_result open_keys(void)
         "{\"columns\":\"tx,ty,tz,qx,qy,qz,qw\",\"rows\":["
         "{\"name\":\"a\",\"time\":1,\"clip\":3,\"values\":[1,2,3,null,null,null,null]},"
         "{\"name\":\"b\",\"time\":0.5,\"clip\":\"c\",\"parent\":\"a\",\"values\":[1,2,3,0,0,1,0]}]}";
-    const nkw_import_memory memory = {text, sizeof text - 1, "keys.json", NULL, NULL, NULL, 0};
+    const nkw_import_memory memory = {text, sizeof text - 1, "keys.json", NULL, NULL, NULL, 0, 0};
     nkw_document *d;
     nkw_import_error error;
     nkw_import_result result = nkw_document_from_memory(&memory, &d, &error);
@@ -115,7 +115,7 @@ static nkw_import_result open_table(void)
                                "arm,0,walk,root,STEP,,,,90,0,0\n"
                                "arm,1,walk,,STEP,,,,0,45,0\n"
                                "hand,0,wave,arm,,7,8,9,0,0,90\n";
-    const nkw_import_memory memory = {text, sizeof text - 1, "keys.csv", NULL, NULL, NULL, 0};
+    const nkw_import_memory memory = {text, sizeof text - 1, "keys.csv", NULL, NULL, NULL, 0, 0};
     nkw_document *d;
     nkw_import_error error;
     nkw_import_result result = nkw_document_from_memory(&memory, &d, &error);
@@ -134,7 +134,7 @@ static nkw_import_result open_outer(void)
         "\"targets\":[{\"POSITION\":0}]}]}]}";
     static const float numbers[12];
     outer o = {numbers, sizeof numbers};
-    const nkw_import_memory memory = {text, sizeof text - 1, "test.gltf", NULL, read_outer, &o, 0};
+    const nkw_import_memory memory = {text, sizeof text - 1, "test.gltf", NULL, read_outer, &o, 0, 0};
     nkw_document *d;
     nkw_import_error error;
     nkw_import_result result = nkw_document_from_memory(&memory, &d, &error);
@@ -149,7 +149,7 @@ static nkw_import_result open_obj(void)
                                "vn 0 0 1\nusemtl m\nf 1/1/1 2/1/1 3/1/1\nf 1 2\no a\nl 1 2 3\nx\n";
     static const char material[] = "newmtl m\nKd 1 0 x\nmap_Kd a.png\n";
     outer o = {material, sizeof material - 1};
-    const nkw_import_memory memory = {text, sizeof text - 1, "a.obj", NULL, read_outer, &o, 0};
+    const nkw_import_memory memory = {text, sizeof text - 1, "a.obj", NULL, read_outer, &o, 0, 0};
     nkw_document *d;
     nkw_import_error error;
     nkw_import_result result = nkw_document_from_memory(&memory, &d, &error);
@@ -173,7 +173,7 @@ static void expect_document(const nkw_gltf_file *file)
 {
     const long left = until_failure;
     outer o = {file->outer, file->outer_bytes};
-    const nkw_import_memory memory = {file->data, file->bytes, "written", NULL, read_outer, &o, 0};
+    const nkw_import_memory memory = {file->data, file->bytes, "written", NULL, read_outer, &o, 0, 0};
     nkw_document *d;
     until_failure = -1;
     assert_int_equal(nkw_document_from_memory(&memory, &d, NULL), NKW_IMPORT_OK);

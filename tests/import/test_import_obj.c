@@ -31,7 +31,7 @@ static nkw_document *read_with(const char *text, folder *f)
 {
     nkw_document *d;
     nkw_import_error error;
-    const nkw_import_memory memory = {text, strlen(text), "folder/text.obj", NULL, read_named, f, 0};
+    const nkw_import_memory memory = {text, strlen(text), "folder/text.obj", NULL, read_named, f, 0, 0};
     if (nkw_document_from_memory(&memory, &d, &error) != NKW_IMPORT_OK)
         print_error("%s: %s\n", error.place, error.reason);
     assert_int_equal(error.code, NKW_IMPORT_OK);
@@ -129,9 +129,9 @@ static void corners_have_every_form(void **state)
         assert_int_equal(p->texcoords != NULL, strchr(faces[i][1], 't') != NULL);
         assert_int_equal(p->normals != NULL, strchr(faces[i][1], 'n') != NULL);
         if (p->texcoords) {
-            expect_near(p->texcoords[2 * p->indices[1]], 1, 0);
-            expect_near(p->texcoords[2 * p->indices[1] + 1], 0.75, 0);
-            expect_near(p->texcoords[2 * p->indices[2] + 1], 1, 0);
+            expect_near(p->texcoords[0][2 * p->indices[1]], 1, 0);
+            expect_near(p->texcoords[0][2 * p->indices[1] + 1], 0.75, 0);
+            expect_near(p->texcoords[0][2 * p->indices[2] + 1], 1, 0);
         }
         if (p->normals)
             expect_vec3_near(p->normals[p->indices[2]], at(0, 0, 2), 0);
@@ -402,7 +402,7 @@ static void broken_files_are_refused_with_their_line(void **state)
     for (size_t i = 0; i < sizeof list / sizeof *list; i++) {
         nkw_document *d;
         nkw_import_error error;
-        const nkw_import_memory memory = {list[i].text, strlen(list[i].text), "text.obj", NULL, NULL, NULL, 0};
+        const nkw_import_memory memory = {list[i].text, strlen(list[i].text), "text.obj", NULL, NULL, NULL, 0, 0};
         assert_int_equal(nkw_document_from_memory(&memory, &d, &error), NKW_IMPORT_INVALID);
         assert_null(d);
         assert_string_equal(error.place, list[i].place);
@@ -427,7 +427,7 @@ static void files_are_known_by_their_first_word_or_their_name(void **state)
     };
     for (size_t i = 0; i < sizeof list / sizeof *list; i++) {
         nkw_document *d;
-        const nkw_import_memory memory = {list[i].text, strlen(list[i].text), list[i].file, NULL, NULL, NULL, 0};
+        const nkw_import_memory memory = {list[i].text, strlen(list[i].text), list[i].file, NULL, NULL, NULL, 0, 0};
         assert_int_equal(nkw_document_from_memory(&memory, &d, NULL), list[i].result);
         nkw_document_close(d);
     }
@@ -470,7 +470,7 @@ static void broken_bytes_are_survived(void **state)
             memcpy(exact, copy, length);
             nkw_document *d;
             nkw_import_error error;
-            const nkw_import_memory memory = {exact, length, "a.obj", NULL, read_named, &f, 0};
+            const nkw_import_memory memory = {exact, length, "a.obj", NULL, read_named, &f, 0, 0};
             if (nkw_document_from_memory(&memory, &d, &error) != NKW_IMPORT_OK)
                 assert_true(error.reason[0]);
             else

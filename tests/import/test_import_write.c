@@ -60,7 +60,7 @@ static nkw_document *written(nkw_gltf_form form)
     nkw_document *d = NULL;
     assert_int_equal(nkw_document_write(&one.document, form, "data.bin", &file, &error), NKW_IMPORT_OK);
     outer o = {file.outer, file.outer_bytes};
-    const nkw_import_memory memory = {file.data, file.bytes, "written", NULL, read_outer, &o, 0};
+    const nkw_import_memory memory = {file.data, file.bytes, "written", NULL, read_outer, &o, 0, 0};
     if (nkw_document_from_memory(&memory, &d, &error) != NKW_IMPORT_OK)
         fail_msg("%s: %s", error.place, error.reason);
     nkw_gltf_file_free(&file);
@@ -175,7 +175,7 @@ static void integers_of_replaced_keys_remain_integers(void **state)
     nkw_document *d = opened(text, data, sizeof data), *again;
     char *json = quoted(text);
     outer o = {data, sizeof data};
-    const nkw_import_memory memory = {json, strlen(json), "test.gltf", NULL, read_outer, &o, 0};
+    const nkw_import_memory memory = {json, strlen(json), "test.gltf", NULL, read_outer, &o, 0, 0};
     nkw_document to = *d;
     nkw_document_animation animation = d->animations[0];
     nkw_clip_track track = animation.tracks[0];
@@ -192,7 +192,7 @@ static void integers_of_replaced_keys_remain_integers(void **state)
         values[1] = i ? 0.3f : 0.0f;
         assert_int_equal(nkw_gltf_rewrite(&rewriting, NKW_GLTF_TEXT, NULL, &file, &error), NKW_IMPORT_OK);
         assert_true((strstr((const char *)file.data, "\"componentType\":5120") == NULL) == i);
-        const nkw_import_memory made = {file.data, file.bytes, "made", NULL, NULL, NULL, 0};
+        const nkw_import_memory made = {file.data, file.bytes, "made", NULL, NULL, NULL, 0, 0};
         assert_int_equal(nkw_document_from_memory(&made, &again, &error), NKW_IMPORT_OK);
         const nkw_track *got = &again->animations[0].tracks[0].track;
         assert_int_equal(got->kind, i ? NKW_TRACK_ROTATION : NKW_TRACK_ROTATION_NORMALIZED);

@@ -43,7 +43,7 @@ static inline nkw_import_result open_text(const char *text, const void *data, si
 {
     char *json = quoted(text);
     outer o = {data, bytes};
-    const nkw_import_memory memory = {json, strlen(json), "test.gltf", NULL, read_outer, &o, 0};
+    const nkw_import_memory memory = {json, strlen(json), "test.gltf", NULL, read_outer, &o, 0, 0};
     nkw_import_result result = nkw_document_from_memory(&memory, document, error);
     assert_int_equal(result, error->code);
     assert_int_equal(*document == NULL, result != NKW_IMPORT_OK);

@@ -102,7 +102,9 @@ typedef struct nkw_document_primitive {
     const nkw_vec3 *positions;
     const nkw_vec3 *normals;
     const float *tangents; /**< 4 floats for each vertex: x y z, and the sign of the bitangent */
-    const float *texcoords; /**< 2 floats for each vertex: the first set */
+    const float *const *texcoords; /**< texcoord_count sets, each of 2 floats for each vertex: u to the right, v downwards
+                                        from the upper edge of a picture (nkw_import_memory.v_is_up) */
+    size_t texcoord_count; /**< 0: none, and texcoords is NULL */
     const float *colors; /**< 4 floats for each vertex: red, green, blue, alpha; linear: the first set */
     const uint32_t
         *indices; /**< index_count vertices, each less than vertex_count; never NULL: 0, 1, 2 ... if absent */
@@ -116,7 +118,7 @@ typedef struct nkw_document_primitive {
     const nkw_document_target *targets;
     size_t target_count;
 } nkw_document_primitive;
-NKW_SIZE(nkw_document_primitive, 176, 92);
+NKW_SIZE(nkw_document_primitive, 184, 96);
 
 typedef struct nkw_document_mesh {
     const char *name;
@@ -140,9 +142,10 @@ NKW_SIZE(nkw_document_image, 32, 16);
 typedef struct nkw_document_material {
     const char *name;
     float color[4]; /**< base colour: red, green, blue, alpha; linear, 0..1 */
-    const nkw_document_image *image; /**< NULL, or the base colour at `texcoords`, to be multiplied; sRGB, repeated */
+    const nkw_document_image *image; /**< NULL, or the base colour, to be multiplied; sRGB, repeated */
+    size_t image_texcoords; /**< the index of the set of texcoords at which `image` is; primitives may have fewer sets */
 } nkw_document_material;
-NKW_SIZE(nkw_document_material, 32, 24);
+NKW_SIZE(nkw_document_material, 40, 28);
 
 /** Where a track of an animation is in the file. */
 typedef struct nkw_document_channel {
@@ -231,8 +234,9 @@ typedef struct nkw_import_memory {
     nkw_import_reader reader; /**< NULL; or reads outer files in place of the folder */
     void *user; /**< for the reader */
     int bvh_adds_offset; /**< of BVH: 1 if positions are added to the OFFSET of their joint; 0: they replace it */
+    int v_is_up; /**< of texture coordinates: 1 if v is upwards from the lower edge of a picture, 0 if downwards */
 } nkw_import_memory;
-NKW_SIZE(nkw_import_memory, 56, 28);
+NKW_SIZE(nkw_import_memory, 56, 32);
 
 /**
  * Reads a file: glTF 2.0 as .gltf, .glb or .vrm, BVH, OBJ, or keys in CSV or JSON, recognised by its content; with
