@@ -63,11 +63,15 @@ NKW_SIZE(nkw_play_head, 8, 8);
  * repeat the first key at the end of the track.
  *
  * Returns  {start, 0} for a duration that is not positive and finite, and for a NaN time. An infinite time returns the
- *          nearer end for CLAMP and {start, 0} otherwise. Above 2^24, `cycle` is rounded; above 2^128 it is infinite.
+ *          nearer end for CLAMP and {start, 0} otherwise. So does a cycle from 2^51 on. Above 2^24, `cycle` is rounded.
  *
- * The time is exact to one rounding for |cycle| below 2^51, where time - start is exact in binary64: one is 0, or they
- * differ by less than a factor of 2^29. Beyond 2^51 the time is somewhere in the clip. `time` itself has a resolution
- * of 7.8 ms after a day.
+ * The time is exact to one rounding where time - start is exact in binary64: one is 0, or they differ by less than a
+ * factor of 2^29. `time` itself has a resolution of 7.8 ms after a day.
+ *
+ * It is nkw_playback_head_f64 of the same mode before and after, rounded. Both functions exist because the rounding
+ * belongs to the cycle: just before the end of a loop of 2 s, (float)1.99999999 is 2, the end, which a loop never
+ * returns. An index computed from it, such as that of a frame, would be one too large. Only what knows the cycle can
+ * return the start of the next one instead.
  */
 NKW_API nkw_play_head nkw_playback_head(nkw_playback mode, float start, float duration, float time);
 
@@ -117,7 +121,7 @@ NKW_SIZE(nkw_play_head_f64, 24, 24);
  *
  * time - start and the period are rounded to binary64, then the remainder has one rounding. With start = 0 and closing
  * = 0 that is one rounding in all, for |cycle| below 2^51. Otherwise `time` is off by up to |time| 2^-52 more, the
- * rounding of a sum in each period: 1.4e-10 s after a week.
+ * rounding of a sum in each period: 1.4e-10 s after a week. A caller who rounds `time` to float may receive the end.
  */
 NKW_API nkw_play_head_f64 nkw_playback_head_f64(const nkw_playback_range *range, double time);
 

@@ -7,53 +7,6 @@
 #include "lane/scalar.h"
 #include "playback_cycle.h"
 
-static int is_positive(float x)
-{
-    return x > 0.0f && lane_is_finite(x);
-}
-
-/*
- * start + r in binary32. If that rounds up to the end, returns the start of the next cycle instead: then
- * time + cycle duration stays continuous.
- */
-static nkw_play_head looped(float start, double r, float duration, double cycle)
-{
-    float time = (float)((double)start + r);
-    float end = (float)((double)start + (double)duration);
-    nkw_play_head here = {time, (float)cycle}, next = {start, (float)(cycle + 1.0)};
-    return time > start && time >= end ? next : here;
-}
-
-static float clamped(float start, float duration, float time)
-{
-    float end = (float)((double)start + (double)duration);
-    return time < start ? start : time > end ? end : time;
-}
-
-nkw_play_head nkw_playback_head(nkw_playback mode, float start, float duration, float time)
-{
-    nkw_play_head head = {start, 0.0f};
-    double cycle, x = (double)time - (double)start;
-    if (!is_positive(duration) || x != x)
-        return head;
-    if (mode != NKW_PLAYBACK_LOOP && mode != NKW_PLAYBACK_PING_PONG) {
-        head.time = clamped(start, duration, time);
-        return head;
-    }
-    if (x - x != 0.0)
-        return head;
-    double r = playback_remainder(x, duration, &cycle);
-    if (mode == NKW_PLAYBACK_LOOP)
-        return looped(start, r, duration, cycle);
-    double half = 0.5 * cycle;
-    int odd = lane_floor64(half) != half;
-    head.time = (float)((double)start + (odd ? (double)duration - r : r));
-    head.cycle = (float)cycle;
-    return head;
-}
-
-/* ---- Ranges in binary64 ---- */
-
 /* A count as a number of cycles: infinite without a limit. */
 static double limit_of(double count)
 {
@@ -121,6 +74,31 @@ nkw_play_head_f64 nkw_playback_head_f64(const nkw_playback_range *range, double 
     if (mode != NKW_PLAYBACK_LOOP && mode != NKW_PLAYBACK_PING_PONG)
         return head_in(range, mode, x < 0.0 ? 0.0 : range->duration, 0.0);
     return repeated(range, mode, x, limit_of(x < 0.0 ? range->before_cycles : range->after_cycles));
+}
+
+/*
+ * The head in binary64, rounded. Where the time of a loop rounds up to the end, the head is the start of the next cycle:
+ * then time + cycle duration stays continuous.
+ */
+static nkw_play_head rounded(nkw_playback mode, float start, float duration, float time)
+{
+    const nkw_playback_range range = {(double)start, (double)duration, 0.0, mode, mode, 0.0, 0.0};
+    nkw_play_head_f64 wide = nkw_playback_head_f64(&range, (double)time);
+    nkw_play_head head = {(float)wide.time, (float)wide.cycle}, next = {start, (float)(wide.cycle + 1.0)};
+    float end = (float)(range.start + range.duration);
+    return mode == NKW_PLAYBACK_LOOP && head.time > start && head.time >= end ? next : head;
+}
+
+nkw_play_head nkw_playback_head(nkw_playback mode, float start, float duration, float time)
+{
+    nkw_play_head head = {start, 0.0f};
+    float end = (float)((double)start + (double)duration);
+    if (!(duration > 0.0f) || !lane_is_finite(duration) || time != time || start != start)
+        return head;
+    if (mode == NKW_PLAYBACK_LOOP || mode == NKW_PLAYBACK_PING_PONG)
+        return rounded(mode, start, duration, time);
+    head.time = time < start ? start : time > end ? end : time;
+    return head;
 }
 
 /* ---- Values that continue ---- */

@@ -108,8 +108,23 @@ static void nonsense_is_the_start(void **state)
         expect_head(nkw_playback_head((nkw_playback)mode, 1, 2, NAN), 1, 0, __LINE__);
     }
     expect_head(nkw_playback_head(NKW_PLAYBACK_LOOP, 1, 2, INFINITY), 1, 0, __LINE__);
-    nkw_play_head far = nkw_playback_head(NKW_PLAYBACK_LOOP, 0, FLT_MIN, FLT_MAX);
-    assert_true(far.time >= 0 && far.time < FLT_MIN);
+    for (int mode = NKW_PLAYBACK_LOOP; mode <= NKW_PLAYBACK_PING_PONG; mode++) {
+        expect_head(nkw_playback_head((nkw_playback)mode, 0, FLT_MIN, FLT_MAX), 0, 0, __LINE__);
+        expect_head(nkw_playback_head((nkw_playback)mode, 1, 1, 0x1p52f), 1, 0, __LINE__);
+        expect_head(nkw_playback_head((nkw_playback)mode, 0, 1, 0x1p50f), 0, 0x1p50f, __LINE__);
+    }
+}
+
+/* The head in binary64 is before the end; its nearest float is the end. */
+static void a_rounded_head_of_a_loop_is_before_its_end(void **state)
+{
+    (void)state;
+    nkw_playback_range range = {1, 2, 0, NKW_PLAYBACK_LOOP, NKW_PLAYBACK_LOOP, 0, 0};
+    const float before = 1 - 0x1p-24f; /* 2^-24 before the start: 3 - 2^-24 of cycle -1 */
+    nkw_play_head_f64 wide = nkw_playback_head_f64(&range, (double)before);
+    assert_true(wide.time == 3 - 0x1p-24 && wide.cycle == -1);
+    expect_bits((float)wide.time, 3);
+    expect_head(nkw_playback_head(NKW_PLAYBACK_LOOP, 1, 2, before), 1, 0, __LINE__);
 }
 
 static void keys_are_passed_in_half_open_steps(void **state)
@@ -535,6 +550,7 @@ int main(void)
         cmocka_unit_test(loop_never_gives_its_end_and_does_not_drift),
         cmocka_unit_test(relative_motion_goes_on_across_the_seam),
         cmocka_unit_test(nonsense_is_the_start),
+        cmocka_unit_test(a_rounded_head_of_a_loop_is_before_its_end),
         cmocka_unit_test(keys_are_passed_in_half_open_steps),
         cmocka_unit_test(a_clip_played_once_passes_each_key_once),
         cmocka_unit_test(steps_that_follow_each_other_lose_and_repeat_nothing),
