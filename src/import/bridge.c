@@ -100,6 +100,24 @@ nkw_result nkw_document_models(const nkw_document *document, nkw_pose_view pose,
     return NKW_OK;
 }
 
+nkw_result nkw_document_mesh_joints(const nkw_document *document, int32_t root, int32_t *joints, size_t capacity,
+                                    size_t *count)
+{
+    const size_t all = document->skeleton.joint_count, first = root == NKW_NO_JOINT ? 0 : (size_t)root;
+    *count = 0;
+    if (root < NKW_NO_JOINT || (root != NKW_NO_JOINT && first >= all))
+        return NKW_OUT_OF_RANGE;
+    const size_t end = root == NKW_NO_JOINT ? all : nkw_skeleton_subtree_end(&document->skeleton, first);
+    for (size_t j = first; j < end; j++) {
+        if (document->nodes[j].mesh == NKW_NO_JOINT)
+            continue;
+        if (*count < capacity)
+            joints[*count] = (int32_t)j;
+        ++*count;
+    }
+    return *count <= capacity ? NKW_OK : NKW_TOO_SMALL;
+}
+
 nkw_palette_source nkw_document_palette_source(const nkw_document *document, size_t skin, const nkw_mat4 *models)
 {
     const nkw_document_skin *s = &document->skins[skin];

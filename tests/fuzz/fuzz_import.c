@@ -118,6 +118,23 @@ static void check_indices(const nkw_document *d)
         }
 }
 
+/* The joints with a mesh, of all and of one joint: ascending, below it, as many as it says. */
+static void list_frames(fuzz *f, const nkw_document *d)
+{
+    const size_t joints = d->skeleton.joint_count, capacity = fuzz_upto(f, joints);
+    const int32_t root = (int32_t)fuzz_upto(f, joints + 1) - 1;
+    int32_t *list = (int32_t *)fuzz_block(f, capacity * sizeof *list);
+    size_t count, with_mesh = 0;
+    const nkw_result result = nkw_document_mesh_joints(d, root, list, capacity, &count);
+    FUZZ_CHECK(root < (int32_t)joints || (result == NKW_OUT_OF_RANGE && count == 0));
+    FUZZ_CHECK(result == NKW_OUT_OF_RANGE || (result == NKW_OK) == (count <= capacity));
+    for (size_t i = 0; i < count && i < capacity; i++)
+        FUZZ_CHECK(list[i] >= root && d->nodes[list[i]].mesh != NKW_NO_JOINT && (i == 0 || list[i] > list[i - 1]));
+    for (size_t j = 0; j < joints; j++)
+        with_mesh += d->nodes[j].mesh != NKW_NO_JOINT;
+    FUZZ_CHECK(root != NKW_NO_JOINT || count == with_mesh);
+}
+
 /* Samples every clip that can be built, and skins every mesh. */
 static void play(fuzz *f, const nkw_document *d)
 {
@@ -214,6 +231,7 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
             check_indices(d);
             nkw_document_validate(d, &error);
             play(&f, d);
+            list_frames(&f, d);
             write_again(&memory, d, outer);
         }
         nkw_document_close(d);

@@ -289,6 +289,20 @@ NKW_API void nkw_import_free(void *block);
 NKW_API nkw_result nkw_document_models(const nkw_document *document, nkw_pose_view pose, const nkw_mat4 *root,
                                        nkw_mat4 *models);
 
+/**
+ * The joints that carry a mesh, of a joint and all below it: what is drawn of a tree of frames, in depth-first order. For
+ * each, the model matrix of the joint is that of the primitives of its mesh; with a skin, the palette.
+ *
+ * root      a joint, or NKW_NO_JOINT: of the whole document
+ * joints    receives up to `capacity` joints, ascending; NULL with capacity 0 asks for the count
+ * count     receives their number, also if capacity is less; 0 after other errors
+ * Returns   NKW_OK; NKW_TOO_SMALL for capacity; NKW_OUT_OF_RANGE if root is no joint
+ *
+ * Source    the draw list of the matrix stack over D3DXFRAME: frames whose pMeshContainer is not NULL
+ */
+NKW_API nkw_result nkw_document_mesh_joints(const nkw_document *document, int32_t root, int32_t *joints,
+                                            size_t capacity, size_t *count);
+
 /** The source of the palette of a skin, which must be less than skin_count. */
 NKW_API nkw_palette_source nkw_document_palette_source(const nkw_document *document, size_t skin,
                                                        const nkw_mat4 *models);
