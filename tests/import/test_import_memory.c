@@ -129,8 +129,9 @@ static nkw_import_result open_outer(void)
     static const char text[] =
         "{\"asset\":{\"version\":\"2.0\"},\"buffers\":[{\"uri\":\"data.bin\",\"byteLength\":48}],"
         "\"bufferViews\":[{\"buffer\":0,\"byteLength\":48}],\"accessors\":[{\"bufferView\":0,\"componentType\":5126,"
-        "\"count\":4,\"type\":\"VEC3\"}],\"nodes\":[{\"mesh\":0,\"children\":[1]},{}],"
-        "\"meshes\":[{\"weights\":[0.5],\"primitives\":[{\"attributes\":{\"POSITION\":0},"
+        "\"count\":4,\"type\":\"VEC3\"},{\"bufferView\":0,\"componentType\":5126,\"count\":4,\"type\":\"VEC2\"}],"
+        "\"nodes\":[{\"mesh\":0,\"children\":[1]},{}],\"meshes\":[{\"weights\":[0.5],\"primitives\":[{\"attributes\":"
+        "{\"POSITION\":0,\"TEXCOORD_0\":1,\"TEXCOORD_1\":1,\"TEXCOORD_3\":1},"
         "\"targets\":[{\"POSITION\":0}]}]}]}";
     static const float numbers[12];
     outer o = {numbers, sizeof numbers};
