@@ -8,7 +8,7 @@ const algebra = ['mat', 'euler', 'axes', 'transform', 'arrays', 'dual', 'box', '
 const curves = ['fcurve', 'spline', 'nurbs', 'polycurve', 'track', 'dialect', 'edit', 'fit', 'reduce', 'clip_reduce',
   'timecode'];
 const bodies = ['pose', 'clip', 'skeleton', 'blend', 'transition', 'ik', 'foot', 'retarget', 'blendspace', 'bounds',
-  'palette', 'morph', 'partition'];
+  'palette', 'morph', 'partition', 'mesh'];
 
 const clips = ['track', 'pose', 'build', 'clip'];
 
@@ -38,6 +38,7 @@ export const adapters = { three: 'characters', 'all/three': 'all' };
 
 // Of the arrays of a struct how many values they have, and of numbers in a struct what they are by default.
 const stride = '10 * 16 * Math.ceil(jointCount / 16)';
+const corners = '(mesh.indices?.length ?? lengthOf(mesh.positions, 3))';
 const joints = { jointCount: 'parents.length', parents: 'jointCount' };
 export const arrays = {
   nkw_fcurve: { keyCount: 'keys.length', keys: 'keyCount' },
@@ -53,6 +54,8 @@ export const arrays = {
   nkw_partition_mesh: { influenceCount: '4', triangleCount: 'indices.length / 3',
     vertexCount: 'weights.length / influenceCount', indices: '3 * triangleCount', materials: 'triangleCount',
     joints: 'vertexCount * influenceCount', weights: 'vertexCount * influenceCount', depths: 'jointCount' },
+  nkw_mesh: { vertexCount: 'lengthOf(positions, 3)', positions: '3 * vertexCount',
+    triangleCount: 'indices ? indices.length / 3 : vertexCount / 3', indices: '3 * triangleCount' },
   nkw_palette_source: { modelCount: 'lengthOf(models, 16)',
     jointCount: 'joints?.length ?? (inverseBind ? lengthOf(inverseBind, 16) : modelCount)',
     models: '16 * modelCount', joints: 'jointCount', inverseBind: '16 * jointCount', globalInverse: '16' },
@@ -119,6 +122,7 @@ export const lengths = {
     weights: 'space.count ?? lengthOf(space.samples, space.dimension ?? 1)' },
   nkw_palette_to_mat4: { out: 'palette.jointCount' },
   nkw_palette_inverse_bind: { out: 'source.joints?.length ?? lengthOf(source.models, 16)' },
+  nkw_mesh_normals: { normals: corners },
   nkw_box_from_palette: { boxes: 'palette.jointCount + 1' },
 };
 // The working memory that a function needs: bytes of an nkw_work, or elements.
@@ -128,6 +132,7 @@ export const work = {
   nkw_track_fit: '8 * (track.count * (track.width + 5) + track.width)',
   nkw_ik_chain_solve: '12 * lengthOf(chain.offsets, 3)',
   nkw_ik_pose_chain: '40 * reach.jointCount',
+  nkw_mesh_normals: `59 * ${corners}`,
   nkw_retarget_apply: '32 * (source.jointCount + out.jointCount)',
 };
 
@@ -135,6 +140,7 @@ export const work = {
 export const excluded = {
   nkw_partition_vertices: 'it reads a partition, which is not kept: nkw_mat4_transform_point of the bind matrices',
   nkw_version: 'the version is in package.json',
+  nkw_mesh_weld: 'it compares bytes: a Map of strings',
   nkw_segment_find_n: 'nkw_segment_find for each time',
 };
 export const excludedStems = {};

@@ -29,6 +29,7 @@
     X(blendspace) \
     X(morph) \
     X(bounds) \
+    X(mesh) \
     X(transition) \
     X(nurbs) \
     X(polycurve)

@@ -1,0 +1,89 @@
+/* SPDX-License-Identifier: MIT */
+/**
+ * @file
+ * Triangle meshes prepared for skinning and shading: smooth normals, and equal vertices joined.
+ *
+ * A corner is a vertex of a triangle: triangle t has the corners 3t, 3t + 1, 3t + 2. Normals are computed for corners,
+ * because the two sides of a hard edge have the same position and different normals. Write the corners as vertices of
+ * their own, then join those that are equal: nkw_mesh_weld.
+ *
+ * Corners have the same position if their coordinates are equal as numbers: -0 is 0. Triangles with two corners at the
+ * same position, or with three on a line, are degenerate. Computed in binary64, sums in the order of the triangles.
+ */
+#ifndef NAKAWARI_MESH_H
+#define NAKAWARI_MESH_H
+
+#include <stdint.h>
+
+#include "types.h"
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/** The triangles of a mesh, in arrays of the caller. Vertices that no triangle uses are not read. */
+typedef struct nkw_mesh {
+    const nkw_vec3 *positions; /**< vertex_count */
+    size_t vertex_count; /**< at most 2^32 */
+    const uint32_t *indices; /**< 3 for each triangle; NULL: 0 1 2, 3 4 5 ... */
+    size_t triangle_count; /**< at most 2^32 / 24 */
+} nkw_mesh;
+NKW_SIZE(nkw_mesh, 32, 16);
+
+/** The bytes of working memory that are enough for every function here that takes an nkw_mesh. */
+#define NKW_MESH_WORK(triangle_count) ((triangle_count) * (size_t)176)
+
+/**
+ * Smooth normals, one for each corner:
+ *
+ *     n = normalize(sum over the corners c at the same position of angle(c) N(c))
+ *
+ * N(c) is the unit normal of the triangle of c, counter-clockwise seen from its tip, and angle(c) the angle of the
+ * triangle at c. Counted are the triangles whose normal is at most `crease` from that of the corner's own triangle. The
+ * weights by angle make the result independent of how flat faces are divided into triangles.
+ *
+ * Degenerate triangles have the weight 0; their own corners count all triangles at the position. Where the sum cancels
+ * (its length is at most 2^-20 of the sum of its weights: both sides of a sheet), n is the normal of the corner's own
+ * triangle. Where that is degenerate too, n is the zero vector.
+ *
+ * crease   radians, not negative; from pi on, all triangles count. 2^-20 rad are added for rounding
+ * normals  receives 3 * mesh->triangle_count normals; may be the positions
+ * bad      receives the first offending triangle, 0 if there is none; may be NULL
+ * work     NKW_MESH_WORK
+ * Returns
+ *
+ *     NKW_OK            no error
+ *     NKW_OUT_OF_RANGE  a count is out of the range stated above (*bad is then 0), a vertex index is not less than
+ *                       vertex_count, or the crease is negative or NaN (*bad is then 0)
+ *     NKW_NOT_FINITE    a position is not finite
+ *     NKW_TOO_SMALL     too little working memory; none is needed to check a mesh
+ *
+ * The time grows with the square of the number of triangles at one position, and linearly from pi on.
+ *
+ * Error   1 u of each component, where the sum is at least half of the sum of its weights
+ * Source  Thuermer, Wuethrich, Computing Vertex Normals from Polygonal Facets, Journal of Graphics Tools, 1998.
+ */
+NKW_API nkw_result nkw_mesh_normals(const nkw_mesh *mesh, float crease, nkw_vec3 *normals, size_t *bad, nkw_work work);
+
+/** The bytes of working memory of nkw_mesh_weld for `count` records. */
+#define NKW_MESH_WELD_WORK(count) ((count) * (size_t)12)
+
+/**
+ * Joins equal records, such as interleaved vertices: records whose `stride` bytes are the same. Floats are compared as
+ * bits: 0 and -0 differ.
+ *
+ * records  `count` records of `stride` bytes, contiguous; any alignment
+ * remap    receives for each record the number of its value; values are numbered in the order of their first record.
+ *          So remap[i] is new if it is larger than all before, and record i is then its first
+ * distinct receives the number of values; may be NULL
+ * work     NKW_MESH_WELD_WORK
+ * Returns  NKW_OUT_OF_RANGE for more than 2^30 records, NKW_TOO_SMALL; nothing is then written
+ */
+NKW_API nkw_result nkw_mesh_weld(const void *records, size_t count, size_t stride, uint32_t *remap, size_t *distinct,
+                                 nkw_work work);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif

@@ -1,0 +1,95 @@
+/* SPDX-License-Identifier: MIT */
+#include "fuzz.h"
+
+#include <nakawari/nakawari.h>
+
+#include <string.h>
+
+enum { TRIANGLES = 60, VERTICES = 40 };
+
+/* Vertices at few places, so that triangles are degenerate and share positions. */
+static nkw_mesh draw_mesh(fuzz *f, int wild)
+{
+    nkw_mesh m = {NULL, 1 + fuzz_upto(f, VERTICES - 1), NULL, fuzz_upto(f, TRIANGLES)};
+    float *positions = fuzz_floats(f, 3 * m.vertex_count, wild);
+    const int few = fuzz_byte(f) % 2;
+    for (size_t i = 0; few && i < 3 * m.vertex_count; i++)
+        if (positions[i] > -4.0f && positions[i] < 4.0f)
+            positions[i] = (float)(int)(positions[i] / 2.0f);
+    m.positions = (const nkw_vec3 *)positions;
+    if (fuzz_byte(f) % 4 == 0) {
+        m.triangle_count = m.vertex_count / 3 + (size_t)(wild && fuzz_byte(f) % 4 == 0);
+        return m;
+    }
+    uint32_t *indices = fuzz_bytes(f, 12 * m.triangle_count);
+    for (size_t i = 0; i < 3 * m.triangle_count; i++)
+        indices[i] = wild && i % 64 == 63 ? indices[i] : indices[i] % (uint32_t)m.vertex_count;
+    m.indices = indices;
+    return m;
+}
+
+/* The first triangle with a fault, and the fault, by plain means. */
+static nkw_result fault_of(const nkw_mesh *m, size_t *bad)
+{
+    for (size_t c = 0; c < 3 * m->triangle_count; c++) {
+        const size_t v = m->indices ? m->indices[c] : c;
+        *bad = c / 3;
+        if (v >= m->vertex_count)
+            return NKW_OUT_OF_RANGE;
+        if (!fuzz_finite(&m->positions[v].x, 3))
+            return NKW_NOT_FINITE;
+    }
+    *bad = 0;
+    return NKW_OK;
+}
+
+/* Each normal is zero or unit. */
+static void normals(fuzz *f, const nkw_mesh *m, nkw_work work)
+{
+    size_t bad = 99, want_bad;
+    const nkw_result want = fault_of(m, &want_bad);
+    const float crease = fuzz_byte(f) % 4 ? (float)fuzz_upto(f, 400) / 100.0f : fuzz_float(f);
+    nkw_vec3 *out = (nkw_vec3 *)(void *)fuzz_room(f, 9 * m->triangle_count);
+    const nkw_result result = nkw_mesh_normals(m, crease, out, &bad, work);
+    if (!(crease >= 0.0f)) {
+        FUZZ_CHECK(result == NKW_OUT_OF_RANGE && bad == 0);
+        return;
+    }
+    FUZZ_CHECK(result == want && bad == want_bad);
+    for (size_t c = 0; result == NKW_OK && c < 3 * m->triangle_count; c++) {
+        const float length = nkw_vec3_length(out[c]);
+        FUZZ_CHECK(length == 0.0f || (length > 0.999999f && length < 1.000001f));
+    }
+}
+
+/* Equal numbers are equal records, and numbers ascend. */
+static void weld(fuzz *f)
+{
+    const size_t count = fuzz_upto(f, 100), stride = fuzz_upto(f, 5);
+    const unsigned char *records = fuzz_bytes(f, count * stride);
+    uint32_t *remap = fuzz_block(f, 4 * count), next = 0;
+    size_t distinct = 99;
+    const nkw_work work = fuzz_work(f, NKW_MESH_WELD_WORK(count));
+    FUZZ_CHECK(nkw_mesh_weld(records, count, stride, remap, &distinct, work) == NKW_OK);
+    for (size_t i = 0; i < count; i++) {
+        size_t j = 0;
+        while (remap[j] != remap[i])
+            j++;
+        FUZZ_CHECK(memcmp(records + i * stride, records + j * stride, stride) == 0);
+        FUZZ_CHECK(j < i || remap[i] == next++);
+    }
+    FUZZ_CHECK(distinct == next);
+    const size_t huge = fuzz_huge(f);
+    const nkw_work none = {NULL, 0};
+    FUZZ_CHECK((nkw_mesh_weld(records, huge, stride, remap, NULL, none) == NKW_OK) == (huge == 0));
+}
+
+int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
+{
+    fuzz f = fuzz_begin(data, size);
+    const nkw_mesh m = draw_mesh(&f, fuzz_byte(&f) % 2);
+    const nkw_work work = fuzz_work(&f, NKW_MESH_WORK(m.triangle_count));
+    normals(&f, &m, work);
+    weld(&f);
+    return fuzz_end(&f);
+}

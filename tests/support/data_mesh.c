@@ -1,0 +1,38 @@
+/* SPDX-License-Identifier: MIT */
+#include "data.h"
+#include "hash.h"
+#include "random.h"
+#include "solids.h"
+#include "views.h"
+
+static unsigned char memory[NKW_MESH_WORK(SOLID_TRIANGLES) + 16];
+
+/* A grid of 10 x 10 vertices, uneven, a few of them at the place of others. */
+static void draw_grid(random_source *r, solid *s)
+{
+    s->vertex_count = 100;
+    s->triangle_count = 0;
+    for (uint32_t i = 0; i < 100; i++) {
+        const nkw_vec3 p = {(float)(i % 10), (float)(i / 10), 0.0f};
+        s->positions[i] = i % 23 == 22 ? s->positions[i - 1] : nkw_vec3_add(p, random_vec3(r, -0.4f, 0.4f));
+        const uint32_t quad[4] = {i, i + 1, i + 11, i + 10};
+        if (i % 10 < 9 && i < 90)
+            solid_quad(s, quad, (int)(random_bits(r) % 2));
+    }
+}
+
+uint64_t data_mesh(void)
+{
+    static const float creases[] = {0.0f, 0.2f, 0.7f, 1.5f, 4.0f};
+    random_source r = random_from(16);
+    uint64_t hash = HASH_START;
+    for (int round = 0; round < 20; round++) {
+        solid s;
+        nkw_vec3 normals[3 * SOLID_TRIANGLES];
+        draw_grid(&r, &s);
+        const nkw_mesh mesh = solid_mesh(&s);
+        nkw_mesh_normals(&mesh, creases[round % 5], normals, NULL, work_in(memory, sizeof memory));
+        hash = hash_floats(hash, &normals[0].x, 9 * s.triangle_count);
+    }
+    return hash;
+}
