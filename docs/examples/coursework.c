@@ -29,6 +29,7 @@ static const char usage[] =
     "  --joints           index.html shows the pictures of nakawari-joints too, from the same folder\n"
     "  --character        and those of a character, by nakawari render: walk.apng, wave.apng, hop.apng, sheet.png\n"
     "  --page LINK        and a link to the page of exhibits\n"
+    "  --docs LINK        and one to the folder docs, for the reasons\n"
     "  --trace TIME       write no file; print the calculation at TIME step by step, with\n"
     "  --position P       linear, hermite (default), bezier, bspline, catmull-rom or step, and\n"
     "  --orientation O    none, euler, quat (default), euler-unwrapped or nlerp\n"
@@ -63,6 +64,7 @@ static int read_options(int argc, char **argv, options *o)
                             {"--joints", OPTION_FLAG, &o->report.joints, 0, 0, NULL},
                             {"--character", OPTION_FLAG, &o->report.character, 0, 0, NULL},
                             {"--page", OPTION_TEXT, &o->report.page, 0, 0, NULL},
+                            {"--docs", OPTION_TEXT, &o->report.docs, 0, 0, NULL},
                             {"--trace", OPTION_NUMBER, &o->time, -1e6, 1e6, &o->trace},
                             {"--position", OPTION_TEXT, &position, 0, 0, NULL},
                             {"--orientation", OPTION_TEXT, &orientation, 0, 0, NULL},
@@ -95,7 +97,7 @@ static int run(const options *o)
 
 int main(int argc, char **argv)
 {
-    options o = {1, 0, 0.0, {program, ".", 0.1, NULL, 0, 0}, 0, 0, report_find("hermite", report_positions),
+    options o = {1, 0, 0.0, {program, ".", 0.1, NULL, NULL, 0, 0}, 0, 0, report_find("hermite", report_positions),
                  report_find("quat", report_orientations), report_rules};
     int code = DONE;
     if (!read_options(argc, argv, &o))

@@ -80,9 +80,9 @@ add_test(NAME example_coursework_with_character COMMAND "${CMAKE_COMMAND}"
   -DSHOWN=hop.apng ${run})
 set_tests_properties(example_coursework_with_character PROPERTIES LABELS unit)
 add_test(NAME example_coursework_with_page COMMAND "${CMAKE_COMMAND}"
-  "-DPROGRAM=$<TARGET_FILE:nakawari-coursework>" "-DARGUMENTS=--joints;--page;PAGE"
+  "-DPROGRAM=$<TARGET_FILE:nakawari-coursework>" "-DARGUMENTS=--joints;--page;PAGE;--docs;DOCS"
   "-DOUT=${CMAKE_CURRENT_BINARY_DIR}/coursework-with-page" -DFILES=index.html
-  "-DSHOWN=href=\"PAGE\".*href=\"PAGE#exercise.*href=\"PAGE#rotations\".*href=\"PAGE#twist\"" ${run})
+  "-DSHOWN=href=\"DOCS/coursework.md#where-this-library-differs\".*href=\"PAGE\".*href=\"PAGE#exercise.*href=\"PAGE#rotations\".*href=\"PAGE#twist\"" ${run})
 set_tests_properties(example_coursework_with_page PROPERTIES LABELS unit)
 example_says(coursework summary 0 "1.5   -1.00  0.75  0.50  -0.96  0.92  0.44  -0.88  0.68  0.38  -0.98  0.74  0.48"
   --out "${CMAKE_CURRENT_BINARY_DIR}")

@@ -149,7 +149,7 @@ static int check_numbers(const scene *s, request *r)
 static int run(const nkw_document *d, void *data)
 {
     request *r = data;
-    const report_options o = {"nakawari exercise", r->output ? r->output : ".", r->step, NULL, 0, 0};
+    const report_options o = {"nakawari exercise", r->output ? r->output : ".", r->step, NULL, NULL, 0, 0};
     scene s;
     if (!read_scene(d, r, &s))
         return 0;

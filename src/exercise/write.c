@@ -247,11 +247,15 @@ static void write_door(FILE *f, const report_options *o)
 
 static void write_links(FILE *f, const scene *s, const report_options *o)
 {
-    fprintf(f,
-            " The numbers by the rule of the exercise's program: <a href=\"%s_exercise.csv\">%s_exercise.csv</a>; by the "
-            "library's: <a href=\"%s_library.csv\">%s_library.csv</a>. ",
-            s->name, s->name, s->name, s->name);
-    print_difference(f, s, o, "<code>docs/coursework.md</code>, <i>Where this library differs</i>.</p>");
+    fprintf(
+        f,
+        " The numbers by the rule of the exercise's program: <a href=\"%s_exercise.csv\">%s_exercise.csv</a>; by the "
+        "library's: <a href=\"%s_library.csv\">%s_library.csv</a>. ",
+        s->name, s->name, s->name, s->name);
+    print_difference(f, s, o, "");
+    if (o->docs)
+        fprintf(f, "<a href=\"%s/coursework.md#where-this-library-differs\">", o->docs);
+    fprintf(f, "docs/coursework.md, <i>Where this library differs</i>%s.</p>\n", o->docs ? "</a>" : "");
 }
 
 static int write_index(const scene *s, const report_options *o, const char *path)

@@ -22,6 +22,7 @@ typedef struct report_options {
     const char *folder; /**< exists; at most 4000 characters */
     double step; /**< seconds between the rows of a table */
     const char *page; /**< a link to the page of exhibits, or NULL */
+    const char *docs; /**< a link to the folder docs, or NULL */
     int joints, character; /**< whether the page shows the pictures of nakawari-joints, of nakawari render */
 } report_options;
 

@@ -196,6 +196,25 @@ static void the_expected_table_agrees(void **state)
     program_says(1, "orientation, none: 11 of 71 rows differ, from 1 s", CHECK "expected.csv --rule library");
 }
 
+/* for ( float t=0.0f; ...; t+=0.1f ): of the sums 10, 20 ... some are before the key and some after, and "%.6f" hides it. */
+static void a_sum_of_steps_explains_the_rows_at_keys(void **state)
+{
+    (void)state;
+    const student s = {STUDENT_LINEAR, STUDENT_NONE, SLIP_NONE};
+    FILE *f = fopen("mine.csv", "wb");
+    assert_non_null(f);
+    float t = 0.0f;
+    for (int i = 0; i <= 60; i++, t += 0.1f) {
+        student_pose pose = student_sample(&s, (double)t);
+        fprintf(f, "%.1f", i / 10.0);
+        put_matrix(f, ' ', &pose, 0);
+        fputc('\n', f);
+    }
+    assert_int_equal(fclose(f), 0);
+    program_says(1, "61 rows agree\norientation, none: ", CHECK "mine.csv -q none");
+    program_says(1, "or the time is slightly after the key, in 1.7\n", CHECK "mine.csv -q none");
+}
+
 /* ---- wrong programs ---- */
 
 static void every_mistake_is_named(void **state)
@@ -338,6 +357,7 @@ int main(void)
         cmocka_unit_test(right_programs_of_every_method_agree),
         cmocka_unit_test(right_programs_agree_in_every_form),
         cmocka_unit_test(the_expected_table_agrees),
+        cmocka_unit_test(a_sum_of_steps_explains_the_rows_at_keys),
         cmocka_unit_test(every_mistake_is_named),
         cmocka_unit_test(mistakes_of_the_form_are_named),
         cmocka_unit_test(a_transposed_rotation_is_named),

@@ -11,11 +11,8 @@ static const char *const texts[] = {
     "time,x,y,z,qx,qy,qz,qw\n0,1,2,3,0,0,0,1\r\n0.1,-1,.5,2e-1,0,1,0,-1\n",
     "Pos_Method;time;m00;m01;m02;m10;m11;m12;m20;m21;m22;ori_method\nHermit;0,5;1;0;0;0;1;0;0;0;1;Quat\n",
     "# mine\n0 1 0 0 0 0 1 0 0 0 0 1 0 1 2 3 1\n2\t1 0 0 0 0 1 0 0 0 0 1 0 1 2 3 1\n",
-    "Animation Mode\nPosition: Bezier, Orientation: Euler\nTime: 1.25\n1 0 0 0\n0 1 0 0\n0 0 1 0\n4 5 6 1\nTime: 2\n1 "
-    "0 0 "
-    "0 0 1 0 0 0 0 1 0 4 5 6 1\n",
-    "scene,n_keys,t,yaw_deg,pitch,roll,r\nscene1,7,0,10,20,-30,1\nscene2,7,x,\"10\",20,-30,1\nscene1,7,1,400,20,-30,"
-    "1\n",
+    "Layout Mode\nPosition: Bezier, Orientation: Euler\nTime: 1\n1 0 0\n0 1 0\n0 0 1\nTime: 2 1 0 0 0 1 0 0 0 1\n",
+    "scene,n,t,yaw_deg,pitch,roll,r\nscene1,7,0,10,20,-30,1\nscene2,7,x,\"10\",2,-3,1\nscene1,7,1,400,20,-30,1\n",
     "0 1 2 3 10 20 30\n6 1 0 -1 40 50 60\n"};
 
 static const char *const words[] = {"\n",    "\r\n", ",",   ";",   "\t", " ",    "Time:", "Position:", "nan", "1e39",
