@@ -108,6 +108,13 @@ static const alias names[] = {
     {"posx", SLOT_POSITION},
     {"posy", SLOT_POSITION + 1},
     {"posz", SLOT_POSITION + 2},
+    {"positionx", SLOT_POSITION},
+    {"positiony", SLOT_POSITION + 1},
+    {"positionz", SLOT_POSITION + 2},
+    {"quatx", SLOT_QUAT},
+    {"quaty", SLOT_QUAT + 1},
+    {"quatz", SLOT_QUAT + 2},
+    {"quatw", SLOT_QUAT + 3},
     {"qx", SLOT_QUAT},
     {"qy", SLOT_QUAT + 1},
     {"qz", SLOT_QUAT + 2},
@@ -204,6 +211,18 @@ static void cut_unit(reader *r, char *name)
     }
 }
 
+/* "time [s]" and "x (m)" as "time" and "x". */
+static const char *without_unit(const char *text, char out[FIELDS_NAME])
+{
+    char cut[FIELDS_NAME];
+    const size_t n = strcspn(text, "([");
+    if (n >= sizeof cut)
+        return fields_name(text, out);
+    memcpy(cut, text, n);
+    cut[n] = '\0';
+    return fields_name(cut, out);
+}
+
 static int slot_of(reader *r, const elements *e, const char *text)
 {
     char name[FIELDS_NAME];
@@ -213,6 +232,8 @@ static int slot_of(reader *r, const elements *e, const char *text)
         return element_slot(r, e, digits, value);
     cut_unit(r, name);
     value = find_alias(names, name);
+    if (value < 0)
+        value = find_alias(names, without_unit(text, name));
     return value < 0 ? SLOT_NONE : value;
 }
 

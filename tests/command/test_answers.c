@@ -165,9 +165,11 @@ static void right_programs_agree_in_every_form(void **state)
 {
     (void)state;
     const student quat = {STUDENT_HERMITE, STUDENT_QUAT, SLIP_NONE}, euler = {STUDENT_BEZIER, STUDENT_EULER, SLIP_NONE};
-    const form quaternions = {"\xef\xbb\xbfqw,keys,qx,qy,qz,Time,z,y,x\r\n", "\r\n", quaternion_row},
+    const form quaternions = {"\xef\xbb\xbfqw,keys,quat.x,quat.y,quat.z,Time,z,Position Y,x\r\n", "\r\n",
+                              quaternion_row},
                degrees = {"time;x;y;z;pitch (deg);yaw (deg);roll (deg)\n", "\n", degrees_row},
                unstated = {"Time;Pos_X;Pos_Y;Pos_Z;Pitch;Yaw;Roll\n", "\n", degrees_row},
+               units = {"time [s];x (m);y (m);z (m);pitch;yaw;roll\n", "\n", degrees_row},
                radians = {"# mine\n\ntime;px;py;pz;pitch;yaw;roll\n", "\n\n", radians_row},
                commas = {"", "\n", commas_row},
                named = {"pos_method, time, m00, m01, m02, m10, m11, m12, m20, m21, m22, ori_method\n", "\n", named_row},
@@ -176,6 +178,7 @@ static void right_programs_agree_in_every_form(void **state)
     says(&quat, &quaternions, 0, "61 rows agree\norientation, quat (the most likely method): 61 rows agree", "");
     says(&euler, &degrees, 0, "angles in degrees\nposition, bezier", "");
     says(&euler, &unstated, 0, "angles in degrees\nposition, bezier", "");
+    says(&euler, &units, 0, "angles in degrees\nposition, bezier", "");
     says(&euler, &radians, 0, "0.001\nposition, bezier (the most likely method): 61 rows agree\norientation, euler",
          "");
     says(&quat, &commas, 0, "position, hermite (the most likely method): 61 rows agree", "");
