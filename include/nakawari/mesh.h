@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /**
  * @file
- * Triangle meshes prepared for skinning and shading: smooth normals, and equal vertices joined.
+ * Triangle meshes prepared for skinning and shading: smooth normals, consistent facing, equal vertices joined.
  *
  * A corner is a vertex of a triangle: triangle t has the corners 3t, 3t + 1, 3t + 2. Normals are computed for corners,
  * because the two sides of a hard edge have the same position and different normals. Write the corners as vertices of
@@ -64,6 +64,37 @@ NKW_SIZE(nkw_mesh, 32, 16);
  * Source  Thuermer, Wuethrich, Computing Vertex Normals from Polygonal Facets, Journal of Graphics Tools, 1998.
  */
 NKW_API nkw_result nkw_mesh_normals(const nkw_mesh *mesh, float crease, nkw_vec3 *normals, size_t *bad, nkw_work work);
+
+/** What nkw_mesh_fix_facing found. Pieces are triangles that edges of two triangles connect; degenerate ones are none. */
+typedef struct nkw_mesh_facing {
+    size_t turned_count; /**< triangles whose second and third vertex were exchanged */
+    size_t piece_count;
+    size_t closed_count; /**< pieces all of whose edges have two triangles that agree */
+    size_t conflict_count; /**< edges whose two triangles cannot agree: a Moebius strip has one */
+    size_t branch_count; /**< edges of three triangles or more, which connect none */
+} nkw_mesh_facing;
+NKW_SIZE(nkw_mesh_facing, 40, 20);
+
+/**
+ * Makes the triangles of each piece face the same way: two triangles that share an edge, by its positions, pass it in
+ * opposite directions.
+ *
+ *     closed pieces    outward: the volume, the sum of det(p0, p1, p2) / 6, is positive
+ *     other pieces     the way of most of their triangles; of halves, that of the first triangle
+ *
+ * The same holds for closed pieces of no volume (at most 2^-40 of the sum of the magnitudes). A piece inside of another
+ * is turned outward too. Degenerate triangles are not turned.
+ *
+ * indices  receives the triangles, 3 * mesh->triangle_count indices; may be the indices of the mesh
+ * facing   receives what was found; may be NULL
+ * bad      receives the first offending triangle, 0 if there is none; may be NULL
+ * work     NKW_MESH_WORK
+ * Returns  as nkw_mesh_normals
+ *
+ * Normals of turned triangles are not changed: where they point to the back, negate them, or compute them anew.
+ */
+NKW_API nkw_result nkw_mesh_fix_facing(const nkw_mesh *mesh, uint32_t *indices, nkw_mesh_facing *facing, size_t *bad,
+                                       nkw_work work);
 
 /** The bytes of working memory of nkw_mesh_weld for `count` records. */
 #define NKW_MESH_WELD_WORK(count) ((count) * (size_t)12)

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* Checks of meshes, corners of the same position, equal records. */
+/* Checks of meshes, corners of the same position, edges of the same ends, equal records. */
 #include "mesh_join.h"
 
 #include <string.h>
@@ -54,6 +54,29 @@ static int same_position(const void *context, size_t a, size_t b)
 void nkwi_mesh_join_positions(const nkw_mesh *mesh, mesh_join out, uint32_t *table)
 {
     mesh_join_equal(out, 3 * mesh->triangle_count, table, hash_position, same_position, mesh);
+}
+
+/* ---- Edges of the same ends ---- */
+
+static uint32_t hash_edge(const void *context, size_t corner)
+{
+    const uint32_t *ids = context, a = ids[corner], b = ids[mesh_after(corner)];
+    if (mesh_is_collapsed(ids, corner / 3))
+        return mesh_mixed(mesh_mix(1, (uint32_t)corner));
+    return mesh_mixed(mesh_mix(mesh_mix(0, a < b ? a : b), a < b ? b : a));
+}
+
+static int same_edge(const void *context, size_t a, size_t b)
+{
+    const uint32_t *ids = context, a0 = ids[a], a1 = ids[mesh_after(a)], b0 = ids[b], b1 = ids[mesh_after(b)];
+    if (mesh_is_collapsed(ids, a / 3) || mesh_is_collapsed(ids, b / 3))
+        return 0;
+    return (a0 == b0 && a1 == b1) || (a0 == b1 && a1 == b0);
+}
+
+void nkwi_mesh_join_edges(const uint32_t *ids, size_t n, mesh_join out, uint32_t *table)
+{
+    mesh_join_equal(out, n, table, hash_edge, same_edge, ids);
 }
 
 /* ---- Equal records ---- */

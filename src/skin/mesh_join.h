@@ -94,4 +94,23 @@ nkw_result nkwi_mesh_check(const nkw_mesh *mesh, size_t *bad);
 /* Joins the corners of the same position. */
 void nkwi_mesh_join_positions(const nkw_mesh *mesh, mesh_join out, uint32_t *table);
 
+/*
+ * Joins the edges with the same ends, in either direction. `ids` has a number for each of n corners: the same for the
+ * same end. Edges of triangles with two equal ends equal no other.
+ */
+void nkwi_mesh_join_edges(const uint32_t *ids, size_t n, mesh_join out, uint32_t *table);
+
+/* Whether two corners of the triangle are the same. */
+static inline int mesh_is_collapsed(const uint32_t *ids, size_t triangle)
+{
+    const uint32_t *id = ids + 3 * triangle;
+    return id[0] == id[1] || id[1] == id[2] || id[2] == id[0];
+}
+
+/* Whether the edge of the corner leads from the smaller id to the larger. */
+static inline int mesh_ascends(const uint32_t *ids, size_t corner)
+{
+    return ids[corner] < ids[mesh_after(corner)];
+}
+
 #endif

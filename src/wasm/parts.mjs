@@ -122,7 +122,7 @@ export const lengths = {
     weights: 'space.count ?? lengthOf(space.samples, space.dimension ?? 1)' },
   nkw_palette_to_mat4: { out: 'palette.jointCount' },
   nkw_palette_inverse_bind: { out: 'source.joints?.length ?? lengthOf(source.models, 16)' },
-  nkw_mesh_normals: { normals: corners },
+  nkw_mesh_normals: { normals: corners }, nkw_mesh_fix_facing: { indices: corners, facing: '1' },
   nkw_box_from_palette: { boxes: 'palette.jointCount + 1' },
 };
 // The working memory that a function needs: bytes of an nkw_work, or elements.
@@ -132,7 +132,7 @@ export const work = {
   nkw_track_fit: '8 * (track.count * (track.width + 5) + track.width)',
   nkw_ik_chain_solve: '12 * lengthOf(chain.offsets, 3)',
   nkw_ik_pose_chain: '40 * reach.jointCount',
-  nkw_mesh_normals: `59 * ${corners}`,
+  nkw_mesh_normals: `59 * ${corners}`, nkw_mesh_fix_facing: `59 * ${corners}`,
   nkw_retarget_apply: '32 * (source.jointCount + out.jointCount)',
 };
 

@@ -62,6 +62,32 @@ static void normals(fuzz *f, const nkw_mesh *m, nkw_work work)
     }
 }
 
+/* Triangles keep their first vertex; what is settled stays. */
+static void facing(fuzz *f, const nkw_mesh *m, nkw_work work)
+{
+    size_t bad = 99, want_bad, turned = 0;
+    const nkw_result want = fault_of(m, &want_bad);
+    uint32_t *out = fuzz_block(f, 12 * m->triangle_count);
+    nkw_mesh_facing found, again;
+    FUZZ_CHECK(nkw_mesh_fix_facing(m, out, &found, &bad, work) == want && bad == want_bad);
+    if (want != NKW_OK)
+        return;
+    for (size_t c = 0; c < 3 * m->triangle_count; c += 3) {
+        const uint32_t a = m->indices ? m->indices[c] : (uint32_t)c, b = m->indices ? m->indices[c + 1] : a + 1,
+                       d = m->indices ? m->indices[c + 2] : a + 2;
+        FUZZ_CHECK(out[c] == a && ((out[c + 1] == b && out[c + 2] == d) || (out[c + 1] == d && out[c + 2] == b)));
+        turned += out[c + 1] != b || out[c + 2] != d;
+    }
+    FUZZ_CHECK(found.turned_count >= turned && found.closed_count <= found.piece_count);
+    FUZZ_CHECK(found.piece_count <= m->triangle_count);
+    nkw_mesh settled = *m;
+    settled.indices = out;
+    FUZZ_CHECK(nkw_mesh_fix_facing(&settled, out, &again, NULL, work) == NKW_OK);
+    FUZZ_CHECK(again.piece_count == found.piece_count && again.closed_count == found.closed_count);
+    FUZZ_CHECK(again.branch_count == found.branch_count && again.conflict_count == found.conflict_count);
+    FUZZ_CHECK(found.conflict_count || again.turned_count == 0);
+}
+
 /* Equal numbers are equal records, and numbers ascend. */
 static void weld(fuzz *f)
 {
@@ -90,6 +116,7 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
     const nkw_mesh m = draw_mesh(&f, fuzz_byte(&f) % 2);
     const nkw_work work = fuzz_work(&f, NKW_MESH_WORK(m.triangle_count));
     normals(&f, &m, work);
+    facing(&f, &m, work);
     weld(&f);
     return fuzz_end(&f);
 }

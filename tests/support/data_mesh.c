@@ -21,6 +21,34 @@ static void draw_grid(random_source *r, solid *s)
     }
 }
 
+/* Numbers below 2^24. */
+static uint64_t hash_numbers(uint64_t hash, const uint32_t *numbers, size_t count)
+{
+    for (size_t i = 0; i < count; i++) {
+        const float number = (float)numbers[i];
+        hash = hash_floats(hash, &number, 1);
+    }
+    return hash;
+}
+
+/* Some triangles turned, one edge of three triangles. */
+static uint64_t hash_facing(uint64_t hash, random_source *r, solid *s)
+{
+    for (size_t t = 0; t < s->triangle_count; t++) {
+        uint32_t *i = s->indices + 3 * t, second = i[1];
+        if (random_bits(r) % 3 == 0)
+            i[1] = i[2], i[2] = second;
+    }
+    solid_triangle(s, 0, 1, 50);
+    const nkw_mesh mesh = solid_mesh(s);
+    nkw_mesh_facing f;
+    nkw_mesh_fix_facing(&mesh, s->indices, &f, NULL, work_in(memory, sizeof memory));
+    const uint32_t counts[] = {(uint32_t)f.turned_count, (uint32_t)f.piece_count, (uint32_t)f.closed_count,
+                               (uint32_t)f.conflict_count, (uint32_t)f.branch_count};
+    hash = hash_numbers(hash, counts, 5);
+    return hash_numbers(hash, s->indices, 3 * s->triangle_count);
+}
+
 uint64_t data_mesh(void)
 {
     static const float creases[] = {0.0f, 0.2f, 0.7f, 1.5f, 4.0f};
@@ -33,6 +61,7 @@ uint64_t data_mesh(void)
         const nkw_mesh mesh = solid_mesh(&s);
         nkw_mesh_normals(&mesh, creases[round % 5], normals, NULL, work_in(memory, sizeof memory));
         hash = hash_floats(hash, &normals[0].x, 9 * s.triangle_count);
+        hash = hash_facing(hash, &r, &s);
     }
     return hash;
 }
