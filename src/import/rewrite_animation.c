@@ -5,10 +5,10 @@
  * Invariant: channels keep their number, target and extensions. Only the member "sampler" of a channel changes, and the
  * list of samplers.
  *
- *     channels    0  1  2  3         track of the caller: 0 -> 0, 1 -> 1, 3 -> 2; channel 2 has none (its target is unknown)
- *     old         0  1  1  1         channels 1, 2, 3 share a sampler
- *     replaced    a  b  1  c         one for each channel: a, b, c are new
- *     shared      0  1  2  3         the list, after equal ones are joined again
+ *     channels    0  1  2  3  4      2 and 4 have no track: their targets are not known here
+ *     old         0  1  1  1  1      channels 1 to 4 share a sampler
+ *     replaced    a  b  1  c  1      a, b and c are new, one for each track
+ *     shared      0  1  2  3  2      the index of each in the list a b 1 c: equal samplers are in it once
  */
 #include "rewrite.h"
 
@@ -21,7 +21,7 @@ static size_t track_of(const nkw_document_animation *a, size_t channel)
     return SIZE_MAX;
 }
 
-/* Arrays are compared by address: `to` names those of `from` where nothing is replaced. */
+/* Arrays are compared by address: `to` names those of `from` where nothing is replaced. Then no key is written anew. */
 static int is_replaced(const nkw_track *from, const nkw_track *to)
 {
     return from->times != to->times || from->values != to->values || from->count != to->count ||
@@ -74,6 +74,7 @@ static void share_samplers(nkwi_rewriter *r, json_t *channels, json_t *samplers)
     json_decref(list);
 }
 
+/* The samplers of an animation: after an error the list is short, and the file is not written. */
 static int replace_animation(nkwi_rewriter *r, size_t a)
 {
     json_t *object = json_array_get(json_object_get(r->root, "animations"), a);
@@ -97,6 +98,7 @@ static int replaces_any(const nkw_gltf_rewriting *w)
     return 0;
 }
 
+/* Whether both documents have as many animations, and tracks in each, as the file. */
 static int matches(const nkw_gltf_rewriting *w, size_t count)
 {
     int same = w->from->animation_count == w->to->animation_count && w->from->animation_count == count;

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /*
- * The views and buffers of a file that is rewritten (rewrite.h).
+ * The buffers of a file that is rewritten (rewrite.h): what its views need of them, in the one buffer of the sink.
  *
  * Invariant: a byte that a view of the new file names is in the sink once for each part of an old buffer, at an offset
  * of the same remainder modulo 4, so elements remain aligned (3.6.2.4).
@@ -9,10 +9,10 @@
  *     parts                [8 ................... 40)        [66 ... 70)        overlapping views are one part
  *     the sink             | new keys | 8 ...... 40 | . . 66 ... 70 |           lead of two bytes: 66 is 2 modulo 4
  *
- * A view is then found among the parts by bisection, and moves with its part: at + (offset - start of the part).
+ * A view is then found among the parts by bisection, and moves with its part: at + (offset - start of the part). Views
+ * of new keys and of embedded images are in the sink already, and are left out of all this.
  */
 #include <stdlib.h>
-#include <string.h>
 
 #include "rewrite.h"
 
@@ -27,75 +27,7 @@ typedef struct part_list {
     size_t count;
 } part_list;
 
-/* Calls `at` for each member bufferView of an object of the tree, except those of extras. */
-static void each_view(json_t *value, void (*at)(void *user, json_t *object, size_t view), void *user)
-{
-    const char *key;
-    json_t *member;
-    size_t i;
-    if (json_is_array(value))
-        json_array_foreach(value, i, member) each_view(member, at, user);
-    if (!json_is_object(value))
-        return;
-    if (nkwi_rewriter_index(value, "bufferView") != SIZE_MAX)
-        at(user, value, nkwi_rewriter_index(value, "bufferView"));
-    json_object_foreach(value, key, member) if (strcmp(key, "extras") != 0) each_view(member, at, user);
-}
-
-typedef struct view_map {
-    size_t *to; /* of each view: 1 if it is used; then its new index */
-    size_t count;
-    nkwi_sink *sink;
-} view_map;
-
-static void use_view(void *user, json_t *object, size_t view)
-{
-    view_map *map = (view_map *)user;
-    (void)object;
-    if (view < map->count)
-        map->to[view] = 1;
-}
-
-static void renumber(void *user, json_t *object, size_t view)
-{
-    view_map *map = (view_map *)user;
-    if (view < map->count)
-        nkwi_set(map->sink, object, "bufferView", json_integer((json_int_t)map->to[view]));
-}
-
-/* An accessor may be in the list several times: it is renumbered once. */
-static void renumber_all(nkwi_rewriter *r, view_map *map)
-{
-    json_t *list = r->sink.accessors;
-    for (size_t i = 0; i < json_array_size(list); i++) {
-        json_t *copy = json_deep_copy(json_array_get(list, i));
-        r->sink.failed = r->sink.failed || json_array_set_new(list, i, copy) != 0;
-    }
-    each_view(r->root, renumber, map);
-}
-
-/* Drops the views that nothing refers to. */
-int nkwi_rewriter_views(nkwi_rewriter *r)
-{
-    const size_t count = json_array_size(r->sink.views);
-    view_map map = {(size_t *)nkwi_take(&r->sink.scratch, count, sizeof(size_t)), count, &r->sink};
-    json_t *list = json_array();
-    if (!map.to || !list)
-        return nkwi_rewriter_no_memory(r);
-    each_view(r->root, use_view, &map);
-    for (size_t i = 0; i < count; i++) {
-        const int used = map.to[i] == 1;
-        map.to[i] = json_array_size(list);
-        if (used)
-            nkwi_put(&r->sink, list, json_incref(json_array_get(r->sink.views, i)));
-    }
-    json_array_clear(r->sink.views);
-    json_array_extend(r->sink.views, list);
-    json_decref(list);
-    renumber_all(r, &map);
-    return !r->sink.failed || nkwi_rewriter_no_memory(r);
-}
-
+/* The order of parts: by buffer, then by their first byte. */
 static int before(const void *a, const void *b)
 {
     const part *x = (const part *)a, *y = (const part *)b;
@@ -136,6 +68,7 @@ static int collect_parts(nkwi_rewriter *r, part_list *list)
             return nkwi_fail(r->sink.error, NULL, NKW_IMPORT_INVALID, "bufferView %zu is outside its buffer", i);
         list->parts[n++] = p;
     }
+    /* Sorted, a part overlaps at most the last one of the merged list, which is in the same array before it. */
     qsort(list->parts, n, sizeof *list->parts, before);
     for (size_t i = 0; i < n; i++) {
         part *last = list->count ? &list->parts[list->count - 1] : NULL;
@@ -175,7 +108,7 @@ static void place_views(nkwi_rewriter *r, const part_list *list)
             json_object_del(view, "new");
             continue;
         }
-        while (high - low > 1) {
+        while (high - low > 1) { /* the part is one of low..high - 1 */
             size_t middle = low + (high - low) / 2;
             if (before(&list->parts[middle], &p) <= 0)
                 low = middle;
