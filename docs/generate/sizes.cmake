@@ -21,7 +21,7 @@ set(calls_kits arrays:nkw_vec3_lerp_n axes:nkw_axes_convert_quat dual:nkw_dual_q
   fit:nkw_track_fit reduce:nkw_track_reduce transition:nkw_pose_inertia_evaluate root:nkw_root_delta
   limit:nkw_limit_apply ik:nkw_ik_two_bone_solve foot:nkw_foot_update retarget:nkw_retarget_apply
   blendspace:nkw_blendspace_weights clip_reduce:nkw_clip_reduce morph:nkw_morph_apply bounds:nkw_box_from_skin
-  partition:nkw_partition_build crowd:nkw_crowd_sample)
+  partition:nkw_partition_build mesh:nkw_mesh_normals crowd:nkw_crowd_sample)
 
 # Stores the functions that the header of a stem declares.
 function(functions_of stem out)
@@ -51,7 +51,7 @@ foreach(call IN LISTS calls_core calls_kits)
 endforeach()
 foreach(stem IN LISTS kits)
   if(NOT stem IN_LIST named)
-    message(SEND_ERROR "sizes: the kit ${stem} has no call in docs/generate/sizes.cmake")
+    message(SEND_ERROR "sizes: the kit ${stem} has no call in docs/generate/sizes.cmake; then write the table, as that file says")
   endif()
 endforeach()
 
