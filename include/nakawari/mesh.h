@@ -1,7 +1,8 @@
 /* SPDX-License-Identifier: MIT */
 /**
  * @file
- * Triangle meshes prepared for skinning and shading: smooth normals, consistent facing, equal vertices joined.
+ * Triangle meshes prepared for skinning and shading: smooth normals, tangents, consistent facing, equal
+ * vertices joined.
  *
  * A corner is a vertex of a triangle: triangle t has the corners 3t, 3t + 1, 3t + 2. Normals are computed for corners,
  * because the two sides of a hard edge have the same position and different normals. Write the corners as vertices of
@@ -31,7 +32,7 @@ typedef struct nkw_mesh {
 NKW_SIZE(nkw_mesh, 32, 16);
 
 /** The bytes of working memory that are enough for every function here that takes an nkw_mesh. */
-#define NKW_MESH_WORK(triangle_count) ((triangle_count) * (size_t)176)
+#define NKW_MESH_WORK(triangle_count) ((triangle_count) * (size_t)192)
 
 /**
  * Smooth normals, one for each corner:
@@ -64,6 +65,44 @@ NKW_SIZE(nkw_mesh, 32, 16);
  * Source  Thuermer, Wuethrich, Computing Vertex Normals from Polygonal Facets, Journal of Graphics Tools, 1998.
  */
 NKW_API nkw_result nkw_mesh_normals(const nkw_mesh *mesh, float crease, nkw_vec3 *normals, size_t *bad, nkw_work work);
+
+/** The surface of a mesh: what tangents are computed from. */
+typedef struct nkw_mesh_surface {
+    const nkw_vec3 *normals; /**< mesh.vertex_count, of any length */
+    const float *texcoords; /**< 2 for each vertex: u, v */
+} nkw_mesh_surface;
+NKW_SIZE(nkw_mesh_surface, 16, 8);
+
+/**
+ * Tangents by MikkTSpace, one for each corner: the basis of tangent space normal maps in which Blender and others bake.
+ * The tangent is the direction of growing u in the plane of the normal n, the bitangent that of growing v:
+ *
+ *     t = normalize(sum over the corners c of the group of angle(c) S(c))       b = sign n x t
+ *
+ * S(c) is dP/du of the triangle of c, angle(c) its angle at c, both projected to the plane of n. A group is corners of
+ * equal position, normal and texture coordinates, connected by shared edges, whose textures have the same orientation;
+ * sign is -1 where the texture is mirrored. Normals are normalised first.
+ *
+ * A triangle without slopes, whose texture has no area (at most FLT_MIN), adds nothing, and its corners belong to the
+ * first group that reaches them; corners that none reaches have the tangent (1, 0, 0) and the sign -1. A triangle with
+ * two corners at one position has the tangents of the first other triangle at the same vertices, or the same. Where the
+ * sum is zero, t is zero.
+ *
+ * In glTF, v grows downward in the picture, and normal maps are baked with v upward: negate the sign there.
+ *
+ * tangents    receives x, y, z, sign for each corner: 4 floats
+ * bitangents  receives a vector for each corner, or NULL
+ * bad         receives the first offending triangle, 0 if there is none; may be NULL
+ * work        NKW_MESH_WORK
+ * Returns     as nkw_mesh_normals; NKW_NOT_FINITE also for a normal or a texture coordinate
+ *
+ * The reference computes in binary32 and takes the angle from its cosine, which differs by up to 5e-4 rad near 0 and pi.
+ * It also splits groups whose slopes are opposite.
+ *
+ * Source  Mikkelsen, Simulation of Wrinkled Surfaces Revisited, 2008, and his mikktspace.c.
+ */
+NKW_API nkw_result nkw_mesh_tangents(const nkw_mesh *mesh, nkw_mesh_surface surface, float *tangents,
+                                     nkw_vec3 *bitangents, size_t *bad, nkw_work work);
 
 /** What nkw_mesh_fix_facing found. Pieces are triangles that edges of two triangles connect; degenerate ones are none. */
 typedef struct nkw_mesh_facing {

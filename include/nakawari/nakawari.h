@@ -71,7 +71,7 @@
 #include "morph.h" /* morph targets */
 #include "bounds.h" /* boxes around skinned meshes */
 #include "partition.h" /* meshes cut into parts of few joints */
-#include "mesh.h" /* meshes prepared: normals, facing, equal vertices joined */
+#include "mesh.h" /* meshes prepared: normals, tangents, facing */
 #include "crowd.h" /* sixteen characters at once */
 
 #endif

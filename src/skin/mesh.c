@@ -32,23 +32,16 @@ nkw_result nkwi_mesh_check(const nkw_mesh *mesh, size_t *bad)
 
 /* ---- Corners of the same position ---- */
 
-/* -0 + 0 is 0. */
-static uint32_t mix_vec3(uint32_t hash, nkw_vec3 v)
-{
-    return mesh_mix(mesh_mix(mesh_mix(hash, lane_bits(v.x + 0.0f)), lane_bits(v.y + 0.0f)), lane_bits(v.z + 0.0f));
-}
-
 static uint32_t hash_position(const void *context, size_t corner)
 {
     const nkw_mesh *mesh = context;
-    return mesh_mixed(mix_vec3(0, mesh->positions[mesh_vertex(mesh, corner)]));
+    return mesh_mixed(mesh_mix_vec3(0, mesh->positions[mesh_vertex(mesh, corner)]));
 }
 
 static int same_position(const void *context, size_t a, size_t b)
 {
     const nkw_mesh *mesh = context;
-    const nkw_vec3 p = mesh->positions[mesh_vertex(mesh, a)], q = mesh->positions[mesh_vertex(mesh, b)];
-    return p.x == q.x && p.y == q.y && p.z == q.z;
+    return mesh_same_vec3(mesh->positions[mesh_vertex(mesh, a)], mesh->positions[mesh_vertex(mesh, b)]);
 }
 
 void nkwi_mesh_join_positions(const nkw_mesh *mesh, mesh_join out, uint32_t *table)

@@ -67,6 +67,17 @@ static inline void mesh_join_equal(mesh_join out, size_t n, uint32_t *table, mes
     }
 }
 
+/* Vectors that are equal as numbers have the same words: -0 + 0 is 0. */
+static inline uint32_t mesh_mix_vec3(uint32_t hash, nkw_vec3 v)
+{
+    return mesh_mix(mesh_mix(mesh_mix(hash, lane_bits(v.x + 0.0f)), lane_bits(v.y + 0.0f)), lane_bits(v.z + 0.0f));
+}
+
+static inline int mesh_same_vec3(nkw_vec3 a, nkw_vec3 b)
+{
+    return a.x == b.x && a.y == b.y && a.z == b.z;
+}
+
 static inline size_t mesh_vertex(const nkw_mesh *mesh, size_t corner)
 {
     return mesh->indices ? mesh->indices[corner] : corner;

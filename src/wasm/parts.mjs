@@ -56,6 +56,7 @@ export const arrays = {
     joints: 'vertexCount * influenceCount', weights: 'vertexCount * influenceCount', depths: 'jointCount' },
   nkw_mesh: { vertexCount: 'lengthOf(positions, 3)', positions: '3 * vertexCount',
     triangleCount: 'indices ? indices.length / 3 : vertexCount / 3', indices: '3 * triangleCount' },
+  nkw_mesh_surface: { normals: '3 * lengthOf(normals, 3)', texcoords: '2 * lengthOf(texcoords, 2)' },
   nkw_palette_source: { modelCount: 'lengthOf(models, 16)',
     jointCount: 'joints?.length ?? (inverseBind ? lengthOf(inverseBind, 16) : modelCount)',
     models: '16 * modelCount', joints: 'jointCount', inverseBind: '16 * jointCount', globalInverse: '16' },
@@ -123,6 +124,7 @@ export const lengths = {
   nkw_palette_to_mat4: { out: 'palette.jointCount' },
   nkw_palette_inverse_bind: { out: 'source.joints?.length ?? lengthOf(source.models, 16)' },
   nkw_mesh_normals: { normals: corners }, nkw_mesh_fix_facing: { indices: corners, facing: '1' },
+  nkw_mesh_tangents: { tangents: `4 * ${corners}`, bitangents: corners },
   nkw_box_from_palette: { boxes: 'palette.jointCount + 1' },
 };
 // The working memory that a function needs: bytes of an nkw_work, or elements.
@@ -132,7 +134,7 @@ export const work = {
   nkw_track_fit: '8 * (track.count * (track.width + 5) + track.width)',
   nkw_ik_chain_solve: '12 * lengthOf(chain.offsets, 3)',
   nkw_ik_pose_chain: '40 * reach.jointCount',
-  nkw_mesh_normals: `59 * ${corners}`, nkw_mesh_fix_facing: `59 * ${corners}`,
+  nkw_mesh_normals: `64 * ${corners}`, nkw_mesh_tangents: `64 * ${corners}`, nkw_mesh_fix_facing: `64 * ${corners}`,
   nkw_retarget_apply: '32 * (source.jointCount + out.jointCount)',
 };
 

@@ -62,6 +62,30 @@ static void normals(fuzz *f, const nkw_mesh *m, nkw_work work)
     }
 }
 
+/* Each tangent is zero or unit, each sign 1 or -1; bitangents follow. */
+static void tangents(fuzz *f, const nkw_mesh *m, nkw_work work, int wild)
+{
+    size_t bad = 99, want_bad;
+    float *uv = fuzz_floats(f, 2 * m->vertex_count, wild);
+    const nkw_mesh_surface surface = {(const nkw_vec3 *)(void *)fuzz_floats(f, 3 * m->vertex_count, wild), uv};
+    const int few = fuzz_byte(f) % 2;
+    for (size_t i = 0; few && i < 2 * m->vertex_count; i++)
+        if (uv[i] > -4.0f && uv[i] < 4.0f)
+            uv[i] = (float)(int)(uv[i] / 2.0f);
+    float *out = fuzz_room(f, 12 * m->triangle_count);
+    nkw_vec3 *bitangents = (nkw_vec3 *)(void *)fuzz_room(f, 9 * m->triangle_count);
+    const nkw_result want = fault_of(m, &want_bad);
+    const nkw_result result = nkw_mesh_tangents(m, surface, out, bitangents, &bad, work);
+    FUZZ_CHECK(want == NKW_OK ? result == NKW_OK || result == NKW_NOT_FINITE : result == want && bad == want_bad);
+    for (size_t c = 0; result == NKW_OK && c < 3 * m->triangle_count; c++) {
+        const nkw_vec3 t = {out[4 * c], out[4 * c + 1], out[4 * c + 2]};
+        const float length = nkw_vec3_length(t);
+        FUZZ_CHECK(length == 0.0f || (length > 0.999999f && length < 1.000001f));
+        FUZZ_CHECK(out[4 * c + 3] == 1.0f || out[4 * c + 3] == -1.0f);
+        FUZZ_CHECK(nkw_vec3_length(bitangents[c]) < 1.000001f);
+    }
+}
+
 /* Triangles keep their first vertex; what is settled stays. */
 static void facing(fuzz *f, const nkw_mesh *m, nkw_work work)
 {
@@ -113,10 +137,12 @@ static void weld(fuzz *f)
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
 {
     fuzz f = fuzz_begin(data, size);
-    const nkw_mesh m = draw_mesh(&f, fuzz_byte(&f) % 2);
+    const int wild = fuzz_byte(&f) % 2;
+    const nkw_mesh m = draw_mesh(&f, wild);
     const nkw_work work = fuzz_work(&f, NKW_MESH_WORK(m.triangle_count));
     normals(&f, &m, work);
     facing(&f, &m, work);
+    tangents(&f, &m, work, wild);
     weld(&f);
     return fuzz_end(&f);
 }

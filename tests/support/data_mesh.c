@@ -21,6 +21,27 @@ static void draw_grid(random_source *r, solid *s)
     }
 }
 
+/* Corners of their own; the texture mirrored in the middle, without area in some places. */
+static uint64_t hash_tangents(uint64_t hash, random_source *r, const solid *s, const nkw_vec3 *normals)
+{
+    enum { CORNERS = 3 * SOLID_TRIANGLES };
+    static nkw_vec3 positions[CORNERS], bitangents[CORNERS];
+    static float uv[2 * CORNERS], tangents[4 * CORNERS];
+    const size_t count = 3 * s->triangle_count;
+    const float step = random_bits(r) % 2 ? 1.0f : 2.0f;
+    for (size_t c = 0; c < count; c++) {
+        const float u = (float)(s->indices[c] % 10) - 4.0f;
+        positions[c] = s->positions[s->indices[c]];
+        uv[2 * c] = step * (float)(int)((u < 0.0f ? -u : u) / step);
+        uv[2 * c + 1] = (float)(s->indices[c] / 10) + 0.1f * u;
+    }
+    const nkw_mesh mesh = {positions, count, NULL, s->triangle_count};
+    const nkw_mesh_surface surface = {normals, uv};
+    nkw_mesh_tangents(&mesh, surface, tangents, bitangents, NULL, work_in(memory, sizeof memory));
+    hash = hash_floats(hash, tangents, 4 * count);
+    return hash_floats(hash, &bitangents[0].x, 3 * count);
+}
+
 /* Numbers below 2^24. */
 static uint64_t hash_numbers(uint64_t hash, const uint32_t *numbers, size_t count)
 {
@@ -61,6 +82,7 @@ uint64_t data_mesh(void)
         const nkw_mesh mesh = solid_mesh(&s);
         nkw_mesh_normals(&mesh, creases[round % 5], normals, NULL, work_in(memory, sizeof memory));
         hash = hash_floats(hash, &normals[0].x, 9 * s.triangle_count);
+        hash = hash_tangents(hash, &r, &s, normals);
         hash = hash_facing(hash, &r, &s);
     }
     return hash;
