@@ -74,7 +74,7 @@ static void weigh(float weight, const float *mask, const part *p, float *out)
             out[i] = weight;
 }
 
-/* two poses */
+/* two poses: `slerp` is a constant, so that a program of nkw_pose_blend links no loop of slerp, and the reverse */
 
 static void blend_inside(const float *a, const float *b, size_t joints, float t, float *out)
 {
@@ -82,7 +82,7 @@ static void blend_inside(const float *a, const float *b, size_t joints, float t,
         nkwi_blend_poses(a + i, b + i, NKW_POSE_STRIDE(joints), t, (int)at_most(joints - i, BLEND_BLOCK), out + i);
 }
 
-static void blend_at(const float *a, const float *b, size_t joints, float t, int slerp, float *out)
+NKW_ALWAYS_INLINE void blend_at(const float *a, const float *b, size_t joints, float t, int slerp, float *out)
 {
     const nkw_pose_view pa = {a, joints}, pb = {b, joints};
     const nkw_pose_span po = {out, joints};
@@ -103,8 +103,8 @@ static void slerp_each(const float *a, const float *b, const float *t, const par
     nkw_vec3_lerp_n(va.scale, vb.scale, t, vo.scale, p->used);
 }
 
-static void blend_masked(const float *a, const float *b, size_t joints, float t, const float *mask, int slerp,
-                         float *out)
+NKW_ALWAYS_INLINE void blend_masked(const float *a, const float *b, size_t joints, float t, const float *mask,
+                                    int slerp, float *out)
 {
     for (size_t from = 0; from < NKW_POSE_STRIDE(joints); from += BLEND_BLOCK) {
         part p = part_at(joints, from);
@@ -117,7 +117,8 @@ static void blend_masked(const float *a, const float *b, size_t joints, float t,
     }
 }
 
-static void blend(const float *a, const float *b, size_t joints, float t, const float *mask, int slerp, float *out)
+NKW_ALWAYS_INLINE void blend(const float *a, const float *b, size_t joints, float t, const float *mask, int slerp,
+                             float *out)
 {
     float known = t == t ? t : 0.0f;
     if (joints == 0)
