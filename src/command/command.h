@@ -87,6 +87,22 @@ int input_set_v(const char *direction);
 int input_v_is_up(void);
 #define INPUT_V(text)                                                                                                  \
     {"v", 0, POPT_ARG_STRING, text, 0, "texture coordinate v: down (default, as glTF) or up", "DIRECTION"}
+/**
+ * What is made of meshes of the files that are opened: nkw_document_preparation, with the crease in degrees; -1: no
+ * normals. Returns 0 if the crease is no angle.
+ */
+int input_set_preparation(const nkw_document_preparation *preparation);
+/** Whether anything is made. */
+int input_prepares(void);
+/** Makes it, and prints the warnings of the document on stderr. Reports an error, closes the document, returns NULL. */
+nkw_document *input_prepare(nkw_document *document);
+#define INPUT_PREPARATION(p)                                                                                           \
+    {"normals", 0, POPT_ARG_FLOAT, &(p)->crease, 0, "make missing normals; sharper edges stay hard", "DEGREES"},       \
+        {"tangents", 0, POPT_ARG_NONE, &(p)->make_tangents, 0, "make missing tangents, by MikkTSpace", NULL},          \
+        {"fix-facing", 0, POPT_ARG_NONE, &(p)->fix_facing, 0, "turn triangles to face the same way, outward", NULL},   \
+    {                                                                                                                  \
+        "apply-transforms", 0, POPT_ARG_NONE, &(p)->apply_transforms, 0, "multiply vertices by their nodes", NULL      \
+    }
 /** The name of a file without its folder: the rest of the path. */
 const char *input_name(const char *path);
 /** The folder of a path, to be freed; NULL without memory. */

@@ -18,8 +18,12 @@ static const options_text text = {
     "joint, about the up axis of A or y, so that the character stays in its place.\n\n"
     "--v up counts the texture coordinate v from the lower edge of a picture, 1 - v, in all sets, for programs\n"
     "that expect it; a glTF file whose v is upwards is mended by it.\n\n"
-    "Of a glTF file everything else is kept, unless --axes, --up, --v or --scale changes its meshes: then only\n"
-    "what is read is written: no cameras, lights, extensions; of textures only base colours.\n",
+    "--normals D makes the normals that are missing: edges sharper than D degrees stay hard, 180 is smooth.\n"
+    "--tangents makes missing tangents, --fix-facing turns triangles to face the same way, --apply-transforms\n"
+    "multiplies vertices by the transforms of their nodes, except animated ones and joints. What was made is\n"
+    "printed.\n\n"
+    "Of a glTF file everything else is kept, unless an option changes its meshes: then only what is read is\n"
+    "written: no cameras, lights, extensions; of textures only base colours.\n",
     "  nakawari convert keys.csv -o keys.glb\n"
     "  nakawari convert fox.glb --rate 30 --tolerance 0.1 -o fox30.glb\n"
     "  nakawari convert zup.glb --up z:y --scale 0.01 -o yup.glb\n"
@@ -33,6 +37,7 @@ typedef struct request {
     int reframes;
     nkw_axes_map map;
     nkw_root_rule rule; /* of --in-place */
+    nkw_document_preparation preparation;
 } request;
 
 static int change_clip(model *m, size_t animation, const request *r, const extent *e, FILE *report)
@@ -102,7 +107,7 @@ static int run(const model_source *source, void *of)
 {
     const request *r = of;
     const int is_gltf = strcmp(source->document->format, "glTF 2.0") == 0;
-    const int keeps = is_gltf && !r->reframes && !r->clip && !input_v_is_up();
+    const int keeps = is_gltf && !r->reframes && !r->clip && !input_v_is_up() && !input_prepares();
     if (is_gltf && !keeps)
         fputs("note: only what is read is written: no cameras, lights, extensions; of textures only base colours\n",
               stderr);
@@ -164,6 +169,8 @@ static int check_request(const options *o, void *of)
         return options_misuse(o, r->form, "not glb, gltf or embedded");
     if (!input_set_v(r->v))
         return options_misuse(o, r->v, "not down or up");
+    if (!input_set_preparation(&r->preparation))
+        return options_misuse(o, "--normals", "not an angle of 0 degrees or more");
     return check_axes(o, r);
 }
 
@@ -182,7 +189,8 @@ int command_convert(int argc, const char **argv)
                  1.0f,
                  0,
                  {NKW_AXIS_X, NKW_AXIS_Y, NKW_AXIS_Z},
-                 {{0.0f, 1.0f, 0.0f}, 0}};
+                 {{0.0f, 1.0f, 0.0f}, 0},
+                 {0, 0, 0, 0, -1.0f}};
     const struct poptOption known[] = {
         {"clip", 'c', POPT_ARG_STRING, &r.clip, 0, "number or name of one clip, or rest (default: all)", "N"},
         {"rate", 'r', POPT_ARG_FLOAT, &r.rate, 0, "resample at R keys per second", "R"},
@@ -190,6 +198,7 @@ int command_convert(int argc, const char **argv)
         {"axes", 'a', POPT_ARG_STRING, &r.axes, 0, "convert axes, such as blender:gltf or x,z,-y:-x,y,z", "A:B"},
         {"up", 'u', POPT_ARG_STRING, &r.up, 0, "z:y from Z-up to Y-up, y:z from Y-up to Z-up", "A:B"},
         INPUT_V(&r.v),
+        INPUT_PREPARATION(&r.preparation),
         {"scale", 's', POPT_ARG_FLOAT, &r.scale, 0, "multiply lengths: 0.01 from centimetres to metres", "F"},
         {"in-place", 'i', POPT_ARG_STRING, &r.in_place, 0,
          "remove root motion: plane, height, yaw, rotation, separated by commas", "PARTS"},

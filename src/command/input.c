@@ -6,6 +6,8 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include <nakawari/scalar.h>
+
 /* The standard input is kept in memory; more is an error. */
 #define STDIN_MOST ((size_t)1 << 31)
 
@@ -32,6 +34,34 @@ int input_set_v(const char *direction)
 int input_v_is_up(void)
 {
     return v_is_up;
+}
+
+static nkw_document_preparation preparation;
+
+int input_set_preparation(const nkw_document_preparation *p)
+{
+    preparation = *p;
+    preparation.make_normals = p->crease != -1.0f;
+    preparation.crease = preparation.make_normals ? nkw_radians_from_degrees(p->crease) : 0.0f;
+    return preparation.crease >= 0.0f && preparation.crease < 1e6f;
+}
+
+int input_prepares(void)
+{
+    return preparation.apply_transforms || preparation.fix_facing || preparation.make_normals ||
+           preparation.make_tangents;
+}
+
+nkw_document *input_prepare(nkw_document *document)
+{
+    nkw_import_error error;
+    if (input_prepares() && nkw_document_prepare(document, &preparation, &error) != NKW_IMPORT_OK) {
+        input_report(&error);
+        nkw_document_close(document);
+        return NULL;
+    }
+    input_warn(document);
+    return document;
 }
 
 static int has_options(void)
@@ -189,8 +219,8 @@ nkw_document *input_open(const char *path)
     else
         nkw_document_open(path, &document, &error);
     if (document)
-        input_warn(document);
-    else if (is_stdin || !has_options())
+        return input_prepare(document);
+    if (is_stdin || !has_options())
         input_report(&error);
     return document;
 }

@@ -26,7 +26,7 @@ int model_source_open(model_source *s, const char *path)
     else if (nkw_document_from_memory(&s->memory, &s->document, &error) != NKW_IMPORT_OK)
         input_report(&error);
     else
-        input_warn(s->document);
+        s->document = input_prepare(s->document);
     return s->document != NULL;
 }
 

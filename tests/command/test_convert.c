@@ -316,6 +316,29 @@ static void root_motion_is_removed(void **state)
     program_says(2, "only with --in-place", "convert walk.csv --root hips -o x.glb");
 }
 
+/* A cube of two sizes, without normals; what is made is said, and what the file has is not made again. */
+static void missing_normals_and_tangents_are_made_on_request(void **state)
+{
+    (void)state;
+    FILE *f = fopen("cube.obj", "wb");
+    assert_non_null(f);
+    fputs("v -1 -1 -1\nv 1 -1 -1\nv -1 1 -1\nv 1 1 -1\nv -1 -1 1\nv 1 -1 1\nv -1 1 1\nv 1 1 1\nvt 0 0\nvt 1 0\nvt 1 1\n"
+          "vt 0 1\nf 1/1 5/2 7/3 3/4\nf 2/1 4/2 8/3 6/4\nf 1/1 2/2 6/3 5/4\nf 3/1 7/2 8/3 4/4\nf 1/1 3/2 4/3 2/4\n"
+          "f 8/1 7/2 5/3 6/4\n",
+          f);
+    assert_int_equal(fclose(f), 0);
+    program_says(0, "normals made for 1 of 1 primitives, smooth up to 30 degrees",
+                 "convert cube.obj --normals 30 -o cube.glb");
+    program_says(0, "24 vertices, 12 triangles", "info cube.glb");
+    program_says(0, "tangents made for 1 of 1 primitives", "convert cube.glb --normals 180 --tangents -o both.glb");
+    program_says(0, "normals made for 0 of 1 primitives", "convert both.glb --normals 180 -o again.glb");
+    char *said = program_run(NULL, "convert cube.glb -o kept.glb 2>&1");
+    assert_int_equal(lines_with(said, "made"), 0);
+    free(said);
+    program_says(0, "triangles turned: 0", "convert cube.obj --fix-facing -o facing.glb");
+    program_says(0, "multiplied by their transforms: 0", "convert cube.obj --apply-transforms -o applied.glb");
+}
+
 static void misuse_is_reported(void **state)
 {
     (void)state;
@@ -324,6 +347,7 @@ static void misuse_is_reported(void **state)
     program_says(2, "not z:y or y:z", "convert --up z '" NKW_CHARACTER "' -o x.glb");
     program_says(2, "not with --axes", "convert --up z:y --axes unity:gltf '" NKW_CHARACTER "' -o x.glb");
     program_says(2, "not a positive number", "convert --scale 0 '" NKW_CHARACTER "' -o x.glb");
+    program_says(2, "not an angle", "convert --normals -2 '" NKW_CHARACTER "' -o x.glb");
     program_says(2, "not in 0..1000000", "convert --rate -1 '" NKW_CHARACTER "' -o x.glb");
     program_says(1, "cannot be", "convert no-such-file.glb -o x.glb");
 }
@@ -373,6 +397,7 @@ int main(void)
         cmocka_unit_test(one_clip_can_be_chosen),
         cmocka_unit_test(root_motion_is_removed),
         cmocka_unit_test(up_is_that_of_the_model_under_a_rotated_armature),
+        cmocka_unit_test(missing_normals_and_tangents_are_made_on_request),
         cmocka_unit_test(misuse_is_reported),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

@@ -24,7 +24,8 @@ static const char whole[] =
     "5126,'count':2,'type':'VEC3','byteOffset':8},{'bufferView':0,"
     "'componentType':5126,'count':6,'type':'VEC2'}],'materials':[{'name':'m','pbrMetallicRoughness':{'baseColorFactor':"
     "[1,1,1,1]}}],'meshes':[{'weights':[0.5,0],'extras':{'targetNames':['a']},'primitives':[{'attributes':{'POSITION':"
-    "1,'NORMAL':5,'JOINTS_0':3,'WEIGHTS_0':2,'JOINTS_1':3,'WEIGHTS_1':2,'TEXCOORD_0':10,'TEXCOORD_1':10},'indices':7,'mode':5,'material':0,'targets':"
+    "1,'NORMAL':5,'JOINTS_0':3,'WEIGHTS_0':2,'JOINTS_1':3,'WEIGHTS_1':2,'TEXCOORD_0':10,'TEXCOORD_1':10},'indices':7,'"
+    "mode':5,'material':0,'targets':"
     "[{'POSITION':5},{'NORMAL':1}]}]}],'skins':[{'joints':[1,2],'inverseBindMatrices':4}],'nodes':[{'children':[1,3]},"
     "{'children':[2],'rotation':[0,0,1,0]},{'matrix':[1,0,0,0,0,1,0,0,0,0,1,0,0,0,0,1]},{'mesh':0,'skin':0,'weights':"
     "[1,2]}],'animations':[{'samplers':[{'input':0,'output':9},{'input':0,'output':6,'interpolation':'STEP'},{'input':"
@@ -206,12 +207,24 @@ static void write_again(const nkw_import_memory *memory, const nkw_document *d, 
     free(tracks);
 }
 
+/* Whatever is made or refused, the document is one that can be used. */
+static void prepare(fuzz *f, nkw_document *d)
+{
+    const unsigned parts = fuzz_byte(f);
+    const nkw_document_preparation wanted = {(int)(parts & 1), (int)(parts & 2), (int)(parts & 4), (int)(parts & 8),
+                                             parts & 16 ? fuzz_float(f) : 0.7f};
+    nkw_import_error error;
+    const nkw_import_result result = nkw_document_prepare(d, &wanted, &error);
+    FUZZ_CHECK(result == error.code && (result == NKW_IMPORT_OK || result == NKW_IMPORT_REFUSED));
+    check_indices(d);
+    play(f, d);
+}
+
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
 {
     fuzz f = fuzz_begin(data, size);
     char *text = (char *)fuzz_block(&f, TEXT_MOST);
-    static const char *const texts[10] = {whole,  whole, whole, whole,  curves,
-                                            scenes, keys,  rows,  shapes, shapes};
+    static const char *const texts[10] = {whole, whole, whole, whole, curves, scenes, keys, rows, shapes, shapes};
     const char *from = texts[fuzz_byte(&f) % 10];
     size_t length = strlen(from), edits = fuzz_upto(&f, EDITS_MOST);
     for (size_t i = 0; i < length; i++)
@@ -232,6 +245,8 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
             nkw_document_validate(d, &error);
             play(&f, d);
             list_frames(&f, d);
+            write_again(&memory, d, outer);
+            prepare(&f, d);
             write_again(&memory, d, outer);
         }
         nkw_document_close(d);

@@ -159,6 +159,38 @@ static nkw_import_result open_obj(void)
     return result;
 }
 
+/* Everything that is made on request, of two nodes that share a mesh with a morph target. The document stays valid. */
+static nkw_import_result prepare_all(void)
+{
+    static const char text[] =
+        "{\"asset\":{\"version\":\"2.0\"},\"buffers\":[{\"uri\":\"data.bin\",\"byteLength\":72}],"
+        "\"bufferViews\":[{\"buffer\":0,\"byteLength\":72}],\"accessors\":[{\"bufferView\":0,\"componentType\":5126,"
+        "\"count\":6,\"type\":\"VEC3\"},{\"bufferView\":0,\"componentType\":5126,\"count\":6,\"type\":\"VEC2\"}],"
+        "\"nodes\":[{\"mesh\":0,\"scale\":[-1,1,1]},{\"mesh\":0,\"translation\":[1,2,3]}],\"meshes\":[{\"weights\":[0."
+        "5],"
+        "\"primitives\":[{\"attributes\":{\"POSITION\":0,\"TEXCOORD_0\":1},\"targets\":[{\"POSITION\":0}]}]}]}";
+    static const float numbers[18] = {0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 1, 1};
+    static const nkw_document_preparation all = {1, 1, 1, 1, 1.0f};
+    outer o = {numbers, sizeof numbers};
+    const nkw_import_memory memory = {text, sizeof text - 1, "test.gltf", NULL, read_outer, &o, 0, 0};
+    const long later = until_failure;
+    nkw_document *d;
+    nkw_import_error error;
+    until_failure = -1;
+    assert_int_equal(nkw_document_from_memory(&memory, &d, NULL), NKW_IMPORT_OK);
+    until_failure = later;
+    nkw_import_result result = nkw_document_prepare(d, &all, &error);
+    until_failure = -1;
+    expect_end(result, &error, result == NKW_IMPORT_OK ? d : NULL);
+    assert_int_equal(nkw_document_validate(d, NULL), NKW_IMPORT_OK);
+    for (size_t j = 0; j < d->skeleton.joint_count; j++)
+        assert_in_range(d->nodes[j].mesh, 0, d->mesh_count - 1);
+    for (size_t m = 0; m < d->mesh_count; m++)
+        assert_non_null(d->meshes[m].primitives[0].positions);
+    nkw_document_close(d);
+    return result;
+}
+
 static nkw_import_result make_clip(void)
 {
     nkw_clip *clip;
@@ -243,6 +275,7 @@ static void readers_answer_each_allocation_that_fails(void **state)
     assert_true(expect_answers(open_keys, 1) > 8);
     assert_true(expect_answers(open_table, 1) > 8);
     assert_true(expect_answers(open_obj, 1) > 30);
+    assert_true(expect_answers(prepare_all, 1) > 30);
 }
 
 static void clips_and_writers_answer_each_allocation_that_fails(void **state)

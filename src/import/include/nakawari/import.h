@@ -253,6 +253,32 @@ NKW_API nkw_import_result nkw_document_open(const char *path, nkw_document **doc
 NKW_API nkw_import_result nkw_document_from_memory(const nkw_import_memory *memory, nkw_document **document,
                                                    nkw_import_error *error);
 
+/** What nkw_document_prepare makes, in this order. Zero: nothing. */
+typedef struct nkw_document_preparation {
+    /**
+     * Vertices are multiplied by the rest transforms of their nodes, which become identities. A node keeps its transform
+     * if it is animated, a joint of a skin, a camera or light, or above such a node. Skinned vertices stay: their bind
+     * pose does not depend on their node.
+     */
+    int apply_transforms;
+    int fix_facing; /**< nkw_mesh_fix_facing; normals of turned triangles that point to the back are negated */
+    int make_normals; /**< nkw_mesh_normals, where a primitive has none, or only zeros */
+    int make_tangents; /**< nkw_mesh_tangents of the first texture coordinates, where a primitive has normals only */
+    float crease; /**< of normals: radians, not negative */
+} nkw_document_preparation;
+NKW_SIZE(nkw_document_preparation, 20, 20);
+
+/**
+ * Prepares the triangles of a document that was opened, not of a copy. Vertices are split where the sides of an edge
+ * differ. Each thing that is made is a warning of the document. Tangents have the sign of glTF: normal maps are baked
+ * with v upwards.
+ *
+ * error    of NKW_IMPORT_REFUSED, the place is that of the primitive; may be NULL. The document remains valid
+ * Returns  error->code
+ */
+NKW_API nkw_import_result nkw_document_prepare(nkw_document *document, const nkw_document_preparation *preparation,
+                                               nkw_import_error *error);
+
 /** Frees the document and all that it points to. NULL is allowed. */
 NKW_API void nkw_document_close(nkw_document *document);
 
