@@ -172,7 +172,7 @@ static void show_separate(size_t n, bool directed)
 
 static nkw_skin_palette palette_of(const nkw_mat3 *normal_matrices, bool raw)
 {
-    return {{palette, joints, NKW_PALETTE_MAT4}, {normal_matrices, joints, NKW_PALETTE_NORMAL_MAT3}, raw};
+    return {{palette, joints, NKW_PALETTE_MAT4}, {normal_matrices, joints, NKW_PALETTE_NORMAL_MAT3}, {raw, 0, 0}};
 }
 
 static void own(const operation &all, std::shared_ptr<weighted> w, kind sort, bool raw)

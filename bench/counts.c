@@ -195,7 +195,7 @@ static void count_character(void)
 {
     nkw_skeleton skeleton = {parents, JOINTS};
     nkw_skin skin = {N, 4, {skin_joints, 0, NKW_SKIN_U16}, {skin_weights, 0, NKW_SKIN_F32}};
-    nkw_skin_palette palette = {{ma, JOINTS, NKW_PALETTE_MAT4}, {NULL, 0, NKW_PALETTE_NORMAL_MAT3}, 0};
+    nkw_skin_palette palette = {{ma, JOINTS, NKW_PALETTE_MAT4}, {NULL, 0, NKW_PALETTE_NORMAL_MAT3}, {0, 0, 0}};
     nkw_vertices_view from = {{vertices, 24}, {vertices + 3, 24}, {NULL, 0}, {NULL, 0}};
     nkw_vertices_span to = {{skinned, 24}, {skinned + 3, 24}, {NULL, 0}, {NULL, 0}};
     nkw_pose_layer layers[4];

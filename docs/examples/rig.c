@@ -201,7 +201,7 @@ void rig_skin(const rig_state *state, const mesh *m, int dual, nkw_vec3 *positio
         {&m->vertices->position, stride}, {&m->vertices->normal, stride}, {NULL, 0}, {NULL, 0}};
     const nkw_vertices_span out = {{positions, 0}, {normals, 0}, {NULL, 0}, {NULL, 0}};
     const nkw_skin_palette matrices = {
-        {state->palette, RIG_JOINTS, NKW_PALETTE_MAT4}, {NULL, 0, NKW_PALETTE_NORMAL_MAT3}, 0};
+        {state->palette, RIG_JOINTS, NKW_PALETTE_MAT4}, {NULL, 0, NKW_PALETTE_NORMAL_MAT3}, {0, 0, 0}};
     nkw_dual_quat motions[RIG_JOINTS];
     const nkw_palette_span dual_quats = {motions, RIG_JOINTS, NKW_PALETTE_DUAL_QUAT};
     const nkw_palette_source joint_matrices = {state->palette, RIG_JOINTS, NULL, NULL, NULL, RIG_JOINTS};

@@ -117,7 +117,7 @@ static void bent_tube(svg *s, svg_point origin, float angle)
     bend_tube(&t, angle);
     nkw_skin skin = {POINTS, 2, {t.joints, 0, NKW_SKIN_U8}, {t.weights, 0, NKW_SKIN_F32}};
     nkw_palette_view palette = {t.palette, TUBE_JOINTS, NKW_PALETTE_MAT4};
-    nkw_skin_palette matrices = {palette, {NULL, 0, NKW_PALETTE_NORMAL_MAT3}, 0};
+    nkw_skin_palette matrices = {palette, {NULL, 0, NKW_PALETTE_NORMAL_MAT3}, {0, 0, 0}};
     nkw_vertices_view in = {{t.bind, 0}, {NULL, 0}, {NULL, 0}, {NULL, 0}};
     nkw_vertices_span out = {{t.skinned, 0}, {NULL, 0}, {NULL, 0}, {NULL, 0}};
     nkw_box box;

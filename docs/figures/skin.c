@@ -50,7 +50,7 @@ static void twist_tube(tube *t)
     nkw_dual_quat duals[2] = {nkw_dual_quat_from_rigid(nkw_quat_identity(), NKW_VEC3_ZERO),
                               nkw_dual_quat_from_rigid(turn, none)};
     nkw_skin skin = {POINTS, 2, {t->joints, 0, NKW_SKIN_U8}, {t->weights, 0, NKW_SKIN_F32}};
-    nkw_skin_palette palette = {{matrices, 2, NKW_PALETTE_MAT4}, {NULL, 0, NKW_PALETTE_NORMAL_MAT3}, 0};
+    nkw_skin_palette palette = {{matrices, 2, NKW_PALETTE_MAT4}, {NULL, 0, NKW_PALETTE_NORMAL_MAT3}, {0, 0, 0}};
     nkw_palette_view dual_palette = {duals, 2, NKW_PALETTE_DUAL_QUAT};
     nkw_vertices_view in = {{t->bind, 0}, {NULL, 0}, {NULL, 0}, {NULL, 0}};
     nkw_vertices_span linear = {{t->linear, 0}, {NULL, 0}, {NULL, 0}, {NULL, 0}};

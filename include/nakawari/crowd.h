@@ -102,10 +102,10 @@ NKW_API void nkw_crowd_palette_from_models(nkw_crowd_matrices_view models, const
  * read once for sixteen characters, and no palette leaves the lanes. The vertices of lane i have the bits of
  * nkw_skin_linear with the matrices of lane i and without normal matrices.
  *
- * in           the vertices of the skin
- * keep_length  as of nkw_skin_palette
- * outs         the vertices of each lane, NKW_CROWD elements; vectors that are NULL are skipped. They share no vector
- *              with `in` or with each other
+ * in       the vertices of the skin
+ * options  as of nkw_skin_palette
+ * outs     the vertices of each lane, NKW_CROWD elements; vectors that are NULL are skipped. They share no vector with
+ *          `in` or with each other
  *
  * Returns NKW_OK, or NKW_BAD_FORMAT if the joints or the weights have a format that does not fit; all vectors are then
  * copied.
@@ -113,7 +113,7 @@ NKW_API void nkw_crowd_palette_from_models(nkw_crowd_matrices_view models, const
  * Stack  at most 14 KiB.
  */
 NKW_API nkw_result nkw_crowd_skin(nkw_crowd_matrices_view palette, const nkw_skin *skin, nkw_vertices_view in,
-                                  int keep_length, const nkw_vertices_span *outs);
+                                  nkw_skin_options options, const nkw_vertices_span *outs);
 
 /** The bytes of working memory of nkw_crowd_sample: a pose for each lane. */
 #define NKW_CROWD_SAMPLE_WORK(joint_count) (4 * NKW_CROWD * NKW_POSE_FLOATS(joint_count))

@@ -11,7 +11,7 @@
  *                         s = -1 where q is on the other half sphere than the q of the largest weight, else 1
  *
  *     position  p' = M p          as nkw_mat4_transform_point
- *     normal    n' = M n / |M n|  M n as nkw_mat4_transform_direction; 0 where |M n| = 0
+ *     normal    n' = M n / |M n|  M n as nkw_mat4_transform_direction; 0 where |M n| = 0; or as nkw_skin_options states
  *     tangent, bitangent          as the normal
  *
  * Linear blend shears and scales as the matrices do, and loses volume where joints twist; dual quaternions keep volume
@@ -20,7 +20,8 @@
  * Defined on any data, validated or not, and always in bounds:
  *
  *     all weights 0                  every vector is copied bit for bit
- *     a joint beyond the palette     the influence counts as weight 0, joint 0; so does a joint from 2^26 on
+ *     a joint beyond the palette     the influence counts as weight 0, joint 0; so does a joint from 2^26 on, and a
+ *                                    float that is no joint: NaN, negative, with a fraction, more than 2^24
  *     influences beyond the eighth   are not read
  *     a format that does not fit     every vector is copied bit for bit, NKW_BAD_FORMAT is returned
  *     a palette of NaN               NaN
@@ -60,8 +61,8 @@ extern "C" {
 typedef enum nkw_skin_format {
     NKW_SKIN_U8, /**< joints 0..255; weights 0..255 for 0..1 */
     NKW_SKIN_U16, /**< joints 0..65535; weights 0..65535 for 0..1 */
-    NKW_SKIN_U32, /**< joints only */
-    NKW_SKIN_F32, /**< weights only */
+    NKW_SKIN_U32, /**< joints only; 2^32 - 1 is no joint */
+    NKW_SKIN_F32, /**< weights; joints 0.0 .. 2^24, whole numbers, any other float is no joint */
     NKW_SKIN_FORMAT_MAX_ENUM = 0x7fffffff
 } nkw_skin_format;
 
@@ -118,27 +119,47 @@ typedef struct nkw_vertices_span {
 } nkw_vertices_span;
 NKW_SIZE(nkw_vertices_span, 64, 32);
 
+/** What linear blend skinning computes otherwise; zero is the usual choice. */
+typedef struct nkw_skin_options {
+    int keep_length; /**< directions are M n, not M n / |M n|: for shaders that normalize them */
+    /**
+     * normals are n' = (M^-1)^T n / |(M^-1)^T n| of the blended M. M n, and the blend of inverse transposes, differ from
+     * it where joints of different rotations or scales are blended. With the columns a, b, c of the 3x3 block of M,
+     *
+     *     n' = s (b x c, c x a, a x b) n,      made unit; with keep_length as it is, |det M| (M^-1)^T n
+     *     s  = -1 where det M < -2^-20 T, else 1;   T = the sum of the magnitudes of the six products in det M
+     *
+     * Of a flat M (rank 2) n' is the normal of its plane, with s = 1, as of nkw_mat3_normal. Of rank below 2 the
+     * cofactors are rounding errors or 0, and n' is the direction of these errors or 0. Scales of M: 1e-9 to 1e9.
+     */
+    int inverse_normals;
+    /** positions are M p / w, w the last element of M: the sum of the weights. Weights that cancel: M p / 0 */
+    int divide_by_weights;
+} nkw_skin_options;
+NKW_SIZE(nkw_skin_options, 12, 12);
+
 /** The palettes of linear blend skinning. */
 typedef struct nkw_skin_palette {
     nkw_palette_view matrices; /**< joint matrices, NKW_PALETTE_MAT4 */
     /**
      * data NULL, or the normal matrices of the same joints, NKW_PALETTE_NORMAL_MAT3: normals are then transformed by
-     * the blend of these. Needed if matrices have shear or non-uniform scale. The smaller of the two joint counts
-     * limits the joints of every influence.
+     * the blend of these. The smaller of the two joint counts limits the joints of every influence. Not read with
+     * options.inverse_normals.
      */
     nkw_palette_view normals;
-    int keep_length; /**< 0: directions are M n / |M n|. Otherwise M n, for shaders that normalize them */
+    nkw_skin_options options;
 } nkw_skin_palette;
-NKW_SIZE(nkw_skin_palette, 56, 28);
+NKW_SIZE(nkw_skin_palette, 64, 36);
 
 /**
  * Linear blend skinning. `out` may be the same streams as `in`, or share no vector with them. A skin without vertices
  * and a palette without joints are allowed. Returns NKW_OK, or NKW_BAD_FORMAT if a palette, the joints or the weights
  * have a format that does not fit; all vectors are then copied.
  *
- * Error  6.2 u of normals, with rigid joints up to 1 rad apart (4.5 u up to four influences), 3.2 u of their length; of
- *        positions 4.8 u of |w0| |M0| |p| + |w1| |M1| |p| + ..., |M| the Frobenius norm of three rows, |p| that of
- *        (p, 1). 1 to 8 influences.
+ * Error  6.2 u of normals, with rigid joints up to 1 rad apart (4.5 u up to four influences), with inverse_normals also
+ *        of scales 0.5 to 2; 3.2 u of their length; of positions, also of those divided by a sum of 1, 4.8 u of
+ *        |w0| |M0| |p| + |w1| |M1| |p| + ..., |M| the Frobenius norm of three rows, |p| that of (p, 1). 1 to 8
+ *        influences.
  * Stack  at most 16 KiB.
  */
 NKW_API nkw_result nkw_skin_linear(const nkw_skin *skin, const nkw_skin_palette *palette, nkw_vertices_view in,
@@ -162,8 +183,8 @@ NKW_API nkw_result nkw_skin_dual_quat(const nkw_skin *skin, nkw_palette_view pal
  * Returns  NKW_EMPTY without influences; NKW_TOO_MANY with more than 8; NKW_BAD_FORMAT if joints or weights have a
  *          format that does not fit. Then for each vertex: NKW_NOT_FINITE if a weight is not finite; NKW_BAD_WEIGHTS if
  *          one is negative, or if they are not all 0 and do not sum to 255, to 65535, or to within 1e-3 of 1;
- *          NKW_OUT_OF_RANGE if a joint index, of weight 0 too, is not less than joint_count. *bad becomes the
- *          first offending vertex, 0 if there is none; it may be NULL.
+ *          NKW_OUT_OF_RANGE if a joint index, of weight 0 too, is not less than joint_count, or a float is no joint.
+ *          *bad becomes the first offending vertex, 0 if there is none; it may be NULL.
  */
 NKW_API nkw_result nkw_skin_validate(const nkw_skin *skin, size_t joint_count, size_t *bad);
 

@@ -173,7 +173,7 @@ static nkw_result move(const nkw_skin *skin, const nkw_mat4 *matrices, size_t ma
         normals[i] = nkw_mat3_normal(&linear);
     }
     const nkw_skin_palette palette = {
-        {matrices, matrix_count, NKW_PALETTE_MAT4}, {normals, matrix_count, NKW_PALETTE_NORMAL_MAT3}, 0};
+        {matrices, matrix_count, NKW_PALETTE_MAT4}, {normals, matrix_count, NKW_PALETTE_NORMAL_MAT3}, {0, 0, 0}};
     const nkw_vertices_view from = {{out.positions, 0}, {out.normals, 0}, {NULL, 0}, {NULL, 0}};
     const nkw_vertices_span to = {{out.positions, 0}, {out.normals, 0}, {NULL, 0}, {NULL, 0}};
     nkw_result result = nkw_skin_linear(skin, &palette, from, to);

@@ -90,15 +90,15 @@ static crowd_stream stream_of(const nkw_vertices_view *in, const nkw_vertices_sp
     return r;
 }
 
-nkw_result nkw_crowd_skin(nkw_crowd_matrices_view palette, const nkw_skin *skin, nkw_vertices_view in, int keep_length,
-                          const nkw_vertices_span *outs)
+nkw_result nkw_crowd_skin(nkw_crowd_matrices_view palette, const nkw_skin *skin, nkw_vertices_view in,
+                          nkw_skin_options options, const nkw_vertices_span *outs)
 {
     const int fit = skin_formats_fit(skin);
     skin_job job = skin_job_of(skin, fit ? palette.joint_count : 0);
     crowd_stream streams[SKIN_STREAMS];
     float spare[12];
     job.palette = (const unsigned char *)palette.data;
-    job.keep_length = keep_length;
+    job.options = options;
     for (size_t v = 0; v < SKIN_STREAMS; v++)
         streams[v] = stream_of(&in, outs, v, spare);
     nkwi_crowd_skin(&job, streams);

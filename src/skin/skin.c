@@ -29,7 +29,8 @@ static nkw_result check_formats(const nkw_skin *skin, nkw_palette_view palette, 
 nkw_result nkw_skin_linear(const nkw_skin *skin, const nkw_skin_palette *palette, nkw_vertices_view in,
                            nkw_vertices_span out)
 {
-    const nkw_palette_view normals = palette->normals;
+    const nkw_palette_view none = {NULL, 0, NKW_PALETTE_NORMAL_MAT3};
+    const nkw_palette_view normals = palette->options.inverse_normals ? none : palette->normals;
     nkw_result result = check_formats(skin, palette->matrices, NKW_PALETTE_MAT4);
     size_t joint_count = palette->matrices.joint_count;
     if (normals.data && normals.joint_count < joint_count)
@@ -39,7 +40,7 @@ nkw_result nkw_skin_linear(const nkw_skin *skin, const nkw_skin_palette *palette
     skin_job job = job_of(skin, result == NKW_OK ? joint_count : 0, &in, &out);
     job.palette = (const unsigned char *)palette->matrices.data;
     job.normals = (const unsigned char *)normals.data;
-    job.keep_length = palette->keep_length;
+    job.options = palette->options;
     nkwi_skin_linear(&job);
     return result;
 }

@@ -127,7 +127,10 @@ nkw_result nkw_skin_normalize_weights(nkw_skin_view in, size_t influence_count, 
 
 static uint32_t largest_joint(nkw_skin_format format)
 {
-    return format == NKW_SKIN_U8 ? 255 : format == NKW_SKIN_U16 ? 65535 : UINT32_MAX;
+    return format == NKW_SKIN_U8    ? 255
+           : format == NKW_SKIN_U16 ? 65535
+           : format == NKW_SKIN_U32 ? SKIN_NO_JOINT - 1
+                                    : (uint32_t)SKIN_FLOAT_JOINTS;
 }
 
 /* The smallest weight, the last of equals. */
@@ -169,8 +172,10 @@ static size_t keep_largest(const nkw_skin *skin, size_t i, size_t keep, uint32_t
 
 static void write_joints(const uint32_t *joint, size_t k, size_t width, unsigned char *p, nkw_skin_format format)
 {
-    for (size_t e = 0; e < width; e++)
-        write_number(p + e * skin_format_size(format), format, e < k ? joint[e] : 0);
+    for (size_t e = 0; e < width; e++) {
+        uint32_t j = e < k ? joint[e] : 0;
+        write_number(p + e * skin_format_size(format), format, format == NKW_SKIN_F32 ? lane_bits((float)j) : j);
+    }
 }
 
 nkw_result nkw_skin_prune(const nkw_skin *skin, size_t keep_count, nkw_skin_span joints, nkw_skin_span weights)
@@ -222,7 +227,7 @@ static nkw_result check_vertex(const nkw_skin *skin, size_t joint_count, size_t 
     if (result != NKW_OK || !is_sum(sum, skin->weights.format))
         return NKW_BAD_WEIGHTS;
     for (size_t e = 0; e < skin->influence_count; e++)
-        if (v.joint[e] >= joint_count)
+        if (v.joint[e] >= joint_count || v.joint[e] == SKIN_NO_JOINT)
             return NKW_OUT_OF_RANGE;
     return NKW_OK;
 }

@@ -65,9 +65,19 @@ export interface MeshSource {
   normals?: ArrayLike<number>;
   tangents?: ArrayLike<number>;
   bitangents?: ArrayLike<number>;
-  joints: Uint8Array | Uint16Array | Uint32Array;
+  joints: Uint8Array | Uint16Array | Uint32Array | Float32Array;
   weights: Uint8Array | Uint16Array | Float32Array;
   influenceCount?: number;
+}
+
+/** What skinLinear computes otherwise (nkw_skin_options). */
+export interface SkinOptions {
+  /** Directions are not normalized. */
+  keepLength?: boolean;
+  /** Normals by the inverse transpose of the blended matrix. */
+  inverseNormals?: boolean;
+  /** Positions are divided by the sum of their weights. */
+  divideByWeights?: boolean;
 }
 
 /** Vertices and their influences (skin.h), vectors of three floats. */
@@ -79,7 +89,7 @@ export class Mesh extends Owner {
   /** The skinned vectors, not copies; null where the mesh has none. */
   readonly skinned: Record<'positions' | 'normals' | 'tangents' | 'bitangents', Float32Array | null>;
   /** Linear blend skinning by a Palette of PALETTE_MAT4. */
-  skinLinear(palette: Palette): this;
+  skinLinear(palette: Palette, options?: SkinOptions): this;
   /** Dual-quaternion skinning by a Palette of PALETTE_DUAL_QUAT. */
   skinDualQuat(palette: Palette): this;
 }

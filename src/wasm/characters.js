@@ -178,8 +178,8 @@ const formats = new Map(
 const streams = ['positions', 'normals', 'tangents', 'bitangents'];
 
 /**
- * Vertices and their influences (skin.h). Vectors are three floats; joints are Uint8Array, Uint16Array or Uint32Array;
- * weights Uint8Array, Uint16Array or Float32Array. `skinned` has the results.
+ * Vertices and their influences (skin.h). Vectors are three floats; joints are Uint8Array, Uint16Array, Uint32Array or
+ * Float32Array; weights Uint8Array, Uint16Array or Float32Array. `skinned` has the results.
  */
 export class Mesh extends Owner {
   constructor({ joints, weights, influenceCount = 4, ...vectors }) {
@@ -216,11 +216,14 @@ export class Mesh extends Owner {
   get skinned() {
     return this.#vectors(this._to);
   }
-  /** Linear blend skinning by a Palette of PALETTE_MAT4. */
-  skinLinear(palette) {
+  /**
+   * Linear blend skinning by a Palette of PALETTE_MAT4. Options, as nkw_skin_options: keepLength, inverseNormals,
+   * divideByWeights.
+   */
+  skinLinear(palette, { keepLength = false, inverseNormals = false, divideByWeights = false } = {}) {
     this._use();
     const by = expect(Palette, palette)._view(0);
-    words(3, 0, 0, 0, 0);
+    words(3, 0, 0, 0, +keepLength, +inverseNormals, +divideByWeights);
     check('nkw_skin_linear', x.nkw_skin_linear(this._skin, by, this._in, this._out));
     return this;
   }

@@ -23,7 +23,8 @@ export type Weights = Uint8Array | Uint16Array | Float32Array;
 /** Weights that sum to 1 exactly (nkw_skin_normalize_weights); `out` may have another format. */
 export function skinNormalizeWeights(weights: Weights, out: Weights, influenceCount: number, vertexCount: number): void;
 /** The keepCount largest weights of each vertex of a mesh, and their joints (nkw_skin_prune). */
-export function skinPrune(mesh: Mesh, keepCount: number, joints: Uint8Array | Uint16Array | Uint32Array,
+export function skinPrune(mesh: Mesh, keepCount: number,
+  joints: Uint8Array | Uint16Array | Uint32Array | Float32Array,
   weights: Weights): void;
 
 /** The boxes of the joints in the bind pose, and one of the vertices without influence (nkw_box_from_skin). */

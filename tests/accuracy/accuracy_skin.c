@@ -9,6 +9,8 @@
 #define SAMPLES 15000u
 #define MOST    8
 
+static const nkw_skin_options usual = {0, 0, 0}, inverse = {0, 1, 0}, divided = {0, 0, 1};
+
 /* Of the position, of the normal's direction, of the normal's length. */
 typedef enum part { POSITION, NORMAL, LENGTH } part;
 
@@ -44,11 +46,12 @@ static vertex draw_vertex(const float *x, int influences, float low, float sprea
     return v;
 }
 
-static void skin(vertex *v, int influences, int is_dual)
+static void skin(vertex *v, int influences, int is_dual, nkw_skin_options options)
 {
     size_t joint_count = (size_t)influences;
     nkw_skin s = {1, joint_count, {v->joint, 0, NKW_SKIN_U8}, {v->weight, 0, NKW_SKIN_F32}};
-    nkw_skin_palette palette = {{v->matrix, joint_count, NKW_PALETTE_MAT4}, {NULL, 0, NKW_PALETTE_NORMAL_MAT3}, 0};
+    nkw_skin_palette palette = {
+        {v->matrix, joint_count, NKW_PALETTE_MAT4}, {NULL, 0, NKW_PALETTE_NORMAL_MAT3}, options};
     nkw_palette_view duals = {v->dual, joint_count, NKW_PALETTE_DUAL_QUAT};
     nkw_vertices_view in = {{&v->position, 0}, {&v->normal, 0}, {NULL, 0}, {NULL, 0}};
     nkw_vertices_span out = {{&v->moved, 0}, {&v->turned, 0}, {NULL, 0}, {NULL, 0}};
@@ -62,6 +65,22 @@ static void transform(const wide m[16], const float p[3], wide w, wide out[3])
 {
     for (int i = 0; i < 3; i++)
         out[i] = m[i] * p[0] + m[4 + i] * p[1] + m[8 + i] * p[2] + m[12 + i] * w;
+}
+
+/* The cofactors of the block of m, det (m^-1)^T, as a matrix; its direction is that of the inverse transpose. */
+static void cofactors_of(const wide m[16], wide out[16])
+{
+    wide det;
+    for (int i = 0; i < 16; i++)
+        out[i] = 0;
+    for (int c = 0; c < 3; c++)
+        for (int r = 0; r < 3; r++) {
+            const int c1 = 4 * ((c + 1) % 3), c2 = 4 * ((c + 2) % 3), r1 = (r + 1) % 3, r2 = (r + 2) % 3;
+            out[4 * c + r] = m[c1 + r1] * m[c2 + r2] - m[c1 + r2] * m[c2 + r1];
+        }
+    det = m[0] * out[0] + m[1] * out[1] + m[2] * out[2];
+    for (int i = 0; i < 16; i++)
+        out[i] = det < 0 ? -out[i] : out[i];
 }
 
 static double judge(const vertex *v, const wide m[16], wide magnitude, part judged)
@@ -82,12 +101,12 @@ static double judge(const vertex *v, const wide m[16], wide magnitude, part judg
 }
 
 /* Positions: of the sum of weight |matrix| |(p, 1)|, Frobenius norms of the first three rows. */
-static double linear_error(const float *x, int influences, float low, part judged)
+static double linear_error(const float *x, int influences, float low, part judged, nkw_skin_options options)
 {
     vertex v = draw_vertex(x, influences, low, 1.0f);
     float p[4] = {v.position.x, v.position.y, v.position.z, 1.0f};
-    wide sum[16] = {0}, m[16], point[4], magnitude = 0;
-    skin(&v, influences, 0);
+    wide sum[16] = {0}, normal[16], m[16], point[4], magnitude = 0;
+    skin(&v, influences, 0, options);
     wide_from(p, point, 4);
     for (int e = 0; e < influences; e++) {
         wide_from(v.matrix[e].m, m, 16);
@@ -96,7 +115,8 @@ static double linear_error(const float *x, int influences, float low, part judge
         for (int i = 0; i < 16; i++)
             sum[i] += v.weight[e] * m[i];
     }
-    return judge(&v, sum, magnitude, judged);
+    cofactors_of(sum, normal);
+    return judge(&v, options.inverse_normals && judged == NORMAL ? normal : sum, magnitude, judged);
 }
 
 static void add_dual(const nkw_dual_quat *d, const nkw_quat side, wide weight, wide real[4], wide dual[4])
@@ -128,7 +148,7 @@ static double dual_error(const float *x, int influences, part judged)
     wide real[4] = {0}, dual[4] = {0}, m[16], point[3], magnitude;
     float p[3];
     int most = 0;
-    skin(&v, influences, 1);
+    skin(&v, influences, 1, usual);
     for (int e = 1; e < influences; e++)
         most = v.weight[e] > v.weight[most] ? e : most;
     put_vec3(p, v.position);
@@ -144,10 +164,10 @@ static double dual_error(const float *x, int influences, part judged)
     return judge(&v, m, magnitude, judged);
 }
 
-#define LINEAR(name, influences, low, judged)                                                                          \
+#define LINEAR(name, influences, low, judged, options)                                                                 \
     static double name(const float *x)                                                                                 \
     {                                                                                                                  \
-        return linear_error(x, influences, low, judged);                                                               \
+        return linear_error(x, influences, low, judged, options);                                                      \
     }
 #define DUAL(name, influences, judged)                                                                                 \
     static double name(const float *x)                                                                                 \
@@ -155,12 +175,19 @@ static double dual_error(const float *x, int influences, part judged)
         return dual_error(x, influences, judged);                                                                      \
     }
 
-LINEAR(linear_1, 1, 0.5f, POSITION)
-LINEAR(linear_4, 4, 0.5f, POSITION)
-LINEAR(linear_8, 8, 0.5f, POSITION)
-LINEAR(linear_normal, 4, 1.0f, NORMAL)
-LINEAR(linear_normal_8, 8, 1.0f, NORMAL)
-LINEAR(linear_length, 8, 0.5f, LENGTH)
+LINEAR(linear_1, 1, 0.5f, POSITION, usual)
+LINEAR(linear_4, 4, 0.5f, POSITION, usual)
+LINEAR(linear_8, 8, 0.5f, POSITION, usual)
+LINEAR(linear_normal, 4, 1.0f, NORMAL, usual)
+LINEAR(linear_normal_8, 8, 1.0f, NORMAL, usual)
+LINEAR(linear_length, 8, 0.5f, LENGTH, usual)
+LINEAR(inverse_1, 1, 0.5f, NORMAL, inverse)
+LINEAR(inverse_normal, 4, 1.0f, NORMAL, inverse)
+LINEAR(inverse_normal_8, 8, 1.0f, NORMAL, inverse)
+LINEAR(inverse_scaled, 4, 0.5f, NORMAL, inverse)
+LINEAR(inverse_length, 8, 0.5f, LENGTH, inverse)
+LINEAR(divided_4, 4, 0.5f, POSITION, divided)
+LINEAR(divided_8, 8, 0.5f, POSITION, divided)
 DUAL(dual_1, 1, POSITION)
 DUAL(dual_4, 4, POSITION)
 DUAL(dual_8, 8, POSITION)
@@ -178,6 +205,13 @@ static const wide_case cases[] = {
     {MATRICES, "normals, 4 influences, rigid", wide_seed, linear_normal, 2, WIDE_CHECKED},
     {MATRICES, "normals, 8 influences, rigid", wide_seed, linear_normal_8, 2, WIDE_CHECKED},
     {MATRICES, "length of normals, 8 influences", wide_seed, linear_length, 2, WIDE_CHECKED},
+    {MATRICES, "inverse normals, 1 influence, scales 0.5 to 2", wide_seed, inverse_1, 2, WIDE_CHECKED},
+    {MATRICES, "inverse normals, 4 influences, rigid", wide_seed, inverse_normal, 2, WIDE_CHECKED},
+    {MATRICES, "inverse normals, 8 influences, rigid", wide_seed, inverse_normal_8, 2, WIDE_CHECKED},
+    {MATRICES, "inverse normals, 4 influences, scales 0.5 to 2", wide_seed, inverse_scaled, 2, WIDE_CHECKED},
+    {MATRICES, "length of inverse normals, 8 influences", wide_seed, inverse_length, 2, WIDE_CHECKED},
+    {MATRICES, "positions divided, 4 influences", wide_seed, divided_4, 2, WIDE_CHECKED},
+    {MATRICES, "positions divided, 8 influences", wide_seed, divided_8, 2, WIDE_CHECKED},
     {DUALS, "positions, 1 influence", wide_seed, dual_1, 2, WIDE_CHECKED},
     {DUALS, "positions, 4 influences", wide_seed, dual_4, 2, WIDE_CHECKED},
     {DUALS, "positions, 8 influences", wide_seed, dual_8, 2, WIDE_CHECKED},

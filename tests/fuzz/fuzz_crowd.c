@@ -65,7 +65,8 @@ static void bake(fuzz *f, const nkw_crowd_source *source)
 static void skin(fuzz *f, const float *lanes, size_t n, const nkw_mat4 *const *palettes)
 {
     const size_t count = fuzz_upto(f, 20), k = fuzz_upto(f, 10);
-    const int keep = fuzz_byte(f) % 2;
+    const uint8_t bits = fuzz_byte(f);
+    const nkw_skin_options options = {bits & 1, bits >> 1 & 1, bits >> 2 & 1};
     nkw_skin s = {count, k, {NULL, 0, NKW_SKIN_U8}, {NULL, 0, NKW_SKIN_F32}};
     s.joints.data = fuzz_bytes(f, count * k);
     s.weights.data = fuzz_floats(f, count * k, fuzz_byte(f) % 2);
@@ -79,10 +80,10 @@ static void skin(fuzz *f, const float *lanes, size_t n, const nkw_mat4 *const *p
             continue;
         outs[i].positions.data = fuzz_room(f, 3 * count), outs[i].normals.data = fuzz_room(f, 3 * count);
         alone[i].positions.data = fuzz_room(f, 3 * count), alone[i].normals.data = fuzz_room(f, 3 * count);
-        const nkw_skin_palette p = {{palettes[i], n, NKW_PALETTE_MAT4}, {NULL, 0, NKW_PALETTE_MAT4}, keep};
+        const nkw_skin_palette p = {{palettes[i], n, NKW_PALETTE_MAT4}, {NULL, 0, NKW_PALETTE_MAT4}, options};
         nkw_skin_linear(&s, &p, vertices, alone[i]);
     }
-    nkw_crowd_skin(crowd_matrices_view(lanes, n), &s, vertices, keep, outs);
+    nkw_crowd_skin(crowd_matrices_view(lanes, n), &s, vertices, options, outs);
     for (size_t i = 0; i < NKW_CROWD; i++)
         FUZZ_CHECK(!palettes[i] || (fuzz_same(outs[i].positions.data, alone[i].positions.data, 3 * count) &&
                                     fuzz_same(outs[i].normals.data, alone[i].normals.data, 3 * count)));

@@ -108,13 +108,19 @@ typedef struct palettes {
     nkw_palette_view dual;
 } palettes;
 
+static nkw_skin_options draw_options(fuzz *f)
+{
+    const uint8_t bits = fuzz_byte(f);
+    return (nkw_skin_options){bits & 1, bits >> 1 & 1, bits >> 2 & 1};
+}
+
 static palettes draw_palettes(fuzz *f)
 {
     size_t joint_count = fuzz_upto(f, JOINTS), normal_count = fuzz_upto(f, JOINTS);
     const float *normals = fuzz_floats(f, 9 * normal_count, 1);
     palettes p = {{{fuzz_matrices(f, joint_count, 1), joint_count, NKW_PALETTE_MAT4},
                    {fuzz_byte(f) % 4 ? NULL : normals, normal_count, NKW_PALETTE_NORMAL_MAT3},
-                   fuzz_byte(f) % 2},
+                   draw_options(f)},
                   {fuzz_floats(f, 8 * joint_count, 1), joint_count, NKW_PALETTE_DUAL_QUAT}};
     return p;
 }

@@ -232,7 +232,7 @@ static uint64_t hash_skins(const scene *s)
         const nkw_vertices_span out = {{s->skinned[0], 0}, {s->skinned[1], 0}, {s->skinned[2], 0}, {NULL, 0}};
         const nkw_skin_palette palette = {palette_view(NKW_PALETTE_MAT4, s->palette, s->joints),
                                           palette_view(NKW_PALETTE_NORMAL_MAT3, i / 4 == 2 ? s->normals : NULL, s->joints),
-                                          0};
+                                          {i % 5 == 4, i % 3 == 1, i % 2}};
         for (size_t k = 0; k < 3; k++)
             memcpy(s->skinned[k], s->vectors[k], 3 * s->joints * sizeof(float));
         nkw_skin_linear(&skin, &palette, in, out);

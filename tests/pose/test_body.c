@@ -222,7 +222,7 @@ static void the_skin_is_inside_its_bounds_in_every_frame(void **state)
         play(&b, clip, end_of(clip) * (float)i / (FRAMES * MANNEQUIN_CLIPS));
         nkw_palette_span to = {palette, JOINTS, NKW_PALETTE_MAT4};
         nkw_palette_from_models(&source, to);
-        nkw_skin_palette matrices = {NKW_VIEW(nkw_palette, to), {NULL, 0, NKW_PALETTE_NORMAL_MAT3}, 0};
+        nkw_skin_palette matrices = {NKW_VIEW(nkw_palette, to), {NULL, 0, NKW_PALETTE_NORMAL_MAT3}, {0, 0, 0}};
         nkw_skin_linear(&skin, &matrices, in, out);
         nkw_box_from_palette(NKW_VIEW(nkw_palette, to), boxes, &box);
         nkw_box tight = NKW_BOX_EMPTY;

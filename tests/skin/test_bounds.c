@@ -63,7 +63,7 @@ static void draw_mesh(random_source *r, int scaled, float size)
 
 static void skin_mesh(void)
 {
-    nkw_skin_palette palette = {palette_view(NKW_PALETTE_MAT4, m.palette, JOINTS), {NULL, 0, NKW_PALETTE_MAT4}, 0};
+    nkw_skin_palette palette = {palette_view(NKW_PALETTE_MAT4, m.palette, JOINTS), {NULL, 0, NKW_PALETTE_MAT4}, {0, 0, 0}};
     nkw_vertices_view in = {{m.positions, 0}, {NULL, 0}, {NULL, 0}, {NULL, 0}};
     nkw_vertices_span out = {{m.skinned, 0}, {NULL, 0}, {NULL, 0}, {NULL, 0}};
     nkw_skin_linear(&m.skin, &palette, in, out);
@@ -157,7 +157,7 @@ static void formats_that_do_not_fit_write_nothing(void **state)
     assert_int_equal(nkw_box_from_palette(palette_view(NKW_PALETTE_DUAL_QUAT, m.palette, 1), m.boxes, &box),
                      NKW_BAD_FORMAT);
     expect_floats_bits(&box.low.x, &same.low.x, 6);
-    m.skin.joints.format = NKW_SKIN_F32;
+    m.skin.joints.format = NKW_SKIN_FORMAT_MAX_ENUM;
     m.boxes[0] = same;
     assert_int_equal(nkw_box_from_skin(&m.skin, positions(), m.boxes, JOINTS), NKW_BAD_FORMAT);
     expect_floats_bits(&m.boxes[0].low.x, &same.low.x, 6);

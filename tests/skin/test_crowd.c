@@ -377,21 +377,22 @@ static nkw_vertices_span result_streams(int which, size_t lane, int mask, size_t
     return v;
 }
 
-static void compare_skins(const nkw_skin *skin, int keep, int in_mask, int out_mask, size_t stride)
+static void compare_skins(const nkw_skin *skin, nkw_skin_options options, int in_mask, int out_mask, size_t stride)
 {
     const nkw_vertices_view view = bind_streams(in_mask);
     nkw_vertices_span outs[NKW_CROWD];
     memset(results, 0, sizeof results);
     for (size_t i = 0; i < NKW_CROWD; i++) {
         const int mask = i == 6 ? 0 : i == 9 ? out_mask & 2 : out_mask;
-        const nkw_skin_palette palette = {{matrices[i], JOINTS, NKW_PALETTE_MAT4}, {NULL, 0, NKW_PALETTE_MAT4}, keep};
+        const nkw_skin_palette palette = {
+            {matrices[i], JOINTS, NKW_PALETTE_MAT4}, {NULL, 0, NKW_PALETTE_MAT4}, options};
         /* One lane with another stride, so that not all outputs are contiguous. */
-        const size_t apart = i == 12 && !keep ? 16 : stride;
+        const size_t apart = i == 12 && !options.keep_length ? 16 : stride;
         const nkw_vertices_span alone = result_streams(0, i, mask, apart);
         outs[i] = result_streams(1, i, mask, apart);
         assert_int_equal(nkw_skin_linear(skin, &palette, view, alone), NKW_OK);
     }
-    assert_int_equal(nkw_crowd_skin(crowd_matrices_view(models, JOINTS), skin, view, keep, outs), NKW_OK);
+    assert_int_equal(nkw_crowd_skin(crowd_matrices_view(models, JOINTS), skin, view, options, outs), NKW_OK);
     expect_floats_bits(results[1][0][0], results[0][0][0], sizeof results[0] / sizeof(float));
 }
 
@@ -410,7 +411,8 @@ static void every_lane_is_skinned_as_its_character_alone(void **state)
             round % 7 == 6 ? VERTICES - 2 : VERTICES, k, {indices, 0, NKW_SKIN_U8}, {weights, 0, NKW_SKIN_F32}};
         if (round % 5 == 4)
             skin.weights.format = NKW_SKIN_U8;
-        compare_skins(&skin, round % 2, round % 3 ? 15 : 1 + round % 15, round % 4 ? 15 : 3, round % 8 < 4 ? 12 : 16);
+        const nkw_skin_options options = {round % 2, round / 2 % 2, round / 4 % 2};
+        compare_skins(&skin, options, round % 3 ? 15 : 1 + round % 15, round % 4 ? 15 : 3, round % 8 < 4 ? 12 : 16);
     }
 }
 
@@ -419,12 +421,14 @@ static void a_crowd_is_copied_where_formats_do_not_fit(void **state)
     (void)state;
     random_source r = random_from(13);
     draw_skin(&r);
-    const nkw_skin skin = {VERTICES, 4, {indices, 0, NKW_SKIN_F32}, {weights, 0, NKW_SKIN_F32}};
+    const nkw_skin skin = {VERTICES, 4, {indices, 0, NKW_SKIN_FORMAT_MAX_ENUM}, {weights, 0, NKW_SKIN_F32}};
     const nkw_vertices_view view = bind_streams(1);
     nkw_vertices_span outs[NKW_CROWD];
     for (size_t i = 0; i < NKW_CROWD; i++)
         outs[i] = result_streams(0, i, 1, 12);
-    assert_int_equal(nkw_crowd_skin(crowd_matrices_view(models, JOINTS), &skin, view, 0, outs), NKW_BAD_FORMAT);
+    assert_int_equal(
+        nkw_crowd_skin(crowd_matrices_view(models, JOINTS), &skin, view, (nkw_skin_options){0, 0, 0}, outs),
+        NKW_BAD_FORMAT);
     for (size_t i = 0; i < NKW_CROWD; i++)
         expect_floats_bits(results[0][i][0], bind_vectors[0], 3 * VERTICES);
 }

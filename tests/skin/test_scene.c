@@ -95,7 +95,7 @@ static void play_to(const played *p, int anim, float time, moment *m)
         nkw_skin skin = {mesh->count, 8, {mesh->joints, 0, NKW_SKIN_U16}, {mesh->weights, 0, NKW_SKIN_F32}};
         nkw_skin_palette palette = {{m->palette[mesh->skin], s->skin[mesh->skin].count, NKW_PALETTE_MAT4},
                                     {NULL, 0, NKW_PALETTE_NORMAL_MAT3},
-                                    0};
+                                    {0, 0, 0}};
         nkw_vertices_view in = {{mesh->positions, 0}, {NULL, 0}, {NULL, 0}, {NULL, 0}};
         nkw_vertices_span out = {{m->skinned[k], 0}, {NULL, 0}, {NULL, 0}, {NULL, 0}};
         nkw_skin_linear(&skin, &palette, in, out);

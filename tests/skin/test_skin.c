@@ -265,7 +265,7 @@ static void no_palette_no_influence_and_unknown_formats_move_nothing(void **stat
     skin.influence_count = 0;
     expect_not_moved(&skin, JOINTS, &m, NKW_OK);
     skin = skin_of(&m, 4);
-    skin.joints.format = NKW_SKIN_F32;
+    skin.joints.format = NKW_SKIN_FORMAT_MAX_ENUM;
     expect_not_moved(&skin, JOINTS, &m, NKW_BAD_FORMAT);
     skin = skin_of(&m, 4);
     skin.weights.format = NKW_SKIN_U32;

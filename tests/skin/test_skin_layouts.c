@@ -62,11 +62,12 @@ static void encode(mesh *m, size_t k, const nkw_skin *skin, uint8_t *joints, uin
 }
 
 /* Positions and normals of `floats` floats a vertex, or separate ones, in place; floats around them are kept. */
-static void expect_by_definition(const mesh *m, const nkw_skin *skin, size_t floats, int keep_length)
+static void expect_by_definition(const mesh *m, const nkw_skin *skin, size_t floats, nkw_skin_options options)
 {
-    const nkw_skin_palette palette = palette_of(m->matrices, NULL, JOINTS, keep_length);
+    nkw_skin_palette palette = palette_of(m->matrices, NULL, JOINTS, 0);
     float got[VERTICES * FLOATS + 2], want[VERTICES * FLOATS + 2];
     const size_t s = floats * sizeof(float), normals = floats == 3 ? 3 * VERTICES : 3;
+    palette.options = options;
     memcpy(got + 1, m->v, sizeof m->v);
     got[0] = got[VERTICES * FLOATS + 1] = 7;
     memcpy(want, got, sizeof got);
@@ -77,9 +78,12 @@ static void expect_by_definition(const mesh *m, const nkw_skin *skin, size_t flo
         float *p = want + 1 + i * floats, *n = p + normals;
         if (!matrix_of(m, skin->influence_count, i, &sum))
             continue;
-        const nkw_vec3 d = nkw_mat4_transform_direction(&sum, vec3_at(n));
-        put_vec3(p, nkw_mat4_transform_point(&sum, vec3_at(p)));
-        put_vec3(n, keep_length ? d : unit(d));
+        const nkw_vec3 d =
+            options.inverse_normals ? inverse_normal(&sum, vec3_at(n)) : nkw_mat4_transform_direction(&sum, vec3_at(n));
+        const nkw_vec3 moved = nkw_mat4_transform_point(&sum, vec3_at(p));
+        const float w = options.divide_by_weights ? sum.m[15] : 1.0f;
+        put_vec3(p, (nkw_vec3){moved.x / w, moved.y / w, moved.z / w});
+        put_vec3(n, options.keep_length ? d : unit(d));
     }
     assert_int_equal(nkw_skin_linear(skin, &palette, in, out), NKW_OK);
     expect_floats_bits(got, want, VERTICES * FLOATS + 2);
@@ -102,9 +106,10 @@ static void every_format_and_count_is_the_sum_of_the_stored_numbers(void **state
                     memset(m.weights + i * k, 0, k * sizeof *m.weights);
             }
             encode(&m, k, &skin, joints, weights);
-            for (int raw = 0; raw < 2; raw++) {
-                expect_by_definition(&m, &skin, 3, raw);
-                expect_by_definition(&m, &skin, FLOATS, raw);
+            for (int o = 0; o < 8; o++) {
+                const nkw_skin_options options = {o & 1, o >> 1 & 1, o >> 2};
+                expect_by_definition(&m, &skin, 3, options);
+                expect_by_definition(&m, &skin, FLOATS, options);
             }
         }
 }

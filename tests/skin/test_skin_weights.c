@@ -242,17 +242,17 @@ static void what_cannot_be_pruned_or_normalised_writes_nothing(void **state)
     nkw_skin skin = {1, 4, {joints, 0, NKW_SKIN_U8}, {weights, 0, NKW_SKIN_U8}};
     nkw_skin none = skin, bad_joints = skin, bad_weights = skin;
     none.influence_count = 0;
-    bad_joints.joints.format = NKW_SKIN_F32;
+    bad_joints.joints.format = NKW_SKIN_FORMAT_MAX_ENUM;
     bad_weights.weights.format = NKW_SKIN_U32;
     const nkw_skin *const refused[] = {&none, &bad_joints, &bad_weights};
     const nkw_result why[] = {NKW_EMPTY, NKW_BAD_FORMAT, NKW_BAD_FORMAT};
     nkw_skin_span to_j = {j, 0, NKW_SKIN_U8}, to_w = {w, 0, NKW_SKIN_U8};
-    nkw_skin_span floats = {j, 0, NKW_SKIN_F32}, wide = {w, 0, NKW_SKIN_U32};
+    nkw_skin_span unknown = {j, 0, NKW_SKIN_FORMAT_MAX_ENUM}, wide = {w, 0, NKW_SKIN_U32};
     for (size_t i = 0; i < 3; i++)
         assert_int_equal(nkw_skin_prune(refused[i], 2, to_j, to_w), why[i]);
     assert_int_equal(nkw_skin_prune(&skin, 0, to_j, to_w), NKW_EMPTY);
     assert_int_equal(nkw_skin_prune(&skin, 9, to_j, to_w), NKW_TOO_MANY);
-    assert_int_equal(nkw_skin_prune(&skin, 2, floats, to_w), NKW_BAD_FORMAT);
+    assert_int_equal(nkw_skin_prune(&skin, 2, unknown, to_w), NKW_BAD_FORMAT);
     assert_int_equal(nkw_skin_prune(&skin, 2, to_j, wide), NKW_BAD_FORMAT);
     assert_int_equal(nkw_skin_normalize_weights(skin.weights, 9, 1, to_w), NKW_TOO_MANY);
     assert_int_equal(nkw_skin_normalize_weights(skin.weights, 0, 1, to_w), NKW_EMPTY);
@@ -325,7 +325,7 @@ static void validate_checks_the_shape(void **state)
     skin.influence_count = 9;
     expect_invalid(&skin, NKW_TOO_MANY, 0);
     skin = skin_of(&m, 4);
-    skin.joints.format = NKW_SKIN_F32;
+    skin.joints.format = NKW_SKIN_FORMAT_MAX_ENUM;
     expect_invalid(&skin, NKW_BAD_FORMAT, 0);
     skin = skin_of(&m, 4);
     skin.weights.format = NKW_SKIN_U32;

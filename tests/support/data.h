@@ -17,6 +17,7 @@
     X(dual) \
     X(palette) \
     X(skin) \
+    X(skin_options) \
     X(skeleton) \
     X(crowd) \
     X(clip_more) \

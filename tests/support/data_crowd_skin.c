@@ -49,7 +49,7 @@ uint64_t data_crowd_skin(void)
                 {i == 4 ? NULL : out[i][0], 0}, {round % 4 == 3 ? NULL : out[i][1], 0}, {NULL, 0}, {NULL, 0}};
             outs[i] = to;
         }
-        nkw_crowd_skin(palette, &skin, in, round % 2, outs);
+        nkw_crowd_skin(palette, &skin, in, (nkw_skin_options){round % 2, 0, 0}, outs);
         hash = hash_floats(hash, out[0][0], sizeof out / sizeof(float));
     }
     return hash;

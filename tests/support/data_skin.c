@@ -60,7 +60,7 @@ static nkw_skin_palette palette_of(const model *m, int with_normals, int keep_le
 {
     nkw_skin_palette p = {{m->matrices, JOINTS, NKW_PALETTE_MAT4},
                           {with_normals ? m->normals : NULL, JOINTS, NKW_PALETTE_NORMAL_MAT3},
-                          keep_length};
+                          {keep_length, 0, 0}};
     return p;
 }
 

@@ -67,8 +67,9 @@ static inline nkw_skin skin_of(const mesh *m, size_t influences)
 static inline nkw_skin_palette palette_of(const nkw_mat4 *matrices, const nkw_mat3 *normals, size_t joint_count,
                                           int keep_length)
 {
-    nkw_skin_palette p = {
-        {matrices, joint_count, NKW_PALETTE_MAT4}, {normals, joint_count, NKW_PALETTE_NORMAL_MAT3}, keep_length};
+    nkw_skin_palette p = {{matrices, joint_count, NKW_PALETTE_MAT4},
+                          {normals, joint_count, NKW_PALETTE_NORMAL_MAT3},
+                          {keep_length, 0, 0}};
     return p;
 }
 
@@ -114,6 +115,24 @@ static inline nkw_vec3 unit(nkw_vec3 n)
 {
     float n2 = (n.x * n.x + n.y * n.y) + n.z * n.z;
     return nkw_vec3_scale(n, n2 == 0 ? 0 : 1 / sqrtf(n2));
+}
+
+static inline float term_of_side(float a, float b1, float b2, float c1, float c2)
+{
+    const float p = b1 * c2, q = b2 * c1;
+    return a * (p - q) + 0x1p-20f * (fabsf(a) * (fabsf(p) + fabsf(q)));
+}
+
+/* The n' of nkw_skin_options before it is made unit, as skin.h defines it. */
+static inline nkw_vec3 inverse_normal(const nkw_mat4 *m, nkw_vec3 n)
+{
+    const nkw_vec3 a = vec3_at(m->m), b = vec3_at(m->m + 4), c = vec3_at(m->m + 8);
+    const nkw_vec3 bc = nkw_vec3_cross(b, c), ca = nkw_vec3_cross(c, a), ab = nkw_vec3_cross(a, b);
+    const nkw_vec3 r = {(bc.x * n.x + ca.x * n.y) + ab.x * n.z, (bc.y * n.x + ca.y * n.y) + ab.y * n.z,
+                        (bc.z * n.x + ca.z * n.y) + ab.z * n.z};
+    const float side = (term_of_side(a.x, b.y, b.z, c.y, c.z) + term_of_side(a.y, b.z, b.x, c.z, c.x)) +
+                       term_of_side(a.z, b.x, b.y, c.x, c.y);
+    return nkw_vec3_scale(r, side < 0.0f ? -1.0f : 1.0f);
 }
 
 /* Whether vertex i has a weight other than 0 for a joint of the palette, and its matrix by definition. */

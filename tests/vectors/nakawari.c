@@ -405,7 +405,7 @@ static void skin(const nkw_palette_view *matrices, const value *in, value *out)
     nkw_skin s = {1, (size_t)in[0].count, {joints, 0, NKW_SKIN_U16}, {weights, 0, NKW_SKIN_F32}};
     nkw_vertices_view from = {{vectors, 0}, {vectors + 3, 0}, {NULL, 0}, {NULL, 0}};
     nkw_vertices_span to = {{results, 0}, {results + 3, 0}, {NULL, 0}, {NULL, 0}};
-    nkw_skin_palette linear = {*matrices, {NULL, 0, NKW_PALETTE_NORMAL_MAT3}, 0};
+    nkw_skin_palette linear = {*matrices, {NULL, 0, NKW_PALETTE_NORMAL_MAT3}, {0, 0, 0}};
     if (matrices->format == NKW_PALETTE_DUAL_QUAT)
         nkw_skin_dual_quat(&s, *matrices, from, to);
     else

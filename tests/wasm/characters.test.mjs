@@ -63,6 +63,19 @@ for (const [build, n] of [...await both('characters'), ...await both('all')]) {
       const want = math.mat4TransformPoint([], m, positions.slice(3 * i, 3 * i + 3));
       assert.deepEqual(bits(moved.subarray(3 * i, 3 * i + 3)), bits(want));
     }
+    const whole = moved.slice(), half = new n.Mesh({ positions, normals: positions, influenceCount: 1,
+      joints: Float32Array.from({ length: 10 }, (_, i) => i === 9 ? 0.5 : i % 3), weights: new Float32Array(10).fill(0.5) });
+    half.skinLinear(palette, { divideByWeights: true, inverseNormals: true });
+    const { positions: divided, normals } = half.skinned;
+    assert.deepEqual(bits(divided.subarray(0, 27)), bits(whole.subarray(0, 27)));
+    assert.deepEqual([...divided.subarray(27)], positions.slice(27).map(Math.fround));
+    for (let i = 0; i < 9; i++) {
+      const m = palette.array.slice(16 * (i % 3), 16 * (i % 3) + 16);
+      const block = [0, 1, 2, 4, 5, 6, 8, 9, 10].map(k => m[k]);
+      const want = math.vec3Normalize([], math.mat3Transform([], math.mat3Normal([], block), positions.slice(3 * i, 3 * i + 3)));
+      want.forEach((x, k) => assert.ok(Math.abs(normals[3 * i + k] - x) < 1e-6));
+    }
+    half.dispose();
     const linear = moved.slice(), dual = new n.Palette({ joints, inverseBind, format: n.PALETTE_DUAL_QUAT });
     dual.update(models);
     mesh.skinDualQuat(dual);

@@ -175,20 +175,77 @@ enum { GROUP = 4 };
 /* One vector of the F32XN lanes of a group: x0 y0 z0 x1 y1 ... */
 typedef f32xN group_vectors[3 * GROUP];
 
-/* M p, M d or M d / |M d| of a vector that all lanes share; 0 where |M d| = 0. */
-NKW_ALWAYS_INLINE void transform_lanes(const f32xN m[12], const unsigned char *in, int is_point, int normalized,
-                                       f32xN *r)
+/* A vector that all lanes share. */
+NKW_ALWAYS_INLINE f32xN_vectors shared_vector(const unsigned char *in)
 {
     const f32xN_vectors v = {f32xN_splat(load_float(in)), f32xN_splat(load_float(in + sizeof(float))),
                              f32xN_splat(load_float(in + 2 * sizeof(float)))};
+    return v;
+}
+
+/* M p. */
+NKW_ALWAYS_INLINE void transform_points(const f32xN m[12], f32xN_vectors v, f32xN *r)
+{
     for (int i = 0; i < 3; i++)
-        r[i] = is_point ? f32xN_point(m[i], m[3 + i], m[6 + i], m[9 + i], v)
-                        : f32xN_direction(m[i], m[3 + i], m[6 + i], v);
-    if (normalized) {
-        const f32xN scale = f32xN_inverse_length((r[0] * r[0] + r[1] * r[1]) + r[2] * r[2]);
-        for (int i = 0; i < 3; i++)
-            r[i] = r[i] * scale;
+        r[i] = f32xN_point(m[i], m[3 + i], m[6 + i], m[9 + i], v);
+}
+
+/* M d. */
+NKW_ALWAYS_INLINE void transform_directions(const f32xN m[12], f32xN_vectors v, f32xN *r)
+{
+    for (int i = 0; i < 3; i++)
+        r[i] = f32xN_direction(m[i], m[3 + i], m[6 + i], v);
+}
+
+/* f32xN_transform_normal of the matrix of each lane. */
+NKW_ALWAYS_INLINE void transform_normals(const f32xN m[12], f32xN_vectors v, f32xN *r)
+{
+    f32xN side[3];
+    for (int i = 0; i < 3; i++) {
+        const int i1 = (i + 1) % 3, i2 = (i + 2) % 3;
+        const f32xN_minor minor = {m[i1], m[i2], m[3 + i1], m[3 + i2], m[6 + i1], m[6 + i2]};
+        r[i] = f32xN_cofactors(minor, v);
+        side[i] = f32xN_side(m[i], minor);
     }
+    const i32xN mirrors = f32xN_mirrors(side[0], side[1], side[2]);
+    for (int i = 0; i < 3; i++)
+        r[i] = f32xN_negate_where(mirrors, r[i]);
+}
+
+/* d / |d|; 0 where |d| = 0. */
+NKW_ALWAYS_INLINE void normalize_directions(f32xN *r)
+{
+    const f32xN scale = f32xN_inverse_length((r[0] * r[0] + r[1] * r[1]) + r[2] * r[2]);
+    for (int i = 0; i < 3; i++)
+        r[i] = r[i] * scale;
+}
+
+/* The sum of the weights of vertex v: the last element of its blended nkw_mat4. */
+NKW_ALWAYS_INLINE float sum_of_weights(const influences *f, size_t k, size_t v)
+{
+    const unsigned char *weights = f->weights + v * f->weight_stride;
+    float sum = load_float(weights);
+    for (size_t e = 1; e < k; e++)
+        sum = sum + load_float(weights + e * sizeof sum);
+    return sum;
+}
+
+/* Stream s of a vertex whose weights have a sum. */
+NKW_ALWAYS_INLINE void transform_lanes(const nkw_skin_options *options, size_t s, const f32xN m[12], float sum,
+                                       const unsigned char *in, f32xN *r)
+{
+    const f32xN_vectors v = shared_vector(in);
+    if (s == SKIN_POSITIONS)
+        transform_points(m, v, r);
+    else if (s == SKIN_NORMALS && options->inverse_normals)
+        transform_normals(m, v, r);
+    else
+        transform_directions(m, v, r);
+    if (s == SKIN_POSITIONS && options->divide_by_weights)
+        for (int i = 0; i < 3; i++)
+            r[i] = r[i] / f32xN_splat(sum);
+    if (s != SKIN_POSITIONS && !options->keep_length)
+        normalize_directions(r);
 }
 
 /*
@@ -222,17 +279,10 @@ NKW_ALWAYS_INLINE void skin_group(const skin_job *job, const influences *from, s
         for (size_t v = 0; v < n; v++) {
             f32xN m[12]; /* row r, column c at [3 c + r] */
             weighted_sum(&f, CROWD_WIDTH, k, v, m);
-            for (size_t s = 0; s < SKIN_STREAMS; s++) {
-                if (!streams[s].in)
-                    continue;
-                const unsigned char *in = streams[s].in + v * streams[s].in_stride;
-                if (s == SKIN_POSITIONS)
-                    transform_lanes(m, in, 1, 0, r[s] + 3 * v);
-                else if (job->keep_length)
-                    transform_lanes(m, in, 0, 0, r[s] + 3 * v);
-                else
-                    transform_lanes(m, in, 0, 1, r[s] + 3 * v);
-            }
+            const float sum = job->options.divide_by_weights ? sum_of_weights(&f, k, v) : 1.0f;
+            for (size_t s = 0; s < SKIN_STREAMS; s++)
+                if (streams[s].in)
+                    transform_lanes(&job->options, s, m, sum, streams[s].in + v * streams[s].in_stride, r[s] + 3 * v);
         }
         for (size_t s = 0; s < SKIN_STREAMS; s++)
             if (streams[s].in)

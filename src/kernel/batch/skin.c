@@ -4,11 +4,11 @@
  *
  *     joints, weights as stored  ->  offsets, floats              decode
  *     palette entries            ->  the matrix of each vertex    weighted_sum (skin_sum.h)
- *     vectors as stored          ->  M p, M d / |M d|             transform_group, normalize
+ *     vectors as stored          ->  M p, M d / |M d|             transformed, normalize
  *
  * Linear blend: the matrices of a group of vertices stay in registers while they transform positions and normals
- * (blend_groups); they are stored if there are other vectors. Dual quaternions are summed, then converted to matrices
- * in memory.
+ * (blend_groups). They are stored for other vectors, and for normals and positions that options compute otherwise. Dual
+ * quaternions are summed, then converted to matrices in memory.
  *
  * Invariant: each vertex is written once, after all of it that is needed has been read, so outputs may be the inputs;
  * and its bits do not depend on its group, block or run. No byte after the last vertex is read or written.
@@ -56,15 +56,37 @@ NKW_ALWAYS_INLINE void write(unsigned char *out, size_t stride, int packed, f32x
         f32xN_write3(out, stride, a);
 }
 
-typedef enum kind { POINTS, DIRECTIONS, UNIT_DIRECTIONS } kind;
+/* What is computed of a vector; the last two are normalized when the block is finished. */
+typedef enum kind { POINTS, DIVIDED_POINTS, DIRECTIONS, NORMALS, UNIT_DIRECTIONS, UNIT_NORMALS } kind;
+
+NKW_ALWAYS_INLINE int is_unit(kind what)
+{
+    return what == UNIT_DIRECTIONS || what == UNIT_NORMALS;
+}
+
+NKW_ALWAYS_INLINE f32xN_column transformed(f32xN_columns m, kind what, f32xN_vectors v)
+{
+    switch (what) {
+    case POINTS:
+        return f32xN_transform_point(m, v);
+    case DIVIDED_POINTS:
+        return f32xN_transform_divided(m, v);
+    case NORMALS:
+    case UNIT_NORMALS:
+        return f32xN_transform_normal(m, v);
+    case DIRECTIONS:
+    case UNIT_DIRECTIONS:
+    default:
+        return f32xN_transform_direction(m, v);
+    }
+}
 
 /* The vectors of a group from s on; those to be normalized go to `later`. */
 NKW_ALWAYS_INLINE void transform_group(f32xN_columns m, kind what, int packed, const skin_stream *s,
                                        f32xN_column *later)
 {
-    const f32xN_vectors v = read(s->in, s->in_stride, packed);
-    const f32xN_column r = what == POINTS ? f32xN_transform_point(m, v) : f32xN_transform_direction(m, v);
-    if (what == UNIT_DIRECTIONS)
+    const f32xN_column r = transformed(m, what, read(s->in, s->in_stride, packed));
+    if (is_unit(what))
         *later = r;
     else
         write(s->out, s->out_stride, packed, r);
@@ -73,11 +95,10 @@ NKW_ALWAYS_INLINE void transform_group(f32xN_columns m, kind what, int packed, c
 /* The first n vectors of a group. Reads nothing else. */
 static void transform_part(const f32xN_columns *m, kind what, size_t n, const skin_stream *s, f32xN_column *later)
 {
-    const f32xN_vectors v = f32xN_read3_first(s->in, s->in_stride, n);
-    const f32xN_column r = what == POINTS ? f32xN_transform_point(*m, v) : f32xN_transform_direction(*m, v);
+    const f32xN_column r = transformed(*m, what, f32xN_read3_first(s->in, s->in_stride, n));
     float out[4 * F32XN_GROUP];
     memcpy(out, &r, sizeof out);
-    if (what == UNIT_DIRECTIONS)
+    if (is_unit(what))
         *later = r;
     else
         for (size_t i = 0; i < n; i++)
@@ -291,24 +312,45 @@ NKW_ALWAYS_INLINE void transform_by_matrices(block *b, kind what, const skin_str
         part = n - i < F32XN_GROUP ? n - i : F32XN_GROUP;
         transform_part(b->matrix + i / F32XN_GROUP, what, part, &s, b->direction + i / F32XN_GROUP);
     }
-    if (what == UNIT_DIRECTIONS)
+    if (is_unit(what))
         finish_directions(b, stream, n);
+}
+
+static kind kind_of(const skin_job *job, size_t s)
+{
+    if (s == SKIN_POSITIONS)
+        return job->options.divide_by_weights ? DIVIDED_POINTS : POINTS;
+    if (s == SKIN_NORMALS && job->options.inverse_normals)
+        return job->options.keep_length ? NORMALS : UNIT_NORMALS;
+    return job->options.keep_length ? DIRECTIONS : UNIT_DIRECTIONS;
 }
 
 /* Stream s of n vertices from `from` on, by the matrices of the block. */
 NKW_NOINLINE static void transform_stream(const skin_job *job, size_t s, size_t from, size_t followed, size_t n,
                                           block *b)
 {
-    const kind what = s == SKIN_POSITIONS ? POINTS : job->keep_length ? DIRECTIONS : UNIT_DIRECTIONS;
     const skin_stream stream = stream_at(&job->streams[s], from);
     if (!stream.in)
         return;
-    if (what == POINTS)
+    switch (kind_of(job, s)) {
+    case POINTS:
         transform_by_matrices(b, POINTS, &stream, followed, n);
-    else if (what == DIRECTIONS)
+        break;
+    case DIVIDED_POINTS:
+        transform_by_matrices(b, DIVIDED_POINTS, &stream, followed, n);
+        break;
+    case DIRECTIONS:
         transform_by_matrices(b, DIRECTIONS, &stream, followed, n);
-    else
+        break;
+    case NORMALS:
+        transform_by_matrices(b, NORMALS, &stream, followed, n);
+        break;
+    case UNIT_DIRECTIONS:
         transform_by_matrices(b, UNIT_DIRECTIONS, &stream, followed, n);
+        break;
+    case UNIT_NORMALS:
+        transform_by_matrices(b, UNIT_NORMALS, &stream, followed, n);
+    }
 }
 
 /* ---- Dual quaternions ---- */
@@ -426,9 +468,20 @@ NKW_NOINLINE static void blend_dual_quats(const influences *f, size_t n, block *
 
 /* ---- The two methods ---- */
 
-static int has_tangents(const skin_job *job)
+/* Whether linear blend stores the matrices, and transforms stream s by the stored ones. */
+static int is_by_stored(const skin_job *job, size_t s)
 {
-    return job->streams[SKIN_TANGENTS].in || job->streams[SKIN_BITANGENTS].in;
+    if (!job->streams[s].in)
+        return 0;
+    return s == SKIN_POSITIONS ? job->options.divide_by_weights : s == SKIN_NORMALS ? job->options.inverse_normals : 1;
+}
+
+static int stores_matrices(const skin_job *job)
+{
+    int any = 0;
+    for (size_t s = 0; s < SKIN_STREAMS; s++)
+        any |= is_by_stored(job, s);
+    return any;
 }
 
 /*
@@ -438,23 +491,26 @@ static int has_tangents(const skin_job *job)
 static size_t linear_run(const skin_job *job, const influences *f, size_t from, size_t followed, size_t n, block *b)
 {
     const skin_stream none = {NULL, NULL, 0, 0}, normals = stream_at(&job->streams[SKIN_NORMALS], from);
-    const int normalized = !job->keep_length && normals.in;
-    task t = {stream_at(&job->streams[SKIN_POSITIONS], from),
-              job->normals ? none : normals,
-              normalized,
-              has_tangents(job),
+    const skin_stream points = stream_at(&job->streams[SKIN_POSITIONS], from);
+    const int normalized = !job->options.keep_length && normals.in;
+    const int apart = job->normals || is_by_stored(job, SKIN_NORMALS);
+    task t = {is_by_stored(job, SKIN_POSITIONS) ? none : points,
+              apart ? none : normals,
+              normalized && !apart,
+              stores_matrices(job),
               16,
               followed};
     const size_t run = blend_run(f, &t, n, b);
-    if (normalized && !job->normals)
+    if (t.normalized)
         finish_directions(b, &normals, run);
     t.followed = followed < run ? followed : run;
-    for (size_t s = SKIN_TANGENTS; t.stored && s <= SKIN_BITANGENTS; s++)
-        transform_stream(job, s, from, t.followed, run, b);
+    for (size_t s = 0; t.stored && s < SKIN_STREAMS; s++)
+        if (is_by_stored(job, s))
+            transform_stream(job, s, from, t.followed, run, b);
     if (job->normals && normals.in) {
         influences by_normals = *f;
         by_normals.palette = job->normals;
-        t.points = none, t.directions = normals, t.stored = 0, t.width = 9;
+        t.points = none, t.directions = normals, t.normalized = normalized, t.stored = 0, t.width = 9;
         blend_run(&by_normals, &t, run, b);
         if (normalized)
             finish_directions(b, &normals, run);
@@ -508,7 +564,7 @@ static int may_read_fours(const skin_job *job)
 
 NKW_ALWAYS_INLINE void transform_blocks(const skin_job *job, int dual)
 {
-    const int is_long = !dual && job->influence_count <= 4 && !has_tangents(job), fours = may_read_fours(job);
+    const int is_long = !dual && job->influence_count <= 4 && !stores_matrices(job), fours = may_read_fours(job);
     const size_t count = job->vertex_count, size = is_long ? SKIN_LONG_BLOCK : SKIN_BLOCK;
     block b;
     if (job->influence_count == 0)

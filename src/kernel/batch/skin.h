@@ -24,9 +24,9 @@ typedef struct skin_job {
     nkw_skin_view joints, weights;
     size_t vertex_count, influence_count;
     uint32_t joint_count;
-    int keep_length;
+    nkw_skin_options options;
     const unsigned char *palette; /* nkw_mat4 or nkw_dual_quat */
-    const unsigned char *normals; /* nkw_mat3, or NULL */
+    const unsigned char *normals; /* nkw_mat3, or NULL, also with inverse_normals */
     skin_stream streams[SKIN_STREAMS];
 } skin_job;
 

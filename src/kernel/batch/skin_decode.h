@@ -82,7 +82,7 @@ NKW_ALWAYS_INLINE uint32_t decode_joints(const unsigned char *data, size_t strid
     for (size_t e = 0; e < n * k; e++) {
         const uint32_t j = skin_joint(data + e * size, format);
         offset[e] = j << 6;
-        beyond |= (format == NKW_SKIN_U32 ? j : 0) | (joint_count - 1 - j);
+        beyond |= (skin_format_size(format) == 4 ? j : 0) | (joint_count - 1 - j);
     }
     return beyond >> 31;
 }
@@ -99,7 +99,9 @@ NKW_ALWAYS_INLINE uint32_t decode_by_format(const skin_job *job, const unsigned 
         return decode_joints(joints, joint_stride, NKW_SKIN_U8, job->joint_count, k, n, d->offset);
     if (job->joints.format == NKW_SKIN_U16)
         return decode_joints(joints, joint_stride, NKW_SKIN_U16, job->joint_count, k, n, d->offset);
-    return decode_joints(joints, joint_stride, NKW_SKIN_U32, job->joint_count, k, n, d->offset);
+    if (job->joints.format == NKW_SKIN_U32)
+        return decode_joints(joints, joint_stride, NKW_SKIN_U32, job->joint_count, k, n, d->offset);
+    return decode_joints(joints, joint_stride, NKW_SKIN_F32, job->joint_count, k, n, d->offset);
 }
 
 /* A joint beyond the palette becomes joint 0 of weight 0. It is read again: an offset has lost its highest bits. */

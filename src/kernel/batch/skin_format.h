@@ -16,7 +16,7 @@ static inline size_t skin_format_size(nkw_skin_format format)
 
 static inline int skin_format_is_joint(nkw_skin_format format)
 {
-    return format == NKW_SKIN_U8 || format == NKW_SKIN_U16 || format == NKW_SKIN_U32;
+    return format == NKW_SKIN_U8 || format == NKW_SKIN_U16 || format == NKW_SKIN_U32 || format == NKW_SKIN_F32;
 }
 
 static inline int skin_format_is_weight(nkw_skin_format format)
@@ -49,11 +49,24 @@ static inline float skin_weight(const unsigned char *p, nkw_skin_format format)
     }
 }
 
+/* What is no joint: beyond every palette. */
+#define SKIN_NO_JOINT UINT32_MAX
+/* Floats up to it have all whole numbers. */
+#define SKIN_FLOAT_JOINTS 0x1p24f
+
+/* The whole number 0 .. 2^24 that a float is; SKIN_NO_JOINT for all others, NaN too. */
+static inline uint32_t skin_joint_of_float(float f)
+{
+    const int32_t j = (int32_t)(f >= 0.0f && f <= SKIN_FLOAT_JOINTS ? f : 0.0f);
+    return (float)j == f ? (uint32_t)j : SKIN_NO_JOINT;
+}
+
 /* The joint index at p; 0 in a format that is not for joints. */
 static inline uint32_t skin_joint(const unsigned char *p, nkw_skin_format format)
 {
     uint16_t u16;
     uint32_t u32;
+    float f32;
     switch (format) {
     case NKW_SKIN_U8:
         return *p;
@@ -63,6 +76,9 @@ static inline uint32_t skin_joint(const unsigned char *p, nkw_skin_format format
     case NKW_SKIN_U32:
         memcpy(&u32, p, sizeof u32);
         return u32;
+    case NKW_SKIN_F32:
+        memcpy(&f32, p, sizeof f32);
+        return skin_joint_of_float(f32);
     default:
         return 0;
     }

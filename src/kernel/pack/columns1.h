@@ -41,6 +41,12 @@ static inline f32xN_columns f32xN_columns_of3(const f32xN *m)
     return r;
 }
 
+static inline f32xN_column f32xN_next(f32xN_column a)
+{
+    f32xN_column r = {{a.row[1], a.row[2], a.row[0], 0.0f}};
+    return r;
+}
+
 static inline f32xN_vectors f32xN_vectors_of(const float *v)
 {
     f32xN_vectors r = {v[0], v[1], v[2]};

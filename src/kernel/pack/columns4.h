@@ -46,6 +46,12 @@ static inline f32xN_columns f32xN_columns_of3(const f32xN *m)
     return r;
 }
 
+static inline f32xN_column f32xN_next(f32xN_column a)
+{
+    f32xN_column r = {{F32X4_SHUFFLE(a.row[0], a.row[0], 1, 2, 0, 3)}};
+    return r;
+}
+
 static inline f32xN_vectors f32xN_vectors_of(f32xN v)
 {
     f32xN_vectors r = {f32xN_broadcast(v, 0), f32xN_broadcast(v, 1), f32xN_broadcast(v, 2)};

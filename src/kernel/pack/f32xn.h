@@ -173,6 +173,12 @@ static inline f32xN f32xN_negate_where(i32xN mask, f32xN a)
     return f32xN_from_i32xN(i32xN_from_f32xN(a) ^ (mask & INT32_MIN));
 }
 
+/* |a| */
+static inline f32xN f32xN_magnitude(f32xN a)
+{
+    return f32xN_from_i32xN(i32xN_from_f32xN(a) & INT32_MAX);
+}
+
 /* The bits that are set in any of the elements. */
 static inline uint32_t u32xN_any(u32xN a)
 {
