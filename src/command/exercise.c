@@ -8,6 +8,7 @@
 #include "command.h"
 #include "exercise/write.h"
 #include "exercise/trace.h"
+#include "object.h"
 #include "verdict.h"
 
 static const options_text text = {
@@ -23,6 +24,7 @@ static const options_text text = {
     "rows differ, 2 for a line that cannot be read.\n",
     "  nakawari exercise docs/examples/scenes.json --clip scene1 -o out\n"
     "  nakawari exercise docs/examples/flight.csv -o out && open out/index.html\n"
+    "  nakawari exercise docs/examples/scenes.json --object docs/examples/car.obj -o out\n"
     "  nakawari exercise docs/examples/flight.csv --trace 1.25 --position bezier --orientation euler\n"
     "  nakawari exercise docs/examples/scenes.json --check mine.csv --position bezier --orientation quat\n",
     1, 0};
@@ -30,7 +32,7 @@ static const options_text text = {
 #define TOLERANCE 0.001
 
 typedef struct request {
-    char *clip, *joint, *output, *position, *orientation, *rule, *checked, *angles, *matrix;
+    char *clip, *joint, *output, *object, *position, *orientation, *rule, *checked, *angles, *matrix;
     long keys;
     double step, time, tolerance;
     int traces, verdict; /* verdict: the exit code of --check */
@@ -146,6 +148,19 @@ static int check_numbers(const scene *s, request *r)
     return r->verdict == COMMAND_FINE;
 }
 
+/* Writes the tables and pictures, with the object of the request. */
+static int write_files(scene *s, const report_options *o, const request *r)
+{
+    object_model model = {NULL, NULL, 0, 0};
+    int done = !r->object || object_open(&model, r->object);
+    if (done) {
+        s->object = r->object ? &model : NULL;
+        done = output_folder(o->folder) && report_write(s, o);
+    }
+    object_free(&model);
+    return done;
+}
+
 static int run(const nkw_document *d, void *data)
 {
     request *r = data;
@@ -162,7 +177,7 @@ static int run(const nkw_document *d, void *data)
                     (nkw_orientation_method)r->orientation_method->method);
     else if (report_rows(&s, &o) > REPORT_ROWS_MAX)
         return output_complain(d, NULL, "more than 1000000 rows: choose a longer --step");
-    else if (!output_folder(o.folder) || !report_write(&s, &o))
+    else if (!write_files(&s, &o, r))
         return 0;
     return output_close(stdout, NULL);
 }
@@ -181,6 +196,8 @@ static int check_comparison(const options *o, request *r)
         return options_misuse(o, "--tolerance", "not in 0..1000000");
     if (r->checked && r->traces)
         return options_misuse(o, "--trace", "not with --check");
+    if (r->object && (r->checked || r->traces))
+        return options_misuse(o, "--object", "not with --check or --trace");
     r->unit = !r->angles ? ANSWERS_ANY_UNIT : unit == 0 ? ANSWERS_RADIANS : ANSWERS_DEGREES;
     return COMMAND_FINE;
 }
@@ -232,6 +249,8 @@ int command_exercise(int argc, const char **argv)
         {"angles", 0, POPT_ARG_STRING, &r.angles, 0,
          "of --check: radians, degrees (default: degrees if one is above 10)", "UNIT"},
         {"matrix", 0, POPT_ARG_STRING, &r.matrix, 0, "of --check: written by columns (default) or rows", "ORDER"},
+        {"object", 0, POPT_ARG_STRING, &r.object, 0,
+         "draw the model FILE.obj in place of the dart: its nose at -z, scaled to the dart's length", "FILE"},
         {"output", 'o', POPT_ARG_STRING, &r.output, 0,
          "write the files to the folder DIR, made if it does not exist (default: .)", "DIR"},
         OPTIONS_END};
@@ -241,6 +260,7 @@ int command_exercise(int argc, const char **argv)
     free(r.clip);
     free(r.joint);
     free(r.output);
+    free(r.object);
     free(r.position);
     free(r.orientation);
     free(r.rule);

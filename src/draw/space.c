@@ -10,6 +10,7 @@
 
 const space_livery space_vivid = {0xf08a24, 0x2f7fd1, 0x6a6a78, 0xf4d35e};
 const space_livery space_pale = {0xfbd9b4, 0xbcd8f2, 0xb9b9c0, 0xfaf0c8};
+const svg_paint space_shade = {0x3c4250, SVG_NONE, 0.0f, 1.0f, NULL};
 
 /* ---- the painter ---- */
 
@@ -166,7 +167,7 @@ static int faces_eye(const svg_camera *camera, const nkw_vec3 *corner, int count
 }
 
 /* Light falls from above and a little from the front right, on a good part of grey everywhere. */
-static svg_colour lit(svg_colour colour, const nkw_vec3 *c)
+svg_colour space_lit(svg_colour colour, const nkw_vec3 *c)
 {
     const nkw_vec3 lamp = {0.25f, 0.9f, 0.35f};
     nkw_vec3 n = nkw_vec3_cross(nkw_vec3_sub(c[1], c[0]), nkw_vec3_sub(c[2], c[0]));
@@ -184,7 +185,7 @@ static svg_colour part_colour(const space_livery *l, int part)
 static void nose_cap(space_list *list, const svg_camera *camera, const nkw_vec3 side[3], float distance)
 {
     nkw_vec3 cap[3] = {side[0], nkw_vec3_lerp(side[0], side[1], 0.24f), nkw_vec3_lerp(side[0], side[2], 0.24f)};
-    svg_paint paint = svg_fill(lit(0xe8304f, side), 1.0f);
+    svg_paint paint = svg_fill(space_lit(0xe8304f, side), 1.0f);
     space_add(list, camera, cap, 3, distance, &paint);
 }
 
@@ -193,7 +194,7 @@ static void add_face(space_list *list, const svg_camera *camera, const face *f, 
 {
     nkw_vec3 corner[4];
     pick(f, at, corner);
-    svg_paint paint = {lit(part_colour(livery, f->part), corner), 0x33333a, 0.6f, 1.0f, NULL};
+    svg_paint paint = {space_lit(part_colour(livery, f->part), corner), 0x33333a, 0.6f, 1.0f, NULL};
     space_add(list, camera, corner, f->corners, distance, &paint);
     if (f->corners == 3)
         nose_cap(list, camera, corner, distance);
@@ -227,7 +228,7 @@ void space_dart(space_list *list, const svg_camera *camera, const nkw_mat4 *m, f
 }
 
 /* From the lamp (0, 10, 0) through p to the floor: p + (p - lamp) p.y / (10 - p.y). */
-static nkw_vec3 shadow_of(nkw_vec3 p)
+nkw_vec3 space_shadow_of(nkw_vec3 p)
 {
     float k = 10.0f / (10.0f - p.y);
     nkw_vec3 q = {p.x * k, 0.0f, p.z * k};
@@ -238,15 +239,14 @@ void space_dart_shadow(svg *s, const svg_camera *camera, const nkw_mat4 *m, floa
 {
     nkw_vec3 at[CORNERS], corner[4];
     svg_point p[4];
-    svg_paint dark = svg_fill(0x3c4250, 1.0f);
     place(m, length, at);
     for (int i = 0; i <= BODY_FACES; i++) {
         const face *f = i < BODY_FACES ? &body[i] : &fin;
         pick(f, at, corner);
         for (int k = 0; k < f->corners; k++)
-            p[k] = svg_project(camera, shadow_of(corner[k]));
+            p[k] = svg_project(camera, space_shadow_of(corner[k]));
         /* Of a closed body the faces that look one way cover all of the shadow. */
         if (f == &fin || svg_area(p, (size_t)f->corners) > 0.0f)
-            svg_polygon(s, p, (size_t)f->corners, &dark);
+            svg_polygon(s, p, (size_t)f->corners, &space_shade);
     }
 }

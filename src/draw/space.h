@@ -42,10 +42,17 @@ typedef struct space_livery {
 
 extern const space_livery space_vivid, space_pale;
 
+/** A colour in the light on a face, whose corners are counter-clockwise seen from outside. */
+svg_colour space_lit(svg_colour colour, const nkw_vec3 *corners);
+/** Where the lamp of the exercise, at (0, 10, 0), throws the shadow of a point on the floor. */
+nkw_vec3 space_shadow_of(nkw_vec3 p);
+/** The colour of shadows. */
+extern const svg_paint space_shade;
+
 /** A dart with its nose at -z and its fin at +y, placed by m and `length` units long. */
 void space_dart(space_list *list, const svg_camera *camera, const nkw_mat4 *m, float length,
                 const space_livery *livery);
-/** Its shadow on the floor, from a lamp at (0, 10, 0) as in the exercise, painted at once. */
+/** Its shadow on the floor, painted at once. */
 void space_dart_shadow(svg *s, const svg_camera *camera, const nkw_mat4 *m, float length);
 
 #endif

@@ -47,12 +47,12 @@ static void frame_shadows(svg *out, const scene *s, const svg_camera *camera, nk
     svg_begin(out, 0.22f);
     for (size_t i = 0; i < frame_count(s); i++) {
         nkw_mat4 m = frame(s, i, method);
-        space_dart_shadow(out, camera, &m, length);
+        object_shadow(out, camera, &m, length, s->object);
     }
     svg_end(out);
 }
 
-/* The way of the object, a little behind the darts on it. */
+/* The way of the object, a little behind the objects on it. */
 static void frame_way(space_list *list, const scene *s, const svg_camera *camera)
 {
     svg_paint paint = svg_stroke(0x85858f, 1.3f, 1.0f);
@@ -67,19 +67,19 @@ static void frame_way(space_list *list, const scene *s, const svg_camera *camera
 }
 
 /* The keys in full colours, also those between two frames; the frames between in pale ones. */
-static int frame_darts(svg *out, const scene *s, const svg_camera *camera, nkw_orientation_method method, float length)
+static int frame_objects(svg *out, const scene *s, const svg_camera *camera, nkw_orientation_method method,
+                         float length)
 {
     space_list list = {NULL, 0, 0, 0};
     frame_way(&list, s, camera);
     for (size_t i = 0; i < frame_count(s); i++) {
         nkw_mat4 m = frame(s, i, method);
-        space_dart(&list, camera, &m, length,
-                   is_key(s, scene_time(s, FRAMES_PER_SECOND, i)) ? &space_vivid : &space_pale);
+        object_paint(&list, camera, &m, length, !is_key(s, scene_time(s, FRAMES_PER_SECOND, i)), s->object);
     }
     for (size_t k = 0; k < s->count; k++)
         if (!is_frame(s, s->keys[k].time)) {
             nkw_mat4 m = scene_place(s, s->keys[k].time, NKW_POSITION_HERMITE, method);
-            space_dart(&list, camera, &m, length, &space_vivid);
+            object_paint(&list, camera, &m, length, 0, s->object);
         }
     return space_paint(&list, out);
 }
@@ -102,16 +102,16 @@ int picture_frames(const scene *s, const char *path)
     svg_camera camera = svg_perspective(&s->view, PICTURE_FOV, centre, 448.0f);
     if (!svg_sheet_open(&out, path, 1100.0f, 684.0f,
                       "Every frame, 0.2 s apart: position by Hermite, orientation by slerp",
-                      "Between two keys the dart turns about one axis at constant speed, on the shorter path."))
+                      "Between two keys the object turns about one axis at constant speed, on the shorter path."))
         return 0;
     svg_begin_clip(&out, box);
     space_floor(&out, &camera, box);
     frame_shadows(&out, s, &camera, NKW_ORIENTATION_SLERP, length);
-    int ok = frame_darts(&out, s, &camera, NKW_ORIENTATION_SLERP, length);
+    int ok = frame_objects(&out, s, &camera, NKW_ORIENTATION_SLERP, length);
     frame_numbers(&out, s, &camera);
     svg_end(&out);
     svg_rect(&out, box, 0.0f, &border);
-    picture_dart_legend(&out, svg_at(36.0f, 664.0f));
+    picture_object_legend(&out, s, svg_at(36.0f, 664.0f));
     return svg_close(&out) && ok;
 }
 
@@ -192,13 +192,13 @@ static float facing_yaw(const scene *s, size_t segment, nkw_vec3 (*axis)(const s
 
 enum { STRIP = 7 };
 
-static int strip_dart(svg *out, const nkw_mat4 *turn, svg_point at, float yaw)
+static int strip_object(svg *out, const scene *s, const nkw_mat4 *turn, svg_point at, float yaw)
 {
     space_list list = {NULL, 0, 0, 0};
     nkw_mat4 view = upright_view(yaw), m = *turn;
     m.m[12] = m.m[13] = m.m[14] = 0.0f;
     svg_camera camera = svg_orthographic(&view, at, 112.0f);
-    space_dart(&list, &camera, &m, 1.0f, &space_vivid);
+    object_paint(&list, &camera, &m, 1.0f, 0, s->object);
     return space_paint(&list, out);
 }
 
@@ -214,7 +214,7 @@ static int strip(svg *out, const scene *s, size_t segment, float yaw)
     for (int i = 0; i < STRIP; i++) {
         float t = scene_segment_time(s, segment, (float)i / (float)(STRIP - 1)), x = 196.0f + 136.0f * (float)i;
         nkw_mat4 e = turned(s, t, NKW_ORIENTATION_EULER), q = turned(s, t, NKW_ORIENTATION_SLERP);
-        ok &= strip_dart(out, &e, svg_at(x, 178.0f), yaw) && strip_dart(out, &q, svg_at(x, 308.0f), yaw);
+        ok &= strip_object(out, s, &e, svg_at(x, 178.0f), yaw) && strip_object(out, s, &q, svg_at(x, 308.0f), yaw);
         sprintf(text, "%.16s s", svg_number(digits, t, 2));
         svg_text(out, svg_at(x, 108.0f), &time, text);
         sprintf(text, "%.16s\302\260", svg_number(digits, nkw_degrees_from_radians(difference(s, t)), 0));
@@ -228,7 +228,7 @@ static int strip(svg *out, const scene *s, size_t segment, float yaw)
 /* The keys from the segment on in which the methods differ most. */
 enum { CLOSE_KEYS = 3 };
 
-/* A camera that looks 55 degrees down on the way of the object, with room for a dart at each side, in a box. */
+/* A camera that looks 55 degrees down on the way of the object, with room for an object at each side, in a box. */
 static svg_camera close_camera(const scene *s, svg_box box, float length)
 {
     nkw_vec3 x = {1.0f, 0.0f, 0.0f};
@@ -270,7 +270,7 @@ static int close_panel(svg *out, const scene *s, size_t first, svg_box box, nkw_
     svg_begin_clip(out, box);
     space_floor(out, &camera, box);
     frame_shadows(out, s, &camera, method, length);
-    int ok = frame_darts(out, s, &camera, method, length);
+    int ok = frame_objects(out, s, &camera, method, length);
     close_numbers(out, s, &camera, first);
     svg_end(out);
     svg_rect(out, box, 0.0f, &border);
@@ -354,12 +354,12 @@ int picture_frames_compare(const scene *s, const char *path)
     sprintf(title, "Euler angles against slerp, from key %u to key %u", (unsigned)first,
             (unsigned)(first + part.count - 1));
     if (!svg_sheet_open(&out, path, 1100.0f, 780.0f, title,
-                      "The same keys, times and positions (Hermite), every 0.2 s. By Euler angles the darts between "
+                      "The same keys, times and positions (Hermite), every 0.2 s. By Euler angles the objects between "
                       "two keys swing aside."))
         return 0;
     int ok = close_panel(&out, &part, first, left, NKW_ORIENTATION_EULER) &&
              close_panel(&out, &part, first, right, NKW_ORIENTATION_SLERP);
-    picture_dart_legend(&out, svg_at(36.0f, 556.0f));
+    picture_object_legend(&out, s, svg_at(36.0f, 556.0f));
     close_angles(&out, &part, first);
     return svg_close(&out) && ok;
 }
@@ -471,7 +471,7 @@ int picture_orientation_compare(const scene *s, const char *path)
     int ok = strip(&out, s, segment, facing_yaw(s, segment, top));
     sphere(&out, s, segment);
     speeds(&out, s);
-    picture_dart_legend(&out, svg_at(196.0f, 418.0f));
+    picture_object_legend(&out, s, svg_at(196.0f, 418.0f));
     method_legend(&out, svg_at(28.0f, 474.0f));
     method_legend(&out, svg_at(850.0f, 447.0f));
     return svg_close(&out) && ok;

@@ -262,7 +262,7 @@ static void key_object(space_list *list, const svg_camera *camera, const scene *
     nkw_mat4 m = nkw_mat4_from_mat3(&r, at);
     paint.dash = "3 3";
     space_add(list, camera, pole, 2, space_distance(camera, at) + 0.02f, &paint);
-    space_dart(list, camera, &m, 0.4f, &space_vivid);
+    object_paint(list, camera, &m, 0.4f, 0, s->object);
 }
 
 svg_point picture_outward(const scene *s, const svg_camera *camera, size_t key, float far)
@@ -310,7 +310,7 @@ static int panel(svg *out, const scene *s, svg_box box, const curve *c)
     return ok;
 }
 
-void picture_dart_legend(svg *s, svg_point at)
+static void dart_legend(svg *out, svg_point at)
 {
     static const struct {
         svg_colour colour;
@@ -323,10 +323,21 @@ void picture_dart_legend(svg *s, svg_point at)
     static const float widths[] = {96.0f, 60.0f, 68.0f, 106.0f, 0.0f};
     for (int i = 0; i < 5; i++) {
         svg_paint paint = {parts[i].colour, 0x33333a, 0.6f, 1.0f, NULL};
-        svg_circle(s, svg_at(at.x, at.y), 6.0f, &paint);
-        svg_text(s, svg_at(at.x + 12.0f, at.y + 4.5f), &svg_sheet_text, parts[i].text);
+        svg_circle(out, svg_at(at.x, at.y), 6.0f, &paint);
+        svg_text(out, svg_at(at.x + 12.0f, at.y + 4.5f), &svg_sheet_text, parts[i].text);
         at.x += widths[i];
     }
+}
+
+void picture_object_legend(svg *out, const scene *s, svg_point at)
+{
+    char text[96];
+    if (!s->object) {
+        dart_legend(out, at);
+        return;
+    }
+    sprintf(text, "%.60s: its nose is -z, its top +y", s->object->name);
+    svg_text(out, svg_at(at.x, at.y + 4.5f), &svg_sheet_text, text);
 }
 
 int picture_trajectory_perspective(const scene *s, const char *path)
@@ -334,15 +345,15 @@ int picture_trajectory_perspective(const scene *s, const char *path)
     svg out;
     int ok = 1;
     if (!svg_sheet_open(&out, path, 1080.0f, 800.0f, "The same curves in space, through the exercise's camera",
-                      s->own ? "The darts are the keys. The surface between each curve and its shadow shows the "
+                      s->own ? "The objects are the keys. The surface between each curve and its shadow shows the "
                                "height."
-                             : "The darts are the keys, with their times in seconds. The surface between each curve "
+                             : "The objects are the keys, with their times in seconds. The surface between each curve "
                                "and its shadow shows the height."))
         return 0;
     for (int c = 0; c < CURVES; c++) {
         svg_box box = {24.0f + 520.0f * (float)(c % 2), 84.0f + 340.0f * (float)(c / 2), 512.0f, 332.0f};
         ok &= panel(&out, s, box, &curves[c]);
     }
-    picture_dart_legend(&out, svg_at(36.0f, 779.0f));
+    picture_object_legend(&out, s, svg_at(36.0f, 779.0f));
     return svg_close(&out) && ok;
 }

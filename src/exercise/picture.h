@@ -32,7 +32,7 @@ const char *picture_key_name(const scene *s, size_t key, char text[SVG_DIGITS]);
 /** A place for a key's label: `far` pixels from the key, away from the middle of all keys. */
 svg_point picture_outward(const scene *s, const svg_camera *camera, size_t key, float far);
 
-/** The colours of the dart's parts, in one row. */
-void picture_dart_legend(svg *s, svg_point at);
+/** The colours of the dart's parts, in one row; or the name of the model in its place. */
+void picture_object_legend(svg *out, const scene *s, svg_point at);
 
 #endif

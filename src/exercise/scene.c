@@ -82,6 +82,7 @@ int scene_build(int number, size_t keys, scene *out)
     out->unit = 1.0f;
     out->own = 0;
     out->rule = NKW_KEYFRAME_RULE_EXERCISE;
+    out->object = NULL;
     if (out->count == s->count)
         sprintf(out->name, "scene%d", number);
     else
@@ -138,6 +139,7 @@ int scene_from_keys(const char *name, const nkw_keyframe *keys, size_t count, sc
     out->count = count;
     out->own = 1;
     out->rule = NKW_KEYFRAME_RULE_EXERCISE;
+    out->object = NULL;
     set_name(out, name);
     nkw_vec3 middle = middle_of(out, &radius);
     out->unit = unit_of(radius);

@@ -8,6 +8,8 @@
 
 #include <nakawari/keyframe.h>
 
+#include "draw/object.h"
+
 enum { SCENE_KEYS_MAX = 64, SCENE_SECONDS_MAX = 64 };
 
 typedef struct scene {
@@ -18,6 +20,7 @@ typedef struct scene {
     float unit;                        /**< the length that pictures show as 1: 1 in the exercise */
     int own;                           /**< whether the keys are not those of the exercise */
     nkw_keyframe_rule rule;            /**< by which it is sampled; that of the exercise until it is set */
+    const object_model *object;        /**< drawn in place of the dart; NULL, the dart, until it is set */
 } scene;
 
 /** Scene 1 or 2, cut to its first `keys` keys; 0 keys means all. Gives 0 for a scene or a number it has not. */
